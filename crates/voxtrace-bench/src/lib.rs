@@ -14,6 +14,8 @@ mod reason;
 mod report;
 mod results;
 mod run;
+#[doc(hidden)]
+pub mod shell;
 
 pub use compare::{CompareError, CompareErrorKind, Comparison};
 pub use error::BenchError;

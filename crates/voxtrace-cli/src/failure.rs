@@ -95,6 +95,10 @@ impl From<clap::Error> for Failure {
             Some(ContextValue::String(typed)) if error.kind() == ErrorKind::UnknownArgument => {
                 verb_of(&text).and_then(|verb| hints::for_option(typed, &verb)).map(str::to_owned)
             }
+            Some(ContextValue::String(option)) => match error.get(ContextKind::InvalidValue) {
+                Some(ContextValue::String(value)) => hints::for_value(option, value),
+                _ => None,
+            },
             _ => None,
         };
         for line in text.lines().map(str::trim) {
@@ -115,6 +119,7 @@ impl From<clap::Error> for Failure {
 
 /// The verb whose usage a message of the command line's parser shows.
 fn verb_of(message: &str) -> Option<clap::Command> {
-    let usage = message.lines().find_map(|line| line.trim().strip_prefix("Usage: voxtrace "))?;
-    Cli::command().find_subcommand(usage.split_whitespace().next()?).cloned()
+    let usage = message.lines().find_map(|line| line.trim().strip_prefix("Usage: "))?;
+    // After the program, whose file may have been given another name.
+    Cli::command().find_subcommand(usage.split_whitespace().nth(1)?).cloned()
 }

@@ -1,5 +1,6 @@
 //! Heightmaps on the command line: how high they become, and in which colours.
 
+use crate::failure::Failure;
 use crate::parse;
 use std::path::PathBuf;
 use voxtrace::import::{Height, HeightOptions};
@@ -20,6 +21,20 @@ pub struct HeightArgs {
 }
 
 impl HeightArgs {
+    /// Refuses options about heightmaps for what is none: `--height` is easily taken for the height of a picture.
+    pub fn refuse(&self, name: &str) -> Result<(), Failure> {
+        let asked = [
+            ("--height", self.height.is_some()),
+            ("--height-scale", self.height_scale.is_some()),
+            ("--color-image", self.color_image.is_some()),
+        ];
+        match asked.into_iter().find(|(_, is_asked)| *is_asked) {
+            Some((option, _)) => Err(Failure::usage(format!("{option} needs a heightmap, and {name} is none"))
+                .hint("the size of a picture is that of `render --size 1280x720`")),
+            None => Ok(()),
+        }
+    }
+
     /// How heightmaps become voxels; `shell` drops what nobody sees of them.
     pub fn options(&self, shell: bool) -> HeightOptions {
         let height = match (self.height, self.height_scale) {

@@ -9,7 +9,9 @@ use crate::read_failure::import_failure;
 use crate::report::Report;
 use crate::volume::VolumeArgs;
 use std::path::{Path, PathBuf};
-use voxtrace::import::{Content, Data, Geometry, ImportError, ImportOptions, Kind, Opened, READERS, read_while};
+use voxtrace::import::{
+    Content, Data, Geometry, ImportError, ImportOptions, Kind, Opened, READERS, not_shown, read_while,
+};
 
 /// How files become scenes.
 #[derive(clap::Args, Clone, Debug)]
@@ -56,6 +58,10 @@ impl ImportArgs {
         path: &Path,
     ) -> Result<Opened<'static, 'a>, Failure> {
         let opened = opened.map_err(|error| import_failure(&error))?;
+        // Others are, or may be, heightmaps.
+        if matches!(opened.reader().kind, Kind::Scene | Kind::Packed | Kind::Mesh | Kind::Points) {
+            self.heights.refuse(&path.display().to_string())?;
+        }
         if opened.reader().kind == Kind::Volume {
             // A wrong name is told before hours of reading.
             let transfer = self.volume.transfer()?;
@@ -78,6 +84,7 @@ impl ImportArgs {
         for note in data.notes() {
             report.warn(&format!("{}: {note}", path.display()));
         }
+        report.leave_out(not_shown(data.notes()));
         if let Data::Geometry(geometry) = &mut data {
             geometry.set_unit(self.mesh.settled(geometry.unit()));
         }

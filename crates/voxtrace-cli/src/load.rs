@@ -94,6 +94,7 @@ impl SceneArgs {
         if self.is_builtin() {
             self.import.volume.overlays.refuse(Path::new(&self.scene))?;
             self.import.mesh.refuse_choice_of_points(Path::new(&self.scene))?;
+            self.import.heights.refuse(&self.scene)?;
             let scene = match self.instances {
                 Some(instances) if self.scene == scenes::FOREST => {
                     scenes::generate_forest_while(instances, &interrupt::watch())

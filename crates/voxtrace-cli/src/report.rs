@@ -53,6 +53,7 @@ pub struct Report {
     initial: u64,
     total: u64,
     warnings: RefCell<Vec<String>>,
+    not_shown: RefCell<Vec<String>>,
 }
 
 impl Report {
@@ -76,6 +77,7 @@ impl Report {
             initial: 0,
             total: 0,
             warnings: RefCell::default(),
+            not_shown: RefCell::default(),
         }
     }
 
@@ -108,6 +110,16 @@ impl Report {
     /// All that went wrong so far without ending the work.
     pub fn warnings(&self) -> Vec<String> {
         self.warnings.borrow().clone()
+    }
+
+    /// Keeps what a file asks for and is not shown, one phrase each, for whoever tells all of a file.
+    pub fn leave_out(&self, phrases: Vec<String>) {
+        self.not_shown.borrow_mut().extend(phrases);
+    }
+
+    /// What files ask for and is not shown.
+    pub fn left_out(&self) -> Vec<String> {
+        self.not_shown.borrow().clone()
     }
 
     /// Names on stdout a file that was written.

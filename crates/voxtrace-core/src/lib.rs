@@ -45,13 +45,13 @@ pub mod surface;
 pub mod walk;
 
 pub use bounce_limits::BounceLimits;
-pub use cpu::CpuTracer;
+pub use cpu::{CpuTracer, RayCounts};
 pub use film::Film;
 pub use frame::{Frame, Integrator, Region};
 pub use light_group::LightGroup;
 pub use packed::{Geometry, PackedScene, Placement};
 pub use tracer::{Progress, TraceError, Tracer};
-pub use walk::Instructions;
+pub use walk::{Instructions, WalkCounts};
 
 /// The example of the crate's page, tested.
 #[cfg(doctest)]

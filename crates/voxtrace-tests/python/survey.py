@@ -10,6 +10,7 @@ Exits with 1 where the program crashed or did not end in time.
 import collections
 import concurrent.futures
 import html
+import json
 import pathlib
 import re
 import shutil
@@ -28,8 +29,9 @@ RUST = ["dot_vox=5.2.0", "fastanvil=0.32.0", "las=0.11.2", "pcd-rs=0.13.0", "ply
 SECONDS = 120
 # Kinds that only voxtrace writes, and those that mostly are no scenes: pictures, and text of any kind.
 LEFT_OUT = {".vxf", ".vxt", ".exr", ".png", ".txt", ".raw"}
-# Parts of other files, which are asked about instead.
+# Parts of other files, which are asked about instead; the latter where the other file is there.
 SIDE = {".bin", ".mtl"}
+DATA_OF = {".img": ".hdr", ".rec": ".par"}
 
 
 def source(package: str, folder: pathlib.Path) -> pathlib.Path:
@@ -70,17 +72,30 @@ def files_of(folder: pathlib.Path, extensions: set[str]) -> list[pathlib.Path]:
     for path in sorted(folder.rglob("*")):
         if any(scene in path.parents for scene in scenes):
             continue
-        if path.is_dir() and path.suffix == ".zarr":
+        if path.is_dir() and path.suffix.lower() in extensions:
             scenes.append(path)
             found.append(path)
-        elif path.is_file() and path.suffix not in SIDE and (kind_of(path) in extensions or is_dicom(path)):
+        elif path.is_file() and not is_part(path) and (kind_of(path, extensions) in extensions or is_dicom(path)):
             found.append(path)
     return found
 
 
-def kind_of(path: pathlib.Path) -> str:
+def is_part(path: pathlib.Path) -> bool:
+    """Whether a file is asked about as a part of another, or is a picture of a sky, which has the extension of a volume."""
+    suffix = path.suffix.lower()
+    head = DATA_OF.get(suffix)
+    beside = head and any(path.with_suffix(one).exists() for one in (head, head.upper()))
+    if suffix == ".hdr":
+        with open(path, "rb") as file:
+            return file.read(2) == b"#?"
+    return suffix in SIDE or bool(beside)
+
+
+def kind_of(path: pathlib.Path, extensions: set[str]) -> str:
+    """The extension of a file, of two parts where `extensions` has such a one."""
     suffixes = [one.lower() for one in path.suffixes]
-    return ".nii.gz" if suffixes[-2:] == [".nii", ".gz"] else (suffixes or [""])[-1]
+    both = "".join(suffixes[-2:])
+    return both if both in extensions else (suffixes or [""])[-1]
 
 
 def ask(voxtrace: pathlib.Path, path: pathlib.Path) -> tuple[int, str]:
@@ -103,8 +118,8 @@ def reason(line: str, path: pathlib.Path) -> str:
 def main() -> int:
     voxtrace, folder, out = map(pathlib.Path, sys.argv[1:4])
     voxtrace = voxtrace.resolve()
-    listed = subprocess.run([voxtrace, "formats"], capture_output=True, text=True, check=True).stdout
-    extensions = set(re.findall(r"(?<![\w.])\.[a-z0-9]+\b", listed)) - LEFT_OUT | {".nii.gz", ".tiff"}
+    listed = subprocess.run([voxtrace, "formats", "--json"], capture_output=True, text=True, check=True).stdout
+    extensions = {f".{one}" for kind in json.loads(listed)["formats"] if kind["read"] for one in kind["extensions"]} - LEFT_OUT
     with tempfile.TemporaryDirectory() as scratch:
         scratch = pathlib.Path(scratch)
         places = {"the project's data": folder.resolve()}
@@ -117,7 +132,8 @@ def main() -> int:
         refused = collections.defaultdict(list)
         crashed = []
         for (place, path), (code, line) in zip(asked, answers, strict=True):
-            kind = kind_of(path) if kind_of(path) in extensions else "DICOM"
+            kind = kind_of(path, extensions)
+            kind = kind if kind in extensions else "DICOM"
             counts[place, kind, code == 0] += 1
             if code not in (0, 1, 2, 3, 4):
                 crashed.append(f"{path}: exit code {code}: {line}")

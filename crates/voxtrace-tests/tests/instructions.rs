@@ -2,8 +2,9 @@
 //! are turned, mirrored, scaled and overlap; and whether anything is in the way.
 
 use rayon::prelude::*;
+use voxtrace::glam::Vec2;
 use voxtrace::{Hit, Instructions, PackedScene, Ray};
-use voxtrace_core::walk;
+use voxtrace_core::walk::{self, WalkCounts};
 use voxtrace_tests::gpu::{Case, cases, compare_hits};
 use voxtrace_tests::moving::moving;
 use voxtrace_tests::random::Random;
@@ -27,7 +28,17 @@ fn cast_with(instructions: Instructions, case: &Case) -> Vec<Hit> {
     let mut hits = vec![Hit::MISS; case.rays.len()];
     // Batches of odd lengths.
     let chunks = case.rays.par_chunks(1021).zip(hits.par_chunks_mut(1021));
-    chunks.for_each(|(rays, hits)| walk::cast_batch_with(instructions, &case.scene, rays, hits));
+    let counts = chunks.map(|(rays, hits)| walk::cast_batch_with(instructions, &case.scene, rays, hits));
+    let counts: Vec<WalkCounts> = counts.collect();
+    let total = counts.iter().fold(WalkCounts::default(), |mut total, &counts| {
+        total += counts;
+        total
+    });
+    // What is said of the walk is what ran: packets in one grid alone, and with AVX-512 alone.
+    assert_eq!(total.total(), case.rays.len() as u64, "{}, {instructions:?}: {total:?}", case.name);
+    assert_eq!(total.scalar > 0, instructions == Instructions::Scalar, "{}, {instructions:?}: {total:?}", case.name);
+    let may_be_packets = instructions == Instructions::Avx512 && case.scene.instances().len() == 1;
+    assert!(total.packets == 0 || may_be_packets, "{}, {instructions:?}: {total:?}", case.name);
     hits
 }
 
@@ -58,4 +69,21 @@ fn all_instructions_say_the_same_of_what_is_in_the_way() {
             assert!(blocked == expected, "{}, {instructions:?}", case.name);
         }
     }
+}
+
+#[test]
+fn packets_trace_the_camera_s_rays_in_one_grid_and_streams_those_among_instances() {
+    if !Instructions::Avx512.is_available() {
+        return voxtrace_test_support::skip("this processor has no AVX-512");
+    }
+    let counts_of = |scene: &PackedScene| {
+        let camera = scene.overview(1.0).frame(65, 65);
+        let ray = |index: usize| camera.central_ray(Vec2::new((index % 65) as f32, (index / 65) as f32) + 0.5);
+        let rays: Vec<Ray> = (0..65 * 65).map(ray).collect();
+        walk::cast_batch_with(Instructions::Avx512, scene, &rays, &mut vec![Hit::MISS; rays.len()])
+    };
+    let one = counts_of(&cases(1)[0].scene);
+    assert!(one.packets > 2000 && one.total() == 65 * 65, "{one:?}");
+    let many = counts_of(&PackedScene::pack(&moving(10, 3)).unwrap());
+    assert_eq!((many.packets, many.streams, many.scalar), (0, 65 * 65, 0));
 }

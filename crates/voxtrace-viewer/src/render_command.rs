@@ -15,8 +15,8 @@ use voxtrace::lines::Lines;
 use voxtrace::output::ToneMap;
 use voxtrace::surroundings::{Fog, Ground};
 use voxtrace::{BounceLimits, Camera, Integrator, scenes};
+pub(crate) use voxtrace_bench::shell::quoted;
 use voxtrace_vulkan::{Primitive, Traversal};
-pub(crate) use words::quoted;
 use words::{Words, number, say_lens, say_lines, vector};
 
 /// Size of a picture where none is said.

@@ -10,7 +10,7 @@ mod renderer;
 pub use renderer::{Picture, RenderError, Renderer};
 pub use voxtrace_core::{
     BounceLimits, CpuTracer, Film, Frame, Geometry, Instructions, Integrator, LightGroup, PackedScene, Placement,
-    Progress, Region, TraceError, Tracer,
+    Progress, RayCounts, Region, TraceError, Tracer, WalkCounts,
 };
 pub use voxtrace_core::{changes, cuts, denoise, film, frame, lines, surroundings, tracer};
 #[cfg(feature = "pictures")]

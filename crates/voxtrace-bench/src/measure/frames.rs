@@ -13,6 +13,24 @@ const MOST_LOST: u32 = 8;
 /// Frames between two looks at the whole film.
 const FILM_EVERY: u32 = 512;
 
+/// A limit of time is stretched so many times where frames are too few else.
+const LONGEST: u32 = 8;
+
+/// How many frames.
+#[derive(Clone, Copy, Debug)]
+pub struct Amount {
+    pub count: u32,
+    pub least: u32,
+    pub limit: Option<Duration>,
+}
+
+impl Amount {
+    /// So many, or as many as a limit lets.
+    pub fn within(count: u32, limit: Option<Duration>) -> Self {
+        Self { count, least: 1, limit }
+    }
+}
+
 /// Where frames go.
 #[derive(Clone, Copy, PartialEq)]
 pub enum Series {
@@ -27,6 +45,8 @@ pub struct Run<'a> {
     /// `samples` is how many every pixel of the film has.
     pub frame: Frame,
     pub begun: u32,
+    /// Whether the frames are of the main series.
+    is_main: bool,
     /// Frames lost since the last one that was proved.
     in_a_row: u32,
     /// The last frame's sequence number.
@@ -39,24 +59,26 @@ pub struct Run<'a> {
 
 impl<'a> Run<'a> {
     pub fn new(backend: &'a mut Backend, frame: Frame) -> Self {
-        Self { backend, frame, begun: 0, in_a_row: 0, sequence: 0, seen: (0, 0), film: None }
+        Self { backend, frame, begun: 0, is_main: false, in_a_row: 0, sequence: 0, seen: (0, 0), film: None }
     }
 
-    /// Renders up to `count` frames, as many as `limit` lets, at least one.
+    /// Renders up to `count` frames, as many as `limit` lets, at least one; where they are slow up to `least` beyond it, but no more than
+    /// [`LONGEST`] times as long.
     pub fn frames(
         &mut self,
-        count: u32,
-        limit: Option<Duration>,
+        Amount { count, least, limit }: Amount,
         measured: &mut Measured,
         series: Series,
         monitor: &mut dyn Monitor,
     ) -> Result<(), TraceError> {
         let start = Instant::now();
+        self.is_main = series == Series::Main;
         for index in 0..count {
             if monitor.is_interrupted() {
                 measured.is_interrupted = true;
                 break;
             }
+            let limit = limit.map(|limit| if index < least { limit * LONGEST } else { limit });
             if index > 0 && limit.is_some_and(|limit| start.elapsed() >= limit) {
                 break;
             }
@@ -70,7 +92,7 @@ impl<'a> Run<'a> {
                 self.check_film(measured)?;
             }
             if series == Series::Main {
-                monitor.update(u64::from(index) + 1);
+                monitor.update(u64::from(self.begun));
             }
         }
         if series == Series::Main { self.check_film(measured) } else { Ok(()) }
@@ -121,7 +143,7 @@ impl<'a> Run<'a> {
             Err(error) => return Err(error),
         };
         let pixels = self.frame.region.pixels() as u64;
-        let said = Said { error, is_mended: !notes.is_empty(), pixels, wall_ms, ..self.said(&progress, measured) };
+        let said = Said { error, is_mended: !notes.is_empty(), pixels, wall_ms, ..self.said(measured) };
         measured.notes.extend(notes);
         if matches!(&*self.backend, Backend::Device(tracer) if tracer.is_on_cpu()) {
             return Err(TraceError::DeviceLost { last_pass: "the benchmark, twice".into() });
@@ -130,6 +152,9 @@ impl<'a> Run<'a> {
         let last = if said.is_mended { 0 } else { self.sequence };
         let Err(reason) = proof::judge(&said, last) else {
             (self.in_a_row, self.sequence) = (0, said.sequence);
+            if let (Backend::Cpu(tracer), Some(walked), true) = (&*self.backend, &mut measured.walked, self.is_main) {
+                walked.add(&tracer.ray_counts());
+            }
             return Ok(Some(self.line(number, &said)));
         };
         self.sequence = said.sequence;
@@ -148,19 +173,19 @@ impl<'a> Run<'a> {
     }
 
     /// What the tracer counted in the last frame.
-    fn said(&self, progress: &Progress, measured: &Measured) -> Said {
+    fn said(&self, measured: &Measured) -> Said {
         let nothing = Said {
             error: None,
             is_mended: false,
             pixels: 0,
-            camera_rays: progress.samples_done(),
+            camera_rays: 0,
             submits: 1,
             sequence: self.frame.first_sample + self.frame.samples,
             gpu_ms: None,
             wall_ms: 0.0,
         };
         match &*self.backend {
-            Backend::Cpu(_) => nothing,
+            Backend::Cpu(tracer) => Said { camera_rays: tracer.ray_counts().camera, ..nothing },
             Backend::Device(tracer) => {
                 let counted = tracer.statistics();
                 Said {
@@ -176,12 +201,12 @@ impl<'a> Run<'a> {
 
     fn line(&self, number: u32, said: &Said) -> FrameLine {
         let rays = match &*self.backend {
-            Backend::Cpu(_) => None,
+            Backend::Cpu(tracer) => tracer.ray_counts().total(),
             Backend::Device(tracer) => {
                 let counted = tracer.statistics();
-                Some(counted.camera_rays + counted.bounce_rays + counted.shadow_rays)
+                counted.camera_rays + counted.bounce_rays + counted.shadow_rays
             }
         };
-        FrameLine::new(number, said.gpu_ms, said.wall_ms, rays, said.sequence)
+        FrameLine::new(number, said.gpu_ms, said.wall_ms, Some(rays), said.sequence)
     }
 }

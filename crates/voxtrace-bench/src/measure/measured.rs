@@ -1,6 +1,8 @@
 //! What measuring a cell gives, whole or not.
 
 use super::conformance::Conformance;
+use super::processor::Processor;
+use super::walked::Walked;
 use crate::numbers::FrameLine;
 use serde_json::Value;
 use std::collections::BTreeMap;
@@ -22,6 +24,10 @@ pub struct Measured {
     pub film_checks: u32,
     /// Clocks before the first frame and after the last, see `machine::clocks`.
     pub clocks: [Value; 2],
+    /// What the processors did while the frames were measured.
+    pub processor: Processor,
+    /// Which walks traced the rays; `None` on a device.
+    pub walked: Option<Walked>,
     pub conformance: Option<Conformance>,
     /// Whether what the device reads of time is its own clock.
     pub has_gpu_clock: bool,

@@ -16,7 +16,7 @@ pub struct FrameLine {
     /// The device's own clock; `None` on the CPU.
     pub gpu_ms: Option<f64>,
     pub wall_ms: f64,
-    /// All rays, counted where they were traced; `None` on the CPU, which does not count.
+    /// All rays, counted where they were traced; `None` in what earlier versions measured on the CPU.
     pub rays: Option<u64>,
     /// What the shaders of its last submit wrote; on the CPU the number of the sample that every pixel got.
     pub sequence: u32,

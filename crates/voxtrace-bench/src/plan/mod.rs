@@ -8,4 +8,4 @@ mod settings;
 pub use cell::{Cell, CellError, parse};
 pub use file::{PlanError, PlanErrorKind, PlanFile, SceneEntry};
 pub use request::Request;
-pub use settings::{Plan, STUDY_SIZE};
+pub use settings::{LEAST_FRAMES, Plan, STUDY_SIZE};

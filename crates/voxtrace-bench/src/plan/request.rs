@@ -2,7 +2,7 @@
 
 use super::cell::{self, Cell, CellError};
 use super::file::{PlanFile, SceneEntry};
-use super::settings::{Plan, STUDY_SIZE, usual_sweep};
+use super::settings::{LEAST_FRAMES, Plan, STUDY_SIZE, usual_sweep};
 use crate::quantity::Size;
 use std::path::PathBuf;
 use std::time::Duration;
@@ -72,6 +72,10 @@ pub struct Request {
     pub output: PathBuf,
     /// Where reports of the driver probes are kept.
     pub probes: Option<Cache>,
+    /// The command that asks, as it would be typed again; for the report.
+    pub command: Option<String>,
+    /// The commit that the program was built from, where it is known; for the report.
+    pub commit: Option<String>,
     /// Whether the driver is not probed: it says more about the driver than about the scene.
     pub skip_probes: bool,
 }
@@ -151,6 +155,17 @@ impl Request {
             seed: SEED,
             is_exact: self.precise,
         }
+    }
+
+    /// Whether the size of the pictures is to be found: of a quick benchmark on the processor, which says none.
+    pub(crate) fn chooses_size(&self, named: &[Cell], device: Option<&DeviceInfo>) -> bool {
+        let mut cells = if named.is_empty() { cell::planned(device, self.full) } else { named.to_vec() }.into_iter();
+        self.quick && self.size.is_none() && cells.all(|cell| cell.traversal == Traversal::Cpu)
+    }
+
+    /// Frames of a cell that there must be although its time is over.
+    pub(crate) fn least_frames(&self, frames: u32) -> u32 {
+        if self.quick && self.time_limit.is_none() { LEAST_FRAMES.min(frames) } else { 1 }
     }
 
     fn limit(&self) -> Option<Duration> {

@@ -8,6 +8,8 @@ use voxtrace_vulkan::{Primitive, Traversal};
 
 /// Size of the study's pictures (sic).
 pub const STUDY_SIZE: (u32, u32) = (1980, 1080);
+/// Frames that a quick benchmark has of each cell.
+pub const LEAST_FRAMES: u32 = 64;
 /// Sizes of the sweep where none are asked for, voxels.
 const SWEEP_SIZES: [u64; 6] = [500_000, 1_000_000, 2_000_000, 4_000_000, 8_000_000, 16_000_000];
 /// The largest of them on the CPU and devices in software.

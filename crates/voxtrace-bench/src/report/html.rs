@@ -2,6 +2,7 @@
 //! and dark. The answer comes first, what the words mean next, then the numbers.
 
 use super::charts;
+use super::machine;
 use super::plot;
 use super::table::{Table, escape};
 use super::tables;
@@ -279,12 +280,13 @@ fn conditions(results: &Results) -> String {
     let mut html = "<h2>How, and on what</h2>\n".to_owned();
     let host = host();
     let text = |name: &str| host[name].as_str().map(str::to_owned);
-    let machine: Vec<String> = ["processor", "system", "kernel"].into_iter().filter_map(text).collect();
+    let parts: Vec<String> = ["processor", "system", "kernel"].into_iter().filter_map(text).collect();
     let _ =
         write!(html, "<p>{}</p>\n<p>{}</p>\n", escape(&tables::device(results)), escape(&tables::settings(results)));
-    let _ = writeln!(html, "<p>{}</p>", escape(&machine.join(", ")));
+    let _ = writeln!(html, "<p>{}</p>\n<p>{}</p>", escape(&parts.join(", ")), escape(&machine::origins(results)));
     html += &tables::scenes(results).html();
-    let _ = write!(html, "<h3>Clocks before → after the frames of each cell</h3>\n{}", tables::clocks(results).html());
+    let _ = write!(html, "<h3>The machine at work</h3>\n{}", machine::clocks(results).html());
+    let _ = writeln!(html, "<p class=\"soft\">{}</p>", escape(machine::CLOCKS));
     let notes = tables::notes(results);
     if !notes.is_empty() {
         html += "<h3>What went wrong</h3>\n<ul>";

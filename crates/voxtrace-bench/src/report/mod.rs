@@ -4,6 +4,7 @@ mod charts;
 mod figures;
 mod folder;
 mod html;
+mod machine;
 mod plot;
 mod table;
 mod tables;

@@ -1,10 +1,13 @@
 //! The tables of a report: one over everything, the study's three beside ours, the verdict, the sweep; and the report in
 //! Markdown that they make up.
 
+use super::machine::{CLOCKS, clocks, origins};
 use super::table::Table;
+use crate::measure::Walked;
 use crate::plan::Cell;
 use crate::results::verdict::{self, Verdict};
 use crate::results::{Results, Row, SceneFacts, SweepRow};
+use voxtrace_vulkan::Traversal;
 
 /// The study's numbers on an RTX 3060 Ti.
 struct Study {
@@ -24,7 +27,7 @@ const STUDY: [Study; 3] = [
 ];
 
 /// What the columns of [`all_cells`] mean.
-pub const ALL_CELLS: &str = "Times are the GPU's own (wall clock for cpu, which counts no rays). 95 %: the median lies there \
+pub const ALL_CELLS: &str = "Times are the GPU's own (wall clock for cpu). 95 %: the median lies there \
     with that certainty (bootstrap of blocks of frames). primary: a run of camera rays alone; bounce: the rays and the time \
     beyond it, with the integrator path also the rays towards lights. AS: acceleration structures; total: with the records of primitives and the scene's arrays (lights left \
     out). × voxel-exact: median of pipeline:voxel-exact of the same scene divided by the row's: more is faster. wrong \
@@ -56,7 +59,7 @@ pub fn settings(results: &Results) -> String {
     let plan = &results.plan;
     format!(
         "voxtrace {}, {} × {} pixels, integrator {}, at most {} bounces, seed {}, up to {} frames of one sample a pixel \
-         each after up to {} of warm-up; {} threads ({}).",
+         each after up to {} of warm-up; {} threads.",
         env!("CARGO_PKG_VERSION"),
         plan.width,
         plan.height,
@@ -66,7 +69,6 @@ pub fn settings(results: &Results) -> String {
         plan.frames,
         plan.warm_up,
         rayon::current_num_threads(),
-        voxtrace::CpuTracer::simd_name(),
     )
 }
 
@@ -79,8 +81,9 @@ pub fn report(results: &Results) -> String {
     for caution in verdict::cautions(results) {
         text += &format!("{caution}\n\n");
     }
-    text += &format!("{}\n\n{}", settings(results), scenes(results).markdown());
+    text += &format!("{}\n\n{}\n{}", settings(results), origins(results), scenes(results).markdown());
     text += &format!("\n## All cells\n\n{}\n{ALL_CELLS}\n", all_cells(results).markdown());
+    text += &format!("\n## The machine at work\n\n{}\n{CLOCKS}\n", clocks(results).markdown());
     let notes = notes(results);
     if !notes.is_empty() {
         text += "\n## What went wrong\n\n";
@@ -114,7 +117,7 @@ pub fn all_cells(results: &Results) -> Table {
     let head = [
         "scene",
         "traversal",
-        "primitive",
+        "primitive or walk",
         "shaders",
         "frames",
         "lost",
@@ -137,9 +140,12 @@ pub fn all_cells(results: &Results) -> Table {
 fn line(results: &Results, row: &Row) -> Vec<String> {
     let facts = &results.scenes[row.scene];
     let (summary, speeds) = (row.summary(), row.speeds());
-    let primitive = row.cell.primitive.map_or("–", |primitive| primitive.name());
-    let mut cells =
-        vec![facts.name.clone(), row.cell.traversal.name().into(), primitive.into(), results.rounding(row.cell).into()];
+    let walk = || row.measured.walked.as_ref().map(Walked::text);
+    let primitive = row.cell.primitive.map(|primitive| primitive.name().to_owned()).or_else(walk);
+    let traversal =
+        if row.cell.traversal == Traversal::Cpu { row.cell.name() } else { row.cell.traversal.name().into() };
+    let primitive = primitive.unwrap_or("–".into());
+    let mut cells = vec![facts.name.clone(), traversal, primitive, results.rounding(row.cell).into()];
     let Some(summary) = summary else {
         let reason = row.measured.failure.as_deref().unwrap_or("interrupted");
         cells.extend(["0".into(), row.measured.lost.to_string(), reason.to_owned()]);
@@ -282,20 +288,4 @@ pub fn probes(results: &Results) -> Option<Table> {
         vec![text("id"), text("name"), outcome, text("says")]
     };
     Some(Table::new(&["probe", "what", "outcome", "says"], 4, probes.iter().map(line).collect()))
-}
-
-/// Clocks before and after each cell, where any could be read.
-pub fn clocks(results: &Results) -> Table {
-    let names = ["cpu_mhz", "load", "sm_mhz", "memory_mhz", "celsius", "watts"];
-    let line = |row: &Row| {
-        let [before, after] = &row.measured.clocks;
-        let pair = |name: &str| match (before[name].as_f64(), after[name].as_f64()) {
-            (Some(before), Some(after)) => format!("{before} → {after}"),
-            _ => "–".into(),
-        };
-        let start = vec![results.scenes[row.scene].name.clone(), row.cell.name()];
-        [start, names.map(pair).to_vec()].concat()
-    };
-    let head = ["scene", "cell", "CPU MHz", "load", "SM MHz", "memory MHz", "°C", "W"];
-    Table::new(&head, 2, results.rows.iter().map(line).collect())
 }

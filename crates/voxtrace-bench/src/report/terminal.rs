@@ -51,5 +51,11 @@ fn compact(results: &Results) -> String {
             row.measured.conformance.map_or("-".into(), |found| found.errors().to_string()),
         );
     }
-    text + &format!("\n{}\n", verdict::sentence(results))
+    text += "\n";
+    for (row, walked) in results.rows.iter().filter_map(|row| Some((row, row.measured.walked.as_ref()?))) {
+        text += &format!("{} {}: {}\n", results.scenes[row.scene].name, row.cell.name(), walked.text());
+    }
+    text += &format!("\n{}\n", verdict::sentence(results));
+    text.extend(verdict::cautions(results).iter().map(|caution| format!("{caution}\n")));
+    text
 }

@@ -3,8 +3,8 @@
 
 use super::facts::SceneFacts;
 use super::row::{Row, SweepRow};
-use super::{Results, verdict};
-use crate::measure::host;
+use super::{Origin, Results, verdict};
+use crate::measure::{Walked, host};
 use crate::numbers::Summary;
 use serde_json::{Value, json};
 
@@ -26,6 +26,7 @@ impl Results {
     pub fn json(&self) -> Value {
         let mut json = self.conditions();
         json["complete"] = self.is_complete.into();
+        json["runs"] = self.runs.iter().map(Origin::json).collect();
         json["host"] = host();
         json["verdict"] = verdict::json(self);
         json["doctor"] = self.doctor.clone().unwrap_or_default();
@@ -70,6 +71,9 @@ impl Results {
             "stable": row.is_stable(),
             "conformance": measured.conformance.map(|conformance| conformance.json()),
             "clocks": { "before": measured.clocks[0], "after": measured.clocks[1] },
+            "processor": measured.processor.json(),
+            "disturbance": self.disturbance(row),
+            "walk": measured.walked.as_ref().map(Walked::json),
             "clock": if measured.has_gpu_clock { "gpu" } else { "wall" },
             "ms": row.summary().map(summary_json),
             "primary_ms": row.primary().map(summary_json),

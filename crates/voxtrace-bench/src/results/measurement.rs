@@ -32,7 +32,7 @@ pub struct Times {
     pub median_ms: f64,
     /// The time that 99 % of the frames stayed below, milliseconds.
     pub p99_ms: f64,
-    /// Rays of all kinds a second; `None` on the CPU, which does not count them.
+    /// Rays of all kinds a second; `None` where they were not counted: on the CPU by earlier versions.
     pub rays_per_second: Option<f64>,
 }
 

@@ -3,18 +3,20 @@
 mod facts;
 mod json;
 mod measurement;
+mod origin;
 mod resume;
 mod row;
 pub mod verdict;
 
 pub use facts::{Emulation, Figures, SceneFacts};
 pub use measurement::{Measurement, Times};
+pub use origin::Origin;
 pub use resume::{ResumeError, ResumeErrorKind, load};
 pub use row::{Row, SweepRow};
 
 use crate::plan::{Cell, Plan};
 use serde_json::Value;
-use voxtrace_vulkan::{DeviceInfo, Traversal};
+use voxtrace_vulkan::{DeviceInfo, DeviceKind, Traversal};
 
 /// A whole benchmark, as far as it has come.
 pub struct Results {
@@ -26,13 +28,15 @@ pub struct Results {
     /// What the probes of the driver said, see `voxtrace doctor`.
     pub(crate) doctor: Option<Value>,
     pub(crate) is_complete: bool,
+    /// The runs that measured it, the last one last.
+    pub(crate) runs: Vec<Origin>,
 }
 
 impl Results {
     /// Nothing measured yet.
-    pub(crate) fn new(plan: Plan, device: Option<DeviceInfo>) -> Self {
+    pub(crate) fn new(plan: Plan, device: Option<DeviceInfo>, run: Origin) -> Self {
         let (scenes, rows, sweep) = (Vec::new(), Vec::new(), Vec::new());
-        Self { plan, device, scenes, rows, sweep, doctor: None, is_complete: false }
+        Self { plan, device, scenes, rows, sweep, doctor: None, is_complete: false, runs: vec![run] }
     }
 
     /// Whether every cell of the plan was measured to its end.
@@ -61,6 +65,17 @@ impl Results {
             (Traversal::Cpu, _) | (_, true) => "precise",
             _ => "fast",
         }
+    }
+
+    /// Whether the processor does the work of a cell: on itself, or as a device in software.
+    pub(crate) fn is_on_processor(&self, cell: Cell) -> bool {
+        let is_software = self.device.as_ref().is_some_and(|device| device.kind == DeviceKind::Cpu);
+        cell.traversal == Traversal::Cpu || is_software
+    }
+
+    /// Why the times of a row say little; `None` where the machine was quiet, where the work is on a device of its own, or nothing is known.
+    pub(crate) fn disturbance(&self, row: &Row) -> Option<String> {
+        row.measured.processor.disturbance().filter(|_| self.is_on_processor(row.cell))
     }
 
     /// Median of the reference divided by the row's, so that more is faster.

@@ -2,8 +2,9 @@
 
 use super::Results;
 use super::facts::{Emulation, Figures, SceneFacts};
+use super::origin::Origin;
 use super::row::{Row, SweepRow};
-use crate::measure::{Conformance, Measured, Memory};
+use crate::measure::{Conformance, Measured, Memory, Processor, Walked};
 use crate::numbers::{FrameLine, read_csv};
 use crate::plan::{self, Cell};
 use serde_json::Value;
@@ -75,6 +76,7 @@ fn fill(folder: &Path, path: &Path, results: &mut Results) -> Result<(), ResumeE
     }
     results.sweep =
         list("sweep").iter().map(sweep).collect::<Option<_>>().ok_or_else(|| damaged("the sweep cannot be read"))?;
+    results.runs.splice(0..0, list("runs").iter().map(Origin::from_json));
     results.doctor = Some(json["doctor"].clone()).filter(|doctor| !doctor.is_null());
     Ok(())
 }
@@ -140,6 +142,8 @@ fn row(json: &Value, scenes: &[SceneFacts], folder: &Path) -> Result<Row, String
         memory: memory(&json["bytes"]),
         film_checks: json["film_checks"].as_u64().unwrap_or(0) as u32,
         clocks: [json["clocks"]["before"].clone(), json["clocks"]["after"].clone()],
+        processor: Processor::from_json(&json["processor"]).unwrap_or_default(),
+        walked: Walked::from_json(&json["walk"]),
         conformance: Conformance::from_json(&json["conformance"]),
         has_gpu_clock: json["clock"] == "gpu",
         ..Measured::default()

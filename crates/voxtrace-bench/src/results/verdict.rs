@@ -4,6 +4,7 @@ use super::Results;
 use super::facts::SceneFacts;
 use super::row::Row;
 use crate::plan::{Cell, STUDY_SIZE};
+use crate::quantity::counted;
 use serde_json::{Value, json};
 use voxtrace::Integrator;
 use voxtrace_vulkan::{Primitive, Traversal};
@@ -182,6 +183,16 @@ pub fn cautions(results: &Results) -> Vec<String> {
         let frames = if fewest == 1 { "one frame".into() } else { format!("no more than {fewest} frames") };
         cautions.push(format!("Some times rest on {frames}: take them as rough."));
     }
+    let loud: Vec<(&Row, String)> =
+        results.rows.iter().filter_map(|row| Some((row, results.disturbance(row)?))).collect();
+    if let [(row, why), rest @ ..] = &loud[..] {
+        let more =
+            if rest.is_empty() { String::new() } else { format!(", and {} more", counted(rest.len() as u64, "cell")) };
+        let name = format!("{} {}{more}", results.scenes[row.scene].name, row.cell.name());
+        cautions.push(format!(
+            "The machine was not quiet: {why} ({name}). Times are too long, and `compare` gives no verdict."
+        ));
+    }
     cautions
 }
 
@@ -203,7 +214,7 @@ pub fn json(results: &Results) -> Value {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::measure::{Conformance, Measured};
+    use crate::measure::{Conformance, Measured, Processor};
     use crate::numbers::FrameLine;
     use crate::plan::Plan;
 
@@ -241,7 +252,16 @@ mod tests {
         spoil(&mut measured);
         let row = Row::new(0, plan.cells[0], measured);
         let (sweep, doctor) = (Vec::new(), None);
-        Results { plan, device: None, scenes: vec![facts], rows: vec![row], sweep, doctor, is_complete: true }
+        Results {
+            plan,
+            device: None,
+            scenes: vec![facts],
+            rows: vec![row],
+            sweep,
+            doctor,
+            is_complete: true,
+            runs: Vec::new(),
+        }
     }
 
     #[test]
@@ -279,6 +299,22 @@ mod tests {
         assert_eq!(cautions(&other).len(), 3);
         other.plan.integrator = Integrator::Path;
         assert!(cautions(&other)[1].starts_with("The integrator is path"), "{:?}", cautions(&other));
+    }
+
+    #[test]
+    fn a_machine_that_was_not_quiet_is_said_once_of_work_on_the_processor() {
+        let busy = |measured: &mut Measured| {
+            measured.processor =
+                Processor { wall: 4.0, own: Some(4.0), waited: Some(4.0), turns: 1, ..Default::default() };
+        };
+        let mut loud = results(10.0, busy);
+        let row = loud.rows[0].clone();
+        loud.rows.extend([row.clone(), row]);
+        let said = cautions(&loud);
+        assert_eq!(said.len(), 1);
+        assert!(said[0].contains("waited 50 % of the time for a processor (city cpu, and 2 cells more)."), "{said:?}");
+        loud.rows.iter_mut().for_each(|row| row.cell = Cell::REFERENCE);
+        assert!(cautions(&loud).is_empty(), "a device has no part in it");
     }
 
     #[test]

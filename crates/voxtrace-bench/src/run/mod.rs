@@ -2,14 +2,15 @@
 //! interrupted and gone on with.
 
 mod eta;
+mod size;
 mod sweep;
 
 use crate::error::BenchError;
-use crate::measure::{Effort, Reference, measure, open_device, probed};
+use crate::measure::{Effort, Reference, groups, measure, open_device, probed};
 use crate::monitor::{Host, LoadedScene, Monitor};
 use crate::plan::{Cell, Plan, Request, SceneEntry};
 use crate::report::ReportFolder;
-use crate::results::{self, Results, Row, SceneFacts, verdict};
+use crate::results::{self, Origin, Results, Row, SceneFacts, verdict};
 use eta::Eta;
 use std::sync::Arc;
 use voxtrace::{Camera, Frame, PackedScene, scenes};
@@ -25,7 +26,21 @@ pub fn run<H: Host>(request: &Request, host: &mut H) -> Result<Results, H::Error
     let named = request.named_cells().map_err(BenchError::from)?;
     let device = device(request, host)?;
     let info = device.as_ref().map(|device| device.info().clone());
-    let mut results = Results::new(request.plan(named, info.as_ref()), info);
+    let mut request = request.clone();
+    let mut first = None;
+    if request.chooses_size(&named, info.as_ref()) {
+        request.size = size::before(&request.output).filter(|_| request.resume);
+        if request.size.is_none() {
+            let plan = request.plan(named.clone(), info.as_ref());
+            let scene = load(&request.entries()[0], &plan, host)?;
+            let frame = frame(&scene.scene, &plan);
+            let found = size::found(&scene.scene, &frame, &plan.cells, plan.scenes.len());
+            request.size = Some(found.map_err(BenchError::from)?);
+            first = Some(scene);
+        }
+    }
+    let request = &request;
+    let mut results = Results::new(request.plan(named, info.as_ref()), info, Origin::now(request));
     let folder = ReportFolder::new(&request.output)?;
     if request.resume {
         results::load(&request.output, &mut results).map_err(BenchError::from)?;
@@ -39,7 +54,7 @@ pub fn run<H: Host>(request: &Request, host: &mut H) -> Result<Results, H::Error
         host.remark(&format!("{} of {} are measured already", eta.before, eta.all));
     }
     folder.write_results(&results)?;
-    let mut work = Work { request, folder, results, eta };
+    let mut work = Work { request, folder, results, eta, first };
     let outcome = work.measure(host);
     let Work { folder, mut results, eta, .. } = work;
     results.is_complete = outcome.is_ok() && eta.done() == eta.all && !host.is_interrupted();
@@ -78,6 +93,14 @@ struct Work<'a> {
     folder: ReportFolder<'a>,
     results: Results,
     eta: Eta,
+    /// The first scene, where it had to be loaded before.
+    first: Option<Loaded>,
+}
+
+/// A scene as it is measured.
+struct Loaded {
+    stem: String,
+    scene: Arc<PackedScene>,
 }
 
 /// A scene that is measured.
@@ -110,9 +133,10 @@ impl Work<'_> {
 
     /// Loads a scene and enters it in the results, or finds the one that was measured before.
     fn subject<H: Host>(&mut self, index: usize, entry: &SceneEntry, host: &mut H) -> Result<Subject, H::Error> {
-        let name = &entry.name;
-        host.remark(&format!("loading {}", entry.title()));
-        let LoadedScene { stem, scene } = host.load(entry, self.voxels_of(name, self.results.plan.voxels))?;
+        let Loaded { stem, scene } = match self.first.take().filter(|_| index == 0) {
+            Some(first) => first,
+            None => load(entry, &self.results.plan, host)?,
+        };
         let frame = frame(&scene, &self.results.plan);
         let reference = Reference::of(&scene, &frame);
         let mut facts = SceneFacts::of(&stem, &scene, &frame.camera.name);
@@ -129,7 +153,7 @@ impl Work<'_> {
                 self.results.scenes.push(facts);
             }
         }
-        Ok(Subject { index, stem, scene: Arc::new(scene), frame, reference })
+        Ok(Subject { index, stem, scene, frame, reference })
     }
 
     /// Measures the cells of a scene that are missing.
@@ -140,25 +164,29 @@ impl Work<'_> {
         monitor: &mut dyn Monitor,
     ) -> Result<(), BenchError> {
         let Subject { index, stem, scene, frame, reference } = subject;
-        for &cell in missing {
+        for group in groups(missing) {
             if monitor.is_interrupted() {
                 return Ok(());
             }
-            let effort = self.effort(cell);
+            let cells: Vec<(Cell, Effort)> = group.iter().map(|&cell| (cell, self.effort(cell))).collect();
             let place = format!("{}/{}", self.eta.done() + 1, self.eta.all);
-            monitor.begin(&format!("{place} {stem} {}", cell.name()), effort.frames.into());
-            let mut measured = measure(cell, scene, frame, Some(reference), &effort, monitor);
+            let names = group.iter().map(|cell| cell.name()).collect::<Vec<_>>().join(", ");
+            monitor.begin(&format!("{place} {stem} {names}"), self.results.plan.frames.into());
+            let measured = measure(&cells, scene, frame, Some(reference), monitor);
             monitor.end();
-            let (film, hits) = (measured.film.take(), std::mem::take(&mut measured.hits));
-            let mut row = Row::new(*index, cell, measured);
-            self.folder.write_row(&mut row, stem)?;
-            self.folder.write_figures(&mut row, stem, scene, reference, film.as_ref(), &hits)?;
-            if !row.measured.is_interrupted {
-                self.eta.step();
-            }
+            // The time that they took is that of all of them.
+            let first = self.eta.done();
+            measured.iter().filter(|measured| !measured.is_interrupted).for_each(|_| self.eta.step());
             let left = self.eta.left();
-            monitor.remark(&format!("{place} {stem} {}: {}; about {left} left", cell.name(), outcome(&row)));
-            self.results.insert(row);
+            for (index_in_group, (&cell, mut measured)) in group.iter().zip(measured).enumerate() {
+                let (film, hits) = (measured.film.take(), std::mem::take(&mut measured.hits));
+                let mut row = Row::new(*index, cell, measured);
+                self.folder.write_row(&mut row, stem)?;
+                self.folder.write_figures(&mut row, stem, scene, reference, film.as_ref(), &hits)?;
+                let place = format!("{}/{}", first + index_in_group + 1, self.eta.all);
+                monitor.remark(&format!("{place} {stem} {}: {}; about {left} left", cell.name(), outcome(&row)));
+                self.results.insert(row);
+            }
             // So that what is measured is there whatever happens to the next cell.
             self.folder.write_results(&self.results)?;
         }
@@ -177,7 +205,7 @@ impl Work<'_> {
                 if missing.is_empty() {
                     continue;
                 }
-                let loaded = host.load(&SceneEntry::named(&name), self.voxels_of(&name, Some(wanted)))?;
+                let loaded = host.load(&SceneEntry::named(&name), voxels_of(&name, Some(wanted)))?;
                 let (frame, scene) = (frame(&loaded.scene, &self.results.plan), Arc::new(loaded.scene));
                 for cell in missing {
                     let effort = self.effort(cell);
@@ -195,15 +223,11 @@ impl Work<'_> {
         Ok(())
     }
 
-    /// Voxels are asked of built-in scenes alone.
-    fn voxels_of(&self, name: &str, voxels: Option<u64>) -> Option<u64> {
-        voxels.filter(|_| scenes::STUDY_NAMES.contains(&name))
-    }
-
     fn effort(&self, cell: Cell) -> Effort {
         let plan = &self.results.plan;
         Effort {
             frames: plan.frames,
+            least: self.request.least_frames(plan.frames),
             warm_up: plan.warm_up,
             time_limit: self.request.limit_of(cell, self.results.device.as_ref()),
             is_exact: cell.is_exact.unwrap_or(plan.is_exact),
@@ -211,6 +235,18 @@ impl Work<'_> {
             is_brief: false,
         }
     }
+}
+
+/// Loads the scene that an entry of a plan names.
+fn load<H: Host>(entry: &SceneEntry, plan: &Plan, host: &mut H) -> Result<Loaded, H::Error> {
+    host.remark(&format!("loading {}", entry.title()));
+    let LoadedScene { stem, scene } = host.load(entry, voxels_of(&entry.name, plan.voxels))?;
+    Ok(Loaded { stem, scene: Arc::new(scene) })
+}
+
+/// Voxels are asked of built-in scenes alone.
+fn voxels_of(name: &str, voxels: Option<u64>) -> Option<u64> {
+    voxels.filter(|_| scenes::STUDY_NAMES.contains(&name))
 }
 
 /// What a cell gave, in a few words.

@@ -24,9 +24,9 @@ pub fn measure_size(
     monitor: &mut dyn Monitor,
 ) -> Option<SweepRow> {
     let frames = FRAMES.min(effort.frames);
-    let effort = Effort { frames, warm_up: 3, time_limit: Some(LIMIT), is_brief: true, ..effort.clone() };
+    let effort = Effort { frames, least: 1, warm_up: 3, time_limit: Some(LIMIT), is_brief: true, ..effort.clone() };
     let facts = SceneFacts::of(name, scene, "");
-    let measured = measure(cell, scene, frame, None, &effort, monitor);
+    let measured = measure(&[(cell, effort)], scene, frame, None, monitor).pop().unwrap_or_default();
     if measured.is_interrupted {
         return None;
     }

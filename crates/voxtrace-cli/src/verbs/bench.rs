@@ -22,6 +22,7 @@ use std::time::Duration;
 use voxtrace::import::{Content, ImportOptions, opened};
 use voxtrace::{Camera, TraceError, export, scenes};
 use voxtrace_bench::quantity::QuantityError;
+use voxtrace_bench::shell::quoted;
 use voxtrace_bench::{BenchError, Host, LoadedScene, Monitor, PlanFile, Request, ResumeErrorKind, SceneEntry, run};
 
 /// Default folder of the report.
@@ -179,9 +180,18 @@ impl BenchArgs {
             device: self.device.clone(),
             output: self.output.clone(),
             probes: probes::cache(),
+            command: Some(typed()),
+            commit: option_env!("VOXTRACE_COMMIT").map(str::to_owned),
             skip_probes: false,
         }
     }
+}
+
+/// The command as a shell takes it again.
+fn typed() -> String {
+    let program = env!("CARGO_BIN_NAME").to_owned();
+    let words = std::env::args_os().skip(1).map(|word| quoted(&word.to_string_lossy()));
+    std::iter::once(program).chain(words).collect::<Vec<_>>().join(" ")
 }
 
 /// The command line as the host of a benchmark.

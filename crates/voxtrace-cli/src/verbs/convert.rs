@@ -107,6 +107,10 @@ impl Target {
         }
         report.wrote(out);
         companions.iter().for_each(|path| report.wrote(path));
+        if writer.extension == "png" {
+            report
+                .remark("a heightmap: the brighter, the higher; `voxtrace render SCENE -o PICTURE.png` makes pictures");
+        }
         Ok(())
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::failure::Failure;
 use serde_json::{Value, json};
+use std::collections::BTreeSet;
 use std::path::Path;
 use voxtrace::export::writer_of;
 use voxtrace::import::READERS;
@@ -51,6 +52,12 @@ fn formats() -> Vec<Format> {
     formats
 }
 
+/// All extensions of the readers whose first one this is; it alone where there is no reader.
+fn extensions_of(first: &'static str) -> BTreeSet<&'static str> {
+    let readers = READERS.iter().filter(|reader| reader.extensions.first() == Some(&first));
+    readers.flat_map(|reader| reader.extensions.iter().copied()).chain([first]).collect()
+}
+
 /// List the kinds of files that can be read and written
 #[derive(clap::Args, Clone, Debug)]
 pub struct FormatsArgs {
@@ -63,7 +70,10 @@ impl FormatsArgs {
     pub fn run(self) -> Result<(), Failure> {
         if self.json {
             let formats = formats().into_iter().map(|format| {
-                json!({ "extension": format.extension, "read": format.read, "write": format.write, "about": format.about })
+                json!({
+                    "extension": format.extension, "extensions": extensions_of(format.extension), "read": format.read,
+                    "write": format.write, "about": format.about,
+                })
             });
             let formats: Vec<Value> = formats.collect();
             crate::stdout::print(&format!("{:#}\n", json!({ "formats": formats })));

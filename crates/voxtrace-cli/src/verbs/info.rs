@@ -35,7 +35,7 @@ impl InfoArgs {
             Content::Scene(scene) => told(scene),
             Content::Packed(_) => Vec::new(),
         };
-        let left_out = LeftOut { on_request: of_file(vox::on_request), ignored: of_file(vox::ignored) };
+        let left_out = LeftOut { on_request: of_file(vox::on_request), ignored: report.left_out() };
         let scene = if let Content::Scene(scene) = &loaded { Some(scene.clone()) } else { None };
         let packed = into_packed(loaded, self.scene.memory.keep_instances)?;
         let statistics = match &scene {

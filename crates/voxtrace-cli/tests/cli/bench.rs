@@ -96,6 +96,16 @@ fn the_numbers_of_a_report_are_those_of_its_frames_and_a_skipped_frame_is_notice
     let (results, csv) = run(&folder, &["--cells", "cpu"]);
     let cell = &results["cells"][0];
     assert!(cell["bytes_per_voxel"]["total"].as_f64() > Some(0.0));
+    // A camera ray for each pixel, and bounces; each of them by a walk that is named.
+    let rays = cell["ms"]["rays_per_frame"].as_f64().unwrap();
+    assert!((768.0..768.0 * 4.0).contains(&rays) && cell["primary_ms"]["rays_per_frame"] == 768.0, "{cell}");
+    let walks = ["packets", "streams", "scalar", "in_media"].map(|walk| cell["walk"][walk].as_u64().unwrap());
+    assert_eq!(walks.iter().sum::<u64>(), (rays * 9.0).round() as u64, "{cell}");
+    assert!(cell["grays_per_second"]["bounce"].as_f64() > Some(0.0), "{cell}");
+    assert_eq!(cell["processor"]["turns"], 1);
+    let run = &results["runs"][0];
+    assert!(run["command"].as_str().is_some_and(|command| command.starts_with("voxtrace bench room.vxt --size 32x24")));
+    assert!(run["date"].as_str().is_some_and(|date| date.len() == 20 && date.ends_with('Z')), "{run}");
 
     // Planted: a frame left out, a frame that was not rendered, a time that is another.
     let lines: Vec<&str> = csv.lines().collect();
@@ -276,18 +286,27 @@ fn a_finished_benchmark_is_not_measured_again_and_damage_is_noticed() {
 fn a_report_is_equal_to_itself_and_slower_than_one_with_planted_times() {
     let folder = Folder::new();
     folder.succeed(&["bench", "room.vxt", "--cells", "cpu", "--size", "32x24", "--frames", "40", "-o", "a"]);
-    let text = folder.succeed(&["compare", "a", "a"]);
-    assert!(text.contains("Of 1 cells: 1 equal within noise."), "{text}");
     let mut results: Value = serde_json::from_slice(&folder.bytes("a/results.json")).unwrap();
+    let write = |name: &str, results: &Value| std::fs::write(folder.path(name), results.to_string()).unwrap();
+    // Whatever else happened on this machine.
+    results["cells"][0]["disturbance"] = Value::Null;
+    write("a.json", &results);
+    let text = folder.succeed(&["compare", "a.json", "a.json"]);
+    assert!(text.contains("Of 1 cells: 1 equal within noise."), "{text}");
     let ms = &mut results["cells"][0]["ms"];
     for value in ["/median", "/median_95/0", "/median_95/1"] {
         let value = ms.pointer_mut(value).unwrap();
         *value = (value.as_f64().unwrap() * 0.1).into();
     }
-    std::fs::write(folder.path("b.json"), results.to_string()).unwrap();
-    let json: Value = serde_json::from_str(&folder.succeed(&["compare", "a", "b.json", "--json"])).unwrap();
+    write("b.json", &results);
+    let json: Value = serde_json::from_str(&folder.succeed(&["compare", "a.json", "b.json", "--json"])).unwrap();
     assert_eq!(json["cells"][0]["outcome"], "B is faster", "{json}");
     assert!((json["cells"][0]["ratio"].as_f64().unwrap() - 0.1).abs() < 1e-9);
+    results["cells"][0]["disturbance"] = "other programs had 50 % of the processors".into();
+    write("loud.json", &results);
+    let text = folder.succeed(&["compare", "a.json", "loud.json"]);
+    let why = "no verdict: the machine was not quiet (B: other programs had 50 % of the processors)";
+    assert!(text.contains(why) && text.contains("Of 1 cells: 1 no verdict."), "{text}");
     results["schema"] = 1.into();
     std::fs::write(folder.path("b.json"), results.to_string()).unwrap();
     assert!(folder.fail(&["compare", "a", "b.json"], 3).contains("schema 1"));
@@ -320,4 +339,25 @@ fn the_numbers_of_committed_reports_are_those_of_their_frames() {
     }
     println!("{cells} cells recomputed");
     assert!(!is_lost, "a committed report has lost frames");
+}
+
+#[test]
+fn a_quick_benchmark_on_the_cpu_has_64_frames_of_each_cell_and_says_that_its_pictures_are_smaller() {
+    let folder = Folder::new();
+    let quick = ["bench", "room.vxt", "--quick", "--cells", "cpu:scalar,cpu:portable", "-o", "report"];
+    let said = folder.succeed(&quick);
+    let results: Value = serde_json::from_slice(&folder.bytes("report/results.json")).unwrap();
+    let [width, height] = ["width", "height"].map(|edge| results["settings"][edge].as_u64().unwrap());
+    assert_eq!(width * 1080, height * 1980);
+    assert_eq!(said.contains("not the study's 1980 × 1080"), width != 1980, "{said}");
+    for (cell, walk) in [(&results["cells"][0], "ray after ray"), (&results["cells"][1], "portable in streams")] {
+        assert!(cell["frames"].as_u64() >= Some(64), "{cell}");
+        assert_eq!(cell["processor"]["turns"], 8, "in turns: {cell}");
+        assert!(said.contains(&format!("room {}: {walk}", cell["cell"].as_str().unwrap())), "{said}");
+    }
+    // It goes on with its size, and asks for nothing that is there; another size is another benchmark.
+    folder.succeed(&[&quick[..], &["--resume"]].concat());
+    let results: Value = serde_json::from_slice(&folder.bytes("report/results.json")).unwrap();
+    assert_eq!((results["settings"]["width"].as_u64(), results["runs"].as_array().unwrap().len()), (Some(width), 2));
+    assert!(folder.fail(&[&quick[..], &["--resume", "--size", "16x12"]].concat(), 5).contains("width"));
 }

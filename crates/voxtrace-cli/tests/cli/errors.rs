@@ -6,7 +6,7 @@ use voxtrace_test_support::{data, files_below};
 #[test]
 fn wrong_arguments_are_explained_in_one_line_with_code_2() {
     let folder = Folder::new();
-    let cases: [(&[&str], &str); 49] = [
+    let cases: [(&[&str], &str); 61] = [
         (&[], "a verb is missing"),
         (&["paint"], "unrecognized subcommand 'paint'"),
         (&["render"], "<SCENE>"),
@@ -29,6 +29,21 @@ fn wrong_arguments_are_explained_in_one_line_with_code_2() {
         (&["render", "room.vox", "--camera", "nave"], "front, back, left, right, top, bottom"),
         (&["render", "room.vox", "--camera", "iso"], "--projection isometric"),
         (&["render", "room.vox", "--width", "64", "--height", "48"], "hint: --size 1280x720"),
+        (
+            &["render", "room.vox", "--height", "48"],
+            "needs a heightmap, and room.vox is none; hint: the size of a picture",
+        ),
+        (&["render", "city", "--height", "48"], "needs a heightmap, and city is none"),
+        (&["render", "room.vox", "--spp", "4", "--width", "64"], "hint: --size 1280x720"),
+        (&["render", "room.vox", "-w", "64"], "hint: --size 1280x720"),
+        (&["render", "room.vox", "--resolution", "640x480"], "hint: --size 640x480"),
+        (&["render", "room.vox", "--quality", "high"], "hint: --noise 0.02"),
+        (&["render", "room.vox", "--noise-threshold", "0.1"], "hint: --noise 0.02"),
+        (&["render", "room.vox", "-n", "16"], "hint: --spp N"),
+        (&["render", "room.vox", "--fps", "24"], "hint: --frames N"),
+        (&["render", "room.vox", "--output-format", "png"], "the output's name says it"),
+        (&["render", "room.vox", "--dof"], "hint: --aperture"),
+        (&["render", "room.vox", "--turntable", "--frames", "101,105"], "hint: --frames N makes one"),
         (&["render", "room.vox", "--dof=3"], "hint: --aperture"),
         (&["render", "room.vox", "--gpu"], "--traversal walk"),
         (&["render", "room.vox", "-f", "png"], "the output's name says it"),
@@ -151,4 +166,79 @@ fn every_malformed_file_of_the_shared_data_gives_one_line_with_an_offset() {
         let line = folder.fail(&["info", file.to_str().unwrap()], 3);
         assert!(line.contains("at byte "), "{line}");
     }
+}
+
+#[test]
+fn names_of_files_stay_as_they_are_in_messages() {
+    let folder = Folder::new();
+    std::fs::write(folder.path("Castle Tower.VOX"), "no voxels here").unwrap();
+    assert!(folder.fail(&["info", "Castle Tower.VOX"], 3).contains("Castle Tower.VOX"));
+    assert!(folder.fail(&["info", "Keep/Gate.OBJ"], 3).contains("cannot read Keep/Gate.OBJ: no such file"));
+    std::fs::create_dir(folder.path("Folder.PNG")).unwrap();
+    assert!(folder.fail(&["render", "room.vox", "-o", "Folder.PNG"], 4).contains("Folder.PNG"));
+    let said = folder.fail(&["bench", "room.vox", "--plan", "My Plan.TOML"], 3);
+    assert!(said.contains("My Plan.TOML") && !said.contains("os error"), "{said}");
+    std::fs::write(folder.path("Points.PCD"), "VERSION .7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 1\nHEIGHT 1\nPOINTS 1\nDATA Zipped\n0 0 0\n").unwrap();
+    let said = folder.fail(&["info", "Points.PCD"], 3);
+    assert!(said.contains("Points.PCD") && said.contains("\"Zipped\"") && !said.contains("Some("), "{said}");
+}
+
+#[test]
+fn a_film_of_another_picture_says_what_differs_in_the_words_of_options() {
+    let folder = Folder::new();
+    folder.render("a.png", &["--checkpoint", "a.vxf"]);
+    let resume = |options: &[&str]| {
+        folder.fail(&[&["render", "room.vox", "--resume", "a.vxf", "--spp", "8", "-o", "b.png"], options].concat(), 5)
+    };
+    for (options, expected) in [
+        (&["--eye", "1,2,30"][..], "--eye 1,2,30"),
+        (&["--projection", "orthographic"], "lens pinhole in the film, orthographic, view height"),
+        (&["--sun", "40,30"], "sky of the film, another one asked for"),
+    ] {
+        let said = resume(options);
+        let is_of_rust = ["Some(", "None", "Vec3", "{ "].iter().any(|word| said.contains(word));
+        assert!(said.contains(expected) && !is_of_rust, "{said}");
+    }
+    let turntable = [&["render", "room.vox", "--turntable", "-o", "t_#.png"], &crate::common::SMALL[..]].concat();
+    folder.succeed(&[&turntable[..], &["--frames", "1..2", "--checkpoint", "t_#.vxf"]].concat());
+    let resume = ["render", "room.vox", "--turntable", "--resume", "t_#.vxf", "--spp", "8", "-o", "t_#.png"];
+    let said = folder.fail(&resume, 5);
+    assert!(
+        said.contains("cannot continue t_2.vxf: camera --eye") && said.contains("say --frames as before"),
+        "{said}"
+    );
+    folder.succeed(&[&resume[..], &["--frames", "1..2"]].concat());
+}
+
+#[test]
+fn what_is_sound_and_empty_is_not_called_damaged() {
+    let folder = Folder::new();
+    let write = |name: &str, bytes: &[u8]| std::fs::write(folder.path(name), bytes).unwrap();
+    write("empty.obj", b"# nothing\n");
+    write(
+        "empty.ply",
+        b"ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\nproperty float z\nend_header\n",
+    );
+    write("empty.stl", b"solid nothing\nendsolid nothing\n");
+    write("empty.gltf", br#"{"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[]}]}"#);
+    let element = |group: u16, number: u16, kind: &[u8; 2], value: &[u8]| {
+        let head = [group.to_le_bytes(), number.to_le_bytes()].concat();
+        [&head[..], kind, &(value.len() as u16).to_le_bytes(), value].concat()
+    };
+    let plan = [
+        [0; 128].to_vec(),
+        b"DICM".to_vec(),
+        element(2, 0x10, b"UI", b"1.2.840.10008.1.2.1\0"),
+        element(8, 0x60, b"CS", b"RTPLAN"),
+        element(0x10, 0x10, b"PN", b"A^B "),
+    ];
+    write("plan.dcm", &plan.concat());
+    for name in ["empty.obj", "empty.ply", "empty.stl", "empty.gltf", "plan.dcm"] {
+        let said = folder.fail(&["info", name], 3);
+        assert!(!said.contains("damaged") && !said.contains("export it again"), "{said}");
+    }
+    assert!(folder.fail(&["info", "plan.dcm"], 3).contains("(RTPLAN) without a picture"));
+    // A file that is cut off is.
+    write("cut.ply", b"ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nend_header\n0 0 0\n");
+    assert!(folder.fail(&["info", "cut.ply"], 3).contains("the file is damaged"));
 }

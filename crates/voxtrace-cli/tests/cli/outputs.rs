@@ -4,10 +4,10 @@
 use crate::common::{Folder, SMALL, stderr};
 
 /// What a run reads: arguments after the verb, and the files that are read through them.
-type Case = (&'static [&'static str], &'static [&'static str]);
+pub type Case = (&'static [&'static str], &'static [&'static str]);
 
 /// Scenes of all kinds with what they name.
-const SCENES: [Case; 7] = [
+pub const SCENES: [Case; 7] = [
     (&["castle.obj", "--resolution", "16"], &["castle.obj", "castle.mtl", "castle.png"]),
     (&["triangle.gltf", "--resolution", "16"], &["triangle.gltf", "triangle.bin"]),
     (&["hill.png", "--color-image", "paint.png"], &["hill.png", "paint.png"]),
@@ -27,7 +27,7 @@ fn png(side: u32, color: impl Fn(u32, u32) -> [u8; 3]) -> Vec<u8> {
 }
 
 /// A folder with a file of each kind.
-fn folder() -> Folder {
+pub fn folder() -> Folder {
     let folder = Folder::new();
     let write = |name: &str, bytes: &[u8]| std::fs::write(folder.path(name), bytes).unwrap();
     write(

@@ -1,5 +1,6 @@
 //! The CPU tracer: all cores, tile by tile, in waves of rays. The reference for every other tracer.
 
+mod ray_counts;
 mod shadow_rays;
 mod tile;
 mod wave;
@@ -13,10 +14,13 @@ use crate::shadow_catcher::ShadowCatcher;
 use crate::tracer::{Progress, TraceError, Tracer};
 use crate::walk;
 use rayon::prelude::*;
+use std::ops::Add;
 use std::sync::Arc;
 use voxtrace_scene::camera::CameraFrame;
 use voxtrace_scene::ray::{Hit, Ray};
 use wave::Wave;
+
+pub use ray_counts::RayCounts;
 
 /// Rays that one thread casts at a time.
 const RAYS_AT_A_TIME: usize = 1024;
@@ -29,18 +33,24 @@ pub struct CpuTracer {
     tile_size: u32,
     scene: Option<Arc<PackedScene>>,
     film: Option<(Frame, Film)>,
+    rays: RayCounts,
 }
 
 impl CpuTracer {
     /// A tracer of `threads` threads; `None`, or where the system gives no threads, uses rayon's global pool.
     pub fn new(threads: Option<usize>) -> Self {
         let pool = threads.and_then(|count| rayon::ThreadPoolBuilder::new().num_threads(count).build().ok());
-        Self { pool, tile_size: 32, scene: None, film: None }
+        Self { pool, tile_size: 32, scene: None, film: None, rays: RayCounts::default() }
     }
 
     /// The same tracer with square tiles of `tile_size` pixels, at least 1.
     pub fn with_tile_size(self, tile_size: u32) -> Self {
         Self { tile_size: tile_size.max(1), ..self }
+    }
+
+    /// The rays of the last call of [`Tracer::render`], and the walks that traced them.
+    pub fn ray_counts(&self) -> RayCounts {
+        self.rays
     }
 
     /// The vector instructions that it uses on this machine, for reports.
@@ -78,7 +88,9 @@ impl Tracer for CpuTracer {
         assert_eq!(rays.len(), hits.len(), "one hit for each ray");
         self.install(|| {
             let chunks = rays.par_chunks(RAYS_AT_A_TIME).zip(hits.par_chunks_mut(RAYS_AT_A_TIME));
-            chunks.for_each(|(rays, hits)| walk::cast_batch(&scene, rays, hits));
+            chunks.for_each(|(rays, hits)| {
+                walk::cast_batch(&scene, rays, hits);
+            });
             scene.turn_to_parts(hits);
         });
         Ok(())
@@ -93,7 +105,8 @@ impl Tracer for CpuTracer {
             _ => Film::new(frame.width, frame.height, frame.region, frame.first_sample),
         };
         let camera = frame.camera.frame(frame.width, frame.height);
-        self.install(|| {
+        self.rays = self.install(|| {
+            let mut rays = RayCounts::default();
             if frame.aovs && film.aovs.is_none() {
                 film.aovs = Some(aov_pixels(&scene, frame, &camera));
             }
@@ -107,8 +120,10 @@ impl Tracer for CpuTracer {
                 if progress.is_cancelled() || least >= frame.samples {
                     break;
                 }
-                add_pass(&context, &mut film, self.tile_size, target_after(least, frame, self.tile_size), progress);
+                let target = target_after(least, frame, self.tile_size);
+                rays = rays + add_pass(&context, &mut film, self.tile_size, target, progress);
             }
+            rays
         });
         self.film = Some((frame.clone(), film));
         Ok(())
@@ -138,13 +153,23 @@ fn target_after(least: u32, frame: &Frame, tile_size: u32) -> u32 {
 
 /// Brings each pixel up to `target` samples, tile by tile; pixels that an earlier pass left ahead wait for the others. Stops
 /// between tiles when cancelled.
-fn add_pass(context: &wave::RenderContext, film: &mut Film, tile_size: u32, target: u32, progress: &Progress) {
+fn add_pass(
+    context: &wave::RenderContext,
+    film: &mut Film,
+    tile_size: u32,
+    target: u32,
+    progress: &Progress,
+) -> RayCounts {
     let tiles = tile::tiles_mut(&mut film.pixels, film.region, tile_size);
-    tiles.into_par_iter().for_each_init(Wave::default, |wave, mut tile| {
-        if !progress.is_cancelled() {
-            progress.add(wave.render(context, &mut tile, target));
+    let counts = tiles.into_par_iter().map_init(Wave::default, |wave, mut tile| {
+        if progress.is_cancelled() {
+            return RayCounts::default();
         }
+        let counts = wave.render(context, &mut tile, target);
+        progress.add(counts.camera);
+        counts
     });
+    counts.reduce(RayCounts::default, RayCounts::add)
 }
 
 /// What the rays through the middle of the region's pixels meet.

@@ -1,5 +1,6 @@
 //! The shadow rays of a wave: those of one bounce are traced together, through media from boundary to boundary.
 
+use super::ray_counts::RayCounts;
 use super::wave::RenderContext;
 use crate::cuts;
 use crate::integrator::ShadowRay;
@@ -36,11 +37,11 @@ impl ShadowRays {
     }
 
     /// Adds the light whose shadow ray meets nothing, and what media leave of it, and forgets all rays.
-    pub fn gather(&mut self, context: &RenderContext, add: impl FnMut(u32, Vec3)) {
+    pub fn gather(&mut self, context: &RenderContext, counts: &mut RayCounts, add: impl FnMut(u32, Vec3)) {
         if context.has_media {
-            self.gather_through_media(context, add);
+            self.gather_through_media(context, counts, add);
         } else {
-            self.gather_in_air(context.scene, add);
+            self.gather_in_air(context.scene, counts, add);
         }
         self.rays.clear();
         self.light.clear();
@@ -48,19 +49,25 @@ impl ShadowRays {
         self.is_clipped.clear();
     }
 
-    fn gather_in_air(&mut self, scene: &PackedScene, mut add: impl FnMut(u32, Vec3)) {
+    fn gather_in_air(&mut self, scene: &PackedScene, counts: &mut RayCounts, mut add: impl FnMut(u32, Vec3)) {
         let Self { rays, light, is_clipped, blocked, .. } = self;
         blocked.resize(rays.len(), false);
-        match scene.cuts.is_none() {
+        counts.light += rays.len() as u64;
+        counts.walks += match scene.cuts.is_none() {
             true => walk::occluded_batch(scene, rays, blocked),
             false => cuts::occluded_batch(scene, rays, blocked, |index| is_clipped[index]),
-        }
+        };
         for (&(slot, radiance), _) in light.iter().zip(blocked).filter(|(_, blocked)| !**blocked) {
             add(slot, radiance);
         }
     }
 
-    fn gather_through_media(&mut self, context: &RenderContext, mut add: impl FnMut(u32, Vec3)) {
+    fn gather_through_media(
+        &mut self,
+        context: &RenderContext,
+        counts: &mut RayCounts,
+        mut add: impl FnMut(u32, Vec3),
+    ) {
         let (scene, is_clear) = (context.scene, context.frame.clear_shadows);
         let Self { rays, light, inside, is_clipped, under_way, hits, .. } = self;
         let all = rays.iter().zip(&*light).zip(&*inside).enumerate();
@@ -73,6 +80,7 @@ impl ShadowRays {
             if under_way.is_empty() {
                 break;
             }
+            counts.light += under_way.len() as u64;
             // Those in air look for voxels together, those in media go from voxel to voxel.
             rays.clear();
             rays.extend(
@@ -80,13 +88,13 @@ impl ShadowRays {
             );
             hits.clear();
             hits.resize(rays.len(), Hit::MISS);
-            if scene.cuts.is_none() {
-                walk::cast_batch_whole(scene, rays, hits);
+            counts.walks += if scene.cuts.is_none() {
+                walk::cast_batch_whole(scene, rays, hits)
             } else {
                 let in_air = under_way.iter().filter(|(_, transit)| transit.inside.is_none());
                 let is_clipped: Vec<bool> = in_air.map(|(_, transit)| transit.is_clipped).collect();
-                cuts::cast_batch(scene, rays, hits, |index| is_clipped[index]);
-            }
+                cuts::cast_batch(scene, rays, hits, |index| is_clipped[index])
+            };
             let mut found = hits.iter();
             under_way.retain_mut(|(slot, transit)| {
                 let hit = match &transit.inside {

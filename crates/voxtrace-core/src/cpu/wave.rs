@@ -1,6 +1,7 @@
 //! The paths of one tile, followed together bounce by bounce, so that the walk gets many rays at a time
 //! (Laine, Karras, Aila, "Megakernels Considered Harmful", HPG 2013).
 
+use super::ray_counts::RayCounts;
 use super::shadow_rays::ShadowRays;
 use super::tile::{Tile, in_blocks};
 use crate::aov::clip;
@@ -43,6 +44,7 @@ pub struct Wave {
     in_air: InAir,
     samples: Vec<Sample>,
     shadow_rays: ShadowRays,
+    counts: RayCounts,
 }
 
 /// The rays of a wave that are not in a medium, which are traced together: their places, the rays, and their hits.
@@ -64,12 +66,16 @@ struct Sample {
 }
 
 impl Wave {
-    /// Brings each pixel of the tile up to `target` samples. Returns how many it added in all.
-    pub fn render(&mut self, context: &RenderContext, tile: &mut Tile, target: u32) -> u64 {
+    /// Brings each pixel of the tile up to `target` samples. Returns the rays that it took; those of the camera are the samples that it added.
+    pub fn render(&mut self, context: &RenderContext, tile: &mut Tile, target: u32) -> RayCounts {
         self.start(context, tile, target);
+        self.counts = RayCounts { camera: self.rays.len() as u64, ..RayCounts::default() };
         let mut from_camera = true;
         while !self.rays.is_empty() {
             self.cast(context);
+            if !from_camera {
+                self.counts.bounce += self.rays.len() as u64;
+            }
             if from_camera {
                 for ((sample, hit), path) in self.samples.iter_mut().zip(&self.hits).zip(&self.paths) {
                     sample.covered = !hit.is_miss() || path.inside.is_some();
@@ -86,7 +92,7 @@ impl Wave {
             };
             tile.rows[sample.row as usize][sample.column as usize].add(radiance, covered);
         }
-        self.samples.len() as u64
+        self.counts
     }
 
     /// Sends the camera rays.
@@ -123,10 +129,11 @@ impl Wave {
         self.hits.resize(self.rays.len(), Hit::MISS);
         let scene = context.scene;
         if !context.has_media {
-            return match scene.cuts.is_none() {
+            self.counts.walks += match scene.cuts.is_none() {
                 true => walk::cast_batch_whole(scene, &self.rays, &mut self.hits),
                 false => cuts::cast_batch(scene, &self.rays, &mut self.hits, |index| self.paths[index].is_clipped),
             };
+            return;
         }
         let InAir { places, rays, hits } = &mut self.in_air;
         places.clear();
@@ -141,10 +148,10 @@ impl Wave {
             }
         }
         hits.resize(rays.len(), Hit::MISS);
-        match scene.cuts.is_none() {
+        self.counts.walks += match scene.cuts.is_none() {
             true => walk::cast_batch_whole(scene, rays, hits),
             false => cuts::cast_batch(scene, rays, hits, |index| self.paths[places[index]].is_clipped),
-        }
+        };
         for (&place, hit) in places.iter().zip(hits) {
             self.hits[place] = *hit;
         }
@@ -193,6 +200,6 @@ impl Wave {
     /// Adds the light that arrives along the shadow rays.
     fn gather_light(&mut self, context: &RenderContext) {
         let samples = &mut self.samples;
-        self.shadow_rays.gather(context, |slot, light| samples[slot as usize].radiance += light);
+        self.shadow_rays.gather(context, &mut self.counts, |slot, light| samples[slot as usize].radiance += light);
     }
 }

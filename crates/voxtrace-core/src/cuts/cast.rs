@@ -2,7 +2,7 @@
 
 use crate::medium::{self, Inside};
 use crate::packed::PackedScene;
-use crate::walk;
+use crate::walk::{self, WalkCounts};
 use voxtrace_scene::ray::{Hit, Ray};
 
 /// Finds the first hit of a ray; where it is not clipped, in the whole scene.
@@ -12,14 +12,20 @@ pub(crate) fn cast(scene: &PackedScene, ray: &Ray, is_clipped: bool) -> Hit {
 }
 
 /// Finds for each ray its first hit; `is_clipped` says of each whether it is clipped. Both slices have the same length.
-pub(crate) fn cast_batch(scene: &PackedScene, rays: &[Ray], hits: &mut [Hit], is_clipped: impl Fn(usize) -> bool) {
+pub(crate) fn cast_batch(
+    scene: &PackedScene,
+    rays: &[Ray],
+    hits: &mut [Hit],
+    is_clipped: impl Fn(usize) -> bool,
+) -> WalkCounts {
     let spans: Vec<_> =
         rays.iter().enumerate().map(|(index, ray)| scene.cuts.span_of(ray, is_clipped(index))).collect();
     let parts: Vec<Ray> = rays.iter().zip(&spans).map(|(ray, span)| span.part(ray)).collect();
-    walk::cast_batch_whole(scene, &parts, hits);
+    let counts = walk::cast_batch_whole(scene, &parts, hits);
     for (hit, span) in hits.iter_mut().zip(&spans) {
         *hit = span.entered(*hit);
     }
+    counts
 }
 
 /// Finds for each ray whether anything lies on the part of its segment that it sees.
@@ -28,10 +34,10 @@ pub(crate) fn occluded_batch(
     rays: &[Ray],
     blocked: &mut [bool],
     is_clipped: impl Fn(usize) -> bool,
-) {
+) -> WalkCounts {
     let part = |(index, ray)| scene.cuts.span_of(ray, is_clipped(index)).part(ray);
     let parts: Vec<Ray> = rays.iter().enumerate().map(part).collect();
-    walk::occluded_batch(scene, &parts, blocked);
+    walk::occluded_batch(scene, &parts, blocked)
 }
 
 /// As [`medium::cast_inside`]: where the medium is cut, the ray leaves it through the face of the cut.

@@ -4,6 +4,7 @@
 
 #[cfg(target_arch = "x86_64")]
 use super::avx512;
+use super::counts::WalkCounts;
 use super::groups::Groups;
 use super::instructions::Instructions;
 use super::local_ray::LocalRay;
@@ -16,7 +17,7 @@ use voxtrace_scene::ray::{Hit, Ray};
 use voxtrace_scene::transform::Transform;
 
 /// Finds for each ray its first hit in what cuts keep. Both slices must have the same length.
-pub fn cast_batch(scene: &PackedScene, rays: &[Ray], hits: &mut [Hit]) {
+pub fn cast_batch(scene: &PackedScene, rays: &[Ray], hits: &mut [Hit]) -> WalkCounts {
     match scene.cuts.is_none() {
         true => cast_batch_whole(scene, rays, hits),
         false => cuts::cast_batch(scene, rays, hits, |_| true),
@@ -24,52 +25,65 @@ pub fn cast_batch(scene: &PackedScene, rays: &[Ray], hits: &mut [Hit]) {
 }
 
 /// Finds for each ray its first hit in the whole scene. Both slices must have the same length.
-pub fn cast_batch_whole(scene: &PackedScene, rays: &[Ray], hits: &mut [Hit]) {
-    cast_batch_with(Instructions::chosen(), scene, rays, hits);
+pub fn cast_batch_whole(scene: &PackedScene, rays: &[Ray], hits: &mut [Hit]) -> WalkCounts {
+    cast_batch_with(Instructions::chosen(), scene, rays, hits)
 }
 
 /// As [`cast_batch_whole`], with the instructions that are named, or ray after ray where the processor has them not.
-pub fn cast_batch_with(instructions: Instructions, scene: &PackedScene, rays: &[Ray], hits: &mut [Hit]) {
+pub fn cast_batch_with(instructions: Instructions, scene: &PackedScene, rays: &[Ray], hits: &mut [Hit]) -> WalkCounts {
     assert_eq!(rays.len(), hits.len(), "one hit for each ray");
-    if first_hits(scene, instructions, rays, false, hits) {
-        return;
+    if let Some(counts) = first_hits(scene, instructions, rays, false, hits) {
+        return counts;
     }
     for (ray, hit) in rays.iter().zip(hits) {
         *hit = cast_whole(scene, ray);
     }
+    WalkCounts { scalar: rays.len() as u64, ..WalkCounts::default() }
 }
 
 /// Finds for each ray whether anything of the whole scene lies on its segment. Both slices must have the same length.
-pub fn occluded_batch(scene: &PackedScene, rays: &[Ray], blocked: &mut [bool]) {
-    occluded_batch_with(Instructions::chosen(), scene, rays, blocked);
+pub fn occluded_batch(scene: &PackedScene, rays: &[Ray], blocked: &mut [bool]) -> WalkCounts {
+    occluded_batch_with(Instructions::chosen(), scene, rays, blocked)
 }
 
 /// As [`occluded_batch`], with the instructions that are named, or ray after ray where the processor has them not.
-pub fn occluded_batch_with(instructions: Instructions, scene: &PackedScene, rays: &[Ray], blocked: &mut [bool]) {
+pub fn occluded_batch_with(
+    instructions: Instructions,
+    scene: &PackedScene,
+    rays: &[Ray],
+    blocked: &mut [bool],
+) -> WalkCounts {
     assert_eq!(rays.len(), blocked.len(), "one answer for each ray");
     let mut hits = vec![Hit::MISS; rays.len()];
-    if first_hits(scene, instructions, rays, true, &mut hits) {
+    if let Some(counts) = first_hits(scene, instructions, rays, true, &mut hits) {
         for (hit, blocked) in hits.iter().zip(blocked) {
             *blocked = !hit.is_miss();
         }
-        return;
+        return counts;
     }
     for (ray, blocked) in rays.iter().zip(blocked) {
         *blocked = occluded(scene, ray);
     }
+    WalkCounts { scalar: rays.len() as u64, ..WalkCounts::default() }
 }
 
-/// Fills `hits` with vector instructions, where `any` hit will do with one that need not be the first; returns false, with nothing done,
+/// Fills `hits` with vector instructions, where `any` hit will do with one that need not be the first; returns `None`, with nothing done,
 /// where there are none.
-fn first_hits(scene: &PackedScene, instructions: Instructions, rays: &[Ray], any: bool, hits: &mut [Hit]) -> bool {
+fn first_hits(
+    scene: &PackedScene,
+    instructions: Instructions,
+    rays: &[Ray],
+    any: bool,
+    hits: &mut [Hit],
+) -> Option<WalkCounts> {
     if !instructions.is_available() || !scene.geometry.is_within_gather_reach() {
-        return false;
+        return None;
     }
     let batch = Batch { scene, rays, any };
     // SAFETY: the processor has the instructions; packing and opening give valid scenes only.
-    unsafe {
+    let packets = unsafe {
         match instructions {
-            Instructions::Scalar => return false,
+            Instructions::Scalar => return None,
             Instructions::Portable => batch.cast(Portable, hits, Batch::no_packets),
             #[cfg(target_arch = "x86_64")]
             Instructions::Avx2 => by_avx2(&batch, hits),
@@ -81,10 +95,10 @@ fn first_hits(scene: &PackedScene, instructions: Instructions, rays: &[Ray], any
             Instructions::Simd128 => batch.cast(super::simd::Simd128, hits, Batch::no_packets),
             // What this build has not is never available.
             #[allow(unreachable_patterns, reason = "all of them where there is only one kind")]
-            _ => return false,
+            _ => return None,
         }
-    }
-    true
+    } as u64;
+    Some(WalkCounts { packets, streams: rays.len() as u64 - packets, scalar: 0 })
 }
 
 /// Rays through a valid scene.
@@ -96,7 +110,8 @@ struct Batch<'a> {
 }
 
 impl Batch<'_> {
-    /// Finds the hits of all rays. `packets` finds those of some groups of rays, of a scene of one grid that is not transformed.
+    /// Finds the hits of all rays. `packets` finds those of some groups of rays, of a scene of one grid that is not transformed. Returns how many
+    /// rays those are.
     ///
     /// # Safety
     /// The scene must be valid.
@@ -106,11 +121,12 @@ impl Batch<'_> {
         simd: S,
         hits: &mut [Hit],
         packets: impl FnOnce(&Self, &PackedGrid, &mut [Hit]) -> Groups,
-    ) {
+    ) -> usize {
         let (scene, rays) = (self.scene, self.rays);
         let [instance] = &*scene.placement.instances else {
             // SAFETY: the caller's duty.
-            return unsafe { stream::first_hits(simd, scene, rays, self.any, hits) };
+            unsafe { stream::first_hits(simd, scene, rays, self.any, hits) };
+            return 0;
         };
         let (grid, from_world) = (&scene.geometry.grids[instance.grid as usize], &instance.grid_from_world);
         let is_plain = *from_world == Transform::IDENTITY;
@@ -128,6 +144,7 @@ impl Batch<'_> {
         let grid = (&*scene.geometry, grid);
         // SAFETY: the caller's duty.
         unsafe { stream::first_voxels(simd, grid, from_world, rays, &done, &mut found) };
+        done.count_of(rays.len())
     }
 
     /// Where there are no instructions for packets.
@@ -140,16 +157,16 @@ impl Batch<'_> {
 /// The processor must have the instructions, and the scene must be valid.
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx2,popcnt,bmi1,bmi2,lzcnt")]
-unsafe fn by_avx2(batch: &Batch, hits: &mut [Hit]) {
+unsafe fn by_avx2(batch: &Batch, hits: &mut [Hit]) -> usize {
     // SAFETY: the caller's duty.
-    unsafe { batch.cast(super::simd::Avx2::assume(), hits, Batch::no_packets) };
+    unsafe { batch.cast(super::simd::Avx2::assume(), hits, Batch::no_packets) }
 }
 
 /// # Safety
 /// The processor must have the instructions, and the scene must be valid.
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx512f,avx512dq,avx512bw,avx512vl,popcnt,bmi1,bmi2,lzcnt,fma,avx2")]
-unsafe fn by_avx512(batch: &Batch, hits: &mut [Hit]) {
+unsafe fn by_avx512(batch: &Batch, hits: &mut [Hit]) -> usize {
     let packets = |batch: &Batch, grid: &PackedGrid, hits: &mut [Hit]| {
         let mut done = Groups::none_of(batch.rays.len());
         // SAFETY: the caller's duty.
@@ -157,7 +174,7 @@ unsafe fn by_avx512(batch: &Batch, hits: &mut [Hit]) {
         done
     };
     // SAFETY: the caller's duty.
-    unsafe { batch.cast(super::simd::Avx512::assume(), hits, packets) };
+    unsafe { batch.cast(super::simd::Avx512::assume(), hits, packets) }
 }
 
 #[cfg(test)]

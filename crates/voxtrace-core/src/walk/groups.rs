@@ -17,6 +17,13 @@ impl Groups {
         self.0[group / 64] |= 1 << (group % 64);
     }
 
+    /// How many of so many rays are in its groups; the last group may be short.
+    pub fn count_of(&self, rays: usize) -> usize {
+        let groups: usize = self.0.iter().map(|bits| bits.count_ones() as usize).sum();
+        let is_last_short = !rays.is_multiple_of(LANES) && self.contains(rays / LANES);
+        groups * LANES - if is_last_short { LANES - rays % LANES } else { 0 }
+    }
+
     /// Whether it has a group.
     #[inline(always)]
     pub fn contains(&self, group: usize) -> bool {

@@ -9,6 +9,7 @@
 #[cfg(target_arch = "x86_64")]
 mod avx512;
 mod batch;
+mod counts;
 pub mod exact;
 mod groups;
 mod instances;
@@ -20,6 +21,7 @@ mod simd;
 mod stream;
 
 pub use batch::{cast_batch, cast_batch_whole, cast_batch_with, occluded_batch, occluded_batch_with};
+pub use counts::WalkCounts;
 pub use instances::{cast, cast_below, cast_whole, occluded};
 pub use instructions::Instructions;
 pub use local_ray::{LocalRay, MAX_ORIGIN};

@@ -44,7 +44,7 @@ pub use read::{
 };
 pub use reader::{
     ClassSet, Data, FileClues, FolderClues, Geometry, Height, HeightOptions, ImportOptions, Kind, LargeGeometry, LargeVolume,
-    Magic, MapBounds, PointFilter, RawShape, Reader, Recognition, Voxels,
+    Magic, MapBounds, PointFilter, RawShape, Reader, Recognition, Voxels, not_shown,
 };
 pub use readers::{READERS, Readers};
 pub use source::watch::read_while;

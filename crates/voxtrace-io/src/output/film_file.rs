@@ -2,6 +2,7 @@
 //! later run, or another machine, continues it bit for bit. `docs/film-format.md` describes every byte.
 
 use super::write_atomically;
+use glam::Vec3;
 use std::io::{self, Write};
 use std::path::Path;
 use voxtrace_core::BounceLimits;
@@ -96,7 +97,6 @@ impl FilmFile {
     /// the scene's name and the AOVs, which any run can add, do not count.
     pub fn difference(&self, frame: &Frame, scene: &SceneStamp) -> Option<String> {
         let (ours, theirs) = (&self.frame, frame);
-        let view = |camera: &Camera| (camera.eye, camera.target, camera.up, camera.fov_y);
         let pairs: [(&str, String, String); 19] = [
             ("scene", hash_text(&self.scene), hash_text(scene)),
             ("sky", format!("{:?}", self.scene.sky), format!("{:?}", scene.sky)),
@@ -104,8 +104,8 @@ impl FilmFile {
             ("cuts", cuts_text(&self.scene.cuts), cuts_text(&scene.cuts)),
             ("size", size_text(ours), size_text(theirs)),
             ("crop", crop_text(ours.region), crop_text(theirs.region)),
-            ("camera", format!("{:?}", view(&ours.camera)), format!("{:?}", view(&theirs.camera))),
-            ("lens", format!("{:?}", ours.camera.lens), format!("{:?}", theirs.camera.lens)),
+            ("camera", view_text(&ours.camera), view_text(&theirs.camera)),
+            ("lens", lens_text(&ours.camera), lens_text(&theirs.camera)),
             ("seed", ours.seed.to_string(), theirs.seed.to_string()),
             ("first sample", ours.first_sample.to_string(), theirs.first_sample.to_string()),
             ("integrator", ours.integrator.name().into(), theirs.integrator.name().into()),
@@ -119,6 +119,10 @@ impl FilmFile {
             ("transparency", ours.transparent.to_string(), theirs.transparent.to_string()),
         ];
         let (what, ours, theirs) = pairs.into_iter().find(|(_, ours, theirs)| ours != theirs)?;
+        if what == "sky" {
+            // Whole skies are no words.
+            return Some("sky of the film, another one asked for".into());
+        }
         Some(format!("{what} {ours} in the film, {theirs} asked for"))
     }
 }
@@ -158,6 +162,20 @@ pub(super) fn kinds_text(frame: &Frame) -> String {
     let BounceLimits { diffuse, glossy, transmitted, volume } = frame.bounce_limits;
     let text = |limit: u8| if limit == BounceLimits::UNLIMITED { "-".into() } else { limit.to_string() };
     [diffuse, glossy, transmitted, volume].map(text).join(",")
+}
+
+/// Where a camera stands and looks, as the options of `render` say it.
+fn view_text(camera: &Camera) -> String {
+    let vector = |vector: Vec3| vector.to_array().map(|number| number.to_string()).join(",");
+    let (eye, target, up) = (vector(camera.eye), vector(camera.target), vector(camera.up));
+    format!("--eye {eye} --target {target} --up {up} --fov {}", camera.fov_y)
+}
+
+/// A lens and its settings.
+fn lens_text(camera: &Camera) -> String {
+    let settings = camera.lens.settings();
+    let settings = settings.iter().map(|(name, value)| format!(", {} {value}", name.replace('_', " ")));
+    camera.lens.name().to_owned() + &settings.collect::<String>()
 }
 
 fn crop_text(Region { x0, y0, x1, y1 }: Region) -> String {

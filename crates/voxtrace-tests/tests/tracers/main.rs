@@ -20,6 +20,7 @@ mod mirrors;
 mod physics;
 mod placement;
 mod placement_faults;
+mod ray_counts;
 mod sampling;
 mod scene_pictures;
 mod selftest;

@@ -1,6 +1,6 @@
 //! Lines are read back as the shell and `render` do, and compared with the view that they were made of.
 
-use super::words::quoted;
+use super::quoted;
 use super::*;
 #[cfg(unix)]
 use std::process::Command;

@@ -1,5 +1,6 @@
 //! Words of a command line: options with values, numbers that are read as the same bits, and quotes for a POSIX shell.
 
+use super::quoted;
 use voxtrace::camera::Lens;
 use voxtrace::glam::Vec3;
 use voxtrace::lines::{Line, Lines};
@@ -57,13 +58,4 @@ pub fn say_lines(lines: &Lines, words: &mut Words) {
     let line = |line: Line| format!("{},{}", number(line.width), vector(line.color));
     words.0.extend(lines.edges.map(|edges| format!("--edges={}", line(edges))));
     words.0.extend(lines.grid.map(|grid| format!("--grid={},{}", line(grid.line), grid.spacing)));
-}
-
-/// A word as a POSIX shell takes it for itself.
-pub(crate) fn quoted(word: &str) -> String {
-    let is_plain = |c: char| c.is_ascii_alphanumeric() || "_@%+=:,./-".contains(c);
-    if word.chars().all(is_plain) && !word.is_empty() && !word.starts_with('=') {
-        return word.to_owned();
-    }
-    format!("'{}'", word.replace('\'', r"'\''"))
 }

@@ -88,8 +88,13 @@ impl RenderArgs {
         let path = job.number.map_or_else(|| pattern.to_owned(), |frame| path_of_view(pattern, None, Some(frame)));
         let path = path.display();
         if let Some(difference) = file.difference(&job.frame, stamp) {
-            return Err(Failure::mismatch(format!("cannot continue {path}: {difference}"))
-                .hint("leave out the options that the film already knows, or start a new film"));
+            return Err(Failure::mismatch(format!("cannot continue {path}: {difference}")).hint(match job.number {
+                // Where the camera stands in a frame depends on how many there are.
+                Some(_) => {
+                    "say --frames as before, leave out the options that the films already know, or start new films"
+                }
+                None => "leave out the options that the film already knows, or start a new film",
+            }));
         }
         let (_, most) = file.film.sample_range();
         if most > job.frame.samples {

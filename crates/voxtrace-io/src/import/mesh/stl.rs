@@ -6,7 +6,7 @@ use glam::Vec3;
 use std::path::{Path, PathBuf};
 use voxtrace_voxelize::mesh::Mesh;
 use voxtrace_voxelize::mesh::source::{SourceColors, TriangleSource};
-use voxtrace_voxelize::{ImportError, Limits};
+use voxtrace_voxelize::{ImportError, ImportErrorKind, Limits};
 
 /// What the table of readers has of this format.
 pub(crate) const READER: Reader =
@@ -39,7 +39,8 @@ fn read(mut input: Input, limits: &Limits) -> Result<Mesh, ImportError> {
         read_binary(&mut input, limits, &mut mesh)?;
     }
     if mesh.positions.is_empty() {
-        return Err(ImportError::malformed(input.path(), input.offset(), "an STL file without a triangle"));
+        let kind = ImportErrorKind::Unsupported("an STL file without a triangle".into());
+        return Err(ImportError::at(input.path(), input.offset(), kind));
     }
     Ok(mesh)
 }
@@ -214,7 +215,6 @@ pub(super) fn number(word: &[u8]) -> Option<f32> {
 mod tests {
     use super::*;
     use std::path::Path;
-    use voxtrace_voxelize::ImportErrorKind;
 
     fn read_bytes(bytes: &[u8]) -> Result<Mesh, ImportError> {
         let limits = Limits::default();

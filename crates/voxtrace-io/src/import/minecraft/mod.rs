@@ -97,6 +97,7 @@ fn read_build(mut input: Input, limits: &Limits) -> Result<Voxels, ImportError> 
     // Since version 3, Sponge's root has no name and holds the compound of this name.
     let inner = root.compound("Schematic").unwrap_or(&root);
     let (mut scene, mut palette) = (Scene::new(""), Palette::default());
+    palette.entities = root.entities();
     if let Some(regions) = root.compound("Regions") {
         litematic::read(&build, regions, &mut palette, &mut scene)?;
     } else if inner.bytes("Blocks").is_some() {

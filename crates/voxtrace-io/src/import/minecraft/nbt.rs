@@ -38,6 +38,9 @@ const SKIPPED: [&str; 27] = [
     "structures",
 ];
 
+/// The name under which the number of entities that were skipped stands.
+const ENTITIES: &str = "Entities";
+
 /// A tag's value.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Tag {
@@ -100,6 +103,16 @@ impl Compound {
             Tag::Compound(compound) => Some(compound),
             _ => None,
         }
+    }
+
+    /// Entities that were skipped, of this compound and those within.
+    pub fn entities(&self) -> u64 {
+        let own = self.0.iter().map(|(name, tag)| match tag {
+            Tag::Whole(count) if name == ENTITIES => (*count).max(0) as u64,
+            Tag::Compound(inner) => inner.entities(),
+            _ => 0,
+        });
+        own.sum()
     }
 
     pub fn list(&self, name: &str) -> Option<&[Tag]> {
@@ -174,7 +187,12 @@ impl Reader<'_, '_> {
                 return Ok(Compound(entries));
             }
             let name = self.text()?;
-            if SKIPPED.contains(&name.as_str()) {
+            if kind == 9 && matches!(name.as_str(), "Entities" | "entities") {
+                // Their number stands for them.
+                let mut count = 0;
+                self.skip_list(depth, |_| count += 1)?;
+                entries.push((ENTITIES.to_owned(), Tag::Whole(count)));
+            } else if SKIPPED.contains(&name.as_str()) {
                 self.skip(kind, depth)?;
             } else {
                 let tag = self.tag(kind, depth)?;
@@ -232,6 +250,18 @@ impl Reader<'_, '_> {
         })
     }
 
+    /// Goes over a list, and calls `each` after each of its elements.
+    fn skip_list(&mut self, depth: u32, mut each: impl FnMut(u64)) -> Result<(), ImportError> {
+        let depth = self.deeper(depth)?;
+        let [kind] = self.bytes()?;
+        let count = self.count()?;
+        for index in 0..if kind == 0 { 0 } else { count } {
+            self.skip(kind, depth)?;
+            each(index);
+        }
+        Ok(())
+    }
+
     fn skip(&mut self, kind: u8, depth: u32) -> Result<(), ImportError> {
         let bytes = match kind {
             1 => 1,
@@ -241,12 +271,7 @@ impl Reader<'_, '_> {
             7 => self.count()?,
             8 => u16::from_be_bytes(self.bytes()?).into(),
             9 => {
-                let depth = self.deeper(depth)?;
-                let [kind] = self.bytes()?;
-                let count = self.count()?;
-                for _ in 0..if kind == 0 { 0 } else { count } {
-                    self.skip(kind, depth)?;
-                }
+                self.skip_list(depth, |_| ())?;
                 0
             }
             10 => {

@@ -2,7 +2,7 @@
 
 use super::blocks::{Block, Look, block};
 use super::nbt::{Compound, Tag};
-use crate::import::reader::Voxels;
+use crate::import::reader::{NotShown, Voxels};
 use rustc_hash::FxHashMap;
 use std::collections::BTreeSet;
 use voxtrace_scene::material::{MAX_MATERIALS, Material};
@@ -20,6 +20,8 @@ pub(super) struct Palette {
     by_look: FxHashMap<Look, u16>,
     by_state: FxHashMap<State, Option<u16>>,
     unknown: BTreeSet<String>,
+    /// Entities that the files hold: mobs, minecarts, item frames.
+    pub entities: u64,
 }
 
 impl Palette {
@@ -68,6 +70,9 @@ impl Palette {
                 names.join(", ")
             ));
         }
+        let mut parts = NotShown::default();
+        parts.count("entity", self.entities);
+        notes.extend(parts.note());
         Voxels { scene, notes }
     }
 }

@@ -68,13 +68,15 @@ pub(super) fn read(
         let read = |&(index, start): &(usize, usize)| {
             let chunk = IVec2::new((index % CHUNKS) as i32, (index / CHUNKS) as i32);
             let Some(tags) = chunk_tags(path, &bytes, start, folder, limits, at * CHUNKS as i32 + chunk)? else {
-                return Ok(Vec::new());
+                return Ok((Vec::new(), 0));
             };
-            sections(path, start as u64, &tags, (at - origin) * CHUNKS as i32 + chunk)
+            let entities = tags.entities();
+            Ok((sections(path, start as u64, &tags, (at - origin) * CHUNKS as i32 + chunk)?, entities))
         };
-        let chunks: Vec<Vec<Section>> = places.par_iter().map(read).collect::<Result<_, _>>()?;
+        let chunks: Vec<(Vec<Section>, u64)> = places.par_iter().map(read).collect::<Result<_, _>>()?;
         let mut with_materials = Vec::new();
-        for mut section in chunks.into_iter().flatten() {
+        palette.entities += chunks.iter().map(|(_, entities)| entities).sum::<u64>();
+        for mut section in chunks.into_iter().flat_map(|(sections, _)| sections) {
             let states = std::mem::take(&mut section.states);
             let materials: Vec<_> = states.into_iter().map(|state| palette.material(state)).collect();
             if materials.iter().any(Option::is_some) {

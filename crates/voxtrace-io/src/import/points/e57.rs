@@ -2,7 +2,7 @@
 //! it would believe has been held against the file. All scans of a file are read, each at its pose.
 
 use crate::import::reader::local_origin::LocalOrigin;
-use crate::import::reader::{Geometry, Kind, Magic, Reader};
+use crate::import::reader::{Geometry, Kind, Magic, NotShown, Reader};
 use crate::import::source::guard::guarded;
 use crate::import::source::input::Input;
 use ::e57::{CartesianCoordinate, E57Reader, PointCloud as Scan, RecordDataType};
@@ -56,7 +56,11 @@ fn read(input: Input, limits: &Limits) -> Result<PointCloud, ImportError> {
     if scans.is_empty() {
         return Err(ImportError::at(path, 0, ImportErrorKind::Unsupported("the file holds no scan".into())));
     }
-    Ok(PointCloud { crs, ..points.finish() })
+    let mut cloud = points.finish();
+    let mut parts = NotShown::default();
+    parts.count("picture", reader.images().len() as u64);
+    cloud.notes.extend(parts.note());
+    Ok(PointCloud { crs, ..cloud })
 }
 
 /// Pages must be whole and the description inside the file.

@@ -11,6 +11,7 @@ mod large_content;
 mod large_volume;
 pub(crate) mod local_origin;
 pub(crate) mod map_units;
+mod not_shown;
 mod options;
 mod point_filter;
 mod raw_shape;
@@ -24,6 +25,7 @@ pub use data::{Data, Voxels};
 pub use geometry::Geometry;
 pub use large::LargeGeometry;
 pub use large_volume::LargeVolume;
+pub use not_shown::not_shown;
 pub use options::{Height, HeightOptions, ImportOptions};
 pub use point_filter::{ClassSet, MapBounds, PointFilter};
 pub use raw_shape::RawShape;
@@ -31,6 +33,7 @@ pub use raw_shape::RawShape;
 pub(crate) use large_content::LargeContent;
 #[cfg(feature = "points")]
 pub(crate) use point_filter::none_left;
+pub(crate) use not_shown::NotShown;
 #[cfg(any(feature = "medical", feature = "rasters", feature = "volumes"))]
 pub(crate) use raw_shape::Sample;
 

@@ -31,7 +31,7 @@ pub use surroundings::{Surroundings, surroundings};
 pub const ATTACHMENT: &str = "vox";
 
 use crate::import::panorama::environment_from_bytes;
-use crate::import::reader::{Data, Kind, Magic, Reader, Voxels};
+use crate::import::reader::{Data, Kind, Magic, NotShown, Reader, Voxels};
 use crate::import::source::folder::Folder;
 use crate::import::source::input::Input;
 use light::Picture;
@@ -57,6 +57,9 @@ pub(crate) const READER: Reader = Reader::new(
             map.map_err(|fault| notes.push(format!("the sky is one colour: its picture is not read: {fault}"))).ok()
         };
         let scene = VoxFile::parse(&bytes, path, limits)?.scene_under(path, limits, &mut map_of)?;
+        let mut parts = NotShown::default();
+        ignored(&scene).iter().for_each(|part| parts.name(part));
+        notes.extend(parts.note());
         Ok(Data::Voxels(Voxels { scene, notes }))
     },
 )

@@ -19,13 +19,13 @@ fn boxes(parts: &[([i32; 3], [i32; 3], u16)]) -> VoxelGrid {
     grid
 }
 
-fn cut(scene: &Scene, cuts: &Cuts) -> Arc<PackedScene> {
+pub fn cut(scene: &Scene, cuts: &Cuts) -> Arc<PackedScene> {
     let mut packed = PackedScene::pack(scene).unwrap();
     packed.cuts = cuts.clone();
     Arc::new(packed)
 }
 
-fn plane(normal: [f32; 3], offset: f32) -> Cuts {
+pub fn plane(normal: [f32; 3], offset: f32) -> Cuts {
     Cuts::default().plane(Vec3::from(normal), offset).unwrap()
 }
 
@@ -34,7 +34,7 @@ fn grey() -> Material {
 }
 
 /// A floor, a wall, a lamp, a block of glass with a lamp in it, a cloud, and things that are turned.
-fn things(is_matte: bool, turns: bool) -> Scene {
+pub fn things(is_matte: bool, turns: bool) -> Scene {
     let special = |material: Material| if is_matte { grey() } else { material };
     let materials = vec![
         Material::diffuse(Vec3::new(0.7, 0.5, 0.3)),

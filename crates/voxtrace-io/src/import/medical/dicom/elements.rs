@@ -34,6 +34,8 @@ pub(super) struct File {
     pub shared: Elements,
     pub frames: Vec<Elements>,
     pub pixels: Pixels,
+    /// Planes of overlays: drawings over the pixels (PS3.3, C.9).
+    pub overlays: u32,
     /// Where the pixels begin.
     pub pixels_at: u64,
     /// Files that a directory of a medium names, each by its folders and its own name.
@@ -101,6 +103,7 @@ impl File {
             shared: Elements { big_endian: syntax.big_endian, ..Elements::default() },
             frames: Vec::new(),
             pixels: Pixels::Absent,
+            overlays: 0,
             pixels_at: 0,
             referenced: Vec::new(),
         };
@@ -134,6 +137,7 @@ fn read_meta(input: &mut Input, limits: &Limits, meta: &mut Elements) -> Result<
         shared: Elements::default(),
         frames: Vec::new(),
         pixels: Pixels::Absent,
+        overlays: 0,
         pixels_at: 0,
         referenced: Vec::new(),
     };
@@ -227,6 +231,8 @@ impl<'i, 'a> Reader<'i, 'a> {
             // Those of an icon, which end with a delimiter too (PS3.5, A.4).
             return self.skip_pieces();
         }
+        let is_overlay = owner == Owner::Main && head.tag & 0xff01_ffff == 0x6000_3000;
+        self.file.overlays += u32::from(is_overlay);
         let is_kept = owner != Owner::Nobody && tag::WANTED.contains(&head.tag) && head.length <= LONGEST_VALUE;
         if !is_kept {
             return self.input.skip(head.length.into(), "the value of a data element");

@@ -17,7 +17,7 @@ mod syntax;
 mod tag;
 mod values;
 
-use crate::import::reader::{Kind, Magic, Reader};
+use crate::import::reader::{Kind, Magic, NotShown, Reader};
 use crate::import::samples::checked_size;
 use crate::import::source::input::Input;
 use elements::File;
@@ -47,6 +47,12 @@ const MAGIC: Magic = Magic { offset: 128, bytes: b"DICM" };
 
 fn unsupported(path: &Path, at: u64, what: String) -> ImportError {
     ImportError::at(path, at, ImportErrorKind::Unsupported(what))
+}
+
+/// Plans, waveforms, reports and the like are sound, but there is nothing to see in them.
+fn without_pixels(path: &Path, file: &File, at: u64) -> ImportError {
+    let kind = file.main.text(tag::MODALITY).map_or(String::new(), |modality| format!(" (modality {modality})"));
+    unsupported(path, at, format!("an object without pixels{kind}"))
 }
 
 /// Reads the frames of one file.
@@ -134,7 +140,7 @@ fn volume(
     let (slices, note) =
         orientations::choose(slices, number).map_err(|what| unsupported(path, file.pixels_at, what))?;
     let Some(first) = slices.first() else {
-        return Err(ImportError::malformed(path, file.pixels_at, "an instance without pixels"));
+        return Err(without_pixels(path, file, file.pixels_at));
     };
     let mut frame = first.frame;
     let short = |tag| usize::from(file.main.short(tag).unwrap_or(0));
@@ -146,6 +152,9 @@ fn volume(
     let plane = stack::Plane { columns, rows, directions: first.directions, spacing, distance };
     let mut volume = stack::volume(path, file.pixels_at, &plane, slices, limits)?;
     volume.notes.extend(note);
+    let mut parts = NotShown::default();
+    parts.count("overlay", file.overlays.into());
+    volume.notes.extend(parts.note());
     volume.unit = Unit::Millimetre;
     volume.is_labels = file.main.text(tag::MODALITY) == Some("SEG");
     volume.suited = match file.main.text(tag::MODALITY) {

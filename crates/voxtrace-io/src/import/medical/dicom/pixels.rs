@@ -103,7 +103,7 @@ impl Layout {
     pub fn decode(&self, path: &Path, file: &File, limits: &Limits) -> Result<Vec<Vec<f32>>, ImportError> {
         let at = file.pixels_at;
         match &file.pixels {
-            Pixels::Absent => Err(ImportError::malformed(path, at, "an instance without pixels")),
+            Pixels::Absent => Err(super::without_pixels(path, file, at)),
             Pixels::Plain { bytes, are_words, .. } => {
                 // Bytes that were written as words are turned with them.
                 let turned = (file.syntax.big_endian && *are_words && self.allocated <= 8).then(|| turned(bytes));

@@ -12,6 +12,14 @@ pub(super) struct Document {
     #[serde(default)]
     pub extensions_required: Vec<String>,
     #[serde(default)]
+    pub extensions_used: Vec<String>,
+    #[serde(default)]
+    pub extensions: DocumentExtensions,
+    #[serde(default)]
+    pub animations: Vec<IgnoredAny>,
+    #[serde(default)]
+    pub skins: Vec<IgnoredAny>,
+    #[serde(default)]
     pub buffers: Vec<Buffer>,
     #[serde(default)]
     pub buffer_views: Vec<BufferView>,
@@ -34,6 +42,19 @@ pub(super) struct Document {
     #[serde(default)]
     pub scenes: Vec<GltfScene>,
     pub scene: Option<usize>,
+}
+
+#[derive(Deserialize, Default)]
+#[serde(default)]
+pub(super) struct DocumentExtensions {
+    #[serde(rename = "KHR_lights_punctual")]
+    pub lights: Option<PunctualLights>,
+}
+
+#[derive(Deserialize, Default)]
+#[serde(default)]
+pub(super) struct PunctualLights {
+    pub lights: Vec<IgnoredAny>,
 }
 
 #[derive(Deserialize)]
@@ -165,6 +186,8 @@ pub(super) struct Primitive {
     pub material: Option<usize>,
     #[serde(default = "triangles")]
     pub mode: u32,
+    #[serde(default)]
+    pub targets: Vec<IgnoredAny>,
     #[serde(default)]
     pub extensions: PrimitiveExtensions,
 }

@@ -13,6 +13,8 @@ pub(super) struct Material {
     #[serde(default)]
     pub emissive_factor: [f32; 3],
     pub emissive_texture: Option<TextureInfo>,
+    pub normal_texture: Option<IgnoredAny>,
+    pub occlusion_texture: Option<IgnoredAny>,
     #[serde(default)]
     pub alpha_mode: AlphaMode,
     pub alpha_cutoff: Option<f32>,

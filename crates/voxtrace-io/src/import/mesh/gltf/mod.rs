@@ -14,6 +14,7 @@ mod layers;
 mod material_json;
 mod materials;
 mod meshopt;
+mod not_shown;
 mod primitives;
 mod scene;
 

@@ -4,9 +4,9 @@ use super::accessor::Accessors;
 use super::buffers::Buffers;
 use super::document::{Document, GltfCamera, Node, Primitive};
 use super::primitives::Target;
-use super::{Fault, cameras, materials};
 use crate::import::mesh::lines::Lines;
 use crate::import::reader::Geometry;
+use super::{Fault, cameras, materials, not_shown};
 use crate::import::reader::local_origin::LocalOrigin;
 use crate::import::source::folder::Folder;
 use glam::{DAffine3, DMat3, DMat4, DQuat, DVec3, Vec4};
@@ -73,6 +73,7 @@ pub(super) fn look(document: &Document, buffers: &Buffers, folder: &Folder, limi
         mesh.materials[0].base_color = Vec4::ONE;
     }
     let coordinate_sets = materials::read(document, buffers, folder, limits, &mut mesh)?;
+    mesh.notes.extend(not_shown::parts(document).note());
     if mesh.materials.len() > 65_535 {
         return Err(Fault::limit("materials", mesh.materials.len() as u64, 65_535));
     }

@@ -14,6 +14,8 @@ pub(super) struct Library {
     /// Index of the texture, `None` where the file cannot be read.
     textures: BTreeMap<String, Option<u32>>,
     files: usize,
+    /// Textures that nothing comes of, by the statement that names them.
+    pub unread_maps: BTreeMap<String, u64>,
 }
 
 impl Library {
@@ -70,6 +72,10 @@ impl Library {
                 "pm" => material.metallic = number(rest).unwrap_or(0.0).clamp(0.0, 1.0),
                 "map_kd" => material.base_texture = self.texture(rest, folder, limits, mesh),
                 "map_d" => material.alpha_texture = self.texture(rest, folder, limits, mesh),
+                "map_bump" | "bump" | "norm" | "disp" | "decal" | "refl" | "map_ka" | "map_ks" | "map_ns"
+                | "map_pr" | "map_pm" => {
+                    *self.unread_maps.entry(word.to_owned()).or_default() += 1;
+                }
                 "map_ke" => material.emission_texture = self.texture(rest, folder, limits, mesh),
                 _ => {}
             }

@@ -7,7 +7,7 @@ mod material;
 use crate::import::mesh::lines::Lines;
 use crate::import::reader::Geometry;
 use crate::import::reader::local_origin::LocalOrigin;
-use crate::import::reader::{self, Kind};
+use crate::import::reader::{self, Kind, NotShown};
 use crate::import::source::folder::Folder;
 use crate::import::source::input::Input;
 use faces::Faces;
@@ -19,7 +19,7 @@ use voxtrace_scene::material::linear_from_srgb;
 use voxtrace_voxelize::mesh::UpAxis;
 use voxtrace_voxelize::mesh::{Mesh, MeshMaterial};
 use voxtrace_voxelize::points::PointCloud;
-use voxtrace_voxelize::{ImportError, Limits};
+use voxtrace_voxelize::{ImportError, ImportErrorKind, Limits};
 
 /// What the table of readers has of this format.
 pub(crate) const READER: reader::Reader = reader::Reader::new(
@@ -53,6 +53,7 @@ fn read(mut input: Input, folder: &Folder, limits: &Limits) -> Result<Geometry, 
         material: 0,
         library: Library::default(),
         skipped: 0,
+        unread: NotShown::default(),
     };
     let mut joined = Vec::new();
     loop {
@@ -105,6 +106,8 @@ struct Reader<'a> {
     library: Library,
     /// Faces with fewer than three corners.
     skipped: usize,
+    /// Statements that nothing comes of.
+    unread: NotShown,
 }
 
 impl Reader<'_> {
@@ -126,6 +129,9 @@ impl Reader<'_> {
                 Ok(())
             }
             b"usemtl" => self.use_material(rest.trim_ascii()),
+            b"curv" | b"curv2" => self.not_shown("free-form curve"),
+            b"surf" => self.not_shown("free-form surface"),
+            b"call" | b"csh" => self.not_shown("call of another file"),
             b"mtllib" => {
                 let name = String::from_utf8_lossy(rest.trim_ascii()).into_owned();
                 self.library.read(&name, self.folder, self.limits, &mut self.mesh);
@@ -133,6 +139,11 @@ impl Reader<'_> {
             }
             _ => Ok(()),
         }
+    }
+
+    fn not_shown(&mut self, kind: &str) -> Result<(), String> {
+        self.unread.count(kind, 1);
+        Ok(())
     }
 
     fn vertex(&mut self, rest: &[u8]) -> Result<(), String> {
@@ -198,7 +209,8 @@ impl Reader<'_> {
         if mesh.triangles.is_empty() {
             // Faces that are all broken are no cloud of points.
             if self.skipped > 0 || mesh.positions.is_empty() {
-                return Err(ImportError::malformed(path, end, "an OBJ file without a face or a point"));
+                let what = "an OBJ file without a face or a point";
+                return Err(ImportError::at(path, end, ImportErrorKind::Unsupported(what.into())));
             }
             let most = self.limits.points;
             let limit = |count| ImportError::limit(path, Some(end), "points on lines", count, most);
@@ -213,6 +225,10 @@ impl Reader<'_> {
                 None => {}
             }
         }
+        let mut unread = self.unread;
+        unread.count("line", self.lines.len() as u64);
+        self.library.unread_maps.iter().for_each(|(map, count)| unread.count(&format!("texture of {map}"), *count));
+        mesh.notes.extend(unread.note());
         if self.skipped > 0 {
             mesh.notes.push(format!("{} faces with fewer than three corners are left out", self.skipped));
         }

@@ -67,6 +67,7 @@ impl PlyTriangles {
             (Some(_), Some(_)) => SourceColors::Linear,
         };
         let mut frame = Mesh::new("");
+        frame.notes.extend(super::not_shown(&elements));
         let texture = header.texture.as_deref().filter(|_| columns.uv.is_some());
         super::set_look(&mut frame, texture, &Folder::of(path, limits), limits);
         if colors != SourceColors::None {

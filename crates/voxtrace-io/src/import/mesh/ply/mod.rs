@@ -12,7 +12,7 @@ mod vertices;
 
 use crate::import::images::texture;
 use crate::import::reader::Geometry;
-use crate::import::reader::{ImportOptions, Kind, LargeContent, Magic, Reader};
+use crate::import::reader::{ImportOptions, Kind, LargeContent, Magic, NotShown, Reader};
 use crate::import::source::folder::Folder;
 use crate::import::source::input::Input;
 use glam::Vec4;
@@ -52,6 +52,7 @@ fn read(mut input: Input, folder: &Folder, options: &ImportOptions) -> Result<Ge
     let header = Header::read(&mut input, limits)?;
     let mut mesh = Mesh::new("");
     let mut values = Values::new(input, header.encoding);
+    mesh.notes.extend(not_shown(&header.elements));
     for element in &header.elements {
         values.check_count(element)?;
         if element.name == "vertex" && element.find(&["packed_position"]).is_some() {
@@ -75,7 +76,7 @@ fn read(mut input: Input, folder: &Folder, options: &ImportOptions) -> Result<Ge
     }
     if mesh.triangles.is_empty() {
         if mesh.positions.is_empty() {
-            return Err(ImportError::malformed(path, end, "a PLY file without a vertex"));
+            return Err(ImportError::at(path, end, ImportErrorKind::Unsupported("a PLY file without a vertex".into())));
         }
         return Ok(Geometry::Points(PointCloud::from_corners(mesh)));
     }
@@ -103,6 +104,15 @@ fn set_look(mesh: &mut Mesh, texture: Option<&str>, folder: &Folder, limits: &Li
     if !mesh.colors.is_empty() {
         mesh.materials[0].base_color = Vec4::ONE;
     }
+}
+
+/// The note about elements that nothing comes of; values of vertices and faces are many, and every program has its own.
+fn not_shown(elements: &[Element]) -> Option<String> {
+    let mut parts = NotShown::default();
+    let is_read = |element: &&Element| matches!(element.name.as_str(), "vertex" | "face" | "tristrips");
+    let others = elements.iter().filter(|element| !is_read(element));
+    others.for_each(|element| parts.count(&element.name, element.count));
+    parts.note()
 }
 
 /// Reads over an element that nothing is known about.

@@ -2,6 +2,7 @@
 
 use super::header::{Header, array};
 use crate::import::reader::ClassSet;
+use crate::import::reader::NotShown;
 use crate::import::reader::local_origin::LocalOrigin;
 use glam::{DVec3, IVec3, Vec3};
 use rayon::prelude::*;
@@ -71,6 +72,8 @@ pub(super) struct LeftOut {
     /// Those that nobody asked for, and the classes of them.
     pub not_chosen: u64,
     pub classes: ClassSet,
+    /// Whether each point has a packet of a waveform.
+    has_waveforms: bool,
 }
 
 impl LeftOut {
@@ -79,13 +82,21 @@ impl LeftOut {
         self.infinite += other.infinite;
         self.not_chosen += other.not_chosen;
         self.classes.join(other.classes);
+        self.has_waveforms |= other.has_waveforms;
     }
 
     /// What was left out that somebody may have wanted.
     pub fn notes(self) -> Vec<String> {
         let counts = [(self.withheld, "that the file withholds"), (self.infinite, "that are not finite")];
         let counts = counts.iter().filter(|(count, _)| *count > 0);
-        counts.map(|(count, which)| format!("{count} points {which} are left out")).collect()
+        let mut notes: Vec<String> =
+            counts.map(|(count, which)| format!("{count} points {which} are left out")).collect();
+        let mut parts = NotShown::default();
+        if self.has_waveforms {
+            parts.name("waveforms");
+        }
+        notes.extend(parts.note());
+        notes
     }
 }
 
@@ -280,7 +291,8 @@ impl<'a> Records<'a> {
 
     /// What was left out.
     pub fn left_out(&self) -> LeftOut {
-        self.left_out
+        // Formats of points with a packet of a waveform each.
+        LeftOut { has_waveforms: matches!(self.header.format, 4 | 5 | 9 | 10), ..self.left_out }
     }
 
     /// How many points were kept so far.

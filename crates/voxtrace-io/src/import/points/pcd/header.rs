@@ -129,6 +129,7 @@ impl Header {
                         Some("binary") => Data::Binary,
                         Some("binary_compressed") => Data::Compressed,
                         other => {
+                            let other = other.unwrap_or("nothing");
                             let kind = ImportErrorKind::Unsupported(format!("points written as {other:?}"));
                             return Err(ImportError::at(path, start, kind));
                         }

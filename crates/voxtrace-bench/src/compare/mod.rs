@@ -1,54 +1,21 @@
 //! Two reports of a benchmark side by side. A difference counts only where it is more than noise:
-//! beyond the confidence intervals of both, and more than two runs of one plan on one idle machine may differ.
+//! beyond the confidence intervals of both, and more than two runs of one plan on one idle machine may differ; and where the machine was quiet.
 
-use crate::reason::reason;
+mod error;
+
+pub use error::{CompareError, CompareErrorKind};
+
 use serde_json::{Value, json};
-use std::io;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// Part by which two runs of the same plan may differ although nothing changed.
 const BAND: f64 = 0.02;
+/// What to do where the machine was not quiet.
+const ADVICE: &str = "Measure again while nothing else runs; cells on the processor that one `bench --cells` names are measured in turns.\n";
 /// The schema that is read.
 const SCHEMA: u64 = 2;
 /// Settings that must agree, or times mean different work.
 const SETTINGS: [&str; 5] = ["width", "height", "max_bounces", "integrator", "seed"];
-
-/// A report that cannot be compared.
-#[derive(Debug, thiserror::Error)]
-#[error("{}", self.text())]
-#[non_exhaustive]
-pub struct CompareError {
-    /// The report's `results.json`.
-    pub path: PathBuf,
-    /// What is wrong with it.
-    pub kind: CompareErrorKind,
-}
-
-/// What is wrong with a report.
-#[derive(Debug)]
-#[non_exhaustive]
-pub enum CompareErrorKind {
-    /// It cannot be read.
-    Io(io::Error),
-    /// It is no JSON.
-    Json(serde_json::Error),
-    /// It has a schema of another version, this one.
-    Schema(u64),
-    /// It is JSON of something else.
-    NoReport,
-}
-
-impl CompareError {
-    fn text(&self) -> String {
-        let path = self.path.display();
-        match &self.kind {
-            CompareErrorKind::Io(error) => format!("cannot read {path}: {}", reason(error)),
-            CompareErrorKind::Json(error) => format!("{path}: {error}"),
-            CompareErrorKind::Schema(other) => format!("{path}: schema {other}, but {SCHEMA} can be read"),
-            CompareErrorKind::NoReport => format!("{path}: this is no report of `voxtrace bench`"),
-        }
-    }
-}
 
 /// Reads the report of a folder, or a `results.json`.
 fn read(path: &Path) -> Result<Value, CompareError> {
@@ -73,6 +40,8 @@ enum Outcome {
     Slower,
     /// There are too few frames to tell.
     Unknown,
+    /// Other programs used the machine.
+    Disturbed,
     Incomparable,
 }
 
@@ -83,6 +52,7 @@ impl Outcome {
             Self::Faster => "B is faster",
             Self::Slower => "B is slower",
             Self::Unknown => "too few frames to tell",
+            Self::Disturbed => "no verdict",
             Self::Incomparable => "not comparable",
         }
     }
@@ -102,7 +72,7 @@ struct Pair {
     ratio: Option<f64>,
     interval: Option<[f64; 2]>,
     outcome: Outcome,
-    /// Why it cannot be compared.
+    /// Why it cannot be compared, or there is no verdict.
     why: Option<String>,
 }
 
@@ -145,9 +115,9 @@ impl Comparison {
 
     /// The result in one line.
     fn summary(&self) -> String {
-        use Outcome::{Equal, Faster, Incomparable, Slower, Unknown};
-        let counts =
-            [Equal, Faster, Slower, Unknown, Incomparable].map(|outcome| (self.count(outcome), outcome.name()));
+        use Outcome::{Disturbed, Equal, Faster, Incomparable, Slower, Unknown};
+        let counts = [Equal, Faster, Slower, Unknown, Disturbed, Incomparable]
+            .map(|outcome| (self.count(outcome), outcome.name()));
         let told: Vec<String> =
             counts.iter().filter(|(count, _)| *count > 0).map(|(count, name)| format!("{count} {name}")).collect();
         match self.pairs.len() {
@@ -183,7 +153,8 @@ impl Comparison {
         for line in &self.alone {
             text += &format!("{line}\n");
         }
-        format!("{text}\n{}\n", self.summary())
+        let advice = if self.count(Outcome::Disturbed) > 0 { ADVICE } else { "" };
+        format!("{text}\n{}\n{advice}", self.summary())
     }
 
     /// Every cell, for programs.
@@ -213,7 +184,12 @@ impl Pair {
         };
         let interval = ends(ours).zip(ends(theirs)).map(|(a, b)| [b[0] / a[1], b[1] / a[0]]);
         let why = obstacle((a, ours), (b, theirs), settings);
-        let outcome = if why.is_some() { Outcome::Incomparable } else { judge(ratio, interval) };
+        let is_comparable = why.is_none();
+        let disturbed = || disturbance(ours, theirs);
+        let (outcome, why) = match why.map(|why| (Outcome::Incomparable, why)).or_else(disturbed) {
+            Some((outcome, why)) => (outcome, Some(why)),
+            None => (judge(ratio, interval), None),
+        };
         Self {
             scene: text(&ours["scene"]),
             cell: text(&ours["cell"]),
@@ -223,8 +199,8 @@ impl Pair {
                 let count = |name: &str| cell["conformance"][name].as_u64();
                 Some(count("wrong")? + count("invented")? + count("missed")?)
             }),
-            ratio: ratio.filter(|_| why.is_none()),
-            interval: interval.filter(|_| why.is_none()),
+            ratio: ratio.filter(|_| is_comparable),
+            interval: interval.filter(|_| is_comparable),
             outcome,
             why,
         }
@@ -244,6 +220,15 @@ fn judge(ratio: Option<f64>, interval: Option<[f64; 2]>) -> Outcome {
         Some(_) if ratio < 1.0 => Outcome::Faster,
         Some(_) => Outcome::Slower,
     }
+}
+
+/// Why there is no verdict although two cells could be compared: what `bench` says of the machine while it measured them.
+fn disturbance(ours: &Value, theirs: &Value) -> Option<(Outcome, String)> {
+    let loud = [("A", ours), ("B", theirs)].into_iter();
+    let loud = loud.filter_map(|(name, cell)| Some(format!("{name}: {}", cell["disturbance"].as_str()?)));
+    let loud: Vec<String> = loud.collect();
+    let why = format!("the machine was not quiet ({})", loud.join("; "));
+    (!loud.is_empty()).then_some((Outcome::Disturbed, why))
 }
 
 /// Why two cells cannot be compared.
@@ -359,6 +344,23 @@ mod tests {
         b["cells"][0]["ms"]["median_95"] = json!([9.0, 13.0]);
         b["cells"][1]["ms"]["median_95"] = Value::Null;
         assert_eq!(outcomes(&a, &b), [Outcome::Equal, Outcome::Unknown]);
+    }
+
+    #[test]
+    fn where_the_machine_was_not_quiet_there_is_no_verdict_and_the_reason_is_said() {
+        let (a, mut b) = (report([10.0, 20.0]), report([4.7, 20.0]));
+        b["cells"][0]["disturbance"] = "threads waited 41 % of the time for a processor".into();
+        let comparison = Comparison::of(&a, &b);
+        assert_eq!(outcomes(&a, &b), [Outcome::Disturbed, Outcome::Equal]);
+        assert_eq!(outcomes(&b, &a), [Outcome::Disturbed, Outcome::Equal]);
+        let ratio = comparison.pairs[0].ratio.unwrap();
+        assert!((ratio - 0.47).abs() < 1e-9, "what was measured is shown: {ratio}");
+        assert_eq!(comparison.summary(), "Of 2 cells: 1 equal within noise, 1 no verdict.");
+        let why = "no verdict: the machine was not quiet (B: threads waited 41 % of the time for a processor)";
+        assert!(comparison.text().contains(why) && comparison.text().ends_with(ADVICE));
+        assert!(!Comparison::of(&a, &a).text().contains("quiet"));
+        b["cells"][0]["disturbance"] = Value::Null;
+        assert_eq!(outcomes(&a, &b), [Outcome::Faster, Outcome::Equal]);
     }
 
     #[test]
