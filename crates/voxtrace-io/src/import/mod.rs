@@ -43,7 +43,7 @@ pub use read::{
     read_mesh, read_volume, read_voxels, volume_from_bytes, voxels_from_bytes,
 };
 pub use reader::{
-    Data, FileClues, FolderClues, Geometry, Height, HeightOptions, ImportOptions, Kind, LargeGeometry, Magic, RawShape,
+    BlockOptions, BlockSize, Data, FileClues, FolderClues, Geometry, Height, HeightOptions, ImportOptions, Kind, LargeGeometry, Magic, RawShape,
     Reader, Recognition, Voxels,
 };
 pub use readers::{READERS, Readers};

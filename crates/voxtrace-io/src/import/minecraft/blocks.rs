@@ -1,7 +1,8 @@
 //! What a block looks like, by its name: a colour of its own, or that of what it is made of (`oak_stairs` are oak planks,
 //! `red_wool` is dyed). `docs/minecraft.md` says the rules.
 
-use super::colors::{COLORS, DYES, WOODS};
+use super::colors::COLORS;
+use super::dyes::{DYES, WOODS};
 use voxtrace_scene::material::{Material, linear_color};
 
 /// Blocks that nobody sees.
@@ -176,6 +177,7 @@ pub(super) fn block(name: &str, is_lit: bool) -> Block {
     }
     // The middle of `exposed_cut_copper` changes nothing.
     let plain = name.replace("wall_torch", "torch").replace("_cut_", "_").replace("_chiseled_", "_");
+    let plain = plain.replace("_wall_head", "_head").replace("_wall_skull", "_skull");
     if is_lit && let Some(&(_, light, color)) = LIT.iter().find(|(suffix, ..)| plain.ends_with(suffix)) {
         return Block::Known(Look { color, kind: Kind::Plain, light });
     }

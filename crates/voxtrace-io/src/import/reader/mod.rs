@@ -18,7 +18,7 @@ pub use clues::{FileClues, FolderClues, Recognition};
 pub use data::{Data, Voxels};
 pub use geometry::Geometry;
 pub use large::LargeGeometry;
-pub use options::{Height, HeightOptions, ImportOptions};
+pub use options::{BlockOptions, BlockSize, Height, HeightOptions, ImportOptions};
 pub use raw_shape::RawShape;
 
 pub(crate) use large_content::LargeContent;

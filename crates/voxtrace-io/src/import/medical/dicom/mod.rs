@@ -33,7 +33,7 @@ use voxtrace_voxelize::{ImportError, ImportErrorKind, Limits};
 /// What the table of readers has of this format.
 pub(crate) const READER: Reader =
     Reader::new("DICOM", Kind::Volume, &["dcm"], "DICOM, or name the folder of a series", |source, options| {
-        Ok(series::read(source, options.series, &options.limits)?.into())
+        Ok(series::read(source, options)?.into())
     })
     .with_magic(&[MAGIC])
     .with_folders(series::is_in);

@@ -4,7 +4,7 @@ use super::elements::File;
 use super::pixels::Layout;
 use super::tag;
 use super::{MAGIC, READER, directions, slices, volume};
-use crate::import::reader::{FolderClues, clues};
+use crate::import::reader::{FolderClues, ImportOptions, clues};
 use crate::import::samples::checked_size;
 use crate::import::source::Source;
 use crate::import::source::input::Input;
@@ -55,10 +55,11 @@ pub(super) fn is_in(clues: &FolderClues) -> Result<bool, ImportError> {
 }
 
 /// Reads a folder, or a file with the series that it belongs to.
-pub(super) fn read(source: Source, number: Option<i64>, limits: &Limits) -> Result<Volume, ImportError> {
+pub(super) fn read(source: Source, options: &ImportOptions) -> Result<Volume, ImportError> {
+    let (number, limits) = (options.series, &options.limits);
     let path = source.path();
     if source.is_folder() {
-        return read_series(path, path, None, number, limits);
+        return read_series(path, path, None, options);
     }
     let is_alone = source.is_in_memory();
     let (input, _) = source.into_input()?;
@@ -70,7 +71,7 @@ pub(super) fn read(source: Source, number: Option<i64>, limits: &Limits) -> Resu
         return super::read(Input::of_file(again, path, limits)?, number, limits);
     }
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    read_series(path, folder, Some(&Key::of(&file, &layout)), number, limits)
+    read_series(path, folder, Some(&Key::of(&file, &layout)), options)
 }
 
 /// Reads a series of a folder: the wanted one, or of all, or of those with the number that is asked for, the one with the most
@@ -79,9 +80,9 @@ fn read_series(
     path: &Path,
     folder: &Path,
     wanted: Option<&Key>,
-    number: Option<i64>,
-    limits: &Limits,
+    options: &ImportOptions,
 ) -> Result<Volume, ImportError> {
+    let (number, limits) = (options.series, &options.limits);
     let files = listing::files(folder, limits)?;
     let heads: Vec<_> = files.into_par_iter().map(|path| (head(&path, limits), path)).collect();
     let mut stacks: BTreeMap<Key, Stack> = BTreeMap::new();
@@ -95,6 +96,8 @@ fn read_series(
                 stack.number = file.main.decimal(tag::SERIES_NUMBER).map(|number| number as i64);
                 stack.description = file.main.text(tag::SERIES_DESCRIPTION).unwrap_or_default().to_owned();
             }
+            // Other files may lie beside a series; one that begins as a picture of it is damaged.
+            Err(error) if options.strict && wanted.is_none() && is_picture(&path, limits) => return Err(error),
             Err(error) => {
                 others += 1;
                 fault.get_or_insert(error);
@@ -125,7 +128,7 @@ fn read_series(
             (None, _) => ImportError::malformed(path, 0, "a folder without DICOM pictures"),
         });
     };
-    let mut volume = read_stack(&stack, wanted.map(|_| path), limits)?;
+    let mut volume = read_stack(&stack, wanted.map(|_| path), options)?;
     if wanted.is_none() && !left_out.is_empty() {
         let (chosen, rest) = (stack.name(), left_out.join(", "));
         volume.notes.push(format!("series {chosen} is read; --series chooses another: {rest}"));
@@ -155,8 +158,16 @@ impl Key {
     }
 }
 
-/// Reads the files of a stack. Those that are not whole are left out, and a note says so; but for `asked`, the file that was named.
-fn read_stack(stack: &Stack, asked: Option<&Path>, limits: &Limits) -> Result<Volume, ImportError> {
+/// Whether a file begins as those of the format do.
+fn is_picture(path: &Path, limits: &Limits) -> bool {
+    let head = Input::open(path, limits).and_then(|mut input| Ok(MAGIC.is_in(input.peek(clues::HEAD)?)));
+    head.unwrap_or(false)
+}
+
+/// Reads the files of a stack. Those that are not whole are left out, and a note says so; but for `asked`, the file that was named, and
+/// unless all have to be whole.
+fn read_stack(stack: &Stack, asked: Option<&Path>, options: &ImportOptions) -> Result<Volume, ImportError> {
+    let limits = &options.limits;
     let first_path = &stack.files[0];
     let first = File::read(Input::open(first_path, limits)?, limits, false)?;
     let layout = Layout::of(first_path, &first, limits)?;
@@ -172,6 +183,7 @@ fn read_stack(stack: &Stack, asked: Option<&Path>, limits: &Limits) -> Result<Vo
     for (part, path) in parts.into_iter().zip(&stack.files) {
         match part {
             Ok(slices) => whole.extend(slices),
+            Err(error) if options.strict => return Err(error),
             Err(error) if asked.is_some_and(|asked| asked.file_name() == path.file_name()) => return Err(error),
             Err(error) => faults.push(error),
         }
