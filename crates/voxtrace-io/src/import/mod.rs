@@ -43,8 +43,8 @@ pub use read::{
     read_mesh, read_volume, read_voxels, volume_from_bytes, voxels_from_bytes,
 };
 pub use reader::{
-    BlockOptions, BlockSize, Data, FileClues, FolderClues, Geometry, Height, HeightOptions, ImportOptions, Kind, LargeGeometry, Magic, RawShape,
-    Reader, Recognition, Voxels,
+    BlockOptions, BlockSize, Data, FileClues, FolderClues, Geometry, Height, HeightOptions, ImportOptions, Kind,
+    LargeGeometry, Magic, RawShape, Reader, Recognition, Voxels,
 };
 pub use readers::{READERS, Readers};
 pub use source::watch::read_while;

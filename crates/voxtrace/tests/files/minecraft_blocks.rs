@@ -47,7 +47,8 @@ fn block(name: &str) -> Placed {
 
 /// The lowest and one past the highest corner.
 fn extent(voxels: &Placed) -> [[i32; 3]; 2] {
-    let corner = |by: fn(IVec3, IVec3) -> IVec3, from| voxels.keys().fold(from, |found, at| by(found, IVec3::from_array(*at)));
+    let corner =
+        |by: fn(IVec3, IVec3) -> IVec3, from| voxels.keys().fold(from, |found, at| by(found, IVec3::from_array(*at)));
     [corner(IVec3::min, IVec3::MAX).to_array(), (corner(IVec3::max, IVec3::MIN) + 1).to_array()]
 }
 
@@ -140,7 +141,9 @@ fn what_states_do_not_say_neighbours_do() {
 fn a_shell_has_all_that_has_an_empty_or_clear_neighbour_and_of_cubes_nothing_else() {
     let cubes = ["air", "stone", "glass", "dirt", "oak_log", "water"];
     let shapes = ["air", "stone", "glass", "oak_stairs[facing=east,half=bottom,shape=straight]", "oak_fence", "dirt"];
-    for (names, size) in [cubes, shapes].iter().flat_map(|names| BlockSize::ALL[1..].iter().map(move |size| (names, *size))) {
+    for (names, size) in
+        [cubes, shapes].iter().flat_map(|names| BlockSize::ALL[1..].iter().map(move |size| (names, *size)))
+    {
         let bytes = schem_of([4, 4, 4], names, |x, y, z| (x * 7 + y * 5 + z * 3) % 11 % 6);
         let full = read("a.schem", &bytes, &options(size, false)).scene;
         let shell = placed(&read("a.schem", &bytes, &options(size, true)).scene);
@@ -157,7 +160,10 @@ fn a_shell_has_all_that_has_an_empty_or_clear_neighbour_and_of_cubes_nothing_els
         let edge = size.edge() as i32;
         let is_at_border = |at: &[i32; 3]| at.iter().any(|c| c % edge == 0 || c % edge == edge - 1);
         assert!(wanted.iter().all(|(at, color)| shell.get(at) == Some(color)), "{size:?}");
-        assert!(shell.iter().all(|(at, color)| full.get(at) == Some(color) && (seen(at) || is_at_border(at))), "{size:?}");
+        assert!(
+            shell.iter().all(|(at, color)| full.get(at) == Some(color) && (seen(at) || is_at_border(at))),
+            "{size:?}"
+        );
         assert!(size <= BlockSize::Four || shell.len() < full.len());
     }
 }
@@ -246,11 +252,14 @@ fn faces_take_the_pixels_of_a_resource_pack() {
 #[test]
 fn one_damaged_chunk_does_not_lose_its_region_nor_one_region_its_world() {
     let strict = ImportOptions { strict: true, ..ImportOptions::default() };
-    let region = |damaged: &[usize], options: &ImportOptions| import::voxels_from_bytes(&region_of(3, damaged), Path::new("r.0.0.mca"), options);
+    let region = |damaged: &[usize], options: &ImportOptions| {
+        import::voxels_from_bytes(&region_of(3, damaged), Path::new("r.0.0.mca"), options)
+    };
     let whole = placed(&region(&[], &strict).unwrap().scene);
     let left = region(&[1], &ImportOptions::default()).unwrap();
     assert!(left.notes.len() == 1 && left.notes[0].starts_with("1 of the 3 chunks"), "{:?}", left.notes);
-    let kept: Placed = whole.iter().filter(|(at, _)| !(16..32).contains(&at[0])).map(|(at, color)| (*at, *color)).collect();
+    let kept: Placed =
+        whole.iter().filter(|(at, _)| !(16..32).contains(&at[0])).map(|(at, color)| (*at, *color)).collect();
     assert!(placed(&left.scene) == kept && kept.len() * 3 == whole.len() * 2);
     assert!(region(&[1], &strict).is_err() && region(&[0, 1, 2], &ImportOptions::default()).is_err());
 
@@ -273,7 +282,11 @@ fn bytes_behind_a_schematic_do_not_refuse_it_unless_all_has_to_be_whole() {
             let longer = [&bytes[..], behind].concat();
             let voxels = read(name, &longer, &ImportOptions::default());
             assert!(placed(&voxels.scene) == placed(&whole.scene), "{name}");
-            assert!(voxels.notes.iter().any(|note| note.starts_with(&format!("{} bytes behind", behind.len()))), "{:?}", voxels.notes);
+            assert!(
+                voxels.notes.iter().any(|note| note.starts_with(&format!("{} bytes behind", behind.len()))),
+                "{:?}",
+                voxels.notes
+            );
             assert!(import::voxels_from_bytes(&longer, Path::new(name), &strict).is_err(), "{name}");
         }
     }

@@ -154,7 +154,13 @@ fn opposite(side: &str) -> &str {
 /// The name that the Java edition has for a block.
 fn renamed<'a>(name: &str, text: &dyn Fn(&str) -> Option<&'a str>) -> String {
     let color = || text("color").map(|color| if color == "silver" { "light_gray" } else { color });
-    let wood = || text("wood_type").or(text("old_log_type")).or(text("new_log_type")).or(text("old_leaf_type")).or(text("new_leaf_type"));
+    let wood = || {
+        text("wood_type")
+            .or(text("old_log_type"))
+            .or(text("new_log_type"))
+            .or(text("old_leaf_type"))
+            .or(text("new_leaf_type"))
+    };
     let plain = match name {
         "grass" => "grass_block",
         "tallgrass" => "short_grass",

@@ -29,7 +29,8 @@ pub(super) fn sections(path: &Path, offset: u64, tags: &Compound) -> Result<Vec<
     // Since 1.18 the sections are at the root and in small letters.
     let level = tags.compound("Level").unwrap_or(tags);
     if let Some(numbers) = level.bytes("Blocks") {
-        return column(level, numbers).ok_or_else(|| ImportError::malformed(path, offset, "a chunk with too few blocks"));
+        return column(level, numbers)
+            .ok_or_else(|| ImportError::malformed(path, offset, "a chunk with too few blocks"));
     }
     let list = level.list("sections").or_else(|| level.list("Sections")).unwrap_or_default();
     let malformed = |what: &str| ImportError::malformed(path, offset, what);

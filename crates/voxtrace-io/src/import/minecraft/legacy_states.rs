@@ -42,9 +42,7 @@ pub(super) fn state(id: u8, data: u8) -> State {
             let part = if is_eighth { "head" } else { "foot" };
             state.with("facing", BY_QUARTERS[quarter]).with("part", part)
         }
-        27 | 28 | 157 => {
-            state.with("shape", RAILS[usize::from(data & 7).min(5)]).with("powered", is_eighth)
-        }
+        27 | 28 | 157 => state.with("shape", RAILS[usize::from(data & 7).min(5)]).with("powered", is_eighth),
         66 => state.with("shape", RAILS[usize::from(data).min(9)]),
         29 | 33 => state.with("facing", side).with("extended", is_eighth),
         34 => state.with("facing", side),
@@ -90,9 +88,7 @@ pub(super) fn state(id: u8, data: u8) -> State {
 fn torch(state: State, id: u8, data: u8) -> State {
     let side = BY_STAIRS.get(usize::from(data).wrapping_sub(1));
     let state = match side {
-        Some(side) => {
-            State::new(if id == 50 { "wall_torch" } else { "redstone_wall_torch" }).with("facing", side)
-        }
+        Some(side) => State::new(if id == 50 { "wall_torch" } else { "redstone_wall_torch" }).with("facing", side),
         None => state,
     };
     if id == 75 { state.with("lit", false) } else { state }

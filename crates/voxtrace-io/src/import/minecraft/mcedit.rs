@@ -9,12 +9,7 @@ use super::voxels::Blocks;
 use voxtrace_scene::scene::Scene;
 use voxtrace_voxelize::ImportError;
 
-pub(super) fn read(
-    build: &Build,
-    tags: &Compound,
-    kinds: &mut Blocks,
-    scene: &mut Scene,
-) -> Result<(), ImportError> {
+pub(super) fn read(build: &Build, tags: &Compound, kinds: &mut Blocks, scene: &mut Scene) -> Result<(), ImportError> {
     if tags.text("Materials").is_some_and(|materials| materials.eq_ignore_ascii_case("classic")) {
         return Err(build.unsupported("blocks of Minecraft Classic"));
     }

@@ -37,8 +37,8 @@ use build::Build;
 use voxtrace_scene::material::Material;
 use voxtrace_scene::scene::Scene;
 use voxtrace_scene::transform::Transform;
-use voxtrace_voxelize::mesh::UpAxis;
 use voxtrace_voxelize::ImportError;
+use voxtrace_voxelize::mesh::UpAxis;
 
 /// What the table of readers has of this format.
 pub(crate) const BUILDS: Reader = Reader::new(

@@ -132,7 +132,8 @@ fn fewer(cells: &[Option<Look>], edge: usize) -> Vec<Option<Look>> {
         let corner = [at % edge, at / edge % edge, at / (edge * edge)].map(|c| c * size);
         let (mut seen, mut hidden) = (Vec::new(), Vec::new());
         for inner in 0..size * size * size {
-            let [x, y, z] = [corner[0] + inner % size, corner[1] + inner / size % size, corner[2] + inner / (size * size)];
+            let [x, y, z] =
+                [corner[0] + inner % size, corner[1] + inner / size % size, corner[2] + inner / (size * size)];
             if let Some(look) = cells[index(x, y, z)] {
                 if is_seen(x, y, z) { seen.push(look) } else { hidden.push(look) }
             }

@@ -64,7 +64,9 @@ pub(super) fn linked<'a>(state: &State, at: &dyn Fn(IVec3) -> Option<&'a State>)
         }
         Link::Door => door(state, at),
         Link::Chest => chest(state, at),
-        Link::TallPlant => at(IVec3::NEG_Z).map_or_else(|| state.clone(), |below| State::new(&*below.name).with("half", "upper")),
+        Link::TallPlant => {
+            at(IVec3::NEG_Z).map_or_else(|| state.clone(), |below| State::new(&*below.name).with("half", "upper"))
+        }
         link => {
             let mut sides = state.clone();
             for (side, step) in SIDES {
@@ -75,7 +77,8 @@ pub(super) fn linked<'a>(state: &State, at: &dyn Fn(IVec3) -> Option<&'a State>)
                 Link::Chorus => {
                     let up = at(IVec3::Z).is_some_and(|other| reaches(link, state, other, "up"));
                     let below = at(IVec3::NEG_Z);
-                    let down = below.is_some_and(|other| reaches(link, state, other, "down") || other.name == "end_stone");
+                    let down =
+                        below.is_some_and(|other| reaches(link, state, other, "down") || other.name == "end_stone");
                     sides.with("up", up).with("down", down)
                 }
                 _ => sides,
@@ -91,7 +94,9 @@ fn reaches(link: Link, state: &State, other: &State, side: &str) -> bool {
     let is_gate = name.ends_with("_fence_gate")
         && other.get("facing").is_none_or(|facing| quarters(facing) % 2 != quarters(side) % 2);
     match link {
-        Link::Wire => matches!(name, "redstone_wire" | "redstone_torch" | "lever" | "repeater" | "comparator" | "redstone_block"),
+        Link::Wire => {
+            matches!(name, "redstone_wire" | "redstone_torch" | "lever" | "repeater" | "comparator" | "redstone_block")
+        }
         Link::Chorus => matches!(name, "chorus_plant" | "chorus_flower"),
         Link::Fence => {
             let is_of_nether = |name: &str| name == "nether_brick_fence";
@@ -122,7 +127,8 @@ fn corner<'a>(state: &State, at: &dyn Fn(IVec3) -> Option<&'a State>) -> &'stati
     let half = |state: &State| state.is("half", "top");
     // Stairs of the same half at a side, and their quarters.
     let stairs = |quarter: usize| {
-        let other = at(SIDES[quarter % 4].1).filter(|other| kind(&other.name) == Link::Stairs && half(other) == half(state))?;
+        let other =
+            at(SIDES[quarter % 4].1).filter(|other| kind(&other.name) == Link::Stairs && half(other) == half(state))?;
         Some(quarters(other.get("facing").unwrap_or("north")))
     };
     let goes_on = |quarter: usize| stairs(quarter) == Some(turns);
@@ -149,8 +155,9 @@ fn door<'a>(state: &State, at: &dyn Fn(IVec3) -> Option<&'a State>) -> State {
 fn chest<'a>(state: &State, at: &dyn Fn(IVec3) -> Option<&'a State>) -> State {
     let turns = quarters(state.get("facing").unwrap_or("north"));
     let is_beside = |quarter: usize| {
-        at(SIDES[quarter % 4].1)
-            .is_some_and(|other| other.name == state.name && other.get("facing") == state.get("facing") && !other.has("type"))
+        at(SIDES[quarter % 4].1).is_some_and(|other| {
+            other.name == state.name && other.get("facing") == state.get("facing") && !other.has("type")
+        })
     };
     let half = if is_beside(turns + 1) {
         "left"
@@ -214,7 +221,8 @@ mod tests {
         assert_eq!(turn("south", "east"), "straight");
         let door = among("oak_door[half=lower,facing=east,open=true]", &[("up", "oak_door[half=upper,hinge=right]")]);
         assert!(door.is("hinge", "right") && door.is("facing", "east"));
-        let chest = |side: &str| among("chest[facing=south]", &[(side, "chest[facing=south]")]).get("type").map(str::to_owned);
+        let chest =
+            |side: &str| among("chest[facing=south]", &[(side, "chest[facing=south]")]).get("type").map(str::to_owned);
         assert_eq!((chest("west").unwrap().as_str(), chest("east").unwrap().as_str()), ("left", "right"));
         assert_eq!(chest("north").unwrap(), "single");
     }

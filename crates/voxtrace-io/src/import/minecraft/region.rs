@@ -58,7 +58,9 @@ pub(super) fn read(
         };
         for chunk in group.par_iter().map(read).collect::<Vec<_>>() {
             match chunk {
-                Ok((chunk, sections)) => count += sections.into_iter().map(|section| put(section, chunk, kinds, &mut places)).sum::<u64>(),
+                Ok((chunk, sections)) => {
+                    count += sections.into_iter().map(|section| put(section, chunk, kinds, &mut places)).sum::<u64>()
+                }
                 Err(error) if is_damage(&error) && !options.strict => faults.push(error),
                 Err(error) => return Err(error),
             }
@@ -137,4 +139,3 @@ fn chunk_tags(
     };
     nbt::read(&mut input, limits).map(Some).map_err(|error| error.with_offset(Some(offset)))
 }
-

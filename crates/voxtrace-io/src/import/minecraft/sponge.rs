@@ -11,12 +11,7 @@ use voxtrace_voxelize::ImportError;
 /// Most bytes of an index.
 const LONGEST: u32 = 5;
 
-pub(super) fn read(
-    build: &Build,
-    tags: &Compound,
-    kinds: &mut Blocks,
-    scene: &mut Scene,
-) -> Result<(), ImportError> {
+pub(super) fn read(build: &Build, tags: &Compound, kinds: &mut Blocks, scene: &mut Scene) -> Result<(), ImportError> {
     // Since version 3 a compound of its own holds them.
     let (names, data) = match tags.compound("Blocks") {
         Some(blocks) => (blocks.compound("Palette"), blocks.bytes("Data")),

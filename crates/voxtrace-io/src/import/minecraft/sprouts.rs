@@ -63,9 +63,15 @@ mod tests {
     #[test]
     fn every_plant_has_its_colour_and_leaves_room_around_it() {
         let own = Look { color: 0xc43024, kind: Kind::Plain, light: 0 };
-        for sprout in
-            [Sprout::Blades, Sprout::Blossom, Sprout::Sapling, Sprout::Mushroom, Sprout::Crop(10), Sprout::Web, Sprout::Flame]
-        {
+        for sprout in [
+            Sprout::Blades,
+            Sprout::Blossom,
+            Sprout::Sapling,
+            Sprout::Mushroom,
+            Sprout::Crop(10),
+            Sprout::Web,
+            Sprout::Flame,
+        ] {
             for name in ["poppy", "cobweb"] {
                 let places = (0..256).map(|place| look(sprout, name, place % 16, place / 16, own));
                 let found: Vec<_> = places.collect();

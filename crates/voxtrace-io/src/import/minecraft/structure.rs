@@ -7,12 +7,7 @@ use super::voxels::Blocks;
 use voxtrace_scene::scene::Scene;
 use voxtrace_voxelize::ImportError;
 
-pub(super) fn read(
-    build: &Build,
-    tags: &Compound,
-    kinds: &mut Blocks,
-    scene: &mut Scene,
-) -> Result<(), ImportError> {
+pub(super) fn read(build: &Build, tags: &Compound, kinds: &mut Blocks, scene: &mut Scene) -> Result<(), ImportError> {
     let size = tags.ints("size").and_then(|size| size.first_chunk::<3>());
     let size = size.ok_or_else(|| build.malformed("a structure without its size"))?;
     let edges = size.map(|edge| u64::try_from(edge).unwrap_or(u64::MAX));

@@ -195,7 +195,11 @@ impl Blocks {
                 let other = places.get(at, of, place + step);
                 // Whether it is flooded changes nothing about what light does not pass.
                 let hides = other != 0
-                    && self.solids.get(&(other, false)).or_else(|| self.solids.get(&(other, true))).is_some_and(|solid| solid.hides >> (face ^ 1) & 1 != 0);
+                    && self
+                        .solids
+                        .get(&(other, false))
+                        .or_else(|| self.solids.get(&(other, true)))
+                        .is_some_and(|solid| solid.hides >> (face ^ 1) & 1 != 0);
                 key |= u32::from(hides) << face;
             }
         }
@@ -246,7 +250,8 @@ impl Blocks {
         if self.covers() {
             let size = IVec3::splat(edge as i32);
             for (index, cell) in cells.iter_mut().enumerate() {
-                let at = IVec3::new((index % edge) as i32, (index / edge % edge) as i32, (index / (edge * edge)) as i32);
+                let at =
+                    IVec3::new((index % edge) as i32, (index / edge % edge) as i32, (index / (edge * edge)) as i32);
                 let is_hidden = STEPS.into_iter().enumerate().all(|(face, step)| {
                     let next = at + step;
                     if next.cmpge(IVec3::ZERO).all() && next.cmplt(size).all() {
@@ -279,7 +284,13 @@ impl Blocks {
     }
 
     /// The bricks of a section.
-    fn bricks(&self, variants: &FxHashMap<u32, Variant>, places: &Places, at: IVec3, of: &Section) -> Vec<(IVec3, Brick)> {
+    fn bricks(
+        &self,
+        variants: &FxHashMap<u32, Variant>,
+        places: &Places,
+        at: IVec3,
+        of: &Section,
+    ) -> Vec<(IVec3, Brick)> {
         let key = |index: usize| self.key(places, at, of, index, self.covers());
         let edge = self.edge();
         let mut found = Vec::new();

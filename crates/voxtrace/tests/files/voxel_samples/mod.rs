@@ -261,16 +261,14 @@ fn bedrock() -> Vec<u8> {
         [&[kind][..], &(name.len() as u16).to_le_bytes(), name.as_bytes(), &payload].concat()
     };
     let compound = |name: &str, entries: &[Vec<u8>]| named(10, name, [entries.concat(), vec![0]].concat());
-    let text = |name: &str, value: &str| {
-        named(8, name, [&(value.len() as u16).to_le_bytes()[..], value.as_bytes()].concat())
-    };
+    let text =
+        |name: &str, value: &str| named(8, name, [&(value.len() as u16).to_le_bytes()[..], value.as_bytes()].concat());
     let ints = |values: &[i32]| {
         let numbers: Vec<u8> = values.iter().flat_map(|value| value.to_le_bytes()).collect();
         [&[3][..], &(values.len() as i32).to_le_bytes(), &numbers].concat()
     };
-    let items = |kind: u8, items: &[Vec<u8>]| {
-        [&[kind][..], &(items.len() as i32).to_le_bytes(), &items.concat()].concat()
-    };
+    let items =
+        |kind: u8, items: &[Vec<u8>]| [&[kind][..], &(items.len() as i32).to_le_bytes(), &items.concat()].concat();
     let entry = |name: &str| {
         // As of old: a block and its kind.
         let (name, key, kind) = match name {

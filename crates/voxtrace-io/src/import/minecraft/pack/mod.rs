@@ -56,7 +56,8 @@ impl Pack {
             return Ok(Self::of(path, folder.into(), Files::Folder(Folder::at(path, limits)), limits));
         }
         let archive = ZipArchive::new(File::open(path).map_err(io)?);
-        let archive = archive.map_err(|error| unsupported(format!("a resource pack that is no folder and no ZIP: {error}")))?;
+        let archive =
+            archive.map_err(|error| unsupported(format!("a resource pack that is no folder and no ZIP: {error}")))?;
         if archive.len() > FILES {
             return Err(ImportError::limit(path, None, "files of a resource pack", archive.len() as u64, FILES as u64));
         }

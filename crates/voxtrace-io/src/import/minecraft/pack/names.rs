@@ -128,7 +128,10 @@ mod tests {
     use super::*;
 
     fn first(state: &str, face: Face, there: &[&str]) -> String {
-        candidates(&State::of_text(state), face).into_iter().find(|name| there.contains(&name.as_str())).unwrap_or_default()
+        candidates(&State::of_text(state), face)
+            .into_iter()
+            .find(|name| there.contains(&name.as_str()))
+            .unwrap_or_default()
     }
 
     #[test]

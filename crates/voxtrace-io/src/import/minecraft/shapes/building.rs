@@ -74,11 +74,7 @@ fn gate(state: &State) -> Vec<Part> {
             parts.push(part([x, 6, 1], [x + 2, 15, 3]));
         }
     } else {
-        parts.extend([
-            part([6, 6, 7], [10, 15, 9]),
-            part([2, 6, 7], [14, 9, 9]),
-            part([2, 12, 7], [14, 15, 9]),
-        ]);
+        parts.extend([part([6, 6, 7], [10, 15, 9]), part([2, 6, 7], [14, 9, 9]), part([2, 12, 7], [14, 15, 9])]);
     }
     if state.is("in_wall", "true") {
         parts = parts.into_iter().map(|part| part.moved([0, -3, 0])).collect();

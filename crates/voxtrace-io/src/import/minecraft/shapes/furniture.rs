@@ -28,10 +28,7 @@ pub(super) fn shape(name: &str, state: &State) -> Option<Shape> {
     } else if name.ends_with("wall_banner") {
         turned(vec![part([1, 0, 14], [15, 14, 16]).averaged(), part([1, 14, 14], [15, 16, 16]).of(WOOD)], facing)
     } else if name.ends_with("_banner") {
-        let parts = vec![
-            part([1, 4, 6], [15, 16, 7]).averaged(),
-            part([7, 0, 7], [9, 16, 9]).of(WOOD).averaged(),
-        ];
+        let parts = vec![part([1, 4, 6], [15, 16, 7]).averaged(), part([7, 0, 7], [9, 16, 9]).of(WOOD).averaged()];
         turned(parts, SIXTEENTHS[nearest_quarter(state)])
     } else if name.ends_with("anvil") {
         anvil(facing)
@@ -48,10 +45,7 @@ fn single(name: &str, state: &State, facing: &str) -> Option<Shape> {
     let parts = match name {
         "hopper" => hopper(facing),
         "lectern" => turned(lectern(), facing),
-        "enchanting_table" => vec![
-            part([0, 0, 0], [16, 12, 16]),
-            part([4, 12, 5], [12, 14, 11]).colored(0x8a4a2a),
-        ],
+        "enchanting_table" => vec![part([0, 0, 0], [16, 12, 16]), part([4, 12, 5], [12, 14, 11]).colored(0x8a4a2a)],
         "brewing_stand" => vec![
             pillar(2, 0, 14).colored(0xd9a53a),
             part([9, 0, 5], [15, 2, 11]).of(STONE),
@@ -93,7 +87,10 @@ fn single(name: &str, state: &State, facing: &str) -> Option<Shape> {
         "decorated_pot" => vec![pillar(14, 0, 16)],
         "flower_pot" => pot(None),
         _ if name.starts_with("potted_") => pot(name.strip_prefix("potted_")),
-        _ if name.ends_with("_shelf") => turned(vec![part([0, 0, 13], [16, 16, 16]), part([0, 12, 11], [16, 16, 13]), part([0, 0, 11], [16, 4, 13])], facing),
+        _ if name.ends_with("_shelf") => turned(
+            vec![part([0, 0, 13], [16, 16, 16]), part([0, 12, 11], [16, 16, 13]), part([0, 0, 11], [16, 4, 13])],
+            facing,
+        ),
         _ => return None,
     };
     Some(Shape::Parts(parts))
@@ -122,10 +119,8 @@ fn tub(wall: i32, bottom: i32, floor: i32) -> Vec<Part> {
 fn bed(name: &str, state: &State) -> Vec<Part> {
     let is_head = state.is("part", "head");
     let wool = made_of(name, "_bed").map_or("red_wool".into(), |dye| format!("{dye}_wool"));
-    let mut parts = vec![
-        part([0, 5, 0], [16, 9, 16]).of(wool).averaged(),
-        part([0, 3, 0], [16, 5, 16]).of(WOOD).averaged(),
-    ];
+    let mut parts =
+        vec![part([0, 5, 0], [16, 9, 16]).of(wool).averaged(), part([0, 3, 0], [16, 5, 16]).of(WOOD).averaged()];
     if is_head {
         parts.insert(0, part([1, 8, 1], [15, 9, 7]).colored(0xe6e6e6));
     }
@@ -280,4 +275,3 @@ fn pot(plant: Option<&str>) -> Vec<Part> {
     }
     parts
 }
-

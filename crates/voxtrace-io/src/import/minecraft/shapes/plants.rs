@@ -29,7 +29,12 @@ pub(super) fn shape(name: &str, state: &State) -> Option<Shape> {
         "bamboo" => vec![pillar(2, 0, 16).of("bamboo_block")],
         "cocoa" => turned(cocoa(state), facing),
         "chorus_plant" => chorus(state),
-        "chorus_flower" => vec![part([2, 2, 2], [14, 14, 14]), part([0, 4, 4], [16, 12, 12]), part([4, 4, 0], [12, 12, 16]), part([4, 0, 4], [12, 16, 12])],
+        "chorus_flower" => vec![
+            part([2, 2, 2], [14, 14, 14]),
+            part([0, 4, 4], [16, 12, 12]),
+            part([4, 4, 0], [12, 12, 16]),
+            part([4, 0, 4], [12, 16, 12]),
+        ],
         "azalea" | "flowering_azalea" => vec![part([0, 8, 0], [16, 16, 16]), pillar(2, 0, 8).colored(0x6a5038)],
         "big_dripleaf" => turned(big_dripleaf(state), facing),
         "big_dripleaf_stem" => turned(vec![part([6, 0, 9], [10, 16, 13])], facing),
@@ -119,10 +124,7 @@ fn cocoa(state: &State) -> Vec<Part> {
     let (width, bottom) = (4 + 2 * age, 7 - 2 * age);
     let low = 8 - width / 2;
     // It hangs on the log that it faces.
-    vec![
-        part([low, bottom, 1], [low + width, 12, 1 + width]),
-        part([7, 12, 0], [9, 16, 3]).colored(STEM),
-    ]
+    vec![part([low, bottom, 1], [low + width, 12, 1 + width]), part([7, 12, 0], [9, 16, 3]).colored(STEM)]
 }
 
 fn chorus(state: &State) -> Vec<Part> {

@@ -30,7 +30,10 @@ pub(super) fn shape(name: &str, state: &State) -> Option<Shape> {
             "moving_piston" => Vec::new(),
             "daylight_detector" => vec![part([0, 0, 0], [16, 6, 16])],
             "tripwire_hook" => turned(
-                vec![part([6, 1, 14], [10, 9, 16]).of("oak_planks").averaged(), part([7, 5, 9], [9, 7, 14]).colored(0x8a8a8a)],
+                vec![
+                    part([6, 1, 14], [10, 9, 16]).of("oak_planks").averaged(),
+                    part([7, 5, 9], [9, 7, 14]).colored(0x8a8a8a),
+                ],
                 facing,
             ),
             "sculk_sensor" | "calibrated_sculk_sensor" => {
@@ -144,7 +147,11 @@ fn rail(name: &str, state: &State) -> Vec<Part> {
             None => {
                 let mut parts = vec![iron([2, 0, 0], [4, 1, 16]), iron([12, 0, 0], [14, 1, 16])];
                 if name != "rail" {
-                    parts.push(part([7, 0, 0], [9, 1, 16]).colored(if state.is("powered", "true") { GLOW } else { 0x6a1a14 }));
+                    parts.push(part([7, 0, 0], [9, 1, 16]).colored(if state.is("powered", "true") {
+                        GLOW
+                    } else {
+                        0x6a1a14
+                    }));
                 }
                 parts.extend([1, 5, 9, 13].map(|z| sleeper(z, 0)));
                 turned(parts, if shape == "east_west" { "east" } else { "north" })
@@ -152,4 +159,3 @@ fn rail(name: &str, state: &State) -> Vec<Part> {
         },
     }
 }
-

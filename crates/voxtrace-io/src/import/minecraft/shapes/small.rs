@@ -52,15 +52,17 @@ fn single(name: &str, state: &State, facing: &str) -> Option<Shape> {
             .to_vec(),
         "sniffer_egg" => vec![part([1, 0, 2], [15, 16, 14])],
         "turtle_egg" => {
-            let eggs = [([5, 0, 4], [9, 7, 8]), ([1, 0, 7], [4, 5, 10]), ([11, 0, 7], [14, 4, 10]), ([6, 0, 10], [9, 4, 13])];
+            let eggs =
+                [([5, 0, 4], [9, 7, 8]), ([1, 0, 7], [4, 5, 10]), ([11, 0, 7], [14, 4, 10]), ([6, 0, 10], [9, 4, 13])];
             let count = state.number("eggs", 1).clamp(1, 4) as usize;
             eggs.into_iter().take(count).map(|(from, to)| part(from, to)).collect()
         }
         "dried_ghast" => vec![pillar(10, 0, 10)],
         "honey_block" => vec![part([1, 0, 1], [15, 15, 15])],
-        "nether_portal" => {
-            vec![part([0, 0, 6], [16, 16, 10])].into_iter().map(|part| if state.is("axis", "z") { part.quarter() } else { part }).collect()
-        }
+        "nether_portal" => vec![part([0, 0, 6], [16, 16, 10])]
+            .into_iter()
+            .map(|part| if state.is("axis", "z") { part.quarter() } else { part })
+            .collect(),
         "end_portal" => vec![part([0, 6, 0], [16, 12, 16])],
         _ => return None,
     };
@@ -88,12 +90,7 @@ fn wall_torch(name: &str, state: &State) -> Vec<Part> {
 
 fn lantern(state: &State) -> Vec<Part> {
     let iron = |part: Part| part.colored(0x3a3f4a);
-    let mut parts = vec![
-        pillar(4, 1, 6),
-        iron(pillar(6, 0, 1)),
-        iron(pillar(6, 6, 7)),
-        iron(pillar(4, 7, 9)),
-    ];
+    let mut parts = vec![pillar(4, 1, 6), iron(pillar(6, 0, 1)), iron(pillar(6, 6, 7)), iron(pillar(4, 7, 9))];
     for (x, z) in [(5, 5), (10, 5), (5, 10), (10, 10)] {
         parts.push(iron(part([x, 1, z], [x + 1, 6, z + 1])));
     }
@@ -126,7 +123,7 @@ fn chain(axis: &str) -> Vec<Part> {
 
 fn cake(bites: i32) -> Vec<Part> {
     let low = 1 + 2 * bites;
-    vec![part([low, 7, 1], [15, 8, 15]), part([low, 0, 1], [15, 7, 15]).colored(0xb5763e), ]
+    vec![part([low, 7, 1], [15, 8, 15]), part([low, 0, 1], [15, 7, 15]).colored(0xb5763e)]
 }
 
 /// A wick, and its flame where it is lit.
