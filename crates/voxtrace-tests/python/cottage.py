@@ -1,6 +1,6 @@
 """Writes the cottage that docs/minecraft.md shows: python cottage.py FOLDER
 
-    voxtrace render FOLDER/cottage.schem --block-size 16 --fov 26 --sun 150,40 --spp 256 --denoise --size 640x420 -o docs/pictures/blocks.png
+    voxtrace render FOLDER/cottage.schem --block-size 16 --fov 31 --sun 150,40 --clear-shadows --spp 32 --denoise --size 600x400 -o docs/pictures/blocks.png
 """
 
 import sys

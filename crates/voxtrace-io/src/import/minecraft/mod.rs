@@ -84,7 +84,7 @@ pub(crate) const DYE_NAMES: [&str; 16] = {
 /// The material that a block is read as, by its name without a namespace; `None` where nobody sees it or the name is unknown.
 pub(crate) fn material_of_block(name: &str) -> Option<Material> {
     match blocks::block(name, false) {
-        blocks::Block::Known(look) => Some(look.material()),
+        blocks::Block::Known(look) => Some(look.material(1.0)),
         _ => None,
     }
 }

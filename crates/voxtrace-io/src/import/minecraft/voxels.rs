@@ -85,7 +85,7 @@ impl Blocks {
             known: Vec::new(),
             by_state: FxHashMap::default(),
             looks,
-            palette: Palette::default(),
+            palette: Palette::new(fineness.edge),
             solids: FxHashMap::default(),
             made: 0,
             notes: Vec::new(),
@@ -337,7 +337,7 @@ impl Blocks {
 
 /// The cells of a model at one of its faces.
 fn layer(edge: usize, face: usize) -> impl Iterator<Item = usize> {
-    let (axis, end) = (face / 2, if face % 2 == 0 { 0 } else { edge - 1 });
+    let (axis, end) = (face / 2, if face.is_multiple_of(2) { 0 } else { edge - 1 });
     (0..edge * edge).map(move |place| {
         let (a, b) = (place % edge, place / edge);
         let [x, y, z] = match axis {

@@ -20,7 +20,7 @@ impl Picture {
         let texture = texture::decode(bytes, limits).map_err(|refused| refused.to_string())?;
         let [width, height] = texture.size().map(|edge| edge as usize);
         // Frames of an animation stand below each other.
-        let height = if height > width && height % width == 0 { width } else { height };
+        let height = if height > width && height.is_multiple_of(width) { width } else { height };
         let texels = texture.texels();
         let span = |edge: usize, at: usize| {
             let first = at * edge / SIZE;
