@@ -2,7 +2,7 @@
 
 use std::path::Path;
 use voxtrace::PackedScene;
-use voxtrace::import::{self, ImportErrorKind, ImportOptions, Kind, Limits, READERS};
+use voxtrace::import::{self, BlockOptions, BlockSize, ImportErrorKind, ImportOptions, Kind, Limits, READERS};
 
 /// Limits small enough for a million runs.
 const LIMITS: Limits =
@@ -25,13 +25,25 @@ pub fn check_all(bytes: &[u8]) {
     extensions.iter().take(asked).for_each(|extension| check(&format!("fuzzed.{extension}"), bytes));
 }
 
-/// Either there is an error that says where, or a scene that can be packed.
+/// Either there is an error that says where, or a scene that can be packed; blocks as cubes, and, of Minecraft, with their shapes.
 ///
 /// # Panics
 /// If not.
 pub fn check(name: &str, bytes: &[u8]) {
     let options = ImportOptions { limits: LIMITS, ..ImportOptions::default() };
-    match import::voxels_from_bytes(bytes, Path::new(name), &options) {
+    check_with(name, bytes, &options);
+    let has_blocks = |reader: &&import::Reader| reader.name.starts_with("Minecraft");
+    let is_build = READERS.iter().filter(has_blocks).any(|reader| reader.extension_of(Path::new(name)).is_some());
+    // The bytes say whether and how, so that a file that fails fails again.
+    let choice = bytes.iter().fold(0usize, |sum, &byte| sum + usize::from(byte)) % 32;
+    if is_build && choice < 8 {
+        let blocks = BlockOptions { size: BlockSize::ALL[1 + choice % 4], shell: choice < 4, resource_pack: None };
+        check_with(name, bytes, &ImportOptions { blocks, strict: choice < 4, ..options });
+    }
+}
+
+fn check_with(name: &str, bytes: &[u8], options: &ImportOptions) {
+    match import::voxels_from_bytes(bytes, Path::new(name), options) {
         Err(error) => {
             let is_limit = matches!(error.kind, ImportErrorKind::Limit { .. });
             assert!(error.offset.is_some() || is_limit, "no offset: {error}");

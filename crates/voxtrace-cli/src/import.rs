@@ -1,5 +1,6 @@
 //! Files on the command line: what a reader gives becomes a scene, and what there is to say about it is said.
 
+use crate::blocks::BlockArgs;
 use crate::edits::EditArgs;
 use crate::failure::Failure;
 use crate::heights::HeightArgs;
@@ -23,14 +24,21 @@ pub struct ImportArgs {
     #[command(flatten)]
     pub heights: HeightArgs,
     #[command(flatten)]
+    pub blocks: BlockArgs,
+    #[command(flatten)]
     pub edits: EditArgs,
+    /// Refuse a file of which a part is damaged, instead of reading what is whole
+    #[arg(long, help_heading = "Files")]
+    strict: bool,
 }
 
 impl ImportArgs {
     /// How files are read, native ones into memory or not.
     pub fn options(&self, in_memory: bool) -> ImportOptions {
         let options = self.volume.import_options(&self.mesh);
-        ImportOptions { heights: self.heights.options(self.volume.shell()), in_memory, ..options }
+        let shell = self.volume.shell();
+        let (heights, blocks) = (self.heights.options(shell), self.blocks.options(shell));
+        ImportOptions { heights, blocks, in_memory, strict: self.strict, ..options }
     }
 
     /// Keeps what is within volumes and heightmaps, unless an option says otherwise: cuts show it.

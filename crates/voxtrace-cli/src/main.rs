@@ -3,6 +3,7 @@
 #![forbid(unsafe_code)]
 
 mod adaptive;
+mod blocks;
 mod camera_file;
 mod changes;
 mod cuts;

@@ -27,8 +27,8 @@ pub struct VolumeArgs {
     /// Lowest visible value [default: the transfer function's]
     #[arg(long, value_name = "VALUE", value_parser = parse::finite, allow_hyphen_values = true)]
     threshold: Option<f32>,
-    /// Keep only those voxels of volumes and heightmaps that have an empty neighbour, as the others are never visible [default: true; false
-    /// where the scene is cut]
+    /// Keep only those voxels of volumes, heightmaps and Minecraft's blocks that have an empty neighbour, as the others are never visible
+    /// [default: true; false where the scene is cut]
     #[arg(long, value_name = "BOOL")]
     pub shell: Option<bool>,
     /// Number of the DICOM series to read, where a folder has several [default: the one with the most slices]

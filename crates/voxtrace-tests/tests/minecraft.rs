@@ -6,11 +6,13 @@ mod written;
 use std::collections::BTreeMap;
 use std::path::Path;
 use voxtrace::glam::IVec3;
-use voxtrace::import::{self, ImportOptions};
+use voxtrace::import::{self, BlockOptions, BlockSize, ImportOptions};
 use voxtrace::material::srgb_from_linear;
 use written::Written;
 
 static WRITTEN: Written = Written::by("builds.py", "mcschematic, litemapy, nbtlib and anvil-parser");
+
+static COTTAGE: Written = Written::by("cottage.py", "mcschematic");
 
 /// The voxels of a file from their lowest corner on, with their colours.
 fn voxels(path: &Path) -> BTreeMap<[i32; 3], [u8; 3]> {
@@ -42,4 +44,15 @@ fn known_blocks_are_at_known_places_in_the_files_of_four_libraries() {
     for name in ["build.schem", "build.litematic", "negative.litematic", "build.schematic", "r.0.0.mca"] {
         assert_eq!(voxels(&folder.join(name)), wanted, "{name}");
     }
+}
+
+#[test]
+fn the_cottage_of_the_documentation_has_blocks_with_colours_alone() {
+    let Some(folder) = COTTAGE.folder() else { return };
+    let blocks = BlockOptions { size: BlockSize::Sixteen, ..BlockOptions::default() };
+    let options = ImportOptions { blocks, ..ImportOptions::default() };
+    let voxels = import::read_voxels(&folder.join("cottage.schem"), &options).unwrap();
+    assert_eq!(voxels.notes, [] as [String; 0]);
+    let count = voxels.scene.grids[0].count();
+    assert!((500_000..1_500_000).contains(&count), "{count}");
 }

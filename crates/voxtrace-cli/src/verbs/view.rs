@@ -182,7 +182,7 @@ struct Files {
 }
 
 impl Files {
-    /// Whether a file is read otherwise where the scene is cut: with what nobody sees inside, which volumes and heightmaps leave out.
+    /// Whether a file is read otherwise where the scene is cut: with what nobody sees inside, which volumes, heightmaps and blocks leave out.
     fn depends_on_cuts(&self, path: &Path) -> bool {
         if self.cuts.is_cut() || self.import.volume.shell.is_some() {
             return false;
@@ -190,7 +190,11 @@ impl Files {
         let options = self.import.options(self.memory.in_memory);
         // What is wrong with the file, reading it says.
         let reader = READERS.open(path, &options).map(|opened| (opened.reader().kind, opened.reader().name));
-        matches!(reader, Ok((Kind::Volume, _) | (Kind::Voxels, "heightmap")))
+        match reader {
+            Ok((Kind::Volume, _) | (Kind::Voxels, "heightmap")) => true,
+            Ok((_, name)) => self.import.blocks.have_shapes() && name.starts_with("Minecraft"),
+            Err(_) => false,
+        }
     }
 }
 

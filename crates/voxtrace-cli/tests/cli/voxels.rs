@@ -39,6 +39,46 @@ fn a_build_is_rendered_converted_and_voxelized_directly() {
 }
 
 #[test]
+fn blocks_have_as_many_voxels_as_asked_for_and_those_inside_where_a_cut_shows_them() {
+    let folder = Folder::new();
+    copy(&folder, &["second.schem"]);
+    let count = |options: &[&str]| {
+        let info = folder.succeed(&[&["info", "second.schem", "--json"], options].concat());
+        json(&info)["voxels"].as_u64().unwrap()
+    };
+    assert_eq!(count(&["--block-size", "4", "--shell", "false"]), 21 * 64);
+    assert!(count(&["--block-size", "4"]) < 21 * 64);
+    let line = folder.fail(&["info", "second.schem", "--block-size", "3"], 2);
+    assert!(line.contains("--block-size"), "{line}");
+    let line = folder.fail(&["info", "second.schem", "--resource-pack", "missing.zip"], 3);
+    assert!(line.contains("missing.zip"), "{line}");
+}
+
+#[test]
+fn what_is_damaged_in_part_is_told_in_one_line_or_refused() {
+    let folder = Folder::new();
+    copy(&folder, &["second.schem"]);
+    let longer = [&folder.bytes("second.schem")[..], b"and more"].concat();
+    std::fs::write(folder.path("longer.schem"), longer).unwrap();
+    let output = folder.run(&["info", "longer.schem"]);
+    let told = stderr(&output);
+    assert!(
+        output.status.success() && told.contains("warning: longer.schem: 8 bytes behind the build are left out"),
+        "{told}"
+    );
+    let verbs: [&[&str]; 4] = [
+        &["info", "longer.schem"],
+        &["render", "longer.schem", "-o", "a.png"],
+        &["convert", "longer.schem", "a.vxt"],
+        &["voxelize", "longer.schem", "-o", "a.vxt"],
+    ];
+    for verb in verbs {
+        let line = folder.fail(&[verb, &["--strict"]].concat(), 3);
+        assert!(line.contains("8 bytes behind the build"), "{line}");
+    }
+}
+
+#[test]
 fn a_folder_of_a_world_is_a_scene() {
     let folder = Folder::new();
     copy(&folder, &["r.0.0.mca"]);

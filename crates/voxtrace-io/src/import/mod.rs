@@ -43,7 +43,7 @@ pub use read::{
     read_bytes, read_geometry, read_mesh, read_volume, read_voxels, volume_from_bytes, voxels_from_bytes,
 };
 pub use reader::{
-    ClassSet, Data, FileClues, FolderClues, Geometry, Height, HeightOptions, ImportOptions, Kind, LargeGeometry, LargeVolume,
+    BlockOptions, BlockSize, ClassSet, Data, FileClues, FolderClues, Geometry, Height, HeightOptions, ImportOptions, Kind, LargeGeometry, LargeVolume,
     Magic, MapBounds, PointFilter, RawShape, Reader, Recognition, Voxels, not_shown,
 };
 pub use readers::{READERS, Readers};

@@ -18,6 +18,7 @@ mod malformed;
 mod mesh_files;
 mod mesh_samples;
 mod meshes;
+mod minecraft_blocks;
 mod native;
 mod panorama_damage;
 mod pictures;

@@ -113,6 +113,8 @@ fn slices_that_are_cut_short_are_left_out_of_their_series_but_not_the_one_that_w
     };
     (0..SIZE[2]).for_each(|z| fs::write(file(z), dicom::slice("1.2.3", 4, z)).unwrap());
     let whole = read(folder.path()).unwrap();
+    let strict = ImportOptions { strict: true, ..ImportOptions::default() };
+    assert_eq!(import::read_volume(folder.path(), &strict).unwrap().values, whole.values);
     let last = SIZE[2] - 1;
     cut(last);
     for path in [folder.path().to_owned(), file(0)] {
@@ -122,6 +124,8 @@ fn slices_that_are_cut_short_are_left_out_of_their_series_but_not_the_one_that_w
         let notes = rest.notes.join("; ");
         let left_out = format!("1 of the {} files of the series are left out: ", SIZE[2]);
         assert!(notes.contains(&left_out) && notes.contains(&format!("{last}.dcm")), "{notes}");
+        let error = import::read_volume(&path, &strict).unwrap_err();
+        assert!(error.path.ends_with(format!("{last}.dcm")), "{error}");
     }
     assert!(read(&file(last)).unwrap_err().to_string().contains(&format!("{last}.dcm")));
     (0..SIZE[2]).for_each(cut);

@@ -5,7 +5,7 @@ use crate::check_voxels as check;
 use crate::corpus;
 use crate::damage::damaged;
 use crate::meshes::Random;
-use crate::voxel_samples::{COLORS, SIZE, block_at, minecraft, others};
+use crate::voxel_samples::{COLORS, SIZE, block_at, minecraft, others, shaped};
 use crate::zipped::gzip;
 use std::collections::BTreeMap;
 use std::fs;
@@ -137,7 +137,7 @@ fn another_axis_can_point_up() {
 #[test]
 fn a_file_cut_at_any_byte_gives_an_error_that_says_where() {
     for (name, bytes) in samples() {
-        let is_region = name.ends_with("mca");
+        let is_region = name.ends_with("mca") || name.ends_with("mcr");
         for length in 0..bytes.len() {
             check::check(name, &bytes[..length]);
             // Regions end in padding, lines of text with any voxel; Goxel's chunks and the models of Build are as many as there are.
@@ -156,7 +156,8 @@ fn a_file_with_changed_bytes_is_read_or_gives_an_error() {
     let texts = ["\x0a\0\0", "\x09\0\0", "\x0c", "\x7f\x7f", "\0", "\x03\0\x01x"];
     let mut random = Random(7);
     for (name, bytes) in samples() {
-        let raw = if name.ends_with("mca") { Vec::new() } else { unpacked(&bytes) };
+        let is_region = name.ends_with("mca") || name.ends_with("mcr");
+        let raw = if is_region { Vec::new() } else { unpacked(&bytes) };
         for _ in 0..1_500 {
             check::check(name, &damaged(&bytes, &numbers, &texts, |end| random.below(end)));
             // Damage inside what is compressed, packed again, gets past the checksum.
@@ -263,7 +264,7 @@ fn what_unpacks_to_more_than_may_be_is_refused_and_a_file_that_is_cut_off_is_tol
 
 #[test]
 fn the_corpus_of_the_fuzz_target_holds_the_samples_and_is_clean() {
-    corpus::replay("voxels", &samples(), check::check_all);
+    corpus::replay("voxels", &[samples(), shaped()].concat(), check::check_all);
 }
 
 #[test]

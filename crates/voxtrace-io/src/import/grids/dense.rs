@@ -1,8 +1,12 @@
 //! From arrays with a value for every place to bricks: each brick is built whole, in parallel.
 
 use glam::IVec3;
+#[cfg(test)]
 use rayon::prelude::*;
-use voxtrace_scene::brick::{BRICK_SIZE, Brick, voxel_of};
+#[cfg(test)]
+use voxtrace_scene::brick::BRICK_SIZE;
+use voxtrace_scene::brick::{Brick, voxel_of};
+#[cfg(test)]
 use voxtrace_scene::grid::VoxelGrid;
 
 /// The brick whose voxel `local` (each coordinate in 0..8) has the material that the function says.
@@ -19,7 +23,8 @@ pub(crate) fn brick(material_at: impl Fn(IVec3) -> Option<u16>) -> Brick {
     Brick::new(occupancy, materials)
 }
 
-/// The grid of `size` voxels from the origin on. The function is asked for places within alone.
+/// The grid of `size` voxels from the origin on, which tests hold others against. The function is asked for places within alone.
+#[cfg(test)]
 pub(crate) fn grid(size: IVec3, material_at: impl Fn(IVec3) -> Option<u16> + Sync) -> VoxelGrid {
     let bricks = (size + BRICK_SIZE - 1) / BRICK_SIZE;
     let layers = (0..bricks.z).into_par_iter().flat_map_iter(|z| {

@@ -1,7 +1,8 @@
 //! What a block looks like, by its name: a colour of its own, or that of what it is made of (`oak_stairs` are oak planks,
 //! `red_wool` is dyed). `docs/minecraft.md` says the rules.
 
-use super::colors::{COLORS, DYES, WOODS};
+use super::colors::COLORS;
+use super::dyes::{DYES, WOODS};
 use voxtrace_scene::material::{Material, linear_color};
 
 /// Blocks that nobody sees.
@@ -153,17 +154,19 @@ pub(super) enum Block {
 }
 
 impl Look {
-    pub fn material(self) -> Material {
+    /// The material where a block is so many voxels long: what tints light takes as many times the way.
+    pub fn material(self, edge: f32) -> Material {
         let [_, red, green, blue] = self.color.to_be_bytes();
         let color = linear_color([red, green, blue]);
         let plain = Material::diffuse(color);
         let plain = Material { emission: color * BRIGHTEST * f32::from(self.light) / 15.0, ..plain };
         match self.kind {
             Kind::Plain => plain,
-            Kind::Glass => {
-                Material { roughness: 0.0, transmission: 0.9, ior: 1.5, specular: 1.0, ..plain }.tinted(color, 2.0)
+            Kind::Glass => Material { roughness: 0.0, transmission: 0.9, ior: 1.5, specular: 1.0, ..plain }
+                .tinted(color, 2.0 * edge),
+            Kind::Water => {
+                Material { roughness: 0.05, transmission: 0.9, ior: 1.33, ..plain }.tinted(color, 6.0 * edge)
             }
-            Kind::Water => Material { roughness: 0.05, transmission: 0.9, ior: 1.33, ..plain }.tinted(color, 6.0),
             Kind::Metal => Material { roughness: 0.3, metallic: 1.0, ..plain },
         }
     }
@@ -176,6 +179,7 @@ pub(super) fn block(name: &str, is_lit: bool) -> Block {
     }
     // The middle of `exposed_cut_copper` changes nothing.
     let plain = name.replace("wall_torch", "torch").replace("_cut_", "_").replace("_chiseled_", "_");
+    let plain = plain.replace("_wall_head", "_head").replace("_wall_skull", "_skull");
     if is_lit && let Some(&(_, light, color)) = LIT.iter().find(|(suffix, ..)| plain.ends_with(suffix)) {
         return Block::Known(Look { color, kind: Kind::Plain, light });
     }
@@ -340,14 +344,14 @@ mod tests {
         for unseen in ["air", "cave_air", "void_air", "structure_void", "barrier", "light"] {
             assert_eq!(block(unseen, false), Block::Unseen);
         }
-        assert!(look("glowstone").material().is_emissive() && look("wall_torch").light == look("torch").light);
+        assert!(look("glowstone").material(1.0).is_emissive() && look("wall_torch").light == look("torch").light);
         assert!(look("soul_wall_torch").light > 0 && look("lava").light == 15 && look("stone").light == 0);
         assert_eq!(look("redstone_lamp").light, 0);
         assert!(matches!(block("redstone_lamp", true), Block::Known(Look { light: 15, .. })));
         assert!(matches!(block("waxed_oxidized_copper_bulb", true), Block::Known(Look { light: 15, .. })));
-        assert!(look("white_stained_glass_pane").material().transmission > 0.5);
-        assert!(look("water").material().transmission > 0.5 && look("stone").material().transmission == 0.0);
-        assert!(look("iron_block").material().metallic == 1.0 && look("iron_ore").material().metallic == 0.0);
+        assert!(look("white_stained_glass_pane").material(1.0).transmission > 0.5);
+        assert!(look("water").material(1.0).transmission > 0.5 && look("stone").material(1.0).transmission == 0.0);
+        assert!(look("iron_block").material(1.0).metallic == 1.0 && look("iron_ore").material(1.0).metallic == 0.0);
     }
 
     #[test]

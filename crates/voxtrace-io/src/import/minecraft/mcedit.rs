@@ -1,18 +1,15 @@
 //! MCEdit's `.schematic`, of the time when blocks had numbers: a byte for each block, four bits of data, and four more bits of
 //! the number in `AddBlocks`.
 
-use super::legacy;
+use super::build::Build;
+use super::legacy_states;
 use super::nbt::Compound;
-use super::palette::Palette;
-use super::{Build, ImportError};
+use super::state::State;
+use super::voxels::Blocks;
 use voxtrace_scene::scene::Scene;
+use voxtrace_voxelize::ImportError;
 
-pub(super) fn read(
-    build: &Build,
-    tags: &Compound,
-    palette: &mut Palette,
-    scene: &mut Scene,
-) -> Result<(), ImportError> {
+pub(super) fn read(build: &Build, tags: &Compound, kinds: &mut Blocks, scene: &mut Scene) -> Result<(), ImportError> {
     if tags.text("Materials").is_some_and(|materials| materials.eq_ignore_ascii_case("classic")) {
         return Err(build.unsupported("blocks of Minecraft Classic"));
     }
@@ -32,19 +29,18 @@ pub(super) fn read(
     };
     let mut is_there = vec![false; 1 << 16];
     (0..count).for_each(|place| is_there[key(place)] = true);
-    let materials: Vec<Option<u16>> = (0u32..1 << 16)
+    let numbers: Vec<u16> = (0u32..1 << 16)
         .map(|key| {
             if !is_there[key as usize] {
-                return None;
+                return 0;
             }
             let (id, data) = (key >> 4, key as u8 & 15);
-            let state = match u8::try_from(id) {
-                Ok(id) => legacy::name(id, data),
-                Err(_) => (format!("number_{id}"), false),
-            };
-            palette.material(state)
+            kinds.number(match u8::try_from(id) {
+                Ok(id) => legacy_states::state(id, data),
+                Err(_) => State::new(format!("number_{id}")),
+            })
         })
         .collect();
-    build.add(scene, size, |place| materials[key(place)])?;
+    build.add(kinds, scene, size, |place| numbers[key(place)])?;
     Ok(())
 }

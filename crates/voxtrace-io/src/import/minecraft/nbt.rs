@@ -1,4 +1,4 @@
-//! Named binary tags, the tree that all Minecraft files are made of (big-endian; wiki.vg, "NBT"). Subtrees that say nothing
+//! Named binary tags, the tree that all Minecraft files are made of (wiki.vg, "NBT"; big-endian, in files of the Bedrock edition little-endian). Subtrees that say nothing
 //! about blocks are skipped, so that memory goes to blocks alone.
 
 use crate::import::source::input::Input;
@@ -8,7 +8,7 @@ use voxtrace_voxelize::{ImportError, Limits};
 const PIECE: usize = 1 << 20;
 
 /// Names of subtrees that say nothing about blocks. Some hold much, and whatever players put into chests.
-const SKIPPED: [&str; 27] = [
+const SKIPPED: [&str; 29] = [
     "Biomes",
     "BiomeData",
     "BiomePalette",
@@ -31,10 +31,12 @@ const SKIPPED: [&str; 27] = [
     "ToBeTicked",
     "biomes",
     "block_entities",
+    "block_position_data",
     "block_ticks",
     "blending_data",
     "entities",
     "fluid_ticks",
+    "nbt",
     "structures",
 ];
 
@@ -52,6 +54,7 @@ pub(super) enum Tag {
     Text(String),
     List(Vec<Tag>),
     Compound(Compound),
+    /// An array, or a list of such numbers.
     Ints(Vec<i32>),
     Longs(Vec<u64>),
 }
@@ -91,6 +94,13 @@ impl Compound {
         }
     }
 
+    pub fn ints(&self, name: &str) -> Option<&[i32]> {
+        match self.get(name)? {
+            Tag::Ints(ints) => Some(ints),
+            _ => None,
+        }
+    }
+
     pub fn text(&self, name: &str) -> Option<&str> {
         match self.get(name)? {
             Tag::Text(text) => Some(text),
@@ -123,9 +133,23 @@ impl Compound {
     }
 }
 
+/// Which byte of a number comes first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Order {
+    /// The highest, as in the Java edition.
+    Big,
+    /// The lowest, as in the Bedrock edition.
+    Little,
+}
+
 /// Reads a file's root, a named compound. What stands after it is left.
 pub(super) fn read(input: &mut Input, limits: &Limits) -> Result<Compound, ImportError> {
-    let mut reader = Reader { input, items: 0, limits };
+    read_in(Order::Big, input, limits)
+}
+
+/// As [`read`], in an order of bytes.
+pub(super) fn read_in(order: Order, input: &mut Input, limits: &Limits) -> Result<Compound, ImportError> {
+    let mut reader = Reader { input, items: 0, limits, order };
     if reader.bytes::<1>()? != [10] {
         return Err(reader.malformed("the file does not begin with a compound of tags"));
     }
@@ -137,6 +161,17 @@ struct Reader<'r, 'i> {
     input: &'r mut Input<'i>,
     items: u64,
     limits: &'r Limits,
+    order: Order,
+}
+
+impl Order {
+    /// The bytes of a number, the highest first.
+    fn highest_first<const N: usize>(self, mut bytes: [u8; N]) -> [u8; N] {
+        if self == Self::Little {
+            bytes.reverse();
+        }
+        bytes
+    }
 }
 
 impl Reader<'_, '_> {
@@ -146,7 +181,7 @@ impl Reader<'_, '_> {
 
     fn bytes<const N: usize>(&mut self) -> Result<[u8; N], ImportError> {
         let bytes = self.input.take(N, "a tag")?;
-        Ok(std::array::from_fn(|n| bytes[n]))
+        Ok(self.order.highest_first(std::array::from_fn(|n| bytes[n])))
     }
 
     fn text(&mut self) -> Result<String, ImportError> {
@@ -163,7 +198,7 @@ impl Reader<'_, '_> {
     /// The elements of an array, `N` bytes each.
     fn array<const N: usize, T>(&mut self, of: impl Fn([u8; N]) -> T) -> Result<Vec<T>, ImportError> {
         let mut left = self.count()?;
-        let (path, offset) = (self.input.path(), self.input.offset());
+        let (path, offset, order) = (self.input.path(), self.input.offset(), self.order);
         if left * N as u64 > self.limits.bytes {
             return Err(ImportError::limit(path, Some(offset), "bytes", left * N as u64, self.limits.bytes));
         }
@@ -173,7 +208,7 @@ impl Reader<'_, '_> {
             let bytes = self.input.take(now * N, "an array")?;
             let refused = |_| ImportError::io(path, std::io::ErrorKind::OutOfMemory.into());
             values.try_reserve(now).map_err(refused)?;
-            values.extend(bytes.as_chunks::<N>().0.iter().map(|&bytes| of(bytes)));
+            values.extend(bytes.as_chunks::<N>().0.iter().map(|&bytes| of(order.highest_first(bytes))));
             left -= now as u64;
         }
         Ok(values)
@@ -231,6 +266,9 @@ impl Reader<'_, '_> {
             9 => {
                 let depth = self.deeper(depth)?;
                 let [kind] = self.bytes()?;
+                if kind == 3 {
+                    return Ok(Tag::Ints(self.array(i32::from_be_bytes)?));
+                }
                 let count = self.count()?;
                 // A list of nothing may say that it is of kind 0, and takes no bytes however many there are.
                 let count = if kind == 0 { 0 } else { count };
@@ -329,10 +367,19 @@ mod tests {
             (Some(-2), Some(-32768), Some(0x7f << 56 | 1))
         );
         assert_eq!((found.bytes("a"), found.text("t")), (Some(&[5, 255][..]), Some("abc")));
-        assert_eq!(found.list("L"), Some(&[Tag::Whole(1), Tag::Whole(-1)][..]));
+        assert_eq!(found.ints("L"), Some(&[1, -1][..]));
         assert_eq!((found.list("e"), found.longs("q")), (Some(&[][..]), Some(&[1 << 63][..])));
         assert_eq!((found.get("i"), found.get("f")), (Some(&Tag::Ints(vec![9])), Some(&Tag::Real)));
         assert_eq!((found.whole("t"), found.get("nothing")), (None, None));
+    }
+
+    #[test]
+    fn tags_of_the_bedrock_edition_have_their_lowest_byte_first() {
+        let bytes = b"\x0a\0\0\x02\x01\0s\x02\x01\x0b\x01\0i\x01\0\0\0\x09\0\0\0\x08\x01\0t\x02\0ab\0";
+        let limits = Limits::default();
+        let mut input = Input::of_bytes(bytes, Path::new("a.mcstructure"), &limits).unwrap();
+        let found = read_in(Order::Little, &mut input, &limits).unwrap();
+        assert_eq!((found.whole("s"), found.ints("i"), found.text("t")), (Some(0x102), Some(&[9][..]), Some("ab")));
     }
 
     #[test]

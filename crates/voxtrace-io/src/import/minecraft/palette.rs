@@ -1,129 +1,78 @@
-//! The materials of a build: each look once, each name looked up once.
+//! The materials of a build: each look once.
 
-use super::blocks::{Block, Look, block};
-use super::nbt::{Compound, Tag};
-use crate::import::reader::{NotShown, Voxels};
+use super::blocks::Look;
 use rustc_hash::FxHashMap;
-use std::collections::BTreeSet;
 use voxtrace_scene::material::{MAX_MATERIALS, Material};
-use voxtrace_scene::scene::Scene;
 
-/// Names that a note about unknown blocks says.
-const NAMED: usize = 5;
+/// Looks that are kept as they are; colours of those that come after them are rounded to five bits a channel.
+const EXACT: usize = 32_767;
 
-/// A block of a file: its name without the game's namespace, and whether it is lit.
-pub(super) type State = (String, bool);
-
-#[derive(Default)]
 pub(super) struct Palette {
+    /// Voxels along an edge of a block.
+    edge: f32,
     materials: Vec<Material>,
     by_look: FxHashMap<Look, u16>,
-    by_state: FxHashMap<State, Option<u16>>,
-    unknown: BTreeSet<String>,
-    /// Entities that the files hold: mobs, minecarts, item frames.
-    pub entities: u64,
 }
 
 impl Palette {
-    /// The material of a block, `None` for what nobody sees.
-    pub fn material(&mut self, state: State) -> Option<u16> {
-        if let Some(&material) = self.by_state.get(&state) {
-            return material;
-        }
-        let look = match block(&state.0, state.1) {
-            Block::Unseen => None,
-            Block::Known(look) => Some(look),
-            Block::Unknown(look) => {
-                self.unknown.insert(state.0.clone());
-                Some(look)
-            }
-        };
-        let material = look.map(|look| self.material_of(look));
-        self.by_state.insert(state, material);
-        material
+    pub fn new(edge: usize) -> Self {
+        Self { edge: edge as f32, materials: Vec::new(), by_look: FxHashMap::default() }
     }
 
-    fn material_of(&mut self, look: Look) -> u16 {
-        let next = self.materials.len();
+    /// The material of a look.
+    pub fn material(&mut self, look: Look) -> u16 {
         if let Some(&material) = self.by_look.get(&look) {
             return material;
         }
+        let look = if self.materials.len() < EXACT { look } else { Look { color: rounded(look.color), ..look } };
+        if let Some(&material) = self.by_look.get(&look) {
+            return material;
+        }
+        let next = self.materials.len();
         if next >= MAX_MATERIALS {
-            // No build has so many names; what comes after them takes the last look.
+            // Rounded colours of five bits glow in few ways; what still comes after them takes the last look.
             return (next - 1) as u16;
         }
-        self.materials.push(look.material());
+        self.materials.push(look.material(self.edge));
         self.by_look.insert(look, next as u16);
         next as u16
     }
 
-    /// The scene with its materials, and a note about blocks whose names say nothing.
-    pub fn finish(self, mut scene: Scene) -> Voxels {
-        scene.materials = self.materials;
-        let mut notes = Vec::new();
-        if !self.unknown.is_empty() {
-            let names: Vec<&str> = self.unknown.iter().take(NAMED).map(String::as_str).collect();
-            let more = if self.unknown.len() > NAMED { ", …" } else { "" };
-            let count = self.unknown.len();
-            notes.push(format!(
-                "{count} kinds of blocks are unknown, their colours are made from their names: {}{more}",
-                names.join(", ")
-            ));
-        }
-        let mut parts = NotShown::default();
-        parts.count("entity", self.entities);
-        notes.extend(parts.note());
-        Voxels { scene, notes }
+    pub fn finish(self) -> Vec<Material> {
+        self.materials
     }
 }
 
-/// The state that a text says: `minecraft:furnace[facing=north,lit=true]`.
-pub(super) fn state_of_text(text: &str) -> State {
-    let (name, properties) = text.split_once('[').unwrap_or((text, ""));
-    let is_lit = properties.trim_end_matches(']').split(',').any(|property| property == "lit=true");
-    (without_namespace(name), is_lit)
-}
-
-/// The state that tags say: `Name`, and `Properties` with texts.
-pub(super) fn state_of_tags(tags: &Compound) -> State {
-    let properties = tags.compound("Properties");
-    let is_lit = properties.is_some_and(|properties| properties.text("lit") == Some("true"));
-    (without_namespace(tags.text("Name").unwrap_or("air")), is_lit)
-}
-
-/// The states of a list of tags.
-pub(super) fn states(list: &[Tag]) -> Vec<State> {
-    let state = |tag: &Tag| match tag {
-        Tag::Compound(tags) => state_of_tags(tags),
-        _ => ("air".into(), false),
-    };
-    list.iter().map(state).collect()
-}
-
-fn without_namespace(name: &str) -> String {
-    name.split_once(':').map_or(name, |(_, name)| name).to_owned()
+fn rounded(color: u32) -> u32 {
+    (color & 0xf8_f8_f8) | (color >> 5 & 0x07_07_07)
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::blocks::Kind;
     use super::*;
 
     #[test]
-    fn states_are_read_from_texts_and_looks_are_shared() {
-        assert_eq!(state_of_text("minecraft:furnace[facing=north,lit=true]"), ("furnace".into(), true));
-        assert_eq!(state_of_text("stone"), ("stone".into(), false));
-        assert_eq!(state_of_text("minecraft:candle[lit=false]"), ("candle".into(), false));
-        let mut palette = Palette::default();
-        let mut material = |text: &str| palette.material(state_of_text(text));
-        assert_eq!(material("minecraft:air"), None);
-        assert_eq!(material("minecraft:oak_stairs[facing=east]"), Some(0));
-        assert_eq!(material("minecraft:oak_slab"), Some(0));
-        assert_eq!(material("minecraft:stone"), Some(1));
-        assert_eq!(material("mod:zorb"), Some(2));
-        assert_eq!(material("minecraft:air[lit=true]"), None);
-        let voxels = palette.finish(Scene::new(""));
-        assert_eq!(voxels.scene.materials.len(), 3);
-        assert_eq!(voxels.notes.len(), 1);
-        assert!(voxels.notes[0].starts_with("1 kinds") && voxels.notes[0].ends_with("zorb"), "{:?}", voxels.notes);
+    fn water_is_as_clear_whatever_its_blocks_are_made_of() {
+        let material = |edge| {
+            let mut palette = Palette::new(edge);
+            palette.material(Look { color: 0x3f5fd0, kind: Kind::Water, light: 0 });
+            palette.finish()[0]
+        };
+        // Sixteen voxels take as much of the light as one did.
+        let (one, sixteen) = (material(1).absorption, material(16).absorption);
+        assert!((one - sixteen * 16.0).abs().max_element() < 1e-5 && one.max_element() > 0.0, "{one} {sixteen}");
+    }
+
+    #[test]
+    fn looks_are_shared_and_more_than_there_is_room_for_are_near_others() {
+        let mut palette = Palette::new(1);
+        let mut material = |color: u32, light: u8| palette.material(Look { color, kind: Kind::Plain, light });
+        assert_eq!([material(1, 0), material(2, 0), material(1, 0), material(1, 5)], [0, 1, 0, 2]);
+        for color in 0..120_000 {
+            material(color * 139, 0);
+        }
+        let materials = palette.finish();
+        assert!(materials.len() > EXACT && materials.len() <= MAX_MATERIALS, "{}", materials.len());
     }
 }

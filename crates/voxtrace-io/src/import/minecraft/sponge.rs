@@ -1,20 +1,17 @@
 //! Sponge's `.schem`, versions 1 to 3: a palette of texts, and for each block an index of as many bytes as it needs, seven bits
 //! in each.
 
+use super::build::Build;
 use super::nbt::{Compound, Tag};
-use super::palette::{Palette, state_of_text};
-use super::{Build, ImportError};
+use super::state::State;
+use super::voxels::Blocks;
 use voxtrace_scene::scene::Scene;
+use voxtrace_voxelize::ImportError;
 
 /// Most bytes of an index.
 const LONGEST: u32 = 5;
 
-pub(super) fn read(
-    build: &Build,
-    tags: &Compound,
-    palette: &mut Palette,
-    scene: &mut Scene,
-) -> Result<(), ImportError> {
+pub(super) fn read(build: &Build, tags: &Compound, kinds: &mut Blocks, scene: &mut Scene) -> Result<(), ImportError> {
     // Since version 3 a compound of its own holds them.
     let (names, data) = match tags.compound("Blocks") {
         Some(blocks) => (blocks.compound("Palette"), blocks.bytes("Data")),
@@ -25,7 +22,7 @@ pub(super) fn read(
     };
     let size = build.size(tags)?;
     let count: usize = size.iter().product();
-    let mut materials = Vec::new();
+    let mut numbers = Vec::new();
     for (name, index) in names.entries() {
         let index = match index {
             Tag::Whole(index) => usize::try_from(*index).ok(),
@@ -35,10 +32,10 @@ pub(super) fn read(
         let most = 4 * names.entries().count() + 4096;
         let index = index.filter(|&index| index < most);
         let index = index.ok_or_else(|| build.malformed(format!("an impossible index of {name:?}")))?;
-        if materials.len() <= index {
-            materials.resize(index + 1, None);
+        if numbers.len() <= index {
+            numbers.resize(index + 1, None);
         }
-        materials[index] = Some(palette.material(state_of_text(name)));
+        numbers[index] = Some(kinds.number(State::of_text(name)));
     }
     let mut blocks = Vec::new();
     let mut bytes = data.iter();
@@ -57,11 +54,9 @@ pub(super) fn read(
                 return Err(build.malformed("an index of more than five bytes"));
             }
         }
-        let material = usize::try_from(index).ok().and_then(|index| *materials.get(index)?);
-        let material = material.ok_or_else(|| build.malformed(format!("the index {index} is not in the palette")))?;
-        // No material has the highest number.
-        blocks.push(material.unwrap_or(u16::MAX));
+        let number = usize::try_from(index).ok().and_then(|index| *numbers.get(index)?);
+        blocks.push(number.ok_or_else(|| build.malformed(format!("the index {index} is not in the palette")))?);
     }
-    build.add(scene, size, |place| Some(blocks[place]).filter(|&material| material != u16::MAX))?;
+    build.add(kinds, scene, size, |place| blocks[place])?;
     Ok(())
 }

@@ -1,23 +1,24 @@
 //! The folder of a world: all its regions in one scene.
 
-use super::palette::Palette;
+use super::build::{self, is_damage};
 use super::region;
-use crate::import::reader::Voxels;
+use crate::import::reader::{ImportOptions, Voxels};
 use crate::import::source::folder::Folder;
 use crate::import::source::input::Input;
 use glam::IVec2;
 use std::path::{Path, PathBuf};
 use voxtrace_scene::scene::Scene;
 use voxtrace_scene::transform::Transform;
-use voxtrace_voxelize::{ImportError, ImportErrorKind, Limits};
+use voxtrace_voxelize::{ImportError, ImportErrorKind};
 
 /// Most regions that a world may reach along x or z: 2¹⁹ blocks.
 const FARTHEST: i32 = 1023;
 
-/// Where a region lies by its file's name, `r.X.Z.mca`: (x, z) in regions.
+/// Where a region lies by its file's name, `r.X.Z.mca` (`.mcr` before 1.2): (x, z) in regions.
 pub(super) fn place_of(path: &Path) -> Option<IVec2> {
     let name = path.file_name()?.to_str()?;
-    let (x, z) = name.strip_prefix("r.")?.strip_suffix(".mca")?.split_once('.')?;
+    let name = name.strip_prefix("r.")?;
+    let (x, z) = name.strip_suffix(".mca").or_else(|| name.strip_suffix(".mcr"))?.split_once('.')?;
     let place = IVec2::new(x.parse().ok()?, z.parse().ok()?);
     // A world ends at 30 million blocks.
     let end = IVec2::splat(60_000);
@@ -40,12 +41,17 @@ fn regions(folder: &Path) -> std::io::Result<Vec<(IVec2, PathBuf)>> {
             found.push((place, path));
         }
     }
+    // A world that was brought to 1.2 keeps its old files beside the new ones.
+    if found.iter().any(|(_, path)| path.extension().is_some_and(|extension| extension == "mca")) {
+        found.retain(|(_, path)| path.extension().is_some_and(|extension| extension == "mca"));
+    }
     found.sort_by_key(|(place, _)| (place.y, place.x));
     Ok(found)
 }
 
 /// Reads all regions of a world's folder.
-pub(super) fn read_world(folder: &Path, limits: &Limits) -> Result<Voxels, ImportError> {
+pub(super) fn read_world(folder: &Path, options: &ImportOptions) -> Result<Voxels, ImportError> {
+    let limits = &options.limits;
     let regions = regions(folder).map_err(|error| ImportError::io(folder, error))?;
     let places = || regions.iter().map(|(place, _)| *place);
     let (Some(min), Some(max)) = (places().reduce(IVec2::min), places().reduce(IVec2::max)) else {
@@ -56,11 +62,17 @@ pub(super) fn read_world(folder: &Path, limits: &Limits) -> Result<Voxels, Impor
         let far = u64::from((max - min).max_element().unsigned_abs());
         return Err(ImportError::limit(folder, None, "regions along an axis", far + 1, FARTHEST as u64 + 1));
     }
-    let (mut scene, mut palette) = (Scene::new(""), Palette::default());
-    let mut count = 0;
+    let (mut scene, mut blocks) = (Scene::new(""), build::blocks(options)?);
+    let (mut count, mut faults) = (0, Vec::new());
     for (place, path) in &regions {
         let input = Input::open(path, limits)?;
-        let grid = region::read(input, &Folder::of(path, limits), limits, *place, min, &mut palette)?;
+        let grid = match region::read(input, &Folder::of(path, limits), options, *place, min, &mut blocks) {
+            Err(error) if is_damage(&error) && !options.strict => {
+                faults.push(error);
+                continue;
+            }
+            other => other?,
+        };
         count += grid.count();
         if count > limits.voxels {
             return Err(ImportError::limit(path, None, "voxels", count, limits.voxels));
@@ -69,7 +81,14 @@ pub(super) fn read_world(folder: &Path, limits: &Limits) -> Result<Voxels, Impor
             scene.add_instance(grid, Transform::IDENTITY);
         }
     }
-    Ok(palette.finish(scene))
+    let left_out = faults.len();
+    if let Some(fault) = faults.into_iter().next() {
+        if left_out == regions.len() {
+            return Err(fault);
+        }
+        blocks.notes.push(format!("{left_out} of the {} regions are left out: {fault}", regions.len()));
+    }
+    Ok(blocks.finish(scene))
 }
 
 #[cfg(test)]
@@ -80,7 +99,8 @@ mod tests {
     fn a_region_is_placed_by_its_name() {
         let place = |name: &str| place_of(Path::new(name)).map(|place| place.to_array());
         assert_eq!(place("world/region/r.-3.12.mca"), Some([-3, 12]));
-        for other in ["r.1.mca", "r.1.2.mcr", "x.1.2.mca", "r.1.2.3.mca", "r.99999999.0.mca"] {
+        assert_eq!(place("r.0.-1.mcr"), Some([0, -1]));
+        for other in ["r.1.mca", "r.1.2.mcx", "x.1.2.mca", "r.1.2.3.mca", "r.99999999.0.mca"] {
             assert_eq!(place(other), None, "{other}");
         }
     }

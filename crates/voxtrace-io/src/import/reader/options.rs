@@ -24,6 +24,8 @@ pub struct ImportOptions {
     pub points: PointFilter,
     /// How heightmaps become voxels.
     pub heights: HeightOptions,
+    /// How blocks of Minecraft become voxels.
+    pub blocks: BlockOptions,
     /// How volumes become voxels.
     pub volume: VolumeOptions,
     /// Number of the DICOM series that is read where a folder holds several; `None` takes the one with the most pictures.
@@ -39,6 +41,51 @@ pub struct ImportOptions {
     pub raw: Option<RawShape>,
     /// Whether voxtrace's own files are read into memory instead of mapped, so that other programs may change them meanwhile.
     pub in_memory: bool,
+    /// Whether a file of which a part is damaged is refused. Else what is whole of it is read, and a note says what is left out.
+    pub strict: bool,
+}
+
+/// How blocks of Minecraft become voxels.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BlockOptions {
+    /// Voxels along an edge of a block.
+    pub size: BlockSize,
+    /// A resource pack of the game's Java edition, a folder or a ZIP file, whose pictures colour the blocks.
+    pub resource_pack: Option<PathBuf>,
+    /// Keep only voxels that have an empty or clear neighbour of six, where blocks are more than one voxel.
+    pub shell: bool,
+}
+
+impl Default for BlockOptions {
+    fn default() -> Self {
+        Self { size: BlockSize::default(), resource_pack: None, shell: true }
+    }
+}
+
+/// Voxels along an edge of a block: one, or so many that blocks have their shapes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub enum BlockSize {
+    /// Each block is one voxel, whatever its shape.
+    #[default]
+    One,
+    /// Half a block is the smallest that is told apart.
+    Two,
+    /// A quarter of a block.
+    Four,
+    /// An eighth of a block.
+    Eight,
+    /// What the game's own models and pictures are made of.
+    Sixteen,
+}
+
+impl BlockSize {
+    /// All of them.
+    pub const ALL: [Self; 5] = [Self::One, Self::Two, Self::Four, Self::Eight, Self::Sixteen];
+
+    /// Voxels along an edge.
+    pub fn edge(self) -> usize {
+        1 << self as usize
+    }
 }
 
 /// How a heightmap becomes voxels.

@@ -127,6 +127,43 @@ fn schem(version: i32) -> Vec<u8> {
     compound("", &[compound("Schematic", &[head, blocks])])
 }
 
+/// A schematic of any blocks: `at` says the index into the names of a place.
+pub fn schem_of(size: [usize; 3], names: &[&str], at: impl Fn(usize, usize, usize) -> usize) -> Vec<u8> {
+    let [width, height, length] = size;
+    let mut data = Vec::new();
+    for (y, z, x) in (0..height).flat_map(|y| (0..length).flat_map(move |z| (0..width).map(move |x| (y, z, x)))) {
+        let mut index = at(x, y, z);
+        while index > 127 {
+            data.push(index as u8 | 128);
+            index >>= 7;
+        }
+        data.push(index as u8);
+    }
+    let names: Vec<Vec<u8>> = names.iter().enumerate().map(|(index, name)| int(name, index as i32)).collect();
+    let sizes = [short("Width", width), short("Height", height), short("Length", length)].concat();
+    compound("Schematic", &[int("Version", 2), sizes, compound("Palette", &names), bytes("BlockData", &data)])
+}
+
+/// A region with chunks of the newest kind beside each other from (0, 0) on; those that are named are damaged in their compressed bytes.
+pub fn region_of(count: usize, damaged: &[usize]) -> Vec<u8> {
+    let mut file = vec![0; 8192];
+    for chunk in 0..count {
+        let mut packed = zlib(&chunk_1_18());
+        if damaged.contains(&chunk) {
+            let middle = packed.len() / 2;
+            packed[middle] ^= 0x5a;
+        }
+        let sectors = (packed.len() + 5).div_ceil(4096);
+        let place = file.len() / 4096;
+        file[4 * chunk..4 * chunk + 4].copy_from_slice(&[0, 0, place as u8, sectors as u8]);
+        file.extend((packed.len() as u32 + 1).to_be_bytes());
+        file.push(2);
+        file.extend(packed);
+        file.resize((place + sectors) * 4096, 0);
+    }
+    file
+}
+
 fn vector(name: &str, [x, y, z]: [i32; 3]) -> Vec<u8> {
     compound(name, &[int("x", x), int("y", y), int("z", z)])
 }
@@ -197,6 +234,65 @@ fn chunk_1_12() -> Vec<u8> {
     compound("", &[compound("Level", &[list("Sections", 10, &[section])])])
 }
 
+/// Before 1.2: a column of 128 blocks for each x and z, y fastest.
+fn chunk_1_1() -> Vec<u8> {
+    let mut numbers = vec![0u8; 16 * 16 * 128];
+    let mut data = vec![0u8; numbers.len() / 2];
+    for (place, state) in section().into_iter().enumerate() {
+        let at = (place % 16 * 16 + place / 16 % 16) * 128 + place / 256;
+        numbers[at] = STATES[state].1;
+        data[at / 2] |= STATES[state].2 << (at % 2 * 4);
+    }
+    compound("", &[compound("Level", &[int("xPos", 2), bytes("Blocks", &numbers), bytes("Data", &data)])])
+}
+
+/// What a structure block saves: a list of the blocks that are there.
+fn structure() -> Vec<u8> {
+    let ints = |values: [usize; 3]| values.map(|value| (value as i32).to_be_bytes()).concat();
+    let mut items = Vec::new();
+    for (place, state) in blocks().into_iter().enumerate().filter(|(_, state)| *state > 0) {
+        let [x, z, y] = [place % SIZE[0], place / SIZE[0] % SIZE[2], place / (SIZE[0] * SIZE[2])];
+        let at = named(9, "pos", [&[3, 0, 0, 0, 3][..], &ints([x, y, z])].concat());
+        items.push([at, int("state", state as i32), vec![0]].concat());
+    }
+    let size = named(9, "size", [&[3, 0, 0, 0, 3][..], &ints(SIZE)].concat());
+    compound("", &[size, list("entities", 10, &[]), palette_list("palette"), list("blocks", 10, &items)])
+}
+
+/// What a structure block of the Bedrock edition saves: the lowest byte first, z fastest, then y, then x.
+fn bedrock() -> Vec<u8> {
+    let named = |kind: u8, name: &str, payload: Vec<u8>| {
+        [&[kind][..], &(name.len() as u16).to_le_bytes(), name.as_bytes(), &payload].concat()
+    };
+    let compound = |name: &str, entries: &[Vec<u8>]| named(10, name, [entries.concat(), vec![0]].concat());
+    let text =
+        |name: &str, value: &str| named(8, name, [&(value.len() as u16).to_le_bytes()[..], value.as_bytes()].concat());
+    let ints = |values: &[i32]| {
+        let numbers: Vec<u8> = values.iter().flat_map(|value| value.to_le_bytes()).collect();
+        [&[3][..], &(values.len() as i32).to_le_bytes(), &numbers].concat()
+    };
+    let items =
+        |kind: u8, items: &[Vec<u8>]| [&[kind][..], &(items.len() as i32).to_le_bytes(), &items.concat()].concat();
+    let entry = |name: &str| {
+        // As of old: a block and its kind.
+        let (name, key, kind) = match name {
+            "minecraft:red_wool" => ("minecraft:wool", "color", "red"),
+            "minecraft:oak_planks" => ("minecraft:planks", "wood_type", "oak"),
+            name => (name, "pillar_axis", "y"),
+        };
+        [text("name", name), compound("states", &[text(key, kind)]), vec![0]].concat()
+    };
+    let palette: Vec<Vec<u8>> = STATES.iter().map(|(name, ..)| entry(name)).collect();
+    let [width, height, length] = SIZE;
+    let places = (0..width).flat_map(|x| (0..height).flat_map(move |y| (0..length).map(move |z| (x, y, z))));
+    let indices: Vec<i32> = places.map(|(x, y, z)| block_at(x, y, z) as i32).collect();
+    let layers = items(9, &[ints(&indices), ints(&vec![-1; indices.len()])]);
+    let palette = compound("palette", &[compound("default", &[named(9, "block_palette", items(10, &palette))])]);
+    let structure = compound("structure", &[named(9, "block_indices", layers), palette]);
+    let version = named(3, "format_version", 1i32.to_le_bytes().to_vec());
+    compound("", &[version, named(9, "size", ints(&SIZE.map(|edge| edge as i32))), structure])
+}
+
 /// LZ4 as lz4-java frames it, with literals alone.
 fn lz4(bytes: &[u8]) -> Vec<u8> {
     let mut block = vec![0xf0];
@@ -226,7 +322,25 @@ pub fn minecraft() -> Vec<(&'static str, Vec<u8>)> {
         ("lz4.mca", region(4, &lz4(&chunk_1_18()))),
         ("gzip.mca", region(1, &gzip(&chunk_1_13()))),
         ("raw.mca", region(3, &chunk_1_12())),
+        ("old.mcr", region(2, &zlib(&chunk_1_1()))),
+        ("structure.nbt", gzip(&structure())),
+        ("bedrock.mcstructure", bedrock()),
     ]
+}
+
+/// Blocks whose shapes come from their states or from their neighbours, for the corpus.
+pub fn shaped() -> Vec<(&'static str, Vec<u8>)> {
+    let names = [
+        "minecraft:air",
+        "minecraft:oak_stairs[facing=east,half=top]",
+        "minecraft:oak_fence",
+        "minecraft:glass_pane",
+        "minecraft:oak_door[facing=west,half=lower]",
+        "minecraft:water[level=3]",
+        "minecraft:candle[candles=3,lit=true,waterlogged=true]",
+        "minecraft:wheat[age=5]",
+    ];
+    vec![("shapes.schem", gzip(&schem_of([4, 3, 3], &names, |x, y, z| (x * 5 + y * 3 + z * 2) % 8)))]
 }
 
 /// Colours of the states in the other formats.

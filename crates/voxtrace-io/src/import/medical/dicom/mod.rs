@@ -37,7 +37,7 @@ pub(crate) const READER: Reader = Reader::new(
     Kind::Volume,
     &["dcm"],
     "DICOM, or name the folder of a series, one above it, or a DICOMDIR",
-    |source, options| Ok(series::read(source, options.series, &options.limits)?.into()),
+    |source, options| Ok(series::read(source, options)?.into()),
 )
 .with_magic(&[MAGIC])
 .with_folders(series::is_in);

@@ -4,7 +4,7 @@ use super::elements::File;
 use super::pixels::Layout;
 use super::tag;
 use super::{MAGIC, READER, directions, slices, volume};
-use crate::import::reader::{FolderClues, clues};
+use crate::import::reader::{FolderClues, ImportOptions, clues};
 use crate::import::samples::checked_size;
 use crate::import::source::Source;
 use crate::import::source::input::Input;
@@ -71,10 +71,11 @@ fn is_dicom(path: &Path, limits: &Limits) -> Result<bool, ImportError> {
 }
 
 /// Reads a folder, a file with the series that it belongs to, or the files that a directory of a medium names.
-pub(super) fn read(source: Source, number: Option<i64>, limits: &Limits) -> Result<Volume, ImportError> {
+pub(super) fn read(source: Source, options: &ImportOptions) -> Result<Volume, ImportError> {
+    let (number, limits) = (options.series, &options.limits);
     let path = source.path();
     if source.is_folder() {
-        return read_series(path, listing::files_below(path, limits)?, None, number, limits);
+        return read_series(path, listing::files_below(path, limits)?, None, options);
     }
     let is_alone = source.is_in_memory();
     let (input, _) = source.into_input()?;
@@ -82,14 +83,14 @@ pub(super) fn read(source: Source, number: Option<i64>, limits: &Limits) -> Resu
     let file = File::read(input, limits, false)?;
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     if !file.referenced.is_empty() {
-        return read_series(path, named_by(path, folder, &file)?, None, number, limits);
+        return read_series(path, named_by(path, folder, &file)?, None, options);
     }
     let layout = Layout::of(path, &file, limits)?;
     if layout.frames > 1 || file.main.text(tag::SERIES).is_none() {
         again.rewind().map_err(|error| ImportError::io(path, error))?;
         return super::read(Input::of_file(again, path, limits)?, number, limits);
     }
-    read_series(path, listing::files(folder, limits)?, Some(&Key::of(&file, &layout)), number, limits)
+    read_series(path, listing::files(folder, limits)?, Some(&Key::of(&file, &layout)), options)
 }
 
 /// The files of a directory that are there, below its folder and in either case: media have capitals, and copies of them may not.
@@ -119,9 +120,9 @@ fn read_series(
     path: &Path,
     files: Vec<PathBuf>,
     wanted: Option<&Key>,
-    number: Option<i64>,
-    limits: &Limits,
+    options: &ImportOptions,
 ) -> Result<Volume, ImportError> {
+    let (number, limits) = (options.series, &options.limits);
     let is_directory = |path: &PathBuf| path.file_name().is_some_and(|name| name.eq_ignore_ascii_case(DIRECTORY));
     let files = files.into_par_iter().filter(|path| !is_directory(path));
     let heads: Vec<_> = files.map(|path| (head(&path, limits), path)).collect();
@@ -136,6 +137,8 @@ fn read_series(
                 stack.number = file.main.decimal(tag::SERIES_NUMBER).map(|number| number as i64);
                 stack.description = file.main.text(tag::SERIES_DESCRIPTION).unwrap_or_default().to_owned();
             }
+            // Other files may lie beside a series; one that begins as a picture of it is damaged.
+            Err(error) if options.strict && wanted.is_none() && is_picture(&path, limits) => return Err(error),
             Err(error) => {
                 others += 1;
                 fault.get_or_insert(error);
@@ -166,7 +169,7 @@ fn read_series(
             (None, _) => ImportError::malformed(path, 0, "a folder without DICOM pictures"),
         });
     };
-    let mut volume = read_stack(&stack, wanted.map(|_| path), limits)?;
+    let mut volume = read_stack(&stack, wanted.map(|_| path), options)?;
     if wanted.is_none() && !left_out.is_empty() {
         let (chosen, rest) = (stack.name(), left_out.join(", "));
         volume.notes.push(format!("series {chosen} is read; --series chooses another: {rest}"));
@@ -196,8 +199,16 @@ impl Key {
     }
 }
 
-/// Reads the files of a stack. Those that are not whole are left out, and a note says so; but for `asked`, the file that was named.
-fn read_stack(stack: &Stack, asked: Option<&Path>, limits: &Limits) -> Result<Volume, ImportError> {
+/// Whether a file begins as those of the format do.
+fn is_picture(path: &Path, limits: &Limits) -> bool {
+    let head = Input::open(path, limits).and_then(|mut input| Ok(MAGIC.is_in(input.peek(clues::HEAD)?)));
+    head.unwrap_or(false)
+}
+
+/// Reads the files of a stack. Those that are not whole are left out, and a note says so; but for `asked`, the file that was named, and
+/// unless all have to be whole.
+fn read_stack(stack: &Stack, asked: Option<&Path>, options: &ImportOptions) -> Result<Volume, ImportError> {
+    let limits = &options.limits;
     let first_path = &stack.files[0];
     let first = File::read(Input::open(first_path, limits)?, limits, false)?;
     let layout = Layout::of(first_path, &first, limits)?;
@@ -213,6 +224,7 @@ fn read_stack(stack: &Stack, asked: Option<&Path>, limits: &Limits) -> Result<Vo
     for (part, path) in parts.into_iter().zip(&stack.files) {
         match part {
             Ok(slices) => whole.extend(slices),
+            Err(error) if options.strict => return Err(error),
             Err(error) if asked.is_some_and(|asked| asked.file_name() == path.file_name()) => return Err(error),
             Err(error) => faults.push(error),
         }
