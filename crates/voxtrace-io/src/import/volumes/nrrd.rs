@@ -56,7 +56,7 @@ fn stored<'a>(mut input: Input<'a>, folder: &Folder, options: &ImportOptions) ->
     let layout = Layout { sample, big_endian: header.big_endian, size, components, rescale: (1.0, 0.0) };
 
     let samples = Samples::of(&header, product(sizes).saturating_mul(sample.size() as u64));
-    let samples = samples.map_err(|what| unsupported(what.into()))?;
+    let samples = samples.map_err(unsupported)?;
     let files = header.files.names(limits).map_err(malformed)?;
     let mut own = path.to_path_buf();
     let (mut input, start) = match &files[..] {
