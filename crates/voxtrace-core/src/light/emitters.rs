@@ -88,16 +88,16 @@ fn importance_of_all(scene: &PackedScene, receiver: &Receiver) -> f32 {
 
 /// A way down the trees.
 #[derive(Clone, Copy)]
-struct Descent {
-    node: u32,
+pub(super) struct Descent {
+    pub node: u32,
     /// Inner node: its right child. Leaf: the first of `count` emitters, or the instance.
-    index: u32,
-    count: u32,
+    pub index: u32,
+    pub count: u32,
     /// The probability of the way is the quotient of these two.
-    weight: f32,
-    total: f32,
+    pub weight: f32,
+    pub total: f32,
     /// What is left of the random number, times `weight`.
-    choice: f32,
+    pub choice: f32,
 }
 
 impl Descent {
@@ -156,7 +156,8 @@ fn climb(nodes: &[LightNode], receiver: &Receiver, start: u32, mut descent: Desc
 }
 
 /// The receiver in the grid space of an instance.
-fn in_grid(instance: &PackedInstance, receiver: &Receiver) -> Receiver {
+#[inline]
+pub(super) fn in_grid(instance: &PackedInstance, receiver: &Receiver) -> Receiver {
     let point = instance.grid_from_world.point(receiver.point);
     if receiver.slack > 0.0 {
         return Receiver { point, ..*receiver };
@@ -180,16 +181,31 @@ fn sample_emitter(scene: &PackedScene, intensity: f32, receiver: &Receiver, u: [
     let emitters = emitters_of(geometry, &leaf);
     let sum: f32 = emitters.iter().fold(0.0, |sum, emitter| sum + sum_of(face_importances(emitter, &local)));
     let (emitter, axis, importance) = choose_face(emitters, &local, u[1] * sum)?;
+    let emitter_tree = EmitterTree { scene, intensity };
+    emitter_sample(&emitter_tree, receiver, (above.index, local.point), leaf, (emitter, axis, importance, sum), u)
+}
 
+/// Chooses a point of a face by `u[2]` and `u[3]`: of an emitter of the leaf that was come to, which is one of an instance, for the receiver, whose point is
+/// also that in the space of the grid. The face has this axis and this importance of the leaf's sum.
+#[inline]
+pub(super) fn emitter_sample(
+    tree: &EmitterTree,
+    receiver: &Receiver,
+    (instance, point): (u32, Vec3),
+    leaf: Descent,
+    (emitter, axis, importance, sum): (&Emitter, usize, f32, f32),
+    u: [f32; 4],
+) -> Option<LightSample> {
+    let (geometry, instance) = (&*tree.scene.geometry, &tree.scene.placement.instances[instance as usize]);
     let low = emitter.voxel.as_vec3();
-    let face = FACES[2 * axis + usize::from(low[axis] + 0.5 < local.point[axis])];
+    let face = FACES[2 * axis + usize::from(low[axis] + 0.5 < point[axis])];
     let on_face = point_of_face(low, face, u[2], u[3]);
-    let pdf = density(leaf, (importance, sum), on_face - local.point, face)?;
+    let pdf = density(leaf, (importance, sum), on_face - point, face)?;
     let target = instance.world_from_grid.point(offset_ray_origin(instance, low, face, on_face));
     let direction = target - receiver.point;
     let cos_theta = receiver.normal.dot(direction) / direction.length_squared().sqrt() + receiver.slack;
     let ray = Ray { t_max: 1.0, ..Ray::new(receiver.point, direction) };
-    let radiance = geometry.materials[emitter.material as usize].surface_emission() * intensity;
+    let radiance = geometry.materials[emitter.material as usize].surface_emission() * tree.intensity;
     (cos_theta > 0.0).then_some(LightSample { ray, cos_theta, radiance, pdf })
 }
 

@@ -241,4 +241,45 @@ impl Simd for Avx2 {
     fn bits_of(self, a: [__m256; 2]) -> [__m256i; 2] {
         halves!(a => _mm256_castps_si256(a))
     }
+    #[inline(always)]
+    fn floats_of(self, a: [__m256i; 2]) -> [__m256; 2] {
+        halves!(a => _mm256_castsi256_ps(a))
+    }
+    #[inline(always)]
+    fn max(self, a: [__m256; 2], b: [__m256; 2]) -> [__m256; 2] {
+        halves!(a, b => _mm256_max_ps(a, b))
+    }
+    #[inline(always)]
+    unsafe fn gather_rows(self, row: [__m256i; 2], rows: &[[u32; 4]]) -> [[__m256i; 2]; 4] {
+        let mut numbers = [0; LANES];
+        self.store(&mut numbers, row);
+        super::check_rows(&numbers, rows);
+        // Rows i and i + 4 of a half side by side, so that a transposition within quarters leaves them in order.
+        let mut words = [[self.ints(0)[0]; 2]; 4];
+        for half in 0..2 {
+            let mut pairs = [self.floats(0.0)[0]; 4];
+            for i in 0..4 {
+                let (near, far) = (numbers[8 * half + i], numbers[8 * half + i + 4]);
+                // SAFETY: as in `halves`; that the rows are there is the caller's duty.
+                pairs[i] = unsafe {
+                    let at = rows.as_ptr().cast::<[f32; 4]>();
+                    let near = _mm256_castps128_ps256(_mm_loadu_ps(at.add(near as u32 as usize).cast()));
+                    _mm256_insertf128_ps::<1>(near, _mm_loadu_ps(at.add(far as u32 as usize).cast()))
+                };
+            }
+            let [a, b, c, d] = pairs;
+            // SAFETY: as in `halves`.
+            unsafe {
+                let low = _mm256_castps_pd(_mm256_unpacklo_ps(a, b));
+                let next_low = _mm256_castps_pd(_mm256_unpacklo_ps(c, d));
+                let high = _mm256_castps_pd(_mm256_unpackhi_ps(a, b));
+                let next_high = _mm256_castps_pd(_mm256_unpackhi_ps(c, d));
+                words[0][half] = _mm256_castpd_si256(_mm256_unpacklo_pd(low, next_low));
+                words[1][half] = _mm256_castpd_si256(_mm256_unpackhi_pd(low, next_low));
+                words[2][half] = _mm256_castpd_si256(_mm256_unpacklo_pd(high, next_high));
+                words[3][half] = _mm256_castpd_si256(_mm256_unpackhi_pd(high, next_high));
+            }
+        }
+        words
+    }
 }

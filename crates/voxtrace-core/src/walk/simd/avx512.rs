@@ -209,6 +209,43 @@ impl Simd for Avx512 {
         have!(_mm512_castps_si512(a))
     }
     #[inline(always)]
+    fn floats_of(self, a: __m512i) -> __m512 {
+        have!(_mm512_castsi512_ps(a))
+    }
+    #[inline(always)]
+    fn max(self, a: __m512, b: __m512) -> __m512 {
+        have!(_mm512_max_ps(a, b))
+    }
+    #[inline(always)]
+    unsafe fn gather_rows(self, row: __m512i, rows: &[[u32; 4]]) -> [__m512i; 4] {
+        let mut numbers = [0; LANES];
+        self.store(&mut numbers, row);
+        super::check_rows(&numbers, rows);
+        // Rows i, i + 4, i + 8 and i + 12 side by side, so that a transposition within quarters leaves them in order.
+        let mut four = [self.floats(0.0); 4];
+        for i in 0..4 {
+            // SAFETY: as in `have`; that the rows are there is the caller's duty.
+            four[i] = unsafe {
+                let at = rows.as_ptr().cast::<[f32; 4]>();
+                let vector = _mm512_castps128_ps512(_mm_loadu_ps(at.add(numbers[i] as u32 as usize).cast()));
+                let vector = _mm512_insertf32x4::<1>(vector, _mm_loadu_ps(at.add(numbers[i + 4] as u32 as usize).cast()));
+                let vector = _mm512_insertf32x4::<2>(vector, _mm_loadu_ps(at.add(numbers[i + 8] as u32 as usize).cast()));
+                _mm512_insertf32x4::<3>(vector, _mm_loadu_ps(at.add(numbers[i + 12] as u32 as usize).cast()))
+            };
+        }
+        let [a, b, c, d] = four;
+        have! {
+            let (low, next_low) = (_mm512_castps_pd(_mm512_unpacklo_ps(a, b)), _mm512_castps_pd(_mm512_unpacklo_ps(c, d)));
+            let (high, next_high) = (_mm512_castps_pd(_mm512_unpackhi_ps(a, b)), _mm512_castps_pd(_mm512_unpackhi_ps(c, d)));
+            [
+                _mm512_castpd_si512(_mm512_unpacklo_pd(low, next_low)),
+                _mm512_castpd_si512(_mm512_unpackhi_pd(low, next_low)),
+                _mm512_castpd_si512(_mm512_unpacklo_pd(high, next_high)),
+                _mm512_castpd_si512(_mm512_unpackhi_pd(high, next_high)),
+            ]
+        }
+    }
+    #[inline(always)]
     fn expand(self, lanes: &mut [i32; LANES], bits: Bits, values: &[i32; LANES]) {
         let filled = have!(_mm512_mask_expand_epi32(self.load(lanes), bits, self.load(values)));
         self.store(lanes, filled);

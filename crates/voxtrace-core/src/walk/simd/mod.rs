@@ -132,8 +132,39 @@ pub trait Simd: Copy {
     fn any(self, mask: Self::Mask) -> bool;
     /// The bits of floats.
     fn bits_of(self, a: Self::Floats) -> Self::Ints;
+    /// The floats of bits.
+    fn floats_of(self, a: Self::Ints) -> Self::Floats;
     /// `yes` in the lanes of a mask, `no` in the rest.
     fn select(self, mask: Self::Mask, yes: Self::Ints, no: Self::Ints) -> Self::Ints;
+
+    /// `yes` in the lanes of a mask, `no` in the rest.
+    #[inline(always)]
+    fn select_floats(self, mask: Self::Mask, yes: Self::Floats, no: Self::Floats) -> Self::Floats {
+        self.floats_of(self.select(mask, self.bits_of(yes), self.bits_of(no)))
+    }
+
+    /// The greater one; b where one is no number.
+    #[inline(always)]
+    fn max(self, a: Self::Floats, b: Self::Floats) -> Self::Floats {
+        self.select_floats(self.lt_floats(b, a), a, b)
+    }
+
+    /// The four words of the row of each lane, one vector for each.
+    ///
+    /// # Safety
+    /// The numbers of rows, of all lanes, must lie inside `rows`.
+    #[inline(always)]
+    unsafe fn gather_rows(self, row: Self::Ints, rows: &[[u32; 4]]) -> [Self::Ints; 4] {
+        let mut numbers = [0; LANES];
+        self.store(&mut numbers, row);
+        let mut words = [[0; LANES]; 4];
+        for (lane, number) in numbers.into_iter().enumerate() {
+            for (word, value) in words.iter_mut().zip(rows[number as usize]) {
+                word[lane] = value as i32;
+            }
+        }
+        [self.load(&words[0]), self.load(&words[1]), self.load(&words[2]), self.load(&words[3])]
+    }
 
     /// Puts the first values, in order, into the lanes of `bits`.
     #[inline(always)]
@@ -198,6 +229,15 @@ unsafe fn read_each(indices: &[i32; LANES], words: &[u32]) -> [i32; LANES] {
     }
     // SAFETY: the caller's duty.
     indices.map(|index| unsafe { *words.get_unchecked(index as usize) } as i32)
+}
+
+/// Where debug assertions are on: whether all numbers of rows lie inside `rows`.
+#[cfg(target_arch = "x86_64")]
+#[inline(always)]
+fn check_rows(numbers: &[i32; LANES], rows: &[[u32; 4]]) {
+    if cfg!(debug_assertions) {
+        assert!(numbers.iter().all(|&number| (number as u32 as usize) < rows.len()), "a row lies outside of its array");
+    }
 }
 
 /// Where debug assertions are on: whether the indices of the lanes of `mask` lie inside `words`. Sanitizers do not see what a gather reads.

@@ -1,0 +1,124 @@
+//! Sixteen ways down a tree of lights at once: as one comes to a leaf, another one begins in its lane.
+
+use super::kernel::{Nodes, Receivers, to_array, weights_of};
+use super::ways::{CHOICE, COUNT, INDEX, INTEGERS, NODE, TOTAL, WEIGHT, Ways, window};
+use crate::packed::LightNode;
+use crate::walk::simd::{Bits, LANES, Simd, lanes_of};
+
+/// Lanes that are free before others are put there: a vector's worth of work for each.
+const FREE: u32 = 4;
+/// Quantities that lanes need: the floats up to the choice.
+const NEEDED: usize = CHOICE + 1;
+
+/// Sixteen ways, one array for each quantity.
+struct Lanes {
+    floats: [[f32; LANES]; NEEDED],
+    /// As [`Ways::integers`], with the number of the way in place of the count.
+    integers: [[i32; LANES]; INTEGERS],
+    active: Bits,
+}
+
+/// Node and index of lanes without a way: both children are the first node.
+const IDLE: [i32; 2] = [-1, 0];
+/// Place of the number of a lane's way.
+const WAY: usize = COUNT;
+
+/// Takes all ways that stand at inner nodes to leaves, as [`super::super::emitters::descend`] does without a voxel. Those that lead nowhere then have a count of 0.
+///
+/// # Safety
+/// The ways must stand at nodes of the tree, which must be valid.
+#[inline(always)]
+pub unsafe fn descend<S: Simd>(s: S, nodes: &[LightNode], ways: &mut Ways) {
+    let rows: &[[u32; 4]] = bytemuck::cast_slice(nodes);
+    let mut lanes = Lanes { floats: [[0.0; LANES]; NEEDED], integers: [[0; LANES]; INTEGERS], active: 0 };
+    let mut next = 0;
+    loop {
+        if lanes.active.count_ones() + FREE <= LANES as u32 && next < ways.count {
+            fill(s, &mut lanes, ways, &mut next);
+        }
+        if lanes.active == 0 {
+            return;
+        }
+        // SAFETY: the caller's duty; every child of an inner node is a node.
+        let step = unsafe { step(s, rows, &mut lanes) };
+        for lane in lanes_of(lanes.active & !step.going) {
+            let way = lanes.integers[WAY][lane] as usize;
+            for (place, values) in [(NODE, &step.node), (INDEX, &step.index), (COUNT, &step.count)] {
+                ways.integers[place][way] = values[lane];
+            }
+            for place in [WEIGHT, TOTAL, CHOICE] {
+                ways.floats[place][way] = lanes.floats[place][lane];
+            }
+        }
+        lanes.active = step.going;
+    }
+}
+
+/// Puts ways that stand at inner nodes into free lanes.
+#[inline(always)]
+fn fill<S: Simd>(s: S, lanes: &mut Lanes, ways: &Ways, next: &mut usize) {
+    while *next < ways.count && lanes.active != Bits::MAX {
+        let free = !lanes.active;
+        let count = (free.count_ones() as usize).min(ways.count - *next);
+        // The lowest `count` free lanes.
+        let filled = lanes_of(free).take(count).fold(0, |bits: Bits, lane| bits | 1 << lane);
+        for (lanes, ready) in lanes.floats.iter_mut().zip(&ways.floats) {
+            s.expand(bytemuck::cast_mut(lanes), filled, bytemuck::cast_ref(window(ready, *next)));
+        }
+        for (lanes, ready) in lanes.integers.iter_mut().zip(&ways.integers) {
+            s.expand(lanes, filled, window(ready, *next));
+        }
+        for lane in lanes_of(filled) {
+            let is_inner = lanes.integers[COUNT][lane] == 0;
+            lanes.active |= Bits::from(is_inner) << lane;
+            if !is_inner {
+                [lanes.integers[NODE][lane], lanes.integers[INDEX][lane]] = IDLE;
+            }
+            lanes.integers[WAY][lane] = *next as i32;
+            *next += 1;
+        }
+    }
+}
+
+/// One level down.
+struct Step {
+    /// Lanes that go on.
+    going: Bits,
+    /// Where all lanes came to: a node, what it holds, and how much, 0 where the way leads nowhere.
+    node: [i32; LANES],
+    index: [i32; LANES],
+    count: [i32; LANES],
+}
+
+/// Takes all active lanes one level down.
+///
+/// # Safety
+/// As for [`descend`].
+#[inline(always)]
+unsafe fn step<S: Simd>(s: S, rows: &[[u32; 4]], lanes: &mut Lanes) -> Step {
+    let [p0, p1, p2, n0, n1, n2, slack, ..] = &lanes.floats;
+    let receivers = Receivers::load(s, [p0, p1, p2, n0, n1, n2, slack]);
+    let (near, far) = (s.add(s.load(&lanes.integers[NODE]), s.ints(1)), s.load(&lanes.integers[INDEX]));
+    // SAFETY: the caller's duty; idle lanes stand before the first node.
+    let (left, right) = unsafe { (Nodes::gather(s, near, rows), Nodes::gather(s, far, rows)) };
+    let (weights, is_possible) = weights_of(s, left.importance(s, &receivers), right.importance(s, &receivers));
+    let (weight, total) = (s.load_floats(&lanes.floats[WEIGHT]), s.load_floats(&lanes.floats[TOTAL]));
+    let choice = s.load_floats(&lanes.floats[CHOICE]);
+    let of_both = s.add_floats(weights[0], weights[1]);
+    let (choice, threshold) = (s.mul_floats(choice, of_both), s.mul_floats(weights[0], weight));
+    let zero = s.floats(0.0);
+    let is_left = s.either(s.le_floats(weights[1], zero), s.lt_floats(choice, threshold));
+    let choice = s.sub_floats(choice, s.select_floats(is_left, zero, threshold));
+    let weight = s.mul_floats(weight, s.select_floats(is_left, weights[0], weights[1]));
+    let total = s.mul_floats(total, of_both);
+    s.store(bytemuck::cast_mut(&mut lanes.floats[WEIGHT]), s.bits_of(weight));
+    s.store(bytemuck::cast_mut(&mut lanes.floats[TOTAL]), s.bits_of(total));
+    s.store(bytemuck::cast_mut(&mut lanes.floats[CHOICE]), s.bits_of(choice));
+    let possible = s.both(s.both(s.mask(lanes.active), is_possible), s.lt_floats(zero, weight));
+    let count = s.select(possible, s.select(is_left, left.count, right.count), s.ints(0));
+    let going = s.both(possible, s.eq(count, s.ints(0)));
+    let (node, index) = (s.select(is_left, near, far), s.select(is_left, left.index, right.index));
+    s.store(&mut lanes.integers[NODE], s.select(going, node, s.ints(IDLE[0])));
+    s.store(&mut lanes.integers[INDEX], s.select(going, index, s.ints(IDLE[1])));
+    Step { going: s.bits(going), node: to_array(s, node), index: to_array(s, index), count: to_array(s, count) }
+}
