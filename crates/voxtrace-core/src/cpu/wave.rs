@@ -183,7 +183,10 @@ impl Wave {
         let (scene, max_bounces) = (context.scene, context.frame.max_bounces);
         let limits = path::Limits::of(context.frame);
         self.asked.clear();
-        for index in range {
+        let mut materials = [0; PATHS_AT_A_TIME];
+        let (paths, hits) = (&self.paths[range.clone()], &self.hits[range.clone()]);
+        scene.packed_material_indices(hits, |index| paths[index].meets_surface(&hits[index]), &mut materials);
+        for (index, material) in range.zip(materials) {
             let (path, slot) = (&mut self.paths[index], self.slots[index]);
             let sample = &mut self.samples[slot as usize];
             let (ray, hit) = (&self.rays[index], &self.hits[index]);
@@ -202,11 +205,11 @@ impl Wave {
             }
             let radiance = &mut sample.radiance;
             let arrival = match context.frame.integrator {
-                Integrator::Essay => match essay::advance(scene, max_bounces, path, ray, hit, radiance) {
+                Integrator::Essay => match essay::advance(scene, max_bounces, path, (ray, hit, material), radiance) {
                     None => path::Arrival::End,
                     Some(next) => path::Arrival::Pass(next),
                 },
-                Integrator::Path => path::arrive(scene, &context.lights, &limits, path, (ray, hit), radiance),
+                Integrator::Path => path::arrive(scene, &context.lights, &limits, path, (ray, hit, material), radiance),
             };
             match &arrival {
                 path::Arrival::End => continue,

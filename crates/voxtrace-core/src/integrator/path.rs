@@ -116,7 +116,8 @@ pub fn advance(
     (ray, hit): (&Ray, &Hit),
     radiance: &mut Vec3,
 ) -> (Option<Ray>, Option<ShadowRay>) {
-    match arrive(scene, lights, limits, path, (ray, hit), radiance) {
+    let material = path.material(scene, hit);
+    match arrive(scene, lights, limits, path, (ray, hit, material), radiance) {
         Arrival::End => (None, None),
         Arrival::Pass(next) => (Some(next), None),
         Arrival::Scatter(scatter) => {
@@ -127,14 +128,14 @@ pub fn advance(
     }
 }
 
-/// The first half of [`advance`]: all that comes before a light is chosen.
+/// The first half of [`advance`]: all that comes before a light is chosen. `material` is [`Path::material`].
 #[inline]
 pub fn arrive<'a>(
     scene: &'a PackedScene,
     lights: &Lights,
     limits: &Limits,
     path: &mut Path,
-    (ray, hit): (&Ray, &Hit),
+    (ray, hit, material): (&Ray, &Hit, u32),
     radiance: &mut Vec3,
 ) -> Arrival<'a> {
     let last = path.receiver(ray);
@@ -162,7 +163,7 @@ pub fn arrive<'a>(
         return Arrival::End;
     }
     let [u, v, survival, mut lobe] = path.sampler.stratified(path.dimension_scatter());
-    let (material, bsdf) = met(scene, &limits.lines, path, (ray, hit), &mut lobe);
+    let (material, bsdf) = met(scene, &limits.lines, path, (ray, hit, material), &mut lobe);
     if let Some(material) = material {
         let le = lights.emitters.le(material);
         if le.max_element() > 0.0 {
@@ -256,7 +257,7 @@ pub(super) fn met<'a>(
     scene: &'a PackedScene,
     lines: &Lines,
     path: &Path,
-    (ray, hit): (&Ray, &Hit),
+    (ray, hit, material): (&Ray, &Hit, u32),
     lobe: &mut f32,
 ) -> (Option<&'a PackedMaterial>, MaterialBsdf) {
     let mut surface = |index: u32, ior: f32| {
@@ -266,7 +267,7 @@ pub(super) fn met<'a>(
         let material = &scene.materials()[index as usize];
         (Some(material), MaterialBsdf::new(material, ior, lobe))
     };
-    let Some(inside) = &path.inside else { return surface(scene.packed_material_index(hit), 1.0) };
+    let Some(inside) = &path.inside else { return surface(material, 1.0) };
     let medium = inside.medium(scene);
     if hit.is_miss() {
         return (None, MaterialBsdf::within(medium));

@@ -96,7 +96,7 @@ fn mirror_at(scene: &PackedScene, lines: &Lines, path: &Path, ray: &Ray, hit: &H
         return None;
     }
     let [_, _, _, mut lobe] = path.sampler.stratified(path.dimension_scatter());
-    match met(scene, lines, path, (ray, hit), &mut lobe).1 {
+    match met(scene, lines, path, (ray, hit, path.material(scene, hit)), &mut lobe).1 {
         MaterialBsdf::Dielectric(Dielectric { eta: 1.0, .. }) => Some(0.0),
         MaterialBsdf::Dielectric(glass) if glass.facets.is_smooth() => {
             let wo = Surface::new(scene, ray, hit).local_direction(-ray.direction);
