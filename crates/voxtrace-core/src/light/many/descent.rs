@@ -1,12 +1,14 @@
-//! Sixteen ways down a tree of lights at once: as one comes to a leaf, another one begins in its lane.
+//! Many ways down a tree of lights at once, sixteen in a vector: as one comes to a leaf, another one begins in its lane.
 
 use super::kernel::{Nodes, Receivers, to_array, weights_of};
 use super::ways::{CHOICE, COUNT, INDEX, INTEGERS, NODE, TOTAL, WEIGHT, Ways, window};
 use crate::packed::LightNode;
-use crate::walk::simd::{Bits, LANES, Simd, lanes_of};
+use crate::walk::simd::{Bits, LANES, Row, Simd, lanes_of, prefetch};
 
 /// Lanes that are free before others are put there: a vector's worth of work for each.
 const FREE: u32 = 4;
+/// Vectors of ways that are taken down in turn, so that one has its nodes fetched while the others compute.
+const GROUPS: usize = 4;
 /// Quantities that lanes need: the floats up to the choice.
 const NEEDED: usize = CHOICE + 1;
 
@@ -16,6 +18,14 @@ struct Lanes {
     /// As [`Ways::integers`], with the number of the way in place of the count.
     integers: [[i32; LANES]; INTEGERS],
     active: Bits,
+}
+
+impl Lanes {
+    const EMPTY: Self = Self {
+        floats: [[0.0; LANES]; NEEDED],
+        integers: [[IDLE[0]; LANES], [IDLE[1]; LANES], [0; LANES]],
+        active: 0,
+    };
 }
 
 /// Node and index of lanes without a way: both children are the first node.
@@ -29,28 +39,38 @@ const WAY: usize = COUNT;
 /// The ways must stand at nodes of the tree, which must be valid.
 #[inline(always)]
 pub unsafe fn descend<S: Simd>(s: S, nodes: &[LightNode], ways: &mut Ways) {
-    let rows: &[[u32; 4]] = bytemuck::cast_slice(nodes);
-    let mut lanes = Lanes { floats: [[0.0; LANES]; NEEDED], integers: [[0; LANES]; INTEGERS], active: 0 };
+    let records: &[[Row; 4]] = bytemuck::cast_slice(nodes);
+    let mut groups = [Lanes::EMPTY; GROUPS];
     let mut next = 0;
-    loop {
-        if lanes.active.count_ones() + FREE <= LANES as u32 && next < ways.count {
-            fill(s, &mut lanes, ways, &mut next);
-        }
-        if lanes.active == 0 {
-            return;
-        }
-        // SAFETY: the caller's duty; every child of an inner node is a node.
-        let step = unsafe { step(s, rows, &mut lanes) };
-        for lane in lanes_of(lanes.active & !step.going) {
-            let way = lanes.integers[WAY][lane] as usize;
-            for (place, values) in [(NODE, &step.node), (INDEX, &step.index), (COUNT, &step.count)] {
-                ways.integers[place][way] = values[lane];
+    let mut is_under_way = true;
+    while is_under_way {
+        is_under_way = false;
+        for lanes in &mut groups {
+            if lanes.active.count_ones() + FREE <= LANES as u32 && next < ways.count {
+                fill(s, lanes, ways, &mut next);
             }
-            for place in [WEIGHT, TOTAL, CHOICE] {
-                ways.floats[place][way] = lanes.floats[place][lane];
+            if lanes.active == 0 {
+                continue;
+            }
+            is_under_way = true;
+            // SAFETY: the caller's duty; every child of an inner node is a node.
+            let step = unsafe { step(s, records, lanes) };
+            for lane in lanes_of(lanes.active & !step.going) {
+                let way = lanes.integers[WAY][lane] as usize;
+                ways.integers[NODE][way] = step.node[lane];
+                ways.integers[INDEX][way] = step.index[lane];
+                ways.integers[COUNT][way] = step.count[lane];
+                ways.floats[WEIGHT][way] = lanes.floats[WEIGHT][lane];
+                ways.floats[TOTAL][way] = lanes.floats[TOTAL][lane];
+                ways.floats[CHOICE][way] = lanes.floats[CHOICE][lane];
+            }
+            lanes.active = step.going;
+            // The children are there when it is this group's turn again.
+            for lane in 0..LANES {
+                prefetch(&records[(lanes.integers[NODE][lane] + 1) as usize]);
+                prefetch(&records[lanes.integers[INDEX][lane] as usize]);
             }
         }
-        lanes.active = step.going;
     }
 }
 
@@ -95,12 +115,12 @@ struct Step {
 /// # Safety
 /// As for [`descend`].
 #[inline(always)]
-unsafe fn step<S: Simd>(s: S, rows: &[[u32; 4]], lanes: &mut Lanes) -> Step {
+unsafe fn step<S: Simd>(s: S, records: &[[Row; 4]], lanes: &mut Lanes) -> Step {
     let [p0, p1, p2, n0, n1, n2, slack, ..] = &lanes.floats;
     let receivers = Receivers::load(s, [p0, p1, p2, n0, n1, n2, slack]);
     let (near, far) = (s.add(s.load(&lanes.integers[NODE]), s.ints(1)), s.load(&lanes.integers[INDEX]));
     // SAFETY: the caller's duty; idle lanes stand before the first node.
-    let (left, right) = unsafe { (Nodes::gather(s, near, rows), Nodes::gather(s, far, rows)) };
+    let (left, right) = unsafe { (Nodes::gather(s, near, records), Nodes::gather(s, far, records)) };
     let (weights, is_possible) = weights_of(s, left.importance(s, &receivers), right.importance(s, &receivers));
     let (weight, total) = (s.load_floats(&lanes.floats[WEIGHT]), s.load_floats(&lanes.floats[TOTAL]));
     let choice = s.load_floats(&lanes.floats[CHOICE]);

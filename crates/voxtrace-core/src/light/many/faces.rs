@@ -3,7 +3,7 @@
 use super::kernel::{Emitters, Receivers, to_array};
 use super::ways::{COUNT, INDEX, WITHIN, Ways, window};
 use crate::packed::{Emitter, LEAF_EMITTERS};
-use crate::walk::simd::{LANES, Simd};
+use crate::walk::simd::{LANES, Row, Simd};
 
 /// What sixteen ways choose.
 pub struct Faces {
@@ -21,7 +21,7 @@ pub struct Faces {
 /// The ways must stand at leaves, or have a count of 0, and there must be emitters.
 #[inline(always)]
 pub unsafe fn choose<S: Simd>(s: S, emitters: &[Emitter], ways: &Ways, first: usize) -> Faces {
-    let rows: &[[u32; 4]] = bytemuck::cast_slice(emitters);
+    let emitters: &[[Row; 2]] = bytemuck::cast_slice(emitters);
     let zero = s.floats(0.0);
     let [p0, p1, p2, n0, n1, n2, slack, ..] = &ways.floats;
     let at = [window(p0, first), window(p1, first), window(p2, first), window(n0, first), window(n1, first)];
@@ -29,15 +29,19 @@ pub unsafe fn choose<S: Simd>(s: S, emitters: &[Emitter], ways: &Ways, first: us
     let receivers = Receivers::load(s, [p0, p1, p2, n0, n1, window(n2, first), window(slack, first)]);
     let counts = window(&ways.integers[COUNT], first);
     let (count, index) = (s.load(counts), s.load(window(&ways.integers[INDEX], first)));
-    let most = counts.iter().copied().max().unwrap_or(0).min(LEAF_EMITTERS as i32);
+    let mut most = 0;
+    for &count in counts {
+        most = count.max(most);
+    }
+    let most = (most as usize).min(LEAF_EMITTERS);
     let mut importances = [[zero; 3]; LEAF_EMITTERS];
     let mut sums = [zero; LEAF_EMITTERS];
     let mut sum = zero;
-    for place in 0..most as usize {
+    for place in 0..most {
         let has_one = s.is_below(s.ints(place as i32), count);
         let number = s.select(has_one, s.add(index, s.ints(place as i32)), s.ints(0));
         // SAFETY: the caller's duty; the first emitter stands in where a leaf has no more.
-        let of_faces = unsafe { Emitters::gather(s, number, rows) }.face_importances(s, &receivers);
+        let of_faces = unsafe { Emitters::gather(s, number, emitters) }.face_importances(s, &receivers);
         for axis in 0..3 {
             importances[place][axis] = s.select_floats(has_one, of_faces[axis], zero);
         }
@@ -48,7 +52,7 @@ pub unsafe fn choose<S: Simd>(s: S, emitters: &[Emitter], ways: &Ways, first: us
     let threshold = s.mul_floats(s.load_floats(window(&ways.floats[WITHIN], first)), sum);
     let (mut passed, mut is_open) = (zero, s.mask(u16::MAX));
     let (mut emitter, mut axis, mut importance) = (s.ints(0), s.ints(0), zero);
-    for place in 0..most as usize {
+    for place in 0..most {
         let is_possible = s.both(is_open, s.lt_floats(zero, sums[place]));
         let [x, y, z] = importances[place];
         let rest = s.sub_floats(threshold, passed);

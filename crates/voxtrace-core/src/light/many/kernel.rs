@@ -1,7 +1,7 @@
 //! What [`super::super::emitters`] computes of nodes and faces, for sixteen receivers at once: the same operations in the same order in each lane.
 
 use super::ways::{NORMAL, POINT, SLACK};
-use crate::walk::simd::{LANES, Simd};
+use crate::walk::simd::{LANES, Row, Simd};
 
 /// Sixteen receivers, and what of them stays the same for all nodes.
 #[derive(Clone, Copy)]
@@ -38,19 +38,11 @@ impl<S: Simd> Nodes<S> {
     /// Reads the nodes of these numbers.
     ///
     /// # Safety
-    /// There must be such nodes, four rows each.
+    /// There must be such nodes.
     #[inline(always)]
-    pub unsafe fn gather(s: S, node: S::Ints, rows: &[[u32; 4]]) -> Self {
-        let first = s.shl(node, 2);
+    pub unsafe fn gather(s: S, number: S::Ints, nodes: &[[Row; 4]]) -> Self {
         // SAFETY: the caller's duty.
-        let [low, high, power, rest] = unsafe {
-            [
-                s.gather_rows(first, rows),
-                s.gather_rows(s.add(first, s.ints(1)), rows),
-                s.gather_rows(s.add(first, s.ints(2)), rows),
-                s.gather_rows(s.add(first, s.ints(3)), rows),
-            ]
-        };
+        let [low, high, power, rest] = unsafe { s.gather_records(number, nodes) };
         Self {
             min: [s.floats_of(low[0]), s.floats_of(low[1]), s.floats_of(low[2])],
             max: [s.floats_of(high[0]), s.floats_of(high[1]), s.floats_of(high[2])],
@@ -113,13 +105,11 @@ impl<S: Simd> Emitters<S> {
     /// Reads the emitters of these numbers.
     ///
     /// # Safety
-    /// There must be such emitters, two rows each.
+    /// There must be such emitters.
     #[inline(always)]
-    pub unsafe fn gather(s: S, number: S::Ints, rows: &[[u32; 4]]) -> Self {
-        let first = s.shl(number, 1);
+    pub unsafe fn gather(s: S, number: S::Ints, emitters: &[[Row; 2]]) -> Self {
         // SAFETY: the caller's duty.
-        let ([x, y, z, _], [faces, _, luminance, _]) =
-            unsafe { (s.gather_rows(first, rows), s.gather_rows(s.add(first, s.ints(1)), rows)) };
+        let [[x, y, z, _], [faces, _, luminance, _]] = unsafe { s.gather_records(number, emitters) };
         Self { voxel: [x, y, z], faces, luminance: s.floats_of(luminance) }
     }
 

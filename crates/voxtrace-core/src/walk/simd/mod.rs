@@ -29,6 +29,22 @@ pub const LANES: usize = 16;
 /// A bit for each lane.
 pub type Bits = u16;
 
+/// Four words of a record.
+pub type Row = [u32; 4];
+
+/// Lets the processor fetch what lies at a place, without waiting for it.
+#[inline(always)]
+pub fn prefetch<T>(place: &T) {
+    #[cfg(target_arch = "x86_64")]
+    {
+        use std::arch::x86_64::{_MM_HINT_T0, _mm_prefetch};
+        // SAFETY: every processor of this kind has the instruction, and it reads nothing.
+        unsafe { _mm_prefetch::<_MM_HINT_T0>(std::ptr::from_ref(place).cast()) };
+    }
+    #[cfg(not(target_arch = "x86_64"))]
+    let _ = place;
+}
+
 /// A set of instructions. A value of it proves that the processor has them.
 ///
 /// Whatever is generic over it is `#[inline(always)]` down from one function that is compiled for the instructions: only there do they become
@@ -149,21 +165,25 @@ pub trait Simd: Copy {
         self.select_floats(self.lt_floats(b, a), a, b)
     }
 
-    /// The four words of the row of each lane, one vector for each.
+    /// The words of the record of each lane, which is some rows long: one vector for each.
     ///
     /// # Safety
-    /// The numbers of rows, of all lanes, must lie inside `rows`.
+    /// The numbers of records, of all lanes, must lie inside `records`.
     #[inline(always)]
-    unsafe fn gather_rows(self, row: Self::Ints, rows: &[[u32; 4]]) -> [Self::Ints; 4] {
+    unsafe fn gather_records<const ROWS: usize>(self, number: Self::Ints, records: &[[Row; ROWS]]) -> [[Self::Ints; 4]; ROWS] {
         let mut numbers = [0; LANES];
-        self.store(&mut numbers, row);
-        let mut words = [[0; LANES]; 4];
-        for (lane, number) in numbers.into_iter().enumerate() {
-            for (word, value) in words.iter_mut().zip(rows[number as usize]) {
-                word[lane] = value as i32;
+        self.store(&mut numbers, number);
+        let mut all = [[self.ints(0); 4]; ROWS];
+        for row in 0..ROWS {
+            for word in 0..4 {
+                let mut words = [0; LANES];
+                for lane in 0..LANES {
+                    words[lane] = records[numbers[lane] as u32 as usize][row][word] as i32;
+                }
+                all[row][word] = self.load(&words);
             }
         }
-        [self.load(&words[0]), self.load(&words[1]), self.load(&words[2]), self.load(&words[3])]
+        all
     }
 
     /// Puts the first values, in order, into the lanes of `bits`.
@@ -231,12 +251,13 @@ unsafe fn read_each(indices: &[i32; LANES], words: &[u32]) -> [i32; LANES] {
     indices.map(|index| unsafe { *words.get_unchecked(index as usize) } as i32)
 }
 
-/// Where debug assertions are on: whether all numbers of rows lie inside `rows`.
+/// Where debug assertions are on: whether all numbers of records lie inside `records`.
 #[cfg(target_arch = "x86_64")]
 #[inline(always)]
-fn check_rows(numbers: &[i32; LANES], rows: &[[u32; 4]]) {
+fn check_records<T>(numbers: &[i32; LANES], records: &[T]) {
     if cfg!(debug_assertions) {
-        assert!(numbers.iter().all(|&number| (number as u32 as usize) < rows.len()), "a row lies outside of its array");
+        let is_inside = |&number: &i32| (number as u32 as usize) < records.len();
+        assert!(numbers.iter().all(is_inside), "a record lies outside of its array");
     }
 }
 

@@ -50,9 +50,9 @@ fn results<S: Simd>(s: S, input: &Input) -> Vec<[i32; LANES]> {
     let words: Vec<u32> = (0..32).map(|word| word * 0x0101_0101).collect();
     // SAFETY: the indices are below 32.
     let gathered = unsafe { s.gather(a, mask, small, &words) };
-    let of_row = |row: u32| [row, row << 8 | 1, row << 16 | 2, row << 24 | 3];
+    let of_record = |row: u32| [[row, row << 8 | 1, row << 16 | 2, row << 24 | 3], [row ^ 4, row ^ 5, row ^ 6, row ^ 7]];
     // SAFETY: the numbers are below 32.
-    let rows = unsafe { s.gather_rows(small, &(0..32).map(of_row).collect::<Vec<_>>()) };
+    let records = unsafe { s.gather_records(small, &(0..32).map(of_record).collect::<Vec<_>>()) };
     // What is no number is never rounded, and far from the grid only that matters.
     let near = s.min(s.abs(x), s.floats(2_000_000.0));
     let ints = [
@@ -80,10 +80,6 @@ fn results<S: Simd>(s: S, input: &Input) -> Vec<[i32; LANES]> {
         bits_of(s, s.max(x, y)),
         bits_of(s, s.select_floats(mask, x, y)),
         s.bits_of(s.floats_of(a)),
-        rows[0],
-        rows[1],
-        rows[2],
-        rows[3],
         bits_of(s, s.abs(x)),
         bits_of(s, s.floats(n as f32)),
         s.nearest(near),
@@ -102,7 +98,7 @@ fn results<S: Simd>(s: S, input: &Input) -> Vec<[i32; LANES]> {
         s.except(mask, s.is_negative(a)),
     ];
     let mut all = Vec::new();
-    for vector in ints {
+    for vector in ints.into_iter().chain(records.into_iter().flatten()) {
         let mut lanes = [0; LANES];
         s.store(&mut lanes, vector);
         all.push(lanes);
