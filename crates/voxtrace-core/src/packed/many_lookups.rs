@@ -1,8 +1,8 @@
 //! The materials of many hits: what one waits for memory, the others look for their bricks.
 
 use super::lookup::{HEADER_INDEX_BITS, HEADER_PALETTE, bits_at};
-use super::{Geometry, PackedGrid, PackedScene};
-use glam::IVec3;
+use super::PackedScene;
+use crate::walk::simd::prefetch;
 use voxtrace_scene::brick::{block_bit, block_index};
 use voxtrace_scene::grid::local_of;
 use voxtrace_scene::ray::Hit;
@@ -12,62 +12,71 @@ const AT_A_TIME: usize = 64;
 /// Blocks of a brick.
 const BLOCKS: usize = 8;
 
-/// Where the material of a voxel is to be read.
+/// A voxel on the way to its material.
 #[derive(Clone, Copy, Default)]
 struct Place {
-    /// First bit of the brick's materials.
+    /// Which hit it is.
+    index: usize,
+    /// Word position of its brick's record, its block of the brick and its bit of the block.
+    record: usize,
+    block: u32,
+    bit: u32,
+    /// Bits of a material's number in its grid.
+    material_bits: u32,
+    /// First bit of the brick's materials, and bits from there to the voxel's index.
     start: u64,
-    /// Bits from there to the voxel's index.
     offset: u32,
     index_bits: u32,
-    /// Bits of an entry of the palette, 0 where indices are materials.
-    entry_bits: u32,
+    /// Whether the index is one of the palette.
+    has_palette: bool,
 }
 
 impl PackedScene {
     /// Writes the indices of the materials of hits as tracers find them, for those that `wants` asks for; they must be no misses.
     pub(crate) fn packed_material_indices(&self, hits: &[Hit], wants: impl Fn(usize) -> bool, indices: &mut [u32]) {
         let (geometry, instances, grids) = (&*self.geometry, &*self.placement.instances, &*self.geometry.grids);
-        let words = &*geometry.brick_materials;
-        let mut places = [(0, Place::default()); AT_A_TIME];
+        let (bricks, words) = (&*geometry.bricks, &*geometry.brick_materials);
+        let mut places = [Place::default(); AT_A_TIME];
         for first in (0..hits.len()).step_by(AT_A_TIME) {
             let mut count = 0;
             for index in first..hits.len().min(first + AT_A_TIME) {
                 if wants(index) {
                     let hit = &hits[index];
                     let grid = &grids[instances[hit.instance as usize].grid as usize];
-                    let place = geometry.material_place(grid, hit.voxel).expect("a hit's voxel is occupied");
-                    places[count] = (index, place);
+                    let record = geometry.find_brick(grid, hit.voxel).expect("a hit's voxel is in a brick");
+                    prefetch(&bricks[record]);
+                    let local = local_of(hit.voxel - grid.origin);
+                    let (block, bit) = (block_index(local) as u32, block_bit(local) as u32);
+                    let material_bits = grid.material_bits;
+                    places[count] = Place { index, record, block, bit, material_bits, ..Place::default() };
                     count += 1;
                 }
             }
-            for &(index, Place { start, offset, index_bits, entry_bits }) in &places[..count] {
-                let own = bits_at(words, start + u64::from(offset), index_bits);
-                let is_material = entry_bits == 0;
-                indices[index] = match is_material {
-                    true => own,
-                    false => bits_at(words, start + u64::from(own * entry_bits), entry_bits),
+            for place in &mut places[..count] {
+                place.find_index(bricks);
+                let word = |bit: u64| words.get((bit / 32) as usize);
+                word(place.start).map(prefetch);
+                word(place.start + u64::from(place.offset)).map(prefetch);
+            }
+            for place in &places[..count] {
+                let own = bits_at(words, place.start + u64::from(place.offset), place.index_bits);
+                indices[place.index] = match place.has_palette {
+                    true => bits_at(words, place.start + u64::from(own * place.material_bits), place.material_bits),
+                    false => own,
                 };
             }
         }
     }
 }
 
-impl Geometry {
-    /// Where the material of a voxel is, `None` where it is empty.
+impl Place {
+    /// Finds where the index of the voxel is, which must be occupied.
     #[inline]
-    fn material_place(&self, grid: &PackedGrid, voxel: IVec3) -> Option<Place> {
-        let bricks = &*self.bricks;
-        let record = self.find_brick(grid, voxel)?;
-        let header = bricks[record];
-        let local = local_of(voxel - grid.origin);
-        let (block, bit) = (block_index(local), block_bit(local));
-        if header >> block & 1 == 0 {
-            return None;
-        }
-        let before = (header & ((1 << block) - 1)).count_ones() as usize;
+    fn find_index(&mut self, bricks: &[u32]) {
+        let header = bricks[self.record];
+        let before = (header & ((1 << self.block) - 1)).count_ones() as usize;
         let present = (header & 0xff).count_ones() as usize;
-        let masks = bricks.get(record + 2..record + 2 + 2 * present)?;
+        let masks = &bricks[self.record + 2..self.record + 2 + 2 * present];
         let (mut rank, mut own) = (0, 0);
         // All of them, whichever come before: a loop that ends somewhere else each time is guessed wrongly.
         for index in 0..BLOCKS {
@@ -77,13 +86,11 @@ impl Geometry {
             own = if index == before { mask } else { own };
             rank += counted.count_ones();
         }
-        if own >> bit & 1 == 0 {
-            return None;
-        }
-        rank += (own & ((1 << bit) - 1)).count_ones();
-        let (palette, index_bits) = (header >> HEADER_PALETTE, header >> HEADER_INDEX_BITS & 0xff);
-        let entry_bits = if palette == 0 { 0 } else { grid.material_bits };
-        let start = u64::from(bricks[record + 1]) * 32;
-        Some(Place { start, offset: palette * grid.material_bits + rank * index_bits, index_bits, entry_bits })
+        rank += (own & ((1 << self.bit) - 1)).count_ones();
+        let palette = header >> HEADER_PALETTE;
+        self.index_bits = header >> HEADER_INDEX_BITS & 0xff;
+        self.has_palette = palette != 0;
+        self.start = u64::from(bricks[self.record + 1]) * 32;
+        self.offset = palette * self.material_bits + rank * self.index_bits;
     }
 }
