@@ -2737,9 +2737,42 @@ fn with_slack_0( receiver_0 : Receiver_0,  cos_2 : f32) -> f32
     return cos_2;
 }
 
+struct View_0
+{
+     importance_0 : f32,
+     is_far_0 : bool,
+};
+
 fn length_bound_0( absolute_0 : vec3<f32>) -> f32
 {
     return (max_element_0(absolute_0) + (absolute_0.x + absolute_0.y + absolute_0.z)) * 0.5f;
+}
+
+struct BySide_0
+{
+     low_5 : vec3<f32>,
+     high_3 : vec3<f32>,
+};
+
+fn BySide_x24init_0( low_6 : vec3<f32>,  high_4 : vec3<f32>) -> BySide_0
+{
+    var _S160 : BySide_0;
+    _S160.low_5 = low_6;
+    _S160.high_3 = high_4;
+    return _S160;
+}
+
+fn sent_by_side_0( _S161 : i32,  _S162 : vec3<f32>,  _S163 : f32) -> BySide_0
+{
+    var _S164 : vec3<f32> = vec3<f32>(0.0f);
+    var _S165 : vec3<f32> = vec3<f32>(_S163);
+    return BySide_x24init_0(vec3<f32>(top_light_nodes_0[_S161].power_0[i32(0)], top_light_nodes_0[_S161].power_0[i32(2)], top_light_nodes_0[_S161].power_0[i32(4)]) * min(max(vector_of_0(top_light_nodes_0[_S161].max_2) - _S162, _S164), _S165), vec3<f32>(top_light_nodes_0[_S161].power_0[i32(1)], top_light_nodes_0[_S161].power_0[i32(3)], top_light_nodes_0[_S161].power_0[i32(5)]) * min(max(_S162 - vector_of_0(top_light_nodes_0[_S161].min_2), _S164), _S165));
+}
+
+fn BySide_sum_0( this_29 : BySide_0) -> f32
+{
+    var axes_5 : vec3<f32> = this_29.low_5 + this_29.high_3;
+    return axes_5.x + axes_5.y + axes_5.z;
 }
 
 fn reciprocal_guess_0( x_8 : f32) -> f32
@@ -2748,33 +2781,48 @@ fn reciprocal_guess_0( x_8 : f32) -> f32
     return guess_3 * (2.0f - x_8 * guess_3);
 }
 
-fn node_importance_0( _S160 : i32,  _S161 : Receiver_0) -> f32
+fn View_x24init_0( importance_1 : f32,  is_far_1 : bool) -> View_0
 {
-    var low_5 : vec3<f32> = vector_of_0(top_light_nodes_0[_S160].min_2);
-    var high_3 : vec3<f32> = vector_of_0(top_light_nodes_0[_S160].max_2);
-    var _S162 : vec3<f32> = vec3<f32>(0.5f);
-    var half_1 : vec3<f32> = (high_3 - low_5) * _S162;
-    var toward_0 : vec3<f32> = (low_5 + high_3) * _S162 - _S161.point_0;
-    var above_0 : f32 = with_slack_0(_S161, dot_product_0(toward_0, _S161.normal_2) + dot_product_0(half_1, abs(_S161.normal_2)));
+    var _S166 : View_0;
+    _S166.importance_0 = importance_1;
+    _S166.is_far_0 = is_far_1;
+    return _S166;
+}
+
+fn view_0( _S167 : i32,  _S168 : Receiver_0) -> View_0
+{
+    var _S169 : vec3<f32> = vector_of_0(top_light_nodes_0[_S167].max_2);
+    var _S170 : vec3<f32> = vector_of_0(top_light_nodes_0[_S167].min_2);
+    var _S171 : vec3<f32> = vec3<f32>(0.5f);
+    var half_1 : vec3<f32> = (_S169 - _S170) * _S171;
+    var toward_0 : vec3<f32> = (_S170 + _S169) * _S171 - _S168.point_0;
+    var middle_2 : f32 = dot_product_0(toward_0, _S168.normal_2);
+    var aside_0 : f32 = dot_product_0(half_1, abs(_S168.normal_2));
+    var above_0 : f32 = with_slack_0(_S168, middle_2 + aside_0);
     var far_2 : f32 = length_squared_0(toward_0);
     var near_0 : f32 = length_squared_0(half_1);
-    var distance_2 : f32 = length_bound_0(select(half_1, abs(toward_0), vec3<bool>((far_2 > near_0))));
-    var _S163 : vec3<f32> = vec3<f32>(0.0f);
-    var _S164 : vec3<f32> = vec3<f32>(distance_2);
-    var beyond_min_0 : vec3<f32> = min(max(_S161.point_0 - low_5, _S163), _S164);
-    var beyond_max_0 : vec3<f32> = min(max(high_3 - _S161.point_0, _S163), _S164);
-    var sent_0 : f32 = top_light_nodes_0[_S160].power_0[i32(0)] * beyond_max_0.x + top_light_nodes_0[_S160].power_0[i32(1)] * beyond_min_0.x + (top_light_nodes_0[_S160].power_0[i32(2)] * beyond_max_0.y + top_light_nodes_0[_S160].power_0[i32(3)] * beyond_min_0.y) + (top_light_nodes_0[_S160].power_0[i32(4)] * beyond_max_0.z + top_light_nodes_0[_S160].power_0[i32(5)] * beyond_min_0.z);
-    var falloff_0 : f32 = reciprocal_guess_0(max(far_2, near_0));
-    var _S165 : f32;
-    if(above_0 > 0.0f)
+    var is_far_2 : bool;
+    if((with_slack_0(_S168, middle_2 - aside_0)) > 0.0f)
     {
-        _S165 = sent_0 * min(above_0, distance_2) * (falloff_0 * falloff_0);
+        is_far_2 = far_2 > (near_0 * 36.0f);
     }
     else
     {
-        _S165 = 0.0f;
+        is_far_2 = false;
     }
-    return _S165;
+    var distance_2 : f32 = length_bound_0(select(half_1, abs(toward_0), vec3<bool>((far_2 > near_0))));
+    var sent_0 : f32 = BySide_sum_0(sent_by_side_0(_S167, _S168.point_0, distance_2));
+    var falloff_0 : f32 = reciprocal_guess_0(max(far_2, near_0));
+    var _S172 : f32;
+    if(above_0 > 0.0f)
+    {
+        _S172 = sent_0 * min(above_0, distance_2) * (falloff_0 * falloff_0);
+    }
+    else
+    {
+        _S172 = 0.0f;
+    }
+    return View_x24init_0(_S172, is_far_2);
 }
 
 fn importance_of_all_0( receiver_1 : Receiver_0) -> f32
@@ -2783,7 +2831,7 @@ fn importance_of_all_0( receiver_1 : Receiver_0) -> f32
     {
         return 0.0f;
     }
-    return node_importance_0(i32(0), receiver_1) * params_0.light_intensity_0;
+    return view_0(i32(0), receiver_1).importance_0 * params_0.light_intensity_0;
 }
 
 fn EmitterTree_importance_0( receiver_2 : Receiver_0) -> f32
@@ -2813,11 +2861,11 @@ fn Lights_sun_probability_0( receiver_3 : Receiver_0) -> f32
 
 fn Selection_x24init_0( sun_1 : f32,  sky_2 : f32,  emitters_2 : f32) -> Selection_0
 {
-    var _S166 : Selection_0;
-    _S166.sun_0 = sun_1;
-    _S166.sky_1 = sky_2;
-    _S166.emitters_1 = emitters_2;
-    return _S166;
+    var _S173 : Selection_0;
+    _S173.sun_0 = sun_1;
+    _S173.sky_1 = sky_2;
+    _S173.emitters_1 = emitters_2;
+    return _S173;
 }
 
 fn Lights_sky_probability_0( receiver_4 : Receiver_0) -> f32
@@ -2848,22 +2896,22 @@ fn Lights_selection_0( receiver_5 : Receiver_0) -> Selection_0
         return Selection_x24init_0(sun_2, 0.0f, 1.0f - sun_2);
     }
     var sky_3 : f32 = Lights_sky_probability_0(receiver_5);
-    var _S167 : f32 = 1.0f - sky_3;
-    return Selection_x24init_0(sun_2 * _S167, sky_3, (1.0f - sun_2) * _S167);
+    var _S174 : f32 = 1.0f - sky_3;
+    return Selection_x24init_0(sun_2 * _S174, sky_3, (1.0f - sun_2) * _S174);
 }
 
 fn Lights_sky_pdf_0( receiver_6 : Receiver_0,  direction_17 : vec3<f32>) -> f32
 {
-    var _S168 : f32;
+    var _S175 : f32;
     if(Lights_has_chosen_sky_0())
     {
-        _S168 = Sky_pdf_0(direction_17) * Lights_selection_0(receiver_6).sky_1;
+        _S175 = Sky_pdf_0(direction_17) * Lights_selection_0(receiver_6).sky_1;
     }
     else
     {
-        _S168 = 0.0f;
+        _S175 = 0.0f;
     }
-    return _S168;
+    return _S175;
 }
 
 fn power_heuristic_0( own_0 : f32,  other_1 : f32) -> f32
@@ -2874,16 +2922,16 @@ fn power_heuristic_0( own_0 : f32,  other_1 : f32) -> f32
 
 fn mis_weight_0( bounce_pdf_0 : f32,  light_pdf_0 : f32) -> f32
 {
-    var _S169 : bool;
+    var _S176 : bool;
     if(bounce_pdf_0 == 0.0f)
     {
-        _S169 = true;
+        _S176 = true;
     }
     else
     {
-        _S169 = light_pdf_0 == 0.0f;
+        _S176 = light_pdf_0 == 0.0f;
     }
-    if(_S169)
+    if(_S176)
     {
         return 1.0f;
     }
@@ -2895,26 +2943,26 @@ fn SunDisc_is_visible_0() -> bool
     return (params_0.hides_sun_disc_0) == u32(0);
 }
 
-fn Path_is_straight_0( this_29 : Path_0) -> bool
+fn Path_is_straight_0( this_30 : Path_0) -> bool
 {
-    var _S170 : bool;
-    if((this_29.bounce_0) == u32(0))
+    var _S177 : bool;
+    if((this_30.bounce_0) == u32(0))
     {
-        _S170 = (this_29.pdf_1) == 0.0f;
+        _S177 = (this_30.pdf_1) == 0.0f;
     }
     else
     {
-        _S170 = false;
+        _S177 = false;
     }
-    if(_S170)
+    if(_S177)
     {
-        _S170 = (all(((this_29.normal_0) == vec3<f32>(0.0f))));
+        _S177 = (all(((this_30.normal_0) == vec3<f32>(0.0f))));
     }
     else
     {
-        _S170 = false;
+        _S177 = false;
     }
-    return _S170;
+    return _S177;
 }
 
 fn SunDisc_contains_0( direction_18 : vec3<f32>) -> bool
@@ -2924,49 +2972,49 @@ fn SunDisc_contains_0( direction_18 : vec3<f32>) -> bool
 
 fn SunDisc_le_0( direction_19 : vec3<f32>) -> vec3<f32>
 {
-    var _S171 : vec3<f32>;
+    var _S178 : vec3<f32>;
     if(SunDisc_contains_0(direction_19))
     {
-        _S171 = params_0.sun_radiance_0;
+        _S178 = params_0.sun_radiance_0;
     }
     else
     {
-        _S171 = vec3<f32>(0.0f);
+        _S178 = vec3<f32>(0.0f);
     }
-    return _S171;
+    return _S178;
 }
 
 fn SunDisc_pdf_0( direction_20 : vec3<f32>) -> f32
 {
-    var _S172 : f32;
+    var _S179 : f32;
     if(SunDisc_contains_0(direction_20))
     {
-        _S172 = params_0.sun_pdf_0;
+        _S179 = params_0.sun_pdf_0;
     }
     else
     {
-        _S172 = 0.0f;
+        _S179 = 0.0f;
     }
-    return _S172;
+    return _S179;
 }
 
 fn Lights_sun_pdf_0( receiver_7 : Receiver_0,  direction_21 : vec3<f32>) -> f32
 {
-    var _S173 : f32;
+    var _S180 : f32;
     if(has_sun_0())
     {
-        _S173 = SunDisc_pdf_0(direction_21) * Lights_selection_0(receiver_7).sun_0;
+        _S180 = SunDisc_pdf_0(direction_21) * Lights_selection_0(receiver_7).sun_0;
     }
     else
     {
-        _S173 = 0.0f;
+        _S180 = 0.0f;
     }
-    return _S173;
+    return _S180;
 }
 
-fn Path_dimension_scatter_0( this_30 : Path_0) -> u32
+fn Path_dimension_scatter_0( this_31 : Path_0) -> u32
 {
-    return u32(1) + u32(2) * Path_events_0(this_30);
+    return u32(1) + u32(2) * Path_events_0(this_31);
 }
 
 struct PackedMaterial_0
@@ -2983,23 +3031,23 @@ struct PackedMaterial_0
      scattering_0 : f32,
 };
 
-fn find_brick_0( _S174 : u32,  _S175 : vec3<i32>) -> u32
+fn find_brick_0( _S181 : u32,  _S182 : vec3<i32>) -> u32
 {
-    var top_0 : vec3<i32> = (_S175 >> (vec3<u32>(grids_0[_S174].top_shift_0)));
-    var cell_14 : u32 = cells_0[grids_0[_S174].top_offset_0 + u32((top_0.z * grids_0[_S174].top_size_0[i32(1)] + top_0.y) * grids_0[_S174].top_size_0[i32(0)] + top_0.x)];
-    var shift_3 : u32 = grids_0[_S174].top_shift_0;
+    var top_0 : vec3<i32> = (_S182 >> (vec3<u32>(grids_0[_S181].top_shift_0)));
+    var cell_14 : u32 = cells_0[grids_0[_S181].top_offset_0 + u32((top_0.z * grids_0[_S181].top_size_0[i32(1)] + top_0.y) * grids_0[_S181].top_size_0[i32(0)] + top_0.x)];
+    var shift_3 : u32 = grids_0[_S181].top_shift_0;
     for(;;)
     {
-        var _S176 : bool;
+        var _S183 : bool;
         if(shift_3 > u32(3))
         {
-            _S176 = ((cell_14 & (u32(2147483648)))) != u32(0);
+            _S183 = ((cell_14 & (u32(2147483648)))) != u32(0);
         }
         else
         {
-            _S176 = false;
+            _S183 = false;
         }
-        if(_S176)
+        if(_S183)
         {
         }
         else
@@ -3007,7 +3055,7 @@ fn find_brick_0( _S174 : u32,  _S175 : vec3<i32>) -> u32
             break;
         }
         var shift_4 : u32 = shift_3 - u32(2);
-        cell_14 = cells_0[((cell_14 & (u32(2147483647)))) * u32(64) + cell_in_node_0(_S175, shift_4)];
+        cell_14 = cells_0[((cell_14 & (u32(2147483647)))) * u32(64) + cell_in_node_0(_S182, shift_4)];
         shift_3 = shift_4;
     }
     return record_of_cell_0(cell_14);
@@ -3034,12 +3082,12 @@ fn read_bits_0( start_1 : u32,  position_8 : u32,  count_3 : u32) -> u32
     return (bits_3 & ((((u32(1) << (count_3))) - u32(1))));
 }
 
-fn material_at_0( _S177 : u32,  _S178 : vec3<i32>) -> u32
+fn material_at_0( _S184 : u32,  _S185 : vec3<i32>) -> u32
 {
-    var _S179 : u32 = find_brick_0(_S177, _S178);
-    var header_0 : u32 = bricks_0[_S179];
-    var bit_1 : u32 = cell_in_node_0(_S178, u32(0));
-    var present_before_0 : u32 = countOneBits((header_0 & ((((u32(1) << (((((u32(((((_S178.x) >> (u32(2)))) & (i32(1)))) | (((u32(((((_S178.y) >> (u32(2)))) & (i32(1)))) << (u32(1))))))) | (((u32(((((_S178.z) >> (u32(2)))) & (i32(1)))) << (u32(2)))))))))) - u32(1)))));
+    var _S186 : u32 = find_brick_0(_S184, _S185);
+    var header_0 : u32 = bricks_0[_S186];
+    var bit_1 : u32 = cell_in_node_0(_S185, u32(0));
+    var present_before_0 : u32 = countOneBits((header_0 & ((((u32(1) << (((((u32(((((_S185.x) >> (u32(2)))) & (i32(1)))) | (((u32(((((_S185.y) >> (u32(2)))) & (i32(1)))) << (u32(1))))))) | (((u32(((((_S185.z) >> (u32(2)))) & (i32(1)))) << (u32(2)))))))))) - u32(1)))));
     var index_4 : u32 = u32(0);
     var rank_0 : u32 = u32(0);
     for(;;)
@@ -3051,26 +3099,26 @@ fn material_at_0( _S177 : u32,  _S178 : vec3<i32>) -> u32
         {
             break;
         }
-        var _S180 : u32 = u32(2) * index_4;
-        var rank_1 : u32 = rank_0 + (countOneBits(bricks_0[_S179 + u32(2) + _S180]) + countOneBits(bricks_0[_S179 + u32(3) + _S180]));
+        var _S187 : u32 = u32(2) * index_4;
+        var rank_1 : u32 = rank_0 + (countOneBits(bricks_0[_S186 + u32(2) + _S187]) + countOneBits(bricks_0[_S186 + u32(3) + _S187]));
         index_4 = index_4 + u32(1);
         rank_0 = rank_1;
     }
-    var _S181 : u32 = u32(2) * present_before_0;
-    var low_6 : u32 = bricks_0[_S179 + u32(2) + _S181];
+    var _S188 : u32 = u32(2) * present_before_0;
+    var low_7 : u32 = bricks_0[_S186 + u32(2) + _S188];
     if(bit_1 < u32(32))
     {
-        rank_0 = rank_0 + countOneBits((low_6 & ((((u32(1) << (bit_1))) - u32(1)))));
+        rank_0 = rank_0 + countOneBits((low_7 & ((((u32(1) << (bit_1))) - u32(1)))));
     }
     else
     {
-        rank_0 = rank_0 + (countOneBits(low_6) + countOneBits((bricks_0[_S179 + u32(3) + _S181] & ((((u32(1) << ((bit_1 - u32(32))))) - u32(1))))));
+        rank_0 = rank_0 + (countOneBits(low_7) + countOneBits((bricks_0[_S186 + u32(3) + _S188] & ((((u32(1) << ((bit_1 - u32(32))))) - u32(1))))));
     }
     var index_bits_0 : u32 = (((header_0 >> (u32(8)))) & (u32(255)));
     var palette_count_0 : u32 = (header_0 >> (u32(16)));
-    var entry_bits_0 : u32 = grids_0[_S177].material_bits_0;
-    var start_2 : u32 = bricks_0[_S179 + u32(1)];
-    var index_5 : u32 = read_bits_0(start_2, palette_count_0 * grids_0[_S177].material_bits_0 + rank_0 * index_bits_0, index_bits_0);
+    var entry_bits_0 : u32 = grids_0[_S184].material_bits_0;
+    var start_2 : u32 = bricks_0[_S186 + u32(1)];
+    var index_5 : u32 = read_bits_0(start_2, palette_count_0 * grids_0[_S184].material_bits_0 + rank_0 * index_bits_0, index_bits_0);
     if(palette_count_0 == u32(0))
     {
         return index_5;
@@ -3080,9 +3128,9 @@ fn material_at_0( _S177 : u32,  _S178 : vec3<i32>) -> u32
 
 fn material_of_0( hit_1 : Hit_0) -> PackedMaterial_0
 {
-    var _S182 : PackedMaterial_std430_0 = materials_0[material_at_0(instances_0[hit_1.instance_3].grid_0, hit_1.voxel_4 - cell_of_0(grids_0[instances_0[hit_1.instance_3].grid_0].origin_0))];
-    var _S183 : PackedMaterial_0 = PackedMaterial_0( _S182.base_color_0, _S182.roughness_0, _S182.emission_0, _S182.metallic_0, _S182.transmission_0, _S182.ior_0, _S182.specular_0, _S182.anisotropy_0, _S182.absorption_0, _S182.scattering_0 );
-    return _S183;
+    var _S189 : PackedMaterial_std430_0 = materials_0[material_at_0(instances_0[hit_1.instance_3].grid_0, hit_1.voxel_4 - cell_of_0(grids_0[instances_0[hit_1.instance_3].grid_0].origin_0))];
+    var _S190 : PackedMaterial_0 = PackedMaterial_0( _S189.base_color_0, _S189.roughness_0, _S189.emission_0, _S189.metallic_0, _S189.transmission_0, _S189.ior_0, _S189.specular_0, _S189.anisotropy_0, _S189.absorption_0, _S189.scattering_0 );
+    return _S190;
 }
 
 fn material_met_0( path_3 : Path_0,  hit_2 : Hit_0,  beyond_1 : u32) -> PackedMaterial_0
@@ -3100,20 +3148,27 @@ fn EmitterTree_le_0( material_4 : PackedMaterial_0) -> vec3<f32>
     return emitted_0(material_4);
 }
 
+fn luminance_1( color_0 : vec3<f32>) -> f32
+{
+    return color_0.x * 0.2125999927520752f + color_0.y * 0.71520000696182251f + color_0.z * 0.07220000028610229f;
+}
+
 struct Aim_0
 {
      is_met_0 : bool,
      direction_22 : vec3<f32>,
      hit_3 : Hit_0,
+     luminance_2 : f32,
 };
 
-fn Aim_x24init_0( is_met_1 : bool,  direction_23 : vec3<f32>,  hit_4 : Hit_0) -> Aim_0
+fn Aim_x24init_0( is_met_1 : bool,  direction_23 : vec3<f32>,  hit_4 : Hit_0,  luminance_3 : f32) -> Aim_0
 {
-    var _S184 : Aim_0;
-    _S184.is_met_0 = is_met_1;
-    _S184.direction_22 = direction_23;
-    _S184.hit_3 = hit_4;
-    return _S184;
+    var _S191 : Aim_0;
+    _S191.is_met_0 = is_met_1;
+    _S191.direction_22 = direction_23;
+    _S191.hit_3 = hit_4;
+    _S191.luminance_2 = luminance_3;
+    return _S191;
 }
 
 struct LightSample_0
@@ -3126,18 +3181,18 @@ struct LightSample_0
 
 fn LightSample_x24init_0( ray_15 : Ray_0,  cos_theta_3 : f32,  radiance_3 : vec3<f32>,  pdf_4 : f32) -> LightSample_0
 {
-    var _S185 : LightSample_0;
-    _S185.ray_14 = ray_15;
-    _S185.cos_theta_2 = cos_theta_3;
-    _S185.radiance_2 = radiance_3;
-    _S185.pdf_3 = pdf_4;
-    return _S185;
+    var _S192 : LightSample_0;
+    _S192.ray_14 = ray_15;
+    _S192.cos_theta_2 = cos_theta_3;
+    _S192.radiance_2 = radiance_3;
+    _S192.pdf_3 = pdf_4;
+    return _S192;
 }
 
 fn no_light_0() -> LightSample_0
 {
-    var _S186 : vec3<f32> = vec3<f32>(0.0f);
-    return LightSample_x24init_0(Ray_x24init_0(_S186, 0.0f, _S186, 0.0f), 0.0f, _S186, 0.0f);
+    var _S193 : vec3<f32> = vec3<f32>(0.0f);
+    return LightSample_x24init_0(Ray_x24init_0(_S193, 0.0f, _S193, 0.0f), 0.0f, _S193, 0.0f);
 }
 
 fn SunDisc_sample_0( receiver_8 : Receiver_0,  u_2 : vec4<f32>,  sample_6 : ptr<function, LightSample_0>) -> bool
@@ -3160,36 +3215,36 @@ struct ChosenDirection_0
 
 fn ChosenDirection_x24init_0( direction_26 : vec3<f32>,  radiance_5 : vec3<f32>,  pdf_6 : f32) -> ChosenDirection_0
 {
-    var _S187 : ChosenDirection_0;
-    _S187.direction_25 = direction_26;
-    _S187.radiance_4 = radiance_5;
-    _S187.pdf_5 = pdf_6;
-    return _S187;
+    var _S194 : ChosenDirection_0;
+    _S194.direction_25 = direction_26;
+    _S194.radiance_4 = radiance_5;
+    _S194.pdf_5 = pdf_6;
+    return _S194;
 }
 
 fn direction_of_0( square_1 : vec2<f32>) -> vec3<f32>
 {
     var u_3 : f32 = square_1.x * 2.0f - 1.0f;
     var v_3 : f32 = square_1.y * 2.0f - 1.0f;
-    var _S188 : f32 = abs(u_3);
-    var _S189 : f32 = abs(v_3);
-    var height_2 : f32 = 1.0f - (_S188 + _S189);
+    var _S195 : f32 = abs(u_3);
+    var _S196 : f32 = abs(v_3);
+    var height_2 : f32 = 1.0f - (_S195 + _S196);
     var radius_5 : f32 = 1.0f - abs(height_2);
     var turns_3 : f32;
     if(radius_5 > 0.0f)
     {
-        turns_3 = (divide_0(_S189 - _S188, radius_5) + 1.0f) * 0.125f;
+        turns_3 = (divide_0(_S196 - _S195, radius_5) + 1.0f) * 0.125f;
     }
     else
     {
         turns_3 = 0.0f;
     }
     var sin_cos_3 : vec2<f32> = sincos_turns_0(turns_3);
-    var _S190 : f32 = radius_5 * radius_5;
-    var across_0 : f32 = radius_5 * square_root_0(2.0f - _S190);
+    var _S197 : f32 = radius_5 * radius_5;
+    var across_0 : f32 = radius_5 * square_root_0(2.0f - _S197);
     var x_9 : f32 = sin_cos_3.y * across_0;
     var y_6 : f32 = sin_cos_3.x * across_0;
-    var z_0 : f32 = 1.0f - _S190;
+    var z_0 : f32 = 1.0f - _S197;
     if(u_3 < 0.0f)
     {
         turns_3 = - x_9;
@@ -3198,45 +3253,45 @@ fn direction_of_0( square_1 : vec2<f32>) -> vec3<f32>
     {
         turns_3 = x_9;
     }
-    var _S191 : f32;
+    var _S198 : f32;
     if(v_3 < 0.0f)
     {
-        _S191 = - y_6;
+        _S198 = - y_6;
     }
     else
     {
-        _S191 = y_6;
+        _S198 = y_6;
     }
-    var _S192 : f32;
+    var _S199 : f32;
     if(height_2 < 0.0f)
     {
-        _S192 = - z_0;
+        _S199 = - z_0;
     }
     else
     {
-        _S192 = z_0;
+        _S199 = z_0;
     }
-    return vec3<f32>(turns_3, _S191, _S192);
+    return vec3<f32>(turns_3, _S198, _S199);
 }
 
 fn Environment_to_world_0( d_1 : vec3<f32>) -> vec3<f32>
 {
     var sin_2 : f32 = params_0.sky_turned_0.x;
     var cos_3 : f32 = params_0.sky_turned_0.y;
-    var _S193 : f32 = d_1.x;
-    var _S194 : f32 = d_1.y;
-    return vec3<f32>(_S193 * cos_3 + _S194 * sin_2, _S194 * cos_3 - _S193 * sin_2, d_1.z);
+    var _S200 : f32 = d_1.x;
+    var _S201 : f32 = d_1.y;
+    return vec3<f32>(_S200 * cos_3 + _S201 * sin_2, _S201 * cos_3 - _S200 * sin_2, d_1.z);
 }
 
 fn Environment_choose_0( u_4 : vec4<f32>,  chosen_0 : ptr<function, ChosenDirection_0>) -> bool
 {
-    var _S195 : vec3<f32> = vec3<f32>(0.0f);
-    (*chosen_0) = ChosenDirection_x24init_0(_S195, _S195, 0.0f);
+    var _S202 : vec3<f32> = vec3<f32>(0.0f);
+    (*chosen_0) = ChosenDirection_x24init_0(_S202, _S202, 0.0f);
     var edge_0 : f32 = f32(params_0.sky_edge_0);
-    var _S196 : f32 = u_4.x * edge_0;
-    var _S197 : f32 = edge_0 - 1.0f;
-    var _S198 : f32 = min(floor(_S196), _S197);
-    var own_1 : u32 = u32(_S198) * params_0.sky_edge_0 + u32(min(floor(u_4.y * edge_0), _S197));
+    var _S203 : f32 = u_4.x * edge_0;
+    var _S204 : f32 = edge_0 - 1.0f;
+    var _S205 : f32 = min(floor(_S203), _S204);
+    var own_1 : u32 = u32(_S205) * params_0.sky_edge_0 + u32(min(floor(u_4.y * edge_0), _S204));
     var index_6 : u32;
     if((u_4.z) < (environment_0[own_1].threshold_0))
     {
@@ -3251,10 +3306,10 @@ fn Environment_choose_0( u_4 : vec4<f32>,  chosen_0 : ptr<function, ChosenDirect
     {
         return false;
     }
-    var _S199 : u32 = index_6 % params_0.sky_edge_0;
-    var _S200 : f32 = f32(_S199);
-    var _S201 : u32 = index_6 / params_0.sky_edge_0;
-    var place_3 : vec2<f32> = vec2<f32>(_S200, f32(_S201)) + vec2<f32>(min(_S196 - _S198, 1.0f), u_4.w);
+    var _S206 : u32 = index_6 % params_0.sky_edge_0;
+    var _S207 : f32 = f32(_S206);
+    var _S208 : u32 = index_6 / params_0.sky_edge_0;
+    var place_3 : vec2<f32> = vec2<f32>(_S207, f32(_S208)) + vec2<f32>(min(_S203 - _S205, 1.0f), u_4.w);
     (*chosen_0) = ChosenDirection_x24init_0(Environment_to_world_0(direction_of_0(place_3 * vec2<f32>(divide_0(1.0f, edge_0)))), Environment_radiance_at_0(place_3), pdf_7);
     return true;
 }
@@ -3263,17 +3318,17 @@ fn Sky_sample_0( receiver_9 : Receiver_0,  u_5 : vec4<f32>,  sample_7 : ptr<func
 {
     (*sample_7) = no_light_0();
     var chosen_1 : ChosenDirection_0;
-    var _S202 : bool;
+    var _S209 : bool;
     if(SKY_0 != u32(1))
     {
-        _S202 = true;
+        _S209 = true;
     }
     else
     {
-        var _S203 : bool = Environment_choose_0(u_5, &(chosen_1));
-        _S202 = !_S203;
+        var _S210 : bool = Environment_choose_0(u_5, &(chosen_1));
+        _S209 = !_S210;
     }
-    if(_S202)
+    if(_S209)
     {
         return false;
     }
@@ -3290,18 +3345,20 @@ struct Descent_0
      weight_0 : f32,
      total_0 : f32,
      choice_0 : f32,
+     is_far_3 : bool,
 };
 
-fn Descent_x24init_0( node_1 : u32,  index_8 : u32,  count_5 : u32,  weight_1 : f32,  total_1 : f32,  choice_1 : f32) -> Descent_0
+fn Descent_x24init_0( node_1 : u32,  index_8 : u32,  count_5 : u32,  weight_1 : f32,  total_1 : f32,  choice_1 : f32,  is_far_4 : bool) -> Descent_0
 {
-    var _S204 : Descent_0;
-    _S204.node_0 = node_1;
-    _S204.index_7 = index_8;
-    _S204.count_4 = count_5;
-    _S204.weight_0 = weight_1;
-    _S204.total_0 = total_1;
-    _S204.choice_0 = choice_1;
-    return _S204;
+    var _S211 : Descent_0;
+    _S211.node_0 = node_1;
+    _S211.index_7 = index_8;
+    _S211.count_4 = count_5;
+    _S211.weight_0 = weight_1;
+    _S211.total_0 = total_1;
+    _S211.choice_0 = choice_1;
+    _S211.is_far_3 = is_far_4;
+    return _S211;
 }
 
 struct LightNode_0
@@ -3317,90 +3374,119 @@ struct LightNode_0
 
 fn TopLights_node_0( index_9 : u32) -> LightNode_0
 {
-    var _S205 : LightNode_std430_0 = top_light_nodes_0[index_9];
-    var _S206 : LightNode_0 = LightNode_0( _S205.min_2, _S205.index_1, _S205.max_2, _S205.count_1, _S205.power_0, _S205.parent_0, _S205.root_0 );
-    return _S206;
+    var _S212 : LightNode_std430_0 = top_light_nodes_0[index_9];
+    var _S213 : LightNode_0 = LightNode_0( _S212.min_2, _S212.index_1, _S212.max_2, _S212.count_1, _S212.power_0, _S212.parent_0, _S212.root_0 );
+    return _S213;
 }
 
-fn Descent_at_0( this_31 : ptr<function, Descent_0>,  root_2 : u32)
+fn Descent_at_0( this_32 : ptr<function, Descent_0>,  root_2 : u32)
 {
     var node_2 : LightNode_0 = TopLights_node_0(root_2);
-    (*this_31).node_0 = root_2;
-    (*this_31).index_7 = node_2.index_1;
-    (*this_31).count_4 = node_2.count_1;
+    (*this_32).node_0 = root_2;
+    (*this_32).index_7 = node_2.index_1;
+    (*this_32).count_4 = node_2.count_1;
+    (*this_32).is_far_3 = false;
     return;
 }
 
-fn node_importance_1( node_3 : LightNode_0,  receiver_10 : Receiver_0) -> f32
+fn sent_by_side_1( node_3 : LightNode_0,  point_2 : vec3<f32>,  distance_3 : f32) -> BySide_0
 {
-    var low_7 : vec3<f32> = vector_of_0(node_3.min_2);
-    var high_4 : vec3<f32> = vector_of_0(node_3.max_2);
-    var _S207 : vec3<f32> = vec3<f32>(0.5f);
-    var half_2 : vec3<f32> = (high_4 - low_7) * _S207;
-    var toward_1 : vec3<f32> = (low_7 + high_4) * _S207 - receiver_10.point_0;
-    var above_1 : f32 = with_slack_0(receiver_10, dot_product_0(toward_1, receiver_10.normal_2) + dot_product_0(half_2, abs(receiver_10.normal_2)));
-    var far_3 : f32 = length_squared_0(toward_1);
-    var near_1 : f32 = length_squared_0(half_2);
-    var distance_3 : f32 = length_bound_0(select(half_2, abs(toward_1), vec3<bool>((far_3 > near_1))));
-    var _S208 : vec3<f32> = vec3<f32>(0.0f);
-    var _S209 : vec3<f32> = vec3<f32>(distance_3);
-    var beyond_min_1 : vec3<f32> = min(max(receiver_10.point_0 - low_7, _S208), _S209);
-    var beyond_max_1 : vec3<f32> = min(max(high_4 - receiver_10.point_0, _S208), _S209);
-    var sent_1 : f32 = node_3.power_0[i32(0)] * beyond_max_1.x + node_3.power_0[i32(1)] * beyond_min_1.x + (node_3.power_0[i32(2)] * beyond_max_1.y + node_3.power_0[i32(3)] * beyond_min_1.y) + (node_3.power_0[i32(4)] * beyond_max_1.z + node_3.power_0[i32(5)] * beyond_min_1.z);
-    var falloff_1 : f32 = reciprocal_guess_0(max(far_3, near_1));
-    var _S210 : f32;
-    if(above_1 > 0.0f)
-    {
-        _S210 = sent_1 * min(above_1, distance_3) * (falloff_1 * falloff_1);
-    }
-    else
-    {
-        _S210 = 0.0f;
-    }
-    return _S210;
+    var _S214 : vec3<f32> = vec3<f32>(0.0f);
+    var _S215 : vec3<f32> = vec3<f32>(distance_3);
+    return BySide_x24init_0(vec3<f32>(node_3.power_0[i32(0)], node_3.power_0[i32(2)], node_3.power_0[i32(4)]) * min(max(vector_of_0(node_3.max_2) - point_2, _S214), _S215), vec3<f32>(node_3.power_0[i32(1)], node_3.power_0[i32(3)], node_3.power_0[i32(5)]) * min(max(point_2 - vector_of_0(node_3.min_2), _S214), _S215));
 }
 
-fn node_importance_2( _S211 : u32,  _S212 : Receiver_0) -> f32
+fn view_1( node_4 : LightNode_0,  receiver_10 : Receiver_0) -> View_0
 {
-    var low_8 : vec3<f32> = vector_of_0(top_light_nodes_0[_S211].min_2);
-    var high_5 : vec3<f32> = vector_of_0(top_light_nodes_0[_S211].max_2);
-    var _S213 : vec3<f32> = vec3<f32>(0.5f);
-    var half_3 : vec3<f32> = (high_5 - low_8) * _S213;
-    var toward_2 : vec3<f32> = (low_8 + high_5) * _S213 - _S212.point_0;
-    var above_2 : f32 = with_slack_0(_S212, dot_product_0(toward_2, _S212.normal_2) + dot_product_0(half_3, abs(_S212.normal_2)));
-    var far_4 : f32 = length_squared_0(toward_2);
-    var near_2 : f32 = length_squared_0(half_3);
-    var distance_4 : f32 = length_bound_0(select(half_3, abs(toward_2), vec3<bool>((far_4 > near_2))));
-    var _S214 : vec3<f32> = vec3<f32>(0.0f);
-    var _S215 : vec3<f32> = vec3<f32>(distance_4);
-    var beyond_min_2 : vec3<f32> = min(max(_S212.point_0 - low_8, _S214), _S215);
-    var beyond_max_2 : vec3<f32> = min(max(high_5 - _S212.point_0, _S214), _S215);
-    var sent_2 : f32 = top_light_nodes_0[_S211].power_0[i32(0)] * beyond_max_2.x + top_light_nodes_0[_S211].power_0[i32(1)] * beyond_min_2.x + (top_light_nodes_0[_S211].power_0[i32(2)] * beyond_max_2.y + top_light_nodes_0[_S211].power_0[i32(3)] * beyond_min_2.y) + (top_light_nodes_0[_S211].power_0[i32(4)] * beyond_max_2.z + top_light_nodes_0[_S211].power_0[i32(5)] * beyond_min_2.z);
-    var falloff_2 : f32 = reciprocal_guess_0(max(far_4, near_2));
-    var _S216 : f32;
-    if(above_2 > 0.0f)
+    var _S216 : vec3<f32> = vector_of_0(node_4.max_2);
+    var _S217 : vec3<f32> = vector_of_0(node_4.min_2);
+    var _S218 : vec3<f32> = vec3<f32>(0.5f);
+    var half_2 : vec3<f32> = (_S216 - _S217) * _S218;
+    var toward_1 : vec3<f32> = (_S217 + _S216) * _S218 - receiver_10.point_0;
+    var middle_3 : f32 = dot_product_0(toward_1, receiver_10.normal_2);
+    var aside_1 : f32 = dot_product_0(half_2, abs(receiver_10.normal_2));
+    var above_1 : f32 = with_slack_0(receiver_10, middle_3 + aside_1);
+    var far_3 : f32 = length_squared_0(toward_1);
+    var near_1 : f32 = length_squared_0(half_2);
+    var is_far_5 : bool;
+    if((with_slack_0(receiver_10, middle_3 - aside_1)) > 0.0f)
     {
-        _S216 = sent_2 * min(above_2, distance_4) * (falloff_2 * falloff_2);
+        is_far_5 = far_3 > (near_1 * 36.0f);
     }
     else
     {
-        _S216 = 0.0f;
+        is_far_5 = false;
     }
-    return _S216;
+    var distance_4 : f32 = length_bound_0(select(half_2, abs(toward_1), vec3<bool>((far_3 > near_1))));
+    var sent_1 : f32 = BySide_sum_0(sent_by_side_1(node_4, receiver_10.point_0, distance_4));
+    var falloff_1 : f32 = reciprocal_guess_0(max(far_3, near_1));
+    var _S219 : f32;
+    if(above_1 > 0.0f)
+    {
+        _S219 = sent_1 * min(above_1, distance_4) * (falloff_1 * falloff_1);
+    }
+    else
+    {
+        _S219 = 0.0f;
+    }
+    return View_x24init_0(_S219, is_far_5);
+}
+
+fn sent_by_side_2( _S220 : u32,  _S221 : vec3<f32>,  _S222 : f32) -> BySide_0
+{
+    var _S223 : vec3<f32> = vec3<f32>(0.0f);
+    var _S224 : vec3<f32> = vec3<f32>(_S222);
+    return BySide_x24init_0(vec3<f32>(top_light_nodes_0[_S220].power_0[i32(0)], top_light_nodes_0[_S220].power_0[i32(2)], top_light_nodes_0[_S220].power_0[i32(4)]) * min(max(vector_of_0(top_light_nodes_0[_S220].max_2) - _S221, _S223), _S224), vec3<f32>(top_light_nodes_0[_S220].power_0[i32(1)], top_light_nodes_0[_S220].power_0[i32(3)], top_light_nodes_0[_S220].power_0[i32(5)]) * min(max(_S221 - vector_of_0(top_light_nodes_0[_S220].min_2), _S223), _S224));
+}
+
+fn view_2( _S225 : u32,  _S226 : Receiver_0) -> View_0
+{
+    var _S227 : vec3<f32> = vector_of_0(top_light_nodes_0[_S225].max_2);
+    var _S228 : vec3<f32> = vector_of_0(top_light_nodes_0[_S225].min_2);
+    var _S229 : vec3<f32> = vec3<f32>(0.5f);
+    var half_3 : vec3<f32> = (_S227 - _S228) * _S229;
+    var toward_2 : vec3<f32> = (_S228 + _S227) * _S229 - _S226.point_0;
+    var middle_4 : f32 = dot_product_0(toward_2, _S226.normal_2);
+    var aside_2 : f32 = dot_product_0(half_3, abs(_S226.normal_2));
+    var above_2 : f32 = with_slack_0(_S226, middle_4 + aside_2);
+    var far_4 : f32 = length_squared_0(toward_2);
+    var near_2 : f32 = length_squared_0(half_3);
+    var is_far_6 : bool;
+    if((with_slack_0(_S226, middle_4 - aside_2)) > 0.0f)
+    {
+        is_far_6 = far_4 > (near_2 * 36.0f);
+    }
+    else
+    {
+        is_far_6 = false;
+    }
+    var distance_5 : f32 = length_bound_0(select(half_3, abs(toward_2), vec3<bool>((far_4 > near_2))));
+    var sent_2 : f32 = BySide_sum_0(sent_by_side_2(_S225, _S226.point_0, distance_5));
+    var falloff_2 : f32 = reciprocal_guess_0(max(far_4, near_2));
+    var _S230 : f32;
+    if(above_2 > 0.0f)
+    {
+        _S230 = sent_2 * min(above_2, distance_5) * (falloff_2 * falloff_2);
+    }
+    else
+    {
+        _S230 = 0.0f;
+    }
+    return View_x24init_0(_S230, is_far_6);
 }
 
 fn normal_or_zero_0( weight_2 : f32) -> f32
 {
-    var _S217 : f32;
+    var _S231 : f32;
     if(weight_2 < 1.17549435082228751e-38f)
     {
-        _S217 = 0.0f;
+        _S231 = 0.0f;
     }
     else
     {
-        _S217 = weight_2;
+        _S231 = weight_2;
     }
-    return _S217;
+    return _S231;
 }
 
 fn inverse_power_of_two_0( x_10 : f32) -> f32
@@ -3410,107 +3496,116 @@ fn inverse_power_of_two_0( x_10 : f32) -> f32
 
 fn weights_of_0( left_0 : f32,  right_2 : f32) -> vec2<f32>
 {
-    var _S218 : f32 = normal_or_zero_0(left_0);
-    var _S219 : f32 = normal_or_zero_0(right_2);
-    var unit_0 : f32 = inverse_power_of_two_0(_S218 + _S219);
-    return vec2<f32>(normal_or_zero_0(_S218 * unit_0), normal_or_zero_0(_S219 * unit_0));
+    var _S232 : f32 = normal_or_zero_0(left_0);
+    var _S233 : f32 = normal_or_zero_0(right_2);
+    var unit_0 : f32 = inverse_power_of_two_0(_S232 + _S233);
+    return vec2<f32>(normal_or_zero_0(_S232 * unit_0), normal_or_zero_0(_S233 * unit_0));
 }
 
 fn climb_0( receiver_11 : Receiver_0,  start_3 : u32,  descent_0 : ptr<function, Descent_0>) -> bool
 {
-    var _S220 : LightNode_std430_0 = top_light_nodes_0[start_3];
-    var node_4 : LightNode_0;
-    node_4.min_2 = _S220.min_2;
-    node_4.index_1 = _S220.index_1;
-    node_4.max_2 = _S220.max_2;
-    node_4.count_1 = _S220.count_1;
-    node_4.power_0 = _S220.power_0;
-    node_4.parent_0 = _S220.parent_0;
-    node_4.root_0 = _S220.root_0;
+    var _S234 : LightNode_std430_0 = top_light_nodes_0[start_3];
+    var node_5 : LightNode_0;
+    node_5.min_2 = _S234.min_2;
+    node_5.index_1 = _S234.index_1;
+    node_5.max_2 = _S234.max_2;
+    node_5.count_1 = _S234.count_1;
+    node_5.power_0 = _S234.power_0;
+    node_5.parent_0 = _S234.parent_0;
+    node_5.root_0 = _S234.root_0;
     var at_1 : u32 = start_3;
     for(;;)
     {
-        var _S221 : LightNode_0 = node_4;
-        if((node_4.parent_0) != u32(4294967295))
+        var _S235 : LightNode_0 = node_5;
+        if((node_5.parent_0) != u32(4294967295))
         {
         }
         else
         {
             break;
         }
-        var parent_1 : LightNode_std430_0 = top_light_nodes_0[_S221.parent_0];
-        var _S222 : u32 = _S221.parent_0 + u32(1);
-        var is_left_0 : bool = at_1 == _S222;
-        var _S223 : u32;
+        var parent_1 : LightNode_std430_0 = top_light_nodes_0[_S235.parent_0];
+        var _S236 : u32 = _S235.parent_0 + u32(1);
+        var is_left_0 : bool = at_1 == _S236;
+        var _S237 : u32;
         if(is_left_0)
         {
-            _S223 = parent_1.index_1;
+            _S237 = parent_1.index_1;
         }
         else
         {
-            _S223 = _S222;
+            _S237 = _S236;
         }
-        var own_2 : f32 = node_importance_1(node_4, receiver_11);
-        var _S224 : f32 = node_importance_2(_S223, receiver_11);
-        var _S225 : f32;
+        var _S238 : View_0 = view_1(node_5, receiver_11);
+        var _S239 : View_0 = view_2(_S237, receiver_11);
+        var _S240 : f32;
         if(is_left_0)
         {
-            _S225 = own_2;
+            _S240 = _S238.importance_0;
         }
         else
         {
-            _S225 = _S224;
+            _S240 = _S239.importance_0;
         }
-        var _S226 : f32;
+        var _S241 : f32;
         if(is_left_0)
         {
-            _S226 = _S224;
+            _S241 = _S239.importance_0;
         }
         else
         {
-            _S226 = own_2;
+            _S241 = _S238.importance_0;
         }
-        var weights_0 : vec2<f32> = weights_of_0(_S225, _S226);
-        var _S227 : f32 = weights_0.x;
-        var _S228 : f32 = weights_0.y;
-        var total_2 : f32 = _S227 + _S228;
+        var weights_0 : vec2<f32> = weights_of_0(_S240, _S241);
+        var _S242 : f32 = weights_0.x;
+        var _S243 : f32 = weights_0.y;
+        var total_2 : f32 = _S242 + _S243;
         if(!(total_2 > 0.0f))
         {
             return false;
         }
-        var _S229 : f32;
+        var _S244 : f32;
         if(is_left_0)
         {
-            _S229 = _S227;
+            _S244 = _S242;
         }
         else
         {
-            _S229 = _S228;
+            _S244 = _S243;
         }
-        (*descent_0).weight_0 = (*descent_0).weight_0 * _S229;
+        (*descent_0).weight_0 = (*descent_0).weight_0 * _S244;
         (*descent_0).total_0 = (*descent_0).total_0 * total_2;
-        node_4.min_2 = parent_1.min_2;
-        node_4.index_1 = parent_1.index_1;
-        node_4.max_2 = parent_1.max_2;
-        node_4.count_1 = parent_1.count_1;
-        node_4.power_0 = parent_1.power_0;
-        node_4.parent_0 = parent_1.parent_0;
-        node_4.root_0 = parent_1.root_0;
-        at_1 = _S221.parent_0;
+        node_5.min_2 = parent_1.min_2;
+        node_5.index_1 = parent_1.index_1;
+        node_5.max_2 = parent_1.max_2;
+        node_5.count_1 = parent_1.count_1;
+        node_5.power_0 = parent_1.power_0;
+        node_5.parent_0 = parent_1.parent_0;
+        node_5.root_0 = parent_1.root_0;
+        at_1 = _S235.parent_0;
     }
     return ((*descent_0).weight_0) > 0.0f;
 }
 
 fn by_chance_0() -> Aim_0
 {
-    return Aim_x24init_0(false, vec3<f32>(0.0f), miss_0());
+    return Aim_x24init_0(false, vec3<f32>(0.0f), miss_0(), 0.0f);
 }
 
 fn descend_0( receiver_12 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<function, Descent_0>) -> bool
 {
     for(;;)
     {
+        var _S245 : bool;
         if(((*descent_1).count_4) == u32(0))
+        {
+            _S245 = !(*descent_1).is_far_3;
+        }
+        else
+        {
+            _S245 = false;
+        }
+        if(_S245)
         {
         }
         else
@@ -3519,30 +3614,30 @@ fn descend_0( receiver_12 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<functio
         }
         var left_1 : LightNode_0 = TopLights_node_0((*descent_1).node_0 + u32(1));
         var right_3 : LightNode_0 = TopLights_node_0((*descent_1).index_7);
-        var weights_1 : vec2<f32> = weights_of_0(node_importance_1(left_1, receiver_12), node_importance_1(right_3, receiver_12));
-        var _S230 : f32 = weights_1.x;
-        var _S231 : f32 = weights_1.y;
-        var total_3 : f32 = _S230 + _S231;
+        var weights_1 : vec2<f32> = weights_of_0(view_1(left_1, receiver_12).importance_0, view_1(right_3, receiver_12).importance_0);
+        var _S246 : f32 = weights_1.x;
+        var _S247 : f32 = weights_1.y;
+        var total_3 : f32 = _S246 + _S247;
         if(!(total_3 > 0.0f))
         {
             return false;
         }
-        var _S232 : bool;
-        if(_S231 <= 0.0f)
+        var _S248 : bool;
+        if(_S247 <= 0.0f)
         {
-            _S232 = true;
+            _S248 = true;
         }
         else
         {
-            _S232 = ((*descent_1).choice_0 * total_3) < (_S230 * (*descent_1).weight_0);
+            _S248 = ((*descent_1).choice_0 * total_3) < (_S246 * (*descent_1).weight_0);
         }
         var is_left_1 : bool;
         if(aim_0.is_met_0)
         {
-            var _S233 : vec3<f32> = vec3<f32>(aim_0.hit_3.voxel_4);
-            if((all((_S233 >= (vector_of_0(left_1.min_2))))))
+            var _S249 : vec3<f32> = vec3<f32>(aim_0.hit_3.voxel_4);
+            if((all((_S249 >= (vector_of_0(left_1.min_2))))))
             {
-                is_left_1 = (all((_S233 < (vector_of_0(left_1.max_2)))));
+                is_left_1 = (all((_S249 < (vector_of_0(left_1.max_2)))));
             }
             else
             {
@@ -3551,62 +3646,63 @@ fn descend_0( receiver_12 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<functio
         }
         else
         {
-            is_left_1 = _S232;
+            is_left_1 = _S248;
         }
-        var _S234 : f32 = (*descent_1).choice_0 * total_3;
-        var _S235 : f32;
+        var _S250 : f32 = (*descent_1).choice_0 * total_3;
+        var _S251 : f32;
         if(is_left_1)
         {
-            _S235 = 0.0f;
+            _S251 = 0.0f;
         }
         else
         {
-            _S235 = _S230 * (*descent_1).weight_0;
+            _S251 = _S246 * (*descent_1).weight_0;
         }
-        (*descent_1).choice_0 = _S234 - _S235;
-        var _S236 : u32;
+        (*descent_1).choice_0 = _S250 - _S251;
+        var _S252 : u32;
         if(is_left_1)
         {
-            _S236 = (*descent_1).node_0 + u32(1);
+            _S252 = (*descent_1).node_0 + u32(1);
         }
         else
         {
-            _S236 = (*descent_1).index_7;
+            _S252 = (*descent_1).index_7;
         }
-        (*descent_1).node_0 = _S236;
-        var _S237 : u32;
+        (*descent_1).node_0 = _S252;
+        var _S253 : u32;
         if(is_left_1)
         {
-            _S237 = left_1.index_1;
+            _S253 = left_1.index_1;
         }
         else
         {
-            _S237 = right_3.index_1;
+            _S253 = right_3.index_1;
         }
-        (*descent_1).index_7 = _S237;
-        var _S238 : u32;
+        (*descent_1).index_7 = _S253;
+        var _S254 : u32;
         if(is_left_1)
         {
-            _S238 = left_1.count_1;
+            _S254 = left_1.count_1;
         }
         else
         {
-            _S238 = right_3.count_1;
+            _S254 = right_3.count_1;
         }
-        (*descent_1).count_4 = _S238;
-        var _S239 : f32;
+        (*descent_1).count_4 = _S254;
+        (*descent_1).is_far_3 = false;
+        var _S255 : f32;
         if(is_left_1)
         {
-            _S239 = _S230;
+            _S255 = _S246;
         }
         else
         {
-            _S239 = _S231;
+            _S255 = _S247;
         }
-        var _S240 : f32 = (*descent_1).weight_0 * _S239;
-        (*descent_1).weight_0 = _S240;
+        var _S256 : f32 = (*descent_1).weight_0 * _S255;
+        (*descent_1).weight_0 = _S256;
         (*descent_1).total_0 = (*descent_1).total_0 * total_3;
-        if(_S240 <= 0.0f)
+        if(_S256 <= 0.0f)
         {
             return false;
         }
@@ -3625,17 +3721,18 @@ fn in_grid_0( instance_9 : u32,  receiver_13 : Receiver_0) -> Receiver_0
 
 fn GridLights_node_0( index_10 : u32) -> LightNode_0
 {
-    var _S241 : LightNode_std430_0 = light_nodes_0[index_10];
-    var _S242 : LightNode_0 = LightNode_0( _S241.min_2, _S241.index_1, _S241.max_2, _S241.count_1, _S241.power_0, _S241.parent_0, _S241.root_0 );
-    return _S242;
+    var _S257 : LightNode_std430_0 = light_nodes_0[index_10];
+    var _S258 : LightNode_0 = LightNode_0( _S257.min_2, _S257.index_1, _S257.max_2, _S257.count_1, _S257.power_0, _S257.parent_0, _S257.root_0 );
+    return _S258;
 }
 
-fn Descent_at_1( this_32 : ptr<function, Descent_0>,  root_3 : u32)
+fn Descent_at_1( this_33 : ptr<function, Descent_0>,  root_3 : u32)
 {
-    var node_5 : LightNode_0 = GridLights_node_0(root_3);
-    (*this_32).node_0 = root_3;
-    (*this_32).index_7 = node_5.index_1;
-    (*this_32).count_4 = node_5.count_1;
+    var node_6 : LightNode_0 = GridLights_node_0(root_3);
+    (*this_33).node_0 = root_3;
+    (*this_33).index_7 = node_6.index_1;
+    (*this_33).count_4 = node_6.count_1;
+    (*this_33).is_far_3 = false;
     return;
 }
 
@@ -3643,7 +3740,16 @@ fn descend_1( receiver_14 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<functio
 {
     for(;;)
     {
+        var _S259 : bool;
         if(((*descent_2).count_4) == u32(0))
+        {
+            _S259 = !(*descent_2).is_far_3;
+        }
+        else
+        {
+            _S259 = false;
+        }
+        if(_S259)
         {
         }
         else
@@ -3652,30 +3758,32 @@ fn descend_1( receiver_14 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<functio
         }
         var left_2 : LightNode_0 = GridLights_node_0((*descent_2).node_0 + u32(1));
         var right_4 : LightNode_0 = GridLights_node_0((*descent_2).index_7);
-        var weights_2 : vec2<f32> = weights_of_0(node_importance_1(left_2, receiver_14), node_importance_1(right_4, receiver_14));
-        var _S243 : f32 = weights_2.x;
-        var _S244 : f32 = weights_2.y;
-        var total_4 : f32 = _S243 + _S244;
+        var of_left_0 : View_0 = view_1(left_2, receiver_14);
+        var of_right_0 : View_0 = view_1(right_4, receiver_14);
+        var weights_2 : vec2<f32> = weights_of_0(of_left_0.importance_0, of_right_0.importance_0);
+        var _S260 : f32 = weights_2.x;
+        var _S261 : f32 = weights_2.y;
+        var total_4 : f32 = _S260 + _S261;
         if(!(total_4 > 0.0f))
         {
             return false;
         }
-        var _S245 : bool;
-        if(_S244 <= 0.0f)
+        var _S262 : bool;
+        if(_S261 <= 0.0f)
         {
-            _S245 = true;
+            _S262 = true;
         }
         else
         {
-            _S245 = ((*descent_2).choice_0 * total_4) < (_S243 * (*descent_2).weight_0);
+            _S262 = ((*descent_2).choice_0 * total_4) < (_S260 * (*descent_2).weight_0);
         }
         var is_left_2 : bool;
         if(aim_1.is_met_0)
         {
-            var _S246 : vec3<f32> = vec3<f32>(aim_1.hit_3.voxel_4);
-            if((all((_S246 >= (vector_of_0(left_2.min_2))))))
+            var _S263 : vec3<f32> = vec3<f32>(aim_1.hit_3.voxel_4);
+            if((all((_S263 >= (vector_of_0(left_2.min_2))))))
             {
-                is_left_2 = (all((_S246 < (vector_of_0(left_2.max_2)))));
+                is_left_2 = (all((_S263 < (vector_of_0(left_2.max_2)))));
             }
             else
             {
@@ -3684,62 +3792,72 @@ fn descend_1( receiver_14 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<functio
         }
         else
         {
-            is_left_2 = _S245;
+            is_left_2 = _S262;
         }
-        var _S247 : f32 = (*descent_2).choice_0 * total_4;
-        var _S248 : f32;
+        var _S264 : f32 = (*descent_2).choice_0 * total_4;
+        var _S265 : f32;
         if(is_left_2)
         {
-            _S248 = 0.0f;
+            _S265 = 0.0f;
         }
         else
         {
-            _S248 = _S243 * (*descent_2).weight_0;
+            _S265 = _S260 * (*descent_2).weight_0;
         }
-        (*descent_2).choice_0 = _S247 - _S248;
-        var _S249 : u32;
+        (*descent_2).choice_0 = _S264 - _S265;
+        var _S266 : u32;
         if(is_left_2)
         {
-            _S249 = (*descent_2).node_0 + u32(1);
+            _S266 = (*descent_2).node_0 + u32(1);
         }
         else
         {
-            _S249 = (*descent_2).index_7;
+            _S266 = (*descent_2).index_7;
         }
-        (*descent_2).node_0 = _S249;
-        var _S250 : u32;
+        (*descent_2).node_0 = _S266;
+        var _S267 : u32;
         if(is_left_2)
         {
-            _S250 = left_2.index_1;
+            _S267 = left_2.index_1;
         }
         else
         {
-            _S250 = right_4.index_1;
+            _S267 = right_4.index_1;
         }
-        (*descent_2).index_7 = _S250;
-        var _S251 : u32;
+        (*descent_2).index_7 = _S267;
+        var _S268 : u32;
         if(is_left_2)
         {
-            _S251 = left_2.count_1;
+            _S268 = left_2.count_1;
         }
         else
         {
-            _S251 = right_4.count_1;
+            _S268 = right_4.count_1;
         }
-        (*descent_2).count_4 = _S251;
-        var _S252 : f32;
+        (*descent_2).count_4 = _S268;
+        var _S269 : bool;
         if(is_left_2)
         {
-            _S252 = _S243;
+            _S269 = of_left_0.is_far_0;
         }
         else
         {
-            _S252 = _S244;
+            _S269 = of_right_0.is_far_0;
         }
-        var _S253 : f32 = (*descent_2).weight_0 * _S252;
-        (*descent_2).weight_0 = _S253;
+        (*descent_2).is_far_3 = _S269;
+        var _S270 : f32;
+        if(is_left_2)
+        {
+            _S270 = _S260;
+        }
+        else
+        {
+            _S270 = _S261;
+        }
+        var _S271 : f32 = (*descent_2).weight_0 * _S270;
+        (*descent_2).weight_0 = _S271;
         (*descent_2).total_0 = (*descent_2).total_0 * total_4;
-        if(_S253 <= 0.0f)
+        if(_S271 <= 0.0f)
         {
             return false;
         }
@@ -3747,124 +3865,344 @@ fn descend_1( receiver_14 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<functio
     return true;
 }
 
-struct FaceChoice_0
+fn sent_by_side_3( _S272 : u32,  _S273 : vec3<f32>,  _S274 : f32) -> BySide_0
 {
-     emitter_0 : u32,
-     axis_4 : u32,
-     importance_0 : f32,
-};
-
-fn FaceChoice_x24init_0( emitter_1 : u32,  axis_5 : u32,  importance_1 : f32) -> FaceChoice_0
-{
-    var _S254 : FaceChoice_0;
-    _S254.emitter_0 = emitter_1;
-    _S254.axis_4 = axis_5;
-    _S254.importance_0 = importance_1;
-    return _S254;
+    var _S275 : vec3<f32> = vec3<f32>(0.0f);
+    var _S276 : vec3<f32> = vec3<f32>(_S274);
+    return BySide_x24init_0(vec3<f32>(light_nodes_0[_S272].power_0[i32(0)], light_nodes_0[_S272].power_0[i32(2)], light_nodes_0[_S272].power_0[i32(4)]) * min(max(vector_of_0(light_nodes_0[_S272].max_2) - _S273, _S275), _S276), vec3<f32>(light_nodes_0[_S272].power_0[i32(1)], light_nodes_0[_S272].power_0[i32(3)], light_nodes_0[_S272].power_0[i32(5)]) * min(max(_S273 - vector_of_0(light_nodes_0[_S272].min_2), _S275), _S276));
 }
 
-fn face_importances_0( _S255 : u32,  _S256 : Receiver_0) -> vec3<f32>
+fn choose_side_0( point_3 : vec3<f32>,  is_met_2 : bool,  way_3 : Descent_0,  side_1 : ptr<function, u32>,  odds_0 : ptr<function, vec2<f32>>) -> bool
 {
-    var _S257 : vec3<f32> = vec3<f32>(0.5f);
-    var toward_3 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[_S255].voxel_1)) + _S257 - _S256.point_0;
-    var aside_0 : vec3<f32> = abs(toward_3);
-    var in_front_0 : vec3<f32> = aside_0 - _S257;
-    var squares_0 : vec3<f32> = aside_0 * aside_0;
-    var height_3 : vec3<f32> = abs(_S256.normal_2) * _S257;
-    var _S258 : vec3<f32> = vec3<f32>(0.0f);
-    var is_upper_1 : vec3<bool> = toward_3 < _S258;
-    var above_3 : vec3<f32> = vec3<f32>(with_slack_0(_S256, dot_product_0(toward_3, _S256.normal_2))) + select((vec3<f32>(0) - _S256.normal_2), _S256.normal_2, is_upper_1) * _S257 + (vec3<f32>((height_3.x + height_3.y + height_3.z)) - height_3);
-    var _S259 : f32 = squares_0.y;
-    var _S260 : f32 = squares_0.z;
-    var _S261 : f32 = squares_0.x;
-    var distance_squared_0 : vec3<f32> = max(in_front_0 * in_front_0 + vec3<f32>(_S259 + _S260, _S260 + _S261, _S261 + _S259), vec3<f32>(0.5f));
-    var falloff_3 : vec3<f32> = vec3<f32>(reciprocal_guess_0(distance_squared_0.x), reciprocal_guess_0(distance_squared_0.y), reciprocal_guess_0(distance_squared_0.z));
-    return select(vec3<f32>(0.0f), vec3<f32>(emitters_0[_S255].luminance_0) * in_front_0 * min(above_3, vec3<f32>(length_bound_0(aside_0))) * (falloff_3 * falloff_3), select(vec3<bool>(false), above_3 > _S258, select(vec3<bool>(false), in_front_0 > _S258, ((((vec3<u32>((emitters_0[_S255].faces_0)) >> (select(vec3<u32>(u32(0), u32(2), u32(4)), vec3<u32>(u32(1), u32(3), u32(5)), is_upper_1)))) & (vec3<u32>(u32(1))))) != vec3<u32>(u32(0)))));
-}
-
-fn sum_of_0( importances_0 : vec3<f32>) -> f32
-{
-    return importances_0.x + importances_0.y + importances_0.z;
-}
-
-fn component_0( vector_5 : vec3<f32>,  axis_6 : u32) -> f32
-{
-    return select(select(vector_5.z, vector_5.y, axis_6 == u32(1)), vector_5.x, axis_6 == u32(0));
-}
-
-fn choose_axis_0( importances_1 : vec3<f32>,  threshold_1 : f32) -> u32
-{
-    var _S262 : f32 = importances_1.x;
-    if(threshold_1 < _S262)
+    var _S277 : vec3<f32> = vector_of_0(light_nodes_0[way_3.node_0].max_2);
+    var _S278 : vec3<f32> = vector_of_0(light_nodes_0[way_3.node_0].min_2);
+    var _S279 : vec3<f32> = vec3<f32>(0.5f);
+    var half_4 : vec3<f32> = (_S277 - _S278) * _S279;
+    var toward_3 : vec3<f32> = (_S278 + _S277) * _S279 - point_3;
+    var _S280 : BySide_0 = sent_by_side_3(way_3.node_0, point_3, length_bound_0(select(half_4, abs(toward_3), vec3<bool>(((length_squared_0(toward_3)) > (length_squared_0(half_4)))))));
+    var sum_3 : f32 = normal_or_zero_0(BySide_sum_0(_S280));
+    var unit_1 : f32 = inverse_power_of_two_0(sum_3);
+    var total_5 : f32 = sum_3 * unit_1;
+    var _S281 : f32 = way_3.choice_0 * total_5;
+    var _S282 : u32 = (*side_1);
+    var share_1 : f32 = normal_or_zero_0(_S280.low_5[u32(0)] * unit_1);
+    var _S283 : bool;
+    if(is_met_2)
     {
-        return u32(0);
-    }
-    var _S263 : f32 = importances_1.y;
-    if(threshold_1 < (_S262 + _S263))
-    {
-        return u32(1);
-    }
-    if((importances_1.z) > 0.0f)
-    {
-        return u32(2);
-    }
-    var _S264 : i32;
-    if(_S263 > 0.0f)
-    {
-        _S264 = i32(1);
+        _S283 = u32(0) == _S282;
     }
     else
     {
-        _S264 = i32(0);
+        _S283 = share_1 > 0.0f;
     }
-    return u32(_S264);
-}
-
-fn choose_face_0( leaf_1 : Descent_0,  receiver_15 : Receiver_0,  threshold_2 : f32) -> FaceChoice_0
-{
-    var _S265 : FaceChoice_0 = FaceChoice_x24init_0(u32(0), u32(0), 0.0f);
-    var is_found_3 : bool = false;
-    var chosen_2 : FaceChoice_0 = _S265;
-    var index_11 : u32 = leaf_1.index_7;
-    var passed_0 : f32 = 0.0f;
-    for(;;)
+    var chosen_2 : f32;
+    if(_S283)
     {
-        var _S266 : bool;
-        if(index_11 < (leaf_1.index_7 + leaf_1.count_4))
+        (*side_1) = u32(0);
+        chosen_2 = share_1;
+    }
+    else
+    {
+        chosen_2 = 0.0f;
+    }
+    var _S284 : bool = _S281 < (share_1 * way_3.weight_0);
+    var share_2 : f32 = normal_or_zero_0(_S280.high_3[u32(0)] * unit_1);
+    if(is_met_2)
+    {
+        _S283 = u32(1) == _S282;
+    }
+    else
+    {
+        if(share_2 > 0.0f)
         {
-            _S266 = !is_found_3;
+            _S283 = !_S284;
         }
         else
         {
-            _S266 = false;
+            _S283 = false;
         }
-        if(_S266)
+    }
+    if(_S283)
+    {
+        (*side_1) = u32(1);
+        chosen_2 = share_2;
+    }
+    var passed_0 : f32 = share_1 + share_2;
+    if(_S284)
+    {
+        _S283 = true;
+    }
+    else
+    {
+        _S283 = _S281 < (passed_0 * way_3.weight_0);
+    }
+    var share_3 : f32 = normal_or_zero_0(_S280.low_5[u32(1)] * unit_1);
+    var _S285 : bool;
+    if(is_met_2)
+    {
+        _S285 = u32(2) == _S282;
+    }
+    else
+    {
+        if(share_3 > 0.0f)
+        {
+            _S285 = !_S283;
+        }
+        else
+        {
+            _S285 = false;
+        }
+    }
+    if(_S285)
+    {
+        (*side_1) = u32(2);
+        chosen_2 = share_3;
+    }
+    var passed_1 : f32 = passed_0 + share_3;
+    if(_S283)
+    {
+        _S283 = true;
+    }
+    else
+    {
+        _S283 = _S281 < (passed_1 * way_3.weight_0);
+    }
+    var share_4 : f32 = normal_or_zero_0(_S280.high_3[u32(1)] * unit_1);
+    if(is_met_2)
+    {
+        _S285 = u32(3) == _S282;
+    }
+    else
+    {
+        if(share_4 > 0.0f)
+        {
+            _S285 = !_S283;
+        }
+        else
+        {
+            _S285 = false;
+        }
+    }
+    if(_S285)
+    {
+        (*side_1) = u32(3);
+        chosen_2 = share_4;
+    }
+    var passed_2 : f32 = passed_1 + share_4;
+    if(_S283)
+    {
+        _S283 = true;
+    }
+    else
+    {
+        _S283 = _S281 < (passed_2 * way_3.weight_0);
+    }
+    var share_5 : f32 = normal_or_zero_0(_S280.low_5[u32(2)] * unit_1);
+    if(is_met_2)
+    {
+        _S285 = u32(4) == _S282;
+    }
+    else
+    {
+        if(share_5 > 0.0f)
+        {
+            _S285 = !_S283;
+        }
+        else
+        {
+            _S285 = false;
+        }
+    }
+    if(_S285)
+    {
+        (*side_1) = u32(4);
+        chosen_2 = share_5;
+    }
+    var passed_3 : f32 = passed_2 + share_5;
+    if(_S283)
+    {
+        _S283 = true;
+    }
+    else
+    {
+        _S283 = _S281 < (passed_3 * way_3.weight_0);
+    }
+    var share_6 : f32 = normal_or_zero_0(_S280.high_3[u32(2)] * unit_1);
+    if(is_met_2)
+    {
+        _S283 = u32(5) == _S282;
+    }
+    else
+    {
+        if(share_6 > 0.0f)
+        {
+            _S283 = !_S283;
+        }
+        else
+        {
+            _S283 = false;
+        }
+    }
+    if(_S283)
+    {
+        (*side_1) = u32(5);
+        chosen_2 = share_6;
+    }
+    (*odds_0) = vec2<f32>(way_3.weight_0 * chosen_2, way_3.total_0 * total_5);
+    if(sum_3 > 0.0f)
+    {
+        _S283 = ((*odds_0).x) > 0.0f;
+    }
+    else
+    {
+        _S283 = false;
+    }
+    return _S283;
+}
+
+fn component_0( vector_5 : vec3<f32>,  axis_4 : u32) -> f32
+{
+    return select(select(vector_5.z, vector_5.y, axis_4 == u32(1)), vector_5.x, axis_4 == u32(0));
+}
+
+fn density_0( odds_1 : vec2<f32>,  luminance_4 : f32,  power_3 : f32,  toward_4 : vec3<f32>,  face_3 : u32) -> f32
+{
+    var along_0 : f32 = component_0(toward_4, (face_3 >> (u32(1))));
+    var in_front_0 : f32;
+    if(((face_3 & (u32(1)))) == u32(1))
+    {
+        in_front_0 = - along_0;
+    }
+    else
+    {
+        in_front_0 = along_0;
+    }
+    var distance_squared_0 : f32 = length_squared_0(toward_4);
+    var unit_2 : f32 = inverse_power_of_two_0(power_3);
+    var share_7 : f32 = odds_1.x * (luminance_4 * unit_2) * (distance_squared_0 * square_root_0(distance_squared_0));
+    if(in_front_0 > 0.0f)
+    {
+        in_front_0 = divide_0(share_7, odds_1.y * (power_3 * unit_2) * in_front_0);
+    }
+    else
+    {
+        in_front_0 = -1.0f;
+    }
+    return in_front_0;
+}
+
+struct Emitter_0
+{
+     voxel_1 : array<i32, i32(3)>,
+     grid_1 : u32,
+     faces_0 : u32,
+     material_0 : u32,
+     luminance_0 : f32,
+     leaf_0 : u32,
+};
+
+fn choose_emitter_0( way_4 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Emitter_0
+{
+    var is_left_3 : bool;
+    var count_6 : u32 = way_4.count_4;
+    var node_7 : u32 = way_4.node_0;
+    var index_11 : u32 = way_4.index_7;
+    var _S286 : f32 = threshold_1;
+    for(;;)
+    {
+        if(count_6 == u32(0))
         {
         }
         else
         {
             break;
         }
-        var _S267 : vec3<f32> = face_importances_0(index_11, receiver_15);
-        var sum_3 : f32 = sum_of_0(_S267);
-        if(sum_3 > 0.0f)
+        var left_3 : u32 = node_7 + u32(1);
+        var power_left_0 : f32 = light_nodes_0[left_3].power_0[side_2];
+        var power_right_0 : f32 = light_nodes_0[index_11].power_0[side_2];
+        var _S287 : u32 = light_nodes_0[left_3].index_1;
+        var _S288 : u32 = light_nodes_0[left_3].count_1;
+        var _S289 : u32 = light_nodes_0[index_11].index_1;
+        var _S290 : u32 = light_nodes_0[index_11].count_1;
+        if(_S286 < (light_nodes_0[left_3].power_0[side_2]))
         {
-            var axis_7 : u32 = choose_axis_0(_S267, threshold_2 - passed_0);
-            var _S268 : FaceChoice_0 = FaceChoice_x24init_0(index_11, axis_7, component_0(_S267, axis_7));
-            var passed_1 : f32 = passed_0 + sum_3;
-            is_found_3 = threshold_2 < passed_1;
-            chosen_2 = _S268;
-            passed_0 = passed_1;
+            is_left_3 = true;
         }
-        index_11 = index_11 + u32(1);
+        else
+        {
+            is_left_3 = power_right_0 <= 0.0f;
+        }
+        if(is_left_3)
+        {
+        }
+        else
+        {
+            _S286 = _S286 - power_left_0;
+        }
+        if(is_left_3)
+        {
+            node_7 = left_3;
+        }
+        else
+        {
+            node_7 = index_11;
+        }
+        if(is_left_3)
+        {
+            index_11 = _S287;
+        }
+        else
+        {
+            index_11 = _S289;
+        }
+        if(is_left_3)
+        {
+            count_6 = _S288;
+        }
+        else
+        {
+            count_6 = _S290;
+        }
     }
-    return chosen_2;
+    is_left_3 = false;
+    var chosen_3 : u32 = index_11;
+    var at_2 : u32 = index_11;
+    for(;;)
+    {
+        var _S291 : bool;
+        if(at_2 < (index_11 + count_6))
+        {
+            _S291 = !is_left_3;
+        }
+        else
+        {
+            _S291 = false;
+        }
+        if(_S291)
+        {
+        }
+        else
+        {
+            break;
+        }
+        if((((((emitters_0[at_2].faces_0) >> (side_2))) & (u32(1)))) != u32(0))
+        {
+            var _S292 : f32 = _S286 - emitters_0[at_2].luminance_0;
+            is_left_3 = _S286 < (emitters_0[at_2].luminance_0);
+            chosen_3 = at_2;
+            _S286 = _S292;
+        }
+        at_2 = at_2 + u32(1);
+    }
+    var _S293 : Emitter_std430_0 = emitters_0[chosen_3];
+    var _S294 : Emitter_0 = Emitter_0( _S293.voxel_1, _S293.grid_1, _S293.faces_0, _S293.material_0, _S293.luminance_0, _S293.leaf_0 );
+    return _S294;
 }
 
-fn point_of_face_0( low_9 : vec3<f32>,  face_3 : u32,  u_6 : f32,  v_4 : f32) -> vec3<f32>
+fn point_of_face_0( low_8 : vec3<f32>,  face_4 : u32,  u_6 : f32,  v_4 : f32) -> vec3<f32>
 {
     var away_0 : f32;
-    if(((face_3 & (u32(1)))) == u32(1))
+    if(((face_4 & (u32(1)))) == u32(1))
     {
         away_0 = 1.0f;
     }
@@ -3872,304 +4210,231 @@ fn point_of_face_0( low_9 : vec3<f32>,  face_3 : u32,  u_6 : f32,  v_4 : f32) ->
     {
         away_0 = 0.0f;
     }
-    if(face_3 < u32(2))
+    if(face_4 < u32(2))
     {
-        return low_9 + vec3<f32>(away_0, u_6, v_4);
+        return low_8 + vec3<f32>(away_0, u_6, v_4);
     }
-    if(face_3 < u32(4))
+    if(face_4 < u32(4))
     {
-        return low_9 + vec3<f32>(u_6, away_0, v_4);
+        return low_8 + vec3<f32>(u_6, away_0, v_4);
     }
-    return low_9 + vec3<f32>(u_6, v_4, away_0);
+    return low_8 + vec3<f32>(u_6, v_4, away_0);
 }
 
-fn density_0( leaf_2 : Descent_0,  importance_2 : f32,  sum_4 : f32,  toward_4 : vec3<f32>,  face_4 : u32) -> f32
+fn margin_of_0( translation_1 : vec3<f32>,  low_9 : vec3<f32>) -> f32
 {
-    var along_0 : f32 = component_0(toward_4, (face_4 >> (u32(1))));
-    var in_front_1 : f32;
-    if(((face_4 & (u32(1)))) == u32(1))
-    {
-        in_front_1 = - along_0;
-    }
-    else
-    {
-        in_front_1 = along_0;
-    }
-    var distance_squared_1 : f32 = length_squared_0(toward_4);
-    var unit_1 : f32 = inverse_power_of_two_0(sum_4);
-    var share_1 : f32 = leaf_2.weight_0 * (importance_2 * unit_1) * (distance_squared_1 * square_root_0(distance_squared_1));
-    if(in_front_1 > 0.0f)
-    {
-        in_front_1 = divide_0(share_1, leaf_2.total_0 * (sum_4 * unit_1) * in_front_1);
-    }
-    else
-    {
-        in_front_1 = -1.0f;
-    }
-    return in_front_1;
+    return clamp((max_element_0(abs(low_9) + abs(translation_1)) + 1.0f) * 4.76837158203125e-07f, 0.0009765625f, 0.25f);
 }
 
-fn margin_of_0( translation_1 : vec3<f32>,  low_10 : vec3<f32>) -> f32
+fn offset_ray_origin_0( translation_2 : vec3<f32>,  low_10 : vec3<f32>,  face_5 : u32,  point_4 : vec3<f32>) -> vec3<f32>
 {
-    return clamp((max_element_0(abs(low_10) + abs(translation_1)) + 1.0f) * 4.76837158203125e-07f, 0.0009765625f, 0.25f);
-}
-
-fn offset_ray_origin_0( translation_2 : vec3<f32>,  low_11 : vec3<f32>,  face_5 : u32,  point_2 : vec3<f32>) -> vec3<f32>
-{
-    var margin_0 : f32 = margin_of_0(translation_2, low_11);
-    var _S269 : vec3<f32> = vec3<f32>(margin_0);
-    var moved_0 : vec3<f32> = min(max(point_2, low_11 + _S269), low_11 + vec3<f32>((1.0f - margin_0)));
-    var _S270 : bool = face_5 < u32(2);
-    var _S271 : bool;
+    var margin_0 : f32 = margin_of_0(translation_2, low_10);
+    var _S295 : vec3<f32> = vec3<f32>(margin_0);
+    var moved_0 : vec3<f32> = min(max(point_4, low_10 + _S295), low_10 + vec3<f32>((1.0f - margin_0)));
+    var _S296 : bool = face_5 < u32(2);
+    var _S297 : bool;
     if(face_5 >= u32(2))
     {
-        _S271 = face_5 < u32(4);
+        _S297 = face_5 < u32(4);
     }
     else
     {
-        _S271 = false;
+        _S297 = false;
     }
-    var is_axis_2 : vec3<bool> = vec3<bool>(_S270, _S271, face_5 >= u32(4));
+    var is_axis_2 : vec3<bool> = vec3<bool>(_S296, _S297, face_5 >= u32(4));
     var outside_0 : vec3<f32>;
     if(((face_5 & (u32(1)))) == u32(1))
     {
-        outside_0 = low_11 + vec3<f32>((1.0f + margin_0));
+        outside_0 = low_10 + vec3<f32>((1.0f + margin_0));
     }
     else
     {
-        outside_0 = low_11 - _S269;
+        outside_0 = low_10 - _S295;
     }
     return select(moved_0, outside_0, is_axis_2);
 }
 
-fn Transform_direction_1( _S272 : u32,  _S273 : vec3<f32>) -> vec3<f32>
+fn Transform_direction_1( _S298 : u32,  _S299 : vec3<f32>) -> vec3<f32>
 {
-    return vector_of_0(instances_0[_S272].world_from_grid_0.x_axis_0) * vec3<f32>(_S273.x) + vector_of_0(instances_0[_S272].world_from_grid_0.y_axis_0) * vec3<f32>(_S273.y) + vector_of_0(instances_0[_S272].world_from_grid_0.z_axis_0) * vec3<f32>(_S273.z);
+    return vector_of_0(instances_0[_S298].world_from_grid_0.x_axis_0) * vec3<f32>(_S299.x) + vector_of_0(instances_0[_S298].world_from_grid_0.y_axis_0) * vec3<f32>(_S299.y) + vector_of_0(instances_0[_S298].world_from_grid_0.z_axis_0) * vec3<f32>(_S299.z);
 }
 
-fn Transform_point_1( _S274 : u32,  _S275 : vec3<f32>) -> vec3<f32>
+fn Transform_point_1( _S300 : u32,  _S301 : vec3<f32>) -> vec3<f32>
 {
-    return Transform_direction_1(_S274, _S275) + vector_of_0(instances_0[_S274].world_from_grid_0.translation_0);
+    return Transform_direction_1(_S300, _S301) + vector_of_0(instances_0[_S300].world_from_grid_0.translation_0);
 }
 
-fn emitted_1( _S276 : u32) -> vec3<f32>
+fn emitted_1( _S302 : u32) -> vec3<f32>
 {
-    return vector_of_0(materials_0[_S276].emission_0) * vec3<f32>(params_0.emitter_intensity_0);
+    return vector_of_0(materials_0[_S302].emission_0) * vec3<f32>(params_0.emitter_intensity_0);
 }
 
-fn sample_emitter_0( receiver_16 : Receiver_0,  u_7 : vec4<f32>,  aim_2 : Aim_0,  sample_8 : ptr<function, LightSample_0>) -> bool
+fn sample_emitter_0( receiver_15 : Receiver_0,  u_7 : vec4<f32>,  aim_2 : Aim_0,  sample_8 : ptr<function, LightSample_0>) -> bool
 {
     (*sample_8) = no_light_0();
     if((params_0.light_node_count_0) == u32(0))
     {
         return false;
     }
-    var descent_3 : Descent_0 = Descent_x24init_0(u32(0), u32(0), u32(0), 1.0f, 1.0f, u_7.x);
+    var descent_3 : Descent_0 = Descent_x24init_0(u32(0), u32(0), u32(0), 1.0f, 1.0f, u_7.x, false);
     Descent_at_0(&(descent_3), u32(0));
-    var _S277 : bool;
+    var _S303 : bool;
     if(!IS_SINGLE_0)
     {
-        _S277 = aim_2.is_met_0;
+        _S303 = aim_2.is_met_0;
     }
     else
     {
-        _S277 = false;
+        _S303 = false;
     }
-    if(_S277)
+    if(_S303)
     {
-        var leaf_3 : u32 = instances_0[aim_2.hit_3.instance_3].light_leaf_0;
+        var leaf_1 : u32 = instances_0[aim_2.hit_3.instance_3].light_leaf_0;
         if((instances_0[aim_2.hit_3.instance_3].light_leaf_0) == u32(4294967295))
         {
-            _S277 = true;
+            _S303 = true;
         }
         else
         {
-            var _S278 : bool = climb_0(receiver_16, leaf_3, &(descent_3));
-            _S277 = !_S278;
+            var _S304 : bool = climb_0(receiver_15, leaf_1, &(descent_3));
+            _S303 = !_S304;
         }
-        if(_S277)
+        if(_S303)
         {
             return false;
         }
-        Descent_at_0(&(descent_3), leaf_3);
+        Descent_at_0(&(descent_3), leaf_1);
     }
     else
     {
         if(!IS_SINGLE_0)
         {
-            var _S279 : bool = descend_0(receiver_16, by_chance_0(), &(descent_3));
-            _S277 = !_S279;
+            var _S305 : bool = descend_0(receiver_15, by_chance_0(), &(descent_3));
+            _S303 = !_S305;
         }
         else
         {
-            _S277 = false;
+            _S303 = false;
         }
-        if(_S277)
+        if(_S303)
         {
             return false;
         }
     }
     var chosen_instance_0 : u32 = descent_3.index_7;
-    var local_1 : Receiver_0 = in_grid_0(descent_3.index_7, receiver_16);
+    var local_1 : Receiver_0 = in_grid_0(descent_3.index_7, receiver_15);
     Descent_at_1(&(descent_3), top_light_nodes_0[descent_3.node_0].root_0);
-    var _S280 : bool = descend_1(local_1, aim_2, &(descent_3));
-    if(!_S280)
+    var _S306 : bool = descend_1(local_1, aim_2, &(descent_3));
+    if(!_S306)
     {
         return false;
     }
-    var chosen_3 : FaceChoice_0 = FaceChoice_x24init_0(u32(0), ((aim_2.hit_3.face_1) >> (u32(1))), 0.0f);
-    var index_12 : u32 = descent_3.index_7;
-    var sum_5 : f32 = 0.0f;
-    for(;;)
-    {
-        if(index_12 < (descent_3.index_7 + descent_3.count_4))
-        {
-        }
-        else
-        {
-            break;
-        }
-        var _S281 : vec3<f32> = face_importances_0(index_12, local_1);
-        var sum_6 : f32 = sum_5 + sum_of_0(_S281);
-        if(aim_2.is_met_0)
-        {
-            _S277 = (all(((cell_of_0(emitters_0[index_12].voxel_1)) == (aim_2.hit_3.voxel_4))));
-        }
-        else
-        {
-            _S277 = false;
-        }
-        if(_S277)
-        {
-            chosen_3 = FaceChoice_x24init_0(index_12, chosen_3.axis_4, component_0(_S281, chosen_3.axis_4));
-        }
-        index_12 = index_12 + u32(1);
-        sum_5 = sum_6;
-    }
-    if(!aim_2.is_met_0)
-    {
-        chosen_3 = choose_face_0(descent_3, local_1, u_7.y * sum_5);
-    }
-    var _S282 : FaceChoice_0 = chosen_3;
-    if((chosen_3.importance_0) <= 0.0f)
+    var side_3 : u32 = aim_2.hit_3.face_1;
+    var odds_2 : vec2<f32>;
+    var _S307 : bool = choose_side_0(local_1.point_0, aim_2.is_met_0, descent_3, &(side_3), &(odds_2));
+    if(!_S307)
     {
         return false;
     }
-    var _S283 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[chosen_3.emitter_0].voxel_1));
-    var face_6 : u32 = u32(2) * chosen_3.axis_4 + u32((component_0(_S283, chosen_3.axis_4) + 0.5f) < (component_0(local_1.point_0, chosen_3.axis_4)));
-    var on_face_0 : vec3<f32> = point_of_face_0(_S283, face_6, u_7.z, u_7.w);
-    var _S284 : vec3<f32> = on_face_0 - local_1.point_0;
-    var toward_5 : vec3<f32>;
+    var power_4 : f32 = light_nodes_0[descent_3.node_0].power_0[side_3];
     if(aim_2.is_met_0)
     {
-        toward_5 = Transform_direction_0(chosen_instance_0, aim_2.direction_22) * vec3<f32>(aim_2.hit_3.t_1);
+        var _S308 : f32 = density_0(odds_2, aim_2.luminance_2, power_4, Transform_direction_0(chosen_instance_0, aim_2.direction_22) * vec3<f32>(aim_2.hit_3.t_1), side_3);
+        (*sample_8).pdf_3 = _S308;
+        return _S308 > 0.0f;
     }
-    else
-    {
-        toward_5 = _S284;
-    }
-    var pdf_8 : f32 = density_0(descent_3, _S282.importance_0, sum_5, toward_5, face_6);
-    (*sample_8).pdf_3 = pdf_8;
-    if(aim_2.is_met_0)
-    {
-        if(pdf_8 > 0.0f)
-        {
-            _S277 = face_6 == (aim_2.hit_3.face_1);
-        }
-        else
-        {
-            _S277 = false;
-        }
-        return _S277;
-    }
+    var emitter_0 : Emitter_0 = choose_emitter_0(descent_3, side_3, u_7.y * power_4);
+    var _S309 : vec3<f32> = vec3<f32>(cell_of_0(emitter_0.voxel_1));
+    var on_face_0 : vec3<f32> = point_of_face_0(_S309, side_3, u_7.z, u_7.w);
+    var pdf_8 : f32 = density_0(odds_2, emitter_0.luminance_0, power_4, on_face_0 - local_1.point_0, side_3);
     if(pdf_8 < 0.0f)
     {
         return false;
     }
-    var direction_27 : vec3<f32> = Transform_point_1(chosen_instance_0, offset_ray_origin_0(vector_of_0(instances_0[chosen_instance_0].grid_from_world_0.translation_0), _S283, face_6, on_face_0)) - receiver_16.point_0;
-    var cos_theta_6 : f32 = with_slack_0(receiver_16, divide_0(dot_product_0(receiver_16.normal_2, direction_27), square_root_0(length_squared_0(direction_27))));
-    (*sample_8) = LightSample_x24init_0(Ray_x24init_0(receiver_16.point_0, 0.0f, direction_27, 1.0f), cos_theta_6, emitted_1(emitters_0[chosen_3.emitter_0].material_0), pdf_8);
+    var direction_27 : vec3<f32> = Transform_point_1(chosen_instance_0, offset_ray_origin_0(vector_of_0(instances_0[chosen_instance_0].grid_from_world_0.translation_0), _S309, side_3, on_face_0)) - receiver_15.point_0;
+    var cos_theta_6 : f32 = with_slack_0(receiver_15, divide_0(dot_product_0(receiver_15.normal_2, direction_27), square_root_0(length_squared_0(direction_27))));
+    (*sample_8) = LightSample_x24init_0(Ray_x24init_0(receiver_15.point_0, 0.0f, direction_27, 1.0f), cos_theta_6, emitted_1(emitter_0.material_0), pdf_8);
     return cos_theta_6 > 0.0f;
 }
 
-fn EmitterTree_sample_0( receiver_17 : Receiver_0,  u_8 : vec4<f32>,  aim_3 : Aim_0,  sample_9 : ptr<function, LightSample_0>) -> bool
+fn EmitterTree_sample_0( receiver_16 : Receiver_0,  u_8 : vec4<f32>,  aim_3 : Aim_0,  sample_9 : ptr<function, LightSample_0>) -> bool
 {
-    var _S285 : bool = sample_emitter_0(receiver_17, u_8, aim_3, &((*sample_9)));
-    return _S285;
+    var _S310 : bool = sample_emitter_0(receiver_16, u_8, aim_3, &((*sample_9)));
+    return _S310;
 }
 
-fn Lights_sample_0( receiver_18 : Receiver_0,  u_9 : vec4<f32>,  aim_4 : Aim_0,  sample_10 : ptr<function, LightSample_0>) -> bool
+fn Lights_sample_0( receiver_17 : Receiver_0,  u_9 : vec4<f32>,  aim_4 : Aim_0,  sample_10 : ptr<function, LightSample_0>) -> bool
 {
-    var selection_0 : Selection_0 = Lights_selection_0(receiver_18);
-    var is_found_4 : bool;
+    var selection_0 : Selection_0 = Lights_selection_0(receiver_17);
+    var is_found_3 : bool;
     if(has_sun_0())
     {
-        is_found_4 = !aim_4.is_met_0;
+        is_found_3 = !aim_4.is_met_0;
     }
     else
     {
-        is_found_4 = false;
+        is_found_3 = false;
     }
-    if(is_found_4)
+    if(is_found_3)
     {
-        is_found_4 = (u_9.x) < (selection_0.sun_0);
+        is_found_3 = (u_9.x) < (selection_0.sun_0);
     }
     else
     {
-        is_found_4 = false;
+        is_found_3 = false;
     }
-    if(is_found_4)
+    if(is_found_3)
     {
-        var _S286 : bool = SunDisc_sample_0(receiver_18, u_9, &((*sample_10)));
+        var _S311 : bool = SunDisc_sample_0(receiver_17, u_9, &((*sample_10)));
         (*sample_10).pdf_3 = (*sample_10).pdf_3 * selection_0.sun_0;
-        is_found_4 = _S286;
+        is_found_3 = _S311;
     }
     else
     {
         if(Lights_has_chosen_sky_0())
         {
-            is_found_4 = !aim_4.is_met_0;
+            is_found_3 = !aim_4.is_met_0;
         }
         else
         {
-            is_found_4 = false;
+            is_found_3 = false;
         }
-        if(is_found_4)
+        if(is_found_3)
         {
-            is_found_4 = (u_9.x) < (selection_0.sun_0 + selection_0.sky_1);
+            is_found_3 = (u_9.x) < (selection_0.sun_0 + selection_0.sky_1);
         }
         else
         {
-            is_found_4 = false;
+            is_found_3 = false;
         }
-        if(is_found_4)
+        if(is_found_3)
         {
-            var _S287 : bool = Sky_sample_0(receiver_18, vec4<f32>(min(divide_0(u_9.x - selection_0.sun_0, selection_0.sky_1), 0.99999994039535522f), u_9.yzw), &((*sample_10)));
+            var _S312 : bool = Sky_sample_0(receiver_17, vec4<f32>(min(divide_0(u_9.x - selection_0.sun_0, selection_0.sky_1), 0.99999994039535522f), u_9.yzw), &((*sample_10)));
             (*sample_10).pdf_3 = (*sample_10).pdf_3 * selection_0.sky_1;
-            is_found_4 = _S287;
+            is_found_3 = _S312;
         }
         else
         {
-            var _S288 : bool = EmitterTree_sample_0(receiver_18, vec4<f32>(min(divide_0(u_9.x - (selection_0.sun_0 + selection_0.sky_1), selection_0.emitters_1), 0.99999994039535522f), u_9.yzw), aim_4, &((*sample_10)));
+            var _S313 : bool = EmitterTree_sample_0(receiver_17, vec4<f32>(min(divide_0(u_9.x - (selection_0.sun_0 + selection_0.sky_1), selection_0.emitters_1), 0.99999994039535522f), u_9.yzw), aim_4, &((*sample_10)));
             (*sample_10).pdf_3 = (*sample_10).pdf_3 * selection_0.emitters_1;
-            is_found_4 = _S288;
+            is_found_3 = _S313;
         }
     }
-    return is_found_4;
+    return is_found_3;
 }
 
 fn ior_of_0( inside_4 : Inside_0) -> f32
 {
-    var _S289 : f32;
+    var _S314 : f32;
     if(Inside_is_in_0(inside_4))
     {
-        _S289 = materials_0[inside_4.material_1].ior_0;
+        _S314 = materials_0[inside_4.material_1].ior_0;
     }
     else
     {
-        _S289 = 1.0f;
+        _S314 = 1.0f;
     }
-    return _S289;
+    return _S314;
 }
 
 struct Microfacets_0
@@ -4180,7 +4445,7 @@ struct Microfacets_0
 struct MaterialBsdf_0
 {
      kind_0 : u32,
-     color_0 : vec3<f32>,
+     color_1 : vec3<f32>,
      specular_1 : f32,
      eta_0 : f32,
      facets_0 : Microfacets_0,
@@ -4188,20 +4453,20 @@ struct MaterialBsdf_0
 
 fn Microfacets_x24init_0( alpha_1 : f32) -> Microfacets_0
 {
-    var _S290 : Microfacets_0;
-    _S290.alpha_0 = alpha_1;
-    return _S290;
+    var _S315 : Microfacets_0;
+    _S315.alpha_0 = alpha_1;
+    return _S315;
 }
 
-fn MaterialBsdf_x24init_0( kind_1 : u32,  color_1 : vec3<f32>,  specular_2 : f32,  eta_1 : f32,  facets_1 : Microfacets_0) -> MaterialBsdf_0
+fn MaterialBsdf_x24init_0( kind_1 : u32,  color_2 : vec3<f32>,  specular_2 : f32,  eta_1 : f32,  facets_1 : Microfacets_0) -> MaterialBsdf_0
 {
-    var _S291 : MaterialBsdf_0;
-    _S291.kind_0 = kind_1;
-    _S291.color_0 = color_1;
-    _S291.specular_1 = specular_2;
-    _S291.eta_0 = eta_1;
-    _S291.facets_0 = facets_1;
-    return _S291;
+    var _S316 : MaterialBsdf_0;
+    _S316.kind_0 = kind_1;
+    _S316.color_1 = color_2;
+    _S316.specular_1 = specular_2;
+    _S316.eta_0 = eta_1;
+    _S316.facets_0 = facets_1;
+    return _S316;
 }
 
 fn bsdf_of_0( material_5 : PackedMaterial_0,  ior_1 : f32,  choice_2 : ptr<function, f32>) -> MaterialBsdf_0
@@ -4209,9 +4474,9 @@ fn bsdf_of_0( material_5 : PackedMaterial_0,  ior_1 : f32,  choice_2 : ptr<funct
     return MaterialBsdf_x24init_0(u32(0), vector_of_0(material_5.base_color_0), 0.0f, 1.0f, Microfacets_x24init_0(1.0f));
 }
 
-fn MaterialBsdf_albedo_0( this_33 : MaterialBsdf_0) -> vec3<f32>
+fn MaterialBsdf_albedo_0( this_34 : MaterialBsdf_0) -> vec3<f32>
 {
-    return this_33.color_0;
+    return this_34.color_1;
 }
 
 fn roulette_0( event_2 : u32,  scattered_2 : vec3<f32>,  u_10 : f32) -> f32
@@ -4220,31 +4485,31 @@ fn roulette_0( event_2 : u32,  scattered_2 : vec3<f32>,  u_10 : f32) -> f32
     {
         return 1.0f;
     }
-    var _S292 : f32 = min(max_element_0(scattered_2), 0.94999998807907104f);
-    var _S293 : f32;
-    if(u_10 < _S292)
+    var _S317 : f32 = min(max_element_0(scattered_2), 0.94999998807907104f);
+    var _S318 : f32;
+    if(u_10 < _S317)
     {
-        _S293 = divide_0(1.0f, _S292);
+        _S318 = divide_0(1.0f, _S317);
     }
     else
     {
-        _S293 = 0.0f;
+        _S318 = 0.0f;
     }
-    return _S293;
+    return _S318;
 }
 
 struct Surface_0
 {
      origin_11 : vec3<f32>,
      normal_4 : vec3<f32>,
-     face_7 : u32,
+     face_6 : u32,
      instance_10 : u32,
 };
 
-fn face_normal_0( face_8 : u32) -> vec3<f32>
+fn face_normal_0( face_7 : u32) -> vec3<f32>
 {
     var away_1 : f32;
-    if(((face_8 & (u32(1)))) == u32(1))
+    if(((face_7 & (u32(1)))) == u32(1))
     {
         away_1 = 1.0f;
     }
@@ -4252,73 +4517,73 @@ fn face_normal_0( face_8 : u32) -> vec3<f32>
     {
         away_1 = -1.0f;
     }
-    var _S294 : f32;
-    if(face_8 < u32(2))
+    var _S319 : f32;
+    if(face_7 < u32(2))
     {
-        _S294 = away_1;
+        _S319 = away_1;
     }
     else
     {
-        _S294 = 0.0f;
+        _S319 = 0.0f;
     }
-    var _S295 : bool;
-    if(face_8 >= u32(2))
+    var _S320 : bool;
+    if(face_7 >= u32(2))
     {
-        _S295 = face_8 < u32(4);
+        _S320 = face_7 < u32(4);
     }
     else
     {
-        _S295 = false;
+        _S320 = false;
     }
-    var _S296 : f32;
-    if(_S295)
+    var _S321 : f32;
+    if(_S320)
     {
-        _S296 = away_1;
+        _S321 = away_1;
     }
     else
     {
-        _S296 = 0.0f;
+        _S321 = 0.0f;
     }
-    if(face_8 >= u32(4))
+    if(face_7 >= u32(4))
     {
     }
     else
     {
         away_1 = 0.0f;
     }
-    return vec3<f32>(_S294, _S296, away_1);
+    return vec3<f32>(_S319, _S321, away_1);
 }
 
-fn world_normal_0( _S297 : u32,  _S298 : u32) -> vec3<f32>
+fn world_normal_0( _S322 : u32,  _S323 : u32) -> vec3<f32>
 {
-    return normalize_vector_0(Transform_direction_1(_S297, face_normal_0(_S298)));
+    return normalize_vector_0(Transform_direction_1(_S322, face_normal_0(_S323)));
 }
 
 fn surface_of_0( ray_16 : Ray_0,  hit_5 : Hit_0) -> Surface_0
 {
     var surface_0 : Surface_0;
-    var _S299 : vec3<f32> = vec3<f32>(hit_5.voxel_4);
+    var _S324 : vec3<f32> = vec3<f32>(hit_5.voxel_4);
     if(IS_SINGLE_0)
     {
-        surface_0.origin_11 = offset_ray_origin_0(vec3<f32>(0.0f), _S299, hit_5.face_1, ray_16.origin_2 + ray_16.direction_1 * vec3<f32>(hit_5.t_1));
+        surface_0.origin_11 = offset_ray_origin_0(vec3<f32>(0.0f), _S324, hit_5.face_1, ray_16.origin_2 + ray_16.direction_1 * vec3<f32>(hit_5.t_1));
         surface_0.normal_4 = face_normal_0(hit_5.face_1);
     }
     else
     {
-        surface_0.origin_11 = Transform_point_1(hit_5.instance_3, offset_ray_origin_0(vector_of_0(instances_0[hit_5.instance_3].grid_from_world_0.translation_0), _S299, hit_5.face_1, Transform_point_0(hit_5.instance_3, ray_16.origin_2) + Transform_direction_0(hit_5.instance_3, ray_16.direction_1) * vec3<f32>(hit_5.t_1)));
+        surface_0.origin_11 = Transform_point_1(hit_5.instance_3, offset_ray_origin_0(vector_of_0(instances_0[hit_5.instance_3].grid_from_world_0.translation_0), _S324, hit_5.face_1, Transform_point_0(hit_5.instance_3, ray_16.origin_2) + Transform_direction_0(hit_5.instance_3, ray_16.direction_1) * vec3<f32>(hit_5.t_1)));
         surface_0.normal_4 = world_normal_0(hit_5.instance_3, hit_5.face_1);
     }
-    surface_0.face_7 = hit_5.face_1;
+    surface_0.face_6 = hit_5.face_1;
     surface_0.instance_10 = hit_5.instance_3;
     return surface_0;
 }
 
-fn Surface_local_direction_0( this_34 : Surface_0,  world_0 : vec3<f32>) -> vec3<f32>
+fn Surface_local_direction_0( this_35 : Surface_0,  world_0 : vec3<f32>) -> vec3<f32>
 {
     var in_grid_1 : vec3<f32>;
     if(!IS_SINGLE_0)
     {
-        in_grid_1 = Transform_direction_0(this_34.instance_10, world_0);
+        in_grid_1 = Transform_direction_0(this_35.instance_10, world_0);
     }
     else
     {
@@ -4326,13 +4591,13 @@ fn Surface_local_direction_0( this_34 : Surface_0,  world_0 : vec3<f32>) -> vec3
     }
     var in_grid_2 : vec3<f32> = normalize_vector_0(in_grid_1);
     var local_2 : vec3<f32>;
-    if((this_34.face_7) < u32(2))
+    if((this_35.face_6) < u32(2))
     {
         local_2 = in_grid_2.yzx;
     }
     else
     {
-        if((this_34.face_7) < u32(4))
+        if((this_35.face_6) < u32(4))
         {
             local_2 = in_grid_2.zxy;
         }
@@ -4341,7 +4606,7 @@ fn Surface_local_direction_0( this_34 : Surface_0,  world_0 : vec3<f32>) -> vec3
             local_2 = in_grid_2;
         }
     }
-    if((((this_34.face_7) & (u32(1)))) == u32(1))
+    if((((this_35.face_6) & (u32(1)))) == u32(1))
     {
         in_grid_1 = local_2;
     }
@@ -4352,25 +4617,25 @@ fn Surface_local_direction_0( this_34 : Surface_0,  world_0 : vec3<f32>) -> vec3
     return in_grid_1;
 }
 
-fn clamp_to_voxel_0( translation_3 : vec3<f32>,  low_12 : vec3<f32>,  point_3 : vec3<f32>) -> vec3<f32>
+fn clamp_to_voxel_0( translation_3 : vec3<f32>,  low_11 : vec3<f32>,  point_5 : vec3<f32>) -> vec3<f32>
 {
-    var margin_1 : f32 = margin_of_0(translation_3, low_12);
-    return min(max(point_3, low_12 + vec3<f32>(margin_1)), low_12 + vec3<f32>((1.0f - margin_1)));
+    var margin_1 : f32 = margin_of_0(translation_3, low_11);
+    return min(max(point_5, low_11 + vec3<f32>(margin_1)), low_11 + vec3<f32>((1.0f - margin_1)));
 }
 
-fn Inside_point_0( this_35 : Inside_0,  ray_17 : Ray_0,  t_10 : f32) -> vec3<f32>
+fn Inside_point_0( this_36 : Inside_0,  ray_17 : Ray_0,  t_10 : f32) -> vec3<f32>
 {
-    return Transform_point_1(this_35.instance_1, clamp_to_voxel_0(vector_of_0(instances_0[this_35.instance_1].grid_from_world_0.translation_0), vec3<f32>(this_35.voxel_2), Transform_point_0(this_35.instance_1, ray_17.origin_2) + Transform_direction_0(this_35.instance_1, ray_17.direction_1) * vec3<f32>(t_10)));
+    return Transform_point_1(this_36.instance_1, clamp_to_voxel_0(vector_of_0(instances_0[this_36.instance_1].grid_from_world_0.translation_0), vec3<f32>(this_36.voxel_2), Transform_point_0(this_36.instance_1, ray_17.origin_2) + Transform_direction_0(this_36.instance_1, ray_17.direction_1) * vec3<f32>(t_10)));
 }
 
-fn MaterialBsdf_is_delta_0( this_36 : MaterialBsdf_0) -> bool
+fn MaterialBsdf_is_delta_0( this_37 : MaterialBsdf_0) -> bool
 {
     return false;
 }
 
-fn Path_dimension_light_0( this_37 : Path_0) -> u32
+fn Path_dimension_light_0( this_38 : Path_0) -> u32
 {
-    return u32(2) + u32(2) * Path_events_0(this_37);
+    return u32(2) + u32(2) * Path_events_0(this_38);
 }
 
 struct BsdfEval_0
@@ -4386,9 +4651,9 @@ struct Diffuse_0
 
 fn Diffuse_x24init_0( reflectance_1 : vec3<f32>) -> Diffuse_0
 {
-    var _S300 : Diffuse_0;
-    _S300.reflectance_0 = reflectance_1;
-    return _S300;
+    var _S325 : Diffuse_0;
+    _S325.reflectance_0 = reflectance_1;
+    return _S325;
 }
 
 fn cosine_hemisphere_pdf_0( cos_theta_7 : f32) -> f32
@@ -4398,20 +4663,20 @@ fn cosine_hemisphere_pdf_0( cos_theta_7 : f32) -> f32
 
 fn BsdfEval_x24init_0( weight_4 : vec3<f32>,  pdf_10 : f32) -> BsdfEval_0
 {
-    var _S301 : BsdfEval_0;
-    _S301.weight_3 = weight_4;
-    _S301.pdf_9 = pdf_10;
-    return _S301;
+    var _S326 : BsdfEval_0;
+    _S326.weight_3 = weight_4;
+    _S326.pdf_9 = pdf_10;
+    return _S326;
 }
 
-fn Diffuse_eval_0( this_38 : Diffuse_0,  wo_0 : vec3<f32>,  wi_0 : vec3<f32>) -> BsdfEval_0
+fn Diffuse_eval_0( this_39 : Diffuse_0,  wo_0 : vec3<f32>,  wi_0 : vec3<f32>) -> BsdfEval_0
 {
-    return BsdfEval_x24init_0(this_38.reflectance_0, cosine_hemisphere_pdf_0(wi_0.z));
+    return BsdfEval_x24init_0(this_39.reflectance_0, cosine_hemisphere_pdf_0(wi_0.z));
 }
 
-fn MaterialBsdf_eval_0( this_39 : MaterialBsdf_0,  wo_1 : vec3<f32>,  wi_1 : vec3<f32>) -> BsdfEval_0
+fn MaterialBsdf_eval_0( this_40 : MaterialBsdf_0,  wo_1 : vec3<f32>,  wi_1 : vec3<f32>) -> BsdfEval_0
 {
-    return Diffuse_eval_0(Diffuse_x24init_0(this_39.color_0), wo_1, wi_1);
+    return Diffuse_eval_0(Diffuse_x24init_0(this_40.color_1), wo_1, wi_1);
 }
 
 struct BsdfSample_0
@@ -4431,31 +4696,31 @@ fn cosine_hemisphere_0( u_11 : f32,  v_5 : f32) -> vec3<f32>
 
 fn BsdfSample_x24init_0( wi_3 : vec3<f32>,  weight_6 : vec3<f32>,  pdf_12 : f32,  is_delta_1 : bool) -> BsdfSample_0
 {
-    var _S302 : BsdfSample_0;
-    _S302.wi_2 = wi_3;
-    _S302.weight_5 = weight_6;
-    _S302.pdf_11 = pdf_12;
-    _S302.is_delta_0 = is_delta_1;
-    return _S302;
+    var _S327 : BsdfSample_0;
+    _S327.wi_2 = wi_3;
+    _S327.weight_5 = weight_6;
+    _S327.pdf_11 = pdf_12;
+    _S327.is_delta_0 = is_delta_1;
+    return _S327;
 }
 
-fn Diffuse_sample_0( this_40 : Diffuse_0,  wo_2 : vec3<f32>,  u_12 : vec3<f32>,  sample_11 : ptr<function, BsdfSample_0>) -> bool
+fn Diffuse_sample_0( this_41 : Diffuse_0,  wo_2 : vec3<f32>,  u_12 : vec3<f32>,  sample_11 : ptr<function, BsdfSample_0>) -> bool
 {
     var wi_4 : vec3<f32> = cosine_hemisphere_0(u_12.x, u_12.y);
-    (*sample_11) = BsdfSample_x24init_0(wi_4, this_40.reflectance_0, cosine_hemisphere_pdf_0(wi_4.z), false);
+    (*sample_11) = BsdfSample_x24init_0(wi_4, this_41.reflectance_0, cosine_hemisphere_pdf_0(wi_4.z), false);
     return true;
 }
 
-fn MaterialBsdf_sample_0( this_41 : MaterialBsdf_0,  wo_3 : vec3<f32>,  u_13 : vec3<f32>,  sample_12 : ptr<function, BsdfSample_0>) -> bool
+fn MaterialBsdf_sample_0( this_42 : MaterialBsdf_0,  wo_3 : vec3<f32>,  u_13 : vec3<f32>,  sample_12 : ptr<function, BsdfSample_0>) -> bool
 {
-    var _S303 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_41.color_0), wo_3, u_13, &((*sample_12)));
-    return _S303;
+    var _S328 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_42.color_1), wo_3, u_13, &((*sample_12)));
+    return _S328;
 }
 
-fn Surface_world_direction_0( this_42 : Surface_0,  local_3 : vec3<f32>) -> vec3<f32>
+fn Surface_world_direction_0( this_43 : Surface_0,  local_3 : vec3<f32>) -> vec3<f32>
 {
     var away_2 : f32;
-    if((((this_42.face_7) & (u32(1)))) == u32(1))
+    if((((this_43.face_6) & (u32(1)))) == u32(1))
     {
         away_2 = local_3.z;
     }
@@ -4463,28 +4728,28 @@ fn Surface_world_direction_0( this_42 : Surface_0,  local_3 : vec3<f32>) -> vec3
     {
         away_2 = - local_3.z;
     }
-    var _S304 : f32 = local_3.x;
-    var _S305 : f32 = local_3.y;
-    var _S306 : vec3<f32> = vec3<f32>(_S304, _S305, away_2);
+    var _S329 : f32 = local_3.x;
+    var _S330 : f32 = local_3.y;
+    var _S331 : vec3<f32> = vec3<f32>(_S329, _S330, away_2);
     var in_grid_3 : vec3<f32>;
-    if((this_42.face_7) < u32(2))
+    if((this_43.face_6) < u32(2))
     {
-        in_grid_3 = vec3<f32>(away_2, _S304, _S305);
+        in_grid_3 = vec3<f32>(away_2, _S329, _S330);
     }
     else
     {
-        if((this_42.face_7) < u32(4))
+        if((this_43.face_6) < u32(4))
         {
-            in_grid_3 = vec3<f32>(_S305, away_2, _S304);
+            in_grid_3 = vec3<f32>(_S330, away_2, _S329);
         }
         else
         {
-            in_grid_3 = _S306;
+            in_grid_3 = _S331;
         }
     }
     if(!IS_SINGLE_0)
     {
-        in_grid_3 = Transform_direction_1(this_42.instance_10, in_grid_3);
+        in_grid_3 = Transform_direction_1(this_43.instance_10, in_grid_3);
     }
     return normalize_vector_0(in_grid_3);
 }
@@ -4580,7 +4845,7 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_18 : Ray_0,  hit_
     }
     var u_14 : vec4<f32> = Sampler_stratified_0((*path_4).sampler_0, Path_dimension_scatter_0((*path_4)));
     var material_6 : PackedMaterial_0 = material_met_0((*path_4), hit_6, beyond_2);
-    var _S307 : vec3<f32> = vec3<f32>(0.0f);
+    var _S332 : vec3<f32> = vec3<f32>(0.0f);
     var le_1 : vec3<f32>;
     if(!is_counted_0)
     {
@@ -4588,12 +4853,12 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_18 : Ray_0,  hit_
     }
     else
     {
-        le_1 = _S307;
+        le_1 = _S332;
     }
     var is_lit_0 : bool = (max_element_0(le_1)) > 0.0f;
-    var met_0 : Aim_0 = Aim_x24init_0(true, ray_18.direction_1, hit_6);
-    var _S308 : bool = weighs_apart_0();
-    if(_S308)
+    var met_0 : Aim_0 = Aim_x24init_0(true, ray_18.direction_1, hit_6, luminance_1(vector_of_0(material_6.emission_0)));
+    var _S333 : bool = weighs_apart_0();
+    if(_S333)
     {
         is_weighed_0 = is_lit_0;
     }
@@ -4621,7 +4886,7 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_18 : Ray_0,  hit_
     if(is_chosen_0)
     {
         var light_2 : LightSample_0 = no_light_0();
-        if(!_S308)
+        if(!_S333)
         {
             is_chosen_0 = ((*path_4).pdf_1) > 0.0f;
         }
@@ -4631,15 +4896,15 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_18 : Ray_0,  hit_
         }
         if(is_chosen_0)
         {
-            var _S309 : bool = Lights_sample_0(last_5, vec4<f32>(0.0f), met_0, &(light_2));
-            is_chosen_0 = _S309;
+            var _S334 : bool = Lights_sample_0(last_5, vec4<f32>(0.0f), met_0, &(light_2));
+            is_chosen_0 = _S334;
         }
         else
         {
             is_chosen_0 = false;
         }
-        var _S310 : vec3<f32> = (*path_4).beta_0 * le_1;
-        var _S311 : f32 = (*path_4).pdf_1;
+        var _S335 : vec3<f32> = (*path_4).beta_0 * le_1;
+        var _S336 : f32 = (*path_4).pdf_1;
         if(is_chosen_0)
         {
             light_pdf_1 = light_2.pdf_3;
@@ -4648,18 +4913,18 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_18 : Ray_0,  hit_
         {
             light_pdf_1 = 0.0f;
         }
-        (*radiance_6) = (*radiance_6) + _S310 * vec3<f32>(mis_weight_0(_S311, light_pdf_1));
+        (*radiance_6) = (*radiance_6) + _S335 * vec3<f32>(mis_weight_0(_S336, light_pdf_1));
     }
-    var _S312 : f32 = ior_of_0((*path_4).inside_0);
-    var _S313 : f32 = u_14[i32(3)];
-    var _S314 : MaterialBsdf_0 = bsdf_of_0(material_6, _S312, &(_S313));
-    u_14[i32(3)] = _S313;
-    var scattered_3 : vec3<f32> = (*path_4).beta_0 * MaterialBsdf_albedo_0(_S314);
-    var _S315 : bool = ((*path_4).bounce_0) >= (params_0.max_bounces_0);
-    var _S316 : bool = !is_weighed_0;
-    if(_S316)
+    var _S337 : f32 = ior_of_0((*path_4).inside_0);
+    var _S338 : f32 = u_14[i32(3)];
+    var _S339 : MaterialBsdf_0 = bsdf_of_0(material_6, _S337, &(_S338));
+    u_14[i32(3)] = _S338;
+    var scattered_3 : vec3<f32> = (*path_4).beta_0 * MaterialBsdf_albedo_0(_S339);
+    var _S340 : bool = ((*path_4).bounce_0) >= (params_0.max_bounces_0);
+    var _S341 : bool = !is_weighed_0;
+    if(_S341)
     {
-        if(_S315)
+        if(_S340)
         {
             is_chosen_0 = true;
         }
@@ -4677,7 +4942,7 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_18 : Ray_0,  hit_
         return next_0;
     }
     var compensation_0 : f32 = roulette_0(Path_events_0((*path_4)), scattered_3, u_14.z);
-    if(_S316)
+    if(_S341)
     {
         is_chosen_0 = compensation_0 == 0.0f;
     }
@@ -4689,29 +4954,29 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_18 : Ray_0,  hit_
     {
         return next_0;
     }
-    var at_2 : Hit_0;
+    var at_3 : Hit_0;
     if(is_scattered_0)
     {
-        at_2 = Hit_x24init_0(t_11, (*path_4).inside_0.instance_1, hit_6.voxel_4, u32(0));
+        at_3 = Hit_x24init_0(t_11, (*path_4).inside_0.instance_1, hit_6.voxel_4, u32(0));
     }
     else
     {
-        at_2 = hit_6;
+        at_3 = hit_6;
     }
-    var surface_1 : Surface_0 = surface_of_0(ray_18, at_2);
-    var _S317 : Receiver_0 = Receiver_x24init_0(surface_1.origin_11, surface_1.normal_4);
-    var _S318 : vec3<f32> = (vec3<f32>(0) - ray_18.direction_1);
-    var wo_4 : vec3<f32> = Surface_local_direction_0(surface_1, _S318);
+    var surface_1 : Surface_0 = surface_of_0(ray_18, at_3);
+    var _S342 : Receiver_0 = Receiver_x24init_0(surface_1.origin_11, surface_1.normal_4);
+    var _S343 : vec3<f32> = (vec3<f32>(0) - ray_18.direction_1);
+    var wo_4 : vec3<f32> = Surface_local_direction_0(surface_1, _S343);
     var inside_5 : Inside_0 = in_air_0();
     var wo_5 : vec3<f32>;
-    var receiver_19 : Receiver_0;
+    var receiver_18 : Receiver_0;
     if(is_scattered_0)
     {
-        var _S319 : Inside_0 = Inside_x24init_0((*path_4).inside_0.instance_1, hit_6.voxel_4, (*path_4).inside_0.material_1);
-        inside_5 = _S319;
-        var _S320 : vec3<f32> = normalize_vector_0(_S318);
-        receiver_19 = Receiver_x24init_0(Inside_point_0(_S319, ray_18, t_11), _S307);
-        wo_5 = _S320;
+        var _S344 : Inside_0 = Inside_x24init_0((*path_4).inside_0.instance_1, hit_6.voxel_4, (*path_4).inside_0.material_1);
+        inside_5 = _S344;
+        var _S345 : vec3<f32> = normalize_vector_0(_S343);
+        receiver_18 = Receiver_x24init_0(Inside_point_0(_S344, ray_18, t_11), _S332);
+        wo_5 = _S345;
     }
     else
     {
@@ -4721,21 +4986,21 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_18 : Ray_0,  hit_
             inside_5 = Inside_x24init_0((*path_4).inside_0.instance_1, hit_6.voxel_4, (*path_4).inside_0.material_1);
             inside_5.voxel_2 = hit_6.voxel_4 + vec3<i32>(face_normal_0(hit_6.face_1));
         }
-        receiver_19 = _S317;
+        receiver_18 = _S342;
         wo_5 = wo_4;
     }
-    next_0.origin_9 = receiver_19.point_0;
+    next_0.origin_9 = receiver_18.point_0;
     next_0.shadow_inside_0 = inside_5;
-    var _S321 : Aim_0 = by_chance_0();
+    var _S346 : Aim_0 = by_chance_0();
     var aim_5 : Aim_0;
     if(is_weighed_0)
     {
-        receiver_19 = last_5;
+        receiver_18 = last_5;
         aim_5 = met_0;
     }
     else
     {
-        aim_5 = _S321;
+        aim_5 = _S346;
     }
     var light_3 : LightSample_0 = no_light_0();
     if(is_weighed_0)
@@ -4744,12 +5009,12 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_18 : Ray_0,  hit_
     }
     else
     {
-        is_chosen_0 = !MaterialBsdf_is_delta_0(_S314);
+        is_chosen_0 = !MaterialBsdf_is_delta_0(_S339);
     }
     if(is_chosen_0)
     {
-        var _S322 : bool = Lights_sample_0(receiver_19, Sampler_stratified_0((*path_4).sampler_0, Path_dimension_light_0((*path_4))), aim_5, &(light_3));
-        next_0.has_shadow_ray_0 = _S322;
+        var _S347 : bool = Lights_sample_0(receiver_18, Sampler_stratified_0((*path_4).sampler_0, Path_dimension_light_0((*path_4))), aim_5, &(light_3));
+        next_0.has_shadow_ray_0 = _S347;
     }
     if(is_weighed_0)
     {
@@ -4768,7 +5033,7 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_18 : Ray_0,  hit_
     }
     if(next_0.has_shadow_ray_0)
     {
-        var _S323 : vec3<f32> = vec3<f32>(Surface_local_direction_0(surface_1, light_3.ray_14.direction_1).xy, light_3.cos_theta_2);
+        var _S348 : vec3<f32> = vec3<f32>(Surface_local_direction_0(surface_1, light_3.ray_14.direction_1).xy, light_3.cos_theta_2);
         var wi_5 : vec3<f32>;
         if(is_scattered_0)
         {
@@ -4776,17 +5041,17 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_18 : Ray_0,  hit_
         }
         else
         {
-            wi_5 = _S323;
+            wi_5 = _S348;
         }
-        var eval_0 : BsdfEval_0 = MaterialBsdf_eval_0(_S314, wo_5, wi_5);
-        var share_2 : f32 = divide_0(eval_0.pdf_9, light_3.pdf_3) * power_heuristic_0(light_3.pdf_3, eval_0.pdf_9);
+        var eval_0 : BsdfEval_0 = MaterialBsdf_eval_0(_S339, wo_5, wi_5);
+        var share_8 : f32 = divide_0(eval_0.pdf_9, light_3.pdf_3) * power_heuristic_0(light_3.pdf_3, eval_0.pdf_9);
         next_0.shadow_direction_0 = light_3.ray_14.direction_1;
         next_0.shadow_t_max_0 = light_3.ray_14.t_max_1;
-        next_0.light_0 = (*path_4).beta_0 * eval_0.weight_3 * vec3<f32>(compensation_0) * light_3.radiance_2 * vec3<f32>(share_2);
+        next_0.light_0 = (*path_4).beta_0 * eval_0.weight_3 * vec3<f32>(compensation_0) * light_3.radiance_2 * vec3<f32>(share_8);
     }
     var bounce_4 : BsdfSample_0;
-    var _S324 : bool = MaterialBsdf_sample_0(_S314, wo_5, vec3<f32>(u_14.xy, u_14.w), &(bounce_4));
-    if(!_S324)
+    var _S349 : bool = MaterialBsdf_sample_0(_S339, wo_5, vec3<f32>(u_14.xy, u_14.w), &(bounce_4));
+    if(!_S349)
     {
         return next_0;
     }
@@ -4800,7 +5065,7 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_18 : Ray_0,  hit_
         t_11 = bounce_4.pdf_11;
     }
     (*path_4).pdf_1 = t_11;
-    (*path_4).normal_0 = receiver_19.normal_2;
+    (*path_4).normal_0 = receiver_18.normal_2;
     next_0.direction_6 = bounce_4.wi_2;
     if(!is_scattered_0)
     {
@@ -4811,9 +5076,9 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_18 : Ray_0,  hit_
     return next_0;
 }
 
-fn place_of_0( at_3 : vec2<u32>) -> u32
+fn place_of_0( at_4 : vec2<u32>) -> u32
 {
-    var relative_1 : vec2<u32> = at_3 - params_0.region_0.xy;
+    var relative_1 : vec2<u32> = at_4 - params_0.region_0.xy;
     return relative_1.y * (params_0.region_0.z - params_0.region_0.x) + relative_1.x;
 }
 
@@ -4843,124 +5108,124 @@ fn fixed_point_0( value_2 : f32) -> vec2<u32>
     }
     if(shift_6 < i32(32))
     {
-        var _S325 : u32 = (mantissa_4 << (u32(shift_6)));
-        var _S326 : u32;
+        var _S350 : u32 = (mantissa_4 << (u32(shift_6)));
+        var _S351 : u32;
         if(shift_6 == i32(0))
         {
-            _S326 = u32(0);
+            _S351 = u32(0);
         }
         else
         {
-            _S326 = (mantissa_4 >> (u32(i32(32) - shift_6)));
+            _S351 = (mantissa_4 >> (u32(i32(32) - shift_6)));
         }
-        return vec2<u32>(_S325, _S326);
+        return vec2<u32>(_S350, _S351);
     }
     return vec2<u32>(u32(0), (mantissa_4 << (u32(shift_6 - i32(32)))));
 }
 
-fn PixelRecord_add_0( this_43 : ptr<function, PixelRecord_0>,  value_3 : vec3<f32>,  is_covered_0 : bool)
+fn PixelRecord_add_0( this_44 : ptr<function, PixelRecord_0>,  value_3 : vec3<f32>,  is_covered_0 : bool)
 {
     var addend_0 : vec2<u32> = fixed_point_0(value_3[u32(0)]);
-    var _S327 : u32 = addend_0.x;
-    var low_13 : u32 = (*this_43).radiance_1[u32(0)] + _S327;
-    var high_6 : u32 = (*this_43).radiance_1[u32(1)] + addend_0.y + u32(low_13 < _S327);
-    var is_full_0 : bool = high_6 < ((*this_43).radiance_1[u32(1)]);
-    var _S328 : u32;
+    var _S352 : u32 = addend_0.x;
+    var low_12 : u32 = (*this_44).radiance_1[u32(0)] + _S352;
+    var high_5 : u32 = (*this_44).radiance_1[u32(1)] + addend_0.y + u32(low_12 < _S352);
+    var is_full_0 : bool = high_5 < ((*this_44).radiance_1[u32(1)]);
+    var _S353 : u32;
     if(is_full_0)
     {
-        _S328 = u32(4294967295);
+        _S353 = u32(4294967295);
     }
     else
     {
-        _S328 = low_13;
+        _S353 = low_12;
     }
-    (*this_43).radiance_1[u32(0)] = _S328;
+    (*this_44).radiance_1[u32(0)] = _S353;
     if(is_full_0)
     {
-        _S328 = u32(4294967295);
+        _S353 = u32(4294967295);
     }
     else
     {
-        _S328 = high_6;
+        _S353 = high_5;
     }
-    (*this_43).radiance_1[u32(1)] = _S328;
+    (*this_44).radiance_1[u32(1)] = _S353;
     var addend_1 : vec2<u32> = fixed_point_0(value_3[u32(1)]);
-    var _S329 : u32 = addend_1.x;
-    var low_14 : u32 = (*this_43).radiance_1[u32(2)] + _S329;
-    var high_7 : u32 = (*this_43).radiance_1[u32(3)] + addend_1.y + u32(low_14 < _S329);
-    var is_full_1 : bool = high_7 < ((*this_43).radiance_1[u32(3)]);
+    var _S354 : u32 = addend_1.x;
+    var low_13 : u32 = (*this_44).radiance_1[u32(2)] + _S354;
+    var high_6 : u32 = (*this_44).radiance_1[u32(3)] + addend_1.y + u32(low_13 < _S354);
+    var is_full_1 : bool = high_6 < ((*this_44).radiance_1[u32(3)]);
     if(is_full_1)
     {
-        _S328 = u32(4294967295);
+        _S353 = u32(4294967295);
     }
     else
     {
-        _S328 = low_14;
+        _S353 = low_13;
     }
-    (*this_43).radiance_1[u32(2)] = _S328;
+    (*this_44).radiance_1[u32(2)] = _S353;
     if(is_full_1)
     {
-        _S328 = u32(4294967295);
+        _S353 = u32(4294967295);
     }
     else
     {
-        _S328 = high_7;
+        _S353 = high_6;
     }
-    (*this_43).radiance_1[u32(3)] = _S328;
+    (*this_44).radiance_1[u32(3)] = _S353;
     var addend_2 : vec2<u32> = fixed_point_0(value_3[u32(2)]);
-    var _S330 : u32 = addend_2.x;
-    var low_15 : u32 = (*this_43).radiance_1[u32(4)] + _S330;
-    var high_8 : u32 = (*this_43).radiance_1[u32(5)] + addend_2.y + u32(low_15 < _S330);
-    var is_full_2 : bool = high_8 < ((*this_43).radiance_1[u32(5)]);
+    var _S355 : u32 = addend_2.x;
+    var low_14 : u32 = (*this_44).radiance_1[u32(4)] + _S355;
+    var high_7 : u32 = (*this_44).radiance_1[u32(5)] + addend_2.y + u32(low_14 < _S355);
+    var is_full_2 : bool = high_7 < ((*this_44).radiance_1[u32(5)]);
     if(is_full_2)
     {
-        _S328 = u32(4294967295);
+        _S353 = u32(4294967295);
     }
     else
     {
-        _S328 = low_15;
+        _S353 = low_14;
     }
-    (*this_43).radiance_1[u32(4)] = _S328;
+    (*this_44).radiance_1[u32(4)] = _S353;
     if(is_full_2)
     {
-        _S328 = u32(4294967295);
+        _S353 = u32(4294967295);
     }
     else
     {
-        _S328 = high_8;
+        _S353 = high_7;
     }
-    (*this_43).radiance_1[u32(5)] = _S328;
-    (*this_43).samples_0 = (*this_43).samples_0 + u32(1);
-    (*this_43).covered_0 = (*this_43).covered_0 + u32(is_covered_0);
+    (*this_44).radiance_1[u32(5)] = _S353;
+    (*this_44).samples_0 = (*this_44).samples_0 + u32(1);
+    (*this_44).covered_0 = (*this_44).covered_0 + u32(is_covered_0);
     return;
 }
 
-fn add_sample_0( index_13 : u32,  radiance_7 : vec3<f32>,  is_covered_1 : bool)
+fn add_sample_0( index_12 : u32,  radiance_7 : vec3<f32>,  is_covered_1 : bool)
 {
     var pixel_6 : PixelRecord_0;
-    pixel_6.radiance_1 = pixels_0[index_13].radiance_1;
-    pixel_6.samples_0 = pixels_0[index_13].samples_0;
-    pixel_6.covered_0 = pixels_0[index_13].covered_0;
+    pixel_6.radiance_1 = pixels_0[index_12].radiance_1;
+    pixel_6.samples_0 = pixels_0[index_12].samples_0;
+    pixel_6.covered_0 = pixels_0[index_12].covered_0;
     PixelRecord_add_0(&(pixel_6), radiance_7, is_covered_1);
-    pixels_0[index_13].radiance_1 = pixel_6.radiance_1;
-    pixels_0[index_13].samples_0 = pixel_6.samples_0;
-    pixels_0[index_13].covered_0 = pixel_6.covered_0;
+    pixels_0[index_12].radiance_1 = pixel_6.radiance_1;
+    pixels_0[index_12].samples_0 = pixel_6.samples_0;
+    pixels_0[index_12].covered_0 = pixel_6.covered_0;
     return;
 }
 
 fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
 {
     var counts_0 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
-    var _S331 : vec3<f32> = vec3<f32>(0.0f);
-    var radiance_8 : vec3<f32> = _S331;
+    var _S356 : vec3<f32> = vec3<f32>(0.0f);
+    var radiance_8 : vec3<f32> = _S356;
     var path_5 : Path_0;
-    var _S332 : Ray_0 = camera_path_0(work_0.pixel_5, work_0.sample_5, &(path_5));
-    var ray_19 : Ray_0 = _S332;
+    var _S357 : Ray_0 = camera_path_0(work_0.pixel_5, work_0.sample_5, &(path_5));
+    var ray_19 : Ray_0 = _S357;
     var is_shadow_ray_0 : bool = false;
-    var direction_28 : vec3<f32> = _S331;
+    var direction_28 : vec3<f32> = _S356;
     var is_covered_2 : bool = false;
     var sample_13 : u32 = work_0.sample_5;
-    var light_4 : vec3<f32> = _S331;
+    var light_4 : vec3<f32> = _S356;
     for(;;)
     {
         if(sample_13 < (work_0.last_0))
@@ -4970,12 +5235,12 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
         {
             break;
         }
-        var _S333 : Hit_0 = WalkTracer_trace_0(&(ray_19), is_shadow_ray_0);
+        var _S358 : Hit_0 = WalkTracer_trace_0(&(ray_19), is_shadow_ray_0);
         var is_covered_3 : bool;
         if(is_shadow_ray_0)
         {
             counts_0.shadow_0 = counts_0.shadow_0 + u32(1);
-            if(Hit_is_miss_0(_S333))
+            if(Hit_is_miss_0(_S358))
             {
                 radiance_8 = radiance_8 + light_4;
             }
@@ -4986,7 +5251,7 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
         {
             if((Path_events_0(path_5)) == u32(0))
             {
-                if(!Hit_is_miss_0(_S333))
+                if(!Hit_is_miss_0(_S358))
                 {
                     is_covered_3 = true;
                 }
@@ -5003,58 +5268,58 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
                 }
                 is_covered_3 = is_covered_2;
             }
-            var _S334 : NextRays_0 = no_rays_0();
+            var _S359 : NextRays_0 = no_rays_0();
             path_5.sampler_0 = sampler_of_0(work_0.pixel_5, sample_13);
-            var _S335 : bool;
+            var _S360 : bool;
             if(is_covered_3)
             {
-                _S335 = true;
+                _S360 = true;
             }
             else
             {
-                _S335 = (params_0.is_transparent_0) == u32(0);
+                _S360 = (params_0.is_transparent_0) == u32(0);
             }
             var next_1 : NextRays_0;
-            if(_S335)
+            if(_S360)
             {
-                var _S336 : NextRays_0 = PathTracing_advance_0(&(path_5), ray_19, _S333, u32(4294967295), &(radiance_8));
-                next_1 = _S336;
+                var _S361 : NextRays_0 = PathTracing_advance_0(&(path_5), ray_19, _S358, u32(4294967295), &(radiance_8));
+                next_1 = _S361;
             }
             else
             {
-                next_1 = _S334;
+                next_1 = _S359;
             }
-            var _S337 : bool;
+            var _S362 : bool;
             if(weighs_apart_0())
             {
-                _S337 = next_1.is_same_0;
+                _S362 = next_1.is_same_0;
             }
             else
             {
-                _S337 = false;
+                _S362 = false;
             }
-            if(_S337)
+            if(_S362)
             {
                 is_covered_2 = is_covered_3;
                 continue;
             }
-            var _S338 : NextRays_0 = next_1;
-            var _S339 : NextRays_0 = next_1;
-            var _S340 : NextRays_0 = next_1;
-            var _S341 : NextRays_0 = next_1;
+            var _S363 : NextRays_0 = next_1;
+            var _S364 : NextRays_0 = next_1;
+            var _S365 : NextRays_0 = next_1;
+            var _S366 : NextRays_0 = next_1;
             ray_19 = PathTracing_clip_0(ray_from_0(next_1.origin_9, next_1.direction_6));
-            if(_S340.has_shadow_ray_0)
+            if(_S365.has_shadow_ray_0)
             {
-                ray_19 = Ray_x24init_0(_S341.origin_9, 0.0f, next_1.shadow_direction_0, next_1.shadow_t_max_0);
+                ray_19 = Ray_x24init_0(_S366.origin_9, 0.0f, next_1.shadow_direction_0, next_1.shadow_t_max_0);
             }
-            is_shadow_ray_0 = _S340.has_shadow_ray_0;
-            direction_28 = _S338.direction_6;
+            is_shadow_ray_0 = _S365.has_shadow_ray_0;
+            direction_28 = _S363.direction_6;
             is_covered_2 = is_covered_3;
-            light_4 = _S339.light_0;
+            light_4 = _S364.light_0;
         }
         if(!is_shadow_ray_0)
         {
-            is_covered_3 = (all((direction_28 == _S331)));
+            is_covered_3 = (all((direction_28 == _S356)));
         }
         else
         {
@@ -5062,16 +5327,16 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
         }
         if(is_covered_3)
         {
-            var _S342 : vec2<u32> = position_of_0(work_0.pixel_5);
-            add_sample_0(place_of_0(_S342), radiance_8, is_covered_2);
-            radiance_8 = _S331;
+            var _S367 : vec2<u32> = position_of_0(work_0.pixel_5);
+            add_sample_0(place_of_0(_S367), radiance_8, is_covered_2);
+            radiance_8 = _S356;
             var sample_14 : u32 = sample_13 + u32(1);
             if(sample_14 == (work_0.last_0))
             {
                 break;
             }
-            var _S343 : Ray_0 = camera_path_0(work_0.pixel_5, sample_14, &(path_5));
-            ray_19 = _S343;
+            var _S368 : Ray_0 = camera_path_0(work_0.pixel_5, sample_14, &(path_5));
+            ray_19 = _S368;
             sample_13 = sample_14;
         }
     }
@@ -5092,9 +5357,9 @@ fn camera_path_1( pixel_7 : u32,  sample_15 : u32,  path_6 : ptr<function, Path_
 {
     (*path_6) = Path_x24init_0(sampler_of_0(pixel_7, sample_15), u32(0), u32(0), u32(0), u32(0), vec3<f32>(1.0f), 0.0f, vec3<f32>(0.0f), 0.0f, in_air_0(), true);
     var jitter_1 : vec4<f32> = Essay_jitter_0((*path_6).sampler_0);
-    var _S344 : CameraFrame_0 = FrameParams_camera_0();
-    var _S345 : vec2<u32> = position_of_0(pixel_7);
-    return Essay_clip_0(CameraFrame_ray_0(_S344, vec2<f32>(_S345) + jitter_1.xy, jitter_1.zw));
+    var _S369 : CameraFrame_0 = FrameParams_camera_0();
+    var _S370 : vec2<u32> = position_of_0(pixel_7);
+    return Essay_clip_0(CameraFrame_ray_0(_S369, vec2<f32>(_S370) + jitter_1.xy, jitter_1.zw));
 }
 
 fn Essay_advance_0( path_7 : ptr<function, Path_0>,  ray_21 : Ray_0,  hit_7 : Hit_0,  beyond_3 : u32,  radiance_9 : ptr<function, vec3<f32>>) -> NextRays_0
@@ -5127,16 +5392,16 @@ fn Essay_advance_0( path_7 : ptr<function, Path_0>,  ray_21 : Ray_0,  hit_7 : Hi
 fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
 {
     var counts_1 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
-    var _S346 : vec3<f32> = vec3<f32>(0.0f);
-    var radiance_10 : vec3<f32> = _S346;
+    var _S371 : vec3<f32> = vec3<f32>(0.0f);
+    var radiance_10 : vec3<f32> = _S371;
     var path_8 : Path_0;
-    var _S347 : Ray_0 = camera_path_1(work_1.pixel_5, work_1.sample_5, &(path_8));
-    var ray_22 : Ray_0 = _S347;
+    var _S372 : Ray_0 = camera_path_1(work_1.pixel_5, work_1.sample_5, &(path_8));
+    var ray_22 : Ray_0 = _S372;
     var is_shadow_ray_1 : bool = false;
-    var direction_29 : vec3<f32> = _S346;
+    var direction_29 : vec3<f32> = _S371;
     var is_covered_4 : bool = false;
     var sample_16 : u32 = work_1.sample_5;
-    var light_5 : vec3<f32> = _S346;
+    var light_5 : vec3<f32> = _S371;
     for(;;)
     {
         if(sample_16 < (work_1.last_0))
@@ -5146,12 +5411,12 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
         {
             break;
         }
-        var _S348 : Hit_0 = WalkTracer_trace_0(&(ray_22), is_shadow_ray_1);
+        var _S373 : Hit_0 = WalkTracer_trace_0(&(ray_22), is_shadow_ray_1);
         var is_covered_5 : bool;
         if(is_shadow_ray_1)
         {
             counts_1.shadow_0 = counts_1.shadow_0 + u32(1);
-            if(Hit_is_miss_0(_S348))
+            if(Hit_is_miss_0(_S373))
             {
                 radiance_10 = radiance_10 + light_5;
             }
@@ -5162,7 +5427,7 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
         {
             if((Path_events_0(path_8)) == u32(0))
             {
-                if(!Hit_is_miss_0(_S348))
+                if(!Hit_is_miss_0(_S373))
                 {
                     is_covered_5 = true;
                 }
@@ -5179,58 +5444,58 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
                 }
                 is_covered_5 = is_covered_4;
             }
-            var _S349 : NextRays_0 = no_rays_0();
+            var _S374 : NextRays_0 = no_rays_0();
             path_8.sampler_0 = sampler_of_0(work_1.pixel_5, sample_16);
-            var _S350 : bool;
+            var _S375 : bool;
             if(is_covered_5)
             {
-                _S350 = true;
+                _S375 = true;
             }
             else
             {
-                _S350 = (params_0.is_transparent_0) == u32(0);
+                _S375 = (params_0.is_transparent_0) == u32(0);
             }
             var next_3 : NextRays_0;
-            if(_S350)
+            if(_S375)
             {
-                var _S351 : NextRays_0 = Essay_advance_0(&(path_8), ray_22, _S348, u32(4294967295), &(radiance_10));
-                next_3 = _S351;
+                var _S376 : NextRays_0 = Essay_advance_0(&(path_8), ray_22, _S373, u32(4294967295), &(radiance_10));
+                next_3 = _S376;
             }
             else
             {
-                next_3 = _S349;
+                next_3 = _S374;
             }
-            var _S352 : bool;
+            var _S377 : bool;
             if(weighs_apart_0())
             {
-                _S352 = next_3.is_same_0;
+                _S377 = next_3.is_same_0;
             }
             else
             {
-                _S352 = false;
+                _S377 = false;
             }
-            if(_S352)
+            if(_S377)
             {
                 is_covered_4 = is_covered_5;
                 continue;
             }
-            var _S353 : NextRays_0 = next_3;
-            var _S354 : NextRays_0 = next_3;
-            var _S355 : NextRays_0 = next_3;
-            var _S356 : NextRays_0 = next_3;
+            var _S378 : NextRays_0 = next_3;
+            var _S379 : NextRays_0 = next_3;
+            var _S380 : NextRays_0 = next_3;
+            var _S381 : NextRays_0 = next_3;
             ray_22 = Essay_clip_0(ray_from_0(next_3.origin_9, next_3.direction_6));
-            if(_S355.has_shadow_ray_0)
+            if(_S380.has_shadow_ray_0)
             {
-                ray_22 = Ray_x24init_0(_S356.origin_9, 0.0f, next_3.shadow_direction_0, next_3.shadow_t_max_0);
+                ray_22 = Ray_x24init_0(_S381.origin_9, 0.0f, next_3.shadow_direction_0, next_3.shadow_t_max_0);
             }
-            is_shadow_ray_1 = _S355.has_shadow_ray_0;
-            direction_29 = _S353.direction_6;
+            is_shadow_ray_1 = _S380.has_shadow_ray_0;
+            direction_29 = _S378.direction_6;
             is_covered_4 = is_covered_5;
-            light_5 = _S354.light_0;
+            light_5 = _S379.light_0;
         }
         if(!is_shadow_ray_1)
         {
-            is_covered_5 = (all((direction_29 == _S346)));
+            is_covered_5 = (all((direction_29 == _S371)));
         }
         else
         {
@@ -5238,48 +5503,48 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
         }
         if(is_covered_5)
         {
-            var _S357 : vec2<u32> = position_of_0(work_1.pixel_5);
-            add_sample_0(place_of_0(_S357), radiance_10, is_covered_4);
-            radiance_10 = _S346;
+            var _S382 : vec2<u32> = position_of_0(work_1.pixel_5);
+            add_sample_0(place_of_0(_S382), radiance_10, is_covered_4);
+            radiance_10 = _S371;
             var sample_17 : u32 = sample_16 + u32(1);
             if(sample_17 == (work_1.last_0))
             {
                 break;
             }
-            var _S358 : Ray_0 = camera_path_1(work_1.pixel_5, sample_17, &(path_8));
-            ray_22 = _S358;
+            var _S383 : Ray_0 = camera_path_1(work_1.pixel_5, sample_17, &(path_8));
+            ray_22 = _S383;
             sample_16 = sample_17;
         }
     }
     return counts_1;
 }
 
-fn Walk_enter_1( this_44 : Walk_0,  voxel_18 : ptr<function, vec3<i32>>,  low_16 : vec3<i32>,  high_9 : vec3<i32>) -> bool
+fn Walk_enter_1( this_45 : Walk_0,  voxel_18 : ptr<function, vec3<i32>>,  low_15 : vec3<i32>,  high_8 : vec3<i32>) -> bool
 {
-    var is_mirrored_2 : vec3<bool> = (this_44.mirror_0) != vec3<i32>(i32(0));
-    var _S359 : vec3<i32> = select(low_16, (vec3<i32>(0) - high_9), is_mirrored_2);
-    var far_5 : vec3<i32> = select(high_9, (vec3<i32>(0) - low_16), is_mirrored_2);
+    var is_mirrored_2 : vec3<bool> = (this_45.mirror_0) != vec3<i32>(i32(0));
+    var _S384 : vec3<i32> = select(low_15, (vec3<i32>(0) - high_8), is_mirrored_2);
+    var far_5 : vec3<i32> = select(high_8, (vec3<i32>(0) - low_15), is_mirrored_2);
     for(;;)
     {
-        var is_before_1 : vec3<bool> = (*voxel_18) < _S359;
+        var is_before_1 : vec3<bool> = (*voxel_18) < _S384;
         if(!(any((is_before_1))))
         {
             break;
         }
-        if((any((select(vec3<bool>(false), (this_44.speed_1) <= vec3<f32>(min_abs_direction_0()), is_before_1)))))
+        if((any((select(vec3<bool>(false), (this_45.speed_1) <= vec3<f32>(min_abs_direction_0()), is_before_1)))))
         {
             return false;
         }
-        var t_12 : vec3<f32> = select(vec3<f32>(-1.0f), Walk_crossings_0(this_44, _S359), is_before_1);
+        var t_12 : vec3<f32> = select(vec3<f32>(-1.0f), Walk_crossings_0(this_45, _S384), is_before_1);
         var t_last_1 : f32 = max_element_0(t_12);
-        if(t_last_1 > (this_44.t_end_0))
+        if(t_last_1 > (this_45.t_end_0))
         {
             return false;
         }
         var is_x_2 : bool = (t_12.x) == t_last_1;
-        var _S360 : bool = !is_x_2;
+        var _S385 : bool = !is_x_2;
         var is_y_2 : bool;
-        if(_S360)
+        if(_S385)
         {
             is_y_2 = (t_12.y) == t_last_1;
         }
@@ -5287,50 +5552,50 @@ fn Walk_enter_1( this_44 : Walk_0,  voxel_18 : ptr<function, vec3<i32>>,  low_16
         {
             is_y_2 = false;
         }
-        var _S361 : bool;
-        if(_S360)
+        var _S386 : bool;
+        if(_S385)
         {
-            _S361 = !is_y_2;
+            _S386 = !is_y_2;
         }
         else
         {
-            _S361 = false;
+            _S386 = false;
         }
-        var is_axis_3 : vec3<bool> = vec3<bool>(is_x_2, is_y_2, _S361);
-        (*voxel_18) = Walk_arrive_0(this_44, (*voxel_18), t_last_1, is_axis_3, select(vec3<i32>(i32(1073741823)), _S359, is_axis_3));
+        var is_axis_3 : vec3<bool> = vec3<bool>(is_x_2, is_y_2, _S386);
+        (*voxel_18) = Walk_arrive_0(this_45, (*voxel_18), t_last_1, is_axis_3, select(vec3<i32>(i32(1073741823)), _S384, is_axis_3));
     }
     return (all(((*voxel_18) < far_5)));
 }
 
-fn Walk_leave_rounded_1( this_45 : Walk_0,  voxel_19 : ptr<function, vec3<i32>>,  exit_5 : vec3<i32>) -> bool
+fn Walk_leave_rounded_1( this_46 : Walk_0,  voxel_19 : ptr<function, vec3<i32>>,  exit_5 : vec3<i32>) -> bool
 {
-    var t_13 : vec3<f32> = Walk_crossings_0(this_45, exit_5);
+    var t_13 : vec3<f32> = Walk_crossings_0(this_46, exit_5);
     var t_first_2 : f32 = min_element_0(t_13);
-    if(t_first_2 >= (this_45.t_end_0))
+    if(t_first_2 >= (this_46.t_end_0))
     {
         return false;
     }
-    (*voxel_19) = max(exit_5 - vec3<i32>(ceil((t_13 - vec3<f32>(t_first_2)) * this_45.speed_1)), (*voxel_19));
+    (*voxel_19) = max(exit_5 - vec3<i32>(ceil((t_13 - vec3<f32>(t_first_2)) * this_46.speed_1)), (*voxel_19));
     return true;
 }
 
-fn Walk_leave_1( this_46 : Walk_0,  voxel_20 : ptr<function, vec3<i32>>,  exit_6 : vec3<i32>) -> bool
+fn Walk_leave_1( this_47 : Walk_0,  voxel_20 : ptr<function, vec3<i32>>,  exit_6 : vec3<i32>) -> bool
 {
     if(!IS_EXACT_0)
     {
-        var _S362 : bool = Walk_leave_rounded_1(this_46, &((*voxel_20)), exit_6);
-        return _S362;
+        var _S387 : bool = Walk_leave_rounded_1(this_47, &((*voxel_20)), exit_6);
+        return _S387;
     }
-    var t_14 : vec3<f32> = Walk_crossings_0(this_46, exit_6);
+    var t_14 : vec3<f32> = Walk_crossings_0(this_47, exit_6);
     var t_first_3 : f32 = min_element_0(t_14);
-    if(t_first_3 > (this_46.t_end_0))
+    if(t_first_3 > (this_47.t_end_0))
     {
         return false;
     }
     var is_x_3 : bool = (t_14.x) == t_first_3;
-    var _S363 : bool = !is_x_3;
+    var _S388 : bool = !is_x_3;
     var is_y_3 : bool;
-    if(_S363)
+    if(_S388)
     {
         is_y_3 = (t_14.y) == t_first_3;
     }
@@ -5338,33 +5603,33 @@ fn Walk_leave_1( this_46 : Walk_0,  voxel_20 : ptr<function, vec3<i32>>,  exit_6
     {
         is_y_3 = false;
     }
-    var _S364 : vec3<i32> = (*voxel_20);
-    var _S365 : bool;
-    if(_S363)
+    var _S389 : vec3<i32> = (*voxel_20);
+    var _S390 : bool;
+    if(_S388)
     {
-        _S365 = !is_y_3;
+        _S390 = !is_y_3;
     }
     else
     {
-        _S365 = false;
+        _S390 = false;
     }
-    (*voxel_20) = Walk_arrive_0(this_46, _S364, t_first_3, vec3<bool>(is_x_3, is_y_3, _S365), exit_6);
+    (*voxel_20) = Walk_arrive_0(this_47, _S389, t_first_3, vec3<bool>(is_x_3, is_y_3, _S390), exit_6);
     return true;
 }
 
-fn first_voxel_1( _S366 : u32,  _S367 : Walk_0,  _S368 : ptr<function, vec3<i32>>) -> bool
+fn first_voxel_1( _S391 : u32,  _S392 : Walk_0,  _S393 : ptr<function, vec3<i32>>) -> bool
 {
-    var _S369 : Walk_0 = _S367;
-    var _S370 : vec3<i32> = vec3<i32>(i32(0));
-    (*_S368) = _S370;
-    var voxel_21 : vec3<i32> = Walk_start_voxel_0(_S367);
-    var _S371 : bool = Walk_enter_1(_S367, &(voxel_21), cell_of_0(grids_0[_S366].min_1) - _S369.grid_origin_0, cell_of_0(grids_0[_S366].max_1) - _S369.grid_origin_0);
-    if(!_S371)
+    var _S394 : Walk_0 = _S392;
+    var _S395 : vec3<i32> = vec3<i32>(i32(0));
+    (*_S393) = _S395;
+    var voxel_21 : vec3<i32> = Walk_start_voxel_0(_S392);
+    var _S396 : bool = Walk_enter_1(_S392, &(voxel_21), cell_of_0(grids_0[_S391].min_1) - _S394.grid_origin_0, cell_of_0(grids_0[_S391].max_1) - _S394.grid_origin_0);
+    if(!_S396)
     {
         return false;
     }
-    var octant_3 : u32 = LocalRay_octant_0(_S369.ray_1);
-    var _S372 : u32 = flip_of_0(octant_3);
+    var octant_3 : u32 = LocalRay_octant_0(_S394.ray_1);
+    var _S397 : u32 = flip_of_0(octant_3);
     var top_shift_2 : u32;
     if(TOP_SHIFT_0 != u32(0))
     {
@@ -5372,44 +5637,44 @@ fn first_voxel_1( _S366 : u32,  _S367 : Walk_0,  _S368 : ptr<function, vec3<i32>
     }
     else
     {
-        top_shift_2 = grids_0[_S366].top_shift_0;
+        top_shift_2 = grids_0[_S391].top_shift_0;
     }
-    var top_size_2 : vec3<i32> = cell_of_0(grids_0[_S366].top_size_0);
-    var _S373 : i32 = top_size_2.x;
-    var stride_1 : vec3<i32> = vec3<i32>(i32(1), _S373, _S373 * top_size_2.y);
-    var _S374 : i32 = i32(grids_0[_S366].top_offset_0) - dot_cells_0((stride_1 & ((_S369.mirror_0))), vec3<i32>(i32(1)));
-    var _S375 : vec3<i32> = Walk_mirrored_plane_0(_S369, stride_1);
-    var _S376 : u32 = ahead_of_0(_S369.mirror_0);
-    var end_2 : vec3<i32> = select((top_size_2 << (vec3<u32>(top_shift_2))), _S370, (_S369.mirror_0) != _S370);
+    var top_size_2 : vec3<i32> = cell_of_0(grids_0[_S391].top_size_0);
+    var _S398 : i32 = top_size_2.x;
+    var stride_1 : vec3<i32> = vec3<i32>(i32(1), _S398, _S398 * top_size_2.y);
+    var _S399 : i32 = i32(grids_0[_S391].top_offset_0) - dot_cells_0((stride_1 & ((_S394.mirror_0))), vec3<i32>(i32(1)));
+    var _S400 : vec3<i32> = Walk_mirrored_plane_0(_S394, stride_1);
+    var _S401 : u32 = ahead_of_0(_S394.mirror_0);
+    var end_2 : vec3<i32> = select((top_size_2 << (vec3<u32>(top_shift_2))), _S395, (_S394.mirror_0) != _S395);
     if(!IS_EXACT_0)
     {
-        _S369.t_end_0 = min(_S369.t_end_0, min_element_0(Walk_crossings_0(_S369, end_2)));
+        _S394.t_end_0 = min(_S394.t_end_0, min_element_0(Walk_crossings_0(_S394, end_2)));
     }
-    var is_found_5 : bool = false;
+    var is_found_4 : bool = false;
     for(;;)
     {
-        var _S377 : bool;
+        var _S402 : bool;
         if(IS_EXACT_0)
         {
-            _S377 = (any((voxel_21 >= end_2)));
+            _S402 = (any((voxel_21 >= end_2)));
         }
         else
         {
-            _S377 = false;
+            _S402 = false;
         }
-        if(_S377)
+        if(_S402)
         {
             break;
         }
-        var cell_15 : u32 = cells_0[_S374 + dot_cells_0(_S375, (voxel_21 >> (vec3<u32>(top_shift_2))))];
+        var cell_15 : u32 = cells_0[_S399 + dot_cells_0(_S400, (voxel_21 >> (vec3<u32>(top_shift_2))))];
         var cell_16 : u32;
         var shift_7 : u32;
-        var is_found_6 : bool;
+        var is_found_5 : bool;
         if(TOP_SHIFT_0 == u32(5))
         {
             if(((cell_15 & (u32(2147483648)))) != u32(0))
             {
-                cell_16 = cells_0[((cell_15 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_21, u32(3))) ^ (_S372)))];
+                cell_16 = cells_0[((cell_15 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_21, u32(3))) ^ (_S397)))];
                 shift_7 = u32(3);
             }
             else
@@ -5426,22 +5691,22 @@ fn first_voxel_1( _S366 : u32,  _S367 : Walk_0,  _S368 : ptr<function, vec3<i32>
             {
                 if(TOP_SHIFT_0 != u32(3))
                 {
-                    is_found_6 = shift_7 > u32(3);
+                    is_found_5 = shift_7 > u32(3);
                 }
                 else
                 {
-                    is_found_6 = false;
+                    is_found_5 = false;
                 }
-                var _S378 : bool;
-                if(is_found_6)
+                var _S403 : bool;
+                if(is_found_5)
                 {
-                    _S378 = ((cell_16 & (u32(2147483648)))) != u32(0);
+                    _S403 = ((cell_16 & (u32(2147483648)))) != u32(0);
                 }
                 else
                 {
-                    _S378 = false;
+                    _S403 = false;
                 }
-                if(_S378)
+                if(_S403)
                 {
                 }
                 else
@@ -5449,15 +5714,15 @@ fn first_voxel_1( _S366 : u32,  _S367 : Walk_0,  _S368 : ptr<function, vec3<i32>
                     break;
                 }
                 var shift_8 : u32 = shift_7 - u32(2);
-                cell_16 = cells_0[((cell_16 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_21, shift_8)) ^ (_S372)))];
+                cell_16 = cells_0[((cell_16 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_21, shift_8)) ^ (_S397)))];
                 shift_7 = shift_8;
             }
         }
         var exit_7 : vec3<i32>;
         if(((cell_16 & (u32(2147483648)))) == u32(0))
         {
-            exit_7 = ((voxel_21 | (vec3<i32>((((i32(1) << (shift_7))) - i32(1)))))) + vec3<i32>(i32(1)) + (((extents_0(cell_16, _S376)) << (vec3<u32>(shift_7))));
-            is_found_6 = is_found_5;
+            exit_7 = ((voxel_21 | (vec3<i32>((((i32(1) << (shift_7))) - i32(1)))))) + vec3<i32>(i32(1)) + (((extents_0(cell_16, _S401)) << (vec3<u32>(shift_7))));
+            is_found_5 = is_found_4;
         }
         else
         {
@@ -5471,63 +5736,63 @@ fn first_voxel_1( _S366 : u32,  _S367 : Walk_0,  _S368 : ptr<function, vec3<i32>
             {
                 blocks_2 = blocks_of_record_0(record_3);
             }
-            var low_bits_1 : u32 = empty_around_0(record_3, blocks_2, voxel_21, octant_3, _S372);
-            var is_found_7 : bool = low_bits_1 == u32(4294967295);
-            if(is_found_7)
+            var low_bits_1 : u32 = empty_around_0(record_3, blocks_2, voxel_21, octant_3, _S397);
+            var is_found_6 : bool = low_bits_1 == u32(4294967295);
+            if(is_found_6)
             {
-                is_found_5 = is_found_7;
+                is_found_4 = is_found_6;
                 break;
             }
             exit_7 = ((voxel_21 | (vec3<i32>(i32(low_bits_1))))) + vec3<i32>(i32(1));
-            is_found_6 = is_found_7;
-        }
-        var _S379 : bool = Walk_leave_1(_S369, &(voxel_21), exit_7);
-        if(!_S379)
-        {
             is_found_5 = is_found_6;
+        }
+        var _S404 : bool = Walk_leave_1(_S394, &(voxel_21), exit_7);
+        if(!_S404)
+        {
+            is_found_4 = is_found_5;
             break;
         }
-        is_found_5 = is_found_6;
+        is_found_4 = is_found_5;
     }
-    (*_S368) = Walk_mirrored_0(_S369, voxel_21) + _S369.grid_origin_0;
-    return is_found_5;
+    (*_S393) = Walk_mirrored_0(_S394, voxel_21) + _S394.grid_origin_0;
+    return is_found_4;
 }
 
 fn hit_in_1( instance_11 : u32,  ray_23 : ptr<function, Ray_0>) -> Hit_0
 {
-    var _S380 : LocalRay_0 = local_ray_0((*ray_23), instance_11);
-    if(!_S380.is_valid_0)
+    var _S405 : LocalRay_0 = local_ray_0((*ray_23), instance_11);
+    if(!_S405.is_valid_0)
     {
         return miss_0();
     }
-    var _S381 : Walk_0 = walk_of_0(_S380, instances_0[instance_11].grid_0);
+    var _S406 : Walk_0 = walk_of_0(_S405, instances_0[instance_11].grid_0);
     var voxel_22 : vec3<i32>;
-    var _S382 : bool = first_voxel_1(instances_0[instance_11].grid_0, _S381, &(voxel_22));
-    var _S383 : bool;
+    var _S407 : bool = first_voxel_1(instances_0[instance_11].grid_0, _S406, &(voxel_22));
+    var _S408 : bool;
     if(IS_SINGLE_0)
     {
-        _S383 = !IS_EXACT_0;
+        _S408 = !IS_EXACT_0;
     }
     else
     {
-        _S383 = false;
+        _S408 = false;
     }
-    if(_S383)
+    if(_S408)
     {
-        (*ray_23) = ray_of_walk_0(_S381, (*ray_23));
+        (*ray_23) = ray_of_walk_0(_S406, (*ray_23));
     }
-    if(!_S382)
+    if(!_S407)
     {
         return miss_0();
     }
     var hit_8 : Hit_0;
     if(IS_EXACT_0)
     {
-        hit_8 = hit_of_0(_S380, voxel_22, instance_11);
+        hit_8 = hit_of_0(_S405, voxel_22, instance_11);
     }
     else
     {
-        hit_8 = hit_of_walk_0(_S381, voxel_22, instance_11);
+        hit_8 = hit_of_walk_0(_S406, voxel_22, instance_11);
     }
     if((hit_8.t_1) > ((*ray_23).t_max_1))
     {
@@ -5540,8 +5805,8 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_2 : bool,  end_3 : u3
 {
     if(IS_SINGLE_0)
     {
-        var _S384 : Hit_0 = hit_in_1(u32(0), &((*given_1)));
-        return _S384;
+        var _S409 : Hit_0 = hit_in_1(u32(0), &((*given_1)));
+        return _S409;
     }
     var ray_24 : Ray_0 = (*given_1);
     var nearest_5 : Hit_0 = miss_0();
@@ -5550,28 +5815,28 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_2 : bool,  end_3 : u3
         return nearest_5;
     }
     var is_zero_2 : vec3<bool> = !((abs(ray_24.direction_1)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S385 : vec3<f32> = select(reciprocal_0(select(ray_24.direction_1, vec3<f32>(1.0f), is_zero_2)), vec3<f32>(3.4028234663852886e+38f), is_zero_2);
+    var _S410 : vec3<f32> = select(reciprocal_0(select(ray_24.direction_1, vec3<f32>(1.0f), is_zero_2)), vec3<f32>(3.4028234663852886e+38f), is_zero_2);
     var stack_1 : array<u32, i32(32)>;
-    var index_14 : u32 = u32(0);
+    var index_13 : u32 = u32(0);
     var nearest_6 : Hit_0 = nearest_5;
     var depth_3 : u32 = u32(0);
     for(;;)
     {
         var depth_4 : u32;
         var is_reached_1 : bool;
-        if((instance_nodes_0[index_14].is_leaf_0) != u32(0))
+        if((instance_nodes_0[index_13].is_leaf_0) != u32(0))
         {
-            var _S386 : Hit_0 = hit_in_1(instance_nodes_0[index_14].index_0, &(ray_24));
-            var _S387 : Hit_0 = nearest_6;
-            if((_S386.t_1) < (nearest_6.t_1))
+            var _S411 : Hit_0 = hit_in_1(instance_nodes_0[index_13].index_0, &(ray_24));
+            var _S412 : Hit_0 = nearest_6;
+            if((_S411.t_1) < (nearest_6.t_1))
             {
                 is_reached_1 = true;
             }
             else
             {
-                if((_S386.t_1) == (_S387.t_1))
+                if((_S411.t_1) == (_S412.t_1))
                 {
-                    is_reached_1 = (_S386.instance_3) < (nearest_6.instance_3);
+                    is_reached_1 = (_S411.instance_3) < (nearest_6.instance_3);
                 }
                 else
                 {
@@ -5581,12 +5846,12 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_2 : bool,  end_3 : u3
             var nearest_7 : Hit_0;
             if(is_reached_1)
             {
-                ray_24.t_max_1 = _S386.t_1;
+                ray_24.t_max_1 = _S411.t_1;
                 if(is_any_enough_2)
                 {
-                    return _S386;
+                    return _S411;
                 }
-                nearest_7 = _S386;
+                nearest_7 = _S411;
             }
             else
             {
@@ -5597,40 +5862,40 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_2 : bool,  end_3 : u3
         }
         else
         {
-            var _S388 : u32 = index_14 + u32(1);
-            var _S389 : f32 = entry_0(_S388, ray_24, _S385);
-            var _S390 : u32 = instance_nodes_0[index_14].index_0;
-            var _S391 : f32 = entry_0(instance_nodes_0[index_14].index_0, ray_24, _S385);
-            var _S392 : bool = _S389 <= _S391;
-            if(_S392)
+            var _S413 : u32 = index_13 + u32(1);
+            var _S414 : f32 = entry_0(_S413, ray_24, _S410);
+            var _S415 : u32 = instance_nodes_0[index_13].index_0;
+            var _S416 : f32 = entry_0(instance_nodes_0[index_13].index_0, ray_24, _S410);
+            var _S417 : bool = _S414 <= _S416;
+            if(_S417)
             {
-                index_14 = _S388;
+                index_13 = _S413;
             }
             else
             {
-                index_14 = _S390;
+                index_13 = _S415;
             }
             var far_6 : u32;
-            if(_S392)
+            if(_S417)
             {
-                far_6 = _S390;
+                far_6 = _S415;
             }
             else
             {
-                far_6 = _S388;
+                far_6 = _S413;
             }
             var INFINITY_1 : f32 = (bitcast<f32>((u32(2139095040))));
-            if((max(_S389, _S391)) < INFINITY_1)
+            if((max(_S414, _S416)) < INFINITY_1)
             {
-                var _S393 : u32 = depth_3 + u32(1);
+                var _S418 : u32 = depth_3 + u32(1);
                 stack_1[depth_3] = far_6;
-                depth_4 = _S393;
+                depth_4 = _S418;
             }
             else
             {
                 depth_4 = depth_3;
             }
-            if((min(_S389, _S391)) < INFINITY_1)
+            if((min(_S414, _S416)) < INFINITY_1)
             {
                 depth_3 = depth_4;
                 continue;
@@ -5640,16 +5905,16 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_2 : bool,  end_3 : u3
         depth_3 = depth_4;
         for(;;)
         {
-            var _S394 : bool;
+            var _S419 : bool;
             if(depth_3 > u32(0))
             {
-                _S394 = !is_reached_1;
+                _S419 = !is_reached_1;
             }
             else
             {
-                _S394 = false;
+                _S419 = false;
             }
-            if(_S394)
+            if(_S419)
             {
             }
             else
@@ -5657,8 +5922,8 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_2 : bool,  end_3 : u3
                 break;
             }
             var depth_5 : u32 = depth_3 - u32(1);
-            is_reached_1 = (entry_0(stack_1[depth_5], ray_24, _S385)) < (bitcast<f32>((u32(2139095040))));
-            index_14 = stack_1[depth_5];
+            is_reached_1 = (entry_0(stack_1[depth_5], ray_24, _S410)) < (bitcast<f32>((u32(2139095040))));
+            index_13 = stack_1[depth_5];
             depth_3 = depth_5;
         }
         if(!is_reached_1)
@@ -5683,98 +5948,98 @@ fn begin_tally_0( thread_0 : u32)
 
 fn Work_x24init_0( pixel_8 : u32,  sample_18 : u32,  last_6 : u32) -> Work_0
 {
-    var _S395 : Work_0;
-    _S395.pixel_5 = pixel_8;
-    _S395.sample_5 = sample_18;
-    _S395.last_0 = last_6;
-    return _S395;
+    var _S420 : Work_0;
+    _S420.pixel_5 = pixel_8;
+    _S420.sample_5 = sample_18;
+    _S420.last_0 = last_6;
+    return _S420;
 }
 
-fn work_of_0( index_15 : u32) -> Work_0
+fn work_of_0( index_14 : u32) -> Work_0
 {
     var size_1 : vec2<u32> = params_0.region_0.zw - params_0.region_0.xy;
-    var _S396 : u32 = size_1.x;
-    var _S397 : u32 = u32(8) * _S396;
-    var band_0 : u32 = index_15 / _S397;
-    var _S398 : u32 = u32(8) * band_0;
-    var in_band_0 : u32 = index_15 - _S397 * band_0;
-    var _S399 : u32 = u32(8) * min(u32(8), size_1.y - _S398);
-    var tile_0 : u32 = in_band_0 / _S399;
-    var _S400 : u32 = u32(8) * tile_0;
-    var _S401 : u32 = min(u32(8), _S396 - _S400);
-    var in_tile_0 : u32 = in_band_0 - _S399 * tile_0;
-    var _S402 : vec2<u32> = params_0.region_0.xy;
-    var _S403 : u32 = in_tile_0 % _S401;
-    var _S404 : u32 = _S400 + _S403;
-    var _S405 : u32 = in_tile_0 / _S401;
-    var at_4 : vec2<u32> = _S402 + vec2<u32>(_S404, _S398 + _S405);
-    return Work_x24init_0(at_4.y * params_0.width_0 + at_4.x, pixels_0[place_of_0(at_4)].samples_0, min(dispatch_0.samples_target_0, pixels_0[place_of_0(at_4)].samples_0 + dispatch_0.samples_1));
+    var _S421 : u32 = size_1.x;
+    var _S422 : u32 = u32(8) * _S421;
+    var band_0 : u32 = index_14 / _S422;
+    var _S423 : u32 = u32(8) * band_0;
+    var in_band_0 : u32 = index_14 - _S422 * band_0;
+    var _S424 : u32 = u32(8) * min(u32(8), size_1.y - _S423);
+    var tile_0 : u32 = in_band_0 / _S424;
+    var _S425 : u32 = u32(8) * tile_0;
+    var _S426 : u32 = min(u32(8), _S421 - _S425);
+    var in_tile_0 : u32 = in_band_0 - _S424 * tile_0;
+    var _S427 : vec2<u32> = params_0.region_0.xy;
+    var _S428 : u32 = in_tile_0 % _S426;
+    var _S429 : u32 = _S425 + _S428;
+    var _S430 : u32 = in_tile_0 / _S426;
+    var at_5 : vec2<u32> = _S427 + vec2<u32>(_S429, _S423 + _S430);
+    return Work_x24init_0(at_5.y * params_0.width_0 + at_5.x, pixels_0[place_of_0(at_5)].samples_0, min(dispatch_0.samples_target_0, pixels_0[place_of_0(at_5)].samples_0 + dispatch_0.samples_1));
 }
 
-fn Work_camera_rays_0( this_47 : Work_0) -> u32
+fn Work_camera_rays_0( this_48 : Work_0) -> u32
 {
-    return max(this_47.last_0, this_47.sample_5) - this_47.sample_5;
+    return max(this_48.last_0, this_48.sample_5) - this_48.sample_5;
 }
 
-fn tally_camera_rays_0( count_6 : u32)
+fn tally_camera_rays_0( count_7 : u32)
 {
-    var _S406 : u32 = atomicAdd(&(group_counts_0[i32(0)]), count_6);
+    var _S431 : u32 = atomicAdd(&(group_counts_0[i32(0)]), count_7);
     return;
 }
 
 fn end_tally_0( counts_2 : RayCounts_0,  thread_1 : u32)
 {
-    var _S407 : u32 = atomicAdd(&(group_counts_0[i32(1)]), counts_2.bounce_2);
-    var _S408 : u32 = atomicAdd(&(group_counts_0[i32(2)]), counts_2.shadow_0);
+    var _S432 : u32 = atomicAdd(&(group_counts_0[i32(1)]), counts_2.bounce_2);
+    var _S433 : u32 = atomicAdd(&(group_counts_0[i32(2)]), counts_2.shadow_0);
     workgroupBarrier();
     if(thread_1 < u32(3))
     {
-        var _S409 : u32 = atomicLoad(&(group_counts_0[thread_1]));
-        var _S410 : u32 = atomicAdd(&(counters_0[u32(1) + thread_1]), _S409);
+        var _S434 : u32 = atomicLoad(&(group_counts_0[thread_1]));
+        var _S435 : u32 = atomicAdd(&(counters_0[u32(1) + thread_1]), _S434);
     }
     if(thread_1 == u32(0))
     {
         atomicStore(&(counters_0[u32(0)]), dispatch_0.sequence_0);
-        var _S411 : u32 = atomicAdd(&(counters_0[u32(4)]), u32(1));
+        var _S436 : u32 = atomicAdd(&(counters_0[u32(4)]), u32(1));
     }
     return;
 }
 
-fn render_0( index_16 : u32,  thread_2 : u32)
+fn render_0( index_15 : u32,  thread_2 : u32)
 {
     begin_tally_0(thread_2);
-    var _S412 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
+    var _S437 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
     var counts_3 : RayCounts_0;
-    if(index_16 < (dispatch_0.count_0))
+    if(index_15 < (dispatch_0.count_0))
     {
-        var work_2 : Work_0 = work_of_0(dispatch_0.first_0 + index_16);
+        var work_2 : Work_0 = work_of_0(dispatch_0.first_0 + index_15);
         tally_camera_rays_0(Work_camera_rays_0(work_2));
-        var _S413 : RayCounts_0 = trace_pixel_0(work_2);
-        counts_3 = _S413;
+        var _S438 : RayCounts_0 = trace_pixel_0(work_2);
+        counts_3 = _S438;
     }
     else
     {
-        counts_3 = _S412;
+        counts_3 = _S437;
     }
     end_tally_0(counts_3, thread_2);
     return;
 }
 
-fn render_1( index_17 : u32,  thread_3 : u32)
+fn render_1( index_16 : u32,  thread_3 : u32)
 {
     begin_tally_0(thread_3);
-    var _S414 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
+    var _S439 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
     var counts_4 : RayCounts_0;
-    if(index_17 < (dispatch_0.count_0))
+    if(index_16 < (dispatch_0.count_0))
     {
-        var work_3 : Work_0 = work_of_0(dispatch_0.first_0 + index_17);
+        var work_3 : Work_0 = work_of_0(dispatch_0.first_0 + index_16);
         tally_camera_rays_0(Work_camera_rays_0(work_3));
-        var _S415 : RayCounts_0 = trace_pixel_1(work_3);
-        counts_4 = _S415;
+        var _S440 : RayCounts_0 = trace_pixel_1(work_3);
+        counts_4 = _S440;
     }
     else
     {
-        counts_4 = _S414;
+        counts_4 = _S439;
     }
     end_tally_0(counts_4, thread_3);
     return;
@@ -5798,8 +6063,8 @@ fn render_path(@builtin(global_invocation_id) id_1 : vec3<u32>, @builtin(local_i
 
 fn WalkTracer_trace_1( ray_25 : ptr<function, Ray_0>,  is_any_enough_3 : bool) -> Hit_0
 {
-    var _S416 : Hit_0 = visit_1(&((*ray_25)), is_any_enough_3, u32(0));
-    return _S416;
+    var _S441 : Hit_0 = visit_1(&((*ray_25)), is_any_enough_3, u32(0));
+    return _S441;
 }
 
 struct HitRecord_0
@@ -5810,59 +6075,59 @@ struct HitRecord_0
      face_0 : u32,
 };
 
-fn HitRecord_x24init_0( t_15 : f32,  instance_12 : u32,  voxel_23 : array<i32, i32(3)>,  face_9 : u32) -> HitRecord_0
+fn HitRecord_x24init_0( t_15 : f32,  instance_12 : u32,  voxel_23 : array<i32, i32(3)>,  face_8 : u32) -> HitRecord_0
 {
-    var _S417 : HitRecord_0;
-    _S417.t_0 = t_15;
-    _S417.instance_0 = instance_12;
-    _S417.voxel_0 = voxel_23;
-    _S417.face_0 = face_9;
-    return _S417;
+    var _S442 : HitRecord_0;
+    _S442.t_0 = t_15;
+    _S442.instance_0 = instance_12;
+    _S442.voxel_0 = voxel_23;
+    _S442.face_0 = face_8;
+    return _S442;
 }
 
 fn record_of_0( hit_9 : Hit_0) -> HitRecord_0
 {
-    var _S418 : array<i32, i32(3)> = array<i32, i32(3)>( hit_9.voxel_4.x, hit_9.voxel_4.y, hit_9.voxel_4.z );
-    return HitRecord_x24init_0(hit_9.t_1, hit_9.instance_3, _S418, hit_9.face_1);
+    var _S443 : array<i32, i32(3)> = array<i32, i32(3)>( hit_9.voxel_4.x, hit_9.voxel_4.y, hit_9.voxel_4.z );
+    return HitRecord_x24init_0(hit_9.t_1, hit_9.instance_3, _S443, hit_9.face_1);
 }
 
-fn ray_of_0( _S419 : u32) -> Ray_0
+fn ray_of_0( _S444 : u32) -> Ray_0
 {
-    return Ray_x24init_0(vector_of_0(rays_0[_S419].origin_1), rays_0[_S419].t_min_0, vector_of_0(rays_0[_S419].direction_0), rays_0[_S419].t_max_0);
+    return Ray_x24init_0(vector_of_0(rays_0[_S444].origin_1), rays_0[_S444].t_min_0, vector_of_0(rays_0[_S444].direction_0), rays_0[_S444].t_max_0);
 }
 
-fn Transform_direction_2( _S420 : i32,  _S421 : vec3<f32>) -> vec3<f32>
+fn Transform_direction_2( _S445 : i32,  _S446 : vec3<f32>) -> vec3<f32>
 {
-    return vector_of_0(instances_0[_S420].grid_from_world_0.x_axis_0) * vec3<f32>(_S421.x) + vector_of_0(instances_0[_S420].grid_from_world_0.y_axis_0) * vec3<f32>(_S421.y) + vector_of_0(instances_0[_S420].grid_from_world_0.z_axis_0) * vec3<f32>(_S421.z);
+    return vector_of_0(instances_0[_S445].grid_from_world_0.x_axis_0) * vec3<f32>(_S446.x) + vector_of_0(instances_0[_S445].grid_from_world_0.y_axis_0) * vec3<f32>(_S446.y) + vector_of_0(instances_0[_S445].grid_from_world_0.z_axis_0) * vec3<f32>(_S446.z);
 }
 
-fn Transform_point_2( _S422 : i32,  _S423 : vec3<f32>) -> vec3<f32>
+fn Transform_point_2( _S447 : i32,  _S448 : vec3<f32>) -> vec3<f32>
 {
-    return Transform_direction_2(_S422, _S423) + vector_of_0(instances_0[_S422].grid_from_world_0.translation_0);
+    return Transform_direction_2(_S447, _S448) + vector_of_0(instances_0[_S447].grid_from_world_0.translation_0);
 }
 
-fn local_ray_1( _S424 : Ray_0,  _S425 : i32) -> LocalRay_0
+fn local_ray_1( _S449 : Ray_0,  _S450 : i32) -> LocalRay_0
 {
     var local_4 : LocalRay_0;
     var direction_30 : vec3<f32>;
     var origin_12 : vec3<f32>;
     if(!IS_SINGLE_0)
     {
-        var _S426 : vec3<f32> = Transform_point_2(_S425, _S424.origin_2);
-        direction_30 = Transform_direction_2(_S425, _S424.direction_1);
-        origin_12 = _S426;
+        var _S451 : vec3<f32> = Transform_point_2(_S450, _S449.origin_2);
+        direction_30 = Transform_direction_2(_S450, _S449.direction_1);
+        origin_12 = _S451;
     }
     else
     {
-        direction_30 = _S424.direction_1;
-        origin_12 = _S424.origin_2;
+        direction_30 = _S449.direction_1;
+        origin_12 = _S449.origin_2;
     }
     var is_zero_3 : vec3<bool> = !((abs(direction_30)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S427 : vec3<f32> = select(direction_30, vec3<f32>(0.0f), is_zero_3);
-    local_4.direction_4 = _S427;
+    var _S452 : vec3<f32> = select(direction_30, vec3<f32>(0.0f), is_zero_3);
+    local_4.direction_4 = _S452;
     local_4.inverse_0 = select(reciprocal_0(select(direction_30, vec3<f32>(1.0f), is_zero_3)), vec3<f32>(3.4028234663852886e+38f), is_zero_3);
     local_4.origin_5 = select(origin_12, floor(origin_12) + vec3<f32>(0.5f), is_zero_3);
-    var speed_4 : f32 = max_element_0(abs(_S427));
+    var speed_4 : f32 = max_element_0(abs(_S452));
     var moves_1 : bool;
     if(speed_4 >= 1.00000004581370497e-18f)
     {
@@ -5874,9 +6139,9 @@ fn local_ray_1( _S424 : Ray_0,  _S425 : i32) -> LocalRay_0
     }
     var is_near_1 : bool = (all(((abs(local_4.origin_5)) <= vec3<f32>(2.097152e+06f))));
     var is_segment_1 : bool;
-    if((_S424.t_min_1) >= 0.0f)
+    if((_S449.t_min_1) >= 0.0f)
     {
-        is_segment_1 = (_S424.t_min_1) <= 3.4028234663852886e+38f;
+        is_segment_1 = (_S449.t_min_1) <= 3.4028234663852886e+38f;
     }
     else
     {
@@ -5884,14 +6149,14 @@ fn local_ray_1( _S424 : Ray_0,  _S425 : i32) -> LocalRay_0
     }
     if(is_segment_1)
     {
-        is_segment_1 = (_S424.t_min_1) <= (_S424.t_max_1);
+        is_segment_1 = (_S449.t_min_1) <= (_S449.t_max_1);
     }
     else
     {
         is_segment_1 = false;
     }
-    local_4.t_min_3 = _S424.t_min_1;
-    local_4.t_max_3 = _S424.t_max_1;
+    local_4.t_min_3 = _S449.t_min_1;
+    local_4.t_max_3 = _S449.t_max_1;
     if(moves_1)
     {
         moves_1 = is_near_1;
@@ -5917,44 +6182,44 @@ fn local_ray_1( _S424 : Ray_0,  _S425 : i32) -> LocalRay_0
 fn cast_rays(@builtin(global_invocation_id) id_2 : vec3<u32>, @builtin(local_invocation_index) thread_6 : u32)
 {
     begin_tally_0(thread_6);
-    var _S428 : u32 = id_2.x;
-    if(_S428 < (dispatch_0.count_0))
+    var _S453 : u32 = id_2.x;
+    if(_S453 < (dispatch_0.count_0))
     {
         tally_camera_rays_0(u32(1));
-        var _S429 : Ray_0 = ray_of_0(dispatch_0.first_0 + _S428);
-        var ray_26 : Ray_0 = _S429;
-        var _S430 : Hit_0 = WalkTracer_trace_1(&(ray_26), false);
-        var _S431 : bool;
+        var _S454 : Ray_0 = ray_of_0(dispatch_0.first_0 + _S453);
+        var ray_26 : Ray_0 = _S454;
+        var _S455 : Hit_0 = WalkTracer_trace_1(&(ray_26), false);
+        var _S456 : bool;
         if(IS_SINGLE_0)
         {
-            _S431 = !IS_EXACT_0;
+            _S456 = !IS_EXACT_0;
         }
         else
         {
-            _S431 = false;
+            _S456 = false;
         }
-        if(_S431)
+        if(_S456)
         {
-            _S431 = !Hit_is_miss_0(_S430);
+            _S456 = !Hit_is_miss_0(_S455);
         }
         else
         {
-            _S431 = false;
+            _S456 = false;
         }
         var hit_10 : Hit_0;
-        if(_S431)
+        if(_S456)
         {
-            hit_10 = hit_of_0(local_ray_1(_S429, i32(0)), _S430.voxel_4, _S430.instance_3);
+            hit_10 = hit_of_0(local_ray_1(_S454, i32(0)), _S455.voxel_4, _S455.instance_3);
         }
         else
         {
-            hit_10 = _S430;
+            hit_10 = _S455;
         }
-        var _S432 : HitRecord_0 = record_of_0(hit_10);
-        hits_0[dispatch_0.first_0 + _S428].t_0 = _S432.t_0;
-        hits_0[dispatch_0.first_0 + _S428].instance_0 = _S432.instance_0;
-        hits_0[dispatch_0.first_0 + _S428].voxel_0 = _S432.voxel_0;
-        hits_0[dispatch_0.first_0 + _S428].face_0 = _S432.face_0;
+        var _S457 : HitRecord_0 = record_of_0(hit_10);
+        hits_0[dispatch_0.first_0 + _S453].t_0 = _S457.t_0;
+        hits_0[dispatch_0.first_0 + _S453].instance_0 = _S457.instance_0;
+        hits_0[dispatch_0.first_0 + _S453].voxel_0 = _S457.voxel_0;
+        hits_0[dispatch_0.first_0 + _S453].face_0 = _S457.face_0;
     }
     end_tally_0(RayCounts_x24init_0(u32(0), u32(0)), thread_6);
     return;

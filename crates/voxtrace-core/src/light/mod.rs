@@ -120,7 +120,7 @@ impl<'a> Lights<'a> {
     }
 
     /// Chooses a light for `receiver` by `u`, each uniform in [0, 1): `u[0]` between sun, sky and emitters and down the tree,
-    /// `u[1]` within the leaf, `u[2]` and `u[3]` on the face or the disc; the sky takes all four. `None` where no light can be seen, and
+    /// `u[1]` within the node, `u[2]` and `u[3]` on the face or the disc; the sky takes all four. `None` where no light can be seen, and
     /// sometimes otherwise: then this choice counts as black.
     pub fn sample(&self, receiver: &Receiver, u: [f32; 4]) -> Option<LightSample> {
         self.sample_by(self.technique(receiver, u[0]), receiver, u)

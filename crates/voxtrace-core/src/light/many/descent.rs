@@ -33,12 +33,14 @@ const IDLE: [i32; 2] = [-1, 0];
 /// Place of the number of a lane's way.
 const WAY: usize = COUNT;
 
-/// Takes all ways that stand at inner nodes to leaves, as [`super::super::emitters::descend`] does without a voxel. Those that lead nowhere then have a count of 0.
+/// Takes all ways that stand at inner nodes to leaves or, where it `ends_far`, to nodes that are far, as [`super::super::emitters::descend`] does without a
+/// voxel. Those that lead nowhere then have a count of 0, all others another one.
 ///
 /// # Safety
 /// The ways must stand at nodes of the tree, which must be valid.
 #[inline(always)]
-pub unsafe fn descend<S: Simd>(s: S, nodes: &[LightNode], ways: &mut Ways) {
+pub unsafe fn descend<S: Simd>(s: S, nodes: &[LightNode], ends_far: bool, ways: &mut Ways) {
+    let far_lanes = if ends_far { Bits::MAX } else { 0 };
     let records: &[[Row; 4]] = bytemuck::cast_slice(nodes);
     let mut groups = [Lanes::EMPTY; GROUPS];
     let mut next = 0;
@@ -54,7 +56,7 @@ pub unsafe fn descend<S: Simd>(s: S, nodes: &[LightNode], ways: &mut Ways) {
             }
             is_under_way = true;
             // SAFETY: the caller's duty; every child of an inner node is a node.
-            let step = unsafe { step(s, records, lanes) };
+            let step = unsafe { step(s, records, far_lanes, lanes) };
             for lane in lanes_of(lanes.active & !step.going) {
                 let way = lanes.integers[WAY][lane] as usize;
                 ways.integers[NODE][way] = step.node[lane];
@@ -110,18 +112,19 @@ struct Step {
     count: [i32; LANES],
 }
 
-/// Takes all active lanes one level down.
+/// Takes all active lanes one level down; those of `ends_far` end at nodes that are far.
 ///
 /// # Safety
 /// As for [`descend`].
 #[inline(always)]
-unsafe fn step<S: Simd>(s: S, records: &[[Row; 4]], lanes: &mut Lanes) -> Step {
+unsafe fn step<S: Simd>(s: S, records: &[[Row; 4]], ends_far: Bits, lanes: &mut Lanes) -> Step {
     let [p0, p1, p2, n0, n1, n2, slack, ..] = &lanes.floats;
     let receivers = Receivers::load(s, [p0, p1, p2, n0, n1, n2, slack]);
     let (near, far) = (s.add(s.load(&lanes.integers[NODE]), s.ints(1)), s.load(&lanes.integers[INDEX]));
     // SAFETY: the caller's duty; idle lanes stand before the first node.
     let (left, right) = unsafe { (Nodes::gather(s, near, records), Nodes::gather(s, far, records)) };
-    let (weights, is_possible) = weights_of(s, left.importance(s, &receivers), right.importance(s, &receivers));
+    let ((of_left, left_is_far), (of_right, right_is_far)) = (left.view(s, &receivers), right.view(s, &receivers));
+    let (weights, is_possible) = weights_of(s, of_left, of_right);
     let (weight, total) = (s.load_floats(&lanes.floats[WEIGHT]), s.load_floats(&lanes.floats[TOTAL]));
     let choice = s.load_floats(&lanes.floats[CHOICE]);
     let of_both = s.add_floats(weights[0], weights[1]);
@@ -135,7 +138,10 @@ unsafe fn step<S: Simd>(s: S, records: &[[Row; 4]], lanes: &mut Lanes) -> Step {
     s.store(bytemuck::cast_mut(&mut lanes.floats[TOTAL]), s.bits_of(total));
     s.store(bytemuck::cast_mut(&mut lanes.floats[CHOICE]), s.bits_of(choice));
     let possible = s.both(s.both(s.mask(lanes.active), is_possible), s.lt_floats(zero, weight));
-    let count = s.select(possible, s.select(is_left, left.count, right.count), s.ints(0));
+    let is_far = s.either(s.both(is_left, left_is_far), s.except(right_is_far, is_left));
+    let is_far = s.both(is_far, s.mask(ends_far));
+    let count = s.select(is_far, s.ints(1), s.select(is_left, left.count, right.count));
+    let count = s.select(possible, count, s.ints(0));
     let going = s.both(possible, s.eq(count, s.ints(0)));
     let (node, index) = (s.select(is_left, near, far), s.select(is_left, left.index, right.index));
     s.store(&mut lanes.integers[NODE], s.select(going, node, s.ints(IDLE[0])));

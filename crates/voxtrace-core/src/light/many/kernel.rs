@@ -1,5 +1,6 @@
-//! What [`super::super::emitters`] computes of nodes and faces, for sixteen receivers at once: the same operations in the same order in each lane.
+//! What [`super::super::emitters`] computes of nodes, for sixteen receivers at once: the same operations in the same order in each lane.
 
+use super::super::emitters::FAR_SQUARED;
 use super::ways::{NORMAL, POINT, SLACK};
 use crate::walk::simd::{LANES, Row, Simd};
 
@@ -59,97 +60,97 @@ impl<S: Simd> Nodes<S> {
         }
     }
 
-    /// The twin of `node_importance`.
+    /// The twin of `view`: the importances, and which are far.
     #[inline(always)]
-    pub fn importance(&self, s: S, receivers: &Receivers<S>) -> S::Floats {
-        let Receivers { point, normal, slack } = receivers;
+    pub fn view(&self, s: S, receivers: &Receivers<S>) -> (S::Floats, S::Mask) {
+        let Receivers { normal, slack, .. } = receivers;
+        let Spread { toward, half, far, near, distance } = self.spread(s, receivers);
+        let zero = s.floats(0.0);
+        let steep = [s.abs(normal[0]), s.abs(normal[1]), s.abs(normal[2])];
+        let (middle, aside) = (dot(s, &toward, normal), dot(s, &half, &steep));
+        let above = s.add_floats(s.add_floats(middle, aside), *slack);
+        let lowest = s.add_floats(s.sub_floats(middle, aside), *slack);
+        let is_outside = s.lt_floats(s.mul_floats(near, s.floats(FAR_SQUARED)), far);
+        let is_far = s.both(s.lt_floats(zero, lowest), is_outside);
+        let sent = sum_of_sides(s, self.sent_by_side(s, receivers, distance));
+        let falloff = reciprocal_guess(s, s.max(far, near));
+        let seen = s.mul_floats(s.mul_floats(sent, s.min(above, distance)), s.mul_floats(falloff, falloff));
+        (s.select_floats(s.lt_floats(zero, above), seen, zero), is_far)
+    }
+
+    /// How large the boxes are, and where they lie from the receivers.
+    #[inline(always)]
+    fn spread(&self, s: S, receivers: &Receivers<S>) -> Spread<S> {
         let (zero, one_half) = (s.floats(0.0), s.floats(0.5));
-        let (mut half, mut toward) = ([zero; 3], [zero; 3]);
+        let (mut half, mut toward, mut longer) = ([zero; 3], [zero; 3], [zero; 3]);
         for axis in 0..3 {
             half[axis] = s.mul_floats(s.sub_floats(self.max[axis], self.min[axis]), one_half);
             let middle = s.mul_floats(s.add_floats(self.min[axis], self.max[axis]), one_half);
-            toward[axis] = s.sub_floats(middle, point[axis]);
+            toward[axis] = s.sub_floats(middle, receivers.point[axis]);
         }
-        let steep = [s.abs(normal[0]), s.abs(normal[1]), s.abs(normal[2])];
-        let above = s.add_floats(s.add_floats(dot(s, &toward, normal), dot(s, &half, &steep)), *slack);
         let (far, near) = (dot(s, &toward, &toward), dot(s, &half, &half));
-        let is_far = s.lt_floats(near, far);
-        let mut spread = half;
+        let is_outside = s.lt_floats(near, far);
         for axis in 0..3 {
-            spread[axis] = s.select_floats(is_far, s.abs(toward[axis]), half[axis]);
+            longer[axis] = s.select_floats(is_outside, s.abs(toward[axis]), half[axis]);
         }
-        let distance = length_bound(s, &spread);
-        let mut along = [zero; 3];
+        Spread { toward, half, far, near, distance: length_bound(s, &longer) }
+    }
+
+    /// The twin of `sent_by_side`.
+    #[inline(always)]
+    fn sent_by_side(&self, s: S, receivers: &Receivers<S>, distance: S::Floats) -> [S::Floats; 6] {
+        let zero = s.floats(0.0);
+        let mut sent = [zero; 6];
         for axis in 0..3 {
-            let beyond_min = s.min(s.max(s.sub_floats(point[axis], self.min[axis]), zero), distance);
-            let beyond_max = s.min(s.max(s.sub_floats(self.max[axis], point[axis]), zero), distance);
-            let lower = s.mul_floats(self.power[2 * axis], beyond_max);
-            along[axis] = s.add_floats(lower, s.mul_floats(self.power[2 * axis + 1], beyond_min));
+            let beyond_min = s.min(s.max(s.sub_floats(receivers.point[axis], self.min[axis]), zero), distance);
+            let beyond_max = s.min(s.max(s.sub_floats(self.max[axis], receivers.point[axis]), zero), distance);
+            sent[2 * axis] = s.mul_floats(self.power[2 * axis], beyond_max);
+            sent[2 * axis + 1] = s.mul_floats(self.power[2 * axis + 1], beyond_min);
         }
-        let sent = s.add_floats(s.add_floats(along[0], along[1]), along[2]);
-        let falloff = reciprocal_guess(s, s.max(far, near));
-        let seen = s.mul_floats(s.mul_floats(sent, s.min(above, distance)), s.mul_floats(falloff, falloff));
-        s.select_floats(s.lt_floats(zero, above), seen, zero)
+        sent
+    }
+
+    /// The twin of `choose_side` without a side that was met: the sides, their power, and the weights of ways with these weights and choices; 0 where
+    /// nothing is sent.
+    #[inline(always)]
+    pub fn choose_side(&self, s: S, receivers: &Receivers<S>, [weight, total, choice]: [S::Floats; 3]) -> Sides<S> {
+        let zero = s.floats(0.0);
+        let sent = self.sent_by_side(s, receivers, self.spread(s, receivers).distance);
+        let sum = normal_or_zero(s, sum_of_sides(s, sent));
+        let unit = inverse_power_of_two(s, sum);
+        let of_all = s.mul_floats(sum, unit);
+        let threshold = s.mul_floats(choice, of_all);
+        let mut sides = Sides { side: s.ints(0), power: zero, weight: zero, total: s.mul_floats(total, of_all) };
+        let (mut passed, mut is_open) = (zero, s.lt_floats(zero, sum));
+        for side in 0..6 {
+            let share = normal_or_zero(s, s.mul_floats(sent[side], unit));
+            let is_chosen = s.both(is_open, s.lt_floats(zero, share));
+            sides.side = s.select(is_chosen, s.ints(side as i32), sides.side);
+            sides.power = s.select_floats(is_chosen, self.power[side], sides.power);
+            sides.weight = s.select_floats(is_chosen, s.mul_floats(weight, share), sides.weight);
+            passed = s.add_floats(passed, share);
+            is_open = s.except(is_open, s.lt_floats(threshold, s.mul_floats(passed, weight)));
+        }
+        sides
     }
 }
 
-/// Sixteen emitters.
-#[derive(Clone, Copy)]
-pub struct Emitters<S: Simd> {
-    voxel: [S::Ints; 3],
-    faces: S::Ints,
-    luminance: S::Floats,
+/// Of sixteen nodes and receivers, with the middle of a box from the receiver and half its diagonal: both, their squared lengths, and a bound of the
+/// longer one.
+struct Spread<S: Simd> {
+    toward: [S::Floats; 3],
+    half: [S::Floats; 3],
+    far: S::Floats,
+    near: S::Floats,
+    distance: S::Floats,
 }
 
-impl<S: Simd> Emitters<S> {
-    /// Reads the emitters of these numbers.
-    ///
-    /// # Safety
-    /// There must be such emitters.
-    #[inline(always)]
-    pub unsafe fn gather(s: S, number: S::Ints, emitters: &[[Row; 2]]) -> Self {
-        // SAFETY: the caller's duty.
-        let [[x, y, z, _], [faces, _, luminance, _]] = unsafe { s.gather_records(number, emitters) };
-        Self { voxel: [x, y, z], faces, luminance: s.floats_of(luminance) }
-    }
-
-    /// The twin of `face_importances`.
-    #[inline(always)]
-    pub fn face_importances(&self, s: S, receivers: &Receivers<S>) -> [S::Floats; 3] {
-        let Receivers { point, normal, slack } = receivers;
-        let (zero, one_half) = (s.floats(0.0), s.floats(0.5));
-        let mut toward = [zero; 3];
-        let (mut aside, mut in_front, mut nearest, mut squares) = ([zero; 3], [zero; 3], [zero; 3], [zero; 3]);
-        let mut height = [zero; 3];
-        for axis in 0..3 {
-            toward[axis] = s.sub_floats(s.add_floats(s.to_floats(self.voxel[axis]), one_half), point[axis]);
-            aside[axis] = s.abs(toward[axis]);
-            in_front[axis] = s.sub_floats(aside[axis], one_half);
-            nearest[axis] = s.mul_floats(in_front[axis], in_front[axis]);
-            squares[axis] = s.mul_floats(aside[axis], aside[axis]);
-            height[axis] = s.mul_floats(s.abs(normal[axis]), one_half);
-        }
-        let middle = s.add_floats(dot(s, &toward, normal), *slack);
-        let highest = s.add_floats(s.add_floats(height[0], height[1]), height[2]);
-        let bound = length_bound(s, &aside);
-        let mut importances = [zero; 3];
-        for axis in 0..3 {
-            let is_upper = s.lt_floats(toward[axis], zero);
-            let nearer = s.select_floats(is_upper, normal[axis], s.sub_floats(zero, normal[axis]));
-            let nearer = s.mul_floats(nearer, one_half);
-            let above = s.add_floats(s.add_floats(middle, nearer), s.sub_floats(highest, height[axis]));
-            let own = s.select(is_upper, s.ints(2 << (2 * axis)), s.ints(1 << (2 * axis)));
-            let looks = s.both(s.test(self.faces, own), s.lt_floats(zero, in_front[axis]));
-            let looks = s.both(looks, s.lt_floats(zero, above));
-            let others = s.add_floats(squares[(axis + 1) % 3], squares[(axis + 2) % 3]);
-            let distance_squared = s.add_floats(nearest[axis], others);
-            let falloff = reciprocal_guess(s, s.max(distance_squared, one_half));
-            let sent = s.mul_floats(self.luminance, in_front[axis]);
-            let seen = s.mul_floats(s.mul_floats(sent, s.min(above, bound)), s.mul_floats(falloff, falloff));
-            importances[axis] = s.select_floats(looks, seen, zero);
-        }
-        importances
-    }
+/// Sixteen chosen sides.
+pub struct Sides<S: Simd> {
+    pub side: S::Ints,
+    pub power: S::Floats,
+    pub weight: S::Floats,
+    pub total: S::Floats,
 }
 
 /// Sum of three products, the first two first.
@@ -173,13 +174,25 @@ fn reciprocal_guess<S: Simd>(s: S, x: S::Floats) -> S::Floats {
     s.mul_floats(guess, s.sub_floats(s.floats(2.0), s.mul_floats(x, guess)))
 }
 
+/// The twin of [`crate::math::inverse_power_of_two`]; no sum is negative.
+#[inline(always)]
+fn inverse_power_of_two<S: Simd>(s: S, sum: S::Floats) -> S::Floats {
+    s.floats_of(s.shl(s.sub(s.ints(254), s.shr(s.bits_of(sum), 23)), 23))
+}
+
+/// The twin of `sum_of_sides`.
+#[inline(always)]
+fn sum_of_sides<S: Simd>(s: S, sent: [S::Floats; 6]) -> S::Floats {
+    let [x, y, z] = [s.add_floats(sent[0], sent[1]), s.add_floats(sent[2], sent[3]), s.add_floats(sent[4], sent[5])];
+    s.add_floats(s.add_floats(x, y), z)
+}
+
 /// The twin of `weights_of`: the weights, and the lanes that have any.
 #[inline(always)]
 pub fn weights_of<S: Simd>(s: S, left: S::Floats, right: S::Floats) -> ([S::Floats; 2], S::Mask) {
     let (left, right) = (normal_or_zero(s, left), normal_or_zero(s, right));
     let sum = s.add_floats(left, right);
-    // The twin of `inverse_power_of_two`; no sum is negative.
-    let unit = s.floats_of(s.shl(s.sub(s.ints(254), s.shr(s.bits_of(sum), 23)), 23));
+    let unit = inverse_power_of_two(s, sum);
     let weights = [s.mul_floats(left, unit), s.mul_floats(right, unit)];
     ([normal_or_zero(s, weights[0]), normal_or_zero(s, weights[1])], s.lt_floats(s.floats(0.0), sum))
 }

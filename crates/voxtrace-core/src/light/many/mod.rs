@@ -4,16 +4,16 @@
 #![expect(unsafe_code, reason = "calls of functions for certain processors, and gathers")]
 
 mod descent;
-mod faces;
+mod fall;
 mod kernel;
 mod ways;
 
-use super::emitters::{Descent, emitter_sample, in_grid};
+use super::emitters::{Chosen, emitter_by_power, emitter_sample, in_grid};
 use super::{LightSample, Lights, Receiver, Technique};
-use crate::packed::{Emitter, LightNode, PackedScene};
+use crate::packed::{Geometry, LightNode, PackedScene};
 use crate::walk::Instructions;
-use crate::walk::simd::{LANES, Portable, Simd};
-use faces::Faces;
+use crate::walk::simd::{Portable, Simd};
+use fall::Fall;
 pub use ways::CAPACITY;
 use ways::{CHOICE, COUNT, INDEX, NODE, TOTAL, WEIGHT, WITHIN, Ways};
 
@@ -32,11 +32,12 @@ pub struct Room {
     /// Which of the asked ones each way belongs to, and the instance it led to.
     places: [u32; CAPACITY],
     instances: [u32; CAPACITY],
+    falls: Vec<Fall>,
 }
 
 impl Default for Room {
     fn default() -> Self {
-        Self { ways: Ways::none(), places: [0; CAPACITY], instances: [0; CAPACITY] }
+        Self { ways: Ways::none(), places: [0; CAPACITY], instances: [0; CAPACITY], falls: Vec::with_capacity(CAPACITY) }
     }
 }
 
@@ -107,25 +108,21 @@ impl Task<'_> {
     #[inline(always)]
     unsafe fn run<S: Simd>(&self, s: S, room: &mut Room, found: &mut [Option<LightSample>]) {
         let (geometry, placement) = (&*self.scene.geometry, &self.scene.placement);
-        let (top, nodes, emitters) = (&*placement.light_nodes, &*geometry.light_nodes, &*geometry.emitters);
+        let (top, nodes) = (&*placement.light_nodes, &*geometry.light_nodes);
         self.begin(top, room, found);
         if top.first().is_some_and(|root| root.count == 0) {
             // SAFETY: the caller's duty; ways only stand at nodes.
-            unsafe { descent::descend(s, top, &mut room.ways) };
+            unsafe { descent::descend(s, top, false, &mut room.ways) };
         }
         self.enter_grids(top, nodes, room);
         // SAFETY: as above.
-        unsafe { descent::descend(s, nodes, &mut room.ways) };
-        let mut first = 0;
-        while first < room.ways.count {
-            // SAFETY: as above; a way has come to a leaf, so there are emitters.
-            let faces = unsafe { faces::choose(s, emitters, &room.ways, first) };
-            let end = room.ways.count.min(first + LANES);
-            for way in first..end {
-                let place = room.places[way] as usize;
-                found[place] = self.finish(emitters, room, &faces, way, way - first);
-            }
-            first = end;
+        unsafe { descent::descend(s, nodes, true, &mut room.ways) };
+        // SAFETY: as above.
+        unsafe { fall::begin(s, nodes, &room.ways, &mut room.falls) };
+        fall::to_leaves(nodes, &mut room.falls);
+        for fall in &room.falls {
+            let place = room.places[fall.way] as usize;
+            found[place] = self.finish(geometry, room, fall);
         }
     }
 
@@ -162,7 +159,7 @@ impl Task<'_> {
     /// Lets the ways that came to an instance go on at the top of the tree of its grid, and forgets the others.
     #[inline(always)]
     fn enter_grids(&self, top: &[LightNode], nodes: &[LightNode], room: &mut Room) {
-        let Room { ways, places, instances } = room;
+        let Room { ways, places, instances, .. } = room;
         let all = std::mem::take(&mut ways.count);
         for from in 0..all {
             if ways.integers[COUNT][from] == 0 {
@@ -186,27 +183,14 @@ impl Task<'_> {
         }
     }
 
-    /// The light of a way that has chosen a face.
+    /// The light of a way that fell to a leaf.
     #[inline(always)]
-    fn finish(&self, emitters: &[Emitter], room: &Room, faces: &Faces, way: usize, lane: usize) -> Option<LightSample> {
-        let (importance, sum) = (faces.importance[lane], faces.sum[lane]);
-        if importance <= 0.0 {
-            return None;
-        }
-        let (ways, asked) = (&room.ways, &self.asked[room.places[way] as usize]);
-        let leaf = Descent {
-            node: ways.integers[NODE][way] as u32,
-            index: ways.integers[INDEX][way] as u32,
-            count: ways.integers[COUNT][way] as u32,
-            weight: ways.floats[WEIGHT][way],
-            total: ways.floats[TOTAL][way],
-            choice: ways.floats[CHOICE][way],
-        };
-        let emitter = &emitters[faces.emitter[lane] as usize];
-        let face = (emitter, faces.axis[lane] as usize, importance, sum);
-        let point = ways.receiver(way).point;
-        let sample =
-            emitter_sample(&self.lights.emitters, &asked.receiver, (room.instances[way], point), leaf, face, asked.u)?;
-        Some(LightSample { pdf: sample.pdf * ways.floats[ways::SHARE][way], ..sample })
+    fn finish(&self, geometry: &Geometry, room: &Room, fall: &Fall) -> Option<LightSample> {
+        let (ways, asked) = (&room.ways, &self.asked[room.places[fall.way] as usize]);
+        let emitter = emitter_by_power(geometry, &geometry.light_nodes[fall.at], fall.side, fall.threshold)?;
+        let chosen = Chosen { emitter, side: fall.side, power: fall.power };
+        let place = (room.instances[fall.way], ways.receiver(fall.way).point);
+        let sample = emitter_sample(&self.lights.emitters, &asked.receiver, place, fall.odds, chosen, asked.u)?;
+        Some(LightSample { pdf: sample.pdf * ways.floats[ways::SHARE][fall.way], ..sample })
     }
 }
