@@ -26,7 +26,7 @@ use waiting::Waiting;
 const REFILL_AT: u32 = 5;
 
 /// Vectors of rays that are stepped in turn: while the bricks of one are fetched the others compute.
-const GROUPS: usize = 4;
+const GROUPS: usize = 6;
 
 /// Quantities of a ray that are f32: origin, direction, inverse and tolerance for each axis, end of the segment.
 const FLOATS: usize = 13;
