@@ -44,7 +44,7 @@ impl PackedScene {
                     let hit = &hits[index];
                     let grid = &grids[instances[hit.instance as usize].grid as usize];
                     let record = geometry.find_brick(grid, hit.voxel).expect("a hit's voxel is in a brick");
-                    prefetch(&bricks[record]);
+                    prefetch(bricks.as_ptr().wrapping_add(record));
                     let local = local_of(hit.voxel - grid.origin);
                     let (block, bit) = (block_index(local) as u32, block_bit(local) as u32);
                     let material_bits = grid.material_bits;
@@ -54,9 +54,8 @@ impl PackedScene {
             }
             for place in &mut places[..count] {
                 place.find_index(bricks);
-                let word = |bit: u64| words.get((bit / 32) as usize);
-                word(place.start).map(prefetch);
-                word(place.start + u64::from(place.offset)).map(prefetch);
+                prefetch(words.as_ptr().wrapping_add((place.start / 32) as usize));
+                prefetch(words.as_ptr().wrapping_add(((place.start + u64::from(place.offset)) / 32) as usize));
             }
             for place in &places[..count] {
                 let own = bits_at(words, place.start + u64::from(place.offset), place.index_bits);

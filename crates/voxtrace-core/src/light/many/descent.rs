@@ -69,8 +69,8 @@ pub unsafe fn descend<S: Simd>(s: S, nodes: &[LightNode], ends_far: bool, ways: 
             lanes.active = step.going;
             // The children are there when it is this group's turn again.
             for lane in 0..LANES {
-                prefetch(&records[(lanes.integers[NODE][lane] + 1) as usize]);
-                prefetch(&records[lanes.integers[INDEX][lane] as usize]);
+                prefetch(nodes.as_ptr().wrapping_add((lanes.integers[NODE][lane] + 1) as usize));
+                prefetch(nodes.as_ptr().wrapping_add(lanes.integers[INDEX][lane] as usize));
             }
         }
     }

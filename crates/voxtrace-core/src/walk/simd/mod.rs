@@ -32,14 +32,14 @@ pub type Bits = u16;
 /// Four words of a record.
 pub type Row = [u32; 4];
 
-/// Lets the processor fetch what lies at a place, without waiting for it.
+/// Lets the processor fetch what lies at a place, without waiting for it. The place need not exist.
 #[inline(always)]
-pub fn prefetch<T>(place: &T) {
+pub fn prefetch<T>(place: *const T) {
     #[cfg(target_arch = "x86_64")]
     {
         use std::arch::x86_64::{_MM_HINT_T0, _mm_prefetch};
         // SAFETY: every processor of this kind has the instruction, and it reads nothing.
-        unsafe { _mm_prefetch::<_MM_HINT_T0>(std::ptr::from_ref(place).cast()) };
+        unsafe { _mm_prefetch::<_MM_HINT_T0>(place.cast()) };
     }
     #[cfg(not(target_arch = "x86_64"))]
     let _ = place;
