@@ -867,54 +867,35 @@ fn sincos_turns_0( turns_0 : f32) -> vec2<f32>
     }
 }
 
-fn is_normal_0( exponent_0 : i32) -> bool
+fn is_normal_0( exponent_0 : u32) -> bool
 {
-    var _S54 : bool;
-    if(exponent_0 > i32(0))
-    {
-        _S54 = exponent_0 < i32(255);
-    }
-    else
-    {
-        _S54 = false;
-    }
-    return _S54;
+    return (exponent_0 - u32(1)) < u32(254);
 }
 
 fn nearest_root_0( mantissa_0 : u32,  guess_1 : u32) -> u32
 {
     var rest_0 : i32 = i32(((mantissa_0 << (u32(23)))) - guess_1 * guess_1);
     var units_0 : i32 = i32(floor(f32(rest_0) / f32(u32(2) * guess_1) + 0.5f));
-    var _S55 : i32 = i32(guess_1);
-    var root_3 : i32 = _S55 + units_0;
-    var rest_1 : i32 = rest_0 - units_0 * (_S55 + root_3);
+    var _S54 : i32 = i32(guess_1);
+    var root_3 : i32 = _S54 + units_0;
+    var rest_1 : i32 = rest_0 - units_0 * (_S54 + root_3);
     return u32(root_3 + i32(rest_1 > root_3) - i32(rest_1 <= (- root_3)));
 }
 
 fn square_root_0( value_5 : f32) -> f32
 {
-    var native_0 : f32 = sqrt(value_5);
     if(!IS_EXACT_0)
     {
-        return native_0;
+        return sqrt(value_5);
     }
-    var _S56 : u32 = (bitcast<u32>((value_5)));
-    var exponent_1 : u32 = (_S56 >> (u32(23)));
-    if(!is_normal_0(i32(exponent_1)))
+    var _S55 : u32 = (bitcast<u32>((value_5)));
+    var exponent_1 : u32 = (_S55 >> (u32(23)));
+    if(!is_normal_0(exponent_1))
     {
-        return native_0;
+        return sqrt(value_5);
     }
-    var mantissa_1 : u32 = (((_S56 & (u32(8388607)))) | (u32(8388608)));
-    var mantissa_2 : u32;
-    if(((exponent_1 & (u32(1)))) == u32(0))
-    {
-        mantissa_2 = (mantissa_1 << (u32(1)));
-    }
-    else
-    {
-        mantissa_2 = mantissa_1;
-    }
-    return (bitcast<f32>(((((((exponent_1 + u32(127)) >> (u32(1)))) << (u32(23)))) + (nearest_root_0(mantissa_2, u32(sqrt(f32(mantissa_2) * 1.1920928955078125e-07f) * 8.388608e+06f)) - u32(8388608)))));
+    var mantissa_1 : u32 = (((((_S55 & (u32(8388607)))) | (u32(8388608)))) << ((((~exponent_1) & (u32(1))))));
+    return (bitcast<f32>(((((((exponent_1 + u32(127)) >> (u32(1)))) << (u32(23)))) + (nearest_root_0(mantissa_1, u32(sqrt(f32(mantissa_1) * 1.1920928955078125e-07f) * 8.388608e+06f)) - u32(8388608)))));
 }
 
 fn cosine_hemisphere_0( u_0 : f32,  v_1 : f32) -> vec3<f32>
@@ -932,58 +913,49 @@ fn cosine_hemisphere_pdf_0( cos_theta_0 : f32) -> f32
 fn nearest_quotient_0( dividend_0 : u32,  divisor_0 : u32,  guess_2 : u32) -> u32
 {
     var rest_2 : i32 = i32(((dividend_0 << (u32(23)))) - guess_2 * divisor_0);
-    var units_1 : i32 = i32(floor(f32(rest_2) / f32(divisor_0) + 0.5f));
-    var _S57 : i32 = i32(divisor_0);
-    var _S58 : i32 = i32(2) * (rest_2 - units_1 * _S57);
-    return guess_2 + u32(units_1 + (i32(_S58 > _S57) - i32(_S58 < (- _S57))));
+    var units_1 : i32 = i32(floor(f32(rest_2) * (1.0f / f32(divisor_0)) + 0.5f));
+    var _S56 : i32 = i32(divisor_0);
+    var _S57 : i32 = i32(2) * (rest_2 - units_1 * _S56);
+    return guess_2 + u32(units_1 + (i32(_S57 > _S56) - i32(_S57 < (- _S56))));
 }
 
 fn divide_0( a_1 : f32,  b_1 : f32) -> f32
 {
-    var native_1 : f32 = a_1 / b_1;
     if(!IS_EXACT_0)
     {
-        return native_1;
+        return a_1 / b_1;
     }
-    var _S59 : u32 = (bitcast<u32>((a_1)));
-    var exponent_a_0 : i32 = i32((((_S59 >> (u32(23)))) & (u32(255))));
-    var _S60 : u32 = (bitcast<u32>((b_1)));
-    var exponent_b_0 : i32 = i32((((_S60 >> (u32(23)))) & (u32(255))));
-    var dividend_1 : u32 = (((_S59 & (u32(8388607)))) | (u32(8388608)));
-    var divisor_1 : u32 = (((_S60 & (u32(8388607)))) | (u32(8388608)));
-    var is_below_0 : bool = dividend_1 < divisor_1;
-    var dividend_2 : u32;
-    if(is_below_0)
-    {
-        dividend_2 = (dividend_1 << (u32(1)));
-    }
-    else
-    {
-        dividend_2 = dividend_1;
-    }
-    var exponent_2 : i32 = exponent_a_0 - exponent_b_0 + i32(127) - i32(is_below_0);
-    var _S61 : bool;
+    var _S58 : u32 = (bitcast<u32>((a_1)));
+    var exponent_a_0 : u32 = (((_S58 >> (u32(23)))) & (u32(255)));
+    var _S59 : u32 = (bitcast<u32>((b_1)));
+    var exponent_b_0 : u32 = (((_S59 >> (u32(23)))) & (u32(255)));
+    var dividend_1 : u32 = (((_S58 & (u32(8388607)))) | (u32(8388608)));
+    var divisor_1 : u32 = (((_S59 & (u32(8388607)))) | (u32(8388608)));
+    var is_below_0 : u32 = u32(dividend_1 < divisor_1);
+    var dividend_2 : u32 = (dividend_1 << (is_below_0));
+    var exponent_2 : u32 = exponent_a_0 + u32(127) - exponent_b_0 - is_below_0;
+    var _S60 : bool;
     if(!is_normal_0(exponent_a_0))
     {
-        _S61 = true;
+        _S60 = true;
     }
     else
     {
-        _S61 = !is_normal_0(exponent_b_0);
+        _S60 = !is_normal_0(exponent_b_0);
     }
-    if(_S61)
+    if(_S60)
     {
-        _S61 = true;
+        _S60 = true;
     }
     else
     {
-        _S61 = !is_normal_0(exponent_2);
+        _S60 = !is_normal_0(exponent_2);
     }
-    if(_S61)
+    if(_S60)
     {
-        return native_1;
+        return a_1 / b_1;
     }
-    return (bitcast<f32>(((((((_S59 ^ (_S60))) & (u32(2147483648)))) | ((((u32(exponent_2) << (u32(23)))) + (nearest_quotient_0(dividend_2, divisor_1, u32(f32(dividend_2) / f32(divisor_1) * 8.388608e+06f)) - u32(8388608))))))));
+    return (bitcast<f32>(((((((_S58 ^ (_S59))) & (u32(2147483648)))) | ((((exponent_2 << (u32(23)))) + (nearest_quotient_0(dividend_2, divisor_1, u32(f32(dividend_2) * (1.0f / f32(divisor_1)) * 8.388608e+06f)) - u32(8388608))))))));
 }
 
 fn normalize_vector_0( vector_2 : vec3<f32>) -> vec3<f32>
@@ -1001,13 +973,13 @@ fn luminance_2( color_0 : vec3<f32>) -> f32
 fn check_math(@builtin(global_invocation_id) id_1 : vec3<u32>, @builtin(local_invocation_index) thread_2 : u32)
 {
     prove_0(thread_2);
-    var _S62 : u32 = id_1.x;
-    if(_S62 >= (dispatch_0.count_0))
+    var _S61 : u32 = id_1.x;
+    if(_S61 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_1 : Reader_0 = Reader_x24init_0(u32(2) * _S62);
-    var writer_1 : Writer_0 = Writer_x24init_0(u32(10) * _S62);
+    var reader_1 : Reader_0 = Reader_x24init_0(u32(2) * _S61);
+    var writer_1 : Writer_0 = Writer_x24init_0(u32(10) * _S61);
     var u_1 : f32 = Reader_number_0(&(reader_1));
     var v_2 : f32 = Reader_number_0(&(reader_1));
     var sin_cos_1 : vec2<f32> = sincos_turns_0(u_1);
@@ -1026,23 +998,23 @@ fn check_math(@builtin(global_invocation_id) id_1 : vec3<u32>, @builtin(local_in
 fn check_rounding(@builtin(global_invocation_id) id_2 : vec3<u32>, @builtin(local_invocation_index) thread_3 : u32)
 {
     prove_0(thread_3);
-    var _S63 : u32 = id_2.x;
-    if(_S63 >= (dispatch_0.count_0))
+    var _S62 : u32 = id_2.x;
+    if(_S62 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_2 : Reader_0 = Reader_x24init_0(u32(6) * _S63);
-    var writer_2 : Writer_0 = Writer_x24init_0(u32(4) * _S63);
+    var reader_2 : Reader_0 = Reader_x24init_0(u32(6) * _S62);
+    var writer_2 : Writer_0 = Writer_x24init_0(u32(4) * _S62);
     var a_2 : f32 = Reader_number_0(&(reader_2));
-    var _S64 : f32 = Reader_number_0(&(reader_2));
-    Writer_number_0(&(writer_2), divide_0(a_2, _S64));
+    var _S63 : f32 = Reader_number_0(&(reader_2));
+    Writer_number_0(&(writer_2), divide_0(a_2, _S63));
     Writer_number_0(&(writer_2), square_root_0(abs(a_2)));
     var dividend_3 : u32 = Reader_word_0(&(reader_2));
     var divisor_2 : u32 = Reader_word_0(&(reader_2));
     var quotient_guess_0 : u32 = Reader_word_0(&(reader_2));
     Writer_word_0(&(writer_2), nearest_quotient_0(dividend_3, divisor_2, quotient_guess_0));
-    var _S65 : u32 = Reader_word_0(&(reader_2));
-    Writer_word_0(&(writer_2), nearest_root_0(dividend_3, _S65));
+    var _S64 : u32 = Reader_word_0(&(reader_2));
+    Writer_word_0(&(writer_2), nearest_root_0(dividend_3, _S64));
     return;
 }
 
@@ -1050,16 +1022,16 @@ fn Reader_vector_0( this_16 : ptr<function, Reader_0>) -> vec3<f32>
 {
     var x_3 : f32 = Reader_number_1(&((*this_16)));
     var y_0 : f32 = Reader_number_1(&((*this_16)));
-    var _S66 : f32 = Reader_number_1(&((*this_16)));
-    return vec3<f32>(x_3, y_0, _S66);
+    var _S65 : f32 = Reader_number_1(&((*this_16)));
+    return vec3<f32>(x_3, y_0, _S65);
 }
 
 fn Reader_vector_1( this_17 : ptr<function, Reader_0>) -> vec3<f32>
 {
     var x_4 : f32 = Reader_number_1(&((*this_17)));
     var y_1 : f32 = Reader_number_1(&((*this_17)));
-    var _S67 : f32 = Reader_number_1(&((*this_17)));
-    return vec3<f32>(x_4, y_1, _S67);
+    var _S66 : f32 = Reader_number_1(&((*this_17)));
+    return vec3<f32>(x_4, y_1, _S66);
 }
 
 fn fixed_point_0( value_6 : f32) -> vec2<u32>
@@ -1070,30 +1042,30 @@ fn fixed_point_0( value_6 : f32) -> vec2<u32>
     }
     var bits_0 : u32 = (bitcast<u32>((min(value_6, 1.048576e+06f))));
     var shift_0 : i32 = i32((bits_0 >> (u32(23)))) - i32(118);
-    var mantissa_3 : u32 = (((bits_0 & (u32(8388607)))) | (u32(8388608)));
+    var mantissa_2 : u32 = (((bits_0 & (u32(8388607)))) | (u32(8388608)));
     if(shift_0 <= i32(-24))
     {
         return vec2<u32>(vec2<i32>(i32(0)));
     }
     if(shift_0 < i32(0))
     {
-        return vec2<u32>((mantissa_3 >> (u32(- shift_0))), u32(0));
+        return vec2<u32>((mantissa_2 >> (u32(- shift_0))), u32(0));
     }
     if(shift_0 < i32(32))
     {
-        var _S68 : u32 = (mantissa_3 << (u32(shift_0)));
-        var _S69 : u32;
+        var _S67 : u32 = (mantissa_2 << (u32(shift_0)));
+        var _S68 : u32;
         if(shift_0 == i32(0))
         {
-            _S69 = u32(0);
+            _S68 = u32(0);
         }
         else
         {
-            _S69 = (mantissa_3 >> (u32(i32(32) - shift_0)));
+            _S68 = (mantissa_2 >> (u32(i32(32) - shift_0)));
         }
-        return vec2<u32>(_S68, _S69);
+        return vec2<u32>(_S67, _S68);
     }
-    return vec2<u32>(u32(0), (mantissa_3 << (u32(shift_0 - i32(32)))));
+    return vec2<u32>(u32(0), (mantissa_2 << (u32(shift_0 - i32(32)))));
 }
 
 struct PixelRecord_0
@@ -1106,75 +1078,75 @@ struct PixelRecord_0
 fn PixelRecord_add_0( this_18 : ptr<function, PixelRecord_0>,  value_7 : vec3<f32>,  is_covered_0 : bool)
 {
     var addend_0 : vec2<u32> = fixed_point_0(value_7[u32(0)]);
-    var _S70 : u32 = addend_0.x;
-    var low_2 : u32 = (*this_18).radiance_1[u32(0)] + _S70;
-    var high_2 : u32 = (*this_18).radiance_1[u32(1)] + addend_0.y + u32(low_2 < _S70);
+    var _S69 : u32 = addend_0.x;
+    var low_2 : u32 = (*this_18).radiance_1[u32(0)] + _S69;
+    var high_2 : u32 = (*this_18).radiance_1[u32(1)] + addend_0.y + u32(low_2 < _S69);
     var is_full_0 : bool = high_2 < ((*this_18).radiance_1[u32(1)]);
-    var _S71 : u32;
+    var _S70 : u32;
     if(is_full_0)
     {
-        _S71 = u32(4294967295);
+        _S70 = u32(4294967295);
     }
     else
     {
-        _S71 = low_2;
+        _S70 = low_2;
     }
-    (*this_18).radiance_1[u32(0)] = _S71;
+    (*this_18).radiance_1[u32(0)] = _S70;
     if(is_full_0)
     {
-        _S71 = u32(4294967295);
+        _S70 = u32(4294967295);
     }
     else
     {
-        _S71 = high_2;
+        _S70 = high_2;
     }
-    (*this_18).radiance_1[u32(1)] = _S71;
+    (*this_18).radiance_1[u32(1)] = _S70;
     var addend_1 : vec2<u32> = fixed_point_0(value_7[u32(1)]);
-    var _S72 : u32 = addend_1.x;
-    var low_3 : u32 = (*this_18).radiance_1[u32(2)] + _S72;
-    var high_3 : u32 = (*this_18).radiance_1[u32(3)] + addend_1.y + u32(low_3 < _S72);
+    var _S71 : u32 = addend_1.x;
+    var low_3 : u32 = (*this_18).radiance_1[u32(2)] + _S71;
+    var high_3 : u32 = (*this_18).radiance_1[u32(3)] + addend_1.y + u32(low_3 < _S71);
     var is_full_1 : bool = high_3 < ((*this_18).radiance_1[u32(3)]);
     if(is_full_1)
     {
-        _S71 = u32(4294967295);
+        _S70 = u32(4294967295);
     }
     else
     {
-        _S71 = low_3;
+        _S70 = low_3;
     }
-    (*this_18).radiance_1[u32(2)] = _S71;
+    (*this_18).radiance_1[u32(2)] = _S70;
     if(is_full_1)
     {
-        _S71 = u32(4294967295);
+        _S70 = u32(4294967295);
     }
     else
     {
-        _S71 = high_3;
+        _S70 = high_3;
     }
-    (*this_18).radiance_1[u32(3)] = _S71;
+    (*this_18).radiance_1[u32(3)] = _S70;
     var addend_2 : vec2<u32> = fixed_point_0(value_7[u32(2)]);
-    var _S73 : u32 = addend_2.x;
-    var low_4 : u32 = (*this_18).radiance_1[u32(4)] + _S73;
-    var high_4 : u32 = (*this_18).radiance_1[u32(5)] + addend_2.y + u32(low_4 < _S73);
+    var _S72 : u32 = addend_2.x;
+    var low_4 : u32 = (*this_18).radiance_1[u32(4)] + _S72;
+    var high_4 : u32 = (*this_18).radiance_1[u32(5)] + addend_2.y + u32(low_4 < _S72);
     var is_full_2 : bool = high_4 < ((*this_18).radiance_1[u32(5)]);
     if(is_full_2)
     {
-        _S71 = u32(4294967295);
+        _S70 = u32(4294967295);
     }
     else
     {
-        _S71 = low_4;
+        _S70 = low_4;
     }
-    (*this_18).radiance_1[u32(4)] = _S71;
+    (*this_18).radiance_1[u32(4)] = _S70;
     if(is_full_2)
     {
-        _S71 = u32(4294967295);
+        _S70 = u32(4294967295);
     }
     else
     {
-        _S71 = high_4;
+        _S70 = high_4;
     }
-    (*this_18).radiance_1[u32(5)] = _S71;
+    (*this_18).radiance_1[u32(5)] = _S70;
     (*this_18).samples_1 = (*this_18).samples_1 + u32(1);
     (*this_18).covered_0 = (*this_18).covered_0 + u32(is_covered_0);
     return;
@@ -1185,13 +1157,13 @@ fn PixelRecord_add_0( this_18 : ptr<function, PixelRecord_0>,  value_7 : vec3<f3
 fn check_film(@builtin(global_invocation_id) id_3 : vec3<u32>, @builtin(local_invocation_index) thread_4 : u32)
 {
     prove_0(thread_4);
-    var _S74 : u32 = id_3.x;
-    if(_S74 >= (dispatch_0.count_0))
+    var _S73 : u32 = id_3.x;
+    if(_S73 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_3 : Reader_0 = Reader_x24init_0(u32(12) * _S74);
-    var writer_3 : Writer_0 = Writer_x24init_0(u32(8) * _S74);
+    var reader_3 : Reader_0 = Reader_x24init_0(u32(12) * _S73);
+    var writer_3 : Writer_0 = Writer_x24init_0(u32(8) * _S73);
     var pixel_3 : PixelRecord_0;
     var word_4 : u32 = u32(0);
     for(;;)
@@ -1203,17 +1175,17 @@ fn check_film(@builtin(global_invocation_id) id_3 : vec3<u32>, @builtin(local_in
         {
             break;
         }
-        var _S75 : u32 = Reader_word_0(&(reader_3));
-        pixel_3.radiance_1[word_4] = _S75;
+        var _S74 : u32 = Reader_word_0(&(reader_3));
+        pixel_3.radiance_1[word_4] = _S74;
         word_4 = word_4 + u32(1);
     }
+    var _S75 : u32 = Reader_word_0(&(reader_3));
+    pixel_3.samples_1 = _S75;
     var _S76 : u32 = Reader_word_0(&(reader_3));
-    pixel_3.samples_1 = _S76;
-    var _S77 : u32 = Reader_word_0(&(reader_3));
-    pixel_3.covered_0 = _S77;
+    pixel_3.covered_0 = _S76;
     var radiance_2 : vec3<f32> = Reader_vector_0(&(reader_3));
-    var _S78 : u32 = Reader_word_0(&(reader_3));
-    PixelRecord_add_0(&(pixel_3), radiance_2, _S78 != u32(0));
+    var _S77 : u32 = Reader_word_0(&(reader_3));
+    PixelRecord_add_0(&(pixel_3), radiance_2, _S77 != u32(0));
     word_4 = u32(0);
     for(;;)
     {
@@ -1234,22 +1206,22 @@ fn check_film(@builtin(global_invocation_id) id_3 : vec3<u32>, @builtin(local_in
 
 fn Reader_cell_0( this_19 : ptr<function, Reader_0>) -> vec3<i32>
 {
+    var _S78 : u32 = Reader_word_1(&((*this_19)));
+    var x_5 : i32 = i32(_S78);
     var _S79 : u32 = Reader_word_1(&((*this_19)));
-    var x_5 : i32 = i32(_S79);
+    var y_2 : i32 = i32(_S79);
     var _S80 : u32 = Reader_word_1(&((*this_19)));
-    var y_2 : i32 = i32(_S80);
-    var _S81 : u32 = Reader_word_1(&((*this_19)));
-    return vec3<i32>(x_5, y_2, i32(_S81));
+    return vec3<i32>(x_5, y_2, i32(_S80));
 }
 
 fn Reader_cell_1( this_20 : ptr<function, Reader_0>) -> vec3<i32>
 {
+    var _S81 : u32 = Reader_word_1(&((*this_20)));
+    var x_6 : i32 = i32(_S81);
     var _S82 : u32 = Reader_word_1(&((*this_20)));
-    var x_6 : i32 = i32(_S82);
+    var y_3 : i32 = i32(_S82);
     var _S83 : u32 = Reader_word_1(&((*this_20)));
-    var y_3 : i32 = i32(_S83);
-    var _S84 : u32 = Reader_word_1(&((*this_20)));
-    return vec3<i32>(x_6, y_3, i32(_S84));
+    return vec3<i32>(x_6, y_3, i32(_S83));
 }
 
 fn cell_of_0( values_1 : array<i32, i32(3)>) -> vec3<i32>
@@ -1267,16 +1239,16 @@ fn cell_in_node_0( relative_0 : vec3<i32>,  shift_1 : u32) -> u32
 
 fn record_of_cell_0( cell_1 : u32) -> u32
 {
-    var _S85 : u32;
+    var _S84 : u32;
     if(CELLS_HAVE_BLOCKS_0)
     {
-        _S85 = u32(8388607);
+        _S84 = u32(8388607);
     }
     else
     {
-        _S85 = u32(2147483647);
+        _S84 = u32(2147483647);
     }
-    return ((cell_1 & (_S85))) * u32(2);
+    return ((cell_1 & (_S84))) * u32(2);
 }
 
 fn read_bits_0( start_0 : u32,  position_0 : u32,  count_3 : u32) -> u32
@@ -1300,23 +1272,23 @@ fn read_bits_0( start_0 : u32,  position_0 : u32,  count_3 : u32) -> u32
     return (bits_2 & ((((u32(1) << (count_3))) - u32(1))));
 }
 
-fn find_brick_0( _S86 : u32,  _S87 : vec3<i32>) -> u32
+fn find_brick_0( _S85 : u32,  _S86 : vec3<i32>) -> u32
 {
-    var top_0 : vec3<i32> = (_S87 >> (vec3<u32>(grids_0[_S86].top_shift_0)));
-    var cell_2 : u32 = cells_0[grids_0[_S86].top_offset_0 + u32((top_0.z * grids_0[_S86].top_size_0[i32(1)] + top_0.y) * grids_0[_S86].top_size_0[i32(0)] + top_0.x)];
-    var shift_3 : u32 = grids_0[_S86].top_shift_0;
+    var top_0 : vec3<i32> = (_S86 >> (vec3<u32>(grids_0[_S85].top_shift_0)));
+    var cell_2 : u32 = cells_0[grids_0[_S85].top_offset_0 + u32((top_0.z * grids_0[_S85].top_size_0[i32(1)] + top_0.y) * grids_0[_S85].top_size_0[i32(0)] + top_0.x)];
+    var shift_3 : u32 = grids_0[_S85].top_shift_0;
     for(;;)
     {
-        var _S88 : bool;
+        var _S87 : bool;
         if(shift_3 > u32(3))
         {
-            _S88 = ((cell_2 & (u32(2147483648)))) != u32(0);
+            _S87 = ((cell_2 & (u32(2147483648)))) != u32(0);
         }
         else
         {
-            _S88 = false;
+            _S87 = false;
         }
-        if(_S88)
+        if(_S87)
         {
         }
         else
@@ -1324,18 +1296,18 @@ fn find_brick_0( _S86 : u32,  _S87 : vec3<i32>) -> u32
             break;
         }
         var shift_4 : u32 = shift_3 - u32(2);
-        cell_2 = cells_0[((cell_2 & (u32(2147483647)))) * u32(64) + cell_in_node_0(_S87, shift_4)];
+        cell_2 = cells_0[((cell_2 & (u32(2147483647)))) * u32(64) + cell_in_node_0(_S86, shift_4)];
         shift_3 = shift_4;
     }
     return record_of_cell_0(cell_2);
 }
 
-fn material_at_0( _S89 : u32,  _S90 : vec3<i32>) -> u32
+fn material_at_0( _S88 : u32,  _S89 : vec3<i32>) -> u32
 {
-    var _S91 : u32 = find_brick_0(_S89, _S90);
-    var header_0 : u32 = bricks_0[_S91];
-    var bit_0 : u32 = cell_in_node_0(_S90, u32(0));
-    var present_before_0 : u32 = countOneBits((header_0 & ((((u32(1) << (((((u32(((((_S90.x) >> (u32(2)))) & (i32(1)))) | (((u32(((((_S90.y) >> (u32(2)))) & (i32(1)))) << (u32(1))))))) | (((u32(((((_S90.z) >> (u32(2)))) & (i32(1)))) << (u32(2)))))))))) - u32(1)))));
+    var _S90 : u32 = find_brick_0(_S88, _S89);
+    var header_0 : u32 = bricks_0[_S90];
+    var bit_0 : u32 = cell_in_node_0(_S89, u32(0));
+    var present_before_0 : u32 = countOneBits((header_0 & ((((u32(1) << (((((u32(((((_S89.x) >> (u32(2)))) & (i32(1)))) | (((u32(((((_S89.y) >> (u32(2)))) & (i32(1)))) << (u32(1))))))) | (((u32(((((_S89.z) >> (u32(2)))) & (i32(1)))) << (u32(2)))))))))) - u32(1)))));
     var index_5 : u32 = u32(0);
     var rank_0 : u32 = u32(0);
     for(;;)
@@ -1347,26 +1319,26 @@ fn material_at_0( _S89 : u32,  _S90 : vec3<i32>) -> u32
         {
             break;
         }
-        var _S92 : u32 = u32(2) * index_5;
-        var rank_1 : u32 = rank_0 + (countOneBits(bricks_0[_S91 + u32(2) + _S92]) + countOneBits(bricks_0[_S91 + u32(3) + _S92]));
+        var _S91 : u32 = u32(2) * index_5;
+        var rank_1 : u32 = rank_0 + (countOneBits(bricks_0[_S90 + u32(2) + _S91]) + countOneBits(bricks_0[_S90 + u32(3) + _S91]));
         index_5 = index_5 + u32(1);
         rank_0 = rank_1;
     }
-    var _S93 : u32 = u32(2) * present_before_0;
-    var low_5 : u32 = bricks_0[_S91 + u32(2) + _S93];
+    var _S92 : u32 = u32(2) * present_before_0;
+    var low_5 : u32 = bricks_0[_S90 + u32(2) + _S92];
     if(bit_0 < u32(32))
     {
         rank_0 = rank_0 + countOneBits((low_5 & ((((u32(1) << (bit_0))) - u32(1)))));
     }
     else
     {
-        rank_0 = rank_0 + (countOneBits(low_5) + countOneBits((bricks_0[_S91 + u32(3) + _S93] & ((((u32(1) << ((bit_0 - u32(32))))) - u32(1))))));
+        rank_0 = rank_0 + (countOneBits(low_5) + countOneBits((bricks_0[_S90 + u32(3) + _S92] & ((((u32(1) << ((bit_0 - u32(32))))) - u32(1))))));
     }
     var index_bits_0 : u32 = (((header_0 >> (u32(8)))) & (u32(255)));
     var palette_count_0 : u32 = (header_0 >> (u32(16)));
-    var entry_bits_0 : u32 = grids_0[_S89].material_bits_0;
-    var start_1 : u32 = bricks_0[_S91 + u32(1)];
-    var index_6 : u32 = read_bits_0(start_1, palette_count_0 * grids_0[_S89].material_bits_0 + rank_0 * index_bits_0, index_bits_0);
+    var entry_bits_0 : u32 = grids_0[_S88].material_bits_0;
+    var start_1 : u32 = bricks_0[_S90 + u32(1)];
+    var index_6 : u32 = read_bits_0(start_1, palette_count_0 * grids_0[_S88].material_bits_0 + rank_0 * index_bits_0, index_bits_0);
     if(palette_count_0 == u32(0))
     {
         return index_6;
@@ -1379,16 +1351,16 @@ fn material_at_0( _S89 : u32,  _S90 : vec3<i32>) -> u32
 fn check_material(@builtin(global_invocation_id) id_4 : vec3<u32>, @builtin(local_invocation_index) thread_5 : u32)
 {
     prove_0(thread_5);
-    var _S94 : u32 = id_4.x;
-    if(_S94 >= (dispatch_0.count_0))
+    var _S93 : u32 = id_4.x;
+    if(_S93 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_4 : Reader_0 = Reader_x24init_0(u32(4) * _S94);
-    var writer_4 : Writer_0 = Writer_x24init_0(_S94);
-    var _S95 : u32 = Reader_word_0(&(reader_4));
-    var _S96 : vec3<i32> = Reader_cell_0(&(reader_4));
-    Writer_word_0(&(writer_4), material_at_0(instances_0[_S95].grid_0, _S96 - cell_of_0(grids_0[instances_0[_S95].grid_0].origin_0)));
+    var reader_4 : Reader_0 = Reader_x24init_0(u32(4) * _S93);
+    var writer_4 : Writer_0 = Writer_x24init_0(_S93);
+    var _S94 : u32 = Reader_word_0(&(reader_4));
+    var _S95 : vec3<i32> = Reader_cell_0(&(reader_4));
+    Writer_word_0(&(writer_4), material_at_0(instances_0[_S94].grid_0, _S95 - cell_of_0(grids_0[instances_0[_S94].grid_0].origin_0)));
     return;
 }
 
@@ -1415,16 +1387,16 @@ fn empty_around_0( record_1 : u32,  blocks_0 : u32,  voxel_2 : vec3<i32>,  octan
     {
         return u32(4294967295);
     }
-    var _S97 : i32;
+    var _S96 : i32;
     if(((((half_1 >> (((bit_1 & (u32(10))))))) & (u32(3342387)))) == u32(0))
     {
-        _S97 = i32(1);
+        _S96 = i32(1);
     }
     else
     {
-        _S97 = i32(0);
+        _S96 = i32(0);
     }
-    return u32(_S97);
+    return u32(_S96);
 }
 
 @compute
@@ -1432,19 +1404,19 @@ fn empty_around_0( record_1 : u32,  blocks_0 : u32,  voxel_2 : vec3<i32>,  octan
 fn check_brick(@builtin(global_invocation_id) id_5 : vec3<u32>, @builtin(local_invocation_index) thread_6 : u32)
 {
     prove_0(thread_6);
-    var _S98 : u32 = id_5.x;
-    if(_S98 >= (dispatch_0.count_0))
+    var _S97 : u32 = id_5.x;
+    if(_S97 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_5 : Reader_0 = Reader_x24init_0(u32(5) * _S98);
-    var writer_5 : Writer_0 = Writer_x24init_0(_S98);
-    var _S99 : u32 = Reader_word_0(&(reader_5));
-    var _S100 : vec3<i32> = Reader_cell_0(&(reader_5));
-    var voxel_3 : vec3<i32> = _S100 - cell_of_0(grids_0[instances_0[_S99].grid_0].origin_0);
+    var reader_5 : Reader_0 = Reader_x24init_0(u32(5) * _S97);
+    var writer_5 : Writer_0 = Writer_x24init_0(_S97);
+    var _S98 : u32 = Reader_word_0(&(reader_5));
+    var _S99 : vec3<i32> = Reader_cell_0(&(reader_5));
+    var voxel_3 : vec3<i32> = _S99 - cell_of_0(grids_0[instances_0[_S98].grid_0].origin_0);
     var octant_2 : u32 = Reader_word_0(&(reader_5));
-    var _S101 : u32 = find_brick_0(instances_0[_S99].grid_0, voxel_3);
-    Writer_word_0(&(writer_5), empty_around_0(_S101, blocks_of_record_0(_S101), (voxel_3 ^ ((vec3<i32>(0) - vec3<i32>(i32((octant_2 & (u32(1)))), i32((((octant_2 >> (u32(1)))) & (u32(1)))), i32((octant_2 >> (u32(2)))))))), octant_2, flip_of_0(octant_2)));
+    var _S100 : u32 = find_brick_0(instances_0[_S98].grid_0, voxel_3);
+    Writer_word_0(&(writer_5), empty_around_0(_S100, blocks_of_record_0(_S100), (voxel_3 ^ ((vec3<i32>(0) - vec3<i32>(i32((octant_2 & (u32(1)))), i32((((octant_2 >> (u32(1)))) & (u32(1)))), i32((octant_2 >> (u32(2)))))))), octant_2, flip_of_0(octant_2)));
     return;
 }
 
@@ -1458,12 +1430,12 @@ struct Ray_0
 
 fn Ray_x24init_0( origin_2 : vec3<f32>,  t_min_1 : f32,  direction_2 : vec3<f32>,  t_max_1 : f32) -> Ray_0
 {
-    var _S102 : Ray_0;
-    _S102.origin_1 = origin_2;
-    _S102.t_min_0 = t_min_1;
-    _S102.direction_1 = direction_2;
-    _S102.t_max_0 = t_max_1;
-    return _S102;
+    var _S101 : Ray_0;
+    _S101.origin_1 = origin_2;
+    _S101.t_min_0 = t_min_1;
+    _S101.direction_1 = direction_2;
+    _S101.t_max_0 = t_max_1;
+    return _S101;
 }
 
 fn Reader_ray_0( this_21 : ptr<function, Reader_0>) -> Ray_0
@@ -1471,8 +1443,8 @@ fn Reader_ray_0( this_21 : ptr<function, Reader_0>) -> Ray_0
     var origin_3 : vec3<f32> = Reader_vector_1(&((*this_21)));
     var t_min_2 : f32 = Reader_number_1(&((*this_21)));
     var direction_3 : vec3<f32> = Reader_vector_1(&((*this_21)));
-    var _S103 : f32 = Reader_number_1(&((*this_21)));
-    return Ray_x24init_0(origin_3, t_min_2, direction_3, _S103);
+    var _S102 : f32 = Reader_number_1(&((*this_21)));
+    return Ray_x24init_0(origin_3, t_min_2, direction_3, _S102);
 }
 
 fn reciprocal_0( vector_4 : vec3<f32>) -> vec3<f32>
@@ -1490,38 +1462,38 @@ struct LocalRay_0
      is_valid_0 : bool,
 };
 
-fn Transform_direction_0( _S104 : i32,  _S105 : vec3<f32>) -> vec3<f32>
+fn Transform_direction_0( _S103 : i32,  _S104 : vec3<f32>) -> vec3<f32>
 {
-    return vector_of_0(instances_0[_S104].grid_from_world_0.x_axis_0) * vec3<f32>(_S105.x) + vector_of_0(instances_0[_S104].grid_from_world_0.y_axis_0) * vec3<f32>(_S105.y) + vector_of_0(instances_0[_S104].grid_from_world_0.z_axis_0) * vec3<f32>(_S105.z);
+    return vector_of_0(instances_0[_S103].grid_from_world_0.x_axis_0) * vec3<f32>(_S104.x) + vector_of_0(instances_0[_S103].grid_from_world_0.y_axis_0) * vec3<f32>(_S104.y) + vector_of_0(instances_0[_S103].grid_from_world_0.z_axis_0) * vec3<f32>(_S104.z);
 }
 
-fn Transform_point_0( _S106 : i32,  _S107 : vec3<f32>) -> vec3<f32>
+fn Transform_point_0( _S105 : i32,  _S106 : vec3<f32>) -> vec3<f32>
 {
-    return Transform_direction_0(_S106, _S107) + vector_of_0(instances_0[_S106].grid_from_world_0.translation_0);
+    return Transform_direction_0(_S105, _S106) + vector_of_0(instances_0[_S105].grid_from_world_0.translation_0);
 }
 
-fn local_ray_0( _S108 : Ray_0,  _S109 : i32) -> LocalRay_0
+fn local_ray_0( _S107 : Ray_0,  _S108 : i32) -> LocalRay_0
 {
     var local_0 : LocalRay_0;
     var direction_5 : vec3<f32>;
     var origin_5 : vec3<f32>;
     if(!IS_SINGLE_0)
     {
-        var _S110 : vec3<f32> = Transform_point_0(_S109, _S108.origin_1);
-        direction_5 = Transform_direction_0(_S109, _S108.direction_1);
-        origin_5 = _S110;
+        var _S109 : vec3<f32> = Transform_point_0(_S108, _S107.origin_1);
+        direction_5 = Transform_direction_0(_S108, _S107.direction_1);
+        origin_5 = _S109;
     }
     else
     {
-        direction_5 = _S108.direction_1;
-        origin_5 = _S108.origin_1;
+        direction_5 = _S107.direction_1;
+        origin_5 = _S107.origin_1;
     }
     var is_zero_0 : vec3<bool> = !((abs(direction_5)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S111 : vec3<f32> = select(direction_5, vec3<f32>(0.0f), is_zero_0);
-    local_0.direction_4 = _S111;
+    var _S110 : vec3<f32> = select(direction_5, vec3<f32>(0.0f), is_zero_0);
+    local_0.direction_4 = _S110;
     local_0.inverse_0 = select(reciprocal_0(select(direction_5, vec3<f32>(1.0f), is_zero_0)), vec3<f32>(3.4028234663852886e+38f), is_zero_0);
     local_0.origin_4 = select(origin_5, floor(origin_5) + vec3<f32>(0.5f), is_zero_0);
-    var speed_0 : f32 = max_element_0(abs(_S111));
+    var speed_0 : f32 = max_element_0(abs(_S110));
     var moves_0 : bool;
     if(speed_0 >= 1.00000004581370497e-18f)
     {
@@ -1533,9 +1505,9 @@ fn local_ray_0( _S108 : Ray_0,  _S109 : i32) -> LocalRay_0
     }
     var is_near_0 : bool = (all(((abs(local_0.origin_4)) <= vec3<f32>(2.097152e+06f))));
     var is_segment_0 : bool;
-    if((_S108.t_min_0) >= 0.0f)
+    if((_S107.t_min_0) >= 0.0f)
     {
-        is_segment_0 = (_S108.t_min_0) <= 3.4028234663852886e+38f;
+        is_segment_0 = (_S107.t_min_0) <= 3.4028234663852886e+38f;
     }
     else
     {
@@ -1543,14 +1515,14 @@ fn local_ray_0( _S108 : Ray_0,  _S109 : i32) -> LocalRay_0
     }
     if(is_segment_0)
     {
-        is_segment_0 = (_S108.t_min_0) <= (_S108.t_max_0);
+        is_segment_0 = (_S107.t_min_0) <= (_S107.t_max_0);
     }
     else
     {
         is_segment_0 = false;
     }
-    local_0.t_min_3 = _S108.t_min_0;
-    local_0.t_max_2 = _S108.t_max_0;
+    local_0.t_min_3 = _S107.t_min_0;
+    local_0.t_max_2 = _S107.t_max_0;
     if(moves_0)
     {
         moves_0 = is_near_0;
@@ -1576,44 +1548,44 @@ fn local_ray_0( _S108 : Ray_0,  _S109 : i32) -> LocalRay_0
 fn check_local_ray(@builtin(global_invocation_id) id_6 : vec3<u32>, @builtin(local_invocation_index) thread_7 : u32)
 {
     prove_0(thread_7);
-    var _S112 : u32 = id_6.x;
-    if(_S112 >= (dispatch_0.count_0))
+    var _S111 : u32 = id_6.x;
+    if(_S111 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_6 : Reader_0 = Reader_x24init_0(u32(8) * _S112);
-    var writer_6 : Writer_0 = Writer_x24init_0(u32(10) * _S112);
-    var _S113 : Ray_0 = Reader_ray_0(&(reader_6));
-    var _S114 : LocalRay_0 = local_ray_0(_S113, i32(0));
-    Writer_word_0(&(writer_6), u32(_S114.is_valid_0));
-    var _S115 : vec3<f32>;
-    if(_S114.is_valid_0)
+    var reader_6 : Reader_0 = Reader_x24init_0(u32(8) * _S111);
+    var writer_6 : Writer_0 = Writer_x24init_0(u32(10) * _S111);
+    var _S112 : Ray_0 = Reader_ray_0(&(reader_6));
+    var _S113 : LocalRay_0 = local_ray_0(_S112, i32(0));
+    Writer_word_0(&(writer_6), u32(_S113.is_valid_0));
+    var _S114 : vec3<f32>;
+    if(_S113.is_valid_0)
     {
-        _S115 = _S114.origin_4;
+        _S114 = _S113.origin_4;
     }
     else
     {
-        _S115 = vec3<f32>(0.0f);
+        _S114 = vec3<f32>(0.0f);
     }
-    Writer_vector_0(&(writer_6), _S115);
-    if(_S114.is_valid_0)
+    Writer_vector_0(&(writer_6), _S114);
+    if(_S113.is_valid_0)
     {
-        _S115 = _S114.direction_4;
+        _S114 = _S113.direction_4;
     }
     else
     {
-        _S115 = vec3<f32>(0.0f);
+        _S114 = vec3<f32>(0.0f);
     }
-    Writer_vector_0(&(writer_6), _S115);
-    if(_S114.is_valid_0)
+    Writer_vector_0(&(writer_6), _S114);
+    if(_S113.is_valid_0)
     {
-        _S115 = _S114.inverse_0;
+        _S114 = _S113.inverse_0;
     }
     else
     {
-        _S115 = vec3<f32>(0.0f);
+        _S114 = vec3<f32>(0.0f);
     }
-    Writer_vector_0(&(writer_6), _S115);
+    Writer_vector_0(&(writer_6), _S114);
     return;
 }
 
@@ -1632,65 +1604,65 @@ fn exact_product_0( a_3 : f32,  b_2 : f32) -> vec2<f32>
     }
     var a_parts_0 : vec2<f32> = halves_0(a_3);
     var b_parts_0 : vec2<f32> = halves_0(b_2);
-    var _S116 : f32 = a_parts_0.x;
-    var _S117 : f32 = b_parts_0.x;
-    var _S118 : f32 = b_parts_0.y;
-    var _S119 : f32 = a_parts_0.y;
-    return vec2<f32>(product_0, _S116 * _S117 - product_0 + _S116 * _S118 + _S119 * _S117 + _S119 * _S118);
+    var _S115 : f32 = a_parts_0.x;
+    var _S116 : f32 = b_parts_0.x;
+    var _S117 : f32 = b_parts_0.y;
+    var _S118 : f32 = a_parts_0.y;
+    return vec2<f32>(product_0, _S115 * _S116 - product_0 + _S115 * _S117 + _S118 * _S116 + _S118 * _S117);
 }
 
 fn exact_start_voxel_0( ray_0 : LocalRay_0) -> vec3<i32>
 {
     var way_0 : vec2<f32> = exact_product_0(ray_0.t_min_3, ray_0.direction_4[u32(0)]);
-    var _S120 : f32 = way_0.x;
-    var sum_0 : f32 = ray_0.origin_4[u32(0)] + _S120;
+    var _S119 : f32 = way_0.x;
+    var sum_0 : f32 = ray_0.origin_4[u32(0)] + _S119;
     var part_0 : f32 = sum_0 - ray_0.origin_4[u32(0)];
-    var low_6 : f32 = ray_0.origin_4[u32(0)] - (sum_0 - part_0) + (_S120 - part_0) + way_0.y;
+    var low_6 : f32 = ray_0.origin_4[u32(0)] - (sum_0 - part_0) + (_S119 - part_0) + way_0.y;
     var whole_0 : f32 = floor(sum_0);
     var voxel_4 : vec3<i32>;
-    var _S121 : i32 = i32(whole_0);
-    var _S122 : bool;
+    var _S120 : i32 = i32(whole_0);
+    var _S121 : bool;
     if(sum_0 == whole_0)
     {
-        _S122 = low_6 < 0.0f;
+        _S121 = low_6 < 0.0f;
     }
     else
     {
-        _S122 = false;
+        _S121 = false;
     }
-    voxel_4[u32(0)] = _S121 - i32(_S122);
+    voxel_4[u32(0)] = _S120 - i32(_S121);
     var way_1 : vec2<f32> = exact_product_0(ray_0.t_min_3, ray_0.direction_4[u32(1)]);
-    var _S123 : f32 = way_1.x;
-    var sum_1 : f32 = ray_0.origin_4[u32(1)] + _S123;
+    var _S122 : f32 = way_1.x;
+    var sum_1 : f32 = ray_0.origin_4[u32(1)] + _S122;
     var part_1 : f32 = sum_1 - ray_0.origin_4[u32(1)];
-    var low_7 : f32 = ray_0.origin_4[u32(1)] - (sum_1 - part_1) + (_S123 - part_1) + way_1.y;
+    var low_7 : f32 = ray_0.origin_4[u32(1)] - (sum_1 - part_1) + (_S122 - part_1) + way_1.y;
     var whole_1 : f32 = floor(sum_1);
-    var _S124 : i32 = i32(whole_1);
+    var _S123 : i32 = i32(whole_1);
     if(sum_1 == whole_1)
     {
-        _S122 = low_7 < 0.0f;
+        _S121 = low_7 < 0.0f;
     }
     else
     {
-        _S122 = false;
+        _S121 = false;
     }
-    voxel_4[u32(1)] = _S124 - i32(_S122);
+    voxel_4[u32(1)] = _S123 - i32(_S121);
     var way_2 : vec2<f32> = exact_product_0(ray_0.t_min_3, ray_0.direction_4[u32(2)]);
-    var _S125 : f32 = way_2.x;
-    var sum_2 : f32 = ray_0.origin_4[u32(2)] + _S125;
+    var _S124 : f32 = way_2.x;
+    var sum_2 : f32 = ray_0.origin_4[u32(2)] + _S124;
     var part_2 : f32 = sum_2 - ray_0.origin_4[u32(2)];
-    var low_8 : f32 = ray_0.origin_4[u32(2)] - (sum_2 - part_2) + (_S125 - part_2) + way_2.y;
+    var low_8 : f32 = ray_0.origin_4[u32(2)] - (sum_2 - part_2) + (_S124 - part_2) + way_2.y;
     var whole_2 : f32 = floor(sum_2);
-    var _S126 : i32 = i32(whole_2);
+    var _S125 : i32 = i32(whole_2);
     if(sum_2 == whole_2)
     {
-        _S122 = low_8 < 0.0f;
+        _S121 = low_8 < 0.0f;
     }
     else
     {
-        _S122 = false;
+        _S121 = false;
     }
-    voxel_4[u32(2)] = _S126 - i32(_S122);
+    voxel_4[u32(2)] = _S125 - i32(_S121);
     return voxel_4;
 }
 
@@ -1712,12 +1684,12 @@ struct Crossing_0
 
 fn Crossing_x24init_0( distance_3 : f32,  distance_low_1 : f32,  speed_2 : f32,  axis_1 : u32) -> Crossing_0
 {
-    var _S127 : Crossing_0;
-    _S127.distance_2 = distance_3;
-    _S127.distance_low_0 = distance_low_1;
-    _S127.speed_1 = speed_2;
-    _S127.axis_0 = axis_1;
-    return _S127;
+    var _S126 : Crossing_0;
+    _S126.distance_2 = distance_3;
+    _S126.distance_low_0 = distance_low_1;
+    _S126.speed_1 = speed_2;
+    _S126.axis_0 = axis_1;
+    return _S126;
 }
 
 fn crossing_of_0( ray_1 : LocalRay_0,  axis_2 : u32,  plane_0 : i32) -> Crossing_0
@@ -1747,72 +1719,69 @@ fn Crossing_is_before_0( this_23 : Crossing_0,  other_0 : Crossing_0) -> bool
         theirs_0[i32(1)] = theirs_0[i32(1)] + other_0.distance_low_0 * this_23.speed_1;
     }
     var difference_1 : f32 = ours_0.x - theirs_0.x + (ours_0.y - theirs_0.y);
-    var _S128 : bool;
+    var _S127 : bool;
     if(difference_1 < 0.0f)
     {
-        _S128 = true;
+        _S127 = true;
     }
     else
     {
         if(difference_1 == 0.0f)
         {
-            _S128 = (this_23.axis_0) < (other_0.axis_0);
+            _S127 = (this_23.axis_0) < (other_0.axis_0);
         }
         else
         {
-            _S128 = false;
+            _S127 = false;
         }
     }
-    return _S128;
+    return _S127;
 }
 
-fn leave_box_0( ray_2 : LocalRay_0,  voxel_5 : vec3<i32>,  exit_0 : vec3<i32>,  guess_3 : vec3<i32>) -> vec3<i32>
+fn leave_box_0( ray_2 : LocalRay_0,  voxel_5 : vec3<i32>,  exit_0 : vec3<i32>,  nearest_0 : vec3<i32>) -> vec3<i32>
 {
-    var _S129 : vec3<f32>;
-    var _S130 : f32;
-    var _S131 : bool;
-    var _S132 : bool;
+    var _S128 : vec3<f32>;
+    var _S129 : f32;
+    var _S130 : bool;
+    var is_crossed_0 : bool;
     var first_1 : Crossing_0;
+    var _S131 : f32;
+    var _S132 : bool;
     var _S133 : f32;
     var _S134 : bool;
-    var _S135 : f32;
-    var _S136 : bool;
-    var _S137 : bool;
-    var _S138 : i32;
-    var cell_3 : i32;
-    var i_0 : u32;
-    var _S139 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
+    var plane_1 : i32;
+    var _S135 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
     for(;;)
     {
         for(;;)
         {
             for(;;)
             {
-                _S129 = ray_2.direction_4;
-                _S130 = ray_2.direction_4[u32(0)];
-                var _S140 : bool = (ray_2.direction_4[u32(0)]) == 0.0f;
-                _S131 = _S140;
-                if(_S140)
+                _S128 = ray_2.direction_4;
+                _S129 = ray_2.direction_4[u32(0)];
+                var _S136 : bool = (ray_2.direction_4[u32(0)]) == 0.0f;
+                _S130 = _S136;
+                if(_S136)
                 {
-                    first_1 = _S139;
+                    first_1 = _S135;
                     break;
                 }
                 var crossing_0 : Crossing_0 = crossing_of_0(ray_2, u32(0), exit_0[u32(0)]);
-                if((_S139.axis_0) == u32(3))
+                if((_S135.axis_0) == u32(3))
                 {
-                    _S132 = true;
+                    is_crossed_0 = true;
                 }
                 else
                 {
-                    _S132 = Crossing_is_before_0(crossing_0, _S139);
+                    is_crossed_0 = Crossing_is_before_0(crossing_0, _S135);
                 }
-                if(_S132)
+                if(is_crossed_0)
                 {
                     first_1 = crossing_0;
                 }
                 else
                 {
-                    first_1 = _S139;
+                    first_1 = _S135;
                 }
                 break;
             }
@@ -1822,23 +1791,23 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_5 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                _S133 = _S129[u32(1)];
-                var _S141 : bool = (_S129[u32(1)]) == 0.0f;
-                _S134 = _S141;
-                if(_S141)
+                _S131 = _S128[u32(1)];
+                var _S137 : bool = (_S128[u32(1)]) == 0.0f;
+                _S132 = _S137;
+                if(_S137)
                 {
                     break;
                 }
                 var crossing_1 : Crossing_0 = crossing_of_0(ray_2, u32(1), exit_0[u32(1)]);
                 if((first_1.axis_0) == u32(3))
                 {
-                    _S132 = true;
+                    is_crossed_0 = true;
                 }
                 else
                 {
-                    _S132 = Crossing_is_before_0(crossing_1, first_1);
+                    is_crossed_0 = Crossing_is_before_0(crossing_1, first_1);
                 }
-                if(_S132)
+                if(is_crossed_0)
                 {
                     first_1 = crossing_1;
                 }
@@ -1850,23 +1819,23 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_5 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                _S135 = _S129[u32(2)];
-                var _S142 : bool = (_S129[u32(2)]) == 0.0f;
-                _S136 = _S142;
-                if(_S142)
+                _S133 = _S128[u32(2)];
+                var _S138 : bool = (_S128[u32(2)]) == 0.0f;
+                _S134 = _S138;
+                if(_S138)
                 {
                     break;
                 }
                 var crossing_2 : Crossing_0 = crossing_of_0(ray_2, u32(2), exit_0[u32(2)]);
                 if((first_1.axis_0) == u32(3))
                 {
-                    _S132 = true;
+                    is_crossed_0 = true;
                 }
                 else
                 {
-                    _S132 = Crossing_is_before_0(crossing_2, first_1);
+                    is_crossed_0 = Crossing_is_before_0(crossing_2, first_1);
                 }
-                if(_S132)
+                if(is_crossed_0)
                 {
                     first_1 = crossing_2;
                 }
@@ -1883,86 +1852,58 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_5 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                if(_S131)
+                if(_S130)
                 {
                     break;
                 }
-                var is_negative_0 : bool = _S130 < 0.0f;
-                if(u32(0) == (first_1.axis_0))
+                var _S139 : bool = u32(0) == (first_1.axis_0);
+                if(_S139)
                 {
-                    arrival_0[u32(0)] = exit_0[u32(0)] - i32(is_negative_0);
+                    is_crossed_0 = true;
+                }
+                else
+                {
+                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_2, u32(0), nearest_0[u32(0)]), first_1);
+                }
+                if(_S139)
+                {
+                    plane_1 = exit_0[u32(0)];
+                }
+                else
+                {
+                    plane_1 = nearest_0[u32(0)];
+                }
+                arrival_0[u32(0)] = plane_1 - i32(is_crossed_0 == (_S129 < 0.0f));
+                break;
+            }
+            break;
+        }
+        for(;;)
+        {
+            for(;;)
+            {
+                if(_S132)
+                {
                     break;
                 }
-                if(is_negative_0)
+                var _S140 : bool = u32(1) == (first_1.axis_0);
+                if(_S140)
                 {
-                    _S138 = i32(-1);
+                    is_crossed_0 = true;
                 }
                 else
                 {
-                    _S138 = i32(1);
+                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_2, u32(1), nearest_0[u32(1)]), first_1);
                 }
-                if(is_negative_0)
+                if(_S140)
                 {
-                    cell_3 = min(guess_3[u32(0)], voxel_5[u32(0)]);
+                    plane_1 = exit_0[u32(1)];
                 }
                 else
                 {
-                    cell_3 = max(guess_3[u32(0)], voxel_5[u32(0)]);
+                    plane_1 = nearest_0[u32(1)];
                 }
-                var _S143 : i32 = i32(is_negative_0);
-                i_0 = u32(0);
-                for(;;)
-                {
-                    if(i_0 < u32(4))
-                    {
-                        _S132 = cell_3 != (voxel_5[u32(0)]);
-                    }
-                    else
-                    {
-                        _S132 = false;
-                    }
-                    if(_S132)
-                    {
-                        _S137 = !Crossing_is_before_0(crossing_of_0(ray_2, u32(0), cell_3 + _S143), first_1);
-                    }
-                    else
-                    {
-                        _S137 = false;
-                    }
-                    if(_S137)
-                    {
-                    }
-                    else
-                    {
-                        break;
-                    }
-                    var cell_4 : i32 = cell_3 - _S138;
-                    i_0 = i_0 + u32(1);
-                    cell_3 = cell_4;
-                }
-                i_0 = u32(0);
-                for(;;)
-                {
-                    if(i_0 < u32(4))
-                    {
-                        _S132 = Crossing_is_before_0(crossing_of_0(ray_2, u32(0), cell_3 + _S138 + _S143), first_1);
-                    }
-                    else
-                    {
-                        _S132 = false;
-                    }
-                    if(_S132)
-                    {
-                    }
-                    else
-                    {
-                        break;
-                    }
-                    var cell_5 : i32 = cell_3 + _S138;
-                    i_0 = i_0 + u32(1);
-                    cell_3 = cell_5;
-                }
-                arrival_0[u32(0)] = cell_3;
+                arrival_0[u32(1)] = plane_1 - i32(is_crossed_0 == (_S131 < 0.0f));
                 break;
             }
             break;
@@ -1975,170 +1916,24 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_5 : vec3<i32>,  exit_0 : vec3<i32>,  
                 {
                     break;
                 }
-                var is_negative_1 : bool = _S133 < 0.0f;
-                if(u32(1) == (first_1.axis_0))
+                var _S141 : bool = u32(2) == (first_1.axis_0);
+                if(_S141)
                 {
-                    arrival_0[u32(1)] = exit_0[u32(1)] - i32(is_negative_1);
-                    break;
-                }
-                if(is_negative_1)
-                {
-                    _S138 = i32(-1);
+                    is_crossed_0 = true;
                 }
                 else
                 {
-                    _S138 = i32(1);
+                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_2, u32(2), nearest_0[u32(2)]), first_1);
                 }
-                if(is_negative_1)
+                if(_S141)
                 {
-                    cell_3 = min(guess_3[u32(1)], voxel_5[u32(1)]);
+                    plane_1 = exit_0[u32(2)];
                 }
                 else
                 {
-                    cell_3 = max(guess_3[u32(1)], voxel_5[u32(1)]);
+                    plane_1 = nearest_0[u32(2)];
                 }
-                var _S144 : i32 = i32(is_negative_1);
-                i_0 = u32(0);
-                for(;;)
-                {
-                    if(i_0 < u32(4))
-                    {
-                        _S132 = cell_3 != (voxel_5[u32(1)]);
-                    }
-                    else
-                    {
-                        _S132 = false;
-                    }
-                    if(_S132)
-                    {
-                        _S137 = !Crossing_is_before_0(crossing_of_0(ray_2, u32(1), cell_3 + _S144), first_1);
-                    }
-                    else
-                    {
-                        _S137 = false;
-                    }
-                    if(_S137)
-                    {
-                    }
-                    else
-                    {
-                        break;
-                    }
-                    var cell_6 : i32 = cell_3 - _S138;
-                    i_0 = i_0 + u32(1);
-                    cell_3 = cell_6;
-                }
-                i_0 = u32(0);
-                for(;;)
-                {
-                    if(i_0 < u32(4))
-                    {
-                        _S132 = Crossing_is_before_0(crossing_of_0(ray_2, u32(1), cell_3 + _S138 + _S144), first_1);
-                    }
-                    else
-                    {
-                        _S132 = false;
-                    }
-                    if(_S132)
-                    {
-                    }
-                    else
-                    {
-                        break;
-                    }
-                    var cell_7 : i32 = cell_3 + _S138;
-                    i_0 = i_0 + u32(1);
-                    cell_3 = cell_7;
-                }
-                arrival_0[u32(1)] = cell_3;
-                break;
-            }
-            break;
-        }
-        for(;;)
-        {
-            for(;;)
-            {
-                if(_S136)
-                {
-                    break;
-                }
-                var is_negative_2 : bool = _S135 < 0.0f;
-                if(u32(2) == (first_1.axis_0))
-                {
-                    arrival_0[u32(2)] = exit_0[u32(2)] - i32(is_negative_2);
-                    break;
-                }
-                if(is_negative_2)
-                {
-                    _S138 = i32(-1);
-                }
-                else
-                {
-                    _S138 = i32(1);
-                }
-                if(is_negative_2)
-                {
-                    cell_3 = min(guess_3[u32(2)], voxel_5[u32(2)]);
-                }
-                else
-                {
-                    cell_3 = max(guess_3[u32(2)], voxel_5[u32(2)]);
-                }
-                var _S145 : i32 = i32(is_negative_2);
-                i_0 = u32(0);
-                for(;;)
-                {
-                    if(i_0 < u32(4))
-                    {
-                        _S132 = cell_3 != (voxel_5[u32(2)]);
-                    }
-                    else
-                    {
-                        _S132 = false;
-                    }
-                    if(_S132)
-                    {
-                        _S137 = !Crossing_is_before_0(crossing_of_0(ray_2, u32(2), cell_3 + _S145), first_1);
-                    }
-                    else
-                    {
-                        _S137 = false;
-                    }
-                    if(_S137)
-                    {
-                    }
-                    else
-                    {
-                        break;
-                    }
-                    var cell_8 : i32 = cell_3 - _S138;
-                    i_0 = i_0 + u32(1);
-                    cell_3 = cell_8;
-                }
-                i_0 = u32(0);
-                for(;;)
-                {
-                    if(i_0 < u32(4))
-                    {
-                        _S132 = Crossing_is_before_0(crossing_of_0(ray_2, u32(2), cell_3 + _S138 + _S145), first_1);
-                    }
-                    else
-                    {
-                        _S132 = false;
-                    }
-                    if(_S132)
-                    {
-                    }
-                    else
-                    {
-                        break;
-                    }
-                    var cell_9 : i32 = cell_3 + _S138;
-                    i_0 = i_0 + u32(1);
-                    cell_3 = cell_9;
-                }
-                arrival_0[u32(2)] = cell_3;
+                arrival_0[u32(2)] = plane_1 - i32(is_crossed_0 == (_S133 < 0.0f));
                 break;
             }
             break;
@@ -2150,48 +1945,48 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_5 : vec3<i32>,  exit_0 : vec3<i32>,  
 
 fn Hit_x24init_0( t_1 : f32,  instance_1 : u32,  voxel_6 : vec3<i32>,  face_1 : u32) -> Hit_0
 {
-    var _S146 : Hit_0;
-    _S146.t_0 = t_1;
-    _S146.instance_0 = instance_1;
-    _S146.voxel_1 = voxel_6;
-    _S146.face_0 = face_1;
-    return _S146;
+    var _S142 : Hit_0;
+    _S142.t_0 = t_1;
+    _S142.instance_0 = instance_1;
+    _S142.voxel_1 = voxel_6;
+    _S142.face_0 = face_1;
+    return _S142;
 }
 
 fn hit_of_0( ray_3 : LocalRay_0,  voxel_7 : vec3<i32>,  instance_2 : u32) -> Hit_0
 {
-    var _S147 : vec3<f32>;
-    var _S148 : bool;
+    var _S143 : vec3<f32>;
+    var _S144 : bool;
     var last_0 : Crossing_0;
-    var _S149 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
+    var _S145 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
     for(;;)
     {
         for(;;)
         {
             for(;;)
             {
-                _S147 = ray_3.direction_4;
+                _S143 = ray_3.direction_4;
                 if((ray_3.direction_4[u32(0)]) == 0.0f)
                 {
-                    last_0 = _S149;
+                    last_0 = _S145;
                     break;
                 }
                 var crossing_3 : Crossing_0 = crossing_of_0(ray_3, u32(0), voxel_7[u32(0)] + i32((ray_3.direction_4[u32(0)]) < 0.0f));
-                if((_S149.axis_0) == u32(3))
+                if((_S145.axis_0) == u32(3))
                 {
-                    _S148 = true;
+                    _S144 = true;
                 }
                 else
                 {
-                    _S148 = !Crossing_is_before_0(crossing_3, _S149);
+                    _S144 = !Crossing_is_before_0(crossing_3, _S145);
                 }
-                if(_S148)
+                if(_S144)
                 {
                     last_0 = crossing_3;
                 }
                 else
                 {
-                    last_0 = _S149;
+                    last_0 = _S145;
                 }
                 break;
             }
@@ -2201,21 +1996,21 @@ fn hit_of_0( ray_3 : LocalRay_0,  voxel_7 : vec3<i32>,  instance_2 : u32) -> Hit
         {
             for(;;)
             {
-                var _S150 : vec3<f32> = _S147;
-                if((_S147[u32(1)]) == 0.0f)
+                var _S146 : vec3<f32> = _S143;
+                if((_S143[u32(1)]) == 0.0f)
                 {
                     break;
                 }
-                var crossing_4 : Crossing_0 = crossing_of_0(ray_3, u32(1), voxel_7[u32(1)] + i32((_S150[u32(1)]) < 0.0f));
+                var crossing_4 : Crossing_0 = crossing_of_0(ray_3, u32(1), voxel_7[u32(1)] + i32((_S146[u32(1)]) < 0.0f));
                 if((last_0.axis_0) == u32(3))
                 {
-                    _S148 = true;
+                    _S144 = true;
                 }
                 else
                 {
-                    _S148 = !Crossing_is_before_0(crossing_4, last_0);
+                    _S144 = !Crossing_is_before_0(crossing_4, last_0);
                 }
-                if(_S148)
+                if(_S144)
                 {
                     last_0 = crossing_4;
                 }
@@ -2227,21 +2022,21 @@ fn hit_of_0( ray_3 : LocalRay_0,  voxel_7 : vec3<i32>,  instance_2 : u32) -> Hit
         {
             for(;;)
             {
-                var _S151 : vec3<f32> = _S147;
-                if((_S147[u32(2)]) == 0.0f)
+                var _S147 : vec3<f32> = _S143;
+                if((_S143[u32(2)]) == 0.0f)
                 {
                     break;
                 }
-                var crossing_5 : Crossing_0 = crossing_of_0(ray_3, u32(2), voxel_7[u32(2)] + i32((_S151[u32(2)]) < 0.0f));
+                var crossing_5 : Crossing_0 = crossing_of_0(ray_3, u32(2), voxel_7[u32(2)] + i32((_S147[u32(2)]) < 0.0f));
                 if((last_0.axis_0) == u32(3))
                 {
-                    _S148 = true;
+                    _S144 = true;
                 }
                 else
                 {
-                    _S148 = !Crossing_is_before_0(crossing_5, last_0);
+                    _S144 = !Crossing_is_before_0(crossing_5, last_0);
                 }
-                if(_S148)
+                if(_S144)
                 {
                     last_0 = crossing_5;
                 }
@@ -2251,19 +2046,19 @@ fn hit_of_0( ray_3 : LocalRay_0,  voxel_7 : vec3<i32>,  instance_2 : u32) -> Hit
         }
         break;
     }
-    var _S152 : Crossing_0 = last_0;
-    var is_negative_3 : bool = (_S147[last_0.axis_0]) < 0.0f;
-    var t_2 : f32 = (f32(voxel_7[last_0.axis_0] + i32(is_negative_3)) - ray_3.origin_4[last_0.axis_0]) * ray_3.inverse_0[last_0.axis_0];
-    var _S153 : f32;
+    var _S148 : Crossing_0 = last_0;
+    var is_negative_0 : bool = (_S143[last_0.axis_0]) < 0.0f;
+    var t_2 : f32 = (f32(voxel_7[last_0.axis_0] + i32(is_negative_0)) - ray_3.origin_4[last_0.axis_0]) * ray_3.inverse_0[last_0.axis_0];
+    var _S149 : f32;
     if(t_2 > (ray_3.t_min_3))
     {
-        _S153 = t_2;
+        _S149 = t_2;
     }
     else
     {
-        _S153 = ray_3.t_min_3;
+        _S149 = ray_3.t_min_3;
     }
-    return Hit_x24init_0(_S153, instance_2, voxel_7, u32(2) * _S152.axis_0 + u32(is_negative_3));
+    return Hit_x24init_0(_S149, instance_2, voxel_7, u32(2) * _S148.axis_0 + u32(is_negative_0));
 }
 
 @compute
@@ -2271,21 +2066,21 @@ fn hit_of_0( ray_3 : LocalRay_0,  voxel_7 : vec3<i32>,  instance_2 : u32) -> Hit
 fn check_exact(@builtin(global_invocation_id) id_7 : vec3<u32>, @builtin(local_invocation_index) thread_8 : u32)
 {
     prove_0(thread_8);
-    var _S154 : u32 = id_7.x;
-    if(_S154 >= (dispatch_0.count_0))
+    var _S150 : u32 = id_7.x;
+    if(_S150 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_7 : Reader_0 = Reader_x24init_0(u32(17) * _S154);
-    var writer_7 : Writer_0 = Writer_x24init_0(u32(8) * _S154);
-    var _S155 : Ray_0 = Reader_ray_0(&(reader_7));
-    var _S156 : LocalRay_0 = local_ray_0(_S155, i32(0));
+    var reader_7 : Reader_0 = Reader_x24init_0(u32(17) * _S150);
+    var writer_7 : Writer_0 = Writer_x24init_0(u32(8) * _S150);
+    var _S151 : Ray_0 = Reader_ray_0(&(reader_7));
+    var _S152 : LocalRay_0 = local_ray_0(_S151, i32(0));
     var voxel_8 : vec3<i32> = Reader_cell_0(&(reader_7));
     var exit_1 : vec3<i32> = Reader_cell_0(&(reader_7));
-    Writer_cell_0(&(writer_7), exact_start_voxel_0(_S156));
-    var _S157 : vec3<i32> = Reader_cell_0(&(reader_7));
-    Writer_cell_0(&(writer_7), leave_box_0(_S156, voxel_8, exit_1, _S157));
-    var hit_1 : Hit_0 = hit_of_0(_S156, voxel_8, u32(0));
+    Writer_cell_0(&(writer_7), exact_start_voxel_0(_S152));
+    var _S153 : vec3<i32> = Reader_cell_0(&(reader_7));
+    Writer_cell_0(&(writer_7), leave_box_0(_S152, voxel_8, exit_1, _S153));
+    var hit_1 : Hit_0 = hit_of_0(_S152, voxel_8, u32(0));
     Writer_number_0(&(writer_7), hit_1.t_0);
     Writer_word_0(&(writer_7), hit_1.face_0);
     return;
@@ -2296,8 +2091,8 @@ fn Reader_hit_0( this_24 : ptr<function, Reader_0>) -> Hit_0
     var t_3 : f32 = Reader_number_1(&((*this_24)));
     var instance_3 : u32 = Reader_word_1(&((*this_24)));
     var voxel_9 : vec3<i32> = Reader_cell_1(&((*this_24)));
-    var _S158 : u32 = Reader_word_1(&((*this_24)));
-    return Hit_x24init_0(t_3, instance_3, voxel_9, _S158);
+    var _S154 : u32 = Reader_word_1(&((*this_24)));
+    return Hit_x24init_0(t_3, instance_3, voxel_9, _S154);
 }
 
 @id(7) override HAS_CUTS_0 : bool = false;
@@ -2310,16 +2105,16 @@ fn is_cut_0( hit_2 : Hit_0) -> bool
 fn cut_normal_0( face_2 : u32) -> vec3<f32>
 {
     var normal_1 : vec3<f32> = params_0.planes_0[((face_2 - u32(6)) >> (u32(1)))].xyz;
-    var _S159 : vec3<f32>;
+    var _S155 : vec3<f32>;
     if(((face_2 & (u32(1)))) == u32(1))
     {
-        _S159 = (vec3<f32>(0) - normal_1);
+        _S155 = (vec3<f32>(0) - normal_1);
     }
     else
     {
-        _S159 = normal_1;
+        _S155 = normal_1;
     }
-    return _S159;
+    return _S155;
 }
 
 fn cut_margin_0( face_3 : u32) -> f32
@@ -2329,16 +2124,16 @@ fn cut_margin_0( face_3 : u32) -> f32
 
 fn leaves_cut_0( hit_3 : Hit_0) -> bool
 {
-    var _S160 : bool;
+    var _S156 : bool;
     if(is_cut_0(hit_3))
     {
-        _S160 = (((hit_3.face_0) & (u32(1)))) == u32(1);
+        _S156 = (((hit_3.face_0) & (u32(1)))) == u32(1);
     }
     else
     {
-        _S160 = false;
+        _S156 = false;
     }
-    return _S160;
+    return _S156;
 }
 
 fn margin_of_0( translation_1 : vec3<f32>,  low_9 : vec3<f32>) -> f32
@@ -2352,24 +2147,24 @@ fn clamp_to_voxel_0( translation_2 : vec3<f32>,  low_10 : vec3<f32>,  point_2 : 
     return min(max(point_2, low_10 + vec3<f32>(margin_0)), low_10 + vec3<f32>((1.0f - margin_0)));
 }
 
-fn Transform_direction_1( _S161 : u32,  _S162 : vec3<f32>) -> vec3<f32>
+fn Transform_direction_1( _S157 : u32,  _S158 : vec3<f32>) -> vec3<f32>
 {
-    return vector_of_0(instances_0[_S161].grid_from_world_0.x_axis_0) * vec3<f32>(_S162.x) + vector_of_0(instances_0[_S161].grid_from_world_0.y_axis_0) * vec3<f32>(_S162.y) + vector_of_0(instances_0[_S161].grid_from_world_0.z_axis_0) * vec3<f32>(_S162.z);
+    return vector_of_0(instances_0[_S157].grid_from_world_0.x_axis_0) * vec3<f32>(_S158.x) + vector_of_0(instances_0[_S157].grid_from_world_0.y_axis_0) * vec3<f32>(_S158.y) + vector_of_0(instances_0[_S157].grid_from_world_0.z_axis_0) * vec3<f32>(_S158.z);
 }
 
-fn Transform_point_1( _S163 : u32,  _S164 : vec3<f32>) -> vec3<f32>
+fn Transform_point_1( _S159 : u32,  _S160 : vec3<f32>) -> vec3<f32>
 {
-    return Transform_direction_1(_S163, _S164) + vector_of_0(instances_0[_S163].grid_from_world_0.translation_0);
+    return Transform_direction_1(_S159, _S160) + vector_of_0(instances_0[_S159].grid_from_world_0.translation_0);
 }
 
-fn Transform_direction_2( _S165 : u32,  _S166 : vec3<f32>) -> vec3<f32>
+fn Transform_direction_2( _S161 : u32,  _S162 : vec3<f32>) -> vec3<f32>
 {
-    return vector_of_0(instances_0[_S165].world_from_grid_0.x_axis_0) * vec3<f32>(_S166.x) + vector_of_0(instances_0[_S165].world_from_grid_0.y_axis_0) * vec3<f32>(_S166.y) + vector_of_0(instances_0[_S165].world_from_grid_0.z_axis_0) * vec3<f32>(_S166.z);
+    return vector_of_0(instances_0[_S161].world_from_grid_0.x_axis_0) * vec3<f32>(_S162.x) + vector_of_0(instances_0[_S161].world_from_grid_0.y_axis_0) * vec3<f32>(_S162.y) + vector_of_0(instances_0[_S161].world_from_grid_0.z_axis_0) * vec3<f32>(_S162.z);
 }
 
-fn Transform_point_2( _S167 : u32,  _S168 : vec3<f32>) -> vec3<f32>
+fn Transform_point_2( _S163 : u32,  _S164 : vec3<f32>) -> vec3<f32>
 {
-    return Transform_direction_2(_S167, _S168) + vector_of_0(instances_0[_S167].world_from_grid_0.translation_0);
+    return Transform_direction_2(_S163, _S164) + vector_of_0(instances_0[_S163].world_from_grid_0.translation_0);
 }
 
 fn in_voxel_0( hit_4 : Hit_0,  point_3 : vec3<f32>) -> vec3<f32>
@@ -2380,34 +2175,34 @@ fn in_voxel_0( hit_4 : Hit_0,  point_3 : vec3<f32>) -> vec3<f32>
 fn before_cut_0( ray_4 : Ray_0,  hit_5 : Hit_0,  normal_2 : vec3<f32>) -> vec3<f32>
 {
     var point_4 : vec3<f32> = ray_4.origin_1 + ray_4.direction_1 * vec3<f32>(hit_5.t_0) + normal_2 * vec3<f32>(cut_margin_0(hit_5.face_0));
-    var _S169 : vec3<f32>;
+    var _S165 : vec3<f32>;
     if(leaves_cut_0(hit_5))
     {
-        _S169 = in_voxel_0(hit_5, point_4);
+        _S165 = in_voxel_0(hit_5, point_4);
     }
     else
     {
-        _S169 = point_4;
+        _S165 = point_4;
     }
-    return _S169;
+    return _S165;
 }
 
 fn offset_ray_origin_0( translation_3 : vec3<f32>,  low_11 : vec3<f32>,  face_4 : u32,  point_5 : vec3<f32>) -> vec3<f32>
 {
     var margin_1 : f32 = margin_of_0(translation_3, low_11);
-    var _S170 : vec3<f32> = vec3<f32>(margin_1);
-    var moved_0 : vec3<f32> = min(max(point_5, low_11 + _S170), low_11 + vec3<f32>((1.0f - margin_1)));
-    var _S171 : bool = face_4 < u32(2);
-    var _S172 : bool;
+    var _S166 : vec3<f32> = vec3<f32>(margin_1);
+    var moved_0 : vec3<f32> = min(max(point_5, low_11 + _S166), low_11 + vec3<f32>((1.0f - margin_1)));
+    var _S167 : bool = face_4 < u32(2);
+    var _S168 : bool;
     if(face_4 >= u32(2))
     {
-        _S172 = face_4 < u32(4);
+        _S168 = face_4 < u32(4);
     }
     else
     {
-        _S172 = false;
+        _S168 = false;
     }
-    var is_axis_0 : vec3<bool> = vec3<bool>(_S171, _S172, face_4 >= u32(4));
+    var is_axis_0 : vec3<bool> = vec3<bool>(_S167, _S168, face_4 >= u32(4));
     var outside_0 : vec3<f32>;
     if(((face_4 & (u32(1)))) == u32(1))
     {
@@ -2415,7 +2210,7 @@ fn offset_ray_origin_0( translation_3 : vec3<f32>,  low_11 : vec3<f32>,  face_4 
     }
     else
     {
-        outside_0 = low_11 - _S170;
+        outside_0 = low_11 - _S166;
     }
     return select(moved_0, outside_0, is_axis_0);
 }
@@ -2431,32 +2226,32 @@ fn face_normal_0( face_5 : u32) -> vec3<f32>
     {
         away_0 = -1.0f;
     }
-    var _S173 : f32;
+    var _S169 : f32;
     if(face_5 < u32(2))
     {
-        _S173 = away_0;
+        _S169 = away_0;
     }
     else
     {
-        _S173 = 0.0f;
+        _S169 = 0.0f;
     }
-    var _S174 : bool;
+    var _S170 : bool;
     if(face_5 >= u32(2))
     {
-        _S174 = face_5 < u32(4);
+        _S170 = face_5 < u32(4);
     }
     else
     {
-        _S174 = false;
+        _S170 = false;
     }
-    var _S175 : f32;
-    if(_S174)
+    var _S171 : f32;
+    if(_S170)
     {
-        _S175 = away_0;
+        _S171 = away_0;
     }
     else
     {
-        _S175 = 0.0f;
+        _S171 = 0.0f;
     }
     if(face_5 >= u32(4))
     {
@@ -2465,7 +2260,7 @@ fn face_normal_0( face_5 : u32) -> vec3<f32>
     {
         away_0 = 0.0f;
     }
-    return vec3<f32>(_S173, _S175, away_0);
+    return vec3<f32>(_S169, _S171, away_0);
 }
 
 struct Surface_0
@@ -2476,40 +2271,40 @@ struct Surface_0
      instance_4 : u32,
 };
 
-fn world_normal_0( _S176 : u32,  _S177 : u32) -> vec3<f32>
+fn world_normal_0( _S172 : u32,  _S173 : u32) -> vec3<f32>
 {
-    return normalize_vector_0(Transform_direction_2(_S176, face_normal_0(_S177)));
+    return normalize_vector_0(Transform_direction_2(_S172, face_normal_0(_S173)));
 }
 
 fn surface_of_0( ray_5 : Ray_0,  hit_6 : Hit_0) -> Surface_0
 {
     var surface_0 : Surface_0;
-    var _S178 : vec3<f32> = vec3<f32>(hit_6.voxel_1);
-    var _S179 : bool;
+    var _S174 : vec3<f32> = vec3<f32>(hit_6.voxel_1);
+    var _S175 : bool;
     if(HAS_CUTS_0)
     {
-        _S179 = is_cut_0(hit_6);
+        _S175 = is_cut_0(hit_6);
     }
     else
     {
-        _S179 = false;
+        _S175 = false;
     }
-    if(_S179)
+    if(_S175)
     {
-        var _S180 : vec3<f32> = cut_normal_0(hit_6.face_0);
-        surface_0.normal_3 = _S180;
-        surface_0.origin_6 = before_cut_0(ray_5, hit_6, _S180);
+        var _S176 : vec3<f32> = cut_normal_0(hit_6.face_0);
+        surface_0.normal_3 = _S176;
+        surface_0.origin_6 = before_cut_0(ray_5, hit_6, _S176);
     }
     else
     {
         if(IS_SINGLE_0)
         {
-            surface_0.origin_6 = offset_ray_origin_0(vec3<f32>(0.0f), _S178, hit_6.face_0, ray_5.origin_1 + ray_5.direction_1 * vec3<f32>(hit_6.t_0));
+            surface_0.origin_6 = offset_ray_origin_0(vec3<f32>(0.0f), _S174, hit_6.face_0, ray_5.origin_1 + ray_5.direction_1 * vec3<f32>(hit_6.t_0));
             surface_0.normal_3 = face_normal_0(hit_6.face_0);
         }
         else
         {
-            surface_0.origin_6 = Transform_point_2(hit_6.instance_0, offset_ray_origin_0(vector_of_0(instances_0[hit_6.instance_0].grid_from_world_0.translation_0), _S178, hit_6.face_0, Transform_point_1(hit_6.instance_0, ray_5.origin_1) + Transform_direction_1(hit_6.instance_0, ray_5.direction_1) * vec3<f32>(hit_6.t_0)));
+            surface_0.origin_6 = Transform_point_2(hit_6.instance_0, offset_ray_origin_0(vector_of_0(instances_0[hit_6.instance_0].grid_from_world_0.translation_0), _S174, hit_6.face_0, Transform_point_1(hit_6.instance_0, ray_5.origin_1) + Transform_direction_1(hit_6.instance_0, ray_5.direction_1) * vec3<f32>(hit_6.t_0)));
             surface_0.normal_3 = world_normal_0(hit_6.instance_0, hit_6.face_0);
         }
     }
@@ -2520,9 +2315,9 @@ fn surface_of_0( ray_5 : Ray_0,  hit_6 : Hit_0) -> Surface_0
 
 fn orthonormal_pair_0( z_0 : vec3<f32>,  x_7 : ptr<function, vec3<f32>>,  y_4 : ptr<function, vec3<f32>>)
 {
-    var _S181 : f32 = z_0.z;
+    var _S177 : f32 = z_0.z;
     var sign_1 : f32;
-    if(_S181 < 0.0f)
+    if(_S177 < 0.0f)
     {
         sign_1 = -1.0f;
     }
@@ -2530,20 +2325,20 @@ fn orthonormal_pair_0( z_0 : vec3<f32>,  x_7 : ptr<function, vec3<f32>>,  y_4 : 
     {
         sign_1 = 1.0f;
     }
-    var a_4 : f32 = divide_0(-1.0f, sign_1 + _S181);
-    var _S182 : f32 = z_0.x;
-    var _S183 : f32 = z_0.y;
-    var b_3 : f32 = _S182 * _S183 * a_4;
-    (*x_7) = vec3<f32>(1.0f + sign_1 * _S182 * _S182 * a_4, sign_1 * b_3, - sign_1 * _S182);
-    (*y_4) = vec3<f32>(b_3, sign_1 + _S183 * _S183 * a_4, - _S183);
+    var a_4 : f32 = divide_0(-1.0f, sign_1 + _S177);
+    var _S178 : f32 = z_0.x;
+    var _S179 : f32 = z_0.y;
+    var b_3 : f32 = _S178 * _S179 * a_4;
+    (*x_7) = vec3<f32>(1.0f + sign_1 * _S178 * _S178 * a_4, sign_1 * b_3, - sign_1 * _S178);
+    (*y_4) = vec3<f32>(b_3, sign_1 + _S179 * _S179 * a_4, - _S179);
     return;
 }
 
 fn orthonormal_pair_1( z_1 : vec3<f32>,  x_8 : ptr<function, vec3<f32>>,  y_5 : ptr<function, vec3<f32>>)
 {
-    var _S184 : f32 = z_1.z;
+    var _S180 : f32 = z_1.z;
     var sign_2 : f32;
-    if(_S184 < 0.0f)
+    if(_S180 < 0.0f)
     {
         sign_2 = -1.0f;
     }
@@ -2551,27 +2346,27 @@ fn orthonormal_pair_1( z_1 : vec3<f32>,  x_8 : ptr<function, vec3<f32>>,  y_5 : 
     {
         sign_2 = 1.0f;
     }
-    var a_5 : f32 = divide_0(-1.0f, sign_2 + _S184);
-    var _S185 : f32 = z_1.x;
-    var _S186 : f32 = z_1.y;
-    var b_4 : f32 = _S185 * _S186 * a_5;
-    (*x_8) = vec3<f32>(1.0f + sign_2 * _S185 * _S185 * a_5, sign_2 * b_4, - sign_2 * _S185);
-    (*y_5) = vec3<f32>(b_4, sign_2 + _S186 * _S186 * a_5, - _S186);
+    var a_5 : f32 = divide_0(-1.0f, sign_2 + _S180);
+    var _S181 : f32 = z_1.x;
+    var _S182 : f32 = z_1.y;
+    var b_4 : f32 = _S181 * _S182 * a_5;
+    (*x_8) = vec3<f32>(1.0f + sign_2 * _S181 * _S181 * a_5, sign_2 * b_4, - sign_2 * _S181);
+    (*y_5) = vec3<f32>(b_4, sign_2 + _S182 * _S182 * a_5, - _S182);
     return;
 }
 
 fn Surface_world_direction_0( this_25 : Surface_0,  local_1 : vec3<f32>) -> vec3<f32>
 {
-    var _S187 : bool;
+    var _S183 : bool;
     if(HAS_CUTS_0)
     {
-        _S187 = (this_25.face_6) >= u32(6);
+        _S183 = (this_25.face_6) >= u32(6);
     }
     else
     {
-        _S187 = false;
+        _S183 = false;
     }
-    if(_S187)
+    if(_S183)
     {
         var x_9 : vec3<f32>;
         var y_6 : vec3<f32>;
@@ -2587,23 +2382,23 @@ fn Surface_world_direction_0( this_25 : Surface_0,  local_1 : vec3<f32>) -> vec3
     {
         away_1 = - local_1.z;
     }
-    var _S188 : f32 = local_1.x;
-    var _S189 : f32 = local_1.y;
-    var _S190 : vec3<f32> = vec3<f32>(_S188, _S189, away_1);
+    var _S184 : f32 = local_1.x;
+    var _S185 : f32 = local_1.y;
+    var _S186 : vec3<f32> = vec3<f32>(_S184, _S185, away_1);
     var in_grid_0 : vec3<f32>;
     if((this_25.face_6) < u32(2))
     {
-        in_grid_0 = vec3<f32>(away_1, _S188, _S189);
+        in_grid_0 = vec3<f32>(away_1, _S184, _S185);
     }
     else
     {
         if((this_25.face_6) < u32(4))
         {
-            in_grid_0 = vec3<f32>(_S189, away_1, _S188);
+            in_grid_0 = vec3<f32>(_S185, away_1, _S184);
         }
         else
         {
-            in_grid_0 = _S190;
+            in_grid_0 = _S186;
         }
     }
     if(!IS_SINGLE_0)
@@ -2615,16 +2410,16 @@ fn Surface_world_direction_0( this_25 : Surface_0,  local_1 : vec3<f32>) -> vec3
 
 fn Surface_local_direction_0( this_26 : Surface_0,  world_0 : vec3<f32>) -> vec3<f32>
 {
-    var _S191 : bool;
+    var _S187 : bool;
     if(HAS_CUTS_0)
     {
-        _S191 = (this_26.face_6) >= u32(6);
+        _S187 = (this_26.face_6) >= u32(6);
     }
     else
     {
-        _S191 = false;
+        _S187 = false;
     }
-    if(_S191)
+    if(_S187)
     {
         var x_10 : vec3<f32>;
         var y_7 : vec3<f32>;
@@ -2674,16 +2469,16 @@ fn Surface_local_direction_0( this_26 : Surface_0,  world_0 : vec3<f32>) -> vec3
 fn check_surface(@builtin(global_invocation_id) id_8 : vec3<u32>, @builtin(local_invocation_index) thread_9 : u32)
 {
     prove_0(thread_9);
-    var _S192 : u32 = id_8.x;
-    if(_S192 >= (dispatch_0.count_0))
+    var _S188 : u32 = id_8.x;
+    if(_S188 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_8 : Reader_0 = Reader_x24init_0(u32(17) * _S192);
-    var writer_8 : Writer_0 = Writer_x24init_0(u32(12) * _S192);
+    var reader_8 : Reader_0 = Reader_x24init_0(u32(17) * _S188);
+    var writer_8 : Writer_0 = Writer_x24init_0(u32(12) * _S188);
     var ray_6 : Ray_0 = Reader_ray_0(&(reader_8));
-    var _S193 : Hit_0 = Reader_hit_0(&(reader_8));
-    var surface_1 : Surface_0 = surface_of_0(ray_6, _S193);
+    var _S189 : Hit_0 = Reader_hit_0(&(reader_8));
+    var surface_1 : Surface_0 = surface_of_0(ray_6, _S189);
     Writer_vector_0(&(writer_8), surface_1.origin_6);
     Writer_vector_0(&(writer_8), surface_1.normal_3);
     var direction_6 : vec3<f32> = Reader_vector_0(&(reader_8));
@@ -2694,30 +2489,10 @@ fn check_surface(@builtin(global_invocation_id) id_8 : vec3<u32>, @builtin(local
 
 fn Receiver_x24init_0( point_6 : vec3<f32>,  normal_4 : vec3<f32>) -> Receiver_0
 {
-    var _S194 : Receiver_0;
-    _S194.point_0 = point_6;
-    _S194.normal_0 = normal_4;
-    return _S194;
-}
-
-fn miss_0() -> Hit_0
-{
-    return Hit_x24init_0((bitcast<f32>((u32(2139095040)))), u32(4294967295), vec3<i32>(i32(0)), u32(0));
-}
-
-fn Aim_x24init_0( is_met_1 : bool,  direction_7 : vec3<f32>,  hit_7 : Hit_0,  luminance_3 : f32) -> Aim_0
-{
-    var _S195 : Aim_0;
-    _S195.is_met_0 = is_met_1;
-    _S195.direction_0 = direction_7;
-    _S195.hit_0 = hit_7;
-    _S195.luminance_1 = luminance_3;
-    return _S195;
-}
-
-fn by_chance_0() -> Aim_0
-{
-    return Aim_x24init_0(false, vec3<f32>(0.0f), miss_0(), 0.0f);
+    var _S190 : Receiver_0;
+    _S190.point_0 = point_6;
+    _S190.normal_0 = normal_4;
+    return _S190;
 }
 
 fn has_sun_0() -> bool
@@ -2725,27 +2500,27 @@ fn has_sun_0() -> bool
     return (params_0.sun_irradiance_0) > 0.0f;
 }
 
-fn sent_by_side_1( _S196 : i32,  _S197 : vec3<f32>,  _S198 : f32) -> BySide_0
+fn sent_by_side_1( _S191 : i32,  _S192 : vec3<f32>,  _S193 : f32) -> BySide_0
 {
-    var _S199 : vec3<f32> = vec3<f32>(0.0f);
-    var _S200 : vec3<f32> = vec3<f32>(_S198);
-    return BySide_x24init_0(vec3<f32>(top_light_nodes_0[_S196].power_0[i32(0)], top_light_nodes_0[_S196].power_0[i32(2)], top_light_nodes_0[_S196].power_0[i32(4)]) * min(max(vector_of_0(top_light_nodes_0[_S196].max_1) - _S197, _S199), _S200), vec3<f32>(top_light_nodes_0[_S196].power_0[i32(1)], top_light_nodes_0[_S196].power_0[i32(3)], top_light_nodes_0[_S196].power_0[i32(5)]) * min(max(_S197 - vector_of_0(top_light_nodes_0[_S196].min_1), _S199), _S200));
+    var _S194 : vec3<f32> = vec3<f32>(0.0f);
+    var _S195 : vec3<f32> = vec3<f32>(_S193);
+    return BySide_x24init_0(vec3<f32>(top_light_nodes_0[_S191].power_0[i32(0)], top_light_nodes_0[_S191].power_0[i32(2)], top_light_nodes_0[_S191].power_0[i32(4)]) * min(max(vector_of_0(top_light_nodes_0[_S191].max_1) - _S192, _S194), _S195), vec3<f32>(top_light_nodes_0[_S191].power_0[i32(1)], top_light_nodes_0[_S191].power_0[i32(3)], top_light_nodes_0[_S191].power_0[i32(5)]) * min(max(_S192 - vector_of_0(top_light_nodes_0[_S191].min_1), _S194), _S195));
 }
 
-fn view_1( _S201 : i32,  _S202 : Receiver_0) -> View_0
+fn view_1( _S196 : i32,  _S197 : Receiver_0) -> View_0
 {
-    var _S203 : vec3<f32> = vector_of_0(top_light_nodes_0[_S201].max_1);
-    var _S204 : vec3<f32> = vector_of_0(top_light_nodes_0[_S201].min_1);
-    var _S205 : vec3<f32> = vec3<f32>(0.5f);
-    var half_2 : vec3<f32> = (_S203 - _S204) * _S205;
-    var toward_1 : vec3<f32> = (_S204 + _S203) * _S205 - _S202.point_0;
-    var middle_1 : f32 = dot_product_0(toward_1, _S202.normal_0);
-    var aside_1 : f32 = dot_product_0(half_2, abs(_S202.normal_0));
-    var above_1 : f32 = with_slack_0(_S202, middle_1 + aside_1);
+    var _S198 : vec3<f32> = vector_of_0(top_light_nodes_0[_S196].max_1);
+    var _S199 : vec3<f32> = vector_of_0(top_light_nodes_0[_S196].min_1);
+    var _S200 : vec3<f32> = vec3<f32>(0.5f);
+    var half_2 : vec3<f32> = (_S198 - _S199) * _S200;
+    var toward_1 : vec3<f32> = (_S199 + _S198) * _S200 - _S197.point_0;
+    var middle_1 : f32 = dot_product_0(toward_1, _S197.normal_0);
+    var aside_1 : f32 = dot_product_0(half_2, abs(_S197.normal_0));
+    var above_1 : f32 = with_slack_0(_S197, middle_1 + aside_1);
     var far_1 : f32 = length_squared_0(toward_1);
     var near_1 : f32 = length_squared_0(half_2);
     var is_far_4 : bool;
-    if((with_slack_0(_S202, middle_1 - aside_1)) > 0.0f)
+    if((with_slack_0(_S197, middle_1 - aside_1)) > 0.0f)
     {
         is_far_4 = far_1 > (near_1 * 36.0f);
     }
@@ -2754,18 +2529,18 @@ fn view_1( _S201 : i32,  _S202 : Receiver_0) -> View_0
         is_far_4 = false;
     }
     var distance_4 : f32 = length_bound_0(select(half_2, abs(toward_1), vec3<bool>((far_1 > near_1))));
-    var sent_1 : f32 = BySide_sum_0(sent_by_side_1(_S201, _S202.point_0, distance_4));
+    var sent_1 : f32 = BySide_sum_0(sent_by_side_1(_S196, _S197.point_0, distance_4));
     var falloff_1 : f32 = reciprocal_guess_0(max(far_1, near_1));
-    var _S206 : f32;
+    var _S201 : f32;
     if(above_1 > 0.0f)
     {
-        _S206 = sent_1 * min(above_1, distance_4) * (falloff_1 * falloff_1);
+        _S201 = sent_1 * min(above_1, distance_4) * (falloff_1 * falloff_1);
     }
     else
     {
-        _S206 = 0.0f;
+        _S201 = 0.0f;
     }
-    return View_x24init_0(_S206, is_far_4);
+    return View_x24init_0(_S201, is_far_4);
 }
 
 fn importance_of_all_0( receiver_4 : Receiver_0) -> f32
@@ -2813,16 +2588,16 @@ fn Lights_sun_probability_0( receiver_6 : Receiver_0) -> f32
 
 fn Lights_has_chosen_sky_0() -> bool
 {
-    var _S207 : bool;
+    var _S202 : bool;
     if(SKY_0 == u32(1))
     {
-        _S207 = (params_0.sky_irradiance_0) > 0.0f;
+        _S202 = (params_0.sky_irradiance_0) > 0.0f;
     }
     else
     {
-        _S207 = false;
+        _S202 = false;
     }
-    return _S207;
+    return _S202;
 }
 
 struct Selection_0
@@ -2834,11 +2609,11 @@ struct Selection_0
 
 fn Selection_x24init_0( sun_1 : f32,  sky_2 : f32,  emitters_2 : f32) -> Selection_0
 {
-    var _S208 : Selection_0;
-    _S208.sun_0 = sun_1;
-    _S208.sky_1 = sky_2;
-    _S208.emitters_1 = emitters_2;
-    return _S208;
+    var _S203 : Selection_0;
+    _S203.sun_0 = sun_1;
+    _S203.sky_1 = sky_2;
+    _S203.emitters_1 = emitters_2;
+    return _S203;
 }
 
 fn Lights_sky_probability_0( receiver_7 : Receiver_0) -> f32
@@ -2869,8 +2644,28 @@ fn Lights_selection_0( receiver_8 : Receiver_0) -> Selection_0
         return Selection_x24init_0(sun_2, 0.0f, 1.0f - sun_2);
     }
     var sky_3 : f32 = Lights_sky_probability_0(receiver_8);
-    var _S209 : f32 = 1.0f - sky_3;
-    return Selection_x24init_0(sun_2 * _S209, sky_3, (1.0f - sun_2) * _S209);
+    var _S204 : f32 = 1.0f - sky_3;
+    return Selection_x24init_0(sun_2 * _S204, sky_3, (1.0f - sun_2) * _S204);
+}
+
+fn miss_0() -> Hit_0
+{
+    return Hit_x24init_0((bitcast<f32>((u32(2139095040)))), u32(4294967295), vec3<i32>(i32(0)), u32(0));
+}
+
+fn Aim_x24init_0( is_met_1 : bool,  direction_7 : vec3<f32>,  hit_7 : Hit_0,  luminance_3 : f32) -> Aim_0
+{
+    var _S205 : Aim_0;
+    _S205.is_met_0 = is_met_1;
+    _S205.direction_0 = direction_7;
+    _S205.hit_0 = hit_7;
+    _S205.luminance_1 = luminance_3;
+    return _S205;
+}
+
+fn by_chance_0() -> Aim_0
+{
+    return Aim_x24init_0(false, vec3<f32>(0.0f), miss_0(), 0.0f);
 }
 
 fn ray_from_0( origin_7 : vec3<f32>,  direction_8 : vec3<f32>) -> Ray_0
@@ -2888,12 +2683,12 @@ struct LightSample_0
 
 fn LightSample_x24init_0( ray_8 : Ray_0,  cos_theta_5 : f32,  radiance_4 : vec3<f32>,  pdf_2 : f32) -> LightSample_0
 {
-    var _S210 : LightSample_0;
-    _S210.ray_7 = ray_8;
-    _S210.cos_theta_4 = cos_theta_5;
-    _S210.radiance_3 = radiance_4;
-    _S210.pdf_1 = pdf_2;
-    return _S210;
+    var _S206 : LightSample_0;
+    _S206.ray_7 = ray_8;
+    _S206.cos_theta_4 = cos_theta_5;
+    _S206.radiance_3 = radiance_4;
+    _S206.pdf_1 = pdf_2;
+    return _S206;
 }
 
 fn SunDisc_sample_0( receiver_9 : Receiver_0,  u_2 : vec4<f32>,  sample_3 : ptr<function, LightSample_0>) -> bool
@@ -2909,8 +2704,8 @@ fn SunDisc_sample_0( receiver_9 : Receiver_0,  u_2 : vec4<f32>,  sample_3 : ptr<
 
 fn no_light_0() -> LightSample_0
 {
-    var _S211 : vec3<f32> = vec3<f32>(0.0f);
-    return LightSample_x24init_0(Ray_x24init_0(_S211, 0.0f, _S211, 0.0f), 0.0f, _S211, 0.0f);
+    var _S207 : vec3<f32> = vec3<f32>(0.0f);
+    return LightSample_x24init_0(Ray_x24init_0(_S207, 0.0f, _S207, 0.0f), 0.0f, _S207, 0.0f);
 }
 
 struct ChosenDirection_0
@@ -2922,36 +2717,36 @@ struct ChosenDirection_0
 
 fn ChosenDirection_x24init_0( direction_11 : vec3<f32>,  radiance_6 : vec3<f32>,  pdf_4 : f32) -> ChosenDirection_0
 {
-    var _S212 : ChosenDirection_0;
-    _S212.direction_10 = direction_11;
-    _S212.radiance_5 = radiance_6;
-    _S212.pdf_3 = pdf_4;
-    return _S212;
+    var _S208 : ChosenDirection_0;
+    _S208.direction_10 = direction_11;
+    _S208.radiance_5 = radiance_6;
+    _S208.pdf_3 = pdf_4;
+    return _S208;
 }
 
 fn direction_of_0( square_0 : vec2<f32>) -> vec3<f32>
 {
     var u_3 : f32 = square_0.x * 2.0f - 1.0f;
     var v_3 : f32 = square_0.y * 2.0f - 1.0f;
-    var _S213 : f32 = abs(u_3);
-    var _S214 : f32 = abs(v_3);
-    var height_1 : f32 = 1.0f - (_S213 + _S214);
+    var _S209 : f32 = abs(u_3);
+    var _S210 : f32 = abs(v_3);
+    var height_1 : f32 = 1.0f - (_S209 + _S210);
     var radius_2 : f32 = 1.0f - abs(height_1);
     var turns_1 : f32;
     if(radius_2 > 0.0f)
     {
-        turns_1 = (divide_0(_S214 - _S213, radius_2) + 1.0f) * 0.125f;
+        turns_1 = (divide_0(_S210 - _S209, radius_2) + 1.0f) * 0.125f;
     }
     else
     {
         turns_1 = 0.0f;
     }
     var sin_cos_3 : vec2<f32> = sincos_turns_0(turns_1);
-    var _S215 : f32 = radius_2 * radius_2;
-    var across_0 : f32 = radius_2 * square_root_0(2.0f - _S215);
+    var _S211 : f32 = radius_2 * radius_2;
+    var across_0 : f32 = radius_2 * square_root_0(2.0f - _S211);
     var x_11 : f32 = sin_cos_3.y * across_0;
     var y_8 : f32 = sin_cos_3.x * across_0;
-    var z_2 : f32 = 1.0f - _S215;
+    var z_2 : f32 = 1.0f - _S211;
     if(u_3 < 0.0f)
     {
         turns_1 = - x_11;
@@ -2960,34 +2755,34 @@ fn direction_of_0( square_0 : vec2<f32>) -> vec3<f32>
     {
         turns_1 = x_11;
     }
-    var _S216 : f32;
+    var _S212 : f32;
     if(v_3 < 0.0f)
     {
-        _S216 = - y_8;
+        _S212 = - y_8;
     }
     else
     {
-        _S216 = y_8;
+        _S212 = y_8;
     }
-    var _S217 : f32;
+    var _S213 : f32;
     if(height_1 < 0.0f)
     {
-        _S217 = - z_2;
+        _S213 = - z_2;
     }
     else
     {
-        _S217 = z_2;
+        _S213 = z_2;
     }
-    return vec3<f32>(turns_1, _S216, _S217);
+    return vec3<f32>(turns_1, _S212, _S213);
 }
 
 fn Environment_to_world_0( d_0 : vec3<f32>) -> vec3<f32>
 {
     var sin_1 : f32 = params_0.sky_turned_0.x;
     var cos_2 : f32 = params_0.sky_turned_0.y;
-    var _S218 : f32 = d_0.x;
-    var _S219 : f32 = d_0.y;
-    return vec3<f32>(_S218 * cos_2 + _S219 * sin_1, _S219 * cos_2 - _S218 * sin_1, d_0.z);
+    var _S214 : f32 = d_0.x;
+    var _S215 : f32 = d_0.y;
+    return vec3<f32>(_S214 * cos_2 + _S215 * sin_1, _S215 * cos_2 - _S214 * sin_1, d_0.z);
 }
 
 fn Environment_index_of_0( x_12 : i32,  y_9 : i32) -> u32
@@ -3002,42 +2797,42 @@ fn Environment_index_of_0( x_12 : i32,  y_9 : i32) -> u32
     {
         is_beside_0 = x_12 > last_1;
     }
-    var _S220 : i32;
+    var _S216 : i32;
     if(is_beside_0)
     {
-        _S220 = last_1 - y_9;
+        _S216 = last_1 - y_9;
     }
     else
     {
-        _S220 = y_9;
+        _S216 = y_9;
     }
-    var _S221 : i32;
+    var _S217 : i32;
     if(is_beside_0)
     {
-        _S221 = clamp(x_12, i32(0), last_1);
+        _S217 = clamp(x_12, i32(0), last_1);
     }
     else
     {
-        _S221 = x_12;
+        _S217 = x_12;
     }
     var is_beyond_0 : bool;
-    if(_S220 < i32(0))
+    if(_S216 < i32(0))
     {
         is_beyond_0 = true;
     }
     else
     {
-        is_beyond_0 = _S220 > last_1;
+        is_beyond_0 = _S216 > last_1;
     }
     if(is_beyond_0)
     {
-        _S221 = last_1 - _S221;
+        _S217 = last_1 - _S217;
     }
     if(is_beyond_0)
     {
-        _S220 = clamp(_S220, i32(0), last_1);
+        _S216 = clamp(_S216, i32(0), last_1);
     }
-    return u32(_S220 * i32(params_0.sky_edge_0) + _S221);
+    return u32(_S216 * i32(params_0.sky_edge_0) + _S217);
 }
 
 fn Environment_texel_radiance_0( x_13 : i32,  y_10 : i32) -> vec3<f32>
@@ -3047,29 +2842,29 @@ fn Environment_texel_radiance_0( x_13 : i32,  y_10 : i32) -> vec3<f32>
 
 fn Environment_radiance_at_0( place_0 : vec2<f32>) -> vec3<f32>
 {
-    var _S222 : vec2<f32> = place_0 - vec2<f32>(0.5f);
-    var corner_1 : vec2<f32> = floor(_S222);
-    var beyond_0 : vec2<f32> = _S222 - corner_1;
+    var _S218 : vec2<f32> = place_0 - vec2<f32>(0.5f);
+    var corner_1 : vec2<f32> = floor(_S218);
+    var beyond_0 : vec2<f32> = _S218 - corner_1;
     var x_14 : i32 = i32(corner_1.x);
     var y_11 : i32 = i32(corner_1.y);
-    var _S223 : f32 = beyond_0.x;
-    var _S224 : vec3<f32> = vec3<f32>((1.0f - _S223));
-    var _S225 : i32 = x_14 + i32(1);
-    var _S226 : vec3<f32> = vec3<f32>(_S223);
-    var _S227 : i32 = y_11 + i32(1);
-    var _S228 : f32 = beyond_0.y;
-    return (Environment_texel_radiance_0(x_14, y_11) * _S224 + Environment_texel_radiance_0(_S225, y_11) * _S226) * vec3<f32>((1.0f - _S228)) + (Environment_texel_radiance_0(x_14, _S227) * _S224 + Environment_texel_radiance_0(_S225, _S227) * _S226) * vec3<f32>(_S228);
+    var _S219 : f32 = beyond_0.x;
+    var _S220 : vec3<f32> = vec3<f32>((1.0f - _S219));
+    var _S221 : i32 = x_14 + i32(1);
+    var _S222 : vec3<f32> = vec3<f32>(_S219);
+    var _S223 : i32 = y_11 + i32(1);
+    var _S224 : f32 = beyond_0.y;
+    return (Environment_texel_radiance_0(x_14, y_11) * _S220 + Environment_texel_radiance_0(_S221, y_11) * _S222) * vec3<f32>((1.0f - _S224)) + (Environment_texel_radiance_0(x_14, _S223) * _S220 + Environment_texel_radiance_0(_S221, _S223) * _S222) * vec3<f32>(_S224);
 }
 
 fn Environment_choose_0( u_4 : vec4<f32>,  chosen_0 : ptr<function, ChosenDirection_0>) -> bool
 {
-    var _S229 : vec3<f32> = vec3<f32>(0.0f);
-    (*chosen_0) = ChosenDirection_x24init_0(_S229, _S229, 0.0f);
+    var _S225 : vec3<f32> = vec3<f32>(0.0f);
+    (*chosen_0) = ChosenDirection_x24init_0(_S225, _S225, 0.0f);
     var edge_0 : f32 = f32(params_0.sky_edge_0);
-    var _S230 : f32 = u_4.x * edge_0;
-    var _S231 : f32 = edge_0 - 1.0f;
-    var _S232 : f32 = min(floor(_S230), _S231);
-    var own_0 : u32 = u32(_S232) * params_0.sky_edge_0 + u32(min(floor(u_4.y * edge_0), _S231));
+    var _S226 : f32 = u_4.x * edge_0;
+    var _S227 : f32 = edge_0 - 1.0f;
+    var _S228 : f32 = min(floor(_S226), _S227);
+    var own_0 : u32 = u32(_S228) * params_0.sky_edge_0 + u32(min(floor(u_4.y * edge_0), _S227));
     var index_7 : u32;
     if((u_4.z) < (environment_0[own_0].threshold_0))
     {
@@ -3084,10 +2879,10 @@ fn Environment_choose_0( u_4 : vec4<f32>,  chosen_0 : ptr<function, ChosenDirect
     {
         return false;
     }
-    var _S233 : u32 = index_7 % params_0.sky_edge_0;
-    var _S234 : f32 = f32(_S233);
-    var _S235 : u32 = index_7 / params_0.sky_edge_0;
-    var place_1 : vec2<f32> = vec2<f32>(_S234, f32(_S235)) + vec2<f32>(min(_S230 - _S232, 1.0f), u_4.w);
+    var _S229 : u32 = index_7 % params_0.sky_edge_0;
+    var _S230 : f32 = f32(_S229);
+    var _S231 : u32 = index_7 / params_0.sky_edge_0;
+    var place_1 : vec2<f32> = vec2<f32>(_S230, f32(_S231)) + vec2<f32>(min(_S226 - _S228, 1.0f), u_4.w);
     (*chosen_0) = ChosenDirection_x24init_0(Environment_to_world_0(direction_of_0(place_1 * vec2<f32>(divide_0(1.0f, edge_0)))), Environment_radiance_at_0(place_1), pdf_5);
     return true;
 }
@@ -3096,17 +2891,17 @@ fn Sky_sample_0( receiver_10 : Receiver_0,  u_5 : vec4<f32>,  sample_4 : ptr<fun
 {
     (*sample_4) = no_light_0();
     var chosen_1 : ChosenDirection_0;
-    var _S236 : bool;
+    var _S232 : bool;
     if(SKY_0 != u32(1))
     {
-        _S236 = true;
+        _S232 = true;
     }
     else
     {
-        var _S237 : bool = Environment_choose_0(u_5, &(chosen_1));
-        _S236 = !_S237;
+        var _S233 : bool = Environment_choose_0(u_5, &(chosen_1));
+        _S232 = !_S233;
     }
-    if(_S236)
+    if(_S232)
     {
         return false;
     }
@@ -3117,38 +2912,38 @@ fn Sky_sample_0( receiver_10 : Receiver_0,  u_5 : vec4<f32>,  sample_4 : ptr<fun
 
 fn Descent_x24init_0( node_5 : u32,  index_8 : u32,  count_4 : u32,  weight_2 : f32,  total_3 : f32,  choice_1 : f32,  is_far_5 : bool) -> Descent_0
 {
-    var _S238 : Descent_0;
-    _S238.node_0 = node_5;
-    _S238.index_1 = index_8;
-    _S238.count_2 = count_4;
-    _S238.weight_0 = weight_2;
-    _S238.total_0 = total_3;
-    _S238.choice_0 = choice_1;
-    _S238.is_far_0 = is_far_5;
-    return _S238;
+    var _S234 : Descent_0;
+    _S234.node_0 = node_5;
+    _S234.index_1 = index_8;
+    _S234.count_2 = count_4;
+    _S234.weight_0 = weight_2;
+    _S234.total_0 = total_3;
+    _S234.choice_0 = choice_1;
+    _S234.is_far_0 = is_far_5;
+    return _S234;
 }
 
-fn sent_by_side_2( _S239 : u32,  _S240 : vec3<f32>,  _S241 : f32) -> BySide_0
+fn sent_by_side_2( _S235 : u32,  _S236 : vec3<f32>,  _S237 : f32) -> BySide_0
 {
-    var _S242 : vec3<f32> = vec3<f32>(0.0f);
-    var _S243 : vec3<f32> = vec3<f32>(_S241);
-    return BySide_x24init_0(vec3<f32>(top_light_nodes_0[_S239].power_0[i32(0)], top_light_nodes_0[_S239].power_0[i32(2)], top_light_nodes_0[_S239].power_0[i32(4)]) * min(max(vector_of_0(top_light_nodes_0[_S239].max_1) - _S240, _S242), _S243), vec3<f32>(top_light_nodes_0[_S239].power_0[i32(1)], top_light_nodes_0[_S239].power_0[i32(3)], top_light_nodes_0[_S239].power_0[i32(5)]) * min(max(_S240 - vector_of_0(top_light_nodes_0[_S239].min_1), _S242), _S243));
+    var _S238 : vec3<f32> = vec3<f32>(0.0f);
+    var _S239 : vec3<f32> = vec3<f32>(_S237);
+    return BySide_x24init_0(vec3<f32>(top_light_nodes_0[_S235].power_0[i32(0)], top_light_nodes_0[_S235].power_0[i32(2)], top_light_nodes_0[_S235].power_0[i32(4)]) * min(max(vector_of_0(top_light_nodes_0[_S235].max_1) - _S236, _S238), _S239), vec3<f32>(top_light_nodes_0[_S235].power_0[i32(1)], top_light_nodes_0[_S235].power_0[i32(3)], top_light_nodes_0[_S235].power_0[i32(5)]) * min(max(_S236 - vector_of_0(top_light_nodes_0[_S235].min_1), _S238), _S239));
 }
 
-fn view_2( _S244 : u32,  _S245 : Receiver_0) -> View_0
+fn view_2( _S240 : u32,  _S241 : Receiver_0) -> View_0
 {
-    var _S246 : vec3<f32> = vector_of_0(top_light_nodes_0[_S244].max_1);
-    var _S247 : vec3<f32> = vector_of_0(top_light_nodes_0[_S244].min_1);
-    var _S248 : vec3<f32> = vec3<f32>(0.5f);
-    var half_3 : vec3<f32> = (_S246 - _S247) * _S248;
-    var toward_2 : vec3<f32> = (_S247 + _S246) * _S248 - _S245.point_0;
-    var middle_2 : f32 = dot_product_0(toward_2, _S245.normal_0);
-    var aside_2 : f32 = dot_product_0(half_3, abs(_S245.normal_0));
-    var above_2 : f32 = with_slack_0(_S245, middle_2 + aside_2);
+    var _S242 : vec3<f32> = vector_of_0(top_light_nodes_0[_S240].max_1);
+    var _S243 : vec3<f32> = vector_of_0(top_light_nodes_0[_S240].min_1);
+    var _S244 : vec3<f32> = vec3<f32>(0.5f);
+    var half_3 : vec3<f32> = (_S242 - _S243) * _S244;
+    var toward_2 : vec3<f32> = (_S243 + _S242) * _S244 - _S241.point_0;
+    var middle_2 : f32 = dot_product_0(toward_2, _S241.normal_0);
+    var aside_2 : f32 = dot_product_0(half_3, abs(_S241.normal_0));
+    var above_2 : f32 = with_slack_0(_S241, middle_2 + aside_2);
     var far_2 : f32 = length_squared_0(toward_2);
     var near_2 : f32 = length_squared_0(half_3);
     var is_far_6 : bool;
-    if((with_slack_0(_S245, middle_2 - aside_2)) > 0.0f)
+    if((with_slack_0(_S241, middle_2 - aside_2)) > 0.0f)
     {
         is_far_6 = far_2 > (near_2 * 36.0f);
     }
@@ -3157,35 +2952,35 @@ fn view_2( _S244 : u32,  _S245 : Receiver_0) -> View_0
         is_far_6 = false;
     }
     var distance_5 : f32 = length_bound_0(select(half_3, abs(toward_2), vec3<bool>((far_2 > near_2))));
-    var sent_2 : f32 = BySide_sum_0(sent_by_side_2(_S244, _S245.point_0, distance_5));
+    var sent_2 : f32 = BySide_sum_0(sent_by_side_2(_S240, _S241.point_0, distance_5));
     var falloff_2 : f32 = reciprocal_guess_0(max(far_2, near_2));
-    var _S249 : f32;
+    var _S245 : f32;
     if(above_2 > 0.0f)
     {
-        _S249 = sent_2 * min(above_2, distance_5) * (falloff_2 * falloff_2);
+        _S245 = sent_2 * min(above_2, distance_5) * (falloff_2 * falloff_2);
     }
     else
     {
-        _S249 = 0.0f;
+        _S245 = 0.0f;
     }
-    return View_x24init_0(_S249, is_far_6);
+    return View_x24init_0(_S245, is_far_6);
 }
 
 fn climb_0( receiver_11 : Receiver_0,  start_2 : u32,  descent_2 : ptr<function, Descent_0>) -> bool
 {
-    var _S250 : LightNode_std430_0 = top_light_nodes_0[start_2];
+    var _S246 : LightNode_std430_0 = top_light_nodes_0[start_2];
     var node_6 : LightNode_0;
-    node_6.min_1 = _S250.min_1;
-    node_6.index_0 = _S250.index_0;
-    node_6.max_1 = _S250.max_1;
-    node_6.count_1 = _S250.count_1;
-    node_6.power_0 = _S250.power_0;
-    node_6.parent_0 = _S250.parent_0;
-    node_6.root_0 = _S250.root_0;
+    node_6.min_1 = _S246.min_1;
+    node_6.index_0 = _S246.index_0;
+    node_6.max_1 = _S246.max_1;
+    node_6.count_1 = _S246.count_1;
+    node_6.power_0 = _S246.power_0;
+    node_6.parent_0 = _S246.parent_0;
+    node_6.root_0 = _S246.root_0;
     var at_5 : u32 = start_2;
     for(;;)
     {
-        var _S251 : LightNode_0 = node_6;
+        var _S247 : LightNode_0 = node_6;
         if((node_6.parent_0) != u32(4294967295))
         {
         }
@@ -3193,56 +2988,56 @@ fn climb_0( receiver_11 : Receiver_0,  start_2 : u32,  descent_2 : ptr<function,
         {
             break;
         }
-        var parent_1 : LightNode_std430_0 = top_light_nodes_0[_S251.parent_0];
-        var _S252 : u32 = _S251.parent_0 + u32(1);
-        var is_left_2 : bool = at_5 == _S252;
-        var _S253 : u32;
+        var parent_1 : LightNode_std430_0 = top_light_nodes_0[_S247.parent_0];
+        var _S248 : u32 = _S247.parent_0 + u32(1);
+        var is_left_2 : bool = at_5 == _S248;
+        var _S249 : u32;
         if(is_left_2)
         {
-            _S253 = parent_1.index_0;
+            _S249 = parent_1.index_0;
         }
         else
         {
-            _S253 = _S252;
+            _S249 = _S248;
         }
-        var _S254 : View_0 = view_0(node_6, receiver_11);
-        var _S255 : View_0 = view_2(_S253, receiver_11);
-        var _S256 : f32;
+        var _S250 : View_0 = view_0(node_6, receiver_11);
+        var _S251 : View_0 = view_2(_S249, receiver_11);
+        var _S252 : f32;
         if(is_left_2)
         {
-            _S256 = _S254.importance_0;
+            _S252 = _S250.importance_0;
         }
         else
         {
-            _S256 = _S255.importance_0;
+            _S252 = _S251.importance_0;
         }
-        var _S257 : f32;
+        var _S253 : f32;
         if(is_left_2)
         {
-            _S257 = _S255.importance_0;
+            _S253 = _S251.importance_0;
         }
         else
         {
-            _S257 = _S254.importance_0;
+            _S253 = _S250.importance_0;
         }
-        var weights_2 : vec2<f32> = weights_of_0(_S256, _S257);
-        var _S258 : f32 = weights_2.x;
-        var _S259 : f32 = weights_2.y;
-        var total_4 : f32 = _S258 + _S259;
+        var weights_2 : vec2<f32> = weights_of_0(_S252, _S253);
+        var _S254 : f32 = weights_2.x;
+        var _S255 : f32 = weights_2.y;
+        var total_4 : f32 = _S254 + _S255;
         if(!(total_4 > 0.0f))
         {
             return false;
         }
-        var _S260 : f32;
+        var _S256 : f32;
         if(is_left_2)
         {
-            _S260 = _S258;
+            _S256 = _S254;
         }
         else
         {
-            _S260 = _S259;
+            _S256 = _S255;
         }
-        (*descent_2).weight_0 = (*descent_2).weight_0 * _S260;
+        (*descent_2).weight_0 = (*descent_2).weight_0 * _S256;
         (*descent_2).total_0 = (*descent_2).total_0 * total_4;
         node_6.min_1 = parent_1.min_1;
         node_6.index_0 = parent_1.index_0;
@@ -3251,7 +3046,7 @@ fn climb_0( receiver_11 : Receiver_0,  start_2 : u32,  descent_2 : ptr<function,
         node_6.power_0 = parent_1.power_0;
         node_6.parent_0 = parent_1.parent_0;
         node_6.root_0 = parent_1.root_0;
-        at_5 = _S251.parent_0;
+        at_5 = _S247.parent_0;
     }
     return ((*descent_2).weight_0) > 0.0f;
 }
@@ -3269,38 +3064,38 @@ fn in_grid_3( instance_5 : u32,  receiver_12 : Receiver_0) -> Receiver_0
     return Receiver_x24init_0(Transform_point_1(instance_5, receiver_12.point_0), normalize_vector_0(Transform_direction_1(instance_5, receiver_12.normal_0)));
 }
 
-fn sent_by_side_3( _S261 : u32,  _S262 : vec3<f32>,  _S263 : f32) -> BySide_0
+fn sent_by_side_3( _S257 : u32,  _S258 : vec3<f32>,  _S259 : f32) -> BySide_0
 {
-    var _S264 : vec3<f32> = vec3<f32>(0.0f);
-    var _S265 : vec3<f32> = vec3<f32>(_S263);
-    return BySide_x24init_0(vec3<f32>(light_nodes_0[_S261].power_0[i32(0)], light_nodes_0[_S261].power_0[i32(2)], light_nodes_0[_S261].power_0[i32(4)]) * min(max(vector_of_0(light_nodes_0[_S261].max_1) - _S262, _S264), _S265), vec3<f32>(light_nodes_0[_S261].power_0[i32(1)], light_nodes_0[_S261].power_0[i32(3)], light_nodes_0[_S261].power_0[i32(5)]) * min(max(_S262 - vector_of_0(light_nodes_0[_S261].min_1), _S264), _S265));
+    var _S260 : vec3<f32> = vec3<f32>(0.0f);
+    var _S261 : vec3<f32> = vec3<f32>(_S259);
+    return BySide_x24init_0(vec3<f32>(light_nodes_0[_S257].power_0[i32(0)], light_nodes_0[_S257].power_0[i32(2)], light_nodes_0[_S257].power_0[i32(4)]) * min(max(vector_of_0(light_nodes_0[_S257].max_1) - _S258, _S260), _S261), vec3<f32>(light_nodes_0[_S257].power_0[i32(1)], light_nodes_0[_S257].power_0[i32(3)], light_nodes_0[_S257].power_0[i32(5)]) * min(max(_S258 - vector_of_0(light_nodes_0[_S257].min_1), _S260), _S261));
 }
 
 fn choose_side_0( point_7 : vec3<f32>,  is_met_2 : bool,  way_3 : Descent_0,  side_0 : ptr<function, u32>,  odds_0 : ptr<function, vec2<f32>>) -> bool
 {
-    var _S266 : vec3<f32> = vector_of_0(light_nodes_0[way_3.node_0].max_1);
-    var _S267 : vec3<f32> = vector_of_0(light_nodes_0[way_3.node_0].min_1);
-    var _S268 : vec3<f32> = vec3<f32>(0.5f);
-    var half_4 : vec3<f32> = (_S266 - _S267) * _S268;
-    var toward_3 : vec3<f32> = (_S267 + _S266) * _S268 - point_7;
-    var _S269 : BySide_0 = sent_by_side_3(way_3.node_0, point_7, length_bound_0(select(half_4, abs(toward_3), vec3<bool>(((length_squared_0(toward_3)) > (length_squared_0(half_4)))))));
-    var sum_3 : f32 = normal_or_zero_0(BySide_sum_0(_S269));
+    var _S262 : vec3<f32> = vector_of_0(light_nodes_0[way_3.node_0].max_1);
+    var _S263 : vec3<f32> = vector_of_0(light_nodes_0[way_3.node_0].min_1);
+    var _S264 : vec3<f32> = vec3<f32>(0.5f);
+    var half_4 : vec3<f32> = (_S262 - _S263) * _S264;
+    var toward_3 : vec3<f32> = (_S263 + _S262) * _S264 - point_7;
+    var _S265 : BySide_0 = sent_by_side_3(way_3.node_0, point_7, length_bound_0(select(half_4, abs(toward_3), vec3<bool>(((length_squared_0(toward_3)) > (length_squared_0(half_4)))))));
+    var sum_3 : f32 = normal_or_zero_0(BySide_sum_0(_S265));
     var unit_2 : f32 = inverse_power_of_two_0(sum_3);
     var total_5 : f32 = sum_3 * unit_2;
-    var _S270 : f32 = way_3.choice_0 * total_5;
-    var _S271 : u32 = (*side_0);
-    var share_0 : f32 = normal_or_zero_0(_S269.low_0[u32(0)] * unit_2);
-    var _S272 : bool;
+    var _S266 : f32 = way_3.choice_0 * total_5;
+    var _S267 : u32 = (*side_0);
+    var share_0 : f32 = normal_or_zero_0(_S265.low_0[u32(0)] * unit_2);
+    var _S268 : bool;
     if(is_met_2)
     {
-        _S272 = u32(0) == _S271;
+        _S268 = u32(0) == _S267;
     }
     else
     {
-        _S272 = share_0 > 0.0f;
+        _S268 = share_0 > 0.0f;
     }
     var chosen_2 : f32;
-    if(_S272)
+    if(_S268)
     {
         (*side_0) = u32(0);
         chosen_2 = share_0;
@@ -3309,145 +3104,145 @@ fn choose_side_0( point_7 : vec3<f32>,  is_met_2 : bool,  way_3 : Descent_0,  si
     {
         chosen_2 = 0.0f;
     }
-    var _S273 : bool = _S270 < (share_0 * way_3.weight_0);
-    var share_1 : f32 = normal_or_zero_0(_S269.high_0[u32(0)] * unit_2);
+    var _S269 : bool = _S266 < (share_0 * way_3.weight_0);
+    var share_1 : f32 = normal_or_zero_0(_S265.high_0[u32(0)] * unit_2);
     if(is_met_2)
     {
-        _S272 = u32(1) == _S271;
+        _S268 = u32(1) == _S267;
     }
     else
     {
         if(share_1 > 0.0f)
         {
-            _S272 = !_S273;
+            _S268 = !_S269;
         }
         else
         {
-            _S272 = false;
+            _S268 = false;
         }
     }
-    if(_S272)
+    if(_S268)
     {
         (*side_0) = u32(1);
         chosen_2 = share_1;
     }
     var passed_0 : f32 = share_0 + share_1;
-    if(_S273)
+    if(_S269)
     {
-        _S272 = true;
+        _S268 = true;
     }
     else
     {
-        _S272 = _S270 < (passed_0 * way_3.weight_0);
+        _S268 = _S266 < (passed_0 * way_3.weight_0);
     }
-    var share_2 : f32 = normal_or_zero_0(_S269.low_0[u32(1)] * unit_2);
-    var _S274 : bool;
+    var share_2 : f32 = normal_or_zero_0(_S265.low_0[u32(1)] * unit_2);
+    var _S270 : bool;
     if(is_met_2)
     {
-        _S274 = u32(2) == _S271;
+        _S270 = u32(2) == _S267;
     }
     else
     {
         if(share_2 > 0.0f)
         {
-            _S274 = !_S272;
+            _S270 = !_S268;
         }
         else
         {
-            _S274 = false;
+            _S270 = false;
         }
     }
-    if(_S274)
+    if(_S270)
     {
         (*side_0) = u32(2);
         chosen_2 = share_2;
     }
     var passed_1 : f32 = passed_0 + share_2;
-    if(_S272)
+    if(_S268)
     {
-        _S272 = true;
+        _S268 = true;
     }
     else
     {
-        _S272 = _S270 < (passed_1 * way_3.weight_0);
+        _S268 = _S266 < (passed_1 * way_3.weight_0);
     }
-    var share_3 : f32 = normal_or_zero_0(_S269.high_0[u32(1)] * unit_2);
+    var share_3 : f32 = normal_or_zero_0(_S265.high_0[u32(1)] * unit_2);
     if(is_met_2)
     {
-        _S274 = u32(3) == _S271;
+        _S270 = u32(3) == _S267;
     }
     else
     {
         if(share_3 > 0.0f)
         {
-            _S274 = !_S272;
+            _S270 = !_S268;
         }
         else
         {
-            _S274 = false;
+            _S270 = false;
         }
     }
-    if(_S274)
+    if(_S270)
     {
         (*side_0) = u32(3);
         chosen_2 = share_3;
     }
     var passed_2 : f32 = passed_1 + share_3;
-    if(_S272)
+    if(_S268)
     {
-        _S272 = true;
+        _S268 = true;
     }
     else
     {
-        _S272 = _S270 < (passed_2 * way_3.weight_0);
+        _S268 = _S266 < (passed_2 * way_3.weight_0);
     }
-    var share_4 : f32 = normal_or_zero_0(_S269.low_0[u32(2)] * unit_2);
+    var share_4 : f32 = normal_or_zero_0(_S265.low_0[u32(2)] * unit_2);
     if(is_met_2)
     {
-        _S274 = u32(4) == _S271;
+        _S270 = u32(4) == _S267;
     }
     else
     {
         if(share_4 > 0.0f)
         {
-            _S274 = !_S272;
+            _S270 = !_S268;
         }
         else
         {
-            _S274 = false;
+            _S270 = false;
         }
     }
-    if(_S274)
+    if(_S270)
     {
         (*side_0) = u32(4);
         chosen_2 = share_4;
     }
     var passed_3 : f32 = passed_2 + share_4;
-    if(_S272)
+    if(_S268)
     {
-        _S272 = true;
+        _S268 = true;
     }
     else
     {
-        _S272 = _S270 < (passed_3 * way_3.weight_0);
+        _S268 = _S266 < (passed_3 * way_3.weight_0);
     }
-    var share_5 : f32 = normal_or_zero_0(_S269.high_0[u32(2)] * unit_2);
+    var share_5 : f32 = normal_or_zero_0(_S265.high_0[u32(2)] * unit_2);
     if(is_met_2)
     {
-        _S272 = u32(5) == _S271;
+        _S268 = u32(5) == _S267;
     }
     else
     {
         if(share_5 > 0.0f)
         {
-            _S272 = !_S272;
+            _S268 = !_S268;
         }
         else
         {
-            _S272 = false;
+            _S268 = false;
         }
     }
-    if(_S272)
+    if(_S268)
     {
         (*side_0) = u32(5);
         chosen_2 = share_5;
@@ -3455,13 +3250,13 @@ fn choose_side_0( point_7 : vec3<f32>,  is_met_2 : bool,  way_3 : Descent_0,  si
     (*odds_0) = vec2<f32>(way_3.weight_0 * chosen_2, way_3.total_0 * total_5);
     if(sum_3 > 0.0f)
     {
-        _S272 = ((*odds_0).x) > 0.0f;
+        _S268 = ((*odds_0).x) > 0.0f;
     }
     else
     {
-        _S272 = false;
+        _S268 = false;
     }
-    return _S272;
+    return _S268;
 }
 
 fn component_0( vector_5 : vec3<f32>,  axis_3 : u32) -> f32
@@ -3511,7 +3306,7 @@ fn choose_emitter_0( way_4 : Descent_0,  side_1 : u32,  threshold_1 : f32) -> Em
     var count_5 : u32 = way_4.count_2;
     var node_7 : u32 = way_4.node_0;
     var index_9 : u32 = way_4.index_1;
-    var _S275 : f32 = threshold_1;
+    var _S271 : f32 = threshold_1;
     for(;;)
     {
         if(count_5 == u32(0))
@@ -3524,11 +3319,11 @@ fn choose_emitter_0( way_4 : Descent_0,  side_1 : u32,  threshold_1 : f32) -> Em
         var left_3 : u32 = node_7 + u32(1);
         var power_left_0 : f32 = light_nodes_0[left_3].power_0[side_1];
         var power_right_0 : f32 = light_nodes_0[index_9].power_0[side_1];
-        var _S276 : u32 = light_nodes_0[left_3].index_0;
-        var _S277 : u32 = light_nodes_0[left_3].count_1;
-        var _S278 : u32 = light_nodes_0[index_9].index_0;
-        var _S279 : u32 = light_nodes_0[index_9].count_1;
-        if(_S275 < (light_nodes_0[left_3].power_0[side_1]))
+        var _S272 : u32 = light_nodes_0[left_3].index_0;
+        var _S273 : u32 = light_nodes_0[left_3].count_1;
+        var _S274 : u32 = light_nodes_0[index_9].index_0;
+        var _S275 : u32 = light_nodes_0[index_9].count_1;
+        if(_S271 < (light_nodes_0[left_3].power_0[side_1]))
         {
             is_left_3 = true;
         }
@@ -3541,7 +3336,7 @@ fn choose_emitter_0( way_4 : Descent_0,  side_1 : u32,  threshold_1 : f32) -> Em
         }
         else
         {
-            _S275 = _S275 - power_left_0;
+            _S271 = _S271 - power_left_0;
         }
         if(is_left_3)
         {
@@ -3553,19 +3348,19 @@ fn choose_emitter_0( way_4 : Descent_0,  side_1 : u32,  threshold_1 : f32) -> Em
         }
         if(is_left_3)
         {
-            index_9 = _S276;
+            index_9 = _S272;
         }
         else
         {
-            index_9 = _S278;
+            index_9 = _S274;
         }
         if(is_left_3)
         {
-            count_5 = _S277;
+            count_5 = _S273;
         }
         else
         {
-            count_5 = _S279;
+            count_5 = _S275;
         }
     }
     is_left_3 = false;
@@ -3573,16 +3368,16 @@ fn choose_emitter_0( way_4 : Descent_0,  side_1 : u32,  threshold_1 : f32) -> Em
     var at_6 : u32 = index_9;
     for(;;)
     {
-        var _S280 : bool;
+        var _S276 : bool;
         if(at_6 < (index_9 + count_5))
         {
-            _S280 = !is_left_3;
+            _S276 = !is_left_3;
         }
         else
         {
-            _S280 = false;
+            _S276 = false;
         }
-        if(_S280)
+        if(_S276)
         {
         }
         else
@@ -3591,16 +3386,16 @@ fn choose_emitter_0( way_4 : Descent_0,  side_1 : u32,  threshold_1 : f32) -> Em
         }
         if((((((emitters_0[at_6].faces_0) >> (side_1))) & (u32(1)))) != u32(0))
         {
-            var _S281 : f32 = _S275 - emitters_0[at_6].luminance_0;
-            is_left_3 = _S275 < (emitters_0[at_6].luminance_0);
+            var _S277 : f32 = _S271 - emitters_0[at_6].luminance_0;
+            is_left_3 = _S271 < (emitters_0[at_6].luminance_0);
             chosen_3 = at_6;
-            _S275 = _S281;
+            _S271 = _S277;
         }
         at_6 = at_6 + u32(1);
     }
-    var _S282 : Emitter_std430_0 = emitters_0[chosen_3];
-    var _S283 : Emitter_0 = Emitter_0( _S282.voxel_0, _S282.grid_1, _S282.faces_0, _S282.material_0, _S282.luminance_0, _S282.leaf_0 );
-    return _S283;
+    var _S278 : Emitter_std430_0 = emitters_0[chosen_3];
+    var _S279 : Emitter_0 = Emitter_0( _S278.voxel_0, _S278.grid_1, _S278.faces_0, _S278.material_0, _S278.luminance_0, _S278.leaf_0 );
+    return _S279;
 }
 
 fn point_of_face_0( low_12 : vec3<f32>,  face_8 : u32,  u_6 : f32,  v_4 : f32) -> vec3<f32>
@@ -3641,55 +3436,55 @@ struct PackedMaterial_0
 
 fn is_without_surface_0( material_1 : PackedMaterial_0) -> bool
 {
-    var _S284 : bool;
+    var _S280 : bool;
     if((material_1.transmission_0) >= 1.0f)
     {
-        _S284 = (material_1.ior_0) == 1.0f;
+        _S280 = (material_1.ior_0) == 1.0f;
     }
     else
     {
-        _S284 = false;
+        _S280 = false;
     }
-    if(_S284)
+    if(_S280)
     {
-        _S284 = (material_1.metallic_0) <= 0.0f;
+        _S280 = (material_1.metallic_0) <= 0.0f;
     }
     else
     {
-        _S284 = false;
+        _S280 = false;
     }
-    return _S284;
+    return _S280;
 }
 
-fn is_without_surface_1( _S285 : u32) -> bool
+fn is_without_surface_1( _S281 : u32) -> bool
 {
-    var _S286 : bool;
-    if((materials_0[_S285].transmission_0) >= 1.0f)
+    var _S282 : bool;
+    if((materials_0[_S281].transmission_0) >= 1.0f)
     {
-        _S286 = (materials_0[_S285].ior_0) == 1.0f;
+        _S282 = (materials_0[_S281].ior_0) == 1.0f;
     }
     else
     {
-        _S286 = false;
+        _S282 = false;
     }
-    if(_S286)
+    if(_S282)
     {
-        _S286 = (materials_0[_S285].metallic_0) <= 0.0f;
+        _S282 = (materials_0[_S281].metallic_0) <= 0.0f;
     }
     else
     {
-        _S286 = false;
+        _S282 = false;
     }
-    return _S286;
+    return _S282;
 }
 
-fn emitted_0( _S287 : u32) -> vec3<f32>
+fn emitted_0( _S283 : u32) -> vec3<f32>
 {
-    if(is_without_surface_1(_S287))
+    if(is_without_surface_1(_S283))
     {
         return vec3<f32>(0.0f);
     }
-    return vector_of_0(materials_0[_S287].emission_0) * vec3<f32>(params_0.emitter_intensity_0);
+    return vector_of_0(materials_0[_S283].emission_0) * vec3<f32>(params_0.emitter_intensity_0);
 }
 
 fn sample_emitter_0( receiver_13 : Receiver_0,  u_7 : vec4<f32>,  aim_2 : Aim_0,  sample_5 : ptr<function, LightSample_0>) -> bool
@@ -3701,28 +3496,28 @@ fn sample_emitter_0( receiver_13 : Receiver_0,  u_7 : vec4<f32>,  aim_2 : Aim_0,
     }
     var descent_3 : Descent_0 = Descent_x24init_0(u32(0), u32(0), u32(0), 1.0f, 1.0f, u_7.x, false);
     Descent_at_1(&(descent_3), u32(0));
-    var _S288 : bool;
+    var _S284 : bool;
     if(!IS_SINGLE_0)
     {
-        _S288 = aim_2.is_met_0;
+        _S284 = aim_2.is_met_0;
     }
     else
     {
-        _S288 = false;
+        _S284 = false;
     }
-    if(_S288)
+    if(_S284)
     {
         var leaf_1 : u32 = instances_0[aim_2.hit_0.instance_0].light_leaf_0;
         if((instances_0[aim_2.hit_0.instance_0].light_leaf_0) == u32(4294967295))
         {
-            _S288 = true;
+            _S284 = true;
         }
         else
         {
-            var _S289 : bool = climb_0(receiver_13, leaf_1, &(descent_3));
-            _S288 = !_S289;
+            var _S285 : bool = climb_0(receiver_13, leaf_1, &(descent_3));
+            _S284 = !_S285;
         }
-        if(_S288)
+        if(_S284)
         {
             return false;
         }
@@ -3732,14 +3527,14 @@ fn sample_emitter_0( receiver_13 : Receiver_0,  u_7 : vec4<f32>,  aim_2 : Aim_0,
     {
         if(!IS_SINGLE_0)
         {
-            var _S290 : bool = descend_1(receiver_13, by_chance_0(), &(descent_3));
-            _S288 = !_S290;
+            var _S286 : bool = descend_1(receiver_13, by_chance_0(), &(descent_3));
+            _S284 = !_S286;
         }
         else
         {
-            _S288 = false;
+            _S284 = false;
         }
-        if(_S288)
+        if(_S284)
         {
             return false;
         }
@@ -3747,8 +3542,8 @@ fn sample_emitter_0( receiver_13 : Receiver_0,  u_7 : vec4<f32>,  aim_2 : Aim_0,
     var chosen_instance_0 : u32 = descent_3.index_1;
     var local_3 : Receiver_0 = in_grid_3(descent_3.index_1, receiver_13);
     Descent_at_0(&(descent_3), top_light_nodes_0[descent_3.node_0].root_0);
-    var _S291 : bool = descend_0(local_3, aim_2, &(descent_3));
-    if(!_S291)
+    var _S287 : bool = descend_0(local_3, aim_2, &(descent_3));
+    if(!_S287)
     {
         return false;
     }
@@ -3756,49 +3551,49 @@ fn sample_emitter_0( receiver_13 : Receiver_0,  u_7 : vec4<f32>,  aim_2 : Aim_0,
     var odds_2 : vec2<f32>;
     if(HAS_CUTS_0)
     {
-        _S288 = aim_2.is_met_0;
+        _S284 = aim_2.is_met_0;
     }
     else
     {
-        _S288 = false;
+        _S284 = false;
     }
-    if(_S288)
+    if(_S284)
     {
-        _S288 = is_cut_0(aim_2.hit_0);
+        _S284 = is_cut_0(aim_2.hit_0);
     }
     else
     {
-        _S288 = false;
+        _S284 = false;
     }
-    if(_S288)
+    if(_S284)
     {
-        _S288 = true;
+        _S284 = true;
     }
     else
     {
-        var _S292 : bool = choose_side_0(local_3.point_0, aim_2.is_met_0, descent_3, &(side_2), &(odds_2));
-        _S288 = !_S292;
+        var _S288 : bool = choose_side_0(local_3.point_0, aim_2.is_met_0, descent_3, &(side_2), &(odds_2));
+        _S284 = !_S288;
     }
-    if(_S288)
+    if(_S284)
     {
         return false;
     }
     var power_2 : f32 = light_nodes_0[descent_3.node_0].power_0[side_2];
     if(aim_2.is_met_0)
     {
-        var _S293 : f32 = density_0(odds_2, aim_2.luminance_1, power_2, Transform_direction_1(chosen_instance_0, aim_2.direction_0) * vec3<f32>(aim_2.hit_0.t_0), side_2);
-        (*sample_5).pdf_1 = _S293;
-        return _S293 > 0.0f;
+        var _S289 : f32 = density_0(odds_2, aim_2.luminance_1, power_2, Transform_direction_1(chosen_instance_0, aim_2.direction_0) * vec3<f32>(aim_2.hit_0.t_0), side_2);
+        (*sample_5).pdf_1 = _S289;
+        return _S289 > 0.0f;
     }
     var emitter_0 : Emitter_0 = choose_emitter_0(descent_3, side_2, u_7.y * power_2);
-    var _S294 : vec3<f32> = vec3<f32>(cell_of_0(emitter_0.voxel_0));
-    var on_face_0 : vec3<f32> = point_of_face_0(_S294, side_2, u_7.z, u_7.w);
+    var _S290 : vec3<f32> = vec3<f32>(cell_of_0(emitter_0.voxel_0));
+    var on_face_0 : vec3<f32> = point_of_face_0(_S290, side_2, u_7.z, u_7.w);
     var pdf_6 : f32 = density_0(odds_2, emitter_0.luminance_0, power_2, on_face_0 - local_3.point_0, side_2);
     if(pdf_6 < 0.0f)
     {
         return false;
     }
-    var direction_12 : vec3<f32> = Transform_point_2(chosen_instance_0, offset_ray_origin_0(vector_of_0(instances_0[chosen_instance_0].grid_from_world_0.translation_0), _S294, side_2, on_face_0)) - receiver_13.point_0;
+    var direction_12 : vec3<f32> = Transform_point_2(chosen_instance_0, offset_ray_origin_0(vector_of_0(instances_0[chosen_instance_0].grid_from_world_0.translation_0), _S290, side_2, on_face_0)) - receiver_13.point_0;
     var cos_theta_8 : f32 = with_slack_0(receiver_13, divide_0(dot_product_0(receiver_13.normal_0, direction_12), square_root_0(length_squared_0(direction_12))));
     (*sample_5) = LightSample_x24init_0(Ray_x24init_0(receiver_13.point_0, 0.0f, direction_12, 1.0f), cos_theta_8, emitted_0(emitter_0.material_0), pdf_6);
     return cos_theta_8 > 0.0f;
@@ -3806,13 +3601,12 @@ fn sample_emitter_0( receiver_13 : Receiver_0,  u_7 : vec4<f32>,  aim_2 : Aim_0,
 
 fn EmitterTree_sample_0( receiver_14 : Receiver_0,  u_8 : vec4<f32>,  aim_3 : Aim_0,  sample_6 : ptr<function, LightSample_0>) -> bool
 {
-    var _S295 : bool = sample_emitter_0(receiver_14, u_8, aim_3, &((*sample_6)));
-    return _S295;
+    var _S291 : bool = sample_emitter_0(receiver_14, u_8, aim_3, &((*sample_6)));
+    return _S291;
 }
 
-fn Lights_sample_0( receiver_15 : Receiver_0,  u_9 : vec4<f32>,  aim_4 : Aim_0,  sample_7 : ptr<function, LightSample_0>) -> bool
+fn Lights_sample_0( receiver_15 : Receiver_0,  selection_0 : Selection_0,  u_9 : vec4<f32>,  aim_4 : Aim_0,  sample_7 : ptr<function, LightSample_0>) -> bool
 {
-    var selection_0 : Selection_0 = Lights_selection_0(receiver_15);
     var is_found_0 : bool;
     if(has_sun_0())
     {
@@ -3832,9 +3626,9 @@ fn Lights_sample_0( receiver_15 : Receiver_0,  u_9 : vec4<f32>,  aim_4 : Aim_0, 
     }
     if(is_found_0)
     {
-        var _S296 : bool = SunDisc_sample_0(receiver_15, u_9, &((*sample_7)));
+        var _S292 : bool = SunDisc_sample_0(receiver_15, u_9, &((*sample_7)));
         (*sample_7).pdf_1 = (*sample_7).pdf_1 * selection_0.sun_0;
-        is_found_0 = _S296;
+        is_found_0 = _S292;
     }
     else
     {
@@ -3856,15 +3650,15 @@ fn Lights_sample_0( receiver_15 : Receiver_0,  u_9 : vec4<f32>,  aim_4 : Aim_0, 
         }
         if(is_found_0)
         {
-            var _S297 : bool = Sky_sample_0(receiver_15, vec4<f32>(min(divide_0(u_9.x - selection_0.sun_0, selection_0.sky_1), 0.99999994039535522f), u_9.yzw), &((*sample_7)));
+            var _S293 : bool = Sky_sample_0(receiver_15, vec4<f32>(min(divide_0(u_9.x - selection_0.sun_0, selection_0.sky_1), 0.99999994039535522f), u_9.yzw), &((*sample_7)));
             (*sample_7).pdf_1 = (*sample_7).pdf_1 * selection_0.sky_1;
-            is_found_0 = _S297;
+            is_found_0 = _S293;
         }
         else
         {
-            var _S298 : bool = EmitterTree_sample_0(receiver_15, vec4<f32>(min(divide_0(u_9.x - (selection_0.sun_0 + selection_0.sky_1), selection_0.emitters_1), 0.99999994039535522f), u_9.yzw), aim_4, &((*sample_7)));
+            var _S294 : bool = EmitterTree_sample_0(receiver_15, vec4<f32>(min(divide_0(u_9.x - (selection_0.sun_0 + selection_0.sky_1), selection_0.emitters_1), 0.99999994039535522f), u_9.yzw), aim_4, &((*sample_7)));
             (*sample_7).pdf_1 = (*sample_7).pdf_1 * selection_0.emitters_1;
-            is_found_0 = _S298;
+            is_found_0 = _S294;
         }
     }
     return is_found_0;
@@ -3877,30 +3671,30 @@ fn SunDisc_contains_0( direction_13 : vec3<f32>) -> bool
 
 fn SunDisc_pdf_0( direction_14 : vec3<f32>) -> f32
 {
-    var _S299 : f32;
+    var _S295 : f32;
     if(SunDisc_contains_0(direction_14))
     {
-        _S299 = params_0.sun_pdf_0;
+        _S295 = params_0.sun_pdf_0;
     }
     else
     {
-        _S299 = 0.0f;
+        _S295 = 0.0f;
     }
-    return _S299;
+    return _S295;
 }
 
-fn Lights_sun_pdf_0( receiver_16 : Receiver_0,  direction_15 : vec3<f32>) -> f32
+fn Lights_sun_pdf_0( selection_1 : Selection_0,  direction_15 : vec3<f32>) -> f32
 {
-    var _S300 : f32;
+    var _S296 : f32;
     if(has_sun_0())
     {
-        _S300 = SunDisc_pdf_0(direction_15) * Lights_selection_0(receiver_16).sun_0;
+        _S296 = SunDisc_pdf_0(direction_15) * selection_1.sun_0;
     }
     else
     {
-        _S300 = 0.0f;
+        _S296 = 0.0f;
     }
-    return _S300;
+    return _S296;
 }
 
 fn Hit_is_miss_0( this_27 : Hit_0) -> bool
@@ -3910,9 +3704,9 @@ fn Hit_is_miss_0( this_27 : Hit_0) -> bool
 
 fn material_of_0( hit_8 : Hit_0) -> PackedMaterial_0
 {
-    var _S301 : PackedMaterial_std430_0 = materials_0[material_at_0(instances_0[hit_8.instance_0].grid_0, hit_8.voxel_1 - cell_of_0(grids_0[instances_0[hit_8.instance_0].grid_0].origin_0))];
-    var _S302 : PackedMaterial_0 = PackedMaterial_0( _S301.base_color_0, _S301.roughness_0, _S301.emission_0, _S301.metallic_0, _S301.transmission_0, _S301.ior_0, _S301.specular_0, _S301.anisotropy_0, _S301.absorption_0, _S301.scattering_0 );
-    return _S302;
+    var _S297 : PackedMaterial_std430_0 = materials_0[material_at_0(instances_0[hit_8.instance_0].grid_0, hit_8.voxel_1 - cell_of_0(grids_0[instances_0[hit_8.instance_0].grid_0].origin_0))];
+    var _S298 : PackedMaterial_0 = PackedMaterial_0( _S297.base_color_0, _S297.roughness_0, _S297.emission_0, _S297.metallic_0, _S297.transmission_0, _S297.ior_0, _S297.specular_0, _S297.anisotropy_0, _S297.absorption_0, _S297.scattering_0 );
+    return _S298;
 }
 
 @compute
@@ -3920,20 +3714,21 @@ fn material_of_0( hit_8 : Hit_0) -> PackedMaterial_0
 fn check_light(@builtin(global_invocation_id) id_9 : vec3<u32>, @builtin(local_invocation_index) thread_10 : u32)
 {
     prove_0(thread_10);
-    var _S303 : u32 = id_9.x;
-    if(_S303 >= (dispatch_0.count_0))
+    var _S299 : u32 = id_9.x;
+    if(_S299 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_9 : Reader_0 = Reader_x24init_0(u32(24) * _S303);
-    var writer_9 : Writer_0 = Writer_x24init_0(u32(12) * _S303);
+    var reader_9 : Reader_0 = Reader_x24init_0(u32(24) * _S299);
+    var writer_9 : Writer_0 = Writer_x24init_0(u32(12) * _S299);
     var point_8 : vec3<f32> = Reader_vector_0(&(reader_9));
-    var _S304 : vec3<f32> = Reader_vector_0(&(reader_9));
-    var receiver_17 : Receiver_0 = Receiver_x24init_0(point_8, _S304);
+    var _S300 : vec3<f32> = Reader_vector_0(&(reader_9));
+    var receiver_16 : Receiver_0 = Receiver_x24init_0(point_8, _S300);
     var u_10 : vec3<f32> = Reader_vector_0(&(reader_9));
-    var _S305 : f32 = Reader_number_0(&(reader_9));
+    var selection_2 : Selection_0 = Lights_selection_0(receiver_16);
+    var _S301 : f32 = Reader_number_0(&(reader_9));
     var sample_8 : LightSample_0;
-    var is_found_1 : bool = Lights_sample_0(receiver_17, vec4<f32>(u_10, _S305), by_chance_0(), &(sample_8));
+    var is_found_1 : bool = Lights_sample_0(receiver_16, selection_2, vec4<f32>(u_10, _S301), by_chance_0(), &(sample_8));
     if(!is_found_1)
     {
         sample_8 = no_light_0();
@@ -3946,29 +3741,29 @@ fn check_light(@builtin(global_invocation_id) id_9 : vec3<u32>, @builtin(local_i
     Writer_number_0(&(writer_9), sample_8.cos_theta_4);
     Writer_vector_0(&(writer_9), sample_8.radiance_3);
     Writer_number_0(&(writer_9), sample_8.pdf_1);
-    Writer_number_0(&(writer_9), Lights_sun_pdf_0(receiver_17, sample_8.ray_7.direction_1));
+    Writer_number_0(&(writer_9), Lights_sun_pdf_0(selection_2, sample_8.ray_7.direction_1));
     var met_0 : LightSample_0;
     var aim_5 : Aim_0 = Aim_x24init_0(true, ray_9.direction_1, hit_9, 0.0f);
-    var _S306 : bool = !Hit_is_miss_0(hit_9);
-    var _S307 : f32;
-    if(_S306)
+    var _S302 : bool = !Hit_is_miss_0(hit_9);
+    var _S303 : f32;
+    if(_S302)
     {
         var material_2 : PackedMaterial_0 = material_of_0(hit_9);
         if(is_without_surface_0(material_2))
         {
-            _S307 = 0.0f;
+            _S303 = 0.0f;
         }
         else
         {
-            _S307 = luminance_2(vector_of_0(material_2.emission_0));
+            _S303 = luminance_2(vector_of_0(material_2.emission_0));
         }
-        aim_5.luminance_1 = _S307;
+        aim_5.luminance_1 = _S303;
     }
     var is_met_3 : bool;
-    if(_S306)
+    if(_S302)
     {
-        var _S308 : bool = Lights_sample_0(receiver_17, vec4<f32>(0.0f), aim_5, &(met_0));
-        is_met_3 = _S308;
+        var _S304 : bool = Lights_sample_0(receiver_16, selection_2, vec4<f32>(0.0f), aim_5, &(met_0));
+        is_met_3 = _S304;
     }
     else
     {
@@ -3976,47 +3771,47 @@ fn check_light(@builtin(global_invocation_id) id_9 : vec3<u32>, @builtin(local_i
     }
     if(is_met_3)
     {
-        _S307 = met_0.pdf_1;
+        _S303 = met_0.pdf_1;
     }
     else
     {
-        _S307 = 0.0f;
+        _S303 = 0.0f;
     }
-    Writer_number_0(&(writer_9), _S307);
+    Writer_number_0(&(writer_9), _S303);
     return;
 }
 
 fn SunDisc_le_0( direction_16 : vec3<f32>) -> vec3<f32>
 {
-    var _S309 : vec3<f32>;
+    var _S305 : vec3<f32>;
     if(SunDisc_contains_0(direction_16))
     {
-        _S309 = params_0.sun_radiance_0;
+        _S305 = params_0.sun_radiance_0;
     }
     else
     {
-        _S309 = vec3<f32>(0.0f);
+        _S305 = vec3<f32>(0.0f);
     }
-    return _S309;
+    return _S305;
 }
 
 fn Environment_to_map_0( d_1 : vec3<f32>) -> vec3<f32>
 {
     var sin_2 : f32 = params_0.sky_turned_0.x;
     var cos_3 : f32 = params_0.sky_turned_0.y;
-    var _S310 : f32 = d_1.x;
-    var _S311 : f32 = d_1.y;
-    return vec3<f32>(_S310 * cos_3 - _S311 * sin_2, _S310 * sin_2 + _S311 * cos_3, d_1.z);
+    var _S306 : f32 = d_1.x;
+    var _S307 : f32 = d_1.y;
+    return vec3<f32>(_S306 * cos_3 - _S307 * sin_2, _S306 * sin_2 + _S307 * cos_3, d_1.z);
 }
 
 fn quarter_turns_0( x_15 : f32,  y_12 : f32) -> f32
 {
-    var _S312 : f32 = min(x_15, y_12);
-    var _S313 : f32 = max(x_15, y_12);
+    var _S308 : f32 = min(x_15, y_12);
+    var _S309 : f32 = max(x_15, y_12);
     var ratio_0 : f32;
-    if(_S313 > 0.0f)
+    if(_S309 > 0.0f)
     {
-        ratio_0 = divide_0(_S312, _S313);
+        ratio_0 = divide_0(_S308, _S309);
     }
     else
     {
@@ -4038,10 +3833,10 @@ fn quarter_turns_0( x_15 : f32,  y_12 : f32) -> f32
 fn square_of_0( direction_17 : vec3<f32>) -> vec2<f32>
 {
     var size_0 : vec3<f32> = abs(direction_17);
-    var _S314 : f32 = size_0.x;
-    var _S315 : f32 = size_0.y;
-    var radius_3 : f32 = square_root_0(divide_0(_S314 * _S314 + _S315 * _S315, 1.0f + size_0.z));
-    var v_5 : f32 = quarter_turns_0(_S314, _S315) * radius_3;
+    var _S310 : f32 = size_0.x;
+    var _S311 : f32 = size_0.y;
+    var radius_3 : f32 = square_root_0(divide_0(_S310 * _S310 + _S311 * _S311, 1.0f + size_0.z));
+    var v_5 : f32 = quarter_turns_0(_S310, _S311) * radius_3;
     var u_11 : f32 = radius_3 - v_5;
     var is_below_1 : bool = (direction_17.z) < 0.0f;
     var u_12 : f32;
@@ -4091,10 +3886,10 @@ struct Gradient_0
 
 fn Gradient_x24init_0( nadir_1 : vec3<f32>,  zenith_1 : vec3<f32>) -> Gradient_0
 {
-    var _S316 : Gradient_0;
-    _S316.nadir_0 = nadir_1;
-    _S316.zenith_0 = zenith_1;
-    return _S316;
+    var _S312 : Gradient_0;
+    _S312.nadir_0 = nadir_1;
+    _S312.zenith_0 = zenith_1;
+    return _S312;
 }
 
 fn Gradient_radiance_0( this_28 : Gradient_0,  direction_20 : vec3<f32>) -> vec3<f32>
@@ -4125,30 +3920,30 @@ fn Environment_pdf_0( direction_23 : vec3<f32>) -> f32
 
 fn Sky_pdf_0( direction_24 : vec3<f32>) -> f32
 {
-    var _S317 : f32;
+    var _S313 : f32;
     if(SKY_0 == u32(1))
     {
-        _S317 = Environment_pdf_0(direction_24);
+        _S313 = Environment_pdf_0(direction_24);
     }
     else
     {
-        _S317 = 0.0f;
+        _S313 = 0.0f;
     }
-    return _S317;
+    return _S313;
 }
 
-fn Lights_sky_pdf_0( receiver_18 : Receiver_0,  direction_25 : vec3<f32>) -> f32
+fn Lights_sky_pdf_0( selection_3 : Selection_0,  direction_25 : vec3<f32>) -> f32
 {
-    var _S318 : f32;
+    var _S314 : f32;
     if(Lights_has_chosen_sky_0())
     {
-        _S318 = Sky_pdf_0(direction_25) * Lights_selection_0(receiver_18).sky_1;
+        _S314 = Sky_pdf_0(direction_25) * selection_3.sky_1;
     }
     else
     {
-        _S318 = 0.0f;
+        _S314 = 0.0f;
     }
-    return _S318;
+    return _S314;
 }
 
 @compute
@@ -4156,70 +3951,70 @@ fn Lights_sky_pdf_0( receiver_18 : Receiver_0,  direction_25 : vec3<f32>) -> f32
 fn check_distant_light(@builtin(global_invocation_id) id_10 : vec3<u32>, @builtin(local_invocation_index) thread_11 : u32)
 {
     prove_0(thread_11);
-    var _S319 : u32 = id_10.x;
-    if(_S319 >= (dispatch_0.count_0))
+    var _S315 : u32 = id_10.x;
+    if(_S315 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_10 : Reader_0 = Reader_x24init_0(u32(13) * _S319);
-    var writer_10 : Writer_0 = Writer_x24init_0(u32(22) * _S319);
+    var reader_10 : Reader_0 = Reader_x24init_0(u32(13) * _S315);
+    var writer_10 : Writer_0 = Writer_x24init_0(u32(22) * _S315);
     var point_9 : vec3<f32> = Reader_vector_0(&(reader_10));
-    var _S320 : vec3<f32> = Reader_vector_0(&(reader_10));
-    var receiver_19 : Receiver_0 = Receiver_x24init_0(point_9, _S320);
+    var _S316 : vec3<f32> = Reader_vector_0(&(reader_10));
+    var receiver_17 : Receiver_0 = Receiver_x24init_0(point_9, _S316);
     var u_13 : vec3<f32> = Reader_vector_0(&(reader_10));
-    var _S321 : f32 = Reader_number_0(&(reader_10));
-    var place_3 : vec4<f32> = vec4<f32>(u_13, _S321);
+    var _S317 : f32 = Reader_number_0(&(reader_10));
+    var place_3 : vec4<f32> = vec4<f32>(u_13, _S317);
     var sample_9 : LightSample_0;
-    var is_found_2 : bool = SunDisc_sample_0(receiver_19, place_3, &(sample_9));
+    var is_found_2 : bool = SunDisc_sample_0(receiver_17, place_3, &(sample_9));
     var of_sky_0 : LightSample_0;
-    var is_found_in_sky_0 : bool = Sky_sample_0(receiver_19, place_3, &(of_sky_0));
+    var is_found_in_sky_0 : bool = Sky_sample_0(receiver_17, place_3, &(of_sky_0));
     var direction_26 : vec3<f32> = Reader_vector_0(&(reader_10));
     Writer_word_0(&(writer_10), u32(is_found_2));
-    var _S322 : vec3<f32>;
+    var _S318 : vec3<f32>;
     if(is_found_2)
     {
-        _S322 = sample_9.ray_7.direction_1;
+        _S318 = sample_9.ray_7.direction_1;
     }
     else
     {
-        _S322 = vec3<f32>(0.0f);
+        _S318 = vec3<f32>(0.0f);
     }
-    Writer_vector_0(&(writer_10), _S322);
+    Writer_vector_0(&(writer_10), _S318);
     Writer_vector_0(&(writer_10), SunDisc_le_0(direction_26));
     Writer_number_0(&(writer_10), SunDisc_pdf_0(direction_26));
     Writer_vector_0(&(writer_10), Sky_le_0(direction_26));
     Writer_number_0(&(writer_10), Sky_pdf_0(direction_26));
-    Writer_number_0(&(writer_10), Lights_sun_pdf_0(receiver_19, direction_26));
-    Writer_number_0(&(writer_10), Lights_sky_pdf_0(receiver_19, direction_26));
+    Writer_number_0(&(writer_10), Lights_sun_pdf_0(Lights_selection_0(receiver_17), direction_26));
+    Writer_number_0(&(writer_10), Lights_sky_pdf_0(Lights_selection_0(receiver_17), direction_26));
     Writer_word_0(&(writer_10), u32(is_found_in_sky_0));
     if(is_found_in_sky_0)
     {
-        _S322 = of_sky_0.ray_7.direction_1;
+        _S318 = of_sky_0.ray_7.direction_1;
     }
     else
     {
-        _S322 = vec3<f32>(0.0f);
+        _S318 = vec3<f32>(0.0f);
     }
-    Writer_vector_0(&(writer_10), _S322);
+    Writer_vector_0(&(writer_10), _S318);
     if(is_found_in_sky_0)
     {
-        _S322 = of_sky_0.radiance_3;
+        _S318 = of_sky_0.radiance_3;
     }
     else
     {
-        _S322 = vec3<f32>(0.0f);
+        _S318 = vec3<f32>(0.0f);
     }
-    Writer_vector_0(&(writer_10), _S322);
-    var _S323 : f32;
+    Writer_vector_0(&(writer_10), _S318);
+    var _S319 : f32;
     if(is_found_in_sky_0)
     {
-        _S323 = of_sky_0.pdf_1;
+        _S319 = of_sky_0.pdf_1;
     }
     else
     {
-        _S323 = 0.0f;
+        _S319 = 0.0f;
     }
-    Writer_number_0(&(writer_10), _S323);
+    Writer_number_0(&(writer_10), _S319);
     return;
 }
 
@@ -4228,21 +4023,21 @@ fn check_distant_light(@builtin(global_invocation_id) id_10 : vec3<u32>, @builti
 fn check_equal_area(@builtin(global_invocation_id) id_11 : vec3<u32>, @builtin(local_invocation_index) thread_12 : u32)
 {
     prove_0(thread_12);
-    var _S324 : u32 = id_11.x;
-    if(_S324 >= (dispatch_0.count_0))
+    var _S320 : u32 = id_11.x;
+    if(_S320 >= (dispatch_0.count_0))
     {
         return;
     }
-    var _S325 : u32 = u32(5) * _S324;
-    var reader_11 : Reader_0 = Reader_x24init_0(_S325);
-    var writer_11 : Writer_0 = Writer_x24init_0(_S325);
-    var _S326 : vec3<f32> = Reader_vector_0(&(reader_11));
-    var square_1 : vec2<f32> = square_of_0(_S326);
+    var _S321 : u32 = u32(5) * _S320;
+    var reader_11 : Reader_0 = Reader_x24init_0(_S321);
+    var writer_11 : Writer_0 = Writer_x24init_0(_S321);
+    var _S322 : vec3<f32> = Reader_vector_0(&(reader_11));
+    var square_1 : vec2<f32> = square_of_0(_S322);
     Writer_number_0(&(writer_11), square_1.x);
     Writer_number_0(&(writer_11), square_1.y);
     var x_16 : f32 = Reader_number_0(&(reader_11));
-    var _S327 : f32 = Reader_number_0(&(reader_11));
-    Writer_vector_0(&(writer_11), direction_of_0(vec2<f32>(x_16, _S327)));
+    var _S323 : f32 = Reader_number_0(&(reader_11));
+    Writer_vector_0(&(writer_11), direction_of_0(vec2<f32>(x_16, _S323)));
     return;
 }
 
@@ -4253,9 +4048,9 @@ struct Microfacets_0
 
 fn Microfacets_x24init_0( alpha_1 : f32) -> Microfacets_0
 {
-    var _S328 : Microfacets_0;
-    _S328.alpha_0 = alpha_1;
-    return _S328;
+    var _S324 : Microfacets_0;
+    _S324.alpha_0 = alpha_1;
+    return _S324;
 }
 
 struct MaterialBsdf_0
@@ -4269,13 +4064,13 @@ struct MaterialBsdf_0
 
 fn MaterialBsdf_x24init_0( kind_1 : u32,  color_2 : vec3<f32>,  specular_2 : f32,  eta_1 : f32,  facets_1 : Microfacets_0) -> MaterialBsdf_0
 {
-    var _S329 : MaterialBsdf_0;
-    _S329.kind_0 = kind_1;
-    _S329.color_1 = color_2;
-    _S329.specular_1 = specular_2;
-    _S329.eta_0 = eta_1;
-    _S329.facets_0 = facets_1;
-    return _S329;
+    var _S325 : MaterialBsdf_0;
+    _S325.kind_0 = kind_1;
+    _S325.color_1 = color_2;
+    _S325.specular_1 = specular_2;
+    _S325.eta_0 = eta_1;
+    _S325.facets_0 = facets_1;
+    return _S325;
 }
 
 fn facets_of_0( roughness_1 : f32) -> Microfacets_0
@@ -4290,16 +4085,16 @@ fn chooses_0( share_7 : f32,  choice_2 : ptr<function, f32>) -> bool
         return false;
     }
     var is_chosen_0 : bool = (*choice_2) < share_7;
-    var _S330 : f32;
+    var _S326 : f32;
     if(is_chosen_0)
     {
-        _S330 = divide_0((*choice_2), share_7);
+        _S326 = divide_0((*choice_2), share_7);
     }
     else
     {
-        _S330 = divide_0((*choice_2) - share_7, 1.0f - share_7);
+        _S326 = divide_0((*choice_2) - share_7, 1.0f - share_7);
     }
-    (*choice_2) = _S330;
+    (*choice_2) = _S326;
     return is_chosen_0;
 }
 
@@ -4307,13 +4102,13 @@ fn bsdf_of_0( material_3 : PackedMaterial_0,  ior_1 : f32,  choice_3 : ptr<funct
 {
     var color_3 : vec3<f32> = vector_of_0(material_3.base_color_0);
     var facets_2 : Microfacets_0 = facets_of_0(material_3.roughness_0);
-    var _S331 : bool = chooses_0(material_3.metallic_0, &((*choice_3)));
-    if(_S331)
+    var _S327 : bool = chooses_0(material_3.metallic_0, &((*choice_3)));
+    if(_S327)
     {
         return MaterialBsdf_x24init_0(u32(1), color_3, 0.0f, 1.0f, facets_2);
     }
-    var _S332 : bool = chooses_0(material_3.transmission_0, &((*choice_3)));
-    if(_S332)
+    var _S328 : bool = chooses_0(material_3.transmission_0, &((*choice_3)));
+    if(_S328)
     {
         return MaterialBsdf_x24init_0(u32(3), color_3, 0.0f, divide_0(material_3.ior_0, ior_1), facets_2);
     }
@@ -4332,10 +4127,10 @@ struct Conductor_0
 
 fn Conductor_x24init_0( f0_1 : vec3<f32>,  facets_4 : Microfacets_0) -> Conductor_0
 {
-    var _S333 : Conductor_0;
-    _S333.f0_0 = f0_1;
-    _S333.facets_3 = facets_4;
-    return _S333;
+    var _S329 : Conductor_0;
+    _S329.f0_0 = f0_1;
+    _S329.facets_3 = facets_4;
+    return _S329;
 }
 
 fn above_3( wo_0 : vec3<f32>) -> vec3<f32>
@@ -4365,20 +4160,20 @@ struct BsdfSample_0
 
 fn BsdfSample_x24init_0( wi_1 : vec3<f32>,  weight_4 : vec3<f32>,  pdf_8 : f32,  is_delta_1 : bool) -> BsdfSample_0
 {
-    var _S334 : BsdfSample_0;
-    _S334.wi_0 = wi_1;
-    _S334.weight_3 = weight_4;
-    _S334.pdf_7 = pdf_8;
-    _S334.is_delta_0 = is_delta_1;
-    return _S334;
+    var _S330 : BsdfSample_0;
+    _S330.wi_0 = wi_1;
+    _S330.weight_3 = weight_4;
+    _S330.pdf_7 = pdf_8;
+    _S330.is_delta_0 = is_delta_1;
+    return _S330;
 }
 
 fn Microfacets_sample_visible_0( this_30 : Microfacets_0,  wo_1 : vec3<f32>,  u_14 : f32,  v_7 : f32) -> vec3<f32>
 {
     var stretched_0 : vec3<f32> = normalize_vector_0(vec3<f32>(this_30.alpha_0 * wo_1.x, this_30.alpha_0 * wo_1.y, wo_1.z));
     var sin_cos_4 : vec2<f32> = sincos_turns_0(u_14);
-    var _S335 : f32 = stretched_0.z;
-    var z_3 : f32 = (1.0f - v_7) * (1.0f + _S335) - _S335;
+    var _S331 : f32 = stretched_0.z;
+    var z_3 : f32 = (1.0f - v_7) * (1.0f + _S331) - _S331;
     var radius_4 : f32 = square_root_0(max(1.0f - z_3 * z_3, 0.0f));
     var normal_5 : vec3<f32> = vec3<f32>(radius_4 * sin_cos_4.y, radius_4 * sin_cos_4.x, z_3) + stretched_0;
     return normalize_vector_0(vec3<f32>(this_30.alpha_0 * normal_5.x, this_30.alpha_0 * normal_5.y, max(normal_5.z, 1.00000001168609742e-07f)));
@@ -4396,8 +4191,8 @@ fn no_bsdf_sample_0() -> BsdfSample_0
 
 fn Microfacets_masking_0( this_31 : Microfacets_0,  cos_4 : f32) -> f32
 {
-    var _S336 : f32 = this_31.alpha_0;
-    var alpha_squared_0 : f32 = _S336 * _S336;
+    var _S332 : f32 = this_31.alpha_0;
+    var alpha_squared_0 : f32 = _S332 * _S332;
     return square_root_0(alpha_squared_0 + (1.0f - alpha_squared_0) * (cos_4 * cos_4));
 }
 
@@ -4409,19 +4204,19 @@ fn Microfacets_shadowing_0( this_32 : Microfacets_0,  cos_o_0 : f32,  cos_i_1 : 
 
 fn Microfacets_distribution_0( this_33 : Microfacets_0,  wm_1 : vec3<f32>) -> f32
 {
-    var _S337 : f32 = this_33.alpha_0;
-    var alpha_squared_1 : f32 = _S337 * _S337;
-    var _S338 : f32 = wm_1.z;
-    var _S339 : f32 = wm_1.x;
-    var _S340 : f32 = wm_1.y;
-    var base_0 : f32 = alpha_squared_1 * (_S338 * _S338) + (_S339 * _S339 + _S340 * _S340);
+    var _S333 : f32 = this_33.alpha_0;
+    var alpha_squared_1 : f32 = _S333 * _S333;
+    var _S334 : f32 = wm_1.z;
+    var _S335 : f32 = wm_1.x;
+    var _S336 : f32 = wm_1.y;
+    var base_0 : f32 = alpha_squared_1 * (_S334 * _S334) + (_S335 * _S335 + _S336 * _S336);
     return divide_0(alpha_squared_1, 3.14159274101257324f * (base_0 * base_0));
 }
 
 fn Microfacets_visible_pdf_0( this_34 : Microfacets_0,  wo_3 : vec3<f32>,  wm_2 : vec3<f32>) -> f32
 {
-    var _S341 : f32 = wo_3.z;
-    return divide_0(2.0f * max(dot_product_0(wo_3, wm_2), 0.0f) * Microfacets_distribution_0(this_34, wm_2), _S341 + Microfacets_masking_0(this_34, _S341));
+    var _S337 : f32 = wo_3.z;
+    return divide_0(2.0f * max(dot_product_0(wo_3, wm_2), 0.0f) * Microfacets_distribution_0(this_34, wm_2), _S337 + Microfacets_masking_0(this_34, _S337));
 }
 
 fn Conductor_sample_0( this_35 : Conductor_0,  given_0 : vec3<f32>,  u_15 : vec3<f32>,  sample_10 : ptr<function, BsdfSample_0>) -> bool
@@ -4429,20 +4224,20 @@ fn Conductor_sample_0( this_35 : Conductor_0,  given_0 : vec3<f32>,  u_15 : vec3
     var wo_4 : vec3<f32> = above_3(given_0);
     if(Microfacets_is_smooth_0(this_35.facets_3))
     {
-        var _S342 : f32 = wo_4.z;
-        (*sample_10) = BsdfSample_x24init_0(vec3<f32>(- wo_4.x, - wo_4.y, _S342), fresnel_schlick_0(_S342, this_35.f0_0), 1.0f, true);
+        var _S338 : f32 = wo_4.z;
+        (*sample_10) = BsdfSample_x24init_0(vec3<f32>(- wo_4.x, - wo_4.y, _S338), fresnel_schlick_0(_S338, this_35.f0_0), 1.0f, true);
         return true;
     }
     var wm_3 : vec3<f32> = Microfacets_sample_visible_0(this_35.facets_3, wo_4, u_15.x, u_15.y);
     var wi_2 : vec3<f32> = reflect_by_0(wo_4, wm_3);
-    var _S343 : f32 = wi_2.z;
-    if(_S343 <= 0.0f)
+    var _S339 : f32 = wi_2.z;
+    if(_S339 <= 0.0f)
     {
         (*sample_10) = no_bsdf_sample_0();
         return false;
     }
     var cos_5 : f32 = dot_product_0(wo_4, wm_3);
-    (*sample_10) = BsdfSample_x24init_0(wi_2, fresnel_schlick_0(cos_5, this_35.f0_0) * vec3<f32>(Microfacets_shadowing_0(this_35.facets_3, wo_4.z, _S343)), divide_0(Microfacets_visible_pdf_0(this_35.facets_3, wo_4, wm_3), 4.0f * cos_5), false);
+    (*sample_10) = BsdfSample_x24init_0(wi_2, fresnel_schlick_0(cos_5, this_35.f0_0) * vec3<f32>(Microfacets_shadowing_0(this_35.facets_3, wo_4.z, _S339)), divide_0(Microfacets_visible_pdf_0(this_35.facets_3, wo_4, wm_3), 4.0f * cos_5), false);
     return true;
 }
 
@@ -4456,27 +4251,27 @@ struct Plastic_0
 
 fn Plastic_x24init_0( reflectance_1 : vec3<f32>,  specular_4 : f32,  eta_3 : f32,  facets_6 : Microfacets_0) -> Plastic_0
 {
-    var _S344 : Plastic_0;
-    _S344.reflectance_0 = reflectance_1;
-    _S344.specular_3 = specular_4;
-    _S344.eta_2 = eta_3;
-    _S344.facets_5 = facets_6;
-    return _S344;
+    var _S340 : Plastic_0;
+    _S340.reflectance_0 = reflectance_1;
+    _S340.specular_3 = specular_4;
+    _S340.eta_2 = eta_3;
+    _S340.facets_5 = facets_6;
+    return _S340;
 }
 
 fn refracted_cosine_0( cos_i_2 : f32,  eta_4 : f32) -> f32
 {
     var squared_1 : f32 = 1.0f - divide_0(1.0f - cos_i_2 * cos_i_2, eta_4 * eta_4);
-    var _S345 : f32;
+    var _S341 : f32;
     if(squared_1 > 0.0f)
     {
-        _S345 = square_root_0(squared_1);
+        _S341 = square_root_0(squared_1);
     }
     else
     {
-        _S345 = -1.0f;
+        _S341 = -1.0f;
     }
-    return _S345;
+    return _S341;
 }
 
 fn fresnel_dielectric_0( cos_i_3 : f32,  eta_5 : f32) -> f32
@@ -4486,10 +4281,10 @@ fn fresnel_dielectric_0( cos_i_3 : f32,  eta_5 : f32) -> f32
     {
         return 1.0f;
     }
-    var _S346 : f32 = eta_5 * cos_i_3;
-    var parallel_0 : f32 = divide_0(_S346 - cos_t_0, _S346 + cos_t_0);
-    var _S347 : f32 = eta_5 * cos_t_0;
-    var perpendicular_0 : f32 = divide_0(cos_i_3 - _S347, cos_i_3 + _S347);
+    var _S342 : f32 = eta_5 * cos_i_3;
+    var parallel_0 : f32 = divide_0(_S342 - cos_t_0, _S342 + cos_t_0);
+    var _S343 : f32 = eta_5 * cos_t_0;
+    var perpendicular_0 : f32 = divide_0(cos_i_3 - _S343, cos_i_3 + _S343);
     return (parallel_0 * parallel_0 + perpendicular_0 * perpendicular_0) * 0.5f;
 }
 
@@ -4501,16 +4296,16 @@ fn Plastic_coat_0( this_36 : Plastic_0,  cos_6 : f32) -> f32
 fn Plastic_coat_probability_0( this_37 : Plastic_0,  coat_0 : f32) -> f32
 {
     var below_0 : f32 = (1.0f - coat_0) * max_element_0(this_37.reflectance_0);
-    var _S348 : f32;
+    var _S344 : f32;
     if(coat_0 <= 0.0f)
     {
-        _S348 = 0.0f;
+        _S344 = 0.0f;
     }
     else
     {
-        _S348 = divide_0(coat_0, coat_0 + below_0);
+        _S344 = divide_0(coat_0, coat_0 + below_0);
     }
-    return _S348;
+    return _S344;
 }
 
 struct BsdfEval_0
@@ -4521,10 +4316,10 @@ struct BsdfEval_0
 
 fn BsdfEval_x24init_0( weight_6 : vec3<f32>,  pdf_10 : f32) -> BsdfEval_0
 {
-    var _S349 : BsdfEval_0;
-    _S349.weight_5 = weight_6;
-    _S349.pdf_9 = pdf_10;
-    return _S349;
+    var _S345 : BsdfEval_0;
+    _S345.weight_5 = weight_6;
+    _S345.pdf_9 = pdf_10;
+    return _S345;
 }
 
 fn no_bsdf_eval_0() -> BsdfEval_0
@@ -4534,10 +4329,10 @@ fn no_bsdf_eval_0() -> BsdfEval_0
 
 fn Plastic_eval_lobes_0( this_38 : Plastic_0,  wo_5 : vec3<f32>,  wi_3 : vec3<f32>,  coat_1 : f32,  coat_probability_0 : f32) -> BsdfEval_0
 {
-    var _S350 : f32 = wi_3.z;
-    var diffuse_pdf_0 : f32 = cosine_hemisphere_pdf_0(_S350);
+    var _S346 : f32 = wi_3.z;
+    var diffuse_pdf_0 : f32 = cosine_hemisphere_pdf_0(_S346);
     var pdf_11 : f32 = (1.0f - coat_probability_0) * diffuse_pdf_0;
-    var scattered_0 : vec3<f32> = this_38.reflectance_0 * vec3<f32>(((1.0f - coat_1) * (1.0f - Plastic_coat_0(this_38, _S350)) * diffuse_pdf_0));
+    var scattered_0 : vec3<f32> = this_38.reflectance_0 * vec3<f32>(((1.0f - coat_1) * (1.0f - Plastic_coat_0(this_38, _S346)) * diffuse_pdf_0));
     var pdf_12 : f32;
     var scattered_1 : vec3<f32>;
     if(!Microfacets_is_smooth_0(this_38.facets_5))
@@ -4545,7 +4340,7 @@ fn Plastic_eval_lobes_0( this_38 : Plastic_0,  wo_5 : vec3<f32>,  wi_3 : vec3<f3
         var wm_4 : vec3<f32> = normalize_vector_0(wo_5 + wi_3);
         var cos_7 : f32 = dot_product_0(wo_5, wm_4);
         var facet_pdf_0 : f32 = divide_0(Microfacets_visible_pdf_0(this_38.facets_5, wo_5, wm_4), 4.0f * cos_7);
-        var scattered_2 : vec3<f32> = scattered_0 + vec3<f32>((Plastic_coat_0(this_38, cos_7) * Microfacets_shadowing_0(this_38.facets_5, wo_5.z, _S350) * facet_pdf_0));
+        var scattered_2 : vec3<f32> = scattered_0 + vec3<f32>((Plastic_coat_0(this_38, cos_7) * Microfacets_shadowing_0(this_38.facets_5, wo_5.z, _S346) * facet_pdf_0));
         pdf_12 = pdf_11 + coat_probability_0 * facet_pdf_0;
         scattered_1 = scattered_2;
     }
@@ -4565,22 +4360,22 @@ fn Plastic_sample_0( this_39 : Plastic_0,  given_1 : vec3<f32>,  u_16 : vec3<f32
 {
     (*sample_11) = no_bsdf_sample_0();
     var wo_6 : vec3<f32> = above_3(given_1);
-    var _S351 : f32 = wo_6.z;
-    var coat_2 : f32 = Plastic_coat_0(this_39, _S351);
+    var _S347 : f32 = wo_6.z;
+    var coat_2 : f32 = Plastic_coat_0(this_39, _S347);
     var coat_probability_1 : f32 = Plastic_coat_probability_0(this_39, coat_2);
     var is_coat_0 : bool = (u_16.z) < coat_probability_1;
-    var _S352 : bool;
+    var _S348 : bool;
     if(is_coat_0)
     {
-        _S352 = Microfacets_is_smooth_0(this_39.facets_5);
+        _S348 = Microfacets_is_smooth_0(this_39.facets_5);
     }
     else
     {
-        _S352 = false;
+        _S348 = false;
     }
-    if(_S352)
+    if(_S348)
     {
-        (*sample_11) = BsdfSample_x24init_0(vec3<f32>(- wo_6.x, - wo_6.y, _S351), vec3<f32>(divide_0(coat_2, coat_probability_1)), 1.0f, true);
+        (*sample_11) = BsdfSample_x24init_0(vec3<f32>(- wo_6.x, - wo_6.y, _S347), vec3<f32>(divide_0(coat_2, coat_probability_1)), 1.0f, true);
         return true;
     }
     var wi_4 : vec3<f32>;
@@ -4609,10 +4404,10 @@ struct Dielectric_0
 
 fn Dielectric_x24init_0( eta_7 : f32,  facets_8 : Microfacets_0) -> Dielectric_0
 {
-    var _S353 : Dielectric_0;
-    _S353.eta_6 = eta_7;
-    _S353.facets_7 = facets_8;
-    return _S353;
+    var _S349 : Dielectric_0;
+    _S349.eta_6 = eta_7;
+    _S349.facets_7 = facets_8;
+    return _S349;
 }
 
 fn Dielectric_sample_0( this_40 : Dielectric_0,  given_2 : vec3<f32>,  u_17 : vec3<f32>,  sample_12 : ptr<function, BsdfSample_0>) -> bool
@@ -4620,7 +4415,7 @@ fn Dielectric_sample_0( this_40 : Dielectric_0,  given_2 : vec3<f32>,  u_17 : ve
     (*sample_12) = no_bsdf_sample_0();
     var wo_7 : vec3<f32> = above_3(given_2);
     var is_smooth_0 : bool = Microfacets_is_smooth_0(this_40.facets_7);
-    const _S354 : vec3<f32> = vec3<f32>(0.0f, 0.0f, 1.0f);
+    const _S350 : vec3<f32> = vec3<f32>(0.0f, 0.0f, 1.0f);
     var wm_5 : vec3<f32>;
     if(!is_smooth_0)
     {
@@ -4628,7 +4423,7 @@ fn Dielectric_sample_0( this_40 : Dielectric_0,  given_2 : vec3<f32>,  u_17 : ve
     }
     else
     {
-        wm_5 = _S354;
+        wm_5 = _S350;
     }
     var cos_8 : f32 = dot_product_0(wo_7, wm_5);
     var reflectance_2 : f32 = fresnel_dielectric_0(cos_8, this_40.eta_6);
@@ -4653,32 +4448,32 @@ fn Dielectric_sample_0( this_40 : Dielectric_0,  given_2 : vec3<f32>,  u_17 : ve
         (*sample_12) = BsdfSample_x24init_0(wi_5, vec3<f32>(1.0f), 1.0f, true);
         return true;
     }
-    var _S355 : f32 = wi_5.z;
-    var _S356 : bool;
-    if((_S355 > 0.0f) != is_reflected_0)
+    var _S351 : f32 = wi_5.z;
+    var _S352 : bool;
+    if((_S351 > 0.0f) != is_reflected_0)
     {
-        _S356 = true;
+        _S352 = true;
     }
     else
     {
-        _S356 = _S355 == 0.0f;
+        _S352 = _S351 == 0.0f;
     }
-    if(_S356)
+    if(_S352)
     {
         return false;
     }
-    var weight_7 : vec3<f32> = vec3<f32>(Microfacets_shadowing_0(this_40.facets_7, wo_7.z, abs(_S355)));
+    var weight_7 : vec3<f32> = vec3<f32>(Microfacets_shadowing_0(this_40.facets_7, wo_7.z, abs(_S351)));
     var pdf_13 : f32 = divide_0(reflectance_2 * Microfacets_visible_pdf_0(this_40.facets_7, wo_7, wm_5), 4.0f * cos_8);
-    var _S357 : f32;
+    var _S353 : f32;
     if(is_reflected_0)
     {
-        _S357 = pdf_13;
+        _S353 = pdf_13;
     }
     else
     {
-        _S357 = 1.0f;
+        _S353 = 1.0f;
     }
-    (*sample_12) = BsdfSample_x24init_0(wi_5, weight_7, _S357, !is_reflected_0);
+    (*sample_12) = BsdfSample_x24init_0(wi_5, weight_7, _S353, !is_reflected_0);
     return true;
 }
 
@@ -4690,10 +4485,10 @@ struct Phase_0
 
 fn Phase_x24init_0( color_5 : vec3<f32>,  anisotropy_2 : f32) -> Phase_0
 {
-    var _S358 : Phase_0;
-    _S358.color_4 = color_5;
-    _S358.anisotropy_1 = anisotropy_2;
-    return _S358;
+    var _S354 : Phase_0;
+    _S354.color_4 = color_5;
+    _S354.anisotropy_1 = anisotropy_2;
+    return _S354;
 }
 
 fn sample_phase_0( anisotropy_3 : f32,  forward_0 : vec3<f32>,  u_18 : f32,  v_8 : f32,  cos_9 : ptr<function, f32>) -> vec3<f32>
@@ -4704,26 +4499,26 @@ fn sample_phase_0( anisotropy_3 : f32,  forward_0 : vec3<f32>,  u_18 : f32,  v_8
     }
     else
     {
-        var _S359 : f32 = anisotropy_3 * anisotropy_3;
-        var _S360 : f32 = 2.0f * anisotropy_3;
-        var ratio_1 : f32 = divide_0(1.0f - _S359, 1.0f + anisotropy_3 - _S360 * u_18);
-        (*cos_9) = divide_0(1.0f + _S359 - ratio_1 * ratio_1, _S360);
+        var _S355 : f32 = anisotropy_3 * anisotropy_3;
+        var _S356 : f32 = 2.0f * anisotropy_3;
+        var ratio_1 : f32 = divide_0(1.0f - _S355, 1.0f + anisotropy_3 - _S356 * u_18);
+        (*cos_9) = divide_0(1.0f + _S355 - ratio_1 * ratio_1, _S356);
     }
-    var _S361 : f32 = clamp((*cos_9), -1.0f, 1.0f);
-    (*cos_9) = _S361;
-    var radius_5 : f32 = square_root_0(1.0f - _S361 * _S361);
+    var _S357 : f32 = clamp((*cos_9), -1.0f, 1.0f);
+    (*cos_9) = _S357;
+    var radius_5 : f32 = square_root_0(1.0f - _S357 * _S357);
     var sin_cos_5 : vec2<f32> = sincos_turns_0(v_8);
     var x_17 : vec3<f32>;
     var y_13 : vec3<f32>;
     orthonormal_pair_1(forward_0, &(x_17), &(y_13));
-    return x_17 * vec3<f32>((radius_5 * sin_cos_5.y)) + y_13 * vec3<f32>((radius_5 * sin_cos_5.x)) + forward_0 * vec3<f32>(_S361);
+    return x_17 * vec3<f32>((radius_5 * sin_cos_5.y)) + y_13 * vec3<f32>((radius_5 * sin_cos_5.x)) + forward_0 * vec3<f32>(_S357);
 }
 
 fn phase_pdf_0( anisotropy_4 : f32,  cos_10 : f32) -> f32
 {
-    var _S362 : f32 = anisotropy_4 * anisotropy_4;
-    var base_1 : f32 = 1.0f + _S362 - 2.0f * anisotropy_4 * cos_10;
-    return divide_0(1.0f - _S362, 12.56637096405029297f * (base_1 * square_root_0(base_1)));
+    var _S358 : f32 = anisotropy_4 * anisotropy_4;
+    var base_1 : f32 = 1.0f + _S358 - 2.0f * anisotropy_4 * cos_10;
+    return divide_0(1.0f - _S358, 12.56637096405029297f * (base_1 * square_root_0(base_1)));
 }
 
 fn Phase_sample_0( this_41 : Phase_0,  wo_8 : vec3<f32>,  u_19 : vec3<f32>,  sample_13 : ptr<function, BsdfSample_0>) -> bool
@@ -4741,9 +4536,9 @@ struct Diffuse_0
 
 fn Diffuse_x24init_0( reflectance_4 : vec3<f32>) -> Diffuse_0
 {
-    var _S363 : Diffuse_0;
-    _S363.reflectance_3 = reflectance_4;
-    return _S363;
+    var _S359 : Diffuse_0;
+    _S359.reflectance_3 = reflectance_4;
+    return _S359;
 }
 
 fn Diffuse_sample_0( this_42 : Diffuse_0,  wo_9 : vec3<f32>,  u_20 : vec3<f32>,  sample_14 : ptr<function, BsdfSample_0>) -> bool
@@ -4757,40 +4552,40 @@ fn MaterialBsdf_sample_0( this_43 : MaterialBsdf_0,  wo_10 : vec3<f32>,  u_21 : 
 {
     if((this_43.kind_0) == u32(1))
     {
-        var _S364 : bool = Conductor_sample_0(Conductor_x24init_0(this_43.color_1, this_43.facets_0), wo_10, u_21, &((*sample_15)));
-        return _S364;
+        var _S360 : bool = Conductor_sample_0(Conductor_x24init_0(this_43.color_1, this_43.facets_0), wo_10, u_21, &((*sample_15)));
+        return _S360;
     }
     if((this_43.kind_0) == u32(2))
     {
-        var _S365 : bool = Plastic_sample_0(Plastic_x24init_0(this_43.color_1, this_43.specular_1, this_43.eta_0, this_43.facets_0), wo_10, u_21, &((*sample_15)));
-        return _S365;
+        var _S361 : bool = Plastic_sample_0(Plastic_x24init_0(this_43.color_1, this_43.specular_1, this_43.eta_0, this_43.facets_0), wo_10, u_21, &((*sample_15)));
+        return _S361;
     }
     if((this_43.kind_0) == u32(3))
     {
-        var _S366 : bool = Dielectric_sample_0(Dielectric_x24init_0(this_43.eta_0, this_43.facets_0), wo_10, u_21, &((*sample_15)));
-        return _S366;
+        var _S362 : bool = Dielectric_sample_0(Dielectric_x24init_0(this_43.eta_0, this_43.facets_0), wo_10, u_21, &((*sample_15)));
+        return _S362;
     }
     if((this_43.kind_0) == u32(4))
     {
-        var _S367 : bool = Phase_sample_0(Phase_x24init_0(this_43.color_1, this_43.specular_1), wo_10, u_21, &((*sample_15)));
-        return _S367;
+        var _S363 : bool = Phase_sample_0(Phase_x24init_0(this_43.color_1, this_43.specular_1), wo_10, u_21, &((*sample_15)));
+        return _S363;
     }
-    var _S368 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_43.color_1), wo_10, u_21, &((*sample_15)));
-    return _S368;
+    var _S364 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_43.color_1), wo_10, u_21, &((*sample_15)));
+    return _S364;
 }
 
 fn Conductor_eval_0( this_44 : Conductor_0,  given_3 : vec3<f32>,  wi_8 : vec3<f32>) -> BsdfEval_0
 {
-    var _S369 : bool;
+    var _S365 : bool;
     if(Microfacets_is_smooth_0(this_44.facets_3))
     {
-        _S369 = true;
+        _S365 = true;
     }
     else
     {
-        _S369 = (wi_8.z) <= 0.0f;
+        _S365 = (wi_8.z) <= 0.0f;
     }
-    if(_S369)
+    if(_S365)
     {
         return no_bsdf_eval_0();
     }
@@ -4813,16 +4608,16 @@ fn Plastic_eval_0( this_45 : Plastic_0,  given_4 : vec3<f32>,  wi_9 : vec3<f32>)
 
 fn Dielectric_eval_0( this_46 : Dielectric_0,  given_5 : vec3<f32>,  wi_10 : vec3<f32>) -> BsdfEval_0
 {
-    var _S370 : bool;
+    var _S366 : bool;
     if(Microfacets_is_smooth_0(this_46.facets_7))
     {
-        _S370 = true;
+        _S366 = true;
     }
     else
     {
-        _S370 = (wi_10.z) <= 0.0f;
+        _S366 = (wi_10.z) <= 0.0f;
     }
-    if(_S370)
+    if(_S366)
     {
         return no_bsdf_eval_0();
     }
@@ -4886,13 +4681,13 @@ fn MaterialBsdf_albedo_0( this_51 : MaterialBsdf_0) -> vec3<f32>
 fn check_bsdf(@builtin(global_invocation_id) id_12 : vec3<u32>, @builtin(local_invocation_index) thread_13 : u32)
 {
     prove_0(thread_13);
-    var _S371 : u32 = id_12.x;
-    if(_S371 >= (dispatch_0.count_0))
+    var _S367 : u32 = id_12.x;
+    if(_S367 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_12 : Reader_0 = Reader_x24init_0(u32(25) * _S371);
-    var writer_12 : Writer_0 = Writer_x24init_0(u32(16) * _S371);
+    var reader_12 : Reader_0 = Reader_x24init_0(u32(25) * _S367);
+    var writer_12 : Writer_0 = Writer_x24init_0(u32(16) * _S367);
     var material_4 : PackedMaterial_0;
     var channel_0 : u32 = u32(0);
     for(;;)
@@ -4904,36 +4699,36 @@ fn check_bsdf(@builtin(global_invocation_id) id_12 : vec3<u32>, @builtin(local_i
         {
             break;
         }
-        var _S372 : f32 = Reader_number_0(&(reader_12));
-        material_4.base_color_0[channel_0] = _S372;
+        var _S368 : f32 = Reader_number_0(&(reader_12));
+        material_4.base_color_0[channel_0] = _S368;
         channel_0 = channel_0 + u32(1);
     }
+    var _S369 : f32 = Reader_number_0(&(reader_12));
+    material_4.roughness_0 = _S369;
+    channel_0 = u32(0);
+    for(;;)
+    {
+        if(channel_0 < u32(3))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S370 : f32 = Reader_number_0(&(reader_12));
+        material_4.emission_0[channel_0] = _S370;
+        channel_0 = channel_0 + u32(1);
+    }
+    var _S371 : f32 = Reader_number_0(&(reader_12));
+    material_4.metallic_0 = _S371;
+    var _S372 : f32 = Reader_number_0(&(reader_12));
+    material_4.transmission_0 = _S372;
     var _S373 : f32 = Reader_number_0(&(reader_12));
-    material_4.roughness_0 = _S373;
-    channel_0 = u32(0);
-    for(;;)
-    {
-        if(channel_0 < u32(3))
-        {
-        }
-        else
-        {
-            break;
-        }
-        var _S374 : f32 = Reader_number_0(&(reader_12));
-        material_4.emission_0[channel_0] = _S374;
-        channel_0 = channel_0 + u32(1);
-    }
+    material_4.ior_0 = _S373;
+    var _S374 : f32 = Reader_number_0(&(reader_12));
+    material_4.specular_0 = _S374;
     var _S375 : f32 = Reader_number_0(&(reader_12));
-    material_4.metallic_0 = _S375;
-    var _S376 : f32 = Reader_number_0(&(reader_12));
-    material_4.transmission_0 = _S376;
-    var _S377 : f32 = Reader_number_0(&(reader_12));
-    material_4.ior_0 = _S377;
-    var _S378 : f32 = Reader_number_0(&(reader_12));
-    material_4.specular_0 = _S378;
-    var _S379 : f32 = Reader_number_0(&(reader_12));
-    material_4.anisotropy_0 = _S379;
+    material_4.anisotropy_0 = _S375;
     channel_0 = u32(0);
     for(;;)
     {
@@ -4944,26 +4739,26 @@ fn check_bsdf(@builtin(global_invocation_id) id_12 : vec3<u32>, @builtin(local_i
         {
             break;
         }
-        var _S380 : f32 = Reader_number_0(&(reader_12));
-        material_4.absorption_0[channel_0] = _S380;
+        var _S376 : f32 = Reader_number_0(&(reader_12));
+        material_4.absorption_0[channel_0] = _S376;
         channel_0 = channel_0 + u32(1);
     }
-    var _S381 : f32 = Reader_number_0(&(reader_12));
-    material_4.scattering_0 = _S381;
+    var _S377 : f32 = Reader_number_0(&(reader_12));
+    material_4.scattering_0 = _S377;
     var wo_17 : vec3<f32> = Reader_vector_0(&(reader_12));
-    var _S382 : vec3<f32> = Reader_vector_0(&(reader_12));
-    var u_22 : vec3<f32> = _S382;
-    var _S383 : f32 = u_22[i32(2)];
-    var bsdf_0 : MaterialBsdf_0 = bsdf_of_0(material_4, 1.0f, &(_S383));
-    u_22[i32(2)] = _S383;
+    var _S378 : vec3<f32> = Reader_vector_0(&(reader_12));
+    var u_22 : vec3<f32> = _S378;
+    var _S379 : f32 = u_22[i32(2)];
+    var bsdf_0 : MaterialBsdf_0 = bsdf_of_0(material_4, 1.0f, &(_S379));
+    u_22[i32(2)] = _S379;
     var sample_16 : BsdfSample_0;
     var is_found_3 : bool = MaterialBsdf_sample_0(bsdf_0, wo_17, u_22, &(sample_16));
     if(!is_found_3)
     {
         sample_16 = no_bsdf_sample_0();
     }
-    var _S384 : vec3<f32> = Reader_vector_0(&(reader_12));
-    var eval_1 : BsdfEval_0 = MaterialBsdf_eval_0(bsdf_0, wo_17, _S384);
+    var _S380 : vec3<f32> = Reader_vector_0(&(reader_12));
+    var eval_1 : BsdfEval_0 = MaterialBsdf_eval_0(bsdf_0, wo_17, _S380);
     Writer_word_0(&(writer_12), u32(is_found_3));
     Writer_vector_0(&(writer_12), sample_16.wi_0);
     Writer_vector_0(&(writer_12), sample_16.weight_3);
@@ -5001,37 +4796,37 @@ fn unscattered_0( medium_1 : PackedMaterial_0,  voxels_2 : f32) -> f32
 fn logarithm_0( x_19 : f32) -> f32
 {
     var bits_3 : u32 = (bitcast<u32>((x_19)));
-    var _S385 : u32 = (bits_3 & (u32(8388607)));
-    var is_upper_0 : bool = _S385 > u32(3474675);
+    var _S381 : u32 = (bits_3 & (u32(8388607)));
+    var is_upper_0 : bool = _S381 > u32(3474675);
     var power_4 : i32 = i32((bits_3 >> (u32(23)))) - i32(127) + i32(is_upper_0);
-    var _S386 : u32;
+    var _S382 : u32;
     if(is_upper_0)
     {
-        _S386 = u32(1056964608);
+        _S382 = u32(1056964608);
     }
     else
     {
-        _S386 = u32(1065353216);
+        _S382 = u32(1065353216);
     }
-    var mantissa_4 : f32 = (bitcast<f32>(((_S385 | (_S386)))));
-    var s_1 : f32 = divide_0(mantissa_4 - 1.0f, mantissa_4 + 1.0f);
+    var mantissa_3 : f32 = (bitcast<f32>(((_S381 | (_S382)))));
+    var s_1 : f32 = divide_0(mantissa_3 - 1.0f, mantissa_3 + 1.0f);
     var ss_0 : f32 = s_1 * s_1;
-    var _S387 : f32 = f32(power_4);
-    return _S387 * 0.693359375f + (_S387 * -0.00021219444170129f + s_1 * (2.0f + ss_0 * (0.66666668653488159f + ss_0 * (0.40000000596046448f + ss_0 * (0.28571429848670959f + ss_0 * 0.2222222238779068f)))));
+    var _S383 : f32 = f32(power_4);
+    return _S383 * 0.693359375f + (_S383 * -0.00021219444170129f + s_1 * (2.0f + ss_0 * (0.66666668653488159f + ss_0 * (0.40000000596046448f + ss_0 * (0.28571429848670959f + ss_0 * 0.2222222238779068f)))));
 }
 
 fn free_path_0( medium_2 : PackedMaterial_0,  u_23 : f32) -> f32
 {
-    var _S388 : f32;
+    var _S384 : f32;
     if((medium_2.scattering_0) > 0.0f)
     {
-        _S388 = divide_0(- logarithm_0(1.0f - u_23), medium_2.scattering_0);
+        _S384 = divide_0(- logarithm_0(1.0f - u_23), medium_2.scattering_0);
     }
     else
     {
-        _S388 = (bitcast<f32>((u32(2139095040))));
+        _S384 = (bitcast<f32>((u32(2139095040))));
     }
-    return _S388;
+    return _S384;
 }
 
 @compute
@@ -5039,13 +4834,13 @@ fn free_path_0( medium_2 : PackedMaterial_0,  u_23 : f32) -> f32
 fn check_medium(@builtin(global_invocation_id) id_13 : vec3<u32>, @builtin(local_invocation_index) thread_14 : u32)
 {
     prove_0(thread_14);
-    var _S389 : u32 = id_13.x;
-    if(_S389 >= (dispatch_0.count_0))
+    var _S385 : u32 = id_13.x;
+    if(_S385 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_13 : Reader_0 = Reader_x24init_0(u32(12) * _S389);
-    var writer_13 : Writer_0 = Writer_x24init_0(u32(10) * _S389);
+    var reader_13 : Reader_0 = Reader_x24init_0(u32(12) * _S385);
+    var writer_13 : Writer_0 = Writer_x24init_0(u32(10) * _S385);
     var medium_3 : PackedMaterial_0;
     var channel_1 : u32 = u32(0);
     for(;;)
@@ -5057,14 +4852,14 @@ fn check_medium(@builtin(global_invocation_id) id_13 : vec3<u32>, @builtin(local
         {
             break;
         }
-        var _S390 : f32 = Reader_number_0(&(reader_13));
-        medium_3.absorption_0[channel_1] = _S390;
+        var _S386 : f32 = Reader_number_0(&(reader_13));
+        medium_3.absorption_0[channel_1] = _S386;
         channel_1 = channel_1 + u32(1);
     }
-    var _S391 : f32 = Reader_number_0(&(reader_13));
-    medium_3.scattering_0 = _S391;
-    var _S392 : f32 = Reader_number_0(&(reader_13));
-    medium_3.anisotropy_0 = _S392;
+    var _S387 : f32 = Reader_number_0(&(reader_13));
+    medium_3.scattering_0 = _S387;
+    var _S388 : f32 = Reader_number_0(&(reader_13));
+    medium_3.anisotropy_0 = _S388;
     var voxels_3 : f32 = Reader_number_0(&(reader_13));
     var forward_1 : vec3<f32> = Reader_vector_0(&(reader_13));
     var u_24 : f32 = Reader_number_0(&(reader_13));
@@ -5073,11 +4868,11 @@ fn check_medium(@builtin(global_invocation_id) id_13 : vec3<u32>, @builtin(local
     Writer_number_0(&(writer_13), unscattered_0(medium_3, voxels_3));
     Writer_number_0(&(writer_13), free_path_0(medium_3, u_24));
     var cos_14 : f32;
-    var _S393 : vec3<f32> = sample_phase_0(_S392, forward_1, u_24, v_9, &(cos_14));
-    Writer_vector_0(&(writer_13), _S393);
+    var _S389 : vec3<f32> = sample_phase_0(_S388, forward_1, u_24, v_9, &(cos_14));
+    Writer_vector_0(&(writer_13), _S389);
     Writer_number_0(&(writer_13), cos_14);
-    var _S394 : f32 = Reader_number_0(&(reader_13));
-    Writer_number_0(&(writer_13), phase_pdf_0(_S392, _S394));
+    var _S390 : f32 = Reader_number_0(&(reader_13));
+    Writer_number_0(&(writer_13), phase_pdf_0(_S388, _S390));
     return;
 }
 
@@ -5091,12 +4886,12 @@ struct Perspective_0
 
 fn Perspective_x24init_0( eye_2 : vec3<f32>,  corner_3 : vec3<f32>,  pixel_x_2 : vec3<f32>,  pixel_y_2 : vec3<f32>) -> Perspective_0
 {
-    var _S395 : Perspective_0;
-    _S395.eye_1 = eye_2;
-    _S395.corner_2 = corner_3;
-    _S395.pixel_x_1 = pixel_x_2;
-    _S395.pixel_y_1 = pixel_y_2;
-    return _S395;
+    var _S391 : Perspective_0;
+    _S391.eye_1 = eye_2;
+    _S391.corner_2 = corner_3;
+    _S391.pixel_x_1 = pixel_x_2;
+    _S391.pixel_y_1 = pixel_y_2;
+    return _S391;
 }
 
 struct Axes_0
@@ -5108,11 +4903,11 @@ struct Axes_0
 
 fn Axes_x24init_0( forward_3 : vec3<f32>,  right_4 : vec3<f32>,  up_1 : vec3<f32>) -> Axes_0
 {
-    var _S396 : Axes_0;
-    _S396.forward_2 = forward_3;
-    _S396.right_3 = right_4;
-    _S396.up_0 = up_1;
-    return _S396;
+    var _S392 : Axes_0;
+    _S392.forward_2 = forward_3;
+    _S392.right_3 = right_4;
+    _S392.up_0 = up_1;
+    return _S392;
 }
 
 struct ThinLens_0
@@ -5125,28 +4920,28 @@ struct ThinLens_0
 
 fn ThinLens_x24init_0( perspective_1 : Perspective_0,  lens_x_2 : vec3<f32>,  lens_y_2 : vec3<f32>,  blades_2 : u32) -> ThinLens_0
 {
-    var _S397 : ThinLens_0;
-    _S397.perspective_0 = perspective_1;
-    _S397.lens_x_1 = lens_x_2;
-    _S397.lens_y_1 = lens_y_2;
-    _S397.blades_1 = blades_2;
-    return _S397;
+    var _S393 : ThinLens_0;
+    _S393.perspective_0 = perspective_1;
+    _S393.lens_x_1 = lens_x_2;
+    _S393.lens_y_1 = lens_y_2;
+    _S393.blades_1 = blades_2;
+    return _S393;
 }
 
 fn concentric_0( square_2 : vec2<f32>) -> vec2<f32>
 {
     var a_6 : f32 = 2.0f * square_2.x - 1.0f;
     var b_5 : f32 = 2.0f * square_2.y - 1.0f;
-    var _S398 : bool;
+    var _S394 : bool;
     if(a_6 == 0.0f)
     {
-        _S398 = b_5 == 0.0f;
+        _S394 = b_5 == 0.0f;
     }
     else
     {
-        _S398 = false;
+        _S394 = false;
     }
-    if(_S398)
+    if(_S394)
     {
         return vec2<f32>(0.0f);
     }
@@ -5173,7 +4968,7 @@ fn concentric_0( square_2 : vec2<f32>) -> vec2<f32>
     {
         turns_3 = turns_3 + 0.5f;
     }
-    var _S399 : f32 = abs(radius_6);
+    var _S395 : f32 = abs(radius_6);
     if(turns_3 < 0.0f)
     {
         radius_6 = turns_3 + 1.0f;
@@ -5182,7 +4977,7 @@ fn concentric_0( square_2 : vec2<f32>) -> vec2<f32>
     {
         radius_6 = turns_3;
     }
-    return vec2<f32>(_S399, radius_6);
+    return vec2<f32>(_S395, radius_6);
 }
 
 fn place_in_aperture_0( blades_3 : u32,  lens_1 : vec2<f32>) -> vec2<f32>
@@ -5200,9 +4995,9 @@ fn place_in_aperture_0( blades_3 : u32,  lens_1 : vec2<f32>) -> vec2<f32>
     var share_8 : f32 = scaled_0 - blade_0;
     var from_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0, count_6));
     var to_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0 + 1.0f, count_6));
-    var _S400 : f32 = from_0.y;
-    var _S401 : f32 = from_0.x;
-    return vec2<f32>(_S400 + (to_0.y - _S400) * share_8, _S401 + (to_0.x - _S401) * share_8) * vec2<f32>(radius_7);
+    var _S396 : f32 = from_0.y;
+    var _S397 : f32 = from_0.x;
+    return vec2<f32>(_S396 + (to_0.y - _S396) * share_8, _S397 + (to_0.x - _S397) * share_8) * vec2<f32>(radius_7);
 }
 
 fn ThinLens_ray_0( this_52 : ThinLens_0,  position_1 : vec2<f32>,  lens_2 : vec2<f32>) -> Ray_0
@@ -5222,12 +5017,12 @@ struct Orthographic_0
 
 fn Orthographic_x24init_0( corner_5 : vec3<f32>,  pixel_x_4 : vec3<f32>,  pixel_y_4 : vec3<f32>,  forward_5 : vec3<f32>) -> Orthographic_0
 {
-    var _S402 : Orthographic_0;
-    _S402.corner_4 = corner_5;
-    _S402.pixel_x_3 = pixel_x_4;
-    _S402.pixel_y_3 = pixel_y_4;
-    _S402.forward_4 = forward_5;
-    return _S402;
+    var _S398 : Orthographic_0;
+    _S398.corner_4 = corner_5;
+    _S398.pixel_x_3 = pixel_x_4;
+    _S398.pixel_y_3 = pixel_y_4;
+    _S398.forward_4 = forward_5;
+    return _S398;
 }
 
 fn Orthographic_ray_0( this_53 : Orthographic_0,  position_2 : vec2<f32>,  lens_3 : vec2<f32>) -> Ray_0
@@ -5245,12 +5040,12 @@ struct Panorama_0
 
 fn Panorama_x24init_0( eye_4 : vec3<f32>,  axes_2 : Axes_0,  inverse_size_1 : vec2<f32>,  half_eye_distance_1 : f32) -> Panorama_0
 {
-    var _S403 : Panorama_0;
-    _S403.eye_3 = eye_4;
-    _S403.axes_1 = axes_2;
-    _S403.inverse_size_0 = inverse_size_1;
-    _S403.half_eye_distance_0 = half_eye_distance_1;
-    return _S403;
+    var _S399 : Panorama_0;
+    _S399.eye_3 = eye_4;
+    _S399.axes_1 = axes_2;
+    _S399.inverse_size_0 = inverse_size_1;
+    _S399.half_eye_distance_0 = half_eye_distance_1;
+    return _S399;
 }
 
 fn Panorama_ray_0( this_54 : Panorama_0,  position_3 : vec2<f32>,  lens_4 : vec2<f32>) -> Ray_0
@@ -5277,9 +5072,9 @@ fn Panorama_ray_0( this_54 : Panorama_0,  position_3 : vec2<f32>,  lens_4 : vec2
     }
     var longitude_0 : vec2<f32> = sincos_turns_0(position_3.x * this_54.inverse_size_0.x);
     var height_2 : vec2<f32> = sincos_turns_0(latitude_1 * 0.5f);
-    var _S404 : vec3<f32> = vec3<f32>(longitude_0.y);
-    var _S405 : vec3<f32> = vec3<f32>(longitude_0.x);
-    return ray_from_0(this_54.eye_3 + (this_54.axes_1.forward_2 * _S405 - this_54.axes_1.right_3 * _S404) * vec3<f32>(side_3), normalize_vector_0((vec3<f32>(0) - this_54.axes_1.forward_2 * _S404 + this_54.axes_1.right_3 * _S405) * vec3<f32>(height_2.x) + this_54.axes_1.up_0 * vec3<f32>(height_2.y)));
+    var _S400 : vec3<f32> = vec3<f32>(longitude_0.y);
+    var _S401 : vec3<f32> = vec3<f32>(longitude_0.x);
+    return ray_from_0(this_54.eye_3 + (this_54.axes_1.forward_2 * _S401 - this_54.axes_1.right_3 * _S400) * vec3<f32>(side_3), normalize_vector_0((vec3<f32>(0) - this_54.axes_1.forward_2 * _S400 + this_54.axes_1.right_3 * _S401) * vec3<f32>(height_2.x) + this_54.axes_1.up_0 * vec3<f32>(height_2.y)));
 }
 
 struct Fisheye_0
@@ -5292,12 +5087,12 @@ struct Fisheye_0
 
 fn Fisheye_x24init_0( eye_6 : vec3<f32>,  axes_4 : Axes_0,  middle_4 : vec2<f32>,  turns_per_pixel_1 : f32) -> Fisheye_0
 {
-    var _S406 : Fisheye_0;
-    _S406.eye_5 = eye_6;
-    _S406.axes_3 = axes_4;
-    _S406.middle_3 = middle_4;
-    _S406.turns_per_pixel_0 = turns_per_pixel_1;
-    return _S406;
+    var _S402 : Fisheye_0;
+    _S402.eye_5 = eye_6;
+    _S402.axes_3 = axes_4;
+    _S402.middle_3 = middle_4;
+    _S402.turns_per_pixel_0 = turns_per_pixel_1;
+    return _S402;
 }
 
 fn Fisheye_ray_0( this_55 : Fisheye_0,  position_4 : vec2<f32>,  lens_5 : vec2<f32>) -> Ray_0
@@ -5369,36 +5164,36 @@ fn CameraFrame_ray_0( this_57 : CameraFrame_0,  position_6 : vec2<f32>,  lens_sa
 fn check_camera(@builtin(global_invocation_id) id_14 : vec3<u32>, @builtin(local_invocation_index) thread_15 : u32)
 {
     prove_0(thread_15);
-    var _S407 : u32 = id_14.x;
-    if(_S407 >= (dispatch_0.count_0))
+    var _S403 : u32 = id_14.x;
+    if(_S403 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_14 : Reader_0 = Reader_x24init_0(u32(24) * _S407);
-    var writer_14 : Writer_0 = Writer_x24init_0(u32(8) * _S407);
+    var reader_14 : Reader_0 = Reader_x24init_0(u32(24) * _S403);
+    var writer_14 : Writer_0 = Writer_x24init_0(u32(8) * _S403);
     var camera_0 : CameraFrame_0;
-    var _S408 : u32 = Reader_word_0(&(reader_14));
-    camera_0.lens_7 = _S408;
+    var _S404 : u32 = Reader_word_0(&(reader_14));
+    camera_0.lens_7 = _S404;
+    var _S405 : vec3<f32> = Reader_vector_0(&(reader_14));
+    camera_0.eye_7 = _S405;
+    var _S406 : vec3<f32> = Reader_vector_0(&(reader_14));
+    camera_0.corner_6 = _S406;
+    var _S407 : vec3<f32> = Reader_vector_0(&(reader_14));
+    camera_0.pixel_x_5 = _S407;
+    var _S408 : vec3<f32> = Reader_vector_0(&(reader_14));
+    camera_0.pixel_y_5 = _S408;
     var _S409 : vec3<f32> = Reader_vector_0(&(reader_14));
-    camera_0.eye_7 = _S409;
+    camera_0.lens_x_3 = _S409;
     var _S410 : vec3<f32> = Reader_vector_0(&(reader_14));
-    camera_0.corner_6 = _S410;
-    var _S411 : vec3<f32> = Reader_vector_0(&(reader_14));
-    camera_0.pixel_x_5 = _S411;
-    var _S412 : vec3<f32> = Reader_vector_0(&(reader_14));
-    camera_0.pixel_y_5 = _S412;
-    var _S413 : vec3<f32> = Reader_vector_0(&(reader_14));
-    camera_0.lens_x_3 = _S413;
-    var _S414 : vec3<f32> = Reader_vector_0(&(reader_14));
-    camera_0.lens_y_3 = _S414;
-    var _S415 : u32 = Reader_word_0(&(reader_14));
-    camera_0.blades_4 = _S415;
+    camera_0.lens_y_3 = _S410;
+    var _S411 : u32 = Reader_word_0(&(reader_14));
+    camera_0.blades_4 = _S411;
     var x_21 : f32 = Reader_number_0(&(reader_14));
-    var _S416 : f32 = Reader_number_0(&(reader_14));
-    var position_7 : vec2<f32> = vec2<f32>(x_21, _S416);
+    var _S412 : f32 = Reader_number_0(&(reader_14));
+    var position_7 : vec2<f32> = vec2<f32>(x_21, _S412);
     var u_25 : f32 = Reader_number_0(&(reader_14));
-    var _S417 : f32 = Reader_number_0(&(reader_14));
-    var ray_10 : Ray_0 = CameraFrame_ray_0(camera_0, position_7, vec2<f32>(u_25, _S417));
+    var _S413 : f32 = Reader_number_0(&(reader_14));
+    var ray_10 : Ray_0 = CameraFrame_ray_0(camera_0, position_7, vec2<f32>(u_25, _S413));
     Writer_vector_0(&(writer_14), ray_10.origin_1);
     Writer_number_0(&(writer_14), ray_10.t_min_0);
     Writer_vector_0(&(writer_14), ray_10.direction_1);

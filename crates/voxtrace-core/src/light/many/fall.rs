@@ -44,7 +44,8 @@ pub unsafe fn begin<S: Simd>(s: S, nodes: &[LightNode], ways: &Ways, falls: &mut
             }
         }
         // SAFETY: the caller's duty.
-        let sides = unsafe { Nodes::gather(s, s.load(&at), records) }.choose_side(s, &receivers, [weight, total, choice]);
+        let sides =
+            unsafe { Nodes::gather(s, s.load(&at), records) }.choose_side(s, &receivers, [weight, total, choice]);
         let side = to_array(s, sides.side);
         let [power, weight, total]: [[f32; LANES]; 3] =
             [sides.power, sides.weight, sides.total].map(|floats| bytemuck::cast(to_array(s, s.bits_of(floats))));

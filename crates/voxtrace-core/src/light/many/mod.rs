@@ -37,7 +37,12 @@ pub struct Room {
 
 impl Default for Room {
     fn default() -> Self {
-        Self { ways: Ways::none(), places: [0; CAPACITY], instances: [0; CAPACITY], falls: Vec::with_capacity(CAPACITY) }
+        Self {
+            ways: Ways::none(),
+            places: [0; CAPACITY],
+            instances: [0; CAPACITY],
+            falls: Vec::with_capacity(CAPACITY),
+        }
     }
 }
 
