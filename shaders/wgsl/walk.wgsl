@@ -1183,73 +1183,6 @@ fn Walk_crossings_0( this_13 : Walk_0,  planes_1 : vec3<i32>) -> vec3<f32>
     return (vec3<f32>(planes_1 + this_13.offset_1) - this_13.origin_7) * this_13.inverse_1;
 }
 
-fn Walk_arrive_0( this_14 : Walk_0,  voxel_8 : vec3<i32>,  t_3 : f32,  is_axis_0 : vec3<bool>,  exit_0 : vec3<i32>) -> vec3<i32>
-{
-    return max(vec3<i32>(floor(this_14.origin_7 + this_14.speed_1 * vec3<f32>(t_3))), select(voxel_8, exit_0, is_axis_0));
-}
-
-fn Walk_enter_rounded_0( this_15 : Walk_0,  voxel_9 : ptr<function, vec3<i32>>,  near_0 : vec3<i32>,  far_0 : vec3<i32>) -> bool
-{
-    for(;;)
-    {
-        var is_before_0 : vec3<bool> = (*voxel_9) < near_0;
-        if(!(any((is_before_0))))
-        {
-            break;
-        }
-        if((any((select(vec3<bool>(false), (this_15.speed_1) <= vec3<f32>(min_abs_direction_0()), is_before_0)))))
-        {
-            return false;
-        }
-        var t_4 : vec3<f32> = select(vec3<f32>(-1.0f), Walk_crossings_0(this_15, near_0), is_before_0);
-        var t_last_0 : f32 = max_element_0(t_4);
-        if(t_last_0 > (this_15.t_end_0))
-        {
-            return false;
-        }
-        var is_x_0 : bool = (t_4.x) == t_last_0;
-        var _S57 : bool = !is_x_0;
-        var is_y_0 : bool;
-        if(_S57)
-        {
-            is_y_0 = (t_4.y) == t_last_0;
-        }
-        else
-        {
-            is_y_0 = false;
-        }
-        var _S58 : bool;
-        if(_S57)
-        {
-            _S58 = !is_y_0;
-        }
-        else
-        {
-            _S58 = false;
-        }
-        var is_axis_1 : vec3<bool> = vec3<bool>(is_x_0, is_y_0, _S58);
-        (*voxel_9) = Walk_arrive_0(this_15, (*voxel_9), t_last_0, is_axis_1, select(vec3<i32>(i32(1073741823)), near_0, is_axis_1));
-    }
-    return (all(((*voxel_9) < far_0)));
-}
-
-fn min_element_0( vector_4 : vec3<f32>) -> f32
-{
-    return min(min(vector_4.x, vector_4.y), vector_4.z);
-}
-
-fn Walk_leave_rounded_0( this_16 : Walk_0,  voxel_10 : ptr<function, vec3<i32>>,  exit_1 : vec3<i32>) -> bool
-{
-    var t_5 : vec3<f32> = Walk_crossings_0(this_16, exit_1);
-    var t_first_0 : f32 = min_element_0(t_5);
-    if(t_first_0 >= (this_16.t_end_0))
-    {
-        return false;
-    }
-    (*voxel_10) = max(exit_1 - vec3<i32>(ceil((t_5 - vec3<f32>(t_first_0)) * this_16.speed_1)), (*voxel_10));
-    return true;
-}
-
 struct Crossing_0
 {
      distance_0 : f32,
@@ -1260,12 +1193,12 @@ struct Crossing_0
 
 fn Crossing_x24init_0( distance_1 : f32,  distance_low_1 : f32,  speed_3 : f32,  axis_1 : u32) -> Crossing_0
 {
-    var _S59 : Crossing_0;
-    _S59.distance_0 = distance_1;
-    _S59.distance_low_0 = distance_low_1;
-    _S59.speed_2 = speed_3;
-    _S59.axis_0 = axis_1;
-    return _S59;
+    var _S57 : Crossing_0;
+    _S57.distance_0 = distance_1;
+    _S57.distance_low_0 = distance_low_1;
+    _S57.speed_2 = speed_3;
+    _S57.axis_0 = axis_1;
+    return _S57;
 }
 
 fn crossing_of_0( ray_3 : LocalRay_0,  axis_2 : u32,  plane_1 : i32) -> Crossing_0
@@ -1285,71 +1218,71 @@ fn crossing_of_0( ray_3 : LocalRay_0,  axis_2 : u32,  plane_1 : i32) -> Crossing
     return Crossing_x24init_0(difference_0 * sign_0, (at_0 - (difference_0 - part_3) - (ray_3.origin_5[axis_2] + part_3)) * sign_0, abs(ray_3.direction_4[axis_2]), axis_2);
 }
 
-fn Crossing_is_before_0( this_17 : Crossing_0,  other_0 : Crossing_0) -> bool
+fn Crossing_is_before_0( this_14 : Crossing_0,  other_0 : Crossing_0) -> bool
 {
-    var ours_0 : vec2<f32> = exact_product_0(this_17.distance_0, other_0.speed_2);
-    var theirs_0 : vec2<f32> = exact_product_0(other_0.distance_0, this_17.speed_2);
+    var ours_0 : vec2<f32> = exact_product_0(this_14.distance_0, other_0.speed_2);
+    var theirs_0 : vec2<f32> = exact_product_0(other_0.distance_0, this_14.speed_2);
     if(IS_EXACT_0)
     {
-        ours_0[i32(1)] = ours_0[i32(1)] + this_17.distance_low_0 * other_0.speed_2;
-        theirs_0[i32(1)] = theirs_0[i32(1)] + other_0.distance_low_0 * this_17.speed_2;
+        ours_0[i32(1)] = ours_0[i32(1)] + this_14.distance_low_0 * other_0.speed_2;
+        theirs_0[i32(1)] = theirs_0[i32(1)] + other_0.distance_low_0 * this_14.speed_2;
     }
     var difference_1 : f32 = ours_0.x - theirs_0.x + (ours_0.y - theirs_0.y);
-    var _S60 : bool;
+    var _S58 : bool;
     if(difference_1 < 0.0f)
     {
-        _S60 = true;
+        _S58 = true;
     }
     else
     {
         if(difference_1 == 0.0f)
         {
-            _S60 = (this_17.axis_0) < (other_0.axis_0);
+            _S58 = (this_14.axis_0) < (other_0.axis_0);
         }
         else
         {
-            _S60 = false;
+            _S58 = false;
         }
     }
-    return _S60;
+    return _S58;
 }
 
-fn leave_box_0( ray_4 : LocalRay_0,  voxel_11 : vec3<i32>,  exit_2 : vec3<i32>,  nearest_1 : vec3<i32>) -> vec3<i32>
+fn leave_box_0( ray_4 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>,  nearest_1 : vec3<i32>) -> vec3<i32>
 {
-    var _S61 : vec3<f32>;
-    var _S62 : f32;
-    var _S63 : bool;
+    var _S59 : vec3<f32>;
+    var _S60 : f32;
+    var _S61 : bool;
     var is_crossed_0 : bool;
     var first_1 : Crossing_0;
+    var _S62 : f32;
+    var _S63 : bool;
     var _S64 : f32;
     var _S65 : bool;
-    var _S66 : f32;
-    var _S67 : bool;
     var plane_2 : i32;
-    var _S68 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
+    var _S66 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
     for(;;)
     {
         for(;;)
         {
             for(;;)
             {
-                _S61 = ray_4.direction_4;
-                _S62 = ray_4.direction_4[u32(0)];
-                var _S69 : bool = (ray_4.direction_4[u32(0)]) == 0.0f;
-                _S63 = _S69;
-                if(_S69)
+                _S59 = ray_4.direction_4;
+                _S60 = ray_4.direction_4[u32(0)];
+                var _S67 : bool = (ray_4.direction_4[u32(0)]) == 0.0f;
+                _S61 = _S67;
+                if(_S67)
                 {
-                    first_1 = _S68;
+                    first_1 = _S66;
                     break;
                 }
-                var crossing_0 : Crossing_0 = crossing_of_0(ray_4, u32(0), exit_2[u32(0)]);
-                if((_S68.axis_0) == u32(3))
+                var crossing_0 : Crossing_0 = crossing_of_0(ray_4, u32(0), exit_0[u32(0)]);
+                if((_S66.axis_0) == u32(3))
                 {
                     is_crossed_0 = true;
                 }
                 else
                 {
-                    is_crossed_0 = Crossing_is_before_0(crossing_0, _S68);
+                    is_crossed_0 = Crossing_is_before_0(crossing_0, _S66);
                 }
                 if(is_crossed_0)
                 {
@@ -1357,7 +1290,7 @@ fn leave_box_0( ray_4 : LocalRay_0,  voxel_11 : vec3<i32>,  exit_2 : vec3<i32>, 
                 }
                 else
                 {
-                    first_1 = _S68;
+                    first_1 = _S66;
                 }
                 break;
             }
@@ -1367,14 +1300,14 @@ fn leave_box_0( ray_4 : LocalRay_0,  voxel_11 : vec3<i32>,  exit_2 : vec3<i32>, 
         {
             for(;;)
             {
-                _S64 = _S61[u32(1)];
-                var _S70 : bool = (_S61[u32(1)]) == 0.0f;
-                _S65 = _S70;
-                if(_S70)
+                _S62 = _S59[u32(1)];
+                var _S68 : bool = (_S59[u32(1)]) == 0.0f;
+                _S63 = _S68;
+                if(_S68)
                 {
                     break;
                 }
-                var crossing_1 : Crossing_0 = crossing_of_0(ray_4, u32(1), exit_2[u32(1)]);
+                var crossing_1 : Crossing_0 = crossing_of_0(ray_4, u32(1), exit_0[u32(1)]);
                 if((first_1.axis_0) == u32(3))
                 {
                     is_crossed_0 = true;
@@ -1395,14 +1328,14 @@ fn leave_box_0( ray_4 : LocalRay_0,  voxel_11 : vec3<i32>,  exit_2 : vec3<i32>, 
         {
             for(;;)
             {
-                _S66 = _S61[u32(2)];
-                var _S71 : bool = (_S61[u32(2)]) == 0.0f;
-                _S67 = _S71;
-                if(_S71)
+                _S64 = _S59[u32(2)];
+                var _S69 : bool = (_S59[u32(2)]) == 0.0f;
+                _S65 = _S69;
+                if(_S69)
                 {
                     break;
                 }
-                var crossing_2 : Crossing_0 = crossing_of_0(ray_4, u32(2), exit_2[u32(2)]);
+                var crossing_2 : Crossing_0 = crossing_of_0(ray_4, u32(2), exit_0[u32(2)]);
                 if((first_1.axis_0) == u32(3))
                 {
                     is_crossed_0 = true;
@@ -1421,9 +1354,39 @@ fn leave_box_0( ray_4 : LocalRay_0,  voxel_11 : vec3<i32>,  exit_2 : vec3<i32>, 
         }
         break;
     }
-    var arrival_0 : vec3<i32> = voxel_11;
+    var arrival_0 : vec3<i32> = voxel_8;
     for(;;)
     {
+        for(;;)
+        {
+            for(;;)
+            {
+                if(_S61)
+                {
+                    break;
+                }
+                var _S70 : bool = u32(0) == (first_1.axis_0);
+                if(_S70)
+                {
+                    is_crossed_0 = true;
+                }
+                else
+                {
+                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_4, u32(0), nearest_1[u32(0)]), first_1);
+                }
+                if(_S70)
+                {
+                    plane_2 = exit_0[u32(0)];
+                }
+                else
+                {
+                    plane_2 = nearest_1[u32(0)];
+                }
+                arrival_0[u32(0)] = plane_2 - i32(is_crossed_0 == (_S60 < 0.0f));
+                break;
+            }
+            break;
+        }
         for(;;)
         {
             for(;;)
@@ -1432,24 +1395,24 @@ fn leave_box_0( ray_4 : LocalRay_0,  voxel_11 : vec3<i32>,  exit_2 : vec3<i32>, 
                 {
                     break;
                 }
-                var _S72 : bool = u32(0) == (first_1.axis_0);
-                if(_S72)
+                var _S71 : bool = u32(1) == (first_1.axis_0);
+                if(_S71)
                 {
                     is_crossed_0 = true;
                 }
                 else
                 {
-                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_4, u32(0), nearest_1[u32(0)]), first_1);
+                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_4, u32(1), nearest_1[u32(1)]), first_1);
                 }
-                if(_S72)
+                if(_S71)
                 {
-                    plane_2 = exit_2[u32(0)];
+                    plane_2 = exit_0[u32(1)];
                 }
                 else
                 {
-                    plane_2 = nearest_1[u32(0)];
+                    plane_2 = nearest_1[u32(1)];
                 }
-                arrival_0[u32(0)] = plane_2 - i32(is_crossed_0 == (_S62 < 0.0f));
+                arrival_0[u32(1)] = plane_2 - i32(is_crossed_0 == (_S62 < 0.0f));
                 break;
             }
             break;
@@ -1462,38 +1425,8 @@ fn leave_box_0( ray_4 : LocalRay_0,  voxel_11 : vec3<i32>,  exit_2 : vec3<i32>, 
                 {
                     break;
                 }
-                var _S73 : bool = u32(1) == (first_1.axis_0);
-                if(_S73)
-                {
-                    is_crossed_0 = true;
-                }
-                else
-                {
-                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_4, u32(1), nearest_1[u32(1)]), first_1);
-                }
-                if(_S73)
-                {
-                    plane_2 = exit_2[u32(1)];
-                }
-                else
-                {
-                    plane_2 = nearest_1[u32(1)];
-                }
-                arrival_0[u32(1)] = plane_2 - i32(is_crossed_0 == (_S64 < 0.0f));
-                break;
-            }
-            break;
-        }
-        for(;;)
-        {
-            for(;;)
-            {
-                if(_S67)
-                {
-                    break;
-                }
-                var _S74 : bool = u32(2) == (first_1.axis_0);
-                if(_S74)
+                var _S72 : bool = u32(2) == (first_1.axis_0);
+                if(_S72)
                 {
                     is_crossed_0 = true;
                 }
@@ -1501,15 +1434,15 @@ fn leave_box_0( ray_4 : LocalRay_0,  voxel_11 : vec3<i32>,  exit_2 : vec3<i32>, 
                 {
                     is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_4, u32(2), nearest_1[u32(2)]), first_1);
                 }
-                if(_S74)
+                if(_S72)
                 {
-                    plane_2 = exit_2[u32(2)];
+                    plane_2 = exit_0[u32(2)];
                 }
                 else
                 {
                     plane_2 = nearest_1[u32(2)];
                 }
-                arrival_0[u32(2)] = plane_2 - i32(is_crossed_0 == (_S66 < 0.0f));
+                arrival_0[u32(2)] = plane_2 - i32(is_crossed_0 == (_S64 < 0.0f));
                 break;
             }
             break;
@@ -1517,6 +1450,85 @@ fn leave_box_0( ray_4 : LocalRay_0,  voxel_11 : vec3<i32>,  exit_2 : vec3<i32>, 
         break;
     }
     return arrival_0;
+}
+
+fn Walk_arrive_0( this_15 : Walk_0,  voxel_9 : vec3<i32>,  t_3 : f32,  is_axis_0 : vec3<bool>,  exit_1 : vec3<i32>) -> vec3<i32>
+{
+    var position_6 : vec3<f32> = this_15.origin_7 + this_15.speed_1 * vec3<f32>(t_3);
+    if(IS_EXACT_0)
+    {
+        var position_7 : vec3<f32> = clamp(position_6, vec3<f32>(-2.097152e+06f), vec3<f32>(2.097152e+06f));
+        var nearest_2 : vec3<f32> = round(position_7);
+        var from_nearest_1 : vec3<f32> = position_7 - nearest_2;
+        if((any((select(vec3<bool>(false), (abs(position_7)) < vec3<f32>(2.097152e+06f), select(vec3<bool>(false), !is_axis_0, (abs(from_nearest_1)) <= (this_15.tolerance_0)))))))
+        {
+            return Walk_mirrored_0(this_15, leave_box_0(this_15.ray_1, Walk_mirrored_0(this_15, voxel_9) + this_15.grid_origin_0, Walk_mirrored_plane_0(this_15, exit_1) + this_15.grid_origin_0, Walk_mirrored_plane_0(this_15, vec3<i32>(nearest_2))) - this_15.grid_origin_0);
+        }
+        return select(vec3<i32>(nearest_2) - vec3<i32>(from_nearest_1 < vec3<f32>(0.0f)) - this_15.offset_1, exit_1, is_axis_0);
+    }
+    return max(vec3<i32>(floor(position_6)), select(voxel_9, exit_1, is_axis_0));
+}
+
+fn Walk_enter_rounded_0( this_16 : Walk_0,  voxel_10 : ptr<function, vec3<i32>>,  near_0 : vec3<i32>,  far_0 : vec3<i32>) -> bool
+{
+    for(;;)
+    {
+        var is_before_0 : vec3<bool> = (*voxel_10) < near_0;
+        if(!(any((is_before_0))))
+        {
+            break;
+        }
+        if((any((select(vec3<bool>(false), (this_16.speed_1) <= vec3<f32>(min_abs_direction_0()), is_before_0)))))
+        {
+            return false;
+        }
+        var t_4 : vec3<f32> = select(vec3<f32>(-1.0f), Walk_crossings_0(this_16, near_0), is_before_0);
+        var t_last_0 : f32 = max_element_0(t_4);
+        if(t_last_0 > (this_16.t_end_0))
+        {
+            return false;
+        }
+        var is_x_0 : bool = (t_4.x) == t_last_0;
+        var _S73 : bool = !is_x_0;
+        var is_y_0 : bool;
+        if(_S73)
+        {
+            is_y_0 = (t_4.y) == t_last_0;
+        }
+        else
+        {
+            is_y_0 = false;
+        }
+        var _S74 : bool;
+        if(_S73)
+        {
+            _S74 = !is_y_0;
+        }
+        else
+        {
+            _S74 = false;
+        }
+        var is_axis_1 : vec3<bool> = vec3<bool>(is_x_0, is_y_0, _S74);
+        (*voxel_10) = Walk_arrive_0(this_16, (*voxel_10), t_last_0, is_axis_1, select(vec3<i32>(i32(1073741823)), near_0, is_axis_1));
+    }
+    return (all(((*voxel_10) < far_0)));
+}
+
+fn min_element_0( vector_4 : vec3<f32>) -> f32
+{
+    return min(min(vector_4.x, vector_4.y), vector_4.z);
+}
+
+fn Walk_leave_rounded_0( this_17 : Walk_0,  voxel_11 : ptr<function, vec3<i32>>,  exit_2 : vec3<i32>) -> bool
+{
+    var t_5 : vec3<f32> = Walk_crossings_0(this_17, exit_2);
+    var t_first_0 : f32 = min_element_0(t_5);
+    if(t_first_0 >= (this_17.t_end_0))
+    {
+        return false;
+    }
+    (*voxel_11) = max(exit_2 - vec3<i32>(ceil((t_5 - vec3<f32>(t_first_0)) * this_17.speed_1)), (*voxel_11));
+    return true;
 }
 
 fn Walk_leave_0( this_18 : Walk_0,  voxel_12 : ptr<function, vec3<i32>>,  exit_3 : vec3<i32>) -> bool
@@ -1544,11 +1556,11 @@ fn Walk_leave_0( this_18 : Walk_0,  voxel_12 : ptr<function, vec3<i32>>,  exit_3
         is_y_1 = false;
     }
     var back_0 : vec3<f32> = (t_6 - vec3<f32>(t_first_1)) * this_18.speed_1;
-    var nearest_2 : vec3<f32> = round(back_0);
-    var from_nearest_1 : vec3<f32> = back_0 - nearest_2;
-    var planes_2 : vec3<i32> = exit_3 - vec3<i32>(min(nearest_2, vec3<f32>(4.194304e+06f)));
-    var _S77 : vec3<i32> = planes_2 - vec3<i32>(from_nearest_1 > vec3<f32>(0.0f));
-    var _S78 : vec3<bool> = (abs(from_nearest_1)) <= (this_18.tolerance_0);
+    var nearest_3 : vec3<f32> = round(back_0);
+    var from_nearest_2 : vec3<f32> = back_0 - nearest_3;
+    var planes_2 : vec3<i32> = exit_3 - vec3<i32>(min(nearest_3, vec3<f32>(4.194304e+06f)));
+    var _S77 : vec3<i32> = planes_2 - vec3<i32>(from_nearest_2 > vec3<f32>(0.0f));
+    var _S78 : vec3<bool> = (abs(from_nearest_2)) <= (this_18.tolerance_0);
     var _S79 : bool;
     if(_S76)
     {
@@ -1747,11 +1759,11 @@ fn Walk_leave_1( this_22 : Walk_0,  voxel_16 : ptr<function, vec3<i32>>,  exit_5
         is_y_2 = false;
     }
     var back_1 : vec3<f32> = (t_8 - vec3<f32>(t_first_3)) * this_22.speed_1;
-    var nearest_3 : vec3<f32> = round(back_1);
-    var from_nearest_2 : vec3<f32> = back_1 - nearest_3;
-    var planes_3 : vec3<i32> = exit_5 - vec3<i32>(min(nearest_3, vec3<f32>(4.194304e+06f)));
-    var _S88 : vec3<i32> = planes_3 - vec3<i32>(from_nearest_2 > vec3<f32>(0.0f));
-    var _S89 : vec3<bool> = (abs(from_nearest_2)) <= (this_22.tolerance_0);
+    var nearest_4 : vec3<f32> = round(back_1);
+    var from_nearest_3 : vec3<f32> = back_1 - nearest_4;
+    var planes_3 : vec3<i32> = exit_5 - vec3<i32>(min(nearest_4, vec3<f32>(4.194304e+06f)));
+    var _S88 : vec3<i32> = planes_3 - vec3<i32>(from_nearest_3 > vec3<f32>(0.0f));
+    var _S89 : vec3<bool> = (abs(from_nearest_3)) <= (this_22.tolerance_0);
     var _S90 : bool;
     if(_S87)
     {
@@ -2121,16 +2133,16 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_1 : u3
         return _S122;
     }
     var ray_8 : Ray_0 = (*given_0);
-    var nearest_4 : Hit_0 = miss_0();
+    var nearest_5 : Hit_0 = miss_0();
     if((params_0.instance_count_0) == u32(0))
     {
-        return nearest_4;
+        return nearest_5;
     }
     var is_zero_1 : vec3<bool> = !((abs(ray_8.direction_1)) >= vec3<f32>(1.17549435082228751e-38f));
     var _S123 : vec3<f32> = select(reciprocal_0(select(ray_8.direction_1, vec3<f32>(1.0f), is_zero_1)), vec3<f32>(3.4028234663852886e+38f), is_zero_1);
     var stack_0 : array<u32, i32(32)>;
     var index_3 : u32 = u32(0);
-    var nearest_5 : Hit_0 = nearest_4;
+    var nearest_6 : Hit_0 = nearest_5;
     var depth_0 : u32 = u32(0);
     for(;;)
     {
@@ -2139,8 +2151,8 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_1 : u3
         if((instance_nodes_0[index_3].is_leaf_0) != u32(0))
         {
             var _S124 : Hit_0 = hit_in_0(instance_nodes_0[index_3].index_0, &(ray_8));
-            var _S125 : Hit_0 = nearest_5;
-            if((_S124.t_1) < (nearest_5.t_1))
+            var _S125 : Hit_0 = nearest_6;
+            if((_S124.t_1) < (nearest_6.t_1))
             {
                 is_reached_0 = true;
             }
@@ -2148,14 +2160,14 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_1 : u3
             {
                 if((_S124.t_1) == (_S125.t_1))
                 {
-                    is_reached_0 = (_S124.instance_3) < (nearest_5.instance_3);
+                    is_reached_0 = (_S124.instance_3) < (nearest_6.instance_3);
                 }
                 else
                 {
                     is_reached_0 = false;
                 }
             }
-            var nearest_6 : Hit_0;
+            var nearest_7 : Hit_0;
             if(is_reached_0)
             {
                 ray_8.t_max_1 = _S124.t_1;
@@ -2163,13 +2175,13 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_1 : u3
                 {
                     return _S124;
                 }
-                nearest_6 = _S124;
+                nearest_7 = _S124;
             }
             else
             {
-                nearest_6 = nearest_5;
+                nearest_7 = nearest_6;
             }
-            nearest_5 = nearest_6;
+            nearest_6 = nearest_7;
             depth_1 = depth_0;
         }
         else
@@ -2243,7 +2255,7 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_1 : u3
             break;
         }
     }
-    return nearest_5;
+    return nearest_6;
 }
 
 fn WalkTracer_trace_0( ray_9 : ptr<function, Ray_0>,  is_any_enough_1 : bool) -> Hit_0
@@ -2831,14 +2843,14 @@ fn find_brick_0( _S172 : u32,  _S173 : vec3<i32>) -> u32
     return record_of_cell_0(cell_6);
 }
 
-fn read_bits_0( start_1 : u32,  position_6 : u32,  count_3 : u32) -> u32
+fn read_bits_0( start_1 : u32,  position_8 : u32,  count_3 : u32) -> u32
 {
     if(count_3 == u32(0))
     {
         return u32(0);
     }
-    var word_4 : u32 = start_1 + ((position_6 >> (u32(5))));
-    var shift_5 : u32 = (position_6 & (u32(31)));
+    var word_4 : u32 = start_1 + ((position_8 >> (u32(5))));
+    var shift_5 : u32 = (position_8 & (u32(31)));
     var bits_2 : u32 = (brick_materials_0[word_4] >> (shift_5));
     var bits_3 : u32;
     if((shift_5 + count_3) > u32(32))
@@ -5539,11 +5551,11 @@ fn Walk_leave_2( this_50 : Walk_0,  voxel_22 : ptr<function, vec3<i32>>,  exit_7
         is_y_4 = false;
     }
     var back_2 : vec3<f32> = (t_15 - vec3<f32>(t_first_4)) * this_50.speed_1;
-    var nearest_7 : vec3<f32> = round(back_2);
-    var from_nearest_3 : vec3<f32> = back_2 - nearest_7;
-    var planes_4 : vec3<i32> = exit_7 - vec3<i32>(min(nearest_7, vec3<f32>(4.194304e+06f)));
-    var _S393 : vec3<i32> = planes_4 - vec3<i32>(from_nearest_3 > vec3<f32>(0.0f));
-    var _S394 : vec3<bool> = (abs(from_nearest_3)) <= (this_50.tolerance_0);
+    var nearest_8 : vec3<f32> = round(back_2);
+    var from_nearest_4 : vec3<f32> = back_2 - nearest_8;
+    var planes_4 : vec3<i32> = exit_7 - vec3<i32>(min(nearest_8, vec3<f32>(4.194304e+06f)));
+    var _S393 : vec3<i32> = planes_4 - vec3<i32>(from_nearest_4 > vec3<f32>(0.0f));
+    var _S394 : vec3<bool> = (abs(from_nearest_4)) <= (this_50.tolerance_0);
     var _S395 : bool;
     if(_S392)
     {
@@ -5814,16 +5826,16 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_2 : bool,  end_3 : u3
         return _S418;
     }
     var ray_24 : Ray_0 = (*given_1);
-    var nearest_8 : Hit_0 = miss_0();
+    var nearest_9 : Hit_0 = miss_0();
     if((params_0.instance_count_0) == u32(0))
     {
-        return nearest_8;
+        return nearest_9;
     }
     var is_zero_2 : vec3<bool> = !((abs(ray_24.direction_1)) >= vec3<f32>(1.17549435082228751e-38f));
     var _S419 : vec3<f32> = select(reciprocal_0(select(ray_24.direction_1, vec3<f32>(1.0f), is_zero_2)), vec3<f32>(3.4028234663852886e+38f), is_zero_2);
     var stack_1 : array<u32, i32(32)>;
     var index_13 : u32 = u32(0);
-    var nearest_9 : Hit_0 = nearest_8;
+    var nearest_10 : Hit_0 = nearest_9;
     var depth_3 : u32 = u32(0);
     for(;;)
     {
@@ -5832,8 +5844,8 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_2 : bool,  end_3 : u3
         if((instance_nodes_0[index_13].is_leaf_0) != u32(0))
         {
             var _S420 : Hit_0 = hit_in_1(instance_nodes_0[index_13].index_0, &(ray_24));
-            var _S421 : Hit_0 = nearest_9;
-            if((_S420.t_1) < (nearest_9.t_1))
+            var _S421 : Hit_0 = nearest_10;
+            if((_S420.t_1) < (nearest_10.t_1))
             {
                 is_reached_1 = true;
             }
@@ -5841,14 +5853,14 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_2 : bool,  end_3 : u3
             {
                 if((_S420.t_1) == (_S421.t_1))
                 {
-                    is_reached_1 = (_S420.instance_3) < (nearest_9.instance_3);
+                    is_reached_1 = (_S420.instance_3) < (nearest_10.instance_3);
                 }
                 else
                 {
                     is_reached_1 = false;
                 }
             }
-            var nearest_10 : Hit_0;
+            var nearest_11 : Hit_0;
             if(is_reached_1)
             {
                 ray_24.t_max_1 = _S420.t_1;
@@ -5856,13 +5868,13 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_2 : bool,  end_3 : u3
                 {
                     return _S420;
                 }
-                nearest_10 = _S420;
+                nearest_11 = _S420;
             }
             else
             {
-                nearest_10 = nearest_9;
+                nearest_11 = nearest_10;
             }
-            nearest_9 = nearest_10;
+            nearest_10 = nearest_11;
             depth_4 = depth_3;
         }
         else
@@ -5936,7 +5948,7 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_2 : bool,  end_3 : u3
             break;
         }
     }
-    return nearest_9;
+    return nearest_10;
 }
 
 var<workgroup> group_counts_0 : array<atomic<u32>, i32(3)>;
