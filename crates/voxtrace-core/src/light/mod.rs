@@ -132,9 +132,7 @@ impl<'a> Lights<'a> {
         let (sample, pdf) = match technique {
             Technique::Sun { sun, pdf } => (sun.sample(receiver, u)?, pdf),
             Technique::Sky { choice, pdf } => (self.sky.sample(receiver, [choice, u[1], u[2], u[3]])?, pdf),
-            Technique::Emitters { choice, pdf } => {
-                (self.emitters.sample(receiver, [choice, u[1], u[2], u[3]])?, pdf)
-            }
+            Technique::Emitters { choice, pdf } => (self.emitters.sample(receiver, [choice, u[1], u[2], u[3]])?, pdf),
         };
         Some(LightSample { pdf: sample.pdf * pdf, ..sample })
     }

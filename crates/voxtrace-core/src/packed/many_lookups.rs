@@ -1,7 +1,7 @@
 //! The materials of many hits: what one waits for memory, the others look for their bricks.
 
-use super::lookup::{HEADER_INDEX_BITS, HEADER_PALETTE, bits_at};
 use super::PackedScene;
+use super::lookup::{HEADER_INDEX_BITS, HEADER_PALETTE, bits_at};
 use crate::walk::simd::prefetch;
 use voxtrace_scene::brick::{block_bit, block_index};
 use voxtrace_scene::grid::local_of;

@@ -21,11 +21,8 @@ struct Lanes {
 }
 
 impl Lanes {
-    const EMPTY: Self = Self {
-        floats: [[0.0; LANES]; NEEDED],
-        integers: [[IDLE[0]; LANES], [IDLE[1]; LANES], [0; LANES]],
-        active: 0,
-    };
+    const EMPTY: Self =
+        Self { floats: [[0.0; LANES]; NEEDED], integers: [[IDLE[0]; LANES], [IDLE[1]; LANES], [0; LANES]], active: 0 };
 }
 
 /// Node and index of lanes without a way: both children are the first node.

@@ -12,7 +12,7 @@ use super::emitters::{Descent, emitter_sample, in_grid};
 use super::{LightSample, Lights, Receiver, Technique};
 use crate::packed::{Emitter, LightNode, PackedScene};
 use crate::walk::Instructions;
-use crate::walk::simd::{LANES, Portable, Simd};
+use crate::walk::simd::{LANES, Portable, Simd, prefetch};
 use faces::Faces;
 pub use ways::CAPACITY;
 use ways::{CHOICE, COUNT, INDEX, NODE, TOTAL, WEIGHT, WITHIN, Ways};
@@ -116,6 +116,12 @@ impl Task<'_> {
         self.enter_grids(top, nodes, room);
         // SAFETY: as above.
         unsafe { descent::descend(s, nodes, &mut room.ways) };
+        for way in 0..room.ways.count {
+            // Two or more emitters lie in a line; most leaves have half of what they may.
+            let leaf = emitters.as_ptr().wrapping_add(room.ways.integers[INDEX][way] as u32 as usize);
+            prefetch(leaf);
+            prefetch(leaf.wrapping_add(2));
+        }
         let mut first = 0;
         while first < room.ways.count {
             // SAFETY: as above; a way has come to a leaf, so there are emitters.

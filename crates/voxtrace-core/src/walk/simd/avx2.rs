@@ -265,9 +265,8 @@ impl Simd for Avx2 {
             for i in 0..4 {
                 let (near, far) = (numbers[8 * half + i], numbers[8 * half + i + 4]);
                 // SAFETY: that the records are there is the caller's duty.
-                let (near, far) = unsafe {
-                    (records.as_ptr().add(near as u32 as usize), records.as_ptr().add(far as u32 as usize))
-                };
+                let (near, far) =
+                    unsafe { (records.as_ptr().add(near as u32 as usize), records.as_ptr().add(far as u32 as usize)) };
                 for row in 0..ROWS {
                     // SAFETY: as above, and as in `halves`.
                     pairs[row][i] = unsafe {

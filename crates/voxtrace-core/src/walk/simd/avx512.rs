@@ -217,7 +217,11 @@ impl Simd for Avx512 {
         have!(_mm512_max_ps(a, b))
     }
     #[inline(always)]
-    unsafe fn gather_records<const ROWS: usize>(self, number: __m512i, records: &[[Row; ROWS]]) -> [[__m512i; 4]; ROWS] {
+    unsafe fn gather_records<const ROWS: usize>(
+        self,
+        number: __m512i,
+        records: &[[Row; ROWS]],
+    ) -> [[__m512i; 4]; ROWS] {
         let mut numbers = [0; LANES];
         self.store(&mut numbers, number);
         super::check_records(&numbers, records);
@@ -233,8 +237,10 @@ impl Simd for Avx512 {
                 // SAFETY: as above, and as in `have`.
                 four[row][i] = unsafe {
                     let vector = _mm512_castps128_ps512(_mm_loadu_ps(at[0].cast::<[f32; 4]>().add(row).cast()));
-                    let vector = _mm512_insertf32x4::<1>(vector, _mm_loadu_ps(at[1].cast::<[f32; 4]>().add(row).cast()));
-                    let vector = _mm512_insertf32x4::<2>(vector, _mm_loadu_ps(at[2].cast::<[f32; 4]>().add(row).cast()));
+                    let vector =
+                        _mm512_insertf32x4::<1>(vector, _mm_loadu_ps(at[1].cast::<[f32; 4]>().add(row).cast()));
+                    let vector =
+                        _mm512_insertf32x4::<2>(vector, _mm_loadu_ps(at[2].cast::<[f32; 4]>().add(row).cast()));
                     _mm512_insertf32x4::<3>(vector, _mm_loadu_ps(at[3].cast::<[f32; 4]>().add(row).cast()))
                 };
             }

@@ -170,7 +170,11 @@ pub trait Simd: Copy {
     /// # Safety
     /// The numbers of records, of all lanes, must lie inside `records`.
     #[inline(always)]
-    unsafe fn gather_records<const ROWS: usize>(self, number: Self::Ints, records: &[[Row; ROWS]]) -> [[Self::Ints; 4]; ROWS] {
+    unsafe fn gather_records<const ROWS: usize>(
+        self,
+        number: Self::Ints,
+        records: &[[Row; ROWS]],
+    ) -> [[Self::Ints; 4]; ROWS] {
         let mut numbers = [0; LANES];
         self.store(&mut numbers, number);
         let mut all = [[self.ints(0); 4]; ROWS];

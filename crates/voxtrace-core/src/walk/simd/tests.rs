@@ -50,7 +50,8 @@ fn results<S: Simd>(s: S, input: &Input) -> Vec<[i32; LANES]> {
     let words: Vec<u32> = (0..32).map(|word| word * 0x0101_0101).collect();
     // SAFETY: the indices are below 32.
     let gathered = unsafe { s.gather(a, mask, small, &words) };
-    let of_record = |row: u32| [[row, row << 8 | 1, row << 16 | 2, row << 24 | 3], [row ^ 4, row ^ 5, row ^ 6, row ^ 7]];
+    let of_record =
+        |row: u32| [[row, row << 8 | 1, row << 16 | 2, row << 24 | 3], [row ^ 4, row ^ 5, row ^ 6, row ^ 7]];
     // SAFETY: the numbers are below 32.
     let records = unsafe { s.gather_records(small, &(0..32).map(of_record).collect::<Vec<_>>()) };
     // What is no number is never rounded, and far from the grid only that matters.
