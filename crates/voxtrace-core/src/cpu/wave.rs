@@ -12,7 +12,7 @@ use crate::light::{self, LightSample, Lights};
 use crate::packed::PackedScene;
 use crate::sampler::Sampler;
 use crate::shadow_catcher::ShadowCatcher;
-use crate::walk;
+use crate::walk::{self, Instructions};
 use glam::Vec3;
 use std::ops::Range;
 use voxtrace_scene::camera::CameraFrame;
@@ -232,7 +232,7 @@ impl Wave {
     ) {
         let (scene, limits) = (context.scene, path::Limits::of(context.frame));
         self.lights.resize(self.asked.len(), None);
-        light::many::sample_all(&context.lights, &self.asked, &mut self.room, &mut self.lights);
+        light::many::sample_all(Instructions::chosen(), &context.lights, &self.asked, &mut self.room, &mut self.lights);
         let mut lights = self.lights.iter();
         for (index, arrival) in under_way.drain(..) {
             let (path, slot) = (&mut self.paths[index], self.slots[index]);

@@ -39,9 +39,8 @@ impl PackedScene {
         let mut places = [Place::default(); AT_A_TIME];
         for first in (0..hits.len()).step_by(AT_A_TIME) {
             let mut count = 0;
-            for index in first..hits.len().min(first + AT_A_TIME) {
+            for (index, hit) in hits.iter().enumerate().skip(first).take(AT_A_TIME) {
                 if wants(index) {
-                    let hit = &hits[index];
                     let grid = &grids[instances[hit.instance as usize].grid as usize];
                     let record = geometry.find_brick(grid, hit.voxel).expect("a hit's voxel is in a brick");
                     prefetch(bricks.as_ptr().wrapping_add(record));

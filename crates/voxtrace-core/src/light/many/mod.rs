@@ -6,6 +6,8 @@
 mod descent;
 mod fall;
 mod kernel;
+#[cfg(test)]
+mod tests;
 mod ways;
 
 use super::emitters::{Chosen, emitter_by_power, emitter_sample, in_grid};
@@ -46,11 +48,16 @@ impl Default for Room {
     }
 }
 
-/// Makes of every choice of an emitter what [`Lights::sample`] does.
-pub fn sample_all(lights: &Lights, asked: &[Asked], room: &mut Room, found: &mut [Option<LightSample>]) {
-    let instructions = Instructions::chosen();
+/// Chooses a light for each of the asked ones, as [`Lights::sample`] does, by instructions that the processor has.
+pub fn sample_all(
+    instructions: Instructions,
+    lights: &Lights,
+    asked: &[Asked],
+    room: &mut Room,
+    found: &mut [Option<LightSample>],
+) {
     let scene = lights.emitters.scene;
-    if instructions == Instructions::Scalar || !is_within_reach(scene) {
+    if instructions == Instructions::Scalar || !instructions.is_available() || !is_within_reach(scene) {
         for (Asked { receiver, u }, found) in asked.iter().zip(found) {
             *found = lights.sample(receiver, *u);
         }
@@ -58,7 +65,7 @@ pub fn sample_all(lights: &Lights, asked: &[Asked], room: &mut Room, found: &mut
     }
     for (asked, found) in asked.chunks(CAPACITY).zip(found.chunks_mut(CAPACITY)) {
         let task = Task { lights, scene, asked };
-        // SAFETY: the processor has the instructions that are chosen; packing and opening give valid scenes only.
+        // SAFETY: the processor has the instructions; packing and opening give valid scenes only.
         unsafe {
             match instructions {
                 #[cfg(target_arch = "x86_64")]

@@ -1,5 +1,6 @@
 //! Vectors of sixteen with AVX2: two registers each, the lower lanes first. Lanes of a mask have all bits set.
 
+#![expect(clippy::needless_range_loop, reason = "a row indexes several arrays")]
 #![expect(unsafe_code, reason = "vector instructions")]
 
 use super::{Bits, LANES, Row, Simd};

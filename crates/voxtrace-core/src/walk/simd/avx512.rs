@@ -1,5 +1,6 @@
 //! Vectors of sixteen with AVX-512: a register each, and masks of their own.
 
+#![expect(clippy::needless_range_loop, reason = "a row indexes several arrays")]
 #![expect(unsafe_code, reason = "vector instructions")]
 
 use super::{Bits, LANES, Row, Simd};

@@ -3,7 +3,7 @@
 use super::grids::Grids;
 use super::{DIRECTION, INVERSE, Lanes, ORIGIN, SIGN_INDEX, SKIP_SHIFT, T_END, TOLERANCE, VOXEL};
 use crate::packed::{Geometry, SKIP_DISTANCES};
-use crate::walk::simd::{Bits, LANES, Simd, prefetch};
+use crate::walk::simd::{Bits, Simd, prefetch};
 
 /// What a step leaves to do.
 pub struct Step {
@@ -96,11 +96,14 @@ impl<'a, S: Simd, G: Grids<S>> Kernel<'a, S, G> {
         s.store(&mut lanes.cell, cell);
         s.store(&mut lanes.shift, shift);
         lanes.inside = s.bits(inside);
-        let mut records = [0; LANES];
         let in_brick = s.both(inside, s.is_negative(cell));
-        s.store(&mut records, s.select(in_brick, s.shl(cell, 1), s.ints(0)));
-        for record in records {
-            prefetch(self.bricks.as_ptr().wrapping_add(record as u32 as usize));
+        let record = s.select(in_brick, s.shl(cell, 1), s.ints(0));
+        let known = s.load(&lanes.record);
+        if s.any(s.except(in_brick, s.eq(record, known))) {
+            s.store(&mut lanes.record, record);
+            for record in lanes.record {
+                prefetch(self.bricks.as_ptr().wrapping_add(record as u32 as usize));
+            }
         }
     }
 

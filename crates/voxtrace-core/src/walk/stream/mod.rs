@@ -60,6 +60,8 @@ pub struct Lanes {
     pub cell: [i32; LANES],
     pub shift: [i32; LANES],
     pub inside: Bits,
+    /// The brick records that were fetched last.
+    pub record: [i32; LANES],
     /// Exit planes of the lanes' boxes, in grid space, as of the last step that left a lane unsure.
     pub exit: [[i32; LANES]; 3],
     /// The grids of the lanes, where they have not all the same.
@@ -121,6 +123,7 @@ impl Lanes {
             cell: [0; LANES],
             shift: [0; LANES],
             inside: 0,
+            record: [0; LANES],
             exit: [[0; LANES]; 3],
             grids: GridOfEach::NONE,
             active: 0,
