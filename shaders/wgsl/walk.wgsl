@@ -213,6 +213,13 @@ struct Sampler_0
      sample_0 : u32,
 };
 
+struct Selection_0
+{
+     sun_0 : f32,
+     sky_1 : f32,
+     emitters_1 : f32,
+};
+
 struct Inside_0
 {
      instance_1 : u32,
@@ -230,6 +237,7 @@ struct Path_0
      beta_0 : vec3<f32>,
      pdf_1 : f32,
      normal_0 : vec3<f32>,
+     selection_0 : Selection_0,
      passed_t_0 : f32,
      inside_0 : Inside_0,
      is_clipped_0 : bool,
@@ -249,13 +257,22 @@ fn sampler_of_0( pixel_2 : u32,  sample_2 : u32) -> Sampler_0
     return Sampler_x24init_0(params_0.seed_0, pixel_2, params_0.first_sample_0 + sample_2);
 }
 
+fn Selection_x24init_0( sun_1 : f32,  sky_2 : f32,  emitters_2 : f32) -> Selection_0
+{
+    var _S2 : Selection_0;
+    _S2.sun_0 = sun_1;
+    _S2.sky_1 = sky_2;
+    _S2.emitters_1 = emitters_2;
+    return _S2;
+}
+
 fn Inside_x24init_0( instance_2 : u32,  voxel_3 : vec3<i32>,  material_2 : u32) -> Inside_0
 {
-    var _S2 : Inside_0;
-    _S2.instance_1 = instance_2;
-    _S2.voxel_2 = voxel_3;
-    _S2.material_1 = material_2;
-    return _S2;
+    var _S3 : Inside_0;
+    _S3.instance_1 = instance_2;
+    _S3.voxel_2 = voxel_3;
+    _S3.material_1 = material_2;
+    return _S3;
 }
 
 fn in_air_0() -> Inside_0
@@ -263,34 +280,35 @@ fn in_air_0() -> Inside_0
     return Inside_x24init_0(u32(4294967295), vec3<i32>(i32(0)), u32(0));
 }
 
-fn Path_x24init_0( sampler_1 : Sampler_0,  bounce_1 : u32,  event_1 : u32,  kinds_1 : u32,  scattered_1 : u32,  beta_1 : vec3<f32>,  pdf_2 : f32,  normal_1 : vec3<f32>,  passed_t_1 : f32,  inside_1 : Inside_0,  is_clipped_1 : bool) -> Path_0
+fn Path_x24init_0( sampler_1 : Sampler_0,  bounce_1 : u32,  event_1 : u32,  kinds_1 : u32,  scattered_1 : u32,  beta_1 : vec3<f32>,  pdf_2 : f32,  normal_1 : vec3<f32>,  selection_1 : Selection_0,  passed_t_1 : f32,  inside_1 : Inside_0,  is_clipped_1 : bool) -> Path_0
 {
-    var _S3 : Path_0;
-    _S3.sampler_0 = sampler_1;
-    _S3.bounce_0 = bounce_1;
-    _S3.event_0 = event_1;
-    _S3.kinds_0 = kinds_1;
-    _S3.scattered_0 = scattered_1;
-    _S3.beta_0 = beta_1;
-    _S3.pdf_1 = pdf_2;
-    _S3.normal_0 = normal_1;
-    _S3.passed_t_0 = passed_t_1;
-    _S3.inside_0 = inside_1;
-    _S3.is_clipped_0 = is_clipped_1;
-    return _S3;
+    var _S4 : Path_0;
+    _S4.sampler_0 = sampler_1;
+    _S4.bounce_0 = bounce_1;
+    _S4.event_0 = event_1;
+    _S4.kinds_0 = kinds_1;
+    _S4.scattered_0 = scattered_1;
+    _S4.beta_0 = beta_1;
+    _S4.pdf_1 = pdf_2;
+    _S4.normal_0 = normal_1;
+    _S4.selection_0 = selection_1;
+    _S4.passed_t_0 = passed_t_1;
+    _S4.inside_0 = inside_1;
+    _S4.is_clipped_0 = is_clipped_1;
+    return _S4;
 }
 
 fn pcg4d_0( words_0 : vec4<u32>) -> vec4<u32>
 {
-    var _S4 : vec4<u32> = words_0 * vec4<u32>(u32(1664525)) + vec4<u32>(u32(1013904223));
-    var v_0 : vec4<u32> = _S4;
-    v_0[i32(0)] = v_0[i32(0)] + _S4.y * _S4.w;
+    var _S5 : vec4<u32> = words_0 * vec4<u32>(u32(1664525)) + vec4<u32>(u32(1013904223));
+    var v_0 : vec4<u32> = _S5;
+    v_0[i32(0)] = v_0[i32(0)] + _S5.y * _S5.w;
     v_0[i32(1)] = v_0[i32(1)] + v_0.z * v_0.x;
     v_0[i32(2)] = v_0[i32(2)] + v_0.x * v_0.y;
     v_0[i32(3)] = v_0[i32(3)] + v_0.y * v_0.z;
-    var _S5 : vec4<u32> = (v_0 ^ (((v_0 >> (vec4<u32>(u32(16)))))));
-    v_0 = _S5;
-    v_0[i32(0)] = v_0[i32(0)] + _S5.y * _S5.w;
+    var _S6 : vec4<u32> = (v_0 ^ (((v_0 >> (vec4<u32>(u32(16)))))));
+    v_0 = _S6;
+    v_0[i32(0)] = v_0[i32(0)] + _S6.y * _S6.w;
     v_0[i32(1)] = v_0[i32(1)] + v_0.z * v_0.x;
     v_0[i32(2)] = v_0[i32(2)] + v_0.x * v_0.y;
     v_0[i32(3)] = v_0[i32(3)] + v_0.y * v_0.z;
@@ -351,16 +369,16 @@ struct CameraFrame_0
 
 fn CameraFrame_x24init_0( lens_2 : u32,  eye_2 : vec3<f32>,  corner_2 : vec3<f32>,  pixel_x_2 : vec3<f32>,  pixel_y_2 : vec3<f32>,  lens_x_2 : vec3<f32>,  lens_y_2 : vec3<f32>,  blades_2 : u32) -> CameraFrame_0
 {
-    var _S6 : CameraFrame_0;
-    _S6.lens_1 = lens_2;
-    _S6.eye_1 = eye_2;
-    _S6.corner_1 = corner_2;
-    _S6.pixel_x_1 = pixel_x_2;
-    _S6.pixel_y_1 = pixel_y_2;
-    _S6.lens_x_1 = lens_x_2;
-    _S6.lens_y_1 = lens_y_2;
-    _S6.blades_1 = blades_2;
-    return _S6;
+    var _S7 : CameraFrame_0;
+    _S7.lens_1 = lens_2;
+    _S7.eye_1 = eye_2;
+    _S7.corner_1 = corner_2;
+    _S7.pixel_x_1 = pixel_x_2;
+    _S7.pixel_y_1 = pixel_y_2;
+    _S7.lens_x_1 = lens_x_2;
+    _S7.lens_y_1 = lens_y_2;
+    _S7.blades_1 = blades_2;
+    return _S7;
 }
 
 @id(5) override LENS_0 : u32 = u32(0);
@@ -386,12 +404,12 @@ struct Perspective_0
 
 fn Perspective_x24init_0( eye_4 : vec3<f32>,  corner_4 : vec3<f32>,  pixel_x_4 : vec3<f32>,  pixel_y_4 : vec3<f32>) -> Perspective_0
 {
-    var _S7 : Perspective_0;
-    _S7.eye_3 = eye_4;
-    _S7.corner_3 = corner_4;
-    _S7.pixel_x_3 = pixel_x_4;
-    _S7.pixel_y_3 = pixel_y_4;
-    return _S7;
+    var _S8 : Perspective_0;
+    _S8.eye_3 = eye_4;
+    _S8.corner_3 = corner_4;
+    _S8.pixel_x_3 = pixel_x_4;
+    _S8.pixel_y_3 = pixel_y_4;
+    return _S8;
 }
 
 struct Axes_0
@@ -403,11 +421,11 @@ struct Axes_0
 
 fn Axes_x24init_0( forward_1 : vec3<f32>,  right_1 : vec3<f32>,  up_1 : vec3<f32>) -> Axes_0
 {
-    var _S8 : Axes_0;
-    _S8.forward_0 = forward_1;
-    _S8.right_0 = right_1;
-    _S8.up_0 = up_1;
-    return _S8;
+    var _S9 : Axes_0;
+    _S9.forward_0 = forward_1;
+    _S9.right_0 = right_1;
+    _S9.up_0 = up_1;
+    return _S9;
 }
 
 struct ThinLens_0
@@ -420,34 +438,25 @@ struct ThinLens_0
 
 fn ThinLens_x24init_0( perspective_1 : Perspective_0,  lens_x_4 : vec3<f32>,  lens_y_4 : vec3<f32>,  blades_4 : u32) -> ThinLens_0
 {
-    var _S9 : ThinLens_0;
-    _S9.perspective_0 = perspective_1;
-    _S9.lens_x_3 = lens_x_4;
-    _S9.lens_y_3 = lens_y_4;
-    _S9.blades_3 = blades_4;
-    return _S9;
+    var _S10 : ThinLens_0;
+    _S10.perspective_0 = perspective_1;
+    _S10.lens_x_3 = lens_x_4;
+    _S10.lens_y_3 = lens_y_4;
+    _S10.blades_3 = blades_4;
+    return _S10;
 }
 
 @id(0) override IS_EXACT_0 : bool = true;
 
-fn is_normal_0( exponent_0 : i32) -> bool
+fn is_normal_0( exponent_0 : u32) -> bool
 {
-    var _S10 : bool;
-    if(exponent_0 > i32(0))
-    {
-        _S10 = exponent_0 < i32(255);
-    }
-    else
-    {
-        _S10 = false;
-    }
-    return _S10;
+    return (exponent_0 - u32(1)) < u32(254);
 }
 
 fn nearest_quotient_0( dividend_0 : u32,  divisor_0 : u32,  guess_0 : u32) -> u32
 {
     var rest_0 : i32 = i32(((dividend_0 << (u32(23)))) - guess_0 * divisor_0);
-    var units_0 : i32 = i32(floor(f32(rest_0) / f32(divisor_0) + 0.5f));
+    var units_0 : i32 = i32(floor(f32(rest_0) * (1.0f / f32(divisor_0)) + 0.5f));
     var _S11 : i32 = i32(divisor_0);
     var _S12 : i32 = i32(2) * (rest_0 - units_0 * _S11);
     return guess_0 + u32(units_0 + (i32(_S12 > _S11) - i32(_S12 < (- _S11))));
@@ -455,28 +464,19 @@ fn nearest_quotient_0( dividend_0 : u32,  divisor_0 : u32,  guess_0 : u32) -> u3
 
 fn divide_0( a_0 : f32,  b_0 : f32) -> f32
 {
-    var native_0 : f32 = a_0 / b_0;
     if(!IS_EXACT_0)
     {
-        return native_0;
+        return a_0 / b_0;
     }
     var _S13 : u32 = (bitcast<u32>((a_0)));
-    var exponent_a_0 : i32 = i32((((_S13 >> (u32(23)))) & (u32(255))));
+    var exponent_a_0 : u32 = (((_S13 >> (u32(23)))) & (u32(255)));
     var _S14 : u32 = (bitcast<u32>((b_0)));
-    var exponent_b_0 : i32 = i32((((_S14 >> (u32(23)))) & (u32(255))));
+    var exponent_b_0 : u32 = (((_S14 >> (u32(23)))) & (u32(255)));
     var dividend_1 : u32 = (((_S13 & (u32(8388607)))) | (u32(8388608)));
     var divisor_1 : u32 = (((_S14 & (u32(8388607)))) | (u32(8388608)));
-    var is_below_0 : bool = dividend_1 < divisor_1;
-    var dividend_2 : u32;
-    if(is_below_0)
-    {
-        dividend_2 = (dividend_1 << (u32(1)));
-    }
-    else
-    {
-        dividend_2 = dividend_1;
-    }
-    var exponent_1 : i32 = exponent_a_0 - exponent_b_0 + i32(127) - i32(is_below_0);
+    var is_below_0 : u32 = u32(dividend_1 < divisor_1);
+    var dividend_2 : u32 = (dividend_1 << (is_below_0));
+    var exponent_1 : u32 = exponent_a_0 + u32(127) - exponent_b_0 - is_below_0;
     var _S15 : bool;
     if(!is_normal_0(exponent_a_0))
     {
@@ -496,9 +496,9 @@ fn divide_0( a_0 : f32,  b_0 : f32) -> f32
     }
     if(_S15)
     {
-        return native_0;
+        return a_0 / b_0;
     }
-    return (bitcast<f32>(((((((_S13 ^ (_S14))) & (u32(2147483648)))) | ((((u32(exponent_1) << (u32(23)))) + (nearest_quotient_0(dividend_2, divisor_1, u32(f32(dividend_2) / f32(divisor_1) * 8.388608e+06f)) - u32(8388608))))))));
+    return (bitcast<f32>(((((((_S13 ^ (_S14))) & (u32(2147483648)))) | ((((exponent_1 << (u32(23)))) + (nearest_quotient_0(dividend_2, divisor_1, u32(f32(dividend_2) * (1.0f / f32(divisor_1)) * 8.388608e+06f)) - u32(8388608))))))));
 }
 
 fn concentric_0( square_0 : vec2<f32>) -> vec2<f32>
@@ -623,28 +623,18 @@ fn nearest_root_0( mantissa_0 : u32,  guess_1 : u32) -> u32
 
 fn square_root_0( value_0 : f32) -> f32
 {
-    var native_1 : f32 = sqrt(value_0);
     if(!IS_EXACT_0)
     {
-        return native_1;
+        return sqrt(value_0);
     }
     var _S21 : u32 = (bitcast<u32>((value_0)));
     var exponent_2 : u32 = (_S21 >> (u32(23)));
-    if(!is_normal_0(i32(exponent_2)))
+    if(!is_normal_0(exponent_2))
     {
-        return native_1;
+        return sqrt(value_0);
     }
-    var mantissa_1 : u32 = (((_S21 & (u32(8388607)))) | (u32(8388608)));
-    var mantissa_2 : u32;
-    if(((exponent_2 & (u32(1)))) == u32(0))
-    {
-        mantissa_2 = (mantissa_1 << (u32(1)));
-    }
-    else
-    {
-        mantissa_2 = mantissa_1;
-    }
-    return (bitcast<f32>(((((((exponent_2 + u32(127)) >> (u32(1)))) << (u32(23)))) + (nearest_root_0(mantissa_2, u32(sqrt(f32(mantissa_2) * 1.1920928955078125e-07f) * 8.388608e+06f)) - u32(8388608)))));
+    var mantissa_1 : u32 = (((((_S21 & (u32(8388607)))) | (u32(8388608)))) << ((((~exponent_2) & (u32(1))))));
+    return (bitcast<f32>(((((((exponent_2 + u32(127)) >> (u32(1)))) << (u32(23)))) + (nearest_root_0(mantissa_1, u32(sqrt(f32(mantissa_1) * 1.1920928955078125e-07f) * 8.388608e+06f)) - u32(8388608)))));
 }
 
 fn normalize_vector_0( vector_1 : vec3<f32>) -> vec3<f32>
@@ -821,7 +811,7 @@ fn PathTracing_clip_0( ray_0 : Ray_0) -> Ray_0
 
 fn camera_path_0( pixel_4 : u32,  sample_4 : u32,  path_0 : ptr<function, Path_0>) -> Ray_0
 {
-    (*path_0) = Path_x24init_0(sampler_of_0(pixel_4, sample_4), u32(0), u32(0), u32(0), u32(0), vec3<f32>(1.0f), 0.0f, vec3<f32>(0.0f), 0.0f, in_air_0(), true);
+    (*path_0) = Path_x24init_0(sampler_of_0(pixel_4, sample_4), u32(0), u32(0), u32(0), u32(0), vec3<f32>(1.0f), 0.0f, vec3<f32>(0.0f), Selection_x24init_0(0.0f, 0.0f, 0.0f), 0.0f, in_air_0(), true);
     var jitter_0 : vec4<f32> = PathTracing_jitter_0((*path_0).sampler_0);
     var _S28 : CameraFrame_0 = FrameParams_camera_0();
     var _S29 : vec2<u32> = position_of_0(pixel_4);
@@ -1017,9 +1007,11 @@ fn min_abs_direction_0() -> f32
     return _S40;
 }
 
-fn LocalRay_tolerance_0( this_9 : LocalRay_0,  grid_min_0 : vec3<i32>,  grid_max_0 : vec3<i32>) -> vec3<f32>
+@id(3) override TOP_SHIFT_0 : u32 = u32(0);
+
+fn LocalRay_tolerance_0( this_9 : LocalRay_0,  low_0 : vec3<i32>,  high_0 : vec3<i32>) -> vec3<f32>
 {
-    return select((abs(this_9.origin_5) + (vec3<f32>(max(abs(grid_min_0), abs(grid_max_0))) + vec3<f32>(1.0f))) * vec3<f32>(3.5762786865234375e-07f), vec3<f32>(-1.0f), (this_9.direction_4) == vec3<f32>(0.0f));
+    return select((abs(this_9.origin_5) + (vec3<f32>(max(abs(low_0), abs(high_0))) + vec3<f32>(1.0f))) * vec3<f32>(5.36441802978515625e-07f), vec3<f32>(-1.0f), (this_9.direction_4) == vec3<f32>(0.0f));
 }
 
 fn LocalRay_t_end_0( this_10 : LocalRay_0) -> f32
@@ -1065,7 +1057,16 @@ fn walk_of_0( _S41 : LocalRay_0,  _S42 : u32) -> Walk_0
         origin_8 = vec3<f32>(1.0f) / walk_0.speed_1;
     }
     walk_0.inverse_1 = origin_8;
-    walk_0.tolerance_0 = LocalRay_tolerance_0(_S41, cell_of_0(grids_0[_S42].min_1), cell_of_0(grids_0[_S42].max_1));
+    var top_shift_1 : u32;
+    if(TOP_SHIFT_0 != u32(0))
+    {
+        top_shift_1 = TOP_SHIFT_0;
+    }
+    else
+    {
+        top_shift_1 = grids_0[_S42].top_shift_0;
+    }
+    walk_0.tolerance_0 = LocalRay_tolerance_0(_S41, walk_0.grid_origin_0, walk_0.grid_origin_0 + (((cell_of_0(grids_0[_S42].top_size_0)) << (vec3<u32>(top_shift_1)))));
     walk_0.t_end_0 = LocalRay_t_end_0(_S41);
     return walk_0;
 }
@@ -1077,8 +1078,8 @@ fn Walk_mirrored_0( this_11 : Walk_0,  voxel_6 : vec3<i32>) -> vec3<i32>
 
 fn halves_0( value_1 : f32) -> vec2<f32>
 {
-    var high_0 : f32 = (bitcast<f32>((((bitcast<u32>((value_1))) & (u32(4294963200))))));
-    return vec2<f32>(high_0, value_1 - high_0);
+    var high_1 : f32 = (bitcast<f32>((((bitcast<u32>((value_1))) & (u32(4294963200))))));
+    return vec2<f32>(high_1, value_1 - high_1);
 }
 
 fn exact_product_0( a_3 : f32,  b_3 : f32) -> vec2<f32>
@@ -1103,14 +1104,14 @@ fn exact_start_voxel_0( ray_2 : LocalRay_0) -> vec3<i32>
     var _S49 : f32 = way_0.x;
     var sum_0 : f32 = ray_2.origin_5[u32(0)] + _S49;
     var part_0 : f32 = sum_0 - ray_2.origin_5[u32(0)];
-    var low_0 : f32 = ray_2.origin_5[u32(0)] - (sum_0 - part_0) + (_S49 - part_0) + way_0.y;
+    var low_1 : f32 = ray_2.origin_5[u32(0)] - (sum_0 - part_0) + (_S49 - part_0) + way_0.y;
     var whole_0 : f32 = floor(sum_0);
     var voxel_7 : vec3<i32>;
     var _S50 : i32 = i32(whole_0);
     var _S51 : bool;
     if(sum_0 == whole_0)
     {
-        _S51 = low_0 < 0.0f;
+        _S51 = low_1 < 0.0f;
     }
     else
     {
@@ -1121,12 +1122,12 @@ fn exact_start_voxel_0( ray_2 : LocalRay_0) -> vec3<i32>
     var _S52 : f32 = way_1.x;
     var sum_1 : f32 = ray_2.origin_5[u32(1)] + _S52;
     var part_1 : f32 = sum_1 - ray_2.origin_5[u32(1)];
-    var low_1 : f32 = ray_2.origin_5[u32(1)] - (sum_1 - part_1) + (_S52 - part_1) + way_1.y;
+    var low_2 : f32 = ray_2.origin_5[u32(1)] - (sum_1 - part_1) + (_S52 - part_1) + way_1.y;
     var whole_1 : f32 = floor(sum_1);
     var _S53 : i32 = i32(whole_1);
     if(sum_1 == whole_1)
     {
-        _S51 = low_1 < 0.0f;
+        _S51 = low_2 < 0.0f;
     }
     else
     {
@@ -1137,12 +1138,12 @@ fn exact_start_voxel_0( ray_2 : LocalRay_0) -> vec3<i32>
     var _S54 : f32 = way_2.x;
     var sum_2 : f32 = ray_2.origin_5[u32(2)] + _S54;
     var part_2 : f32 = sum_2 - ray_2.origin_5[u32(2)];
-    var low_2 : f32 = ray_2.origin_5[u32(2)] - (sum_2 - part_2) + (_S54 - part_2) + way_2.y;
+    var low_3 : f32 = ray_2.origin_5[u32(2)] - (sum_2 - part_2) + (_S54 - part_2) + way_2.y;
     var whole_2 : f32 = floor(sum_2);
     var _S55 : i32 = i32(whole_2);
     if(sum_2 == whole_2)
     {
-        _S51 = low_2 < 0.0f;
+        _S51 = low_3 < 0.0f;
     }
     else
     {
@@ -1246,22 +1247,19 @@ fn Crossing_is_before_0( this_14 : Crossing_0,  other_0 : Crossing_0) -> bool
     return _S58;
 }
 
-fn leave_box_0( ray_4 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>,  guess_2 : vec3<i32>) -> vec3<i32>
+fn leave_box_0( ray_4 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>,  nearest_1 : vec3<i32>) -> vec3<i32>
 {
     var _S59 : vec3<f32>;
     var _S60 : f32;
     var _S61 : bool;
-    var _S62 : bool;
+    var is_crossed_0 : bool;
     var first_1 : Crossing_0;
-    var _S63 : f32;
-    var _S64 : bool;
-    var _S65 : f32;
-    var _S66 : bool;
-    var _S67 : bool;
-    var _S68 : i32;
-    var cell_0 : i32;
-    var i_0 : u32;
-    var _S69 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
+    var _S62 : f32;
+    var _S63 : bool;
+    var _S64 : f32;
+    var _S65 : bool;
+    var plane_2 : i32;
+    var _S66 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
     for(;;)
     {
         for(;;)
@@ -1270,29 +1268,29 @@ fn leave_box_0( ray_4 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>,  
             {
                 _S59 = ray_4.direction_4;
                 _S60 = ray_4.direction_4[u32(0)];
-                var _S70 : bool = (ray_4.direction_4[u32(0)]) == 0.0f;
-                _S61 = _S70;
-                if(_S70)
+                var _S67 : bool = (ray_4.direction_4[u32(0)]) == 0.0f;
+                _S61 = _S67;
+                if(_S67)
                 {
-                    first_1 = _S69;
+                    first_1 = _S66;
                     break;
                 }
                 var crossing_0 : Crossing_0 = crossing_of_0(ray_4, u32(0), exit_0[u32(0)]);
-                if((_S69.axis_0) == u32(3))
+                if((_S66.axis_0) == u32(3))
                 {
-                    _S62 = true;
+                    is_crossed_0 = true;
                 }
                 else
                 {
-                    _S62 = Crossing_is_before_0(crossing_0, _S69);
+                    is_crossed_0 = Crossing_is_before_0(crossing_0, _S66);
                 }
-                if(_S62)
+                if(is_crossed_0)
                 {
                     first_1 = crossing_0;
                 }
                 else
                 {
-                    first_1 = _S69;
+                    first_1 = _S66;
                 }
                 break;
             }
@@ -1302,23 +1300,23 @@ fn leave_box_0( ray_4 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                _S63 = _S59[u32(1)];
-                var _S71 : bool = (_S59[u32(1)]) == 0.0f;
-                _S64 = _S71;
-                if(_S71)
+                _S62 = _S59[u32(1)];
+                var _S68 : bool = (_S59[u32(1)]) == 0.0f;
+                _S63 = _S68;
+                if(_S68)
                 {
                     break;
                 }
                 var crossing_1 : Crossing_0 = crossing_of_0(ray_4, u32(1), exit_0[u32(1)]);
                 if((first_1.axis_0) == u32(3))
                 {
-                    _S62 = true;
+                    is_crossed_0 = true;
                 }
                 else
                 {
-                    _S62 = Crossing_is_before_0(crossing_1, first_1);
+                    is_crossed_0 = Crossing_is_before_0(crossing_1, first_1);
                 }
-                if(_S62)
+                if(is_crossed_0)
                 {
                     first_1 = crossing_1;
                 }
@@ -1330,23 +1328,23 @@ fn leave_box_0( ray_4 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                _S65 = _S59[u32(2)];
-                var _S72 : bool = (_S59[u32(2)]) == 0.0f;
-                _S66 = _S72;
-                if(_S72)
+                _S64 = _S59[u32(2)];
+                var _S69 : bool = (_S59[u32(2)]) == 0.0f;
+                _S65 = _S69;
+                if(_S69)
                 {
                     break;
                 }
                 var crossing_2 : Crossing_0 = crossing_of_0(ray_4, u32(2), exit_0[u32(2)]);
                 if((first_1.axis_0) == u32(3))
                 {
-                    _S62 = true;
+                    is_crossed_0 = true;
                 }
                 else
                 {
-                    _S62 = Crossing_is_before_0(crossing_2, first_1);
+                    is_crossed_0 = Crossing_is_before_0(crossing_2, first_1);
                 }
-                if(_S62)
+                if(is_crossed_0)
                 {
                     first_1 = crossing_2;
                 }
@@ -1367,82 +1365,24 @@ fn leave_box_0( ray_4 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>,  
                 {
                     break;
                 }
-                var is_negative_1 : bool = _S60 < 0.0f;
-                if(u32(0) == (first_1.axis_0))
+                var _S70 : bool = u32(0) == (first_1.axis_0);
+                if(_S70)
                 {
-                    arrival_0[u32(0)] = exit_0[u32(0)] - i32(is_negative_1);
-                    break;
-                }
-                if(is_negative_1)
-                {
-                    _S68 = i32(-1);
+                    is_crossed_0 = true;
                 }
                 else
                 {
-                    _S68 = i32(1);
+                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_4, u32(0), nearest_1[u32(0)]), first_1);
                 }
-                if(is_negative_1)
+                if(_S70)
                 {
-                    cell_0 = min(guess_2[u32(0)], voxel_8[u32(0)]);
+                    plane_2 = exit_0[u32(0)];
                 }
                 else
                 {
-                    cell_0 = max(guess_2[u32(0)], voxel_8[u32(0)]);
+                    plane_2 = nearest_1[u32(0)];
                 }
-                var _S73 : i32 = i32(is_negative_1);
-                i_0 = u32(0);
-                for(;;)
-                {
-                    if(i_0 < u32(4))
-                    {
-                        _S62 = cell_0 != (voxel_8[u32(0)]);
-                    }
-                    else
-                    {
-                        _S62 = false;
-                    }
-                    if(_S62)
-                    {
-                        _S67 = !Crossing_is_before_0(crossing_of_0(ray_4, u32(0), cell_0 + _S73), first_1);
-                    }
-                    else
-                    {
-                        _S67 = false;
-                    }
-                    if(_S67)
-                    {
-                    }
-                    else
-                    {
-                        break;
-                    }
-                    var cell_1 : i32 = cell_0 - _S68;
-                    i_0 = i_0 + u32(1);
-                    cell_0 = cell_1;
-                }
-                i_0 = u32(0);
-                for(;;)
-                {
-                    if(i_0 < u32(4))
-                    {
-                        _S62 = Crossing_is_before_0(crossing_of_0(ray_4, u32(0), cell_0 + _S68 + _S73), first_1);
-                    }
-                    else
-                    {
-                        _S62 = false;
-                    }
-                    if(_S62)
-                    {
-                    }
-                    else
-                    {
-                        break;
-                    }
-                    var cell_2 : i32 = cell_0 + _S68;
-                    i_0 = i_0 + u32(1);
-                    cell_0 = cell_2;
-                }
-                arrival_0[u32(0)] = cell_0;
+                arrival_0[u32(0)] = plane_2 - i32(is_crossed_0 == (_S60 < 0.0f));
                 break;
             }
             break;
@@ -1451,86 +1391,28 @@ fn leave_box_0( ray_4 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                if(_S64)
+                if(_S63)
                 {
                     break;
                 }
-                var is_negative_2 : bool = _S63 < 0.0f;
-                if(u32(1) == (first_1.axis_0))
+                var _S71 : bool = u32(1) == (first_1.axis_0);
+                if(_S71)
                 {
-                    arrival_0[u32(1)] = exit_0[u32(1)] - i32(is_negative_2);
-                    break;
-                }
-                if(is_negative_2)
-                {
-                    _S68 = i32(-1);
+                    is_crossed_0 = true;
                 }
                 else
                 {
-                    _S68 = i32(1);
+                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_4, u32(1), nearest_1[u32(1)]), first_1);
                 }
-                if(is_negative_2)
+                if(_S71)
                 {
-                    cell_0 = min(guess_2[u32(1)], voxel_8[u32(1)]);
+                    plane_2 = exit_0[u32(1)];
                 }
                 else
                 {
-                    cell_0 = max(guess_2[u32(1)], voxel_8[u32(1)]);
+                    plane_2 = nearest_1[u32(1)];
                 }
-                var _S74 : i32 = i32(is_negative_2);
-                i_0 = u32(0);
-                for(;;)
-                {
-                    if(i_0 < u32(4))
-                    {
-                        _S62 = cell_0 != (voxel_8[u32(1)]);
-                    }
-                    else
-                    {
-                        _S62 = false;
-                    }
-                    if(_S62)
-                    {
-                        _S67 = !Crossing_is_before_0(crossing_of_0(ray_4, u32(1), cell_0 + _S74), first_1);
-                    }
-                    else
-                    {
-                        _S67 = false;
-                    }
-                    if(_S67)
-                    {
-                    }
-                    else
-                    {
-                        break;
-                    }
-                    var cell_3 : i32 = cell_0 - _S68;
-                    i_0 = i_0 + u32(1);
-                    cell_0 = cell_3;
-                }
-                i_0 = u32(0);
-                for(;;)
-                {
-                    if(i_0 < u32(4))
-                    {
-                        _S62 = Crossing_is_before_0(crossing_of_0(ray_4, u32(1), cell_0 + _S68 + _S74), first_1);
-                    }
-                    else
-                    {
-                        _S62 = false;
-                    }
-                    if(_S62)
-                    {
-                    }
-                    else
-                    {
-                        break;
-                    }
-                    var cell_4 : i32 = cell_0 + _S68;
-                    i_0 = i_0 + u32(1);
-                    cell_0 = cell_4;
-                }
-                arrival_0[u32(1)] = cell_0;
+                arrival_0[u32(1)] = plane_2 - i32(is_crossed_0 == (_S62 < 0.0f));
                 break;
             }
             break;
@@ -1539,86 +1421,28 @@ fn leave_box_0( ray_4 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                if(_S66)
+                if(_S65)
                 {
                     break;
                 }
-                var is_negative_3 : bool = _S65 < 0.0f;
-                if(u32(2) == (first_1.axis_0))
+                var _S72 : bool = u32(2) == (first_1.axis_0);
+                if(_S72)
                 {
-                    arrival_0[u32(2)] = exit_0[u32(2)] - i32(is_negative_3);
-                    break;
-                }
-                if(is_negative_3)
-                {
-                    _S68 = i32(-1);
+                    is_crossed_0 = true;
                 }
                 else
                 {
-                    _S68 = i32(1);
+                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_4, u32(2), nearest_1[u32(2)]), first_1);
                 }
-                if(is_negative_3)
+                if(_S72)
                 {
-                    cell_0 = min(guess_2[u32(2)], voxel_8[u32(2)]);
+                    plane_2 = exit_0[u32(2)];
                 }
                 else
                 {
-                    cell_0 = max(guess_2[u32(2)], voxel_8[u32(2)]);
+                    plane_2 = nearest_1[u32(2)];
                 }
-                var _S75 : i32 = i32(is_negative_3);
-                i_0 = u32(0);
-                for(;;)
-                {
-                    if(i_0 < u32(4))
-                    {
-                        _S62 = cell_0 != (voxel_8[u32(2)]);
-                    }
-                    else
-                    {
-                        _S62 = false;
-                    }
-                    if(_S62)
-                    {
-                        _S67 = !Crossing_is_before_0(crossing_of_0(ray_4, u32(2), cell_0 + _S75), first_1);
-                    }
-                    else
-                    {
-                        _S67 = false;
-                    }
-                    if(_S67)
-                    {
-                    }
-                    else
-                    {
-                        break;
-                    }
-                    var cell_5 : i32 = cell_0 - _S68;
-                    i_0 = i_0 + u32(1);
-                    cell_0 = cell_5;
-                }
-                i_0 = u32(0);
-                for(;;)
-                {
-                    if(i_0 < u32(4))
-                    {
-                        _S62 = Crossing_is_before_0(crossing_of_0(ray_4, u32(2), cell_0 + _S68 + _S75), first_1);
-                    }
-                    else
-                    {
-                        _S62 = false;
-                    }
-                    if(_S62)
-                    {
-                    }
-                    else
-                    {
-                        break;
-                    }
-                    var cell_6 : i32 = cell_0 + _S68;
-                    i_0 = i_0 + u32(1);
-                    cell_0 = cell_6;
-                }
-                arrival_0[u32(2)] = cell_0;
+                arrival_0[u32(2)] = plane_2 - i32(is_crossed_0 == (_S64 < 0.0f));
                 break;
             }
             break;
@@ -1634,26 +1458,22 @@ fn Walk_arrive_0( this_15 : Walk_0,  voxel_9 : vec3<i32>,  t_3 : f32,  is_axis_0
     if(IS_EXACT_0)
     {
         var position_7 : vec3<f32> = clamp(position_6, vec3<f32>(-2.097152e+06f), vec3<f32>(2.097152e+06f));
-        var nearest_1 : vec3<f32> = round(position_7);
-        var from_nearest_1 : vec3<f32> = position_7 - nearest_1;
-        var cell_7 : vec3<i32> = vec3<i32>(nearest_1) - vec3<i32>(from_nearest_1 < vec3<f32>(0.0f));
+        var nearest_2 : vec3<f32> = round(position_7);
+        var from_nearest_1 : vec3<f32> = position_7 - nearest_2;
         if((any((select(vec3<bool>(false), (abs(position_7)) < vec3<f32>(2.097152e+06f), select(vec3<bool>(false), !is_axis_0, (abs(from_nearest_1)) <= (this_15.tolerance_0)))))))
         {
-            return Walk_mirrored_0(this_15, leave_box_0(this_15.ray_1, Walk_mirrored_0(this_15, voxel_9) + this_15.grid_origin_0, Walk_mirrored_plane_0(this_15, exit_1) + this_15.grid_origin_0, Walk_mirrored_0(this_15, cell_7)) - this_15.grid_origin_0);
+            return Walk_mirrored_0(this_15, leave_box_0(this_15.ray_1, Walk_mirrored_0(this_15, voxel_9) + this_15.grid_origin_0, Walk_mirrored_plane_0(this_15, exit_1) + this_15.grid_origin_0, Walk_mirrored_plane_0(this_15, vec3<i32>(nearest_2))) - this_15.grid_origin_0);
         }
-        return select(cell_7 - this_15.offset_1, exit_1, is_axis_0);
+        return select(vec3<i32>(nearest_2) - vec3<i32>(from_nearest_1 < vec3<f32>(0.0f)) - this_15.offset_1, exit_1, is_axis_0);
     }
     return max(vec3<i32>(floor(position_6)), select(voxel_9, exit_1, is_axis_0));
 }
 
-fn Walk_enter_0( this_16 : Walk_0,  voxel_10 : ptr<function, vec3<i32>>,  low_3 : vec3<i32>,  high_1 : vec3<i32>) -> bool
+fn Walk_enter_rounded_0( this_16 : Walk_0,  voxel_10 : ptr<function, vec3<i32>>,  near_0 : vec3<i32>,  far_0 : vec3<i32>) -> bool
 {
-    var is_mirrored_0 : vec3<bool> = (this_16.mirror_0) != vec3<i32>(i32(0));
-    var _S76 : vec3<i32> = select(low_3, (vec3<i32>(0) - high_1), is_mirrored_0);
-    var far_0 : vec3<i32> = select(high_1, (vec3<i32>(0) - low_3), is_mirrored_0);
     for(;;)
     {
-        var is_before_0 : vec3<bool> = (*voxel_10) < _S76;
+        var is_before_0 : vec3<bool> = (*voxel_10) < near_0;
         if(!(any((is_before_0))))
         {
             break;
@@ -1662,16 +1482,16 @@ fn Walk_enter_0( this_16 : Walk_0,  voxel_10 : ptr<function, vec3<i32>>,  low_3 
         {
             return false;
         }
-        var t_4 : vec3<f32> = select(vec3<f32>(-1.0f), Walk_crossings_0(this_16, _S76), is_before_0);
+        var t_4 : vec3<f32> = select(vec3<f32>(-1.0f), Walk_crossings_0(this_16, near_0), is_before_0);
         var t_last_0 : f32 = max_element_0(t_4);
         if(t_last_0 > (this_16.t_end_0))
         {
             return false;
         }
         var is_x_0 : bool = (t_4.x) == t_last_0;
-        var _S77 : bool = !is_x_0;
+        var _S73 : bool = !is_x_0;
         var is_y_0 : bool;
-        if(_S77)
+        if(_S73)
         {
             is_y_0 = (t_4.y) == t_last_0;
         }
@@ -1679,32 +1499,155 @@ fn Walk_enter_0( this_16 : Walk_0,  voxel_10 : ptr<function, vec3<i32>>,  low_3 
         {
             is_y_0 = false;
         }
-        var _S78 : bool;
-        if(_S77)
+        var _S74 : bool;
+        if(_S73)
         {
-            _S78 = !is_y_0;
+            _S74 = !is_y_0;
         }
         else
         {
-            _S78 = false;
+            _S74 = false;
         }
-        var is_axis_1 : vec3<bool> = vec3<bool>(is_x_0, is_y_0, _S78);
-        (*voxel_10) = Walk_arrive_0(this_16, (*voxel_10), t_last_0, is_axis_1, select(vec3<i32>(i32(1073741823)), _S76, is_axis_1));
+        var is_axis_1 : vec3<bool> = vec3<bool>(is_x_0, is_y_0, _S74);
+        (*voxel_10) = Walk_arrive_0(this_16, (*voxel_10), t_last_0, is_axis_1, select(vec3<i32>(i32(1073741823)), near_0, is_axis_1));
     }
     return (all(((*voxel_10) < far_0)));
 }
 
-fn LocalRay_octant_0( this_17 : LocalRay_0) -> u32
+fn min_element_0( vector_4 : vec3<f32>) -> f32
 {
-    return (((u32((this_17.direction_4.x) < 0.0f) | (((u32((this_17.direction_4.y) < 0.0f) << (u32(1))))))) | (((u32((this_17.direction_4.z) < 0.0f) << (u32(2))))));
+    return min(min(vector_4.x, vector_4.y), vector_4.z);
+}
+
+fn Walk_leave_rounded_0( this_17 : Walk_0,  voxel_11 : ptr<function, vec3<i32>>,  exit_2 : vec3<i32>) -> bool
+{
+    var t_5 : vec3<f32> = Walk_crossings_0(this_17, exit_2);
+    var t_first_0 : f32 = min_element_0(t_5);
+    if(t_first_0 >= (this_17.t_end_0))
+    {
+        return false;
+    }
+    (*voxel_11) = max(exit_2 - vec3<i32>(ceil((t_5 - vec3<f32>(t_first_0)) * this_17.speed_1)), (*voxel_11));
+    return true;
+}
+
+fn Walk_leave_0( this_18 : Walk_0,  voxel_12 : ptr<function, vec3<i32>>,  exit_3 : vec3<i32>) -> bool
+{
+    if(!IS_EXACT_0)
+    {
+        var _S75 : bool = Walk_leave_rounded_0(this_18, &((*voxel_12)), exit_3);
+        return _S75;
+    }
+    var t_6 : vec3<f32> = Walk_crossings_0(this_18, exit_3);
+    var t_first_1 : f32 = min_element_0(t_6);
+    if(t_first_1 > (this_18.t_end_0))
+    {
+        return false;
+    }
+    var is_x_1 : bool = (t_6.x) == t_first_1;
+    var _S76 : bool = !is_x_1;
+    var is_y_1 : bool;
+    if(_S76)
+    {
+        is_y_1 = (t_6.y) == t_first_1;
+    }
+    else
+    {
+        is_y_1 = false;
+    }
+    var back_0 : vec3<f32> = (t_6 - vec3<f32>(t_first_1)) * this_18.speed_1;
+    var nearest_3 : vec3<f32> = round(back_0);
+    var from_nearest_2 : vec3<f32> = back_0 - nearest_3;
+    var planes_2 : vec3<i32> = exit_3 - vec3<i32>(min(nearest_3, vec3<f32>(4.194304e+06f)));
+    var _S77 : vec3<i32> = planes_2 - vec3<i32>(from_nearest_2 > vec3<f32>(0.0f));
+    var _S78 : vec3<bool> = (abs(from_nearest_2)) <= (this_18.tolerance_0);
+    var _S79 : bool;
+    if(_S76)
+    {
+        _S79 = !is_y_1;
+    }
+    else
+    {
+        _S79 = false;
+    }
+    var arrival_1 : vec3<i32>;
+    if((any((select(vec3<bool>(false), !vec3<bool>(is_x_1, is_y_1, _S79), _S78)))))
+    {
+        arrival_1 = Walk_mirrored_0(this_18, leave_box_0(this_18.ray_1, Walk_mirrored_0(this_18, (*voxel_12)) + this_18.grid_origin_0, Walk_mirrored_plane_0(this_18, exit_3) + this_18.grid_origin_0, Walk_mirrored_plane_0(this_18, planes_2) + this_18.grid_origin_0) - this_18.grid_origin_0);
+    }
+    else
+    {
+        arrival_1 = _S77;
+    }
+    (*voxel_12) = select(max(arrival_1, (*voxel_12)), (*voxel_12), (this_18.speed_1) == vec3<f32>(0.0f));
+    return true;
+}
+
+fn Walk_enter_0( this_19 : Walk_0,  voxel_13 : ptr<function, vec3<i32>>,  low_4 : vec3<i32>,  high_2 : vec3<i32>) -> bool
+{
+    var _S80 : bool;
+    var is_mirrored_0 : vec3<bool> = (this_19.mirror_0) != vec3<i32>(i32(0));
+    var near_1 : vec3<i32> = select(low_4, (vec3<i32>(0) - high_2), is_mirrored_0);
+    var far_1 : vec3<i32> = select(high_2, (vec3<i32>(0) - low_4), is_mirrored_0);
+    if(!IS_EXACT_0)
+    {
+        var _S81 : bool = Walk_enter_rounded_0(this_19, &((*voxel_13)), near_1, far_1);
+        return _S81;
+    }
+    var axis_3 : u32 = u32(0);
+    for(;;)
+    {
+        if(axis_3 < u32(3))
+        {
+            _S80 = (any(((*voxel_13) < near_1)));
+        }
+        else
+        {
+            _S80 = false;
+        }
+        var _S82 : bool;
+        if(_S80)
+        {
+            _S82 = (all(((*voxel_13) < far_1)));
+        }
+        else
+        {
+            _S82 = false;
+        }
+        if(_S82)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S83 : bool = Walk_leave_0(this_19, &((*voxel_13)), select(far_1, near_1, (*voxel_13) < near_1));
+        if(!_S83)
+        {
+            return false;
+        }
+        axis_3 = axis_3 + u32(1);
+    }
+    if((all(((*voxel_13) >= near_1))))
+    {
+        _S80 = (all(((*voxel_13) < far_1)));
+    }
+    else
+    {
+        _S80 = false;
+    }
+    return _S80;
+}
+
+fn LocalRay_octant_0( this_20 : LocalRay_0) -> u32
+{
+    return (((u32((this_20.direction_4.x) < 0.0f) | (((u32((this_20.direction_4.y) < 0.0f) << (u32(1))))))) | (((u32((this_20.direction_4.z) < 0.0f) << (u32(2))))));
 }
 
 fn flip_of_0( octant_0 : u32) -> u32
 {
     return ((((((octant_0 & (u32(1)))) | (((((octant_0 & (u32(2)))) << (u32(1))))))) | (((((octant_0 & (u32(4)))) << (u32(2))))))) * u32(3);
 }
-
-@id(3) override TOP_SHIFT_0 : u32 = u32(0);
 
 fn dot_cells_0( a_4 : vec3<i32>,  b_4 : vec3<i32>) -> i32
 {
@@ -1717,41 +1660,36 @@ fn ahead_of_0( mirror_1 : vec3<i32>) -> u32
     return ((((bits_0.x) | ((bits_0.y)))) | ((bits_0.z)));
 }
 
-fn min_element_0( vector_4 : vec3<f32>) -> f32
-{
-    return min(min(vector_4.x, vector_4.y), vector_4.z);
-}
-
 fn cell_in_node_0( relative_0 : vec3<i32>,  shift_0 : u32) -> u32
 {
-    var cell_8 : vec3<u32> = (((vec3<u32>(relative_0) >> (vec3<u32>(shift_0)))) & (vec3<u32>(u32(3))));
-    return ((((cell_8.x) | ((((cell_8.y) << (u32(2))))))) | ((((cell_8.z) << (u32(4))))));
+    var cell_0 : vec3<u32> = (((vec3<u32>(relative_0) >> (vec3<u32>(shift_0)))) & (vec3<u32>(u32(3))));
+    return ((((cell_0.x) | ((((cell_0.y) << (u32(2))))))) | ((((cell_0.z) << (u32(4))))));
 }
 
-fn extents_0( cell_9 : u32,  ahead_0 : u32) -> vec3<i32>
+fn extents_0( cell_1 : u32,  ahead_0 : u32) -> vec3<i32>
 {
-    return vec3<i32>((((vec3<u32>(((((cell_9 & (ahead_0))) | (((((cell_9 >> (u32(15)))) & (((u32(32767) ^ (ahead_0)))))))))) >> (vec3<u32>(u32(0), u32(5), u32(10))))) & (vec3<u32>(u32(31)))));
+    return vec3<i32>((((vec3<u32>(((((cell_1 & (ahead_0))) | (((((cell_1 >> (u32(15)))) & (((u32(32767) ^ (ahead_0)))))))))) >> (vec3<u32>(u32(0), u32(5), u32(10))))) & (vec3<u32>(u32(31)))));
 }
 
 @id(4) override CELLS_HAVE_BLOCKS_0 : bool = false;
 
-fn record_of_cell_0( cell_10 : u32) -> u32
+fn record_of_cell_0( cell_2 : u32) -> u32
 {
-    var _S79 : u32;
+    var _S84 : u32;
     if(CELLS_HAVE_BLOCKS_0)
     {
-        _S79 = u32(8388607);
+        _S84 = u32(8388607);
     }
     else
     {
-        _S79 = u32(2147483647);
+        _S84 = u32(2147483647);
     }
-    return ((cell_10 & (_S79))) * u32(2);
+    return ((cell_2 & (_S84))) * u32(2);
 }
 
-fn blocks_of_cell_0( cell_11 : u32) -> u32
+fn blocks_of_cell_0( cell_3 : u32) -> u32
 {
-    return (((cell_11 >> (u32(23)))) & (u32(255)));
+    return (((cell_3 >> (u32(23)))) & (u32(255)));
 }
 
 fn blocks_of_record_0( record_0 : u32) -> u32
@@ -1759,151 +1697,165 @@ fn blocks_of_record_0( record_0 : u32) -> u32
     return (bricks_0[record_0] & (u32(255)));
 }
 
-fn empty_around_0( record_1 : u32,  blocks_0 : u32,  voxel_11 : vec3<i32>,  octant_1 : u32,  flip_0 : u32) -> u32
+fn empty_around_0( record_1 : u32,  blocks_0 : u32,  voxel_14 : vec3<i32>,  octant_1 : u32,  flip_0 : u32) -> u32
 {
-    var block_0 : u32 = (((((u32(((((voxel_11.x) >> (u32(2)))) & (i32(1)))) | (u32(((((voxel_11.y) >> (u32(1)))) & (i32(2))))))) | (u32(((voxel_11.z) & (i32(4))))))) ^ (octant_1));
+    var block_0 : u32 = (((((u32(((((voxel_14.x) >> (u32(2)))) & (i32(1)))) | (u32(((((voxel_14.y) >> (u32(1)))) & (i32(2))))))) | (u32(((voxel_14.z) & (i32(4))))))) ^ (octant_1));
     if(((((blocks_0 >> (block_0))) & (u32(1)))) == u32(0))
     {
         return u32(3);
     }
-    var bit_0 : u32 = ((cell_in_node_0(voxel_11, u32(0))) ^ (flip_0));
+    var bit_0 : u32 = ((cell_in_node_0(voxel_14, u32(0))) ^ (flip_0));
     var half_0 : u32 = bricks_0[record_1 + u32(2) + u32(2) * countOneBits((blocks_0 & ((((u32(1) << (block_0))) - u32(1))))) + ((bit_0 >> (u32(5))))];
     if(((((half_0 >> (((bit_0 & (u32(31))))))) & (u32(1)))) != u32(0))
     {
         return u32(4294967295);
     }
-    var _S80 : i32;
+    var _S85 : i32;
     if(((((half_0 >> (((bit_0 & (u32(10))))))) & (u32(3342387)))) == u32(0))
     {
-        _S80 = i32(1);
+        _S85 = i32(1);
     }
     else
     {
-        _S80 = i32(0);
+        _S85 = i32(0);
     }
-    return u32(_S80);
+    return u32(_S85);
 }
 
-fn Walk_leave_rounded_0( this_18 : Walk_0,  voxel_12 : ptr<function, vec3<i32>>,  exit_2 : vec3<i32>) -> bool
+fn Walk_leave_rounded_1( this_21 : Walk_0,  voxel_15 : ptr<function, vec3<i32>>,  exit_4 : vec3<i32>) -> bool
 {
-    var t_5 : vec3<f32> = Walk_crossings_0(this_18, exit_2);
-    var t_first_0 : f32 = min_element_0(t_5);
-    if(t_first_0 >= (this_18.t_end_0))
+    var t_7 : vec3<f32> = Walk_crossings_0(this_21, exit_4);
+    var t_first_2 : f32 = min_element_0(t_7);
+    if(t_first_2 >= (this_21.t_end_0))
     {
         return false;
     }
-    (*voxel_12) = max(exit_2 - vec3<i32>(ceil((t_5 - vec3<f32>(t_first_0)) * this_18.speed_1)), (*voxel_12));
+    (*voxel_15) = max(exit_4 - vec3<i32>(ceil((t_7 - vec3<f32>(t_first_2)) * this_21.speed_1)), (*voxel_15));
     return true;
 }
 
-fn Walk_leave_0( this_19 : Walk_0,  voxel_13 : ptr<function, vec3<i32>>,  exit_3 : vec3<i32>) -> bool
+fn Walk_leave_1( this_22 : Walk_0,  voxel_16 : ptr<function, vec3<i32>>,  exit_5 : vec3<i32>) -> bool
 {
     if(!IS_EXACT_0)
     {
-        var _S81 : bool = Walk_leave_rounded_0(this_19, &((*voxel_13)), exit_3);
-        return _S81;
+        var _S86 : bool = Walk_leave_rounded_1(this_22, &((*voxel_16)), exit_5);
+        return _S86;
     }
-    var t_6 : vec3<f32> = Walk_crossings_0(this_19, exit_3);
-    var t_first_1 : f32 = min_element_0(t_6);
-    if(t_first_1 > (this_19.t_end_0))
+    var t_8 : vec3<f32> = Walk_crossings_0(this_22, exit_5);
+    var t_first_3 : f32 = min_element_0(t_8);
+    if(t_first_3 > (this_22.t_end_0))
     {
         return false;
     }
-    var is_x_1 : bool = (t_6.x) == t_first_1;
-    var _S82 : bool = !is_x_1;
-    var is_y_1 : bool;
-    if(_S82)
+    var is_x_2 : bool = (t_8.x) == t_first_3;
+    var _S87 : bool = !is_x_2;
+    var is_y_2 : bool;
+    if(_S87)
     {
-        is_y_1 = (t_6.y) == t_first_1;
+        is_y_2 = (t_8.y) == t_first_3;
     }
     else
     {
-        is_y_1 = false;
+        is_y_2 = false;
     }
-    var _S83 : vec3<i32> = (*voxel_13);
-    var _S84 : bool;
-    if(_S82)
+    var back_1 : vec3<f32> = (t_8 - vec3<f32>(t_first_3)) * this_22.speed_1;
+    var nearest_4 : vec3<f32> = round(back_1);
+    var from_nearest_3 : vec3<f32> = back_1 - nearest_4;
+    var planes_3 : vec3<i32> = exit_5 - vec3<i32>(min(nearest_4, vec3<f32>(4.194304e+06f)));
+    var _S88 : vec3<i32> = planes_3 - vec3<i32>(from_nearest_3 > vec3<f32>(0.0f));
+    var _S89 : vec3<bool> = (abs(from_nearest_3)) <= (this_22.tolerance_0);
+    var _S90 : bool;
+    if(_S87)
     {
-        _S84 = !is_y_1;
+        _S90 = !is_y_2;
     }
     else
     {
-        _S84 = false;
+        _S90 = false;
     }
-    (*voxel_13) = Walk_arrive_0(this_19, _S83, t_first_1, vec3<bool>(is_x_1, is_y_1, _S84), exit_3);
+    var arrival_2 : vec3<i32>;
+    if((any((select(vec3<bool>(false), !vec3<bool>(is_x_2, is_y_2, _S90), _S89)))))
+    {
+        arrival_2 = Walk_mirrored_0(this_22, leave_box_0(this_22.ray_1, Walk_mirrored_0(this_22, (*voxel_16)) + this_22.grid_origin_0, Walk_mirrored_plane_0(this_22, exit_5) + this_22.grid_origin_0, Walk_mirrored_plane_0(this_22, planes_3) + this_22.grid_origin_0) - this_22.grid_origin_0);
+    }
+    else
+    {
+        arrival_2 = _S88;
+    }
+    (*voxel_16) = select(max(arrival_2, (*voxel_16)), (*voxel_16), (this_22.speed_1) == vec3<f32>(0.0f));
     return true;
 }
 
-fn first_voxel_0( _S85 : u32,  _S86 : Walk_0,  _S87 : ptr<function, vec3<i32>>) -> bool
+fn first_voxel_0( _S91 : u32,  _S92 : Walk_0,  _S93 : ptr<function, vec3<i32>>) -> bool
 {
-    var _S88 : Walk_0 = _S86;
-    var _S89 : vec3<i32> = vec3<i32>(i32(0));
-    (*_S87) = _S89;
-    var voxel_14 : vec3<i32> = Walk_start_voxel_0(_S86);
-    var _S90 : bool = Walk_enter_0(_S86, &(voxel_14), cell_of_0(grids_0[_S85].min_1) - _S88.grid_origin_0, cell_of_0(grids_0[_S85].max_1) - _S88.grid_origin_0);
-    if(!_S90)
+    var _S94 : Walk_0 = _S92;
+    var _S95 : vec3<i32> = vec3<i32>(i32(0));
+    (*_S93) = _S95;
+    var voxel_17 : vec3<i32> = Walk_start_voxel_0(_S92);
+    var _S96 : bool = Walk_enter_0(_S92, &(voxel_17), cell_of_0(grids_0[_S91].min_1) - _S94.grid_origin_0, cell_of_0(grids_0[_S91].max_1) - _S94.grid_origin_0);
+    if(!_S96)
     {
         return false;
     }
-    var octant_2 : u32 = LocalRay_octant_0(_S88.ray_1);
-    var _S91 : u32 = flip_of_0(octant_2);
-    var top_shift_1 : u32;
+    var octant_2 : u32 = LocalRay_octant_0(_S94.ray_1);
+    var _S97 : u32 = flip_of_0(octant_2);
+    var top_shift_2 : u32;
     if(TOP_SHIFT_0 != u32(0))
     {
-        top_shift_1 = TOP_SHIFT_0;
+        top_shift_2 = TOP_SHIFT_0;
     }
     else
     {
-        top_shift_1 = grids_0[_S85].top_shift_0;
+        top_shift_2 = grids_0[_S91].top_shift_0;
     }
-    var top_size_1 : vec3<i32> = cell_of_0(grids_0[_S85].top_size_0);
-    var _S92 : i32 = top_size_1.x;
-    var stride_0 : vec3<i32> = vec3<i32>(i32(1), _S92, _S92 * top_size_1.y);
-    var _S93 : i32 = i32(grids_0[_S85].top_offset_0) - dot_cells_0((stride_0 & ((_S88.mirror_0))), vec3<i32>(i32(1)));
-    var _S94 : vec3<i32> = Walk_mirrored_plane_0(_S88, stride_0);
-    var _S95 : u32 = ahead_of_0(_S88.mirror_0);
-    var end_0 : vec3<i32> = select((top_size_1 << (vec3<u32>(top_shift_1))), _S89, (_S88.mirror_0) != _S89);
+    var top_size_1 : vec3<i32> = cell_of_0(grids_0[_S91].top_size_0);
+    var _S98 : i32 = top_size_1.x;
+    var stride_0 : vec3<i32> = vec3<i32>(i32(1), _S98, _S98 * top_size_1.y);
+    var _S99 : i32 = i32(grids_0[_S91].top_offset_0) - dot_cells_0((stride_0 & ((_S94.mirror_0))), vec3<i32>(i32(1)));
+    var _S100 : vec3<i32> = Walk_mirrored_plane_0(_S94, stride_0);
+    var _S101 : u32 = ahead_of_0(_S94.mirror_0);
+    var end_0 : vec3<i32> = select((top_size_1 << (vec3<u32>(top_shift_2))), _S95, (_S94.mirror_0) != _S95);
     if(!IS_EXACT_0)
     {
-        _S88.t_end_0 = min(_S88.t_end_0, min_element_0(Walk_crossings_0(_S88, end_0)));
+        _S94.t_end_0 = min(_S94.t_end_0, min_element_0(Walk_crossings_0(_S94, end_0)));
     }
     var is_found_0 : bool = false;
     for(;;)
     {
-        var _S96 : bool;
+        var _S102 : bool;
         if(IS_EXACT_0)
         {
-            _S96 = (any((voxel_14 >= end_0)));
+            _S102 = (any((voxel_17 >= end_0)));
         }
         else
         {
-            _S96 = false;
+            _S102 = false;
         }
-        if(_S96)
+        if(_S102)
         {
             break;
         }
-        var cell_12 : u32 = cells_0[_S93 + dot_cells_0(_S94, (voxel_14 >> (vec3<u32>(top_shift_1))))];
-        var cell_13 : u32;
+        var cell_4 : u32 = cells_0[_S99 + dot_cells_0(_S100, (voxel_17 >> (vec3<u32>(top_shift_2))))];
+        var cell_5 : u32;
         var shift_1 : u32;
         var is_found_1 : bool;
         if(TOP_SHIFT_0 == u32(5))
         {
-            if(((cell_12 & (u32(2147483648)))) != u32(0))
+            if(((cell_4 & (u32(2147483648)))) != u32(0))
             {
-                cell_13 = cells_0[((cell_12 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_14, u32(3))) ^ (_S91)))];
+                cell_5 = cells_0[((cell_4 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_17, u32(3))) ^ (_S97)))];
                 shift_1 = u32(3);
             }
             else
             {
-                cell_13 = cell_12;
-                shift_1 = top_shift_1;
+                cell_5 = cell_4;
+                shift_1 = top_shift_2;
             }
         }
         else
         {
-            cell_13 = cell_12;
-            shift_1 = top_shift_1;
+            cell_5 = cell_4;
+            shift_1 = top_shift_2;
             for(;;)
             {
                 if(TOP_SHIFT_0 != u32(3))
@@ -1914,16 +1866,16 @@ fn first_voxel_0( _S85 : u32,  _S86 : Walk_0,  _S87 : ptr<function, vec3<i32>>) 
                 {
                     is_found_1 = false;
                 }
-                var _S97 : bool;
+                var _S103 : bool;
                 if(is_found_1)
                 {
-                    _S97 = ((cell_13 & (u32(2147483648)))) != u32(0);
+                    _S103 = ((cell_5 & (u32(2147483648)))) != u32(0);
                 }
                 else
                 {
-                    _S97 = false;
+                    _S103 = false;
                 }
-                if(_S97)
+                if(_S103)
                 {
                 }
                 else
@@ -1931,47 +1883,47 @@ fn first_voxel_0( _S85 : u32,  _S86 : Walk_0,  _S87 : ptr<function, vec3<i32>>) 
                     break;
                 }
                 var shift_2 : u32 = shift_1 - u32(2);
-                cell_13 = cells_0[((cell_13 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_14, shift_2)) ^ (_S91)))];
+                cell_5 = cells_0[((cell_5 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_17, shift_2)) ^ (_S97)))];
                 shift_1 = shift_2;
             }
         }
-        var exit_4 : vec3<i32>;
-        if(((cell_13 & (u32(2147483648)))) == u32(0))
+        var exit_6 : vec3<i32>;
+        if(((cell_5 & (u32(2147483648)))) == u32(0))
         {
-            exit_4 = ((voxel_14 | (vec3<i32>((((i32(1) << (shift_1))) - i32(1)))))) + vec3<i32>(i32(1)) + (((extents_0(cell_13, _S95)) << (vec3<u32>(shift_1))));
+            exit_6 = ((voxel_17 | (vec3<i32>((((i32(1) << (shift_1))) - i32(1)))))) + vec3<i32>(i32(1)) + (((extents_0(cell_5, _S101)) << (vec3<u32>(shift_1))));
             is_found_1 = is_found_0;
         }
         else
         {
-            var record_2 : u32 = record_of_cell_0(cell_13);
+            var record_2 : u32 = record_of_cell_0(cell_5);
             var blocks_1 : u32;
             if(CELLS_HAVE_BLOCKS_0)
             {
-                blocks_1 = blocks_of_cell_0(cell_13);
+                blocks_1 = blocks_of_cell_0(cell_5);
             }
             else
             {
                 blocks_1 = blocks_of_record_0(record_2);
             }
-            var low_bits_0 : u32 = empty_around_0(record_2, blocks_1, voxel_14, octant_2, _S91);
+            var low_bits_0 : u32 = empty_around_0(record_2, blocks_1, voxel_17, octant_2, _S97);
             var is_found_2 : bool = low_bits_0 == u32(4294967295);
             if(is_found_2)
             {
                 is_found_0 = is_found_2;
                 break;
             }
-            exit_4 = ((voxel_14 | (vec3<i32>(i32(low_bits_0))))) + vec3<i32>(i32(1));
+            exit_6 = ((voxel_17 | (vec3<i32>(i32(low_bits_0))))) + vec3<i32>(i32(1));
             is_found_1 = is_found_2;
         }
-        var _S98 : bool = Walk_leave_0(_S88, &(voxel_14), exit_4);
-        if(!_S98)
+        var _S104 : bool = Walk_leave_1(_S94, &(voxel_17), exit_6);
+        if(!_S104)
         {
             is_found_0 = is_found_1;
             break;
         }
         is_found_0 = is_found_1;
     }
-    (*_S87) = Walk_mirrored_0(_S88, voxel_14) + _S88.grid_origin_0;
+    (*_S93) = Walk_mirrored_0(_S94, voxel_17) + _S94.grid_origin_0;
     return is_found_0;
 }
 
@@ -1981,40 +1933,40 @@ fn ray_of_walk_0( walk_1 : Walk_0,  ray_5 : Ray_0) -> Ray_0
     return Ray_x24init_0(select(walk_1.origin_7, (vec3<f32>(0) - walk_1.origin_7), is_mirrored_1) + vec3<f32>(walk_1.grid_origin_0), ray_5.t_min_1, select(walk_1.speed_1, (vec3<f32>(0) - walk_1.speed_1), is_mirrored_1), ray_5.t_max_1);
 }
 
-fn hit_of_0( ray_6 : LocalRay_0,  voxel_15 : vec3<i32>,  instance_5 : u32) -> Hit_0
+fn hit_of_0( ray_6 : LocalRay_0,  voxel_18 : vec3<i32>,  instance_5 : u32) -> Hit_0
 {
-    var _S99 : vec3<f32>;
-    var _S100 : bool;
+    var _S105 : vec3<f32>;
+    var _S106 : bool;
     var last_1 : Crossing_0;
-    var _S101 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
+    var _S107 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
     for(;;)
     {
         for(;;)
         {
             for(;;)
             {
-                _S99 = ray_6.direction_4;
+                _S105 = ray_6.direction_4;
                 if((ray_6.direction_4[u32(0)]) == 0.0f)
                 {
-                    last_1 = _S101;
+                    last_1 = _S107;
                     break;
                 }
-                var crossing_3 : Crossing_0 = crossing_of_0(ray_6, u32(0), voxel_15[u32(0)] + i32((ray_6.direction_4[u32(0)]) < 0.0f));
-                if((_S101.axis_0) == u32(3))
+                var crossing_3 : Crossing_0 = crossing_of_0(ray_6, u32(0), voxel_18[u32(0)] + i32((ray_6.direction_4[u32(0)]) < 0.0f));
+                if((_S107.axis_0) == u32(3))
                 {
-                    _S100 = true;
+                    _S106 = true;
                 }
                 else
                 {
-                    _S100 = !Crossing_is_before_0(crossing_3, _S101);
+                    _S106 = !Crossing_is_before_0(crossing_3, _S107);
                 }
-                if(_S100)
+                if(_S106)
                 {
                     last_1 = crossing_3;
                 }
                 else
                 {
-                    last_1 = _S101;
+                    last_1 = _S107;
                 }
                 break;
             }
@@ -2024,21 +1976,21 @@ fn hit_of_0( ray_6 : LocalRay_0,  voxel_15 : vec3<i32>,  instance_5 : u32) -> Hi
         {
             for(;;)
             {
-                var _S102 : vec3<f32> = _S99;
-                if((_S99[u32(1)]) == 0.0f)
+                var _S108 : vec3<f32> = _S105;
+                if((_S105[u32(1)]) == 0.0f)
                 {
                     break;
                 }
-                var crossing_4 : Crossing_0 = crossing_of_0(ray_6, u32(1), voxel_15[u32(1)] + i32((_S102[u32(1)]) < 0.0f));
+                var crossing_4 : Crossing_0 = crossing_of_0(ray_6, u32(1), voxel_18[u32(1)] + i32((_S108[u32(1)]) < 0.0f));
                 if((last_1.axis_0) == u32(3))
                 {
-                    _S100 = true;
+                    _S106 = true;
                 }
                 else
                 {
-                    _S100 = !Crossing_is_before_0(crossing_4, last_1);
+                    _S106 = !Crossing_is_before_0(crossing_4, last_1);
                 }
-                if(_S100)
+                if(_S106)
                 {
                     last_1 = crossing_4;
                 }
@@ -2050,21 +2002,21 @@ fn hit_of_0( ray_6 : LocalRay_0,  voxel_15 : vec3<i32>,  instance_5 : u32) -> Hi
         {
             for(;;)
             {
-                var _S103 : vec3<f32> = _S99;
-                if((_S99[u32(2)]) == 0.0f)
+                var _S109 : vec3<f32> = _S105;
+                if((_S105[u32(2)]) == 0.0f)
                 {
                     break;
                 }
-                var crossing_5 : Crossing_0 = crossing_of_0(ray_6, u32(2), voxel_15[u32(2)] + i32((_S103[u32(2)]) < 0.0f));
+                var crossing_5 : Crossing_0 = crossing_of_0(ray_6, u32(2), voxel_18[u32(2)] + i32((_S109[u32(2)]) < 0.0f));
                 if((last_1.axis_0) == u32(3))
                 {
-                    _S100 = true;
+                    _S106 = true;
                 }
                 else
                 {
-                    _S100 = !Crossing_is_before_0(crossing_5, last_1);
+                    _S106 = !Crossing_is_before_0(crossing_5, last_1);
                 }
-                if(_S100)
+                if(_S106)
                 {
                     last_1 = crossing_5;
                 }
@@ -2074,80 +2026,80 @@ fn hit_of_0( ray_6 : LocalRay_0,  voxel_15 : vec3<i32>,  instance_5 : u32) -> Hi
         }
         break;
     }
-    var _S104 : Crossing_0 = last_1;
-    var is_negative_4 : bool = (_S99[last_1.axis_0]) < 0.0f;
-    var t_7 : f32 = (f32(voxel_15[last_1.axis_0] + i32(is_negative_4)) - ray_6.origin_5[last_1.axis_0]) * ray_6.inverse_0[last_1.axis_0];
-    var _S105 : f32;
-    if(t_7 > (ray_6.t_min_3))
+    var _S110 : Crossing_0 = last_1;
+    var is_negative_1 : bool = (_S105[last_1.axis_0]) < 0.0f;
+    var t_9 : f32 = (f32(voxel_18[last_1.axis_0] + i32(is_negative_1)) - ray_6.origin_5[last_1.axis_0]) * ray_6.inverse_0[last_1.axis_0];
+    var _S111 : f32;
+    if(t_9 > (ray_6.t_min_3))
     {
-        _S105 = t_7;
+        _S111 = t_9;
     }
     else
     {
-        _S105 = ray_6.t_min_3;
+        _S111 = ray_6.t_min_3;
     }
-    return Hit_x24init_0(_S105, instance_5, voxel_15, u32(2) * _S104.axis_0 + u32(is_negative_4));
+    return Hit_x24init_0(_S111, instance_5, voxel_18, u32(2) * _S110.axis_0 + u32(is_negative_1));
 }
 
-fn hit_of_walk_0( walk_2 : Walk_0,  voxel_16 : vec3<i32>,  instance_6 : u32) -> Hit_0
+fn hit_of_walk_0( walk_2 : Walk_0,  voxel_19 : vec3<i32>,  instance_6 : u32) -> Hit_0
 {
-    var t_8 : vec3<f32> = Walk_crossings_0(walk_2, Walk_mirrored_0(walk_2, voxel_16 - walk_2.grid_origin_0));
-    var last_2 : f32 = max_element_0(t_8);
-    var _S106 : i32;
-    if((t_8.z) == last_2)
+    var t_10 : vec3<f32> = Walk_crossings_0(walk_2, Walk_mirrored_0(walk_2, voxel_19 - walk_2.grid_origin_0));
+    var last_2 : f32 = max_element_0(t_10);
+    var _S112 : i32;
+    if((t_10.z) == last_2)
     {
-        _S106 = i32(2);
+        _S112 = i32(2);
     }
     else
     {
-        if((t_8.y) == last_2)
+        if((t_10.y) == last_2)
         {
-            _S106 = i32(1);
+            _S112 = i32(1);
         }
         else
         {
-            _S106 = i32(0);
+            _S112 = i32(0);
         }
     }
-    var axis_3 : u32 = u32(_S106);
-    return Hit_x24init_0(max(last_2, walk_2.ray_1.t_min_3), instance_6, voxel_16, u32(2) * axis_3 + u32((walk_2.mirror_0[axis_3]) != i32(0)));
+    var axis_4 : u32 = u32(_S112);
+    return Hit_x24init_0(max(last_2, walk_2.ray_1.t_min_3), instance_6, voxel_19, u32(2) * axis_4 + u32((walk_2.mirror_0[axis_4]) != i32(0)));
 }
 
 fn hit_in_0( instance_7 : u32,  ray_7 : ptr<function, Ray_0>) -> Hit_0
 {
-    var _S107 : LocalRay_0 = local_ray_0((*ray_7), instance_7);
-    if(!_S107.is_valid_0)
+    var _S113 : LocalRay_0 = local_ray_0((*ray_7), instance_7);
+    if(!_S113.is_valid_0)
     {
         return miss_0();
     }
-    var _S108 : Walk_0 = walk_of_0(_S107, instances_0[instance_7].grid_0);
-    var voxel_17 : vec3<i32>;
-    var _S109 : bool = first_voxel_0(instances_0[instance_7].grid_0, _S108, &(voxel_17));
-    var _S110 : bool;
+    var _S114 : Walk_0 = walk_of_0(_S113, instances_0[instance_7].grid_0);
+    var voxel_20 : vec3<i32>;
+    var _S115 : bool = first_voxel_0(instances_0[instance_7].grid_0, _S114, &(voxel_20));
+    var _S116 : bool;
     if(IS_SINGLE_0)
     {
-        _S110 = !IS_EXACT_0;
+        _S116 = !IS_EXACT_0;
     }
     else
     {
-        _S110 = false;
+        _S116 = false;
     }
-    if(_S110)
+    if(_S116)
     {
-        (*ray_7) = ray_of_walk_0(_S108, (*ray_7));
+        (*ray_7) = ray_of_walk_0(_S114, (*ray_7));
     }
-    if(!_S109)
+    if(!_S115)
     {
         return miss_0();
     }
     var hit_0 : Hit_0;
     if(IS_EXACT_0)
     {
-        hit_0 = hit_of_0(_S107, voxel_17, instance_7);
+        hit_0 = hit_of_0(_S113, voxel_20, instance_7);
     }
     else
     {
-        hit_0 = hit_of_walk_0(_S108, voxel_17, instance_7);
+        hit_0 = hit_of_walk_0(_S114, voxel_20, instance_7);
     }
     if((hit_0.t_1) > ((*ray_7).t_max_1))
     {
@@ -2156,41 +2108,41 @@ fn hit_in_0( instance_7 : u32,  ray_7 : ptr<function, Ray_0>) -> Hit_0
     return hit_0;
 }
 
-fn entry_0( _S111 : u32,  _S112 : Ray_0,  _S113 : vec3<f32>) -> f32
+fn entry_0( _S117 : u32,  _S118 : Ray_0,  _S119 : vec3<f32>) -> f32
 {
-    var low_4 : vec3<f32> = (vector_of_0(instance_nodes_0[_S111].min_0) - _S112.origin_2) * _S113;
-    var high_2 : vec3<f32> = (vector_of_0(instance_nodes_0[_S111].max_0) - _S112.origin_2) * _S113;
-    var _S114 : f32 = max(_S112.t_min_1, max_element_0(min(low_4, high_2)));
-    var _S115 : f32;
-    if(_S114 <= (min(_S112.t_max_1, min_element_0(max(low_4, high_2)))))
+    var low_5 : vec3<f32> = (vector_of_0(instance_nodes_0[_S117].min_0) - _S118.origin_2) * _S119;
+    var high_3 : vec3<f32> = (vector_of_0(instance_nodes_0[_S117].max_0) - _S118.origin_2) * _S119;
+    var _S120 : f32 = max(_S118.t_min_1, max_element_0(min(low_5, high_3)));
+    var _S121 : f32;
+    if(_S120 <= (min(_S118.t_max_1, min_element_0(max(low_5, high_3)))))
     {
-        _S115 = _S114;
+        _S121 = _S120;
     }
     else
     {
-        _S115 = (bitcast<f32>((u32(2139095040))));
+        _S121 = (bitcast<f32>((u32(2139095040))));
     }
-    return _S115;
+    return _S121;
 }
 
 fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_1 : u32) -> Hit_0
 {
     if(IS_SINGLE_0)
     {
-        var _S116 : Hit_0 = hit_in_0(u32(0), &((*given_0)));
-        return _S116;
+        var _S122 : Hit_0 = hit_in_0(u32(0), &((*given_0)));
+        return _S122;
     }
     var ray_8 : Ray_0 = (*given_0);
-    var nearest_2 : Hit_0 = miss_0();
+    var nearest_5 : Hit_0 = miss_0();
     if((params_0.instance_count_0) == u32(0))
     {
-        return nearest_2;
+        return nearest_5;
     }
     var is_zero_1 : vec3<bool> = !((abs(ray_8.direction_1)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S117 : vec3<f32> = select(reciprocal_0(select(ray_8.direction_1, vec3<f32>(1.0f), is_zero_1)), vec3<f32>(3.4028234663852886e+38f), is_zero_1);
+    var _S123 : vec3<f32> = select(reciprocal_0(select(ray_8.direction_1, vec3<f32>(1.0f), is_zero_1)), vec3<f32>(3.4028234663852886e+38f), is_zero_1);
     var stack_0 : array<u32, i32(32)>;
     var index_3 : u32 = u32(0);
-    var nearest_3 : Hit_0 = nearest_2;
+    var nearest_6 : Hit_0 = nearest_5;
     var depth_0 : u32 = u32(0);
     for(;;)
     {
@@ -2198,76 +2150,76 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_1 : u3
         var is_reached_0 : bool;
         if((instance_nodes_0[index_3].is_leaf_0) != u32(0))
         {
-            var _S118 : Hit_0 = hit_in_0(instance_nodes_0[index_3].index_0, &(ray_8));
-            var _S119 : Hit_0 = nearest_3;
-            if((_S118.t_1) < (nearest_3.t_1))
+            var _S124 : Hit_0 = hit_in_0(instance_nodes_0[index_3].index_0, &(ray_8));
+            var _S125 : Hit_0 = nearest_6;
+            if((_S124.t_1) < (nearest_6.t_1))
             {
                 is_reached_0 = true;
             }
             else
             {
-                if((_S118.t_1) == (_S119.t_1))
+                if((_S124.t_1) == (_S125.t_1))
                 {
-                    is_reached_0 = (_S118.instance_3) < (nearest_3.instance_3);
+                    is_reached_0 = (_S124.instance_3) < (nearest_6.instance_3);
                 }
                 else
                 {
                     is_reached_0 = false;
                 }
             }
-            var nearest_4 : Hit_0;
+            var nearest_7 : Hit_0;
             if(is_reached_0)
             {
-                ray_8.t_max_1 = _S118.t_1;
+                ray_8.t_max_1 = _S124.t_1;
                 if(is_any_enough_0)
                 {
-                    return _S118;
+                    return _S124;
                 }
-                nearest_4 = _S118;
+                nearest_7 = _S124;
             }
             else
             {
-                nearest_4 = nearest_3;
+                nearest_7 = nearest_6;
             }
-            nearest_3 = nearest_4;
+            nearest_6 = nearest_7;
             depth_1 = depth_0;
         }
         else
         {
-            var _S120 : u32 = index_3 + u32(1);
-            var _S121 : f32 = entry_0(_S120, ray_8, _S117);
-            var _S122 : u32 = instance_nodes_0[index_3].index_0;
-            var _S123 : f32 = entry_0(instance_nodes_0[index_3].index_0, ray_8, _S117);
-            var _S124 : bool = _S121 <= _S123;
-            if(_S124)
+            var _S126 : u32 = index_3 + u32(1);
+            var _S127 : f32 = entry_0(_S126, ray_8, _S123);
+            var _S128 : u32 = instance_nodes_0[index_3].index_0;
+            var _S129 : f32 = entry_0(instance_nodes_0[index_3].index_0, ray_8, _S123);
+            var _S130 : bool = _S127 <= _S129;
+            if(_S130)
             {
-                index_3 = _S120;
+                index_3 = _S126;
             }
             else
             {
-                index_3 = _S122;
+                index_3 = _S128;
             }
-            var far_1 : u32;
-            if(_S124)
+            var far_2 : u32;
+            if(_S130)
             {
-                far_1 = _S122;
+                far_2 = _S128;
             }
             else
             {
-                far_1 = _S120;
+                far_2 = _S126;
             }
             var INFINITY_0 : f32 = (bitcast<f32>((u32(2139095040))));
-            if((max(_S121, _S123)) < INFINITY_0)
+            if((max(_S127, _S129)) < INFINITY_0)
             {
-                var _S125 : u32 = depth_0 + u32(1);
-                stack_0[depth_0] = far_1;
-                depth_1 = _S125;
+                var _S131 : u32 = depth_0 + u32(1);
+                stack_0[depth_0] = far_2;
+                depth_1 = _S131;
             }
             else
             {
                 depth_1 = depth_0;
             }
-            if((min(_S121, _S123)) < INFINITY_0)
+            if((min(_S127, _S129)) < INFINITY_0)
             {
                 depth_0 = depth_1;
                 continue;
@@ -2277,16 +2229,16 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_1 : u3
         depth_0 = depth_1;
         for(;;)
         {
-            var _S126 : bool;
+            var _S132 : bool;
             if(depth_0 > u32(0))
             {
-                _S126 = !is_reached_0;
+                _S132 = !is_reached_0;
             }
             else
             {
-                _S126 = false;
+                _S132 = false;
             }
-            if(_S126)
+            if(_S132)
             {
             }
             else
@@ -2294,7 +2246,7 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_1 : u3
                 break;
             }
             var depth_2 : u32 = depth_0 - u32(1);
-            is_reached_0 = (entry_0(stack_0[depth_2], ray_8, _S117)) < (bitcast<f32>((u32(2139095040))));
+            is_reached_0 = (entry_0(stack_0[depth_2], ray_8, _S123)) < (bitcast<f32>((u32(2139095040))));
             index_3 = stack_0[depth_2];
             depth_0 = depth_2;
         }
@@ -2303,56 +2255,56 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_1 : u3
             break;
         }
     }
-    return nearest_3;
+    return nearest_6;
 }
 
 fn WalkTracer_trace_0( ray_9 : ptr<function, Ray_0>,  is_any_enough_1 : bool) -> Hit_0
 {
-    var _S127 : Hit_0 = visit_0(&((*ray_9)), is_any_enough_1, u32(0));
-    return _S127;
+    var _S133 : Hit_0 = visit_0(&((*ray_9)), is_any_enough_1, u32(0));
+    return _S133;
 }
 
-fn Hit_is_miss_0( this_20 : Hit_0) -> bool
+fn Hit_is_miss_0( this_23 : Hit_0) -> bool
 {
-    return (this_20.instance_3) == u32(4294967295);
+    return (this_23.instance_3) == u32(4294967295);
 }
 
-fn Path_events_0( this_21 : Path_0) -> u32
+fn Path_events_0( this_24 : Path_0) -> u32
 {
-    return this_21.bounce_0;
+    return this_24.bounce_0;
 }
 
-fn Inside_is_in_0( this_22 : Inside_0) -> bool
+fn Inside_is_in_0( this_25 : Inside_0) -> bool
 {
     return false;
 }
 
 fn weighs_apart_0() -> bool
 {
-    var _S128 : bool;
+    var _S134 : bool;
     if(IS_EXACT_0)
     {
-        _S128 = IS_SINGLE_0;
+        _S134 = IS_SINGLE_0;
     }
     else
     {
-        _S128 = false;
+        _S134 = false;
     }
-    return _S128;
+    return _S134;
 }
 
-fn Path_is_counted_0( this_23 : Path_0) -> bool
+fn Path_is_counted_0( this_26 : Path_0) -> bool
 {
-    var _S129 : bool;
+    var _S135 : bool;
     if(weighs_apart_0())
     {
-        _S129 = (this_23.pdf_1) < 0.0f;
+        _S135 = (this_26.pdf_1) < 0.0f;
     }
     else
     {
-        _S129 = false;
+        _S135 = false;
     }
-    return _S129;
+    return _S135;
 }
 
 struct NextRays_0
@@ -2372,25 +2324,25 @@ struct NextRays_0
 
 fn NextRays_x24init_0( origin_10 : vec3<f32>,  path_origin_1 : vec3<f32>,  shadow_inside_1 : Inside_0,  relocates_1 : bool,  path_relocates_1 : bool,  direction_7 : vec3<f32>,  has_shadow_ray_1 : bool,  shadow_direction_1 : vec3<f32>,  shadow_t_max_1 : f32,  light_1 : vec3<f32>,  is_same_1 : bool) -> NextRays_0
 {
-    var _S130 : NextRays_0;
-    _S130.origin_9 = origin_10;
-    _S130.path_origin_0 = path_origin_1;
-    _S130.shadow_inside_0 = shadow_inside_1;
-    _S130.relocates_0 = relocates_1;
-    _S130.path_relocates_0 = path_relocates_1;
-    _S130.direction_6 = direction_7;
-    _S130.has_shadow_ray_0 = has_shadow_ray_1;
-    _S130.shadow_direction_0 = shadow_direction_1;
-    _S130.shadow_t_max_0 = shadow_t_max_1;
-    _S130.light_0 = light_1;
-    _S130.is_same_0 = is_same_1;
-    return _S130;
+    var _S136 : NextRays_0;
+    _S136.origin_9 = origin_10;
+    _S136.path_origin_0 = path_origin_1;
+    _S136.shadow_inside_0 = shadow_inside_1;
+    _S136.relocates_0 = relocates_1;
+    _S136.path_relocates_0 = path_relocates_1;
+    _S136.direction_6 = direction_7;
+    _S136.has_shadow_ray_0 = has_shadow_ray_1;
+    _S136.shadow_direction_0 = shadow_direction_1;
+    _S136.shadow_t_max_0 = shadow_t_max_1;
+    _S136.light_0 = light_1;
+    _S136.is_same_0 = is_same_1;
+    return _S136;
 }
 
 fn no_rays_0() -> NextRays_0
 {
-    var _S131 : vec3<f32> = vec3<f32>(0.0f);
-    return NextRays_x24init_0(_S131, _S131, in_air_0(), false, false, _S131, false, _S131, 0.0f, _S131, false);
+    var _S137 : vec3<f32> = vec3<f32>(0.0f);
+    return NextRays_x24init_0(_S137, _S137, in_air_0(), false, false, _S137, false, _S137, 0.0f, _S137, false);
 }
 
 struct Receiver_0
@@ -2401,62 +2353,62 @@ struct Receiver_0
 
 fn Receiver_x24init_0( point_1 : vec3<f32>,  normal_3 : vec3<f32>) -> Receiver_0
 {
-    var _S132 : Receiver_0;
-    _S132.point_0 = point_1;
-    _S132.normal_2 = normal_3;
-    return _S132;
+    var _S138 : Receiver_0;
+    _S138.point_0 = point_1;
+    _S138.normal_2 = normal_3;
+    return _S138;
 }
 
-fn Path_receiver_0( this_24 : Path_0,  ray_10 : Ray_0) -> Receiver_0
+fn Path_receiver_0( this_27 : Path_0,  ray_10 : Ray_0) -> Receiver_0
 {
-    return Receiver_x24init_0(ray_10.origin_2, this_24.normal_0);
+    return Receiver_x24init_0(ray_10.origin_2, this_27.normal_0);
 }
 
-fn Path_dimension_medium_0( this_25 : Path_0) -> u32
+fn Path_dimension_medium_0( this_28 : Path_0) -> u32
 {
-    return u32(2147483648) + this_25.event_0;
+    return u32(2147483648) + this_28.event_0;
 }
 
-fn Sampler_independent_0( this_26 : Sampler_0,  dimension_2 : u32) -> vec4<f32>
+fn Sampler_independent_0( this_29 : Sampler_0,  dimension_2 : u32) -> vec4<f32>
 {
-    return unit_float_0(pcg4d_0(vec4<u32>(this_26.pixel_0, this_26.sample_0, dimension_2, this_26.seed_1)));
+    return unit_float_0(pcg4d_0(vec4<u32>(this_29.pixel_0, this_29.sample_0, dimension_2, this_29.seed_1)));
 }
 
 fn logarithm_0( x_2 : f32) -> f32
 {
     var bits_1 : u32 = (bitcast<u32>((x_2)));
-    var _S133 : u32 = (bits_1 & (u32(8388607)));
-    var is_upper_0 : bool = _S133 > u32(3474675);
+    var _S139 : u32 = (bits_1 & (u32(8388607)));
+    var is_upper_0 : bool = _S139 > u32(3474675);
     var power_1 : i32 = i32((bits_1 >> (u32(23)))) - i32(127) + i32(is_upper_0);
-    var _S134 : u32;
+    var _S140 : u32;
     if(is_upper_0)
     {
-        _S134 = u32(1056964608);
+        _S140 = u32(1056964608);
     }
     else
     {
-        _S134 = u32(1065353216);
+        _S140 = u32(1065353216);
     }
-    var mantissa_3 : f32 = (bitcast<f32>(((_S133 | (_S134)))));
-    var s_0 : f32 = divide_0(mantissa_3 - 1.0f, mantissa_3 + 1.0f);
+    var mantissa_2 : f32 = (bitcast<f32>(((_S139 | (_S140)))));
+    var s_0 : f32 = divide_0(mantissa_2 - 1.0f, mantissa_2 + 1.0f);
     var ss_0 : f32 = s_0 * s_0;
-    var _S135 : f32 = f32(power_1);
-    return _S135 * 0.693359375f + (_S135 * -0.00021219444170129f + s_0 * (2.0f + ss_0 * (0.66666668653488159f + ss_0 * (0.40000000596046448f + ss_0 * (0.28571429848670959f + ss_0 * 0.2222222238779068f)))));
+    var _S141 : f32 = f32(power_1);
+    return _S141 * 0.693359375f + (_S141 * -0.00021219444170129f + s_0 * (2.0f + ss_0 * (0.66666668653488159f + ss_0 * (0.40000000596046448f + ss_0 * (0.28571429848670959f + ss_0 * 0.2222222238779068f)))));
 }
 
-fn free_path_0( _S136 : u32,  _S137 : f32) -> f32
+fn free_path_0( _S142 : u32,  _S143 : f32) -> f32
 {
-    var _S138 : f32 = materials_0[_S136].scattering_0;
-    var _S139 : f32;
-    if((materials_0[_S136].scattering_0) > 0.0f)
+    var _S144 : f32 = materials_0[_S142].scattering_0;
+    var _S145 : f32;
+    if((materials_0[_S142].scattering_0) > 0.0f)
     {
-        _S139 = divide_0(- logarithm_0(1.0f - _S137), _S138);
+        _S145 = divide_0(- logarithm_0(1.0f - _S143), _S144);
     }
     else
     {
-        _S139 = (bitcast<f32>((u32(2139095040))));
+        _S145 = (bitcast<f32>((u32(2139095040))));
     }
-    return _S139;
+    return _S145;
 }
 
 fn grid_direction_0( instance_8 : u32,  direction_8 : vec3<f32>) -> vec3<f32>
@@ -2464,9 +2416,9 @@ fn grid_direction_0( instance_8 : u32,  direction_8 : vec3<f32>) -> vec3<f32>
     return Transform_direction_0(instance_8, direction_8);
 }
 
-fn Inside_voxels_per_t_0( this_27 : Inside_0,  ray_11 : Ray_0) -> f32
+fn Inside_voxels_per_t_0( this_30 : Inside_0,  ray_11 : Ray_0) -> f32
 {
-    return square_root_0(length_squared_0(grid_direction_0(this_27.instance_1, ray_11.direction_1)));
+    return square_root_0(length_squared_0(grid_direction_0(this_30.instance_1, ray_11.direction_1)));
 }
 
 fn scattering_t_0( path_1 : Path_0,  inside_2 : Inside_0,  ray_12 : Ray_0) -> f32
@@ -2486,15 +2438,15 @@ fn exponential_0( x_3 : f32) -> f32
     return (1.0f + r_0 * (1.0f + r_0 * (0.5f + r_0 * (0.1666666716337204f + r_0 * (0.0416666679084301f + r_0 * (0.00833333376795053f + r_0 * (0.00138888892251998f + r_0 * 0.0001984127011383f))))))) * (bitcast<f32>(((u32(i32(127) + power_2) << (u32(23))))));
 }
 
-fn attenuation_0( _S140 : u32,  _S141 : f32) -> vec3<f32>
+fn attenuation_0( _S146 : u32,  _S147 : f32) -> vec3<f32>
 {
-    var sigma_0 : vec3<f32> = vector_of_0(materials_0[_S140].absorption_0);
-    return vec3<f32>(exponential_0(- (sigma_0.x * _S141)), exponential_0(- (sigma_0.y * _S141)), exponential_0(- (sigma_0.z * _S141)));
+    var sigma_0 : vec3<f32> = vector_of_0(materials_0[_S146].absorption_0);
+    return vec3<f32>(exponential_0(- (sigma_0.x * _S147)), exponential_0(- (sigma_0.y * _S147)), exponential_0(- (sigma_0.z * _S147)));
 }
 
-fn absorb_0( path_2 : ptr<function, Path_0>,  inside_3 : Inside_0,  ray_13 : Ray_0,  t_9 : f32)
+fn absorb_0( path_2 : ptr<function, Path_0>,  inside_3 : Inside_0,  ray_13 : Ray_0,  t_11 : f32)
 {
-    (*path_2).beta_0 = (*path_2).beta_0 * attenuation_0(inside_3.material_1, t_9 * Inside_voxels_per_t_0(inside_3, ray_13));
+    (*path_2).beta_0 = (*path_2).beta_0 * attenuation_0(inside_3.material_1, t_11 * Inside_voxels_per_t_0(inside_3, ray_13));
     return;
 }
 
@@ -2502,19 +2454,19 @@ fn Environment_to_map_0( d_0 : vec3<f32>) -> vec3<f32>
 {
     var sin_1 : f32 = params_0.sky_turned_0.x;
     var cos_1 : f32 = params_0.sky_turned_0.y;
-    var _S142 : f32 = d_0.x;
-    var _S143 : f32 = d_0.y;
-    return vec3<f32>(_S142 * cos_1 - _S143 * sin_1, _S142 * sin_1 + _S143 * cos_1, d_0.z);
+    var _S148 : f32 = d_0.x;
+    var _S149 : f32 = d_0.y;
+    return vec3<f32>(_S148 * cos_1 - _S149 * sin_1, _S148 * sin_1 + _S149 * cos_1, d_0.z);
 }
 
 fn quarter_turns_0( x_4 : f32,  y_2 : f32) -> f32
 {
-    var _S144 : f32 = min(x_4, y_2);
-    var _S145 : f32 = max(x_4, y_2);
+    var _S150 : f32 = min(x_4, y_2);
+    var _S151 : f32 = max(x_4, y_2);
     var ratio_0 : f32;
-    if(_S145 > 0.0f)
+    if(_S151 > 0.0f)
     {
-        ratio_0 = divide_0(_S144, _S145);
+        ratio_0 = divide_0(_S150, _S151);
     }
     else
     {
@@ -2536,10 +2488,10 @@ fn quarter_turns_0( x_4 : f32,  y_2 : f32) -> f32
 fn square_of_0( direction_9 : vec3<f32>) -> vec2<f32>
 {
     var size_0 : vec3<f32> = abs(direction_9);
-    var _S146 : f32 = size_0.x;
-    var _S147 : f32 = size_0.y;
-    var radius_3 : f32 = square_root_0(divide_0(_S146 * _S146 + _S147 * _S147, 1.0f + size_0.z));
-    var v_1 : f32 = quarter_turns_0(_S146, _S147) * radius_3;
+    var _S152 : f32 = size_0.x;
+    var _S153 : f32 = size_0.y;
+    var radius_3 : f32 = square_root_0(divide_0(_S152 * _S152 + _S153 * _S153, 1.0f + size_0.z));
+    var v_1 : f32 = quarter_turns_0(_S152, _S153) * radius_3;
     var u_0 : f32 = radius_3 - v_1;
     var is_below_1 : bool = (direction_9.z) < 0.0f;
     var u_1 : f32;
@@ -2588,42 +2540,42 @@ fn Environment_index_of_0( x_5 : i32,  y_3 : i32) -> u32
     {
         is_beside_0 = x_5 > last_3;
     }
-    var _S148 : i32;
+    var _S154 : i32;
     if(is_beside_0)
     {
-        _S148 = last_3 - y_3;
+        _S154 = last_3 - y_3;
     }
     else
     {
-        _S148 = y_3;
+        _S154 = y_3;
     }
-    var _S149 : i32;
+    var _S155 : i32;
     if(is_beside_0)
     {
-        _S149 = clamp(x_5, i32(0), last_3);
+        _S155 = clamp(x_5, i32(0), last_3);
     }
     else
     {
-        _S149 = x_5;
+        _S155 = x_5;
     }
     var is_beyond_0 : bool;
-    if(_S148 < i32(0))
+    if(_S154 < i32(0))
     {
         is_beyond_0 = true;
     }
     else
     {
-        is_beyond_0 = _S148 > last_3;
+        is_beyond_0 = _S154 > last_3;
     }
     if(is_beyond_0)
     {
-        _S149 = last_3 - _S149;
+        _S155 = last_3 - _S155;
     }
     if(is_beyond_0)
     {
-        _S148 = clamp(_S148, i32(0), last_3);
+        _S154 = clamp(_S154, i32(0), last_3);
     }
-    return u32(_S148 * i32(params_0.sky_edge_0) + _S149);
+    return u32(_S154 * i32(params_0.sky_edge_0) + _S155);
 }
 
 fn Environment_texel_radiance_0( x_6 : i32,  y_4 : i32) -> vec3<f32>
@@ -2633,18 +2585,18 @@ fn Environment_texel_radiance_0( x_6 : i32,  y_4 : i32) -> vec3<f32>
 
 fn Environment_radiance_at_0( place_1 : vec2<f32>) -> vec3<f32>
 {
-    var _S150 : vec2<f32> = place_1 - vec2<f32>(0.5f);
-    var corner_7 : vec2<f32> = floor(_S150);
-    var beyond_0 : vec2<f32> = _S150 - corner_7;
+    var _S156 : vec2<f32> = place_1 - vec2<f32>(0.5f);
+    var corner_7 : vec2<f32> = floor(_S156);
+    var beyond_0 : vec2<f32> = _S156 - corner_7;
     var x_7 : i32 = i32(corner_7.x);
     var y_5 : i32 = i32(corner_7.y);
-    var _S151 : f32 = beyond_0.x;
-    var _S152 : vec3<f32> = vec3<f32>((1.0f - _S151));
-    var _S153 : i32 = x_7 + i32(1);
-    var _S154 : vec3<f32> = vec3<f32>(_S151);
-    var _S155 : i32 = y_5 + i32(1);
-    var _S156 : f32 = beyond_0.y;
-    return (Environment_texel_radiance_0(x_7, y_5) * _S152 + Environment_texel_radiance_0(_S153, y_5) * _S154) * vec3<f32>((1.0f - _S156)) + (Environment_texel_radiance_0(x_7, _S155) * _S152 + Environment_texel_radiance_0(_S153, _S155) * _S154) * vec3<f32>(_S156);
+    var _S157 : f32 = beyond_0.x;
+    var _S158 : vec3<f32> = vec3<f32>((1.0f - _S157));
+    var _S159 : i32 = x_7 + i32(1);
+    var _S160 : vec3<f32> = vec3<f32>(_S157);
+    var _S161 : i32 = y_5 + i32(1);
+    var _S162 : f32 = beyond_0.y;
+    return (Environment_texel_radiance_0(x_7, y_5) * _S158 + Environment_texel_radiance_0(_S159, y_5) * _S160) * vec3<f32>((1.0f - _S162)) + (Environment_texel_radiance_0(x_7, _S161) * _S158 + Environment_texel_radiance_0(_S159, _S161) * _S160) * vec3<f32>(_S162);
 }
 
 fn Environment_radiance_0( direction_11 : vec3<f32>) -> vec3<f32>
@@ -2660,15 +2612,15 @@ struct Gradient_0
 
 fn Gradient_x24init_0( nadir_1 : vec3<f32>,  zenith_1 : vec3<f32>) -> Gradient_0
 {
-    var _S157 : Gradient_0;
-    _S157.nadir_0 = nadir_1;
-    _S157.zenith_0 = zenith_1;
-    return _S157;
+    var _S163 : Gradient_0;
+    _S163.nadir_0 = nadir_1;
+    _S163.zenith_0 = zenith_1;
+    return _S163;
 }
 
-fn Gradient_radiance_0( this_28 : Gradient_0,  direction_12 : vec3<f32>) -> vec3<f32>
+fn Gradient_radiance_0( this_31 : Gradient_0,  direction_12 : vec3<f32>) -> vec3<f32>
 {
-    return this_28.nadir_0 + (this_28.zenith_0 - this_28.nadir_0) * vec3<f32>((0.5f * (direction_12.z + 1.0f)));
+    return this_31.nadir_0 + (this_31.zenith_0 - this_31.nadir_0) * vec3<f32>((0.5f * (direction_12.z + 1.0f)));
 }
 
 fn Sky_radiance_0( direction_13 : vec3<f32>) -> vec3<f32>
@@ -2685,90 +2637,38 @@ fn Sky_le_0( direction_14 : vec3<f32>) -> vec3<f32>
     return Sky_radiance_0(direction_14);
 }
 
+fn Path_selection_at_0( this_32 : Path_0,  last_4 : Receiver_0) -> Selection_0
+{
+    return this_32.selection_0;
+}
+
 fn Lights_has_chosen_sky_0() -> bool
 {
-    var _S158 : bool;
+    var _S164 : bool;
     if(SKY_0 == u32(1))
     {
-        _S158 = (params_0.sky_irradiance_0) > 0.0f;
+        _S164 = (params_0.sky_irradiance_0) > 0.0f;
     }
     else
     {
-        _S158 = false;
+        _S164 = false;
     }
-    return _S158;
+    return _S164;
 }
 
 fn Environment_pdf_0( direction_15 : vec3<f32>) -> f32
 {
     var place_2 : vec2<f32> = Environment_place_of_0(direction_15);
-    var last_4 : i32 = i32(params_0.sky_edge_0) - i32(1);
-    return environment_0[Environment_index_of_0(min(i32(place_2.x), last_4), min(i32(place_2.y), last_4))].pdf_0;
+    var last_5 : i32 = i32(params_0.sky_edge_0) - i32(1);
+    return environment_0[Environment_index_of_0(min(i32(place_2.x), last_5), min(i32(place_2.y), last_5))].pdf_0;
 }
 
 fn Sky_pdf_0( direction_16 : vec3<f32>) -> f32
 {
-    var _S159 : f32;
+    var _S165 : f32;
     if(SKY_0 == u32(1))
     {
-        _S159 = Environment_pdf_0(direction_16);
-    }
-    else
-    {
-        _S159 = 0.0f;
-    }
-    return _S159;
-}
-
-struct Selection_0
-{
-     sun_0 : f32,
-     sky_1 : f32,
-     emitters_1 : f32,
-};
-
-fn has_sun_0() -> bool
-{
-    return (params_0.sun_irradiance_0) > 0.0f;
-}
-
-fn with_slack_0( receiver_0 : Receiver_0,  cos_2 : f32) -> f32
-{
-    return cos_2;
-}
-
-fn length_bound_0( absolute_0 : vec3<f32>) -> f32
-{
-    return (max_element_0(absolute_0) + (absolute_0.x + absolute_0.y + absolute_0.z)) * 0.5f;
-}
-
-fn reciprocal_guess_0( x_8 : f32) -> f32
-{
-    var guess_3 : f32 = (bitcast<f32>((u32(2129859011) - (bitcast<u32>((x_8))))));
-    return guess_3 * (2.0f - x_8 * guess_3);
-}
-
-fn node_importance_0( _S160 : i32,  _S161 : Receiver_0) -> f32
-{
-    var low_5 : vec3<f32> = vector_of_0(top_light_nodes_0[_S160].min_2);
-    var high_3 : vec3<f32> = vector_of_0(top_light_nodes_0[_S160].max_2);
-    var _S162 : vec3<f32> = vec3<f32>(0.5f);
-    var half_1 : vec3<f32> = (high_3 - low_5) * _S162;
-    var toward_0 : vec3<f32> = (low_5 + high_3) * _S162 - _S161.point_0;
-    var above_0 : f32 = with_slack_0(_S161, dot_product_0(toward_0, _S161.normal_2) + dot_product_0(half_1, abs(_S161.normal_2)));
-    var far_2 : f32 = length_squared_0(toward_0);
-    var near_0 : f32 = length_squared_0(half_1);
-    var distance_2 : f32 = length_bound_0(select(half_1, abs(toward_0), vec3<bool>((far_2 > near_0))));
-    var _S163 : vec3<f32> = vec3<f32>(0.0f);
-    var _S164 : vec3<f32> = vec3<f32>(distance_2);
-    var beyond_min_0 : vec3<f32> = min(max(_S161.point_0 - low_5, _S163), _S164);
-    var beyond_max_0 : vec3<f32> = min(max(high_3 - _S161.point_0, _S163), _S164);
-    var sent_0 : f32 = top_light_nodes_0[_S160].power_0[i32(0)] * beyond_max_0.x + top_light_nodes_0[_S160].power_0[i32(1)] * beyond_min_0.x + (top_light_nodes_0[_S160].power_0[i32(2)] * beyond_max_0.y + top_light_nodes_0[_S160].power_0[i32(3)] * beyond_min_0.y) + (top_light_nodes_0[_S160].power_0[i32(4)] * beyond_max_0.z + top_light_nodes_0[_S160].power_0[i32(5)] * beyond_min_0.z);
-    var falloff_0 : f32 = reciprocal_guess_0(max(far_2, near_0));
-    var _S165 : f32;
-    if(above_0 > 0.0f)
-    {
-        _S165 = sent_0 * min(above_0, distance_2) * (falloff_0 * falloff_0);
+        _S165 = Environment_pdf_0(direction_16);
     }
     else
     {
@@ -2777,93 +2677,18 @@ fn node_importance_0( _S160 : i32,  _S161 : Receiver_0) -> f32
     return _S165;
 }
 
-fn importance_of_all_0( receiver_1 : Receiver_0) -> f32
+fn Lights_sky_pdf_0( selection_2 : Selection_0,  direction_17 : vec3<f32>) -> f32
 {
-    if((params_0.light_node_count_0) == u32(0))
-    {
-        return 0.0f;
-    }
-    return node_importance_0(i32(0), receiver_1) * params_0.light_intensity_0;
-}
-
-fn EmitterTree_importance_0( receiver_2 : Receiver_0) -> f32
-{
-    return importance_of_all_0(receiver_2);
-}
-
-fn Lights_sun_probability_0( receiver_3 : Receiver_0) -> f32
-{
-    if(!has_sun_0())
-    {
-        return 0.0f;
-    }
-    var cos_theta_0 : f32 = with_slack_0(receiver_3, dot_product_0(receiver_3.normal_2, params_0.sun_direction_0));
-    if(cos_theta_0 <= (- params_0.sun_sin_radius_0))
-    {
-        return 0.0f;
-    }
-    var from_emitters_0 : f32 = EmitterTree_importance_0(receiver_3);
-    if(from_emitters_0 <= 0.0f)
-    {
-        return 1.0f;
-    }
-    var from_sun_0 : f32 = params_0.sun_irradiance_0 * max(cos_theta_0, 0.0f);
-    return clamp(divide_0(from_sun_0, from_sun_0 + from_emitters_0), 0.25f, 0.75f);
-}
-
-fn Selection_x24init_0( sun_1 : f32,  sky_2 : f32,  emitters_2 : f32) -> Selection_0
-{
-    var _S166 : Selection_0;
-    _S166.sun_0 = sun_1;
-    _S166.sky_1 = sky_2;
-    _S166.emitters_1 = emitters_2;
-    return _S166;
-}
-
-fn Lights_sky_probability_0( receiver_4 : Receiver_0) -> f32
-{
-    var cos_theta_1 : f32 = dot_product_0(receiver_4.normal_2, params_0.sun_direction_0);
-    var from_sun_1 : f32;
-    if(has_sun_0())
-    {
-        from_sun_1 = params_0.sun_irradiance_0 * max(cos_theta_1, 0.0f);
-    }
-    else
-    {
-        from_sun_1 = 0.0f;
-    }
-    var from_others_0 : f32 = from_sun_1 + EmitterTree_importance_0(receiver_4);
-    if(from_others_0 <= 0.0f)
-    {
-        return 1.0f;
-    }
-    return clamp(divide_0(params_0.sky_irradiance_0, params_0.sky_irradiance_0 + from_others_0), 0.25f, 0.75f);
-}
-
-fn Lights_selection_0( receiver_5 : Receiver_0) -> Selection_0
-{
-    var sun_2 : f32 = Lights_sun_probability_0(receiver_5);
-    if(!Lights_has_chosen_sky_0())
-    {
-        return Selection_x24init_0(sun_2, 0.0f, 1.0f - sun_2);
-    }
-    var sky_3 : f32 = Lights_sky_probability_0(receiver_5);
-    var _S167 : f32 = 1.0f - sky_3;
-    return Selection_x24init_0(sun_2 * _S167, sky_3, (1.0f - sun_2) * _S167);
-}
-
-fn Lights_sky_pdf_0( receiver_6 : Receiver_0,  direction_17 : vec3<f32>) -> f32
-{
-    var _S168 : f32;
+    var _S166 : f32;
     if(Lights_has_chosen_sky_0())
     {
-        _S168 = Sky_pdf_0(direction_17) * Lights_selection_0(receiver_6).sky_1;
+        _S166 = Sky_pdf_0(direction_17) * selection_2.sky_1;
     }
     else
     {
-        _S168 = 0.0f;
+        _S166 = 0.0f;
     }
-    return _S168;
+    return _S166;
 }
 
 fn power_heuristic_0( own_0 : f32,  other_1 : f32) -> f32
@@ -2874,20 +2699,25 @@ fn power_heuristic_0( own_0 : f32,  other_1 : f32) -> f32
 
 fn mis_weight_0( bounce_pdf_0 : f32,  light_pdf_0 : f32) -> f32
 {
-    var _S169 : bool;
+    var _S167 : bool;
     if(bounce_pdf_0 == 0.0f)
     {
-        _S169 = true;
+        _S167 = true;
     }
     else
     {
-        _S169 = light_pdf_0 == 0.0f;
+        _S167 = light_pdf_0 == 0.0f;
     }
-    if(_S169)
+    if(_S167)
     {
         return 1.0f;
     }
     return power_heuristic_0(bounce_pdf_0, light_pdf_0);
+}
+
+fn has_sun_0() -> bool
+{
+    return (params_0.sun_irradiance_0) > 0.0f;
 }
 
 fn SunDisc_is_visible_0() -> bool
@@ -2895,26 +2725,26 @@ fn SunDisc_is_visible_0() -> bool
     return (params_0.hides_sun_disc_0) == u32(0);
 }
 
-fn Path_is_straight_0( this_29 : Path_0) -> bool
+fn Path_is_straight_0( this_33 : Path_0) -> bool
 {
-    var _S170 : bool;
-    if((this_29.bounce_0) == u32(0))
+    var _S168 : bool;
+    if((this_33.bounce_0) == u32(0))
     {
-        _S170 = (this_29.pdf_1) == 0.0f;
+        _S168 = (this_33.pdf_1) == 0.0f;
     }
     else
     {
-        _S170 = false;
+        _S168 = false;
     }
-    if(_S170)
+    if(_S168)
     {
-        _S170 = (all(((this_29.normal_0) == vec3<f32>(0.0f))));
+        _S168 = (all(((this_33.normal_0) == vec3<f32>(0.0f))));
     }
     else
     {
-        _S170 = false;
+        _S168 = false;
     }
-    return _S170;
+    return _S168;
 }
 
 fn SunDisc_contains_0( direction_18 : vec3<f32>) -> bool
@@ -2924,49 +2754,49 @@ fn SunDisc_contains_0( direction_18 : vec3<f32>) -> bool
 
 fn SunDisc_le_0( direction_19 : vec3<f32>) -> vec3<f32>
 {
-    var _S171 : vec3<f32>;
+    var _S169 : vec3<f32>;
     if(SunDisc_contains_0(direction_19))
     {
-        _S171 = params_0.sun_radiance_0;
+        _S169 = params_0.sun_radiance_0;
     }
     else
     {
-        _S171 = vec3<f32>(0.0f);
+        _S169 = vec3<f32>(0.0f);
     }
-    return _S171;
+    return _S169;
 }
 
 fn SunDisc_pdf_0( direction_20 : vec3<f32>) -> f32
 {
-    var _S172 : f32;
+    var _S170 : f32;
     if(SunDisc_contains_0(direction_20))
     {
-        _S172 = params_0.sun_pdf_0;
+        _S170 = params_0.sun_pdf_0;
     }
     else
     {
-        _S172 = 0.0f;
+        _S170 = 0.0f;
     }
-    return _S172;
+    return _S170;
 }
 
-fn Lights_sun_pdf_0( receiver_7 : Receiver_0,  direction_21 : vec3<f32>) -> f32
+fn Lights_sun_pdf_0( selection_3 : Selection_0,  direction_21 : vec3<f32>) -> f32
 {
-    var _S173 : f32;
+    var _S171 : f32;
     if(has_sun_0())
     {
-        _S173 = SunDisc_pdf_0(direction_21) * Lights_selection_0(receiver_7).sun_0;
+        _S171 = SunDisc_pdf_0(direction_21) * selection_3.sun_0;
     }
     else
     {
-        _S173 = 0.0f;
+        _S171 = 0.0f;
     }
-    return _S173;
+    return _S171;
 }
 
-fn Path_dimension_scatter_0( this_30 : Path_0) -> u32
+fn Path_dimension_scatter_0( this_34 : Path_0) -> u32
 {
-    return u32(1) + u32(2) * Path_events_0(this_30);
+    return u32(1) + u32(2) * Path_events_0(this_34);
 }
 
 struct PackedMaterial_0
@@ -2983,23 +2813,23 @@ struct PackedMaterial_0
      scattering_0 : f32,
 };
 
-fn find_brick_0( _S174 : u32,  _S175 : vec3<i32>) -> u32
+fn find_brick_0( _S172 : u32,  _S173 : vec3<i32>) -> u32
 {
-    var top_0 : vec3<i32> = (_S175 >> (vec3<u32>(grids_0[_S174].top_shift_0)));
-    var cell_14 : u32 = cells_0[grids_0[_S174].top_offset_0 + u32((top_0.z * grids_0[_S174].top_size_0[i32(1)] + top_0.y) * grids_0[_S174].top_size_0[i32(0)] + top_0.x)];
-    var shift_3 : u32 = grids_0[_S174].top_shift_0;
+    var top_0 : vec3<i32> = (_S173 >> (vec3<u32>(grids_0[_S172].top_shift_0)));
+    var cell_6 : u32 = cells_0[grids_0[_S172].top_offset_0 + u32((top_0.z * grids_0[_S172].top_size_0[i32(1)] + top_0.y) * grids_0[_S172].top_size_0[i32(0)] + top_0.x)];
+    var shift_3 : u32 = grids_0[_S172].top_shift_0;
     for(;;)
     {
-        var _S176 : bool;
+        var _S174 : bool;
         if(shift_3 > u32(3))
         {
-            _S176 = ((cell_14 & (u32(2147483648)))) != u32(0);
+            _S174 = ((cell_6 & (u32(2147483648)))) != u32(0);
         }
         else
         {
-            _S176 = false;
+            _S174 = false;
         }
-        if(_S176)
+        if(_S174)
         {
         }
         else
@@ -3007,10 +2837,10 @@ fn find_brick_0( _S174 : u32,  _S175 : vec3<i32>) -> u32
             break;
         }
         var shift_4 : u32 = shift_3 - u32(2);
-        cell_14 = cells_0[((cell_14 & (u32(2147483647)))) * u32(64) + cell_in_node_0(_S175, shift_4)];
+        cell_6 = cells_0[((cell_6 & (u32(2147483647)))) * u32(64) + cell_in_node_0(_S173, shift_4)];
         shift_3 = shift_4;
     }
-    return record_of_cell_0(cell_14);
+    return record_of_cell_0(cell_6);
 }
 
 fn read_bits_0( start_1 : u32,  position_8 : u32,  count_3 : u32) -> u32
@@ -3034,12 +2864,12 @@ fn read_bits_0( start_1 : u32,  position_8 : u32,  count_3 : u32) -> u32
     return (bits_3 & ((((u32(1) << (count_3))) - u32(1))));
 }
 
-fn material_at_0( _S177 : u32,  _S178 : vec3<i32>) -> u32
+fn material_at_0( _S175 : u32,  _S176 : vec3<i32>) -> u32
 {
-    var _S179 : u32 = find_brick_0(_S177, _S178);
-    var header_0 : u32 = bricks_0[_S179];
-    var bit_1 : u32 = cell_in_node_0(_S178, u32(0));
-    var present_before_0 : u32 = countOneBits((header_0 & ((((u32(1) << (((((u32(((((_S178.x) >> (u32(2)))) & (i32(1)))) | (((u32(((((_S178.y) >> (u32(2)))) & (i32(1)))) << (u32(1))))))) | (((u32(((((_S178.z) >> (u32(2)))) & (i32(1)))) << (u32(2)))))))))) - u32(1)))));
+    var _S177 : u32 = find_brick_0(_S175, _S176);
+    var header_0 : u32 = bricks_0[_S177];
+    var bit_1 : u32 = cell_in_node_0(_S176, u32(0));
+    var present_before_0 : u32 = countOneBits((header_0 & ((((u32(1) << (((((u32(((((_S176.x) >> (u32(2)))) & (i32(1)))) | (((u32(((((_S176.y) >> (u32(2)))) & (i32(1)))) << (u32(1))))))) | (((u32(((((_S176.z) >> (u32(2)))) & (i32(1)))) << (u32(2)))))))))) - u32(1)))));
     var index_4 : u32 = u32(0);
     var rank_0 : u32 = u32(0);
     for(;;)
@@ -3051,26 +2881,26 @@ fn material_at_0( _S177 : u32,  _S178 : vec3<i32>) -> u32
         {
             break;
         }
-        var _S180 : u32 = u32(2) * index_4;
-        var rank_1 : u32 = rank_0 + (countOneBits(bricks_0[_S179 + u32(2) + _S180]) + countOneBits(bricks_0[_S179 + u32(3) + _S180]));
+        var _S178 : u32 = u32(2) * index_4;
+        var rank_1 : u32 = rank_0 + (countOneBits(bricks_0[_S177 + u32(2) + _S178]) + countOneBits(bricks_0[_S177 + u32(3) + _S178]));
         index_4 = index_4 + u32(1);
         rank_0 = rank_1;
     }
-    var _S181 : u32 = u32(2) * present_before_0;
-    var low_6 : u32 = bricks_0[_S179 + u32(2) + _S181];
+    var _S179 : u32 = u32(2) * present_before_0;
+    var low_6 : u32 = bricks_0[_S177 + u32(2) + _S179];
     if(bit_1 < u32(32))
     {
         rank_0 = rank_0 + countOneBits((low_6 & ((((u32(1) << (bit_1))) - u32(1)))));
     }
     else
     {
-        rank_0 = rank_0 + (countOneBits(low_6) + countOneBits((bricks_0[_S179 + u32(3) + _S181] & ((((u32(1) << ((bit_1 - u32(32))))) - u32(1))))));
+        rank_0 = rank_0 + (countOneBits(low_6) + countOneBits((bricks_0[_S177 + u32(3) + _S179] & ((((u32(1) << ((bit_1 - u32(32))))) - u32(1))))));
     }
     var index_bits_0 : u32 = (((header_0 >> (u32(8)))) & (u32(255)));
     var palette_count_0 : u32 = (header_0 >> (u32(16)));
-    var entry_bits_0 : u32 = grids_0[_S177].material_bits_0;
-    var start_2 : u32 = bricks_0[_S179 + u32(1)];
-    var index_5 : u32 = read_bits_0(start_2, palette_count_0 * grids_0[_S177].material_bits_0 + rank_0 * index_bits_0, index_bits_0);
+    var entry_bits_0 : u32 = grids_0[_S175].material_bits_0;
+    var start_2 : u32 = bricks_0[_S177 + u32(1)];
+    var index_5 : u32 = read_bits_0(start_2, palette_count_0 * grids_0[_S175].material_bits_0 + rank_0 * index_bits_0, index_bits_0);
     if(palette_count_0 == u32(0))
     {
         return index_5;
@@ -3080,9 +2910,9 @@ fn material_at_0( _S177 : u32,  _S178 : vec3<i32>) -> u32
 
 fn material_of_0( hit_1 : Hit_0) -> PackedMaterial_0
 {
-    var _S182 : PackedMaterial_std430_0 = materials_0[material_at_0(instances_0[hit_1.instance_3].grid_0, hit_1.voxel_4 - cell_of_0(grids_0[instances_0[hit_1.instance_3].grid_0].origin_0))];
-    var _S183 : PackedMaterial_0 = PackedMaterial_0( _S182.base_color_0, _S182.roughness_0, _S182.emission_0, _S182.metallic_0, _S182.transmission_0, _S182.ior_0, _S182.specular_0, _S182.anisotropy_0, _S182.absorption_0, _S182.scattering_0 );
-    return _S183;
+    var _S180 : PackedMaterial_std430_0 = materials_0[material_at_0(instances_0[hit_1.instance_3].grid_0, hit_1.voxel_4 - cell_of_0(grids_0[instances_0[hit_1.instance_3].grid_0].origin_0))];
+    var _S181 : PackedMaterial_0 = PackedMaterial_0( _S180.base_color_0, _S180.roughness_0, _S180.emission_0, _S180.metallic_0, _S180.transmission_0, _S180.ior_0, _S180.specular_0, _S180.anisotropy_0, _S180.absorption_0, _S180.scattering_0 );
+    return _S181;
 }
 
 fn material_met_0( path_3 : Path_0,  hit_2 : Hit_0,  beyond_1 : u32) -> PackedMaterial_0
@@ -3100,55 +2930,67 @@ fn EmitterTree_le_0( material_4 : PackedMaterial_0) -> vec3<f32>
     return emitted_0(material_4);
 }
 
+fn luminance_1( color_0 : vec3<f32>) -> f32
+{
+    return color_0.x * 0.2125999927520752f + color_0.y * 0.71520000696182251f + color_0.z * 0.07220000028610229f;
+}
+
 struct Aim_0
 {
      is_met_0 : bool,
      direction_22 : vec3<f32>,
      hit_3 : Hit_0,
+     luminance_2 : f32,
 };
 
-fn Aim_x24init_0( is_met_1 : bool,  direction_23 : vec3<f32>,  hit_4 : Hit_0) -> Aim_0
+fn Aim_x24init_0( is_met_1 : bool,  direction_23 : vec3<f32>,  hit_4 : Hit_0,  luminance_3 : f32) -> Aim_0
 {
-    var _S184 : Aim_0;
-    _S184.is_met_0 = is_met_1;
-    _S184.direction_22 = direction_23;
-    _S184.hit_3 = hit_4;
-    return _S184;
+    var _S182 : Aim_0;
+    _S182.is_met_0 = is_met_1;
+    _S182.direction_22 = direction_23;
+    _S182.hit_3 = hit_4;
+    _S182.luminance_2 = luminance_3;
+    return _S182;
 }
 
 struct LightSample_0
 {
      ray_14 : Ray_0,
-     cos_theta_2 : f32,
+     cos_theta_0 : f32,
      radiance_2 : vec3<f32>,
      pdf_3 : f32,
 };
 
-fn LightSample_x24init_0( ray_15 : Ray_0,  cos_theta_3 : f32,  radiance_3 : vec3<f32>,  pdf_4 : f32) -> LightSample_0
+fn LightSample_x24init_0( ray_15 : Ray_0,  cos_theta_1 : f32,  radiance_3 : vec3<f32>,  pdf_4 : f32) -> LightSample_0
 {
-    var _S185 : LightSample_0;
-    _S185.ray_14 = ray_15;
-    _S185.cos_theta_2 = cos_theta_3;
-    _S185.radiance_2 = radiance_3;
-    _S185.pdf_3 = pdf_4;
-    return _S185;
+    var _S183 : LightSample_0;
+    _S183.ray_14 = ray_15;
+    _S183.cos_theta_0 = cos_theta_1;
+    _S183.radiance_2 = radiance_3;
+    _S183.pdf_3 = pdf_4;
+    return _S183;
 }
 
 fn no_light_0() -> LightSample_0
 {
-    var _S186 : vec3<f32> = vec3<f32>(0.0f);
-    return LightSample_x24init_0(Ray_x24init_0(_S186, 0.0f, _S186, 0.0f), 0.0f, _S186, 0.0f);
+    var _S184 : vec3<f32> = vec3<f32>(0.0f);
+    return LightSample_x24init_0(Ray_x24init_0(_S184, 0.0f, _S184, 0.0f), 0.0f, _S184, 0.0f);
 }
 
-fn SunDisc_sample_0( receiver_8 : Receiver_0,  u_2 : vec4<f32>,  sample_6 : ptr<function, LightSample_0>) -> bool
+fn with_slack_0( receiver_0 : Receiver_0,  cos_2 : f32) -> f32
+{
+    return cos_2;
+}
+
+fn SunDisc_sample_0( receiver_1 : Receiver_0,  u_2 : vec4<f32>,  sample_6 : ptr<function, LightSample_0>) -> bool
 {
     var one_minus_cos_theta_0 : f32 = u_2.z * params_0.sun_one_minus_cos_theta_max_0;
     var radius_4 : f32 = square_root_0(one_minus_cos_theta_0 * (2.0f - one_minus_cos_theta_0));
     var sin_cos_2 : vec2<f32> = sincos_turns_0(u_2.w);
     var direction_24 : vec3<f32> = params_0.sun_direction_0 * vec3<f32>((1.0f - one_minus_cos_theta_0)) + (params_0.sun_tangent_0 * vec3<f32>((radius_4 * sin_cos_2.y)) + params_0.sun_bitangent_0 * vec3<f32>((radius_4 * sin_cos_2.x)));
-    var cos_theta_4 : f32 = with_slack_0(receiver_8, dot_product_0(receiver_8.normal_2, direction_24));
-    (*sample_6) = LightSample_x24init_0(ray_from_0(receiver_8.point_0, direction_24), cos_theta_4, params_0.sun_radiance_0, params_0.sun_pdf_0);
-    return cos_theta_4 > 0.0f;
+    var cos_theta_2 : f32 = with_slack_0(receiver_1, dot_product_0(receiver_1.normal_2, direction_24));
+    (*sample_6) = LightSample_x24init_0(ray_from_0(receiver_1.point_0, direction_24), cos_theta_2, params_0.sun_radiance_0, params_0.sun_pdf_0);
+    return cos_theta_2 > 0.0f;
 }
 
 struct ChosenDirection_0
@@ -3160,83 +3002,83 @@ struct ChosenDirection_0
 
 fn ChosenDirection_x24init_0( direction_26 : vec3<f32>,  radiance_5 : vec3<f32>,  pdf_6 : f32) -> ChosenDirection_0
 {
-    var _S187 : ChosenDirection_0;
-    _S187.direction_25 = direction_26;
-    _S187.radiance_4 = radiance_5;
-    _S187.pdf_5 = pdf_6;
-    return _S187;
+    var _S185 : ChosenDirection_0;
+    _S185.direction_25 = direction_26;
+    _S185.radiance_4 = radiance_5;
+    _S185.pdf_5 = pdf_6;
+    return _S185;
 }
 
 fn direction_of_0( square_1 : vec2<f32>) -> vec3<f32>
 {
     var u_3 : f32 = square_1.x * 2.0f - 1.0f;
     var v_3 : f32 = square_1.y * 2.0f - 1.0f;
-    var _S188 : f32 = abs(u_3);
-    var _S189 : f32 = abs(v_3);
-    var height_2 : f32 = 1.0f - (_S188 + _S189);
+    var _S186 : f32 = abs(u_3);
+    var _S187 : f32 = abs(v_3);
+    var height_2 : f32 = 1.0f - (_S186 + _S187);
     var radius_5 : f32 = 1.0f - abs(height_2);
     var turns_3 : f32;
     if(radius_5 > 0.0f)
     {
-        turns_3 = (divide_0(_S189 - _S188, radius_5) + 1.0f) * 0.125f;
+        turns_3 = (divide_0(_S187 - _S186, radius_5) + 1.0f) * 0.125f;
     }
     else
     {
         turns_3 = 0.0f;
     }
     var sin_cos_3 : vec2<f32> = sincos_turns_0(turns_3);
-    var _S190 : f32 = radius_5 * radius_5;
-    var across_0 : f32 = radius_5 * square_root_0(2.0f - _S190);
-    var x_9 : f32 = sin_cos_3.y * across_0;
+    var _S188 : f32 = radius_5 * radius_5;
+    var across_0 : f32 = radius_5 * square_root_0(2.0f - _S188);
+    var x_8 : f32 = sin_cos_3.y * across_0;
     var y_6 : f32 = sin_cos_3.x * across_0;
-    var z_0 : f32 = 1.0f - _S190;
+    var z_0 : f32 = 1.0f - _S188;
     if(u_3 < 0.0f)
     {
-        turns_3 = - x_9;
+        turns_3 = - x_8;
     }
     else
     {
-        turns_3 = x_9;
+        turns_3 = x_8;
     }
-    var _S191 : f32;
+    var _S189 : f32;
     if(v_3 < 0.0f)
     {
-        _S191 = - y_6;
+        _S189 = - y_6;
     }
     else
     {
-        _S191 = y_6;
+        _S189 = y_6;
     }
-    var _S192 : f32;
+    var _S190 : f32;
     if(height_2 < 0.0f)
     {
-        _S192 = - z_0;
+        _S190 = - z_0;
     }
     else
     {
-        _S192 = z_0;
+        _S190 = z_0;
     }
-    return vec3<f32>(turns_3, _S191, _S192);
+    return vec3<f32>(turns_3, _S189, _S190);
 }
 
 fn Environment_to_world_0( d_1 : vec3<f32>) -> vec3<f32>
 {
     var sin_2 : f32 = params_0.sky_turned_0.x;
     var cos_3 : f32 = params_0.sky_turned_0.y;
-    var _S193 : f32 = d_1.x;
-    var _S194 : f32 = d_1.y;
-    return vec3<f32>(_S193 * cos_3 + _S194 * sin_2, _S194 * cos_3 - _S193 * sin_2, d_1.z);
+    var _S191 : f32 = d_1.x;
+    var _S192 : f32 = d_1.y;
+    return vec3<f32>(_S191 * cos_3 + _S192 * sin_2, _S192 * cos_3 - _S191 * sin_2, d_1.z);
 }
 
 fn Environment_choose_0( u_4 : vec4<f32>,  chosen_0 : ptr<function, ChosenDirection_0>) -> bool
 {
-    var _S195 : vec3<f32> = vec3<f32>(0.0f);
-    (*chosen_0) = ChosenDirection_x24init_0(_S195, _S195, 0.0f);
+    var _S193 : vec3<f32> = vec3<f32>(0.0f);
+    (*chosen_0) = ChosenDirection_x24init_0(_S193, _S193, 0.0f);
     var edge_0 : f32 = f32(params_0.sky_edge_0);
-    var _S196 : f32 = u_4.x * edge_0;
-    var _S197 : f32 = edge_0 - 1.0f;
-    var _S198 : f32 = min(floor(_S196), _S197);
-    var own_1 : u32 = u32(_S198) * params_0.sky_edge_0 + u32(min(floor(u_4.y * edge_0), _S197));
+    var _S194 : f32 = u_4.x * edge_0;
+    var _S195 : f32 = edge_0 - 1.0f;
+    var _S196 : f32 = min(floor(_S194), _S195);
+    var own_1 : u32 = u32(_S196) * params_0.sky_edge_0 + u32(min(floor(u_4.y * edge_0), _S195));
     var index_6 : u32;
     if((u_4.z) < (environment_0[own_1].threshold_0))
     {
@@ -3251,35 +3093,35 @@ fn Environment_choose_0( u_4 : vec4<f32>,  chosen_0 : ptr<function, ChosenDirect
     {
         return false;
     }
-    var _S199 : u32 = index_6 % params_0.sky_edge_0;
-    var _S200 : f32 = f32(_S199);
-    var _S201 : u32 = index_6 / params_0.sky_edge_0;
-    var place_3 : vec2<f32> = vec2<f32>(_S200, f32(_S201)) + vec2<f32>(min(_S196 - _S198, 1.0f), u_4.w);
+    var _S197 : u32 = index_6 % params_0.sky_edge_0;
+    var _S198 : f32 = f32(_S197);
+    var _S199 : u32 = index_6 / params_0.sky_edge_0;
+    var place_3 : vec2<f32> = vec2<f32>(_S198, f32(_S199)) + vec2<f32>(min(_S194 - _S196, 1.0f), u_4.w);
     (*chosen_0) = ChosenDirection_x24init_0(Environment_to_world_0(direction_of_0(place_3 * vec2<f32>(divide_0(1.0f, edge_0)))), Environment_radiance_at_0(place_3), pdf_7);
     return true;
 }
 
-fn Sky_sample_0( receiver_9 : Receiver_0,  u_5 : vec4<f32>,  sample_7 : ptr<function, LightSample_0>) -> bool
+fn Sky_sample_0( receiver_2 : Receiver_0,  u_5 : vec4<f32>,  sample_7 : ptr<function, LightSample_0>) -> bool
 {
     (*sample_7) = no_light_0();
     var chosen_1 : ChosenDirection_0;
-    var _S202 : bool;
+    var _S200 : bool;
     if(SKY_0 != u32(1))
     {
-        _S202 = true;
+        _S200 = true;
     }
     else
     {
-        var _S203 : bool = Environment_choose_0(u_5, &(chosen_1));
-        _S202 = !_S203;
+        var _S201 : bool = Environment_choose_0(u_5, &(chosen_1));
+        _S200 = !_S201;
     }
-    if(_S202)
+    if(_S200)
     {
         return false;
     }
-    var cos_theta_5 : f32 = dot_product_0(receiver_9.normal_2, chosen_1.direction_25);
-    (*sample_7) = LightSample_x24init_0(ray_from_0(receiver_9.point_0, chosen_1.direction_25), cos_theta_5, chosen_1.radiance_4 * vec3<f32>(params_0.sky_brightness_0), chosen_1.pdf_5);
-    return cos_theta_5 > 0.0f;
+    var cos_theta_3 : f32 = dot_product_0(receiver_2.normal_2, chosen_1.direction_25);
+    (*sample_7) = LightSample_x24init_0(ray_from_0(receiver_2.point_0, chosen_1.direction_25), cos_theta_3, chosen_1.radiance_4 * vec3<f32>(params_0.sky_brightness_0), chosen_1.pdf_5);
+    return cos_theta_3 > 0.0f;
 }
 
 struct Descent_0
@@ -3290,18 +3132,20 @@ struct Descent_0
      weight_0 : f32,
      total_0 : f32,
      choice_0 : f32,
+     is_far_0 : bool,
 };
 
-fn Descent_x24init_0( node_1 : u32,  index_8 : u32,  count_5 : u32,  weight_1 : f32,  total_1 : f32,  choice_1 : f32) -> Descent_0
+fn Descent_x24init_0( node_1 : u32,  index_8 : u32,  count_5 : u32,  weight_1 : f32,  total_1 : f32,  choice_1 : f32,  is_far_1 : bool) -> Descent_0
 {
-    var _S204 : Descent_0;
-    _S204.node_0 = node_1;
-    _S204.index_7 = index_8;
-    _S204.count_4 = count_5;
-    _S204.weight_0 = weight_1;
-    _S204.total_0 = total_1;
-    _S204.choice_0 = choice_1;
-    return _S204;
+    var _S202 : Descent_0;
+    _S202.node_0 = node_1;
+    _S202.index_7 = index_8;
+    _S202.count_4 = count_5;
+    _S202.weight_0 = weight_1;
+    _S202.total_0 = total_1;
+    _S202.choice_0 = choice_1;
+    _S202.is_far_0 = is_far_1;
+    return _S202;
 }
 
 struct LightNode_0
@@ -3317,90 +3161,164 @@ struct LightNode_0
 
 fn TopLights_node_0( index_9 : u32) -> LightNode_0
 {
-    var _S205 : LightNode_std430_0 = top_light_nodes_0[index_9];
-    var _S206 : LightNode_0 = LightNode_0( _S205.min_2, _S205.index_1, _S205.max_2, _S205.count_1, _S205.power_0, _S205.parent_0, _S205.root_0 );
-    return _S206;
+    var _S203 : LightNode_std430_0 = top_light_nodes_0[index_9];
+    var _S204 : LightNode_0 = LightNode_0( _S203.min_2, _S203.index_1, _S203.max_2, _S203.count_1, _S203.power_0, _S203.parent_0, _S203.root_0 );
+    return _S204;
 }
 
-fn Descent_at_0( this_31 : ptr<function, Descent_0>,  root_2 : u32)
+fn Descent_at_0( this_35 : ptr<function, Descent_0>,  root_2 : u32)
 {
     var node_2 : LightNode_0 = TopLights_node_0(root_2);
-    (*this_31).node_0 = root_2;
-    (*this_31).index_7 = node_2.index_1;
-    (*this_31).count_4 = node_2.count_1;
+    (*this_35).node_0 = root_2;
+    (*this_35).index_7 = node_2.index_1;
+    (*this_35).count_4 = node_2.count_1;
+    (*this_35).is_far_0 = false;
     return;
 }
 
-fn node_importance_1( node_3 : LightNode_0,  receiver_10 : Receiver_0) -> f32
+struct View_0
 {
-    var low_7 : vec3<f32> = vector_of_0(node_3.min_2);
-    var high_4 : vec3<f32> = vector_of_0(node_3.max_2);
-    var _S207 : vec3<f32> = vec3<f32>(0.5f);
-    var half_2 : vec3<f32> = (high_4 - low_7) * _S207;
-    var toward_1 : vec3<f32> = (low_7 + high_4) * _S207 - receiver_10.point_0;
-    var above_1 : f32 = with_slack_0(receiver_10, dot_product_0(toward_1, receiver_10.normal_2) + dot_product_0(half_2, abs(receiver_10.normal_2)));
-    var far_3 : f32 = length_squared_0(toward_1);
-    var near_1 : f32 = length_squared_0(half_2);
-    var distance_3 : f32 = length_bound_0(select(half_2, abs(toward_1), vec3<bool>((far_3 > near_1))));
-    var _S208 : vec3<f32> = vec3<f32>(0.0f);
-    var _S209 : vec3<f32> = vec3<f32>(distance_3);
-    var beyond_min_1 : vec3<f32> = min(max(receiver_10.point_0 - low_7, _S208), _S209);
-    var beyond_max_1 : vec3<f32> = min(max(high_4 - receiver_10.point_0, _S208), _S209);
-    var sent_1 : f32 = node_3.power_0[i32(0)] * beyond_max_1.x + node_3.power_0[i32(1)] * beyond_min_1.x + (node_3.power_0[i32(2)] * beyond_max_1.y + node_3.power_0[i32(3)] * beyond_min_1.y) + (node_3.power_0[i32(4)] * beyond_max_1.z + node_3.power_0[i32(5)] * beyond_min_1.z);
-    var falloff_1 : f32 = reciprocal_guess_0(max(far_3, near_1));
-    var _S210 : f32;
-    if(above_1 > 0.0f)
-    {
-        _S210 = sent_1 * min(above_1, distance_3) * (falloff_1 * falloff_1);
-    }
-    else
-    {
-        _S210 = 0.0f;
-    }
-    return _S210;
+     importance_0 : f32,
+     is_far_2 : bool,
+};
+
+fn length_bound_0( absolute_0 : vec3<f32>) -> f32
+{
+    return (max_element_0(absolute_0) + (absolute_0.x + absolute_0.y + absolute_0.z)) * 0.5f;
 }
 
-fn node_importance_2( _S211 : u32,  _S212 : Receiver_0) -> f32
+struct BySide_0
 {
-    var low_8 : vec3<f32> = vector_of_0(top_light_nodes_0[_S211].min_2);
-    var high_5 : vec3<f32> = vector_of_0(top_light_nodes_0[_S211].max_2);
-    var _S213 : vec3<f32> = vec3<f32>(0.5f);
-    var half_3 : vec3<f32> = (high_5 - low_8) * _S213;
-    var toward_2 : vec3<f32> = (low_8 + high_5) * _S213 - _S212.point_0;
-    var above_2 : f32 = with_slack_0(_S212, dot_product_0(toward_2, _S212.normal_2) + dot_product_0(half_3, abs(_S212.normal_2)));
-    var far_4 : f32 = length_squared_0(toward_2);
-    var near_2 : f32 = length_squared_0(half_3);
-    var distance_4 : f32 = length_bound_0(select(half_3, abs(toward_2), vec3<bool>((far_4 > near_2))));
-    var _S214 : vec3<f32> = vec3<f32>(0.0f);
-    var _S215 : vec3<f32> = vec3<f32>(distance_4);
-    var beyond_min_2 : vec3<f32> = min(max(_S212.point_0 - low_8, _S214), _S215);
-    var beyond_max_2 : vec3<f32> = min(max(high_5 - _S212.point_0, _S214), _S215);
-    var sent_2 : f32 = top_light_nodes_0[_S211].power_0[i32(0)] * beyond_max_2.x + top_light_nodes_0[_S211].power_0[i32(1)] * beyond_min_2.x + (top_light_nodes_0[_S211].power_0[i32(2)] * beyond_max_2.y + top_light_nodes_0[_S211].power_0[i32(3)] * beyond_min_2.y) + (top_light_nodes_0[_S211].power_0[i32(4)] * beyond_max_2.z + top_light_nodes_0[_S211].power_0[i32(5)] * beyond_min_2.z);
-    var falloff_2 : f32 = reciprocal_guess_0(max(far_4, near_2));
-    var _S216 : f32;
-    if(above_2 > 0.0f)
+     low_7 : vec3<f32>,
+     high_4 : vec3<f32>,
+};
+
+fn BySide_x24init_0( low_8 : vec3<f32>,  high_5 : vec3<f32>) -> BySide_0
+{
+    var _S205 : BySide_0;
+    _S205.low_7 = low_8;
+    _S205.high_4 = high_5;
+    return _S205;
+}
+
+fn sent_by_side_0( node_3 : LightNode_0,  point_2 : vec3<f32>,  distance_2 : f32) -> BySide_0
+{
+    var _S206 : vec3<f32> = vec3<f32>(0.0f);
+    var _S207 : vec3<f32> = vec3<f32>(distance_2);
+    return BySide_x24init_0(vec3<f32>(node_3.power_0[i32(0)], node_3.power_0[i32(2)], node_3.power_0[i32(4)]) * min(max(vector_of_0(node_3.max_2) - point_2, _S206), _S207), vec3<f32>(node_3.power_0[i32(1)], node_3.power_0[i32(3)], node_3.power_0[i32(5)]) * min(max(point_2 - vector_of_0(node_3.min_2), _S206), _S207));
+}
+
+fn BySide_sum_0( this_36 : BySide_0) -> f32
+{
+    var axes_5 : vec3<f32> = this_36.low_7 + this_36.high_4;
+    return axes_5.x + axes_5.y + axes_5.z;
+}
+
+fn reciprocal_guess_0( x_9 : f32) -> f32
+{
+    var guess_2 : f32 = (bitcast<f32>((u32(2129859011) - (bitcast<u32>((x_9))))));
+    return guess_2 * (2.0f - x_9 * guess_2);
+}
+
+fn View_x24init_0( importance_1 : f32,  is_far_3 : bool) -> View_0
+{
+    var _S208 : View_0;
+    _S208.importance_0 = importance_1;
+    _S208.is_far_2 = is_far_3;
+    return _S208;
+}
+
+fn view_0( node_4 : LightNode_0,  receiver_3 : Receiver_0) -> View_0
+{
+    var _S209 : vec3<f32> = vector_of_0(node_4.max_2);
+    var _S210 : vec3<f32> = vector_of_0(node_4.min_2);
+    var _S211 : vec3<f32> = vec3<f32>(0.5f);
+    var half_1 : vec3<f32> = (_S209 - _S210) * _S211;
+    var toward_0 : vec3<f32> = (_S210 + _S209) * _S211 - receiver_3.point_0;
+    var middle_2 : f32 = dot_product_0(toward_0, receiver_3.normal_2);
+    var aside_0 : f32 = dot_product_0(half_1, abs(receiver_3.normal_2));
+    var above_0 : f32 = with_slack_0(receiver_3, middle_2 + aside_0);
+    var far_3 : f32 = length_squared_0(toward_0);
+    var near_2 : f32 = length_squared_0(half_1);
+    var is_far_4 : bool;
+    if((with_slack_0(receiver_3, middle_2 - aside_0)) > 0.0f)
     {
-        _S216 = sent_2 * min(above_2, distance_4) * (falloff_2 * falloff_2);
+        is_far_4 = far_3 > (near_2 * 36.0f);
     }
     else
     {
-        _S216 = 0.0f;
+        is_far_4 = false;
     }
-    return _S216;
+    var distance_3 : f32 = length_bound_0(select(half_1, abs(toward_0), vec3<bool>((far_3 > near_2))));
+    var sent_0 : f32 = BySide_sum_0(sent_by_side_0(node_4, receiver_3.point_0, distance_3));
+    var falloff_0 : f32 = reciprocal_guess_0(max(far_3, near_2));
+    var _S212 : f32;
+    if(above_0 > 0.0f)
+    {
+        _S212 = sent_0 * min(above_0, distance_3) * (falloff_0 * falloff_0);
+    }
+    else
+    {
+        _S212 = 0.0f;
+    }
+    return View_x24init_0(_S212, is_far_4);
+}
+
+fn sent_by_side_1( _S213 : u32,  _S214 : vec3<f32>,  _S215 : f32) -> BySide_0
+{
+    var _S216 : vec3<f32> = vec3<f32>(0.0f);
+    var _S217 : vec3<f32> = vec3<f32>(_S215);
+    return BySide_x24init_0(vec3<f32>(top_light_nodes_0[_S213].power_0[i32(0)], top_light_nodes_0[_S213].power_0[i32(2)], top_light_nodes_0[_S213].power_0[i32(4)]) * min(max(vector_of_0(top_light_nodes_0[_S213].max_2) - _S214, _S216), _S217), vec3<f32>(top_light_nodes_0[_S213].power_0[i32(1)], top_light_nodes_0[_S213].power_0[i32(3)], top_light_nodes_0[_S213].power_0[i32(5)]) * min(max(_S214 - vector_of_0(top_light_nodes_0[_S213].min_2), _S216), _S217));
+}
+
+fn view_1( _S218 : u32,  _S219 : Receiver_0) -> View_0
+{
+    var _S220 : vec3<f32> = vector_of_0(top_light_nodes_0[_S218].max_2);
+    var _S221 : vec3<f32> = vector_of_0(top_light_nodes_0[_S218].min_2);
+    var _S222 : vec3<f32> = vec3<f32>(0.5f);
+    var half_2 : vec3<f32> = (_S220 - _S221) * _S222;
+    var toward_1 : vec3<f32> = (_S221 + _S220) * _S222 - _S219.point_0;
+    var middle_3 : f32 = dot_product_0(toward_1, _S219.normal_2);
+    var aside_1 : f32 = dot_product_0(half_2, abs(_S219.normal_2));
+    var above_1 : f32 = with_slack_0(_S219, middle_3 + aside_1);
+    var far_4 : f32 = length_squared_0(toward_1);
+    var near_3 : f32 = length_squared_0(half_2);
+    var is_far_5 : bool;
+    if((with_slack_0(_S219, middle_3 - aside_1)) > 0.0f)
+    {
+        is_far_5 = far_4 > (near_3 * 36.0f);
+    }
+    else
+    {
+        is_far_5 = false;
+    }
+    var distance_4 : f32 = length_bound_0(select(half_2, abs(toward_1), vec3<bool>((far_4 > near_3))));
+    var sent_1 : f32 = BySide_sum_0(sent_by_side_1(_S218, _S219.point_0, distance_4));
+    var falloff_1 : f32 = reciprocal_guess_0(max(far_4, near_3));
+    var _S223 : f32;
+    if(above_1 > 0.0f)
+    {
+        _S223 = sent_1 * min(above_1, distance_4) * (falloff_1 * falloff_1);
+    }
+    else
+    {
+        _S223 = 0.0f;
+    }
+    return View_x24init_0(_S223, is_far_5);
 }
 
 fn normal_or_zero_0( weight_2 : f32) -> f32
 {
-    var _S217 : f32;
+    var _S224 : f32;
     if(weight_2 < 1.17549435082228751e-38f)
     {
-        _S217 = 0.0f;
+        _S224 = 0.0f;
     }
     else
     {
-        _S217 = weight_2;
+        _S224 = weight_2;
     }
-    return _S217;
+    return _S224;
 }
 
 fn inverse_power_of_two_0( x_10 : f32) -> f32
@@ -3410,107 +3328,116 @@ fn inverse_power_of_two_0( x_10 : f32) -> f32
 
 fn weights_of_0( left_0 : f32,  right_2 : f32) -> vec2<f32>
 {
-    var _S218 : f32 = normal_or_zero_0(left_0);
-    var _S219 : f32 = normal_or_zero_0(right_2);
-    var unit_0 : f32 = inverse_power_of_two_0(_S218 + _S219);
-    return vec2<f32>(normal_or_zero_0(_S218 * unit_0), normal_or_zero_0(_S219 * unit_0));
+    var _S225 : f32 = normal_or_zero_0(left_0);
+    var _S226 : f32 = normal_or_zero_0(right_2);
+    var unit_0 : f32 = inverse_power_of_two_0(_S225 + _S226);
+    return vec2<f32>(normal_or_zero_0(_S225 * unit_0), normal_or_zero_0(_S226 * unit_0));
 }
 
-fn climb_0( receiver_11 : Receiver_0,  start_3 : u32,  descent_0 : ptr<function, Descent_0>) -> bool
+fn climb_0( receiver_4 : Receiver_0,  start_3 : u32,  descent_0 : ptr<function, Descent_0>) -> bool
 {
-    var _S220 : LightNode_std430_0 = top_light_nodes_0[start_3];
-    var node_4 : LightNode_0;
-    node_4.min_2 = _S220.min_2;
-    node_4.index_1 = _S220.index_1;
-    node_4.max_2 = _S220.max_2;
-    node_4.count_1 = _S220.count_1;
-    node_4.power_0 = _S220.power_0;
-    node_4.parent_0 = _S220.parent_0;
-    node_4.root_0 = _S220.root_0;
+    var _S227 : LightNode_std430_0 = top_light_nodes_0[start_3];
+    var node_5 : LightNode_0;
+    node_5.min_2 = _S227.min_2;
+    node_5.index_1 = _S227.index_1;
+    node_5.max_2 = _S227.max_2;
+    node_5.count_1 = _S227.count_1;
+    node_5.power_0 = _S227.power_0;
+    node_5.parent_0 = _S227.parent_0;
+    node_5.root_0 = _S227.root_0;
     var at_1 : u32 = start_3;
     for(;;)
     {
-        var _S221 : LightNode_0 = node_4;
-        if((node_4.parent_0) != u32(4294967295))
+        var _S228 : LightNode_0 = node_5;
+        if((node_5.parent_0) != u32(4294967295))
         {
         }
         else
         {
             break;
         }
-        var parent_1 : LightNode_std430_0 = top_light_nodes_0[_S221.parent_0];
-        var _S222 : u32 = _S221.parent_0 + u32(1);
-        var is_left_0 : bool = at_1 == _S222;
-        var _S223 : u32;
+        var parent_1 : LightNode_std430_0 = top_light_nodes_0[_S228.parent_0];
+        var _S229 : u32 = _S228.parent_0 + u32(1);
+        var is_left_0 : bool = at_1 == _S229;
+        var _S230 : u32;
         if(is_left_0)
         {
-            _S223 = parent_1.index_1;
+            _S230 = parent_1.index_1;
         }
         else
         {
-            _S223 = _S222;
+            _S230 = _S229;
         }
-        var own_2 : f32 = node_importance_1(node_4, receiver_11);
-        var _S224 : f32 = node_importance_2(_S223, receiver_11);
-        var _S225 : f32;
+        var _S231 : View_0 = view_0(node_5, receiver_4);
+        var _S232 : View_0 = view_1(_S230, receiver_4);
+        var _S233 : f32;
         if(is_left_0)
         {
-            _S225 = own_2;
+            _S233 = _S231.importance_0;
         }
         else
         {
-            _S225 = _S224;
+            _S233 = _S232.importance_0;
         }
-        var _S226 : f32;
+        var _S234 : f32;
         if(is_left_0)
         {
-            _S226 = _S224;
+            _S234 = _S232.importance_0;
         }
         else
         {
-            _S226 = own_2;
+            _S234 = _S231.importance_0;
         }
-        var weights_0 : vec2<f32> = weights_of_0(_S225, _S226);
-        var _S227 : f32 = weights_0.x;
-        var _S228 : f32 = weights_0.y;
-        var total_2 : f32 = _S227 + _S228;
+        var weights_0 : vec2<f32> = weights_of_0(_S233, _S234);
+        var _S235 : f32 = weights_0.x;
+        var _S236 : f32 = weights_0.y;
+        var total_2 : f32 = _S235 + _S236;
         if(!(total_2 > 0.0f))
         {
             return false;
         }
-        var _S229 : f32;
+        var _S237 : f32;
         if(is_left_0)
         {
-            _S229 = _S227;
+            _S237 = _S235;
         }
         else
         {
-            _S229 = _S228;
+            _S237 = _S236;
         }
-        (*descent_0).weight_0 = (*descent_0).weight_0 * _S229;
+        (*descent_0).weight_0 = (*descent_0).weight_0 * _S237;
         (*descent_0).total_0 = (*descent_0).total_0 * total_2;
-        node_4.min_2 = parent_1.min_2;
-        node_4.index_1 = parent_1.index_1;
-        node_4.max_2 = parent_1.max_2;
-        node_4.count_1 = parent_1.count_1;
-        node_4.power_0 = parent_1.power_0;
-        node_4.parent_0 = parent_1.parent_0;
-        node_4.root_0 = parent_1.root_0;
-        at_1 = _S221.parent_0;
+        node_5.min_2 = parent_1.min_2;
+        node_5.index_1 = parent_1.index_1;
+        node_5.max_2 = parent_1.max_2;
+        node_5.count_1 = parent_1.count_1;
+        node_5.power_0 = parent_1.power_0;
+        node_5.parent_0 = parent_1.parent_0;
+        node_5.root_0 = parent_1.root_0;
+        at_1 = _S228.parent_0;
     }
     return ((*descent_0).weight_0) > 0.0f;
 }
 
 fn by_chance_0() -> Aim_0
 {
-    return Aim_x24init_0(false, vec3<f32>(0.0f), miss_0());
+    return Aim_x24init_0(false, vec3<f32>(0.0f), miss_0(), 0.0f);
 }
 
-fn descend_0( receiver_12 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<function, Descent_0>) -> bool
+fn descend_0( receiver_5 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<function, Descent_0>) -> bool
 {
     for(;;)
     {
+        var _S238 : bool;
         if(((*descent_1).count_4) == u32(0))
+        {
+            _S238 = !(*descent_1).is_far_0;
+        }
+        else
+        {
+            _S238 = false;
+        }
+        if(_S238)
         {
         }
         else
@@ -3519,30 +3446,30 @@ fn descend_0( receiver_12 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<functio
         }
         var left_1 : LightNode_0 = TopLights_node_0((*descent_1).node_0 + u32(1));
         var right_3 : LightNode_0 = TopLights_node_0((*descent_1).index_7);
-        var weights_1 : vec2<f32> = weights_of_0(node_importance_1(left_1, receiver_12), node_importance_1(right_3, receiver_12));
-        var _S230 : f32 = weights_1.x;
-        var _S231 : f32 = weights_1.y;
-        var total_3 : f32 = _S230 + _S231;
+        var weights_1 : vec2<f32> = weights_of_0(view_0(left_1, receiver_5).importance_0, view_0(right_3, receiver_5).importance_0);
+        var _S239 : f32 = weights_1.x;
+        var _S240 : f32 = weights_1.y;
+        var total_3 : f32 = _S239 + _S240;
         if(!(total_3 > 0.0f))
         {
             return false;
         }
-        var _S232 : bool;
-        if(_S231 <= 0.0f)
+        var _S241 : bool;
+        if(_S240 <= 0.0f)
         {
-            _S232 = true;
+            _S241 = true;
         }
         else
         {
-            _S232 = ((*descent_1).choice_0 * total_3) < (_S230 * (*descent_1).weight_0);
+            _S241 = ((*descent_1).choice_0 * total_3) < (_S239 * (*descent_1).weight_0);
         }
         var is_left_1 : bool;
         if(aim_0.is_met_0)
         {
-            var _S233 : vec3<f32> = vec3<f32>(aim_0.hit_3.voxel_4);
-            if((all((_S233 >= (vector_of_0(left_1.min_2))))))
+            var _S242 : vec3<f32> = vec3<f32>(aim_0.hit_3.voxel_4);
+            if((all((_S242 >= (vector_of_0(left_1.min_2))))))
             {
-                is_left_1 = (all((_S233 < (vector_of_0(left_1.max_2)))));
+                is_left_1 = (all((_S242 < (vector_of_0(left_1.max_2)))));
             }
             else
             {
@@ -3551,62 +3478,63 @@ fn descend_0( receiver_12 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<functio
         }
         else
         {
-            is_left_1 = _S232;
+            is_left_1 = _S241;
         }
-        var _S234 : f32 = (*descent_1).choice_0 * total_3;
-        var _S235 : f32;
+        var _S243 : f32 = (*descent_1).choice_0 * total_3;
+        var _S244 : f32;
         if(is_left_1)
         {
-            _S235 = 0.0f;
+            _S244 = 0.0f;
         }
         else
         {
-            _S235 = _S230 * (*descent_1).weight_0;
+            _S244 = _S239 * (*descent_1).weight_0;
         }
-        (*descent_1).choice_0 = _S234 - _S235;
-        var _S236 : u32;
+        (*descent_1).choice_0 = _S243 - _S244;
+        var _S245 : u32;
         if(is_left_1)
         {
-            _S236 = (*descent_1).node_0 + u32(1);
+            _S245 = (*descent_1).node_0 + u32(1);
         }
         else
         {
-            _S236 = (*descent_1).index_7;
+            _S245 = (*descent_1).index_7;
         }
-        (*descent_1).node_0 = _S236;
-        var _S237 : u32;
+        (*descent_1).node_0 = _S245;
+        var _S246 : u32;
         if(is_left_1)
         {
-            _S237 = left_1.index_1;
+            _S246 = left_1.index_1;
         }
         else
         {
-            _S237 = right_3.index_1;
+            _S246 = right_3.index_1;
         }
-        (*descent_1).index_7 = _S237;
-        var _S238 : u32;
+        (*descent_1).index_7 = _S246;
+        var _S247 : u32;
         if(is_left_1)
         {
-            _S238 = left_1.count_1;
+            _S247 = left_1.count_1;
         }
         else
         {
-            _S238 = right_3.count_1;
+            _S247 = right_3.count_1;
         }
-        (*descent_1).count_4 = _S238;
-        var _S239 : f32;
+        (*descent_1).count_4 = _S247;
+        (*descent_1).is_far_0 = false;
+        var _S248 : f32;
         if(is_left_1)
         {
-            _S239 = _S230;
+            _S248 = _S239;
         }
         else
         {
-            _S239 = _S231;
+            _S248 = _S240;
         }
-        var _S240 : f32 = (*descent_1).weight_0 * _S239;
-        (*descent_1).weight_0 = _S240;
+        var _S249 : f32 = (*descent_1).weight_0 * _S248;
+        (*descent_1).weight_0 = _S249;
         (*descent_1).total_0 = (*descent_1).total_0 * total_3;
-        if(_S240 <= 0.0f)
+        if(_S249 <= 0.0f)
         {
             return false;
         }
@@ -3614,36 +3542,46 @@ fn descend_0( receiver_12 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<functio
     return true;
 }
 
-fn in_grid_0( instance_9 : u32,  receiver_13 : Receiver_0) -> Receiver_0
+fn in_grid_0( instance_9 : u32,  receiver_6 : Receiver_0) -> Receiver_0
 {
     if(IS_SINGLE_0)
     {
-        return receiver_13;
+        return receiver_6;
     }
-    return Receiver_x24init_0(Transform_point_0(instance_9, receiver_13.point_0), normalize_vector_0(Transform_direction_0(instance_9, receiver_13.normal_2)));
+    return Receiver_x24init_0(Transform_point_0(instance_9, receiver_6.point_0), normalize_vector_0(Transform_direction_0(instance_9, receiver_6.normal_2)));
 }
 
 fn GridLights_node_0( index_10 : u32) -> LightNode_0
 {
-    var _S241 : LightNode_std430_0 = light_nodes_0[index_10];
-    var _S242 : LightNode_0 = LightNode_0( _S241.min_2, _S241.index_1, _S241.max_2, _S241.count_1, _S241.power_0, _S241.parent_0, _S241.root_0 );
-    return _S242;
+    var _S250 : LightNode_std430_0 = light_nodes_0[index_10];
+    var _S251 : LightNode_0 = LightNode_0( _S250.min_2, _S250.index_1, _S250.max_2, _S250.count_1, _S250.power_0, _S250.parent_0, _S250.root_0 );
+    return _S251;
 }
 
-fn Descent_at_1( this_32 : ptr<function, Descent_0>,  root_3 : u32)
+fn Descent_at_1( this_37 : ptr<function, Descent_0>,  root_3 : u32)
 {
-    var node_5 : LightNode_0 = GridLights_node_0(root_3);
-    (*this_32).node_0 = root_3;
-    (*this_32).index_7 = node_5.index_1;
-    (*this_32).count_4 = node_5.count_1;
+    var node_6 : LightNode_0 = GridLights_node_0(root_3);
+    (*this_37).node_0 = root_3;
+    (*this_37).index_7 = node_6.index_1;
+    (*this_37).count_4 = node_6.count_1;
+    (*this_37).is_far_0 = false;
     return;
 }
 
-fn descend_1( receiver_14 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<function, Descent_0>) -> bool
+fn descend_1( receiver_7 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<function, Descent_0>) -> bool
 {
     for(;;)
     {
+        var _S252 : bool;
         if(((*descent_2).count_4) == u32(0))
+        {
+            _S252 = !(*descent_2).is_far_0;
+        }
+        else
+        {
+            _S252 = false;
+        }
+        if(_S252)
         {
         }
         else
@@ -3652,30 +3590,32 @@ fn descend_1( receiver_14 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<functio
         }
         var left_2 : LightNode_0 = GridLights_node_0((*descent_2).node_0 + u32(1));
         var right_4 : LightNode_0 = GridLights_node_0((*descent_2).index_7);
-        var weights_2 : vec2<f32> = weights_of_0(node_importance_1(left_2, receiver_14), node_importance_1(right_4, receiver_14));
-        var _S243 : f32 = weights_2.x;
-        var _S244 : f32 = weights_2.y;
-        var total_4 : f32 = _S243 + _S244;
+        var of_left_0 : View_0 = view_0(left_2, receiver_7);
+        var of_right_0 : View_0 = view_0(right_4, receiver_7);
+        var weights_2 : vec2<f32> = weights_of_0(of_left_0.importance_0, of_right_0.importance_0);
+        var _S253 : f32 = weights_2.x;
+        var _S254 : f32 = weights_2.y;
+        var total_4 : f32 = _S253 + _S254;
         if(!(total_4 > 0.0f))
         {
             return false;
         }
-        var _S245 : bool;
-        if(_S244 <= 0.0f)
+        var _S255 : bool;
+        if(_S254 <= 0.0f)
         {
-            _S245 = true;
+            _S255 = true;
         }
         else
         {
-            _S245 = ((*descent_2).choice_0 * total_4) < (_S243 * (*descent_2).weight_0);
+            _S255 = ((*descent_2).choice_0 * total_4) < (_S253 * (*descent_2).weight_0);
         }
         var is_left_2 : bool;
         if(aim_1.is_met_0)
         {
-            var _S246 : vec3<f32> = vec3<f32>(aim_1.hit_3.voxel_4);
-            if((all((_S246 >= (vector_of_0(left_2.min_2))))))
+            var _S256 : vec3<f32> = vec3<f32>(aim_1.hit_3.voxel_4);
+            if((all((_S256 >= (vector_of_0(left_2.min_2))))))
             {
-                is_left_2 = (all((_S246 < (vector_of_0(left_2.max_2)))));
+                is_left_2 = (all((_S256 < (vector_of_0(left_2.max_2)))));
             }
             else
             {
@@ -3684,62 +3624,72 @@ fn descend_1( receiver_14 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<functio
         }
         else
         {
-            is_left_2 = _S245;
+            is_left_2 = _S255;
         }
-        var _S247 : f32 = (*descent_2).choice_0 * total_4;
-        var _S248 : f32;
+        var _S257 : f32 = (*descent_2).choice_0 * total_4;
+        var _S258 : f32;
         if(is_left_2)
         {
-            _S248 = 0.0f;
+            _S258 = 0.0f;
         }
         else
         {
-            _S248 = _S243 * (*descent_2).weight_0;
+            _S258 = _S253 * (*descent_2).weight_0;
         }
-        (*descent_2).choice_0 = _S247 - _S248;
-        var _S249 : u32;
+        (*descent_2).choice_0 = _S257 - _S258;
+        var _S259 : u32;
         if(is_left_2)
         {
-            _S249 = (*descent_2).node_0 + u32(1);
+            _S259 = (*descent_2).node_0 + u32(1);
         }
         else
         {
-            _S249 = (*descent_2).index_7;
+            _S259 = (*descent_2).index_7;
         }
-        (*descent_2).node_0 = _S249;
-        var _S250 : u32;
+        (*descent_2).node_0 = _S259;
+        var _S260 : u32;
         if(is_left_2)
         {
-            _S250 = left_2.index_1;
+            _S260 = left_2.index_1;
         }
         else
         {
-            _S250 = right_4.index_1;
+            _S260 = right_4.index_1;
         }
-        (*descent_2).index_7 = _S250;
-        var _S251 : u32;
+        (*descent_2).index_7 = _S260;
+        var _S261 : u32;
         if(is_left_2)
         {
-            _S251 = left_2.count_1;
+            _S261 = left_2.count_1;
         }
         else
         {
-            _S251 = right_4.count_1;
+            _S261 = right_4.count_1;
         }
-        (*descent_2).count_4 = _S251;
-        var _S252 : f32;
+        (*descent_2).count_4 = _S261;
+        var _S262 : bool;
         if(is_left_2)
         {
-            _S252 = _S243;
+            _S262 = of_left_0.is_far_2;
         }
         else
         {
-            _S252 = _S244;
+            _S262 = of_right_0.is_far_2;
         }
-        var _S253 : f32 = (*descent_2).weight_0 * _S252;
-        (*descent_2).weight_0 = _S253;
+        (*descent_2).is_far_0 = _S262;
+        var _S263 : f32;
+        if(is_left_2)
+        {
+            _S263 = _S253;
+        }
+        else
+        {
+            _S263 = _S254;
+        }
+        var _S264 : f32 = (*descent_2).weight_0 * _S263;
+        (*descent_2).weight_0 = _S264;
         (*descent_2).total_0 = (*descent_2).total_0 * total_4;
-        if(_S253 <= 0.0f)
+        if(_S264 <= 0.0f)
         {
             return false;
         }
@@ -3747,124 +3697,344 @@ fn descend_1( receiver_14 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<functio
     return true;
 }
 
-struct FaceChoice_0
+fn sent_by_side_2( _S265 : u32,  _S266 : vec3<f32>,  _S267 : f32) -> BySide_0
 {
-     emitter_0 : u32,
-     axis_4 : u32,
-     importance_0 : f32,
-};
-
-fn FaceChoice_x24init_0( emitter_1 : u32,  axis_5 : u32,  importance_1 : f32) -> FaceChoice_0
-{
-    var _S254 : FaceChoice_0;
-    _S254.emitter_0 = emitter_1;
-    _S254.axis_4 = axis_5;
-    _S254.importance_0 = importance_1;
-    return _S254;
+    var _S268 : vec3<f32> = vec3<f32>(0.0f);
+    var _S269 : vec3<f32> = vec3<f32>(_S267);
+    return BySide_x24init_0(vec3<f32>(light_nodes_0[_S265].power_0[i32(0)], light_nodes_0[_S265].power_0[i32(2)], light_nodes_0[_S265].power_0[i32(4)]) * min(max(vector_of_0(light_nodes_0[_S265].max_2) - _S266, _S268), _S269), vec3<f32>(light_nodes_0[_S265].power_0[i32(1)], light_nodes_0[_S265].power_0[i32(3)], light_nodes_0[_S265].power_0[i32(5)]) * min(max(_S266 - vector_of_0(light_nodes_0[_S265].min_2), _S268), _S269));
 }
 
-fn face_importances_0( _S255 : u32,  _S256 : Receiver_0) -> vec3<f32>
+fn choose_side_0( point_3 : vec3<f32>,  is_met_2 : bool,  way_3 : Descent_0,  side_1 : ptr<function, u32>,  odds_0 : ptr<function, vec2<f32>>) -> bool
 {
-    var _S257 : vec3<f32> = vec3<f32>(0.5f);
-    var toward_3 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[_S255].voxel_1)) + _S257 - _S256.point_0;
-    var aside_0 : vec3<f32> = abs(toward_3);
-    var in_front_0 : vec3<f32> = aside_0 - _S257;
-    var squares_0 : vec3<f32> = aside_0 * aside_0;
-    var height_3 : vec3<f32> = abs(_S256.normal_2) * _S257;
-    var _S258 : vec3<f32> = vec3<f32>(0.0f);
-    var is_upper_1 : vec3<bool> = toward_3 < _S258;
-    var above_3 : vec3<f32> = vec3<f32>(with_slack_0(_S256, dot_product_0(toward_3, _S256.normal_2))) + select((vec3<f32>(0) - _S256.normal_2), _S256.normal_2, is_upper_1) * _S257 + (vec3<f32>((height_3.x + height_3.y + height_3.z)) - height_3);
-    var _S259 : f32 = squares_0.y;
-    var _S260 : f32 = squares_0.z;
-    var _S261 : f32 = squares_0.x;
-    var distance_squared_0 : vec3<f32> = max(in_front_0 * in_front_0 + vec3<f32>(_S259 + _S260, _S260 + _S261, _S261 + _S259), vec3<f32>(0.5f));
-    var falloff_3 : vec3<f32> = vec3<f32>(reciprocal_guess_0(distance_squared_0.x), reciprocal_guess_0(distance_squared_0.y), reciprocal_guess_0(distance_squared_0.z));
-    return select(vec3<f32>(0.0f), vec3<f32>(emitters_0[_S255].luminance_0) * in_front_0 * min(above_3, vec3<f32>(length_bound_0(aside_0))) * (falloff_3 * falloff_3), select(vec3<bool>(false), above_3 > _S258, select(vec3<bool>(false), in_front_0 > _S258, ((((vec3<u32>((emitters_0[_S255].faces_0)) >> (select(vec3<u32>(u32(0), u32(2), u32(4)), vec3<u32>(u32(1), u32(3), u32(5)), is_upper_1)))) & (vec3<u32>(u32(1))))) != vec3<u32>(u32(0)))));
-}
-
-fn sum_of_0( importances_0 : vec3<f32>) -> f32
-{
-    return importances_0.x + importances_0.y + importances_0.z;
-}
-
-fn component_0( vector_5 : vec3<f32>,  axis_6 : u32) -> f32
-{
-    return select(select(vector_5.z, vector_5.y, axis_6 == u32(1)), vector_5.x, axis_6 == u32(0));
-}
-
-fn choose_axis_0( importances_1 : vec3<f32>,  threshold_1 : f32) -> u32
-{
-    var _S262 : f32 = importances_1.x;
-    if(threshold_1 < _S262)
+    var _S270 : vec3<f32> = vector_of_0(light_nodes_0[way_3.node_0].max_2);
+    var _S271 : vec3<f32> = vector_of_0(light_nodes_0[way_3.node_0].min_2);
+    var _S272 : vec3<f32> = vec3<f32>(0.5f);
+    var half_3 : vec3<f32> = (_S270 - _S271) * _S272;
+    var toward_2 : vec3<f32> = (_S271 + _S270) * _S272 - point_3;
+    var _S273 : BySide_0 = sent_by_side_2(way_3.node_0, point_3, length_bound_0(select(half_3, abs(toward_2), vec3<bool>(((length_squared_0(toward_2)) > (length_squared_0(half_3)))))));
+    var sum_3 : f32 = normal_or_zero_0(BySide_sum_0(_S273));
+    var unit_1 : f32 = inverse_power_of_two_0(sum_3);
+    var total_5 : f32 = sum_3 * unit_1;
+    var _S274 : f32 = way_3.choice_0 * total_5;
+    var _S275 : u32 = (*side_1);
+    var share_1 : f32 = normal_or_zero_0(_S273.low_7[u32(0)] * unit_1);
+    var _S276 : bool;
+    if(is_met_2)
     {
-        return u32(0);
-    }
-    var _S263 : f32 = importances_1.y;
-    if(threshold_1 < (_S262 + _S263))
-    {
-        return u32(1);
-    }
-    if((importances_1.z) > 0.0f)
-    {
-        return u32(2);
-    }
-    var _S264 : i32;
-    if(_S263 > 0.0f)
-    {
-        _S264 = i32(1);
+        _S276 = u32(0) == _S275;
     }
     else
     {
-        _S264 = i32(0);
+        _S276 = share_1 > 0.0f;
     }
-    return u32(_S264);
-}
-
-fn choose_face_0( leaf_1 : Descent_0,  receiver_15 : Receiver_0,  threshold_2 : f32) -> FaceChoice_0
-{
-    var _S265 : FaceChoice_0 = FaceChoice_x24init_0(u32(0), u32(0), 0.0f);
-    var is_found_3 : bool = false;
-    var chosen_2 : FaceChoice_0 = _S265;
-    var index_11 : u32 = leaf_1.index_7;
-    var passed_0 : f32 = 0.0f;
-    for(;;)
+    var chosen_2 : f32;
+    if(_S276)
     {
-        var _S266 : bool;
-        if(index_11 < (leaf_1.index_7 + leaf_1.count_4))
+        (*side_1) = u32(0);
+        chosen_2 = share_1;
+    }
+    else
+    {
+        chosen_2 = 0.0f;
+    }
+    var _S277 : bool = _S274 < (share_1 * way_3.weight_0);
+    var share_2 : f32 = normal_or_zero_0(_S273.high_4[u32(0)] * unit_1);
+    if(is_met_2)
+    {
+        _S276 = u32(1) == _S275;
+    }
+    else
+    {
+        if(share_2 > 0.0f)
         {
-            _S266 = !is_found_3;
+            _S276 = !_S277;
         }
         else
         {
-            _S266 = false;
+            _S276 = false;
         }
-        if(_S266)
+    }
+    if(_S276)
+    {
+        (*side_1) = u32(1);
+        chosen_2 = share_2;
+    }
+    var passed_0 : f32 = share_1 + share_2;
+    if(_S277)
+    {
+        _S276 = true;
+    }
+    else
+    {
+        _S276 = _S274 < (passed_0 * way_3.weight_0);
+    }
+    var share_3 : f32 = normal_or_zero_0(_S273.low_7[u32(1)] * unit_1);
+    var _S278 : bool;
+    if(is_met_2)
+    {
+        _S278 = u32(2) == _S275;
+    }
+    else
+    {
+        if(share_3 > 0.0f)
+        {
+            _S278 = !_S276;
+        }
+        else
+        {
+            _S278 = false;
+        }
+    }
+    if(_S278)
+    {
+        (*side_1) = u32(2);
+        chosen_2 = share_3;
+    }
+    var passed_1 : f32 = passed_0 + share_3;
+    if(_S276)
+    {
+        _S276 = true;
+    }
+    else
+    {
+        _S276 = _S274 < (passed_1 * way_3.weight_0);
+    }
+    var share_4 : f32 = normal_or_zero_0(_S273.high_4[u32(1)] * unit_1);
+    if(is_met_2)
+    {
+        _S278 = u32(3) == _S275;
+    }
+    else
+    {
+        if(share_4 > 0.0f)
+        {
+            _S278 = !_S276;
+        }
+        else
+        {
+            _S278 = false;
+        }
+    }
+    if(_S278)
+    {
+        (*side_1) = u32(3);
+        chosen_2 = share_4;
+    }
+    var passed_2 : f32 = passed_1 + share_4;
+    if(_S276)
+    {
+        _S276 = true;
+    }
+    else
+    {
+        _S276 = _S274 < (passed_2 * way_3.weight_0);
+    }
+    var share_5 : f32 = normal_or_zero_0(_S273.low_7[u32(2)] * unit_1);
+    if(is_met_2)
+    {
+        _S278 = u32(4) == _S275;
+    }
+    else
+    {
+        if(share_5 > 0.0f)
+        {
+            _S278 = !_S276;
+        }
+        else
+        {
+            _S278 = false;
+        }
+    }
+    if(_S278)
+    {
+        (*side_1) = u32(4);
+        chosen_2 = share_5;
+    }
+    var passed_3 : f32 = passed_2 + share_5;
+    if(_S276)
+    {
+        _S276 = true;
+    }
+    else
+    {
+        _S276 = _S274 < (passed_3 * way_3.weight_0);
+    }
+    var share_6 : f32 = normal_or_zero_0(_S273.high_4[u32(2)] * unit_1);
+    if(is_met_2)
+    {
+        _S276 = u32(5) == _S275;
+    }
+    else
+    {
+        if(share_6 > 0.0f)
+        {
+            _S276 = !_S276;
+        }
+        else
+        {
+            _S276 = false;
+        }
+    }
+    if(_S276)
+    {
+        (*side_1) = u32(5);
+        chosen_2 = share_6;
+    }
+    (*odds_0) = vec2<f32>(way_3.weight_0 * chosen_2, way_3.total_0 * total_5);
+    if(sum_3 > 0.0f)
+    {
+        _S276 = ((*odds_0).x) > 0.0f;
+    }
+    else
+    {
+        _S276 = false;
+    }
+    return _S276;
+}
+
+fn component_0( vector_5 : vec3<f32>,  axis_5 : u32) -> f32
+{
+    return select(select(vector_5.z, vector_5.y, axis_5 == u32(1)), vector_5.x, axis_5 == u32(0));
+}
+
+fn density_0( odds_1 : vec2<f32>,  luminance_4 : f32,  power_3 : f32,  toward_3 : vec3<f32>,  face_3 : u32) -> f32
+{
+    var along_0 : f32 = component_0(toward_3, (face_3 >> (u32(1))));
+    var in_front_0 : f32;
+    if(((face_3 & (u32(1)))) == u32(1))
+    {
+        in_front_0 = - along_0;
+    }
+    else
+    {
+        in_front_0 = along_0;
+    }
+    var distance_squared_0 : f32 = length_squared_0(toward_3);
+    var unit_2 : f32 = inverse_power_of_two_0(power_3);
+    var share_7 : f32 = odds_1.x * (luminance_4 * unit_2) * (distance_squared_0 * square_root_0(distance_squared_0));
+    if(in_front_0 > 0.0f)
+    {
+        in_front_0 = divide_0(share_7, odds_1.y * (power_3 * unit_2) * in_front_0);
+    }
+    else
+    {
+        in_front_0 = -1.0f;
+    }
+    return in_front_0;
+}
+
+struct Emitter_0
+{
+     voxel_1 : array<i32, i32(3)>,
+     grid_1 : u32,
+     faces_0 : u32,
+     material_0 : u32,
+     luminance_0 : f32,
+     leaf_0 : u32,
+};
+
+fn choose_emitter_0( way_4 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Emitter_0
+{
+    var is_left_3 : bool;
+    var count_6 : u32 = way_4.count_4;
+    var node_7 : u32 = way_4.node_0;
+    var index_11 : u32 = way_4.index_7;
+    var _S279 : f32 = threshold_1;
+    for(;;)
+    {
+        if(count_6 == u32(0))
         {
         }
         else
         {
             break;
         }
-        var _S267 : vec3<f32> = face_importances_0(index_11, receiver_15);
-        var sum_3 : f32 = sum_of_0(_S267);
-        if(sum_3 > 0.0f)
+        var left_3 : u32 = node_7 + u32(1);
+        var power_left_0 : f32 = light_nodes_0[left_3].power_0[side_2];
+        var power_right_0 : f32 = light_nodes_0[index_11].power_0[side_2];
+        var _S280 : u32 = light_nodes_0[left_3].index_1;
+        var _S281 : u32 = light_nodes_0[left_3].count_1;
+        var _S282 : u32 = light_nodes_0[index_11].index_1;
+        var _S283 : u32 = light_nodes_0[index_11].count_1;
+        if(_S279 < (light_nodes_0[left_3].power_0[side_2]))
         {
-            var axis_7 : u32 = choose_axis_0(_S267, threshold_2 - passed_0);
-            var _S268 : FaceChoice_0 = FaceChoice_x24init_0(index_11, axis_7, component_0(_S267, axis_7));
-            var passed_1 : f32 = passed_0 + sum_3;
-            is_found_3 = threshold_2 < passed_1;
-            chosen_2 = _S268;
-            passed_0 = passed_1;
+            is_left_3 = true;
         }
-        index_11 = index_11 + u32(1);
+        else
+        {
+            is_left_3 = power_right_0 <= 0.0f;
+        }
+        if(is_left_3)
+        {
+        }
+        else
+        {
+            _S279 = _S279 - power_left_0;
+        }
+        if(is_left_3)
+        {
+            node_7 = left_3;
+        }
+        else
+        {
+            node_7 = index_11;
+        }
+        if(is_left_3)
+        {
+            index_11 = _S280;
+        }
+        else
+        {
+            index_11 = _S282;
+        }
+        if(is_left_3)
+        {
+            count_6 = _S281;
+        }
+        else
+        {
+            count_6 = _S283;
+        }
     }
-    return chosen_2;
+    is_left_3 = false;
+    var chosen_3 : u32 = index_11;
+    var at_2 : u32 = index_11;
+    for(;;)
+    {
+        var _S284 : bool;
+        if(at_2 < (index_11 + count_6))
+        {
+            _S284 = !is_left_3;
+        }
+        else
+        {
+            _S284 = false;
+        }
+        if(_S284)
+        {
+        }
+        else
+        {
+            break;
+        }
+        if((((((emitters_0[at_2].faces_0) >> (side_2))) & (u32(1)))) != u32(0))
+        {
+            var _S285 : f32 = _S279 - emitters_0[at_2].luminance_0;
+            is_left_3 = _S279 < (emitters_0[at_2].luminance_0);
+            chosen_3 = at_2;
+            _S279 = _S285;
+        }
+        at_2 = at_2 + u32(1);
+    }
+    var _S286 : Emitter_std430_0 = emitters_0[chosen_3];
+    var _S287 : Emitter_0 = Emitter_0( _S286.voxel_1, _S286.grid_1, _S286.faces_0, _S286.material_0, _S286.luminance_0, _S286.leaf_0 );
+    return _S287;
 }
 
-fn point_of_face_0( low_9 : vec3<f32>,  face_3 : u32,  u_6 : f32,  v_4 : f32) -> vec3<f32>
+fn point_of_face_0( low_9 : vec3<f32>,  face_4 : u32,  u_6 : f32,  v_4 : f32) -> vec3<f32>
 {
     var away_0 : f32;
-    if(((face_3 & (u32(1)))) == u32(1))
+    if(((face_4 & (u32(1)))) == u32(1))
     {
         away_0 = 1.0f;
     }
@@ -3872,41 +4042,15 @@ fn point_of_face_0( low_9 : vec3<f32>,  face_3 : u32,  u_6 : f32,  v_4 : f32) ->
     {
         away_0 = 0.0f;
     }
-    if(face_3 < u32(2))
+    if(face_4 < u32(2))
     {
         return low_9 + vec3<f32>(away_0, u_6, v_4);
     }
-    if(face_3 < u32(4))
+    if(face_4 < u32(4))
     {
         return low_9 + vec3<f32>(u_6, away_0, v_4);
     }
     return low_9 + vec3<f32>(u_6, v_4, away_0);
-}
-
-fn density_0( leaf_2 : Descent_0,  importance_2 : f32,  sum_4 : f32,  toward_4 : vec3<f32>,  face_4 : u32) -> f32
-{
-    var along_0 : f32 = component_0(toward_4, (face_4 >> (u32(1))));
-    var in_front_1 : f32;
-    if(((face_4 & (u32(1)))) == u32(1))
-    {
-        in_front_1 = - along_0;
-    }
-    else
-    {
-        in_front_1 = along_0;
-    }
-    var distance_squared_1 : f32 = length_squared_0(toward_4);
-    var unit_1 : f32 = inverse_power_of_two_0(sum_4);
-    var share_1 : f32 = leaf_2.weight_0 * (importance_2 * unit_1) * (distance_squared_1 * square_root_0(distance_squared_1));
-    if(in_front_1 > 0.0f)
-    {
-        in_front_1 = divide_0(share_1, leaf_2.total_0 * (sum_4 * unit_1) * in_front_1);
-    }
-    else
-    {
-        in_front_1 = -1.0f;
-    }
-    return in_front_1;
 }
 
 fn margin_of_0( translation_1 : vec3<f32>,  low_10 : vec3<f32>) -> f32
@@ -3914,22 +4058,22 @@ fn margin_of_0( translation_1 : vec3<f32>,  low_10 : vec3<f32>) -> f32
     return clamp((max_element_0(abs(low_10) + abs(translation_1)) + 1.0f) * 4.76837158203125e-07f, 0.0009765625f, 0.25f);
 }
 
-fn offset_ray_origin_0( translation_2 : vec3<f32>,  low_11 : vec3<f32>,  face_5 : u32,  point_2 : vec3<f32>) -> vec3<f32>
+fn offset_ray_origin_0( translation_2 : vec3<f32>,  low_11 : vec3<f32>,  face_5 : u32,  point_4 : vec3<f32>) -> vec3<f32>
 {
     var margin_0 : f32 = margin_of_0(translation_2, low_11);
-    var _S269 : vec3<f32> = vec3<f32>(margin_0);
-    var moved_0 : vec3<f32> = min(max(point_2, low_11 + _S269), low_11 + vec3<f32>((1.0f - margin_0)));
-    var _S270 : bool = face_5 < u32(2);
-    var _S271 : bool;
+    var _S288 : vec3<f32> = vec3<f32>(margin_0);
+    var moved_0 : vec3<f32> = min(max(point_4, low_11 + _S288), low_11 + vec3<f32>((1.0f - margin_0)));
+    var _S289 : bool = face_5 < u32(2);
+    var _S290 : bool;
     if(face_5 >= u32(2))
     {
-        _S271 = face_5 < u32(4);
+        _S290 = face_5 < u32(4);
     }
     else
     {
-        _S271 = false;
+        _S290 = false;
     }
-    var is_axis_2 : vec3<bool> = vec3<bool>(_S270, _S271, face_5 >= u32(4));
+    var is_axis_2 : vec3<bool> = vec3<bool>(_S289, _S290, face_5 >= u32(4));
     var outside_0 : vec3<f32>;
     if(((face_5 & (u32(1)))) == u32(1))
     {
@@ -3937,239 +4081,191 @@ fn offset_ray_origin_0( translation_2 : vec3<f32>,  low_11 : vec3<f32>,  face_5 
     }
     else
     {
-        outside_0 = low_11 - _S269;
+        outside_0 = low_11 - _S288;
     }
     return select(moved_0, outside_0, is_axis_2);
 }
 
-fn Transform_direction_1( _S272 : u32,  _S273 : vec3<f32>) -> vec3<f32>
+fn Transform_direction_1( _S291 : u32,  _S292 : vec3<f32>) -> vec3<f32>
 {
-    return vector_of_0(instances_0[_S272].world_from_grid_0.x_axis_0) * vec3<f32>(_S273.x) + vector_of_0(instances_0[_S272].world_from_grid_0.y_axis_0) * vec3<f32>(_S273.y) + vector_of_0(instances_0[_S272].world_from_grid_0.z_axis_0) * vec3<f32>(_S273.z);
+    return vector_of_0(instances_0[_S291].world_from_grid_0.x_axis_0) * vec3<f32>(_S292.x) + vector_of_0(instances_0[_S291].world_from_grid_0.y_axis_0) * vec3<f32>(_S292.y) + vector_of_0(instances_0[_S291].world_from_grid_0.z_axis_0) * vec3<f32>(_S292.z);
 }
 
-fn Transform_point_1( _S274 : u32,  _S275 : vec3<f32>) -> vec3<f32>
+fn Transform_point_1( _S293 : u32,  _S294 : vec3<f32>) -> vec3<f32>
 {
-    return Transform_direction_1(_S274, _S275) + vector_of_0(instances_0[_S274].world_from_grid_0.translation_0);
+    return Transform_direction_1(_S293, _S294) + vector_of_0(instances_0[_S293].world_from_grid_0.translation_0);
 }
 
-fn emitted_1( _S276 : u32) -> vec3<f32>
+fn emitted_1( _S295 : u32) -> vec3<f32>
 {
-    return vector_of_0(materials_0[_S276].emission_0) * vec3<f32>(params_0.emitter_intensity_0);
+    return vector_of_0(materials_0[_S295].emission_0) * vec3<f32>(params_0.emitter_intensity_0);
 }
 
-fn sample_emitter_0( receiver_16 : Receiver_0,  u_7 : vec4<f32>,  aim_2 : Aim_0,  sample_8 : ptr<function, LightSample_0>) -> bool
+fn sample_emitter_0( receiver_8 : Receiver_0,  u_7 : vec4<f32>,  aim_2 : Aim_0,  sample_8 : ptr<function, LightSample_0>) -> bool
 {
     (*sample_8) = no_light_0();
     if((params_0.light_node_count_0) == u32(0))
     {
         return false;
     }
-    var descent_3 : Descent_0 = Descent_x24init_0(u32(0), u32(0), u32(0), 1.0f, 1.0f, u_7.x);
+    var descent_3 : Descent_0 = Descent_x24init_0(u32(0), u32(0), u32(0), 1.0f, 1.0f, u_7.x, false);
     Descent_at_0(&(descent_3), u32(0));
-    var _S277 : bool;
+    var _S296 : bool;
     if(!IS_SINGLE_0)
     {
-        _S277 = aim_2.is_met_0;
+        _S296 = aim_2.is_met_0;
     }
     else
     {
-        _S277 = false;
+        _S296 = false;
     }
-    if(_S277)
+    if(_S296)
     {
-        var leaf_3 : u32 = instances_0[aim_2.hit_3.instance_3].light_leaf_0;
+        var leaf_1 : u32 = instances_0[aim_2.hit_3.instance_3].light_leaf_0;
         if((instances_0[aim_2.hit_3.instance_3].light_leaf_0) == u32(4294967295))
         {
-            _S277 = true;
+            _S296 = true;
         }
         else
         {
-            var _S278 : bool = climb_0(receiver_16, leaf_3, &(descent_3));
-            _S277 = !_S278;
+            var _S297 : bool = climb_0(receiver_8, leaf_1, &(descent_3));
+            _S296 = !_S297;
         }
-        if(_S277)
+        if(_S296)
         {
             return false;
         }
-        Descent_at_0(&(descent_3), leaf_3);
+        Descent_at_0(&(descent_3), leaf_1);
     }
     else
     {
         if(!IS_SINGLE_0)
         {
-            var _S279 : bool = descend_0(receiver_16, by_chance_0(), &(descent_3));
-            _S277 = !_S279;
+            var _S298 : bool = descend_0(receiver_8, by_chance_0(), &(descent_3));
+            _S296 = !_S298;
         }
         else
         {
-            _S277 = false;
+            _S296 = false;
         }
-        if(_S277)
+        if(_S296)
         {
             return false;
         }
     }
     var chosen_instance_0 : u32 = descent_3.index_7;
-    var local_1 : Receiver_0 = in_grid_0(descent_3.index_7, receiver_16);
+    var local_1 : Receiver_0 = in_grid_0(descent_3.index_7, receiver_8);
     Descent_at_1(&(descent_3), top_light_nodes_0[descent_3.node_0].root_0);
-    var _S280 : bool = descend_1(local_1, aim_2, &(descent_3));
-    if(!_S280)
+    var _S299 : bool = descend_1(local_1, aim_2, &(descent_3));
+    if(!_S299)
     {
         return false;
     }
-    var chosen_3 : FaceChoice_0 = FaceChoice_x24init_0(u32(0), ((aim_2.hit_3.face_1) >> (u32(1))), 0.0f);
-    var index_12 : u32 = descent_3.index_7;
-    var sum_5 : f32 = 0.0f;
-    for(;;)
-    {
-        if(index_12 < (descent_3.index_7 + descent_3.count_4))
-        {
-        }
-        else
-        {
-            break;
-        }
-        var _S281 : vec3<f32> = face_importances_0(index_12, local_1);
-        var sum_6 : f32 = sum_5 + sum_of_0(_S281);
-        if(aim_2.is_met_0)
-        {
-            _S277 = (all(((cell_of_0(emitters_0[index_12].voxel_1)) == (aim_2.hit_3.voxel_4))));
-        }
-        else
-        {
-            _S277 = false;
-        }
-        if(_S277)
-        {
-            chosen_3 = FaceChoice_x24init_0(index_12, chosen_3.axis_4, component_0(_S281, chosen_3.axis_4));
-        }
-        index_12 = index_12 + u32(1);
-        sum_5 = sum_6;
-    }
-    if(!aim_2.is_met_0)
-    {
-        chosen_3 = choose_face_0(descent_3, local_1, u_7.y * sum_5);
-    }
-    var _S282 : FaceChoice_0 = chosen_3;
-    if((chosen_3.importance_0) <= 0.0f)
+    var side_3 : u32 = aim_2.hit_3.face_1;
+    var odds_2 : vec2<f32>;
+    var _S300 : bool = choose_side_0(local_1.point_0, aim_2.is_met_0, descent_3, &(side_3), &(odds_2));
+    if(!_S300)
     {
         return false;
     }
-    var _S283 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[chosen_3.emitter_0].voxel_1));
-    var face_6 : u32 = u32(2) * chosen_3.axis_4 + u32((component_0(_S283, chosen_3.axis_4) + 0.5f) < (component_0(local_1.point_0, chosen_3.axis_4)));
-    var on_face_0 : vec3<f32> = point_of_face_0(_S283, face_6, u_7.z, u_7.w);
-    var _S284 : vec3<f32> = on_face_0 - local_1.point_0;
-    var toward_5 : vec3<f32>;
+    var power_4 : f32 = light_nodes_0[descent_3.node_0].power_0[side_3];
     if(aim_2.is_met_0)
     {
-        toward_5 = Transform_direction_0(chosen_instance_0, aim_2.direction_22) * vec3<f32>(aim_2.hit_3.t_1);
+        var _S301 : f32 = density_0(odds_2, aim_2.luminance_2, power_4, Transform_direction_0(chosen_instance_0, aim_2.direction_22) * vec3<f32>(aim_2.hit_3.t_1), side_3);
+        (*sample_8).pdf_3 = _S301;
+        return _S301 > 0.0f;
     }
-    else
-    {
-        toward_5 = _S284;
-    }
-    var pdf_8 : f32 = density_0(descent_3, _S282.importance_0, sum_5, toward_5, face_6);
-    (*sample_8).pdf_3 = pdf_8;
-    if(aim_2.is_met_0)
-    {
-        if(pdf_8 > 0.0f)
-        {
-            _S277 = face_6 == (aim_2.hit_3.face_1);
-        }
-        else
-        {
-            _S277 = false;
-        }
-        return _S277;
-    }
+    var emitter_0 : Emitter_0 = choose_emitter_0(descent_3, side_3, u_7.y * power_4);
+    var _S302 : vec3<f32> = vec3<f32>(cell_of_0(emitter_0.voxel_1));
+    var on_face_0 : vec3<f32> = point_of_face_0(_S302, side_3, u_7.z, u_7.w);
+    var pdf_8 : f32 = density_0(odds_2, emitter_0.luminance_0, power_4, on_face_0 - local_1.point_0, side_3);
     if(pdf_8 < 0.0f)
     {
         return false;
     }
-    var direction_27 : vec3<f32> = Transform_point_1(chosen_instance_0, offset_ray_origin_0(vector_of_0(instances_0[chosen_instance_0].grid_from_world_0.translation_0), _S283, face_6, on_face_0)) - receiver_16.point_0;
-    var cos_theta_6 : f32 = with_slack_0(receiver_16, divide_0(dot_product_0(receiver_16.normal_2, direction_27), square_root_0(length_squared_0(direction_27))));
-    (*sample_8) = LightSample_x24init_0(Ray_x24init_0(receiver_16.point_0, 0.0f, direction_27, 1.0f), cos_theta_6, emitted_1(emitters_0[chosen_3.emitter_0].material_0), pdf_8);
-    return cos_theta_6 > 0.0f;
+    var direction_27 : vec3<f32> = Transform_point_1(chosen_instance_0, offset_ray_origin_0(vector_of_0(instances_0[chosen_instance_0].grid_from_world_0.translation_0), _S302, side_3, on_face_0)) - receiver_8.point_0;
+    var cos_theta_4 : f32 = with_slack_0(receiver_8, divide_0(dot_product_0(receiver_8.normal_2, direction_27), square_root_0(length_squared_0(direction_27))));
+    (*sample_8) = LightSample_x24init_0(Ray_x24init_0(receiver_8.point_0, 0.0f, direction_27, 1.0f), cos_theta_4, emitted_1(emitter_0.material_0), pdf_8);
+    return cos_theta_4 > 0.0f;
 }
 
-fn EmitterTree_sample_0( receiver_17 : Receiver_0,  u_8 : vec4<f32>,  aim_3 : Aim_0,  sample_9 : ptr<function, LightSample_0>) -> bool
+fn EmitterTree_sample_0( receiver_9 : Receiver_0,  u_8 : vec4<f32>,  aim_3 : Aim_0,  sample_9 : ptr<function, LightSample_0>) -> bool
 {
-    var _S285 : bool = sample_emitter_0(receiver_17, u_8, aim_3, &((*sample_9)));
-    return _S285;
+    var _S303 : bool = sample_emitter_0(receiver_9, u_8, aim_3, &((*sample_9)));
+    return _S303;
 }
 
-fn Lights_sample_0( receiver_18 : Receiver_0,  u_9 : vec4<f32>,  aim_4 : Aim_0,  sample_10 : ptr<function, LightSample_0>) -> bool
+fn Lights_sample_0( receiver_10 : Receiver_0,  selection_4 : Selection_0,  u_9 : vec4<f32>,  aim_4 : Aim_0,  sample_10 : ptr<function, LightSample_0>) -> bool
 {
-    var selection_0 : Selection_0 = Lights_selection_0(receiver_18);
-    var is_found_4 : bool;
+    var is_found_3 : bool;
     if(has_sun_0())
     {
-        is_found_4 = !aim_4.is_met_0;
+        is_found_3 = !aim_4.is_met_0;
     }
     else
     {
-        is_found_4 = false;
+        is_found_3 = false;
     }
-    if(is_found_4)
+    if(is_found_3)
     {
-        is_found_4 = (u_9.x) < (selection_0.sun_0);
+        is_found_3 = (u_9.x) < (selection_4.sun_0);
     }
     else
     {
-        is_found_4 = false;
+        is_found_3 = false;
     }
-    if(is_found_4)
+    if(is_found_3)
     {
-        var _S286 : bool = SunDisc_sample_0(receiver_18, u_9, &((*sample_10)));
-        (*sample_10).pdf_3 = (*sample_10).pdf_3 * selection_0.sun_0;
-        is_found_4 = _S286;
+        var _S304 : bool = SunDisc_sample_0(receiver_10, u_9, &((*sample_10)));
+        (*sample_10).pdf_3 = (*sample_10).pdf_3 * selection_4.sun_0;
+        is_found_3 = _S304;
     }
     else
     {
         if(Lights_has_chosen_sky_0())
         {
-            is_found_4 = !aim_4.is_met_0;
+            is_found_3 = !aim_4.is_met_0;
         }
         else
         {
-            is_found_4 = false;
+            is_found_3 = false;
         }
-        if(is_found_4)
+        if(is_found_3)
         {
-            is_found_4 = (u_9.x) < (selection_0.sun_0 + selection_0.sky_1);
-        }
-        else
-        {
-            is_found_4 = false;
-        }
-        if(is_found_4)
-        {
-            var _S287 : bool = Sky_sample_0(receiver_18, vec4<f32>(min(divide_0(u_9.x - selection_0.sun_0, selection_0.sky_1), 0.99999994039535522f), u_9.yzw), &((*sample_10)));
-            (*sample_10).pdf_3 = (*sample_10).pdf_3 * selection_0.sky_1;
-            is_found_4 = _S287;
+            is_found_3 = (u_9.x) < (selection_4.sun_0 + selection_4.sky_1);
         }
         else
         {
-            var _S288 : bool = EmitterTree_sample_0(receiver_18, vec4<f32>(min(divide_0(u_9.x - (selection_0.sun_0 + selection_0.sky_1), selection_0.emitters_1), 0.99999994039535522f), u_9.yzw), aim_4, &((*sample_10)));
-            (*sample_10).pdf_3 = (*sample_10).pdf_3 * selection_0.emitters_1;
-            is_found_4 = _S288;
+            is_found_3 = false;
+        }
+        if(is_found_3)
+        {
+            var _S305 : bool = Sky_sample_0(receiver_10, vec4<f32>(min(divide_0(u_9.x - selection_4.sun_0, selection_4.sky_1), 0.99999994039535522f), u_9.yzw), &((*sample_10)));
+            (*sample_10).pdf_3 = (*sample_10).pdf_3 * selection_4.sky_1;
+            is_found_3 = _S305;
+        }
+        else
+        {
+            var _S306 : bool = EmitterTree_sample_0(receiver_10, vec4<f32>(min(divide_0(u_9.x - (selection_4.sun_0 + selection_4.sky_1), selection_4.emitters_1), 0.99999994039535522f), u_9.yzw), aim_4, &((*sample_10)));
+            (*sample_10).pdf_3 = (*sample_10).pdf_3 * selection_4.emitters_1;
+            is_found_3 = _S306;
         }
     }
-    return is_found_4;
+    return is_found_3;
 }
 
 fn ior_of_0( inside_4 : Inside_0) -> f32
 {
-    var _S289 : f32;
+    var _S307 : f32;
     if(Inside_is_in_0(inside_4))
     {
-        _S289 = materials_0[inside_4.material_1].ior_0;
+        _S307 = materials_0[inside_4.material_1].ior_0;
     }
     else
     {
-        _S289 = 1.0f;
+        _S307 = 1.0f;
     }
-    return _S289;
+    return _S307;
 }
 
 struct Microfacets_0
@@ -4180,7 +4276,7 @@ struct Microfacets_0
 struct MaterialBsdf_0
 {
      kind_0 : u32,
-     color_0 : vec3<f32>,
+     color_1 : vec3<f32>,
      specular_1 : f32,
      eta_0 : f32,
      facets_0 : Microfacets_0,
@@ -4188,20 +4284,20 @@ struct MaterialBsdf_0
 
 fn Microfacets_x24init_0( alpha_1 : f32) -> Microfacets_0
 {
-    var _S290 : Microfacets_0;
-    _S290.alpha_0 = alpha_1;
-    return _S290;
+    var _S308 : Microfacets_0;
+    _S308.alpha_0 = alpha_1;
+    return _S308;
 }
 
-fn MaterialBsdf_x24init_0( kind_1 : u32,  color_1 : vec3<f32>,  specular_2 : f32,  eta_1 : f32,  facets_1 : Microfacets_0) -> MaterialBsdf_0
+fn MaterialBsdf_x24init_0( kind_1 : u32,  color_2 : vec3<f32>,  specular_2 : f32,  eta_1 : f32,  facets_1 : Microfacets_0) -> MaterialBsdf_0
 {
-    var _S291 : MaterialBsdf_0;
-    _S291.kind_0 = kind_1;
-    _S291.color_0 = color_1;
-    _S291.specular_1 = specular_2;
-    _S291.eta_0 = eta_1;
-    _S291.facets_0 = facets_1;
-    return _S291;
+    var _S309 : MaterialBsdf_0;
+    _S309.kind_0 = kind_1;
+    _S309.color_1 = color_2;
+    _S309.specular_1 = specular_2;
+    _S309.eta_0 = eta_1;
+    _S309.facets_0 = facets_1;
+    return _S309;
 }
 
 fn bsdf_of_0( material_5 : PackedMaterial_0,  ior_1 : f32,  choice_2 : ptr<function, f32>) -> MaterialBsdf_0
@@ -4209,9 +4305,9 @@ fn bsdf_of_0( material_5 : PackedMaterial_0,  ior_1 : f32,  choice_2 : ptr<funct
     return MaterialBsdf_x24init_0(u32(0), vector_of_0(material_5.base_color_0), 0.0f, 1.0f, Microfacets_x24init_0(1.0f));
 }
 
-fn MaterialBsdf_albedo_0( this_33 : MaterialBsdf_0) -> vec3<f32>
+fn MaterialBsdf_albedo_0( this_38 : MaterialBsdf_0) -> vec3<f32>
 {
-    return this_33.color_0;
+    return this_38.color_1;
 }
 
 fn roulette_0( event_2 : u32,  scattered_2 : vec3<f32>,  u_10 : f32) -> f32
@@ -4220,31 +4316,31 @@ fn roulette_0( event_2 : u32,  scattered_2 : vec3<f32>,  u_10 : f32) -> f32
     {
         return 1.0f;
     }
-    var _S292 : f32 = min(max_element_0(scattered_2), 0.94999998807907104f);
-    var _S293 : f32;
-    if(u_10 < _S292)
+    var _S310 : f32 = min(max_element_0(scattered_2), 0.94999998807907104f);
+    var _S311 : f32;
+    if(u_10 < _S310)
     {
-        _S293 = divide_0(1.0f, _S292);
+        _S311 = divide_0(1.0f, _S310);
     }
     else
     {
-        _S293 = 0.0f;
+        _S311 = 0.0f;
     }
-    return _S293;
+    return _S311;
 }
 
 struct Surface_0
 {
      origin_11 : vec3<f32>,
      normal_4 : vec3<f32>,
-     face_7 : u32,
+     face_6 : u32,
      instance_10 : u32,
 };
 
-fn face_normal_0( face_8 : u32) -> vec3<f32>
+fn face_normal_0( face_7 : u32) -> vec3<f32>
 {
     var away_1 : f32;
-    if(((face_8 & (u32(1)))) == u32(1))
+    if(((face_7 & (u32(1)))) == u32(1))
     {
         away_1 = 1.0f;
     }
@@ -4252,73 +4348,73 @@ fn face_normal_0( face_8 : u32) -> vec3<f32>
     {
         away_1 = -1.0f;
     }
-    var _S294 : f32;
-    if(face_8 < u32(2))
+    var _S312 : f32;
+    if(face_7 < u32(2))
     {
-        _S294 = away_1;
+        _S312 = away_1;
     }
     else
     {
-        _S294 = 0.0f;
+        _S312 = 0.0f;
     }
-    var _S295 : bool;
-    if(face_8 >= u32(2))
+    var _S313 : bool;
+    if(face_7 >= u32(2))
     {
-        _S295 = face_8 < u32(4);
+        _S313 = face_7 < u32(4);
     }
     else
     {
-        _S295 = false;
+        _S313 = false;
     }
-    var _S296 : f32;
-    if(_S295)
+    var _S314 : f32;
+    if(_S313)
     {
-        _S296 = away_1;
+        _S314 = away_1;
     }
     else
     {
-        _S296 = 0.0f;
+        _S314 = 0.0f;
     }
-    if(face_8 >= u32(4))
+    if(face_7 >= u32(4))
     {
     }
     else
     {
         away_1 = 0.0f;
     }
-    return vec3<f32>(_S294, _S296, away_1);
+    return vec3<f32>(_S312, _S314, away_1);
 }
 
-fn world_normal_0( _S297 : u32,  _S298 : u32) -> vec3<f32>
+fn world_normal_0( _S315 : u32,  _S316 : u32) -> vec3<f32>
 {
-    return normalize_vector_0(Transform_direction_1(_S297, face_normal_0(_S298)));
+    return normalize_vector_0(Transform_direction_1(_S315, face_normal_0(_S316)));
 }
 
 fn surface_of_0( ray_16 : Ray_0,  hit_5 : Hit_0) -> Surface_0
 {
     var surface_0 : Surface_0;
-    var _S299 : vec3<f32> = vec3<f32>(hit_5.voxel_4);
+    var _S317 : vec3<f32> = vec3<f32>(hit_5.voxel_4);
     if(IS_SINGLE_0)
     {
-        surface_0.origin_11 = offset_ray_origin_0(vec3<f32>(0.0f), _S299, hit_5.face_1, ray_16.origin_2 + ray_16.direction_1 * vec3<f32>(hit_5.t_1));
+        surface_0.origin_11 = offset_ray_origin_0(vec3<f32>(0.0f), _S317, hit_5.face_1, ray_16.origin_2 + ray_16.direction_1 * vec3<f32>(hit_5.t_1));
         surface_0.normal_4 = face_normal_0(hit_5.face_1);
     }
     else
     {
-        surface_0.origin_11 = Transform_point_1(hit_5.instance_3, offset_ray_origin_0(vector_of_0(instances_0[hit_5.instance_3].grid_from_world_0.translation_0), _S299, hit_5.face_1, Transform_point_0(hit_5.instance_3, ray_16.origin_2) + Transform_direction_0(hit_5.instance_3, ray_16.direction_1) * vec3<f32>(hit_5.t_1)));
+        surface_0.origin_11 = Transform_point_1(hit_5.instance_3, offset_ray_origin_0(vector_of_0(instances_0[hit_5.instance_3].grid_from_world_0.translation_0), _S317, hit_5.face_1, Transform_point_0(hit_5.instance_3, ray_16.origin_2) + Transform_direction_0(hit_5.instance_3, ray_16.direction_1) * vec3<f32>(hit_5.t_1)));
         surface_0.normal_4 = world_normal_0(hit_5.instance_3, hit_5.face_1);
     }
-    surface_0.face_7 = hit_5.face_1;
+    surface_0.face_6 = hit_5.face_1;
     surface_0.instance_10 = hit_5.instance_3;
     return surface_0;
 }
 
-fn Surface_local_direction_0( this_34 : Surface_0,  world_0 : vec3<f32>) -> vec3<f32>
+fn Surface_local_direction_0( this_39 : Surface_0,  world_0 : vec3<f32>) -> vec3<f32>
 {
     var in_grid_1 : vec3<f32>;
     if(!IS_SINGLE_0)
     {
-        in_grid_1 = Transform_direction_0(this_34.instance_10, world_0);
+        in_grid_1 = Transform_direction_0(this_39.instance_10, world_0);
     }
     else
     {
@@ -4326,13 +4422,13 @@ fn Surface_local_direction_0( this_34 : Surface_0,  world_0 : vec3<f32>) -> vec3
     }
     var in_grid_2 : vec3<f32> = normalize_vector_0(in_grid_1);
     var local_2 : vec3<f32>;
-    if((this_34.face_7) < u32(2))
+    if((this_39.face_6) < u32(2))
     {
         local_2 = in_grid_2.yzx;
     }
     else
     {
-        if((this_34.face_7) < u32(4))
+        if((this_39.face_6) < u32(4))
         {
             local_2 = in_grid_2.zxy;
         }
@@ -4341,7 +4437,7 @@ fn Surface_local_direction_0( this_34 : Surface_0,  world_0 : vec3<f32>) -> vec3
             local_2 = in_grid_2;
         }
     }
-    if((((this_34.face_7) & (u32(1)))) == u32(1))
+    if((((this_39.face_6) & (u32(1)))) == u32(1))
     {
         in_grid_1 = local_2;
     }
@@ -4352,25 +4448,134 @@ fn Surface_local_direction_0( this_34 : Surface_0,  world_0 : vec3<f32>) -> vec3
     return in_grid_1;
 }
 
-fn clamp_to_voxel_0( translation_3 : vec3<f32>,  low_12 : vec3<f32>,  point_3 : vec3<f32>) -> vec3<f32>
+fn clamp_to_voxel_0( translation_3 : vec3<f32>,  low_12 : vec3<f32>,  point_5 : vec3<f32>) -> vec3<f32>
 {
     var margin_1 : f32 = margin_of_0(translation_3, low_12);
-    return min(max(point_3, low_12 + vec3<f32>(margin_1)), low_12 + vec3<f32>((1.0f - margin_1)));
+    return min(max(point_5, low_12 + vec3<f32>(margin_1)), low_12 + vec3<f32>((1.0f - margin_1)));
 }
 
-fn Inside_point_0( this_35 : Inside_0,  ray_17 : Ray_0,  t_10 : f32) -> vec3<f32>
+fn Inside_point_0( this_40 : Inside_0,  ray_17 : Ray_0,  t_12 : f32) -> vec3<f32>
 {
-    return Transform_point_1(this_35.instance_1, clamp_to_voxel_0(vector_of_0(instances_0[this_35.instance_1].grid_from_world_0.translation_0), vec3<f32>(this_35.voxel_2), Transform_point_0(this_35.instance_1, ray_17.origin_2) + Transform_direction_0(this_35.instance_1, ray_17.direction_1) * vec3<f32>(t_10)));
+    return Transform_point_1(this_40.instance_1, clamp_to_voxel_0(vector_of_0(instances_0[this_40.instance_1].grid_from_world_0.translation_0), vec3<f32>(this_40.voxel_2), Transform_point_0(this_40.instance_1, ray_17.origin_2) + Transform_direction_0(this_40.instance_1, ray_17.direction_1) * vec3<f32>(t_12)));
 }
 
-fn MaterialBsdf_is_delta_0( this_36 : MaterialBsdf_0) -> bool
+fn sent_by_side_3( _S318 : i32,  _S319 : vec3<f32>,  _S320 : f32) -> BySide_0
+{
+    var _S321 : vec3<f32> = vec3<f32>(0.0f);
+    var _S322 : vec3<f32> = vec3<f32>(_S320);
+    return BySide_x24init_0(vec3<f32>(top_light_nodes_0[_S318].power_0[i32(0)], top_light_nodes_0[_S318].power_0[i32(2)], top_light_nodes_0[_S318].power_0[i32(4)]) * min(max(vector_of_0(top_light_nodes_0[_S318].max_2) - _S319, _S321), _S322), vec3<f32>(top_light_nodes_0[_S318].power_0[i32(1)], top_light_nodes_0[_S318].power_0[i32(3)], top_light_nodes_0[_S318].power_0[i32(5)]) * min(max(_S319 - vector_of_0(top_light_nodes_0[_S318].min_2), _S321), _S322));
+}
+
+fn view_2( _S323 : i32,  _S324 : Receiver_0) -> View_0
+{
+    var _S325 : vec3<f32> = vector_of_0(top_light_nodes_0[_S323].max_2);
+    var _S326 : vec3<f32> = vector_of_0(top_light_nodes_0[_S323].min_2);
+    var _S327 : vec3<f32> = vec3<f32>(0.5f);
+    var half_4 : vec3<f32> = (_S325 - _S326) * _S327;
+    var toward_4 : vec3<f32> = (_S326 + _S325) * _S327 - _S324.point_0;
+    var middle_4 : f32 = dot_product_0(toward_4, _S324.normal_2);
+    var aside_2 : f32 = dot_product_0(half_4, abs(_S324.normal_2));
+    var above_2 : f32 = with_slack_0(_S324, middle_4 + aside_2);
+    var far_5 : f32 = length_squared_0(toward_4);
+    var near_4 : f32 = length_squared_0(half_4);
+    var is_far_6 : bool;
+    if((with_slack_0(_S324, middle_4 - aside_2)) > 0.0f)
+    {
+        is_far_6 = far_5 > (near_4 * 36.0f);
+    }
+    else
+    {
+        is_far_6 = false;
+    }
+    var distance_5 : f32 = length_bound_0(select(half_4, abs(toward_4), vec3<bool>((far_5 > near_4))));
+    var sent_2 : f32 = BySide_sum_0(sent_by_side_3(_S323, _S324.point_0, distance_5));
+    var falloff_2 : f32 = reciprocal_guess_0(max(far_5, near_4));
+    var _S328 : f32;
+    if(above_2 > 0.0f)
+    {
+        _S328 = sent_2 * min(above_2, distance_5) * (falloff_2 * falloff_2);
+    }
+    else
+    {
+        _S328 = 0.0f;
+    }
+    return View_x24init_0(_S328, is_far_6);
+}
+
+fn importance_of_all_0( receiver_11 : Receiver_0) -> f32
+{
+    if((params_0.light_node_count_0) == u32(0))
+    {
+        return 0.0f;
+    }
+    return view_2(i32(0), receiver_11).importance_0 * params_0.light_intensity_0;
+}
+
+fn EmitterTree_importance_0( receiver_12 : Receiver_0) -> f32
+{
+    return importance_of_all_0(receiver_12);
+}
+
+fn Lights_sun_probability_0( receiver_13 : Receiver_0) -> f32
+{
+    if(!has_sun_0())
+    {
+        return 0.0f;
+    }
+    var cos_theta_5 : f32 = with_slack_0(receiver_13, dot_product_0(receiver_13.normal_2, params_0.sun_direction_0));
+    if(cos_theta_5 <= (- params_0.sun_sin_radius_0))
+    {
+        return 0.0f;
+    }
+    var from_emitters_0 : f32 = EmitterTree_importance_0(receiver_13);
+    if(from_emitters_0 <= 0.0f)
+    {
+        return 1.0f;
+    }
+    var from_sun_0 : f32 = params_0.sun_irradiance_0 * max(cos_theta_5, 0.0f);
+    return clamp(divide_0(from_sun_0, from_sun_0 + from_emitters_0), 0.25f, 0.75f);
+}
+
+fn Lights_sky_probability_0( receiver_14 : Receiver_0) -> f32
+{
+    var cos_theta_6 : f32 = dot_product_0(receiver_14.normal_2, params_0.sun_direction_0);
+    var from_sun_1 : f32;
+    if(has_sun_0())
+    {
+        from_sun_1 = params_0.sun_irradiance_0 * max(cos_theta_6, 0.0f);
+    }
+    else
+    {
+        from_sun_1 = 0.0f;
+    }
+    var from_others_0 : f32 = from_sun_1 + EmitterTree_importance_0(receiver_14);
+    if(from_others_0 <= 0.0f)
+    {
+        return 1.0f;
+    }
+    return clamp(divide_0(params_0.sky_irradiance_0, params_0.sky_irradiance_0 + from_others_0), 0.25f, 0.75f);
+}
+
+fn Lights_selection_0( receiver_15 : Receiver_0) -> Selection_0
+{
+    var sun_2 : f32 = Lights_sun_probability_0(receiver_15);
+    if(!Lights_has_chosen_sky_0())
+    {
+        return Selection_x24init_0(sun_2, 0.0f, 1.0f - sun_2);
+    }
+    var sky_3 : f32 = Lights_sky_probability_0(receiver_15);
+    var _S329 : f32 = 1.0f - sky_3;
+    return Selection_x24init_0(sun_2 * _S329, sky_3, (1.0f - sun_2) * _S329);
+}
+
+fn MaterialBsdf_is_delta_0( this_41 : MaterialBsdf_0) -> bool
 {
     return false;
 }
 
-fn Path_dimension_light_0( this_37 : Path_0) -> u32
+fn Path_dimension_light_0( this_42 : Path_0) -> u32
 {
-    return u32(2) + u32(2) * Path_events_0(this_37);
+    return u32(2) + u32(2) * Path_events_0(this_42);
 }
 
 struct BsdfEval_0
@@ -4386,9 +4591,9 @@ struct Diffuse_0
 
 fn Diffuse_x24init_0( reflectance_1 : vec3<f32>) -> Diffuse_0
 {
-    var _S300 : Diffuse_0;
-    _S300.reflectance_0 = reflectance_1;
-    return _S300;
+    var _S330 : Diffuse_0;
+    _S330.reflectance_0 = reflectance_1;
+    return _S330;
 }
 
 fn cosine_hemisphere_pdf_0( cos_theta_7 : f32) -> f32
@@ -4398,20 +4603,20 @@ fn cosine_hemisphere_pdf_0( cos_theta_7 : f32) -> f32
 
 fn BsdfEval_x24init_0( weight_4 : vec3<f32>,  pdf_10 : f32) -> BsdfEval_0
 {
-    var _S301 : BsdfEval_0;
-    _S301.weight_3 = weight_4;
-    _S301.pdf_9 = pdf_10;
-    return _S301;
+    var _S331 : BsdfEval_0;
+    _S331.weight_3 = weight_4;
+    _S331.pdf_9 = pdf_10;
+    return _S331;
 }
 
-fn Diffuse_eval_0( this_38 : Diffuse_0,  wo_0 : vec3<f32>,  wi_0 : vec3<f32>) -> BsdfEval_0
+fn Diffuse_eval_0( this_43 : Diffuse_0,  wo_0 : vec3<f32>,  wi_0 : vec3<f32>) -> BsdfEval_0
 {
-    return BsdfEval_x24init_0(this_38.reflectance_0, cosine_hemisphere_pdf_0(wi_0.z));
+    return BsdfEval_x24init_0(this_43.reflectance_0, cosine_hemisphere_pdf_0(wi_0.z));
 }
 
-fn MaterialBsdf_eval_0( this_39 : MaterialBsdf_0,  wo_1 : vec3<f32>,  wi_1 : vec3<f32>) -> BsdfEval_0
+fn MaterialBsdf_eval_0( this_44 : MaterialBsdf_0,  wo_1 : vec3<f32>,  wi_1 : vec3<f32>) -> BsdfEval_0
 {
-    return Diffuse_eval_0(Diffuse_x24init_0(this_39.color_0), wo_1, wi_1);
+    return Diffuse_eval_0(Diffuse_x24init_0(this_44.color_1), wo_1, wi_1);
 }
 
 struct BsdfSample_0
@@ -4431,31 +4636,31 @@ fn cosine_hemisphere_0( u_11 : f32,  v_5 : f32) -> vec3<f32>
 
 fn BsdfSample_x24init_0( wi_3 : vec3<f32>,  weight_6 : vec3<f32>,  pdf_12 : f32,  is_delta_1 : bool) -> BsdfSample_0
 {
-    var _S302 : BsdfSample_0;
-    _S302.wi_2 = wi_3;
-    _S302.weight_5 = weight_6;
-    _S302.pdf_11 = pdf_12;
-    _S302.is_delta_0 = is_delta_1;
-    return _S302;
+    var _S332 : BsdfSample_0;
+    _S332.wi_2 = wi_3;
+    _S332.weight_5 = weight_6;
+    _S332.pdf_11 = pdf_12;
+    _S332.is_delta_0 = is_delta_1;
+    return _S332;
 }
 
-fn Diffuse_sample_0( this_40 : Diffuse_0,  wo_2 : vec3<f32>,  u_12 : vec3<f32>,  sample_11 : ptr<function, BsdfSample_0>) -> bool
+fn Diffuse_sample_0( this_45 : Diffuse_0,  wo_2 : vec3<f32>,  u_12 : vec3<f32>,  sample_11 : ptr<function, BsdfSample_0>) -> bool
 {
     var wi_4 : vec3<f32> = cosine_hemisphere_0(u_12.x, u_12.y);
-    (*sample_11) = BsdfSample_x24init_0(wi_4, this_40.reflectance_0, cosine_hemisphere_pdf_0(wi_4.z), false);
+    (*sample_11) = BsdfSample_x24init_0(wi_4, this_45.reflectance_0, cosine_hemisphere_pdf_0(wi_4.z), false);
     return true;
 }
 
-fn MaterialBsdf_sample_0( this_41 : MaterialBsdf_0,  wo_3 : vec3<f32>,  u_13 : vec3<f32>,  sample_12 : ptr<function, BsdfSample_0>) -> bool
+fn MaterialBsdf_sample_0( this_46 : MaterialBsdf_0,  wo_3 : vec3<f32>,  u_13 : vec3<f32>,  sample_12 : ptr<function, BsdfSample_0>) -> bool
 {
-    var _S303 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_41.color_0), wo_3, u_13, &((*sample_12)));
-    return _S303;
+    var _S333 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_46.color_1), wo_3, u_13, &((*sample_12)));
+    return _S333;
 }
 
-fn Surface_world_direction_0( this_42 : Surface_0,  local_3 : vec3<f32>) -> vec3<f32>
+fn Surface_world_direction_0( this_47 : Surface_0,  local_3 : vec3<f32>) -> vec3<f32>
 {
     var away_2 : f32;
-    if((((this_42.face_7) & (u32(1)))) == u32(1))
+    if((((this_47.face_6) & (u32(1)))) == u32(1))
     {
         away_2 = local_3.z;
     }
@@ -4463,28 +4668,28 @@ fn Surface_world_direction_0( this_42 : Surface_0,  local_3 : vec3<f32>) -> vec3
     {
         away_2 = - local_3.z;
     }
-    var _S304 : f32 = local_3.x;
-    var _S305 : f32 = local_3.y;
-    var _S306 : vec3<f32> = vec3<f32>(_S304, _S305, away_2);
+    var _S334 : f32 = local_3.x;
+    var _S335 : f32 = local_3.y;
+    var _S336 : vec3<f32> = vec3<f32>(_S334, _S335, away_2);
     var in_grid_3 : vec3<f32>;
-    if((this_42.face_7) < u32(2))
+    if((this_47.face_6) < u32(2))
     {
-        in_grid_3 = vec3<f32>(away_2, _S304, _S305);
+        in_grid_3 = vec3<f32>(away_2, _S334, _S335);
     }
     else
     {
-        if((this_42.face_7) < u32(4))
+        if((this_47.face_6) < u32(4))
         {
-            in_grid_3 = vec3<f32>(_S305, away_2, _S304);
+            in_grid_3 = vec3<f32>(_S335, away_2, _S334);
         }
         else
         {
-            in_grid_3 = _S306;
+            in_grid_3 = _S336;
         }
     }
     if(!IS_SINGLE_0)
     {
-        in_grid_3 = Transform_direction_1(this_42.instance_10, in_grid_3);
+        in_grid_3 = Transform_direction_1(this_47.instance_10, in_grid_3);
     }
     return normalize_vector_0(in_grid_3);
 }
@@ -4493,17 +4698,17 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_18 : Ray_0,  hit_
 {
     var next_0 : NextRays_0 = no_rays_0();
     var is_counted_0 : bool = Path_is_counted_0((*path_4));
-    var t_11 : f32;
+    var t_13 : f32;
     if(is_counted_0)
     {
-        t_11 = - (*path_4).pdf_1;
+        t_13 = - (*path_4).pdf_1;
     }
     else
     {
-        t_11 = (*path_4).pdf_1;
+        t_13 = (*path_4).pdf_1;
     }
-    (*path_4).pdf_1 = t_11;
-    var last_5 : Receiver_0 = Path_receiver_0((*path_4), ray_18);
+    (*path_4).pdf_1 = t_13;
+    var last_6 : Receiver_0 = Path_receiver_0((*path_4), ray_18);
     var is_scattered_0 : bool;
     if(Inside_is_in_0((*path_4).inside_0))
     {
@@ -4517,20 +4722,20 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_18 : Ray_0,  hit_
     {
         if(is_scattered_0)
         {
-            t_11 = scattering_t_0((*path_4), (*path_4).inside_0, ray_18);
+            t_13 = scattering_t_0((*path_4), (*path_4).inside_0, ray_18);
         }
         else
         {
-            t_11 = hit_6.t_1;
+            t_13 = hit_6.t_1;
         }
         if(!is_counted_0)
         {
-            absorb_0(&((*path_4)), (*path_4).inside_0, ray_18, t_11);
+            absorb_0(&((*path_4)), (*path_4).inside_0, ray_18, t_13);
         }
     }
     else
     {
-        t_11 = hit_6.t_1;
+        t_13 = hit_6.t_1;
     }
     var is_weighed_0 : bool;
     if(Hit_is_miss_0(hit_6))
@@ -4544,7 +4749,7 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_18 : Ray_0,  hit_
     var light_pdf_1 : f32;
     if(is_weighed_0)
     {
-        (*radiance_6) = (*radiance_6) + (*path_4).beta_0 * Sky_le_0(ray_18.direction_1) * vec3<f32>(mis_weight_0((*path_4).pdf_1, Lights_sky_pdf_0(last_5, ray_18.direction_1)));
+        (*radiance_6) = (*radiance_6) + (*path_4).beta_0 * Sky_le_0(ray_18.direction_1) * vec3<f32>(mis_weight_0((*path_4).pdf_1, Lights_sky_pdf_0(Path_selection_at_0((*path_4), last_6), ray_18.direction_1)));
         if(has_sun_0())
         {
             if(SunDisc_is_visible_0())
@@ -4571,7 +4776,7 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_18 : Ray_0,  hit_
                 }
                 else
                 {
-                    light_pdf_1 = Lights_sun_pdf_0(last_5, ray_18.direction_1);
+                    light_pdf_1 = Lights_sun_pdf_0(Path_selection_at_0((*path_4), last_6), ray_18.direction_1);
                 }
                 (*radiance_6) = (*radiance_6) + (*path_4).beta_0 * le_0 * vec3<f32>(mis_weight_0((*path_4).pdf_1, light_pdf_1));
             }
@@ -4580,7 +4785,7 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_18 : Ray_0,  hit_
     }
     var u_14 : vec4<f32> = Sampler_stratified_0((*path_4).sampler_0, Path_dimension_scatter_0((*path_4)));
     var material_6 : PackedMaterial_0 = material_met_0((*path_4), hit_6, beyond_2);
-    var _S307 : vec3<f32> = vec3<f32>(0.0f);
+    var _S337 : vec3<f32> = vec3<f32>(0.0f);
     var le_1 : vec3<f32>;
     if(!is_counted_0)
     {
@@ -4588,12 +4793,12 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_18 : Ray_0,  hit_
     }
     else
     {
-        le_1 = _S307;
+        le_1 = _S337;
     }
     var is_lit_0 : bool = (max_element_0(le_1)) > 0.0f;
-    var met_0 : Aim_0 = Aim_x24init_0(true, ray_18.direction_1, hit_6);
-    var _S308 : bool = weighs_apart_0();
-    if(_S308)
+    var met_0 : Aim_0 = Aim_x24init_0(true, ray_18.direction_1, hit_6, luminance_1(vector_of_0(material_6.emission_0)));
+    var _S338 : bool = weighs_apart_0();
+    if(_S338)
     {
         is_weighed_0 = is_lit_0;
     }
@@ -4621,7 +4826,7 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_18 : Ray_0,  hit_
     if(is_chosen_0)
     {
         var light_2 : LightSample_0 = no_light_0();
-        if(!_S308)
+        if(!_S338)
         {
             is_chosen_0 = ((*path_4).pdf_1) > 0.0f;
         }
@@ -4631,15 +4836,15 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_18 : Ray_0,  hit_
         }
         if(is_chosen_0)
         {
-            var _S309 : bool = Lights_sample_0(last_5, vec4<f32>(0.0f), met_0, &(light_2));
-            is_chosen_0 = _S309;
+            var _S339 : bool = Lights_sample_0(last_6, Path_selection_at_0((*path_4), last_6), vec4<f32>(0.0f), met_0, &(light_2));
+            is_chosen_0 = _S339;
         }
         else
         {
             is_chosen_0 = false;
         }
-        var _S310 : vec3<f32> = (*path_4).beta_0 * le_1;
-        var _S311 : f32 = (*path_4).pdf_1;
+        var _S340 : vec3<f32> = (*path_4).beta_0 * le_1;
+        var _S341 : f32 = (*path_4).pdf_1;
         if(is_chosen_0)
         {
             light_pdf_1 = light_2.pdf_3;
@@ -4648,18 +4853,18 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_18 : Ray_0,  hit_
         {
             light_pdf_1 = 0.0f;
         }
-        (*radiance_6) = (*radiance_6) + _S310 * vec3<f32>(mis_weight_0(_S311, light_pdf_1));
+        (*radiance_6) = (*radiance_6) + _S340 * vec3<f32>(mis_weight_0(_S341, light_pdf_1));
     }
-    var _S312 : f32 = ior_of_0((*path_4).inside_0);
-    var _S313 : f32 = u_14[i32(3)];
-    var _S314 : MaterialBsdf_0 = bsdf_of_0(material_6, _S312, &(_S313));
-    u_14[i32(3)] = _S313;
-    var scattered_3 : vec3<f32> = (*path_4).beta_0 * MaterialBsdf_albedo_0(_S314);
-    var _S315 : bool = ((*path_4).bounce_0) >= (params_0.max_bounces_0);
-    var _S316 : bool = !is_weighed_0;
-    if(_S316)
+    var _S342 : f32 = ior_of_0((*path_4).inside_0);
+    var _S343 : f32 = u_14[i32(3)];
+    var _S344 : MaterialBsdf_0 = bsdf_of_0(material_6, _S342, &(_S343));
+    u_14[i32(3)] = _S343;
+    var scattered_3 : vec3<f32> = (*path_4).beta_0 * MaterialBsdf_albedo_0(_S344);
+    var _S345 : bool = ((*path_4).bounce_0) >= (params_0.max_bounces_0);
+    var _S346 : bool = !is_weighed_0;
+    if(_S346)
     {
-        if(_S315)
+        if(_S345)
         {
             is_chosen_0 = true;
         }
@@ -4677,7 +4882,7 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_18 : Ray_0,  hit_
         return next_0;
     }
     var compensation_0 : f32 = roulette_0(Path_events_0((*path_4)), scattered_3, u_14.z);
-    if(_S316)
+    if(_S346)
     {
         is_chosen_0 = compensation_0 == 0.0f;
     }
@@ -4689,29 +4894,29 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_18 : Ray_0,  hit_
     {
         return next_0;
     }
-    var at_2 : Hit_0;
+    var at_3 : Hit_0;
     if(is_scattered_0)
     {
-        at_2 = Hit_x24init_0(t_11, (*path_4).inside_0.instance_1, hit_6.voxel_4, u32(0));
+        at_3 = Hit_x24init_0(t_13, (*path_4).inside_0.instance_1, hit_6.voxel_4, u32(0));
     }
     else
     {
-        at_2 = hit_6;
+        at_3 = hit_6;
     }
-    var surface_1 : Surface_0 = surface_of_0(ray_18, at_2);
-    var _S317 : Receiver_0 = Receiver_x24init_0(surface_1.origin_11, surface_1.normal_4);
-    var _S318 : vec3<f32> = (vec3<f32>(0) - ray_18.direction_1);
-    var wo_4 : vec3<f32> = Surface_local_direction_0(surface_1, _S318);
+    var surface_1 : Surface_0 = surface_of_0(ray_18, at_3);
+    var _S347 : Receiver_0 = Receiver_x24init_0(surface_1.origin_11, surface_1.normal_4);
+    var _S348 : vec3<f32> = (vec3<f32>(0) - ray_18.direction_1);
+    var wo_4 : vec3<f32> = Surface_local_direction_0(surface_1, _S348);
     var inside_5 : Inside_0 = in_air_0();
     var wo_5 : vec3<f32>;
-    var receiver_19 : Receiver_0;
+    var receiver_16 : Receiver_0;
     if(is_scattered_0)
     {
-        var _S319 : Inside_0 = Inside_x24init_0((*path_4).inside_0.instance_1, hit_6.voxel_4, (*path_4).inside_0.material_1);
-        inside_5 = _S319;
-        var _S320 : vec3<f32> = normalize_vector_0(_S318);
-        receiver_19 = Receiver_x24init_0(Inside_point_0(_S319, ray_18, t_11), _S307);
-        wo_5 = _S320;
+        var _S349 : Inside_0 = Inside_x24init_0((*path_4).inside_0.instance_1, hit_6.voxel_4, (*path_4).inside_0.material_1);
+        inside_5 = _S349;
+        var _S350 : vec3<f32> = normalize_vector_0(_S348);
+        receiver_16 = Receiver_x24init_0(Inside_point_0(_S349, ray_18, t_13), _S337);
+        wo_5 = _S350;
     }
     else
     {
@@ -4721,21 +4926,25 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_18 : Ray_0,  hit_
             inside_5 = Inside_x24init_0((*path_4).inside_0.instance_1, hit_6.voxel_4, (*path_4).inside_0.material_1);
             inside_5.voxel_2 = hit_6.voxel_4 + vec3<i32>(face_normal_0(hit_6.face_1));
         }
-        receiver_19 = _S317;
+        receiver_16 = _S347;
         wo_5 = wo_4;
     }
-    next_0.origin_9 = receiver_19.point_0;
+    next_0.origin_9 = receiver_16.point_0;
     next_0.shadow_inside_0 = inside_5;
-    var _S321 : Aim_0 = by_chance_0();
+    var _S351 : Aim_0 = by_chance_0();
     var aim_5 : Aim_0;
     if(is_weighed_0)
     {
-        receiver_19 = last_5;
+        receiver_16 = last_6;
         aim_5 = met_0;
     }
     else
     {
-        aim_5 = _S321;
+        aim_5 = _S351;
+    }
+    if(_S346)
+    {
+        (*path_4).selection_0 = Lights_selection_0(receiver_16);
     }
     var light_3 : LightSample_0 = no_light_0();
     if(is_weighed_0)
@@ -4744,12 +4953,12 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_18 : Ray_0,  hit_
     }
     else
     {
-        is_chosen_0 = !MaterialBsdf_is_delta_0(_S314);
+        is_chosen_0 = !MaterialBsdf_is_delta_0(_S344);
     }
     if(is_chosen_0)
     {
-        var _S322 : bool = Lights_sample_0(receiver_19, Sampler_stratified_0((*path_4).sampler_0, Path_dimension_light_0((*path_4))), aim_5, &(light_3));
-        next_0.has_shadow_ray_0 = _S322;
+        var _S352 : bool = Lights_sample_0(receiver_16, (*path_4).selection_0, Sampler_stratified_0((*path_4).sampler_0, Path_dimension_light_0((*path_4))), aim_5, &(light_3));
+        next_0.has_shadow_ray_0 = _S352;
     }
     if(is_weighed_0)
     {
@@ -4768,7 +4977,7 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_18 : Ray_0,  hit_
     }
     if(next_0.has_shadow_ray_0)
     {
-        var _S323 : vec3<f32> = vec3<f32>(Surface_local_direction_0(surface_1, light_3.ray_14.direction_1).xy, light_3.cos_theta_2);
+        var _S353 : vec3<f32> = vec3<f32>(Surface_local_direction_0(surface_1, light_3.ray_14.direction_1).xy, light_3.cos_theta_0);
         var wi_5 : vec3<f32>;
         if(is_scattered_0)
         {
@@ -4776,31 +4985,31 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_18 : Ray_0,  hit_
         }
         else
         {
-            wi_5 = _S323;
+            wi_5 = _S353;
         }
-        var eval_0 : BsdfEval_0 = MaterialBsdf_eval_0(_S314, wo_5, wi_5);
-        var share_2 : f32 = divide_0(eval_0.pdf_9, light_3.pdf_3) * power_heuristic_0(light_3.pdf_3, eval_0.pdf_9);
+        var eval_0 : BsdfEval_0 = MaterialBsdf_eval_0(_S344, wo_5, wi_5);
+        var share_8 : f32 = divide_0(eval_0.pdf_9, light_3.pdf_3) * power_heuristic_0(light_3.pdf_3, eval_0.pdf_9);
         next_0.shadow_direction_0 = light_3.ray_14.direction_1;
         next_0.shadow_t_max_0 = light_3.ray_14.t_max_1;
-        next_0.light_0 = (*path_4).beta_0 * eval_0.weight_3 * vec3<f32>(compensation_0) * light_3.radiance_2 * vec3<f32>(share_2);
+        next_0.light_0 = (*path_4).beta_0 * eval_0.weight_3 * vec3<f32>(compensation_0) * light_3.radiance_2 * vec3<f32>(share_8);
     }
     var bounce_4 : BsdfSample_0;
-    var _S324 : bool = MaterialBsdf_sample_0(_S314, wo_5, vec3<f32>(u_14.xy, u_14.w), &(bounce_4));
-    if(!_S324)
+    var _S354 : bool = MaterialBsdf_sample_0(_S344, wo_5, vec3<f32>(u_14.xy, u_14.w), &(bounce_4));
+    if(!_S354)
     {
         return next_0;
     }
     (*path_4).beta_0 = (*path_4).beta_0 * bounce_4.weight_5 * vec3<f32>(compensation_0);
     if(bounce_4.is_delta_0)
     {
-        t_11 = 0.0f;
+        t_13 = 0.0f;
     }
     else
     {
-        t_11 = bounce_4.pdf_11;
+        t_13 = bounce_4.pdf_11;
     }
-    (*path_4).pdf_1 = t_11;
-    (*path_4).normal_0 = receiver_19.normal_2;
+    (*path_4).pdf_1 = t_13;
+    (*path_4).normal_0 = receiver_16.normal_2;
     next_0.direction_6 = bounce_4.wi_2;
     if(!is_scattered_0)
     {
@@ -4811,9 +5020,9 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_18 : Ray_0,  hit_
     return next_0;
 }
 
-fn place_of_0( at_3 : vec2<u32>) -> u32
+fn place_of_0( at_4 : vec2<u32>) -> u32
 {
-    var relative_1 : vec2<u32> = at_3 - params_0.region_0.xy;
+    var relative_1 : vec2<u32> = at_4 - params_0.region_0.xy;
     return relative_1.y * (params_0.region_0.z - params_0.region_0.x) + relative_1.x;
 }
 
@@ -4832,135 +5041,136 @@ fn fixed_point_0( value_2 : f32) -> vec2<u32>
     }
     var bits_4 : u32 = (bitcast<u32>((min(value_2, 1.048576e+06f))));
     var shift_6 : i32 = i32((bits_4 >> (u32(23)))) - i32(118);
-    var mantissa_4 : u32 = (((bits_4 & (u32(8388607)))) | (u32(8388608)));
+    var mantissa_3 : u32 = (((bits_4 & (u32(8388607)))) | (u32(8388608)));
     if(shift_6 <= i32(-24))
     {
         return vec2<u32>(vec2<i32>(i32(0)));
     }
     if(shift_6 < i32(0))
     {
-        return vec2<u32>((mantissa_4 >> (u32(- shift_6))), u32(0));
+        return vec2<u32>((mantissa_3 >> (u32(- shift_6))), u32(0));
     }
     if(shift_6 < i32(32))
     {
-        var _S325 : u32 = (mantissa_4 << (u32(shift_6)));
-        var _S326 : u32;
+        var _S355 : u32 = (mantissa_3 << (u32(shift_6)));
+        var _S356 : u32;
         if(shift_6 == i32(0))
         {
-            _S326 = u32(0);
+            _S356 = u32(0);
         }
         else
         {
-            _S326 = (mantissa_4 >> (u32(i32(32) - shift_6)));
+            _S356 = (mantissa_3 >> (u32(i32(32) - shift_6)));
         }
-        return vec2<u32>(_S325, _S326);
+        return vec2<u32>(_S355, _S356);
     }
-    return vec2<u32>(u32(0), (mantissa_4 << (u32(shift_6 - i32(32)))));
+    return vec2<u32>(u32(0), (mantissa_3 << (u32(shift_6 - i32(32)))));
 }
 
-fn PixelRecord_add_0( this_43 : ptr<function, PixelRecord_0>,  value_3 : vec3<f32>,  is_covered_0 : bool)
+fn PixelRecord_add_0( this_48 : ptr<function, PixelRecord_0>,  value_3 : vec3<f32>,  is_covered_0 : bool)
 {
     var addend_0 : vec2<u32> = fixed_point_0(value_3[u32(0)]);
-    var _S327 : u32 = addend_0.x;
-    var low_13 : u32 = (*this_43).radiance_1[u32(0)] + _S327;
-    var high_6 : u32 = (*this_43).radiance_1[u32(1)] + addend_0.y + u32(low_13 < _S327);
-    var is_full_0 : bool = high_6 < ((*this_43).radiance_1[u32(1)]);
-    var _S328 : u32;
+    var _S357 : u32 = addend_0.x;
+    var low_13 : u32 = (*this_48).radiance_1[u32(0)] + _S357;
+    var high_6 : u32 = (*this_48).radiance_1[u32(1)] + addend_0.y + u32(low_13 < _S357);
+    var is_full_0 : bool = high_6 < ((*this_48).radiance_1[u32(1)]);
+    var _S358 : u32;
     if(is_full_0)
     {
-        _S328 = u32(4294967295);
+        _S358 = u32(4294967295);
     }
     else
     {
-        _S328 = low_13;
+        _S358 = low_13;
     }
-    (*this_43).radiance_1[u32(0)] = _S328;
+    (*this_48).radiance_1[u32(0)] = _S358;
     if(is_full_0)
     {
-        _S328 = u32(4294967295);
+        _S358 = u32(4294967295);
     }
     else
     {
-        _S328 = high_6;
+        _S358 = high_6;
     }
-    (*this_43).radiance_1[u32(1)] = _S328;
+    (*this_48).radiance_1[u32(1)] = _S358;
     var addend_1 : vec2<u32> = fixed_point_0(value_3[u32(1)]);
-    var _S329 : u32 = addend_1.x;
-    var low_14 : u32 = (*this_43).radiance_1[u32(2)] + _S329;
-    var high_7 : u32 = (*this_43).radiance_1[u32(3)] + addend_1.y + u32(low_14 < _S329);
-    var is_full_1 : bool = high_7 < ((*this_43).radiance_1[u32(3)]);
+    var _S359 : u32 = addend_1.x;
+    var low_14 : u32 = (*this_48).radiance_1[u32(2)] + _S359;
+    var high_7 : u32 = (*this_48).radiance_1[u32(3)] + addend_1.y + u32(low_14 < _S359);
+    var is_full_1 : bool = high_7 < ((*this_48).radiance_1[u32(3)]);
     if(is_full_1)
     {
-        _S328 = u32(4294967295);
+        _S358 = u32(4294967295);
     }
     else
     {
-        _S328 = low_14;
+        _S358 = low_14;
     }
-    (*this_43).radiance_1[u32(2)] = _S328;
+    (*this_48).radiance_1[u32(2)] = _S358;
     if(is_full_1)
     {
-        _S328 = u32(4294967295);
+        _S358 = u32(4294967295);
     }
     else
     {
-        _S328 = high_7;
+        _S358 = high_7;
     }
-    (*this_43).radiance_1[u32(3)] = _S328;
+    (*this_48).radiance_1[u32(3)] = _S358;
     var addend_2 : vec2<u32> = fixed_point_0(value_3[u32(2)]);
-    var _S330 : u32 = addend_2.x;
-    var low_15 : u32 = (*this_43).radiance_1[u32(4)] + _S330;
-    var high_8 : u32 = (*this_43).radiance_1[u32(5)] + addend_2.y + u32(low_15 < _S330);
-    var is_full_2 : bool = high_8 < ((*this_43).radiance_1[u32(5)]);
+    var _S360 : u32 = addend_2.x;
+    var low_15 : u32 = (*this_48).radiance_1[u32(4)] + _S360;
+    var high_8 : u32 = (*this_48).radiance_1[u32(5)] + addend_2.y + u32(low_15 < _S360);
+    var is_full_2 : bool = high_8 < ((*this_48).radiance_1[u32(5)]);
     if(is_full_2)
     {
-        _S328 = u32(4294967295);
+        _S358 = u32(4294967295);
     }
     else
     {
-        _S328 = low_15;
+        _S358 = low_15;
     }
-    (*this_43).radiance_1[u32(4)] = _S328;
+    (*this_48).radiance_1[u32(4)] = _S358;
     if(is_full_2)
     {
-        _S328 = u32(4294967295);
+        _S358 = u32(4294967295);
     }
     else
     {
-        _S328 = high_8;
+        _S358 = high_8;
     }
-    (*this_43).radiance_1[u32(5)] = _S328;
-    (*this_43).samples_0 = (*this_43).samples_0 + u32(1);
-    (*this_43).covered_0 = (*this_43).covered_0 + u32(is_covered_0);
+    (*this_48).radiance_1[u32(5)] = _S358;
+    (*this_48).samples_0 = (*this_48).samples_0 + u32(1);
+    (*this_48).covered_0 = (*this_48).covered_0 + u32(is_covered_0);
     return;
 }
 
-fn add_sample_0( index_13 : u32,  radiance_7 : vec3<f32>,  is_covered_1 : bool)
+fn add_sample_0( index_12 : u32,  radiance_7 : vec3<f32>,  is_covered_1 : bool)
 {
     var pixel_6 : PixelRecord_0;
-    pixel_6.radiance_1 = pixels_0[index_13].radiance_1;
-    pixel_6.samples_0 = pixels_0[index_13].samples_0;
-    pixel_6.covered_0 = pixels_0[index_13].covered_0;
+    pixel_6.radiance_1 = pixels_0[index_12].radiance_1;
+    pixel_6.samples_0 = pixels_0[index_12].samples_0;
+    pixel_6.covered_0 = pixels_0[index_12].covered_0;
     PixelRecord_add_0(&(pixel_6), radiance_7, is_covered_1);
-    pixels_0[index_13].radiance_1 = pixel_6.radiance_1;
-    pixels_0[index_13].samples_0 = pixel_6.samples_0;
-    pixels_0[index_13].covered_0 = pixel_6.covered_0;
+    pixels_0[index_12].radiance_1 = pixel_6.radiance_1;
+    pixels_0[index_12].samples_0 = pixel_6.samples_0;
+    pixels_0[index_12].covered_0 = pixel_6.covered_0;
     return;
 }
 
 fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
 {
     var counts_0 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
-    var _S331 : vec3<f32> = vec3<f32>(0.0f);
-    var radiance_8 : vec3<f32> = _S331;
+    var _S361 : vec3<f32> = vec3<f32>(0.0f);
+    var radiance_8 : vec3<f32> = _S361;
     var path_5 : Path_0;
-    var _S332 : Ray_0 = camera_path_0(work_0.pixel_5, work_0.sample_5, &(path_5));
-    var ray_19 : Ray_0 = _S332;
+    var _S362 : Ray_0 = camera_path_0(work_0.pixel_5, work_0.sample_5, &(path_5));
+    var ray_19 : Ray_0 = _S362;
+    var is_shadow_turn_0 : bool = true;
     var is_shadow_ray_0 : bool = false;
-    var direction_28 : vec3<f32> = _S331;
+    var direction_28 : vec3<f32> = _S361;
     var is_covered_2 : bool = false;
     var sample_13 : u32 = work_0.sample_5;
-    var light_4 : vec3<f32> = _S331;
+    var light_4 : vec3<f32> = _S361;
     for(;;)
     {
         if(sample_13 < (work_0.last_0))
@@ -4970,12 +5180,18 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
         {
             break;
         }
-        var _S333 : Hit_0 = WalkTracer_trace_0(&(ray_19), is_shadow_ray_0);
+        var is_shadow_turn_1 : bool = !is_shadow_turn_0;
+        if(is_shadow_ray_0 != is_shadow_turn_1)
+        {
+            is_shadow_turn_0 = is_shadow_turn_1;
+            continue;
+        }
+        var _S363 : Hit_0 = WalkTracer_trace_0(&(ray_19), is_shadow_ray_0);
         var is_covered_3 : bool;
         if(is_shadow_ray_0)
         {
             counts_0.shadow_0 = counts_0.shadow_0 + u32(1);
-            if(Hit_is_miss_0(_S333))
+            if(Hit_is_miss_0(_S363))
             {
                 radiance_8 = radiance_8 + light_4;
             }
@@ -4986,7 +5202,7 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
         {
             if((Path_events_0(path_5)) == u32(0))
             {
-                if(!Hit_is_miss_0(_S333))
+                if(!Hit_is_miss_0(_S363))
                 {
                     is_covered_3 = true;
                 }
@@ -5003,58 +5219,59 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
                 }
                 is_covered_3 = is_covered_2;
             }
-            var _S334 : NextRays_0 = no_rays_0();
+            var _S364 : NextRays_0 = no_rays_0();
             path_5.sampler_0 = sampler_of_0(work_0.pixel_5, sample_13);
-            var _S335 : bool;
+            var _S365 : bool;
             if(is_covered_3)
             {
-                _S335 = true;
+                _S365 = true;
             }
             else
             {
-                _S335 = (params_0.is_transparent_0) == u32(0);
+                _S365 = (params_0.is_transparent_0) == u32(0);
             }
             var next_1 : NextRays_0;
-            if(_S335)
+            if(_S365)
             {
-                var _S336 : NextRays_0 = PathTracing_advance_0(&(path_5), ray_19, _S333, u32(4294967295), &(radiance_8));
-                next_1 = _S336;
+                var _S366 : NextRays_0 = PathTracing_advance_0(&(path_5), ray_19, _S363, u32(4294967295), &(radiance_8));
+                next_1 = _S366;
             }
             else
             {
-                next_1 = _S334;
+                next_1 = _S364;
             }
-            var _S337 : bool;
+            var _S367 : bool;
             if(weighs_apart_0())
             {
-                _S337 = next_1.is_same_0;
+                _S367 = next_1.is_same_0;
             }
             else
             {
-                _S337 = false;
+                _S367 = false;
             }
-            if(_S337)
+            if(_S367)
             {
+                is_shadow_turn_0 = is_shadow_turn_1;
                 is_covered_2 = is_covered_3;
                 continue;
             }
-            var _S338 : NextRays_0 = next_1;
-            var _S339 : NextRays_0 = next_1;
-            var _S340 : NextRays_0 = next_1;
-            var _S341 : NextRays_0 = next_1;
+            var _S368 : NextRays_0 = next_1;
+            var _S369 : NextRays_0 = next_1;
+            var _S370 : NextRays_0 = next_1;
+            var _S371 : NextRays_0 = next_1;
             ray_19 = PathTracing_clip_0(ray_from_0(next_1.origin_9, next_1.direction_6));
-            if(_S340.has_shadow_ray_0)
+            if(_S370.has_shadow_ray_0)
             {
-                ray_19 = Ray_x24init_0(_S341.origin_9, 0.0f, next_1.shadow_direction_0, next_1.shadow_t_max_0);
+                ray_19 = Ray_x24init_0(_S371.origin_9, 0.0f, next_1.shadow_direction_0, next_1.shadow_t_max_0);
             }
-            is_shadow_ray_0 = _S340.has_shadow_ray_0;
-            direction_28 = _S338.direction_6;
+            is_shadow_ray_0 = _S370.has_shadow_ray_0;
+            direction_28 = _S368.direction_6;
             is_covered_2 = is_covered_3;
-            light_4 = _S339.light_0;
+            light_4 = _S369.light_0;
         }
         if(!is_shadow_ray_0)
         {
-            is_covered_3 = (all((direction_28 == _S331)));
+            is_covered_3 = (all((direction_28 == _S361)));
         }
         else
         {
@@ -5062,18 +5279,19 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
         }
         if(is_covered_3)
         {
-            var _S342 : vec2<u32> = position_of_0(work_0.pixel_5);
-            add_sample_0(place_of_0(_S342), radiance_8, is_covered_2);
-            radiance_8 = _S331;
+            var _S372 : vec2<u32> = position_of_0(work_0.pixel_5);
+            add_sample_0(place_of_0(_S372), radiance_8, is_covered_2);
+            radiance_8 = _S361;
             var sample_14 : u32 = sample_13 + u32(1);
             if(sample_14 == (work_0.last_0))
             {
                 break;
             }
-            var _S343 : Ray_0 = camera_path_0(work_0.pixel_5, sample_14, &(path_5));
-            ray_19 = _S343;
+            var _S373 : Ray_0 = camera_path_0(work_0.pixel_5, sample_14, &(path_5));
+            ray_19 = _S373;
             sample_13 = sample_14;
         }
+        is_shadow_turn_0 = is_shadow_turn_1;
     }
     return counts_0;
 }
@@ -5090,11 +5308,11 @@ fn Essay_clip_0( ray_20 : Ray_0) -> Ray_0
 
 fn camera_path_1( pixel_7 : u32,  sample_15 : u32,  path_6 : ptr<function, Path_0>) -> Ray_0
 {
-    (*path_6) = Path_x24init_0(sampler_of_0(pixel_7, sample_15), u32(0), u32(0), u32(0), u32(0), vec3<f32>(1.0f), 0.0f, vec3<f32>(0.0f), 0.0f, in_air_0(), true);
+    (*path_6) = Path_x24init_0(sampler_of_0(pixel_7, sample_15), u32(0), u32(0), u32(0), u32(0), vec3<f32>(1.0f), 0.0f, vec3<f32>(0.0f), Selection_x24init_0(0.0f, 0.0f, 0.0f), 0.0f, in_air_0(), true);
     var jitter_1 : vec4<f32> = Essay_jitter_0((*path_6).sampler_0);
-    var _S344 : CameraFrame_0 = FrameParams_camera_0();
-    var _S345 : vec2<u32> = position_of_0(pixel_7);
-    return Essay_clip_0(CameraFrame_ray_0(_S344, vec2<f32>(_S345) + jitter_1.xy, jitter_1.zw));
+    var _S374 : CameraFrame_0 = FrameParams_camera_0();
+    var _S375 : vec2<u32> = position_of_0(pixel_7);
+    return Essay_clip_0(CameraFrame_ray_0(_S374, vec2<f32>(_S375) + jitter_1.xy, jitter_1.zw));
 }
 
 fn Essay_advance_0( path_7 : ptr<function, Path_0>,  ray_21 : Ray_0,  hit_7 : Hit_0,  beyond_3 : u32,  radiance_9 : ptr<function, vec3<f32>>) -> NextRays_0
@@ -5127,16 +5345,17 @@ fn Essay_advance_0( path_7 : ptr<function, Path_0>,  ray_21 : Ray_0,  hit_7 : Hi
 fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
 {
     var counts_1 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
-    var _S346 : vec3<f32> = vec3<f32>(0.0f);
-    var radiance_10 : vec3<f32> = _S346;
+    var _S376 : vec3<f32> = vec3<f32>(0.0f);
+    var radiance_10 : vec3<f32> = _S376;
     var path_8 : Path_0;
-    var _S347 : Ray_0 = camera_path_1(work_1.pixel_5, work_1.sample_5, &(path_8));
-    var ray_22 : Ray_0 = _S347;
+    var _S377 : Ray_0 = camera_path_1(work_1.pixel_5, work_1.sample_5, &(path_8));
+    var ray_22 : Ray_0 = _S377;
+    var is_shadow_turn_2 : bool = true;
     var is_shadow_ray_1 : bool = false;
-    var direction_29 : vec3<f32> = _S346;
+    var direction_29 : vec3<f32> = _S376;
     var is_covered_4 : bool = false;
     var sample_16 : u32 = work_1.sample_5;
-    var light_5 : vec3<f32> = _S346;
+    var light_5 : vec3<f32> = _S376;
     for(;;)
     {
         if(sample_16 < (work_1.last_0))
@@ -5146,12 +5365,18 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
         {
             break;
         }
-        var _S348 : Hit_0 = WalkTracer_trace_0(&(ray_22), is_shadow_ray_1);
+        var is_shadow_turn_3 : bool = !is_shadow_turn_2;
+        if(is_shadow_ray_1 != is_shadow_turn_3)
+        {
+            is_shadow_turn_2 = is_shadow_turn_3;
+            continue;
+        }
+        var _S378 : Hit_0 = WalkTracer_trace_0(&(ray_22), is_shadow_ray_1);
         var is_covered_5 : bool;
         if(is_shadow_ray_1)
         {
             counts_1.shadow_0 = counts_1.shadow_0 + u32(1);
-            if(Hit_is_miss_0(_S348))
+            if(Hit_is_miss_0(_S378))
             {
                 radiance_10 = radiance_10 + light_5;
             }
@@ -5162,7 +5387,7 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
         {
             if((Path_events_0(path_8)) == u32(0))
             {
-                if(!Hit_is_miss_0(_S348))
+                if(!Hit_is_miss_0(_S378))
                 {
                     is_covered_5 = true;
                 }
@@ -5179,58 +5404,59 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
                 }
                 is_covered_5 = is_covered_4;
             }
-            var _S349 : NextRays_0 = no_rays_0();
+            var _S379 : NextRays_0 = no_rays_0();
             path_8.sampler_0 = sampler_of_0(work_1.pixel_5, sample_16);
-            var _S350 : bool;
+            var _S380 : bool;
             if(is_covered_5)
             {
-                _S350 = true;
+                _S380 = true;
             }
             else
             {
-                _S350 = (params_0.is_transparent_0) == u32(0);
+                _S380 = (params_0.is_transparent_0) == u32(0);
             }
             var next_3 : NextRays_0;
-            if(_S350)
+            if(_S380)
             {
-                var _S351 : NextRays_0 = Essay_advance_0(&(path_8), ray_22, _S348, u32(4294967295), &(radiance_10));
-                next_3 = _S351;
+                var _S381 : NextRays_0 = Essay_advance_0(&(path_8), ray_22, _S378, u32(4294967295), &(radiance_10));
+                next_3 = _S381;
             }
             else
             {
-                next_3 = _S349;
+                next_3 = _S379;
             }
-            var _S352 : bool;
+            var _S382 : bool;
             if(weighs_apart_0())
             {
-                _S352 = next_3.is_same_0;
+                _S382 = next_3.is_same_0;
             }
             else
             {
-                _S352 = false;
+                _S382 = false;
             }
-            if(_S352)
+            if(_S382)
             {
+                is_shadow_turn_2 = is_shadow_turn_3;
                 is_covered_4 = is_covered_5;
                 continue;
             }
-            var _S353 : NextRays_0 = next_3;
-            var _S354 : NextRays_0 = next_3;
-            var _S355 : NextRays_0 = next_3;
-            var _S356 : NextRays_0 = next_3;
+            var _S383 : NextRays_0 = next_3;
+            var _S384 : NextRays_0 = next_3;
+            var _S385 : NextRays_0 = next_3;
+            var _S386 : NextRays_0 = next_3;
             ray_22 = Essay_clip_0(ray_from_0(next_3.origin_9, next_3.direction_6));
-            if(_S355.has_shadow_ray_0)
+            if(_S385.has_shadow_ray_0)
             {
-                ray_22 = Ray_x24init_0(_S356.origin_9, 0.0f, next_3.shadow_direction_0, next_3.shadow_t_max_0);
+                ray_22 = Ray_x24init_0(_S386.origin_9, 0.0f, next_3.shadow_direction_0, next_3.shadow_t_max_0);
             }
-            is_shadow_ray_1 = _S355.has_shadow_ray_0;
-            direction_29 = _S353.direction_6;
+            is_shadow_ray_1 = _S385.has_shadow_ray_0;
+            direction_29 = _S383.direction_6;
             is_covered_4 = is_covered_5;
-            light_5 = _S354.light_0;
+            light_5 = _S384.light_0;
         }
         if(!is_shadow_ray_1)
         {
-            is_covered_5 = (all((direction_29 == _S346)));
+            is_covered_5 = (all((direction_29 == _S376)));
         }
         else
         {
@@ -5238,210 +5464,266 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
         }
         if(is_covered_5)
         {
-            var _S357 : vec2<u32> = position_of_0(work_1.pixel_5);
-            add_sample_0(place_of_0(_S357), radiance_10, is_covered_4);
-            radiance_10 = _S346;
+            var _S387 : vec2<u32> = position_of_0(work_1.pixel_5);
+            add_sample_0(place_of_0(_S387), radiance_10, is_covered_4);
+            radiance_10 = _S376;
             var sample_17 : u32 = sample_16 + u32(1);
             if(sample_17 == (work_1.last_0))
             {
                 break;
             }
-            var _S358 : Ray_0 = camera_path_1(work_1.pixel_5, sample_17, &(path_8));
-            ray_22 = _S358;
+            var _S388 : Ray_0 = camera_path_1(work_1.pixel_5, sample_17, &(path_8));
+            ray_22 = _S388;
             sample_16 = sample_17;
         }
+        is_shadow_turn_2 = is_shadow_turn_3;
     }
     return counts_1;
 }
 
-fn Walk_enter_1( this_44 : Walk_0,  voxel_18 : ptr<function, vec3<i32>>,  low_16 : vec3<i32>,  high_9 : vec3<i32>) -> bool
+fn Walk_enter_rounded_1( this_49 : Walk_0,  voxel_21 : ptr<function, vec3<i32>>,  near_5 : vec3<i32>,  far_6 : vec3<i32>) -> bool
 {
-    var is_mirrored_2 : vec3<bool> = (this_44.mirror_0) != vec3<i32>(i32(0));
-    var _S359 : vec3<i32> = select(low_16, (vec3<i32>(0) - high_9), is_mirrored_2);
-    var far_5 : vec3<i32> = select(high_9, (vec3<i32>(0) - low_16), is_mirrored_2);
     for(;;)
     {
-        var is_before_1 : vec3<bool> = (*voxel_18) < _S359;
+        var is_before_1 : vec3<bool> = (*voxel_21) < near_5;
         if(!(any((is_before_1))))
         {
             break;
         }
-        if((any((select(vec3<bool>(false), (this_44.speed_1) <= vec3<f32>(min_abs_direction_0()), is_before_1)))))
+        if((any((select(vec3<bool>(false), (this_49.speed_1) <= vec3<f32>(min_abs_direction_0()), is_before_1)))))
         {
             return false;
         }
-        var t_12 : vec3<f32> = select(vec3<f32>(-1.0f), Walk_crossings_0(this_44, _S359), is_before_1);
-        var t_last_1 : f32 = max_element_0(t_12);
-        if(t_last_1 > (this_44.t_end_0))
+        var t_14 : vec3<f32> = select(vec3<f32>(-1.0f), Walk_crossings_0(this_49, near_5), is_before_1);
+        var t_last_1 : f32 = max_element_0(t_14);
+        if(t_last_1 > (this_49.t_end_0))
         {
             return false;
         }
-        var is_x_2 : bool = (t_12.x) == t_last_1;
-        var _S360 : bool = !is_x_2;
-        var is_y_2 : bool;
-        if(_S360)
+        var is_x_3 : bool = (t_14.x) == t_last_1;
+        var _S389 : bool = !is_x_3;
+        var is_y_3 : bool;
+        if(_S389)
         {
-            is_y_2 = (t_12.y) == t_last_1;
+            is_y_3 = (t_14.y) == t_last_1;
         }
         else
         {
-            is_y_2 = false;
+            is_y_3 = false;
         }
-        var _S361 : bool;
-        if(_S360)
+        var _S390 : bool;
+        if(_S389)
         {
-            _S361 = !is_y_2;
+            _S390 = !is_y_3;
         }
         else
         {
-            _S361 = false;
+            _S390 = false;
         }
-        var is_axis_3 : vec3<bool> = vec3<bool>(is_x_2, is_y_2, _S361);
-        (*voxel_18) = Walk_arrive_0(this_44, (*voxel_18), t_last_1, is_axis_3, select(vec3<i32>(i32(1073741823)), _S359, is_axis_3));
+        var is_axis_3 : vec3<bool> = vec3<bool>(is_x_3, is_y_3, _S390);
+        (*voxel_21) = Walk_arrive_0(this_49, (*voxel_21), t_last_1, is_axis_3, select(vec3<i32>(i32(1073741823)), near_5, is_axis_3));
     }
-    return (all(((*voxel_18) < far_5)));
+    return (all(((*voxel_21) < far_6)));
 }
 
-fn Walk_leave_rounded_1( this_45 : Walk_0,  voxel_19 : ptr<function, vec3<i32>>,  exit_5 : vec3<i32>) -> bool
-{
-    var t_13 : vec3<f32> = Walk_crossings_0(this_45, exit_5);
-    var t_first_2 : f32 = min_element_0(t_13);
-    if(t_first_2 >= (this_45.t_end_0))
-    {
-        return false;
-    }
-    (*voxel_19) = max(exit_5 - vec3<i32>(ceil((t_13 - vec3<f32>(t_first_2)) * this_45.speed_1)), (*voxel_19));
-    return true;
-}
-
-fn Walk_leave_1( this_46 : Walk_0,  voxel_20 : ptr<function, vec3<i32>>,  exit_6 : vec3<i32>) -> bool
+fn Walk_leave_2( this_50 : Walk_0,  voxel_22 : ptr<function, vec3<i32>>,  exit_7 : vec3<i32>) -> bool
 {
     if(!IS_EXACT_0)
     {
-        var _S362 : bool = Walk_leave_rounded_1(this_46, &((*voxel_20)), exit_6);
-        return _S362;
+        var _S391 : bool = Walk_leave_rounded_0(this_50, &((*voxel_22)), exit_7);
+        return _S391;
     }
-    var t_14 : vec3<f32> = Walk_crossings_0(this_46, exit_6);
-    var t_first_3 : f32 = min_element_0(t_14);
-    if(t_first_3 > (this_46.t_end_0))
+    var t_15 : vec3<f32> = Walk_crossings_0(this_50, exit_7);
+    var t_first_4 : f32 = min_element_0(t_15);
+    if(t_first_4 > (this_50.t_end_0))
     {
         return false;
     }
-    var is_x_3 : bool = (t_14.x) == t_first_3;
-    var _S363 : bool = !is_x_3;
-    var is_y_3 : bool;
-    if(_S363)
+    var is_x_4 : bool = (t_15.x) == t_first_4;
+    var _S392 : bool = !is_x_4;
+    var is_y_4 : bool;
+    if(_S392)
     {
-        is_y_3 = (t_14.y) == t_first_3;
+        is_y_4 = (t_15.y) == t_first_4;
     }
     else
     {
-        is_y_3 = false;
+        is_y_4 = false;
     }
-    var _S364 : vec3<i32> = (*voxel_20);
-    var _S365 : bool;
-    if(_S363)
+    var back_2 : vec3<f32> = (t_15 - vec3<f32>(t_first_4)) * this_50.speed_1;
+    var nearest_8 : vec3<f32> = round(back_2);
+    var from_nearest_4 : vec3<f32> = back_2 - nearest_8;
+    var planes_4 : vec3<i32> = exit_7 - vec3<i32>(min(nearest_8, vec3<f32>(4.194304e+06f)));
+    var _S393 : vec3<i32> = planes_4 - vec3<i32>(from_nearest_4 > vec3<f32>(0.0f));
+    var _S394 : vec3<bool> = (abs(from_nearest_4)) <= (this_50.tolerance_0);
+    var _S395 : bool;
+    if(_S392)
     {
-        _S365 = !is_y_3;
+        _S395 = !is_y_4;
     }
     else
     {
-        _S365 = false;
+        _S395 = false;
     }
-    (*voxel_20) = Walk_arrive_0(this_46, _S364, t_first_3, vec3<bool>(is_x_3, is_y_3, _S365), exit_6);
+    var arrival_3 : vec3<i32>;
+    if((any((select(vec3<bool>(false), !vec3<bool>(is_x_4, is_y_4, _S395), _S394)))))
+    {
+        arrival_3 = Walk_mirrored_0(this_50, leave_box_0(this_50.ray_1, Walk_mirrored_0(this_50, (*voxel_22)) + this_50.grid_origin_0, Walk_mirrored_plane_0(this_50, exit_7) + this_50.grid_origin_0, Walk_mirrored_plane_0(this_50, planes_4) + this_50.grid_origin_0) - this_50.grid_origin_0);
+    }
+    else
+    {
+        arrival_3 = _S393;
+    }
+    (*voxel_22) = select(max(arrival_3, (*voxel_22)), (*voxel_22), (this_50.speed_1) == vec3<f32>(0.0f));
     return true;
 }
 
-fn first_voxel_1( _S366 : u32,  _S367 : Walk_0,  _S368 : ptr<function, vec3<i32>>) -> bool
+fn Walk_enter_1( this_51 : Walk_0,  voxel_23 : ptr<function, vec3<i32>>,  low_16 : vec3<i32>,  high_9 : vec3<i32>) -> bool
 {
-    var _S369 : Walk_0 = _S367;
-    var _S370 : vec3<i32> = vec3<i32>(i32(0));
-    (*_S368) = _S370;
-    var voxel_21 : vec3<i32> = Walk_start_voxel_0(_S367);
-    var _S371 : bool = Walk_enter_1(_S367, &(voxel_21), cell_of_0(grids_0[_S366].min_1) - _S369.grid_origin_0, cell_of_0(grids_0[_S366].max_1) - _S369.grid_origin_0);
-    if(!_S371)
-    {
-        return false;
-    }
-    var octant_3 : u32 = LocalRay_octant_0(_S369.ray_1);
-    var _S372 : u32 = flip_of_0(octant_3);
-    var top_shift_2 : u32;
-    if(TOP_SHIFT_0 != u32(0))
-    {
-        top_shift_2 = TOP_SHIFT_0;
-    }
-    else
-    {
-        top_shift_2 = grids_0[_S366].top_shift_0;
-    }
-    var top_size_2 : vec3<i32> = cell_of_0(grids_0[_S366].top_size_0);
-    var _S373 : i32 = top_size_2.x;
-    var stride_1 : vec3<i32> = vec3<i32>(i32(1), _S373, _S373 * top_size_2.y);
-    var _S374 : i32 = i32(grids_0[_S366].top_offset_0) - dot_cells_0((stride_1 & ((_S369.mirror_0))), vec3<i32>(i32(1)));
-    var _S375 : vec3<i32> = Walk_mirrored_plane_0(_S369, stride_1);
-    var _S376 : u32 = ahead_of_0(_S369.mirror_0);
-    var end_2 : vec3<i32> = select((top_size_2 << (vec3<u32>(top_shift_2))), _S370, (_S369.mirror_0) != _S370);
+    var _S396 : bool;
+    var is_mirrored_2 : vec3<bool> = (this_51.mirror_0) != vec3<i32>(i32(0));
+    var near_6 : vec3<i32> = select(low_16, (vec3<i32>(0) - high_9), is_mirrored_2);
+    var far_7 : vec3<i32> = select(high_9, (vec3<i32>(0) - low_16), is_mirrored_2);
     if(!IS_EXACT_0)
     {
-        _S369.t_end_0 = min(_S369.t_end_0, min_element_0(Walk_crossings_0(_S369, end_2)));
+        var _S397 : bool = Walk_enter_rounded_1(this_51, &((*voxel_23)), near_6, far_7);
+        return _S397;
     }
-    var is_found_5 : bool = false;
+    var axis_6 : u32 = u32(0);
     for(;;)
     {
-        var _S377 : bool;
-        if(IS_EXACT_0)
+        if(axis_6 < u32(3))
         {
-            _S377 = (any((voxel_21 >= end_2)));
+            _S396 = (any(((*voxel_23) < near_6)));
         }
         else
         {
-            _S377 = false;
+            _S396 = false;
         }
-        if(_S377)
+        var _S398 : bool;
+        if(_S396)
+        {
+            _S398 = (all(((*voxel_23) < far_7)));
+        }
+        else
+        {
+            _S398 = false;
+        }
+        if(_S398)
+        {
+        }
+        else
         {
             break;
         }
-        var cell_15 : u32 = cells_0[_S374 + dot_cells_0(_S375, (voxel_21 >> (vec3<u32>(top_shift_2))))];
-        var cell_16 : u32;
+        var _S399 : bool = Walk_leave_2(this_51, &((*voxel_23)), select(far_7, near_6, (*voxel_23) < near_6));
+        if(!_S399)
+        {
+            return false;
+        }
+        axis_6 = axis_6 + u32(1);
+    }
+    if((all(((*voxel_23) >= near_6))))
+    {
+        _S396 = (all(((*voxel_23) < far_7)));
+    }
+    else
+    {
+        _S396 = false;
+    }
+    return _S396;
+}
+
+fn first_voxel_1( _S400 : u32,  _S401 : Walk_0,  _S402 : ptr<function, vec3<i32>>) -> bool
+{
+    var _S403 : Walk_0 = _S401;
+    var _S404 : vec3<i32> = vec3<i32>(i32(0));
+    (*_S402) = _S404;
+    var voxel_24 : vec3<i32> = Walk_start_voxel_0(_S401);
+    var _S405 : bool = Walk_enter_1(_S401, &(voxel_24), cell_of_0(grids_0[_S400].min_1) - _S403.grid_origin_0, cell_of_0(grids_0[_S400].max_1) - _S403.grid_origin_0);
+    if(!_S405)
+    {
+        return false;
+    }
+    var octant_3 : u32 = LocalRay_octant_0(_S403.ray_1);
+    var _S406 : u32 = flip_of_0(octant_3);
+    var top_shift_3 : u32;
+    if(TOP_SHIFT_0 != u32(0))
+    {
+        top_shift_3 = TOP_SHIFT_0;
+    }
+    else
+    {
+        top_shift_3 = grids_0[_S400].top_shift_0;
+    }
+    var top_size_2 : vec3<i32> = cell_of_0(grids_0[_S400].top_size_0);
+    var _S407 : i32 = top_size_2.x;
+    var stride_1 : vec3<i32> = vec3<i32>(i32(1), _S407, _S407 * top_size_2.y);
+    var _S408 : i32 = i32(grids_0[_S400].top_offset_0) - dot_cells_0((stride_1 & ((_S403.mirror_0))), vec3<i32>(i32(1)));
+    var _S409 : vec3<i32> = Walk_mirrored_plane_0(_S403, stride_1);
+    var _S410 : u32 = ahead_of_0(_S403.mirror_0);
+    var end_2 : vec3<i32> = select((top_size_2 << (vec3<u32>(top_shift_3))), _S404, (_S403.mirror_0) != _S404);
+    if(!IS_EXACT_0)
+    {
+        _S403.t_end_0 = min(_S403.t_end_0, min_element_0(Walk_crossings_0(_S403, end_2)));
+    }
+    var is_found_4 : bool = false;
+    for(;;)
+    {
+        var _S411 : bool;
+        if(IS_EXACT_0)
+        {
+            _S411 = (any((voxel_24 >= end_2)));
+        }
+        else
+        {
+            _S411 = false;
+        }
+        if(_S411)
+        {
+            break;
+        }
+        var cell_7 : u32 = cells_0[_S408 + dot_cells_0(_S409, (voxel_24 >> (vec3<u32>(top_shift_3))))];
+        var cell_8 : u32;
         var shift_7 : u32;
-        var is_found_6 : bool;
+        var is_found_5 : bool;
         if(TOP_SHIFT_0 == u32(5))
         {
-            if(((cell_15 & (u32(2147483648)))) != u32(0))
+            if(((cell_7 & (u32(2147483648)))) != u32(0))
             {
-                cell_16 = cells_0[((cell_15 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_21, u32(3))) ^ (_S372)))];
+                cell_8 = cells_0[((cell_7 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_24, u32(3))) ^ (_S406)))];
                 shift_7 = u32(3);
             }
             else
             {
-                cell_16 = cell_15;
-                shift_7 = top_shift_2;
+                cell_8 = cell_7;
+                shift_7 = top_shift_3;
             }
         }
         else
         {
-            cell_16 = cell_15;
-            shift_7 = top_shift_2;
+            cell_8 = cell_7;
+            shift_7 = top_shift_3;
             for(;;)
             {
                 if(TOP_SHIFT_0 != u32(3))
                 {
-                    is_found_6 = shift_7 > u32(3);
+                    is_found_5 = shift_7 > u32(3);
                 }
                 else
                 {
-                    is_found_6 = false;
+                    is_found_5 = false;
                 }
-                var _S378 : bool;
-                if(is_found_6)
+                var _S412 : bool;
+                if(is_found_5)
                 {
-                    _S378 = ((cell_16 & (u32(2147483648)))) != u32(0);
+                    _S412 = ((cell_8 & (u32(2147483648)))) != u32(0);
                 }
                 else
                 {
-                    _S378 = false;
+                    _S412 = false;
                 }
-                if(_S378)
+                if(_S412)
                 {
                 }
                 else
@@ -5449,85 +5731,85 @@ fn first_voxel_1( _S366 : u32,  _S367 : Walk_0,  _S368 : ptr<function, vec3<i32>
                     break;
                 }
                 var shift_8 : u32 = shift_7 - u32(2);
-                cell_16 = cells_0[((cell_16 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_21, shift_8)) ^ (_S372)))];
+                cell_8 = cells_0[((cell_8 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_24, shift_8)) ^ (_S406)))];
                 shift_7 = shift_8;
             }
         }
-        var exit_7 : vec3<i32>;
-        if(((cell_16 & (u32(2147483648)))) == u32(0))
+        var exit_8 : vec3<i32>;
+        if(((cell_8 & (u32(2147483648)))) == u32(0))
         {
-            exit_7 = ((voxel_21 | (vec3<i32>((((i32(1) << (shift_7))) - i32(1)))))) + vec3<i32>(i32(1)) + (((extents_0(cell_16, _S376)) << (vec3<u32>(shift_7))));
-            is_found_6 = is_found_5;
+            exit_8 = ((voxel_24 | (vec3<i32>((((i32(1) << (shift_7))) - i32(1)))))) + vec3<i32>(i32(1)) + (((extents_0(cell_8, _S410)) << (vec3<u32>(shift_7))));
+            is_found_5 = is_found_4;
         }
         else
         {
-            var record_3 : u32 = record_of_cell_0(cell_16);
+            var record_3 : u32 = record_of_cell_0(cell_8);
             var blocks_2 : u32;
             if(CELLS_HAVE_BLOCKS_0)
             {
-                blocks_2 = blocks_of_cell_0(cell_16);
+                blocks_2 = blocks_of_cell_0(cell_8);
             }
             else
             {
                 blocks_2 = blocks_of_record_0(record_3);
             }
-            var low_bits_1 : u32 = empty_around_0(record_3, blocks_2, voxel_21, octant_3, _S372);
-            var is_found_7 : bool = low_bits_1 == u32(4294967295);
-            if(is_found_7)
+            var low_bits_1 : u32 = empty_around_0(record_3, blocks_2, voxel_24, octant_3, _S406);
+            var is_found_6 : bool = low_bits_1 == u32(4294967295);
+            if(is_found_6)
             {
-                is_found_5 = is_found_7;
+                is_found_4 = is_found_6;
                 break;
             }
-            exit_7 = ((voxel_21 | (vec3<i32>(i32(low_bits_1))))) + vec3<i32>(i32(1));
-            is_found_6 = is_found_7;
-        }
-        var _S379 : bool = Walk_leave_1(_S369, &(voxel_21), exit_7);
-        if(!_S379)
-        {
+            exit_8 = ((voxel_24 | (vec3<i32>(i32(low_bits_1))))) + vec3<i32>(i32(1));
             is_found_5 = is_found_6;
+        }
+        var _S413 : bool = Walk_leave_0(_S403, &(voxel_24), exit_8);
+        if(!_S413)
+        {
+            is_found_4 = is_found_5;
             break;
         }
-        is_found_5 = is_found_6;
+        is_found_4 = is_found_5;
     }
-    (*_S368) = Walk_mirrored_0(_S369, voxel_21) + _S369.grid_origin_0;
-    return is_found_5;
+    (*_S402) = Walk_mirrored_0(_S403, voxel_24) + _S403.grid_origin_0;
+    return is_found_4;
 }
 
 fn hit_in_1( instance_11 : u32,  ray_23 : ptr<function, Ray_0>) -> Hit_0
 {
-    var _S380 : LocalRay_0 = local_ray_0((*ray_23), instance_11);
-    if(!_S380.is_valid_0)
+    var _S414 : LocalRay_0 = local_ray_0((*ray_23), instance_11);
+    if(!_S414.is_valid_0)
     {
         return miss_0();
     }
-    var _S381 : Walk_0 = walk_of_0(_S380, instances_0[instance_11].grid_0);
-    var voxel_22 : vec3<i32>;
-    var _S382 : bool = first_voxel_1(instances_0[instance_11].grid_0, _S381, &(voxel_22));
-    var _S383 : bool;
+    var _S415 : Walk_0 = walk_of_0(_S414, instances_0[instance_11].grid_0);
+    var voxel_25 : vec3<i32>;
+    var _S416 : bool = first_voxel_1(instances_0[instance_11].grid_0, _S415, &(voxel_25));
+    var _S417 : bool;
     if(IS_SINGLE_0)
     {
-        _S383 = !IS_EXACT_0;
+        _S417 = !IS_EXACT_0;
     }
     else
     {
-        _S383 = false;
+        _S417 = false;
     }
-    if(_S383)
+    if(_S417)
     {
-        (*ray_23) = ray_of_walk_0(_S381, (*ray_23));
+        (*ray_23) = ray_of_walk_0(_S415, (*ray_23));
     }
-    if(!_S382)
+    if(!_S416)
     {
         return miss_0();
     }
     var hit_8 : Hit_0;
     if(IS_EXACT_0)
     {
-        hit_8 = hit_of_0(_S380, voxel_22, instance_11);
+        hit_8 = hit_of_0(_S414, voxel_25, instance_11);
     }
     else
     {
-        hit_8 = hit_of_walk_0(_S381, voxel_22, instance_11);
+        hit_8 = hit_of_walk_0(_S415, voxel_25, instance_11);
     }
     if((hit_8.t_1) > ((*ray_23).t_max_1))
     {
@@ -5540,97 +5822,97 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_2 : bool,  end_3 : u3
 {
     if(IS_SINGLE_0)
     {
-        var _S384 : Hit_0 = hit_in_1(u32(0), &((*given_1)));
-        return _S384;
+        var _S418 : Hit_0 = hit_in_1(u32(0), &((*given_1)));
+        return _S418;
     }
     var ray_24 : Ray_0 = (*given_1);
-    var nearest_5 : Hit_0 = miss_0();
+    var nearest_9 : Hit_0 = miss_0();
     if((params_0.instance_count_0) == u32(0))
     {
-        return nearest_5;
+        return nearest_9;
     }
     var is_zero_2 : vec3<bool> = !((abs(ray_24.direction_1)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S385 : vec3<f32> = select(reciprocal_0(select(ray_24.direction_1, vec3<f32>(1.0f), is_zero_2)), vec3<f32>(3.4028234663852886e+38f), is_zero_2);
+    var _S419 : vec3<f32> = select(reciprocal_0(select(ray_24.direction_1, vec3<f32>(1.0f), is_zero_2)), vec3<f32>(3.4028234663852886e+38f), is_zero_2);
     var stack_1 : array<u32, i32(32)>;
-    var index_14 : u32 = u32(0);
-    var nearest_6 : Hit_0 = nearest_5;
+    var index_13 : u32 = u32(0);
+    var nearest_10 : Hit_0 = nearest_9;
     var depth_3 : u32 = u32(0);
     for(;;)
     {
         var depth_4 : u32;
         var is_reached_1 : bool;
-        if((instance_nodes_0[index_14].is_leaf_0) != u32(0))
+        if((instance_nodes_0[index_13].is_leaf_0) != u32(0))
         {
-            var _S386 : Hit_0 = hit_in_1(instance_nodes_0[index_14].index_0, &(ray_24));
-            var _S387 : Hit_0 = nearest_6;
-            if((_S386.t_1) < (nearest_6.t_1))
+            var _S420 : Hit_0 = hit_in_1(instance_nodes_0[index_13].index_0, &(ray_24));
+            var _S421 : Hit_0 = nearest_10;
+            if((_S420.t_1) < (nearest_10.t_1))
             {
                 is_reached_1 = true;
             }
             else
             {
-                if((_S386.t_1) == (_S387.t_1))
+                if((_S420.t_1) == (_S421.t_1))
                 {
-                    is_reached_1 = (_S386.instance_3) < (nearest_6.instance_3);
+                    is_reached_1 = (_S420.instance_3) < (nearest_10.instance_3);
                 }
                 else
                 {
                     is_reached_1 = false;
                 }
             }
-            var nearest_7 : Hit_0;
+            var nearest_11 : Hit_0;
             if(is_reached_1)
             {
-                ray_24.t_max_1 = _S386.t_1;
+                ray_24.t_max_1 = _S420.t_1;
                 if(is_any_enough_2)
                 {
-                    return _S386;
+                    return _S420;
                 }
-                nearest_7 = _S386;
+                nearest_11 = _S420;
             }
             else
             {
-                nearest_7 = nearest_6;
+                nearest_11 = nearest_10;
             }
-            nearest_6 = nearest_7;
+            nearest_10 = nearest_11;
             depth_4 = depth_3;
         }
         else
         {
-            var _S388 : u32 = index_14 + u32(1);
-            var _S389 : f32 = entry_0(_S388, ray_24, _S385);
-            var _S390 : u32 = instance_nodes_0[index_14].index_0;
-            var _S391 : f32 = entry_0(instance_nodes_0[index_14].index_0, ray_24, _S385);
-            var _S392 : bool = _S389 <= _S391;
-            if(_S392)
+            var _S422 : u32 = index_13 + u32(1);
+            var _S423 : f32 = entry_0(_S422, ray_24, _S419);
+            var _S424 : u32 = instance_nodes_0[index_13].index_0;
+            var _S425 : f32 = entry_0(instance_nodes_0[index_13].index_0, ray_24, _S419);
+            var _S426 : bool = _S423 <= _S425;
+            if(_S426)
             {
-                index_14 = _S388;
+                index_13 = _S422;
             }
             else
             {
-                index_14 = _S390;
+                index_13 = _S424;
             }
-            var far_6 : u32;
-            if(_S392)
+            var far_8 : u32;
+            if(_S426)
             {
-                far_6 = _S390;
+                far_8 = _S424;
             }
             else
             {
-                far_6 = _S388;
+                far_8 = _S422;
             }
             var INFINITY_1 : f32 = (bitcast<f32>((u32(2139095040))));
-            if((max(_S389, _S391)) < INFINITY_1)
+            if((max(_S423, _S425)) < INFINITY_1)
             {
-                var _S393 : u32 = depth_3 + u32(1);
-                stack_1[depth_3] = far_6;
-                depth_4 = _S393;
+                var _S427 : u32 = depth_3 + u32(1);
+                stack_1[depth_3] = far_8;
+                depth_4 = _S427;
             }
             else
             {
                 depth_4 = depth_3;
             }
-            if((min(_S389, _S391)) < INFINITY_1)
+            if((min(_S423, _S425)) < INFINITY_1)
             {
                 depth_3 = depth_4;
                 continue;
@@ -5640,16 +5922,16 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_2 : bool,  end_3 : u3
         depth_3 = depth_4;
         for(;;)
         {
-            var _S394 : bool;
+            var _S428 : bool;
             if(depth_3 > u32(0))
             {
-                _S394 = !is_reached_1;
+                _S428 = !is_reached_1;
             }
             else
             {
-                _S394 = false;
+                _S428 = false;
             }
-            if(_S394)
+            if(_S428)
             {
             }
             else
@@ -5657,8 +5939,8 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_2 : bool,  end_3 : u3
                 break;
             }
             var depth_5 : u32 = depth_3 - u32(1);
-            is_reached_1 = (entry_0(stack_1[depth_5], ray_24, _S385)) < (bitcast<f32>((u32(2139095040))));
-            index_14 = stack_1[depth_5];
+            is_reached_1 = (entry_0(stack_1[depth_5], ray_24, _S419)) < (bitcast<f32>((u32(2139095040))));
+            index_13 = stack_1[depth_5];
             depth_3 = depth_5;
         }
         if(!is_reached_1)
@@ -5666,7 +5948,7 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_2 : bool,  end_3 : u3
             break;
         }
     }
-    return nearest_6;
+    return nearest_10;
 }
 
 var<workgroup> group_counts_0 : array<atomic<u32>, i32(3)>;
@@ -5681,100 +5963,100 @@ fn begin_tally_0( thread_0 : u32)
     return;
 }
 
-fn Work_x24init_0( pixel_8 : u32,  sample_18 : u32,  last_6 : u32) -> Work_0
+fn Work_x24init_0( pixel_8 : u32,  sample_18 : u32,  last_7 : u32) -> Work_0
 {
-    var _S395 : Work_0;
-    _S395.pixel_5 = pixel_8;
-    _S395.sample_5 = sample_18;
-    _S395.last_0 = last_6;
-    return _S395;
+    var _S429 : Work_0;
+    _S429.pixel_5 = pixel_8;
+    _S429.sample_5 = sample_18;
+    _S429.last_0 = last_7;
+    return _S429;
 }
 
-fn work_of_0( index_15 : u32) -> Work_0
+fn work_of_0( index_14 : u32) -> Work_0
 {
     var size_1 : vec2<u32> = params_0.region_0.zw - params_0.region_0.xy;
-    var _S396 : u32 = size_1.x;
-    var _S397 : u32 = u32(8) * _S396;
-    var band_0 : u32 = index_15 / _S397;
-    var _S398 : u32 = u32(8) * band_0;
-    var in_band_0 : u32 = index_15 - _S397 * band_0;
-    var _S399 : u32 = u32(8) * min(u32(8), size_1.y - _S398);
-    var tile_0 : u32 = in_band_0 / _S399;
-    var _S400 : u32 = u32(8) * tile_0;
-    var _S401 : u32 = min(u32(8), _S396 - _S400);
-    var in_tile_0 : u32 = in_band_0 - _S399 * tile_0;
-    var _S402 : vec2<u32> = params_0.region_0.xy;
-    var _S403 : u32 = in_tile_0 % _S401;
-    var _S404 : u32 = _S400 + _S403;
-    var _S405 : u32 = in_tile_0 / _S401;
-    var at_4 : vec2<u32> = _S402 + vec2<u32>(_S404, _S398 + _S405);
-    return Work_x24init_0(at_4.y * params_0.width_0 + at_4.x, pixels_0[place_of_0(at_4)].samples_0, min(dispatch_0.samples_target_0, pixels_0[place_of_0(at_4)].samples_0 + dispatch_0.samples_1));
+    var _S430 : u32 = size_1.x;
+    var _S431 : u32 = u32(8) * _S430;
+    var band_0 : u32 = index_14 / _S431;
+    var _S432 : u32 = u32(8) * band_0;
+    var in_band_0 : u32 = index_14 - _S431 * band_0;
+    var _S433 : u32 = u32(8) * min(u32(8), size_1.y - _S432);
+    var tile_0 : u32 = in_band_0 / _S433;
+    var _S434 : u32 = u32(8) * tile_0;
+    var _S435 : u32 = min(u32(8), _S430 - _S434);
+    var in_tile_0 : u32 = in_band_0 - _S433 * tile_0;
+    var _S436 : vec2<u32> = params_0.region_0.xy;
+    var _S437 : u32 = in_tile_0 % _S435;
+    var _S438 : u32 = _S434 + _S437;
+    var _S439 : u32 = in_tile_0 / _S435;
+    var at_5 : vec2<u32> = _S436 + vec2<u32>(_S438, _S432 + _S439);
+    return Work_x24init_0(at_5.y * params_0.width_0 + at_5.x, pixels_0[place_of_0(at_5)].samples_0, min(dispatch_0.samples_target_0, pixels_0[place_of_0(at_5)].samples_0 + dispatch_0.samples_1));
 }
 
-fn Work_camera_rays_0( this_47 : Work_0) -> u32
+fn Work_camera_rays_0( this_52 : Work_0) -> u32
 {
-    return max(this_47.last_0, this_47.sample_5) - this_47.sample_5;
+    return max(this_52.last_0, this_52.sample_5) - this_52.sample_5;
 }
 
-fn tally_camera_rays_0( count_6 : u32)
+fn tally_camera_rays_0( count_7 : u32)
 {
-    var _S406 : u32 = atomicAdd(&(group_counts_0[i32(0)]), count_6);
+    var _S440 : u32 = atomicAdd(&(group_counts_0[i32(0)]), count_7);
     return;
 }
 
 fn end_tally_0( counts_2 : RayCounts_0,  thread_1 : u32)
 {
-    var _S407 : u32 = atomicAdd(&(group_counts_0[i32(1)]), counts_2.bounce_2);
-    var _S408 : u32 = atomicAdd(&(group_counts_0[i32(2)]), counts_2.shadow_0);
+    var _S441 : u32 = atomicAdd(&(group_counts_0[i32(1)]), counts_2.bounce_2);
+    var _S442 : u32 = atomicAdd(&(group_counts_0[i32(2)]), counts_2.shadow_0);
     workgroupBarrier();
     if(thread_1 < u32(3))
     {
-        var _S409 : u32 = atomicLoad(&(group_counts_0[thread_1]));
-        var _S410 : u32 = atomicAdd(&(counters_0[u32(1) + thread_1]), _S409);
+        var _S443 : u32 = atomicLoad(&(group_counts_0[thread_1]));
+        var _S444 : u32 = atomicAdd(&(counters_0[u32(1) + thread_1]), _S443);
     }
     if(thread_1 == u32(0))
     {
         atomicStore(&(counters_0[u32(0)]), dispatch_0.sequence_0);
-        var _S411 : u32 = atomicAdd(&(counters_0[u32(4)]), u32(1));
+        var _S445 : u32 = atomicAdd(&(counters_0[u32(4)]), u32(1));
     }
     return;
 }
 
-fn render_0( index_16 : u32,  thread_2 : u32)
+fn render_0( index_15 : u32,  thread_2 : u32)
 {
     begin_tally_0(thread_2);
-    var _S412 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
+    var _S446 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
     var counts_3 : RayCounts_0;
-    if(index_16 < (dispatch_0.count_0))
+    if(index_15 < (dispatch_0.count_0))
     {
-        var work_2 : Work_0 = work_of_0(dispatch_0.first_0 + index_16);
+        var work_2 : Work_0 = work_of_0(dispatch_0.first_0 + index_15);
         tally_camera_rays_0(Work_camera_rays_0(work_2));
-        var _S413 : RayCounts_0 = trace_pixel_0(work_2);
-        counts_3 = _S413;
+        var _S447 : RayCounts_0 = trace_pixel_0(work_2);
+        counts_3 = _S447;
     }
     else
     {
-        counts_3 = _S412;
+        counts_3 = _S446;
     }
     end_tally_0(counts_3, thread_2);
     return;
 }
 
-fn render_1( index_17 : u32,  thread_3 : u32)
+fn render_1( index_16 : u32,  thread_3 : u32)
 {
     begin_tally_0(thread_3);
-    var _S414 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
+    var _S448 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
     var counts_4 : RayCounts_0;
-    if(index_17 < (dispatch_0.count_0))
+    if(index_16 < (dispatch_0.count_0))
     {
-        var work_3 : Work_0 = work_of_0(dispatch_0.first_0 + index_17);
+        var work_3 : Work_0 = work_of_0(dispatch_0.first_0 + index_16);
         tally_camera_rays_0(Work_camera_rays_0(work_3));
-        var _S415 : RayCounts_0 = trace_pixel_1(work_3);
-        counts_4 = _S415;
+        var _S449 : RayCounts_0 = trace_pixel_1(work_3);
+        counts_4 = _S449;
     }
     else
     {
-        counts_4 = _S414;
+        counts_4 = _S448;
     }
     end_tally_0(counts_4, thread_3);
     return;
@@ -5798,8 +6080,8 @@ fn render_path(@builtin(global_invocation_id) id_1 : vec3<u32>, @builtin(local_i
 
 fn WalkTracer_trace_1( ray_25 : ptr<function, Ray_0>,  is_any_enough_3 : bool) -> Hit_0
 {
-    var _S416 : Hit_0 = visit_1(&((*ray_25)), is_any_enough_3, u32(0));
-    return _S416;
+    var _S450 : Hit_0 = visit_1(&((*ray_25)), is_any_enough_3, u32(0));
+    return _S450;
 }
 
 struct HitRecord_0
@@ -5810,59 +6092,59 @@ struct HitRecord_0
      face_0 : u32,
 };
 
-fn HitRecord_x24init_0( t_15 : f32,  instance_12 : u32,  voxel_23 : array<i32, i32(3)>,  face_9 : u32) -> HitRecord_0
+fn HitRecord_x24init_0( t_16 : f32,  instance_12 : u32,  voxel_26 : array<i32, i32(3)>,  face_8 : u32) -> HitRecord_0
 {
-    var _S417 : HitRecord_0;
-    _S417.t_0 = t_15;
-    _S417.instance_0 = instance_12;
-    _S417.voxel_0 = voxel_23;
-    _S417.face_0 = face_9;
-    return _S417;
+    var _S451 : HitRecord_0;
+    _S451.t_0 = t_16;
+    _S451.instance_0 = instance_12;
+    _S451.voxel_0 = voxel_26;
+    _S451.face_0 = face_8;
+    return _S451;
 }
 
 fn record_of_0( hit_9 : Hit_0) -> HitRecord_0
 {
-    var _S418 : array<i32, i32(3)> = array<i32, i32(3)>( hit_9.voxel_4.x, hit_9.voxel_4.y, hit_9.voxel_4.z );
-    return HitRecord_x24init_0(hit_9.t_1, hit_9.instance_3, _S418, hit_9.face_1);
+    var _S452 : array<i32, i32(3)> = array<i32, i32(3)>( hit_9.voxel_4.x, hit_9.voxel_4.y, hit_9.voxel_4.z );
+    return HitRecord_x24init_0(hit_9.t_1, hit_9.instance_3, _S452, hit_9.face_1);
 }
 
-fn ray_of_0( _S419 : u32) -> Ray_0
+fn ray_of_0( _S453 : u32) -> Ray_0
 {
-    return Ray_x24init_0(vector_of_0(rays_0[_S419].origin_1), rays_0[_S419].t_min_0, vector_of_0(rays_0[_S419].direction_0), rays_0[_S419].t_max_0);
+    return Ray_x24init_0(vector_of_0(rays_0[_S453].origin_1), rays_0[_S453].t_min_0, vector_of_0(rays_0[_S453].direction_0), rays_0[_S453].t_max_0);
 }
 
-fn Transform_direction_2( _S420 : i32,  _S421 : vec3<f32>) -> vec3<f32>
+fn Transform_direction_2( _S454 : i32,  _S455 : vec3<f32>) -> vec3<f32>
 {
-    return vector_of_0(instances_0[_S420].grid_from_world_0.x_axis_0) * vec3<f32>(_S421.x) + vector_of_0(instances_0[_S420].grid_from_world_0.y_axis_0) * vec3<f32>(_S421.y) + vector_of_0(instances_0[_S420].grid_from_world_0.z_axis_0) * vec3<f32>(_S421.z);
+    return vector_of_0(instances_0[_S454].grid_from_world_0.x_axis_0) * vec3<f32>(_S455.x) + vector_of_0(instances_0[_S454].grid_from_world_0.y_axis_0) * vec3<f32>(_S455.y) + vector_of_0(instances_0[_S454].grid_from_world_0.z_axis_0) * vec3<f32>(_S455.z);
 }
 
-fn Transform_point_2( _S422 : i32,  _S423 : vec3<f32>) -> vec3<f32>
+fn Transform_point_2( _S456 : i32,  _S457 : vec3<f32>) -> vec3<f32>
 {
-    return Transform_direction_2(_S422, _S423) + vector_of_0(instances_0[_S422].grid_from_world_0.translation_0);
+    return Transform_direction_2(_S456, _S457) + vector_of_0(instances_0[_S456].grid_from_world_0.translation_0);
 }
 
-fn local_ray_1( _S424 : Ray_0,  _S425 : i32) -> LocalRay_0
+fn local_ray_1( _S458 : Ray_0,  _S459 : i32) -> LocalRay_0
 {
     var local_4 : LocalRay_0;
     var direction_30 : vec3<f32>;
     var origin_12 : vec3<f32>;
     if(!IS_SINGLE_0)
     {
-        var _S426 : vec3<f32> = Transform_point_2(_S425, _S424.origin_2);
-        direction_30 = Transform_direction_2(_S425, _S424.direction_1);
-        origin_12 = _S426;
+        var _S460 : vec3<f32> = Transform_point_2(_S459, _S458.origin_2);
+        direction_30 = Transform_direction_2(_S459, _S458.direction_1);
+        origin_12 = _S460;
     }
     else
     {
-        direction_30 = _S424.direction_1;
-        origin_12 = _S424.origin_2;
+        direction_30 = _S458.direction_1;
+        origin_12 = _S458.origin_2;
     }
     var is_zero_3 : vec3<bool> = !((abs(direction_30)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S427 : vec3<f32> = select(direction_30, vec3<f32>(0.0f), is_zero_3);
-    local_4.direction_4 = _S427;
+    var _S461 : vec3<f32> = select(direction_30, vec3<f32>(0.0f), is_zero_3);
+    local_4.direction_4 = _S461;
     local_4.inverse_0 = select(reciprocal_0(select(direction_30, vec3<f32>(1.0f), is_zero_3)), vec3<f32>(3.4028234663852886e+38f), is_zero_3);
     local_4.origin_5 = select(origin_12, floor(origin_12) + vec3<f32>(0.5f), is_zero_3);
-    var speed_4 : f32 = max_element_0(abs(_S427));
+    var speed_4 : f32 = max_element_0(abs(_S461));
     var moves_1 : bool;
     if(speed_4 >= 1.00000004581370497e-18f)
     {
@@ -5874,9 +6156,9 @@ fn local_ray_1( _S424 : Ray_0,  _S425 : i32) -> LocalRay_0
     }
     var is_near_1 : bool = (all(((abs(local_4.origin_5)) <= vec3<f32>(2.097152e+06f))));
     var is_segment_1 : bool;
-    if((_S424.t_min_1) >= 0.0f)
+    if((_S458.t_min_1) >= 0.0f)
     {
-        is_segment_1 = (_S424.t_min_1) <= 3.4028234663852886e+38f;
+        is_segment_1 = (_S458.t_min_1) <= 3.4028234663852886e+38f;
     }
     else
     {
@@ -5884,14 +6166,14 @@ fn local_ray_1( _S424 : Ray_0,  _S425 : i32) -> LocalRay_0
     }
     if(is_segment_1)
     {
-        is_segment_1 = (_S424.t_min_1) <= (_S424.t_max_1);
+        is_segment_1 = (_S458.t_min_1) <= (_S458.t_max_1);
     }
     else
     {
         is_segment_1 = false;
     }
-    local_4.t_min_3 = _S424.t_min_1;
-    local_4.t_max_3 = _S424.t_max_1;
+    local_4.t_min_3 = _S458.t_min_1;
+    local_4.t_max_3 = _S458.t_max_1;
     if(moves_1)
     {
         moves_1 = is_near_1;
@@ -5917,44 +6199,44 @@ fn local_ray_1( _S424 : Ray_0,  _S425 : i32) -> LocalRay_0
 fn cast_rays(@builtin(global_invocation_id) id_2 : vec3<u32>, @builtin(local_invocation_index) thread_6 : u32)
 {
     begin_tally_0(thread_6);
-    var _S428 : u32 = id_2.x;
-    if(_S428 < (dispatch_0.count_0))
+    var _S462 : u32 = id_2.x;
+    if(_S462 < (dispatch_0.count_0))
     {
         tally_camera_rays_0(u32(1));
-        var _S429 : Ray_0 = ray_of_0(dispatch_0.first_0 + _S428);
-        var ray_26 : Ray_0 = _S429;
-        var _S430 : Hit_0 = WalkTracer_trace_1(&(ray_26), false);
-        var _S431 : bool;
+        var _S463 : Ray_0 = ray_of_0(dispatch_0.first_0 + _S462);
+        var ray_26 : Ray_0 = _S463;
+        var _S464 : Hit_0 = WalkTracer_trace_1(&(ray_26), false);
+        var _S465 : bool;
         if(IS_SINGLE_0)
         {
-            _S431 = !IS_EXACT_0;
+            _S465 = !IS_EXACT_0;
         }
         else
         {
-            _S431 = false;
+            _S465 = false;
         }
-        if(_S431)
+        if(_S465)
         {
-            _S431 = !Hit_is_miss_0(_S430);
+            _S465 = !Hit_is_miss_0(_S464);
         }
         else
         {
-            _S431 = false;
+            _S465 = false;
         }
         var hit_10 : Hit_0;
-        if(_S431)
+        if(_S465)
         {
-            hit_10 = hit_of_0(local_ray_1(_S429, i32(0)), _S430.voxel_4, _S430.instance_3);
+            hit_10 = hit_of_0(local_ray_1(_S463, i32(0)), _S464.voxel_4, _S464.instance_3);
         }
         else
         {
-            hit_10 = _S430;
+            hit_10 = _S464;
         }
-        var _S432 : HitRecord_0 = record_of_0(hit_10);
-        hits_0[dispatch_0.first_0 + _S428].t_0 = _S432.t_0;
-        hits_0[dispatch_0.first_0 + _S428].instance_0 = _S432.instance_0;
-        hits_0[dispatch_0.first_0 + _S428].voxel_0 = _S432.voxel_0;
-        hits_0[dispatch_0.first_0 + _S428].face_0 = _S432.face_0;
+        var _S466 : HitRecord_0 = record_of_0(hit_10);
+        hits_0[dispatch_0.first_0 + _S462].t_0 = _S466.t_0;
+        hits_0[dispatch_0.first_0 + _S462].instance_0 = _S466.instance_0;
+        hits_0[dispatch_0.first_0 + _S462].voxel_0 = _S466.voxel_0;
+        hits_0[dispatch_0.first_0 + _S462].face_0 = _S466.face_0;
     }
     end_tally_0(RayCounts_x24init_0(u32(0), u32(0)), thread_6);
     return;

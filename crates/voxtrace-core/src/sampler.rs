@@ -19,21 +19,26 @@ impl Sampler {
     /// seed.
     #[inline]
     pub fn independent(&self, dimension: u32) -> [f32; 4] {
-        pcg4d([self.pixel, self.sample, dimension, self.seed]).map(unit_f32)
+        // Word by word: compilers make calls of `map`.
+        let [x, y, z, w] = pcg4d([self.pixel, self.sample, dimension, self.seed]);
+        [unit_f32(x), unit_f32(y), unit_f32(z), unit_f32(w)]
     }
 
     /// Four numbers in [0, 1) of a dimension. The first two, and the last two, of consecutive samples of a pixel are
     /// low-discrepancy points of the unit square, each by itself uniform; pairs, dimensions, pixels and seeds are independent.
     #[inline]
     pub fn stratified(&self, dimension: u32) -> [f32; 4] {
-        let pair = |which: u32| {
-            let [order, x, y, _] = pcg4d([self.pixel, dimension, self.seed, which]);
-            scrambled_sobol(self.sample, order, [x, y])
-        };
         // Samples are numbered from 0 in `independent`'s third place, dimensions here in its second: 1 and 2 keep the
         // inputs of the two apart.
-        let ([a, b], [c, d]) = (pair(1), pair(2));
-        [a, b, c, d].map(unit_f32)
+        let ([a, b], [c, d]) = (self.pair(dimension, 1), self.pair(dimension, 2));
+        [unit_f32(a), unit_f32(b), unit_f32(c), unit_f32(d)]
+    }
+
+    /// One of the two pairs of a dimension, as words.
+    #[inline]
+    fn pair(&self, dimension: u32, which: u32) -> [u32; 2] {
+        let [order, x, y, _] = pcg4d([self.pixel, dimension, self.seed, which]);
+        scrambled_sobol(self.sample, order, [x, y])
     }
 }
 
@@ -63,16 +68,18 @@ fn owen_of_reversed(reversed: u32, seed: u32) -> u32 {
 /// A permutation of four words whose every output bit depends on every input bit.
 #[inline]
 pub fn pcg4d(words: [u32; 4]) -> [u32; 4] {
-    let [mut x, mut y, mut z, mut w] = words.map(|word| word.wrapping_mul(1_664_525).wrapping_add(1_013_904_223));
-    for round in 0..2 {
-        x = x.wrapping_add(y.wrapping_mul(w));
-        y = y.wrapping_add(z.wrapping_mul(x));
-        z = z.wrapping_add(x.wrapping_mul(y));
-        w = w.wrapping_add(y.wrapping_mul(z));
-        if round == 0 {
-            [x, y, z, w] = [x, y, z, w].map(|word| word ^ word >> 16);
-        }
-    }
+    let start = |word: u32| word.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+    let [x, y, z, w] = words;
+    let [x, y, z, w] = pcg4d_round([start(x), start(y), start(z), start(w)]);
+    pcg4d_round([x ^ x >> 16, y ^ y >> 16, z ^ z >> 16, w ^ w >> 16])
+}
+
+#[inline]
+fn pcg4d_round([mut x, mut y, mut z, mut w]: [u32; 4]) -> [u32; 4] {
+    x = x.wrapping_add(y.wrapping_mul(w));
+    y = y.wrapping_add(z.wrapping_mul(x));
+    z = z.wrapping_add(x.wrapping_mul(y));
+    w = w.wrapping_add(y.wrapping_mul(z));
     [x, y, z, w]
 }
 

@@ -8,14 +8,19 @@ use crate::aov::clip;
 use crate::cuts;
 use crate::frame::{Frame, Integrator};
 use crate::integrator::{DIMENSION_CAMERA, Path, cast_in_medium, essay, path};
-use crate::light::Lights;
+use crate::light::many::Asked;
+use crate::light::{self, LightSample, Lights};
 use crate::packed::PackedScene;
 use crate::sampler::Sampler;
 use crate::shadow_catcher::ShadowCatcher;
-use crate::walk;
+use crate::walk::{self, Instructions};
 use glam::Vec3;
+use std::ops::Range;
 use voxtrace_scene::camera::CameraFrame;
 use voxtrace_scene::ray::{Hit, Ray};
+
+/// Paths that meet their surfaces together, for which lights are then chosen together.
+const PATHS_AT_A_TIME: usize = light::many::CAPACITY;
 
 /// What all paths of a frame share.
 pub struct RenderContext<'a> {
@@ -45,6 +50,10 @@ pub struct Wave {
     samples: Vec<Sample>,
     shadow_rays: ShadowRays,
     counts: RayCounts,
+    /// Places of a few paths for which lights are to be chosen, and these.
+    asked: Vec<Asked>,
+    lights: Vec<Option<LightSample>>,
+    room: light::many::Room,
 }
 
 /// The rays of a wave that are not in a medium, which are traced together: their places, the rays, and their hits.
@@ -159,11 +168,33 @@ impl Wave {
 
     /// Takes every path one bounce further and compacts the active paths.
     fn advance(&mut self, context: &RenderContext) {
+        let mut under_way = Vec::with_capacity(PATHS_AT_A_TIME);
+        let mut alive = 0;
+        for first in (0..self.rays.len()).step_by(PATHS_AT_A_TIME) {
+            let end = self.rays.len().min(first + PATHS_AT_A_TIME);
+            self.arrive(context, first..end, &mut under_way);
+            self.leave(context, &mut under_way, &mut alive);
+        }
+        self.rays.truncate(alive);
+        self.paths.truncate(alive);
+        self.slots.truncate(alive);
+    }
+
+    /// Adds the light where the rays of some paths ended. `under_way` gets those that go on, with what becomes of them.
+    fn arrive<'a>(
+        &mut self,
+        context: &RenderContext<'a>,
+        range: Range<usize>,
+        under_way: &mut Vec<(usize, path::Arrival<'a>)>,
+    ) {
         let (scene, max_bounces) = (context.scene, context.frame.max_bounces);
         let limits = path::Limits::of(context.frame);
-        let mut alive = 0;
-        for index in 0..self.rays.len() {
-            let (mut path, slot) = (self.paths[index], self.slots[index]);
+        self.asked.clear();
+        let mut materials = [0; PATHS_AT_A_TIME];
+        let (paths, hits) = (&self.paths[range.clone()], &self.hits[range.clone()]);
+        scene.packed_material_indices(hits, |index| paths[index].meets_surface(&hits[index]), &mut materials);
+        for (index, material) in range.zip(materials) {
+            let (path, slot) = (&mut self.paths[index], self.slots[index]);
             let sample = &mut self.samples[slot as usize];
             let (ray, hit) = (&self.rays[index], &self.hits[index]);
             if context.frame.transparent && path.event == 0 && path.inside.is_none() {
@@ -171,8 +202,8 @@ impl Wave {
                     continue;
                 }
                 if let Some(catcher) = context.catcher.as_ref().filter(|catcher| catcher.is_met(scene, hit)) {
-                    sample.threshold = Some(ShadowCatcher::threshold(&path));
-                    match catcher.shadow_ray(scene, &path, ray, hit) {
+                    sample.threshold = Some(ShadowCatcher::threshold(path));
+                    match catcher.shadow_ray(scene, path, ray, hit) {
                         Some(shadow_ray) => self.shadow_rays.push(scene, slot, &shadow_ray),
                         None => sample.radiance = Vec3::ONE,
                     }
@@ -180,21 +211,54 @@ impl Wave {
                 }
             }
             let radiance = &mut sample.radiance;
-            let (next, shadow_ray) = match context.frame.integrator {
-                Integrator::Essay => (essay::advance(scene, max_bounces, &mut path, ray, hit, radiance), None),
-                Integrator::Path => path::advance(scene, &context.lights, &limits, &mut path, ray, hit, radiance),
+            let arrival = match context.frame.integrator {
+                Integrator::Essay => match essay::advance(scene, max_bounces, path, (ray, hit, material), radiance) {
+                    None => path::Arrival::End,
+                    Some(next) => path::Arrival::Pass(next),
+                },
+                Integrator::Path => path::arrive(scene, &context.lights, &limits, path, (ray, hit, material), radiance),
+            };
+            match &arrival {
+                path::Arrival::End => continue,
+                path::Arrival::Scatter(scatter) if scatter.wants_light => {
+                    let u = path.sampler.stratified(path.dimension_light());
+                    self.asked.push(Asked { receiver: *scatter.receiver(), u });
+                }
+                _ => {}
+            }
+            under_way.push((index, arrival));
+        }
+    }
+
+    /// Chooses lights for the paths that are to be scattered, and lets all that are under way leave.
+    fn leave<'a>(
+        &mut self,
+        context: &RenderContext<'a>,
+        under_way: &mut Vec<(usize, path::Arrival<'a>)>,
+        alive: &mut usize,
+    ) {
+        let (scene, limits) = (context.scene, path::Limits::of(context.frame));
+        self.lights.resize(self.asked.len(), None);
+        light::many::sample_all(Instructions::chosen(), &context.lights, &self.asked, &mut self.room, &mut self.lights);
+        let mut lights = self.lights.iter();
+        for (index, arrival) in under_way.drain(..) {
+            let (path, slot) = (&mut self.paths[index], self.slots[index]);
+            let (next, shadow_ray) = match &arrival {
+                path::Arrival::End => (None, None),
+                path::Arrival::Pass(next) => (Some(*next), None),
+                path::Arrival::Scatter(scatter) => {
+                    let light = if scatter.wants_light { lights.next().and_then(Option::as_ref) } else { None };
+                    path::leave(scene, &limits, path, (&self.rays[index], &self.hits[index]), scatter, light)
+                }
             };
             if let Some(shadow_ray) = shadow_ray {
                 self.shadow_rays.push(scene, slot, &shadow_ray);
             }
             if let Some(next) = next {
-                (self.rays[alive], self.paths[alive], self.slots[alive]) = (next, path, slot);
-                alive += 1;
+                (self.rays[*alive], self.paths[*alive], self.slots[*alive]) = (next, self.paths[index], slot);
+                *alive += 1;
             }
         }
-        self.rays.truncate(alive);
-        self.paths.truncate(alive);
-        self.slots.truncate(alive);
     }
 
     /// Adds the light that arrives along the shadow rays.

@@ -127,7 +127,8 @@ impl Gather<'_> {
         let Self { scene, lights, frame, .. } = self;
         match frame.integrator {
             Integrator::Essay => {
-                essay::advance(scene, 0, &mut path.clone(), ray, hit, direct);
+                let material = path.material(scene, hit);
+                essay::advance(scene, 0, &mut path.clone(), (ray, hit, material), direct);
                 let albedo = || albedo_of(scene.packed_material(hit));
                 (!hit.is_miss()).then(|| Seen { ray: *ray, hit: *hit, albedo: albedo(), is_likely: true })
             }

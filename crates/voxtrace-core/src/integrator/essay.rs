@@ -21,20 +21,20 @@ pub fn clip(ray: Ray) -> Ray {
 }
 
 /// Adds to `radiance` the light where `ray` ended. Returns the path's next ray, `None` where the path ends: at an
-/// emitter, in the sky, or, black, at the surface after `max_bounces` others. The study has 4 rays, so 3 bounces.
+/// emitter, in the sky, or, black, at the surface after `max_bounces` others. The study has 4 rays, so 3 bounces. `material` is
+/// [`Path::material`].
 pub fn advance(
     scene: &PackedScene,
     max_bounces: u32,
     path: &mut Path,
-    ray: &Ray,
-    hit: &Hit,
+    (ray, hit, material): (&Ray, &Hit, u32),
     radiance: &mut Vec3,
 ) -> Option<Ray> {
     if hit.is_miss() {
         *radiance += path.beta * scene.sky.radiance(ray.direction);
         return None;
     }
-    let material = scene.packed_material(hit);
+    let material = &scene.materials()[material as usize];
     if material.emission.max_element() > 0.0 {
         *radiance += path.beta * emitted(scene, material);
         return None;

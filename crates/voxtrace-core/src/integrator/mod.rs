@@ -14,7 +14,7 @@ use crate::packed::PackedScene;
 use crate::sampler::Sampler;
 use glam::{Vec2, Vec3};
 use voxtrace_scene::camera::{CameraFrame, Projection};
-use voxtrace_scene::ray::Ray;
+use voxtrace_scene::ray::{Hit, Ray};
 
 /// Dimension of the sampler that places the camera ray within its pixel.
 pub const DIMENSION_CAMERA: u32 = 0;
@@ -93,6 +93,18 @@ impl Path {
     pub fn in_medium(self, scene: &PackedScene, ray: &Ray) -> Self {
         let point = ray.at(ray.t_min);
         Self { inside: scene.medium_at(point).filter(|_| scene.cuts.keeps(point)), ..self }
+    }
+
+    /// Index of the material of what the path met in air; 0, which nobody asks for, where it met nothing or is in a medium.
+    #[inline]
+    pub(crate) fn material(&self, scene: &PackedScene, hit: &Hit) -> u32 {
+        if self.meets_surface(hit) { scene.packed_material_index(hit) } else { 0 }
+    }
+
+    /// Whether the path comes through air to a surface.
+    #[inline]
+    pub(crate) fn meets_surface(&self, hit: &Hit) -> bool {
+        self.inside.is_none() && !hit.is_miss()
     }
 
     /// Whether the path still is the camera's ray, which boundaries that do not refract let pass: surfaces leave it their normal, media a density.

@@ -7,7 +7,7 @@ use super::{Path, ShadowRay};
 use crate::bounce_limits::{BounceKind, BounceLimits};
 use crate::bsdf::{Bsdf, Dielectric, Diffuse, MaterialBsdf, above, straight_reflectance};
 use crate::frame::Frame;
-use crate::light::{DistantLight, Lights, Receiver};
+use crate::light::{DistantLight, LightSample, Lights, Receiver};
 use crate::lines::Lines;
 use crate::math::normalize;
 use crate::medium::Inside;
@@ -70,6 +70,41 @@ impl Limits {
     }
 }
 
+/// What becomes of a path where its ray ended.
+pub enum Arrival<'a> {
+    /// It ends.
+    End,
+    /// It goes on straight.
+    Pass(Ray),
+    /// It is scattered, once a light was chosen.
+    Scatter(Scatter<'a>),
+}
+
+/// A path that is to be scattered.
+pub struct Scatter<'a> {
+    place: Place<'a>,
+    bsdf: MaterialBsdf,
+    kind: BounceKind,
+    wo: Vec3,
+    /// Random numbers that choose the direction.
+    u: [f32; 3],
+    /// What Russian roulette makes of the light.
+    compensation: f32,
+    /// Whether it is in the middle of a medium, or at the boundary of one.
+    is_in_medium: bool,
+    is_boundary: bool,
+    /// Whether lights are to be chosen.
+    pub wants_light: bool,
+}
+
+impl Scatter<'_> {
+    /// The place that a light is chosen for.
+    #[inline]
+    pub fn receiver(&self) -> &Receiver {
+        &self.place.receiver
+    }
+}
+
 /// Adds to `radiance` the light where `ray` ended. Returns the path's next ray, `None` where the path ends, and the light
 /// that arrives if a shadow ray finds nothing in its way. As many surfaces scatter the path as `limits` says; the ray that
 /// leaves the last of them still gathers what it meets.
@@ -78,10 +113,31 @@ pub fn advance(
     lights: &Lights,
     limits: &Limits,
     path: &mut Path,
-    ray: &Ray,
-    hit: &Hit,
+    (ray, hit): (&Ray, &Hit),
     radiance: &mut Vec3,
 ) -> (Option<Ray>, Option<ShadowRay>) {
+    let material = path.material(scene, hit);
+    match arrive(scene, lights, limits, path, (ray, hit, material), radiance) {
+        Arrival::End => (None, None),
+        Arrival::Pass(next) => (Some(next), None),
+        Arrival::Scatter(scatter) => {
+            let choose = || lights.sample(scatter.receiver(), path.sampler.stratified(path.dimension_light()));
+            let light = scatter.wants_light.then(choose).flatten();
+            leave(scene, limits, path, (ray, hit), &scatter, light.as_ref())
+        }
+    }
+}
+
+/// The first half of [`advance`]: all that comes before a light is chosen. `material` is [`Path::material`].
+#[inline]
+pub fn arrive<'a>(
+    scene: &'a PackedScene,
+    lights: &Lights,
+    limits: &Limits,
+    path: &mut Path,
+    (ray, hit, material): (&Ray, &Hit, u32),
+    radiance: &mut Vec3,
+) -> Arrival<'a> {
     let last = path.receiver(ray);
     let is_indirect = path.scattered > 1;
     // A path that meets nothing in a medium is scattered there.
@@ -104,10 +160,10 @@ pub fn advance(
                 *radiance += limits.clamped(sun, is_indirect);
             }
         }
-        return (None, None);
+        return Arrival::End;
     }
     let [u, v, survival, mut lobe] = path.sampler.stratified(path.dimension_scatter());
-    let (material, bsdf) = met(scene, &limits.lines, path, (ray, hit), &mut lobe);
+    let (material, bsdf) = met(scene, &limits.lines, path, (ray, hit, material), &mut lobe);
     if let Some(material) = material {
         let le = lights.emitters.le(material);
         if le.max_element() > 0.0 {
@@ -122,17 +178,17 @@ pub fn advance(
     let is_last =
         if is_boundary { path.event >= limits.max_bounces + MAX_PASSED } else { path.bounce >= limits.max_bounces };
     if is_last || scattered.max_element() <= 0.0 {
-        return (None, None);
+        return Arrival::End;
     }
     if matches!(bsdf, MaterialBsdf::Dielectric(Dielectric { eta: 1.0, .. })) {
-        return (Some(pass(scene, path, ray, hit)), None);
+        return Arrival::Pass(pass(scene, path, ray, hit));
     }
     // Of a boundary, what it reflects: lights are looked for on its near side alone.
     let kind = kind_of(&bsdf);
     if !is_boundary && limits.ends(path, kind) {
-        return (None, None);
+        return Arrival::End;
     }
-    let Some(compensation) = roulette(path.event, scattered, survival) else { return (None, None) };
+    let Some(compensation) = roulette(path.event, scattered, survival) else { return Arrival::End };
 
     let place = if is_scattered {
         Place::in_medium(scene, path, ray, hit, t)
@@ -142,25 +198,37 @@ pub fn advance(
     let wo = place.local_direction(-ray.direction);
     if limits.goes_straight(path, &bsdf, wo, lobe) {
         path.beta *= compensation;
-        return (Some(pass(scene, path, ray, hit)), None);
+        return Arrival::Pass(pass(scene, path, ray, hit));
     }
     path.is_clipped = scene.cuts.clips_after(hit);
-    let light = if bsdf.is_delta() || limits.ends(path, kind) {
-        None
-    } else {
-        let sample = lights.sample(&place.receiver, path.sampler.stratified(path.dimension_light()));
-        sample.filter(|sample| scene.cuts.admits(&sample.ray, path.is_clipped)).map(|sample| {
-            let toward = place.local_direction(sample.ray.direction);
-            // What lies above the horizon is for the light to say: its cosine holds.
-            let wi = if is_scattered { toward } else { toward.with_z(sample.cos_theta) };
-            let eval = bsdf.eval(wo, wi);
-            let share = eval.pdf / sample.pdf * power_heuristic(sample.pdf, eval.pdf);
-            let radiance = path.beta * eval.weight * compensation * sample.radiance * share;
-            let radiance = limits.clamped(radiance, path.scattered > 0);
-            ShadowRay { ray: sample.ray, inside: place.inside, is_clipped: path.is_clipped, radiance }
-        })
-    };
-    let Some(bounce) = bsdf.sample(wo, [u, v, lobe]) else { return (None, light) };
+    let wants_light = !bsdf.is_delta() && !limits.ends(path, kind);
+    let (u, is_in_medium) = ([u, v, lobe], is_scattered);
+    Arrival::Scatter(Scatter { place, bsdf, kind, wo, u, compensation, is_in_medium, is_boundary, wants_light })
+}
+
+/// The second half of [`advance`]: what the light gives that was chosen, if there is one, and where the path goes next.
+#[inline]
+pub fn leave(
+    scene: &PackedScene,
+    limits: &Limits,
+    path: &mut Path,
+    (ray, hit): (&Ray, &Hit),
+    scatter: &Scatter,
+    light: Option<&LightSample>,
+) -> (Option<Ray>, Option<ShadowRay>) {
+    let Scatter { place, bsdf, kind, wo, u, compensation, is_in_medium, is_boundary, .. } = scatter;
+    let (kind, wo, compensation, is_boundary) = (*kind, *wo, *compensation, *is_boundary);
+    let light = light.filter(|sample| scene.cuts.admits(&sample.ray, path.is_clipped)).map(|sample| {
+        let toward = place.local_direction(sample.ray.direction);
+        // What lies above the horizon is for the light to say: its cosine holds.
+        let wi = if *is_in_medium { toward } else { toward.with_z(sample.cos_theta) };
+        let eval = bsdf.eval(wo, wi);
+        let share = eval.pdf / sample.pdf * power_heuristic(sample.pdf, eval.pdf);
+        let radiance = path.beta * eval.weight * compensation * sample.radiance * share;
+        let radiance = limits.clamped(radiance, path.scattered > 0);
+        ShadowRay { ray: sample.ray, inside: place.inside, is_clipped: path.is_clipped, radiance }
+    });
+    let Some(bounce) = bsdf.sample(wo, *u) else { return (None, light) };
     let is_transmitted = is_boundary && bounce.wi.z < 0.0;
     let kind = if is_transmitted { BounceKind::Transmitted } else { kind };
     if limits.ends(path, kind) {
@@ -189,7 +257,7 @@ pub(super) fn met<'a>(
     scene: &'a PackedScene,
     lines: &Lines,
     path: &Path,
-    (ray, hit): (&Ray, &Hit),
+    (ray, hit, material): (&Ray, &Hit, u32),
     lobe: &mut f32,
 ) -> (Option<&'a PackedMaterial>, MaterialBsdf) {
     let mut surface = |index: u32, ior: f32| {
@@ -199,7 +267,7 @@ pub(super) fn met<'a>(
         let material = &scene.materials()[index as usize];
         (Some(material), MaterialBsdf::new(material, ior, lobe))
     };
-    let Some(inside) = &path.inside else { return surface(scene.packed_material_index(hit), 1.0) };
+    let Some(inside) = &path.inside else { return surface(material, 1.0) };
     let medium = inside.medium(scene);
     if hit.is_miss() {
         return (None, MaterialBsdf::within(medium));

@@ -73,11 +73,11 @@ pub fn follow(
         let Some(reflectance) = mirror_at(scene, &limits.lines, &path, &ray, &hit) else {
             // The last bounce: what the surface emits counts, and nothing more.
             let last = Limits { max_bounces: path.bounce, ..*limits };
-            advance(scene, lights, &last, &mut path, &ray, &hit, radiance);
+            advance(scene, lights, &last, &mut path, (&ray, &hit), radiance);
             return here;
         };
         let bounce = path.bounce;
-        let Some(next) = advance(scene, lights, limits, &mut path, &ray, &hit, radiance).0 else { return here };
+        let Some(next) = advance(scene, lights, limits, &mut path, (&ray, &hit), radiance).0 else { return here };
         is_likely &= (path.bounce > bounce) == (reflectance > 0.5);
         if scatters(scene, path.inside.as_ref()) {
             return here;
@@ -96,7 +96,7 @@ fn mirror_at(scene: &PackedScene, lines: &Lines, path: &Path, ray: &Ray, hit: &H
         return None;
     }
     let [_, _, _, mut lobe] = path.sampler.stratified(path.dimension_scatter());
-    match met(scene, lines, path, (ray, hit), &mut lobe).1 {
+    match met(scene, lines, path, (ray, hit, path.material(scene, hit)), &mut lobe).1 {
         MaterialBsdf::Dielectric(Dielectric { eta: 1.0, .. }) => Some(0.0),
         MaterialBsdf::Dielectric(glass) if glass.facets.is_smooth() => {
             let wo = Surface::new(scene, ray, hit).local_direction(-ray.direction);

@@ -1,11 +1,12 @@
 //! Emissive voxels as lights: a stochastic descent of the tree over instances, then, in the space of the grid, of the tree
 //! over its emitters, each node weighed by what it can send at most (Conty Estevez and Kulla, "Importance Sampling of Many
-//! Lights with Adaptive Tree Splitting", HPG 2018), then a face of the leaf, then a point of the face. Nothing on the way is divided, and
-//! no root is taken: with the same bits on every device they took most of the time that light takes.
+//! Lights with Adaptive Tree Splitting", HPG 2018). It ends at a leaf, or at a node so far away that its emitters differ by their power alone:
+//! there one of the six sides is chosen by what is sent along it, then an emitter by its power, then a point of its face on that side. Nothing on the
+//! way is divided, and no root is taken: with the same bits on every device they took most of the time that light takes.
 
 use super::{LightSample, Receiver};
-use crate::math::{inverse_power_of_two, normalize, reciprocal_guess};
-use crate::packed::{Emitter, Geometry, LightNode, PackedInstance, PackedMaterial, PackedScene};
+use crate::math::{inverse_power_of_two, luminance, normalize, reciprocal_guess};
+use crate::packed::{Geometry, LightNode, PackedInstance, PackedMaterial, PackedScene};
 use crate::surface::offset_ray_origin;
 use glam::{IVec3, Vec3};
 use voxtrace_scene::ray::{FACES, Face, Hit, Ray};
@@ -15,66 +16,64 @@ fn length_bound(absolute: Vec3) -> f32 {
     (absolute.max_element() + (absolute.x + absolute.y + absolute.z)) * 0.5
 }
 
-/// What the emitters of a node can send to the receiver: an upper bound of their cosines over their squared distance,
-/// which is not taken below the squared radius of their box. It is 0 only where nothing can arrive. Node and receiver are in
-/// the same space.
-fn node_importance(node: &LightNode, receiver: &Receiver) -> f32 {
+/// How many times as far away as the radius of its box, squared, the middle of a node is at least for its emitters to be chosen by their power: nearer
+/// ones would be chosen visibly worse (`docs/decisions/0063-choosing-lights-without-quotients.md`).
+pub(super) const FAR_SQUARED: f32 = 36.0;
+
+/// What a node can send to a receiver, both in the same space.
+#[derive(Clone, Copy, Debug)]
+struct View {
+    /// An upper bound of the emitters' cosines over their squared distance, which is not taken below the squared radius of their box. It is 0 only
+    /// where nothing can arrive.
+    importance: f32,
+    /// Whether the node lies so far away, and so wholly above the receiver's horizon, that its emitters differ by their power alone.
+    is_far: bool,
+}
+
+fn view(node: &LightNode, receiver: &Receiver) -> View {
     let half = (node.max - node.min) * 0.5;
     let toward = (node.min + node.max) * 0.5 - receiver.point;
     let normal = receiver.normal;
-    let above = toward.dot(normal) + half.dot(normal.abs()) + receiver.slack;
-    if above <= 0.0 {
-        return 0.0;
-    }
+    let (middle, aside) = (toward.dot(normal), half.dot(normal.abs()));
+    let above = middle + aside + receiver.slack;
     let (far, near) = (toward.length_squared(), half.length_squared());
+    let is_far = middle - aside + receiver.slack > 0.0 && far > near * FAR_SQUARED;
+    if above <= 0.0 {
+        return View { importance: 0.0, is_far };
+    }
     let distance = length_bound(if far > near { toward.abs() } else { half });
-    // How far the point lies in front of the foremost face that looks along each direction: at most, per emitter.
-    let beyond_min = (receiver.point - node.min).max(Vec3::ZERO).min(Vec3::splat(distance));
-    let beyond_max = (node.max - receiver.point).max(Vec3::ZERO).min(Vec3::splat(distance));
-    let power = &node.power;
-    let sent = (power[0] * beyond_max.x + power[1] * beyond_min.x)
-        + (power[2] * beyond_max.y + power[3] * beyond_min.y)
-        + (power[4] * beyond_max.z + power[5] * beyond_min.z);
+    let sent = sum_of_sides(sent_by_side(node, receiver.point, distance));
     let falloff = reciprocal_guess(far.max(near));
-    sent * above.min(distance) * (falloff * falloff)
+    View { importance: sent * above.min(distance) * (falloff * falloff), is_far }
 }
 
-/// What the faces of an emitter along each axis can send, as [`node_importance`], of which one at most can look at the receiver, in its grid
-/// space; 0 for covered ones and those that look away.
-fn face_importances(emitter: &Emitter, receiver: &Receiver) -> Vec3 {
-    let toward = emitter.voxel.as_vec3() + 0.5 - receiver.point;
-    let (aside, normal) = (toward.abs(), receiver.normal);
-    let in_front = aside - 0.5;
-    let (nearest, squares) = (in_front * in_front, aside * aside);
-    // The middle of a face is nearer by half a voxel than that of the emitter; its highest corner is half of one aside along the others.
-    let middle = toward.dot(normal) + receiver.slack;
-    let height = normal.abs() * 0.5;
-    let highest = height.x + height.y + height.z;
-    let bound = length_bound(aside);
-    let importance = |axis: usize| {
-        let is_upper = toward[axis] < 0.0;
-        let nearer = if is_upper { normal[axis] } else { -normal[axis] } * 0.5;
-        let above = middle + nearer + (highest - height[axis]);
-        let is_free = emitter.faces >> (2 * axis + usize::from(is_upper)) & 1 != 0;
-        if !is_free || in_front[axis] <= 0.0 || above <= 0.0 {
-            return 0.0;
-        }
-        let distance_squared = nearest[axis] + (squares[(axis + 1) % 3] + squares[(axis + 2) % 3]);
-        let falloff = reciprocal_guess(distance_squared.max(0.5));
-        emitter.luminance * in_front[axis] * above.min(bound) * (falloff * falloff)
-    };
-    Vec3::new(importance(0), importance(1), importance(2))
+/// What a node sends along each of the six directions to a point, up to a common factor: its power times how far the point lies in front of the
+/// foremost face that looks there, but not beyond `distance`, a bound of the distance.
+fn sent_by_side(node: &LightNode, point: Vec3, distance: f32) -> [f32; 6] {
+    let beyond_min = (point - node.min).max(Vec3::ZERO).min(Vec3::splat(distance));
+    let beyond_max = (node.max - point).max(Vec3::ZERO).min(Vec3::splat(distance));
+    let power = &node.power;
+    [
+        power[0] * beyond_max.x,
+        power[1] * beyond_min.x,
+        power[2] * beyond_max.y,
+        power[3] * beyond_min.y,
+        power[4] * beyond_max.z,
+        power[5] * beyond_min.z,
+    ]
 }
 
-/// Sum of the importances of an emitter's faces.
-fn sum_of(importances: Vec3) -> f32 {
-    importances.x + importances.y + importances.z
+fn sum_of_sides(sent: [f32; 6]) -> f32 {
+    (sent[0] + sent[1]) + (sent[2] + sent[3]) + (sent[4] + sent[5])
+}
+
+/// 0 for what devices may take for zero.
+fn normal_or_zero(weight: f32) -> f32 {
+    if weight < f32::MIN_POSITIVE { 0.0 } else { weight }
 }
 
 /// Weights of two children with the ratio of their importances, whose sum is in [1, 2); `None` where neither can send anything.
 fn weights_of(left: f32, right: f32) -> Option<[f32; 2]> {
-    // Devices may take smaller numbers for zero.
-    let normal_or_zero = |weight: f32| if weight < f32::MIN_POSITIVE { 0.0 } else { weight };
     let (left, right) = (normal_or_zero(left), normal_or_zero(right));
     let unit = inverse_power_of_two(left + right);
     (left + right > 0.0).then(|| [normal_or_zero(left * unit), normal_or_zero(right * unit)])
@@ -83,41 +82,50 @@ fn weights_of(left: f32, right: f32) -> Option<[f32; 2]> {
 /// Luminance of the irradiance of all emitters together, as far as the root of their tree tells: at most, for each of them.
 fn importance_of_all(scene: &PackedScene, receiver: &Receiver) -> f32 {
     let root = scene.placement.light_nodes.first();
-    root.map_or(0.0, |root| node_importance(root, receiver) * scene.light_intensity)
+    root.map_or(0.0, |root| view(root, receiver).importance * scene.light_intensity)
 }
 
 /// A way down the trees.
 #[derive(Clone, Copy)]
-struct Descent {
-    node: u32,
+pub(super) struct Descent {
+    pub node: u32,
     /// Inner node: its right child. Leaf: the first of `count` emitters, or the instance.
-    index: u32,
-    count: u32,
+    pub index: u32,
+    pub count: u32,
     /// The probability of the way is the quotient of these two.
-    weight: f32,
-    total: f32,
+    pub weight: f32,
+    pub total: f32,
     /// What is left of the random number, times `weight`.
-    choice: f32,
+    pub choice: f32,
+    /// Whether it ends here, leaf or not.
+    pub is_far: bool,
 }
 
 impl Descent {
     /// Begins at the top, with a random number in [0, 1).
     fn begin(choice: f32) -> Self {
-        Self { node: 0, index: 0, count: 0, weight: 1.0, total: 1.0, choice }
+        Self { node: 0, index: 0, count: 0, weight: 1.0, total: 1.0, choice, is_far: false }
     }
 
     /// Goes on at a root.
     fn at(self, root: u32, nodes: &[LightNode]) -> Option<Self> {
         let LightNode { index, count, .. } = *nodes.get(root as usize)?;
-        Some(Self { node: root, index, count, ..self })
+        Some(Self { node: root, index, count, is_far: false, ..self })
     }
 }
 
-/// Goes down to a leaf: by the random number, or to the one with the emitter at `voxel`. `None` where nothing can be sent.
-fn descend(nodes: &[LightNode], receiver: &Receiver, voxel: Option<IVec3>, mut descent: Descent) -> Option<Descent> {
-    while descent.count == 0 {
+/// Goes down to a leaf or, where `ends_far`, to a node that is far: by the random number, or to the one with the emitter at `voxel`. `None` where
+/// nothing can be sent.
+fn descend(
+    nodes: &[LightNode],
+    receiver: &Receiver,
+    (voxel, ends_far): (Option<IVec3>, bool),
+    mut descent: Descent,
+) -> Option<Descent> {
+    while descent.count == 0 && !descent.is_far {
         let (left, right) = (&nodes[descent.node as usize + 1], &nodes[descent.index as usize]);
-        let weights = weights_of(node_importance(left, receiver), node_importance(right, receiver))?;
+        let views = [view(left, receiver), view(right, receiver)];
+        let weights = weights_of(views[0].importance, views[1].importance)?;
         let total = weights[0] + weights[1];
         let is_left = match voxel.map(IVec3::as_vec3) {
             // Emitters of two children lie on two sides of a plane.
@@ -128,6 +136,7 @@ fn descend(nodes: &[LightNode], receiver: &Receiver, voxel: Option<IVec3>, mut d
         descent.node = if is_left { descent.node + 1 } else { descent.index };
         let child = if is_left { left } else { right };
         (descent.index, descent.count) = (child.index, child.count);
+        descent.is_far = ends_far && views[usize::from(!is_left)].is_far;
         descent.weight *= weights[usize::from(!is_left)];
         descent.total *= total;
         if descent.weight <= 0.0 {
@@ -147,7 +156,7 @@ fn climb(nodes: &[LightNode], receiver: &Receiver, start: u32, mut descent: Desc
         let is_left = at == up + 1;
         let sibling = &nodes[if is_left { parent.index } else { up + 1 } as usize];
         let (left, right) = if is_left { (node, sibling) } else { (sibling, node) };
-        let weights = weights_of(node_importance(left, receiver), node_importance(right, receiver))?;
+        let weights = weights_of(view(left, receiver).importance, view(right, receiver).importance)?;
         descent.weight *= weights[usize::from(!is_left)];
         descent.total *= weights[0] + weights[1];
         (at, node) = (up, parent);
@@ -156,7 +165,8 @@ fn climb(nodes: &[LightNode], receiver: &Receiver, start: u32, mut descent: Desc
 }
 
 /// The receiver in the grid space of an instance.
-fn in_grid(instance: &PackedInstance, receiver: &Receiver) -> Receiver {
+#[inline]
+pub(super) fn in_grid(instance: &PackedInstance, receiver: &Receiver) -> Receiver {
     let point = instance.grid_from_world.point(receiver.point);
     if receiver.slack > 0.0 {
         return Receiver { point, ..*receiver };
@@ -164,65 +174,118 @@ fn in_grid(instance: &PackedInstance, receiver: &Receiver) -> Receiver {
     Receiver { point, normal: normalize(instance.grid_from_world.direction(receiver.normal)), slack: 0.0 }
 }
 
-/// The emitters of the leaf that was come to.
-fn emitters_of<'a>(geometry: &'a Geometry, leaf: &Descent) -> &'a [Emitter] {
-    &geometry.emitters[leaf.index as usize..(leaf.index + leaf.count) as usize]
+/// The probability of a way with its side, as a quotient.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Odds {
+    pub weight: f32,
+    pub total: f32,
 }
 
-/// Chooses an instance, then a leaf of its grid's tree, then a face of one of its emitters, then a point of the face.
-fn sample_emitter(scene: &PackedScene, intensity: f32, receiver: &Receiver, u: [f32; 4]) -> Option<LightSample> {
-    let (geometry, placement) = (&*scene.geometry, &scene.placement);
+/// An emitter on whose side a point is to be chosen; its luminance and the power of its node on that side are those of the choice.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Chosen {
+    /// Index of the emitter.
+    pub emitter: u32,
+    pub side: Face,
+    pub power: f32,
+}
+
+/// Chooses an instance, then a node of its grid's tree, then a side, then an emitter, then a point of its face.
+fn sample_emitter(tree: &EmitterTree, receiver: &Receiver, u: [f32; 4]) -> Option<LightSample> {
+    let (geometry, placement) = (&*tree.scene.geometry, &tree.scene.placement);
     let (top, nodes) = (&placement.light_nodes, &geometry.light_nodes);
-    let above = descend(top, receiver, None, Descent::begin(u[0]).at(0, top)?)?;
-    let instance = &placement.instances[above.index as usize];
-    let local = in_grid(instance, receiver);
-    let leaf = descend(nodes, &local, None, above.at(top[above.node as usize].root, nodes)?)?;
-    let emitters = emitters_of(geometry, &leaf);
-    let sum: f32 = emitters.iter().fold(0.0, |sum, emitter| sum + sum_of(face_importances(emitter, &local)));
-    let (emitter, axis, importance) = choose_face(emitters, &local, u[1] * sum)?;
-
-    let low = emitter.voxel.as_vec3();
-    let face = FACES[2 * axis + usize::from(low[axis] + 0.5 < local.point[axis])];
-    let on_face = point_of_face(low, face, u[2], u[3]);
-    let pdf = density(leaf, (importance, sum), on_face - local.point, face)?;
-    let target = instance.world_from_grid.point(offset_ray_origin(instance, low, face, on_face));
-    let direction = target - receiver.point;
-    let cos_theta = receiver.normal.dot(direction) / direction.length_squared().sqrt() + receiver.slack;
-    let ray = Ray { t_max: 1.0, ..Ray::new(receiver.point, direction) };
-    let radiance = geometry.materials[emitter.material as usize].surface_emission() * intensity;
-    (cos_theta > 0.0).then_some(LightSample { ray, cos_theta, radiance, pdf })
+    let above = descend(top, receiver, (None, false), Descent::begin(u[0]).at(0, top)?)?;
+    let local = in_grid(&placement.instances[above.index as usize], receiver);
+    let end = descend(nodes, &local, (None, true), above.at(top[above.node as usize].root, nodes)?)?;
+    let (odds, side) = choose_side(&nodes[end.node as usize], local.point, None, &end)?;
+    let power = nodes[end.node as usize].power[side as usize];
+    let emitter = choose_emitter(geometry, end.node, side, u[1] * power)?;
+    emitter_sample(tree, receiver, (above.index, local.point), odds, Chosen { emitter, side, power }, u)
 }
 
-/// The emitter and the axis of the face at which the running sum of importances passes `threshold`, and the face's importance; `None` where all
-/// are 0.
-fn choose_face<'a>(emitters: &'a [Emitter], receiver: &Receiver, threshold: f32) -> Option<(&'a Emitter, usize, f32)> {
-    let (mut passed, mut chosen) = (0.0, None);
-    for emitter in emitters {
-        let importances = face_importances(emitter, receiver);
-        let sum = sum_of(importances);
-        if sum > 0.0 {
-            let axis = choose_axis(importances, threshold - passed);
-            chosen = Some((emitter, axis, importances[axis]));
-            passed += sum;
-            if threshold < passed {
-                return chosen;
+/// Of the node where a way ended, the side of its emitters that shines: by what is left of the random number, or `met`, and the odds of it with
+/// those of the way. `None` where nothing is sent to the point along it.
+fn choose_side(node: &LightNode, point: Vec3, met: Option<Face>, way: &Descent) -> Option<(Odds, Face)> {
+    let half = (node.max - node.min) * 0.5;
+    let toward = (node.min + node.max) * 0.5 - point;
+    let is_outside = toward.length_squared() > half.length_squared();
+    let sent = sent_by_side(node, point, length_bound(if is_outside { toward.abs() } else { half }));
+    let sum = normal_or_zero(sum_of_sides(sent));
+    let unit = inverse_power_of_two(sum);
+    let total = sum * unit;
+    let threshold = way.choice * total;
+    let (mut passed, mut chosen, mut is_found) = (0.0, (FACES[0], 0.0), false);
+    for face in FACES {
+        let share = normal_or_zero(sent[face as usize] * unit);
+        if met.map_or(share > 0.0 && !is_found, |met| met == face) {
+            chosen = (face, share);
+        }
+        passed += share;
+        is_found |= threshold < passed * way.weight;
+    }
+    let odds = Odds { weight: way.weight * chosen.1, total: way.total * total };
+    (sum > 0.0 && odds.weight > 0.0).then_some((odds, chosen.0))
+}
+
+/// The emitter of a node at which the running sum of the powers on a side passes `threshold`.
+fn choose_emitter(geometry: &Geometry, node: u32, side: Face, threshold: f32) -> Option<u32> {
+    let nodes = &geometry.light_nodes;
+    let (mut at, mut threshold) = (node as usize, threshold);
+    while nodes[at].count == 0 {
+        (at, threshold) = child_by_power(nodes, at, side, threshold);
+    }
+    emitter_by_power(geometry, &nodes[at], side, threshold)
+}
+
+/// The child of an inner node at which the running sum of the powers on a side passes `threshold`, and what of it is left there.
+#[inline]
+pub(super) fn child_by_power(nodes: &[LightNode], at: usize, side: Face, threshold: f32) -> (usize, f32) {
+    let (left, right) = (nodes[at + 1].power[side as usize], nodes[at].index as usize);
+    if threshold < left || nodes[right].power[side as usize] <= 0.0 {
+        return (at + 1, threshold);
+    }
+    (right, threshold - left)
+}
+
+/// The emitter of a leaf, as [`child_by_power`] chooses a child.
+#[inline]
+pub(super) fn emitter_by_power(geometry: &Geometry, leaf: &LightNode, side: Face, mut threshold: f32) -> Option<u32> {
+    let mut chosen = None;
+    for index in leaf.index..leaf.index + leaf.count {
+        let emitter = &geometry.emitters[index as usize];
+        if emitter.faces >> side as u32 & 1 != 0 {
+            chosen = Some(index);
+            if threshold < emitter.luminance {
+                break;
             }
+            threshold -= emitter.luminance;
         }
     }
     chosen
 }
 
-/// The axis at which the running sum of importances, not all of them 0, passes `threshold`.
-fn choose_axis(importances: Vec3, threshold: f32) -> usize {
-    if threshold < importances.x {
-        0
-    } else if threshold < importances.x + importances.y {
-        1
-    } else if importances.z > 0.0 {
-        2
-    } else {
-        usize::from(importances.y > 0.0)
-    }
+/// Chooses a point of the chosen face by `u[2]` and `u[3]`: of an emitter of an instance, for the receiver, whose point is also that in the space of the
+/// grid.
+#[inline]
+pub(super) fn emitter_sample(
+    tree: &EmitterTree,
+    receiver: &Receiver,
+    (instance, point): (u32, Vec3),
+    odds: Odds,
+    chosen: Chosen,
+    u: [f32; 4],
+) -> Option<LightSample> {
+    let (geometry, instance) = (&*tree.scene.geometry, &tree.scene.placement.instances[instance as usize]);
+    let emitter = &geometry.emitters[chosen.emitter as usize];
+    let low = emitter.voxel.as_vec3();
+    let on_face = point_of_face(low, chosen.side, u[2], u[3]);
+    let pdf = density(odds, (emitter.luminance, chosen.power), on_face - point, chosen.side)?;
+    let target = instance.world_from_grid.point(offset_ray_origin(instance, low, chosen.side, on_face));
+    let direction = target - receiver.point;
+    let cos_theta = receiver.normal.dot(direction) / direction.length_squared().sqrt() + receiver.slack;
+    let ray = Ray { t_max: 1.0, ..Ray::new(receiver.point, direction) };
+    let radiance = geometry.materials[emitter.material as usize].surface_emission() * tree.intensity;
+    (cos_theta > 0.0).then_some(LightSample { ray, cos_theta, radiance, pdf })
 }
 
 /// The point of a face of the voxel with the lowest corner `low`, for `u` and `v` uniform in [0, 1).
@@ -236,15 +299,15 @@ fn point_of_face(low: Vec3, face: Face, u: f32, v: f32) -> Vec3 {
 }
 
 /// Density over solid angle of a point of a face, to which `toward` leads from the receiver in grid space, where faces have an area of 1; the
-/// face has this importance of the leaf's sum. `None` behind the face. Solid angles are the same in grid and world space, as instances keep
+/// emitter has this luminance of the node's power. `None` behind the face. Solid angles are the same in grid and world space, as instances keep
 /// angles.
-fn density(leaf: Descent, (importance, sum): (f32, f32), toward: Vec3, face: Face) -> Option<f32> {
+fn density(odds: Odds, (luminance, power): (f32, f32), toward: Vec3, face: Face) -> Option<f32> {
     let in_front = if face as u32 & 1 == 1 { -toward[face.axis()] } else { toward[face.axis()] };
     let distance_squared = toward.length_squared();
-    // In units of the sum: the product of small numbers may be too small.
-    let unit = inverse_power_of_two(sum);
-    let share = leaf.weight * (importance * unit) * (distance_squared * distance_squared.sqrt());
-    (in_front > 0.0).then(|| share / (leaf.total * (sum * unit) * in_front))
+    // In units of the power: the product of small numbers may be too small.
+    let unit = inverse_power_of_two(power);
+    let share = odds.weight * (luminance * unit) * (distance_squared * distance_squared.sqrt());
+    (in_front > 0.0).then(|| share / (odds.total * (power * unit) * in_front))
 }
 
 /// Density over solid angle with which [`sample_emitter`] chooses the point that `ray`, which starts at the receiver, met; 0 where it never does.
@@ -255,29 +318,20 @@ fn emitter_pdf(scene: &PackedScene, receiver: &Receiver, ray: &Ray, hit: &Hit) -
 fn pdf_of_hit(scene: &PackedScene, receiver: &Receiver, ray: &Ray, hit: &Hit) -> Option<f32> {
     let (geometry, placement) = (&*scene.geometry, &scene.placement);
     let instance = &placement.instances[hit.instance as usize];
-    if instance.light_leaf == LightNode::NONE {
+    // Of faces that cuts make no point is ever chosen.
+    if instance.light_leaf == LightNode::NONE || hit.face >= Hit::FIRST_CUT {
         return None;
     }
     let above = climb(&placement.light_nodes, receiver, instance.light_leaf, Descent::begin(0.0))?;
-    let (face, local) = (hit.face(), in_grid(instance, receiver));
+    let (side, local) = (hit.face(), in_grid(instance, receiver));
     let nodes = &geometry.light_nodes;
     let root = placement.light_nodes[instance.light_leaf as usize].root;
-    let leaf = descend(nodes, &local, Some(hit.voxel), above.at(root, nodes)?)?;
-    let (mut own, mut sum) = (0.0, 0.0);
-    for emitter in emitters_of(geometry, &leaf) {
-        let importances = face_importances(emitter, &local);
-        sum += sum_of(importances);
-        if emitter.voxel == hit.voxel {
-            own = importances[face.axis()];
-        }
-    }
-    let middle = hit.voxel.as_vec3() + 0.5 - local.point;
-    let looks_here = (middle[face.axis()] < 0.0) == (face as u32 & 1 == 1);
-    if !looks_here || own <= 0.0 {
-        return None;
-    }
+    let end = descend(nodes, &local, (Some(hit.voxel), true), above.at(root, nodes)?)?;
+    let (odds, _) = choose_side(&nodes[end.node as usize], local.point, Some(side), &end)?;
+    let material = geometry.material_at(&geometry.grids[instance.grid as usize], hit.voxel)?;
+    let luminance = luminance(geometry.materials[material as usize].surface_emission());
     let toward = instance.grid_from_world.direction(ray.direction) * hit.t;
-    density(leaf, (own, sum), toward, face)
+    density(odds, (luminance, nodes[end.node as usize].power[side as usize]), toward, side)
 }
 
 /// Radiance that a material emits in this scene.
@@ -296,11 +350,11 @@ pub struct EmitterTree<'a> {
 }
 
 impl EmitterTree<'_> {
-    /// Chooses a point of an emitter for `receiver` by `u`, each uniform in [0, 1): `u[0]` down the tree, `u[1]` within the leaf, `u[2]` and
-    /// `u[3]` on the face. `None` where no emitter can be seen, and sometimes otherwise.
+    /// Chooses a point of an emitter for `receiver` by `u`, each uniform in [0, 1): `u[0]` down the tree and among the sides, `u[1]` within the
+    /// node, `u[2]` and `u[3]` on the face. `None` where no emitter can be seen, and sometimes otherwise.
     #[inline]
     pub fn sample(&self, receiver: &Receiver, u: [f32; 4]) -> Option<LightSample> {
-        sample_emitter(self.scene, self.intensity, receiver, u)
+        sample_emitter(self, receiver, u)
     }
 
     /// Density over solid angle with which [`Self::sample`] chooses the point that `ray`, which starts at the receiver, met; 0 where it

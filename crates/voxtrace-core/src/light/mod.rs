@@ -3,6 +3,7 @@
 //! [`Lights`] chooses among them.
 
 mod emitters;
+pub(crate) mod many;
 mod sky;
 mod sun;
 
@@ -93,6 +94,13 @@ struct Selection {
     emitters: f32,
 }
 
+/// A technique that was chosen with probability `pdf`, and what is left of the random number for it.
+enum Technique<'a> {
+    Sun { sun: &'a SunDisc, pdf: f32 },
+    Sky { choice: f32, pdf: f32 },
+    Emitters { choice: f32, pdf: f32 },
+}
+
 impl<'a> Lights<'a> {
     /// The lights of a scene.
     pub fn new(scene: &'a PackedScene) -> Self {
@@ -112,24 +120,36 @@ impl<'a> Lights<'a> {
     }
 
     /// Chooses a light for `receiver` by `u`, each uniform in [0, 1): `u[0]` between sun, sky and emitters and down the tree,
-    /// `u[1]` within the leaf, `u[2]` and `u[3]` on the face or the disc; the sky takes all four. `None` where no light can be seen, and
+    /// `u[1]` within the node, `u[2]` and `u[3]` on the face or the disc; the sky takes all four. `None` where no light can be seen, and
     /// sometimes otherwise: then this choice counts as black.
     pub fn sample(&self, receiver: &Receiver, u: [f32; 4]) -> Option<LightSample> {
+        self.sample_by(self.technique(receiver, u[0]), receiver, u)
+    }
+
+    /// As [`Self::sample`], once the technique is chosen.
+    #[inline]
+    fn sample_by(&self, technique: Technique, receiver: &Receiver, u: [f32; 4]) -> Option<LightSample> {
+        let (sample, pdf) = match technique {
+            Technique::Sun { sun, pdf } => (sun.sample(receiver, u)?, pdf),
+            Technique::Sky { choice, pdf } => (self.sky.sample(receiver, [choice, u[1], u[2], u[3]])?, pdf),
+            Technique::Emitters { choice, pdf } => (self.emitters.sample(receiver, [choice, u[1], u[2], u[3]])?, pdf),
+        };
+        Some(LightSample { pdf: sample.pdf * pdf, ..sample })
+    }
+
+    /// Chooses the technique by `u`, uniform in [0, 1).
+    #[inline]
+    fn technique(&self, receiver: &Receiver, u: f32) -> Technique<'_> {
         let selection = self.selection(receiver);
         match &self.sun {
-            Some(sun) if u[0] < selection.sun => {
-                let sample = sun.sample(receiver, u)?;
-                Some(LightSample { pdf: sample.pdf * selection.sun, ..sample })
-            }
-            _ if u[0] < selection.sun + selection.sky => {
-                let choice = ((u[0] - selection.sun) / selection.sky).min(BELOW_ONE);
-                let sample = self.sky.sample(receiver, [choice, u[1], u[2], u[3]])?;
-                Some(LightSample { pdf: sample.pdf * selection.sky, ..sample })
+            Some(sun) if u < selection.sun => Technique::Sun { sun, pdf: selection.sun },
+            _ if u < selection.sun + selection.sky => {
+                let choice = ((u - selection.sun) / selection.sky).min(BELOW_ONE);
+                Technique::Sky { choice, pdf: selection.sky }
             }
             _ => {
-                let choice = ((u[0] - (selection.sun + selection.sky)) / selection.emitters).min(BELOW_ONE);
-                let sample = self.emitters.sample(receiver, [choice, u[1], u[2], u[3]])?;
-                Some(LightSample { pdf: sample.pdf * selection.emitters, ..sample })
+                let choice = ((u - (selection.sun + selection.sky)) / selection.emitters).min(BELOW_ONE);
+                Technique::Emitters { choice, pdf: selection.emitters }
             }
         }
     }

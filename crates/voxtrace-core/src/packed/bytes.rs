@@ -16,6 +16,10 @@ pub(super) enum Bytes {
 #[repr(C, align(64))]
 pub(super) struct Block([u8; 64]);
 
+/// Bytes of a large page on most processors.
+#[cfg(target_os = "linux")]
+const LARGE_PAGE: usize = 2 << 20;
+
 impl Bytes {
     /// Maps a file.
     #[expect(unsafe_code, reason = "mapping is the point of the format")]
@@ -36,6 +40,21 @@ impl Bytes {
     /// A copy.
     pub fn copy_of(bytes: &[u8]) -> io::Result<Self> {
         Self::read(&mut &*bytes, bytes.len() as u64)
+    }
+
+    /// A copy in large pages, where the system has them: arrays that rays read here and there otherwise wait for the tables of small ones. `None` where
+    /// it has them not, and where the copy would not fill any.
+    pub fn in_large_pages(bytes: &[u8]) -> Option<Self> {
+        #[cfg(target_os = "linux")]
+        if bytes.len() >= LARGE_PAGE {
+            let mut map = memmap2::MmapMut::map_anon(bytes.len()).ok()?;
+            // Where the system refuses, these are small pages.
+            let _ = map.advise(memmap2::Advice::HugePage);
+            map.copy_from_slice(bytes);
+            return map.make_read_only().ok().map(Self::Mapped);
+        }
+        let _ = bytes;
+        None
     }
 
     fn zeroed(length: u64) -> io::Result<Self> {
@@ -80,6 +99,11 @@ mod tests {
             assert!(bytes.as_ptr().cast::<Block>().is_aligned());
             assert_eq!(bytes.as_ptr(), bytes.as_ptr());
         }
+        let source: Vec<u8> = (0..3_000_001).map(|i| (i * 7 % 251) as u8).collect();
+        let large = Bytes::in_large_pages(&source);
+        assert_eq!(large.is_some(), cfg!(target_os = "linux"));
+        assert!(large.is_none_or(|bytes| *bytes == *source && bytes.as_ptr().cast::<Block>().is_aligned()));
+        assert!(Bytes::in_large_pages(&source[..1000]).is_none());
     }
 
     #[test]

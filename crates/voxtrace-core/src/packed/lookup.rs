@@ -18,12 +18,13 @@ impl Geometry {
         if top.cmplt(IVec3::ZERO).any() || top.cmpge(grid.top_size).any() {
             return None;
         }
+        let cells = &*self.cells;
         let in_top = (top.z * grid.top_size.y + top.y) * grid.top_size.x + top.x;
-        let mut cell = self.cells[grid.top_offset as usize + in_top as usize];
+        let mut cell = cells[grid.top_offset as usize + in_top as usize];
         let mut shift = grid.top_shift;
         while cell & CELL_OCCUPIED != 0 && shift > 3 {
             shift -= 2;
-            cell = self.cells[(cell & !CELL_OCCUPIED) as usize * 64 + cell_in_node(relative, shift)];
+            cell = cells[(cell & !CELL_OCCUPIED) as usize * 64 + cell_in_node(relative, shift)];
         }
         (cell & CELL_OCCUPIED != 0).then_some((cell & !CELL_OCCUPIED) as usize * 2)
     }

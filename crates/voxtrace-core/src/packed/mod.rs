@@ -22,6 +22,7 @@ mod instance_record;
 mod instances;
 mod lights;
 mod lookup;
+mod many_lookups;
 mod material_records;
 mod materials;
 mod median_tree;

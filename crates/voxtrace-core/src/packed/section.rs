@@ -33,8 +33,12 @@ impl<T: Pod> Section<T> {
 }
 
 impl<T: Pod> From<Vec<T>> for Section<T> {
+    /// A copy, aligned as in a file, so that no record of 64 bytes lies in two lines of the cache.
     fn from(records: Vec<T>) -> Self {
-        Self { storage: Storage::Owned(records.into()) }
+        let bytes: &[u8] = bytemuck::cast_slice(&records);
+        let copy = Bytes::in_large_pages(bytes).or_else(|| Bytes::copy_of(bytes).ok());
+        let shared = copy.and_then(|copy| Self::from_shared(Arc::new(copy), 0, bytes.len()));
+        shared.unwrap_or_else(|| Self { storage: Storage::Owned(records.into()) })
     }
 }
 

@@ -93,10 +93,13 @@ pub fn next_voxel(ray: &LocalRay, voxel: IVec3) -> IVec3 {
 /// where that was before.
 pub fn hit_of(ray: &LocalRay, voxel: IVec3, instance: u32) -> Hit {
     let entry = |axis: usize| voxel[axis] + i32::from(ray.direction[axis] < 0.0);
-    let last = (0..3)
-        .filter(|&axis| ray.direction[axis] != 0.0)
-        .map(|axis| Crossing::of(ray, axis, entry(axis)))
-        .reduce(|last, other| if other.is_before(&last) { last } else { other });
+    let mut last: Option<Crossing> = None;
+    for axis in 0..3 {
+        if ray.direction[axis] != 0.0 {
+            let crossing = Crossing::of(ray, axis, entry(axis));
+            last = last.filter(|last| crossing.is_before(last)).or(Some(crossing));
+        }
+    }
     // A local ray moves along one axis at least.
     let axis = last.map_or(0, |last| last.axis);
     let t = (entry(axis) as f32 - ray.origin[axis]) * ray.inverse[axis];

@@ -17,7 +17,7 @@ mod instructions;
 pub mod local_ray;
 mod picking;
 mod scalar;
-mod simd;
+pub(crate) mod simd;
 mod stream;
 
 pub use batch::{cast_batch, cast_batch_whole, cast_batch_with, occluded_batch, occluded_batch_with};

@@ -35,10 +35,15 @@ pub struct Walk<'a> {
 }
 
 impl<'a> Walk<'a> {
+    /// The walk by some instructions.
+    pub fn by(scene: &'a PackedScene, pack_time: Duration, instructions: Instructions) -> Self {
+        Self { scene, pack_time, instructions, hits: Vec::new() }
+    }
+
     /// The walk of one ray after the other, which is the plain reference, then all batches that this processor can do, the one that
     /// the renderer uses first.
     pub fn all(scene: &'a PackedScene, pack_time: Duration) -> Vec<Self> {
-        let by = |instructions| Self { scene, pack_time, instructions, hits: Vec::new() };
+        let by = |instructions| Self::by(scene, pack_time, instructions);
         let is_batch =
             |instructions: &Instructions| *instructions != Instructions::Scalar && instructions.is_available();
         let batches = Instructions::ALL.into_iter().filter(is_batch);

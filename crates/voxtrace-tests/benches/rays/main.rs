@@ -1,6 +1,7 @@
 //! `cargo bench -p voxtrace-tests`: how many rays a second one core casts through the built-in scenes, and with the
 //! feature `embree` how many Embree 3 casts, same rays, same run. `docs/benchmarks.md` explains method and options.
 
+mod by_instructions;
 #[allow(unsafe_code, reason = "one call of the C library")]
 mod clock;
 mod contender;
@@ -41,6 +42,9 @@ struct Options {
     /// Timed rounds for each set of rays [default: 7].
     #[arg(long, value_parser = clap::value_parser!(u64).range(1..))]
     rounds: Option<u64>,
+    /// One table of ray after ray, AVX2 and AVX-512, beside Embree held to the same instructions [scenes: church, city and operating-room].
+    #[arg(long)]
+    by_instructions: bool,
     /// Also write the results to this file, as JSON.
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
@@ -57,9 +61,14 @@ fn main() -> Result<(), Box<dyn Error>> {
         options.rounds = options.rounds.or(Some(1));
     }
     if options.scene.is_empty() {
-        options.scene = ["church", "city"].map(str::to_owned).into();
+        let names: &[&str] =
+            if options.by_instructions { &["church", "city", "operating-room"] } else { &["church", "city"] };
+        options.scene = names.iter().map(|&name| name.to_owned()).collect();
     }
     println!("Processor: {}\n", processor());
+    if options.by_instructions {
+        println!("{}", by_instructions::head());
+    }
     let mut results = Vec::new();
     for scene in &options.scene {
         results.push(run(scene, &options)?);
@@ -78,6 +87,11 @@ fn run(name: &str, options: &Options) -> Result<serde_json::Value, Box<dyn Error
     let packed = PackedScene::pack(&scene)?;
     let pack_time = start.elapsed();
     let sets = ray_sets::ray_sets(&packed, options.rays.unwrap_or(1 << 20), options.order);
+    if options.by_instructions {
+        let (lines, json) = by_instructions::rows(name, &scene, &packed, &sets, options.rounds.unwrap_or(7) as usize);
+        println!("{lines}");
+        return Ok(json);
+    }
     let walks = Walk::all(&packed, pack_time);
     let ours = walks.len();
     let mut contenders: Vec<Box<dyn Contender>> =
@@ -86,8 +100,8 @@ fn run(name: &str, options: &Options) -> Result<serde_json::Value, Box<dyn Error
     {
         let [grid] = &scene.grids[..] else { return Err("the scene is not one grid".into()) };
         let table_bytes = size_of_val(packed.materials()) as u64;
-        contenders.push(Box::new(embree::Boxes::build(grid, table_bytes)));
-        contenders.push(Box::new(embree::Quads::build(grid, table_bytes)));
+        contenders.push(Box::new(embree::Boxes::build(grid, table_bytes, c"")));
+        contenders.push(Box::new(embree::Quads::build(grid, table_bytes, c"")));
     }
     let rounds = options.rounds.unwrap_or(7) as usize;
     let measured = sets.iter().map(|set| rounds::measure(&mut contenders, set, rounds)).collect();

@@ -58,8 +58,8 @@ pub unsafe fn follow(shared: &Shared, map: &Map, slopes: [Slopes; BEAMS]) -> [En
     let size = map.size();
 
     // Along the minor axes a corner is at base + slope × distance.
-    let from_grid = axes.map(|axis| shared.turned[axis] - shared.grid[axis] as f32);
-    let reach = axes.map(|axis| shared.turned[axis].abs() + shared.grid[axis].abs() as f32 + size[axis] as f32 + 1.0);
+    let from_grid = each!(axis in [axes[0], axes[1], axes[2]] => shared.turned[axis] - shared.grid[axis] as f32);
+    let reach = each!(axis in [axes[0], axes[1], axes[2]] => shared.turned[axis].abs() + shared.grid[axis].abs() as f32 + size[axis] as f32 + 1.0);
     let mut active: Mask = 0xffff;
     let (mut slope, mut base) = ([_mm512_setzero_ps(); 2], [_mm512_setzero_ps(); 2]);
     let (mut side, mut inverse) = ([_mm512_setzero_ps(); 2], [_mm512_setzero_ps(); 2]);
@@ -77,7 +77,7 @@ pub unsafe fn follow(shared: &Shared, map: &Map, slopes: [Slopes; BEAMS]) -> [En
     }
     let origin = _mm512_set1_ps(from_grid[0]);
     let origin_before = _mm512_set1_ps(from_grid[0] - reach[0] * MARGIN);
-    let turn = axes.map(|axis| _mm512_set1_epi32(shared.turn[axis]));
+    let turn = each!(axis in [axes[0], axes[1], axes[2]] => _mm512_set1_epi32(shared.turn[axis]));
 
     let start = shared.origin[main].floor() as i32 - map.grid().origin[main];
     let mut layer = _mm512_set1_epi32(start ^ shared.turn[main]);
@@ -91,7 +91,7 @@ pub unsafe fn follow(shared: &Shared, map: &Map, slopes: [Slopes; BEAMS]) -> [En
             floor(_mm512_fmadd_ps(slope[0], distance, base[0])),
             floor(_mm512_fmadd_ps(slope[1], distance, base[1])),
         ];
-        let real = [0, 1, 2].map(|i| _mm512_xor_si512(at[i], turn[i]));
+        let real = each!(i in [0, 1, 2] => _mm512_xor_si512(at[i], turn[i]));
         let voxel = match main {
             0 => real,
             1 => [real[2], real[0], real[1]],
@@ -118,8 +118,7 @@ pub unsafe fn follow(shared: &Shared, map: &Map, slopes: [Slopes; BEAMS]) -> [En
 
         // 3. Where the beam leaves the boxes: what leaves a nearer corner's box sideways enters a farther one's.
         let shift = _mm512_mask_mov_epi32(cells.shift, blocks.others_ahead, _mm512_set1_epi32(2));
-        let mut exit = [0, 1, 2]
-            .map(|i| _mm512_sllv_epi32(_mm512_add_epi32(_mm512_srav_epi32(at[i], shift), cells.skip_distance), shift));
+        let mut exit = each!(i in [0, 1, 2] => _mm512_sllv_epi32(_mm512_add_epi32(_mm512_srav_epi32(at[i], shift), cells.skip_distance), shift));
         let outside = active & !inside;
         if outside != 0 {
             let mut beyond = 0;
@@ -130,7 +129,7 @@ pub unsafe fn follow(shared: &Shared, map: &Map, slopes: [Slopes; BEAMS]) -> [En
                 exit[i] = _mm512_mask_mov_epi32(exit[i], outside, far_plane);
                 exit[i] = _mm512_mask_mov_epi32(exit[i], before, first);
             }
-            exit = exit.map(|exit| _mm512_mask_mov_epi32(exit, beyond, far_plane));
+            exit = each!(exit in [exit[0], exit[1], exit[2]] => _mm512_mask_mov_epi32(exit, beyond, far_plane));
         }
         let exit = [
             least_of_beam(exit[0]),
@@ -144,7 +143,7 @@ pub unsafe fn follow(shared: &Shared, map: &Map, slopes: [Slopes; BEAMS]) -> [En
         left |= leaves;
         let straight = _mm512_sub_ps(_mm512_cvtepi32_ps(exit[0]), origin);
         let sideways =
-            [0, 1].map(|i| _mm512_mul_ps(_mm512_sub_ps(_mm512_cvtepi32_ps(exit[1 + i]), side[i]), inverse[i]));
+            each!(i in [0, 1] => _mm512_mul_ps(_mm512_sub_ps(_mm512_cvtepi32_ps(exit[1 + i]), side[i]), inverse[i]));
         let next = _mm512_min_ps(straight, _mm512_min_ps(sideways[0], sideways[1]));
         active = _mm512_mask_cmp_ps_mask::<_CMP_GT_OQ>(clear & !leaves, next, distance);
         let is_straight = _mm512_cmp_ps_mask::<_CMP_EQ_OQ>(next, straight);

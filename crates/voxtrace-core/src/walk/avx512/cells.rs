@@ -43,7 +43,7 @@ impl<'a> Map<'a> {
     #[inline]
     #[target_feature(enable = "avx512f")]
     fn keys(&self, voxel: [__m512i; 3]) -> __m512i {
-        let [x, y, z] = voxel.map(|v| _mm512_srli_epi32::<5>(v));
+        let [x, y, z] = each!(v in [voxel[0], voxel[1], voxel[2]] => _mm512_srli_epi32::<5>(v));
         let y = _mm512_sll_epi32(y, _mm_cvtsi32_si128(self.bits[0] as i32));
         let z = _mm512_sll_epi32(z, _mm_cvtsi32_si128(self.bits[1] as i32));
         or3(x, y, z)

@@ -23,29 +23,29 @@ impl Hits {
     #[inline]
     #[target_feature(enable = "avx512f,avx512dq,avx512bw,avx512vl,popcnt,bmi1,bmi2,lzcnt,fma,avx2")]
     pub fn add(&mut self, shared: &Shared, map: &Map, packet: &Packet) {
-        let at = [0, 1, 2].map(|axis| load(&packet.at[axis]));
+        let at = each!(axis in [0, 1, 2] => load(&packet.at[axis]));
         // Turned, the ray enters every voxel through its lower planes.
-        let entry = [0, 1, 2].map(|axis| _mm512_add_epi32(at[axis], _mm512_set1_epi32(shared.grid[axis])));
-        let lower = [0, 1, 2].map(|axis| _mm512_castsi512_si256(entry[axis]));
-        let upper = [0, 1, 2].map(|axis| _mm512_extracti64x4_epi64::<1>(entry[axis]));
-        let speed = [0, 1, 2].map(|axis| loadf(&packet.speed[axis]));
-        let lower_speed = [0, 1, 2].map(|axis| _mm512_castps512_ps256(speed[axis]));
-        let upper_speed = [0, 1, 2].map(|axis| _mm512_extractf32x8_ps::<1>(speed[axis]));
+        let entry = each!(axis in [0, 1, 2] => _mm512_add_epi32(at[axis], _mm512_set1_epi32(shared.grid[axis])));
+        let lower = each!(axis in [0, 1, 2] => _mm512_castsi512_si256(entry[axis]));
+        let upper = each!(axis in [0, 1, 2] => _mm512_extracti64x4_epi64::<1>(entry[axis]));
+        let speed = each!(axis in [0, 1, 2] => loadf(&packet.speed[axis]));
+        let lower_speed = each!(axis in [0, 1, 2] => _mm512_castps512_ps256(speed[axis]));
+        let upper_speed = each!(axis in [0, 1, 2] => _mm512_extractf32x8_ps::<1>(speed[axis]));
         let (y_lower, z_lower) = last_crossed(shared, lower, lower_speed);
         let (y_upper, z_upper) = last_crossed(shared, upper, upper_speed);
         let is_y = Mask::from(y_lower) | Mask::from(y_upper) << 8;
         let is_z = Mask::from(z_lower) | Mask::from(z_upper) << 8;
 
-        let t = [0, 1, 2].map(|axis| {
+        let t = each!(axis in [0, 1, 2] => {
             let distance = _mm512_sub_ps(_mm512_cvtepi32_ps(entry[axis]), _mm512_set1_ps(shared.turned[axis]));
             _mm512_mul_ps(distance, loadf(&packet.inverse[axis]))
         });
         let t = _mm512_mask_mov_ps(_mm512_mask_mov_ps(t[0], is_y, t[1]), is_z, t[2]);
-        let face = [0, 1, 2].map(|axis| _mm512_set1_epi32(2 * axis as i32 - shared.turn[axis]));
+        let face = each!(axis in [0, 1, 2] => _mm512_set1_epi32(2 * axis as i32 - shared.turn[axis]));
         let face = _mm512_mask_mov_epi32(_mm512_mask_mov_epi32(face[0], is_y, face[1]), is_z, face[2]);
         let t = _mm512_max_ps(t, _mm512_setzero_ps());
         let is_hit = _mm512_mask_cmp_ps_mask::<_CMP_LE_OQ>(packet.hit, t, loadf(&packet.t_max));
-        let voxel = [0, 1, 2].map(|axis| {
+        let voxel = each!(axis in [0, 1, 2] => {
             let relative = _mm512_xor_si512(at[axis], _mm512_set1_epi32(shared.turn[axis]));
             _mm512_add_epi32(relative, _mm512_set1_epi32(map.grid().origin[axis]))
         });
@@ -60,9 +60,8 @@ impl Hits {
 #[inline]
 #[target_feature(enable = "avx512f,avx512dq,avx512bw,avx512vl,popcnt,bmi1,bmi2,lzcnt,fma,avx2")]
 fn last_crossed(shared: &Shared, entry: [__m256i; 3], speed: [__m256; 3]) -> (__mmask8, __mmask8) {
-    let distance = [0, 1, 2]
-        .map(|axis| _mm512_sub_pd(_mm512_cvtepi32_pd(entry[axis]), _mm512_set1_pd(f64::from(shared.turned[axis]))));
-    let speed = speed.map(|speed| _mm512_cvtps_pd(speed));
+    let distance = each!(axis in [0, 1, 2] => _mm512_sub_pd(_mm512_cvtepi32_pd(entry[axis]), _mm512_set1_pd(f64::from(shared.turned[axis]))));
+    let speed = each!(speed in [speed[0], speed[1], speed[2]] => _mm512_cvtps_pd(speed));
     let is_before = |distance: __m512d, speed: __m512d, other: __m512d, other_speed: __m512d| {
         _mm512_cmp_pd_mask::<_CMP_LT_OQ>(_mm512_mul_pd(distance, other_speed), _mm512_mul_pd(other, speed))
     };

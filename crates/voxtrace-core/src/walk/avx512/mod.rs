@@ -6,6 +6,17 @@
 #![expect(clippy::needless_range_loop, reason = "an axis or a lane indexes several arrays")]
 #![expect(unsafe_code, reason = "vector loads, and calls of functions for certain processors")]
 
+/// An array of a value for each of some values. As `map` of arrays, but its closure would not be inlined into functions that are compiled for certain
+/// processors: it would be called, with all registers saved.
+macro_rules! each {
+    ($value:ident in [$($of:expr),+] => $body:expr) => {
+        [$({
+            let $value = $of;
+            $body
+        }),+]
+    };
+}
+
 mod beam;
 mod cells;
 mod coherent;

@@ -12,7 +12,7 @@ pub fn load_rays(rays: &[Ray; LANES]) -> [__m512; 8] {
     let mut words = [_mm512_setzero_ps(); 8];
     for half in 0..2 {
         // Rays i, i + 4, i + 8 and i + 12 …
-        let four = [0, 1, 2, 3].map(|i| {
+        let four = each!(i in [0, 1, 2, 3] => {
             let quarter = |j: usize| {
                 // SAFETY: the array is as large as the vector; unaligned loads need no alignment.
                 unsafe { _mm_loadu_ps(halves[2 * (i + 4 * j) + half].as_ptr()) }
@@ -23,8 +23,8 @@ pub fn load_rays(rays: &[Ray; LANES]) -> [__m512; 8] {
             _mm512_insertf32x4::<3>(vector, quarter(3))
         });
         // … so that a transposition within quarters leaves them in order.
-        let low = [0, 2].map(|i| _mm512_castps_pd(_mm512_unpacklo_ps(four[i], four[i + 1])));
-        let high = [0, 2].map(|i| _mm512_castps_pd(_mm512_unpackhi_ps(four[i], four[i + 1])));
+        let low = each!(i in [0, 2] => _mm512_castps_pd(_mm512_unpacklo_ps(four[i], four[i + 1])));
+        let high = each!(i in [0, 2] => _mm512_castps_pd(_mm512_unpackhi_ps(four[i], four[i + 1])));
         words[4 * half] = _mm512_castpd_ps(_mm512_unpacklo_pd(low[0], low[1]));
         words[4 * half + 1] = _mm512_castpd_ps(_mm512_unpackhi_pd(low[0], low[1]));
         words[4 * half + 2] = _mm512_castpd_ps(_mm512_unpacklo_pd(high[0], high[1]));
@@ -40,7 +40,7 @@ pub fn store_hits(words: [__m512i; 6], hits: &mut [Hit; LANES]) {
     let out: &mut [[i32; LANES]; 6] = bytemuck::cast_mut(hits);
     for half in 0..2 {
         let pairing = load(&PAIRING[half]);
-        let pairs = [0, 2, 4].map(|i| _mm512_permutex2var_epi32(words[i], pairing, words[i + 1]));
+        let pairs = each!(i in [0, 2, 4] => _mm512_permutex2var_epi32(words[i], pairing, words[i + 1]));
         for (out, table) in out[3 * half..].iter_mut().zip(&ORDER) {
             let all = _mm512_permutex2var_epi64(pairs[0], load_wide(&table.first_two), pairs[1]);
             let all = _mm512_mask_permutexvar_epi64(all, table.is_third, load_wide(&table.third), pairs[2]);

@@ -59,13 +59,13 @@ impl Shared {
             (origin[axis].abs() + grid[axis].abs() as f32 + size[axis] as f32 + 1.0) * TOLERANCE_SCALE
         });
         let vectors = Vectors {
-            turn: turn.map(|x| _mm512_set1_epi32(x)),
-            turned: turned.map(|x| _mm512_set1_ps(x)),
-            grid: grid.map(|x| _mm512_set1_epi32(x)),
-            end: end.map(|x| _mm512_set1_epi32(x)),
-            from_grid: [0, 1, 2].map(|axis| _mm512_set1_ps(turned[axis] - grid[axis] as f32)),
-            to_middle: grid.map(|x| _mm512_set1_ps(0.5 - x as f32)),
-            sure: tolerance.map(|tolerance| _mm512_set1_ps(0.5 - tolerance)),
+            turn: each!(x in [turn[0], turn[1], turn[2]] => _mm512_set1_epi32(x)),
+            turned: each!(x in [turned[0], turned[1], turned[2]] => _mm512_set1_ps(x)),
+            grid: each!(x in [grid[0], grid[1], grid[2]] => _mm512_set1_epi32(x)),
+            end: each!(x in [end[0], end[1], end[2]] => _mm512_set1_epi32(x)),
+            from_grid: each!(axis in [0, 1, 2] => _mm512_set1_ps(turned[axis] - grid[axis] as f32)),
+            to_middle: each!(x in [grid[0], grid[1], grid[2]] => _mm512_set1_ps(0.5 - x as f32)),
+            sure: each!(tolerance in [tolerance[0], tolerance[1], tolerance[2]] => _mm512_set1_ps(0.5 - tolerance)),
             tables: &OCTANTS[octant],
         };
         Self {

@@ -1,8 +1,9 @@
 //! Vectors of sixteen with AVX2: two registers each, the lower lanes first. Lanes of a mask have all bits set.
 
+#![expect(clippy::needless_range_loop, reason = "a row indexes several arrays")]
 #![expect(unsafe_code, reason = "vector instructions")]
 
-use super::{Bits, LANES, Simd};
+use super::{Bits, LANES, Row, Simd};
 use std::arch::x86_64::*;
 
 /// AVX2 with BMI. No product is fused with a sum: that would be other numbers.
@@ -240,5 +241,57 @@ impl Simd for Avx2 {
     #[inline(always)]
     fn bits_of(self, a: [__m256; 2]) -> [__m256i; 2] {
         halves!(a => _mm256_castps_si256(a))
+    }
+    #[inline(always)]
+    fn floats_of(self, a: [__m256i; 2]) -> [__m256; 2] {
+        halves!(a => _mm256_castsi256_ps(a))
+    }
+    #[inline(always)]
+    fn max(self, a: [__m256; 2], b: [__m256; 2]) -> [__m256; 2] {
+        halves!(a, b => _mm256_max_ps(a, b))
+    }
+    #[inline(always)]
+    unsafe fn gather_records<const ROWS: usize>(
+        self,
+        number: [__m256i; 2],
+        records: &[[Row; ROWS]],
+    ) -> [[[__m256i; 2]; 4]; ROWS] {
+        let mut numbers = [0; LANES];
+        self.store(&mut numbers, number);
+        super::check_records(&numbers, records);
+        let mut words = [[self.ints(0); 4]; ROWS];
+        for half in 0..2 {
+            // Rows of lanes i and i + 4 of a half side by side, so that a transposition within quarters leaves them in order.
+            let mut pairs = [[self.floats(0.0)[0]; 4]; ROWS];
+            for i in 0..4 {
+                let (near, far) = (numbers[8 * half + i], numbers[8 * half + i + 4]);
+                // SAFETY: that the records are there is the caller's duty.
+                let (near, far) =
+                    unsafe { (records.as_ptr().add(near as u32 as usize), records.as_ptr().add(far as u32 as usize)) };
+                for row in 0..ROWS {
+                    // SAFETY: as above, and as in `halves`.
+                    pairs[row][i] = unsafe {
+                        let near = _mm_loadu_ps(near.cast::<[f32; 4]>().add(row).cast());
+                        let far = _mm_loadu_ps(far.cast::<[f32; 4]>().add(row).cast());
+                        _mm256_insertf128_ps::<1>(_mm256_castps128_ps256(near), far)
+                    };
+                }
+            }
+            for row in 0..ROWS {
+                let [a, b, c, d] = pairs[row];
+                // SAFETY: as in `halves`.
+                unsafe {
+                    let low = _mm256_castps_pd(_mm256_unpacklo_ps(a, b));
+                    let next_low = _mm256_castps_pd(_mm256_unpacklo_ps(c, d));
+                    let high = _mm256_castps_pd(_mm256_unpackhi_ps(a, b));
+                    let next_high = _mm256_castps_pd(_mm256_unpackhi_ps(c, d));
+                    words[row][0][half] = _mm256_castpd_si256(_mm256_unpacklo_pd(low, next_low));
+                    words[row][1][half] = _mm256_castpd_si256(_mm256_unpackhi_pd(low, next_low));
+                    words[row][2][half] = _mm256_castpd_si256(_mm256_unpacklo_pd(high, next_high));
+                    words[row][3][half] = _mm256_castpd_si256(_mm256_unpackhi_pd(high, next_high));
+                }
+            }
+        }
+        words
     }
 }

@@ -1,8 +1,9 @@
 //! Vectors of sixteen with AVX-512: a register each, and masks of their own.
 
+#![expect(clippy::needless_range_loop, reason = "a row indexes several arrays")]
 #![expect(unsafe_code, reason = "vector instructions")]
 
-use super::{Bits, LANES, Simd};
+use super::{Bits, LANES, Row, Simd};
 use std::arch::x86_64::*;
 
 /// AVX-512 F, DQ, BW and VL.
@@ -207,6 +208,61 @@ impl Simd for Avx512 {
     #[inline(always)]
     fn bits_of(self, a: __m512) -> __m512i {
         have!(_mm512_castps_si512(a))
+    }
+    #[inline(always)]
+    fn floats_of(self, a: __m512i) -> __m512 {
+        have!(_mm512_castsi512_ps(a))
+    }
+    #[inline(always)]
+    fn max(self, a: __m512, b: __m512) -> __m512 {
+        have!(_mm512_max_ps(a, b))
+    }
+    #[inline(always)]
+    unsafe fn gather_records<const ROWS: usize>(
+        self,
+        number: __m512i,
+        records: &[[Row; ROWS]],
+    ) -> [[__m512i; 4]; ROWS] {
+        let mut numbers = [0; LANES];
+        self.store(&mut numbers, number);
+        super::check_records(&numbers, records);
+        // Rows of lanes i, i + 4, i + 8 and i + 12 side by side, so that a transposition within quarters leaves them in order.
+        let mut four = [[self.floats(0.0); 4]; ROWS];
+        for i in 0..4 {
+            let mut at = [records.as_ptr(); 4];
+            for quarter in 0..4 {
+                // SAFETY: that the records are there is the caller's duty.
+                at[quarter] = unsafe { records.as_ptr().add(numbers[i + 4 * quarter] as u32 as usize) };
+            }
+            for row in 0..ROWS {
+                // SAFETY: as above, and as in `have`.
+                four[row][i] = unsafe {
+                    let vector = _mm512_castps128_ps512(_mm_loadu_ps(at[0].cast::<[f32; 4]>().add(row).cast()));
+                    let vector =
+                        _mm512_insertf32x4::<1>(vector, _mm_loadu_ps(at[1].cast::<[f32; 4]>().add(row).cast()));
+                    let vector =
+                        _mm512_insertf32x4::<2>(vector, _mm_loadu_ps(at[2].cast::<[f32; 4]>().add(row).cast()));
+                    _mm512_insertf32x4::<3>(vector, _mm_loadu_ps(at[3].cast::<[f32; 4]>().add(row).cast()))
+                };
+            }
+        }
+        let mut words = [[self.ints(0); 4]; ROWS];
+        for row in 0..ROWS {
+            let [a, b, c, d] = four[row];
+            words[row] = have! {
+                let low = _mm512_castps_pd(_mm512_unpacklo_ps(a, b));
+                let next_low = _mm512_castps_pd(_mm512_unpacklo_ps(c, d));
+                let high = _mm512_castps_pd(_mm512_unpackhi_ps(a, b));
+                let next_high = _mm512_castps_pd(_mm512_unpackhi_ps(c, d));
+                [
+                    _mm512_castpd_si512(_mm512_unpacklo_pd(low, next_low)),
+                    _mm512_castpd_si512(_mm512_unpackhi_pd(low, next_low)),
+                    _mm512_castpd_si512(_mm512_unpacklo_pd(high, next_high)),
+                    _mm512_castpd_si512(_mm512_unpackhi_pd(high, next_high)),
+                ]
+            };
+        }
+        words
     }
     #[inline(always)]
     fn expand(self, lanes: &mut [i32; LANES], bits: Bits, values: &[i32; LANES]) {

@@ -29,6 +29,22 @@ pub const LANES: usize = 16;
 /// A bit for each lane.
 pub type Bits = u16;
 
+/// Four words of a record.
+pub type Row = [u32; 4];
+
+/// Lets the processor fetch what lies at a place, without waiting for it. The place need not exist.
+#[inline(always)]
+pub fn prefetch<T>(place: *const T) {
+    #[cfg(target_arch = "x86_64")]
+    {
+        use std::arch::x86_64::{_MM_HINT_T0, _mm_prefetch};
+        // SAFETY: every processor of this kind has the instruction, and it reads nothing.
+        unsafe { _mm_prefetch::<_MM_HINT_T0>(place.cast()) };
+    }
+    #[cfg(not(target_arch = "x86_64"))]
+    let _ = place;
+}
+
 /// A set of instructions. A value of it proves that the processor has them.
 ///
 /// Whatever is generic over it is `#[inline(always)]` down from one function that is compiled for the instructions: only there do they become
@@ -132,8 +148,47 @@ pub trait Simd: Copy {
     fn any(self, mask: Self::Mask) -> bool;
     /// The bits of floats.
     fn bits_of(self, a: Self::Floats) -> Self::Ints;
+    /// The floats of bits.
+    fn floats_of(self, a: Self::Ints) -> Self::Floats;
     /// `yes` in the lanes of a mask, `no` in the rest.
     fn select(self, mask: Self::Mask, yes: Self::Ints, no: Self::Ints) -> Self::Ints;
+
+    /// `yes` in the lanes of a mask, `no` in the rest.
+    #[inline(always)]
+    fn select_floats(self, mask: Self::Mask, yes: Self::Floats, no: Self::Floats) -> Self::Floats {
+        self.floats_of(self.select(mask, self.bits_of(yes), self.bits_of(no)))
+    }
+
+    /// The greater one; b where one is no number.
+    #[inline(always)]
+    fn max(self, a: Self::Floats, b: Self::Floats) -> Self::Floats {
+        self.select_floats(self.lt_floats(b, a), a, b)
+    }
+
+    /// The words of the record of each lane, which is some rows long: one vector for each.
+    ///
+    /// # Safety
+    /// The numbers of records, of all lanes, must lie inside `records`.
+    #[inline(always)]
+    unsafe fn gather_records<const ROWS: usize>(
+        self,
+        number: Self::Ints,
+        records: &[[Row; ROWS]],
+    ) -> [[Self::Ints; 4]; ROWS] {
+        let mut numbers = [0; LANES];
+        self.store(&mut numbers, number);
+        let mut all = [[self.ints(0); 4]; ROWS];
+        for row in 0..ROWS {
+            for word in 0..4 {
+                let mut words = [0; LANES];
+                for lane in 0..LANES {
+                    words[lane] = records[numbers[lane] as u32 as usize][row][word] as i32;
+                }
+                all[row][word] = self.load(&words);
+            }
+        }
+        all
+    }
 
     /// Puts the first values, in order, into the lanes of `bits`.
     #[inline(always)]
@@ -198,6 +253,16 @@ unsafe fn read_each(indices: &[i32; LANES], words: &[u32]) -> [i32; LANES] {
     }
     // SAFETY: the caller's duty.
     indices.map(|index| unsafe { *words.get_unchecked(index as usize) } as i32)
+}
+
+/// Where debug assertions are on: whether all numbers of records lie inside `records`.
+#[cfg(target_arch = "x86_64")]
+#[inline(always)]
+fn check_records<T>(numbers: &[i32; LANES], records: &[T]) {
+    if cfg!(debug_assertions) {
+        let is_inside = |&number: &i32| (number as u32 as usize) < records.len();
+        assert!(numbers.iter().all(is_inside), "a record lies outside of its array");
+    }
 }
 
 /// Where debug assertions are on: whether the indices of the lanes of `mask` lie inside `words`. Sanitizers do not see what a gather reads.

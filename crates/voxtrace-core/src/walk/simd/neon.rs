@@ -231,4 +231,8 @@ impl Simd for Neon {
     fn bits_of(self, a: [float32x4_t; 4]) -> [int32x4_t; 4] {
         neon!(a => vreinterpretq_s32_f32(a))
     }
+    #[inline(always)]
+    fn floats_of(self, a: [int32x4_t; 4]) -> [float32x4_t; 4] {
+        neon!(a => vreinterpretq_f32_s32(a))
+    }
 }

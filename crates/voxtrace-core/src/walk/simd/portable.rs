@@ -199,4 +199,8 @@ impl Simd for Portable {
     fn bits_of(self, a: [f32; LANES]) -> [i32; LANES] {
         a.map(|a| a.to_bits() as i32)
     }
+    #[inline(always)]
+    fn floats_of(self, a: [i32; LANES]) -> [f32; LANES] {
+        a.map(|a| f32::from_bits(a as u32))
+    }
 }

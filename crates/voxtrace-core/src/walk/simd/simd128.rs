@@ -215,6 +215,10 @@ impl Simd for Simd128 {
     fn bits_of(self, a: [v128; 4]) -> [v128; 4] {
         quarters!(a => a)
     }
+    #[inline(always)]
+    fn floats_of(self, a: [v128; 4]) -> [v128; 4] {
+        a
+    }
 }
 
 /// 2ⁿ of each lane, for n in 0..32: there is no shift of each lane by its own number. A float of that exponent is exact.

@@ -50,6 +50,10 @@ fn results<S: Simd>(s: S, input: &Input) -> Vec<[i32; LANES]> {
     let words: Vec<u32> = (0..32).map(|word| word * 0x0101_0101).collect();
     // SAFETY: the indices are below 32.
     let gathered = unsafe { s.gather(a, mask, small, &words) };
+    let of_record =
+        |row: u32| [[row, row << 8 | 1, row << 16 | 2, row << 24 | 3], [row ^ 4, row ^ 5, row ^ 6, row ^ 7]];
+    // SAFETY: the numbers are below 32.
+    let records = unsafe { s.gather_records(small, &(0..32).map(of_record).collect::<Vec<_>>()) };
     // What is no number is never rounded, and far from the grid only that matters.
     let near = s.min(s.abs(x), s.floats(2_000_000.0));
     let ints = [
@@ -74,6 +78,9 @@ fn results<S: Simd>(s: S, input: &Input) -> Vec<[i32; LANES]> {
         bits_of(s, s.mul_floats(x, y)),
         bits_of(s, s.div_floats(x, y)),
         bits_of(s, s.min(x, y)),
+        bits_of(s, s.max(x, y)),
+        bits_of(s, s.select_floats(mask, x, y)),
+        s.bits_of(s.floats_of(a)),
         bits_of(s, s.abs(x)),
         bits_of(s, s.floats(n as f32)),
         s.nearest(near),
@@ -84,7 +91,7 @@ fn results<S: Simd>(s: S, input: &Input) -> Vec<[i32; LANES]> {
         s.is_negative(a),
         s.is_below(a, s.and(b, s.ints(i32::MAX))),
         s.test(a, small),
-        s.eq_floats(x, select_floats(s, mask, x, y)),
+        s.eq_floats(x, s.select_floats(mask, x, y)),
         s.lt_floats(x, y),
         s.le_floats(x, y),
         s.both(mask, s.is_negative(a)),
@@ -92,7 +99,7 @@ fn results<S: Simd>(s: S, input: &Input) -> Vec<[i32; LANES]> {
         s.except(mask, s.is_negative(a)),
     ];
     let mut all = Vec::new();
-    for vector in ints {
+    for vector in ints.into_iter().chain(records.into_iter().flatten()) {
         let mut lanes = [0; LANES];
         s.store(&mut lanes, vector);
         all.push(lanes);
@@ -111,13 +118,6 @@ fn results<S: Simd>(s: S, input: &Input) -> Vec<[i32; LANES]> {
 /// The bits of floats, of any value that is no number the same.
 fn bits_of<S: Simd>(s: S, floats: S::Floats) -> S::Ints {
     s.select(s.eq_floats(floats, floats), s.bits_of(floats), s.ints(-1))
-}
-
-/// Floats of two vectors.
-fn select_floats<S: Simd>(s: S, mask: S::Mask, yes: S::Floats, no: S::Floats) -> S::Floats {
-    let mut lanes = [0; LANES];
-    s.store(&mut lanes, s.select(mask, s.bits_of(yes), s.bits_of(no)));
-    s.load_floats(&lanes.map(|bits| f32::from_bits(bits as u32)))
 }
 
 /// Compares a set of instructions with arrays, which see some input one bit off where `is_spoiled`.

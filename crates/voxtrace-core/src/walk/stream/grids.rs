@@ -94,7 +94,7 @@ impl<S: Simd> Grids<S> for OneGrid<'_> {
 }
 
 /// A grid for each lane.
-#[derive(Clone)]
+#[derive(Clone, Copy)]
 #[repr(C, align(64))]
 pub struct GridOfEach {
     origin: [[i32; LANES]; 3],

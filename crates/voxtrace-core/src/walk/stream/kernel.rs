@@ -3,7 +3,7 @@
 use super::grids::Grids;
 use super::{DIRECTION, INVERSE, Lanes, ORIGIN, SIGN_INDEX, SKIP_SHIFT, T_END, TOLERANCE, VOXEL};
 use crate::packed::{Geometry, SKIP_DISTANCES};
-use crate::walk::simd::{Bits, Simd};
+use crate::walk::simd::{Bits, Simd, prefetch};
 
 /// What a step leaves to do.
 pub struct Step {
@@ -82,10 +82,35 @@ impl<'a, S: Simd, G: Grids<S>> Kernel<'a, S, G> {
         }
     }
 
-    /// One step of all active lanes.
+    /// Finds the cells that the active lanes are in, and lets those that are bricks be fetched.
     ///
     /// # Safety
     /// The scene must be valid, and the voxels of active lanes must be ones that earlier steps or `enter` gave.
+    #[inline(always)]
+    pub unsafe fn look_ahead(&self, lanes: &mut Lanes) {
+        let s = self.simd;
+        let voxel =
+            [s.load(&lanes.integers[VOXEL]), s.load(&lanes.integers[VOXEL + 1]), s.load(&lanes.integers[VOXEL + 2])];
+        // SAFETY: the caller's duty.
+        let (cell, shift, inside) = unsafe { self.cells_of(lanes, voxel) };
+        s.store(&mut lanes.cell, cell);
+        s.store(&mut lanes.shift, shift);
+        lanes.inside = s.bits(inside);
+        let in_brick = s.both(inside, s.is_negative(cell));
+        let record = s.select(in_brick, s.shl(cell, 1), s.ints(0));
+        let known = s.load(&lanes.record);
+        if s.any(s.except(in_brick, s.eq(record, known))) {
+            s.store(&mut lanes.record, record);
+            for record in lanes.record {
+                prefetch(self.bricks.as_ptr().wrapping_add(record as u32 as usize));
+            }
+        }
+    }
+
+    /// One step of all active lanes.
+    ///
+    /// # Safety
+    /// As for [`Self::look_ahead`], which must have been called since they came there.
     #[inline(always)]
     pub unsafe fn step(&self, lanes: &mut Lanes) -> Step {
         let s = self.simd;
@@ -96,18 +121,16 @@ impl<'a, S: Simd, G: Grids<S>> Kernel<'a, S, G> {
             s.load(&lanes.integers[SIGN_INDEX + 1]),
             s.load(&lanes.integers[SIGN_INDEX + 2]),
         ];
+        let (cell, shift, inside) = (s.load(&lanes.cell), s.load(&lanes.shift), s.mask(lanes.inside));
         // SAFETY: the caller's duty.
-        let boxes = unsafe {
-            let (cell, shift, inside) = self.cells_of(lanes, voxel);
-            self.boxes_of(lanes, voxel, sign, cell, shift, inside)
-        };
+        let boxes = unsafe { self.boxes_of(lanes, voxel, sign, cell, shift, inside) };
         self.leave(lanes, voxel, sign, &boxes)
     }
 
     /// The cell of the finest level that is stored, log₂ of its size, and the lanes that are in the grid.
     ///
     /// # Safety
-    /// As for [`Self::step`].
+    /// As for [`Self::look_ahead`].
     #[inline(always)]
     unsafe fn cells_of(&self, lanes: &mut Lanes, voxel: [S::Ints; 3]) -> (S::Ints, S::Ints, S::Mask) {
         let s = self.simd;

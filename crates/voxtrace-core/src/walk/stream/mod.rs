@@ -25,6 +25,9 @@ use waiting::Waiting;
 /// Lanes without a ray before the kernel stops to refill them.
 const REFILL_AT: u32 = 5;
 
+/// Vectors of rays that are stepped in turn: while the bricks of one are fetched the others compute.
+const GROUPS: usize = 6;
+
 /// Quantities of a ray that are f32: origin, direction, inverse and tolerance for each axis, end of the segment.
 const FLOATS: usize = 13;
 /// Quantities of a ray that are integers: the voxel (from the grid's origin) and the table index of the sign for each
@@ -45,6 +48,7 @@ const SKIP_SHIFT: usize = 6;
 const RAY: usize = 7;
 
 /// Sixteen lanes and the rays in them: one array for each quantity.
+#[derive(Clone, Copy)]
 #[repr(C, align(64))]
 pub struct Lanes {
     pub floats: [[f32; LANES]; FLOATS],
@@ -52,6 +56,12 @@ pub struct Lanes {
     /// Position of the finest node visited last, in cells, and where it lies: its first voxel divided by 32.
     pub node: [i32; LANES],
     pub node_at: [[i32; LANES]; 3],
+    /// The cells that the lanes are in, log₂ of their sizes, and the lanes that are in the grid: what [`Kernel::look_ahead`] finds.
+    pub cell: [i32; LANES],
+    pub shift: [i32; LANES],
+    pub inside: Bits,
+    /// The brick records that were fetched last.
+    pub record: [i32; LANES],
     /// Exit planes of the lanes' boxes, in grid space, as of the last step that left a lane unsure.
     pub exit: [[i32; LANES]; 3],
     /// The grids of the lanes, where they have not all the same.
@@ -75,27 +85,29 @@ pub unsafe fn first_voxels<S: Simd>(
 ) {
     let kernel = Kernel::new(simd, geometry, OneGrid(grid));
     let mut waiting = Waiting::new(rays, done, grid, grid_from_world);
-    // Two groups, stepped in turn: while one waits for memory the other computes.
-    let mut groups = [Lanes::empty(), Lanes::empty()];
-    loop {
+    let mut groups = [Lanes::empty(); GROUPS];
+    let mut is_under_way = true;
+    while is_under_way {
+        is_under_way = false;
         for lanes in &mut groups {
+            if lanes.active != 0 {
+                // SAFETY: the scene is valid, so every position the kernel computes lies inside its array.
+                let step = unsafe { kernel.step(lanes) };
+                lanes.active = step.active;
+                for lane in lanes_of(step.unsure) {
+                    lanes.decide(lane, grid.origin);
+                }
+                for lane in lanes_of(step.hit) {
+                    found(lanes.integers[RAY][lane] as usize, lanes.voxel_of(lane) + grid.origin);
+                }
+            }
             if lanes.active.count_zeros() >= REFILL_AT {
                 waiting.fill(simd, lanes);
             }
-        }
-        let [first, second] = &mut groups;
-        if first.active | second.active == 0 {
-            return;
-        }
-        // SAFETY: the scene is valid, so every position the kernel computes lies inside its array.
-        let steps = unsafe { [kernel.step(first), kernel.step(second)] };
-        for (lanes, step) in groups.iter_mut().zip(steps) {
-            lanes.active = step.active;
-            for lane in lanes_of(step.unsure) {
-                lanes.decide(lane, grid.origin);
-            }
-            for lane in lanes_of(step.hit) {
-                found(lanes.integers[RAY][lane] as usize, lanes.voxel_of(lane) + grid.origin);
+            if lanes.active != 0 {
+                // SAFETY: as above.
+                unsafe { kernel.look_ahead(lanes) };
+                is_under_way = true;
             }
         }
     }
@@ -108,6 +120,10 @@ impl Lanes {
             integers: [[0; LANES]; INTEGERS],
             node: [0; LANES],
             node_at: [[i32::MIN; LANES]; 3],
+            cell: [0; LANES],
+            shift: [0; LANES],
+            inside: 0,
+            record: [0; LANES],
             exit: [[0; LANES]; 3],
             grids: GridOfEach::NONE,
             active: 0,

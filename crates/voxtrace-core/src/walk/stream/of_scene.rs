@@ -56,10 +56,13 @@ pub unsafe fn first_hits<S: Simd>(simd: S, scene: &PackedScene, rays: &[Ray], an
         group.refill(Bits::MAX, &mut work);
     }
     while groups[0].lanes.active | groups[1].lanes.active != 0 {
-        let [first, second] = &mut groups;
-        // SAFETY: the scene is valid, so every position the kernel computes lies inside its array.
-        let steps = unsafe { [kernel.step(&mut first.lanes), kernel.step(&mut second.lanes)] };
-        for (group, step) in groups.iter_mut().zip(steps) {
+        for group in &mut groups {
+            // SAFETY: the scene is valid, so every position the kernel computes lies inside its array.
+            unsafe { kernel.look_ahead(&mut group.lanes) };
+        }
+        for group in &mut groups {
+            // SAFETY: as above.
+            let step = unsafe { kernel.step(&mut group.lanes) };
             let done = group.lanes.active & !step.active;
             group.lanes.active = step.active;
             for lane in lanes_of(step.unsure) {

@@ -5,6 +5,7 @@ use super::ffi::{self, RayHits};
 use super::structure::Structure;
 use crate::contender::Contender;
 use crate::ray_sets::RaySet;
+use std::ffi::CStr;
 use voxtrace::{VoxelGrid, glam::IVec3};
 
 /// Embree with a box for each voxel.
@@ -32,7 +33,7 @@ impl Voxels {
 
 impl Boxes {
     /// Builds the boxes of a grid whose extent is below 65,536. `table_bytes` is the size of the table of materials.
-    pub fn build(grid: &VoxelGrid, table_bytes: u64) -> Self {
+    pub fn build(grid: &VoxelGrid, table_bytes: u64, config: &CStr) -> Self {
         let bounds = grid.bounds().expect("the grid holds a voxel");
         assert!(bounds.size().max_element() <= 1 << 16, "coordinates fit 16 bits");
         let record = |(voxel, material): (IVec3, u16)| {
@@ -44,7 +45,7 @@ impl Boxes {
         let voxels = Box::new(Voxels { low: bounds.min, records });
         let user = (&raw const *voxels).cast_mut().cast();
         // SAFETY: the geometry lives; `voxels` is boxed and outlives it; the functions have the types that Embree calls.
-        let structure = Structure::build(ffi::RTC_GEOMETRY_TYPE_USER, |geometry| unsafe {
+        let structure = Structure::build(ffi::RTC_GEOMETRY_TYPE_USER, config, |geometry| unsafe {
             ffi::rtcSetGeometryUserData(geometry, user);
             ffi::rtcSetGeometryUserPrimitiveCount(geometry, voxels.records.len() as u32);
             ffi::rtcSetGeometryBoundsFunction(geometry, Some(bounds_of), std::ptr::null_mut());

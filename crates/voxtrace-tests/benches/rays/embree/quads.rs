@@ -5,6 +5,7 @@ use super::ffi;
 use super::structure::Structure;
 use crate::contender::Contender;
 use crate::ray_sets::RaySet;
+use std::ffi::CStr;
 use voxtrace::grid::VoxelBox;
 use voxtrace::ray::FACES;
 use voxtrace::{Face, VoxelGrid, glam::IVec3};
@@ -29,7 +30,7 @@ struct Mesh {
 
 impl Quads {
     /// Builds the quads of a grid. `table_bytes` is the size of the table of materials.
-    pub fn build(grid: &VoxelGrid, table_bytes: u64) -> Self {
+    pub fn build(grid: &VoxelGrid, table_bytes: u64, config: &CStr) -> Self {
         let mut mesh = Mesh::of(grid);
         let (vertices, quads) = (mesh.vertices.len(), mesh.quads.len());
         // Embree reads 16 bytes of each vertex of 12.
@@ -37,7 +38,7 @@ impl Quads {
         mesh.vertices.shrink_to_fit();
         let (vertex, index) = (ffi::RTC_BUFFER_TYPE_VERTEX, ffi::RTC_BUFFER_TYPE_INDEX);
         // SAFETY: the geometry lives; the buffers hold what is said of them and outlive it.
-        let structure = Structure::build(ffi::RTC_GEOMETRY_TYPE_QUAD, |geometry| unsafe {
+        let structure = Structure::build(ffi::RTC_GEOMETRY_TYPE_QUAD, config, |geometry| unsafe {
             let data = mesh.vertices.as_ptr().cast();
             ffi::rtcSetSharedGeometryBuffer(geometry, vertex, 0, ffi::RTC_FORMAT_FLOAT3, data, 0, 12, vertices);
             let data = mesh.quads.as_ptr().cast();

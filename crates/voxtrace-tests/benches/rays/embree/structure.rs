@@ -1,7 +1,7 @@
 //! A built Embree scene with one geometry, and the bytes that Embree says it holds.
 
 use super::ffi;
-use std::ffi::c_void;
+use std::ffi::{CStr, c_void};
 use std::ptr;
 use std::sync::atomic::{AtomicI64, Ordering};
 use std::time::{Duration, Instant};
@@ -31,13 +31,14 @@ unsafe extern "C" fn watch(user: *mut c_void, bytes: isize, _post: bool) -> bool
 }
 
 impl Structure {
-    /// Builds the scene of one geometry of type `kind` at Embree's highest quality; `describe` sets its buffers or callbacks.
-    pub fn build(kind: i32, describe: impl FnOnce(ffi::RTCGeometry)) -> Self {
+    /// Builds the scene of one geometry of type `kind` at Embree's highest quality, on a device with Embree's `config`; `describe` sets its buffers or
+    /// callbacks.
+    pub fn build(kind: i32, config: &CStr, describe: impl FnOnce(ffi::RTCGeometry)) -> Self {
         let start = Instant::now();
         let memory = Box::<Memory>::default();
         // SAFETY: every handle is used while it lives, and `memory` is boxed and outlives the device.
         let (device, scene) = unsafe {
-            let device = ffi::rtcNewDevice(ptr::null());
+            let device = ffi::rtcNewDevice(config.as_ptr());
             assert!(!device.is_null(), "Embree finds no device: error {}", ffi::rtcGetDeviceError(ptr::null_mut()));
             let user = (&raw const *memory).cast_mut().cast();
             ffi::rtcSetDeviceMemoryMonitorFunction(device, Some(watch), user);

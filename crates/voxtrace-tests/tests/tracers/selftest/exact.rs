@@ -10,8 +10,8 @@ use voxtrace_tests::random::Random;
 use voxtrace_tests::rays::mixed;
 use voxtrace_tests::scenes::noise;
 
-/// Steps of rays through boxes of any size: the ray, the voxel where it is, the planes through which it may leave, and a
-/// voxel near the one where it arrives.
+/// Steps of rays through boxes of any size: the ray, the voxel where it is, the planes through which it may leave, and
+/// planes of the voxel where it arrives.
 fn steps() -> Vec<u32> {
     let grid = noise(IVec3::new(-20, 3, 1000), 50, 0.01, 1, 7);
     let mut random = Random(8);
@@ -27,9 +27,9 @@ fn steps() -> Vec<u32> {
             let is_negative = local.direction.cmplt(Vec3::ZERO);
             let exit = IVec3::select(is_negative, cell, cell + 1) << shift as i32;
             let arrival = exact::leave_box(&local, voxel, exit).expect("a local ray moves");
-            let guess = arrival + random.voxel(IVec3::splat(-1), IVec3::splat(2));
+            let nearest = arrival + random.voxel(IVec3::ZERO, IVec3::splat(2));
             inputs.extend(ray_words(&ray));
-            inputs.extend([voxel, exit, guess].into_iter().flat_map(cell_words));
+            inputs.extend([voxel, exit, nearest].into_iter().flat_map(cell_words));
             voxel = arrival;
         }
     }

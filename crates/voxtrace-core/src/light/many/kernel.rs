@@ -1,0 +1,212 @@
+//! What [`super::super::emitters`] computes of nodes, for sixteen receivers at once: the same operations in the same order in each lane.
+
+use super::super::emitters::FAR_SQUARED;
+use super::ways::{NORMAL, POINT, SLACK};
+use crate::walk::simd::{LANES, Row, Simd};
+
+/// Sixteen receivers, and what of them stays the same for all nodes.
+#[derive(Clone, Copy)]
+pub struct Receivers<S: Simd> {
+    point: [S::Floats; 3],
+    normal: [S::Floats; 3],
+    slack: S::Floats,
+}
+
+impl<S: Simd> Receivers<S> {
+    /// Those of some arrays, one for each quantity.
+    #[inline(always)]
+    pub fn load(s: S, floats: [&[f32; LANES]; SLACK + 1]) -> Self {
+        let (mut point, mut normal) = ([s.floats(0.0); 3], [s.floats(0.0); 3]);
+        for axis in 0..3 {
+            point[axis] = s.load_floats(floats[POINT + axis]);
+            normal[axis] = s.load_floats(floats[NORMAL + axis]);
+        }
+        Self { point, normal, slack: s.load_floats(floats[SLACK]) }
+    }
+}
+
+/// Sixteen nodes.
+#[derive(Clone, Copy)]
+pub struct Nodes<S: Simd> {
+    min: [S::Floats; 3],
+    max: [S::Floats; 3],
+    power: [S::Floats; 6],
+    pub index: S::Ints,
+    pub count: S::Ints,
+}
+
+impl<S: Simd> Nodes<S> {
+    /// Reads the nodes of these numbers.
+    ///
+    /// # Safety
+    /// There must be such nodes.
+    #[inline(always)]
+    pub unsafe fn gather(s: S, number: S::Ints, nodes: &[[Row; 4]]) -> Self {
+        // SAFETY: the caller's duty.
+        let [low, high, power, rest] = unsafe { s.gather_records(number, nodes) };
+        Self {
+            min: [s.floats_of(low[0]), s.floats_of(low[1]), s.floats_of(low[2])],
+            max: [s.floats_of(high[0]), s.floats_of(high[1]), s.floats_of(high[2])],
+            power: [
+                s.floats_of(power[0]),
+                s.floats_of(power[1]),
+                s.floats_of(power[2]),
+                s.floats_of(power[3]),
+                s.floats_of(rest[0]),
+                s.floats_of(rest[1]),
+            ],
+            index: low[3],
+            count: high[3],
+        }
+    }
+
+    /// The twin of `view`: the importances, and which are far.
+    #[inline(always)]
+    pub fn view(&self, s: S, receivers: &Receivers<S>) -> (S::Floats, S::Mask) {
+        let Receivers { normal, slack, .. } = receivers;
+        let Spread { toward, half, far, near, distance } = self.spread(s, receivers);
+        let zero = s.floats(0.0);
+        let steep = [s.abs(normal[0]), s.abs(normal[1]), s.abs(normal[2])];
+        let (middle, aside) = (dot(s, &toward, normal), dot(s, &half, &steep));
+        let above = s.add_floats(s.add_floats(middle, aside), *slack);
+        let lowest = s.add_floats(s.sub_floats(middle, aside), *slack);
+        let is_outside = s.lt_floats(s.mul_floats(near, s.floats(FAR_SQUARED)), far);
+        let is_far = s.both(s.lt_floats(zero, lowest), is_outside);
+        let sent = sum_of_sides(s, self.sent_by_side(s, receivers, distance));
+        let falloff = reciprocal_guess(s, s.max(far, near));
+        let seen = s.mul_floats(s.mul_floats(sent, s.min(above, distance)), s.mul_floats(falloff, falloff));
+        (s.select_floats(s.lt_floats(zero, above), seen, zero), is_far)
+    }
+
+    /// How large the boxes are, and where they lie from the receivers.
+    #[inline(always)]
+    fn spread(&self, s: S, receivers: &Receivers<S>) -> Spread<S> {
+        let (zero, one_half) = (s.floats(0.0), s.floats(0.5));
+        let (mut half, mut toward, mut longer) = ([zero; 3], [zero; 3], [zero; 3]);
+        for axis in 0..3 {
+            half[axis] = s.mul_floats(s.sub_floats(self.max[axis], self.min[axis]), one_half);
+            let middle = s.mul_floats(s.add_floats(self.min[axis], self.max[axis]), one_half);
+            toward[axis] = s.sub_floats(middle, receivers.point[axis]);
+        }
+        let (far, near) = (dot(s, &toward, &toward), dot(s, &half, &half));
+        let is_outside = s.lt_floats(near, far);
+        for axis in 0..3 {
+            longer[axis] = s.select_floats(is_outside, s.abs(toward[axis]), half[axis]);
+        }
+        Spread { toward, half, far, near, distance: length_bound(s, &longer) }
+    }
+
+    /// The twin of `sent_by_side`.
+    #[inline(always)]
+    fn sent_by_side(&self, s: S, receivers: &Receivers<S>, distance: S::Floats) -> [S::Floats; 6] {
+        let zero = s.floats(0.0);
+        let mut sent = [zero; 6];
+        for axis in 0..3 {
+            let beyond_min = s.min(s.max(s.sub_floats(receivers.point[axis], self.min[axis]), zero), distance);
+            let beyond_max = s.min(s.max(s.sub_floats(self.max[axis], receivers.point[axis]), zero), distance);
+            sent[2 * axis] = s.mul_floats(self.power[2 * axis], beyond_max);
+            sent[2 * axis + 1] = s.mul_floats(self.power[2 * axis + 1], beyond_min);
+        }
+        sent
+    }
+
+    /// The twin of `choose_side` without a side that was met: the sides, their power, and the weights of ways with these weights and choices; 0 where
+    /// nothing is sent.
+    #[inline(always)]
+    pub fn choose_side(&self, s: S, receivers: &Receivers<S>, [weight, total, choice]: [S::Floats; 3]) -> Sides<S> {
+        let zero = s.floats(0.0);
+        let sent = self.sent_by_side(s, receivers, self.spread(s, receivers).distance);
+        let sum = normal_or_zero(s, sum_of_sides(s, sent));
+        let unit = inverse_power_of_two(s, sum);
+        let of_all = s.mul_floats(sum, unit);
+        let threshold = s.mul_floats(choice, of_all);
+        let mut sides = Sides { side: s.ints(0), power: zero, weight: zero, total: s.mul_floats(total, of_all) };
+        let (mut passed, mut is_open) = (zero, s.lt_floats(zero, sum));
+        for side in 0..6 {
+            let share = normal_or_zero(s, s.mul_floats(sent[side], unit));
+            let is_chosen = s.both(is_open, s.lt_floats(zero, share));
+            sides.side = s.select(is_chosen, s.ints(side as i32), sides.side);
+            sides.power = s.select_floats(is_chosen, self.power[side], sides.power);
+            sides.weight = s.select_floats(is_chosen, s.mul_floats(weight, share), sides.weight);
+            passed = s.add_floats(passed, share);
+            is_open = s.except(is_open, s.lt_floats(threshold, s.mul_floats(passed, weight)));
+        }
+        sides
+    }
+}
+
+/// Of sixteen nodes and receivers, with the middle of a box from the receiver and half its diagonal: both, their squared lengths, and a bound of the
+/// longer one.
+struct Spread<S: Simd> {
+    toward: [S::Floats; 3],
+    half: [S::Floats; 3],
+    far: S::Floats,
+    near: S::Floats,
+    distance: S::Floats,
+}
+
+/// Sixteen chosen sides.
+pub struct Sides<S: Simd> {
+    pub side: S::Ints,
+    pub power: S::Floats,
+    pub weight: S::Floats,
+    pub total: S::Floats,
+}
+
+/// Sum of three products, the first two first.
+#[inline(always)]
+fn dot<S: Simd>(s: S, a: &[S::Floats; 3], b: &[S::Floats; 3]) -> S::Floats {
+    let two = s.add_floats(s.mul_floats(a[0], b[0]), s.mul_floats(a[1], b[1]));
+    s.add_floats(two, s.mul_floats(a[2], b[2]))
+}
+
+/// The twin of `length_bound`.
+#[inline(always)]
+fn length_bound<S: Simd>(s: S, [x, y, z]: &[S::Floats; 3]) -> S::Floats {
+    let largest = s.max(*x, s.max(*y, *z));
+    s.mul_floats(s.add_floats(largest, s.add_floats(s.add_floats(*x, *y), *z)), s.floats(0.5))
+}
+
+/// The twin of [`crate::math::reciprocal_guess`].
+#[inline(always)]
+fn reciprocal_guess<S: Simd>(s: S, x: S::Floats) -> S::Floats {
+    let guess = s.floats_of(s.sub(s.ints(0x7ef3_11c3), s.bits_of(x)));
+    s.mul_floats(guess, s.sub_floats(s.floats(2.0), s.mul_floats(x, guess)))
+}
+
+/// The twin of [`crate::math::inverse_power_of_two`]; no sum is negative.
+#[inline(always)]
+fn inverse_power_of_two<S: Simd>(s: S, sum: S::Floats) -> S::Floats {
+    s.floats_of(s.shl(s.sub(s.ints(254), s.shr(s.bits_of(sum), 23)), 23))
+}
+
+/// The twin of `sum_of_sides`.
+#[inline(always)]
+fn sum_of_sides<S: Simd>(s: S, sent: [S::Floats; 6]) -> S::Floats {
+    let [x, y, z] = [s.add_floats(sent[0], sent[1]), s.add_floats(sent[2], sent[3]), s.add_floats(sent[4], sent[5])];
+    s.add_floats(s.add_floats(x, y), z)
+}
+
+/// The twin of `weights_of`: the weights, and the lanes that have any.
+#[inline(always)]
+pub fn weights_of<S: Simd>(s: S, left: S::Floats, right: S::Floats) -> ([S::Floats; 2], S::Mask) {
+    let (left, right) = (normal_or_zero(s, left), normal_or_zero(s, right));
+    let sum = s.add_floats(left, right);
+    let unit = inverse_power_of_two(s, sum);
+    let weights = [s.mul_floats(left, unit), s.mul_floats(right, unit)];
+    ([normal_or_zero(s, weights[0]), normal_or_zero(s, weights[1])], s.lt_floats(s.floats(0.0), sum))
+}
+
+/// What is too small for a normal number is 0.
+#[inline(always)]
+fn normal_or_zero<S: Simd>(s: S, x: S::Floats) -> S::Floats {
+    s.select_floats(s.lt_floats(x, s.floats(f32::MIN_POSITIVE)), s.floats(0.0), x)
+}
+
+/// The lanes of an array.
+#[inline(always)]
+pub fn to_array<S: Simd>(s: S, vector: S::Ints) -> [i32; LANES] {
+    let mut lanes = [0; LANES];
+    s.store(&mut lanes, vector);
+    lanes
+}
