@@ -1196,6 +1196,39 @@ fn record_of_cell_0( cell_1 : u32) -> u32
     return ((cell_1 & (_S78))) * u32(2);
 }
 
+fn rank_in_brick_0( record_0 : u32,  relative_1 : vec3<i32>) -> u32
+{
+    var bit_0 : u32 = cell_in_node_0(relative_1, u32(0));
+    var present_before_0 : u32 = countOneBits((bricks_0[record_0] & ((((u32(1) << (((((u32(((((relative_1.x) >> (u32(2)))) & (i32(1)))) | (((u32(((((relative_1.y) >> (u32(2)))) & (i32(1)))) << (u32(1))))))) | (((u32(((((relative_1.z) >> (u32(2)))) & (i32(1)))) << (u32(2)))))))))) - u32(1)))));
+    var index_5 : u32 = u32(0);
+    var rank_0 : u32 = u32(0);
+    for(;;)
+    {
+        if(index_5 < present_before_0)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S79 : u32 = u32(2) * index_5;
+        var rank_1 : u32 = rank_0 + (countOneBits(bricks_0[record_0 + u32(2) + _S79]) + countOneBits(bricks_0[record_0 + u32(3) + _S79]));
+        index_5 = index_5 + u32(1);
+        rank_0 = rank_1;
+    }
+    var _S80 : u32 = u32(2) * present_before_0;
+    var low_4 : u32 = bricks_0[record_0 + u32(2) + _S80];
+    if(bit_0 < u32(32))
+    {
+        rank_0 = rank_0 + countOneBits((low_4 & ((((u32(1) << (bit_0))) - u32(1)))));
+    }
+    else
+    {
+        rank_0 = rank_0 + (countOneBits(low_4) + countOneBits((bricks_0[record_0 + u32(3) + _S80] & ((((u32(1) << ((bit_0 - u32(32))))) - u32(1))))));
+    }
+    return rank_0;
+}
+
 fn read_bits_0( start_0 : u32,  position_0 : u32,  count_3 : u32) -> u32
 {
     if(count_3 == u32(0))
@@ -1217,23 +1250,23 @@ fn read_bits_0( start_0 : u32,  position_0 : u32,  count_3 : u32) -> u32
     return (bits_2 & ((((u32(1) << (count_3))) - u32(1))));
 }
 
-fn find_brick_0( _S79 : u32,  _S80 : vec3<i32>) -> u32
+fn find_brick_0( _S81 : u32,  _S82 : vec3<i32>) -> u32
 {
-    var top_0 : vec3<i32> = (_S80 >> (vec3<u32>(grids_0[_S79].top_shift_0)));
-    var cell_2 : u32 = cells_0[grids_0[_S79].top_offset_0 + u32((top_0.z * grids_0[_S79].top_size_0[i32(1)] + top_0.y) * grids_0[_S79].top_size_0[i32(0)] + top_0.x)];
-    var shift_3 : u32 = grids_0[_S79].top_shift_0;
+    var top_0 : vec3<i32> = (_S82 >> (vec3<u32>(grids_0[_S81].top_shift_0)));
+    var cell_2 : u32 = cells_0[grids_0[_S81].top_offset_0 + u32((top_0.z * grids_0[_S81].top_size_0[i32(1)] + top_0.y) * grids_0[_S81].top_size_0[i32(0)] + top_0.x)];
+    var shift_3 : u32 = grids_0[_S81].top_shift_0;
     for(;;)
     {
-        var _S81 : bool;
+        var _S83 : bool;
         if(shift_3 > u32(3))
         {
-            _S81 = ((cell_2 & (u32(2147483648)))) != u32(0);
+            _S83 = ((cell_2 & (u32(2147483648)))) != u32(0);
         }
         else
         {
-            _S81 = false;
+            _S83 = false;
         }
-        if(_S81)
+        if(_S83)
         {
         }
         else
@@ -1241,49 +1274,21 @@ fn find_brick_0( _S79 : u32,  _S80 : vec3<i32>) -> u32
             break;
         }
         var shift_4 : u32 = shift_3 - u32(2);
-        cell_2 = cells_0[((cell_2 & (u32(2147483647)))) * u32(64) + cell_in_node_0(_S80, shift_4)];
+        cell_2 = cells_0[((cell_2 & (u32(2147483647)))) * u32(64) + cell_in_node_0(_S82, shift_4)];
         shift_3 = shift_4;
     }
     return record_of_cell_0(cell_2);
 }
 
-fn material_at_0( _S82 : u32,  _S83 : vec3<i32>) -> u32
+fn material_at_0( _S84 : u32,  _S85 : vec3<i32>) -> u32
 {
-    var _S84 : u32 = find_brick_0(_S82, _S83);
-    var header_0 : u32 = bricks_0[_S84];
-    var bit_0 : u32 = cell_in_node_0(_S83, u32(0));
-    var present_before_0 : u32 = countOneBits((header_0 & ((((u32(1) << (((((u32(((((_S83.x) >> (u32(2)))) & (i32(1)))) | (((u32(((((_S83.y) >> (u32(2)))) & (i32(1)))) << (u32(1))))))) | (((u32(((((_S83.z) >> (u32(2)))) & (i32(1)))) << (u32(2)))))))))) - u32(1)))));
-    var index_5 : u32 = u32(0);
-    var rank_0 : u32 = u32(0);
-    for(;;)
-    {
-        if(index_5 < present_before_0)
-        {
-        }
-        else
-        {
-            break;
-        }
-        var _S85 : u32 = u32(2) * index_5;
-        var rank_1 : u32 = rank_0 + (countOneBits(bricks_0[_S84 + u32(2) + _S85]) + countOneBits(bricks_0[_S84 + u32(3) + _S85]));
-        index_5 = index_5 + u32(1);
-        rank_0 = rank_1;
-    }
-    var _S86 : u32 = u32(2) * present_before_0;
-    var low_4 : u32 = bricks_0[_S84 + u32(2) + _S86];
-    if(bit_0 < u32(32))
-    {
-        rank_0 = rank_0 + countOneBits((low_4 & ((((u32(1) << (bit_0))) - u32(1)))));
-    }
-    else
-    {
-        rank_0 = rank_0 + (countOneBits(low_4) + countOneBits((bricks_0[_S84 + u32(3) + _S86] & ((((u32(1) << ((bit_0 - u32(32))))) - u32(1))))));
-    }
+    var _S86 : u32 = find_brick_0(_S84, _S85);
+    var header_0 : u32 = bricks_0[_S86];
     var index_bits_0 : u32 = (((header_0 >> (u32(8)))) & (u32(255)));
     var palette_count_0 : u32 = (header_0 >> (u32(16)));
-    var entry_bits_0 : u32 = grids_0[_S82].material_bits_0;
-    var start_1 : u32 = bricks_0[_S84 + u32(1)];
-    var index_6 : u32 = read_bits_0(start_1, palette_count_0 * grids_0[_S82].material_bits_0 + rank_0 * index_bits_0, index_bits_0);
+    var entry_bits_0 : u32 = grids_0[_S84].material_bits_0;
+    var start_1 : u32 = bricks_0[_S86 + u32(1)];
+    var index_6 : u32 = read_bits_0(start_1, palette_count_0 * grids_0[_S84].material_bits_0 + rank_in_brick_0(_S86, _S85) * index_bits_0, index_bits_0);
     if(palette_count_0 == u32(0))
     {
         return index_6;
@@ -1309,9 +1314,9 @@ fn check_material(@builtin(global_invocation_id) id_4 : vec3<u32>, @builtin(loca
     return;
 }
 
-fn blocks_of_record_0( record_0 : u32) -> u32
+fn blocks_of_record_0( record_1 : u32) -> u32
 {
-    return (bricks_0[record_0] & (u32(255)));
+    return (bricks_0[record_1] & (u32(255)));
 }
 
 fn flip_of_0( octant_0 : u32) -> u32
@@ -1319,7 +1324,7 @@ fn flip_of_0( octant_0 : u32) -> u32
     return ((((((octant_0 & (u32(1)))) | (((((octant_0 & (u32(2)))) << (u32(1))))))) | (((((octant_0 & (u32(4)))) << (u32(2))))))) * u32(3);
 }
 
-fn empty_around_0( record_1 : u32,  blocks_0 : u32,  voxel_2 : vec3<i32>,  octant_1 : u32,  flip_0 : u32) -> u32
+fn empty_around_0( record_2 : u32,  blocks_0 : u32,  voxel_2 : vec3<i32>,  octant_1 : u32,  flip_0 : u32) -> u32
 {
     var block_0 : u32 = (((((u32(((((voxel_2.x) >> (u32(2)))) & (i32(1)))) | (u32(((((voxel_2.y) >> (u32(1)))) & (i32(2))))))) | (u32(((voxel_2.z) & (i32(4))))))) ^ (octant_1));
     if(((((blocks_0 >> (block_0))) & (u32(1)))) == u32(0))
@@ -1327,7 +1332,7 @@ fn empty_around_0( record_1 : u32,  blocks_0 : u32,  voxel_2 : vec3<i32>,  octan
         return u32(3);
     }
     var bit_1 : u32 = ((cell_in_node_0(voxel_2, u32(0))) ^ (flip_0));
-    var half_1 : u32 = bricks_0[record_1 + u32(2) + u32(2) * countOneBits((blocks_0 & ((((u32(1) << (block_0))) - u32(1))))) + ((bit_1 >> (u32(5))))];
+    var half_1 : u32 = bricks_0[record_2 + u32(2) + u32(2) * countOneBits((blocks_0 & ((((u32(1) << (block_0))) - u32(1))))) + ((bit_1 >> (u32(5))))];
     if(((((half_1 >> (((bit_1 & (u32(31))))))) & (u32(1)))) != u32(0))
     {
         return u32(4294967295);
@@ -2435,6 +2440,8 @@ fn surface_of_0( ray_5 : Ray_0,  hit_6 : Hit_0) -> Surface_0
     return surface_0;
 }
 
+@id(10) override HAS_NORMALS_0 : bool = false;
+
 fn orthonormal_pair_0( z_0 : vec3<f32>,  x_7 : ptr<function, vec3<f32>>,  y_4 : ptr<function, vec3<f32>>)
 {
     var _S174 : f32 = z_0.z;
@@ -2481,6 +2488,14 @@ fn Surface_world_direction_0( this_24 : Surface_0,  local_1 : vec3<f32>) -> vec3
 {
     var _S180 : bool;
     if(HAS_CUTS_0)
+    {
+        _S180 = true;
+    }
+    else
+    {
+        _S180 = HAS_NORMALS_0;
+    }
+    if(_S180)
     {
         _S180 = (this_24.face_6) >= u32(6);
     }
@@ -2534,6 +2549,14 @@ fn Surface_local_direction_0( this_25 : Surface_0,  world_0 : vec3<f32>) -> vec3
 {
     var _S184 : bool;
     if(HAS_CUTS_0)
+    {
+        _S184 = true;
+    }
+    else
+    {
+        _S184 = HAS_NORMALS_0;
+    }
+    if(_S184)
     {
         _S184 = (this_25.face_6) >= u32(6);
     }

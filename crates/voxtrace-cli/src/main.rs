@@ -22,6 +22,7 @@ mod lines;
 mod load;
 mod mesh;
 mod noise;
+mod normals;
 mod outputs;
 mod overlays;
 mod parse;

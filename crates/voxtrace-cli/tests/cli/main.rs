@@ -15,6 +15,7 @@ mod lines;
 mod merging;
 mod meshes;
 mod noise;
+mod normals;
 mod outputs;
 mod render;
 mod surroundings;
