@@ -3168,6 +3168,34 @@ fn climb_0( receiver_11 : Receiver_0,  start_2 : u32,  descent_2 : ptr<function,
 
 fn in_grid_3( instance_5 : u32,  receiver_12 : Receiver_0) -> Receiver_0
 {
+    var _S243 : bool;
+    if(IS_SINGLE_0)
+    {
+        if(HAS_CUTS_0)
+        {
+            _S243 = true;
+        }
+        else
+        {
+            _S243 = HAS_NORMALS_0;
+        }
+    }
+    else
+    {
+        _S243 = false;
+    }
+    if(_S243)
+    {
+        _S243 = (Receiver_slack_0(receiver_12)) <= 0.0f;
+    }
+    else
+    {
+        _S243 = false;
+    }
+    if(_S243)
+    {
+        return Receiver_x24init_0(receiver_12.point_0, normalize_vector_0(receiver_12.normal_0));
+    }
     if(IS_SINGLE_0)
     {
         return receiver_12;
@@ -3188,11 +3216,11 @@ struct FaceChoice_0
 
 fn FaceChoice_x24init_0( emitter_1 : u32,  axis_4 : u32,  importance_1 : f32) -> FaceChoice_0
 {
-    var _S243 : FaceChoice_0;
-    _S243.emitter_0 = emitter_1;
-    _S243.axis_3 = axis_4;
-    _S243.importance_0 = importance_1;
-    return _S243;
+    var _S244 : FaceChoice_0;
+    _S244.emitter_0 = emitter_1;
+    _S244.axis_3 = axis_4;
+    _S244.importance_0 = importance_1;
+    return _S244;
 }
 
 fn sum_of_0( importances_0 : vec3<f32>) -> f32
@@ -3207,13 +3235,13 @@ fn component_0( vector_5 : vec3<f32>,  axis_5 : u32) -> f32
 
 fn choose_axis_0( importances_1 : vec3<f32>,  threshold_1 : f32) -> u32
 {
-    var _S244 : f32 = importances_1.x;
-    if(threshold_1 < _S244)
+    var _S245 : f32 = importances_1.x;
+    if(threshold_1 < _S245)
     {
         return u32(0);
     }
-    var _S245 : f32 = importances_1.y;
-    if(threshold_1 < (_S244 + _S245))
+    var _S246 : f32 = importances_1.y;
+    if(threshold_1 < (_S245 + _S246))
     {
         return u32(1);
     }
@@ -3221,71 +3249,71 @@ fn choose_axis_0( importances_1 : vec3<f32>,  threshold_1 : f32) -> u32
     {
         return u32(2);
     }
-    var _S246 : i32;
-    if(_S245 > 0.0f)
+    var _S247 : i32;
+    if(_S246 > 0.0f)
     {
-        _S246 = i32(1);
+        _S247 = i32(1);
     }
     else
     {
-        _S246 = i32(0);
+        _S247 = i32(0);
     }
-    return u32(_S246);
+    return u32(_S247);
 }
 
-fn face_importances_0( _S247 : u32,  _S248 : Receiver_0) -> vec3<f32>
+fn face_importances_0( _S248 : u32,  _S249 : Receiver_0) -> vec3<f32>
 {
-    var _S249 : vec3<f32> = vec3<f32>(0.5f);
-    var toward_3 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[_S247].voxel_0)) + _S249 - _S248.point_0;
+    var _S250 : vec3<f32> = vec3<f32>(0.5f);
+    var toward_3 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[_S248].voxel_0)) + _S250 - _S249.point_0;
     var aside_0 : vec3<f32> = abs(toward_3);
-    var in_front_0 : vec3<f32> = aside_0 - _S249;
+    var in_front_0 : vec3<f32> = aside_0 - _S250;
     var squares_0 : vec3<f32> = aside_0 * aside_0;
-    var height_2 : vec3<f32> = abs(_S248.normal_0) * _S249;
-    var _S250 : vec3<f32> = vec3<f32>(0.0f);
-    var is_upper_0 : vec3<bool> = toward_3 < _S250;
-    var above_3 : vec3<f32> = vec3<f32>(with_slack_0(_S248, dot_product_0(toward_3, _S248.normal_0))) + select((vec3<f32>(0) - _S248.normal_0), _S248.normal_0, is_upper_0) * _S249 + (vec3<f32>((height_2.x + height_2.y + height_2.z)) - height_2);
-    var _S251 : f32 = squares_0.y;
-    var _S252 : f32 = squares_0.z;
-    var _S253 : f32 = squares_0.x;
-    var distance_squared_0 : vec3<f32> = max(in_front_0 * in_front_0 + vec3<f32>(_S251 + _S252, _S252 + _S253, _S253 + _S251), vec3<f32>(0.5f));
+    var height_2 : vec3<f32> = abs(_S249.normal_0) * _S250;
+    var _S251 : vec3<f32> = vec3<f32>(0.0f);
+    var is_upper_0 : vec3<bool> = toward_3 < _S251;
+    var above_3 : vec3<f32> = vec3<f32>(with_slack_0(_S249, dot_product_0(toward_3, _S249.normal_0))) + select((vec3<f32>(0) - _S249.normal_0), _S249.normal_0, is_upper_0) * _S250 + (vec3<f32>((height_2.x + height_2.y + height_2.z)) - height_2);
+    var _S252 : f32 = squares_0.y;
+    var _S253 : f32 = squares_0.z;
+    var _S254 : f32 = squares_0.x;
+    var distance_squared_0 : vec3<f32> = max(in_front_0 * in_front_0 + vec3<f32>(_S252 + _S253, _S253 + _S254, _S254 + _S252), vec3<f32>(0.5f));
     var falloff_3 : vec3<f32> = vec3<f32>(reciprocal_guess_0(distance_squared_0.x), reciprocal_guess_0(distance_squared_0.y), reciprocal_guess_0(distance_squared_0.z));
-    return select(vec3<f32>(0.0f), vec3<f32>(emitters_0[_S247].luminance_0) * in_front_0 * min(above_3, vec3<f32>(length_bound_0(aside_0))) * (falloff_3 * falloff_3), select(vec3<bool>(false), above_3 > _S250, select(vec3<bool>(false), in_front_0 > _S250, ((((vec3<u32>((emitters_0[_S247].faces_0)) >> (select(vec3<u32>(u32(0), u32(2), u32(4)), vec3<u32>(u32(1), u32(3), u32(5)), is_upper_0)))) & (vec3<u32>(u32(1))))) != vec3<u32>(u32(0)))));
+    return select(vec3<f32>(0.0f), vec3<f32>(emitters_0[_S248].luminance_0) * in_front_0 * min(above_3, vec3<f32>(length_bound_0(aside_0))) * (falloff_3 * falloff_3), select(vec3<bool>(false), above_3 > _S251, select(vec3<bool>(false), in_front_0 > _S251, ((((vec3<u32>((emitters_0[_S248].faces_0)) >> (select(vec3<u32>(u32(0), u32(2), u32(4)), vec3<u32>(u32(1), u32(3), u32(5)), is_upper_0)))) & (vec3<u32>(u32(1))))) != vec3<u32>(u32(0)))));
 }
 
 fn choose_face_0( leaf_1 : Descent_0,  receiver_13 : Receiver_0,  threshold_2 : f32) -> FaceChoice_0
 {
-    var _S254 : FaceChoice_0 = FaceChoice_x24init_0(u32(0), u32(0), 0.0f);
+    var _S255 : FaceChoice_0 = FaceChoice_x24init_0(u32(0), u32(0), 0.0f);
     var is_found_0 : bool = false;
-    var chosen_2 : FaceChoice_0 = _S254;
+    var chosen_2 : FaceChoice_0 = _S255;
     var index_9 : u32 = leaf_1.index_1;
     var passed_0 : f32 = 0.0f;
     for(;;)
     {
-        var _S255 : bool;
+        var _S256 : bool;
         if(index_9 < (leaf_1.index_1 + leaf_1.count_2))
         {
-            _S255 = !is_found_0;
+            _S256 = !is_found_0;
         }
         else
         {
-            _S255 = false;
+            _S256 = false;
         }
-        if(_S255)
+        if(_S256)
         {
         }
         else
         {
             break;
         }
-        var _S256 : vec3<f32> = face_importances_0(index_9, receiver_13);
-        var sum_3 : f32 = sum_of_0(_S256);
+        var _S257 : vec3<f32> = face_importances_0(index_9, receiver_13);
+        var sum_3 : f32 = sum_of_0(_S257);
         if(sum_3 > 0.0f)
         {
-            var axis_6 : u32 = choose_axis_0(_S256, threshold_2 - passed_0);
-            var _S257 : FaceChoice_0 = FaceChoice_x24init_0(index_9, axis_6, component_0(_S256, axis_6));
+            var axis_6 : u32 = choose_axis_0(_S257, threshold_2 - passed_0);
+            var _S258 : FaceChoice_0 = FaceChoice_x24init_0(index_9, axis_6, component_0(_S257, axis_6));
             var passed_1 : f32 = passed_0 + sum_3;
             is_found_0 = threshold_2 < passed_1;
-            chosen_2 = _S257;
+            chosen_2 = _S258;
             passed_0 = passed_1;
         }
         index_9 = index_9 + u32(1);
@@ -3341,35 +3369,35 @@ fn density_0( leaf_2 : Descent_0,  importance_2 : f32,  sum_4 : f32,  toward_4 :
     return in_front_1;
 }
 
-fn is_without_surface_0( _S258 : u32) -> bool
+fn is_without_surface_0( _S259 : u32) -> bool
 {
-    var _S259 : bool;
-    if((materials_0[_S258].transmission_0) >= 1.0f)
+    var _S260 : bool;
+    if((materials_0[_S259].transmission_0) >= 1.0f)
     {
-        _S259 = (materials_0[_S258].ior_0) == 1.0f;
+        _S260 = (materials_0[_S259].ior_0) == 1.0f;
     }
     else
     {
-        _S259 = false;
+        _S260 = false;
     }
-    if(_S259)
+    if(_S260)
     {
-        _S259 = (materials_0[_S258].metallic_0) <= 0.0f;
+        _S260 = (materials_0[_S259].metallic_0) <= 0.0f;
     }
     else
     {
-        _S259 = false;
+        _S260 = false;
     }
-    return _S259;
+    return _S260;
 }
 
-fn emitted_0( _S260 : u32) -> vec3<f32>
+fn emitted_0( _S261 : u32) -> vec3<f32>
 {
-    if(is_without_surface_0(_S260))
+    if(is_without_surface_0(_S261))
     {
         return vec3<f32>(0.0f);
     }
-    return vector_of_0(materials_0[_S260].emission_0) * vec3<f32>(params_0.emitter_intensity_0);
+    return vector_of_0(materials_0[_S261].emission_0) * vec3<f32>(params_0.emitter_intensity_0);
 }
 
 fn sample_emitter_0( receiver_14 : Receiver_0,  u_7 : vec4<f32>,  aim_2 : Aim_0,  sample_5 : ptr<function, LightSample_0>) -> bool
@@ -3381,28 +3409,28 @@ fn sample_emitter_0( receiver_14 : Receiver_0,  u_7 : vec4<f32>,  aim_2 : Aim_0,
     }
     var descent_3 : Descent_0 = Descent_x24init_0(u32(0), u32(0), u32(0), 1.0f, 1.0f, u_7.x);
     Descent_at_1(&(descent_3), u32(0));
-    var _S261 : bool;
+    var _S262 : bool;
     if(!IS_SINGLE_0)
     {
-        _S261 = aim_2.is_met_0;
+        _S262 = aim_2.is_met_0;
     }
     else
     {
-        _S261 = false;
+        _S262 = false;
     }
-    if(_S261)
+    if(_S262)
     {
         var leaf_3 : u32 = instances_0[aim_2.hit_0.instance_0].light_leaf_0;
         if((instances_0[aim_2.hit_0.instance_0].light_leaf_0) == u32(4294967295))
         {
-            _S261 = true;
+            _S262 = true;
         }
         else
         {
-            var _S262 : bool = climb_0(receiver_14, leaf_3, &(descent_3));
-            _S261 = !_S262;
+            var _S263 : bool = climb_0(receiver_14, leaf_3, &(descent_3));
+            _S262 = !_S263;
         }
-        if(_S261)
+        if(_S262)
         {
             return false;
         }
@@ -3412,14 +3440,14 @@ fn sample_emitter_0( receiver_14 : Receiver_0,  u_7 : vec4<f32>,  aim_2 : Aim_0,
     {
         if(!IS_SINGLE_0)
         {
-            var _S263 : bool = descend_1(receiver_14, by_chance_0(), &(descent_3));
-            _S261 = !_S263;
+            var _S264 : bool = descend_1(receiver_14, by_chance_0(), &(descent_3));
+            _S262 = !_S264;
         }
         else
         {
-            _S261 = false;
+            _S262 = false;
         }
-        if(_S261)
+        if(_S262)
         {
             return false;
         }
@@ -3427,8 +3455,8 @@ fn sample_emitter_0( receiver_14 : Receiver_0,  u_7 : vec4<f32>,  aim_2 : Aim_0,
     var chosen_instance_0 : u32 = descent_3.index_1;
     var local_3 : Receiver_0 = in_grid_3(descent_3.index_1, receiver_14);
     Descent_at_0(&(descent_3), top_light_nodes_0[descent_3.node_0].root_0);
-    var _S264 : bool = descend_0(local_3, aim_2, &(descent_3));
-    if(!_S264)
+    var _S265 : bool = descend_0(local_3, aim_2, &(descent_3));
+    if(!_S265)
     {
         return false;
     }
@@ -3444,19 +3472,19 @@ fn sample_emitter_0( receiver_14 : Receiver_0,  u_7 : vec4<f32>,  aim_2 : Aim_0,
         {
             break;
         }
-        var _S265 : vec3<f32> = face_importances_0(index_10, local_3);
-        var sum_6 : f32 = sum_5 + sum_of_0(_S265);
+        var _S266 : vec3<f32> = face_importances_0(index_10, local_3);
+        var sum_6 : f32 = sum_5 + sum_of_0(_S266);
         if(aim_2.is_met_0)
         {
-            _S261 = (all(((cell_of_0(emitters_0[index_10].voxel_0)) == (aim_2.hit_0.voxel_1))));
+            _S262 = (all(((cell_of_0(emitters_0[index_10].voxel_0)) == (aim_2.hit_0.voxel_1))));
         }
         else
         {
-            _S261 = false;
+            _S262 = false;
         }
-        if(_S261)
+        if(_S262)
         {
-            chosen_3 = FaceChoice_x24init_0(index_10, chosen_3.axis_3, component_0(_S265, chosen_3.axis_3));
+            chosen_3 = FaceChoice_x24init_0(index_10, chosen_3.axis_3, component_0(_S266, chosen_3.axis_3));
         }
         index_10 = index_10 + u32(1);
         sum_5 = sum_6;
@@ -3465,15 +3493,15 @@ fn sample_emitter_0( receiver_14 : Receiver_0,  u_7 : vec4<f32>,  aim_2 : Aim_0,
     {
         chosen_3 = choose_face_0(descent_3, local_3, u_7.y * sum_5);
     }
-    var _S266 : FaceChoice_0 = chosen_3;
+    var _S267 : FaceChoice_0 = chosen_3;
     if((chosen_3.importance_0) <= 0.0f)
     {
         return false;
     }
-    var _S267 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[chosen_3.emitter_0].voxel_0));
-    var face_9 : u32 = u32(2) * chosen_3.axis_3 + u32((component_0(_S267, chosen_3.axis_3) + 0.5f) < (component_0(local_3.point_0, chosen_3.axis_3)));
-    var on_face_0 : vec3<f32> = point_of_face_0(_S267, face_9, u_7.z, u_7.w);
-    var _S268 : vec3<f32> = on_face_0 - local_3.point_0;
+    var _S268 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[chosen_3.emitter_0].voxel_0));
+    var face_9 : u32 = u32(2) * chosen_3.axis_3 + u32((component_0(_S268, chosen_3.axis_3) + 0.5f) < (component_0(local_3.point_0, chosen_3.axis_3)));
+    var on_face_0 : vec3<f32> = point_of_face_0(_S268, face_9, u_7.z, u_7.w);
+    var _S269 : vec3<f32> = on_face_0 - local_3.point_0;
     var toward_5 : vec3<f32>;
     if(aim_2.is_met_0)
     {
@@ -3481,27 +3509,27 @@ fn sample_emitter_0( receiver_14 : Receiver_0,  u_7 : vec4<f32>,  aim_2 : Aim_0,
     }
     else
     {
-        toward_5 = _S268;
+        toward_5 = _S269;
     }
-    var pdf_6 : f32 = density_0(descent_3, _S266.importance_0, sum_5, toward_5, face_9);
+    var pdf_6 : f32 = density_0(descent_3, _S267.importance_0, sum_5, toward_5, face_9);
     (*sample_5).pdf_1 = pdf_6;
     if(aim_2.is_met_0)
     {
         if(pdf_6 > 0.0f)
         {
-            _S261 = face_9 == (aim_2.hit_0.face_0);
+            _S262 = face_9 == (aim_2.hit_0.face_0);
         }
         else
         {
-            _S261 = false;
+            _S262 = false;
         }
-        return _S261;
+        return _S262;
     }
     if(pdf_6 < 0.0f)
     {
         return false;
     }
-    var direction_12 : vec3<f32> = Transform_point_2(chosen_instance_0, offset_ray_origin_0(vector_of_0(instances_0[chosen_instance_0].grid_from_world_0.translation_0), _S267, face_9, on_face_0)) - receiver_14.point_0;
+    var direction_12 : vec3<f32> = Transform_point_2(chosen_instance_0, offset_ray_origin_0(vector_of_0(instances_0[chosen_instance_0].grid_from_world_0.translation_0), _S268, face_9, on_face_0)) - receiver_14.point_0;
     var cos_theta_8 : f32 = with_slack_0(receiver_14, divide_0(dot_product_0(receiver_14.normal_0, direction_12), square_root_0(length_squared_0(direction_12))));
     (*sample_5) = LightSample_x24init_0(Ray_x24init_0(receiver_14.point_0, 0.0f, direction_12, 1.0f), cos_theta_8, emitted_0(emitters_0[chosen_3.emitter_0].material_0), pdf_6);
     return cos_theta_8 > 0.0f;
@@ -3509,8 +3537,8 @@ fn sample_emitter_0( receiver_14 : Receiver_0,  u_7 : vec4<f32>,  aim_2 : Aim_0,
 
 fn EmitterTree_sample_0( receiver_15 : Receiver_0,  u_8 : vec4<f32>,  aim_3 : Aim_0,  sample_6 : ptr<function, LightSample_0>) -> bool
 {
-    var _S269 : bool = sample_emitter_0(receiver_15, u_8, aim_3, &((*sample_6)));
-    return _S269;
+    var _S270 : bool = sample_emitter_0(receiver_15, u_8, aim_3, &((*sample_6)));
+    return _S270;
 }
 
 fn Lights_sample_0( receiver_16 : Receiver_0,  u_9 : vec4<f32>,  aim_4 : Aim_0,  sample_7 : ptr<function, LightSample_0>) -> bool
@@ -3535,9 +3563,9 @@ fn Lights_sample_0( receiver_16 : Receiver_0,  u_9 : vec4<f32>,  aim_4 : Aim_0, 
     }
     if(is_found_1)
     {
-        var _S270 : bool = SunDisc_sample_0(receiver_16, u_9, &((*sample_7)));
+        var _S271 : bool = SunDisc_sample_0(receiver_16, u_9, &((*sample_7)));
         (*sample_7).pdf_1 = (*sample_7).pdf_1 * selection_0.sun_0;
-        is_found_1 = _S270;
+        is_found_1 = _S271;
     }
     else
     {
@@ -3559,15 +3587,15 @@ fn Lights_sample_0( receiver_16 : Receiver_0,  u_9 : vec4<f32>,  aim_4 : Aim_0, 
         }
         if(is_found_1)
         {
-            var _S271 : bool = Sky_sample_0(receiver_16, vec4<f32>(min(divide_0(u_9.x - selection_0.sun_0, selection_0.sky_1), 0.99999994039535522f), u_9.yzw), &((*sample_7)));
+            var _S272 : bool = Sky_sample_0(receiver_16, vec4<f32>(min(divide_0(u_9.x - selection_0.sun_0, selection_0.sky_1), 0.99999994039535522f), u_9.yzw), &((*sample_7)));
             (*sample_7).pdf_1 = (*sample_7).pdf_1 * selection_0.sky_1;
-            is_found_1 = _S271;
+            is_found_1 = _S272;
         }
         else
         {
-            var _S272 : bool = EmitterTree_sample_0(receiver_16, vec4<f32>(min(divide_0(u_9.x - (selection_0.sun_0 + selection_0.sky_1), selection_0.emitters_1), 0.99999994039535522f), u_9.yzw), aim_4, &((*sample_7)));
+            var _S273 : bool = EmitterTree_sample_0(receiver_16, vec4<f32>(min(divide_0(u_9.x - (selection_0.sun_0 + selection_0.sky_1), selection_0.emitters_1), 0.99999994039535522f), u_9.yzw), aim_4, &((*sample_7)));
             (*sample_7).pdf_1 = (*sample_7).pdf_1 * selection_0.emitters_1;
-            is_found_1 = _S272;
+            is_found_1 = _S273;
         }
     }
     return is_found_1;
@@ -3580,30 +3608,30 @@ fn SunDisc_contains_0( direction_13 : vec3<f32>) -> bool
 
 fn SunDisc_pdf_0( direction_14 : vec3<f32>) -> f32
 {
-    var _S273 : f32;
+    var _S274 : f32;
     if(SunDisc_contains_0(direction_14))
     {
-        _S273 = params_0.sun_pdf_0;
-    }
-    else
-    {
-        _S273 = 0.0f;
-    }
-    return _S273;
-}
-
-fn Lights_sun_pdf_0( receiver_17 : Receiver_0,  direction_15 : vec3<f32>) -> f32
-{
-    var _S274 : f32;
-    if(has_sun_0())
-    {
-        _S274 = SunDisc_pdf_0(direction_15) * Lights_selection_0(receiver_17).sun_0;
+        _S274 = params_0.sun_pdf_0;
     }
     else
     {
         _S274 = 0.0f;
     }
     return _S274;
+}
+
+fn Lights_sun_pdf_0( receiver_17 : Receiver_0,  direction_15 : vec3<f32>) -> f32
+{
+    var _S275 : f32;
+    if(has_sun_0())
+    {
+        _S275 = SunDisc_pdf_0(direction_15) * Lights_selection_0(receiver_17).sun_0;
+    }
+    else
+    {
+        _S275 = 0.0f;
+    }
+    return _S275;
 }
 
 fn Hit_is_miss_0( this_26 : Hit_0) -> bool
@@ -3616,20 +3644,20 @@ fn Hit_is_miss_0( this_26 : Hit_0) -> bool
 fn check_light(@builtin(global_invocation_id) id_9 : vec3<u32>, @builtin(local_invocation_index) thread_10 : u32)
 {
     prove_0(thread_10);
-    var _S275 : u32 = id_9.x;
-    if(_S275 >= (dispatch_0.count_0))
+    var _S276 : u32 = id_9.x;
+    if(_S276 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_9 : Reader_0 = Reader_x24init_0(u32(24) * _S275);
-    var writer_9 : Writer_0 = Writer_x24init_0(u32(12) * _S275);
+    var reader_9 : Reader_0 = Reader_x24init_0(u32(24) * _S276);
+    var writer_9 : Writer_0 = Writer_x24init_0(u32(12) * _S276);
     var point_6 : vec3<f32> = Reader_vector_0(&(reader_9));
-    var _S276 : vec3<f32> = Reader_vector_0(&(reader_9));
-    var receiver_18 : Receiver_0 = Receiver_x24init_0(point_6, _S276);
+    var _S277 : vec3<f32> = Reader_vector_0(&(reader_9));
+    var receiver_18 : Receiver_0 = Receiver_x24init_0(point_6, _S277);
     var u_10 : vec3<f32> = Reader_vector_0(&(reader_9));
-    var _S277 : f32 = Reader_number_0(&(reader_9));
+    var _S278 : f32 = Reader_number_0(&(reader_9));
     var sample_8 : LightSample_0;
-    var is_found_2 : bool = Lights_sample_0(receiver_18, vec4<f32>(u_10, _S277), by_chance_0(), &(sample_8));
+    var is_found_2 : bool = Lights_sample_0(receiver_18, vec4<f32>(u_10, _S278), by_chance_0(), &(sample_8));
     if(!is_found_2)
     {
         sample_8 = no_light_0();
@@ -3648,57 +3676,57 @@ fn check_light(@builtin(global_invocation_id) id_9 : vec3<u32>, @builtin(local_i
     var is_met_2 : bool;
     if(!Hit_is_miss_0(hit_8))
     {
-        var _S278 : bool = Lights_sample_0(receiver_18, vec4<f32>(0.0f), aim_5, &(met_0));
-        is_met_2 = _S278;
+        var _S279 : bool = Lights_sample_0(receiver_18, vec4<f32>(0.0f), aim_5, &(met_0));
+        is_met_2 = _S279;
     }
     else
     {
         is_met_2 = false;
     }
-    var _S279 : f32;
+    var _S280 : f32;
     if(is_met_2)
     {
-        _S279 = met_0.pdf_1;
+        _S280 = met_0.pdf_1;
     }
     else
     {
-        _S279 = 0.0f;
+        _S280 = 0.0f;
     }
-    Writer_number_0(&(writer_9), _S279);
+    Writer_number_0(&(writer_9), _S280);
     return;
 }
 
 fn SunDisc_le_0( direction_16 : vec3<f32>) -> vec3<f32>
 {
-    var _S280 : vec3<f32>;
+    var _S281 : vec3<f32>;
     if(SunDisc_contains_0(direction_16))
     {
-        _S280 = params_0.sun_radiance_0;
+        _S281 = params_0.sun_radiance_0;
     }
     else
     {
-        _S280 = vec3<f32>(0.0f);
+        _S281 = vec3<f32>(0.0f);
     }
-    return _S280;
+    return _S281;
 }
 
 fn Environment_to_map_0( d_1 : vec3<f32>) -> vec3<f32>
 {
     var sin_2 : f32 = params_0.sky_turned_0.x;
     var cos_3 : f32 = params_0.sky_turned_0.y;
-    var _S281 : f32 = d_1.x;
-    var _S282 : f32 = d_1.y;
-    return vec3<f32>(_S281 * cos_3 - _S282 * sin_2, _S281 * sin_2 + _S282 * cos_3, d_1.z);
+    var _S282 : f32 = d_1.x;
+    var _S283 : f32 = d_1.y;
+    return vec3<f32>(_S282 * cos_3 - _S283 * sin_2, _S282 * sin_2 + _S283 * cos_3, d_1.z);
 }
 
 fn quarter_turns_0( x_15 : f32,  y_12 : f32) -> f32
 {
-    var _S283 : f32 = min(x_15, y_12);
-    var _S284 : f32 = max(x_15, y_12);
+    var _S284 : f32 = min(x_15, y_12);
+    var _S285 : f32 = max(x_15, y_12);
     var ratio_0 : f32;
-    if(_S284 > 0.0f)
+    if(_S285 > 0.0f)
     {
-        ratio_0 = divide_0(_S283, _S284);
+        ratio_0 = divide_0(_S284, _S285);
     }
     else
     {
@@ -3720,10 +3748,10 @@ fn quarter_turns_0( x_15 : f32,  y_12 : f32) -> f32
 fn square_of_0( direction_17 : vec3<f32>) -> vec2<f32>
 {
     var size_0 : vec3<f32> = abs(direction_17);
-    var _S285 : f32 = size_0.x;
-    var _S286 : f32 = size_0.y;
-    var radius_3 : f32 = square_root_0(divide_0(_S285 * _S285 + _S286 * _S286, 1.0f + size_0.z));
-    var v_5 : f32 = quarter_turns_0(_S285, _S286) * radius_3;
+    var _S286 : f32 = size_0.x;
+    var _S287 : f32 = size_0.y;
+    var radius_3 : f32 = square_root_0(divide_0(_S286 * _S286 + _S287 * _S287, 1.0f + size_0.z));
+    var v_5 : f32 = quarter_turns_0(_S286, _S287) * radius_3;
     var u_11 : f32 = radius_3 - v_5;
     var is_below_1 : bool = (direction_17.z) < 0.0f;
     var u_12 : f32;
@@ -3773,10 +3801,10 @@ struct Gradient_0
 
 fn Gradient_x24init_0( nadir_1 : vec3<f32>,  zenith_1 : vec3<f32>) -> Gradient_0
 {
-    var _S287 : Gradient_0;
-    _S287.nadir_0 = nadir_1;
-    _S287.zenith_0 = zenith_1;
-    return _S287;
+    var _S288 : Gradient_0;
+    _S288.nadir_0 = nadir_1;
+    _S288.zenith_0 = zenith_1;
+    return _S288;
 }
 
 fn Gradient_radiance_0( this_27 : Gradient_0,  direction_20 : vec3<f32>) -> vec3<f32>
@@ -3807,24 +3835,10 @@ fn Environment_pdf_0( direction_23 : vec3<f32>) -> f32
 
 fn Sky_pdf_0( direction_24 : vec3<f32>) -> f32
 {
-    var _S288 : f32;
+    var _S289 : f32;
     if(SKY_0 == u32(1))
     {
-        _S288 = Environment_pdf_0(direction_24);
-    }
-    else
-    {
-        _S288 = 0.0f;
-    }
-    return _S288;
-}
-
-fn Lights_sky_pdf_0( receiver_19 : Receiver_0,  direction_25 : vec3<f32>) -> f32
-{
-    var _S289 : f32;
-    if(Lights_has_chosen_sky_0())
-    {
-        _S289 = Sky_pdf_0(direction_25) * Lights_selection_0(receiver_19).sky_1;
+        _S289 = Environment_pdf_0(direction_24);
     }
     else
     {
@@ -3833,40 +3847,54 @@ fn Lights_sky_pdf_0( receiver_19 : Receiver_0,  direction_25 : vec3<f32>) -> f32
     return _S289;
 }
 
+fn Lights_sky_pdf_0( receiver_19 : Receiver_0,  direction_25 : vec3<f32>) -> f32
+{
+    var _S290 : f32;
+    if(Lights_has_chosen_sky_0())
+    {
+        _S290 = Sky_pdf_0(direction_25) * Lights_selection_0(receiver_19).sky_1;
+    }
+    else
+    {
+        _S290 = 0.0f;
+    }
+    return _S290;
+}
+
 @compute
 @workgroup_size(64, 1, 1)
 fn check_distant_light(@builtin(global_invocation_id) id_10 : vec3<u32>, @builtin(local_invocation_index) thread_11 : u32)
 {
     prove_0(thread_11);
-    var _S290 : u32 = id_10.x;
-    if(_S290 >= (dispatch_0.count_0))
+    var _S291 : u32 = id_10.x;
+    if(_S291 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_10 : Reader_0 = Reader_x24init_0(u32(13) * _S290);
-    var writer_10 : Writer_0 = Writer_x24init_0(u32(22) * _S290);
+    var reader_10 : Reader_0 = Reader_x24init_0(u32(13) * _S291);
+    var writer_10 : Writer_0 = Writer_x24init_0(u32(22) * _S291);
     var point_7 : vec3<f32> = Reader_vector_0(&(reader_10));
-    var _S291 : vec3<f32> = Reader_vector_0(&(reader_10));
-    var receiver_20 : Receiver_0 = Receiver_x24init_0(point_7, _S291);
+    var _S292 : vec3<f32> = Reader_vector_0(&(reader_10));
+    var receiver_20 : Receiver_0 = Receiver_x24init_0(point_7, _S292);
     var u_13 : vec3<f32> = Reader_vector_0(&(reader_10));
-    var _S292 : f32 = Reader_number_0(&(reader_10));
-    var place_3 : vec4<f32> = vec4<f32>(u_13, _S292);
+    var _S293 : f32 = Reader_number_0(&(reader_10));
+    var place_3 : vec4<f32> = vec4<f32>(u_13, _S293);
     var sample_9 : LightSample_0;
     var is_found_3 : bool = SunDisc_sample_0(receiver_20, place_3, &(sample_9));
     var of_sky_0 : LightSample_0;
     var is_found_in_sky_0 : bool = Sky_sample_0(receiver_20, place_3, &(of_sky_0));
     var direction_26 : vec3<f32> = Reader_vector_0(&(reader_10));
     Writer_word_0(&(writer_10), u32(is_found_3));
-    var _S293 : vec3<f32>;
+    var _S294 : vec3<f32>;
     if(is_found_3)
     {
-        _S293 = sample_9.ray_7.direction_1;
+        _S294 = sample_9.ray_7.direction_1;
     }
     else
     {
-        _S293 = vec3<f32>(0.0f);
+        _S294 = vec3<f32>(0.0f);
     }
-    Writer_vector_0(&(writer_10), _S293);
+    Writer_vector_0(&(writer_10), _S294);
     Writer_vector_0(&(writer_10), SunDisc_le_0(direction_26));
     Writer_number_0(&(writer_10), SunDisc_pdf_0(direction_26));
     Writer_vector_0(&(writer_10), Sky_le_0(direction_26));
@@ -3876,32 +3904,32 @@ fn check_distant_light(@builtin(global_invocation_id) id_10 : vec3<u32>, @builti
     Writer_word_0(&(writer_10), u32(is_found_in_sky_0));
     if(is_found_in_sky_0)
     {
-        _S293 = of_sky_0.ray_7.direction_1;
+        _S294 = of_sky_0.ray_7.direction_1;
     }
     else
     {
-        _S293 = vec3<f32>(0.0f);
+        _S294 = vec3<f32>(0.0f);
     }
-    Writer_vector_0(&(writer_10), _S293);
+    Writer_vector_0(&(writer_10), _S294);
     if(is_found_in_sky_0)
     {
-        _S293 = of_sky_0.radiance_3;
+        _S294 = of_sky_0.radiance_3;
     }
     else
     {
-        _S293 = vec3<f32>(0.0f);
+        _S294 = vec3<f32>(0.0f);
     }
-    Writer_vector_0(&(writer_10), _S293);
-    var _S294 : f32;
+    Writer_vector_0(&(writer_10), _S294);
+    var _S295 : f32;
     if(is_found_in_sky_0)
     {
-        _S294 = of_sky_0.pdf_1;
+        _S295 = of_sky_0.pdf_1;
     }
     else
     {
-        _S294 = 0.0f;
+        _S295 = 0.0f;
     }
-    Writer_number_0(&(writer_10), _S294);
+    Writer_number_0(&(writer_10), _S295);
     return;
 }
 
@@ -3910,21 +3938,21 @@ fn check_distant_light(@builtin(global_invocation_id) id_10 : vec3<u32>, @builti
 fn check_equal_area(@builtin(global_invocation_id) id_11 : vec3<u32>, @builtin(local_invocation_index) thread_12 : u32)
 {
     prove_0(thread_12);
-    var _S295 : u32 = id_11.x;
-    if(_S295 >= (dispatch_0.count_0))
+    var _S296 : u32 = id_11.x;
+    if(_S296 >= (dispatch_0.count_0))
     {
         return;
     }
-    var _S296 : u32 = u32(5) * _S295;
-    var reader_11 : Reader_0 = Reader_x24init_0(_S296);
-    var writer_11 : Writer_0 = Writer_x24init_0(_S296);
-    var _S297 : vec3<f32> = Reader_vector_0(&(reader_11));
-    var square_1 : vec2<f32> = square_of_0(_S297);
+    var _S297 : u32 = u32(5) * _S296;
+    var reader_11 : Reader_0 = Reader_x24init_0(_S297);
+    var writer_11 : Writer_0 = Writer_x24init_0(_S297);
+    var _S298 : vec3<f32> = Reader_vector_0(&(reader_11));
+    var square_1 : vec2<f32> = square_of_0(_S298);
     Writer_number_0(&(writer_11), square_1.x);
     Writer_number_0(&(writer_11), square_1.y);
     var x_16 : f32 = Reader_number_0(&(reader_11));
-    var _S298 : f32 = Reader_number_0(&(reader_11));
-    Writer_vector_0(&(writer_11), direction_of_0(vec2<f32>(x_16, _S298)));
+    var _S299 : f32 = Reader_number_0(&(reader_11));
+    Writer_vector_0(&(writer_11), direction_of_0(vec2<f32>(x_16, _S299)));
     return;
 }
 
@@ -3935,9 +3963,9 @@ struct Microfacets_0
 
 fn Microfacets_x24init_0( alpha_1 : f32) -> Microfacets_0
 {
-    var _S299 : Microfacets_0;
-    _S299.alpha_0 = alpha_1;
-    return _S299;
+    var _S300 : Microfacets_0;
+    _S300.alpha_0 = alpha_1;
+    return _S300;
 }
 
 struct MaterialBsdf_0
@@ -3951,13 +3979,13 @@ struct MaterialBsdf_0
 
 fn MaterialBsdf_x24init_0( kind_1 : u32,  color_2 : vec3<f32>,  specular_2 : f32,  eta_1 : f32,  facets_1 : Microfacets_0) -> MaterialBsdf_0
 {
-    var _S300 : MaterialBsdf_0;
-    _S300.kind_0 = kind_1;
-    _S300.color_1 = color_2;
-    _S300.specular_1 = specular_2;
-    _S300.eta_0 = eta_1;
-    _S300.facets_0 = facets_1;
-    return _S300;
+    var _S301 : MaterialBsdf_0;
+    _S301.kind_0 = kind_1;
+    _S301.color_1 = color_2;
+    _S301.specular_1 = specular_2;
+    _S301.eta_0 = eta_1;
+    _S301.facets_0 = facets_1;
+    return _S301;
 }
 
 fn facets_of_0( roughness_1 : f32) -> Microfacets_0
@@ -3972,16 +4000,16 @@ fn chooses_0( share_1 : f32,  choice_2 : ptr<function, f32>) -> bool
         return false;
     }
     var is_chosen_0 : bool = (*choice_2) < share_1;
-    var _S301 : f32;
+    var _S302 : f32;
     if(is_chosen_0)
     {
-        _S301 = divide_0((*choice_2), share_1);
+        _S302 = divide_0((*choice_2), share_1);
     }
     else
     {
-        _S301 = divide_0((*choice_2) - share_1, 1.0f - share_1);
+        _S302 = divide_0((*choice_2) - share_1, 1.0f - share_1);
     }
-    (*choice_2) = _S301;
+    (*choice_2) = _S302;
     return is_chosen_0;
 }
 
@@ -4003,13 +4031,13 @@ fn bsdf_of_0( material_1 : PackedMaterial_0,  ior_1 : f32,  choice_3 : ptr<funct
 {
     var color_3 : vec3<f32> = vector_of_0(material_1.base_color_0);
     var facets_2 : Microfacets_0 = facets_of_0(material_1.roughness_0);
-    var _S302 : bool = chooses_0(material_1.metallic_0, &((*choice_3)));
-    if(_S302)
+    var _S303 : bool = chooses_0(material_1.metallic_0, &((*choice_3)));
+    if(_S303)
     {
         return MaterialBsdf_x24init_0(u32(1), color_3, 0.0f, 1.0f, facets_2);
     }
-    var _S303 : bool = chooses_0(material_1.transmission_0, &((*choice_3)));
-    if(_S303)
+    var _S304 : bool = chooses_0(material_1.transmission_0, &((*choice_3)));
+    if(_S304)
     {
         return MaterialBsdf_x24init_0(u32(3), color_3, 0.0f, divide_0(material_1.ior_0, ior_1), facets_2);
     }
@@ -4028,10 +4056,10 @@ struct Conductor_0
 
 fn Conductor_x24init_0( f0_1 : vec3<f32>,  facets_4 : Microfacets_0) -> Conductor_0
 {
-    var _S304 : Conductor_0;
-    _S304.f0_0 = f0_1;
-    _S304.facets_3 = facets_4;
-    return _S304;
+    var _S305 : Conductor_0;
+    _S305.f0_0 = f0_1;
+    _S305.facets_3 = facets_4;
+    return _S305;
 }
 
 fn above_4( wo_0 : vec3<f32>) -> vec3<f32>
@@ -4061,20 +4089,20 @@ struct BsdfSample_0
 
 fn BsdfSample_x24init_0( wi_1 : vec3<f32>,  weight_4 : vec3<f32>,  pdf_8 : f32,  is_delta_1 : bool) -> BsdfSample_0
 {
-    var _S305 : BsdfSample_0;
-    _S305.wi_0 = wi_1;
-    _S305.weight_3 = weight_4;
-    _S305.pdf_7 = pdf_8;
-    _S305.is_delta_0 = is_delta_1;
-    return _S305;
+    var _S306 : BsdfSample_0;
+    _S306.wi_0 = wi_1;
+    _S306.weight_3 = weight_4;
+    _S306.pdf_7 = pdf_8;
+    _S306.is_delta_0 = is_delta_1;
+    return _S306;
 }
 
 fn Microfacets_sample_visible_0( this_29 : Microfacets_0,  wo_1 : vec3<f32>,  u_14 : f32,  v_7 : f32) -> vec3<f32>
 {
     var stretched_0 : vec3<f32> = normalize_vector_0(vec3<f32>(this_29.alpha_0 * wo_1.x, this_29.alpha_0 * wo_1.y, wo_1.z));
     var sin_cos_4 : vec2<f32> = sincos_turns_0(u_14);
-    var _S306 : f32 = stretched_0.z;
-    var z_3 : f32 = (1.0f - v_7) * (1.0f + _S306) - _S306;
+    var _S307 : f32 = stretched_0.z;
+    var z_3 : f32 = (1.0f - v_7) * (1.0f + _S307) - _S307;
     var radius_4 : f32 = square_root_0(max(1.0f - z_3 * z_3, 0.0f));
     var normal_5 : vec3<f32> = vec3<f32>(radius_4 * sin_cos_4.y, radius_4 * sin_cos_4.x, z_3) + stretched_0;
     return normalize_vector_0(vec3<f32>(this_29.alpha_0 * normal_5.x, this_29.alpha_0 * normal_5.y, max(normal_5.z, 1.00000001168609742e-07f)));
@@ -4092,8 +4120,8 @@ fn no_bsdf_sample_0() -> BsdfSample_0
 
 fn Microfacets_masking_0( this_30 : Microfacets_0,  cos_4 : f32) -> f32
 {
-    var _S307 : f32 = this_30.alpha_0;
-    var alpha_squared_0 : f32 = _S307 * _S307;
+    var _S308 : f32 = this_30.alpha_0;
+    var alpha_squared_0 : f32 = _S308 * _S308;
     return square_root_0(alpha_squared_0 + (1.0f - alpha_squared_0) * (cos_4 * cos_4));
 }
 
@@ -4105,19 +4133,19 @@ fn Microfacets_shadowing_0( this_31 : Microfacets_0,  cos_o_0 : f32,  cos_i_1 : 
 
 fn Microfacets_distribution_0( this_32 : Microfacets_0,  wm_1 : vec3<f32>) -> f32
 {
-    var _S308 : f32 = this_32.alpha_0;
-    var alpha_squared_1 : f32 = _S308 * _S308;
-    var _S309 : f32 = wm_1.z;
-    var _S310 : f32 = wm_1.x;
-    var _S311 : f32 = wm_1.y;
-    var base_0 : f32 = alpha_squared_1 * (_S309 * _S309) + (_S310 * _S310 + _S311 * _S311);
+    var _S309 : f32 = this_32.alpha_0;
+    var alpha_squared_1 : f32 = _S309 * _S309;
+    var _S310 : f32 = wm_1.z;
+    var _S311 : f32 = wm_1.x;
+    var _S312 : f32 = wm_1.y;
+    var base_0 : f32 = alpha_squared_1 * (_S310 * _S310) + (_S311 * _S311 + _S312 * _S312);
     return divide_0(alpha_squared_1, 3.14159274101257324f * (base_0 * base_0));
 }
 
 fn Microfacets_visible_pdf_0( this_33 : Microfacets_0,  wo_3 : vec3<f32>,  wm_2 : vec3<f32>) -> f32
 {
-    var _S312 : f32 = wo_3.z;
-    return divide_0(2.0f * max(dot_product_0(wo_3, wm_2), 0.0f) * Microfacets_distribution_0(this_33, wm_2), _S312 + Microfacets_masking_0(this_33, _S312));
+    var _S313 : f32 = wo_3.z;
+    return divide_0(2.0f * max(dot_product_0(wo_3, wm_2), 0.0f) * Microfacets_distribution_0(this_33, wm_2), _S313 + Microfacets_masking_0(this_33, _S313));
 }
 
 fn Conductor_sample_0( this_34 : Conductor_0,  given_0 : vec3<f32>,  u_15 : vec3<f32>,  sample_10 : ptr<function, BsdfSample_0>) -> bool
@@ -4125,20 +4153,20 @@ fn Conductor_sample_0( this_34 : Conductor_0,  given_0 : vec3<f32>,  u_15 : vec3
     var wo_4 : vec3<f32> = above_4(given_0);
     if(Microfacets_is_smooth_0(this_34.facets_3))
     {
-        var _S313 : f32 = wo_4.z;
-        (*sample_10) = BsdfSample_x24init_0(vec3<f32>(- wo_4.x, - wo_4.y, _S313), fresnel_schlick_0(_S313, this_34.f0_0), 1.0f, true);
+        var _S314 : f32 = wo_4.z;
+        (*sample_10) = BsdfSample_x24init_0(vec3<f32>(- wo_4.x, - wo_4.y, _S314), fresnel_schlick_0(_S314, this_34.f0_0), 1.0f, true);
         return true;
     }
     var wm_3 : vec3<f32> = Microfacets_sample_visible_0(this_34.facets_3, wo_4, u_15.x, u_15.y);
     var wi_2 : vec3<f32> = reflect_by_0(wo_4, wm_3);
-    var _S314 : f32 = wi_2.z;
-    if(_S314 <= 0.0f)
+    var _S315 : f32 = wi_2.z;
+    if(_S315 <= 0.0f)
     {
         (*sample_10) = no_bsdf_sample_0();
         return false;
     }
     var cos_5 : f32 = dot_product_0(wo_4, wm_3);
-    (*sample_10) = BsdfSample_x24init_0(wi_2, fresnel_schlick_0(cos_5, this_34.f0_0) * vec3<f32>(Microfacets_shadowing_0(this_34.facets_3, wo_4.z, _S314)), divide_0(Microfacets_visible_pdf_0(this_34.facets_3, wo_4, wm_3), 4.0f * cos_5), false);
+    (*sample_10) = BsdfSample_x24init_0(wi_2, fresnel_schlick_0(cos_5, this_34.f0_0) * vec3<f32>(Microfacets_shadowing_0(this_34.facets_3, wo_4.z, _S315)), divide_0(Microfacets_visible_pdf_0(this_34.facets_3, wo_4, wm_3), 4.0f * cos_5), false);
     return true;
 }
 
@@ -4152,27 +4180,27 @@ struct Plastic_0
 
 fn Plastic_x24init_0( reflectance_1 : vec3<f32>,  specular_4 : f32,  eta_3 : f32,  facets_6 : Microfacets_0) -> Plastic_0
 {
-    var _S315 : Plastic_0;
-    _S315.reflectance_0 = reflectance_1;
-    _S315.specular_3 = specular_4;
-    _S315.eta_2 = eta_3;
-    _S315.facets_5 = facets_6;
-    return _S315;
+    var _S316 : Plastic_0;
+    _S316.reflectance_0 = reflectance_1;
+    _S316.specular_3 = specular_4;
+    _S316.eta_2 = eta_3;
+    _S316.facets_5 = facets_6;
+    return _S316;
 }
 
 fn refracted_cosine_0( cos_i_2 : f32,  eta_4 : f32) -> f32
 {
     var squared_1 : f32 = 1.0f - divide_0(1.0f - cos_i_2 * cos_i_2, eta_4 * eta_4);
-    var _S316 : f32;
+    var _S317 : f32;
     if(squared_1 > 0.0f)
     {
-        _S316 = square_root_0(squared_1);
+        _S317 = square_root_0(squared_1);
     }
     else
     {
-        _S316 = -1.0f;
+        _S317 = -1.0f;
     }
-    return _S316;
+    return _S317;
 }
 
 fn fresnel_dielectric_0( cos_i_3 : f32,  eta_5 : f32) -> f32
@@ -4182,10 +4210,10 @@ fn fresnel_dielectric_0( cos_i_3 : f32,  eta_5 : f32) -> f32
     {
         return 1.0f;
     }
-    var _S317 : f32 = eta_5 * cos_i_3;
-    var parallel_0 : f32 = divide_0(_S317 - cos_t_0, _S317 + cos_t_0);
-    var _S318 : f32 = eta_5 * cos_t_0;
-    var perpendicular_0 : f32 = divide_0(cos_i_3 - _S318, cos_i_3 + _S318);
+    var _S318 : f32 = eta_5 * cos_i_3;
+    var parallel_0 : f32 = divide_0(_S318 - cos_t_0, _S318 + cos_t_0);
+    var _S319 : f32 = eta_5 * cos_t_0;
+    var perpendicular_0 : f32 = divide_0(cos_i_3 - _S319, cos_i_3 + _S319);
     return (parallel_0 * parallel_0 + perpendicular_0 * perpendicular_0) * 0.5f;
 }
 
@@ -4197,16 +4225,16 @@ fn Plastic_coat_0( this_35 : Plastic_0,  cos_6 : f32) -> f32
 fn Plastic_coat_probability_0( this_36 : Plastic_0,  coat_0 : f32) -> f32
 {
     var below_0 : f32 = (1.0f - coat_0) * max_element_0(this_36.reflectance_0);
-    var _S319 : f32;
+    var _S320 : f32;
     if(coat_0 <= 0.0f)
     {
-        _S319 = 0.0f;
+        _S320 = 0.0f;
     }
     else
     {
-        _S319 = divide_0(coat_0, coat_0 + below_0);
+        _S320 = divide_0(coat_0, coat_0 + below_0);
     }
-    return _S319;
+    return _S320;
 }
 
 struct BsdfEval_0
@@ -4217,10 +4245,10 @@ struct BsdfEval_0
 
 fn BsdfEval_x24init_0( weight_6 : vec3<f32>,  pdf_10 : f32) -> BsdfEval_0
 {
-    var _S320 : BsdfEval_0;
-    _S320.weight_5 = weight_6;
-    _S320.pdf_9 = pdf_10;
-    return _S320;
+    var _S321 : BsdfEval_0;
+    _S321.weight_5 = weight_6;
+    _S321.pdf_9 = pdf_10;
+    return _S321;
 }
 
 fn no_bsdf_eval_0() -> BsdfEval_0
@@ -4230,10 +4258,10 @@ fn no_bsdf_eval_0() -> BsdfEval_0
 
 fn Plastic_eval_lobes_0( this_37 : Plastic_0,  wo_5 : vec3<f32>,  wi_3 : vec3<f32>,  coat_1 : f32,  coat_probability_0 : f32) -> BsdfEval_0
 {
-    var _S321 : f32 = wi_3.z;
-    var diffuse_pdf_0 : f32 = cosine_hemisphere_pdf_0(_S321);
+    var _S322 : f32 = wi_3.z;
+    var diffuse_pdf_0 : f32 = cosine_hemisphere_pdf_0(_S322);
     var pdf_11 : f32 = (1.0f - coat_probability_0) * diffuse_pdf_0;
-    var scattered_0 : vec3<f32> = this_37.reflectance_0 * vec3<f32>(((1.0f - coat_1) * (1.0f - Plastic_coat_0(this_37, _S321)) * diffuse_pdf_0));
+    var scattered_0 : vec3<f32> = this_37.reflectance_0 * vec3<f32>(((1.0f - coat_1) * (1.0f - Plastic_coat_0(this_37, _S322)) * diffuse_pdf_0));
     var pdf_12 : f32;
     var scattered_1 : vec3<f32>;
     if(!Microfacets_is_smooth_0(this_37.facets_5))
@@ -4241,7 +4269,7 @@ fn Plastic_eval_lobes_0( this_37 : Plastic_0,  wo_5 : vec3<f32>,  wi_3 : vec3<f3
         var wm_4 : vec3<f32> = normalize_vector_0(wo_5 + wi_3);
         var cos_7 : f32 = dot_product_0(wo_5, wm_4);
         var facet_pdf_0 : f32 = divide_0(Microfacets_visible_pdf_0(this_37.facets_5, wo_5, wm_4), 4.0f * cos_7);
-        var scattered_2 : vec3<f32> = scattered_0 + vec3<f32>((Plastic_coat_0(this_37, cos_7) * Microfacets_shadowing_0(this_37.facets_5, wo_5.z, _S321) * facet_pdf_0));
+        var scattered_2 : vec3<f32> = scattered_0 + vec3<f32>((Plastic_coat_0(this_37, cos_7) * Microfacets_shadowing_0(this_37.facets_5, wo_5.z, _S322) * facet_pdf_0));
         pdf_12 = pdf_11 + coat_probability_0 * facet_pdf_0;
         scattered_1 = scattered_2;
     }
@@ -4261,22 +4289,22 @@ fn Plastic_sample_0( this_38 : Plastic_0,  given_1 : vec3<f32>,  u_16 : vec3<f32
 {
     (*sample_11) = no_bsdf_sample_0();
     var wo_6 : vec3<f32> = above_4(given_1);
-    var _S322 : f32 = wo_6.z;
-    var coat_2 : f32 = Plastic_coat_0(this_38, _S322);
+    var _S323 : f32 = wo_6.z;
+    var coat_2 : f32 = Plastic_coat_0(this_38, _S323);
     var coat_probability_1 : f32 = Plastic_coat_probability_0(this_38, coat_2);
     var is_coat_0 : bool = (u_16.z) < coat_probability_1;
-    var _S323 : bool;
+    var _S324 : bool;
     if(is_coat_0)
     {
-        _S323 = Microfacets_is_smooth_0(this_38.facets_5);
+        _S324 = Microfacets_is_smooth_0(this_38.facets_5);
     }
     else
     {
-        _S323 = false;
+        _S324 = false;
     }
-    if(_S323)
+    if(_S324)
     {
-        (*sample_11) = BsdfSample_x24init_0(vec3<f32>(- wo_6.x, - wo_6.y, _S322), vec3<f32>(divide_0(coat_2, coat_probability_1)), 1.0f, true);
+        (*sample_11) = BsdfSample_x24init_0(vec3<f32>(- wo_6.x, - wo_6.y, _S323), vec3<f32>(divide_0(coat_2, coat_probability_1)), 1.0f, true);
         return true;
     }
     var wi_4 : vec3<f32>;
@@ -4305,10 +4333,10 @@ struct Dielectric_0
 
 fn Dielectric_x24init_0( eta_7 : f32,  facets_8 : Microfacets_0) -> Dielectric_0
 {
-    var _S324 : Dielectric_0;
-    _S324.eta_6 = eta_7;
-    _S324.facets_7 = facets_8;
-    return _S324;
+    var _S325 : Dielectric_0;
+    _S325.eta_6 = eta_7;
+    _S325.facets_7 = facets_8;
+    return _S325;
 }
 
 fn Dielectric_sample_0( this_39 : Dielectric_0,  given_2 : vec3<f32>,  u_17 : vec3<f32>,  sample_12 : ptr<function, BsdfSample_0>) -> bool
@@ -4316,7 +4344,7 @@ fn Dielectric_sample_0( this_39 : Dielectric_0,  given_2 : vec3<f32>,  u_17 : ve
     (*sample_12) = no_bsdf_sample_0();
     var wo_7 : vec3<f32> = above_4(given_2);
     var is_smooth_0 : bool = Microfacets_is_smooth_0(this_39.facets_7);
-    const _S325 : vec3<f32> = vec3<f32>(0.0f, 0.0f, 1.0f);
+    const _S326 : vec3<f32> = vec3<f32>(0.0f, 0.0f, 1.0f);
     var wm_5 : vec3<f32>;
     if(!is_smooth_0)
     {
@@ -4324,7 +4352,7 @@ fn Dielectric_sample_0( this_39 : Dielectric_0,  given_2 : vec3<f32>,  u_17 : ve
     }
     else
     {
-        wm_5 = _S325;
+        wm_5 = _S326;
     }
     var cos_8 : f32 = dot_product_0(wo_7, wm_5);
     var reflectance_2 : f32 = fresnel_dielectric_0(cos_8, this_39.eta_6);
@@ -4349,32 +4377,32 @@ fn Dielectric_sample_0( this_39 : Dielectric_0,  given_2 : vec3<f32>,  u_17 : ve
         (*sample_12) = BsdfSample_x24init_0(wi_5, vec3<f32>(1.0f), 1.0f, true);
         return true;
     }
-    var _S326 : f32 = wi_5.z;
-    var _S327 : bool;
-    if((_S326 > 0.0f) != is_reflected_0)
+    var _S327 : f32 = wi_5.z;
+    var _S328 : bool;
+    if((_S327 > 0.0f) != is_reflected_0)
     {
-        _S327 = true;
+        _S328 = true;
     }
     else
     {
-        _S327 = _S326 == 0.0f;
+        _S328 = _S327 == 0.0f;
     }
-    if(_S327)
+    if(_S328)
     {
         return false;
     }
-    var weight_7 : vec3<f32> = vec3<f32>(Microfacets_shadowing_0(this_39.facets_7, wo_7.z, abs(_S326)));
+    var weight_7 : vec3<f32> = vec3<f32>(Microfacets_shadowing_0(this_39.facets_7, wo_7.z, abs(_S327)));
     var pdf_13 : f32 = divide_0(reflectance_2 * Microfacets_visible_pdf_0(this_39.facets_7, wo_7, wm_5), 4.0f * cos_8);
-    var _S328 : f32;
+    var _S329 : f32;
     if(is_reflected_0)
     {
-        _S328 = pdf_13;
+        _S329 = pdf_13;
     }
     else
     {
-        _S328 = 1.0f;
+        _S329 = 1.0f;
     }
-    (*sample_12) = BsdfSample_x24init_0(wi_5, weight_7, _S328, !is_reflected_0);
+    (*sample_12) = BsdfSample_x24init_0(wi_5, weight_7, _S329, !is_reflected_0);
     return true;
 }
 
@@ -4386,10 +4414,10 @@ struct Phase_0
 
 fn Phase_x24init_0( color_5 : vec3<f32>,  anisotropy_2 : f32) -> Phase_0
 {
-    var _S329 : Phase_0;
-    _S329.color_4 = color_5;
-    _S329.anisotropy_1 = anisotropy_2;
-    return _S329;
+    var _S330 : Phase_0;
+    _S330.color_4 = color_5;
+    _S330.anisotropy_1 = anisotropy_2;
+    return _S330;
 }
 
 fn sample_phase_0( anisotropy_3 : f32,  forward_0 : vec3<f32>,  u_18 : f32,  v_8 : f32,  cos_9 : ptr<function, f32>) -> vec3<f32>
@@ -4400,26 +4428,26 @@ fn sample_phase_0( anisotropy_3 : f32,  forward_0 : vec3<f32>,  u_18 : f32,  v_8
     }
     else
     {
-        var _S330 : f32 = anisotropy_3 * anisotropy_3;
-        var _S331 : f32 = 2.0f * anisotropy_3;
-        var ratio_1 : f32 = divide_0(1.0f - _S330, 1.0f + anisotropy_3 - _S331 * u_18);
-        (*cos_9) = divide_0(1.0f + _S330 - ratio_1 * ratio_1, _S331);
+        var _S331 : f32 = anisotropy_3 * anisotropy_3;
+        var _S332 : f32 = 2.0f * anisotropy_3;
+        var ratio_1 : f32 = divide_0(1.0f - _S331, 1.0f + anisotropy_3 - _S332 * u_18);
+        (*cos_9) = divide_0(1.0f + _S331 - ratio_1 * ratio_1, _S332);
     }
-    var _S332 : f32 = clamp((*cos_9), -1.0f, 1.0f);
-    (*cos_9) = _S332;
-    var radius_5 : f32 = square_root_0(1.0f - _S332 * _S332);
+    var _S333 : f32 = clamp((*cos_9), -1.0f, 1.0f);
+    (*cos_9) = _S333;
+    var radius_5 : f32 = square_root_0(1.0f - _S333 * _S333);
     var sin_cos_5 : vec2<f32> = sincos_turns_0(v_8);
     var x_17 : vec3<f32>;
     var y_13 : vec3<f32>;
     orthonormal_pair_1(forward_0, &(x_17), &(y_13));
-    return x_17 * vec3<f32>((radius_5 * sin_cos_5.y)) + y_13 * vec3<f32>((radius_5 * sin_cos_5.x)) + forward_0 * vec3<f32>(_S332);
+    return x_17 * vec3<f32>((radius_5 * sin_cos_5.y)) + y_13 * vec3<f32>((radius_5 * sin_cos_5.x)) + forward_0 * vec3<f32>(_S333);
 }
 
 fn phase_pdf_0( anisotropy_4 : f32,  cos_10 : f32) -> f32
 {
-    var _S333 : f32 = anisotropy_4 * anisotropy_4;
-    var base_1 : f32 = 1.0f + _S333 - 2.0f * anisotropy_4 * cos_10;
-    return divide_0(1.0f - _S333, 12.56637096405029297f * (base_1 * square_root_0(base_1)));
+    var _S334 : f32 = anisotropy_4 * anisotropy_4;
+    var base_1 : f32 = 1.0f + _S334 - 2.0f * anisotropy_4 * cos_10;
+    return divide_0(1.0f - _S334, 12.56637096405029297f * (base_1 * square_root_0(base_1)));
 }
 
 fn Phase_sample_0( this_40 : Phase_0,  wo_8 : vec3<f32>,  u_19 : vec3<f32>,  sample_13 : ptr<function, BsdfSample_0>) -> bool
@@ -4437,9 +4465,9 @@ struct Diffuse_0
 
 fn Diffuse_x24init_0( reflectance_4 : vec3<f32>) -> Diffuse_0
 {
-    var _S334 : Diffuse_0;
-    _S334.reflectance_3 = reflectance_4;
-    return _S334;
+    var _S335 : Diffuse_0;
+    _S335.reflectance_3 = reflectance_4;
+    return _S335;
 }
 
 fn Diffuse_sample_0( this_41 : Diffuse_0,  wo_9 : vec3<f32>,  u_20 : vec3<f32>,  sample_14 : ptr<function, BsdfSample_0>) -> bool
@@ -4453,40 +4481,40 @@ fn MaterialBsdf_sample_0( this_42 : MaterialBsdf_0,  wo_10 : vec3<f32>,  u_21 : 
 {
     if((this_42.kind_0) == u32(1))
     {
-        var _S335 : bool = Conductor_sample_0(Conductor_x24init_0(this_42.color_1, this_42.facets_0), wo_10, u_21, &((*sample_15)));
-        return _S335;
+        var _S336 : bool = Conductor_sample_0(Conductor_x24init_0(this_42.color_1, this_42.facets_0), wo_10, u_21, &((*sample_15)));
+        return _S336;
     }
     if((this_42.kind_0) == u32(2))
     {
-        var _S336 : bool = Plastic_sample_0(Plastic_x24init_0(this_42.color_1, this_42.specular_1, this_42.eta_0, this_42.facets_0), wo_10, u_21, &((*sample_15)));
-        return _S336;
+        var _S337 : bool = Plastic_sample_0(Plastic_x24init_0(this_42.color_1, this_42.specular_1, this_42.eta_0, this_42.facets_0), wo_10, u_21, &((*sample_15)));
+        return _S337;
     }
     if((this_42.kind_0) == u32(3))
     {
-        var _S337 : bool = Dielectric_sample_0(Dielectric_x24init_0(this_42.eta_0, this_42.facets_0), wo_10, u_21, &((*sample_15)));
-        return _S337;
+        var _S338 : bool = Dielectric_sample_0(Dielectric_x24init_0(this_42.eta_0, this_42.facets_0), wo_10, u_21, &((*sample_15)));
+        return _S338;
     }
     if((this_42.kind_0) == u32(4))
     {
-        var _S338 : bool = Phase_sample_0(Phase_x24init_0(this_42.color_1, this_42.specular_1), wo_10, u_21, &((*sample_15)));
-        return _S338;
+        var _S339 : bool = Phase_sample_0(Phase_x24init_0(this_42.color_1, this_42.specular_1), wo_10, u_21, &((*sample_15)));
+        return _S339;
     }
-    var _S339 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_42.color_1), wo_10, u_21, &((*sample_15)));
-    return _S339;
+    var _S340 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_42.color_1), wo_10, u_21, &((*sample_15)));
+    return _S340;
 }
 
 fn Conductor_eval_0( this_43 : Conductor_0,  given_3 : vec3<f32>,  wi_8 : vec3<f32>) -> BsdfEval_0
 {
-    var _S340 : bool;
+    var _S341 : bool;
     if(Microfacets_is_smooth_0(this_43.facets_3))
     {
-        _S340 = true;
+        _S341 = true;
     }
     else
     {
-        _S340 = (wi_8.z) <= 0.0f;
+        _S341 = (wi_8.z) <= 0.0f;
     }
-    if(_S340)
+    if(_S341)
     {
         return no_bsdf_eval_0();
     }
@@ -4509,16 +4537,16 @@ fn Plastic_eval_0( this_44 : Plastic_0,  given_4 : vec3<f32>,  wi_9 : vec3<f32>)
 
 fn Dielectric_eval_0( this_45 : Dielectric_0,  given_5 : vec3<f32>,  wi_10 : vec3<f32>) -> BsdfEval_0
 {
-    var _S341 : bool;
+    var _S342 : bool;
     if(Microfacets_is_smooth_0(this_45.facets_7))
     {
-        _S341 = true;
+        _S342 = true;
     }
     else
     {
-        _S341 = (wi_10.z) <= 0.0f;
+        _S342 = (wi_10.z) <= 0.0f;
     }
-    if(_S341)
+    if(_S342)
     {
         return no_bsdf_eval_0();
     }
@@ -4582,13 +4610,13 @@ fn MaterialBsdf_albedo_0( this_50 : MaterialBsdf_0) -> vec3<f32>
 fn check_bsdf(@builtin(global_invocation_id) id_12 : vec3<u32>, @builtin(local_invocation_index) thread_13 : u32)
 {
     prove_0(thread_13);
-    var _S342 : u32 = id_12.x;
-    if(_S342 >= (dispatch_0.count_0))
+    var _S343 : u32 = id_12.x;
+    if(_S343 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_12 : Reader_0 = Reader_x24init_0(u32(25) * _S342);
-    var writer_12 : Writer_0 = Writer_x24init_0(u32(16) * _S342);
+    var reader_12 : Reader_0 = Reader_x24init_0(u32(25) * _S343);
+    var writer_12 : Writer_0 = Writer_x24init_0(u32(16) * _S343);
     var material_2 : PackedMaterial_0;
     var channel_0 : u32 = u32(0);
     for(;;)
@@ -4600,12 +4628,12 @@ fn check_bsdf(@builtin(global_invocation_id) id_12 : vec3<u32>, @builtin(local_i
         {
             break;
         }
-        var _S343 : f32 = Reader_number_0(&(reader_12));
-        material_2.base_color_0[channel_0] = _S343;
+        var _S344 : f32 = Reader_number_0(&(reader_12));
+        material_2.base_color_0[channel_0] = _S344;
         channel_0 = channel_0 + u32(1);
     }
-    var _S344 : f32 = Reader_number_0(&(reader_12));
-    material_2.roughness_0 = _S344;
+    var _S345 : f32 = Reader_number_0(&(reader_12));
+    material_2.roughness_0 = _S345;
     channel_0 = u32(0);
     for(;;)
     {
@@ -4616,20 +4644,20 @@ fn check_bsdf(@builtin(global_invocation_id) id_12 : vec3<u32>, @builtin(local_i
         {
             break;
         }
-        var _S345 : f32 = Reader_number_0(&(reader_12));
-        material_2.emission_0[channel_0] = _S345;
+        var _S346 : f32 = Reader_number_0(&(reader_12));
+        material_2.emission_0[channel_0] = _S346;
         channel_0 = channel_0 + u32(1);
     }
-    var _S346 : f32 = Reader_number_0(&(reader_12));
-    material_2.metallic_0 = _S346;
     var _S347 : f32 = Reader_number_0(&(reader_12));
-    material_2.transmission_0 = _S347;
+    material_2.metallic_0 = _S347;
     var _S348 : f32 = Reader_number_0(&(reader_12));
-    material_2.ior_0 = _S348;
+    material_2.transmission_0 = _S348;
     var _S349 : f32 = Reader_number_0(&(reader_12));
-    material_2.specular_0 = _S349;
+    material_2.ior_0 = _S349;
     var _S350 : f32 = Reader_number_0(&(reader_12));
-    material_2.anisotropy_0 = _S350;
+    material_2.specular_0 = _S350;
+    var _S351 : f32 = Reader_number_0(&(reader_12));
+    material_2.anisotropy_0 = _S351;
     channel_0 = u32(0);
     for(;;)
     {
@@ -4640,26 +4668,26 @@ fn check_bsdf(@builtin(global_invocation_id) id_12 : vec3<u32>, @builtin(local_i
         {
             break;
         }
-        var _S351 : f32 = Reader_number_0(&(reader_12));
-        material_2.absorption_0[channel_0] = _S351;
+        var _S352 : f32 = Reader_number_0(&(reader_12));
+        material_2.absorption_0[channel_0] = _S352;
         channel_0 = channel_0 + u32(1);
     }
-    var _S352 : f32 = Reader_number_0(&(reader_12));
-    material_2.scattering_0 = _S352;
+    var _S353 : f32 = Reader_number_0(&(reader_12));
+    material_2.scattering_0 = _S353;
     var wo_17 : vec3<f32> = Reader_vector_0(&(reader_12));
-    var _S353 : vec3<f32> = Reader_vector_0(&(reader_12));
-    var u_22 : vec3<f32> = _S353;
-    var _S354 : f32 = u_22[i32(2)];
-    var bsdf_0 : MaterialBsdf_0 = bsdf_of_0(material_2, 1.0f, &(_S354));
-    u_22[i32(2)] = _S354;
+    var _S354 : vec3<f32> = Reader_vector_0(&(reader_12));
+    var u_22 : vec3<f32> = _S354;
+    var _S355 : f32 = u_22[i32(2)];
+    var bsdf_0 : MaterialBsdf_0 = bsdf_of_0(material_2, 1.0f, &(_S355));
+    u_22[i32(2)] = _S355;
     var sample_16 : BsdfSample_0;
     var is_found_4 : bool = MaterialBsdf_sample_0(bsdf_0, wo_17, u_22, &(sample_16));
     if(!is_found_4)
     {
         sample_16 = no_bsdf_sample_0();
     }
-    var _S355 : vec3<f32> = Reader_vector_0(&(reader_12));
-    var eval_1 : BsdfEval_0 = MaterialBsdf_eval_0(bsdf_0, wo_17, _S355);
+    var _S356 : vec3<f32> = Reader_vector_0(&(reader_12));
+    var eval_1 : BsdfEval_0 = MaterialBsdf_eval_0(bsdf_0, wo_17, _S356);
     Writer_word_0(&(writer_12), u32(is_found_4));
     Writer_vector_0(&(writer_12), sample_16.wi_0);
     Writer_vector_0(&(writer_12), sample_16.weight_3);
@@ -4697,37 +4725,37 @@ fn unscattered_0( medium_1 : PackedMaterial_0,  voxels_2 : f32) -> f32
 fn logarithm_0( x_19 : f32) -> f32
 {
     var bits_3 : u32 = (bitcast<u32>((x_19)));
-    var _S356 : u32 = (bits_3 & (u32(8388607)));
-    var is_upper_1 : bool = _S356 > u32(3474675);
+    var _S357 : u32 = (bits_3 & (u32(8388607)));
+    var is_upper_1 : bool = _S357 > u32(3474675);
     var power_2 : i32 = i32((bits_3 >> (u32(23)))) - i32(127) + i32(is_upper_1);
-    var _S357 : u32;
+    var _S358 : u32;
     if(is_upper_1)
     {
-        _S357 = u32(1056964608);
+        _S358 = u32(1056964608);
     }
     else
     {
-        _S357 = u32(1065353216);
+        _S358 = u32(1065353216);
     }
-    var mantissa_4 : f32 = (bitcast<f32>(((_S356 | (_S357)))));
+    var mantissa_4 : f32 = (bitcast<f32>(((_S357 | (_S358)))));
     var s_1 : f32 = divide_0(mantissa_4 - 1.0f, mantissa_4 + 1.0f);
     var ss_0 : f32 = s_1 * s_1;
-    var _S358 : f32 = f32(power_2);
-    return _S358 * 0.693359375f + (_S358 * -0.00021219444170129f + s_1 * (2.0f + ss_0 * (0.66666668653488159f + ss_0 * (0.40000000596046448f + ss_0 * (0.28571429848670959f + ss_0 * 0.2222222238779068f)))));
+    var _S359 : f32 = f32(power_2);
+    return _S359 * 0.693359375f + (_S359 * -0.00021219444170129f + s_1 * (2.0f + ss_0 * (0.66666668653488159f + ss_0 * (0.40000000596046448f + ss_0 * (0.28571429848670959f + ss_0 * 0.2222222238779068f)))));
 }
 
 fn free_path_0( medium_2 : PackedMaterial_0,  u_23 : f32) -> f32
 {
-    var _S359 : f32;
+    var _S360 : f32;
     if((medium_2.scattering_0) > 0.0f)
     {
-        _S359 = divide_0(- logarithm_0(1.0f - u_23), medium_2.scattering_0);
+        _S360 = divide_0(- logarithm_0(1.0f - u_23), medium_2.scattering_0);
     }
     else
     {
-        _S359 = (bitcast<f32>((u32(2139095040))));
+        _S360 = (bitcast<f32>((u32(2139095040))));
     }
-    return _S359;
+    return _S360;
 }
 
 @compute
@@ -4735,13 +4763,13 @@ fn free_path_0( medium_2 : PackedMaterial_0,  u_23 : f32) -> f32
 fn check_medium(@builtin(global_invocation_id) id_13 : vec3<u32>, @builtin(local_invocation_index) thread_14 : u32)
 {
     prove_0(thread_14);
-    var _S360 : u32 = id_13.x;
-    if(_S360 >= (dispatch_0.count_0))
+    var _S361 : u32 = id_13.x;
+    if(_S361 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_13 : Reader_0 = Reader_x24init_0(u32(12) * _S360);
-    var writer_13 : Writer_0 = Writer_x24init_0(u32(10) * _S360);
+    var reader_13 : Reader_0 = Reader_x24init_0(u32(12) * _S361);
+    var writer_13 : Writer_0 = Writer_x24init_0(u32(10) * _S361);
     var medium_3 : PackedMaterial_0;
     var channel_1 : u32 = u32(0);
     for(;;)
@@ -4753,14 +4781,14 @@ fn check_medium(@builtin(global_invocation_id) id_13 : vec3<u32>, @builtin(local
         {
             break;
         }
-        var _S361 : f32 = Reader_number_0(&(reader_13));
-        medium_3.absorption_0[channel_1] = _S361;
+        var _S362 : f32 = Reader_number_0(&(reader_13));
+        medium_3.absorption_0[channel_1] = _S362;
         channel_1 = channel_1 + u32(1);
     }
-    var _S362 : f32 = Reader_number_0(&(reader_13));
-    medium_3.scattering_0 = _S362;
     var _S363 : f32 = Reader_number_0(&(reader_13));
-    medium_3.anisotropy_0 = _S363;
+    medium_3.scattering_0 = _S363;
+    var _S364 : f32 = Reader_number_0(&(reader_13));
+    medium_3.anisotropy_0 = _S364;
     var voxels_3 : f32 = Reader_number_0(&(reader_13));
     var forward_1 : vec3<f32> = Reader_vector_0(&(reader_13));
     var u_24 : f32 = Reader_number_0(&(reader_13));
@@ -4769,11 +4797,11 @@ fn check_medium(@builtin(global_invocation_id) id_13 : vec3<u32>, @builtin(local
     Writer_number_0(&(writer_13), unscattered_0(medium_3, voxels_3));
     Writer_number_0(&(writer_13), free_path_0(medium_3, u_24));
     var cos_14 : f32;
-    var _S364 : vec3<f32> = sample_phase_0(_S363, forward_1, u_24, v_9, &(cos_14));
-    Writer_vector_0(&(writer_13), _S364);
+    var _S365 : vec3<f32> = sample_phase_0(_S364, forward_1, u_24, v_9, &(cos_14));
+    Writer_vector_0(&(writer_13), _S365);
     Writer_number_0(&(writer_13), cos_14);
-    var _S365 : f32 = Reader_number_0(&(reader_13));
-    Writer_number_0(&(writer_13), phase_pdf_0(_S363, _S365));
+    var _S366 : f32 = Reader_number_0(&(reader_13));
+    Writer_number_0(&(writer_13), phase_pdf_0(_S364, _S366));
     return;
 }
 
@@ -4787,12 +4815,12 @@ struct Perspective_0
 
 fn Perspective_x24init_0( eye_2 : vec3<f32>,  corner_3 : vec3<f32>,  pixel_x_2 : vec3<f32>,  pixel_y_2 : vec3<f32>) -> Perspective_0
 {
-    var _S366 : Perspective_0;
-    _S366.eye_1 = eye_2;
-    _S366.corner_2 = corner_3;
-    _S366.pixel_x_1 = pixel_x_2;
-    _S366.pixel_y_1 = pixel_y_2;
-    return _S366;
+    var _S367 : Perspective_0;
+    _S367.eye_1 = eye_2;
+    _S367.corner_2 = corner_3;
+    _S367.pixel_x_1 = pixel_x_2;
+    _S367.pixel_y_1 = pixel_y_2;
+    return _S367;
 }
 
 struct Axes_0
@@ -4804,11 +4832,11 @@ struct Axes_0
 
 fn Axes_x24init_0( forward_3 : vec3<f32>,  right_4 : vec3<f32>,  up_1 : vec3<f32>) -> Axes_0
 {
-    var _S367 : Axes_0;
-    _S367.forward_2 = forward_3;
-    _S367.right_3 = right_4;
-    _S367.up_0 = up_1;
-    return _S367;
+    var _S368 : Axes_0;
+    _S368.forward_2 = forward_3;
+    _S368.right_3 = right_4;
+    _S368.up_0 = up_1;
+    return _S368;
 }
 
 struct ThinLens_0
@@ -4821,28 +4849,28 @@ struct ThinLens_0
 
 fn ThinLens_x24init_0( perspective_1 : Perspective_0,  lens_x_2 : vec3<f32>,  lens_y_2 : vec3<f32>,  blades_2 : u32) -> ThinLens_0
 {
-    var _S368 : ThinLens_0;
-    _S368.perspective_0 = perspective_1;
-    _S368.lens_x_1 = lens_x_2;
-    _S368.lens_y_1 = lens_y_2;
-    _S368.blades_1 = blades_2;
-    return _S368;
+    var _S369 : ThinLens_0;
+    _S369.perspective_0 = perspective_1;
+    _S369.lens_x_1 = lens_x_2;
+    _S369.lens_y_1 = lens_y_2;
+    _S369.blades_1 = blades_2;
+    return _S369;
 }
 
 fn concentric_0( square_2 : vec2<f32>) -> vec2<f32>
 {
     var a_6 : f32 = 2.0f * square_2.x - 1.0f;
     var b_5 : f32 = 2.0f * square_2.y - 1.0f;
-    var _S369 : bool;
+    var _S370 : bool;
     if(a_6 == 0.0f)
     {
-        _S369 = b_5 == 0.0f;
+        _S370 = b_5 == 0.0f;
     }
     else
     {
-        _S369 = false;
+        _S370 = false;
     }
-    if(_S369)
+    if(_S370)
     {
         return vec2<f32>(0.0f);
     }
@@ -4869,7 +4897,7 @@ fn concentric_0( square_2 : vec2<f32>) -> vec2<f32>
     {
         turns_3 = turns_3 + 0.5f;
     }
-    var _S370 : f32 = abs(radius_6);
+    var _S371 : f32 = abs(radius_6);
     if(turns_3 < 0.0f)
     {
         radius_6 = turns_3 + 1.0f;
@@ -4878,7 +4906,7 @@ fn concentric_0( square_2 : vec2<f32>) -> vec2<f32>
     {
         radius_6 = turns_3;
     }
-    return vec2<f32>(_S370, radius_6);
+    return vec2<f32>(_S371, radius_6);
 }
 
 fn place_in_aperture_0( blades_3 : u32,  lens_1 : vec2<f32>) -> vec2<f32>
@@ -4896,9 +4924,9 @@ fn place_in_aperture_0( blades_3 : u32,  lens_1 : vec2<f32>) -> vec2<f32>
     var share_2 : f32 = scaled_0 - blade_0;
     var from_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0, count_5));
     var to_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0 + 1.0f, count_5));
-    var _S371 : f32 = from_0.y;
-    var _S372 : f32 = from_0.x;
-    return vec2<f32>(_S371 + (to_0.y - _S371) * share_2, _S372 + (to_0.x - _S372) * share_2) * vec2<f32>(radius_7);
+    var _S372 : f32 = from_0.y;
+    var _S373 : f32 = from_0.x;
+    return vec2<f32>(_S372 + (to_0.y - _S372) * share_2, _S373 + (to_0.x - _S373) * share_2) * vec2<f32>(radius_7);
 }
 
 fn ThinLens_ray_0( this_51 : ThinLens_0,  position_1 : vec2<f32>,  lens_2 : vec2<f32>) -> Ray_0
@@ -4918,12 +4946,12 @@ struct Orthographic_0
 
 fn Orthographic_x24init_0( corner_5 : vec3<f32>,  pixel_x_4 : vec3<f32>,  pixel_y_4 : vec3<f32>,  forward_5 : vec3<f32>) -> Orthographic_0
 {
-    var _S373 : Orthographic_0;
-    _S373.corner_4 = corner_5;
-    _S373.pixel_x_3 = pixel_x_4;
-    _S373.pixel_y_3 = pixel_y_4;
-    _S373.forward_4 = forward_5;
-    return _S373;
+    var _S374 : Orthographic_0;
+    _S374.corner_4 = corner_5;
+    _S374.pixel_x_3 = pixel_x_4;
+    _S374.pixel_y_3 = pixel_y_4;
+    _S374.forward_4 = forward_5;
+    return _S374;
 }
 
 fn Orthographic_ray_0( this_52 : Orthographic_0,  position_2 : vec2<f32>,  lens_3 : vec2<f32>) -> Ray_0
@@ -4941,12 +4969,12 @@ struct Panorama_0
 
 fn Panorama_x24init_0( eye_4 : vec3<f32>,  axes_1 : Axes_0,  inverse_size_1 : vec2<f32>,  half_eye_distance_1 : f32) -> Panorama_0
 {
-    var _S374 : Panorama_0;
-    _S374.eye_3 = eye_4;
-    _S374.axes_0 = axes_1;
-    _S374.inverse_size_0 = inverse_size_1;
-    _S374.half_eye_distance_0 = half_eye_distance_1;
-    return _S374;
+    var _S375 : Panorama_0;
+    _S375.eye_3 = eye_4;
+    _S375.axes_0 = axes_1;
+    _S375.inverse_size_0 = inverse_size_1;
+    _S375.half_eye_distance_0 = half_eye_distance_1;
+    return _S375;
 }
 
 fn Panorama_ray_0( this_53 : Panorama_0,  position_3 : vec2<f32>,  lens_4 : vec2<f32>) -> Ray_0
@@ -4973,9 +5001,9 @@ fn Panorama_ray_0( this_53 : Panorama_0,  position_3 : vec2<f32>,  lens_4 : vec2
     }
     var longitude_0 : vec2<f32> = sincos_turns_0(position_3.x * this_53.inverse_size_0.x);
     var height_3 : vec2<f32> = sincos_turns_0(latitude_1 * 0.5f);
-    var _S375 : vec3<f32> = vec3<f32>(longitude_0.y);
-    var _S376 : vec3<f32> = vec3<f32>(longitude_0.x);
-    return ray_from_0(this_53.eye_3 + (this_53.axes_0.forward_2 * _S376 - this_53.axes_0.right_3 * _S375) * vec3<f32>(side_0), normalize_vector_0((vec3<f32>(0) - this_53.axes_0.forward_2 * _S375 + this_53.axes_0.right_3 * _S376) * vec3<f32>(height_3.x) + this_53.axes_0.up_0 * vec3<f32>(height_3.y)));
+    var _S376 : vec3<f32> = vec3<f32>(longitude_0.y);
+    var _S377 : vec3<f32> = vec3<f32>(longitude_0.x);
+    return ray_from_0(this_53.eye_3 + (this_53.axes_0.forward_2 * _S377 - this_53.axes_0.right_3 * _S376) * vec3<f32>(side_0), normalize_vector_0((vec3<f32>(0) - this_53.axes_0.forward_2 * _S376 + this_53.axes_0.right_3 * _S377) * vec3<f32>(height_3.x) + this_53.axes_0.up_0 * vec3<f32>(height_3.y)));
 }
 
 struct Fisheye_0
@@ -4988,12 +5016,12 @@ struct Fisheye_0
 
 fn Fisheye_x24init_0( eye_6 : vec3<f32>,  axes_3 : Axes_0,  middle_1 : vec2<f32>,  turns_per_pixel_1 : f32) -> Fisheye_0
 {
-    var _S377 : Fisheye_0;
-    _S377.eye_5 = eye_6;
-    _S377.axes_2 = axes_3;
-    _S377.middle_0 = middle_1;
-    _S377.turns_per_pixel_0 = turns_per_pixel_1;
-    return _S377;
+    var _S378 : Fisheye_0;
+    _S378.eye_5 = eye_6;
+    _S378.axes_2 = axes_3;
+    _S378.middle_0 = middle_1;
+    _S378.turns_per_pixel_0 = turns_per_pixel_1;
+    return _S378;
 }
 
 fn Fisheye_ray_0( this_54 : Fisheye_0,  position_4 : vec2<f32>,  lens_5 : vec2<f32>) -> Ray_0
@@ -5065,36 +5093,36 @@ fn CameraFrame_ray_0( this_56 : CameraFrame_0,  position_6 : vec2<f32>,  lens_sa
 fn check_camera(@builtin(global_invocation_id) id_14 : vec3<u32>, @builtin(local_invocation_index) thread_15 : u32)
 {
     prove_0(thread_15);
-    var _S378 : u32 = id_14.x;
-    if(_S378 >= (dispatch_0.count_0))
+    var _S379 : u32 = id_14.x;
+    if(_S379 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_14 : Reader_0 = Reader_x24init_0(u32(24) * _S378);
-    var writer_14 : Writer_0 = Writer_x24init_0(u32(8) * _S378);
+    var reader_14 : Reader_0 = Reader_x24init_0(u32(24) * _S379);
+    var writer_14 : Writer_0 = Writer_x24init_0(u32(8) * _S379);
     var camera_0 : CameraFrame_0;
-    var _S379 : u32 = Reader_word_0(&(reader_14));
-    camera_0.lens_7 = _S379;
-    var _S380 : vec3<f32> = Reader_vector_0(&(reader_14));
-    camera_0.eye_7 = _S380;
+    var _S380 : u32 = Reader_word_0(&(reader_14));
+    camera_0.lens_7 = _S380;
     var _S381 : vec3<f32> = Reader_vector_0(&(reader_14));
-    camera_0.corner_6 = _S381;
+    camera_0.eye_7 = _S381;
     var _S382 : vec3<f32> = Reader_vector_0(&(reader_14));
-    camera_0.pixel_x_5 = _S382;
+    camera_0.corner_6 = _S382;
     var _S383 : vec3<f32> = Reader_vector_0(&(reader_14));
-    camera_0.pixel_y_5 = _S383;
+    camera_0.pixel_x_5 = _S383;
     var _S384 : vec3<f32> = Reader_vector_0(&(reader_14));
-    camera_0.lens_x_3 = _S384;
+    camera_0.pixel_y_5 = _S384;
     var _S385 : vec3<f32> = Reader_vector_0(&(reader_14));
-    camera_0.lens_y_3 = _S385;
-    var _S386 : u32 = Reader_word_0(&(reader_14));
-    camera_0.blades_4 = _S386;
+    camera_0.lens_x_3 = _S385;
+    var _S386 : vec3<f32> = Reader_vector_0(&(reader_14));
+    camera_0.lens_y_3 = _S386;
+    var _S387 : u32 = Reader_word_0(&(reader_14));
+    camera_0.blades_4 = _S387;
     var x_21 : f32 = Reader_number_0(&(reader_14));
-    var _S387 : f32 = Reader_number_0(&(reader_14));
-    var position_7 : vec2<f32> = vec2<f32>(x_21, _S387);
-    var u_25 : f32 = Reader_number_0(&(reader_14));
     var _S388 : f32 = Reader_number_0(&(reader_14));
-    var ray_10 : Ray_0 = CameraFrame_ray_0(camera_0, position_7, vec2<f32>(u_25, _S388));
+    var position_7 : vec2<f32> = vec2<f32>(x_21, _S388);
+    var u_25 : f32 = Reader_number_0(&(reader_14));
+    var _S389 : f32 = Reader_number_0(&(reader_14));
+    var ray_10 : Ray_0 = CameraFrame_ray_0(camera_0, position_7, vec2<f32>(u_25, _S389));
     Writer_vector_0(&(writer_14), ray_10.origin_1);
     Writer_number_0(&(writer_14), ray_10.t_min_0);
     Writer_vector_0(&(writer_14), ray_10.direction_1);

@@ -96,9 +96,8 @@ fn a_ball_in_the_sun_is_as_bright_as_lamberts_law_says() {
         (squares.iter().sum::<f64>() / squares.len() as f64).sqrt()
     };
     let (smooth, faces) = (error(Normals::Smooth), error(Normals::Faces));
-    println!("{smooth} {faces}");
-    assert!(smooth < 0.04, "{smooth}");
-    assert!(faces > 4.0 * smooth, "the comparison sees terraces: {faces} {smooth}");
+    assert!(smooth < 0.02, "{smooth}");
+    assert!(faces > 8.0 * smooth, "the comparison sees terraces: {faces} {smooth}");
 }
 
 #[test]
@@ -114,8 +113,7 @@ fn no_light_is_lost_and_none_is_made() {
     let grey = ball(Material::diffuse(Vec3::splat(0.5)));
     let smooth = within(&render(&packed(&grey, Normals::Smooth), &frame));
     let faces = within(&render(&packed(&grey, Normals::Faces), &frame));
-    println!("{} {} {}", mean(&smooth), smooth.iter().copied().fold(1.0, f32::min), mean(&faces));
-    assert!((mean(&smooth) - 0.5).abs() < 0.01, "{}", mean(&smooth));
+    assert!((mean(&smooth) - 0.5).abs() < 0.001, "{}", mean(&smooth));
     assert!(smooth.iter().all(|light| (0.4..0.51).contains(light)), "no pixel is black: {smooth:?}");
     assert!(mean(&faces) < 0.47, "the comparison sees steps that shade each other: {}", mean(&faces));
     // A white thing cannot be seen there, whatever its shape; metals and coats lose a little between facets, and make nothing.
@@ -128,7 +126,6 @@ fn no_light_is_lost_and_none_is_made() {
     ] {
         let scene = packed(&filled(26, material, rough), Normals::Smooth);
         let light = within(&render(&scene, &frame.clone().max_bounces(64)));
-        println!("{material:?} {}", mean(&light));
         assert!((least..1.01).contains(&mean(&light)), "{material:?}: {}", mean(&light));
     }
 }
@@ -219,38 +216,40 @@ fn every_tracer_makes_the_same_films() {
         Material::emissive(Vec3::splat(3.0)),
         Material::plastic(Vec3::splat(0.6), 0.2),
     ];
-    let single = Scene { instances: still_life(matte.clone()).instances[..1].to_vec(), ..still_life(matte.clone()) };
     let all = still_life([matte, more.to_vec()].concat());
+    // One grid that stands where it is; and several, around which there are others.
+    let single = Scene { instances: all.instances[..1].to_vec(), ..all.clone() };
     let ground = Ground { height: None, color: Vec3::splat(0.3) };
     let fog = Fog { density: 0.004, color: Vec3::splat(0.9), anisotropy: 0.0 };
-    let scenes = [Normals::Smooth, Normals::Faces].map(|normals| {
+    let [scenes, with_faces] = [Normals::Smooth, Normals::Faces].map(|normals| {
         let around = packed(&all, normals).with_surroundings(Some(&ground), Some(&fog)).unwrap();
-        let mut cut = PackedScene::clone(&packed(&all, normals));
+        let mut cut = PackedScene::clone(&packed(&single, normals));
         cut.cuts = Cuts::default().plane(Vec3::new(0.2, -0.1, 1.0), 5.3).unwrap();
-        [packed(&single, normals), Arc::new(around), Arc::new(cut)]
+        [Arc::new(cut), Arc::new(around)]
     });
     let camera = Camera { fov_y: 50.0, ..Camera::look_at(Vec3::new(-14.0, -34.0, 24.0), Vec3::new(9.0, 1.0, 0.0)) };
     let path = Frame::new(camera, 32, 24).samples(2).max_bounces(4).aovs(true);
-    let frames = [path.clone(), path.integrator(Integrator::Essay)];
+    let essay = path.clone().integrator(Integrator::Essay);
+    let cases = [(0, &path), (0, &essay), (1, &path)];
     let mut cpu = CpuTracer::new(None);
-    let [expected, faces] = scenes.each_ref().map(|scenes| {
-        scenes.each_ref().map(|scene| {
-            cpu.set_scene(scene).unwrap();
-            frames.each_ref().map(|frame| film(&mut cpu, frame))
+    let mut films = |scenes: &[Arc<PackedScene>]| {
+        cases.map(|(scene, frame)| {
+            cpu.set_scene(&scenes[scene]).unwrap();
+            film(&mut cpu, frame)
         })
-    });
-    for (smooth, faces) in expected.iter().flatten().zip(faces.iter().flatten()) {
-        assert!(smooth.pixels != faces.pixels && smooth.aovs != faces.aovs, "the comparison sees normals");
+    };
+    let (expected, faces) = (films(&scenes), films(&with_faces));
+    for (smooth, faces) in expected.iter().zip(&faces) {
+        assert!(smooth.pixels != faces.pixels, "the comparison sees normals");
     }
+    assert!(expected[0].aovs != faces[0].aovs);
     let Some(device) = device() else { return };
     let few = [Traversal::Walk, Traversal::Query, Traversal::Pipeline].map(|traversal| (traversal, Primitive::Brick));
-    for_each_tracer(&device, &film_methods(&device, &few), &scenes[0][0], |tracer, traversal, primitive| {
-        for (number, (scene, films)) in scenes[0].iter().zip(&expected).enumerate() {
-            tracer.set_scene(scene).unwrap();
-            for (frame, expected) in frames.iter().zip(films) {
-                let found = film(tracer, frame);
-                assert!(found == *expected, "{traversal:?} {primitive:?} scene {number}: {:?}", frame.integrator);
-            }
+    for_each_tracer(&device, &film_methods(&device, &few), &scenes[0], |tracer, traversal, primitive| {
+        for ((scene, frame), expected) in cases.iter().zip(&expected) {
+            tracer.set_scene(&scenes[*scene]).unwrap();
+            let integrator = frame.integrator;
+            assert!(film(tracer, frame) == *expected, "{traversal:?} {primitive:?} scene {scene}: {integrator:?}");
         }
     });
     assert_valid(&device);
