@@ -303,11 +303,20 @@ mod tests {
         merged.validate().unwrap();
         let apart = PackedScene::pack(&scene).unwrap().with_normals(Normals::Smooth).unwrap();
         assert!(words(&merged.split()) == words(&apart) && merged.split().normals() == Normals::Smooth);
+        // Coarse cells lie elsewhere in the voxels of what is moved, so that the last bits may be others.
+        let along = |scene: &PackedScene, voxel: IVec3| {
+            let code = scene.geometry.normal_at(&scene.grids()[0], voxel).unwrap();
+            decode(code).along.as_vec3().normalize()
+        };
         for voxel in [IVec3::new(6, 6, 6), IVec3::new(-10, 1, 2)] {
-            let own = apart.geometry.normal_at(&apart.grids()[0], voxel);
+            let own = along(&apart, voxel);
             for place in [IVec3::ZERO, IVec3::new(40, 3, 1)] {
-                assert_eq!(merged.geometry.normal_at(&merged.grids()[0], voxel + place), own, "{voxel} {place}");
+                assert!(along(&merged, voxel + place).dot(own) > 0.999, "{voxel} {place}");
             }
+            assert!(
+                along(&merged, voxel + IVec3::new(40, 3, 1)).dot(along(&apart, -voxel)) < 0.0,
+                "the comparison sees turns"
+            );
         }
     }
 
