@@ -37,10 +37,9 @@ fn rotate(m: &mut [[f64; 3]; 3], vectors: &mut [[f64; 3]; 3], p: usize, q: usize
         let (a, b) = (vectors[row][p], vectors[row][q]);
         (vectors[row][p], vectors[row][q]) = (c * a - s * b, s * a + c * b);
     }
-    for column in 0..3 {
-        let (a, b) = (m[p][column], m[q][column]);
-        (m[p][column], m[q][column]) = (c * a - s * b, s * a + c * b);
-    }
+    let (row_p, row_q) = (m[p], m[q]);
+    m[p] = std::array::from_fn(|column| c * row_p[column] - s * row_q[column]);
+    m[q] = std::array::from_fn(|column| s * row_p[column] + c * row_q[column]);
 }
 
 #[cfg(test)]
