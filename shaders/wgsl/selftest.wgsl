@@ -1251,6 +1251,39 @@ fn record_of_cell_0( cell_1 : u32) -> u32
     return ((cell_1 & (_S84))) * u32(2);
 }
 
+fn rank_in_brick_0( record_0 : u32,  relative_1 : vec3<i32>) -> u32
+{
+    var bit_0 : u32 = cell_in_node_0(relative_1, u32(0));
+    var present_before_0 : u32 = countOneBits((bricks_0[record_0] & ((((u32(1) << (((((u32(((((relative_1.x) >> (u32(2)))) & (i32(1)))) | (((u32(((((relative_1.y) >> (u32(2)))) & (i32(1)))) << (u32(1))))))) | (((u32(((((relative_1.z) >> (u32(2)))) & (i32(1)))) << (u32(2)))))))))) - u32(1)))));
+    var index_5 : u32 = u32(0);
+    var rank_0 : u32 = u32(0);
+    for(;;)
+    {
+        if(index_5 < present_before_0)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S85 : u32 = u32(2) * index_5;
+        var rank_1 : u32 = rank_0 + (countOneBits(bricks_0[record_0 + u32(2) + _S85]) + countOneBits(bricks_0[record_0 + u32(3) + _S85]));
+        index_5 = index_5 + u32(1);
+        rank_0 = rank_1;
+    }
+    var _S86 : u32 = u32(2) * present_before_0;
+    var low_5 : u32 = bricks_0[record_0 + u32(2) + _S86];
+    if(bit_0 < u32(32))
+    {
+        rank_0 = rank_0 + countOneBits((low_5 & ((((u32(1) << (bit_0))) - u32(1)))));
+    }
+    else
+    {
+        rank_0 = rank_0 + (countOneBits(low_5) + countOneBits((bricks_0[record_0 + u32(3) + _S86] & ((((u32(1) << ((bit_0 - u32(32))))) - u32(1))))));
+    }
+    return rank_0;
+}
+
 fn read_bits_0( start_0 : u32,  position_0 : u32,  count_3 : u32) -> u32
 {
     if(count_3 == u32(0))
@@ -1272,23 +1305,23 @@ fn read_bits_0( start_0 : u32,  position_0 : u32,  count_3 : u32) -> u32
     return (bits_2 & ((((u32(1) << (count_3))) - u32(1))));
 }
 
-fn find_brick_0( _S85 : u32,  _S86 : vec3<i32>) -> u32
+fn find_brick_0( _S87 : u32,  _S88 : vec3<i32>) -> u32
 {
-    var top_0 : vec3<i32> = (_S86 >> (vec3<u32>(grids_0[_S85].top_shift_0)));
-    var cell_2 : u32 = cells_0[grids_0[_S85].top_offset_0 + u32((top_0.z * grids_0[_S85].top_size_0[i32(1)] + top_0.y) * grids_0[_S85].top_size_0[i32(0)] + top_0.x)];
-    var shift_3 : u32 = grids_0[_S85].top_shift_0;
+    var top_0 : vec3<i32> = (_S88 >> (vec3<u32>(grids_0[_S87].top_shift_0)));
+    var cell_2 : u32 = cells_0[grids_0[_S87].top_offset_0 + u32((top_0.z * grids_0[_S87].top_size_0[i32(1)] + top_0.y) * grids_0[_S87].top_size_0[i32(0)] + top_0.x)];
+    var shift_3 : u32 = grids_0[_S87].top_shift_0;
     for(;;)
     {
-        var _S87 : bool;
+        var _S89 : bool;
         if(shift_3 > u32(3))
         {
-            _S87 = ((cell_2 & (u32(2147483648)))) != u32(0);
+            _S89 = ((cell_2 & (u32(2147483648)))) != u32(0);
         }
         else
         {
-            _S87 = false;
+            _S89 = false;
         }
-        if(_S87)
+        if(_S89)
         {
         }
         else
@@ -1296,49 +1329,21 @@ fn find_brick_0( _S85 : u32,  _S86 : vec3<i32>) -> u32
             break;
         }
         var shift_4 : u32 = shift_3 - u32(2);
-        cell_2 = cells_0[((cell_2 & (u32(2147483647)))) * u32(64) + cell_in_node_0(_S86, shift_4)];
+        cell_2 = cells_0[((cell_2 & (u32(2147483647)))) * u32(64) + cell_in_node_0(_S88, shift_4)];
         shift_3 = shift_4;
     }
     return record_of_cell_0(cell_2);
 }
 
-fn material_at_0( _S88 : u32,  _S89 : vec3<i32>) -> u32
+fn material_at_0( _S90 : u32,  _S91 : vec3<i32>) -> u32
 {
-    var _S90 : u32 = find_brick_0(_S88, _S89);
-    var header_0 : u32 = bricks_0[_S90];
-    var bit_0 : u32 = cell_in_node_0(_S89, u32(0));
-    var present_before_0 : u32 = countOneBits((header_0 & ((((u32(1) << (((((u32(((((_S89.x) >> (u32(2)))) & (i32(1)))) | (((u32(((((_S89.y) >> (u32(2)))) & (i32(1)))) << (u32(1))))))) | (((u32(((((_S89.z) >> (u32(2)))) & (i32(1)))) << (u32(2)))))))))) - u32(1)))));
-    var index_5 : u32 = u32(0);
-    var rank_0 : u32 = u32(0);
-    for(;;)
-    {
-        if(index_5 < present_before_0)
-        {
-        }
-        else
-        {
-            break;
-        }
-        var _S91 : u32 = u32(2) * index_5;
-        var rank_1 : u32 = rank_0 + (countOneBits(bricks_0[_S90 + u32(2) + _S91]) + countOneBits(bricks_0[_S90 + u32(3) + _S91]));
-        index_5 = index_5 + u32(1);
-        rank_0 = rank_1;
-    }
-    var _S92 : u32 = u32(2) * present_before_0;
-    var low_5 : u32 = bricks_0[_S90 + u32(2) + _S92];
-    if(bit_0 < u32(32))
-    {
-        rank_0 = rank_0 + countOneBits((low_5 & ((((u32(1) << (bit_0))) - u32(1)))));
-    }
-    else
-    {
-        rank_0 = rank_0 + (countOneBits(low_5) + countOneBits((bricks_0[_S90 + u32(3) + _S92] & ((((u32(1) << ((bit_0 - u32(32))))) - u32(1))))));
-    }
+    var _S92 : u32 = find_brick_0(_S90, _S91);
+    var header_0 : u32 = bricks_0[_S92];
     var index_bits_0 : u32 = (((header_0 >> (u32(8)))) & (u32(255)));
     var palette_count_0 : u32 = (header_0 >> (u32(16)));
-    var entry_bits_0 : u32 = grids_0[_S88].material_bits_0;
-    var start_1 : u32 = bricks_0[_S90 + u32(1)];
-    var index_6 : u32 = read_bits_0(start_1, palette_count_0 * grids_0[_S88].material_bits_0 + rank_0 * index_bits_0, index_bits_0);
+    var entry_bits_0 : u32 = grids_0[_S90].material_bits_0;
+    var start_1 : u32 = bricks_0[_S92 + u32(1)];
+    var index_6 : u32 = read_bits_0(start_1, palette_count_0 * grids_0[_S90].material_bits_0 + rank_in_brick_0(_S92, _S91) * index_bits_0, index_bits_0);
     if(palette_count_0 == u32(0))
     {
         return index_6;
@@ -1364,9 +1369,9 @@ fn check_material(@builtin(global_invocation_id) id_4 : vec3<u32>, @builtin(loca
     return;
 }
 
-fn blocks_of_record_0( record_0 : u32) -> u32
+fn blocks_of_record_0( record_1 : u32) -> u32
 {
-    return (bricks_0[record_0] & (u32(255)));
+    return (bricks_0[record_1] & (u32(255)));
 }
 
 fn flip_of_0( octant_0 : u32) -> u32
@@ -1374,7 +1379,7 @@ fn flip_of_0( octant_0 : u32) -> u32
     return ((((((octant_0 & (u32(1)))) | (((((octant_0 & (u32(2)))) << (u32(1))))))) | (((((octant_0 & (u32(4)))) << (u32(2))))))) * u32(3);
 }
 
-fn empty_around_0( record_1 : u32,  blocks_0 : u32,  voxel_2 : vec3<i32>,  octant_1 : u32,  flip_0 : u32) -> u32
+fn empty_around_0( record_2 : u32,  blocks_0 : u32,  voxel_2 : vec3<i32>,  octant_1 : u32,  flip_0 : u32) -> u32
 {
     var block_0 : u32 = (((((u32(((((voxel_2.x) >> (u32(2)))) & (i32(1)))) | (u32(((((voxel_2.y) >> (u32(1)))) & (i32(2))))))) | (u32(((voxel_2.z) & (i32(4))))))) ^ (octant_1));
     if(((((blocks_0 >> (block_0))) & (u32(1)))) == u32(0))
@@ -1382,7 +1387,7 @@ fn empty_around_0( record_1 : u32,  blocks_0 : u32,  voxel_2 : vec3<i32>,  octan
         return u32(3);
     }
     var bit_1 : u32 = ((cell_in_node_0(voxel_2, u32(0))) ^ (flip_0));
-    var half_1 : u32 = bricks_0[record_1 + u32(2) + u32(2) * countOneBits((blocks_0 & ((((u32(1) << (block_0))) - u32(1))))) + ((bit_1 >> (u32(5))))];
+    var half_1 : u32 = bricks_0[record_2 + u32(2) + u32(2) * countOneBits((blocks_0 & ((((u32(1) << (block_0))) - u32(1))))) + ((bit_1 >> (u32(5))))];
     if(((((half_1 >> (((bit_1 & (u32(31))))))) & (u32(1)))) != u32(0))
     {
         return u32(4294967295);
@@ -2313,6 +2318,8 @@ fn surface_of_0( ray_5 : Ray_0,  hit_6 : Hit_0) -> Surface_0
     return surface_0;
 }
 
+@id(10) override HAS_NORMALS_0 : bool = false;
+
 fn orthonormal_pair_0( z_0 : vec3<f32>,  x_7 : ptr<function, vec3<f32>>,  y_4 : ptr<function, vec3<f32>>)
 {
     var _S177 : f32 = z_0.z;
@@ -2359,6 +2366,14 @@ fn Surface_world_direction_0( this_25 : Surface_0,  local_1 : vec3<f32>) -> vec3
 {
     var _S183 : bool;
     if(HAS_CUTS_0)
+    {
+        _S183 = true;
+    }
+    else
+    {
+        _S183 = HAS_NORMALS_0;
+    }
+    if(_S183)
     {
         _S183 = (this_25.face_6) >= u32(6);
     }
@@ -2412,6 +2427,14 @@ fn Surface_local_direction_0( this_26 : Surface_0,  world_0 : vec3<f32>) -> vec3
 {
     var _S187 : bool;
     if(HAS_CUTS_0)
+    {
+        _S187 = true;
+    }
+    else
+    {
+        _S187 = HAS_NORMALS_0;
+    }
+    if(_S187)
     {
         _S187 = (this_26.face_6) >= u32(6);
     }
@@ -3053,6 +3076,34 @@ fn climb_0( receiver_11 : Receiver_0,  start_2 : u32,  descent_2 : ptr<function,
 
 fn in_grid_3( instance_5 : u32,  receiver_12 : Receiver_0) -> Receiver_0
 {
+    var _S257 : bool;
+    if(IS_SINGLE_0)
+    {
+        if(HAS_CUTS_0)
+        {
+            _S257 = true;
+        }
+        else
+        {
+            _S257 = HAS_NORMALS_0;
+        }
+    }
+    else
+    {
+        _S257 = false;
+    }
+    if(_S257)
+    {
+        _S257 = (Receiver_slack_0(receiver_12)) <= 0.0f;
+    }
+    else
+    {
+        _S257 = false;
+    }
+    if(_S257)
+    {
+        return Receiver_x24init_0(receiver_12.point_0, normalize_vector_0(receiver_12.normal_0));
+    }
     if(IS_SINGLE_0)
     {
         return receiver_12;
@@ -3064,38 +3115,38 @@ fn in_grid_3( instance_5 : u32,  receiver_12 : Receiver_0) -> Receiver_0
     return Receiver_x24init_0(Transform_point_1(instance_5, receiver_12.point_0), normalize_vector_0(Transform_direction_1(instance_5, receiver_12.normal_0)));
 }
 
-fn sent_by_side_3( _S257 : u32,  _S258 : vec3<f32>,  _S259 : f32) -> BySide_0
+fn sent_by_side_3( _S258 : u32,  _S259 : vec3<f32>,  _S260 : f32) -> BySide_0
 {
-    var _S260 : vec3<f32> = vec3<f32>(0.0f);
-    var _S261 : vec3<f32> = vec3<f32>(_S259);
-    return BySide_x24init_0(vec3<f32>(light_nodes_0[_S257].power_0[i32(0)], light_nodes_0[_S257].power_0[i32(2)], light_nodes_0[_S257].power_0[i32(4)]) * min(max(vector_of_0(light_nodes_0[_S257].max_1) - _S258, _S260), _S261), vec3<f32>(light_nodes_0[_S257].power_0[i32(1)], light_nodes_0[_S257].power_0[i32(3)], light_nodes_0[_S257].power_0[i32(5)]) * min(max(_S258 - vector_of_0(light_nodes_0[_S257].min_1), _S260), _S261));
+    var _S261 : vec3<f32> = vec3<f32>(0.0f);
+    var _S262 : vec3<f32> = vec3<f32>(_S260);
+    return BySide_x24init_0(vec3<f32>(light_nodes_0[_S258].power_0[i32(0)], light_nodes_0[_S258].power_0[i32(2)], light_nodes_0[_S258].power_0[i32(4)]) * min(max(vector_of_0(light_nodes_0[_S258].max_1) - _S259, _S261), _S262), vec3<f32>(light_nodes_0[_S258].power_0[i32(1)], light_nodes_0[_S258].power_0[i32(3)], light_nodes_0[_S258].power_0[i32(5)]) * min(max(_S259 - vector_of_0(light_nodes_0[_S258].min_1), _S261), _S262));
 }
 
 fn choose_side_0( point_7 : vec3<f32>,  is_met_2 : bool,  way_3 : Descent_0,  side_0 : ptr<function, u32>,  odds_0 : ptr<function, vec2<f32>>) -> bool
 {
-    var _S262 : vec3<f32> = vector_of_0(light_nodes_0[way_3.node_0].max_1);
-    var _S263 : vec3<f32> = vector_of_0(light_nodes_0[way_3.node_0].min_1);
-    var _S264 : vec3<f32> = vec3<f32>(0.5f);
-    var half_4 : vec3<f32> = (_S262 - _S263) * _S264;
-    var toward_3 : vec3<f32> = (_S263 + _S262) * _S264 - point_7;
-    var _S265 : BySide_0 = sent_by_side_3(way_3.node_0, point_7, length_bound_0(select(half_4, abs(toward_3), vec3<bool>(((length_squared_0(toward_3)) > (length_squared_0(half_4)))))));
-    var sum_3 : f32 = normal_or_zero_0(BySide_sum_0(_S265));
+    var _S263 : vec3<f32> = vector_of_0(light_nodes_0[way_3.node_0].max_1);
+    var _S264 : vec3<f32> = vector_of_0(light_nodes_0[way_3.node_0].min_1);
+    var _S265 : vec3<f32> = vec3<f32>(0.5f);
+    var half_4 : vec3<f32> = (_S263 - _S264) * _S265;
+    var toward_3 : vec3<f32> = (_S264 + _S263) * _S265 - point_7;
+    var _S266 : BySide_0 = sent_by_side_3(way_3.node_0, point_7, length_bound_0(select(half_4, abs(toward_3), vec3<bool>(((length_squared_0(toward_3)) > (length_squared_0(half_4)))))));
+    var sum_3 : f32 = normal_or_zero_0(BySide_sum_0(_S266));
     var unit_2 : f32 = inverse_power_of_two_0(sum_3);
     var total_5 : f32 = sum_3 * unit_2;
-    var _S266 : f32 = way_3.choice_0 * total_5;
-    var _S267 : u32 = (*side_0);
-    var share_0 : f32 = normal_or_zero_0(_S265.low_0[u32(0)] * unit_2);
-    var _S268 : bool;
+    var _S267 : f32 = way_3.choice_0 * total_5;
+    var _S268 : u32 = (*side_0);
+    var share_0 : f32 = normal_or_zero_0(_S266.low_0[u32(0)] * unit_2);
+    var _S269 : bool;
     if(is_met_2)
     {
-        _S268 = u32(0) == _S267;
+        _S269 = u32(0) == _S268;
     }
     else
     {
-        _S268 = share_0 > 0.0f;
+        _S269 = share_0 > 0.0f;
     }
     var chosen_2 : f32;
-    if(_S268)
+    if(_S269)
     {
         (*side_0) = u32(0);
         chosen_2 = share_0;
@@ -3104,145 +3155,145 @@ fn choose_side_0( point_7 : vec3<f32>,  is_met_2 : bool,  way_3 : Descent_0,  si
     {
         chosen_2 = 0.0f;
     }
-    var _S269 : bool = _S266 < (share_0 * way_3.weight_0);
-    var share_1 : f32 = normal_or_zero_0(_S265.high_0[u32(0)] * unit_2);
+    var _S270 : bool = _S267 < (share_0 * way_3.weight_0);
+    var share_1 : f32 = normal_or_zero_0(_S266.high_0[u32(0)] * unit_2);
     if(is_met_2)
     {
-        _S268 = u32(1) == _S267;
+        _S269 = u32(1) == _S268;
     }
     else
     {
         if(share_1 > 0.0f)
         {
-            _S268 = !_S269;
+            _S269 = !_S270;
         }
         else
         {
-            _S268 = false;
+            _S269 = false;
         }
     }
-    if(_S268)
+    if(_S269)
     {
         (*side_0) = u32(1);
         chosen_2 = share_1;
     }
     var passed_0 : f32 = share_0 + share_1;
-    if(_S269)
+    if(_S270)
     {
-        _S268 = true;
+        _S269 = true;
     }
     else
     {
-        _S268 = _S266 < (passed_0 * way_3.weight_0);
+        _S269 = _S267 < (passed_0 * way_3.weight_0);
     }
-    var share_2 : f32 = normal_or_zero_0(_S265.low_0[u32(1)] * unit_2);
-    var _S270 : bool;
+    var share_2 : f32 = normal_or_zero_0(_S266.low_0[u32(1)] * unit_2);
+    var _S271 : bool;
     if(is_met_2)
     {
-        _S270 = u32(2) == _S267;
+        _S271 = u32(2) == _S268;
     }
     else
     {
         if(share_2 > 0.0f)
         {
-            _S270 = !_S268;
+            _S271 = !_S269;
         }
         else
         {
-            _S270 = false;
+            _S271 = false;
         }
     }
-    if(_S270)
+    if(_S271)
     {
         (*side_0) = u32(2);
         chosen_2 = share_2;
     }
     var passed_1 : f32 = passed_0 + share_2;
-    if(_S268)
+    if(_S269)
     {
-        _S268 = true;
+        _S269 = true;
     }
     else
     {
-        _S268 = _S266 < (passed_1 * way_3.weight_0);
+        _S269 = _S267 < (passed_1 * way_3.weight_0);
     }
-    var share_3 : f32 = normal_or_zero_0(_S265.high_0[u32(1)] * unit_2);
+    var share_3 : f32 = normal_or_zero_0(_S266.high_0[u32(1)] * unit_2);
     if(is_met_2)
     {
-        _S270 = u32(3) == _S267;
+        _S271 = u32(3) == _S268;
     }
     else
     {
         if(share_3 > 0.0f)
         {
-            _S270 = !_S268;
+            _S271 = !_S269;
         }
         else
         {
-            _S270 = false;
+            _S271 = false;
         }
     }
-    if(_S270)
+    if(_S271)
     {
         (*side_0) = u32(3);
         chosen_2 = share_3;
     }
     var passed_2 : f32 = passed_1 + share_3;
-    if(_S268)
+    if(_S269)
     {
-        _S268 = true;
+        _S269 = true;
     }
     else
     {
-        _S268 = _S266 < (passed_2 * way_3.weight_0);
+        _S269 = _S267 < (passed_2 * way_3.weight_0);
     }
-    var share_4 : f32 = normal_or_zero_0(_S265.low_0[u32(2)] * unit_2);
+    var share_4 : f32 = normal_or_zero_0(_S266.low_0[u32(2)] * unit_2);
     if(is_met_2)
     {
-        _S270 = u32(4) == _S267;
+        _S271 = u32(4) == _S268;
     }
     else
     {
         if(share_4 > 0.0f)
         {
-            _S270 = !_S268;
+            _S271 = !_S269;
         }
         else
         {
-            _S270 = false;
+            _S271 = false;
         }
     }
-    if(_S270)
+    if(_S271)
     {
         (*side_0) = u32(4);
         chosen_2 = share_4;
     }
     var passed_3 : f32 = passed_2 + share_4;
-    if(_S268)
+    if(_S269)
     {
-        _S268 = true;
+        _S269 = true;
     }
     else
     {
-        _S268 = _S266 < (passed_3 * way_3.weight_0);
+        _S269 = _S267 < (passed_3 * way_3.weight_0);
     }
-    var share_5 : f32 = normal_or_zero_0(_S265.high_0[u32(2)] * unit_2);
+    var share_5 : f32 = normal_or_zero_0(_S266.high_0[u32(2)] * unit_2);
     if(is_met_2)
     {
-        _S268 = u32(5) == _S267;
+        _S269 = u32(5) == _S268;
     }
     else
     {
         if(share_5 > 0.0f)
         {
-            _S268 = !_S268;
+            _S269 = !_S269;
         }
         else
         {
-            _S268 = false;
+            _S269 = false;
         }
     }
-    if(_S268)
+    if(_S269)
     {
         (*side_0) = u32(5);
         chosen_2 = share_5;
@@ -3250,13 +3301,13 @@ fn choose_side_0( point_7 : vec3<f32>,  is_met_2 : bool,  way_3 : Descent_0,  si
     (*odds_0) = vec2<f32>(way_3.weight_0 * chosen_2, way_3.total_0 * total_5);
     if(sum_3 > 0.0f)
     {
-        _S268 = ((*odds_0).x) > 0.0f;
+        _S269 = ((*odds_0).x) > 0.0f;
     }
     else
     {
-        _S268 = false;
+        _S269 = false;
     }
-    return _S268;
+    return _S269;
 }
 
 fn component_0( vector_5 : vec3<f32>,  axis_3 : u32) -> f32
@@ -3306,7 +3357,7 @@ fn choose_emitter_0( way_4 : Descent_0,  side_1 : u32,  threshold_1 : f32) -> Em
     var count_5 : u32 = way_4.count_2;
     var node_7 : u32 = way_4.node_0;
     var index_9 : u32 = way_4.index_1;
-    var _S271 : f32 = threshold_1;
+    var _S272 : f32 = threshold_1;
     for(;;)
     {
         if(count_5 == u32(0))
@@ -3319,11 +3370,11 @@ fn choose_emitter_0( way_4 : Descent_0,  side_1 : u32,  threshold_1 : f32) -> Em
         var left_3 : u32 = node_7 + u32(1);
         var power_left_0 : f32 = light_nodes_0[left_3].power_0[side_1];
         var power_right_0 : f32 = light_nodes_0[index_9].power_0[side_1];
-        var _S272 : u32 = light_nodes_0[left_3].index_0;
-        var _S273 : u32 = light_nodes_0[left_3].count_1;
-        var _S274 : u32 = light_nodes_0[index_9].index_0;
-        var _S275 : u32 = light_nodes_0[index_9].count_1;
-        if(_S271 < (light_nodes_0[left_3].power_0[side_1]))
+        var _S273 : u32 = light_nodes_0[left_3].index_0;
+        var _S274 : u32 = light_nodes_0[left_3].count_1;
+        var _S275 : u32 = light_nodes_0[index_9].index_0;
+        var _S276 : u32 = light_nodes_0[index_9].count_1;
+        if(_S272 < (light_nodes_0[left_3].power_0[side_1]))
         {
             is_left_3 = true;
         }
@@ -3336,7 +3387,7 @@ fn choose_emitter_0( way_4 : Descent_0,  side_1 : u32,  threshold_1 : f32) -> Em
         }
         else
         {
-            _S271 = _S271 - power_left_0;
+            _S272 = _S272 - power_left_0;
         }
         if(is_left_3)
         {
@@ -3348,19 +3399,19 @@ fn choose_emitter_0( way_4 : Descent_0,  side_1 : u32,  threshold_1 : f32) -> Em
         }
         if(is_left_3)
         {
-            index_9 = _S272;
+            index_9 = _S273;
         }
         else
         {
-            index_9 = _S274;
+            index_9 = _S275;
         }
         if(is_left_3)
         {
-            count_5 = _S273;
+            count_5 = _S274;
         }
         else
         {
-            count_5 = _S275;
+            count_5 = _S276;
         }
     }
     is_left_3 = false;
@@ -3368,16 +3419,16 @@ fn choose_emitter_0( way_4 : Descent_0,  side_1 : u32,  threshold_1 : f32) -> Em
     var at_6 : u32 = index_9;
     for(;;)
     {
-        var _S276 : bool;
+        var _S277 : bool;
         if(at_6 < (index_9 + count_5))
         {
-            _S276 = !is_left_3;
+            _S277 = !is_left_3;
         }
         else
         {
-            _S276 = false;
+            _S277 = false;
         }
-        if(_S276)
+        if(_S277)
         {
         }
         else
@@ -3386,16 +3437,16 @@ fn choose_emitter_0( way_4 : Descent_0,  side_1 : u32,  threshold_1 : f32) -> Em
         }
         if((((((emitters_0[at_6].faces_0) >> (side_1))) & (u32(1)))) != u32(0))
         {
-            var _S277 : f32 = _S271 - emitters_0[at_6].luminance_0;
-            is_left_3 = _S271 < (emitters_0[at_6].luminance_0);
+            var _S278 : f32 = _S272 - emitters_0[at_6].luminance_0;
+            is_left_3 = _S272 < (emitters_0[at_6].luminance_0);
             chosen_3 = at_6;
-            _S271 = _S277;
+            _S272 = _S278;
         }
         at_6 = at_6 + u32(1);
     }
-    var _S278 : Emitter_std430_0 = emitters_0[chosen_3];
-    var _S279 : Emitter_0 = Emitter_0( _S278.voxel_0, _S278.grid_1, _S278.faces_0, _S278.material_0, _S278.luminance_0, _S278.leaf_0 );
-    return _S279;
+    var _S279 : Emitter_std430_0 = emitters_0[chosen_3];
+    var _S280 : Emitter_0 = Emitter_0( _S279.voxel_0, _S279.grid_1, _S279.faces_0, _S279.material_0, _S279.luminance_0, _S279.leaf_0 );
+    return _S280;
 }
 
 fn point_of_face_0( low_12 : vec3<f32>,  face_8 : u32,  u_6 : f32,  v_4 : f32) -> vec3<f32>
@@ -3436,55 +3487,55 @@ struct PackedMaterial_0
 
 fn is_without_surface_0( material_1 : PackedMaterial_0) -> bool
 {
-    var _S280 : bool;
+    var _S281 : bool;
     if((material_1.transmission_0) >= 1.0f)
     {
-        _S280 = (material_1.ior_0) == 1.0f;
+        _S281 = (material_1.ior_0) == 1.0f;
     }
     else
     {
-        _S280 = false;
+        _S281 = false;
     }
-    if(_S280)
+    if(_S281)
     {
-        _S280 = (material_1.metallic_0) <= 0.0f;
+        _S281 = (material_1.metallic_0) <= 0.0f;
     }
     else
     {
-        _S280 = false;
+        _S281 = false;
     }
-    return _S280;
+    return _S281;
 }
 
-fn is_without_surface_1( _S281 : u32) -> bool
+fn is_without_surface_1( _S282 : u32) -> bool
 {
-    var _S282 : bool;
-    if((materials_0[_S281].transmission_0) >= 1.0f)
+    var _S283 : bool;
+    if((materials_0[_S282].transmission_0) >= 1.0f)
     {
-        _S282 = (materials_0[_S281].ior_0) == 1.0f;
+        _S283 = (materials_0[_S282].ior_0) == 1.0f;
     }
     else
     {
-        _S282 = false;
+        _S283 = false;
     }
-    if(_S282)
+    if(_S283)
     {
-        _S282 = (materials_0[_S281].metallic_0) <= 0.0f;
+        _S283 = (materials_0[_S282].metallic_0) <= 0.0f;
     }
     else
     {
-        _S282 = false;
+        _S283 = false;
     }
-    return _S282;
+    return _S283;
 }
 
-fn emitted_0( _S283 : u32) -> vec3<f32>
+fn emitted_0( _S284 : u32) -> vec3<f32>
 {
-    if(is_without_surface_1(_S283))
+    if(is_without_surface_1(_S284))
     {
         return vec3<f32>(0.0f);
     }
-    return vector_of_0(materials_0[_S283].emission_0) * vec3<f32>(params_0.emitter_intensity_0);
+    return vector_of_0(materials_0[_S284].emission_0) * vec3<f32>(params_0.emitter_intensity_0);
 }
 
 fn sample_emitter_0( receiver_13 : Receiver_0,  u_7 : vec4<f32>,  aim_2 : Aim_0,  sample_5 : ptr<function, LightSample_0>) -> bool
@@ -3496,28 +3547,28 @@ fn sample_emitter_0( receiver_13 : Receiver_0,  u_7 : vec4<f32>,  aim_2 : Aim_0,
     }
     var descent_3 : Descent_0 = Descent_x24init_0(u32(0), u32(0), u32(0), 1.0f, 1.0f, u_7.x, false);
     Descent_at_1(&(descent_3), u32(0));
-    var _S284 : bool;
+    var _S285 : bool;
     if(!IS_SINGLE_0)
     {
-        _S284 = aim_2.is_met_0;
+        _S285 = aim_2.is_met_0;
     }
     else
     {
-        _S284 = false;
+        _S285 = false;
     }
-    if(_S284)
+    if(_S285)
     {
         var leaf_1 : u32 = instances_0[aim_2.hit_0.instance_0].light_leaf_0;
         if((instances_0[aim_2.hit_0.instance_0].light_leaf_0) == u32(4294967295))
         {
-            _S284 = true;
+            _S285 = true;
         }
         else
         {
-            var _S285 : bool = climb_0(receiver_13, leaf_1, &(descent_3));
-            _S284 = !_S285;
+            var _S286 : bool = climb_0(receiver_13, leaf_1, &(descent_3));
+            _S285 = !_S286;
         }
-        if(_S284)
+        if(_S285)
         {
             return false;
         }
@@ -3527,14 +3578,14 @@ fn sample_emitter_0( receiver_13 : Receiver_0,  u_7 : vec4<f32>,  aim_2 : Aim_0,
     {
         if(!IS_SINGLE_0)
         {
-            var _S286 : bool = descend_1(receiver_13, by_chance_0(), &(descent_3));
-            _S284 = !_S286;
+            var _S287 : bool = descend_1(receiver_13, by_chance_0(), &(descent_3));
+            _S285 = !_S287;
         }
         else
         {
-            _S284 = false;
+            _S285 = false;
         }
-        if(_S284)
+        if(_S285)
         {
             return false;
         }
@@ -3542,8 +3593,8 @@ fn sample_emitter_0( receiver_13 : Receiver_0,  u_7 : vec4<f32>,  aim_2 : Aim_0,
     var chosen_instance_0 : u32 = descent_3.index_1;
     var local_3 : Receiver_0 = in_grid_3(descent_3.index_1, receiver_13);
     Descent_at_0(&(descent_3), top_light_nodes_0[descent_3.node_0].root_0);
-    var _S287 : bool = descend_0(local_3, aim_2, &(descent_3));
-    if(!_S287)
+    var _S288 : bool = descend_0(local_3, aim_2, &(descent_3));
+    if(!_S288)
     {
         return false;
     }
@@ -3551,49 +3602,49 @@ fn sample_emitter_0( receiver_13 : Receiver_0,  u_7 : vec4<f32>,  aim_2 : Aim_0,
     var odds_2 : vec2<f32>;
     if(HAS_CUTS_0)
     {
-        _S284 = aim_2.is_met_0;
+        _S285 = aim_2.is_met_0;
     }
     else
     {
-        _S284 = false;
+        _S285 = false;
     }
-    if(_S284)
+    if(_S285)
     {
-        _S284 = is_cut_0(aim_2.hit_0);
+        _S285 = is_cut_0(aim_2.hit_0);
     }
     else
     {
-        _S284 = false;
+        _S285 = false;
     }
-    if(_S284)
+    if(_S285)
     {
-        _S284 = true;
+        _S285 = true;
     }
     else
     {
-        var _S288 : bool = choose_side_0(local_3.point_0, aim_2.is_met_0, descent_3, &(side_2), &(odds_2));
-        _S284 = !_S288;
+        var _S289 : bool = choose_side_0(local_3.point_0, aim_2.is_met_0, descent_3, &(side_2), &(odds_2));
+        _S285 = !_S289;
     }
-    if(_S284)
+    if(_S285)
     {
         return false;
     }
     var power_2 : f32 = light_nodes_0[descent_3.node_0].power_0[side_2];
     if(aim_2.is_met_0)
     {
-        var _S289 : f32 = density_0(odds_2, aim_2.luminance_1, power_2, Transform_direction_1(chosen_instance_0, aim_2.direction_0) * vec3<f32>(aim_2.hit_0.t_0), side_2);
-        (*sample_5).pdf_1 = _S289;
-        return _S289 > 0.0f;
+        var _S290 : f32 = density_0(odds_2, aim_2.luminance_1, power_2, Transform_direction_1(chosen_instance_0, aim_2.direction_0) * vec3<f32>(aim_2.hit_0.t_0), side_2);
+        (*sample_5).pdf_1 = _S290;
+        return _S290 > 0.0f;
     }
     var emitter_0 : Emitter_0 = choose_emitter_0(descent_3, side_2, u_7.y * power_2);
-    var _S290 : vec3<f32> = vec3<f32>(cell_of_0(emitter_0.voxel_0));
-    var on_face_0 : vec3<f32> = point_of_face_0(_S290, side_2, u_7.z, u_7.w);
+    var _S291 : vec3<f32> = vec3<f32>(cell_of_0(emitter_0.voxel_0));
+    var on_face_0 : vec3<f32> = point_of_face_0(_S291, side_2, u_7.z, u_7.w);
     var pdf_6 : f32 = density_0(odds_2, emitter_0.luminance_0, power_2, on_face_0 - local_3.point_0, side_2);
     if(pdf_6 < 0.0f)
     {
         return false;
     }
-    var direction_12 : vec3<f32> = Transform_point_2(chosen_instance_0, offset_ray_origin_0(vector_of_0(instances_0[chosen_instance_0].grid_from_world_0.translation_0), _S290, side_2, on_face_0)) - receiver_13.point_0;
+    var direction_12 : vec3<f32> = Transform_point_2(chosen_instance_0, offset_ray_origin_0(vector_of_0(instances_0[chosen_instance_0].grid_from_world_0.translation_0), _S291, side_2, on_face_0)) - receiver_13.point_0;
     var cos_theta_8 : f32 = with_slack_0(receiver_13, divide_0(dot_product_0(receiver_13.normal_0, direction_12), square_root_0(length_squared_0(direction_12))));
     (*sample_5) = LightSample_x24init_0(Ray_x24init_0(receiver_13.point_0, 0.0f, direction_12, 1.0f), cos_theta_8, emitted_0(emitter_0.material_0), pdf_6);
     return cos_theta_8 > 0.0f;
@@ -3601,8 +3652,8 @@ fn sample_emitter_0( receiver_13 : Receiver_0,  u_7 : vec4<f32>,  aim_2 : Aim_0,
 
 fn EmitterTree_sample_0( receiver_14 : Receiver_0,  u_8 : vec4<f32>,  aim_3 : Aim_0,  sample_6 : ptr<function, LightSample_0>) -> bool
 {
-    var _S291 : bool = sample_emitter_0(receiver_14, u_8, aim_3, &((*sample_6)));
-    return _S291;
+    var _S292 : bool = sample_emitter_0(receiver_14, u_8, aim_3, &((*sample_6)));
+    return _S292;
 }
 
 fn Lights_sample_0( receiver_15 : Receiver_0,  selection_0 : Selection_0,  u_9 : vec4<f32>,  aim_4 : Aim_0,  sample_7 : ptr<function, LightSample_0>) -> bool
@@ -3626,9 +3677,9 @@ fn Lights_sample_0( receiver_15 : Receiver_0,  selection_0 : Selection_0,  u_9 :
     }
     if(is_found_0)
     {
-        var _S292 : bool = SunDisc_sample_0(receiver_15, u_9, &((*sample_7)));
+        var _S293 : bool = SunDisc_sample_0(receiver_15, u_9, &((*sample_7)));
         (*sample_7).pdf_1 = (*sample_7).pdf_1 * selection_0.sun_0;
-        is_found_0 = _S292;
+        is_found_0 = _S293;
     }
     else
     {
@@ -3650,15 +3701,15 @@ fn Lights_sample_0( receiver_15 : Receiver_0,  selection_0 : Selection_0,  u_9 :
         }
         if(is_found_0)
         {
-            var _S293 : bool = Sky_sample_0(receiver_15, vec4<f32>(min(divide_0(u_9.x - selection_0.sun_0, selection_0.sky_1), 0.99999994039535522f), u_9.yzw), &((*sample_7)));
+            var _S294 : bool = Sky_sample_0(receiver_15, vec4<f32>(min(divide_0(u_9.x - selection_0.sun_0, selection_0.sky_1), 0.99999994039535522f), u_9.yzw), &((*sample_7)));
             (*sample_7).pdf_1 = (*sample_7).pdf_1 * selection_0.sky_1;
-            is_found_0 = _S293;
+            is_found_0 = _S294;
         }
         else
         {
-            var _S294 : bool = EmitterTree_sample_0(receiver_15, vec4<f32>(min(divide_0(u_9.x - (selection_0.sun_0 + selection_0.sky_1), selection_0.emitters_1), 0.99999994039535522f), u_9.yzw), aim_4, &((*sample_7)));
+            var _S295 : bool = EmitterTree_sample_0(receiver_15, vec4<f32>(min(divide_0(u_9.x - (selection_0.sun_0 + selection_0.sky_1), selection_0.emitters_1), 0.99999994039535522f), u_9.yzw), aim_4, &((*sample_7)));
             (*sample_7).pdf_1 = (*sample_7).pdf_1 * selection_0.emitters_1;
-            is_found_0 = _S294;
+            is_found_0 = _S295;
         }
     }
     return is_found_0;
@@ -3671,30 +3722,30 @@ fn SunDisc_contains_0( direction_13 : vec3<f32>) -> bool
 
 fn SunDisc_pdf_0( direction_14 : vec3<f32>) -> f32
 {
-    var _S295 : f32;
+    var _S296 : f32;
     if(SunDisc_contains_0(direction_14))
     {
-        _S295 = params_0.sun_pdf_0;
-    }
-    else
-    {
-        _S295 = 0.0f;
-    }
-    return _S295;
-}
-
-fn Lights_sun_pdf_0( selection_1 : Selection_0,  direction_15 : vec3<f32>) -> f32
-{
-    var _S296 : f32;
-    if(has_sun_0())
-    {
-        _S296 = SunDisc_pdf_0(direction_15) * selection_1.sun_0;
+        _S296 = params_0.sun_pdf_0;
     }
     else
     {
         _S296 = 0.0f;
     }
     return _S296;
+}
+
+fn Lights_sun_pdf_0( selection_1 : Selection_0,  direction_15 : vec3<f32>) -> f32
+{
+    var _S297 : f32;
+    if(has_sun_0())
+    {
+        _S297 = SunDisc_pdf_0(direction_15) * selection_1.sun_0;
+    }
+    else
+    {
+        _S297 = 0.0f;
+    }
+    return _S297;
 }
 
 fn Hit_is_miss_0( this_27 : Hit_0) -> bool
@@ -3704,9 +3755,9 @@ fn Hit_is_miss_0( this_27 : Hit_0) -> bool
 
 fn material_of_0( hit_8 : Hit_0) -> PackedMaterial_0
 {
-    var _S297 : PackedMaterial_std430_0 = materials_0[material_at_0(instances_0[hit_8.instance_0].grid_0, hit_8.voxel_1 - cell_of_0(grids_0[instances_0[hit_8.instance_0].grid_0].origin_0))];
-    var _S298 : PackedMaterial_0 = PackedMaterial_0( _S297.base_color_0, _S297.roughness_0, _S297.emission_0, _S297.metallic_0, _S297.transmission_0, _S297.ior_0, _S297.specular_0, _S297.anisotropy_0, _S297.absorption_0, _S297.scattering_0 );
-    return _S298;
+    var _S298 : PackedMaterial_std430_0 = materials_0[material_at_0(instances_0[hit_8.instance_0].grid_0, hit_8.voxel_1 - cell_of_0(grids_0[instances_0[hit_8.instance_0].grid_0].origin_0))];
+    var _S299 : PackedMaterial_0 = PackedMaterial_0( _S298.base_color_0, _S298.roughness_0, _S298.emission_0, _S298.metallic_0, _S298.transmission_0, _S298.ior_0, _S298.specular_0, _S298.anisotropy_0, _S298.absorption_0, _S298.scattering_0 );
+    return _S299;
 }
 
 @compute
@@ -3714,21 +3765,21 @@ fn material_of_0( hit_8 : Hit_0) -> PackedMaterial_0
 fn check_light(@builtin(global_invocation_id) id_9 : vec3<u32>, @builtin(local_invocation_index) thread_10 : u32)
 {
     prove_0(thread_10);
-    var _S299 : u32 = id_9.x;
-    if(_S299 >= (dispatch_0.count_0))
+    var _S300 : u32 = id_9.x;
+    if(_S300 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_9 : Reader_0 = Reader_x24init_0(u32(24) * _S299);
-    var writer_9 : Writer_0 = Writer_x24init_0(u32(12) * _S299);
+    var reader_9 : Reader_0 = Reader_x24init_0(u32(24) * _S300);
+    var writer_9 : Writer_0 = Writer_x24init_0(u32(12) * _S300);
     var point_8 : vec3<f32> = Reader_vector_0(&(reader_9));
-    var _S300 : vec3<f32> = Reader_vector_0(&(reader_9));
-    var receiver_16 : Receiver_0 = Receiver_x24init_0(point_8, _S300);
+    var _S301 : vec3<f32> = Reader_vector_0(&(reader_9));
+    var receiver_16 : Receiver_0 = Receiver_x24init_0(point_8, _S301);
     var u_10 : vec3<f32> = Reader_vector_0(&(reader_9));
     var selection_2 : Selection_0 = Lights_selection_0(receiver_16);
-    var _S301 : f32 = Reader_number_0(&(reader_9));
+    var _S302 : f32 = Reader_number_0(&(reader_9));
     var sample_8 : LightSample_0;
-    var is_found_1 : bool = Lights_sample_0(receiver_16, selection_2, vec4<f32>(u_10, _S301), by_chance_0(), &(sample_8));
+    var is_found_1 : bool = Lights_sample_0(receiver_16, selection_2, vec4<f32>(u_10, _S302), by_chance_0(), &(sample_8));
     if(!is_found_1)
     {
         sample_8 = no_light_0();
@@ -3744,26 +3795,26 @@ fn check_light(@builtin(global_invocation_id) id_9 : vec3<u32>, @builtin(local_i
     Writer_number_0(&(writer_9), Lights_sun_pdf_0(selection_2, sample_8.ray_7.direction_1));
     var met_0 : LightSample_0;
     var aim_5 : Aim_0 = Aim_x24init_0(true, ray_9.direction_1, hit_9, 0.0f);
-    var _S302 : bool = !Hit_is_miss_0(hit_9);
-    var _S303 : f32;
-    if(_S302)
+    var _S303 : bool = !Hit_is_miss_0(hit_9);
+    var _S304 : f32;
+    if(_S303)
     {
         var material_2 : PackedMaterial_0 = material_of_0(hit_9);
         if(is_without_surface_0(material_2))
         {
-            _S303 = 0.0f;
+            _S304 = 0.0f;
         }
         else
         {
-            _S303 = luminance_2(vector_of_0(material_2.emission_0));
+            _S304 = luminance_2(vector_of_0(material_2.emission_0));
         }
-        aim_5.luminance_1 = _S303;
+        aim_5.luminance_1 = _S304;
     }
     var is_met_3 : bool;
-    if(_S302)
+    if(_S303)
     {
-        var _S304 : bool = Lights_sample_0(receiver_16, selection_2, vec4<f32>(0.0f), aim_5, &(met_0));
-        is_met_3 = _S304;
+        var _S305 : bool = Lights_sample_0(receiver_16, selection_2, vec4<f32>(0.0f), aim_5, &(met_0));
+        is_met_3 = _S305;
     }
     else
     {
@@ -3771,47 +3822,47 @@ fn check_light(@builtin(global_invocation_id) id_9 : vec3<u32>, @builtin(local_i
     }
     if(is_met_3)
     {
-        _S303 = met_0.pdf_1;
+        _S304 = met_0.pdf_1;
     }
     else
     {
-        _S303 = 0.0f;
+        _S304 = 0.0f;
     }
-    Writer_number_0(&(writer_9), _S303);
+    Writer_number_0(&(writer_9), _S304);
     return;
 }
 
 fn SunDisc_le_0( direction_16 : vec3<f32>) -> vec3<f32>
 {
-    var _S305 : vec3<f32>;
+    var _S306 : vec3<f32>;
     if(SunDisc_contains_0(direction_16))
     {
-        _S305 = params_0.sun_radiance_0;
+        _S306 = params_0.sun_radiance_0;
     }
     else
     {
-        _S305 = vec3<f32>(0.0f);
+        _S306 = vec3<f32>(0.0f);
     }
-    return _S305;
+    return _S306;
 }
 
 fn Environment_to_map_0( d_1 : vec3<f32>) -> vec3<f32>
 {
     var sin_2 : f32 = params_0.sky_turned_0.x;
     var cos_3 : f32 = params_0.sky_turned_0.y;
-    var _S306 : f32 = d_1.x;
-    var _S307 : f32 = d_1.y;
-    return vec3<f32>(_S306 * cos_3 - _S307 * sin_2, _S306 * sin_2 + _S307 * cos_3, d_1.z);
+    var _S307 : f32 = d_1.x;
+    var _S308 : f32 = d_1.y;
+    return vec3<f32>(_S307 * cos_3 - _S308 * sin_2, _S307 * sin_2 + _S308 * cos_3, d_1.z);
 }
 
 fn quarter_turns_0( x_15 : f32,  y_12 : f32) -> f32
 {
-    var _S308 : f32 = min(x_15, y_12);
-    var _S309 : f32 = max(x_15, y_12);
+    var _S309 : f32 = min(x_15, y_12);
+    var _S310 : f32 = max(x_15, y_12);
     var ratio_0 : f32;
-    if(_S309 > 0.0f)
+    if(_S310 > 0.0f)
     {
-        ratio_0 = divide_0(_S308, _S309);
+        ratio_0 = divide_0(_S309, _S310);
     }
     else
     {
@@ -3833,10 +3884,10 @@ fn quarter_turns_0( x_15 : f32,  y_12 : f32) -> f32
 fn square_of_0( direction_17 : vec3<f32>) -> vec2<f32>
 {
     var size_0 : vec3<f32> = abs(direction_17);
-    var _S310 : f32 = size_0.x;
-    var _S311 : f32 = size_0.y;
-    var radius_3 : f32 = square_root_0(divide_0(_S310 * _S310 + _S311 * _S311, 1.0f + size_0.z));
-    var v_5 : f32 = quarter_turns_0(_S310, _S311) * radius_3;
+    var _S311 : f32 = size_0.x;
+    var _S312 : f32 = size_0.y;
+    var radius_3 : f32 = square_root_0(divide_0(_S311 * _S311 + _S312 * _S312, 1.0f + size_0.z));
+    var v_5 : f32 = quarter_turns_0(_S311, _S312) * radius_3;
     var u_11 : f32 = radius_3 - v_5;
     var is_below_1 : bool = (direction_17.z) < 0.0f;
     var u_12 : f32;
@@ -3886,10 +3937,10 @@ struct Gradient_0
 
 fn Gradient_x24init_0( nadir_1 : vec3<f32>,  zenith_1 : vec3<f32>) -> Gradient_0
 {
-    var _S312 : Gradient_0;
-    _S312.nadir_0 = nadir_1;
-    _S312.zenith_0 = zenith_1;
-    return _S312;
+    var _S313 : Gradient_0;
+    _S313.nadir_0 = nadir_1;
+    _S313.zenith_0 = zenith_1;
+    return _S313;
 }
 
 fn Gradient_radiance_0( this_28 : Gradient_0,  direction_20 : vec3<f32>) -> vec3<f32>
@@ -3920,24 +3971,10 @@ fn Environment_pdf_0( direction_23 : vec3<f32>) -> f32
 
 fn Sky_pdf_0( direction_24 : vec3<f32>) -> f32
 {
-    var _S313 : f32;
+    var _S314 : f32;
     if(SKY_0 == u32(1))
     {
-        _S313 = Environment_pdf_0(direction_24);
-    }
-    else
-    {
-        _S313 = 0.0f;
-    }
-    return _S313;
-}
-
-fn Lights_sky_pdf_0( selection_3 : Selection_0,  direction_25 : vec3<f32>) -> f32
-{
-    var _S314 : f32;
-    if(Lights_has_chosen_sky_0())
-    {
-        _S314 = Sky_pdf_0(direction_25) * selection_3.sky_1;
+        _S314 = Environment_pdf_0(direction_24);
     }
     else
     {
@@ -3946,40 +3983,54 @@ fn Lights_sky_pdf_0( selection_3 : Selection_0,  direction_25 : vec3<f32>) -> f3
     return _S314;
 }
 
+fn Lights_sky_pdf_0( selection_3 : Selection_0,  direction_25 : vec3<f32>) -> f32
+{
+    var _S315 : f32;
+    if(Lights_has_chosen_sky_0())
+    {
+        _S315 = Sky_pdf_0(direction_25) * selection_3.sky_1;
+    }
+    else
+    {
+        _S315 = 0.0f;
+    }
+    return _S315;
+}
+
 @compute
 @workgroup_size(64, 1, 1)
 fn check_distant_light(@builtin(global_invocation_id) id_10 : vec3<u32>, @builtin(local_invocation_index) thread_11 : u32)
 {
     prove_0(thread_11);
-    var _S315 : u32 = id_10.x;
-    if(_S315 >= (dispatch_0.count_0))
+    var _S316 : u32 = id_10.x;
+    if(_S316 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_10 : Reader_0 = Reader_x24init_0(u32(13) * _S315);
-    var writer_10 : Writer_0 = Writer_x24init_0(u32(22) * _S315);
+    var reader_10 : Reader_0 = Reader_x24init_0(u32(13) * _S316);
+    var writer_10 : Writer_0 = Writer_x24init_0(u32(22) * _S316);
     var point_9 : vec3<f32> = Reader_vector_0(&(reader_10));
-    var _S316 : vec3<f32> = Reader_vector_0(&(reader_10));
-    var receiver_17 : Receiver_0 = Receiver_x24init_0(point_9, _S316);
+    var _S317 : vec3<f32> = Reader_vector_0(&(reader_10));
+    var receiver_17 : Receiver_0 = Receiver_x24init_0(point_9, _S317);
     var u_13 : vec3<f32> = Reader_vector_0(&(reader_10));
-    var _S317 : f32 = Reader_number_0(&(reader_10));
-    var place_3 : vec4<f32> = vec4<f32>(u_13, _S317);
+    var _S318 : f32 = Reader_number_0(&(reader_10));
+    var place_3 : vec4<f32> = vec4<f32>(u_13, _S318);
     var sample_9 : LightSample_0;
     var is_found_2 : bool = SunDisc_sample_0(receiver_17, place_3, &(sample_9));
     var of_sky_0 : LightSample_0;
     var is_found_in_sky_0 : bool = Sky_sample_0(receiver_17, place_3, &(of_sky_0));
     var direction_26 : vec3<f32> = Reader_vector_0(&(reader_10));
     Writer_word_0(&(writer_10), u32(is_found_2));
-    var _S318 : vec3<f32>;
+    var _S319 : vec3<f32>;
     if(is_found_2)
     {
-        _S318 = sample_9.ray_7.direction_1;
+        _S319 = sample_9.ray_7.direction_1;
     }
     else
     {
-        _S318 = vec3<f32>(0.0f);
+        _S319 = vec3<f32>(0.0f);
     }
-    Writer_vector_0(&(writer_10), _S318);
+    Writer_vector_0(&(writer_10), _S319);
     Writer_vector_0(&(writer_10), SunDisc_le_0(direction_26));
     Writer_number_0(&(writer_10), SunDisc_pdf_0(direction_26));
     Writer_vector_0(&(writer_10), Sky_le_0(direction_26));
@@ -3989,32 +4040,32 @@ fn check_distant_light(@builtin(global_invocation_id) id_10 : vec3<u32>, @builti
     Writer_word_0(&(writer_10), u32(is_found_in_sky_0));
     if(is_found_in_sky_0)
     {
-        _S318 = of_sky_0.ray_7.direction_1;
+        _S319 = of_sky_0.ray_7.direction_1;
     }
     else
     {
-        _S318 = vec3<f32>(0.0f);
+        _S319 = vec3<f32>(0.0f);
     }
-    Writer_vector_0(&(writer_10), _S318);
+    Writer_vector_0(&(writer_10), _S319);
     if(is_found_in_sky_0)
     {
-        _S318 = of_sky_0.radiance_3;
+        _S319 = of_sky_0.radiance_3;
     }
     else
     {
-        _S318 = vec3<f32>(0.0f);
+        _S319 = vec3<f32>(0.0f);
     }
-    Writer_vector_0(&(writer_10), _S318);
-    var _S319 : f32;
+    Writer_vector_0(&(writer_10), _S319);
+    var _S320 : f32;
     if(is_found_in_sky_0)
     {
-        _S319 = of_sky_0.pdf_1;
+        _S320 = of_sky_0.pdf_1;
     }
     else
     {
-        _S319 = 0.0f;
+        _S320 = 0.0f;
     }
-    Writer_number_0(&(writer_10), _S319);
+    Writer_number_0(&(writer_10), _S320);
     return;
 }
 
@@ -4023,21 +4074,21 @@ fn check_distant_light(@builtin(global_invocation_id) id_10 : vec3<u32>, @builti
 fn check_equal_area(@builtin(global_invocation_id) id_11 : vec3<u32>, @builtin(local_invocation_index) thread_12 : u32)
 {
     prove_0(thread_12);
-    var _S320 : u32 = id_11.x;
-    if(_S320 >= (dispatch_0.count_0))
+    var _S321 : u32 = id_11.x;
+    if(_S321 >= (dispatch_0.count_0))
     {
         return;
     }
-    var _S321 : u32 = u32(5) * _S320;
-    var reader_11 : Reader_0 = Reader_x24init_0(_S321);
-    var writer_11 : Writer_0 = Writer_x24init_0(_S321);
-    var _S322 : vec3<f32> = Reader_vector_0(&(reader_11));
-    var square_1 : vec2<f32> = square_of_0(_S322);
+    var _S322 : u32 = u32(5) * _S321;
+    var reader_11 : Reader_0 = Reader_x24init_0(_S322);
+    var writer_11 : Writer_0 = Writer_x24init_0(_S322);
+    var _S323 : vec3<f32> = Reader_vector_0(&(reader_11));
+    var square_1 : vec2<f32> = square_of_0(_S323);
     Writer_number_0(&(writer_11), square_1.x);
     Writer_number_0(&(writer_11), square_1.y);
     var x_16 : f32 = Reader_number_0(&(reader_11));
-    var _S323 : f32 = Reader_number_0(&(reader_11));
-    Writer_vector_0(&(writer_11), direction_of_0(vec2<f32>(x_16, _S323)));
+    var _S324 : f32 = Reader_number_0(&(reader_11));
+    Writer_vector_0(&(writer_11), direction_of_0(vec2<f32>(x_16, _S324)));
     return;
 }
 
@@ -4048,9 +4099,9 @@ struct Microfacets_0
 
 fn Microfacets_x24init_0( alpha_1 : f32) -> Microfacets_0
 {
-    var _S324 : Microfacets_0;
-    _S324.alpha_0 = alpha_1;
-    return _S324;
+    var _S325 : Microfacets_0;
+    _S325.alpha_0 = alpha_1;
+    return _S325;
 }
 
 struct MaterialBsdf_0
@@ -4064,13 +4115,13 @@ struct MaterialBsdf_0
 
 fn MaterialBsdf_x24init_0( kind_1 : u32,  color_2 : vec3<f32>,  specular_2 : f32,  eta_1 : f32,  facets_1 : Microfacets_0) -> MaterialBsdf_0
 {
-    var _S325 : MaterialBsdf_0;
-    _S325.kind_0 = kind_1;
-    _S325.color_1 = color_2;
-    _S325.specular_1 = specular_2;
-    _S325.eta_0 = eta_1;
-    _S325.facets_0 = facets_1;
-    return _S325;
+    var _S326 : MaterialBsdf_0;
+    _S326.kind_0 = kind_1;
+    _S326.color_1 = color_2;
+    _S326.specular_1 = specular_2;
+    _S326.eta_0 = eta_1;
+    _S326.facets_0 = facets_1;
+    return _S326;
 }
 
 fn facets_of_0( roughness_1 : f32) -> Microfacets_0
@@ -4085,16 +4136,16 @@ fn chooses_0( share_7 : f32,  choice_2 : ptr<function, f32>) -> bool
         return false;
     }
     var is_chosen_0 : bool = (*choice_2) < share_7;
-    var _S326 : f32;
+    var _S327 : f32;
     if(is_chosen_0)
     {
-        _S326 = divide_0((*choice_2), share_7);
+        _S327 = divide_0((*choice_2), share_7);
     }
     else
     {
-        _S326 = divide_0((*choice_2) - share_7, 1.0f - share_7);
+        _S327 = divide_0((*choice_2) - share_7, 1.0f - share_7);
     }
-    (*choice_2) = _S326;
+    (*choice_2) = _S327;
     return is_chosen_0;
 }
 
@@ -4102,13 +4153,13 @@ fn bsdf_of_0( material_3 : PackedMaterial_0,  ior_1 : f32,  choice_3 : ptr<funct
 {
     var color_3 : vec3<f32> = vector_of_0(material_3.base_color_0);
     var facets_2 : Microfacets_0 = facets_of_0(material_3.roughness_0);
-    var _S327 : bool = chooses_0(material_3.metallic_0, &((*choice_3)));
-    if(_S327)
+    var _S328 : bool = chooses_0(material_3.metallic_0, &((*choice_3)));
+    if(_S328)
     {
         return MaterialBsdf_x24init_0(u32(1), color_3, 0.0f, 1.0f, facets_2);
     }
-    var _S328 : bool = chooses_0(material_3.transmission_0, &((*choice_3)));
-    if(_S328)
+    var _S329 : bool = chooses_0(material_3.transmission_0, &((*choice_3)));
+    if(_S329)
     {
         return MaterialBsdf_x24init_0(u32(3), color_3, 0.0f, divide_0(material_3.ior_0, ior_1), facets_2);
     }
@@ -4127,10 +4178,10 @@ struct Conductor_0
 
 fn Conductor_x24init_0( f0_1 : vec3<f32>,  facets_4 : Microfacets_0) -> Conductor_0
 {
-    var _S329 : Conductor_0;
-    _S329.f0_0 = f0_1;
-    _S329.facets_3 = facets_4;
-    return _S329;
+    var _S330 : Conductor_0;
+    _S330.f0_0 = f0_1;
+    _S330.facets_3 = facets_4;
+    return _S330;
 }
 
 fn above_3( wo_0 : vec3<f32>) -> vec3<f32>
@@ -4160,20 +4211,20 @@ struct BsdfSample_0
 
 fn BsdfSample_x24init_0( wi_1 : vec3<f32>,  weight_4 : vec3<f32>,  pdf_8 : f32,  is_delta_1 : bool) -> BsdfSample_0
 {
-    var _S330 : BsdfSample_0;
-    _S330.wi_0 = wi_1;
-    _S330.weight_3 = weight_4;
-    _S330.pdf_7 = pdf_8;
-    _S330.is_delta_0 = is_delta_1;
-    return _S330;
+    var _S331 : BsdfSample_0;
+    _S331.wi_0 = wi_1;
+    _S331.weight_3 = weight_4;
+    _S331.pdf_7 = pdf_8;
+    _S331.is_delta_0 = is_delta_1;
+    return _S331;
 }
 
 fn Microfacets_sample_visible_0( this_30 : Microfacets_0,  wo_1 : vec3<f32>,  u_14 : f32,  v_7 : f32) -> vec3<f32>
 {
     var stretched_0 : vec3<f32> = normalize_vector_0(vec3<f32>(this_30.alpha_0 * wo_1.x, this_30.alpha_0 * wo_1.y, wo_1.z));
     var sin_cos_4 : vec2<f32> = sincos_turns_0(u_14);
-    var _S331 : f32 = stretched_0.z;
-    var z_3 : f32 = (1.0f - v_7) * (1.0f + _S331) - _S331;
+    var _S332 : f32 = stretched_0.z;
+    var z_3 : f32 = (1.0f - v_7) * (1.0f + _S332) - _S332;
     var radius_4 : f32 = square_root_0(max(1.0f - z_3 * z_3, 0.0f));
     var normal_5 : vec3<f32> = vec3<f32>(radius_4 * sin_cos_4.y, radius_4 * sin_cos_4.x, z_3) + stretched_0;
     return normalize_vector_0(vec3<f32>(this_30.alpha_0 * normal_5.x, this_30.alpha_0 * normal_5.y, max(normal_5.z, 1.00000001168609742e-07f)));
@@ -4191,8 +4242,8 @@ fn no_bsdf_sample_0() -> BsdfSample_0
 
 fn Microfacets_masking_0( this_31 : Microfacets_0,  cos_4 : f32) -> f32
 {
-    var _S332 : f32 = this_31.alpha_0;
-    var alpha_squared_0 : f32 = _S332 * _S332;
+    var _S333 : f32 = this_31.alpha_0;
+    var alpha_squared_0 : f32 = _S333 * _S333;
     return square_root_0(alpha_squared_0 + (1.0f - alpha_squared_0) * (cos_4 * cos_4));
 }
 
@@ -4204,19 +4255,19 @@ fn Microfacets_shadowing_0( this_32 : Microfacets_0,  cos_o_0 : f32,  cos_i_1 : 
 
 fn Microfacets_distribution_0( this_33 : Microfacets_0,  wm_1 : vec3<f32>) -> f32
 {
-    var _S333 : f32 = this_33.alpha_0;
-    var alpha_squared_1 : f32 = _S333 * _S333;
-    var _S334 : f32 = wm_1.z;
-    var _S335 : f32 = wm_1.x;
-    var _S336 : f32 = wm_1.y;
-    var base_0 : f32 = alpha_squared_1 * (_S334 * _S334) + (_S335 * _S335 + _S336 * _S336);
+    var _S334 : f32 = this_33.alpha_0;
+    var alpha_squared_1 : f32 = _S334 * _S334;
+    var _S335 : f32 = wm_1.z;
+    var _S336 : f32 = wm_1.x;
+    var _S337 : f32 = wm_1.y;
+    var base_0 : f32 = alpha_squared_1 * (_S335 * _S335) + (_S336 * _S336 + _S337 * _S337);
     return divide_0(alpha_squared_1, 3.14159274101257324f * (base_0 * base_0));
 }
 
 fn Microfacets_visible_pdf_0( this_34 : Microfacets_0,  wo_3 : vec3<f32>,  wm_2 : vec3<f32>) -> f32
 {
-    var _S337 : f32 = wo_3.z;
-    return divide_0(2.0f * max(dot_product_0(wo_3, wm_2), 0.0f) * Microfacets_distribution_0(this_34, wm_2), _S337 + Microfacets_masking_0(this_34, _S337));
+    var _S338 : f32 = wo_3.z;
+    return divide_0(2.0f * max(dot_product_0(wo_3, wm_2), 0.0f) * Microfacets_distribution_0(this_34, wm_2), _S338 + Microfacets_masking_0(this_34, _S338));
 }
 
 fn Conductor_sample_0( this_35 : Conductor_0,  given_0 : vec3<f32>,  u_15 : vec3<f32>,  sample_10 : ptr<function, BsdfSample_0>) -> bool
@@ -4224,20 +4275,20 @@ fn Conductor_sample_0( this_35 : Conductor_0,  given_0 : vec3<f32>,  u_15 : vec3
     var wo_4 : vec3<f32> = above_3(given_0);
     if(Microfacets_is_smooth_0(this_35.facets_3))
     {
-        var _S338 : f32 = wo_4.z;
-        (*sample_10) = BsdfSample_x24init_0(vec3<f32>(- wo_4.x, - wo_4.y, _S338), fresnel_schlick_0(_S338, this_35.f0_0), 1.0f, true);
+        var _S339 : f32 = wo_4.z;
+        (*sample_10) = BsdfSample_x24init_0(vec3<f32>(- wo_4.x, - wo_4.y, _S339), fresnel_schlick_0(_S339, this_35.f0_0), 1.0f, true);
         return true;
     }
     var wm_3 : vec3<f32> = Microfacets_sample_visible_0(this_35.facets_3, wo_4, u_15.x, u_15.y);
     var wi_2 : vec3<f32> = reflect_by_0(wo_4, wm_3);
-    var _S339 : f32 = wi_2.z;
-    if(_S339 <= 0.0f)
+    var _S340 : f32 = wi_2.z;
+    if(_S340 <= 0.0f)
     {
         (*sample_10) = no_bsdf_sample_0();
         return false;
     }
     var cos_5 : f32 = dot_product_0(wo_4, wm_3);
-    (*sample_10) = BsdfSample_x24init_0(wi_2, fresnel_schlick_0(cos_5, this_35.f0_0) * vec3<f32>(Microfacets_shadowing_0(this_35.facets_3, wo_4.z, _S339)), divide_0(Microfacets_visible_pdf_0(this_35.facets_3, wo_4, wm_3), 4.0f * cos_5), false);
+    (*sample_10) = BsdfSample_x24init_0(wi_2, fresnel_schlick_0(cos_5, this_35.f0_0) * vec3<f32>(Microfacets_shadowing_0(this_35.facets_3, wo_4.z, _S340)), divide_0(Microfacets_visible_pdf_0(this_35.facets_3, wo_4, wm_3), 4.0f * cos_5), false);
     return true;
 }
 
@@ -4251,27 +4302,27 @@ struct Plastic_0
 
 fn Plastic_x24init_0( reflectance_1 : vec3<f32>,  specular_4 : f32,  eta_3 : f32,  facets_6 : Microfacets_0) -> Plastic_0
 {
-    var _S340 : Plastic_0;
-    _S340.reflectance_0 = reflectance_1;
-    _S340.specular_3 = specular_4;
-    _S340.eta_2 = eta_3;
-    _S340.facets_5 = facets_6;
-    return _S340;
+    var _S341 : Plastic_0;
+    _S341.reflectance_0 = reflectance_1;
+    _S341.specular_3 = specular_4;
+    _S341.eta_2 = eta_3;
+    _S341.facets_5 = facets_6;
+    return _S341;
 }
 
 fn refracted_cosine_0( cos_i_2 : f32,  eta_4 : f32) -> f32
 {
     var squared_1 : f32 = 1.0f - divide_0(1.0f - cos_i_2 * cos_i_2, eta_4 * eta_4);
-    var _S341 : f32;
+    var _S342 : f32;
     if(squared_1 > 0.0f)
     {
-        _S341 = square_root_0(squared_1);
+        _S342 = square_root_0(squared_1);
     }
     else
     {
-        _S341 = -1.0f;
+        _S342 = -1.0f;
     }
-    return _S341;
+    return _S342;
 }
 
 fn fresnel_dielectric_0( cos_i_3 : f32,  eta_5 : f32) -> f32
@@ -4281,10 +4332,10 @@ fn fresnel_dielectric_0( cos_i_3 : f32,  eta_5 : f32) -> f32
     {
         return 1.0f;
     }
-    var _S342 : f32 = eta_5 * cos_i_3;
-    var parallel_0 : f32 = divide_0(_S342 - cos_t_0, _S342 + cos_t_0);
-    var _S343 : f32 = eta_5 * cos_t_0;
-    var perpendicular_0 : f32 = divide_0(cos_i_3 - _S343, cos_i_3 + _S343);
+    var _S343 : f32 = eta_5 * cos_i_3;
+    var parallel_0 : f32 = divide_0(_S343 - cos_t_0, _S343 + cos_t_0);
+    var _S344 : f32 = eta_5 * cos_t_0;
+    var perpendicular_0 : f32 = divide_0(cos_i_3 - _S344, cos_i_3 + _S344);
     return (parallel_0 * parallel_0 + perpendicular_0 * perpendicular_0) * 0.5f;
 }
 
@@ -4296,16 +4347,16 @@ fn Plastic_coat_0( this_36 : Plastic_0,  cos_6 : f32) -> f32
 fn Plastic_coat_probability_0( this_37 : Plastic_0,  coat_0 : f32) -> f32
 {
     var below_0 : f32 = (1.0f - coat_0) * max_element_0(this_37.reflectance_0);
-    var _S344 : f32;
+    var _S345 : f32;
     if(coat_0 <= 0.0f)
     {
-        _S344 = 0.0f;
+        _S345 = 0.0f;
     }
     else
     {
-        _S344 = divide_0(coat_0, coat_0 + below_0);
+        _S345 = divide_0(coat_0, coat_0 + below_0);
     }
-    return _S344;
+    return _S345;
 }
 
 struct BsdfEval_0
@@ -4316,10 +4367,10 @@ struct BsdfEval_0
 
 fn BsdfEval_x24init_0( weight_6 : vec3<f32>,  pdf_10 : f32) -> BsdfEval_0
 {
-    var _S345 : BsdfEval_0;
-    _S345.weight_5 = weight_6;
-    _S345.pdf_9 = pdf_10;
-    return _S345;
+    var _S346 : BsdfEval_0;
+    _S346.weight_5 = weight_6;
+    _S346.pdf_9 = pdf_10;
+    return _S346;
 }
 
 fn no_bsdf_eval_0() -> BsdfEval_0
@@ -4329,10 +4380,10 @@ fn no_bsdf_eval_0() -> BsdfEval_0
 
 fn Plastic_eval_lobes_0( this_38 : Plastic_0,  wo_5 : vec3<f32>,  wi_3 : vec3<f32>,  coat_1 : f32,  coat_probability_0 : f32) -> BsdfEval_0
 {
-    var _S346 : f32 = wi_3.z;
-    var diffuse_pdf_0 : f32 = cosine_hemisphere_pdf_0(_S346);
+    var _S347 : f32 = wi_3.z;
+    var diffuse_pdf_0 : f32 = cosine_hemisphere_pdf_0(_S347);
     var pdf_11 : f32 = (1.0f - coat_probability_0) * diffuse_pdf_0;
-    var scattered_0 : vec3<f32> = this_38.reflectance_0 * vec3<f32>(((1.0f - coat_1) * (1.0f - Plastic_coat_0(this_38, _S346)) * diffuse_pdf_0));
+    var scattered_0 : vec3<f32> = this_38.reflectance_0 * vec3<f32>(((1.0f - coat_1) * (1.0f - Plastic_coat_0(this_38, _S347)) * diffuse_pdf_0));
     var pdf_12 : f32;
     var scattered_1 : vec3<f32>;
     if(!Microfacets_is_smooth_0(this_38.facets_5))
@@ -4340,7 +4391,7 @@ fn Plastic_eval_lobes_0( this_38 : Plastic_0,  wo_5 : vec3<f32>,  wi_3 : vec3<f3
         var wm_4 : vec3<f32> = normalize_vector_0(wo_5 + wi_3);
         var cos_7 : f32 = dot_product_0(wo_5, wm_4);
         var facet_pdf_0 : f32 = divide_0(Microfacets_visible_pdf_0(this_38.facets_5, wo_5, wm_4), 4.0f * cos_7);
-        var scattered_2 : vec3<f32> = scattered_0 + vec3<f32>((Plastic_coat_0(this_38, cos_7) * Microfacets_shadowing_0(this_38.facets_5, wo_5.z, _S346) * facet_pdf_0));
+        var scattered_2 : vec3<f32> = scattered_0 + vec3<f32>((Plastic_coat_0(this_38, cos_7) * Microfacets_shadowing_0(this_38.facets_5, wo_5.z, _S347) * facet_pdf_0));
         pdf_12 = pdf_11 + coat_probability_0 * facet_pdf_0;
         scattered_1 = scattered_2;
     }
@@ -4360,22 +4411,22 @@ fn Plastic_sample_0( this_39 : Plastic_0,  given_1 : vec3<f32>,  u_16 : vec3<f32
 {
     (*sample_11) = no_bsdf_sample_0();
     var wo_6 : vec3<f32> = above_3(given_1);
-    var _S347 : f32 = wo_6.z;
-    var coat_2 : f32 = Plastic_coat_0(this_39, _S347);
+    var _S348 : f32 = wo_6.z;
+    var coat_2 : f32 = Plastic_coat_0(this_39, _S348);
     var coat_probability_1 : f32 = Plastic_coat_probability_0(this_39, coat_2);
     var is_coat_0 : bool = (u_16.z) < coat_probability_1;
-    var _S348 : bool;
+    var _S349 : bool;
     if(is_coat_0)
     {
-        _S348 = Microfacets_is_smooth_0(this_39.facets_5);
+        _S349 = Microfacets_is_smooth_0(this_39.facets_5);
     }
     else
     {
-        _S348 = false;
+        _S349 = false;
     }
-    if(_S348)
+    if(_S349)
     {
-        (*sample_11) = BsdfSample_x24init_0(vec3<f32>(- wo_6.x, - wo_6.y, _S347), vec3<f32>(divide_0(coat_2, coat_probability_1)), 1.0f, true);
+        (*sample_11) = BsdfSample_x24init_0(vec3<f32>(- wo_6.x, - wo_6.y, _S348), vec3<f32>(divide_0(coat_2, coat_probability_1)), 1.0f, true);
         return true;
     }
     var wi_4 : vec3<f32>;
@@ -4404,10 +4455,10 @@ struct Dielectric_0
 
 fn Dielectric_x24init_0( eta_7 : f32,  facets_8 : Microfacets_0) -> Dielectric_0
 {
-    var _S349 : Dielectric_0;
-    _S349.eta_6 = eta_7;
-    _S349.facets_7 = facets_8;
-    return _S349;
+    var _S350 : Dielectric_0;
+    _S350.eta_6 = eta_7;
+    _S350.facets_7 = facets_8;
+    return _S350;
 }
 
 fn Dielectric_sample_0( this_40 : Dielectric_0,  given_2 : vec3<f32>,  u_17 : vec3<f32>,  sample_12 : ptr<function, BsdfSample_0>) -> bool
@@ -4415,7 +4466,7 @@ fn Dielectric_sample_0( this_40 : Dielectric_0,  given_2 : vec3<f32>,  u_17 : ve
     (*sample_12) = no_bsdf_sample_0();
     var wo_7 : vec3<f32> = above_3(given_2);
     var is_smooth_0 : bool = Microfacets_is_smooth_0(this_40.facets_7);
-    const _S350 : vec3<f32> = vec3<f32>(0.0f, 0.0f, 1.0f);
+    const _S351 : vec3<f32> = vec3<f32>(0.0f, 0.0f, 1.0f);
     var wm_5 : vec3<f32>;
     if(!is_smooth_0)
     {
@@ -4423,7 +4474,7 @@ fn Dielectric_sample_0( this_40 : Dielectric_0,  given_2 : vec3<f32>,  u_17 : ve
     }
     else
     {
-        wm_5 = _S350;
+        wm_5 = _S351;
     }
     var cos_8 : f32 = dot_product_0(wo_7, wm_5);
     var reflectance_2 : f32 = fresnel_dielectric_0(cos_8, this_40.eta_6);
@@ -4448,32 +4499,32 @@ fn Dielectric_sample_0( this_40 : Dielectric_0,  given_2 : vec3<f32>,  u_17 : ve
         (*sample_12) = BsdfSample_x24init_0(wi_5, vec3<f32>(1.0f), 1.0f, true);
         return true;
     }
-    var _S351 : f32 = wi_5.z;
-    var _S352 : bool;
-    if((_S351 > 0.0f) != is_reflected_0)
+    var _S352 : f32 = wi_5.z;
+    var _S353 : bool;
+    if((_S352 > 0.0f) != is_reflected_0)
     {
-        _S352 = true;
+        _S353 = true;
     }
     else
     {
-        _S352 = _S351 == 0.0f;
+        _S353 = _S352 == 0.0f;
     }
-    if(_S352)
+    if(_S353)
     {
         return false;
     }
-    var weight_7 : vec3<f32> = vec3<f32>(Microfacets_shadowing_0(this_40.facets_7, wo_7.z, abs(_S351)));
+    var weight_7 : vec3<f32> = vec3<f32>(Microfacets_shadowing_0(this_40.facets_7, wo_7.z, abs(_S352)));
     var pdf_13 : f32 = divide_0(reflectance_2 * Microfacets_visible_pdf_0(this_40.facets_7, wo_7, wm_5), 4.0f * cos_8);
-    var _S353 : f32;
+    var _S354 : f32;
     if(is_reflected_0)
     {
-        _S353 = pdf_13;
+        _S354 = pdf_13;
     }
     else
     {
-        _S353 = 1.0f;
+        _S354 = 1.0f;
     }
-    (*sample_12) = BsdfSample_x24init_0(wi_5, weight_7, _S353, !is_reflected_0);
+    (*sample_12) = BsdfSample_x24init_0(wi_5, weight_7, _S354, !is_reflected_0);
     return true;
 }
 
@@ -4485,10 +4536,10 @@ struct Phase_0
 
 fn Phase_x24init_0( color_5 : vec3<f32>,  anisotropy_2 : f32) -> Phase_0
 {
-    var _S354 : Phase_0;
-    _S354.color_4 = color_5;
-    _S354.anisotropy_1 = anisotropy_2;
-    return _S354;
+    var _S355 : Phase_0;
+    _S355.color_4 = color_5;
+    _S355.anisotropy_1 = anisotropy_2;
+    return _S355;
 }
 
 fn sample_phase_0( anisotropy_3 : f32,  forward_0 : vec3<f32>,  u_18 : f32,  v_8 : f32,  cos_9 : ptr<function, f32>) -> vec3<f32>
@@ -4499,26 +4550,26 @@ fn sample_phase_0( anisotropy_3 : f32,  forward_0 : vec3<f32>,  u_18 : f32,  v_8
     }
     else
     {
-        var _S355 : f32 = anisotropy_3 * anisotropy_3;
-        var _S356 : f32 = 2.0f * anisotropy_3;
-        var ratio_1 : f32 = divide_0(1.0f - _S355, 1.0f + anisotropy_3 - _S356 * u_18);
-        (*cos_9) = divide_0(1.0f + _S355 - ratio_1 * ratio_1, _S356);
+        var _S356 : f32 = anisotropy_3 * anisotropy_3;
+        var _S357 : f32 = 2.0f * anisotropy_3;
+        var ratio_1 : f32 = divide_0(1.0f - _S356, 1.0f + anisotropy_3 - _S357 * u_18);
+        (*cos_9) = divide_0(1.0f + _S356 - ratio_1 * ratio_1, _S357);
     }
-    var _S357 : f32 = clamp((*cos_9), -1.0f, 1.0f);
-    (*cos_9) = _S357;
-    var radius_5 : f32 = square_root_0(1.0f - _S357 * _S357);
+    var _S358 : f32 = clamp((*cos_9), -1.0f, 1.0f);
+    (*cos_9) = _S358;
+    var radius_5 : f32 = square_root_0(1.0f - _S358 * _S358);
     var sin_cos_5 : vec2<f32> = sincos_turns_0(v_8);
     var x_17 : vec3<f32>;
     var y_13 : vec3<f32>;
     orthonormal_pair_1(forward_0, &(x_17), &(y_13));
-    return x_17 * vec3<f32>((radius_5 * sin_cos_5.y)) + y_13 * vec3<f32>((radius_5 * sin_cos_5.x)) + forward_0 * vec3<f32>(_S357);
+    return x_17 * vec3<f32>((radius_5 * sin_cos_5.y)) + y_13 * vec3<f32>((radius_5 * sin_cos_5.x)) + forward_0 * vec3<f32>(_S358);
 }
 
 fn phase_pdf_0( anisotropy_4 : f32,  cos_10 : f32) -> f32
 {
-    var _S358 : f32 = anisotropy_4 * anisotropy_4;
-    var base_1 : f32 = 1.0f + _S358 - 2.0f * anisotropy_4 * cos_10;
-    return divide_0(1.0f - _S358, 12.56637096405029297f * (base_1 * square_root_0(base_1)));
+    var _S359 : f32 = anisotropy_4 * anisotropy_4;
+    var base_1 : f32 = 1.0f + _S359 - 2.0f * anisotropy_4 * cos_10;
+    return divide_0(1.0f - _S359, 12.56637096405029297f * (base_1 * square_root_0(base_1)));
 }
 
 fn Phase_sample_0( this_41 : Phase_0,  wo_8 : vec3<f32>,  u_19 : vec3<f32>,  sample_13 : ptr<function, BsdfSample_0>) -> bool
@@ -4536,9 +4587,9 @@ struct Diffuse_0
 
 fn Diffuse_x24init_0( reflectance_4 : vec3<f32>) -> Diffuse_0
 {
-    var _S359 : Diffuse_0;
-    _S359.reflectance_3 = reflectance_4;
-    return _S359;
+    var _S360 : Diffuse_0;
+    _S360.reflectance_3 = reflectance_4;
+    return _S360;
 }
 
 fn Diffuse_sample_0( this_42 : Diffuse_0,  wo_9 : vec3<f32>,  u_20 : vec3<f32>,  sample_14 : ptr<function, BsdfSample_0>) -> bool
@@ -4552,40 +4603,40 @@ fn MaterialBsdf_sample_0( this_43 : MaterialBsdf_0,  wo_10 : vec3<f32>,  u_21 : 
 {
     if((this_43.kind_0) == u32(1))
     {
-        var _S360 : bool = Conductor_sample_0(Conductor_x24init_0(this_43.color_1, this_43.facets_0), wo_10, u_21, &((*sample_15)));
-        return _S360;
+        var _S361 : bool = Conductor_sample_0(Conductor_x24init_0(this_43.color_1, this_43.facets_0), wo_10, u_21, &((*sample_15)));
+        return _S361;
     }
     if((this_43.kind_0) == u32(2))
     {
-        var _S361 : bool = Plastic_sample_0(Plastic_x24init_0(this_43.color_1, this_43.specular_1, this_43.eta_0, this_43.facets_0), wo_10, u_21, &((*sample_15)));
-        return _S361;
+        var _S362 : bool = Plastic_sample_0(Plastic_x24init_0(this_43.color_1, this_43.specular_1, this_43.eta_0, this_43.facets_0), wo_10, u_21, &((*sample_15)));
+        return _S362;
     }
     if((this_43.kind_0) == u32(3))
     {
-        var _S362 : bool = Dielectric_sample_0(Dielectric_x24init_0(this_43.eta_0, this_43.facets_0), wo_10, u_21, &((*sample_15)));
-        return _S362;
+        var _S363 : bool = Dielectric_sample_0(Dielectric_x24init_0(this_43.eta_0, this_43.facets_0), wo_10, u_21, &((*sample_15)));
+        return _S363;
     }
     if((this_43.kind_0) == u32(4))
     {
-        var _S363 : bool = Phase_sample_0(Phase_x24init_0(this_43.color_1, this_43.specular_1), wo_10, u_21, &((*sample_15)));
-        return _S363;
+        var _S364 : bool = Phase_sample_0(Phase_x24init_0(this_43.color_1, this_43.specular_1), wo_10, u_21, &((*sample_15)));
+        return _S364;
     }
-    var _S364 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_43.color_1), wo_10, u_21, &((*sample_15)));
-    return _S364;
+    var _S365 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_43.color_1), wo_10, u_21, &((*sample_15)));
+    return _S365;
 }
 
 fn Conductor_eval_0( this_44 : Conductor_0,  given_3 : vec3<f32>,  wi_8 : vec3<f32>) -> BsdfEval_0
 {
-    var _S365 : bool;
+    var _S366 : bool;
     if(Microfacets_is_smooth_0(this_44.facets_3))
     {
-        _S365 = true;
+        _S366 = true;
     }
     else
     {
-        _S365 = (wi_8.z) <= 0.0f;
+        _S366 = (wi_8.z) <= 0.0f;
     }
-    if(_S365)
+    if(_S366)
     {
         return no_bsdf_eval_0();
     }
@@ -4608,16 +4659,16 @@ fn Plastic_eval_0( this_45 : Plastic_0,  given_4 : vec3<f32>,  wi_9 : vec3<f32>)
 
 fn Dielectric_eval_0( this_46 : Dielectric_0,  given_5 : vec3<f32>,  wi_10 : vec3<f32>) -> BsdfEval_0
 {
-    var _S366 : bool;
+    var _S367 : bool;
     if(Microfacets_is_smooth_0(this_46.facets_7))
     {
-        _S366 = true;
+        _S367 = true;
     }
     else
     {
-        _S366 = (wi_10.z) <= 0.0f;
+        _S367 = (wi_10.z) <= 0.0f;
     }
-    if(_S366)
+    if(_S367)
     {
         return no_bsdf_eval_0();
     }
@@ -4681,13 +4732,13 @@ fn MaterialBsdf_albedo_0( this_51 : MaterialBsdf_0) -> vec3<f32>
 fn check_bsdf(@builtin(global_invocation_id) id_12 : vec3<u32>, @builtin(local_invocation_index) thread_13 : u32)
 {
     prove_0(thread_13);
-    var _S367 : u32 = id_12.x;
-    if(_S367 >= (dispatch_0.count_0))
+    var _S368 : u32 = id_12.x;
+    if(_S368 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_12 : Reader_0 = Reader_x24init_0(u32(25) * _S367);
-    var writer_12 : Writer_0 = Writer_x24init_0(u32(16) * _S367);
+    var reader_12 : Reader_0 = Reader_x24init_0(u32(25) * _S368);
+    var writer_12 : Writer_0 = Writer_x24init_0(u32(16) * _S368);
     var material_4 : PackedMaterial_0;
     var channel_0 : u32 = u32(0);
     for(;;)
@@ -4699,12 +4750,12 @@ fn check_bsdf(@builtin(global_invocation_id) id_12 : vec3<u32>, @builtin(local_i
         {
             break;
         }
-        var _S368 : f32 = Reader_number_0(&(reader_12));
-        material_4.base_color_0[channel_0] = _S368;
+        var _S369 : f32 = Reader_number_0(&(reader_12));
+        material_4.base_color_0[channel_0] = _S369;
         channel_0 = channel_0 + u32(1);
     }
-    var _S369 : f32 = Reader_number_0(&(reader_12));
-    material_4.roughness_0 = _S369;
+    var _S370 : f32 = Reader_number_0(&(reader_12));
+    material_4.roughness_0 = _S370;
     channel_0 = u32(0);
     for(;;)
     {
@@ -4715,20 +4766,20 @@ fn check_bsdf(@builtin(global_invocation_id) id_12 : vec3<u32>, @builtin(local_i
         {
             break;
         }
-        var _S370 : f32 = Reader_number_0(&(reader_12));
-        material_4.emission_0[channel_0] = _S370;
+        var _S371 : f32 = Reader_number_0(&(reader_12));
+        material_4.emission_0[channel_0] = _S371;
         channel_0 = channel_0 + u32(1);
     }
-    var _S371 : f32 = Reader_number_0(&(reader_12));
-    material_4.metallic_0 = _S371;
     var _S372 : f32 = Reader_number_0(&(reader_12));
-    material_4.transmission_0 = _S372;
+    material_4.metallic_0 = _S372;
     var _S373 : f32 = Reader_number_0(&(reader_12));
-    material_4.ior_0 = _S373;
+    material_4.transmission_0 = _S373;
     var _S374 : f32 = Reader_number_0(&(reader_12));
-    material_4.specular_0 = _S374;
+    material_4.ior_0 = _S374;
     var _S375 : f32 = Reader_number_0(&(reader_12));
-    material_4.anisotropy_0 = _S375;
+    material_4.specular_0 = _S375;
+    var _S376 : f32 = Reader_number_0(&(reader_12));
+    material_4.anisotropy_0 = _S376;
     channel_0 = u32(0);
     for(;;)
     {
@@ -4739,26 +4790,26 @@ fn check_bsdf(@builtin(global_invocation_id) id_12 : vec3<u32>, @builtin(local_i
         {
             break;
         }
-        var _S376 : f32 = Reader_number_0(&(reader_12));
-        material_4.absorption_0[channel_0] = _S376;
+        var _S377 : f32 = Reader_number_0(&(reader_12));
+        material_4.absorption_0[channel_0] = _S377;
         channel_0 = channel_0 + u32(1);
     }
-    var _S377 : f32 = Reader_number_0(&(reader_12));
-    material_4.scattering_0 = _S377;
+    var _S378 : f32 = Reader_number_0(&(reader_12));
+    material_4.scattering_0 = _S378;
     var wo_17 : vec3<f32> = Reader_vector_0(&(reader_12));
-    var _S378 : vec3<f32> = Reader_vector_0(&(reader_12));
-    var u_22 : vec3<f32> = _S378;
-    var _S379 : f32 = u_22[i32(2)];
-    var bsdf_0 : MaterialBsdf_0 = bsdf_of_0(material_4, 1.0f, &(_S379));
-    u_22[i32(2)] = _S379;
+    var _S379 : vec3<f32> = Reader_vector_0(&(reader_12));
+    var u_22 : vec3<f32> = _S379;
+    var _S380 : f32 = u_22[i32(2)];
+    var bsdf_0 : MaterialBsdf_0 = bsdf_of_0(material_4, 1.0f, &(_S380));
+    u_22[i32(2)] = _S380;
     var sample_16 : BsdfSample_0;
     var is_found_3 : bool = MaterialBsdf_sample_0(bsdf_0, wo_17, u_22, &(sample_16));
     if(!is_found_3)
     {
         sample_16 = no_bsdf_sample_0();
     }
-    var _S380 : vec3<f32> = Reader_vector_0(&(reader_12));
-    var eval_1 : BsdfEval_0 = MaterialBsdf_eval_0(bsdf_0, wo_17, _S380);
+    var _S381 : vec3<f32> = Reader_vector_0(&(reader_12));
+    var eval_1 : BsdfEval_0 = MaterialBsdf_eval_0(bsdf_0, wo_17, _S381);
     Writer_word_0(&(writer_12), u32(is_found_3));
     Writer_vector_0(&(writer_12), sample_16.wi_0);
     Writer_vector_0(&(writer_12), sample_16.weight_3);
@@ -4796,37 +4847,37 @@ fn unscattered_0( medium_1 : PackedMaterial_0,  voxels_2 : f32) -> f32
 fn logarithm_0( x_19 : f32) -> f32
 {
     var bits_3 : u32 = (bitcast<u32>((x_19)));
-    var _S381 : u32 = (bits_3 & (u32(8388607)));
-    var is_upper_0 : bool = _S381 > u32(3474675);
+    var _S382 : u32 = (bits_3 & (u32(8388607)));
+    var is_upper_0 : bool = _S382 > u32(3474675);
     var power_4 : i32 = i32((bits_3 >> (u32(23)))) - i32(127) + i32(is_upper_0);
-    var _S382 : u32;
+    var _S383 : u32;
     if(is_upper_0)
     {
-        _S382 = u32(1056964608);
+        _S383 = u32(1056964608);
     }
     else
     {
-        _S382 = u32(1065353216);
+        _S383 = u32(1065353216);
     }
-    var mantissa_3 : f32 = (bitcast<f32>(((_S381 | (_S382)))));
+    var mantissa_3 : f32 = (bitcast<f32>(((_S382 | (_S383)))));
     var s_1 : f32 = divide_0(mantissa_3 - 1.0f, mantissa_3 + 1.0f);
     var ss_0 : f32 = s_1 * s_1;
-    var _S383 : f32 = f32(power_4);
-    return _S383 * 0.693359375f + (_S383 * -0.00021219444170129f + s_1 * (2.0f + ss_0 * (0.66666668653488159f + ss_0 * (0.40000000596046448f + ss_0 * (0.28571429848670959f + ss_0 * 0.2222222238779068f)))));
+    var _S384 : f32 = f32(power_4);
+    return _S384 * 0.693359375f + (_S384 * -0.00021219444170129f + s_1 * (2.0f + ss_0 * (0.66666668653488159f + ss_0 * (0.40000000596046448f + ss_0 * (0.28571429848670959f + ss_0 * 0.2222222238779068f)))));
 }
 
 fn free_path_0( medium_2 : PackedMaterial_0,  u_23 : f32) -> f32
 {
-    var _S384 : f32;
+    var _S385 : f32;
     if((medium_2.scattering_0) > 0.0f)
     {
-        _S384 = divide_0(- logarithm_0(1.0f - u_23), medium_2.scattering_0);
+        _S385 = divide_0(- logarithm_0(1.0f - u_23), medium_2.scattering_0);
     }
     else
     {
-        _S384 = (bitcast<f32>((u32(2139095040))));
+        _S385 = (bitcast<f32>((u32(2139095040))));
     }
-    return _S384;
+    return _S385;
 }
 
 @compute
@@ -4834,13 +4885,13 @@ fn free_path_0( medium_2 : PackedMaterial_0,  u_23 : f32) -> f32
 fn check_medium(@builtin(global_invocation_id) id_13 : vec3<u32>, @builtin(local_invocation_index) thread_14 : u32)
 {
     prove_0(thread_14);
-    var _S385 : u32 = id_13.x;
-    if(_S385 >= (dispatch_0.count_0))
+    var _S386 : u32 = id_13.x;
+    if(_S386 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_13 : Reader_0 = Reader_x24init_0(u32(12) * _S385);
-    var writer_13 : Writer_0 = Writer_x24init_0(u32(10) * _S385);
+    var reader_13 : Reader_0 = Reader_x24init_0(u32(12) * _S386);
+    var writer_13 : Writer_0 = Writer_x24init_0(u32(10) * _S386);
     var medium_3 : PackedMaterial_0;
     var channel_1 : u32 = u32(0);
     for(;;)
@@ -4852,14 +4903,14 @@ fn check_medium(@builtin(global_invocation_id) id_13 : vec3<u32>, @builtin(local
         {
             break;
         }
-        var _S386 : f32 = Reader_number_0(&(reader_13));
-        medium_3.absorption_0[channel_1] = _S386;
+        var _S387 : f32 = Reader_number_0(&(reader_13));
+        medium_3.absorption_0[channel_1] = _S387;
         channel_1 = channel_1 + u32(1);
     }
-    var _S387 : f32 = Reader_number_0(&(reader_13));
-    medium_3.scattering_0 = _S387;
     var _S388 : f32 = Reader_number_0(&(reader_13));
-    medium_3.anisotropy_0 = _S388;
+    medium_3.scattering_0 = _S388;
+    var _S389 : f32 = Reader_number_0(&(reader_13));
+    medium_3.anisotropy_0 = _S389;
     var voxels_3 : f32 = Reader_number_0(&(reader_13));
     var forward_1 : vec3<f32> = Reader_vector_0(&(reader_13));
     var u_24 : f32 = Reader_number_0(&(reader_13));
@@ -4868,11 +4919,11 @@ fn check_medium(@builtin(global_invocation_id) id_13 : vec3<u32>, @builtin(local
     Writer_number_0(&(writer_13), unscattered_0(medium_3, voxels_3));
     Writer_number_0(&(writer_13), free_path_0(medium_3, u_24));
     var cos_14 : f32;
-    var _S389 : vec3<f32> = sample_phase_0(_S388, forward_1, u_24, v_9, &(cos_14));
-    Writer_vector_0(&(writer_13), _S389);
+    var _S390 : vec3<f32> = sample_phase_0(_S389, forward_1, u_24, v_9, &(cos_14));
+    Writer_vector_0(&(writer_13), _S390);
     Writer_number_0(&(writer_13), cos_14);
-    var _S390 : f32 = Reader_number_0(&(reader_13));
-    Writer_number_0(&(writer_13), phase_pdf_0(_S388, _S390));
+    var _S391 : f32 = Reader_number_0(&(reader_13));
+    Writer_number_0(&(writer_13), phase_pdf_0(_S389, _S391));
     return;
 }
 
@@ -4886,12 +4937,12 @@ struct Perspective_0
 
 fn Perspective_x24init_0( eye_2 : vec3<f32>,  corner_3 : vec3<f32>,  pixel_x_2 : vec3<f32>,  pixel_y_2 : vec3<f32>) -> Perspective_0
 {
-    var _S391 : Perspective_0;
-    _S391.eye_1 = eye_2;
-    _S391.corner_2 = corner_3;
-    _S391.pixel_x_1 = pixel_x_2;
-    _S391.pixel_y_1 = pixel_y_2;
-    return _S391;
+    var _S392 : Perspective_0;
+    _S392.eye_1 = eye_2;
+    _S392.corner_2 = corner_3;
+    _S392.pixel_x_1 = pixel_x_2;
+    _S392.pixel_y_1 = pixel_y_2;
+    return _S392;
 }
 
 struct Axes_0
@@ -4903,11 +4954,11 @@ struct Axes_0
 
 fn Axes_x24init_0( forward_3 : vec3<f32>,  right_4 : vec3<f32>,  up_1 : vec3<f32>) -> Axes_0
 {
-    var _S392 : Axes_0;
-    _S392.forward_2 = forward_3;
-    _S392.right_3 = right_4;
-    _S392.up_0 = up_1;
-    return _S392;
+    var _S393 : Axes_0;
+    _S393.forward_2 = forward_3;
+    _S393.right_3 = right_4;
+    _S393.up_0 = up_1;
+    return _S393;
 }
 
 struct ThinLens_0
@@ -4920,28 +4971,28 @@ struct ThinLens_0
 
 fn ThinLens_x24init_0( perspective_1 : Perspective_0,  lens_x_2 : vec3<f32>,  lens_y_2 : vec3<f32>,  blades_2 : u32) -> ThinLens_0
 {
-    var _S393 : ThinLens_0;
-    _S393.perspective_0 = perspective_1;
-    _S393.lens_x_1 = lens_x_2;
-    _S393.lens_y_1 = lens_y_2;
-    _S393.blades_1 = blades_2;
-    return _S393;
+    var _S394 : ThinLens_0;
+    _S394.perspective_0 = perspective_1;
+    _S394.lens_x_1 = lens_x_2;
+    _S394.lens_y_1 = lens_y_2;
+    _S394.blades_1 = blades_2;
+    return _S394;
 }
 
 fn concentric_0( square_2 : vec2<f32>) -> vec2<f32>
 {
     var a_6 : f32 = 2.0f * square_2.x - 1.0f;
     var b_5 : f32 = 2.0f * square_2.y - 1.0f;
-    var _S394 : bool;
+    var _S395 : bool;
     if(a_6 == 0.0f)
     {
-        _S394 = b_5 == 0.0f;
+        _S395 = b_5 == 0.0f;
     }
     else
     {
-        _S394 = false;
+        _S395 = false;
     }
-    if(_S394)
+    if(_S395)
     {
         return vec2<f32>(0.0f);
     }
@@ -4968,7 +5019,7 @@ fn concentric_0( square_2 : vec2<f32>) -> vec2<f32>
     {
         turns_3 = turns_3 + 0.5f;
     }
-    var _S395 : f32 = abs(radius_6);
+    var _S396 : f32 = abs(radius_6);
     if(turns_3 < 0.0f)
     {
         radius_6 = turns_3 + 1.0f;
@@ -4977,7 +5028,7 @@ fn concentric_0( square_2 : vec2<f32>) -> vec2<f32>
     {
         radius_6 = turns_3;
     }
-    return vec2<f32>(_S395, radius_6);
+    return vec2<f32>(_S396, radius_6);
 }
 
 fn place_in_aperture_0( blades_3 : u32,  lens_1 : vec2<f32>) -> vec2<f32>
@@ -4995,9 +5046,9 @@ fn place_in_aperture_0( blades_3 : u32,  lens_1 : vec2<f32>) -> vec2<f32>
     var share_8 : f32 = scaled_0 - blade_0;
     var from_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0, count_6));
     var to_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0 + 1.0f, count_6));
-    var _S396 : f32 = from_0.y;
-    var _S397 : f32 = from_0.x;
-    return vec2<f32>(_S396 + (to_0.y - _S396) * share_8, _S397 + (to_0.x - _S397) * share_8) * vec2<f32>(radius_7);
+    var _S397 : f32 = from_0.y;
+    var _S398 : f32 = from_0.x;
+    return vec2<f32>(_S397 + (to_0.y - _S397) * share_8, _S398 + (to_0.x - _S398) * share_8) * vec2<f32>(radius_7);
 }
 
 fn ThinLens_ray_0( this_52 : ThinLens_0,  position_1 : vec2<f32>,  lens_2 : vec2<f32>) -> Ray_0
@@ -5017,12 +5068,12 @@ struct Orthographic_0
 
 fn Orthographic_x24init_0( corner_5 : vec3<f32>,  pixel_x_4 : vec3<f32>,  pixel_y_4 : vec3<f32>,  forward_5 : vec3<f32>) -> Orthographic_0
 {
-    var _S398 : Orthographic_0;
-    _S398.corner_4 = corner_5;
-    _S398.pixel_x_3 = pixel_x_4;
-    _S398.pixel_y_3 = pixel_y_4;
-    _S398.forward_4 = forward_5;
-    return _S398;
+    var _S399 : Orthographic_0;
+    _S399.corner_4 = corner_5;
+    _S399.pixel_x_3 = pixel_x_4;
+    _S399.pixel_y_3 = pixel_y_4;
+    _S399.forward_4 = forward_5;
+    return _S399;
 }
 
 fn Orthographic_ray_0( this_53 : Orthographic_0,  position_2 : vec2<f32>,  lens_3 : vec2<f32>) -> Ray_0
@@ -5040,12 +5091,12 @@ struct Panorama_0
 
 fn Panorama_x24init_0( eye_4 : vec3<f32>,  axes_2 : Axes_0,  inverse_size_1 : vec2<f32>,  half_eye_distance_1 : f32) -> Panorama_0
 {
-    var _S399 : Panorama_0;
-    _S399.eye_3 = eye_4;
-    _S399.axes_1 = axes_2;
-    _S399.inverse_size_0 = inverse_size_1;
-    _S399.half_eye_distance_0 = half_eye_distance_1;
-    return _S399;
+    var _S400 : Panorama_0;
+    _S400.eye_3 = eye_4;
+    _S400.axes_1 = axes_2;
+    _S400.inverse_size_0 = inverse_size_1;
+    _S400.half_eye_distance_0 = half_eye_distance_1;
+    return _S400;
 }
 
 fn Panorama_ray_0( this_54 : Panorama_0,  position_3 : vec2<f32>,  lens_4 : vec2<f32>) -> Ray_0
@@ -5072,9 +5123,9 @@ fn Panorama_ray_0( this_54 : Panorama_0,  position_3 : vec2<f32>,  lens_4 : vec2
     }
     var longitude_0 : vec2<f32> = sincos_turns_0(position_3.x * this_54.inverse_size_0.x);
     var height_2 : vec2<f32> = sincos_turns_0(latitude_1 * 0.5f);
-    var _S400 : vec3<f32> = vec3<f32>(longitude_0.y);
-    var _S401 : vec3<f32> = vec3<f32>(longitude_0.x);
-    return ray_from_0(this_54.eye_3 + (this_54.axes_1.forward_2 * _S401 - this_54.axes_1.right_3 * _S400) * vec3<f32>(side_3), normalize_vector_0((vec3<f32>(0) - this_54.axes_1.forward_2 * _S400 + this_54.axes_1.right_3 * _S401) * vec3<f32>(height_2.x) + this_54.axes_1.up_0 * vec3<f32>(height_2.y)));
+    var _S401 : vec3<f32> = vec3<f32>(longitude_0.y);
+    var _S402 : vec3<f32> = vec3<f32>(longitude_0.x);
+    return ray_from_0(this_54.eye_3 + (this_54.axes_1.forward_2 * _S402 - this_54.axes_1.right_3 * _S401) * vec3<f32>(side_3), normalize_vector_0((vec3<f32>(0) - this_54.axes_1.forward_2 * _S401 + this_54.axes_1.right_3 * _S402) * vec3<f32>(height_2.x) + this_54.axes_1.up_0 * vec3<f32>(height_2.y)));
 }
 
 struct Fisheye_0
@@ -5087,12 +5138,12 @@ struct Fisheye_0
 
 fn Fisheye_x24init_0( eye_6 : vec3<f32>,  axes_4 : Axes_0,  middle_4 : vec2<f32>,  turns_per_pixel_1 : f32) -> Fisheye_0
 {
-    var _S402 : Fisheye_0;
-    _S402.eye_5 = eye_6;
-    _S402.axes_3 = axes_4;
-    _S402.middle_3 = middle_4;
-    _S402.turns_per_pixel_0 = turns_per_pixel_1;
-    return _S402;
+    var _S403 : Fisheye_0;
+    _S403.eye_5 = eye_6;
+    _S403.axes_3 = axes_4;
+    _S403.middle_3 = middle_4;
+    _S403.turns_per_pixel_0 = turns_per_pixel_1;
+    return _S403;
 }
 
 fn Fisheye_ray_0( this_55 : Fisheye_0,  position_4 : vec2<f32>,  lens_5 : vec2<f32>) -> Ray_0
@@ -5164,36 +5215,36 @@ fn CameraFrame_ray_0( this_57 : CameraFrame_0,  position_6 : vec2<f32>,  lens_sa
 fn check_camera(@builtin(global_invocation_id) id_14 : vec3<u32>, @builtin(local_invocation_index) thread_15 : u32)
 {
     prove_0(thread_15);
-    var _S403 : u32 = id_14.x;
-    if(_S403 >= (dispatch_0.count_0))
+    var _S404 : u32 = id_14.x;
+    if(_S404 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_14 : Reader_0 = Reader_x24init_0(u32(24) * _S403);
-    var writer_14 : Writer_0 = Writer_x24init_0(u32(8) * _S403);
+    var reader_14 : Reader_0 = Reader_x24init_0(u32(24) * _S404);
+    var writer_14 : Writer_0 = Writer_x24init_0(u32(8) * _S404);
     var camera_0 : CameraFrame_0;
-    var _S404 : u32 = Reader_word_0(&(reader_14));
-    camera_0.lens_7 = _S404;
-    var _S405 : vec3<f32> = Reader_vector_0(&(reader_14));
-    camera_0.eye_7 = _S405;
+    var _S405 : u32 = Reader_word_0(&(reader_14));
+    camera_0.lens_7 = _S405;
     var _S406 : vec3<f32> = Reader_vector_0(&(reader_14));
-    camera_0.corner_6 = _S406;
+    camera_0.eye_7 = _S406;
     var _S407 : vec3<f32> = Reader_vector_0(&(reader_14));
-    camera_0.pixel_x_5 = _S407;
+    camera_0.corner_6 = _S407;
     var _S408 : vec3<f32> = Reader_vector_0(&(reader_14));
-    camera_0.pixel_y_5 = _S408;
+    camera_0.pixel_x_5 = _S408;
     var _S409 : vec3<f32> = Reader_vector_0(&(reader_14));
-    camera_0.lens_x_3 = _S409;
+    camera_0.pixel_y_5 = _S409;
     var _S410 : vec3<f32> = Reader_vector_0(&(reader_14));
-    camera_0.lens_y_3 = _S410;
-    var _S411 : u32 = Reader_word_0(&(reader_14));
-    camera_0.blades_4 = _S411;
+    camera_0.lens_x_3 = _S410;
+    var _S411 : vec3<f32> = Reader_vector_0(&(reader_14));
+    camera_0.lens_y_3 = _S411;
+    var _S412 : u32 = Reader_word_0(&(reader_14));
+    camera_0.blades_4 = _S412;
     var x_21 : f32 = Reader_number_0(&(reader_14));
-    var _S412 : f32 = Reader_number_0(&(reader_14));
-    var position_7 : vec2<f32> = vec2<f32>(x_21, _S412);
-    var u_25 : f32 = Reader_number_0(&(reader_14));
     var _S413 : f32 = Reader_number_0(&(reader_14));
-    var ray_10 : Ray_0 = CameraFrame_ray_0(camera_0, position_7, vec2<f32>(u_25, _S413));
+    var position_7 : vec2<f32> = vec2<f32>(x_21, _S413);
+    var u_25 : f32 = Reader_number_0(&(reader_14));
+    var _S414 : f32 = Reader_number_0(&(reader_14));
+    var ray_10 : Ray_0 = CameraFrame_ray_0(camera_0, position_7, vec2<f32>(u_25, _S414));
     Writer_vector_0(&(writer_14), ray_10.origin_1);
     Writer_number_0(&(writer_14), ray_10.t_min_0);
     Writer_vector_0(&(writer_14), ray_10.direction_1);

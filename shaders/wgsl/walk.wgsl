@@ -2843,6 +2843,39 @@ fn find_brick_0( _S172 : u32,  _S173 : vec3<i32>) -> u32
     return record_of_cell_0(cell_6);
 }
 
+fn rank_in_brick_0( record_3 : u32,  relative_1 : vec3<i32>) -> u32
+{
+    var bit_1 : u32 = cell_in_node_0(relative_1, u32(0));
+    var present_before_0 : u32 = countOneBits((bricks_0[record_3] & ((((u32(1) << (((((u32(((((relative_1.x) >> (u32(2)))) & (i32(1)))) | (((u32(((((relative_1.y) >> (u32(2)))) & (i32(1)))) << (u32(1))))))) | (((u32(((((relative_1.z) >> (u32(2)))) & (i32(1)))) << (u32(2)))))))))) - u32(1)))));
+    var index_4 : u32 = u32(0);
+    var rank_0 : u32 = u32(0);
+    for(;;)
+    {
+        if(index_4 < present_before_0)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S175 : u32 = u32(2) * index_4;
+        var rank_1 : u32 = rank_0 + (countOneBits(bricks_0[record_3 + u32(2) + _S175]) + countOneBits(bricks_0[record_3 + u32(3) + _S175]));
+        index_4 = index_4 + u32(1);
+        rank_0 = rank_1;
+    }
+    var _S176 : u32 = u32(2) * present_before_0;
+    var low_6 : u32 = bricks_0[record_3 + u32(2) + _S176];
+    if(bit_1 < u32(32))
+    {
+        rank_0 = rank_0 + countOneBits((low_6 & ((((u32(1) << (bit_1))) - u32(1)))));
+    }
+    else
+    {
+        rank_0 = rank_0 + (countOneBits(low_6) + countOneBits((bricks_0[record_3 + u32(3) + _S176] & ((((u32(1) << ((bit_1 - u32(32))))) - u32(1))))));
+    }
+    return rank_0;
+}
+
 fn read_bits_0( start_1 : u32,  position_8 : u32,  count_3 : u32) -> u32
 {
     if(count_3 == u32(0))
@@ -2864,43 +2897,15 @@ fn read_bits_0( start_1 : u32,  position_8 : u32,  count_3 : u32) -> u32
     return (bits_3 & ((((u32(1) << (count_3))) - u32(1))));
 }
 
-fn material_at_0( _S175 : u32,  _S176 : vec3<i32>) -> u32
+fn material_at_0( _S177 : u32,  _S178 : vec3<i32>) -> u32
 {
-    var _S177 : u32 = find_brick_0(_S175, _S176);
-    var header_0 : u32 = bricks_0[_S177];
-    var bit_1 : u32 = cell_in_node_0(_S176, u32(0));
-    var present_before_0 : u32 = countOneBits((header_0 & ((((u32(1) << (((((u32(((((_S176.x) >> (u32(2)))) & (i32(1)))) | (((u32(((((_S176.y) >> (u32(2)))) & (i32(1)))) << (u32(1))))))) | (((u32(((((_S176.z) >> (u32(2)))) & (i32(1)))) << (u32(2)))))))))) - u32(1)))));
-    var index_4 : u32 = u32(0);
-    var rank_0 : u32 = u32(0);
-    for(;;)
-    {
-        if(index_4 < present_before_0)
-        {
-        }
-        else
-        {
-            break;
-        }
-        var _S178 : u32 = u32(2) * index_4;
-        var rank_1 : u32 = rank_0 + (countOneBits(bricks_0[_S177 + u32(2) + _S178]) + countOneBits(bricks_0[_S177 + u32(3) + _S178]));
-        index_4 = index_4 + u32(1);
-        rank_0 = rank_1;
-    }
-    var _S179 : u32 = u32(2) * present_before_0;
-    var low_6 : u32 = bricks_0[_S177 + u32(2) + _S179];
-    if(bit_1 < u32(32))
-    {
-        rank_0 = rank_0 + countOneBits((low_6 & ((((u32(1) << (bit_1))) - u32(1)))));
-    }
-    else
-    {
-        rank_0 = rank_0 + (countOneBits(low_6) + countOneBits((bricks_0[_S177 + u32(3) + _S179] & ((((u32(1) << ((bit_1 - u32(32))))) - u32(1))))));
-    }
+    var _S179 : u32 = find_brick_0(_S177, _S178);
+    var header_0 : u32 = bricks_0[_S179];
     var index_bits_0 : u32 = (((header_0 >> (u32(8)))) & (u32(255)));
     var palette_count_0 : u32 = (header_0 >> (u32(16)));
-    var entry_bits_0 : u32 = grids_0[_S175].material_bits_0;
-    var start_2 : u32 = bricks_0[_S177 + u32(1)];
-    var index_5 : u32 = read_bits_0(start_2, palette_count_0 * grids_0[_S175].material_bits_0 + rank_0 * index_bits_0, index_bits_0);
+    var entry_bits_0 : u32 = grids_0[_S177].material_bits_0;
+    var start_2 : u32 = bricks_0[_S179 + u32(1)];
+    var index_5 : u32 = read_bits_0(start_2, palette_count_0 * grids_0[_S177].material_bits_0 + rank_in_brick_0(_S179, _S178) * index_bits_0, index_bits_0);
     if(palette_count_0 == u32(0))
     {
         return index_5;
@@ -5022,8 +5027,8 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_18 : Ray_0,  hit_
 
 fn place_of_0( at_4 : vec2<u32>) -> u32
 {
-    var relative_1 : vec2<u32> = at_4 - params_0.region_0.xy;
-    return relative_1.y * (params_0.region_0.z - params_0.region_0.x) + relative_1.x;
+    var relative_2 : vec2<u32> = at_4 - params_0.region_0.xy;
+    return relative_2.y * (params_0.region_0.z - params_0.region_0.x) + relative_2.x;
 }
 
 struct PixelRecord_0
@@ -5743,7 +5748,7 @@ fn first_voxel_1( _S400 : u32,  _S401 : Walk_0,  _S402 : ptr<function, vec3<i32>
         }
         else
         {
-            var record_3 : u32 = record_of_cell_0(cell_8);
+            var record_4 : u32 = record_of_cell_0(cell_8);
             var blocks_2 : u32;
             if(CELLS_HAVE_BLOCKS_0)
             {
@@ -5751,9 +5756,9 @@ fn first_voxel_1( _S400 : u32,  _S401 : Walk_0,  _S402 : ptr<function, vec3<i32>
             }
             else
             {
-                blocks_2 = blocks_of_record_0(record_3);
+                blocks_2 = blocks_of_record_0(record_4);
             }
-            var low_bits_1 : u32 = empty_around_0(record_3, blocks_2, voxel_24, octant_3, _S406);
+            var low_bits_1 : u32 = empty_around_0(record_4, blocks_2, voxel_24, octant_3, _S406);
             var is_found_6 : bool = low_bits_1 == u32(4294967295);
             if(is_found_6)
             {

@@ -1,7 +1,7 @@
 //! Options that change a scene once it is read: materials, and which of its parts are seen.
 
 use crate::failure::Failure;
-use crate::load::into_packed;
+use crate::load::{MemoryArgs, into_packed};
 use voxtrace::PackedScene;
 use voxtrace::changes::{ChangeError, MaterialChange, PartName, SceneChanges, show_parts};
 use voxtrace::import::Content;
@@ -23,15 +23,15 @@ pub struct ChangeArgs {
 
 impl ChangeArgs {
     /// The packed scene with the changes. What is hidden in part is kept apart.
-    pub fn packed(&self, content: Content, keep_instances: bool) -> Result<PackedScene, Failure> {
-        let packed = packed_with(content, &self.show, keep_instances || !self.hide.is_empty())?;
+    pub fn packed(&self, content: Content, memory: MemoryArgs) -> Result<PackedScene, Failure> {
+        let packed = packed_with(content, &self.show, memory.keeping_instances(!self.hide.is_empty()))?;
         let changes = SceneChanges { materials: self.material.clone(), hidden: self.hide.clone() };
         if changes.is_empty() { Ok(packed) } else { changes.apply(&packed).map_err(change_failure) }
     }
 }
 
 /// Packs a scene, with parts that its file hides.
-pub fn packed_with(mut content: Content, shown: &[PartName], keep_instances: bool) -> Result<PackedScene, Failure> {
+pub fn packed_with(mut content: Content, shown: &[PartName], memory: MemoryArgs) -> Result<PackedScene, Failure> {
     match &mut content {
         Content::Scene(scene) => show_parts(scene, shown).map_err(change_failure)?,
         Content::Packed(packed) => {
@@ -43,7 +43,7 @@ pub fn packed_with(mut content: Content, shown: &[PartName], keep_instances: boo
             }
         }
     }
-    into_packed(content, keep_instances)
+    into_packed(content, memory)
 }
 
 fn change_failure(error: ChangeError) -> Failure {

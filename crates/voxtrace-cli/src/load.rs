@@ -3,6 +3,7 @@
 use crate::failure::Failure;
 use crate::import::ImportArgs;
 use crate::interrupt;
+use crate::normals::{NormalsArg, with_normals};
 use crate::parse;
 use crate::report::Report;
 use std::path::Path;
@@ -37,10 +38,24 @@ pub struct MemoryArgs {
     /// Keep all instances apart, instead of making one grid of those that stand on the lattice of voxels, which is faster
     #[arg(long)]
     pub keep_instances: bool,
+    /// Normals that surfaces are shaded with [default: those of the .vxt file, else faces]
+    #[arg(long, value_name = "NORMALS")]
+    pub normals: Option<NormalsArg>,
+}
+
+impl MemoryArgs {
+    /// The same, with instances kept apart where that is needed.
+    pub fn keeping_instances(self, is_needed: bool) -> Self {
+        Self { keep_instances: self.keep_instances || is_needed, ..self }
+    }
 }
 
 /// The packed scene, with instances merged unless they are to be kept apart.
-pub fn into_packed(content: Content, keep_instances: bool) -> Result<PackedScene, Failure> {
+pub fn into_packed(content: Content, memory: MemoryArgs) -> Result<PackedScene, Failure> {
+    with_normals(packed_as_it_is(content, memory.keep_instances)?, memory.normals)
+}
+
+fn packed_as_it_is(content: Content, keep_instances: bool) -> Result<PackedScene, Failure> {
     let scene = match content {
         Content::Packed(packed) if keep_instances => return Ok(packed.split()),
         // What a file has is not packed anew.

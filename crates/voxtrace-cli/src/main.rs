@@ -23,6 +23,7 @@ mod lines;
 mod load;
 mod mesh;
 mod noise;
+mod normals;
 mod outputs;
 mod overlays;
 mod parse;

@@ -22,7 +22,8 @@ pub fn rays_of_row(frame: &Frame, camera: &CameraFrame, row: u32) -> Vec<Ray> {
 /// The AOVs of a pixel of a frame with `lines` whose middle `ray` met `hit`, a hit as tracers find it or a miss.
 pub fn aov_of(scene: &PackedScene, lines: &Lines, ray: &Ray, hit: &Hit) -> AovPixel {
     let seen = likeliest(scene, lines, ray, hit);
-    let (albedo, normal) = seen.map_or((Vec3::ZERO, Vec3::ZERO), |seen| (seen.albedo, scene.packed_normal(&seen.hit)));
+    let (albedo, normal) =
+        seen.map_or((Vec3::ZERO, Vec3::ZERO), |seen| (seen.albedo, scene.shading_normal(&seen.ray, &seen.hit)));
     if hit.is_miss() {
         return AovPixel { albedo, normal, ..AovPixel::MISS };
     }

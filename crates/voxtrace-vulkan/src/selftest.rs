@@ -61,6 +61,7 @@ pub fn run(
         has_cuts: false,
         has_catcher: false,
         has_lines: false,
+        has_normals: false,
         sky: params.sky,
         cells_have_blocks: scene.cells_have_blocks,
         primitive: Primitive::default(),

@@ -62,6 +62,8 @@ pub struct Variant {
     pub has_catcher: bool,
     /// Lines on the faces of voxels, likewise.
     pub has_lines: bool,
+    /// Normals of voxels, likewise.
+    pub has_normals: bool,
     /// The sky, one of `SKY_`: choosing it while the shader runs would cost scenes under a gradient.
     pub sky: u32,
 }
@@ -88,10 +90,12 @@ mod constant {
     pub const CATCHER: u32 = 8;
     /// [`super::Variant::has_lines`].
     pub const LINES: u32 = 9;
+    /// [`super::Variant::has_normals`].
+    pub const NORMALS: u32 = 10;
 }
 
 /// Number of specialization constants.
-const CONSTANTS: usize = 10;
+const CONSTANTS: usize = 11;
 
 /// Values of the specialization constants of `shaders/variant.slang` and `shaders/primitive.slang`. Modules that lack one
 /// ignore it.
@@ -114,6 +118,7 @@ impl Specialization {
             (constant::CUTS, variant.has_cuts.into()),
             (constant::CATCHER, variant.has_catcher.into()),
             (constant::LINES, variant.has_lines.into()),
+            (constant::NORMALS, variant.has_normals.into()),
         ];
         let entry =
             |at: usize| vk::SpecializationMapEntry { constant_id: constants[at].0, offset: 4 * at as u32, size: 4 };

@@ -28,6 +28,7 @@ use gpu_allocator::MemoryLocation;
 use show::Show;
 use std::sync::Arc;
 use std::time::Instant;
+use voxtrace_core::normals::Normals;
 use voxtrace_core::shadow_catcher::ShadowCatcher;
 use voxtrace_core::{Film, Frame, PackedScene, TraceError};
 use voxtrace_scene::transform::Transform;
@@ -140,7 +141,9 @@ impl Worker {
         let cells_have_blocks = self.scene.as_ref().is_some_and(|buffers| buffers.cells_have_blocks);
         let has_cuts = !scene.cuts.is_none();
         // No other pass asks what voxels are made of.
-        let has_materials = has_cuts || (entry == Entry::RenderPath && (knows_paths || !scene.is_matte()));
+        let has_normals = matches!(entry, Entry::RenderEssay | Entry::RenderPath) && scene.normals() == Normals::Smooth;
+        let has_materials =
+            has_cuts || has_normals || (entry == Entry::RenderPath && (knows_paths || !scene.is_matte()));
         Ok(Variant {
             entry,
             is_exact,
@@ -154,6 +157,7 @@ impl Worker {
             has_cuts,
             has_catcher,
             has_lines,
+            has_normals,
         })
     }
 

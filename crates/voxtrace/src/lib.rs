@@ -12,7 +12,7 @@ pub use voxtrace_core::{
     BounceLimits, CpuTracer, Film, Frame, Geometry, Instructions, Integrator, LightGroup, PackedScene, Placement,
     Progress, RayCounts, Region, TraceError, Tracer, WalkCounts,
 };
-pub use voxtrace_core::{changes, cuts, denoise, film, frame, lines, surroundings, tracer};
+pub use voxtrace_core::{changes, cuts, denoise, film, frame, lines, normals, surroundings, tracer};
 #[cfg(feature = "pictures")]
 pub use voxtrace_io::difference;
 pub use voxtrace_io::{export, import, output};

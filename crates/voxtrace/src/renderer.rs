@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use voxtrace_core::cuts::Cuts;
 use voxtrace_core::denoise::{Features, denoise};
+use voxtrace_core::normals::Normals;
 use voxtrace_core::packed::PackError;
 use voxtrace_core::{CpuTracer, Film, Frame, Integrator, PackedScene, Progress, TraceError, Tracer};
 use voxtrace_io::output::{Denoised, FilmFile, PictureFormat, PictureOptions, SceneStamp, ToneMap};
@@ -116,6 +117,17 @@ impl Renderer {
     pub fn view(mut self, camera: Camera) -> Self {
         self.view = View::Given(camera);
         self
+    }
+
+    /// Shades surfaces with these normals; without it with those that the scene has, for most those of the faces of voxels.
+    ///
+    /// # Errors
+    /// If the scene has no room for them.
+    pub fn normals(mut self, normals: Normals) -> Result<Self, RenderError> {
+        if normals != self.scene.normals() {
+            (self.scene, self.has_scene) = (Arc::new(self.scene.with_normals(normals)?), false);
+        }
+        Ok(self)
     }
 
     /// Size of the picture, pixels.

@@ -239,7 +239,7 @@ impl Host for CommandLine<'_> {
         let instances = own.instances.filter(|_| entry.name == scenes::FOREST);
         let args = SceneArgs { scene: entry.name.clone(), voxels, instances, import, memory };
         let content = if entry.is_vox { through_vox(args.clone(), self.report)? } else { args.load(self.report)? };
-        let mut scene = own.changes.packed(content, own.memory.keep_instances)?;
+        let mut scene = own.changes.packed(content, own.memory)?;
         if let Some(path) = own.camera_file.as_ref().or(entry.camera.as_ref()) {
             let file = camera_file::open(path)?;
             set_light_of(&file, &mut scene);

@@ -3,13 +3,15 @@
 use crate::failure::{Failure, Kind};
 use crate::interrupt;
 use crate::lattice::{LatticeArgs, OFF_LATTICE_HINT};
-use crate::load::{SceneArgs, into_packed, is_native};
+use crate::load::{MemoryArgs, SceneArgs, into_packed, is_native};
+use crate::normals::NormalsArg;
 use crate::outputs;
 use crate::report::Report;
 use std::path::{Path, PathBuf};
 use voxtrace::PackedScene;
 use voxtrace::export::{self, ExportError, WRITERS, Writer, writer_of};
 use voxtrace::import::Content;
+use voxtrace::normals::Normals;
 use voxtrace::packed::{FileError, FileErrorKind};
 
 /// Convert a scene to another format
@@ -34,7 +36,12 @@ impl ConvertArgs {
         self.scene.import.edits.most_colors = target.most_colors();
         let content = self.scene.load(report)?;
         interrupt::check()?;
+        let mut memory = self.scene.memory;
         let content = if self.lattice.is_asked() {
+            if matches!(&content, Content::Packed(packed) if packed.normals() == Normals::Smooth) {
+                // Those of the file are of other voxels.
+                memory.normals.get_or_insert(NormalsArg::Smooth);
+            }
             let mut scene = content.into_scene();
             let limits = self.scene.import.mesh.import_options().limits;
             self.lattice.apply(&mut scene, &limits, report)?;
@@ -43,7 +50,7 @@ impl ConvertArgs {
         } else {
             content
         };
-        target.write(out, content, self.scene.memory.keep_instances, report)
+        target.write(out, content, memory, report)
     }
 }
 
@@ -92,8 +99,8 @@ impl Target {
     }
 
     /// Writes a scene, into a `.vxt` file with instances merged unless they are to be kept apart, and says what of it could not be kept.
-    pub fn write(self, out: &Path, content: Content, keep_instances: bool, report: &Report) -> Result<(), Failure> {
-        let Self::Foreign(writer) = self else { return write_native(out, content, keep_instances, report) };
+    pub fn write(self, out: &Path, content: Content, memory: MemoryArgs, report: &Report) -> Result<(), Failure> {
+        let Self::Foreign(writer) = self else { return write_native(out, content, memory, report) };
         let scene = &content.into_scene();
         outputs::refuse_inputs(out)?;
         let companions = self.companions(out);
@@ -122,16 +129,18 @@ pub fn write_shown(out: &Path, packed: &PackedScene, report: &Report) -> Result<
     target.check(out)?;
     match target {
         Target::Native => save(out, packed, report),
-        Target::Foreign(_) => target.write(out, Content::Scene(packed.to_scene().into()), false, report),
+        Target::Foreign(_) => {
+            target.write(out, Content::Scene(packed.to_scene().into()), MemoryArgs::default(), report)
+        }
     }
 }
 
-fn write_native(out: &Path, content: Content, keep_instances: bool, report: &Report) -> Result<(), Failure> {
+fn write_native(out: &Path, content: Content, memory: MemoryArgs, report: &Report) -> Result<(), Failure> {
     let left_out = match &content {
         Content::Scene(scene) => export::native::left_out(scene),
         Content::Packed(_) => Vec::new(),
     };
-    let packed = into_packed(content, keep_instances)?;
+    let packed = into_packed(content, memory)?;
     if !left_out.is_empty() {
         report.remark(&format!("left out, as .vxt has no place for it: {}", left_out.join(", ")));
     }
@@ -156,7 +165,7 @@ pub fn export_failure(out: &Path, error: &ExportError) -> Failure {
     }
 }
 
-fn save_failure(out: &Path, error: &FileError) -> Failure {
+pub fn save_failure(out: &Path, error: &FileError) -> Failure {
     match &error.kind {
         FileErrorKind::Io(error) => Failure::output(out, error),
         _ => Failure::new(Kind::Output, format!("cannot write {error}")),

@@ -37,7 +37,7 @@ impl InfoArgs {
         };
         let left_out = LeftOut { on_request: of_file(vox::on_request), ignored: report.left_out() };
         let scene = if let Content::Scene(scene) = &loaded { Some(scene.clone()) } else { None };
-        let packed = into_packed(loaded, self.scene.memory.keep_instances)?;
+        let packed = into_packed(loaded, self.scene.memory)?;
         let statistics = match &scene {
             Some(scene) => packed.statistics().with_counts_of(scene),
             None => packed.statistics(),
@@ -153,7 +153,7 @@ fn as_text(packed: &PackedScene, statistics: &Statistics, hidden: usize, left_ou
     }
     line("content hash", format!("{:016x}", packed.content_hash()));
     line("memory", format!("{} bytes, of which", grouped(statistics.total_bytes())));
-    for (kind, bytes) in statistics.bytes {
+    for (kind, bytes) in statistics.bytes.into_iter().filter(|&(kind, bytes)| bytes > 0 || kind != "normals") {
         line(&format!("  {}", kind.replace('_', " ")), grouped(bytes));
     }
     line("bytes per voxel", format!("{:.3} (all but the lights)", statistics.bytes_per_voxel));

@@ -166,7 +166,7 @@ impl RenderArgs {
         let film = resumed.as_ref().map(|film| &film.frame);
         let (surroundings, lines) = (self.surroundings.of(&content)?, or_of_film(self.lines.of(&content)?, film));
         // What a camera frames is the scene without what is around it. Lines end where an instance does.
-        let framed = self.changes.packed(content, self.scene.memory.keep_instances || !lines.is_none())?;
+        let framed = self.changes.packed(content, self.scene.memory.keeping_instances(!lines.is_none()))?;
         let mut scene = surroundings.around(&framed)?;
         interrupt::check()?;
         let mut stamp = SceneStamp::of(&scene);

@@ -232,7 +232,7 @@ impl Loader for Files {
         interrupt::also_when(move || wanted.is_over());
         let content = scene.load(&mut report).and_then(|content| {
             interrupt::check()?;
-            let mut packed = packed_with(content, &reading.shown, self.memory.keep_instances)?;
+            let mut packed = packed_with(content, &reading.shown, self.memory)?;
             self.cuts.apply(&mut packed)?;
             CutArgs::warn_of_nothing(&packed, &report);
             Ok(packed)

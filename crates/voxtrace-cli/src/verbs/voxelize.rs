@@ -4,15 +4,17 @@ use crate::failure::Failure;
 use crate::import::ImportArgs;
 use crate::interrupt;
 use crate::lattice::LatticeArgs;
-use crate::load::is_native;
+use crate::load::{MemoryArgs, is_native};
 use crate::mesh::{Content, UpArg, announce, settled, voxelize_failure, watched};
+use crate::normals::{NormalsArg, with_normals};
 use crate::outputs;
 use crate::parse;
 use crate::read_failure::import_failure;
 use crate::report::Report;
-use crate::verbs::convert::Target;
+use crate::verbs::convert::{Target, save_failure};
 use crate::volume::volume_failure;
 use std::path::{Path, PathBuf};
+use voxtrace::PackedScene;
 use voxtrace::import::{self, Data, Geometry, LargeGeometry, LargeVolume, Limits, opened};
 use voxtrace::scene::LengthUnit;
 use voxtrace::voxelize::{Scale, VoxelizeError, VoxelizeOptions, Written};
@@ -36,6 +38,9 @@ pub struct VoxelizeArgs {
     /// Memory to work in, for example 1GB; intermediate data beyond it goes to disk
     #[arg(long, value_name = "BYTES", value_parser = parse::bytes)]
     memory_budget: Option<u64>,
+    /// Normals that surfaces are shaded with, kept in the .vxt file [default: faces]
+    #[arg(long, value_name = "NORMALS")]
+    normals: Option<NormalsArg>,
 }
 
 impl VoxelizeArgs {
@@ -59,6 +64,10 @@ impl VoxelizeArgs {
         if is_edited && self.memory_budget.is_some() {
             let what = "--close, --excavate, --palette-image, --straighten, --bake and --flatten";
             let failure = Failure::usage(format!("{what} want the whole scene in memory"));
+            return Err(failure.hint("leave out --memory-budget, or convert the .vxt file in a second step"));
+        }
+        if self.normals == Some(NormalsArg::Smooth) && self.memory_budget.is_some() {
+            let failure = Failure::usage("--normals smooth wants the whole scene in memory");
             return Err(failure.hint("leave out --memory-budget, or convert the .vxt file in a second step"));
         }
         // Native files are not mapped: what is unpacked takes more memory anyway.
@@ -85,7 +94,7 @@ impl VoxelizeArgs {
         self.import.edits.apply(&mut scene, &self.import.mesh, report)?;
         self.lattice.apply(&mut scene, &options.limits, report)?;
         interrupt::check()?;
-        target.write(out, import::Content::Scene(scene.into()), false, report)
+        target.write(out, import::Content::Scene(scene.into()), self.memory(), report)
     }
 
     /// Voxelizes what is in memory, into a native file brick by brick.
@@ -100,7 +109,7 @@ impl VoxelizeArgs {
         if !is_native(out) {
             let scene = watched("voxelize", report, |progress| geometry.voxelize(&options, limits, progress));
             let scene = import::Content::Scene(scene.map_err(failure)?.into());
-            return Target::of(out)?.write(out, scene, false, report);
+            return Target::of(out)?.write(out, scene, self.memory(), report);
         }
         self.refuse_inputs()?;
         let write = |progress: &_| geometry.voxelize_to_file(&options, limits, out, progress);
@@ -168,6 +177,11 @@ impl VoxelizeArgs {
         &self.inputs[0]
     }
 
+    /// How the scene is packed.
+    fn memory(&self) -> MemoryArgs {
+        MemoryArgs { normals: self.normals, ..MemoryArgs::default() }
+    }
+
     fn options(&self, unit: LengthUnit) -> VoxelizeOptions {
         let options = self.import.mesh.voxelize_options(unit, self.import.edits.most_colors());
         VoxelizeOptions { memory_budget: self.memory_budget, ..options }
@@ -189,6 +203,12 @@ impl VoxelizeArgs {
         })?;
         if !written.is_exact {
             report.remark(&format!("more colours than materials: quantized to {}", written.materials));
+        }
+        if self.normals == Some(NormalsArg::Smooth) {
+            // They follow from the voxels, which are all in the file now.
+            let packed = PackedScene::read(&self.out).map_err(|error| save_failure(&self.out, &error))?;
+            let packed = with_normals(packed, self.normals)?;
+            packed.save(&self.out).map_err(|error| save_failure(&self.out, &error))?;
         }
         report.wrote(&self.out);
         Ok(())

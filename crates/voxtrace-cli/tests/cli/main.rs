@@ -18,6 +18,7 @@ mod meshes;
 mod never_over;
 mod noise;
 mod not_shown;
+mod normals;
 mod outputs;
 mod render;
 mod surroundings;

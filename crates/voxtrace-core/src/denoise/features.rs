@@ -117,7 +117,7 @@ impl Gather<'_> {
             sums.albedo.add(seen.as_ref().map_or(Vec3::ZERO, |seen| seen.albedo));
             if let Some(seen) = seen {
                 let place = seen.ray.at(seen.hit.t) - self.frame.camera.eye;
-                sums.add(&seen, self.scene.packed_normal(&seen.hit), place);
+                sums.add(&seen, self.scene.shading_normal(&seen.ray, &seen.hit), place);
             }
         }
     }

@@ -43,7 +43,7 @@ pub fn advance(
         return None;
     }
     let [u, v, ..] = path.sampler.independent(path.dimension_scatter());
-    let surface = Surface::new(scene, ray, hit);
+    let surface = Surface::new(scene, ray, hit).smoothed(scene, ray, hit, true);
     path.is_clipped = scene.cuts.clips_after(hit);
     path.beta *= material.base_color;
     path.bounce += 1;

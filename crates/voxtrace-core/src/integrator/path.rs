@@ -193,7 +193,7 @@ pub fn arrive<'a>(
     let place = if is_scattered {
         Place::in_medium(scene, path, ray, hit, t)
     } else {
-        Place::on_surface(scene, path, ray, hit)
+        Place::on_surface(scene, path, ray, hit, is_boundary)
     };
     let wo = place.local_direction(-ray.direction);
     if limits.goes_straight(path, &bsdf, wo, lobe) {
@@ -298,8 +298,12 @@ struct Place<'a> {
 
 impl<'a> Place<'a> {
     #[inline]
-    fn on_surface(scene: &'a PackedScene, path: &Path, ray: &Ray, hit: &Hit) -> Self {
-        let surface = Surface::new(scene, ray, hit);
+    fn on_surface(scene: &'a PackedScene, path: &Path, ray: &Ray, hit: &Hit, is_boundary: bool) -> Self {
+        let mut surface = Surface::new(scene, ray, hit);
+        if !is_boundary {
+            let is_lifted = path.inside.is_none_or(|inside| inside.instance != hit.instance);
+            surface = surface.smoothed(scene, ray, hit, is_lifted);
+        }
         let inside = path.inside.and_then(|inside| inside.in_front(scene, hit, &surface));
         Self { receiver: Receiver::on_surface(surface.origin, surface.normal), inside, surface: Some(surface) }
     }

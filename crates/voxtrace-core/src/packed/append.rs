@@ -59,6 +59,7 @@ impl PackedScene {
             ..own.clone()
         }
         .finished();
+        let geometry = if own.has_normals { geometry.with_face_normals_from(own.grids.len())? } else { geometry };
         let mut outline = Outline::clone(&self.outline);
         let mut instances = self.placement.instances.to_vec();
         for (grid, place) in addition.places {

@@ -4,6 +4,7 @@
 use super::file_error::{FileError, FileErrorKind, damaged};
 use super::instance_record::InstanceRecord;
 use super::material_records::{MaterialRecords, MediumRecord};
+use super::normals::is_known_kind;
 use super::parts::{Parts, kept_instances};
 use super::version_1::geometry_of_version_1;
 use super::{
@@ -104,6 +105,7 @@ impl PackedScene {
             sections.push((*b"MEDI", size_of::<MediumRecord>() as u32, bytemuck::cast_slice(&materials.media)));
         }
         sections.extend(settings.environment.iter().flat_map(EnvironmentSections::parts));
+        sections.extend(self.geometry.normal_section());
         sections.extend(self.geometry.parts.iter().flat_map(|parts| parts.sections()));
         let mut offset = size_of::<Header>() + sections.len() * size_of::<TableEntry>();
         let mut table = Vec::new();
@@ -221,6 +223,8 @@ impl PackedScene {
             cells: reader.section(b"CELL")?,
             bricks: reader.section(b"BRIK")?,
             brick_materials: reader.section(b"BMAT")?,
+            has_normals: reader.has(b"NORM")
+                && is_known_kind(&reader.section(b"NORM")?).map_err(FileErrorKind::Invalid)?,
             ..Geometry::default()
         };
         let records = reader.section::<InstanceRecord>(b"INST")?;
@@ -246,8 +250,9 @@ impl PackedScene {
         let materials = MaterialRecords::of(&self.geometry.materials);
         let mut hash = Xxh3::new();
         let of_parts = self.geometry.parts.iter().flat_map(|parts| parts.sections());
+        let of_normals = self.geometry.normal_section();
         let sections = sections(self, &settings, &instances, &materials).into_iter().filter(|(tag, ..)| tag != b"INOD");
-        for (tag, record_size, bytes) in sections.chain(of_parts) {
+        for (tag, record_size, bytes) in sections.chain(of_parts).chain(of_normals) {
             hash.update(&tag);
             hash.update(&record_size.to_le_bytes());
             hash.update(&(bytes.len() as u64).to_le_bytes());

@@ -23,6 +23,8 @@ pub struct Geometry {
     pub(crate) emitters: Section<Emitter>,
     /// Trees over the emitters of each grid that has any, one after the other, in the space of the grid.
     pub(crate) light_nodes: Section<LightNode>,
+    /// Whether the normals of voxels stand before the materials of their bricks.
+    pub(super) has_normals: bool,
     /// For each grid its index among the grids of the scene that was packed; empty where those are the same.
     pub(super) scene_grids: Arc<[u32]>,
     /// What a merged grid was made of, where instances were merged.

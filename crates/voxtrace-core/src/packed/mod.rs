@@ -27,6 +27,7 @@ mod material_records;
 mod materials;
 mod median_tree;
 mod merge;
+mod normals;
 mod outline;
 mod pack;
 mod parts;

@@ -24,7 +24,7 @@ pub struct Statistics {
     /// Voxels stored whose material glows.
     pub emissive_voxels: u64,
     /// Bytes of the packed scene by kind, in a fixed order.
-    pub bytes: [(&'static str, u64); 7],
+    pub bytes: [(&'static str, u64); 8],
     /// Bytes of a packed voxel: geometry, materials of the voxels, palettes and instances; all of `bytes` but the
     /// lights.
     pub bytes_per_voxel: f64,
@@ -72,10 +72,12 @@ impl PackedScene {
         let parts = geometry.parts.as_deref();
         let covered = parts.map_or(0, |parts| parts.covered.len() as u64);
         let voxels = (0..geometry.grids.len()).map(voxels_of).sum::<u64>() + covered;
+        let normals = geometry.normal_bytes();
         let bytes = [
             ("tree", geometry.cells.size_bytes()),
             ("bricks", geometry.bricks.size_bytes()),
-            ("brick_materials", geometry.brick_materials.size_bytes()),
+            ("brick_materials", geometry.brick_materials.size_bytes() - normals),
+            ("normals", normals),
             ("materials", geometry.materials.size_bytes()),
             ("grids", geometry.grids.size_bytes()),
             (
@@ -210,7 +212,11 @@ mod tests {
         let lights = statistics.bytes.iter().find(|(kind, _)| *kind == LIGHTS).unwrap().1;
         let expected = (statistics.total_bytes() - lights) as f64 / 200.0;
         assert_eq!(statistics.bytes_per_voxel, expected);
-        assert!(statistics.bytes.iter().all(|&(kind, bytes)| bytes > 0 || kind == LIGHTS), "{:?}", statistics.bytes);
+        assert!(
+            statistics.bytes.iter().all(|&(kind, bytes)| (bytes > 0) == (kind != "normals") || kind == LIGHTS),
+            "{:?}",
+            statistics.bytes
+        );
     }
 
     #[test]

@@ -4,6 +4,7 @@
 use super::instances::MAX_INSTANCE_DEPTH;
 use super::lights::{finds_root, validate_lights};
 use super::lookup::{HEADER_INDEX_BITS, HEADER_PALETTE};
+use super::normals::normal_words;
 use super::{CELL_OCCUPIED, Geometry, LightNode, PackedGrid, Placement};
 use glam::IVec3;
 use voxtrace_scene::Invalid;
@@ -185,6 +186,9 @@ impl Geometry {
         let bits = palette * u64::from(grid.material_bits) + voxels * u64::from(index_bits);
         if index_bits > 16 || start + bits > self.brick_materials.len() as u64 * 32 {
             return Err("the materials of a brick lie outside".into());
+        }
+        if self.has_normals && (words[0] as usize) < normal_words(voxels as u32) {
+            return Err("the normals of a brick lie outside".into());
         }
         let count = self.materials.len() as u32;
         let first = start + palette * u64::from(grid.material_bits);

@@ -55,6 +55,7 @@ const VARIANT: Variant = Variant {
     has_cuts: false,
     has_catcher: false,
     has_lines: false,
+    has_normals: false,
     sky: 0,
 };
 

@@ -60,7 +60,8 @@ impl PackedScene {
     #[must_use]
     pub fn split(&self) -> Self {
         let Some(parts) = self.geometry.parts.as_deref() else { return self.clone() };
-        let packed = Self::pack(&self.to_scene()).expect("what was packed can be packed apart");
+        let packed = Self::pack(&self.to_scene()).and_then(|packed| packed.with_normals(self.normals()));
+        let packed = packed.expect("what was packed can be packed apart");
         let mut geometry = Geometry::clone(&packed.geometry);
         if let Some(last) = parts.scene_grids.last() {
             // What was added to the scene since comes after all of its grids.

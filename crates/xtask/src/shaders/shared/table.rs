@@ -79,6 +79,14 @@ pub const TABLE: &[Source] = &[
         file: "voxtrace-core/src/surface.rs",
         items: &[same("MARGIN_SCALE"), same("MARGIN_MIN"), same("MARGIN_MAX")],
     },
+    Source {
+        file: "voxtrace-core/src/normals/code.rs",
+        items: &[same("NORMAL_BITS"), same("NO_NORMAL"), same("EDGE_BITS"), same("REACH"), same("TWO_SIDED")],
+    },
+    Source {
+        file: "voxtrace-core/src/normals/shade.rs",
+        items: &[same("LEAST_COSINE"), same("BACK"), same("MOST_CROSSED")],
+    },
     Source { file: "voxtrace-core/src/cuts/mod.rs", items: &[same("PLANE_MARGIN_SCALE")] },
     Source { file: "voxtrace-core/src/cuts/span.rs", items: &[same("NO_PLANE")] },
     Source { file: "voxtrace-core/src/shadow_catcher.rs", items: &[same("FACE_UP"), same("HEIGHT_STEPS")] },
