@@ -122,11 +122,11 @@ impl<S: Simd> Nodes<S> {
         let threshold = s.mul_floats(choice, of_all);
         let mut sides = Sides { side: s.ints(0), power: zero, weight: zero, total: s.mul_floats(total, of_all) };
         let (mut passed, mut is_open) = (zero, s.lt_floats(zero, sum));
-        for side in 0..6 {
-            let share = normal_or_zero(s, s.mul_floats(sent[side], unit));
+        for (side, (sent, power)) in sent.into_iter().zip(self.power).enumerate() {
+            let share = normal_or_zero(s, s.mul_floats(sent, unit));
             let is_chosen = s.both(is_open, s.lt_floats(zero, share));
             sides.side = s.select(is_chosen, s.ints(side as i32), sides.side);
-            sides.power = s.select_floats(is_chosen, self.power[side], sides.power);
+            sides.power = s.select_floats(is_chosen, power, sides.power);
             sides.weight = s.select_floats(is_chosen, s.mul_floats(weight, share), sides.weight);
             passed = s.add_floats(passed, share);
             is_open = s.except(is_open, s.lt_floats(threshold, s.mul_floats(passed, weight)));

@@ -31,9 +31,9 @@ pub use point_filter::{ClassSet, MapBounds, PointFilter};
 pub use raw_shape::RawShape;
 
 pub(crate) use large_content::LargeContent;
+pub(crate) use not_shown::NotShown;
 #[cfg(feature = "points")]
 pub(crate) use point_filter::none_left;
-pub(crate) use not_shown::NotShown;
 #[cfg(any(feature = "medical", feature = "rasters", feature = "volumes"))]
 pub(crate) use raw_shape::Sample;
 
