@@ -22,7 +22,7 @@ pub fn clip(ray: Ray) -> Ray {
 
 /// Adds to `radiance` the light where `ray` ended. Returns the path's next ray, `None` where the path ends: at an
 /// emitter, in the sky, or, black, at the surface after `max_bounces` others. The study has 4 rays, so 3 bounces. `material` is
-/// [`Path::material`].
+/// `Path::material`.
 pub fn advance(
     scene: &PackedScene,
     max_bounces: u32,

@@ -128,7 +128,7 @@ pub fn advance(
     }
 }
 
-/// The first half of [`advance`]: all that comes before a light is chosen. `material` is [`Path::material`].
+/// The first half of [`advance`]: all that comes before a light is chosen. `material` is `Path::material`.
 #[inline]
 pub fn arrive<'a>(
     scene: &'a PackedScene,

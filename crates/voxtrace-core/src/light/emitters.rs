@@ -17,7 +17,7 @@ fn length_bound(absolute: Vec3) -> f32 {
 }
 
 /// How many times as far away as the radius of its box, squared, the middle of a node is at least for its emitters to be chosen by their power: nearer
-/// ones would be chosen visibly worse (`docs/decisions/0063-choosing-lights-without-quotients.md`).
+/// ones would be chosen visibly worse (`docs/decisions/0081-far-lights-by-their-power.md`).
 pub(super) const FAR_SQUARED: f32 = 36.0;
 
 /// What a node can send to a receiver, both in the same space.

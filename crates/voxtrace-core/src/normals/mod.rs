@@ -1,8 +1,8 @@
 //! Normals of voxels beside their faces: a smooth surface that was cut into voxels is shaded as the surface, not as its terraces.
 //!
 //! Each voxel of a scene that has them keeps one in a few bits ([`code`]), beside its material. They are estimated from which voxels there are
-//! around it ([`estimate`]), so that every scene can have them, wherever it came from. Hits, shadows and what covers what stay those of the
-//! faces; [`shade`] says where a normal counts. `docs/decisions/0110-smooth-normals.md`.
+//! around it (`estimate`), so that every scene can have them, wherever it came from. Hits, shadows and what covers what stay those of the
+//! faces; `shade` says where a normal counts. `docs/decisions/0110-smooth-normals.md`.
 
 #[doc(hidden)]
 pub mod code;
