@@ -5355,7 +5355,6 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
     var path_8 : Path_0;
     var _S377 : Ray_0 = camera_path_1(work_1.pixel_5, work_1.sample_5, &(path_8));
     var ray_22 : Ray_0 = _S377;
-    var is_shadow_turn_2 : bool = true;
     var is_shadow_ray_1 : bool = false;
     var direction_29 : vec3<f32> = _S376;
     var is_covered_4 : bool = false;
@@ -5369,12 +5368,6 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
         else
         {
             break;
-        }
-        var is_shadow_turn_3 : bool = !is_shadow_turn_2;
-        if(is_shadow_ray_1 != is_shadow_turn_3)
-        {
-            is_shadow_turn_2 = is_shadow_turn_3;
-            continue;
         }
         var _S378 : Hit_0 = WalkTracer_trace_0(&(ray_22), is_shadow_ray_1);
         var is_covered_5 : bool;
@@ -5441,7 +5434,6 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
             }
             if(_S382)
             {
-                is_shadow_turn_2 = is_shadow_turn_3;
                 is_covered_4 = is_covered_5;
                 continue;
             }
@@ -5481,7 +5473,6 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
             ray_22 = _S388;
             sample_16 = sample_17;
         }
-        is_shadow_turn_2 = is_shadow_turn_3;
     }
     return counts_1;
 }
