@@ -11,7 +11,7 @@ use crate::report::Report;
 use crate::volume::VolumeArgs;
 use std::path::{Path, PathBuf};
 use voxtrace::import::{
-    Content, Data, Geometry, ImportError, ImportOptions, Kind, Opened, READERS, not_shown, read_while,
+    Content, Data, Geometry, ImportError, ImportOptions, Kind, Opened, READERS, parts_not_shown, read_while,
 };
 
 /// How files become scenes.
@@ -92,7 +92,7 @@ impl ImportArgs {
         for note in data.notes() {
             report.warn(&format!("{}: {note}", path.display()));
         }
-        report.leave_out(not_shown(data.notes()));
+        report.leave_out(parts_not_shown(data.notes()));
         if let Data::Geometry(geometry) = &mut data {
             geometry.set_unit(self.mesh.settled(geometry.unit()));
         }

@@ -84,7 +84,8 @@ fn scenes_formats_and_devices_list_what_there_is() {
         names,
         [
             "vox", "vxt", "glb", "obj", "ply", "stl", "laz", "xyz", "pcd", "e57", "schem", "mca", "qb", "kv6", "gox",
-            "binvox", "nrrd", "mha", "npy", "raw", "vdb", "zarr", "asc", "tif", "nii", "dcm", "vxf", "png", "exr"
+            "binvox", "nrrd", "mha", "npy", "npz", "raw", "vdb", "zarr", "asc", "tif", "nii", "mgz", "par", "dcm",
+            "vxf", "png", "exr"
         ]
     );
     assert!(folder.succeed(&["formats"]).contains(".vox"));

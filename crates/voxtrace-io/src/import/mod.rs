@@ -44,7 +44,8 @@ pub use read::{
 };
 pub use reader::{
     BlockOptions, BlockSize, ClassSet, Data, FileClues, FolderClues, Geometry, Height, HeightOptions, ImportOptions,
-    Kind, LargeGeometry, LargeVolume, Magic, MapBounds, PointFilter, RawShape, Reader, Recognition, Voxels, not_shown,
+    Kind, LargeGeometry, LargeVolume, Magic, MapBounds, PointFilter, RawShape, Reader, Recognition, Voxels,
+    parts_not_shown,
 };
 pub use readers::{READERS, Readers};
 pub use source::watch::read_while;

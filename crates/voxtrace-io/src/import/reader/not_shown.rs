@@ -52,7 +52,7 @@ impl NotShown {
 }
 
 /// What the notes of a reader say that a file asks for, or holds, and is not shown: one phrase each, for example `2 animations`.
-pub fn not_shown(notes: &[String]) -> Vec<String> {
+pub fn parts_not_shown(notes: &[String]) -> Vec<String> {
     let lists = notes.iter().filter_map(|note| note.strip_prefix(BEGINNING));
     lists.flat_map(|list| list.split(", ")).map(str::to_owned).collect()
 }
@@ -75,7 +75,7 @@ mod tests {
         let note = parts.note().unwrap();
         assert_eq!(note, "not shown: 2 animations, 2 entities, 1 light, KHR_ of  tomorrow");
         let notes = ["a point is left out".to_owned(), note];
-        assert_eq!(not_shown(&notes), ["2 animations", "2 entities", "1 light", "KHR_ of  tomorrow"]);
+        assert_eq!(parts_not_shown(&notes), ["2 animations", "2 entities", "1 light", "KHR_ of  tomorrow"]);
         (0..20).for_each(|index| parts.name(&format!("part {index}")));
         assert!(parts.note().unwrap().ends_with(", 8 more kinds"), "{:?}", parts.note());
     }

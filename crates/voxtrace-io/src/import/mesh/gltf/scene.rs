@@ -49,7 +49,7 @@ fn loose(document: &Document, accessors: &Accessors, mut target: Target) -> Resu
     })?;
     let mut mesh = std::mem::replace(target.mesh, Mesh::new(""));
     if mesh.positions.is_empty() {
-        return Err(Fault::malformed("a glTF file without a triangle, a line or a point"));
+        return Err(Fault::unsupported("a glTF file without a triangle, a line or a point"));
     }
     mesh.offset = target.local_origin.offset();
     let most = accessors.limits.points;

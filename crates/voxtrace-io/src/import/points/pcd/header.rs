@@ -124,13 +124,13 @@ impl Header {
                 "HEIGHT" => height = number(words.next())?,
                 "POINTS" => points = number(words.next())?,
                 "DATA" => {
-                    let data = match words.next().map(str::to_ascii_lowercase).as_deref() {
-                        Some("ascii") => Data::Text,
-                        Some("binary") => Data::Binary,
-                        Some("binary_compressed") => Data::Compressed,
-                        other => {
-                            let other = other.unwrap_or("nothing");
-                            let kind = ImportErrorKind::Unsupported(format!("points written as {other:?}"));
+                    let word = words.next().unwrap_or("nothing");
+                    let data = match word.to_ascii_lowercase().as_str() {
+                        "ascii" => Data::Text,
+                        "binary" => Data::Binary,
+                        "binary_compressed" => Data::Compressed,
+                        _ => {
+                            let kind = ImportErrorKind::Unsupported(format!("points written as {word:?}"));
                             return Err(ImportError::at(path, start, kind));
                         }
                     };
