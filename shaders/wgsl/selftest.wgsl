@@ -2084,7 +2084,8 @@ fn check_exact(@builtin(global_invocation_id) id_7 : vec3<u32>, @builtin(local_i
     var exit_1 : vec3<i32> = Reader_cell_0(&(reader_7));
     Writer_cell_0(&(writer_7), exact_start_voxel_0(_S152));
     var _S153 : vec3<i32> = Reader_cell_0(&(reader_7));
-    Writer_cell_0(&(writer_7), leave_box_0(_S152, voxel_8, exit_1, _S153));
+    var arrival_1 : vec3<i32> = leave_box_0(_S152, voxel_8, exit_1, _S153);
+    Writer_cell_0(&(writer_7), select(max(arrival_1, voxel_8), min(arrival_1, voxel_8), (_S152.direction_4) < vec3<f32>(0.0f)));
     var hit_1 : Hit_0 = hit_of_0(_S152, voxel_8, u32(0));
     Writer_number_0(&(writer_7), hit_1.t_0);
     Writer_word_0(&(writer_7), hit_1.face_0);

@@ -1462,7 +1462,7 @@ fn Walk_arrive_0( this_15 : Walk_0,  voxel_9 : vec3<i32>,  t_3 : f32,  is_axis_0
         var from_nearest_1 : vec3<f32> = position_7 - nearest_2;
         if((any((select(vec3<bool>(false), (abs(position_7)) < vec3<f32>(2.097152e+06f), select(vec3<bool>(false), !is_axis_0, (abs(from_nearest_1)) <= (this_15.tolerance_0)))))))
         {
-            return Walk_mirrored_0(this_15, leave_box_0(this_15.ray_1, Walk_mirrored_0(this_15, voxel_9) + this_15.grid_origin_0, Walk_mirrored_plane_0(this_15, exit_1) + this_15.grid_origin_0, Walk_mirrored_plane_0(this_15, vec3<i32>(nearest_2))) - this_15.grid_origin_0);
+            return max(Walk_mirrored_0(this_15, leave_box_0(this_15.ray_1, Walk_mirrored_0(this_15, voxel_9) + this_15.grid_origin_0, Walk_mirrored_plane_0(this_15, exit_1) + this_15.grid_origin_0, Walk_mirrored_plane_0(this_15, vec3<i32>(nearest_2))) - this_15.grid_origin_0), voxel_9);
         }
         return select(vec3<i32>(nearest_2) - vec3<i32>(from_nearest_1 < vec3<f32>(0.0f)) - this_15.offset_1, exit_1, is_axis_0);
     }
