@@ -5,7 +5,7 @@
 use crate::common::{Folder, stderr};
 use crate::interrupt::signal;
 use std::io::{Seek, SeekFrom, Write};
-use std::process::{Child, Stdio};
+use std::process::Stdio;
 use std::thread::sleep;
 use std::time::Duration;
 
@@ -27,7 +27,8 @@ fn arguments(budget: &'static str, out: &'static str) -> [&'static str; 9] {
 }
 
 /// The most memory that a process had, in bytes, once it has ended well.
-fn peak(mut child: Child) -> u64 {
+#[cfg(target_os = "linux")]
+fn peak(mut child: std::process::Child) -> u64 {
     let mut most = 0;
     loop {
         let status = std::fs::read_to_string(format!("/proc/{}/status", child.id())).unwrap_or_default();
