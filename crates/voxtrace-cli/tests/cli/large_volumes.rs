@@ -6,8 +6,6 @@ use crate::common::{Folder, stderr};
 use crate::interrupt::signal;
 use std::io::{Seek, SeekFrom, Write};
 use std::process::Stdio;
-use std::thread::sleep;
-use std::time::Duration;
 
 /// A file of `layers` layers of 1,024 × 1,024 bytes, all 0 but for a block in every eighth one. Most of it is a hole that takes no disk.
 fn write_sparse(folder: &Folder, layers: u64) {
@@ -39,7 +37,7 @@ fn peak(mut child: std::process::Child) -> u64 {
             assert!(status.success());
             return most;
         }
-        sleep(Duration::from_millis(2));
+        std::thread::sleep(std::time::Duration::from_millis(2));
     }
 }
 
