@@ -51,6 +51,10 @@ impl Geometry {
             if count > (MOST_CELLS_PER_BRICK * bricks.len() as u64).max(64) {
                 return None;
             }
+            // A file may hold bricks beyond the end that it names.
+            if bricks.iter().any(|&(at, _)| at.cmplt(IVec3::ZERO).any() || at.cmpge(size).any()) {
+                return None;
+            }
             let mut own = vec![0; count as usize];
             for (at, cell) in bricks {
                 own[((at.z * size.y + at.y) * size.x + at.x) as usize] = cell;
