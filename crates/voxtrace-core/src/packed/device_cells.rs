@@ -263,6 +263,16 @@ mod tests {
     }
 
     #[test]
+    fn bricks_beyond_the_end_that_a_grid_names_get_no_dense_cells() {
+        let (_, mut packed) = city();
+        assert!(packed.dense_cells().is_some());
+        let mut grids = packed.grids.to_vec();
+        grids[0].max.x = grids[0].origin.x + 8;
+        packed.grids = grids.into();
+        assert!(packed.dense_cells().is_none());
+    }
+
+    #[test]
     fn cells_take_in_the_blocks_of_their_bricks_where_there_is_room() {
         let (_, packed) = city();
         let (plain, _) = packed.dense_cells().unwrap();
