@@ -37,6 +37,9 @@ pub struct Finished {
     pub work: u64,
 }
 
+/// Records a barrier between two steps.
+pub type Barrier<'a> = &'a dyn Fn(vk::CommandBuffer);
+
 /// Work to submit.
 pub struct Job<'a> {
     /// What it is, for messages.
@@ -203,7 +206,17 @@ impl Submitter {
 
     /// Submits commands that run no shader of ours and waits for them; returns the device's milliseconds.
     pub fn run_commands(&mut self, step: &'static str, record: &dyn Fn(vk::CommandBuffer)) -> Result<f64, TraceError> {
-        let record = |commands, _| record(commands);
+        self.run_commands_and(step, &|commands, _| record(commands))
+    }
+
+    /// As [`Self::run_commands`], of commands in several steps: the second argument of `record` is a barrier between two.
+    pub fn run_commands_and(
+        &mut self,
+        step: &'static str,
+        record: &dyn Fn(vk::CommandBuffer, Barrier),
+    ) -> Result<f64, TraceError> {
+        let device = Arc::clone(&self.device);
+        let record = |commands, _| record(commands, &|commands| barrier(&device, commands));
         let job = Job { step, work: 0, dispatch: Dispatch::default(), workgroups: None, record: &record, then: None };
         self.run(&job).map(|finished| finished.gpu_ms)
     }
@@ -270,40 +283,14 @@ impl Submitter {
             }
             raw.cmd_copy_buffer(commands, self.counters.handle, self.readback.handle, &[copy]);
             time(if job.then.is_some() { 2 } else { 1 });
-            self.host_barrier(commands);
+            memory_barrier(&self.device, commands, vk::PipelineStageFlags::HOST, vk::AccessFlags::HOST_READ);
             raw.end_command_buffer(commands)
         }
     }
 
     /// Lets everything after see everything before.
     pub fn barrier(&self, commands: vk::CommandBuffer) {
-        self.memory_barrier(
-            commands,
-            vk::PipelineStageFlags::ALL_COMMANDS,
-            vk::AccessFlags::MEMORY_READ | vk::AccessFlags::MEMORY_WRITE,
-        );
-    }
-
-    fn host_barrier(&self, commands: vk::CommandBuffer) {
-        self.memory_barrier(commands, vk::PipelineStageFlags::HOST, vk::AccessFlags::HOST_READ);
-    }
-
-    fn memory_barrier(&self, commands: vk::CommandBuffer, stage: vk::PipelineStageFlags, access: vk::AccessFlags) {
-        let barrier =
-            vk::MemoryBarrier::default().src_access_mask(vk::AccessFlags::MEMORY_WRITE).dst_access_mask(access);
-        let before = vk::PipelineStageFlags::ALL_COMMANDS;
-        // SAFETY: only called while these commands are recorded.
-        unsafe {
-            self.device.raw.cmd_pipeline_barrier(
-                commands,
-                before,
-                stage,
-                vk::DependencyFlags::empty(),
-                &[barrier],
-                &[],
-                &[],
-            );
-        }
+        barrier(&self.device, commands);
     }
 
     /// Waits in slices, so that a device that hangs ends in an error.
@@ -342,6 +329,24 @@ impl Submitter {
         let between = |first: usize| ticks[first + 1].wrapping_sub(ticks[first]) as f64 * period * 1e-6;
         Ok((between(0), done.has_then.then(|| between(1))))
     }
+}
+
+/// Lets everything after see everything before.
+fn barrier(device: &Device, commands: vk::CommandBuffer) {
+    let access = vk::AccessFlags::MEMORY_READ | vk::AccessFlags::MEMORY_WRITE;
+    memory_barrier(device, commands, vk::PipelineStageFlags::ALL_COMMANDS, access);
+}
+
+fn memory_barrier(
+    device: &Device,
+    commands: vk::CommandBuffer,
+    stage: vk::PipelineStageFlags,
+    access: vk::AccessFlags,
+) {
+    let memory = vk::MemoryBarrier::default().src_access_mask(vk::AccessFlags::MEMORY_WRITE).dst_access_mask(access);
+    let (before, flags) = (vk::PipelineStageFlags::ALL_COMMANDS, vk::DependencyFlags::empty());
+    // SAFETY: only called while these commands are recorded.
+    unsafe { device.raw.cmd_pipeline_barrier(commands, before, stage, flags, &[memory], &[], &[]) };
 }
 
 /// The counters by name, with what ray generation shaders counted in many places added.

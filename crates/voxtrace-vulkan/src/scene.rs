@@ -6,7 +6,7 @@ use crate::buffer::Buffer;
 use crate::commands::Submitter;
 use crate::device::Device;
 use crate::records::binding;
-use crate::transfer::Transfer;
+use crate::transfer::{Transfer, Write};
 use bytemuck::cast_slice;
 use std::sync::Arc;
 use voxtrace_core::packed::{DeviceCells, Placement};
@@ -50,28 +50,28 @@ impl SceneBuffers {
         ];
         let mut write = |array: &Array| {
             let (binding, name, bytes) = *array;
-            written(device, submitter, transfer, name, bytes, None).map(|buffer| (binding, buffer))
+            written(device, submitter, transfer, name, bytes).map(|buffer| (binding, buffer))
         };
         let geometry = arrays.iter().map(&mut write).collect::<Result<_, _>>()?;
         let placement = placement_arrays(scene.placement()).iter().map(&mut write).collect::<Result<_, _>>()?;
-        let environment = written(device, submitter, transfer, ENVIRONMENT, texels_of(scene), None)?;
+        let environment = written(device, submitter, transfer, ENVIRONMENT, texels_of(scene))?;
         let (scene, cells_have_blocks) = (Arc::clone(scene), have_blocks);
         Ok(Self { scene, top_shift, cells_have_blocks, geometry, placement, environment, has_light_from_above: false })
     }
 
-    /// The same geometry with the placement of `scene`, whose geometry it is.
-    pub fn placed(
-        self,
-        device: &Arc<Device>,
-        submitter: &mut Submitter,
-        transfer: &mut Transfer,
-        scene: &Arc<PackedScene>,
-    ) -> Result<Self, TraceError> {
+    /// The same geometry with memory for the placement of `scene`, whose geometry it is; [`Self::placement_writes`] must be written.
+    pub fn placed(self, device: &Arc<Device>, scene: &Arc<PackedScene>) -> Result<Self, TraceError> {
         let mut placement = Vec::with_capacity(self.placement.len());
         for ((binding, name, bytes), (_, kept)) in placement_arrays(scene.placement()).into_iter().zip(self.placement) {
-            placement.push((binding, written(device, submitter, transfer, name, bytes, Some(kept))?));
+            placement.push((binding, buffer_for(device, name, bytes, Some(kept))?));
         }
         Ok(Self { scene: Arc::clone(scene), placement, ..self })
+    }
+
+    /// The arrays of the placement, where they go.
+    pub fn placement_writes(&self) -> Vec<Write<'_>> {
+        let arrays = placement_arrays(self.scene.placement()).into_iter().zip(&self.placement);
+        arrays.map(|((_, _, bytes), (_, buffer))| Write { buffer, at: 0, bytes }).collect()
     }
 
     /// Takes the light of a scene that [`Self::holds`]. Returns whether its environment map is another one, which was uploaded.
@@ -84,7 +84,7 @@ impl SceneBuffers {
     ) -> Result<bool, TraceError> {
         let is_other = !std::ptr::eq(texels_of(&self.scene), texels_of(scene));
         if is_other {
-            self.environment = written(device, submitter, transfer, ENVIRONMENT, texels_of(scene), None)?;
+            self.environment = written(device, submitter, transfer, ENVIRONMENT, texels_of(scene))?;
             self.has_light_from_above = false;
         }
         self.scene = Arc::clone(scene);
@@ -103,7 +103,7 @@ impl SceneBuffers {
         };
         let map = environment.map();
         let bytes = [cast_slice(map.texels()), cast_slice(&map.from_above().columns)].concat();
-        self.environment = written(device, submitter, transfer, ENVIRONMENT, &bytes, None)?;
+        self.environment = written(device, submitter, transfer, ENVIRONMENT, &bytes)?;
         self.has_light_from_above = true;
         Ok(true)
     }
@@ -140,20 +140,24 @@ fn placement_arrays(placement: &Placement) -> [Array<'_>; 3] {
     ]
 }
 
-/// A storage buffer that holds `bytes`: the one that there is, where it has the right size.
+/// A storage buffer that has room for `bytes`: the one that there is, where it has the right size.
+fn buffer_for(device: &Arc<Device>, name: &str, bytes: &[u8], kept: Option<Buffer>) -> Result<Buffer, TraceError> {
+    let size = bytes.len() as u64;
+    match kept.filter(|buffer| buffer.size == Buffer::rounded(size)) {
+        Some(buffer) => Ok(buffer),
+        None => Buffer::storage(device, name, size),
+    }
+}
+
+/// A storage buffer that holds `bytes`.
 pub fn written(
     device: &Arc<Device>,
     submitter: &mut Submitter,
     transfer: &mut Transfer,
     name: &str,
     bytes: &[u8],
-    kept: Option<Buffer>,
 ) -> Result<Buffer, TraceError> {
-    let size = bytes.len() as u64;
-    let buffer = match kept.filter(|buffer| buffer.size == Buffer::rounded(size)) {
-        Some(buffer) => buffer,
-        None => Buffer::storage(device, name, size)?,
-    };
+    let buffer = buffer_for(device, name, bytes, None)?;
     transfer.upload(submitter, &buffer, bytes)?;
     Ok(buffer)
 }

@@ -3,7 +3,7 @@
 use crate::commands::Finished;
 use crate::records::Counter;
 
-/// What the device did in the last call of `render` or `cast`, told by its own clock and counters.
+/// What the device did in the last call of `render`, `cast` or `set_placement`, told by its own clock and counters.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Statistics {
     /// Time of all submits on the device, milliseconds.

@@ -91,7 +91,7 @@ impl VulkanTracer {
         }
     }
 
-    /// What the device did in the last call of `render` or `cast`; nothing once the CPU does the work.
+    /// What the device did in the last call of `render`, `cast` or `set_placement`; nothing once the CPU does the work.
     pub fn statistics(&self) -> Statistics {
         match &self.backend {
             Backend::Device(worker) => worker.statistics(),

@@ -1,4 +1,5 @@
-//! Copies between host and device through one staging buffer, piece by piece.
+//! Copies between host and device through one staging buffer, piece by piece. What is written together goes in as few submits as
+//! the staging buffer has room for, so that a frame in which things move or change waits for the device once.
 
 use crate::buffer::Buffer;
 use crate::commands::Submitter;
@@ -10,6 +11,20 @@ use voxtrace_core::TraceError;
 
 /// Bytes of one piece.
 const PIECE: u64 = 32 << 20;
+
+/// Bytes for a place in a buffer.
+#[derive(Clone, Copy)]
+pub struct Write<'a> {
+    /// Where they go.
+    pub buffer: &'a Buffer,
+    /// The first byte there.
+    pub at: u64,
+    /// The bytes.
+    pub bytes: &'a [u8],
+}
+
+/// Commands that are recorded.
+pub type Record<'a> = &'a dyn Fn(vk::CommandBuffer);
 
 /// The two staging buffers, made when first needed.
 pub struct Transfer {
@@ -25,16 +40,41 @@ impl Transfer {
 
     /// Writes `bytes` to the start of a buffer.
     pub fn upload(&mut self, submitter: &mut Submitter, buffer: &Buffer, bytes: &[u8]) -> Result<(), TraceError> {
+        self.write(submitter, &[Write { buffer, at: 0, bytes }], None).map(|_| ())
+    }
+
+    /// Writes all of them, in this order, and then runs what `then` records, which sees what was written. Returns the device's milliseconds.
+    pub fn write(
+        &mut self,
+        submitter: &mut Submitter,
+        writes: &[Write],
+        then: Option<(&'static str, Record)>,
+    ) -> Result<f64, TraceError> {
+        let total: u64 = writes.iter().map(|write| write.bytes.len() as u64).sum();
         let usage = vk::BufferUsageFlags::TRANSFER_SRC;
-        let staging = staging(&self.device, &mut self.up, bytes.len() as u64, usage, MemoryLocation::CpuToGpu)?;
+        let staging = staging(&self.device, &mut self.up, total, usage, MemoryLocation::CpuToGpu)?;
         let piece = staging.size as usize;
-        for (index, part) in bytes.chunks(piece).enumerate() {
-            staging.mapped_mut()[..part.len()].copy_from_slice(part);
-            let copy = vk::BufferCopy { src_offset: 0, dst_offset: (index * piece) as u64, size: part.len() as u64 };
-            copy_now(&self.device, submitter, "uploading", staging, buffer, copy)?;
+        let (mut copies, mut used, mut ms) = (Vec::new(), 0, 0.0);
+        for write in writes {
+            let mut done = 0;
+            while done < write.bytes.len() {
+                if used == piece {
+                    ms += submit_copies(&self.device, submitter, "uploading", staging, &copies, None)?;
+                    (used, copies) = (0, Vec::new());
+                }
+                let size = (write.bytes.len() - done).min(piece - used);
+                staging.mapped_mut()[used..used + size].copy_from_slice(&write.bytes[done..done + size]);
+                let (src_offset, dst_offset) = (used as u64, write.at + done as u64);
+                copies.push((write.buffer.handle, vk::BufferCopy { src_offset, dst_offset, size: size as u64 }));
+                (done, used) = (done + size, used + size);
+            }
+            self.device.allocations.uploaded(write.buffer.name(), write.bytes.len() as u64);
         }
-        self.device.allocations.uploaded(buffer.name(), bytes.len() as u64);
-        Ok(())
+        if copies.is_empty() && then.is_none() {
+            return Ok(ms);
+        }
+        let (step, then) = then.map_or(("uploading", None), |(step, record)| (step, Some(record)));
+        Ok(ms + submit_copies(&self.device, submitter, step, staging, &copies, then)?)
     }
 
     /// Reads the start of a buffer.
@@ -44,7 +84,11 @@ impl Transfer {
         let piece = staging.size as usize;
         for (index, part) in bytes.chunks_mut(piece).enumerate() {
             let copy = vk::BufferCopy { src_offset: (index * piece) as u64, dst_offset: 0, size: part.len() as u64 };
-            copy_now(&self.device, submitter, "reading back", buffer, staging, copy)?;
+            let (device, from, to) = (&self.device, buffer.handle, staging.handle);
+            submitter.run_commands("reading back", &|commands| {
+                // SAFETY: both buffers are alive and the range lies inside both; the commands are being recorded.
+                unsafe { device.raw.cmd_copy_buffer(commands, from, to, &[copy]) }
+            })?;
             part.copy_from_slice(&staging.mapped()[..part.len()]);
         }
         Ok(())
@@ -72,18 +116,24 @@ fn staging<'a>(
     Ok(slot.as_mut().expect("it was just made"))
 }
 
-fn copy_now(
+/// Copies from the staging buffer, those to one buffer by one command, then what else is recorded.
+fn submit_copies(
     device: &Device,
     submitter: &mut Submitter,
     step: &'static str,
-    from: &Buffer,
-    to: &Buffer,
-    copy: vk::BufferCopy,
-) -> Result<(), TraceError> {
-    let (from, to) = (from.handle, to.handle);
-    submitter.run_commands(step, &|commands| {
-        // SAFETY: both buffers are alive and the range lies inside both; the commands are being recorded.
-        unsafe { device.raw.cmd_copy_buffer(commands, from, to, &[copy]) }
-    })?;
-    Ok(())
+    staging: &Buffer,
+    copies: &[(vk::Buffer, vk::BufferCopy)],
+    then: Option<Record>,
+) -> Result<f64, TraceError> {
+    submitter.run_commands_and(step, &|commands, barrier| {
+        for to_one in copies.chunk_by(|a, b| a.0 == b.0) {
+            let regions: Vec<_> = to_one.iter().map(|copy| copy.1).collect();
+            // SAFETY: all buffers are alive, and each range lies inside both of its buffers; the commands are being recorded.
+            unsafe { device.raw.cmd_copy_buffer(commands, staging.handle, to_one[0].0, &regions) }
+        }
+        if let Some(record) = then {
+            barrier(commands);
+            record(commands);
+        }
+    })
 }

@@ -123,7 +123,7 @@ impl Worker {
         self.accel.as_ref().map(Accel::report)
     }
 
-    /// What the device did in the last call of `render` or `cast`.
+    /// What the device did in the last call of `render`, `cast` or `set_placement`.
     pub fn statistics(&self) -> Statistics {
         self.statistics
     }

@@ -1,11 +1,12 @@
 //! The part of a packed scene that says where things are: instances, the hierarchy over them, and the top of the light tree.
 //! Some hundred bytes for each instance: a frame in which things only move makes it anew and keeps the geometry.
 
-use super::instances::hierarchy_of;
+use super::instances::{cost_of, hierarchy_of, refitted};
 use super::top_lights::top_lights_of;
 use super::{Geometry, InstanceNode, LightNode, PackedInstance, Section};
+use rayon::prelude::*;
 use voxtrace_scene::Invalid;
-use voxtrace_scene::scene::Scene;
+use voxtrace_scene::scene::{Instance, Scene};
 
 /// Where the grids of a [`Geometry`] stand. Cheap to clone.
 #[derive(Clone, Debug)]
@@ -14,6 +15,8 @@ pub struct Placement {
     pub(crate) instances: Section<PackedInstance>,
     /// Bounding volume hierarchy over the instances.
     pub(crate) instance_nodes: Section<InstanceNode>,
+    /// Expected work of a ray in the hierarchy when it was built.
+    built_cost: f32,
     /// Tree over the instances that emit.
     pub(crate) light_nodes: Section<LightNode>,
     /// Of the geometry that it was made for.
@@ -65,21 +68,31 @@ impl Placement {
         geometry: &Geometry,
         instances: impl IntoIterator<Item = PackedInstance>,
     ) -> Result<Self, PlacementError> {
-        check_kept(geometry)?;
-        let count = geometry.grids.len();
-        let check = |(index, given): (usize, PackedInstance)| {
-            let instance = PackedInstance::new(given.grid, given.world_from_grid, given.scene_instance);
-            if instance.grid as usize >= count {
-                let grid = instance.grid as usize;
-                return Err(PlacementError::MissingGrid { instance: index, grid, count });
-            }
-            if !instance.world_from_grid.is_similarity() || !instance.grid_from_world.is_similarity() {
-                return Err(PlacementError::BadTransform(index));
-            }
-            Ok(instance)
-        };
-        let instances = instances.into_iter().enumerate().map(check).collect::<Result<Vec<_>, _>>()?;
-        Ok(Self::of_sound(geometry, instances))
+        Ok(Self::of_sound(geometry, checked(geometry, instances.into_iter().collect())?))
+    }
+
+    /// Places instances as [`Self::new`] does, quicker where things have moved a little: where as many instances show the same grids as in `self`,
+    /// the hierarchy over them is kept and its boxes made anew, as long as rays have at most half as much work again with it as when it was
+    /// built. Hits and pictures are those of [`Self::new`], whatever came before.
+    ///
+    /// # Errors
+    /// As [`Self::new`]; [`PlacementError::OtherGeometry`] where `self` was made for another geometry.
+    pub fn moved(
+        &self,
+        geometry: &Geometry,
+        instances: impl IntoIterator<Item = PackedInstance>,
+    ) -> Result<Self, PlacementError> {
+        self.check_geometry(geometry)?;
+        Ok(self.moved_sound(geometry, checked(geometry, instances.into_iter().collect())?))
+    }
+
+    /// As [`Self::of_scene`], quicker where things have moved a little since `self`: see [`Self::moved`].
+    ///
+    /// # Errors
+    /// As [`Self::of_scene`]; [`PlacementError::OtherGeometry`] where `self` was made for another geometry.
+    pub fn moved_to_scene(&self, geometry: &Geometry, scene: &Scene) -> Result<Self, PlacementError> {
+        self.check_geometry(geometry)?;
+        Ok(self.moved_sound(geometry, placed_in(geometry, scene)?))
     }
 
     /// The visible instances of a scene that was packed to `geometry`, as they stand now: what packing it anew would give,
@@ -88,29 +101,21 @@ impl Placement {
     /// # Errors
     /// As [`Self::new`]; [`PlacementError::NotPacked`] where a grid was hidden when the scene was packed.
     pub fn of_scene(geometry: &Geometry, scene: &Scene) -> Result<Self, PlacementError> {
-        check_kept(geometry)?;
-        let mut placed = Vec::with_capacity(scene.instances.len());
-        for (index, instance) in scene.instances.iter().enumerate().filter(|(_, instance)| scene.is_visible(instance)) {
-            let (grid, count) = (instance.grid, scene.grids.len());
-            let given = scene.grids.get(grid);
-            let given = given.ok_or(PlacementError::MissingGrid { instance: index, grid, count })?;
-            if given.is_empty() {
-                continue;
-            }
-            let packed = geometry.grid_of_scene(grid);
-            let packed = packed.ok_or(PlacementError::NotPacked { instance: index, grid })?;
-            if !instance.world_from_grid.is_similarity() {
-                return Err(PlacementError::BadTransform(index));
-            }
-            placed.push(PackedInstance::new(packed, instance.world_from_grid, index as u32));
-        }
-        Ok(Self::of_sound(geometry, placed))
+        Ok(Self::of_sound(geometry, placed_in(geometry, scene)?))
     }
 
     /// Places instances that were checked.
     pub(super) fn of_sound(geometry: &Geometry, instances: Vec<PackedInstance>) -> Self {
         let nodes = hierarchy_of(&instances, &geometry.grids);
-        Self::with_hierarchy(geometry, instances, nodes.into())
+        let cost = cost_of(&nodes);
+        Self::with_hierarchy(geometry, instances, nodes.into(), cost)
+    }
+
+    fn moved_sound(&self, geometry: &Geometry, instances: Vec<PackedInstance>) -> Self {
+        match refitted(&self.instance_nodes, self.built_cost, &instances, &geometry.grids) {
+            Some(nodes) => Self::with_hierarchy(geometry, instances, nodes.into(), self.built_cost),
+            None => Self::of_sound(geometry, instances),
+        }
     }
 
     /// Places the instances of a file with the hierarchy over them that it has.
@@ -125,20 +130,24 @@ impl Placement {
         let read = Self {
             instances: instances.into(),
             instance_nodes,
+            built_cost: 0.0,
             light_nodes: Section::default(),
             fingerprint: geometry.fingerprint(),
         };
         read.validate_instances(geometry)?;
-        Ok(Self::with_hierarchy(geometry, read.instances.to_vec(), read.instance_nodes))
+        let cost = cost_of(&read.instance_nodes);
+        Ok(Self::with_hierarchy(geometry, read.instances.to_vec(), read.instance_nodes, cost))
     }
 
     fn with_hierarchy(
         geometry: &Geometry,
         mut instances: Vec<PackedInstance>,
         instance_nodes: Section<InstanceNode>,
+        built_cost: f32,
     ) -> Self {
         let light_nodes = top_lights_of(geometry, &mut instances).into();
-        Self { instances: instances.into(), instance_nodes, light_nodes, fingerprint: geometry.fingerprint() }
+        let fingerprint = geometry.fingerprint();
+        Self { instances: instances.into(), instance_nodes, built_cost, light_nodes, fingerprint }
     }
 
     /// Whether it was made for this geometry, or one with the same grids and lights.
@@ -180,6 +189,51 @@ fn check_kept(geometry: &Geometry) -> Result<(), PlacementError> {
     if geometry.parts.is_none() { Ok(()) } else { Err(PlacementError::Merged) }
 }
 
+/// Instances of the grids of `geometry` as [`PackedInstance::new`] makes them.
+fn checked(geometry: &Geometry, mut instances: Vec<PackedInstance>) -> Result<Vec<PackedInstance>, PlacementError> {
+    check_kept(geometry)?;
+    let count = geometry.grids.len();
+    let check = |(index, given): (usize, &mut PackedInstance)| {
+        let instance = PackedInstance::new(given.grid, given.world_from_grid, given.scene_instance);
+        if instance.grid as usize >= count {
+            let grid = instance.grid as usize;
+            return Err(PlacementError::MissingGrid { instance: index, grid, count });
+        }
+        if !instance.world_from_grid.is_similarity() || !instance.grid_from_world.is_similarity() {
+            return Err(PlacementError::BadTransform(index));
+        }
+        *given = instance;
+        Ok(())
+    };
+    // Of several faults the first one is told, on any number of threads.
+    let fault = instances.par_iter_mut().enumerate().with_min_len(1024).map(check).find_map_first(Result::err);
+    fault.map_or(Ok(instances), Err)
+}
+
+/// The visible instances of a scene that was packed to `geometry`, checked.
+fn placed_in(geometry: &Geometry, scene: &Scene) -> Result<Vec<PackedInstance>, PlacementError> {
+    check_kept(geometry)?;
+    let place = |(index, instance): (usize, &Instance)| {
+        if !scene.is_visible(instance) {
+            return Ok(None);
+        }
+        let (grid, count) = (instance.grid, scene.grids.len());
+        let given = scene.grids.get(grid);
+        let given = given.ok_or(PlacementError::MissingGrid { instance: index, grid, count })?;
+        if given.is_empty() {
+            return Ok(None);
+        }
+        let packed = geometry.grid_of_scene(grid);
+        let packed = packed.ok_or(PlacementError::NotPacked { instance: index, grid })?;
+        if !instance.world_from_grid.is_similarity() {
+            return Err(PlacementError::BadTransform(index));
+        }
+        Ok(Some(PackedInstance::new(packed, instance.world_from_grid, index as u32)))
+    };
+    let placed: Vec<_> = scene.instances.par_iter().enumerate().with_min_len(1024).map(place).collect();
+    placed.into_iter().filter_map(Result::transpose).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -201,7 +255,7 @@ mod tests {
         for index in 0..20 {
             let linear = Mat3::from_rotation_z(index as f32) * (1.0 + index as f32 * 0.1);
             let translation = Vec3::new((index * 7 % 20) as f32, index as f32, 5.0);
-            scene.instances.push(voxtrace_scene::scene::Instance::new(index % 3, Transform { linear, translation }));
+            scene.instances.push(Instance::new(index % 3, Transform { linear, translation }));
         }
         PackedScene::pack(&scene).unwrap()
     }
@@ -238,6 +292,47 @@ mod tests {
         }
         let other = Placement { fingerprint: 1, ..scene.placement.clone() };
         assert!(other.validate(geometry).is_err());
+    }
+
+    #[test]
+    fn what_moves_a_little_keeps_its_hierarchy_and_what_moves_far_gets_another() {
+        let scene = example();
+        let (geometry, first) = (scene.geometry(), scene.placement());
+        let links = |placement: &Placement| -> Vec<(u32, u32)> {
+            placement.instance_nodes.iter().map(|node| (node.index, node.is_leaf)).collect()
+        };
+        let moved = |by: f32| {
+            let instances = first.instances().iter().enumerate().map(|(index, instance)| {
+                let turned = Vec3::new((index * 13 % 20) as f32, (index * 3 % 20) as f32, 0.0);
+                let translation = instance.world_from_grid.translation + turned * by;
+                let world_from_grid = Transform { translation, ..instance.world_from_grid };
+                PackedInstance::new(instance.grid, world_from_grid, instance.scene_instance)
+            });
+            let instances: Vec<_> = instances.collect();
+            let (moved, anew) = (first.moved(geometry, instances.clone()), Placement::new(geometry, instances));
+            (moved.unwrap(), anew.unwrap())
+        };
+        for by in [0.0, 0.01, 40.0] {
+            let (moved, anew) = moved(by);
+            moved.validate(geometry).unwrap();
+            assert_eq!(moved.instances(), anew.instances());
+            assert_eq!(moved.light_nodes(), anew.light_nodes(), "lights do not depend on what was before");
+            assert_eq!(links(&moved) == links(first), by < 1.0, "by {by}");
+            if by > 1.0 {
+                assert_eq!(moved.instance_nodes(), anew.instance_nodes());
+            }
+            // Boxes that were not made anew are seen.
+            let stale = Placement { instance_nodes: first.instance_nodes.clone(), ..moved };
+            assert_eq!(stale.validate(geometry).is_err(), by > 0.0, "by {by}");
+        }
+        // Another number of instances, and another geometry.
+        let fewer = first.moved(geometry, first.instances()[3..].to_vec()).unwrap();
+        assert_eq!(
+            fewer.instance_nodes(),
+            Placement::new(geometry, first.instances()[3..].to_vec()).unwrap().instance_nodes()
+        );
+        let other = Placement { fingerprint: 1, ..first.clone() };
+        assert_eq!(other.moved(geometry, []).unwrap_err(), PlacementError::OtherGeometry);
     }
 
     #[test]

@@ -5,11 +5,12 @@
 use super::median_tree::{Shape, median_tree};
 use super::{Geometry, LightNode, PackedInstance};
 use glam::Vec3;
+use rayon::prelude::*;
 use voxtrace_scene::ray::FACES;
 
 /// Builds the nodes, root first, and tells each instance its leaf. Empty where nothing emits.
 pub(super) fn top_lights_of(geometry: &Geometry, instances: &mut [PackedInstance]) -> Vec<LightNode> {
-    let leaves: Vec<LightNode> = (instances.iter().enumerate())
+    let leaves: Vec<LightNode> = (instances.par_iter().enumerate().with_min_len(1024))
         .filter_map(|(index, instance)| {
             let root = geometry.light_root(instance.grid)?;
             Some(in_world(instance, index as u32, root, &geometry.light_nodes[root as usize]))

@@ -1,12 +1,12 @@
 //! Checks that a packed scene holds together: every index lies inside its array and every tree ends. Tracing a valid
 //! scene cannot read out of bounds.
 
-use super::instances::MAX_INSTANCE_DEPTH;
+use super::instances::{MAX_INSTANCE_DEPTH, corner_box};
 use super::lights::{finds_root, validate_lights};
 use super::lookup::{HEADER_INDEX_BITS, HEADER_PALETTE};
 use super::normals::normal_words;
 use super::{CELL_OCCUPIED, Geometry, LightNode, PackedGrid, Placement};
-use glam::IVec3;
+use glam::{IVec3, Vec3};
 use voxtrace_scene::Invalid;
 use voxtrace_scene::grid::MAX_COORDINATE;
 
@@ -35,10 +35,10 @@ impl Placement {
                 return Err(format!("instance {index} has a transform that is no similarity").into());
             }
         }
-        self.validate_instance_nodes()
+        self.validate_instance_nodes(geometry)
     }
 
-    fn validate_instance_nodes(&self) -> Result<(), Invalid> {
+    fn validate_instance_nodes(&self, geometry: &Geometry) -> Result<(), Invalid> {
         let nodes = &*self.instance_nodes;
         let mut is_in_leaf = vec![false; self.instances.len()];
         // How many inner nodes lie above each node that a parent was found for; parents come before their children.
@@ -59,7 +59,12 @@ impl Placement {
             }
             let depth =
                 depths[index].ok_or_else(|| format!("node {index} of the tree over instances has no parent"))?;
+            let holds = |(low, high): (Vec3, Vec3)| node.min.cmple(low).all() && node.max.cmpge(high).all();
             if node.is_leaf == 1 {
+                let grid = &geometry.grids[self.instances[child].grid as usize];
+                if !holds(corner_box(&self.instances[child], grid.min, grid.max)) {
+                    return Err(format!("instance {child} reaches out of its box in the tree over instances").into());
+                }
                 is_in_leaf[child] = true;
                 continue;
             }
@@ -70,6 +75,9 @@ impl Placement {
                 // What is shared would be visited once for each way to it, and there may be 2³² of them.
                 if depths[child].replace(depth + 1).is_some() {
                     return Err(format!("node {child} of the tree over instances has two parents").into());
+                }
+                if !holds((nodes[child].min, nodes[child].max)) {
+                    return Err(format!("node {child} of the tree over instances reaches out of its parent").into());
                 }
             }
         }

@@ -19,12 +19,15 @@ use gpu_allocator::MemoryLocation;
 use primitives::{Primitives, words_per_record};
 use std::sync::Arc;
 use structure::{Input, Structure};
-use top::{Part, Top};
+use top::Part;
+pub use top::Top;
 use voxtrace_core::packed::Placement;
 use voxtrace_core::{PackedScene, TraceError};
 
 const BOTTOM: vk::AccelerationStructureTypeKHR = vk::AccelerationStructureTypeKHR::BOTTOM_LEVEL;
 const NAME: &str = "acceleration structures";
+/// The step in which instances are written and the structure over them is built.
+pub const BUILDING_TOP: &str = "building the acceleration structure over the instances";
 /// Most bytes of scratch memory of one build; more primitives are built in parts.
 const SCRATCH_BUDGET: u64 = 4 << 30;
 
@@ -85,28 +88,28 @@ impl Accel {
             parts.push(of_grid);
             words.extend(primitives.records);
         }
-        let records = written(device, submitter, transfer, "primitive records", cast_slice(&words), None)?;
-        let top = Top::new(device, submitter, transfer, scene.placement(), &parts, None)?;
+        let records = written(device, submitter, transfer, "primitive records", cast_slice(&words))?;
+        let top = Top::unbuilt(device, scene.placement(), &parts, None)?;
+        transfer.write(submitter, &top.writes(), Some((BUILDING_TOP, &|commands| top.record(commands))))?;
         report.record_bytes = size_of_val(&words[..]) as u64;
         report.structures = bottom.len() as u64;
-        Ok(Self { top, _bottom: bottom, parts, records, report })
+        Ok(Self { top: top.settled(), _bottom: bottom, parts, records, report })
     }
 
-    /// The same structures below, with instances of them elsewhere.
-    pub fn placed(
-        self,
-        device: &Arc<Device>,
-        submitter: &mut Submitter,
-        transfer: &mut Transfer,
-        placement: &Placement,
-    ) -> Result<Self, TraceError> {
-        let top = Top::new(device, submitter, transfer, placement, &self.parts, Some(self.top))?;
+    /// The same structures below, with instances of them elsewhere, once what [`Self::top`] says is written and recorded.
+    pub fn unbuilt(self, device: &Arc<Device>, placement: &Placement) -> Result<Self, TraceError> {
+        let top = Top::unbuilt(device, placement, &self.parts, Some(self.top))?;
         Ok(Self { top, ..self })
+    }
+
+    /// What is over the instances.
+    pub fn top(&self) -> &Top {
+        &self.top
     }
 
     /// The structure over the instances.
     pub fn top_level(&self) -> vk::AccelerationStructureKHR {
-        self.top.structure.handle
+        self.top.handle()
     }
 
     /// For each entry of the structure over the instances what it stands for.
@@ -117,8 +120,8 @@ impl Accel {
     /// What the structures take.
     pub fn report(&self) -> AccelReport {
         AccelReport {
-            top_level_bytes: self.top.structure.bytes(),
-            record_bytes: self.report.record_bytes + self.top.entry_bytes,
+            top_level_bytes: self.top.bytes(),
+            record_bytes: self.report.record_bytes + self.top.entry_bytes(),
             ..self.report
         }
     }

@@ -32,6 +32,26 @@ pub struct Sizes {
     pub scratch: u64,
 }
 
+/// Memory that builds work in.
+pub struct Scratch {
+    buffer: Buffer,
+    alignment: u64,
+}
+
+impl Scratch {
+    /// Memory for builds that ask for up to `size` bytes.
+    pub fn new(device: &Arc<Device>, size: u64) -> Result<Self, TraceError> {
+        let alignment = device.info().ray_tracing.scratch_alignment.max(1);
+        let usage = vk::BufferUsageFlags::STORAGE_BUFFER | vk::BufferUsageFlags::SHADER_DEVICE_ADDRESS;
+        let buffer = Buffer::new(device, "build scratch", size + alignment, usage, MemoryLocation::GpuOnly)?;
+        Ok(Self { buffer, alignment })
+    }
+
+    fn address(&self) -> vk::DeviceAddress {
+        self.buffer.address().next_multiple_of(self.alignment)
+    }
+}
+
 /// What to build: geometries of one kind and how many primitives each has.
 pub struct Input<'a> {
     pub kind: vk::AccelerationStructureTypeKHR,
@@ -106,15 +126,20 @@ impl Structure {
         Ok(structure)
     }
 
+    /// Memory for a structure from an input of these sizes or smaller ones, not built yet.
+    pub fn unbuilt(
+        device: &Arc<Device>,
+        name: &str,
+        kind: vk::AccelerationStructureTypeKHR,
+        sizes: Sizes,
+    ) -> Result<Self, TraceError> {
+        device.check_available(sizes.structure)?;
+        Self::empty(device, name, kind, sizes.structure)
+    }
+
     /// Brings a structure that was built with updates allowed to the input's boxes, as many as it was built with.
     pub fn update(&self, submitter: &mut Submitter, input: &Input) -> Result<(), TraceError> {
         self.fill(submitter, input, input.sizes(&self.device)?.scratch, true)
-    }
-
-    /// Builds a structure anew in its place, from as many entries as before. Nothing that uses it may be in flight.
-    pub fn rebuilt(self, submitter: &mut Submitter, input: &Input) -> Result<Self, TraceError> {
-        self.fill(submitter, input, input.sizes(&self.device)?.scratch, false)?;
-        Ok(self)
     }
 
     fn fill(
@@ -124,23 +149,27 @@ impl Structure {
         scratch_bytes: u64,
         is_update: bool,
     ) -> Result<(), TraceError> {
-        let device = &self.device;
-        let alignment = device.info().ray_tracing.scratch_alignment.max(1);
-        let usage = vk::BufferUsageFlags::STORAGE_BUFFER | vk::BufferUsageFlags::SHADER_DEVICE_ADDRESS;
-        let scratch = Buffer::new(device, "build scratch", scratch_bytes + alignment, usage, MemoryLocation::GpuOnly)?;
-        let scratch_at = vk::DeviceOrHostAddressKHR { device_address: scratch.address().next_multiple_of(alignment) };
+        let scratch = Scratch::new(&self.device, scratch_bytes)?;
+        submitter.run_commands("building an acceleration structure", &|commands| {
+            self.record_build(commands, input, &scratch, is_update);
+        })?;
+        Ok(())
+    }
+
+    /// Records the build, or the update, from an input that is no larger than the structure was made for. Nothing that uses the structure may
+    /// be in flight; structure, scratch memory and what the input points to must live until the commands are done.
+    pub fn record_build(&self, commands: vk::CommandBuffer, input: &Input, scratch: &Scratch, is_update: bool) {
+        // Only devices that have the functions have structures.
+        let Some(functions) = &self.device.acceleration else { return };
+        let scratch_at = vk::DeviceOrHostAddressKHR { device_address: scratch.address() };
         let mut info = input.info().dst_acceleration_structure(self.handle).scratch_data(scratch_at);
         if is_update {
             info = info.mode(vk::BuildAccelerationStructureModeKHR::UPDATE).src_acceleration_structure(self.handle);
         }
         let range = |&count: &u32| vk::AccelerationStructureBuildRangeInfoKHR::default().primitive_count(count);
         let ranges: Vec<_> = input.counts.iter().map(range).collect();
-        let functions = functions(device)?;
-        submitter.run_commands("building an acceleration structure", &|commands| {
-            // SAFETY: structure, scratch and the buffers behind the addresses live until the commands are done.
-            unsafe { functions.cmd_build_acceleration_structures(commands, &[info], &[&ranges]) }
-        })?;
-        Ok(())
+        // SAFETY: structure, scratch and the buffers behind the addresses live until the commands are done, as the caller sees to.
+        unsafe { functions.cmd_build_acceleration_structures(commands, &[info], &[&ranges]) }
     }
 
     /// The same structure in as little memory as it needs.

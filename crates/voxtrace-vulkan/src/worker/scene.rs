@@ -1,11 +1,12 @@
 //! Taking a scene, or another placement of its geometry.
 
 use super::Worker;
-use crate::accel::Accel;
+use crate::accel::{Accel, BUILDING_TOP};
 use crate::method::{Primitive, Settings, Traversal};
 use crate::records::binding;
 use crate::scene::SceneBuffers;
 use crate::schedule::BatchSizer;
+use crate::statistics::Statistics;
 use std::sync::Arc;
 use voxtrace_core::{PackedScene, TraceError};
 
@@ -47,9 +48,13 @@ impl Worker {
         // Where something fails nothing is left, rather than half of it.
         let (buffers, accel) = (self.scene.take().ok_or(TraceError::NoScene)?, self.accel.take());
         self.film = None;
-        let (device, submitter, transfer) = (&self.device, &mut self.submitter, &mut self.transfer);
-        let buffers = buffers.placed(device, submitter, transfer, scene)?;
-        let accel = accel.map(|accel| accel.placed(device, submitter, transfer, scene.placement())).transpose()?;
+        let buffers = buffers.placed(&self.device, scene)?;
+        let accel = accel.map(|accel| accel.unbuilt(&self.device, scene.placement())).transpose()?;
+        let mut writes = buffers.placement_writes();
+        writes.extend(accel.iter().flat_map(|accel| accel.top().writes()));
+        let build = |commands| accel.iter().for_each(|accel| accel.top().record(commands));
+        let ms = self.transfer.write(&mut self.submitter, &writes, Some((BUILDING_TOP, &build)))?;
+        self.statistics = Statistics { gpu_ms: ms, longest_submit_ms: ms, submits: 1, ..Statistics::default() };
         buffers.bind(&self.bindings);
         if let Some(accel) = &accel {
             self.bind_accel(accel);
