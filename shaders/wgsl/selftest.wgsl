@@ -48,6 +48,8 @@ struct PackedGrid_std430_0
 
 @binding(3) @group(0) var<storage, read> grids_0 : array<PackedGrid_std430_0>;
 
+@binding(21) @group(0) var<storage, read_write> pages_0 : array<u32>;
+
 @binding(0) @group(0) var<storage, read> cells_0 : array<u32>;
 
 @binding(1) @group(0) var<storage, read> bricks_0 : array<u32>;
@@ -801,10 +803,13 @@ fn Writer_vector_0( this_13 : ptr<function, Writer_0>,  value_4 : vec3<f32>)
     return;
 }
 
+var<private> is_page_missing_0 : bool;
+
 @compute
 @workgroup_size(64, 1, 1)
 fn check_sampler(@builtin(global_invocation_id) id_0 : vec3<u32>, @builtin(local_invocation_index) thread_1 : u32)
 {
+    is_page_missing_0 = false;
     prove_0(thread_1);
     var _S50 : u32 = id_0.x;
     if(_S50 >= (dispatch_0.count_0))
@@ -972,6 +977,7 @@ fn luminance_2( color_0 : vec3<f32>) -> f32
 @workgroup_size(64, 1, 1)
 fn check_math(@builtin(global_invocation_id) id_1 : vec3<u32>, @builtin(local_invocation_index) thread_2 : u32)
 {
+    is_page_missing_0 = false;
     prove_0(thread_2);
     var _S61 : u32 = id_1.x;
     if(_S61 >= (dispatch_0.count_0))
@@ -997,6 +1003,7 @@ fn check_math(@builtin(global_invocation_id) id_1 : vec3<u32>, @builtin(local_in
 @workgroup_size(64, 1, 1)
 fn check_rounding(@builtin(global_invocation_id) id_2 : vec3<u32>, @builtin(local_invocation_index) thread_3 : u32)
 {
+    is_page_missing_0 = false;
     prove_0(thread_3);
     var _S62 : u32 = id_2.x;
     if(_S62 >= (dispatch_0.count_0))
@@ -1156,6 +1163,7 @@ fn PixelRecord_add_0( this_18 : ptr<function, PixelRecord_0>,  value_7 : vec3<f3
 @workgroup_size(64, 1, 1)
 fn check_film(@builtin(global_invocation_id) id_3 : vec3<u32>, @builtin(local_invocation_index) thread_4 : u32)
 {
+    is_page_missing_0 = false;
     prove_0(thread_4);
     var _S73 : u32 = id_3.x;
     if(_S73 >= (dispatch_0.count_0))
@@ -1229,6 +1237,51 @@ fn cell_of_0( values_1 : array<i32, i32(3)>) -> vec3<i32>
     return vec3<i32>(values_1[i32(0)], values_1[i32(1)], values_1[i32(2)]);
 }
 
+@id(12) override HAS_PAGES_0 : bool = false;
+
+fn word_in_pages_0( index_5 : u32,  first_1 : u32) -> u32
+{
+    var page_0 : u32 = first_1 + ((index_5 >> (u32(12))));
+    var mark_0 : u32 = u32(4) + pages_0[i32(2)] + page_0;
+    if(pages_0[mark_0] == u32(0))
+    {
+        pages_0[mark_0] = u32(1);
+    }
+    var slot_0 : u32 = pages_0[u32(4) + page_0];
+    var _S84 : bool;
+    if(is_page_missing_0)
+    {
+        _S84 = true;
+    }
+    else
+    {
+        _S84 = slot_0 == u32(0);
+    }
+    is_page_missing_0 = _S84;
+    return (((slot_0 << (u32(12)))) | (((index_5 & (u32(4095))))));
+}
+
+fn place_of_cell_0( index_6 : u32) -> u32
+{
+    var _S85 : u32;
+    if(HAS_PAGES_0)
+    {
+        var _S86 : u32 = word_in_pages_0(index_6, u32(0));
+        _S85 = _S86;
+    }
+    else
+    {
+        _S85 = index_6;
+    }
+    return _S85;
+}
+
+fn cell_word_0( index_7 : u32) -> u32
+{
+    var _S87 : u32 = place_of_cell_0(index_7);
+    return cells_0[_S87];
+}
+
 fn cell_in_node_0( relative_0 : vec3<i32>,  shift_1 : u32) -> u32
 {
     var cell_0 : vec3<u32> = (((vec3<u32>(relative_0) >> (vec3<u32>(shift_1)))) & (vec3<u32>(u32(3))));
@@ -1239,49 +1292,97 @@ fn cell_in_node_0( relative_0 : vec3<i32>,  shift_1 : u32) -> u32
 
 fn record_of_cell_0( cell_1 : u32) -> u32
 {
-    var _S84 : u32;
+    var _S88 : u32;
     if(CELLS_HAVE_BLOCKS_0)
     {
-        _S84 = u32(8388607);
+        _S88 = u32(8388607);
     }
     else
     {
-        _S84 = u32(2147483647);
+        _S88 = u32(2147483647);
     }
-    return ((cell_1 & (_S84))) * u32(2);
+    return ((cell_1 & (_S88))) * u32(2);
+}
+
+fn place_of_brick_0( index_8 : u32) -> u32
+{
+    var _S89 : u32;
+    if(HAS_PAGES_0)
+    {
+        var _S90 : u32 = word_in_pages_0(index_8, pages_0[i32(0)]);
+        _S89 = _S90;
+    }
+    else
+    {
+        _S89 = index_8;
+    }
+    return _S89;
+}
+
+fn brick_word_0( index_9 : u32) -> u32
+{
+    var _S91 : u32 = place_of_brick_0(index_9);
+    return bricks_0[_S91];
 }
 
 fn rank_in_brick_0( record_0 : u32,  relative_1 : vec3<i32>) -> u32
 {
+    var header_0 : u32 = brick_word_0(record_0);
     var bit_0 : u32 = cell_in_node_0(relative_1, u32(0));
-    var present_before_0 : u32 = countOneBits((bricks_0[record_0] & ((((u32(1) << (((((u32(((((relative_1.x) >> (u32(2)))) & (i32(1)))) | (((u32(((((relative_1.y) >> (u32(2)))) & (i32(1)))) << (u32(1))))))) | (((u32(((((relative_1.z) >> (u32(2)))) & (i32(1)))) << (u32(2)))))))))) - u32(1)))));
-    var index_5 : u32 = u32(0);
+    var present_before_0 : u32 = countOneBits((header_0 & ((((u32(1) << (((((u32(((((relative_1.x) >> (u32(2)))) & (i32(1)))) | (((u32(((((relative_1.y) >> (u32(2)))) & (i32(1)))) << (u32(1))))))) | (((u32(((((relative_1.z) >> (u32(2)))) & (i32(1)))) << (u32(2)))))))))) - u32(1)))));
+    var index_10 : u32 = u32(0);
     var rank_0 : u32 = u32(0);
     for(;;)
     {
-        if(index_5 < present_before_0)
+        if(index_10 < present_before_0)
         {
         }
         else
         {
             break;
         }
-        var _S85 : u32 = u32(2) * index_5;
-        var rank_1 : u32 = rank_0 + (countOneBits(bricks_0[record_0 + u32(2) + _S85]) + countOneBits(bricks_0[record_0 + u32(3) + _S85]));
-        index_5 = index_5 + u32(1);
+        var _S92 : u32 = u32(2) * index_10;
+        var _S93 : u32 = brick_word_0(record_0 + u32(2) + _S92);
+        var _S94 : u32 = countOneBits(_S93);
+        var _S95 : u32 = brick_word_0(record_0 + u32(3) + _S92);
+        var rank_1 : u32 = rank_0 + (_S94 + countOneBits(_S95));
+        index_10 = index_10 + u32(1);
         rank_0 = rank_1;
     }
-    var _S86 : u32 = u32(2) * present_before_0;
-    var low_5 : u32 = bricks_0[record_0 + u32(2) + _S86];
+    var _S96 : u32 = u32(2) * present_before_0;
+    var low_5 : u32 = brick_word_0(record_0 + u32(2) + _S96);
     if(bit_0 < u32(32))
     {
         rank_0 = rank_0 + countOneBits((low_5 & ((((u32(1) << (bit_0))) - u32(1)))));
     }
     else
     {
-        rank_0 = rank_0 + (countOneBits(low_5) + countOneBits((bricks_0[record_0 + u32(3) + _S86] & ((((u32(1) << ((bit_0 - u32(32))))) - u32(1))))));
+        var _S97 : u32 = countOneBits(low_5);
+        var _S98 : u32 = brick_word_0(record_0 + u32(3) + _S96);
+        rank_0 = rank_0 + (_S97 + countOneBits((_S98 & ((((u32(1) << ((bit_0 - u32(32))))) - u32(1))))));
     }
     return rank_0;
+}
+
+fn place_of_material_0( index_11 : u32) -> u32
+{
+    var _S99 : u32;
+    if(HAS_PAGES_0)
+    {
+        var _S100 : u32 = word_in_pages_0(index_11, pages_0[i32(1)]);
+        _S99 = _S100;
+    }
+    else
+    {
+        _S99 = index_11;
+    }
+    return _S99;
+}
+
+fn material_word_0( index_12 : u32) -> u32
+{
+    var _S101 : u32 = place_of_material_0(index_12);
+    return brick_materials_0[_S101];
 }
 
 fn read_bits_0( start_0 : u32,  position_0 : u32,  count_3 : u32) -> u32
@@ -1292,11 +1393,13 @@ fn read_bits_0( start_0 : u32,  position_0 : u32,  count_3 : u32) -> u32
     }
     var word_5 : u32 = start_0 + ((position_0 >> (u32(5))));
     var shift_2 : u32 = (position_0 & (u32(31)));
-    var bits_1 : u32 = (brick_materials_0[word_5] >> (shift_2));
+    var _S102 : u32 = material_word_0(word_5);
+    var bits_1 : u32 = (_S102 >> (shift_2));
     var bits_2 : u32;
     if((shift_2 + count_3) > u32(32))
     {
-        bits_2 = (bits_1 | (((brick_materials_0[word_5 + u32(1)] << ((u32(32) - shift_2))))));
+        var _S103 : u32 = material_word_0(word_5 + u32(1));
+        bits_2 = (bits_1 | (((_S103 << ((u32(32) - shift_2))))));
     }
     else
     {
@@ -1305,23 +1408,24 @@ fn read_bits_0( start_0 : u32,  position_0 : u32,  count_3 : u32) -> u32
     return (bits_2 & ((((u32(1) << (count_3))) - u32(1))));
 }
 
-fn find_brick_0( _S87 : u32,  _S88 : vec3<i32>) -> u32
+fn find_brick_0( _S104 : u32,  _S105 : vec3<i32>) -> u32
 {
-    var top_0 : vec3<i32> = (_S88 >> (vec3<u32>(grids_0[_S87].top_shift_0)));
-    var cell_2 : u32 = cells_0[grids_0[_S87].top_offset_0 + u32((top_0.z * grids_0[_S87].top_size_0[i32(1)] + top_0.y) * grids_0[_S87].top_size_0[i32(0)] + top_0.x)];
-    var shift_3 : u32 = grids_0[_S87].top_shift_0;
+    var top_0 : vec3<i32> = (_S105 >> (vec3<u32>(grids_0[_S104].top_shift_0)));
+    var _S106 : u32 = cell_word_0(grids_0[_S104].top_offset_0 + u32((top_0.z * grids_0[_S104].top_size_0[i32(1)] + top_0.y) * grids_0[_S104].top_size_0[i32(0)] + top_0.x));
+    var cell_2 : u32 = _S106;
+    var shift_3 : u32 = grids_0[_S104].top_shift_0;
     for(;;)
     {
-        var _S89 : bool;
+        var _S107 : bool;
         if(shift_3 > u32(3))
         {
-            _S89 = ((cell_2 & (u32(2147483648)))) != u32(0);
+            _S107 = ((cell_2 & (u32(2147483648)))) != u32(0);
         }
         else
         {
-            _S89 = false;
+            _S107 = false;
         }
-        if(_S89)
+        if(_S107)
         {
         }
         else
@@ -1329,49 +1433,55 @@ fn find_brick_0( _S87 : u32,  _S88 : vec3<i32>) -> u32
             break;
         }
         var shift_4 : u32 = shift_3 - u32(2);
-        cell_2 = cells_0[((cell_2 & (u32(2147483647)))) * u32(64) + cell_in_node_0(_S88, shift_4)];
+        var _S108 : u32 = cell_word_0(((cell_2 & (u32(2147483647)))) * u32(64) + cell_in_node_0(_S105, shift_4));
+        cell_2 = _S108;
         shift_3 = shift_4;
     }
     return record_of_cell_0(cell_2);
 }
 
-fn material_at_0( _S90 : u32,  _S91 : vec3<i32>) -> u32
+fn material_at_0( _S109 : u32,  _S110 : vec3<i32>) -> u32
 {
-    var _S92 : u32 = find_brick_0(_S90, _S91);
-    var header_0 : u32 = bricks_0[_S92];
-    var index_bits_0 : u32 = (((header_0 >> (u32(8)))) & (u32(255)));
-    var palette_count_0 : u32 = (header_0 >> (u32(16)));
-    var entry_bits_0 : u32 = grids_0[_S90].material_bits_0;
-    var start_1 : u32 = bricks_0[_S92 + u32(1)];
-    var index_6 : u32 = read_bits_0(start_1, palette_count_0 * grids_0[_S90].material_bits_0 + rank_in_brick_0(_S92, _S91) * index_bits_0, index_bits_0);
+    var _S111 : u32 = find_brick_0(_S109, _S110);
+    var header_1 : u32 = brick_word_0(_S111);
+    var rank_2 : u32 = rank_in_brick_0(_S111, _S110);
+    var index_bits_0 : u32 = (((header_1 >> (u32(8)))) & (u32(255)));
+    var palette_count_0 : u32 = (header_1 >> (u32(16)));
+    var entry_bits_0 : u32 = grids_0[_S109].material_bits_0;
+    var start_1 : u32 = brick_word_0(_S111 + u32(1));
+    var index_13 : u32 = read_bits_0(start_1, palette_count_0 * grids_0[_S109].material_bits_0 + rank_2 * index_bits_0, index_bits_0);
     if(palette_count_0 == u32(0))
     {
-        return index_6;
+        return index_13;
     }
-    return read_bits_0(start_1, index_6 * entry_bits_0, entry_bits_0);
+    var _S112 : u32 = read_bits_0(start_1, index_13 * entry_bits_0, entry_bits_0);
+    return _S112;
 }
 
 @compute
 @workgroup_size(64, 1, 1)
 fn check_material(@builtin(global_invocation_id) id_4 : vec3<u32>, @builtin(local_invocation_index) thread_5 : u32)
 {
+    is_page_missing_0 = false;
     prove_0(thread_5);
-    var _S93 : u32 = id_4.x;
-    if(_S93 >= (dispatch_0.count_0))
+    var _S113 : u32 = id_4.x;
+    if(_S113 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_4 : Reader_0 = Reader_x24init_0(u32(4) * _S93);
-    var writer_4 : Writer_0 = Writer_x24init_0(_S93);
-    var _S94 : u32 = Reader_word_0(&(reader_4));
-    var _S95 : vec3<i32> = Reader_cell_0(&(reader_4));
-    Writer_word_0(&(writer_4), material_at_0(instances_0[_S94].grid_0, _S95 - cell_of_0(grids_0[instances_0[_S94].grid_0].origin_0)));
+    var reader_4 : Reader_0 = Reader_x24init_0(u32(4) * _S113);
+    var writer_4 : Writer_0 = Writer_x24init_0(_S113);
+    var _S114 : u32 = Reader_word_0(&(reader_4));
+    var _S115 : vec3<i32> = Reader_cell_0(&(reader_4));
+    var _S116 : u32 = material_at_0(instances_0[_S114].grid_0, _S115 - cell_of_0(grids_0[instances_0[_S114].grid_0].origin_0));
+    Writer_word_0(&(writer_4), _S116);
     return;
 }
 
 fn blocks_of_record_0( record_1 : u32) -> u32
 {
-    return (bricks_0[record_1] & (u32(255)));
+    var _S117 : u32 = brick_word_0(record_1);
+    return (_S117 & (u32(255)));
 }
 
 fn flip_of_0( octant_0 : u32) -> u32
@@ -1387,41 +1497,45 @@ fn empty_around_0( record_2 : u32,  blocks_0 : u32,  voxel_2 : vec3<i32>,  octan
         return u32(3);
     }
     var bit_1 : u32 = ((cell_in_node_0(voxel_2, u32(0))) ^ (flip_0));
-    var half_1 : u32 = bricks_0[record_2 + u32(2) + u32(2) * countOneBits((blocks_0 & ((((u32(1) << (block_0))) - u32(1))))) + ((bit_1 >> (u32(5))))];
+    var half_1 : u32 = brick_word_0(record_2 + u32(2) + u32(2) * countOneBits((blocks_0 & ((((u32(1) << (block_0))) - u32(1))))) + ((bit_1 >> (u32(5)))));
     if(((((half_1 >> (((bit_1 & (u32(31))))))) & (u32(1)))) != u32(0))
     {
         return u32(4294967295);
     }
-    var _S96 : i32;
+    var _S118 : i32;
     if(((((half_1 >> (((bit_1 & (u32(10))))))) & (u32(3342387)))) == u32(0))
     {
-        _S96 = i32(1);
+        _S118 = i32(1);
     }
     else
     {
-        _S96 = i32(0);
+        _S118 = i32(0);
     }
-    return u32(_S96);
+    return u32(_S118);
 }
 
 @compute
 @workgroup_size(64, 1, 1)
 fn check_brick(@builtin(global_invocation_id) id_5 : vec3<u32>, @builtin(local_invocation_index) thread_6 : u32)
 {
+    is_page_missing_0 = false;
     prove_0(thread_6);
-    var _S97 : u32 = id_5.x;
-    if(_S97 >= (dispatch_0.count_0))
+    var _S119 : u32 = id_5.x;
+    if(_S119 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_5 : Reader_0 = Reader_x24init_0(u32(5) * _S97);
-    var writer_5 : Writer_0 = Writer_x24init_0(_S97);
-    var _S98 : u32 = Reader_word_0(&(reader_5));
-    var _S99 : vec3<i32> = Reader_cell_0(&(reader_5));
-    var voxel_3 : vec3<i32> = _S99 - cell_of_0(grids_0[instances_0[_S98].grid_0].origin_0);
+    var reader_5 : Reader_0 = Reader_x24init_0(u32(5) * _S119);
+    var writer_5 : Writer_0 = Writer_x24init_0(_S119);
+    var _S120 : u32 = Reader_word_0(&(reader_5));
+    var _S121 : vec3<i32> = Reader_cell_0(&(reader_5));
+    var voxel_3 : vec3<i32> = _S121 - cell_of_0(grids_0[instances_0[_S120].grid_0].origin_0);
     var octant_2 : u32 = Reader_word_0(&(reader_5));
-    var _S100 : u32 = find_brick_0(instances_0[_S98].grid_0, voxel_3);
-    Writer_word_0(&(writer_5), empty_around_0(_S100, blocks_of_record_0(_S100), (voxel_3 ^ ((vec3<i32>(0) - vec3<i32>(i32((octant_2 & (u32(1)))), i32((((octant_2 >> (u32(1)))) & (u32(1)))), i32((octant_2 >> (u32(2)))))))), octant_2, flip_of_0(octant_2)));
+    var mirror_0 : vec3<i32> = (vec3<i32>(0) - vec3<i32>(i32((octant_2 & (u32(1)))), i32((((octant_2 >> (u32(1)))) & (u32(1)))), i32((octant_2 >> (u32(2))))));
+    var _S122 : u32 = find_brick_0(instances_0[_S120].grid_0, voxel_3);
+    var _S123 : u32 = blocks_of_record_0(_S122);
+    var _S124 : u32 = empty_around_0(_S122, _S123, (voxel_3 ^ (mirror_0)), octant_2, flip_of_0(octant_2));
+    Writer_word_0(&(writer_5), _S124);
     return;
 }
 
@@ -1435,12 +1549,12 @@ struct Ray_0
 
 fn Ray_x24init_0( origin_2 : vec3<f32>,  t_min_1 : f32,  direction_2 : vec3<f32>,  t_max_1 : f32) -> Ray_0
 {
-    var _S101 : Ray_0;
-    _S101.origin_1 = origin_2;
-    _S101.t_min_0 = t_min_1;
-    _S101.direction_1 = direction_2;
-    _S101.t_max_0 = t_max_1;
-    return _S101;
+    var _S125 : Ray_0;
+    _S125.origin_1 = origin_2;
+    _S125.t_min_0 = t_min_1;
+    _S125.direction_1 = direction_2;
+    _S125.t_max_0 = t_max_1;
+    return _S125;
 }
 
 fn Reader_ray_0( this_21 : ptr<function, Reader_0>) -> Ray_0
@@ -1448,8 +1562,8 @@ fn Reader_ray_0( this_21 : ptr<function, Reader_0>) -> Ray_0
     var origin_3 : vec3<f32> = Reader_vector_1(&((*this_21)));
     var t_min_2 : f32 = Reader_number_1(&((*this_21)));
     var direction_3 : vec3<f32> = Reader_vector_1(&((*this_21)));
-    var _S102 : f32 = Reader_number_1(&((*this_21)));
-    return Ray_x24init_0(origin_3, t_min_2, direction_3, _S102);
+    var _S126 : f32 = Reader_number_1(&((*this_21)));
+    return Ray_x24init_0(origin_3, t_min_2, direction_3, _S126);
 }
 
 fn reciprocal_0( vector_4 : vec3<f32>) -> vec3<f32>
@@ -1467,38 +1581,38 @@ struct LocalRay_0
      is_valid_0 : bool,
 };
 
-fn Transform_direction_0( _S103 : i32,  _S104 : vec3<f32>) -> vec3<f32>
+fn Transform_direction_0( _S127 : i32,  _S128 : vec3<f32>) -> vec3<f32>
 {
-    return vector_of_0(instances_0[_S103].grid_from_world_0.x_axis_0) * vec3<f32>(_S104.x) + vector_of_0(instances_0[_S103].grid_from_world_0.y_axis_0) * vec3<f32>(_S104.y) + vector_of_0(instances_0[_S103].grid_from_world_0.z_axis_0) * vec3<f32>(_S104.z);
+    return vector_of_0(instances_0[_S127].grid_from_world_0.x_axis_0) * vec3<f32>(_S128.x) + vector_of_0(instances_0[_S127].grid_from_world_0.y_axis_0) * vec3<f32>(_S128.y) + vector_of_0(instances_0[_S127].grid_from_world_0.z_axis_0) * vec3<f32>(_S128.z);
 }
 
-fn Transform_point_0( _S105 : i32,  _S106 : vec3<f32>) -> vec3<f32>
+fn Transform_point_0( _S129 : i32,  _S130 : vec3<f32>) -> vec3<f32>
 {
-    return Transform_direction_0(_S105, _S106) + vector_of_0(instances_0[_S105].grid_from_world_0.translation_0);
+    return Transform_direction_0(_S129, _S130) + vector_of_0(instances_0[_S129].grid_from_world_0.translation_0);
 }
 
-fn local_ray_0( _S107 : Ray_0,  _S108 : i32) -> LocalRay_0
+fn local_ray_0( _S131 : Ray_0,  _S132 : i32) -> LocalRay_0
 {
     var local_0 : LocalRay_0;
     var direction_5 : vec3<f32>;
     var origin_5 : vec3<f32>;
     if(!IS_SINGLE_0)
     {
-        var _S109 : vec3<f32> = Transform_point_0(_S108, _S107.origin_1);
-        direction_5 = Transform_direction_0(_S108, _S107.direction_1);
-        origin_5 = _S109;
+        var _S133 : vec3<f32> = Transform_point_0(_S132, _S131.origin_1);
+        direction_5 = Transform_direction_0(_S132, _S131.direction_1);
+        origin_5 = _S133;
     }
     else
     {
-        direction_5 = _S107.direction_1;
-        origin_5 = _S107.origin_1;
+        direction_5 = _S131.direction_1;
+        origin_5 = _S131.origin_1;
     }
     var is_zero_0 : vec3<bool> = !((abs(direction_5)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S110 : vec3<f32> = select(direction_5, vec3<f32>(0.0f), is_zero_0);
-    local_0.direction_4 = _S110;
+    var _S134 : vec3<f32> = select(direction_5, vec3<f32>(0.0f), is_zero_0);
+    local_0.direction_4 = _S134;
     local_0.inverse_0 = select(reciprocal_0(select(direction_5, vec3<f32>(1.0f), is_zero_0)), vec3<f32>(3.4028234663852886e+38f), is_zero_0);
     local_0.origin_4 = select(origin_5, floor(origin_5) + vec3<f32>(0.5f), is_zero_0);
-    var speed_0 : f32 = max_element_0(abs(_S110));
+    var speed_0 : f32 = max_element_0(abs(_S134));
     var moves_0 : bool;
     if(speed_0 >= 1.00000004581370497e-18f)
     {
@@ -1510,9 +1624,9 @@ fn local_ray_0( _S107 : Ray_0,  _S108 : i32) -> LocalRay_0
     }
     var is_near_0 : bool = (all(((abs(local_0.origin_4)) <= vec3<f32>(2.097152e+06f))));
     var is_segment_0 : bool;
-    if((_S107.t_min_0) >= 0.0f)
+    if((_S131.t_min_0) >= 0.0f)
     {
-        is_segment_0 = (_S107.t_min_0) <= 3.4028234663852886e+38f;
+        is_segment_0 = (_S131.t_min_0) <= 3.4028234663852886e+38f;
     }
     else
     {
@@ -1520,14 +1634,14 @@ fn local_ray_0( _S107 : Ray_0,  _S108 : i32) -> LocalRay_0
     }
     if(is_segment_0)
     {
-        is_segment_0 = (_S107.t_min_0) <= (_S107.t_max_0);
+        is_segment_0 = (_S131.t_min_0) <= (_S131.t_max_0);
     }
     else
     {
         is_segment_0 = false;
     }
-    local_0.t_min_3 = _S107.t_min_0;
-    local_0.t_max_2 = _S107.t_max_0;
+    local_0.t_min_3 = _S131.t_min_0;
+    local_0.t_max_2 = _S131.t_max_0;
     if(moves_0)
     {
         moves_0 = is_near_0;
@@ -1552,45 +1666,46 @@ fn local_ray_0( _S107 : Ray_0,  _S108 : i32) -> LocalRay_0
 @workgroup_size(64, 1, 1)
 fn check_local_ray(@builtin(global_invocation_id) id_6 : vec3<u32>, @builtin(local_invocation_index) thread_7 : u32)
 {
+    is_page_missing_0 = false;
     prove_0(thread_7);
-    var _S111 : u32 = id_6.x;
-    if(_S111 >= (dispatch_0.count_0))
+    var _S135 : u32 = id_6.x;
+    if(_S135 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_6 : Reader_0 = Reader_x24init_0(u32(8) * _S111);
-    var writer_6 : Writer_0 = Writer_x24init_0(u32(10) * _S111);
-    var _S112 : Ray_0 = Reader_ray_0(&(reader_6));
-    var _S113 : LocalRay_0 = local_ray_0(_S112, i32(0));
-    Writer_word_0(&(writer_6), u32(_S113.is_valid_0));
-    var _S114 : vec3<f32>;
-    if(_S113.is_valid_0)
+    var reader_6 : Reader_0 = Reader_x24init_0(u32(8) * _S135);
+    var writer_6 : Writer_0 = Writer_x24init_0(u32(10) * _S135);
+    var _S136 : Ray_0 = Reader_ray_0(&(reader_6));
+    var _S137 : LocalRay_0 = local_ray_0(_S136, i32(0));
+    Writer_word_0(&(writer_6), u32(_S137.is_valid_0));
+    var _S138 : vec3<f32>;
+    if(_S137.is_valid_0)
     {
-        _S114 = _S113.origin_4;
+        _S138 = _S137.origin_4;
     }
     else
     {
-        _S114 = vec3<f32>(0.0f);
+        _S138 = vec3<f32>(0.0f);
     }
-    Writer_vector_0(&(writer_6), _S114);
-    if(_S113.is_valid_0)
+    Writer_vector_0(&(writer_6), _S138);
+    if(_S137.is_valid_0)
     {
-        _S114 = _S113.direction_4;
+        _S138 = _S137.direction_4;
     }
     else
     {
-        _S114 = vec3<f32>(0.0f);
+        _S138 = vec3<f32>(0.0f);
     }
-    Writer_vector_0(&(writer_6), _S114);
-    if(_S113.is_valid_0)
+    Writer_vector_0(&(writer_6), _S138);
+    if(_S137.is_valid_0)
     {
-        _S114 = _S113.inverse_0;
+        _S138 = _S137.inverse_0;
     }
     else
     {
-        _S114 = vec3<f32>(0.0f);
+        _S138 = vec3<f32>(0.0f);
     }
-    Writer_vector_0(&(writer_6), _S114);
+    Writer_vector_0(&(writer_6), _S138);
     return;
 }
 
@@ -1609,65 +1724,65 @@ fn exact_product_0( a_3 : f32,  b_2 : f32) -> vec2<f32>
     }
     var a_parts_0 : vec2<f32> = halves_0(a_3);
     var b_parts_0 : vec2<f32> = halves_0(b_2);
-    var _S115 : f32 = a_parts_0.x;
-    var _S116 : f32 = b_parts_0.x;
-    var _S117 : f32 = b_parts_0.y;
-    var _S118 : f32 = a_parts_0.y;
-    return vec2<f32>(product_0, _S115 * _S116 - product_0 + _S115 * _S117 + _S118 * _S116 + _S118 * _S117);
+    var _S139 : f32 = a_parts_0.x;
+    var _S140 : f32 = b_parts_0.x;
+    var _S141 : f32 = b_parts_0.y;
+    var _S142 : f32 = a_parts_0.y;
+    return vec2<f32>(product_0, _S139 * _S140 - product_0 + _S139 * _S141 + _S142 * _S140 + _S142 * _S141);
 }
 
 fn exact_start_voxel_0( ray_0 : LocalRay_0) -> vec3<i32>
 {
     var way_0 : vec2<f32> = exact_product_0(ray_0.t_min_3, ray_0.direction_4[u32(0)]);
-    var _S119 : f32 = way_0.x;
-    var sum_0 : f32 = ray_0.origin_4[u32(0)] + _S119;
+    var _S143 : f32 = way_0.x;
+    var sum_0 : f32 = ray_0.origin_4[u32(0)] + _S143;
     var part_0 : f32 = sum_0 - ray_0.origin_4[u32(0)];
-    var low_6 : f32 = ray_0.origin_4[u32(0)] - (sum_0 - part_0) + (_S119 - part_0) + way_0.y;
+    var low_6 : f32 = ray_0.origin_4[u32(0)] - (sum_0 - part_0) + (_S143 - part_0) + way_0.y;
     var whole_0 : f32 = floor(sum_0);
     var voxel_4 : vec3<i32>;
-    var _S120 : i32 = i32(whole_0);
-    var _S121 : bool;
+    var _S144 : i32 = i32(whole_0);
+    var _S145 : bool;
     if(sum_0 == whole_0)
     {
-        _S121 = low_6 < 0.0f;
+        _S145 = low_6 < 0.0f;
     }
     else
     {
-        _S121 = false;
+        _S145 = false;
     }
-    voxel_4[u32(0)] = _S120 - i32(_S121);
+    voxel_4[u32(0)] = _S144 - i32(_S145);
     var way_1 : vec2<f32> = exact_product_0(ray_0.t_min_3, ray_0.direction_4[u32(1)]);
-    var _S122 : f32 = way_1.x;
-    var sum_1 : f32 = ray_0.origin_4[u32(1)] + _S122;
+    var _S146 : f32 = way_1.x;
+    var sum_1 : f32 = ray_0.origin_4[u32(1)] + _S146;
     var part_1 : f32 = sum_1 - ray_0.origin_4[u32(1)];
-    var low_7 : f32 = ray_0.origin_4[u32(1)] - (sum_1 - part_1) + (_S122 - part_1) + way_1.y;
+    var low_7 : f32 = ray_0.origin_4[u32(1)] - (sum_1 - part_1) + (_S146 - part_1) + way_1.y;
     var whole_1 : f32 = floor(sum_1);
-    var _S123 : i32 = i32(whole_1);
+    var _S147 : i32 = i32(whole_1);
     if(sum_1 == whole_1)
     {
-        _S121 = low_7 < 0.0f;
+        _S145 = low_7 < 0.0f;
     }
     else
     {
-        _S121 = false;
+        _S145 = false;
     }
-    voxel_4[u32(1)] = _S123 - i32(_S121);
+    voxel_4[u32(1)] = _S147 - i32(_S145);
     var way_2 : vec2<f32> = exact_product_0(ray_0.t_min_3, ray_0.direction_4[u32(2)]);
-    var _S124 : f32 = way_2.x;
-    var sum_2 : f32 = ray_0.origin_4[u32(2)] + _S124;
+    var _S148 : f32 = way_2.x;
+    var sum_2 : f32 = ray_0.origin_4[u32(2)] + _S148;
     var part_2 : f32 = sum_2 - ray_0.origin_4[u32(2)];
-    var low_8 : f32 = ray_0.origin_4[u32(2)] - (sum_2 - part_2) + (_S124 - part_2) + way_2.y;
+    var low_8 : f32 = ray_0.origin_4[u32(2)] - (sum_2 - part_2) + (_S148 - part_2) + way_2.y;
     var whole_2 : f32 = floor(sum_2);
-    var _S125 : i32 = i32(whole_2);
+    var _S149 : i32 = i32(whole_2);
     if(sum_2 == whole_2)
     {
-        _S121 = low_8 < 0.0f;
+        _S145 = low_8 < 0.0f;
     }
     else
     {
-        _S121 = false;
+        _S145 = false;
     }
-    voxel_4[u32(2)] = _S125 - i32(_S121);
+    voxel_4[u32(2)] = _S149 - i32(_S145);
     return voxel_4;
 }
 
@@ -1689,12 +1804,12 @@ struct Crossing_0
 
 fn Crossing_x24init_0( distance_3 : f32,  distance_low_1 : f32,  speed_2 : f32,  axis_1 : u32) -> Crossing_0
 {
-    var _S126 : Crossing_0;
-    _S126.distance_2 = distance_3;
-    _S126.distance_low_0 = distance_low_1;
-    _S126.speed_1 = speed_2;
-    _S126.axis_0 = axis_1;
-    return _S126;
+    var _S150 : Crossing_0;
+    _S150.distance_2 = distance_3;
+    _S150.distance_low_0 = distance_low_1;
+    _S150.speed_1 = speed_2;
+    _S150.axis_0 = axis_1;
+    return _S150;
 }
 
 fn crossing_of_0( ray_1 : LocalRay_0,  axis_2 : u32,  plane_0 : i32) -> Crossing_0
@@ -1724,69 +1839,69 @@ fn Crossing_is_before_0( this_23 : Crossing_0,  other_0 : Crossing_0) -> bool
         theirs_0[i32(1)] = theirs_0[i32(1)] + other_0.distance_low_0 * this_23.speed_1;
     }
     var difference_1 : f32 = ours_0.x - theirs_0.x + (ours_0.y - theirs_0.y);
-    var _S127 : bool;
+    var _S151 : bool;
     if(difference_1 < 0.0f)
     {
-        _S127 = true;
+        _S151 = true;
     }
     else
     {
         if(difference_1 == 0.0f)
         {
-            _S127 = (this_23.axis_0) < (other_0.axis_0);
+            _S151 = (this_23.axis_0) < (other_0.axis_0);
         }
         else
         {
-            _S127 = false;
+            _S151 = false;
         }
     }
-    return _S127;
+    return _S151;
 }
 
 fn leave_box_0( ray_2 : LocalRay_0,  voxel_5 : vec3<i32>,  exit_0 : vec3<i32>,  nearest_0 : vec3<i32>) -> vec3<i32>
 {
-    var _S128 : vec3<f32>;
-    var _S129 : f32;
-    var _S130 : bool;
+    var _S152 : vec3<f32>;
+    var _S153 : f32;
+    var _S154 : bool;
     var is_crossed_0 : bool;
-    var first_1 : Crossing_0;
-    var _S131 : f32;
-    var _S132 : bool;
-    var _S133 : f32;
-    var _S134 : bool;
+    var first_2 : Crossing_0;
+    var _S155 : f32;
+    var _S156 : bool;
+    var _S157 : f32;
+    var _S158 : bool;
     var plane_1 : i32;
-    var _S135 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
+    var _S159 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
     for(;;)
     {
         for(;;)
         {
             for(;;)
             {
-                _S128 = ray_2.direction_4;
-                _S129 = ray_2.direction_4[u32(0)];
-                var _S136 : bool = (ray_2.direction_4[u32(0)]) == 0.0f;
-                _S130 = _S136;
-                if(_S136)
+                _S152 = ray_2.direction_4;
+                _S153 = ray_2.direction_4[u32(0)];
+                var _S160 : bool = (ray_2.direction_4[u32(0)]) == 0.0f;
+                _S154 = _S160;
+                if(_S160)
                 {
-                    first_1 = _S135;
+                    first_2 = _S159;
                     break;
                 }
                 var crossing_0 : Crossing_0 = crossing_of_0(ray_2, u32(0), exit_0[u32(0)]);
-                if((_S135.axis_0) == u32(3))
+                if((_S159.axis_0) == u32(3))
                 {
                     is_crossed_0 = true;
                 }
                 else
                 {
-                    is_crossed_0 = Crossing_is_before_0(crossing_0, _S135);
+                    is_crossed_0 = Crossing_is_before_0(crossing_0, _S159);
                 }
                 if(is_crossed_0)
                 {
-                    first_1 = crossing_0;
+                    first_2 = crossing_0;
                 }
                 else
                 {
-                    first_1 = _S135;
+                    first_2 = _S159;
                 }
                 break;
             }
@@ -1796,25 +1911,25 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_5 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                _S131 = _S128[u32(1)];
-                var _S137 : bool = (_S128[u32(1)]) == 0.0f;
-                _S132 = _S137;
-                if(_S137)
+                _S155 = _S152[u32(1)];
+                var _S161 : bool = (_S152[u32(1)]) == 0.0f;
+                _S156 = _S161;
+                if(_S161)
                 {
                     break;
                 }
                 var crossing_1 : Crossing_0 = crossing_of_0(ray_2, u32(1), exit_0[u32(1)]);
-                if((first_1.axis_0) == u32(3))
+                if((first_2.axis_0) == u32(3))
                 {
                     is_crossed_0 = true;
                 }
                 else
                 {
-                    is_crossed_0 = Crossing_is_before_0(crossing_1, first_1);
+                    is_crossed_0 = Crossing_is_before_0(crossing_1, first_2);
                 }
                 if(is_crossed_0)
                 {
-                    first_1 = crossing_1;
+                    first_2 = crossing_1;
                 }
                 break;
             }
@@ -1824,25 +1939,25 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_5 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                _S133 = _S128[u32(2)];
-                var _S138 : bool = (_S128[u32(2)]) == 0.0f;
-                _S134 = _S138;
-                if(_S138)
+                _S157 = _S152[u32(2)];
+                var _S162 : bool = (_S152[u32(2)]) == 0.0f;
+                _S158 = _S162;
+                if(_S162)
                 {
                     break;
                 }
                 var crossing_2 : Crossing_0 = crossing_of_0(ray_2, u32(2), exit_0[u32(2)]);
-                if((first_1.axis_0) == u32(3))
+                if((first_2.axis_0) == u32(3))
                 {
                     is_crossed_0 = true;
                 }
                 else
                 {
-                    is_crossed_0 = Crossing_is_before_0(crossing_2, first_1);
+                    is_crossed_0 = Crossing_is_before_0(crossing_2, first_2);
                 }
                 if(is_crossed_0)
                 {
-                    first_1 = crossing_2;
+                    first_2 = crossing_2;
                 }
                 break;
             }
@@ -1857,20 +1972,20 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_5 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                if(_S130)
+                if(_S154)
                 {
                     break;
                 }
-                var _S139 : bool = u32(0) == (first_1.axis_0);
-                if(_S139)
+                var _S163 : bool = u32(0) == (first_2.axis_0);
+                if(_S163)
                 {
                     is_crossed_0 = true;
                 }
                 else
                 {
-                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_2, u32(0), nearest_0[u32(0)]), first_1);
+                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_2, u32(0), nearest_0[u32(0)]), first_2);
                 }
-                if(_S139)
+                if(_S163)
                 {
                     plane_1 = exit_0[u32(0)];
                 }
@@ -1878,7 +1993,7 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_5 : vec3<i32>,  exit_0 : vec3<i32>,  
                 {
                     plane_1 = nearest_0[u32(0)];
                 }
-                arrival_0[u32(0)] = plane_1 - i32(is_crossed_0 == (_S129 < 0.0f));
+                arrival_0[u32(0)] = plane_1 - i32(is_crossed_0 == (_S153 < 0.0f));
                 break;
             }
             break;
@@ -1887,20 +2002,20 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_5 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                if(_S132)
+                if(_S156)
                 {
                     break;
                 }
-                var _S140 : bool = u32(1) == (first_1.axis_0);
-                if(_S140)
+                var _S164 : bool = u32(1) == (first_2.axis_0);
+                if(_S164)
                 {
                     is_crossed_0 = true;
                 }
                 else
                 {
-                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_2, u32(1), nearest_0[u32(1)]), first_1);
+                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_2, u32(1), nearest_0[u32(1)]), first_2);
                 }
-                if(_S140)
+                if(_S164)
                 {
                     plane_1 = exit_0[u32(1)];
                 }
@@ -1908,7 +2023,7 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_5 : vec3<i32>,  exit_0 : vec3<i32>,  
                 {
                     plane_1 = nearest_0[u32(1)];
                 }
-                arrival_0[u32(1)] = plane_1 - i32(is_crossed_0 == (_S131 < 0.0f));
+                arrival_0[u32(1)] = plane_1 - i32(is_crossed_0 == (_S155 < 0.0f));
                 break;
             }
             break;
@@ -1917,20 +2032,20 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_5 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                if(_S134)
+                if(_S158)
                 {
                     break;
                 }
-                var _S141 : bool = u32(2) == (first_1.axis_0);
-                if(_S141)
+                var _S165 : bool = u32(2) == (first_2.axis_0);
+                if(_S165)
                 {
                     is_crossed_0 = true;
                 }
                 else
                 {
-                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_2, u32(2), nearest_0[u32(2)]), first_1);
+                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_2, u32(2), nearest_0[u32(2)]), first_2);
                 }
-                if(_S141)
+                if(_S165)
                 {
                     plane_1 = exit_0[u32(2)];
                 }
@@ -1938,7 +2053,7 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_5 : vec3<i32>,  exit_0 : vec3<i32>,  
                 {
                     plane_1 = nearest_0[u32(2)];
                 }
-                arrival_0[u32(2)] = plane_1 - i32(is_crossed_0 == (_S133 < 0.0f));
+                arrival_0[u32(2)] = plane_1 - i32(is_crossed_0 == (_S157 < 0.0f));
                 break;
             }
             break;
@@ -1950,48 +2065,48 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_5 : vec3<i32>,  exit_0 : vec3<i32>,  
 
 fn Hit_x24init_0( t_1 : f32,  instance_1 : u32,  voxel_6 : vec3<i32>,  face_1 : u32) -> Hit_0
 {
-    var _S142 : Hit_0;
-    _S142.t_0 = t_1;
-    _S142.instance_0 = instance_1;
-    _S142.voxel_1 = voxel_6;
-    _S142.face_0 = face_1;
-    return _S142;
+    var _S166 : Hit_0;
+    _S166.t_0 = t_1;
+    _S166.instance_0 = instance_1;
+    _S166.voxel_1 = voxel_6;
+    _S166.face_0 = face_1;
+    return _S166;
 }
 
 fn hit_of_0( ray_3 : LocalRay_0,  voxel_7 : vec3<i32>,  instance_2 : u32) -> Hit_0
 {
-    var _S143 : vec3<f32>;
-    var _S144 : bool;
+    var _S167 : vec3<f32>;
+    var _S168 : bool;
     var last_0 : Crossing_0;
-    var _S145 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
+    var _S169 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
     for(;;)
     {
         for(;;)
         {
             for(;;)
             {
-                _S143 = ray_3.direction_4;
+                _S167 = ray_3.direction_4;
                 if((ray_3.direction_4[u32(0)]) == 0.0f)
                 {
-                    last_0 = _S145;
+                    last_0 = _S169;
                     break;
                 }
                 var crossing_3 : Crossing_0 = crossing_of_0(ray_3, u32(0), voxel_7[u32(0)] + i32((ray_3.direction_4[u32(0)]) < 0.0f));
-                if((_S145.axis_0) == u32(3))
+                if((_S169.axis_0) == u32(3))
                 {
-                    _S144 = true;
+                    _S168 = true;
                 }
                 else
                 {
-                    _S144 = !Crossing_is_before_0(crossing_3, _S145);
+                    _S168 = !Crossing_is_before_0(crossing_3, _S169);
                 }
-                if(_S144)
+                if(_S168)
                 {
                     last_0 = crossing_3;
                 }
                 else
                 {
-                    last_0 = _S145;
+                    last_0 = _S169;
                 }
                 break;
             }
@@ -2001,21 +2116,21 @@ fn hit_of_0( ray_3 : LocalRay_0,  voxel_7 : vec3<i32>,  instance_2 : u32) -> Hit
         {
             for(;;)
             {
-                var _S146 : vec3<f32> = _S143;
-                if((_S143[u32(1)]) == 0.0f)
+                var _S170 : vec3<f32> = _S167;
+                if((_S167[u32(1)]) == 0.0f)
                 {
                     break;
                 }
-                var crossing_4 : Crossing_0 = crossing_of_0(ray_3, u32(1), voxel_7[u32(1)] + i32((_S146[u32(1)]) < 0.0f));
+                var crossing_4 : Crossing_0 = crossing_of_0(ray_3, u32(1), voxel_7[u32(1)] + i32((_S170[u32(1)]) < 0.0f));
                 if((last_0.axis_0) == u32(3))
                 {
-                    _S144 = true;
+                    _S168 = true;
                 }
                 else
                 {
-                    _S144 = !Crossing_is_before_0(crossing_4, last_0);
+                    _S168 = !Crossing_is_before_0(crossing_4, last_0);
                 }
-                if(_S144)
+                if(_S168)
                 {
                     last_0 = crossing_4;
                 }
@@ -2027,21 +2142,21 @@ fn hit_of_0( ray_3 : LocalRay_0,  voxel_7 : vec3<i32>,  instance_2 : u32) -> Hit
         {
             for(;;)
             {
-                var _S147 : vec3<f32> = _S143;
-                if((_S143[u32(2)]) == 0.0f)
+                var _S171 : vec3<f32> = _S167;
+                if((_S167[u32(2)]) == 0.0f)
                 {
                     break;
                 }
-                var crossing_5 : Crossing_0 = crossing_of_0(ray_3, u32(2), voxel_7[u32(2)] + i32((_S147[u32(2)]) < 0.0f));
+                var crossing_5 : Crossing_0 = crossing_of_0(ray_3, u32(2), voxel_7[u32(2)] + i32((_S171[u32(2)]) < 0.0f));
                 if((last_0.axis_0) == u32(3))
                 {
-                    _S144 = true;
+                    _S168 = true;
                 }
                 else
                 {
-                    _S144 = !Crossing_is_before_0(crossing_5, last_0);
+                    _S168 = !Crossing_is_before_0(crossing_5, last_0);
                 }
-                if(_S144)
+                if(_S168)
                 {
                     last_0 = crossing_5;
                 }
@@ -2051,42 +2166,43 @@ fn hit_of_0( ray_3 : LocalRay_0,  voxel_7 : vec3<i32>,  instance_2 : u32) -> Hit
         }
         break;
     }
-    var _S148 : Crossing_0 = last_0;
-    var is_negative_0 : bool = (_S143[last_0.axis_0]) < 0.0f;
+    var _S172 : Crossing_0 = last_0;
+    var is_negative_0 : bool = (_S167[last_0.axis_0]) < 0.0f;
     var t_2 : f32 = (f32(voxel_7[last_0.axis_0] + i32(is_negative_0)) - ray_3.origin_4[last_0.axis_0]) * ray_3.inverse_0[last_0.axis_0];
-    var _S149 : f32;
+    var _S173 : f32;
     if(t_2 > (ray_3.t_min_3))
     {
-        _S149 = t_2;
+        _S173 = t_2;
     }
     else
     {
-        _S149 = ray_3.t_min_3;
+        _S173 = ray_3.t_min_3;
     }
-    return Hit_x24init_0(_S149, instance_2, voxel_7, u32(2) * _S148.axis_0 + u32(is_negative_0));
+    return Hit_x24init_0(_S173, instance_2, voxel_7, u32(2) * _S172.axis_0 + u32(is_negative_0));
 }
 
 @compute
 @workgroup_size(64, 1, 1)
 fn check_exact(@builtin(global_invocation_id) id_7 : vec3<u32>, @builtin(local_invocation_index) thread_8 : u32)
 {
+    is_page_missing_0 = false;
     prove_0(thread_8);
-    var _S150 : u32 = id_7.x;
-    if(_S150 >= (dispatch_0.count_0))
+    var _S174 : u32 = id_7.x;
+    if(_S174 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_7 : Reader_0 = Reader_x24init_0(u32(17) * _S150);
-    var writer_7 : Writer_0 = Writer_x24init_0(u32(8) * _S150);
-    var _S151 : Ray_0 = Reader_ray_0(&(reader_7));
-    var _S152 : LocalRay_0 = local_ray_0(_S151, i32(0));
+    var reader_7 : Reader_0 = Reader_x24init_0(u32(17) * _S174);
+    var writer_7 : Writer_0 = Writer_x24init_0(u32(8) * _S174);
+    var _S175 : Ray_0 = Reader_ray_0(&(reader_7));
+    var _S176 : LocalRay_0 = local_ray_0(_S175, i32(0));
     var voxel_8 : vec3<i32> = Reader_cell_0(&(reader_7));
     var exit_1 : vec3<i32> = Reader_cell_0(&(reader_7));
-    Writer_cell_0(&(writer_7), exact_start_voxel_0(_S152));
-    var _S153 : vec3<i32> = Reader_cell_0(&(reader_7));
-    var arrival_1 : vec3<i32> = leave_box_0(_S152, voxel_8, exit_1, _S153);
-    Writer_cell_0(&(writer_7), select(max(arrival_1, voxel_8), min(arrival_1, voxel_8), (_S152.direction_4) < vec3<f32>(0.0f)));
-    var hit_1 : Hit_0 = hit_of_0(_S152, voxel_8, u32(0));
+    Writer_cell_0(&(writer_7), exact_start_voxel_0(_S176));
+    var _S177 : vec3<i32> = Reader_cell_0(&(reader_7));
+    var arrival_1 : vec3<i32> = leave_box_0(_S176, voxel_8, exit_1, _S177);
+    Writer_cell_0(&(writer_7), select(max(arrival_1, voxel_8), min(arrival_1, voxel_8), (_S176.direction_4) < vec3<f32>(0.0f)));
+    var hit_1 : Hit_0 = hit_of_0(_S176, voxel_8, u32(0));
     Writer_number_0(&(writer_7), hit_1.t_0);
     Writer_word_0(&(writer_7), hit_1.face_0);
     return;
@@ -2097,8 +2213,8 @@ fn Reader_hit_0( this_24 : ptr<function, Reader_0>) -> Hit_0
     var t_3 : f32 = Reader_number_1(&((*this_24)));
     var instance_3 : u32 = Reader_word_1(&((*this_24)));
     var voxel_9 : vec3<i32> = Reader_cell_1(&((*this_24)));
-    var _S154 : u32 = Reader_word_1(&((*this_24)));
-    return Hit_x24init_0(t_3, instance_3, voxel_9, _S154);
+    var _S178 : u32 = Reader_word_1(&((*this_24)));
+    return Hit_x24init_0(t_3, instance_3, voxel_9, _S178);
 }
 
 @id(7) override HAS_CUTS_0 : bool = false;
@@ -2111,16 +2227,16 @@ fn is_cut_0( hit_2 : Hit_0) -> bool
 fn cut_normal_0( face_2 : u32) -> vec3<f32>
 {
     var normal_1 : vec3<f32> = params_0.planes_0[((face_2 - u32(6)) >> (u32(1)))].xyz;
-    var _S155 : vec3<f32>;
+    var _S179 : vec3<f32>;
     if(((face_2 & (u32(1)))) == u32(1))
     {
-        _S155 = (vec3<f32>(0) - normal_1);
+        _S179 = (vec3<f32>(0) - normal_1);
     }
     else
     {
-        _S155 = normal_1;
+        _S179 = normal_1;
     }
-    return _S155;
+    return _S179;
 }
 
 fn cut_margin_0( face_3 : u32) -> f32
@@ -2130,16 +2246,16 @@ fn cut_margin_0( face_3 : u32) -> f32
 
 fn leaves_cut_0( hit_3 : Hit_0) -> bool
 {
-    var _S156 : bool;
+    var _S180 : bool;
     if(is_cut_0(hit_3))
     {
-        _S156 = (((hit_3.face_0) & (u32(1)))) == u32(1);
+        _S180 = (((hit_3.face_0) & (u32(1)))) == u32(1);
     }
     else
     {
-        _S156 = false;
+        _S180 = false;
     }
-    return _S156;
+    return _S180;
 }
 
 fn margin_of_0( translation_1 : vec3<f32>,  low_9 : vec3<f32>) -> f32
@@ -2153,24 +2269,24 @@ fn clamp_to_voxel_0( translation_2 : vec3<f32>,  low_10 : vec3<f32>,  point_2 : 
     return min(max(point_2, low_10 + vec3<f32>(margin_0)), low_10 + vec3<f32>((1.0f - margin_0)));
 }
 
-fn Transform_direction_1( _S157 : u32,  _S158 : vec3<f32>) -> vec3<f32>
+fn Transform_direction_1( _S181 : u32,  _S182 : vec3<f32>) -> vec3<f32>
 {
-    return vector_of_0(instances_0[_S157].grid_from_world_0.x_axis_0) * vec3<f32>(_S158.x) + vector_of_0(instances_0[_S157].grid_from_world_0.y_axis_0) * vec3<f32>(_S158.y) + vector_of_0(instances_0[_S157].grid_from_world_0.z_axis_0) * vec3<f32>(_S158.z);
+    return vector_of_0(instances_0[_S181].grid_from_world_0.x_axis_0) * vec3<f32>(_S182.x) + vector_of_0(instances_0[_S181].grid_from_world_0.y_axis_0) * vec3<f32>(_S182.y) + vector_of_0(instances_0[_S181].grid_from_world_0.z_axis_0) * vec3<f32>(_S182.z);
 }
 
-fn Transform_point_1( _S159 : u32,  _S160 : vec3<f32>) -> vec3<f32>
+fn Transform_point_1( _S183 : u32,  _S184 : vec3<f32>) -> vec3<f32>
 {
-    return Transform_direction_1(_S159, _S160) + vector_of_0(instances_0[_S159].grid_from_world_0.translation_0);
+    return Transform_direction_1(_S183, _S184) + vector_of_0(instances_0[_S183].grid_from_world_0.translation_0);
 }
 
-fn Transform_direction_2( _S161 : u32,  _S162 : vec3<f32>) -> vec3<f32>
+fn Transform_direction_2( _S185 : u32,  _S186 : vec3<f32>) -> vec3<f32>
 {
-    return vector_of_0(instances_0[_S161].world_from_grid_0.x_axis_0) * vec3<f32>(_S162.x) + vector_of_0(instances_0[_S161].world_from_grid_0.y_axis_0) * vec3<f32>(_S162.y) + vector_of_0(instances_0[_S161].world_from_grid_0.z_axis_0) * vec3<f32>(_S162.z);
+    return vector_of_0(instances_0[_S185].world_from_grid_0.x_axis_0) * vec3<f32>(_S186.x) + vector_of_0(instances_0[_S185].world_from_grid_0.y_axis_0) * vec3<f32>(_S186.y) + vector_of_0(instances_0[_S185].world_from_grid_0.z_axis_0) * vec3<f32>(_S186.z);
 }
 
-fn Transform_point_2( _S163 : u32,  _S164 : vec3<f32>) -> vec3<f32>
+fn Transform_point_2( _S187 : u32,  _S188 : vec3<f32>) -> vec3<f32>
 {
-    return Transform_direction_2(_S163, _S164) + vector_of_0(instances_0[_S163].world_from_grid_0.translation_0);
+    return Transform_direction_2(_S187, _S188) + vector_of_0(instances_0[_S187].world_from_grid_0.translation_0);
 }
 
 fn in_voxel_0( hit_4 : Hit_0,  point_3 : vec3<f32>) -> vec3<f32>
@@ -2181,34 +2297,34 @@ fn in_voxel_0( hit_4 : Hit_0,  point_3 : vec3<f32>) -> vec3<f32>
 fn before_cut_0( ray_4 : Ray_0,  hit_5 : Hit_0,  normal_2 : vec3<f32>) -> vec3<f32>
 {
     var point_4 : vec3<f32> = ray_4.origin_1 + ray_4.direction_1 * vec3<f32>(hit_5.t_0) + normal_2 * vec3<f32>(cut_margin_0(hit_5.face_0));
-    var _S165 : vec3<f32>;
+    var _S189 : vec3<f32>;
     if(leaves_cut_0(hit_5))
     {
-        _S165 = in_voxel_0(hit_5, point_4);
+        _S189 = in_voxel_0(hit_5, point_4);
     }
     else
     {
-        _S165 = point_4;
+        _S189 = point_4;
     }
-    return _S165;
+    return _S189;
 }
 
 fn offset_ray_origin_0( translation_3 : vec3<f32>,  low_11 : vec3<f32>,  face_4 : u32,  point_5 : vec3<f32>) -> vec3<f32>
 {
     var margin_1 : f32 = margin_of_0(translation_3, low_11);
-    var _S166 : vec3<f32> = vec3<f32>(margin_1);
-    var moved_0 : vec3<f32> = min(max(point_5, low_11 + _S166), low_11 + vec3<f32>((1.0f - margin_1)));
-    var _S167 : bool = face_4 < u32(2);
-    var _S168 : bool;
+    var _S190 : vec3<f32> = vec3<f32>(margin_1);
+    var moved_0 : vec3<f32> = min(max(point_5, low_11 + _S190), low_11 + vec3<f32>((1.0f - margin_1)));
+    var _S191 : bool = face_4 < u32(2);
+    var _S192 : bool;
     if(face_4 >= u32(2))
     {
-        _S168 = face_4 < u32(4);
+        _S192 = face_4 < u32(4);
     }
     else
     {
-        _S168 = false;
+        _S192 = false;
     }
-    var is_axis_0 : vec3<bool> = vec3<bool>(_S167, _S168, face_4 >= u32(4));
+    var is_axis_0 : vec3<bool> = vec3<bool>(_S191, _S192, face_4 >= u32(4));
     var outside_0 : vec3<f32>;
     if(((face_4 & (u32(1)))) == u32(1))
     {
@@ -2216,7 +2332,7 @@ fn offset_ray_origin_0( translation_3 : vec3<f32>,  low_11 : vec3<f32>,  face_4 
     }
     else
     {
-        outside_0 = low_11 - _S166;
+        outside_0 = low_11 - _S190;
     }
     return select(moved_0, outside_0, is_axis_0);
 }
@@ -2232,32 +2348,32 @@ fn face_normal_0( face_5 : u32) -> vec3<f32>
     {
         away_0 = -1.0f;
     }
-    var _S169 : f32;
+    var _S193 : f32;
     if(face_5 < u32(2))
     {
-        _S169 = away_0;
+        _S193 = away_0;
     }
     else
     {
-        _S169 = 0.0f;
+        _S193 = 0.0f;
     }
-    var _S170 : bool;
+    var _S194 : bool;
     if(face_5 >= u32(2))
     {
-        _S170 = face_5 < u32(4);
+        _S194 = face_5 < u32(4);
     }
     else
     {
-        _S170 = false;
+        _S194 = false;
     }
-    var _S171 : f32;
-    if(_S170)
+    var _S195 : f32;
+    if(_S194)
     {
-        _S171 = away_0;
+        _S195 = away_0;
     }
     else
     {
-        _S171 = 0.0f;
+        _S195 = 0.0f;
     }
     if(face_5 >= u32(4))
     {
@@ -2266,7 +2382,7 @@ fn face_normal_0( face_5 : u32) -> vec3<f32>
     {
         away_0 = 0.0f;
     }
-    return vec3<f32>(_S169, _S171, away_0);
+    return vec3<f32>(_S193, _S195, away_0);
 }
 
 struct Surface_0
@@ -2277,40 +2393,40 @@ struct Surface_0
      instance_4 : u32,
 };
 
-fn world_normal_0( _S172 : u32,  _S173 : u32) -> vec3<f32>
+fn world_normal_0( _S196 : u32,  _S197 : u32) -> vec3<f32>
 {
-    return normalize_vector_0(Transform_direction_2(_S172, face_normal_0(_S173)));
+    return normalize_vector_0(Transform_direction_2(_S196, face_normal_0(_S197)));
 }
 
 fn surface_of_0( ray_5 : Ray_0,  hit_6 : Hit_0) -> Surface_0
 {
     var surface_0 : Surface_0;
-    var _S174 : vec3<f32> = vec3<f32>(hit_6.voxel_1);
-    var _S175 : bool;
+    var _S198 : vec3<f32> = vec3<f32>(hit_6.voxel_1);
+    var _S199 : bool;
     if(HAS_CUTS_0)
     {
-        _S175 = is_cut_0(hit_6);
+        _S199 = is_cut_0(hit_6);
     }
     else
     {
-        _S175 = false;
+        _S199 = false;
     }
-    if(_S175)
+    if(_S199)
     {
-        var _S176 : vec3<f32> = cut_normal_0(hit_6.face_0);
-        surface_0.normal_3 = _S176;
-        surface_0.origin_6 = before_cut_0(ray_5, hit_6, _S176);
+        var _S200 : vec3<f32> = cut_normal_0(hit_6.face_0);
+        surface_0.normal_3 = _S200;
+        surface_0.origin_6 = before_cut_0(ray_5, hit_6, _S200);
     }
     else
     {
         if(IS_SINGLE_0)
         {
-            surface_0.origin_6 = offset_ray_origin_0(vec3<f32>(0.0f), _S174, hit_6.face_0, ray_5.origin_1 + ray_5.direction_1 * vec3<f32>(hit_6.t_0));
+            surface_0.origin_6 = offset_ray_origin_0(vec3<f32>(0.0f), _S198, hit_6.face_0, ray_5.origin_1 + ray_5.direction_1 * vec3<f32>(hit_6.t_0));
             surface_0.normal_3 = face_normal_0(hit_6.face_0);
         }
         else
         {
-            surface_0.origin_6 = Transform_point_2(hit_6.instance_0, offset_ray_origin_0(vector_of_0(instances_0[hit_6.instance_0].grid_from_world_0.translation_0), _S174, hit_6.face_0, Transform_point_1(hit_6.instance_0, ray_5.origin_1) + Transform_direction_1(hit_6.instance_0, ray_5.direction_1) * vec3<f32>(hit_6.t_0)));
+            surface_0.origin_6 = Transform_point_2(hit_6.instance_0, offset_ray_origin_0(vector_of_0(instances_0[hit_6.instance_0].grid_from_world_0.translation_0), _S198, hit_6.face_0, Transform_point_1(hit_6.instance_0, ray_5.origin_1) + Transform_direction_1(hit_6.instance_0, ray_5.direction_1) * vec3<f32>(hit_6.t_0)));
             surface_0.normal_3 = world_normal_0(hit_6.instance_0, hit_6.face_0);
         }
     }
@@ -2323,9 +2439,9 @@ fn surface_of_0( ray_5 : Ray_0,  hit_6 : Hit_0) -> Surface_0
 
 fn orthonormal_pair_0( z_0 : vec3<f32>,  x_7 : ptr<function, vec3<f32>>,  y_4 : ptr<function, vec3<f32>>)
 {
-    var _S177 : f32 = z_0.z;
+    var _S201 : f32 = z_0.z;
     var sign_1 : f32;
-    if(_S177 < 0.0f)
+    if(_S201 < 0.0f)
     {
         sign_1 = -1.0f;
     }
@@ -2333,20 +2449,20 @@ fn orthonormal_pair_0( z_0 : vec3<f32>,  x_7 : ptr<function, vec3<f32>>,  y_4 : 
     {
         sign_1 = 1.0f;
     }
-    var a_4 : f32 = divide_0(-1.0f, sign_1 + _S177);
-    var _S178 : f32 = z_0.x;
-    var _S179 : f32 = z_0.y;
-    var b_3 : f32 = _S178 * _S179 * a_4;
-    (*x_7) = vec3<f32>(1.0f + sign_1 * _S178 * _S178 * a_4, sign_1 * b_3, - sign_1 * _S178);
-    (*y_4) = vec3<f32>(b_3, sign_1 + _S179 * _S179 * a_4, - _S179);
+    var a_4 : f32 = divide_0(-1.0f, sign_1 + _S201);
+    var _S202 : f32 = z_0.x;
+    var _S203 : f32 = z_0.y;
+    var b_3 : f32 = _S202 * _S203 * a_4;
+    (*x_7) = vec3<f32>(1.0f + sign_1 * _S202 * _S202 * a_4, sign_1 * b_3, - sign_1 * _S202);
+    (*y_4) = vec3<f32>(b_3, sign_1 + _S203 * _S203 * a_4, - _S203);
     return;
 }
 
 fn orthonormal_pair_1( z_1 : vec3<f32>,  x_8 : ptr<function, vec3<f32>>,  y_5 : ptr<function, vec3<f32>>)
 {
-    var _S180 : f32 = z_1.z;
+    var _S204 : f32 = z_1.z;
     var sign_2 : f32;
-    if(_S180 < 0.0f)
+    if(_S204 < 0.0f)
     {
         sign_2 = -1.0f;
     }
@@ -2354,35 +2470,35 @@ fn orthonormal_pair_1( z_1 : vec3<f32>,  x_8 : ptr<function, vec3<f32>>,  y_5 : 
     {
         sign_2 = 1.0f;
     }
-    var a_5 : f32 = divide_0(-1.0f, sign_2 + _S180);
-    var _S181 : f32 = z_1.x;
-    var _S182 : f32 = z_1.y;
-    var b_4 : f32 = _S181 * _S182 * a_5;
-    (*x_8) = vec3<f32>(1.0f + sign_2 * _S181 * _S181 * a_5, sign_2 * b_4, - sign_2 * _S181);
-    (*y_5) = vec3<f32>(b_4, sign_2 + _S182 * _S182 * a_5, - _S182);
+    var a_5 : f32 = divide_0(-1.0f, sign_2 + _S204);
+    var _S205 : f32 = z_1.x;
+    var _S206 : f32 = z_1.y;
+    var b_4 : f32 = _S205 * _S206 * a_5;
+    (*x_8) = vec3<f32>(1.0f + sign_2 * _S205 * _S205 * a_5, sign_2 * b_4, - sign_2 * _S205);
+    (*y_5) = vec3<f32>(b_4, sign_2 + _S206 * _S206 * a_5, - _S206);
     return;
 }
 
 fn Surface_world_direction_0( this_25 : Surface_0,  local_1 : vec3<f32>) -> vec3<f32>
 {
-    var _S183 : bool;
+    var _S207 : bool;
     if(HAS_CUTS_0)
     {
-        _S183 = true;
+        _S207 = true;
     }
     else
     {
-        _S183 = HAS_NORMALS_0;
+        _S207 = HAS_NORMALS_0;
     }
-    if(_S183)
+    if(_S207)
     {
-        _S183 = (this_25.face_6) >= u32(6);
+        _S207 = (this_25.face_6) >= u32(6);
     }
     else
     {
-        _S183 = false;
+        _S207 = false;
     }
-    if(_S183)
+    if(_S207)
     {
         var x_9 : vec3<f32>;
         var y_6 : vec3<f32>;
@@ -2398,23 +2514,23 @@ fn Surface_world_direction_0( this_25 : Surface_0,  local_1 : vec3<f32>) -> vec3
     {
         away_1 = - local_1.z;
     }
-    var _S184 : f32 = local_1.x;
-    var _S185 : f32 = local_1.y;
-    var _S186 : vec3<f32> = vec3<f32>(_S184, _S185, away_1);
+    var _S208 : f32 = local_1.x;
+    var _S209 : f32 = local_1.y;
+    var _S210 : vec3<f32> = vec3<f32>(_S208, _S209, away_1);
     var in_grid_0 : vec3<f32>;
     if((this_25.face_6) < u32(2))
     {
-        in_grid_0 = vec3<f32>(away_1, _S184, _S185);
+        in_grid_0 = vec3<f32>(away_1, _S208, _S209);
     }
     else
     {
         if((this_25.face_6) < u32(4))
         {
-            in_grid_0 = vec3<f32>(_S185, away_1, _S184);
+            in_grid_0 = vec3<f32>(_S209, away_1, _S208);
         }
         else
         {
-            in_grid_0 = _S186;
+            in_grid_0 = _S210;
         }
     }
     if(!IS_SINGLE_0)
@@ -2426,24 +2542,24 @@ fn Surface_world_direction_0( this_25 : Surface_0,  local_1 : vec3<f32>) -> vec3
 
 fn Surface_local_direction_0( this_26 : Surface_0,  world_0 : vec3<f32>) -> vec3<f32>
 {
-    var _S187 : bool;
+    var _S211 : bool;
     if(HAS_CUTS_0)
     {
-        _S187 = true;
+        _S211 = true;
     }
     else
     {
-        _S187 = HAS_NORMALS_0;
+        _S211 = HAS_NORMALS_0;
     }
-    if(_S187)
+    if(_S211)
     {
-        _S187 = (this_26.face_6) >= u32(6);
+        _S211 = (this_26.face_6) >= u32(6);
     }
     else
     {
-        _S187 = false;
+        _S211 = false;
     }
-    if(_S187)
+    if(_S211)
     {
         var x_10 : vec3<f32>;
         var y_7 : vec3<f32>;
@@ -2492,17 +2608,18 @@ fn Surface_local_direction_0( this_26 : Surface_0,  world_0 : vec3<f32>) -> vec3
 @workgroup_size(64, 1, 1)
 fn check_surface(@builtin(global_invocation_id) id_8 : vec3<u32>, @builtin(local_invocation_index) thread_9 : u32)
 {
+    is_page_missing_0 = false;
     prove_0(thread_9);
-    var _S188 : u32 = id_8.x;
-    if(_S188 >= (dispatch_0.count_0))
+    var _S212 : u32 = id_8.x;
+    if(_S212 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_8 : Reader_0 = Reader_x24init_0(u32(17) * _S188);
-    var writer_8 : Writer_0 = Writer_x24init_0(u32(12) * _S188);
+    var reader_8 : Reader_0 = Reader_x24init_0(u32(17) * _S212);
+    var writer_8 : Writer_0 = Writer_x24init_0(u32(12) * _S212);
     var ray_6 : Ray_0 = Reader_ray_0(&(reader_8));
-    var _S189 : Hit_0 = Reader_hit_0(&(reader_8));
-    var surface_1 : Surface_0 = surface_of_0(ray_6, _S189);
+    var _S213 : Hit_0 = Reader_hit_0(&(reader_8));
+    var surface_1 : Surface_0 = surface_of_0(ray_6, _S213);
     Writer_vector_0(&(writer_8), surface_1.origin_6);
     Writer_vector_0(&(writer_8), surface_1.normal_3);
     var direction_6 : vec3<f32> = Reader_vector_0(&(reader_8));
@@ -2513,10 +2630,10 @@ fn check_surface(@builtin(global_invocation_id) id_8 : vec3<u32>, @builtin(local
 
 fn Receiver_x24init_0( point_6 : vec3<f32>,  normal_4 : vec3<f32>) -> Receiver_0
 {
-    var _S190 : Receiver_0;
-    _S190.point_0 = point_6;
-    _S190.normal_0 = normal_4;
-    return _S190;
+    var _S214 : Receiver_0;
+    _S214.point_0 = point_6;
+    _S214.normal_0 = normal_4;
+    return _S214;
 }
 
 fn has_sun_0() -> bool
@@ -2524,27 +2641,27 @@ fn has_sun_0() -> bool
     return (params_0.sun_irradiance_0) > 0.0f;
 }
 
-fn sent_by_side_1( _S191 : i32,  _S192 : vec3<f32>,  _S193 : f32) -> BySide_0
+fn sent_by_side_1( _S215 : i32,  _S216 : vec3<f32>,  _S217 : f32) -> BySide_0
 {
-    var _S194 : vec3<f32> = vec3<f32>(0.0f);
-    var _S195 : vec3<f32> = vec3<f32>(_S193);
-    return BySide_x24init_0(vec3<f32>(top_light_nodes_0[_S191].power_0[i32(0)], top_light_nodes_0[_S191].power_0[i32(2)], top_light_nodes_0[_S191].power_0[i32(4)]) * min(max(vector_of_0(top_light_nodes_0[_S191].max_1) - _S192, _S194), _S195), vec3<f32>(top_light_nodes_0[_S191].power_0[i32(1)], top_light_nodes_0[_S191].power_0[i32(3)], top_light_nodes_0[_S191].power_0[i32(5)]) * min(max(_S192 - vector_of_0(top_light_nodes_0[_S191].min_1), _S194), _S195));
+    var _S218 : vec3<f32> = vec3<f32>(0.0f);
+    var _S219 : vec3<f32> = vec3<f32>(_S217);
+    return BySide_x24init_0(vec3<f32>(top_light_nodes_0[_S215].power_0[i32(0)], top_light_nodes_0[_S215].power_0[i32(2)], top_light_nodes_0[_S215].power_0[i32(4)]) * min(max(vector_of_0(top_light_nodes_0[_S215].max_1) - _S216, _S218), _S219), vec3<f32>(top_light_nodes_0[_S215].power_0[i32(1)], top_light_nodes_0[_S215].power_0[i32(3)], top_light_nodes_0[_S215].power_0[i32(5)]) * min(max(_S216 - vector_of_0(top_light_nodes_0[_S215].min_1), _S218), _S219));
 }
 
-fn view_1( _S196 : i32,  _S197 : Receiver_0) -> View_0
+fn view_1( _S220 : i32,  _S221 : Receiver_0) -> View_0
 {
-    var _S198 : vec3<f32> = vector_of_0(top_light_nodes_0[_S196].max_1);
-    var _S199 : vec3<f32> = vector_of_0(top_light_nodes_0[_S196].min_1);
-    var _S200 : vec3<f32> = vec3<f32>(0.5f);
-    var half_2 : vec3<f32> = (_S198 - _S199) * _S200;
-    var toward_1 : vec3<f32> = (_S199 + _S198) * _S200 - _S197.point_0;
-    var middle_1 : f32 = dot_product_0(toward_1, _S197.normal_0);
-    var aside_1 : f32 = dot_product_0(half_2, abs(_S197.normal_0));
-    var above_1 : f32 = with_slack_0(_S197, middle_1 + aside_1);
+    var _S222 : vec3<f32> = vector_of_0(top_light_nodes_0[_S220].max_1);
+    var _S223 : vec3<f32> = vector_of_0(top_light_nodes_0[_S220].min_1);
+    var _S224 : vec3<f32> = vec3<f32>(0.5f);
+    var half_2 : vec3<f32> = (_S222 - _S223) * _S224;
+    var toward_1 : vec3<f32> = (_S223 + _S222) * _S224 - _S221.point_0;
+    var middle_1 : f32 = dot_product_0(toward_1, _S221.normal_0);
+    var aside_1 : f32 = dot_product_0(half_2, abs(_S221.normal_0));
+    var above_1 : f32 = with_slack_0(_S221, middle_1 + aside_1);
     var far_1 : f32 = length_squared_0(toward_1);
     var near_1 : f32 = length_squared_0(half_2);
     var is_far_4 : bool;
-    if((with_slack_0(_S197, middle_1 - aside_1)) > 0.0f)
+    if((with_slack_0(_S221, middle_1 - aside_1)) > 0.0f)
     {
         is_far_4 = far_1 > (near_1 * 36.0f);
     }
@@ -2553,18 +2670,18 @@ fn view_1( _S196 : i32,  _S197 : Receiver_0) -> View_0
         is_far_4 = false;
     }
     var distance_4 : f32 = length_bound_0(select(half_2, abs(toward_1), vec3<bool>((far_1 > near_1))));
-    var sent_1 : f32 = BySide_sum_0(sent_by_side_1(_S196, _S197.point_0, distance_4));
+    var sent_1 : f32 = BySide_sum_0(sent_by_side_1(_S220, _S221.point_0, distance_4));
     var falloff_1 : f32 = reciprocal_guess_0(max(far_1, near_1));
-    var _S201 : f32;
+    var _S225 : f32;
     if(above_1 > 0.0f)
     {
-        _S201 = sent_1 * min(above_1, distance_4) * (falloff_1 * falloff_1);
+        _S225 = sent_1 * min(above_1, distance_4) * (falloff_1 * falloff_1);
     }
     else
     {
-        _S201 = 0.0f;
+        _S225 = 0.0f;
     }
-    return View_x24init_0(_S201, is_far_4);
+    return View_x24init_0(_S225, is_far_4);
 }
 
 fn importance_of_all_0( receiver_4 : Receiver_0) -> f32
@@ -2612,16 +2729,16 @@ fn Lights_sun_probability_0( receiver_6 : Receiver_0) -> f32
 
 fn Lights_has_chosen_sky_0() -> bool
 {
-    var _S202 : bool;
+    var _S226 : bool;
     if(SKY_0 == u32(1))
     {
-        _S202 = (params_0.sky_irradiance_0) > 0.0f;
+        _S226 = (params_0.sky_irradiance_0) > 0.0f;
     }
     else
     {
-        _S202 = false;
+        _S226 = false;
     }
-    return _S202;
+    return _S226;
 }
 
 struct Selection_0
@@ -2633,11 +2750,11 @@ struct Selection_0
 
 fn Selection_x24init_0( sun_1 : f32,  sky_2 : f32,  emitters_2 : f32) -> Selection_0
 {
-    var _S203 : Selection_0;
-    _S203.sun_0 = sun_1;
-    _S203.sky_1 = sky_2;
-    _S203.emitters_1 = emitters_2;
-    return _S203;
+    var _S227 : Selection_0;
+    _S227.sun_0 = sun_1;
+    _S227.sky_1 = sky_2;
+    _S227.emitters_1 = emitters_2;
+    return _S227;
 }
 
 fn Lights_sky_probability_0( receiver_7 : Receiver_0) -> f32
@@ -2668,8 +2785,8 @@ fn Lights_selection_0( receiver_8 : Receiver_0) -> Selection_0
         return Selection_x24init_0(sun_2, 0.0f, 1.0f - sun_2);
     }
     var sky_3 : f32 = Lights_sky_probability_0(receiver_8);
-    var _S204 : f32 = 1.0f - sky_3;
-    return Selection_x24init_0(sun_2 * _S204, sky_3, (1.0f - sun_2) * _S204);
+    var _S228 : f32 = 1.0f - sky_3;
+    return Selection_x24init_0(sun_2 * _S228, sky_3, (1.0f - sun_2) * _S228);
 }
 
 fn miss_0() -> Hit_0
@@ -2679,12 +2796,12 @@ fn miss_0() -> Hit_0
 
 fn Aim_x24init_0( is_met_1 : bool,  direction_7 : vec3<f32>,  hit_7 : Hit_0,  luminance_3 : f32) -> Aim_0
 {
-    var _S205 : Aim_0;
-    _S205.is_met_0 = is_met_1;
-    _S205.direction_0 = direction_7;
-    _S205.hit_0 = hit_7;
-    _S205.luminance_1 = luminance_3;
-    return _S205;
+    var _S229 : Aim_0;
+    _S229.is_met_0 = is_met_1;
+    _S229.direction_0 = direction_7;
+    _S229.hit_0 = hit_7;
+    _S229.luminance_1 = luminance_3;
+    return _S229;
 }
 
 fn by_chance_0() -> Aim_0
@@ -2707,12 +2824,12 @@ struct LightSample_0
 
 fn LightSample_x24init_0( ray_8 : Ray_0,  cos_theta_5 : f32,  radiance_4 : vec3<f32>,  pdf_2 : f32) -> LightSample_0
 {
-    var _S206 : LightSample_0;
-    _S206.ray_7 = ray_8;
-    _S206.cos_theta_4 = cos_theta_5;
-    _S206.radiance_3 = radiance_4;
-    _S206.pdf_1 = pdf_2;
-    return _S206;
+    var _S230 : LightSample_0;
+    _S230.ray_7 = ray_8;
+    _S230.cos_theta_4 = cos_theta_5;
+    _S230.radiance_3 = radiance_4;
+    _S230.pdf_1 = pdf_2;
+    return _S230;
 }
 
 fn SunDisc_sample_0( receiver_9 : Receiver_0,  u_2 : vec4<f32>,  sample_3 : ptr<function, LightSample_0>) -> bool
@@ -2728,8 +2845,8 @@ fn SunDisc_sample_0( receiver_9 : Receiver_0,  u_2 : vec4<f32>,  sample_3 : ptr<
 
 fn no_light_0() -> LightSample_0
 {
-    var _S207 : vec3<f32> = vec3<f32>(0.0f);
-    return LightSample_x24init_0(Ray_x24init_0(_S207, 0.0f, _S207, 0.0f), 0.0f, _S207, 0.0f);
+    var _S231 : vec3<f32> = vec3<f32>(0.0f);
+    return LightSample_x24init_0(Ray_x24init_0(_S231, 0.0f, _S231, 0.0f), 0.0f, _S231, 0.0f);
 }
 
 struct ChosenDirection_0
@@ -2741,36 +2858,36 @@ struct ChosenDirection_0
 
 fn ChosenDirection_x24init_0( direction_11 : vec3<f32>,  radiance_6 : vec3<f32>,  pdf_4 : f32) -> ChosenDirection_0
 {
-    var _S208 : ChosenDirection_0;
-    _S208.direction_10 = direction_11;
-    _S208.radiance_5 = radiance_6;
-    _S208.pdf_3 = pdf_4;
-    return _S208;
+    var _S232 : ChosenDirection_0;
+    _S232.direction_10 = direction_11;
+    _S232.radiance_5 = radiance_6;
+    _S232.pdf_3 = pdf_4;
+    return _S232;
 }
 
 fn direction_of_0( square_0 : vec2<f32>) -> vec3<f32>
 {
     var u_3 : f32 = square_0.x * 2.0f - 1.0f;
     var v_3 : f32 = square_0.y * 2.0f - 1.0f;
-    var _S209 : f32 = abs(u_3);
-    var _S210 : f32 = abs(v_3);
-    var height_1 : f32 = 1.0f - (_S209 + _S210);
+    var _S233 : f32 = abs(u_3);
+    var _S234 : f32 = abs(v_3);
+    var height_1 : f32 = 1.0f - (_S233 + _S234);
     var radius_2 : f32 = 1.0f - abs(height_1);
     var turns_1 : f32;
     if(radius_2 > 0.0f)
     {
-        turns_1 = (divide_0(_S210 - _S209, radius_2) + 1.0f) * 0.125f;
+        turns_1 = (divide_0(_S234 - _S233, radius_2) + 1.0f) * 0.125f;
     }
     else
     {
         turns_1 = 0.0f;
     }
     var sin_cos_3 : vec2<f32> = sincos_turns_0(turns_1);
-    var _S211 : f32 = radius_2 * radius_2;
-    var across_0 : f32 = radius_2 * square_root_0(2.0f - _S211);
+    var _S235 : f32 = radius_2 * radius_2;
+    var across_0 : f32 = radius_2 * square_root_0(2.0f - _S235);
     var x_11 : f32 = sin_cos_3.y * across_0;
     var y_8 : f32 = sin_cos_3.x * across_0;
-    var z_2 : f32 = 1.0f - _S211;
+    var z_2 : f32 = 1.0f - _S235;
     if(u_3 < 0.0f)
     {
         turns_1 = - x_11;
@@ -2779,34 +2896,34 @@ fn direction_of_0( square_0 : vec2<f32>) -> vec3<f32>
     {
         turns_1 = x_11;
     }
-    var _S212 : f32;
+    var _S236 : f32;
     if(v_3 < 0.0f)
     {
-        _S212 = - y_8;
+        _S236 = - y_8;
     }
     else
     {
-        _S212 = y_8;
+        _S236 = y_8;
     }
-    var _S213 : f32;
+    var _S237 : f32;
     if(height_1 < 0.0f)
     {
-        _S213 = - z_2;
+        _S237 = - z_2;
     }
     else
     {
-        _S213 = z_2;
+        _S237 = z_2;
     }
-    return vec3<f32>(turns_1, _S212, _S213);
+    return vec3<f32>(turns_1, _S236, _S237);
 }
 
 fn Environment_to_world_0( d_0 : vec3<f32>) -> vec3<f32>
 {
     var sin_1 : f32 = params_0.sky_turned_0.x;
     var cos_2 : f32 = params_0.sky_turned_0.y;
-    var _S214 : f32 = d_0.x;
-    var _S215 : f32 = d_0.y;
-    return vec3<f32>(_S214 * cos_2 + _S215 * sin_1, _S215 * cos_2 - _S214 * sin_1, d_0.z);
+    var _S238 : f32 = d_0.x;
+    var _S239 : f32 = d_0.y;
+    return vec3<f32>(_S238 * cos_2 + _S239 * sin_1, _S239 * cos_2 - _S238 * sin_1, d_0.z);
 }
 
 fn Environment_index_of_0( x_12 : i32,  y_9 : i32) -> u32
@@ -2821,42 +2938,42 @@ fn Environment_index_of_0( x_12 : i32,  y_9 : i32) -> u32
     {
         is_beside_0 = x_12 > last_1;
     }
-    var _S216 : i32;
+    var _S240 : i32;
     if(is_beside_0)
     {
-        _S216 = last_1 - y_9;
+        _S240 = last_1 - y_9;
     }
     else
     {
-        _S216 = y_9;
+        _S240 = y_9;
     }
-    var _S217 : i32;
+    var _S241 : i32;
     if(is_beside_0)
     {
-        _S217 = clamp(x_12, i32(0), last_1);
+        _S241 = clamp(x_12, i32(0), last_1);
     }
     else
     {
-        _S217 = x_12;
+        _S241 = x_12;
     }
     var is_beyond_0 : bool;
-    if(_S216 < i32(0))
+    if(_S240 < i32(0))
     {
         is_beyond_0 = true;
     }
     else
     {
-        is_beyond_0 = _S216 > last_1;
+        is_beyond_0 = _S240 > last_1;
     }
     if(is_beyond_0)
     {
-        _S217 = last_1 - _S217;
+        _S241 = last_1 - _S241;
     }
     if(is_beyond_0)
     {
-        _S216 = clamp(_S216, i32(0), last_1);
+        _S240 = clamp(_S240, i32(0), last_1);
     }
-    return u32(_S216 * i32(params_0.sky_edge_0) + _S217);
+    return u32(_S240 * i32(params_0.sky_edge_0) + _S241);
 }
 
 fn Environment_texel_radiance_0( x_13 : i32,  y_10 : i32) -> vec3<f32>
@@ -2866,47 +2983,47 @@ fn Environment_texel_radiance_0( x_13 : i32,  y_10 : i32) -> vec3<f32>
 
 fn Environment_radiance_at_0( place_0 : vec2<f32>) -> vec3<f32>
 {
-    var _S218 : vec2<f32> = place_0 - vec2<f32>(0.5f);
-    var corner_1 : vec2<f32> = floor(_S218);
-    var beyond_0 : vec2<f32> = _S218 - corner_1;
+    var _S242 : vec2<f32> = place_0 - vec2<f32>(0.5f);
+    var corner_1 : vec2<f32> = floor(_S242);
+    var beyond_0 : vec2<f32> = _S242 - corner_1;
     var x_14 : i32 = i32(corner_1.x);
     var y_11 : i32 = i32(corner_1.y);
-    var _S219 : f32 = beyond_0.x;
-    var _S220 : vec3<f32> = vec3<f32>((1.0f - _S219));
-    var _S221 : i32 = x_14 + i32(1);
-    var _S222 : vec3<f32> = vec3<f32>(_S219);
-    var _S223 : i32 = y_11 + i32(1);
-    var _S224 : f32 = beyond_0.y;
-    return (Environment_texel_radiance_0(x_14, y_11) * _S220 + Environment_texel_radiance_0(_S221, y_11) * _S222) * vec3<f32>((1.0f - _S224)) + (Environment_texel_radiance_0(x_14, _S223) * _S220 + Environment_texel_radiance_0(_S221, _S223) * _S222) * vec3<f32>(_S224);
+    var _S243 : f32 = beyond_0.x;
+    var _S244 : vec3<f32> = vec3<f32>((1.0f - _S243));
+    var _S245 : i32 = x_14 + i32(1);
+    var _S246 : vec3<f32> = vec3<f32>(_S243);
+    var _S247 : i32 = y_11 + i32(1);
+    var _S248 : f32 = beyond_0.y;
+    return (Environment_texel_radiance_0(x_14, y_11) * _S244 + Environment_texel_radiance_0(_S245, y_11) * _S246) * vec3<f32>((1.0f - _S248)) + (Environment_texel_radiance_0(x_14, _S247) * _S244 + Environment_texel_radiance_0(_S245, _S247) * _S246) * vec3<f32>(_S248);
 }
 
 fn Environment_choose_0( u_4 : vec4<f32>,  chosen_0 : ptr<function, ChosenDirection_0>) -> bool
 {
-    var _S225 : vec3<f32> = vec3<f32>(0.0f);
-    (*chosen_0) = ChosenDirection_x24init_0(_S225, _S225, 0.0f);
+    var _S249 : vec3<f32> = vec3<f32>(0.0f);
+    (*chosen_0) = ChosenDirection_x24init_0(_S249, _S249, 0.0f);
     var edge_0 : f32 = f32(params_0.sky_edge_0);
-    var _S226 : f32 = u_4.x * edge_0;
-    var _S227 : f32 = edge_0 - 1.0f;
-    var _S228 : f32 = min(floor(_S226), _S227);
-    var own_0 : u32 = u32(_S228) * params_0.sky_edge_0 + u32(min(floor(u_4.y * edge_0), _S227));
-    var index_7 : u32;
+    var _S250 : f32 = u_4.x * edge_0;
+    var _S251 : f32 = edge_0 - 1.0f;
+    var _S252 : f32 = min(floor(_S250), _S251);
+    var own_0 : u32 = u32(_S252) * params_0.sky_edge_0 + u32(min(floor(u_4.y * edge_0), _S251));
+    var index_14 : u32;
     if((u_4.z) < (environment_0[own_0].threshold_0))
     {
-        index_7 = own_0;
+        index_14 = own_0;
     }
     else
     {
-        index_7 = environment_0[own_0].alias_0;
+        index_14 = environment_0[own_0].alias_0;
     }
-    var pdf_5 : f32 = environment_0[index_7].pdf_0;
-    if((environment_0[index_7].pdf_0) <= 0.0f)
+    var pdf_5 : f32 = environment_0[index_14].pdf_0;
+    if((environment_0[index_14].pdf_0) <= 0.0f)
     {
         return false;
     }
-    var _S229 : u32 = index_7 % params_0.sky_edge_0;
-    var _S230 : f32 = f32(_S229);
-    var _S231 : u32 = index_7 / params_0.sky_edge_0;
-    var place_1 : vec2<f32> = vec2<f32>(_S230, f32(_S231)) + vec2<f32>(min(_S226 - _S228, 1.0f), u_4.w);
+    var _S253 : u32 = index_14 % params_0.sky_edge_0;
+    var _S254 : f32 = f32(_S253);
+    var _S255 : u32 = index_14 / params_0.sky_edge_0;
+    var place_1 : vec2<f32> = vec2<f32>(_S254, f32(_S255)) + vec2<f32>(min(_S250 - _S252, 1.0f), u_4.w);
     (*chosen_0) = ChosenDirection_x24init_0(Environment_to_world_0(direction_of_0(place_1 * vec2<f32>(divide_0(1.0f, edge_0)))), Environment_radiance_at_0(place_1), pdf_5);
     return true;
 }
@@ -2915,17 +3032,17 @@ fn Sky_sample_0( receiver_10 : Receiver_0,  u_5 : vec4<f32>,  sample_4 : ptr<fun
 {
     (*sample_4) = no_light_0();
     var chosen_1 : ChosenDirection_0;
-    var _S232 : bool;
+    var _S256 : bool;
     if(SKY_0 != u32(1))
     {
-        _S232 = true;
+        _S256 = true;
     }
     else
     {
-        var _S233 : bool = Environment_choose_0(u_5, &(chosen_1));
-        _S232 = !_S233;
+        var _S257 : bool = Environment_choose_0(u_5, &(chosen_1));
+        _S256 = !_S257;
     }
-    if(_S232)
+    if(_S256)
     {
         return false;
     }
@@ -2934,40 +3051,40 @@ fn Sky_sample_0( receiver_10 : Receiver_0,  u_5 : vec4<f32>,  sample_4 : ptr<fun
     return cos_theta_7 > 0.0f;
 }
 
-fn Descent_x24init_0( node_5 : u32,  index_8 : u32,  count_4 : u32,  weight_2 : f32,  total_3 : f32,  choice_1 : f32,  is_far_5 : bool) -> Descent_0
+fn Descent_x24init_0( node_5 : u32,  index_15 : u32,  count_4 : u32,  weight_2 : f32,  total_3 : f32,  choice_1 : f32,  is_far_5 : bool) -> Descent_0
 {
-    var _S234 : Descent_0;
-    _S234.node_0 = node_5;
-    _S234.index_1 = index_8;
-    _S234.count_2 = count_4;
-    _S234.weight_0 = weight_2;
-    _S234.total_0 = total_3;
-    _S234.choice_0 = choice_1;
-    _S234.is_far_0 = is_far_5;
-    return _S234;
+    var _S258 : Descent_0;
+    _S258.node_0 = node_5;
+    _S258.index_1 = index_15;
+    _S258.count_2 = count_4;
+    _S258.weight_0 = weight_2;
+    _S258.total_0 = total_3;
+    _S258.choice_0 = choice_1;
+    _S258.is_far_0 = is_far_5;
+    return _S258;
 }
 
-fn sent_by_side_2( _S235 : u32,  _S236 : vec3<f32>,  _S237 : f32) -> BySide_0
+fn sent_by_side_2( _S259 : u32,  _S260 : vec3<f32>,  _S261 : f32) -> BySide_0
 {
-    var _S238 : vec3<f32> = vec3<f32>(0.0f);
-    var _S239 : vec3<f32> = vec3<f32>(_S237);
-    return BySide_x24init_0(vec3<f32>(top_light_nodes_0[_S235].power_0[i32(0)], top_light_nodes_0[_S235].power_0[i32(2)], top_light_nodes_0[_S235].power_0[i32(4)]) * min(max(vector_of_0(top_light_nodes_0[_S235].max_1) - _S236, _S238), _S239), vec3<f32>(top_light_nodes_0[_S235].power_0[i32(1)], top_light_nodes_0[_S235].power_0[i32(3)], top_light_nodes_0[_S235].power_0[i32(5)]) * min(max(_S236 - vector_of_0(top_light_nodes_0[_S235].min_1), _S238), _S239));
+    var _S262 : vec3<f32> = vec3<f32>(0.0f);
+    var _S263 : vec3<f32> = vec3<f32>(_S261);
+    return BySide_x24init_0(vec3<f32>(top_light_nodes_0[_S259].power_0[i32(0)], top_light_nodes_0[_S259].power_0[i32(2)], top_light_nodes_0[_S259].power_0[i32(4)]) * min(max(vector_of_0(top_light_nodes_0[_S259].max_1) - _S260, _S262), _S263), vec3<f32>(top_light_nodes_0[_S259].power_0[i32(1)], top_light_nodes_0[_S259].power_0[i32(3)], top_light_nodes_0[_S259].power_0[i32(5)]) * min(max(_S260 - vector_of_0(top_light_nodes_0[_S259].min_1), _S262), _S263));
 }
 
-fn view_2( _S240 : u32,  _S241 : Receiver_0) -> View_0
+fn view_2( _S264 : u32,  _S265 : Receiver_0) -> View_0
 {
-    var _S242 : vec3<f32> = vector_of_0(top_light_nodes_0[_S240].max_1);
-    var _S243 : vec3<f32> = vector_of_0(top_light_nodes_0[_S240].min_1);
-    var _S244 : vec3<f32> = vec3<f32>(0.5f);
-    var half_3 : vec3<f32> = (_S242 - _S243) * _S244;
-    var toward_2 : vec3<f32> = (_S243 + _S242) * _S244 - _S241.point_0;
-    var middle_2 : f32 = dot_product_0(toward_2, _S241.normal_0);
-    var aside_2 : f32 = dot_product_0(half_3, abs(_S241.normal_0));
-    var above_2 : f32 = with_slack_0(_S241, middle_2 + aside_2);
+    var _S266 : vec3<f32> = vector_of_0(top_light_nodes_0[_S264].max_1);
+    var _S267 : vec3<f32> = vector_of_0(top_light_nodes_0[_S264].min_1);
+    var _S268 : vec3<f32> = vec3<f32>(0.5f);
+    var half_3 : vec3<f32> = (_S266 - _S267) * _S268;
+    var toward_2 : vec3<f32> = (_S267 + _S266) * _S268 - _S265.point_0;
+    var middle_2 : f32 = dot_product_0(toward_2, _S265.normal_0);
+    var aside_2 : f32 = dot_product_0(half_3, abs(_S265.normal_0));
+    var above_2 : f32 = with_slack_0(_S265, middle_2 + aside_2);
     var far_2 : f32 = length_squared_0(toward_2);
     var near_2 : f32 = length_squared_0(half_3);
     var is_far_6 : bool;
-    if((with_slack_0(_S241, middle_2 - aside_2)) > 0.0f)
+    if((with_slack_0(_S265, middle_2 - aside_2)) > 0.0f)
     {
         is_far_6 = far_2 > (near_2 * 36.0f);
     }
@@ -2976,35 +3093,35 @@ fn view_2( _S240 : u32,  _S241 : Receiver_0) -> View_0
         is_far_6 = false;
     }
     var distance_5 : f32 = length_bound_0(select(half_3, abs(toward_2), vec3<bool>((far_2 > near_2))));
-    var sent_2 : f32 = BySide_sum_0(sent_by_side_2(_S240, _S241.point_0, distance_5));
+    var sent_2 : f32 = BySide_sum_0(sent_by_side_2(_S264, _S265.point_0, distance_5));
     var falloff_2 : f32 = reciprocal_guess_0(max(far_2, near_2));
-    var _S245 : f32;
+    var _S269 : f32;
     if(above_2 > 0.0f)
     {
-        _S245 = sent_2 * min(above_2, distance_5) * (falloff_2 * falloff_2);
+        _S269 = sent_2 * min(above_2, distance_5) * (falloff_2 * falloff_2);
     }
     else
     {
-        _S245 = 0.0f;
+        _S269 = 0.0f;
     }
-    return View_x24init_0(_S245, is_far_6);
+    return View_x24init_0(_S269, is_far_6);
 }
 
 fn climb_0( receiver_11 : Receiver_0,  start_2 : u32,  descent_2 : ptr<function, Descent_0>) -> bool
 {
-    var _S246 : LightNode_std430_0 = top_light_nodes_0[start_2];
+    var _S270 : LightNode_std430_0 = top_light_nodes_0[start_2];
     var node_6 : LightNode_0;
-    node_6.min_1 = _S246.min_1;
-    node_6.index_0 = _S246.index_0;
-    node_6.max_1 = _S246.max_1;
-    node_6.count_1 = _S246.count_1;
-    node_6.power_0 = _S246.power_0;
-    node_6.parent_0 = _S246.parent_0;
-    node_6.root_0 = _S246.root_0;
+    node_6.min_1 = _S270.min_1;
+    node_6.index_0 = _S270.index_0;
+    node_6.max_1 = _S270.max_1;
+    node_6.count_1 = _S270.count_1;
+    node_6.power_0 = _S270.power_0;
+    node_6.parent_0 = _S270.parent_0;
+    node_6.root_0 = _S270.root_0;
     var at_5 : u32 = start_2;
     for(;;)
     {
-        var _S247 : LightNode_0 = node_6;
+        var _S271 : LightNode_0 = node_6;
         if((node_6.parent_0) != u32(4294967295))
         {
         }
@@ -3012,56 +3129,56 @@ fn climb_0( receiver_11 : Receiver_0,  start_2 : u32,  descent_2 : ptr<function,
         {
             break;
         }
-        var parent_1 : LightNode_std430_0 = top_light_nodes_0[_S247.parent_0];
-        var _S248 : u32 = _S247.parent_0 + u32(1);
-        var is_left_2 : bool = at_5 == _S248;
-        var _S249 : u32;
+        var parent_1 : LightNode_std430_0 = top_light_nodes_0[_S271.parent_0];
+        var _S272 : u32 = _S271.parent_0 + u32(1);
+        var is_left_2 : bool = at_5 == _S272;
+        var _S273 : u32;
         if(is_left_2)
         {
-            _S249 = parent_1.index_0;
+            _S273 = parent_1.index_0;
         }
         else
         {
-            _S249 = _S248;
+            _S273 = _S272;
         }
-        var _S250 : View_0 = view_0(node_6, receiver_11);
-        var _S251 : View_0 = view_2(_S249, receiver_11);
-        var _S252 : f32;
+        var _S274 : View_0 = view_0(node_6, receiver_11);
+        var _S275 : View_0 = view_2(_S273, receiver_11);
+        var _S276 : f32;
         if(is_left_2)
         {
-            _S252 = _S250.importance_0;
+            _S276 = _S274.importance_0;
         }
         else
         {
-            _S252 = _S251.importance_0;
+            _S276 = _S275.importance_0;
         }
-        var _S253 : f32;
+        var _S277 : f32;
         if(is_left_2)
         {
-            _S253 = _S251.importance_0;
+            _S277 = _S275.importance_0;
         }
         else
         {
-            _S253 = _S250.importance_0;
+            _S277 = _S274.importance_0;
         }
-        var weights_2 : vec2<f32> = weights_of_0(_S252, _S253);
-        var _S254 : f32 = weights_2.x;
-        var _S255 : f32 = weights_2.y;
-        var total_4 : f32 = _S254 + _S255;
+        var weights_2 : vec2<f32> = weights_of_0(_S276, _S277);
+        var _S278 : f32 = weights_2.x;
+        var _S279 : f32 = weights_2.y;
+        var total_4 : f32 = _S278 + _S279;
         if(!(total_4 > 0.0f))
         {
             return false;
         }
-        var _S256 : f32;
+        var _S280 : f32;
         if(is_left_2)
         {
-            _S256 = _S254;
+            _S280 = _S278;
         }
         else
         {
-            _S256 = _S255;
+            _S280 = _S279;
         }
-        (*descent_2).weight_0 = (*descent_2).weight_0 * _S256;
+        (*descent_2).weight_0 = (*descent_2).weight_0 * _S280;
         (*descent_2).total_0 = (*descent_2).total_0 * total_4;
         node_6.min_1 = parent_1.min_1;
         node_6.index_0 = parent_1.index_0;
@@ -3070,38 +3187,38 @@ fn climb_0( receiver_11 : Receiver_0,  start_2 : u32,  descent_2 : ptr<function,
         node_6.power_0 = parent_1.power_0;
         node_6.parent_0 = parent_1.parent_0;
         node_6.root_0 = parent_1.root_0;
-        at_5 = _S247.parent_0;
+        at_5 = _S271.parent_0;
     }
     return ((*descent_2).weight_0) > 0.0f;
 }
 
 fn in_grid_3( instance_5 : u32,  receiver_12 : Receiver_0) -> Receiver_0
 {
-    var _S257 : bool;
+    var _S281 : bool;
     if(IS_SINGLE_0)
     {
         if(HAS_CUTS_0)
         {
-            _S257 = true;
+            _S281 = true;
         }
         else
         {
-            _S257 = HAS_NORMALS_0;
+            _S281 = HAS_NORMALS_0;
         }
     }
     else
     {
-        _S257 = false;
+        _S281 = false;
     }
-    if(_S257)
+    if(_S281)
     {
-        _S257 = (Receiver_slack_0(receiver_12)) <= 0.0f;
+        _S281 = (Receiver_slack_0(receiver_12)) <= 0.0f;
     }
     else
     {
-        _S257 = false;
+        _S281 = false;
     }
-    if(_S257)
+    if(_S281)
     {
         return Receiver_x24init_0(receiver_12.point_0, normalize_vector_0(receiver_12.normal_0));
     }
@@ -3116,38 +3233,38 @@ fn in_grid_3( instance_5 : u32,  receiver_12 : Receiver_0) -> Receiver_0
     return Receiver_x24init_0(Transform_point_1(instance_5, receiver_12.point_0), normalize_vector_0(Transform_direction_1(instance_5, receiver_12.normal_0)));
 }
 
-fn sent_by_side_3( _S258 : u32,  _S259 : vec3<f32>,  _S260 : f32) -> BySide_0
+fn sent_by_side_3( _S282 : u32,  _S283 : vec3<f32>,  _S284 : f32) -> BySide_0
 {
-    var _S261 : vec3<f32> = vec3<f32>(0.0f);
-    var _S262 : vec3<f32> = vec3<f32>(_S260);
-    return BySide_x24init_0(vec3<f32>(light_nodes_0[_S258].power_0[i32(0)], light_nodes_0[_S258].power_0[i32(2)], light_nodes_0[_S258].power_0[i32(4)]) * min(max(vector_of_0(light_nodes_0[_S258].max_1) - _S259, _S261), _S262), vec3<f32>(light_nodes_0[_S258].power_0[i32(1)], light_nodes_0[_S258].power_0[i32(3)], light_nodes_0[_S258].power_0[i32(5)]) * min(max(_S259 - vector_of_0(light_nodes_0[_S258].min_1), _S261), _S262));
+    var _S285 : vec3<f32> = vec3<f32>(0.0f);
+    var _S286 : vec3<f32> = vec3<f32>(_S284);
+    return BySide_x24init_0(vec3<f32>(light_nodes_0[_S282].power_0[i32(0)], light_nodes_0[_S282].power_0[i32(2)], light_nodes_0[_S282].power_0[i32(4)]) * min(max(vector_of_0(light_nodes_0[_S282].max_1) - _S283, _S285), _S286), vec3<f32>(light_nodes_0[_S282].power_0[i32(1)], light_nodes_0[_S282].power_0[i32(3)], light_nodes_0[_S282].power_0[i32(5)]) * min(max(_S283 - vector_of_0(light_nodes_0[_S282].min_1), _S285), _S286));
 }
 
 fn choose_side_0( point_7 : vec3<f32>,  is_met_2 : bool,  way_3 : Descent_0,  side_0 : ptr<function, u32>,  odds_0 : ptr<function, vec2<f32>>) -> bool
 {
-    var _S263 : vec3<f32> = vector_of_0(light_nodes_0[way_3.node_0].max_1);
-    var _S264 : vec3<f32> = vector_of_0(light_nodes_0[way_3.node_0].min_1);
-    var _S265 : vec3<f32> = vec3<f32>(0.5f);
-    var half_4 : vec3<f32> = (_S263 - _S264) * _S265;
-    var toward_3 : vec3<f32> = (_S264 + _S263) * _S265 - point_7;
-    var _S266 : BySide_0 = sent_by_side_3(way_3.node_0, point_7, length_bound_0(select(half_4, abs(toward_3), vec3<bool>(((length_squared_0(toward_3)) > (length_squared_0(half_4)))))));
-    var sum_3 : f32 = normal_or_zero_0(BySide_sum_0(_S266));
+    var _S287 : vec3<f32> = vector_of_0(light_nodes_0[way_3.node_0].max_1);
+    var _S288 : vec3<f32> = vector_of_0(light_nodes_0[way_3.node_0].min_1);
+    var _S289 : vec3<f32> = vec3<f32>(0.5f);
+    var half_4 : vec3<f32> = (_S287 - _S288) * _S289;
+    var toward_3 : vec3<f32> = (_S288 + _S287) * _S289 - point_7;
+    var _S290 : BySide_0 = sent_by_side_3(way_3.node_0, point_7, length_bound_0(select(half_4, abs(toward_3), vec3<bool>(((length_squared_0(toward_3)) > (length_squared_0(half_4)))))));
+    var sum_3 : f32 = normal_or_zero_0(BySide_sum_0(_S290));
     var unit_2 : f32 = inverse_power_of_two_0(sum_3);
     var total_5 : f32 = sum_3 * unit_2;
-    var _S267 : f32 = way_3.choice_0 * total_5;
-    var _S268 : u32 = (*side_0);
-    var share_0 : f32 = normal_or_zero_0(_S266.low_0[u32(0)] * unit_2);
-    var _S269 : bool;
+    var _S291 : f32 = way_3.choice_0 * total_5;
+    var _S292 : u32 = (*side_0);
+    var share_0 : f32 = normal_or_zero_0(_S290.low_0[u32(0)] * unit_2);
+    var _S293 : bool;
     if(is_met_2)
     {
-        _S269 = u32(0) == _S268;
+        _S293 = u32(0) == _S292;
     }
     else
     {
-        _S269 = share_0 > 0.0f;
+        _S293 = share_0 > 0.0f;
     }
     var chosen_2 : f32;
-    if(_S269)
+    if(_S293)
     {
         (*side_0) = u32(0);
         chosen_2 = share_0;
@@ -3156,145 +3273,145 @@ fn choose_side_0( point_7 : vec3<f32>,  is_met_2 : bool,  way_3 : Descent_0,  si
     {
         chosen_2 = 0.0f;
     }
-    var _S270 : bool = _S267 < (share_0 * way_3.weight_0);
-    var share_1 : f32 = normal_or_zero_0(_S266.high_0[u32(0)] * unit_2);
+    var _S294 : bool = _S291 < (share_0 * way_3.weight_0);
+    var share_1 : f32 = normal_or_zero_0(_S290.high_0[u32(0)] * unit_2);
     if(is_met_2)
     {
-        _S269 = u32(1) == _S268;
+        _S293 = u32(1) == _S292;
     }
     else
     {
         if(share_1 > 0.0f)
         {
-            _S269 = !_S270;
+            _S293 = !_S294;
         }
         else
         {
-            _S269 = false;
+            _S293 = false;
         }
     }
-    if(_S269)
+    if(_S293)
     {
         (*side_0) = u32(1);
         chosen_2 = share_1;
     }
     var passed_0 : f32 = share_0 + share_1;
-    if(_S270)
+    if(_S294)
     {
-        _S269 = true;
+        _S293 = true;
     }
     else
     {
-        _S269 = _S267 < (passed_0 * way_3.weight_0);
+        _S293 = _S291 < (passed_0 * way_3.weight_0);
     }
-    var share_2 : f32 = normal_or_zero_0(_S266.low_0[u32(1)] * unit_2);
-    var _S271 : bool;
+    var share_2 : f32 = normal_or_zero_0(_S290.low_0[u32(1)] * unit_2);
+    var _S295 : bool;
     if(is_met_2)
     {
-        _S271 = u32(2) == _S268;
+        _S295 = u32(2) == _S292;
     }
     else
     {
         if(share_2 > 0.0f)
         {
-            _S271 = !_S269;
+            _S295 = !_S293;
         }
         else
         {
-            _S271 = false;
+            _S295 = false;
         }
     }
-    if(_S271)
+    if(_S295)
     {
         (*side_0) = u32(2);
         chosen_2 = share_2;
     }
     var passed_1 : f32 = passed_0 + share_2;
-    if(_S269)
+    if(_S293)
     {
-        _S269 = true;
+        _S293 = true;
     }
     else
     {
-        _S269 = _S267 < (passed_1 * way_3.weight_0);
+        _S293 = _S291 < (passed_1 * way_3.weight_0);
     }
-    var share_3 : f32 = normal_or_zero_0(_S266.high_0[u32(1)] * unit_2);
+    var share_3 : f32 = normal_or_zero_0(_S290.high_0[u32(1)] * unit_2);
     if(is_met_2)
     {
-        _S271 = u32(3) == _S268;
+        _S295 = u32(3) == _S292;
     }
     else
     {
         if(share_3 > 0.0f)
         {
-            _S271 = !_S269;
+            _S295 = !_S293;
         }
         else
         {
-            _S271 = false;
+            _S295 = false;
         }
     }
-    if(_S271)
+    if(_S295)
     {
         (*side_0) = u32(3);
         chosen_2 = share_3;
     }
     var passed_2 : f32 = passed_1 + share_3;
-    if(_S269)
+    if(_S293)
     {
-        _S269 = true;
+        _S293 = true;
     }
     else
     {
-        _S269 = _S267 < (passed_2 * way_3.weight_0);
+        _S293 = _S291 < (passed_2 * way_3.weight_0);
     }
-    var share_4 : f32 = normal_or_zero_0(_S266.low_0[u32(2)] * unit_2);
+    var share_4 : f32 = normal_or_zero_0(_S290.low_0[u32(2)] * unit_2);
     if(is_met_2)
     {
-        _S271 = u32(4) == _S268;
+        _S295 = u32(4) == _S292;
     }
     else
     {
         if(share_4 > 0.0f)
         {
-            _S271 = !_S269;
+            _S295 = !_S293;
         }
         else
         {
-            _S271 = false;
+            _S295 = false;
         }
     }
-    if(_S271)
+    if(_S295)
     {
         (*side_0) = u32(4);
         chosen_2 = share_4;
     }
     var passed_3 : f32 = passed_2 + share_4;
-    if(_S269)
+    if(_S293)
     {
-        _S269 = true;
+        _S293 = true;
     }
     else
     {
-        _S269 = _S267 < (passed_3 * way_3.weight_0);
+        _S293 = _S291 < (passed_3 * way_3.weight_0);
     }
-    var share_5 : f32 = normal_or_zero_0(_S266.high_0[u32(2)] * unit_2);
+    var share_5 : f32 = normal_or_zero_0(_S290.high_0[u32(2)] * unit_2);
     if(is_met_2)
     {
-        _S269 = u32(5) == _S268;
+        _S293 = u32(5) == _S292;
     }
     else
     {
         if(share_5 > 0.0f)
         {
-            _S269 = !_S269;
+            _S293 = !_S293;
         }
         else
         {
-            _S269 = false;
+            _S293 = false;
         }
     }
-    if(_S269)
+    if(_S293)
     {
         (*side_0) = u32(5);
         chosen_2 = share_5;
@@ -3302,13 +3419,13 @@ fn choose_side_0( point_7 : vec3<f32>,  is_met_2 : bool,  way_3 : Descent_0,  si
     (*odds_0) = vec2<f32>(way_3.weight_0 * chosen_2, way_3.total_0 * total_5);
     if(sum_3 > 0.0f)
     {
-        _S269 = ((*odds_0).x) > 0.0f;
+        _S293 = ((*odds_0).x) > 0.0f;
     }
     else
     {
-        _S269 = false;
+        _S293 = false;
     }
-    return _S269;
+    return _S293;
 }
 
 fn component_0( vector_5 : vec3<f32>,  axis_3 : u32) -> f32
@@ -3357,8 +3474,8 @@ fn choose_emitter_0( way_4 : Descent_0,  side_1 : u32,  threshold_1 : f32) -> Em
     var is_left_3 : bool;
     var count_5 : u32 = way_4.count_2;
     var node_7 : u32 = way_4.node_0;
-    var index_9 : u32 = way_4.index_1;
-    var _S272 : f32 = threshold_1;
+    var index_16 : u32 = way_4.index_1;
+    var _S296 : f32 = threshold_1;
     for(;;)
     {
         if(count_5 == u32(0))
@@ -3370,12 +3487,12 @@ fn choose_emitter_0( way_4 : Descent_0,  side_1 : u32,  threshold_1 : f32) -> Em
         }
         var left_3 : u32 = node_7 + u32(1);
         var power_left_0 : f32 = light_nodes_0[left_3].power_0[side_1];
-        var power_right_0 : f32 = light_nodes_0[index_9].power_0[side_1];
-        var _S273 : u32 = light_nodes_0[left_3].index_0;
-        var _S274 : u32 = light_nodes_0[left_3].count_1;
-        var _S275 : u32 = light_nodes_0[index_9].index_0;
-        var _S276 : u32 = light_nodes_0[index_9].count_1;
-        if(_S272 < (light_nodes_0[left_3].power_0[side_1]))
+        var power_right_0 : f32 = light_nodes_0[index_16].power_0[side_1];
+        var _S297 : u32 = light_nodes_0[left_3].index_0;
+        var _S298 : u32 = light_nodes_0[left_3].count_1;
+        var _S299 : u32 = light_nodes_0[index_16].index_0;
+        var _S300 : u32 = light_nodes_0[index_16].count_1;
+        if(_S296 < (light_nodes_0[left_3].power_0[side_1]))
         {
             is_left_3 = true;
         }
@@ -3388,7 +3505,7 @@ fn choose_emitter_0( way_4 : Descent_0,  side_1 : u32,  threshold_1 : f32) -> Em
         }
         else
         {
-            _S272 = _S272 - power_left_0;
+            _S296 = _S296 - power_left_0;
         }
         if(is_left_3)
         {
@@ -3396,40 +3513,40 @@ fn choose_emitter_0( way_4 : Descent_0,  side_1 : u32,  threshold_1 : f32) -> Em
         }
         else
         {
-            node_7 = index_9;
+            node_7 = index_16;
         }
         if(is_left_3)
         {
-            index_9 = _S273;
+            index_16 = _S297;
         }
         else
         {
-            index_9 = _S275;
+            index_16 = _S299;
         }
         if(is_left_3)
         {
-            count_5 = _S274;
+            count_5 = _S298;
         }
         else
         {
-            count_5 = _S276;
+            count_5 = _S300;
         }
     }
     is_left_3 = false;
-    var chosen_3 : u32 = index_9;
-    var at_6 : u32 = index_9;
+    var chosen_3 : u32 = index_16;
+    var at_6 : u32 = index_16;
     for(;;)
     {
-        var _S277 : bool;
-        if(at_6 < (index_9 + count_5))
+        var _S301 : bool;
+        if(at_6 < (index_16 + count_5))
         {
-            _S277 = !is_left_3;
+            _S301 = !is_left_3;
         }
         else
         {
-            _S277 = false;
+            _S301 = false;
         }
-        if(_S277)
+        if(_S301)
         {
         }
         else
@@ -3438,16 +3555,16 @@ fn choose_emitter_0( way_4 : Descent_0,  side_1 : u32,  threshold_1 : f32) -> Em
         }
         if((((((emitters_0[at_6].faces_0) >> (side_1))) & (u32(1)))) != u32(0))
         {
-            var _S278 : f32 = _S272 - emitters_0[at_6].luminance_0;
-            is_left_3 = _S272 < (emitters_0[at_6].luminance_0);
+            var _S302 : f32 = _S296 - emitters_0[at_6].luminance_0;
+            is_left_3 = _S296 < (emitters_0[at_6].luminance_0);
             chosen_3 = at_6;
-            _S272 = _S278;
+            _S296 = _S302;
         }
         at_6 = at_6 + u32(1);
     }
-    var _S279 : Emitter_std430_0 = emitters_0[chosen_3];
-    var _S280 : Emitter_0 = Emitter_0( _S279.voxel_0, _S279.grid_1, _S279.faces_0, _S279.material_0, _S279.luminance_0, _S279.leaf_0 );
-    return _S280;
+    var _S303 : Emitter_std430_0 = emitters_0[chosen_3];
+    var _S304 : Emitter_0 = Emitter_0( _S303.voxel_0, _S303.grid_1, _S303.faces_0, _S303.material_0, _S303.luminance_0, _S303.leaf_0 );
+    return _S304;
 }
 
 fn point_of_face_0( low_12 : vec3<f32>,  face_8 : u32,  u_6 : f32,  v_4 : f32) -> vec3<f32>
@@ -3488,55 +3605,55 @@ struct PackedMaterial_0
 
 fn is_without_surface_0( material_1 : PackedMaterial_0) -> bool
 {
-    var _S281 : bool;
+    var _S305 : bool;
     if((material_1.transmission_0) >= 1.0f)
     {
-        _S281 = (material_1.ior_0) == 1.0f;
+        _S305 = (material_1.ior_0) == 1.0f;
     }
     else
     {
-        _S281 = false;
+        _S305 = false;
     }
-    if(_S281)
+    if(_S305)
     {
-        _S281 = (material_1.metallic_0) <= 0.0f;
+        _S305 = (material_1.metallic_0) <= 0.0f;
     }
     else
     {
-        _S281 = false;
+        _S305 = false;
     }
-    return _S281;
+    return _S305;
 }
 
-fn is_without_surface_1( _S282 : u32) -> bool
+fn is_without_surface_1( _S306 : u32) -> bool
 {
-    var _S283 : bool;
-    if((materials_0[_S282].transmission_0) >= 1.0f)
+    var _S307 : bool;
+    if((materials_0[_S306].transmission_0) >= 1.0f)
     {
-        _S283 = (materials_0[_S282].ior_0) == 1.0f;
+        _S307 = (materials_0[_S306].ior_0) == 1.0f;
     }
     else
     {
-        _S283 = false;
+        _S307 = false;
     }
-    if(_S283)
+    if(_S307)
     {
-        _S283 = (materials_0[_S282].metallic_0) <= 0.0f;
+        _S307 = (materials_0[_S306].metallic_0) <= 0.0f;
     }
     else
     {
-        _S283 = false;
+        _S307 = false;
     }
-    return _S283;
+    return _S307;
 }
 
-fn emitted_0( _S284 : u32) -> vec3<f32>
+fn emitted_0( _S308 : u32) -> vec3<f32>
 {
-    if(is_without_surface_1(_S284))
+    if(is_without_surface_1(_S308))
     {
         return vec3<f32>(0.0f);
     }
-    return vector_of_0(materials_0[_S284].emission_0) * vec3<f32>(params_0.emitter_intensity_0);
+    return vector_of_0(materials_0[_S308].emission_0) * vec3<f32>(params_0.emitter_intensity_0);
 }
 
 fn sample_emitter_0( receiver_13 : Receiver_0,  u_7 : vec4<f32>,  aim_2 : Aim_0,  sample_5 : ptr<function, LightSample_0>) -> bool
@@ -3548,28 +3665,28 @@ fn sample_emitter_0( receiver_13 : Receiver_0,  u_7 : vec4<f32>,  aim_2 : Aim_0,
     }
     var descent_3 : Descent_0 = Descent_x24init_0(u32(0), u32(0), u32(0), 1.0f, 1.0f, u_7.x, false);
     Descent_at_1(&(descent_3), u32(0));
-    var _S285 : bool;
+    var _S309 : bool;
     if(!IS_SINGLE_0)
     {
-        _S285 = aim_2.is_met_0;
+        _S309 = aim_2.is_met_0;
     }
     else
     {
-        _S285 = false;
+        _S309 = false;
     }
-    if(_S285)
+    if(_S309)
     {
         var leaf_1 : u32 = instances_0[aim_2.hit_0.instance_0].light_leaf_0;
         if((instances_0[aim_2.hit_0.instance_0].light_leaf_0) == u32(4294967295))
         {
-            _S285 = true;
+            _S309 = true;
         }
         else
         {
-            var _S286 : bool = climb_0(receiver_13, leaf_1, &(descent_3));
-            _S285 = !_S286;
+            var _S310 : bool = climb_0(receiver_13, leaf_1, &(descent_3));
+            _S309 = !_S310;
         }
-        if(_S285)
+        if(_S309)
         {
             return false;
         }
@@ -3579,14 +3696,14 @@ fn sample_emitter_0( receiver_13 : Receiver_0,  u_7 : vec4<f32>,  aim_2 : Aim_0,
     {
         if(!IS_SINGLE_0)
         {
-            var _S287 : bool = descend_1(receiver_13, by_chance_0(), &(descent_3));
-            _S285 = !_S287;
+            var _S311 : bool = descend_1(receiver_13, by_chance_0(), &(descent_3));
+            _S309 = !_S311;
         }
         else
         {
-            _S285 = false;
+            _S309 = false;
         }
-        if(_S285)
+        if(_S309)
         {
             return false;
         }
@@ -3594,8 +3711,8 @@ fn sample_emitter_0( receiver_13 : Receiver_0,  u_7 : vec4<f32>,  aim_2 : Aim_0,
     var chosen_instance_0 : u32 = descent_3.index_1;
     var local_3 : Receiver_0 = in_grid_3(descent_3.index_1, receiver_13);
     Descent_at_0(&(descent_3), top_light_nodes_0[descent_3.node_0].root_0);
-    var _S288 : bool = descend_0(local_3, aim_2, &(descent_3));
-    if(!_S288)
+    var _S312 : bool = descend_0(local_3, aim_2, &(descent_3));
+    if(!_S312)
     {
         return false;
     }
@@ -3603,49 +3720,49 @@ fn sample_emitter_0( receiver_13 : Receiver_0,  u_7 : vec4<f32>,  aim_2 : Aim_0,
     var odds_2 : vec2<f32>;
     if(HAS_CUTS_0)
     {
-        _S285 = aim_2.is_met_0;
+        _S309 = aim_2.is_met_0;
     }
     else
     {
-        _S285 = false;
+        _S309 = false;
     }
-    if(_S285)
+    if(_S309)
     {
-        _S285 = is_cut_0(aim_2.hit_0);
+        _S309 = is_cut_0(aim_2.hit_0);
     }
     else
     {
-        _S285 = false;
+        _S309 = false;
     }
-    if(_S285)
+    if(_S309)
     {
-        _S285 = true;
+        _S309 = true;
     }
     else
     {
-        var _S289 : bool = choose_side_0(local_3.point_0, aim_2.is_met_0, descent_3, &(side_2), &(odds_2));
-        _S285 = !_S289;
+        var _S313 : bool = choose_side_0(local_3.point_0, aim_2.is_met_0, descent_3, &(side_2), &(odds_2));
+        _S309 = !_S313;
     }
-    if(_S285)
+    if(_S309)
     {
         return false;
     }
     var power_2 : f32 = light_nodes_0[descent_3.node_0].power_0[side_2];
     if(aim_2.is_met_0)
     {
-        var _S290 : f32 = density_0(odds_2, aim_2.luminance_1, power_2, Transform_direction_1(chosen_instance_0, aim_2.direction_0) * vec3<f32>(aim_2.hit_0.t_0), side_2);
-        (*sample_5).pdf_1 = _S290;
-        return _S290 > 0.0f;
+        var _S314 : f32 = density_0(odds_2, aim_2.luminance_1, power_2, Transform_direction_1(chosen_instance_0, aim_2.direction_0) * vec3<f32>(aim_2.hit_0.t_0), side_2);
+        (*sample_5).pdf_1 = _S314;
+        return _S314 > 0.0f;
     }
     var emitter_0 : Emitter_0 = choose_emitter_0(descent_3, side_2, u_7.y * power_2);
-    var _S291 : vec3<f32> = vec3<f32>(cell_of_0(emitter_0.voxel_0));
-    var on_face_0 : vec3<f32> = point_of_face_0(_S291, side_2, u_7.z, u_7.w);
+    var _S315 : vec3<f32> = vec3<f32>(cell_of_0(emitter_0.voxel_0));
+    var on_face_0 : vec3<f32> = point_of_face_0(_S315, side_2, u_7.z, u_7.w);
     var pdf_6 : f32 = density_0(odds_2, emitter_0.luminance_0, power_2, on_face_0 - local_3.point_0, side_2);
     if(pdf_6 < 0.0f)
     {
         return false;
     }
-    var direction_12 : vec3<f32> = Transform_point_2(chosen_instance_0, offset_ray_origin_0(vector_of_0(instances_0[chosen_instance_0].grid_from_world_0.translation_0), _S291, side_2, on_face_0)) - receiver_13.point_0;
+    var direction_12 : vec3<f32> = Transform_point_2(chosen_instance_0, offset_ray_origin_0(vector_of_0(instances_0[chosen_instance_0].grid_from_world_0.translation_0), _S315, side_2, on_face_0)) - receiver_13.point_0;
     var cos_theta_8 : f32 = with_slack_0(receiver_13, divide_0(dot_product_0(receiver_13.normal_0, direction_12), square_root_0(length_squared_0(direction_12))));
     (*sample_5) = LightSample_x24init_0(Ray_x24init_0(receiver_13.point_0, 0.0f, direction_12, 1.0f), cos_theta_8, emitted_0(emitter_0.material_0), pdf_6);
     return cos_theta_8 > 0.0f;
@@ -3653,8 +3770,8 @@ fn sample_emitter_0( receiver_13 : Receiver_0,  u_7 : vec4<f32>,  aim_2 : Aim_0,
 
 fn EmitterTree_sample_0( receiver_14 : Receiver_0,  u_8 : vec4<f32>,  aim_3 : Aim_0,  sample_6 : ptr<function, LightSample_0>) -> bool
 {
-    var _S292 : bool = sample_emitter_0(receiver_14, u_8, aim_3, &((*sample_6)));
-    return _S292;
+    var _S316 : bool = sample_emitter_0(receiver_14, u_8, aim_3, &((*sample_6)));
+    return _S316;
 }
 
 fn Lights_sample_0( receiver_15 : Receiver_0,  selection_0 : Selection_0,  u_9 : vec4<f32>,  aim_4 : Aim_0,  sample_7 : ptr<function, LightSample_0>) -> bool
@@ -3678,9 +3795,9 @@ fn Lights_sample_0( receiver_15 : Receiver_0,  selection_0 : Selection_0,  u_9 :
     }
     if(is_found_0)
     {
-        var _S293 : bool = SunDisc_sample_0(receiver_15, u_9, &((*sample_7)));
+        var _S317 : bool = SunDisc_sample_0(receiver_15, u_9, &((*sample_7)));
         (*sample_7).pdf_1 = (*sample_7).pdf_1 * selection_0.sun_0;
-        is_found_0 = _S293;
+        is_found_0 = _S317;
     }
     else
     {
@@ -3702,15 +3819,15 @@ fn Lights_sample_0( receiver_15 : Receiver_0,  selection_0 : Selection_0,  u_9 :
         }
         if(is_found_0)
         {
-            var _S294 : bool = Sky_sample_0(receiver_15, vec4<f32>(min(divide_0(u_9.x - selection_0.sun_0, selection_0.sky_1), 0.99999994039535522f), u_9.yzw), &((*sample_7)));
+            var _S318 : bool = Sky_sample_0(receiver_15, vec4<f32>(min(divide_0(u_9.x - selection_0.sun_0, selection_0.sky_1), 0.99999994039535522f), u_9.yzw), &((*sample_7)));
             (*sample_7).pdf_1 = (*sample_7).pdf_1 * selection_0.sky_1;
-            is_found_0 = _S294;
+            is_found_0 = _S318;
         }
         else
         {
-            var _S295 : bool = EmitterTree_sample_0(receiver_15, vec4<f32>(min(divide_0(u_9.x - (selection_0.sun_0 + selection_0.sky_1), selection_0.emitters_1), 0.99999994039535522f), u_9.yzw), aim_4, &((*sample_7)));
+            var _S319 : bool = EmitterTree_sample_0(receiver_15, vec4<f32>(min(divide_0(u_9.x - (selection_0.sun_0 + selection_0.sky_1), selection_0.emitters_1), 0.99999994039535522f), u_9.yzw), aim_4, &((*sample_7)));
             (*sample_7).pdf_1 = (*sample_7).pdf_1 * selection_0.emitters_1;
-            is_found_0 = _S295;
+            is_found_0 = _S319;
         }
     }
     return is_found_0;
@@ -3723,30 +3840,30 @@ fn SunDisc_contains_0( direction_13 : vec3<f32>) -> bool
 
 fn SunDisc_pdf_0( direction_14 : vec3<f32>) -> f32
 {
-    var _S296 : f32;
+    var _S320 : f32;
     if(SunDisc_contains_0(direction_14))
     {
-        _S296 = params_0.sun_pdf_0;
+        _S320 = params_0.sun_pdf_0;
     }
     else
     {
-        _S296 = 0.0f;
+        _S320 = 0.0f;
     }
-    return _S296;
+    return _S320;
 }
 
 fn Lights_sun_pdf_0( selection_1 : Selection_0,  direction_15 : vec3<f32>) -> f32
 {
-    var _S297 : f32;
+    var _S321 : f32;
     if(has_sun_0())
     {
-        _S297 = SunDisc_pdf_0(direction_15) * selection_1.sun_0;
+        _S321 = SunDisc_pdf_0(direction_15) * selection_1.sun_0;
     }
     else
     {
-        _S297 = 0.0f;
+        _S321 = 0.0f;
     }
-    return _S297;
+    return _S321;
 }
 
 fn Hit_is_miss_0( this_27 : Hit_0) -> bool
@@ -3756,31 +3873,33 @@ fn Hit_is_miss_0( this_27 : Hit_0) -> bool
 
 fn material_of_0( hit_8 : Hit_0) -> PackedMaterial_0
 {
-    var _S298 : PackedMaterial_std430_0 = materials_0[material_at_0(instances_0[hit_8.instance_0].grid_0, hit_8.voxel_1 - cell_of_0(grids_0[instances_0[hit_8.instance_0].grid_0].origin_0))];
-    var _S299 : PackedMaterial_0 = PackedMaterial_0( _S298.base_color_0, _S298.roughness_0, _S298.emission_0, _S298.metallic_0, _S298.transmission_0, _S298.ior_0, _S298.specular_0, _S298.anisotropy_0, _S298.absorption_0, _S298.scattering_0 );
-    return _S299;
+    var _S322 : u32 = material_at_0(instances_0[hit_8.instance_0].grid_0, hit_8.voxel_1 - cell_of_0(grids_0[instances_0[hit_8.instance_0].grid_0].origin_0));
+    var _S323 : PackedMaterial_std430_0 = materials_0[_S322];
+    var _S324 : PackedMaterial_0 = PackedMaterial_0( _S323.base_color_0, _S323.roughness_0, _S323.emission_0, _S323.metallic_0, _S323.transmission_0, _S323.ior_0, _S323.specular_0, _S323.anisotropy_0, _S323.absorption_0, _S323.scattering_0 );
+    return _S324;
 }
 
 @compute
 @workgroup_size(64, 1, 1)
 fn check_light(@builtin(global_invocation_id) id_9 : vec3<u32>, @builtin(local_invocation_index) thread_10 : u32)
 {
+    is_page_missing_0 = false;
     prove_0(thread_10);
-    var _S300 : u32 = id_9.x;
-    if(_S300 >= (dispatch_0.count_0))
+    var _S325 : u32 = id_9.x;
+    if(_S325 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_9 : Reader_0 = Reader_x24init_0(u32(24) * _S300);
-    var writer_9 : Writer_0 = Writer_x24init_0(u32(12) * _S300);
+    var reader_9 : Reader_0 = Reader_x24init_0(u32(24) * _S325);
+    var writer_9 : Writer_0 = Writer_x24init_0(u32(12) * _S325);
     var point_8 : vec3<f32> = Reader_vector_0(&(reader_9));
-    var _S301 : vec3<f32> = Reader_vector_0(&(reader_9));
-    var receiver_16 : Receiver_0 = Receiver_x24init_0(point_8, _S301);
+    var _S326 : vec3<f32> = Reader_vector_0(&(reader_9));
+    var receiver_16 : Receiver_0 = Receiver_x24init_0(point_8, _S326);
     var u_10 : vec3<f32> = Reader_vector_0(&(reader_9));
     var selection_2 : Selection_0 = Lights_selection_0(receiver_16);
-    var _S302 : f32 = Reader_number_0(&(reader_9));
+    var _S327 : f32 = Reader_number_0(&(reader_9));
     var sample_8 : LightSample_0;
-    var is_found_1 : bool = Lights_sample_0(receiver_16, selection_2, vec4<f32>(u_10, _S302), by_chance_0(), &(sample_8));
+    var is_found_1 : bool = Lights_sample_0(receiver_16, selection_2, vec4<f32>(u_10, _S327), by_chance_0(), &(sample_8));
     if(!is_found_1)
     {
         sample_8 = no_light_0();
@@ -3796,26 +3915,26 @@ fn check_light(@builtin(global_invocation_id) id_9 : vec3<u32>, @builtin(local_i
     Writer_number_0(&(writer_9), Lights_sun_pdf_0(selection_2, sample_8.ray_7.direction_1));
     var met_0 : LightSample_0;
     var aim_5 : Aim_0 = Aim_x24init_0(true, ray_9.direction_1, hit_9, 0.0f);
-    var _S303 : bool = !Hit_is_miss_0(hit_9);
-    var _S304 : f32;
-    if(_S303)
+    var _S328 : bool = !Hit_is_miss_0(hit_9);
+    var _S329 : f32;
+    if(_S328)
     {
         var material_2 : PackedMaterial_0 = material_of_0(hit_9);
         if(is_without_surface_0(material_2))
         {
-            _S304 = 0.0f;
+            _S329 = 0.0f;
         }
         else
         {
-            _S304 = luminance_2(vector_of_0(material_2.emission_0));
+            _S329 = luminance_2(vector_of_0(material_2.emission_0));
         }
-        aim_5.luminance_1 = _S304;
+        aim_5.luminance_1 = _S329;
     }
     var is_met_3 : bool;
-    if(_S303)
+    if(_S328)
     {
-        var _S305 : bool = Lights_sample_0(receiver_16, selection_2, vec4<f32>(0.0f), aim_5, &(met_0));
-        is_met_3 = _S305;
+        var _S330 : bool = Lights_sample_0(receiver_16, selection_2, vec4<f32>(0.0f), aim_5, &(met_0));
+        is_met_3 = _S330;
     }
     else
     {
@@ -3823,47 +3942,47 @@ fn check_light(@builtin(global_invocation_id) id_9 : vec3<u32>, @builtin(local_i
     }
     if(is_met_3)
     {
-        _S304 = met_0.pdf_1;
+        _S329 = met_0.pdf_1;
     }
     else
     {
-        _S304 = 0.0f;
+        _S329 = 0.0f;
     }
-    Writer_number_0(&(writer_9), _S304);
+    Writer_number_0(&(writer_9), _S329);
     return;
 }
 
 fn SunDisc_le_0( direction_16 : vec3<f32>) -> vec3<f32>
 {
-    var _S306 : vec3<f32>;
+    var _S331 : vec3<f32>;
     if(SunDisc_contains_0(direction_16))
     {
-        _S306 = params_0.sun_radiance_0;
+        _S331 = params_0.sun_radiance_0;
     }
     else
     {
-        _S306 = vec3<f32>(0.0f);
+        _S331 = vec3<f32>(0.0f);
     }
-    return _S306;
+    return _S331;
 }
 
 fn Environment_to_map_0( d_1 : vec3<f32>) -> vec3<f32>
 {
     var sin_2 : f32 = params_0.sky_turned_0.x;
     var cos_3 : f32 = params_0.sky_turned_0.y;
-    var _S307 : f32 = d_1.x;
-    var _S308 : f32 = d_1.y;
-    return vec3<f32>(_S307 * cos_3 - _S308 * sin_2, _S307 * sin_2 + _S308 * cos_3, d_1.z);
+    var _S332 : f32 = d_1.x;
+    var _S333 : f32 = d_1.y;
+    return vec3<f32>(_S332 * cos_3 - _S333 * sin_2, _S332 * sin_2 + _S333 * cos_3, d_1.z);
 }
 
 fn quarter_turns_0( x_15 : f32,  y_12 : f32) -> f32
 {
-    var _S309 : f32 = min(x_15, y_12);
-    var _S310 : f32 = max(x_15, y_12);
+    var _S334 : f32 = min(x_15, y_12);
+    var _S335 : f32 = max(x_15, y_12);
     var ratio_0 : f32;
-    if(_S310 > 0.0f)
+    if(_S335 > 0.0f)
     {
-        ratio_0 = divide_0(_S309, _S310);
+        ratio_0 = divide_0(_S334, _S335);
     }
     else
     {
@@ -3885,10 +4004,10 @@ fn quarter_turns_0( x_15 : f32,  y_12 : f32) -> f32
 fn square_of_0( direction_17 : vec3<f32>) -> vec2<f32>
 {
     var size_0 : vec3<f32> = abs(direction_17);
-    var _S311 : f32 = size_0.x;
-    var _S312 : f32 = size_0.y;
-    var radius_3 : f32 = square_root_0(divide_0(_S311 * _S311 + _S312 * _S312, 1.0f + size_0.z));
-    var v_5 : f32 = quarter_turns_0(_S311, _S312) * radius_3;
+    var _S336 : f32 = size_0.x;
+    var _S337 : f32 = size_0.y;
+    var radius_3 : f32 = square_root_0(divide_0(_S336 * _S336 + _S337 * _S337, 1.0f + size_0.z));
+    var v_5 : f32 = quarter_turns_0(_S336, _S337) * radius_3;
     var u_11 : f32 = radius_3 - v_5;
     var is_below_1 : bool = (direction_17.z) < 0.0f;
     var u_12 : f32;
@@ -3938,10 +4057,10 @@ struct Gradient_0
 
 fn Gradient_x24init_0( nadir_1 : vec3<f32>,  zenith_1 : vec3<f32>) -> Gradient_0
 {
-    var _S313 : Gradient_0;
-    _S313.nadir_0 = nadir_1;
-    _S313.zenith_0 = zenith_1;
-    return _S313;
+    var _S338 : Gradient_0;
+    _S338.nadir_0 = nadir_1;
+    _S338.zenith_0 = zenith_1;
+    return _S338;
 }
 
 fn Gradient_radiance_0( this_28 : Gradient_0,  direction_20 : vec3<f32>) -> vec3<f32>
@@ -3972,66 +4091,67 @@ fn Environment_pdf_0( direction_23 : vec3<f32>) -> f32
 
 fn Sky_pdf_0( direction_24 : vec3<f32>) -> f32
 {
-    var _S314 : f32;
+    var _S339 : f32;
     if(SKY_0 == u32(1))
     {
-        _S314 = Environment_pdf_0(direction_24);
+        _S339 = Environment_pdf_0(direction_24);
     }
     else
     {
-        _S314 = 0.0f;
+        _S339 = 0.0f;
     }
-    return _S314;
+    return _S339;
 }
 
 fn Lights_sky_pdf_0( selection_3 : Selection_0,  direction_25 : vec3<f32>) -> f32
 {
-    var _S315 : f32;
+    var _S340 : f32;
     if(Lights_has_chosen_sky_0())
     {
-        _S315 = Sky_pdf_0(direction_25) * selection_3.sky_1;
+        _S340 = Sky_pdf_0(direction_25) * selection_3.sky_1;
     }
     else
     {
-        _S315 = 0.0f;
+        _S340 = 0.0f;
     }
-    return _S315;
+    return _S340;
 }
 
 @compute
 @workgroup_size(64, 1, 1)
 fn check_distant_light(@builtin(global_invocation_id) id_10 : vec3<u32>, @builtin(local_invocation_index) thread_11 : u32)
 {
+    is_page_missing_0 = false;
     prove_0(thread_11);
-    var _S316 : u32 = id_10.x;
-    if(_S316 >= (dispatch_0.count_0))
+    var _S341 : u32 = id_10.x;
+    if(_S341 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_10 : Reader_0 = Reader_x24init_0(u32(13) * _S316);
-    var writer_10 : Writer_0 = Writer_x24init_0(u32(22) * _S316);
+    var reader_10 : Reader_0 = Reader_x24init_0(u32(13) * _S341);
+    var writer_10 : Writer_0 = Writer_x24init_0(u32(22) * _S341);
     var point_9 : vec3<f32> = Reader_vector_0(&(reader_10));
-    var _S317 : vec3<f32> = Reader_vector_0(&(reader_10));
-    var receiver_17 : Receiver_0 = Receiver_x24init_0(point_9, _S317);
+    var _S342 : vec3<f32> = Reader_vector_0(&(reader_10));
+    var receiver_17 : Receiver_0 = Receiver_x24init_0(point_9, _S342);
     var u_13 : vec3<f32> = Reader_vector_0(&(reader_10));
-    var _S318 : f32 = Reader_number_0(&(reader_10));
-    var place_3 : vec4<f32> = vec4<f32>(u_13, _S318);
+    var _S343 : f32 = Reader_number_0(&(reader_10));
+    var place_3 : vec4<f32> = vec4<f32>(u_13, _S343);
     var sample_9 : LightSample_0;
     var is_found_2 : bool = SunDisc_sample_0(receiver_17, place_3, &(sample_9));
     var of_sky_0 : LightSample_0;
     var is_found_in_sky_0 : bool = Sky_sample_0(receiver_17, place_3, &(of_sky_0));
     var direction_26 : vec3<f32> = Reader_vector_0(&(reader_10));
     Writer_word_0(&(writer_10), u32(is_found_2));
-    var _S319 : vec3<f32>;
+    var _S344 : vec3<f32>;
     if(is_found_2)
     {
-        _S319 = sample_9.ray_7.direction_1;
+        _S344 = sample_9.ray_7.direction_1;
     }
     else
     {
-        _S319 = vec3<f32>(0.0f);
+        _S344 = vec3<f32>(0.0f);
     }
-    Writer_vector_0(&(writer_10), _S319);
+    Writer_vector_0(&(writer_10), _S344);
     Writer_vector_0(&(writer_10), SunDisc_le_0(direction_26));
     Writer_number_0(&(writer_10), SunDisc_pdf_0(direction_26));
     Writer_vector_0(&(writer_10), Sky_le_0(direction_26));
@@ -4041,32 +4161,32 @@ fn check_distant_light(@builtin(global_invocation_id) id_10 : vec3<u32>, @builti
     Writer_word_0(&(writer_10), u32(is_found_in_sky_0));
     if(is_found_in_sky_0)
     {
-        _S319 = of_sky_0.ray_7.direction_1;
+        _S344 = of_sky_0.ray_7.direction_1;
     }
     else
     {
-        _S319 = vec3<f32>(0.0f);
+        _S344 = vec3<f32>(0.0f);
     }
-    Writer_vector_0(&(writer_10), _S319);
+    Writer_vector_0(&(writer_10), _S344);
     if(is_found_in_sky_0)
     {
-        _S319 = of_sky_0.radiance_3;
+        _S344 = of_sky_0.radiance_3;
     }
     else
     {
-        _S319 = vec3<f32>(0.0f);
+        _S344 = vec3<f32>(0.0f);
     }
-    Writer_vector_0(&(writer_10), _S319);
-    var _S320 : f32;
+    Writer_vector_0(&(writer_10), _S344);
+    var _S345 : f32;
     if(is_found_in_sky_0)
     {
-        _S320 = of_sky_0.pdf_1;
+        _S345 = of_sky_0.pdf_1;
     }
     else
     {
-        _S320 = 0.0f;
+        _S345 = 0.0f;
     }
-    Writer_number_0(&(writer_10), _S320);
+    Writer_number_0(&(writer_10), _S345);
     return;
 }
 
@@ -4074,22 +4194,23 @@ fn check_distant_light(@builtin(global_invocation_id) id_10 : vec3<u32>, @builti
 @workgroup_size(64, 1, 1)
 fn check_equal_area(@builtin(global_invocation_id) id_11 : vec3<u32>, @builtin(local_invocation_index) thread_12 : u32)
 {
+    is_page_missing_0 = false;
     prove_0(thread_12);
-    var _S321 : u32 = id_11.x;
-    if(_S321 >= (dispatch_0.count_0))
+    var _S346 : u32 = id_11.x;
+    if(_S346 >= (dispatch_0.count_0))
     {
         return;
     }
-    var _S322 : u32 = u32(5) * _S321;
-    var reader_11 : Reader_0 = Reader_x24init_0(_S322);
-    var writer_11 : Writer_0 = Writer_x24init_0(_S322);
-    var _S323 : vec3<f32> = Reader_vector_0(&(reader_11));
-    var square_1 : vec2<f32> = square_of_0(_S323);
+    var _S347 : u32 = u32(5) * _S346;
+    var reader_11 : Reader_0 = Reader_x24init_0(_S347);
+    var writer_11 : Writer_0 = Writer_x24init_0(_S347);
+    var _S348 : vec3<f32> = Reader_vector_0(&(reader_11));
+    var square_1 : vec2<f32> = square_of_0(_S348);
     Writer_number_0(&(writer_11), square_1.x);
     Writer_number_0(&(writer_11), square_1.y);
     var x_16 : f32 = Reader_number_0(&(reader_11));
-    var _S324 : f32 = Reader_number_0(&(reader_11));
-    Writer_vector_0(&(writer_11), direction_of_0(vec2<f32>(x_16, _S324)));
+    var _S349 : f32 = Reader_number_0(&(reader_11));
+    Writer_vector_0(&(writer_11), direction_of_0(vec2<f32>(x_16, _S349)));
     return;
 }
 
@@ -4100,9 +4221,9 @@ struct Microfacets_0
 
 fn Microfacets_x24init_0( alpha_1 : f32) -> Microfacets_0
 {
-    var _S325 : Microfacets_0;
-    _S325.alpha_0 = alpha_1;
-    return _S325;
+    var _S350 : Microfacets_0;
+    _S350.alpha_0 = alpha_1;
+    return _S350;
 }
 
 struct MaterialBsdf_0
@@ -4116,13 +4237,13 @@ struct MaterialBsdf_0
 
 fn MaterialBsdf_x24init_0( kind_1 : u32,  color_2 : vec3<f32>,  specular_2 : f32,  eta_1 : f32,  facets_1 : Microfacets_0) -> MaterialBsdf_0
 {
-    var _S326 : MaterialBsdf_0;
-    _S326.kind_0 = kind_1;
-    _S326.color_1 = color_2;
-    _S326.specular_1 = specular_2;
-    _S326.eta_0 = eta_1;
-    _S326.facets_0 = facets_1;
-    return _S326;
+    var _S351 : MaterialBsdf_0;
+    _S351.kind_0 = kind_1;
+    _S351.color_1 = color_2;
+    _S351.specular_1 = specular_2;
+    _S351.eta_0 = eta_1;
+    _S351.facets_0 = facets_1;
+    return _S351;
 }
 
 fn facets_of_0( roughness_1 : f32) -> Microfacets_0
@@ -4137,16 +4258,16 @@ fn chooses_0( share_7 : f32,  choice_2 : ptr<function, f32>) -> bool
         return false;
     }
     var is_chosen_0 : bool = (*choice_2) < share_7;
-    var _S327 : f32;
+    var _S352 : f32;
     if(is_chosen_0)
     {
-        _S327 = divide_0((*choice_2), share_7);
+        _S352 = divide_0((*choice_2), share_7);
     }
     else
     {
-        _S327 = divide_0((*choice_2) - share_7, 1.0f - share_7);
+        _S352 = divide_0((*choice_2) - share_7, 1.0f - share_7);
     }
-    (*choice_2) = _S327;
+    (*choice_2) = _S352;
     return is_chosen_0;
 }
 
@@ -4154,13 +4275,13 @@ fn bsdf_of_0( material_3 : PackedMaterial_0,  ior_1 : f32,  choice_3 : ptr<funct
 {
     var color_3 : vec3<f32> = vector_of_0(material_3.base_color_0);
     var facets_2 : Microfacets_0 = facets_of_0(material_3.roughness_0);
-    var _S328 : bool = chooses_0(material_3.metallic_0, &((*choice_3)));
-    if(_S328)
+    var _S353 : bool = chooses_0(material_3.metallic_0, &((*choice_3)));
+    if(_S353)
     {
         return MaterialBsdf_x24init_0(u32(1), color_3, 0.0f, 1.0f, facets_2);
     }
-    var _S329 : bool = chooses_0(material_3.transmission_0, &((*choice_3)));
-    if(_S329)
+    var _S354 : bool = chooses_0(material_3.transmission_0, &((*choice_3)));
+    if(_S354)
     {
         return MaterialBsdf_x24init_0(u32(3), color_3, 0.0f, divide_0(material_3.ior_0, ior_1), facets_2);
     }
@@ -4179,10 +4300,10 @@ struct Conductor_0
 
 fn Conductor_x24init_0( f0_1 : vec3<f32>,  facets_4 : Microfacets_0) -> Conductor_0
 {
-    var _S330 : Conductor_0;
-    _S330.f0_0 = f0_1;
-    _S330.facets_3 = facets_4;
-    return _S330;
+    var _S355 : Conductor_0;
+    _S355.f0_0 = f0_1;
+    _S355.facets_3 = facets_4;
+    return _S355;
 }
 
 fn above_3( wo_0 : vec3<f32>) -> vec3<f32>
@@ -4212,20 +4333,20 @@ struct BsdfSample_0
 
 fn BsdfSample_x24init_0( wi_1 : vec3<f32>,  weight_4 : vec3<f32>,  pdf_8 : f32,  is_delta_1 : bool) -> BsdfSample_0
 {
-    var _S331 : BsdfSample_0;
-    _S331.wi_0 = wi_1;
-    _S331.weight_3 = weight_4;
-    _S331.pdf_7 = pdf_8;
-    _S331.is_delta_0 = is_delta_1;
-    return _S331;
+    var _S356 : BsdfSample_0;
+    _S356.wi_0 = wi_1;
+    _S356.weight_3 = weight_4;
+    _S356.pdf_7 = pdf_8;
+    _S356.is_delta_0 = is_delta_1;
+    return _S356;
 }
 
 fn Microfacets_sample_visible_0( this_30 : Microfacets_0,  wo_1 : vec3<f32>,  u_14 : f32,  v_7 : f32) -> vec3<f32>
 {
     var stretched_0 : vec3<f32> = normalize_vector_0(vec3<f32>(this_30.alpha_0 * wo_1.x, this_30.alpha_0 * wo_1.y, wo_1.z));
     var sin_cos_4 : vec2<f32> = sincos_turns_0(u_14);
-    var _S332 : f32 = stretched_0.z;
-    var z_3 : f32 = (1.0f - v_7) * (1.0f + _S332) - _S332;
+    var _S357 : f32 = stretched_0.z;
+    var z_3 : f32 = (1.0f - v_7) * (1.0f + _S357) - _S357;
     var radius_4 : f32 = square_root_0(max(1.0f - z_3 * z_3, 0.0f));
     var normal_5 : vec3<f32> = vec3<f32>(radius_4 * sin_cos_4.y, radius_4 * sin_cos_4.x, z_3) + stretched_0;
     return normalize_vector_0(vec3<f32>(this_30.alpha_0 * normal_5.x, this_30.alpha_0 * normal_5.y, max(normal_5.z, 1.00000001168609742e-07f)));
@@ -4243,8 +4364,8 @@ fn no_bsdf_sample_0() -> BsdfSample_0
 
 fn Microfacets_masking_0( this_31 : Microfacets_0,  cos_4 : f32) -> f32
 {
-    var _S333 : f32 = this_31.alpha_0;
-    var alpha_squared_0 : f32 = _S333 * _S333;
+    var _S358 : f32 = this_31.alpha_0;
+    var alpha_squared_0 : f32 = _S358 * _S358;
     return square_root_0(alpha_squared_0 + (1.0f - alpha_squared_0) * (cos_4 * cos_4));
 }
 
@@ -4256,19 +4377,19 @@ fn Microfacets_shadowing_0( this_32 : Microfacets_0,  cos_o_0 : f32,  cos_i_1 : 
 
 fn Microfacets_distribution_0( this_33 : Microfacets_0,  wm_1 : vec3<f32>) -> f32
 {
-    var _S334 : f32 = this_33.alpha_0;
-    var alpha_squared_1 : f32 = _S334 * _S334;
-    var _S335 : f32 = wm_1.z;
-    var _S336 : f32 = wm_1.x;
-    var _S337 : f32 = wm_1.y;
-    var base_0 : f32 = alpha_squared_1 * (_S335 * _S335) + (_S336 * _S336 + _S337 * _S337);
+    var _S359 : f32 = this_33.alpha_0;
+    var alpha_squared_1 : f32 = _S359 * _S359;
+    var _S360 : f32 = wm_1.z;
+    var _S361 : f32 = wm_1.x;
+    var _S362 : f32 = wm_1.y;
+    var base_0 : f32 = alpha_squared_1 * (_S360 * _S360) + (_S361 * _S361 + _S362 * _S362);
     return divide_0(alpha_squared_1, 3.14159274101257324f * (base_0 * base_0));
 }
 
 fn Microfacets_visible_pdf_0( this_34 : Microfacets_0,  wo_3 : vec3<f32>,  wm_2 : vec3<f32>) -> f32
 {
-    var _S338 : f32 = wo_3.z;
-    return divide_0(2.0f * max(dot_product_0(wo_3, wm_2), 0.0f) * Microfacets_distribution_0(this_34, wm_2), _S338 + Microfacets_masking_0(this_34, _S338));
+    var _S363 : f32 = wo_3.z;
+    return divide_0(2.0f * max(dot_product_0(wo_3, wm_2), 0.0f) * Microfacets_distribution_0(this_34, wm_2), _S363 + Microfacets_masking_0(this_34, _S363));
 }
 
 fn Conductor_sample_0( this_35 : Conductor_0,  given_0 : vec3<f32>,  u_15 : vec3<f32>,  sample_10 : ptr<function, BsdfSample_0>) -> bool
@@ -4276,20 +4397,20 @@ fn Conductor_sample_0( this_35 : Conductor_0,  given_0 : vec3<f32>,  u_15 : vec3
     var wo_4 : vec3<f32> = above_3(given_0);
     if(Microfacets_is_smooth_0(this_35.facets_3))
     {
-        var _S339 : f32 = wo_4.z;
-        (*sample_10) = BsdfSample_x24init_0(vec3<f32>(- wo_4.x, - wo_4.y, _S339), fresnel_schlick_0(_S339, this_35.f0_0), 1.0f, true);
+        var _S364 : f32 = wo_4.z;
+        (*sample_10) = BsdfSample_x24init_0(vec3<f32>(- wo_4.x, - wo_4.y, _S364), fresnel_schlick_0(_S364, this_35.f0_0), 1.0f, true);
         return true;
     }
     var wm_3 : vec3<f32> = Microfacets_sample_visible_0(this_35.facets_3, wo_4, u_15.x, u_15.y);
     var wi_2 : vec3<f32> = reflect_by_0(wo_4, wm_3);
-    var _S340 : f32 = wi_2.z;
-    if(_S340 <= 0.0f)
+    var _S365 : f32 = wi_2.z;
+    if(_S365 <= 0.0f)
     {
         (*sample_10) = no_bsdf_sample_0();
         return false;
     }
     var cos_5 : f32 = dot_product_0(wo_4, wm_3);
-    (*sample_10) = BsdfSample_x24init_0(wi_2, fresnel_schlick_0(cos_5, this_35.f0_0) * vec3<f32>(Microfacets_shadowing_0(this_35.facets_3, wo_4.z, _S340)), divide_0(Microfacets_visible_pdf_0(this_35.facets_3, wo_4, wm_3), 4.0f * cos_5), false);
+    (*sample_10) = BsdfSample_x24init_0(wi_2, fresnel_schlick_0(cos_5, this_35.f0_0) * vec3<f32>(Microfacets_shadowing_0(this_35.facets_3, wo_4.z, _S365)), divide_0(Microfacets_visible_pdf_0(this_35.facets_3, wo_4, wm_3), 4.0f * cos_5), false);
     return true;
 }
 
@@ -4303,27 +4424,27 @@ struct Plastic_0
 
 fn Plastic_x24init_0( reflectance_1 : vec3<f32>,  specular_4 : f32,  eta_3 : f32,  facets_6 : Microfacets_0) -> Plastic_0
 {
-    var _S341 : Plastic_0;
-    _S341.reflectance_0 = reflectance_1;
-    _S341.specular_3 = specular_4;
-    _S341.eta_2 = eta_3;
-    _S341.facets_5 = facets_6;
-    return _S341;
+    var _S366 : Plastic_0;
+    _S366.reflectance_0 = reflectance_1;
+    _S366.specular_3 = specular_4;
+    _S366.eta_2 = eta_3;
+    _S366.facets_5 = facets_6;
+    return _S366;
 }
 
 fn refracted_cosine_0( cos_i_2 : f32,  eta_4 : f32) -> f32
 {
     var squared_1 : f32 = 1.0f - divide_0(1.0f - cos_i_2 * cos_i_2, eta_4 * eta_4);
-    var _S342 : f32;
+    var _S367 : f32;
     if(squared_1 > 0.0f)
     {
-        _S342 = square_root_0(squared_1);
+        _S367 = square_root_0(squared_1);
     }
     else
     {
-        _S342 = -1.0f;
+        _S367 = -1.0f;
     }
-    return _S342;
+    return _S367;
 }
 
 fn fresnel_dielectric_0( cos_i_3 : f32,  eta_5 : f32) -> f32
@@ -4333,10 +4454,10 @@ fn fresnel_dielectric_0( cos_i_3 : f32,  eta_5 : f32) -> f32
     {
         return 1.0f;
     }
-    var _S343 : f32 = eta_5 * cos_i_3;
-    var parallel_0 : f32 = divide_0(_S343 - cos_t_0, _S343 + cos_t_0);
-    var _S344 : f32 = eta_5 * cos_t_0;
-    var perpendicular_0 : f32 = divide_0(cos_i_3 - _S344, cos_i_3 + _S344);
+    var _S368 : f32 = eta_5 * cos_i_3;
+    var parallel_0 : f32 = divide_0(_S368 - cos_t_0, _S368 + cos_t_0);
+    var _S369 : f32 = eta_5 * cos_t_0;
+    var perpendicular_0 : f32 = divide_0(cos_i_3 - _S369, cos_i_3 + _S369);
     return (parallel_0 * parallel_0 + perpendicular_0 * perpendicular_0) * 0.5f;
 }
 
@@ -4348,16 +4469,16 @@ fn Plastic_coat_0( this_36 : Plastic_0,  cos_6 : f32) -> f32
 fn Plastic_coat_probability_0( this_37 : Plastic_0,  coat_0 : f32) -> f32
 {
     var below_0 : f32 = (1.0f - coat_0) * max_element_0(this_37.reflectance_0);
-    var _S345 : f32;
+    var _S370 : f32;
     if(coat_0 <= 0.0f)
     {
-        _S345 = 0.0f;
+        _S370 = 0.0f;
     }
     else
     {
-        _S345 = divide_0(coat_0, coat_0 + below_0);
+        _S370 = divide_0(coat_0, coat_0 + below_0);
     }
-    return _S345;
+    return _S370;
 }
 
 struct BsdfEval_0
@@ -4368,10 +4489,10 @@ struct BsdfEval_0
 
 fn BsdfEval_x24init_0( weight_6 : vec3<f32>,  pdf_10 : f32) -> BsdfEval_0
 {
-    var _S346 : BsdfEval_0;
-    _S346.weight_5 = weight_6;
-    _S346.pdf_9 = pdf_10;
-    return _S346;
+    var _S371 : BsdfEval_0;
+    _S371.weight_5 = weight_6;
+    _S371.pdf_9 = pdf_10;
+    return _S371;
 }
 
 fn no_bsdf_eval_0() -> BsdfEval_0
@@ -4381,10 +4502,10 @@ fn no_bsdf_eval_0() -> BsdfEval_0
 
 fn Plastic_eval_lobes_0( this_38 : Plastic_0,  wo_5 : vec3<f32>,  wi_3 : vec3<f32>,  coat_1 : f32,  coat_probability_0 : f32) -> BsdfEval_0
 {
-    var _S347 : f32 = wi_3.z;
-    var diffuse_pdf_0 : f32 = cosine_hemisphere_pdf_0(_S347);
+    var _S372 : f32 = wi_3.z;
+    var diffuse_pdf_0 : f32 = cosine_hemisphere_pdf_0(_S372);
     var pdf_11 : f32 = (1.0f - coat_probability_0) * diffuse_pdf_0;
-    var scattered_0 : vec3<f32> = this_38.reflectance_0 * vec3<f32>(((1.0f - coat_1) * (1.0f - Plastic_coat_0(this_38, _S347)) * diffuse_pdf_0));
+    var scattered_0 : vec3<f32> = this_38.reflectance_0 * vec3<f32>(((1.0f - coat_1) * (1.0f - Plastic_coat_0(this_38, _S372)) * diffuse_pdf_0));
     var pdf_12 : f32;
     var scattered_1 : vec3<f32>;
     if(!Microfacets_is_smooth_0(this_38.facets_5))
@@ -4392,7 +4513,7 @@ fn Plastic_eval_lobes_0( this_38 : Plastic_0,  wo_5 : vec3<f32>,  wi_3 : vec3<f3
         var wm_4 : vec3<f32> = normalize_vector_0(wo_5 + wi_3);
         var cos_7 : f32 = dot_product_0(wo_5, wm_4);
         var facet_pdf_0 : f32 = divide_0(Microfacets_visible_pdf_0(this_38.facets_5, wo_5, wm_4), 4.0f * cos_7);
-        var scattered_2 : vec3<f32> = scattered_0 + vec3<f32>((Plastic_coat_0(this_38, cos_7) * Microfacets_shadowing_0(this_38.facets_5, wo_5.z, _S347) * facet_pdf_0));
+        var scattered_2 : vec3<f32> = scattered_0 + vec3<f32>((Plastic_coat_0(this_38, cos_7) * Microfacets_shadowing_0(this_38.facets_5, wo_5.z, _S372) * facet_pdf_0));
         pdf_12 = pdf_11 + coat_probability_0 * facet_pdf_0;
         scattered_1 = scattered_2;
     }
@@ -4412,22 +4533,22 @@ fn Plastic_sample_0( this_39 : Plastic_0,  given_1 : vec3<f32>,  u_16 : vec3<f32
 {
     (*sample_11) = no_bsdf_sample_0();
     var wo_6 : vec3<f32> = above_3(given_1);
-    var _S348 : f32 = wo_6.z;
-    var coat_2 : f32 = Plastic_coat_0(this_39, _S348);
+    var _S373 : f32 = wo_6.z;
+    var coat_2 : f32 = Plastic_coat_0(this_39, _S373);
     var coat_probability_1 : f32 = Plastic_coat_probability_0(this_39, coat_2);
     var is_coat_0 : bool = (u_16.z) < coat_probability_1;
-    var _S349 : bool;
+    var _S374 : bool;
     if(is_coat_0)
     {
-        _S349 = Microfacets_is_smooth_0(this_39.facets_5);
+        _S374 = Microfacets_is_smooth_0(this_39.facets_5);
     }
     else
     {
-        _S349 = false;
+        _S374 = false;
     }
-    if(_S349)
+    if(_S374)
     {
-        (*sample_11) = BsdfSample_x24init_0(vec3<f32>(- wo_6.x, - wo_6.y, _S348), vec3<f32>(divide_0(coat_2, coat_probability_1)), 1.0f, true);
+        (*sample_11) = BsdfSample_x24init_0(vec3<f32>(- wo_6.x, - wo_6.y, _S373), vec3<f32>(divide_0(coat_2, coat_probability_1)), 1.0f, true);
         return true;
     }
     var wi_4 : vec3<f32>;
@@ -4456,10 +4577,10 @@ struct Dielectric_0
 
 fn Dielectric_x24init_0( eta_7 : f32,  facets_8 : Microfacets_0) -> Dielectric_0
 {
-    var _S350 : Dielectric_0;
-    _S350.eta_6 = eta_7;
-    _S350.facets_7 = facets_8;
-    return _S350;
+    var _S375 : Dielectric_0;
+    _S375.eta_6 = eta_7;
+    _S375.facets_7 = facets_8;
+    return _S375;
 }
 
 fn Dielectric_sample_0( this_40 : Dielectric_0,  given_2 : vec3<f32>,  u_17 : vec3<f32>,  sample_12 : ptr<function, BsdfSample_0>) -> bool
@@ -4467,7 +4588,7 @@ fn Dielectric_sample_0( this_40 : Dielectric_0,  given_2 : vec3<f32>,  u_17 : ve
     (*sample_12) = no_bsdf_sample_0();
     var wo_7 : vec3<f32> = above_3(given_2);
     var is_smooth_0 : bool = Microfacets_is_smooth_0(this_40.facets_7);
-    const _S351 : vec3<f32> = vec3<f32>(0.0f, 0.0f, 1.0f);
+    const _S376 : vec3<f32> = vec3<f32>(0.0f, 0.0f, 1.0f);
     var wm_5 : vec3<f32>;
     if(!is_smooth_0)
     {
@@ -4475,7 +4596,7 @@ fn Dielectric_sample_0( this_40 : Dielectric_0,  given_2 : vec3<f32>,  u_17 : ve
     }
     else
     {
-        wm_5 = _S351;
+        wm_5 = _S376;
     }
     var cos_8 : f32 = dot_product_0(wo_7, wm_5);
     var reflectance_2 : f32 = fresnel_dielectric_0(cos_8, this_40.eta_6);
@@ -4500,32 +4621,32 @@ fn Dielectric_sample_0( this_40 : Dielectric_0,  given_2 : vec3<f32>,  u_17 : ve
         (*sample_12) = BsdfSample_x24init_0(wi_5, vec3<f32>(1.0f), 1.0f, true);
         return true;
     }
-    var _S352 : f32 = wi_5.z;
-    var _S353 : bool;
-    if((_S352 > 0.0f) != is_reflected_0)
+    var _S377 : f32 = wi_5.z;
+    var _S378 : bool;
+    if((_S377 > 0.0f) != is_reflected_0)
     {
-        _S353 = true;
+        _S378 = true;
     }
     else
     {
-        _S353 = _S352 == 0.0f;
+        _S378 = _S377 == 0.0f;
     }
-    if(_S353)
+    if(_S378)
     {
         return false;
     }
-    var weight_7 : vec3<f32> = vec3<f32>(Microfacets_shadowing_0(this_40.facets_7, wo_7.z, abs(_S352)));
+    var weight_7 : vec3<f32> = vec3<f32>(Microfacets_shadowing_0(this_40.facets_7, wo_7.z, abs(_S377)));
     var pdf_13 : f32 = divide_0(reflectance_2 * Microfacets_visible_pdf_0(this_40.facets_7, wo_7, wm_5), 4.0f * cos_8);
-    var _S354 : f32;
+    var _S379 : f32;
     if(is_reflected_0)
     {
-        _S354 = pdf_13;
+        _S379 = pdf_13;
     }
     else
     {
-        _S354 = 1.0f;
+        _S379 = 1.0f;
     }
-    (*sample_12) = BsdfSample_x24init_0(wi_5, weight_7, _S354, !is_reflected_0);
+    (*sample_12) = BsdfSample_x24init_0(wi_5, weight_7, _S379, !is_reflected_0);
     return true;
 }
 
@@ -4537,10 +4658,10 @@ struct Phase_0
 
 fn Phase_x24init_0( color_5 : vec3<f32>,  anisotropy_2 : f32) -> Phase_0
 {
-    var _S355 : Phase_0;
-    _S355.color_4 = color_5;
-    _S355.anisotropy_1 = anisotropy_2;
-    return _S355;
+    var _S380 : Phase_0;
+    _S380.color_4 = color_5;
+    _S380.anisotropy_1 = anisotropy_2;
+    return _S380;
 }
 
 fn sample_phase_0( anisotropy_3 : f32,  forward_0 : vec3<f32>,  u_18 : f32,  v_8 : f32,  cos_9 : ptr<function, f32>) -> vec3<f32>
@@ -4551,26 +4672,26 @@ fn sample_phase_0( anisotropy_3 : f32,  forward_0 : vec3<f32>,  u_18 : f32,  v_8
     }
     else
     {
-        var _S356 : f32 = anisotropy_3 * anisotropy_3;
-        var _S357 : f32 = 2.0f * anisotropy_3;
-        var ratio_1 : f32 = divide_0(1.0f - _S356, 1.0f + anisotropy_3 - _S357 * u_18);
-        (*cos_9) = divide_0(1.0f + _S356 - ratio_1 * ratio_1, _S357);
+        var _S381 : f32 = anisotropy_3 * anisotropy_3;
+        var _S382 : f32 = 2.0f * anisotropy_3;
+        var ratio_1 : f32 = divide_0(1.0f - _S381, 1.0f + anisotropy_3 - _S382 * u_18);
+        (*cos_9) = divide_0(1.0f + _S381 - ratio_1 * ratio_1, _S382);
     }
-    var _S358 : f32 = clamp((*cos_9), -1.0f, 1.0f);
-    (*cos_9) = _S358;
-    var radius_5 : f32 = square_root_0(1.0f - _S358 * _S358);
+    var _S383 : f32 = clamp((*cos_9), -1.0f, 1.0f);
+    (*cos_9) = _S383;
+    var radius_5 : f32 = square_root_0(1.0f - _S383 * _S383);
     var sin_cos_5 : vec2<f32> = sincos_turns_0(v_8);
     var x_17 : vec3<f32>;
     var y_13 : vec3<f32>;
     orthonormal_pair_1(forward_0, &(x_17), &(y_13));
-    return x_17 * vec3<f32>((radius_5 * sin_cos_5.y)) + y_13 * vec3<f32>((radius_5 * sin_cos_5.x)) + forward_0 * vec3<f32>(_S358);
+    return x_17 * vec3<f32>((radius_5 * sin_cos_5.y)) + y_13 * vec3<f32>((radius_5 * sin_cos_5.x)) + forward_0 * vec3<f32>(_S383);
 }
 
 fn phase_pdf_0( anisotropy_4 : f32,  cos_10 : f32) -> f32
 {
-    var _S359 : f32 = anisotropy_4 * anisotropy_4;
-    var base_1 : f32 = 1.0f + _S359 - 2.0f * anisotropy_4 * cos_10;
-    return divide_0(1.0f - _S359, 12.56637096405029297f * (base_1 * square_root_0(base_1)));
+    var _S384 : f32 = anisotropy_4 * anisotropy_4;
+    var base_1 : f32 = 1.0f + _S384 - 2.0f * anisotropy_4 * cos_10;
+    return divide_0(1.0f - _S384, 12.56637096405029297f * (base_1 * square_root_0(base_1)));
 }
 
 fn Phase_sample_0( this_41 : Phase_0,  wo_8 : vec3<f32>,  u_19 : vec3<f32>,  sample_13 : ptr<function, BsdfSample_0>) -> bool
@@ -4588,9 +4709,9 @@ struct Diffuse_0
 
 fn Diffuse_x24init_0( reflectance_4 : vec3<f32>) -> Diffuse_0
 {
-    var _S360 : Diffuse_0;
-    _S360.reflectance_3 = reflectance_4;
-    return _S360;
+    var _S385 : Diffuse_0;
+    _S385.reflectance_3 = reflectance_4;
+    return _S385;
 }
 
 fn Diffuse_sample_0( this_42 : Diffuse_0,  wo_9 : vec3<f32>,  u_20 : vec3<f32>,  sample_14 : ptr<function, BsdfSample_0>) -> bool
@@ -4604,40 +4725,40 @@ fn MaterialBsdf_sample_0( this_43 : MaterialBsdf_0,  wo_10 : vec3<f32>,  u_21 : 
 {
     if((this_43.kind_0) == u32(1))
     {
-        var _S361 : bool = Conductor_sample_0(Conductor_x24init_0(this_43.color_1, this_43.facets_0), wo_10, u_21, &((*sample_15)));
-        return _S361;
+        var _S386 : bool = Conductor_sample_0(Conductor_x24init_0(this_43.color_1, this_43.facets_0), wo_10, u_21, &((*sample_15)));
+        return _S386;
     }
     if((this_43.kind_0) == u32(2))
     {
-        var _S362 : bool = Plastic_sample_0(Plastic_x24init_0(this_43.color_1, this_43.specular_1, this_43.eta_0, this_43.facets_0), wo_10, u_21, &((*sample_15)));
-        return _S362;
+        var _S387 : bool = Plastic_sample_0(Plastic_x24init_0(this_43.color_1, this_43.specular_1, this_43.eta_0, this_43.facets_0), wo_10, u_21, &((*sample_15)));
+        return _S387;
     }
     if((this_43.kind_0) == u32(3))
     {
-        var _S363 : bool = Dielectric_sample_0(Dielectric_x24init_0(this_43.eta_0, this_43.facets_0), wo_10, u_21, &((*sample_15)));
-        return _S363;
+        var _S388 : bool = Dielectric_sample_0(Dielectric_x24init_0(this_43.eta_0, this_43.facets_0), wo_10, u_21, &((*sample_15)));
+        return _S388;
     }
     if((this_43.kind_0) == u32(4))
     {
-        var _S364 : bool = Phase_sample_0(Phase_x24init_0(this_43.color_1, this_43.specular_1), wo_10, u_21, &((*sample_15)));
-        return _S364;
+        var _S389 : bool = Phase_sample_0(Phase_x24init_0(this_43.color_1, this_43.specular_1), wo_10, u_21, &((*sample_15)));
+        return _S389;
     }
-    var _S365 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_43.color_1), wo_10, u_21, &((*sample_15)));
-    return _S365;
+    var _S390 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_43.color_1), wo_10, u_21, &((*sample_15)));
+    return _S390;
 }
 
 fn Conductor_eval_0( this_44 : Conductor_0,  given_3 : vec3<f32>,  wi_8 : vec3<f32>) -> BsdfEval_0
 {
-    var _S366 : bool;
+    var _S391 : bool;
     if(Microfacets_is_smooth_0(this_44.facets_3))
     {
-        _S366 = true;
+        _S391 = true;
     }
     else
     {
-        _S366 = (wi_8.z) <= 0.0f;
+        _S391 = (wi_8.z) <= 0.0f;
     }
-    if(_S366)
+    if(_S391)
     {
         return no_bsdf_eval_0();
     }
@@ -4660,16 +4781,16 @@ fn Plastic_eval_0( this_45 : Plastic_0,  given_4 : vec3<f32>,  wi_9 : vec3<f32>)
 
 fn Dielectric_eval_0( this_46 : Dielectric_0,  given_5 : vec3<f32>,  wi_10 : vec3<f32>) -> BsdfEval_0
 {
-    var _S367 : bool;
+    var _S392 : bool;
     if(Microfacets_is_smooth_0(this_46.facets_7))
     {
-        _S367 = true;
+        _S392 = true;
     }
     else
     {
-        _S367 = (wi_10.z) <= 0.0f;
+        _S392 = (wi_10.z) <= 0.0f;
     }
-    if(_S367)
+    if(_S392)
     {
         return no_bsdf_eval_0();
     }
@@ -4732,14 +4853,15 @@ fn MaterialBsdf_albedo_0( this_51 : MaterialBsdf_0) -> vec3<f32>
 @workgroup_size(64, 1, 1)
 fn check_bsdf(@builtin(global_invocation_id) id_12 : vec3<u32>, @builtin(local_invocation_index) thread_13 : u32)
 {
+    is_page_missing_0 = false;
     prove_0(thread_13);
-    var _S368 : u32 = id_12.x;
-    if(_S368 >= (dispatch_0.count_0))
+    var _S393 : u32 = id_12.x;
+    if(_S393 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_12 : Reader_0 = Reader_x24init_0(u32(25) * _S368);
-    var writer_12 : Writer_0 = Writer_x24init_0(u32(16) * _S368);
+    var reader_12 : Reader_0 = Reader_x24init_0(u32(25) * _S393);
+    var writer_12 : Writer_0 = Writer_x24init_0(u32(16) * _S393);
     var material_4 : PackedMaterial_0;
     var channel_0 : u32 = u32(0);
     for(;;)
@@ -4751,12 +4873,12 @@ fn check_bsdf(@builtin(global_invocation_id) id_12 : vec3<u32>, @builtin(local_i
         {
             break;
         }
-        var _S369 : f32 = Reader_number_0(&(reader_12));
-        material_4.base_color_0[channel_0] = _S369;
+        var _S394 : f32 = Reader_number_0(&(reader_12));
+        material_4.base_color_0[channel_0] = _S394;
         channel_0 = channel_0 + u32(1);
     }
-    var _S370 : f32 = Reader_number_0(&(reader_12));
-    material_4.roughness_0 = _S370;
+    var _S395 : f32 = Reader_number_0(&(reader_12));
+    material_4.roughness_0 = _S395;
     channel_0 = u32(0);
     for(;;)
     {
@@ -4767,20 +4889,20 @@ fn check_bsdf(@builtin(global_invocation_id) id_12 : vec3<u32>, @builtin(local_i
         {
             break;
         }
-        var _S371 : f32 = Reader_number_0(&(reader_12));
-        material_4.emission_0[channel_0] = _S371;
+        var _S396 : f32 = Reader_number_0(&(reader_12));
+        material_4.emission_0[channel_0] = _S396;
         channel_0 = channel_0 + u32(1);
     }
-    var _S372 : f32 = Reader_number_0(&(reader_12));
-    material_4.metallic_0 = _S372;
-    var _S373 : f32 = Reader_number_0(&(reader_12));
-    material_4.transmission_0 = _S373;
-    var _S374 : f32 = Reader_number_0(&(reader_12));
-    material_4.ior_0 = _S374;
-    var _S375 : f32 = Reader_number_0(&(reader_12));
-    material_4.specular_0 = _S375;
-    var _S376 : f32 = Reader_number_0(&(reader_12));
-    material_4.anisotropy_0 = _S376;
+    var _S397 : f32 = Reader_number_0(&(reader_12));
+    material_4.metallic_0 = _S397;
+    var _S398 : f32 = Reader_number_0(&(reader_12));
+    material_4.transmission_0 = _S398;
+    var _S399 : f32 = Reader_number_0(&(reader_12));
+    material_4.ior_0 = _S399;
+    var _S400 : f32 = Reader_number_0(&(reader_12));
+    material_4.specular_0 = _S400;
+    var _S401 : f32 = Reader_number_0(&(reader_12));
+    material_4.anisotropy_0 = _S401;
     channel_0 = u32(0);
     for(;;)
     {
@@ -4791,26 +4913,26 @@ fn check_bsdf(@builtin(global_invocation_id) id_12 : vec3<u32>, @builtin(local_i
         {
             break;
         }
-        var _S377 : f32 = Reader_number_0(&(reader_12));
-        material_4.absorption_0[channel_0] = _S377;
+        var _S402 : f32 = Reader_number_0(&(reader_12));
+        material_4.absorption_0[channel_0] = _S402;
         channel_0 = channel_0 + u32(1);
     }
-    var _S378 : f32 = Reader_number_0(&(reader_12));
-    material_4.scattering_0 = _S378;
+    var _S403 : f32 = Reader_number_0(&(reader_12));
+    material_4.scattering_0 = _S403;
     var wo_17 : vec3<f32> = Reader_vector_0(&(reader_12));
-    var _S379 : vec3<f32> = Reader_vector_0(&(reader_12));
-    var u_22 : vec3<f32> = _S379;
-    var _S380 : f32 = u_22[i32(2)];
-    var bsdf_0 : MaterialBsdf_0 = bsdf_of_0(material_4, 1.0f, &(_S380));
-    u_22[i32(2)] = _S380;
+    var _S404 : vec3<f32> = Reader_vector_0(&(reader_12));
+    var u_22 : vec3<f32> = _S404;
+    var _S405 : f32 = u_22[i32(2)];
+    var bsdf_0 : MaterialBsdf_0 = bsdf_of_0(material_4, 1.0f, &(_S405));
+    u_22[i32(2)] = _S405;
     var sample_16 : BsdfSample_0;
     var is_found_3 : bool = MaterialBsdf_sample_0(bsdf_0, wo_17, u_22, &(sample_16));
     if(!is_found_3)
     {
         sample_16 = no_bsdf_sample_0();
     }
-    var _S381 : vec3<f32> = Reader_vector_0(&(reader_12));
-    var eval_1 : BsdfEval_0 = MaterialBsdf_eval_0(bsdf_0, wo_17, _S381);
+    var _S406 : vec3<f32> = Reader_vector_0(&(reader_12));
+    var eval_1 : BsdfEval_0 = MaterialBsdf_eval_0(bsdf_0, wo_17, _S406);
     Writer_word_0(&(writer_12), u32(is_found_3));
     Writer_vector_0(&(writer_12), sample_16.wi_0);
     Writer_vector_0(&(writer_12), sample_16.weight_3);
@@ -4848,51 +4970,52 @@ fn unscattered_0( medium_1 : PackedMaterial_0,  voxels_2 : f32) -> f32
 fn logarithm_0( x_19 : f32) -> f32
 {
     var bits_3 : u32 = (bitcast<u32>((x_19)));
-    var _S382 : u32 = (bits_3 & (u32(8388607)));
-    var is_upper_0 : bool = _S382 > u32(3474675);
+    var _S407 : u32 = (bits_3 & (u32(8388607)));
+    var is_upper_0 : bool = _S407 > u32(3474675);
     var power_4 : i32 = i32((bits_3 >> (u32(23)))) - i32(127) + i32(is_upper_0);
-    var _S383 : u32;
+    var _S408 : u32;
     if(is_upper_0)
     {
-        _S383 = u32(1056964608);
+        _S408 = u32(1056964608);
     }
     else
     {
-        _S383 = u32(1065353216);
+        _S408 = u32(1065353216);
     }
-    var mantissa_3 : f32 = (bitcast<f32>(((_S382 | (_S383)))));
+    var mantissa_3 : f32 = (bitcast<f32>(((_S407 | (_S408)))));
     var s_1 : f32 = divide_0(mantissa_3 - 1.0f, mantissa_3 + 1.0f);
     var ss_0 : f32 = s_1 * s_1;
-    var _S384 : f32 = f32(power_4);
-    return _S384 * 0.693359375f + (_S384 * -0.00021219444170129f + s_1 * (2.0f + ss_0 * (0.66666668653488159f + ss_0 * (0.40000000596046448f + ss_0 * (0.28571429848670959f + ss_0 * 0.2222222238779068f)))));
+    var _S409 : f32 = f32(power_4);
+    return _S409 * 0.693359375f + (_S409 * -0.00021219444170129f + s_1 * (2.0f + ss_0 * (0.66666668653488159f + ss_0 * (0.40000000596046448f + ss_0 * (0.28571429848670959f + ss_0 * 0.2222222238779068f)))));
 }
 
 fn free_path_0( medium_2 : PackedMaterial_0,  u_23 : f32) -> f32
 {
-    var _S385 : f32;
+    var _S410 : f32;
     if((medium_2.scattering_0) > 0.0f)
     {
-        _S385 = divide_0(- logarithm_0(1.0f - u_23), medium_2.scattering_0);
+        _S410 = divide_0(- logarithm_0(1.0f - u_23), medium_2.scattering_0);
     }
     else
     {
-        _S385 = (bitcast<f32>((u32(2139095040))));
+        _S410 = (bitcast<f32>((u32(2139095040))));
     }
-    return _S385;
+    return _S410;
 }
 
 @compute
 @workgroup_size(64, 1, 1)
 fn check_medium(@builtin(global_invocation_id) id_13 : vec3<u32>, @builtin(local_invocation_index) thread_14 : u32)
 {
+    is_page_missing_0 = false;
     prove_0(thread_14);
-    var _S386 : u32 = id_13.x;
-    if(_S386 >= (dispatch_0.count_0))
+    var _S411 : u32 = id_13.x;
+    if(_S411 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_13 : Reader_0 = Reader_x24init_0(u32(12) * _S386);
-    var writer_13 : Writer_0 = Writer_x24init_0(u32(10) * _S386);
+    var reader_13 : Reader_0 = Reader_x24init_0(u32(12) * _S411);
+    var writer_13 : Writer_0 = Writer_x24init_0(u32(10) * _S411);
     var medium_3 : PackedMaterial_0;
     var channel_1 : u32 = u32(0);
     for(;;)
@@ -4904,14 +5027,14 @@ fn check_medium(@builtin(global_invocation_id) id_13 : vec3<u32>, @builtin(local
         {
             break;
         }
-        var _S387 : f32 = Reader_number_0(&(reader_13));
-        medium_3.absorption_0[channel_1] = _S387;
+        var _S412 : f32 = Reader_number_0(&(reader_13));
+        medium_3.absorption_0[channel_1] = _S412;
         channel_1 = channel_1 + u32(1);
     }
-    var _S388 : f32 = Reader_number_0(&(reader_13));
-    medium_3.scattering_0 = _S388;
-    var _S389 : f32 = Reader_number_0(&(reader_13));
-    medium_3.anisotropy_0 = _S389;
+    var _S413 : f32 = Reader_number_0(&(reader_13));
+    medium_3.scattering_0 = _S413;
+    var _S414 : f32 = Reader_number_0(&(reader_13));
+    medium_3.anisotropy_0 = _S414;
     var voxels_3 : f32 = Reader_number_0(&(reader_13));
     var forward_1 : vec3<f32> = Reader_vector_0(&(reader_13));
     var u_24 : f32 = Reader_number_0(&(reader_13));
@@ -4920,11 +5043,11 @@ fn check_medium(@builtin(global_invocation_id) id_13 : vec3<u32>, @builtin(local
     Writer_number_0(&(writer_13), unscattered_0(medium_3, voxels_3));
     Writer_number_0(&(writer_13), free_path_0(medium_3, u_24));
     var cos_14 : f32;
-    var _S390 : vec3<f32> = sample_phase_0(_S389, forward_1, u_24, v_9, &(cos_14));
-    Writer_vector_0(&(writer_13), _S390);
+    var _S415 : vec3<f32> = sample_phase_0(_S414, forward_1, u_24, v_9, &(cos_14));
+    Writer_vector_0(&(writer_13), _S415);
     Writer_number_0(&(writer_13), cos_14);
-    var _S391 : f32 = Reader_number_0(&(reader_13));
-    Writer_number_0(&(writer_13), phase_pdf_0(_S389, _S391));
+    var _S416 : f32 = Reader_number_0(&(reader_13));
+    Writer_number_0(&(writer_13), phase_pdf_0(_S414, _S416));
     return;
 }
 
@@ -4938,12 +5061,12 @@ struct Perspective_0
 
 fn Perspective_x24init_0( eye_2 : vec3<f32>,  corner_3 : vec3<f32>,  pixel_x_2 : vec3<f32>,  pixel_y_2 : vec3<f32>) -> Perspective_0
 {
-    var _S392 : Perspective_0;
-    _S392.eye_1 = eye_2;
-    _S392.corner_2 = corner_3;
-    _S392.pixel_x_1 = pixel_x_2;
-    _S392.pixel_y_1 = pixel_y_2;
-    return _S392;
+    var _S417 : Perspective_0;
+    _S417.eye_1 = eye_2;
+    _S417.corner_2 = corner_3;
+    _S417.pixel_x_1 = pixel_x_2;
+    _S417.pixel_y_1 = pixel_y_2;
+    return _S417;
 }
 
 struct Axes_0
@@ -4955,11 +5078,11 @@ struct Axes_0
 
 fn Axes_x24init_0( forward_3 : vec3<f32>,  right_4 : vec3<f32>,  up_1 : vec3<f32>) -> Axes_0
 {
-    var _S393 : Axes_0;
-    _S393.forward_2 = forward_3;
-    _S393.right_3 = right_4;
-    _S393.up_0 = up_1;
-    return _S393;
+    var _S418 : Axes_0;
+    _S418.forward_2 = forward_3;
+    _S418.right_3 = right_4;
+    _S418.up_0 = up_1;
+    return _S418;
 }
 
 struct ThinLens_0
@@ -4972,28 +5095,28 @@ struct ThinLens_0
 
 fn ThinLens_x24init_0( perspective_1 : Perspective_0,  lens_x_2 : vec3<f32>,  lens_y_2 : vec3<f32>,  blades_2 : u32) -> ThinLens_0
 {
-    var _S394 : ThinLens_0;
-    _S394.perspective_0 = perspective_1;
-    _S394.lens_x_1 = lens_x_2;
-    _S394.lens_y_1 = lens_y_2;
-    _S394.blades_1 = blades_2;
-    return _S394;
+    var _S419 : ThinLens_0;
+    _S419.perspective_0 = perspective_1;
+    _S419.lens_x_1 = lens_x_2;
+    _S419.lens_y_1 = lens_y_2;
+    _S419.blades_1 = blades_2;
+    return _S419;
 }
 
 fn concentric_0( square_2 : vec2<f32>) -> vec2<f32>
 {
     var a_6 : f32 = 2.0f * square_2.x - 1.0f;
     var b_5 : f32 = 2.0f * square_2.y - 1.0f;
-    var _S395 : bool;
+    var _S420 : bool;
     if(a_6 == 0.0f)
     {
-        _S395 = b_5 == 0.0f;
+        _S420 = b_5 == 0.0f;
     }
     else
     {
-        _S395 = false;
+        _S420 = false;
     }
-    if(_S395)
+    if(_S420)
     {
         return vec2<f32>(0.0f);
     }
@@ -5020,7 +5143,7 @@ fn concentric_0( square_2 : vec2<f32>) -> vec2<f32>
     {
         turns_3 = turns_3 + 0.5f;
     }
-    var _S396 : f32 = abs(radius_6);
+    var _S421 : f32 = abs(radius_6);
     if(turns_3 < 0.0f)
     {
         radius_6 = turns_3 + 1.0f;
@@ -5029,7 +5152,7 @@ fn concentric_0( square_2 : vec2<f32>) -> vec2<f32>
     {
         radius_6 = turns_3;
     }
-    return vec2<f32>(_S396, radius_6);
+    return vec2<f32>(_S421, radius_6);
 }
 
 fn place_in_aperture_0( blades_3 : u32,  lens_1 : vec2<f32>) -> vec2<f32>
@@ -5047,9 +5170,9 @@ fn place_in_aperture_0( blades_3 : u32,  lens_1 : vec2<f32>) -> vec2<f32>
     var share_8 : f32 = scaled_0 - blade_0;
     var from_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0, count_6));
     var to_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0 + 1.0f, count_6));
-    var _S397 : f32 = from_0.y;
-    var _S398 : f32 = from_0.x;
-    return vec2<f32>(_S397 + (to_0.y - _S397) * share_8, _S398 + (to_0.x - _S398) * share_8) * vec2<f32>(radius_7);
+    var _S422 : f32 = from_0.y;
+    var _S423 : f32 = from_0.x;
+    return vec2<f32>(_S422 + (to_0.y - _S422) * share_8, _S423 + (to_0.x - _S423) * share_8) * vec2<f32>(radius_7);
 }
 
 fn ThinLens_ray_0( this_52 : ThinLens_0,  position_1 : vec2<f32>,  lens_2 : vec2<f32>) -> Ray_0
@@ -5069,12 +5192,12 @@ struct Orthographic_0
 
 fn Orthographic_x24init_0( corner_5 : vec3<f32>,  pixel_x_4 : vec3<f32>,  pixel_y_4 : vec3<f32>,  forward_5 : vec3<f32>) -> Orthographic_0
 {
-    var _S399 : Orthographic_0;
-    _S399.corner_4 = corner_5;
-    _S399.pixel_x_3 = pixel_x_4;
-    _S399.pixel_y_3 = pixel_y_4;
-    _S399.forward_4 = forward_5;
-    return _S399;
+    var _S424 : Orthographic_0;
+    _S424.corner_4 = corner_5;
+    _S424.pixel_x_3 = pixel_x_4;
+    _S424.pixel_y_3 = pixel_y_4;
+    _S424.forward_4 = forward_5;
+    return _S424;
 }
 
 fn Orthographic_ray_0( this_53 : Orthographic_0,  position_2 : vec2<f32>,  lens_3 : vec2<f32>) -> Ray_0
@@ -5092,12 +5215,12 @@ struct Panorama_0
 
 fn Panorama_x24init_0( eye_4 : vec3<f32>,  axes_2 : Axes_0,  inverse_size_1 : vec2<f32>,  half_eye_distance_1 : f32) -> Panorama_0
 {
-    var _S400 : Panorama_0;
-    _S400.eye_3 = eye_4;
-    _S400.axes_1 = axes_2;
-    _S400.inverse_size_0 = inverse_size_1;
-    _S400.half_eye_distance_0 = half_eye_distance_1;
-    return _S400;
+    var _S425 : Panorama_0;
+    _S425.eye_3 = eye_4;
+    _S425.axes_1 = axes_2;
+    _S425.inverse_size_0 = inverse_size_1;
+    _S425.half_eye_distance_0 = half_eye_distance_1;
+    return _S425;
 }
 
 fn Panorama_ray_0( this_54 : Panorama_0,  position_3 : vec2<f32>,  lens_4 : vec2<f32>) -> Ray_0
@@ -5124,9 +5247,9 @@ fn Panorama_ray_0( this_54 : Panorama_0,  position_3 : vec2<f32>,  lens_4 : vec2
     }
     var longitude_0 : vec2<f32> = sincos_turns_0(position_3.x * this_54.inverse_size_0.x);
     var height_2 : vec2<f32> = sincos_turns_0(latitude_1 * 0.5f);
-    var _S401 : vec3<f32> = vec3<f32>(longitude_0.y);
-    var _S402 : vec3<f32> = vec3<f32>(longitude_0.x);
-    return ray_from_0(this_54.eye_3 + (this_54.axes_1.forward_2 * _S402 - this_54.axes_1.right_3 * _S401) * vec3<f32>(side_3), normalize_vector_0((vec3<f32>(0) - this_54.axes_1.forward_2 * _S401 + this_54.axes_1.right_3 * _S402) * vec3<f32>(height_2.x) + this_54.axes_1.up_0 * vec3<f32>(height_2.y)));
+    var _S426 : vec3<f32> = vec3<f32>(longitude_0.y);
+    var _S427 : vec3<f32> = vec3<f32>(longitude_0.x);
+    return ray_from_0(this_54.eye_3 + (this_54.axes_1.forward_2 * _S427 - this_54.axes_1.right_3 * _S426) * vec3<f32>(side_3), normalize_vector_0((vec3<f32>(0) - this_54.axes_1.forward_2 * _S426 + this_54.axes_1.right_3 * _S427) * vec3<f32>(height_2.x) + this_54.axes_1.up_0 * vec3<f32>(height_2.y)));
 }
 
 struct Fisheye_0
@@ -5139,12 +5262,12 @@ struct Fisheye_0
 
 fn Fisheye_x24init_0( eye_6 : vec3<f32>,  axes_4 : Axes_0,  middle_4 : vec2<f32>,  turns_per_pixel_1 : f32) -> Fisheye_0
 {
-    var _S403 : Fisheye_0;
-    _S403.eye_5 = eye_6;
-    _S403.axes_3 = axes_4;
-    _S403.middle_3 = middle_4;
-    _S403.turns_per_pixel_0 = turns_per_pixel_1;
-    return _S403;
+    var _S428 : Fisheye_0;
+    _S428.eye_5 = eye_6;
+    _S428.axes_3 = axes_4;
+    _S428.middle_3 = middle_4;
+    _S428.turns_per_pixel_0 = turns_per_pixel_1;
+    return _S428;
 }
 
 fn Fisheye_ray_0( this_55 : Fisheye_0,  position_4 : vec2<f32>,  lens_5 : vec2<f32>) -> Ray_0
@@ -5215,37 +5338,38 @@ fn CameraFrame_ray_0( this_57 : CameraFrame_0,  position_6 : vec2<f32>,  lens_sa
 @workgroup_size(64, 1, 1)
 fn check_camera(@builtin(global_invocation_id) id_14 : vec3<u32>, @builtin(local_invocation_index) thread_15 : u32)
 {
+    is_page_missing_0 = false;
     prove_0(thread_15);
-    var _S404 : u32 = id_14.x;
-    if(_S404 >= (dispatch_0.count_0))
+    var _S429 : u32 = id_14.x;
+    if(_S429 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_14 : Reader_0 = Reader_x24init_0(u32(24) * _S404);
-    var writer_14 : Writer_0 = Writer_x24init_0(u32(8) * _S404);
+    var reader_14 : Reader_0 = Reader_x24init_0(u32(24) * _S429);
+    var writer_14 : Writer_0 = Writer_x24init_0(u32(8) * _S429);
     var camera_0 : CameraFrame_0;
-    var _S405 : u32 = Reader_word_0(&(reader_14));
-    camera_0.lens_7 = _S405;
-    var _S406 : vec3<f32> = Reader_vector_0(&(reader_14));
-    camera_0.eye_7 = _S406;
-    var _S407 : vec3<f32> = Reader_vector_0(&(reader_14));
-    camera_0.corner_6 = _S407;
-    var _S408 : vec3<f32> = Reader_vector_0(&(reader_14));
-    camera_0.pixel_x_5 = _S408;
-    var _S409 : vec3<f32> = Reader_vector_0(&(reader_14));
-    camera_0.pixel_y_5 = _S409;
-    var _S410 : vec3<f32> = Reader_vector_0(&(reader_14));
-    camera_0.lens_x_3 = _S410;
-    var _S411 : vec3<f32> = Reader_vector_0(&(reader_14));
-    camera_0.lens_y_3 = _S411;
-    var _S412 : u32 = Reader_word_0(&(reader_14));
-    camera_0.blades_4 = _S412;
+    var _S430 : u32 = Reader_word_0(&(reader_14));
+    camera_0.lens_7 = _S430;
+    var _S431 : vec3<f32> = Reader_vector_0(&(reader_14));
+    camera_0.eye_7 = _S431;
+    var _S432 : vec3<f32> = Reader_vector_0(&(reader_14));
+    camera_0.corner_6 = _S432;
+    var _S433 : vec3<f32> = Reader_vector_0(&(reader_14));
+    camera_0.pixel_x_5 = _S433;
+    var _S434 : vec3<f32> = Reader_vector_0(&(reader_14));
+    camera_0.pixel_y_5 = _S434;
+    var _S435 : vec3<f32> = Reader_vector_0(&(reader_14));
+    camera_0.lens_x_3 = _S435;
+    var _S436 : vec3<f32> = Reader_vector_0(&(reader_14));
+    camera_0.lens_y_3 = _S436;
+    var _S437 : u32 = Reader_word_0(&(reader_14));
+    camera_0.blades_4 = _S437;
     var x_21 : f32 = Reader_number_0(&(reader_14));
-    var _S413 : f32 = Reader_number_0(&(reader_14));
-    var position_7 : vec2<f32> = vec2<f32>(x_21, _S413);
+    var _S438 : f32 = Reader_number_0(&(reader_14));
+    var position_7 : vec2<f32> = vec2<f32>(x_21, _S438);
     var u_25 : f32 = Reader_number_0(&(reader_14));
-    var _S414 : f32 = Reader_number_0(&(reader_14));
-    var ray_10 : Ray_0 = CameraFrame_ray_0(camera_0, position_7, vec2<f32>(u_25, _S414));
+    var _S439 : f32 = Reader_number_0(&(reader_14));
+    var ray_10 : Ray_0 = CameraFrame_ray_0(camera_0, position_7, vec2<f32>(u_25, _S439));
     Writer_vector_0(&(writer_14), ray_10.origin_1);
     Writer_number_0(&(writer_14), ray_10.t_min_0);
     Writer_vector_0(&(writer_14), ray_10.direction_1);

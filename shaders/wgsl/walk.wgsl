@@ -95,6 +95,8 @@ struct PackedGrid_std430_0
 
 @binding(3) @group(0) var<storage, read> grids_0 : array<PackedGrid_std430_0>;
 
+@binding(21) @group(0) var<storage, read_write> pages_0 : array<u32>;
+
 @binding(0) @group(0) var<storage, read> cells_0 : array<u32>;
 
 @binding(1) @group(0) var<storage, read> bricks_0 : array<u32>;
@@ -1660,66 +1662,166 @@ fn ahead_of_0( mirror_1 : vec3<i32>) -> u32
     return ((((bits_0.x) | ((bits_0.y)))) | ((bits_0.z)));
 }
 
+@id(12) override HAS_PAGES_0 : bool = false;
+
+var<private> is_page_missing_0 : bool;
+
+fn word_in_pages_0( index_3 : u32,  first_2 : u32) -> u32
+{
+    var page_0 : u32 = first_2 + ((index_3 >> (u32(12))));
+    var mark_0 : u32 = u32(4) + pages_0[i32(2)] + page_0;
+    if(pages_0[mark_0] == u32(0))
+    {
+        pages_0[mark_0] = u32(1);
+    }
+    var slot_0 : u32 = pages_0[u32(4) + page_0];
+    var _S84 : bool;
+    if(is_page_missing_0)
+    {
+        _S84 = true;
+    }
+    else
+    {
+        _S84 = slot_0 == u32(0);
+    }
+    is_page_missing_0 = _S84;
+    return (((slot_0 << (u32(12)))) | (((index_3 & (u32(4095))))));
+}
+
+fn place_of_cell_0( index_4 : u32) -> u32
+{
+    var _S85 : u32;
+    if(HAS_PAGES_0)
+    {
+        var _S86 : u32 = word_in_pages_0(index_4, u32(0));
+        _S85 = _S86;
+    }
+    else
+    {
+        _S85 = index_4;
+    }
+    return _S85;
+}
+
+fn cell_word_0( index_5 : u32) -> u32
+{
+    var _S87 : u32 = place_of_cell_0(index_5);
+    return cells_0[_S87];
+}
+
 fn cell_in_node_0( relative_0 : vec3<i32>,  shift_0 : u32) -> u32
 {
     var cell_0 : vec3<u32> = (((vec3<u32>(relative_0) >> (vec3<u32>(shift_0)))) & (vec3<u32>(u32(3))));
     return ((((cell_0.x) | ((((cell_0.y) << (u32(2))))))) | ((((cell_0.z) << (u32(4))))));
 }
 
-fn extents_0( cell_1 : u32,  ahead_0 : u32) -> vec3<i32>
+fn waits_for_pages_0() -> bool
 {
-    return vec3<i32>((((vec3<u32>(((((cell_1 & (ahead_0))) | (((((cell_1 >> (u32(15)))) & (((u32(32767) ^ (ahead_0)))))))))) >> (vec3<u32>(u32(0), u32(5), u32(10))))) & (vec3<u32>(u32(31)))));
+    var _S88 : bool;
+    if(HAS_PAGES_0)
+    {
+        _S88 = is_page_missing_0;
+    }
+    else
+    {
+        _S88 = false;
+    }
+    return _S88;
+}
+
+@id(11) override CELLS_SKIP_0 : bool = false;
+
+fn skip_distance_0( cell_1 : u32,  octant_1 : u32) -> u32
+{
+    var code_0 : u32 = (((cell_1 >> ((u32(3) * octant_1)))) & (u32(7)));
+    var _S89 : u32;
+    if(code_0 < u32(2))
+    {
+        _S89 = code_0 + u32(1);
+    }
+    else
+    {
+        _S89 = ((u32(3) + ((code_0 & (u32(1))))) << ((((code_0 >> (u32(1)))) - u32(1))));
+    }
+    return _S89;
+}
+
+fn extents_0( cell_2 : u32,  ahead_0 : u32) -> vec3<i32>
+{
+    return vec3<i32>((((vec3<u32>(((((cell_2 & (ahead_0))) | (((((cell_2 >> (u32(15)))) & (((u32(32767) ^ (ahead_0)))))))))) >> (vec3<u32>(u32(0), u32(5), u32(10))))) & (vec3<u32>(u32(31)))));
 }
 
 @id(4) override CELLS_HAVE_BLOCKS_0 : bool = false;
 
-fn record_of_cell_0( cell_2 : u32) -> u32
+fn record_of_cell_0( cell_3 : u32) -> u32
 {
-    var _S84 : u32;
+    var _S90 : u32;
     if(CELLS_HAVE_BLOCKS_0)
     {
-        _S84 = u32(8388607);
+        _S90 = u32(8388607);
     }
     else
     {
-        _S84 = u32(2147483647);
+        _S90 = u32(2147483647);
     }
-    return ((cell_2 & (_S84))) * u32(2);
+    return ((cell_3 & (_S90))) * u32(2);
 }
 
-fn blocks_of_cell_0( cell_3 : u32) -> u32
+fn blocks_of_cell_0( cell_4 : u32) -> u32
 {
-    return (((cell_3 >> (u32(23)))) & (u32(255)));
+    return (((cell_4 >> (u32(23)))) & (u32(255)));
+}
+
+fn place_of_brick_0( index_6 : u32) -> u32
+{
+    var _S91 : u32;
+    if(HAS_PAGES_0)
+    {
+        var _S92 : u32 = word_in_pages_0(index_6, pages_0[i32(0)]);
+        _S91 = _S92;
+    }
+    else
+    {
+        _S91 = index_6;
+    }
+    return _S91;
+}
+
+fn brick_word_0( index_7 : u32) -> u32
+{
+    var _S93 : u32 = place_of_brick_0(index_7);
+    return bricks_0[_S93];
 }
 
 fn blocks_of_record_0( record_0 : u32) -> u32
 {
-    return (bricks_0[record_0] & (u32(255)));
+    var _S94 : u32 = brick_word_0(record_0);
+    return (_S94 & (u32(255)));
 }
 
-fn empty_around_0( record_1 : u32,  blocks_0 : u32,  voxel_14 : vec3<i32>,  octant_1 : u32,  flip_0 : u32) -> u32
+fn empty_around_0( record_1 : u32,  blocks_0 : u32,  voxel_14 : vec3<i32>,  octant_2 : u32,  flip_0 : u32) -> u32
 {
-    var block_0 : u32 = (((((u32(((((voxel_14.x) >> (u32(2)))) & (i32(1)))) | (u32(((((voxel_14.y) >> (u32(1)))) & (i32(2))))))) | (u32(((voxel_14.z) & (i32(4))))))) ^ (octant_1));
+    var block_0 : u32 = (((((u32(((((voxel_14.x) >> (u32(2)))) & (i32(1)))) | (u32(((((voxel_14.y) >> (u32(1)))) & (i32(2))))))) | (u32(((voxel_14.z) & (i32(4))))))) ^ (octant_2));
     if(((((blocks_0 >> (block_0))) & (u32(1)))) == u32(0))
     {
         return u32(3);
     }
     var bit_0 : u32 = ((cell_in_node_0(voxel_14, u32(0))) ^ (flip_0));
-    var half_0 : u32 = bricks_0[record_1 + u32(2) + u32(2) * countOneBits((blocks_0 & ((((u32(1) << (block_0))) - u32(1))))) + ((bit_0 >> (u32(5))))];
+    var half_0 : u32 = brick_word_0(record_1 + u32(2) + u32(2) * countOneBits((blocks_0 & ((((u32(1) << (block_0))) - u32(1))))) + ((bit_0 >> (u32(5)))));
     if(((((half_0 >> (((bit_0 & (u32(31))))))) & (u32(1)))) != u32(0))
     {
         return u32(4294967295);
     }
-    var _S85 : i32;
+    var _S95 : i32;
     if(((((half_0 >> (((bit_0 & (u32(10))))))) & (u32(3342387)))) == u32(0))
     {
-        _S85 = i32(1);
+        _S95 = i32(1);
     }
     else
     {
-        _S85 = i32(0);
+        _S95 = i32(0);
     }
-    return u32(_S85);
+    return u32(_S95);
 }
 
 fn Walk_leave_rounded_1( this_21 : Walk_0,  voxel_15 : ptr<function, vec3<i32>>,  exit_4 : vec3<i32>) -> bool
@@ -1738,8 +1840,8 @@ fn Walk_leave_1( this_22 : Walk_0,  voxel_16 : ptr<function, vec3<i32>>,  exit_5
 {
     if(!IS_EXACT_0)
     {
-        var _S86 : bool = Walk_leave_rounded_1(this_22, &((*voxel_16)), exit_5);
-        return _S86;
+        var _S96 : bool = Walk_leave_rounded_1(this_22, &((*voxel_16)), exit_5);
+        return _S96;
     }
     var t_8 : vec3<f32> = Walk_crossings_0(this_22, exit_5);
     var t_first_3 : f32 = min_element_0(t_8);
@@ -1748,9 +1850,9 @@ fn Walk_leave_1( this_22 : Walk_0,  voxel_16 : ptr<function, vec3<i32>>,  exit_5
         return false;
     }
     var is_x_2 : bool = (t_8.x) == t_first_3;
-    var _S87 : bool = !is_x_2;
+    var _S97 : bool = !is_x_2;
     var is_y_2 : bool;
-    if(_S87)
+    if(_S97)
     {
         is_y_2 = (t_8.y) == t_first_3;
     }
@@ -1762,43 +1864,43 @@ fn Walk_leave_1( this_22 : Walk_0,  voxel_16 : ptr<function, vec3<i32>>,  exit_5
     var nearest_4 : vec3<f32> = round(back_1);
     var from_nearest_3 : vec3<f32> = back_1 - nearest_4;
     var planes_3 : vec3<i32> = exit_5 - vec3<i32>(min(nearest_4, vec3<f32>(4.194304e+06f)));
-    var _S88 : vec3<i32> = planes_3 - vec3<i32>(from_nearest_3 > vec3<f32>(0.0f));
-    var _S89 : vec3<bool> = (abs(from_nearest_3)) <= (this_22.tolerance_0);
-    var _S90 : bool;
-    if(_S87)
+    var _S98 : vec3<i32> = planes_3 - vec3<i32>(from_nearest_3 > vec3<f32>(0.0f));
+    var _S99 : vec3<bool> = (abs(from_nearest_3)) <= (this_22.tolerance_0);
+    var _S100 : bool;
+    if(_S97)
     {
-        _S90 = !is_y_2;
+        _S100 = !is_y_2;
     }
     else
     {
-        _S90 = false;
+        _S100 = false;
     }
     var arrival_2 : vec3<i32>;
-    if((any((select(vec3<bool>(false), !vec3<bool>(is_x_2, is_y_2, _S90), _S89)))))
+    if((any((select(vec3<bool>(false), !vec3<bool>(is_x_2, is_y_2, _S100), _S99)))))
     {
         arrival_2 = Walk_mirrored_0(this_22, leave_box_0(this_22.ray_1, Walk_mirrored_0(this_22, (*voxel_16)) + this_22.grid_origin_0, Walk_mirrored_plane_0(this_22, exit_5) + this_22.grid_origin_0, Walk_mirrored_plane_0(this_22, planes_3) + this_22.grid_origin_0) - this_22.grid_origin_0);
     }
     else
     {
-        arrival_2 = _S88;
+        arrival_2 = _S98;
     }
     (*voxel_16) = select(max(arrival_2, (*voxel_16)), (*voxel_16), (this_22.speed_1) == vec3<f32>(0.0f));
     return true;
 }
 
-fn first_voxel_0( _S91 : u32,  _S92 : Walk_0,  _S93 : ptr<function, vec3<i32>>) -> bool
+fn first_voxel_0( _S101 : u32,  _S102 : Walk_0,  _S103 : ptr<function, vec3<i32>>) -> bool
 {
-    var _S94 : Walk_0 = _S92;
-    var _S95 : vec3<i32> = vec3<i32>(i32(0));
-    (*_S93) = _S95;
-    var voxel_17 : vec3<i32> = Walk_start_voxel_0(_S92);
-    var _S96 : bool = Walk_enter_0(_S92, &(voxel_17), cell_of_0(grids_0[_S91].min_1) - _S94.grid_origin_0, cell_of_0(grids_0[_S91].max_1) - _S94.grid_origin_0);
-    if(!_S96)
+    var _S104 : Walk_0 = _S102;
+    var _S105 : vec3<i32> = vec3<i32>(i32(0));
+    (*_S103) = _S105;
+    var voxel_17 : vec3<i32> = Walk_start_voxel_0(_S102);
+    var _S106 : bool = Walk_enter_0(_S102, &(voxel_17), cell_of_0(grids_0[_S101].min_1) - _S104.grid_origin_0, cell_of_0(grids_0[_S101].max_1) - _S104.grid_origin_0);
+    if(!_S106)
     {
         return false;
     }
-    var octant_2 : u32 = LocalRay_octant_0(_S94.ray_1);
-    var _S97 : u32 = flip_of_0(octant_2);
+    var octant_3 : u32 = LocalRay_octant_0(_S104.ray_1);
+    var _S107 : u32 = flip_of_0(octant_3);
     var top_shift_2 : u32;
     if(TOP_SHIFT_0 != u32(0))
     {
@@ -1806,55 +1908,56 @@ fn first_voxel_0( _S91 : u32,  _S92 : Walk_0,  _S93 : ptr<function, vec3<i32>>) 
     }
     else
     {
-        top_shift_2 = grids_0[_S91].top_shift_0;
+        top_shift_2 = grids_0[_S101].top_shift_0;
     }
-    var top_size_1 : vec3<i32> = cell_of_0(grids_0[_S91].top_size_0);
-    var _S98 : i32 = top_size_1.x;
-    var stride_0 : vec3<i32> = vec3<i32>(i32(1), _S98, _S98 * top_size_1.y);
-    var _S99 : i32 = i32(grids_0[_S91].top_offset_0) - dot_cells_0((stride_0 & ((_S94.mirror_0))), vec3<i32>(i32(1)));
-    var _S100 : vec3<i32> = Walk_mirrored_plane_0(_S94, stride_0);
-    var _S101 : u32 = ahead_of_0(_S94.mirror_0);
-    var end_0 : vec3<i32> = select((top_size_1 << (vec3<u32>(top_shift_2))), _S95, (_S94.mirror_0) != _S95);
+    var top_size_1 : vec3<i32> = cell_of_0(grids_0[_S101].top_size_0);
+    var _S108 : i32 = top_size_1.x;
+    var stride_0 : vec3<i32> = vec3<i32>(i32(1), _S108, _S108 * top_size_1.y);
+    var _S109 : i32 = i32(grids_0[_S101].top_offset_0) - dot_cells_0((stride_0 & ((_S104.mirror_0))), vec3<i32>(i32(1)));
+    var _S110 : vec3<i32> = Walk_mirrored_plane_0(_S104, stride_0);
+    var _S111 : u32 = ahead_of_0(_S104.mirror_0);
+    var end_0 : vec3<i32> = select((top_size_1 << (vec3<u32>(top_shift_2))), _S105, (_S104.mirror_0) != _S105);
     if(!IS_EXACT_0)
     {
-        _S94.t_end_0 = min(_S94.t_end_0, min_element_0(Walk_crossings_0(_S94, end_0)));
+        _S104.t_end_0 = min(_S104.t_end_0, min_element_0(Walk_crossings_0(_S104, end_0)));
     }
     var is_found_0 : bool = false;
     for(;;)
     {
-        var _S102 : bool;
+        var _S112 : bool;
         if(IS_EXACT_0)
         {
-            _S102 = (any((voxel_17 >= end_0)));
+            _S112 = (any((voxel_17 >= end_0)));
         }
         else
         {
-            _S102 = false;
+            _S112 = false;
         }
-        if(_S102)
+        if(_S112)
         {
             break;
         }
-        var cell_4 : u32 = cells_0[_S99 + dot_cells_0(_S100, (voxel_17 >> (vec3<u32>(top_shift_2))))];
-        var cell_5 : u32;
+        var cell_5 : u32 = cell_word_0(u32(_S109 + dot_cells_0(_S110, (voxel_17 >> (vec3<u32>(top_shift_2))))));
+        var cell_6 : u32;
         var shift_1 : u32;
         var is_found_1 : bool;
         if(TOP_SHIFT_0 == u32(5))
         {
-            if(((cell_4 & (u32(2147483648)))) != u32(0))
+            if(((cell_5 & (u32(2147483648)))) != u32(0))
             {
-                cell_5 = cells_0[((cell_4 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_17, u32(3))) ^ (_S97)))];
+                var _S113 : u32 = cell_word_0(((cell_5 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_17, u32(3))) ^ (_S107))));
+                cell_6 = _S113;
                 shift_1 = u32(3);
             }
             else
             {
-                cell_5 = cell_4;
+                cell_6 = cell_5;
                 shift_1 = top_shift_2;
             }
         }
         else
         {
-            cell_5 = cell_4;
+            cell_6 = cell_5;
             shift_1 = top_shift_2;
             for(;;)
             {
@@ -1866,16 +1969,16 @@ fn first_voxel_0( _S91 : u32,  _S92 : Walk_0,  _S93 : ptr<function, vec3<i32>>) 
                 {
                     is_found_1 = false;
                 }
-                var _S103 : bool;
+                var _S114 : bool;
                 if(is_found_1)
                 {
-                    _S103 = ((cell_5 & (u32(2147483648)))) != u32(0);
+                    _S114 = ((cell_6 & (u32(2147483648)))) != u32(0);
                 }
                 else
                 {
-                    _S103 = false;
+                    _S114 = false;
                 }
-                if(_S103)
+                if(_S114)
                 {
                 }
                 else
@@ -1883,29 +1986,43 @@ fn first_voxel_0( _S91 : u32,  _S92 : Walk_0,  _S93 : ptr<function, vec3<i32>>) 
                     break;
                 }
                 var shift_2 : u32 = shift_1 - u32(2);
-                cell_5 = cells_0[((cell_5 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_17, shift_2)) ^ (_S97)))];
+                var _S115 : u32 = cell_word_0(((cell_6 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_17, shift_2)) ^ (_S107))));
+                cell_6 = _S115;
                 shift_1 = shift_2;
             }
         }
-        var exit_6 : vec3<i32>;
-        if(((cell_5 & (u32(2147483648)))) == u32(0))
+        if(waits_for_pages_0())
         {
-            exit_6 = ((voxel_17 | (vec3<i32>((((i32(1) << (shift_1))) - i32(1)))))) + vec3<i32>(i32(1)) + (((extents_0(cell_5, _S101)) << (vec3<u32>(shift_1))));
+            break;
+        }
+        var exit_6 : vec3<i32>;
+        if(((cell_6 & (u32(2147483648)))) == u32(0))
+        {
+            if(CELLS_SKIP_0)
+            {
+                exit_6 = vec3<i32>((i32(skip_distance_0(cell_6, octant_3)) - i32(1)));
+            }
+            else
+            {
+                exit_6 = extents_0(cell_6, _S111);
+            }
+            exit_6 = ((voxel_17 | (vec3<i32>((((i32(1) << (shift_1))) - i32(1)))))) + vec3<i32>(i32(1)) + ((exit_6 << (vec3<u32>(shift_1))));
             is_found_1 = is_found_0;
         }
         else
         {
-            var record_2 : u32 = record_of_cell_0(cell_5);
+            var record_2 : u32 = record_of_cell_0(cell_6);
             var blocks_1 : u32;
             if(CELLS_HAVE_BLOCKS_0)
             {
-                blocks_1 = blocks_of_cell_0(cell_5);
+                blocks_1 = blocks_of_cell_0(cell_6);
             }
             else
             {
-                blocks_1 = blocks_of_record_0(record_2);
+                var _S116 : u32 = blocks_of_record_0(record_2);
+                blocks_1 = _S116;
             }
-            var low_bits_0 : u32 = empty_around_0(record_2, blocks_1, voxel_17, octant_2, _S97);
+            var low_bits_0 : u32 = empty_around_0(record_2, blocks_1, voxel_17, octant_3, _S107);
             var is_found_2 : bool = low_bits_0 == u32(4294967295);
             if(is_found_2)
             {
@@ -1915,15 +2032,15 @@ fn first_voxel_0( _S91 : u32,  _S92 : Walk_0,  _S93 : ptr<function, vec3<i32>>) 
             exit_6 = ((voxel_17 | (vec3<i32>(i32(low_bits_0))))) + vec3<i32>(i32(1));
             is_found_1 = is_found_2;
         }
-        var _S104 : bool = Walk_leave_1(_S94, &(voxel_17), exit_6);
-        if(!_S104)
+        var _S117 : bool = Walk_leave_1(_S104, &(voxel_17), exit_6);
+        if(!_S117)
         {
             is_found_0 = is_found_1;
             break;
         }
         is_found_0 = is_found_1;
     }
-    (*_S93) = Walk_mirrored_0(_S94, voxel_17) + _S94.grid_origin_0;
+    (*_S103) = Walk_mirrored_0(_S104, voxel_17) + _S104.grid_origin_0;
     return is_found_0;
 }
 
@@ -1935,38 +2052,38 @@ fn ray_of_walk_0( walk_1 : Walk_0,  ray_5 : Ray_0) -> Ray_0
 
 fn hit_of_0( ray_6 : LocalRay_0,  voxel_18 : vec3<i32>,  instance_5 : u32) -> Hit_0
 {
-    var _S105 : vec3<f32>;
-    var _S106 : bool;
+    var _S118 : vec3<f32>;
+    var _S119 : bool;
     var last_1 : Crossing_0;
-    var _S107 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
+    var _S120 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
     for(;;)
     {
         for(;;)
         {
             for(;;)
             {
-                _S105 = ray_6.direction_4;
+                _S118 = ray_6.direction_4;
                 if((ray_6.direction_4[u32(0)]) == 0.0f)
                 {
-                    last_1 = _S107;
+                    last_1 = _S120;
                     break;
                 }
                 var crossing_3 : Crossing_0 = crossing_of_0(ray_6, u32(0), voxel_18[u32(0)] + i32((ray_6.direction_4[u32(0)]) < 0.0f));
-                if((_S107.axis_0) == u32(3))
+                if((_S120.axis_0) == u32(3))
                 {
-                    _S106 = true;
+                    _S119 = true;
                 }
                 else
                 {
-                    _S106 = !Crossing_is_before_0(crossing_3, _S107);
+                    _S119 = !Crossing_is_before_0(crossing_3, _S120);
                 }
-                if(_S106)
+                if(_S119)
                 {
                     last_1 = crossing_3;
                 }
                 else
                 {
-                    last_1 = _S107;
+                    last_1 = _S120;
                 }
                 break;
             }
@@ -1976,21 +2093,21 @@ fn hit_of_0( ray_6 : LocalRay_0,  voxel_18 : vec3<i32>,  instance_5 : u32) -> Hi
         {
             for(;;)
             {
-                var _S108 : vec3<f32> = _S105;
-                if((_S105[u32(1)]) == 0.0f)
+                var _S121 : vec3<f32> = _S118;
+                if((_S118[u32(1)]) == 0.0f)
                 {
                     break;
                 }
-                var crossing_4 : Crossing_0 = crossing_of_0(ray_6, u32(1), voxel_18[u32(1)] + i32((_S108[u32(1)]) < 0.0f));
+                var crossing_4 : Crossing_0 = crossing_of_0(ray_6, u32(1), voxel_18[u32(1)] + i32((_S121[u32(1)]) < 0.0f));
                 if((last_1.axis_0) == u32(3))
                 {
-                    _S106 = true;
+                    _S119 = true;
                 }
                 else
                 {
-                    _S106 = !Crossing_is_before_0(crossing_4, last_1);
+                    _S119 = !Crossing_is_before_0(crossing_4, last_1);
                 }
-                if(_S106)
+                if(_S119)
                 {
                     last_1 = crossing_4;
                 }
@@ -2002,21 +2119,21 @@ fn hit_of_0( ray_6 : LocalRay_0,  voxel_18 : vec3<i32>,  instance_5 : u32) -> Hi
         {
             for(;;)
             {
-                var _S109 : vec3<f32> = _S105;
-                if((_S105[u32(2)]) == 0.0f)
+                var _S122 : vec3<f32> = _S118;
+                if((_S118[u32(2)]) == 0.0f)
                 {
                     break;
                 }
-                var crossing_5 : Crossing_0 = crossing_of_0(ray_6, u32(2), voxel_18[u32(2)] + i32((_S109[u32(2)]) < 0.0f));
+                var crossing_5 : Crossing_0 = crossing_of_0(ray_6, u32(2), voxel_18[u32(2)] + i32((_S122[u32(2)]) < 0.0f));
                 if((last_1.axis_0) == u32(3))
                 {
-                    _S106 = true;
+                    _S119 = true;
                 }
                 else
                 {
-                    _S106 = !Crossing_is_before_0(crossing_5, last_1);
+                    _S119 = !Crossing_is_before_0(crossing_5, last_1);
                 }
-                if(_S106)
+                if(_S119)
                 {
                     last_1 = crossing_5;
                 }
@@ -2026,80 +2143,80 @@ fn hit_of_0( ray_6 : LocalRay_0,  voxel_18 : vec3<i32>,  instance_5 : u32) -> Hi
         }
         break;
     }
-    var _S110 : Crossing_0 = last_1;
-    var is_negative_1 : bool = (_S105[last_1.axis_0]) < 0.0f;
+    var _S123 : Crossing_0 = last_1;
+    var is_negative_1 : bool = (_S118[last_1.axis_0]) < 0.0f;
     var t_9 : f32 = (f32(voxel_18[last_1.axis_0] + i32(is_negative_1)) - ray_6.origin_5[last_1.axis_0]) * ray_6.inverse_0[last_1.axis_0];
-    var _S111 : f32;
+    var _S124 : f32;
     if(t_9 > (ray_6.t_min_3))
     {
-        _S111 = t_9;
+        _S124 = t_9;
     }
     else
     {
-        _S111 = ray_6.t_min_3;
+        _S124 = ray_6.t_min_3;
     }
-    return Hit_x24init_0(_S111, instance_5, voxel_18, u32(2) * _S110.axis_0 + u32(is_negative_1));
+    return Hit_x24init_0(_S124, instance_5, voxel_18, u32(2) * _S123.axis_0 + u32(is_negative_1));
 }
 
 fn hit_of_walk_0( walk_2 : Walk_0,  voxel_19 : vec3<i32>,  instance_6 : u32) -> Hit_0
 {
     var t_10 : vec3<f32> = Walk_crossings_0(walk_2, Walk_mirrored_0(walk_2, voxel_19 - walk_2.grid_origin_0));
     var last_2 : f32 = max_element_0(t_10);
-    var _S112 : i32;
+    var _S125 : i32;
     if((t_10.z) == last_2)
     {
-        _S112 = i32(2);
+        _S125 = i32(2);
     }
     else
     {
         if((t_10.y) == last_2)
         {
-            _S112 = i32(1);
+            _S125 = i32(1);
         }
         else
         {
-            _S112 = i32(0);
+            _S125 = i32(0);
         }
     }
-    var axis_4 : u32 = u32(_S112);
+    var axis_4 : u32 = u32(_S125);
     return Hit_x24init_0(max(last_2, walk_2.ray_1.t_min_3), instance_6, voxel_19, u32(2) * axis_4 + u32((walk_2.mirror_0[axis_4]) != i32(0)));
 }
 
 fn hit_in_0( instance_7 : u32,  ray_7 : ptr<function, Ray_0>) -> Hit_0
 {
-    var _S113 : LocalRay_0 = local_ray_0((*ray_7), instance_7);
-    if(!_S113.is_valid_0)
+    var _S126 : LocalRay_0 = local_ray_0((*ray_7), instance_7);
+    if(!_S126.is_valid_0)
     {
         return miss_0();
     }
-    var _S114 : Walk_0 = walk_of_0(_S113, instances_0[instance_7].grid_0);
+    var _S127 : Walk_0 = walk_of_0(_S126, instances_0[instance_7].grid_0);
     var voxel_20 : vec3<i32>;
-    var _S115 : bool = first_voxel_0(instances_0[instance_7].grid_0, _S114, &(voxel_20));
-    var _S116 : bool;
+    var _S128 : bool = first_voxel_0(instances_0[instance_7].grid_0, _S127, &(voxel_20));
+    var _S129 : bool;
     if(IS_SINGLE_0)
     {
-        _S116 = !IS_EXACT_0;
+        _S129 = !IS_EXACT_0;
     }
     else
     {
-        _S116 = false;
+        _S129 = false;
     }
-    if(_S116)
+    if(_S129)
     {
-        (*ray_7) = ray_of_walk_0(_S114, (*ray_7));
+        (*ray_7) = ray_of_walk_0(_S127, (*ray_7));
     }
-    if(!_S115)
+    if(!_S128)
     {
         return miss_0();
     }
     var hit_0 : Hit_0;
     if(IS_EXACT_0)
     {
-        hit_0 = hit_of_0(_S113, voxel_20, instance_7);
+        hit_0 = hit_of_0(_S126, voxel_20, instance_7);
     }
     else
     {
-        hit_0 = hit_of_walk_0(_S114, voxel_20, instance_7);
+        hit_0 = hit_of_walk_0(_S127, voxel_20, instance_7);
     }
     if((hit_0.t_1) > ((*ray_7).t_max_1))
     {
@@ -2108,29 +2225,29 @@ fn hit_in_0( instance_7 : u32,  ray_7 : ptr<function, Ray_0>) -> Hit_0
     return hit_0;
 }
 
-fn entry_0( _S117 : u32,  _S118 : Ray_0,  _S119 : vec3<f32>) -> f32
+fn entry_0( _S130 : u32,  _S131 : Ray_0,  _S132 : vec3<f32>) -> f32
 {
-    var low_5 : vec3<f32> = (vector_of_0(instance_nodes_0[_S117].min_0) - _S118.origin_2) * _S119;
-    var high_3 : vec3<f32> = (vector_of_0(instance_nodes_0[_S117].max_0) - _S118.origin_2) * _S119;
-    var _S120 : f32 = max(_S118.t_min_1, max_element_0(min(low_5, high_3)));
-    var _S121 : f32;
-    if(_S120 <= (min(_S118.t_max_1, min_element_0(max(low_5, high_3)))))
+    var low_5 : vec3<f32> = (vector_of_0(instance_nodes_0[_S130].min_0) - _S131.origin_2) * _S132;
+    var high_3 : vec3<f32> = (vector_of_0(instance_nodes_0[_S130].max_0) - _S131.origin_2) * _S132;
+    var _S133 : f32 = max(_S131.t_min_1, max_element_0(min(low_5, high_3)));
+    var _S134 : f32;
+    if(_S133 <= (min(_S131.t_max_1, min_element_0(max(low_5, high_3)))))
     {
-        _S121 = _S120;
+        _S134 = _S133;
     }
     else
     {
-        _S121 = (bitcast<f32>((u32(2139095040))));
+        _S134 = (bitcast<f32>((u32(2139095040))));
     }
-    return _S121;
+    return _S134;
 }
 
 fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_1 : u32) -> Hit_0
 {
     if(IS_SINGLE_0)
     {
-        var _S122 : Hit_0 = hit_in_0(u32(0), &((*given_0)));
-        return _S122;
+        var _S135 : Hit_0 = hit_in_0(u32(0), &((*given_0)));
+        return _S135;
     }
     var ray_8 : Ray_0 = (*given_0);
     var nearest_5 : Hit_0 = miss_0();
@@ -2139,28 +2256,28 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_1 : u3
         return nearest_5;
     }
     var is_zero_1 : vec3<bool> = !((abs(ray_8.direction_1)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S123 : vec3<f32> = select(reciprocal_0(select(ray_8.direction_1, vec3<f32>(1.0f), is_zero_1)), vec3<f32>(3.4028234663852886e+38f), is_zero_1);
+    var _S136 : vec3<f32> = select(reciprocal_0(select(ray_8.direction_1, vec3<f32>(1.0f), is_zero_1)), vec3<f32>(3.4028234663852886e+38f), is_zero_1);
     var stack_0 : array<u32, i32(32)>;
-    var index_3 : u32 = u32(0);
+    var index_8 : u32 = u32(0);
     var nearest_6 : Hit_0 = nearest_5;
     var depth_0 : u32 = u32(0);
     for(;;)
     {
         var depth_1 : u32;
         var is_reached_0 : bool;
-        if((instance_nodes_0[index_3].is_leaf_0) != u32(0))
+        if((instance_nodes_0[index_8].is_leaf_0) != u32(0))
         {
-            var _S124 : Hit_0 = hit_in_0(instance_nodes_0[index_3].index_0, &(ray_8));
-            var _S125 : Hit_0 = nearest_6;
-            if((_S124.t_1) < (nearest_6.t_1))
+            var _S137 : Hit_0 = hit_in_0(instance_nodes_0[index_8].index_0, &(ray_8));
+            var _S138 : Hit_0 = nearest_6;
+            if((_S137.t_1) < (nearest_6.t_1))
             {
                 is_reached_0 = true;
             }
             else
             {
-                if((_S124.t_1) == (_S125.t_1))
+                if((_S137.t_1) == (_S138.t_1))
                 {
-                    is_reached_0 = (_S124.instance_3) < (nearest_6.instance_3);
+                    is_reached_0 = (_S137.instance_3) < (nearest_6.instance_3);
                 }
                 else
                 {
@@ -2170,12 +2287,12 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_1 : u3
             var nearest_7 : Hit_0;
             if(is_reached_0)
             {
-                ray_8.t_max_1 = _S124.t_1;
+                ray_8.t_max_1 = _S137.t_1;
                 if(is_any_enough_0)
                 {
-                    return _S124;
+                    return _S137;
                 }
-                nearest_7 = _S124;
+                nearest_7 = _S137;
             }
             else
             {
@@ -2186,40 +2303,40 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_1 : u3
         }
         else
         {
-            var _S126 : u32 = index_3 + u32(1);
-            var _S127 : f32 = entry_0(_S126, ray_8, _S123);
-            var _S128 : u32 = instance_nodes_0[index_3].index_0;
-            var _S129 : f32 = entry_0(instance_nodes_0[index_3].index_0, ray_8, _S123);
-            var _S130 : bool = _S127 <= _S129;
-            if(_S130)
+            var _S139 : u32 = index_8 + u32(1);
+            var _S140 : f32 = entry_0(_S139, ray_8, _S136);
+            var _S141 : u32 = instance_nodes_0[index_8].index_0;
+            var _S142 : f32 = entry_0(instance_nodes_0[index_8].index_0, ray_8, _S136);
+            var _S143 : bool = _S140 <= _S142;
+            if(_S143)
             {
-                index_3 = _S126;
+                index_8 = _S139;
             }
             else
             {
-                index_3 = _S128;
+                index_8 = _S141;
             }
             var far_2 : u32;
-            if(_S130)
+            if(_S143)
             {
-                far_2 = _S128;
+                far_2 = _S141;
             }
             else
             {
-                far_2 = _S126;
+                far_2 = _S139;
             }
             var INFINITY_0 : f32 = (bitcast<f32>((u32(2139095040))));
-            if((max(_S127, _S129)) < INFINITY_0)
+            if((max(_S140, _S142)) < INFINITY_0)
             {
-                var _S131 : u32 = depth_0 + u32(1);
+                var _S144 : u32 = depth_0 + u32(1);
                 stack_0[depth_0] = far_2;
-                depth_1 = _S131;
+                depth_1 = _S144;
             }
             else
             {
                 depth_1 = depth_0;
             }
-            if((min(_S127, _S129)) < INFINITY_0)
+            if((min(_S140, _S142)) < INFINITY_0)
             {
                 depth_0 = depth_1;
                 continue;
@@ -2229,16 +2346,16 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_1 : u3
         depth_0 = depth_1;
         for(;;)
         {
-            var _S132 : bool;
+            var _S145 : bool;
             if(depth_0 > u32(0))
             {
-                _S132 = !is_reached_0;
+                _S145 = !is_reached_0;
             }
             else
             {
-                _S132 = false;
+                _S145 = false;
             }
-            if(_S132)
+            if(_S145)
             {
             }
             else
@@ -2246,8 +2363,8 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_1 : u3
                 break;
             }
             var depth_2 : u32 = depth_0 - u32(1);
-            is_reached_0 = (entry_0(stack_0[depth_2], ray_8, _S123)) < (bitcast<f32>((u32(2139095040))));
-            index_3 = stack_0[depth_2];
+            is_reached_0 = (entry_0(stack_0[depth_2], ray_8, _S136)) < (bitcast<f32>((u32(2139095040))));
+            index_8 = stack_0[depth_2];
             depth_0 = depth_2;
         }
         if(!is_reached_0)
@@ -2260,8 +2377,8 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_1 : u3
 
 fn WalkTracer_trace_0( ray_9 : ptr<function, Ray_0>,  is_any_enough_1 : bool) -> Hit_0
 {
-    var _S133 : Hit_0 = visit_0(&((*ray_9)), is_any_enough_1, u32(0));
-    return _S133;
+    var _S146 : Hit_0 = visit_0(&((*ray_9)), is_any_enough_1, u32(0));
+    return _S146;
 }
 
 fn Hit_is_miss_0( this_23 : Hit_0) -> bool
@@ -2281,30 +2398,30 @@ fn Inside_is_in_0( this_25 : Inside_0) -> bool
 
 fn weighs_apart_0() -> bool
 {
-    var _S134 : bool;
+    var _S147 : bool;
     if(IS_EXACT_0)
     {
-        _S134 = IS_SINGLE_0;
+        _S147 = IS_SINGLE_0;
     }
     else
     {
-        _S134 = false;
+        _S147 = false;
     }
-    return _S134;
+    return _S147;
 }
 
 fn Path_is_counted_0( this_26 : Path_0) -> bool
 {
-    var _S135 : bool;
+    var _S148 : bool;
     if(weighs_apart_0())
     {
-        _S135 = (this_26.pdf_1) < 0.0f;
+        _S148 = (this_26.pdf_1) < 0.0f;
     }
     else
     {
-        _S135 = false;
+        _S148 = false;
     }
-    return _S135;
+    return _S148;
 }
 
 struct NextRays_0
@@ -2324,25 +2441,25 @@ struct NextRays_0
 
 fn NextRays_x24init_0( origin_10 : vec3<f32>,  path_origin_1 : vec3<f32>,  shadow_inside_1 : Inside_0,  relocates_1 : bool,  path_relocates_1 : bool,  direction_7 : vec3<f32>,  has_shadow_ray_1 : bool,  shadow_direction_1 : vec3<f32>,  shadow_t_max_1 : f32,  light_1 : vec3<f32>,  is_same_1 : bool) -> NextRays_0
 {
-    var _S136 : NextRays_0;
-    _S136.origin_9 = origin_10;
-    _S136.path_origin_0 = path_origin_1;
-    _S136.shadow_inside_0 = shadow_inside_1;
-    _S136.relocates_0 = relocates_1;
-    _S136.path_relocates_0 = path_relocates_1;
-    _S136.direction_6 = direction_7;
-    _S136.has_shadow_ray_0 = has_shadow_ray_1;
-    _S136.shadow_direction_0 = shadow_direction_1;
-    _S136.shadow_t_max_0 = shadow_t_max_1;
-    _S136.light_0 = light_1;
-    _S136.is_same_0 = is_same_1;
-    return _S136;
+    var _S149 : NextRays_0;
+    _S149.origin_9 = origin_10;
+    _S149.path_origin_0 = path_origin_1;
+    _S149.shadow_inside_0 = shadow_inside_1;
+    _S149.relocates_0 = relocates_1;
+    _S149.path_relocates_0 = path_relocates_1;
+    _S149.direction_6 = direction_7;
+    _S149.has_shadow_ray_0 = has_shadow_ray_1;
+    _S149.shadow_direction_0 = shadow_direction_1;
+    _S149.shadow_t_max_0 = shadow_t_max_1;
+    _S149.light_0 = light_1;
+    _S149.is_same_0 = is_same_1;
+    return _S149;
 }
 
 fn no_rays_0() -> NextRays_0
 {
-    var _S137 : vec3<f32> = vec3<f32>(0.0f);
-    return NextRays_x24init_0(_S137, _S137, in_air_0(), false, false, _S137, false, _S137, 0.0f, _S137, false);
+    var _S150 : vec3<f32> = vec3<f32>(0.0f);
+    return NextRays_x24init_0(_S150, _S150, in_air_0(), false, false, _S150, false, _S150, 0.0f, _S150, false);
 }
 
 struct Receiver_0
@@ -2353,10 +2470,10 @@ struct Receiver_0
 
 fn Receiver_x24init_0( point_1 : vec3<f32>,  normal_3 : vec3<f32>) -> Receiver_0
 {
-    var _S138 : Receiver_0;
-    _S138.point_0 = point_1;
-    _S138.normal_2 = normal_3;
-    return _S138;
+    var _S151 : Receiver_0;
+    _S151.point_0 = point_1;
+    _S151.normal_2 = normal_3;
+    return _S151;
 }
 
 fn Path_receiver_0( this_27 : Path_0,  ray_10 : Ray_0) -> Receiver_0
@@ -2377,38 +2494,38 @@ fn Sampler_independent_0( this_29 : Sampler_0,  dimension_2 : u32) -> vec4<f32>
 fn logarithm_0( x_2 : f32) -> f32
 {
     var bits_1 : u32 = (bitcast<u32>((x_2)));
-    var _S139 : u32 = (bits_1 & (u32(8388607)));
-    var is_upper_0 : bool = _S139 > u32(3474675);
+    var _S152 : u32 = (bits_1 & (u32(8388607)));
+    var is_upper_0 : bool = _S152 > u32(3474675);
     var power_1 : i32 = i32((bits_1 >> (u32(23)))) - i32(127) + i32(is_upper_0);
-    var _S140 : u32;
+    var _S153 : u32;
     if(is_upper_0)
     {
-        _S140 = u32(1056964608);
+        _S153 = u32(1056964608);
     }
     else
     {
-        _S140 = u32(1065353216);
+        _S153 = u32(1065353216);
     }
-    var mantissa_2 : f32 = (bitcast<f32>(((_S139 | (_S140)))));
+    var mantissa_2 : f32 = (bitcast<f32>(((_S152 | (_S153)))));
     var s_0 : f32 = divide_0(mantissa_2 - 1.0f, mantissa_2 + 1.0f);
     var ss_0 : f32 = s_0 * s_0;
-    var _S141 : f32 = f32(power_1);
-    return _S141 * 0.693359375f + (_S141 * -0.00021219444170129f + s_0 * (2.0f + ss_0 * (0.66666668653488159f + ss_0 * (0.40000000596046448f + ss_0 * (0.28571429848670959f + ss_0 * 0.2222222238779068f)))));
+    var _S154 : f32 = f32(power_1);
+    return _S154 * 0.693359375f + (_S154 * -0.00021219444170129f + s_0 * (2.0f + ss_0 * (0.66666668653488159f + ss_0 * (0.40000000596046448f + ss_0 * (0.28571429848670959f + ss_0 * 0.2222222238779068f)))));
 }
 
-fn free_path_0( _S142 : u32,  _S143 : f32) -> f32
+fn free_path_0( _S155 : u32,  _S156 : f32) -> f32
 {
-    var _S144 : f32 = materials_0[_S142].scattering_0;
-    var _S145 : f32;
-    if((materials_0[_S142].scattering_0) > 0.0f)
+    var _S157 : f32 = materials_0[_S155].scattering_0;
+    var _S158 : f32;
+    if((materials_0[_S155].scattering_0) > 0.0f)
     {
-        _S145 = divide_0(- logarithm_0(1.0f - _S143), _S144);
+        _S158 = divide_0(- logarithm_0(1.0f - _S156), _S157);
     }
     else
     {
-        _S145 = (bitcast<f32>((u32(2139095040))));
+        _S158 = (bitcast<f32>((u32(2139095040))));
     }
-    return _S145;
+    return _S158;
 }
 
 fn grid_direction_0( instance_8 : u32,  direction_8 : vec3<f32>) -> vec3<f32>
@@ -2438,10 +2555,10 @@ fn exponential_0( x_3 : f32) -> f32
     return (1.0f + r_0 * (1.0f + r_0 * (0.5f + r_0 * (0.1666666716337204f + r_0 * (0.0416666679084301f + r_0 * (0.00833333376795053f + r_0 * (0.00138888892251998f + r_0 * 0.0001984127011383f))))))) * (bitcast<f32>(((u32(i32(127) + power_2) << (u32(23))))));
 }
 
-fn attenuation_0( _S146 : u32,  _S147 : f32) -> vec3<f32>
+fn attenuation_0( _S159 : u32,  _S160 : f32) -> vec3<f32>
 {
-    var sigma_0 : vec3<f32> = vector_of_0(materials_0[_S146].absorption_0);
-    return vec3<f32>(exponential_0(- (sigma_0.x * _S147)), exponential_0(- (sigma_0.y * _S147)), exponential_0(- (sigma_0.z * _S147)));
+    var sigma_0 : vec3<f32> = vector_of_0(materials_0[_S159].absorption_0);
+    return vec3<f32>(exponential_0(- (sigma_0.x * _S160)), exponential_0(- (sigma_0.y * _S160)), exponential_0(- (sigma_0.z * _S160)));
 }
 
 fn absorb_0( path_2 : ptr<function, Path_0>,  inside_3 : Inside_0,  ray_13 : Ray_0,  t_11 : f32)
@@ -2454,19 +2571,19 @@ fn Environment_to_map_0( d_0 : vec3<f32>) -> vec3<f32>
 {
     var sin_1 : f32 = params_0.sky_turned_0.x;
     var cos_1 : f32 = params_0.sky_turned_0.y;
-    var _S148 : f32 = d_0.x;
-    var _S149 : f32 = d_0.y;
-    return vec3<f32>(_S148 * cos_1 - _S149 * sin_1, _S148 * sin_1 + _S149 * cos_1, d_0.z);
+    var _S161 : f32 = d_0.x;
+    var _S162 : f32 = d_0.y;
+    return vec3<f32>(_S161 * cos_1 - _S162 * sin_1, _S161 * sin_1 + _S162 * cos_1, d_0.z);
 }
 
 fn quarter_turns_0( x_4 : f32,  y_2 : f32) -> f32
 {
-    var _S150 : f32 = min(x_4, y_2);
-    var _S151 : f32 = max(x_4, y_2);
+    var _S163 : f32 = min(x_4, y_2);
+    var _S164 : f32 = max(x_4, y_2);
     var ratio_0 : f32;
-    if(_S151 > 0.0f)
+    if(_S164 > 0.0f)
     {
-        ratio_0 = divide_0(_S150, _S151);
+        ratio_0 = divide_0(_S163, _S164);
     }
     else
     {
@@ -2488,10 +2605,10 @@ fn quarter_turns_0( x_4 : f32,  y_2 : f32) -> f32
 fn square_of_0( direction_9 : vec3<f32>) -> vec2<f32>
 {
     var size_0 : vec3<f32> = abs(direction_9);
-    var _S152 : f32 = size_0.x;
-    var _S153 : f32 = size_0.y;
-    var radius_3 : f32 = square_root_0(divide_0(_S152 * _S152 + _S153 * _S153, 1.0f + size_0.z));
-    var v_1 : f32 = quarter_turns_0(_S152, _S153) * radius_3;
+    var _S165 : f32 = size_0.x;
+    var _S166 : f32 = size_0.y;
+    var radius_3 : f32 = square_root_0(divide_0(_S165 * _S165 + _S166 * _S166, 1.0f + size_0.z));
+    var v_1 : f32 = quarter_turns_0(_S165, _S166) * radius_3;
     var u_0 : f32 = radius_3 - v_1;
     var is_below_1 : bool = (direction_9.z) < 0.0f;
     var u_1 : f32;
@@ -2540,42 +2657,42 @@ fn Environment_index_of_0( x_5 : i32,  y_3 : i32) -> u32
     {
         is_beside_0 = x_5 > last_3;
     }
-    var _S154 : i32;
+    var _S167 : i32;
     if(is_beside_0)
     {
-        _S154 = last_3 - y_3;
+        _S167 = last_3 - y_3;
     }
     else
     {
-        _S154 = y_3;
+        _S167 = y_3;
     }
-    var _S155 : i32;
+    var _S168 : i32;
     if(is_beside_0)
     {
-        _S155 = clamp(x_5, i32(0), last_3);
+        _S168 = clamp(x_5, i32(0), last_3);
     }
     else
     {
-        _S155 = x_5;
+        _S168 = x_5;
     }
     var is_beyond_0 : bool;
-    if(_S154 < i32(0))
+    if(_S167 < i32(0))
     {
         is_beyond_0 = true;
     }
     else
     {
-        is_beyond_0 = _S154 > last_3;
+        is_beyond_0 = _S167 > last_3;
     }
     if(is_beyond_0)
     {
-        _S155 = last_3 - _S155;
+        _S168 = last_3 - _S168;
     }
     if(is_beyond_0)
     {
-        _S154 = clamp(_S154, i32(0), last_3);
+        _S167 = clamp(_S167, i32(0), last_3);
     }
-    return u32(_S154 * i32(params_0.sky_edge_0) + _S155);
+    return u32(_S167 * i32(params_0.sky_edge_0) + _S168);
 }
 
 fn Environment_texel_radiance_0( x_6 : i32,  y_4 : i32) -> vec3<f32>
@@ -2585,18 +2702,18 @@ fn Environment_texel_radiance_0( x_6 : i32,  y_4 : i32) -> vec3<f32>
 
 fn Environment_radiance_at_0( place_1 : vec2<f32>) -> vec3<f32>
 {
-    var _S156 : vec2<f32> = place_1 - vec2<f32>(0.5f);
-    var corner_7 : vec2<f32> = floor(_S156);
-    var beyond_0 : vec2<f32> = _S156 - corner_7;
+    var _S169 : vec2<f32> = place_1 - vec2<f32>(0.5f);
+    var corner_7 : vec2<f32> = floor(_S169);
+    var beyond_0 : vec2<f32> = _S169 - corner_7;
     var x_7 : i32 = i32(corner_7.x);
     var y_5 : i32 = i32(corner_7.y);
-    var _S157 : f32 = beyond_0.x;
-    var _S158 : vec3<f32> = vec3<f32>((1.0f - _S157));
-    var _S159 : i32 = x_7 + i32(1);
-    var _S160 : vec3<f32> = vec3<f32>(_S157);
-    var _S161 : i32 = y_5 + i32(1);
-    var _S162 : f32 = beyond_0.y;
-    return (Environment_texel_radiance_0(x_7, y_5) * _S158 + Environment_texel_radiance_0(_S159, y_5) * _S160) * vec3<f32>((1.0f - _S162)) + (Environment_texel_radiance_0(x_7, _S161) * _S158 + Environment_texel_radiance_0(_S159, _S161) * _S160) * vec3<f32>(_S162);
+    var _S170 : f32 = beyond_0.x;
+    var _S171 : vec3<f32> = vec3<f32>((1.0f - _S170));
+    var _S172 : i32 = x_7 + i32(1);
+    var _S173 : vec3<f32> = vec3<f32>(_S170);
+    var _S174 : i32 = y_5 + i32(1);
+    var _S175 : f32 = beyond_0.y;
+    return (Environment_texel_radiance_0(x_7, y_5) * _S171 + Environment_texel_radiance_0(_S172, y_5) * _S173) * vec3<f32>((1.0f - _S175)) + (Environment_texel_radiance_0(x_7, _S174) * _S171 + Environment_texel_radiance_0(_S172, _S174) * _S173) * vec3<f32>(_S175);
 }
 
 fn Environment_radiance_0( direction_11 : vec3<f32>) -> vec3<f32>
@@ -2612,10 +2729,10 @@ struct Gradient_0
 
 fn Gradient_x24init_0( nadir_1 : vec3<f32>,  zenith_1 : vec3<f32>) -> Gradient_0
 {
-    var _S163 : Gradient_0;
-    _S163.nadir_0 = nadir_1;
-    _S163.zenith_0 = zenith_1;
-    return _S163;
+    var _S176 : Gradient_0;
+    _S176.nadir_0 = nadir_1;
+    _S176.zenith_0 = zenith_1;
+    return _S176;
 }
 
 fn Gradient_radiance_0( this_31 : Gradient_0,  direction_12 : vec3<f32>) -> vec3<f32>
@@ -2644,16 +2761,16 @@ fn Path_selection_at_0( this_32 : Path_0,  last_4 : Receiver_0) -> Selection_0
 
 fn Lights_has_chosen_sky_0() -> bool
 {
-    var _S164 : bool;
+    var _S177 : bool;
     if(SKY_0 == u32(1))
     {
-        _S164 = (params_0.sky_irradiance_0) > 0.0f;
+        _S177 = (params_0.sky_irradiance_0) > 0.0f;
     }
     else
     {
-        _S164 = false;
+        _S177 = false;
     }
-    return _S164;
+    return _S177;
 }
 
 fn Environment_pdf_0( direction_15 : vec3<f32>) -> f32
@@ -2665,30 +2782,30 @@ fn Environment_pdf_0( direction_15 : vec3<f32>) -> f32
 
 fn Sky_pdf_0( direction_16 : vec3<f32>) -> f32
 {
-    var _S165 : f32;
+    var _S178 : f32;
     if(SKY_0 == u32(1))
     {
-        _S165 = Environment_pdf_0(direction_16);
+        _S178 = Environment_pdf_0(direction_16);
     }
     else
     {
-        _S165 = 0.0f;
+        _S178 = 0.0f;
     }
-    return _S165;
+    return _S178;
 }
 
 fn Lights_sky_pdf_0( selection_2 : Selection_0,  direction_17 : vec3<f32>) -> f32
 {
-    var _S166 : f32;
+    var _S179 : f32;
     if(Lights_has_chosen_sky_0())
     {
-        _S166 = Sky_pdf_0(direction_17) * selection_2.sky_1;
+        _S179 = Sky_pdf_0(direction_17) * selection_2.sky_1;
     }
     else
     {
-        _S166 = 0.0f;
+        _S179 = 0.0f;
     }
-    return _S166;
+    return _S179;
 }
 
 fn power_heuristic_0( own_0 : f32,  other_1 : f32) -> f32
@@ -2699,16 +2816,16 @@ fn power_heuristic_0( own_0 : f32,  other_1 : f32) -> f32
 
 fn mis_weight_0( bounce_pdf_0 : f32,  light_pdf_0 : f32) -> f32
 {
-    var _S167 : bool;
+    var _S180 : bool;
     if(bounce_pdf_0 == 0.0f)
     {
-        _S167 = true;
+        _S180 = true;
     }
     else
     {
-        _S167 = light_pdf_0 == 0.0f;
+        _S180 = light_pdf_0 == 0.0f;
     }
-    if(_S167)
+    if(_S180)
     {
         return 1.0f;
     }
@@ -2727,24 +2844,24 @@ fn SunDisc_is_visible_0() -> bool
 
 fn Path_is_straight_0( this_33 : Path_0) -> bool
 {
-    var _S168 : bool;
+    var _S181 : bool;
     if((this_33.bounce_0) == u32(0))
     {
-        _S168 = (this_33.pdf_1) == 0.0f;
+        _S181 = (this_33.pdf_1) == 0.0f;
     }
     else
     {
-        _S168 = false;
+        _S181 = false;
     }
-    if(_S168)
+    if(_S181)
     {
-        _S168 = (all(((this_33.normal_0) == vec3<f32>(0.0f))));
+        _S181 = (all(((this_33.normal_0) == vec3<f32>(0.0f))));
     }
     else
     {
-        _S168 = false;
+        _S181 = false;
     }
-    return _S168;
+    return _S181;
 }
 
 fn SunDisc_contains_0( direction_18 : vec3<f32>) -> bool
@@ -2754,44 +2871,44 @@ fn SunDisc_contains_0( direction_18 : vec3<f32>) -> bool
 
 fn SunDisc_le_0( direction_19 : vec3<f32>) -> vec3<f32>
 {
-    var _S169 : vec3<f32>;
+    var _S182 : vec3<f32>;
     if(SunDisc_contains_0(direction_19))
     {
-        _S169 = params_0.sun_radiance_0;
+        _S182 = params_0.sun_radiance_0;
     }
     else
     {
-        _S169 = vec3<f32>(0.0f);
+        _S182 = vec3<f32>(0.0f);
     }
-    return _S169;
+    return _S182;
 }
 
 fn SunDisc_pdf_0( direction_20 : vec3<f32>) -> f32
 {
-    var _S170 : f32;
+    var _S183 : f32;
     if(SunDisc_contains_0(direction_20))
     {
-        _S170 = params_0.sun_pdf_0;
+        _S183 = params_0.sun_pdf_0;
     }
     else
     {
-        _S170 = 0.0f;
+        _S183 = 0.0f;
     }
-    return _S170;
+    return _S183;
 }
 
 fn Lights_sun_pdf_0( selection_3 : Selection_0,  direction_21 : vec3<f32>) -> f32
 {
-    var _S171 : f32;
+    var _S184 : f32;
     if(has_sun_0())
     {
-        _S171 = SunDisc_pdf_0(direction_21) * selection_3.sun_0;
+        _S184 = SunDisc_pdf_0(direction_21) * selection_3.sun_0;
     }
     else
     {
-        _S171 = 0.0f;
+        _S184 = 0.0f;
     }
-    return _S171;
+    return _S184;
 }
 
 fn Path_dimension_scatter_0( this_34 : Path_0) -> u32
@@ -2813,23 +2930,24 @@ struct PackedMaterial_0
      scattering_0 : f32,
 };
 
-fn find_brick_0( _S172 : u32,  _S173 : vec3<i32>) -> u32
+fn find_brick_0( _S185 : u32,  _S186 : vec3<i32>) -> u32
 {
-    var top_0 : vec3<i32> = (_S173 >> (vec3<u32>(grids_0[_S172].top_shift_0)));
-    var cell_6 : u32 = cells_0[grids_0[_S172].top_offset_0 + u32((top_0.z * grids_0[_S172].top_size_0[i32(1)] + top_0.y) * grids_0[_S172].top_size_0[i32(0)] + top_0.x)];
-    var shift_3 : u32 = grids_0[_S172].top_shift_0;
+    var top_0 : vec3<i32> = (_S186 >> (vec3<u32>(grids_0[_S185].top_shift_0)));
+    var _S187 : u32 = cell_word_0(grids_0[_S185].top_offset_0 + u32((top_0.z * grids_0[_S185].top_size_0[i32(1)] + top_0.y) * grids_0[_S185].top_size_0[i32(0)] + top_0.x));
+    var cell_7 : u32 = _S187;
+    var shift_3 : u32 = grids_0[_S185].top_shift_0;
     for(;;)
     {
-        var _S174 : bool;
+        var _S188 : bool;
         if(shift_3 > u32(3))
         {
-            _S174 = ((cell_6 & (u32(2147483648)))) != u32(0);
+            _S188 = ((cell_7 & (u32(2147483648)))) != u32(0);
         }
         else
         {
-            _S174 = false;
+            _S188 = false;
         }
-        if(_S174)
+        if(_S188)
         {
         }
         else
@@ -2837,43 +2955,71 @@ fn find_brick_0( _S172 : u32,  _S173 : vec3<i32>) -> u32
             break;
         }
         var shift_4 : u32 = shift_3 - u32(2);
-        cell_6 = cells_0[((cell_6 & (u32(2147483647)))) * u32(64) + cell_in_node_0(_S173, shift_4)];
+        var _S189 : u32 = cell_word_0(((cell_7 & (u32(2147483647)))) * u32(64) + cell_in_node_0(_S186, shift_4));
+        cell_7 = _S189;
         shift_3 = shift_4;
     }
-    return record_of_cell_0(cell_6);
+    return record_of_cell_0(cell_7);
 }
 
 fn rank_in_brick_0( record_3 : u32,  relative_1 : vec3<i32>) -> u32
 {
+    var header_0 : u32 = brick_word_0(record_3);
     var bit_1 : u32 = cell_in_node_0(relative_1, u32(0));
-    var present_before_0 : u32 = countOneBits((bricks_0[record_3] & ((((u32(1) << (((((u32(((((relative_1.x) >> (u32(2)))) & (i32(1)))) | (((u32(((((relative_1.y) >> (u32(2)))) & (i32(1)))) << (u32(1))))))) | (((u32(((((relative_1.z) >> (u32(2)))) & (i32(1)))) << (u32(2)))))))))) - u32(1)))));
-    var index_4 : u32 = u32(0);
+    var present_before_0 : u32 = countOneBits((header_0 & ((((u32(1) << (((((u32(((((relative_1.x) >> (u32(2)))) & (i32(1)))) | (((u32(((((relative_1.y) >> (u32(2)))) & (i32(1)))) << (u32(1))))))) | (((u32(((((relative_1.z) >> (u32(2)))) & (i32(1)))) << (u32(2)))))))))) - u32(1)))));
+    var index_9 : u32 = u32(0);
     var rank_0 : u32 = u32(0);
     for(;;)
     {
-        if(index_4 < present_before_0)
+        if(index_9 < present_before_0)
         {
         }
         else
         {
             break;
         }
-        var _S175 : u32 = u32(2) * index_4;
-        var rank_1 : u32 = rank_0 + (countOneBits(bricks_0[record_3 + u32(2) + _S175]) + countOneBits(bricks_0[record_3 + u32(3) + _S175]));
-        index_4 = index_4 + u32(1);
+        var _S190 : u32 = u32(2) * index_9;
+        var _S191 : u32 = brick_word_0(record_3 + u32(2) + _S190);
+        var _S192 : u32 = countOneBits(_S191);
+        var _S193 : u32 = brick_word_0(record_3 + u32(3) + _S190);
+        var rank_1 : u32 = rank_0 + (_S192 + countOneBits(_S193));
+        index_9 = index_9 + u32(1);
         rank_0 = rank_1;
     }
-    var _S176 : u32 = u32(2) * present_before_0;
-    var low_6 : u32 = bricks_0[record_3 + u32(2) + _S176];
+    var _S194 : u32 = u32(2) * present_before_0;
+    var low_6 : u32 = brick_word_0(record_3 + u32(2) + _S194);
     if(bit_1 < u32(32))
     {
         rank_0 = rank_0 + countOneBits((low_6 & ((((u32(1) << (bit_1))) - u32(1)))));
     }
     else
     {
-        rank_0 = rank_0 + (countOneBits(low_6) + countOneBits((bricks_0[record_3 + u32(3) + _S176] & ((((u32(1) << ((bit_1 - u32(32))))) - u32(1))))));
+        var _S195 : u32 = countOneBits(low_6);
+        var _S196 : u32 = brick_word_0(record_3 + u32(3) + _S194);
+        rank_0 = rank_0 + (_S195 + countOneBits((_S196 & ((((u32(1) << ((bit_1 - u32(32))))) - u32(1))))));
     }
     return rank_0;
+}
+
+fn place_of_material_0( index_10 : u32) -> u32
+{
+    var _S197 : u32;
+    if(HAS_PAGES_0)
+    {
+        var _S198 : u32 = word_in_pages_0(index_10, pages_0[i32(1)]);
+        _S197 = _S198;
+    }
+    else
+    {
+        _S197 = index_10;
+    }
+    return _S197;
+}
+
+fn material_word_0( index_11 : u32) -> u32
+{
+    var _S199 : u32 = place_of_material_0(index_11);
+    return brick_materials_0[_S199];
 }
 
 fn read_bits_0( start_1 : u32,  position_8 : u32,  count_3 : u32) -> u32
@@ -2884,11 +3030,13 @@ fn read_bits_0( start_1 : u32,  position_8 : u32,  count_3 : u32) -> u32
     }
     var word_4 : u32 = start_1 + ((position_8 >> (u32(5))));
     var shift_5 : u32 = (position_8 & (u32(31)));
-    var bits_2 : u32 = (brick_materials_0[word_4] >> (shift_5));
+    var _S200 : u32 = material_word_0(word_4);
+    var bits_2 : u32 = (_S200 >> (shift_5));
     var bits_3 : u32;
     if((shift_5 + count_3) > u32(32))
     {
-        bits_3 = (bits_2 | (((brick_materials_0[word_4 + u32(1)] << ((u32(32) - shift_5))))));
+        var _S201 : u32 = material_word_0(word_4 + u32(1));
+        bits_3 = (bits_2 | (((_S201 << ((u32(32) - shift_5))))));
     }
     else
     {
@@ -2897,32 +3045,36 @@ fn read_bits_0( start_1 : u32,  position_8 : u32,  count_3 : u32) -> u32
     return (bits_3 & ((((u32(1) << (count_3))) - u32(1))));
 }
 
-fn material_at_0( _S177 : u32,  _S178 : vec3<i32>) -> u32
+fn material_at_0( _S202 : u32,  _S203 : vec3<i32>) -> u32
 {
-    var _S179 : u32 = find_brick_0(_S177, _S178);
-    var header_0 : u32 = bricks_0[_S179];
-    var index_bits_0 : u32 = (((header_0 >> (u32(8)))) & (u32(255)));
-    var palette_count_0 : u32 = (header_0 >> (u32(16)));
-    var entry_bits_0 : u32 = grids_0[_S177].material_bits_0;
-    var start_2 : u32 = bricks_0[_S179 + u32(1)];
-    var index_5 : u32 = read_bits_0(start_2, palette_count_0 * grids_0[_S177].material_bits_0 + rank_in_brick_0(_S179, _S178) * index_bits_0, index_bits_0);
+    var _S204 : u32 = find_brick_0(_S202, _S203);
+    var header_1 : u32 = brick_word_0(_S204);
+    var rank_2 : u32 = rank_in_brick_0(_S204, _S203);
+    var index_bits_0 : u32 = (((header_1 >> (u32(8)))) & (u32(255)));
+    var palette_count_0 : u32 = (header_1 >> (u32(16)));
+    var entry_bits_0 : u32 = grids_0[_S202].material_bits_0;
+    var start_2 : u32 = brick_word_0(_S204 + u32(1));
+    var index_12 : u32 = read_bits_0(start_2, palette_count_0 * grids_0[_S202].material_bits_0 + rank_2 * index_bits_0, index_bits_0);
     if(palette_count_0 == u32(0))
     {
-        return index_5;
+        return index_12;
     }
-    return read_bits_0(start_2, index_5 * entry_bits_0, entry_bits_0);
+    var _S205 : u32 = read_bits_0(start_2, index_12 * entry_bits_0, entry_bits_0);
+    return _S205;
 }
 
 fn material_of_0( hit_1 : Hit_0) -> PackedMaterial_0
 {
-    var _S180 : PackedMaterial_std430_0 = materials_0[material_at_0(instances_0[hit_1.instance_3].grid_0, hit_1.voxel_4 - cell_of_0(grids_0[instances_0[hit_1.instance_3].grid_0].origin_0))];
-    var _S181 : PackedMaterial_0 = PackedMaterial_0( _S180.base_color_0, _S180.roughness_0, _S180.emission_0, _S180.metallic_0, _S180.transmission_0, _S180.ior_0, _S180.specular_0, _S180.anisotropy_0, _S180.absorption_0, _S180.scattering_0 );
-    return _S181;
+    var _S206 : u32 = material_at_0(instances_0[hit_1.instance_3].grid_0, hit_1.voxel_4 - cell_of_0(grids_0[instances_0[hit_1.instance_3].grid_0].origin_0));
+    var _S207 : PackedMaterial_std430_0 = materials_0[_S206];
+    var _S208 : PackedMaterial_0 = PackedMaterial_0( _S207.base_color_0, _S207.roughness_0, _S207.emission_0, _S207.metallic_0, _S207.transmission_0, _S207.ior_0, _S207.specular_0, _S207.anisotropy_0, _S207.absorption_0, _S207.scattering_0 );
+    return _S208;
 }
 
 fn material_met_0( path_3 : Path_0,  hit_2 : Hit_0,  beyond_1 : u32) -> PackedMaterial_0
 {
-    return material_of_0(hit_2);
+    var _S209 : PackedMaterial_0 = material_of_0(hit_2);
+    return _S209;
 }
 
 fn emitted_0( material_3 : PackedMaterial_0) -> vec3<f32>
@@ -2950,12 +3102,12 @@ struct Aim_0
 
 fn Aim_x24init_0( is_met_1 : bool,  direction_23 : vec3<f32>,  hit_4 : Hit_0,  luminance_3 : f32) -> Aim_0
 {
-    var _S182 : Aim_0;
-    _S182.is_met_0 = is_met_1;
-    _S182.direction_22 = direction_23;
-    _S182.hit_3 = hit_4;
-    _S182.luminance_2 = luminance_3;
-    return _S182;
+    var _S210 : Aim_0;
+    _S210.is_met_0 = is_met_1;
+    _S210.direction_22 = direction_23;
+    _S210.hit_3 = hit_4;
+    _S210.luminance_2 = luminance_3;
+    return _S210;
 }
 
 struct LightSample_0
@@ -2968,18 +3120,18 @@ struct LightSample_0
 
 fn LightSample_x24init_0( ray_15 : Ray_0,  cos_theta_1 : f32,  radiance_3 : vec3<f32>,  pdf_4 : f32) -> LightSample_0
 {
-    var _S183 : LightSample_0;
-    _S183.ray_14 = ray_15;
-    _S183.cos_theta_0 = cos_theta_1;
-    _S183.radiance_2 = radiance_3;
-    _S183.pdf_3 = pdf_4;
-    return _S183;
+    var _S211 : LightSample_0;
+    _S211.ray_14 = ray_15;
+    _S211.cos_theta_0 = cos_theta_1;
+    _S211.radiance_2 = radiance_3;
+    _S211.pdf_3 = pdf_4;
+    return _S211;
 }
 
 fn no_light_0() -> LightSample_0
 {
-    var _S184 : vec3<f32> = vec3<f32>(0.0f);
-    return LightSample_x24init_0(Ray_x24init_0(_S184, 0.0f, _S184, 0.0f), 0.0f, _S184, 0.0f);
+    var _S212 : vec3<f32> = vec3<f32>(0.0f);
+    return LightSample_x24init_0(Ray_x24init_0(_S212, 0.0f, _S212, 0.0f), 0.0f, _S212, 0.0f);
 }
 
 fn with_slack_0( receiver_0 : Receiver_0,  cos_2 : f32) -> f32
@@ -3007,36 +3159,36 @@ struct ChosenDirection_0
 
 fn ChosenDirection_x24init_0( direction_26 : vec3<f32>,  radiance_5 : vec3<f32>,  pdf_6 : f32) -> ChosenDirection_0
 {
-    var _S185 : ChosenDirection_0;
-    _S185.direction_25 = direction_26;
-    _S185.radiance_4 = radiance_5;
-    _S185.pdf_5 = pdf_6;
-    return _S185;
+    var _S213 : ChosenDirection_0;
+    _S213.direction_25 = direction_26;
+    _S213.radiance_4 = radiance_5;
+    _S213.pdf_5 = pdf_6;
+    return _S213;
 }
 
 fn direction_of_0( square_1 : vec2<f32>) -> vec3<f32>
 {
     var u_3 : f32 = square_1.x * 2.0f - 1.0f;
     var v_3 : f32 = square_1.y * 2.0f - 1.0f;
-    var _S186 : f32 = abs(u_3);
-    var _S187 : f32 = abs(v_3);
-    var height_2 : f32 = 1.0f - (_S186 + _S187);
+    var _S214 : f32 = abs(u_3);
+    var _S215 : f32 = abs(v_3);
+    var height_2 : f32 = 1.0f - (_S214 + _S215);
     var radius_5 : f32 = 1.0f - abs(height_2);
     var turns_3 : f32;
     if(radius_5 > 0.0f)
     {
-        turns_3 = (divide_0(_S187 - _S186, radius_5) + 1.0f) * 0.125f;
+        turns_3 = (divide_0(_S215 - _S214, radius_5) + 1.0f) * 0.125f;
     }
     else
     {
         turns_3 = 0.0f;
     }
     var sin_cos_3 : vec2<f32> = sincos_turns_0(turns_3);
-    var _S188 : f32 = radius_5 * radius_5;
-    var across_0 : f32 = radius_5 * square_root_0(2.0f - _S188);
+    var _S216 : f32 = radius_5 * radius_5;
+    var across_0 : f32 = radius_5 * square_root_0(2.0f - _S216);
     var x_8 : f32 = sin_cos_3.y * across_0;
     var y_6 : f32 = sin_cos_3.x * across_0;
-    var z_0 : f32 = 1.0f - _S188;
+    var z_0 : f32 = 1.0f - _S216;
     if(u_3 < 0.0f)
     {
         turns_3 = - x_8;
@@ -3045,63 +3197,63 @@ fn direction_of_0( square_1 : vec2<f32>) -> vec3<f32>
     {
         turns_3 = x_8;
     }
-    var _S189 : f32;
+    var _S217 : f32;
     if(v_3 < 0.0f)
     {
-        _S189 = - y_6;
+        _S217 = - y_6;
     }
     else
     {
-        _S189 = y_6;
+        _S217 = y_6;
     }
-    var _S190 : f32;
+    var _S218 : f32;
     if(height_2 < 0.0f)
     {
-        _S190 = - z_0;
+        _S218 = - z_0;
     }
     else
     {
-        _S190 = z_0;
+        _S218 = z_0;
     }
-    return vec3<f32>(turns_3, _S189, _S190);
+    return vec3<f32>(turns_3, _S217, _S218);
 }
 
 fn Environment_to_world_0( d_1 : vec3<f32>) -> vec3<f32>
 {
     var sin_2 : f32 = params_0.sky_turned_0.x;
     var cos_3 : f32 = params_0.sky_turned_0.y;
-    var _S191 : f32 = d_1.x;
-    var _S192 : f32 = d_1.y;
-    return vec3<f32>(_S191 * cos_3 + _S192 * sin_2, _S192 * cos_3 - _S191 * sin_2, d_1.z);
+    var _S219 : f32 = d_1.x;
+    var _S220 : f32 = d_1.y;
+    return vec3<f32>(_S219 * cos_3 + _S220 * sin_2, _S220 * cos_3 - _S219 * sin_2, d_1.z);
 }
 
 fn Environment_choose_0( u_4 : vec4<f32>,  chosen_0 : ptr<function, ChosenDirection_0>) -> bool
 {
-    var _S193 : vec3<f32> = vec3<f32>(0.0f);
-    (*chosen_0) = ChosenDirection_x24init_0(_S193, _S193, 0.0f);
+    var _S221 : vec3<f32> = vec3<f32>(0.0f);
+    (*chosen_0) = ChosenDirection_x24init_0(_S221, _S221, 0.0f);
     var edge_0 : f32 = f32(params_0.sky_edge_0);
-    var _S194 : f32 = u_4.x * edge_0;
-    var _S195 : f32 = edge_0 - 1.0f;
-    var _S196 : f32 = min(floor(_S194), _S195);
-    var own_1 : u32 = u32(_S196) * params_0.sky_edge_0 + u32(min(floor(u_4.y * edge_0), _S195));
-    var index_6 : u32;
+    var _S222 : f32 = u_4.x * edge_0;
+    var _S223 : f32 = edge_0 - 1.0f;
+    var _S224 : f32 = min(floor(_S222), _S223);
+    var own_1 : u32 = u32(_S224) * params_0.sky_edge_0 + u32(min(floor(u_4.y * edge_0), _S223));
+    var index_13 : u32;
     if((u_4.z) < (environment_0[own_1].threshold_0))
     {
-        index_6 = own_1;
+        index_13 = own_1;
     }
     else
     {
-        index_6 = environment_0[own_1].alias_0;
+        index_13 = environment_0[own_1].alias_0;
     }
-    var pdf_7 : f32 = environment_0[index_6].pdf_0;
-    if((environment_0[index_6].pdf_0) <= 0.0f)
+    var pdf_7 : f32 = environment_0[index_13].pdf_0;
+    if((environment_0[index_13].pdf_0) <= 0.0f)
     {
         return false;
     }
-    var _S197 : u32 = index_6 % params_0.sky_edge_0;
-    var _S198 : f32 = f32(_S197);
-    var _S199 : u32 = index_6 / params_0.sky_edge_0;
-    var place_3 : vec2<f32> = vec2<f32>(_S198, f32(_S199)) + vec2<f32>(min(_S194 - _S196, 1.0f), u_4.w);
+    var _S225 : u32 = index_13 % params_0.sky_edge_0;
+    var _S226 : f32 = f32(_S225);
+    var _S227 : u32 = index_13 / params_0.sky_edge_0;
+    var place_3 : vec2<f32> = vec2<f32>(_S226, f32(_S227)) + vec2<f32>(min(_S222 - _S224, 1.0f), u_4.w);
     (*chosen_0) = ChosenDirection_x24init_0(Environment_to_world_0(direction_of_0(place_3 * vec2<f32>(divide_0(1.0f, edge_0)))), Environment_radiance_at_0(place_3), pdf_7);
     return true;
 }
@@ -3110,17 +3262,17 @@ fn Sky_sample_0( receiver_2 : Receiver_0,  u_5 : vec4<f32>,  sample_7 : ptr<func
 {
     (*sample_7) = no_light_0();
     var chosen_1 : ChosenDirection_0;
-    var _S200 : bool;
+    var _S228 : bool;
     if(SKY_0 != u32(1))
     {
-        _S200 = true;
+        _S228 = true;
     }
     else
     {
-        var _S201 : bool = Environment_choose_0(u_5, &(chosen_1));
-        _S200 = !_S201;
+        var _S229 : bool = Environment_choose_0(u_5, &(chosen_1));
+        _S228 = !_S229;
     }
-    if(_S200)
+    if(_S228)
     {
         return false;
     }
@@ -3132,7 +3284,7 @@ fn Sky_sample_0( receiver_2 : Receiver_0,  u_5 : vec4<f32>,  sample_7 : ptr<func
 struct Descent_0
 {
      node_0 : u32,
-     index_7 : u32,
+     index_14 : u32,
      count_4 : u32,
      weight_0 : f32,
      total_0 : f32,
@@ -3140,17 +3292,17 @@ struct Descent_0
      is_far_0 : bool,
 };
 
-fn Descent_x24init_0( node_1 : u32,  index_8 : u32,  count_5 : u32,  weight_1 : f32,  total_1 : f32,  choice_1 : f32,  is_far_1 : bool) -> Descent_0
+fn Descent_x24init_0( node_1 : u32,  index_15 : u32,  count_5 : u32,  weight_1 : f32,  total_1 : f32,  choice_1 : f32,  is_far_1 : bool) -> Descent_0
 {
-    var _S202 : Descent_0;
-    _S202.node_0 = node_1;
-    _S202.index_7 = index_8;
-    _S202.count_4 = count_5;
-    _S202.weight_0 = weight_1;
-    _S202.total_0 = total_1;
-    _S202.choice_0 = choice_1;
-    _S202.is_far_0 = is_far_1;
-    return _S202;
+    var _S230 : Descent_0;
+    _S230.node_0 = node_1;
+    _S230.index_14 = index_15;
+    _S230.count_4 = count_5;
+    _S230.weight_0 = weight_1;
+    _S230.total_0 = total_1;
+    _S230.choice_0 = choice_1;
+    _S230.is_far_0 = is_far_1;
+    return _S230;
 }
 
 struct LightNode_0
@@ -3164,18 +3316,18 @@ struct LightNode_0
      root_0 : u32,
 };
 
-fn TopLights_node_0( index_9 : u32) -> LightNode_0
+fn TopLights_node_0( index_16 : u32) -> LightNode_0
 {
-    var _S203 : LightNode_std430_0 = top_light_nodes_0[index_9];
-    var _S204 : LightNode_0 = LightNode_0( _S203.min_2, _S203.index_1, _S203.max_2, _S203.count_1, _S203.power_0, _S203.parent_0, _S203.root_0 );
-    return _S204;
+    var _S231 : LightNode_std430_0 = top_light_nodes_0[index_16];
+    var _S232 : LightNode_0 = LightNode_0( _S231.min_2, _S231.index_1, _S231.max_2, _S231.count_1, _S231.power_0, _S231.parent_0, _S231.root_0 );
+    return _S232;
 }
 
 fn Descent_at_0( this_35 : ptr<function, Descent_0>,  root_2 : u32)
 {
     var node_2 : LightNode_0 = TopLights_node_0(root_2);
     (*this_35).node_0 = root_2;
-    (*this_35).index_7 = node_2.index_1;
+    (*this_35).index_14 = node_2.index_1;
     (*this_35).count_4 = node_2.count_1;
     (*this_35).is_far_0 = false;
     return;
@@ -3200,17 +3352,17 @@ struct BySide_0
 
 fn BySide_x24init_0( low_8 : vec3<f32>,  high_5 : vec3<f32>) -> BySide_0
 {
-    var _S205 : BySide_0;
-    _S205.low_7 = low_8;
-    _S205.high_4 = high_5;
-    return _S205;
+    var _S233 : BySide_0;
+    _S233.low_7 = low_8;
+    _S233.high_4 = high_5;
+    return _S233;
 }
 
 fn sent_by_side_0( node_3 : LightNode_0,  point_2 : vec3<f32>,  distance_2 : f32) -> BySide_0
 {
-    var _S206 : vec3<f32> = vec3<f32>(0.0f);
-    var _S207 : vec3<f32> = vec3<f32>(distance_2);
-    return BySide_x24init_0(vec3<f32>(node_3.power_0[i32(0)], node_3.power_0[i32(2)], node_3.power_0[i32(4)]) * min(max(vector_of_0(node_3.max_2) - point_2, _S206), _S207), vec3<f32>(node_3.power_0[i32(1)], node_3.power_0[i32(3)], node_3.power_0[i32(5)]) * min(max(point_2 - vector_of_0(node_3.min_2), _S206), _S207));
+    var _S234 : vec3<f32> = vec3<f32>(0.0f);
+    var _S235 : vec3<f32> = vec3<f32>(distance_2);
+    return BySide_x24init_0(vec3<f32>(node_3.power_0[i32(0)], node_3.power_0[i32(2)], node_3.power_0[i32(4)]) * min(max(vector_of_0(node_3.max_2) - point_2, _S234), _S235), vec3<f32>(node_3.power_0[i32(1)], node_3.power_0[i32(3)], node_3.power_0[i32(5)]) * min(max(point_2 - vector_of_0(node_3.min_2), _S234), _S235));
 }
 
 fn BySide_sum_0( this_36 : BySide_0) -> f32
@@ -3227,19 +3379,19 @@ fn reciprocal_guess_0( x_9 : f32) -> f32
 
 fn View_x24init_0( importance_1 : f32,  is_far_3 : bool) -> View_0
 {
-    var _S208 : View_0;
-    _S208.importance_0 = importance_1;
-    _S208.is_far_2 = is_far_3;
-    return _S208;
+    var _S236 : View_0;
+    _S236.importance_0 = importance_1;
+    _S236.is_far_2 = is_far_3;
+    return _S236;
 }
 
 fn view_0( node_4 : LightNode_0,  receiver_3 : Receiver_0) -> View_0
 {
-    var _S209 : vec3<f32> = vector_of_0(node_4.max_2);
-    var _S210 : vec3<f32> = vector_of_0(node_4.min_2);
-    var _S211 : vec3<f32> = vec3<f32>(0.5f);
-    var half_1 : vec3<f32> = (_S209 - _S210) * _S211;
-    var toward_0 : vec3<f32> = (_S210 + _S209) * _S211 - receiver_3.point_0;
+    var _S237 : vec3<f32> = vector_of_0(node_4.max_2);
+    var _S238 : vec3<f32> = vector_of_0(node_4.min_2);
+    var _S239 : vec3<f32> = vec3<f32>(0.5f);
+    var half_1 : vec3<f32> = (_S237 - _S238) * _S239;
+    var toward_0 : vec3<f32> = (_S238 + _S237) * _S239 - receiver_3.point_0;
     var middle_2 : f32 = dot_product_0(toward_0, receiver_3.normal_2);
     var aside_0 : f32 = dot_product_0(half_1, abs(receiver_3.normal_2));
     var above_0 : f32 = with_slack_0(receiver_3, middle_2 + aside_0);
@@ -3257,39 +3409,39 @@ fn view_0( node_4 : LightNode_0,  receiver_3 : Receiver_0) -> View_0
     var distance_3 : f32 = length_bound_0(select(half_1, abs(toward_0), vec3<bool>((far_3 > near_2))));
     var sent_0 : f32 = BySide_sum_0(sent_by_side_0(node_4, receiver_3.point_0, distance_3));
     var falloff_0 : f32 = reciprocal_guess_0(max(far_3, near_2));
-    var _S212 : f32;
+    var _S240 : f32;
     if(above_0 > 0.0f)
     {
-        _S212 = sent_0 * min(above_0, distance_3) * (falloff_0 * falloff_0);
+        _S240 = sent_0 * min(above_0, distance_3) * (falloff_0 * falloff_0);
     }
     else
     {
-        _S212 = 0.0f;
+        _S240 = 0.0f;
     }
-    return View_x24init_0(_S212, is_far_4);
+    return View_x24init_0(_S240, is_far_4);
 }
 
-fn sent_by_side_1( _S213 : u32,  _S214 : vec3<f32>,  _S215 : f32) -> BySide_0
+fn sent_by_side_1( _S241 : u32,  _S242 : vec3<f32>,  _S243 : f32) -> BySide_0
 {
-    var _S216 : vec3<f32> = vec3<f32>(0.0f);
-    var _S217 : vec3<f32> = vec3<f32>(_S215);
-    return BySide_x24init_0(vec3<f32>(top_light_nodes_0[_S213].power_0[i32(0)], top_light_nodes_0[_S213].power_0[i32(2)], top_light_nodes_0[_S213].power_0[i32(4)]) * min(max(vector_of_0(top_light_nodes_0[_S213].max_2) - _S214, _S216), _S217), vec3<f32>(top_light_nodes_0[_S213].power_0[i32(1)], top_light_nodes_0[_S213].power_0[i32(3)], top_light_nodes_0[_S213].power_0[i32(5)]) * min(max(_S214 - vector_of_0(top_light_nodes_0[_S213].min_2), _S216), _S217));
+    var _S244 : vec3<f32> = vec3<f32>(0.0f);
+    var _S245 : vec3<f32> = vec3<f32>(_S243);
+    return BySide_x24init_0(vec3<f32>(top_light_nodes_0[_S241].power_0[i32(0)], top_light_nodes_0[_S241].power_0[i32(2)], top_light_nodes_0[_S241].power_0[i32(4)]) * min(max(vector_of_0(top_light_nodes_0[_S241].max_2) - _S242, _S244), _S245), vec3<f32>(top_light_nodes_0[_S241].power_0[i32(1)], top_light_nodes_0[_S241].power_0[i32(3)], top_light_nodes_0[_S241].power_0[i32(5)]) * min(max(_S242 - vector_of_0(top_light_nodes_0[_S241].min_2), _S244), _S245));
 }
 
-fn view_1( _S218 : u32,  _S219 : Receiver_0) -> View_0
+fn view_1( _S246 : u32,  _S247 : Receiver_0) -> View_0
 {
-    var _S220 : vec3<f32> = vector_of_0(top_light_nodes_0[_S218].max_2);
-    var _S221 : vec3<f32> = vector_of_0(top_light_nodes_0[_S218].min_2);
-    var _S222 : vec3<f32> = vec3<f32>(0.5f);
-    var half_2 : vec3<f32> = (_S220 - _S221) * _S222;
-    var toward_1 : vec3<f32> = (_S221 + _S220) * _S222 - _S219.point_0;
-    var middle_3 : f32 = dot_product_0(toward_1, _S219.normal_2);
-    var aside_1 : f32 = dot_product_0(half_2, abs(_S219.normal_2));
-    var above_1 : f32 = with_slack_0(_S219, middle_3 + aside_1);
+    var _S248 : vec3<f32> = vector_of_0(top_light_nodes_0[_S246].max_2);
+    var _S249 : vec3<f32> = vector_of_0(top_light_nodes_0[_S246].min_2);
+    var _S250 : vec3<f32> = vec3<f32>(0.5f);
+    var half_2 : vec3<f32> = (_S248 - _S249) * _S250;
+    var toward_1 : vec3<f32> = (_S249 + _S248) * _S250 - _S247.point_0;
+    var middle_3 : f32 = dot_product_0(toward_1, _S247.normal_2);
+    var aside_1 : f32 = dot_product_0(half_2, abs(_S247.normal_2));
+    var above_1 : f32 = with_slack_0(_S247, middle_3 + aside_1);
     var far_4 : f32 = length_squared_0(toward_1);
     var near_3 : f32 = length_squared_0(half_2);
     var is_far_5 : bool;
-    if((with_slack_0(_S219, middle_3 - aside_1)) > 0.0f)
+    if((with_slack_0(_S247, middle_3 - aside_1)) > 0.0f)
     {
         is_far_5 = far_4 > (near_3 * 36.0f);
     }
@@ -3298,32 +3450,32 @@ fn view_1( _S218 : u32,  _S219 : Receiver_0) -> View_0
         is_far_5 = false;
     }
     var distance_4 : f32 = length_bound_0(select(half_2, abs(toward_1), vec3<bool>((far_4 > near_3))));
-    var sent_1 : f32 = BySide_sum_0(sent_by_side_1(_S218, _S219.point_0, distance_4));
+    var sent_1 : f32 = BySide_sum_0(sent_by_side_1(_S246, _S247.point_0, distance_4));
     var falloff_1 : f32 = reciprocal_guess_0(max(far_4, near_3));
-    var _S223 : f32;
+    var _S251 : f32;
     if(above_1 > 0.0f)
     {
-        _S223 = sent_1 * min(above_1, distance_4) * (falloff_1 * falloff_1);
+        _S251 = sent_1 * min(above_1, distance_4) * (falloff_1 * falloff_1);
     }
     else
     {
-        _S223 = 0.0f;
+        _S251 = 0.0f;
     }
-    return View_x24init_0(_S223, is_far_5);
+    return View_x24init_0(_S251, is_far_5);
 }
 
 fn normal_or_zero_0( weight_2 : f32) -> f32
 {
-    var _S224 : f32;
+    var _S252 : f32;
     if(weight_2 < 1.17549435082228751e-38f)
     {
-        _S224 = 0.0f;
+        _S252 = 0.0f;
     }
     else
     {
-        _S224 = weight_2;
+        _S252 = weight_2;
     }
-    return _S224;
+    return _S252;
 }
 
 fn inverse_power_of_two_0( x_10 : f32) -> f32
@@ -3333,27 +3485,27 @@ fn inverse_power_of_two_0( x_10 : f32) -> f32
 
 fn weights_of_0( left_0 : f32,  right_2 : f32) -> vec2<f32>
 {
-    var _S225 : f32 = normal_or_zero_0(left_0);
-    var _S226 : f32 = normal_or_zero_0(right_2);
-    var unit_0 : f32 = inverse_power_of_two_0(_S225 + _S226);
-    return vec2<f32>(normal_or_zero_0(_S225 * unit_0), normal_or_zero_0(_S226 * unit_0));
+    var _S253 : f32 = normal_or_zero_0(left_0);
+    var _S254 : f32 = normal_or_zero_0(right_2);
+    var unit_0 : f32 = inverse_power_of_two_0(_S253 + _S254);
+    return vec2<f32>(normal_or_zero_0(_S253 * unit_0), normal_or_zero_0(_S254 * unit_0));
 }
 
 fn climb_0( receiver_4 : Receiver_0,  start_3 : u32,  descent_0 : ptr<function, Descent_0>) -> bool
 {
-    var _S227 : LightNode_std430_0 = top_light_nodes_0[start_3];
+    var _S255 : LightNode_std430_0 = top_light_nodes_0[start_3];
     var node_5 : LightNode_0;
-    node_5.min_2 = _S227.min_2;
-    node_5.index_1 = _S227.index_1;
-    node_5.max_2 = _S227.max_2;
-    node_5.count_1 = _S227.count_1;
-    node_5.power_0 = _S227.power_0;
-    node_5.parent_0 = _S227.parent_0;
-    node_5.root_0 = _S227.root_0;
+    node_5.min_2 = _S255.min_2;
+    node_5.index_1 = _S255.index_1;
+    node_5.max_2 = _S255.max_2;
+    node_5.count_1 = _S255.count_1;
+    node_5.power_0 = _S255.power_0;
+    node_5.parent_0 = _S255.parent_0;
+    node_5.root_0 = _S255.root_0;
     var at_1 : u32 = start_3;
     for(;;)
     {
-        var _S228 : LightNode_0 = node_5;
+        var _S256 : LightNode_0 = node_5;
         if((node_5.parent_0) != u32(4294967295))
         {
         }
@@ -3361,56 +3513,56 @@ fn climb_0( receiver_4 : Receiver_0,  start_3 : u32,  descent_0 : ptr<function, 
         {
             break;
         }
-        var parent_1 : LightNode_std430_0 = top_light_nodes_0[_S228.parent_0];
-        var _S229 : u32 = _S228.parent_0 + u32(1);
-        var is_left_0 : bool = at_1 == _S229;
-        var _S230 : u32;
+        var parent_1 : LightNode_std430_0 = top_light_nodes_0[_S256.parent_0];
+        var _S257 : u32 = _S256.parent_0 + u32(1);
+        var is_left_0 : bool = at_1 == _S257;
+        var _S258 : u32;
         if(is_left_0)
         {
-            _S230 = parent_1.index_1;
+            _S258 = parent_1.index_1;
         }
         else
         {
-            _S230 = _S229;
+            _S258 = _S257;
         }
-        var _S231 : View_0 = view_0(node_5, receiver_4);
-        var _S232 : View_0 = view_1(_S230, receiver_4);
-        var _S233 : f32;
+        var _S259 : View_0 = view_0(node_5, receiver_4);
+        var _S260 : View_0 = view_1(_S258, receiver_4);
+        var _S261 : f32;
         if(is_left_0)
         {
-            _S233 = _S231.importance_0;
+            _S261 = _S259.importance_0;
         }
         else
         {
-            _S233 = _S232.importance_0;
+            _S261 = _S260.importance_0;
         }
-        var _S234 : f32;
+        var _S262 : f32;
         if(is_left_0)
         {
-            _S234 = _S232.importance_0;
+            _S262 = _S260.importance_0;
         }
         else
         {
-            _S234 = _S231.importance_0;
+            _S262 = _S259.importance_0;
         }
-        var weights_0 : vec2<f32> = weights_of_0(_S233, _S234);
-        var _S235 : f32 = weights_0.x;
-        var _S236 : f32 = weights_0.y;
-        var total_2 : f32 = _S235 + _S236;
+        var weights_0 : vec2<f32> = weights_of_0(_S261, _S262);
+        var _S263 : f32 = weights_0.x;
+        var _S264 : f32 = weights_0.y;
+        var total_2 : f32 = _S263 + _S264;
         if(!(total_2 > 0.0f))
         {
             return false;
         }
-        var _S237 : f32;
+        var _S265 : f32;
         if(is_left_0)
         {
-            _S237 = _S235;
+            _S265 = _S263;
         }
         else
         {
-            _S237 = _S236;
+            _S265 = _S264;
         }
-        (*descent_0).weight_0 = (*descent_0).weight_0 * _S237;
+        (*descent_0).weight_0 = (*descent_0).weight_0 * _S265;
         (*descent_0).total_0 = (*descent_0).total_0 * total_2;
         node_5.min_2 = parent_1.min_2;
         node_5.index_1 = parent_1.index_1;
@@ -3419,7 +3571,7 @@ fn climb_0( receiver_4 : Receiver_0,  start_3 : u32,  descent_0 : ptr<function, 
         node_5.power_0 = parent_1.power_0;
         node_5.parent_0 = parent_1.parent_0;
         node_5.root_0 = parent_1.root_0;
-        at_1 = _S228.parent_0;
+        at_1 = _S256.parent_0;
     }
     return ((*descent_0).weight_0) > 0.0f;
 }
@@ -3433,16 +3585,16 @@ fn descend_0( receiver_5 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<function
 {
     for(;;)
     {
-        var _S238 : bool;
+        var _S266 : bool;
         if(((*descent_1).count_4) == u32(0))
         {
-            _S238 = !(*descent_1).is_far_0;
+            _S266 = !(*descent_1).is_far_0;
         }
         else
         {
-            _S238 = false;
+            _S266 = false;
         }
-        if(_S238)
+        if(_S266)
         {
         }
         else
@@ -3450,31 +3602,31 @@ fn descend_0( receiver_5 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<function
             break;
         }
         var left_1 : LightNode_0 = TopLights_node_0((*descent_1).node_0 + u32(1));
-        var right_3 : LightNode_0 = TopLights_node_0((*descent_1).index_7);
+        var right_3 : LightNode_0 = TopLights_node_0((*descent_1).index_14);
         var weights_1 : vec2<f32> = weights_of_0(view_0(left_1, receiver_5).importance_0, view_0(right_3, receiver_5).importance_0);
-        var _S239 : f32 = weights_1.x;
-        var _S240 : f32 = weights_1.y;
-        var total_3 : f32 = _S239 + _S240;
+        var _S267 : f32 = weights_1.x;
+        var _S268 : f32 = weights_1.y;
+        var total_3 : f32 = _S267 + _S268;
         if(!(total_3 > 0.0f))
         {
             return false;
         }
-        var _S241 : bool;
-        if(_S240 <= 0.0f)
+        var _S269 : bool;
+        if(_S268 <= 0.0f)
         {
-            _S241 = true;
+            _S269 = true;
         }
         else
         {
-            _S241 = ((*descent_1).choice_0 * total_3) < (_S239 * (*descent_1).weight_0);
+            _S269 = ((*descent_1).choice_0 * total_3) < (_S267 * (*descent_1).weight_0);
         }
         var is_left_1 : bool;
         if(aim_0.is_met_0)
         {
-            var _S242 : vec3<f32> = vec3<f32>(aim_0.hit_3.voxel_4);
-            if((all((_S242 >= (vector_of_0(left_1.min_2))))))
+            var _S270 : vec3<f32> = vec3<f32>(aim_0.hit_3.voxel_4);
+            if((all((_S270 >= (vector_of_0(left_1.min_2))))))
             {
-                is_left_1 = (all((_S242 < (vector_of_0(left_1.max_2)))));
+                is_left_1 = (all((_S270 < (vector_of_0(left_1.max_2)))));
             }
             else
             {
@@ -3483,63 +3635,63 @@ fn descend_0( receiver_5 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<function
         }
         else
         {
-            is_left_1 = _S241;
+            is_left_1 = _S269;
         }
-        var _S243 : f32 = (*descent_1).choice_0 * total_3;
-        var _S244 : f32;
+        var _S271 : f32 = (*descent_1).choice_0 * total_3;
+        var _S272 : f32;
         if(is_left_1)
         {
-            _S244 = 0.0f;
+            _S272 = 0.0f;
         }
         else
         {
-            _S244 = _S239 * (*descent_1).weight_0;
+            _S272 = _S267 * (*descent_1).weight_0;
         }
-        (*descent_1).choice_0 = _S243 - _S244;
-        var _S245 : u32;
+        (*descent_1).choice_0 = _S271 - _S272;
+        var _S273 : u32;
         if(is_left_1)
         {
-            _S245 = (*descent_1).node_0 + u32(1);
+            _S273 = (*descent_1).node_0 + u32(1);
         }
         else
         {
-            _S245 = (*descent_1).index_7;
+            _S273 = (*descent_1).index_14;
         }
-        (*descent_1).node_0 = _S245;
-        var _S246 : u32;
+        (*descent_1).node_0 = _S273;
+        var _S274 : u32;
         if(is_left_1)
         {
-            _S246 = left_1.index_1;
+            _S274 = left_1.index_1;
         }
         else
         {
-            _S246 = right_3.index_1;
+            _S274 = right_3.index_1;
         }
-        (*descent_1).index_7 = _S246;
-        var _S247 : u32;
+        (*descent_1).index_14 = _S274;
+        var _S275 : u32;
         if(is_left_1)
         {
-            _S247 = left_1.count_1;
+            _S275 = left_1.count_1;
         }
         else
         {
-            _S247 = right_3.count_1;
+            _S275 = right_3.count_1;
         }
-        (*descent_1).count_4 = _S247;
+        (*descent_1).count_4 = _S275;
         (*descent_1).is_far_0 = false;
-        var _S248 : f32;
+        var _S276 : f32;
         if(is_left_1)
         {
-            _S248 = _S239;
+            _S276 = _S267;
         }
         else
         {
-            _S248 = _S240;
+            _S276 = _S268;
         }
-        var _S249 : f32 = (*descent_1).weight_0 * _S248;
-        (*descent_1).weight_0 = _S249;
+        var _S277 : f32 = (*descent_1).weight_0 * _S276;
+        (*descent_1).weight_0 = _S277;
         (*descent_1).total_0 = (*descent_1).total_0 * total_3;
-        if(_S249 <= 0.0f)
+        if(_S277 <= 0.0f)
         {
             return false;
         }
@@ -3556,18 +3708,18 @@ fn in_grid_0( instance_9 : u32,  receiver_6 : Receiver_0) -> Receiver_0
     return Receiver_x24init_0(Transform_point_0(instance_9, receiver_6.point_0), normalize_vector_0(Transform_direction_0(instance_9, receiver_6.normal_2)));
 }
 
-fn GridLights_node_0( index_10 : u32) -> LightNode_0
+fn GridLights_node_0( index_17 : u32) -> LightNode_0
 {
-    var _S250 : LightNode_std430_0 = light_nodes_0[index_10];
-    var _S251 : LightNode_0 = LightNode_0( _S250.min_2, _S250.index_1, _S250.max_2, _S250.count_1, _S250.power_0, _S250.parent_0, _S250.root_0 );
-    return _S251;
+    var _S278 : LightNode_std430_0 = light_nodes_0[index_17];
+    var _S279 : LightNode_0 = LightNode_0( _S278.min_2, _S278.index_1, _S278.max_2, _S278.count_1, _S278.power_0, _S278.parent_0, _S278.root_0 );
+    return _S279;
 }
 
 fn Descent_at_1( this_37 : ptr<function, Descent_0>,  root_3 : u32)
 {
     var node_6 : LightNode_0 = GridLights_node_0(root_3);
     (*this_37).node_0 = root_3;
-    (*this_37).index_7 = node_6.index_1;
+    (*this_37).index_14 = node_6.index_1;
     (*this_37).count_4 = node_6.count_1;
     (*this_37).is_far_0 = false;
     return;
@@ -3577,16 +3729,16 @@ fn descend_1( receiver_7 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<function
 {
     for(;;)
     {
-        var _S252 : bool;
+        var _S280 : bool;
         if(((*descent_2).count_4) == u32(0))
         {
-            _S252 = !(*descent_2).is_far_0;
+            _S280 = !(*descent_2).is_far_0;
         }
         else
         {
-            _S252 = false;
+            _S280 = false;
         }
-        if(_S252)
+        if(_S280)
         {
         }
         else
@@ -3594,33 +3746,33 @@ fn descend_1( receiver_7 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<function
             break;
         }
         var left_2 : LightNode_0 = GridLights_node_0((*descent_2).node_0 + u32(1));
-        var right_4 : LightNode_0 = GridLights_node_0((*descent_2).index_7);
+        var right_4 : LightNode_0 = GridLights_node_0((*descent_2).index_14);
         var of_left_0 : View_0 = view_0(left_2, receiver_7);
         var of_right_0 : View_0 = view_0(right_4, receiver_7);
         var weights_2 : vec2<f32> = weights_of_0(of_left_0.importance_0, of_right_0.importance_0);
-        var _S253 : f32 = weights_2.x;
-        var _S254 : f32 = weights_2.y;
-        var total_4 : f32 = _S253 + _S254;
+        var _S281 : f32 = weights_2.x;
+        var _S282 : f32 = weights_2.y;
+        var total_4 : f32 = _S281 + _S282;
         if(!(total_4 > 0.0f))
         {
             return false;
         }
-        var _S255 : bool;
-        if(_S254 <= 0.0f)
+        var _S283 : bool;
+        if(_S282 <= 0.0f)
         {
-            _S255 = true;
+            _S283 = true;
         }
         else
         {
-            _S255 = ((*descent_2).choice_0 * total_4) < (_S253 * (*descent_2).weight_0);
+            _S283 = ((*descent_2).choice_0 * total_4) < (_S281 * (*descent_2).weight_0);
         }
         var is_left_2 : bool;
         if(aim_1.is_met_0)
         {
-            var _S256 : vec3<f32> = vec3<f32>(aim_1.hit_3.voxel_4);
-            if((all((_S256 >= (vector_of_0(left_2.min_2))))))
+            var _S284 : vec3<f32> = vec3<f32>(aim_1.hit_3.voxel_4);
+            if((all((_S284 >= (vector_of_0(left_2.min_2))))))
             {
-                is_left_2 = (all((_S256 < (vector_of_0(left_2.max_2)))));
+                is_left_2 = (all((_S284 < (vector_of_0(left_2.max_2)))));
             }
             else
             {
@@ -3629,72 +3781,72 @@ fn descend_1( receiver_7 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<function
         }
         else
         {
-            is_left_2 = _S255;
+            is_left_2 = _S283;
         }
-        var _S257 : f32 = (*descent_2).choice_0 * total_4;
-        var _S258 : f32;
+        var _S285 : f32 = (*descent_2).choice_0 * total_4;
+        var _S286 : f32;
         if(is_left_2)
         {
-            _S258 = 0.0f;
+            _S286 = 0.0f;
         }
         else
         {
-            _S258 = _S253 * (*descent_2).weight_0;
+            _S286 = _S281 * (*descent_2).weight_0;
         }
-        (*descent_2).choice_0 = _S257 - _S258;
-        var _S259 : u32;
+        (*descent_2).choice_0 = _S285 - _S286;
+        var _S287 : u32;
         if(is_left_2)
         {
-            _S259 = (*descent_2).node_0 + u32(1);
+            _S287 = (*descent_2).node_0 + u32(1);
         }
         else
         {
-            _S259 = (*descent_2).index_7;
+            _S287 = (*descent_2).index_14;
         }
-        (*descent_2).node_0 = _S259;
-        var _S260 : u32;
+        (*descent_2).node_0 = _S287;
+        var _S288 : u32;
         if(is_left_2)
         {
-            _S260 = left_2.index_1;
+            _S288 = left_2.index_1;
         }
         else
         {
-            _S260 = right_4.index_1;
+            _S288 = right_4.index_1;
         }
-        (*descent_2).index_7 = _S260;
-        var _S261 : u32;
+        (*descent_2).index_14 = _S288;
+        var _S289 : u32;
         if(is_left_2)
         {
-            _S261 = left_2.count_1;
+            _S289 = left_2.count_1;
         }
         else
         {
-            _S261 = right_4.count_1;
+            _S289 = right_4.count_1;
         }
-        (*descent_2).count_4 = _S261;
-        var _S262 : bool;
+        (*descent_2).count_4 = _S289;
+        var _S290 : bool;
         if(is_left_2)
         {
-            _S262 = of_left_0.is_far_2;
+            _S290 = of_left_0.is_far_2;
         }
         else
         {
-            _S262 = of_right_0.is_far_2;
+            _S290 = of_right_0.is_far_2;
         }
-        (*descent_2).is_far_0 = _S262;
-        var _S263 : f32;
+        (*descent_2).is_far_0 = _S290;
+        var _S291 : f32;
         if(is_left_2)
         {
-            _S263 = _S253;
+            _S291 = _S281;
         }
         else
         {
-            _S263 = _S254;
+            _S291 = _S282;
         }
-        var _S264 : f32 = (*descent_2).weight_0 * _S263;
-        (*descent_2).weight_0 = _S264;
+        var _S292 : f32 = (*descent_2).weight_0 * _S291;
+        (*descent_2).weight_0 = _S292;
         (*descent_2).total_0 = (*descent_2).total_0 * total_4;
-        if(_S264 <= 0.0f)
+        if(_S292 <= 0.0f)
         {
             return false;
         }
@@ -3702,38 +3854,38 @@ fn descend_1( receiver_7 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<function
     return true;
 }
 
-fn sent_by_side_2( _S265 : u32,  _S266 : vec3<f32>,  _S267 : f32) -> BySide_0
+fn sent_by_side_2( _S293 : u32,  _S294 : vec3<f32>,  _S295 : f32) -> BySide_0
 {
-    var _S268 : vec3<f32> = vec3<f32>(0.0f);
-    var _S269 : vec3<f32> = vec3<f32>(_S267);
-    return BySide_x24init_0(vec3<f32>(light_nodes_0[_S265].power_0[i32(0)], light_nodes_0[_S265].power_0[i32(2)], light_nodes_0[_S265].power_0[i32(4)]) * min(max(vector_of_0(light_nodes_0[_S265].max_2) - _S266, _S268), _S269), vec3<f32>(light_nodes_0[_S265].power_0[i32(1)], light_nodes_0[_S265].power_0[i32(3)], light_nodes_0[_S265].power_0[i32(5)]) * min(max(_S266 - vector_of_0(light_nodes_0[_S265].min_2), _S268), _S269));
+    var _S296 : vec3<f32> = vec3<f32>(0.0f);
+    var _S297 : vec3<f32> = vec3<f32>(_S295);
+    return BySide_x24init_0(vec3<f32>(light_nodes_0[_S293].power_0[i32(0)], light_nodes_0[_S293].power_0[i32(2)], light_nodes_0[_S293].power_0[i32(4)]) * min(max(vector_of_0(light_nodes_0[_S293].max_2) - _S294, _S296), _S297), vec3<f32>(light_nodes_0[_S293].power_0[i32(1)], light_nodes_0[_S293].power_0[i32(3)], light_nodes_0[_S293].power_0[i32(5)]) * min(max(_S294 - vector_of_0(light_nodes_0[_S293].min_2), _S296), _S297));
 }
 
 fn choose_side_0( point_3 : vec3<f32>,  is_met_2 : bool,  way_3 : Descent_0,  side_1 : ptr<function, u32>,  odds_0 : ptr<function, vec2<f32>>) -> bool
 {
-    var _S270 : vec3<f32> = vector_of_0(light_nodes_0[way_3.node_0].max_2);
-    var _S271 : vec3<f32> = vector_of_0(light_nodes_0[way_3.node_0].min_2);
-    var _S272 : vec3<f32> = vec3<f32>(0.5f);
-    var half_3 : vec3<f32> = (_S270 - _S271) * _S272;
-    var toward_2 : vec3<f32> = (_S271 + _S270) * _S272 - point_3;
-    var _S273 : BySide_0 = sent_by_side_2(way_3.node_0, point_3, length_bound_0(select(half_3, abs(toward_2), vec3<bool>(((length_squared_0(toward_2)) > (length_squared_0(half_3)))))));
-    var sum_3 : f32 = normal_or_zero_0(BySide_sum_0(_S273));
+    var _S298 : vec3<f32> = vector_of_0(light_nodes_0[way_3.node_0].max_2);
+    var _S299 : vec3<f32> = vector_of_0(light_nodes_0[way_3.node_0].min_2);
+    var _S300 : vec3<f32> = vec3<f32>(0.5f);
+    var half_3 : vec3<f32> = (_S298 - _S299) * _S300;
+    var toward_2 : vec3<f32> = (_S299 + _S298) * _S300 - point_3;
+    var _S301 : BySide_0 = sent_by_side_2(way_3.node_0, point_3, length_bound_0(select(half_3, abs(toward_2), vec3<bool>(((length_squared_0(toward_2)) > (length_squared_0(half_3)))))));
+    var sum_3 : f32 = normal_or_zero_0(BySide_sum_0(_S301));
     var unit_1 : f32 = inverse_power_of_two_0(sum_3);
     var total_5 : f32 = sum_3 * unit_1;
-    var _S274 : f32 = way_3.choice_0 * total_5;
-    var _S275 : u32 = (*side_1);
-    var share_1 : f32 = normal_or_zero_0(_S273.low_7[u32(0)] * unit_1);
-    var _S276 : bool;
+    var _S302 : f32 = way_3.choice_0 * total_5;
+    var _S303 : u32 = (*side_1);
+    var share_1 : f32 = normal_or_zero_0(_S301.low_7[u32(0)] * unit_1);
+    var _S304 : bool;
     if(is_met_2)
     {
-        _S276 = u32(0) == _S275;
+        _S304 = u32(0) == _S303;
     }
     else
     {
-        _S276 = share_1 > 0.0f;
+        _S304 = share_1 > 0.0f;
     }
     var chosen_2 : f32;
-    if(_S276)
+    if(_S304)
     {
         (*side_1) = u32(0);
         chosen_2 = share_1;
@@ -3742,145 +3894,145 @@ fn choose_side_0( point_3 : vec3<f32>,  is_met_2 : bool,  way_3 : Descent_0,  si
     {
         chosen_2 = 0.0f;
     }
-    var _S277 : bool = _S274 < (share_1 * way_3.weight_0);
-    var share_2 : f32 = normal_or_zero_0(_S273.high_4[u32(0)] * unit_1);
+    var _S305 : bool = _S302 < (share_1 * way_3.weight_0);
+    var share_2 : f32 = normal_or_zero_0(_S301.high_4[u32(0)] * unit_1);
     if(is_met_2)
     {
-        _S276 = u32(1) == _S275;
+        _S304 = u32(1) == _S303;
     }
     else
     {
         if(share_2 > 0.0f)
         {
-            _S276 = !_S277;
+            _S304 = !_S305;
         }
         else
         {
-            _S276 = false;
+            _S304 = false;
         }
     }
-    if(_S276)
+    if(_S304)
     {
         (*side_1) = u32(1);
         chosen_2 = share_2;
     }
     var passed_0 : f32 = share_1 + share_2;
-    if(_S277)
+    if(_S305)
     {
-        _S276 = true;
+        _S304 = true;
     }
     else
     {
-        _S276 = _S274 < (passed_0 * way_3.weight_0);
+        _S304 = _S302 < (passed_0 * way_3.weight_0);
     }
-    var share_3 : f32 = normal_or_zero_0(_S273.low_7[u32(1)] * unit_1);
-    var _S278 : bool;
+    var share_3 : f32 = normal_or_zero_0(_S301.low_7[u32(1)] * unit_1);
+    var _S306 : bool;
     if(is_met_2)
     {
-        _S278 = u32(2) == _S275;
+        _S306 = u32(2) == _S303;
     }
     else
     {
         if(share_3 > 0.0f)
         {
-            _S278 = !_S276;
+            _S306 = !_S304;
         }
         else
         {
-            _S278 = false;
+            _S306 = false;
         }
     }
-    if(_S278)
+    if(_S306)
     {
         (*side_1) = u32(2);
         chosen_2 = share_3;
     }
     var passed_1 : f32 = passed_0 + share_3;
-    if(_S276)
+    if(_S304)
     {
-        _S276 = true;
+        _S304 = true;
     }
     else
     {
-        _S276 = _S274 < (passed_1 * way_3.weight_0);
+        _S304 = _S302 < (passed_1 * way_3.weight_0);
     }
-    var share_4 : f32 = normal_or_zero_0(_S273.high_4[u32(1)] * unit_1);
+    var share_4 : f32 = normal_or_zero_0(_S301.high_4[u32(1)] * unit_1);
     if(is_met_2)
     {
-        _S278 = u32(3) == _S275;
+        _S306 = u32(3) == _S303;
     }
     else
     {
         if(share_4 > 0.0f)
         {
-            _S278 = !_S276;
+            _S306 = !_S304;
         }
         else
         {
-            _S278 = false;
+            _S306 = false;
         }
     }
-    if(_S278)
+    if(_S306)
     {
         (*side_1) = u32(3);
         chosen_2 = share_4;
     }
     var passed_2 : f32 = passed_1 + share_4;
-    if(_S276)
+    if(_S304)
     {
-        _S276 = true;
+        _S304 = true;
     }
     else
     {
-        _S276 = _S274 < (passed_2 * way_3.weight_0);
+        _S304 = _S302 < (passed_2 * way_3.weight_0);
     }
-    var share_5 : f32 = normal_or_zero_0(_S273.low_7[u32(2)] * unit_1);
+    var share_5 : f32 = normal_or_zero_0(_S301.low_7[u32(2)] * unit_1);
     if(is_met_2)
     {
-        _S278 = u32(4) == _S275;
+        _S306 = u32(4) == _S303;
     }
     else
     {
         if(share_5 > 0.0f)
         {
-            _S278 = !_S276;
+            _S306 = !_S304;
         }
         else
         {
-            _S278 = false;
+            _S306 = false;
         }
     }
-    if(_S278)
+    if(_S306)
     {
         (*side_1) = u32(4);
         chosen_2 = share_5;
     }
     var passed_3 : f32 = passed_2 + share_5;
-    if(_S276)
+    if(_S304)
     {
-        _S276 = true;
+        _S304 = true;
     }
     else
     {
-        _S276 = _S274 < (passed_3 * way_3.weight_0);
+        _S304 = _S302 < (passed_3 * way_3.weight_0);
     }
-    var share_6 : f32 = normal_or_zero_0(_S273.high_4[u32(2)] * unit_1);
+    var share_6 : f32 = normal_or_zero_0(_S301.high_4[u32(2)] * unit_1);
     if(is_met_2)
     {
-        _S276 = u32(5) == _S275;
+        _S304 = u32(5) == _S303;
     }
     else
     {
         if(share_6 > 0.0f)
         {
-            _S276 = !_S276;
+            _S304 = !_S304;
         }
         else
         {
-            _S276 = false;
+            _S304 = false;
         }
     }
-    if(_S276)
+    if(_S304)
     {
         (*side_1) = u32(5);
         chosen_2 = share_6;
@@ -3888,13 +4040,13 @@ fn choose_side_0( point_3 : vec3<f32>,  is_met_2 : bool,  way_3 : Descent_0,  si
     (*odds_0) = vec2<f32>(way_3.weight_0 * chosen_2, way_3.total_0 * total_5);
     if(sum_3 > 0.0f)
     {
-        _S276 = ((*odds_0).x) > 0.0f;
+        _S304 = ((*odds_0).x) > 0.0f;
     }
     else
     {
-        _S276 = false;
+        _S304 = false;
     }
-    return _S276;
+    return _S304;
 }
 
 fn component_0( vector_5 : vec3<f32>,  axis_5 : u32) -> f32
@@ -3943,8 +4095,8 @@ fn choose_emitter_0( way_4 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
     var is_left_3 : bool;
     var count_6 : u32 = way_4.count_4;
     var node_7 : u32 = way_4.node_0;
-    var index_11 : u32 = way_4.index_7;
-    var _S279 : f32 = threshold_1;
+    var index_18 : u32 = way_4.index_14;
+    var _S307 : f32 = threshold_1;
     for(;;)
     {
         if(count_6 == u32(0))
@@ -3956,12 +4108,12 @@ fn choose_emitter_0( way_4 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
         }
         var left_3 : u32 = node_7 + u32(1);
         var power_left_0 : f32 = light_nodes_0[left_3].power_0[side_2];
-        var power_right_0 : f32 = light_nodes_0[index_11].power_0[side_2];
-        var _S280 : u32 = light_nodes_0[left_3].index_1;
-        var _S281 : u32 = light_nodes_0[left_3].count_1;
-        var _S282 : u32 = light_nodes_0[index_11].index_1;
-        var _S283 : u32 = light_nodes_0[index_11].count_1;
-        if(_S279 < (light_nodes_0[left_3].power_0[side_2]))
+        var power_right_0 : f32 = light_nodes_0[index_18].power_0[side_2];
+        var _S308 : u32 = light_nodes_0[left_3].index_1;
+        var _S309 : u32 = light_nodes_0[left_3].count_1;
+        var _S310 : u32 = light_nodes_0[index_18].index_1;
+        var _S311 : u32 = light_nodes_0[index_18].count_1;
+        if(_S307 < (light_nodes_0[left_3].power_0[side_2]))
         {
             is_left_3 = true;
         }
@@ -3974,7 +4126,7 @@ fn choose_emitter_0( way_4 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
         }
         else
         {
-            _S279 = _S279 - power_left_0;
+            _S307 = _S307 - power_left_0;
         }
         if(is_left_3)
         {
@@ -3982,40 +4134,40 @@ fn choose_emitter_0( way_4 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
         }
         else
         {
-            node_7 = index_11;
+            node_7 = index_18;
         }
         if(is_left_3)
         {
-            index_11 = _S280;
+            index_18 = _S308;
         }
         else
         {
-            index_11 = _S282;
+            index_18 = _S310;
         }
         if(is_left_3)
         {
-            count_6 = _S281;
+            count_6 = _S309;
         }
         else
         {
-            count_6 = _S283;
+            count_6 = _S311;
         }
     }
     is_left_3 = false;
-    var chosen_3 : u32 = index_11;
-    var at_2 : u32 = index_11;
+    var chosen_3 : u32 = index_18;
+    var at_2 : u32 = index_18;
     for(;;)
     {
-        var _S284 : bool;
-        if(at_2 < (index_11 + count_6))
+        var _S312 : bool;
+        if(at_2 < (index_18 + count_6))
         {
-            _S284 = !is_left_3;
+            _S312 = !is_left_3;
         }
         else
         {
-            _S284 = false;
+            _S312 = false;
         }
-        if(_S284)
+        if(_S312)
         {
         }
         else
@@ -4024,16 +4176,16 @@ fn choose_emitter_0( way_4 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
         }
         if((((((emitters_0[at_2].faces_0) >> (side_2))) & (u32(1)))) != u32(0))
         {
-            var _S285 : f32 = _S279 - emitters_0[at_2].luminance_0;
-            is_left_3 = _S279 < (emitters_0[at_2].luminance_0);
+            var _S313 : f32 = _S307 - emitters_0[at_2].luminance_0;
+            is_left_3 = _S307 < (emitters_0[at_2].luminance_0);
             chosen_3 = at_2;
-            _S279 = _S285;
+            _S307 = _S313;
         }
         at_2 = at_2 + u32(1);
     }
-    var _S286 : Emitter_std430_0 = emitters_0[chosen_3];
-    var _S287 : Emitter_0 = Emitter_0( _S286.voxel_1, _S286.grid_1, _S286.faces_0, _S286.material_0, _S286.luminance_0, _S286.leaf_0 );
-    return _S287;
+    var _S314 : Emitter_std430_0 = emitters_0[chosen_3];
+    var _S315 : Emitter_0 = Emitter_0( _S314.voxel_1, _S314.grid_1, _S314.faces_0, _S314.material_0, _S314.luminance_0, _S314.leaf_0 );
+    return _S315;
 }
 
 fn point_of_face_0( low_9 : vec3<f32>,  face_4 : u32,  u_6 : f32,  v_4 : f32) -> vec3<f32>
@@ -4066,19 +4218,19 @@ fn margin_of_0( translation_1 : vec3<f32>,  low_10 : vec3<f32>) -> f32
 fn offset_ray_origin_0( translation_2 : vec3<f32>,  low_11 : vec3<f32>,  face_5 : u32,  point_4 : vec3<f32>) -> vec3<f32>
 {
     var margin_0 : f32 = margin_of_0(translation_2, low_11);
-    var _S288 : vec3<f32> = vec3<f32>(margin_0);
-    var moved_0 : vec3<f32> = min(max(point_4, low_11 + _S288), low_11 + vec3<f32>((1.0f - margin_0)));
-    var _S289 : bool = face_5 < u32(2);
-    var _S290 : bool;
+    var _S316 : vec3<f32> = vec3<f32>(margin_0);
+    var moved_0 : vec3<f32> = min(max(point_4, low_11 + _S316), low_11 + vec3<f32>((1.0f - margin_0)));
+    var _S317 : bool = face_5 < u32(2);
+    var _S318 : bool;
     if(face_5 >= u32(2))
     {
-        _S290 = face_5 < u32(4);
+        _S318 = face_5 < u32(4);
     }
     else
     {
-        _S290 = false;
+        _S318 = false;
     }
-    var is_axis_2 : vec3<bool> = vec3<bool>(_S289, _S290, face_5 >= u32(4));
+    var is_axis_2 : vec3<bool> = vec3<bool>(_S317, _S318, face_5 >= u32(4));
     var outside_0 : vec3<f32>;
     if(((face_5 & (u32(1)))) == u32(1))
     {
@@ -4086,24 +4238,24 @@ fn offset_ray_origin_0( translation_2 : vec3<f32>,  low_11 : vec3<f32>,  face_5 
     }
     else
     {
-        outside_0 = low_11 - _S288;
+        outside_0 = low_11 - _S316;
     }
     return select(moved_0, outside_0, is_axis_2);
 }
 
-fn Transform_direction_1( _S291 : u32,  _S292 : vec3<f32>) -> vec3<f32>
+fn Transform_direction_1( _S319 : u32,  _S320 : vec3<f32>) -> vec3<f32>
 {
-    return vector_of_0(instances_0[_S291].world_from_grid_0.x_axis_0) * vec3<f32>(_S292.x) + vector_of_0(instances_0[_S291].world_from_grid_0.y_axis_0) * vec3<f32>(_S292.y) + vector_of_0(instances_0[_S291].world_from_grid_0.z_axis_0) * vec3<f32>(_S292.z);
+    return vector_of_0(instances_0[_S319].world_from_grid_0.x_axis_0) * vec3<f32>(_S320.x) + vector_of_0(instances_0[_S319].world_from_grid_0.y_axis_0) * vec3<f32>(_S320.y) + vector_of_0(instances_0[_S319].world_from_grid_0.z_axis_0) * vec3<f32>(_S320.z);
 }
 
-fn Transform_point_1( _S293 : u32,  _S294 : vec3<f32>) -> vec3<f32>
+fn Transform_point_1( _S321 : u32,  _S322 : vec3<f32>) -> vec3<f32>
 {
-    return Transform_direction_1(_S293, _S294) + vector_of_0(instances_0[_S293].world_from_grid_0.translation_0);
+    return Transform_direction_1(_S321, _S322) + vector_of_0(instances_0[_S321].world_from_grid_0.translation_0);
 }
 
-fn emitted_1( _S295 : u32) -> vec3<f32>
+fn emitted_1( _S323 : u32) -> vec3<f32>
 {
-    return vector_of_0(materials_0[_S295].emission_0) * vec3<f32>(params_0.emitter_intensity_0);
+    return vector_of_0(materials_0[_S323].emission_0) * vec3<f32>(params_0.emitter_intensity_0);
 }
 
 fn sample_emitter_0( receiver_8 : Receiver_0,  u_7 : vec4<f32>,  aim_2 : Aim_0,  sample_8 : ptr<function, LightSample_0>) -> bool
@@ -4115,28 +4267,28 @@ fn sample_emitter_0( receiver_8 : Receiver_0,  u_7 : vec4<f32>,  aim_2 : Aim_0, 
     }
     var descent_3 : Descent_0 = Descent_x24init_0(u32(0), u32(0), u32(0), 1.0f, 1.0f, u_7.x, false);
     Descent_at_0(&(descent_3), u32(0));
-    var _S296 : bool;
+    var _S324 : bool;
     if(!IS_SINGLE_0)
     {
-        _S296 = aim_2.is_met_0;
+        _S324 = aim_2.is_met_0;
     }
     else
     {
-        _S296 = false;
+        _S324 = false;
     }
-    if(_S296)
+    if(_S324)
     {
         var leaf_1 : u32 = instances_0[aim_2.hit_3.instance_3].light_leaf_0;
         if((instances_0[aim_2.hit_3.instance_3].light_leaf_0) == u32(4294967295))
         {
-            _S296 = true;
+            _S324 = true;
         }
         else
         {
-            var _S297 : bool = climb_0(receiver_8, leaf_1, &(descent_3));
-            _S296 = !_S297;
+            var _S325 : bool = climb_0(receiver_8, leaf_1, &(descent_3));
+            _S324 = !_S325;
         }
-        if(_S296)
+        if(_S324)
         {
             return false;
         }
@@ -4146,49 +4298,49 @@ fn sample_emitter_0( receiver_8 : Receiver_0,  u_7 : vec4<f32>,  aim_2 : Aim_0, 
     {
         if(!IS_SINGLE_0)
         {
-            var _S298 : bool = descend_0(receiver_8, by_chance_0(), &(descent_3));
-            _S296 = !_S298;
+            var _S326 : bool = descend_0(receiver_8, by_chance_0(), &(descent_3));
+            _S324 = !_S326;
         }
         else
         {
-            _S296 = false;
+            _S324 = false;
         }
-        if(_S296)
+        if(_S324)
         {
             return false;
         }
     }
-    var chosen_instance_0 : u32 = descent_3.index_7;
-    var local_1 : Receiver_0 = in_grid_0(descent_3.index_7, receiver_8);
+    var chosen_instance_0 : u32 = descent_3.index_14;
+    var local_1 : Receiver_0 = in_grid_0(descent_3.index_14, receiver_8);
     Descent_at_1(&(descent_3), top_light_nodes_0[descent_3.node_0].root_0);
-    var _S299 : bool = descend_1(local_1, aim_2, &(descent_3));
-    if(!_S299)
+    var _S327 : bool = descend_1(local_1, aim_2, &(descent_3));
+    if(!_S327)
     {
         return false;
     }
     var side_3 : u32 = aim_2.hit_3.face_1;
     var odds_2 : vec2<f32>;
-    var _S300 : bool = choose_side_0(local_1.point_0, aim_2.is_met_0, descent_3, &(side_3), &(odds_2));
-    if(!_S300)
+    var _S328 : bool = choose_side_0(local_1.point_0, aim_2.is_met_0, descent_3, &(side_3), &(odds_2));
+    if(!_S328)
     {
         return false;
     }
     var power_4 : f32 = light_nodes_0[descent_3.node_0].power_0[side_3];
     if(aim_2.is_met_0)
     {
-        var _S301 : f32 = density_0(odds_2, aim_2.luminance_2, power_4, Transform_direction_0(chosen_instance_0, aim_2.direction_22) * vec3<f32>(aim_2.hit_3.t_1), side_3);
-        (*sample_8).pdf_3 = _S301;
-        return _S301 > 0.0f;
+        var _S329 : f32 = density_0(odds_2, aim_2.luminance_2, power_4, Transform_direction_0(chosen_instance_0, aim_2.direction_22) * vec3<f32>(aim_2.hit_3.t_1), side_3);
+        (*sample_8).pdf_3 = _S329;
+        return _S329 > 0.0f;
     }
     var emitter_0 : Emitter_0 = choose_emitter_0(descent_3, side_3, u_7.y * power_4);
-    var _S302 : vec3<f32> = vec3<f32>(cell_of_0(emitter_0.voxel_1));
-    var on_face_0 : vec3<f32> = point_of_face_0(_S302, side_3, u_7.z, u_7.w);
+    var _S330 : vec3<f32> = vec3<f32>(cell_of_0(emitter_0.voxel_1));
+    var on_face_0 : vec3<f32> = point_of_face_0(_S330, side_3, u_7.z, u_7.w);
     var pdf_8 : f32 = density_0(odds_2, emitter_0.luminance_0, power_4, on_face_0 - local_1.point_0, side_3);
     if(pdf_8 < 0.0f)
     {
         return false;
     }
-    var direction_27 : vec3<f32> = Transform_point_1(chosen_instance_0, offset_ray_origin_0(vector_of_0(instances_0[chosen_instance_0].grid_from_world_0.translation_0), _S302, side_3, on_face_0)) - receiver_8.point_0;
+    var direction_27 : vec3<f32> = Transform_point_1(chosen_instance_0, offset_ray_origin_0(vector_of_0(instances_0[chosen_instance_0].grid_from_world_0.translation_0), _S330, side_3, on_face_0)) - receiver_8.point_0;
     var cos_theta_4 : f32 = with_slack_0(receiver_8, divide_0(dot_product_0(receiver_8.normal_2, direction_27), square_root_0(length_squared_0(direction_27))));
     (*sample_8) = LightSample_x24init_0(Ray_x24init_0(receiver_8.point_0, 0.0f, direction_27, 1.0f), cos_theta_4, emitted_1(emitter_0.material_0), pdf_8);
     return cos_theta_4 > 0.0f;
@@ -4196,8 +4348,8 @@ fn sample_emitter_0( receiver_8 : Receiver_0,  u_7 : vec4<f32>,  aim_2 : Aim_0, 
 
 fn EmitterTree_sample_0( receiver_9 : Receiver_0,  u_8 : vec4<f32>,  aim_3 : Aim_0,  sample_9 : ptr<function, LightSample_0>) -> bool
 {
-    var _S303 : bool = sample_emitter_0(receiver_9, u_8, aim_3, &((*sample_9)));
-    return _S303;
+    var _S331 : bool = sample_emitter_0(receiver_9, u_8, aim_3, &((*sample_9)));
+    return _S331;
 }
 
 fn Lights_sample_0( receiver_10 : Receiver_0,  selection_4 : Selection_0,  u_9 : vec4<f32>,  aim_4 : Aim_0,  sample_10 : ptr<function, LightSample_0>) -> bool
@@ -4221,9 +4373,9 @@ fn Lights_sample_0( receiver_10 : Receiver_0,  selection_4 : Selection_0,  u_9 :
     }
     if(is_found_3)
     {
-        var _S304 : bool = SunDisc_sample_0(receiver_10, u_9, &((*sample_10)));
+        var _S332 : bool = SunDisc_sample_0(receiver_10, u_9, &((*sample_10)));
         (*sample_10).pdf_3 = (*sample_10).pdf_3 * selection_4.sun_0;
-        is_found_3 = _S304;
+        is_found_3 = _S332;
     }
     else
     {
@@ -4245,15 +4397,15 @@ fn Lights_sample_0( receiver_10 : Receiver_0,  selection_4 : Selection_0,  u_9 :
         }
         if(is_found_3)
         {
-            var _S305 : bool = Sky_sample_0(receiver_10, vec4<f32>(min(divide_0(u_9.x - selection_4.sun_0, selection_4.sky_1), 0.99999994039535522f), u_9.yzw), &((*sample_10)));
+            var _S333 : bool = Sky_sample_0(receiver_10, vec4<f32>(min(divide_0(u_9.x - selection_4.sun_0, selection_4.sky_1), 0.99999994039535522f), u_9.yzw), &((*sample_10)));
             (*sample_10).pdf_3 = (*sample_10).pdf_3 * selection_4.sky_1;
-            is_found_3 = _S305;
+            is_found_3 = _S333;
         }
         else
         {
-            var _S306 : bool = EmitterTree_sample_0(receiver_10, vec4<f32>(min(divide_0(u_9.x - (selection_4.sun_0 + selection_4.sky_1), selection_4.emitters_1), 0.99999994039535522f), u_9.yzw), aim_4, &((*sample_10)));
+            var _S334 : bool = EmitterTree_sample_0(receiver_10, vec4<f32>(min(divide_0(u_9.x - (selection_4.sun_0 + selection_4.sky_1), selection_4.emitters_1), 0.99999994039535522f), u_9.yzw), aim_4, &((*sample_10)));
             (*sample_10).pdf_3 = (*sample_10).pdf_3 * selection_4.emitters_1;
-            is_found_3 = _S306;
+            is_found_3 = _S334;
         }
     }
     return is_found_3;
@@ -4261,16 +4413,16 @@ fn Lights_sample_0( receiver_10 : Receiver_0,  selection_4 : Selection_0,  u_9 :
 
 fn ior_of_0( inside_4 : Inside_0) -> f32
 {
-    var _S307 : f32;
+    var _S335 : f32;
     if(Inside_is_in_0(inside_4))
     {
-        _S307 = materials_0[inside_4.material_1].ior_0;
+        _S335 = materials_0[inside_4.material_1].ior_0;
     }
     else
     {
-        _S307 = 1.0f;
+        _S335 = 1.0f;
     }
-    return _S307;
+    return _S335;
 }
 
 struct Microfacets_0
@@ -4289,20 +4441,20 @@ struct MaterialBsdf_0
 
 fn Microfacets_x24init_0( alpha_1 : f32) -> Microfacets_0
 {
-    var _S308 : Microfacets_0;
-    _S308.alpha_0 = alpha_1;
-    return _S308;
+    var _S336 : Microfacets_0;
+    _S336.alpha_0 = alpha_1;
+    return _S336;
 }
 
 fn MaterialBsdf_x24init_0( kind_1 : u32,  color_2 : vec3<f32>,  specular_2 : f32,  eta_1 : f32,  facets_1 : Microfacets_0) -> MaterialBsdf_0
 {
-    var _S309 : MaterialBsdf_0;
-    _S309.kind_0 = kind_1;
-    _S309.color_1 = color_2;
-    _S309.specular_1 = specular_2;
-    _S309.eta_0 = eta_1;
-    _S309.facets_0 = facets_1;
-    return _S309;
+    var _S337 : MaterialBsdf_0;
+    _S337.kind_0 = kind_1;
+    _S337.color_1 = color_2;
+    _S337.specular_1 = specular_2;
+    _S337.eta_0 = eta_1;
+    _S337.facets_0 = facets_1;
+    return _S337;
 }
 
 fn bsdf_of_0( material_5 : PackedMaterial_0,  ior_1 : f32,  choice_2 : ptr<function, f32>) -> MaterialBsdf_0
@@ -4321,17 +4473,17 @@ fn roulette_0( event_2 : u32,  scattered_2 : vec3<f32>,  u_10 : f32) -> f32
     {
         return 1.0f;
     }
-    var _S310 : f32 = min(max_element_0(scattered_2), 0.94999998807907104f);
-    var _S311 : f32;
-    if(u_10 < _S310)
+    var _S338 : f32 = min(max_element_0(scattered_2), 0.94999998807907104f);
+    var _S339 : f32;
+    if(u_10 < _S338)
     {
-        _S311 = divide_0(1.0f, _S310);
+        _S339 = divide_0(1.0f, _S338);
     }
     else
     {
-        _S311 = 0.0f;
+        _S339 = 0.0f;
     }
-    return _S311;
+    return _S339;
 }
 
 struct Surface_0
@@ -4353,32 +4505,32 @@ fn face_normal_0( face_7 : u32) -> vec3<f32>
     {
         away_1 = -1.0f;
     }
-    var _S312 : f32;
+    var _S340 : f32;
     if(face_7 < u32(2))
     {
-        _S312 = away_1;
+        _S340 = away_1;
     }
     else
     {
-        _S312 = 0.0f;
+        _S340 = 0.0f;
     }
-    var _S313 : bool;
+    var _S341 : bool;
     if(face_7 >= u32(2))
     {
-        _S313 = face_7 < u32(4);
+        _S341 = face_7 < u32(4);
     }
     else
     {
-        _S313 = false;
+        _S341 = false;
     }
-    var _S314 : f32;
-    if(_S313)
+    var _S342 : f32;
+    if(_S341)
     {
-        _S314 = away_1;
+        _S342 = away_1;
     }
     else
     {
-        _S314 = 0.0f;
+        _S342 = 0.0f;
     }
     if(face_7 >= u32(4))
     {
@@ -4387,26 +4539,26 @@ fn face_normal_0( face_7 : u32) -> vec3<f32>
     {
         away_1 = 0.0f;
     }
-    return vec3<f32>(_S312, _S314, away_1);
+    return vec3<f32>(_S340, _S342, away_1);
 }
 
-fn world_normal_0( _S315 : u32,  _S316 : u32) -> vec3<f32>
+fn world_normal_0( _S343 : u32,  _S344 : u32) -> vec3<f32>
 {
-    return normalize_vector_0(Transform_direction_1(_S315, face_normal_0(_S316)));
+    return normalize_vector_0(Transform_direction_1(_S343, face_normal_0(_S344)));
 }
 
 fn surface_of_0( ray_16 : Ray_0,  hit_5 : Hit_0) -> Surface_0
 {
     var surface_0 : Surface_0;
-    var _S317 : vec3<f32> = vec3<f32>(hit_5.voxel_4);
+    var _S345 : vec3<f32> = vec3<f32>(hit_5.voxel_4);
     if(IS_SINGLE_0)
     {
-        surface_0.origin_11 = offset_ray_origin_0(vec3<f32>(0.0f), _S317, hit_5.face_1, ray_16.origin_2 + ray_16.direction_1 * vec3<f32>(hit_5.t_1));
+        surface_0.origin_11 = offset_ray_origin_0(vec3<f32>(0.0f), _S345, hit_5.face_1, ray_16.origin_2 + ray_16.direction_1 * vec3<f32>(hit_5.t_1));
         surface_0.normal_4 = face_normal_0(hit_5.face_1);
     }
     else
     {
-        surface_0.origin_11 = Transform_point_1(hit_5.instance_3, offset_ray_origin_0(vector_of_0(instances_0[hit_5.instance_3].grid_from_world_0.translation_0), _S317, hit_5.face_1, Transform_point_0(hit_5.instance_3, ray_16.origin_2) + Transform_direction_0(hit_5.instance_3, ray_16.direction_1) * vec3<f32>(hit_5.t_1)));
+        surface_0.origin_11 = Transform_point_1(hit_5.instance_3, offset_ray_origin_0(vector_of_0(instances_0[hit_5.instance_3].grid_from_world_0.translation_0), _S345, hit_5.face_1, Transform_point_0(hit_5.instance_3, ray_16.origin_2) + Transform_direction_0(hit_5.instance_3, ray_16.direction_1) * vec3<f32>(hit_5.t_1)));
         surface_0.normal_4 = world_normal_0(hit_5.instance_3, hit_5.face_1);
     }
     surface_0.face_6 = hit_5.face_1;
@@ -4464,27 +4616,27 @@ fn Inside_point_0( this_40 : Inside_0,  ray_17 : Ray_0,  t_12 : f32) -> vec3<f32
     return Transform_point_1(this_40.instance_1, clamp_to_voxel_0(vector_of_0(instances_0[this_40.instance_1].grid_from_world_0.translation_0), vec3<f32>(this_40.voxel_2), Transform_point_0(this_40.instance_1, ray_17.origin_2) + Transform_direction_0(this_40.instance_1, ray_17.direction_1) * vec3<f32>(t_12)));
 }
 
-fn sent_by_side_3( _S318 : i32,  _S319 : vec3<f32>,  _S320 : f32) -> BySide_0
+fn sent_by_side_3( _S346 : i32,  _S347 : vec3<f32>,  _S348 : f32) -> BySide_0
 {
-    var _S321 : vec3<f32> = vec3<f32>(0.0f);
-    var _S322 : vec3<f32> = vec3<f32>(_S320);
-    return BySide_x24init_0(vec3<f32>(top_light_nodes_0[_S318].power_0[i32(0)], top_light_nodes_0[_S318].power_0[i32(2)], top_light_nodes_0[_S318].power_0[i32(4)]) * min(max(vector_of_0(top_light_nodes_0[_S318].max_2) - _S319, _S321), _S322), vec3<f32>(top_light_nodes_0[_S318].power_0[i32(1)], top_light_nodes_0[_S318].power_0[i32(3)], top_light_nodes_0[_S318].power_0[i32(5)]) * min(max(_S319 - vector_of_0(top_light_nodes_0[_S318].min_2), _S321), _S322));
+    var _S349 : vec3<f32> = vec3<f32>(0.0f);
+    var _S350 : vec3<f32> = vec3<f32>(_S348);
+    return BySide_x24init_0(vec3<f32>(top_light_nodes_0[_S346].power_0[i32(0)], top_light_nodes_0[_S346].power_0[i32(2)], top_light_nodes_0[_S346].power_0[i32(4)]) * min(max(vector_of_0(top_light_nodes_0[_S346].max_2) - _S347, _S349), _S350), vec3<f32>(top_light_nodes_0[_S346].power_0[i32(1)], top_light_nodes_0[_S346].power_0[i32(3)], top_light_nodes_0[_S346].power_0[i32(5)]) * min(max(_S347 - vector_of_0(top_light_nodes_0[_S346].min_2), _S349), _S350));
 }
 
-fn view_2( _S323 : i32,  _S324 : Receiver_0) -> View_0
+fn view_2( _S351 : i32,  _S352 : Receiver_0) -> View_0
 {
-    var _S325 : vec3<f32> = vector_of_0(top_light_nodes_0[_S323].max_2);
-    var _S326 : vec3<f32> = vector_of_0(top_light_nodes_0[_S323].min_2);
-    var _S327 : vec3<f32> = vec3<f32>(0.5f);
-    var half_4 : vec3<f32> = (_S325 - _S326) * _S327;
-    var toward_4 : vec3<f32> = (_S326 + _S325) * _S327 - _S324.point_0;
-    var middle_4 : f32 = dot_product_0(toward_4, _S324.normal_2);
-    var aside_2 : f32 = dot_product_0(half_4, abs(_S324.normal_2));
-    var above_2 : f32 = with_slack_0(_S324, middle_4 + aside_2);
+    var _S353 : vec3<f32> = vector_of_0(top_light_nodes_0[_S351].max_2);
+    var _S354 : vec3<f32> = vector_of_0(top_light_nodes_0[_S351].min_2);
+    var _S355 : vec3<f32> = vec3<f32>(0.5f);
+    var half_4 : vec3<f32> = (_S353 - _S354) * _S355;
+    var toward_4 : vec3<f32> = (_S354 + _S353) * _S355 - _S352.point_0;
+    var middle_4 : f32 = dot_product_0(toward_4, _S352.normal_2);
+    var aside_2 : f32 = dot_product_0(half_4, abs(_S352.normal_2));
+    var above_2 : f32 = with_slack_0(_S352, middle_4 + aside_2);
     var far_5 : f32 = length_squared_0(toward_4);
     var near_4 : f32 = length_squared_0(half_4);
     var is_far_6 : bool;
-    if((with_slack_0(_S324, middle_4 - aside_2)) > 0.0f)
+    if((with_slack_0(_S352, middle_4 - aside_2)) > 0.0f)
     {
         is_far_6 = far_5 > (near_4 * 36.0f);
     }
@@ -4493,18 +4645,18 @@ fn view_2( _S323 : i32,  _S324 : Receiver_0) -> View_0
         is_far_6 = false;
     }
     var distance_5 : f32 = length_bound_0(select(half_4, abs(toward_4), vec3<bool>((far_5 > near_4))));
-    var sent_2 : f32 = BySide_sum_0(sent_by_side_3(_S323, _S324.point_0, distance_5));
+    var sent_2 : f32 = BySide_sum_0(sent_by_side_3(_S351, _S352.point_0, distance_5));
     var falloff_2 : f32 = reciprocal_guess_0(max(far_5, near_4));
-    var _S328 : f32;
+    var _S356 : f32;
     if(above_2 > 0.0f)
     {
-        _S328 = sent_2 * min(above_2, distance_5) * (falloff_2 * falloff_2);
+        _S356 = sent_2 * min(above_2, distance_5) * (falloff_2 * falloff_2);
     }
     else
     {
-        _S328 = 0.0f;
+        _S356 = 0.0f;
     }
-    return View_x24init_0(_S328, is_far_6);
+    return View_x24init_0(_S356, is_far_6);
 }
 
 fn importance_of_all_0( receiver_11 : Receiver_0) -> f32
@@ -4569,8 +4721,8 @@ fn Lights_selection_0( receiver_15 : Receiver_0) -> Selection_0
         return Selection_x24init_0(sun_2, 0.0f, 1.0f - sun_2);
     }
     var sky_3 : f32 = Lights_sky_probability_0(receiver_15);
-    var _S329 : f32 = 1.0f - sky_3;
-    return Selection_x24init_0(sun_2 * _S329, sky_3, (1.0f - sun_2) * _S329);
+    var _S357 : f32 = 1.0f - sky_3;
+    return Selection_x24init_0(sun_2 * _S357, sky_3, (1.0f - sun_2) * _S357);
 }
 
 fn MaterialBsdf_is_delta_0( this_41 : MaterialBsdf_0) -> bool
@@ -4596,9 +4748,9 @@ struct Diffuse_0
 
 fn Diffuse_x24init_0( reflectance_1 : vec3<f32>) -> Diffuse_0
 {
-    var _S330 : Diffuse_0;
-    _S330.reflectance_0 = reflectance_1;
-    return _S330;
+    var _S358 : Diffuse_0;
+    _S358.reflectance_0 = reflectance_1;
+    return _S358;
 }
 
 fn cosine_hemisphere_pdf_0( cos_theta_7 : f32) -> f32
@@ -4608,10 +4760,10 @@ fn cosine_hemisphere_pdf_0( cos_theta_7 : f32) -> f32
 
 fn BsdfEval_x24init_0( weight_4 : vec3<f32>,  pdf_10 : f32) -> BsdfEval_0
 {
-    var _S331 : BsdfEval_0;
-    _S331.weight_3 = weight_4;
-    _S331.pdf_9 = pdf_10;
-    return _S331;
+    var _S359 : BsdfEval_0;
+    _S359.weight_3 = weight_4;
+    _S359.pdf_9 = pdf_10;
+    return _S359;
 }
 
 fn Diffuse_eval_0( this_43 : Diffuse_0,  wo_0 : vec3<f32>,  wi_0 : vec3<f32>) -> BsdfEval_0
@@ -4641,12 +4793,12 @@ fn cosine_hemisphere_0( u_11 : f32,  v_5 : f32) -> vec3<f32>
 
 fn BsdfSample_x24init_0( wi_3 : vec3<f32>,  weight_6 : vec3<f32>,  pdf_12 : f32,  is_delta_1 : bool) -> BsdfSample_0
 {
-    var _S332 : BsdfSample_0;
-    _S332.wi_2 = wi_3;
-    _S332.weight_5 = weight_6;
-    _S332.pdf_11 = pdf_12;
-    _S332.is_delta_0 = is_delta_1;
-    return _S332;
+    var _S360 : BsdfSample_0;
+    _S360.wi_2 = wi_3;
+    _S360.weight_5 = weight_6;
+    _S360.pdf_11 = pdf_12;
+    _S360.is_delta_0 = is_delta_1;
+    return _S360;
 }
 
 fn Diffuse_sample_0( this_45 : Diffuse_0,  wo_2 : vec3<f32>,  u_12 : vec3<f32>,  sample_11 : ptr<function, BsdfSample_0>) -> bool
@@ -4658,8 +4810,8 @@ fn Diffuse_sample_0( this_45 : Diffuse_0,  wo_2 : vec3<f32>,  u_12 : vec3<f32>, 
 
 fn MaterialBsdf_sample_0( this_46 : MaterialBsdf_0,  wo_3 : vec3<f32>,  u_13 : vec3<f32>,  sample_12 : ptr<function, BsdfSample_0>) -> bool
 {
-    var _S333 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_46.color_1), wo_3, u_13, &((*sample_12)));
-    return _S333;
+    var _S361 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_46.color_1), wo_3, u_13, &((*sample_12)));
+    return _S361;
 }
 
 fn Surface_world_direction_0( this_47 : Surface_0,  local_3 : vec3<f32>) -> vec3<f32>
@@ -4673,23 +4825,23 @@ fn Surface_world_direction_0( this_47 : Surface_0,  local_3 : vec3<f32>) -> vec3
     {
         away_2 = - local_3.z;
     }
-    var _S334 : f32 = local_3.x;
-    var _S335 : f32 = local_3.y;
-    var _S336 : vec3<f32> = vec3<f32>(_S334, _S335, away_2);
+    var _S362 : f32 = local_3.x;
+    var _S363 : f32 = local_3.y;
+    var _S364 : vec3<f32> = vec3<f32>(_S362, _S363, away_2);
     var in_grid_3 : vec3<f32>;
     if((this_47.face_6) < u32(2))
     {
-        in_grid_3 = vec3<f32>(away_2, _S334, _S335);
+        in_grid_3 = vec3<f32>(away_2, _S362, _S363);
     }
     else
     {
         if((this_47.face_6) < u32(4))
         {
-            in_grid_3 = vec3<f32>(_S335, away_2, _S334);
+            in_grid_3 = vec3<f32>(_S363, away_2, _S362);
         }
         else
         {
-            in_grid_3 = _S336;
+            in_grid_3 = _S364;
         }
     }
     if(!IS_SINGLE_0)
@@ -4790,7 +4942,7 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_18 : Ray_0,  hit_
     }
     var u_14 : vec4<f32> = Sampler_stratified_0((*path_4).sampler_0, Path_dimension_scatter_0((*path_4)));
     var material_6 : PackedMaterial_0 = material_met_0((*path_4), hit_6, beyond_2);
-    var _S337 : vec3<f32> = vec3<f32>(0.0f);
+    var _S365 : vec3<f32> = vec3<f32>(0.0f);
     var le_1 : vec3<f32>;
     if(!is_counted_0)
     {
@@ -4798,12 +4950,12 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_18 : Ray_0,  hit_
     }
     else
     {
-        le_1 = _S337;
+        le_1 = _S365;
     }
     var is_lit_0 : bool = (max_element_0(le_1)) > 0.0f;
     var met_0 : Aim_0 = Aim_x24init_0(true, ray_18.direction_1, hit_6, luminance_1(vector_of_0(material_6.emission_0)));
-    var _S338 : bool = weighs_apart_0();
-    if(_S338)
+    var _S366 : bool = weighs_apart_0();
+    if(_S366)
     {
         is_weighed_0 = is_lit_0;
     }
@@ -4831,7 +4983,7 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_18 : Ray_0,  hit_
     if(is_chosen_0)
     {
         var light_2 : LightSample_0 = no_light_0();
-        if(!_S338)
+        if(!_S366)
         {
             is_chosen_0 = ((*path_4).pdf_1) > 0.0f;
         }
@@ -4841,15 +4993,15 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_18 : Ray_0,  hit_
         }
         if(is_chosen_0)
         {
-            var _S339 : bool = Lights_sample_0(last_6, Path_selection_at_0((*path_4), last_6), vec4<f32>(0.0f), met_0, &(light_2));
-            is_chosen_0 = _S339;
+            var _S367 : bool = Lights_sample_0(last_6, Path_selection_at_0((*path_4), last_6), vec4<f32>(0.0f), met_0, &(light_2));
+            is_chosen_0 = _S367;
         }
         else
         {
             is_chosen_0 = false;
         }
-        var _S340 : vec3<f32> = (*path_4).beta_0 * le_1;
-        var _S341 : f32 = (*path_4).pdf_1;
+        var _S368 : vec3<f32> = (*path_4).beta_0 * le_1;
+        var _S369 : f32 = (*path_4).pdf_1;
         if(is_chosen_0)
         {
             light_pdf_1 = light_2.pdf_3;
@@ -4858,18 +5010,18 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_18 : Ray_0,  hit_
         {
             light_pdf_1 = 0.0f;
         }
-        (*radiance_6) = (*radiance_6) + _S340 * vec3<f32>(mis_weight_0(_S341, light_pdf_1));
+        (*radiance_6) = (*radiance_6) + _S368 * vec3<f32>(mis_weight_0(_S369, light_pdf_1));
     }
-    var _S342 : f32 = ior_of_0((*path_4).inside_0);
-    var _S343 : f32 = u_14[i32(3)];
-    var _S344 : MaterialBsdf_0 = bsdf_of_0(material_6, _S342, &(_S343));
-    u_14[i32(3)] = _S343;
-    var scattered_3 : vec3<f32> = (*path_4).beta_0 * MaterialBsdf_albedo_0(_S344);
-    var _S345 : bool = ((*path_4).bounce_0) >= (params_0.max_bounces_0);
-    var _S346 : bool = !is_weighed_0;
-    if(_S346)
+    var _S370 : f32 = ior_of_0((*path_4).inside_0);
+    var _S371 : f32 = u_14[i32(3)];
+    var _S372 : MaterialBsdf_0 = bsdf_of_0(material_6, _S370, &(_S371));
+    u_14[i32(3)] = _S371;
+    var scattered_3 : vec3<f32> = (*path_4).beta_0 * MaterialBsdf_albedo_0(_S372);
+    var _S373 : bool = ((*path_4).bounce_0) >= (params_0.max_bounces_0);
+    var _S374 : bool = !is_weighed_0;
+    if(_S374)
     {
-        if(_S345)
+        if(_S373)
         {
             is_chosen_0 = true;
         }
@@ -4887,7 +5039,7 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_18 : Ray_0,  hit_
         return next_0;
     }
     var compensation_0 : f32 = roulette_0(Path_events_0((*path_4)), scattered_3, u_14.z);
-    if(_S346)
+    if(_S374)
     {
         is_chosen_0 = compensation_0 == 0.0f;
     }
@@ -4909,19 +5061,19 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_18 : Ray_0,  hit_
         at_3 = hit_6;
     }
     var surface_1 : Surface_0 = surface_of_0(ray_18, at_3);
-    var _S347 : Receiver_0 = Receiver_x24init_0(surface_1.origin_11, surface_1.normal_4);
-    var _S348 : vec3<f32> = (vec3<f32>(0) - ray_18.direction_1);
-    var wo_4 : vec3<f32> = Surface_local_direction_0(surface_1, _S348);
+    var _S375 : Receiver_0 = Receiver_x24init_0(surface_1.origin_11, surface_1.normal_4);
+    var _S376 : vec3<f32> = (vec3<f32>(0) - ray_18.direction_1);
+    var wo_4 : vec3<f32> = Surface_local_direction_0(surface_1, _S376);
     var inside_5 : Inside_0 = in_air_0();
     var wo_5 : vec3<f32>;
     var receiver_16 : Receiver_0;
     if(is_scattered_0)
     {
-        var _S349 : Inside_0 = Inside_x24init_0((*path_4).inside_0.instance_1, hit_6.voxel_4, (*path_4).inside_0.material_1);
-        inside_5 = _S349;
-        var _S350 : vec3<f32> = normalize_vector_0(_S348);
-        receiver_16 = Receiver_x24init_0(Inside_point_0(_S349, ray_18, t_13), _S337);
-        wo_5 = _S350;
+        var _S377 : Inside_0 = Inside_x24init_0((*path_4).inside_0.instance_1, hit_6.voxel_4, (*path_4).inside_0.material_1);
+        inside_5 = _S377;
+        var _S378 : vec3<f32> = normalize_vector_0(_S376);
+        receiver_16 = Receiver_x24init_0(Inside_point_0(_S377, ray_18, t_13), _S365);
+        wo_5 = _S378;
     }
     else
     {
@@ -4931,12 +5083,12 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_18 : Ray_0,  hit_
             inside_5 = Inside_x24init_0((*path_4).inside_0.instance_1, hit_6.voxel_4, (*path_4).inside_0.material_1);
             inside_5.voxel_2 = hit_6.voxel_4 + vec3<i32>(face_normal_0(hit_6.face_1));
         }
-        receiver_16 = _S347;
+        receiver_16 = _S375;
         wo_5 = wo_4;
     }
     next_0.origin_9 = receiver_16.point_0;
     next_0.shadow_inside_0 = inside_5;
-    var _S351 : Aim_0 = by_chance_0();
+    var _S379 : Aim_0 = by_chance_0();
     var aim_5 : Aim_0;
     if(is_weighed_0)
     {
@@ -4945,9 +5097,9 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_18 : Ray_0,  hit_
     }
     else
     {
-        aim_5 = _S351;
+        aim_5 = _S379;
     }
-    if(_S346)
+    if(_S374)
     {
         (*path_4).selection_0 = Lights_selection_0(receiver_16);
     }
@@ -4958,12 +5110,12 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_18 : Ray_0,  hit_
     }
     else
     {
-        is_chosen_0 = !MaterialBsdf_is_delta_0(_S344);
+        is_chosen_0 = !MaterialBsdf_is_delta_0(_S372);
     }
     if(is_chosen_0)
     {
-        var _S352 : bool = Lights_sample_0(receiver_16, (*path_4).selection_0, Sampler_stratified_0((*path_4).sampler_0, Path_dimension_light_0((*path_4))), aim_5, &(light_3));
-        next_0.has_shadow_ray_0 = _S352;
+        var _S380 : bool = Lights_sample_0(receiver_16, (*path_4).selection_0, Sampler_stratified_0((*path_4).sampler_0, Path_dimension_light_0((*path_4))), aim_5, &(light_3));
+        next_0.has_shadow_ray_0 = _S380;
     }
     if(is_weighed_0)
     {
@@ -4982,7 +5134,7 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_18 : Ray_0,  hit_
     }
     if(next_0.has_shadow_ray_0)
     {
-        var _S353 : vec3<f32> = vec3<f32>(Surface_local_direction_0(surface_1, light_3.ray_14.direction_1).xy, light_3.cos_theta_0);
+        var _S381 : vec3<f32> = vec3<f32>(Surface_local_direction_0(surface_1, light_3.ray_14.direction_1).xy, light_3.cos_theta_0);
         var wi_5 : vec3<f32>;
         if(is_scattered_0)
         {
@@ -4990,17 +5142,17 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_18 : Ray_0,  hit_
         }
         else
         {
-            wi_5 = _S353;
+            wi_5 = _S381;
         }
-        var eval_0 : BsdfEval_0 = MaterialBsdf_eval_0(_S344, wo_5, wi_5);
+        var eval_0 : BsdfEval_0 = MaterialBsdf_eval_0(_S372, wo_5, wi_5);
         var share_8 : f32 = divide_0(eval_0.pdf_9, light_3.pdf_3) * power_heuristic_0(light_3.pdf_3, eval_0.pdf_9);
         next_0.shadow_direction_0 = light_3.ray_14.direction_1;
         next_0.shadow_t_max_0 = light_3.ray_14.t_max_1;
         next_0.light_0 = (*path_4).beta_0 * eval_0.weight_3 * vec3<f32>(compensation_0) * light_3.radiance_2 * vec3<f32>(share_8);
     }
     var bounce_4 : BsdfSample_0;
-    var _S354 : bool = MaterialBsdf_sample_0(_S344, wo_5, vec3<f32>(u_14.xy, u_14.w), &(bounce_4));
-    if(!_S354)
+    var _S382 : bool = MaterialBsdf_sample_0(_S372, wo_5, vec3<f32>(u_14.xy, u_14.w), &(bounce_4));
+    if(!_S382)
     {
         return next_0;
     }
@@ -5057,17 +5209,17 @@ fn fixed_point_0( value_2 : f32) -> vec2<u32>
     }
     if(shift_6 < i32(32))
     {
-        var _S355 : u32 = (mantissa_3 << (u32(shift_6)));
-        var _S356 : u32;
+        var _S383 : u32 = (mantissa_3 << (u32(shift_6)));
+        var _S384 : u32;
         if(shift_6 == i32(0))
         {
-            _S356 = u32(0);
+            _S384 = u32(0);
         }
         else
         {
-            _S356 = (mantissa_3 >> (u32(i32(32) - shift_6)));
+            _S384 = (mantissa_3 >> (u32(i32(32) - shift_6)));
         }
-        return vec2<u32>(_S355, _S356);
+        return vec2<u32>(_S383, _S384);
     }
     return vec2<u32>(u32(0), (mantissa_3 << (u32(shift_6 - i32(32)))));
 }
@@ -5075,107 +5227,107 @@ fn fixed_point_0( value_2 : f32) -> vec2<u32>
 fn PixelRecord_add_0( this_48 : ptr<function, PixelRecord_0>,  value_3 : vec3<f32>,  is_covered_0 : bool)
 {
     var addend_0 : vec2<u32> = fixed_point_0(value_3[u32(0)]);
-    var _S357 : u32 = addend_0.x;
-    var low_13 : u32 = (*this_48).radiance_1[u32(0)] + _S357;
-    var high_6 : u32 = (*this_48).radiance_1[u32(1)] + addend_0.y + u32(low_13 < _S357);
+    var _S385 : u32 = addend_0.x;
+    var low_13 : u32 = (*this_48).radiance_1[u32(0)] + _S385;
+    var high_6 : u32 = (*this_48).radiance_1[u32(1)] + addend_0.y + u32(low_13 < _S385);
     var is_full_0 : bool = high_6 < ((*this_48).radiance_1[u32(1)]);
-    var _S358 : u32;
+    var _S386 : u32;
     if(is_full_0)
     {
-        _S358 = u32(4294967295);
+        _S386 = u32(4294967295);
     }
     else
     {
-        _S358 = low_13;
+        _S386 = low_13;
     }
-    (*this_48).radiance_1[u32(0)] = _S358;
+    (*this_48).radiance_1[u32(0)] = _S386;
     if(is_full_0)
     {
-        _S358 = u32(4294967295);
+        _S386 = u32(4294967295);
     }
     else
     {
-        _S358 = high_6;
+        _S386 = high_6;
     }
-    (*this_48).radiance_1[u32(1)] = _S358;
+    (*this_48).radiance_1[u32(1)] = _S386;
     var addend_1 : vec2<u32> = fixed_point_0(value_3[u32(1)]);
-    var _S359 : u32 = addend_1.x;
-    var low_14 : u32 = (*this_48).radiance_1[u32(2)] + _S359;
-    var high_7 : u32 = (*this_48).radiance_1[u32(3)] + addend_1.y + u32(low_14 < _S359);
+    var _S387 : u32 = addend_1.x;
+    var low_14 : u32 = (*this_48).radiance_1[u32(2)] + _S387;
+    var high_7 : u32 = (*this_48).radiance_1[u32(3)] + addend_1.y + u32(low_14 < _S387);
     var is_full_1 : bool = high_7 < ((*this_48).radiance_1[u32(3)]);
     if(is_full_1)
     {
-        _S358 = u32(4294967295);
+        _S386 = u32(4294967295);
     }
     else
     {
-        _S358 = low_14;
+        _S386 = low_14;
     }
-    (*this_48).radiance_1[u32(2)] = _S358;
+    (*this_48).radiance_1[u32(2)] = _S386;
     if(is_full_1)
     {
-        _S358 = u32(4294967295);
+        _S386 = u32(4294967295);
     }
     else
     {
-        _S358 = high_7;
+        _S386 = high_7;
     }
-    (*this_48).radiance_1[u32(3)] = _S358;
+    (*this_48).radiance_1[u32(3)] = _S386;
     var addend_2 : vec2<u32> = fixed_point_0(value_3[u32(2)]);
-    var _S360 : u32 = addend_2.x;
-    var low_15 : u32 = (*this_48).radiance_1[u32(4)] + _S360;
-    var high_8 : u32 = (*this_48).radiance_1[u32(5)] + addend_2.y + u32(low_15 < _S360);
+    var _S388 : u32 = addend_2.x;
+    var low_15 : u32 = (*this_48).radiance_1[u32(4)] + _S388;
+    var high_8 : u32 = (*this_48).radiance_1[u32(5)] + addend_2.y + u32(low_15 < _S388);
     var is_full_2 : bool = high_8 < ((*this_48).radiance_1[u32(5)]);
     if(is_full_2)
     {
-        _S358 = u32(4294967295);
+        _S386 = u32(4294967295);
     }
     else
     {
-        _S358 = low_15;
+        _S386 = low_15;
     }
-    (*this_48).radiance_1[u32(4)] = _S358;
+    (*this_48).radiance_1[u32(4)] = _S386;
     if(is_full_2)
     {
-        _S358 = u32(4294967295);
+        _S386 = u32(4294967295);
     }
     else
     {
-        _S358 = high_8;
+        _S386 = high_8;
     }
-    (*this_48).radiance_1[u32(5)] = _S358;
+    (*this_48).radiance_1[u32(5)] = _S386;
     (*this_48).samples_0 = (*this_48).samples_0 + u32(1);
     (*this_48).covered_0 = (*this_48).covered_0 + u32(is_covered_0);
     return;
 }
 
-fn add_sample_0( index_12 : u32,  radiance_7 : vec3<f32>,  is_covered_1 : bool)
+fn add_sample_0( index_19 : u32,  radiance_7 : vec3<f32>,  is_covered_1 : bool)
 {
     var pixel_6 : PixelRecord_0;
-    pixel_6.radiance_1 = pixels_0[index_12].radiance_1;
-    pixel_6.samples_0 = pixels_0[index_12].samples_0;
-    pixel_6.covered_0 = pixels_0[index_12].covered_0;
+    pixel_6.radiance_1 = pixels_0[index_19].radiance_1;
+    pixel_6.samples_0 = pixels_0[index_19].samples_0;
+    pixel_6.covered_0 = pixels_0[index_19].covered_0;
     PixelRecord_add_0(&(pixel_6), radiance_7, is_covered_1);
-    pixels_0[index_12].radiance_1 = pixel_6.radiance_1;
-    pixels_0[index_12].samples_0 = pixel_6.samples_0;
-    pixels_0[index_12].covered_0 = pixel_6.covered_0;
+    pixels_0[index_19].radiance_1 = pixel_6.radiance_1;
+    pixels_0[index_19].samples_0 = pixel_6.samples_0;
+    pixels_0[index_19].covered_0 = pixel_6.covered_0;
     return;
 }
 
 fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
 {
     var counts_0 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
-    var _S361 : vec3<f32> = vec3<f32>(0.0f);
-    var radiance_8 : vec3<f32> = _S361;
+    var _S389 : vec3<f32> = vec3<f32>(0.0f);
+    var radiance_8 : vec3<f32> = _S389;
     var path_5 : Path_0;
-    var _S362 : Ray_0 = camera_path_0(work_0.pixel_5, work_0.sample_5, &(path_5));
-    var ray_19 : Ray_0 = _S362;
+    var _S390 : Ray_0 = camera_path_0(work_0.pixel_5, work_0.sample_5, &(path_5));
+    var ray_19 : Ray_0 = _S390;
     var is_shadow_turn_0 : bool = true;
     var is_shadow_ray_0 : bool = false;
-    var direction_28 : vec3<f32> = _S361;
+    var direction_28 : vec3<f32> = _S389;
     var is_covered_2 : bool = false;
     var sample_13 : u32 = work_0.sample_5;
-    var light_4 : vec3<f32> = _S361;
+    var light_4 : vec3<f32> = _S389;
     for(;;)
     {
         if(sample_13 < (work_0.last_0))
@@ -5191,12 +5343,16 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
             is_shadow_turn_0 = is_shadow_turn_1;
             continue;
         }
-        var _S363 : Hit_0 = WalkTracer_trace_0(&(ray_19), is_shadow_ray_0);
+        var _S391 : Hit_0 = WalkTracer_trace_0(&(ray_19), is_shadow_ray_0);
+        if(waits_for_pages_0())
+        {
+            break;
+        }
         var is_covered_3 : bool;
         if(is_shadow_ray_0)
         {
             counts_0.shadow_0 = counts_0.shadow_0 + u32(1);
-            if(Hit_is_miss_0(_S363))
+            if(Hit_is_miss_0(_S391))
             {
                 radiance_8 = radiance_8 + light_4;
             }
@@ -5207,7 +5363,7 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
         {
             if((Path_events_0(path_5)) == u32(0))
             {
-                if(!Hit_is_miss_0(_S363))
+                if(!Hit_is_miss_0(_S391))
                 {
                     is_covered_3 = true;
                 }
@@ -5224,59 +5380,63 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
                 }
                 is_covered_3 = is_covered_2;
             }
-            var _S364 : NextRays_0 = no_rays_0();
+            var _S392 : NextRays_0 = no_rays_0();
             path_5.sampler_0 = sampler_of_0(work_0.pixel_5, sample_13);
-            var _S365 : bool;
+            var _S393 : bool;
             if(is_covered_3)
             {
-                _S365 = true;
+                _S393 = true;
             }
             else
             {
-                _S365 = (params_0.is_transparent_0) == u32(0);
+                _S393 = (params_0.is_transparent_0) == u32(0);
             }
             var next_1 : NextRays_0;
-            if(_S365)
+            if(_S393)
             {
-                var _S366 : NextRays_0 = PathTracing_advance_0(&(path_5), ray_19, _S363, u32(4294967295), &(radiance_8));
-                next_1 = _S366;
+                var _S394 : NextRays_0 = PathTracing_advance_0(&(path_5), ray_19, _S391, u32(4294967295), &(radiance_8));
+                next_1 = _S394;
             }
             else
             {
-                next_1 = _S364;
+                next_1 = _S392;
             }
-            var _S367 : bool;
+            var _S395 : bool;
             if(weighs_apart_0())
             {
-                _S367 = next_1.is_same_0;
+                _S395 = next_1.is_same_0;
             }
             else
             {
-                _S367 = false;
+                _S395 = false;
             }
-            if(_S367)
+            if(_S395)
             {
                 is_shadow_turn_0 = is_shadow_turn_1;
                 is_covered_2 = is_covered_3;
                 continue;
             }
-            var _S368 : NextRays_0 = next_1;
-            var _S369 : NextRays_0 = next_1;
-            var _S370 : NextRays_0 = next_1;
-            var _S371 : NextRays_0 = next_1;
+            var _S396 : NextRays_0 = next_1;
+            var _S397 : NextRays_0 = next_1;
+            var _S398 : NextRays_0 = next_1;
+            var _S399 : NextRays_0 = next_1;
             ray_19 = PathTracing_clip_0(ray_from_0(next_1.origin_9, next_1.direction_6));
-            if(_S370.has_shadow_ray_0)
+            if(_S398.has_shadow_ray_0)
             {
-                ray_19 = Ray_x24init_0(_S371.origin_9, 0.0f, next_1.shadow_direction_0, next_1.shadow_t_max_0);
+                ray_19 = Ray_x24init_0(_S399.origin_9, 0.0f, next_1.shadow_direction_0, next_1.shadow_t_max_0);
             }
-            is_shadow_ray_0 = _S370.has_shadow_ray_0;
-            direction_28 = _S368.direction_6;
+            is_shadow_ray_0 = _S398.has_shadow_ray_0;
+            direction_28 = _S396.direction_6;
             is_covered_2 = is_covered_3;
-            light_4 = _S369.light_0;
+            light_4 = _S397.light_0;
+        }
+        if(waits_for_pages_0())
+        {
+            break;
         }
         if(!is_shadow_ray_0)
         {
-            is_covered_3 = (all((direction_28 == _S361)));
+            is_covered_3 = (all((direction_28 == _S389)));
         }
         else
         {
@@ -5284,16 +5444,16 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
         }
         if(is_covered_3)
         {
-            var _S372 : vec2<u32> = position_of_0(work_0.pixel_5);
-            add_sample_0(place_of_0(_S372), radiance_8, is_covered_2);
-            radiance_8 = _S361;
+            var _S400 : vec2<u32> = position_of_0(work_0.pixel_5);
+            add_sample_0(place_of_0(_S400), radiance_8, is_covered_2);
+            radiance_8 = _S389;
             var sample_14 : u32 = sample_13 + u32(1);
             if(sample_14 == (work_0.last_0))
             {
                 break;
             }
-            var _S373 : Ray_0 = camera_path_0(work_0.pixel_5, sample_14, &(path_5));
-            ray_19 = _S373;
+            var _S401 : Ray_0 = camera_path_0(work_0.pixel_5, sample_14, &(path_5));
+            ray_19 = _S401;
             sample_13 = sample_14;
         }
         is_shadow_turn_0 = is_shadow_turn_1;
@@ -5315,9 +5475,9 @@ fn camera_path_1( pixel_7 : u32,  sample_15 : u32,  path_6 : ptr<function, Path_
 {
     (*path_6) = Path_x24init_0(sampler_of_0(pixel_7, sample_15), u32(0), u32(0), u32(0), u32(0), vec3<f32>(1.0f), 0.0f, vec3<f32>(0.0f), Selection_x24init_0(0.0f, 0.0f, 0.0f), 0.0f, in_air_0(), true);
     var jitter_1 : vec4<f32> = Essay_jitter_0((*path_6).sampler_0);
-    var _S374 : CameraFrame_0 = FrameParams_camera_0();
-    var _S375 : vec2<u32> = position_of_0(pixel_7);
-    return Essay_clip_0(CameraFrame_ray_0(_S374, vec2<f32>(_S375) + jitter_1.xy, jitter_1.zw));
+    var _S402 : CameraFrame_0 = FrameParams_camera_0();
+    var _S403 : vec2<u32> = position_of_0(pixel_7);
+    return Essay_clip_0(CameraFrame_ray_0(_S402, vec2<f32>(_S403) + jitter_1.xy, jitter_1.zw));
 }
 
 fn Essay_advance_0( path_7 : ptr<function, Path_0>,  ray_21 : Ray_0,  hit_7 : Hit_0,  beyond_3 : u32,  radiance_9 : ptr<function, vec3<f32>>) -> NextRays_0
@@ -5350,16 +5510,16 @@ fn Essay_advance_0( path_7 : ptr<function, Path_0>,  ray_21 : Ray_0,  hit_7 : Hi
 fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
 {
     var counts_1 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
-    var _S376 : vec3<f32> = vec3<f32>(0.0f);
-    var radiance_10 : vec3<f32> = _S376;
+    var _S404 : vec3<f32> = vec3<f32>(0.0f);
+    var radiance_10 : vec3<f32> = _S404;
     var path_8 : Path_0;
-    var _S377 : Ray_0 = camera_path_1(work_1.pixel_5, work_1.sample_5, &(path_8));
-    var ray_22 : Ray_0 = _S377;
+    var _S405 : Ray_0 = camera_path_1(work_1.pixel_5, work_1.sample_5, &(path_8));
+    var ray_22 : Ray_0 = _S405;
     var is_shadow_ray_1 : bool = false;
-    var direction_29 : vec3<f32> = _S376;
+    var direction_29 : vec3<f32> = _S404;
     var is_covered_4 : bool = false;
     var sample_16 : u32 = work_1.sample_5;
-    var light_5 : vec3<f32> = _S376;
+    var light_5 : vec3<f32> = _S404;
     for(;;)
     {
         if(sample_16 < (work_1.last_0))
@@ -5369,12 +5529,16 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
         {
             break;
         }
-        var _S378 : Hit_0 = WalkTracer_trace_0(&(ray_22), is_shadow_ray_1);
+        var _S406 : Hit_0 = WalkTracer_trace_0(&(ray_22), is_shadow_ray_1);
+        if(waits_for_pages_0())
+        {
+            break;
+        }
         var is_covered_5 : bool;
         if(is_shadow_ray_1)
         {
             counts_1.shadow_0 = counts_1.shadow_0 + u32(1);
-            if(Hit_is_miss_0(_S378))
+            if(Hit_is_miss_0(_S406))
             {
                 radiance_10 = radiance_10 + light_5;
             }
@@ -5385,7 +5549,7 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
         {
             if((Path_events_0(path_8)) == u32(0))
             {
-                if(!Hit_is_miss_0(_S378))
+                if(!Hit_is_miss_0(_S406))
                 {
                     is_covered_5 = true;
                 }
@@ -5402,58 +5566,62 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
                 }
                 is_covered_5 = is_covered_4;
             }
-            var _S379 : NextRays_0 = no_rays_0();
+            var _S407 : NextRays_0 = no_rays_0();
             path_8.sampler_0 = sampler_of_0(work_1.pixel_5, sample_16);
-            var _S380 : bool;
+            var _S408 : bool;
             if(is_covered_5)
             {
-                _S380 = true;
+                _S408 = true;
             }
             else
             {
-                _S380 = (params_0.is_transparent_0) == u32(0);
+                _S408 = (params_0.is_transparent_0) == u32(0);
             }
             var next_3 : NextRays_0;
-            if(_S380)
+            if(_S408)
             {
-                var _S381 : NextRays_0 = Essay_advance_0(&(path_8), ray_22, _S378, u32(4294967295), &(radiance_10));
-                next_3 = _S381;
+                var _S409 : NextRays_0 = Essay_advance_0(&(path_8), ray_22, _S406, u32(4294967295), &(radiance_10));
+                next_3 = _S409;
             }
             else
             {
-                next_3 = _S379;
+                next_3 = _S407;
             }
-            var _S382 : bool;
+            var _S410 : bool;
             if(weighs_apart_0())
             {
-                _S382 = next_3.is_same_0;
+                _S410 = next_3.is_same_0;
             }
             else
             {
-                _S382 = false;
+                _S410 = false;
             }
-            if(_S382)
+            if(_S410)
             {
                 is_covered_4 = is_covered_5;
                 continue;
             }
-            var _S383 : NextRays_0 = next_3;
-            var _S384 : NextRays_0 = next_3;
-            var _S385 : NextRays_0 = next_3;
-            var _S386 : NextRays_0 = next_3;
+            var _S411 : NextRays_0 = next_3;
+            var _S412 : NextRays_0 = next_3;
+            var _S413 : NextRays_0 = next_3;
+            var _S414 : NextRays_0 = next_3;
             ray_22 = Essay_clip_0(ray_from_0(next_3.origin_9, next_3.direction_6));
-            if(_S385.has_shadow_ray_0)
+            if(_S413.has_shadow_ray_0)
             {
-                ray_22 = Ray_x24init_0(_S386.origin_9, 0.0f, next_3.shadow_direction_0, next_3.shadow_t_max_0);
+                ray_22 = Ray_x24init_0(_S414.origin_9, 0.0f, next_3.shadow_direction_0, next_3.shadow_t_max_0);
             }
-            is_shadow_ray_1 = _S385.has_shadow_ray_0;
-            direction_29 = _S383.direction_6;
+            is_shadow_ray_1 = _S413.has_shadow_ray_0;
+            direction_29 = _S411.direction_6;
             is_covered_4 = is_covered_5;
-            light_5 = _S384.light_0;
+            light_5 = _S412.light_0;
+        }
+        if(waits_for_pages_0())
+        {
+            break;
         }
         if(!is_shadow_ray_1)
         {
-            is_covered_5 = (all((direction_29 == _S376)));
+            is_covered_5 = (all((direction_29 == _S404)));
         }
         else
         {
@@ -5461,16 +5629,16 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
         }
         if(is_covered_5)
         {
-            var _S387 : vec2<u32> = position_of_0(work_1.pixel_5);
-            add_sample_0(place_of_0(_S387), radiance_10, is_covered_4);
-            radiance_10 = _S376;
+            var _S415 : vec2<u32> = position_of_0(work_1.pixel_5);
+            add_sample_0(place_of_0(_S415), radiance_10, is_covered_4);
+            radiance_10 = _S404;
             var sample_17 : u32 = sample_16 + u32(1);
             if(sample_17 == (work_1.last_0))
             {
                 break;
             }
-            var _S388 : Ray_0 = camera_path_1(work_1.pixel_5, sample_17, &(path_8));
-            ray_22 = _S388;
+            var _S416 : Ray_0 = camera_path_1(work_1.pixel_5, sample_17, &(path_8));
+            ray_22 = _S416;
             sample_16 = sample_17;
         }
     }
@@ -5497,9 +5665,9 @@ fn Walk_enter_rounded_1( this_49 : Walk_0,  voxel_21 : ptr<function, vec3<i32>>,
             return false;
         }
         var is_x_3 : bool = (t_14.x) == t_last_1;
-        var _S389 : bool = !is_x_3;
+        var _S417 : bool = !is_x_3;
         var is_y_3 : bool;
-        if(_S389)
+        if(_S417)
         {
             is_y_3 = (t_14.y) == t_last_1;
         }
@@ -5507,16 +5675,16 @@ fn Walk_enter_rounded_1( this_49 : Walk_0,  voxel_21 : ptr<function, vec3<i32>>,
         {
             is_y_3 = false;
         }
-        var _S390 : bool;
-        if(_S389)
+        var _S418 : bool;
+        if(_S417)
         {
-            _S390 = !is_y_3;
+            _S418 = !is_y_3;
         }
         else
         {
-            _S390 = false;
+            _S418 = false;
         }
-        var is_axis_3 : vec3<bool> = vec3<bool>(is_x_3, is_y_3, _S390);
+        var is_axis_3 : vec3<bool> = vec3<bool>(is_x_3, is_y_3, _S418);
         (*voxel_21) = Walk_arrive_0(this_49, (*voxel_21), t_last_1, is_axis_3, select(vec3<i32>(i32(1073741823)), near_5, is_axis_3));
     }
     return (all(((*voxel_21) < far_6)));
@@ -5526,8 +5694,8 @@ fn Walk_leave_2( this_50 : Walk_0,  voxel_22 : ptr<function, vec3<i32>>,  exit_7
 {
     if(!IS_EXACT_0)
     {
-        var _S391 : bool = Walk_leave_rounded_0(this_50, &((*voxel_22)), exit_7);
-        return _S391;
+        var _S419 : bool = Walk_leave_rounded_0(this_50, &((*voxel_22)), exit_7);
+        return _S419;
     }
     var t_15 : vec3<f32> = Walk_crossings_0(this_50, exit_7);
     var t_first_4 : f32 = min_element_0(t_15);
@@ -5536,9 +5704,9 @@ fn Walk_leave_2( this_50 : Walk_0,  voxel_22 : ptr<function, vec3<i32>>,  exit_7
         return false;
     }
     var is_x_4 : bool = (t_15.x) == t_first_4;
-    var _S392 : bool = !is_x_4;
+    var _S420 : bool = !is_x_4;
     var is_y_4 : bool;
-    if(_S392)
+    if(_S420)
     {
         is_y_4 = (t_15.y) == t_first_4;
     }
@@ -5550,25 +5718,25 @@ fn Walk_leave_2( this_50 : Walk_0,  voxel_22 : ptr<function, vec3<i32>>,  exit_7
     var nearest_8 : vec3<f32> = round(back_2);
     var from_nearest_4 : vec3<f32> = back_2 - nearest_8;
     var planes_4 : vec3<i32> = exit_7 - vec3<i32>(min(nearest_8, vec3<f32>(4.194304e+06f)));
-    var _S393 : vec3<i32> = planes_4 - vec3<i32>(from_nearest_4 > vec3<f32>(0.0f));
-    var _S394 : vec3<bool> = (abs(from_nearest_4)) <= (this_50.tolerance_0);
-    var _S395 : bool;
-    if(_S392)
+    var _S421 : vec3<i32> = planes_4 - vec3<i32>(from_nearest_4 > vec3<f32>(0.0f));
+    var _S422 : vec3<bool> = (abs(from_nearest_4)) <= (this_50.tolerance_0);
+    var _S423 : bool;
+    if(_S420)
     {
-        _S395 = !is_y_4;
+        _S423 = !is_y_4;
     }
     else
     {
-        _S395 = false;
+        _S423 = false;
     }
     var arrival_3 : vec3<i32>;
-    if((any((select(vec3<bool>(false), !vec3<bool>(is_x_4, is_y_4, _S395), _S394)))))
+    if((any((select(vec3<bool>(false), !vec3<bool>(is_x_4, is_y_4, _S423), _S422)))))
     {
         arrival_3 = Walk_mirrored_0(this_50, leave_box_0(this_50.ray_1, Walk_mirrored_0(this_50, (*voxel_22)) + this_50.grid_origin_0, Walk_mirrored_plane_0(this_50, exit_7) + this_50.grid_origin_0, Walk_mirrored_plane_0(this_50, planes_4) + this_50.grid_origin_0) - this_50.grid_origin_0);
     }
     else
     {
-        arrival_3 = _S393;
+        arrival_3 = _S421;
     }
     (*voxel_22) = select(max(arrival_3, (*voxel_22)), (*voxel_22), (this_50.speed_1) == vec3<f32>(0.0f));
     return true;
@@ -5576,44 +5744,44 @@ fn Walk_leave_2( this_50 : Walk_0,  voxel_22 : ptr<function, vec3<i32>>,  exit_7
 
 fn Walk_enter_1( this_51 : Walk_0,  voxel_23 : ptr<function, vec3<i32>>,  low_16 : vec3<i32>,  high_9 : vec3<i32>) -> bool
 {
-    var _S396 : bool;
+    var _S424 : bool;
     var is_mirrored_2 : vec3<bool> = (this_51.mirror_0) != vec3<i32>(i32(0));
     var near_6 : vec3<i32> = select(low_16, (vec3<i32>(0) - high_9), is_mirrored_2);
     var far_7 : vec3<i32> = select(high_9, (vec3<i32>(0) - low_16), is_mirrored_2);
     if(!IS_EXACT_0)
     {
-        var _S397 : bool = Walk_enter_rounded_1(this_51, &((*voxel_23)), near_6, far_7);
-        return _S397;
+        var _S425 : bool = Walk_enter_rounded_1(this_51, &((*voxel_23)), near_6, far_7);
+        return _S425;
     }
     var axis_6 : u32 = u32(0);
     for(;;)
     {
         if(axis_6 < u32(3))
         {
-            _S396 = (any(((*voxel_23) < near_6)));
+            _S424 = (any(((*voxel_23) < near_6)));
         }
         else
         {
-            _S396 = false;
+            _S424 = false;
         }
-        var _S398 : bool;
-        if(_S396)
+        var _S426 : bool;
+        if(_S424)
         {
-            _S398 = (all(((*voxel_23) < far_7)));
+            _S426 = (all(((*voxel_23) < far_7)));
         }
         else
         {
-            _S398 = false;
+            _S426 = false;
         }
-        if(_S398)
+        if(_S426)
         {
         }
         else
         {
             break;
         }
-        var _S399 : bool = Walk_leave_2(this_51, &((*voxel_23)), select(far_7, near_6, (*voxel_23) < near_6));
-        if(!_S399)
+        var _S427 : bool = Walk_leave_2(this_51, &((*voxel_23)), select(far_7, near_6, (*voxel_23) < near_6));
+        if(!_S427)
         {
             return false;
         }
@@ -5621,28 +5789,28 @@ fn Walk_enter_1( this_51 : Walk_0,  voxel_23 : ptr<function, vec3<i32>>,  low_16
     }
     if((all(((*voxel_23) >= near_6))))
     {
-        _S396 = (all(((*voxel_23) < far_7)));
+        _S424 = (all(((*voxel_23) < far_7)));
     }
     else
     {
-        _S396 = false;
+        _S424 = false;
     }
-    return _S396;
+    return _S424;
 }
 
-fn first_voxel_1( _S400 : u32,  _S401 : Walk_0,  _S402 : ptr<function, vec3<i32>>) -> bool
+fn first_voxel_1( _S428 : u32,  _S429 : Walk_0,  _S430 : ptr<function, vec3<i32>>) -> bool
 {
-    var _S403 : Walk_0 = _S401;
-    var _S404 : vec3<i32> = vec3<i32>(i32(0));
-    (*_S402) = _S404;
-    var voxel_24 : vec3<i32> = Walk_start_voxel_0(_S401);
-    var _S405 : bool = Walk_enter_1(_S401, &(voxel_24), cell_of_0(grids_0[_S400].min_1) - _S403.grid_origin_0, cell_of_0(grids_0[_S400].max_1) - _S403.grid_origin_0);
-    if(!_S405)
+    var _S431 : Walk_0 = _S429;
+    var _S432 : vec3<i32> = vec3<i32>(i32(0));
+    (*_S430) = _S432;
+    var voxel_24 : vec3<i32> = Walk_start_voxel_0(_S429);
+    var _S433 : bool = Walk_enter_1(_S429, &(voxel_24), cell_of_0(grids_0[_S428].min_1) - _S431.grid_origin_0, cell_of_0(grids_0[_S428].max_1) - _S431.grid_origin_0);
+    if(!_S433)
     {
         return false;
     }
-    var octant_3 : u32 = LocalRay_octant_0(_S403.ray_1);
-    var _S406 : u32 = flip_of_0(octant_3);
+    var octant_4 : u32 = LocalRay_octant_0(_S431.ray_1);
+    var _S434 : u32 = flip_of_0(octant_4);
     var top_shift_3 : u32;
     if(TOP_SHIFT_0 != u32(0))
     {
@@ -5650,55 +5818,56 @@ fn first_voxel_1( _S400 : u32,  _S401 : Walk_0,  _S402 : ptr<function, vec3<i32>
     }
     else
     {
-        top_shift_3 = grids_0[_S400].top_shift_0;
+        top_shift_3 = grids_0[_S428].top_shift_0;
     }
-    var top_size_2 : vec3<i32> = cell_of_0(grids_0[_S400].top_size_0);
-    var _S407 : i32 = top_size_2.x;
-    var stride_1 : vec3<i32> = vec3<i32>(i32(1), _S407, _S407 * top_size_2.y);
-    var _S408 : i32 = i32(grids_0[_S400].top_offset_0) - dot_cells_0((stride_1 & ((_S403.mirror_0))), vec3<i32>(i32(1)));
-    var _S409 : vec3<i32> = Walk_mirrored_plane_0(_S403, stride_1);
-    var _S410 : u32 = ahead_of_0(_S403.mirror_0);
-    var end_2 : vec3<i32> = select((top_size_2 << (vec3<u32>(top_shift_3))), _S404, (_S403.mirror_0) != _S404);
+    var top_size_2 : vec3<i32> = cell_of_0(grids_0[_S428].top_size_0);
+    var _S435 : i32 = top_size_2.x;
+    var stride_1 : vec3<i32> = vec3<i32>(i32(1), _S435, _S435 * top_size_2.y);
+    var _S436 : i32 = i32(grids_0[_S428].top_offset_0) - dot_cells_0((stride_1 & ((_S431.mirror_0))), vec3<i32>(i32(1)));
+    var _S437 : vec3<i32> = Walk_mirrored_plane_0(_S431, stride_1);
+    var _S438 : u32 = ahead_of_0(_S431.mirror_0);
+    var end_2 : vec3<i32> = select((top_size_2 << (vec3<u32>(top_shift_3))), _S432, (_S431.mirror_0) != _S432);
     if(!IS_EXACT_0)
     {
-        _S403.t_end_0 = min(_S403.t_end_0, min_element_0(Walk_crossings_0(_S403, end_2)));
+        _S431.t_end_0 = min(_S431.t_end_0, min_element_0(Walk_crossings_0(_S431, end_2)));
     }
     var is_found_4 : bool = false;
     for(;;)
     {
-        var _S411 : bool;
+        var _S439 : bool;
         if(IS_EXACT_0)
         {
-            _S411 = (any((voxel_24 >= end_2)));
+            _S439 = (any((voxel_24 >= end_2)));
         }
         else
         {
-            _S411 = false;
+            _S439 = false;
         }
-        if(_S411)
+        if(_S439)
         {
             break;
         }
-        var cell_7 : u32 = cells_0[_S408 + dot_cells_0(_S409, (voxel_24 >> (vec3<u32>(top_shift_3))))];
-        var cell_8 : u32;
+        var cell_8 : u32 = cell_word_0(u32(_S436 + dot_cells_0(_S437, (voxel_24 >> (vec3<u32>(top_shift_3))))));
+        var cell_9 : u32;
         var shift_7 : u32;
         var is_found_5 : bool;
         if(TOP_SHIFT_0 == u32(5))
         {
-            if(((cell_7 & (u32(2147483648)))) != u32(0))
+            if(((cell_8 & (u32(2147483648)))) != u32(0))
             {
-                cell_8 = cells_0[((cell_7 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_24, u32(3))) ^ (_S406)))];
+                var _S440 : u32 = cell_word_0(((cell_8 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_24, u32(3))) ^ (_S434))));
+                cell_9 = _S440;
                 shift_7 = u32(3);
             }
             else
             {
-                cell_8 = cell_7;
+                cell_9 = cell_8;
                 shift_7 = top_shift_3;
             }
         }
         else
         {
-            cell_8 = cell_7;
+            cell_9 = cell_8;
             shift_7 = top_shift_3;
             for(;;)
             {
@@ -5710,16 +5879,16 @@ fn first_voxel_1( _S400 : u32,  _S401 : Walk_0,  _S402 : ptr<function, vec3<i32>
                 {
                     is_found_5 = false;
                 }
-                var _S412 : bool;
+                var _S441 : bool;
                 if(is_found_5)
                 {
-                    _S412 = ((cell_8 & (u32(2147483648)))) != u32(0);
+                    _S441 = ((cell_9 & (u32(2147483648)))) != u32(0);
                 }
                 else
                 {
-                    _S412 = false;
+                    _S441 = false;
                 }
-                if(_S412)
+                if(_S441)
                 {
                 }
                 else
@@ -5727,29 +5896,43 @@ fn first_voxel_1( _S400 : u32,  _S401 : Walk_0,  _S402 : ptr<function, vec3<i32>
                     break;
                 }
                 var shift_8 : u32 = shift_7 - u32(2);
-                cell_8 = cells_0[((cell_8 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_24, shift_8)) ^ (_S406)))];
+                var _S442 : u32 = cell_word_0(((cell_9 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_24, shift_8)) ^ (_S434))));
+                cell_9 = _S442;
                 shift_7 = shift_8;
             }
         }
-        var exit_8 : vec3<i32>;
-        if(((cell_8 & (u32(2147483648)))) == u32(0))
+        if(waits_for_pages_0())
         {
-            exit_8 = ((voxel_24 | (vec3<i32>((((i32(1) << (shift_7))) - i32(1)))))) + vec3<i32>(i32(1)) + (((extents_0(cell_8, _S410)) << (vec3<u32>(shift_7))));
+            break;
+        }
+        var exit_8 : vec3<i32>;
+        if(((cell_9 & (u32(2147483648)))) == u32(0))
+        {
+            if(CELLS_SKIP_0)
+            {
+                exit_8 = vec3<i32>((i32(skip_distance_0(cell_9, octant_4)) - i32(1)));
+            }
+            else
+            {
+                exit_8 = extents_0(cell_9, _S438);
+            }
+            exit_8 = ((voxel_24 | (vec3<i32>((((i32(1) << (shift_7))) - i32(1)))))) + vec3<i32>(i32(1)) + ((exit_8 << (vec3<u32>(shift_7))));
             is_found_5 = is_found_4;
         }
         else
         {
-            var record_4 : u32 = record_of_cell_0(cell_8);
+            var record_4 : u32 = record_of_cell_0(cell_9);
             var blocks_2 : u32;
             if(CELLS_HAVE_BLOCKS_0)
             {
-                blocks_2 = blocks_of_cell_0(cell_8);
+                blocks_2 = blocks_of_cell_0(cell_9);
             }
             else
             {
-                blocks_2 = blocks_of_record_0(record_4);
+                var _S443 : u32 = blocks_of_record_0(record_4);
+                blocks_2 = _S443;
             }
-            var low_bits_1 : u32 = empty_around_0(record_4, blocks_2, voxel_24, octant_3, _S406);
+            var low_bits_1 : u32 = empty_around_0(record_4, blocks_2, voxel_24, octant_4, _S434);
             var is_found_6 : bool = low_bits_1 == u32(4294967295);
             if(is_found_6)
             {
@@ -5759,53 +5942,53 @@ fn first_voxel_1( _S400 : u32,  _S401 : Walk_0,  _S402 : ptr<function, vec3<i32>
             exit_8 = ((voxel_24 | (vec3<i32>(i32(low_bits_1))))) + vec3<i32>(i32(1));
             is_found_5 = is_found_6;
         }
-        var _S413 : bool = Walk_leave_0(_S403, &(voxel_24), exit_8);
-        if(!_S413)
+        var _S444 : bool = Walk_leave_0(_S431, &(voxel_24), exit_8);
+        if(!_S444)
         {
             is_found_4 = is_found_5;
             break;
         }
         is_found_4 = is_found_5;
     }
-    (*_S402) = Walk_mirrored_0(_S403, voxel_24) + _S403.grid_origin_0;
+    (*_S430) = Walk_mirrored_0(_S431, voxel_24) + _S431.grid_origin_0;
     return is_found_4;
 }
 
 fn hit_in_1( instance_11 : u32,  ray_23 : ptr<function, Ray_0>) -> Hit_0
 {
-    var _S414 : LocalRay_0 = local_ray_0((*ray_23), instance_11);
-    if(!_S414.is_valid_0)
+    var _S445 : LocalRay_0 = local_ray_0((*ray_23), instance_11);
+    if(!_S445.is_valid_0)
     {
         return miss_0();
     }
-    var _S415 : Walk_0 = walk_of_0(_S414, instances_0[instance_11].grid_0);
+    var _S446 : Walk_0 = walk_of_0(_S445, instances_0[instance_11].grid_0);
     var voxel_25 : vec3<i32>;
-    var _S416 : bool = first_voxel_1(instances_0[instance_11].grid_0, _S415, &(voxel_25));
-    var _S417 : bool;
+    var _S447 : bool = first_voxel_1(instances_0[instance_11].grid_0, _S446, &(voxel_25));
+    var _S448 : bool;
     if(IS_SINGLE_0)
     {
-        _S417 = !IS_EXACT_0;
+        _S448 = !IS_EXACT_0;
     }
     else
     {
-        _S417 = false;
+        _S448 = false;
     }
-    if(_S417)
+    if(_S448)
     {
-        (*ray_23) = ray_of_walk_0(_S415, (*ray_23));
+        (*ray_23) = ray_of_walk_0(_S446, (*ray_23));
     }
-    if(!_S416)
+    if(!_S447)
     {
         return miss_0();
     }
     var hit_8 : Hit_0;
     if(IS_EXACT_0)
     {
-        hit_8 = hit_of_0(_S414, voxel_25, instance_11);
+        hit_8 = hit_of_0(_S445, voxel_25, instance_11);
     }
     else
     {
-        hit_8 = hit_of_walk_0(_S415, voxel_25, instance_11);
+        hit_8 = hit_of_walk_0(_S446, voxel_25, instance_11);
     }
     if((hit_8.t_1) > ((*ray_23).t_max_1))
     {
@@ -5818,8 +6001,8 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_2 : bool,  end_3 : u3
 {
     if(IS_SINGLE_0)
     {
-        var _S418 : Hit_0 = hit_in_1(u32(0), &((*given_1)));
-        return _S418;
+        var _S449 : Hit_0 = hit_in_1(u32(0), &((*given_1)));
+        return _S449;
     }
     var ray_24 : Ray_0 = (*given_1);
     var nearest_9 : Hit_0 = miss_0();
@@ -5828,28 +6011,28 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_2 : bool,  end_3 : u3
         return nearest_9;
     }
     var is_zero_2 : vec3<bool> = !((abs(ray_24.direction_1)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S419 : vec3<f32> = select(reciprocal_0(select(ray_24.direction_1, vec3<f32>(1.0f), is_zero_2)), vec3<f32>(3.4028234663852886e+38f), is_zero_2);
+    var _S450 : vec3<f32> = select(reciprocal_0(select(ray_24.direction_1, vec3<f32>(1.0f), is_zero_2)), vec3<f32>(3.4028234663852886e+38f), is_zero_2);
     var stack_1 : array<u32, i32(32)>;
-    var index_13 : u32 = u32(0);
+    var index_20 : u32 = u32(0);
     var nearest_10 : Hit_0 = nearest_9;
     var depth_3 : u32 = u32(0);
     for(;;)
     {
         var depth_4 : u32;
         var is_reached_1 : bool;
-        if((instance_nodes_0[index_13].is_leaf_0) != u32(0))
+        if((instance_nodes_0[index_20].is_leaf_0) != u32(0))
         {
-            var _S420 : Hit_0 = hit_in_1(instance_nodes_0[index_13].index_0, &(ray_24));
-            var _S421 : Hit_0 = nearest_10;
-            if((_S420.t_1) < (nearest_10.t_1))
+            var _S451 : Hit_0 = hit_in_1(instance_nodes_0[index_20].index_0, &(ray_24));
+            var _S452 : Hit_0 = nearest_10;
+            if((_S451.t_1) < (nearest_10.t_1))
             {
                 is_reached_1 = true;
             }
             else
             {
-                if((_S420.t_1) == (_S421.t_1))
+                if((_S451.t_1) == (_S452.t_1))
                 {
-                    is_reached_1 = (_S420.instance_3) < (nearest_10.instance_3);
+                    is_reached_1 = (_S451.instance_3) < (nearest_10.instance_3);
                 }
                 else
                 {
@@ -5859,12 +6042,12 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_2 : bool,  end_3 : u3
             var nearest_11 : Hit_0;
             if(is_reached_1)
             {
-                ray_24.t_max_1 = _S420.t_1;
+                ray_24.t_max_1 = _S451.t_1;
                 if(is_any_enough_2)
                 {
-                    return _S420;
+                    return _S451;
                 }
-                nearest_11 = _S420;
+                nearest_11 = _S451;
             }
             else
             {
@@ -5875,40 +6058,40 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_2 : bool,  end_3 : u3
         }
         else
         {
-            var _S422 : u32 = index_13 + u32(1);
-            var _S423 : f32 = entry_0(_S422, ray_24, _S419);
-            var _S424 : u32 = instance_nodes_0[index_13].index_0;
-            var _S425 : f32 = entry_0(instance_nodes_0[index_13].index_0, ray_24, _S419);
-            var _S426 : bool = _S423 <= _S425;
-            if(_S426)
+            var _S453 : u32 = index_20 + u32(1);
+            var _S454 : f32 = entry_0(_S453, ray_24, _S450);
+            var _S455 : u32 = instance_nodes_0[index_20].index_0;
+            var _S456 : f32 = entry_0(instance_nodes_0[index_20].index_0, ray_24, _S450);
+            var _S457 : bool = _S454 <= _S456;
+            if(_S457)
             {
-                index_13 = _S422;
+                index_20 = _S453;
             }
             else
             {
-                index_13 = _S424;
+                index_20 = _S455;
             }
             var far_8 : u32;
-            if(_S426)
+            if(_S457)
             {
-                far_8 = _S424;
+                far_8 = _S455;
             }
             else
             {
-                far_8 = _S422;
+                far_8 = _S453;
             }
             var INFINITY_1 : f32 = (bitcast<f32>((u32(2139095040))));
-            if((max(_S423, _S425)) < INFINITY_1)
+            if((max(_S454, _S456)) < INFINITY_1)
             {
-                var _S427 : u32 = depth_3 + u32(1);
+                var _S458 : u32 = depth_3 + u32(1);
                 stack_1[depth_3] = far_8;
-                depth_4 = _S427;
+                depth_4 = _S458;
             }
             else
             {
                 depth_4 = depth_3;
             }
-            if((min(_S423, _S425)) < INFINITY_1)
+            if((min(_S454, _S456)) < INFINITY_1)
             {
                 depth_3 = depth_4;
                 continue;
@@ -5918,16 +6101,16 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_2 : bool,  end_3 : u3
         depth_3 = depth_4;
         for(;;)
         {
-            var _S428 : bool;
+            var _S459 : bool;
             if(depth_3 > u32(0))
             {
-                _S428 = !is_reached_1;
+                _S459 = !is_reached_1;
             }
             else
             {
-                _S428 = false;
+                _S459 = false;
             }
-            if(_S428)
+            if(_S459)
             {
             }
             else
@@ -5935,8 +6118,8 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_2 : bool,  end_3 : u3
                 break;
             }
             var depth_5 : u32 = depth_3 - u32(1);
-            is_reached_1 = (entry_0(stack_1[depth_5], ray_24, _S419)) < (bitcast<f32>((u32(2139095040))));
-            index_13 = stack_1[depth_5];
+            is_reached_1 = (entry_0(stack_1[depth_5], ray_24, _S450)) < (bitcast<f32>((u32(2139095040))));
+            index_20 = stack_1[depth_5];
             depth_3 = depth_5;
         }
         if(!is_reached_1)
@@ -5961,31 +6144,31 @@ fn begin_tally_0( thread_0 : u32)
 
 fn Work_x24init_0( pixel_8 : u32,  sample_18 : u32,  last_7 : u32) -> Work_0
 {
-    var _S429 : Work_0;
-    _S429.pixel_5 = pixel_8;
-    _S429.sample_5 = sample_18;
-    _S429.last_0 = last_7;
-    return _S429;
+    var _S460 : Work_0;
+    _S460.pixel_5 = pixel_8;
+    _S460.sample_5 = sample_18;
+    _S460.last_0 = last_7;
+    return _S460;
 }
 
-fn work_of_0( index_14 : u32) -> Work_0
+fn work_of_0( index_21 : u32) -> Work_0
 {
     var size_1 : vec2<u32> = params_0.region_0.zw - params_0.region_0.xy;
-    var _S430 : u32 = size_1.x;
-    var _S431 : u32 = u32(8) * _S430;
-    var band_0 : u32 = index_14 / _S431;
-    var _S432 : u32 = u32(8) * band_0;
-    var in_band_0 : u32 = index_14 - _S431 * band_0;
-    var _S433 : u32 = u32(8) * min(u32(8), size_1.y - _S432);
-    var tile_0 : u32 = in_band_0 / _S433;
-    var _S434 : u32 = u32(8) * tile_0;
-    var _S435 : u32 = min(u32(8), _S430 - _S434);
-    var in_tile_0 : u32 = in_band_0 - _S433 * tile_0;
-    var _S436 : vec2<u32> = params_0.region_0.xy;
-    var _S437 : u32 = in_tile_0 % _S435;
-    var _S438 : u32 = _S434 + _S437;
-    var _S439 : u32 = in_tile_0 / _S435;
-    var at_5 : vec2<u32> = _S436 + vec2<u32>(_S438, _S432 + _S439);
+    var _S461 : u32 = size_1.x;
+    var _S462 : u32 = u32(8) * _S461;
+    var band_0 : u32 = index_21 / _S462;
+    var _S463 : u32 = u32(8) * band_0;
+    var in_band_0 : u32 = index_21 - _S462 * band_0;
+    var _S464 : u32 = u32(8) * min(u32(8), size_1.y - _S463);
+    var tile_0 : u32 = in_band_0 / _S464;
+    var _S465 : u32 = u32(8) * tile_0;
+    var _S466 : u32 = min(u32(8), _S461 - _S465);
+    var in_tile_0 : u32 = in_band_0 - _S464 * tile_0;
+    var _S467 : vec2<u32> = params_0.region_0.xy;
+    var _S468 : u32 = in_tile_0 % _S466;
+    var _S469 : u32 = _S465 + _S468;
+    var _S470 : u32 = in_tile_0 / _S466;
+    var at_5 : vec2<u32> = _S467 + vec2<u32>(_S469, _S463 + _S470);
     return Work_x24init_0(at_5.y * params_0.width_0 + at_5.x, pixels_0[place_of_0(at_5)].samples_0, min(dispatch_0.samples_target_0, pixels_0[place_of_0(at_5)].samples_0 + dispatch_0.samples_1));
 }
 
@@ -5996,63 +6179,63 @@ fn Work_camera_rays_0( this_52 : Work_0) -> u32
 
 fn tally_camera_rays_0( count_7 : u32)
 {
-    var _S440 : u32 = atomicAdd(&(group_counts_0[i32(0)]), count_7);
+    var _S471 : u32 = atomicAdd(&(group_counts_0[i32(0)]), count_7);
     return;
 }
 
 fn end_tally_0( counts_2 : RayCounts_0,  thread_1 : u32)
 {
-    var _S441 : u32 = atomicAdd(&(group_counts_0[i32(1)]), counts_2.bounce_2);
-    var _S442 : u32 = atomicAdd(&(group_counts_0[i32(2)]), counts_2.shadow_0);
+    var _S472 : u32 = atomicAdd(&(group_counts_0[i32(1)]), counts_2.bounce_2);
+    var _S473 : u32 = atomicAdd(&(group_counts_0[i32(2)]), counts_2.shadow_0);
     workgroupBarrier();
     if(thread_1 < u32(3))
     {
-        var _S443 : u32 = atomicLoad(&(group_counts_0[thread_1]));
-        var _S444 : u32 = atomicAdd(&(counters_0[u32(1) + thread_1]), _S443);
+        var _S474 : u32 = atomicLoad(&(group_counts_0[thread_1]));
+        var _S475 : u32 = atomicAdd(&(counters_0[u32(1) + thread_1]), _S474);
     }
     if(thread_1 == u32(0))
     {
         atomicStore(&(counters_0[u32(0)]), dispatch_0.sequence_0);
-        var _S445 : u32 = atomicAdd(&(counters_0[u32(4)]), u32(1));
+        var _S476 : u32 = atomicAdd(&(counters_0[u32(4)]), u32(1));
     }
     return;
 }
 
-fn render_0( index_15 : u32,  thread_2 : u32)
+fn render_0( index_22 : u32,  thread_2 : u32)
 {
     begin_tally_0(thread_2);
-    var _S446 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
+    var _S477 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
     var counts_3 : RayCounts_0;
-    if(index_15 < (dispatch_0.count_0))
+    if(index_22 < (dispatch_0.count_0))
     {
-        var work_2 : Work_0 = work_of_0(dispatch_0.first_0 + index_15);
+        var work_2 : Work_0 = work_of_0(dispatch_0.first_0 + index_22);
         tally_camera_rays_0(Work_camera_rays_0(work_2));
-        var _S447 : RayCounts_0 = trace_pixel_0(work_2);
-        counts_3 = _S447;
+        var _S478 : RayCounts_0 = trace_pixel_0(work_2);
+        counts_3 = _S478;
     }
     else
     {
-        counts_3 = _S446;
+        counts_3 = _S477;
     }
     end_tally_0(counts_3, thread_2);
     return;
 }
 
-fn render_1( index_16 : u32,  thread_3 : u32)
+fn render_1( index_23 : u32,  thread_3 : u32)
 {
     begin_tally_0(thread_3);
-    var _S448 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
+    var _S479 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
     var counts_4 : RayCounts_0;
-    if(index_16 < (dispatch_0.count_0))
+    if(index_23 < (dispatch_0.count_0))
     {
-        var work_3 : Work_0 = work_of_0(dispatch_0.first_0 + index_16);
+        var work_3 : Work_0 = work_of_0(dispatch_0.first_0 + index_23);
         tally_camera_rays_0(Work_camera_rays_0(work_3));
-        var _S449 : RayCounts_0 = trace_pixel_1(work_3);
-        counts_4 = _S449;
+        var _S480 : RayCounts_0 = trace_pixel_1(work_3);
+        counts_4 = _S480;
     }
     else
     {
-        counts_4 = _S448;
+        counts_4 = _S479;
     }
     end_tally_0(counts_4, thread_3);
     return;
@@ -6062,6 +6245,7 @@ fn render_1( index_16 : u32,  thread_3 : u32)
 @workgroup_size(64, 1, 1)
 fn render_essay(@builtin(global_invocation_id) id_0 : vec3<u32>, @builtin(local_invocation_index) thread_4 : u32)
 {
+    is_page_missing_0 = false;
     render_1(id_0.x, thread_4);
     return;
 }
@@ -6070,14 +6254,15 @@ fn render_essay(@builtin(global_invocation_id) id_0 : vec3<u32>, @builtin(local_
 @workgroup_size(64, 1, 1)
 fn render_path(@builtin(global_invocation_id) id_1 : vec3<u32>, @builtin(local_invocation_index) thread_5 : u32)
 {
+    is_page_missing_0 = false;
     render_0(id_1.x, thread_5);
     return;
 }
 
 fn WalkTracer_trace_1( ray_25 : ptr<function, Ray_0>,  is_any_enough_3 : bool) -> Hit_0
 {
-    var _S450 : Hit_0 = visit_1(&((*ray_25)), is_any_enough_3, u32(0));
-    return _S450;
+    var _S481 : Hit_0 = visit_1(&((*ray_25)), is_any_enough_3, u32(0));
+    return _S481;
 }
 
 struct HitRecord_0
@@ -6090,57 +6275,57 @@ struct HitRecord_0
 
 fn HitRecord_x24init_0( t_16 : f32,  instance_12 : u32,  voxel_26 : array<i32, i32(3)>,  face_8 : u32) -> HitRecord_0
 {
-    var _S451 : HitRecord_0;
-    _S451.t_0 = t_16;
-    _S451.instance_0 = instance_12;
-    _S451.voxel_0 = voxel_26;
-    _S451.face_0 = face_8;
-    return _S451;
+    var _S482 : HitRecord_0;
+    _S482.t_0 = t_16;
+    _S482.instance_0 = instance_12;
+    _S482.voxel_0 = voxel_26;
+    _S482.face_0 = face_8;
+    return _S482;
 }
 
 fn record_of_0( hit_9 : Hit_0) -> HitRecord_0
 {
-    var _S452 : array<i32, i32(3)> = array<i32, i32(3)>( hit_9.voxel_4.x, hit_9.voxel_4.y, hit_9.voxel_4.z );
-    return HitRecord_x24init_0(hit_9.t_1, hit_9.instance_3, _S452, hit_9.face_1);
+    var _S483 : array<i32, i32(3)> = array<i32, i32(3)>( hit_9.voxel_4.x, hit_9.voxel_4.y, hit_9.voxel_4.z );
+    return HitRecord_x24init_0(hit_9.t_1, hit_9.instance_3, _S483, hit_9.face_1);
 }
 
-fn ray_of_0( _S453 : u32) -> Ray_0
+fn ray_of_0( _S484 : u32) -> Ray_0
 {
-    return Ray_x24init_0(vector_of_0(rays_0[_S453].origin_1), rays_0[_S453].t_min_0, vector_of_0(rays_0[_S453].direction_0), rays_0[_S453].t_max_0);
+    return Ray_x24init_0(vector_of_0(rays_0[_S484].origin_1), rays_0[_S484].t_min_0, vector_of_0(rays_0[_S484].direction_0), rays_0[_S484].t_max_0);
 }
 
-fn Transform_direction_2( _S454 : i32,  _S455 : vec3<f32>) -> vec3<f32>
+fn Transform_direction_2( _S485 : i32,  _S486 : vec3<f32>) -> vec3<f32>
 {
-    return vector_of_0(instances_0[_S454].grid_from_world_0.x_axis_0) * vec3<f32>(_S455.x) + vector_of_0(instances_0[_S454].grid_from_world_0.y_axis_0) * vec3<f32>(_S455.y) + vector_of_0(instances_0[_S454].grid_from_world_0.z_axis_0) * vec3<f32>(_S455.z);
+    return vector_of_0(instances_0[_S485].grid_from_world_0.x_axis_0) * vec3<f32>(_S486.x) + vector_of_0(instances_0[_S485].grid_from_world_0.y_axis_0) * vec3<f32>(_S486.y) + vector_of_0(instances_0[_S485].grid_from_world_0.z_axis_0) * vec3<f32>(_S486.z);
 }
 
-fn Transform_point_2( _S456 : i32,  _S457 : vec3<f32>) -> vec3<f32>
+fn Transform_point_2( _S487 : i32,  _S488 : vec3<f32>) -> vec3<f32>
 {
-    return Transform_direction_2(_S456, _S457) + vector_of_0(instances_0[_S456].grid_from_world_0.translation_0);
+    return Transform_direction_2(_S487, _S488) + vector_of_0(instances_0[_S487].grid_from_world_0.translation_0);
 }
 
-fn local_ray_1( _S458 : Ray_0,  _S459 : i32) -> LocalRay_0
+fn local_ray_1( _S489 : Ray_0,  _S490 : i32) -> LocalRay_0
 {
     var local_4 : LocalRay_0;
     var direction_30 : vec3<f32>;
     var origin_12 : vec3<f32>;
     if(!IS_SINGLE_0)
     {
-        var _S460 : vec3<f32> = Transform_point_2(_S459, _S458.origin_2);
-        direction_30 = Transform_direction_2(_S459, _S458.direction_1);
-        origin_12 = _S460;
+        var _S491 : vec3<f32> = Transform_point_2(_S490, _S489.origin_2);
+        direction_30 = Transform_direction_2(_S490, _S489.direction_1);
+        origin_12 = _S491;
     }
     else
     {
-        direction_30 = _S458.direction_1;
-        origin_12 = _S458.origin_2;
+        direction_30 = _S489.direction_1;
+        origin_12 = _S489.origin_2;
     }
     var is_zero_3 : vec3<bool> = !((abs(direction_30)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S461 : vec3<f32> = select(direction_30, vec3<f32>(0.0f), is_zero_3);
-    local_4.direction_4 = _S461;
+    var _S492 : vec3<f32> = select(direction_30, vec3<f32>(0.0f), is_zero_3);
+    local_4.direction_4 = _S492;
     local_4.inverse_0 = select(reciprocal_0(select(direction_30, vec3<f32>(1.0f), is_zero_3)), vec3<f32>(3.4028234663852886e+38f), is_zero_3);
     local_4.origin_5 = select(origin_12, floor(origin_12) + vec3<f32>(0.5f), is_zero_3);
-    var speed_4 : f32 = max_element_0(abs(_S461));
+    var speed_4 : f32 = max_element_0(abs(_S492));
     var moves_1 : bool;
     if(speed_4 >= 1.00000004581370497e-18f)
     {
@@ -6152,9 +6337,9 @@ fn local_ray_1( _S458 : Ray_0,  _S459 : i32) -> LocalRay_0
     }
     var is_near_1 : bool = (all(((abs(local_4.origin_5)) <= vec3<f32>(2.097152e+06f))));
     var is_segment_1 : bool;
-    if((_S458.t_min_1) >= 0.0f)
+    if((_S489.t_min_1) >= 0.0f)
     {
-        is_segment_1 = (_S458.t_min_1) <= 3.4028234663852886e+38f;
+        is_segment_1 = (_S489.t_min_1) <= 3.4028234663852886e+38f;
     }
     else
     {
@@ -6162,14 +6347,14 @@ fn local_ray_1( _S458 : Ray_0,  _S459 : i32) -> LocalRay_0
     }
     if(is_segment_1)
     {
-        is_segment_1 = (_S458.t_min_1) <= (_S458.t_max_1);
+        is_segment_1 = (_S489.t_min_1) <= (_S489.t_max_1);
     }
     else
     {
         is_segment_1 = false;
     }
-    local_4.t_min_3 = _S458.t_min_1;
-    local_4.t_max_3 = _S458.t_max_1;
+    local_4.t_min_3 = _S489.t_min_1;
+    local_4.t_max_3 = _S489.t_max_1;
     if(moves_1)
     {
         moves_1 = is_near_1;
@@ -6194,45 +6379,46 @@ fn local_ray_1( _S458 : Ray_0,  _S459 : i32) -> LocalRay_0
 @workgroup_size(64, 1, 1)
 fn cast_rays(@builtin(global_invocation_id) id_2 : vec3<u32>, @builtin(local_invocation_index) thread_6 : u32)
 {
+    is_page_missing_0 = false;
     begin_tally_0(thread_6);
-    var _S462 : u32 = id_2.x;
-    if(_S462 < (dispatch_0.count_0))
+    var _S493 : u32 = id_2.x;
+    if(_S493 < (dispatch_0.count_0))
     {
         tally_camera_rays_0(u32(1));
-        var _S463 : Ray_0 = ray_of_0(dispatch_0.first_0 + _S462);
-        var ray_26 : Ray_0 = _S463;
-        var _S464 : Hit_0 = WalkTracer_trace_1(&(ray_26), false);
-        var _S465 : bool;
+        var _S494 : Ray_0 = ray_of_0(dispatch_0.first_0 + _S493);
+        var ray_26 : Ray_0 = _S494;
+        var _S495 : Hit_0 = WalkTracer_trace_1(&(ray_26), false);
+        var _S496 : bool;
         if(IS_SINGLE_0)
         {
-            _S465 = !IS_EXACT_0;
+            _S496 = !IS_EXACT_0;
         }
         else
         {
-            _S465 = false;
+            _S496 = false;
         }
-        if(_S465)
+        if(_S496)
         {
-            _S465 = !Hit_is_miss_0(_S464);
+            _S496 = !Hit_is_miss_0(_S495);
         }
         else
         {
-            _S465 = false;
+            _S496 = false;
         }
         var hit_10 : Hit_0;
-        if(_S465)
+        if(_S496)
         {
-            hit_10 = hit_of_0(local_ray_1(_S463, i32(0)), _S464.voxel_4, _S464.instance_3);
+            hit_10 = hit_of_0(local_ray_1(_S494, i32(0)), _S495.voxel_4, _S495.instance_3);
         }
         else
         {
-            hit_10 = _S464;
+            hit_10 = _S495;
         }
-        var _S466 : HitRecord_0 = record_of_0(hit_10);
-        hits_0[dispatch_0.first_0 + _S462].t_0 = _S466.t_0;
-        hits_0[dispatch_0.first_0 + _S462].instance_0 = _S466.instance_0;
-        hits_0[dispatch_0.first_0 + _S462].voxel_0 = _S466.voxel_0;
-        hits_0[dispatch_0.first_0 + _S462].face_0 = _S466.face_0;
+        var _S497 : HitRecord_0 = record_of_0(hit_10);
+        hits_0[dispatch_0.first_0 + _S493].t_0 = _S497.t_0;
+        hits_0[dispatch_0.first_0 + _S493].instance_0 = _S497.instance_0;
+        hits_0[dispatch_0.first_0 + _S493].voxel_0 = _S497.voxel_0;
+        hits_0[dispatch_0.first_0 + _S493].face_0 = _S497.face_0;
     }
     end_tally_0(RayCounts_x24init_0(u32(0), u32(0)), thread_6);
     return;

@@ -1,6 +1,7 @@
 //! Options that choose the tracer.
 
 use crate::failure::Failure;
+use crate::parse;
 use crate::report::Report;
 use crate::session::trace_failure;
 use std::sync::Arc;
@@ -23,8 +24,8 @@ pub struct TracerArgs {
     /// Relax the rules of rounding on the GPU: faster, but no longer bit for bit the CPU's picture
     #[arg(long)]
     fast: bool,
-    /// Limit on GPU memory, MiB
-    #[arg(long, value_name = "MIB")]
+    /// Limit on GPU memory, for example 2GB; of scenes that need more, what rays come to is there (walk)
+    #[arg(long, value_name = "BYTES", value_parser = parse::bytes)]
     memory_budget: Option<u64>,
 }
 
@@ -97,7 +98,7 @@ impl TracerArgs {
                 PrimitiveArg::Triangle => Primitive::Triangle,
             }),
             device: self.device.clone(),
-            memory_budget: self.memory_budget.map(|mebibytes| mebibytes.saturating_mul(1 << 20)),
+            memory_budget: self.memory_budget,
             is_fast: self.fast,
             probes: crate::probes::cache(),
         }

@@ -81,7 +81,7 @@ impl DeviceFilm {
         for part in &self.parts {
             let (own, others) = rest.split_at_mut(part.region.pixels());
             rest = others;
-            transfer.download(submitter, &part.pixels, cast_slice_mut(own))?;
+            transfer.download(submitter, &part.pixels, 0, cast_slice_mut(own))?;
         }
         *film = Film {
             width: frame.width,

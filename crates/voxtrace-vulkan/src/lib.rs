@@ -17,6 +17,7 @@ mod film;
 mod line_params;
 mod listing;
 mod method;
+mod pages;
 mod passes;
 mod picture;
 mod ray_program;

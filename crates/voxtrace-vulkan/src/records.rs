@@ -394,6 +394,8 @@ pub mod binding {
     pub const ENVIRONMENT: u32 = 19;
     /// [`super::FrameParams`] again, where the shaders of a pass read it as storage.
     pub const FRAME_STORAGE: u32 = 20;
+    /// Which pages of the scene are there, and where.
+    pub const PAGES: u32 = 21;
     /// The last place.
-    pub const LAST: u32 = FRAME_STORAGE;
+    pub const LAST: u32 = PAGES;
 }

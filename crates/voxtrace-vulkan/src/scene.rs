@@ -5,11 +5,12 @@ use crate::bindings::Bindings;
 use crate::buffer::Buffer;
 use crate::commands::Submitter;
 use crate::device::Device;
+use crate::pages::Pages;
 use crate::records::binding;
 use crate::transfer::{Transfer, Write};
 use bytemuck::cast_slice;
 use std::sync::Arc;
-use voxtrace_core::packed::{DeviceCells, Placement};
+use voxtrace_core::packed::{DeviceCells, Geometry, Placement};
 use voxtrace_core::{PackedScene, TraceError};
 
 /// Where an array is bound, its name in the memory report, and its bytes.
@@ -22,6 +23,8 @@ pub struct SceneBuffers {
     pub top_shift: u32,
     /// The cells of bricks also say which of their blocks hold a voxel.
     pub cells_have_blocks: bool,
+    /// Where cells, bricks and materials of voxels lie, if not whole.
+    pub pages: Option<Pages>,
     geometry: Vec<(u32, Buffer)>,
     placement: Vec<(u32, Buffer)>,
     environment: Buffer,
@@ -30,24 +33,45 @@ pub struct SceneBuffers {
 }
 
 impl SceneBuffers {
-    /// Uploads a scene.
+    /// Uploads a scene. What of it does not fit `room` bytes, where there is such a limit, comes page by page.
     pub fn new(
         device: &Arc<Device>,
         submitter: &mut Submitter,
         transfer: &mut Transfer,
         scene: &Arc<PackedScene>,
+        room: Option<u64>,
     ) -> Result<Self, TraceError> {
         let geometry = scene.geometry();
-        let DeviceCells { cells, grids, top_shift, have_blocks } = geometry.device_cells();
-        let arrays: [Array; 7] = [
-            (binding::CELLS, "cells", cast_slice(&cells)),
-            (binding::BRICKS, "bricks", cast_slice(geometry.bricks())),
-            (binding::BRICK_MATERIALS, "voxel materials", cast_slice(geometry.brick_materials())),
-            (binding::GRIDS, "grids", cast_slice(&grids)),
-            (binding::MATERIALS, "materials", cast_slice(geometry.materials())),
-            (binding::EMITTERS, "emitters", cast_slice(geometry.emitters())),
-            (binding::LIGHT_NODES, "light nodes", cast_slice(geometry.light_nodes())),
-        ];
+        let others = other_arrays(geometry);
+        let pages = match room {
+            Some(room) => {
+                let placement = placement_arrays(scene.placement());
+                let whole: u64 = others.iter().chain(&placement).map(|(.., bytes)| bytes.len() as u64).sum();
+                let whole = whole + size_of_val(geometry.grids()) as u64;
+                let budget = room.saturating_sub(whole);
+                Some(Pages::new(device, submitter, transfer, geometry, budget).map_err(|error| match error {
+                    TraceError::OutOfMemory { needed, .. } => {
+                        TraceError::OutOfMemory { needed: whole + needed, available: room }
+                    }
+                    error => error,
+                })?)
+            }
+            None => None,
+        };
+        let cells = match pages {
+            Some(_) => geometry.tree_cells(),
+            None => geometry.device_cells(),
+        };
+        let DeviceCells { cells, grids, top_shift, have_blocks } = cells;
+        let mut arrays: Vec<Array> = vec![(binding::GRIDS, "grids", cast_slice(&grids))];
+        arrays.extend(others);
+        if pages.is_none() {
+            arrays.extend([
+                (binding::CELLS, "cells", cast_slice(&cells)),
+                (binding::BRICKS, "bricks", cast_slice(geometry.bricks())),
+                (binding::BRICK_MATERIALS, "voxel materials", cast_slice(geometry.brick_materials())),
+            ]);
+        }
         let mut write = |array: &Array| {
             let (binding, name, bytes) = *array;
             written(device, submitter, transfer, name, bytes).map(|buffer| (binding, buffer))
@@ -56,7 +80,16 @@ impl SceneBuffers {
         let placement = placement_arrays(scene.placement()).iter().map(&mut write).collect::<Result<_, _>>()?;
         let environment = written(device, submitter, transfer, ENVIRONMENT, texels_of(scene))?;
         let (scene, cells_have_blocks) = (Arc::clone(scene), have_blocks);
-        Ok(Self { scene, top_shift, cells_have_blocks, geometry, placement, environment, has_light_from_above: false })
+        Ok(Self {
+            scene,
+            top_shift,
+            cells_have_blocks,
+            pages,
+            geometry,
+            placement,
+            environment,
+            has_light_from_above: false,
+        })
     }
 
     /// The same geometry with memory for the placement of `scene`, whose geometry it is; [`Self::placement_writes`] must be written.
@@ -121,6 +154,20 @@ impl SceneBuffers {
             bindings.bind(*binding, buffer);
         }
         bindings.bind(binding::ENVIRONMENT, &self.environment);
+        if let Some(pages) = &self.pages {
+            for binding in [binding::CELLS, binding::BRICKS, binding::BRICK_MATERIALS] {
+                bindings.bind(binding, &pages.pool);
+            }
+            bindings.bind(binding::PAGES, &pages.table);
+        }
+    }
+
+    /// Bytes of the scene where it lies there whole.
+    pub fn bytes_of(scene: &PackedScene) -> u64 {
+        let geometry = scene.geometry();
+        let (others, placement) = (other_arrays(geometry), placement_arrays(scene.placement()));
+        let whole: u64 = others.iter().chain(&placement).map(|(.., bytes)| bytes.len() as u64).sum();
+        Pages::bytes_of(geometry) + whole
     }
 }
 
@@ -130,6 +177,15 @@ const ENVIRONMENT: &str = "environment";
 /// The texels of a scene's environment map, none where it has none.
 fn texels_of(scene: &PackedScene) -> &[u8] {
     scene.sky.background().environment().map_or(&[], |environment| cast_slice(environment.map().texels()))
+}
+
+/// What of the geometry always lies there whole, but for the grids.
+fn other_arrays(geometry: &Geometry) -> [Array<'_>; 3] {
+    [
+        (binding::MATERIALS, "materials", cast_slice(geometry.materials())),
+        (binding::EMITTERS, "emitters", cast_slice(geometry.emitters())),
+        (binding::LIGHT_NODES, "light nodes", cast_slice(geometry.light_nodes())),
+    ]
 }
 
 fn placement_arrays(placement: &Placement) -> [Array<'_>; 3] {

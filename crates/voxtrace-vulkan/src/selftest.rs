@@ -34,7 +34,7 @@ pub fn run(
     let (mut submitter, mut transfer) = (Submitter::new(device)?, Transfer::new(device));
     let bindings = Bindings::new(device)?;
     bindings.bind_submitter(&submitter);
-    let scene = SceneBuffers::new(device, &mut submitter, &mut transfer, scene)?;
+    let scene = SceneBuffers::new(device, &mut submitter, &mut transfer, scene, None)?;
     scene.bind(&bindings);
     let params = FrameParams::of_scene(&scene.scene);
     let usage = vk::BufferUsageFlags::UNIFORM_BUFFER;
@@ -62,6 +62,8 @@ pub fn run(
         has_catcher: false,
         has_lines: false,
         has_normals: false,
+        cells_skip: false,
+        has_pages: false,
         sky: params.sky,
         cells_have_blocks: scene.cells_have_blocks,
         primitive: Primitive::default(),
@@ -72,6 +74,6 @@ pub fn run(
     let workgroups = Some(passes.proof(variant, count));
     let job = Job { step: "self-test", work: 0, dispatch, workgroups, record: &record, then: None };
     submitter.run(&job)?;
-    transfer.download(&mut submitter, &made, cast_slice_mut(&mut outputs))?;
+    transfer.download(&mut submitter, &made, 0, cast_slice_mut(&mut outputs))?;
     Ok(outputs)
 }

@@ -112,6 +112,22 @@ impl VulkanTracer {
         }
     }
 
+    /// Brings the next pages of the scene as if nothing were in them, for tests.
+    #[cfg(feature = "faults")]
+    pub fn empty_pages(&mut self, count: usize) {
+        if let Backend::Device(worker) = &mut self.backend {
+            worker.empty_pages(count);
+        }
+    }
+
+    /// Bytes of pages of the scene that were uploaded since it was set, `None` where it lies on the device whole.
+    pub fn paged_bytes(&self) -> Option<u64> {
+        match &self.backend {
+            Backend::Device(worker) => worker.paged_bytes(),
+            _ => None,
+        }
+    }
+
     /// Writes the mean of the film's samples to a picture of its size on the tracer's device, for a window to draw.
     /// Returns the milliseconds that it took by the device's clock.
     ///
@@ -330,6 +346,17 @@ impl Tracer for VulkanTracer {
             Backend::None => Err(TraceError::NoScene),
         })?;
         self.scene = Some(Arc::clone(scene));
+        if let Backend::Device(worker) = &self.backend
+            && let Some((bytes, room)) = worker.room()
+        {
+            let gigabytes = |bytes: u64| format!("{:.3} GB", bytes as f64 * 1e-9);
+            self.notes.push(format!(
+                "the scene is larger than the memory of {}: rays bring what they come to of {}, {} at a time",
+                self.device.info().name,
+                gigabytes(bytes),
+                gigabytes(room)
+            ));
+        }
         Ok(())
     }
 

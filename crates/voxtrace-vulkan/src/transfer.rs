@@ -9,8 +9,9 @@ use gpu_allocator::MemoryLocation;
 use std::sync::Arc;
 use voxtrace_core::TraceError;
 
-/// Bytes of one piece.
+/// Most and fewest bytes of one piece.
 const PIECE: u64 = 32 << 20;
+const LEAST_PIECE: u64 = 1 << 16;
 
 /// Bytes for a place in a buffer.
 #[derive(Clone, Copy)]
@@ -77,13 +78,20 @@ impl Transfer {
         Ok(ms + submit_copies(&self.device, submitter, step, staging, &copies, then)?)
     }
 
-    /// Reads the start of a buffer.
-    pub fn download(&mut self, submitter: &mut Submitter, buffer: &Buffer, bytes: &mut [u8]) -> Result<(), TraceError> {
+    /// Reads a buffer from the byte `at` on.
+    pub fn download(
+        &mut self,
+        submitter: &mut Submitter,
+        buffer: &Buffer,
+        at: u64,
+        bytes: &mut [u8],
+    ) -> Result<(), TraceError> {
         let usage = vk::BufferUsageFlags::TRANSFER_DST;
         let staging = staging(&self.device, &mut self.down, bytes.len() as u64, usage, MemoryLocation::GpuToCpu)?;
         let piece = staging.size as usize;
         for (index, part) in bytes.chunks_mut(piece).enumerate() {
-            let copy = vk::BufferCopy { src_offset: (index * piece) as u64, dst_offset: 0, size: part.len() as u64 };
+            let src_offset = at + (index * piece) as u64;
+            let copy = vk::BufferCopy { src_offset, dst_offset: 0, size: part.len() as u64 };
             let (device, from, to) = (&self.device, buffer.handle, staging.handle);
             submitter.run_commands("reading back", &|commands| {
                 // SAFETY: both buffers are alive and the range lies inside both; the commands are being recorded.
@@ -100,7 +108,7 @@ impl Transfer {
     }
 }
 
-/// The staging buffer in `slot`, at least as large as the next piece of `wanted` bytes.
+/// The staging buffer in `slot`, as large as the next piece of `wanted` bytes, or smaller where there is little memory.
 fn staging<'a>(
     device: &Arc<Device>,
     slot: &'a mut Option<Buffer>,
@@ -108,9 +116,10 @@ fn staging<'a>(
     usage: vk::BufferUsageFlags,
     location: MemoryLocation,
 ) -> Result<&'a mut Buffer, TraceError> {
-    let size = wanted.clamp(1 << 16, PIECE);
+    let size = wanted.clamp(LEAST_PIECE, PIECE);
     if slot.as_ref().is_none_or(|buffer| buffer.size < size) {
-        *slot = None;
+        let had = slot.take().map_or(0, |buffer| buffer.size);
+        let size = size.min((device.available_bytes() / 8).max(LEAST_PIECE)).max(had);
         *slot = Some(Buffer::new(device, "staging", size, usage, location)?);
     }
     Ok(slot.as_mut().expect("it was just made"))

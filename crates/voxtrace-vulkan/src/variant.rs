@@ -64,6 +64,10 @@ pub struct Variant {
     pub has_lines: bool,
     /// Normals of voxels, likewise.
     pub has_normals: bool,
+    /// Empty cells say how many cells a ray may skip, as those of the processor do.
+    pub cells_skip: bool,
+    /// Cells, bricks and materials lie in pages.
+    pub has_pages: bool,
     /// The sky, one of `SKY_`: choosing it while the shader runs would cost scenes under a gradient.
     pub sky: u32,
 }
@@ -92,10 +96,14 @@ mod constant {
     pub const LINES: u32 = 9;
     /// [`super::Variant::has_normals`].
     pub const NORMALS: u32 = 10;
+    /// [`super::Variant::cells_skip`].
+    pub const CELLS_SKIP: u32 = 11;
+    /// [`super::Variant::has_pages`].
+    pub const PAGES: u32 = 12;
 }
 
 /// Number of specialization constants.
-const CONSTANTS: usize = 11;
+const CONSTANTS: usize = 13;
 
 /// Values of the specialization constants of `shaders/variant.slang` and `shaders/primitive.slang`. Modules that lack one
 /// ignore it.
@@ -119,6 +127,8 @@ impl Specialization {
             (constant::CATCHER, variant.has_catcher.into()),
             (constant::LINES, variant.has_lines.into()),
             (constant::NORMALS, variant.has_normals.into()),
+            (constant::CELLS_SKIP, variant.cells_skip.into()),
+            (constant::PAGES, variant.has_pages.into()),
         ];
         let entry =
             |at: usize| vk::SpecializationMapEntry { constant_id: constants[at].0, offset: 4 * at as u32, size: 4 };

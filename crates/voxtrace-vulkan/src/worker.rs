@@ -1,6 +1,7 @@
 //! Tracing on one device for as long as it lives: scene, film and passes. Errors leave nothing in flight.
 
 mod casting;
+mod paging;
 mod scene;
 mod show;
 
@@ -12,6 +13,7 @@ use crate::commands::{Finished, Job, Submitter, Then};
 use crate::device::Device;
 use crate::film::DeviceFilm;
 use crate::method::{Settings, Traversal};
+use crate::pages::Pages;
 use crate::passes::Passes;
 use crate::picture::Picture;
 use crate::records::{Counter, Dispatch, FrameParams, binding};
@@ -55,6 +57,8 @@ pub struct Worker {
     /// Milliseconds of the picture that the last call of `render` wrote, where it did.
     shown_ms: Option<f64>,
     submit_ms: f64,
+    /// Pixels that are traced together where the scene lies in pages.
+    pixels_at_a_time: u64,
     render_batches: BatchSizer,
     cast_batches: BatchSizer,
     statistics: Statistics,
@@ -81,7 +85,9 @@ impl Worker {
         bindings.bind(binding::FRAME, &params);
         bindings.bind(binding::FRAME_STORAGE, &params);
         let nothing = Buffer::storage(&device, "placeholder", 0)?;
-        for place in [binding::PIXELS, binding::RAYS, binding::HITS, binding::PRIMITIVES, binding::ENTRIES] {
+        for place in
+            [binding::PIXELS, binding::RAYS, binding::HITS, binding::PRIMITIVES, binding::ENTRIES, binding::PAGES]
+        {
             bindings.bind(place, &nothing);
         }
         let (matte, materials) = match settings.traversal {
@@ -104,6 +110,7 @@ impl Worker {
             resolve_passes: None,
             shown_ms: None,
             submit_ms: TARGET_MS,
+            pixels_at_a_time: u64::MAX,
             render_batches: BatchSizer::default(),
             cast_batches: BatchSizer::default(),
             statistics: Statistics::default(),
@@ -138,6 +145,7 @@ impl Worker {
         let Settings { is_exact, primitive, .. } = self.settings;
         let is_single = matches!(scene.instances(), [only] if only.grid_from_world == Transform::IDENTITY);
         let top_shift = self.scene.as_ref().map_or(0, |buffers| buffers.top_shift);
+        let has_pages = self.scene.as_ref().is_some_and(|buffers| buffers.pages.is_some());
         let cells_have_blocks = self.scene.as_ref().is_some_and(|buffers| buffers.cells_have_blocks);
         let has_cuts = !scene.cuts.is_none();
         // No other pass asks what voxels are made of.
@@ -158,6 +166,8 @@ impl Worker {
             has_catcher,
             has_lines,
             has_normals,
+            cells_skip: has_pages,
+            has_pages,
         })
     }
 
@@ -206,6 +216,9 @@ impl Worker {
         until: Instant,
         show: Option<Show>,
     ) -> Result<bool, TraceError> {
+        if self.scene.as_ref().is_some_and(|buffers| buffers.pages.is_some()) {
+            return self.render_part_in_pages(film, (index, target), frame, progress, until);
+        }
         let part = &mut film.parts[index];
         let params = FrameParams::of_frame(self.scene()?, &frame.clone().region(part.region));
         let variant = self.variant(Entry::of(frame.integrator), (params.lens, params.sky), Some(frame))?;
@@ -323,6 +336,24 @@ impl Worker {
     pub fn set_submit_ms(&mut self, submit_ms: f64) {
         self.submit_ms = submit_ms;
         (self.render_batches, self.cast_batches) = (BatchSizer::new(submit_ms), BatchSizer::new(submit_ms));
+    }
+
+    /// Empties the next pages, for tests.
+    #[cfg(feature = "faults")]
+    pub fn empty_pages(&mut self, count: usize) {
+        let pages = self.scene.as_mut().and_then(|buffers| buffers.pages.as_mut());
+        pages.into_iter().for_each(|pages| pages.emptied = count);
+    }
+
+    /// Bytes of the scene, and how much of it has room, where it lies on the device in pages.
+    pub fn room(&self) -> Option<(u64, u64)> {
+        let buffers = self.scene.as_ref()?;
+        buffers.pages.as_ref().map(|pages| (Pages::bytes_of(buffers.scene.geometry()), pages.pool.size))
+    }
+
+    /// Bytes of pages of the scene that were uploaded, `None` where it lies on the device whole.
+    pub fn paged_bytes(&self) -> Option<u64> {
+        self.scene.as_ref()?.pages.as_ref().map(Pages::loaded_bytes)
     }
 
     pub fn read(&mut self, film: &mut Film) -> Result<(), TraceError> {

@@ -41,6 +41,14 @@ impl Geometry {
         DeviceCells { cells, grids, top_shift, have_blocks }
     }
 
+    /// The grids for devices that walk the cells as they are, tree and skip distances. No cells: devices take those of the geometry.
+    #[doc(hidden)]
+    pub fn tree_cells(&self) -> DeviceCells {
+        let shift = self.grids.first().map_or(0, |grid| grid.top_shift);
+        let top_shift = if self.grids.iter().all(|grid| grid.top_shift == shift) { shift } else { 0 };
+        DeviceCells { cells: Vec::new(), grids: self.grids.to_vec(), top_shift, have_blocks: false }
+    }
+
     fn dense_cells(&self) -> Option<(Vec<u32>, Vec<PackedGrid>)> {
         let mut cells = Vec::new();
         let mut grids = Vec::with_capacity(self.grids.len());

@@ -18,6 +18,7 @@ mod merged;
 mod merged_pictures;
 mod mirrors;
 mod normals;
+mod pages;
 mod physics;
 mod placement;
 mod placement_faults;

@@ -56,6 +56,8 @@ const VARIANT: Variant = Variant {
     has_catcher: false,
     has_lines: false,
     has_normals: false,
+    cells_skip: false,
+    has_pages: false,
     sky: 0,
 };
 
@@ -285,9 +287,9 @@ impl Lab {
         let capacity = shot.capacity;
         let mut answers =
             Answers { answers: vec![nonsense; shot.count], log: vec![u32::MAX; shot.count * capacity], capacity };
-        self.transfer.download(&mut self.submitter, &shot.answers, cast_slice_mut(&mut answers.answers))?;
+        self.transfer.download(&mut self.submitter, &shot.answers, 0, cast_slice_mut(&mut answers.answers))?;
         if capacity > 0 {
-            self.transfer.download(&mut self.submitter, &shot.log, cast_slice_mut(&mut answers.log))?;
+            self.transfer.download(&mut self.submitter, &shot.log, 0, cast_slice_mut(&mut answers.log))?;
         }
         if self.plant == Some(Plant::LastAttribute) {
             for index in 0..shot.count {

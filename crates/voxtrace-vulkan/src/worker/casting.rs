@@ -3,6 +3,7 @@
 use super::Worker;
 use crate::buffer::Buffer;
 use crate::commands::Finished;
+use crate::pages::Served;
 use crate::records::{Dispatch, FrameParams, LENS_PINHOLE, SKY_GRADIENT, binding};
 use crate::statistics::Statistics;
 use crate::variant::{Entry, Variant};
@@ -12,8 +13,9 @@ use voxtrace_core::film::AovPixel;
 use voxtrace_core::{Frame, TraceError, aov};
 use voxtrace_scene::{Hit, Ray};
 
-/// Rays that are cast in one piece.
+/// Most rays that are cast in one piece, and how many are at least, however little memory there is.
 const RAYS_AT_A_TIME: usize = 1 << 20;
+const FEWEST_RAYS: usize = 1 << 10;
 
 impl Worker {
     /// As [`voxtrace_core::Tracer::cast_into`], with hits of the grids as they are packed.
@@ -27,15 +29,17 @@ impl Worker {
         }
         let params = FrameParams::of_scene(self.scene()?);
         self.set_params(&params);
-        let piece = rays.len().min(RAYS_AT_A_TIME) as u64;
-        let ray_buffer = Buffer::storage(&self.device, "rays", piece * size_of::<Ray>() as u64)?;
-        let hit_buffer = Buffer::storage(&self.device, "hits", piece * size_of::<Hit>() as u64)?;
+        let bytes = (size_of::<Ray>() + size_of::<Hit>()) as u64;
+        let fitting = usize::try_from(self.device.available_bytes() / 2 / bytes).unwrap_or(usize::MAX);
+        let piece = rays.len().min(RAYS_AT_A_TIME).min(fitting.max(FEWEST_RAYS));
+        let ray_buffer = Buffer::storage(&self.device, "rays", (piece * size_of::<Ray>()) as u64)?;
+        let hit_buffer = Buffer::storage(&self.device, "hits", (piece * size_of::<Hit>()) as u64)?;
         self.bindings.bind(binding::RAYS, &ray_buffer);
         self.bindings.bind(binding::HITS, &hit_buffer);
         self.cast_buffers = Some((ray_buffer, hit_buffer));
         let result = rays
-            .chunks(RAYS_AT_A_TIME)
-            .zip(hits.chunks_mut(RAYS_AT_A_TIME))
+            .chunks(piece)
+            .zip(hits.chunks_mut(piece))
             .try_for_each(|(rays, hits)| self.cast_piece(variant, rays, hits));
         self.bindings.bind(binding::RAYS, &self.nothing);
         self.bindings.bind(binding::HITS, &self.nothing);
@@ -43,7 +47,7 @@ impl Worker {
         result
     }
 
-    /// Casts at most [`RAYS_AT_A_TIME`] rays.
+    /// Casts as many rays as the buffers hold.
     fn cast_piece(&mut self, variant: Variant, rays: &[Ray], hits: &mut [Hit]) -> Result<(), TraceError> {
         let (ray_buffer, hit_buffer) = self.cast_buffers.take().ok_or(TraceError::NoScene)?;
         self.transfer.upload(&mut self.submitter, &ray_buffer, cast_slice(rays))?;
@@ -54,16 +58,30 @@ impl Worker {
                 .units()
                 .next_multiple_of(64)
                 .min(rays.len() as u64 - at)
-                .min(self.passes.most_items());
+                .min(self.passes.most_items())
+                .min(if variant.has_pages { self.pixels_at_a_time } else { u64::MAX });
             let dispatch = Dispatch { first: at as u32, count: count as u32, ..Dispatch::default() };
             let finished = self.submit("casting rays", variant, dispatch, count, None)?;
             self.cast_done(finished);
+            if variant.has_pages {
+                while let Some(finished) = self.submitter.wait()? {
+                    self.cast_done(Some(finished));
+                }
+                match self.serve_pages()? {
+                    Served::Everything => {}
+                    Served::Some => continue,
+                    Served::Nothing => {
+                        self.pixels_at_a_time = self.fewer_pixels(count)?;
+                        continue;
+                    }
+                }
+            }
             at += count;
         }
         while let Some(finished) = self.submitter.wait()? {
             self.cast_done(Some(finished));
         }
-        self.transfer.download(&mut self.submitter, &hit_buffer, cast_slice_mut(hits))?;
+        self.transfer.download(&mut self.submitter, &hit_buffer, 0, cast_slice_mut(hits))?;
         self.cast_buffers = Some((ray_buffer, hit_buffer));
         Ok(())
     }

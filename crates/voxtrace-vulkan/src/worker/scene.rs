@@ -10,6 +10,9 @@ use crate::statistics::Statistics;
 use std::sync::Arc;
 use voxtrace_core::{PackedScene, TraceError};
 
+/// Most bytes that a scene in pages leaves to films and to what goes up and down.
+const FOR_FILMS: u64 = 512 << 20;
+
 impl Worker {
     pub fn set_scene(&mut self, scene: &Arc<PackedScene>) -> Result<(), TraceError> {
         if let Some(buffers) = self.scene.as_mut().filter(|buffers| buffers.holds(scene)) {
@@ -21,7 +24,7 @@ impl Worker {
             return Ok(());
         }
         (self.scene, self.film, self.accel) = (None, None, None);
-        let buffers = SceneBuffers::new(&self.device, &mut self.submitter, &mut self.transfer, scene)?;
+        let buffers = self.buffers_of(scene)?;
         buffers.bind(&self.bindings);
         let Settings { traversal, primitive, is_exact } = self.settings;
         if traversal.uses_primitives() {
@@ -41,6 +44,31 @@ impl Worker {
         self.scene = Some(buffers);
         (self.render_batches, self.cast_batches) = (BatchSizer::new(self.submit_ms), BatchSizer::new(self.submit_ms));
         Ok(())
+    }
+
+    /// The scene on the device: whole, or in pages where that needs more memory than there is and no acceleration structure, which must be whole.
+    fn buffers_of(&mut self, scene: &Arc<PackedScene>) -> Result<SceneBuffers, TraceError> {
+        let (device, submitter, transfer) = (&self.device, &mut self.submitter, &mut self.transfer);
+        let (needed, available) = (SceneBuffers::bytes_of(scene), device.available_bytes());
+        // Cells for devices are made in memory: not of what cannot fit.
+        let whole = match needed <= available {
+            true => SceneBuffers::new(device, submitter, transfer, scene, None),
+            false => Err(TraceError::OutOfMemory { needed, available }),
+        };
+        match whole {
+            Err(TraceError::OutOfMemory { .. }) if self.settings.traversal == Traversal::Walk => {
+                let for_films = (available / 4).min(FOR_FILMS);
+                let paged = SceneBuffers::new(device, submitter, transfer, scene, Some(available - for_films));
+                paged.map_err(|error| match error {
+                    TraceError::OutOfMemory { needed, .. } => {
+                        let for_films = (needed / 3 + 1).min(FOR_FILMS);
+                        TraceError::OutOfMemory { needed: needed + for_films, available }
+                    }
+                    error => error,
+                })
+            }
+            result => result,
+        }
     }
 
     /// Takes a scene that differs from the last one in its placement alone, and writes nothing else.

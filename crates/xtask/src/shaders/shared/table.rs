@@ -133,6 +133,7 @@ pub const TABLE: &[Source] = &[
         ],
     },
     Source { file: "voxtrace-vulkan/src/variant.rs", items: &[named("constant", "CONSTANT")] },
+    Source { file: "voxtrace-vulkan/src/pages/mod.rs", items: &[same("PAGE_BITS"), same("PAGE_HEADER")] },
     Source { file: "voxtrace-vulkan/src/passes.rs", items: &[same("WORKGROUP")] },
     Source { file: "voxtrace-vulkan/src/method.rs", items: &[named("Primitive", "PRIMITIVE")] },
     Source {

@@ -1,0 +1,127 @@
+//! Scenes larger than the memory that they may take on a device: films and hits are those of the whole scene, bit for bit, however little of it
+//! is there at a time.
+
+use std::sync::Arc;
+use voxtrace::glam::{IVec3, Mat3, Vec3};
+use voxtrace::{
+    Camera, CpuTracer, Frame, Hit, Instance, Integrator, Material, PackedScene, Progress, Scene, TraceError, Tracer,
+    Transform, VoxelGrid,
+};
+use voxtrace_tests::gpu::{assert_valid, compare_hits, device, film, wanted};
+use voxtrace_tests::random::Random;
+use voxtrace_tests::rays::mixed;
+use voxtrace_vulkan::{Device, Options, Primitive, Settings, Traversal, VulkanTracer};
+
+/// Voxels along the edges of the hills.
+const EDGE: i32 = 1000;
+
+/// Hills of many materials, with lamps on them, and a small turned copy of them above: some 5 MB of voxels.
+fn hills() -> Scene {
+    let materials = (0..40).map(|i| match i {
+        0 => Material::emissive(Vec3::new(40.0, 30.0, 20.0)),
+        i => Material::diffuse(Vec3::new(0.2 + 0.015 * i as f32, 0.8 - 0.01 * i as f32, 0.4)),
+    });
+    let mut grid = VoxelGrid::new();
+    let mut random = Random(3);
+    for y in 0..EDGE {
+        for x in 0..EDGE {
+            let height = 30.0 * (x as f32 * 0.021).sin() * (y as f32 * 0.017).cos() + 6.0 * (x as f32 * 0.1).cos();
+            for depth in 0..3 {
+                grid.set(IVec3::new(x, y, height as i32 - depth), 1 + random.below(39) as u16);
+            }
+            if x % 47 == 5 && y % 53 == 9 {
+                grid.set(IVec3::new(x, y, height as i32 + 4), 0);
+            }
+        }
+    }
+    let mut scene = Scene::from_grid("hills", grid, materials.collect());
+    let linear = Mat3::from_axis_angle(Vec3::new(0.3, 0.5, 0.8).normalize(), 0.7) * 0.2;
+    scene.instances.push(Instance::new(0, Transform { linear, translation: Vec3::new(300.0, 300.0, 60.0) }));
+    scene
+}
+
+fn frame() -> Frame {
+    let camera = Camera::look_at(Vec3::new(-60.0, -40.0, 160.0), Vec3::new(350.0, 350.0, 0.0));
+    Frame::new(camera, 64, 36).samples(3).aovs(true).integrator(Integrator::Path)
+}
+
+/// A tracer that may take so many bytes beside what it takes without a scene.
+fn tracer_in(traversal: Traversal, budget: u64) -> Option<VulkanTracer> {
+    let settings = Settings { traversal, primitive: Primitive::Grid, is_exact: true };
+    let options = Options { validation: true, ..Options::default() };
+    let open = |budget| Device::open(options.clone(), Some(&wanted()?), budget).ok();
+    let idle = VulkanTracer::new(open(None)?, settings).ok()?.memory().total_bytes();
+    VulkanTracer::new(open(Some(idle + budget))?, settings).ok()
+}
+
+#[test]
+fn a_scene_in_pages_gives_the_film_and_the_hits_of_the_whole_scene() {
+    let Some(device) = device() else { return };
+    let scene = hills();
+    let rays = mixed(&scene.grids[0], 20_000, 7);
+    let scene = Arc::new(PackedScene::pack(&scene).unwrap());
+    let mut cpu = CpuTracer::new(None);
+    cpu.set_scene(&scene).unwrap();
+    let expected = film(&mut cpu, &frame());
+    let mut expected_hits = vec![Hit::MISS; rays.len()];
+    cpu.cast_into(&rays, &mut expected_hits).unwrap();
+
+    let geometry = scene.geometry();
+    let words = geometry.cells().len() + geometry.bricks().len() + geometry.brick_materials().len();
+    let others = size_of_val(geometry.emitters()) + size_of_val(geometry.light_nodes());
+    // A quarter of it, and two thirds; a quarter of what there is is left to films.
+    for (part, of) in [(1, 4), (2, 3)] {
+        let budget = ((4 * words * part / of + others) * 4 / 3) as u64;
+        let mut tracer = tracer_in(Traversal::Walk, budget).unwrap();
+        tracer.set_scene(&scene).unwrap();
+        assert_eq!(tracer.paged_bytes(), Some(0));
+        let ours = film(&mut tracer, &frame());
+        assert!(ours.pixels == expected.pixels && ours.aovs == expected.aovs, "{part} of {of}");
+        let loaded = tracer.paged_bytes().unwrap();
+        assert!(loaded > budget / 3, "{loaded} bytes of pages came");
+        let mut hits = vec![Hit::MISS; rays.len()];
+        tracer.cast_into(&rays, &mut hits).unwrap();
+        compare_hits(&rays, &hits, &expected_hits).unwrap();
+        let held = tracer.memory().entries.iter().find(|(name, _)| name.contains("pages")).map(|(_, bytes)| *bytes);
+        assert!(held.is_some_and(|bytes| bytes <= budget), "{held:?} of {budget}");
+        // A film that is broken off goes on.
+        let progress = Progress::default();
+        progress.cancel();
+        let other = frame().seed(9);
+        tracer.render(&other, &progress).unwrap();
+        assert!(film(&mut tracer, &other).pixels == film(&mut cpu, &other).pixels);
+        assert!(film(&mut cpu, &frame()) == expected);
+    }
+    // Pages that come with nothing in them are seen.
+    let mut tracer = tracer_in(Traversal::Walk, (4 * words / 2 + others) as u64).unwrap();
+    tracer.set_scene(&scene).unwrap();
+    tracer.empty_pages(9);
+    assert!(film(&mut tracer, &frame()).pixels != expected.pixels);
+    drop(tracer);
+    assert_valid(&device);
+}
+
+#[test]
+fn too_little_memory_is_said_with_what_it_takes() {
+    let Some(device) = device() else { return };
+    let scene = Arc::new(PackedScene::pack(&hills()).unwrap());
+    let mut tracer = tracer_in(Traversal::Walk, 1 << 17).unwrap();
+    let Err(TraceError::OutOfMemory { needed, available }) = tracer.set_scene(&scene) else {
+        panic!("it does not fit")
+    };
+    assert!(available < 1 << 17 && needed > available && needed < 1 << 20, "{needed} of {available}");
+    // What it takes suffices.
+    let mut tracer = tracer_in(Traversal::Walk, needed * 4 / 3 + 1).unwrap();
+    tracer.set_scene(&scene).unwrap();
+    assert_eq!(tracer.paged_bytes(), Some(0));
+    // Structures of ray tracing hardware must be whole.
+    if let Some(mut tracer) = tracer_in(Traversal::Query, 1 << 20) {
+        assert!(matches!(tracer.set_scene(&scene), Err(TraceError::OutOfMemory { .. })));
+    }
+    // Where it fits it is whole.
+    let mut tracer = tracer_in(Traversal::Walk, 1 << 30).unwrap();
+    tracer.set_scene(&scene).unwrap();
+    assert_eq!(tracer.paged_bytes(), None);
+    drop(tracer);
+    assert_valid(&device);
+}
