@@ -1669,12 +1669,12 @@ var<private> is_page_missing_0 : bool;
 fn word_in_pages_0( index_3 : u32,  first_2 : u32) -> u32
 {
     var page_0 : u32 = first_2 + ((index_3 >> (u32(12))));
-    var mark_0 : u32 = u32(4) + pages_0[i32(2)] + page_0;
+    var mark_0 : u32 = u32(8) + pages_0[i32(0)] + page_0;
     if(pages_0[mark_0] == u32(0))
     {
         pages_0[mark_0] = u32(1);
     }
-    var slot_0 : u32 = pages_0[u32(4) + page_0];
+    var slot_0 : u32 = pages_0[u32(8) + page_0];
     var _S84 : bool;
     if(is_page_missing_0)
     {
@@ -1777,7 +1777,7 @@ fn place_of_brick_0( index_6 : u32) -> u32
     var _S91 : u32;
     if(HAS_PAGES_0)
     {
-        var _S92 : u32 = word_in_pages_0(index_6, pages_0[i32(0)]);
+        var _S92 : u32 = word_in_pages_0(index_6, pages_0[i32(1)]);
         _S91 = _S92;
     }
     else
@@ -3006,7 +3006,7 @@ fn place_of_material_0( index_10 : u32) -> u32
     var _S197 : u32;
     if(HAS_PAGES_0)
     {
-        var _S198 : u32 = word_in_pages_0(index_10, pages_0[i32(1)]);
+        var _S198 : u32 = word_in_pages_0(index_10, pages_0[i32(2)]);
         _S197 = _S198;
     }
     else
@@ -3601,6 +3601,10 @@ fn descend_0( receiver_5 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<function
         {
             break;
         }
+        if(waits_for_pages_0())
+        {
+            return false;
+        }
         var left_1 : LightNode_0 = TopLights_node_0((*descent_1).node_0 + u32(1));
         var right_3 : LightNode_0 = TopLights_node_0((*descent_1).index_14);
         var weights_1 : vec2<f32> = weights_of_0(view_0(left_1, receiver_5).importance_0, view_0(right_3, receiver_5).importance_0);
@@ -3708,19 +3712,82 @@ fn in_grid_0( instance_9 : u32,  receiver_6 : Receiver_0) -> Receiver_0
     return Receiver_x24init_0(Transform_point_0(instance_9, receiver_6.point_0), normalize_vector_0(Transform_direction_0(instance_9, receiver_6.normal_2)));
 }
 
-fn GridLights_node_0( index_17 : u32) -> LightNode_0
+fn lights_in_pages_0() -> bool
 {
-    var _S278 : LightNode_std430_0 = light_nodes_0[index_17];
-    var _S279 : LightNode_0 = LightNode_0( _S278.min_2, _S278.index_1, _S278.max_2, _S278.count_1, _S278.power_0, _S278.parent_0, _S278.root_0 );
+    var _S278 : bool;
+    if(HAS_PAGES_0)
+    {
+        _S278 = pages_0[u32(5)] != u32(0);
+    }
+    else
+    {
+        _S278 = false;
+    }
+    return _S278;
+}
+
+fn place_in_light_node_0( node_6 : u32,  word_5 : u32) -> u32
+{
+    var _S279 : u32 = word_in_pages_0(node_6 * u32(16) + word_5, pages_0[i32(4)]);
     return _S279;
+}
+
+fn light_node_at_0( index_17 : u32) -> LightNode_0
+{
+    if(!lights_in_pages_0())
+    {
+        var _S280 : LightNode_std430_0 = light_nodes_0[index_17];
+        var _S281 : LightNode_0 = LightNode_0( _S280.min_2, _S280.index_1, _S280.max_2, _S280.count_1, _S280.power_0, _S280.parent_0, _S280.root_0 );
+        return _S281;
+    }
+    var at_2 : u32 = place_in_light_node_0(index_17, u32(0));
+    var node_7 : LightNode_0;
+    var i_0 : u32 = u32(0);
+    for(;;)
+    {
+        if(i_0 < u32(3))
+        {
+        }
+        else
+        {
+            break;
+        }
+        node_7.min_2[i_0] = (bitcast<f32>((cells_0[at_2 + i_0])));
+        node_7.max_2[i_0] = (bitcast<f32>((cells_0[at_2 + u32(4) + i_0])));
+        i_0 = i_0 + u32(1);
+    }
+    node_7.index_1 = cells_0[at_2 + u32(3)];
+    node_7.count_1 = cells_0[at_2 + u32(7)];
+    i_0 = u32(0);
+    for(;;)
+    {
+        if(i_0 < u32(6))
+        {
+        }
+        else
+        {
+            break;
+        }
+        node_7.power_0[i_0] = (bitcast<f32>((cells_0[at_2 + u32(8) + i_0])));
+        i_0 = i_0 + u32(1);
+    }
+    node_7.parent_0 = cells_0[at_2 + u32(14)];
+    node_7.root_0 = cells_0[at_2 + u32(15)];
+    return node_7;
+}
+
+fn GridLights_node_0( index_18 : u32) -> LightNode_0
+{
+    var _S282 : LightNode_0 = light_node_at_0(index_18);
+    return _S282;
 }
 
 fn Descent_at_1( this_37 : ptr<function, Descent_0>,  root_3 : u32)
 {
-    var node_6 : LightNode_0 = GridLights_node_0(root_3);
+    var node_8 : LightNode_0 = GridLights_node_0(root_3);
     (*this_37).node_0 = root_3;
-    (*this_37).index_14 = node_6.index_1;
-    (*this_37).count_4 = node_6.count_1;
+    (*this_37).index_14 = node_8.index_1;
+    (*this_37).count_4 = node_8.count_1;
     (*this_37).is_far_0 = false;
     return;
 }
@@ -3729,50 +3796,54 @@ fn descend_1( receiver_7 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<function
 {
     for(;;)
     {
-        var _S280 : bool;
+        var _S283 : bool;
         if(((*descent_2).count_4) == u32(0))
         {
-            _S280 = !(*descent_2).is_far_0;
+            _S283 = !(*descent_2).is_far_0;
         }
         else
         {
-            _S280 = false;
+            _S283 = false;
         }
-        if(_S280)
+        if(_S283)
         {
         }
         else
         {
             break;
         }
+        if(waits_for_pages_0())
+        {
+            return false;
+        }
         var left_2 : LightNode_0 = GridLights_node_0((*descent_2).node_0 + u32(1));
         var right_4 : LightNode_0 = GridLights_node_0((*descent_2).index_14);
         var of_left_0 : View_0 = view_0(left_2, receiver_7);
         var of_right_0 : View_0 = view_0(right_4, receiver_7);
         var weights_2 : vec2<f32> = weights_of_0(of_left_0.importance_0, of_right_0.importance_0);
-        var _S281 : f32 = weights_2.x;
-        var _S282 : f32 = weights_2.y;
-        var total_4 : f32 = _S281 + _S282;
+        var _S284 : f32 = weights_2.x;
+        var _S285 : f32 = weights_2.y;
+        var total_4 : f32 = _S284 + _S285;
         if(!(total_4 > 0.0f))
         {
             return false;
         }
-        var _S283 : bool;
-        if(_S282 <= 0.0f)
+        var _S286 : bool;
+        if(_S285 <= 0.0f)
         {
-            _S283 = true;
+            _S286 = true;
         }
         else
         {
-            _S283 = ((*descent_2).choice_0 * total_4) < (_S281 * (*descent_2).weight_0);
+            _S286 = ((*descent_2).choice_0 * total_4) < (_S284 * (*descent_2).weight_0);
         }
         var is_left_2 : bool;
         if(aim_1.is_met_0)
         {
-            var _S284 : vec3<f32> = vec3<f32>(aim_1.hit_3.voxel_4);
-            if((all((_S284 >= (vector_of_0(left_2.min_2))))))
+            var _S287 : vec3<f32> = vec3<f32>(aim_1.hit_3.voxel_4);
+            if((all((_S287 >= (vector_of_0(left_2.min_2))))))
             {
-                is_left_2 = (all((_S284 < (vector_of_0(left_2.max_2)))));
+                is_left_2 = (all((_S287 < (vector_of_0(left_2.max_2)))));
             }
             else
             {
@@ -3781,72 +3852,72 @@ fn descend_1( receiver_7 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<function
         }
         else
         {
-            is_left_2 = _S283;
+            is_left_2 = _S286;
         }
-        var _S285 : f32 = (*descent_2).choice_0 * total_4;
-        var _S286 : f32;
+        var _S288 : f32 = (*descent_2).choice_0 * total_4;
+        var _S289 : f32;
         if(is_left_2)
         {
-            _S286 = 0.0f;
+            _S289 = 0.0f;
         }
         else
         {
-            _S286 = _S281 * (*descent_2).weight_0;
+            _S289 = _S284 * (*descent_2).weight_0;
         }
-        (*descent_2).choice_0 = _S285 - _S286;
-        var _S287 : u32;
+        (*descent_2).choice_0 = _S288 - _S289;
+        var _S290 : u32;
         if(is_left_2)
         {
-            _S287 = (*descent_2).node_0 + u32(1);
+            _S290 = (*descent_2).node_0 + u32(1);
         }
         else
         {
-            _S287 = (*descent_2).index_14;
+            _S290 = (*descent_2).index_14;
         }
-        (*descent_2).node_0 = _S287;
-        var _S288 : u32;
+        (*descent_2).node_0 = _S290;
+        var _S291 : u32;
         if(is_left_2)
         {
-            _S288 = left_2.index_1;
+            _S291 = left_2.index_1;
         }
         else
         {
-            _S288 = right_4.index_1;
+            _S291 = right_4.index_1;
         }
-        (*descent_2).index_14 = _S288;
-        var _S289 : u32;
+        (*descent_2).index_14 = _S291;
+        var _S292 : u32;
         if(is_left_2)
         {
-            _S289 = left_2.count_1;
+            _S292 = left_2.count_1;
         }
         else
         {
-            _S289 = right_4.count_1;
+            _S292 = right_4.count_1;
         }
-        (*descent_2).count_4 = _S289;
-        var _S290 : bool;
+        (*descent_2).count_4 = _S292;
+        var _S293 : bool;
         if(is_left_2)
         {
-            _S290 = of_left_0.is_far_2;
+            _S293 = of_left_0.is_far_2;
         }
         else
         {
-            _S290 = of_right_0.is_far_2;
+            _S293 = of_right_0.is_far_2;
         }
-        (*descent_2).is_far_0 = _S290;
-        var _S291 : f32;
+        (*descent_2).is_far_0 = _S293;
+        var _S294 : f32;
         if(is_left_2)
         {
-            _S291 = _S281;
+            _S294 = _S284;
         }
         else
         {
-            _S291 = _S282;
+            _S294 = _S285;
         }
-        var _S292 : f32 = (*descent_2).weight_0 * _S291;
-        (*descent_2).weight_0 = _S292;
+        var _S295 : f32 = (*descent_2).weight_0 * _S294;
+        (*descent_2).weight_0 = _S295;
         (*descent_2).total_0 = (*descent_2).total_0 * total_4;
-        if(_S292 <= 0.0f)
+        if(_S295 <= 0.0f)
         {
             return false;
         }
@@ -3854,38 +3925,32 @@ fn descend_1( receiver_7 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<function
     return true;
 }
 
-fn sent_by_side_2( _S293 : u32,  _S294 : vec3<f32>,  _S295 : f32) -> BySide_0
-{
-    var _S296 : vec3<f32> = vec3<f32>(0.0f);
-    var _S297 : vec3<f32> = vec3<f32>(_S295);
-    return BySide_x24init_0(vec3<f32>(light_nodes_0[_S293].power_0[i32(0)], light_nodes_0[_S293].power_0[i32(2)], light_nodes_0[_S293].power_0[i32(4)]) * min(max(vector_of_0(light_nodes_0[_S293].max_2) - _S294, _S296), _S297), vec3<f32>(light_nodes_0[_S293].power_0[i32(1)], light_nodes_0[_S293].power_0[i32(3)], light_nodes_0[_S293].power_0[i32(5)]) * min(max(_S294 - vector_of_0(light_nodes_0[_S293].min_2), _S296), _S297));
-}
-
 fn choose_side_0( point_3 : vec3<f32>,  is_met_2 : bool,  way_3 : Descent_0,  side_1 : ptr<function, u32>,  odds_0 : ptr<function, vec2<f32>>) -> bool
 {
-    var _S298 : vec3<f32> = vector_of_0(light_nodes_0[way_3.node_0].max_2);
-    var _S299 : vec3<f32> = vector_of_0(light_nodes_0[way_3.node_0].min_2);
-    var _S300 : vec3<f32> = vec3<f32>(0.5f);
-    var half_3 : vec3<f32> = (_S298 - _S299) * _S300;
-    var toward_2 : vec3<f32> = (_S299 + _S298) * _S300 - point_3;
-    var _S301 : BySide_0 = sent_by_side_2(way_3.node_0, point_3, length_bound_0(select(half_3, abs(toward_2), vec3<bool>(((length_squared_0(toward_2)) > (length_squared_0(half_3)))))));
-    var sum_3 : f32 = normal_or_zero_0(BySide_sum_0(_S301));
+    var node_9 : LightNode_0 = light_node_at_0(way_3.node_0);
+    var _S296 : vec3<f32> = vector_of_0(node_9.max_2);
+    var _S297 : vec3<f32> = vector_of_0(node_9.min_2);
+    var _S298 : vec3<f32> = vec3<f32>(0.5f);
+    var half_3 : vec3<f32> = (_S296 - _S297) * _S298;
+    var toward_2 : vec3<f32> = (_S297 + _S296) * _S298 - point_3;
+    var sent_2 : BySide_0 = sent_by_side_0(node_9, point_3, length_bound_0(select(half_3, abs(toward_2), vec3<bool>(((length_squared_0(toward_2)) > (length_squared_0(half_3)))))));
+    var sum_3 : f32 = normal_or_zero_0(BySide_sum_0(sent_2));
     var unit_1 : f32 = inverse_power_of_two_0(sum_3);
     var total_5 : f32 = sum_3 * unit_1;
-    var _S302 : f32 = way_3.choice_0 * total_5;
-    var _S303 : u32 = (*side_1);
-    var share_1 : f32 = normal_or_zero_0(_S301.low_7[u32(0)] * unit_1);
-    var _S304 : bool;
+    var _S299 : f32 = way_3.choice_0 * total_5;
+    var _S300 : u32 = (*side_1);
+    var share_1 : f32 = normal_or_zero_0(sent_2.low_7[u32(0)] * unit_1);
+    var _S301 : bool;
     if(is_met_2)
     {
-        _S304 = u32(0) == _S303;
+        _S301 = u32(0) == _S300;
     }
     else
     {
-        _S304 = share_1 > 0.0f;
+        _S301 = share_1 > 0.0f;
     }
     var chosen_2 : f32;
-    if(_S304)
+    if(_S301)
     {
         (*side_1) = u32(0);
         chosen_2 = share_1;
@@ -3894,145 +3959,145 @@ fn choose_side_0( point_3 : vec3<f32>,  is_met_2 : bool,  way_3 : Descent_0,  si
     {
         chosen_2 = 0.0f;
     }
-    var _S305 : bool = _S302 < (share_1 * way_3.weight_0);
-    var share_2 : f32 = normal_or_zero_0(_S301.high_4[u32(0)] * unit_1);
+    var _S302 : bool = _S299 < (share_1 * way_3.weight_0);
+    var share_2 : f32 = normal_or_zero_0(sent_2.high_4[u32(0)] * unit_1);
     if(is_met_2)
     {
-        _S304 = u32(1) == _S303;
+        _S301 = u32(1) == _S300;
     }
     else
     {
         if(share_2 > 0.0f)
         {
-            _S304 = !_S305;
+            _S301 = !_S302;
         }
         else
         {
-            _S304 = false;
+            _S301 = false;
         }
     }
-    if(_S304)
+    if(_S301)
     {
         (*side_1) = u32(1);
         chosen_2 = share_2;
     }
     var passed_0 : f32 = share_1 + share_2;
-    if(_S305)
+    if(_S302)
     {
-        _S304 = true;
+        _S301 = true;
     }
     else
     {
-        _S304 = _S302 < (passed_0 * way_3.weight_0);
+        _S301 = _S299 < (passed_0 * way_3.weight_0);
     }
-    var share_3 : f32 = normal_or_zero_0(_S301.low_7[u32(1)] * unit_1);
-    var _S306 : bool;
+    var share_3 : f32 = normal_or_zero_0(sent_2.low_7[u32(1)] * unit_1);
+    var _S303 : bool;
     if(is_met_2)
     {
-        _S306 = u32(2) == _S303;
+        _S303 = u32(2) == _S300;
     }
     else
     {
         if(share_3 > 0.0f)
         {
-            _S306 = !_S304;
+            _S303 = !_S301;
         }
         else
         {
-            _S306 = false;
+            _S303 = false;
         }
     }
-    if(_S306)
+    if(_S303)
     {
         (*side_1) = u32(2);
         chosen_2 = share_3;
     }
     var passed_1 : f32 = passed_0 + share_3;
-    if(_S304)
+    if(_S301)
     {
-        _S304 = true;
+        _S301 = true;
     }
     else
     {
-        _S304 = _S302 < (passed_1 * way_3.weight_0);
+        _S301 = _S299 < (passed_1 * way_3.weight_0);
     }
-    var share_4 : f32 = normal_or_zero_0(_S301.high_4[u32(1)] * unit_1);
+    var share_4 : f32 = normal_or_zero_0(sent_2.high_4[u32(1)] * unit_1);
     if(is_met_2)
     {
-        _S306 = u32(3) == _S303;
+        _S303 = u32(3) == _S300;
     }
     else
     {
         if(share_4 > 0.0f)
         {
-            _S306 = !_S304;
+            _S303 = !_S301;
         }
         else
         {
-            _S306 = false;
+            _S303 = false;
         }
     }
-    if(_S306)
+    if(_S303)
     {
         (*side_1) = u32(3);
         chosen_2 = share_4;
     }
     var passed_2 : f32 = passed_1 + share_4;
-    if(_S304)
+    if(_S301)
     {
-        _S304 = true;
+        _S301 = true;
     }
     else
     {
-        _S304 = _S302 < (passed_2 * way_3.weight_0);
+        _S301 = _S299 < (passed_2 * way_3.weight_0);
     }
-    var share_5 : f32 = normal_or_zero_0(_S301.low_7[u32(2)] * unit_1);
+    var share_5 : f32 = normal_or_zero_0(sent_2.low_7[u32(2)] * unit_1);
     if(is_met_2)
     {
-        _S306 = u32(4) == _S303;
+        _S303 = u32(4) == _S300;
     }
     else
     {
         if(share_5 > 0.0f)
         {
-            _S306 = !_S304;
+            _S303 = !_S301;
         }
         else
         {
-            _S306 = false;
+            _S303 = false;
         }
     }
-    if(_S306)
+    if(_S303)
     {
         (*side_1) = u32(4);
         chosen_2 = share_5;
     }
     var passed_3 : f32 = passed_2 + share_5;
-    if(_S304)
+    if(_S301)
     {
-        _S304 = true;
+        _S301 = true;
     }
     else
     {
-        _S304 = _S302 < (passed_3 * way_3.weight_0);
+        _S301 = _S299 < (passed_3 * way_3.weight_0);
     }
-    var share_6 : f32 = normal_or_zero_0(_S301.high_4[u32(2)] * unit_1);
+    var share_6 : f32 = normal_or_zero_0(sent_2.high_4[u32(2)] * unit_1);
     if(is_met_2)
     {
-        _S304 = u32(5) == _S303;
+        _S301 = u32(5) == _S300;
     }
     else
     {
         if(share_6 > 0.0f)
         {
-            _S304 = !_S304;
+            _S301 = !_S301;
         }
         else
         {
-            _S304 = false;
+            _S301 = false;
         }
     }
-    if(_S304)
+    if(_S301)
     {
         (*side_1) = u32(5);
         chosen_2 = share_6;
@@ -4040,11 +4105,26 @@ fn choose_side_0( point_3 : vec3<f32>,  is_met_2 : bool,  way_3 : Descent_0,  si
     (*odds_0) = vec2<f32>(way_3.weight_0 * chosen_2, way_3.total_0 * total_5);
     if(sum_3 > 0.0f)
     {
-        _S304 = ((*odds_0).x) > 0.0f;
+        _S301 = ((*odds_0).x) > 0.0f;
     }
     else
     {
-        _S304 = false;
+        _S301 = false;
+    }
+    return _S301;
+}
+
+fn light_power_at_0( index_19 : u32,  side_2 : u32) -> f32
+{
+    var _S304 : f32;
+    if(lights_in_pages_0())
+    {
+        var _S305 : u32 = place_in_light_node_0(index_19, u32(8) + side_2);
+        _S304 = (bitcast<f32>((cells_0[_S305])));
+    }
+    else
+    {
+        _S304 = light_nodes_0[index_19].power_0[side_2];
     }
     return _S304;
 }
@@ -4090,30 +4170,108 @@ struct Emitter_0
      leaf_0 : u32,
 };
 
-fn choose_emitter_0( way_4 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Emitter_0
+fn below_light_node_0( index_20 : u32) -> vec2<u32>
 {
+    if(!lights_in_pages_0())
+    {
+        return vec2<u32>(light_nodes_0[index_20].index_1, light_nodes_0[index_20].count_1);
+    }
+    var at_3 : u32 = place_in_light_node_0(index_20, u32(0));
+    return vec2<u32>(cells_0[at_3 + u32(3)], cells_0[at_3 + u32(7)]);
+}
+
+fn place_in_emitter_0( emitter_0 : u32,  word_6 : u32) -> u32
+{
+    var _S306 : u32 = word_in_pages_0(emitter_0 * u32(8) + word_6, pages_0[i32(3)]);
+    return _S306;
+}
+
+fn emitter_faces_at_0( index_21 : u32) -> u32
+{
+    var _S307 : u32;
+    if(lights_in_pages_0())
+    {
+        var _S308 : u32 = place_in_emitter_0(index_21, u32(4));
+        _S307 = cells_0[_S308];
+    }
+    else
+    {
+        _S307 = emitters_0[index_21].faces_0;
+    }
+    return _S307;
+}
+
+fn emitter_luminance_at_0( index_22 : u32) -> f32
+{
+    var _S309 : f32;
+    if(lights_in_pages_0())
+    {
+        var _S310 : u32 = place_in_emitter_0(index_22, u32(6));
+        _S309 = (bitcast<f32>((cells_0[_S310])));
+    }
+    else
+    {
+        _S309 = emitters_0[index_22].luminance_0;
+    }
+    return _S309;
+}
+
+fn Emitter_x24init_0( voxel_21 : array<i32, i32(3)>,  grid_2 : u32,  faces_1 : u32,  material_5 : u32,  luminance_5 : f32,  leaf_1 : u32) -> Emitter_0
+{
+    var _S311 : Emitter_0;
+    _S311.voxel_1 = voxel_21;
+    _S311.grid_1 = grid_2;
+    _S311.faces_0 = faces_1;
+    _S311.material_0 = material_5;
+    _S311.luminance_0 = luminance_5;
+    _S311.leaf_0 = leaf_1;
+    return _S311;
+}
+
+fn emitter_at_0( index_23 : u32) -> Emitter_0
+{
+    if(!lights_in_pages_0())
+    {
+        var _S312 : Emitter_std430_0 = emitters_0[index_23];
+        var _S313 : Emitter_0 = Emitter_0( _S312.voxel_1, _S312.grid_1, _S312.faces_0, _S312.material_0, _S312.luminance_0, _S312.leaf_0 );
+        return _S313;
+    }
+    var at_4 : u32 = place_in_emitter_0(index_23, u32(0));
+    var _S314 : array<i32, i32(3)> = array<i32, i32(3)>( i32(cells_0[at_4]), i32(cells_0[at_4 + u32(1)]), i32(cells_0[at_4 + u32(2)]) );
+    return Emitter_x24init_0(_S314, cells_0[at_4 + u32(3)], cells_0[at_4 + u32(4)], cells_0[at_4 + u32(5)], (bitcast<f32>((cells_0[at_4 + u32(6)]))), cells_0[at_4 + u32(7)]);
+}
+
+fn choose_emitter_0( way_4 : Descent_0,  side_3 : u32,  threshold_1 : f32) -> Emitter_0
+{
+    var is_found_3 : bool;
     var is_left_3 : bool;
     var count_6 : u32 = way_4.count_4;
-    var node_7 : u32 = way_4.node_0;
-    var index_18 : u32 = way_4.index_14;
-    var _S307 : f32 = threshold_1;
+    var node_10 : u32 = way_4.node_0;
+    var index_24 : u32 = way_4.index_14;
+    var _S315 : f32 = threshold_1;
     for(;;)
     {
         if(count_6 == u32(0))
+        {
+            is_found_3 = !waits_for_pages_0();
+        }
+        else
+        {
+            is_found_3 = false;
+        }
+        if(is_found_3)
         {
         }
         else
         {
             break;
         }
-        var left_3 : u32 = node_7 + u32(1);
-        var power_left_0 : f32 = light_nodes_0[left_3].power_0[side_2];
-        var power_right_0 : f32 = light_nodes_0[index_18].power_0[side_2];
-        var _S308 : u32 = light_nodes_0[left_3].index_1;
-        var _S309 : u32 = light_nodes_0[left_3].count_1;
-        var _S310 : u32 = light_nodes_0[index_18].index_1;
-        var _S311 : u32 = light_nodes_0[index_18].count_1;
-        if(_S307 < (light_nodes_0[left_3].power_0[side_2]))
+        var left_3 : u32 = node_10 + u32(1);
+        var power_left_0 : f32 = light_power_at_0(left_3, side_3);
+        var power_right_0 : f32 = light_power_at_0(index_24, side_3);
+        var below_left_0 : vec2<u32> = below_light_node_0(left_3);
+        var below_right_0 : vec2<u32> = below_light_node_0(index_24);
+        if(_S315 < power_left_0)
         {
             is_left_3 = true;
         }
@@ -4126,66 +4284,68 @@ fn choose_emitter_0( way_4 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
         }
         else
         {
-            _S307 = _S307 - power_left_0;
+            _S315 = _S315 - power_left_0;
         }
         if(is_left_3)
         {
-            node_7 = left_3;
+            node_10 = left_3;
         }
         else
         {
-            node_7 = index_18;
+            node_10 = index_24;
         }
         if(is_left_3)
         {
-            index_18 = _S308;
+            index_24 = below_left_0.x;
         }
         else
         {
-            index_18 = _S310;
+            index_24 = below_right_0.x;
         }
         if(is_left_3)
         {
-            count_6 = _S309;
+            count_6 = below_left_0.y;
         }
         else
         {
-            count_6 = _S311;
+            count_6 = below_right_0.y;
         }
     }
-    is_left_3 = false;
-    var chosen_3 : u32 = index_18;
-    var at_2 : u32 = index_18;
+    is_found_3 = false;
+    var chosen_3 : u32 = index_24;
+    var at_5 : u32 = index_24;
     for(;;)
     {
-        var _S312 : bool;
-        if(at_2 < (index_18 + count_6))
+        if(at_5 < (index_24 + count_6))
         {
-            _S312 = !is_left_3;
+            is_left_3 = !is_found_3;
         }
         else
         {
-            _S312 = false;
+            is_left_3 = false;
         }
-        if(_S312)
+        if(is_left_3)
         {
         }
         else
         {
             break;
         }
-        if((((((emitters_0[at_2].faces_0) >> (side_2))) & (u32(1)))) != u32(0))
+        var _S316 : u32 = emitter_faces_at_0(at_5);
+        if(((((_S316 >> (side_3))) & (u32(1)))) != u32(0))
         {
-            var _S313 : f32 = _S307 - emitters_0[at_2].luminance_0;
-            is_left_3 = _S307 < (emitters_0[at_2].luminance_0);
-            chosen_3 = at_2;
-            _S307 = _S313;
+            var _S317 : f32 = emitter_luminance_at_0(at_5);
+            var _S318 : bool = _S315 < _S317;
+            var _S319 : f32 = emitter_luminance_at_0(at_5);
+            var _S320 : f32 = _S315 - _S319;
+            is_found_3 = _S318;
+            chosen_3 = at_5;
+            _S315 = _S320;
         }
-        at_2 = at_2 + u32(1);
+        at_5 = at_5 + u32(1);
     }
-    var _S314 : Emitter_std430_0 = emitters_0[chosen_3];
-    var _S315 : Emitter_0 = Emitter_0( _S314.voxel_1, _S314.grid_1, _S314.faces_0, _S314.material_0, _S314.luminance_0, _S314.leaf_0 );
-    return _S315;
+    var _S321 : Emitter_0 = emitter_at_0(chosen_3);
+    return _S321;
 }
 
 fn point_of_face_0( low_9 : vec3<f32>,  face_4 : u32,  u_6 : f32,  v_4 : f32) -> vec3<f32>
@@ -4218,19 +4378,19 @@ fn margin_of_0( translation_1 : vec3<f32>,  low_10 : vec3<f32>) -> f32
 fn offset_ray_origin_0( translation_2 : vec3<f32>,  low_11 : vec3<f32>,  face_5 : u32,  point_4 : vec3<f32>) -> vec3<f32>
 {
     var margin_0 : f32 = margin_of_0(translation_2, low_11);
-    var _S316 : vec3<f32> = vec3<f32>(margin_0);
-    var moved_0 : vec3<f32> = min(max(point_4, low_11 + _S316), low_11 + vec3<f32>((1.0f - margin_0)));
-    var _S317 : bool = face_5 < u32(2);
-    var _S318 : bool;
+    var _S322 : vec3<f32> = vec3<f32>(margin_0);
+    var moved_0 : vec3<f32> = min(max(point_4, low_11 + _S322), low_11 + vec3<f32>((1.0f - margin_0)));
+    var _S323 : bool = face_5 < u32(2);
+    var _S324 : bool;
     if(face_5 >= u32(2))
     {
-        _S318 = face_5 < u32(4);
+        _S324 = face_5 < u32(4);
     }
     else
     {
-        _S318 = false;
+        _S324 = false;
     }
-    var is_axis_2 : vec3<bool> = vec3<bool>(_S317, _S318, face_5 >= u32(4));
+    var is_axis_2 : vec3<bool> = vec3<bool>(_S323, _S324, face_5 >= u32(4));
     var outside_0 : vec3<f32>;
     if(((face_5 & (u32(1)))) == u32(1))
     {
@@ -4238,24 +4398,24 @@ fn offset_ray_origin_0( translation_2 : vec3<f32>,  low_11 : vec3<f32>,  face_5 
     }
     else
     {
-        outside_0 = low_11 - _S316;
+        outside_0 = low_11 - _S322;
     }
     return select(moved_0, outside_0, is_axis_2);
 }
 
-fn Transform_direction_1( _S319 : u32,  _S320 : vec3<f32>) -> vec3<f32>
+fn Transform_direction_1( _S325 : u32,  _S326 : vec3<f32>) -> vec3<f32>
 {
-    return vector_of_0(instances_0[_S319].world_from_grid_0.x_axis_0) * vec3<f32>(_S320.x) + vector_of_0(instances_0[_S319].world_from_grid_0.y_axis_0) * vec3<f32>(_S320.y) + vector_of_0(instances_0[_S319].world_from_grid_0.z_axis_0) * vec3<f32>(_S320.z);
+    return vector_of_0(instances_0[_S325].world_from_grid_0.x_axis_0) * vec3<f32>(_S326.x) + vector_of_0(instances_0[_S325].world_from_grid_0.y_axis_0) * vec3<f32>(_S326.y) + vector_of_0(instances_0[_S325].world_from_grid_0.z_axis_0) * vec3<f32>(_S326.z);
 }
 
-fn Transform_point_1( _S321 : u32,  _S322 : vec3<f32>) -> vec3<f32>
+fn Transform_point_1( _S327 : u32,  _S328 : vec3<f32>) -> vec3<f32>
 {
-    return Transform_direction_1(_S321, _S322) + vector_of_0(instances_0[_S321].world_from_grid_0.translation_0);
+    return Transform_direction_1(_S327, _S328) + vector_of_0(instances_0[_S327].world_from_grid_0.translation_0);
 }
 
-fn emitted_1( _S323 : u32) -> vec3<f32>
+fn emitted_1( _S329 : u32) -> vec3<f32>
 {
-    return vector_of_0(materials_0[_S323].emission_0) * vec3<f32>(params_0.emitter_intensity_0);
+    return vector_of_0(materials_0[_S329].emission_0) * vec3<f32>(params_0.emitter_intensity_0);
 }
 
 fn sample_emitter_0( receiver_8 : Receiver_0,  u_7 : vec4<f32>,  aim_2 : Aim_0,  sample_8 : ptr<function, LightSample_0>) -> bool
@@ -4267,45 +4427,45 @@ fn sample_emitter_0( receiver_8 : Receiver_0,  u_7 : vec4<f32>,  aim_2 : Aim_0, 
     }
     var descent_3 : Descent_0 = Descent_x24init_0(u32(0), u32(0), u32(0), 1.0f, 1.0f, u_7.x, false);
     Descent_at_0(&(descent_3), u32(0));
-    var _S324 : bool;
+    var _S330 : bool;
     if(!IS_SINGLE_0)
     {
-        _S324 = aim_2.is_met_0;
+        _S330 = aim_2.is_met_0;
     }
     else
     {
-        _S324 = false;
+        _S330 = false;
     }
-    if(_S324)
+    if(_S330)
     {
-        var leaf_1 : u32 = instances_0[aim_2.hit_3.instance_3].light_leaf_0;
+        var leaf_2 : u32 = instances_0[aim_2.hit_3.instance_3].light_leaf_0;
         if((instances_0[aim_2.hit_3.instance_3].light_leaf_0) == u32(4294967295))
         {
-            _S324 = true;
+            _S330 = true;
         }
         else
         {
-            var _S325 : bool = climb_0(receiver_8, leaf_1, &(descent_3));
-            _S324 = !_S325;
+            var _S331 : bool = climb_0(receiver_8, leaf_2, &(descent_3));
+            _S330 = !_S331;
         }
-        if(_S324)
+        if(_S330)
         {
             return false;
         }
-        Descent_at_0(&(descent_3), leaf_1);
+        Descent_at_0(&(descent_3), leaf_2);
     }
     else
     {
         if(!IS_SINGLE_0)
         {
-            var _S326 : bool = descend_0(receiver_8, by_chance_0(), &(descent_3));
-            _S324 = !_S326;
+            var _S332 : bool = descend_0(receiver_8, by_chance_0(), &(descent_3));
+            _S330 = !_S332;
         }
         else
         {
-            _S324 = false;
+            _S330 = false;
         }
-        if(_S324)
+        if(_S330)
         {
             return false;
         }
@@ -4313,116 +4473,116 @@ fn sample_emitter_0( receiver_8 : Receiver_0,  u_7 : vec4<f32>,  aim_2 : Aim_0, 
     var chosen_instance_0 : u32 = descent_3.index_14;
     var local_1 : Receiver_0 = in_grid_0(descent_3.index_14, receiver_8);
     Descent_at_1(&(descent_3), top_light_nodes_0[descent_3.node_0].root_0);
-    var _S327 : bool = descend_1(local_1, aim_2, &(descent_3));
-    if(!_S327)
+    var _S333 : bool = descend_1(local_1, aim_2, &(descent_3));
+    if(!_S333)
     {
         return false;
     }
-    var side_3 : u32 = aim_2.hit_3.face_1;
+    var side_4 : u32 = aim_2.hit_3.face_1;
     var odds_2 : vec2<f32>;
-    var _S328 : bool = choose_side_0(local_1.point_0, aim_2.is_met_0, descent_3, &(side_3), &(odds_2));
-    if(!_S328)
+    var _S334 : bool = choose_side_0(local_1.point_0, aim_2.is_met_0, descent_3, &(side_4), &(odds_2));
+    if(!_S334)
     {
         return false;
     }
-    var power_4 : f32 = light_nodes_0[descent_3.node_0].power_0[side_3];
+    var power_4 : f32 = light_power_at_0(descent_3.node_0, side_4);
     if(aim_2.is_met_0)
     {
-        var _S329 : f32 = density_0(odds_2, aim_2.luminance_2, power_4, Transform_direction_0(chosen_instance_0, aim_2.direction_22) * vec3<f32>(aim_2.hit_3.t_1), side_3);
-        (*sample_8).pdf_3 = _S329;
-        return _S329 > 0.0f;
+        var _S335 : f32 = density_0(odds_2, aim_2.luminance_2, power_4, Transform_direction_0(chosen_instance_0, aim_2.direction_22) * vec3<f32>(aim_2.hit_3.t_1), side_4);
+        (*sample_8).pdf_3 = _S335;
+        return _S335 > 0.0f;
     }
-    var emitter_0 : Emitter_0 = choose_emitter_0(descent_3, side_3, u_7.y * power_4);
-    var _S330 : vec3<f32> = vec3<f32>(cell_of_0(emitter_0.voxel_1));
-    var on_face_0 : vec3<f32> = point_of_face_0(_S330, side_3, u_7.z, u_7.w);
-    var pdf_8 : f32 = density_0(odds_2, emitter_0.luminance_0, power_4, on_face_0 - local_1.point_0, side_3);
+    var emitter_1 : Emitter_0 = choose_emitter_0(descent_3, side_4, u_7.y * power_4);
+    var _S336 : vec3<f32> = vec3<f32>(cell_of_0(emitter_1.voxel_1));
+    var on_face_0 : vec3<f32> = point_of_face_0(_S336, side_4, u_7.z, u_7.w);
+    var pdf_8 : f32 = density_0(odds_2, emitter_1.luminance_0, power_4, on_face_0 - local_1.point_0, side_4);
     if(pdf_8 < 0.0f)
     {
         return false;
     }
-    var direction_27 : vec3<f32> = Transform_point_1(chosen_instance_0, offset_ray_origin_0(vector_of_0(instances_0[chosen_instance_0].grid_from_world_0.translation_0), _S330, side_3, on_face_0)) - receiver_8.point_0;
+    var direction_27 : vec3<f32> = Transform_point_1(chosen_instance_0, offset_ray_origin_0(vector_of_0(instances_0[chosen_instance_0].grid_from_world_0.translation_0), _S336, side_4, on_face_0)) - receiver_8.point_0;
     var cos_theta_4 : f32 = with_slack_0(receiver_8, divide_0(dot_product_0(receiver_8.normal_2, direction_27), square_root_0(length_squared_0(direction_27))));
-    (*sample_8) = LightSample_x24init_0(Ray_x24init_0(receiver_8.point_0, 0.0f, direction_27, 1.0f), cos_theta_4, emitted_1(emitter_0.material_0), pdf_8);
+    (*sample_8) = LightSample_x24init_0(Ray_x24init_0(receiver_8.point_0, 0.0f, direction_27, 1.0f), cos_theta_4, emitted_1(emitter_1.material_0), pdf_8);
     return cos_theta_4 > 0.0f;
 }
 
 fn EmitterTree_sample_0( receiver_9 : Receiver_0,  u_8 : vec4<f32>,  aim_3 : Aim_0,  sample_9 : ptr<function, LightSample_0>) -> bool
 {
-    var _S331 : bool = sample_emitter_0(receiver_9, u_8, aim_3, &((*sample_9)));
-    return _S331;
+    var _S337 : bool = sample_emitter_0(receiver_9, u_8, aim_3, &((*sample_9)));
+    return _S337;
 }
 
 fn Lights_sample_0( receiver_10 : Receiver_0,  selection_4 : Selection_0,  u_9 : vec4<f32>,  aim_4 : Aim_0,  sample_10 : ptr<function, LightSample_0>) -> bool
 {
-    var is_found_3 : bool;
+    var is_found_4 : bool;
     if(has_sun_0())
     {
-        is_found_3 = !aim_4.is_met_0;
+        is_found_4 = !aim_4.is_met_0;
     }
     else
     {
-        is_found_3 = false;
+        is_found_4 = false;
     }
-    if(is_found_3)
+    if(is_found_4)
     {
-        is_found_3 = (u_9.x) < (selection_4.sun_0);
+        is_found_4 = (u_9.x) < (selection_4.sun_0);
     }
     else
     {
-        is_found_3 = false;
+        is_found_4 = false;
     }
-    if(is_found_3)
+    if(is_found_4)
     {
-        var _S332 : bool = SunDisc_sample_0(receiver_10, u_9, &((*sample_10)));
+        var _S338 : bool = SunDisc_sample_0(receiver_10, u_9, &((*sample_10)));
         (*sample_10).pdf_3 = (*sample_10).pdf_3 * selection_4.sun_0;
-        is_found_3 = _S332;
+        is_found_4 = _S338;
     }
     else
     {
         if(Lights_has_chosen_sky_0())
         {
-            is_found_3 = !aim_4.is_met_0;
+            is_found_4 = !aim_4.is_met_0;
         }
         else
         {
-            is_found_3 = false;
+            is_found_4 = false;
         }
-        if(is_found_3)
+        if(is_found_4)
         {
-            is_found_3 = (u_9.x) < (selection_4.sun_0 + selection_4.sky_1);
+            is_found_4 = (u_9.x) < (selection_4.sun_0 + selection_4.sky_1);
         }
         else
         {
-            is_found_3 = false;
+            is_found_4 = false;
         }
-        if(is_found_3)
+        if(is_found_4)
         {
-            var _S333 : bool = Sky_sample_0(receiver_10, vec4<f32>(min(divide_0(u_9.x - selection_4.sun_0, selection_4.sky_1), 0.99999994039535522f), u_9.yzw), &((*sample_10)));
+            var _S339 : bool = Sky_sample_0(receiver_10, vec4<f32>(min(divide_0(u_9.x - selection_4.sun_0, selection_4.sky_1), 0.99999994039535522f), u_9.yzw), &((*sample_10)));
             (*sample_10).pdf_3 = (*sample_10).pdf_3 * selection_4.sky_1;
-            is_found_3 = _S333;
+            is_found_4 = _S339;
         }
         else
         {
-            var _S334 : bool = EmitterTree_sample_0(receiver_10, vec4<f32>(min(divide_0(u_9.x - (selection_4.sun_0 + selection_4.sky_1), selection_4.emitters_1), 0.99999994039535522f), u_9.yzw), aim_4, &((*sample_10)));
+            var _S340 : bool = EmitterTree_sample_0(receiver_10, vec4<f32>(min(divide_0(u_9.x - (selection_4.sun_0 + selection_4.sky_1), selection_4.emitters_1), 0.99999994039535522f), u_9.yzw), aim_4, &((*sample_10)));
             (*sample_10).pdf_3 = (*sample_10).pdf_3 * selection_4.emitters_1;
-            is_found_3 = _S334;
+            is_found_4 = _S340;
         }
     }
-    return is_found_3;
+    return is_found_4;
 }
 
 fn ior_of_0( inside_4 : Inside_0) -> f32
 {
-    var _S335 : f32;
+    var _S341 : f32;
     if(Inside_is_in_0(inside_4))
     {
-        _S335 = materials_0[inside_4.material_1].ior_0;
+        _S341 = materials_0[inside_4.material_1].ior_0;
     }
     else
     {
-        _S335 = 1.0f;
+        _S341 = 1.0f;
     }
-    return _S335;
+    return _S341;
 }
 
 struct Microfacets_0
@@ -4441,25 +4601,25 @@ struct MaterialBsdf_0
 
 fn Microfacets_x24init_0( alpha_1 : f32) -> Microfacets_0
 {
-    var _S336 : Microfacets_0;
-    _S336.alpha_0 = alpha_1;
-    return _S336;
+    var _S342 : Microfacets_0;
+    _S342.alpha_0 = alpha_1;
+    return _S342;
 }
 
 fn MaterialBsdf_x24init_0( kind_1 : u32,  color_2 : vec3<f32>,  specular_2 : f32,  eta_1 : f32,  facets_1 : Microfacets_0) -> MaterialBsdf_0
 {
-    var _S337 : MaterialBsdf_0;
-    _S337.kind_0 = kind_1;
-    _S337.color_1 = color_2;
-    _S337.specular_1 = specular_2;
-    _S337.eta_0 = eta_1;
-    _S337.facets_0 = facets_1;
-    return _S337;
+    var _S343 : MaterialBsdf_0;
+    _S343.kind_0 = kind_1;
+    _S343.color_1 = color_2;
+    _S343.specular_1 = specular_2;
+    _S343.eta_0 = eta_1;
+    _S343.facets_0 = facets_1;
+    return _S343;
 }
 
-fn bsdf_of_0( material_5 : PackedMaterial_0,  ior_1 : f32,  choice_2 : ptr<function, f32>) -> MaterialBsdf_0
+fn bsdf_of_0( material_6 : PackedMaterial_0,  ior_1 : f32,  choice_2 : ptr<function, f32>) -> MaterialBsdf_0
 {
-    return MaterialBsdf_x24init_0(u32(0), vector_of_0(material_5.base_color_0), 0.0f, 1.0f, Microfacets_x24init_0(1.0f));
+    return MaterialBsdf_x24init_0(u32(0), vector_of_0(material_6.base_color_0), 0.0f, 1.0f, Microfacets_x24init_0(1.0f));
 }
 
 fn MaterialBsdf_albedo_0( this_38 : MaterialBsdf_0) -> vec3<f32>
@@ -4473,17 +4633,17 @@ fn roulette_0( event_2 : u32,  scattered_2 : vec3<f32>,  u_10 : f32) -> f32
     {
         return 1.0f;
     }
-    var _S338 : f32 = min(max_element_0(scattered_2), 0.94999998807907104f);
-    var _S339 : f32;
-    if(u_10 < _S338)
+    var _S344 : f32 = min(max_element_0(scattered_2), 0.94999998807907104f);
+    var _S345 : f32;
+    if(u_10 < _S344)
     {
-        _S339 = divide_0(1.0f, _S338);
+        _S345 = divide_0(1.0f, _S344);
     }
     else
     {
-        _S339 = 0.0f;
+        _S345 = 0.0f;
     }
-    return _S339;
+    return _S345;
 }
 
 struct Surface_0
@@ -4505,32 +4665,32 @@ fn face_normal_0( face_7 : u32) -> vec3<f32>
     {
         away_1 = -1.0f;
     }
-    var _S340 : f32;
+    var _S346 : f32;
     if(face_7 < u32(2))
     {
-        _S340 = away_1;
+        _S346 = away_1;
     }
     else
     {
-        _S340 = 0.0f;
+        _S346 = 0.0f;
     }
-    var _S341 : bool;
+    var _S347 : bool;
     if(face_7 >= u32(2))
     {
-        _S341 = face_7 < u32(4);
+        _S347 = face_7 < u32(4);
     }
     else
     {
-        _S341 = false;
+        _S347 = false;
     }
-    var _S342 : f32;
-    if(_S341)
+    var _S348 : f32;
+    if(_S347)
     {
-        _S342 = away_1;
+        _S348 = away_1;
     }
     else
     {
-        _S342 = 0.0f;
+        _S348 = 0.0f;
     }
     if(face_7 >= u32(4))
     {
@@ -4539,26 +4699,26 @@ fn face_normal_0( face_7 : u32) -> vec3<f32>
     {
         away_1 = 0.0f;
     }
-    return vec3<f32>(_S340, _S342, away_1);
+    return vec3<f32>(_S346, _S348, away_1);
 }
 
-fn world_normal_0( _S343 : u32,  _S344 : u32) -> vec3<f32>
+fn world_normal_0( _S349 : u32,  _S350 : u32) -> vec3<f32>
 {
-    return normalize_vector_0(Transform_direction_1(_S343, face_normal_0(_S344)));
+    return normalize_vector_0(Transform_direction_1(_S349, face_normal_0(_S350)));
 }
 
 fn surface_of_0( ray_16 : Ray_0,  hit_5 : Hit_0) -> Surface_0
 {
     var surface_0 : Surface_0;
-    var _S345 : vec3<f32> = vec3<f32>(hit_5.voxel_4);
+    var _S351 : vec3<f32> = vec3<f32>(hit_5.voxel_4);
     if(IS_SINGLE_0)
     {
-        surface_0.origin_11 = offset_ray_origin_0(vec3<f32>(0.0f), _S345, hit_5.face_1, ray_16.origin_2 + ray_16.direction_1 * vec3<f32>(hit_5.t_1));
+        surface_0.origin_11 = offset_ray_origin_0(vec3<f32>(0.0f), _S351, hit_5.face_1, ray_16.origin_2 + ray_16.direction_1 * vec3<f32>(hit_5.t_1));
         surface_0.normal_4 = face_normal_0(hit_5.face_1);
     }
     else
     {
-        surface_0.origin_11 = Transform_point_1(hit_5.instance_3, offset_ray_origin_0(vector_of_0(instances_0[hit_5.instance_3].grid_from_world_0.translation_0), _S345, hit_5.face_1, Transform_point_0(hit_5.instance_3, ray_16.origin_2) + Transform_direction_0(hit_5.instance_3, ray_16.direction_1) * vec3<f32>(hit_5.t_1)));
+        surface_0.origin_11 = Transform_point_1(hit_5.instance_3, offset_ray_origin_0(vector_of_0(instances_0[hit_5.instance_3].grid_from_world_0.translation_0), _S351, hit_5.face_1, Transform_point_0(hit_5.instance_3, ray_16.origin_2) + Transform_direction_0(hit_5.instance_3, ray_16.direction_1) * vec3<f32>(hit_5.t_1)));
         surface_0.normal_4 = world_normal_0(hit_5.instance_3, hit_5.face_1);
     }
     surface_0.face_6 = hit_5.face_1;
@@ -4616,27 +4776,27 @@ fn Inside_point_0( this_40 : Inside_0,  ray_17 : Ray_0,  t_12 : f32) -> vec3<f32
     return Transform_point_1(this_40.instance_1, clamp_to_voxel_0(vector_of_0(instances_0[this_40.instance_1].grid_from_world_0.translation_0), vec3<f32>(this_40.voxel_2), Transform_point_0(this_40.instance_1, ray_17.origin_2) + Transform_direction_0(this_40.instance_1, ray_17.direction_1) * vec3<f32>(t_12)));
 }
 
-fn sent_by_side_3( _S346 : i32,  _S347 : vec3<f32>,  _S348 : f32) -> BySide_0
+fn sent_by_side_2( _S352 : i32,  _S353 : vec3<f32>,  _S354 : f32) -> BySide_0
 {
-    var _S349 : vec3<f32> = vec3<f32>(0.0f);
-    var _S350 : vec3<f32> = vec3<f32>(_S348);
-    return BySide_x24init_0(vec3<f32>(top_light_nodes_0[_S346].power_0[i32(0)], top_light_nodes_0[_S346].power_0[i32(2)], top_light_nodes_0[_S346].power_0[i32(4)]) * min(max(vector_of_0(top_light_nodes_0[_S346].max_2) - _S347, _S349), _S350), vec3<f32>(top_light_nodes_0[_S346].power_0[i32(1)], top_light_nodes_0[_S346].power_0[i32(3)], top_light_nodes_0[_S346].power_0[i32(5)]) * min(max(_S347 - vector_of_0(top_light_nodes_0[_S346].min_2), _S349), _S350));
+    var _S355 : vec3<f32> = vec3<f32>(0.0f);
+    var _S356 : vec3<f32> = vec3<f32>(_S354);
+    return BySide_x24init_0(vec3<f32>(top_light_nodes_0[_S352].power_0[i32(0)], top_light_nodes_0[_S352].power_0[i32(2)], top_light_nodes_0[_S352].power_0[i32(4)]) * min(max(vector_of_0(top_light_nodes_0[_S352].max_2) - _S353, _S355), _S356), vec3<f32>(top_light_nodes_0[_S352].power_0[i32(1)], top_light_nodes_0[_S352].power_0[i32(3)], top_light_nodes_0[_S352].power_0[i32(5)]) * min(max(_S353 - vector_of_0(top_light_nodes_0[_S352].min_2), _S355), _S356));
 }
 
-fn view_2( _S351 : i32,  _S352 : Receiver_0) -> View_0
+fn view_2( _S357 : i32,  _S358 : Receiver_0) -> View_0
 {
-    var _S353 : vec3<f32> = vector_of_0(top_light_nodes_0[_S351].max_2);
-    var _S354 : vec3<f32> = vector_of_0(top_light_nodes_0[_S351].min_2);
-    var _S355 : vec3<f32> = vec3<f32>(0.5f);
-    var half_4 : vec3<f32> = (_S353 - _S354) * _S355;
-    var toward_4 : vec3<f32> = (_S354 + _S353) * _S355 - _S352.point_0;
-    var middle_4 : f32 = dot_product_0(toward_4, _S352.normal_2);
-    var aside_2 : f32 = dot_product_0(half_4, abs(_S352.normal_2));
-    var above_2 : f32 = with_slack_0(_S352, middle_4 + aside_2);
+    var _S359 : vec3<f32> = vector_of_0(top_light_nodes_0[_S357].max_2);
+    var _S360 : vec3<f32> = vector_of_0(top_light_nodes_0[_S357].min_2);
+    var _S361 : vec3<f32> = vec3<f32>(0.5f);
+    var half_4 : vec3<f32> = (_S359 - _S360) * _S361;
+    var toward_4 : vec3<f32> = (_S360 + _S359) * _S361 - _S358.point_0;
+    var middle_4 : f32 = dot_product_0(toward_4, _S358.normal_2);
+    var aside_2 : f32 = dot_product_0(half_4, abs(_S358.normal_2));
+    var above_2 : f32 = with_slack_0(_S358, middle_4 + aside_2);
     var far_5 : f32 = length_squared_0(toward_4);
     var near_4 : f32 = length_squared_0(half_4);
     var is_far_6 : bool;
-    if((with_slack_0(_S352, middle_4 - aside_2)) > 0.0f)
+    if((with_slack_0(_S358, middle_4 - aside_2)) > 0.0f)
     {
         is_far_6 = far_5 > (near_4 * 36.0f);
     }
@@ -4645,18 +4805,18 @@ fn view_2( _S351 : i32,  _S352 : Receiver_0) -> View_0
         is_far_6 = false;
     }
     var distance_5 : f32 = length_bound_0(select(half_4, abs(toward_4), vec3<bool>((far_5 > near_4))));
-    var sent_2 : f32 = BySide_sum_0(sent_by_side_3(_S351, _S352.point_0, distance_5));
+    var sent_3 : f32 = BySide_sum_0(sent_by_side_2(_S357, _S358.point_0, distance_5));
     var falloff_2 : f32 = reciprocal_guess_0(max(far_5, near_4));
-    var _S356 : f32;
+    var _S362 : f32;
     if(above_2 > 0.0f)
     {
-        _S356 = sent_2 * min(above_2, distance_5) * (falloff_2 * falloff_2);
+        _S362 = sent_3 * min(above_2, distance_5) * (falloff_2 * falloff_2);
     }
     else
     {
-        _S356 = 0.0f;
+        _S362 = 0.0f;
     }
-    return View_x24init_0(_S356, is_far_6);
+    return View_x24init_0(_S362, is_far_6);
 }
 
 fn importance_of_all_0( receiver_11 : Receiver_0) -> f32
@@ -4721,8 +4881,8 @@ fn Lights_selection_0( receiver_15 : Receiver_0) -> Selection_0
         return Selection_x24init_0(sun_2, 0.0f, 1.0f - sun_2);
     }
     var sky_3 : f32 = Lights_sky_probability_0(receiver_15);
-    var _S357 : f32 = 1.0f - sky_3;
-    return Selection_x24init_0(sun_2 * _S357, sky_3, (1.0f - sun_2) * _S357);
+    var _S363 : f32 = 1.0f - sky_3;
+    return Selection_x24init_0(sun_2 * _S363, sky_3, (1.0f - sun_2) * _S363);
 }
 
 fn MaterialBsdf_is_delta_0( this_41 : MaterialBsdf_0) -> bool
@@ -4748,9 +4908,9 @@ struct Diffuse_0
 
 fn Diffuse_x24init_0( reflectance_1 : vec3<f32>) -> Diffuse_0
 {
-    var _S358 : Diffuse_0;
-    _S358.reflectance_0 = reflectance_1;
-    return _S358;
+    var _S364 : Diffuse_0;
+    _S364.reflectance_0 = reflectance_1;
+    return _S364;
 }
 
 fn cosine_hemisphere_pdf_0( cos_theta_7 : f32) -> f32
@@ -4760,10 +4920,10 @@ fn cosine_hemisphere_pdf_0( cos_theta_7 : f32) -> f32
 
 fn BsdfEval_x24init_0( weight_4 : vec3<f32>,  pdf_10 : f32) -> BsdfEval_0
 {
-    var _S359 : BsdfEval_0;
-    _S359.weight_3 = weight_4;
-    _S359.pdf_9 = pdf_10;
-    return _S359;
+    var _S365 : BsdfEval_0;
+    _S365.weight_3 = weight_4;
+    _S365.pdf_9 = pdf_10;
+    return _S365;
 }
 
 fn Diffuse_eval_0( this_43 : Diffuse_0,  wo_0 : vec3<f32>,  wi_0 : vec3<f32>) -> BsdfEval_0
@@ -4793,12 +4953,12 @@ fn cosine_hemisphere_0( u_11 : f32,  v_5 : f32) -> vec3<f32>
 
 fn BsdfSample_x24init_0( wi_3 : vec3<f32>,  weight_6 : vec3<f32>,  pdf_12 : f32,  is_delta_1 : bool) -> BsdfSample_0
 {
-    var _S360 : BsdfSample_0;
-    _S360.wi_2 = wi_3;
-    _S360.weight_5 = weight_6;
-    _S360.pdf_11 = pdf_12;
-    _S360.is_delta_0 = is_delta_1;
-    return _S360;
+    var _S366 : BsdfSample_0;
+    _S366.wi_2 = wi_3;
+    _S366.weight_5 = weight_6;
+    _S366.pdf_11 = pdf_12;
+    _S366.is_delta_0 = is_delta_1;
+    return _S366;
 }
 
 fn Diffuse_sample_0( this_45 : Diffuse_0,  wo_2 : vec3<f32>,  u_12 : vec3<f32>,  sample_11 : ptr<function, BsdfSample_0>) -> bool
@@ -4810,8 +4970,8 @@ fn Diffuse_sample_0( this_45 : Diffuse_0,  wo_2 : vec3<f32>,  u_12 : vec3<f32>, 
 
 fn MaterialBsdf_sample_0( this_46 : MaterialBsdf_0,  wo_3 : vec3<f32>,  u_13 : vec3<f32>,  sample_12 : ptr<function, BsdfSample_0>) -> bool
 {
-    var _S361 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_46.color_1), wo_3, u_13, &((*sample_12)));
-    return _S361;
+    var _S367 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_46.color_1), wo_3, u_13, &((*sample_12)));
+    return _S367;
 }
 
 fn Surface_world_direction_0( this_47 : Surface_0,  local_3 : vec3<f32>) -> vec3<f32>
@@ -4825,23 +4985,23 @@ fn Surface_world_direction_0( this_47 : Surface_0,  local_3 : vec3<f32>) -> vec3
     {
         away_2 = - local_3.z;
     }
-    var _S362 : f32 = local_3.x;
-    var _S363 : f32 = local_3.y;
-    var _S364 : vec3<f32> = vec3<f32>(_S362, _S363, away_2);
+    var _S368 : f32 = local_3.x;
+    var _S369 : f32 = local_3.y;
+    var _S370 : vec3<f32> = vec3<f32>(_S368, _S369, away_2);
     var in_grid_3 : vec3<f32>;
     if((this_47.face_6) < u32(2))
     {
-        in_grid_3 = vec3<f32>(away_2, _S362, _S363);
+        in_grid_3 = vec3<f32>(away_2, _S368, _S369);
     }
     else
     {
         if((this_47.face_6) < u32(4))
         {
-            in_grid_3 = vec3<f32>(_S363, away_2, _S362);
+            in_grid_3 = vec3<f32>(_S369, away_2, _S368);
         }
         else
         {
-            in_grid_3 = _S364;
+            in_grid_3 = _S370;
         }
     }
     if(!IS_SINGLE_0)
@@ -4941,21 +5101,21 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_18 : Ray_0,  hit_
         return next_0;
     }
     var u_14 : vec4<f32> = Sampler_stratified_0((*path_4).sampler_0, Path_dimension_scatter_0((*path_4)));
-    var material_6 : PackedMaterial_0 = material_met_0((*path_4), hit_6, beyond_2);
-    var _S365 : vec3<f32> = vec3<f32>(0.0f);
+    var material_7 : PackedMaterial_0 = material_met_0((*path_4), hit_6, beyond_2);
+    var _S371 : vec3<f32> = vec3<f32>(0.0f);
     var le_1 : vec3<f32>;
     if(!is_counted_0)
     {
-        le_1 = EmitterTree_le_0(material_6);
+        le_1 = EmitterTree_le_0(material_7);
     }
     else
     {
-        le_1 = _S365;
+        le_1 = _S371;
     }
     var is_lit_0 : bool = (max_element_0(le_1)) > 0.0f;
-    var met_0 : Aim_0 = Aim_x24init_0(true, ray_18.direction_1, hit_6, luminance_1(vector_of_0(material_6.emission_0)));
-    var _S366 : bool = weighs_apart_0();
-    if(_S366)
+    var met_0 : Aim_0 = Aim_x24init_0(true, ray_18.direction_1, hit_6, luminance_1(vector_of_0(material_7.emission_0)));
+    var _S372 : bool = weighs_apart_0();
+    if(_S372)
     {
         is_weighed_0 = is_lit_0;
     }
@@ -4983,7 +5143,7 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_18 : Ray_0,  hit_
     if(is_chosen_0)
     {
         var light_2 : LightSample_0 = no_light_0();
-        if(!_S366)
+        if(!_S372)
         {
             is_chosen_0 = ((*path_4).pdf_1) > 0.0f;
         }
@@ -4993,15 +5153,15 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_18 : Ray_0,  hit_
         }
         if(is_chosen_0)
         {
-            var _S367 : bool = Lights_sample_0(last_6, Path_selection_at_0((*path_4), last_6), vec4<f32>(0.0f), met_0, &(light_2));
-            is_chosen_0 = _S367;
+            var _S373 : bool = Lights_sample_0(last_6, Path_selection_at_0((*path_4), last_6), vec4<f32>(0.0f), met_0, &(light_2));
+            is_chosen_0 = _S373;
         }
         else
         {
             is_chosen_0 = false;
         }
-        var _S368 : vec3<f32> = (*path_4).beta_0 * le_1;
-        var _S369 : f32 = (*path_4).pdf_1;
+        var _S374 : vec3<f32> = (*path_4).beta_0 * le_1;
+        var _S375 : f32 = (*path_4).pdf_1;
         if(is_chosen_0)
         {
             light_pdf_1 = light_2.pdf_3;
@@ -5010,18 +5170,18 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_18 : Ray_0,  hit_
         {
             light_pdf_1 = 0.0f;
         }
-        (*radiance_6) = (*radiance_6) + _S368 * vec3<f32>(mis_weight_0(_S369, light_pdf_1));
+        (*radiance_6) = (*radiance_6) + _S374 * vec3<f32>(mis_weight_0(_S375, light_pdf_1));
     }
-    var _S370 : f32 = ior_of_0((*path_4).inside_0);
-    var _S371 : f32 = u_14[i32(3)];
-    var _S372 : MaterialBsdf_0 = bsdf_of_0(material_6, _S370, &(_S371));
-    u_14[i32(3)] = _S371;
-    var scattered_3 : vec3<f32> = (*path_4).beta_0 * MaterialBsdf_albedo_0(_S372);
-    var _S373 : bool = ((*path_4).bounce_0) >= (params_0.max_bounces_0);
-    var _S374 : bool = !is_weighed_0;
-    if(_S374)
+    var _S376 : f32 = ior_of_0((*path_4).inside_0);
+    var _S377 : f32 = u_14[i32(3)];
+    var _S378 : MaterialBsdf_0 = bsdf_of_0(material_7, _S376, &(_S377));
+    u_14[i32(3)] = _S377;
+    var scattered_3 : vec3<f32> = (*path_4).beta_0 * MaterialBsdf_albedo_0(_S378);
+    var _S379 : bool = ((*path_4).bounce_0) >= (params_0.max_bounces_0);
+    var _S380 : bool = !is_weighed_0;
+    if(_S380)
     {
-        if(_S373)
+        if(_S379)
         {
             is_chosen_0 = true;
         }
@@ -5039,7 +5199,7 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_18 : Ray_0,  hit_
         return next_0;
     }
     var compensation_0 : f32 = roulette_0(Path_events_0((*path_4)), scattered_3, u_14.z);
-    if(_S374)
+    if(_S380)
     {
         is_chosen_0 = compensation_0 == 0.0f;
     }
@@ -5051,29 +5211,29 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_18 : Ray_0,  hit_
     {
         return next_0;
     }
-    var at_3 : Hit_0;
+    var at_6 : Hit_0;
     if(is_scattered_0)
     {
-        at_3 = Hit_x24init_0(t_13, (*path_4).inside_0.instance_1, hit_6.voxel_4, u32(0));
+        at_6 = Hit_x24init_0(t_13, (*path_4).inside_0.instance_1, hit_6.voxel_4, u32(0));
     }
     else
     {
-        at_3 = hit_6;
+        at_6 = hit_6;
     }
-    var surface_1 : Surface_0 = surface_of_0(ray_18, at_3);
-    var _S375 : Receiver_0 = Receiver_x24init_0(surface_1.origin_11, surface_1.normal_4);
-    var _S376 : vec3<f32> = (vec3<f32>(0) - ray_18.direction_1);
-    var wo_4 : vec3<f32> = Surface_local_direction_0(surface_1, _S376);
+    var surface_1 : Surface_0 = surface_of_0(ray_18, at_6);
+    var _S381 : Receiver_0 = Receiver_x24init_0(surface_1.origin_11, surface_1.normal_4);
+    var _S382 : vec3<f32> = (vec3<f32>(0) - ray_18.direction_1);
+    var wo_4 : vec3<f32> = Surface_local_direction_0(surface_1, _S382);
     var inside_5 : Inside_0 = in_air_0();
     var wo_5 : vec3<f32>;
     var receiver_16 : Receiver_0;
     if(is_scattered_0)
     {
-        var _S377 : Inside_0 = Inside_x24init_0((*path_4).inside_0.instance_1, hit_6.voxel_4, (*path_4).inside_0.material_1);
-        inside_5 = _S377;
-        var _S378 : vec3<f32> = normalize_vector_0(_S376);
-        receiver_16 = Receiver_x24init_0(Inside_point_0(_S377, ray_18, t_13), _S365);
-        wo_5 = _S378;
+        var _S383 : Inside_0 = Inside_x24init_0((*path_4).inside_0.instance_1, hit_6.voxel_4, (*path_4).inside_0.material_1);
+        inside_5 = _S383;
+        var _S384 : vec3<f32> = normalize_vector_0(_S382);
+        receiver_16 = Receiver_x24init_0(Inside_point_0(_S383, ray_18, t_13), _S371);
+        wo_5 = _S384;
     }
     else
     {
@@ -5083,12 +5243,12 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_18 : Ray_0,  hit_
             inside_5 = Inside_x24init_0((*path_4).inside_0.instance_1, hit_6.voxel_4, (*path_4).inside_0.material_1);
             inside_5.voxel_2 = hit_6.voxel_4 + vec3<i32>(face_normal_0(hit_6.face_1));
         }
-        receiver_16 = _S375;
+        receiver_16 = _S381;
         wo_5 = wo_4;
     }
     next_0.origin_9 = receiver_16.point_0;
     next_0.shadow_inside_0 = inside_5;
-    var _S379 : Aim_0 = by_chance_0();
+    var _S385 : Aim_0 = by_chance_0();
     var aim_5 : Aim_0;
     if(is_weighed_0)
     {
@@ -5097,9 +5257,9 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_18 : Ray_0,  hit_
     }
     else
     {
-        aim_5 = _S379;
+        aim_5 = _S385;
     }
-    if(_S374)
+    if(_S380)
     {
         (*path_4).selection_0 = Lights_selection_0(receiver_16);
     }
@@ -5110,12 +5270,12 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_18 : Ray_0,  hit_
     }
     else
     {
-        is_chosen_0 = !MaterialBsdf_is_delta_0(_S372);
+        is_chosen_0 = !MaterialBsdf_is_delta_0(_S378);
     }
     if(is_chosen_0)
     {
-        var _S380 : bool = Lights_sample_0(receiver_16, (*path_4).selection_0, Sampler_stratified_0((*path_4).sampler_0, Path_dimension_light_0((*path_4))), aim_5, &(light_3));
-        next_0.has_shadow_ray_0 = _S380;
+        var _S386 : bool = Lights_sample_0(receiver_16, (*path_4).selection_0, Sampler_stratified_0((*path_4).sampler_0, Path_dimension_light_0((*path_4))), aim_5, &(light_3));
+        next_0.has_shadow_ray_0 = _S386;
     }
     if(is_weighed_0)
     {
@@ -5134,7 +5294,7 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_18 : Ray_0,  hit_
     }
     if(next_0.has_shadow_ray_0)
     {
-        var _S381 : vec3<f32> = vec3<f32>(Surface_local_direction_0(surface_1, light_3.ray_14.direction_1).xy, light_3.cos_theta_0);
+        var _S387 : vec3<f32> = vec3<f32>(Surface_local_direction_0(surface_1, light_3.ray_14.direction_1).xy, light_3.cos_theta_0);
         var wi_5 : vec3<f32>;
         if(is_scattered_0)
         {
@@ -5142,17 +5302,17 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_18 : Ray_0,  hit_
         }
         else
         {
-            wi_5 = _S381;
+            wi_5 = _S387;
         }
-        var eval_0 : BsdfEval_0 = MaterialBsdf_eval_0(_S372, wo_5, wi_5);
+        var eval_0 : BsdfEval_0 = MaterialBsdf_eval_0(_S378, wo_5, wi_5);
         var share_8 : f32 = divide_0(eval_0.pdf_9, light_3.pdf_3) * power_heuristic_0(light_3.pdf_3, eval_0.pdf_9);
         next_0.shadow_direction_0 = light_3.ray_14.direction_1;
         next_0.shadow_t_max_0 = light_3.ray_14.t_max_1;
         next_0.light_0 = (*path_4).beta_0 * eval_0.weight_3 * vec3<f32>(compensation_0) * light_3.radiance_2 * vec3<f32>(share_8);
     }
     var bounce_4 : BsdfSample_0;
-    var _S382 : bool = MaterialBsdf_sample_0(_S372, wo_5, vec3<f32>(u_14.xy, u_14.w), &(bounce_4));
-    if(!_S382)
+    var _S388 : bool = MaterialBsdf_sample_0(_S378, wo_5, vec3<f32>(u_14.xy, u_14.w), &(bounce_4));
+    if(!_S388)
     {
         return next_0;
     }
@@ -5177,9 +5337,9 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_18 : Ray_0,  hit_
     return next_0;
 }
 
-fn place_of_0( at_4 : vec2<u32>) -> u32
+fn place_of_0( at_7 : vec2<u32>) -> u32
 {
-    var relative_2 : vec2<u32> = at_4 - params_0.region_0.xy;
+    var relative_2 : vec2<u32> = at_7 - params_0.region_0.xy;
     return relative_2.y * (params_0.region_0.z - params_0.region_0.x) + relative_2.x;
 }
 
@@ -5209,17 +5369,17 @@ fn fixed_point_0( value_2 : f32) -> vec2<u32>
     }
     if(shift_6 < i32(32))
     {
-        var _S383 : u32 = (mantissa_3 << (u32(shift_6)));
-        var _S384 : u32;
+        var _S389 : u32 = (mantissa_3 << (u32(shift_6)));
+        var _S390 : u32;
         if(shift_6 == i32(0))
         {
-            _S384 = u32(0);
+            _S390 = u32(0);
         }
         else
         {
-            _S384 = (mantissa_3 >> (u32(i32(32) - shift_6)));
+            _S390 = (mantissa_3 >> (u32(i32(32) - shift_6)));
         }
-        return vec2<u32>(_S383, _S384);
+        return vec2<u32>(_S389, _S390);
     }
     return vec2<u32>(u32(0), (mantissa_3 << (u32(shift_6 - i32(32)))));
 }
@@ -5227,107 +5387,107 @@ fn fixed_point_0( value_2 : f32) -> vec2<u32>
 fn PixelRecord_add_0( this_48 : ptr<function, PixelRecord_0>,  value_3 : vec3<f32>,  is_covered_0 : bool)
 {
     var addend_0 : vec2<u32> = fixed_point_0(value_3[u32(0)]);
-    var _S385 : u32 = addend_0.x;
-    var low_13 : u32 = (*this_48).radiance_1[u32(0)] + _S385;
-    var high_6 : u32 = (*this_48).radiance_1[u32(1)] + addend_0.y + u32(low_13 < _S385);
+    var _S391 : u32 = addend_0.x;
+    var low_13 : u32 = (*this_48).radiance_1[u32(0)] + _S391;
+    var high_6 : u32 = (*this_48).radiance_1[u32(1)] + addend_0.y + u32(low_13 < _S391);
     var is_full_0 : bool = high_6 < ((*this_48).radiance_1[u32(1)]);
-    var _S386 : u32;
+    var _S392 : u32;
     if(is_full_0)
     {
-        _S386 = u32(4294967295);
+        _S392 = u32(4294967295);
     }
     else
     {
-        _S386 = low_13;
+        _S392 = low_13;
     }
-    (*this_48).radiance_1[u32(0)] = _S386;
+    (*this_48).radiance_1[u32(0)] = _S392;
     if(is_full_0)
     {
-        _S386 = u32(4294967295);
+        _S392 = u32(4294967295);
     }
     else
     {
-        _S386 = high_6;
+        _S392 = high_6;
     }
-    (*this_48).radiance_1[u32(1)] = _S386;
+    (*this_48).radiance_1[u32(1)] = _S392;
     var addend_1 : vec2<u32> = fixed_point_0(value_3[u32(1)]);
-    var _S387 : u32 = addend_1.x;
-    var low_14 : u32 = (*this_48).radiance_1[u32(2)] + _S387;
-    var high_7 : u32 = (*this_48).radiance_1[u32(3)] + addend_1.y + u32(low_14 < _S387);
+    var _S393 : u32 = addend_1.x;
+    var low_14 : u32 = (*this_48).radiance_1[u32(2)] + _S393;
+    var high_7 : u32 = (*this_48).radiance_1[u32(3)] + addend_1.y + u32(low_14 < _S393);
     var is_full_1 : bool = high_7 < ((*this_48).radiance_1[u32(3)]);
     if(is_full_1)
     {
-        _S386 = u32(4294967295);
+        _S392 = u32(4294967295);
     }
     else
     {
-        _S386 = low_14;
+        _S392 = low_14;
     }
-    (*this_48).radiance_1[u32(2)] = _S386;
+    (*this_48).radiance_1[u32(2)] = _S392;
     if(is_full_1)
     {
-        _S386 = u32(4294967295);
+        _S392 = u32(4294967295);
     }
     else
     {
-        _S386 = high_7;
+        _S392 = high_7;
     }
-    (*this_48).radiance_1[u32(3)] = _S386;
+    (*this_48).radiance_1[u32(3)] = _S392;
     var addend_2 : vec2<u32> = fixed_point_0(value_3[u32(2)]);
-    var _S388 : u32 = addend_2.x;
-    var low_15 : u32 = (*this_48).radiance_1[u32(4)] + _S388;
-    var high_8 : u32 = (*this_48).radiance_1[u32(5)] + addend_2.y + u32(low_15 < _S388);
+    var _S394 : u32 = addend_2.x;
+    var low_15 : u32 = (*this_48).radiance_1[u32(4)] + _S394;
+    var high_8 : u32 = (*this_48).radiance_1[u32(5)] + addend_2.y + u32(low_15 < _S394);
     var is_full_2 : bool = high_8 < ((*this_48).radiance_1[u32(5)]);
     if(is_full_2)
     {
-        _S386 = u32(4294967295);
+        _S392 = u32(4294967295);
     }
     else
     {
-        _S386 = low_15;
+        _S392 = low_15;
     }
-    (*this_48).radiance_1[u32(4)] = _S386;
+    (*this_48).radiance_1[u32(4)] = _S392;
     if(is_full_2)
     {
-        _S386 = u32(4294967295);
+        _S392 = u32(4294967295);
     }
     else
     {
-        _S386 = high_8;
+        _S392 = high_8;
     }
-    (*this_48).radiance_1[u32(5)] = _S386;
+    (*this_48).radiance_1[u32(5)] = _S392;
     (*this_48).samples_0 = (*this_48).samples_0 + u32(1);
     (*this_48).covered_0 = (*this_48).covered_0 + u32(is_covered_0);
     return;
 }
 
-fn add_sample_0( index_19 : u32,  radiance_7 : vec3<f32>,  is_covered_1 : bool)
+fn add_sample_0( index_25 : u32,  radiance_7 : vec3<f32>,  is_covered_1 : bool)
 {
     var pixel_6 : PixelRecord_0;
-    pixel_6.radiance_1 = pixels_0[index_19].radiance_1;
-    pixel_6.samples_0 = pixels_0[index_19].samples_0;
-    pixel_6.covered_0 = pixels_0[index_19].covered_0;
+    pixel_6.radiance_1 = pixels_0[index_25].radiance_1;
+    pixel_6.samples_0 = pixels_0[index_25].samples_0;
+    pixel_6.covered_0 = pixels_0[index_25].covered_0;
     PixelRecord_add_0(&(pixel_6), radiance_7, is_covered_1);
-    pixels_0[index_19].radiance_1 = pixel_6.radiance_1;
-    pixels_0[index_19].samples_0 = pixel_6.samples_0;
-    pixels_0[index_19].covered_0 = pixel_6.covered_0;
+    pixels_0[index_25].radiance_1 = pixel_6.radiance_1;
+    pixels_0[index_25].samples_0 = pixel_6.samples_0;
+    pixels_0[index_25].covered_0 = pixel_6.covered_0;
     return;
 }
 
 fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
 {
     var counts_0 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
-    var _S389 : vec3<f32> = vec3<f32>(0.0f);
-    var radiance_8 : vec3<f32> = _S389;
+    var _S395 : vec3<f32> = vec3<f32>(0.0f);
+    var radiance_8 : vec3<f32> = _S395;
     var path_5 : Path_0;
-    var _S390 : Ray_0 = camera_path_0(work_0.pixel_5, work_0.sample_5, &(path_5));
-    var ray_19 : Ray_0 = _S390;
+    var _S396 : Ray_0 = camera_path_0(work_0.pixel_5, work_0.sample_5, &(path_5));
+    var ray_19 : Ray_0 = _S396;
     var is_shadow_turn_0 : bool = true;
     var is_shadow_ray_0 : bool = false;
-    var direction_28 : vec3<f32> = _S389;
+    var direction_28 : vec3<f32> = _S395;
     var is_covered_2 : bool = false;
     var sample_13 : u32 = work_0.sample_5;
-    var light_4 : vec3<f32> = _S389;
+    var light_4 : vec3<f32> = _S395;
     for(;;)
     {
         if(sample_13 < (work_0.last_0))
@@ -5343,7 +5503,7 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
             is_shadow_turn_0 = is_shadow_turn_1;
             continue;
         }
-        var _S391 : Hit_0 = WalkTracer_trace_0(&(ray_19), is_shadow_ray_0);
+        var _S397 : Hit_0 = WalkTracer_trace_0(&(ray_19), is_shadow_ray_0);
         if(waits_for_pages_0())
         {
             break;
@@ -5352,7 +5512,7 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
         if(is_shadow_ray_0)
         {
             counts_0.shadow_0 = counts_0.shadow_0 + u32(1);
-            if(Hit_is_miss_0(_S391))
+            if(Hit_is_miss_0(_S397))
             {
                 radiance_8 = radiance_8 + light_4;
             }
@@ -5363,7 +5523,7 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
         {
             if((Path_events_0(path_5)) == u32(0))
             {
-                if(!Hit_is_miss_0(_S391))
+                if(!Hit_is_miss_0(_S397))
                 {
                     is_covered_3 = true;
                 }
@@ -5380,55 +5540,55 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
                 }
                 is_covered_3 = is_covered_2;
             }
-            var _S392 : NextRays_0 = no_rays_0();
+            var _S398 : NextRays_0 = no_rays_0();
             path_5.sampler_0 = sampler_of_0(work_0.pixel_5, sample_13);
-            var _S393 : bool;
+            var _S399 : bool;
             if(is_covered_3)
             {
-                _S393 = true;
+                _S399 = true;
             }
             else
             {
-                _S393 = (params_0.is_transparent_0) == u32(0);
+                _S399 = (params_0.is_transparent_0) == u32(0);
             }
             var next_1 : NextRays_0;
-            if(_S393)
+            if(_S399)
             {
-                var _S394 : NextRays_0 = PathTracing_advance_0(&(path_5), ray_19, _S391, u32(4294967295), &(radiance_8));
-                next_1 = _S394;
+                var _S400 : NextRays_0 = PathTracing_advance_0(&(path_5), ray_19, _S397, u32(4294967295), &(radiance_8));
+                next_1 = _S400;
             }
             else
             {
-                next_1 = _S392;
+                next_1 = _S398;
             }
-            var _S395 : bool;
+            var _S401 : bool;
             if(weighs_apart_0())
             {
-                _S395 = next_1.is_same_0;
+                _S401 = next_1.is_same_0;
             }
             else
             {
-                _S395 = false;
+                _S401 = false;
             }
-            if(_S395)
+            if(_S401)
             {
                 is_shadow_turn_0 = is_shadow_turn_1;
                 is_covered_2 = is_covered_3;
                 continue;
             }
-            var _S396 : NextRays_0 = next_1;
-            var _S397 : NextRays_0 = next_1;
-            var _S398 : NextRays_0 = next_1;
-            var _S399 : NextRays_0 = next_1;
+            var _S402 : NextRays_0 = next_1;
+            var _S403 : NextRays_0 = next_1;
+            var _S404 : NextRays_0 = next_1;
+            var _S405 : NextRays_0 = next_1;
             ray_19 = PathTracing_clip_0(ray_from_0(next_1.origin_9, next_1.direction_6));
-            if(_S398.has_shadow_ray_0)
+            if(_S404.has_shadow_ray_0)
             {
-                ray_19 = Ray_x24init_0(_S399.origin_9, 0.0f, next_1.shadow_direction_0, next_1.shadow_t_max_0);
+                ray_19 = Ray_x24init_0(_S405.origin_9, 0.0f, next_1.shadow_direction_0, next_1.shadow_t_max_0);
             }
-            is_shadow_ray_0 = _S398.has_shadow_ray_0;
-            direction_28 = _S396.direction_6;
+            is_shadow_ray_0 = _S404.has_shadow_ray_0;
+            direction_28 = _S402.direction_6;
             is_covered_2 = is_covered_3;
-            light_4 = _S397.light_0;
+            light_4 = _S403.light_0;
         }
         if(waits_for_pages_0())
         {
@@ -5436,7 +5596,7 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
         }
         if(!is_shadow_ray_0)
         {
-            is_covered_3 = (all((direction_28 == _S389)));
+            is_covered_3 = (all((direction_28 == _S395)));
         }
         else
         {
@@ -5444,16 +5604,16 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
         }
         if(is_covered_3)
         {
-            var _S400 : vec2<u32> = position_of_0(work_0.pixel_5);
-            add_sample_0(place_of_0(_S400), radiance_8, is_covered_2);
-            radiance_8 = _S389;
+            var _S406 : vec2<u32> = position_of_0(work_0.pixel_5);
+            add_sample_0(place_of_0(_S406), radiance_8, is_covered_2);
+            radiance_8 = _S395;
             var sample_14 : u32 = sample_13 + u32(1);
             if(sample_14 == (work_0.last_0))
             {
                 break;
             }
-            var _S401 : Ray_0 = camera_path_0(work_0.pixel_5, sample_14, &(path_5));
-            ray_19 = _S401;
+            var _S407 : Ray_0 = camera_path_0(work_0.pixel_5, sample_14, &(path_5));
+            ray_19 = _S407;
             sample_13 = sample_14;
         }
         is_shadow_turn_0 = is_shadow_turn_1;
@@ -5475,9 +5635,9 @@ fn camera_path_1( pixel_7 : u32,  sample_15 : u32,  path_6 : ptr<function, Path_
 {
     (*path_6) = Path_x24init_0(sampler_of_0(pixel_7, sample_15), u32(0), u32(0), u32(0), u32(0), vec3<f32>(1.0f), 0.0f, vec3<f32>(0.0f), Selection_x24init_0(0.0f, 0.0f, 0.0f), 0.0f, in_air_0(), true);
     var jitter_1 : vec4<f32> = Essay_jitter_0((*path_6).sampler_0);
-    var _S402 : CameraFrame_0 = FrameParams_camera_0();
-    var _S403 : vec2<u32> = position_of_0(pixel_7);
-    return Essay_clip_0(CameraFrame_ray_0(_S402, vec2<f32>(_S403) + jitter_1.xy, jitter_1.zw));
+    var _S408 : CameraFrame_0 = FrameParams_camera_0();
+    var _S409 : vec2<u32> = position_of_0(pixel_7);
+    return Essay_clip_0(CameraFrame_ray_0(_S408, vec2<f32>(_S409) + jitter_1.xy, jitter_1.zw));
 }
 
 fn Essay_advance_0( path_7 : ptr<function, Path_0>,  ray_21 : Ray_0,  hit_7 : Hit_0,  beyond_3 : u32,  radiance_9 : ptr<function, vec3<f32>>) -> NextRays_0
@@ -5488,10 +5648,10 @@ fn Essay_advance_0( path_7 : ptr<function, Path_0>,  ray_21 : Ray_0,  hit_7 : Hi
         (*radiance_9) = (*radiance_9) + (*path_7).beta_0 * Sky_radiance_0(ray_21.direction_1);
         return next_2;
     }
-    var material_7 : PackedMaterial_0 = material_of_0(hit_7);
-    if((max_element_0(vector_of_0(material_7.emission_0))) > 0.0f)
+    var material_8 : PackedMaterial_0 = material_of_0(hit_7);
+    if((max_element_0(vector_of_0(material_8.emission_0))) > 0.0f)
     {
-        (*radiance_9) = (*radiance_9) + (*path_7).beta_0 * emitted_0(material_7);
+        (*radiance_9) = (*radiance_9) + (*path_7).beta_0 * emitted_0(material_8);
         return next_2;
     }
     if(((*path_7).bounce_0) == (params_0.max_bounces_0))
@@ -5500,7 +5660,7 @@ fn Essay_advance_0( path_7 : ptr<function, Path_0>,  ray_21 : Ray_0,  hit_7 : Hi
     }
     var u_15 : vec4<f32> = Sampler_independent_0((*path_7).sampler_0, Path_dimension_scatter_0((*path_7)));
     var surface_2 : Surface_0 = surface_of_0(ray_21, hit_7);
-    (*path_7).beta_0 = (*path_7).beta_0 * vector_of_0(material_7.base_color_0);
+    (*path_7).beta_0 = (*path_7).beta_0 * vector_of_0(material_8.base_color_0);
     (*path_7).bounce_0 = (*path_7).bounce_0 + u32(1);
     next_2.origin_9 = surface_2.origin_11;
     next_2.direction_6 = Surface_world_direction_0(surface_2, cosine_hemisphere_0(u_15.x, u_15.y));
@@ -5510,16 +5670,16 @@ fn Essay_advance_0( path_7 : ptr<function, Path_0>,  ray_21 : Ray_0,  hit_7 : Hi
 fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
 {
     var counts_1 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
-    var _S404 : vec3<f32> = vec3<f32>(0.0f);
-    var radiance_10 : vec3<f32> = _S404;
+    var _S410 : vec3<f32> = vec3<f32>(0.0f);
+    var radiance_10 : vec3<f32> = _S410;
     var path_8 : Path_0;
-    var _S405 : Ray_0 = camera_path_1(work_1.pixel_5, work_1.sample_5, &(path_8));
-    var ray_22 : Ray_0 = _S405;
+    var _S411 : Ray_0 = camera_path_1(work_1.pixel_5, work_1.sample_5, &(path_8));
+    var ray_22 : Ray_0 = _S411;
     var is_shadow_ray_1 : bool = false;
-    var direction_29 : vec3<f32> = _S404;
+    var direction_29 : vec3<f32> = _S410;
     var is_covered_4 : bool = false;
     var sample_16 : u32 = work_1.sample_5;
-    var light_5 : vec3<f32> = _S404;
+    var light_5 : vec3<f32> = _S410;
     for(;;)
     {
         if(sample_16 < (work_1.last_0))
@@ -5529,7 +5689,7 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
         {
             break;
         }
-        var _S406 : Hit_0 = WalkTracer_trace_0(&(ray_22), is_shadow_ray_1);
+        var _S412 : Hit_0 = WalkTracer_trace_0(&(ray_22), is_shadow_ray_1);
         if(waits_for_pages_0())
         {
             break;
@@ -5538,7 +5698,7 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
         if(is_shadow_ray_1)
         {
             counts_1.shadow_0 = counts_1.shadow_0 + u32(1);
-            if(Hit_is_miss_0(_S406))
+            if(Hit_is_miss_0(_S412))
             {
                 radiance_10 = radiance_10 + light_5;
             }
@@ -5549,7 +5709,7 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
         {
             if((Path_events_0(path_8)) == u32(0))
             {
-                if(!Hit_is_miss_0(_S406))
+                if(!Hit_is_miss_0(_S412))
                 {
                     is_covered_5 = true;
                 }
@@ -5566,54 +5726,54 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
                 }
                 is_covered_5 = is_covered_4;
             }
-            var _S407 : NextRays_0 = no_rays_0();
+            var _S413 : NextRays_0 = no_rays_0();
             path_8.sampler_0 = sampler_of_0(work_1.pixel_5, sample_16);
-            var _S408 : bool;
+            var _S414 : bool;
             if(is_covered_5)
             {
-                _S408 = true;
+                _S414 = true;
             }
             else
             {
-                _S408 = (params_0.is_transparent_0) == u32(0);
+                _S414 = (params_0.is_transparent_0) == u32(0);
             }
             var next_3 : NextRays_0;
-            if(_S408)
+            if(_S414)
             {
-                var _S409 : NextRays_0 = Essay_advance_0(&(path_8), ray_22, _S406, u32(4294967295), &(radiance_10));
-                next_3 = _S409;
+                var _S415 : NextRays_0 = Essay_advance_0(&(path_8), ray_22, _S412, u32(4294967295), &(radiance_10));
+                next_3 = _S415;
             }
             else
             {
-                next_3 = _S407;
+                next_3 = _S413;
             }
-            var _S410 : bool;
+            var _S416 : bool;
             if(weighs_apart_0())
             {
-                _S410 = next_3.is_same_0;
+                _S416 = next_3.is_same_0;
             }
             else
             {
-                _S410 = false;
+                _S416 = false;
             }
-            if(_S410)
+            if(_S416)
             {
                 is_covered_4 = is_covered_5;
                 continue;
             }
-            var _S411 : NextRays_0 = next_3;
-            var _S412 : NextRays_0 = next_3;
-            var _S413 : NextRays_0 = next_3;
-            var _S414 : NextRays_0 = next_3;
+            var _S417 : NextRays_0 = next_3;
+            var _S418 : NextRays_0 = next_3;
+            var _S419 : NextRays_0 = next_3;
+            var _S420 : NextRays_0 = next_3;
             ray_22 = Essay_clip_0(ray_from_0(next_3.origin_9, next_3.direction_6));
-            if(_S413.has_shadow_ray_0)
+            if(_S419.has_shadow_ray_0)
             {
-                ray_22 = Ray_x24init_0(_S414.origin_9, 0.0f, next_3.shadow_direction_0, next_3.shadow_t_max_0);
+                ray_22 = Ray_x24init_0(_S420.origin_9, 0.0f, next_3.shadow_direction_0, next_3.shadow_t_max_0);
             }
-            is_shadow_ray_1 = _S413.has_shadow_ray_0;
-            direction_29 = _S411.direction_6;
+            is_shadow_ray_1 = _S419.has_shadow_ray_0;
+            direction_29 = _S417.direction_6;
             is_covered_4 = is_covered_5;
-            light_5 = _S412.light_0;
+            light_5 = _S418.light_0;
         }
         if(waits_for_pages_0())
         {
@@ -5621,7 +5781,7 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
         }
         if(!is_shadow_ray_1)
         {
-            is_covered_5 = (all((direction_29 == _S404)));
+            is_covered_5 = (all((direction_29 == _S410)));
         }
         else
         {
@@ -5629,27 +5789,27 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
         }
         if(is_covered_5)
         {
-            var _S415 : vec2<u32> = position_of_0(work_1.pixel_5);
-            add_sample_0(place_of_0(_S415), radiance_10, is_covered_4);
-            radiance_10 = _S404;
+            var _S421 : vec2<u32> = position_of_0(work_1.pixel_5);
+            add_sample_0(place_of_0(_S421), radiance_10, is_covered_4);
+            radiance_10 = _S410;
             var sample_17 : u32 = sample_16 + u32(1);
             if(sample_17 == (work_1.last_0))
             {
                 break;
             }
-            var _S416 : Ray_0 = camera_path_1(work_1.pixel_5, sample_17, &(path_8));
-            ray_22 = _S416;
+            var _S422 : Ray_0 = camera_path_1(work_1.pixel_5, sample_17, &(path_8));
+            ray_22 = _S422;
             sample_16 = sample_17;
         }
     }
     return counts_1;
 }
 
-fn Walk_enter_rounded_1( this_49 : Walk_0,  voxel_21 : ptr<function, vec3<i32>>,  near_5 : vec3<i32>,  far_6 : vec3<i32>) -> bool
+fn Walk_enter_rounded_1( this_49 : Walk_0,  voxel_22 : ptr<function, vec3<i32>>,  near_5 : vec3<i32>,  far_6 : vec3<i32>) -> bool
 {
     for(;;)
     {
-        var is_before_1 : vec3<bool> = (*voxel_21) < near_5;
+        var is_before_1 : vec3<bool> = (*voxel_22) < near_5;
         if(!(any((is_before_1))))
         {
             break;
@@ -5665,9 +5825,9 @@ fn Walk_enter_rounded_1( this_49 : Walk_0,  voxel_21 : ptr<function, vec3<i32>>,
             return false;
         }
         var is_x_3 : bool = (t_14.x) == t_last_1;
-        var _S417 : bool = !is_x_3;
+        var _S423 : bool = !is_x_3;
         var is_y_3 : bool;
-        if(_S417)
+        if(_S423)
         {
             is_y_3 = (t_14.y) == t_last_1;
         }
@@ -5675,27 +5835,27 @@ fn Walk_enter_rounded_1( this_49 : Walk_0,  voxel_21 : ptr<function, vec3<i32>>,
         {
             is_y_3 = false;
         }
-        var _S418 : bool;
-        if(_S417)
+        var _S424 : bool;
+        if(_S423)
         {
-            _S418 = !is_y_3;
+            _S424 = !is_y_3;
         }
         else
         {
-            _S418 = false;
+            _S424 = false;
         }
-        var is_axis_3 : vec3<bool> = vec3<bool>(is_x_3, is_y_3, _S418);
-        (*voxel_21) = Walk_arrive_0(this_49, (*voxel_21), t_last_1, is_axis_3, select(vec3<i32>(i32(1073741823)), near_5, is_axis_3));
+        var is_axis_3 : vec3<bool> = vec3<bool>(is_x_3, is_y_3, _S424);
+        (*voxel_22) = Walk_arrive_0(this_49, (*voxel_22), t_last_1, is_axis_3, select(vec3<i32>(i32(1073741823)), near_5, is_axis_3));
     }
-    return (all(((*voxel_21) < far_6)));
+    return (all(((*voxel_22) < far_6)));
 }
 
-fn Walk_leave_2( this_50 : Walk_0,  voxel_22 : ptr<function, vec3<i32>>,  exit_7 : vec3<i32>) -> bool
+fn Walk_leave_2( this_50 : Walk_0,  voxel_23 : ptr<function, vec3<i32>>,  exit_7 : vec3<i32>) -> bool
 {
     if(!IS_EXACT_0)
     {
-        var _S419 : bool = Walk_leave_rounded_0(this_50, &((*voxel_22)), exit_7);
-        return _S419;
+        var _S425 : bool = Walk_leave_rounded_0(this_50, &((*voxel_23)), exit_7);
+        return _S425;
     }
     var t_15 : vec3<f32> = Walk_crossings_0(this_50, exit_7);
     var t_first_4 : f32 = min_element_0(t_15);
@@ -5704,9 +5864,9 @@ fn Walk_leave_2( this_50 : Walk_0,  voxel_22 : ptr<function, vec3<i32>>,  exit_7
         return false;
     }
     var is_x_4 : bool = (t_15.x) == t_first_4;
-    var _S420 : bool = !is_x_4;
+    var _S426 : bool = !is_x_4;
     var is_y_4 : bool;
-    if(_S420)
+    if(_S426)
     {
         is_y_4 = (t_15.y) == t_first_4;
     }
@@ -5718,99 +5878,99 @@ fn Walk_leave_2( this_50 : Walk_0,  voxel_22 : ptr<function, vec3<i32>>,  exit_7
     var nearest_8 : vec3<f32> = round(back_2);
     var from_nearest_4 : vec3<f32> = back_2 - nearest_8;
     var planes_4 : vec3<i32> = exit_7 - vec3<i32>(min(nearest_8, vec3<f32>(4.194304e+06f)));
-    var _S421 : vec3<i32> = planes_4 - vec3<i32>(from_nearest_4 > vec3<f32>(0.0f));
-    var _S422 : vec3<bool> = (abs(from_nearest_4)) <= (this_50.tolerance_0);
-    var _S423 : bool;
-    if(_S420)
+    var _S427 : vec3<i32> = planes_4 - vec3<i32>(from_nearest_4 > vec3<f32>(0.0f));
+    var _S428 : vec3<bool> = (abs(from_nearest_4)) <= (this_50.tolerance_0);
+    var _S429 : bool;
+    if(_S426)
     {
-        _S423 = !is_y_4;
+        _S429 = !is_y_4;
     }
     else
     {
-        _S423 = false;
+        _S429 = false;
     }
     var arrival_3 : vec3<i32>;
-    if((any((select(vec3<bool>(false), !vec3<bool>(is_x_4, is_y_4, _S423), _S422)))))
+    if((any((select(vec3<bool>(false), !vec3<bool>(is_x_4, is_y_4, _S429), _S428)))))
     {
-        arrival_3 = Walk_mirrored_0(this_50, leave_box_0(this_50.ray_1, Walk_mirrored_0(this_50, (*voxel_22)) + this_50.grid_origin_0, Walk_mirrored_plane_0(this_50, exit_7) + this_50.grid_origin_0, Walk_mirrored_plane_0(this_50, planes_4) + this_50.grid_origin_0) - this_50.grid_origin_0);
+        arrival_3 = Walk_mirrored_0(this_50, leave_box_0(this_50.ray_1, Walk_mirrored_0(this_50, (*voxel_23)) + this_50.grid_origin_0, Walk_mirrored_plane_0(this_50, exit_7) + this_50.grid_origin_0, Walk_mirrored_plane_0(this_50, planes_4) + this_50.grid_origin_0) - this_50.grid_origin_0);
     }
     else
     {
-        arrival_3 = _S421;
+        arrival_3 = _S427;
     }
-    (*voxel_22) = select(max(arrival_3, (*voxel_22)), (*voxel_22), (this_50.speed_1) == vec3<f32>(0.0f));
+    (*voxel_23) = select(max(arrival_3, (*voxel_23)), (*voxel_23), (this_50.speed_1) == vec3<f32>(0.0f));
     return true;
 }
 
-fn Walk_enter_1( this_51 : Walk_0,  voxel_23 : ptr<function, vec3<i32>>,  low_16 : vec3<i32>,  high_9 : vec3<i32>) -> bool
+fn Walk_enter_1( this_51 : Walk_0,  voxel_24 : ptr<function, vec3<i32>>,  low_16 : vec3<i32>,  high_9 : vec3<i32>) -> bool
 {
-    var _S424 : bool;
+    var _S430 : bool;
     var is_mirrored_2 : vec3<bool> = (this_51.mirror_0) != vec3<i32>(i32(0));
     var near_6 : vec3<i32> = select(low_16, (vec3<i32>(0) - high_9), is_mirrored_2);
     var far_7 : vec3<i32> = select(high_9, (vec3<i32>(0) - low_16), is_mirrored_2);
     if(!IS_EXACT_0)
     {
-        var _S425 : bool = Walk_enter_rounded_1(this_51, &((*voxel_23)), near_6, far_7);
-        return _S425;
+        var _S431 : bool = Walk_enter_rounded_1(this_51, &((*voxel_24)), near_6, far_7);
+        return _S431;
     }
     var axis_6 : u32 = u32(0);
     for(;;)
     {
         if(axis_6 < u32(3))
         {
-            _S424 = (any(((*voxel_23) < near_6)));
+            _S430 = (any(((*voxel_24) < near_6)));
         }
         else
         {
-            _S424 = false;
+            _S430 = false;
         }
-        var _S426 : bool;
-        if(_S424)
+        var _S432 : bool;
+        if(_S430)
         {
-            _S426 = (all(((*voxel_23) < far_7)));
+            _S432 = (all(((*voxel_24) < far_7)));
         }
         else
         {
-            _S426 = false;
+            _S432 = false;
         }
-        if(_S426)
+        if(_S432)
         {
         }
         else
         {
             break;
         }
-        var _S427 : bool = Walk_leave_2(this_51, &((*voxel_23)), select(far_7, near_6, (*voxel_23) < near_6));
-        if(!_S427)
+        var _S433 : bool = Walk_leave_2(this_51, &((*voxel_24)), select(far_7, near_6, (*voxel_24) < near_6));
+        if(!_S433)
         {
             return false;
         }
         axis_6 = axis_6 + u32(1);
     }
-    if((all(((*voxel_23) >= near_6))))
+    if((all(((*voxel_24) >= near_6))))
     {
-        _S424 = (all(((*voxel_23) < far_7)));
+        _S430 = (all(((*voxel_24) < far_7)));
     }
     else
     {
-        _S424 = false;
+        _S430 = false;
     }
-    return _S424;
+    return _S430;
 }
 
-fn first_voxel_1( _S428 : u32,  _S429 : Walk_0,  _S430 : ptr<function, vec3<i32>>) -> bool
+fn first_voxel_1( _S434 : u32,  _S435 : Walk_0,  _S436 : ptr<function, vec3<i32>>) -> bool
 {
-    var _S431 : Walk_0 = _S429;
-    var _S432 : vec3<i32> = vec3<i32>(i32(0));
-    (*_S430) = _S432;
-    var voxel_24 : vec3<i32> = Walk_start_voxel_0(_S429);
-    var _S433 : bool = Walk_enter_1(_S429, &(voxel_24), cell_of_0(grids_0[_S428].min_1) - _S431.grid_origin_0, cell_of_0(grids_0[_S428].max_1) - _S431.grid_origin_0);
-    if(!_S433)
+    var _S437 : Walk_0 = _S435;
+    var _S438 : vec3<i32> = vec3<i32>(i32(0));
+    (*_S436) = _S438;
+    var voxel_25 : vec3<i32> = Walk_start_voxel_0(_S435);
+    var _S439 : bool = Walk_enter_1(_S435, &(voxel_25), cell_of_0(grids_0[_S434].min_1) - _S437.grid_origin_0, cell_of_0(grids_0[_S434].max_1) - _S437.grid_origin_0);
+    if(!_S439)
     {
         return false;
     }
-    var octant_4 : u32 = LocalRay_octant_0(_S431.ray_1);
-    var _S434 : u32 = flip_of_0(octant_4);
+    var octant_4 : u32 = LocalRay_octant_0(_S437.ray_1);
+    var _S440 : u32 = flip_of_0(octant_4);
     var top_shift_3 : u32;
     if(TOP_SHIFT_0 != u32(0))
     {
@@ -5818,45 +5978,45 @@ fn first_voxel_1( _S428 : u32,  _S429 : Walk_0,  _S430 : ptr<function, vec3<i32>
     }
     else
     {
-        top_shift_3 = grids_0[_S428].top_shift_0;
+        top_shift_3 = grids_0[_S434].top_shift_0;
     }
-    var top_size_2 : vec3<i32> = cell_of_0(grids_0[_S428].top_size_0);
-    var _S435 : i32 = top_size_2.x;
-    var stride_1 : vec3<i32> = vec3<i32>(i32(1), _S435, _S435 * top_size_2.y);
-    var _S436 : i32 = i32(grids_0[_S428].top_offset_0) - dot_cells_0((stride_1 & ((_S431.mirror_0))), vec3<i32>(i32(1)));
-    var _S437 : vec3<i32> = Walk_mirrored_plane_0(_S431, stride_1);
-    var _S438 : u32 = ahead_of_0(_S431.mirror_0);
-    var end_2 : vec3<i32> = select((top_size_2 << (vec3<u32>(top_shift_3))), _S432, (_S431.mirror_0) != _S432);
+    var top_size_2 : vec3<i32> = cell_of_0(grids_0[_S434].top_size_0);
+    var _S441 : i32 = top_size_2.x;
+    var stride_1 : vec3<i32> = vec3<i32>(i32(1), _S441, _S441 * top_size_2.y);
+    var _S442 : i32 = i32(grids_0[_S434].top_offset_0) - dot_cells_0((stride_1 & ((_S437.mirror_0))), vec3<i32>(i32(1)));
+    var _S443 : vec3<i32> = Walk_mirrored_plane_0(_S437, stride_1);
+    var _S444 : u32 = ahead_of_0(_S437.mirror_0);
+    var end_2 : vec3<i32> = select((top_size_2 << (vec3<u32>(top_shift_3))), _S438, (_S437.mirror_0) != _S438);
     if(!IS_EXACT_0)
     {
-        _S431.t_end_0 = min(_S431.t_end_0, min_element_0(Walk_crossings_0(_S431, end_2)));
+        _S437.t_end_0 = min(_S437.t_end_0, min_element_0(Walk_crossings_0(_S437, end_2)));
     }
-    var is_found_4 : bool = false;
+    var is_found_5 : bool = false;
     for(;;)
     {
-        var _S439 : bool;
+        var _S445 : bool;
         if(IS_EXACT_0)
         {
-            _S439 = (any((voxel_24 >= end_2)));
+            _S445 = (any((voxel_25 >= end_2)));
         }
         else
         {
-            _S439 = false;
+            _S445 = false;
         }
-        if(_S439)
+        if(_S445)
         {
             break;
         }
-        var cell_8 : u32 = cell_word_0(u32(_S436 + dot_cells_0(_S437, (voxel_24 >> (vec3<u32>(top_shift_3))))));
+        var cell_8 : u32 = cell_word_0(u32(_S442 + dot_cells_0(_S443, (voxel_25 >> (vec3<u32>(top_shift_3))))));
         var cell_9 : u32;
         var shift_7 : u32;
-        var is_found_5 : bool;
+        var is_found_6 : bool;
         if(TOP_SHIFT_0 == u32(5))
         {
             if(((cell_8 & (u32(2147483648)))) != u32(0))
             {
-                var _S440 : u32 = cell_word_0(((cell_8 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_24, u32(3))) ^ (_S434))));
-                cell_9 = _S440;
+                var _S446 : u32 = cell_word_0(((cell_8 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_25, u32(3))) ^ (_S440))));
+                cell_9 = _S446;
                 shift_7 = u32(3);
             }
             else
@@ -5873,22 +6033,22 @@ fn first_voxel_1( _S428 : u32,  _S429 : Walk_0,  _S430 : ptr<function, vec3<i32>
             {
                 if(TOP_SHIFT_0 != u32(3))
                 {
-                    is_found_5 = shift_7 > u32(3);
+                    is_found_6 = shift_7 > u32(3);
                 }
                 else
                 {
-                    is_found_5 = false;
+                    is_found_6 = false;
                 }
-                var _S441 : bool;
-                if(is_found_5)
+                var _S447 : bool;
+                if(is_found_6)
                 {
-                    _S441 = ((cell_9 & (u32(2147483648)))) != u32(0);
+                    _S447 = ((cell_9 & (u32(2147483648)))) != u32(0);
                 }
                 else
                 {
-                    _S441 = false;
+                    _S447 = false;
                 }
-                if(_S441)
+                if(_S447)
                 {
                 }
                 else
@@ -5896,8 +6056,8 @@ fn first_voxel_1( _S428 : u32,  _S429 : Walk_0,  _S430 : ptr<function, vec3<i32>
                     break;
                 }
                 var shift_8 : u32 = shift_7 - u32(2);
-                var _S442 : u32 = cell_word_0(((cell_9 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_24, shift_8)) ^ (_S434))));
-                cell_9 = _S442;
+                var _S448 : u32 = cell_word_0(((cell_9 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_25, shift_8)) ^ (_S440))));
+                cell_9 = _S448;
                 shift_7 = shift_8;
             }
         }
@@ -5914,10 +6074,10 @@ fn first_voxel_1( _S428 : u32,  _S429 : Walk_0,  _S430 : ptr<function, vec3<i32>
             }
             else
             {
-                exit_8 = extents_0(cell_9, _S438);
+                exit_8 = extents_0(cell_9, _S444);
             }
-            exit_8 = ((voxel_24 | (vec3<i32>((((i32(1) << (shift_7))) - i32(1)))))) + vec3<i32>(i32(1)) + ((exit_8 << (vec3<u32>(shift_7))));
-            is_found_5 = is_found_4;
+            exit_8 = ((voxel_25 | (vec3<i32>((((i32(1) << (shift_7))) - i32(1)))))) + vec3<i32>(i32(1)) + ((exit_8 << (vec3<u32>(shift_7))));
+            is_found_6 = is_found_5;
         }
         else
         {
@@ -5929,66 +6089,66 @@ fn first_voxel_1( _S428 : u32,  _S429 : Walk_0,  _S430 : ptr<function, vec3<i32>
             }
             else
             {
-                var _S443 : u32 = blocks_of_record_0(record_4);
-                blocks_2 = _S443;
+                var _S449 : u32 = blocks_of_record_0(record_4);
+                blocks_2 = _S449;
             }
-            var low_bits_1 : u32 = empty_around_0(record_4, blocks_2, voxel_24, octant_4, _S434);
-            var is_found_6 : bool = low_bits_1 == u32(4294967295);
-            if(is_found_6)
+            var low_bits_1 : u32 = empty_around_0(record_4, blocks_2, voxel_25, octant_4, _S440);
+            var is_found_7 : bool = low_bits_1 == u32(4294967295);
+            if(is_found_7)
             {
-                is_found_4 = is_found_6;
+                is_found_5 = is_found_7;
                 break;
             }
-            exit_8 = ((voxel_24 | (vec3<i32>(i32(low_bits_1))))) + vec3<i32>(i32(1));
-            is_found_5 = is_found_6;
+            exit_8 = ((voxel_25 | (vec3<i32>(i32(low_bits_1))))) + vec3<i32>(i32(1));
+            is_found_6 = is_found_7;
         }
-        var _S444 : bool = Walk_leave_0(_S431, &(voxel_24), exit_8);
-        if(!_S444)
+        var _S450 : bool = Walk_leave_0(_S437, &(voxel_25), exit_8);
+        if(!_S450)
         {
-            is_found_4 = is_found_5;
+            is_found_5 = is_found_6;
             break;
         }
-        is_found_4 = is_found_5;
+        is_found_5 = is_found_6;
     }
-    (*_S430) = Walk_mirrored_0(_S431, voxel_24) + _S431.grid_origin_0;
-    return is_found_4;
+    (*_S436) = Walk_mirrored_0(_S437, voxel_25) + _S437.grid_origin_0;
+    return is_found_5;
 }
 
 fn hit_in_1( instance_11 : u32,  ray_23 : ptr<function, Ray_0>) -> Hit_0
 {
-    var _S445 : LocalRay_0 = local_ray_0((*ray_23), instance_11);
-    if(!_S445.is_valid_0)
+    var _S451 : LocalRay_0 = local_ray_0((*ray_23), instance_11);
+    if(!_S451.is_valid_0)
     {
         return miss_0();
     }
-    var _S446 : Walk_0 = walk_of_0(_S445, instances_0[instance_11].grid_0);
-    var voxel_25 : vec3<i32>;
-    var _S447 : bool = first_voxel_1(instances_0[instance_11].grid_0, _S446, &(voxel_25));
-    var _S448 : bool;
+    var _S452 : Walk_0 = walk_of_0(_S451, instances_0[instance_11].grid_0);
+    var voxel_26 : vec3<i32>;
+    var _S453 : bool = first_voxel_1(instances_0[instance_11].grid_0, _S452, &(voxel_26));
+    var _S454 : bool;
     if(IS_SINGLE_0)
     {
-        _S448 = !IS_EXACT_0;
+        _S454 = !IS_EXACT_0;
     }
     else
     {
-        _S448 = false;
+        _S454 = false;
     }
-    if(_S448)
+    if(_S454)
     {
-        (*ray_23) = ray_of_walk_0(_S446, (*ray_23));
+        (*ray_23) = ray_of_walk_0(_S452, (*ray_23));
     }
-    if(!_S447)
+    if(!_S453)
     {
         return miss_0();
     }
     var hit_8 : Hit_0;
     if(IS_EXACT_0)
     {
-        hit_8 = hit_of_0(_S445, voxel_25, instance_11);
+        hit_8 = hit_of_0(_S451, voxel_26, instance_11);
     }
     else
     {
-        hit_8 = hit_of_walk_0(_S446, voxel_25, instance_11);
+        hit_8 = hit_of_walk_0(_S452, voxel_26, instance_11);
     }
     if((hit_8.t_1) > ((*ray_23).t_max_1))
     {
@@ -6001,8 +6161,8 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_2 : bool,  end_3 : u3
 {
     if(IS_SINGLE_0)
     {
-        var _S449 : Hit_0 = hit_in_1(u32(0), &((*given_1)));
-        return _S449;
+        var _S455 : Hit_0 = hit_in_1(u32(0), &((*given_1)));
+        return _S455;
     }
     var ray_24 : Ray_0 = (*given_1);
     var nearest_9 : Hit_0 = miss_0();
@@ -6011,28 +6171,28 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_2 : bool,  end_3 : u3
         return nearest_9;
     }
     var is_zero_2 : vec3<bool> = !((abs(ray_24.direction_1)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S450 : vec3<f32> = select(reciprocal_0(select(ray_24.direction_1, vec3<f32>(1.0f), is_zero_2)), vec3<f32>(3.4028234663852886e+38f), is_zero_2);
+    var _S456 : vec3<f32> = select(reciprocal_0(select(ray_24.direction_1, vec3<f32>(1.0f), is_zero_2)), vec3<f32>(3.4028234663852886e+38f), is_zero_2);
     var stack_1 : array<u32, i32(32)>;
-    var index_20 : u32 = u32(0);
+    var index_26 : u32 = u32(0);
     var nearest_10 : Hit_0 = nearest_9;
     var depth_3 : u32 = u32(0);
     for(;;)
     {
         var depth_4 : u32;
         var is_reached_1 : bool;
-        if((instance_nodes_0[index_20].is_leaf_0) != u32(0))
+        if((instance_nodes_0[index_26].is_leaf_0) != u32(0))
         {
-            var _S451 : Hit_0 = hit_in_1(instance_nodes_0[index_20].index_0, &(ray_24));
-            var _S452 : Hit_0 = nearest_10;
-            if((_S451.t_1) < (nearest_10.t_1))
+            var _S457 : Hit_0 = hit_in_1(instance_nodes_0[index_26].index_0, &(ray_24));
+            var _S458 : Hit_0 = nearest_10;
+            if((_S457.t_1) < (nearest_10.t_1))
             {
                 is_reached_1 = true;
             }
             else
             {
-                if((_S451.t_1) == (_S452.t_1))
+                if((_S457.t_1) == (_S458.t_1))
                 {
-                    is_reached_1 = (_S451.instance_3) < (nearest_10.instance_3);
+                    is_reached_1 = (_S457.instance_3) < (nearest_10.instance_3);
                 }
                 else
                 {
@@ -6042,12 +6202,12 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_2 : bool,  end_3 : u3
             var nearest_11 : Hit_0;
             if(is_reached_1)
             {
-                ray_24.t_max_1 = _S451.t_1;
+                ray_24.t_max_1 = _S457.t_1;
                 if(is_any_enough_2)
                 {
-                    return _S451;
+                    return _S457;
                 }
-                nearest_11 = _S451;
+                nearest_11 = _S457;
             }
             else
             {
@@ -6058,40 +6218,40 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_2 : bool,  end_3 : u3
         }
         else
         {
-            var _S453 : u32 = index_20 + u32(1);
-            var _S454 : f32 = entry_0(_S453, ray_24, _S450);
-            var _S455 : u32 = instance_nodes_0[index_20].index_0;
-            var _S456 : f32 = entry_0(instance_nodes_0[index_20].index_0, ray_24, _S450);
-            var _S457 : bool = _S454 <= _S456;
-            if(_S457)
+            var _S459 : u32 = index_26 + u32(1);
+            var _S460 : f32 = entry_0(_S459, ray_24, _S456);
+            var _S461 : u32 = instance_nodes_0[index_26].index_0;
+            var _S462 : f32 = entry_0(instance_nodes_0[index_26].index_0, ray_24, _S456);
+            var _S463 : bool = _S460 <= _S462;
+            if(_S463)
             {
-                index_20 = _S453;
+                index_26 = _S459;
             }
             else
             {
-                index_20 = _S455;
+                index_26 = _S461;
             }
             var far_8 : u32;
-            if(_S457)
+            if(_S463)
             {
-                far_8 = _S455;
+                far_8 = _S461;
             }
             else
             {
-                far_8 = _S453;
+                far_8 = _S459;
             }
             var INFINITY_1 : f32 = (bitcast<f32>((u32(2139095040))));
-            if((max(_S454, _S456)) < INFINITY_1)
+            if((max(_S460, _S462)) < INFINITY_1)
             {
-                var _S458 : u32 = depth_3 + u32(1);
+                var _S464 : u32 = depth_3 + u32(1);
                 stack_1[depth_3] = far_8;
-                depth_4 = _S458;
+                depth_4 = _S464;
             }
             else
             {
                 depth_4 = depth_3;
             }
-            if((min(_S454, _S456)) < INFINITY_1)
+            if((min(_S460, _S462)) < INFINITY_1)
             {
                 depth_3 = depth_4;
                 continue;
@@ -6101,16 +6261,16 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_2 : bool,  end_3 : u3
         depth_3 = depth_4;
         for(;;)
         {
-            var _S459 : bool;
+            var _S465 : bool;
             if(depth_3 > u32(0))
             {
-                _S459 = !is_reached_1;
+                _S465 = !is_reached_1;
             }
             else
             {
-                _S459 = false;
+                _S465 = false;
             }
-            if(_S459)
+            if(_S465)
             {
             }
             else
@@ -6118,8 +6278,8 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_2 : bool,  end_3 : u3
                 break;
             }
             var depth_5 : u32 = depth_3 - u32(1);
-            is_reached_1 = (entry_0(stack_1[depth_5], ray_24, _S450)) < (bitcast<f32>((u32(2139095040))));
-            index_20 = stack_1[depth_5];
+            is_reached_1 = (entry_0(stack_1[depth_5], ray_24, _S456)) < (bitcast<f32>((u32(2139095040))));
+            index_26 = stack_1[depth_5];
             depth_3 = depth_5;
         }
         if(!is_reached_1)
@@ -6144,32 +6304,32 @@ fn begin_tally_0( thread_0 : u32)
 
 fn Work_x24init_0( pixel_8 : u32,  sample_18 : u32,  last_7 : u32) -> Work_0
 {
-    var _S460 : Work_0;
-    _S460.pixel_5 = pixel_8;
-    _S460.sample_5 = sample_18;
-    _S460.last_0 = last_7;
-    return _S460;
+    var _S466 : Work_0;
+    _S466.pixel_5 = pixel_8;
+    _S466.sample_5 = sample_18;
+    _S466.last_0 = last_7;
+    return _S466;
 }
 
-fn work_of_0( index_21 : u32) -> Work_0
+fn work_of_0( index_27 : u32) -> Work_0
 {
     var size_1 : vec2<u32> = params_0.region_0.zw - params_0.region_0.xy;
-    var _S461 : u32 = size_1.x;
-    var _S462 : u32 = u32(8) * _S461;
-    var band_0 : u32 = index_21 / _S462;
-    var _S463 : u32 = u32(8) * band_0;
-    var in_band_0 : u32 = index_21 - _S462 * band_0;
-    var _S464 : u32 = u32(8) * min(u32(8), size_1.y - _S463);
-    var tile_0 : u32 = in_band_0 / _S464;
-    var _S465 : u32 = u32(8) * tile_0;
-    var _S466 : u32 = min(u32(8), _S461 - _S465);
-    var in_tile_0 : u32 = in_band_0 - _S464 * tile_0;
-    var _S467 : vec2<u32> = params_0.region_0.xy;
-    var _S468 : u32 = in_tile_0 % _S466;
-    var _S469 : u32 = _S465 + _S468;
-    var _S470 : u32 = in_tile_0 / _S466;
-    var at_5 : vec2<u32> = _S467 + vec2<u32>(_S469, _S463 + _S470);
-    return Work_x24init_0(at_5.y * params_0.width_0 + at_5.x, pixels_0[place_of_0(at_5)].samples_0, min(dispatch_0.samples_target_0, pixels_0[place_of_0(at_5)].samples_0 + dispatch_0.samples_1));
+    var _S467 : u32 = size_1.x;
+    var _S468 : u32 = u32(8) * _S467;
+    var band_0 : u32 = index_27 / _S468;
+    var _S469 : u32 = u32(8) * band_0;
+    var in_band_0 : u32 = index_27 - _S468 * band_0;
+    var _S470 : u32 = u32(8) * min(u32(8), size_1.y - _S469);
+    var tile_0 : u32 = in_band_0 / _S470;
+    var _S471 : u32 = u32(8) * tile_0;
+    var _S472 : u32 = min(u32(8), _S467 - _S471);
+    var in_tile_0 : u32 = in_band_0 - _S470 * tile_0;
+    var _S473 : vec2<u32> = params_0.region_0.xy;
+    var _S474 : u32 = in_tile_0 % _S472;
+    var _S475 : u32 = _S471 + _S474;
+    var _S476 : u32 = in_tile_0 / _S472;
+    var at_8 : vec2<u32> = _S473 + vec2<u32>(_S475, _S469 + _S476);
+    return Work_x24init_0(at_8.y * params_0.width_0 + at_8.x, pixels_0[place_of_0(at_8)].samples_0, min(dispatch_0.samples_target_0, pixels_0[place_of_0(at_8)].samples_0 + dispatch_0.samples_1));
 }
 
 fn Work_camera_rays_0( this_52 : Work_0) -> u32
@@ -6179,63 +6339,63 @@ fn Work_camera_rays_0( this_52 : Work_0) -> u32
 
 fn tally_camera_rays_0( count_7 : u32)
 {
-    var _S471 : u32 = atomicAdd(&(group_counts_0[i32(0)]), count_7);
+    var _S477 : u32 = atomicAdd(&(group_counts_0[i32(0)]), count_7);
     return;
 }
 
 fn end_tally_0( counts_2 : RayCounts_0,  thread_1 : u32)
 {
-    var _S472 : u32 = atomicAdd(&(group_counts_0[i32(1)]), counts_2.bounce_2);
-    var _S473 : u32 = atomicAdd(&(group_counts_0[i32(2)]), counts_2.shadow_0);
+    var _S478 : u32 = atomicAdd(&(group_counts_0[i32(1)]), counts_2.bounce_2);
+    var _S479 : u32 = atomicAdd(&(group_counts_0[i32(2)]), counts_2.shadow_0);
     workgroupBarrier();
     if(thread_1 < u32(3))
     {
-        var _S474 : u32 = atomicLoad(&(group_counts_0[thread_1]));
-        var _S475 : u32 = atomicAdd(&(counters_0[u32(1) + thread_1]), _S474);
+        var _S480 : u32 = atomicLoad(&(group_counts_0[thread_1]));
+        var _S481 : u32 = atomicAdd(&(counters_0[u32(1) + thread_1]), _S480);
     }
     if(thread_1 == u32(0))
     {
         atomicStore(&(counters_0[u32(0)]), dispatch_0.sequence_0);
-        var _S476 : u32 = atomicAdd(&(counters_0[u32(4)]), u32(1));
+        var _S482 : u32 = atomicAdd(&(counters_0[u32(4)]), u32(1));
     }
     return;
 }
 
-fn render_0( index_22 : u32,  thread_2 : u32)
+fn render_0( index_28 : u32,  thread_2 : u32)
 {
     begin_tally_0(thread_2);
-    var _S477 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
+    var _S483 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
     var counts_3 : RayCounts_0;
-    if(index_22 < (dispatch_0.count_0))
+    if(index_28 < (dispatch_0.count_0))
     {
-        var work_2 : Work_0 = work_of_0(dispatch_0.first_0 + index_22);
+        var work_2 : Work_0 = work_of_0(dispatch_0.first_0 + index_28);
         tally_camera_rays_0(Work_camera_rays_0(work_2));
-        var _S478 : RayCounts_0 = trace_pixel_0(work_2);
-        counts_3 = _S478;
+        var _S484 : RayCounts_0 = trace_pixel_0(work_2);
+        counts_3 = _S484;
     }
     else
     {
-        counts_3 = _S477;
+        counts_3 = _S483;
     }
     end_tally_0(counts_3, thread_2);
     return;
 }
 
-fn render_1( index_23 : u32,  thread_3 : u32)
+fn render_1( index_29 : u32,  thread_3 : u32)
 {
     begin_tally_0(thread_3);
-    var _S479 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
+    var _S485 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
     var counts_4 : RayCounts_0;
-    if(index_23 < (dispatch_0.count_0))
+    if(index_29 < (dispatch_0.count_0))
     {
-        var work_3 : Work_0 = work_of_0(dispatch_0.first_0 + index_23);
+        var work_3 : Work_0 = work_of_0(dispatch_0.first_0 + index_29);
         tally_camera_rays_0(Work_camera_rays_0(work_3));
-        var _S480 : RayCounts_0 = trace_pixel_1(work_3);
-        counts_4 = _S480;
+        var _S486 : RayCounts_0 = trace_pixel_1(work_3);
+        counts_4 = _S486;
     }
     else
     {
-        counts_4 = _S479;
+        counts_4 = _S485;
     }
     end_tally_0(counts_4, thread_3);
     return;
@@ -6261,8 +6421,8 @@ fn render_path(@builtin(global_invocation_id) id_1 : vec3<u32>, @builtin(local_i
 
 fn WalkTracer_trace_1( ray_25 : ptr<function, Ray_0>,  is_any_enough_3 : bool) -> Hit_0
 {
-    var _S481 : Hit_0 = visit_1(&((*ray_25)), is_any_enough_3, u32(0));
-    return _S481;
+    var _S487 : Hit_0 = visit_1(&((*ray_25)), is_any_enough_3, u32(0));
+    return _S487;
 }
 
 struct HitRecord_0
@@ -6273,59 +6433,59 @@ struct HitRecord_0
      face_0 : u32,
 };
 
-fn HitRecord_x24init_0( t_16 : f32,  instance_12 : u32,  voxel_26 : array<i32, i32(3)>,  face_8 : u32) -> HitRecord_0
+fn HitRecord_x24init_0( t_16 : f32,  instance_12 : u32,  voxel_27 : array<i32, i32(3)>,  face_8 : u32) -> HitRecord_0
 {
-    var _S482 : HitRecord_0;
-    _S482.t_0 = t_16;
-    _S482.instance_0 = instance_12;
-    _S482.voxel_0 = voxel_26;
-    _S482.face_0 = face_8;
-    return _S482;
+    var _S488 : HitRecord_0;
+    _S488.t_0 = t_16;
+    _S488.instance_0 = instance_12;
+    _S488.voxel_0 = voxel_27;
+    _S488.face_0 = face_8;
+    return _S488;
 }
 
 fn record_of_0( hit_9 : Hit_0) -> HitRecord_0
 {
-    var _S483 : array<i32, i32(3)> = array<i32, i32(3)>( hit_9.voxel_4.x, hit_9.voxel_4.y, hit_9.voxel_4.z );
-    return HitRecord_x24init_0(hit_9.t_1, hit_9.instance_3, _S483, hit_9.face_1);
+    var _S489 : array<i32, i32(3)> = array<i32, i32(3)>( hit_9.voxel_4.x, hit_9.voxel_4.y, hit_9.voxel_4.z );
+    return HitRecord_x24init_0(hit_9.t_1, hit_9.instance_3, _S489, hit_9.face_1);
 }
 
-fn ray_of_0( _S484 : u32) -> Ray_0
+fn ray_of_0( _S490 : u32) -> Ray_0
 {
-    return Ray_x24init_0(vector_of_0(rays_0[_S484].origin_1), rays_0[_S484].t_min_0, vector_of_0(rays_0[_S484].direction_0), rays_0[_S484].t_max_0);
+    return Ray_x24init_0(vector_of_0(rays_0[_S490].origin_1), rays_0[_S490].t_min_0, vector_of_0(rays_0[_S490].direction_0), rays_0[_S490].t_max_0);
 }
 
-fn Transform_direction_2( _S485 : i32,  _S486 : vec3<f32>) -> vec3<f32>
+fn Transform_direction_2( _S491 : i32,  _S492 : vec3<f32>) -> vec3<f32>
 {
-    return vector_of_0(instances_0[_S485].grid_from_world_0.x_axis_0) * vec3<f32>(_S486.x) + vector_of_0(instances_0[_S485].grid_from_world_0.y_axis_0) * vec3<f32>(_S486.y) + vector_of_0(instances_0[_S485].grid_from_world_0.z_axis_0) * vec3<f32>(_S486.z);
+    return vector_of_0(instances_0[_S491].grid_from_world_0.x_axis_0) * vec3<f32>(_S492.x) + vector_of_0(instances_0[_S491].grid_from_world_0.y_axis_0) * vec3<f32>(_S492.y) + vector_of_0(instances_0[_S491].grid_from_world_0.z_axis_0) * vec3<f32>(_S492.z);
 }
 
-fn Transform_point_2( _S487 : i32,  _S488 : vec3<f32>) -> vec3<f32>
+fn Transform_point_2( _S493 : i32,  _S494 : vec3<f32>) -> vec3<f32>
 {
-    return Transform_direction_2(_S487, _S488) + vector_of_0(instances_0[_S487].grid_from_world_0.translation_0);
+    return Transform_direction_2(_S493, _S494) + vector_of_0(instances_0[_S493].grid_from_world_0.translation_0);
 }
 
-fn local_ray_1( _S489 : Ray_0,  _S490 : i32) -> LocalRay_0
+fn local_ray_1( _S495 : Ray_0,  _S496 : i32) -> LocalRay_0
 {
     var local_4 : LocalRay_0;
     var direction_30 : vec3<f32>;
     var origin_12 : vec3<f32>;
     if(!IS_SINGLE_0)
     {
-        var _S491 : vec3<f32> = Transform_point_2(_S490, _S489.origin_2);
-        direction_30 = Transform_direction_2(_S490, _S489.direction_1);
-        origin_12 = _S491;
+        var _S497 : vec3<f32> = Transform_point_2(_S496, _S495.origin_2);
+        direction_30 = Transform_direction_2(_S496, _S495.direction_1);
+        origin_12 = _S497;
     }
     else
     {
-        direction_30 = _S489.direction_1;
-        origin_12 = _S489.origin_2;
+        direction_30 = _S495.direction_1;
+        origin_12 = _S495.origin_2;
     }
     var is_zero_3 : vec3<bool> = !((abs(direction_30)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S492 : vec3<f32> = select(direction_30, vec3<f32>(0.0f), is_zero_3);
-    local_4.direction_4 = _S492;
+    var _S498 : vec3<f32> = select(direction_30, vec3<f32>(0.0f), is_zero_3);
+    local_4.direction_4 = _S498;
     local_4.inverse_0 = select(reciprocal_0(select(direction_30, vec3<f32>(1.0f), is_zero_3)), vec3<f32>(3.4028234663852886e+38f), is_zero_3);
     local_4.origin_5 = select(origin_12, floor(origin_12) + vec3<f32>(0.5f), is_zero_3);
-    var speed_4 : f32 = max_element_0(abs(_S492));
+    var speed_4 : f32 = max_element_0(abs(_S498));
     var moves_1 : bool;
     if(speed_4 >= 1.00000004581370497e-18f)
     {
@@ -6337,9 +6497,9 @@ fn local_ray_1( _S489 : Ray_0,  _S490 : i32) -> LocalRay_0
     }
     var is_near_1 : bool = (all(((abs(local_4.origin_5)) <= vec3<f32>(2.097152e+06f))));
     var is_segment_1 : bool;
-    if((_S489.t_min_1) >= 0.0f)
+    if((_S495.t_min_1) >= 0.0f)
     {
-        is_segment_1 = (_S489.t_min_1) <= 3.4028234663852886e+38f;
+        is_segment_1 = (_S495.t_min_1) <= 3.4028234663852886e+38f;
     }
     else
     {
@@ -6347,14 +6507,14 @@ fn local_ray_1( _S489 : Ray_0,  _S490 : i32) -> LocalRay_0
     }
     if(is_segment_1)
     {
-        is_segment_1 = (_S489.t_min_1) <= (_S489.t_max_1);
+        is_segment_1 = (_S495.t_min_1) <= (_S495.t_max_1);
     }
     else
     {
         is_segment_1 = false;
     }
-    local_4.t_min_3 = _S489.t_min_1;
-    local_4.t_max_3 = _S489.t_max_1;
+    local_4.t_min_3 = _S495.t_min_1;
+    local_4.t_max_3 = _S495.t_max_1;
     if(moves_1)
     {
         moves_1 = is_near_1;
@@ -6381,44 +6541,44 @@ fn cast_rays(@builtin(global_invocation_id) id_2 : vec3<u32>, @builtin(local_inv
 {
     is_page_missing_0 = false;
     begin_tally_0(thread_6);
-    var _S493 : u32 = id_2.x;
-    if(_S493 < (dispatch_0.count_0))
+    var _S499 : u32 = id_2.x;
+    if(_S499 < (dispatch_0.count_0))
     {
         tally_camera_rays_0(u32(1));
-        var _S494 : Ray_0 = ray_of_0(dispatch_0.first_0 + _S493);
-        var ray_26 : Ray_0 = _S494;
-        var _S495 : Hit_0 = WalkTracer_trace_1(&(ray_26), false);
-        var _S496 : bool;
+        var _S500 : Ray_0 = ray_of_0(dispatch_0.first_0 + _S499);
+        var ray_26 : Ray_0 = _S500;
+        var _S501 : Hit_0 = WalkTracer_trace_1(&(ray_26), false);
+        var _S502 : bool;
         if(IS_SINGLE_0)
         {
-            _S496 = !IS_EXACT_0;
+            _S502 = !IS_EXACT_0;
         }
         else
         {
-            _S496 = false;
+            _S502 = false;
         }
-        if(_S496)
+        if(_S502)
         {
-            _S496 = !Hit_is_miss_0(_S495);
+            _S502 = !Hit_is_miss_0(_S501);
         }
         else
         {
-            _S496 = false;
+            _S502 = false;
         }
         var hit_10 : Hit_0;
-        if(_S496)
+        if(_S502)
         {
-            hit_10 = hit_of_0(local_ray_1(_S494, i32(0)), _S495.voxel_4, _S495.instance_3);
+            hit_10 = hit_of_0(local_ray_1(_S500, i32(0)), _S501.voxel_4, _S501.instance_3);
         }
         else
         {
-            hit_10 = _S495;
+            hit_10 = _S501;
         }
-        var _S497 : HitRecord_0 = record_of_0(hit_10);
-        hits_0[dispatch_0.first_0 + _S493].t_0 = _S497.t_0;
-        hits_0[dispatch_0.first_0 + _S493].instance_0 = _S497.instance_0;
-        hits_0[dispatch_0.first_0 + _S493].voxel_0 = _S497.voxel_0;
-        hits_0[dispatch_0.first_0 + _S493].face_0 = _S497.face_0;
+        var _S503 : HitRecord_0 = record_of_0(hit_10);
+        hits_0[dispatch_0.first_0 + _S499].t_0 = _S503.t_0;
+        hits_0[dispatch_0.first_0 + _S499].instance_0 = _S503.instance_0;
+        hits_0[dispatch_0.first_0 + _S499].voxel_0 = _S503.voxel_0;
+        hits_0[dispatch_0.first_0 + _S499].face_0 = _S503.face_0;
     }
     end_tally_0(RayCounts_x24init_0(u32(0), u32(0)), thread_6);
     return;

@@ -20,12 +20,19 @@ fn measure(scene: &Arc<PackedScene>, frame: &Frame, budget: Option<u64>) -> Resu
     tracer.render(&frame.clone().samples(0), &Progress::default())?;
     let start = Instant::now();
     let mut film = Film::new(1, 1, Region::full(1, 1), 0);
-    tracer.render(frame, &Progress::default())?;
+    let mut first = 0.0;
+    for samples in [1, frame.samples] {
+        tracer.render(&frame.clone().samples(samples), &Progress::default())?;
+        first = if samples == 1 { start.elapsed().as_secs_f64() } else { first };
+    }
     tracer.read(&mut film)?;
     let rendered = start.elapsed().as_secs_f64();
-    let (peak, pages) = (tracer.memory().peak_bytes, tracer.paged_bytes());
-    let pages = pages.map_or("whole".into(), |bytes| format!("{:.3} GB of pages came", bytes as f64 * 1e-9));
-    println!("  at most {:.3} GB: set in {set:.2} s, rendered in {rendered:.2} s, {pages}", peak as f64 * 1e-9);
+    let (peak, pages) = (tracer.memory().peak_bytes, tracer.paged());
+    let pages = pages.map_or("whole".into(), |(bytes, rounds)| {
+        format!("{:.3} GB of pages came in {rounds} rounds", bytes as f64 * 1e-9)
+    });
+    let rendered = format!("{rendered:.2} s, the first sample in {first:.2} s");
+    println!("  at most {:.3} GB: set in {set:.2} s, rendered in {rendered}, {pages}", peak as f64 * 1e-9);
     Ok(film)
 }
 

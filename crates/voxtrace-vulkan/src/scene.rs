@@ -10,7 +10,7 @@ use crate::records::binding;
 use crate::transfer::{Transfer, Write};
 use bytemuck::cast_slice;
 use std::sync::Arc;
-use voxtrace_core::packed::{DeviceCells, Geometry, Placement};
+use voxtrace_core::packed::{DeviceCells, Placement};
 use voxtrace_core::{PackedScene, TraceError};
 
 /// Where an array is bound, its name in the memory report, and its bytes.
@@ -42,12 +42,12 @@ impl SceneBuffers {
         room: Option<u64>,
     ) -> Result<Self, TraceError> {
         let geometry = scene.geometry();
-        let others = other_arrays(geometry);
+        let materials: Array = (binding::MATERIALS, "materials", cast_slice(geometry.materials()));
         let pages = match room {
             Some(room) => {
                 let placement = placement_arrays(scene.placement());
-                let whole: u64 = others.iter().chain(&placement).map(|(.., bytes)| bytes.len() as u64).sum();
-                let whole = whole + size_of_val(geometry.grids()) as u64;
+                let whole: u64 = placement.iter().map(|(.., bytes)| bytes.len() as u64).sum();
+                let whole = whole + (materials.2.len() + size_of_val(geometry.grids())) as u64;
                 let budget = room.saturating_sub(whole);
                 Some(Pages::new(device, submitter, transfer, geometry, budget).map_err(|error| match error {
                     TraceError::OutOfMemory { needed, .. } => {
@@ -63,13 +63,18 @@ impl SceneBuffers {
             None => geometry.device_cells(),
         };
         let DeviceCells { cells, grids, top_shift, have_blocks } = cells;
-        let mut arrays: Vec<Array> = vec![(binding::GRIDS, "grids", cast_slice(&grids))];
-        arrays.extend(others);
+        let mut arrays: Vec<Array> = vec![(binding::GRIDS, "grids", cast_slice(&grids)), materials];
         if pages.is_none() {
             arrays.extend([
                 (binding::CELLS, "cells", cast_slice(&cells)),
                 (binding::BRICKS, "bricks", cast_slice(geometry.bricks())),
                 (binding::BRICK_MATERIALS, "voxel materials", cast_slice(geometry.brick_materials())),
+            ]);
+        }
+        if pages.as_ref().is_none_or(|pages| !pages.has_lights) {
+            arrays.extend([
+                (binding::EMITTERS, "emitters", cast_slice(geometry.emitters())),
+                (binding::LIGHT_NODES, "light nodes", cast_slice(geometry.light_nodes())),
             ]);
         }
         let mut write = |array: &Array| {
@@ -158,6 +163,10 @@ impl SceneBuffers {
             for binding in [binding::CELLS, binding::BRICKS, binding::BRICK_MATERIALS] {
                 bindings.bind(binding, &pages.pool);
             }
+            if pages.has_lights {
+                bindings.bind(binding::EMITTERS, &pages.pool);
+                bindings.bind(binding::LIGHT_NODES, &pages.pool);
+            }
             bindings.bind(binding::PAGES, &pages.table);
         }
     }
@@ -165,9 +174,8 @@ impl SceneBuffers {
     /// Bytes of the scene where it lies there whole.
     pub fn bytes_of(scene: &PackedScene) -> u64 {
         let geometry = scene.geometry();
-        let (others, placement) = (other_arrays(geometry), placement_arrays(scene.placement()));
-        let whole: u64 = others.iter().chain(&placement).map(|(.., bytes)| bytes.len() as u64).sum();
-        Pages::bytes_of(geometry) + whole
+        let placement = placement_arrays(scene.placement());
+        Pages::bytes_of(geometry) + placement.iter().map(|(.., bytes)| bytes.len() as u64).sum::<u64>()
     }
 }
 
@@ -177,15 +185,6 @@ const ENVIRONMENT: &str = "environment";
 /// The texels of a scene's environment map, none where it has none.
 fn texels_of(scene: &PackedScene) -> &[u8] {
     scene.sky.background().environment().map_or(&[], |environment| cast_slice(environment.map().texels()))
-}
-
-/// What of the geometry always lies there whole, but for the grids.
-fn other_arrays(geometry: &Geometry) -> [Array<'_>; 3] {
-    [
-        (binding::MATERIALS, "materials", cast_slice(geometry.materials())),
-        (binding::EMITTERS, "emitters", cast_slice(geometry.emitters())),
-        (binding::LIGHT_NODES, "light nodes", cast_slice(geometry.light_nodes())),
-    ]
 }
 
 fn placement_arrays(placement: &Placement) -> [Array<'_>; 3] {

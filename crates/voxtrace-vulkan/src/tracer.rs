@@ -120,10 +120,10 @@ impl VulkanTracer {
         }
     }
 
-    /// Bytes of pages of the scene that were uploaded since it was set, `None` where it lies on the device whole.
-    pub fn paged_bytes(&self) -> Option<u64> {
+    /// Bytes of pages of the scene that were uploaded since it was set, and how often some were, `None` where it lies on the device whole.
+    pub fn paged(&self) -> Option<(u64, u64)> {
         match &self.backend {
-            Backend::Device(worker) => worker.paged_bytes(),
+            Backend::Device(worker) => worker.paged(),
             _ => None,
         }
     }

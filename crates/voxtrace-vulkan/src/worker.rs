@@ -351,9 +351,9 @@ impl Worker {
         buffers.pages.as_ref().map(|pages| (Pages::bytes_of(buffers.scene.geometry()), pages.pool.size))
     }
 
-    /// Bytes of pages of the scene that were uploaded, `None` where it lies on the device whole.
-    pub fn paged_bytes(&self) -> Option<u64> {
-        self.scene.as_ref()?.pages.as_ref().map(Pages::loaded_bytes)
+    /// Bytes of pages of the scene that were uploaded and how often, `None` where it lies on the device whole.
+    pub fn paged(&self) -> Option<(u64, u64)> {
+        self.scene.as_ref()?.pages.as_ref().map(Pages::loaded)
     }
 
     pub fn read(&mut self, film: &mut Film) -> Result<(), TraceError> {

@@ -1,4 +1,4 @@
-//! A scene that is larger than the memory that it may take on a device: cells, bricks and materials of voxels lie there in pages, those
+//! A scene that is larger than the memory that it may take on a device: cells, bricks, materials of voxels and lights lie there in pages, those
 //! that rays came to. Twin of `shaders/pages.slang`; `docs/decisions/0150-scenes-in-pages.md` says how it goes.
 //!
 //! Shaders mark each page that they come to. A sample that comes to one which is not there is given up, and its pixel traces it again
@@ -16,13 +16,23 @@ use gpu_allocator::MemoryLocation;
 use slots::Slots;
 use std::sync::Arc;
 use voxtrace_core::TraceError;
-use voxtrace_core::packed::Geometry;
+use voxtrace_core::packed::{Emitter, Geometry, LightNode};
 
 /// log₂ of the words of a page: 16 KiB.
 pub const PAGE_BITS: u32 = 12;
 /// Words before the slots of the pages.
-pub const PAGE_HEADER: u32 = 4;
+pub const PAGE_HEADER: u32 = 8;
+/// The word of the header that is not 0 where lights lie in pages.
+pub const PAGES_HAVE_LIGHTS: u32 = 5;
+/// Words of an [`Emitter`] and of a [`LightNode`]. Powers of two: none lies in two pages.
+pub const EMITTER_WORDS: u32 = 8;
+pub const LIGHT_NODE_WORDS: u32 = 16;
 
+const _: () = assert!(size_of::<Emitter>() == 4 * EMITTER_WORDS as usize);
+const _: () = assert!(size_of::<LightNode>() == 4 * LIGHT_NODE_WORDS as usize);
+
+/// What lies in pages: cells, bricks, materials of voxels, emitters and the trees over those of each grid.
+const ARRAYS: usize = 5;
 /// Words and bytes of a page.
 const PAGE_WORDS: usize = 1 << PAGE_BITS;
 const PAGE_BYTES: u64 = 4 << PAGE_BITS;
@@ -47,23 +57,34 @@ pub struct Pages {
     pub pool: Buffer,
     /// Which page is where, and marks: see `shaders/pages.slang`.
     pub table: Buffer,
-    /// The first pages of bricks and of materials, and the number of all.
-    starts: [u32; 3],
+    /// The first page of each array.
+    starts: [u32; ARRAYS],
+    /// The number of all.
+    count: u32,
+    /// Whether emitters and the trees over them lie in pages, too.
+    pub has_lights: bool,
     slots: Slots,
     /// Bytes of pages that were uploaded.
     loaded_bytes: u64,
+    rounds: u64,
     /// Pages to bring as if nothing were in them, for tests.
     #[cfg(feature = "faults")]
     pub emptied: usize,
 }
 
 impl Pages {
-    /// Bytes of what may lie in pages.
-    pub fn bytes_of(geometry: &Geometry) -> u64 {
-        arrays_of(geometry).iter().map(|words| 4 * words.len() as u64).sum()
+    /// Bytes of emitters and the trees over them.
+    pub fn light_bytes_of(geometry: &Geometry) -> u64 {
+        (size_of_val(geometry.emitters()) + size_of_val(geometry.light_nodes())) as u64
     }
 
-    /// Room for as many pages of `geometry` as `budget` bytes hold. None is there yet.
+    /// Bytes of what may lie in pages.
+    pub fn bytes_of(geometry: &Geometry) -> u64 {
+        arrays_of(geometry, true).iter().map(|words| 4 * words.len() as u64).sum()
+    }
+
+    /// Room for as many pages of `geometry` as `budget` bytes hold. None is there yet. Lights lie there whole where they take at most half of it: a choice among
+    /// all of them comes to pages everywhere.
     ///
     /// # Errors
     /// [`TraceError::OutOfMemory`] where that is less than a few.
@@ -74,14 +95,23 @@ impl Pages {
         geometry: &Geometry,
         budget: u64,
     ) -> Result<Self, TraceError> {
-        let [cells, bricks, materials] = arrays_of(geometry).map(|words| words.len().div_ceil(PAGE_WORDS) as u64);
-        let count = cells + bricks + materials;
+        let light_bytes = Self::light_bytes_of(geometry);
+        let has_lights = light_bytes > budget / 2;
+        let whole = if has_lights { 0 } else { light_bytes };
+        let mut count = 0u64;
+        let starts = arrays_of(geometry, has_lights).map(|words| {
+            count += words.len().div_ceil(PAGE_WORDS) as u64;
+            (count - words.len().div_ceil(PAGE_WORDS) as u64) as u32
+        });
         let table_bytes = 4 * (u64::from(PAGE_HEADER) + 2 * count);
-        let room = budget.saturating_sub(table_bytes).min(device.info().limits.max_storage_buffer_range) / PAGE_BYTES;
+        let room =
+            budget.saturating_sub(whole + table_bytes).min(device.info().limits.max_storage_buffer_range) / PAGE_BYTES;
         if room <= FEWEST {
-            return Err(TraceError::OutOfMemory { needed: table_bytes + (FEWEST + 1) * PAGE_BYTES, available: budget });
+            return Err(TraceError::OutOfMemory {
+                needed: whole + table_bytes + (FEWEST + 1) * PAGE_BYTES,
+                available: budget,
+            });
         }
-        let starts = [cells as u32, (cells + bricks) as u32, count as u32];
         // The first slot holds no page.
         let slots = Slots::new(count as usize, room.min(count + 1) as usize);
         let pool = Buffer::storage(device, "pages", slots.len() as u64 * PAGE_BYTES)?;
@@ -90,7 +120,10 @@ impl Pages {
             | vk::BufferUsageFlags::TRANSFER_DST;
         let table = Buffer::new(device, "page table", table_bytes, usage, MemoryLocation::GpuOnly)?;
         let words = vec![0u32; (table_bytes / 4) as usize];
-        let header = [starts[0], starts[1], starts[2], 0];
+        let mut header = [0; PAGE_HEADER as usize];
+        header[0] = count as u32;
+        header[1..ARRAYS].copy_from_slice(&starts[1..]);
+        header[PAGES_HAVE_LIGHTS as usize] = has_lights.into();
         let writes = [
             Write { buffer: &pool, at: 0, bytes: cast_slice(&[0u32; PAGE_WORDS]) },
             Write { buffer: &table, at: 0, bytes: cast_slice(&header) },
@@ -102,7 +135,10 @@ impl Pages {
             pool,
             table,
             starts,
+            count: count as u32,
+            has_lights,
             slots,
+            rounds: 0,
             loaded_bytes: 0,
             #[cfg(feature = "faults")]
             emptied: 0,
@@ -116,9 +152,9 @@ impl Pages {
         transfer: &mut Transfer,
         geometry: &Geometry,
     ) -> Result<Served, TraceError> {
-        let count = self.starts[2] as usize;
+        let count = self.count as usize;
         let mut marks = vec![0u32; count];
-        let marks_at = 4 * u64::from(PAGE_HEADER + self.starts[2]);
+        let marks_at = 4 * u64::from(PAGE_HEADER + self.count);
         transfer.download(submitter, &self.table, marks_at, bytemuck::cast_slice_mut(&mut marks))?;
         let marked = marks.iter().enumerate().filter(|(_, mark)| **mark != 0).map(|(page, _)| page);
         let brought = self.slots.bring(marked);
@@ -129,7 +165,7 @@ impl Pages {
         let mut pages: Vec<(u64, &[u32])> = brought
             .pages
             .iter()
-            .map(|&(page, slot)| (slot as u64 * PAGE_BYTES, words_of(geometry, self.starts, page)))
+            .map(|&(page, slot)| (slot as u64 * PAGE_BYTES, self.words_of(geometry, page)))
             .collect();
         let mut writes = Vec::with_capacity(pages.len() + 1);
         #[cfg(feature = "faults")]
@@ -145,27 +181,28 @@ impl Pages {
             unsafe { raw.cmd_fill_buffer(commands, table, marks_at, 4 * count as u64, 0) }
         };
         transfer.write(submitter, &writes, Some(("bringing pages of the scene", &clear)))?;
+        self.rounds += 1;
         self.loaded_bytes += pages.len() as u64 * PAGE_BYTES;
         Ok(if pages.is_empty() { Served::Nothing } else { Served::Some })
     }
 
-    /// Bytes of pages that were uploaded so far.
-    pub fn loaded_bytes(&self) -> u64 {
-        self.loaded_bytes
+    /// Bytes of pages that were uploaded so far, and rounds of tracing after which some were asked for.
+    pub fn loaded(&self) -> (u64, u64) {
+        (self.loaded_bytes, self.rounds)
+    }
+
+    /// The words of a page, fewer than a whole one at the end of an array.
+    fn words_of<'a>(&self, geometry: &'a Geometry, page: usize) -> &'a [u32] {
+        // An array without words has no page, and the same first one as the array after it.
+        let which = self.starts.iter().rposition(|&start| start as usize <= page).unwrap_or(0);
+        let first = (page - self.starts[which] as usize) * PAGE_WORDS;
+        let words = arrays_of(geometry, self.has_lights)[which];
+        &words[first..words.len().min(first + PAGE_WORDS)]
     }
 }
 
 /// What lies in pages, in their order.
-fn arrays_of(geometry: &Geometry) -> [&[u32]; 3] {
-    [geometry.cells(), geometry.bricks(), geometry.brick_materials()]
-}
-
-/// The words of a page, fewer than a whole one at the end of an array.
-fn words_of(geometry: &Geometry, starts: [u32; 3], page: usize) -> &[u32] {
-    let firsts = [0, starts[0] as usize, starts[1] as usize];
-    let which = firsts.iter().rposition(|&first| first <= page).unwrap_or(0);
-    // An array without words has no page, and the one before it the same first page.
-    let first = (page - firsts[which]) * PAGE_WORDS;
-    let words = arrays_of(geometry)[which];
-    &words[first..words.len().min(first + PAGE_WORDS)]
+fn arrays_of(geometry: &Geometry, has_lights: bool) -> [&[u32]; ARRAYS] {
+    let (emitters, nodes) = if has_lights { (geometry.emitters(), geometry.light_nodes()) } else { (&[][..], &[][..]) };
+    [geometry.cells(), geometry.bricks(), geometry.brick_materials(), cast_slice(emitters), cast_slice(nodes)]
 }

@@ -61,7 +61,7 @@ impl Worker {
                 let paged = SceneBuffers::new(device, submitter, transfer, scene, Some(available - for_films));
                 paged.map_err(|error| match error {
                     TraceError::OutOfMemory { needed, .. } => {
-                        let for_films = (needed / 3 + 1).min(FOR_FILMS);
+                        let for_films = (needed / 3 + 2).min(FOR_FILMS);
                         TraceError::OutOfMemory { needed: needed + for_films, available }
                     }
                     error => error,

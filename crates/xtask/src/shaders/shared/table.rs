@@ -133,7 +133,16 @@ pub const TABLE: &[Source] = &[
         ],
     },
     Source { file: "voxtrace-vulkan/src/variant.rs", items: &[named("constant", "CONSTANT")] },
-    Source { file: "voxtrace-vulkan/src/pages/mod.rs", items: &[same("PAGE_BITS"), same("PAGE_HEADER")] },
+    Source {
+        file: "voxtrace-vulkan/src/pages/mod.rs",
+        items: &[
+            same("PAGE_BITS"),
+            same("PAGE_HEADER"),
+            same("PAGES_HAVE_LIGHTS"),
+            same("EMITTER_WORDS"),
+            same("LIGHT_NODE_WORDS"),
+        ],
+    },
     Source { file: "voxtrace-vulkan/src/passes.rs", items: &[same("WORKGROUP")] },
     Source { file: "voxtrace-vulkan/src/method.rs", items: &[named("Primitive", "PRIMITIVE")] },
     Source {
