@@ -243,7 +243,7 @@ fn lights_in_pages_0() -> bool
 
 fn word_in_pages_0( index_2 : u32,  first_1 : u32) -> u32
 {
-    var page_0 : u32 = first_1 + ((index_2 >> (u32(12))));
+    var page_0 : u32 = first_1 + ((index_2 >> (u32(10))));
     var mark_0 : u32 = u32(8) + pages_0[i32(0)] + page_0;
     if(pages_0[mark_0] == u32(0))
     {
@@ -260,7 +260,7 @@ fn word_in_pages_0( index_2 : u32,  first_1 : u32) -> u32
         _S3 = slot_0 == u32(0);
     }
     is_page_missing_0 = _S3;
-    return (((slot_0 << (u32(12)))) | (((index_2 & (u32(4095))))));
+    return (((slot_0 << (u32(10)))) | (((index_2 & (u32(1023))))));
 }
 
 fn place_in_light_node_0( node_1 : u32,  word_0 : u32) -> u32

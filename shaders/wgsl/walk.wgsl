@@ -1668,7 +1668,7 @@ var<private> is_page_missing_0 : bool;
 
 fn word_in_pages_0( index_3 : u32,  first_2 : u32) -> u32
 {
-    var page_0 : u32 = first_2 + ((index_3 >> (u32(12))));
+    var page_0 : u32 = first_2 + ((index_3 >> (u32(10))));
     var mark_0 : u32 = u32(8) + pages_0[i32(0)] + page_0;
     if(pages_0[mark_0] == u32(0))
     {
@@ -1685,7 +1685,7 @@ fn word_in_pages_0( index_3 : u32,  first_2 : u32) -> u32
         _S84 = slot_0 == u32(0);
     }
     is_page_missing_0 = _S84;
-    return (((slot_0 << (u32(12)))) | (((index_3 & (u32(4095))))));
+    return (((slot_0 << (u32(10)))) | (((index_3 & (u32(1023))))));
 }
 
 fn place_of_cell_0( index_4 : u32) -> u32

@@ -24,7 +24,7 @@ pub struct TracerArgs {
     /// Relax the rules of rounding on the GPU: faster, but no longer bit for bit the CPU's picture
     #[arg(long)]
     fast: bool,
-    /// Limit on GPU memory, for example 2GB; of scenes that need more, what rays come to is there (walk)
+    /// Limit on GPU memory, for example 2GB; with --traversal walk larger scenes are traced page by page
     #[arg(long, value_name = "BYTES", value_parser = parse::bytes)]
     memory_budget: Option<u64>,
 }

@@ -1,5 +1,5 @@
-//! `cargo bench -p voxtrace-tests --bench larger -- SCENE.vxt 1 2 4 8`: a scene on the device whole, and in a half, a quarter and an eighth of the memory
-//! that it takes there: seconds for a picture of 1280 × 720 with 16 samples by `path`, bytes of pages that came, and whether the film is the same.
+//! `cargo bench -p voxtrace-tests --bench larger -- SCENE.vxt 1280x720 2 4 8`: a scene on the device whole, and in a half, a quarter and an eighth of the memory
+//! that it takes there: seconds for a picture with 16 samples by `path`, bytes of pages that came, and whether the film is the same.
 
 use std::error::Error;
 use std::path::PathBuf;
@@ -10,7 +10,7 @@ use voxtrace_vulkan::{Device, Options, Settings, Traversal, VulkanTracer};
 
 /// Renders with so many bytes on the device, or as many as it has; returns the film.
 fn measure(scene: &Arc<PackedScene>, frame: &Frame, budget: Option<u64>) -> Result<Film, Box<dyn Error>> {
-    let device = Device::open(Options::default(), None, budget)?;
+    let device = Device::open(Options::default(), std::env::var("VOXTRACE_DEVICE").ok().as_deref(), budget)?;
     let settings = Settings { traversal: Traversal::Walk, is_exact: true, ..Settings::default() };
     let mut tracer = VulkanTracer::new(device, settings)?;
     let start = Instant::now();
@@ -38,11 +38,12 @@ fn measure(scene: &Arc<PackedScene>, frame: &Frame, budget: Option<u64>) -> Resu
 
 fn main() -> Result<(), Box<dyn Error>> {
     let arguments: Vec<String> = std::env::args().skip(1).filter(|argument| !argument.starts_with("--")).collect();
-    let (file, parts) = arguments.split_first().ok_or("which .vxt file?")?;
+    let [file, size, parts @ ..] = &arguments[..] else { return Err("which .vxt file, and what size?".into()) };
+    let (width, height) = size.split_once('x').ok_or("a size is like 1280x720")?;
     let scene = Arc::new(PackedScene::open(&PathBuf::from(file))?);
     let camera =
         scene.cameras.first().cloned().unwrap_or_else(|| Camera::look_at([-1e3, -1e3, 5e2].into(), [0.0; 3].into()));
-    let frame = Frame::new(camera, 1280, 720).samples(16).integrator(Integrator::Path);
+    let frame = Frame::new(camera, width.parse()?, height.parse()?).samples(16).integrator(Integrator::Path);
     let geometry = scene.geometry();
     let words = geometry.cells().len() + geometry.bricks().len() + geometry.brick_materials().len();
     let lights = size_of_val(geometry.emitters()) + size_of_val(geometry.light_nodes());

@@ -91,7 +91,8 @@ pub fn choose(request: &Request) -> Result<Choice, TraceError> {
     let (name, kind) = (device.info().name.clone(), device.info().kind);
     let settings = Settings { traversal, primitive, is_exact: !request.is_fast };
     let tracer = match VulkanTracer::new(Arc::clone(&device), settings) {
-        Ok(tracer) => tracer,
+        // The CPU is quicker than a device that must bring a scene page by page.
+        Ok(tracer) => tracer.with_pages(!request.is_automatic()),
         Err(error) if request.is_automatic() => {
             return Ok(cpu(format!("tracing on the CPU: the GPU does not work ({error})")));
         }

@@ -32,6 +32,8 @@ pub struct VulkanTracer {
     backend: Backend,
     settings: Settings,
     submit_ms: Option<f64>,
+    /// Whether scenes that do not fit are traced page by page.
+    has_pages: bool,
     scene: Option<Arc<PackedScene>>,
     /// The film as it was last on the host.
     copy: Option<(Frame, Film)>,
@@ -63,6 +65,7 @@ impl VulkanTracer {
             backend: Backend::Device(Box::new(worker)),
             settings,
             submit_ms: None,
+            has_pages: true,
             scene: None,
             copy: None,
             rendered: None,
@@ -110,6 +113,16 @@ impl VulkanTracer {
         if let Backend::Device(worker) = &mut self.backend {
             worker.set_submit_ms(submit_ms);
         }
+    }
+
+    /// Whether a scene that does not fit the device is traced all the same, with [`crate::Traversal::Walk`], page by page: then rays bring what they come to,
+    /// and the picture is the same, tens of times slower. Else setting it is [`TraceError::OutOfMemory`]. At first they are.
+    pub fn with_pages(mut self, has_pages: bool) -> Self {
+        self.has_pages = has_pages;
+        if let Backend::Device(worker) = &mut self.backend {
+            worker.allow_pages(has_pages);
+        }
+        self
     }
 
     /// Brings the next pages of the scene as if nothing were in them, for tests.
@@ -237,6 +250,7 @@ impl VulkanTracer {
     fn reopen(&mut self) -> Result<(), TraceError> {
         self.device = self.device.reopened()?;
         let mut worker = Worker::new(Arc::clone(&self.device), self.settings)?;
+        worker.allow_pages(self.has_pages);
         if let Some(submit_ms) = self.submit_ms {
             worker.set_submit_ms(submit_ms);
         }

@@ -57,6 +57,8 @@ pub struct Worker {
     /// Milliseconds of the picture that the last call of `render` wrote, where it did.
     shown_ms: Option<f64>,
     submit_ms: f64,
+    /// Whether scenes may lie in pages.
+    allows_pages: bool,
     /// Pixels that are traced together where the scene lies in pages.
     pixels_at_a_time: u64,
     render_batches: BatchSizer,
@@ -110,6 +112,7 @@ impl Worker {
             resolve_passes: None,
             shown_ms: None,
             submit_ms: TARGET_MS,
+            allows_pages: true,
             pixels_at_a_time: u64::MAX,
             render_batches: BatchSizer::default(),
             cast_batches: BatchSizer::default(),
@@ -343,6 +346,11 @@ impl Worker {
     pub fn empty_pages(&mut self, count: usize) {
         let pages = self.scene.as_mut().and_then(|buffers| buffers.pages.as_mut());
         pages.into_iter().for_each(|pages| pages.emptied = count);
+    }
+
+    /// Whether scenes that do not fit lie there in pages.
+    pub fn allow_pages(&mut self, allows_pages: bool) {
+        self.allows_pages = allows_pages;
     }
 
     /// Bytes of the scene, and how much of it has room, where it lies on the device in pages.

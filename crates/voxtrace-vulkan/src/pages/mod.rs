@@ -18,8 +18,8 @@ use std::sync::Arc;
 use voxtrace_core::TraceError;
 use voxtrace_core::packed::{Emitter, Geometry, LightNode};
 
-/// log₂ of the words of a page: 16 KiB.
-pub const PAGE_BITS: u32 = 12;
+/// log₂ of the words of a page: 4 KiB.
+pub const PAGE_BITS: u32 = 10;
 /// Words before the slots of the pages.
 pub const PAGE_HEADER: u32 = 8;
 /// The word of the header that is not 0 where lights lie in pages.

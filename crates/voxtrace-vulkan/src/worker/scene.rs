@@ -56,7 +56,7 @@ impl Worker {
             false => Err(TraceError::OutOfMemory { needed, available }),
         };
         match whole {
-            Err(TraceError::OutOfMemory { .. }) if self.settings.traversal == Traversal::Walk => {
+            Err(TraceError::OutOfMemory { .. }) if self.settings.traversal == Traversal::Walk && self.allows_pages => {
                 let for_films = (available / 4).min(FOR_FILMS);
                 let paged = SceneBuffers::new(device, submitter, transfer, scene, Some(available - for_films));
                 paged.map_err(|error| match error {
