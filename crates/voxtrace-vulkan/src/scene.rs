@@ -47,7 +47,7 @@ impl SceneBuffers {
             Some(room) => {
                 let placement = placement_arrays(scene.placement());
                 let whole: u64 = placement.iter().map(|(.., bytes)| bytes.len() as u64).sum();
-                let whole = whole + (materials.2.len() + size_of_val(geometry.grids())) as u64;
+                let whole = whole + (materials.2.len() + size_of_val(geometry.grids())) as u64 + ROUNDED;
                 let budget = room.saturating_sub(whole);
                 Some(Pages::new(device, submitter, transfer, geometry, budget).map_err(|error| match error {
                     TraceError::OutOfMemory { needed, .. } => {
@@ -179,6 +179,8 @@ impl SceneBuffers {
     }
 }
 
+/// Bytes that drivers add to buffers where they round their sizes, at most.
+const ROUNDED: u64 = 1 << 16;
 /// Name of the environment map's buffer in the memory report.
 const ENVIRONMENT: &str = "environment";
 
