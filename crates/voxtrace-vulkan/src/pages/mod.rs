@@ -95,23 +95,14 @@ impl Pages {
         geometry: &Geometry,
         budget: u64,
     ) -> Result<Self, TraceError> {
-        let light_bytes = Self::light_bytes_of(geometry);
-        let has_lights = light_bytes > budget / 2;
-        let whole = if has_lights { 0 } else { light_bytes };
-        let mut count = 0u64;
-        let starts = arrays_of(geometry, has_lights).map(|words| {
-            count += words.len().div_ceil(PAGE_WORDS) as u64;
-            (count - words.len().div_ceil(PAGE_WORDS) as u64) as u32
-        });
-        let table_bytes = 4 * (u64::from(PAGE_HEADER) + 2 * count);
-        let room =
-            budget.saturating_sub(whole + table_bytes).min(device.info().limits.max_storage_buffer_range) / PAGE_BYTES;
+        let most = device.info().limits.max_storage_buffer_range;
+        let plan = |has_lights| Plan::new(geometry, has_lights, budget, most);
+        let has_lights = Self::light_bytes_of(geometry) > budget / 2 || plan(false).room <= FEWEST;
+        let Plan { starts, count, room, whole } = plan(has_lights);
         if room <= FEWEST {
-            return Err(TraceError::OutOfMemory {
-                needed: whole + table_bytes + (FEWEST + 1) * PAGE_BYTES,
-                available: budget,
-            });
+            return Err(TraceError::OutOfMemory { needed: whole + (FEWEST + 1) * PAGE_BYTES, available: budget });
         }
+        let table_bytes = table_bytes(count);
         // The first slot holds no page.
         let slots = Slots::new(count as usize, room.min(count + 1) as usize);
         let pool = Buffer::storage(device, "pages", slots.len() as u64 * PAGE_BYTES)?;
@@ -199,6 +190,35 @@ impl Pages {
         let words = arrays_of(geometry, self.has_lights)[which];
         &words[first..words.len().min(first + PAGE_WORDS)]
     }
+}
+
+/// How the memory for a scene is divided.
+struct Plan {
+    /// The first page of each array, and the number of all.
+    starts: [u32; ARRAYS],
+    count: u64,
+    /// Pages that there is room for.
+    room: u64,
+    /// Bytes of what is no page.
+    whole: u64,
+}
+
+impl Plan {
+    fn new(geometry: &Geometry, has_lights: bool, budget: u64, most: u64) -> Self {
+        let mut count = 0u64;
+        let starts = arrays_of(geometry, has_lights).map(|words| {
+            count += words.len().div_ceil(PAGE_WORDS) as u64;
+            (count - words.len().div_ceil(PAGE_WORDS) as u64) as u32
+        });
+        let lights = if has_lights { 0 } else { Pages::light_bytes_of(geometry) };
+        let whole = lights + table_bytes(count);
+        Self { starts, count, room: budget.saturating_sub(whole).min(most) / PAGE_BYTES, whole }
+    }
+}
+
+/// Bytes of the table of so many pages.
+fn table_bytes(count: u64) -> u64 {
+    4 * (u64::from(PAGE_HEADER) + 2 * count)
 }
 
 /// What lies in pages, in their order.
