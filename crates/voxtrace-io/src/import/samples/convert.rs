@@ -5,6 +5,7 @@ use crate::import::source::input::Input;
 use rayon::prelude::*;
 use std::path::Path;
 use std::sync::mpsc::channel;
+use voxtrace_voxelize::volume::large::Coding;
 use voxtrace_voxelize::{ImportError, Limits};
 
 /// Bytes converted by one task.
@@ -177,6 +178,43 @@ impl Layout {
             Sample::F32 => converted!(f32),
             Sample::F64 => converted!(f64),
         }
+    }
+
+    /// What single numbers are where they are read layer by layer: those of 8 and 16 bits are codes.
+    pub fn coding(&self) -> Coding {
+        // Codes of signed numbers count from the least one on.
+        let coded = |count: u32, flip: u32| {
+            let stored = (0..count).map(|code| (code ^ flip) as u16);
+            let bytes: Vec<u8> = match (count, self.big_endian) {
+                (256, _) => stored.map(|code| code as u8).collect(),
+                (_, true) => stored.flat_map(u16::to_be_bytes).collect(),
+                (_, false) => stored.flat_map(u16::to_le_bytes).collect(),
+            };
+            let mut table = vec![0.0; count as usize];
+            self.convert(&bytes, self.sample.size(), &mut table);
+            table
+        };
+        match self.sample {
+            Sample::U8 => Coding::Bytes(coded(256, 0)),
+            Sample::I8 => Coding::Bytes(coded(256, 0x80)),
+            Sample::U16 => Coding::Words(coded(65_536, 0)),
+            Sample::I16 => Coding::Words(coded(65_536, 0x8000)),
+            _ => Coding::Reals,
+        }
+    }
+
+    /// Makes codes of [`Self::coding`] of the numbers of a file, in place.
+    pub fn encode_bytes(&self, codes: &mut [u8]) {
+        if self.sample == Sample::I8 {
+            codes.iter_mut().for_each(|code| *code ^= 0x80);
+        }
+    }
+
+    /// As [`Self::encode_bytes`], of numbers of 16 bits.
+    pub fn encode_words(&self, codes: &mut [u16]) {
+        let flip = if self.sample == Sample::I16 { 0x8000 } else { 0 };
+        let own = if self.big_endian { u16::from_be } else { u16::from_le };
+        codes.iter_mut().for_each(|code| *code = own(*code) ^ flip);
     }
 
     /// Reads the samples that come next as text.
