@@ -42,9 +42,11 @@ impl Maker<'_> {
             any.iter_mut().zip(*row).for_each(|(any, bits)| *any |= bits);
         }
         for word in (0..any.len()).filter(|&word| any[word] != 0) {
-            let rows: [u64; EDGE * EDGE] =
-                std::array::from_fn(|at| self.visible(&around, [at % EDGE + 1, at / EDGE + 1], word));
-            let kept = rows.iter().fold(0, |kept, row| kept | row);
+            let (mut rows, mut kept) = ([0; EDGE * EDGE], 0);
+            for (at, own) in rows.iter_mut().enumerate() {
+                *own = self.visible(&around, [at % EDGE + 1, at / EDGE + 1], word);
+                kept |= *own;
+            }
             for x in (0..EDGE).filter(|x| kept >> (x * EDGE) & 0xff != 0) {
                 self.push([word * EDGE + x, row], &rows, &mut records);
             }
@@ -69,21 +71,26 @@ impl Maker<'_> {
 
     /// Encodes a brick from the 64 rows of a word around it.
     fn push(&self, [x, row]: [usize; 2], rows: &[u64; EDGE * EDGE], records: &mut TileRecords) {
-        let own = rows.map(|bits| bits >> (x % EDGE * EDGE) & 0xff);
+        let mut own = [0; EDGE * EDGE];
+        own.iter_mut().zip(rows).for_each(|(own, bits)| *own = bits >> (x % EDGE * EDGE) & 0xff);
         let occupancy = occupancy_of(&self.turned(own), 0);
-        let voxels = (0..8).flat_map(|block| bits(occupancy[block]).map(move |bit| voxel_of(block, bit)));
-        let keys: Vec<u64> = voxels
-            .map(|local| {
-                let [i, j, k] = self.world.map(|axis| local[axis] as usize);
-                let layer = self.layers[k + 1];
-                layer.map_or(0, |layer| self.window.material(layer, [x * EDGE + i, row * EDGE + j]).into())
-            })
-            .collect();
+        // Layers of materials from the brick's first voxel on.
+        let corner = [x * EDGE, row * EDGE];
+        let layers: [&[u16]; EDGE] = std::array::from_fn(|k| self.window.materials(self.layers[k + 1], corner));
+        let (width, [i, j, k]) = (self.window.width(), self.world);
+        let (mut keys, mut count) = ([0; EDGE * EDGE * EDGE], 0);
+        for (block, &occupied) in occupancy.iter().enumerate() {
+            for bit in bits(occupied) {
+                let local = voxel_of(block, bit);
+                keys[count] = layers[local[k] as usize][local[j] as usize * width + local[i] as usize].into();
+                count += 1;
+            }
+        }
         let mut at = IVec3::ZERO;
         for (axis, place) in self.world.into_iter().zip([x, row, self.layer]) {
             at[axis] = place as i32;
         }
-        records.push(at, &occupancy, &keys);
+        records.push(at, &occupancy, &keys[..count]);
     }
 
     /// Rows along the grid's first axis, from those along the lattice's.

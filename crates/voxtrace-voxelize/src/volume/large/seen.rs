@@ -89,9 +89,10 @@ impl<'a> Window<'a> {
         layer.zip(at).map_or(&[], |(layer, at)| &layer.bits[at * words..][..words])
     }
 
-    /// The material of a voxel that is seen.
-    pub fn material(&self, layer: &SeenLayer, [x, row]: [usize; 2]) -> u16 {
-        layer.materials[(row - self.stripe.voxels.start) * self.width() + x]
+    /// The materials of the voxels that are seen, from one of them on; none beyond the grid.
+    pub fn materials<'l>(&self, layer: Option<&'l SeenLayer>, [x, row]: [usize; 2]) -> &'l [u16] {
+        let first = (row - self.stripe.voxels.start) * self.width() + x;
+        layer.map_or(&[], |layer| &layer.materials[first..])
     }
 
     /// The layers of voxels of a layer of bricks and its neighbours, in the order of the samples.
