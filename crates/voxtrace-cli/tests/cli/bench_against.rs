@@ -43,8 +43,9 @@ fn a_program_that_takes_ten_times_as_long_is_seen() {
         mkdir -p \"$out\" && cp slow.json \"$out/results.json\"\n";
     // Written by another process: one that is forked meanwhile would keep it open, and it could not be run.
     std::fs::write(folder.path("slow.txt"), script).unwrap();
-    let made = std::process::Command::new("sh").args(["-c", "cat slow.txt > slow && chmod +x slow"]);
-    assert!({ made }.current_dir(folder.path("")).status().unwrap().success());
+    let mut writer = std::process::Command::new("sh");
+    writer.args(["-c", "cat slow.txt > slow && chmod +x slow"]).current_dir(folder.path(""));
+    assert!(writer.status().unwrap().success());
     let json = folder.succeed(&[&SMALL[..], &["--against", "./slow", "--json", "-o", "out"]].concat());
     let json: Value = serde_json::from_str(&json).unwrap();
     let cell = &json["cells"][0];
