@@ -285,6 +285,38 @@ mod tests {
     }
 
     #[test]
+    fn codes_stand_for_the_numbers_that_were_stored_and_are_in_their_order() {
+        let stored: Vec<u8> = (0..512u32).map(|n| (n.wrapping_mul(2_654_435_761) >> 19) as u8).collect();
+        for (sample, big_endian) in
+            [Sample::U8, Sample::I8, Sample::U16, Sample::I16].map(|own| [(own, false), (own, true)]).concat()
+        {
+            let size = [512 / sample.size(), 1, 1];
+            for rescale in [(1.0, 0.0), (-0.5, 7.0)] {
+                let layout = Layout { sample, big_endian, size, components: 1, rescale };
+                let mut wanted = vec![0.0; size[0]];
+                layout.convert_all(&stored, &mut wanted);
+                let (coding, mut codes) = (layout.coding(), stored.clone());
+                let table = coding.table();
+                assert!(if rescale.0 > 0.0 { table.is_sorted() } else { table.iter().rev().is_sorted() });
+                let found: Vec<f32> = if sample.size() == 1 {
+                    layout.encode_bytes(&mut codes);
+                    codes.iter().map(|&code| table[usize::from(code)]).collect()
+                } else {
+                    let mut words: Vec<u16> = bytemuck::pod_collect_to_vec(&codes);
+                    layout.encode_words(&mut words);
+                    words.iter().map(|&code| table[usize::from(code)]).collect()
+                };
+                assert_eq!(found, wanted, "{sample:?} {big_endian} {rescale:?}");
+                let planted = Layout { big_endian: !big_endian, rescale: (2.0, 0.0), ..layout };
+                planted.convert_all(&stored, &mut wanted);
+                assert_ne!(found, wanted);
+            }
+        }
+        let layout = |sample| Layout { sample, big_endian: false, size: [1; 3], components: 1, rescale: (1.0, 0.0) };
+        assert!([Sample::F16, Sample::F32, Sample::U32].into_iter().all(|own| layout(own).coding().table().is_empty()));
+    }
+
+    #[test]
     fn halves_are_read_in_both_byte_orders() {
         // 1.5 and −0.25 (IEEE 754, binary16).
         assert_eq!(read(Sample::F16, false, 1, &[0, 0x3e, 0, 0xb4]).unwrap(), [1.5, -0.25]);

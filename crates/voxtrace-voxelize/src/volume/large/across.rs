@@ -11,6 +11,12 @@ pub(super) struct Across<'a> {
     kind: Kind,
     /// The samples under each word of voxels.
     spans: Vec<Range<usize>>,
+    /// Most samples under one voxel.
+    most: usize,
+    /// Of [`Kind::Any`], for each voxel of the row where its samples begin within the span of its word.
+    places: Vec<usize>,
+    /// The weight of the first sample of each voxel of a word, then those of the second; 0 where a voxel has fewer than others.
+    weights: Vec<[f32; WORD]>,
 }
 
 #[derive(Clone, Copy, PartialEq)]
@@ -48,7 +54,18 @@ impl<'a> Across<'a> {
             let ends = taps.iter().map(|taps| taps.start..taps.start + taps.weights.len());
             ends.reduce(|a, b| a.start.min(b.start)..a.end.max(b.end)).unwrap_or_default()
         };
-        Self { taps, kind, spans: taps.chunks(WORD).map(span).collect() }
+        let spans: Vec<Range<usize>> = taps.chunks(WORD).map(span).collect();
+        let most = taps.iter().map(|taps| taps.weights.len()).max().unwrap_or(0);
+        let mut across = Self { taps, kind, spans, most, places: Vec::new(), weights: Vec::new() };
+        if kind == Kind::Any {
+            across.places = (0..count).map(|at| taps[at].start - across.spans[at / WORD].start).collect();
+            let weight = |word: usize, tap: usize, at: usize| {
+                taps.get(word * WORD + at).and_then(|taps| taps.weights.get(tap)).copied().unwrap_or(0.0)
+            };
+            let words = (0..across.spans.len()).flat_map(|word| (0..most).map(move |tap| (word, tap)));
+            across.weights = words.map(|(word, tap)| std::array::from_fn(|at| weight(word, tap, at))).collect();
+        }
+        across
     }
 
     /// The samples under a word of voxels.
@@ -58,7 +75,12 @@ impl<'a> Across<'a> {
 
     /// Most samples under one voxel.
     pub fn most(&self) -> usize {
-        self.taps.iter().map(|taps| taps.weights.len()).max().unwrap_or(0)
+        self.most
+    }
+
+    /// How many zeros [`Self::add`] wants behind the samples of a span.
+    pub fn room(&self) -> usize {
+        if self.kind == Kind::Any { self.most } else { 0 }
     }
 
     /// Whether each voxel is one sample, and whether they run against each other.
@@ -91,13 +113,26 @@ impl<'a> Across<'a> {
                 let add = |(sum, [first, second]): (&mut f32, &[f32; 2])| *sum = *sum + a * first + b * second;
                 sums.iter_mut().zip(values.as_chunks().0.iter().rev()).for_each(add);
             }
-            Kind::Any => {
-                let (start, taps) = (self.spans[word].start, &self.taps[word * WORD..]);
-                for (sum, taps) in sums.iter_mut().zip(taps) {
-                    for (weight_x, value) in taps.weights.iter().zip(&values[taps.start - start..]) {
-                        *sum += weight_x * weight_y * weight_z * value;
-                    }
+            Kind::Any => self.add_any(word, values, [weight_y, weight_z], sums),
+        }
+    }
+
+    /// As [`Self::add`], whatever lies under each voxel: the first sample of all of them, then the second. `values` has room for samples that
+    /// voxels at its end lack.
+    fn add_any(&self, word: usize, values: &[f32], [weight_y, weight_z]: [f32; 2], sums: &mut [f32]) {
+        let places = &self.places[word * WORD..][..sums.len()];
+        // What is no finite number would not vanish with a weight of 0.
+        if values.iter().fold(true, |all, value| all & value.is_finite()) {
+            for (tap, weights) in self.weights[word * self.most..][..self.most].iter().enumerate() {
+                for ((sum, weight), &place) in sums.iter_mut().zip(weights).zip(places) {
+                    *sum += weight * weight_y * weight_z * values[place + tap];
                 }
+            }
+            return;
+        }
+        for ((sum, taps), &place) in sums.iter_mut().zip(&self.taps[word * WORD..]).zip(places) {
+            for (weight_x, value) in taps.weights.iter().zip(&values[place..]) {
+                *sum += weight_x * weight_y * weight_z * value;
             }
         }
     }

@@ -87,8 +87,10 @@ impl RowReader<'_> {
 
     fn add<S: Stored>(&self, word: usize, row: &WeightedRow<S>, sums: &mut [f32], scratch: &mut Scratch) {
         let samples = &row.samples[self.across.span(word)];
-        scratch.values.resize(samples.len(), 0.0);
-        S::reals(self.classes, samples, &mut scratch.values);
+        // Voxels at the end that have fewer samples than others find nothing behind theirs.
+        scratch.values.clear();
+        scratch.values.resize(samples.len() + self.across.room(), 0.0);
+        S::reals(self.classes, samples, &mut scratch.values[..samples.len()]);
         self.across.add(word, &scratch.values, row.weights, sums);
     }
 }

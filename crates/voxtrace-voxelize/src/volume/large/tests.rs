@@ -299,3 +299,26 @@ fn a_layer_that_cannot_be_read_ends_the_work_with_its_error() {
         voxelize_large_volume_to_file(work.0, work.1, work.2, &Limits::default(), &path, &progress).unwrap_err();
     assert!(error.to_string().contains("a layer") && !path.exists(), "{error}");
 }
+
+#[test]
+fn what_is_no_finite_number_is_not_seen_and_spoils_no_other_voxel() {
+    let folder = tempfile::tempdir().unwrap();
+    let (a, b) = (folder.path().join("a.vxt"), folder.path().join("b.vxt"));
+    let mut volume = lump([70, 41, 37], false);
+    let finite = volume.clone();
+    for (n, value) in volume.values.iter_mut().enumerate() {
+        match n.wrapping_mul(2_654_435_761) >> 16 & 0xfff {
+            0 => *value = f32::NAN,
+            1 => *value = f32::INFINITY,
+            2 => *value = f32::NEG_INFINITY,
+            _ => {}
+        }
+    }
+    for (k, count) in [70, 48, 35, 19, 83].into_iter().enumerate() {
+        let transfer = (k % 2 == 0).then(|| Preset::Surface.transfer());
+        let options = VolumeOptions { scale: Some(Scale::Resolution(count)), transfer, ..VolumeOptions::default() };
+        let wanted = in_memory(&volume, &options, &a);
+        assert!(large(&mut kept(&volume), &options, 1 << 30, &b).unwrap() == wanted, "{count}");
+        assert!(large(&mut kept(&finite), &options, 1 << 30, &b).unwrap() != wanted, "{count}");
+    }
+}
