@@ -117,7 +117,9 @@ macro_rules! stored_codes {
             const NONE: [Self; 2] = [<$code>::MAX, 0];
 
             fn extremes(codes: &[Self], [low, high]: [Self; 2]) -> [Self; 2] {
-                codes.iter().fold([low, high], |[low, high], &code| [low.min(code), high.max(code)])
+                // One after the other, which compilers turn into vectors.
+                let low = codes.iter().fold(low, |low, &code| low.min(code));
+                [low, codes.iter().fold(high, |high, &code| high.max(code))]
             }
 
             fn is_quiet(classes: &Classes, [low, high]: [Self; 2], terms: usize) -> bool {
