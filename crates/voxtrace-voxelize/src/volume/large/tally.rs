@@ -28,8 +28,12 @@ impl<'a> Tally<'a> {
     /// Counts the samples of a block from one on.
     pub fn add(&mut self, block: &Block, first: usize) {
         match (self, block) {
-            (Self::Codes { counts, .. }, Block::Bytes(codes)) => each(counts, codes, first, count_bytes),
-            (Self::Codes { counts, .. }, Block::Words(codes)) => each(counts, codes, first, count_words),
+            (Self::Codes { counts, .. }, Block::Bytes(codes)) => {
+                each(counts, codes, first, |counts, codes| count_bytes(counts, codes))
+            }
+            (Self::Codes { counts, .. }, Block::Words(codes)) => {
+                each(counts, codes, first, |counts, codes| count_words(counts, codes))
+            }
             (Self::Reals(looks), Block::Reals(values)) => each(looks, values, first, Look::add_chunk),
             _ => {}
         }
@@ -61,7 +65,7 @@ fn one<T: Copy + PartialEq>(run: &[T; RUN]) -> Option<T> {
     (!differ).then_some(first)
 }
 
-fn count_bytes(counts: &mut Vec<u64>, codes: &[u8]) {
+fn count_bytes(counts: &mut [u64], codes: &[u8]) {
     // Four tables, since adding to the same place twice in a row takes longer.
     let mut tables = [[0u64; 256]; 4];
     let (runs, rest) = codes.as_chunks::<RUN>();
@@ -82,7 +86,7 @@ fn count_bytes(counts: &mut Vec<u64>, codes: &[u8]) {
     }
 }
 
-fn count_words(counts: &mut Vec<u64>, codes: &[u16]) {
+fn count_words(counts: &mut [u64], codes: &[u16]) {
     let (runs, rest) = codes.as_chunks::<RUN>();
     for run in runs {
         match one(run) {
@@ -100,7 +104,7 @@ mod tests {
     /// Runs, noise and an end that fills no run; `seed` changes one of them.
     fn codes(seed: u32) -> Vec<u16> {
         let noise = |n: u32| (n.wrapping_mul(2_654_435_761) >> 24) as u16;
-        let code = |n: u32| if n / 1000 % 2 == 0 { 7 + (n / 5000) as u16 } else { noise(n) };
+        let code = |n: u32| if (n / 1000).is_multiple_of(2) { 7 + (n / 5000) as u16 } else { noise(n) };
         (0..30_021).map(|n| if n == 12_345 { code(n) ^ seed as u16 } else { code(n) }).collect()
     }
 
