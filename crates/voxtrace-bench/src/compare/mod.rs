@@ -289,7 +289,7 @@ fn label(cell: &Value) -> String {
     format!("{} {}", text(&cell["scene"]), text(&cell["cell"]))
 }
 
-/// Device, driver, integrator and version of a report.
+/// Device, driver, integrator, version and commit of a report.
 fn name(report: &Value) -> String {
     let device = &report["device"];
     let place = match device["name"].as_str() {
@@ -300,7 +300,10 @@ fn name(report: &Value) -> String {
     };
     let incomplete = if report["complete"] == true { "" } else { ", not complete" };
     let integrator = text(&report["settings"]["integrator"]);
-    format!("{place}, integrator {integrator}, voxtrace {}{incomplete}", text(&report["voxtrace"]))
+    // Two builds of one version differ by it, where it is known.
+    let commit = report["runs"].as_array().and_then(|runs| runs.last()?["commit"].as_str());
+    let commit = commit.map_or(String::new(), |commit| format!(" ({})", commit.get(..10).unwrap_or(commit)));
+    format!("{place}, integrator {integrator}, voxtrace {}{commit}{incomplete}", text(&report["voxtrace"]))
 }
 
 #[cfg(test)]

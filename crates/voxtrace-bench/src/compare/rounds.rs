@@ -53,6 +53,9 @@ impl Duel {
 
     /// The result in one line.
     fn summary(&self) -> String {
+        if self.rounds == 0 {
+            return "No round was measured to its end.".into();
+        }
         let outcomes: Vec<Outcome> = self.cells.iter().map(|cell| cell.outcome).collect();
         super::summary(&outcomes)
     }
@@ -61,6 +64,9 @@ impl Duel {
     pub fn text(&self) -> String {
         let number = |value: Option<f64>| value.map_or("-".into(), |value| format!("{value:.3}"));
         let mut text = format!("A: {}\nB: {}\n{} rounds in turns\n\n", self.names[0], self.names[1], self.rounds);
+        if self.rounds == 0 {
+            return format!("{text}{}\n", self.summary());
+        }
         text += &format!(
             "{:<16} {:<22} {:>10} {:>10} {:>7} {:>16} {:>6}  {}\n",
             "scene", "cell", "A ms", "B ms", "B / A", "95 %", "quiet", "outcome"
@@ -180,6 +186,7 @@ mod tests {
         }
         assert_eq!(duel(&rounds(1.1, 0.2)).cells[0].outcome, Outcome::Equal, "the interval is wide");
         assert_eq!(duel(&rounds(1.1, 0.005)[..2]).cells[0].outcome, Outcome::Unknown);
+        assert!(duel(&[]).text().ends_with("No round was measured to its end.\n"));
         assert_eq!(duel(&rounds(1.1, 0.0)).summary(), "Of 2 cells: 1 equal within noise, 1 B is slower.");
     }
 

@@ -96,3 +96,11 @@ fn what_is_in_one_report_alone_is_named() {
     b["cells"] = json!([]);
     assert!(Comparison::of(&a, &b).summary().contains("no cell in common"));
 }
+
+#[test]
+fn builds_of_one_version_are_told_apart_by_their_commits() {
+    let mut a = report([10.0, 20.0]);
+    assert!(name(&a).ends_with("voxtrace 1"), "{}", name(&a));
+    a["runs"] = json!([{ "commit": "000" }, { "commit": "0123456789abcdef" }]);
+    assert!(name(&a).ends_with("voxtrace 1 (0123456789)"), "{}", name(&a));
+}
