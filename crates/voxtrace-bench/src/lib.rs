@@ -2,6 +2,7 @@
 //! of each traversal and primitive) as a report, two reports side by side, and what a machine has to trace with.
 #![doc = include_str!("../README.md")]
 
+mod against;
 mod compare;
 pub mod doctor;
 mod error;
@@ -17,7 +18,8 @@ mod run;
 #[doc(hidden)]
 pub mod shell;
 
-pub use compare::{CompareError, CompareErrorKind, Comparison};
+pub use against::{Against, AgainstError};
+pub use compare::{CompareError, CompareErrorKind, Comparison, rounds::Duel};
 pub use error::BenchError;
 pub use measure::{is_same_voxel, open_device};
 pub use monitor::{Host, LoadedScene, Monitor};

@@ -86,7 +86,8 @@ impl VolumeArgs {
         let transfer = transfer.unwrap_or_else(|| Transfer::automatic(&values));
         let mut settled = transfer.clone();
         settled.resolve(&values, self.threshold);
-        self.announce(volume, &values, &settled, path, report, || {
+        self.announce(volume, Some(&values), &settled, report);
+        self.warn_of(&values, &settled, path, report, || {
             let Ramp::Absolute { low, .. } = settled.ramp else { return None };
             let shown = volume.values.iter().filter(|value| **value >= low).count();
             Some(shown as f64 / volume.values.len().max(1) as f64)
@@ -118,28 +119,30 @@ impl VolumeArgs {
         scene.map_err(failure)
     }
 
-    /// Says what a volume holds and what of it is shown; `share` is that of the samples which the transfer function shows.
-    fn announce(
+    /// Says what a volume holds and what of it is shown.
+    fn announce(&self, frame: &Volume, values: Option<&ValueStatistics>, settled: &Transfer, report: &mut Report) {
+        let ([x, y, z], spacing) = (frame.size, frame.spacing().as_vec3());
+        let unit = LengthUnit::from(frame.unit).suffix();
+        let range = values.map_or_else(String::new, |values| format!(", from {} to {}", values.lowest, values.highest));
+        report.remark(&format!(
+            "{x} x {y} x {z} samples, {} x {} x {}{unit} apart{range}: {} shows {}",
+            spacing.x,
+            spacing.y,
+            spacing.z,
+            settled.name,
+            settled.shown()
+        ));
+    }
+
+    /// Warns of a transfer function that is made for other values; `share` is that of the samples which it shows.
+    fn warn_of(
         &self,
-        frame: &Volume,
         values: &ValueStatistics,
         settled: &Transfer,
         path: &Path,
         report: &mut Report,
         share: impl FnOnce() -> Option<f64>,
     ) {
-        let ([x, y, z], spacing) = (frame.size, frame.spacing().as_vec3());
-        let unit = LengthUnit::from(frame.unit).suffix();
-        report.remark(&format!(
-            "{x} x {y} x {z} samples, {} x {} x {}{unit} apart, from {} to {}: {} shows {}",
-            spacing.x,
-            spacing.y,
-            spacing.z,
-            values.lowest,
-            values.highest,
-            settled.name,
-            settled.shown()
-        ));
         if let Some(warning) = hounsfield::warning(values, settled, share).filter(|_| self.threshold.is_none()) {
             report.warn(&format!("{}: {warning}", path.display()));
         }
@@ -161,15 +164,20 @@ impl VolumeArgs {
         path: &Path,
         report: &mut Report,
     ) -> Result<(), Failure> {
-        let settled = survey.transfer();
-        self.announce(frame, survey.values(), settled, path, report, || match settled.ramp {
-            Ramp::Absolute { low, .. } => survey.share_from(low),
-            _ => None,
-        });
+        self.announce(frame, survey.values(), survey.transfer(), report);
         let ([x, y, z], size) = survey.grid(frame, options).map_err(|error| volume_failure(path, error))?;
         let unit = LengthUnit::from(frame.unit).suffix();
         report.remark(&format!("on {x} x {y} x {z} voxels of {}{unit}, layer by layer", size as f32));
         Ok(())
+    }
+
+    /// Warns of a transfer function that is made for other values, once these are known.
+    pub fn warn_of_large(&self, survey: &Survey, path: &Path, report: &mut Report) {
+        let (Some(values), settled) = (survey.values(), survey.transfer()) else { return };
+        self.warn_of(values, settled, path, report, || match settled.ramp {
+            Ramp::Absolute { low, .. } => survey.share_from(low),
+            _ => None,
+        });
     }
 }
 

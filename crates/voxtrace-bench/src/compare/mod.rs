@@ -2,6 +2,7 @@
 //! beyond the confidence intervals of both, and more than two runs of one plan on one idle machine may differ; and where the machine was quiet.
 
 mod error;
+pub(crate) mod rounds;
 
 pub use error::{CompareError, CompareErrorKind};
 
@@ -18,7 +19,7 @@ const SCHEMA: u64 = 2;
 const SETTINGS: [&str; 5] = ["width", "height", "max_bounces", "integrator", "seed"];
 
 /// Reads the report of a folder, or a `results.json`.
-fn read(path: &Path) -> Result<Value, CompareError> {
+pub(crate) fn read(path: &Path) -> Result<Value, CompareError> {
     let file = if path.is_dir() { path.join("results.json") } else { path.to_owned() };
     let parse = || {
         let text = std::fs::read_to_string(&file).map_err(CompareErrorKind::Io)?;
@@ -115,15 +116,7 @@ impl Comparison {
 
     /// The result in one line.
     fn summary(&self) -> String {
-        use Outcome::{Disturbed, Equal, Faster, Incomparable, Slower, Unknown};
-        let counts = [Equal, Faster, Slower, Unknown, Disturbed, Incomparable]
-            .map(|outcome| (self.count(outcome), outcome.name()));
-        let told: Vec<String> =
-            counts.iter().filter(|(count, _)| *count > 0).map(|(count, name)| format!("{count} {name}")).collect();
-        match self.pairs.len() {
-            0 => "The reports have no cell in common.".into(),
-            all => format!("Of {all} cells: {}.", told.join(", ")),
-        }
+        summary(&self.pairs.iter().map(|pair| pair.outcome).collect::<Vec<_>>())
     }
 
     /// Every cell, for people.
@@ -170,6 +163,20 @@ impl Comparison {
             "a": self.names[0], "b": self.names[1], "summary": self.summary(), "band": BAND,
             "cells": self.pairs.iter().map(pair).collect::<Vec<_>>(), "alone": self.alone,
         })
+    }
+}
+
+/// What became of all cells, in one line.
+fn summary(outcomes: &[Outcome]) -> String {
+    use Outcome::{Disturbed, Equal, Faster, Incomparable, Slower, Unknown};
+    let count = |outcome: Outcome| outcomes.iter().filter(|own| **own == outcome).count();
+    let counts =
+        [Equal, Faster, Slower, Unknown, Disturbed, Incomparable].map(|outcome| (count(outcome), outcome.name()));
+    let told: Vec<String> =
+        counts.iter().filter(|(count, _)| *count > 0).map(|(count, name)| format!("{count} {name}")).collect();
+    match outcomes.len() {
+        0 => "The reports have no cell in common.".into(),
+        all => format!("Of {all} cells: {}.", told.join(", ")),
     }
 }
 
@@ -282,7 +289,7 @@ fn label(cell: &Value) -> String {
     format!("{} {}", text(&cell["scene"]), text(&cell["cell"]))
 }
 
-/// Device, driver, integrator and version of a report.
+/// Device, driver, integrator, version and commit of a report.
 fn name(report: &Value) -> String {
     let device = &report["device"];
     let place = match device["name"].as_str() {
@@ -293,105 +300,11 @@ fn name(report: &Value) -> String {
     };
     let incomplete = if report["complete"] == true { "" } else { ", not complete" };
     let integrator = text(&report["settings"]["integrator"]);
-    format!("{place}, integrator {integrator}, voxtrace {}{incomplete}", text(&report["voxtrace"]))
+    // Two builds of one version differ by it, where it is known.
+    let commit = report["runs"].as_array().and_then(|runs| runs.last()?["commit"].as_str());
+    let commit = commit.map_or(String::new(), |commit| format!(" ({})", commit.get(..10).unwrap_or(commit)));
+    format!("{place}, integrator {integrator}, voxtrace {}{commit}{incomplete}", text(&report["voxtrace"]))
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// A report of two cells with these medians, each known to half a percent.
-    fn report(medians: [f64; 2]) -> Value {
-        let cell = |name: &str, median: f64| {
-            json!({
-                "scene": "city", "scene_index": 0, "cell": name, "shaders": "fast", "clock": "gpu", "failure": null,
-                "interrupted": false, "stable": true, "lost": 0,
-                "ms": { "median": median, "median_95": [median * 0.995, median * 1.005] },
-                "bytes_per_voxel": { "total": 1.5 },
-                "conformance": { "wrong": 1, "invented": 2, "missed": 3 },
-            })
-        };
-        json!({
-            "schema": 2, "voxtrace": "1", "complete": true, "device": { "name": "GPU", "driver": "7" },
-            "settings": { "width": 10, "height": 10, "max_bounces": 3, "integrator": "essay", "seed": 1 },
-            "scenes": [{ "name": "city", "content_hash": "abc" }],
-            "cells": [cell("walk", medians[0]), cell("cpu", medians[1])],
-        })
-    }
-
-    fn outcomes(a: &Value, b: &Value) -> Vec<Outcome> {
-        Comparison::of(a, b).pairs.iter().map(|pair| pair.outcome).collect()
-    }
-
-    #[test]
-    fn planted_differences_are_found_and_noise_is_not() {
-        let a = report([10.0, 20.0]);
-        assert_eq!(outcomes(&a, &a), [Outcome::Equal, Outcome::Equal]);
-        // 1.9 % is within the band although the intervals do not meet.
-        assert_eq!(outcomes(&a, &report([10.19, 19.62])), [Outcome::Equal, Outcome::Equal]);
-        assert_eq!(outcomes(&a, &report([10.5, 19.0])), [Outcome::Slower, Outcome::Faster]);
-        let comparison = Comparison::of(&a, &report([10.5, 19.0]));
-        let pair = &comparison.pairs[0];
-        assert_eq!((pair.ratio, pair.wrong), (Some(1.05), [Some(6), Some(6)]));
-        let [low, high] = pair.interval.unwrap();
-        assert!(low > 1.03 && low < 1.05 && high > 1.05 && high < 1.07, "{low} {high}");
-        assert_eq!(comparison.summary(), "Of 2 cells: 1 B is faster, 1 B is slower.");
-    }
-
-    #[test]
-    fn a_wide_interval_makes_a_difference_noise_and_few_frames_make_it_unknown() {
-        let (a, mut b) = (report([10.0, 20.0]), report([11.0, 22.0]));
-        b["cells"][0]["ms"]["median_95"] = json!([9.0, 13.0]);
-        b["cells"][1]["ms"]["median_95"] = Value::Null;
-        assert_eq!(outcomes(&a, &b), [Outcome::Equal, Outcome::Unknown]);
-    }
-
-    #[test]
-    fn where_the_machine_was_not_quiet_there_is_no_verdict_and_the_reason_is_said() {
-        let (a, mut b) = (report([10.0, 20.0]), report([4.7, 20.0]));
-        b["cells"][0]["disturbance"] = "threads waited 41 % of the time for a processor".into();
-        let comparison = Comparison::of(&a, &b);
-        assert_eq!(outcomes(&a, &b), [Outcome::Disturbed, Outcome::Equal]);
-        assert_eq!(outcomes(&b, &a), [Outcome::Disturbed, Outcome::Equal]);
-        let ratio = comparison.pairs[0].ratio.unwrap();
-        assert!((ratio - 0.47).abs() < 1e-9, "what was measured is shown: {ratio}");
-        assert_eq!(comparison.summary(), "Of 2 cells: 1 equal within noise, 1 no verdict.");
-        let why = "no verdict: the machine was not quiet (B: threads waited 41 % of the time for a processor)";
-        assert!(comparison.text().contains(why) && comparison.text().ends_with(ADVICE));
-        assert!(!Comparison::of(&a, &a).text().contains("quiet"));
-        b["cells"][0]["disturbance"] = Value::Null;
-        assert_eq!(outcomes(&a, &b), [Outcome::Faster, Outcome::Equal]);
-    }
-
-    #[test]
-    fn other_scenes_settings_and_what_is_not_proved_are_not_compared() {
-        let a = report([10.0, 20.0]);
-        let spoiled = |spoil: &dyn Fn(&mut Value)| {
-            let mut b = report([20.0, 20.0]);
-            spoil(&mut b);
-            let pairs = Comparison::of(&a, &b).pairs;
-            assert_eq!(pairs[0].outcome, Outcome::Incomparable);
-            assert_eq!((pairs[0].ratio, pairs[0].interval), (None, None));
-            pairs[0].why.clone().unwrap()
-        };
-        assert!(spoiled(&|b| b["scenes"][0]["content_hash"] = "abd".into()).contains("other scenes"));
-        assert!(spoiled(&|b| b["settings"]["width"] = 11.into()).contains("width (10, 11)"));
-        let other = spoiled(&|b| b["settings"]["integrator"] = "path".into());
-        assert!(other.contains("integrator (\"essay\", \"path\")"), "{other}");
-        assert!(spoiled(&|b| b["cells"][0]["shaders"] = "precise".into()).contains("shaders"));
-        assert!(spoiled(&|b| b["cells"][0]["failure"] = "device lost".into()).contains("device lost"));
-        assert!(spoiled(&|b| b["cells"][0]["stable"] = false.into()).contains("not stable"));
-        assert!(spoiled(&|b| b["cells"][0]["interrupted"] = true.into()).contains("to its end"));
-    }
-
-    #[test]
-    fn what_is_in_one_report_alone_is_named() {
-        let (a, mut b) = (report([10.0, 20.0]), report([10.0, 20.0]));
-        b["cells"][1]["cell"] = "query:brick".into();
-        let comparison = Comparison::of(&a, &b);
-        assert_eq!(comparison.alone, ["only in A: city cpu", "only in B: city query:brick"]);
-        assert!(comparison.text().contains("only in B: city query:brick"));
-        b["cells"] = json!([]);
-        assert!(Comparison::of(&a, &b).summary().contains("no cell in common"));
-    }
-}
+pub(crate) mod tests;

@@ -3,7 +3,7 @@
 //! H. White, "Automatic block-length selection for the dependent bootstrap", 2004, corrected 2009).
 
 /// Resamples; with a fixed seed, so that the same frames give the same interval.
-const RESAMPLES: usize = 1000;
+pub(super) const RESAMPLES: usize = 1000;
 /// Fewer frames than this say nothing about their spread.
 const FEWEST: usize = 12;
 /// Part of the resamples that lies outside, on both sides together.
@@ -46,7 +46,7 @@ impl Intervals {
 }
 
 /// The values between which 95 % of the resamples lie.
-fn ends(values: &mut [f64]) -> [f64; 2] {
+pub(super) fn ends(values: &mut [f64]) -> [f64; 2] {
     values.sort_by(f64::total_cmp);
     let last = (values.len() - 1) as f64;
     let at = |part: f64| values[(part * last).round() as usize];
@@ -94,7 +94,7 @@ fn block_length(values: &[f64]) -> usize {
 }
 
 /// SplitMix64 (G. Steele, D. Lea, C. Flood, 2014).
-struct SplitMix(u64);
+pub(super) struct SplitMix(pub u64);
 
 impl SplitMix {
     fn next(&mut self) -> u64 {
@@ -106,7 +106,7 @@ impl SplitMix {
     }
 
     /// A number below `count`.
-    fn below(&mut self, count: usize) -> usize {
+    pub fn below(&mut self, count: usize) -> usize {
         ((u128::from(self.next()) * count as u128) >> 64) as usize
     }
 }

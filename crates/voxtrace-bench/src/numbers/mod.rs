@@ -1,6 +1,9 @@
 //! Frames of a cell as CSV lines, and the numbers that a report draws from them.
 
 mod interval;
+mod rounds;
+
+pub use rounds::{FEWEST_ROUNDS, ratio_of_rounds};
 
 use interval::Intervals;
 use std::io::{self, Write};

@@ -157,6 +157,13 @@ impl Request {
         }
     }
 
+    /// A round's share of the frames of a cell and of their time, of so many rounds. On a device without a time limit the share is of the
+    /// minute that software has.
+    pub fn share(&self, rounds: u32) -> (u32, Duration) {
+        let frames = self.frames.unwrap_or(if self.quick { QUICK_FRAMES } else { FRAMES });
+        (frames.div_ceil(rounds), self.limit().unwrap_or(SOFTWARE_LIMIT) / rounds)
+    }
+
     /// Whether the size of the pictures is to be found: of a quick benchmark on the processor, which says none.
     pub(crate) fn chooses_size(&self, named: &[Cell], device: Option<&DeviceInfo>) -> bool {
         let mut cells = if named.is_empty() { cell::planned(device, self.full) } else { named.to_vec() }.into_iter();

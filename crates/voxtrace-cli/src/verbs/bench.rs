@@ -1,6 +1,8 @@
 //! `voxtrace bench`: the study's measurement on this machine, by one command: frame times, rays and memory of each
 //! traversal and primitive, as a report, JSON and CSV.
 
+mod against;
+
 use crate::camera_file;
 use crate::changes::ChangeArgs;
 use crate::failure::{Failure, Kind};
@@ -94,6 +96,12 @@ pub struct BenchArgs {
     /// Device by its number or a part of its name, as `voxtrace devices` lists them
     #[arg(long, value_name = "DEVICE", env = "VOXTRACE_DEVICE", hide_env_values = true)]
     device: Option<String>,
+    /// Another voxtrace, for example an older one: both measure the same in turns, and are compared
+    #[arg(long, value_name = "PROGRAM", conflicts_with_all = ["resume", "sweep"])]
+    against: Option<PathBuf>,
+    /// Rounds of --against, in which each program gets its share of the frames and of the time [default: 5]
+    #[arg(long, value_name = "N", requires = "against", value_parser = clap::value_parser!(u32).range(3..=100))]
+    rounds: Option<u32>,
     /// Print results.json rather than a table
     #[arg(long)]
     json: bool,
@@ -133,6 +141,9 @@ impl BenchArgs {
             );
         }
         self.instances = request.instances;
+        if let Some(program) = &self.against {
+            return against::run(program, self.rounds.unwrap_or(against::ROUNDS), &self, &request, report);
+        }
         let results = run(&request, &mut CommandLine { args: &self, report })?;
         crate::stdout::print(&if self.json { format!("{:#}\n", results.json()) } else { results.table() });
         report.remark(&format!("the report is {}", self.output.join("report.html").display()));
@@ -149,15 +160,20 @@ impl BenchArgs {
         let scenes = request.scenes.iter().filter(|entry| !scenes::NAMES.contains(&entry.name.as_str()));
         scenes.for_each(|entry| opened::note(Path::new(&entry.name)));
         request.scenes.iter().filter_map(|entry| entry.camera.as_deref()).for_each(opened::note);
-        let written = ["results.json", "report.md", "report.html"].map(|name| self.output.join(name));
+        let written = ["results.json", "against.json", "report.md", "report.html"].map(|name| self.output.join(name));
         written.iter().try_for_each(|path| outputs::refuse_inputs(path))?;
         let mut files = std::fs::read_dir(&self.output).into_iter().flatten();
-        let is_foreign = files.next().is_some() && !self.output.join("results.json").is_file();
+        let is_foreign = files.next().is_some() && !self.has_results();
         if self.folder.is_none() && !self.force && is_foreign {
             let message = format!("the folder {} is there already, and no benchmark is in it", self.output.display());
             return Err(Failure::new(Kind::Output, message).hint("name the folder with -o, or say --force"));
         }
         Ok(())
+    }
+
+    /// Whether a benchmark is in the folder.
+    fn has_results(&self) -> bool {
+        ["results.json", "against.json"].iter().any(|name| self.output.join(name).is_file())
     }
 
     fn request(&self) -> Request {
@@ -195,7 +211,7 @@ fn typed() -> String {
 }
 
 /// The command line as the host of a benchmark.
-struct CommandLine<'a> {
+pub(super) struct CommandLine<'a> {
     args: &'a BenchArgs,
     report: &'a mut Report,
 }

@@ -159,8 +159,10 @@ impl VoxelizeArgs {
         }
         let options = self.import.volume.options_of_large(large.frame(), &self.import.mesh)?;
         watched("survey", report, |progress| large.survey(&options, progress).map(drop)).map_err(failure)?;
+        let is_known = large.surveyed().is_some_and(|survey| survey.values().is_some());
         if let Some(survey) = large.surveyed() {
             self.import.volume.announce_large(large.frame(), survey, &options, self.input(), report)?;
+            self.import.volume.warn_of_large(survey, self.input(), report);
         }
         self.refuse_inputs()?;
         let write = |progress: &_| large.voxelize_to_file(&options, limits, &self.out, progress);
@@ -168,6 +170,9 @@ impl VoxelizeArgs {
             VoxelizeError::Io(error) => Failure::output(&self.out, &error),
             error => failure(error),
         })?;
+        if let Some(survey) = large.surveyed().filter(|_| !is_known) {
+            self.import.volume.warn_of_large(survey, self.input(), report);
+        }
         report.wrote(&self.out);
         Ok(())
     }

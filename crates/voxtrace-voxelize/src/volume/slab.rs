@@ -228,11 +228,12 @@ impl<'a> RowReader<'a> {
 pub(super) fn packed(truths: &[bool; WORD]) -> u64 {
     /// Brings the lowest bits of eight bytes together in the highest byte.
     const GATHER: u64 = 0x0102_0408_1020_4080;
-    let bytes = truths.as_chunks::<8>().0.iter().enumerate();
-    bytes.fold(0, |word, (at, bytes)| {
-        let bytes = u64::from_le_bytes(bytes.map(u8::from));
-        word | (bytes.wrapping_mul(GATHER) >> 56) << (8 * at)
-    })
+    let bytes: &[u8; WORD] = bytemuck::cast_ref(truths);
+    let mut word = 0;
+    for (at, &bytes) in bytes.as_chunks::<8>().0.iter().enumerate() {
+        word |= (u64::from_le_bytes(bytes).wrapping_mul(GATHER) >> 56) << (8 * at);
+    }
+    word
 }
 
 /// The value at a voxel. It is summed in the order of the samples, so that a volume that is read layer by layer has the same.

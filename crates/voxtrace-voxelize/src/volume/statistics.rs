@@ -16,6 +16,8 @@ const LABELS: RangeInclusive<f32> = -32_768.0..=65_535.0;
 /// The least label, and how many whole numbers the range has.
 const FIRST_LABEL: i32 = -32_768;
 const LABEL_COUNT: usize = 98_304;
+/// Values that are compared with the first of them at once.
+const RUN: usize = 64;
 /// Values processed by one task.
 const CHUNK: usize = 1 << 18;
 
@@ -80,11 +82,13 @@ pub(super) struct Look {
     /// Of each label from the first one on; empty where nothing was counted.
     counts: Vec<u64>,
     is_whole: bool,
+    /// All finite values, where they were codes and not all are whole.
+    values: Option<Vec<(f32, u64)>>,
 }
 
 impl Default for Look {
     fn default() -> Self {
-        Self { low: f32::MAX, high: f32::MIN, counts: Vec::new(), is_whole: true }
+        Self { low: f32::MAX, high: f32::MIN, counts: Vec::new(), is_whole: true, values: None }
     }
 }
 
@@ -99,7 +103,23 @@ impl Look {
         *self = std::mem::take(self).and(found);
     }
 
-    fn add_chunk(&mut self, values: &[f32]) {
+    /// What codes say, of which each occurs so often and stands for a value.
+    pub fn of_codes(table: &[f32], counts: &[u64]) -> Self {
+        let found = table.iter().zip(counts).filter(|&(_, &count)| count > 0).map(|(&value, &count)| (value, count));
+        let mut look = Self::default();
+        let distinct: Vec<f32> = found.clone().map(|(value, _)| value).collect();
+        look.add_chunk(&distinct);
+        if look.is_whole {
+            look.counts.fill(0);
+            found.for_each(|(value, count)| look.counts[(value as i32 - FIRST_LABEL) as usize] += count);
+        } else {
+            look.values = Some(found.filter(|(value, _)| value.is_finite()).collect());
+        }
+        look
+    }
+
+    /// Looks at further values.
+    pub fn add_chunk(&mut self, values: &[f32]) {
         let (mut low, mut high, mut is_whole) = (self.low, self.high, self.is_whole);
         for &value in values {
             // Infinite ones and what is no number change nothing.
@@ -114,10 +134,20 @@ impl Look {
             return;
         }
         self.counts.resize(LABEL_COUNT, 0);
-        values.iter().for_each(|&value| self.counts[(value as i32 - FIRST_LABEL) as usize] += 1);
+        let place = |value: f32| (value as i32 - FIRST_LABEL) as usize;
+        let (runs, rest) = values.as_chunks::<RUN>();
+        for run in runs {
+            if run.iter().fold(true, |is_one, value| is_one & (*value == run[0])) {
+                self.counts[place(run[0])] += RUN as u64;
+            } else {
+                run.iter().for_each(|&value| self.counts[place(value)] += 1);
+            }
+        }
+        rest.iter().for_each(|&value| self.counts[place(value)] += 1);
     }
 
-    fn and(self, other: Self) -> Self {
+    /// What two looks say together.
+    pub fn and(self, other: Self) -> Self {
         let (low, high) = (self.low.min(other.low), self.high.max(other.high));
         let is_whole = self.is_whole && other.is_whole;
         let counts = match (is_whole, self.counts.is_empty(), other.counts.is_empty()) {
@@ -126,11 +156,11 @@ impl Look {
             (_, _, true) => self.counts,
             _ => sum(self.counts, other.counts),
         };
-        Self { low, high, counts, is_whole }
+        Self { low, high, counts, is_whole, values: None }
     }
 
     /// The least and the greatest value, 0 where there is none.
-    fn range(&self) -> (f32, f32) {
+    pub fn range(&self) -> (f32, f32) {
         if self.low > self.high { (0.0, 0.0) } else { (self.low, self.high) }
     }
 
@@ -139,23 +169,33 @@ impl Look {
         (FIRST_LABEL..).zip(&self.counts).filter(|&(_, &count)| count > 0).map(|(value, &count)| (value, count))
     }
 
-    /// As [`binned`], where all values are whole.
-    fn binned(&self, low: f32, high: f32) -> Option<Vec<u64>> {
+    /// As [`binned`], where all values were counted.
+    pub fn binned(&self, low: f32, high: f32) -> Option<Vec<u64>> {
         let bin = bins(low, high);
         let mut counts = vec![0; BINS];
-        self.counted().for_each(|(value, count)| counts[bin(value as f32)] += count);
-        self.is_whole.then_some(counts)
+        match &self.values {
+            Some(values) => values.iter().for_each(|&(value, count)| counts[bin(value)] += count),
+            None => self.counted().for_each(|(value, count)| counts[bin(value as f32)] += count),
+        }
+        (self.is_whole || self.values.is_some()).then_some(counts)
     }
 
-    /// The share of values that are at least so much, where all are whole.
+    /// The share of values that are at least so much, where all were counted.
     pub fn share_from(&self, low: f32) -> Option<f64> {
-        let all: u64 = self.counts.iter().sum();
-        let above: u64 = self.counted().filter(|&(value, _)| value as f32 >= low).map(|(_, count)| count).sum();
-        (self.is_whole && all > 0).then(|| above as f64 / all as f64)
+        let (mut all, mut above) = (0, 0);
+        let mut add = |value: f32, count: u64| {
+            all += count;
+            above += if value >= low { count } else { 0 };
+        };
+        match &self.values {
+            Some(values) => values.iter().for_each(|&(value, count)| add(value, count)),
+            None => self.counted().for_each(|(value, count)| add(value as f32, count)),
+        }
+        ((self.is_whole || self.values.is_some()) && all > 0).then(|| above as f64 / all as f64)
     }
 
     /// The distinct values, if all are whole and few.
-    fn labels(&self) -> Option<Vec<i32>> {
+    pub fn labels(&self) -> Option<Vec<i32>> {
         let labels: Vec<i32> = self.counted().map(|(value, _)| value).take(MOST_LABELS + 1).collect();
         (self.is_whole && labels.len() <= MOST_LABELS).then_some(labels)
     }

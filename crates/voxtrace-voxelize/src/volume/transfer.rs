@@ -181,6 +181,11 @@ impl Transfer {
         matches!(self.ramp, Ramp::Relative { .. })
     }
 
+    /// Whether it has to know what values there are: their scale, or which labels.
+    pub fn goes_by_values(&self) -> bool {
+        self.is_relative() || matches!(self.ramp, Ramp::EveryLabel)
+    }
+
     /// Which values are shown, for people.
     pub fn shown(&self) -> String {
         match &self.ramp {
@@ -278,6 +283,14 @@ impl Lookup {
             Kind::Labels(_) => {
                 seen.iter_mut().zip(values).for_each(|(seen, &value)| *seen = self.material(value) != EMPTY)
             }
+        }
+    }
+
+    /// The least and the greatest value shown; `None` of labels.
+    pub fn interval(&self) -> Option<[f32; 2]> {
+        match self.kind {
+            Kind::Ramp { low, high, .. } => Some([low, high]),
+            Kind::Labels(_) => None,
         }
     }
 

@@ -11,7 +11,7 @@ use crate::import::source::inflate::Packing;
 use std::ops::Range;
 use voxtrace_voxelize::ImportError;
 use voxtrace_voxelize::volume::Volume;
-use voxtrace_voxelize::volume::large::SampleSource;
+use voxtrace_voxelize::volume::large::{Block, SampleSource};
 
 /// Opens a TIFF; `None` where it is no stack of grey slices.
 pub(super) fn open(source: Source, options: &ImportOptions) -> Result<Option<Box<dyn SampleSource>>, ImportError> {
@@ -72,14 +72,15 @@ impl SampleSource for PageSamples {
         self.frame.size[0] as u64 * 12
     }
 
-    fn read(&mut self, layer: usize, rows: Range<usize>, values: &mut [f32]) -> Result<(), ImportError> {
+    fn read(&mut self, layer: usize, rows: Range<usize>, block: &mut Block) -> Result<(), ImportError> {
         if self.kept.as_ref().is_none_or(|(own, _)| *own != layer) {
             self.kept = None;
             self.kept = Some((layer, self.pages.slice(layer)?.values));
         }
         let width = self.frame.size[0];
-        let kept = self.kept.iter().flat_map(|(_, all)| &all[rows.start * width..rows.end * width]);
-        values.iter_mut().zip(kept).for_each(|(value, own)| *value = *own);
+        if let (Block::Reals(values), Some((_, all))) = (block, &self.kept) {
+            values.copy_from_slice(&all[rows.start * width..rows.end * width]);
+        }
         Ok(())
     }
 }

@@ -11,6 +11,8 @@ use voxtrace_voxelize::{ImportError, Limits};
 pub struct LargeVolume {
     source: Box<dyn SampleSource>,
     survey: Option<Survey>,
+    /// Whether the survey was used, and is not to be used for other options.
+    is_used: bool,
     /// Length and time of the file.
     stamp: String,
     memory_budget: u64,
@@ -19,7 +21,7 @@ pub struct LargeVolume {
 impl LargeVolume {
     /// What a reader has opened, to be worked on in so many bytes of memory.
     pub(crate) fn new(source: Box<dyn SampleSource>, path: &Path, memory_budget: u64) -> Result<Self, ImportError> {
-        Ok(Self { source, survey: None, stamp: stamp_of(path)?, memory_budget })
+        Ok(Self { source, survey: None, is_used: false, stamp: stamp_of(path)?, memory_budget })
     }
 
     /// The volume without its samples.
@@ -27,16 +29,17 @@ impl LargeVolume {
         self.source.frame()
     }
 
-    /// Reads all samples, to know their range and the transfer function that suits.
+    /// Reads all samples, to know their range and the transfer function that suits; none where one is given that does not go by them.
     ///
     /// # Errors
     /// If they cannot be read, or it was cancelled.
     pub fn survey(&mut self, options: &VolumeOptions, progress: &VoxelizeProgress) -> Result<&Survey, VoxelizeError> {
         let survey = Survey::of(self.source.as_mut(), options, Some(self.memory_budget), progress)?;
+        self.is_used = false;
         Ok(self.survey.insert(survey))
     }
 
-    /// What was learned by the survey, if there was one since the last work.
+    /// What was learned by the survey, and by the work after it.
     pub fn surveyed(&self) -> Option<&Survey> {
         self.survey.as_ref()
     }
@@ -53,11 +56,12 @@ impl LargeVolume {
         path: &Path,
         progress: &VoxelizeProgress,
     ) -> Result<Written, VoxelizeError> {
-        let survey = match self.survey.take() {
+        let survey = match self.survey.take().filter(|_| !self.is_used) {
             Some(survey) => survey,
             None => Survey::of(self.source.as_mut(), options, Some(self.memory_budget), progress)?,
         };
-        let work = (options, Some(self.memory_budget));
-        voxelize_large_volume_to_file((self.source.as_mut(), &self.stamp), &survey, work, limits, path, progress)
+        self.is_used = true;
+        let (survey, work) = (self.survey.insert(survey), (options, Some(self.memory_budget)));
+        voxelize_large_volume_to_file((self.source.as_mut(), &self.stamp), survey, work, limits, path, progress)
     }
 }

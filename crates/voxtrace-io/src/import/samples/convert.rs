@@ -5,6 +5,7 @@ use crate::import::source::input::Input;
 use rayon::prelude::*;
 use std::path::Path;
 use std::sync::mpsc::channel;
+use voxtrace_voxelize::volume::large::Coding;
 use voxtrace_voxelize::{ImportError, Limits};
 
 /// Bytes converted by one task.
@@ -179,6 +180,43 @@ impl Layout {
         }
     }
 
+    /// What single numbers are where they are read layer by layer: those of 8 and 16 bits are codes.
+    pub fn coding(&self) -> Coding {
+        // Codes of signed numbers count from the least one on.
+        let coded = |count: u32, flip: u32| {
+            let stored = (0..count).map(|code| (code ^ flip) as u16);
+            let bytes: Vec<u8> = match (count, self.big_endian) {
+                (256, _) => stored.map(|code| code as u8).collect(),
+                (_, true) => stored.flat_map(u16::to_be_bytes).collect(),
+                (_, false) => stored.flat_map(u16::to_le_bytes).collect(),
+            };
+            let mut table = vec![0.0; count as usize];
+            self.convert(&bytes, self.sample.size(), &mut table);
+            table
+        };
+        match self.sample {
+            Sample::U8 => Coding::Bytes(coded(256, 0)),
+            Sample::I8 => Coding::Bytes(coded(256, 0x80)),
+            Sample::U16 => Coding::Words(coded(65_536, 0)),
+            Sample::I16 => Coding::Words(coded(65_536, 0x8000)),
+            _ => Coding::Reals,
+        }
+    }
+
+    /// Makes codes of [`Self::coding`] of the numbers of a file, in place.
+    pub fn encode_bytes(&self, codes: &mut [u8]) {
+        if self.sample == Sample::I8 {
+            codes.iter_mut().for_each(|code| *code ^= 0x80);
+        }
+    }
+
+    /// As [`Self::encode_bytes`], of numbers of 16 bits.
+    pub fn encode_words(&self, codes: &mut [u16]) {
+        let flip = if self.sample == Sample::I16 { 0x8000 } else { 0 };
+        let own = if self.big_endian { u16::from_be } else { u16::from_le };
+        codes.iter_mut().for_each(|code| *code = own(*code) ^ flip);
+    }
+
     /// Reads the samples that come next as text.
     pub fn read_text(&self, input: &mut Input) -> Result<Vec<f32>, ImportError> {
         let (count, path) = (self.count(), input.path());
@@ -244,6 +282,38 @@ mod tests {
         }
         check!(U8 u8: 200, I8 i8: -100, U16 u16: 60_000, I16 i16: -30_000, U32 u32: 4_000_000_000, I32 i32: -2_000_000_000,
             U64 u64: 1 << 60, I64 i64: -(1 << 60), F32 f32: -1.5e30, F64 f64: 2.25e-20);
+    }
+
+    #[test]
+    fn codes_stand_for_the_numbers_that_were_stored_and_are_in_their_order() {
+        let stored: Vec<u8> = (0..512u32).map(|n| (n.wrapping_mul(2_654_435_761) >> 19) as u8).collect();
+        for (sample, big_endian) in
+            [Sample::U8, Sample::I8, Sample::U16, Sample::I16].map(|own| [(own, false), (own, true)]).concat()
+        {
+            let size = [512 / sample.size(), 1, 1];
+            for rescale in [(1.0, 0.0), (-0.5, 7.0)] {
+                let layout = Layout { sample, big_endian, size, components: 1, rescale };
+                let mut wanted = vec![0.0; size[0]];
+                layout.convert_all(&stored, &mut wanted);
+                let (coding, mut codes) = (layout.coding(), stored.clone());
+                let table = coding.table();
+                assert!(if rescale.0 > 0.0 { table.is_sorted() } else { table.iter().rev().is_sorted() });
+                let found: Vec<f32> = if sample.size() == 1 {
+                    layout.encode_bytes(&mut codes);
+                    codes.iter().map(|&code| table[usize::from(code)]).collect()
+                } else {
+                    let mut words: Vec<u16> = bytemuck::pod_collect_to_vec(&codes);
+                    layout.encode_words(&mut words);
+                    words.iter().map(|&code| table[usize::from(code)]).collect()
+                };
+                assert_eq!(found, wanted, "{sample:?} {big_endian} {rescale:?}");
+                let planted = Layout { big_endian: !big_endian, rescale: (2.0, 0.0), ..layout };
+                planted.convert_all(&stored, &mut wanted);
+                assert_ne!(found, wanted);
+            }
+        }
+        let layout = |sample| Layout { sample, big_endian: false, size: [1; 3], components: 1, rescale: (1.0, 0.0) };
+        assert!([Sample::F16, Sample::F32, Sample::U32].into_iter().all(|own| layout(own).coding().table().is_empty()));
     }
 
     #[test]

@@ -8,7 +8,7 @@ use std::fs::File;
 use std::io::{self, BufReader, ErrorKind, Read, Seek, SeekFrom};
 use std::ops::Range;
 use voxtrace_voxelize::volume::Volume;
-use voxtrace_voxelize::volume::large::SampleSource;
+use voxtrace_voxelize::volume::large::{Block, Coding, SampleSource};
 use voxtrace_voxelize::{ImportError, ImportErrorKind};
 
 /// Bytes that are read at once where they come out of a decoder.
@@ -57,11 +57,34 @@ impl FileSamples {
         Ok(())
     }
 
-    fn fill(&mut self, from: u64) -> io::Result<()> {
+    fn fill(&mut self, from: u64, bytes: &mut [u8]) -> io::Result<()> {
         self.seek(from)?;
         if let Some((stream, at)) = &mut self.stream {
-            stream.read_exact(&mut self.bytes)?;
-            *at += self.bytes.len() as u64;
+            stream.read_exact(bytes)?;
+            *at += bytes.len() as u64;
+        }
+        Ok(())
+    }
+
+    /// Reads the samples from a byte of the stream on; those of 8 and 16 bits just where they go.
+    fn read_from(&mut self, from: u64, block: &mut Block) -> io::Result<()> {
+        match block {
+            Block::Bytes(codes) => {
+                self.fill(from, codes)?;
+                self.layout.encode_bytes(codes);
+            }
+            Block::Words(codes) => {
+                self.fill(from, bytemuck::cast_slice_mut(codes))?;
+                self.layout.encode_words(codes);
+            }
+            Block::Reals(values) => {
+                let mut bytes = std::mem::take(&mut self.bytes);
+                bytes.resize(values.len() * self.layout.sample.size(), 0);
+                let read = self.fill(from, &mut bytes);
+                self.bytes = bytes;
+                read?;
+                self.layout.convert_all(&self.bytes, values);
+            }
         }
         Ok(())
     }
@@ -88,19 +111,23 @@ impl SampleSource for FileSamples {
     }
 
     fn bytes_of_row(&self) -> u64 {
-        (self.frame.size[0] * self.layout.sample.size()) as u64
+        match self.coding() {
+            Coding::Reals => (self.frame.size[0] * self.layout.sample.size()) as u64,
+            _ => 0,
+        }
     }
 
-    fn read(&mut self, layer: usize, rows: Range<usize>, values: &mut [f32]) -> Result<(), ImportError> {
+    fn coding(&self) -> Coding {
+        self.layout.coding()
+    }
+
+    fn read(&mut self, layer: usize, rows: Range<usize>, block: &mut Block) -> Result<(), ImportError> {
         let size = self.layout.sample.size();
         let [width, depth, _] = self.frame.size.map(|size| size as u64);
         let from = self.first + (layer as u64 * depth + rows.start as u64) * width * size as u64;
-        self.bytes.resize(values.len() * size, 0);
-        self.fill(from).map_err(|error| {
+        self.read_from(from, block).map_err(|error| {
             self.stream = None;
             self.failure(from, error)
-        })?;
-        self.layout.convert_all(&self.bytes, values);
-        Ok(())
+        })
     }
 }

@@ -1,25 +1,37 @@
 //! Out-of-core voxelization of volumes larger than memory. Samples stay in their file, from which layers of them are read one after
-//! the other: once for the range of the values, where needed again for their histogram, and once for the voxels. Where layers are
+//! the other: once for what values there are, where the transfer function goes by them, and once for the voxels. Where layers are
 //! large, the work is cut into stripes of rows. The scene in the file that comes of it is the one of the same volume in memory, bit for bit.
 
+mod across;
+mod ahead;
+mod block;
 mod bricks;
+mod classes;
+mod rows;
 mod seen;
 mod stripes;
+mod survey;
+mod tally;
 
-use super::statistics::{Look, binned, sum};
-use super::transfer::Lookup;
-use super::{Placement, Transfer, ValueStatistics, Volume, VolumeError, VolumeOptions};
+pub use block::{Block, Coding};
+pub use survey::Survey;
+
+use super::resample::Axis;
+use super::{Placement, Volume, VolumeError, VolumeOptions};
 use crate::import_error::ImportError;
 use crate::limits::Limits;
 use crate::voxelize::{
     SpillBuffer, SpilledBricks, Step, VoxelizeError, VoxelizeProgress, Written, check_limits, of_description,
     with_spill,
 };
+use ahead::ahead;
 use bricks::bricks_of;
-use seen::Window;
+use classes::Classes;
+use seen::{Feed, Window};
 use std::ops::Range;
 use std::path::Path;
-use stripes::{Stripe, rows_within, stripes_of};
+use stripes::{Stripe, stripes_of};
+use tally::Tally;
 use voxtrace_scene::scene::Scene;
 
 /// Memory to work in where nobody says how much.
@@ -38,118 +50,28 @@ pub trait SampleSource: Send {
         0
     }
 
-    /// Reads the samples of some rows of a layer, as [`Volume::values`] has them. Layers are read in ascending order, and from the first one
-    /// on again; only then is it cheap.
+    /// What its samples are.
+    fn coding(&self) -> Coding {
+        Coding::Reals
+    }
+
+    /// Reads the samples of some rows of a layer, as [`Volume::values`] has them, into a block of [`Self::coding`] that has room for just
+    /// these. Layers are read in ascending order, and from the first one on again; only then is it cheap.
     ///
     /// # Errors
     /// If the file is damaged or cannot be read.
-    fn read(&mut self, layer: usize, rows: Range<usize>, values: &mut [f32]) -> Result<(), ImportError>;
-}
-
-/// What was learned by reading all samples.
-#[derive(Clone, Debug)]
-pub struct Survey {
-    values: ValueStatistics,
-    look: Look,
-    /// The transfer function, resolved.
-    transfer: Transfer,
-}
-
-impl Survey {
-    /// Reads all samples once, and twice more where the transfer function goes by a scale that they have not been counted for.
-    ///
-    /// # Errors
-    /// If the volume is broken or cannot be read; also if it was cancelled.
-    pub fn of(
-        source: &mut dyn SampleSource,
-        options: &VolumeOptions,
-        memory_budget: Option<u64>,
-        progress: &VoxelizeProgress,
-    ) -> Result<Self, VoxelizeError> {
-        source.frame().validate_lattice().map_err(VolumeError::BadVolume)?;
-        let budget = memory_budget.unwrap_or(DEFAULT_BUDGET);
-        progress.begin(source.frame().size.iter().map(|&size| size as u64).product());
-        let mut look = Look::default();
-        for_each(source, budget, progress, &mut |values| look.add(values))?;
-        let mut values = ValueStatistics::at_first(&look, source.frame());
-        let mut transfer = options.transfer.clone().unwrap_or_else(|| Transfer::automatic(&values));
-        if transfer.is_relative() {
-            let frame_values = |low: f32, high: f32| {
-                let mut counts = binned(&[], low, high);
-                for_each(source, budget, progress, &mut |values| {
-                    counts = sum(std::mem::take(&mut counts), binned(values, low, high));
-                })?;
-                Ok::<_, VoxelizeError>(counts)
-            };
-            values.measure_scale(&look, &mut { frame_values })?;
-        }
-        transfer.resolve(&values, options.threshold);
-        Ok(Self { values, look, transfer })
-    }
-
-    /// Statistics of the values; their scale was measured only where the transfer function goes by it.
-    pub fn values(&self) -> &ValueStatistics {
-        &self.values
-    }
-
-    /// The transfer function, resolved.
-    pub fn transfer(&self) -> &Transfer {
-        &self.transfer
-    }
-
-    /// The share of samples with at least so much, where all are whole numbers.
-    pub fn share_from(&self, low: f32) -> Option<f64> {
-        self.look.share_from(low)
-    }
-
-    fn placement(&self, frame: &Volume, options: &VolumeOptions) -> Result<Placement, VolumeError> {
-        // Empty voxels take no memory here.
-        Placement::of(frame, options.scale, u64::MAX, self.transfer.is_labels())
-    }
-
-    /// Voxels along each axis of the grid, empty ones included, and the edge of one in the volume's unit.
-    ///
-    /// # Errors
-    /// If there is no grid for the volume.
-    pub fn grid(&self, frame: &Volume, options: &VolumeOptions) -> Result<([u64; 3], f64), VolumeError> {
-        let placement = self.placement(frame, options)?;
-        Ok((std::array::from_fn(|axis| placement.axes[axis].count() as u64), placement.voxel_size))
-    }
-}
-
-/// Hands out all samples, as many rows at a time as the budget holds.
-fn for_each(
-    source: &mut dyn SampleSource,
-    budget: u64,
-    progress: &VoxelizeProgress,
-    each: &mut dyn FnMut(&[f32]),
-) -> Result<(), VoxelizeError> {
-    let [width, rows, layers] = source.frame().size;
-    let most = rows_within(budget / 2, width as u64 * 12 + source.bytes_of_row()).min(rows);
-    let mut values = Vec::new();
-    for first in (0..rows).step_by(most) {
-        let some = first..(first + most).min(rows);
-        values.resize(some.len() * width, 0.0);
-        for layer in 0..layers {
-            if progress.is_cancelled() {
-                return Err(VoxelizeError::Cancelled);
-            }
-            source.read(layer, some.clone(), &mut values)?;
-            each(&values);
-            progress.add(values.len() as u64);
-        }
-    }
-    Ok(())
+    fn read(&mut self, layer: usize, rows: Range<usize>, block: &mut Block) -> Result<(), ImportError>;
 }
 
 /// Voxelizes a volume that is read layer by layer straight into a native file, which holds the scene of [`super::voxelize`], packed.
-/// `stamp` changes when the file does; it decides whether a checkpoint may be resumed. Overlays and colours of samples are left out.
+/// `stamp` changes when the file does; it decides whether a checkpoint may be resumed. Overlays and colours of samples are left out. A survey
+/// that read nothing knows what values there are once all samples were read for their voxels.
 ///
 /// # Errors
 /// If nothing is to be seen, there are more voxels than the limits allow, or a file cannot be read or written; also if it was cancelled.
 pub fn voxelize_large_volume_to_file(
     (source, stamp): (&mut dyn SampleSource, &str),
-    survey: &Survey,
+    survey: &mut Survey,
     (options, memory_budget): (&VolumeOptions, Option<u64>),
     limits: &Limits,
     path: &Path,
@@ -157,17 +79,26 @@ pub fn voxelize_large_volume_to_file(
 ) -> Result<Written, VoxelizeError> {
     let frame = source.frame().clone();
     let placement = survey.placement(&frame, options)?;
-    let lookup = survey.transfer.lookup();
-    let about = (stamp, &frame, &survey.values, &survey.transfer, options.scale, options.shell, memory_budget);
-    let key = of_description(&about);
+    let (lookup, coding) = (survey.transfer().lookup(), source.coding());
     let budget = memory_budget.unwrap_or(DEFAULT_BUDGET);
+    let axes = placement.axes_of_lattice();
+    let stripes = stripes_of([frame.size[0] as u64 * coding.bytes(), source.bytes_of_row()], &axes, budget);
+    let about = (stamp, &frame, survey.values(), survey.transfer(), options.scale, options.shell, memory_budget);
+    let key = of_description(&(about, &stripes));
     with_spill(Some(key), path, progress, |spill| {
-        let work = Work { placement: &placement, lookup: &lookup, shell: options.shell && lookup.is_opaque(), limits };
-        work.run(source, budget, spill, progress)?;
-        let transfer = &survey.transfer;
+        let work = Work {
+            placement: &placement,
+            axes,
+            classes: &Classes::new(&lookup, &coding),
+            coding: &coding,
+            shell: options.shell && lookup.is_opaque(),
+            limits,
+        };
+        work.run((source, &stripes), survey, spill, progress)?;
         if spill.voxels() == 0 {
-            let (lowest, highest) = (survey.values.lowest, survey.values.highest);
-            let (transfer, shown) = (transfer.name.clone(), transfer.shown());
+            let values = survey.values_of(source, budget, progress)?;
+            let (lowest, highest) = (values.lowest, values.highest);
+            let (transfer, shown) = (survey.transfer().name.clone(), survey.transfer().shown());
             return Err(VolumeError::Empty { lowest, highest, transfer, shown }.into());
         }
         let materials = lookup.colors().iter().map(|look| look.material()).collect();
@@ -188,55 +119,82 @@ pub fn voxelize_large_volume_to_file(
 /// What all stripes share.
 struct Work<'a> {
     placement: &'a Placement,
-    lookup: &'a Lookup,
+    axes: [&'a Axis; 3],
+    classes: &'a Classes<'a>,
+    coding: &'a Coding,
     shell: bool,
     limits: &'a Limits,
 }
 
 impl Work<'_> {
+    /// Layers of bricks.
+    fn layers(&self) -> usize {
+        self.axes[2].count().div_ceil(super::slab::EDGE)
+    }
+
     /// Makes the bricks stripe after stripe, and within each one layer of bricks after the other as the layers of samples come.
     fn run(
         &self,
-        source: &mut dyn SampleSource,
-        budget: u64,
+        (source, stripes): (&mut dyn SampleSource, &[Stripe]),
+        survey: &mut Survey,
         spill: &mut SpillBuffer,
         progress: &VoxelizeProgress,
     ) -> Result<(), VoxelizeError> {
-        let axes = self.placement.axes_of_lattice();
-        let stripes = stripes_of(source.frame().size[0], source.bytes_of_row(), &axes, budget);
-        let layers = axes[2].count().div_ceil(super::slab::EDGE);
         spill.resume_settled(progress)?;
-        progress.begin((stripes.len() * layers) as u64);
-        for (part, stripe) in stripes.into_iter().enumerate() {
-            self.stripe(&axes, part as u32, stripe, source, spill, progress)?;
+        progress.begin((stripes.len() * self.layers()) as u64);
+        // What was resumed was not read.
+        let mut tally = (survey.values().is_none() && spill.is_new()).then(|| Tally::new(self.coding));
+        let (mut counted, mut rows) = (0u64, 0);
+        for (part, stripe) in stripes.iter().enumerate() {
+            let first = rows.max(stripe.samples.start) - stripe.samples.start;
+            let fresh = stripe.samples.len().saturating_sub(first);
+            let wide = source.frame().size[0];
+            let tally = tally.as_mut().map(|tally| (tally, first * wide));
+            let read = self.stripe(part as u32, stripe, (source, tally), spill, progress)?;
+            counted += (fresh * read * wide) as u64;
+            rows = stripe.samples.end;
+        }
+        let all = source.frame().size.iter().map(|&size| size as u64).product();
+        if let Some(tally) = tally.filter(|_| counted == all) {
+            survey.learn(tally.look(), source.frame());
         }
         Ok(())
     }
 
+    /// Makes the bricks of a stripe; returns how many layers of samples were read for them.
     fn stripe(
         &self,
-        axes: &[&super::resample::Axis; 3],
         part: u32,
-        stripe: Stripe,
-        source: &mut dyn SampleSource,
+        stripe: &Stripe,
+        (source, tally): (&mut dyn SampleSource, Option<(&mut Tally, usize)>),
         spill: &mut SpillBuffer,
         progress: &VoxelizeProgress,
-    ) -> Result<(), VoxelizeError> {
-        let mut window = Window::new(*axes, stripe, self.lookup);
-        let layers = axes[2].count().div_ceil(super::slab::EDGE);
-        for batch in 0..layers {
-            let step = Step { part, batch: batch as u32 };
-            if !spill.has(step) {
-                // In the order of the samples, which the grid may have backwards.
-                let layer = if window.is_backward() { layers - 1 - batch } else { batch };
-                window.move_to(layer, source, progress)?;
-                let world = self.placement.world_of_lattice();
-                spill.push(step, bricks_of(&window, layer, world, self.shell))?;
-            }
-            check_limits(spill, self.limits, progress)?;
-            progress.add(1);
+    ) -> Result<usize, VoxelizeError> {
+        let wide = source.frame().size[0];
+        let mut window = Window::new(self.axes, (stripe.clone(), wide), self.classes, self.coding);
+        let layers = self.layers();
+        let step = |batch: usize| Step { part, batch: batch as u32 };
+        let done = (0..layers).take_while(|&batch| spill.has(step(batch))).count();
+        progress.add(done as u64);
+        if done == layers {
+            return Ok(0);
         }
-        Ok(())
+        // In the order of the samples, which the grid may have backwards.
+        let is_backward = window.is_backward();
+        let layer = |batch: usize| if is_backward { layers - 1 - batch } else { batch };
+        let needed = window.needed_from(layer(done));
+        let count = needed.len();
+        ahead(source, needed, stripe.samples.clone(), |ahead| {
+            let mut feed = Feed { ahead, tally };
+            for batch in done..layers {
+                window.move_to(layer(batch), &mut feed, progress)?;
+                let world = self.placement.world_of_lattice();
+                spill.push(step(batch), bricks_of(&window, layer(batch), world, self.shell))?;
+                check_limits(spill, self.limits, progress)?;
+                progress.add(1);
+            }
+            Ok(count)
+        })
     }
 }
 

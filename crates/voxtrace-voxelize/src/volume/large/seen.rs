@@ -1,27 +1,37 @@
 //! The window of a stripe: for ten layers of voxels, eight of bricks and one at either side, which voxels are seen and in which material.
-//! Axes are those of the lattice. Values are summed in the order in which [`super::super::slab`] sums them in memory.
+//! Axes are those of the lattice. Where few layers of samples lie under a layer of voxels, they are kept until it is made; else they are
+//! summed as they come.
 
 use super::super::resample::Axis;
-use super::super::slab::{EDGE, WORD, packed};
-use super::super::transfer::{EMPTY, Lookup};
-use super::SampleSource;
-use super::stripes::Stripe;
+use super::super::slab::{EDGE, WORD};
+use super::super::transfer::EMPTY;
+use super::across::Across;
+use super::ahead::Ahead;
+use super::classes::{Classes, Stored};
+use super::rows::{RowReader, Scratch, WeightedRow};
+use super::stripes::{FEW, Stripe};
+use super::tally::Tally;
+use super::{Block, Coding};
 use crate::voxelize::{VoxelizeError, VoxelizeProgress};
 use rayon::prelude::*;
 use std::collections::VecDeque;
 
-/// Layers of samples that are kept: two, between which voxels finer than samples lie.
-const KEPT: usize = 2;
+/// Rows of voxels that are worth a task.
+const ROWS: usize = 8;
 
 /// Layers of voxels around a layer of bricks.
 pub(super) struct Window<'a> {
     axes: [&'a Axis; 3],
-    lookup: &'a Lookup,
+    across: Across<'a>,
+    classes: &'a Classes<'a>,
+    coding: &'a Coding,
     pub stripe: Stripe,
+    /// Samples of a row.
+    wide: usize,
     /// Layers of voxels with their number.
     layers: Vec<(usize, SeenLayer)>,
     /// Layers of samples with their number, the last one read at the back.
-    samples: VecDeque<(usize, Vec<f32>)>,
+    samples: VecDeque<(usize, Block)>,
     sums: Vec<f32>,
 }
 
@@ -33,9 +43,22 @@ pub(super) struct SeenLayer {
     materials: Vec<u16>,
 }
 
+/// Where layers of samples come from, and who counts them from a row on.
+pub(super) struct Feed<'t, 'c> {
+    pub ahead: Ahead,
+    pub tally: Option<(&'t mut Tally<'c>, usize)>,
+}
+
 impl<'a> Window<'a> {
-    pub fn new(axes: [&'a Axis; 3], stripe: Stripe, lookup: &'a Lookup) -> Self {
-        Self { axes, lookup, stripe, layers: Vec::new(), samples: VecDeque::new(), sums: Vec::new() }
+    /// The window of a stripe over rows of `wide` samples.
+    pub fn new(
+        axes: [&'a Axis; 3],
+        (stripe, wide): (Stripe, usize),
+        classes: &'a Classes<'a>,
+        coding: &'a Coding,
+    ) -> Self {
+        let (layers, samples, sums) = (Vec::new(), VecDeque::new(), Vec::new());
+        Self { axes, across: Across::new(axes[0], wide), classes, coding, stripe, wide, layers, samples, sums }
     }
 
     /// Whether layers of voxels run against those of samples.
@@ -59,133 +82,157 @@ impl<'a> Window<'a> {
         self.layers.iter().find(|(own, _)| *own == layer).map(|(_, seen)| seen)
     }
 
-    /// The bits of a row, `None` where nobody looked.
-    pub fn row<'l>(&self, layer: Option<&'l SeenLayer>, row: usize) -> Option<&'l [u64]> {
-        let at = row.checked_sub(self.stripe.voxels.start).filter(|_| row < self.stripe.voxels.end)?;
-        Some(&layer?.bits[at * self.words()..][..self.words()])
+    /// The bits of a row, none where nobody looked.
+    pub fn row<'l>(&self, layer: Option<&'l SeenLayer>, row: usize) -> &'l [u64] {
+        let at = row.checked_sub(self.stripe.voxels.start).filter(|_| row < self.stripe.voxels.end);
+        let words = self.words();
+        layer.zip(at).map_or(&[], |(layer, at)| &layer.bits[at * words..][..words])
     }
 
-    /// The material of a voxel that is seen.
-    pub fn material(&self, layer: &SeenLayer, [x, row]: [usize; 2]) -> u16 {
-        layer.materials[(row - self.stripe.voxels.start) * self.width() + x]
+    /// The materials of the voxels that are seen, from one of them on; none beyond the grid.
+    pub fn materials<'l>(&self, layer: Option<&'l SeenLayer>, [x, row]: [usize; 2]) -> &'l [u16] {
+        let first = (row - self.stripe.voxels.start) * self.width() + x;
+        layer.map_or(&[], |layer| &layer.materials[first..])
+    }
+
+    /// The layers of voxels of a layer of bricks and its neighbours, in the order of the samples.
+    fn wanted(&self, layer: usize) -> Vec<usize> {
+        let wanted = (layer * EDGE).saturating_sub(1)..((layer + 1) * EDGE + 1).min(self.axes[2].count());
+        if self.is_backward() { wanted.rev().collect() } else { wanted.collect() }
+    }
+
+    /// The layers of samples that are needed from a layer of bricks on, in ascending order.
+    pub fn needed_from(&self, layer: usize) -> Vec<usize> {
+        let first = self.wanted(layer).first().copied().unwrap_or(0);
+        let voxels: Vec<usize> =
+            if self.is_backward() { (0..=first).rev().collect() } else { (first..self.axes[2].count()).collect() };
+        let mut needed: Vec<usize> =
+            voxels.into_iter().flat_map(|at| self.axes[2].samples(at).map(|(number, _)| number)).collect();
+        needed.sort_unstable();
+        needed.dedup();
+        needed
     }
 
     /// Looks at the layers of voxels of a layer of bricks and its neighbours.
-    pub fn move_to(
-        &mut self,
-        layer: usize,
-        source: &mut dyn SampleSource,
-        progress: &VoxelizeProgress,
-    ) -> Result<(), VoxelizeError> {
-        let wanted = (layer * EDGE).saturating_sub(1)..((layer + 1) * EDGE + 1).min(self.axes[2].count());
+    pub fn move_to(&mut self, layer: usize, feed: &mut Feed, progress: &VoxelizeProgress) -> Result<(), VoxelizeError> {
+        let wanted = self.wanted(layer);
         let mut free = Vec::new();
         let mut kept = Vec::new();
         for (at, seen) in std::mem::take(&mut self.layers) {
             if wanted.contains(&at) { kept.push((at, seen)) } else { free.push(seen) }
         }
         self.layers = kept;
-        let is_backward = self.is_backward();
-        for at in 0..wanted.len() {
-            let at = if is_backward { wanted.end - 1 - at } else { wanted.start + at };
+        for at in wanted {
             if self.layers.iter().all(|(own, _)| *own != at) {
                 if progress.is_cancelled() {
                     return Err(VoxelizeError::Cancelled);
                 }
-                let seen = self.look(at, free.pop(), source)?;
-                self.layers.push((at, seen));
+                let seen = match self.coding {
+                    Coding::Bytes(_) => self.look::<u8>(at, free.pop(), feed),
+                    Coding::Words(_) => self.look::<u16>(at, free.pop(), feed),
+                    Coding::Reals => self.look::<f32>(at, free.pop(), feed),
+                };
+                self.layers.push((at, seen?));
             }
         }
         Ok(())
     }
 
-    /// Sums the samples of a layer of voxels and asks the transfer function about each.
-    fn look(
+    /// Looks at one layer of voxels.
+    fn look<S: Stored>(
         &mut self,
         layer: usize,
         reused: Option<SeenLayer>,
-        source: &mut dyn SampleSource,
+        feed: &mut Feed,
     ) -> Result<SeenLayer, VoxelizeError> {
-        let (width, words, rows) = (self.width(), self.words(), self.stripe.voxels.len());
-        self.sums.clear();
-        self.sums.resize(width * rows, 0.0);
-        for (number, weight) in self.axes[2].samples(layer) {
-            self.read(number, source)?;
-            let Some((_, samples)) = self.samples.iter().find(|(own, _)| *own == number) else { continue };
-            let row = Row {
-                axes: self.axes,
-                first: self.stripe.samples.start,
-                wide: source.frame().size[0],
-                samples,
-                weight,
-            };
-            let first = self.stripe.voxels.start;
-            let rows = self.sums.par_chunks_mut(width).enumerate().with_min_len(8);
-            rows.for_each(|(at, sums)| row.add(first + at, sums));
-        }
+        let (words, width, rows) = (self.words(), self.width(), self.stripe.voxels.len());
         let mut seen =
             reused.unwrap_or_else(|| SeenLayer { bits: vec![0; words * rows], materials: vec![EMPTY; width * rows] });
-        let lookup = self.lookup;
-        let all =
-            seen.bits.par_chunks_mut(words).zip(seen.materials.par_chunks_mut(width)).zip(self.sums.par_chunks(width));
-        all.with_min_len(8).for_each(|((bits, materials), sums)| {
-            for ((word, materials), sums) in bits.iter_mut().zip(materials.chunks_mut(WORD)).zip(sums.chunks(WORD)) {
-                let mut truths = [false; WORD];
-                lookup.see(sums, &mut truths);
-                *word = packed(&truths);
-                if *word != 0 {
-                    materials.iter_mut().zip(sums).for_each(|(own, &value)| *own = lookup.material(value));
-                }
+        let under: Vec<(usize, f32)> = self.axes[2].samples(layer).collect();
+        if under.len() > FEW {
+            self.sum::<S>(&under, feed)?;
+        } else {
+            self.forget_before(under[0].0, feed);
+            for &(number, _) in &under {
+                self.keep(number, feed)?;
             }
+        }
+        let reader = RowReader { across: &self.across, classes: self.classes };
+        let all = seen.bits.par_chunks_mut(words).zip(seen.materials.par_chunks_mut(width)).with_min_len(ROWS);
+        if under.len() > FEW {
+            let all = all.zip(self.sums.par_chunks(width));
+            all.for_each(|((bits, materials), sums)| reader.see(sums, bits, materials));
+            return Ok(seen);
+        }
+        let layers: Vec<(&[S], f32)> =
+            under.iter().filter_map(|&(number, weight)| Some((self.samples_of(number)?, weight))).collect();
+        let new = || (Scratch::default(), Vec::new());
+        all.enumerate().for_each_init(new, |(scratch, parts), (at, (bits, materials))| {
+            parts.clear();
+            for (samples, weight) in &layers {
+                parts.extend(self.rows_under(at, samples, *weight));
+            }
+            reader.read(parts, bits, materials, scratch);
         });
         Ok(seen)
     }
 
-    /// Makes a layer of samples one of those that are kept.
-    fn read(&mut self, number: usize, source: &mut dyn SampleSource) -> Result<(), VoxelizeError> {
-        if self.samples.iter().any(|(own, _)| *own == number) {
-            return Ok(());
+    /// Sums the samples under a layer of voxels as they come.
+    fn sum<S: Stored>(&mut self, under: &[(usize, f32)], feed: &mut Feed) -> Result<(), VoxelizeError> {
+        let width = self.width();
+        let mut sums = std::mem::take(&mut self.sums);
+        sums.clear();
+        sums.resize(width * self.stripe.voxels.len(), 0.0);
+        for &(number, weight) in under {
+            self.forget_before(number, feed);
+            self.keep(number, feed)?;
+            let Some(samples) = self.samples_of::<S>(number) else { continue };
+            let reader = RowReader { across: &self.across, classes: self.classes };
+            let rows = sums.par_chunks_mut(width).enumerate().with_min_len(ROWS);
+            rows.for_each_init(Scratch::default, |scratch, (at, sums)| {
+                self.rows_under(at, samples, weight).for_each(|row| reader.add_all(&row, sums, scratch));
+            });
         }
-        let mut values =
-            if self.samples.len() < KEPT { Vec::new() } else { self.samples.pop_front().unwrap_or_default().1 };
-        values.resize(self.stripe.samples.len() * source.frame().size[0], 0.0);
-        source.read(number, self.stripe.samples.clone(), &mut values)?;
-        self.samples.push_back((number, values));
+        self.sums = sums;
         Ok(())
     }
-}
 
-/// A layer of samples as a part of the sums of a layer of voxels.
-struct Row<'a> {
-    axes: [&'a Axis; 3],
-    /// The first row of samples that is here, and samples of a row.
-    first: usize,
-    wide: usize,
-    samples: &'a [f32],
-    weight: f32,
-}
+    /// The rows of samples under a row of the stripe's voxels, in a layer of samples.
+    fn rows_under<'s, S>(
+        &self,
+        at: usize,
+        samples: &'s [S],
+        weight: f32,
+    ) -> impl Iterator<Item = WeightedRow<'s, S>> + use<'_, 's, 'a, S> {
+        let (first, wide) = (self.stripe.samples.start, self.wide);
+        self.axes[1].samples(self.stripe.voxels.start + at).map(move |(number, weight_y)| WeightedRow {
+            samples: &samples[(number - first) * wide..][..wide],
+            weights: [weight_y, weight],
+        })
+    }
 
-impl Row<'_> {
-    /// Adds what it has of a row of voxels.
-    fn add(&self, row: usize, sums: &mut [f32]) {
-        let (across, wide) = (self.axes[0], self.wide);
-        let is_alike = across.count() == wide;
-        let is_backward = is_alike && wide > 1 && across.taps[0].start > 0;
-        for (number, weight_y) in self.axes[1].samples(row) {
-            let samples = &self.samples[(number - self.first) * wide..][..wide];
-            if is_alike {
-                let weight = weight_y * self.weight;
-                if is_backward {
-                    sums.iter_mut().zip(samples.iter().rev()).for_each(|(sum, sample)| *sum += weight * sample);
-                } else {
-                    sums.iter_mut().zip(samples).for_each(|(sum, sample)| *sum += weight * sample);
-                }
-                continue;
-            }
-            for (sum, taps) in sums.iter_mut().zip(&across.taps) {
-                for (weight_x, sample) in taps.weights.iter().zip(&samples[taps.start..]) {
-                    *sum += weight_x * weight_y * self.weight * sample;
-                }
+    fn samples_of<S: Stored>(&self, number: usize) -> Option<&[S]> {
+        self.samples.iter().find(|(own, _)| *own == number).map(|(_, block)| S::of(block))
+    }
+
+    /// Gives layers of samples back that nobody asks for any more.
+    fn forget_before(&mut self, number: usize, feed: &Feed) {
+        while self.samples.front().is_some_and(|(own, _)| *own < number) {
+            if let Some((_, block)) = self.samples.pop_front() {
+                feed.ahead.give_back(block);
             }
         }
+    }
+
+    /// Makes a layer of samples one of those that are kept.
+    fn keep(&mut self, number: usize, feed: &mut Feed) -> Result<(), VoxelizeError> {
+        while self.samples.back().is_none_or(|(last, _)| *last < number) {
+            let (read, block) = feed.ahead.next()?;
+            if let Some((tally, first)) = &mut feed.tally {
+                tally.add(&block, *first);
+            }
+            self.samples.push_back((read, block));
+        }
+        Ok(())
     }
 }

@@ -3,12 +3,13 @@
 
 use super::super::resample::Axis;
 use super::super::slab::EDGE;
+use super::ahead::ON_THE_WAY;
 use std::ops::Range;
 
 /// Bytes of a voxel in the window: the sum of its samples, ten layers of its material and bit, and what bricks are made in.
 const BYTES_OF_VOXEL: u64 = 4 + 10 * 2 + 4;
-/// Bytes of a sample: in two layers that are kept, and in one that is read.
-const BYTES_OF_SAMPLE: u64 = 12;
+/// Up to so many layers of samples under a layer of voxels are kept until it is made.
+pub(super) const FEW: usize = 4;
 
 /// Some rows of the grid, and the samples that they need.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -27,12 +28,13 @@ pub(super) fn rows_within(budget: u64, bytes_of_row: u64) -> usize {
 }
 
 /// Cuts the rows of a grid, whose axes are in the order of the lattice, into stripes for half of the budget; the other half is the spill
-/// buffer's and the file's.
-pub(super) fn stripes_of(width: usize, kept_of_row: u64, axes: &[&Axis; 3], budget: u64) -> Vec<Stripe> {
+/// buffer's and the file's. A row of samples has so many bytes, of which the source keeps others.
+pub(super) fn stripes_of([of_row, kept_of_row]: [u64; 2], axes: &[&Axis; 3], budget: u64) -> Vec<Stripe> {
     let rows = axes[1].count();
     let samples_of_row = (axes[1].samples(0).count() as u64).max(1);
-    let bytes =
-        axes[0].count() as u64 * BYTES_OF_VOXEL + samples_of_row * (width as u64 * BYTES_OF_SAMPLE + kept_of_row);
+    let under = axes[2].taps.iter().map(|taps| taps.weights.len()).max().unwrap_or(1);
+    let layers = if under <= FEW { under as u64 } else { 1 } + ON_THE_WAY;
+    let bytes = axes[0].count() as u64 * BYTES_OF_VOXEL + samples_of_row * (of_row * layers + kept_of_row);
     let most = (rows_within(budget / 2, bytes).saturating_sub(2) / EDGE).max(1);
     let count = rows.div_ceil(EDGE);
     let stripe = |first: usize| {
@@ -56,9 +58,9 @@ mod tests {
             let axes = [5, voxels, 7];
             let axes = [0, 1, 2].map(|n| Axis::new(n, size, backwards, axes[n], false));
             let axes = [&axes[0], &axes[1], &axes[2]];
-            let all = stripes_of(5, 0, &axes, u64::MAX);
+            let all = stripes_of([20, 0], &axes, u64::MAX);
             assert_eq!((all.len(), all[0].samples.clone(), all[0].voxels.clone()), (1, 0..samples, 0..voxels));
-            let cut = stripes_of(5, 0, &axes, 1);
+            let cut = stripes_of([20, 0], &axes, 1);
             assert_eq!(cut.len(), usize::div_ceil(voxels, EDGE));
             for (n, stripe) in cut.iter().enumerate() {
                 assert_eq!(stripe.bricks, n..n + 1);

@@ -1,6 +1,6 @@
 //! A volume that is read layer by layer becomes the file of the same volume in memory, whichever way it lies and however it is cut.
 
-use super::super::{Preset, voxelize};
+use super::super::{Preset, Ramp, Transfer, voxelize};
 use super::*;
 use crate::voxelize::Scale;
 use glam::{DAffine3, DMat3, DVec3};
@@ -10,6 +10,8 @@ use voxtrace_core::packed::PackedScene;
 struct Kept {
     frame: Volume,
     values: Vec<f32>,
+    /// What they are read as; codes stand for whole numbers.
+    coding: Coding,
     reads: usize,
     /// The work is cancelled at this many reads.
     stop: Option<(usize, std::sync::Arc<VoxelizeProgress>)>,
@@ -24,10 +26,21 @@ impl SampleSource for Kept {
         &mut self.frame
     }
 
-    fn read(&mut self, layer: usize, rows: Range<usize>, values: &mut [f32]) -> Result<(), ImportError> {
+    fn coding(&self) -> Coding {
+        self.coding.clone()
+    }
+
+    fn read(&mut self, layer: usize, rows: Range<usize>, block: &mut Block) -> Result<(), ImportError> {
         let [width, depth, _] = self.frame.size;
         let start = (layer * depth + rows.start) * width;
-        values.copy_from_slice(&self.values[start..start + rows.len() * width]);
+        let values = self.values[start..start + rows.len() * width].iter();
+        match block {
+            Block::Bytes(codes) => codes.iter_mut().zip(values).for_each(|(code, &value)| *code = (value + 90.0) as u8),
+            Block::Words(codes) => {
+                codes.iter_mut().zip(values).for_each(|(code, &value)| *code = (value + 999.0) as u16)
+            }
+            Block::Reals(own) => own.iter_mut().zip(values).for_each(|(own, &value)| *own = value),
+        }
         self.reads += 1;
         if let Some((_, progress)) = self.stop.as_ref().filter(|(reads, _)| *reads <= self.reads) {
             progress.cancel();
@@ -53,7 +66,14 @@ fn lump(size: [usize; 3], are_whole: bool) -> Volume {
 
 fn kept(volume: &Volume) -> Kept {
     let frame = Volume { values: Vec::new(), ..volume.clone() };
-    Kept { frame, values: volume.values.clone(), reads: 0, stop: None }
+    Kept { frame, values: volume.values.clone(), coding: Coding::Reals, reads: 0, stop: None }
+}
+
+/// The same, read as codes of 8 or 16 bits.
+fn coded(volume: &Volume, is_small: bool) -> Kept {
+    let table = |count: u32, first: f32| (0..count).map(|code| code as f32 - first).collect();
+    let coding = if is_small { Coding::Bytes(table(256, 90.0)) } else { Coding::Words(table(65_536, 999.0)) };
+    Kept { coding, ..kept(volume) }
 }
 
 fn in_memory(volume: &Volume, options: &VolumeOptions, path: &Path) -> Vec<u8> {
@@ -64,10 +84,10 @@ fn in_memory(volume: &Volume, options: &VolumeOptions, path: &Path) -> Vec<u8> {
 
 fn large(source: &mut Kept, options: &VolumeOptions, budget: u64, path: &Path) -> Result<Vec<u8>, VoxelizeError> {
     let progress = source.stop.as_ref().map_or_else(Default::default, |(_, progress)| progress.clone());
-    let survey = Survey::of(source, options, Some(budget), &VoxelizeProgress::default())?;
+    let mut survey = Survey::of(source, options, Some(budget), &VoxelizeProgress::default())?;
     source.reads = 0;
     let options = (options, Some(budget));
-    voxelize_large_volume_to_file((source, "stamp"), &survey, options, &Limits::default(), path, &progress)?;
+    voxelize_large_volume_to_file((source, "stamp"), &mut survey, options, &Limits::default(), path, &progress)?;
     Ok(resaved(path))
 }
 
@@ -135,11 +155,11 @@ fn interrupted_work_goes_on_where_it_was_and_ends_with_the_same_bytes() {
         // The survey reads each layer once for each of its stripes.
         source.stop = Some((all * 2 / 3, progress));
         source.reads = 0;
-        let survey = Survey::of(&mut kept(&volume), &options, Some(budget), &VoxelizeProgress::default()).unwrap();
+        let mut survey = Survey::of(&mut kept(&volume), &options, Some(budget), &VoxelizeProgress::default()).unwrap();
         let stopped = source.stop.clone().unwrap().1;
         let result = voxelize_large_volume_to_file(
             (&mut source, "stamp"),
-            &survey,
+            &mut survey,
             (&options, Some(budget)),
             &Limits::default(),
             &b,
@@ -165,8 +185,140 @@ fn labels_stay_labels_and_what_shows_nothing_is_said() {
     assert!(matches!(error, VoxelizeError::Volume(VolumeError::Empty { .. })), "{error}");
     let few = Limits { voxels: 10, ..Limits::default() };
     let mut source = kept(&volume);
-    let survey = Survey::of(&mut source, &options, None, &VoxelizeProgress::default()).unwrap();
+    let mut survey = Survey::of(&mut source, &options, None, &VoxelizeProgress::default()).unwrap();
     let progress = VoxelizeProgress::default();
-    let result = voxelize_large_volume_to_file((&mut source, ""), &survey, (&options, None), &few, &b, &progress);
+    let result = voxelize_large_volume_to_file((&mut source, ""), &mut survey, (&options, None), &few, &b, &progress);
     assert!(matches!(result, Err(VoxelizeError::TooLarge { what: "voxels", .. })));
+}
+
+#[test]
+fn codes_of_8_and_16_bits_become_the_bytes_that_their_values_become() {
+    let folder = tempfile::tempdir().unwrap();
+    let (a, b) = (folder.path().join("a.vxt"), folder.path().join("b.vxt"));
+    let mut planted = 0;
+    for n in 0..6usize {
+        let mut volume = placed(lump([70, 40, 36], true), [[0, 1, 2], [2, 0, 1]][n % 2], [n < 3, n % 3 == 0, n == 4]);
+        // Nothing around the lump, or noise that is not seen.
+        let noise = |at: usize| if n % 3 == 1 { (at * 7 % 5) as f32 - 3.0 } else { 0.0 };
+        let values = volume.values.iter_mut().enumerate();
+        values.for_each(|(at, value)| *value = if *value > 20.0 { (*value / 4.0).round() } else { noise(at) });
+        // As it is; two, about four and about seven samples in a row for a voxel; voxels finer than samples.
+        for (k, count) in [70, 35, 19, 10, 83].into_iter().enumerate() {
+            let transfer = match (n + k) % 3 {
+                0 => None,
+                1 => Some(Preset::Surface.transfer()),
+                _ => Some(Transfer::new(
+                    "band",
+                    Ramp::Absolute { low: 30.0, high: 80.0, stops: vec![(30.0, glam::Vec3::ONE)] },
+                )),
+            };
+            let scale = Some(Scale::Resolution(count));
+            let options = VolumeOptions {
+                scale,
+                transfer,
+                shell: k % 2 == 0,
+                threshold: (n == 5).then_some(4.5),
+                ..VolumeOptions::default()
+            };
+            let wanted = in_memory(&volume, &options, &a);
+            for budget in [1, 1 << 30] {
+                for is_small in [true, false] {
+                    let found = large(&mut coded(&volume, is_small), &options, budget, &b).unwrap();
+                    assert!(found == wanted, "{n} {count} {budget} {is_small}");
+                }
+                assert!(large(&mut kept(&volume), &options, budget, &b).unwrap() == wanted, "{n} {count} {budget}");
+            }
+            // A single sample of nothing is something.
+            let mut wrong = coded(&volume, true);
+            let empty = wrong.values.iter().position(|&value| value <= 1.0).unwrap();
+            wrong.values[empty] = 160.0;
+            planted += usize::from(large(&mut wrong, &options, 1 << 30, &b).unwrap() != wanted);
+        }
+    }
+    assert!(planted >= 15, "{planted}");
+}
+
+#[test]
+fn a_transfer_function_of_its_own_scale_needs_no_look_before_the_voxels_and_knows_the_values_after_them() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("a.vxt");
+    let volume = lump([40, 50, 33], true);
+    let options = VolumeOptions { transfer: Some(Preset::CtBone.transfer()), ..VolumeOptions::default() };
+    let progress = VoxelizeProgress::default();
+    for budget in [1, 1 << 30] {
+        for mut source in [kept(&volume), coded(&volume, false)] {
+            let mut survey = Survey::of(&mut source, &options, Some(budget), &progress).unwrap();
+            assert!(survey.values().is_none() && source.reads == 0);
+            let how = (&options, Some(budget));
+            voxelize_large_volume_to_file((&mut source, ""), &mut survey, how, &Limits::default(), &path, &progress)
+                .unwrap();
+            let (values, wanted) = (survey.values().unwrap(), volume.statistics());
+            assert_eq!(
+                (values.lowest, values.highest, &values.labels),
+                (wanted.lowest, wanted.highest, &wanted.labels)
+            );
+            let above = volume.values.iter().filter(|&&value| value >= 100.0).count();
+            assert_eq!(survey.share_from(100.0), Some(above as f64 / volume.values.len() as f64));
+        }
+    }
+    let mut source = kept(&volume);
+    Survey::of(&mut source, &VolumeOptions::default(), None, &progress).unwrap();
+    assert_eq!(source.reads, 33, "the automatic one does");
+}
+
+#[test]
+fn a_layer_that_cannot_be_read_ends_the_work_with_its_error() {
+    struct Broken(Kept);
+    impl SampleSource for Broken {
+        fn frame(&self) -> &Volume {
+            &self.0.frame
+        }
+
+        fn frame_mut(&mut self) -> &mut Volume {
+            &mut self.0.frame
+        }
+
+        fn read(&mut self, layer: usize, rows: Range<usize>, block: &mut Block) -> Result<(), ImportError> {
+            if layer == 17 {
+                Err(ImportError::malformed(Path::new("x.raw"), 17, "a layer"))
+            } else {
+                self.0.read(layer, rows, block)
+            }
+        }
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("a.vxt");
+    let progress = VoxelizeProgress::default();
+    let mut source = Broken(kept(&lump([40, 50, 33], true)));
+    let error = Survey::of(&mut source, &VolumeOptions::default(), None, &progress).unwrap_err();
+    assert!(error.to_string().contains("a layer"), "{error}");
+    let options = VolumeOptions { transfer: Some(Preset::CtBone.transfer()), ..VolumeOptions::default() };
+    let mut survey = Survey::of(&mut source, &options, None, &progress).unwrap();
+    let work = ((&mut source as &mut dyn SampleSource, ""), &mut survey, (&options, None));
+    let error =
+        voxelize_large_volume_to_file(work.0, work.1, work.2, &Limits::default(), &path, &progress).unwrap_err();
+    assert!(error.to_string().contains("a layer") && !path.exists(), "{error}");
+}
+
+#[test]
+fn what_is_no_finite_number_is_not_seen_and_spoils_no_other_voxel() {
+    let folder = tempfile::tempdir().unwrap();
+    let (a, b) = (folder.path().join("a.vxt"), folder.path().join("b.vxt"));
+    let mut volume = lump([70, 41, 37], false);
+    let finite = volume.clone();
+    for (n, value) in volume.values.iter_mut().enumerate() {
+        match n.wrapping_mul(2_654_435_761) >> 16 & 0xfff {
+            0 => *value = f32::NAN,
+            1 => *value = f32::INFINITY,
+            2 => *value = f32::NEG_INFINITY,
+            _ => {}
+        }
+    }
+    for (k, count) in [70, 48, 35, 19, 83].into_iter().enumerate() {
+        let transfer = (k % 2 == 0).then(|| Preset::Surface.transfer());
+        let options = VolumeOptions { scale: Some(Scale::Resolution(count)), transfer, ..VolumeOptions::default() };
+        let wanted = in_memory(&volume, &options, &a);
+        assert!(large(&mut kept(&volume), &options, 1 << 30, &b).unwrap() == wanted, "{count}");
+        assert!(large(&mut kept(&finite), &options, 1 << 30, &b).unwrap() != wanted, "{count}");
+    }
 }

@@ -110,6 +110,11 @@ impl SpillBuffer {
         self.done.is_some_and(|done| step <= done)
     }
 
+    /// Whether nothing was resumed.
+    pub fn is_new(&self) -> bool {
+        self.done.is_none()
+    }
+
     /// Whether all bricks of a part were resumed.
     pub fn is_past(&self, part: u32) -> bool {
         self.done.is_some_and(|done| part < done.part)

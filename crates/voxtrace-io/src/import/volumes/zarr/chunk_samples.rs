@@ -8,7 +8,7 @@ use rayon::prelude::*;
 use std::ops::Range;
 use voxtrace_voxelize::ImportError;
 use voxtrace_voxelize::volume::Volume;
-use voxtrace_voxelize::volume::large::SampleSource;
+use voxtrace_voxelize::volume::large::{Block, Coding, SampleSource};
 
 /// The samples of a level at one place of all other axes.
 pub(super) struct ChunkSamples {
@@ -16,6 +16,9 @@ pub(super) struct ChunkSamples {
     level: Level,
     lattice: Lattice,
     frame: Volume,
+    coding: Coding,
+    /// What samples are in no chunk, as a code.
+    fill: usize,
     /// The chunks that are unpacked.
     kept: Option<Kept>,
 }
@@ -29,7 +32,11 @@ struct Kept {
 
 impl ChunkSamples {
     pub fn new(store: Store, level: Level, lattice: Lattice, frame: Volume) -> Self {
-        Self { store, level, lattice, frame, kept: None }
+        let (coding, fill) = (chunks::layout(&level.array, 1).coding(), level.array.fill);
+        // There may be no code for what is in no chunk.
+        let code = coding.table().iter().position(|&value| value == fill);
+        let (coding, fill) = code.map_or((Coding::Reals, 0), |code| (coding, code));
+        Self { store, level, lattice, frame, coding, fill, kept: None }
     }
 
     /// Unpacks the chunks of some rows of chunks in a layer of chunks.
@@ -53,6 +60,31 @@ impl ChunkSamples {
     }
 }
 
+impl ChunkSamples {
+    /// Hands the bytes of each chunk's row to `put`, beside the samples that they become; where there is no chunk, these are `fill`.
+    fn put<T: Copy + Send + Sync>(
+        &self,
+        kept: &Kept,
+        (layer, rows): (usize, Range<usize>),
+        samples: &mut [T],
+        fill: T,
+        put: impl Fn(&[u8], &mut [T]) + Sync,
+    ) {
+        let [wide, deep, high] = self.lattice.chunk;
+        let width = self.frame.size[0];
+        let (lattice, array) = (&self.lattice, &self.level.array);
+        samples.par_chunks_mut(width).zip(rows).for_each(|(samples, row)| {
+            let first = (row / deep - kept.rows.start) * lattice.counts[0];
+            for (n, samples) in samples.chunks_mut(wide).enumerate() {
+                match &kept.chunks[first + n] {
+                    Some(bytes) => put(&lattice.row(array, bytes, [row % deep, layer % high], samples.len()), samples),
+                    None => samples.fill(fill),
+                }
+            }
+        });
+    }
+}
+
 impl SampleSource for ChunkSamples {
     fn frame(&self) -> &Volume {
         &self.frame
@@ -70,21 +102,36 @@ impl SampleSource for ChunkSamples {
         of_row.saturating_mul(5) / 4
     }
 
-    fn read(&mut self, layer: usize, rows: Range<usize>, values: &mut [f32]) -> Result<(), ImportError> {
-        let [wide, deep, high] = self.lattice.chunk;
+    fn coding(&self) -> Coding {
+        self.coding.clone()
+    }
+
+    fn read(&mut self, layer: usize, rows: Range<usize>, block: &mut Block) -> Result<(), ImportError> {
+        let [_, deep, high] = self.lattice.chunk;
         self.keep(layer / high, rows.start / deep..rows.end.div_ceil(deep))?;
         let Some(kept) = &self.kept else { return Ok(()) };
-        let width = self.frame.size[0];
-        let (lattice, array) = (&self.lattice, &self.level.array);
-        values.par_chunks_mut(width).zip(rows).for_each(|(values, row)| {
-            let first = (row / deep - kept.rows.start) * lattice.counts[0];
-            for (n, values) in values.chunks_mut(wide).enumerate() {
-                match &kept.chunks[first + n] {
-                    Some(bytes) => lattice.row(array, bytes, [row % deep, layer % high], values),
-                    None => values.fill(array.fill),
-                }
+        let layout = chunks::layout(&self.level.array, 1);
+        let place = (layer, rows);
+        match block {
+            Block::Bytes(codes) => {
+                let put = |bytes: &[u8], codes: &mut [u8]| {
+                    codes.copy_from_slice(bytes);
+                    layout.encode_bytes(codes);
+                };
+                self.put(kept, place, codes, self.fill as u8, put);
             }
-        });
+            Block::Words(codes) => {
+                let put = |bytes: &[u8], codes: &mut [u16]| {
+                    bytemuck::cast_slice_mut(codes).copy_from_slice(bytes);
+                    layout.encode_words(codes);
+                };
+                self.put(kept, place, codes, self.fill as u16, put);
+            }
+            Block::Reals(values) => {
+                let put = |bytes: &[u8], values: &mut [f32]| layout.convert_into(bytes, values);
+                self.put(kept, place, values, self.level.array.fill, put);
+            }
+        }
         Ok(())
     }
 }

@@ -5,6 +5,7 @@ use super::shard::Files;
 use super::{Array, Store, n5};
 use crate::import::samples::{Layout, checked_size};
 use rayon::prelude::*;
+use std::borrow::Cow;
 use voxtrace_voxelize::{ImportError, Limits};
 
 /// Where the samples of a level lie among chunks, at one place of all other axes.
@@ -56,23 +57,20 @@ impl Lattice {
         at
     }
 
-    /// The samples of a chunk's row, y and z of it, as many as there is room for.
-    pub fn row(&self, array: &Array, bytes: &[u8], [y, z]: [usize; 2], values: &mut [f32]) {
+    /// The bytes of so many samples of a chunk's row, y and z of it.
+    pub fn row<'b>(&self, array: &Array, bytes: &'b [u8], [y, z]: [usize; 2], count: usize) -> Cow<'b, [u8]> {
         let size = array.sample.size();
-        let layout = layout(array, values.len());
         let first = self.within + z * self.strides[2] + y * self.strides[1];
         if self.strides[0] == 1 {
-            let bytes = &bytes[first * size..(first + values.len()) * size];
-            layout.convert_into(bytes, values);
-            return;
+            return bytes[first * size..(first + count) * size].into();
         }
         let place = |x: usize| (first + x * self.strides[0]) * size;
-        let row: Vec<u8> = (0..values.len()).flat_map(|x| bytes[place(x)..place(x) + size].iter().copied()).collect();
-        layout.convert_into(&row, values);
+        (0..count).flat_map(|x| bytes[place(x)..place(x) + size].iter().copied()).collect()
     }
 }
 
-fn layout(array: &Array, count: usize) -> Layout {
+/// How the samples of a chunk are stored.
+pub(super) fn layout(array: &Array, count: usize) -> Layout {
     let (sample, big_endian) = (array.sample, array.big_endian);
     Layout { sample, big_endian, size: [count, 1, 1], components: 1, rescale: (1.0, 0.0) }
 }
@@ -98,7 +96,7 @@ pub(super) fn read(store: &Store, level: &Level, entry: &[u64], limits: &Limits)
                 for k in 0..part.len() / layer {
                     for j in 0..depth {
                         let row = &mut part[k * layer + (y + j) * size[0] + x..][..width];
-                        lattice.row(array, &bytes, [j, k], row);
+                        layout(array, row.len()).convert_into(&lattice.row(array, &bytes, [j, k], row.len()), row);
                     }
                 }
             }
