@@ -108,7 +108,7 @@ impl Placement {
     }
 
     /// Places instances that were checked.
-    pub(super) fn of_sound(geometry: &Geometry, instances: Vec<PackedInstance>) -> Self {
+    pub(crate) fn of_sound(geometry: &Geometry, instances: Vec<PackedInstance>) -> Self {
         let nodes = hierarchy_of(&instances, &geometry.grids);
         Self::with_hierarchy(geometry, instances, nodes.into())
     }

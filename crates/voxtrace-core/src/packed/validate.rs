@@ -116,12 +116,18 @@ impl Geometry {
     /// # Errors
     /// One sentence about the first fault.
     pub fn validate(&self) -> Result<(), Invalid> {
+        self.validate_grids()?;
+        validate_lights(self)
+    }
+
+    /// Checks the grids with their bricks.
+    pub(crate) fn validate_grids(&self) -> Result<(), Invalid> {
         let mut cells_left = self.cells.len();
         for (index, grid) in self.grids.iter().enumerate() {
             self.validate_grid(grid, &mut cells_left)
                 .map_err(|fault| Invalid::from(format!("grid {index}: {fault}")))?;
         }
-        validate_lights(self)
+        Ok(())
     }
 
     fn validate_grid(&self, grid: &PackedGrid, cells_left: &mut usize) -> Result<(), Invalid> {
