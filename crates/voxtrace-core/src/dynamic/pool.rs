@@ -10,8 +10,6 @@ pub(super) struct Pool {
     least: u32,
     /// Units of the array.
     end: u32,
-    /// Of these, free ones.
-    free_units: u64,
     /// Units freed since neighbours were joined.
     freed_since: u64,
 }
@@ -19,17 +17,12 @@ pub(super) struct Pool {
 impl Pool {
     /// Of an array of `end` units without free places, whose pieces have `least..=largest` units.
     pub fn new(end: usize, least: u32, largest: u32) -> Self {
-        Self { free: vec![Vec::new(); largest as usize], least, end: end as u32, free_units: 0, freed_since: 0 }
+        Self { free: vec![Vec::new(); largest as usize], least, end: end as u32, freed_since: 0 }
     }
 
     /// Units of the array.
     pub fn end(&self) -> usize {
         self.end as usize
-    }
-
-    /// Units that are free.
-    pub fn free_units(&self) -> u64 {
-        self.free_units
     }
 
     /// A place of `size` units; the array ends at [`Self::end`] then.
@@ -53,7 +46,6 @@ impl Pool {
         let fits = |class: usize| class == exact || class as u32 - exact as u32 >= self.least;
         let class = (exact..self.free.len()).find(|&class| fits(class) && !self.free[class].is_empty())?;
         let place = self.free[class].pop()?;
-        self.free_units -= class as u64 + 1;
         let rest = (class - exact) as u32;
         if rest > 0 {
             self.put(place + size, rest);
@@ -68,7 +60,6 @@ impl Pool {
     }
 
     fn put(&mut self, mut place: u32, mut size: u32) {
-        self.free_units += u64::from(size);
         while size > 0 {
             let piece = size.min(self.free.len() as u32);
             self.free[piece as usize - 1].push(place);
@@ -90,7 +81,7 @@ impl Pool {
     fn join_neighbours(&mut self) {
         let places = self.places();
         self.free.iter_mut().for_each(Vec::clear);
-        (self.free_units, self.freed_since) = (0, 0);
+        self.freed_since = 0;
         let mut joined: Option<(u32, u32)> = None;
         for (place, size) in places {
             joined = Some(match joined {

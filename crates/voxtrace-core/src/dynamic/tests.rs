@@ -1,8 +1,7 @@
 //! Random edits against the same edits of an editable grid, which is packed from scratch.
 
-use super::store::Store;
 use super::{DynamicScene, Edit, EditError};
-use crate::frame::{Frame, Integrator, Region};
+use crate::frame::{Frame, Integrator};
 use crate::packed::{CELL_OCCUPIED, PackedScene};
 use crate::tracer::{Progress, TraceError, Tracer};
 use crate::{CpuTracer, Film};
@@ -237,4 +236,143 @@ fn edits_of_all_kinds_leave_the_scene_that_packing_makes() {
             pair.compare(&mut random);
         }
     }
+}
+
+#[test]
+fn planted_faults_are_caught() {
+    type Fault = fn(&mut DynamicScene);
+    let faults: [(&str, Fault); 7] = [
+        ("reaches over something", |scene| {
+            // The empty cell above the floor: as if the longest distances had stayed when something came.
+            let (position, shift) =
+                scene.geometry().cell_of_brick(&scene.scene.grids()[0], IVec3::new(3, 3, 1)).unwrap();
+            assert!(scene.geometry().cells[position] & CELL_OCCUPIED == 0 && shift == 3);
+            scene.store().set_cell(position, 0xff_ffff);
+        }),
+        ("not that of its voxels", |scene| {
+            let root = scene.geometry().light_root(0).unwrap();
+            Arc::make_mut(&mut scene.scene.geometry).light_nodes.as_mut()[root as usize].power[3] += 1.0;
+        }),
+        ("over emitters is not", |scene| {
+            // A lamp that the tree does not have.
+            let dark = std::mem::replace(&mut scene.glow, super::emitters::Glow::of(&[scene.scene.materials()[0]; 5]));
+            let shape = Shape::Box(VoxelBox { min: IVec3::splat(30), max: IVec3::splat(31) });
+            scene.edit(0, &Edit::Fill { shape, material: Some(1) }).unwrap();
+            scene.glow = dark;
+        }),
+        ("were counted", |scene| scene.bricks[0] += 1),
+        ("used twice", |scene| scene.pools.bricks.give(0, 2)),
+        ("lost", |scene| _ = scene.pools.materials.take(1)),
+        ("another geometry", |scene| Arc::make_mut(&mut scene.scene.geometry).fingerprint += 1),
+    ];
+    for (fault, plant) in faults {
+        let mut pair = Pair::new();
+        let shape = Shape::Sphere { center: DVec3::new(20.0, 20.0, 9.0), radius: 5.0 };
+        pair.dynamic.edit(0, &Edit::Fill { shape, material: None }).unwrap();
+        let ball = Shape::Sphere { center: DVec3::new(-20.0, 20.0, 9.0), radius: 5.0 };
+        pair.dynamic.edit(0, &Edit::Fill { shape: ball, material: Some(3) }).unwrap();
+        pair.dynamic.validate().unwrap();
+        plant(&mut pair.dynamic);
+        let found = pair.dynamic.validate().expect_err(fault).to_string();
+        assert!(found.contains(fault), "{fault}: {found}");
+    }
+}
+
+#[test]
+fn a_stale_brick_and_a_stale_skip_distance_give_other_hits() {
+    let at = IVec3::new(0, 0, 50);
+    let shape = Shape::Box(VoxelBox { min: at, max: at + 1 });
+    let fill = Edit::Fill { shape, material: Some(0) };
+    let down = [Ray::new(Vec3::new(0.5, 0.5, 90.0), Vec3::NEG_Z)];
+    let mut pair = Pair::new();
+    pair.dynamic.edit(0, &fill).unwrap();
+    let whole = pair.dynamic.take_patch();
+    let hit_of = |patch: &super::Patch| {
+        let mut tracer = CpuTracer::new(None);
+        tracer.set_scene(&Arc::new(PackedScene::pack(&pair.plain).unwrap())).unwrap();
+        tracer.patch(patch).unwrap();
+        hits(&mut tracer, &down)[0].voxel
+    };
+    assert_eq!(hit_of(&whole), at);
+    // The brick was written, the cells around it were not: rays leap over it.
+    let record = whole.changed_bricks[0].cell.unwrap();
+    let mut stale = whole.clone();
+    let own =
+        whole.cells.parts().flat_map(|(start, words)| (start..).zip(words)).find(|(_, word)| **word == record).unwrap();
+    stale.cells = super::ArrayPatch { length: whole.cells.length, ranges: vec![(own.0, 1)], records: vec![record] };
+    assert_ne!(hit_of(&stale), at, "a stale skip distance");
+    let emptied = super::ArrayPatch { length: whole.bricks.length, ..Default::default() };
+    assert_ne!(hit_of(&super::Patch { bricks: emptied, ..whole }), at, "a stale brick");
+}
+
+#[test]
+fn edits_reach_the_ends_of_the_coordinates_and_no_farther() {
+    let mut pair = Pair::new();
+    let corner = |far: IVec3| Edit::Fill { shape: Shape::Box(VoxelBox { min: far, max: far + 1 }), material: Some(3) };
+    for far in
+        [IVec3::splat(MAX_COORDINATE), IVec3::splat(-MAX_COORDINATE), IVec3::new(MAX_COORDINATE, -3, -MAX_COORDINATE)]
+    {
+        edit_plainly(Arc::make_mut(&mut pair.plain.grids[0]), &corner(far));
+        pair.dynamic.edit(0, &corner(far)).unwrap();
+        assert_eq!(pair.dynamic.voxel(0, far), Some(3));
+    }
+    pair.compare(&mut Random(1));
+    let beyond = IVec3::new(MAX_COORDINATE + 1, 0, 0);
+    assert_eq!(pair.dynamic.edit(0, &corner(beyond)), Err(EditError::OutOfRange(beyond)));
+    let endless = Shape::Sphere { center: DVec3::ZERO, radius: 4e5 };
+    let too_large = pair.dynamic.edit(0, &Edit::Fill { shape: endless, material: Some(0) });
+    assert!(matches!(too_large, Err(EditError::TooLarge { .. })), "{too_large:?}");
+    let nowhere = Shape::Sphere { center: DVec3::NAN, radius: 1.0 };
+    assert_eq!(pair.dynamic.edit(0, &Edit::Fill { shape: nowhere, material: None }), Err(EditError::NotFinite));
+    assert_eq!(pair.dynamic.edit(2, &corner(beyond)), Err(EditError::NoGrid { grid: 2, count: 2 }));
+    let paint = Edit::Paint { shape: endless, material: 9 };
+    assert_eq!(pair.dynamic.edit(0, &paint), Err(EditError::NoMaterial { material: 9, count: 5 }));
+    // Everything: it ends at the coordinates, and the grid with its instance is gone.
+    pair.dynamic
+        .edit(0, &Edit::Fill { shape: Shape::Sphere { center: DVec3::ZERO, radius: 1e9 }, material: None })
+        .unwrap();
+    pair.dynamic.validate().unwrap();
+    let left = pair.dynamic.compact();
+    assert_eq!((left.grids().len(), left.instances().len()), (1, 1));
+    *Arc::make_mut(&mut pair.plain.grids[0]) = VoxelGrid::new();
+    assert!(saved(&left) == saved(&PackedScene::pack(&pair.plain).unwrap()));
+}
+
+#[test]
+fn patches_are_taken_in_their_order_and_undo_has_a_limit() {
+    let mut pair = Pair::new();
+    let fill = |x: i32| Edit::Fill {
+        shape: Shape::Box(VoxelBox { min: IVec3::new(x, 0, 30), max: IVec3::new(x + 1, 1, 31) }),
+        material: Some(0),
+    };
+    pair.dynamic.edit(0, &fill(0)).unwrap();
+    let first = pair.dynamic.take_patch();
+    assert!(!first.is_empty() && pair.dynamic.take_patch().is_empty());
+    pair.dynamic.edit(0, &fill(1)).unwrap();
+    let second = pair.dynamic.take_patch();
+    assert_eq!(pair.tracer.patch(&second), Err(TraceError::OutOfStep(super::OutOfStep)));
+    pair.tracer.patch(&first).unwrap();
+    pair.tracer.patch(&second).unwrap();
+    assert_eq!(pair.tracer.patch(&second), Err(TraceError::OutOfStep(super::OutOfStep)));
+    // A tracer that begins with the scene as it is now follows from now on.
+    let mut late = CpuTracer::new(None);
+    assert_eq!(late.patch(&second), Err(TraceError::NoScene));
+    late.set_scene(&Arc::new(pair.dynamic.scene().clone())).unwrap();
+    pair.dynamic.edit(0, &fill(2)).unwrap();
+    let third = pair.dynamic.take_patch();
+    for tracer in [&mut late, &mut pair.tracer] {
+        tracer.patch(&third).unwrap();
+        let down = [Ray::new(Vec3::new(2.5, 0.5, 90.0), Vec3::NEG_Z)];
+        assert_eq!(hits(tracer, &down)[0].voxel, IVec3::new(2, 0, 30));
+    }
+    let size = pair.dynamic.undo_size_bytes();
+    pair.dynamic.set_undo_limit(size / 2);
+    assert!(pair.dynamic.undo_size_bytes() <= size / 2);
+    assert!(pair.dynamic.undo().unwrap().is_some() && pair.dynamic.undo().unwrap().is_none());
+    assert!(matches!(
+        DynamicScene::new(
+            PackedScene::pack(&example()).unwrap().with_normals(crate::normals::Normals::Smooth).unwrap()
+        ),
+        Err(EditError::SmoothNormals)
+    ));
 }

@@ -8,6 +8,7 @@ use super::{DynamicScene, emitters};
 use crate::packed::{CELL_OCCUPIED, Emitter, Geometry, LightNode, PackedGrid, append_lights};
 use glam::IVec3;
 use rayon::prelude::*;
+use rustc_hash::FxHashSet;
 use voxtrace_scene::Invalid;
 
 impl DynamicScene {
@@ -141,15 +142,29 @@ fn check_places(name: &str, mut used: Vec<(u32, u32)>, pool: &super::pool::Pool,
         }
         end = place + size;
     }
-    if end as usize == length { Ok(()) } else { Err(format!("{name}: places beyond {end} are lost").into()) }
+    if end as usize == length && pool.end() == length {
+        Ok(())
+    } else {
+        Err(format!("{name}: places beyond {end} are lost").into())
+    }
 }
 
 impl Geometry {
     /// Checks that no skip distance of a grid reaches over something.
     fn validate_distances(&self, grid: &PackedGrid) -> Result<(), Invalid> {
+        let bricks = self.bricks_of(grid);
         for shift in (BRICK_SHIFT..=grid.top_shift).step_by(2) {
             let size = grid.top_size << (grid.top_shift - shift) as i32;
-            let tiles: Vec<IVec3> = boxes(size, TILE).collect();
+            // Where there are nodes: the whole of a grid may be far larger.
+            let of_node = |brick: &IVec3| {
+                let node: IVec3 = *brick >> (shift - 1) as i32;
+                (node * 4).map(|v| v.div_euclid(TILE) * TILE)
+            };
+            let tiles: Vec<IVec3> = if shift == grid.top_shift {
+                boxes(size, TILE).collect()
+            } else {
+                bricks.iter().map(of_node).collect::<FxHashSet<IVec3>>().into_iter().collect()
+            };
             let stale = tiles.par_iter().find_map_any(|&low| {
                 let found = largest(self, grid, shift, low, (low + TILE).min(size));
                 self.first_beyond(grid, shift, &found)
