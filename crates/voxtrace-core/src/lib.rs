@@ -6,6 +6,7 @@ mod cpu;
 mod crops;
 pub mod cuts;
 pub mod denoise;
+pub mod dynamic;
 pub mod film;
 pub mod frame;
 mod light_group;
@@ -47,6 +48,7 @@ pub mod walk;
 
 pub use bounce_limits::BounceLimits;
 pub use cpu::{CpuTracer, RayCounts};
+pub use dynamic::{DynamicScene, Edit, EditError, Patch};
 pub use film::Film;
 pub use frame::{Frame, Integrator, Region};
 pub use light_group::LightGroup;

@@ -1,5 +1,6 @@
 //! Why a tracer could not do what it was asked.
 
+use crate::dynamic::OutOfStep;
 use crate::packed::PlacementError;
 
 /// A tracer could not do what it was asked.
@@ -12,6 +13,9 @@ pub enum TraceError {
     /// The placement does not suit the scene.
     #[error("{0}")]
     Placement(#[from] PlacementError),
+    /// The patch does not follow on the scene that the tracer has.
+    #[error("{0}")]
+    OutOfStep(#[from] OutOfStep),
     /// `render` has not been called.
     #[error("nothing has been rendered")]
     NoFilm,

@@ -1,5 +1,6 @@
 //! The contract that every tracer fulfils, on whatever device it runs.
 
+use crate::dynamic::Patch;
 use crate::film::Film;
 use crate::frame::Frame;
 use crate::packed::{PackedScene, Placement};
@@ -27,6 +28,14 @@ pub trait Tracer {
     /// geometry, with nothing changed; [`TraceError::OutOfMemory`] where the device cannot hold it, and then a scene must
     /// be set again.
     fn set_placement(&mut self, placement: &Placement) -> Result<(), TraceError>;
+
+    /// Follows edits of the scene: see [`crate::DynamicScene`]. Forgets the film, unless nothing changed.
+    ///
+    /// # Errors
+    /// [`TraceError::NoScene`] before a scene was set; [`TraceError::OutOfStep`] where the patch was made for another state of the scene, with
+    /// nothing changed: a scene must be set again; [`TraceError::Unsupported`] where the tracer cannot follow edits;
+    /// [`TraceError::OutOfMemory`] where the device cannot hold what is new, and then a scene must be set again.
+    fn patch(&mut self, patch: &Patch) -> Result<(), TraceError>;
 
     /// Finds for each ray its first hit, [`Hit::MISS`] where there is none: as devices answer, for millions of rays. `hits` must be as
     /// long as `rays`. Where instances were merged, hits are of those that there were.

@@ -112,6 +112,29 @@ impl Brick {
         (min, max)
     }
 
+    /// The voxels of `with` inside the mask, a bit for each, block by block, and its own outside.
+    pub fn replaced(&self, with: &Brick, mask: &[u64; 8]) -> Brick {
+        let mut occupancy = [0; 8];
+        let mut materials = Vec::new();
+        let (mut old_left, mut with_left) = (self.materials(), with.materials());
+        for block in 0..8 {
+            let (old_block, with_block) = (self.occupancy()[block], with.occupancy()[block]);
+            let (old_materials, with_materials);
+            (old_materials, old_left) = old_left.split_at(old_block.count_ones() as usize);
+            (with_materials, with_left) = with_left.split_at(with_block.count_ones() as usize);
+            occupancy[block] = old_block & !mask[block] | with_block & mask[block];
+            for bit in bits(occupancy[block]) {
+                let before = (1 << bit) - 1;
+                materials.push(if mask[block] >> bit & 1 != 0 {
+                    with_materials[(with_block & before).count_ones() as usize]
+                } else {
+                    old_materials[(old_block & before).count_ones() as usize]
+                });
+            }
+        }
+        Brick::new(occupancy, materials)
+    }
+
     /// The occupied voxels in rank order: coordinates in 0..8 and material.
     pub fn voxels(&self) -> impl Iterator<Item = (IVec3, u16)> + '_ {
         let mut rank = 0;

@@ -1,13 +1,13 @@
 //! Edits of whole regions: boxes, spheres and copies. They work brick by brick on bit masks; a brick that a region covers
 //! is written whole, without visiting its voxels.
 
-use crate::brick::{BLOCK_SIZE, BRICK_SIZE, Brick, bits, block_bit, block_index, voxel_of};
-use crate::grid::{MAX_COORDINATE, VoxelBox, VoxelGrid, brick_of};
+use crate::brick::{BRICK_SIZE, Brick, bits, block_bit, block_index};
+use crate::grid::{VoxelBox, VoxelGrid, brick_of};
+use crate::shape::{
+    FULL, Mask, assert_in_range, box_mask, brick_volume, bricks_in, sphere_box, sphere_mask, within_range,
+};
 use glam::{DVec3, IVec3};
 
-/// One bit for each voxel of a brick, block by block.
-type Mask = [u64; 8];
-const FULL: Mask = [u64::MAX; 8];
 const VOXELS_PER_BRICK: usize = 512;
 
 impl VoxelGrid {
@@ -33,6 +33,7 @@ impl VoxelGrid {
     /// # Panics
     /// If the sphere reaches beyond [`MAX_COORDINATE`], or is not finite.
     pub fn fill_sphere(&mut self, center: DVec3, radius: f64, material: u16) {
+        assert!(center.is_finite() && radius.is_finite(), "a sphere at {center} with radius {radius}");
         let Some(region) = sphere_box(center, radius) else { return };
         assert_in_range(region);
         for at in bricks_in(region) {
@@ -45,6 +46,7 @@ impl VoxelGrid {
     /// # Panics
     /// If the sphere is not finite.
     pub fn clear_sphere(&mut self, center: DVec3, radius: f64) {
+        assert!(center.is_finite() && radius.is_finite(), "a sphere at {center} with radius {radius}");
         let Some(region) = sphere_box(center, radius) else { return };
         self.clear_masked(within_range(region), |at| sphere_mask(center, radius, at));
     }
@@ -121,34 +123,10 @@ impl VoxelGrid {
 
     /// Replaces the voxels of a mask in one brick by those of another brick, `None` for an empty one.
     fn merge(&mut self, at: IVec3, mask: Mask, with: Option<&Brick>) {
-        let merged = merged(self.brick(at), with, mask);
+        let empty = Brick::default();
+        let merged = self.brick(at).unwrap_or(&empty).replaced(with.unwrap_or(&empty), &mask);
         self.set_brick(at, merged);
     }
-}
-
-/// The voxels of `with` inside the mask, and those of `old` outside.
-fn merged(old: Option<&Brick>, with: Option<&Brick>, mask: Mask) -> Brick {
-    let empty = Brick::default();
-    let (old, with) = (old.unwrap_or(&empty), with.unwrap_or(&empty));
-    let mut occupancy = [0; 8];
-    let mut materials = Vec::new();
-    let (mut old_left, mut with_left) = (old.materials(), with.materials());
-    for block in 0..8 {
-        let (old_block, with_block) = (old.occupancy()[block], with.occupancy()[block]);
-        let (old_materials, with_materials);
-        (old_materials, old_left) = old_left.split_at(old_block.count_ones() as usize);
-        (with_materials, with_left) = with_left.split_at(with_block.count_ones() as usize);
-        occupancy[block] = old_block & !mask[block] | with_block & mask[block];
-        for bit in bits(occupancy[block]) {
-            let before = (1 << bit) - 1;
-            materials.push(if mask[block] >> bit & 1 != 0 {
-                with_materials[(with_block & before).count_ones() as usize]
-            } else {
-                old_materials[(old_block & before).count_ones() as usize]
-            });
-        }
-    }
-    Brick::new(occupancy, materials)
 }
 
 /// A brick with a place for every material.
@@ -181,82 +159,4 @@ impl Dense {
         let materials = blocks.flat_map(|(mask, materials)| bits(*mask).map(|bit| materials[bit as usize])).collect();
         Brick::new(self.occupancy, materials)
     }
-}
-
-/// The part of a box that can hold voxels.
-fn within_range(region: VoxelBox) -> VoxelBox {
-    let limit = IVec3::splat(MAX_COORDINATE);
-    VoxelBox { min: region.min.max(-limit), max: region.max.min(limit + 1) }
-}
-
-fn assert_in_range(region: VoxelBox) {
-    let in_range =
-        region.min.cmpge(IVec3::splat(-MAX_COORDINATE)) & (region.max - 1).cmple(IVec3::splat(MAX_COORDINATE));
-    assert!(is_empty(region) || in_range.all(), "region {region:?} is out of range");
-}
-
-fn is_empty(region: VoxelBox) -> bool {
-    region.size().min_element() == 0
-}
-
-/// Number of bricks that a box touches.
-fn brick_volume(region: VoxelBox) -> u64 {
-    if is_empty(region) {
-        return 0;
-    }
-    let edges = brick_of(region.max - 1) - brick_of(region.min) + 1;
-    edges.to_array().into_iter().map(|edge| edge as u64).product()
-}
-
-/// Coordinates of the bricks that a box touches.
-fn bricks_in(region: VoxelBox) -> impl Iterator<Item = IVec3> {
-    let (first, last) = (brick_of(region.min), brick_of(region.max - 1));
-    let last = if is_empty(region) { first - 1 } else { last };
-    (first.z..=last.z)
-        .flat_map(move |z| (first.y..=last.y).flat_map(move |y| (first.x..=last.x).map(move |x| IVec3::new(x, y, z))))
-}
-
-/// The voxels of the brick `at` that lie in a box.
-fn box_mask(region: VoxelBox, at: IVec3) -> Mask {
-    let corner = at * BRICK_SIZE;
-    let (min, max) = ((region.min - corner).max(IVec3::ZERO), (region.max - corner).min(IVec3::splat(BRICK_SIZE)));
-    std::array::from_fn(|block| {
-        let origin = voxel_of(block, 0);
-        let (low, high) = ((min - origin).max(IVec3::ZERO), (max - origin).min(IVec3::splat(BLOCK_SIZE)));
-        if low.cmplt(high).all() { block_mask(low, high) } else { 0 }
-    })
-}
-
-/// The bits of the voxels in a box inside a block, `low` inclusive, `high` exclusive, 0..=4 each.
-fn block_mask(low: IVec3, high: IVec3) -> u64 {
-    let span = |low: i32, high: i32| (1u64 << high) - (1u64 << low);
-    // A row of x, repeated along y at each set bit of a mask with a step of 4, and along z with a step of 16.
-    let row = span(low.x, high.x);
-    let slice: u64 = (low.y..high.y).map(|y| row << (4 * y)).sum();
-    (low.z..high.z).map(|z| slice << (16 * z)).sum()
-}
-
-/// The smallest box around the voxels whose centres lie in a sphere, `None` where there are none.
-fn sphere_box(center: DVec3, radius: f64) -> Option<VoxelBox> {
-    assert!(center.is_finite() && radius.is_finite(), "a sphere at {center} with radius {radius}");
-    let (min, max) = ((center - radius - 0.5).ceil(), (center + radius - 0.5).floor() + 1.0);
-    let limit = DVec3::splat(f64::from(i32::MAX) / 4.0);
-    let region = VoxelBox { min: min.clamp(-limit, limit).as_ivec3(), max: max.clamp(-limit, limit).as_ivec3() };
-    (radius >= 0.0 && !is_empty(region)).then_some(region)
-}
-
-/// The voxels of the brick `at` whose centres lie in a sphere.
-fn sphere_mask(center: DVec3, radius: f64, at: IVec3) -> Mask {
-    let corner = (at * BRICK_SIZE).as_dvec3() + 0.5 - center;
-    let opposite = corner + f64::from(BRICK_SIZE - 1);
-    let inside = |offset: DVec3| offset.length_squared() <= radius * radius;
-    if inside(corner.abs().max(opposite.abs())) {
-        return FULL;
-    }
-    if !inside(DVec3::ZERO.clamp(corner, opposite)) {
-        return [0; 8];
-    }
-    std::array::from_fn(|block| {
-        (0..64).map(|bit| u64::from(inside(corner + voxel_of(block, bit).as_dvec3())) << bit).sum()
-    })
 }

@@ -18,6 +18,7 @@ pub mod material;
 pub mod oklab;
 pub mod ray;
 pub mod scene;
+mod shape;
 pub mod sky;
 pub mod transform;
 /// For the lights and lenses of other crates of voxtrace: not covered by semantic versioning.
@@ -31,6 +32,7 @@ pub use invalid::Invalid;
 pub use material::Material;
 pub use ray::{Face, Hit, Ray};
 pub use scene::{Instance, Scene};
+pub use shape::Shape;
 pub use sky::{Sky, Sun};
 pub use transform::{Axis, Transform};
 

@@ -15,6 +15,7 @@ use voxtrace_core::CpuTracer;
 use voxtrace_core::Film;
 use voxtrace_core::Frame;
 use voxtrace_core::PackedScene;
+use voxtrace_core::Patch;
 use voxtrace_core::Progress;
 use voxtrace_core::TraceError;
 use voxtrace_core::Tracer;
@@ -372,6 +373,11 @@ impl Tracer for VulkanTracer {
             ));
         }
         Ok(())
+    }
+
+    fn patch(&mut self, _patch: &Patch) -> Result<(), TraceError> {
+        self.scene.as_ref().ok_or(TraceError::NoScene)?;
+        Err(TraceError::Unsupported("edits of the scene on a Vulkan device: set the scene again".into()))
     }
 
     fn set_placement(&mut self, placement: &Placement) -> Result<(), TraceError> {

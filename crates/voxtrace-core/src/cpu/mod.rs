@@ -6,6 +6,7 @@ mod tile;
 mod wave;
 
 use crate::aov;
+use crate::dynamic::Patch;
 use crate::film::{AovPixel, Film};
 use crate::frame::{Frame, Integrator};
 use crate::light::Lights;
@@ -80,6 +81,15 @@ impl Tracer for CpuTracer {
     fn set_placement(&mut self, placement: &Placement) -> Result<(), TraceError> {
         self.scene = Some(Arc::new(self.scene()?.with_placement(placement)?));
         self.film = None;
+        Ok(())
+    }
+
+    fn patch(&mut self, patch: &Patch) -> Result<(), TraceError> {
+        let scene = self.scene.as_mut().ok_or(TraceError::NoScene)?;
+        if !patch.is_empty() {
+            Arc::make_mut(scene).apply_patch(patch)?;
+            self.film = None;
+        }
         Ok(())
     }
 

@@ -91,6 +91,13 @@ pub(super) fn brick_words(brick: &Brick, entry_bits: u32) -> u64 {
     (2 + 2 * blocks) as u64 + u64::from(bits.div_ceil(32))
 }
 
+/// The record of a brick, without the position of its materials, and its materials.
+pub(crate) fn encode_brick(brick: &Brick, entry_bits: u32) -> (Vec<u32>, Vec<u32>) {
+    let mut words = BrickWords { records: vec![], materials: vec![], positions: vec![] };
+    encode(brick, entry_bits, &mut Palette::default(), &mut words);
+    (words.records, words.materials)
+}
+
 fn encode(brick: &Brick, entry_bits: u32, palette: &mut Palette, words: &mut BrickWords) {
     palette.collect(brick.materials());
     let entries = palette.entries.len() as u32;

@@ -7,6 +7,8 @@ use std::io::{self, Read};
 /// Bytes that nothing changes while they are held. The first one is aligned to 64, as the sections of a file are.
 pub(super) enum Bytes {
     Mapped(memmap2::Mmap),
+    /// Memory in large pages that nobody else has and that may be written while nobody else holds it.
+    Writable(memmap2::MmapMut),
     /// Whole blocks, and how many bytes of them count.
     Owned(Box<[Block]>, usize),
 }
@@ -33,7 +35,7 @@ impl Bytes {
     /// Reads a file of so many bytes into memory.
     pub fn read(file: &mut impl Read, length: u64) -> io::Result<Self> {
         let mut bytes = Self::zeroed(length)?;
-        file.read_exact(bytes.owned_mut())?;
+        file.read_exact(bytes.as_mut().unwrap_or_default())?;
         Ok(bytes)
     }
 
@@ -57,19 +59,32 @@ impl Bytes {
         None
     }
 
+    /// Zeros that may be written, in large pages where they would fill any.
+    pub fn writable(length: usize) -> io::Result<Self> {
+        #[cfg(target_os = "linux")]
+        if length >= LARGE_PAGE {
+            let map = memmap2::MmapMut::map_anon(length)?;
+            // Where the system refuses, these are small pages.
+            let _ = map.advise(memmap2::Advice::HugePage);
+            return Ok(Self::Writable(map));
+        }
+        Self::zeroed(length as u64)
+    }
+
+    /// The bytes, to be written; `None` where they are a file's.
+    pub fn as_mut(&mut self) -> Option<&mut [u8]> {
+        match self {
+            Self::Mapped(_) => None,
+            Self::Writable(map) => Some(map),
+            Self::Owned(blocks, length) => Some(&mut bytemuck::cast_slice_mut(blocks)[..*length]),
+        }
+    }
+
     fn zeroed(length: u64) -> io::Result<Self> {
         let too_large = || io::Error::new(io::ErrorKind::OutOfMemory, format!("no memory for {length} bytes"));
         let count = usize::try_from(length).map_err(|_| too_large())?;
         let blocks = bytemuck::allocation::try_zeroed_slice_box(count.div_ceil(size_of::<Block>()));
         Ok(Self::Owned(blocks.map_err(|()| too_large())?, count))
-    }
-
-    /// The part that is to be filled.
-    fn owned_mut(&mut self) -> &mut [u8] {
-        match self {
-            Self::Mapped(_) => &mut [],
-            Self::Owned(blocks, length) => &mut bytemuck::cast_slice_mut(blocks)[..*length],
-        }
     }
 }
 
@@ -79,6 +94,7 @@ impl std::ops::Deref for Bytes {
     fn deref(&self) -> &[u8] {
         match self {
             Self::Mapped(map) => map,
+            Self::Writable(map) => map,
             Self::Owned(blocks, length) => &bytemuck::cast_slice(blocks)[..*length],
         }
     }

@@ -85,6 +85,9 @@ impl PackedScene {
     /// # Errors
     /// What the operating system reports.
     pub fn save(&self, path: &Path) -> Result<(), FileError> {
+        if self.geometry.is_edited {
+            return self.compacted().save(path);
+        }
         write_atomically(path, |writer| self.write(writer))
             .map_err(|error| FileError { path: path.into(), kind: error.into() })
     }
@@ -246,6 +249,9 @@ impl PackedScene {
     /// A hash of everything that a picture of the scene depends on: the same scene has the same hash, packed or opened,
     /// on every machine. The hierarchy over instances is left out: rays find the same through any.
     pub fn content_hash(&self) -> u64 {
+        if self.geometry.is_edited {
+            return self.compacted().content_hash();
+        }
         let (settings, instances) = (Settings::of(self), InstanceRecord::all_of(&self.placement));
         let materials = MaterialRecords::of(&self.geometry.materials);
         let mut hash = Xxh3::new();

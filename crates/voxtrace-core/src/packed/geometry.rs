@@ -24,20 +24,24 @@ pub struct Geometry {
     /// Trees over the emitters of each grid that has any, one after the other, in the space of the grid.
     pub(crate) light_nodes: Section<LightNode>,
     /// Whether the normals of voxels stand before the materials of their bricks.
-    pub(super) has_normals: bool,
+    pub(crate) has_normals: bool,
     /// For each grid its index among the grids of the scene that was packed; empty where those are the same.
-    pub(super) scene_grids: Arc<[u32]>,
+    pub(crate) scene_grids: Arc<[u32]>,
     /// What a merged grid was made of, where instances were merged.
-    pub(super) parts: Option<Arc<Parts>>,
+    pub(crate) parts: Option<Arc<Parts>>,
     /// For each grid the root of its tree, [`LightNode::NONE`] where nothing emits.
-    pub(super) light_roots: Arc<[u32]>,
+    pub(crate) light_roots: Arc<[u32]>,
+    /// Whether it was edited in place: its arrays have free places, and what follows from their order is missing.
+    pub(crate) is_edited: bool,
     /// Of everything that placements depend on.
-    pub(super) fingerprint: u64,
+    pub(crate) fingerprint: u64,
+    /// How many patches were taken of it, or applied to it.
+    pub(crate) revision: u64,
 }
 
 impl Geometry {
     /// Fills in what follows from the arrays, which must be valid.
-    pub(super) fn finished(self) -> Self {
+    pub(crate) fn finished(self) -> Self {
         let mut light_roots = vec![LightNode::NONE; self.grids.len()];
         let mut hash = Xxh3::new();
         hash.update(bytemuck::cast_slice(&self.grids));
@@ -50,6 +54,22 @@ impl Geometry {
         }
         hash.update(bytemuck::cast_slice(&light_roots));
         Self { light_roots: light_roots.into(), fingerprint: hash.digest(), ..self }
+    }
+
+    /// As [`Self::fingerprint`], of one that is edited: where the roots are is known.
+    pub(crate) fn fingerprint_of_edited(&self) -> u64 {
+        let mut hash = Xxh3::new();
+        for (grid, root) in self.grids.iter().zip(&*self.light_roots) {
+            hash.update(bytemuck::cast_slice(&[grid.min, grid.max]));
+            hash.update(&root.to_le_bytes());
+            hash.update(self.light_nodes.get(*root as usize).map_or(&[], bytemuck::bytes_of));
+        }
+        hash.digest()
+    }
+
+    /// What it is, for patches, each of which follows on one state.
+    pub(crate) fn state(&self) -> (u64, u64) {
+        (self.fingerprint, self.revision)
     }
 
     /// A number that two geometries share only where the same placements suit both.

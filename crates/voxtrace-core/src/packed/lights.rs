@@ -22,7 +22,7 @@ pub(super) fn surface_luminance(material: &Material) -> f32 {
 }
 
 /// Whether a voxel of a material covers the faces of a lamp beside it: light leaves through glass and clouds.
-pub(super) fn covers(transmission: f32, metallic: f32) -> bool {
+pub(crate) fn covers(transmission: f32, metallic: f32) -> bool {
     transmission <= 0.0 || metallic >= 1.0
 }
 
@@ -64,7 +64,7 @@ pub(super) fn lights_of_grid(geometry: &Geometry, emitting: Vec<(IVec3, u16)>) -
 
 impl Geometry {
     /// Whether a voxel of a grid is empty, or one that light enters.
-    pub(super) fn is_free(&self, grid: &PackedGrid, voxel: IVec3) -> bool {
+    pub(crate) fn is_free(&self, grid: &PackedGrid, voxel: IVec3) -> bool {
         self.material_at(grid, voxel).is_none_or(|material| {
             let PackedMaterial { transmission, metallic, .. } = self.materials[material as usize];
             !covers(transmission, metallic)
@@ -73,7 +73,7 @@ impl Geometry {
 }
 
 /// Appends the emitters of one grid, which are in [`morton_order`] and none twice, and the tree over them.
-pub(super) fn append_lights(found: Vec<Emitter>, emitters: &mut Vec<Emitter>, nodes: &mut Vec<LightNode>) {
+pub(crate) fn append_lights(found: Vec<Emitter>, emitters: &mut Vec<Emitter>, nodes: &mut Vec<LightNode>) {
     if found.is_empty() {
         return;
     }
@@ -128,7 +128,7 @@ pub fn morton_order(a: IVec3, b: IVec3) -> Ordering {
 
 /// The axis and the bit in which two voxels differ first along the Z-curve. Flipping the sign bit makes the order of
 /// unsigned words that of the coordinates and does not change where two of them differ.
-fn deciding_axis(a: IVec3, b: IVec3) -> Option<(usize, u32)> {
+pub(crate) fn deciding_axis(a: IVec3, b: IVec3) -> Option<(usize, u32)> {
     let mut deciding = (0, 0);
     for axis in [2, 1, 0] {
         let differ = (a[axis] ^ b[axis]) as u32;
@@ -143,7 +143,7 @@ fn deciding_axis(a: IVec3, b: IVec3) -> Option<(usize, u32)> {
 /// Appends the tree over `emitters`, the first of which has the number `first`, of one grid.
 fn split(emitters: &[Emitter], first: usize, nodes: &mut Vec<LightNode>) {
     if emitters.len() <= LEAF_EMITTERS {
-        nodes.push(leaf(emitters, first));
+        nodes.push(leaf_of(emitters, first));
         return;
     }
     let (low, high) = (emitters[0].voxel, emitters[emitters.len() - 1].voxel);
@@ -157,7 +157,8 @@ fn split(emitters: &[Emitter], first: usize, nodes: &mut Vec<LightNode>) {
     nodes[node] = LightNode::over(&nodes[node + 1], right as u32, &nodes[right]);
 }
 
-fn leaf(emitters: &[Emitter], first: usize) -> LightNode {
+/// A leaf of emitters, the first of which has the number `first`.
+pub(crate) fn leaf_of(emitters: &[Emitter], first: usize) -> LightNode {
     let mut node = LightNode { index: first as u32, count: emitters.len() as u32, ..LightNode::EMPTY };
     for emitter in emitters {
         let low = emitter.voxel.as_vec3();
@@ -171,7 +172,7 @@ fn leaf(emitters: &[Emitter], first: usize) -> LightNode {
 
 impl LightNode {
     /// An inner node, whose `right` child has a number of its own.
-    pub(super) fn over(left: &Self, right: u32, right_node: &Self) -> Self {
+    pub(crate) fn over(left: &Self, right: u32, right_node: &Self) -> Self {
         Self {
             min: left.min.min(right_node.min),
             max: left.max.max(right_node.max),

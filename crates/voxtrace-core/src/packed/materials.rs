@@ -87,22 +87,17 @@ impl Geometry {
     }
 
     /// The materials of the brick whose lowest voxel is `corner`, some of them twice.
-    fn materials_of_brick<'a>(
-        &'a self,
-        corner: IVec3,
-        grid: &'a super::PackedGrid,
-    ) -> Box<dyn Iterator<Item = usize> + 'a> {
-        let Some(record) = self.find_brick(grid, corner) else { return Box::new(std::iter::empty()) };
-        let (count, bits) = (u64::from(self.bricks[record] >> HEADER_PALETTE), grid.material_bits);
+    fn materials_of_brick(&self, corner: IVec3, grid: &super::PackedGrid) -> impl Iterator<Item = usize> {
+        let record = self.find_brick(grid, corner);
+        record.into_iter().flat_map(|record| self.materials_of_record(grid, record)).map(usize::from)
+    }
+
+    /// The materials of the brick with a record at `record`, some of them twice.
+    pub(crate) fn materials_of_record(&self, grid: &super::PackedGrid, record: usize) -> impl Iterator<Item = u16> {
+        let (palette, bits) = (self.bricks[record] >> HEADER_PALETTE, grid.material_bits);
         let start = u64::from(self.bricks[record + 1]) * 32;
-        if count > 0 {
-            return Box::new(
-                (0..count).map(move |entry| self.read_bits(start + entry * u64::from(bits), bits) as usize),
-            );
-        }
-        let voxels = (0..8).flat_map(|block| (0..64).map(move |bit| voxel_of(block, bit)));
-        Box::new(
-            voxels.filter_map(move |local| self.material_at(grid, corner + local)).map(|material| material as usize),
-        )
+        // Without a palette the indices are the materials.
+        let count = if palette > 0 { palette } else { self.voxels_of(record) };
+        (0..u64::from(count)).map(move |entry| self.read_bits(start + entry * u64::from(bits), bits) as u16)
     }
 }

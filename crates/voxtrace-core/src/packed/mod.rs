@@ -47,15 +47,18 @@ mod version_1;
 
 #[doc(hidden)]
 pub(crate) use append::Addition;
+pub(crate) use brick_record::encode_brick;
 pub use device_cells::DeviceCells;
 pub use file::MAGIC;
 pub use file_error::{FileError, FileErrorKind};
 pub use geometry::Geometry;
+pub(crate) use lights::{append_lights, covers, deciding_axis, leaf_of};
 pub(crate) use lookup::cell_in_node;
 #[doc(hidden)]
 pub use merge::{Lattice, Scatter};
 pub use outline::{Object, Outline};
 pub use pack::PackError;
+pub(crate) use pack::pack_grid;
 pub use placement::{Placement, PlacementError};
 #[doc(hidden)]
 pub use section::Section;
@@ -269,7 +272,7 @@ pub struct LightNode {
 impl LightNode {
     /// No node: the parent of a root.
     pub const NONE: u32 = u32::MAX;
-    const EMPTY: Self = Self {
+    pub(crate) const EMPTY: Self = Self {
         min: Vec3::INFINITY,
         index: 0,
         max: Vec3::NEG_INFINITY,

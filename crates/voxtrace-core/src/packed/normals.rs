@@ -162,7 +162,7 @@ impl Geometry {
     }
 
     /// Which voxels of a brick there are.
-    fn masks(&self, record: usize) -> [u64; 8] {
+    pub(crate) fn masks(&self, record: usize) -> [u64; 8] {
         let (mut masks, mut next) = ([0; 8], record + 2);
         for (block, mask) in masks.iter_mut().enumerate().filter(|(block, _)| self.bricks[record] >> block & 1 == 1) {
             debug_assert!(block < 8);
@@ -172,12 +172,12 @@ impl Geometry {
         masks
     }
 
-    fn voxels_of(&self, record: usize) -> u32 {
+    pub(crate) fn voxels_of(&self, record: usize) -> u32 {
         self.masks(record).iter().map(|mask| mask.count_ones()).sum()
     }
 
     /// Words of a brick's palette and indices.
-    fn material_words(&self, grid: &PackedGrid, record: usize, voxels: u32) -> usize {
+    pub(crate) fn material_words(&self, grid: &PackedGrid, record: usize, voxels: u32) -> usize {
         let header = self.bricks[record];
         let (index_bits, palette) = (header >> HEADER_INDEX_BITS & 0xff, header >> HEADER_PALETTE);
         (palette * grid.material_bits + voxels * index_bits).div_ceil(32) as usize

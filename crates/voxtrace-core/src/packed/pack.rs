@@ -177,7 +177,7 @@ pub(super) fn check(scene: &Scene) -> Result<(), PackError> {
 }
 
 /// A grid packed on its own; positions count from the start of its own arrays until it is appended.
-pub(super) struct GridPart {
+pub(crate) struct GridPart {
     grid: PackedGrid,
     /// The top cells, padded to a multiple of 64, then the nodes of the finer levels, coarse to fine.
     cells: Vec<u32>,
@@ -186,7 +186,7 @@ pub(super) struct GridPart {
     bricks: BrickWords,
 }
 
-pub(super) fn pack_grid(
+pub(crate) fn pack_grid(
     grid: &VoxelGrid,
     material_bits: u32,
     go_on: &(dyn Fn() -> Result<(), PackError> + Sync),
@@ -312,7 +312,7 @@ pub(super) fn levels_of(bricks: &[IVec3], extent: IVec3) -> Vec<Level> {
 
 impl GridPart {
     /// Appends the grid to the scene's arrays and turns its positions into positions there.
-    pub(super) fn append(
+    pub(crate) fn append(
         mut self,
         cells: &mut Vec<u32>,
         bricks: &mut Vec<u32>,

@@ -105,7 +105,7 @@ impl Placement {
     }
 
     /// Places instances that were checked.
-    pub(super) fn of_sound(geometry: &Geometry, instances: Vec<PackedInstance>) -> Self {
+    pub(crate) fn of_sound(geometry: &Geometry, instances: Vec<PackedInstance>) -> Self {
         let nodes = hierarchy_of(&instances, &geometry.grids);
         let cost = cost_of(&nodes);
         Self::with_hierarchy(geometry, instances, nodes.into(), cost)

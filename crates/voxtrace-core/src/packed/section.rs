@@ -26,6 +26,60 @@ impl<T: Pod> Section<T> {
         Some(Self { storage: Storage::Shared { bytes, start, end } })
     }
 
+    /// The records, to be written. They are copied first where somebody else has them too, or a file.
+    pub(crate) fn as_mut(&mut self) -> &mut [T] {
+        if !self.is_writable() {
+            *self = self.with_room(self.len());
+        }
+        match &mut self.storage {
+            Storage::Shared { bytes, start, end } => {
+                let bytes = Arc::get_mut(bytes).and_then(Bytes::as_mut).expect("made writable above");
+                bytemuck::cast_slice_mut(&mut bytes[*start..*end])
+            }
+            Storage::Owned(records) => Arc::get_mut(records).expect("made writable above"),
+        }
+    }
+
+    /// Makes it as long as said, with zeros where it grows. Room for more is kept, so that growing word by word copies little.
+    pub(crate) fn set_length(&mut self, length: usize) {
+        let has_room = match &self.storage {
+            Storage::Shared { bytes, start, .. } => {
+                self.is_writable() && (bytes.len() - start) / size_of::<T>() >= length
+            }
+            Storage::Owned(_) => false,
+        };
+        if !has_room {
+            *self = self.with_room(length + length / 8);
+        }
+        match &mut self.storage {
+            Storage::Shared { start, end, .. } => *end = *start + length * size_of::<T>(),
+            Storage::Owned(records) => {
+                let mut longer = records.to_vec();
+                longer.resize(length, T::zeroed());
+                *records = longer.into();
+            }
+        }
+    }
+
+    /// Whether it can be written as it is.
+    fn is_writable(&self) -> bool {
+        match &self.storage {
+            Storage::Shared { bytes, .. } => Arc::strong_count(bytes) == 1 && !matches!(**bytes, Bytes::Mapped(_)),
+            Storage::Owned(records) => Arc::strong_count(records) == 1,
+        }
+    }
+
+    /// A copy that can be written, with room for so many records.
+    fn with_room(&self, count: usize) -> Self {
+        let size = size_of_val(&**self);
+        let room = size.max(count * size_of::<T>()).next_multiple_of(64);
+        let copy = Bytes::writable(room).ok().and_then(|mut bytes| {
+            bytes.as_mut()?[..size].copy_from_slice(bytemuck::cast_slice(self));
+            Self::from_shared(Arc::new(bytes), 0, size)
+        });
+        copy.unwrap_or_else(|| Self { storage: Storage::Owned(self.to_vec().into()) })
+    }
+
     /// Size in bytes.
     pub fn size_bytes(&self) -> u64 {
         size_of_val(&**self) as u64

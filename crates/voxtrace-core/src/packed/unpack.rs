@@ -1,9 +1,10 @@
 //! From the packed scene back to the editable one, to edit it or to write it in another format.
 
+use super::lookup::{HEADER_INDEX_BITS, HEADER_PALETTE, bits_at};
 use super::{CELL_OCCUPIED, Geometry, PackedGrid, PackedScene};
 use glam::IVec3;
 use rayon::prelude::*;
-use voxtrace_scene::brick::{Brick, voxel_of};
+use voxtrace_scene::brick::Brick;
 use voxtrace_scene::grid::VoxelGrid;
 use voxtrace_scene::material::Material;
 use voxtrace_scene::scene::{Instance, Scene};
@@ -47,7 +48,7 @@ impl PackedScene {
 }
 
 impl Geometry {
-    pub(super) fn unpack_grid(&self, grid: &PackedGrid) -> VoxelGrid {
+    pub(crate) fn unpack_grid(&self, grid: &PackedGrid) -> VoxelGrid {
         let bricks = self.bricks_of(grid);
         let unpack = |&at: &IVec3| {
             let corner = grid.origin + at * 8;
@@ -57,7 +58,7 @@ impl Geometry {
     }
 
     /// Coordinates of the bricks of a grid, in bricks from its origin.
-    pub(super) fn bricks_of(&self, grid: &PackedGrid) -> Vec<IVec3> {
+    pub(crate) fn bricks_of(&self, grid: &PackedGrid) -> Vec<IVec3> {
         let mut bricks = Vec::new();
         let size = grid.top_size;
         for index in 0..size.element_product() {
@@ -85,15 +86,23 @@ impl Geometry {
     }
 
     fn unpack_brick(&self, grid: &PackedGrid, corner: IVec3) -> Brick {
-        let (mut occupancy, mut materials) = ([0u64; 8], Vec::new());
-        for (block, mask) in occupancy.iter_mut().enumerate() {
-            for bit in 0..64 {
-                if let Some(material) = self.material_at(grid, corner + voxel_of(block, bit)) {
-                    *mask |= 1 << bit;
-                    materials.push(material as u16);
-                }
-            }
-        }
-        Brick::new(occupancy, materials)
+        self.find_brick(grid, corner).map_or_else(Brick::default, |record| self.decode_brick(grid, record))
+    }
+
+    /// The brick of a record.
+    pub(crate) fn decode_brick(&self, grid: &PackedGrid, record: usize) -> Brick {
+        let occupancy = self.masks(record);
+        let header = self.bricks[record];
+        let (index_bits, palette) = (header >> HEADER_INDEX_BITS & 0xff, header >> HEADER_PALETTE);
+        let entry_bits = grid.material_bits;
+        let count: u32 = occupancy.iter().map(|mask| mask.count_ones()).sum();
+        let words = &self.brick_materials[self.bricks[record + 1] as usize..];
+        let first = palette * entry_bits;
+        let material = |rank: u32| {
+            let index = bits_at(words, u64::from(first + rank * index_bits), index_bits);
+            let entry = if palette == 0 { index } else { bits_at(words, u64::from(index * entry_bits), entry_bits) };
+            entry as u16
+        };
+        Brick::new(occupancy, (0..count).map(material).collect())
     }
 }

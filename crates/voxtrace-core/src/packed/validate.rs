@@ -124,12 +124,18 @@ impl Geometry {
     /// # Errors
     /// One sentence about the first fault.
     pub fn validate(&self) -> Result<(), Invalid> {
+        self.validate_grids()?;
+        validate_lights(self)
+    }
+
+    /// Checks the grids with their bricks.
+    pub(crate) fn validate_grids(&self) -> Result<(), Invalid> {
         let mut cells_left = self.cells.len();
         for (index, grid) in self.grids.iter().enumerate() {
             self.validate_grid(grid, &mut cells_left)
                 .map_err(|fault| Invalid::from(format!("grid {index}: {fault}")))?;
         }
-        validate_lights(self)
+        Ok(())
     }
 
     fn validate_grid(&self, grid: &PackedGrid, cells_left: &mut usize) -> Result<(), Invalid> {
@@ -137,7 +143,10 @@ impl Geometry {
         // The smallest number has no absolute value.
         let is_near = |point: IVec3| point.cmple(far).all() && point.cmpge(-far).all();
         let is_shift = (3..=21).contains(&grid.top_shift) && grid.top_shift % 2 == 1;
-        if !is_near(grid.origin) || !is_near(grid.min) || !is_near(grid.max) || grid.origin & 7 != IVec3::ZERO {
+        // Top arrays that grow do so by whole cells.
+        let overhang = if self.is_edited { 1 << grid.top_shift.min(21) } else { 0 };
+        let is_origin_near = grid.origin.cmple(far).all() && grid.origin.cmpge(-far - overhang).all();
+        if !is_origin_near || !is_near(grid.min) || !is_near(grid.max) || grid.origin & 7 != IVec3::ZERO {
             return Err("coordinates out of range".into());
         }
         if !is_shift || grid.material_bits != 8 && grid.material_bits != 16 || grid.top_size.min_element() < 1 {

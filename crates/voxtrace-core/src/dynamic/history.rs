@@ -1,0 +1,90 @@
+//! Undo and redo: for each edit the words that its bricks had before, or have after.
+
+use super::plan::Change;
+use std::collections::VecDeque;
+
+/// Bytes that are kept unless said otherwise.
+const MOST_BYTES: u64 = 256 << 20;
+
+/// What one edit changed: grid and bricks as they were.
+#[derive(Clone, Debug)]
+pub(super) struct Entry {
+    pub grid: u32,
+    pub bricks: Vec<Change>,
+}
+
+impl Entry {
+    fn size_bytes(&self) -> u64 {
+        let code = |(_, code): &Change| code.as_ref().map_or(0, |code| code.size_bytes());
+        self.bricks.iter().map(|change| size_of::<Change>() as u64 + code(change)).sum()
+    }
+}
+
+/// Edits that can be undone, and those that were.
+#[derive(Clone, Debug)]
+pub(super) struct History {
+    undo: VecDeque<Entry>,
+    redo: Vec<Entry>,
+    size_bytes: u64,
+    most_bytes: u64,
+}
+
+impl Default for History {
+    fn default() -> Self {
+        Self { undo: VecDeque::new(), redo: Vec::new(), size_bytes: 0, most_bytes: MOST_BYTES }
+    }
+}
+
+impl History {
+    /// Keeps at most so many bytes from now on.
+    pub fn set_most_bytes(&mut self, bytes: u64) {
+        self.most_bytes = bytes;
+        self.forget_oldest();
+    }
+
+    pub fn size_bytes(&self) -> u64 {
+        self.size_bytes
+    }
+
+    /// A new edit: what was undone before cannot be redone.
+    pub fn push(&mut self, entry: Entry) {
+        let gone: u64 = self.redo.drain(..).map(|entry| entry.size_bytes()).sum();
+        self.size_bytes = self.size_bytes - gone + entry.size_bytes();
+        self.undo.push_back(entry);
+        self.forget_oldest();
+    }
+
+    pub fn pop_undo(&mut self) -> Option<Entry> {
+        let entry = self.undo.pop_back()?;
+        self.size_bytes -= entry.size_bytes();
+        Some(entry)
+    }
+
+    pub fn pop_redo(&mut self) -> Option<Entry> {
+        let entry = self.redo.pop()?;
+        self.size_bytes -= entry.size_bytes();
+        Some(entry)
+    }
+
+    /// What was undone.
+    pub fn push_redo(&mut self, entry: Entry) {
+        self.size_bytes += entry.size_bytes();
+        self.redo.push(entry);
+        self.forget_oldest();
+    }
+
+    /// What was redone.
+    pub fn push_undo(&mut self, entry: Entry) {
+        self.size_bytes += entry.size_bytes();
+        self.undo.push_back(entry);
+        self.forget_oldest();
+    }
+
+    fn forget_oldest(&mut self) {
+        while self.size_bytes > self.most_bytes {
+            let oldest = self.undo.pop_front().or_else(|| (!self.redo.is_empty()).then(|| self.redo.remove(0)));
+            let Some(oldest) = oldest else { break };
+            self.size_bytes -= oldest.size_bytes();
+        }
+    }
+}

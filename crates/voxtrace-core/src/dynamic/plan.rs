@@ -1,0 +1,209 @@
+//! From an edit to the bricks that it changes, with their new words. Bricks are decoded, edited and encoded on all cores; what comes out the same
+//! is left out.
+
+use super::cells::{child, from_origin, top_position};
+use super::edit_error::MOST_BRICKS;
+use super::store::BrickCode;
+use super::{DynamicScene, Edit, EditError};
+use crate::packed::{CELL_OCCUPIED, Geometry, encode_brick};
+use glam::IVec3;
+use rayon::prelude::*;
+use voxtrace_scene::Shape;
+use voxtrace_scene::brick::Brick;
+use voxtrace_scene::grid::{MAX_COORDINATE, VoxelBox, brick_of};
+
+/// A brick that becomes another one: its coordinates and its words, `None` where it becomes empty.
+pub(super) type Change = (IVec3, Option<BrickCode>);
+
+/// Bricks that one task edits.
+const CHUNK: usize = 16;
+const FULL: [u64; 8] = [u64::MAX; 8];
+
+/// A brick of some voxels of one material.
+fn solid(mask: [u64; 8], material: u16) -> Brick {
+    let count: u32 = mask.iter().map(|block| block.count_ones()).sum();
+    Brick::new(mask, vec![material; count as usize])
+}
+
+/// Bricks that a box of voxels touches: the lowest, and one past the highest.
+pub(super) fn brick_box(region: VoxelBox) -> (IVec3, IVec3) {
+    (brick_of(region.min), brick_of(region.max - 1) + 1)
+}
+
+/// The part of a box that can hold voxels; its corners may be anywhere.
+fn within_range(region: VoxelBox) -> VoxelBox {
+    let limit = IVec3::splat(MAX_COORDINATE);
+    VoxelBox { min: region.min.clamp(-limit, limit + 1), max: region.max.clamp(-limit, limit + 1) }
+}
+
+/// A box whose voxels become something.
+///
+/// # Errors
+/// [`EditError::OutOfRange`] where it reaches too far.
+pub(super) fn check_range(region: VoxelBox) -> Result<(), EditError> {
+    let limit = IVec3::splat(MAX_COORDINATE);
+    if region.min.cmplt(-limit).any() {
+        return Err(EditError::OutOfRange(region.min));
+    }
+    if region.max.cmpgt(limit + 1).any() {
+        return Err(EditError::OutOfRange(region.max.saturating_sub(IVec3::ONE)));
+    }
+    Ok(())
+}
+
+impl DynamicScene {
+    /// The bricks that an edit changes.
+    pub(super) fn plan(&self, grid: u32, edit: &Edit) -> Result<Vec<Change>, EditError> {
+        let count = self.scene.grids().len();
+        if grid as usize >= count {
+            return Err(EditError::NoGrid { grid, count });
+        }
+        let count = self.scene.materials().len();
+        if let Some(material) = edit.materials().find(|&material| usize::from(material) >= count) {
+            return Err(EditError::NoMaterial { material, count });
+        }
+        match edit {
+            Edit::Fill { shape, material: Some(material) } => self.plan_fill(grid, shape, *material),
+            Edit::Fill { shape, material: None } => self.plan_masked(grid, shape, |brick, mask| {
+                let is_met = brick.occupancy().iter().zip(mask).any(|(own, mask)| own & mask != 0);
+                is_met.then(|| brick.replaced(&Brick::default(), mask))
+            }),
+            Edit::Paint { shape, material } => self.plan_masked(grid, shape, |brick, mask| {
+                let painted = std::array::from_fn(|block| mask[block] & brick.occupancy()[block]);
+                (painted != [0; 8]).then(|| brick.replaced(&solid(painted, *material), &painted))
+            }),
+            Edit::Replace { within, from, to } => {
+                let everywhere = VoxelBox { min: IVec3::splat(-MAX_COORDINATE), max: IVec3::splat(MAX_COORDINATE + 1) };
+                self.plan_masked(grid, &Shape::Box(within.unwrap_or(everywhere)), |brick, mask| {
+                    let mut found = [0u64; 8];
+                    for (local, _) in brick.voxels().filter(|(_, material)| material == from) {
+                        let block = voxtrace_scene::brick::block_index(local);
+                        found[block] |= mask[block] & 1 << voxtrace_scene::brick::block_bit(local);
+                    }
+                    let with = to.map_or_else(Brick::default, |to| solid(found, to));
+                    (found != [0; 8]).then(|| brick.replaced(&with, &found))
+                })
+            }
+        }
+    }
+
+    fn plan_fill(&self, grid: u32, shape: &Shape, material: u16) -> Result<Vec<Change>, EditError> {
+        let Some(region) = bounds_of(shape)? else { return Ok(Vec::new()) };
+        check_range(region)?;
+        let (low, high) = brick_box(region);
+        let size = (high - low).as_i64vec3();
+        let bricks = size.element_product() as u64;
+        if bricks > MOST_BRICKS {
+            return Err(EditError::TooLarge { bricks });
+        }
+        let place = |index: i64| {
+            low + IVec3::new(
+                (index % size.x) as i32,
+                (index / size.x % size.y) as i32,
+                (index / (size.x * size.y)) as i32,
+            )
+        };
+        let bricks: Vec<IVec3> = (0..bricks as i64).map(place).collect();
+        let filled = solid(FULL, material);
+        Ok(self.planned(grid, &bricks, |at, brick| match shape.mask(at) {
+            [0, 0, 0, 0, 0, 0, 0, 0] => None,
+            FULL => Some(filled.clone()),
+            mask => Some(brick.replaced(&solid(mask, material), &mask)),
+        }))
+    }
+
+    /// Edits those bricks that there are and that a shape touches.
+    fn plan_masked(
+        &self,
+        grid: u32,
+        shape: &Shape,
+        change: impl Fn(&Brick, &[u64; 8]) -> Option<Brick> + Sync,
+    ) -> Result<Vec<Change>, EditError> {
+        let Some(region) = bounds_of(shape)? else { return Ok(Vec::new()) };
+        let bricks = self.geometry().bricks_in(grid as usize, brick_box(within_range(region)));
+        Ok(self.planned(grid, &bricks, |at, brick| {
+            let mask = shape.mask(at);
+            if mask == [0; 8] { None } else { change(brick, &mask) }
+        }))
+    }
+
+    /// Edits bricks, each once, by what `change` makes of the brick at its coordinates; `None` leaves it.
+    pub(super) fn planned(
+        &self,
+        grid: u32,
+        bricks: &[IVec3],
+        change: impl Fn(IVec3, &Brick) -> Option<Brick> + Sync,
+    ) -> Vec<Change> {
+        let geometry = self.geometry();
+        let packed = &geometry.grids[grid as usize];
+        let empty = Brick::default();
+        let edit = |&at: &IVec3| {
+            let record = geometry.find_brick(packed, at * 8);
+            let was = record.map(|record| geometry.decode_brick(packed, record));
+            let now = change(at, was.as_ref().unwrap_or(&empty))?;
+            if now == *was.as_ref().unwrap_or(&empty) {
+                return None;
+            }
+            Some((at, code_of(&now, packed.material_bits)))
+        };
+        bricks.par_iter().with_min_len(CHUNK).filter_map(edit).collect()
+    }
+}
+
+/// A shape's box, `None` where nothing is inside.
+fn bounds_of(shape: &Shape) -> Result<Option<VoxelBox>, EditError> {
+    let is_finite = match shape {
+        Shape::Sphere { center, radius } => center.is_finite() && radius.is_finite(),
+        Shape::Capsule { from, to, radius } => from.is_finite() && to.is_finite() && radius.is_finite(),
+        _ => true,
+    };
+    if is_finite { Ok(shape.bounds()) } else { Err(EditError::NotFinite) }
+}
+
+/// The words of a brick, `None` where it is empty.
+pub(super) fn code_of(brick: &Brick, material_bits: u32) -> Option<BrickCode> {
+    if brick.is_empty() {
+        return None;
+    }
+    let (record, materials) = encode_brick(brick, material_bits);
+    Some(BrickCode { record: record.into(), materials: materials.into() })
+}
+
+impl Geometry {
+    /// The bricks of a grid that there are, from `low` to before `high`.
+    pub(super) fn bricks_in(&self, grid: usize, (low, high): (IVec3, IVec3)) -> Vec<IVec3> {
+        let packed = &self.grids[grid];
+        let region = (from_origin(packed, low), from_origin(packed, high));
+        let shift = packed.top_shift as i32 - 3;
+        let (first, last) = ((region.0 >> shift).max(IVec3::ZERO), ((region.1 - 1) >> shift).min(packed.top_size - 1));
+        let mut bricks = Vec::new();
+        for z in first.z..=last.z {
+            for y in first.y..=last.y {
+                for x in first.x..=last.x {
+                    let at = IVec3::new(x, y, z);
+                    let Some(position) = top_position(packed, at) else { continue };
+                    self.collect_in(self.cells[position], at, shift, region, &mut bricks);
+                }
+            }
+        }
+        let origin = packed.origin >> 3;
+        bricks.iter_mut().for_each(|brick| *brick += origin);
+        bricks
+    }
+
+    fn collect_in(&self, cell: u32, at: IVec3, shift: i32, region: (IVec3, IVec3), bricks: &mut Vec<IVec3>) {
+        let (low, high) = (at << shift, (at + 1) << shift);
+        if cell & CELL_OCCUPIED == 0 || low.cmpge(region.1).any() || high.cmple(region.0).any() {
+            return;
+        }
+        if shift == 0 {
+            bricks.push(at);
+            return;
+        }
+        for index in 0..64 {
+            let local = IVec3::new(index & 3, index >> 2 & 3, index >> 4);
+            let cell = self.cells[child(cell) * 64 + index as usize];
+            self.collect_in(cell, at * 4 + local, shift - 2, region, bricks);
+        }
+    }
+}

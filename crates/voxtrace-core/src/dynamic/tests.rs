@@ -1,0 +1,378 @@
+//! Random edits against the same edits of an editable grid, which is packed from scratch.
+
+use super::{DynamicScene, Edit, EditError};
+use crate::frame::{Frame, Integrator};
+use crate::packed::{CELL_OCCUPIED, PackedScene};
+use crate::tracer::{Progress, TraceError, Tracer};
+use crate::{CpuTracer, Film};
+use glam::{DVec3, IVec3, Vec3};
+use std::sync::Arc;
+use voxtrace_scene::grid::{MAX_COORDINATE, VoxelBox};
+use voxtrace_scene::{Camera, Hit, Material, Ray, Scene, Shape, Transform, VoxelGrid};
+
+/// Uniform numbers.
+pub(super) struct Random(pub u64);
+
+impl Random {
+    pub fn below(&mut self, most: u32) -> u32 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        ((self.0 >> 33) as u32) % most
+    }
+
+    pub fn between(&mut self, low: i32, high: i32) -> i32 {
+        low + self.below((high - low) as u32) as i32
+    }
+
+    pub fn voxel(&mut self, reach: i32) -> IVec3 {
+        IVec3::from_array([(); 3].map(|()| self.between(-reach, reach)))
+    }
+
+    fn point(&mut self, reach: i32) -> DVec3 {
+        self.voxel(reach * 8).as_dvec3() / 8.0
+    }
+}
+
+fn materials() -> Vec<Material> {
+    let lamp = |r: f32| Material::emissive(Vec3::new(r, 1.0, 0.5));
+    vec![Material::diffuse(Vec3::splat(0.7)), lamp(3.0), Material::glass(1.5, 0.1), lamp(0.5), Material::default()]
+}
+
+/// A floor, a box and some lamps, twice, the second one turned.
+fn example() -> Scene {
+    let mut grid = VoxelGrid::new();
+    grid.fill_box(VoxelBox { min: IVec3::new(-40, -40, -3), max: IVec3::new(40, 40, 0) }, 0);
+    grid.fill_box(VoxelBox { min: IVec3::new(-9, 3, 0), max: IVec3::new(8, 17, 22) }, 4);
+    for lamp in 0..40 {
+        grid.set(IVec3::new(lamp * 7 % 60 - 30, lamp * 13 % 50 - 25, 20 + lamp % 3), 1);
+    }
+    let mut scene = Scene { materials: materials(), ..Scene::from_grid("edited", grid, Vec::new()) };
+    let mut small = VoxelGrid::new();
+    small.set(IVec3::new(3, 4, 5), 3);
+    let linear = glam::Mat3::from_rotation_x(0.3) * 2.0;
+    scene.add_instance(small, Transform { linear, translation: Vec3::new(3.0, 70.0, 20.0) });
+    scene
+}
+
+/// A random edit of voxels not farther out than `reach`.
+fn random_edit(random: &mut Random, reach: i32) -> Edit {
+    let material = |random: &mut Random| random.below(5) as u16;
+    let some = (random.below(3) > 0).then(|| material(random));
+    let shape = match random.below(8) {
+        0..4 => {
+            // Often at the border of a brick.
+            let at = random.voxel(reach);
+            let at = if random.below(2) == 0 { (at & !7) - (random.below(2) as i32) } else { at };
+            Shape::Box(VoxelBox { min: at, max: at + 1 })
+        }
+        4 => {
+            let min = random.voxel(reach - 14);
+            Shape::Box(VoxelBox { min, max: min + (random.voxel(7) + 7) })
+        }
+        5..7 => Shape::Sphere { center: random.point(reach - 14), radius: f64::from(random.below(100)) / 8.0 },
+        _ => {
+            let from = random.point(reach - 24);
+            Shape::Capsule { from, to: from + random.point(10), radius: f64::from(random.below(60)) / 8.0 }
+        }
+    };
+    match random.below(10) {
+        0 => Edit::Paint { shape, material: material(random) },
+        1 => {
+            let min = random.voxel(reach);
+            let within = (random.below(8) > 0).then_some(VoxelBox { min, max: min + 20 });
+            Edit::Replace { within, from: material(random), to: some }
+        }
+        _ => Edit::Fill { shape, material: some },
+    }
+}
+
+/// The same edit, voxel by voxel.
+fn edit_plainly(grid: &mut VoxelGrid, edit: &Edit) {
+    let mut set = |voxel: IVec3, material: Option<u16>| match material {
+        Some(material) => _ = grid.set(voxel, material),
+        None => _ = grid.clear(voxel),
+    };
+    let inside = |shape: &Shape| {
+        let bounds = shape.bounds().unwrap_or(VoxelBox { min: IVec3::ZERO, max: IVec3::ZERO });
+        let (shape, size) = (*shape, bounds.size());
+        (0..size.element_product())
+            .map(move |i| bounds.min + IVec3::new(i % size.x, i / size.x % size.y, i / (size.x * size.y)))
+            .filter(move |&voxel| shape.contains(voxel))
+    };
+    match edit {
+        Edit::Fill { shape, material } => inside(shape).for_each(|voxel| set(voxel, *material)),
+        Edit::Paint { shape, material } => {
+            for voxel in inside(shape).filter(|&voxel| grid.get(voxel).is_some()).collect::<Vec<_>>() {
+                grid.set(voxel, *material);
+            }
+        }
+        Edit::Replace { within, from, to } => {
+            let found: Vec<IVec3> = (grid.voxels())
+                .filter(|(voxel, material)| material == from && within.is_none_or(|within| within.contains(*voxel)))
+                .map(|(voxel, _)| voxel)
+                .collect();
+            found.into_iter().for_each(|voxel| match to {
+                Some(to) => _ = grid.set(voxel, *to),
+                None => _ = grid.clear(voxel),
+            });
+        }
+    }
+}
+
+/// Rays from around the middle, in all directions.
+fn rays(random: &mut Random, count: usize, reach: i32) -> Vec<Ray> {
+    let ray = |_| {
+        let origin = random.point(reach).as_vec3();
+        let mut direction = random.point(reach).as_vec3() + 0.01;
+        if random.below(4) == 0 {
+            direction[random.below(3) as usize] = 0.0;
+        }
+        Ray::new(origin, direction)
+    };
+    (0..count).map(ray).collect()
+}
+
+/// Hits by what does not depend on the order of instances in memory.
+fn hits(tracer: &mut dyn Tracer, rays: &[Ray]) -> Vec<Hit> {
+    let mut hits = vec![Hit::MISS; rays.len()];
+    tracer.cast_into(rays, &mut hits).unwrap();
+    hits
+}
+
+fn film(tracer: &mut dyn Tracer) -> Film {
+    let camera = Camera::look_at(Vec3::new(60.0, -50.0, 45.0), Vec3::ZERO);
+    let frame = Frame { integrator: Integrator::Path, samples: 2, ..Frame::new(camera, 48, 32) };
+    tracer.render(&frame, &Progress::default()).unwrap();
+    let mut film = Film::new(48, 32, frame.region, 0);
+    tracer.read(&mut film).unwrap();
+    film
+}
+
+fn saved(scene: &PackedScene) -> Vec<u8> {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("scene.vxt");
+    scene.save(&path).unwrap();
+    std::fs::read(path).unwrap()
+}
+
+/// A scene that is edited, the same one as it is edited plainly, and a tracer that follows.
+struct Pair {
+    dynamic: DynamicScene,
+    plain: Scene,
+    /// Grids after each edit, and those of the edits that were undone.
+    done: Vec<Arc<VoxelGrid>>,
+    undone: Vec<Arc<VoxelGrid>>,
+    tracer: CpuTracer,
+}
+
+impl Pair {
+    fn new() -> Self {
+        let plain = example();
+        let packed = PackedScene::pack(&plain).unwrap();
+        let mut tracer = CpuTracer::new(None);
+        tracer.set_scene(&Arc::new(packed.clone())).unwrap();
+        let dynamic = DynamicScene::new(packed).unwrap();
+        Self { dynamic, plain, done: Vec::new(), undone: Vec::new(), tracer }
+    }
+
+    fn step(&mut self, random: &mut Random, reach: i32) {
+        match random.below(12) {
+            0 => {
+                let undone = self.dynamic.undo().unwrap().is_some();
+                assert_eq!(undone, !self.done.is_empty());
+                if let Some(before) = self.done.pop() {
+                    self.undone.push(std::mem::replace(&mut self.plain.grids[0], before));
+                }
+            }
+            1 => {
+                let redone = self.dynamic.redo().unwrap().is_some();
+                assert_eq!(redone, !self.undone.is_empty());
+                if let Some(after) = self.undone.pop() {
+                    self.done.push(std::mem::replace(&mut self.plain.grids[0], after));
+                }
+            }
+            2 => _ = self.dynamic.repair(random.below(4) as usize),
+            _ => {
+                let far = if random.below(40) == 0 { 20 * reach } else { reach };
+                let edit = random_edit(random, far);
+                let before = Arc::clone(&self.plain.grids[0]);
+                edit_plainly(Arc::make_mut(&mut self.plain.grids[0]), &edit);
+                let count = before.count() as i64;
+                let edited = self.dynamic.edit(0, &edit).unwrap();
+                assert_eq!(edited.voxels, self.plain.grids[0].count() as i64 - count, "{edit:?}");
+                assert_eq!(edited.bricks == 0, *before == *self.plain.grids[0]);
+                if edited.bricks > 0 {
+                    self.undone.clear();
+                    self.done.push(before);
+                }
+            }
+        }
+    }
+
+    fn compare(&mut self, random: &mut Random) {
+        self.dynamic.validate().unwrap();
+        self.tracer.patch(&self.dynamic.take_patch()).unwrap();
+        let packed = Arc::new(PackedScene::pack(&self.plain).unwrap());
+        let mut fresh = CpuTracer::new(None);
+        fresh.set_scene(&packed).unwrap();
+        let rays = rays(random, 4000, 90);
+        let (own, expected) = (hits(&mut self.tracer, &rays), hits(&mut fresh, &rays));
+        assert_eq!(own, expected);
+        assert!(film(&mut self.tracer) == film(&mut fresh), "films");
+        assert!(saved(&self.dynamic.compact()) == saved(&packed), "files");
+    }
+}
+
+#[test]
+fn edits_of_all_kinds_leave_the_scene_that_packing_makes() {
+    for seed in 0..4 {
+        let mut random = Random(seed);
+        let mut pair = Pair::new();
+        pair.compare(&mut random);
+        for round in 0..12 {
+            (0..25).for_each(|_| pair.step(&mut random, 60));
+            if round % 3 == 2 {
+                pair.dynamic.settle();
+            }
+            pair.compare(&mut random);
+        }
+    }
+}
+
+#[test]
+fn planted_faults_are_caught() {
+    type Fault = fn(&mut DynamicScene);
+    let faults: [(&str, Fault); 7] = [
+        ("reaches over something", |scene| {
+            // The empty cell above the floor: as if the longest distances had stayed when something came.
+            let (position, shift) =
+                scene.geometry().cell_of_brick(&scene.scene.grids()[0], IVec3::new(3, 3, 1)).unwrap();
+            assert!(scene.geometry().cells[position] & CELL_OCCUPIED == 0 && shift == 3);
+            scene.store().set_cell(position, 0xff_ffff);
+        }),
+        ("not that of its voxels", |scene| {
+            let root = scene.geometry().light_root(0).unwrap();
+            Arc::make_mut(&mut scene.scene.geometry).light_nodes.as_mut()[root as usize].power[3] += 1.0;
+        }),
+        ("over emitters is not", |scene| {
+            // A lamp that the tree does not have.
+            let dark = std::mem::replace(&mut scene.glow, super::emitters::Glow::of(&[scene.scene.materials()[0]; 5]));
+            let shape = Shape::Box(VoxelBox { min: IVec3::splat(30), max: IVec3::splat(31) });
+            scene.edit(0, &Edit::Fill { shape, material: Some(1) }).unwrap();
+            scene.glow = dark;
+        }),
+        ("were counted", |scene| scene.bricks[0] += 1),
+        ("used twice", |scene| scene.pools.bricks.give(0, 2)),
+        ("lost", |scene| _ = scene.pools.materials.take(1)),
+        ("another geometry", |scene| Arc::make_mut(&mut scene.scene.geometry).fingerprint += 1),
+    ];
+    for (fault, plant) in faults {
+        let mut pair = Pair::new();
+        let shape = Shape::Sphere { center: DVec3::new(20.0, 20.0, 9.0), radius: 5.0 };
+        pair.dynamic.edit(0, &Edit::Fill { shape, material: None }).unwrap();
+        let ball = Shape::Sphere { center: DVec3::new(-20.0, 20.0, 9.0), radius: 5.0 };
+        pair.dynamic.edit(0, &Edit::Fill { shape: ball, material: Some(3) }).unwrap();
+        pair.dynamic.validate().unwrap();
+        plant(&mut pair.dynamic);
+        let found = pair.dynamic.validate().expect_err(fault).to_string();
+        assert!(found.contains(fault), "{fault}: {found}");
+    }
+}
+
+#[test]
+fn a_stale_brick_and_a_stale_skip_distance_give_other_hits() {
+    let at = IVec3::new(0, 0, 50);
+    let shape = Shape::Box(VoxelBox { min: at, max: at + 1 });
+    let fill = Edit::Fill { shape, material: Some(0) };
+    let down = [Ray::new(Vec3::new(0.5, 0.5, 90.0), Vec3::NEG_Z)];
+    let mut pair = Pair::new();
+    pair.dynamic.edit(0, &fill).unwrap();
+    let whole = pair.dynamic.take_patch();
+    let hit_of = |patch: &super::Patch| {
+        let mut tracer = CpuTracer::new(None);
+        tracer.set_scene(&Arc::new(PackedScene::pack(&pair.plain).unwrap())).unwrap();
+        tracer.patch(patch).unwrap();
+        hits(&mut tracer, &down)[0].voxel
+    };
+    assert_eq!(hit_of(&whole), at);
+    // The brick was written, the cells around it were not: rays leap over it.
+    let record = whole.changed_bricks[0].cell.unwrap();
+    let mut stale = whole.clone();
+    let own =
+        whole.cells.parts().flat_map(|(start, words)| (start..).zip(words)).find(|(_, word)| **word == record).unwrap();
+    stale.cells = super::ArrayPatch { length: whole.cells.length, ranges: vec![(own.0, 1)], records: vec![record] };
+    assert_ne!(hit_of(&stale), at, "a stale skip distance");
+    let emptied = super::ArrayPatch { length: whole.bricks.length, ..Default::default() };
+    assert_ne!(hit_of(&super::Patch { bricks: emptied, ..whole }), at, "a stale brick");
+}
+
+#[test]
+fn edits_reach_the_ends_of_the_coordinates_and_no_farther() {
+    let mut pair = Pair::new();
+    let corner = |far: IVec3| Edit::Fill { shape: Shape::Box(VoxelBox { min: far, max: far + 1 }), material: Some(3) };
+    for far in
+        [IVec3::splat(MAX_COORDINATE), IVec3::splat(-MAX_COORDINATE), IVec3::new(MAX_COORDINATE, -3, -MAX_COORDINATE)]
+    {
+        edit_plainly(Arc::make_mut(&mut pair.plain.grids[0]), &corner(far));
+        pair.dynamic.edit(0, &corner(far)).unwrap();
+        assert_eq!(pair.dynamic.voxel(0, far), Some(3));
+    }
+    pair.compare(&mut Random(1));
+    let beyond = IVec3::new(MAX_COORDINATE + 1, 0, 0);
+    assert_eq!(pair.dynamic.edit(0, &corner(beyond)), Err(EditError::OutOfRange(beyond)));
+    let endless = Shape::Sphere { center: DVec3::ZERO, radius: 4e5 };
+    let too_large = pair.dynamic.edit(0, &Edit::Fill { shape: endless, material: Some(0) });
+    assert!(matches!(too_large, Err(EditError::TooLarge { .. })), "{too_large:?}");
+    let nowhere = Shape::Sphere { center: DVec3::NAN, radius: 1.0 };
+    assert_eq!(pair.dynamic.edit(0, &Edit::Fill { shape: nowhere, material: None }), Err(EditError::NotFinite));
+    assert_eq!(pair.dynamic.edit(2, &corner(beyond)), Err(EditError::NoGrid { grid: 2, count: 2 }));
+    let paint = Edit::Paint { shape: endless, material: 9 };
+    assert_eq!(pair.dynamic.edit(0, &paint), Err(EditError::NoMaterial { material: 9, count: 5 }));
+    // Everything: it ends at the coordinates, and the grid with its instance is gone.
+    pair.dynamic
+        .edit(0, &Edit::Fill { shape: Shape::Sphere { center: DVec3::ZERO, radius: 1e9 }, material: None })
+        .unwrap();
+    pair.dynamic.validate().unwrap();
+    let left = pair.dynamic.compact();
+    assert_eq!((left.grids().len(), left.instances().len()), (1, 1));
+    *Arc::make_mut(&mut pair.plain.grids[0]) = VoxelGrid::new();
+    assert!(saved(&left) == saved(&PackedScene::pack(&pair.plain).unwrap()));
+}
+
+#[test]
+fn patches_are_taken_in_their_order_and_undo_has_a_limit() {
+    let mut pair = Pair::new();
+    let fill = |x: i32| Edit::Fill {
+        shape: Shape::Box(VoxelBox { min: IVec3::new(x, 0, 30), max: IVec3::new(x + 1, 1, 31) }),
+        material: Some(0),
+    };
+    pair.dynamic.edit(0, &fill(0)).unwrap();
+    let first = pair.dynamic.take_patch();
+    assert!(!first.is_empty() && pair.dynamic.take_patch().is_empty());
+    pair.dynamic.edit(0, &fill(1)).unwrap();
+    let second = pair.dynamic.take_patch();
+    assert_eq!(pair.tracer.patch(&second), Err(TraceError::OutOfStep(super::OutOfStep)));
+    pair.tracer.patch(&first).unwrap();
+    pair.tracer.patch(&second).unwrap();
+    assert_eq!(pair.tracer.patch(&second), Err(TraceError::OutOfStep(super::OutOfStep)));
+    // A tracer that begins with the scene as it is now follows from now on.
+    let mut late = CpuTracer::new(None);
+    assert_eq!(late.patch(&second), Err(TraceError::NoScene));
+    late.set_scene(&Arc::new(pair.dynamic.scene().clone())).unwrap();
+    pair.dynamic.edit(0, &fill(2)).unwrap();
+    let third = pair.dynamic.take_patch();
+    for tracer in [&mut late, &mut pair.tracer] {
+        tracer.patch(&third).unwrap();
+        let down = [Ray::new(Vec3::new(2.5, 0.5, 90.0), Vec3::NEG_Z)];
+        assert_eq!(hits(tracer, &down)[0].voxel, IVec3::new(2, 0, 30));
+    }
+    let size = pair.dynamic.undo_size_bytes();
+    pair.dynamic.set_undo_limit(size / 2);
+    assert!(pair.dynamic.undo_size_bytes() <= size / 2);
+    assert!(pair.dynamic.undo().unwrap().is_some() && pair.dynamic.undo().unwrap().is_none());
+    assert!(matches!(
+        DynamicScene::new(
+            PackedScene::pack(&example()).unwrap().with_normals(crate::normals::Normals::Smooth).unwrap()
+        ),
+        Err(EditError::SmoothNormals)
+    ));
+}
