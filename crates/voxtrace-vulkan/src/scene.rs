@@ -8,9 +8,10 @@ use crate::device::Device;
 use crate::pages::Pages;
 use crate::records::binding;
 use crate::transfer::{Transfer, Write};
-use bytemuck::cast_slice;
+use bytemuck::{Pod, cast_slice};
 use std::sync::Arc;
-use voxtrace_core::packed::{DeviceCells, Placement};
+use voxtrace_core::dynamic::{ArrayPatch, Patch};
+use voxtrace_core::packed::{DeviceCells, Geometry, Placement};
 use voxtrace_core::{PackedScene, TraceError};
 
 /// Where an array is bound, its name in the memory report, and its bytes.
@@ -25,6 +26,8 @@ pub struct SceneBuffers {
     pub cells_have_blocks: bool,
     /// Where cells, bricks and materials of voxels lie, if not whole.
     pub pages: Option<Pages>,
+    /// Whether cells are those of the processor and arrays have room for edits.
+    pub is_edited: bool,
     geometry: Vec<(u32, Buffer)>,
     placement: Vec<(u32, Buffer)>,
     environment: Buffer,
@@ -90,11 +93,86 @@ impl SceneBuffers {
             top_shift,
             cells_have_blocks,
             pages,
+            is_edited: false,
             geometry,
             placement,
             environment,
             has_light_from_above: false,
         })
+    }
+
+    /// Uploads a scene that is going to be edited: with the cells of the processor, so that edits are the same there and here, and with room for more.
+    pub fn to_edit(
+        device: &Arc<Device>,
+        submitter: &mut Submitter,
+        transfer: &mut Transfer,
+        scene: &Arc<PackedScene>,
+    ) -> Result<Self, TraceError> {
+        let geometry = scene.geometry();
+        let write = |array: &Array| {
+            let (binding, name, bytes) = *array;
+            let buffer = Buffer::storage(device, name, with_room(bytes.len()))?;
+            transfer.upload(submitter, &buffer, bytes)?;
+            Ok::<_, TraceError>((binding, buffer))
+        };
+        let buffers = geometry_arrays(geometry).iter().map(write).collect::<Result<_, _>>()?;
+        let mut write = |array: &Array| {
+            let (binding, name, bytes) = *array;
+            written(device, submitter, transfer, name, bytes).map(|buffer| (binding, buffer))
+        };
+        let placement = placement_arrays(scene.placement()).iter().map(&mut write).collect::<Result<_, _>>()?;
+        let environment = written(device, submitter, transfer, ENVIRONMENT, texels_of(scene))?;
+        Ok(Self {
+            scene: Arc::clone(scene),
+            top_shift: geometry.tree_cells().top_shift,
+            cells_have_blocks: false,
+            pages: None,
+            is_edited: true,
+            geometry: buffers,
+            placement,
+            environment,
+            has_light_from_above: false,
+        })
+    }
+
+    /// Makes room for what `scene`, the one that is here after a patch, has more of. Returns what of the patch is to be written.
+    pub fn patched(
+        &mut self,
+        device: &Arc<Device>,
+        scene: &Arc<PackedScene>,
+        patch: &Patch,
+    ) -> Result<Vec<OwnedWrite>, TraceError> {
+        self.scene = Arc::clone(scene);
+        self.top_shift = scene.geometry().tree_cells().top_shift;
+        let mut writes = Vec::new();
+        for (at, (binding, name, bytes)) in geometry_arrays(scene.geometry()).into_iter().enumerate() {
+            let (own, buffer) = &mut self.geometry[at];
+            debug_assert_eq!(*own, binding, "arrays are in one order");
+            if buffer.size < bytes.len() as u64 {
+                *buffer = Buffer::storage(device, name, with_room(bytes.len()))?;
+                writes.push(OwnedWrite { array: at, at: 0, bytes: bytes.to_vec() });
+                continue;
+            }
+            let mut write = |(at_byte, bytes): (usize, &[u8])| {
+                writes.push(OwnedWrite { array: at, at: at_byte as u64, bytes: bytes.to_vec() });
+            };
+            match binding {
+                binding::CELLS => parts_of(&patch.cells).for_each(&mut write),
+                binding::BRICKS => parts_of(&patch.bricks).for_each(&mut write),
+                binding::BRICK_MATERIALS => parts_of(&patch.brick_materials).for_each(&mut write),
+                binding::EMITTERS => parts_of(&patch.emitters).for_each(&mut write),
+                binding::LIGHT_NODES => parts_of(&patch.light_nodes).for_each(&mut write),
+                binding::GRIDS => write((0, bytes)),
+                // Edits choose among the materials that there are.
+                _ => {}
+            }
+        }
+        Ok(writes)
+    }
+
+    /// Where such a write goes.
+    pub fn write_of<'a>(&'a self, write: &'a OwnedWrite) -> Write<'a> {
+        Write { buffer: &self.geometry[write.array].1, at: write.at, bytes: &write.bytes }
     }
 
     /// The same geometry with memory for the placement of `scene`, whose geometry it is; [`Self::placement_writes`] must be written.
@@ -181,6 +259,36 @@ impl SceneBuffers {
 
 /// Bytes that drivers add to buffers where they round their sizes, at most.
 const ROUNDED: u64 = 1 << 16;
+/// What is written into one of the arrays of a geometry.
+pub struct OwnedWrite {
+    array: usize,
+    at: u64,
+    bytes: Vec<u8>,
+}
+
+/// The ranges of an array that a patch writes: first byte, bytes.
+fn parts_of<T: Pod>(patch: &ArrayPatch<T>) -> impl Iterator<Item = (usize, &[u8])> {
+    patch.parts().map(|(start, records)| (start * size_of::<T>(), cast_slice(records)))
+}
+
+/// Bytes for an array of so many that is going to grow.
+fn with_room(bytes: usize) -> u64 {
+    (bytes + bytes / 4 + (1 << 16)) as u64
+}
+
+/// The arrays of a geometry as processors walk it.
+fn geometry_arrays(geometry: &Geometry) -> [Array<'_>; 7] {
+    [
+        (binding::CELLS, "cells", cast_slice(geometry.cells())),
+        (binding::BRICKS, "bricks", cast_slice(geometry.bricks())),
+        (binding::BRICK_MATERIALS, "voxel materials", cast_slice(geometry.brick_materials())),
+        (binding::GRIDS, "grids", cast_slice(geometry.grids())),
+        (binding::MATERIALS, "materials", cast_slice(geometry.materials())),
+        (binding::EMITTERS, "emitters", cast_slice(geometry.emitters())),
+        (binding::LIGHT_NODES, "light nodes", cast_slice(geometry.light_nodes())),
+    ]
+}
+
 /// Name of the environment map's buffer in the memory report.
 const ENVIRONMENT: &str = "environment";
 

@@ -375,9 +375,38 @@ impl Tracer for VulkanTracer {
         Ok(())
     }
 
-    fn patch(&mut self, _patch: &Patch) -> Result<(), TraceError> {
-        self.scene.as_ref().ok_or(TraceError::NoScene)?;
-        Err(TraceError::Unsupported("edits of the scene on a Vulkan device: set the scene again".into()))
+    fn patch(&mut self, patch: &Patch) -> Result<(), TraceError> {
+        let scene = self.scene.as_mut().ok_or(TraceError::NoScene)?;
+        if patch.is_empty() {
+            return Ok(());
+        }
+        // Nobody else of ours holds the scene while it is changed, or all of it would be copied.
+        if let Backend::Device(worker) = &mut self.backend {
+            worker.release();
+        }
+        let followed = Arc::make_mut(scene).apply_patch(patch);
+        let scene = Arc::clone(scene);
+        if let Err(out_of_step) = followed {
+            if let Backend::Device(worker) = &mut self.backend {
+                worker.hold(&scene);
+            }
+            return Err(out_of_step.into());
+        }
+        (self.copy, self.rendered) = (None, None);
+        let result = match &mut self.backend {
+            Backend::Device(worker) => worker.patch(&scene, patch),
+            Backend::Cpu(cpu) => cpu.set_scene(&scene),
+            Backend::None => Err(TraceError::NoScene),
+        };
+        let result = match result {
+            // It is opened anew with the scene as it is now.
+            Err(TraceError::DeviceLost { last_pass }) => self.recover(&last_pass),
+            result => result,
+        };
+        if result.is_err() {
+            self.scene = None;
+        }
+        result
     }
 
     fn set_placement(&mut self, placement: &Placement) -> Result<(), TraceError> {

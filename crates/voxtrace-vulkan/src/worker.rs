@@ -1,6 +1,7 @@
 //! Tracing on one device for as long as it lives: scene, film and passes. Errors leave nothing in flight.
 
 mod casting;
+mod edits;
 mod paging;
 mod scene;
 mod show;
@@ -145,9 +146,11 @@ impl Worker {
         let has_lines = frame.is_some_and(|frame| !frame.lines.is_none());
         let is_clamped = frame.is_some_and(|frame| frame.clamp_indirect < f32::INFINITY);
         let knows_paths = has_catcher || has_lines || is_clamped;
-        let Settings { is_exact, primitive, .. } = self.settings;
+        let is_exact = self.settings.is_exact;
+        let primitive = self.primitive();
         let is_single = matches!(scene.instances(), [only] if only.grid_from_world == Transform::IDENTITY);
         let top_shift = self.scene.as_ref().map_or(0, |buffers| buffers.top_shift);
+        let is_edited = self.scene.as_ref().is_some_and(|buffers| buffers.is_edited);
         let has_pages = self.scene.as_ref().is_some_and(|buffers| buffers.pages.is_some());
         let cells_have_blocks = self.scene.as_ref().is_some_and(|buffers| buffers.cells_have_blocks);
         let has_cuts = !scene.cuts.is_none();
@@ -169,7 +172,7 @@ impl Worker {
             has_catcher,
             has_lines,
             has_normals,
-            cells_skip: has_pages,
+            cells_skip: has_pages || is_edited,
             has_pages,
         })
     }

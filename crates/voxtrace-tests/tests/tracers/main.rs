@@ -5,6 +5,7 @@ mod approximation;
 mod bounce_limits;
 mod clear_shadows;
 mod cuts;
+mod edits;
 mod environments;
 mod exactness;
 mod fast_tracers;

@@ -15,13 +15,14 @@ use crate::scene::written;
 use crate::transfer::Transfer;
 use ash::vk;
 use bytemuck::cast_slice;
+use glam::IVec3;
 use gpu_allocator::MemoryLocation;
 use primitives::{Primitives, words_per_record};
 use std::sync::Arc;
 use structure::{Input, Structure};
 use top::Part;
 pub use top::Top;
-use voxtrace_core::packed::Placement;
+use voxtrace_core::packed::{PackedGrid, Placement};
 use voxtrace_core::{PackedScene, TraceError};
 
 const BOTTOM: vk::AccelerationStructureTypeKHR = vk::AccelerationStructureTypeKHR::BOTTOM_LEVEL;
@@ -57,6 +58,8 @@ pub struct Accel {
     parts: Vec<Vec<Part>>,
     /// The records, see `shaders/primitive.slang`.
     pub records: Buffer,
+    /// The bounds of each grid when its structure was built.
+    bounds: Vec<(IVec3, IVec3)>,
     report: AccelReport,
 }
 
@@ -93,13 +96,19 @@ impl Accel {
         transfer.write(submitter, &top.writes(), Some((BUILDING_TOP, &|commands| top.record(commands))))?;
         report.record_bytes = size_of_val(&words[..]) as u64;
         report.structures = bottom.len() as u64;
-        Ok(Self { top: top.settled(), _bottom: bottom, parts, records, report })
+        let bounds = bounds_of(scene.grids()).collect();
+        Ok(Self { top: top.settled(), _bottom: bottom, parts, records, bounds, report })
     }
 
     /// The same structures below, with instances of them elsewhere, once what [`Self::top`] says is written and recorded.
     pub fn unbuilt(self, device: &Arc<Device>, placement: &Placement) -> Result<Self, TraceError> {
         let top = Top::unbuilt(device, placement, &self.parts, Some(self.top))?;
         Ok(Self { top, ..self })
+    }
+
+    /// Whether its grids have these bounds.
+    pub fn has_bounds(&self, grids: &[PackedGrid]) -> bool {
+        bounds_of(grids).eq(self.bounds.iter().copied())
     }
 
     /// What is over the instances.
@@ -125,6 +134,10 @@ impl Accel {
             ..self.report
         }
     }
+}
+
+fn bounds_of(grids: &[PackedGrid]) -> impl Iterator<Item = (IVec3, IVec3)> {
+    grids.iter().map(|grid| (grid.min, grid.max))
 }
 
 /// What building the structure of a grid needs.

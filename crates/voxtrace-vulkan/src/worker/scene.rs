@@ -100,7 +100,7 @@ impl Worker {
         Ok(())
     }
 
-    fn bind_accel(&self, accel: &Accel) {
+    pub(super) fn bind_accel(&self, accel: &Accel) {
         self.bindings.bind_top_level(accel.top_level());
         self.bindings.bind(binding::PRIMITIVES, &accel.records);
         self.bindings.bind(binding::ENTRIES, accel.entries());
