@@ -278,6 +278,8 @@ impl Pair {
         assert_eq!(own, expected);
         assert!(film(&mut self.tracer) == film(&mut fresh), "films");
         assert!(saved(&self.dynamic.compact()) == saved(&packed), "files");
+        let emissive = |scene: &PackedScene| scene.statistics().emissive_voxels;
+        assert_eq!(emissive(self.dynamic.scene()), emissive(&packed));
     }
 }
 
@@ -295,6 +297,21 @@ fn edits_of_all_kinds_leave_the_scene_that_packing_makes() {
             pair.compare(&mut random);
         }
     }
+}
+
+/// As the issue asks: `cargo test --release -p voxtrace-core -- --ignored ten_thousand`, a minute or two.
+#[test]
+#[ignore = "takes minutes"]
+fn ten_thousand_edits_and_a_million_rays() {
+    let (mut random, mut pair) = (Random(99), Pair::new());
+    for _ in 0..40 {
+        (0..250).for_each(|_| pair.step(&mut random, 90));
+        pair.compare(&mut random);
+    }
+    let mut fresh = CpuTracer::new(None);
+    fresh.set_scene(&Arc::new(PackedScene::pack(&pair.plain).unwrap())).unwrap();
+    let rays = rays(&mut random, 1_000_000, 110);
+    assert!(hits(&mut pair.tracer, &rays) == hits(&mut fresh, &rays));
 }
 
 #[test]
