@@ -126,8 +126,13 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut random = Random(7);
     for (radius, which) in [(0.0, "one voxel"), (16.0, "sphere, r = 16"), (64.0, "sphere, r = 64")] {
         for (what, material) in [("filled", Some(0)), ("filled with light", Some(lamp)), ("cleared", None)] {
+            let places: Vec<IVec3> = std::iter::repeat_with(|| random.within(min, max))
+                .filter(|&at| radius > 0.0 || material.is_some() || scene.voxel(0, at).is_some())
+                .take(TIMES)
+                .collect();
+            let mut places = places.into_iter().cycle();
             measure(&format!("{which}, {what}"), &mut scene, &mut tracer, || Edit::Fill {
-                shape: sphere(random.within(min, max), radius),
+                shape: sphere(places.next().unwrap_or(min), radius),
                 material,
             })?;
         }

@@ -9,15 +9,16 @@ mod renderer;
 #[cfg(feature = "pictures")]
 pub use renderer::{Picture, RenderError, Renderer};
 pub use voxtrace_core::{
-    BounceLimits, CpuTracer, Film, Frame, Geometry, Instructions, Integrator, LightGroup, PackedScene, Placement,
-    Progress, RayCounts, Region, TraceError, Tracer, WalkCounts,
+    BounceLimits, CpuTracer, DynamicScene, Edit, EditError, Film, Frame, Geometry, Instructions, Integrator,
+    LightGroup, PackedScene, Patch, Placement, Progress, RayCounts, Region, TraceError, Tracer, WalkCounts,
 };
-pub use voxtrace_core::{changes, cuts, denoise, film, frame, lines, normals, surroundings, tracer};
+pub use voxtrace_core::{changes, cuts, denoise, dynamic, film, frame, lines, normals, surroundings, tracer};
 #[cfg(feature = "pictures")]
 pub use voxtrace_io::difference;
 pub use voxtrace_io::{export, import, output};
 pub use voxtrace_scene::{
-    Axis, Brick, Camera, Face, Hit, Instance, Invalid, Material, Ray, Scene, Sky, Sun, Transform, VoxelGrid, glam,
+    Axis, Brick, Camera, Face, Hit, Instance, Invalid, Material, Ray, Scene, Shape, Sky, Sun, Transform, VoxelGrid,
+    glam,
 };
 pub use voxtrace_scene::{brick, camera, georeference, grid, material, ray, scene, sky, transform};
 pub use voxtrace_scenes as scenes;

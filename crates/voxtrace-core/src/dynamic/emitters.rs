@@ -6,7 +6,8 @@ use crate::math::luminance;
 use crate::packed::{Emitter, Geometry, PackedMaterial, covers, morton_order};
 use glam::IVec3;
 use rayon::prelude::*;
-use voxtrace_scene::brick::{BRICK_SIZE, Brick};
+use voxtrace_scene::Face;
+use voxtrace_scene::brick::{BRICK_SIZE, Brick, block_bit, block_index};
 use voxtrace_scene::ray::FACES;
 
 /// What materials are to light.
@@ -48,7 +49,7 @@ pub(super) fn with_neighbours(bricks: impl Iterator<Item = IVec3>) -> Vec<IVec3>
 
 /// The emitters of each brick, in Morton order, as packing finds them.
 pub(super) fn emitters_of(geometry: &Geometry, index: usize, bricks: &[IVec3], glow: &Glow) -> Vec<Vec<Emitter>> {
-    bricks.par_iter().with_min_len(64).map(|&brick| emitters_of_brick(geometry, index, brick, glow)).collect()
+    bricks.par_iter().with_min_len(16).map(|&brick| emitters_of_brick(geometry, index, brick, glow)).collect()
 }
 
 fn emitters_of_brick(geometry: &Geometry, index: usize, at: IVec3, glow: &Glow) -> Vec<Emitter> {
@@ -58,12 +59,13 @@ fn emitters_of_brick(geometry: &Geometry, index: usize, at: IVec3, glow: &Glow) 
         return Vec::new();
     }
     let brick = geometry.decode_brick(grid, record);
+    let around = Around::of(geometry, (index, corner, &brick), glow);
     let mut emitters: Vec<Emitter> = (brick.voxels())
         .filter(|&(_, material)| glow.emits(material))
         .map(|(local, material)| Emitter {
             voxel: corner + local,
             grid: index as u32,
-            faces: free_faces(geometry, (index, corner, &brick), local, glow),
+            faces: around.free_faces(local),
             material: material.into(),
             luminance: glow.luminances[usize::from(material)],
             leaf: 0,
@@ -74,17 +76,44 @@ fn emitters_of_brick(geometry: &Geometry, index: usize, at: IVec3, glow: &Glow) 
     emitters
 }
 
-/// Bit f is set where nothing that covers it is at face f of a voxel.
-fn free_faces(geometry: &Geometry, (grid, corner, brick): (usize, IVec3, &Brick), local: IVec3, glow: &Glow) -> u32 {
-    let is_free = |beside: IVec3| {
-        let material = if beside & (BRICK_SIZE - 1) == beside {
-            brick.get(beside).map(u32::from)
-        } else {
-            geometry.material_at(&geometry.grids[grid], corner + beside)
+/// What covers the faces of the voxels of a brick: a bit for each voxel of it that does, and of the six bricks beside it.
+struct Around {
+    own: [u64; 8],
+    beside: [[u64; 8]; 6],
+}
+
+impl Around {
+    fn of(geometry: &Geometry, (index, corner, brick): (usize, IVec3, &Brick), glow: &Glow) -> Self {
+        let grid = &geometry.grids[index];
+        let of_face = |face: Face| {
+            let Some(record) = geometry.find_brick(grid, corner + face.normal() * BRICK_SIZE) else { return [0; 8] };
+            if geometry.materials_of_record(grid, record).all(|material| glow.covers[usize::from(material)]) {
+                return geometry.masks(record);
+            }
+            covering(&geometry.decode_brick(grid, record), glow)
         };
-        material.is_none_or(|material| !glow.covers[material as usize])
-    };
-    FACES.iter().map(|&face| u32::from(is_free(local + face.normal())) << face as u32).sum()
+        Self { own: covering(brick, glow), beside: FACES.map(of_face) }
+    }
+
+    /// Bit f is set where nothing that covers it is at face f of a voxel.
+    fn free_faces(&self, local: IVec3) -> u32 {
+        let is_free = |face: Face| {
+            let at = local + face.normal();
+            let inside = at & (BRICK_SIZE - 1);
+            let masks = if at == inside { &self.own } else { &self.beside[face as usize] };
+            masks[block_index(inside)] >> block_bit(inside) & 1 == 0
+        };
+        FACES.iter().map(|&face| u32::from(is_free(face)) << face as u32).sum()
+    }
+}
+
+/// The voxels of a brick that cover what is beside them.
+fn covering(brick: &Brick, glow: &Glow) -> [u64; 8] {
+    let mut masks = [0; 8];
+    for (local, _) in brick.voxels().filter(|(_, material)| glow.covers[usize::from(*material)]) {
+        masks[block_index(local)] |= 1 << block_bit(local);
+    }
+    masks
 }
 
 /// What becomes of the emitters of some bricks, in Morton order.

@@ -6,6 +6,7 @@
 
 mod apply;
 mod cells;
+mod clip;
 mod compact;
 mod dirty;
 mod edit;
@@ -18,12 +19,15 @@ mod patch;
 mod plan;
 mod pool;
 mod repair;
+mod sketch;
 mod skip;
+mod spread;
 mod store;
 #[cfg(test)]
 mod tests;
 mod validate;
 
+pub use clip::Clip;
 pub use edit::{Edit, Edited};
 pub use edit_error::EditError;
 pub use patch::{ArrayPatch, ChangedBrick, OutOfStep, Patch};

@@ -2,7 +2,10 @@
 //! is left out.
 
 use super::cells::{child, from_origin, top_position};
+use super::clip::paste;
 use super::edit_error::MOST_BRICKS;
+use super::sketch::Sketch;
+use super::spread::{extrude, flood};
 use super::store::BrickCode;
 use super::{DynamicScene, Edit, EditError};
 use crate::packed::{CELL_OCCUPIED, Geometry, encode_brick};
@@ -31,7 +34,7 @@ pub(super) fn brick_box(region: VoxelBox) -> (IVec3, IVec3) {
 }
 
 /// The part of a box that can hold voxels; its corners may be anywhere.
-fn within_range(region: VoxelBox) -> VoxelBox {
+pub(super) fn within_range(region: VoxelBox) -> VoxelBox {
     let limit = IVec3::splat(MAX_COORDINATE);
     VoxelBox { min: region.min.clamp(-limit, limit + 1), max: region.max.clamp(-limit, limit + 1) }
 }
@@ -54,13 +57,13 @@ pub(super) fn check_range(region: VoxelBox) -> Result<(), EditError> {
 impl DynamicScene {
     /// The bricks that an edit changes.
     pub(super) fn plan(&self, grid: u32, edit: &Edit) -> Result<Vec<Change>, EditError> {
-        let count = self.scene.grids().len();
-        if grid as usize >= count {
-            return Err(EditError::NoGrid { grid, count });
-        }
+        self.check_grid(grid)?;
         let count = self.scene.materials().len();
         if let Some(material) = edit.materials().find(|&material| usize::from(material) >= count) {
             return Err(EditError::NoMaterial { material, count });
+        }
+        if let Some(region) = edit.reach().filter(|region| region.size().min_element() > 0) {
+            return self.plan_sketch(grid, edit, region);
         }
         match edit {
             Edit::Fill { shape, material: Some(material) } => self.plan_fill(grid, shape, *material),
@@ -84,7 +87,35 @@ impl DynamicScene {
                     (found != [0; 8]).then(|| brick.replaced(&with, &found))
                 })
             }
+            // Of no extent.
+            Edit::Paste { .. } | Edit::Extrude { .. } | Edit::Flood { .. } => Ok(Vec::new()),
         }
+    }
+
+    /// # Errors
+    /// [`EditError::NoGrid`] where there is no such grid.
+    pub(super) fn check_grid(&self, grid: u32) -> Result<(), EditError> {
+        let count = self.scene.grids().len();
+        if (grid as usize) < count { Ok(()) } else { Err(EditError::NoGrid { grid, count }) }
+    }
+
+    /// An edit that goes voxel by voxel, and writes in a box.
+    fn plan_sketch(&self, grid: u32, edit: &Edit, region: VoxelBox) -> Result<Vec<Change>, EditError> {
+        check_range(region)?;
+        let (low, high) = brick_box(region);
+        let bricks = (high - low).as_i64vec3().element_product() as u64;
+        // A flood goes as far as it is allowed.
+        if bricks > MOST_BRICKS && !matches!(edit, Edit::Flood { .. }) {
+            return Err(EditError::TooLarge { bricks });
+        }
+        let mut sketch = Sketch::new(self, grid);
+        match edit {
+            Edit::Paste { clip, at, with_empty } => paste(&mut sketch, clip, *at, *with_empty),
+            Edit::Extrude { layer, face, distance } => extrude(&mut sketch, *layer, *face, *distance),
+            Edit::Flood { start, material, within, most } => flood(&mut sketch, *start, *material, *within, *most)?,
+            _ => {}
+        }
+        Ok(sketch.changes())
     }
 
     fn plan_fill(&self, grid: u32, shape: &Shape, material: u16) -> Result<Vec<Change>, EditError> {

@@ -8,7 +8,8 @@ use crate::{CpuTracer, Film};
 use glam::{DVec3, IVec3, Vec3};
 use std::sync::Arc;
 use voxtrace_scene::grid::{MAX_COORDINATE, VoxelBox};
-use voxtrace_scene::{Camera, Hit, Material, Ray, Scene, Shape, Transform, VoxelGrid};
+use voxtrace_scene::ray::FACES;
+use voxtrace_scene::{Axis, Camera, Face, Hit, Material, Ray, Scene, Shape, Transform, VoxelGrid};
 
 /// Uniform numbers.
 pub(super) struct Random(pub u64);
@@ -74,7 +75,23 @@ fn random_edit(random: &mut Random, reach: i32) -> Edit {
             Shape::Capsule { from, to: from + random.point(10), radius: f64::from(random.below(60)) / 8.0 }
         }
     };
-    match random.below(10) {
+    let region = |random: &mut Random, size: i32| {
+        let min = random.voxel(reach - size);
+        VoxelBox { min, max: min + (random.voxel(size / 2) + size / 2) }
+    };
+    match random.below(13) {
+        10 => {
+            let mut clip = VoxelGrid::new();
+            (0..30).for_each(|_| _ = clip.set(random.voxel(5) + 5, random.below(5) as u16));
+            let clip = super::Clip::new(clip, IVec3::new(10, 11, 12)).turned(Axis::Y, random.below(4) as i32);
+            let clip = if random.below(2) == 0 { clip.mirrored(Axis::X) } else { clip };
+            Edit::Paste { clip: clip.into(), at: random.voxel(reach - 14), with_empty: random.below(2) == 0 }
+        }
+        11 => {
+            let layer = region(random, 12);
+            Edit::Extrude { layer, face: FACES[random.below(6) as usize], distance: random.between(-4, 6) }
+        }
+        12 => Edit::Flood { start: random.voxel(reach), material: some, within: region(random, 30), most: 1 << 20 },
         0 => Edit::Paint { shape, material: material(random) },
         1 => {
             let min = random.voxel(reach);
@@ -99,6 +116,48 @@ fn edit_plainly(grid: &mut VoxelGrid, edit: &Edit) {
             .filter(move |&voxel| shape.contains(voxel))
     };
     match edit {
+        Edit::Paste { clip, at, with_empty } => {
+            for voxel in inside(&Shape::Box(VoxelBox { min: IVec3::ZERO, max: clip.size() })) {
+                let material = clip.voxels().get(voxel);
+                if material.is_some() || *with_empty {
+                    set(*at + voxel, material);
+                }
+            }
+        }
+        Edit::Extrude { layer, face, distance } => {
+            for voxel in inside(&Shape::Box(*layer)) {
+                let Some(material) = grid.get(voxel) else { continue };
+                for step in 1..=*distance {
+                    grid.set(voxel + face.normal() * step, material);
+                }
+                for step in 0..-*distance {
+                    grid.clear(voxel - face.normal() * step);
+                }
+            }
+        }
+        Edit::Flood { start, material, within, .. } => {
+            let was = grid.get(*start);
+            if was == *material || !within.contains(*start) {
+                return;
+            }
+            // Sweeps over the whole box until nothing is new.
+            let mut reached: std::collections::HashSet<IVec3> = [*start].into();
+            loop {
+                let is_new = |voxel: &IVec3| {
+                    let is_beside = |face: &Face| reached.contains(&(*voxel + face.normal()));
+                    grid.get(*voxel) == was && !reached.contains(voxel) && FACES.iter().any(is_beside)
+                };
+                let new: Vec<IVec3> = inside(&Shape::Box(*within)).filter(is_new).collect();
+                if new.is_empty() {
+                    break;
+                }
+                reached.extend(new);
+            }
+            reached.into_iter().for_each(|voxel| match material {
+                Some(material) => _ = grid.set(voxel, *material),
+                None => _ = grid.clear(voxel),
+            });
+        }
         Edit::Fill { shape, material } => inside(shape).for_each(|voxel| set(voxel, *material)),
         Edit::Paint { shape, material } => {
             for voxel in inside(shape).filter(|&voxel| grid.get(voxel).is_some()).collect::<Vec<_>>() {
@@ -219,6 +278,8 @@ impl Pair {
         assert_eq!(own, expected);
         assert!(film(&mut self.tracer) == film(&mut fresh), "films");
         assert!(saved(&self.dynamic.compact()) == saved(&packed), "files");
+        let emissive = |scene: &PackedScene| scene.statistics().emissive_voxels;
+        assert_eq!(emissive(self.dynamic.scene()), emissive(&packed));
     }
 }
 
@@ -236,6 +297,21 @@ fn edits_of_all_kinds_leave_the_scene_that_packing_makes() {
             pair.compare(&mut random);
         }
     }
+}
+
+/// As the issue asks: `cargo test --release -p voxtrace-core -- --ignored ten_thousand`, a minute or two.
+#[test]
+#[ignore = "takes minutes"]
+fn ten_thousand_edits_and_a_million_rays() {
+    let (mut random, mut pair) = (Random(99), Pair::new());
+    for _ in 0..40 {
+        (0..250).for_each(|_| pair.step(&mut random, 90));
+        pair.compare(&mut random);
+    }
+    let mut fresh = CpuTracer::new(None);
+    fresh.set_scene(&Arc::new(PackedScene::pack(&pair.plain).unwrap())).unwrap();
+    let rays = rays(&mut random, 1_000_000, 110);
+    assert!(hits(&mut pair.tracer, &rays) == hits(&mut fresh, &rays));
 }
 
 #[test]

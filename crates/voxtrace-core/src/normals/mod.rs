@@ -37,6 +37,9 @@ impl PackedScene {
         if normals == Normals::Faces && !self.geometry.has_normals() {
             return Ok(self.clone());
         }
+        if self.geometry.is_edited {
+            return self.compacted().with_normals(normals);
+        }
         let geometry = match normals {
             Normals::Faces => self.geometry.without_normals(),
             Normals::Smooth => self.geometry.with_smooth_normals(),

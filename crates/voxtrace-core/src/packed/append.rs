@@ -34,6 +34,9 @@ impl PackedScene {
     /// # Errors
     /// [`PackError`] when the scene gets too large.
     pub(crate) fn with_addition(&self, addition: &Addition) -> Result<Self, PackError> {
+        if self.geometry.is_edited {
+            return self.compacted().with_addition(addition);
+        }
         let own = &*self.geometry;
         let (mut cells, mut bricks) = (own.cells.to_vec(), own.bricks.to_vec());
         let (mut brick_materials, mut grids) = (own.brick_materials.to_vec(), own.grids.to_vec());

@@ -327,6 +327,9 @@ impl PackedScene {
     /// # Panics
     /// Where there are more or fewer.
     pub(crate) fn with_materials(&self, materials: Vec<PackedMaterial>) -> Self {
+        if self.geometry.is_edited {
+            return self.compacted().with_materials(materials);
+        }
         assert_eq!(materials.len(), self.materials().len(), "as many materials as there were");
         let geometry = self.geometry.with_materials(materials);
         let placement = Placement::of_sound(&geometry, self.placement.instances().to_vec());

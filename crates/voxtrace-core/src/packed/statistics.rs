@@ -1,6 +1,6 @@
 //! What a scene holds and what it costs: counts, and bytes by kind, everything that tracers read counted in full.
 
-use super::{Geometry, PackedScene, lookup::HEADER_INDEX_BITS, lookup::HEADER_PALETTE};
+use super::{Geometry, PackedGrid, PackedScene, lookup::HEADER_INDEX_BITS, lookup::HEADER_PALETTE};
 use glam::{IVec3, Vec3};
 use voxtrace_scene::scene::Scene;
 
@@ -122,37 +122,50 @@ impl PackedScene {
 }
 
 impl Geometry {
-    /// Voxels stored whose material glows. Reads the brick records one after the other.
+    /// Voxels stored whose material glows. Reads the brick records one after the other, where there is nothing else between them.
     fn count_emissive(&self) -> u64 {
         let glows: Vec<bool> = self.materials.iter().map(|material| material.emission.max_element() > 0.0).collect();
         if !glows.contains(&true) {
             return 0;
         }
-        let entry_bits = self.grids.first().map_or(8, |grid| grid.material_bits);
-        let mut count = 0;
-        let mut record = 0;
-        while record + 1 < self.bricks.len() {
-            let header = self.bricks[record];
-            let masks = 2 * (header & 0xff).count_ones() as usize;
-            let voxels: u32 = self.bricks[record + 2..record + 2 + masks].iter().map(|mask| mask.count_ones()).sum();
-            let (index_bits, palette) = (header >> HEADER_INDEX_BITS & 0xff, header >> HEADER_PALETTE);
-            let start = u64::from(self.bricks[record + 1]) * 32;
-            let glows_at =
-                |position: u64, bits: u32| glows.get(self.read_bits(position, bits) as usize).copied().unwrap_or(false);
-            let entries: Vec<bool> =
-                (0..palette).map(|entry| glows_at(start + u64::from(entry * entry_bits), entry_bits)).collect();
-            if palette == 0 || entries.contains(&true) {
-                for rank in 0..voxels {
-                    let position = start + u64::from(palette * entry_bits + rank * index_bits);
-                    count += u64::from(match palette {
-                        0 => glows_at(position, index_bits),
-                        _ => entries.get(self.read_bits(position, index_bits) as usize) == Some(&true),
-                    });
-                }
-            }
-            record += 2 + masks;
+        let count = |record: usize| u64::from(self.count_glowing(record, &glows));
+        if self.is_edited {
+            let of_grid = |grid: &PackedGrid| {
+                let bricks = self.bricks_of(grid).into_iter();
+                bricks.filter_map(|at| self.find_brick(grid, grid.origin + at * 8)).map(count).sum::<u64>()
+            };
+            return self.grids.iter().map(of_grid).sum();
         }
-        count
+        let (mut record, mut total) = (0, 0);
+        while record + 1 < self.bricks.len() {
+            total += count(record);
+            record += 2 + 2 * (self.bricks[record] & 0xff).count_ones() as usize;
+        }
+        total
+    }
+
+    /// Voxels of a brick whose material glows.
+    fn count_glowing(&self, record: usize, glows: &[bool]) -> u32 {
+        let entry_bits = self.grids.first().map_or(8, |grid| grid.material_bits);
+        let header = self.bricks[record];
+        let voxels = self.voxels_of(record);
+        let (index_bits, palette) = (header >> HEADER_INDEX_BITS & 0xff, header >> HEADER_PALETTE);
+        let start = u64::from(self.bricks[record + 1]) * 32;
+        let glows_at =
+            |position: u64, bits: u32| glows.get(self.read_bits(position, bits) as usize).copied().unwrap_or(false);
+        let entries: Vec<bool> =
+            (0..palette).map(|entry| glows_at(start + u64::from(entry * entry_bits), entry_bits)).collect();
+        if palette > 0 && !entries.contains(&true) {
+            return 0;
+        }
+        let glows_of_rank = |rank: &u32| {
+            let position = start + u64::from(palette * entry_bits + rank * index_bits);
+            match palette {
+                0 => glows_at(position, index_bits),
+                _ => entries.get(self.read_bits(position, index_bits) as usize) == Some(&true),
+            }
+        };
+        (0..voxels).filter(glows_of_rank).count() as u32
     }
 }
 
