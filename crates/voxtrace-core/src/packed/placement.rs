@@ -88,6 +88,18 @@ impl Placement {
     /// # Errors
     /// As [`Self::new`]; [`PlacementError::NotPacked`] where a grid was hidden when the scene was packed.
     pub fn of_scene(geometry: &Geometry, scene: &Scene) -> Result<Self, PlacementError> {
+        Self::of_scene_and(geometry, scene, &[])
+    }
+
+    /// As [`Self::of_scene`], with further instances behind them: those of [`crate::surroundings`], say, which the scene does not know.
+    ///
+    /// # Errors
+    /// As [`Self::of_scene`].
+    pub fn of_scene_and(
+        geometry: &Geometry,
+        scene: &Scene,
+        further: &[PackedInstance],
+    ) -> Result<Self, PlacementError> {
         check_kept(geometry)?;
         let mut placed = Vec::with_capacity(scene.instances.len());
         for (index, instance) in scene.instances.iter().enumerate().filter(|(_, instance)| scene.is_visible(instance)) {
@@ -104,6 +116,7 @@ impl Placement {
             }
             placed.push(PackedInstance::new(packed, instance.world_from_grid, index as u32));
         }
+        placed.extend(further.iter().map(|own| PackedInstance::new(own.grid, own.world_from_grid, own.scene_instance)));
         Ok(Self::of_sound(geometry, placed))
     }
 

@@ -17,6 +17,7 @@ mod materials;
 mod merged;
 mod merged_pictures;
 mod mirrors;
+mod motion_blur;
 mod normals;
 mod physics;
 mod placement;
