@@ -11,6 +11,7 @@ use crate::tracer::{Progress, TraceError, Tracer};
 use std::sync::Arc;
 use voxtrace_scene::camera::Camera;
 use voxtrace_scene::ray::{Hit, Ray};
+use xxhash_rust::xxh3::Xxh3;
 
 /// Keeps the hash of moments apart from those of pixels.
 const MOMENTS: u32 = 0x6d6f_7665;
@@ -45,6 +46,29 @@ impl Shot {
     /// Those of the moments.
     pub fn middle(&self) -> Result<Moment, TraceError> {
         (self.moments)(self.opens + 0.5 * self.exposure)
+    }
+
+    /// Tells films of this shot from those of others: a hash of `content_hash`, that of the scene, and of how things stand when the shutter
+    /// opens, in the middle, and when it closes. Where nothing moves but the camera, which films keep, and nothing is exposed, it is
+    /// `content_hash` itself.
+    ///
+    /// # Errors
+    /// Those of the moments.
+    pub fn stamp(&self, content_hash: u64) -> Result<u64, TraceError> {
+        let mut hash = Xxh3::with_seed(content_hash);
+        let mut is_moving = self.exposure > 0.0;
+        for share in [0.0, 0.5, 1.0] {
+            let Moment { camera, placement } = (self.moments)(self.opens + share * self.exposure)?;
+            if self.exposure > 0.0 {
+                hash.update(bytemuck::bytes_of(&[camera.eye, camera.target, camera.up]));
+                hash.update(&camera.fov_y.to_le_bytes());
+            }
+            if let Some(placement) = placement {
+                is_moving = true;
+                hash.update(bytemuck::cast_slice(placement.instances()));
+            }
+        }
+        Ok(if is_moving { hash.digest() } else { content_hash })
     }
 
     /// The time of a sample of a frame with this seed, seconds.
@@ -90,6 +114,11 @@ impl MovingTracer {
         self.film = None;
         self.shot = Some(shot);
         Ok(())
+    }
+
+    /// The shot that was set last.
+    pub fn shot(&self) -> Option<&Shot> {
+        self.shot.as_ref()
     }
 
     /// The shot, where things move while it is exposed.
