@@ -174,7 +174,7 @@ impl Stage {
             // A spline may leave the range of its keys.
             let sun = SunSetting { bearing, height: height.clamp(-90.0, 90.0), strength: strength.max(0.0) };
             let (brightness, has_disc) = (scene.sky.brightness(), scene.sky.is_sun_disc_visible());
-            match sun.physical_sky().filter(|_| self.is_physical) {
+            match self.is_physical.then(|| sun.physical_sky()).flatten() {
                 Some(sky) => scene.sky = sky.with_brightness(brightness).with_sun_disc_visible(has_disc),
                 None => scene.sky.set_sun(sun.sun()),
             }

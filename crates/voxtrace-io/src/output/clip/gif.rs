@@ -14,8 +14,8 @@ const COLORS: usize = 255;
 const TRANSPARENT: u8 = 255;
 /// Pixels that the palette is made of, of all frames together.
 const LOOKED_AT: usize = 1 << 20;
-/// Largest change by dithering, in steps of sRGB: about the distance of two colours of the palette.
-const DITHER: i32 = 12;
+/// Largest change by dithering, in steps of sRGB.
+const MOST_DITHER: i32 = 24;
 
 /// Writes a GIF.
 pub fn encode(out: impl Write, options: &ClipOptions, frames: Frames) -> io::Result<()> {
@@ -26,12 +26,13 @@ pub fn encode(out: impl Write, options: &ClipOptions, frames: Frames) -> io::Res
     bytes.resize(3 * 256, 0);
     let mut encoder = gif::Encoder::new(out, width, height, &bytes).map_err(io::Error::other)?;
     encoder.set_repeat(gif::Repeat::Infinite).map_err(io::Error::other)?;
+    let strength = strength_of(&palette);
     let mut nearest = Nearest { palette: &palette, known: HashMap::new() };
     let mut shown: Vec<u8> = Vec::new();
     for number in 0..options.frames {
         let pixels = frames(number)?;
         let indices: Vec<u8> = (pixels.iter().enumerate())
-            .map(|(at, pixel)| nearest.of(dithered(pixel, at % width as usize, at / width as usize)))
+            .map(|(at, pixel)| nearest.of(dithered(pixel, strength, at % width as usize, at / width as usize)))
             .collect();
         let is_new = |at: usize| shown.get(at) != Some(&indices[at]);
         let buffer: Vec<u8> = (0..indices.len()).map(|at| if is_new(at) { indices[at] } else { TRANSPARENT }).collect();
@@ -68,12 +69,23 @@ fn palette_of(options: &ClipOptions, frames: Frames) -> io::Result<Vec<[u8; 3]>>
     Ok(colors.into_iter().map(|color| color.to_array().map(srgb_from_linear)).collect())
 }
 
+/// How much dithering changes: as much as most colours of the palette are apart from the nearest other one, in steps of sRGB. Where there are
+/// colours enough, nothing is to be seen of it.
+fn strength_of(palette: &[[u8; 3]]) -> i32 {
+    let apart = |one: &[u8; 3], other: &[u8; 3]| (0..3).map(|c| one[c].abs_diff(other[c])).max().unwrap_or(0);
+    let others = |at: usize| palette.iter().enumerate().filter(move |&(other, _)| other != at).map(|(_, color)| color);
+    let nearest = |at: usize| others(at).map(|other| apart(&palette[at], other)).min().unwrap_or(0);
+    let mut distances: Vec<u8> = (0..palette.len()).map(nearest).collect();
+    distances.sort_unstable();
+    distances.get(distances.len() / 2).map_or(0, |&median| i32::from(median).min(MOST_DITHER))
+}
+
 /// A pixel with the pattern on it.
-fn dithered(&[red, green, blue, _]: &[u8; 4], x: usize, y: usize) -> [u8; 3] {
+fn dithered(&[red, green, blue, _]: &[u8; 4], strength: i32, x: usize, y: usize) -> [u8; 3] {
     let (x, y) = (x as u32, y as u32);
     // Bits of x xor y and of y, interleaved and in reverse, number the cells of Bayer's matrix.
     let cell = (0..3).fold(0, |cell, bit| cell << 2 | ((x ^ y) >> bit & 1) << 1 | y >> bit & 1);
-    let change = (2 * cell as i32 - 63) * DITHER / 126;
+    let change = (2 * cell as i32 - 63) * strength / 126;
     [red, green, blue].map(|channel| (i32::from(channel) + change).clamp(0, 255) as u8)
 }
 
@@ -106,11 +118,14 @@ mod tests {
     #[test]
     fn the_cells_of_the_pattern_are_all_different_and_change_nothing_on_average() {
         let grey = [100, 100, 100, 255];
-        let all: Vec<u8> = (0..64).map(|at| dithered(&grey, at % 8, at / 8)[0]).collect();
+        let all: Vec<u8> = (0..64).map(|at| dithered(&grey, 12, at % 8, at / 8)[0]).collect();
         let mean = all.iter().map(|&value| f64::from(value)).sum::<f64>() / 64.0;
-        assert!((mean - 100.0).abs() < 0.5 && all.iter().min() != all.iter().max(), "{mean}");
+        assert!((mean - 100.0).abs() < 0.6 && all.iter().min() != all.iter().max(), "{mean}");
         // Neighbours differ: the pattern is fine.
         assert!((0..63).filter(|at| at % 8 != 7).all(|at| all[at] != all[at + 1]));
+        // As strong as colours are apart.
+        let greys: Vec<[u8; 3]> = (0..25).map(|step| [step * 10; 3]).collect();
+        assert_eq!((strength_of(&greys), strength_of(&[[1, 2, 3]]), strength_of(&[])), (10, 0, 0));
     }
 
     #[test]
