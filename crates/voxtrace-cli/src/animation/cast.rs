@@ -22,6 +22,8 @@ pub struct Cast {
     pub shutter: f64,
     /// Frames of the whole.
     pub total: u32,
+    /// Whether the animation's file says how many, and nothing comes after them.
+    pub is_ended: bool,
     /// Whether objects move, and not the camera alone.
     pub is_moving: bool,
 }
@@ -67,7 +69,8 @@ impl Director {
                 .hint("`seconds` or `frames` in the TOML do, or --frames A..B"));
         };
         let shutter = self.args.shutter.map(f64::from).or(script.and_then(|script| script.shutter)).unwrap_or(0.0);
-        let cast = Cast { base, outline, animation, fps, shutter, total, is_moving };
+        let is_ended = script.is_some_and(|script| script.frames.is_some() || script.seconds.is_some());
+        let cast = Cast { base, outline, animation, fps, shutter, total, is_ended, is_moving };
         let content = match untouched {
             Some(content) if !is_moving => content,
             _ => Content::Scene(cast.all_at_once().into()),

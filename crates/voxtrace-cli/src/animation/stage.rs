@@ -53,7 +53,7 @@ impl Cast {
             }
         }
         let frames = setting.view.frames.clone().unwrap_or(1..=self.total);
-        if *frames.end() > self.total && setting.view.turntable.is_none() {
+        if *frames.end() > self.total && self.is_ended {
             let message = format!("frame {} is behind the end of {} frames", frames.end(), self.total);
             return Err(Failure::usage(message).hint("`frames` or `seconds` in the TOML say how many there are"));
         }

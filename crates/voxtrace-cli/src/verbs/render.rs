@@ -10,6 +10,7 @@ mod resume;
 
 use crate::adaptive::run_adaptively;
 use crate::animation::{Director, Stage};
+use crate::camera_file::CameraFile;
 use crate::changes::ChangeArgs;
 use crate::cuts::CutArgs;
 use crate::failure::Failure;
@@ -30,10 +31,8 @@ use denoise::{DenoiseArg, Filter};
 use files::{FileArgs, Job};
 use groups::trace_groups;
 use limits::LimitArgs;
-use moving::set_shot;
 use resume::Resumed;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 use std::time::{Duration, Instant};
 use voxtrace::film::Pixel;
 use voxtrace::glam::Vec3;
@@ -159,7 +158,7 @@ impl RenderArgs {
             return Err(Failure::usage("--skip-existing looks for pictures").hint("name them with -o"));
         }
         self.scene.note();
-        let mut resume = self.film.resume.as_deref().map(|film| self.open_films(film, director)).transpose()?;
+        let resume = self.film.resume.as_deref().map(|film| self.open_films(film, director)).transpose()?;
         let resumed = resume.as_ref().map(|resume| resume.settings.clone());
         if self.cuts.is_cut() || resumed.as_ref().is_some_and(|film| !film.scene.cuts.is_none()) {
             self.scene.import.keep_inside();
@@ -197,14 +196,8 @@ impl RenderArgs {
             .map(|(cast, director)| self.stage(cast, director, &framed, &mut scene, camera_file.as_ref(), size));
         let stage = stage.transpose()?;
         stage.iter().for_each(learn);
-        let mut stamp = SceneStamp::of(&scene);
-        if let Some(file) = &camera_file {
-            set_light_of(file, &mut scene);
-        }
-        self.set_light(&mut scene, resumed.as_ref())?;
+        let stamp = self.lit(&mut scene, camera_file.as_ref(), resumed.as_ref())?;
         CutArgs::warn_of_nothing(&scene, report);
-        (stamp.sky, stamp.light_intensity) = (scene.sky.clone(), scene.light_intensity);
-        stamp.cuts = scene.cuts.clone();
         report.remark(&format!("loaded {} in {}", scene.name, clock(start.elapsed().as_secs_f64())));
 
         let views = match (&resumed, &stage) {
@@ -224,32 +217,7 @@ impl RenderArgs {
             report.remark(&format!("nothing to do: {} there already", counted(jobs.len() as u64, "picture")));
             return Ok(());
         }
-        let filter = self.quality.denoise.map(Filter::open).transpose()?;
-        let scene = Arc::new(scene);
-        let mut tracer = MovingTracer::new(self.tracer.open(&scene, report)?);
-        let mut waiting = jobs.iter().filter(|job| !self.files.skips(job)).count();
-        for job in &jobs {
-            interrupt::check()?;
-            // Another process may have made it meanwhile.
-            if self.files.skips(job) {
-                let names: Vec<String> = job.outputs.iter().map(|path| path.display().to_string()).collect();
-                report.remark(&format!("{}: left out, {} is there", job.name, names.join(", ")));
-                continue;
-            }
-            let shown = stage
-                .as_ref()
-                .zip(job.number)
-                .map(|(stage, frame)| set_shot(stage, frame, &mut tracer, &scene, &stamp));
-            let shown = shown.transpose()?;
-            let (scene, stamp) = shown.as_ref().map_or((&*scene, &stamp), |(scene, stamp)| (scene, stamp));
-            let film = resume.as_mut().map(|resume| resume.film(job.number)).transpose()?.flatten();
-            let start = film.map(|film| self.check_film(job, film, stamp)).transpose()?;
-            let background = surroundings.background;
-            waiting = waiting.saturating_sub(1);
-            report.follow(waiting);
-            self.render(&mut tracer, job, start, (scene, stamp), (filter.as_ref(), background), report)?;
-        }
-        Ok(())
+        self.render_all(&jobs, stage.as_ref(), (scene, stamp), surroundings.background, resume, report)
     }
 
     /// Everything that says what the pictures are like, as text: where it is the same, so are they.
@@ -268,6 +236,22 @@ impl RenderArgs {
     fn size(&self, resumed: Option<&FilmFile>) -> Size {
         let of_film = resumed.map(|file| (file.frame.width, file.frame.height));
         self.quality.size.or(of_film).unwrap_or(DEFAULT_SIZE)
+    }
+
+    /// Sets the light and the cuts that are asked for. Returns the stamp of films of the scene.
+    fn lit(
+        &self,
+        scene: &mut PackedScene,
+        camera_file: Option<&CameraFile>,
+        resumed: Option<&FilmFile>,
+    ) -> Result<SceneStamp, Failure> {
+        let stamp = SceneStamp::of(scene);
+        if let Some(file) = camera_file {
+            set_light_of(file, scene);
+        }
+        self.set_light(scene, resumed)?;
+        let (sky, light_intensity, cuts) = (scene.sky.clone(), scene.light_intensity, scene.cuts.clone());
+        Ok(SceneStamp { sky, light_intensity, cuts, ..stamp })
     }
 
     fn set_light(&self, scene: &mut PackedScene, resumed: Option<&FilmFile>) -> Result<(), Failure> {

@@ -1,14 +1,19 @@
 //! Frames of an animation: the scene is put in motion, and stands for each frame where it is then.
 
+use super::denoise::Filter;
+use super::files::Job;
 use super::{RenderArgs, Resumed};
 use crate::animation::{Cast, Director, Setting, Stage};
 use crate::camera_file::CameraFile;
 use crate::failure::Failure;
+use crate::interrupt;
 use crate::parse::Size;
+use crate::report::Report;
 use crate::session::trace_failure;
 use crate::views::ViewArgs;
 use std::path::Path;
 use std::sync::Arc;
+use voxtrace::glam::Vec3;
 use voxtrace::motion::MovingTracer;
 use voxtrace::output::SceneStamp;
 use voxtrace::{Camera, PackedScene, Tracer};
@@ -60,8 +65,42 @@ impl RenderArgs {
     }
 }
 
+impl RenderArgs {
+    /// Renders pictures, one after the other, those of an animation as its stage has them.
+    pub(super) fn render_all(
+        &self,
+        jobs: &[Job],
+        stage: Option<&Stage>,
+        (scene, stamp): (PackedScene, SceneStamp),
+        background: Option<Vec3>,
+        mut resume: Option<Resumed>,
+        report: &mut Report,
+    ) -> Result<(), Failure> {
+        let filter = self.quality.denoise.map(Filter::open).transpose()?;
+        let scene = Arc::new(scene);
+        let mut tracer = MovingTracer::new(self.tracer.open(&scene, report)?);
+        for (number, job) in jobs.iter().enumerate() {
+            interrupt::check()?;
+            // Another process may have made it meanwhile.
+            if self.files.skips(job) {
+                let names: Vec<String> = job.outputs.iter().map(|path| path.display().to_string()).collect();
+                report.remark(&format!("{}: left out, {} is there", job.name, names.join(", ")));
+                continue;
+            }
+            let frame = stage.zip(job.number);
+            let shown = frame.map(|(stage, frame)| set_shot(stage, frame, &mut tracer, &scene, &stamp)).transpose()?;
+            let (scene, stamp) = shown.as_ref().map_or((&*scene, &stamp), |(scene, stamp)| (scene, stamp));
+            let film = resume.as_mut().map(|resume| resume.film(job.number)).transpose()?.flatten();
+            let start = film.map(|film| self.check_film(job, film, stamp)).transpose()?;
+            report.follow(jobs[number + 1..].iter().filter(|job| !self.files.skips(job)).count());
+            self.render(&mut tracer, job, start, (scene, stamp), (filter.as_ref(), background), report)?;
+        }
+        Ok(())
+    }
+}
+
 /// Puts things where they are in a frame. Returns the scene as it is then, and the stamp of its films.
-pub fn set_shot(
+fn set_shot(
     stage: &Stage,
     frame: u32,
     tracer: &mut MovingTracer,
