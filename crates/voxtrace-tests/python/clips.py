@@ -25,7 +25,9 @@ pattern, count, *clips = sys.argv[1:]
 expected = [numpy.asarray(Image.open(pattern % number).convert("RGB")) for number in range(1, int(count) + 1)]
 for clip in clips:
     frames, seconds = pictures(clip)
-    errors = [numpy.mean((frame.astype(float) - picture) ** 2) for frame, picture in zip(frames, expected)]
+    # MP4 has even sizes.
+    cut = [frame[: picture.shape[0], : picture.shape[1]] for frame, picture in zip(frames, expected)]
+    errors = [numpy.mean((frame.astype(float) - picture) ** 2) for frame, picture in zip(cut, expected)]
     psnr = 10 * math.log10(255**2 / max(max(errors), 1e-9))
     height, width = frames[0].shape[:2]
     print(clip.rsplit("/", 1)[-1], len(frames), width, height, round(seconds, 3), round(psnr, 1))

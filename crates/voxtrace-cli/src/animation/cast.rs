@@ -85,7 +85,12 @@ impl Director {
         match content {
             Content::Scene(mut scene) => {
                 show_parts(&mut scene, shown).map_err(failed)?;
-                Ok(((*scene).clone(), Some(Content::Scene(scene))))
+                let mut base = (*scene).clone();
+                // What a layer hides can be made visible alone.
+                let hidden: Vec<bool> = base.instances.iter().map(|instance| !base.is_visible(instance)).collect();
+                base.instances.iter_mut().zip(hidden).for_each(|(instance, hidden)| instance.hidden = hidden);
+                base.layers.iter_mut().for_each(|layer| layer.hidden = false);
+                Ok((base, Some(Content::Scene(scene))))
             }
             Content::Packed(packed) => {
                 let names_parts = |script: &super::Script| {

@@ -3,7 +3,7 @@
 use super::common::Folder;
 use std::process::{Command, Stdio};
 use voxtrace::output::FilmFile;
-use voxtrace_test_support::{Need, data, skip_without};
+use voxtrace_test_support::{Need, data, skip, skip_without};
 
 /// Options of small frames on the CPU.
 const SMALL: [&str; 6] = ["--size", "32x24", "--spp", "4", "--traversal", "cpu"];
@@ -112,22 +112,7 @@ fn other_programs_read_the_clips_frame_by_frame() {
     let options =
         ["--encoder", "builtin", "--clip-quality", "90", "--size", "64x48", "--spp", "16", "--traversal", "cpu"];
     folder.succeed(&[&["animate", "turn.toml"], &clips[..], &options].concat());
-    let script = concat!(env!("CARGO_MANIFEST_DIR"), "/../voxtrace-tests/python/clips.py");
-    let python = std::env::var("VOXTRACE_PYTHON").unwrap_or_else(|_| "python3".into());
-    let path = |name: &str| folder.path(name).display().to_string();
-    let found = Command::new(&python)
-        .args([script, &path("f_%04d.png"), "6", &path("clip.gif"), &path("clip.png"), &path("clip.mp4")])
-        .output();
-    let output = match found {
-        Ok(output) if output.status.success() => output,
-        other => {
-            return skip_without(
-                Need::Python,
-                &format!("{python} reads no clips with pillow, numpy and av: {other:?}"),
-            );
-        }
-    };
-    let told = String::from_utf8(output.stdout).unwrap();
+    let Some(told) = read_back(&folder, "f_%04d.png", &["clip.gif", "clip.png", "clip.mp4"]) else { return };
     for (line, least) in told.lines().zip([28.0, 90.0, 30.0]) {
         let words: Vec<&str> = line.split(' ').collect();
         assert_eq!(words[1..4], ["6", "64", "48"], "{line}");
@@ -135,6 +120,65 @@ fn other_programs_read_the_clips_frame_by_frame() {
         assert!((seconds - 0.48).abs() < 0.011 && psnr > least, "{line}");
     }
     assert_eq!(told.lines().count(), 3);
+    // The comparison sees another clip.
+    folder.succeed(&[
+        "animate",
+        "turn.toml",
+        "-o",
+        "o_####.png",
+        "--seed",
+        "9",
+        "--shutter",
+        "0",
+        "--size",
+        "64x48",
+        "--spp",
+        "1",
+    ]);
+    let other = read_back(&folder, "o_%04d.png", &["clip.png"]).unwrap();
+    assert!(other.trim().rsplit(' ').next().unwrap().parse::<f64>().unwrap() < 30.0, "{other}");
+}
+
+#[test]
+fn ffmpeg_makes_a_clip_of_even_sizes_where_it_is_on_the_path() {
+    let folder = folder();
+    if Command::new("ffmpeg").arg("-version").output().is_err() {
+        return skip("there is no ffmpeg on the path");
+    }
+    let options = [
+        "-o",
+        "f_####.png",
+        "-o",
+        "clip.mp4",
+        "--encoder",
+        "ffmpeg",
+        "--size",
+        "63x47",
+        "--spp",
+        "16",
+        "--traversal",
+        "cpu",
+    ];
+    folder.succeed(&[&["animate", "turn.toml"], &options[..]].concat());
+    let Some(told) = read_back(&folder, "f_%04d.png", &["clip.mp4"]) else { return };
+    let words: Vec<&str> = told.trim().split(' ').collect();
+    assert_eq!(words[..4], ["clip.mp4", "6", "64", "48"], "{told}");
+    assert!(words[5].parse::<f64>().unwrap() > 32.0, "{told}");
+}
+
+/// What Pillow and PyAV say of clips, a line each; `None` where they are not there.
+fn read_back(folder: &Folder, pattern: &str, clips: &[&str]) -> Option<String> {
+    let script = concat!(env!("CARGO_MANIFEST_DIR"), "/../voxtrace-tests/python/clips.py");
+    let python = std::env::var("VOXTRACE_PYTHON").unwrap_or_else(|_| "python3".into());
+    let mut command = Command::new(&python);
+    command.arg(script).arg(folder.path(pattern)).arg("6").args(clips.iter().map(|clip| folder.path(clip)));
+    match command.output() {
+        Ok(output) if output.status.success() => Some(super::common::stdout(&output)),
+        other => {
+            skip_without(Need::Python, &format!("{python} reads no clips with pillow, numpy and av: {other:?}"));
+            None
+        }
+    }
 }
 
 #[test]
