@@ -2,7 +2,9 @@
 
 use std::path::Path;
 use voxtrace::{
-    Scene, export,
+    Instance, Scene,
+    animation::placed_at,
+    export,
     import::{ImportError, Limits, vox, vox::VoxFile},
 };
 
@@ -47,7 +49,17 @@ fn written_and_read(scene: &Scene, path: &Path) -> Scene {
 
 fn assert_same(again: &Scene, scene: &Scene) {
     assert!(again.grids == scene.grids, "grids");
-    assert_eq!(again.instances, scene.instances);
+    assert_eq!(again.instances.len(), scene.instances.len());
+    for (again, instance) in again.instances.iter().zip(&scene.instances) {
+        // Models that shrink to their voxels have another middle, which is what key frames move evenly: there are more of them then.
+        let still = |of: &Instance| Instance { keyframes: Vec::new(), repeats: None, ..of.clone() };
+        assert_eq!(still(again), still(instance));
+        assert_eq!(again.keyframes.is_empty(), instance.keyframes.is_empty());
+        for key in &instance.keyframes {
+            let shown = placed_at(again, f64::from(key.frame));
+            assert_eq!(shown, (key.grid, key.world_from_grid), "frame {}", key.frame);
+        }
+    }
     assert_eq!(again.materials, scene.materials);
     assert_eq!(again.layers, scene.layers);
     assert_eq!(again.cameras, scene.cameras);

@@ -44,6 +44,11 @@ fn parse(text: &str, name: &str) -> Result<CameraFile, String> {
 
 /// Reads the cameras of a flight: the tables `[bookmarks.N]` in the order of their numbers, each with the lines of a camera file.
 pub fn open_all(path: &Path) -> Result<Vec<Camera>, Failure> {
+    Ok(open_numbered(path)?.into_iter().map(|(_, camera)| camera).collect())
+}
+
+/// As [`open_all`], each with its number.
+pub fn open_numbered(path: &Path) -> Result<Vec<(u32, Camera)>, Failure> {
     let failure = |message: String| Failure::input(message).hint(FLIGHT_HINT);
     voxtrace::import::opened::note(path);
     let text = std::fs::read_to_string(path)
@@ -55,7 +60,7 @@ pub fn open_all(path: &Path) -> Result<Vec<Camera>, Failure> {
 const FLIGHT_HINT: &str =
     "each camera is a table [bookmarks.N] with eye = [x, y, z] and target = [x, y, z]; the window keeps such";
 
-fn parse_all(text: &str) -> Result<Vec<Camera>, String> {
+fn parse_all(text: &str) -> Result<Vec<(u32, Camera)>, String> {
     let file: toml::Table = text.parse().map_err(|error: toml::de::Error| error.message().to_owned())?;
     let table = file.get("bookmarks").and_then(toml::Value::as_table).ok_or("it has no [bookmarks.N]")?;
     let mut numbered: Vec<(u32, &toml::Value)> =
@@ -63,7 +68,8 @@ fn parse_all(text: &str) -> Result<Vec<Camera>, String> {
     numbered.sort_by_key(|(number, _)| *number);
     let camera = |(number, value): (u32, &toml::Value)| {
         let table = value.as_table().ok_or_else(|| format!("bookmark {number} is no table"))?;
-        own_camera(table, &number.to_string()).map_err(|reason| format!("bookmark {number}: {reason}"))
+        let camera = own_camera(table, &number.to_string()).map_err(|reason| format!("bookmark {number}: {reason}"));
+        Ok((number, camera?))
     };
     numbered.into_iter().map(camera).collect()
 }
@@ -184,8 +190,9 @@ mod tests {
         let text = "mood = 1\n[bookmarks.10]\neye = [10, 0, 0]\ntarget = [0, 0, 0]\n[bookmarks.2]\neye = [2, 0, 0]\n\
                     target = [0, 0, 0]\nname = \"door\"\n[bookmarks.note]\ntext = 1";
         let cameras = parse_all(text).unwrap();
-        let found: Vec<(f32, &str)> = cameras.iter().map(|camera| (camera.eye.x, camera.name.as_str())).collect();
-        assert_eq!(found, [(2.0, "door"), (10.0, "10")]);
+        let found: Vec<(u32, f32, &str)> =
+            cameras.iter().map(|(number, camera)| (*number, camera.eye.x, camera.name.as_str())).collect();
+        assert_eq!(found, [(2, 2.0, "door"), (10, 10.0, "10")]);
         assert!(parse_all("[bookmarks.1]\neye = [1, 2, 3]").unwrap_err().contains("bookmark 1: `target`"));
         assert!(parse_all("[bookmarks]\n1 = 2").unwrap_err().contains("no table"));
         assert!(parse_all("eye = [1, 2, 3]").unwrap_err().contains("[bookmarks.N]"));

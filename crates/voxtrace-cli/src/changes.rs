@@ -22,6 +22,16 @@ pub struct ChangeArgs {
 }
 
 impl ChangeArgs {
+    /// Parts that are left out.
+    pub fn hidden(&self) -> &[PartName] {
+        &self.hide
+    }
+
+    /// Parts that the file hides and that are seen.
+    pub fn shown(&self) -> &[PartName] {
+        &self.show
+    }
+
     /// The packed scene with the changes. What is hidden in part is kept apart.
     pub fn packed(&self, content: Content, memory: MemoryArgs) -> Result<PackedScene, Failure> {
         let packed = packed_with(content, &self.show, memory.keeping_instances(!self.hide.is_empty()))?;

@@ -75,6 +75,12 @@ impl Failure {
         Self { hint: Some(hint.to_string()), ..self }
     }
 
+    /// The same reason and hint, said by somebody else.
+    pub fn retold(self, retell: impl FnOnce(&str) -> Self) -> Self {
+        let told = retell(&self.message);
+        Self { hint: self.hint.or(told.hint), ..told }
+    }
+
     /// The one line that people read.
     pub fn line(&self) -> String {
         // Names of files may hold line breaks.

@@ -48,6 +48,11 @@ enum SunDisc {
 }
 
 impl LightArgs {
+    /// Whether the sky is the Earth's in the light of the sun.
+    pub fn is_physical(&self) -> bool {
+        self.sky.as_deref() == Some("physical")
+    }
+
     /// Sets what is asked for; the rest stays.
     pub fn apply(&self, scene: &mut PackedScene) -> Result<(), Failure> {
         scene.light_intensity = self.light_intensity.unwrap_or(scene.light_intensity);

@@ -91,6 +91,11 @@ impl SceneArgs {
         }
     }
 
+    /// The file, where it is no built-in scene.
+    pub fn file(&self) -> Option<&Path> {
+        (!self.is_builtin()).then(|| Path::new(&self.scene))
+    }
+
     /// The name that outputs are called after.
     pub fn stem(&self) -> String {
         let stem = Path::new(&self.scene).file_stem();

@@ -3,9 +3,11 @@
 #![forbid(unsafe_code)]
 
 mod adaptive;
+mod animation;
 mod blocks;
 mod camera_file;
 mod changes;
+mod clip;
 mod cuts;
 mod edits;
 mod failure;
@@ -49,6 +51,7 @@ const AFTER_HELP: &str = "\
 Examples:
   voxtrace render church -o church.png
   voxtrace view castle.vox
+  voxtrace animate castle.vox --turntable=96 -o castle.mp4
   voxtrace render castle.vox -o castle.png -o castle.exr --spp 256 --aovs
   voxtrace voxelize scan.glb -o scan.vxt --resolution 2048
   voxtrace info castle.vox --json
@@ -81,6 +84,7 @@ pub struct Cli {
 #[derive(Subcommand, Debug)]
 enum Verb {
     Render(Box<verbs::render::RenderArgs>),
+    Animate(Box<verbs::animate::AnimateArgs>),
     #[cfg(feature = "view")]
     View(Box<verbs::view::ViewerArgs>),
     Info(verbs::info::InfoArgs),
@@ -136,6 +140,7 @@ fn run(cli: Cli) -> Result<(), Failure> {
     let report = &mut Report::new(cli.progress, cli.quiet);
     match cli.verb {
         Verb::Render(args) => args.run(report),
+        Verb::Animate(args) => args.run(report),
         #[cfg(feature = "view")]
         Verb::View(args) => args.run(),
         Verb::Info(args) => args.run(report),

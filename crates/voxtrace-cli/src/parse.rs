@@ -133,13 +133,13 @@ pub fn sun(text: &str) -> Result<SunSetting, String> {
 /// Frames of an animation, both ends included.
 pub type Frames = std::ops::RangeInclusive<u32>;
 
-/// `1..240`, both included, or one number.
+/// `1..240` or `1-240`, both included, or one number.
 pub fn frames(text: &str) -> Result<Frames, String> {
     let expected = "frames like 1..240";
     if text.contains(',') {
         return Err(format!("{text:?} is a list; a run makes one range of {expected}"));
     }
-    let (first, last) = text.split_once("..").unwrap_or((text, text));
+    let (first, last) = text.split_once("..").or(text.split_once('-')).unwrap_or((text, text));
     let (first, last): (u32, u32) = (number(first, expected)?, number(last, expected)?);
     if first == 0 || first > last || last > 1_000_000 {
         return Err(format!("{text:?} is not {expected}: the first is at least 1 and not after the last"));
@@ -246,7 +246,7 @@ mod tests {
     #[test]
     fn frames_and_samples_have_their_bounds() {
         assert_eq!(frames("1..240"), Ok(1..=240));
-        assert_eq!(frames("7"), Ok(7..=7));
+        assert_eq!((frames("7"), frames("3-9")), (Ok(7..=7), Ok(3..=9)));
         assert!(frames("0..4").is_err() && frames("5..4").is_err() && frames("a..b").is_err());
         assert_eq!(samples("64"), Ok(64));
         assert!(samples("0").is_err() && samples("-1").is_err() && samples("1048577").is_err());

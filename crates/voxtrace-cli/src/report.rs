@@ -5,7 +5,7 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde_json::{Value, json};
 use std::cell::RefCell;
 use std::io::{IsTerminal, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 use voxtrace_bench::quantity::clock;
 
@@ -52,6 +52,10 @@ pub struct Report {
     /// Work done when this part began: it does not count for the speed.
     initial: u64,
     total: u64,
+    /// Pictures that come after this one, and the seconds that each one took so far, and how many there were.
+    following: (usize, f64, u32),
+    /// Files below it are not named when they are written.
+    unnamed: Option<PathBuf>,
     warnings: RefCell<Vec<String>>,
     not_shown: RefCell<Vec<String>>,
 }
@@ -76,6 +80,8 @@ impl Report {
             last: None,
             initial: 0,
             total: 0,
+            following: (0, 0.0, 0),
+            unnamed: None,
             warnings: RefCell::default(),
             not_shown: RefCell::default(),
         }
@@ -122,8 +128,29 @@ impl Report {
         self.not_shown.borrow().clone()
     }
 
+    /// Says that so many pictures come after the next one.
+    pub fn follow(&mut self, pictures: usize) {
+        self.following.0 = pictures;
+    }
+
+    /// Keeps files in a folder to itself: they are on the way to something else.
+    pub fn leave_unnamed(&mut self, folder: PathBuf) {
+        self.unnamed = Some(folder);
+    }
+
+    /// Seconds until all pictures are there, where this one has `left` to go.
+    fn left_in_all(&self, left: Option<f64>) -> Option<f64> {
+        let (following, seconds, done) = self.following;
+        let (left, elapsed) = (left?, self.start.elapsed().as_secs_f64());
+        let each = (seconds + elapsed + left) / f64::from(done + 1);
+        (following > 0).then_some(left + each * following as f64)
+    }
+
     /// Names on stdout a file that was written.
     pub fn wrote(&self, path: &Path) {
+        if self.unnamed.as_ref().is_some_and(|folder| path.starts_with(folder)) {
+            return;
+        }
         if self.style == ProgressStyleArg::Json {
             self.event(&json!({ "event": "wrote", "path": path.display().to_string() }));
         }
@@ -168,7 +195,8 @@ impl Report {
         let share = (done as f64 / self.total.max(1) as f64) as f32;
         self.tell(Said::Progress(&self.name, share, eta));
         if let Some(bar) = &self.bar {
-            let eta = eta.map_or_else(String::new, |eta| format!(", {} left", clock(eta)));
+            let in_all = self.left_in_all(eta).map_or_else(String::new, |all| format!(", {} in all", clock(all)));
+            let eta = eta.map_or_else(String::new, |eta| format!(", {} left{in_all}", clock(eta)));
             bar.set_position(done);
             bar.set_message(if self.is_render {
                 format!("{:.1} M samples/s{eta}", speed / 1e6)
@@ -187,6 +215,8 @@ impl Report {
                     "samples_total": self.total,
                     "seconds": elapsed,
                     "seconds_left": eta,
+                    "pictures_left": self.following.0,
+                    "seconds_left_in_all": self.left_in_all(eta).or(eta),
                 })
             } else {
                 json!({
@@ -204,6 +234,10 @@ impl Report {
 
     /// Ends the part that [`Self::begin`] began.
     pub fn end(&mut self) {
+        if self.is_render {
+            self.following.1 += self.start.elapsed().as_secs_f64();
+            self.following.2 += 1;
+        }
         if let Some(bar) = self.bar.take() {
             bar.finish_and_clear();
         }

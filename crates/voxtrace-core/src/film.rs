@@ -93,7 +93,7 @@ impl Pixel {
     }
 
     /// Adds the samples of another pixel.
-    fn merge(&mut self, other: &Self) {
+    pub(crate) fn merge(&mut self, other: &Self) {
         for (sum, addend) in self.radiance.iter_mut().zip(other.radiance) {
             *sum = sum.saturating_add(addend);
         }

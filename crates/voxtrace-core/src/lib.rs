@@ -11,6 +11,7 @@ pub mod film;
 pub mod frame;
 mod light_group;
 pub mod lines;
+pub mod motion;
 pub mod normals;
 mod overview;
 pub mod packed;

@@ -2,6 +2,7 @@
 
 #![forbid(unsafe_code)]
 
+pub mod animation;
 pub mod brick;
 pub mod camera;
 mod edit;
@@ -25,6 +26,7 @@ pub mod transform;
 #[doc(hidden)]
 pub mod trigonometry;
 
+pub use animation::Animation;
 pub use brick::Brick;
 pub use camera::{Camera, Lens};
 pub use grid::VoxelGrid;

@@ -7,6 +7,7 @@ use crate::grid::VoxelGrid;
 use crate::material::Material;
 use crate::sky::Sky;
 use crate::transform::Transform;
+use std::ops::Range;
 use std::sync::Arc;
 
 pub use crate::length_unit::LengthUnit;
@@ -68,8 +69,10 @@ pub struct Instance {
     pub group: Option<usize>,
     /// Whether it, or a group that contains it, is hidden.
     pub hidden: bool,
-    /// Keyframes of the file's animation; empty for a static instance. Rendering shows the first frame.
+    /// Keyframes of the file's animation; empty for a static instance. Rendering a still shows the first frame.
     pub keyframes: Vec<Keyframe>,
+    /// Frames that come again and again: after the last of them the first. `None`: the last keyframe holds for ever.
+    pub repeats: Option<Range<u32>>,
 }
 
 /// One moment of an instance's animation.
@@ -81,6 +84,8 @@ pub struct Keyframe {
     pub grid: usize,
     /// From grid space to world space.
     pub world_from_grid: Transform,
+    /// Where it has moved, evenly, when the next keyframe comes, which may leave it elsewhere; turning and scale are those of `world_from_grid`.
+    pub end: Transform,
 }
 
 /// A named layer.
@@ -143,6 +148,13 @@ impl Scene {
     }
 }
 
+impl Keyframe {
+    /// A moment from which on a grid stands still.
+    pub fn still(frame: u32, grid: usize, world_from_grid: Transform) -> Self {
+        Self { frame, grid, world_from_grid, end: world_from_grid }
+    }
+}
+
 impl Instance {
     /// A visible, static instance without name or layer.
     pub fn new(grid: usize, world_from_grid: Transform) -> Self {
@@ -154,6 +166,7 @@ impl Instance {
             group: None,
             hidden: false,
             keyframes: Vec::new(),
+            repeats: None,
         }
     }
 }

@@ -12,15 +12,15 @@ pub use voxtrace_core::{
     BounceLimits, CpuTracer, DynamicScene, Edit, EditError, Film, Frame, Geometry, Instructions, Integrator,
     LightGroup, PackedScene, Patch, Placement, Progress, RayCounts, Region, TraceError, Tracer, WalkCounts,
 };
-pub use voxtrace_core::{changes, cuts, denoise, dynamic, film, frame, lines, normals, surroundings, tracer};
+pub use voxtrace_core::{changes, cuts, denoise, dynamic, film, frame, lines, motion, normals, surroundings, tracer};
 #[cfg(feature = "pictures")]
 pub use voxtrace_io::difference;
 pub use voxtrace_io::{export, import, output};
 pub use voxtrace_scene::{
-    Axis, Brick, Camera, Face, Hit, Instance, Invalid, Material, Ray, Scene, Shape, Sky, Sun, Transform, VoxelGrid,
-    glam,
+    Animation, Axis, Brick, Camera, Face, Hit, Instance, Invalid, Material, Ray, Scene, Shape, Sky, Sun, Transform,
+    VoxelGrid, glam,
 };
-pub use voxtrace_scene::{brick, camera, georeference, grid, material, ray, scene, sky, transform};
+pub use voxtrace_scene::{animation, brick, camera, georeference, grid, material, ray, scene, sky, transform};
 pub use voxtrace_scenes as scenes;
 pub use voxtrace_voxelize::{Mesh, Volume};
 pub use voxtrace_voxelize::{bake, close, cull_hidden, mesh, points, straighten, volume, voxelize};

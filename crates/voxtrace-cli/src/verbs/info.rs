@@ -6,6 +6,7 @@ use crate::failure::Failure;
 use crate::load::{SceneArgs, into_packed};
 use crate::report::Report;
 use serde_json::{Map, Value, json};
+use voxtrace::animation::keyframe_count;
 use voxtrace::import::{Content, vox};
 use voxtrace::packed::{Outline, Statistics};
 use voxtrace::scene::Unit;
@@ -42,13 +43,15 @@ impl InfoArgs {
             Some(scene) => packed.statistics().with_counts_of(scene),
             None => packed.statistics(),
         };
+        let frames = scene.as_ref().map_or(0, |scene| keyframe_count(scene));
         if self.json {
             let mut value = as_json(&packed, &statistics, &left_out);
             value["warnings"] = report.warnings().into();
+            value["frames"] = frames.into();
             crate::stdout::print(&format!("{value:#}\n"));
         } else {
             let hidden = scene.map_or(0, |scene| scene.instances.len() - packed.instance_count());
-            crate::stdout::print(&as_text(&packed, &statistics, hidden, &left_out));
+            crate::stdout::print(&as_text(&packed, &statistics, (hidden, frames), &left_out));
         }
         Ok(())
     }
@@ -114,7 +117,12 @@ fn as_json(packed: &PackedScene, statistics: &Statistics, left_out: &LeftOut) ->
     })
 }
 
-fn as_text(packed: &PackedScene, statistics: &Statistics, hidden: usize, left_out: &LeftOut) -> String {
+fn as_text(
+    packed: &PackedScene,
+    statistics: &Statistics,
+    (hidden, frames): (usize, u32),
+    left_out: &LeftOut,
+) -> String {
     let mut text = String::new();
     let mut line = |name: &str, value: String| text += &format!("{name:<18}{value}\n");
     line("scene", packed.name.clone());
@@ -140,6 +148,9 @@ fn as_text(packed: &PackedScene, statistics: &Statistics, hidden: usize, left_ou
     line("instances", grouped(statistics.instances) + &hidden + &merged);
     for (what, names) in parts_of(&packed.outline) {
         line(what, names);
+    }
+    if frames > 0 {
+        line("frames", format!("{} of keyframes, which `voxtrace animate` plays", grouped(frames.into())));
     }
     line("materials", grouped(statistics.materials));
     line("emissive voxels", grouped(statistics.emissive_voxels));

@@ -1,5 +1,6 @@
 //! One file for each verb of the command line.
 
+pub mod animate;
 pub mod bench;
 pub mod compare;
 pub mod completions;

@@ -5,9 +5,12 @@ mod files;
 mod groups;
 mod jobs;
 mod limits;
+mod moving;
 mod resume;
 
 use crate::adaptive::run_adaptively;
+use crate::animation::{Director, Stage};
+use crate::camera_file::CameraFile;
 use crate::changes::ChangeArgs;
 use crate::cuts::CutArgs;
 use crate::failure::Failure;
@@ -30,10 +33,10 @@ use groups::trace_groups;
 use limits::LimitArgs;
 use resume::Resumed;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 use std::time::{Duration, Instant};
 use voxtrace::film::Pixel;
 use voxtrace::glam::Vec3;
+use voxtrace::motion::MovingTracer;
 use voxtrace::output::{FilmFile, PictureFormat, SceneStamp};
 use voxtrace::{Film, PackedScene, Region, Tracer};
 use voxtrace_bench::quantity::{clock, counted};
@@ -46,11 +49,11 @@ const MAX_PIXELS: u64 = 1 << 28;
 #[derive(clap::Args, Clone, Debug)]
 pub struct RenderArgs {
     #[command(flatten)]
-    scene: SceneArgs,
+    pub(super) scene: SceneArgs,
     #[command(flatten)]
-    picture: PictureArgs,
+    pub(super) picture: PictureArgs,
     #[command(flatten)]
-    view: ViewArgs,
+    pub(super) view: ViewArgs,
     #[command(flatten)]
     light: LightArgs,
     #[command(flatten)]
@@ -68,7 +71,7 @@ pub struct RenderArgs {
     #[command(flatten)]
     film: FilmArgs,
     #[command(flatten)]
-    files: FileArgs,
+    pub(super) files: FileArgs,
 }
 
 /// Options about what is computed.
@@ -135,7 +138,18 @@ struct FilmArgs {
 
 impl RenderArgs {
     /// Renders every view and writes its files.
-    pub fn run(mut self, report: &mut Report) -> Result<(), Failure> {
+    pub fn run(self, report: &mut Report) -> Result<(), Failure> {
+        self.view.check_frames()?;
+        self.run_directed(None, &mut |_| (), report)
+    }
+
+    /// Renders every view, or the frames of an animation, of which `learn` is told once it is known.
+    pub(super) fn run_directed(
+        mut self,
+        director: Option<&Director>,
+        learn: &mut dyn FnMut(&Stage),
+        report: &mut Report,
+    ) -> Result<(), Failure> {
         let is_default = self.picture.output.is_empty() && self.film.checkpoint.is_none();
         if is_default {
             self.picture.output.push(format!("{}.png", self.scene.stem()).into());
@@ -143,9 +157,8 @@ impl RenderArgs {
         if self.picture.output.is_empty() && self.files.skip_existing {
             return Err(Failure::usage("--skip-existing looks for pictures").hint("name them with -o"));
         }
-        self.view.check_frames()?;
         self.scene.note();
-        let mut resume = self.film.resume.as_deref().map(|film| Resumed::open(film, self.view.frames())).transpose()?;
+        let resume = self.film.resume.as_deref().map(|film| self.open_films(film, director)).transpose()?;
         let resumed = resume.as_ref().map(|resume| resume.settings.clone());
         if self.cuts.is_cut() || resumed.as_ref().is_some_and(|film| !film.scene.cuts.is_none()) {
             self.scene.import.keep_inside();
@@ -154,7 +167,7 @@ impl RenderArgs {
         let check = |outputs: &[PathBuf], checkpoint: Option<&Path>, film: Option<&Path>| {
             self.files.check(outputs, checkpoint, film, is_default)
         };
-        if self.view.is_one() {
+        if self.view.is_one() && director.is_none() {
             // What the scene names is not known yet: this is looked at once more when it is.
             check(&self.picture.output, self.film.checkpoint.as_deref(), self.film.resume.as_deref())?;
         }
@@ -165,26 +178,34 @@ impl RenderArgs {
         let content = self.scene.load(report)?;
         let film = resumed.as_ref().map(|film| &film.frame);
         let (surroundings, lines) = (self.surroundings.of(&content)?, or_of_film(self.lines.of(&content)?, film));
-        // What a camera frames is the scene without what is around it. Lines end where an instance does.
-        let framed = self.changes.packed(content, self.scene.memory.keeping_instances(!lines.is_none()))?;
+        let (content, cast) = match director {
+            Some(director) => {
+                let (content, cast) = director.cast(content, &self.view, self.changes.shown())?;
+                (content, Some(cast))
+            }
+            None => (content, None),
+        };
+        // What a camera frames is the scene without what is around it. Lines end where an instance does, and what moves stays apart.
+        let is_apart = !lines.is_none() || cast.as_ref().is_some_and(|cast| cast.is_moving);
+        let framed = self.changes.packed(content, self.scene.memory.keeping_instances(is_apart))?;
         let mut scene = surroundings.around(&framed)?;
         interrupt::check()?;
-        let mut stamp = SceneStamp::of(&scene);
-        if let Some(file) = &camera_file {
-            set_light_of(file, &mut scene);
-        }
-        self.set_light(&mut scene, resumed.as_ref())?;
+        let size = self.size(resumed.as_ref());
+        let stage = cast
+            .zip(director)
+            .map(|(cast, director)| self.stage(cast, director, &framed, &mut scene, camera_file.as_ref(), size));
+        let stage = stage.transpose()?;
+        stage.iter().for_each(learn);
+        let stamp = self.lit(&mut scene, camera_file.as_ref(), resumed.as_ref())?;
         CutArgs::warn_of_nothing(&scene, report);
-        (stamp.sky, stamp.light_intensity) = (scene.sky.clone(), scene.light_intensity);
-        stamp.cuts = scene.cuts.clone();
         report.remark(&format!("loaded {} in {}", scene.name, clock(start.elapsed().as_secs_f64())));
 
-        let (width, height) = self.size(resumed.as_ref());
-        let views = match &resumed {
-            Some(file) if !self.view.says_camera() && self.view.frames().is_none() => {
+        let views = match (&resumed, &stage) {
+            (_, Some(stage)) => stage.views()?,
+            (Some(file), None) if !self.view.says_camera() && self.view.frames().is_none() => {
                 vec![View { camera: file.frame.camera.clone(), camera_suffix: None, frame: None }]
             }
-            _ => self.view.views(&framed, &scene, camera_file.as_ref(), (width, height))?,
+            _ => self.view.views(&framed, &scene, camera_file.as_ref(), size)?,
         };
         if resumed.is_some() && views.iter().filter(|view| view.frame == views[0].frame).count() > 1 {
             return Err(Failure::usage("--resume continues films of one camera, but several were asked for"));
@@ -196,24 +217,15 @@ impl RenderArgs {
             report.remark(&format!("nothing to do: {} there already", counted(jobs.len() as u64, "picture")));
             return Ok(());
         }
-        let filter = self.quality.denoise.map(Filter::open).transpose()?;
-        let scene = Arc::new(scene);
-        let mut tracer = self.tracer.open(&scene, report)?;
-        let tracer = tracer.as_mut();
-        for job in &jobs {
-            interrupt::check()?;
-            // Another process may have made it meanwhile.
-            if self.files.skips(job) {
-                let names: Vec<String> = job.outputs.iter().map(|path| path.display().to_string()).collect();
-                report.remark(&format!("{}: left out, {} is there", job.name, names.join(", ")));
-                continue;
-            }
-            let film = resume.as_mut().map(|resume| resume.film(job.number)).transpose()?.flatten();
-            let start = film.map(|film| self.check_film(job, film, &stamp)).transpose()?;
-            let background = surroundings.background;
-            self.render(tracer, job, start, (&scene, &stamp), (filter.as_ref(), background), report)?;
-        }
-        Ok(())
+        self.render_all(&jobs, stage.as_ref(), (scene, stamp), surroundings.background, resume, report)
+    }
+
+    /// Everything that says what the pictures are like, as text: where it is the same, so are they.
+    pub(super) fn settings(&self) -> String {
+        let Self { scene, view, light, surroundings, lines, cuts, changes, quality, picture, .. } = self;
+        let view = ViewArgs { frames: None, ..view.clone() };
+        let picture = (picture.exposure, picture.tone_map, &picture.bit_depth);
+        format!("{:?}", (scene, view, light, surroundings, lines, cuts, changes, quality, picture))
     }
 
     /// Whether films have no sky: a background comes behind them when pictures are made.
@@ -224,6 +236,22 @@ impl RenderArgs {
     fn size(&self, resumed: Option<&FilmFile>) -> Size {
         let of_film = resumed.map(|file| (file.frame.width, file.frame.height));
         self.quality.size.or(of_film).unwrap_or(DEFAULT_SIZE)
+    }
+
+    /// Sets the light and the cuts that are asked for. Returns the stamp of films of the scene.
+    fn lit(
+        &self,
+        scene: &mut PackedScene,
+        camera_file: Option<&CameraFile>,
+        resumed: Option<&FilmFile>,
+    ) -> Result<SceneStamp, Failure> {
+        let stamp = SceneStamp::of(scene);
+        if let Some(file) = camera_file {
+            set_light_of(file, scene);
+        }
+        self.set_light(scene, resumed)?;
+        let (sky, light_intensity, cuts) = (scene.sky.clone(), scene.light_intensity, scene.cuts.clone());
+        Ok(SceneStamp { sky, light_intensity, cuts, ..stamp })
     }
 
     fn set_light(&self, scene: &mut PackedScene, resumed: Option<&FilmFile>) -> Result<(), Failure> {
@@ -265,7 +293,7 @@ impl RenderArgs {
 
     fn render(
         &self,
-        tracer: &mut (dyn Tracer + Send),
+        tracer: &mut MovingTracer,
         job: &Job,
         start: Option<Film>,
         (scene, stamp): (&PackedScene, &SceneStamp),
@@ -319,7 +347,7 @@ impl RenderArgs {
         let denoised = match filter {
             Some(filter) if self.picture.has_picture() => {
                 let start = Instant::now();
-                let denoised = filter.apply(scene, &file)?;
+                let denoised = filter.apply(scene, &file, tracer.shot())?;
                 report.remark(&format!("{}: denoised in {}", job.name, clock(start.elapsed().as_secs_f64())));
                 Some(denoised)
             }

@@ -1,5 +1,6 @@
 //! The program as people run it: every verb, every exit code, from arguments to files.
 
+mod animate;
 mod bench;
 mod bench_against;
 mod bench_plans;

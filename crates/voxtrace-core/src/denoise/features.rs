@@ -16,6 +16,8 @@ use crate::sampler::Sampler;
 use crate::walk;
 use glam::Vec3;
 use rayon::prelude::*;
+use std::ops::Range;
+use voxtrace_scene::camera::Camera;
 use voxtrace_scene::ray::{Hit, Ray};
 
 /// Camera rays that one thread casts at a time.
@@ -51,17 +53,38 @@ pub struct Features {
 impl Features {
     /// Casts the camera rays of all samples of `film`, which `frame` asked for, into the scene that it shows.
     pub fn of(scene: &PackedScene, frame: &Frame, film: &Film) -> Self {
-        let camera = frame.camera.frame(frame.width, frame.height);
-        let lights = Lights::new(scene);
-        let width = film.region.width().max(1) as usize;
-        let mut pixels = vec![FeaturePixel::default(); film.pixels.len()];
-        pixels.par_chunks_mut(width).enumerate().for_each(|(row, out)| {
-            let counts = film.pixels[row * width..][..width].iter().map(|pixel| pixel.samples);
-            let gather = Gather { scene, lights: &lights, frame, camera: &camera, y: film.region.y0 + row as u32 };
-            gather.row(film.region.x0, counts, out);
-        });
-        Self { pixels }
+        let mut sums = vec![Sums::default(); film.pixels.len()];
+        gather(scene, &frame.camera, frame, film, 0..u32::MAX, &mut sums);
+        Self { pixels: sums.iter().map(Sums::means).collect() }
     }
+
+    /// As [`Self::of`], of a film whose samples show other moments each: `at` gives the scene and the camera of a sample.
+    ///
+    /// # Errors
+    /// Those of `at`.
+    pub fn of_moments<E>(
+        frame: &Frame,
+        film: &Film,
+        mut at: impl FnMut(u32) -> Result<(PackedScene, Camera), E>,
+    ) -> Result<Self, E> {
+        let mut sums = vec![Sums::default(); film.pixels.len()];
+        for sample in 0..film.sample_range().1 {
+            let (scene, camera) = at(frame.first_sample + sample)?;
+            gather(&scene, &camera, frame, film, sample..sample + 1, &mut sums);
+        }
+        Ok(Self { pixels: sums.iter().map(Sums::means).collect() })
+    }
+}
+
+/// Adds what some samples of a film's pixels show.
+fn gather(scene: &PackedScene, camera: &Camera, frame: &Frame, film: &Film, samples: Range<u32>, sums: &mut [Sums]) {
+    let (lights, camera) = (Lights::new(scene), camera.frame(frame.width, frame.height));
+    let width = film.region.width().max(1) as usize;
+    sums.par_chunks_mut(width).enumerate().for_each(|(row, sums)| {
+        let ends = film.pixels[row * width..][..width].iter().map(|pixel| pixel.samples.min(samples.end));
+        let gather = Gather { scene, lights: &lights, frame, camera: &camera, y: film.region.y0 + row as u32 };
+        gather.row(film.region.x0, ends.map(|end| samples.start..end), sums);
+    });
 }
 
 /// The rays of one row of pixels.
@@ -74,19 +97,17 @@ struct Gather<'a> {
 }
 
 impl Gather<'_> {
-    fn row(&self, x0: u32, counts: impl Iterator<Item = u32>, out: &mut [FeaturePixel]) {
-        let samples = counts.zip(x0..).flat_map(|(count, x)| (0..count).map(move |sample| (x, sample)));
-        let mut sums = vec![Sums::default(); out.len()];
+    fn row(&self, x0: u32, samples: impl Iterator<Item = Range<u32>>, sums: &mut [Sums]) {
+        let samples = samples.zip(x0..).flat_map(|(samples, x)| samples.map(move |sample| (x, sample)));
         let mut batch = Vec::with_capacity(RAYS_AT_A_TIME);
         for sample in samples {
             batch.push(sample);
             if batch.len() == RAYS_AT_A_TIME {
-                self.cast(x0, &batch, &mut sums);
+                self.cast(x0, &batch, sums);
                 batch.clear();
             }
         }
-        self.cast(x0, &batch, &mut sums);
-        out.iter_mut().zip(&sums).for_each(|(out, sums)| *out = sums.means());
+        self.cast(x0, &batch, sums);
     }
 
     /// Casts the rays of some samples, each a column and a number.

@@ -29,8 +29,8 @@ pub struct Object {
 }
 
 impl Outline {
-    /// The parts of a scene that is packed.
-    pub(crate) fn of_scene(scene: &Scene) -> Self {
+    /// The parts of a scene.
+    pub fn of_scene(scene: &Scene) -> Self {
         let object = |instance: &voxtrace_scene::Instance| Object {
             name: instance.name.clone(),
             layer: instance.layer.filter(|&layer| layer < scene.layers.len()),

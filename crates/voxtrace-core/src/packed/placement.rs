@@ -101,7 +101,21 @@ impl Placement {
     /// # Errors
     /// As [`Self::new`]; [`PlacementError::NotPacked`] where a grid was hidden when the scene was packed.
     pub fn of_scene(geometry: &Geometry, scene: &Scene) -> Result<Self, PlacementError> {
-        Ok(Self::of_sound(geometry, placed_in(geometry, scene)?))
+        Self::of_scene_and(geometry, scene, &[])
+    }
+
+    /// As [`Self::of_scene`], with further instances behind them: those of [`crate::surroundings`], say, which the scene does not know.
+    ///
+    /// # Errors
+    /// As [`Self::of_scene`].
+    pub fn of_scene_and(
+        geometry: &Geometry,
+        scene: &Scene,
+        further: &[PackedInstance],
+    ) -> Result<Self, PlacementError> {
+        let mut placed = placed_in(geometry, scene)?;
+        placed.extend(further.iter().map(|own| PackedInstance::new(own.grid, own.world_from_grid, own.scene_instance)));
+        Ok(Self::of_sound(geometry, placed))
     }
 
     /// Places instances that were checked.

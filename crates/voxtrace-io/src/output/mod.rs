@@ -4,6 +4,8 @@
 #[cfg(feature = "pictures")]
 mod background;
 #[cfg(feature = "pictures")]
+pub mod clip;
+#[cfg(feature = "pictures")]
 mod exr;
 mod film_file;
 mod film_format;

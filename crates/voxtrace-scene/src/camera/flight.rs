@@ -20,11 +20,13 @@ pub struct Flight {
     first: Camera,
     last: Camera,
     keys: Vec<Pose>,
+    /// Lens of each key.
+    lenses: Vec<Lens>,
     /// Change of the pose with the knots' unit at each key.
     tangents: Vec<Pose>,
     /// Knots' units of each leg.
     legs: Vec<f64>,
-    /// Length of the path up to each piece, and at its end.
+    /// Length of the path up to each piece, and at its end; where cameras have times, those.
     lengths: Vec<f64>,
 }
 
@@ -113,12 +115,12 @@ impl Flight {
     pub fn through(cameras: &[Camera]) -> Result<Self, &'static str> {
         cameras.iter().try_for_each(Camera::check)?;
         let (Some(first), Some(last)) = (cameras.first(), cameras.last()) else { return Err(FEW) };
-        let mut keys: Vec<Pose> = Vec::new();
-        for pose in cameras.iter().map(Pose::of) {
-            match keys.last() {
-                Some(before) if pose.beside(before) == *before => {}
-                Some(before) => keys.push(pose.beside(before)),
-                None => keys.push(pose),
+        let (mut keys, mut lenses): (Vec<Pose>, Vec<Lens>) = (Vec::new(), Vec::new());
+        for camera in cameras {
+            let pose = keys.last().map_or_else(|| Pose::of(camera), |before| Pose::of(camera).beside(before));
+            if keys.last() != Some(&pose) {
+                keys.push(pose);
+                lenses.push(camera.lens);
             }
         }
         if keys.len() < 2 {
@@ -133,7 +135,8 @@ impl Flight {
         let shortest = if shortest.is_finite() { shortest } else { 1.0 };
         let legs: Vec<f64> = ways.iter().map(|&way| if way > 0.0 { way } else { shortest }.sqrt()).collect();
         let tangents = tangents(&keys, &legs);
-        let mut flight = Self { first: first.clone(), last: last.clone(), keys, tangents, legs, lengths: vec![0.0] };
+        let (first, last) = (first.clone(), last.clone());
+        let mut flight = Self { first, last, keys, lenses, tangents, legs, lengths: vec![0.0] };
         let mut before = flight.keys[0];
         let mut length = 0.0;
         for piece in 1..=flight.legs.len() * PIECES {
@@ -146,14 +149,46 @@ impl Flight {
         Ok(flight)
     }
 
+    /// The flight that is at each camera at its time, in seconds; shares of the way are those of the time between the first and the last.
+    ///
+    /// # Errors
+    /// Says what is wrong: fewer than two cameras, times that do not rise, or a camera that cannot send rays.
+    pub fn timed(cameras: &[(f64, Camera)]) -> Result<Self, &'static str> {
+        cameras.iter().try_for_each(|(_, camera)| camera.check())?;
+        let [(_, first), .., (_, last)] = cameras else { return Err("a flight leads through two cameras or more") };
+        let mut keys: Vec<Pose> = Vec::with_capacity(cameras.len());
+        for (_, camera) in cameras {
+            keys.push(keys.last().map_or_else(|| Pose::of(camera), |before| Pose::of(camera).beside(before)));
+        }
+        let legs: Vec<f64> = cameras.windows(2).map(|pair| pair[1].0 - pair[0].0).collect();
+        if !legs.iter().all(|&leg| leg > 0.0 && leg.is_finite()) {
+            return Err("the times of the cameras do not rise");
+        }
+        let mut tangents = tangents(&keys, &legs);
+        for (key, tangent) in tangents.iter_mut().enumerate() {
+            // Who stays for a while stands still then.
+            let stays = (key > 0 && keys[key - 1] == keys[key]) || keys.get(key + 1) == Some(&keys[key]);
+            *tangent = if stays { tangent.scaled(0.0) } else { *tangent };
+        }
+        let (first, last) = (first.clone(), last.clone());
+        let lenses = cameras.iter().map(|(_, camera)| camera.lens).collect();
+        let mut lengths = vec![0.0];
+        let mut before = 0.0;
+        for &leg in &legs {
+            lengths.extend((1..=PIECES).map(|piece| before + leg * piece as f64 / PIECES as f64));
+            before += leg;
+        }
+        Ok(Self { first, last, keys, lenses, tangents, legs, lengths })
+    }
+
     /// The camera after this share of the way, from 0 to 1; at the ends those of the flight, to the bit. All
-    /// have the lens of the first.
+    /// have the lens of the first, with apertures and distances in focus that change evenly from one thin lens to the next.
     pub fn at(&self, share: f64) -> Camera {
         if share.is_nan() || share <= 0.0 {
             return self.first.clone();
         }
         if share >= 1.0 {
-            return self.last.clone().with_lens(self.first.lens);
+            return self.last.clone().with_lens(self.lens(self.legs.len() as f64));
         }
         let length = share * self.lengths[self.lengths.len() - 1];
         let piece = self.lengths.partition_point(|&end| end <= length).clamp(1, self.lengths.len() - 1);
@@ -163,7 +198,22 @@ impl Flight {
             let values = self.keys.iter().map(|key| key.0[index]);
             values.fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), value| (least.min(value), most.max(value)))
         };
-        self.pose(((piece - 1) as f64 + within) / PIECES as f64).camera(range(11), range(10)).with_lens(self.first.lens)
+        let place = ((piece - 1) as f64 + within) / PIECES as f64;
+        self.pose(place).camera(range(11), range(10)).with_lens(self.lens(place))
+    }
+
+    /// The lens at a place, as [`Self::pose`] counts.
+    fn lens(&self, place: f64) -> Lens {
+        let leg = (place as usize).min(self.legs.len() - 1);
+        let mix = |from: f32, to: f32| (f64::from(from) + f64::from(to - from) * (place - leg as f64)) as f32;
+        match (self.first.lens, self.lenses[leg], self.lenses[leg + 1]) {
+            (
+                Lens::Thin { blades, blade_rotation, .. },
+                Lens::Thin { aperture: from, focus: near, .. },
+                Lens::Thin { aperture: to, focus: far, .. },
+            ) => Lens::Thin { aperture: mix(from, to), focus: mix(near, far), blades, blade_rotation },
+            (first, ..) => first,
+        }
     }
 
     /// The camera of frame `frame` of `frames`, counted from 1: the first is the flight's first camera, the last its last.
@@ -277,6 +327,35 @@ mod tests {
             assert!((camera.target - camera.eye).normalize().cross(camera.up).length() > 0.0 || frame == 300);
         }
         assert!((20.5..44.5).contains(&flight.frame(20, 300).fov_y), "{}", flight.frame(20, 300).fov_y);
+    }
+
+    #[test]
+    fn a_flight_with_times_is_at_its_cameras_then_and_stays_where_two_are_the_same() {
+        let cameras = around();
+        let keys: Vec<(f64, Camera)> = [0.0, 1.0, 3.0, 3.5].into_iter().zip(cameras.iter().cloned()).collect();
+        let flight = Flight::timed(&keys).unwrap();
+        for (time, camera) in &keys {
+            assert!(flight.at(time / 3.5).eye.abs_diff_eq(camera.eye, 1e-3), "{time}");
+        }
+        assert!(!flight.at(2.0 / 3.5).eye.abs_diff_eq(cameras[1].eye, 1.0), "the comparison sees another place");
+        let stays = [(0.0, &cameras[0]), (1.0, &cameras[1]), (2.0, &cameras[1]), (3.0, &cameras[2])];
+        let flight = Flight::timed(&stays.map(|(time, camera)| (time, camera.clone()))).unwrap();
+        assert!(
+            (0..=10).all(|step| flight.at((1.0 + f64::from(step) / 10.0) / 3.0).eye.abs_diff_eq(cameras[1].eye, 1e-4))
+        );
+        assert!(Flight::timed(&keys[..1]).is_err() && Flight::timed(&[keys[1].clone(), keys[0].clone()]).is_err());
+    }
+
+    #[test]
+    fn what_is_in_focus_changes_evenly_from_one_thin_lens_to_the_next() {
+        let thin = |aperture, focus| Lens::Thin { aperture, focus, blades: 6, blade_rotation: 0.0 };
+        let mut cameras = around();
+        cameras.truncate(2);
+        cameras[0].lens = thin(1.0, 10.0);
+        cameras[1].lens = thin(3.0, 50.0);
+        let keys = [(0.0, cameras[0].clone()), (2.0, cameras[1].clone())];
+        let flight = Flight::timed(&keys).unwrap();
+        assert_eq!((flight.at(0.5).lens, flight.at(1.0).lens), (thin(2.0, 30.0), thin(3.0, 50.0)));
     }
 
     #[test]

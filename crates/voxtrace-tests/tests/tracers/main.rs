@@ -18,6 +18,7 @@ mod materials;
 mod merged;
 mod merged_pictures;
 mod mirrors;
+mod motion_blur;
 mod normals;
 mod pages;
 mod physics;

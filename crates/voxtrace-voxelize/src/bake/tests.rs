@@ -175,7 +175,7 @@ fn what_does_not_fit_is_refused_and_nothing_is_changed() {
 fn what_moves_stands_still_as_in_its_first_frame() {
     use voxtrace_scene::scene::Keyframe;
     let mut scene = Scene::from_grid("moving", block(IVec3::splat(4)), materials());
-    let key = |frame, world_from_grid| Keyframe { frame, grid: 0, world_from_grid };
+    let key = |frame, world_from_grid| Keyframe::still(frame, 0, world_from_grid);
     scene.instances[0].keyframes = vec![key(0, Transform::IDENTITY), key(9, turned(20.0, Vec3::Z))];
     let before = world_voxels(&scene);
     assert_eq!(bake(&mut scene, &Limits::default()), Ok(Baked { instances: 1, stilled: 1 }));

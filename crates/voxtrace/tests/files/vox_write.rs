@@ -132,8 +132,7 @@ fn an_animation_between_a_large_and_a_small_grid_shows_each_in_its_frame() {
     before.add_instance(small_grid(1), Transform::IDENTITY);
     before.materials.resize(5, Material::default());
     before.instances.truncate(1);
-    let key =
-        |frame, grid| Keyframe { frame, grid, world_from_grid: Transform::from_translation(Vec3::splat(frame as f32)) };
+    let key = |frame, grid| Keyframe::still(frame, grid, Transform::from_translation(Vec3::splat(frame as f32)));
     before.instances[0].keyframes = vec![key(0, 0), key(1, 1)];
     let after = again(&before);
     for (frame, key) in before.instances[0].keyframes.iter().enumerate() {

@@ -1,10 +1,12 @@
 //! Pictures without noise: `--denoise`, by our filter or by Open Image Denoise where it is installed.
 
 use crate::failure::Failure;
+use crate::session::trace_failure;
 use voxtrace::PackedScene;
 use voxtrace::denoise::{Features, denoise};
 use voxtrace::film::Pixel;
 use voxtrace::glam::Vec3;
+use voxtrace::motion::{Moment, Shot};
 use voxtrace::output::{Denoised, FilmFile};
 use voxtrace_oidn::{Oidn, OidnError, VARIABLE};
 
@@ -40,9 +42,18 @@ impl Filter {
         }
     }
 
-    /// The picture of a film without its noise.
-    pub fn apply(&self, scene: &PackedScene, file: &FilmFile) -> Result<Denoised, Failure> {
-        let features = Features::of(scene, &file.frame, &file.film);
+    /// The picture of a film without its noise; the samples of a shot that is exposed show a moment each.
+    pub fn apply(&self, scene: &PackedScene, file: &FilmFile, shot: Option<&Shot>) -> Result<Denoised, Failure> {
+        let features = match shot.filter(|shot| shot.exposure > 0.0) {
+            Some(shot) => Features::of_moments(&file.frame, &file.film, |sample| {
+                let Moment { camera, placement } = (shot.moments)(shot.time_of(file.frame.seed, sample))?;
+                let scene =
+                    placement.map_or_else(|| Ok(scene.clone()), |placement| scene.with_placement(&placement))?;
+                Ok((scene, camera))
+            })
+            .map_err(trace_failure)?,
+            None => Features::of(scene, &file.frame, &file.film),
+        };
         match self {
             Self::Voxtrace => Ok(Denoised { radiance: denoise(&file.film, &features), filter: "voxtrace" }),
             Self::Oidn(oidn) => {

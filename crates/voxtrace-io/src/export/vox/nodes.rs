@@ -54,12 +54,12 @@ impl Writer<'_> {
         instance: &Instance,
         shapes: &mut Vec<(TransformNode<'static>, ShapeNode<'static>)>,
     ) -> Result<(), ExportError> {
-        let still = [Keyframe { frame: 0, grid: instance.grid, world_from_grid: instance.world_from_grid }];
+        let still = [Keyframe::still(0, instance.grid, instance.world_from_grid)];
         let keys = if instance.keyframes.is_empty() { &still[..] } else { &instance.keyframes };
         let most_pieces = keys.iter().map(|key| self.pieces[key.grid].len()).max().unwrap_or(0);
         for piece in 0..most_pieces {
             let (mut frames, mut models) = (Vec::new(), Vec::new());
-            for key in keys {
+            for (index_of_key, key) in keys.iter().enumerate() {
                 // Where this frame's grid has fewer pieces than another's, the last one is shown twice.
                 let piece = piece.min(self.pieces[key.grid].len() - 1);
                 let mut attributes = Dict::default();
@@ -67,22 +67,39 @@ impl Writer<'_> {
                     attributes.push("_f", key.frame.to_string());
                 }
                 models.push((self.model(key.grid, piece)?, attributes.clone()));
-                let placed = place(&mut attributes, &key.world_from_grid, &self.pieces[key.grid][piece]);
-                let name = || instance.name.clone();
-                placed.map_err(|reason| ExportError::Placement {
-                    format: FORMAT,
-                    instance: index,
-                    name: name(),
-                    reason,
-                })?;
+                let refused = |reason| {
+                    let name = instance.name.clone();
+                    ExportError::Placement { format: FORMAT, instance: index, name, reason }
+                };
+                let shown = &self.pieces[key.grid][piece];
+                place(&mut attributes, &key.world_from_grid, shown).map_err(refused)?;
                 frames.push(attributes);
+                let Some(next) = keys.get(index_of_key + 1).filter(|next| next.frame > key.frame + 1) else { continue };
+                // Readers move a node evenly to its next key frame: where it goes elsewhere until then, one more says so.
+                let next_piece = &self.pieces[next.grid][piece.min(self.pieces[next.grid].len() - 1)];
+                let goes_on = place_of(&key.end, shown).map_err(refused)?.1
+                    == place_of(&next.world_from_grid, next_piece).map_err(refused)?.1;
+                if !goes_on {
+                    let share = (next.frame - 1 - key.frame) as f32 / (next.frame - key.frame) as f32;
+                    let translation = key.world_from_grid.translation.lerp(key.end.translation, share).round();
+                    let mut attributes = Dict::default();
+                    attributes.push("_f", (next.frame - 1).to_string());
+                    models.push((self.model(key.grid, piece)?, attributes.clone()));
+                    place(&mut attributes, &Transform { translation, ..key.world_from_grid }, shown)
+                        .map_err(refused)?;
+                    frames.push(attributes);
+                }
             }
             let attributes = attributes_of(instance);
             // Where there are no layers, everything is in MagicaVoxel's first one.
             let no_layer = if self.scene.layers.is_empty() { 0 } else { -1 };
             let layer = instance.layer.and_then(|layer| i32::try_from(layer).ok()).unwrap_or(no_layer);
             let transform = TransformNode { id: 0, attributes, child: 0, reserved: -1, layer, frames };
-            shapes.push((transform, ShapeNode { id: 0, attributes: Dict::default(), models }));
+            let mut attributes = Dict::default();
+            if loops(instance) {
+                attributes.push("_loop", "1");
+            }
+            shapes.push((transform, ShapeNode { id: 0, attributes, models }));
         }
         Ok(())
     }
@@ -101,11 +118,31 @@ fn attributes_of(instance: &Instance) -> Dict<'static> {
     if instance.hidden {
         attributes.push("_hidden", "1");
     }
+    if loops(instance) {
+        attributes.push("_loop", "1");
+    }
     attributes
 }
 
-/// Says where a piece stands: its voxel ⌊size / 2⌋ has its lower corner at the translation before it is turned.
+/// Whether all of an instance's key frames come again: what begins with frames that do not is written once.
+fn loops(instance: &Instance) -> bool {
+    let keys = &instance.keyframes;
+    let all = keys.first().zip(keys.last()).map(|(first, last)| first.frame..last.frame.saturating_add(1));
+    all.is_some() && instance.repeats == all
+}
+
+/// Says where a piece stands.
 fn place(attributes: &mut Dict, world_from_grid: &Transform, piece: &Piece) -> Result<(), &'static str> {
+    let (rotation, [x, y, z]) = place_of(world_from_grid, piece)?;
+    if rotation != Rotation::IDENTITY {
+        attributes.push("_r", rotation.to_byte().to_string());
+    }
+    attributes.push("_t", format!("{x} {y} {z}"));
+    Ok(())
+}
+
+/// Rotation and translation of a piece: its voxel ⌊size / 2⌋ has its lower corner at the translation before it is turned.
+fn place_of(world_from_grid: &Transform, piece: &Piece) -> Result<(Rotation, [i64; 3]), &'static str> {
     let rotation =
         Rotation::from_matrix(&world_from_grid.linear).ok_or("has only quarter turns and mirrors, at scale 1")?;
     let corner = world_from_grid.translation.to_array();
@@ -114,10 +151,5 @@ fn place(attributes: &mut Dict, world_from_grid: &Transform, piece: &Piece) -> R
     }
     let pivot = [0, 1, 2].map(|axis| i64::from(piece.offset[axis]) + i64::from(piece.size[axis] / 2));
     let turned = rotation.apply(pivot);
-    let [x, y, z] = [0, 1, 2].map(|axis| corner[axis] as i64 + turned[axis]);
-    if rotation != Rotation::IDENTITY {
-        attributes.push("_r", rotation.to_byte().to_string());
-    }
-    attributes.push("_t", format!("{x} {y} {z}"));
-    Ok(())
+    Ok((rotation, [0, 1, 2].map(|axis| corner[axis] as i64 + turned[axis])))
 }

@@ -3,14 +3,15 @@
 //!
 //! A transform node maps p to R·p + t; a shape node puts its model so that the corner of voxel ⌊size / 2⌋ lies at the
 //! origin. (The format text says that translations add up; MagicaVoxel, like every other reader, rotates a child's
-//! translation by its parent.) A value holds from its key frame to the next.
+//! translation by its parent.) `timeline` says what happens between key frames.
 
 use super::{
     attributes::Attributes,
     document::{Body, Chunk, GroupNode, ShapeNode, TransformNode},
     rotation::Rotation,
+    timeline::{Event, Placement, Timeline, Track, Way},
 };
-use glam::Vec3;
+use glam::DVec3;
 use rustc_hash::FxHashMap;
 use std::{path::Path, rc::Rc};
 use voxtrace_scene::scene::{Group, Instance, Keyframe};
@@ -22,59 +23,9 @@ pub const MAX_TRANSLATION: i64 = 1 << 23;
 /// Deepest nesting whatever the limits say: the walk down uses the stack.
 const MAX_DEPTH: u32 = 256;
 
-/// A rotation and a translation in whole voxels.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Placement {
-    rotation: Rotation,
-    translation: [i64; 3],
-}
-
-impl Placement {
-    fn after(&self, first: &Self) -> Self {
-        let turned = self.rotation.apply(first.translation);
-        let translation = [0, 1, 2].map(|axis| self.translation[axis].saturating_add(turned[axis]));
-        Self { rotation: self.rotation.after(first.rotation), translation }
-    }
-}
-
-/// A value over time: key frames by rising frame number, at least one. One key frame alone holds for all time.
-#[derive(Clone, Debug)]
-struct Track<T>(Vec<(u32, T)>);
-
-impl<T: Copy> Track<T> {
-    /// From key frames in the order of the file; of two with the same number the later one holds. `None` without any.
-    fn new(mut keys: Vec<(u32, T)>) -> Option<Self> {
-        keys.sort_by_key(|&(frame, _)| frame);
-        keys.reverse();
-        keys.dedup_by_key(|&mut (frame, _)| frame);
-        keys.reverse();
-        (!keys.is_empty()).then_some(Self(keys))
-    }
-
-    fn at(&self, frame: u32) -> T {
-        let after = self.0.partition_point(|&(key, _)| key <= frame);
-        self.0[after.saturating_sub(1)].1
-    }
-
-    fn moving_frames(&self) -> impl Iterator<Item = u32> + '_ {
-        self.0.iter().map(|&(frame, _)| frame).filter(|_| self.0.len() > 1)
-    }
-
-    /// The two tracks joined by `join` at every key frame of either.
-    fn with<U: Copy, V>(&self, other: &Track<U>, join: impl Fn(T, U) -> V) -> Track<V> {
-        let mut frames: Vec<u32> = self.moving_frames().chain(other.moving_frames()).collect();
-        frames.sort_unstable();
-        frames.dedup();
-        if frames.is_empty() {
-            frames.push(0);
-        }
-        Track(frames.into_iter().map(|frame| (frame, join(self.at(frame), other.at(frame)))).collect())
-    }
-}
-
 /// What the way down to a node says about everything below it.
 struct Inherited {
-    placement: Rc<Track<Placement>>,
+    way: Rc<Way>,
     name: String,
     layer: Option<usize>,
     group: Option<usize>,
@@ -131,9 +82,8 @@ impl<'f> Walk<'f> {
         let offset = nodes[&root].offset;
         let (instances, groups) = (Vec::new(), Vec::new());
         let mut walk = Self { graph, nodes, ancestors: Vec::new(), items: 0, instances, groups };
-        let still = Placement { rotation: Rotation::IDENTITY, translation: [0; 3] };
-        let placement = Rc::new(Track(vec![(0, still)]));
-        let nothing = Inherited { placement, name: String::new(), layer: None, group: None, hidden: false };
+        let way = Rc::new(Way::default());
+        let nothing = Inherited { way, name: String::new(), layer: None, group: None, hidden: false };
         walk.node(root, offset, &nothing)?;
         Ok(Some((walk.instances, walk.groups)))
     }
@@ -182,10 +132,12 @@ impl<'f> Walk<'f> {
 
     fn transform(&mut self, node: &TransformNode, offset: u64, above: &Inherited) -> Result<(), ImportError> {
         let keys = node.frames.iter().map(|frame| self.key(frame, offset)).collect::<Result<Vec<_>, _>>()?;
-        let own = Track::new(keys).ok_or_else(|| self.malformed(offset, "a transform node without a frame"))?;
-        let placement = above.placement.with(&own, |parent, own| parent.after(&own));
-        self.spend(placement.0.len() - 1, offset)?;
         let attributes = Attributes { dict: &node.attributes, path: self.graph.path, offset };
+        let own = Track::new(keys, attributes.flag("_loop"));
+        let own = own.ok_or_else(|| self.malformed(offset, "a transform node without a frame"))?;
+        self.spend(own.len() - 1, offset)?;
+        let way = Rc::new(above.way.with(own));
+        self.spend(way.moving(), offset)?;
         let own_layer = self.graph.layer_indices.get(&node.layer).copied();
         // What stands in a hidden group's layer stays hidden when it has a layer of its own.
         let group_hidden = own_layer.is_some() && above.layer.is_some_and(|layer| self.graph.layer_hidden[layer]);
@@ -193,7 +145,7 @@ impl<'f> Walk<'f> {
         // A graph may show one long name many times over.
         self.spend(name.len() / 64, offset)?;
         let below = Inherited {
-            placement: Rc::new(placement),
+            way,
             name,
             layer: own_layer.or(above.layer),
             group: above.group,
@@ -212,13 +164,13 @@ impl<'f> Walk<'f> {
             }
             None => Rotation::IDENTITY,
         };
-        let translation = attributes.numbers::<i32, 3>("_t")?.unwrap_or_default().map(i64::from);
+        let translation = DVec3::from_array(attributes.numbers::<i32, 3>("_t")?.unwrap_or_default().map(f64::from));
         Ok((attributes.integer("_f")?.unwrap_or(0), Placement { rotation, translation }))
     }
 
     fn group(&mut self, node: &GroupNode, offset: u64, above: &Inherited) -> Result<(), ImportError> {
         let hidden = above.hidden || self.attributes(&node.attributes, offset).flag("_hidden");
-        let placement = Rc::clone(&above.placement);
+        let way = Rc::clone(&above.way);
         // The root of the graph holds everything: it is no group that somebody made.
         let group = match self.ancestors.len() {
             0..=2 => None,
@@ -227,7 +179,7 @@ impl<'f> Walk<'f> {
                 Some(self.groups.len() - 1)
             }
         };
-        let below = Inherited { placement, name: String::new(), layer: above.layer, group, hidden };
+        let below = Inherited { way, name: String::new(), layer: above.layer, group, hidden };
         node.children.iter().try_for_each(|&child| self.node(child, offset, &below))
     }
 
@@ -240,30 +192,35 @@ impl<'f> Walk<'f> {
             })?;
             keys.push((self.attributes(attributes, offset).integer("_f")?.unwrap_or(0), grid));
         }
-        let models = Track::new(keys).ok_or_else(|| self.malformed(offset, "a shape node without a model"))?;
-        let joined = above.placement.with(&models, |placement, grid| (placement, grid));
-        self.spend(joined.0.len() - 1, offset)?;
-        let mut keyframes = Vec::with_capacity(joined.0.len());
-        for (frame, (placement, grid)) in joined.0 {
-            let world_from_grid = self.world_from_grid(&placement, grid, offset)?;
-            keyframes.push(Keyframe { frame, grid, world_from_grid });
+        let attributes = Attributes { dict: &node.attributes, path: self.graph.path, offset };
+        let models = Track::new(keys, attributes.flag("_loop"));
+        let models = models.ok_or_else(|| self.malformed(offset, "a shape node without a model"))?;
+        let timeline = Timeline::of(&above.way, &models);
+        self.spend(timeline.events() - 1, offset)?;
+        let mut keyframes = Vec::new();
+        for Event { frame, model, placement, end } in timeline.iter() {
+            let world_from_grid = self.world_from_grid(&placement, model, offset)?;
+            let end = self.world_from_grid(&end, model, offset)?;
+            keyframes.push(Keyframe { frame, grid: model, world_from_grid, end });
         }
         let mut instance = Instance::new(keyframes[0].grid, keyframes[0].world_from_grid);
         instance.name = above.name.clone();
         (instance.layer, instance.group) = (above.layer, above.group);
-        instance.hidden = above.hidden || self.attributes(&node.attributes, offset).flag("_hidden");
-        instance.keyframes = if keyframes.len() > 1 { keyframes } else { Vec::new() };
+        instance.hidden = above.hidden || attributes.flag("_hidden");
+        if keyframes.len() > 1 {
+            (instance.keyframes, instance.repeats) = (keyframes, timeline.repeats());
+        }
         self.instances.push(instance);
         Ok(())
     }
 
     fn world_from_grid(&self, placement: &Placement, grid: usize, offset: u64) -> Result<Transform, ImportError> {
-        let pivot = self.graph.sizes[grid].map(|edge| -i64::from(edge / 2));
+        let pivot = DVec3::from_array(self.graph.sizes[grid].map(|edge| -f64::from(edge / 2)));
         let corner = placement.after(&Placement { rotation: Rotation::IDENTITY, translation: pivot }).translation;
-        if corner.iter().any(|coordinate| coordinate.abs() > MAX_TRANSLATION) {
+        if corner.abs().max_element() > MAX_TRANSLATION as f64 {
+            let corner = corner.to_array();
             return Err(self.malformed(offset, format!("a model stands at {corner:?}, beyond ±{MAX_TRANSLATION}")));
         }
-        let translation = Vec3::from_array(corner.map(|coordinate| coordinate as f32));
-        Ok(Transform { linear: placement.rotation.to_matrix(), translation })
+        Ok(Transform { linear: placement.rotation.to_matrix(), translation: corner.as_vec3() })
     }
 }

@@ -18,6 +18,7 @@ pub(crate) mod rotation;
 mod scene;
 pub(super) mod slab6;
 mod surroundings;
+mod timeline;
 
 pub use document::{Body, Chunk, Dict, GroupNode, Numbered, OldMaterial, ShapeNode, Text, TransformNode, VoxFile};
 pub(crate) use graph::MAX_TRANSLATION;

@@ -2,6 +2,7 @@
 //! 2–3 name the column of the entry ±1 in the first and second row of the matrix, bits 4–6 the signs of the three rows.
 
 use glam::Mat3;
+use std::ops::Neg;
 
 /// A signed permutation matrix.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -58,7 +59,7 @@ impl Rotation {
     }
 
     /// Image of a vector.
-    pub fn apply(self, vector: [i64; 3]) -> [i64; 3] {
+    pub fn apply<N: Copy + Neg<Output = N>>(self, vector: [N; 3]) -> [N; 3] {
         [0, 1, 2].map(|row| if self.negative[row] { -vector[self.column[row]] } else { vector[self.column[row]] })
     }
 

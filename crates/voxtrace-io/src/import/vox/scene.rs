@@ -176,13 +176,12 @@ fn without_graph(sizes: &[[u32; 3]], packed: bool) -> Vec<Instance> {
     let mut instances: Vec<Instance> =
         (0..sizes.len()).map(placed).map(|(grid, transform)| Instance::new(grid, transform)).collect();
     if packed && instances.len() > 1 {
-        let keyframe = |(frame, instance): (usize, &Instance)| Keyframe {
-            frame: frame as u32,
-            grid: instance.grid,
-            world_from_grid: instance.world_from_grid,
+        let keyframe = |(frame, instance): (usize, &Instance)| {
+            Keyframe::still(frame as u32, instance.grid, instance.world_from_grid)
         };
-        let keyframes = instances.iter().enumerate().map(keyframe).collect();
+        let keyframes: Vec<Keyframe> = instances.iter().enumerate().map(keyframe).collect();
         instances.truncate(1);
+        instances[0].repeats = Some(0..keyframes.len() as u32);
         instances[0].keyframes = keyframes;
     }
     instances

@@ -53,9 +53,18 @@ pub fn scene() -> Scene {
     scene.instances[1].hidden = true;
     let key = |frame, grid, x: f32| {
         let world_from_grid = Transform { linear: turned, translation: Vec3::new(x, 1.0, 0.0) };
-        Keyframe { frame, grid, world_from_grid }
+        Keyframe::still(frame, grid, world_from_grid)
     };
-    let keyframes = vec![key(0, 1, 4.0), key(7, 0, 8.0), key(8, 1, 9.0)];
+    let mut keyframes = vec![key(0, 1, 4.0), key(7, 0, 8.0), key(8, 1, 9.0)];
+    // The file moves the middles of models, evenly from one key frame to the next.
+    let middle = |grid: usize| {
+        let bounds = scene.grids[grid].bounds().unwrap();
+        turned * (bounds.min + (bounds.max - bounds.min) / 2).as_vec3()
+    };
+    for index in 0..2 {
+        let (shown, next) = (keyframes[index].grid, keyframes[index + 1].clone());
+        keyframes[index].end.translation = next.world_from_grid.translation + middle(next.grid) - middle(shown);
+    }
     scene.instances.push(Instance { keyframes, ..Instance::new(1, key(0, 1, 4.0).world_from_grid) });
     scene.cameras = vec![
         Camera { name: "front".into(), fov_y: 60.0, ..Camera::look_at(Vec3::new(10.5, -40.0, 22.25), Vec3::ZERO) },

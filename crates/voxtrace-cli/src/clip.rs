@@ -1,0 +1,255 @@
+//! Clips of frames that were rendered: which encoder makes them, and where frames are kept until they are whole.
+
+use crate::animation::Stage;
+use crate::failure::Failure;
+use crate::interrupt;
+use crate::outputs;
+use crate::picture::path_of_view;
+use crate::report::Report;
+use std::io::{self, Write};
+use std::ops::RangeInclusive;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use voxtrace::output::clip::{ClipFormat, ClipOptions, read_png};
+use voxtrace_bench::quantity::counted;
+
+/// What the folder of frames says about how they were made.
+const SETTINGS: &str = "settings.txt";
+
+/// Options about clips.
+#[derive(clap::Args, Clone, Debug)]
+#[command(next_help_heading = "Clip")]
+pub struct ClipArgs {
+    /// What encodes .mp4 [default: ffmpeg where it is on the path, else builtin]
+    #[arg(long, value_name = "NAME")]
+    encoder: Option<EncoderArg>,
+    /// Quality of .mp4, from 0 to 100
+    #[arg(long, value_name = "N", default_value = "80", value_parser = clap::value_parser!(u8).range(0..=100))]
+    clip_quality: u8,
+    /// Keep the frames of a clip, in the folder CLIP.frames beside it
+    #[arg(long)]
+    keep_frames: bool,
+}
+
+/// What encodes MP4.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+enum EncoderArg {
+    /// H.264 by ffmpeg, which must be installed
+    Ffmpeg,
+    /// AV1 by the encoder within
+    Builtin,
+}
+
+/// Clips that are made of the same frames.
+pub struct Clip {
+    clips: Vec<PathBuf>,
+    /// Names of the frames.
+    pattern: PathBuf,
+    /// Where frames are that nobody asked for.
+    folder: Option<PathBuf>,
+    /// Frames and their rate, once they are known.
+    known: Option<(RangeInclusive<u32>, f64)>,
+}
+
+impl ClipArgs {
+    /// Refuses what cannot be encoded, before the long work starts.
+    pub fn check(&self, clips: &[PathBuf]) -> Result<(), Failure> {
+        if clips.iter().any(|clip| ClipFormat::of(clip) == Some(ClipFormat::Mp4)) {
+            self.encoder()?;
+        }
+        Ok(())
+    }
+
+    fn encoder(&self) -> Result<EncoderArg, Failure> {
+        let has_ffmpeg = || {
+            Command::new("ffmpeg")
+                .arg("-version")
+                .stdout(Stdio::null())
+                .stderr(Stdio::null())
+                .status()
+                .is_ok_and(|status| status.success())
+        };
+        match self.encoder {
+            Some(EncoderArg::Ffmpeg) if !has_ffmpeg() => {
+                Err(Failure::usage("there is no ffmpeg on the path").hint("--encoder builtin needs none"))
+            }
+            Some(encoder) => Ok(encoder),
+            None if has_ffmpeg() => Ok(EncoderArg::Ffmpeg),
+            None if cfg!(feature = "mp4") => Ok(EncoderArg::Builtin),
+            None => Err(Failure::usage(
+                "this program was built without its encoder of MP4, and there is no ffmpeg on the path",
+            )
+            .hint("-o clip.gif or clip.png need neither")),
+        }
+    }
+}
+
+impl Clip {
+    /// Whether an output is a clip and not a frame.
+    pub fn is_clip(path: &Path) -> bool {
+        let counts = path.file_name().is_some_and(|name| name.to_string_lossy().contains('#'));
+        !counts && ClipFormat::of(path).is_some()
+    }
+
+    /// The clips of frames with these names, of which PNG are taken where there are any.
+    pub fn new(clips: Vec<PathBuf>, frames: &[PathBuf]) -> Self {
+        let png =
+            frames.iter().find(|path| path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("png")));
+        let folder = clips.first().filter(|_| png.is_none()).map(|clip| {
+            let mut name = clip.file_name().unwrap_or_default().to_owned();
+            name.push(".frames");
+            clip.with_file_name(name)
+        });
+        let own = folder.as_ref().map(|folder| folder.join("####.png"));
+        let pattern = own.or_else(|| png.cloned()).unwrap_or_default();
+        Self { clips, pattern, folder, known: None }
+    }
+
+    /// Where frames are kept that nobody asked for.
+    pub fn folder(&self) -> Option<&Path> {
+        self.folder.as_deref()
+    }
+
+    /// Names of the frames.
+    pub fn pattern(&self) -> &Path {
+        &self.pattern
+    }
+
+    /// Makes the folder of frames; those in it that were made with other settings, or of another scene file, are removed.
+    pub fn make_folder(&self, settings: &str, scene: &Path, report: &Report) -> Result<(), Failure> {
+        let Some(folder) = &self.folder else { return Ok(()) };
+        let failed = |error: io::Error| Failure::output(folder, &error);
+        std::fs::create_dir_all(folder).map_err(failed)?;
+        let file = scene.metadata().ok().map(|metadata| (metadata.len(), metadata.modified().ok()));
+        let settings = format!("voxtrace {}\n{settings}\n{file:?}\n", env!("CARGO_PKG_VERSION"));
+        let path = folder.join(SETTINGS);
+        let frames = self.frames_there().map_err(failed)?;
+        let is_same = std::fs::read_to_string(&path).is_ok_and(|there| there == settings);
+        if !frames.is_empty() {
+            let what = counted(frames.len() as u64, "frame");
+            match is_same {
+                true => report.remark(&format!("{what} of an earlier run in {}", folder.display())),
+                false => report.remark(&format!("{what} of other settings in {} are made anew", folder.display())),
+            }
+        }
+        if !is_same {
+            frames.iter().try_for_each(std::fs::remove_file).map_err(failed)?;
+            std::fs::write(&path, settings).map_err(|error| Failure::output(&path, &error))?;
+        }
+        Ok(())
+    }
+
+    /// The frames in the folder: pictures of ours with a number as their name.
+    fn frames_there(&self) -> io::Result<Vec<PathBuf>> {
+        let Some(folder) = &self.folder else { return Ok(Vec::new()) };
+        let mut frames = Vec::new();
+        for entry in std::fs::read_dir(folder)? {
+            let path = entry?.path();
+            let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+            let stem = name.strip_suffix(".png").map(|stem| stem.strip_suffix(".part").unwrap_or(stem));
+            if stem.is_some_and(|stem| stem.bytes().all(|byte| byte.is_ascii_digit())) && outputs::is_ours(&path) {
+                frames.push(path);
+            }
+        }
+        Ok(frames)
+    }
+
+    /// Learns which frames there are.
+    pub fn learn(&mut self, stage: &Stage) {
+        self.known = Some((stage.frames.clone(), stage.fps()));
+    }
+
+    /// Makes the clips, and removes frames that nobody asked for.
+    pub fn encode(self, args: &ClipArgs, report: &mut Report) -> Result<(), Failure> {
+        let Some((frames, fps)) = self.known.clone().filter(|_| !self.clips.is_empty()) else { return Ok(()) };
+        let path = |frame: u32| path_of_view(&self.pattern, None, Some(frame));
+        let first = path(*frames.start());
+        let cannot = |path: &Path, error: &io::Error| {
+            Failure::input(format!("cannot read the frame {}: {error}", path.display()))
+        };
+        let (width, height, pixels) = read_png(&first).map_err(|error| cannot(&first, &error))?;
+        let alpha = pixels.iter().any(|pixel| pixel[3] < 255);
+        let count = frames.end() - frames.start() + 1;
+        let options = ClipOptions { width, height, frames: count, fps, quality: args.clip_quality, alpha };
+        for clip in &self.clips {
+            let format = ClipFormat::of(clip)
+                .ok_or_else(|| Failure::usage(format!("{}: unknown kind of clip", clip.display())))?;
+            let passes = if format == ClipFormat::Gif { 2 } else { 1 };
+            report.begin_work(&clip.display().to_string(), u64::from(count) * passes);
+            let mut done = 0;
+            let mut read = |frame: u32| {
+                if interrupt::is_requested() {
+                    return Err(io::ErrorKind::Interrupted.into());
+                }
+                let (_, _, pixels) = read_png(&path(frames.start() + frame))?;
+                done += 1;
+                report.update(done, None);
+                Ok(pixels)
+            };
+            let written = match format {
+                ClipFormat::Mp4 if args.encoder()? == EncoderArg::Ffmpeg => by_ffmpeg(clip, &options, &mut read),
+                _ => outputs::write(clip, |out| format.encode(out, &options, &mut read)),
+            };
+            report.end();
+            if interrupt::is_requested() && written.is_err() {
+                return Err(interrupt::failure());
+            }
+            written?;
+            report.wrote(clip);
+        }
+        if let Some(folder) = self.folder.as_ref().filter(|_| !args.keep_frames) {
+            // What is left behind costs nothing but room.
+            let _ = self.frames_there().map(|frames| frames.iter().for_each(|frame| _ = std::fs::remove_file(frame)));
+            let _ = std::fs::remove_file(folder.join(SETTINGS));
+            let _ = std::fs::remove_dir(folder);
+        }
+        Ok(())
+    }
+}
+
+/// H.264 by ffmpeg, into a file beside the clip that takes its place when it is whole.
+fn by_ffmpeg(
+    clip: &Path,
+    options: &ClipOptions,
+    frames: &mut dyn FnMut(u32) -> io::Result<Vec<[u8; 4]>>,
+) -> Result<(), Failure> {
+    outputs::refuse_inputs(clip)?;
+    let part = outputs::part_path(clip);
+    let failed = |error: io::Error| Failure::output(clip, &error);
+    let ClipOptions { width, height, fps, quality, .. } = *options;
+    let crf = (f64::from(100 - quality.min(100)) * 0.8).round().min(51.0);
+    let mut child = Command::new("ffmpeg")
+        .args(["-hide_banner", "-loglevel", "error", "-y", "-f", "rawvideo", "-pix_fmt", "rgb24"])
+        .args(["-s", &format!("{width}x{height}"), "-r", &fps.to_string(), "-i", "-"])
+        // Sizes are made even first: what follows rounds those of the colours.
+        .args(["-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2,scale=out_color_matrix=bt709:out_range=tv,format=yuv420p"])
+        .args(["-c:v", "libx264", "-crf", &crf.to_string(), "-pix_fmt", "yuv420p", "-movflags", "+faststart"])
+        .args(["-colorspace", "bt709", "-color_primaries", "bt709", "-color_trc", "bt709", "-f", "mp4"])
+        .arg(&part)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::null())
+        .stderr(Stdio::piped())
+        .spawn()
+        .map_err(failed)?;
+    let mut input = child.stdin.take();
+    let mut send = || -> io::Result<()> {
+        let Some(input) = &mut input else { return Ok(()) };
+        for frame in 0..options.frames {
+            let bytes: Vec<u8> =
+                frames(frame)?.into_iter().flat_map(|[red, green, blue, _]| [red, green, blue]).collect();
+            input.write_all(&bytes)?;
+        }
+        Ok(())
+    };
+    let sent = send();
+    drop(input);
+    let output = child.wait_with_output().map_err(failed)?;
+    if sent.is_err() || !output.status.success() {
+        let _ = std::fs::remove_file(&part);
+        let said = String::from_utf8_lossy(&output.stderr);
+        let line = said.lines().last().unwrap_or("it ended early").trim().to_owned();
+        return Err(Failure::other(format!("ffmpeg made no {}: {line}", clip.display()))
+            .hint("--encoder builtin needs no ffmpeg"));
+    }
+    std::fs::rename(&part, clip).map_err(failed)
+}

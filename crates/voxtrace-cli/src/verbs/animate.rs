@@ -1,0 +1,69 @@
+//! `voxtrace animate`: from a scene that moves to frames and clips. Each frame is a picture as `render` makes it.
+
+use super::render::RenderArgs;
+use crate::animation::{Director, MotionArgs, Script, is_script};
+use crate::clip::{Clip, ClipArgs};
+use crate::failure::{Failure, Kind};
+use crate::outputs;
+use crate::report::Report;
+use std::path::{Path, PathBuf};
+
+/// Render the frames of an animation, as pictures or as a clip
+///
+/// SCENE is a scene or an animation in TOML (docs/animation.md), which names its scene. Outputs with #### are frames (.png, .exr, .vxf);
+/// others are clips: .mp4, .gif, .png (animated).
+#[derive(clap::Args, Clone, Debug)]
+pub struct AnimateArgs {
+    #[command(flatten)]
+    motion: MotionArgs,
+    #[command(flatten)]
+    clip: ClipArgs,
+    #[command(flatten)]
+    render: RenderArgs,
+}
+
+impl AnimateArgs {
+    /// Renders every frame, and makes clips of them.
+    pub fn run(mut self, report: &mut Report) -> Result<(), Failure> {
+        if self.render.picture.output.is_empty() {
+            return Err(
+                Failure::usage("animate needs an output").hint("-o shot_####.png, clip.mp4, clip.gif or clip.png")
+            );
+        }
+        let path = PathBuf::from(&self.render.scene.scene);
+        let script = is_script(&path).then(|| Script::open(&path)).transpose()?;
+        if let Some(script) = &script {
+            let scene = script.scene.clone();
+            self.render.scene.scene = scene.ok_or_else(|| {
+                Failure::input(format!("{}: `scene` is missing", path.display()))
+                    .hint("it names a file beside this one, or a built-in scene")
+            })?;
+        }
+        let frames_of = |path: &PathBuf| !Clip::is_clip(path);
+        let (mut frames, clips): (Vec<PathBuf>, Vec<PathBuf>) =
+            self.render.picture.output.drain(..).partition(frames_of);
+        self.clip.check(&clips)?;
+        clips.iter().try_for_each(|clip| outputs::check(clip))?;
+        let settings =
+            format!("{}\n{:?}\n{:?}", self.render.settings(), self.motion, script.as_ref().map(|script| &script.text));
+        let mut clip = Clip::new(clips, &frames);
+        if let Some(folder) = clip.folder() {
+            frames.push(clip.pattern().to_owned());
+            // Frames on their way to a clip are only made once.
+            self.render.files.skip_existing |= frames.len() == 1;
+            report.leave_unnamed(folder.to_owned());
+            clip.make_folder(&settings, Path::new(&self.render.scene.scene), report)?;
+        }
+        self.render.picture.output = frames;
+        let director = Director { script, args: self.motion.clone() };
+        let rendered = self.render.clone().run_directed(Some(&director), &mut |stage| clip.learn(stage), report);
+        rendered.map_err(|failure| match clip.folder() {
+            Some(folder) if failure.kind == Kind::Interrupted => {
+                let hint = format!("the same command goes on with the frames in {}", folder.display());
+                failure.hint(hint)
+            }
+            _ => failure,
+        })?;
+        clip.encode(&self.clip, report)
+    }
+}

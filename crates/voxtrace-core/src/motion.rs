@@ -1,0 +1,258 @@
+//! Motion blur, for every tracer: each sample of a frame has its own moment within the time that the shutter is open, the same for all pixels.
+//! A [`MovingTracer`] puts things, and the camera, where they are at that moment, lets the tracer within render this one sample, and adds it
+//! to the film. Sums of films are exact, so that the film is that of all samples, in whatever order and on whatever machines they were rendered
+//! (`docs/decisions/0145-motion-blur.md`).
+
+use crate::film::{Film, Pixel};
+use crate::frame::Frame;
+use crate::packed::{PackedScene, Placement};
+use crate::sampler::pcg4d;
+use crate::tracer::{Progress, TraceError, Tracer};
+use std::sync::Arc;
+use voxtrace_scene::camera::Camera;
+use voxtrace_scene::ray::{Hit, Ray};
+use xxhash_rust::xxh3::Xxh3;
+
+/// Keeps the hash of moments apart from those of pixels.
+const MOMENTS: u32 = 0x6d6f_7665;
+
+/// How things stand at one time.
+#[derive(Clone, Debug)]
+pub struct Moment {
+    /// The view.
+    pub camera: Camera,
+    /// Where things are; `None`: where they always are.
+    pub placement: Option<Placement>,
+}
+
+/// A scene over time: how it stands at a time, in seconds. Must give the same for the same time.
+pub type Moments = Arc<dyn Fn(f64) -> Result<Moment, TraceError> + Send + Sync>;
+
+/// What one frame of an animation shows.
+#[derive(Clone)]
+pub struct Shot {
+    /// When the shutter opens, seconds.
+    pub opens: f64,
+    /// How long it stays open, seconds; 0: everything stands still.
+    pub exposure: f64,
+    /// The scene over time.
+    pub moments: Moments,
+}
+
+impl Shot {
+    /// The moment in the middle of the exposure, whose camera and placement stand for the frame.
+    ///
+    /// # Errors
+    /// Those of the moments.
+    pub fn middle(&self) -> Result<Moment, TraceError> {
+        (self.moments)(self.opens + 0.5 * self.exposure)
+    }
+
+    /// Tells films of this shot from those of others: a hash of `content_hash`, that of the scene, and of how things stand when the shutter
+    /// opens, in the middle, and when it closes. Where nothing moves but the camera, which films keep, and nothing is exposed, it is
+    /// `content_hash` itself.
+    ///
+    /// # Errors
+    /// Those of the moments.
+    pub fn stamp(&self, content_hash: u64) -> Result<u64, TraceError> {
+        let mut hash = Xxh3::with_seed(content_hash);
+        let mut is_moving = self.exposure > 0.0;
+        for share in [0.0, 0.5, 1.0] {
+            let Moment { camera, placement } = (self.moments)(self.opens + share * self.exposure)?;
+            if self.exposure > 0.0 {
+                hash.update(bytemuck::bytes_of(&[camera.eye, camera.target, camera.up]));
+                hash.update(&camera.fov_y.to_le_bytes());
+            }
+            if let Some(placement) = placement {
+                is_moving = true;
+                hash.update(bytemuck::cast_slice(placement.instances()));
+            }
+        }
+        Ok(if is_moving { hash.digest() } else { content_hash })
+    }
+
+    /// The time of a sample of a frame with this seed, seconds.
+    pub fn time_of(&self, seed: u32, sample: u32) -> f64 {
+        self.opens + self.exposure * share_of_exposure(seed, sample)
+    }
+}
+
+/// The share of the exposure, in [0, 1), at which a sample is taken: van der Corput's sequence in base 2, turned by a hash of the seed. Of the
+/// first 2ᵏ samples, and of each 2ᵏ after them, one lies in each 2ᵏth part of the exposure. Depends on seed and number of the sample alone,
+/// not on how many there are.
+pub fn share_of_exposure(seed: u32, sample: u32) -> f64 {
+    let [turn, ..] = pcg4d([seed, MOMENTS, 0, 0]);
+    f64::from(sample.reverse_bits().wrapping_add(turn)) / 4_294_967_296.0
+}
+
+/// A tracer of scenes that move while the shutter is open. Without a shot it is the tracer within.
+pub struct MovingTracer {
+    tracer: Box<dyn Tracer + Send>,
+    shot: Option<Shot>,
+    /// The film of a shot that is exposed.
+    film: Option<(Frame, Film)>,
+    /// What the tracer within gave last.
+    part: Film,
+}
+
+impl MovingTracer {
+    /// A tracer that moves what `tracer` renders.
+    pub fn new(tracer: Box<dyn Tracer + Send>) -> Self {
+        let part = Film::new(0, 0, crate::region::Region::full(0, 0), 0);
+        Self { tracer, shot: None, film: None, part }
+    }
+
+    /// Takes the shot that later calls render, and forgets the film. Where nothing moves while it is exposed, things are put where they are
+    /// at once; else [`Tracer::cast`] meets them where they were last.
+    ///
+    /// # Errors
+    /// As [`Tracer::set_placement`]; those of the moments.
+    pub fn set_shot(&mut self, shot: Shot) -> Result<(), TraceError> {
+        if let Some(placement) = shot.middle()?.placement {
+            self.tracer.set_placement(&placement)?;
+        }
+        self.film = None;
+        self.shot = Some(shot);
+        Ok(())
+    }
+
+    /// The shot that was set last.
+    pub fn shot(&self) -> Option<&Shot> {
+        self.shot.as_ref()
+    }
+
+    /// The shot, where things move while it is exposed.
+    fn exposed(&self) -> Option<Shot> {
+        self.shot.clone().filter(|shot| shot.exposure > 0.0)
+    }
+
+    /// Adds one sample, the next that some pixels lack, to those pixels.
+    fn add_sample(
+        &mut self,
+        frame: &Frame,
+        shot: &Shot,
+        film: &mut Film,
+        progress: &Progress,
+    ) -> Result<(), TraceError> {
+        let (least, most) = film.sample_range();
+        let sample = frame.first_sample + least;
+        let moment = (shot.moments)(shot.time_of(frame.seed, sample))?;
+        if let Some(placement) = &moment.placement {
+            self.tracer.set_placement(placement)?;
+        }
+        let own = frame.clone().camera(moment.camera).first_sample(sample).samples(1).aovs(false);
+        if least != most {
+            // Tracers leave pixels alone that have their sample.
+            let is_ahead = |pixel: &Pixel| Pixel { samples: u32::from(pixel.samples > least), ..Pixel::default() };
+            let pixels = film.pixels.iter().map(is_ahead).collect();
+            let ahead = Film { pixels, ..Film::new(frame.width, frame.height, frame.region, sample) };
+            self.tracer.resume(&own, ahead)?;
+        }
+        self.tracer.render(&own, progress)?;
+        self.tracer.read(&mut self.part)?;
+        for (pixel, part) in film.pixels.iter_mut().zip(&self.part.pixels) {
+            if pixel.samples == least && part.samples == 1 {
+                pixel.merge(part);
+            }
+        }
+        Ok(())
+    }
+
+    /// Fills the film's AOVs: those of the middle of the exposure.
+    fn add_aovs(&mut self, frame: &Frame, shot: &Shot, film: &mut Film) -> Result<(), TraceError> {
+        let moment = shot.middle()?;
+        if let Some(placement) = &moment.placement {
+            self.tracer.set_placement(placement)?;
+        }
+        let own = frame.clone().camera(moment.camera).samples(1);
+        self.tracer.render(&own, &Progress::default())?;
+        self.tracer.read(&mut self.part)?;
+        film.aovs = self.part.aovs.take();
+        Ok(())
+    }
+}
+
+impl Tracer for MovingTracer {
+    fn set_scene(&mut self, scene: &Arc<PackedScene>) -> Result<(), TraceError> {
+        self.film = None;
+        self.tracer.set_scene(scene)
+    }
+
+    fn set_placement(&mut self, placement: &Placement) -> Result<(), TraceError> {
+        self.film = None;
+        self.tracer.set_placement(placement)
+    }
+
+    fn cast_into(&mut self, rays: &[Ray], hits: &mut [Hit]) -> Result<(), TraceError> {
+        self.tracer.cast_into(rays, hits)
+    }
+
+    fn render(&mut self, frame: &Frame, progress: &Progress) -> Result<(), TraceError> {
+        let Some(shot) = self.exposed() else { return self.tracer.render(frame, progress) };
+        frame.check()?;
+        let mut film = match self.film.take() {
+            Some((last, film)) if frame.continues(&last) => film,
+            _ => Film::new(frame.width, frame.height, frame.region, frame.first_sample),
+        };
+        let mut result = Ok(());
+        if frame.aovs && film.aovs.is_none() {
+            result = self.add_aovs(frame, &shot, &mut film);
+        }
+        while result.is_ok() && !progress.is_cancelled() && film.sample_range().0 < frame.samples {
+            result = self.add_sample(frame, &shot, &mut film, progress);
+        }
+        self.film = Some((frame.clone(), film));
+        result
+    }
+
+    fn read(&mut self, film: &mut Film) -> Result<(), TraceError> {
+        match (self.exposed(), &self.film) {
+            (None, _) => self.tracer.read(film),
+            (Some(_), own) => {
+                film.clone_from(&own.as_ref().ok_or(TraceError::NoFilm)?.1);
+                Ok(())
+            }
+        }
+    }
+
+    fn resume(&mut self, frame: &Frame, film: Film) -> Result<(), TraceError> {
+        if self.exposed().is_none() {
+            return self.tracer.resume(frame, film);
+        }
+        frame.check()?;
+        frame.check_film(&film)?;
+        self.film = Some((frame.clone(), film));
+        Ok(())
+    }
+
+    fn take_notes(&mut self) -> Vec<String> {
+        self.tracer.take_notes()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn moments_lie_one_in_each_part_of_the_exposure_whatever_their_number() {
+        for seed in [0, 1, 77] {
+            for bits in 0..8u32 {
+                let count = 1 << bits;
+                for from in [0, count, 5 * count] {
+                    let mut parts: Vec<u32> = (from..from + count)
+                        .map(|sample| {
+                            // The turn moves all parts alike.
+                            let share = share_of_exposure(seed, sample) - share_of_exposure(seed, from);
+                            ((share - share.floor()) * f64::from(count)).round() as u32 % count
+                        })
+                        .collect();
+                    parts.sort_unstable();
+                    assert!(parts.iter().copied().eq(0..count), "{parts:?}");
+                }
+            }
+            assert!((0..100).all(|sample| (0.0..1.0).contains(&share_of_exposure(seed, sample))));
+        }
+        assert_ne!(share_of_exposure(0, 0), share_of_exposure(1, 0));
+    }
+}

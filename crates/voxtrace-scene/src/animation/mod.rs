@@ -1,0 +1,205 @@
+//! Scenes that change with time: objects that move, turn, come and go, cameras on their way, a sun that wanders. An [`Animation`] is a pure
+//! function of time, in seconds: only + − × ÷ √ and our own sine, so that every machine gets the same frames.
+
+mod camera;
+mod curve;
+mod keyframes;
+mod motion;
+mod path;
+mod turn;
+
+pub use camera::{CameraMotion, CameraTrack, LookAt};
+pub use curve::{Curve, Ease, Interpolation};
+pub use keyframes::{keyframe_count, placed_at};
+pub use motion::{Motion, PoseKey};
+pub use path::SmoothPath;
+pub use turn::{rotation, slerp};
+
+use crate::camera::Camera;
+use crate::scene::Scene;
+use glam::Vec3;
+
+/// What changes about a scene, and how.
+#[derive(Clone, Debug, Default)]
+pub struct Animation {
+    /// Frames a second of the keyframes that instances bring along ([`crate::Instance::keyframes`]); 0: they stand still.
+    pub keyframe_rate: f64,
+    /// Objects that move or come and go, beside that. Of one instance all count, one after the other.
+    pub objects: Vec<ObjectTrack>,
+    /// The camera; `None`: the scene's.
+    pub camera: Option<CameraTrack>,
+    /// Bearing and height of the sun, degrees, and its strength; `None`: the scene's.
+    pub sun: Option<Curve<3>>,
+    /// Factor on the sky; `None`: the scene's.
+    pub sky_brightness: Option<Curve<1>>,
+}
+
+/// Objects that move as one.
+#[derive(Clone, Debug, Default)]
+pub struct ObjectTrack {
+    /// Indices into [`Scene::instances`].
+    pub instances: Vec<usize>,
+    /// How they move in the world: the first one first.
+    pub motions: Vec<Motion>,
+    /// From when on they are seen or not, by rising time; before the first that holds. Empty: as the scene says.
+    pub visible: Vec<(f64, bool)>,
+    /// From when on they show which grid of the scene, by rising time; before the first that holds. Empty: the grid that they have.
+    pub grids: Vec<(f64, usize)>,
+}
+
+impl Animation {
+    /// Whether objects move or change, and not the camera and the light alone.
+    pub fn moves_objects(&self, scene: &Scene) -> bool {
+        let has_keyframes = scene.instances.iter().any(|instance| instance.keyframes.len() > 1);
+        !self.objects.is_empty() || (self.keyframe_rate > 0.0 && has_keyframes)
+    }
+
+    /// Whether an instance of the scene moves or changes.
+    pub fn moves(&self, scene: &Scene, instance: usize) -> bool {
+        let has_keyframes = self.keyframe_rate > 0.0 && scene.instances[instance].keyframes.len() > 1;
+        has_keyframes || self.objects.iter().any(|track| track.instances.contains(&instance))
+    }
+
+    /// The scene as it is at a time: what moves stands where it is then.
+    pub fn scene_at(&self, scene: &Scene, seconds: f64) -> Scene {
+        let mut now = scene.clone();
+        self.apply(scene, &mut now, seconds);
+        now
+    }
+
+    /// As [`Self::scene_at`], into the scene of another time: `now` must have been made of `scene`.
+    pub fn apply(&self, scene: &Scene, now: &mut Scene, seconds: f64) {
+        if self.keyframe_rate > 0.0 {
+            let frame = seconds * self.keyframe_rate;
+            for (instance, now) in scene.instances.iter().zip(&mut now.instances) {
+                (now.grid, now.world_from_grid) = placed_at(instance, frame);
+            }
+        }
+        let tracked = || self.objects.iter().flat_map(|track| &track.instances);
+        for &index in tracked() {
+            if self.keyframe_rate <= 0.0 {
+                let original = &scene.instances[index];
+                (now.instances[index].grid, now.instances[index].world_from_grid) =
+                    (original.grid, original.world_from_grid);
+            }
+        }
+        for track in &self.objects {
+            let motion = track.motions.iter().map(|motion| motion.at(seconds)).reduce(|first, next| next.after(&first));
+            let (visible, grid) = (step_at(&track.visible, seconds), step_at(&track.grids, seconds));
+            for &index in &track.instances {
+                let instance = &mut now.instances[index];
+                if let Some(motion) = motion {
+                    instance.world_from_grid = motion.after(&instance.world_from_grid);
+                }
+                instance.hidden = visible.map_or(instance.hidden, |visible| !visible);
+                instance.grid = grid.unwrap_or(instance.grid);
+            }
+        }
+    }
+
+    /// The camera at a time; `now` is the scene as it is then. `None` where the animation has none.
+    pub fn camera_at(&self, now: &Scene, seconds: f64) -> Option<Camera> {
+        self.camera.as_ref().map(|track| track.at(now, seconds))
+    }
+}
+
+/// What holds at a time.
+fn step_at<T: Copy>(keys: &[(f64, T)], seconds: f64) -> Option<T> {
+    let after = keys.partition_point(|&(time, _)| time <= seconds);
+    keys.get(after.saturating_sub(1)).map(|&(_, value)| value)
+}
+
+/// The middle of the box around instances, world space; `None` where they have no voxels.
+pub fn middle_of(scene: &Scene, instances: &[usize]) -> Option<Vec3> {
+    let (mut min, mut max) = (Vec3::INFINITY, Vec3::NEG_INFINITY);
+    for &index in instances {
+        let instance = &scene.instances[index];
+        let Some(bounds) = scene.grids[instance.grid].bounds() else { continue };
+        for corner in 0..8 {
+            let pick = |axis: usize| if corner >> axis & 1 == 1 { bounds.max[axis] } else { bounds.min[axis] } as f32;
+            let corner = instance.world_from_grid.point(Vec3::new(pick(0), pick(1), pick(2)));
+            (min, max) = (min.min(corner), max.max(corner));
+        }
+    }
+    min.is_finite().then_some((min + max) * 0.5)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::grid::VoxelGrid;
+    use crate::material::Material;
+    use crate::scene::{Instance, Keyframe};
+    use crate::transform::Transform;
+    use glam::{DQuat, DVec3, IVec3};
+
+    /// Two boxes of 2³ voxels; the second one has keyframes, of which the middle one shows the other grid.
+    fn scene() -> Scene {
+        let mut scene = Scene { materials: vec![Material::default()], ..Scene::new("boxes") };
+        for edge in [2, 4] {
+            let mut grid = VoxelGrid::new();
+            (0..edge * edge * edge)
+                .for_each(|i| _ = grid.set(IVec3::new(i % edge, i / edge % edge, i / edge / edge), 0));
+            scene.grids.push(grid.into());
+        }
+        let at = |x: f32| Transform::from_translation(Vec3::X * x);
+        let keyframes =
+            vec![Keyframe { end: at(30.0), ..Keyframe::still(0, 0, at(10.0)) }, Keyframe::still(10, 1, at(50.0))];
+        let moving = Instance { keyframes, repeats: Some(0..20), ..Instance::new(0, at(10.0)) };
+        scene.instances = vec![Instance::new(0, at(0.0)), moving];
+        scene
+    }
+
+    #[test]
+    fn keyframes_play_at_their_rate_and_come_again() {
+        let (scene, animation) = (scene(), Animation { keyframe_rate: 10.0, ..Animation::default() });
+        let now = |seconds: f64| {
+            let instance = &animation.scene_at(&scene, seconds).instances[1];
+            (instance.grid, instance.world_from_grid.translation.x)
+        };
+        assert_eq!((now(0.0), now(0.5), now(1.0), now(1.9)), ((0, 10.0), (0, 20.0), (1, 50.0), (1, 50.0)));
+        assert_eq!((now(2.0), now(4.5)), ((0, 10.0), (0, 20.0)));
+        // 0.7 seconds are 7 frames, whatever the rounding.
+        assert_eq!(now(7.0 / 10.0 * 1.0), (0, 24.0));
+        let faster = Animation { keyframe_rate: 20.0, ..animation.clone() };
+        assert_ne!(faster.scene_at(&scene, 0.5), animation.scene_at(&scene, 0.5), "the comparison sees another rate");
+        assert_eq!(Animation::default().scene_at(&scene, 3.0), scene);
+    }
+
+    #[test]
+    fn motions_follow_one_another_and_a_scene_of_another_time_leaves_nothing() {
+        let scene = scene();
+        let middle = middle_of(&scene, &[0]).unwrap();
+        assert_eq!(middle, Vec3::ONE);
+        let spin = Motion::Spin { pivot: middle.as_dvec3(), axis: DVec3::Z, turns_per_second: 0.25 };
+        let still = |time: f64, offset: DVec3| PoseKey { time, offset, turn: DQuat::IDENTITY, scale: 1.0 };
+        let keys = vec![still(0.0, DVec3::ZERO), still(2.0, DVec3::Y * 8.0)];
+        let slide = Motion::keys(middle.as_dvec3(), keys, Interpolation::Linear);
+        let track = ObjectTrack {
+            instances: vec![0],
+            motions: vec![spin, slide],
+            visible: vec![(0.0, true), (1.5, false)],
+            ..ObjectTrack::default()
+        };
+        let animation = Animation { objects: vec![track], ..Animation::default() };
+        assert!(animation.moves_objects(&scene) && animation.moves(&scene, 0) && !animation.moves(&scene, 1));
+        let now = animation.scene_at(&scene, 1.0);
+        // A quarter turn about the middle, then four along y.
+        let corner = now.instances[0].world_from_grid.point(Vec3::ZERO);
+        assert!(corner.abs_diff_eq(Vec3::new(2.0, 4.0, 0.0), 1e-5), "{corner}");
+        assert!(!now.instances[0].hidden && animation.scene_at(&scene, 1.5).instances[0].hidden);
+        let mut reused = animation.scene_at(&scene, 1.7);
+        animation.apply(&scene, &mut reused, 1.0);
+        assert_eq!(reused, now);
+        assert_ne!(animation.scene_at(&scene, 1.01), now, "the comparison sees another time");
+    }
+
+    #[test]
+    fn objects_show_the_grid_of_their_time() {
+        let scene = scene();
+        let track = ObjectTrack { instances: vec![0], grids: vec![(1.0, 1), (2.0, 0)], ..ObjectTrack::default() };
+        let animation = Animation { objects: vec![track], ..Animation::default() };
+        let grids = [0.5, 1.0, 1.9, 2.0].map(|seconds| animation.scene_at(&scene, seconds).instances[0].grid);
+        assert_eq!(grids, [1, 1, 1, 0]);
+    }
+}
