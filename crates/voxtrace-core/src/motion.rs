@@ -3,6 +3,7 @@
 //! to the film. Sums of films are exact, so that the film is that of all samples, in whatever order and on whatever machines they were rendered
 //! (`docs/decisions/0145-motion-blur.md`).
 
+use crate::dynamic::Patch;
 use crate::film::{Film, Pixel};
 use crate::frame::Frame;
 use crate::packed::{PackedScene, Placement};
@@ -181,6 +182,13 @@ impl Tracer for MovingTracer {
     fn set_placement(&mut self, placement: &Placement) -> Result<(), TraceError> {
         self.film = None;
         self.tracer.set_placement(placement)
+    }
+
+    fn patch(&mut self, patch: &Patch) -> Result<(), TraceError> {
+        if !patch.is_empty() {
+            self.film = None;
+        }
+        self.tracer.patch(patch)
     }
 
     fn cast_into(&mut self, rays: &[Ray], hits: &mut [Hit]) -> Result<(), TraceError> {
