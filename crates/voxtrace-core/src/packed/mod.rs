@@ -15,6 +15,7 @@ mod boxes;
 mod brick_record;
 mod bytes;
 mod device_cells;
+mod extent;
 mod file;
 mod file_error;
 mod geometry;
