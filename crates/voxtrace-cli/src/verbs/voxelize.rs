@@ -4,7 +4,7 @@ use crate::failure::Failure;
 use crate::import::ImportArgs;
 use crate::interrupt;
 use crate::lattice::LatticeArgs;
-use crate::load::{MemoryArgs, is_native};
+use crate::load::{MemoryArgs, first_and_more, is_native};
 use crate::mesh::{Content, UpArg, announce, settled, voxelize_failure, watched};
 use crate::normals::{NormalsArg, with_normals};
 use crate::outputs;
@@ -55,11 +55,7 @@ impl VoxelizeArgs {
         }
         self.inputs.iter().for_each(|input| opened::note(input));
         target.check(out)?;
-        let more = match self.inputs.len() - 1 {
-            0 => String::new(),
-            more => format!(" and {more} more"),
-        };
-        report.remark(&format!("loading {}{more}", input.display()));
+        report.remark(&format!("loading {}", first_and_more(&input.to_string_lossy(), self.inputs.len())));
         let is_edited = self.import.edits.is_asked() || self.lattice.is_asked();
         if is_edited && self.memory_budget.is_some() {
             let what = "--close, --excavate, --palette-image, --straighten, --bake and --flatten";

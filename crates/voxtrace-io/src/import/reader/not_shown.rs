@@ -76,7 +76,10 @@ mod tests {
         let note = parts.note().unwrap();
         assert_eq!(note, "not shown: 2 animations, 2 entities, 1 light, 3 overlays, KHR_ of  tomorrow");
         let notes = ["a point is left out".to_owned(), note];
-        assert_eq!(parts_not_shown(&notes), ["2 animations", "2 entities", "1 light", "3 overlays", "KHR_ of  tomorrow"]);
+        assert_eq!(
+            parts_not_shown(&notes),
+            ["2 animations", "2 entities", "1 light", "3 overlays", "KHR_ of  tomorrow"]
+        );
         (0..20).for_each(|index| parts.name(&format!("part {index}")));
         assert!(parts.note().unwrap().ends_with(", 9 more kinds"), "{:?}", parts.note());
     }
