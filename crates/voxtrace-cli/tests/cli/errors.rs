@@ -6,7 +6,7 @@ use voxtrace_test_support::{data, files_below};
 #[test]
 fn wrong_arguments_are_explained_in_one_line_with_code_2() {
     let folder = Folder::new();
-    let cases: [(&[&str], &str); 61] = [
+    let cases: [(&[&str], &str); 63] = [
         (&[], "a verb is missing"),
         (&["paint"], "unrecognized subcommand 'paint'"),
         (&["render"], "<SCENE>"),
