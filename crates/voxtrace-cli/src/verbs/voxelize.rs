@@ -12,7 +12,7 @@ use crate::parse;
 use crate::read_failure::import_failure;
 use crate::report::Report;
 use crate::verbs::convert::{Target, save_failure};
-use crate::volume::volume_failure;
+use crate::volume::{lowered, volume_failure};
 use std::path::{Path, PathBuf};
 use voxtrace::PackedScene;
 use voxtrace::import::{self, Data, Geometry, LargeGeometry, LargeVolume, Limits, opened};
@@ -164,6 +164,9 @@ impl VoxelizeArgs {
             VoxelizeError::Io(error) => Failure::output(&self.out, &error),
             error => failure(error),
         })?;
+        if let Some(threshold) = large.lowered_threshold() {
+            report.remark(&lowered(threshold));
+        }
         report.wrote(&self.out);
         Ok(())
     }

@@ -3,7 +3,7 @@
 use super::large::stamp_of;
 use std::path::Path;
 use voxtrace_voxelize::volume::large::{SampleSource, Survey, voxelize_large_volume_to_file};
-use voxtrace_voxelize::volume::{Volume, VolumeOptions};
+use voxtrace_voxelize::volume::{Volume, VolumeError, VolumeOptions};
 use voxtrace_voxelize::voxelize::{VoxelizeError, VoxelizeProgress, Written};
 use voxtrace_voxelize::{ImportError, Limits};
 
@@ -11,6 +11,7 @@ use voxtrace_voxelize::{ImportError, Limits};
 pub struct LargeVolume {
     source: Box<dyn SampleSource>,
     survey: Option<Survey>,
+    lowered: Option<f32>,
     /// Length and time of the file.
     stamp: String,
     memory_budget: u64,
@@ -19,7 +20,7 @@ pub struct LargeVolume {
 impl LargeVolume {
     /// What a reader has opened, to be worked on in so many bytes of memory.
     pub(crate) fn new(source: Box<dyn SampleSource>, path: &Path, memory_budget: u64) -> Result<Self, ImportError> {
-        Ok(Self { source, survey: None, stamp: stamp_of(path)?, memory_budget })
+        Ok(Self { source, survey: None, lowered: None, stamp: stamp_of(path)?, memory_budget })
     }
 
     /// The volume without its samples.
@@ -41,6 +42,11 @@ impl LargeVolume {
         self.survey.as_ref()
     }
 
+    /// Where the last work showed voxels from a threshold of their own on, because no voxel reached that of the samples: it.
+    pub fn lowered_threshold(&self) -> Option<f32> {
+        self.lowered
+    }
+
     /// Voxelizes into a native file; makes a survey where there was none with the same options. The scene is the one of the same volume in
     /// memory, bit for bit. Interrupted work leaves `PATH.part`, from which the same call goes on.
     ///
@@ -53,11 +59,24 @@ impl LargeVolume {
         path: &Path,
         progress: &VoxelizeProgress,
     ) -> Result<Written, VoxelizeError> {
-        let survey = match self.survey.take() {
+        let budget = Some(self.memory_budget);
+        let source = self.source.as_mut();
+        let mut survey = match self.survey.take() {
             Some(survey) => survey,
-            None => Survey::of(self.source.as_mut(), options, Some(self.memory_budget), progress)?,
+            None => Survey::of(source, options, budget, progress)?,
         };
-        let work = (options, Some(self.memory_budget));
-        voxelize_large_volume_to_file((self.source.as_mut(), &self.stamp), &survey, work, limits, path, progress)
+        self.lowered = None;
+        let written = |source: &mut dyn SampleSource, survey: &Survey| {
+            voxelize_large_volume_to_file((source, &self.stamp), survey, (options, budget), limits, path, progress)
+        };
+        let is_chosen = options.transfer.is_some() || options.threshold.is_some();
+        match written(source, &survey) {
+            // As in memory.
+            Err(VoxelizeError::Volume(VolumeError::Empty { .. })) if !is_chosen => {
+                self.lowered = Some(survey.lower(source, options, budget, progress)?);
+                written(source, &survey)
+            }
+            result => result,
+        }
     }
 }

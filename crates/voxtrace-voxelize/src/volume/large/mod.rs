@@ -5,6 +5,7 @@
 mod bricks;
 mod seen;
 mod stripes;
+mod threshold;
 
 use super::statistics::{Look, binned, sum};
 use super::transfer::Lookup;
@@ -95,6 +96,26 @@ impl Survey {
     /// The transfer function, resolved.
     pub fn transfer(&self) -> &Transfer {
         &self.transfer
+    }
+
+    /// Shows what is at least [`super::threshold_of_voxels`], which it returns, of a volume of which nothing was to be seen.
+    ///
+    /// # Errors
+    /// If the volume cannot be read; also if it was cancelled.
+    pub fn lower(
+        &mut self,
+        source: &mut dyn SampleSource,
+        options: &VolumeOptions,
+        memory_budget: Option<u64>,
+        progress: &VoxelizeProgress,
+    ) -> Result<f32, VoxelizeError> {
+        let placement = Placement::of(source.frame(), options.scale, u64::MAX, false)?;
+        let budget = memory_budget.unwrap_or(DEFAULT_BUDGET);
+        let threshold = threshold::of_voxels(source, &placement, budget, progress)?;
+        let mut transfer = Transfer::automatic(&self.values);
+        transfer.resolve(&self.values, Some(threshold));
+        self.transfer = transfer;
+        Ok(threshold)
     }
 
     /// The share of samples with at least so much, where all are whole numbers.

@@ -98,14 +98,18 @@ impl<'a> Window<'a> {
         Ok(())
     }
 
-    /// Sums the samples of a layer of voxels and asks the transfer function about each.
-    fn look(
-        &mut self,
-        layer: usize,
-        reused: Option<SeenLayer>,
-        source: &mut dyn SampleSource,
-    ) -> Result<SeenLayer, VoxelizeError> {
-        let (width, words, rows) = (self.width(), self.words(), self.stripe.voxels.len());
+    /// The values of a layer of voxels, those of the stripe's own bricks alone.
+    pub fn own_values(&mut self, layer: usize, source: &mut dyn SampleSource) -> Result<&[f32], VoxelizeError> {
+        self.sum(layer, source)?;
+        let (width, stripe) = (self.width(), &self.stripe);
+        let own = stripe.bricks.start * EDGE..(stripe.bricks.end * EDGE).min(stripe.voxels.end);
+        let from = stripe.voxels.start;
+        Ok(&self.sums[(own.start - from) * width..(own.end - from) * width])
+    }
+
+    /// Sums the samples of a layer of voxels.
+    fn sum(&mut self, layer: usize, source: &mut dyn SampleSource) -> Result<(), VoxelizeError> {
+        let (width, rows) = (self.width(), self.stripe.voxels.len());
         self.sums.clear();
         self.sums.resize(width * rows, 0.0);
         for (number, weight) in self.axes[2].samples(layer) {
@@ -122,6 +126,18 @@ impl<'a> Window<'a> {
             let rows = self.sums.par_chunks_mut(width).enumerate().with_min_len(8);
             rows.for_each(|(at, sums)| row.add(first + at, sums));
         }
+        Ok(())
+    }
+
+    /// Sums the samples of a layer of voxels and asks the transfer function about each.
+    fn look(
+        &mut self,
+        layer: usize,
+        reused: Option<SeenLayer>,
+        source: &mut dyn SampleSource,
+    ) -> Result<SeenLayer, VoxelizeError> {
+        self.sum(layer, source)?;
+        let (width, words, rows) = (self.width(), self.words(), self.stripe.voxels.len());
         let mut seen =
             reused.unwrap_or_else(|| SeenLayer { bits: vec![0; words * rows], materials: vec![EMPTY; width * rows] });
         let lookup = self.lookup;

@@ -170,3 +170,90 @@ fn labels_stay_labels_and_what_shows_nothing_is_said() {
     let result = voxelize_large_volume_to_file((&mut source, ""), &survey, (&options, None), &few, &b, &progress);
     assert!(matches!(result, Err(VoxelizeError::TooLarge { what: "voxels", .. })));
 }
+
+/// Few bright samples in what is dark and rough, so that coarse voxels do not reach the threshold of the samples.
+fn sparks(size: [usize; 3], are_whole: bool) -> Volume {
+    let value = |n: usize| {
+        let noise = ((n as u32).wrapping_mul(2_654_435_761) >> 20) as f32 / 40.0;
+        let value = if n % 211 == 17 { 900.0 - noise } else { noise };
+        if are_whole { value.round() } else { value }
+    };
+    Volume { name: "sparks".into(), ..Volume::new(size, (0..size.iter().product()).map(value).collect()) }
+}
+
+#[test]
+fn voxels_that_do_not_reach_the_threshold_are_shown_from_the_same_one_on_as_in_memory() {
+    let folder = tempfile::tempdir().unwrap();
+    let (a, b) = (folder.path().join("a.vxt"), folder.path().join("b.vxt"));
+    let orders = [[0, 1, 2], [2, 0, 1], [1, 2, 0]];
+    for (n, order) in orders.into_iter().enumerate() {
+        for are_whole in [true, false] {
+            let volume = placed(sparks([50, 41, 37], are_whole), order, [n == 0, n != 1, n == 2]);
+            let options = VolumeOptions { scale: Some(Scale::Resolution(11)), ..VolumeOptions::default() };
+            let wanted = in_memory(&volume, &options, &a);
+            let threshold = super::super::threshold_of_voxels(&volume, &options, &Limits::default()).unwrap();
+            for budget in [1, 3_000, 1 << 30] {
+                let mut source = kept(&volume);
+                let progress = VoxelizeProgress::default();
+                let mut survey = Survey::of(&mut source, &options, Some(budget), &progress).unwrap();
+                let empty = large(&mut source, &options, budget, &b).unwrap_err();
+                assert!(matches!(empty, VoxelizeError::Volume(VolumeError::Empty { .. })), "{empty}");
+                let lowered = survey.lower(&mut source, &options, Some(budget), &progress).unwrap();
+                assert_eq!(
+                    (lowered, survey.values.bright),
+                    (threshold, volume.statistics().bright),
+                    "{order:?} {budget}"
+                );
+                let how = (&options, Some(budget));
+                let limits = Limits::default();
+                voxelize_large_volume_to_file((&mut source, "stamp"), &survey, how, &limits, &b, &progress).unwrap();
+                assert!(resaved(&b) == wanted, "{order:?} {are_whole} {budget}");
+                // Other samples have another one.
+                source.values[..37 * 41 * 25].fill(1e3);
+                assert_ne!(survey.lower(&mut source, &options, Some(budget), &progress).unwrap(), threshold);
+            }
+        }
+    }
+}
+
+#[test]
+fn the_function_that_suits_is_the_same_layer_by_layer() {
+    let lump = lump([40, 30, 33], false);
+    let with = |change: &dyn Fn(f32) -> f32, suited: Option<Preset>, is_labels: bool| {
+        let values = lump.values.iter().map(|&value| change(value)).collect();
+        Volume { suited, is_labels, values, ..Volume::new(lump.size, Vec::new()) }
+    };
+    let mut chosen = Vec::new();
+    for volume in [
+        with(&|value| value, None, false),
+        with(&f32::round, None, false),
+        with(&|value| (value / 60.0).round().max(0.0), None, false),
+        with(&|value| (value * 7.0).round(), None, true),
+        with(&|value| value * 4.0 - 300.0, None, false),
+        with(&|value| value, Some(Preset::CtBone), false),
+        with(&|value| value * 0.1, Some(Preset::CtBone), false),
+        with(&|value| value, Some(Preset::Fog), false),
+        with(&|value| value, Some(Preset::Surface), false),
+        with(&|value| if value > 390.0 { f32::NAN } else { value }, None, false),
+        with(&|_| 5.0, None, false),
+        with(&|_| 5.5, None, false),
+        sparks([50, 41, 37], true),
+        sparks([50, 41, 37], false),
+    ] {
+        let values = volume.statistics();
+        let mut wanted = Transfer::automatic(&values);
+        wanted.resolve(&values, None);
+        for budget in [1, 5_000, 1 << 30] {
+            let options = VolumeOptions::default();
+            let survey = Survey::of(&mut kept(&volume), &options, Some(budget), &VoxelizeProgress::default()).unwrap();
+            assert_eq!(survey.transfer(), &wanted, "{budget}");
+        }
+        chosen.push(wanted);
+    }
+    // Each kind is among them, and functions of one kind differ by their scale.
+    let mut names: Vec<&str> = chosen.iter().map(|transfer| transfer.name.as_str()).collect();
+    names.sort_unstable();
+    names.dedup();
+    assert_eq!(names, ["ct-bone", "fog", "labels", "mri", "surface"]);
+    assert_ne!(chosen[0], chosen[1]);
+}
