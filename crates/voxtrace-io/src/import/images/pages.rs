@@ -15,6 +15,8 @@ use tiff::TiffError;
 use tiff::decoder::Decoder;
 use voxtrace_voxelize::{ImportError, ImportErrorKind, Limits};
 
+type PageDecoder = Decoder<Unpacked<BufReader<File>>>;
+
 /// A file of pages.
 pub(crate) struct Pages {
     path: PathBuf,
@@ -29,7 +31,7 @@ pub(crate) struct Pages {
     /// Where all lie one behind the other, which then are not decoded.
     pub contiguous: Option<Contiguous>,
     /// The decoder, and the page at which it is.
-    decoder: Option<(Decoder<Unpacked<BufReader<File>>>, usize)>,
+    decoder: Option<(PageDecoder, usize)>,
     limits: Limits,
 }
 
@@ -121,7 +123,7 @@ impl Pages {
 }
 
 /// A file's decoder, and how its pixels are packed.
-fn opened(path: &Path, limits: &Limits) -> Result<(Decoder<Unpacked<BufReader<File>>>, Packing), TiffError> {
+fn opened(path: &Path, limits: &Limits) -> Result<(PageDecoder, Packing), TiffError> {
     opened::note(path);
     let unpacked = Unpacked::of(BufReader::with_capacity(1 << 18, File::open(path)?), limits)?;
     let packing = unpacked.allowance();
