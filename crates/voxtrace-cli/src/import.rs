@@ -46,12 +46,7 @@ impl ImportArgs {
         self.volume.shell.get_or_insert(false);
     }
 
-    /// Opens a file and tells its format.
-    pub fn open<'a>(&self, path: &'a Path, options: &'a ImportOptions) -> Result<Opened<'static, 'a>, Failure> {
-        self.checked(READERS.open(path, options), path)
-    }
-
-    /// Opens several files that are to be one.
+    /// Opens a file, or several that are to be one, and tells their format.
     pub fn open_all<'a>(
         &self,
         paths: &'a [PathBuf],
@@ -116,10 +111,10 @@ impl ImportArgs {
         Ok(Content::Scene(scene.into()))
     }
 
-    /// Loads a scene from a file, as it is.
-    pub fn load(&self, path: &Path, in_memory: bool, report: &mut Report) -> Result<Content, Failure> {
+    /// Loads a scene from a file, or from several that are one, as it is.
+    pub fn load(&self, paths: &[PathBuf], in_memory: bool, report: &mut Report) -> Result<Content, Failure> {
         let options = self.options(in_memory);
-        let opened = self.open(path, &options)?;
+        let (opened, path) = (self.open_all(paths, &options)?, paths[0].as_path());
         let data = self.read(opened, path, report)?;
         self.scene(data, path, report)
     }

@@ -6,7 +6,7 @@ use crate::interrupt;
 use crate::normals::{NormalsArg, with_normals};
 use crate::parse;
 use crate::report::Report;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use voxtrace::import::{Content, opened};
 use voxtrace::packed::PackError;
 use voxtrace::{PackedScene, scenes};
@@ -14,9 +14,9 @@ use voxtrace::{PackedScene, scenes};
 /// A scene on the command line.
 #[derive(clap::Args, Clone, Debug)]
 pub struct SceneArgs {
-    /// A file (`voxtrace formats` lists the kinds) or the name of a built-in scene
-    #[arg(value_name = "SCENE")]
-    pub scene: String,
+    /// A file (`voxtrace formats` lists the kinds) or the name of a built-in scene. Several LAS or LAZ files are one cloud
+    #[arg(value_name = "SCENE", required = true)]
+    pub scenes: Vec<String>,
     /// Size of a built-in scene, for example 500000, 500k or 13.6M voxels
     #[arg(long, value_name = "N", value_parser = parse::voxels)]
     pub voxels: Option<u64>,
@@ -79,15 +79,40 @@ pub fn is_native(path: &Path) -> bool {
 }
 
 impl SceneArgs {
-    /// Whether the scene is a built-in one.
-    fn is_builtin(&self) -> bool {
-        scenes::NAMES.contains(&self.scene.as_str())
+    /// The scene, or the first of its files.
+    pub fn scene(&self) -> &str {
+        &self.scenes[0]
     }
 
-    /// Notes the file as one that is read, so that no output takes its place.
+    /// The same, and how many more there are.
+    pub fn shown(&self) -> String {
+        first_and_more(self.scene(), self.scenes.len())
+    }
+
+    /// Whether the scene is a built-in one.
+    fn is_builtin(&self) -> bool {
+        self.scenes.len() == 1 && scenes::NAMES.contains(&self.scene())
+    }
+
+    /// Notes the files as those that are read, so that no output takes their place.
     pub fn note(&self) {
         if !self.is_builtin() {
-            opened::note(Path::new(&self.scene));
+            self.scenes.iter().for_each(|scene| opened::note(Path::new(scene)));
+        }
+    }
+
+    /// Refuses what stands behind the scene and is called like a picture: it is hardly a further tile.
+    pub fn refuse_pictures(&self) -> Result<(), Failure> {
+        let is_picture = |scene: &&String| {
+            let extension = Path::new(scene).extension().unwrap_or_default().to_ascii_lowercase();
+            ["png", "exr", "vxf"].iter().any(|known| extension == *known)
+        };
+        match self.scenes[1..].iter().find(is_picture) {
+            Some(picture) => {
+                let message = format!("{picture}: of the files behind {:?} only tiles are read", self.scene());
+                Err(Failure::usage(message).hint(format!("-o {picture} names the picture")))
+            }
+            None => Ok(()),
         }
     }
 
@@ -98,8 +123,8 @@ impl SceneArgs {
 
     /// The name that outputs are called after.
     pub fn stem(&self) -> String {
-        let stem = Path::new(&self.scene).file_stem();
-        let stem = stem.map_or_else(|| self.scene.clone(), |stem| stem.to_string_lossy().into_owned());
+        let stem = Path::new(self.scene()).file_stem();
+        let stem = stem.map_or_else(|| self.scene().to_owned(), |stem| stem.to_string_lossy().into_owned());
         // `head.nii.gz` is `head`.
         stem.strip_suffix(".nii").map_or(stem.clone(), str::to_owned)
     }
@@ -111,31 +136,41 @@ impl SceneArgs {
     }
 
     fn load_as_it_is(&self, report: &mut Report) -> Result<Content, Failure> {
+        let scene = self.scene();
         if self.is_builtin() {
-            self.import.volume.overlays.refuse(Path::new(&self.scene))?;
-            self.import.mesh.refuse_choice_of_points(Path::new(&self.scene))?;
-            self.import.heights.refuse(&self.scene)?;
-            let scene = match self.instances {
-                Some(instances) if self.scene == scenes::FOREST => {
+            self.import.volume.overlays.refuse(Path::new(scene))?;
+            self.import.mesh.refuse_choice_of_points(Path::new(scene))?;
+            self.import.heights.refuse(scene)?;
+            let made = match self.instances {
+                Some(instances) if scene == scenes::FOREST => {
                     scenes::generate_forest_while(instances, &interrupt::watch())
                 }
-                Some(_) => Err(scenes::SceneError::NotOfInstances(self.scene.clone())),
-                None => scenes::generate_while(&self.scene, self.voxels, &interrupt::watch()),
+                Some(_) => Err(scenes::SceneError::NotOfInstances(scene.to_owned())),
+                None => scenes::generate_while(scene, self.voxels, &interrupt::watch()),
             };
-            return scene.map(|scene| Content::Scene(scene.into())).map_err(|error| match error {
+            return made.map(|scene| Content::Scene(scene.into())).map_err(|error| match error {
                 scenes::SceneError::Stopped => interrupt::failure(),
                 error => Failure::usage(error),
             });
         }
         if self.voxels.is_some() {
-            let message = format!("--voxels sizes built-in scenes, and {:?} is none", self.scene);
+            let message = format!("--voxels sizes built-in scenes, and {scene:?} is none");
             return Err(Failure::usage(message).hint(format!("the built-in scenes are {}", scenes::NAMES.join(", "))));
         }
         if self.instances.is_some() {
-            let message = format!("--instances is for the built-in scene forest, and {:?} is a file", self.scene);
+            let message = format!("--instances is for the built-in scene forest, and {scene:?} is a file");
             return Err(Failure::usage(message));
         }
         self.note();
-        self.import.load(Path::new(&self.scene), self.memory.in_memory, report)
+        let paths: Vec<PathBuf> = self.scenes.iter().map(PathBuf::from).collect();
+        self.import.load(&paths, self.memory.in_memory, report)
+    }
+}
+
+/// The first of so many files, and how many more there are.
+pub fn first_and_more(first: &str, count: usize) -> String {
+    match count {
+        0 | 1 => first.to_owned(),
+        count => format!("{first} and {} more", count - 1),
     }
 }

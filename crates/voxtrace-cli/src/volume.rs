@@ -112,7 +112,7 @@ impl VolumeArgs {
         if !is_chosen && matches!(scene, Err(VolumeError::Empty { .. })) {
             let threshold =
                 volume::threshold_of_voxels(volume, &options_of_volume, &options.limits).map_err(failure)?;
-            report.remark(&format!("no voxel of that size reaches it: what is {threshold} or more is shown"));
+            report.remark(&lowered(threshold));
             let lower = VolumeOptions { threshold: Some(threshold), ..options_of_volume.clone() };
             return voxelize(&lower).map_err(failure);
         }
@@ -179,6 +179,11 @@ impl VolumeArgs {
             _ => None,
         });
     }
+}
+
+/// What to say where no voxel reaches the threshold of the samples.
+pub fn lowered(threshold: f32) -> String {
+    format!("no voxel of that size reaches it: what is {threshold} or more is shown")
 }
 
 /// The failure of voxelizing the volume of a file.

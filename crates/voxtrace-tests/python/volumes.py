@@ -1,5 +1,5 @@
 """Writes volumes in the formats of other programs, and beside each what their own libraries read from it: python volumes.py FOLDER. Needs
-nibabel, numpy, pynrrd, zarr, tensorstore, tifffile and pydicom. `volumes.json` names each file with its size and, where it has one, its affine
+nibabel, numpy, pynrrd, zarr, tensorstore, tifffile (with imagecodecs) and pydicom. `volumes.json` names each file with its size and, where it has one, its affine
 matrix in the axes left, posterior, superior; `NAME.f32` has its values, x fastest."""
 
 import bz2
@@ -8,6 +8,7 @@ import shutil
 import sys
 from pathlib import Path
 
+import imagecodecs
 import nibabel
 import nrrd
 import numpy as np
@@ -181,7 +182,7 @@ colors = random.integers(0, 256, (4, 9, 8, 3)).astype(np.uint8)
 tifffile.imwrite(folder / "colors.tif", colors, photometric="rgb")
 read = tifffile.imread(folder / "colors.tif").astype("f4")
 add("colors.tif", (read @ np.array([0.299, 0.587, 0.114], "f4")).T, tolerance=1e-3)
-(folder / "colors.u8").write_bytes(read.astype("u1").tobytes())
+(folder / "colors.tif.colors").write_bytes(read.astype("u1").tobytes())
 stack = np.ascontiguousarray(volume.T)
 tifffile.imwrite(folder / "imagej.tif", stack, imagej=True, metadata={"axes": "ZYX", "spacing": 2.5, "unit": "mm"},
                  resolution=(2.0, 2.0))
@@ -195,6 +196,70 @@ with tifffile.TiffFile(folder / "imagej.tif") as tiff:
 with tifffile.TiffFile(folder / "contiguous.tif") as tiff:
     assert len(tiff.pages) == 1 and tiff.series[0].shape == (7, 11, 13), tiff.series[0]
     add("contiguous.tif", tiff.asarray().T, np.diag([0.5, 0.5, 2.5, 1.0]))
+
+# TIFF in Zstandard and JPEG 2000: strips and tiles, of every kind of number, with predictors, in both orders of bytes.
+def add_tiff(name, pages, **options):
+    tifffile.imwrite(folder / name, pages, metadata=None, **options)
+    read = tifffile.imread(folder / name)
+    # Layer by layer what differs is where pages come from, not their numbers.
+    add(name, read.T, np.eye(4), whole=pages.dtype.str[1:] not in ["u2", "f4"])
+
+
+pages = np.cumsum(random.integers(-3, 4, (5, 37, 45)), axis=2) + 90
+for kind in ["u1", "i1", "u2", "i2", "u4", "i4", "f2", "f4", "f8"]:
+    data = (pages / 8 if kind[0] == "f" else pages).astype(kind)
+    add_tiff(f"zstd_strips_{kind}.tif", data, compression="zstd", rowsperstrip=10)
+    add_tiff(f"zstd_tiles_{kind}.tif", data, compression="zstd", predictor=True, tile=(16, 32), byteorder=">")
+    add_tiff(f"zstd_big_{kind}.tif", data, compression="zstd", predictor=True, bigtiff=True, rowsperstrip=16)
+add_tiff("zstd_big_endian.tif", pages.astype("u2"), compression="zstd", bigtiff=True, byteorder=">", tile=(32, 16))
+for kind, most in [("u1", 255), ("u2", 4095), ("u2", 65535)]:
+    data = (pages.clip(0, 200) * (most / 200)).astype(kind)
+    for order in "<>":
+        name = f"jpeg_2000_{most}_{'big' if order == '>' else 'little'}"
+        add_tiff(f"{name}.tif", data, compression="jpeg2000", rowsperstrip=20, byteorder=order)
+        add_tiff(f"{name}_tiles.tif", data, compression="jpeg2000", tile=(32, 16), byteorder=order)
+add_tiff("jpeg_2000_lossy.tif", pages.clip(0, 255).astype("u1"), compression="jpeg2000", compressionargs={"level": 40})
+manifest[-1]["tolerance"] = 1
+# Colours: plain, in planes of their own, in JPEG 2000, and as Aperio's scanners write them, luma and chroma among them.
+colors = np.stack([pages, 200 - pages, pages * 2], axis=-1).clip(0, 255).astype("u1")
+BRIGHTNESS = np.array([0.299, 0.587, 0.114], "f4")
+
+
+def add_colors(name, pixels, tolerance=1e-3):
+    add(name, (pixels.astype("f4") @ BRIGHTNESS).T, tolerance=tolerance)
+    pixels.astype("u1").tofile(folder / f"{name}.colors")
+
+
+for name, options in {
+    "colors_zstd.tif": {"compression": "zstd", "predictor": True, "tile": (16, 16)},
+    "colors_apart.tif": {"compression": "zstd", "planarconfig": "separate"},
+    "colors_plain_apart.tif": {"planarconfig": "separate"},
+    "colors_tiles_apart.tif": {"planarconfig": "separate", "tile": (32, 16), "compression": "zstd", "predictor": True},
+    "colors_jpeg_2000.tif": {"compression": "jpeg2000", "tile": (32, 32)},
+}.items():
+    own = np.moveaxis(colors, -1, 1) if "planarconfig" in options else colors
+    tifffile.imwrite(folder / name, own, photometric="rgb", metadata=None, **options)
+    read = tifffile.imread(folder / name)
+    add_colors(name, np.moveaxis(read, 1, -1) if "planarconfig" in options else read)
+for compression, photometric in [(33005, "rgb"), (33003, "ycbcr")]:
+    pixels = colors.astype("f8")
+    if photometric == "ycbcr":
+        luma = pixels @ BRIGHTNESS.astype("f8")
+        blue, red = (pixels[..., 2] - luma) / 1.772 + 128, (pixels[..., 0] - luma) / 1.402 + 128
+        pixels = np.stack([luma, blue, red], axis=-1).round().clip(0, 255)
+    tiles = []
+    for page in np.pad(pixels, ((0, 0), (0, 27), (0, 19), (0, 0)), "edge").astype("u1"):
+        for y in range(0, 64, 32):
+            for x in range(0, 64, 32):
+                tile = np.ascontiguousarray(page[y:y + 32, x:x + 32])
+                tiles.append(imagecodecs.jpeg2k_encode(tile, level=0, mct=photometric == "rgb", codecformat="j2k"))
+    name = f"aperio_{photometric}.tif"
+    tifffile.imwrite(folder / name, iter(tiles), shape=colors.shape, dtype="u1", compression=compression, photometric="rgb",
+                     tile=(32, 32), metadata=None)
+    read = tifffile.imread(folder / name)
+    # tifffile leaves luma and chroma as they are.
+    assert (read == (colors if photometric == "rgb" else pixels)).all(), name
+    add_colors(name, colors, 2)
 
 # DICOM: series in folders below, named by a directory, and one in big endian without any head.
 source = Path(pydicom.__file__).parent / "data/test_files/dicomdirtests"

@@ -192,6 +192,53 @@ fn grids_that_lie_over_the_same_cells_are_refused() {
 }
 
 #[test]
+fn a_grid_that_says_other_bounds_or_voxels_than_its_bricks_have_is_refused() {
+    let grid = PackedScene::pack(&scene()).unwrap().grids()[0];
+    let said = |at: usize, number: i32| fault_of_grid(at, &[number]);
+    for axis in 0..3 {
+        let (min, max) = (grid.min[axis], grid.max[axis]);
+        // Smaller, by bricks and by a voxel, and larger: as far as the cells reach.
+        for (at, number) in [(32, min + 8), (32, min + 1), (52, min + 1), (52, max - 1), (52, max + 1)] {
+            let fault = said(at + 4 * axis, number);
+            assert!(fault.contains("grid 0: it says that its voxels span"), "{axis}: {fault}");
+        }
+    }
+    let voxels = grid.voxels[0] as i32;
+    for fault in [said(44, voxels + 1), said(44, 0), said(48, 1)] {
+        assert!(fault.contains(&format!("voxels, and has {voxels}")), "{fault}");
+    }
+}
+
+#[test]
+fn what_a_file_says_twice_must_agree() {
+    let mut lamps = scene();
+    lamps.materials[7] = Material::emissive(Vec3::ONE);
+    let bytes = bytes_of(&PackedScene::pack(&lamps).unwrap());
+    PackedScene::from_bytes(&bytes).unwrap();
+    let float = |number: f32| number.to_le_bytes();
+    type Change<'a> = (&'a [u8; 4], usize, [u8; 4], &'a str);
+    let changes: [Change; 9] = [
+        (b"BRIK", 0, [0, 16, 0, 0], "a brick has no voxels where it says that it has some"),
+        (b"EMIT", 0, (-4_000_000_i32).to_le_bytes(), "emitter 0 is no voxel of its material"),
+        (b"EMIT", 20, 8_u32.to_le_bytes(), "emitter 0 is no voxel of its material"),
+        (b"EMIT", 24, float(f32::NAN), "emitter 0 has a luminance of NaN"),
+        (b"EMIT", 24, float(-1.0), "emitter 0 has a luminance of -1"),
+        // From world to grid, of the second instance.
+        (b"INST", 104 + 36, float(7.0), "the two transforms of instance 1 are not each other's inverse"),
+        // The root, and a leaf: boxes that leave out what is in them, or are none.
+        (b"INOD", 16, float(1.0), "node 0 of the tree over instances is too small for what it holds"),
+        (b"INOD", 0, float(f32::NAN), "node 0 of the tree over instances is too small for what it holds"),
+        (b"INOD", 32 + 20, float(-300.0), "of the tree over instances is too small for what it holds"),
+    ];
+    for (tag, at, value, says) in changes {
+        let mut forged = bytes.clone();
+        forge(&mut forged, tag, |section| section[at..at + 4].copy_from_slice(&value));
+        let fault = PackedScene::from_bytes(&forged).map(|_| ()).unwrap_err().to_string();
+        assert!(fault.contains(says) && !fault.contains('\n'), "{says}: {fault}");
+    }
+}
+
+#[test]
 fn a_chain_of_instances_is_opened_up_to_the_depth_that_stacks_have() {
     let fault = |bytes: &[u8]| PackedScene::from_bytes(bytes).map(|_| ()).unwrap_err().to_string();
     let (deepest, packed) = chain(MAX_INSTANCE_DEPTH);

@@ -253,7 +253,7 @@ impl Host for CommandLine<'_> {
         let own = self.args;
         let (import, memory) = (own.import.clone(), own.memory);
         let instances = own.instances.filter(|_| entry.name == scenes::FOREST);
-        let args = SceneArgs { scene: entry.name.clone(), voxels, instances, import, memory };
+        let args = SceneArgs { scenes: vec![entry.name.clone()], voxels, instances, import, memory };
         let content = if entry.is_vox { through_vox(args.clone(), self.report)? } else { args.load(self.report)? };
         let mut scene = own.changes.packed(content, own.memory)?;
         if let Some(path) = own.camera_file.as_ref().or(entry.camera.as_ref()) {
@@ -281,7 +281,7 @@ fn through_vox(mut args: SceneArgs, report: &mut Report) -> Result<Content, Fail
     let scene = args.load(report)?.into_scene();
     let document = export::vox::document_of(&scene).map_err(|error| export_failure(&out, &error))?;
     let bytes =
-        document.to_bytes().ok_or_else(|| Failure::input(format!("{} does not fit in a .vox file", args.scene)))?;
+        document.to_bytes().ok_or_else(|| Failure::input(format!("{} does not fit in a .vox file", args.scene())))?;
     let loaded = voxtrace::import::load_bytes(&bytes, &out, &ImportOptions::default());
     loaded.map(|loaded| loaded.content).map_err(|error| import_failure(&error))
 }

@@ -14,25 +14,31 @@ use voxtrace::import::Content;
 use voxtrace::normals::Normals;
 use voxtrace::packed::{FileError, FileErrorKind};
 
+/// What stands on the command line without options.
+const SCENES_AND_OUT: &str = "A file (`voxtrace formats` lists the kinds) or the name of a built-in scene; several LAS or LAZ \
+    files are one cloud. The last is the file to write: .vxt, .vox, a mesh (.glb, .obj, .ply), .qb, .schem, or a heightmap (.asc, .png)";
+
 /// Convert a scene to another format
 #[derive(clap::Args, Clone, Debug)]
+#[command(override_usage = "voxtrace convert [OPTIONS] <SCENE>... <OUT>")]
+#[command(mut_arg("scenes", |scenes| scenes.help(SCENES_AND_OUT)))]
 pub struct ConvertArgs {
     #[command(flatten)]
     scene: SceneArgs,
     #[command(flatten)]
     lattice: LatticeArgs,
-    /// File to write: .vxt, .vox, a mesh (.glb, .obj, .ply), .qb, .schem, or a heightmap (.asc, .png)
-    #[arg(value_name = "OUT")]
-    out: PathBuf,
 }
 
 impl ConvertArgs {
     pub fn run(mut self, report: &mut Report) -> Result<(), Failure> {
-        let out = self.out.as_path();
+        // Options may stand between files, so that which one is the last is not known before.
+        let out = self.scene.scenes.pop().map(PathBuf::from).filter(|_| !self.scene.scenes.is_empty());
+        let missing = || Failure::usage("the file to write is missing").hint("`voxtrace convert SCENE OUT`");
+        let out = out.as_deref().ok_or_else(missing)?;
         let target = Target::of(out)?;
         self.scene.note();
         target.check(out)?;
-        report.remark(&format!("loading {}", self.scene.scene));
+        report.remark(&format!("loading {}", self.scene.shown()));
         self.scene.import.edits.most_colors = target.most_colors();
         let content = self.scene.load(report)?;
         interrupt::check()?;

@@ -28,8 +28,8 @@ pub struct InfoArgs {
 
 impl InfoArgs {
     pub fn run(self, report: &mut Report) -> Result<(), Failure> {
-        if film_info::is_film(&self.scene.scene) {
-            return film_info::print(self.scene.scene.as_ref(), self.json);
+        if self.scene.scenes.len() == 1 && film_info::is_film(self.scene.scene()) {
+            return film_info::print(self.scene.scene().as_ref(), self.json);
         }
         let loaded = self.scene.load(report)?;
         let of_file = |told: fn(&Scene) -> Vec<String>| match &loaded {

@@ -150,6 +150,7 @@ impl RenderArgs {
         learn: &mut dyn FnMut(&Stage),
         report: &mut Report,
     ) -> Result<(), Failure> {
+        self.scene.refuse_pictures()?;
         let is_default = self.picture.output.is_empty() && self.film.checkpoint.is_none();
         if is_default {
             self.picture.output.push(format!("{}.png", self.scene.stem()).into());
@@ -173,7 +174,7 @@ impl RenderArgs {
         }
         self.picture.check(self.film.checkpoint.as_deref())?;
 
-        report.remark(&format!("loading {}", self.scene.scene));
+        report.remark(&format!("loading {}", self.scene.shown()));
         let start = Instant::now();
         let content = self.scene.load(report)?;
         let film = resumed.as_ref().map(|film| &film.frame);

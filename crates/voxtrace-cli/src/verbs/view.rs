@@ -24,9 +24,9 @@ use voxtrace_vulkan::{Settings, Traversal};
 /// F1 lists the keys. Files are dropped on the window, too; options about reading hold for all of them.
 #[derive(clap::Args, Clone, Debug)]
 pub struct ViewerArgs {
-    /// A file (`voxtrace formats` lists the kinds) or the name of a built-in scene
+    /// A file (`voxtrace formats` lists the kinds) or the name of a built-in scene. Several LAS or LAZ files are one cloud
     #[arg(value_name = "SCENE")]
-    scene: Option<String>,
+    scenes: Vec<String>,
     /// Size of built-in scenes, for example 500000, 500k or 13.6M voxels
     #[arg(long, value_name = "N", value_parser = parse::voxels)]
     voxels: Option<u64>,
@@ -43,7 +43,7 @@ pub struct ViewerArgs {
     #[arg(long, value_name = "DEVICE", env = "VOXTRACE_DEVICE", hide_env_values = true, help_heading = "Device")]
     device: Option<String>,
     /// Open no window: print how long so many frames of 1920 × 1080 pixels take on their way to one
-    #[arg(long, value_name = "N", requires = "scene", help_heading = "Device")]
+    #[arg(long, value_name = "N", requires = "scenes", help_heading = "Device")]
     bench_frames: Option<u32>,
 }
 
@@ -56,15 +56,15 @@ impl ViewerArgs {
         let cutting = self.cuts.take_cutting();
         let words: Vec<String> = std::env::args().skip_while(|word| word != "view").skip(1).collect();
         let options = WindowOptions {
-            scene: self.scene.clone(),
+            scene: self.scenes.first().cloned(),
             traversal: self.traversal.map(Into::into),
             device: self.device.clone(),
             validation: voxtrace_vulkan::Options::from_environment().validation,
-            scene_options: reading_options(&words, self.scene.as_deref()),
+            scene_options: reading_options(&words, self.scenes.first().map(String::as_str)),
             cutting,
             built_in_voxels: self.voxels,
         };
-        let loader = Files { import: self.import, memory: self.memory, cuts: self.cuts, voxels: self.voxels };
+        let loader = self.into_loader();
         open_window(options, Arc::new(loader)).map_err(|error| match error {
             ViewerError::Device(error) => trace_failure(error),
             ViewerError::Window(_) => Failure::other(error).hint("`voxtrace render` needs no screen"),
@@ -75,13 +75,18 @@ impl ViewerArgs {
 }
 
 impl ViewerArgs {
+    fn into_loader(self) -> Files {
+        let Self { scenes, import, memory, cuts, voxels, .. } = self;
+        Files { tiles: scenes, import, memory, cuts, voxels }
+    }
+
     /// Prints the time of frames, without a window or a screen.
     fn bench(self, frames: u32) -> Result<(), Failure> {
         let device = frame_bench::open_device(self.device.as_deref()).map_err(trace_failure)?;
         let queue = if device.has_present_queue() { "a queue of its own shows them" } else { "one queue does all" };
         let traversal = self.traversal.map_or(Traversal::Walk, Into::into);
-        let loader = Files { import: self.import, memory: self.memory, cuts: self.cuts, voxels: self.voxels };
-        let source = self.scene.unwrap_or_default();
+        let source = self.scenes.first().cloned().unwrap_or_default();
+        let loader = self.into_loader();
         let reading = Reading::default();
         let scene =
             Arc::new(loader.load(&source, &reading, Box::new(|_| {}), &Wanted::default()).map_err(Failure::input)?);
@@ -175,6 +180,8 @@ fn reading_options(words: &[String], scene: Option<&str>) -> Vec<String> {
 
 /// Reads what the window is given.
 struct Files {
+    /// What the command names: several files are one scene, that of the first of them.
+    tiles: Vec<String>,
     import: ImportArgs,
     memory: MemoryArgs,
     cuts: CutArgs,
@@ -211,7 +218,10 @@ impl Loader for Files {
             tell(Told::DependsOnCuts);
         }
         let mut scene = SceneArgs {
-            scene: source.to_owned(),
+            scenes: match self.tiles.first() {
+                Some(first) if first == source => self.tiles.clone(),
+                _ => vec![source.to_owned()],
+            },
             voxels: self.voxels.filter(|_| scenes::default_voxels(source).is_some()),
             instances: None,
             import: self.import.clone(),
@@ -281,6 +291,7 @@ mod tests {
         assert_eq!(kept("--voxels=5k --threads 2 church", Some("church")), "");
         let cut = "a.nii --slice z=4 --clip-plane 0,0,1,4 --clip-box=0,0,0,9,9,9 --clip-shadows";
         assert_eq!(kept(cut, Some("a.nii")), "", "the window has settings of its own for them");
+        assert_eq!(kept("a.laz --voxel-size 1m b.laz", Some("a.laz")), "--voxel-size 1m b.laz", "one scene");
         assert_eq!(kept("--resolution=9 a.stl --up-axis y", Some("a.stl")), "--resolution=9 --up-axis y");
     }
 
@@ -291,9 +302,25 @@ mod tests {
     }
 
     #[test]
+    fn several_tiles_are_the_scene_of_the_first_and_what_is_dropped_is_its_own() {
+        let folder = tempfile::tempdir().unwrap();
+        let paths = [("west.las", [100, 50]), ("east.las", [108, 50])].map(|(name, place)| {
+            std::fs::write(folder.path().join(name), voxtrace_test_support::las_tile(place)).unwrap();
+            folder.path().join(name).to_string_lossy().into_owned()
+        });
+        let words = ["view", &paths[0], &paths[1], "--voxel-size", "1m"];
+        let loader = <Words as clap::Parser>::parse_from(words).view.into_loader();
+        let voxels = |path: &str| {
+            let scene = loader.load(path, &Reading::default(), Box::new(|_| {}), &Wanted::default());
+            scene.unwrap().statistics().voxels
+        };
+        assert_eq!(paths.each_ref().map(|path| voxels(path)), [128, 64]);
+    }
+
+    #[test]
     fn a_scene_of_the_window_is_written_as_convert_writes_it() {
-        let view = <Words as clap::Parser>::parse_from(["view"]).view;
-        let loader = Files { import: view.import, memory: view.memory, cuts: view.cuts, voxels: Some(2_000) };
+        let view = <Words as clap::Parser>::parse_from(["view", "--voxels", "2000"]).view;
+        let loader = view.into_loader();
         let scene = loader.load("city", &Reading::default(), Box::new(|_| {}), &Wanted::default()).unwrap();
         let folder = tempfile::tempdir().unwrap();
         let at = |name: &str| folder.path().join(name);

@@ -4,7 +4,7 @@ use crate::failure::Failure;
 use crate::import::ImportArgs;
 use crate::interrupt;
 use crate::lattice::LatticeArgs;
-use crate::load::{MemoryArgs, is_native};
+use crate::load::{MemoryArgs, first_and_more, is_native};
 use crate::mesh::{Content, UpArg, announce, settled, voxelize_failure, watched};
 use crate::normals::{NormalsArg, with_normals};
 use crate::outputs;
@@ -12,7 +12,7 @@ use crate::parse;
 use crate::read_failure::import_failure;
 use crate::report::Report;
 use crate::verbs::convert::{Target, save_failure};
-use crate::volume::volume_failure;
+use crate::volume::{lowered, volume_failure};
 use std::path::{Path, PathBuf};
 use voxtrace::PackedScene;
 use voxtrace::import::{self, Data, Geometry, LargeGeometry, LargeVolume, Limits, opened};
@@ -55,11 +55,7 @@ impl VoxelizeArgs {
         }
         self.inputs.iter().for_each(|input| opened::note(input));
         target.check(out)?;
-        let more = match self.inputs.len() - 1 {
-            0 => String::new(),
-            more => format!(" and {more} more"),
-        };
-        report.remark(&format!("loading {}{more}", input.display()));
+        report.remark(&format!("loading {}", first_and_more(&input.to_string_lossy(), self.inputs.len())));
         let is_edited = self.import.edits.is_asked() || self.lattice.is_asked();
         if is_edited && self.memory_budget.is_some() {
             let what = "--close, --excavate, --palette-image, --straighten, --bake and --flatten";
@@ -172,6 +168,9 @@ impl VoxelizeArgs {
         })?;
         if let Some(survey) = large.surveyed().filter(|_| !is_known) {
             self.import.volume.warn_of_large(survey, self.input(), report);
+        }
+        if let Some(threshold) = large.lowered_threshold() {
+            report.remark(&lowered(threshold));
         }
         report.wrote(&self.out);
         Ok(())

@@ -6,12 +6,14 @@ use voxtrace_test_support::{data, files_below};
 #[test]
 fn wrong_arguments_are_explained_in_one_line_with_code_2() {
     let folder = Folder::new();
-    let cases: [(&[&str], &str); 61] = [
+    let cases: [(&[&str], &str); 63] = [
         (&[], "a verb is missing"),
         (&["paint"], "unrecognized subcommand 'paint'"),
         (&["render"], "<SCENE>"),
         (&["render", "room.vox", "--ssp", "4"], "--ssp"),
-        (&["render", "room.vox", "extra"], "extra"),
+        (&["render", "room.vox", "a.png"], "hint: -o a.png names the picture"),
+        (&["devices", "extra"], "extra"),
+        (&["convert", "room.vox"], "the file to write is missing"),
         (&["render", "room.vox", "--size", "0x5"], "at least one pixel"),
         (&["render", "room.vox", "--size", "100000x5"], "65536"),
         (&["render", "room.vox", "--size", "60000x60000"], "--crop"),

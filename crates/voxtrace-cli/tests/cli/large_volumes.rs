@@ -98,3 +98,24 @@ fn voxelizing_a_volume_that_is_interrupted_or_killed_goes_on_and_ends_with_the_s
         std::fs::remove_file(folder.path("a.vxt")).unwrap();
     }
 }
+
+#[test]
+fn coarse_voxels_are_shown_from_the_threshold_that_they_have_in_memory() {
+    let folder = Folder::new();
+    let samples: Vec<u8> = (0..32 * 32 * 32u32).map(|n| if n % 211 == 17 { 250 } else { (n * 7 % 50) as u8 }).collect();
+    std::fs::write(folder.path("sparks.raw"), samples).unwrap();
+    let voxelize = |out: &str, more: &[&str]| {
+        let plain = ["voxelize", "sparks.raw", "--raw-shape", "32x32x32:u8", "--resolution", "6", "-o", out];
+        let output = folder.run(&[&plain[..], more].concat());
+        (output.status.success(), stderr(&output))
+    };
+    let (memory, large) = (voxelize("memory.vxt", &[]), voxelize("large.vxt", &["--memory-budget", "1kB"]));
+    assert!(memory.0 && large.0, "{} {}", memory.1, large.1);
+    let line = |said: &str| said.lines().find(|line| line.contains("no voxel of that size")).map(str::to_owned);
+    assert!(line(&memory.1).is_some() && line(&memory.1) == line(&large.1), "{} {}", memory.1, large.1);
+    let info = |name: &str| folder.succeed(&["info", name]).replace(name, "").replace("large", "memory");
+    assert_eq!(info("memory.vxt"), info("large.vxt"));
+    // Whoever chose is told that nothing is to be seen.
+    let (succeeded, said) = voxelize("chosen.vxt", &["--memory-budget", "1kB", "--transfer", "mri"]);
+    assert!(!succeeded && said.contains("choose another --transfer or --threshold"), "{said}");
+}

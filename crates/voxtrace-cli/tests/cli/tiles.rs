@@ -1,37 +1,15 @@
 //! Tiles of a scan on the command line: folders and several files as one cloud, parts of it by class and place, and what is said
 //! where that cannot be.
 
-use crate::common::Folder;
+use crate::common::{Folder, stderr};
 use serde_json::Value;
-
-/// A LAS file of points a metre apart, 8 by 8, from a place on; each row has a class of its own, 1 to 8.
-fn las([x, y]: [i32; 2]) -> Vec<u8> {
-    let mut bytes = vec![0; 227];
-    let mut put = |at: usize, value: &[u8]| bytes[at..at + value.len()].copy_from_slice(value);
-    put(0, b"LASF");
-    put(24, &[1, 2]);
-    put(94, &227u16.to_le_bytes());
-    put(96, &227u32.to_le_bytes());
-    put(105, &20u16.to_le_bytes());
-    put(107, &64u32.to_le_bytes());
-    (0..3).for_each(|axis| put(131 + 8 * axis, &1f64.to_le_bytes()));
-    for (axis, low) in [f64::from(x), f64::from(y), 0.0].into_iter().enumerate() {
-        put(179 + 16 * axis, &[low + if axis < 2 { 7.0 } else { 0.0 }, low].map(f64::to_le_bytes).concat());
-    }
-    for at in 0..64 {
-        let mut record = [0; 20];
-        record[..8].copy_from_slice([x + at % 8, y + at / 8].map(i32::to_le_bytes).as_flattened());
-        record[15] = 1 + (at / 8) as u8;
-        bytes.extend(record);
-    }
-    bytes
-}
+use voxtrace_test_support::las_tile;
 
 fn folder() -> Folder {
     let folder = Folder::new();
     std::fs::create_dir(folder.path("tiles")).unwrap();
     for (name, place) in [("tiles/west.las", [100, 50]), ("tiles/east.las", [108, 50])] {
-        std::fs::write(folder.path(name), las(place)).unwrap();
+        std::fs::write(folder.path(name), las_tile(place)).unwrap();
     }
     folder
 }
@@ -58,6 +36,49 @@ fn a_folder_and_its_files_are_one_cloud_of_which_classes_and_boxes_choose() {
 }
 
 #[test]
+fn several_tiles_are_one_scene_for_every_verb_that_reads_one() {
+    let folder = folder();
+    let both = ["tiles/west.las", "tiles/east.las"];
+    assert_eq!((voxels(&folder, &both), voxels(&folder, &both[..1])), (128, 64));
+    assert_eq!(voxels(&folder, &["tiles/west.las", "--classes", "2", "tiles/east.las"]), 16);
+    folder.succeed(&[&["convert"], &both[..], &["both.vxt", "--voxel-size", "1m"]].concat());
+    assert_eq!(voxels(&folder, &["both.vxt"]), 128);
+    // The same picture as that of the folder, called after the first file.
+    let options = ["--size", "32x18", "--spp", "1", "--voxel-size", "1m"];
+    folder.succeed(&[&["render"], &both[..], &options].concat());
+    folder.succeed(&[&["render", "tiles", "-o", "folder.png"], &options[..]].concat());
+    folder.succeed(&[&["render", "tiles/west.las", "-o", "west_alone.png"], &options[..]].concat());
+    let pixels = |name: &str| {
+        let decoder = png::Decoder::new(std::io::BufReader::new(std::fs::File::open(folder.path(name)).unwrap()));
+        let mut reader = decoder.read_info().unwrap();
+        let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
+        reader.next_frame(&mut pixels).unwrap();
+        pixels
+    };
+    assert_eq!(pixels("west.png"), pixels("folder.png"));
+    assert_ne!(pixels("west.png"), pixels("west_alone.png"));
+    // None of them is written over.
+    let east = std::fs::read(folder.path(both[1])).unwrap();
+    std::fs::rename(folder.path(both[1]), folder.path("east.png")).unwrap();
+    let error = folder.fail(&["render", "tiles/west.las", "./east.png", "-o", "east.png"], 2);
+    assert!(error.contains("hint: -o ./east.png names the picture"), "{error}");
+    std::fs::rename(folder.path("east.png"), folder.path("out.vxt")).unwrap();
+    folder.fail(&["convert", "tiles/west.las", "out.vxt", "out.vxt"], 4);
+    assert_eq!(std::fs::read(folder.path("out.vxt")).unwrap(), east);
+}
+
+#[test]
+fn a_heightmap_that_is_called_like_a_picture_is_said_to_be_none() {
+    let folder = folder();
+    let output = folder.run(&["convert", "tiles", "out.png", "--voxel-size", "1m"]);
+    let said = stderr(&output);
+    let lines = said.lines().filter(|line| line.contains("a heightmap")).count();
+    assert!(output.status.success() && lines == 1 && said.contains("`voxtrace render SCENE -o PICTURE.png`"), "{said}");
+    let said = stderr(&folder.run(&["convert", "tiles", "out.vxt", "--voxel-size", "1m"]));
+    assert!(!said.contains("heightmap"), "{said}");
+}
+
+#[test]
 fn what_cannot_be_chosen_or_joined_is_one_line_that_says_why() {
     let folder = folder();
     std::fs::write(folder.path("box.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").unwrap();
@@ -66,6 +87,9 @@ fn what_cannot_be_chosen_or_joined_is_one_line_that_says_why() {
         (&["info", "tiles", "--classes", "30"], 3, "are of the classes 1, 2, 3, 4, 5, 6, 7, 8"),
         (&["info", "box.obj", "--classes", "2"], 2, "--classes chooses among points"),
         (&["info", "city", "--bounds", "0,0,1,1"], 2, "--bounds chooses among points"),
+        (&["info", "tiles", "city"], 3, "cannot read city"),
+        (&["info", "tiles", "box.obj"], 3, "box.obj: several files are read as one only where all are LAS"),
+        (&["render", "tiles", "picture.png"], 2, "hint: -o picture.png names the picture"),
         (&["info", "tiles", "--classes", "house"], 2, "is no class: classes are numbers from 0 to 255, or"),
         (&["info", "tiles", "--bounds", "0,0,0,1"], 2, "is empty"),
         (

@@ -3,6 +3,7 @@
 //! step is one load; processors keep the tree and its skip distances, whose nodes fit their registers.
 
 use super::boxes::{Counts, box_of};
+use super::extent::position;
 use super::{CELL_OCCUPIED, Geometry, PackedGrid};
 use glam::IVec3;
 use rayon::prelude::*;
@@ -57,10 +58,6 @@ impl Geometry {
             let size: IVec3 = (grid.max - grid.origin + 7) >> 3;
             let count = size.to_array().iter().map(|&n| n as u64).product::<u64>();
             if count > (MOST_CELLS_PER_BRICK * bricks.len() as u64).max(64) {
-                return None;
-            }
-            // A file may hold bricks beyond the end that it names.
-            if bricks.iter().any(|&(at, _)| at.cmplt(IVec3::ZERO).any() || at.cmpge(size).any()) {
                 return None;
             }
             let mut own = vec![0; count as usize];
@@ -238,12 +235,6 @@ enum Place {
     Node(usize),
 }
 
-/// Where in an array, x fastest, a cell is.
-fn position(size: IVec3, index: usize) -> IVec3 {
-    let index = index as i32;
-    IVec3::new(index % size.x, index / size.x % size.y, index / size.x / size.y)
-}
-
 /// Where in its node a cell is.
 fn cell_at(local: usize) -> IVec3 {
     position(IVec3::splat(4), local)
@@ -268,16 +259,6 @@ mod tests {
         let packed = PackedScene::pack(&scenes::generate("city", Some(100_000)).unwrap()).unwrap();
         let geometry = (**packed.geometry()).clone();
         (packed, geometry)
-    }
-
-    #[test]
-    fn bricks_beyond_the_end_that_a_grid_names_get_no_dense_cells() {
-        let (_, mut packed) = city();
-        assert!(packed.dense_cells().is_some());
-        let mut grids = packed.grids.to_vec();
-        grids[0].max.x = grids[0].origin.x + 8;
-        packed.grids = grids.into();
-        assert!(packed.dense_cells().is_none());
     }
 
     #[test]

@@ -78,13 +78,13 @@ fn refit(nodes: &mut [InstanceNode], boxes: &[(Vec3, Vec3)]) {
 
 /// The box in world space around a box of voxels, a little larger than exact, so that rounding cannot cut a hit off.
 pub fn world_box(instance: &PackedInstance, min: IVec3, max: IVec3) -> (Vec3, Vec3) {
-    let (low, high) = corner_box(instance, min, max);
+    let (low, high) = corners_of(instance, min, max);
     let margin = (low.abs().max(high.abs()).max_element() + instance.world_from_grid.scale()) * 1e-5;
     (low - margin, high + margin)
 }
 
 /// The box in world space around the corners of a box of voxels.
-pub(super) fn corner_box(instance: &PackedInstance, min: IVec3, max: IVec3) -> (Vec3, Vec3) {
+pub(super) fn corners_of(instance: &PackedInstance, min: IVec3, max: IVec3) -> (Vec3, Vec3) {
     let (mut low, mut high) = (Vec3::INFINITY, Vec3::NEG_INFINITY);
     for corner in 0..8 {
         let pick = IVec3::new(corner & 1, corner >> 1 & 1, corner >> 2);

@@ -209,6 +209,9 @@ pub(super) fn validate_lights(geometry: &Geometry) -> Result<(), Invalid> {
         let is_inside = (emitter.material as usize) < geometry.materials.len()
             && (emitter.grid as usize) < geometry.grids.len()
             && emitter.faces >> 6 == 0;
+        if is_inside && !(emitter.luminance > 0.0 && emitter.luminance.is_finite()) {
+            return Err(format!("emitter {index} has a luminance of {}", emitter.luminance).into());
+        }
         let is_in_leaf = leaf_of(emitter).is_some_and(|leaf| {
             let first = leaf.index as usize;
             (first..first + leaf.count as usize).contains(&index) && emitters[first].grid == emitter.grid
@@ -231,7 +234,17 @@ pub(super) fn validate_lights(geometry: &Geometry) -> Result<(), Invalid> {
             return Err(format!("node {at} of the trees over emitters points outside").into());
         }
     }
-    validate_roots(nodes, emitters)
+    validate_roots(nodes, emitters)?;
+    // Light from where nothing glows would be light from nowhere.
+    let is_there = |emitter: &Emitter| {
+        let grid = &geometry.grids[emitter.grid as usize];
+        let is_within = emitter.voxel.cmpge(grid.min).all() && emitter.voxel.cmplt(grid.max).all();
+        is_within && geometry.material_at(grid, emitter.voxel) == Some(emitter.material)
+    };
+    match emitters.par_iter().position_first(|emitter| !is_there(emitter)) {
+        Some(index) => Err(format!("emitter {index} is no voxel of its material").into()),
+        None => Ok(()),
+    }
 }
 
 /// Checks that all emitters of a tree are of one grid, and that grids come in their order.

@@ -7,14 +7,14 @@
 //! A grid is a dense top array of cells over a tree of nodes with 4×4×4 cells over bricks of 8×8×8 voxels. A cell is
 //! one word: what it holds, or, where it is empty, how many cells a ray of each octant may skip.
 //!
-//! The arrays themselves are hidden from the documentation: other crates of voxtrace read them, and semantic versioning does not
-//! cover them.
+//! The arrays are hidden from the documentation: other crates of voxtrace read them; semantic versioning does not cover them.
 
 mod append;
 mod boxes;
 mod brick_record;
 mod bytes;
 mod device_cells;
+mod extent;
 mod file;
 mod file_error;
 mod geometry;
@@ -45,7 +45,6 @@ mod unpack;
 mod validate;
 mod version_1;
 
-#[doc(hidden)]
 pub(crate) use append::Addition;
 pub(crate) use brick_record::encode_brick;
 pub use device_cells::DeviceCells;

@@ -1,18 +1,34 @@
 //! Checks that a packed scene holds together: every index lies inside its array and every tree ends. Tracing a valid
 //! scene cannot read out of bounds.
 
-use super::instances::{MAX_INSTANCE_DEPTH, corner_box};
+use super::extent::{Extent, position};
+use super::instances::{MAX_INSTANCE_DEPTH, corners_of};
 use super::lights::{finds_root, validate_lights};
 use super::lookup::{HEADER_INDEX_BITS, HEADER_PALETTE};
 use super::normals::normal_words;
 use super::{CELL_OCCUPIED, Geometry, LightNode, PackedGrid, Placement};
 use glam::{IVec3, Vec3};
+use std::ops::Range;
 use voxtrace_scene::Invalid;
+use voxtrace_scene::brick::BRICK_SIZE;
 use voxtrace_scene::grid::MAX_COORDINATE;
+use voxtrace_scene::transform::Transform;
 
 /// Voxels that the cells of a grid may cover along an axis: a grid from one end of the coordinates to the other, and less than
 /// one more of the largest cells. What devices keep 21 bits of, places of bricks, and 32-bit planes then suffice for all cells.
 const MAX_REACH: i64 = 1 << 22;
+
+/// Cells of one level side by side: a top array or a node.
+struct Cells {
+    /// Where they are in [`Geometry::cells`].
+    range: Range<usize>,
+    /// How many there are along each axis.
+    size: IVec3,
+    /// Place of the first, in cells from the grid's origin.
+    first: IVec3,
+    /// log₂ of the voxels along an edge of one.
+    shift: u32,
+}
 
 impl Placement {
     /// Checks that it holds together and suits a valid geometry.
@@ -33,6 +49,9 @@ impl Placement {
             }
             if !instance.world_from_grid.is_similarity() || !instance.grid_from_world.is_similarity() {
                 return Err(format!("instance {index} has a transform that is no similarity").into());
+            }
+            if !is_inverse(&instance.grid_from_world, &instance.world_from_grid) {
+                return Err(format!("the two transforms of instance {index} are not each other's inverse").into());
             }
         }
         self.validate_instance_nodes(geometry)
@@ -59,14 +78,20 @@ impl Placement {
             }
             let depth =
                 depths[index].ok_or_else(|| format!("node {index} of the tree over instances has no parent"))?;
-            let holds = |(low, high): (Vec3, Vec3)| node.min.cmple(low).all() && node.max.cmpge(high).all();
+            let is_around = |min: Vec3, max: Vec3| node.min.cmple(min).all() && node.max.cmpge(max).all();
+            let too_small = || format!("node {index} of the tree over instances is too small for what it holds");
             if node.is_leaf == 1 {
-                let grid = &geometry.grids[self.instances[child].grid as usize];
-                if !holds(corner_box(&self.instances[child], grid.min, grid.max)) {
-                    return Err(format!("instance {child} reaches out of its box in the tree over instances").into());
-                }
                 is_in_leaf[child] = true;
+                let instance = &self.instances[child];
+                let grid = &geometry.grids[instance.grid as usize];
+                let (min, max) = corners_of(instance, grid.min, grid.max);
+                if !is_around(min, max) {
+                    return Err(too_small().into());
+                }
                 continue;
+            }
+            if [index + 1, child].iter().any(|&child| !is_around(nodes[child].min, nodes[child].max)) {
+                return Err(too_small().into());
             }
             if depth == MAX_INSTANCE_DEPTH {
                 return Err(format!("the tree over instances is more than {MAX_INSTANCE_DEPTH} levels deep").into());
@@ -75,9 +100,6 @@ impl Placement {
                 // What is shared would be visited once for each way to it, and there may be 2³² of them.
                 if depths[child].replace(depth + 1).is_some() {
                     return Err(format!("node {child} of the tree over instances has two parents").into());
-                }
-                if !holds((nodes[child].min, nodes[child].max)) {
-                    return Err(format!("node {child} of the tree over instances reaches out of its parent").into());
                 }
             }
         }
@@ -116,6 +138,14 @@ impl Placement {
         }
         Ok(())
     }
+}
+
+/// Whether one transform undoes the other, but for rounding: it is some builds' own.
+fn is_inverse(transform: &Transform, of: &Transform) -> bool {
+    let exact = of.inverse();
+    let tolerance = 1e-3 * exact.scale();
+    transform.linear.abs_diff_eq(exact.linear, tolerance)
+        && transform.translation.distance(exact.translation) <= 1e-3 * exact.translation.length() + tolerance
 }
 
 impl Geometry {
@@ -164,39 +194,51 @@ impl Geometry {
         let start = grid.top_offset as usize;
         let end = top_cells.and_then(|cells| start.checked_add(cells));
         let end = end.filter(|&end| end <= self.cells.len()).ok_or("cells are missing")?;
-        self.validate_cells(grid, start, end, grid.top_shift, cells_left)
+        let mut extent = Extent::empty();
+        let top = Cells { range: start..end, size: grid.top_size, first: IVec3::ZERO, shift: grid.top_shift };
+        self.validate_cells(grid, top, cells_left, &mut extent)?;
+        extent.check(grid)
     }
 
     fn validate_cells(
         &self,
         grid: &PackedGrid,
-        start: usize,
-        end: usize,
-        shift: u32,
+        Cells { range, size, first, shift }: Cells,
         cells_left: &mut usize,
+        extent: &mut Extent,
     ) -> Result<(), Invalid> {
         // Each cell belongs to one grid and one node: visiting more than there are means that some are shared, and sharing
         // could make the visit endless.
-        *cells_left = cells_left.checked_sub(end - start).ok_or("cells are shared")?;
-        for &cell in self.cells[start..end].iter().filter(|&cell| cell & CELL_OCCUPIED != 0) {
+        *cells_left = cells_left.checked_sub(range.len()).ok_or("cells are shared")?;
+        let cells = self.cells[range].iter().enumerate();
+        for (index, &cell) in cells.filter(|(_, cell)| *cell & CELL_OCCUPIED != 0) {
             let child = (cell & !CELL_OCCUPIED) as usize;
+            let at = first + position(size, index);
             if shift == 3 {
-                self.validate_brick(grid, child * 2)?;
+                self.validate_brick(grid, child * 2, grid.origin + at * BRICK_SIZE, extent)?;
                 continue;
             }
             if child * 64 + 64 > self.cells.len() {
                 return Err("a node lies outside".into());
             }
-            self.validate_cells(grid, child * 64, child * 64 + 64, shift - 2, cells_left)?;
+            let range = child * 64..child * 64 + 64;
+            let node = Cells { range, size: IVec3::splat(4), first: at * 4, shift: shift - 2 };
+            self.validate_cells(grid, node, cells_left, extent)?;
         }
         Ok(())
     }
 
-    fn validate_brick(&self, grid: &PackedGrid, record: usize) -> Result<(), Invalid> {
+    fn validate_brick(
+        &self,
+        grid: &PackedGrid,
+        record: usize,
+        corner: IVec3,
+        extent: &mut Extent,
+    ) -> Result<(), Invalid> {
         let header = *self.bricks.get(record).ok_or("a brick lies outside")?;
         let blocks = (header & 0xff).count_ones() as usize;
         let words = self.bricks.get(record + 1..record + 2 + 2 * blocks).ok_or("a brick is cut off")?;
-        let voxels = words[1..].iter().map(|word| u64::from(word.count_ones())).sum::<u64>();
+        let voxels = extent.add(corner, header & 0xff, &words[1..])?;
         let index_bits = header >> HEADER_INDEX_BITS & 0xff;
         let palette = u64::from(header >> HEADER_PALETTE);
         let start = u64::from(words[0]) * 32;

@@ -10,7 +10,8 @@ use voxtrace::volume::VolumeOptions;
 use voxtrace::voxelize::VoxelizeProgress;
 use voxtrace::{PackedScene, Volume};
 
-static WRITTEN: Written = Written::by("volumes.py", "nibabel, numpy, pynrrd, zarr, tensorstore, tifffile and pydicom");
+static WRITTEN: Written =
+    Written::by("volumes.py", "nibabel, numpy, pynrrd, zarr, tensorstore, tifffile, imagecodecs and pydicom");
 
 fn samples(folder: &Path) -> Vec<Value> {
     let text = std::fs::read_to_string(folder.join("volumes.json")).unwrap();
@@ -59,30 +60,30 @@ fn volumes_of_other_programs_have_the_values_and_places_that_these_read() {
                 wrong.extend(fault(&volume, &sample, &wanted).map(|fault| format!("{path}: {fault}")));
                 count += 1;
                 // One value or place that is another is told.
-                volume.values[5] += 1.0;
+                volume.values[5] += 1.0 + 2.0 * sample["tolerance"].as_f64().unwrap_or(0.0) as f32;
                 assert!(fault(&volume, &sample, &wanted).is_some(), "{path}");
             }
             Err(error) => wrong.push(format!("{path}: {error}")),
         }
     }
-    assert!(wrong.is_empty() && count >= 60, "{count}: {}", wrong.join("\n"));
+    assert!(wrong.is_empty() && count >= 100, "{count}: {}", wrong.join("\n"));
 }
 
 #[test]
 fn volumes_of_other_programs_become_the_same_scenes_layer_by_layer() {
     let Some(folder) = WRITTEN.folder() else { return };
     let (out, again) = (folder.join("large.vxt"), folder.join("memory.vxt"));
-    let whole = ["medium", "medium/DICOMDIR", "headless.dcm", "arrays.npz", "packed.npz", "colors.tif"];
+    let whole = ["medium", "medium/DICOMDIR", "headless.dcm", "arrays.npz", "packed.npz"];
     // Of several data files, which are joined in memory.
     let joined = ["list.nhdr", "numbered.nhdr", "packed.nhdr"];
     let mut count = 0;
-    for sample in samples(folder) {
+    for sample in samples(folder).iter().filter(|sample| sample["whole"] != true) {
         let path = sample["path"].as_str().unwrap();
-        let options = options(&sample);
+        let options = options(sample);
         let large = import::open_large_volume(&folder.join(path), &options, 1).unwrap();
         let Some(mut large) = large else {
-            let is_pair = path.starts_with("par_");
-            assert!(is_pair || whole.contains(&path) || joined.contains(&path), "{path} is not read layer by layer");
+            let is_apart = ["par_", "colors", "aperio_"].iter().any(|start| path.starts_with(start));
+            assert!(is_apart || whole.contains(&path) || joined.contains(&path), "{path} is not read layer by layer");
             continue;
         };
         let of_volume = VolumeOptions::default();
@@ -108,7 +109,24 @@ fn volumes_of_other_programs_become_the_same_scenes_layer_by_layer() {
 #[test]
 fn pages_of_colours_are_colours() {
     let Some(folder) = WRITTEN.folder() else { return };
-    let volume = import::read_volume(&folder.join("colors.tif"), &ImportOptions::default()).unwrap();
-    let wanted = std::fs::read(folder.join("colors.u8")).unwrap();
-    assert_eq!(volume.colors.as_flattened(), wanted);
+    let names = [
+        "colors",
+        "colors_zstd",
+        "colors_apart",
+        "colors_plain_apart",
+        "colors_tiles_apart",
+        "colors_jpeg_2000",
+        "aperio_rgb",
+        "aperio_ycbcr",
+    ];
+    for name in names {
+        // Luma and chroma were rounded before they were packed.
+        let tolerance = if name == "aperio_ycbcr" { 2 } else { 0 };
+        let name = format!("{name}.tif");
+        let volume = import::read_volume(&folder.join(&name), &ImportOptions::default()).unwrap();
+        let wanted = std::fs::read(folder.join(format!("{name}.colors"))).unwrap();
+        let found = volume.colors.as_flattened();
+        let worst = found.iter().zip(&wanted).map(|(found, wanted)| found.abs_diff(*wanted)).max().unwrap();
+        assert!(found.len() == wanted.len() && worst <= tolerance, "{name}: {worst}");
+    }
 }

@@ -27,6 +27,7 @@ mod points;
 mod points_damage;
 mod points_streamed;
 mod slices;
+mod tiff_segments;
 mod tiles;
 mod vdb_files;
 mod vdb_samples;

@@ -11,7 +11,7 @@ mod forged;
 use crate::corpus;
 use crate::damage::damaged;
 use crate::meshes::Random;
-use forged::chain;
+use forged::{chain, forge};
 use voxtrace::georeference::Georeference;
 use voxtrace::glam::{DAffine3, DVec3, IVec3, Mat3, Vec3};
 use voxtrace::packed::FileErrorKind;
@@ -77,12 +77,26 @@ fn samples() -> Vec<(&'static str, Vec<u8>)> {
     PackedScene::pack_merged(&models()).unwrap().save(&path).unwrap();
     samples.push(("merged.vxt", std::fs::read(&path).unwrap()));
     samples.push(("chain_too_deep.vxt", chain(MAX_INSTANCE_DEPTH + 1).0));
+    samples.push(("beyond_the_end.vxt", beyond_the_end()));
     samples
+}
+
+/// A grid that says that it ends before most of its bricks.
+fn beyond_the_end() -> Vec<u8> {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("deep.vxt");
+    let packed = PackedScene::pack(&deep()).unwrap();
+    packed.save(&path).unwrap();
+    let mut bytes = std::fs::read(&path).unwrap();
+    let end = packed.grids()[0].origin.x + 8;
+    forge(&mut bytes, b"GRID", |grids| grids[52..56].copy_from_slice(&end.to_le_bytes()));
+    bytes
 }
 
 /// Those that are opened.
 fn sound_samples() -> Vec<(&'static str, Vec<u8>)> {
-    samples().into_iter().filter(|(name, _)| *name != "chain_too_deep.vxt").collect()
+    let is_sound = |name: &str| !["chain_too_deep.vxt", "beyond_the_end.vxt"].contains(&name);
+    samples().into_iter().filter(|(name, _)| is_sound(name)).collect()
 }
 
 /// A file that the first version of the format was written with: five lamps of one grid, turned and mirrored as MagicaVoxel
@@ -150,8 +164,10 @@ fn the_samples_reach_nodes_lights_and_a_place_on_a_map() {
     let traced = check::check(&samples()[3].1).unwrap();
     assert_eq!(traced.scene.instances().len(), opened[3].instances().len());
     assert!(traced.rays.iter().any(|ray| traced.scene.cast(ray).is_some()));
-    let too_deep = samples().pop().unwrap().1;
-    assert!(matches!(PackedScene::from_bytes(&too_deep), Err(FileErrorKind::Invalid(_))));
+    let too_deep = chain(MAX_INSTANCE_DEPTH + 1).0;
+    for refused in [too_deep, beyond_the_end()] {
+        assert!(matches!(PackedScene::from_bytes(&refused), Err(FileErrorKind::Invalid(_))));
+    }
 }
 
 #[test]

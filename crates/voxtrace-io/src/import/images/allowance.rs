@@ -17,6 +17,9 @@ pub(crate) enum Packing {
     Deflate,
     /// TIFF: also LZW, whose longest strings have some 3,800 bytes for a code of twelve bits.
     Tiff,
+    /// TIFF in Zstandard, a block of which repeats a byte 131,072 times for four, or JPEG 2000, where what is even takes some bits.
+    #[cfg(feature = "rasters")]
+    TiffAnew,
     /// JPEG: a block of 64 pixels takes some bits.
     Jpeg,
     /// WebP: pixels that are all alike take no bits at all.
@@ -47,6 +50,8 @@ pub(crate) fn check(
     let (free, ratio) = match packing {
         Packing::Deflate | Packing::Jpeg => (FREE, 1032),
         Packing::Tiff => (FREE, 2600),
+        #[cfg(feature = "rasters")]
+        Packing::TiffAnew => (16 * FREE, 32_768),
         Packing::Webp => (16 * FREE, 1032),
     };
     let limit = packed.saturating_mul(ratio.max(limits.ratio)).max(free).min(limits.bytes);

@@ -10,9 +10,15 @@ pub(crate) mod geotiff;
 pub(crate) mod hyperstack;
 #[cfg(feature = "rasters")]
 mod imagej;
+#[cfg(any(feature = "medical", feature = "rasters"))]
+pub(crate) mod jpeg_2000;
+#[cfg(feature = "rasters")]
+mod page;
 #[cfg(feature = "rasters")]
 pub(crate) mod pages;
 #[cfg(feature = "rasters")]
 pub(crate) mod planes;
 #[cfg(feature = "textures")]
 pub(crate) mod texture;
+#[cfg(feature = "rasters")]
+mod unpacked;

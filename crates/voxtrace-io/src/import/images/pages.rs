@@ -3,7 +3,9 @@
 use super::allowance::{self, Packing};
 use super::contiguous::Contiguous;
 use super::hyperstack::Hyperstack;
-use super::planes::{Choice, Plane, Wanted, bits_of, decoder_limits, plane, stack, tiff_spacing};
+use super::page::{bits_of, decoder_limits, plane};
+use super::planes::{Choice, Plane, Wanted, stack, tiff_spacing};
+use super::unpacked::Unpacked;
 use crate::import::source::guard::guarded;
 use crate::import::source::opened;
 use std::fs::File;
@@ -12,6 +14,8 @@ use std::path::{Path, PathBuf};
 use tiff::TiffError;
 use tiff::decoder::Decoder;
 use voxtrace_voxelize::{ImportError, ImportErrorKind, Limits};
+
+type PageDecoder = Decoder<Unpacked<BufReader<File>>>;
 
 /// A file of pages.
 pub(crate) struct Pages {
@@ -27,7 +31,8 @@ pub(crate) struct Pages {
     /// Where all lie one behind the other, which then are not decoded.
     pub contiguous: Option<Contiguous>,
     /// The decoder, and the page at which it is.
-    decoder: Option<(Decoder<BufReader<File>>, usize)>,
+    decoder: Option<(PageDecoder, usize)>,
+    limits: Limits,
 }
 
 impl Pages {
@@ -38,15 +43,15 @@ impl Pages {
     }
 
     fn listed(path: &Path, choice: Choice, limits: &Limits) -> Result<Option<Self>, TiffError> {
-        let mut decoder = opened(path)?;
+        let (mut decoder, packing) = opened(path, limits)?;
         let (width, height) = decoder.dimensions()?;
         let big_endian = decoder.byte_order() == tiff::tags::ByteOrder::BigEndian;
         let pixels = u64::from(width) * u64::from(height);
         let bits = u64::from(bits_of(decoder.colortype()?));
         let length = std::fs::metadata(path)?.len();
-        allowance::check((width, height, pixels), bits, length, Packing::Tiff, limits)
+        allowance::check((width, height, pixels), bits, length, packing, limits)
             .map_err(|refused| TiffError::IoError(std::io::Error::other(refused.to_string())))?;
-        let contiguous = Contiguous::of(&mut decoder);
+        let contiguous = Contiguous::of(&mut decoder).filter(|_| packing == Packing::Tiff);
         let stack = stack(&mut decoder, big_endian, contiguous.is_some());
         if stack.as_ref().is_some_and(|stack| stack.scattered().is_some()) {
             return Ok(None);
@@ -90,7 +95,8 @@ impl Pages {
         let is_whole = wanted.is_none() || stack.as_ref().is_some_and(|stack| stack.sizes[1] == pages.len());
         let is_volume = contiguous.is_some() || pages.len() + left_out > 1 && is_whole;
         let path = path.to_path_buf();
-        Ok(is_volume.then_some(Self { path, size, pages, left_out, spacing, stack, contiguous, decoder: None }))
+        let limits = *limits;
+        Ok(is_volume.then_some(Self { path, size, pages, left_out, spacing, stack, contiguous, decoder: None, limits }))
     }
 
     /// Decodes a slice.
@@ -100,13 +106,13 @@ impl Pages {
         let read = || {
             let mut ready = match self.decoder.take().filter(|(_, at)| *at <= page) {
                 Some(ready) => ready,
-                None => (opened(&self.path)?, 0),
+                None => (opened(&self.path, &self.limits)?.0, 0),
             };
             while ready.1 < page {
                 ready.0.next_image()?;
                 ready.1 += 1;
             }
-            let mut decoder = ready.0.with_limits(decoder_limits((width * height) as u64));
+            let mut decoder = ready.0.with_limits(decoder_limits((width * height) as u64, &self.limits));
             let plane = plane(&mut decoder, width, height)?;
             self.decoder = Some((decoder, page));
             Ok(plane)
@@ -116,7 +122,10 @@ impl Pages {
     }
 }
 
-fn opened(path: &Path) -> Result<Decoder<BufReader<File>>, TiffError> {
+/// A file's decoder, and how its pixels are packed.
+fn opened(path: &Path, limits: &Limits) -> Result<(PageDecoder, Packing), TiffError> {
     opened::note(path);
-    Decoder::new(BufReader::with_capacity(1 << 18, File::open(path)?))
+    let unpacked = Unpacked::of(BufReader::with_capacity(1 << 18, File::open(path)?), limits)?;
+    let packing = unpacked.allowance();
+    Ok((Decoder::new(unpacked)?, packing))
 }

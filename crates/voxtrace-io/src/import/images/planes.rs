@@ -7,13 +7,15 @@ use crate::import::images::geotiff;
 use crate::import::images::geotiff::GeoTiff;
 use crate::import::images::hyperstack::Hyperstack;
 use crate::import::images::imagej;
+use crate::import::images::page::{bits_of, decoder_limits, plane};
+use crate::import::images::unpacked::Unpacked;
 use crate::import::samples::channels::chosen;
 use crate::import::source::guard::guarded;
 use std::io::{Cursor, Read, Seek};
 use std::path::Path;
-use tiff::decoder::{Decoder, DecodingResult};
+use tiff::TiffError;
+use tiff::decoder::Decoder;
 use tiff::tags::Tag;
-use tiff::{ColorType, TiffError};
 use voxtrace_voxelize::{ImportError, ImportErrorKind, Limits};
 
 /// One picture, row by row from the top.
@@ -28,7 +30,7 @@ pub(crate) struct Plane {
 
 impl Plane {
     /// A picture of numbers, `channels` of which are a pixel; `full` is that of a channel's full brightness.
-    fn new([width, height]: [usize; 2], numbers: &[f32], channels: usize, full: Option<f32>) -> Self {
+    pub fn new([width, height]: [usize; 2], numbers: &[f32], channels: usize, full: Option<f32>) -> Self {
         let mut colors = Vec::new();
         if let (3 | 4, Some(full)) = (channels, full) {
             let byte = |number: &f32| (number / full * 255.0).round() as u8;
@@ -147,14 +149,16 @@ fn grey(numbers: &[f32], channels: usize) -> Vec<f32> {
 
 fn tiff(bytes: &[u8], choice: Choice, limits: &Limits, refused: &mut Option<Refused>) -> Result<Planes, TiffError> {
     let wrong = |what: &str| TiffError::IoError(std::io::Error::other(format!("TIFF: {what}")));
-    let mut decoder = Decoder::new(Cursor::new(bytes))?;
+    let unpacked = Unpacked::of(Cursor::new(bytes), limits)?;
+    let packing = unpacked.allowance();
+    let mut decoder = Decoder::new(unpacked)?;
     let mut found = Planes::default();
     let (mut count, mut page, mut wanted) = (0u64, 0, None);
     loop {
         let (width, height) = decoder.dimensions()?;
         let pixels = u64::from(width) * u64::from(height);
         if page == 0 {
-            let contiguous = Contiguous::of(&mut decoder);
+            let contiguous = Contiguous::of(&mut decoder).filter(|_| packing == Packing::Tiff);
             found.stack = stack(&mut decoder, bytes.starts_with(b"M"), contiguous.is_some());
             if let Some(what) = found.stack.as_ref().and_then(Hyperstack::scattered) {
                 *refused = Some(Refused::Foreign(what));
@@ -196,7 +200,7 @@ fn tiff(bytes: &[u8], choice: Choice, limits: &Limits, refused: &mut Option<Refu
             found.places.extend(place);
             count = count.saturating_add(pixels);
             let bits = u64::from(bits_of(decoder.colortype()?));
-            let allowed = allowance::check((width, height, count), bits, bytes.len() as u64, Packing::Tiff, limits);
+            let allowed = allowance::check((width, height, count), bits, bytes.len() as u64, packing, limits);
             let points = Refused::TooLarge { width, height, bytes: count, limit: limits.points };
             if let Err(too_large) = allowed.and(if count > limits.points { Err(points) } else { Ok(()) }) {
                 *refused = Some(too_large);
@@ -205,8 +209,9 @@ fn tiff(bytes: &[u8], choice: Choice, limits: &Limits, refused: &mut Option<Refu
             if pixels == 0 {
                 return Err(wrong("a page without pixels"));
             }
-            decoder = decoder.with_limits(decoder_limits(pixels));
-            found.planes.push(plane(&mut decoder, width as usize, height as usize)?);
+            decoder = decoder.with_limits(decoder_limits(pixels, limits));
+            let plane = plane(&mut decoder, width as usize, height as usize);
+            found.planes.push(plane.map_err(|error| of_page(error, page))?);
         } else {
             found.left_out += 1;
         }
@@ -221,12 +226,12 @@ fn tiff(bytes: &[u8], choice: Choice, limits: &Limits, refused: &mut Option<Refu
     }
 }
 
-/// What the decoder may allocate for a page of so many pixels.
-pub(super) fn decoder_limits(pixels: u64) -> tiff::decoder::Limits {
-    let mut limits = tiff::decoder::Limits::default();
-    limits.decoding_buffer_size = usize::try_from(pixels.saturating_mul(32)).unwrap_or(usize::MAX);
-    limits.intermediate_buffer_size = limits.decoding_buffer_size.max(1 << 20);
-    limits
+/// What is wrong with a page.
+fn of_page(error: TiffError, page: usize) -> TiffError {
+    match error {
+        TiffError::IoError(error) => TiffError::IoError(std::io::Error::other(format!("page {page}: {error}"))),
+        other => other,
+    }
 }
 
 /// The pages of a stack that are read.
@@ -284,76 +289,6 @@ fn pixel_size<R: Read + Seek>(decoder: &mut Decoder<R>) -> Option<[f64; 2]> {
         Some(f64::from(below) / f64::from(above)).filter(|edge| (1e-9..1e9).contains(edge))
     };
     Some([edge(Tag::XResolution)?, edge(Tag::YResolution)?])
-}
-
-/// Bits of a pixel as the file has them.
-pub(super) fn bits_of(color: ColorType) -> u32 {
-    match color {
-        ColorType::Gray(bits) | ColorType::Palette(bits) => bits.into(),
-        ColorType::GrayA(bits) => 2 * u32::from(bits),
-        ColorType::RGB(bits) | ColorType::YCbCr(bits) | ColorType::Lab(bits) => 3 * u32::from(bits),
-        ColorType::RGBA(bits) | ColorType::CMYK(bits) => 4 * u32::from(bits),
-        ColorType::CMYKA(bits) => 5 * u32::from(bits),
-        ColorType::Multiband { bit_depth, num_samples } => u32::from(bit_depth) * u32::from(num_samples),
-        _ => 64,
-    }
-}
-
-pub(super) fn plane<R: Read + Seek>(decoder: &mut Decoder<R>, width: usize, height: usize) -> Result<Plane, TiffError> {
-    let color = decoder.colortype()?;
-    let channels = match color {
-        ColorType::Gray(_) | ColorType::Palette(_) => 1,
-        ColorType::GrayA(_) => 2,
-        ColorType::RGB(_) | ColorType::YCbCr(_) | ColorType::Lab(_) => 3,
-        ColorType::RGBA(_) | ColorType::CMYK(_) => 4,
-        ColorType::CMYKA(_) => 5,
-        ColorType::Multiband { num_samples, .. } => usize::from(num_samples),
-        _ => 1,
-    };
-    macro_rules! numbers {
-        ($values:expr) => {
-            $values.into_iter().map(|value| value as f32).collect()
-        };
-    }
-    let numbers: Vec<f32> = match decoder.read_image()? {
-        DecodingResult::U8(values) => numbers!(values),
-        DecodingResult::U16(values) => numbers!(values),
-        DecodingResult::U32(values) => numbers!(values),
-        DecodingResult::U64(values) => numbers!(values),
-        DecodingResult::I8(values) => numbers!(values),
-        DecodingResult::I16(values) => numbers!(values),
-        DecodingResult::I32(values) => numbers!(values),
-        DecodingResult::I64(values) => numbers!(values),
-        DecodingResult::F16(values) => values.into_iter().map(f32::from).collect(),
-        DecodingResult::F32(values) => values,
-        DecodingResult::F64(values) => numbers!(values),
-    };
-    let count = width * height;
-    let numbers = match color {
-        ColorType::Gray(bits @ (1 | 2 | 4)) | ColorType::Palette(bits @ (1 | 2 | 4)) => unpacked(&numbers, bits, width),
-        _ => numbers,
-    };
-    // Colours in planes of their own come one plane at a time.
-    let channels = if numbers.len() == count { 1 } else { channels };
-    if numbers.len() < count * channels.max(1) {
-        return Err(TiffError::IoError(std::io::Error::other("TIFF: a page that is not whole")));
-    }
-    let full = match color {
-        ColorType::RGB(8) | ColorType::RGBA(8) => Some(255.0),
-        ColorType::RGB(16) | ColorType::RGBA(16) => Some(65_535.0),
-        _ => None,
-    };
-    Ok(Plane::new([width, height], &numbers[..count * channels.max(1)], channels.max(1), full))
-}
-
-/// The numbers of several pixels in a byte, the highest bits first; rows begin with a byte.
-fn unpacked(bytes: &[f32], bits: u8, width: usize) -> Vec<f32> {
-    let bits = usize::from(bits);
-    let row = |bytes: &[f32]| -> Vec<f32> {
-        let pixel = |n: usize| f32::from(bytes[n * bits / 8] as u8 >> (8 - bits - n * bits % 8) & (0xff >> (8 - bits)));
-        (0..width).map(pixel).collect()
-    };
-    bytes.chunks_exact((width * bits).div_ceil(8).max(1)).flat_map(row).collect()
 }
 
 /// What ImageJ writes into its first page: pixels to a unit, and `spacing=` between pages in that unit.

@@ -2,7 +2,7 @@
 //! 2004; nifti1.h and nifti2.h). Where there is time, the first time point is read, or the one that is asked for.
 
 use super::analyze;
-use crate::import::reader::{ImportOptions, Kind, Reader};
+use crate::import::reader::{ImportOptions, Kind, NotShown, Reader};
 use crate::import::samples::stored::{PackedFile, Stored};
 use crate::import::samples::{Layout, Sample, channels, checked_size, detached, entries, place};
 use crate::import::source::folder::Folder;
@@ -136,7 +136,9 @@ fn samples<'a>(
     entries::skip_volumes(&mut input, &layout, header.time_points.saturating_mul(vector as u64) + point as u64)?;
     let mut frame = Volume { size, unit: Unit::Millimetre, ..Volume::new([1; 3], Vec::new()) };
     frame.is_labels = header.intent == INTENT_LABEL;
-    frame.notes.extend(note.into_iter().chain(behind));
+    let mut parts = NotShown::default();
+    parts.count("NIfTI extension", header.extensions);
+    frame.notes.extend(note.into_iter().chain(behind).chain(parts.note()));
     // x and y of NIfTI point to the right and to the front.
     let world_from_nifti = DMat3::from_diagonal(DVec3::new(-1.0, -1.0, 1.0)) * header.unit_size;
     place(
@@ -187,6 +189,8 @@ pub(super) struct Header {
     /// Millimetres of a unit.
     pub unit_size: f64,
     pub nifti_from_index: DAffine3,
+    /// What other programs added.
+    extensions: u64,
 }
 
 impl Header {
@@ -202,8 +206,8 @@ impl Header {
             _ => return Err(ImportError::malformed(path, 0, "the file does not begin as NIfTI does")),
         };
         let is_second = u64::from(length) == HEADER_2;
-        let header = input.take(length as usize, "a NIfTI header")?.to_vec();
-        let fields = Fields { header: &header, big_endian };
+        let bytes = input.take(length as usize, "a NIfTI header")?.to_vec();
+        let fields = Fields { header: &bytes, big_endian };
         let magic_at = if is_second { 4 } else { 344 };
         let is_in_pair = stem(&path.to_string_lossy(), &[HEADERS, IMAGES].concat()).is_some();
         let (is_pair, is_analyze) = match fields.text(magic_at) {
@@ -238,7 +242,7 @@ impl Header {
         let start = if is_second { fields.int(168, 8) } else { f64::from(fields.f32(108)) as i64 };
         // Some writers leave 0: samples follow the header and its four bytes of extension.
         let least = if is_pair { 0 } else { (if is_second { HEADER_2 } else { HEADER_1 }) as i64 + 4 };
-        let units = if is_second { fields.int(500, 4) } else { i64::from(header[123]) };
+        let units = if is_second { fields.int(500, 4) } else { i64::from(bytes[123]) };
         let unit_size = match units & 7 {
             1 => 1000.0,
             3 => 0.001,
@@ -260,12 +264,34 @@ impl Header {
             spacing,
             unit_size,
             nifti_from_index,
+            extensions: 0,
         };
         if is_analyze {
             analyze::settle(&mut header, &fields);
+        } else {
+            header.extensions = extensions(input, big_endian, if is_pair { u64::MAX } else { header.start })?;
         }
         Ok(header)
     }
+}
+
+/// How many extensions lie behind the header, before a byte of the file: each has its size and its kind in front.
+fn extensions(input: &mut Input, big_endian: bool, end: u64) -> Result<u64, ImportError> {
+    if !matches!(input.peek(4)?, [1..=255, _, _, _]) || input.offset() + 4 > end {
+        return Ok(0);
+    }
+    input.skip(4, "the sign of extensions")?;
+    let mut count = 0;
+    while let Some(&size) = input.peek(8)?.first_chunk::<8>().and_then(|head| head.first_chunk::<4>()) {
+        let size = if big_endian { u32::from_be_bytes(size) } else { u32::from_le_bytes(size) };
+        let after = input.offset() + u64::from(size);
+        if size < 16 || size % 16 != 0 || after > end {
+            break;
+        }
+        input.skip(size.into(), "an extension of the header")?;
+        count += 1;
+    }
+    Ok(count)
 }
 
 /// Where samples lie, by the codes of the affine matrix and of the quaternion; `real` is a number by its offset in either version.

@@ -3,7 +3,7 @@
 use super::large::stamp_of;
 use std::path::Path;
 use voxtrace_voxelize::volume::large::{SampleSource, Survey, voxelize_large_volume_to_file};
-use voxtrace_voxelize::volume::{Volume, VolumeOptions};
+use voxtrace_voxelize::volume::{Volume, VolumeError, VolumeOptions};
 use voxtrace_voxelize::voxelize::{VoxelizeError, VoxelizeProgress, Written};
 use voxtrace_voxelize::{ImportError, Limits};
 
@@ -13,6 +13,7 @@ pub struct LargeVolume {
     survey: Option<Survey>,
     /// Whether the survey was used, and is not to be used for other options.
     is_used: bool,
+    lowered: Option<f32>,
     /// Length and time of the file.
     stamp: String,
     memory_budget: u64,
@@ -21,7 +22,7 @@ pub struct LargeVolume {
 impl LargeVolume {
     /// What a reader has opened, to be worked on in so many bytes of memory.
     pub(crate) fn new(source: Box<dyn SampleSource>, path: &Path, memory_budget: u64) -> Result<Self, ImportError> {
-        Ok(Self { source, survey: None, is_used: false, stamp: stamp_of(path)?, memory_budget })
+        Ok(Self { source, survey: None, is_used: false, lowered: None, stamp: stamp_of(path)?, memory_budget })
     }
 
     /// The volume without its samples.
@@ -44,6 +45,11 @@ impl LargeVolume {
         self.survey.as_ref()
     }
 
+    /// Where the last work showed voxels from a threshold of their own on, because no voxel reached that of the samples: it.
+    pub fn lowered_threshold(&self) -> Option<f32> {
+        self.lowered
+    }
+
     /// Voxelizes into a native file; makes a survey where there was none with the same options. The scene is the one of the same volume in
     /// memory, bit for bit. Interrupted work leaves `PATH.part`, from which the same call goes on.
     ///
@@ -56,12 +62,23 @@ impl LargeVolume {
         path: &Path,
         progress: &VoxelizeProgress,
     ) -> Result<Written, VoxelizeError> {
+        let budget = Some(self.memory_budget);
+        let source = self.source.as_mut();
         let survey = match self.survey.take().filter(|_| !self.is_used) {
             Some(survey) => survey,
-            None => Survey::of(self.source.as_mut(), options, Some(self.memory_budget), progress)?,
+            None => Survey::of(source, options, budget, progress)?,
         };
-        self.is_used = true;
-        let (survey, work) = (self.survey.insert(survey), (options, Some(self.memory_budget)));
-        voxelize_large_volume_to_file((self.source.as_mut(), &self.stamp), survey, work, limits, path, progress)
+        (self.is_used, self.lowered) = (true, None);
+        let survey = self.survey.insert(survey);
+        let written = |source: &mut dyn SampleSource, survey: &mut Survey| {
+            let work = (options, budget);
+            voxelize_large_volume_to_file((source, &self.stamp), survey, work, limits, path, progress)
+        };
+        let result = written(source, survey);
+        if matches!(result, Err(VoxelizeError::Volume(VolumeError::Empty { .. }))) {
+            // As in memory.
+            self.lowered = survey.lower(source, options, budget, progress)?;
+        }
+        if self.lowered.is_some() { written(source, survey) } else { result }
     }
 }

@@ -34,7 +34,7 @@ impl NotShown {
         let phrase = |(kind, count): &(String, Option<u64>)| match count {
             None => kind.clone(),
             Some(1) => format!("1 {kind}"),
-            Some(count) => match kind.strip_suffix('y') {
+            Some(count) => match kind.strip_suffix('y').filter(|stem| !stem.ends_with(['a', 'e', 'o', 'u'])) {
                 Some(stem) => format!("{count} {stem}ies"),
                 None => format!("{count} {kind}s"),
             },
@@ -70,13 +70,17 @@ mod tests {
         parts.count("entity", 2);
         parts.count("animation", 1);
         parts.count("light", 1);
+        parts.count("overlay", 3);
         parts.name("KHR_\nof, tomorrow");
         parts.name("KHR_\nof, tomorrow");
         let note = parts.note().unwrap();
-        assert_eq!(note, "not shown: 2 animations, 2 entities, 1 light, KHR_ of  tomorrow");
+        assert_eq!(note, "not shown: 2 animations, 2 entities, 1 light, 3 overlays, KHR_ of  tomorrow");
         let notes = ["a point is left out".to_owned(), note];
-        assert_eq!(parts_not_shown(&notes), ["2 animations", "2 entities", "1 light", "KHR_ of  tomorrow"]);
+        assert_eq!(
+            parts_not_shown(&notes),
+            ["2 animations", "2 entities", "1 light", "3 overlays", "KHR_ of  tomorrow"]
+        );
         (0..20).for_each(|index| parts.name(&format!("part {index}")));
-        assert!(parts.note().unwrap().ends_with(", 8 more kinds"), "{:?}", parts.note());
+        assert!(parts.note().unwrap().ends_with(", 9 more kinds"), "{:?}", parts.note());
     }
 }

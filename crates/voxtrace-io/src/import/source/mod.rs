@@ -10,6 +10,8 @@ pub(crate) mod input;
 pub(crate) mod listing;
 pub mod opened;
 pub(crate) mod watch;
+#[cfg(any(feature = "rasters", feature = "volumes"))]
+pub(crate) mod zstd;
 
 use folder::Folder;
 use input::Input;

@@ -57,8 +57,10 @@ pub(crate) const READER: Reader = Reader::new(
             let map = map_beside(&folder, picture, limits);
             map.map_err(|fault| notes.push(format!("the sky is one colour: its picture is not read: {fault}"))).ok()
         };
-        let scene = VoxFile::parse(&bytes, path, limits)?.scene_under(path, limits, &mut map_of)?;
+        let file = VoxFile::parse(&bytes, path, limits)?;
+        let scene = file.scene_under(path, limits, &mut map_of)?;
         let mut parts = NotShown::default();
+        parts.count("further keyframe", keyframes(&file));
         ignored(&scene).iter().for_each(|part| parts.name(part));
         notes.extend(parts.note());
         Ok(Data::Voxels(Voxels { scene, notes }))
@@ -66,6 +68,19 @@ pub(crate) const READER: Reader = Reader::new(
 )
 .with_magic(&[Magic::first(b"VOX ")])
 .with_up_axis(None);
+
+/// What moves in a file is shown as it is at first: so many keyframes follow, of places and of models.
+fn keyframes(file: &VoxFile) -> u64 {
+    let further = |count: usize| count.saturating_sub(1) as u64;
+    let has_graph = file.chunks.iter().any(|chunk| matches!(chunk.body, Body::Shape(_)));
+    let of_chunk = |chunk: &Chunk| match &chunk.body {
+        Body::Transform(node) => further(node.frames.len()),
+        Body::Shape(node) => further(node.models.len()),
+        Body::Pack(models) if !has_graph => further(*models as usize),
+        _ => 0,
+    };
+    file.chunks.iter().map(of_chunk).sum()
+}
 
 /// The map of a picture in a folder.
 fn map_beside(folder: &Folder, picture: &Picture, limits: &Limits) -> Result<Arc<EnvironmentMap>, String> {

@@ -12,6 +12,7 @@ mod seen;
 mod stripes;
 mod survey;
 mod tally;
+mod threshold;
 
 pub use block::{Block, Coding};
 pub use survey::Survey;

@@ -177,6 +177,20 @@ impl<'a> Window<'a> {
         Ok(seen)
     }
 
+    /// The values of a layer of voxels, those of the stripe's own bricks alone. Layers are asked for in the order of the samples.
+    pub fn own_values(&mut self, layer: usize, feed: &mut Feed) -> Result<&[f32], VoxelizeError> {
+        let under: Vec<(usize, f32)> = self.axes[2].samples(layer).collect();
+        match self.coding {
+            Coding::Bytes(_) => self.sum::<u8>(&under, feed),
+            Coding::Words(_) => self.sum::<u16>(&under, feed),
+            Coding::Reals => self.sum::<f32>(&under, feed),
+        }?;
+        let (width, stripe) = (self.width(), &self.stripe);
+        let own = stripe.bricks.start * EDGE..(stripe.bricks.end * EDGE).min(stripe.voxels.end);
+        let from = stripe.voxels.start;
+        Ok(&self.sums[(own.start - from) * width..(own.end - from) * width])
+    }
+
     /// Sums the samples under a layer of voxels as they come.
     fn sum<S: Stored>(&mut self, under: &[(usize, f32)], feed: &mut Feed) -> Result<(), VoxelizeError> {
         let width = self.width();
@@ -184,7 +198,8 @@ impl<'a> Window<'a> {
         sums.clear();
         sums.resize(width * self.stripe.voxels.len(), 0.0);
         for &(number, weight) in under {
-            self.forget_before(number, feed);
+            // Where few are under a layer, the next one may need the same.
+            self.forget_before(if under.len() > FEW { number } else { under[0].0 }, feed);
             self.keep(number, feed)?;
             let Some(samples) = self.samples_of::<S>(number) else { continue };
             let reader = RowReader { across: &self.across, classes: self.classes };

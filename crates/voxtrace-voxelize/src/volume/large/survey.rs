@@ -6,6 +6,7 @@ use super::super::{Placement, Transfer, ValueStatistics, Volume, VolumeError, Vo
 use super::ahead::{ON_THE_WAY, ahead};
 use super::stripes::rows_within;
 use super::tally::Tally;
+use super::threshold;
 use super::{Block, Coding, DEFAULT_BUDGET, SampleSource};
 use crate::voxelize::{VoxelizeError, VoxelizeProgress};
 
@@ -64,6 +65,29 @@ impl Survey {
     /// The transfer function, resolved.
     pub fn transfer(&self) -> &Transfer {
         &self.transfer
+    }
+
+    /// Shows what is at least [`super::super::threshold_of_voxels`] of a volume of which nothing was to be seen, and returns it; `None`, and
+    /// nothing else is shown, where the options choose what is.
+    ///
+    /// # Errors
+    /// If the volume cannot be read; also if it was cancelled.
+    pub fn lower(
+        &mut self,
+        source: &mut dyn SampleSource,
+        options: &VolumeOptions,
+        memory_budget: Option<u64>,
+        progress: &VoxelizeProgress,
+    ) -> Result<Option<f32>, VoxelizeError> {
+        let is_chosen = options.transfer.is_some() || options.threshold.is_some();
+        let Some((values, _)) = self.seen.as_ref().filter(|_| !is_chosen) else { return Ok(None) };
+        let placement = Placement::of(source.frame(), options.scale, u64::MAX, false)?;
+        let budget = memory_budget.unwrap_or(DEFAULT_BUDGET);
+        let threshold = threshold::of_voxels(source, &placement, budget, progress)?;
+        let mut transfer = Transfer::automatic(values);
+        transfer.resolve(values, Some(threshold));
+        self.transfer = transfer;
+        Ok(Some(threshold))
     }
 
     /// The share of samples with at least so much, where all were counted.

@@ -3,7 +3,6 @@
 
 mod elements;
 mod jpeg_12;
-mod jpeg_2000;
 mod jpeg_ls;
 mod markers;
 mod mosaic;

@@ -5,7 +5,8 @@ use super::elements::{File, Pixels};
 use super::pack_bits::unpack_bits;
 use super::syntax::{ADVICE, Packing};
 use super::tag;
-use super::{jpeg_12, jpeg_2000, jpeg_ls, markers};
+use super::{jpeg_12, jpeg_ls, markers};
+use crate::import::images::jpeg_2000;
 use crate::import::source::guard::guarded;
 use std::path::Path;
 use voxtrace_voxelize::{ImportError, ImportErrorKind, Limits};
@@ -295,8 +296,8 @@ impl Layout {
                 let channels = red.iter().zip(green).zip(blue);
                 channels.map(|((&r, &g), &b)| brightness([r, g, b].map(|sample| sample as f32))).collect()
             }
-            [first, ..] => first.iter().map(|&sample| self.whole(sample as u32)).collect(),
-            [] => Vec::new(),
+            [first] => first.iter().map(|&sample| self.whole(sample as u32)).collect(),
+            others => return Err(format!("JPEG 2000: {} components", others.len())),
         })
     }
 

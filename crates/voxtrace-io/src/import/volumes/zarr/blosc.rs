@@ -2,6 +2,8 @@
 //! whose bytes or bits may have been sorted by significance, compressed by another codec.
 
 use super::codec;
+use crate::import::source::guard::guarded;
+use crate::import::source::zstd::zstd;
 
 /// Bytes of the header.
 const HEAD: usize = 16;
@@ -65,7 +67,7 @@ fn part_of(data: &[u8], size: usize, codec: u8) -> Result<Vec<u8>, String> {
     match codec {
         1 => codec::lz4(data, size),
         3 => codec::read(flate2::read::ZlibDecoder::new(data), size),
-        4 => crate::import::source::guard::guarded(|| codec::zstd(data, size)),
+        4 => guarded(|| zstd(data, size)),
         0 => Err("not supported: BloscLZ, the first codec of Blosc".into()),
         2 => Err("not supported: Snappy in Blosc".into()),
         other => Err(format!("codec {other} in Blosc, which nobody knows")),

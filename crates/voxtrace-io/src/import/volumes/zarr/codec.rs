@@ -4,6 +4,7 @@
 use super::blosc;
 use super::metadata::Fault;
 use crate::import::source::guard::guarded;
+use crate::import::source::zstd::zstd;
 use serde_json::Value;
 use std::io::Read;
 
@@ -109,12 +110,6 @@ pub(super) fn read(decoder: impl Read, most: usize) -> Result<Vec<u8>, String> {
     let mut bytes = Vec::new();
     decoder.take(most as u64 + 1).read_to_end(&mut bytes).map_err(|error| error.to_string())?;
     if bytes.len() > most { Err(too_long(most)) } else { Ok(bytes) }
-}
-
-/// A stream of Zstandard.
-pub(super) fn zstd(bytes: &[u8], most: usize) -> Result<Vec<u8>, String> {
-    let decoder = ruzstd::decoding::StreamingDecoder::new(bytes).map_err(|error| error.to_string())?;
-    read(decoder, most)
 }
 
 /// A bare block of LZ4 that becomes `size` bytes.

@@ -10,7 +10,7 @@ const MOST_BITS: u8 = 24;
 const MOST_TILES: u64 = 65_535;
 
 /// A picture as it comes out of its codestream.
-pub(super) struct Picture {
+pub(crate) struct Picture {
     /// The samples of each component, row by row.
     pub components: Vec<Vec<i32>>,
     /// Whether three components had been mixed, which the decoder has undone: they are red, green and blue.
@@ -18,7 +18,7 @@ pub(super) struct Picture {
 }
 
 /// Decodes a picture of `columns` times `rows` pixels.
-pub(super) fn decode(bytes: &[u8], columns: usize, rows: usize) -> Result<Picture, String> {
+pub(crate) fn decode(bytes: &[u8], columns: usize, rows: usize) -> Result<Picture, String> {
     let at = bytes.windows(START.len()).position(|window| window == START).ok_or("no start of a picture")?;
     let ranges = check(&bytes[at + START.len()..])?;
     let settings = DecodeSettings { resolve_palette_indices: false, ..DecodeSettings::default() };
@@ -87,7 +87,7 @@ fn check(sizes: &[u8]) -> Result<Vec<Range>, String> {
     }
     let count = sizes.get(36..38).map_or(0, |count| u16::from_be_bytes([count[0], count[1]]));
     let components = sizes.get(38..38 + 3 * usize::from(count)).ok_or("a short header")?;
-    if !matches!(count, 1 | 3) {
+    if !(1..=4).contains(&count) {
         return Err(format!("{count} components"));
     }
     let range = |&[depth, ..]: &[u8; 3]| {
