@@ -42,7 +42,11 @@ impl Commands<'_> {
         match self.byte() % 3 {
             0 => Shape::Box(self.region()),
             1 => Shape::Sphere { center, radius },
-            _ => Shape::Capsule { from: center, to: center + self.voxel().clamp(IVec3::splat(-12), IVec3::splat(12)).as_dvec3(), radius },
+            _ => Shape::Capsule {
+                from: center,
+                to: center + self.voxel().clamp(IVec3::splat(-12), IVec3::splat(12)).as_dvec3(),
+                radius,
+            },
         }
     }
 
@@ -51,7 +55,11 @@ impl Commands<'_> {
             0..3 => Edit::Fill { shape: self.shape(), material: self.content() },
             3 => Edit::Paint { shape: self.shape(), material: (self.byte() % 4) as u16 },
             4 => Edit::Replace { within: Some(self.region()), from: (self.byte() % 4) as u16, to: self.content() },
-            5 => Edit::Extrude { layer: self.region(), face: FACES[self.byte() as usize % 6], distance: self.byte() % 9 - 4 },
+            5 => Edit::Extrude {
+                layer: self.region(),
+                face: FACES[self.byte() as usize % 6],
+                distance: self.byte() % 9 - 4,
+            },
             6 => {
                 let clip = scene.copy(0, self.region()).unwrap_or_else(|_| Clip::new(VoxelGrid::new(), IVec3::ONE));
                 Edit::Paste { clip: clip.into(), at: self.voxel(), with_empty: self.byte() % 2 == 0 }

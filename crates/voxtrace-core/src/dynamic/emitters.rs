@@ -60,6 +60,9 @@ fn emitters_of_brick(geometry: &Geometry, index: usize, at: IVec3, glow: &Glow) 
     }
     let brick = geometry.decode_brick(grid, record);
     let around = Around::of(geometry, (index, corner, &brick), glow);
+    if around.is_closed() {
+        return Vec::new();
+    }
     let mut emitters: Vec<Emitter> = (brick.voxels())
         .filter(|&(_, material)| glow.emits(material))
         .map(|(local, material)| Emitter {
@@ -93,6 +96,11 @@ impl Around {
             covering(&geometry.decode_brick(grid, record), glow)
         };
         Self { own: covering(brick, glow), beside: FACES.map(of_face) }
+    }
+
+    /// Whether nothing of the brick can be seen: within large bodies, most bricks.
+    fn is_closed(&self) -> bool {
+        self.beside.iter().chain([&self.own]).all(|masks| *masks == [u64::MAX; 8])
     }
 
     /// Bit f is set where nothing that covers it is at face f of a voxel.
