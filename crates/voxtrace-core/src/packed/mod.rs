@@ -44,6 +44,7 @@ mod top_lights;
 mod unpack;
 mod validate;
 mod version_1;
+mod wide_tree;
 
 #[doc(hidden)]
 pub(crate) use append::Addition;
@@ -63,6 +64,7 @@ pub use section::Section;
 pub use skip_distances::SKIP_DISTANCES;
 pub use statistics::Statistics;
 pub use stream::{BrickSource, StreamError, save_streamed};
+pub(crate) use wide_tree::{LEAF, WideNode, WideTree};
 #[doc(hidden)]
 pub use {instances::MAX_INSTANCE_DEPTH, lights::morton_order};
 

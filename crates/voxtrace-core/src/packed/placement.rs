@@ -3,7 +3,9 @@
 
 use super::instances::hierarchy_of;
 use super::top_lights::top_lights_of;
+use super::wide_tree::WideTree;
 use super::{Geometry, InstanceNode, LightNode, PackedInstance, Section};
+use std::sync::{Arc, OnceLock};
 use voxtrace_scene::Invalid;
 use voxtrace_scene::scene::Scene;
 
@@ -18,6 +20,8 @@ pub struct Placement {
     pub(crate) light_nodes: Section<LightNode>,
     /// Of the geometry that it was made for.
     fingerprint: u64,
+    /// The hierarchy as processors walk it, once they do.
+    wide_tree: Arc<OnceLock<Option<WideTree>>>,
 }
 
 /// Things cannot be placed so.
@@ -127,6 +131,7 @@ impl Placement {
             instance_nodes,
             light_nodes: Section::default(),
             fingerprint: geometry.fingerprint(),
+            wide_tree: Arc::default(),
         };
         read.validate_instances(geometry)?;
         Ok(Self::with_hierarchy(geometry, read.instances.to_vec(), read.instance_nodes))
@@ -138,7 +143,8 @@ impl Placement {
         instance_nodes: Section<InstanceNode>,
     ) -> Self {
         let light_nodes = top_lights_of(geometry, &mut instances).into();
-        Self { instances: instances.into(), instance_nodes, light_nodes, fingerprint: geometry.fingerprint() }
+        let (instances, fingerprint) = (instances.into(), geometry.fingerprint());
+        Self { instances, instance_nodes, light_nodes, fingerprint, wide_tree: Arc::default() }
     }
 
     /// Whether it was made for this geometry, or one with the same grids and lights.
@@ -161,6 +167,11 @@ impl Placement {
     #[doc(hidden)]
     pub fn instance_nodes(&self) -> &[InstanceNode] {
         &self.instance_nodes
+    }
+
+    /// The hierarchy over the instances as processors walk it; `None` where the binary tree has to do.
+    pub(crate) fn wide_tree(&self) -> Option<&WideTree> {
+        self.wide_tree.get_or_init(|| WideTree::new(&self.instance_nodes)).as_ref()
     }
 
     /// Tree over the instances that emit, world space; the root comes first.
