@@ -9,7 +9,7 @@ use super::groups::Groups;
 use super::instructions::Instructions;
 use super::local_ray::LocalRay;
 use super::simd::{LANES, Portable, Simd};
-use super::{cast_whole, exact, occluded, stream};
+use super::{axes, cast_whole, exact, occluded, stream};
 use crate::cuts;
 use crate::packed::{PackedGrid, PackedScene, WideTree};
 use glam::IVec3;
@@ -35,8 +35,9 @@ pub fn cast_batch_with(instructions: Instructions, scene: &PackedScene, rays: &[
     if let Some(counts) = first_hits(scene, instructions, rays, false, hits) {
         return counts;
     }
-    for (ray, hit) in rays.iter().zip(hits) {
-        *hit = cast_whole(scene, ray);
+    match &*scene.placement.instances {
+        [instance] => axes::first_hits(&scene.geometry, instance, rays, hits),
+        _ => rays.iter().zip(hits).for_each(|(ray, hit)| *hit = cast_whole(scene, ray)),
     }
     WalkCounts { scalar: rays.len() as u64, ..WalkCounts::default() }
 }
@@ -61,8 +62,12 @@ pub fn occluded_batch_with(
         }
         return counts;
     }
-    for (ray, blocked) in rays.iter().zip(blocked) {
-        *blocked = occluded(scene, ray);
+    match &*scene.placement.instances {
+        [instance] => {
+            axes::first_hits(&scene.geometry, instance, rays, &mut hits);
+            blocked.iter_mut().zip(&hits).for_each(|(blocked, hit)| *blocked = !hit.is_miss());
+        }
+        _ => rays.iter().zip(blocked).for_each(|(ray, blocked)| *blocked = occluded(scene, ray)),
     }
     WalkCounts { scalar: rays.len() as u64, ..WalkCounts::default() }
 }
