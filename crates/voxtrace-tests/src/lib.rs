@@ -5,6 +5,7 @@ pub mod estimate;
 pub mod gpu;
 pub mod lattice;
 pub mod moving;
+pub mod phantom;
 pub mod random;
 pub mod rays;
 pub mod reference;

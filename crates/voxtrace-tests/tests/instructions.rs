@@ -25,9 +25,13 @@ fn all_cases() -> Vec<Case> {
 }
 
 fn cast_with(instructions: Instructions, case: &Case) -> Vec<Hit> {
-    let mut hits = vec![Hit::MISS; case.rays.len()];
-    // Batches of odd lengths.
-    let chunks = case.rays.par_chunks(1021).zip(hits.par_chunks_mut(1021));
+    // What nobody writes is noticed.
+    let mut hits = vec![Hit { t: -1.0, ..Hit::MISS }; case.rays.len()];
+    // Batches of odd lengths, long and short.
+    let (first, rest) = case.rays.split_at(case.rays.len() / 4);
+    let (first_hits, rest_hits) = hits.split_at_mut(first.len());
+    let short = first.par_chunks(73).zip(first_hits.par_chunks_mut(73));
+    let chunks = short.chain(rest.par_chunks(1021).zip(rest_hits.par_chunks_mut(1021)));
     let counts = chunks.map(|(rays, hits)| walk::cast_batch_with(instructions, &case.scene, rays, hits));
     let counts: Vec<WalkCounts> = counts.collect();
     let total = counts.iter().fold(WalkCounts::default(), |mut total, &counts| {

@@ -44,6 +44,7 @@ mod top_lights;
 mod unpack;
 mod validate;
 mod version_1;
+mod wide_tree;
 
 pub(crate) use append::Addition;
 pub(crate) use brick_record::encode_brick;
@@ -65,6 +66,7 @@ pub use section::Section;
 pub use skip_distances::SKIP_DISTANCES;
 pub use statistics::Statistics;
 pub use stream::{BrickSource, StreamError, save_streamed};
+pub(crate) use wide_tree::{LEAF, WideNode, WideTree};
 #[doc(hidden)]
 pub use {instances::MAX_INSTANCE_DEPTH, lights::morton_order};
 

@@ -3,8 +3,10 @@
 
 use super::instances::{cost_of, hierarchy_of, refitted};
 use super::top_lights::top_lights_of;
+use super::wide_tree::WideTree;
 use super::{Geometry, InstanceNode, LightNode, PackedInstance, Section};
 use rayon::prelude::*;
+use std::sync::{Arc, OnceLock};
 use voxtrace_scene::Invalid;
 use voxtrace_scene::scene::{Instance, Scene};
 
@@ -21,6 +23,8 @@ pub struct Placement {
     pub(crate) light_nodes: Section<LightNode>,
     /// Of the geometry that it was made for.
     fingerprint: u64,
+    /// The hierarchy as processors walk it, once they do.
+    wide_tree: Arc<OnceLock<Option<WideTree>>>,
 }
 
 /// Things cannot be placed so.
@@ -147,6 +151,7 @@ impl Placement {
             built_cost: 0.0,
             light_nodes: Section::default(),
             fingerprint: geometry.fingerprint(),
+            wide_tree: Arc::default(),
         };
         read.validate_instances(geometry)?;
         let cost = cost_of(&read.instance_nodes);
@@ -160,8 +165,8 @@ impl Placement {
         built_cost: f32,
     ) -> Self {
         let light_nodes = top_lights_of(geometry, &mut instances).into();
-        let fingerprint = geometry.fingerprint();
-        Self { instances: instances.into(), instance_nodes, built_cost, light_nodes, fingerprint }
+        let (instances, fingerprint) = (instances.into(), geometry.fingerprint());
+        Self { instances, instance_nodes, built_cost, light_nodes, fingerprint, wide_tree: Arc::default() }
     }
 
     /// Whether it was made for this geometry, or one with the same grids and lights.
@@ -184,6 +189,11 @@ impl Placement {
     #[doc(hidden)]
     pub fn instance_nodes(&self) -> &[InstanceNode] {
         &self.instance_nodes
+    }
+
+    /// The hierarchy over the instances as processors walk it; `None` where the binary tree has to do.
+    pub(crate) fn wide_tree(&self) -> Option<&WideTree> {
+        self.wide_tree.get_or_init(|| WideTree::new(&self.instance_nodes)).as_ref()
     }
 
     /// Tree over the instances that emit, world space; the root comes first.

@@ -9,9 +9,9 @@ use super::groups::Groups;
 use super::instructions::Instructions;
 use super::local_ray::LocalRay;
 use super::simd::{LANES, Portable, Simd};
-use super::{cast_whole, exact, occluded, stream};
+use super::{axes, cast_whole, exact, occluded, stream};
 use crate::cuts;
-use crate::packed::{PackedGrid, PackedScene};
+use crate::packed::{PackedGrid, PackedScene, WideTree};
 use glam::IVec3;
 use voxtrace_scene::ray::{Hit, Ray};
 use voxtrace_scene::transform::Transform;
@@ -35,8 +35,9 @@ pub fn cast_batch_with(instructions: Instructions, scene: &PackedScene, rays: &[
     if let Some(counts) = first_hits(scene, instructions, rays, false, hits) {
         return counts;
     }
-    for (ray, hit) in rays.iter().zip(hits) {
-        *hit = cast_whole(scene, ray);
+    match &*scene.placement.instances {
+        [instance] => axes::first_hits(&scene.geometry, instance, rays, hits),
+        _ => rays.iter().zip(hits).for_each(|(ray, hit)| *hit = cast_whole(scene, ray)),
     }
     WalkCounts { scalar: rays.len() as u64, ..WalkCounts::default() }
 }
@@ -61,8 +62,12 @@ pub fn occluded_batch_with(
         }
         return counts;
     }
-    for (ray, blocked) in rays.iter().zip(blocked) {
-        *blocked = occluded(scene, ray);
+    match &*scene.placement.instances {
+        [instance] => {
+            axes::first_hits(&scene.geometry, instance, rays, &mut hits);
+            blocked.iter_mut().zip(&hits).for_each(|(blocked, hit)| *blocked = !hit.is_miss());
+        }
+        _ => rays.iter().zip(blocked).for_each(|(ray, blocked)| *blocked = occluded(scene, ray)),
     }
     WalkCounts { scalar: rays.len() as u64, ..WalkCounts::default() }
 }
@@ -76,14 +81,18 @@ fn first_hits(
     any: bool,
     hits: &mut [Hit],
 ) -> Option<WalkCounts> {
-    if !instructions.is_available() || !scene.geometry.is_within_gather_reach() {
+    if !instructions.is_available() || instructions == Instructions::Scalar || !scene.geometry.is_within_gather_reach()
+    {
         return None;
     }
-    let batch = Batch { scene, rays, any };
+    let tree = match scene.placement.instances.len() {
+        1 => None,
+        _ => Some(scene.placement.wide_tree()?),
+    };
+    let batch = Batch { scene, tree, rays, any };
     // SAFETY: the processor has the instructions; packing and opening give valid scenes only.
     let packets = unsafe {
         match instructions {
-            Instructions::Scalar => return None,
             Instructions::Portable => batch.cast(Portable, hits, Batch::no_packets),
             #[cfg(target_arch = "x86_64")]
             Instructions::Avx2 => by_avx2(&batch, hits),
@@ -104,6 +113,8 @@ fn first_hits(
 /// Rays through a valid scene.
 struct Batch<'a> {
     scene: &'a PackedScene,
+    /// Over its instances, where it has not one alone.
+    tree: Option<&'a WideTree>,
     rays: &'a [Ray],
     /// Whether any hit will do.
     any: bool,
@@ -123,11 +134,12 @@ impl Batch<'_> {
         packets: impl FnOnce(&Self, &PackedGrid, &mut [Hit]) -> Groups,
     ) -> usize {
         let (scene, rays) = (self.scene, self.rays);
-        let [instance] = &*scene.placement.instances else {
+        if let Some(tree) = self.tree {
             // SAFETY: the caller's duty.
-            unsafe { stream::first_hits(simd, scene, rays, self.any, hits) };
+            unsafe { stream::first_hits(simd, (scene, tree), rays, self.any, hits) };
             return 0;
-        };
+        }
+        let instance = &scene.placement.instances[0];
         let (grid, from_world) = (&scene.geometry.grids[instance.grid as usize], &instance.grid_from_world);
         let is_plain = *from_world == Transform::IDENTITY;
         let done = if is_plain { packets(self, grid, hits) } else { Groups::none_of(rays.len()) };
@@ -156,7 +168,7 @@ impl Batch<'_> {
 /// # Safety
 /// The processor must have the instructions, and the scene must be valid.
 #[cfg(target_arch = "x86_64")]
-#[target_feature(enable = "avx2,popcnt,bmi1,bmi2,lzcnt")]
+#[target_feature(enable = "avx2,fma,popcnt,bmi1,bmi2,lzcnt")]
 unsafe fn by_avx2(batch: &Batch, hits: &mut [Hit]) -> usize {
     // SAFETY: the caller's duty.
     unsafe { batch.cast(super::simd::Avx2::assume(), hits, Batch::no_packets) }
@@ -200,12 +212,16 @@ mod tests {
             let packed = PackedScene::pack(&scene).expect("the scene is sound");
             let origin = |i: usize| Vec3::new(-3.0, (i * 3 % 17) as f32 + 0.25, (i % 13) as f32 + 0.75);
             let direction = |i: usize| Vec3::new(1.0, (i % 7) as f32 * 0.1 - 0.3, (i % 5) as f32 * 0.1 - 0.2);
-            let rays: Vec<Ray> = (0..40).map(|i| Ray::new(origin(i), direction(i))).collect();
-            let mut hits = vec![Hit::MISS; rays.len()];
-            cast_batch_with(Instructions::Portable, &packed, &rays, &mut hits);
+            let rays: Vec<Ray> = (0..210).map(|i| Ray::new(origin(i), direction(i))).collect();
             let expected: Vec<Hit> = rays.iter().map(|ray| cast_whole(&packed, ray)).collect();
-            assert_eq!(hits, expected);
-            assert!(hits.iter().any(|hit| !hit.is_miss()) && hits.iter().any(Hit::is_miss));
+            assert!(expected.iter().any(|hit| !hit.is_miss()) && expected.iter().any(Hit::is_miss));
+            // Longer than what is prepared at a time, and than what is under way together.
+            for count in [0, 1, 40, 70, 140, rays.len()] {
+                // What nobody writes is noticed.
+                let mut hits = vec![Hit { t: -1.0, ..Hit::MISS }; count];
+                cast_batch_with(Instructions::Portable, &packed, &rays[..count], &mut hits);
+                assert_eq!(hits, expected[..count], "{count} rays");
+            }
         }
     }
 }

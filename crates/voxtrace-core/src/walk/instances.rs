@@ -60,8 +60,7 @@ fn visit(scene: &PackedScene, ray: &mut Ray, end: u32, mut found: impl FnMut(Hit
 }
 
 /// The instances whose boxes a ray's segment meets, nearest boxes first.
-#[derive(Clone, Copy)]
-pub(super) struct Nearby {
+struct Nearby {
     inverse: Vec3,
     stack: [u32; MAX_INSTANCE_DEPTH],
     depth: usize,
@@ -70,19 +69,16 @@ pub(super) struct Nearby {
 }
 
 impl Nearby {
-    /// None.
-    pub(super) const NONE: Self = Self { inverse: Vec3::ZERO, stack: [0; MAX_INSTANCE_DEPTH], depth: 0, next: None };
-
     /// Those of a ray.
     #[inline]
-    pub(super) fn new(scene: &PackedScene, ray: &Ray) -> Self {
+    fn new(scene: &PackedScene, ray: &Ray) -> Self {
         let next = (!scene.placement.instance_nodes.is_empty()).then_some(0);
-        Self { inverse: Vec3::ONE / ray.direction, next, ..Self::NONE }
+        Self { inverse: Vec3::ONE / ray.direction, stack: [0; MAX_INSTANCE_DEPTH], depth: 0, next }
     }
 
     /// The next one, of the ray's segment as it is now.
     #[inline]
-    pub(super) fn next(&mut self, scene: &PackedScene, ray: &Ray) -> Option<u32> {
+    fn next(&mut self, scene: &PackedScene, ray: &Ray) -> Option<u32> {
         let nodes = &*scene.placement.instance_nodes;
         loop {
             let index = self.next.take().or_else(|| self.pop(nodes, ray))?;
@@ -131,7 +127,8 @@ fn hit_in(scene: &PackedScene, instance: u32, ray: &Ray) -> Option<Hit> {
 }
 
 /// Where the segment enters a node's box (with the margin that the box has), `None` where it misses it.
-fn entry(node: &InstanceNode, ray: &Ray, inverse: Vec3) -> Option<f32> {
+#[inline(always)]
+pub(super) fn entry(node: &InstanceNode, ray: &Ray, inverse: Vec3) -> Option<f32> {
     let (low, high) = ((node.min - ray.origin) * inverse, (node.max - ray.origin) * inverse);
     // 0 × ∞ where the origin lies on a side of the box that the ray runs along: f32::min and max drop the NaN.
     let (mut enter, mut leave) = (ray.t_min, ray.t_max);

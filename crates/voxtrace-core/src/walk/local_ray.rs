@@ -10,9 +10,9 @@ pub(super) const TOLERANCE_SCALE: f32 = 6.0 * 0.5 * f32::EPSILON;
 
 /// Least speed, voxels for each unit of t, at which neither t nor its products leave the range of f32. A ray is as fast as the
 /// largest component of its direction.
-const SPEED_MIN: f32 = 1e-18;
+pub(super) const SPEED_MIN: f32 = 1e-18;
 /// Largest such speed.
-const SPEED_MAX: f32 = 1e18;
+pub(super) const SPEED_MAX: f32 = 1e18;
 
 /// Factor on the end of a segment: steps may overestimate t by rounding.
 pub(super) const T_END_SCALE: f32 = 1.0 + 1e-6;

@@ -8,6 +8,7 @@
 
 #[cfg(target_arch = "x86_64")]
 mod avx512;
+mod axes;
 mod batch;
 mod counts;
 pub mod exact;

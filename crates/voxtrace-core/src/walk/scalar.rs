@@ -10,70 +10,143 @@ use glam::{IVec3, Vec3};
 
 /// The first occupied voxel on a ray's path through a grid, not later than `t_max`.
 pub fn first_voxel(geometry: &Geometry, grid: &PackedGrid, ray: &LocalRay) -> Option<IVec3> {
-    let (cells, bricks) = (&*geometry.cells, &*geometry.bricks);
     let walk = Walk::new(ray, grid);
-    let mut voxel = walk.enter(grid, walk.start_voxel())?;
-    let top_stride = IVec3::new(1, grid.top_size.x, grid.top_size.x * grid.top_size.y);
-    // The finest node visited last: most steps stay in it.
-    let (mut node, mut node_at) = (0, IVec3::splat(i32::MIN));
+    let voxel = walk.enter(grid, walk.start_voxel())?;
+    follow(geometry, grid, &walk, walk.octant, voxel)
+}
+
+/// How a ray leaves a box that is known to be empty.
+pub(super) trait Leave {
+    /// The voxel in which the ray arrives when it leaves the box of `count`³ cells of `1 << shift` voxels that grows
+    /// along its octant from the cell that holds `voxel`; `None` where the segment ends before.
+    fn leave(&self, grid: &PackedGrid, voxel: IVec3, shift: u32, count: i32) -> Option<IVec3>;
+}
+
+/// Follows a ray of an octant from a voxel within the grid to the first occupied one.
+#[inline(always)]
+fn follow(geometry: &Geometry, grid: &PackedGrid, walk: &impl Leave, octant: usize, voxel: IVec3) -> Option<IVec3> {
+    let mut place = Place::at(voxel);
     loop {
-        let relative = voxel - grid.origin;
-        let mut shift = 3;
-        let cell = if relative >> 5 == node_at {
-            cells[node + cell_in_node(relative, 3)]
-        } else {
-            let top = relative >> grid.top_shift as i32;
-            if top.cmplt(IVec3::ZERO).any() || top.cmpge(grid.top_size).any() {
-                return None;
-            }
-            shift = grid.top_shift;
-            let mut cell = cells[grid.top_offset as usize + (top * top_stride).element_sum() as usize];
-            while cell & CELL_OCCUPIED != 0 && shift > 3 {
-                shift -= 2;
-                node = (cell & !CELL_OCCUPIED) as usize * 64;
-                cell = cells[node + cell_in_node(relative, shift)];
-                if shift == 3 {
-                    node_at = relative >> 5;
-                }
-            }
-            cell
-        };
-        if cell & CELL_OCCUPIED == 0 {
-            let distance = i32::from(SKIP_DISTANCES[(cell >> (3 * walk.octant) & 7) as usize]);
-            voxel = walk.leave(grid, voxel, shift, distance)?;
-            continue;
-        }
-        // Inside a brick.
-        let record = (cell & !CELL_OCCUPIED) as usize * 2;
-        let header = bricks[record];
-        let brick_at = relative >> 3;
-        loop {
-            let relative = voxel - grid.origin;
-            if relative >> 3 != brick_at {
-                break;
-            }
-            let block = (relative.x >> 2 & 1 | (relative.y >> 2 & 1) << 1 | (relative.z >> 2 & 1) << 2) as usize;
-            let ahead = u32::from(BLOCKS_AHEAD[walk.octant][block]);
-            let mut size_shift = if header & ahead == 0 { 3 } else { 2 };
-            if header >> block & 1 != 0 {
-                let rank = (header & ((1 << block) - 1)).count_ones() as usize;
-                let at = record + 2 + 2 * rank;
-                let mask = u64::from(bricks[at]) | u64::from(bricks[at + 1]) << 32;
-                let bit = cell_in_node(relative, 0);
-                if mask >> bit & 1 != 0 {
-                    return Some(voxel);
-                }
-                if mask & VOXELS_AHEAD[walk.octant][bit] != 0 {
-                    let corner = bit & 0b10_10_10;
-                    size_shift = u32::from(mask >> corner & 0x0033_0033 == 0);
-                } else if header & (ahead & !(1 << block)) == 0 {
-                    size_shift = 3;
-                }
-            }
-            voxel = walk.leave(grid, voxel, size_shift, 1)?;
+        match place.step((&geometry.cells, &geometry.bricks), grid, walk, octant) {
+            Step::On => {}
+            Step::Hit => return Some(place.voxel),
+            Step::Out => return None,
         }
     }
 }
+
+/// Where a ray has come to.
+pub(super) struct Place {
+    pub voxel: IVec3,
+    /// The finest node visited last, and where it lies: most steps stay in it.
+    node: usize,
+    node_at: IVec3,
+    /// The brick visited last, its record, and that one's header.
+    brick_at: IVec3,
+    record: usize,
+    header: u32,
+}
+
+/// What a step leads to.
+pub(super) enum Step {
+    /// The next voxel to look at.
+    On,
+    /// The voxel is occupied.
+    Hit,
+    /// The ray ends, or leaves the grid.
+    Out,
+}
+
+impl Place {
+    pub fn at(voxel: IVec3) -> Self {
+        let nowhere = IVec3::splat(i32::MIN);
+        Self { voxel, node: 0, node_at: nowhere, brick_at: nowhere, record: 0, header: 0 }
+    }
+
+    /// Leaves the largest box around the voxel that is known to be empty.
+    #[inline(always)]
+    pub fn step(
+        &mut self,
+        (cells, bricks): (&[u32], &[u32]),
+        grid: &PackedGrid,
+        walk: &impl Leave,
+        octant: usize,
+    ) -> Step {
+        let relative = self.voxel - grid.origin;
+        let (mut shift, mut count) = (3, 1);
+        if relative >> 3 != self.brick_at {
+            let Some((cell, cell_shift)) = self.cell(cells, grid, relative) else { return Step::Out };
+            if cell & CELL_OCCUPIED != 0 {
+                self.brick_at = relative >> 3;
+                self.record = (cell & !CELL_OCCUPIED) as usize * 2;
+                self.header = bricks[self.record];
+            } else {
+                (shift, count) = (cell_shift, i32::from(SKIP_DISTANCES[(cell >> (3 * octant) & 7) as usize]));
+            }
+        }
+        if relative >> 3 == self.brick_at {
+            match self.empty_shift(bricks, relative, octant) {
+                Some(empty) => shift = empty,
+                None => return Step::Hit,
+            }
+        }
+        match walk.leave(grid, self.voxel, shift, count) {
+            Some(voxel) => self.voxel = voxel,
+            None => return Step::Out,
+        }
+        Step::On
+    }
+
+    /// The cell that holds a voxel, of the finest level that is stored, and log₂ of its size; `None` outside of the grid.
+    #[inline(always)]
+    fn cell(&mut self, cells: &[u32], grid: &PackedGrid, relative: IVec3) -> Option<(u32, u32)> {
+        if relative >> 5 == self.node_at {
+            return Some((cells[self.node + cell_in_node(relative, 3)], 3));
+        }
+        let top = relative >> grid.top_shift as i32;
+        if top.cmplt(IVec3::ZERO).any() || top.cmpge(grid.top_size).any() {
+            return None;
+        }
+        let row = top.z * grid.top_size.y + top.y;
+        let mut shift = grid.top_shift;
+        let mut cell = cells[grid.top_offset as usize + (row * grid.top_size.x + top.x) as usize];
+        while cell & CELL_OCCUPIED != 0 && shift > 3 {
+            shift -= 2;
+            self.node = (cell & !CELL_OCCUPIED) as usize * 64;
+            cell = cells[self.node + cell_in_node(relative, shift)];
+            if shift == 3 {
+                self.node_at = relative >> 5;
+            }
+        }
+        Some((cell, shift))
+    }
+
+    /// log₂ of the size of an empty box around a voxel of the brick; `None` where the voxel is occupied.
+    #[inline(always)]
+    fn empty_shift(&self, bricks: &[u32], relative: IVec3, octant: usize) -> Option<u32> {
+        let header = self.header;
+        let block = (relative.x >> 2 & 1 | (relative.y >> 2 & 1) << 1 | (relative.z >> 2 & 1) << 2) as usize;
+        let ahead = u32::from(BLOCKS_AHEAD[octant][block]);
+        if header >> block & 1 == 0 {
+            return Some(if header & ahead == 0 { 3 } else { 2 });
+        }
+        let rank = (header & ((1 << block) - 1)).count_ones() as usize;
+        let at = self.record + 2 + 2 * rank;
+        let mask = u64::from(bricks[at]) | u64::from(bricks[at + 1]) << 32;
+        let bit = cell_in_node(relative, 0);
+        if mask >> bit & 1 != 0 {
+            return None;
+        }
+        if mask & VOXELS_AHEAD[octant][bit] != 0 {
+            let corner = bit & 0b10_10_10;
+            return Some(u32::from(mask >> corner & 0x0033_0033 == 0));
+        }
+        Some(if header & (ahead & !(1 << block)) == 0 { 3 } else { 2 })
+    }
+}
+
+/// 1.5 × 2²³: added to a number, it leaves the nearest integer in the low bits.
+pub(super) const SHIFT: f32 = 12_582_912.0;
 
 /// `BLOCKS_AHEAD[octant][block]`: the blocks of a brick that a ray of the octant may still meet from a block, itself
 /// included.
@@ -123,7 +196,7 @@ const fn voxels_ahead() -> [[u64; 64]; 8] {
 pub(super) struct Walk<'a> {
     ray: &'a LocalRay,
     pub(super) tolerance: Vec3,
-    octant: usize,
+    pub(super) octant: usize,
     /// 1 where the direction is negative, else 0.
     is_negative: IVec3,
     t_end: f32,
@@ -177,25 +250,6 @@ impl<'a> Walk<'a> {
         }
     }
 
-    /// The voxel in which the ray arrives when it leaves the box of `count`³ cells of `1 << shift` voxels that grows
-    /// along its octant from the cell that holds `voxel`; `None` where the segment ends before.
-    #[inline]
-    fn leave(&self, grid: &PackedGrid, voxel: IVec3, shift: u32, count: i32) -> Option<IVec3> {
-        let cell = (voxel - grid.origin) >> shift as i32;
-        // Along +: the far side of the last cell. Along −: its near side.
-        let last = cell + count + self.is_negative * (1 - 2 * count);
-        let exit = (last << shift as i32) + grid.origin;
-        let t = [self.crossing(0, exit.x), self.crossing(1, exit.y), self.crossing(2, exit.z)];
-        let (t_first, axis) = if t[0] <= t[1] && t[0] <= t[2] {
-            (t[0], 0)
-        } else if t[1] <= t[2] {
-            (t[1], 1)
-        } else {
-            (t[2], 2)
-        };
-        self.arrive(voxel, t_first, axis, exit[axis], |axis| exit[axis])
-    }
-
     /// Time of the crossing of a plane ahead.
     #[inline]
     fn crossing(&self, axis: usize, plane: i32) -> f32 {
@@ -223,12 +277,30 @@ impl<'a> Walk<'a> {
     }
 }
 
+impl Leave for Walk<'_> {
+    #[inline]
+    fn leave(&self, grid: &PackedGrid, voxel: IVec3, shift: u32, count: i32) -> Option<IVec3> {
+        let cell = (voxel - grid.origin) >> shift as i32;
+        // Along +: the far side of the last cell. Along −: its near side.
+        let last = cell + count + self.is_negative * (1 - 2 * count);
+        let exit = (last << shift as i32) + grid.origin;
+        let t = [self.crossing(0, exit.x), self.crossing(1, exit.y), self.crossing(2, exit.z)];
+        let (t_first, axis) = if t[0] <= t[1] && t[0] <= t[2] {
+            (t[0], 0)
+        } else if t[1] <= t[2] {
+            (t[1], 1)
+        } else {
+            (t[2], 2)
+        };
+        self.arrive(voxel, t_first, axis, exit[axis], |axis| exit[axis])
+    }
+}
+
 /// The nearest integers, and the exact differences from them, of coordinates that are clamped to ±2²¹, which is far
 /// outside of every grid. Adding 1.5 × 2²³ leaves the nearest integer in the low bits: no instruction for rounding is
 /// needed, which the oldest x86-64 processors lack.
 #[inline]
 fn nearest_integers(position: Vec3) -> (IVec3, Vec3) {
-    const SHIFT: f32 = 12_582_912.0;
     const LIMIT: Vec3 = Vec3::splat(MAX_ORIGIN);
     let position = position.clamp(-LIMIT, LIMIT);
     let shifted = position + SHIFT;

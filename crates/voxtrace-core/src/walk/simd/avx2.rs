@@ -173,6 +173,10 @@ impl Simd for Avx2 {
         halves!(a, b => _mm256_div_ps(a, b))
     }
     #[inline(always)]
+    fn multiply_add(self, a: [__m256; 2], b: [__m256; 2], c: [__m256; 2]) -> [__m256; 2] {
+        halves!(a, b, c => _mm256_fmadd_ps(a, b, c))
+    }
+    #[inline(always)]
     fn min(self, a: [__m256; 2], b: [__m256; 2]) -> [__m256; 2] {
         halves!(a, b => _mm256_min_ps(a, b))
     }

@@ -149,6 +149,10 @@ impl Simd for Avx512 {
         have!(_mm512_div_ps(a, b))
     }
     #[inline(always)]
+    fn multiply_add(self, a: __m512, b: __m512, c: __m512) -> __m512 {
+        have!(_mm512_fmadd_ps(a, b, c))
+    }
+    #[inline(always)]
     fn min(self, a: __m512, b: __m512) -> __m512 {
         have!(_mm512_min_ps(a, b))
     }

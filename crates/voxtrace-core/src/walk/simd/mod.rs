@@ -119,6 +119,11 @@ pub trait Simd: Copy {
     fn mul_floats(self, a: Self::Floats, b: Self::Floats) -> Self::Floats;
     /// a ÷ b.
     fn div_floats(self, a: Self::Floats, b: Self::Floats) -> Self::Floats;
+    /// a × b + c, rounded once or twice: for bounds that are wide enough for either.
+    #[inline(always)]
+    fn multiply_add(self, a: Self::Floats, b: Self::Floats, c: Self::Floats) -> Self::Floats {
+        self.add_floats(self.mul_floats(a, b), c)
+    }
     /// The lesser one; b where one is no number.
     fn min(self, a: Self::Floats, b: Self::Floats) -> Self::Floats;
     /// |a|.

@@ -56,7 +56,10 @@ fn results<S: Simd>(s: S, input: &Input) -> Vec<[i32; LANES]> {
     let records = unsafe { s.gather_records(small, &(0..32).map(of_record).collect::<Vec<_>>()) };
     // What is no number is never rounded, and far from the grid only that matters.
     let near = s.min(s.abs(x), s.floats(2_000_000.0));
+    // Of small integers, so that nothing is rounded.
+    let sum = s.multiply_add(s.to_floats(small), s.to_floats(seven), s.floats(n as f32));
     let ints = [
+        s.bits_of(sum),
         s.ints(n as i32),
         gathered,
         s.add(a, b),

@@ -1,9 +1,11 @@
 //! The grids that lanes walk through: one for all, or one for each.
 
 use super::Lanes;
+use super::arrivals::GRID;
 use super::kernel::cell_index;
 use crate::packed::PackedGrid;
 use crate::walk::simd::{LANES, Simd};
+use glam::IVec3;
 
 /// What is asked of the lanes' grids. Each answer has a number for each lane.
 pub trait Grids<S: Simd> {
@@ -108,15 +110,17 @@ impl GridOfEach {
     pub const NONE: Self =
         Self { origin: [[0; LANES]; 3], size: [[0; LANES]; 3], offset: [0; LANES], top_shift: [5; LANES] };
 
-    /// Sets the grid of a lane.
+    /// Its numbers, in the order of [`GRID`].
     #[inline(always)]
-    pub fn set(&mut self, lane: usize, grid: &PackedGrid) {
-        for axis in 0..3 {
-            self.origin[axis][lane] = grid.origin[axis];
-            self.size[axis][lane] = grid.top_size[axis];
-        }
-        self.offset[lane] = grid.top_offset as i32;
-        self.top_shift[lane] = grid.top_shift as i32;
+    pub fn words(&mut self) -> [&mut [i32; LANES]; GRID] {
+        let ([a, b, c], [d, e, f]) = (&mut self.origin, &mut self.size);
+        [a, b, c, d, e, f, &mut self.offset, &mut self.top_shift]
+    }
+
+    /// The first voxel of a lane's grid.
+    #[inline(always)]
+    pub fn origin_of(&self, lane: usize) -> IVec3 {
+        IVec3::new(self.origin[0][lane], self.origin[1][lane], self.origin[2][lane])
     }
 }
 

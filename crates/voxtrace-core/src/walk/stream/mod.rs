@@ -4,7 +4,9 @@
 #![expect(unsafe_code, reason = "gathers")]
 #![expect(clippy::needless_range_loop, reason = "an axis indexes several arrays")]
 
+mod arrivals;
 mod grids;
+mod journeys;
 mod kernel;
 mod of_scene;
 mod waiting;
@@ -132,17 +134,22 @@ impl Lanes {
 
     #[inline(always)]
     fn voxel_of(&self, lane: usize) -> IVec3 {
-        IVec3::from_array(std::array::from_fn(|axis| self.integers[VOXEL + axis][lane]))
+        IVec3::new(self.integers[VOXEL][lane], self.integers[VOXEL + 1][lane], self.integers[VOXEL + 2][lane])
+    }
+
+    /// A quantity of a lane that has a number for each axis.
+    #[inline(always)]
+    fn vector(&self, first: usize, lane: usize) -> Vec3 {
+        Vec3::new(self.floats[first][lane], self.floats[first + 1][lane], self.floats[first + 2][lane])
     }
 
     /// Takes the step of a lane that f32 is not sure about.
     #[cold]
     fn decide(&mut self, lane: usize, origin: IVec3) {
-        let vector = |first: usize| Vec3::from_array(std::array::from_fn(|axis| self.floats[first + axis][lane]));
         let local = LocalRay {
-            origin: vector(ORIGIN),
-            direction: vector(DIRECTION),
-            inverse: vector(INVERSE),
+            origin: self.vector(ORIGIN, lane),
+            direction: self.vector(DIRECTION, lane),
+            inverse: self.vector(INVERSE, lane),
             t_min: 0.0,
             t_max: f32::INFINITY,
         };

@@ -169,12 +169,12 @@ const NUMBERS: [i32; LANES] = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14,
 
 /// The vector of an array that begins at `start`.
 #[inline(always)]
-fn window<T>(values: &[T; CHUNK + LANES], start: usize) -> &[T; LANES] {
+pub fn window<T, const N: usize>(values: &[T; N], start: usize) -> &[T; LANES] {
     values[start..].first_chunk().expect("arrays are a vector longer than a chunk")
 }
 
 /// The vector of an array that begins at `start`, to be written.
 #[inline(always)]
-fn window_mut<T>(values: &mut [T; CHUNK + LANES], start: usize) -> &mut [T; LANES] {
+pub fn window_mut<T, const N: usize>(values: &mut [T; N], start: usize) -> &mut [T; LANES] {
     values[start..].first_chunk_mut().expect("arrays are a vector longer than a chunk")
 }
