@@ -118,7 +118,7 @@ impl SceneArgs {
 
     /// The file, where it is no built-in scene.
     pub fn file(&self) -> Option<&Path> {
-        (!self.is_builtin()).then(|| Path::new(&self.scene))
+        (!self.is_builtin()).then(|| Path::new(self.scene()))
     }
 
     /// The name that outputs are called after.

@@ -30,14 +30,15 @@ impl AnimateArgs {
                 Failure::usage("animate needs an output").hint("-o shot_####.png, clip.mp4, clip.gif or clip.png")
             );
         }
-        let path = PathBuf::from(&self.render.scene.scene);
+        let path = PathBuf::from(self.render.scene.scene());
         let script = is_script(&path).then(|| Script::open(&path)).transpose()?;
         if let Some(script) = &script {
             let scene = script.scene.clone();
-            self.render.scene.scene = scene.ok_or_else(|| {
+            let scene = scene.ok_or_else(|| {
                 Failure::input(format!("{}: `scene` is missing", path.display()))
                     .hint("it names a file beside this one, or a built-in scene")
             })?;
+            self.render.scene.scenes = vec![scene];
         }
         let frames_of = |path: &PathBuf| !Clip::is_clip(path);
         let (mut frames, clips): (Vec<PathBuf>, Vec<PathBuf>) =
@@ -52,7 +53,7 @@ impl AnimateArgs {
             // Frames on their way to a clip are only made once.
             self.render.files.skip_existing |= frames.len() == 1;
             report.leave_unnamed(folder.to_owned());
-            clip.make_folder(&settings, Path::new(&self.render.scene.scene), report)?;
+            clip.make_folder(&settings, Path::new(self.render.scene.scene()), report)?;
         }
         self.render.picture.output = frames;
         let director = Director { script, args: self.motion.clone() };
