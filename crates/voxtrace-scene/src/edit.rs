@@ -14,7 +14,7 @@ impl VoxelGrid {
     /// Occupies every voxel of a box.
     ///
     /// # Panics
-    /// If the box reaches beyond [`MAX_COORDINATE`].
+    /// If the box reaches beyond [`MAX_COORDINATE`](crate::grid::MAX_COORDINATE).
     pub fn fill_box(&mut self, region: VoxelBox, material: u16) {
         assert_in_range(region);
         for at in bricks_in(region) {
@@ -31,7 +31,7 @@ impl VoxelGrid {
     /// Occupies every voxel whose centre is at most `radius` from `center`.
     ///
     /// # Panics
-    /// If the sphere reaches beyond [`MAX_COORDINATE`], or is not finite.
+    /// If the sphere reaches beyond [`MAX_COORDINATE`](crate::grid::MAX_COORDINATE), or is not finite.
     pub fn fill_sphere(&mut self, center: DVec3, radius: f64, material: u16) {
         assert!(center.is_finite() && radius.is_finite(), "a sphere at {center} with radius {radius}");
         let Some(region) = sphere_box(center, radius) else { return };
@@ -55,7 +55,7 @@ impl VoxelGrid {
     /// Takes time by the volume of the box. To copy within a grid, copy from a clone.
     ///
     /// # Panics
-    /// If the destination reaches beyond [`MAX_COORDINATE`].
+    /// If the destination reaches beyond [`MAX_COORDINATE`](crate::grid::MAX_COORDINATE).
     pub fn copy_region(&mut self, source: &VoxelGrid, region: VoxelBox, destination: IVec3) {
         let shift = destination - region.min;
         let target = VoxelBox { min: destination, max: destination + region.size() };
