@@ -88,7 +88,7 @@ impl DynamicScene {
     }
 
     /// Whether the arrays may get as large as all changes could make them.
-    fn check_room(&self, changes: &[Change]) -> Result<(), EditError> {
+    pub(super) fn check_room(&self, changes: &[Change]) -> Result<(), EditError> {
         let words = |part: fn(&BrickCode) -> usize| {
             changes.iter().filter_map(|(_, code)| code.as_ref()).map(part).sum::<usize>() as u64
         };

@@ -52,6 +52,22 @@ pub enum EditError {
         /// Voxels that it was allowed.
         most: u64,
     },
+    /// The voxels of a piece are not there as they were when it was found.
+    #[error("the piece is not there any more as it was found; look for pieces again")]
+    PieceChanged,
+    /// There is no such instance.
+    #[error("there is no instance {instance}: the scene has {count}")]
+    NoInstance {
+        /// Index of the instance.
+        instance: u32,
+        /// Instances there are.
+        count: usize,
+    },
+    /// An instance does not stand on the lattice of another one.
+    #[error(
+        "the instance does not stand on the lattice of the other one: turn it by quarters and move it by whole voxels"
+    )]
+    NotOnLattice,
     /// The arrays cannot get larger.
     #[error("the scene gets too large: positions have 31 bits")]
     Full,

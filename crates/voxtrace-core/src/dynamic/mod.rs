@@ -16,6 +16,7 @@ mod grow;
 mod history;
 mod light_tree;
 mod patch;
+mod pieces;
 mod plan;
 mod pool;
 mod repair;
@@ -31,6 +32,7 @@ pub use clip::Clip;
 pub use edit::{Edit, Edited};
 pub use edit_error::EditError;
 pub use patch::{ArrayPatch, ChangedBrick, OutOfStep, Patch};
+pub use pieces::{MassProperties, Piece};
 
 use crate::packed::{Geometry, PackedInstance, PackedScene, Placement, PlacementError};
 use emitters::Glow;

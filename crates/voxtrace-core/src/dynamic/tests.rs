@@ -1,6 +1,6 @@
 //! Random edits against the same edits of an editable grid, which is packed from scratch.
 
-mod plain;
+pub(super) mod plain;
 
 use super::{DynamicScene, Edit, EditError};
 use crate::frame::{Frame, Integrator};

@@ -45,16 +45,17 @@ impl Extent {
         Ok(voxels)
     }
 
-    /// Checks that a grid says of itself what its bricks hold.
+    /// Checks that a grid says of itself what its bricks hold. One that `is_edited` may say that they reach further.
     ///
     /// # Errors
     /// One sentence that says both.
-    pub fn check(&self, grid: &PackedGrid) -> Result<(), Invalid> {
+    pub fn check(&self, grid: &PackedGrid, is_edited: bool) -> Result<(), Invalid> {
         let said = u64::from(grid.voxels[0]) | u64::from(grid.voxels[1]) << 32;
         if self.voxels != said {
             return Err(format!("it says that it has {said} voxels, and has {}", self.voxels).into());
         }
-        if (self.min, self.max) != (grid.min, grid.max) {
+        let is_within = grid.min.cmple(self.min).all() && grid.max.cmpge(self.max).all();
+        if !(is_edited && is_within || (self.min, self.max) == (grid.min, grid.max)) {
             let (from, to) = (grid.min, grid.max);
             let (min, max) = (self.min, self.max);
             return Err(format!("it says that its voxels span {from} to {to}, and they span {min} to {max}").into());

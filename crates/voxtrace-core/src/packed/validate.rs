@@ -197,7 +197,7 @@ impl Geometry {
         let mut extent = Extent::empty();
         let top = Cells { range: start..end, size: grid.top_size, first: IVec3::ZERO, shift: grid.top_shift };
         self.validate_cells(grid, top, cells_left, &mut extent)?;
-        extent.check(grid)
+        extent.check(grid, self.is_edited)
     }
 
     fn validate_cells(
