@@ -338,7 +338,8 @@ mod tests {
         // Two bodies together, about their common centre (Steiner): products of inertia, too.
         let (a, b) = (IVec3::ZERO, IVec3::new(4, 2, -6));
         let mut two = VoxelGrid::new();
-        (two.set(a, 0), two.set(b, 1));
+        two.set(a, 0);
+        two.set(b, 1);
         let both = Piece { grid: 0, voxels: two }.mass_properties(|material| 1.0 + 2.0 * f64::from(material));
         let center = (a.as_dvec3() + b.as_dvec3() * 3.0) / 4.0 + 0.5;
         let of = |at: IVec3, mass: f64| {
