@@ -7,7 +7,7 @@ use std::sync::Arc;
 use std::time::Instant;
 use voxtrace::dynamic::{DynamicScene, Edit};
 use voxtrace::glam::DVec3;
-use voxtrace::{Frame, Integrator, PackedScene, Progress, Shape, Tracer, scenes};
+use voxtrace::{Film, Frame, Integrator, PackedScene, Progress, Region, Shape, Tracer, scenes};
 use voxtrace_vulkan::{Device, Options, Primitive, Settings, Traversal, VulkanTracer, missing};
 
 fn median(mut values: Vec<f64>) -> f64 {
@@ -24,6 +24,13 @@ fn sample_ms(tracer: &mut VulkanTracer, frame: &Frame) -> Result<f64, Box<dyn Er
         least = least.min(tracer.statistics().gpu_ms / 8.0);
     }
     Ok(least)
+}
+
+fn film_of(tracer: &mut VulkanTracer, frame: &Frame) -> Result<Film, Box<dyn Error>> {
+    let mut film = Film::new(1, 1, Region::full(1, 1), 0);
+    tracer.render(&frame.clone().samples(2), &Progress::default())?;
+    tracer.read(&mut film)?;
+    Ok(film)
 }
 
 fn measure(
@@ -75,9 +82,12 @@ fn measure(
         }
     }
     let after = sample_ms(&mut tracer, &frame)?;
+    let film = film_of(&mut tracer, &frame)?;
     tracer.set_scene(&Arc::new(scene.compact()))?;
     let anew = sample_ms(&mut tracer, &frame)?;
     println!("  a sample of path: {before:.2} before, {after:.2} while it is edited, {anew:.2} packed anew");
+    let is_same = film.pixels == film_of(&mut tracer, &frame)?.pixels;
+    println!("  the film of the edited scene is {}that of the scene packed anew", if is_same { "" } else { "NOT " });
     Ok(())
 }
 
