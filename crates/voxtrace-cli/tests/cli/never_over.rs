@@ -123,6 +123,27 @@ fn no_picture_film_or_frame_is_written_over_anything_that_render_reads() {
 }
 
 #[test]
+fn no_frame_or_clip_is_written_over_what_an_animation_is_made_of() {
+    let (folder, mut turn) = (inputs(), 0);
+    let script = "scene = \"room.vox\"\nfps = 12\nframes = 3\n[camera]\norbit = 1\n";
+    std::fs::write(folder.path("turn.toml"), script).unwrap();
+    let small = ["--size", "24x16", "--spp", "1"];
+    for (name, output) in [
+        ("o_##.png", "o_02.png"),
+        ("o_##.exr", "o_03.exr"),
+        ("o_##.vxf", "o_01.vxf"),
+        ("o.gif", "o.gif"),
+        ("o.png", "o.png"),
+        ("o.mp4", "o.mp4"),
+    ] {
+        let arguments = [&["animate", "turn.toml", "-o", name], &small[..]].concat();
+        assert_refused(&folder, &arguments, output, &["turn.toml", "room.vox"], &mut turn);
+    }
+    // Where nothing is in the way they are written.
+    folder.succeed(&[&["animate", "turn.toml", "-o", "o_##.png", "-o", "o.gif"], &small[..]].concat());
+}
+
+#[test]
 fn no_map_merged_film_or_report_is_written_over_what_it_is_of() {
     let (folder, mut turn) = (inputs(), 0);
     let render = |outputs: &[&str]| {
