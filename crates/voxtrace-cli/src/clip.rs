@@ -139,6 +139,16 @@ impl Clip {
         Ok(())
     }
 
+    /// Takes the folder away again where no frame was made.
+    pub fn drop_empty_folder(&self) {
+        let Some(folder) = &self.folder else { return };
+        if self.frames_there().is_ok_and(|frames| frames.is_empty()) {
+            // What cannot be removed does no harm.
+            let _ = std::fs::remove_file(folder.join(SETTINGS));
+            let _ = std::fs::remove_dir(folder);
+        }
+    }
+
     /// The frames in the folder: pictures of ours with a number as their name.
     fn frames_there(&self) -> io::Result<Vec<PathBuf>> {
         let Some(folder) = &self.folder else { return Ok(Vec::new()) };

@@ -44,6 +44,8 @@ impl AnimateArgs {
         let (mut frames, clips): (Vec<PathBuf>, Vec<PathBuf>) =
             self.render.picture.output.drain(..).partition(frames_of);
         self.clip.check(&clips)?;
+        // Before frames are made; what the scene names is known later, and asked about before a clip is written.
+        self.render.scene.note();
         clips.iter().try_for_each(|clip| outputs::check(clip))?;
         let settings =
             format!("{}\n{:?}\n{:?}", self.render.settings(), self.motion, script.as_ref().map(|script| &script.text));
@@ -58,6 +60,9 @@ impl AnimateArgs {
         self.render.picture.output = frames;
         let director = Director { script, args: self.motion.clone() };
         let rendered = self.render.clone().run_directed(Some(&director), &mut |stage| clip.learn(stage), report);
+        if rendered.is_err() {
+            clip.drop_empty_folder();
+        }
         rendered.map_err(|failure| match clip.folder() {
             Some(folder) if failure.kind == Kind::Interrupted => {
                 let hint = format!("the same command goes on with the frames in {}", folder.display());

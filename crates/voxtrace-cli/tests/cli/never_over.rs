@@ -138,6 +138,7 @@ fn no_frame_or_clip_is_written_over_what_an_animation_is_made_of() {
     ] {
         let arguments = [&["animate", "turn.toml", "-o", name], &small[..]].concat();
         assert_refused(&folder, &arguments, output, &["turn.toml", "room.vox"], &mut turn);
+        assert!(!folder.exists(&format!("{output}.frames")), "{output}: no folder is left");
     }
     // Where nothing is in the way they are written.
     folder.succeed(&[&["animate", "turn.toml", "-o", "o_##.png", "-o", "o.gif"], &small[..]].concat());
