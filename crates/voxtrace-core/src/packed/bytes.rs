@@ -8,6 +8,7 @@ use std::io::{self, Read};
 pub(super) enum Bytes {
     Mapped(memmap2::Mmap),
     /// Memory in large pages that nobody else has and that may be written while nobody else holds it.
+    #[cfg(target_os = "linux")]
     Writable(memmap2::MmapMut),
     /// Whole blocks, and how many bytes of them count.
     Owned(Box<[Block]>, usize),
@@ -75,6 +76,7 @@ impl Bytes {
     pub fn as_mut(&mut self) -> Option<&mut [u8]> {
         match self {
             Self::Mapped(_) => None,
+            #[cfg(target_os = "linux")]
             Self::Writable(map) => Some(map),
             Self::Owned(blocks, length) => Some(&mut bytemuck::cast_slice_mut(blocks)[..*length]),
         }
@@ -94,6 +96,7 @@ impl std::ops::Deref for Bytes {
     fn deref(&self) -> &[u8] {
         match self {
             Self::Mapped(map) => map,
+            #[cfg(target_os = "linux")]
             Self::Writable(map) => map,
             Self::Owned(blocks, length) => &bytemuck::cast_slice(blocks)[..*length],
         }
