@@ -48,6 +48,8 @@ pub fn run(
     transfer.upload(&mut submitter, &given, cast_slice(inputs))?;
     bindings.bind(binding::RAYS, &given);
     bindings.bind(binding::HITS, &made);
+    // No scene of it lies in pages.
+    bindings.bind(binding::PAGES, &given);
 
     let mut passes = Passes::new(device, &bindings, spirv::SELFTEST);
     let entry = Entry::SelfTest(entry);
