@@ -20,6 +20,7 @@ fn write_sparse(folder: &Folder, layers: u64) {
     }
 }
 
+#[cfg(target_os = "linux")]
 fn arguments(budget: &'static str, out: &'static str) -> [&'static str; 9] {
     arguments_of("1024x1024x128:u8", budget, out)
 }
