@@ -12,7 +12,7 @@ use crate::buffer::Buffer;
 use crate::capabilities::missing;
 use crate::commands::{Finished, Job, Submitter, Then};
 use crate::device::Device;
-use crate::film::DeviceFilm;
+use crate::film::{DeviceFilm, Part};
 use crate::method::{Settings, Traversal};
 use crate::pages::Pages;
 use crate::passes::Passes;
@@ -212,6 +212,19 @@ impl Worker {
         self.submitter.submit(&Job { step, work, dispatch, workgroups, record: &record, then })
     }
 
+    /// Makes the program that renders a part of a film, and tells it about the frame. Nothing may be in flight.
+    fn prepare_part(&mut self, part: &Part, frame: &Frame) -> Result<Variant, TraceError> {
+        let params = FrameParams::of_frame(self.scene()?, &frame.clone().region(part.region));
+        let variant = self.variant(Entry::of(frame.integrator), (params.lens, params.sky), Some(frame))?;
+        if variant.has_catcher {
+            self.prepare_catcher()?;
+        }
+        self.passes.prepare(variant)?;
+        self.set_params(&params);
+        self.bindings.bind(binding::PIXELS, &part.pixels);
+        Ok(variant)
+    }
+
     /// Brings one part of the film up to `target` samples. Returns false where it ran out of time.
     fn render_part(
         &mut self,
@@ -226,14 +239,7 @@ impl Worker {
             return self.render_part_in_pages(film, (index, target), frame, progress, until);
         }
         let part = &mut film.parts[index];
-        let params = FrameParams::of_frame(self.scene()?, &frame.clone().region(part.region));
-        let variant = self.variant(Entry::of(frame.integrator), (params.lens, params.sky), Some(frame))?;
-        if variant.has_catcher {
-            self.prepare_catcher()?;
-        }
-        self.passes.prepare(variant)?;
-        self.set_params(&params);
-        self.bindings.bind(binding::PIXELS, &part.pixels);
+        let variant = self.prepare_part(part, frame)?;
         let pixels = part.region.pixels() as u64;
         let mut is_late = false;
         while part.samples < target && !progress.is_cancelled() && !is_late {

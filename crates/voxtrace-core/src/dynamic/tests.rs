@@ -156,9 +156,7 @@ fn edits_of_all_kinds_leave_the_scene_that_packing_makes() {
     }
 }
 
-/// As the issue asks: `cargo test --release -p voxtrace-core -- --ignored ten_thousand`, a minute or two.
 #[test]
-#[ignore = "takes minutes"]
 fn ten_thousand_edits_and_a_million_rays() {
     let (mut random, mut pair) = (Random(99), Pair::new());
     for _ in 0..40 {

@@ -3,8 +3,8 @@
 use super::Worker;
 use crate::film::DeviceFilm;
 use crate::pages::Served;
-use crate::records::{Counter, Dispatch, FrameParams, binding};
-use crate::variant::{Entry, Variant};
+use crate::records::{Counter, Dispatch};
+use crate::variant::Variant;
 use crate::watch::Watch;
 use std::time::Instant;
 use voxtrace_core::{Frame, TraceError};
@@ -51,14 +51,7 @@ impl Worker {
         until: Instant,
     ) -> Result<bool, TraceError> {
         let part = &mut film.parts[index];
-        let params = FrameParams::of_frame(self.scene()?, &frame.clone().region(part.region));
-        let variant = self.variant(Entry::of(frame.integrator), (params.lens, params.sky), Some(frame))?;
-        if variant.has_catcher {
-            self.prepare_catcher()?;
-        }
-        self.passes.prepare(variant)?;
-        self.set_params(&params);
-        self.bindings.bind(binding::PIXELS, &part.pixels);
+        let variant = self.prepare_part(part, frame)?;
         let pixels = part.region.pixels() as u64;
         while part.samples < target {
             let goal = if part.samples == 0 { 1 } else { target };
