@@ -6,7 +6,7 @@ use std::collections::{BTreeMap, BTreeSet};
 const LAYERS: &[&[&str]] = &[
     &["voxtrace-oidn", "voxtrace-scene", "voxtrace-test-support"],
     &["voxtrace-core"],
-    &["voxtrace-voxelize", "voxtrace-scenes", "voxtrace-vulkan"],
+    &["voxtrace-voxelize", "voxtrace-scenes", "voxtrace-vulkan", "voxtrace-realtime"],
     &["voxtrace-io"],
     &["voxtrace"],
     &["voxtrace-bench"],

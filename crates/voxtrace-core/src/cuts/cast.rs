@@ -6,7 +6,7 @@ use crate::walk::{self, WalkCounts};
 use voxtrace_scene::ray::{Hit, Ray};
 
 /// Finds the first hit of a ray; where it is not clipped, in the whole scene.
-pub(crate) fn cast(scene: &PackedScene, ray: &Ray, is_clipped: bool) -> Hit {
+pub fn cast(scene: &PackedScene, ray: &Ray, is_clipped: bool) -> Hit {
     let span = scene.cuts.span_of(ray, is_clipped);
     span.entered(walk::cast_whole(scene, &span.part(ray)))
 }
@@ -41,7 +41,7 @@ pub(crate) fn occluded_batch(
 }
 
 /// As [`medium::cast_inside`]: where the medium is cut, the ray leaves it through the face of the cut.
-pub(crate) fn cast_inside(scene: &PackedScene, ray: &Ray, inside: &Inside, is_clipped: bool) -> Hit {
+pub fn cast_inside(scene: &PackedScene, ray: &Ray, inside: &Inside, is_clipped: bool) -> Hit {
     let span = scene.cuts.span_of(ray, is_clipped);
     let hit = medium::cast_inside(scene, &Ray { t_max: ray.t_max.min(span.t_out), ..*ray }, inside);
     span.left(hit, ray.t_min, ray.t_max, inside)

@@ -5,7 +5,9 @@ mod cast;
 mod span;
 
 use crate::surface::{MARGIN_MAX, MARGIN_MIN};
-pub(crate) use cast::{cast, cast_batch, cast_inside, occluded_batch};
+#[doc(hidden)]
+pub use cast::{cast, cast_inside};
+pub(crate) use cast::{cast_batch, occluded_batch};
 use glam::Vec3;
 use voxtrace_scene::ray::{Hit, Ray};
 

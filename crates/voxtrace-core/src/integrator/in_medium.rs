@@ -32,7 +32,7 @@ impl Path {
     }
 
     /// Takes away what the medium absorbs from the ray's origin to `t`.
-    pub(super) fn absorb(&mut self, scene: &PackedScene, inside: &Inside, ray: &Ray, t: f32) {
+    pub fn absorb(&mut self, scene: &PackedScene, inside: &Inside, ray: &Ray, t: f32) {
         self.beta *= attenuation(inside.medium(scene), t * inside.voxels_per_t(scene, ray));
     }
 }

@@ -97,7 +97,7 @@ impl Path {
 
     /// Index of the material of what the path met in air; 0, which nobody asks for, where it met nothing or is in a medium.
     #[inline]
-    pub(crate) fn material(&self, scene: &PackedScene, hit: &Hit) -> u32 {
+    pub fn material(&self, scene: &PackedScene, hit: &Hit) -> u32 {
         if self.meets_surface(hit) { scene.packed_material_index(hit) } else { 0 }
     }
 
@@ -119,7 +119,7 @@ impl Path {
     }
 
     /// Dimension of the sampler that chooses the light for the next surface.
-    pub(crate) fn dimension_light(&self) -> u32 {
+    pub fn dimension_light(&self) -> u32 {
         2 + 2 * self.event
     }
 

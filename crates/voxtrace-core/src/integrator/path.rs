@@ -216,18 +216,9 @@ pub fn leave(
     scatter: &Scatter,
     light: Option<&LightSample>,
 ) -> (Option<Ray>, Option<ShadowRay>) {
-    let Scatter { place, bsdf, kind, wo, u, compensation, is_in_medium, is_boundary, .. } = scatter;
+    let Scatter { place, bsdf, kind, wo, u, compensation, is_boundary, .. } = scatter;
     let (kind, wo, compensation, is_boundary) = (*kind, *wo, *compensation, *is_boundary);
-    let light = light.filter(|sample| scene.cuts.admits(&sample.ray, path.is_clipped)).map(|sample| {
-        let toward = place.local_direction(sample.ray.direction);
-        // What lies above the horizon is for the light to say: its cosine holds.
-        let wi = if *is_in_medium { toward } else { toward.with_z(sample.cos_theta) };
-        let eval = bsdf.eval(wo, wi);
-        let share = eval.pdf / sample.pdf * power_heuristic(sample.pdf, eval.pdf);
-        let radiance = path.beta * eval.weight * compensation * sample.radiance * share;
-        let radiance = limits.clamped(radiance, path.scattered > 0);
-        ShadowRay { ray: sample.ray, inside: place.inside, is_clipped: path.is_clipped, radiance }
-    });
+    let light = light.and_then(|sample| shadow_ray(scene, limits, path, scatter, sample));
     let Some(bounce) = bsdf.sample(wo, *u) else { return (None, light) };
     let is_transmitted = is_boundary && bounce.wi.z < 0.0;
     let kind = if is_transmitted { BounceKind::Transmitted } else { kind };
@@ -249,6 +240,29 @@ pub fn leave(
     path.inside = place.inside;
     path.bounce += 1;
     (Some(Ray::new(place.receiver.point, direction)), light)
+}
+
+/// The light that a chosen light gives where a path is to be scattered, unless something lies in its way. `None` where cuts take it away.
+#[inline]
+pub fn shadow_ray(
+    scene: &PackedScene,
+    limits: &Limits,
+    path: &Path,
+    scatter: &Scatter,
+    sample: &LightSample,
+) -> Option<ShadowRay> {
+    let Scatter { place, bsdf, wo, compensation, is_in_medium, .. } = scatter;
+    if !scene.cuts.admits(&sample.ray, path.is_clipped) {
+        return None;
+    }
+    let toward = place.local_direction(sample.ray.direction);
+    // What lies above the horizon is for the light to say: its cosine holds.
+    let wi = if *is_in_medium { toward } else { toward.with_z(sample.cos_theta) };
+    let eval = bsdf.eval(*wo, wi);
+    let share = eval.pdf / sample.pdf * power_heuristic(sample.pdf, eval.pdf);
+    let radiance = path.beta * eval.weight * *compensation * sample.radiance * share;
+    let radiance = limits.clamped(radiance, path.scattered > 0);
+    Some(ShadowRay { ray: sample.ray, inside: place.inside, is_clipped: path.is_clipped, radiance })
 }
 
 /// What a path met: the material of a surface, whose emission counts, and the model that scatters the path. Lines have no emission.

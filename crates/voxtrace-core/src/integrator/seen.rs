@@ -31,7 +31,14 @@ pub struct Seen {
 }
 
 impl Seen {
-    fn new(scene: &PackedScene, lines: &Lines, (ray, hit): (&Ray, &Hit), throughput: Vec3, is_likely: bool) -> Self {
+    /// What is seen of the surface where `ray` met `hit`, of whose light `throughput` arrives.
+    pub fn new(
+        scene: &PackedScene,
+        lines: &Lines,
+        (ray, hit): (&Ray, &Hit),
+        throughput: Vec3,
+        is_likely: bool,
+    ) -> Self {
         let albedo = |index: u32| {
             let line = lines.color_at(scene, index, ray, hit);
             line.unwrap_or_else(|| albedo_of(&scene.materials()[index as usize]))

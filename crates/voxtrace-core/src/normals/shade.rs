@@ -119,7 +119,7 @@ fn lifted(is_empty: impl Fn(IVec3) -> bool, mut cell: IVec3, start: Vec3, along:
 
 impl PackedScene {
     /// Unit normal of the smooth surface that `hit` of `ray`, as tracers find it, met; of its face where it has none, and of glass.
-    pub(crate) fn shading_normal(&self, ray: &Ray, hit: &Hit) -> Vec3 {
+    pub fn shading_normal(&self, ray: &Ray, hit: &Hit) -> Vec3 {
         let is_smooth = self.geometry.has_normals() && self.packed_material(hit).transmission < 0.5;
         let along = if is_smooth { normal_along(self, ray, hit) } else { None };
         let instance = &self.placement.instances[hit.instance as usize];

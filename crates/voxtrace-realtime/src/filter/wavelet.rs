@@ -1,0 +1,72 @@
+//! One level of the wavelet transform: a blur whose weights stop at edges (Dammertz et al., "Edge-Avoiding À-Trous Wavelet Transform for fast Global
+//! Illumination Filtering", HPG 2010), and which of the details that it took away are more than noise (Chang, Yu, Vetterli, "Adaptive Wavelet
+//! Thresholding for Image Denoising and Compression", IEEE TIP 9(9), 2000).
+
+use super::surfaces::{SPLINE, Surfaces, box_mean};
+use glam::Vec3;
+use rayon::prelude::*;
+use voxtrace_core::math::luminance;
+
+/// Variance below which noise is not looked for, relative to the square of the light, so that exact light divides by no zero.
+const LEAST_VARIANCE: f32 = 1e-6;
+/// How many times its noise the energy of a detail must be before any of it is kept.
+const THRESHOLD: f32 = 1.6;
+/// Pixels on either side over which the energy of details is averaged.
+const NEIGHBOURHOOD: usize = 2;
+
+/// Light and the variance of its luminance, of each pixel.
+pub struct Light {
+    pub color: Vec<Vec3>,
+    pub variance: Vec<f32>,
+}
+
+/// A coarser level, and what of each pixel's light is its own of the finer one.
+pub struct Coarse {
+    pub light: Light,
+    pub own_share: Vec<f32>,
+}
+
+/// The next coarser level, from pixels `step` apart.
+pub fn smooth(light: &Light, surfaces: &Surfaces, tolerance: &[f32], step: i32) -> Coarse {
+    let pixel = |of: usize| {
+        let own = luminance(light.color[of]);
+        let square = tolerance[of] * tolerance[of] * (light.variance[of] + LEAST_VARIANCE * own * own + 1e-12);
+        // One over the square difference of light at which pixels are no longer alike.
+        let scale = 1.0 / square;
+        let (mut color, mut variance, mut weights) = (Vec3::ZERO, 0.0, 0.0);
+        surfaces.around(of, 2, step, |at, dx, dy| {
+            let mut weight = SPLINE[dx.unsigned_abs() as usize] * SPLINE[dy.unsigned_abs() as usize];
+            if at != of {
+                let difference = luminance(light.color[at]) - own;
+                let lights = (1.0 - difference * difference * scale).max(0.0);
+                weight *= surfaces.alike(of, at) * lights * lights;
+            }
+            color += light.color[at] * weight;
+            variance += weight * weight * light.variance[at];
+            weights += weight;
+        });
+        let scale = 1.0 / weights;
+        (color * scale, (variance * scale * scale, SPLINE[0] * SPLINE[0] * scale))
+    };
+    let (color, rest): (Vec<_>, Vec<_>) = (0..light.color.len()).into_par_iter().map(pixel).unzip();
+    let (variance, own_share) = rest.into_iter().unzip();
+    Coarse { light: Light { color, variance }, own_share }
+}
+
+/// Adds to `kept` the part of what `coarse` lacks of `fine` that is more than noise.
+pub fn keep_detail(fine: &Light, coarse: &Coarse, width: usize, kept: &mut [Vec3]) {
+    let energy = |(fine, coarse): (&Vec3, &Vec3)| {
+        let detail = luminance(*fine - *coarse);
+        detail * detail
+    };
+    let energy: Vec<f32> = fine.color.par_iter().zip(&coarse.light.color).map(energy).collect();
+    // The detail is (1 − own) · fine minus the others' shares, whose noises are independent.
+    let noise = |((fine, coarse), own): ((&f32, &f32), &f32)| (fine * (1.0 - 2.0 * own) + coarse).max(0.0);
+    let pairs = fine.variance.par_iter().zip(&coarse.light.variance).zip(&coarse.own_share);
+    let noise: Vec<f32> = pairs.map(noise).collect();
+    let (energy, noise) = (box_mean(&energy, width, NEIGHBOURHOOD), box_mean(&noise, width, NEIGHBOURHOOD));
+    kept.par_iter_mut().enumerate().for_each(|(index, kept)| {
+        let share = (1.0 - THRESHOLD * noise[index] / energy[index].max(1e-30)).max(0.0);
+        *kept += (fine.color[index] - coarse.light.color[index]) * share;
+    });
+}

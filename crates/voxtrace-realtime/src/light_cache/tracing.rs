@@ -1,0 +1,88 @@
+//! How cells of the light cache find their light: one ray to a light and one in a random direction from a random point of the face.
+
+use super::{Cell, LightCache};
+use crate::light_cache::Request;
+use crate::path::{Choice, View};
+use glam::Vec3;
+use rayon::prelude::*;
+use std::f32::consts::FRAC_1_PI;
+use voxtrace_core::integrator::{Path, ShadowRay};
+use voxtrace_core::light::{LightSample, Receiver};
+use voxtrace_core::math::{cosine_hemisphere, orthonormal_pair};
+use voxtrace_core::sampler::Sampler;
+use voxtrace_core::surface::offset_ray_origin;
+use voxtrace_scene::ray::Ray;
+
+impl LightCache {
+    /// Lets cells trace rays, those first that know nothing yet, then the others in turns. Returns what they found, by their places, and what they asked for.
+    /// What they read of each other is what was known before.
+    pub(crate) fn trace(&self, view: &View, frame: u32, seed: u32) -> (Vec<(usize, Vec3)>, Vec<Request>) {
+        let is_asked = |place: &usize| self.cells[*place].life > 0 && self.cells[*place].voxel_code > 0;
+        let count = self.cells.len();
+        let new = (0..count).filter(is_asked).filter(|&place| self.cells[place].samples == 0.0);
+        let turn = (0..count).map(|step| (self.next + step) % count).filter(is_asked);
+        let old = turn.filter(|&place| self.cells[place].samples > 0.0);
+        let chosen: Vec<usize> = new.chain(old).take(self.budget).collect();
+        let trace = |&place: &usize| {
+            let (cell, mut requests) = (&self.cells[place], Vec::new());
+            let sampler = Sampler { seed, pixel: cell.key.hash(), sample: frame };
+            let light = cell.trace(view, sampler, &mut requests);
+            ((place, light), requests)
+        };
+        let (found, requests): (Vec<_>, Vec<_>) = chosen.par_iter().map(trace).unzip();
+        (found, requests.into_iter().flatten().collect())
+    }
+
+    /// As [`Self::trace`], and adds what was found. Returns what cells asked for.
+    pub(crate) fn update(&mut self, found: &[(usize, Vec3)]) {
+        self.next = found.last().map_or(0, |&(place, _)| place + 1) % self.cells.len();
+        self.add(found);
+    }
+}
+
+impl Cell {
+    /// A sample of what the face sends on of the light that falls on it, were it white.
+    fn trace(&self, view: &View, sampler: Sampler, requests: &mut Vec<Request>) -> Vec3 {
+        let instance = &view.scene.instances()[self.key.instance as usize];
+        let face = self.key.face();
+        let [u, v, a, b] = sampler.independent(0);
+        let low = self.key.voxel(self.voxel_code).as_vec3();
+        let mut point = low;
+        let axis = face.axis();
+        point[(axis + 1) % 3] += u;
+        point[(axis + 2) % 3] += v;
+        let origin = instance.world_from_grid.point(offset_ray_origin(instance, low, face, point));
+        let normal = instance.world_normal(face);
+        let receiver = Receiver::on_surface(origin, normal);
+
+        let mut choice = Choice::default();
+        for candidate in 0..view.candidates {
+            let [u, v] = [1, 2].map(|which| sampler.independent(which + 2 * candidate));
+            choice.add(view.lights.sample(&receiver, u).map(|light| lit(&light)), v[0]);
+        }
+        let mut light = choice.chosen().map_or(Vec3::ZERO, |shadow_ray| view.arriving(&shadow_ray));
+
+        let (x, y) = orthonormal_pair(normal);
+        let local = cosine_hemisphere(a, b);
+        let mut ray = Ray::new(origin, x * local.x + y * local.y + normal * local.z);
+        let mut path = Path::from_sampler(sampler);
+        (path.normal, path.pdf) = (normal, local.z * FRAC_1_PI);
+        // It stands for a path that was scattered by a surface before: what it finds is indirect light for whoever asks.
+        (path.bounce, path.event, path.scattered) = (1, 1, 1);
+        loop {
+            let hit = view.cast(&path, &ray);
+            if let Some(cached) = view.cached(&path, &ray, &hit, self.life.saturating_sub(1), requests) {
+                return light + cached + view.emitted(&path, &ray, &hit);
+            }
+            let Some(next) = view.advance(&mut path, (&ray, &hit), 1, &mut light) else { return light };
+            ray = next;
+        }
+    }
+}
+
+/// What a white matte surface sends on of a light, weighed by the power heuristic, unless something is in its way.
+fn lit(light: &LightSample) -> ShadowRay {
+    let ratio = light.cos_theta.max(0.0) * FRAC_1_PI / light.pdf;
+    let radiance = light.radiance * (ratio / (1.0 + ratio * ratio));
+    ShadowRay { ray: light.ray, inside: None, is_clipped: true, radiance }
+}

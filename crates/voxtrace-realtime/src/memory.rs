@@ -1,0 +1,106 @@
+//! What is known of each pixel: means over the paths and rays of the frames that it remembers.
+
+use crate::path::Sample;
+use glam::Vec3;
+use voxtrace_core::math::luminance;
+
+/// Added to albedos before they divide, so that black surfaces do not make noise of nothing.
+pub(crate) const LEAST_ALBEDO: f32 = 0.003;
+
+/// What is known of a pixel.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Memory {
+    /// Rays of the camera that it remembers: of them are `direct`, `albedo`, `normal`, `place`, `roughness` and `coverage`.
+    pub looks: f32,
+    /// Paths that it remembers: of them are `light`, `shaded` and `moments`.
+    pub paths: f32,
+    /// Radiance that is seen directly.
+    pub direct: Vec3,
+    /// Share of light that what is seen scatters.
+    pub albedo: Vec3,
+    /// Normals, world space: shorter than one where the pixel shows several.
+    pub normal: Vec3,
+    /// Where surfaces are, world space.
+    pub place: Vec3,
+    /// Variance of those places along the normal, square world units.
+    pub roughness: f32,
+    /// Share of the rays that met a surface.
+    pub coverage: f32,
+    /// Radiance of light that surfaces scatter.
+    pub light: Vec3,
+    /// Share of light that they scatter: of the same paths.
+    pub shaded: Vec3,
+    /// Of the luminances l of light and a of `shaded`: l², l · a, a².
+    pub moments: Vec3,
+    /// Instance of the surface that was seen last.
+    pub instance: u32,
+}
+
+impl Memory {
+    /// Takes what another ray of the camera saw.
+    pub fn look(&mut self, sample: &Sample) {
+        self.looks += 1.0;
+        let share = 1.0 / self.looks;
+        self.direct += (sample.direct - self.direct) * share;
+        let albedo = sample.shown.map_or(Vec3::ZERO, |shown| shown.albedo);
+        self.albedo += (albedo - self.albedo) * share;
+        let Some(shown) = &sample.shown else {
+            self.coverage -= self.coverage * share;
+            return;
+        };
+        let covered = self.coverage * (self.looks - 1.0) + 1.0;
+        self.coverage = covered * share;
+        let (share, before) = (1.0 / covered, self.place);
+        self.normal += (shown.normal - self.normal) * share;
+        self.place += (shown.place - self.place) * share;
+        self.instance = shown.instance;
+        if covered > 1.0 {
+            let along = self.normal.dot(shown.place - before);
+            let square = along * along / self.normal.length_squared().max(1e-6) * (1.0 - share);
+            self.roughness += (square - self.roughness) * share;
+        }
+    }
+
+    /// Takes what another path found, its ray of the camera included; remembers `most` paths at most.
+    pub fn add(&mut self, sample: &Sample, most: f32) {
+        self.look(sample);
+        self.paths = (self.paths + 1.0).min(most);
+        let share = 1.0 / self.paths;
+        let albedo = sample.shown.map_or(Vec3::ZERO, |shown| shown.albedo);
+        let (l, a) = (luminance(sample.light), luminance(albedo));
+        self.light += (sample.light - self.light) * share;
+        self.shaded += (albedo - self.shaded) * share;
+        self.moments += (Vec3::new(l * l, l * a, a * a) - self.moments) * share;
+    }
+
+    /// The light that falls on what is seen; of what media scatter, all of it.
+    pub fn irradiance(&self) -> Vec3 {
+        self.light / (self.shaded + LEAST_ALBEDO)
+    }
+
+    /// Variance of the luminance of [`Self::irradiance`], a ratio of means (Cochran, "Sampling Techniques", 1977, chapter 6).
+    pub fn variance(&self) -> f32 {
+        let (ratio, albedo) = (luminance(self.irradiance()), luminance(self.shaded) + LEAST_ALBEDO);
+        let square = self.moments.x - 2.0 * ratio * self.moments.y + ratio * ratio * self.moments.z;
+        square.max(0.0) / (albedo * albedo * (self.paths - 1.0).max(0.5))
+    }
+
+    /// The pixel's radiance where `irradiance` falls on what is seen.
+    pub fn radiance(&self, irradiance: Vec3) -> Vec3 {
+        if self.coverage > 0.0 {
+            (self.direct + irradiance * (self.albedo + LEAST_ALBEDO)).max(Vec3::ZERO)
+        } else {
+            self.direct + self.light
+        }
+    }
+
+    /// Forgets what was seen, but not the light that falls there: where the view moves, what is seen is looked at anew, so that nothing blurs it.
+    pub fn look_anew(self) -> Self {
+        Self { looks: 0.0, coverage: 0.0, roughness: 0.0, ..self }
+    }
+
+    /// Forgets all but `paths` paths.
+    pub fn doubt(&mut self, paths: f32) {
+        self.paths = self.paths.min(paths);
+    }
+}

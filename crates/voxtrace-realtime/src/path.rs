@@ -1,0 +1,278 @@
+//! One path of one pixel, split into what is seen directly, which has no noise but that of edges, and the light that falls on what is seen. It is a path of
+//! the integrator, but for two things: its first light is one of several candidates, and it ends where the light cache knows what comes from there.
+
+use crate::light_cache::{LightCache, Request};
+use glam::Vec3;
+use voxtrace_core::cuts;
+use voxtrace_core::integrator::path::{self, Arrival, Limits};
+use voxtrace_core::integrator::seen::Seen;
+use voxtrace_core::integrator::{DIMENSION_CAMERA, Path, ShadowRay, cast_in_medium};
+use voxtrace_core::light::Lights;
+use voxtrace_core::math::luminance;
+use voxtrace_core::medium::{MAX_BOUNDARIES, Transit};
+use voxtrace_core::packed::PackedScene;
+use voxtrace_core::sampler::Sampler;
+use voxtrace_core::walk;
+use voxtrace_scene::camera::CameraFrame;
+use voxtrace_scene::ray::{Hit, Ray};
+
+/// First dimension of the sampler for candidates of lights but the first.
+const DIMENSION_CANDIDATES: u32 = 1 << 30;
+/// First dimension of the sampler for levels of the light cache.
+const DIMENSION_LEVEL: u32 = 3 << 30;
+
+/// What the paths of a frame share.
+pub struct View<'a> {
+    /// The scene.
+    pub scene: &'a PackedScene,
+    /// Its lights.
+    pub lights: Lights<'a>,
+    /// How far paths go.
+    pub limits: Limits,
+    /// The camera.
+    pub camera: CameraFrame,
+    /// Its place, world units.
+    pub eye: Vec3,
+    /// What the picture's height sees, radians: cells of the light cache are a part of it.
+    pub view_angle: f32,
+    /// Whether paths enter voxels.
+    pub has_media: bool,
+    /// Lights of which a path's first surface chooses one.
+    pub candidates: u32,
+    /// Light on faces, where it is used.
+    pub cache: Option<&'a LightCache>,
+}
+
+/// The surface that a sample shows, through mirrors and clear glass.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Shown {
+    /// Share of light that it scatters, times what of it arrives.
+    pub albedo: Vec3,
+    /// Unit normal, world space.
+    pub normal: Vec3,
+    /// Where it seems to be, world space: as far along the camera's ray as the way to it is long.
+    pub place: Vec3,
+    /// Its instance, where it is seen without mirror or glass.
+    pub instance: u32,
+}
+
+/// What one path found.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Sample {
+    /// Radiance that is seen directly: emitters and sky.
+    pub direct: Vec3,
+    /// Radiance of light that the shown surface scatters; of light that media scatter, where no surface is shown.
+    pub light: Vec3,
+    /// The shown surface.
+    pub shown: Option<Shown>,
+}
+
+impl View<'_> {
+    /// Follows the path of a pixel. `requests` gets the cells of the light cache that it asked for.
+    pub fn sample(&self, x: u32, y: u32, sampler: Sampler, requests: &mut Vec<Request>) -> Sample {
+        let mut sample = Sample::default();
+        let Some((mut path, mut ray)) = self.see((x, y), sampler, self.candidates, &mut sample) else { return sample };
+        loop {
+            let hit = self.cast(&path, &ray);
+            if let Some(light) = self.cached(&path, &ray, &hit, u32::MAX, requests) {
+                sample.light += light + self.emitted(&path, &ray, &hit);
+                return sample;
+            }
+            let next = self.advance(&mut path, (&ray, &hit), 1, &mut sample.light);
+            let Some(next) = next else { return sample };
+            ray = next;
+        }
+    }
+
+    /// What a pixel shows: as [`Self::sample`], without the light that falls there.
+    pub fn look(&self, x: u32, y: u32, sampler: Sampler) -> Sample {
+        let mut sample = Sample::default();
+        self.see((x, y), sampler, 0, &mut sample);
+        sample
+    }
+
+    /// Follows the camera's ray through mirrors and clear glass to the surface that it shows. Returns how the path goes on from there.
+    fn see(&self, (x, y): (u32, u32), sampler: Sampler, candidates: u32, sample: &mut Sample) -> Option<(Path, Ray)> {
+        let jitter = sampler.stratified(DIMENSION_CAMERA);
+        let (mut path, camera_ray) = Path::from_camera(&self.camera, x, y, sampler, jitter);
+        if self.has_media {
+            path = path.in_medium(self.scene, &camera_ray);
+        }
+        let (mut ray, mut way) = (camera_ray, 0.0);
+        loop {
+            let hit = self.cast(&path, &ray);
+            let (mut arrived, mut light) = (path, Vec3::ZERO);
+            let mut direct = Vec3::ZERO;
+            let next = self.advance_apart(&mut path, (&ray, &hit), candidates, &mut direct, &mut light);
+            sample.direct += direct;
+            sample.light += light;
+            if path.scattered == 0
+                && let Some(next) = next
+            {
+                way += hit.t;
+                ray = next;
+                continue;
+            }
+            if !hit.is_miss() {
+                if let Some(inside) = arrived.inside {
+                    arrived.absorb(self.scene, &inside, &ray, hit.t);
+                }
+                let seen = Seen::new(self.scene, &self.limits.lines, (&ray, &hit), arrived.beta, true);
+                sample.shown = Some(Shown {
+                    albedo: seen.albedo,
+                    normal: self.scene.shading_normal(&ray, &hit),
+                    place: camera_ray.at(way + hit.t),
+                    instance: if way > 0.0 { Hit::NONE } else { hit.instance },
+                });
+            }
+            return next.map(|next| (path, next));
+        }
+    }
+
+    /// What a path's ray meets.
+    pub fn cast(&self, path: &Path, ray: &Ray) -> Hit {
+        match &path.inside {
+            Some(inside) => cast_in_medium(self.scene, path, inside, ray),
+            None => cuts::cast(self.scene, ray, path.is_clipped),
+        }
+    }
+
+    /// Takes a path one bounce further, as the integrator does; `light` gets what arrives. The light that is asked is one of `candidates`.
+    pub fn advance(&self, path: &mut Path, at: (&Ray, &Hit), candidates: u32, light: &mut Vec3) -> Option<Ray> {
+        let mut emitted = Vec3::ZERO;
+        let next = self.advance_apart(path, at, candidates, &mut emitted, light);
+        *light += emitted;
+        next
+    }
+
+    /// As [`Self::advance`]; `emitted` gets what was met, `light` what the chosen light gives.
+    fn advance_apart(
+        &self,
+        path: &mut Path,
+        (ray, hit): (&Ray, &Hit),
+        candidates: u32,
+        emitted: &mut Vec3,
+        light: &mut Vec3,
+    ) -> Option<Ray> {
+        let scene = self.scene;
+        let material = path.material(scene, hit);
+        match path::arrive(scene, &self.lights, &self.limits, path, (ray, hit, material), emitted) {
+            Arrival::End => None,
+            Arrival::Pass(next) => Some(next),
+            Arrival::Scatter(scatter) => {
+                let mut choice = Choice::default();
+                for candidate in 0..if scatter.wants_light { candidates } else { 0 } {
+                    let (u, v) = self.candidate(path, candidate);
+                    let chosen = self.lights.sample(scatter.receiver(), u);
+                    let shadow_ray =
+                        chosen.and_then(|chosen| path::shadow_ray(scene, &self.limits, path, &scatter, &chosen));
+                    choice.add(shadow_ray, v);
+                }
+                if let Some(shadow_ray) = choice.chosen() {
+                    *light += self.arriving(&shadow_ray);
+                }
+                path::leave(scene, &self.limits, path, (ray, hit), &scatter, None).0
+            }
+        }
+    }
+
+    /// Random numbers of a candidate: those that choose the light, and one that chooses between it and those before.
+    fn candidate(&self, path: &Path, candidate: u32) -> ([f32; 4], f32) {
+        let dimension = DIMENSION_CANDIDATES + 64 * path.event + 2 * candidate;
+        let light = match candidate {
+            0 => path.sampler.stratified(path.dimension_light()),
+            _ => path.sampler.independent(dimension),
+        };
+        (light, path.sampler.independent(dimension + 1)[0])
+    }
+
+    /// What the cache knows of the light that the face which `ray` met sends on along the path; `life` is that of the one who asks. Faces that are no
+    /// matte ones, and those that are near beside the size of a cell, are not asked for.
+    pub(crate) fn cached(
+        &self,
+        path: &Path,
+        ray: &Ray,
+        hit: &Hit,
+        life: u32,
+        requests: &mut Vec<Request>,
+    ) -> Option<Vec3> {
+        let cache = self.cache?;
+        if hit.is_miss() || path.inside.is_some() || hit.cut().is_some() {
+            return None;
+        }
+        let material = &self.scene.materials()[path.material(self.scene, hit) as usize];
+        if material.metallic > 0.0 || material.transmission > 0.0 {
+            return None;
+        }
+        let place = ray.at(hit.t);
+        let size = LightCache::size(self.view_angle, (place - self.eye).length());
+        let u = path.sampler.independent(DIMENSION_LEVEL + path.event)[0];
+        let request = Request::of(hit, size, u, life);
+        if hit.t * ray.direction.length() < LightCache::least_distance(&request) {
+            return None;
+        }
+        requests.push(request);
+        Some(path.beta * material.base_color * cache.light(&request.key)?)
+    }
+
+    /// What is emitted where a path's ray ended, weighed as the integrator does.
+    pub(crate) fn emitted(&self, path: &Path, ray: &Ray, hit: &Hit) -> Vec3 {
+        let (mut path, mut light) = (*path, Vec3::ZERO);
+        let last = Limits { max_bounces: path.bounce, ..self.limits };
+        let material = path.material(self.scene, hit);
+        path::arrive(self.scene, &self.lights, &last, &mut path, (ray, hit, material), &mut light);
+        light
+    }
+
+    /// What arrives along a ray to a light.
+    pub(crate) fn arriving(&self, shadow_ray: &ShadowRay) -> Vec3 {
+        let ShadowRay { ray, inside, is_clipped, radiance } = *shadow_ray;
+        if !self.has_media {
+            let is_blocked = match self.scene.cuts.is_none() {
+                true => walk::occluded(self.scene, &ray),
+                false => !cuts::cast(self.scene, &ray, is_clipped).is_miss(),
+            };
+            return if is_blocked { Vec3::ZERO } else { radiance };
+        }
+        let mut transit = Transit { ray, inside, light: radiance, is_clipped };
+        for _ in 0..MAX_BOUNDARIES {
+            let hit = match &transit.inside {
+                Some(inside) => cuts::cast_inside(self.scene, &transit.ray, inside, is_clipped),
+                None => cuts::cast(self.scene, &transit.ray, is_clipped),
+            };
+            if !transit.advance(self.scene, &hit, self.limits.clear_shadows) {
+                return transit.light;
+            }
+        }
+        Vec3::ZERO
+    }
+}
+
+/// One of several candidates, chosen by what it would give were nothing in its way, and made to stand for all (Talbot, Cline, Egbert, "Importance Resampling
+/// for Global Illumination", EGSR 2005).
+#[derive(Default)]
+pub(crate) struct Choice {
+    chosen: Option<(ShadowRay, f32)>,
+    sum: f32,
+    candidates: u32,
+}
+
+impl Choice {
+    /// Another candidate, `None` where no light was found; `u`, uniform in [0, 1), chooses between it and those before.
+    pub fn add(&mut self, shadow_ray: Option<ShadowRay>, u: f32) {
+        self.candidates += 1;
+        let Some(shadow_ray) = shadow_ray else { return };
+        let weight = luminance(shadow_ray.radiance);
+        self.sum += weight;
+        if u * self.sum < weight {
+            self.chosen = Some((shadow_ray, weight));
+        }
+    }
+
+    /// The chosen one.
+    pub fn chosen(self) -> Option<ShadowRay> {
+        let (shadow_ray, weight) = self.chosen?;
+        let radiance = shadow_ray.radiance * (self.sum / (weight * self.candidates as f32));
+        Some(ShadowRay { radiance, ..shadow_ray })
+    }
+}

@@ -1,0 +1,229 @@
+//! Frame after frame.
+
+use crate::confidence::{Found, paths_left};
+use crate::filter::filter;
+use crate::light_cache::{LightCache, Request};
+use crate::memory::Memory;
+use crate::path::{Sample, View};
+use crate::reprojection::Before;
+use glam::{Vec2, Vec3};
+use rayon::prelude::*;
+use voxtrace_core::Frame;
+use voxtrace_core::integrator::path::Limits;
+use voxtrace_core::light::Lights;
+use voxtrace_core::packed::{PackedInstance, PackedScene};
+use voxtrace_core::sampler::Sampler;
+use voxtrace_scene::camera::CameraFrame;
+use voxtrace_scene::transform::Transform;
+
+/// Mixed into the user's seed, so that no sample of here is one of the film.
+const SEED: u32 = 0x9e37_79b9;
+/// The same, for rays that only look.
+const LOOK_SEED: u32 = 0x85eb_ca6b;
+/// The same, for the light cache.
+const CACHE_SEED: u32 = 0x5bd1_e995;
+/// Samples that cells of the light cache remember while things move.
+const SAMPLES_WHILE_MOVING: f32 = 8.0;
+/// Lights of which a surface chooses one.
+const CANDIDATES: u32 = 8;
+/// Rays of the camera that a pixel has seen at least since the view moved: those beyond its paths find no light.
+const LEAST_LOOKS: f32 = 4.0;
+/// Paths that a pixel remembers while something moves, and while nothing does.
+const MOST_PATHS: [f32; 2] = [32.0, 1e6];
+
+/// What is used: all of it, but where one wants to know what a part is worth.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Parts {
+    /// What the frames before know.
+    pub memory: bool,
+    /// The light cache.
+    pub cache: bool,
+    /// The filter.
+    pub filter: bool,
+    /// More than one candidate for the first light, and rays that only look.
+    pub candidates: bool,
+}
+
+impl Parts {
+    /// All.
+    pub const ALL: Self = Self { memory: true, cache: true, filter: true, candidates: true };
+    /// One path a pixel, as the integrator's.
+    pub const NONE: Self = Self { memory: false, cache: false, filter: false, candidates: false };
+}
+
+/// Real-time light of a view: what it knows from frame to frame.
+pub struct RealTime {
+    parts: Parts,
+    cache: LightCache,
+    memory: Vec<Memory>,
+    before: Option<FrameBefore>,
+    /// Number of the next frame.
+    number: u32,
+    /// Whether light may have changed since the last frame.
+    has_changed: bool,
+    /// Where instances were at the last frame, where they are elsewhere now.
+    transforms: Option<Vec<Transform>>,
+}
+
+/// What is kept of the last frame.
+struct FrameBefore {
+    frame: Frame,
+    camera: CameraFrame,
+    found: Found,
+}
+
+impl RealTime {
+    /// One that knows nothing.
+    pub fn new(parts: Parts) -> Self {
+        let cache = LightCache::new(LightCache::CAPACITY, LightCache::BUDGET);
+        Self { parts, cache, memory: Vec::new(), before: None, number: 0, has_changed: false, transforms: None }
+    }
+
+    /// Voxels, materials or lights of the scene are others now.
+    pub fn change(&mut self) {
+        self.has_changed = true;
+        self.cache.doubt(0.0);
+    }
+
+    /// Instances stand elsewhere now; `before` is where they stood, in the same order.
+    pub fn move_instances(&mut self, before: &[PackedInstance]) {
+        self.has_changed = true;
+        self.cache.doubt(SAMPLES_WHILE_MOVING);
+        self.transforms.get_or_insert_with(|| before.iter().map(|instance| instance.world_from_grid).collect());
+    }
+
+    /// What is known of each pixel.
+    pub fn memory(&self) -> &[Memory] {
+        &self.memory
+    }
+
+    /// Number of cells of the light cache.
+    pub fn cells(&self) -> usize {
+        self.cache.len()
+    }
+
+    /// The radiance of each pixel of the next frame, row by row; of `frame`, the camera, size, seed and the settings of light count.
+    pub fn frame(&mut self, scene: &PackedScene, frame: &Frame) -> Vec<Vec3> {
+        let (width, height) = (frame.width, frame.height);
+        let view = self.view(scene, frame);
+        let (light, mut requests) = match self.parts.cache {
+            true => self.cache.trace(&view, self.number, frame.seed ^ CACHE_SEED),
+            false => Default::default(),
+        };
+        let (samples, asked) = self.samples(&view, frame);
+        requests.extend(asked);
+        let memory = self.remember(&view, frame, &samples);
+        let found = Found::of(&View { cache: None, ..view }, frame, self.number);
+        self.cache.update(&light);
+        self.cache.insert(&requests);
+        let camera = frame.camera.frame(width, height);
+        self.before = Some(FrameBefore { frame: frame.clone(), camera, found });
+        (self.memory, self.transforms, self.has_changed) = (memory, None, false);
+        self.number += 1;
+        match self.parts.filter {
+            true => filter(&self.memory, width as usize),
+            false => self.memory.par_iter().map(|memory| memory.radiance(memory.irradiance())).collect(),
+        }
+    }
+
+    fn view<'a>(&'a self, scene: &'a PackedScene, frame: &Frame) -> View<'a> {
+        View {
+            scene,
+            lights: Lights::new(scene),
+            limits: Limits::of(frame),
+            camera: frame.camera.frame(frame.width, frame.height),
+            eye: frame.camera.eye,
+            view_angle: 2.0 * (0.5 * frame.camera.fov_y).to_radians().tan(),
+            has_media: scene.has_media(),
+            candidates: if self.parts.candidates { CANDIDATES } else { 1 },
+            cache: self.parts.cache.then_some(&self.cache),
+        }
+    }
+
+    /// One path of each pixel, and what they asked of the light cache.
+    fn samples(&self, view: &View, frame: &Frame) -> (Vec<Sample>, Vec<Request>) {
+        let row = |y: u32| {
+            let mut requests = Vec::new();
+            let pixel = |x: u32| view.sample(x, y, sampler(frame, self.number, y * frame.width + x), &mut requests);
+            let samples: Vec<Sample> = (0..frame.width).map(pixel).collect();
+            (samples, requests)
+        };
+        let (samples, requests): (Vec<_>, Vec<_>) = (0..frame.height).into_par_iter().map(row).unzip();
+        (samples.into_iter().flatten().collect(), requests.into_iter().flatten().collect())
+    }
+
+    /// What is known of each pixel now.
+    fn remember(&self, view: &View, frame: &Frame, samples: &[Sample]) -> Vec<Memory> {
+        let before = self.before.as_ref().filter(|before| self.parts.memory && before.frame.seed == frame.seed);
+        let is_same_view = before.is_some_and(|before| {
+            before.frame.camera == frame.camera
+                && (before.frame.width, before.frame.height) == (frame.width, frame.height)
+        });
+        let is_still = is_same_view && !self.has_changed;
+        let most = MOST_PATHS[usize::from(is_still)];
+        let memory = match before {
+            Some(before) if self.has_changed => self.doubted(view, before),
+            _ => self.memory.clone(),
+        };
+        let motions = self.motions(view.scene);
+        let pixel_width = view.view_angle / frame.height as f32;
+        let pixel = |(index, sample): (usize, &Sample)| {
+            let (x, y) = (index as u32 % frame.width, index as u32 / frame.width);
+            let mut known = match before {
+                None => Memory::default(),
+                Some(_) if is_still => memory[index],
+                Some(_) if is_same_view && motions.is_empty() => memory[index].look_anew(),
+                Some(before) => {
+                    let ray = frame_ray(view, x, y);
+                    let size = [before.frame.width, before.frame.height];
+                    let distance = sample.shown.map_or(0.0, |shown| (shown.place - view.eye).length());
+                    let before = Before { memory: &memory, camera: &before.camera, size, motions: &motions };
+                    before.memory_of(sample, &ray, pixel_width * distance)
+                }
+            };
+            known.add(sample, most);
+            let mut looks = 0;
+            while self.parts.candidates && known.looks < LEAST_LOOKS {
+                looks += 1;
+                let sampler =
+                    Sampler { seed: frame.seed ^ LOOK_SEED, pixel: index as u32, sample: 4 * self.number + looks };
+                known.look(&view.look(x, y, sampler));
+            }
+            known
+        };
+        samples.par_iter().enumerate().map(pixel).collect()
+    }
+
+    /// What was known of each pixel of the frame before, less where light changed.
+    fn doubted(&self, view: &View, before: &FrameBefore) -> Vec<Memory> {
+        let then = View { camera: before.camera, eye: before.frame.camera.eye, cache: None, ..*view };
+        let now = Found::of(&then, &before.frame, self.number.wrapping_sub(1));
+        let changed = before.found.changes(&now, &then);
+        let doubt = |(memory, changed): (&Memory, f32)| {
+            let mut memory = *memory;
+            memory.doubt(paths_left(memory.paths, changed));
+            memory
+        };
+        self.memory.par_iter().zip(changed).map(doubt).collect()
+    }
+
+    /// For each instance that stands elsewhere, the world then from the world now; empty where none does.
+    fn motions(&self, scene: &PackedScene) -> Vec<Option<Transform>> {
+        let Some(before) = &self.transforms else { return Vec::new() };
+        let motion = |(before, now): (&Transform, &PackedInstance)| {
+            (*before != now.world_from_grid).then(|| before.after(&now.grid_from_world))
+        };
+        before.iter().zip(scene.instances()).map(motion).collect()
+    }
+}
+
+/// The random numbers of a pixel's path.
+fn sampler(frame: &Frame, number: u32, pixel: u32) -> Sampler {
+    Sampler { seed: frame.seed ^ SEED, pixel, sample: number }
+}
+
+/// The ray through the middle of a pixel.
+fn frame_ray(view: &View, x: u32, y: u32) -> voxtrace_scene::ray::Ray {
+    use voxtrace_scene::camera::Projection;
+    view.camera.ray(Vec2::new(x as f32 + 0.5, y as f32 + 0.5), Vec2::splat(0.5))
+}

@@ -1,0 +1,186 @@
+//! Where the frame before showed what a pixel shows, and what it knew of it.
+
+use crate::memory::Memory;
+use crate::path::Sample;
+use glam::{Mat3, Vec2, Vec3};
+use voxtrace_scene::camera::{CameraFrame, Orthographic, Perspective};
+use voxtrace_scene::ray::{Hit, Ray};
+use voxtrace_scene::transform::Transform;
+
+/// How far, in voxels, a place of the frame before may be from the plane of what is seen now, beside a pixel's width and the roughness there.
+const PLACE_TOLERANCE: f32 = 1.5;
+/// Least cosine between the normals.
+const LEAST_COSINE: f32 = 0.5;
+/// Least sum of the weights of pixels that show the same, of one.
+const LEAST_WEIGHT: f32 = 0.02;
+
+/// The frame before.
+pub struct Before<'a> {
+    /// What it knew.
+    pub memory: &'a [Memory],
+    /// Its camera.
+    pub camera: &'a CameraFrame,
+    /// Its size, pixels.
+    pub size: [u32; 2],
+    /// For each instance that was elsewhere: the world then from the world now. Shorter than the instances where the last ones did not move.
+    pub motions: &'a [Option<Transform>],
+}
+
+impl Before<'_> {
+    /// The light that is known to fall on what `sample`, along `ray`, the camera's, shows; `width` is that of a pixel there, world units. Nothing where nothing of it was seen.
+    pub fn memory_of(&self, sample: &Sample, ray: &Ray, width: f32) -> Memory {
+        let motion = sample.shown.filter(|shown| shown.instance != Hit::NONE);
+        let motion = motion.and_then(|shown| self.motions.get(shown.instance as usize).copied().flatten());
+        let place = match &sample.shown {
+            Some(shown) => motion.map_or(shown.place, |then| then.point(shown.place)),
+            None => ray.at(1e7),
+        };
+        let normal = sample.shown.map_or(Vec3::ZERO, |shown| {
+            motion.map_or(shown.normal, |then| then.direction(shown.normal).normalize_or_zero())
+        });
+        let Some(at) = position(self.camera, place) else { return Memory::default() };
+        let shows = |memory: &Memory| match &sample.shown {
+            None => memory.coverage < 0.5,
+            Some(_) => {
+                let distance = normal.dot(memory.place - place).abs();
+                let tolerance = PLACE_TOLERANCE + width + 2.0 * memory.roughness.sqrt();
+                let cosine = normal.dot(memory.normal);
+                memory.coverage > 0.0 && distance <= tolerance && cosine >= LEAST_COSINE * memory.normal.length()
+            }
+        };
+        self.gather(at, &shows)
+    }
+
+    /// The light at a position by Catmull and Rom's cubic, which keeps it sharp from frame to frame, where all sixteen pixels around show the same; else the mean
+    /// of those of four that do, and where none does, the nearest of nine that does.
+    fn gather(&self, at: Vec2, shows: &impl Fn(&Memory) -> bool) -> Memory {
+        let corner = (at - 0.5).floor();
+        let share = at - 0.5 - corner;
+        let (x, y) = (corner.x as i32, corner.y as i32);
+        let known = |dx: i32, dy: i32| self.pixel(x + dx, y + dy).filter(|memory| shows(memory));
+        if let Some(light) = cubic(share, known) {
+            return light;
+        }
+        let (mut sum, mut weights) = (Sum::default(), 0.0);
+        for (dx, dy) in [(0, 0), (1, 0), (0, 1), (1, 1)] {
+            let Some(memory) = known(dx, dy) else { continue };
+            let weight = |d: i32, share: f32| if d == 0 { 1.0 - share } else { share };
+            let weight = weight(dx, share.x) * weight(dy, share.y);
+            sum.add(memory, weight);
+            weights += weight;
+        }
+        if weights >= LEAST_WEIGHT {
+            return sum.mean(weights);
+        }
+        let (x, y) = (at.x.floor() as i32, at.y.floor() as i32);
+        let around = (-1..=1).flat_map(|dy| (-1..=1).map(move |dx| (dx, dy)));
+        let distance = |(dx, dy): (i32, i32)| (Vec2::new((x + dx) as f32, (y + dy) as f32) + 0.5 - at).length_squared();
+        let found = around.filter(|&(dx, dy)| self.pixel(x + dx, y + dy).is_some_and(shows));
+        let nearest = found.min_by(|&a, &b| distance(a).total_cmp(&distance(b)));
+        nearest.and_then(|(dx, dy)| self.pixel(x + dx, y + dy)).copied().unwrap_or_default()
+    }
+
+    fn pixel(&self, x: i32, y: i32) -> Option<&Memory> {
+        let [width, height] = self.size.map(|length| length as i32);
+        let is_inside = (0..width).contains(&x) && (0..height).contains(&y);
+        is_inside.then(|| &self.memory[(y * width + x) as usize])
+    }
+}
+
+/// Where on the picture a camera sees a place, pixels; `None` where it does not, and for lenses that bend straight lines.
+pub fn position(camera: &CameraFrame, place: Vec3) -> Option<Vec2> {
+    match camera {
+        CameraFrame::Perspective(perspective) => position_of_perspective(perspective, place),
+        CameraFrame::ThinLens(lens) => position_of_perspective(&lens.perspective, place),
+        CameraFrame::Orthographic(Orthographic { corner, pixel_x, pixel_y, .. }) => {
+            let way = place - *corner;
+            Some(Vec2::new(way.dot(*pixel_x) / pixel_x.length_squared(), way.dot(*pixel_y) / pixel_y.length_squared()))
+        }
+        CameraFrame::Panorama(_) | CameraFrame::Fisheye(_) => None,
+    }
+}
+
+fn position_of_perspective(camera: &Perspective, place: Vec3) -> Option<Vec2> {
+    let Perspective { eye, corner, pixel_x, pixel_y } = *camera;
+    // The place is on the line of x pixels to the right and y down: corner + x · pixel_x + y · pixel_y.
+    let x_y_z = Mat3::from_cols(pixel_x, pixel_y, corner).inverse() * (place - eye);
+    (x_y_z.z > 1e-6).then(|| Vec2::new(x_y_z.x / x_y_z.z, x_y_z.y / x_y_z.z))
+}
+
+/// The light that is known of the place `share` behind the second of four pixels in each direction.
+fn cubic<'a>(share: Vec2, known: impl Fn(i32, i32) -> Option<&'a Memory>) -> Option<Memory> {
+    let weights = |t: f32| {
+        let (tt, ttt) = (t * t, t * t * t);
+        [
+            0.5 * (2.0 * tt - ttt - t),
+            0.5 * (3.0 * ttt - 5.0 * tt + 2.0),
+            0.5 * (4.0 * tt - 3.0 * ttt + t),
+            0.5 * (ttt - tt),
+        ]
+    };
+    let (across, down) = (weights(share.x), weights(share.y));
+    let (mut sum, mut least) = (Sum::default(), f32::INFINITY);
+    for (dy, down) in (-1..).zip(down) {
+        for (dx, across) in (-1..).zip(across) {
+            let memory = known(dx, dy)?;
+            sum.add(memory, across * down);
+            least = least.min(memory.paths);
+        }
+    }
+    let mut light = sum.mean(1.0);
+    // Where the cubic goes below what there was, the four pixels in the middle are to say.
+    let is_sound =
+        light.light.min_element() >= 0.0 && light.shaded.min_element() >= 0.0 && light.moments.min_element() >= 0.0;
+    light.paths = light.paths.max(least);
+    is_sound.then_some(light)
+}
+
+/// A weighted sum of the light that pixels know.
+#[derive(Default)]
+struct Sum(Memory);
+
+impl Sum {
+    fn add(&mut self, memory: &Memory, weight: f32) {
+        self.0.paths += memory.paths * weight;
+        self.0.light += memory.light * weight;
+        self.0.shaded += memory.shaded * weight;
+        self.0.moments += memory.moments * weight;
+    }
+
+    fn mean(self, weights: f32) -> Memory {
+        let (mut mean, scale) = (self.0, 1.0 / weights);
+        mean.paths *= scale;
+        for value in [&mut mean.light, &mut mean.shaded, &mut mean.moments] {
+            *value *= scale;
+        }
+        mean
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use voxtrace_scene::Camera;
+    use voxtrace_scene::camera::{Lens, Projection};
+
+    #[test]
+    fn places_are_found_where_the_camera_sees_them() {
+        let camera = Camera::look_at(Vec3::new(30.0, -50.0, 20.0), Vec3::new(3.0, 4.0, 5.0));
+        for lens in [Lens::Pinhole, Lens::Orthographic { view_height: 40.0 }] {
+            let frame = camera.clone().with_lens(lens).frame(320, 180);
+            for at in [Vec2::new(10.5, 170.25), Vec2::new(160.0, 90.0), Vec2::new(319.0, 0.5)] {
+                let ray = frame.ray(at, Vec2::ZERO);
+                for t in [1.0, 50.0, 3000.0] {
+                    let found = position(&frame, ray.at(t)).unwrap();
+                    assert!(found.distance(at) < 0.02, "{at}: {found}");
+                    assert!(
+                        position(&frame, ray.at(t) + camera.axes().up * t).unwrap().distance(at) > 0.5,
+                        "a fault is seen"
+                    );
+                }
+            }
+        }
+        let frame = camera.frame(320, 180);
+        assert_eq!(position(&frame, camera.eye - camera.axes().forward), None, "behind the camera");
+    }
+}

@@ -1,0 +1,153 @@
+//! Real-time light against films of many samples, in a room with a lamp, blocks, a mirror and a window of sky.
+
+use glam::{IVec3, Vec3};
+use voxtrace_core::{CpuTracer, Film, Frame, PackedScene, Progress, Tracer};
+use voxtrace_realtime::{Parts, RealTime};
+use voxtrace_scene::{Camera, Instance, Material, Scene, VoxelGrid, transform::Transform};
+
+/// A room of 48 × 48 × 32 voxels: grey walls, one of them red, a lamp, a block and a mirror.
+fn room() -> PackedScene {
+    let mut grid = VoxelGrid::default();
+    for x in 0..48 {
+        for y in 0..48 {
+            for z in 0..32 {
+                let is_wall = x == 0 || x == 47 || y == 47 || z == 0 || z == 31;
+                let is_lamp = z == 31 && (20..28).contains(&x) && (20..28).contains(&y);
+                let is_block = (8..20).contains(&x) && (24..36).contains(&y) && z < 14;
+                let is_mirror = (30..40).contains(&x) && (30..34).contains(&y) && z < 20;
+                let material = match () {
+                    () if is_lamp => 2,
+                    () if is_mirror => 3,
+                    () if x == 0 => 1,
+                    () if is_wall || is_block => 0,
+                    () => continue,
+                };
+                grid.set(IVec3::new(x, y, z), material);
+            }
+        }
+    }
+    let mut scene = Scene::new("room");
+    let matte = |color: Vec3| Material { base_color: color, ..Material::default() };
+    scene.materials = vec![matte(Vec3::splat(0.7)), matte(Vec3::new(0.7, 0.1, 0.1))];
+    scene.materials.push(Material { emission: Vec3::splat(20.0), ..matte(Vec3::splat(0.5)) });
+    scene.materials.push(Material { metallic: 1.0, roughness: 0.0, ..matte(Vec3::splat(0.9)) });
+    scene.grids.push(grid.into());
+    scene.instances.push(Instance::new(0, Transform::IDENTITY));
+    PackedScene::pack(&scene).unwrap()
+}
+
+fn frame() -> Frame {
+    Frame::new(Camera::look_at(Vec3::new(24.0, -20.0, 16.0), Vec3::new(24.0, 40.0, 13.0)), 64, 36)
+}
+
+/// The mean radiance of a film.
+fn film(scene: &PackedScene, frame: &Frame, samples: u32) -> Vec<Vec3> {
+    let frame = frame.clone().samples(samples).seed(1);
+    let mut tracer = CpuTracer::new(None);
+    tracer.set_scene(&scene.clone().into()).unwrap();
+    tracer.render(&frame, &Progress::default()).unwrap();
+    let mut film = Film::new(1, 1, frame.region, 0);
+    tracer.read(&mut film).unwrap();
+    film.pixels.iter().map(|pixel| pixel.mean()).collect()
+}
+
+/// Root of the mean square difference of what is shown.
+fn difference(a: &[Vec3], b: &[Vec3]) -> f32 {
+    let shown = |color: Vec3| color / (color + 1.0);
+    let squares = a.iter().zip(b).map(|(a, b)| (shown(*a) - shown(*b)).length_squared()).sum::<f32>();
+    (squares / (3 * a.len()) as f32).sqrt()
+}
+
+fn energy(picture: &[Vec3]) -> f32 {
+    picture.iter().map(|color| color.element_sum()).sum()
+}
+
+/// The pictures of some frames in a row.
+fn pictures(parts: Parts, scene: &PackedScene, frame: &Frame, count: u32) -> Vec<Vec<Vec3>> {
+    let mut real_time = RealTime::new(parts);
+    (0..count).map(|_| real_time.frame(scene, frame)).collect()
+}
+
+#[test]
+fn pictures_are_nearer_to_the_truth_than_samples_alone_from_the_first_frame_on() {
+    let (scene, frame) = (room(), frame());
+    let truth = film(&scene, &frame, 512);
+    let memory = Parts { memory: true, ..Parts::NONE };
+    let all = pictures(Parts::ALL, &scene, &frame, 16);
+    let raw = pictures(memory, &scene, &frame, 16);
+    for (number, most) in [(1, 0.35), (4, 0.4), (16, 0.5)] {
+        let [of_all, of_raw] = [&all, &raw].map(|pictures| difference(&truth, &pictures[number - 1]));
+        assert!(of_all < most * of_raw, "frame {number}: {of_all} of {of_raw}");
+    }
+    assert!(difference(&truth, &raw[15]) < 0.35 * difference(&truth, &raw[0]), "samples of frames add up");
+    let shifted: Vec<Vec3> = all[15].iter().skip(2).chain(&all[15][..2]).copied().collect();
+    assert!(difference(&truth, &shifted) > 0.5 * difference(&truth, &raw[15]), "a fault is seen");
+}
+
+#[test]
+fn the_light_cache_neither_makes_nor_loses_light() {
+    let (scene, frame) = (room(), frame());
+    let truth = energy(&film(&scene, &frame, 256));
+    let parts = Parts { memory: true, cache: true, candidates: true, ..Parts::NONE };
+    let all = pictures(parts, &scene, &frame, 32);
+    let ratio = energy(&all[31]) / truth;
+    assert!((0.98..1.02).contains(&ratio), "{ratio}");
+    // Without what bounces a second time it is darker: the bound is one that a fault would pass.
+    let direct = energy(&film(&scene, &frame.max_bounces(1), 64)) / truth;
+    assert!(direct < 0.9, "{direct}");
+}
+
+#[test]
+fn light_is_remembered_where_the_camera_moves_and_forgotten_where_it_looks_elsewhere() {
+    let (scene, frame) = (room(), frame());
+    let remembers = |real_time: &RealTime| {
+        let known = real_time.memory().iter().filter(|memory| memory.paths > 6.0).count();
+        known as f32 / real_time.memory().len() as f32
+    };
+    let mut real_time = RealTime::new(Parts::ALL);
+    for _ in 0..8 {
+        real_time.frame(&scene, &frame);
+    }
+    let mut moved = frame.clone();
+    moved.camera.eye.x += 0.5;
+    real_time.frame(&scene, &moved);
+    assert!(remembers(&real_time) > 0.85, "{}", remembers(&real_time));
+    // The camera turns around: nothing of what it sees was there.
+    moved.camera.target = moved.camera.eye - Vec3::Y;
+    real_time.frame(&scene, &moved);
+    assert!(remembers(&real_time) < 0.1, "{}", remembers(&real_time));
+}
+
+#[test]
+fn lamps_that_are_dimmed_leave_no_ghost() {
+    let (scene, frame) = (room(), frame());
+    let mut dimmed = scene.clone();
+    dimmed.light_intensity *= 0.1;
+    let truth = energy(&film(&dimmed, &frame, 128));
+    let after = |says_so: bool| {
+        let mut real_time = RealTime::new(Parts::ALL);
+        for _ in 0..12 {
+            real_time.frame(&scene, &frame);
+        }
+        if says_so {
+            real_time.change();
+        }
+        let pictures: Vec<_> = (0..4).map(|_| real_time.frame(&dimmed, &frame)).collect();
+        energy(&pictures[3]) / truth
+    };
+    let ratio = after(true);
+    assert!(ratio < 1.5, "{ratio}");
+    assert!(after(false) > 2.0, "who does not say that light changed sees its ghost");
+}
+
+#[test]
+fn pictures_do_not_depend_on_the_number_of_threads() {
+    let (scene, frame) = (room(), frame());
+    let of_threads = |count: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(count).build().unwrap();
+        pool.install(|| pictures(Parts::ALL, &scene, &frame, 3))
+    };
+    let [one, three] = [1, 3].map(of_threads);
+    assert_eq!(one, three);
+    assert_ne!(one[1], one[2], "frames differ");
+}

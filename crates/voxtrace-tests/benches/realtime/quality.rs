@@ -1,0 +1,90 @@
+//! How near a picture is to another: PSNR of the signal that is shown, FLIP, the ratio of all light, and how much pixels change from frame to frame.
+
+use super::Outcome;
+use super::situations::Situation;
+use glam::Vec3;
+use std::fmt::{self, Display};
+use std::path::Path;
+use voxtrace::Frame;
+use voxtrace::difference::{Difference, Shown};
+use voxtrace::output::ToneMap;
+
+/// How near a picture is to the reference.
+pub struct Quality {
+    psnr: f64,
+    flip: f64,
+    energy: f64,
+    shown: Shown,
+}
+
+fn shown(picture: &[Vec3], frame: &Frame) -> Shown {
+    Shown::of_radiance(frame.width, frame.height, picture, &ToneMap::default())
+}
+
+impl Quality {
+    pub fn of(reference: &[Vec3], picture: &[Vec3], frame: &Frame) -> Outcome<Self> {
+        let sum = |values: &[Vec3]| values.iter().map(|value| f64::from(value.element_sum())).sum::<f64>();
+        let shown = shown(picture, frame);
+        let difference = Difference::of(&self::shown(reference, frame), &shown)?;
+        let energy = sum(picture) / sum(reference).max(1e-30);
+        Ok(Self { psnr: difference.psnr(), flip: difference.mean_flip(), energy, shown })
+    }
+
+    /// Writes the picture as PPM.
+    pub fn write(&self, folder: &Path, name: &str) -> Outcome<()> {
+        std::fs::create_dir_all(folder)?;
+        let mut ppm = format!("P6 {} {} 255\n", self.shown.width, self.shown.height).into_bytes();
+        let bytes = |signal: &Vec3| (*signal * 255.0).to_array().map(|value| value.round() as u8);
+        ppm.extend(self.shown.signal.iter().flat_map(bytes));
+        Ok(std::fs::write(folder.join(format!("{}.ppm", name.replace([' ', ','], "-"))), ppm)?)
+    }
+}
+
+impl Display for Quality {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{:.2} | {:.4} | {:.3}", self.psnr, self.flip, self.energy)
+    }
+}
+
+/// What is added up over the frames of a situation.
+#[derive(Default)]
+pub struct Totals {
+    before: Option<Shown>,
+    flicker: f64,
+    frames: u32,
+    psnr: f64,
+    flip: f64,
+    energy: f64,
+    pictures: u32,
+}
+
+impl Totals {
+    /// Another frame; where nothing moves, how much it differs from the one before counts.
+    pub fn follow(&mut self, picture: &[Vec3], frame: &Frame, is_still: bool) {
+        let now = shown(picture, frame);
+        if let Some(before) = self.before.as_ref().filter(|_| is_still) {
+            let step = |(a, b): (&Vec3, &Vec3)| f64::from((*a - *b).abs().element_sum()) / 3.0;
+            self.flicker += now.signal.iter().zip(&before.signal).map(step).sum::<f64>() / now.signal.len() as f64;
+            self.frames += 1;
+        }
+        self.before = Some(now);
+    }
+
+    /// Another picture that was compared.
+    pub fn add(&mut self, quality: &Quality) {
+        self.psnr += quality.psnr;
+        self.flip += quality.flip;
+        self.energy += quality.energy;
+        self.pictures += 1;
+    }
+
+    /// The means, in the columns of the table.
+    pub fn line(&self, situation: Situation) -> Option<String> {
+        if situation.has_each_step() {
+            let flicker = self.flicker / f64::from(self.frames.max(1));
+            return Some(format!("| | | {flicker:.4}"));
+        }
+        let mean = |sum: f64| sum / f64::from(self.pictures.max(1));
+        Some(format!("{:.2} | {:.4} | {:.3} | ", mean(self.psnr), mean(self.flip), mean(self.energy)))
+    }
+}
