@@ -79,7 +79,7 @@ impl Situation {
             moved_from: None,
         };
         // Frames 1, 4, 16, 64 are compared.
-        let samples = |number: u32| if number.is_power_of_two() && number.ilog2() % 2 == 0 { MANY } else { 0 };
+        let samples = |number: u32| if number.is_power_of_two() && number.ilog2().is_multiple_of(2) { MANY } else { 0 };
         let after = |changed: PackedScene| {
             let changed = Arc::new(changed);
             let before = (1..=SETTLING).map(|number| still(&scene, number, 0));
@@ -91,7 +91,7 @@ impl Situation {
             Self::Cut => Some((1..=64).map(|number| still(&scene, number, samples(number))).collect()),
             Self::Way => {
                 let step = |number: u32| {
-                    let compared = number > 0 && number % STRIDE == 0;
+                    let compared = number > 0 && number.is_multiple_of(STRIDE);
                     let mut frame = frame.clone();
                     frame.camera = on_the_way(&frame.camera, number, size_of(&scene));
                     Step { frame, ..still(&scene, number, if compared { FEWER } else { 0 }) }
@@ -190,7 +190,7 @@ fn moving(scene: &Arc<PackedScene>, frame: &Frame) -> Outcome<Option<Vec<Step>>>
         let scene = at(number)?;
         steps.push(Step {
             frame: frame.clone(),
-            samples: if number > 0 && number % STRIDE == 0 { FEWER } else { 0 },
+            samples: if number > 0 && number.is_multiple_of(STRIDE) { FEWER } else { 0 },
             label: number.to_string(),
             is_changed: false,
             moved_from: before.as_ref().map(|before| before.instances().to_vec()),
