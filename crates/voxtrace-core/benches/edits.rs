@@ -1,5 +1,5 @@
-//! `cargo bench -p voxtrace-core --bench edits -- church 100000`: what edits of a built-in scene cost until the CPU tracer has them, and how much
-//! memory many random ones take. Medians, milliseconds, and the bytes of a patch. A third argument is a part of the names of rows to be measured
+//! `cargo bench -p voxtrace-core --bench edits -- church 100000`: what edits of a built-in scene cost until the CPU tracer has them, what repairing
+//! skip distances costs then and after they are undone, and how much memory many random ones take. Medians, milliseconds, and the bytes of a patch. A third argument is a part of the names of rows to be measured
 //! alone.
 
 use std::error::Error;
@@ -44,7 +44,7 @@ fn sphere(at: IVec3, radius: f64) -> Shape {
     Shape::Sphere { center: at.as_dvec3() + DVec3::splat(0.5), radius }
 }
 
-/// Edits, patch and the tracer that follows; then undone.
+/// Edits, patch and the tracer that follows; then undone. Skip distances are repaired each time, after the tracer has the patch.
 fn measure(
     name: &str,
     scene: &mut DynamicScene,
@@ -52,6 +52,7 @@ fn measure(
     mut next: impl FnMut() -> Edit,
 ) -> Result<(), Box<dyn Error>> {
     let (mut edits, mut patches, mut undos, mut bytes) = (vec![], vec![], vec![], vec![]);
+    let (mut repairs, mut repairs_of_undos) = (vec![], vec![]);
     for _ in 0..TIMES {
         let edit = next();
         let (time, edited) = timed(|| scene.edit(0, &edit));
@@ -65,13 +66,19 @@ fn measure(
         });
         patches.push(time);
         bytes.push(patch?.size_bytes() as f64);
+        repairs.push(timed(|| scene.repair(usize::MAX)).0);
         let (time, undone) = timed(|| scene.undo());
         undone?;
         undos.push(time);
+        repairs_of_undos.push(timed(|| scene.repair(usize::MAX)).0);
         tracer.patch(&scene.take_patch())?;
     }
     let (edit, patch, undo, bytes) = (median(edits), median(patches), median(undos), median(bytes));
-    println!("{name:<28} {edit:>9.3} {patch:>9.3} {:>9.3} {undo:>9.3} {bytes:>12.0}", edit + patch);
+    let (repair, after_undo) = (median(repairs), median(repairs_of_undos));
+    println!(
+        "{name:<34} {edit:>9.3} {patch:>9.3} {:>9.3} {undo:>9.3} {repair:>9.3} {after_undo:>9.3} {bytes:>11.0}",
+        edit + patch
+    );
     Ok(())
 }
 
@@ -124,7 +131,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let (time, scene) = timed(|| DynamicScene::new(packed));
     let mut scene = scene?;
     println!("taking the scene {time:.1} ms");
-    println!("{:<28} {:>9} {:>9} {:>9} {:>9} {:>12}", "", "edit", "patch", "both", "undo", "bytes");
+    let columns = ["edit", "patch", "both", "undo", "repair", "after undo"].map(|name| format!("{name:>9}"));
+    println!("{:<34} {} {:>11}", "", columns.join(" "), "bytes");
     let mut random = Random(7);
     for (radius, which) in [(0.0, "one voxel"), (16.0, "sphere, r = 16"), (64.0, "sphere, r = 64")] {
         for (what, material) in [("filled", Some(0)), ("filled with light", Some(lamp)), ("cleared", None)] {

@@ -163,7 +163,7 @@ impl SceneBuffers {
                 binding::EMITTERS => ranges_of(&patch.emitters),
                 binding::LIGHT_NODES => ranges_of(&patch.light_nodes),
                 binding::GRIDS => vec![0..bytes.len()],
-                // Edits choose among the materials that there are.
+                binding::MATERIALS => ranges_of(&patch.materials),
                 _ => Vec::new(),
             };
             writes.extend(ranges.into_iter().map(|range| PatchWrite { array, range }));

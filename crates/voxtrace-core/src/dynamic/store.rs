@@ -38,6 +38,8 @@ pub(super) struct DirtyArrays {
     pub cells: Dirty,
     pub bricks: Dirty,
     pub materials: Dirty,
+    /// Of the materials of the scene.
+    pub palette: Dirty,
     pub epochs: Dirty,
     pub emitters: Dirty,
     pub light_nodes: Dirty,
@@ -45,9 +47,8 @@ pub(super) struct DirtyArrays {
 
 impl DirtyArrays {
     pub fn is_clean(&self) -> bool {
-        [&self.cells, &self.bricks, &self.materials, &self.epochs, &self.emitters, &self.light_nodes]
-            .iter()
-            .all(|dirty| dirty.is_clean())
+        let Self { cells, bricks, materials, palette, epochs, emitters, light_nodes } = self;
+        [cells, bricks, materials, palette, epochs, emitters, light_nodes].iter().all(|dirty| dirty.is_clean())
     }
 }
 

@@ -7,7 +7,7 @@ use voxtrace::dynamic::{ArrayPatch, DynamicScene, Edit, Patch};
 use voxtrace::glam::{DVec3, IVec3, Vec3};
 use voxtrace::grid::VoxelBox;
 use voxtrace::ray::FACES;
-use voxtrace::{Axis, CpuTracer, PackedScene, Ray, Shape, Tracer};
+use voxtrace::{Axis, CpuTracer, Material, PackedScene, Ray, Shape, Tracer};
 use voxtrace_tests::gpu::{assert_valid, compare_hits, device, film, tracer_of};
 use voxtrace_tests::random::Random;
 use voxtrace_tests::rays::mixed;
@@ -55,7 +55,8 @@ fn shape(random: &mut Random) -> Shape {
 }
 
 fn edit_of(scene: &DynamicScene, grid: u32, random: &mut Random) -> Edit {
-    let material = |random: &mut Random| random.below(3) as u16;
+    let materials = scene.scene().materials().len();
+    let material = |random: &mut Random| random.below(materials) as u16;
     let some = (random.below(5) > 1).then(|| material(random));
     match random.below(16) {
         0 => Edit::Paint { shape: shape(random), material: material(random) },
@@ -75,13 +76,18 @@ fn edit_of(scene: &DynamicScene, grid: u32, random: &mut Random) -> Edit {
     }
 }
 
-/// An edit, or one that is undone or done again, or distances that are made longer.
+/// An edit, or one that is undone or done again, distances that are made longer, or a new material.
 fn step(scene: &mut DynamicScene, random: &mut Random) {
     match random.below(12) {
         0 => _ = scene.undo().unwrap(),
         1 => _ = scene.redo().unwrap(),
         2 => _ = scene.repair(random.below(4)),
         3 if random.below(50) == 0 => scene.settle(),
+        4 if random.below(100) == 0 => {
+            let material = Material::diffuse(random.point(Vec3::ZERO, Vec3::ONE));
+            let material = if random.below(2) == 0 { material } else { Material::emissive(Vec3::splat(3.0)) };
+            scene.add_material(&material).unwrap();
+        }
         _ => {
             let grid = (random.below(3) / 2) as u32;
             let edit = edit_of(scene, grid, random);
