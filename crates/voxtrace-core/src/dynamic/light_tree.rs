@@ -12,8 +12,8 @@ use std::borrow::Cow;
 
 /// Emitters of which the tree is one piece.
 pub(super) const BLOCK: usize = 128;
-/// Of a subtree all is made anew where this many of its emitters, in eighths of what it has, are others.
-const MANY: usize = 4;
+/// A subtree is made anew where it has at most so many times the emitters that change below it.
+const FEW: usize = 2;
 
 /// What becomes of a voxel as an emitter.
 #[derive(Clone, Copy, Debug)]
@@ -75,7 +75,7 @@ impl Store<'_> {
             let before = opened.below.get(from).copied().unwrap_or(0);
             let after = i64::from(before) + growth(changes);
             let is_leaf = from + 1 >= opened.nodes.len();
-            if is_leaf || after <= LEAF_EMITTERS as i64 || before as usize * MANY <= 8 * changes.len() {
+            if is_leaf || after <= LEAF_EMITTERS as i64 || before as usize <= FEW * changes.len() {
                 let mut all = Vec::with_capacity(after.max(0) as usize);
                 self.gather_opened(&opened, from, &mut all);
                 self.build_spine(&merged(&all, changes), spine);
