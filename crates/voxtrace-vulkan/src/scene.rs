@@ -162,7 +162,7 @@ impl SceneBuffers {
                 binding::BRICK_MATERIALS => ranges_of(&patch.brick_materials),
                 binding::EMITTERS => ranges_of(&patch.emitters),
                 binding::LIGHT_NODES => ranges_of(&patch.light_nodes),
-                binding::GRIDS => vec![0..bytes.len()],
+                binding::GRIDS => std::iter::once(0..bytes.len()).collect(),
                 binding::MATERIALS => ranges_of(&patch.materials),
                 _ => Vec::new(),
             };

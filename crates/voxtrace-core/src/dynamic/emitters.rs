@@ -43,7 +43,7 @@ const CHUNK: usize = 64;
 pub(super) fn with_neighbours(bricks: impl Iterator<Item = IVec3>) -> Vec<IVec3> {
     let mut all: Vec<u64> = bricks
         .flat_map(|brick| FACES.iter().map(move |face| brick + face.normal()).chain([brick]))
-        .map(|brick| key_of(brick))
+        .map(key_of)
         .collect();
     all.par_sort_unstable();
     all.dedup();
