@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use voxtrace_core::cuts::Cuts;
 use voxtrace_core::denoise::{Features, denoise};
+use voxtrace_core::dynamic::Patch;
 use voxtrace_core::normals::Normals;
 use voxtrace_core::packed::PackError;
 use voxtrace_core::{CpuTracer, Film, Frame, Integrator, PackedScene, Progress, TraceError, Tracer};
@@ -197,6 +198,19 @@ impl Renderer {
     /// The packed scene, to cast rays into and to look things up in.
     pub fn scene(&self) -> &Arc<PackedScene> {
         &self.scene
+    }
+
+    /// Follows edits of the scene: see [`DynamicScene::take_patch`](crate::dynamic::DynamicScene::take_patch). The first patch copies the scene, unless
+    /// nobody else has it.
+    ///
+    /// # Errors
+    /// If the patch was made for another state of the scene, or the tracer fails.
+    pub fn patch(&mut self, patch: &Patch) -> Result<(), RenderError> {
+        Arc::make_mut(&mut self.scene).apply_patch(patch).map_err(TraceError::from)?;
+        if self.has_scene {
+            self.tracer.patch(patch)?;
+        }
+        Ok(())
     }
 
     /// Renders a picture.

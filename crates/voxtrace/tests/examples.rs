@@ -114,6 +114,17 @@ fn a_turntable_writes_its_frames_to_a_folder() {
 }
 
 #[test]
+fn an_edited_scene_is_rendered_before_and_after_and_once_more_when_it_is_undone() {
+    let names = ["before", "edited", "undone"].map(|name| format!("live_editing/{name}.png"));
+    check_example("live_editing", &names, (320, 180));
+    let folder = tempfile::tempdir().unwrap();
+    let printed = run("live_editing", &[], folder.path());
+    assert!(printed.contains("undone, it is the picture from before"), "{printed}");
+    let bytes = |name: &str| std::fs::read(folder.path().join(name)).unwrap();
+    assert!(bytes(&names[0]) == bytes(&names[2]) && bytes(&names[0]) != bytes(&names[1]));
+}
+
+#[test]
 fn many_lights_are_rendered() {
     check_example_of_one_picture("many_lights", (400, 225));
 }

@@ -23,13 +23,20 @@ const FLIGHT_WEBP: [&str; 8] = ["-delay", "8", "-loop", "0", "-quality", "50", "
 /// The pictures of materials, `docs/pictures/materials/NAME.webp`: their name here, and options of `convert`.
 const MATERIALS: &str = "material-gallery";
 const MATERIALS_WEBP: [&str; 4] = ["-quality", "88", "-define", "webp:method=6"];
-/// The frames of the example `turntable` that are shown.
-const TURNTABLE_FRAMES: [u32; 3] = [0, 4, 8];
+/// Examples that write several pictures to a folder, and those that are shown: their file there, and what is added to the example's name here.
+const FOLDERS: [(&str, [(&str, &str); 3]); 2] = [
+    ("turntable", [("frame_0000", "0"), ("frame_0004", "4"), ("frame_0008", "8")]),
+    ("live_editing", [("before", "before"), ("edited", "edited"), ("undone", "undone")]),
+];
 
 /// Renders all pictures, or those of the scenes and examples that are named.
 pub fn render(names: &[&str]) -> Result<(), String> {
     let known = || {
-        SCENES.iter().map(|(scene, _)| *scene).chain(EXAMPLES).chain(["turntable", "thumbnails", "flight", MATERIALS])
+        SCENES.iter().map(|(scene, _)| *scene).chain(EXAMPLES).chain(FOLDERS.map(|(example, _)| example)).chain([
+            "thumbnails",
+            "flight",
+            MATERIALS,
+        ])
     };
     if let Some(unknown) = names.iter().find(|name| !known().any(|known| known == **name)) {
         return Err(format!("there is no picture {unknown}; there are {}", known().collect::<Vec<_>>().join(", ")));
@@ -55,11 +62,11 @@ pub fn render(names: &[&str]) -> Result<(), String> {
     for example in EXAMPLES.iter().filter(|example| is_wanted(example)) {
         run_example(example, &folder, &[])?;
     }
-    if is_wanted("turntable") {
+    for (example, shown) in FOLDERS.iter().filter(|(example, _)| is_wanted(example)) {
         let frames = tempfile::tempdir().map_err(|error| error.to_string())?;
-        run_example("turntable", &folder, &[frames.path()])?;
-        for frame in TURNTABLE_FRAMES {
-            let (from, to) = (format!("frame_{frame:04}.png"), folder.join(format!("turntable_{frame}.png")));
+        run_example(example, &folder, &[frames.path()])?;
+        for (from, to) in shown {
+            let (from, to) = (format!("{from}.png"), folder.join(format!("{example}_{to}.png")));
             std::fs::copy(frames.path().join(from), &to).map_err(|error| format!("{}: {error}", to.display()))?;
         }
     }

@@ -46,6 +46,11 @@ impl History {
         self.size_bytes
     }
 
+    /// Forgets all.
+    pub fn clear(&mut self) {
+        *self = Self { most_bytes: self.most_bytes, ..Self::default() };
+    }
+
     /// A new edit: what was undone before cannot be redone.
     pub fn push(&mut self, entry: Entry) {
         let gone: u64 = self.redo.drain(..).map(|entry| entry.size_bytes()).sum();
