@@ -79,8 +79,9 @@ pub fn open(path: &Path, level: u32, in_memory: bool) -> Result<PackedScene, Fai
             0 => "no levels of detail".to_owned(),
             count => format!("levels of detail up to {count}"),
         };
-        return Err(Failure::input(format!("{}: it has {found}, and --level {level} asks for more", path.display()))
-            .hint(HINT));
+        return Err(
+            Failure::input(format!("{}: it has {found}, and --level {level} asks for more", path.display())).hint(HINT)
+        );
     }
     let failure = |kind: FileErrorKind| Failure::input(format!("{}: {kind}", path.display()));
     levels.scene(level).map_err(failure)

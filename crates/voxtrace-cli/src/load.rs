@@ -170,7 +170,8 @@ impl SceneArgs {
         }
         self.note();
         if let Some(level) = self.memory.level {
-            return levels::open(Path::new(scene), level, self.memory.in_memory).map(|scene| Content::Packed(scene.into()));
+            return levels::open(Path::new(scene), level, self.memory.in_memory)
+                .map(|scene| Content::Packed(scene.into()));
         }
         let paths: Vec<PathBuf> = self.scenes.iter().map(PathBuf::from).collect();
         self.import.load(&paths, self.memory.in_memory, report)

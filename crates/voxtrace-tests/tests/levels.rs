@@ -88,7 +88,8 @@ fn children(voxels: &Voxels, at: IVec3) -> Vec<(IVec3, Voxel)> {
 }
 
 fn free_faces(voxels: &Voxels, at: IVec3) -> u32 {
-    SIDES.iter().filter(|&&side| voxels.get(&(at + side)).is_none_or(|voxel| !blocks_light(&voxel.material))).count() as u32
+    SIDES.iter().filter(|&&side| voxels.get(&(at + side)).is_none_or(|voxel| !blocks_light(&voxel.material))).count()
+        as u32
 }
 
 fn surface_emission(material: &Material) -> Vec3 {
@@ -99,9 +100,8 @@ fn surface_emission(material: &Material) -> Vec3 {
 fn is_opaque(children: &[(IVec3, Voxel)]) -> bool {
     let opaque: Vec<&(IVec3, Voxel)> = children.iter().filter(|(_, voxel)| blocks_light(&voxel.material)).collect();
     let shuts = (0..3).any(|axis| {
-        let mut lines: Vec<[i32; 2]> = (opaque.iter())
-            .map(|(at, _)| [at[(axis + 1) % 3], at[(axis + 2) % 3]])
-            .collect();
+        let mut lines: Vec<[i32; 2]> =
+            (opaque.iter()).map(|(at, _)| [at[(axis + 1) % 3], at[(axis + 2) % 3]]).collect();
         lines.sort_unstable();
         lines.dedup();
         lines.len() == 4
@@ -155,23 +155,25 @@ fn compare_voxel(below: &Voxels, at: IVec3, found: &Voxel) -> Result<(), String>
         counted.iter().filter(|(material, _)| kind_of(material) == *kind).map(|(_, weight)| weight).sum()
     };
     let most = counted.iter().map(|(material, _)| weight_of(&kind_of(material))).fold(0.0, f64::max);
-    let is_expected = counted.iter().map(|(material, _)| kind_of(material)).filter(|kind| weight_of(kind) == most).any(|kind| {
-        let share = counted.iter().filter(|(material, _)| kind_of(material) == kind).count() as f32;
-        let has_medium = kind.scattering > 0.0 || kind.absorption != Vec3::ZERO || kind.emission != Vec3::ZERO;
-        let thicker = if has_medium { share / 4.0 } else { 1.0 };
-        let expected = Material {
-            emission: kind.emission * thicker,
-            absorption: kind.absorption * thicker,
-            scattering: kind.scattering * thicker,
-            ..kind
-        };
-        kind_of(&found.material) == expected
-    });
+    let is_expected =
+        counted.iter().map(|(material, _)| kind_of(material)).filter(|kind| weight_of(kind) == most).any(|kind| {
+            let share = counted.iter().filter(|(material, _)| kind_of(material) == kind).count() as f32;
+            let has_medium = kind.scattering > 0.0 || kind.absorption != Vec3::ZERO || kind.emission != Vec3::ZERO;
+            let thicker = if has_medium { share / 4.0 } else { 1.0 };
+            let expected = Material {
+                emission: kind.emission * thicker,
+                absorption: kind.absorption * thicker,
+                scattering: kind.scattering * thicker,
+                ..kind
+            };
+            kind_of(&found.material) == expected
+        });
     if !is_expected {
         return Err("another kind of material".into());
     }
     let total: f64 = counted.iter().map(|(_, weight)| weight).sum();
-    let color = counted.iter().map(|(material, weight)| material.base_color.as_dvec3() * *weight).sum::<DVec3>() / total;
+    let color =
+        counted.iter().map(|(material, weight)| material.base_color.as_dvec3() * *weight).sum::<DVec3>() / total;
     for axis in 0..3 {
         let error = (f64::from(found.material.base_color[axis]).sqrt() - color[axis].sqrt()).abs();
         if error > 0.5 / 127.0 + 1e-4 {
@@ -330,11 +332,14 @@ fn thin_walls_stay_shut_and_lamps_keep_their_power() {
     let levels = saved(&packed, &folder.path().join("shell.vxt"), LevelCount::Some(4));
     let power = |scene: &PackedScene, level: u32| {
         let emitters = scene.geometry().emitters().iter();
-        emitters.map(|e| f64::from(e.luminance) * f64::from(e.faces.count_ones())).sum::<f64>() * 4f64.powi(level as i32)
+        emitters.map(|e| f64::from(e.luminance) * f64::from(e.faces.count_ones())).sum::<f64>()
+            * 4f64.powi(level as i32)
     };
     let mut random = Random(3);
     let directions: Vec<Vec3> = (0..4000)
-        .map(|_| Vec3::from_array([0; 3].map(|_| random.below(2001) as f32 - 1000.0)).try_normalize().unwrap_or(Vec3::X))
+        .map(|_| {
+            Vec3::from_array([0; 3].map(|_| random.below(2001) as f32 - 1000.0)).try_normalize().unwrap_or(Vec3::X)
+        })
         .collect();
     for level in 0..=4 {
         let scene = levels.scene(level).unwrap();

@@ -12,7 +12,9 @@ pub use voxtrace_core::{
     BounceLimits, CpuTracer, DynamicScene, Edit, EditError, Film, Frame, Geometry, Instructions, Integrator,
     LightGroup, PackedScene, Patch, Placement, Progress, RayCounts, Region, TraceError, Tracer, WalkCounts,
 };
-pub use voxtrace_core::{changes, cuts, denoise, dynamic, film, frame, lines, motion, normals, surroundings, tracer};
+pub use voxtrace_core::{
+    changes, cuts, denoise, dynamic, film, frame, lines, meanwhile, motion, normals, surroundings, tracer,
+};
 #[cfg(feature = "pictures")]
 pub use voxtrace_io::difference;
 pub use voxtrace_io::{export, import, output};

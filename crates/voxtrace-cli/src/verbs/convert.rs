@@ -2,8 +2,8 @@
 
 use crate::failure::{Failure, Kind};
 use crate::interrupt;
-use crate::levels::LevelsArg;
 use crate::lattice::{LatticeArgs, OFF_LATTICE_HINT};
+use crate::levels::LevelsArg;
 use crate::load::{MemoryArgs, SceneArgs, into_packed, is_native};
 use crate::normals::NormalsArg;
 use crate::outputs;
@@ -148,9 +148,7 @@ pub fn write_shown(out: &Path, packed: &PackedScene, report: &Report) -> Result<
     target.check(out)?;
     match target {
         Target::Native => save(out, packed, LevelsArg::default(), report),
-        Target::Foreign(_) => {
-            target.write(out, Content::Scene(packed.to_scene().into()), Default::default(), report)
-        }
+        Target::Foreign(_) => target.write(out, Content::Scene(packed.to_scene().into()), Default::default(), report),
     }
 }
 

@@ -49,10 +49,8 @@ impl InfoArgs {
             let mut value = as_json(&packed, &statistics, &left_out);
             value["warnings"] = report.warnings().into();
             value["frames"] = frames.into();
-            value["levels"] = levels
-                .iter()
-                .map(|level| json!({ "voxels": level.voxels, "bytes": level.bytes }))
-                .collect();
+            value["levels"] =
+                levels.iter().map(|level| json!({ "voxels": level.voxels, "bytes": level.bytes })).collect();
             crate::stdout::print(&format!("{value:#}\n"));
         } else {
             let hidden = scene.map_or(0, |scene| scene.instances.len() - packed.instance_count());
@@ -69,9 +67,10 @@ impl InfoArgs {
         let Some(path) = path else { return Ok(Vec::new()) };
         let levels = Levels::open(path).map_err(Failure::input)?;
         let summary = |level| levels.summary(level);
-        (1..=levels.count()).map(summary).collect::<Result<_, _>>().map_err(|error| {
-            Failure::input(format!("{}: {error}", path.display()))
-        })
+        (1..=levels.count())
+            .map(summary)
+            .collect::<Result<_, _>>()
+            .map_err(|error| Failure::input(format!("{}: {error}", path.display())))
     }
 }
 

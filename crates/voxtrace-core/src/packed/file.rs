@@ -7,8 +7,9 @@ use super::material_records::{MaterialRecords, MediumRecord};
 use super::parts::{Parts, kept_instances};
 use super::version_1::geometry_of_version_1;
 use super::{
-    Geometry, Outline, coverage, levels, normals, PackedInstance, PackedScene, Placement, Section,
+    Geometry, Outline, PackedInstance, PackedScene, Placement, Section,
     bytes::{Access, Bytes},
+    coverage, levels, normals,
     settings::{EnvironmentSections, LensRecord, Settings},
 };
 use crate::atomic_file::write_atomically;
@@ -217,6 +218,8 @@ impl PackedScene {
     pub(super) fn of_shared(bytes: Arc<Bytes>) -> Result<Self, FileErrorKind> {
         let length = bytes.len();
         let reader = Reader::new(bytes, 0..length)?;
+        // What is in levels is looked at when they are asked for; a file that is cut off is refused.
+        levels::ranges_of(&reader)?;
         let settings = Self::settings_of(&reader)?;
         let (geometry, placement) = geometry_and_placement(&reader)?;
         let outline = Arc::new(Outline::of_instances(&kept_instances(&geometry, &placement)));

@@ -70,9 +70,8 @@ mod tests {
             ("/sys/fs/cgroup/c/d/memory.max", "max\n"),
             ("/sys/fs/cgroup/c/memory.max", "7000\n"),
         ];
-        let read = |path: &Path| {
-            files.iter().find(|(name, _)| Path::new(name) == path).map(|(_, text)| (*text).to_owned())
-        };
+        let read =
+            |path: &Path| files.iter().find(|(name, _)| Path::new(name) == path).map(|(_, text)| (*text).to_owned());
         let limit = |groups: &str| limits_of_groups(groups, &read);
         assert_eq!(limit("5:cpu:/x\n4:memory:/a/b\n0::/\n"), Some(5000));
         assert_eq!(limit("0::/c/d\n"), Some(7000));

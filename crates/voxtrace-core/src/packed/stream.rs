@@ -137,11 +137,7 @@ pub fn save_streamed(path: &Path, scene: &Scene, source: &mut impl BrickSource) 
 }
 
 /// Gives the geometry its bricks, as they lie in the file that is being written.
-pub(super) fn map_bricks(
-    geometry: &mut Geometry,
-    writer: &mut SectionWriter,
-    file: &File,
-) -> Result<(), StreamError> {
+pub(super) fn map_bricks(geometry: &mut Geometry, writer: &mut SectionWriter, file: &File) -> Result<(), StreamError> {
     let ranges = [writer.flushed_range(b"BRIK")?, writer.flushed_range(b"BMAT")?];
     let file = Arc::new(Bytes::map(file)?);
     let written = |range: Option<(usize, usize)>| {

@@ -121,7 +121,9 @@ mod tests {
         let lies_across = |mask: u32| {
             (0..3).any(|axis: u32| {
                 let step = 1 << axis;
-                (0..8u32).filter(|child| child & step == 0).all(|child| mask >> child & 1 == 1 || mask >> (child + step) & 1 == 1)
+                (0..8u32)
+                    .filter(|child| child & step == 0)
+                    .all(|child| mask >> child & 1 == 1 || mask >> (child + step) & 1 == 1)
             })
         };
         assert!((0..256).all(|mask| shuts(mask) == lies_across(mask)));

@@ -131,9 +131,7 @@ impl<'a> Materials<'a> {
             self.all.len() - 1
         } else if self.rounding.is_last {
             let distance = |other: &PackedMaterial| {
-                let of_kind = |m: &PackedMaterial| {
-                    Vec3::new(m.transmission, m.metallic, m.roughness) * 4.0
-                };
+                let of_kind = |m: &PackedMaterial| Vec3::new(m.transmission, m.metallic, m.roughness) * 4.0;
                 (other.base_color - material.base_color).length_squared()
                     + (of_kind(other) - of_kind(&material)).length_squared()
                     + (other.emission - material.emission).length_squared()

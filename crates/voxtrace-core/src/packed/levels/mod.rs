@@ -7,6 +7,7 @@ mod stored;
 mod window;
 mod write;
 
+pub(super) use stored::ranges_of;
 pub use stored::{LevelSummary, Levels};
 
 use super::bytes::Bytes;

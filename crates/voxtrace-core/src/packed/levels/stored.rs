@@ -60,14 +60,7 @@ impl Levels {
     fn of(bytes: Bytes) -> Result<Self, FileErrorKind> {
         let bytes = Arc::new(bytes);
         let reader = Reader::new(Arc::clone(&bytes), 0..bytes.len())?;
-        let mut ranges = Vec::new();
-        for level in 1..=MAX_LEVELS {
-            match reader.unchecked_range(&tag_of(level))? {
-                Some(range) => ranges.push(range),
-                None => break,
-            }
-        }
-        Ok(Self { bytes, ranges })
+        Ok(Self { ranges: ranges_of(&reader)?, bytes })
     }
 
     /// How many there are beside the scene itself.
@@ -107,6 +100,12 @@ impl Levels {
         let found = (level as usize).checked_sub(1).and_then(|index| self.ranges.get(index));
         found.ok_or_else(|| FileErrorKind::Invalid(format!("there is no level {level}").into()))
     }
+}
+
+/// Where the levels of a file lie, and their checksums, which are not looked at.
+pub(in crate::packed) fn ranges_of(reader: &Reader) -> Result<Vec<(Range<usize>, u64)>, FileErrorKind> {
+    let ranges = (1..=MAX_LEVELS).map(|level| reader.unchecked_range(&tag_of(level)));
+    ranges.map_while(Result::transpose).collect()
 }
 
 /// The scene of a level, with all that is no voxel from `settings`.

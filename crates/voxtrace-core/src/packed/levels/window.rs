@@ -4,6 +4,7 @@ use crate::packed::coverage::FULL;
 use crate::packed::lights::covers;
 use crate::packed::{Geometry, PackedGrid, PackedMaterial};
 use glam::IVec3;
+use voxtrace_scene::brick::voxel_of;
 
 /// Voxels around the brick: the next block's.
 const MARGIN: i32 = 2;
@@ -71,22 +72,18 @@ impl<'a> Window<'a> {
             if beside < 2
                 && let Some(record) = self.geometry.find_brick(grid, corner + at * 8)
             {
-                self.add(grid, record, at * 8 + MARGIN);
+                self.add(grid, record, at * 8 + MARGIN, &seen_of(at));
             }
         }
     }
 
-    /// Enters the brick of a record, whose lowest voxel is at `corner` of the window.
-    fn add(&mut self, grid: &PackedGrid, record: usize, corner: IVec3) {
-        let brick = self.geometry.decode_brick(grid, record);
-        for (rank, (local, material)) in brick.voxels().enumerate() {
-            let at = corner + local;
-            if at.cmpge(IVec3::ZERO).all() && at.cmplt(IVec3::splat(EDGE)).all() {
-                let coverage =
-                    if self.geometry.has_coverage { self.geometry.coverage_of(record, rank as u32) } else { FULL };
-                self.voxels[index_of(at)] = Voxel { material: u32::from(material) + 1, coverage };
-            }
-        }
+    /// Enters the brick of a record, whose lowest voxel is at `corner` of the window, as far as it lies in there.
+    fn add(&mut self, grid: &PackedGrid, record: usize, corner: IVec3, seen: &[u64; 8]) {
+        let geometry = self.geometry;
+        geometry.for_each_voxel(grid, record, seen, &mut |block, bit, rank, material| {
+            let coverage = if geometry.has_coverage { geometry.coverage_of(record, rank) } else { FULL };
+            self.voxels[index_of(corner + voxel_of(block, bit))] = Voxel { material: material + 1, coverage };
+        });
     }
 
     /// The eight voxels of the block at `block`, from (0, 0, 0) to (7, 7, 7) within the brick and one beyond it, x fastest.
@@ -110,6 +107,18 @@ impl<'a> Window<'a> {
     }
 }
 
+/// Which voxels of the brick at `at`, in bricks from the corner of the window's own, lie in the window: a bit for each, block by block.
+fn seen_of(at: IVec3) -> [u64; 8] {
+    // Of a brick behind a face the two layers next to it.
+    const LOW: [u64; 3] = [0x3333_3333_3333_3333, 0x00ff_00ff_00ff_00ff, 0x0000_0000_ffff_ffff];
+    let masks: [[u64; 2]; 3] = std::array::from_fn(|axis| match at[axis] {
+        -1 => [0, !LOW[axis]],
+        2 => [LOW[axis], 0],
+        _ => [u64::MAX; 2],
+    });
+    std::array::from_fn(|block| masks[0][block & 1] & masks[1][block >> 1 & 1] & masks[2][block >> 2])
+}
+
 /// To the neighbours behind the faces.
 pub const SIDES: [IVec3; 6] = [IVec3::NEG_X, IVec3::X, IVec3::NEG_Y, IVec3::Y, IVec3::NEG_Z, IVec3::Z];
 
@@ -120,4 +129,22 @@ fn place_of(block: IVec3, child: usize) -> IVec3 {
 
 fn index_of(at: IVec3) -> usize {
     ((at.z * EDGE + at.y) * EDGE + at.x) as usize
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn of_bricks_around_the_layers_next_to_the_window_are_seen() {
+        for index in 0..64 {
+            let at = IVec3::new(index & 3, index >> 2 & 3, index >> 4) - 1;
+            let seen = seen_of(at);
+            for (block, bit) in (0..8).flat_map(|block| (0..64).map(move |bit| (block, bit))) {
+                let place = at * 8 + MARGIN + voxel_of(block, bit);
+                let is_within = place.cmpge(IVec3::ZERO).all() && place.cmplt(IVec3::splat(EDGE)).all();
+                assert_eq!(seen[block] >> bit & 1 == 1, is_within, "{at}, block {block}, bit {bit}");
+            }
+        }
+    }
 }

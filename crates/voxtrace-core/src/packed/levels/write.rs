@@ -27,7 +27,7 @@ use voxtrace_scene::transform::Transform;
 /// Most sections of a level.
 const SECTIONS: usize = 11;
 /// Bricks that are made at a time.
-const BATCH: usize = 1 << 12;
+const BATCH: usize = 1 << 10;
 /// Bits of a palette entry.
 const ENTRY_BITS: u32 = 16;
 
@@ -110,7 +110,9 @@ impl Pass<'_> {
             cells.extend(own);
             emitting.push(found.emitting);
         }
-        for (name, pairs) in [("cells", cells.len() as u64 / 64), ("bricks", record_words / 2), ("materials", material_words / 2)] {
+        for (name, pairs) in
+            [("cells", cells.len() as u64 / 64), ("bricks", record_words / 2), ("materials", material_words / 2)]
+        {
             if pairs >= u64::from(CELL_OCCUPIED) {
                 return Err(PackError::TooLarge(pairs, name).into());
             }
@@ -190,9 +192,7 @@ impl GridSoFar {
 
 /// The bricks of the level above a grid in the order in which they are written, the levels of the tree over them, and the lowest of their coordinates.
 fn order_of(geometry: &Geometry, grid: &PackedGrid) -> (Vec<IVec3>, Vec<Level>, IVec3) {
-    let mut order = geometry.bricks_of(grid);
-    let first = grid.origin >> 3;
-    order.iter_mut().for_each(|at| *at = (*at + first) >> 1);
+    let mut order = bricks_above(geometry, grid);
     order.par_sort_unstable_by_key(|at| (at.z, at.y, at.x));
     order.dedup();
     let low = order.iter().copied().reduce(IVec3::min).unwrap_or(IVec3::ZERO);
@@ -201,6 +201,23 @@ fn order_of(geometry: &Geometry, grid: &PackedGrid) -> (Vec<IVec3>, Vec<Level>, 
     let levels = levels_of(&relative, (high - low + 1) * BRICK_SIZE);
     order.par_sort_by_cached_key(|&at| ordered_position(&levels, at - low));
     (order, levels, low)
+}
+
+/// Coordinates of the bricks of the level above a grid; some come several times.
+fn bricks_above(geometry: &Geometry, grid: &PackedGrid) -> Vec<IVec3> {
+    let mut found: Vec<IVec3> = Vec::new();
+    // Where the bricks of the node that is gone through begin: those of it are told apart at once, so that there are never as many as the grid has bricks.
+    let mut start = (0, IVec3::MAX);
+    geometry.for_each_brick(grid, &mut |brick| {
+        let at = (brick + (grid.origin >> 3)) >> 1;
+        if start.1 != brick >> 2 {
+            start = (found.len(), brick >> 2);
+        }
+        if !found[start.0..].contains(&at) {
+            found.push(at);
+        }
+    });
+    found
 }
 
 /// The brick that a window has come to.
