@@ -3,8 +3,22 @@
 use std::ops::Range;
 use xxhash_rust::xxh3::xxh3_64;
 
-/// Writes the checksums that the sections and their table have, as far as they lie in the file.
+/// Writes the checksums that the sections and their table have, as far as they lie in the file; those of levels of detail, which are as files of their own, first.
 pub fn mend(bytes: &mut [u8]) {
+    if bytes.len() < 64 {
+        return;
+    }
+    for entry in table(bytes).step_by(32) {
+        let is_level = bytes.get(entry..entry + 2) == Some(b"LV");
+        if let Some(level) = section(bytes, entry).filter(|_| is_level) {
+            mend_one(&mut bytes[level]);
+        }
+    }
+    mend_one(bytes);
+}
+
+/// As [`mend`], but for levels.
+fn mend_one(bytes: &mut [u8]) {
     if bytes.len() < 64 {
         return;
     }

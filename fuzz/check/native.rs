@@ -3,6 +3,7 @@
 
 use super::checksums::mend;
 use voxtrace::glam::Vec3;
+use voxtrace::packed::Levels;
 use voxtrace::{Hit, PackedScene, Placement, Ray};
 use voxtrace_core::light::{Lights, Receiver};
 use voxtrace_core::walk;
@@ -21,6 +22,16 @@ pub fn check(bytes: &[u8]) -> Option<Traced> {
     let mut bytes = bytes.to_vec();
     mend(&mut bytes);
     let scene = PackedScene::from_bytes(&bytes).ok()?;
+    let levels = Levels::from_bytes(&bytes);
+    for (levels, level) in levels.iter().flat_map(|levels| (1..=levels.count()).map(move |level| (levels, level))) {
+        let _ = levels.summary(level);
+        levels.scene(level).ok().map(checked);
+    }
+    Some(checked(scene))
+}
+
+/// A scene that was opened, which can be traced and unpacked.
+fn checked(scene: PackedScene) -> Traced {
     let rays = rays(&scene);
     let mut hits = vec![Hit::MISS; rays.len()];
     walk::cast_batch(&scene, &rays, &mut hits);
@@ -50,7 +61,14 @@ pub fn check(bytes: &[u8]) -> Option<Traced> {
     if !scene.is_merged() {
         Placement::of_scene(scene.geometry(), &unpacked).unwrap();
     }
-    Some(Traced { scene, rays })
+    for (hit, instance) in
+        hits.iter().filter(|hit| !hit.is_miss()).map(|hit| (hit, &scene.instances()[hit.instance as usize]))
+    {
+        let grid = &scene.grids()[instance.grid as usize];
+        let coverage = scene.geometry().coverage_at(grid, hit.voxel).expect("a hit's voxel is occupied");
+        assert!(coverage > 0.0 && coverage <= 1.0);
+    }
+    Traced { scene, rays }
 }
 
 /// Rays from all sides at the origin and at corners of the first instances.

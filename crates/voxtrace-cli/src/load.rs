@@ -3,6 +3,7 @@
 use crate::failure::Failure;
 use crate::import::ImportArgs;
 use crate::interrupt;
+use crate::levels;
 use crate::normals::{NormalsArg, with_normals};
 use crate::parse;
 use crate::report::Report;
@@ -35,6 +36,9 @@ pub struct MemoryArgs {
     /// Read a .vxt file into memory instead of mapping it, so that other programs may change it meanwhile
     #[arg(long)]
     pub in_memory: bool,
+    /// Show a level of detail of a .vxt file: 1 has voxels twice as wide as the scene, 2 four times; `voxtrace info` lists those that there are
+    #[arg(long, value_name = "K")]
+    pub level: Option<u32>,
     /// Keep all instances apart, instead of making one grid of those that stand on the lattice of voxels, which is faster
     #[arg(long)]
     pub keep_instances: bool,
@@ -138,6 +142,9 @@ impl SceneArgs {
     fn load_as_it_is(&self, report: &mut Report) -> Result<Content, Failure> {
         let scene = self.scene();
         if self.is_builtin() {
+            if let Some(level) = self.memory.level {
+                return levels::open(Path::new(scene), level, false).map(|scene| Content::Packed(scene.into()));
+            }
             self.import.volume.overlays.refuse(Path::new(scene))?;
             self.import.mesh.refuse_choice_of_points(Path::new(scene))?;
             self.import.heights.refuse(scene)?;
@@ -162,6 +169,10 @@ impl SceneArgs {
             return Err(Failure::usage(message));
         }
         self.note();
+        if let Some(level) = self.memory.level {
+            return levels::open(Path::new(scene), level, self.memory.in_memory)
+                .map(|scene| Content::Packed(scene.into()));
+        }
         let paths: Vec<PathBuf> = self.scenes.iter().map(PathBuf::from).collect();
         self.import.load(&paths, self.memory.in_memory, report)
     }

@@ -20,6 +20,7 @@ mod integrator;
 mod interrupt;
 mod lattice;
 mod lens;
+mod levels;
 mod light;
 mod lines;
 mod load;

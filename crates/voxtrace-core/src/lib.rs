@@ -11,6 +11,7 @@ pub mod film;
 pub mod frame;
 mod light_group;
 pub mod lines;
+pub mod meanwhile;
 pub mod motion;
 pub mod normals;
 mod overview;

@@ -50,6 +50,33 @@ fn threads_and_tiles_do_not_change_a_byte() {
 }
 
 #[test]
+fn tiles_that_get_all_their_samples_at_once_do_not_change_a_byte() {
+    for (scene, frame) in frames() {
+        let expected = render(&mut tracer(&scene, 2, 16), &frame);
+        let whole = || {
+            let mut tracer = CpuTracer::new(Some(2)).with_tile_size(16).with_whole_tiles(true);
+            tracer.set_scene(&Arc::new(PackedScene::pack(&scene).unwrap())).unwrap();
+            tracer
+        };
+        assert!(render(&mut whole(), &frame) == expected);
+        // Ended early and gone on with.
+        let (mut tracer, progress) = (whole(), Progress::default());
+        std::thread::scope(|scope| {
+            scope.spawn(|| {
+                while progress.samples_done() < u64::from(2 * SIZE.0 * SIZE.1) {
+                    std::thread::yield_now();
+                }
+                progress.cancel();
+            });
+            tracer.render(&frame, &progress).unwrap();
+            // Where it was quicker than the other thread.
+            progress.add(u64::MAX / 2);
+        });
+        assert!(render(&mut tracer, &frame) == expected);
+    }
+}
+
+#[test]
 fn four_and_four_samples_are_eight() {
     for (scene, frame) in frames() {
         let mut tracer = tracer(&scene, 2, 16);

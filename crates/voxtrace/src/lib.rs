@@ -12,7 +12,9 @@ pub use voxtrace_core::{
     BounceLimits, CpuTracer, DynamicScene, Edit, EditError, Film, Frame, Geometry, Instructions, Integrator,
     LightGroup, PackedScene, Patch, Placement, Progress, RayCounts, Region, TraceError, Tracer, WalkCounts,
 };
-pub use voxtrace_core::{changes, cuts, denoise, dynamic, film, frame, lines, motion, normals, surroundings, tracer};
+pub use voxtrace_core::{
+    changes, cuts, denoise, dynamic, film, frame, lines, meanwhile, motion, normals, surroundings, tracer,
+};
 #[cfg(feature = "pictures")]
 pub use voxtrace_io::difference;
 pub use voxtrace_io::{export, import, output};
@@ -28,8 +30,9 @@ pub use voxtrace_voxelize::{bake, close, cull_hidden, mesh, points, straighten, 
 /// The packed scene: how it is placed, saved and described. Its arrays are for tracers and not public.
 pub mod packed {
     pub use voxtrace_core::packed::{
-        BrickSource, FileError, FileErrorKind, Geometry, MAGIC, Object, Outline, PackError, PackedGrid, PackedInstance,
-        PackedMaterial, PackedScene, Placement, PlacementError, Statistics, StreamError, save_streamed,
+        BrickSource, FileError, FileErrorKind, Geometry, LevelCount, LevelSummary, Levels, MAGIC, MAX_LEVELS, Object,
+        Outline, PackError, PackedGrid, PackedInstance, PackedMaterial, PackedScene, Placement, PlacementError,
+        Statistics, StreamError, add_levels, save_streamed,
     };
 }
 

@@ -3,6 +3,7 @@
 use crate::failure::{Failure, Kind};
 use crate::interrupt;
 use crate::lattice::{LatticeArgs, OFF_LATTICE_HINT};
+use crate::levels::LevelsArg;
 use crate::load::{MemoryArgs, SceneArgs, into_packed, is_native};
 use crate::normals::NormalsArg;
 use crate::outputs;
@@ -27,6 +28,8 @@ pub struct ConvertArgs {
     scene: SceneArgs,
     #[command(flatten)]
     lattice: LatticeArgs,
+    #[command(flatten)]
+    levels: LevelsArg,
 }
 
 impl ConvertArgs {
@@ -38,6 +41,7 @@ impl ConvertArgs {
         let target = Target::of(out)?;
         self.scene.note();
         target.check(out)?;
+        self.levels.check(out)?;
         report.remark(&format!("loading {}", self.scene.shown()));
         self.scene.import.edits.most_colors = target.most_colors();
         let content = self.scene.load(report)?;
@@ -56,7 +60,10 @@ impl ConvertArgs {
         } else {
             content
         };
-        target.write(out, content, memory, report)
+        if let Some(input) = self.scene.file().filter(|_| is_native(out)) {
+            self.levels.remark_lost(input, report);
+        }
+        target.write(out, content, (memory, self.levels), report)
     }
 }
 
@@ -105,8 +112,14 @@ impl Target {
     }
 
     /// Writes a scene, into a `.vxt` file with instances merged unless they are to be kept apart, and says what of it could not be kept.
-    pub fn write(self, out: &Path, content: Content, memory: MemoryArgs, report: &Report) -> Result<(), Failure> {
-        let Self::Foreign(writer) = self else { return write_native(out, content, memory, report) };
+    pub fn write(
+        self,
+        out: &Path,
+        content: Content,
+        how: (MemoryArgs, LevelsArg),
+        report: &Report,
+    ) -> Result<(), Failure> {
+        let Self::Foreign(writer) = self else { return write_native(out, content, how, report) };
         let scene = &content.into_scene();
         outputs::refuse_inputs(out)?;
         let companions = self.companions(out);
@@ -134,14 +147,17 @@ pub fn write_shown(out: &Path, packed: &PackedScene, report: &Report) -> Result<
     let target = Target::of(out)?;
     target.check(out)?;
     match target {
-        Target::Native => save(out, packed, report),
-        Target::Foreign(_) => {
-            target.write(out, Content::Scene(packed.to_scene().into()), MemoryArgs::default(), report)
-        }
+        Target::Native => save(out, packed, LevelsArg::default(), report),
+        Target::Foreign(_) => target.write(out, Content::Scene(packed.to_scene().into()), Default::default(), report),
     }
 }
 
-fn write_native(out: &Path, content: Content, memory: MemoryArgs, report: &Report) -> Result<(), Failure> {
+fn write_native(
+    out: &Path,
+    content: Content,
+    (memory, levels): (MemoryArgs, LevelsArg),
+    report: &Report,
+) -> Result<(), Failure> {
     let left_out = match &content {
         Content::Scene(scene) => export::native::left_out(scene),
         Content::Packed(_) => Vec::new(),
@@ -150,12 +166,12 @@ fn write_native(out: &Path, content: Content, memory: MemoryArgs, report: &Repor
     if !left_out.is_empty() {
         report.remark(&format!("left out, as .vxt has no place for it: {}", left_out.join(", ")));
     }
-    save(out, &packed, report)
+    save(out, &packed, levels, report)
 }
 
-fn save(out: &Path, packed: &PackedScene, report: &Report) -> Result<(), Failure> {
+fn save(out: &Path, packed: &PackedScene, levels: LevelsArg, report: &Report) -> Result<(), Failure> {
     outputs::refuse_inputs(out)?;
-    packed.save(out).map_err(|error| save_failure(out, &error))?;
+    levels.save(out, packed, report)?;
     report.wrote(out);
     Ok(())
 }

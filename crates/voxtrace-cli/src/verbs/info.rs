@@ -3,12 +3,12 @@
 use super::film_info;
 use crate::cuts::span_text;
 use crate::failure::Failure;
-use crate::load::{SceneArgs, into_packed};
+use crate::load::{SceneArgs, into_packed, is_native};
 use crate::report::Report;
 use serde_json::{Map, Value, json};
 use voxtrace::animation::keyframe_count;
 use voxtrace::import::{Content, vox};
-use voxtrace::packed::{Outline, Statistics};
+use voxtrace::packed::{LevelSummary, Levels, Outline, Statistics};
 use voxtrace::scene::Unit;
 use voxtrace::sky::{Background, Sky};
 use voxtrace::{PackedScene, Scene};
@@ -43,18 +43,44 @@ impl InfoArgs {
             Some(scene) => packed.statistics().with_counts_of(scene),
             None => packed.statistics(),
         };
+        let levels = self.levels()?;
         let frames = scene.as_ref().map_or(0, |scene| keyframe_count(scene));
         if self.json {
             let mut value = as_json(&packed, &statistics, &left_out);
             value["warnings"] = report.warnings().into();
             value["frames"] = frames.into();
+            value["levels"] =
+                levels.iter().map(|level| json!({ "voxels": level.voxels, "bytes": level.bytes })).collect();
             crate::stdout::print(&format!("{value:#}\n"));
         } else {
             let hidden = scene.map_or(0, |scene| scene.instances.len() - packed.instance_count());
-            crate::stdout::print(&as_text(&packed, &statistics, (hidden, frames), &left_out));
+            crate::stdout::print(&(as_text(&packed, &statistics, (hidden, frames), &left_out) + &levels_text(&levels)));
         }
         Ok(())
     }
+}
+
+impl InfoArgs {
+    /// What the levels of detail of a native file hold, which is asked for whole.
+    fn levels(&self) -> Result<Vec<LevelSummary>, Failure> {
+        let path = self.scene.file().filter(|path| is_native(path) && self.scene.memory.level.is_none());
+        let Some(path) = path else { return Ok(Vec::new()) };
+        let levels = Levels::open(path).map_err(Failure::input)?;
+        let summary = |level| levels.summary(level);
+        (1..=levels.count())
+            .map(summary)
+            .collect::<Result<_, _>>()
+            .map_err(|error| Failure::input(format!("{}: {error}", path.display())))
+    }
+}
+
+/// A line for each level of detail.
+fn levels_text(levels: &[LevelSummary]) -> String {
+    let line = |(number, level): (usize, &LevelSummary)| {
+        let name = format!("level {}", number + 1);
+        format!("{name:<18}{} voxels in {} bytes\n", grouped(level.voxels), grouped(level.bytes))
+    };
+    levels.iter().enumerate().map(line).collect()
 }
 
 /// What a file asks for and pictures do not show: by themselves, and at all.

@@ -4,6 +4,7 @@ use crate::failure::Failure;
 use crate::import::ImportArgs;
 use crate::interrupt;
 use crate::lattice::LatticeArgs;
+use crate::levels::LevelsArg;
 use crate::load::{MemoryArgs, first_and_more, is_native};
 use crate::mesh::{Content, UpArg, announce, settled, voxelize_failure, watched};
 use crate::normals::{NormalsArg, with_normals};
@@ -38,6 +39,8 @@ pub struct VoxelizeArgs {
     /// Memory to work in, for example 1GB; intermediate data beyond it goes to disk
     #[arg(long, value_name = "BYTES", value_parser = parse::bytes)]
     memory_budget: Option<u64>,
+    #[command(flatten)]
+    levels: LevelsArg,
     /// Normals that surfaces are shaded with, kept in the .vxt file [default: faces]
     #[arg(long, value_name = "NORMALS")]
     normals: Option<NormalsArg>,
@@ -55,6 +58,7 @@ impl VoxelizeArgs {
         }
         self.inputs.iter().for_each(|input| opened::note(input));
         target.check(out)?;
+        self.levels.check(out)?;
         report.remark(&format!("loading {}", first_and_more(&input.to_string_lossy(), self.inputs.len())));
         let is_edited = self.import.edits.is_asked() || self.lattice.is_asked();
         if is_edited && self.memory_budget.is_some() {
@@ -90,7 +94,7 @@ impl VoxelizeArgs {
         self.import.edits.apply(&mut scene, &self.import.mesh, report)?;
         self.lattice.apply(&mut scene, &options.limits, report)?;
         interrupt::check()?;
-        target.write(out, import::Content::Scene(scene.into()), self.memory(), report)
+        target.write(out, import::Content::Scene(scene.into()), (self.memory(), self.levels), report)
     }
 
     /// Voxelizes what is in memory, into a native file brick by brick.
@@ -105,7 +109,7 @@ impl VoxelizeArgs {
         if !is_native(out) {
             let scene = watched("voxelize", report, |progress| geometry.voxelize(&options, limits, progress));
             let scene = import::Content::Scene(scene.map_err(failure)?.into());
-            return Target::of(out)?.write(out, scene, self.memory(), report);
+            return Target::of(out)?.write(out, scene, (self.memory(), self.levels), report);
         }
         self.refuse_inputs()?;
         let write = |progress: &_| geometry.voxelize_to_file(&options, limits, out, progress);
@@ -172,6 +176,7 @@ impl VoxelizeArgs {
         if let Some(threshold) = large.lowered_threshold() {
             report.remark(&lowered(threshold));
         }
+        self.levels.add(&self.out, report)?;
         report.wrote(&self.out);
         Ok(())
     }
@@ -212,7 +217,9 @@ impl VoxelizeArgs {
             // They follow from the voxels, which are all in the file now.
             let packed = PackedScene::read(&self.out).map_err(|error| save_failure(&self.out, &error))?;
             let packed = with_normals(packed, self.normals)?;
-            packed.save(&self.out).map_err(|error| save_failure(&self.out, &error))?;
+            self.levels.save(&self.out, &packed, report)?;
+        } else {
+            self.levels.add(&self.out, report)?;
         }
         report.wrote(&self.out);
         Ok(())

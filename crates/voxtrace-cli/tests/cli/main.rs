@@ -14,6 +14,7 @@ mod films;
 mod in_memory;
 mod interrupt;
 mod large_volumes;
+mod levels;
 mod lines;
 mod merging;
 mod meshes;

@@ -32,6 +32,7 @@ const PATHS_AT_A_TIME: usize = 4096;
 pub struct CpuTracer {
     pool: Option<rayon::ThreadPool>,
     tile_size: u32,
+    has_whole_tiles: Option<bool>,
     scene: Option<Arc<PackedScene>>,
     film: Option<(Frame, Film)>,
     rays: RayCounts,
@@ -41,12 +42,19 @@ impl CpuTracer {
     /// A tracer of `threads` threads; `None`, or where the system gives no threads, uses rayon's global pool.
     pub fn new(threads: Option<usize>) -> Self {
         let pool = threads.and_then(|count| rayon::ThreadPoolBuilder::new().num_threads(count).build().ok());
-        Self { pool, tile_size: 32, scene: None, film: None, rays: RayCounts::default() }
+        Self { pool, tile_size: 32, has_whole_tiles: None, scene: None, film: None, rays: RayCounts::default() }
     }
 
     /// The same tracer with square tiles of `tile_size` pixels, at least 1.
     pub fn with_tile_size(self, tile_size: u32) -> Self {
         Self { tile_size: tile_size.max(1), ..self }
+    }
+
+    /// The same tracer, which after the first sample gives each tile all its samples before it goes on to the next, or does not. By itself it does so where the
+    /// scene is larger than memory: what a tile's rays come to is then read from the disk once, not once for each few samples.
+    #[doc(hidden)]
+    pub fn with_whole_tiles(self, has_whole_tiles: bool) -> Self {
+        Self { has_whole_tiles: Some(has_whole_tiles), ..self }
     }
 
     /// The rays of the last call of [`Tracer::render`], and the walks that traced them.
@@ -115,6 +123,7 @@ impl Tracer for CpuTracer {
             _ => Film::new(frame.width, frame.height, frame.region, frame.first_sample),
         };
         let camera = frame.camera.frame(frame.width, frame.height);
+        let has_whole_tiles = self.has_whole_tiles.unwrap_or_else(|| scene.is_larger_than_memory());
         self.rays = self.install(|| {
             let mut rays = RayCounts::default();
             if frame.aovs && film.aovs.is_none() {
@@ -130,8 +139,10 @@ impl Tracer for CpuTracer {
                 if progress.is_cancelled() || least >= frame.samples {
                     break;
                 }
-                let target = target_after(least, frame, self.tile_size);
-                rays = rays + add_pass(&context, &mut film, self.tile_size, target, progress);
+                let next = target_after(least, frame, self.tile_size);
+                let last = if has_whole_tiles && least > 0 { frame.samples } else { next };
+                let targets = Targets { next, step: next - least, last };
+                rays = rays + add_pass(&context, &mut film, self.tile_size, targets, progress);
             }
             rays
         });
@@ -161,22 +172,35 @@ fn target_after(least: u32, frame: &Frame, tile_size: u32) -> u32 {
     least.saturating_add(samples).min(frame.samples)
 }
 
-/// Brings each pixel up to `target` samples, tile by tile; pixels that an earlier pass left ahead wait for the others. Stops
-/// between tiles when cancelled.
+/// Samples that each pixel has one after the other, in steps that fill a tile's wave, before the next tile comes.
+#[derive(Clone, Copy)]
+struct Targets {
+    next: u32,
+    step: u32,
+    last: u32,
+}
+
+/// Brings each pixel up to the last of the targets, tile by tile; pixels that an earlier pass left ahead wait for the others. Stops
+/// between tiles, and between targets, when cancelled.
 fn add_pass(
     context: &wave::RenderContext,
     film: &mut Film,
     tile_size: u32,
-    target: u32,
+    Targets { next, step, last }: Targets,
     progress: &Progress,
 ) -> RayCounts {
     let tiles = tile::tiles_mut(&mut film.pixels, film.region, tile_size);
     let counts = tiles.into_par_iter().map_init(Wave::default, |wave, mut tile| {
-        if progress.is_cancelled() {
-            return RayCounts::default();
+        let (mut counts, mut target) = (RayCounts::default(), next);
+        while !progress.is_cancelled() {
+            let added = wave.render(context, &mut tile, target);
+            progress.add(added.camera);
+            counts = counts + added;
+            if target == last {
+                break;
+            }
+            target = target.saturating_add(step).min(last);
         }
-        let counts = wave.render(context, &mut tile, target);
-        progress.add(counts.camera);
         counts
     });
     counts.reduce(RayCounts::default, RayCounts::add)

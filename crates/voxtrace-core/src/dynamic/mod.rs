@@ -117,7 +117,7 @@ impl DynamicScene {
         }
         let geometry = &scene.geometry;
         let bricks: Vec<u64> = geometry.grids.iter().map(|grid| geometry.bricks_of(grid).len() as u64).collect();
-        let scene = if geometry.is_edited { scene.compacted() } else { scene };
+        let scene = if geometry.is_edited || geometry.has_coverage { scene.compacted() } else { scene };
         let geometry = &scene.geometry;
         Ok(Self {
             pools: Pools::of(geometry),

@@ -59,6 +59,8 @@ impl PackedScene {
             grids: grids.into(),
             materials: materials.into(),
             scene_grids: scene_grids.into(),
+            // What is added has none.
+            has_coverage: false,
             ..own.clone()
         }
         .finished();

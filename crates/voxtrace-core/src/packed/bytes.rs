@@ -6,12 +6,28 @@ use std::io::{self, Read};
 
 /// Bytes that nothing changes while they are held. The first one is aligned to 64, as the sections of a file are.
 pub(super) enum Bytes {
+    /// A file.
     Mapped(memmap2::Mmap),
+    /// A copy in large pages.
+    #[cfg(target_os = "linux")]
+    Copied(memmap2::Mmap),
     /// Memory in large pages that nobody else has and that may be written while nobody else holds it.
     #[cfg(target_os = "linux")]
     Writable(memmap2::MmapMut),
     /// Whole blocks, and how many bytes of them count.
     Owned(Box<[Block]>, usize),
+}
+
+/// How bytes are read. It decides how much around a page that is missing the system reads with it, which may be megabytes: where a file is larger than
+/// memory that is the time of all rays that come to it.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Access {
+    /// Once, one after the other.
+    FromStartToEnd,
+    /// At a few places at a time that go from start to end.
+    InOrder,
+    /// As rays do.
+    HereAndThere,
 }
 
 /// As many bytes as sections are aligned to.
@@ -31,6 +47,22 @@ impl Bytes {
         // duty of the caller, as for every memory-mapped file; `save` replaces files, it never writes into them. Who cannot
         // vouch for it reads the file into memory.
         unsafe { memmap2::Mmap::map(file) }.map(Self::Mapped)
+    }
+
+    /// Tells the system how a mapped file is read from now on. What it makes of it changes no byte.
+    pub fn expect(&self, access: Access) {
+        #[cfg(unix)]
+        if let Self::Mapped(map) = self {
+            let advice = match access {
+                Access::FromStartToEnd => memmap2::Advice::Sequential,
+                Access::InOrder => memmap2::Advice::Normal,
+                Access::HereAndThere => memmap2::Advice::Random,
+            };
+            // Without it reading is only slower.
+            let _ = map.advise(advice);
+        }
+        #[cfg(not(unix))]
+        let _ = access;
     }
 
     /// Reads a file of so many bytes into memory.
@@ -54,7 +86,7 @@ impl Bytes {
             // Where the system refuses, these are small pages.
             let _ = map.advise(memmap2::Advice::HugePage);
             map.copy_from_slice(bytes);
-            return map.make_read_only().ok().map(Self::Mapped);
+            return map.make_read_only().ok().map(Self::Copied);
         }
         let _ = bytes;
         None
@@ -72,10 +104,24 @@ impl Bytes {
         Self::zeroed(length as u64)
     }
 
-    /// The bytes, to be written; `None` where they are a file's.
+    /// Whether they may be written while nobody else holds them.
+    pub fn is_writable(&self) -> bool {
+        match self {
+            Self::Mapped(_) => false,
+            #[cfg(target_os = "linux")]
+            Self::Copied(_) => false,
+            #[cfg(target_os = "linux")]
+            Self::Writable(_) => true,
+            Self::Owned(..) => true,
+        }
+    }
+
+    /// The bytes, to be written; `None` where they may not.
     pub fn as_mut(&mut self) -> Option<&mut [u8]> {
         match self {
             Self::Mapped(_) => None,
+            #[cfg(target_os = "linux")]
+            Self::Copied(_) => None,
             #[cfg(target_os = "linux")]
             Self::Writable(map) => Some(map),
             Self::Owned(blocks, length) => Some(&mut bytemuck::cast_slice_mut(blocks)[..*length]),
@@ -96,6 +142,8 @@ impl std::ops::Deref for Bytes {
     fn deref(&self) -> &[u8] {
         match self {
             Self::Mapped(map) => map,
+            #[cfg(target_os = "linux")]
+            Self::Copied(map) => map,
             #[cfg(target_os = "linux")]
             Self::Writable(map) => map,
             Self::Owned(blocks, length) => &bytemuck::cast_slice(blocks)[..*length],

@@ -4,20 +4,22 @@
 use super::file_error::{FileError, FileErrorKind, damaged};
 use super::instance_record::InstanceRecord;
 use super::material_records::{MaterialRecords, MediumRecord};
-use super::normals::is_known_kind;
 use super::parts::{Parts, kept_instances};
 use super::version_1::geometry_of_version_1;
 use super::{
     Geometry, Outline, PackedInstance, PackedScene, Placement, Section,
-    bytes::Bytes,
+    bytes::{Access, Bytes},
+    coverage, levels, normals,
     settings::{EnvironmentSections, LensRecord, Settings},
 };
 use crate::atomic_file::write_atomically;
 use bytemuck::{Pod, Zeroable};
 use std::fs::File;
 use std::io::{self, Seek, Write};
+use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
+use voxtrace_scene::Invalid;
 use voxtrace_scene::georeference::Georeference;
 use xxhash_rust::xxh3::{Xxh3, xxh3_64};
 
@@ -93,6 +95,11 @@ impl PackedScene {
     }
 
     fn write(&self, writer: &mut impl Write) -> io::Result<()> {
+        self.write_with(writer, &[])
+    }
+
+    /// Writes the scene with levels of detail, which are as files of their own.
+    pub(super) fn write_with(&self, writer: &mut impl Write, levels: &[Arc<Bytes>]) -> io::Result<()> {
         let (settings, instances) = (Settings::of(self), InstanceRecord::all_of(&self.placement));
         let materials = MaterialRecords::of(&self.geometry.materials);
         let mut sections = sections(self, &settings, &instances, &materials).to_vec();
@@ -109,6 +116,8 @@ impl PackedScene {
         }
         sections.extend(settings.environment.iter().flat_map(EnvironmentSections::parts));
         sections.extend(self.geometry.normal_section());
+        sections.extend(self.geometry.coverage_section());
+        sections.extend((1..).zip(levels).map(|(level, bytes)| (levels::tag_of(level), 1, &***bytes)));
         sections.extend(self.geometry.parts.iter().flat_map(|parts| parts.sections()));
         let mut offset = size_of::<Header>() + sections.len() * size_of::<TableEntry>();
         let mut table = Vec::new();
@@ -202,12 +211,23 @@ impl PackedScene {
     }
 
     fn from_file(bytes: Bytes) -> Result<Self, FileErrorKind> {
-        if cfg!(target_endian = "big") {
-            return Err(FileErrorKind::Invalid("native files need a little-endian machine".into()));
-        }
-        let bytes = Arc::new(bytes);
-        let (version, table) = read_table(&bytes)?;
-        let reader = Reader { bytes, table };
+        Self::of_shared(Arc::new(bytes))
+    }
+
+    /// The scene in the bytes of a file.
+    pub(super) fn of_shared(bytes: Arc<Bytes>) -> Result<Self, FileErrorKind> {
+        let length = bytes.len();
+        let reader = Reader::new(bytes, 0..length)?;
+        // What is in levels is looked at when they are asked for; a file that is cut off is refused.
+        levels::ranges_of(&reader)?;
+        let settings = Self::settings_of(&reader)?;
+        let (geometry, placement) = geometry_and_placement(&reader)?;
+        let outline = Arc::new(Outline::of_instances(&kept_instances(&geometry, &placement)));
+        Ok(Self { geometry: Arc::new(geometry), placement, outline, ..settings })
+    }
+
+    /// A scene without voxels, but with all else that a file says.
+    pub(super) fn settings_of(reader: &Reader) -> Result<Self, FileErrorKind> {
         let settings = Settings {
             record: *reader.section(b"SETT")?.first().ok_or_else(|| damaged("the settings are missing", 0))?,
             cameras: reader.section(b"CAMS")?.to_vec(),
@@ -215,32 +235,7 @@ impl PackedScene {
             text: reader.section(b"TEXT")?.to_vec(),
             environment: reader.environment()?,
         };
-        let media = if reader.has(b"MEDI") { reader.section::<MediumRecord>(b"MEDI")?.to_vec() } else { Vec::new() };
-        let materials =
-            MaterialRecords::materials(&reader.section(b"MATS")?, &media).map_err(FileErrorKind::Invalid)?;
-        let geometry = Geometry {
-            grids: reader.section(b"GRID")?,
-            materials: materials.into(),
-            emitters: reader.section(b"EMIT")?,
-            light_nodes: reader.section(b"LNOD")?,
-            cells: reader.section(b"CELL")?,
-            bricks: reader.section(b"BRIK")?,
-            brick_materials: reader.section(b"BMAT")?,
-            has_normals: reader.has(b"NORM")
-                && is_known_kind(&reader.section(b"NORM")?).map_err(FileErrorKind::Invalid)?,
-            ..Geometry::default()
-        };
-        let records = reader.section::<InstanceRecord>(b"INST")?;
-        let instances: Vec<PackedInstance> = records.iter().map(InstanceRecord::instance).collect();
-        let geometry = if version == 1 { geometry_of_version_1(geometry, &instances) } else { Ok(geometry) };
-        let geometry = geometry.and_then(|geometry| geometry.validate().map(|()| geometry.finished()));
-        let geometry = geometry.map_err(FileErrorKind::Invalid)?;
-        let nodes = reader.section(b"INOD")?;
-        let placement = Placement::of_file(&geometry, instances, nodes).map_err(FileErrorKind::Invalid)?;
-        let geometry = Geometry { parts: reader.parts(&placement)?, ..geometry };
-        geometry.validate_parts(&placement).map_err(FileErrorKind::Invalid)?;
-        let outline = Arc::new(Outline::of_instances(&kept_instances(&geometry, &placement)));
-        let mut scene = Self { geometry: Arc::new(geometry), placement, outline, ..Self::empty() };
+        let mut scene = Self::empty();
         settings.apply(&mut scene).map_err(|fault| FileErrorKind::Invalid(fault.into()))?;
         scene.georeference = reader.georeference()?;
         Ok(scene)
@@ -273,6 +268,41 @@ impl PackedScene {
     }
 }
 
+/// The voxels of a file or of one of its levels, and where they stand.
+pub(super) fn geometry_and_placement(reader: &Reader) -> Result<(Geometry, Placement), FileErrorKind> {
+    let has = |tag: &[u8; 4], is_known: fn(&[u32]) -> Result<bool, Invalid>| {
+        Ok::<bool, FileErrorKind>(reader.has(tag) && is_known(&reader.section(tag)?).map_err(FileErrorKind::Invalid)?)
+    };
+    let media = if reader.has(b"MEDI") { reader.section::<MediumRecord>(b"MEDI")?.to_vec() } else { Vec::new() };
+    let materials = MaterialRecords::materials(&reader.section(b"MATS")?, &media).map_err(FileErrorKind::Invalid)?;
+    let geometry = Geometry {
+        grids: reader.section(b"GRID")?,
+        materials: materials.into(),
+        emitters: reader.section(b"EMIT")?,
+        light_nodes: reader.section(b"LNOD")?,
+        cells: reader.section(b"CELL")?,
+        bricks: reader.section(b"BRIK")?,
+        brick_materials: reader.section(b"BMAT")?,
+        has_normals: has(b"NORM", normals::is_known_kind)?,
+        has_coverage: has(b"COVR", coverage::is_known_kind)?,
+        ..Geometry::default()
+    };
+    let records = reader.section::<InstanceRecord>(b"INST")?;
+    let instances: Vec<PackedInstance> = records.iter().map(InstanceRecord::instance).collect();
+    let geometry = if reader.version == 1 { geometry_of_version_1(geometry, &instances) } else { Ok(geometry) };
+    let geometry = geometry.map_err(FileErrorKind::Invalid)?;
+    reader.bytes.expect(Access::InOrder);
+    geometry.validate_grids().map_err(FileErrorKind::Invalid)?;
+    reader.bytes.expect(Access::HereAndThere);
+    geometry.validate_lights().map_err(FileErrorKind::Invalid)?;
+    let geometry = geometry.finished();
+    let nodes = reader.section(b"INOD")?;
+    let placement = Placement::of_file(&geometry, instances, nodes).map_err(FileErrorKind::Invalid)?;
+    let geometry = Geometry { parts: reader.parts(&placement)?, ..geometry };
+    geometry.validate_parts(&placement).map_err(FileErrorKind::Invalid)?;
+    Ok((geometry, placement))
+}
+
 /// The version of a file and its table.
 fn read_table(bytes: &[u8]) -> Result<(u32, Vec<TableEntry>), FileErrorKind> {
     let start = size_of::<Header>();
@@ -297,12 +327,42 @@ fn read_table(bytes: &[u8]) -> Result<(u32, Vec<TableEntry>), FileErrorKind> {
     Ok((header.version, entries.collect()))
 }
 
-struct Reader {
+/// The sections of a file, or of a level in it.
+pub(super) struct Reader {
     bytes: Arc<Bytes>,
+    /// Where its first byte is.
+    start: usize,
+    /// One past its last.
+    end: usize,
+    version: u32,
     table: Vec<TableEntry>,
 }
 
 impl Reader {
+    pub fn new(bytes: Arc<Bytes>, Range { start, end }: Range<usize>) -> Result<Self, FileErrorKind> {
+        if cfg!(target_endian = "big") {
+            return Err(FileErrorKind::Invalid("native files need a little-endian machine".into()));
+        }
+        bytes.expect(Access::FromStartToEnd);
+        let (version, table) = read_table(&bytes[start..end])?;
+        Ok(Self { bytes, start, end, version, table })
+    }
+
+    /// Where a section is, if there is one, and its checksum, which is not looked at.
+    pub fn unchecked_range(&self, tag: &[u8; 4]) -> Result<Option<(Range<usize>, u64)>, FileErrorKind> {
+        let Some(entry) = self.table.iter().find(|entry| entry.tag == *tag) else { return Ok(None) };
+        let range = usize::try_from(entry.offset).ok().zip(usize::try_from(entry.size).ok());
+        let range = range
+            .and_then(|(offset, size)| Some((self.start.checked_add(offset)?, size)))
+            .and_then(|(start, size)| Some((start, start.checked_add(size)?)))
+            .filter(|&(start, end)| end <= self.end && start.is_multiple_of(ALIGNMENT));
+        let (start, end) = range.ok_or_else(|| {
+            let name = String::from_utf8_lossy(tag);
+            damaged(format!("section {name} goes beyond the end of the file, or is misaligned"), entry.offset)
+        })?;
+        Ok(Some((start..end, entry.checksum)))
+    }
+
     /// Whether there is a section that files may do without.
     fn has(&self, tag: &[u8; 4]) -> bool {
         self.table.iter().any(|entry| entry.tag == *tag)
@@ -340,7 +400,7 @@ impl Reader {
         parts.map(|parts| Some(Arc::new(parts))).map_err(FileErrorKind::Invalid)
     }
 
-    fn section<T: Pod>(&self, tag: &[u8; 4]) -> Result<Section<T>, FileErrorKind> {
+    pub fn section<T: Pod>(&self, tag: &[u8; 4]) -> Result<Section<T>, FileErrorKind> {
         let name = String::from_utf8_lossy(tag);
         let entry = (self.table.iter())
             .find(|entry| entry.tag == *tag)
@@ -349,11 +409,7 @@ impl Reader {
         if entry.record_size as usize != size_of::<T>() {
             return Err(fault("has records of another size"));
         }
-        let range = usize::try_from(entry.offset).ok().zip(usize::try_from(entry.size).ok());
-        let (start, end) = range
-            .and_then(|(start, size)| Some((start, start.checked_add(size)?)))
-            .filter(|&(_, end)| end <= self.bytes.len())
-            .ok_or_else(|| fault("goes beyond the end of the file"))?;
+        let (Range { start, end }, _) = self.unchecked_range(tag)?.ok_or_else(|| fault("is missing"))?;
         if xxh3_64(&self.bytes[start..end]) != entry.checksum {
             return Err(fault("has a wrong checksum"));
         }

@@ -25,6 +25,8 @@ pub struct Geometry {
     pub(crate) light_nodes: Section<LightNode>,
     /// Whether the normals of voxels stand before the materials of their bricks.
     pub(crate) has_normals: bool,
+    /// Whether the coverages of voxels stand there, as in levels of detail.
+    pub(crate) has_coverage: bool,
     /// For each grid its index among the grids of the scene that was packed; empty where those are the same.
     pub(crate) scene_grids: Arc<[u32]>,
     /// What a merged grid was made of, where instances were merged.

@@ -40,15 +40,21 @@ pub(super) fn lights_of(scene: &Scene, grids: &[usize]) -> (Vec<Emitter>, Vec<Li
     (emitters, nodes)
 }
 
-/// As [`lights_of`], for a geometry of one grid that has no emitters yet; `emitting` are the voxels whose material emits.
-pub(super) fn lights_of_grid(geometry: &Geometry, emitting: Vec<(IVec3, u16)>) -> (Vec<Emitter>, Vec<LightNode>) {
-    let grid = &geometry.grids[0];
+/// As [`lights_of`], for grid `index` of a geometry that has no emitters of it yet; `emitting` are the voxels whose material emits.
+pub(super) fn append_lights_of_grid(
+    geometry: &Geometry,
+    index: usize,
+    emitting: Vec<(IVec3, u16)>,
+    emitters: &mut Vec<Emitter>,
+    nodes: &mut Vec<LightNode>,
+) {
+    let grid = &geometry.grids[index];
     let is_free = |voxel: IVec3| geometry.is_free(grid, voxel);
     let mut found: Vec<Emitter> = emitting
         .into_par_iter()
         .map(|(voxel, material)| Emitter {
             voxel,
-            grid: 0,
+            grid: index as u32,
             faces: FACES.iter().map(|&face| u32::from(is_free(voxel + face.normal())) << face as u32).sum(),
             material: material.into(),
             luminance: luminance(geometry.materials[usize::from(material)].surface_emission()),
@@ -57,9 +63,7 @@ pub(super) fn lights_of_grid(geometry: &Geometry, emitting: Vec<(IVec3, u16)>) -
         .filter(|emitter| emitter.faces != 0)
         .collect();
     found.par_sort_unstable_by(|a, b| morton_order(a.voxel, b.voxel));
-    let (mut emitters, mut nodes) = (Vec::new(), Vec::new());
-    append_lights(found, &mut emitters, &mut nodes);
-    (emitters, nodes)
+    append_lights(found, emitters, nodes);
 }
 
 impl Geometry {

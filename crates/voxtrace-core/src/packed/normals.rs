@@ -124,8 +124,13 @@ impl Geometry {
                 return Err(PackError::TooLarge(words.len() as u64 / 2, "materials and normals"));
             }
         }
-        let changed =
-            Self { bricks: bricks.into(), brick_materials: words.into(), has_normals: codes.is_some(), ..self.clone() };
+        let changed = Self {
+            bricks: bricks.into(),
+            brick_materials: words.into(),
+            has_normals: codes.is_some(),
+            has_coverage: false,
+            ..self.clone()
+        };
         Ok(changed.finished())
     }
 

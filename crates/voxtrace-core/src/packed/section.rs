@@ -64,7 +64,7 @@ impl<T: Pod> Section<T> {
     /// Whether it can be written as it is.
     fn is_writable(&self) -> bool {
         match &self.storage {
-            Storage::Shared { bytes, .. } => Arc::strong_count(bytes) == 1 && !matches!(**bytes, Bytes::Mapped(_)),
+            Storage::Shared { bytes, .. } => Arc::strong_count(bytes) == 1 && bytes.is_writable(),
             Storage::Owned(records) => Arc::strong_count(records) == 1,
         }
     }
@@ -78,6 +78,14 @@ impl<T: Pod> Section<T> {
             Self::from_shared(Arc::new(bytes), 0, size)
         });
         copy.unwrap_or_else(|| Self { storage: Storage::Owned(self.to_vec().into()) })
+    }
+
+    /// Bytes of it that lie in a mapped file, which the system brings and drops.
+    pub(super) fn mapped_bytes(&self) -> u64 {
+        match &self.storage {
+            Storage::Shared { bytes, start, end } if matches!(**bytes, Bytes::Mapped(_)) => (end - start) as u64,
+            _ => 0,
+        }
     }
 
     /// Size in bytes.

@@ -18,8 +18,9 @@ pub(super) struct SectionWriter {
 }
 
 impl SectionWriter {
-    /// Leaves room for the table of so many sections at the start of an empty file.
-    pub fn new(file: File, sections: usize) -> io::Result<Self> {
+    /// Leaves room for the table of so many sections, or fewer, at the start of an empty file.
+    pub fn new(mut file: File, sections: usize) -> io::Result<Self> {
+        file.rewind()?;
         let mut out = BufWriter::with_capacity(1 << 20, file);
         let head = size_of::<Header>() + sections * size_of::<TableEntry>();
         out.write_all(&vec![0; head])?;
@@ -64,7 +65,7 @@ impl SectionWriter {
 
     /// Writes header and table.
     pub fn finish(mut self) -> io::Result<()> {
-        assert_eq!(self.table.len(), self.sections, "room was left for another number of sections");
+        assert!(self.table.len() <= self.sections, "room was left for fewer sections");
         let table = bytemuck::cast_slice(&self.table);
         let header = Header {
             magic: MAGIC,

@@ -5,7 +5,7 @@
 use super::brick_record::encode_bricks;
 use super::bytes::Bytes;
 use super::instance_record::InstanceRecord;
-use super::lights::{lights_of_grid, surface_luminance};
+use super::lights::{append_lights_of_grid, surface_luminance};
 use super::material_records::MaterialRecords;
 use super::pack::{CellsOfGrid, cells_of, levels_of, material_bits_of, ordered_position};
 use super::section_writer::SectionWriter;
@@ -109,8 +109,9 @@ pub fn save_streamed(path: &Path, scene: &Scene, source: &mut impl BrickSource) 
     };
     if !pass.emitting.is_empty() {
         // Which faces are free is looked up in what was written.
-        map_bricks(&mut geometry, &mut writer, &temporary)?;
-        let (emitters, nodes) = lights_of_grid(&geometry, pass.emitting);
+        map_bricks(&mut geometry, &mut writer, &temporary.try_clone()?)?;
+        let (mut emitters, mut nodes) = (Vec::new(), Vec::new());
+        append_lights_of_grid(&geometry, 0, pass.emitting, &mut emitters, &mut nodes);
         (geometry.emitters, geometry.light_nodes) = (emitters.into(), nodes.into());
     }
     let geometry = geometry.finished();
@@ -136,13 +137,9 @@ pub fn save_streamed(path: &Path, scene: &Scene, source: &mut impl BrickSource) 
 }
 
 /// Gives the geometry its bricks, as they lie in the file that is being written.
-fn map_bricks(
-    geometry: &mut Geometry,
-    writer: &mut SectionWriter,
-    temporary: &TemporaryFile,
-) -> Result<(), StreamError> {
+pub(super) fn map_bricks(geometry: &mut Geometry, writer: &mut SectionWriter, file: &File) -> Result<(), StreamError> {
     let ranges = [writer.flushed_range(b"BRIK")?, writer.flushed_range(b"BMAT")?];
-    let file = Arc::new(Bytes::map(&temporary.try_clone()?)?);
+    let file = Arc::new(Bytes::map(file)?);
     let written = |range: Option<(usize, usize)>| {
         let section = range.and_then(|(start, end)| Section::from_shared(file.clone(), start, end));
         section.ok_or_else(|| io::Error::other("what was written is not in the file"))
@@ -254,7 +251,7 @@ impl Pass {
     }
 }
 
-fn copy(from: &mut File, to: &mut SectionWriter) -> io::Result<()> {
+pub(super) fn copy(from: &mut File, to: &mut SectionWriter) -> io::Result<()> {
     from.seek(SeekFrom::Start(0))?;
     let mut buffer = vec![0; 1 << 20];
     loop {

@@ -1,6 +1,7 @@
 //! Checks that a packed scene holds together: every index lies inside its array and every tree ends. Tracing a valid
 //! scene cannot read out of bounds.
 
+use super::coverage::coverage_words;
 use super::extent::{Extent, position};
 use super::instances::{MAX_INSTANCE_DEPTH, corners_of};
 use super::lights::{finds_root, validate_lights};
@@ -28,6 +29,13 @@ struct Cells {
     first: IVec3,
     /// log₂ of the voxels along an edge of one.
     shift: u32,
+}
+
+impl Cells {
+    /// Those of a node.
+    fn of_node(node: usize, first: IVec3, shift: u32) -> Self {
+        Self { range: node * 64..node * 64 + 64, size: IVec3::splat(4), first, shift }
+    }
 }
 
 impl Placement {
@@ -155,6 +163,11 @@ impl Geometry {
     /// One sentence about the first fault.
     pub fn validate(&self) -> Result<(), Invalid> {
         self.validate_grids()?;
+        self.validate_lights()
+    }
+
+    /// Checks the emitters and the trees over them, for grids that are valid.
+    pub(super) fn validate_lights(&self) -> Result<(), Invalid> {
         validate_lights(self)
     }
 
@@ -196,34 +209,58 @@ impl Geometry {
         let end = end.filter(|&end| end <= self.cells.len()).ok_or("cells are missing")?;
         let mut extent = Extent::empty();
         let top = Cells { range: start..end, size: grid.top_size, first: IVec3::ZERO, shift: grid.top_shift };
-        self.validate_cells(grid, top, cells_left, &mut extent)?;
+        if grid.top_shift == 3 {
+            *cells_left = cells_left.checked_sub(top.range.len()).ok_or("cells are shared")?;
+            self.validate_bricks(grid, &top, &mut extent)?;
+        } else {
+            let mut finest = Vec::new();
+            self.collect_finest(top, cells_left, &mut finest)?;
+            // As they lie in the file, and so do their bricks: what is larger than memory is then read once.
+            finest.sort_unstable_by_key(|&(node, _)| node);
+            for (node, first) in finest {
+                self.validate_bricks(grid, &Cells::of_node(node as usize, first, 3), &mut extent)?;
+            }
+        }
         extent.check(grid, self.is_edited)
     }
 
-    fn validate_cells(
+    /// Finds the nodes whose cells are bricks below others, with the places of their first cells.
+    fn collect_finest(
         &self,
-        grid: &PackedGrid,
         Cells { range, size, first, shift }: Cells,
         cells_left: &mut usize,
-        extent: &mut Extent,
+        finest: &mut Vec<(u32, IVec3)>,
     ) -> Result<(), Invalid> {
         // Each cell belongs to one grid and one node: visiting more than there are means that some are shared, and sharing
         // could make the visit endless.
-        *cells_left = cells_left.checked_sub(range.len()).ok_or("cells are shared")?;
+        let take = |cells_left: &mut usize, count| {
+            *cells_left = cells_left.checked_sub(count).ok_or("cells are shared")?;
+            Ok::<(), Invalid>(())
+        };
+        take(cells_left, range.len())?;
         let cells = self.cells[range].iter().enumerate();
         for (index, &cell) in cells.filter(|(_, cell)| *cell & CELL_OCCUPIED != 0) {
-            let child = (cell & !CELL_OCCUPIED) as usize;
-            let at = first + position(size, index);
-            if shift == 3 {
-                self.validate_brick(grid, child * 2, grid.origin + at * BRICK_SIZE, extent)?;
-                continue;
-            }
-            if child * 64 + 64 > self.cells.len() {
+            let child = cell & !CELL_OCCUPIED;
+            if child as usize * 64 + 64 > self.cells.len() {
                 return Err("a node lies outside".into());
             }
-            let range = child * 64..child * 64 + 64;
-            let node = Cells { range, size: IVec3::splat(4), first: at * 4, shift: shift - 2 };
-            self.validate_cells(grid, node, cells_left, extent)?;
+            let first = (first + position(size, index)) * 4;
+            if shift == 5 {
+                take(cells_left, 64)?;
+                finest.push((child, first));
+            } else {
+                self.collect_finest(Cells::of_node(child as usize, first, shift - 2), cells_left, finest)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Checks the bricks of some cells.
+    fn validate_bricks(&self, grid: &PackedGrid, cells: &Cells, extent: &mut Extent) -> Result<(), Invalid> {
+        let occupied = self.cells[cells.range.clone()].iter().enumerate();
+        for (index, &cell) in occupied.filter(|(_, cell)| *cell & CELL_OCCUPIED != 0) {
+            let corner = grid.origin + (cells.first + position(cells.size, index)) * BRICK_SIZE;
+            self.validate_brick(grid, (cell & !CELL_OCCUPIED) as usize * 2, corner, extent)?;
         }
         Ok(())
     }
@@ -248,6 +285,9 @@ impl Geometry {
         }
         if self.has_normals && (words[0] as usize) < normal_words(voxels as u32) {
             return Err("the normals of a brick lie outside".into());
+        }
+        if self.has_coverage && (self.has_normals || (words[0] as usize) < coverage_words(voxels as u32)) {
+            return Err("the coverage of a brick lies outside".into());
         }
         let count = self.materials.len() as u32;
         let first = start + palette * u64::from(grid.material_bits);

@@ -3,9 +3,11 @@
 
 use std::sync::Arc;
 use voxtrace::glam::{IVec3, Mat3, Vec3};
+use voxtrace::meanwhile::Meanwhile;
+use voxtrace::packed::{LevelCount, Levels};
 use voxtrace::{
-    Camera, CpuTracer, Frame, Hit, Instance, Integrator, Material, PackedScene, Progress, Scene, TraceError, Tracer,
-    Transform, VoxelGrid,
+    Camera, CpuTracer, Film, Frame, Hit, Instance, Integrator, Material, PackedScene, Progress, Region, Scene,
+    TraceError, Tracer, Transform, VoxelGrid,
 };
 use voxtrace_tests::gpu::{assert_valid, compare_hits, device, film, wanted};
 use voxtrace_tests::random::Random;
@@ -97,6 +99,77 @@ fn a_scene_in_pages_gives_the_film_and_the_hits_of_the_whole_scene() {
     tracer.set_scene(&scene).unwrap();
     tracer.empty_pages(9);
     assert!(film(&mut tracer, &frame()).pixels != expected.pixels);
+    drop(tracer);
+    assert_valid(&device);
+}
+
+#[test]
+fn pixels_show_a_coarser_level_until_their_pages_are_there() {
+    let Some(device) = device() else { return };
+    let scene = Arc::new(PackedScene::pack(&hills()).unwrap());
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("hills.vxt");
+    scene.save_with_levels(&path, LevelCount::Some(3), &mut |_| true).unwrap();
+    let level = Arc::new(Levels::open(&path).unwrap().scene(3).unwrap());
+    let expected = {
+        let mut cpu = CpuTracer::new(None);
+        cpu.set_scene(&scene).unwrap();
+        film(&mut cpu, &frame())
+    };
+    let of_level = {
+        let mut cpu = CpuTracer::new(None);
+        cpu.set_scene(&level).unwrap();
+        film(&mut cpu, &frame().samples(1))
+    };
+    assert!(of_level.pixels != expected.pixels);
+    let fine = tracer_in(Traversal::Walk, 2 << 20).unwrap();
+    let mut tracer = Meanwhile::new(fine, tracer_in(Traversal::Walk, 1 << 30).unwrap());
+    tracer.set_scenes(&scene, &level).unwrap();
+    assert!(tracer.tracer().paged().is_some());
+    let read = |tracer: &mut Meanwhile<VulkanTracer, VulkanTracer>| {
+        let mut film = Film::new(1, 1, Region::full(1, 1), 0);
+        tracer.read(&mut film).unwrap();
+        film
+    };
+    // Nothing is there.
+    let stopped = Progress::default();
+    stopped.cancel();
+    tracer.render(&frame(), &stopped).unwrap();
+    assert!(read(&mut tracer).pixels == of_level.pixels);
+    // Something is there: each pixel is of the scene or of the level.
+    let some = Progress::default();
+    std::thread::scope(|scope| {
+        scope.spawn(|| {
+            while some.samples_done() == 0 {
+                std::thread::sleep(std::time::Duration::from_millis(1));
+            }
+            some.cancel();
+        });
+        tracer.render(&frame(), &some).unwrap();
+    });
+    let mut alone = CpuTracer::new(None);
+    alone.set_scene(&scene).unwrap();
+    let films: Vec<Film> = (1..=3).map(|samples| film(&mut alone, &frame().samples(samples))).collect();
+    let (mut of_scene, mut coarse) = (0, 0);
+    for (index, pixel) in read(&mut tracer).pixels.iter().enumerate() {
+        match films.iter().any(|film| film.pixels[index] == *pixel) {
+            true => of_scene += 1,
+            false if of_level.pixels[index] == *pixel => coarse += 1,
+            false => panic!("pixel {index} is of neither"),
+        }
+    }
+    assert!(of_scene > 0, "{of_scene} of the scene, {coarse} of the level");
+    // All is there.
+    tracer.render(&frame(), &Progress::default()).unwrap();
+    let whole = read(&mut tracer);
+    assert!(whole.pixels == expected.pixels && whole.aovs == expected.aovs);
+    // Another view begins with the level again, and a scene without one with nothing.
+    let other = frame().seed(9);
+    tracer.render(&other, &stopped).unwrap();
+    assert!(read(&mut tracer).pixels.iter().all(|pixel| pixel.samples == 1));
+    tracer.set_scene(&scene).unwrap();
+    tracer.render(&other, &stopped).unwrap();
+    assert!(read(&mut tracer).pixels.iter().all(|pixel| pixel.samples == 0), "the comparison sees what is missing");
     drop(tracer);
     assert_valid(&device);
 }

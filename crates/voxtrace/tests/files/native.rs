@@ -14,7 +14,7 @@ use crate::meshes::Random;
 use forged::{chain, forge};
 use voxtrace::georeference::Georeference;
 use voxtrace::glam::{DAffine3, DVec3, IVec3, Mat3, Vec3};
-use voxtrace::packed::FileErrorKind;
+use voxtrace::packed::{FileErrorKind, LevelCount};
 use voxtrace::{Camera, Material, PackedScene, Scene, Sun, Transform, VoxelGrid};
 use voxtrace_core::packed::MAX_INSTANCE_DEPTH;
 
@@ -76,6 +76,8 @@ fn samples() -> Vec<(&'static str, Vec<u8>)> {
     samples.push(("chain.vxt", chain(MAX_INSTANCE_DEPTH).0));
     PackedScene::pack_merged(&models()).unwrap().save(&path).unwrap();
     samples.push(("merged.vxt", std::fs::read(&path).unwrap()));
+    PackedScene::pack(&deep()).unwrap().save_with_levels(&path, LevelCount::Some(2), &mut |_| true).unwrap();
+    samples.push(("levels.vxt", std::fs::read(&path).unwrap()));
     samples.push(("chain_too_deep.vxt", chain(MAX_INSTANCE_DEPTH + 1).0));
     samples.push(("beyond_the_end.vxt", beyond_the_end()));
     samples

@@ -1,0 +1,88 @@
+//! Levels of detail on the command line: which are written into a native file, and which one is opened.
+
+use crate::failure::Failure;
+use crate::interrupt;
+use crate::load::is_native;
+use crate::report::Report;
+use crate::verbs::convert::save_failure;
+use std::path::Path;
+use voxtrace::PackedScene;
+use voxtrace::packed::{FileErrorKind, LevelCount, Levels, MAX_LEVELS, add_levels};
+
+/// Levels of detail to write.
+#[derive(clap::Args, Clone, Copy, Debug, Default)]
+pub struct LevelsArg {
+    /// Levels of detail to write into the .vxt file, each of voxels twice as wide as those of the one before: a number, or `all`, until the scene is a few voxels wide
+    #[arg(long, value_name = "N|all", value_parser = count)]
+    levels: Option<LevelCount>,
+}
+
+fn count(text: &str) -> Result<LevelCount, String> {
+    if text == "all" {
+        return Ok(LevelCount::All);
+    }
+    let count = text.parse().ok().filter(|count| (1..=MAX_LEVELS).contains(count));
+    count.map(LevelCount::Some).ok_or_else(|| format!("1 to {MAX_LEVELS}, or all"))
+}
+
+impl LevelsArg {
+    /// Refuses files that have no place for levels.
+    pub fn check(self, out: &Path) -> Result<(), Failure> {
+        if self.levels.is_none() || is_native(out) {
+            return Ok(());
+        }
+        let failure = Failure::usage(format!("{}: only .vxt files have levels of detail", out.display()));
+        Err(failure.hint("leave out --levels, or name the file .vxt"))
+    }
+
+    /// Saves a scene, with the levels that are asked for.
+    pub fn save(self, out: &Path, packed: &PackedScene, report: &Report) -> Result<(), Failure> {
+        let saved = match self.levels {
+            None => packed.save(out),
+            Some(count) => packed.save_with_levels(out, count, &mut |level| told(level, report)),
+        };
+        saved.map_err(|error| if interrupt::is_requested() { interrupt::failure() } else { save_failure(out, &error) })
+    }
+
+    /// Adds the levels that are asked for to a file that was written.
+    pub fn add(self, out: &Path, report: &Report) -> Result<(), Failure> {
+        let Some(count) = self.levels else { return Ok(()) };
+        let added = add_levels(out, count, &mut |level| told(level, report));
+        added.map_err(|error| if interrupt::is_requested() { interrupt::failure() } else { save_failure(out, &error) })
+    }
+
+    /// Says that the levels of a file that is read do not come with it.
+    pub fn remark_lost(self, input: &Path, report: &Report) {
+        if self.levels.is_none() && is_native(input) && Levels::open(input).is_ok_and(|levels| levels.count() > 0) {
+            report.remark("levels of detail are left out; --levels makes them anew");
+        }
+    }
+}
+
+/// Says that a level is made; whether to go on.
+fn told(level: u32, report: &Report) -> bool {
+    report.remark(&format!("level {level} of detail is made"));
+    !interrupt::is_requested()
+}
+
+/// Opens a level of a native file.
+pub fn open(path: &Path, level: u32, in_memory: bool) -> Result<PackedScene, Failure> {
+    const HINT: &str = "`voxtrace convert SCENE OUT.vxt --levels all` writes a file with them";
+    if !is_native(path) {
+        let failure = Failure::usage(format!("--level {level}: only .vxt files have levels of detail"));
+        return Err(failure.hint(HINT));
+    }
+    let levels = if in_memory { Levels::read(path) } else { Levels::open(path) };
+    let levels = levels.map_err(Failure::input)?;
+    if level > levels.count() {
+        let found = match levels.count() {
+            0 => "no levels of detail".to_owned(),
+            count => format!("levels of detail up to {count}"),
+        };
+        return Err(
+            Failure::input(format!("{}: it has {found}, and --level {level} asks for more", path.display())).hint(HINT)
+        );
+    }
+    let failure = |kind: FileErrorKind| Failure::input(format!("{}: {kind}", path.display()));
+    levels.scene(level).map_err(failure)
+}
