@@ -186,7 +186,11 @@ fn moments_of(moved: Arc<Moved>, geometry: Option<Arc<Geometry>>, further: Vec<P
         if let Some((_, moment)) = last.as_ref().filter(|(time, _)| *time == seconds) {
             return Ok(moment.clone());
         }
-        let place = |geometry: &Arc<Geometry>, now: &Scene| Placement::of_scene_and(geometry, now, &further);
+        let before = last.as_ref().and_then(|(_, moment)| moment.placement.as_ref());
+        let place = |geometry: &Arc<Geometry>, now: &Scene| match before {
+            Some(before) => before.moved_to_scene_and(geometry, now, &further),
+            None => Placement::of_scene_and(geometry, now, &further),
+        };
         let placed = |now: &Scene| Ok(geometry.as_ref().map(|geometry| place(geometry, now)).transpose()?);
         let (camera, placement) = moved.at(seconds, placed)?;
         let moment = Moment { camera, placement };

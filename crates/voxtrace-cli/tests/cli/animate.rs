@@ -100,6 +100,10 @@ fn a_clip_that_was_broken_off_goes_on_with_its_frames_and_others_are_made_anew()
     let (again, said) = clip(&["--keep-frames"]);
     assert!(again == whole && said.contains("2 frames of an earlier run"), "{said}");
     assert_eq!(said.matches("left out").count(), 2, "{said}");
+    // A frame of another size, as another run may leave it, is named.
+    folder.succeed(&["render", "room.vox", "--size", "24x32", "--spp", "1", "-o", "clip.gif.frames/0003.png"]);
+    let told = folder.fail(&[&["animate", "turn.toml", "-o", "clip.gif"], &SMALL[..]].concat(), 4);
+    assert!(told.contains("0003.png: 24 x 32 pixels, and the first frame has 32 x 24"), "{told}");
     let (other, said) = clip(&["--exposure", "1"]);
     assert!(other != whole && said.contains("6 frames of other settings"), "{said}");
     assert!(!folder.exists("clip.gif.frames"), "what nobody asked for is gone");
