@@ -191,7 +191,14 @@ impl Clip {
                 if interrupt::is_requested() {
                     return Err(io::ErrorKind::Interrupted.into());
                 }
-                let (_, _, pixels) = read_png(&path(frames.start() + frame))?;
+                let file = path(frames.start() + frame);
+                let named =
+                    |what: String| io::Error::new(io::ErrorKind::InvalidInput, format!("{}: {what}", file.display()));
+                let (own_width, own_height, pixels) = read_png(&file).map_err(|error| named(error.to_string()))?;
+                if (own_width, own_height) != (width, height) {
+                    let what = format!("{own_width} x {own_height} pixels, and the first frame has {width} x {height}");
+                    return Err(named(what));
+                }
                 done += 1;
                 report.update(done, None);
                 Ok(pixels)

@@ -11,7 +11,7 @@ use crate::report::Report;
 use crate::volume::VolumeArgs;
 use std::path::{Path, PathBuf};
 use voxtrace::import::{
-    Content, Data, Geometry, ImportError, ImportOptions, Kind, Opened, READERS, parts_not_shown, read_while,
+    ClipChoice, Content, Data, Geometry, ImportError, ImportOptions, Kind, Opened, READERS, parts_not_shown, read_while,
 };
 
 /// How files become scenes.
@@ -30,6 +30,9 @@ pub struct ImportArgs {
     /// Refuse a file of which a part is damaged, instead of reading what is whole
     #[arg(long, help_heading = "Files")]
     strict: bool,
+    /// Which of the animations of a mesh moves it.
+    #[arg(skip)]
+    pub animation: ClipChoice,
 }
 
 impl ImportArgs {
@@ -38,7 +41,7 @@ impl ImportArgs {
         let options = self.volume.import_options(&self.mesh);
         let shell = self.volume.shell();
         let (heights, blocks) = (self.heights.options(shell), self.blocks.options(shell));
-        ImportOptions { heights, blocks, in_memory, strict: self.strict, ..options }
+        ImportOptions { heights, blocks, in_memory, strict: self.strict, animation: self.animation.clone(), ..options }
     }
 
     /// Keeps what is within volumes and heightmaps, unless an option says otherwise: cuts show it.

@@ -1,12 +1,13 @@
 //! Motion blur, for every tracer: each sample of a frame has its own moment within the time that the shutter is open, the same for all pixels.
-//! A [`MovingTracer`] puts things, and the camera, where they are at that moment, lets the tracer within render this one sample, and adds it
-//! to the film. Sums of films are exact, so that the film is that of all samples, in whatever order and on whatever machines they were rendered
+//! A [`MovingTracer`] puts things, and the camera, where they are at that moment, and lets the tracer within add this one sample to its film.
+//! Sums of samples are exact, so that the film is that of all of them, in whatever order and on whatever machines they were rendered
 //! (`docs/decisions/0145-motion-blur.md`).
 
 use crate::dynamic::Patch;
-use crate::film::{Film, Pixel};
+use crate::film::{AovPixel, Film};
 use crate::frame::Frame;
 use crate::packed::{PackedScene, Placement};
+use crate::region::Region;
 use crate::sampler::pcg4d;
 use crate::tracer::{Progress, TraceError, Tracer};
 use std::sync::Arc;
@@ -91,16 +92,89 @@ pub struct MovingTracer {
     tracer: Box<dyn Tracer + Send>,
     shot: Option<Shot>,
     /// The film of a shot that is exposed.
-    film: Option<(Frame, Film)>,
-    /// What the tracer within gave last.
-    part: Film,
+    film: Option<ExposedFilm>,
+}
+
+/// A film that gathers samples of many moments. It grows within the tracer, which keeps it from one moment to the next.
+struct ExposedFilm {
+    frame: Frame,
+    /// Samples that every pixel has.
+    least: u32,
+    /// The film as it was last here: what is left of it where a device is lost.
+    copy: Film,
+    /// Whether the tracer has the film; else it is the copy.
+    is_within: bool,
+    aovs: Option<Vec<AovPixel>>,
+}
+
+impl ExposedFilm {
+    fn new(frame: &Frame, mut film: Film) -> Self {
+        let (aovs, least) = (film.aovs.take(), film.sample_range().0);
+        Self { frame: frame.clone(), least, copy: film, is_within: false, aovs }
+    }
+
+    /// Adds one sample, the next that some pixels lack, to those pixels.
+    fn add_sample(
+        &mut self,
+        tracer: &mut (dyn Tracer + Send),
+        shot: &Shot,
+        progress: &Progress,
+    ) -> Result<(), TraceError> {
+        let moment = (shot.moments)(shot.time_of(self.frame.seed, self.frame.first_sample + self.least))?;
+        let own = self.frame.clone().camera(moment.camera).samples(self.least + 1).aovs(false);
+        if self.is_within {
+            tracer.set_moment(moment.placement.as_ref(), &own)?;
+        } else {
+            if let Some(placement) = &moment.placement {
+                tracer.set_placement(placement)?;
+            }
+            tracer.resume(&own, self.copy.clone())?;
+            self.is_within = true;
+        }
+        tracer.render(&own, progress)?;
+        self.least += 1;
+        // A device that is lost costs half of the samples at most.
+        if progress.is_cancelled() || self.least.is_power_of_two() {
+            self.copy = read(tracer, self.frame.region)?;
+            self.least = self.copy.sample_range().0;
+        }
+        Ok(())
+    }
+
+    /// Takes the AOVs of the middle of the exposure. The tracer must not have the film.
+    fn add_aovs(&mut self, tracer: &mut (dyn Tracer + Send), shot: &Shot) -> Result<(), TraceError> {
+        let moment = shot.middle()?;
+        if let Some(placement) = &moment.placement {
+            tracer.set_placement(placement)?;
+        }
+        tracer.render(&self.frame.clone().camera(moment.camera).samples(1), &Progress::default())?;
+        self.aovs = read(tracer, self.frame.region)?.aovs;
+        Ok(())
+    }
+
+    /// Goes back to the copy where a device was lost with the film.
+    fn after<R>(&mut self, result: Result<R, TraceError>) -> Result<Option<R>, TraceError> {
+        match result {
+            Err(TraceError::DeviceLost { .. }) if self.is_within => {
+                (self.is_within, self.least) = (false, self.copy.sample_range().0);
+                Ok(None)
+            }
+            result => result.map(Some),
+        }
+    }
+}
+
+/// The film of a tracer.
+fn read(tracer: &mut (dyn Tracer + Send), region: Region) -> Result<Film, TraceError> {
+    let mut film = Film::new(0, 0, region, 0);
+    tracer.read(&mut film)?;
+    Ok(film)
 }
 
 impl MovingTracer {
     /// A tracer that moves what `tracer` renders.
     pub fn new(tracer: Box<dyn Tracer + Send>) -> Self {
-        let part = Film::new(0, 0, crate::region::Region::full(0, 0), 0);
-        Self { tracer, shot: None, film: None, part }
+        Self { tracer, shot: None, film: None }
     }
 
     /// Takes the shot that later calls render, and forgets the film. Where nothing moves while it is exposed, things are put where they are
@@ -127,48 +201,15 @@ impl MovingTracer {
         self.shot.clone().filter(|shot| shot.exposure > 0.0)
     }
 
-    /// Adds one sample, the next that some pixels lack, to those pixels.
-    fn add_sample(
-        &mut self,
-        frame: &Frame,
-        shot: &Shot,
-        film: &mut Film,
-        progress: &Progress,
-    ) -> Result<(), TraceError> {
-        let (least, most) = film.sample_range();
-        let sample = frame.first_sample + least;
-        let moment = (shot.moments)(shot.time_of(frame.seed, sample))?;
-        if let Some(placement) = &moment.placement {
-            self.tracer.set_placement(placement)?;
+    /// Brings the film up to the samples that its frame asks for.
+    fn expose(&mut self, film: &mut ExposedFilm, shot: &Shot, progress: &Progress) -> Result<(), TraceError> {
+        if film.frame.aovs && film.aovs.is_none() {
+            film.add_aovs(&mut *self.tracer, shot)?;
         }
-        let own = frame.clone().camera(moment.camera).first_sample(sample).samples(1).aovs(false);
-        if least != most {
-            // Tracers leave pixels alone that have their sample.
-            let is_ahead = |pixel: &Pixel| Pixel { samples: u32::from(pixel.samples > least), ..Pixel::default() };
-            let pixels = film.pixels.iter().map(is_ahead).collect();
-            let ahead = Film { pixels, ..Film::new(frame.width, frame.height, frame.region, sample) };
-            self.tracer.resume(&own, ahead)?;
+        while !progress.is_cancelled() && film.least < film.frame.samples {
+            let added = film.add_sample(&mut *self.tracer, shot, progress);
+            film.after(added)?;
         }
-        self.tracer.render(&own, progress)?;
-        self.tracer.read(&mut self.part)?;
-        for (pixel, part) in film.pixels.iter_mut().zip(&self.part.pixels) {
-            if pixel.samples == least && part.samples == 1 {
-                pixel.merge(part);
-            }
-        }
-        Ok(())
-    }
-
-    /// Fills the film's AOVs: those of the middle of the exposure.
-    fn add_aovs(&mut self, frame: &Frame, shot: &Shot, film: &mut Film) -> Result<(), TraceError> {
-        let moment = shot.middle()?;
-        if let Some(placement) = &moment.placement {
-            self.tracer.set_placement(placement)?;
-        }
-        let own = frame.clone().camera(moment.camera).samples(1);
-        self.tracer.render(&own, &Progress::default())?;
-        self.tracer.read(&mut self.part)?;
-        film.aovs = self.part.aovs.take();
         Ok(())
     }
 }
@@ -199,28 +240,36 @@ impl Tracer for MovingTracer {
         let Some(shot) = self.exposed() else { return self.tracer.render(frame, progress) };
         frame.check()?;
         let mut film = match self.film.take() {
-            Some((last, film)) if frame.continues(&last) => film,
-            _ => Film::new(frame.width, frame.height, frame.region, frame.first_sample),
+            Some(film) if frame.continues(&film.frame) => ExposedFilm { frame: frame.clone(), ..film },
+            _ => ExposedFilm::new(frame, Film::new(frame.width, frame.height, frame.region, frame.first_sample)),
         };
-        let mut result = Ok(());
-        if frame.aovs && film.aovs.is_none() {
-            result = self.add_aovs(frame, &shot, &mut film);
-        }
-        while result.is_ok() && !progress.is_cancelled() && film.sample_range().0 < frame.samples {
-            result = self.add_sample(frame, &shot, &mut film, progress);
-        }
-        self.film = Some((frame.clone(), film));
+        let result = self.expose(&mut film, &shot, progress);
+        self.film = Some(film);
         result
     }
 
     fn read(&mut self, film: &mut Film) -> Result<(), TraceError> {
-        match (self.exposed(), &self.film) {
-            (None, _) => self.tracer.read(film),
-            (Some(_), own) => {
-                film.clone_from(&own.as_ref().ok_or(TraceError::NoFilm)?.1);
-                Ok(())
+        let Some(shot) = self.exposed() else { return self.tracer.read(film) };
+        let mut own = self.film.take().ok_or(TraceError::NoFilm)?;
+        let mut read = || loop {
+            if !own.is_within {
+                film.clone_from(&own.copy);
+                return Ok(());
             }
-        }
+            let (result, had) = (self.tracer.read(film), own.least);
+            if own.after(result)?.is_some() {
+                return Ok(());
+            }
+            // What was lost is rendered again.
+            let wanted = std::mem::replace(&mut own.frame.samples, had);
+            let rendered = self.expose(&mut own, &shot, &Progress::default());
+            own.frame.samples = wanted;
+            rendered?;
+        };
+        let result = read();
+        film.aovs.clone_from(&own.aovs);
+        self.film = Some(own);
+        result
     }
 
     fn resume(&mut self, frame: &Frame, film: Film) -> Result<(), TraceError> {
@@ -229,8 +278,15 @@ impl Tracer for MovingTracer {
         }
         frame.check()?;
         frame.check_film(&film)?;
-        self.film = Some((frame.clone(), film));
+        self.film = Some(ExposedFilm::new(frame, film));
         Ok(())
+    }
+
+    fn set_moment(&mut self, placement: Option<&Placement>, frame: &Frame) -> Result<(), TraceError> {
+        if self.exposed().is_some() {
+            return Err(TraceError::BadFrame("the moments are those of the shot".into()));
+        }
+        self.tracer.set_moment(placement, frame)
     }
 
     fn take_notes(&mut self) -> Vec<String> {

@@ -75,6 +75,15 @@ pub trait Tracer {
     /// [`TraceError::BadFrame`] if the film is not one of this frame: size, region or first sample differ.
     fn resume(&mut self, frame: &Frame, film: Film) -> Result<(), TraceError>;
 
+    /// Puts the grids of the scene elsewhere, or leaves them, and keeps the film as one of `frame`, so that the next render of `frame` adds samples of
+    /// things as they are now. `frame` may differ from that of the film in its camera and its samples.
+    ///
+    /// # Errors
+    /// As [`Self::set_placement`] and [`Self::resume`]; [`TraceError::NoFilm`] before the first render. [`TraceError::DeviceLost`] from this call and
+    /// from later ones of [`Self::render`] and [`Self::read`] where the film was lost with a device: the tracer goes on, but samples of earlier
+    /// moments cannot be made again here.
+    fn set_moment(&mut self, placement: Option<&Placement>, frame: &Frame) -> Result<(), TraceError>;
+
     /// What went wrong and was mended since the last call, one line each, for people.
     fn take_notes(&mut self) -> Vec<String> {
         Vec::new()

@@ -1,6 +1,7 @@
 //! The editable scene: grids, instances, materials, sky and cameras. Packing turns it into the immutable arrays that every
 //! tracer reads.
 
+use crate::animation::Clip;
 use crate::camera::Camera;
 use crate::georeference::Georeference;
 use crate::grid::VoxelGrid;
@@ -42,6 +43,8 @@ pub struct Scene {
     /// What the file that it came from says beyond all this, for the format that wrote it. Clear it to write a scene as if
     /// it came from nowhere.
     pub attachments: Vec<Attachment>,
+    /// Animations of the file: those of a mesh by their names, and the motion of the one that was asked for. Whoever removes instances clears them.
+    pub clips: Vec<Clip>,
 }
 
 /// What a format knows and a scene has no place for, kept beside the scene as it is, so that a file that is read and written

@@ -87,6 +87,7 @@ pub fn bake(scene: &mut Scene, limits: &Limits) -> Result<Baked, BakeError> {
     }
     if baked.instances > 0 {
         scene.attachments.clear();
+        scene.clips.clear();
         drop_unused_grids(scene);
     }
     Ok(baked)
@@ -132,6 +133,7 @@ pub fn flatten(scene: &mut Scene) -> Result<(), BakeError> {
     scene.layers.clear();
     scene.groups.clear();
     scene.attachments.clear();
+    scene.clips.clear();
     scene.add_instance(grid, Transform::from_translation(corner.as_vec3()));
     Ok(())
 }

@@ -37,6 +37,7 @@ pub fn straighten(scene: &mut Scene) -> usize {
             .filter(|_| is_alike)
             .map(|place| Georeference { coordinates_from_world: place.coordinates_from_world * first, ..place });
         scene.attachments.clear();
+        scene.clips.clear();
     }
     straightened
 }

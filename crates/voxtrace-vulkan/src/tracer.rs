@@ -1,6 +1,8 @@
 //! The tracer that outlives its device: what is lost with a device is done again on the same device, opened anew, and on
 //! the CPU if that is lost too.
 
+mod contract;
+
 use crate::accel::AccelReport;
 use crate::allocations::MemoryReport;
 use crate::device::Device;
@@ -15,13 +17,9 @@ use voxtrace_core::CpuTracer;
 use voxtrace_core::Film;
 use voxtrace_core::Frame;
 use voxtrace_core::PackedScene;
-use voxtrace_core::Patch;
 use voxtrace_core::Progress;
 use voxtrace_core::TraceError;
 use voxtrace_core::Tracer;
-use voxtrace_core::packed::Placement;
-use voxtrace_scene::Hit;
-use voxtrace_scene::Ray;
 
 /// A device that is lost twice within this time is not tried again.
 const BETWEEN_LOSSES: Duration = Duration::from_secs(60);
@@ -43,6 +41,8 @@ pub struct VulkanTracer {
     /// When that was, or when the film began.
     copied: Instant,
     last_loss: Option<Instant>,
+    /// Whether the film has samples of other moments, which cannot be rendered again.
+    is_carried: bool,
     notes: Vec<String>,
     device: Arc<Device>,
 }
@@ -72,6 +72,7 @@ impl VulkanTracer {
             rendered: None,
             copied: Instant::now(),
             last_loss: None,
+            is_carried: false,
             notes: Vec::new(),
             device,
         })
@@ -214,8 +215,17 @@ impl VulkanTracer {
         }
     }
 
-    /// Opens the device anew, or turns to the CPU, and puts scene and film back.
+    /// Opens the device anew, or turns to the CPU, and puts scene and film back; fails where the film cannot be.
     fn recover(&mut self, last_pass: &str) -> Result<(), TraceError> {
+        if !std::mem::take(&mut self.is_carried) {
+            return self.open_again(last_pass);
+        }
+        (self.copy, self.rendered) = (None, None);
+        self.open_again(last_pass)?;
+        Err(TraceError::DeviceLost { last_pass: last_pass.into() })
+    }
+
+    fn open_again(&mut self, last_pass: &str) -> Result<(), TraceError> {
         let report = self.device.fault_report();
         let written = report.and_then(|report| write_report(&report));
         let where_to_read = written.map_or(String::new(), |path| format!("; the driver's report is in {path}"));
@@ -350,127 +360,4 @@ fn write_report(report: &str) -> Option<String> {
     let path = std::env::temp_dir().join(format!("voxtrace-gpu-fault-{}.txt", std::process::id()));
     std::fs::write(&path, report).ok()?;
     Some(path.display().to_string())
-}
-
-impl Tracer for VulkanTracer {
-    fn set_scene(&mut self, scene: &Arc<PackedScene>) -> Result<(), TraceError> {
-        (self.scene, self.copy, self.rendered) = (None, None, None);
-        self.attempt(|backend| match backend {
-            Backend::Device(worker) => worker.set_scene(scene),
-            Backend::Cpu(cpu) => cpu.set_scene(scene),
-            Backend::None => Err(TraceError::NoScene),
-        })?;
-        self.scene = Some(Arc::clone(scene));
-        if let Backend::Device(worker) = &self.backend
-            && let Some((bytes, room)) = worker.room()
-        {
-            let gigabytes = |bytes: u64| format!("{:.3} GB", bytes as f64 * 1e-9);
-            self.notes.push(format!(
-                "the scene is larger than the memory of {}: rays bring what they come to of {}, {} at a time",
-                self.device.info().name,
-                gigabytes(bytes),
-                gigabytes(room)
-            ));
-        }
-        Ok(())
-    }
-
-    fn patch(&mut self, patch: &Patch) -> Result<(), TraceError> {
-        let scene = self.scene.as_mut().ok_or(TraceError::NoScene)?;
-        if patch.is_empty() {
-            return Ok(());
-        }
-        // Nobody else of ours holds the scene while it is changed, or all of it would be copied.
-        if let Backend::Device(worker) = &mut self.backend {
-            worker.release();
-        }
-        let followed = Arc::make_mut(scene).apply_patch(patch);
-        let scene = Arc::clone(scene);
-        if let Err(out_of_step) = followed {
-            if let Backend::Device(worker) = &mut self.backend {
-                worker.hold(&scene);
-            }
-            return Err(out_of_step.into());
-        }
-        (self.copy, self.rendered) = (None, None);
-        let result = match &mut self.backend {
-            Backend::Device(worker) => worker.patch(&scene, patch),
-            Backend::Cpu(cpu) => cpu.set_scene(&scene),
-            Backend::None => Err(TraceError::NoScene),
-        };
-        let result = match result {
-            // It is opened anew with the scene as it is now.
-            Err(TraceError::DeviceLost { last_pass }) => self.recover(&last_pass),
-            result => result,
-        };
-        if result.is_err() {
-            self.scene = None;
-        }
-        result
-    }
-
-    fn set_placement(&mut self, placement: &Placement) -> Result<(), TraceError> {
-        let scene = self.scene.as_ref().ok_or(TraceError::NoScene)?;
-        let scene = Arc::new(scene.with_placement(placement)?);
-        (self.copy, self.rendered) = (None, None);
-        // A device that is lost meanwhile is opened anew with the scene as it was, and then asked again.
-        let result = self.attempt(|backend| match backend {
-            Backend::Device(worker) => worker.set_placement(&scene),
-            Backend::Cpu(cpu) => cpu.set_placement(placement),
-            Backend::None => Err(TraceError::NoScene),
-        });
-        self.scene = result.is_ok().then_some(scene);
-        result
-    }
-
-    fn cast_into(&mut self, rays: &[Ray], hits: &mut [Hit]) -> Result<(), TraceError> {
-        let scene = self.scene.clone();
-        self.attempt(|backend| match backend {
-            Backend::Device(worker) => {
-                worker.cast(rays, hits)?;
-                scene.iter().for_each(|scene| scene.turn_to_parts(hits));
-                Ok(())
-            }
-            Backend::Cpu(cpu) => cpu.cast_into(rays, hits),
-            Backend::None => Err(TraceError::NoScene),
-        })
-    }
-
-    fn render(&mut self, frame: &Frame, progress: &Progress) -> Result<(), TraceError> {
-        self.render_with(frame, progress, None)
-    }
-
-    fn read(&mut self, film: &mut Film) -> Result<(), TraceError> {
-        loop {
-            let result = match &mut self.backend {
-                Backend::Device(worker) => worker.read(film),
-                Backend::Cpu(cpu) => cpu.read(film),
-                Backend::None => Err(TraceError::NoFilm),
-            };
-            let Err(TraceError::DeviceLost { last_pass }) = result else { return result };
-            self.recover(&last_pass)?;
-            // Renders again what was not copied before.
-            if let Some(frame) = self.rendered.clone() {
-                self.render(&frame, &Progress::default())?;
-            }
-        }
-    }
-
-    fn resume(&mut self, frame: &Frame, film: Film) -> Result<(), TraceError> {
-        frame.check()?;
-        frame.check_film(&film)?;
-        self.rendered = None;
-        self.copy = Some((frame.clone(), film));
-        let copy = self.copy.clone();
-        let Some((frame, film)) = &copy else { return Ok(()) };
-        self.attempt(|backend| match backend {
-            Backend::Device(worker) => worker.resume(frame, film),
-            Backend::Cpu(cpu) => cpu.resume(frame, film.clone()),
-            Backend::None => Err(TraceError::NoFilm),
-        })
-    }
-
-    fn take_notes(&mut self) -> Vec<String> {
-        std::mem::take(&mut self.notes)
-    }
 }

@@ -20,6 +20,8 @@ const EXAMPLES: [&str; 8] =
 /// The clip of the README: options of `render`, and those of ImageMagick's `convert`.
 const FLIGHT: [&str; 6] = ["--frames", "1..40", "--size", "320x200", "--spp", "20"];
 const FLIGHT_WEBP: [&str; 8] = ["-delay", "8", "-loop", "0", "-quality", "50", "-define", "webp:method=6"];
+/// The clip of `docs/animation.md`, `growing.gif`, of `growing.toml`: options of `animate`.
+const GROWING: [&str; 5] = ["--size", "320x180", "--spp", "8", "--denoise"];
 /// The pictures of materials, `docs/pictures/materials/NAME.webp`: their name here, and options of `convert`.
 const MATERIALS: &str = "material-gallery";
 const MATERIALS_WEBP: [&str; 4] = ["-quality", "88", "-define", "webp:method=6"];
@@ -35,6 +37,7 @@ pub fn render(names: &[&str]) -> Result<(), String> {
         SCENES.iter().map(|(scene, _)| *scene).chain(EXAMPLES).chain(FOLDERS.map(|(example, _)| example)).chain([
             "thumbnails",
             "flight",
+            "growing",
             MATERIALS,
         ])
     };
@@ -54,6 +57,10 @@ pub fn render(names: &[&str]) -> Result<(), String> {
     }
     if is_wanted("flight") {
         flight(&folder)?;
+    }
+    if is_wanted("growing") {
+        let program = ["run", "--release", "--package", "voxtrace-cli", "--", "animate", "growing.toml"];
+        run(Command::new(env!("CARGO")).current_dir(&folder).args(program).args(GROWING).args(["-o", "growing.gif"]))?;
     }
     if is_wanted(MATERIALS) {
         materials(&folder.join("materials"))?;

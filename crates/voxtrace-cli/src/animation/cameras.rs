@@ -7,14 +7,14 @@ use crate::failure::Failure;
 use std::path::Path;
 use voxtrace::Camera;
 use voxtrace::animation::{CameraMotion, CameraTrack, LookAt};
-use voxtrace::camera::{Flight, Lens};
+use voxtrace::camera::{Flight, Handles, Lens};
 use voxtrace::glam::Vec3;
 use voxtrace::packed::Outline;
 
 /// Keys of the camera.
 const KEYS: [&str; 9] = ["name", "path", "ease", "start", "seconds", "orbit", "turns_per_second", "look_at", "focus"];
 /// Keys that a camera has anywhere.
-const CAMERA_KEYS: [&str; 14] = [
+const CAMERA_KEYS: [&str; 17] = [
     "at",
     "camera",
     "bookmark",
@@ -29,6 +29,9 @@ const CAMERA_KEYS: [&str; 14] = [
     "blade_rotation",
     "view_height",
     "fisheye_angle",
+    "handle_in",
+    "handle_out",
+    "corner",
 ];
 
 /// What cameras are looked up in.
@@ -79,6 +82,7 @@ pub fn track(table: &Table, around: &Surroundings) -> Result<CameraTrack, Failur
 fn flight(table: &Table, path: &[Table], around: &Surroundings) -> Result<CameraMotion, Failure> {
     let cameras =
         path.iter().map(|key| camera(key, around).and_then(around.with_lens)).collect::<Result<Vec<_>, _>>()?;
+    let handles = path.iter().map(handles).collect::<Result<Vec<_>, _>>()?;
     let ease = table.choice("ease", &EASES)?.unwrap_or_default();
     if path.iter().any(|key| key.has("at")) {
         for key in ["seconds", "start"] {
@@ -89,13 +93,23 @@ fn flight(table: &Table, path: &[Table], around: &Surroundings) -> Result<Camera
         let times = Table::times(path)?;
         let (start, end) = (times[0], times[times.len() - 1]);
         let keys: Vec<(f64, Camera)> = times.into_iter().zip(cameras).collect();
-        let flight = Flight::timed(&keys).map_err(|reason| table.fault_at("path", reason))?;
+        let flight = Flight::timed_with(&keys, &handles).map_err(|reason| table.fault_at("path", reason))?;
         return Ok(CameraMotion::Flight { flight: flight.into(), start, seconds: end - start, ease });
     }
     let start = table.number("start")?.unwrap_or(0.0);
     let seconds = table.positive("seconds")?.unwrap_or((around.last - start).max(f64::MIN_POSITIVE));
-    let flight = Flight::through(&cameras).map_err(|reason| table.fault_at("path", reason))?;
+    let flight = Flight::through_with(&cameras, &handles).map_err(|reason| table.fault_at("path", reason))?;
     Ok(CameraMotion::Flight { flight: flight.into(), start, seconds, ease })
+}
+
+/// The handles of a camera of a path.
+fn handles(key: &Table) -> Result<Handles, Failure> {
+    let handle = |name: &str| Ok::<_, Failure>(key.vector(name)?.map(|handle| handle.as_vec3()));
+    let (arriving, leaving) = (handle("handle_in")?, handle("handle_out")?);
+    let handles = Handles { arriving, leaving, is_corner: key.flag("corner")?.unwrap_or(false) };
+    let at = if leaving.is_some() { "handle_out" } else { "handle_in" };
+    handles.check().map_err(|reason| key.fault_at(at, reason))?;
+    Ok(handles)
 }
 
 /// One camera of a path: by name, by the number of a bookmark, or by where it stands.

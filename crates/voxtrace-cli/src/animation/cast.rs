@@ -3,7 +3,7 @@
 use super::{DEFAULT_FPS, DEFAULT_KEY_FPS, Director, objects};
 use crate::failure::Failure;
 use crate::views::ViewArgs;
-use voxtrace::animation::{Animation, Curve, keyframe_count};
+use voxtrace::animation::{Animation, Curve, NodeMotion, Playback, keyframe_count, playing};
 use voxtrace::changes::{PartName, show_parts};
 use voxtrace::import::Content;
 use voxtrace::packed::Outline;
@@ -34,13 +34,21 @@ impl Director {
         let (base, untouched) = self.base_of(content, shown)?;
         let outline = Outline::of_scene(&base);
         let keyframes = keyframe_count(&base);
+        let clip = self.clip_of(&base)?;
         let script = self.script.as_ref();
-        let is_alone = script.is_none() && keyframes > 0 && view.turntable.is_none() && view.flight.is_none();
+        let is_alone =
+            script.is_none() && keyframes > 0 && clip.is_none() && view.turntable.is_none() && view.flight.is_none();
         let usual = if is_alone { DEFAULT_KEY_FPS } else { DEFAULT_FPS };
         let fps = self.args.fps.or(script.and_then(|script| script.fps)).unwrap_or(usual);
         let keyframe_rate = self.args.key_fps.or(script.and_then(|script| script.key_fps)).unwrap_or(fps);
         let mut animation = Animation { keyframe_rate, ..Animation::default() };
+        animation.clip = match script.is_some_and(|script| script.animation_repeats) {
+            true => Playback::Repeated,
+            false => Playback::Once,
+        };
         let mut has_camera = view.turntable.is_some() || view.flight.is_some();
+        let clip_seconds = clip.map(|(seconds, _)| seconds);
+        let clip_has_camera = clip.is_some_and(|(_, motion)| !motion.cameras.is_empty());
         if let Some(script) = script {
             script.with_table(|table| {
                 for object in table.tables("object")? {
@@ -54,14 +62,15 @@ impl Director {
         }
         let is_moving = animation.moves_objects(&base);
         let has_light = animation.sun.is_some() || animation.sky_brightness.is_some();
-        if !(is_moving || has_camera || has_light) {
+        if !(is_moving || has_camera || has_light || clip_has_camera) {
             let failure = Failure::usage(format!("nothing moves in {}", base.name));
             return Err(failure.hint(
                 "--turntable or --flight TOML move the camera, and docs/animation.md says how a TOML moves objects",
             ));
         }
-        let of_keys =
-            (keyframes > 0).then(|| (f64::from(keyframes) / keyframe_rate * fps).round().clamp(1.0, 1e6) as u32);
+        let frames_of = |seconds: f64| (seconds * fps).round().clamp(1.0, 1e6) as u32;
+        let of_keys = (keyframes > 0).then(|| frames_of(f64::from(keyframes) / keyframe_rate));
+        let of_keys = of_keys.max(clip_seconds.map(frames_of));
         let of_range = view.frames.as_ref().map(|frames| *frames.end());
         let total = self.total(view, fps).or(if has_camera { of_range.or(of_keys) } else { of_keys.or(of_range) });
         let Some(total) = total.or((has_camera && script.is_none()).then_some(120)) else {
@@ -76,6 +85,25 @@ impl Director {
             _ => Content::Scene(cast.all_at_once().into()),
         };
         Ok((content, cast))
+    }
+
+    /// How long the clip lasts that the scene brings along, in seconds, and what moves in it; faults where another one was asked for.
+    fn clip_of<'s>(&self, scene: &'s Scene) -> Result<Option<(f64, &'s NodeMotion)>, Failure> {
+        let playing = playing(scene);
+        match self.clip() {
+            Some(name) if playing.is_none() => {
+                let known = scene.clips.iter().enumerate();
+                let known: Vec<String> = known.map(|(index, clip)| format!("{} {:?}", index + 1, clip.name)).collect();
+                let is_there = scene.clips.iter().any(|clip| clip.name == name);
+                let what = if is_there { "nothing moves in the animation" } else { "there is no animation" };
+                let failure = Failure::usage(format!("{what} {name:?} of {}", scene.name));
+                Err(match known.is_empty() {
+                    true => failure.hint("files of glTF bring animations along, and this one has none"),
+                    false => failure.hint(format!("it has {}", known.join(", "))),
+                })
+            }
+            _ => Ok(playing),
+        }
     }
 
     /// The scene as it can be changed, and the content as it was where that is to be packed if nothing moves. A packed scene is only taken
@@ -122,11 +150,12 @@ impl Cast {
     fn all_at_once(&self) -> Scene {
         let mut all = self.base.clone();
         let length = f64::from(self.total) / self.fps;
+        let moves = self.animation.moving(&self.base);
         let mut further: Vec<Instance> = Vec::new();
         for look in 0..LOOKS {
             let now = self.animation.scene_at(&self.base, length * f64::from(look) / f64::from(LOOKS));
             for (index, instance) in now.instances.into_iter().enumerate() {
-                if now_visible(&self.base, &instance) && self.animation.moves(&self.base, index) {
+                if now_visible(&self.base, &instance) && moves[index] {
                     further.push(Instance { keyframes: Vec::new(), repeats: None, name: String::new(), ..instance });
                 }
             }

@@ -32,6 +32,9 @@ pub struct MotionArgs {
     /// Frames a second of the keyframes that a file brings along [default: as --fps]
     #[arg(long, value_name = "N", value_parser = rate)]
     pub key_fps: Option<f64>,
+    /// Which of the animations of a glTF file, by name or number [default: the first; `info` lists them]
+    #[arg(long, value_name = "NAME")]
+    pub animation: Option<String>,
     /// Share of a frame's time in which the shutter is open: motion is blurred [default: 0]
     #[arg(long, value_name = "SHARE", value_parser = parse::share)]
     pub shutter: Option<f32>,
@@ -52,6 +55,11 @@ impl Director {
     /// The frames to render, where that is known before the scene is.
     pub fn frames(&self, view: &ViewArgs) -> Option<RangeInclusive<u32>> {
         view.frames.clone().or_else(|| self.total(view, DEFAULT_FPS).map(|total| 1..=total))
+    }
+
+    /// Which of the file's animations moves it.
+    pub fn clip(&self) -> Option<&str> {
+        self.args.animation.as_deref().or_else(|| self.script.as_ref()?.animation.as_deref())
     }
 
     /// How many frames the whole has, where the file or an option says it.

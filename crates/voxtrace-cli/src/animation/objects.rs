@@ -3,7 +3,7 @@
 use super::table::Table;
 use crate::failure::Failure;
 use voxtrace::Scene;
-use voxtrace::animation::{Ease, Interpolation, Motion, ObjectTrack, PoseKey, SmoothPath, middle_of, rotation};
+use voxtrace::animation::{Ease, Interpolation, Motion, ObjectTrack, PoseKey, SmoothPath, bounds_of, rotation};
 use voxtrace::changes::PartName;
 use voxtrace::glam::{DQuat, DVec3};
 use voxtrace::packed::Outline;
@@ -26,6 +26,23 @@ pub fn objects_of(table: &Table, key: &str, name: &str, outline: &Outline) -> Re
         .map_err(|error| table.fault_at(key, error).hint("`voxtrace info` lists layers, groups and objects"))
 }
 
+/// Numbers of objects, first to last: `1..200`.
+fn range_of(name: &str) -> Option<(usize, usize)> {
+    let (first, last) = name.split_once("..")?;
+    Some((first.trim().parse().ok()?, last.trim().parse().ok()?))
+}
+
+/// The point about which objects turn and grow: one that is said, their middle, or that of their underside.
+fn pivot_of(table: &Table, instances: &[usize], scene: &Scene) -> Result<DVec3, Failure> {
+    let (min, max) = bounds_of(scene, instances).unwrap_or_default();
+    let middle = ((min + max) * 0.5).as_dvec3();
+    if !table.is_text("pivot") {
+        return Ok(table.vector("pivot")?.unwrap_or(middle));
+    }
+    let foot = middle.with_z(min.z.into());
+    Ok(table.choice("pivot", &[("middle", middle), ("foot", foot)])?.unwrap_or(middle))
+}
+
 /// The tracks of an `[[object]]`: one for all of it, or with `each` one for each object.
 pub fn tracks(table: &Table, scene: &Scene, outline: &Outline) -> Result<Vec<ObjectTrack>, Failure> {
     table.only(&KEYS)?;
@@ -36,7 +53,14 @@ pub fn tracks(table: &Table, scene: &Scene, outline: &Outline) -> Result<Vec<Obj
     };
     let mut instances = Vec::new();
     for (key, name) in names {
-        instances.extend(objects_of(table, key, name, outline)?);
+        match range_of(name) {
+            Some((first, last)) if first <= last && last < outline.objects.len() => instances.extend(first..=last),
+            Some(_) => {
+                let message = format!("there are objects 0 to {}", outline.objects.len().saturating_sub(1));
+                return Err(table.fault_at(key, message));
+            }
+            None => instances.extend(objects_of(table, key, name, outline)?),
+        }
     }
     instances.sort_unstable();
     instances.dedup();
@@ -48,8 +72,7 @@ pub fn tracks(table: &Table, scene: &Scene, outline: &Outline) -> Result<Vec<Obj
 }
 
 fn track(table: &Table, instances: Vec<usize>, scene: &Scene) -> Result<ObjectTrack, Failure> {
-    let middle = middle_of(scene, &instances).map_or(DVec3::ZERO, |middle| middle.as_dvec3());
-    let pivot = table.vector("pivot")?.unwrap_or(middle);
+    let pivot = pivot_of(table, &instances, scene)?;
     let mut motions = Vec::new();
     if let Some(spin) = table.table("spin")? {
         spin.only(&["axis", "turns_per_second", "pivot"])?;

@@ -8,8 +8,22 @@ use voxtrace::scenes;
 /// Largest file that is read.
 const MOST_BYTES: u64 = 16 << 20;
 /// Keys at the top of the file.
-const KEYS: [&str; 12] =
-    ["scene", "fps", "frames", "seconds", "shutter", "key_fps", "bookmarks", "camera", "object", "sun", "sky", "note"];
+const KEYS: [&str; 14] = [
+    "scene",
+    "fps",
+    "frames",
+    "seconds",
+    "shutter",
+    "key_fps",
+    "animation",
+    "animation_repeats",
+    "bookmarks",
+    "camera",
+    "object",
+    "sun",
+    "sky",
+    "note",
+];
 
 /// The file.
 #[derive(Debug)]
@@ -23,6 +37,10 @@ pub struct Script {
     pub seconds: Option<f64>,
     pub shutter: Option<f64>,
     pub key_fps: Option<f64>,
+    /// Which of the file's animations moves it.
+    pub animation: Option<String>,
+    /// Whether that one begins again when it is over.
+    pub animation_repeats: bool,
     /// The file of bookmarks that cameras are named by.
     pub bookmarks: Option<PathBuf>,
 }
@@ -67,6 +85,8 @@ impl Script {
         if shutter.is_some_and(|share| !(0.0..=1.0).contains(&share)) {
             return Err(top.fault_at("shutter", "a share of a frame's time is needed, from 0 to 1"));
         }
+        let animation = top.words("animation")?.map(str::to_owned);
+        let animation_repeats = top.flag("animation_repeats")?.unwrap_or(false);
         let (key_fps, bookmarks) = (top.positive("key_fps")?, top.words("bookmarks")?.map(beside));
         let script = Self {
             path: path.to_owned(),
@@ -76,6 +96,8 @@ impl Script {
             seconds,
             shutter,
             key_fps,
+            animation,
+            animation_repeats,
             bookmarks,
             text: String::new(),
         };

@@ -7,15 +7,17 @@ use crate::views::{View, ViewArgs};
 use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
-use voxtrace::animation::{Animation, CameraMotion, CameraTrack};
+use voxtrace::animation::{Animation, Attached, CameraMotion, CameraTrack, playing};
 use voxtrace::camera::Flight;
 use voxtrace::changes::{PartName, SunSetting};
 use voxtrace::motion::{Moment, Moments, Shot};
 use voxtrace::output::SceneStamp;
+use voxtrace::packed::PackedInstance;
 use voxtrace::{Camera, Geometry, PackedScene, Placement, Scene, TraceError};
 
 /// A scene in motion.
 pub struct Stage {
+    moved: Arc<Moved>,
     moments: Moments,
     animation: Arc<Animation>,
     fps: f64,
@@ -62,12 +64,14 @@ impl Cast {
         let further: Vec<_> = scene.instances().iter().filter(|own| own.scene_instance >= objects).copied().collect();
         let animation = Arc::new(self.animation);
         let geometry = self.is_moving.then(|| Arc::clone(scene.geometry()));
-        let moments = moments_of(self.base, Arc::clone(&animation), geometry, further);
+        let moved = Moved { now: Mutex::new(self.base.clone()), base: self.base, animation: Arc::clone(&animation) };
+        let moved = Arc::new(moved);
+        let moments = moments_of(Arc::clone(&moved), geometry, further);
         if let Some(placement) = moments(0.0).map_err(trace_failure)?.placement {
             *scene = scene.with_placement(&placement).map_err(Failure::other)?;
         }
         let (fps, shutter, is_physical) = (self.fps, self.shutter, setting.is_physical);
-        Ok(Stage { moments, animation, fps, shutter, frames, is_physical })
+        Ok(Stage { moved, moments, animation, fps, shutter, frames, is_physical })
     }
 
     /// The camera: options come before the file.
@@ -104,8 +108,43 @@ impl Cast {
             })
         });
         match of_script.transpose()?.flatten() {
+            Some(CameraTrack { motion: CameraMotion::Still(camera), look_at, focuses_on_target }) => {
+                Ok(CameraTrack { motion: self.on_its_node(camera), look_at, focuses_on_target })
+            }
             Some(track) => Ok(track),
-            None => Ok(CameraTrack::new(CameraMotion::Still(camera()?))),
+            None => {
+                let mut camera = camera()?;
+                // Where nothing else moves, it is the camera that does.
+                if let Some(moving) = self.first_moving_camera().filter(|_| !self.is_moving && !view.says_camera()) {
+                    camera = (setting.with_lens)(moving.clone())?;
+                }
+                Ok(CameraTrack::new(self.on_its_node(camera)))
+            }
+        }
+    }
+
+    /// The first camera that the file moves.
+    fn first_moving_camera(&self) -> Option<&Camera> {
+        let (_, motion) = playing(&self.base)?;
+        self.base.cameras.get(motion.cameras.iter().map(|own| own.index).min()?)
+    }
+
+    /// A camera as the file moves it: where it is one of those that hang on a node, and stands where that has it.
+    fn on_its_node(&self, camera: Camera) -> CameraMotion {
+        let clip = self.base.clips.iter().find(|clip| clip.motion.is_some());
+        let own = clip.and_then(|clip| {
+            let is_it = |own: &&Attached| {
+                self.base.cameras.get(own.index).is_some_and(|own| {
+                    (&own.name, own.eye, own.target, own.up) == (&camera.name, camera.eye, camera.target, camera.up)
+                })
+            };
+            clip.motion.as_ref()?.cameras.iter().find(is_it).copied()
+        });
+        match clip.zip(own) {
+            Some((clip, own)) => {
+                CameraMotion::OnNode { camera, clip: clip.clone(), playback: self.animation.clip, own }
+            }
+            None => CameraMotion::Still(camera),
         }
     }
 }
@@ -117,21 +156,46 @@ fn bookmarks_beside(file: &Path) -> Option<PathBuf> {
     Some(file.with_file_name(format!("{stem}.cameras.toml")))
 }
 
-fn moments_of(
+/// The scene that is moved about, so that names and keyframes of thousands of objects are not copied for each moment.
+struct Moved {
     base: Scene,
+    now: Mutex<Scene>,
     animation: Arc<Animation>,
-    geometry: Option<Arc<Geometry>>,
-    further: Vec<voxtrace::packed::PackedInstance>,
-) -> Moments {
-    // One scene is moved about, so that names and keyframes of thousands of objects are not copied for each moment.
-    let now = Mutex::new(base.clone());
-    Arc::new(move |seconds| {
-        let mut now = now.lock().unwrap_or_else(PoisonError::into_inner);
-        animation.apply(&base, &mut now, seconds);
-        let camera = animation.camera_at(&now, seconds);
+}
+
+impl Moved {
+    /// The camera at a time, and what `place` makes of the scene as it is then.
+    fn at<R>(
+        &self,
+        seconds: f64,
+        place: impl FnOnce(&Scene) -> Result<R, TraceError>,
+    ) -> Result<(Camera, R), TraceError> {
+        let mut now = self.now.lock().unwrap_or_else(PoisonError::into_inner);
+        self.animation.apply(&self.base, &mut now, seconds);
+        let camera = self.animation.camera_at(&now, seconds);
         let camera = camera.ok_or_else(|| TraceError::BadFrame("the animation has no camera".into()))?;
-        let place = |geometry: &Arc<Geometry>| Placement::of_scene_and(geometry, &now, &further);
-        Ok(Moment { camera, placement: geometry.as_ref().map(place).transpose()? })
+        Ok((camera, place(&now)?))
+    }
+}
+
+/// The moments of a scene; the last one is kept, as a frame asks for its middle several times.
+fn moments_of(moved: Arc<Moved>, geometry: Option<Arc<Geometry>>, further: Vec<PackedInstance>) -> Moments {
+    let last: Mutex<Option<(f64, Moment)>> = Mutex::new(None);
+    Arc::new(move |seconds| {
+        let mut last = last.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some((_, moment)) = last.as_ref().filter(|(time, _)| *time == seconds) {
+            return Ok(moment.clone());
+        }
+        let before = last.as_ref().and_then(|(_, moment)| moment.placement.as_ref());
+        let place = |geometry: &Arc<Geometry>, now: &Scene| match before {
+            Some(before) => before.moved_to_scene_and(geometry, now, &further),
+            None => Placement::of_scene_and(geometry, now, &further),
+        };
+        let placed = |now: &Scene| Ok(geometry.as_ref().map(|geometry| place(geometry, now)).transpose()?);
+        let (camera, placement) = moved.at(seconds, placed)?;
+        let moment = Moment { camera, placement };
+        *last = Some((seconds, moment.clone()));
+        Ok(moment)
     })
 }
 
@@ -145,7 +209,9 @@ impl Stage {
     /// The views of the frames to render, each with the camera of the middle of its exposure.
     pub fn views(&self) -> Result<Vec<View>, Failure> {
         let view = |frame| {
-            let camera = self.shot(frame).middle().map_err(trace_failure)?.camera;
+            let shot = self.shot(frame);
+            // Where things are then is looked up when it is their turn.
+            let (camera, ()) = self.moved.at(shot.opens + 0.5 * shot.exposure, |_| Ok(())).map_err(trace_failure)?;
             Ok(View { camera, camera_suffix: None, frame: Some(frame) })
         };
         self.frames.clone().map(view).collect()

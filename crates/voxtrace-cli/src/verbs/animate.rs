@@ -7,6 +7,7 @@ use crate::failure::{Failure, Kind};
 use crate::outputs;
 use crate::report::Report;
 use std::path::{Path, PathBuf};
+use voxtrace::import::ClipChoice;
 
 /// Render the frames of an animation, as pictures or as a clip
 ///
@@ -58,6 +59,8 @@ impl AnimateArgs {
             clip.make_folder(&settings, Path::new(self.render.scene.scene()), report)?;
         }
         self.render.picture.output = frames;
+        let asked = self.motion.animation.clone().or_else(|| script.as_ref()?.animation.clone());
+        self.render.scene.import.animation = asked.map_or(ClipChoice::First, ClipChoice::Named);
         let director = Director { script, args: self.motion.clone() };
         let rendered = self.render.clone().run_directed(Some(&director), &mut |stage| clip.learn(stage), report);
         if rendered.is_err() {

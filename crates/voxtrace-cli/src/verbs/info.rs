@@ -6,7 +6,7 @@ use crate::failure::Failure;
 use crate::load::{SceneArgs, into_packed, is_native};
 use crate::report::Report;
 use serde_json::{Map, Value, json};
-use voxtrace::animation::keyframe_count;
+use voxtrace::animation::{Clip, keyframe_count};
 use voxtrace::import::{Content, vox};
 use voxtrace::packed::{LevelSummary, Levels, Outline, Statistics};
 use voxtrace::scene::Unit;
@@ -45,16 +45,20 @@ impl InfoArgs {
         };
         let levels = self.levels()?;
         let frames = scene.as_ref().map_or(0, |scene| keyframe_count(scene));
+        let clips = scene.as_ref().map_or_else(Vec::new, |scene| scene.clips.clone());
         if self.json {
             let mut value = as_json(&packed, &statistics, &left_out);
             value["warnings"] = report.warnings().into();
             value["frames"] = frames.into();
             value["levels"] =
                 levels.iter().map(|level| json!({ "voxels": level.voxels, "bytes": level.bytes })).collect();
+            let animation = |clip: &Clip| json!({ "name": clip.name, "seconds": clip.seconds });
+            value["animations"] = clips.iter().map(animation).collect();
             crate::stdout::print(&format!("{value:#}\n"));
         } else {
             let hidden = scene.map_or(0, |scene| scene.instances.len() - packed.instance_count());
-            crate::stdout::print(&(as_text(&packed, &statistics, (hidden, frames), &left_out) + &levels_text(&levels)));
+            let times = times_of(frames, &clips);
+            crate::stdout::print(&(as_text(&packed, &statistics, (hidden, &times), &left_out) + &levels_text(&levels)));
         }
         Ok(())
     }
@@ -146,7 +150,7 @@ fn as_json(packed: &PackedScene, statistics: &Statistics, left_out: &LeftOut) ->
 fn as_text(
     packed: &PackedScene,
     statistics: &Statistics,
-    (hidden, frames): (usize, u32),
+    (hidden, times): (usize, &[(&str, String)]),
     left_out: &LeftOut,
 ) -> String {
     let mut text = String::new();
@@ -175,9 +179,7 @@ fn as_text(
     for (what, names) in parts_of(&packed.outline) {
         line(what, names);
     }
-    if frames > 0 {
-        line("frames", format!("{} of keyframes, which `voxtrace animate` plays", grouped(frames.into())));
-    }
+    times.iter().for_each(|(name, value)| line(name, value.clone()));
     line("materials", grouped(statistics.materials));
     line("emissive voxels", grouped(statistics.emissive_voxels));
     let cameras: Vec<&str> = packed.cameras.iter().map(|camera| camera.name.as_str()).collect();
@@ -195,6 +197,26 @@ fn as_text(
     }
     line("bytes per voxel", format!("{:.3} (all but the lights)", statistics.bytes_per_voxel));
     text
+}
+
+/// The lines about keyframes and animations that `animate` plays.
+fn times_of(frames: u32, clips: &[Clip]) -> Vec<(&'static str, String)> {
+    let mut lines = Vec::new();
+    if frames > 0 {
+        lines.push(("frames", format!("{} of keyframes, which `voxtrace animate` plays", grouped(frames.into()))));
+    }
+    let text = |(index, clip): (usize, &Clip)| {
+        let name = if clip.name.is_empty() { String::new() } else { format!(" {}", clip.name) };
+        format!("{}{name} ({} s)", index + 1, (clip.seconds * 1000.0).round() / 1000.0)
+    };
+    if !clips.is_empty() {
+        let mut texts: Vec<String> = clips.iter().enumerate().take(MOST_NAMES).map(text).collect();
+        if clips.len() > MOST_NAMES {
+            texts.push(format!("and {} more (--json lists them)", clips.len() - MOST_NAMES));
+        }
+        lines.push(("animations", format!("{}, which `voxtrace animate` plays", texts.join(", "))));
+    }
+    lines
 }
 
 /// What shines from outside.

@@ -100,6 +100,10 @@ fn a_clip_that_was_broken_off_goes_on_with_its_frames_and_others_are_made_anew()
     let (again, said) = clip(&["--keep-frames"]);
     assert!(again == whole && said.contains("2 frames of an earlier run"), "{said}");
     assert_eq!(said.matches("left out").count(), 2, "{said}");
+    // A frame of another size, as another run may leave it, is named.
+    folder.succeed(&["render", "room.vox", "--size", "24x32", "--spp", "1", "-o", "clip.gif.frames/0003.png"]);
+    let told = folder.fail(&[&["animate", "turn.toml", "-o", "clip.gif"], &SMALL[..]].concat(), 4);
+    assert!(told.contains("0003.png: 24 x 32 pixels, and the first frame has 32 x 24"), "{told}");
     let (other, said) = clip(&["--exposure", "1"]);
     assert!(other != whole && said.contains("6 frames of other settings"), "{said}");
     assert!(!folder.exists("clip.gif.frames"), "what nobody asked for is gone");
@@ -227,7 +231,19 @@ fn faults_of_an_animation_are_one_line_with_file_line_and_key() {
         ("[camera]\nname = \"attic\"", "turn.toml:4: camera.name: the scene has no camera \"attic\""),
         ("[camera]\npath = [{ eye = [1, 2, 3] }]", "turn.toml:4: camera.path[0]: "),
         ("[camera]\npath = [{ bookmark = 3 }]", "room.cameras.toml"),
+        (
+            "[camera]\npath = [{ camera = \"front\", handle_in = [1, 0, 0], handle_out = [1, 0, 0] }]",
+            "turn.toml:4: camera.path[0].handle_out: both handles are not on one line",
+        ),
         ("[camera]\norbit = 1\nlook_at = \"door\"", "turn.toml:5: camera.look_at: "),
+        (
+            "[[object]]\nnames = [\"0..3\"]\nspin = { turns_per_second = 1 }",
+            "object[0].names: there are objects 0 to 0",
+        ),
+        (
+            "[[object]]\nname = \"0\"\npivot = \"head\"\nspin = { turns_per_second = 1 }",
+            "turn.toml:5: object[0].pivot: one of \"middle\", \"foot\" is needed",
+        ),
         ("[sun]\nkeys = [{ at = 0, height = 100 }]", "turn.toml:4: sun.keys[0].height: from -90 to 90"),
         ("[sky]\nkeys = []", "turn.toml:3: sky: `keys` is missing"),
         ("", "nothing moves in room"),
@@ -243,6 +259,20 @@ fn faults_of_an_animation_are_one_line_with_file_line_and_key() {
     std::fs::write(folder.path("turn.toml"), "frames = 2").unwrap();
     assert!(folder.fail(&["animate", "turn.toml", "-o", "a.gif"], 3).contains("`scene` is missing"));
     assert!(folder.fail(&["animate", "room.vox"], 2).contains("clip.mp4"));
+}
+
+#[test]
+fn handles_bend_the_path_of_a_camera_and_leave_its_ends() {
+    let folder = Folder::new();
+    let frames = |handle: &str| {
+        let path = format!("[{{ camera = \"front\"{handle} }}, {{ camera = \"side\" }}]");
+        let script = format!("scene = \"room.vox\"\nframes = 3\n[camera]\npath = {path}\nlook_at = [12, 12, 2]\n");
+        std::fs::write(folder.path("turn.toml"), script).unwrap();
+        animate(&folder, &["-o", "h_####.png"]);
+        [1, 2, 3].map(|number| folder.png(&format!("h_{number:04}.png")).samples)
+    };
+    let (straight, bent) = (frames(""), frames(", handle_out = [-60, 0, 30]"));
+    assert!(straight[0] == bent[0] && straight[1] != bent[1] && straight[2] == bent[2]);
 }
 
 #[test]

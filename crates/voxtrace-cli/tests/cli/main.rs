@@ -1,6 +1,7 @@
 //! The program as people run it: every verb, every exit code, from arguments to files.
 
 mod animate;
+mod animate_gltf;
 mod bench;
 mod bench_against;
 mod bench_plans;

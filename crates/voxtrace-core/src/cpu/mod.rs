@@ -161,6 +161,17 @@ impl Tracer for CpuTracer {
         self.film = Some((frame.clone(), film));
         Ok(())
     }
+
+    fn set_moment(&mut self, placement: Option<&Placement>, frame: &Frame) -> Result<(), TraceError> {
+        frame.check()?;
+        let (_, film) = self.film.take().ok_or(TraceError::NoFilm)?;
+        frame.check_film(&film)?;
+        if let Some(placement) = placement {
+            self.set_placement(placement)?;
+        }
+        self.film = Some((frame.clone(), film));
+        Ok(())
+    }
 }
 
 /// Samples that every pixel has after the pass that begins when each has `least`. The first pass gives one, so that a picture

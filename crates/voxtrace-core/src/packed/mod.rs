@@ -35,6 +35,7 @@ mod outline;
 mod pack;
 mod parts;
 mod placement;
+mod placement_error;
 mod sah_tree;
 mod section;
 mod section_writer;
@@ -63,7 +64,8 @@ pub use merge::{Lattice, Scatter};
 pub use outline::{Object, Outline};
 pub use pack::PackError;
 pub(crate) use pack::pack_grid;
-pub use placement::{Placement, PlacementError};
+pub use placement::Placement;
+pub use placement_error::PlacementError;
 #[doc(hidden)]
 pub use section::Section;
 #[doc(hidden)]

@@ -4,7 +4,7 @@
 use super::instances::{cost_of, hierarchy_of, refitted};
 use super::top_lights::top_lights_of;
 use super::wide_tree::WideTree;
-use super::{Geometry, InstanceNode, LightNode, PackedInstance, Section};
+use super::{Geometry, InstanceNode, LightNode, PackedInstance, PlacementError, Section};
 use rayon::prelude::*;
 use std::sync::{Arc, OnceLock};
 use voxtrace_scene::Invalid;
@@ -25,41 +25,6 @@ pub struct Placement {
     fingerprint: u64,
     /// The hierarchy as processors walk it, once they do.
     wide_tree: Arc<OnceLock<Option<WideTree>>>,
-}
-
-/// Things cannot be placed so.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[non_exhaustive]
-pub enum PlacementError {
-    /// An instance names a grid that the geometry lacks.
-    #[error("instance {instance} shows grid {grid}, but the geometry has {count}")]
-    MissingGrid {
-        /// Index of the instance.
-        instance: usize,
-        /// Index of the grid.
-        grid: usize,
-        /// Grids there are.
-        count: usize,
-    },
-    /// A visible instance shows a grid of the scene that was not packed, because nothing that was visible showed it then.
-    #[error("instance {instance} shows grid {grid} of the scene, which was not packed")]
-    NotPacked {
-        /// Index of the instance.
-        instance: usize,
-        /// Index of the grid in the scene.
-        grid: usize,
-    },
-    /// An instance is sheared, scaled unevenly, flattened or not finite.
-    #[error("the transform of instance {0} is not a rotation, mirror, uniform scale and translation")]
-    BadTransform(usize),
-    /// The placement was made for another geometry.
-    #[error("the placement belongs to another geometry")]
-    OtherGeometry,
-    /// Instances became one grid when the scene was packed.
-    #[error(
-        "instances of the scene were merged when it was packed; to move them, pack it with instances kept, or split it"
-    )]
-    Merged,
 }
 
 impl Placement {
@@ -95,8 +60,21 @@ impl Placement {
     /// # Errors
     /// As [`Self::of_scene`]; [`PlacementError::OtherGeometry`] where `self` was made for another geometry.
     pub fn moved_to_scene(&self, geometry: &Geometry, scene: &Scene) -> Result<Self, PlacementError> {
+        self.moved_to_scene_and(geometry, scene, &[])
+    }
+
+    /// As [`Self::of_scene_and`], quicker where things have moved a little since `self`: see [`Self::moved`].
+    ///
+    /// # Errors
+    /// As [`Self::moved_to_scene`].
+    pub fn moved_to_scene_and(
+        &self,
+        geometry: &Geometry,
+        scene: &Scene,
+        further: &[PackedInstance],
+    ) -> Result<Self, PlacementError> {
         self.check_geometry(geometry)?;
-        Ok(self.moved_sound(geometry, placed_in(geometry, scene)?))
+        Ok(self.moved_sound(geometry, placed_in(geometry, scene, further)?))
     }
 
     /// The visible instances of a scene that was packed to `geometry`, as they stand now: what packing it anew would give,
@@ -117,9 +95,7 @@ impl Placement {
         scene: &Scene,
         further: &[PackedInstance],
     ) -> Result<Self, PlacementError> {
-        let mut placed = placed_in(geometry, scene)?;
-        placed.extend(further.iter().map(|own| PackedInstance::new(own.grid, own.world_from_grid, own.scene_instance)));
-        Ok(Self::of_sound(geometry, placed))
+        Ok(Self::of_sound(geometry, placed_in(geometry, scene, further)?))
     }
 
     /// Places instances that were checked.
@@ -234,8 +210,12 @@ fn checked(geometry: &Geometry, mut instances: Vec<PackedInstance>) -> Result<Ve
     fault.map_or(Ok(instances), Err)
 }
 
-/// The visible instances of a scene that was packed to `geometry`, checked.
-fn placed_in(geometry: &Geometry, scene: &Scene) -> Result<Vec<PackedInstance>, PlacementError> {
+/// The visible instances of a scene that was packed to `geometry`, checked, with further ones behind them.
+fn placed_in(
+    geometry: &Geometry,
+    scene: &Scene,
+    further: &[PackedInstance],
+) -> Result<Vec<PackedInstance>, PlacementError> {
     check_kept(geometry)?;
     let place = |(index, instance): (usize, &Instance)| {
         if !scene.is_visible(instance) {
@@ -255,7 +235,8 @@ fn placed_in(geometry: &Geometry, scene: &Scene) -> Result<Vec<PackedInstance>, 
         Ok(Some(PackedInstance::new(packed, instance.world_from_grid, index as u32)))
     };
     let placed: Vec<_> = scene.instances.par_iter().enumerate().with_min_len(1024).map(place).collect();
-    placed.into_iter().filter_map(Result::transpose).collect()
+    let further = further.iter().map(|own| PackedInstance::new(own.grid, own.world_from_grid, own.scene_instance));
+    placed.into_iter().filter_map(Result::transpose).chain(further.map(Ok)).collect()
 }
 
 #[cfg(test)]

@@ -43,6 +43,7 @@ impl PackedScene {
             unit: self.unit,
             georeference: self.georeference.clone(),
             attachments: Vec::new(),
+            clips: Vec::new(),
         }
     }
 }

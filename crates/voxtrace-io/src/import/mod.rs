@@ -43,9 +43,9 @@ pub use read::{
     read_bytes, read_geometry, read_mesh, read_volume, read_voxels, volume_from_bytes, voxels_from_bytes,
 };
 pub use reader::{
-    BlockOptions, BlockSize, ClassSet, Data, FileClues, FolderClues, Geometry, Height, HeightOptions, ImportOptions,
-    Kind, LargeGeometry, LargeVolume, Magic, MapBounds, PointFilter, RawShape, Reader, Recognition, Voxels,
-    parts_not_shown,
+    BlockOptions, BlockSize, ClassSet, ClipChoice, Data, FileClues, FolderClues, Geometry, Height, HeightOptions,
+    ImportOptions, Kind, LargeGeometry, LargeVolume, Magic, MapBounds, PointFilter, RawShape, Reader, Recognition,
+    Voxels, parts_not_shown,
 };
 pub use readers::{READERS, Readers};
 pub use source::watch::read_while;

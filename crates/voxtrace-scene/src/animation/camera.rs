@@ -2,10 +2,11 @@
 
 use super::curve::Ease;
 use super::middle_of;
+use super::nodes::{Attached, Clip, Playback};
 use super::turn::rotation;
 use crate::camera::{Camera, Flight, Lens};
 use crate::scene::Scene;
-use glam::{DVec3, Vec3};
+use glam::{DAffine3, DVec3, Vec3};
 
 /// A camera over time.
 #[derive(Clone, Debug)]
@@ -41,6 +42,17 @@ pub enum CameraMotion {
         /// How it speeds up and slows down.
         ease: Ease,
     },
+    /// On a node of a clip that the scene brings along.
+    OnNode {
+        /// What it is like, and where it stands at rest.
+        camera: Camera,
+        /// The clip.
+        clip: Clip,
+        /// How it is played.
+        playback: Playback,
+        /// Where it hangs, one of the cameras of the clip.
+        own: Attached,
+    },
 }
 
 /// What a camera looks at.
@@ -66,6 +78,11 @@ impl CameraTrack {
             CameraMotion::Flight { flight, start, seconds: length, ease } => {
                 flight.at(ease.at((seconds - start) / length))
             }
+            CameraMotion::OnNode { camera, clip, playback, own } => {
+                let time = playback.time(seconds, clip.seconds);
+                let map = time.zip(clip.motion.as_ref()).map(|(time, motion)| motion.world_from_camera(own, time));
+                map.and_then(|map| carried(camera, &map)).unwrap_or_else(|| camera.clone())
+            }
         };
         let target = match &self.look_at {
             Some(LookAt::Point(point)) => Some(*point),
@@ -86,6 +103,15 @@ impl CameraTrack {
             _ => None,
         }
     }
+}
+
+/// A camera at the origin of a space, looking along its −z with y up, as far from its target as it is; `None` where the map is flat.
+fn carried(camera: &Camera, map: &DAffine3) -> Option<Camera> {
+    let forward = map.transform_vector3(DVec3::NEG_Z).try_normalize()?;
+    let up = map.transform_vector3(DVec3::Y).try_normalize()?;
+    let distance = f64::from(camera.eye.distance(camera.target));
+    let target = (map.translation + forward * distance).as_vec3();
+    Some(Camera { eye: map.translation.as_vec3(), target, up: up.as_vec3(), ..camera.clone() })
 }
 
 /// The camera, carried around the vertical through its target.

@@ -5,6 +5,7 @@ mod camera;
 mod curve;
 mod keyframes;
 mod motion;
+mod nodes;
 mod path;
 mod turn;
 
@@ -12,11 +13,15 @@ pub use camera::{CameraMotion, CameraTrack, LookAt};
 pub use curve::{Curve, Ease, Interpolation};
 pub use keyframes::{keyframe_count, placed_at};
 pub use motion::{Motion, PoseKey};
+pub use nodes::{Attached, Channel, Clip, KeyKind, KeyTrack, MovingNode, NodeMotion, NodePose, Playback};
+/// For meshes whose nodes move, in other crates of voxtrace: not covered by semantic versioning.
+#[doc(hidden)]
+pub use nodes::{similarity_of, turn_of};
 pub use path::SmoothPath;
 pub use turn::{rotation, slerp};
 
 use crate::camera::Camera;
-use crate::scene::Scene;
+use crate::scene::{Instance, Scene};
 use glam::Vec3;
 
 /// What changes about a scene, and how.
@@ -24,6 +29,8 @@ use glam::Vec3;
 pub struct Animation {
     /// Frames a second of the keyframes that instances bring along ([`crate::Instance::keyframes`]); 0: they stand still.
     pub keyframe_rate: f64,
+    /// How the clip that the scene brings along is played ([`Scene::clips`]: the first with a motion).
+    pub clip: Playback,
     /// Objects that move or come and go, beside that. Of one instance all count, one after the other.
     pub objects: Vec<ObjectTrack>,
     /// The camera; `None`: the scene's.
@@ -51,13 +58,19 @@ impl Animation {
     /// Whether objects move or change, and not the camera and the light alone.
     pub fn moves_objects(&self, scene: &Scene) -> bool {
         let has_keyframes = scene.instances.iter().any(|instance| instance.keyframes.len() > 1);
-        !self.objects.is_empty() || (self.keyframe_rate > 0.0 && has_keyframes)
+        let of_clip = self.clip != Playback::Still && playing(scene).is_some_and(|(_, own)| !own.instances.is_empty());
+        !self.objects.is_empty() || (self.keyframe_rate > 0.0 && has_keyframes) || of_clip
     }
 
-    /// Whether an instance of the scene moves or changes.
-    pub fn moves(&self, scene: &Scene, instance: usize) -> bool {
-        let has_keyframes = self.keyframe_rate > 0.0 && scene.instances[instance].keyframes.len() > 1;
-        has_keyframes || self.objects.iter().any(|track| track.instances.contains(&instance))
+    /// Which instances of the scene move or change.
+    pub fn moving(&self, scene: &Scene) -> Vec<bool> {
+        let has_keyframes = |instance: &Instance| self.keyframe_rate > 0.0 && instance.keyframes.len() > 1;
+        let mut moving: Vec<bool> = scene.instances.iter().map(has_keyframes).collect();
+        let tracked = self.objects.iter().flat_map(|track| track.instances.iter().copied());
+        let clip = playing(scene).filter(|_| self.clip != Playback::Still);
+        let of_clip = clip.into_iter().flat_map(|(_, own)| own.instances.iter().map(|instance| instance.index));
+        tracked.chain(of_clip).for_each(|index| moving[index] = true);
+        moving
     }
 
     /// The scene as it is at a time: what moves stands where it is then.
@@ -83,6 +96,11 @@ impl Animation {
                     (original.grid, original.world_from_grid);
             }
         }
+        if let Some((time, motion)) =
+            playing(scene).and_then(|(length, own)| Some((self.clip.time(seconds, length)?, own)))
+        {
+            motion.apply(scene, now, time);
+        }
         for track in &self.objects {
             let motion = track.motions.iter().map(|motion| motion.at(seconds)).reduce(|first, next| next.after(&first));
             let (visible, grid) = (step_at(&track.visible, seconds), step_at(&track.grids, seconds));
@@ -103,6 +121,11 @@ impl Animation {
     }
 }
 
+/// How long the clip lasts that a scene brings along, seconds, and what moves in it.
+pub fn playing(scene: &Scene) -> Option<(f64, &NodeMotion)> {
+    scene.clips.iter().find_map(|clip| Some((clip.seconds, &**clip.motion.as_ref()?)))
+}
+
 /// What holds at a time.
 fn step_at<T: Copy>(keys: &[(f64, T)], seconds: f64) -> Option<T> {
     let after = keys.partition_point(|&(time, _)| time <= seconds);
@@ -111,6 +134,11 @@ fn step_at<T: Copy>(keys: &[(f64, T)], seconds: f64) -> Option<T> {
 
 /// The middle of the box around instances, world space; `None` where they have no voxels.
 pub fn middle_of(scene: &Scene, instances: &[usize]) -> Option<Vec3> {
+    bounds_of(scene, instances).map(|(min, max)| (min + max) * 0.5)
+}
+
+/// The box around instances, world space; `None` where they have no voxels.
+pub fn bounds_of(scene: &Scene, instances: &[usize]) -> Option<(Vec3, Vec3)> {
     let (mut min, mut max) = (Vec3::INFINITY, Vec3::NEG_INFINITY);
     for &index in instances {
         let instance = &scene.instances[index];
@@ -121,7 +149,7 @@ pub fn middle_of(scene: &Scene, instances: &[usize]) -> Option<Vec3> {
             (min, max) = (min.min(corner), max.max(corner));
         }
     }
-    min.is_finite().then_some((min + max) * 0.5)
+    min.is_finite().then_some((min, max))
 }
 
 #[cfg(test)]
@@ -129,7 +157,7 @@ mod tests {
     use super::*;
     use crate::grid::VoxelGrid;
     use crate::material::Material;
-    use crate::scene::{Instance, Keyframe};
+    use crate::scene::Keyframe;
     use crate::transform::Transform;
     use glam::{DQuat, DVec3, IVec3};
 
@@ -182,7 +210,8 @@ mod tests {
             ..ObjectTrack::default()
         };
         let animation = Animation { objects: vec![track], ..Animation::default() };
-        assert!(animation.moves_objects(&scene) && animation.moves(&scene, 0) && !animation.moves(&scene, 1));
+        assert!(animation.moves_objects(&scene));
+        assert_eq!(animation.moving(&scene), [true, false]);
         let now = animation.scene_at(&scene, 1.0);
         // A quarter turn about the middle, then four along y.
         let corner = now.instances[0].world_from_grid.point(Vec3::ZERO);

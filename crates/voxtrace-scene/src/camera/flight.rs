@@ -1,18 +1,17 @@
-//! A flight through cameras: a smooth path through their poses, flown at constant speed. The path is the spline of Catmull and Rom (1974)
+//! A flight through cameras: a smooth path through their poses, flown at constant speed or by times. The path is made of cubic Bézier curves
+//! where cameras have handles, else it is the spline of Catmull and Rom (1974)
 //! with centripetal knots (Yuksel, Schaefer and Keyser, "Parameterization and applications of Catmull-Rom curves", 2011), which has
 //! neither loops nor cusps between two cameras; directions are unit quaternions on the same spline, brought back to unit length.
 //!
 //! Only + − × ÷ √ in double precision: the same cameras give the same frames on every machine.
 
-use super::{Camera, Lens};
-use glam::{DMat3, DQuat, DVec3};
+use super::pose::Pose;
+use super::{Camera, Handles, Lens};
 
 /// Pieces of a leg between two cameras, within which speed is taken to be even.
 const PIECES: usize = 256;
 /// Share that turning has in the length of a flight, beside moving: a camera that turns on the spot takes its time too.
 const TURNING: f64 = 0.25;
-/// Sine of the angle between view and `up` below which `up` says nothing.
-const STEEP: f64 = 1e-3;
 
 /// A path through cameras.
 #[derive(Clone, Debug)]
@@ -22,89 +21,12 @@ pub struct Flight {
     keys: Vec<Pose>,
     /// Lens of each key.
     lenses: Vec<Lens>,
-    /// Change of the pose with the knots' unit at each key.
-    tangents: Vec<Pose>,
+    /// Change of the pose with the knots' unit where the path arrives at each key, and where it leaves.
+    tangents: Vec<[Pose; 2]>,
     /// Knots' units of each leg.
     legs: Vec<f64>,
     /// Length of the path up to each piece, and at its end; where cameras have times, those.
     lengths: Vec<f64>,
-}
-
-/// A camera as numbers that can be interpolated: eye, quaternion, up, distance of the target, field of view.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Pose([f64; 12]);
-
-impl Pose {
-    fn of(camera: &Camera) -> Self {
-        let eye = camera.eye.as_dvec3();
-        let offset = camera.target.as_dvec3() - eye;
-        let forward = offset.normalize_or(DVec3::Y);
-        // Along `up` the picture has the side that the projection takes.
-        let side = forward.cross(camera.up.as_dvec3()).try_normalize();
-        let right = side.unwrap_or_else(|| forward.as_vec3().any_orthonormal_vector().as_dvec3());
-        let turn = DQuat::from_mat3(&DMat3::from_cols(right, forward, right.cross(forward)));
-        let up = camera.up.as_dvec3().normalize_or(DVec3::Z);
-        let distance = offset.length();
-        let fov_y = f64::from(camera.fov_y);
-        Self([eye.x, eye.y, eye.z, turn.x, turn.y, turn.z, turn.w, up.x, up.y, up.z, distance, fov_y])
-    }
-
-    fn eye(&self) -> DVec3 {
-        DVec3::from_slice(&self.0[..3])
-    }
-
-    fn turn(&self) -> DQuat {
-        DQuat::from_slice(&self.0[3..7]).normalize()
-    }
-
-    /// With the one of both quaternions of its direction that is nearer to another pose's.
-    fn beside(mut self, other: &Self) -> Self {
-        let dot: f64 = (3..7).map(|index| self.0[index] * other.0[index]).sum();
-        if dot < 0.0 {
-            self.0[3..7].iter_mut().for_each(|part| *part = -*part);
-        }
-        self
-    }
-
-    /// Each number of both, combined.
-    fn zip(&self, other: &Self, combine: impl Fn(f64, f64) -> f64) -> Self {
-        Self(std::array::from_fn(|index| combine(self.0[index], other.0[index])))
-    }
-
-    fn plus(&self, other: &Self, factor: f64) -> Self {
-        self.zip(other, |own, other| own + other * factor)
-    }
-
-    fn scaled(&self, factor: f64) -> Self {
-        Self(self.0.map(|value| value * factor))
-    }
-
-    /// How far it is to another pose; `radius` is the length of a radian of turning.
-    fn distance(&self, other: &Self, radius: f64) -> f64 {
-        (self.eye().distance_squared(other.eye()) + (radius * self.angle(other)).powi(2)).sqrt()
-    }
-
-    /// The chord of the turning between two poses, which is its angle where that is small.
-    fn angle(&self, other: &Self) -> f64 {
-        let (own, other) = (self.turn(), other.turn());
-        2.0 * (own - other).length().min((own + other).length())
-    }
-
-    /// The camera, within the fields of view and distances that the cameras of the flight have.
-    fn camera(&self, fields: (f64, f64), distances: (f64, f64)) -> Camera {
-        let (eye, turn) = (self.eye(), self.turn());
-        let forward = turn * DVec3::Y;
-        let up = DVec3::from_slice(&self.0[7..10]).normalize_or(DVec3::Z);
-        let up = if forward.cross(up).length() < STEEP { turn * DVec3::Z } else { up };
-        Camera {
-            name: "flight".into(),
-            eye: eye.as_vec3(),
-            target: (eye + forward * self.0[10].clamp(distances.0, distances.1)).as_vec3(),
-            up: up.as_vec3(),
-            fov_y: self.0[11].clamp(fields.0, fields.1) as f32,
-            lens: Lens::Pinhole,
-        }
-    }
 }
 
 impl Flight {
@@ -113,14 +35,28 @@ impl Flight {
     /// # Errors
     /// Says what is wrong: fewer than two cameras, or one that cannot send rays.
     pub fn through(cameras: &[Camera]) -> Result<Self, &'static str> {
+        Self::through_with(cameras, &vec![Handles::default(); cameras.len()])
+    }
+
+    /// As [`Self::through`], on Bézier curves with the handles of each camera.
+    ///
+    /// # Errors
+    /// As [`Self::through`]; also those of [`Handles::check`], or where there are not as many as cameras.
+    pub fn through_with(cameras: &[Camera], handles: &[Handles]) -> Result<Self, &'static str> {
         cameras.iter().try_for_each(Camera::check)?;
+        check(handles, cameras.len())?;
         let (Some(first), Some(last)) = (cameras.first(), cameras.last()) else { return Err(FEW) };
         let (mut keys, mut lenses): (Vec<Pose>, Vec<Lens>) = (Vec::new(), Vec::new());
-        for camera in cameras {
+        let mut of_keys: Vec<Handles> = Vec::new();
+        for (camera, own) in cameras.iter().zip(handles) {
             let pose = keys.last().map_or_else(|| Pose::of(camera), |before| Pose::of(camera).beside(before));
-            if keys.last() != Some(&pose) {
-                keys.push(pose);
-                lenses.push(camera.lens);
+            match of_keys.last_mut().filter(|_| keys.last() == Some(&pose)) {
+                Some(before) => *before = Handles { arriving: before.arriving, ..*own },
+                None => {
+                    keys.push(pose);
+                    lenses.push(camera.lens);
+                    of_keys.push(*own);
+                }
             }
         }
         if keys.len() < 2 {
@@ -134,7 +70,7 @@ impl Flight {
         let shortest = ways.iter().copied().filter(|&way| way > 0.0).fold(f64::INFINITY, f64::min);
         let shortest = if shortest.is_finite() { shortest } else { 1.0 };
         let legs: Vec<f64> = ways.iter().map(|&way| if way > 0.0 { way } else { shortest }.sqrt()).collect();
-        let tangents = tangents(&keys, &legs);
+        let tangents = tangents(&keys, &legs, &of_keys);
         let (first, last) = (first.clone(), last.clone());
         let mut flight = Self { first, last, keys, lenses, tangents, legs, lengths: vec![0.0] };
         let mut before = flight.keys[0];
@@ -154,7 +90,16 @@ impl Flight {
     /// # Errors
     /// Says what is wrong: fewer than two cameras, times that do not rise, or a camera that cannot send rays.
     pub fn timed(cameras: &[(f64, Camera)]) -> Result<Self, &'static str> {
+        Self::timed_with(cameras, &vec![Handles::default(); cameras.len()])
+    }
+
+    /// As [`Self::timed`], on Bézier curves with the handles of each camera.
+    ///
+    /// # Errors
+    /// As [`Self::timed`]; also those of [`Handles::check`], or where there are not as many as cameras.
+    pub fn timed_with(cameras: &[(f64, Camera)], handles: &[Handles]) -> Result<Self, &'static str> {
         cameras.iter().try_for_each(|(_, camera)| camera.check())?;
+        check(handles, cameras.len())?;
         let [(_, first), .., (_, last)] = cameras else { return Err("a flight leads through two cameras or more") };
         let mut keys: Vec<Pose> = Vec::with_capacity(cameras.len());
         for (_, camera) in cameras {
@@ -164,11 +109,12 @@ impl Flight {
         if !legs.iter().all(|&leg| leg > 0.0 && leg.is_finite()) {
             return Err("the times of the cameras do not rise");
         }
-        let mut tangents = tangents(&keys, &legs);
-        for (key, tangent) in tangents.iter_mut().enumerate() {
+        let mut tangents = tangents(&keys, &legs, handles);
+        for (key, both) in tangents.iter_mut().enumerate() {
             // Who stays for a while stands still then.
             let stays = (key > 0 && keys[key - 1] == keys[key]) || keys.get(key + 1) == Some(&keys[key]);
-            *tangent = if stays { tangent.scaled(0.0) } else { *tangent };
+            let rests = |side: usize| stays && [handles[key].arriving, handles[key].leaving][side].is_none();
+            (0..2).filter(|&side| rests(side)).for_each(|side| both[side] = both[side].scaled(0.0));
         }
         let (first, last) = (first.clone(), last.clone());
         let lenses = cameras.iter().map(|(_, camera)| camera.lens).collect();
@@ -228,17 +174,25 @@ impl Flight {
         let (t2, t3) = (t * t, t * t * t);
         self.keys[leg]
             .scaled(2.0 * t3 - 3.0 * t2 + 1.0)
-            .plus(&self.tangents[leg], (t3 - 2.0 * t2 + t) * unit)
+            .plus(&self.tangents[leg][1], (t3 - 2.0 * t2 + t) * unit)
             .plus(&self.keys[leg + 1], 3.0 * t2 - 2.0 * t3)
-            .plus(&self.tangents[leg + 1], (t3 - t2) * unit)
+            .plus(&self.tangents[leg + 1][0], (t3 - t2) * unit)
     }
 }
 
 /// Why there is no flight.
 const FEW: &str = "a flight leads through two cameras or more, in different places";
 
-/// The tangents of Catmull and Rom's spline with uneven knots; at the ends those of the straight leg.
-fn tangents(keys: &[Pose], legs: &[f64]) -> Vec<Pose> {
+/// Whether handles are sound, and as many as cameras.
+fn check(handles: &[Handles], cameras: usize) -> Result<(), &'static str> {
+    if handles.len() != cameras {
+        return Err("there are not as many handles as cameras");
+    }
+    handles.iter().try_for_each(Handles::check)
+}
+
+/// The tangents of Catmull and Rom's spline with uneven knots; at the ends those of the straight leg. Of the eye those of the handles.
+fn tangents(keys: &[Pose], legs: &[f64], handles: &[Handles]) -> Vec<[Pose; 2]> {
     let slope = |leg: usize| keys[leg + 1].plus(&keys[leg], -1.0).scaled(1.0 / legs[leg]);
     let tangent = |key: usize| match key {
         0 => slope(0),
@@ -249,7 +203,11 @@ fn tangents(keys: &[Pose], legs: &[f64]) -> Vec<Pose> {
             slope(key - 1).plus(&slope(key), 1.0).plus(&across, -1.0)
         }
     };
-    (0..keys.len()).map(tangent).collect()
+    let with_handles = |key: usize| {
+        let (before, after) = (key.checked_sub(1).map_or(0.0, |leg| legs[leg]), legs.get(key).copied().unwrap_or(0.0));
+        handles[key].tangents(before, after).map(|eye| tangent(key).with_eye(eye))
+    };
+    (0..keys.len()).map(with_handles).collect()
 }
 
 #[cfg(test)]
@@ -344,6 +302,54 @@ mod tests {
             (0..=10).all(|step| flight.at((1.0 + f64::from(step) / 10.0) / 3.0).eye.abs_diff_eq(cameras[1].eye, 1e-4))
         );
         assert!(Flight::timed(&keys[..1]).is_err() && Flight::timed(&[keys[1].clone(), keys[0].clone()]).is_err());
+    }
+
+    #[test]
+    fn a_flight_with_handles_is_made_of_bezier_curves_without_corners() {
+        let cameras = around();
+        let handle = |x: f32, y: f32, z: f32| Some(Vec3::new(x, y, z));
+        let handles = [
+            Handles { leaving: handle(20.0, 30.0, 0.0), ..Handles::default() },
+            Handles { leaving: handle(-30.0, 10.0, 5.0), ..Handles::default() },
+            Handles { arriving: handle(0.0, 20.0, 0.0), leaving: handle(0.0, -35.0, 0.0), is_corner: false },
+            Handles { arriving: handle(-9.0, 2.0, 1.0), ..Handles::default() },
+        ];
+        let times = [0.0, 1.0, 2.0, 4.0];
+        let keys: Vec<(f64, Camera)> = times.into_iter().zip(cameras.iter().cloned()).collect();
+        let timed = Flight::timed_with(&keys, &handles).unwrap();
+        // By de Casteljau's construction: lines between the control points, between those, and between those.
+        let mirrored = [None, handle(30.0, -10.0, -5.0), handles[2].arriving, handles[3].arriving];
+        for leg in 0..3 {
+            let ends = [cameras[leg].eye, cameras[leg + 1].eye];
+            let mut points =
+                vec![ends[0], ends[0] + handles[leg].leaving.unwrap(), ends[1] + mirrored[leg + 1].unwrap(), ends[1]];
+            let share = 0.3f32;
+            while points.len() > 1 {
+                points = points.windows(2).map(|pair| pair[0].lerp(pair[1], share)).collect();
+            }
+            let time = times[leg] + f64::from(share) * (times[leg + 1] - times[leg]);
+            let eye = timed.at(time / 4.0).eye;
+            assert!(eye.abs_diff_eq(points[0], 1e-3), "{leg}: {eye} {}", points[0]);
+            assert!(!Flight::timed(&keys).unwrap().at(time / 4.0).eye.abs_diff_eq(points[0], 1.0), "{leg}");
+        }
+        let flight = Flight::through_with(&cameras, &handles).unwrap();
+        let eyes: Vec<Vec3> = (1..=2000).map(|frame| flight.frame(frame, 2000).eye).collect();
+        let bend = |eyes: &[Vec3]| {
+            let turn = |three: &[Vec3]| (three[1] - three[0]).normalize().dot((three[2] - three[1]).normalize());
+            eyes.windows(3).map(turn).fold(1f32, f32::min)
+        };
+        assert!(bend(&eyes) > 0.99, "{}", bend(&eyes));
+        let speeds = speeds(&flight, 401);
+        let (least, most) = speeds.iter().fold((f32::MAX, 0f32), |(least, most), &v| (least.min(v), most.max(v)));
+        assert!(most / least < 1.6, "{least} to {most}: turning has its share, too");
+        // A corner is a fault, and is seen where it is wanted.
+        let mut bent = handles;
+        bent[2].arriving = handle(20.0, 0.0, 0.0);
+        assert!(Flight::through_with(&cameras, &bent).is_err());
+        bent[2].is_corner = true;
+        let corner = Flight::through_with(&cameras, &bent).unwrap();
+        assert!(bend(&(1..=2000).map(|frame| corner.frame(frame, 2000).eye).collect::<Vec<_>>()) < 0.9);
+        assert!(Flight::through_with(&cameras, &handles[1..]).is_err());
     }
 
     #[test]

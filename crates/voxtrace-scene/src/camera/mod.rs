@@ -3,10 +3,12 @@
 
 mod fisheye;
 mod flight;
+mod handles;
 mod lens;
 mod orthographic;
 mod panorama;
 mod perspective;
+mod pose;
 mod thin_lens;
 mod turntable;
 
@@ -14,6 +16,7 @@ use crate::ray::Ray;
 pub use fisheye::Fisheye;
 pub use flight::Flight;
 use glam::{Vec2, Vec3};
+pub use handles::Handles;
 pub use lens::Lens;
 pub use orthographic::Orthographic;
 pub use panorama::Panorama;

@@ -2,14 +2,18 @@
 //! it was rendered.
 
 use std::sync::Arc;
+use std::sync::atomic::{AtomicU32, Ordering};
 use voxtrace::animation::{Animation, Interpolation, Motion, ObjectTrack, PoseKey};
+use voxtrace::dynamic::Patch;
 use voxtrace::glam::{DQuat, DVec3, Vec3};
 use voxtrace::motion::{Moment, Moments, MovingTracer, Shot, share_of_exposure};
-use voxtrace::{Camera, CpuTracer, Film, Frame, PackedScene, Placement, Progress, Region, Scene, TraceError, Tracer};
+use voxtrace::{
+    Camera, CpuTracer, Film, Frame, Hit, PackedScene, Placement, Progress, Ray, Region, Scene, TraceError, Tracer,
+};
 use voxtrace_test_support::skip;
 use voxtrace_tests::gpu::device;
 use voxtrace_tests::moving::moving;
-use voxtrace_vulkan::{Primitive, Settings, Traversal, VulkanTracer, missing};
+use voxtrace_vulkan::{Device, Fault, Faults, Options, Primitive, Settings, Traversal, VulkanTracer, missing};
 
 const SAMPLES: u32 = 8;
 
@@ -169,4 +173,85 @@ fn a_device_blurs_as_the_cpu_does() {
         let film = blurred(Box::new(tracer), shot(0.5), &frame());
         assert!(film == sum_of_moments(|sample| share_of_exposure(5, sample)), "{}", traversal.name());
     }
+}
+
+/// A tracer that counts how often its film is read and given.
+struct Counted {
+    tracer: CpuTracer,
+    /// Reads, and films that are given.
+    counts: Arc<[AtomicU32; 2]>,
+}
+
+impl Tracer for Counted {
+    fn set_scene(&mut self, scene: &Arc<PackedScene>) -> Result<(), TraceError> {
+        self.tracer.set_scene(scene)
+    }
+
+    fn set_placement(&mut self, placement: &Placement) -> Result<(), TraceError> {
+        self.tracer.set_placement(placement)
+    }
+
+    fn patch(&mut self, patch: &Patch) -> Result<(), TraceError> {
+        self.tracer.patch(patch)
+    }
+
+    fn cast_into(&mut self, rays: &[Ray], hits: &mut [Hit]) -> Result<(), TraceError> {
+        self.tracer.cast_into(rays, hits)
+    }
+
+    fn render(&mut self, frame: &Frame, progress: &Progress) -> Result<(), TraceError> {
+        self.tracer.render(frame, progress)
+    }
+
+    fn read(&mut self, film: &mut Film) -> Result<(), TraceError> {
+        self.counts[0].fetch_add(1, Ordering::Relaxed);
+        self.tracer.read(film)
+    }
+
+    fn resume(&mut self, frame: &Frame, film: Film) -> Result<(), TraceError> {
+        self.counts[1].fetch_add(1, Ordering::Relaxed);
+        self.tracer.resume(frame, film)
+    }
+
+    fn set_moment(&mut self, placement: Option<&Placement>, frame: &Frame) -> Result<(), TraceError> {
+        self.tracer.set_moment(placement, frame)
+    }
+}
+
+#[test]
+fn the_film_stays_where_it_is_from_one_moment_to_the_next() {
+    let counts = Arc::new([AtomicU32::new(0), AtomicU32::new(0)]);
+    let tracer = Counted { tracer: CpuTracer::new(None), counts: Arc::clone(&counts) };
+    let film = blurred(Box::new(tracer), shot(0.5), &frame().samples(64));
+    let [reads, given] = [0, 1].map(|which: usize| counts[which].load(Ordering::Relaxed));
+    // After 1, 2, 4, … 64 samples, and at the end.
+    assert!(reads == 8 && given == 1, "{reads} {given}");
+    assert!(film == blurred(Box::new(CpuTracer::new(None)), shot(0.5), &frame().samples(64)));
+}
+
+#[test]
+fn a_device_that_is_lost_between_moments_ends_with_the_film_of_all_moments() {
+    let Some(wanted) = voxtrace_tests::gpu::wanted() else { return };
+    let expected = sum_of_moments(|sample| share_of_exposure(5, sample));
+    let run = |faults: &Arc<Faults>| {
+        let options = Options { faults: Some(Arc::clone(faults)), ..Options::default() };
+        let device = Device::open(options, Some(&wanted), None).unwrap();
+        let mut tracer = MovingTracer::new(Box::new(VulkanTracer::new(device, Settings::default()).unwrap()));
+        tracer.set_scene(&moments().0).unwrap();
+        tracer.set_shot(shot(0.5)).unwrap();
+        tracer.render(&frame(), &Progress::default()).unwrap();
+        (read(&mut tracer), tracer.take_notes())
+    };
+    let counting = Faults::none();
+    assert!(run(&counting).0 == expected);
+    let calls = counting.calls();
+    let submits: Vec<u64> = (0..calls.len()).filter(|&at| calls[at] == "vkQueueSubmit").map(|at| at as u64).collect();
+    // From the first sample on, those of the scene before it are others' business.
+    let mut lost = 0;
+    for &submit in submits.iter().skip(submits.len() / 4).step_by(submits.len() / 5) {
+        let (film, notes) = run(&Faults::at(&[(submit, Fault::DeviceLost)]));
+        assert!(film == expected, "lost at call {submit}: {notes:?}");
+        lost += usize::from(notes.iter().any(|note| note.contains("lost")));
+    }
+    assert!(lost > 2, "{lost}");
 }

@@ -7,8 +7,10 @@ mod texture;
 
 pub use texture::{Texture, Wrap};
 
-use glam::{DVec3, Vec2, Vec3, Vec4};
+use glam::{DAffine3, DMat3, DVec3, Vec2, Vec3, Vec4};
+use std::sync::Arc;
 use voxtrace_scene::Invalid;
+use voxtrace_scene::animation::Clip;
 use voxtrace_scene::camera::Camera;
 use voxtrace_scene::scene::LengthUnit;
 
@@ -39,6 +41,19 @@ pub struct Mesh {
     pub unit: LengthUnit,
     /// Warnings of the reader, one sentence each, for people.
     pub notes: Vec<String>,
+    /// Animations of the file, one of them with its motion where it was asked for; its instances are those of `moving`.
+    pub clips: Vec<Clip>,
+    /// What moves in that animation; none of it is in the arrays above.
+    pub moving: Option<Box<MovingParts>>,
+}
+
+/// Parts of a mesh that move, each voxelized in its own space.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct MovingParts {
+    /// Their arrays and offsets alone: materials and textures are those of the mesh.
+    pub meshes: Vec<Mesh>,
+    /// Which of them is seen where a node carries it, and its name.
+    pub placed: Vec<(usize, String)>,
 }
 
 /// The material of triangles. Colours are linear.
@@ -222,6 +237,11 @@ impl Mesh {
         for camera in &mut self.cameras {
             (camera.eye, camera.target, camera.up) =
                 (up.to_z_up(camera.eye), up.to_z_up(camera.target), up.to_z_up(camera.up));
+        }
+        let turn = DMat3::from_cols(up.to_z_up_f64(DVec3::X), up.to_z_up_f64(DVec3::Y), up.to_z_up_f64(DVec3::Z));
+        for motion in self.clips.iter_mut().filter_map(|clip| clip.motion.as_mut()) {
+            let motion = Arc::make_mut(motion);
+            motion.world_from_file = DAffine3::from_mat3(turn) * motion.world_from_file;
         }
     }
 

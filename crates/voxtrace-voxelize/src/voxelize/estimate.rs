@@ -3,7 +3,7 @@
 use super::hyperloglog::HyperLogLog;
 use super::mesh_appearance::MeshAppearance;
 use super::triangle::Triangle;
-use super::{Placement, SurfaceRule, VoxelizeError, VoxelizeOptions};
+use super::{Placement, SurfaceRule, VoxelizeError, VoxelizeOptions, moving};
 use crate::mesh::Mesh;
 use crate::points::PointCloud;
 use rayon::prelude::*;
@@ -27,25 +27,33 @@ pub struct Estimate {
 /// # Errors
 /// If there is no surface, or no grid for it.
 pub fn estimate(mesh: &Mesh, options: &VoxelizeOptions) -> Result<Estimate, VoxelizeError> {
+    if let Some(moving) = &mesh.moving {
+        return moving::estimate(mesh, moving, options);
+    }
     mesh.validate().map_err(VoxelizeError::BadMesh)?;
     let placement = Placement::of(mesh, options.scale)?;
+    let voxels = placement.at_most(voxels_of(mesh, &placement, options.rule));
+    let is_plain = MeshAppearance::of(mesh).uniform.is_some();
+    Ok(Estimate { placement, voxels, bytes: bytes_of(voxels, is_plain), is_bound: false })
+}
+
+/// The voxels of a mesh by its projected areas.
+pub(super) fn voxels_of(mesh: &Mesh, placement: &Placement, rule: SurfaceRule) -> f64 {
     let chunk = 1 << 14;
     let count = mesh.triangle_count();
     let sums: Vec<f64> = (0..count.div_ceil(chunk))
         .into_par_iter()
         .map(|at| {
             let triangles = at * chunk..((at + 1) * chunk).min(count);
-            let normals = triangles.filter_map(|index| Triangle::of(mesh, &placement, index)).map(|t| t.normal.abs());
-            let voxels = normals.map(|normal| match options.rule {
+            let normals = triangles.filter_map(|index| Triangle::of(mesh, placement, index)).map(|t| t.normal.abs());
+            let voxels = normals.map(|normal| match rule {
                 SurfaceRule::Conservative => normal.element_sum(),
                 SurfaceRule::Thin => normal.max_element(),
             });
             voxels.sum::<f64>() * 0.5
         })
         .collect();
-    let voxels = placement.at_most(sums.iter().sum::<f64>());
-    let is_plain = MeshAppearance::of(mesh).uniform.is_some();
-    Ok(Estimate { placement, voxels, bytes: bytes_of(voxels, is_plain), is_bound: false })
+    sums.iter().sum()
 }
 
 /// Bytes of a packed scene of so many voxels, of one material (`is_plain`) or of many.

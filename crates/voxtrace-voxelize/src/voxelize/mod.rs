@@ -15,6 +15,7 @@ mod hyperloglog;
 pub mod large;
 pub mod large_points;
 mod mesh_appearance;
+mod moving;
 mod options;
 mod palette;
 mod partition;
@@ -56,7 +57,7 @@ pub(crate) use voxelized::SpilledBricks;
 use voxtrace_scene::material::MAX_MATERIALS;
 use voxtrace_scene::scene::Scene;
 
-/// Voxelizes a mesh into a scene of one grid.
+/// Voxelizes a mesh into a scene of one grid, and one more for each part that moves.
 ///
 /// # Errors
 /// If the mesh has no surface, or its voxels go beyond the limit.
@@ -74,10 +75,13 @@ pub fn voxelize_with_progress(
     limits: &Limits,
     progress: &VoxelizeProgress,
 ) -> Result<Scene, VoxelizeError> {
+    if let Some(moving) = &mesh.moving {
+        return moving::voxelize(mesh, moving, options, limits, progress);
+    }
     let mut spill = SpillBuffer::in_memory();
     let run = surface::run(mesh, options, limits, &mut spill, progress)?;
-    let cameras = cameras_of(mesh, &run.placement);
-    Ok(Scene { cameras, ..run.into_scene(&mesh.name, mesh.unit, spill)? })
+    let (cameras, clips) = (cameras_of(mesh, &run.placement), moving::clips_of(mesh, &run.placement));
+    Ok(Scene { cameras, clips, ..run.into_scene(&mesh.name, mesh.unit, spill)? })
 }
 
 /// Voxelizes a cloud of points into a scene of one grid: a voxel for every cube with points in it, in their mean colour.

@@ -61,6 +61,20 @@ impl Placement {
             Scale::Resolution(count) => along(count),
             Scale::VoxelSize(size) => ((min / size).floor() * size, size),
         };
+        Self::at(origin, voxel_size, max, offset)
+    }
+
+    /// As [`Self::over`], in voxels of a size, at whole distances from `corner`.
+    pub(super) fn on_lattice(
+        (min, max): (DVec3, DVec3),
+        offset: DVec3,
+        corner: DVec3,
+        voxel_size: f64,
+    ) -> Result<Self, VoxelizeError> {
+        Self::at(corner + ((min - corner) / voxel_size).floor() * voxel_size, voxel_size, max, offset)
+    }
+
+    fn at(origin: DVec3, voxel_size: f64, max: DVec3, offset: DVec3) -> Result<Self, VoxelizeError> {
         if !voxel_size.is_normal() || voxel_size < 0.0 || !origin.is_finite() {
             return Err(VoxelizeError::BadScale(voxel_size));
         }

@@ -31,21 +31,40 @@ pub(super) fn run(
 ) -> Result<Voxelized, VoxelizeError> {
     mesh.validate().map_err(VoxelizeError::BadMesh)?;
     let placement = Placement::of(mesh, options.scale)?;
-    let tiles = tile_grid(&placement)?;
     let (appearance, histogram) = (MeshAppearance::of(mesh), ColorHistogram::default());
     let job =
         TileJob { mesh, placement: &placement, appearance: &appearance, rule: options.rule, histogram: &histogram };
     spill.resume(&histogram, progress)?;
+    run_tiles(&job, options, limits, spill, progress)?;
+    if spill.brick_count() == 0 {
+        return Err(VoxelizeError::Empty);
+    }
+    let classes = BsdfClass::in_voxels(&appearance.classes, placement.voxel_size);
+    let palette = Palette::of(&histogram, &classes, material_count(options), options.dither);
+    Ok(Voxelized { placement, palette })
+}
+
+/// Voxelizes all tiles of a job.
+pub(super) fn run_tiles(
+    job: &TileJob,
+    options: &VoxelizeOptions,
+    limits: &Limits,
+    spill: &mut SpillBuffer,
+    progress: &VoxelizeProgress,
+) -> Result<(), VoxelizeError> {
+    let (mesh, placement) = (job.mesh, job.placement);
+    let before = progress.done();
+    let tiles = tile_grid(placement)?;
     if options.fill {
-        let mut pairs = binning::pairs_of(mesh, &placement, &tiles, &(0..tiles.layers()));
-        progress.begin(pairs.len() as u64);
-        run_columns(&job, &tiles, &mut pairs, spill, limits, progress)?;
+        let mut pairs = binning::pairs_of(mesh, placement, &tiles, &(0..tiles.layers()));
+        progress.begin(before + pairs.len() as u64);
+        run_columns(job, &tiles, &mut pairs, spill, limits, progress)?;
     }
     let (bands, total) = match options.memory_budget {
         _ if options.fill => (Vec::new(), None),
         None => (vec![(0..tiles.layers(), None)], None),
         Some(budget) => {
-            let by_layer = binning::pairs_by_layer(mesh, &placement, &tiles);
+            let by_layer = binning::pairs_by_layer(mesh, placement, &tiles);
             let sum = |layers: &Range<usize>| by_layer[layers.clone()].iter().sum::<u64>();
             let bands = bands(&by_layer, pairs_within(budget, mesh.size_bytes()));
             (
@@ -55,17 +74,12 @@ pub(super) fn run(
         }
     };
     for (part, (layers, announced)) in bands.into_iter().enumerate() {
-        let pairs = binning::pairs_of(mesh, &placement, &tiles, &layers);
+        let pairs = binning::pairs_of(mesh, placement, &tiles, &layers);
         let announced = announced.unwrap_or(pairs.len() as u64);
-        progress.begin(total.unwrap_or(announced));
-        run_band(&job, &tiles, &pairs, part as u32, announced, spill, limits, progress)?;
+        progress.begin(before + total.unwrap_or(announced));
+        run_band(job, &tiles, &pairs, part as u32, announced, spill, limits, progress)?;
     }
-    if spill.brick_count() == 0 {
-        return Err(VoxelizeError::Empty);
-    }
-    let classes = BsdfClass::in_voxels(&appearance.classes, placement.voxel_size);
-    let palette = Palette::of(&histogram, &classes, material_count(options), options.dither);
-    Ok(Voxelized { placement, palette })
+    Ok(())
 }
 
 /// Voxelizes whole columns of tiles, interiors included.

@@ -26,16 +26,21 @@ pub(super) fn scene_of_source(name: &str, unit: LengthUnit) -> Scene {
     Scene { voxel_size: unit.in_scene(), unit: unit.of_scene(), ..Scene::new(name) }
 }
 
+/// The grid of all bricks in a spill buffer.
+pub(super) fn grid_of(palette: &Palette, spill: &mut SpillBuffer) -> Result<VoxelGrid, VoxelizeError> {
+    let mut bricks = Vec::with_capacity(spill.brick_count());
+    spill.for_each_batch(&|key, voxel| palette.index(key, voxel), |batch| {
+        bricks.extend(batch);
+        Ok(())
+    })?;
+    Ok(VoxelGrid::from_bricks(bricks))
+}
+
 impl Voxelized {
     /// The scene of all bricks in the spill buffer.
     pub fn into_scene(self, name: &str, unit: LengthUnit, mut spill: SpillBuffer) -> Result<Scene, VoxelizeError> {
-        let mut bricks = Vec::with_capacity(spill.brick_count());
-        let palette = &self.palette;
-        spill.for_each_batch(&|key, voxel| palette.index(key, voxel), |batch| {
-            bricks.extend(batch);
-            Ok(())
-        })?;
-        let mut scene = Scene::from_grid(name, VoxelGrid::from_bricks(bricks), self.palette.materials);
+        let grid = grid_of(&self.palette, &mut spill)?;
+        let mut scene = Scene::from_grid(name, grid, self.palette.materials);
         (scene.voxel_size, scene.unit) = (self.placement.voxel_size * unit.in_scene(), unit.of_scene());
         scene.sky = sky_of(&scene.materials);
         Ok(scene)
@@ -66,7 +71,7 @@ const PALE: (f32, f32) = (0.35, 0.1);
 
 /// The light of what is voxelized: the usual sky, but where all is white and grey, as a mesh without textures is, that would vanish before it:
 /// then one of a darker grey, with a soft sun beside the camera that shows everything.
-fn sky_of(materials: &[Material]) -> Sky {
+pub(super) fn sky_of(materials: &[Material]) -> Sky {
     let is_pale = |material: &Material| {
         let color = material.base_color;
         color.min_element() >= PALE.0

@@ -2,13 +2,14 @@
 
 use super::Worker;
 use crate::accel::{Accel, BUILDING_TOP};
+use crate::film::DeviceFilm;
 use crate::method::{Primitive, Settings, Traversal};
 use crate::records::binding;
 use crate::scene::SceneBuffers;
 use crate::schedule::BatchSizer;
 use crate::statistics::Statistics;
 use std::sync::Arc;
-use voxtrace_core::{PackedScene, TraceError};
+use voxtrace_core::{Frame, PackedScene, TraceError};
 
 /// Most bytes that a scene in pages leaves to films and to what goes up and down.
 const FOR_FILMS: u64 = 512 << 20;
@@ -90,6 +91,16 @@ impl Worker {
             self.bind_accel(accel);
         }
         (self.scene, self.accel) = (Some(buffers), accel);
+        Ok(())
+    }
+
+    /// As [`Self::set_placement`] where a scene is given, and keeps the film, as one of `frame`.
+    pub fn set_moment(&mut self, scene: Option<&Arc<PackedScene>>, frame: &Frame) -> Result<(), TraceError> {
+        let film = self.film.take().ok_or(TraceError::NoFilm)?;
+        if let Some(scene) = scene {
+            self.set_placement(scene)?;
+        }
+        self.film = Some(DeviceFilm { frame: frame.clone(), ..film });
         Ok(())
     }
 

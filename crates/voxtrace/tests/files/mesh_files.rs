@@ -121,7 +121,7 @@ fn a_file_with_changed_bytes_is_read_or_gives_an_error() {
     let numbers = [0, 1, 255, 65_535, 0x7fff_ffff, 0x8000_0000, u32::MAX, f32::NAN.to_bits(), f32::INFINITY.to_bits()];
     let texts = ["nan", "inf", "-1", "1e400", "1e38", "99999999999", "-99999", "null", "\"\"", "[]", "{}", " ", "\n"];
     let mut random = Random(3);
-    for (name, bytes) in samples() {
+    for (name, bytes) in samples().into_iter().chain([("moving.gltf", mesh_samples::moving_gltf())]) {
         for _ in 0..1_500 {
             check::check(name, &damaged(&bytes, &numbers, &texts, |end| random.below(end)));
         }
@@ -152,7 +152,8 @@ fn sixteen_megabytes_of_noise_are_refused_in_every_format() {
 
 #[test]
 fn the_corpora_of_the_fuzz_targets_hold_the_samples_and_are_clean() {
-    let samples = samples();
+    let mut samples = samples();
+    samples.push(("moving.gltf", mesh_samples::moving_gltf()));
     for (target, extensions) in
         [("gltf", &["glb", "gltf"][..]), ("obj", &["obj"]), ("ply", &["ply"]), ("stl", &["stl"])]
     {

@@ -26,7 +26,7 @@ pub use geometry::Geometry;
 pub use large::LargeGeometry;
 pub use large_volume::LargeVolume;
 pub use not_shown::parts_not_shown;
-pub use options::{BlockOptions, BlockSize, Height, HeightOptions, ImportOptions};
+pub use options::{BlockOptions, BlockSize, ClipChoice, Height, HeightOptions, ImportOptions};
 pub use point_filter::{ClassSet, MapBounds, PointFilter};
 pub use raw_shape::RawShape;
 

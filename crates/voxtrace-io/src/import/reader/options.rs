@@ -39,10 +39,24 @@ pub struct ImportOptions {
     pub spacing: Option<DVec3>,
     /// What a file without a header holds.
     pub raw: Option<RawShape>,
+    /// Which of the animations of a mesh moves it; by default it stands as at rest, in one grid.
+    pub animation: ClipChoice,
     /// Whether voxtrace's own files are read into memory instead of mapped, so that other programs may change them meanwhile.
     pub in_memory: bool,
     /// Whether a file of which a part is damaged is refused. Else what is whole of it is read, and a note says what is left out.
     pub strict: bool,
+}
+
+/// Which animation of a mesh is read ([`voxtrace_scene::scene::Scene::clips`]).
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub enum ClipChoice {
+    /// None: their names and lengths alone.
+    #[default]
+    None,
+    /// The first, where there is one.
+    First,
+    /// The one of this name, or with this number from 1 on, where there is one.
+    Named(String),
 }
 
 /// How blocks of Minecraft become voxels.

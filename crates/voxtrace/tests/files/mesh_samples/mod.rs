@@ -209,8 +209,52 @@ pub fn glb() -> Vec<u8> {
 
 /// The house as glTF with everything in one text.
 pub fn gltf() -> Vec<u8> {
-    const SIGNS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     let (bytes, picture_size) = binary();
+    text_of(document(Value::Null, picture_size), &bytes)
+}
+
+/// The house as glTF with a second one that slides in steps, turns by splines and grows, and a camera that goes along.
+pub fn moving_gltf() -> Vec<u8> {
+    let (mut bytes, picture_size) = binary();
+    bytes.resize(bytes.len().next_multiple_of(4), 0);
+    let mut document = document(Value::Null, picture_size);
+    let times = [0.0f32, 0.5, 1.0];
+    let places = [[9.0f32, 0.0, 0.0], [9.0, 2.0, 1.0], [12.0, 0.0, 0.0]];
+    // Tangents on both sides of each rotation.
+    let turns = (0..9).map(|at| if at % 3 == 1 { [0.0f32, 0.1 * at as f32, 0.0, 1.0] } else { [0.2, 0.0, 0.0, 0.0] });
+    let turns = turns.collect::<Vec<_>>();
+    let parts = [(&times[..], "SCALAR"), (places.as_flattened(), "VEC3"), (turns.as_flattened(), "VEC4")];
+    for (numbers, kind) in parts {
+        let width = if kind == "SCALAR" { 1 } else { kind[3..].parse().unwrap() };
+        let list = |name: &str| document[name].as_array().unwrap().len();
+        let (view, start) = (list("bufferViews"), bytes.len());
+        bytes.extend(numbers.iter().flat_map(|number| number.to_le_bytes()));
+        let length = bytes.len() - start;
+        let count = numbers.len() / width;
+        let views = document["bufferViews"].as_array_mut().unwrap();
+        views.push(json!({ "buffer": 0, "byteOffset": start, "byteLength": length }));
+        let accessors = document["accessors"].as_array_mut().unwrap();
+        accessors.push(json!({ "bufferView": view, "componentType": 5126, "count": count, "type": kind }));
+    }
+    let nodes = document["nodes"].as_array_mut().unwrap();
+    nodes[0]["children"] = json!([1, 3]);
+    nodes.push(json!({ "name": "other", "mesh": 0, "children": [2], "translation": [9, 0, 0] }));
+    let channel = |sampler: u32, path: &str| json!({ "sampler": sampler, "target": { "node": 3, "path": path } });
+    document["animations"] = json!([{
+        "name": "go",
+        "channels": [channel(0, "translation"), channel(1, "rotation"), channel(2, "scale")],
+        "samplers": [
+            { "input": 3, "output": 4, "interpolation": "STEP" },
+            { "input": 3, "output": 5, "interpolation": "CUBICSPLINE" },
+            { "input": 3, "output": 4 },
+        ],
+    }]);
+    text_of(document, &bytes)
+}
+
+/// A document with its one buffer, as one text.
+fn text_of(mut document: Value, bytes: &[u8]) -> Vec<u8> {
+    const SIGNS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     let mut text = String::from("data:application/octet-stream;base64,");
     for part in bytes.chunks(3) {
         let word = part.iter().fold(0u32, |word, &byte| word << 8 | u32::from(byte)) << (8 * (3 - part.len()));
@@ -219,6 +263,6 @@ pub fn gltf() -> Vec<u8> {
             text.push(if at <= part.len() { sign } else { '=' });
         }
     }
-    let buffer = json!({ "uri": text, "byteLength": bytes.len() });
-    format!("{:#}", document(buffer, picture_size)).into_bytes()
+    document["buffers"] = json!([{ "uri": text, "byteLength": bytes.len() }]);
+    format!("{document:#}").into_bytes()
 }

@@ -16,7 +16,7 @@ pub(super) struct Document {
     #[serde(default)]
     pub extensions: DocumentExtensions,
     #[serde(default)]
-    pub animations: Vec<IgnoredAny>,
+    pub animations: Vec<Animation>,
     #[serde(default)]
     pub skins: Vec<IgnoredAny>,
     #[serde(default)]
@@ -244,6 +244,37 @@ pub(super) struct Node {
     pub translation: Option<[f64; 3]>,
     pub rotation: Option<[f64; 4]>,
     pub scale: Option<[f64; 3]>,
+}
+
+/// Nothing is asked for: what is wrong with an animation does not matter to a still.
+#[derive(Deserialize, Default)]
+#[serde(default)]
+pub(super) struct Animation {
+    pub name: String,
+    pub channels: Vec<AnimationChannel>,
+    pub samplers: Vec<AnimationSampler>,
+}
+
+#[derive(Deserialize, Default)]
+#[serde(default)]
+pub(super) struct AnimationChannel {
+    pub sampler: usize,
+    pub target: ChannelTarget,
+}
+
+#[derive(Deserialize, Default)]
+#[serde(default)]
+pub(super) struct ChannelTarget {
+    pub node: Option<usize>,
+    pub path: String,
+}
+
+#[derive(Deserialize, Default)]
+#[serde(default)]
+pub(super) struct AnimationSampler {
+    pub input: Option<usize>,
+    pub output: Option<usize>,
+    pub interpolation: Option<String>,
 }
 
 #[derive(Deserialize)]

@@ -5,6 +5,7 @@
 use super::arrays::{Array, Container, container, pictures};
 use super::byte_cache::ByteCache;
 use super::document::{Document, Primitive};
+use super::moving::Movers;
 use super::primitives::{coordinates, has_triangles, placed, triangle_at, triangle_count};
 use super::scene::{Looks, cameras_at, look, note_of_skipped, visit};
 use super::{Buffers, check};
@@ -61,16 +62,16 @@ impl GltfTriangles {
         let views = pictures(&document, &mut file, &binary, budget).map_err(io)?;
         let (Some(views), Ok(())) = (views, check(&document, limits)) else { return Ok(None) };
         let Ok(Looks { mesh: mut frame, coordinate_sets }) =
-            look(&document, &Buffers::of_views(&document, views), &folder, limits)
+            look(&document, &Buffers::of_views(&document, views), &folder, limits, false)
         else {
             return Ok(None);
         };
         let (mut parts, mut skipped, mut is_plain) = (Vec::new(), 0, true);
-        let found = visit(&document, limits, &mut |primitive, world| {
+        let found = visit(&document, limits, &mut Movers::default(), &mut |primitive, place| {
             if !has_triangles(primitive) {
                 skipped += 1;
             } else {
-                let part = Part::of(primitive, *world, &document, &binary, &frame, &coordinate_sets);
+                let part = Part::of(primitive, place.world, &document, &binary, &frame, &coordinate_sets);
                 is_plain &= part.is_some();
                 parts.extend(part);
             }
@@ -95,7 +96,7 @@ impl GltfTriangles {
         }
         source.set_local_origin()?;
         frame.offset = source.local_origin.offset();
-        frame.cameras.extend(cameras_at(&found, frame.offset));
+        frame.cameras.extend(cameras_at(&found, frame.offset).map(|(camera, _)| camera));
         frame.notes.extend(note_of_skipped(skipped));
         source.frame = frame;
         Ok(Some(source))

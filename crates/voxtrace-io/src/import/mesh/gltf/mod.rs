@@ -1,7 +1,8 @@
 //! glTF 2.0, as text with its files beside it and as one binary file (Khronos, "glTF 2.0 Specification"). Read are triangles
-//! with their nodes, materials, pictures and cameras; of a document without triangles its points and lines.
+//! with their nodes, materials, pictures and cameras, and the animations of nodes; of a document without triangles its points and lines.
 
 mod accessor;
+mod animations;
 mod arrays;
 mod base64;
 mod buffers;
@@ -14,11 +15,12 @@ mod layers;
 mod material_json;
 mod materials;
 mod meshopt;
+mod moving;
 mod not_shown;
 mod primitives;
 mod scene;
 
-use crate::import::reader::{Geometry, Kind, LargeContent, Magic, Reader};
+use crate::import::reader::{Geometry, ImportOptions, Kind, LargeContent, Magic, Reader};
 use crate::import::source::folder::Folder;
 use crate::import::source::input::Input;
 use buffers::Buffers;
@@ -34,10 +36,10 @@ pub(crate) const READER: Reader = Reader::new(
     "glTF",
     Kind::Mesh,
     &["glb", "gltf"],
-    "glTF 2.0 mesh, and .gltf: materials, pictures, nodes, cameras",
+    "glTF 2.0 mesh, and .gltf: materials, pictures, nodes that move, cameras",
     |source, options| {
         let (input, folder) = source.into_input()?;
-        Ok(read(input, &folder, &options.limits)?.into())
+        Ok(read(input, &folder, options)?.into())
     },
 )
 .with_magic(&[Magic::first(MAGIC)])
@@ -89,13 +91,14 @@ impl Fault {
 }
 
 /// Reads a glTF file of either kind.
-fn read(input: Input, folder: &Folder, limits: &Limits) -> Result<Geometry, ImportError> {
+fn read(input: Input, folder: &Folder, options: &ImportOptions) -> Result<Geometry, ImportError> {
     let path = input.path();
     let bytes = input.rest()?;
-    read_whole(&bytes, path, folder, limits)
+    read_whole(&bytes, path, folder, options)
 }
 
-fn read_whole(bytes: &[u8], path: &Path, folder: &Folder, limits: &Limits) -> Result<Geometry, ImportError> {
+fn read_whole(bytes: &[u8], path: &Path, folder: &Folder, options: &ImportOptions) -> Result<Geometry, ImportError> {
+    let limits = &options.limits;
     let Container { json, json_offset, binary } = split(bytes, path)?;
     let document: Document = serde_json::from_slice(json).map_err(|error| {
         if let Some(version) = old_version(json) {
@@ -111,7 +114,7 @@ fn read_whole(bytes: &[u8], path: &Path, folder: &Folder, limits: &Limits) -> Re
     let read = || {
         check(&document, limits)?;
         let buffers = Buffers::read(&document, binary, folder, limits)?;
-        scene::read(&document, &buffers, folder, limits)
+        scene::read(&document, &buffers, folder, options)
     };
     read().map_err(|fault| ImportError::at(path, json_offset + fault.offset, fault.kind))
 }

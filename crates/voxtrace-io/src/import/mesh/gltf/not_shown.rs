@@ -15,10 +15,10 @@ const OF_MATERIALS: [&str; 7] = [
     "KHR_materials_pbrSpecularGlossiness",
 ];
 
-/// The parts of a document that are not shown.
-pub(super) fn parts(document: &Document) -> NotShown {
+/// The parts of a document that are not shown; one of its animations may be.
+pub(super) fn parts(document: &Document, is_played: bool) -> NotShown {
     let mut parts = NotShown::default();
-    parts.count("animation", document.animations.len() as u64);
+    parts.count("animation", document.animations.len() as u64 - u64::from(is_played));
     parts.count("skin", document.skins.len() as u64);
     let primitives = || document.meshes.iter().flat_map(|mesh| &mesh.primitives);
     parts.count("morph target", primitives().map(|primitive| primitive.targets.len() as u64).sum());

@@ -3,13 +3,15 @@
 use super::accessor::Accessors;
 use super::buffers::Buffers;
 use super::document::{Document, GltfCamera, Node, Primitive};
-use super::primitives::Target;
-use super::{Fault, cameras, materials, not_shown};
+use super::moving::{Carried, Movers, Parts};
+use super::primitives::{Target, has_triangles};
+use super::{Fault, animations, cameras, materials, not_shown};
 use crate::import::mesh::lines::Lines;
-use crate::import::reader::Geometry;
 use crate::import::reader::local_origin::LocalOrigin;
+use crate::import::reader::{Geometry, ImportOptions};
 use crate::import::source::folder::Folder;
 use glam::{DAffine3, DMat3, DMat4, DQuat, DVec3, Vec4};
+use voxtrace_scene::animation::NodePose;
 use voxtrace_scene::camera::Camera;
 use voxtrace_scene::scene::LengthUnit;
 use voxtrace_voxelize::Limits;
@@ -21,22 +23,37 @@ pub(super) fn read(
     document: &Document,
     buffers: &Buffers,
     folder: &Folder,
-    limits: &Limits,
+    options: &ImportOptions,
 ) -> Result<Geometry, Fault> {
-    let Looks { mut mesh, coordinate_sets } = look(document, buffers, folder, limits)?;
+    let limits = &options.limits;
     let accessors = Accessors { document, buffers, limits };
+    let played = animations::chosen(document, &options.animation);
+    let mut movers = played.map(|clip| Movers::of(clip, &accessors)).transpose()?.unwrap_or_default();
+    let Looks { mut mesh, coordinate_sets } = look(document, buffers, folder, limits, played.is_some())?;
     let mut target =
         Target { mesh: &mut mesh, local_origin: LocalOrigin::default(), coordinate_sets: &coordinate_sets };
-    let mut skipped = 0;
-    let cameras = visit(document, limits, &mut |primitive, world| {
-        skipped += usize::from(!target.push(primitive, &accessors, world)?);
+    let (mut skipped, mut parts) = (0, Parts::default());
+    let cameras = visit(document, limits, &mut movers, &mut |primitive, place| {
+        match place.carried {
+            Some(carried) if has_triangles(primitive) => parts.add(primitive, carried),
+            Some(_) => skipped += 1,
+            None => skipped += usize::from(!target.push(primitive, &accessors, &place.world)?),
+        }
         Ok(())
     })?;
-    if target.mesh.triangles.is_empty() {
+    if target.mesh.triangles.is_empty() && parts.is_empty() {
         return loose(document, &accessors, target).map(Geometry::Points);
     }
     mesh.offset = target.local_origin.offset();
-    mesh.cameras.extend(cameras_at(&cameras, mesh.offset));
+    mesh.clips = animations::clips(document, &accessors);
+    let mut carried_cameras = Vec::new();
+    for (camera, carried) in cameras_at(&cameras, mesh.offset) {
+        carried_cameras.extend(carried.map(|carried| carried.attached(mesh.cameras.len())));
+        mesh.cameras.push(camera);
+    }
+    if let Some(clip) = played {
+        parts.hang(movers, carried_cameras, clip, &mut mesh, (&accessors, &coordinate_sets))?;
+    }
     mesh.notes.extend(note_of_skipped(skipped));
     Ok(Geometry::Mesh(mesh))
 }
@@ -44,8 +61,8 @@ pub(super) fn read(
 /// Reads a document without triangles: its points, and points along its lines.
 fn loose(document: &Document, accessors: &Accessors, mut target: Target) -> Result<PointCloud, Fault> {
     let mut lines = Lines::default();
-    visit(document, accessors.limits, &mut |primitive, world| {
-        target.push_loose(primitive, accessors, world, &mut lines).map(drop)
+    visit(document, accessors.limits, &mut Movers::default(), &mut |primitive, place| {
+        target.push_loose(primitive, accessors, &place.world, &mut lines).map(drop)
     })?;
     let mut mesh = std::mem::replace(target.mesh, Mesh::new(""));
     if mesh.positions.is_empty() {
@@ -64,8 +81,14 @@ pub(super) struct Looks {
     pub coordinate_sets: materials::CoordinateSets,
 }
 
-/// Reads materials and pictures.
-pub(super) fn look(document: &Document, buffers: &Buffers, folder: &Folder, limits: &Limits) -> Result<Looks, Fault> {
+/// Reads materials and pictures; one of the animations may be played.
+pub(super) fn look(
+    document: &Document,
+    buffers: &Buffers,
+    folder: &Folder,
+    limits: &Limits,
+    is_played: bool,
+) -> Result<Looks, Fault> {
     let mut mesh = Mesh { unit: LengthUnit::METRE, ..Mesh::new("") };
     let mut primitives = document.meshes.iter().flat_map(|mesh| &mesh.primitives);
     if primitives.any(|primitive| primitive.material.is_none() && primitive.attributes.contains_key("COLOR_0")) {
@@ -73,7 +96,7 @@ pub(super) fn look(document: &Document, buffers: &Buffers, folder: &Folder, limi
         mesh.materials[0].base_color = Vec4::ONE;
     }
     let coordinate_sets = materials::read(document, buffers, folder, limits, &mut mesh)?;
-    mesh.notes.extend(not_shown::parts(document).note());
+    mesh.notes.extend(not_shown::parts(document, is_played).note());
     if mesh.materials.len() > 65_535 {
         return Err(Fault::limit("materials", mesh.materials.len() as u64, 65_535));
     }
@@ -85,26 +108,38 @@ pub(super) fn note_of_skipped(count: usize) -> Option<String> {
     (count > 0).then(|| format!("{count} primitives that are no triangles are left out"))
 }
 
-/// A camera where a node has it.
-pub(super) type PlacedCamera<'a> = (&'a Node, &'a GltfCamera, DAffine3);
+/// Where nodes have something.
+#[derive(Clone, Copy)]
+pub(super) struct Place {
+    /// From there to the world, everything at rest.
+    pub world: DAffine3,
+    /// The node that carries it, where one moves.
+    pub carried: Option<Carried>,
+}
 
-/// The cameras that are of use, relative to `offset`.
-pub(super) fn cameras_at(cameras: &[PlacedCamera], offset: DVec3) -> impl Iterator<Item = Camera> {
-    cameras.iter().filter_map(move |(node, camera, world)| cameras::camera(node, camera, world, offset))
+/// A camera where a node has it.
+pub(super) type PlacedCamera<'a> = (&'a Node, &'a GltfCamera, Place);
+
+/// The cameras that are of use, relative to `offset`, and what carries them.
+pub(super) fn cameras_at(cameras: &[PlacedCamera], offset: DVec3) -> impl Iterator<Item = (Camera, Option<Carried>)> {
+    cameras.iter().filter_map(move |(node, camera, place)| {
+        Some((cameras::camera(node, camera, &place.world, offset)?, place.carried))
+    })
 }
 
 /// Calls `each` with the primitives of all nodes of the scene in turn and where they are; returns the cameras.
 pub(super) fn visit<'a>(
     document: &'a Document,
     limits: &Limits,
-    each: &mut dyn FnMut(&'a Primitive, &DAffine3) -> Result<(), Fault>,
+    movers: &mut Movers,
+    each: &mut dyn FnMut(&'a Primitive, &Place) -> Result<(), Fault>,
 ) -> Result<Vec<PlacedCamera<'a>>, Fault> {
     let mut visited = vec![false; document.nodes.len()];
-    let mut pending: Vec<(usize, DAffine3, u32)> =
-        roots(document)?.into_iter().map(|n| (n, DAffine3::IDENTITY, 0)).collect();
+    let root = Place { world: DAffine3::IDENTITY, carried: None };
+    let mut pending: Vec<(usize, Place, u32)> = roots(document)?.into_iter().map(|n| (n, root, 0)).collect();
     pending.reverse();
     let mut found_cameras = Vec::new();
-    while let Some((index, parent, depth)) = pending.pop() {
+    while let Some((index, outer, depth)) = pending.pop() {
         let node = document.nodes.get(index).ok_or_else(|| Fault::malformed(format!("node {index} is missing")))?;
         if std::mem::replace(&mut visited[index], true) {
             return Err(Fault::malformed(format!("node {index} has two parents, or is its own")));
@@ -112,16 +147,18 @@ pub(super) fn visit<'a>(
         if depth > limits.depth {
             return Err(Fault::limit("depth of nodes", depth.into(), limits.depth.into()));
         }
-        let world = parent * local(node);
+        let local = local(node);
+        let carried = movers.enter(index, &node.name, &outer, &local);
+        let place = Place { world: outer.world * local, carried };
         if let Some(mesh) = node.mesh {
             let gltf_mesh = document.meshes.get(mesh);
             let gltf_mesh = gltf_mesh.ok_or_else(|| Fault::malformed(format!("mesh {mesh} is missing")))?;
-            gltf_mesh.primitives.iter().try_for_each(|primitive| each(primitive, &world))?;
+            gltf_mesh.primitives.iter().try_for_each(|primitive| each(primitive, &place))?;
         }
         if let Some(camera) = node.camera.and_then(|camera| document.cameras.get(camera)) {
-            found_cameras.push((node, camera, world));
+            found_cameras.push((node, camera, place));
         }
-        pending.extend(node.children.iter().rev().map(|&child| (child, world, depth + 1)));
+        pending.extend(node.children.iter().rev().map(|&child| (child, place, depth + 1)));
     }
     Ok(found_cameras)
 }
@@ -146,8 +183,15 @@ fn local(node: &Node) -> DAffine3 {
         let axes = DMat3::from_cols(matrix.x_axis.truncate(), matrix.y_axis.truncate(), matrix.z_axis.truncate());
         return DAffine3 { matrix3: axes, translation: matrix.w_axis.truncate() };
     }
+    pose(node).map()
+}
+
+/// The translation, rotation and scale of a node without a matrix.
+pub(super) fn pose(node: &Node) -> NodePose {
     let rotation = DQuat::from_array(node.rotation.unwrap_or([0.0, 0.0, 0.0, 1.0]));
-    let rotation = if rotation.length_squared() > 0.0 { rotation.normalize() } else { DQuat::IDENTITY };
-    let scale = DVec3::from_array(node.scale.unwrap_or([1.0; 3]));
-    DAffine3::from_scale_rotation_translation(scale, rotation, DVec3::from_array(node.translation.unwrap_or([0.0; 3])))
+    NodePose {
+        translation: DVec3::from_array(node.translation.unwrap_or([0.0; 3])),
+        rotation: if rotation.length_squared() > 0.0 { rotation.normalize() } else { DQuat::IDENTITY },
+        scale: DVec3::from_array(node.scale.unwrap_or([1.0; 3])),
+    }
 }
