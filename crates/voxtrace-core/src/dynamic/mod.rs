@@ -23,6 +23,7 @@ mod repair;
 mod sketch;
 mod skip;
 mod spread;
+mod steps;
 mod store;
 #[cfg(test)]
 mod tests;

@@ -36,6 +36,7 @@ mod sah_tree;
 mod section;
 mod section_writer;
 mod settings;
+mod sharing;
 mod shape;
 mod skip_distances;
 mod statistics;
