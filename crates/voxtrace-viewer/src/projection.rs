@@ -63,13 +63,10 @@ impl Projection {
         let offset = point - self.camera.eye;
         let (x, y, depth) = (offset.dot(right), offset.dot(up), offset.dot(forward));
         let place = match self.camera.lens {
-            Lens::Pinhole | Lens::Thin { .. } => {
-                let half = self.half_field() * depth;
-                (depth >= self.near()).then(|| 0.5 * self.size + Vec2::new(x, -y) / half * 0.5 * self.size.y)?
-            }
             Lens::Orthographic { view_height } => 0.5 * self.size + Vec2::new(x, -y) / view_height * self.size.y,
             Lens::Fisheye { fisheye_angle } => {
-                let radius = offset.normalize_or_zero().dot(forward).clamp(-1.0, 1.0).acos() / fisheye_angle.to_radians();
+                let radius =
+                    offset.normalize_or_zero().dot(forward).clamp(-1.0, 1.0).acos() / fisheye_angle.to_radians();
                 0.5 * self.size + Vec2::new(x, -y).normalize_or_zero() * radius * self.size.y
             }
             Lens::Panorama { eye_distance } => {
@@ -77,6 +74,10 @@ impl Projection {
                 let longitude = (-x).atan2(-depth).rem_euclid(TAU) / TAU;
                 let latitude = (y / offset.length().max(f32::MIN_POSITIVE)).clamp(-1.0, 1.0).acos() / PI;
                 Vec2::new(longitude, latitude / eyes) * self.size
+            }
+            _ => {
+                let half = self.half_field() * depth;
+                (depth >= self.near()).then(|| 0.5 * self.size + Vec2::new(x, -y) / half * 0.5 * self.size.y)?
             }
         };
         place.is_finite().then_some(place)

@@ -1,5 +1,6 @@
 //! The state of the window without the window: what happens goes in, what is to be done comes out.
 
+mod editing;
 mod opening;
 
 use crate::benchmark::Benchmark;
@@ -11,6 +12,7 @@ use crate::export::{ExportRequest, Exporting};
 use crate::load::Loading;
 use crate::navigation::{Motion, Navigator};
 pub use crate::open::Open;
+pub use editing::{Followed, Leaving, extent};
 use crate::render_command::{SkySetting, SunSetting};
 use crate::render_settings::RenderSettings;
 use crate::settings::Settings;
@@ -77,6 +79,10 @@ pub enum Command {
     LeaveFullscreen,
     /// Larger or smaller text and buttons, by a step.
     Scale(i8),
+    /// Begin to edit the scene.
+    Edit,
+    /// Follow an edit of the scene.
+    Follow(Followed),
     /// Close the window.
     Quit,
 }
@@ -91,6 +97,7 @@ impl Command {
                 | Self::CompareWith(_)
                 | Self::SetContrast(_)
                 | Self::SetScene
+                | Self::Edit
                 | Self::MakeSky
                 | Self::Surround
                 | Self::SetBackend(_)
@@ -172,6 +179,20 @@ pub struct Session {
     pub given_cutting: Cutting,
     /// How large built-in scenes are made, where that was chosen.
     pub built_in_voxels: Option<u64>,
+    /// Editing of the scene that is shown, since it began.
+    pub editing: Option<crate::editing::Editing>,
+    /// What waits until somebody has said what becomes of edits that no file holds.
+    pub leaving: Option<Leaving>,
+    /// Whether it follows as soon as they are saved.
+    pub(crate) is_leaving_saved: bool,
+    /// Whether edits that no file holds may be lost: somebody said so.
+    pub(crate) is_discarding: bool,
+    /// Edits that windows left behind, to be offered.
+    pub left_behind: Vec<crate::editing::recovery::Left>,
+    /// Those that are being opened.
+    pub(crate) recovering: Option<crate::editing::recovery::Left>,
+    /// Those that were opened, until the files of this window take their place.
+    pub(crate) recovered: Option<crate::editing::recovery::Left>,
     /// Where settings are kept.
     pub settings_folder: Option<std::path::PathBuf>,
     /// What lenses were set to, by the names of the settings, for when they are chosen again.
@@ -214,6 +235,13 @@ impl Session {
             scene_options: Vec::new(),
             given_cutting: Cutting::default(),
             built_in_voxels: None,
+            editing: None,
+            leaving: None,
+            is_leaving_saved: false,
+            is_discarding: false,
+            left_behind: Vec::new(),
+            recovering: None,
+            recovered: None,
             settings_folder: None,
             lens_settings: HashMap::new(),
             surrounding: None,
@@ -238,6 +266,13 @@ impl Session {
     /// Asks for something to be done. Of commands that set one and the same thing the last one counts; steps are all done.
     pub fn ask(&mut self, command: Command) {
         self.commands.retain(|earlier| !command.replaces(earlier));
+        // A scene that is to be traced is the one with all edits.
+        if matches!(command, Command::Follow(_)) && self.commands.contains(&Command::SetScene) {
+            return;
+        }
+        if command == Command::SetScene {
+            self.commands.retain(|earlier| !matches!(earlier, Command::Follow(_)));
+        }
         self.commands.push(command);
     }
 

@@ -4,7 +4,7 @@ use super::pace::Pace;
 use super::{Backend, Shown, View};
 use std::sync::Arc;
 use std::time::Instant;
-use voxtrace::{CpuTracer, Film, Frame, PackedScene, Progress, Ray, TraceError, Tracer};
+use voxtrace::{CpuTracer, Film, Frame, PackedScene, Patch, Progress, Ray, TraceError, Tracer};
 use voxtrace_vulkan::{Device, Picture, VulkanTracer};
 
 /// Milliseconds of a picture on a device that shares its queue with the window, and on the processor.
@@ -22,6 +22,27 @@ impl AnyTracer {
         match self {
             Self::Cpu(tracer) => &mut **tracer,
             Self::Device(tracer) => &mut **tracer,
+        }
+    }
+}
+
+impl AnyTracer {
+    /// The scene that it traces, as edits have made it.
+    fn scene(&self) -> Option<Arc<PackedScene>> {
+        match self {
+            Self::Cpu(tracer) => tracer.scene().ok(),
+            Self::Device(tracer) => tracer.scene().cloned(),
+        }
+    }
+
+    /// Takes the same scene in another light. After edits each tracer has arrays of its own, which stay.
+    fn set_light_of(&mut self, scene: &Arc<PackedScene>) -> Result<(), TraceError> {
+        let own = self.scene().filter(|own| !Arc::ptr_eq(own.geometry(), scene.geometry()));
+        let mut shared = own.as_ref().map(|_| (**scene).clone());
+        let is_shared = own.zip(shared.as_mut()).is_some_and(|(own, shared)| shared.take_arrays_of(&own));
+        match shared.filter(|_| is_shared) {
+            Some(shared) => self.as_tracer().set_scene(&Arc::new(shared)),
+            None => self.as_tracer().set_scene(scene),
         }
     }
 }
@@ -92,7 +113,7 @@ impl Side {
     pub fn take_scene(&mut self, scenes: Option<(&Arc<PackedScene>, &Arc<PackedScene>)>) {
         if let (Some((old, scene)), Some(tracer)) = (scenes, &mut self.tracer)
             && Arc::ptr_eq(old.geometry(), scene.geometry())
-            && tracer.as_tracer().set_scene(scene).is_ok()
+            && tracer.set_light_of(scene).is_ok()
         {
             // The tracer forgot its film.
             (self.last, self.left) = (None, None);
@@ -100,6 +121,25 @@ impl Side {
         }
         // The old scene's memory is free before the new one takes its own.
         self.close();
+    }
+
+    /// The scene that is traced, once there is a tracer.
+    pub fn scene(&self) -> Option<Arc<PackedScene>> {
+        self.tracer.as_ref().and_then(AnyTracer::scene)
+    }
+
+    /// Follows an edit of the scene. Where that fails, nothing is traced before a scene is set again.
+    pub fn follow(&mut self, patch: &Patch) -> Result<(), TraceError> {
+        let Some(tracer) = &mut self.tracer else { return Ok(()) };
+        let followed = tracer.as_tracer().patch(patch);
+        self.notes.extend(tracer.as_tracer().take_notes());
+        if followed.is_err() {
+            self.close();
+        }
+        // The tracer forgot its film.
+        self.begin();
+        (self.last, self.left) = (None, None);
+        followed
     }
 
     /// Lets the processor trace from now on.
