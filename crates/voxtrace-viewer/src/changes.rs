@@ -56,7 +56,10 @@ impl Session {
         match open.lacks_objects() {
             true if self.editing.as_ref().is_some_and(crate::editing::Editing::has_edits) => {
                 open.hide_unread();
-                self.say("what the file hides cannot be read into a scene that was edited: save it, and open it with --show", true);
+                self.say(
+                    "what the file hides cannot be read into a scene that was edited: save it, and open it with --show",
+                    true,
+                );
             }
             true => self.ask(Command::LoadAgain),
             false => self.update_scene(),

@@ -144,7 +144,8 @@ impl Input {
         };
         let anchor = session.pick(cursor).map(|picked| picked.point);
         session.navigator.begin_gesture();
-        self.drag = Some(Drag { button, steer, from: cursor, anchor, is_click: !is_divider && !is_edit, is_divider, is_edit });
+        self.drag =
+            Some(Drag { button, steer, from: cursor, anchor, is_click: !is_divider && !is_edit, is_divider, is_edit });
     }
 
     /// A button is let go.
@@ -152,6 +153,7 @@ impl Input {
         let Some(drag) = self.drag.take_if(|drag| drag.button == button) else { return };
         session.navigator.end_gesture();
         if drag.is_edit {
+            session.hover = self.cursor;
             return session.edit_release();
         }
         if drag.is_click && button == Button::Left {

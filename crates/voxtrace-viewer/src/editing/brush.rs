@@ -88,10 +88,9 @@ impl Brush {
     pub fn shape(self, cell: IVec3) -> Shape {
         let region = self.region(cell);
         match self.is_round && self.size > 1 {
-            true => Shape::Sphere {
-                center: (region.min + region.max).as_dvec3() / 2.0,
-                radius: f64::from(self.size) / 2.0,
-            },
+            true => {
+                Shape::Sphere { center: (region.min + region.max).as_dvec3() / 2.0, radius: f64::from(self.size) / 2.0 }
+            }
             false => Shape::Box(region),
         }
     }

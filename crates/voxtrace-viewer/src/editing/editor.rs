@@ -5,10 +5,10 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, Sender, TryRecvError, channel};
 use std::time::{Duration, Instant};
-use voxtrace::{Axis, PackedScene};
 use voxtrace::changes::{MaterialChange, SceneChanges};
 use voxtrace::dynamic::{Clip, DynamicScene, Edit, EditError, Patch};
 use voxtrace::grid::VoxelBox;
+use voxtrace::{Axis, PackedScene};
 
 /// Bytes that undo and redo keep.
 pub const UNDO_BYTES: u64 = 256 << 20;
@@ -168,12 +168,7 @@ impl Editor {
     }
 }
 
-fn run(
-    scene: &Arc<PackedScene>,
-    materials: Vec<MaterialChange>,
-    jobs: &Receiver<Job>,
-    tell: &dyn Fn(Told) -> bool,
-) {
+fn run(scene: &Arc<PackedScene>, materials: Vec<MaterialChange>, jobs: &Receiver<Job>, tell: &dyn Fn(Told) -> bool) {
     let base = match threads::aside(|| based(scene, materials)) {
         Ok(base) => base,
         Err(error) => {

@@ -75,12 +75,7 @@ impl FaceRegion {
 }
 
 /// The edges of a region, those in one line joined.
-fn outline_of(
-    cells: &[IVec3],
-    found: &FxHashSet<IVec3>,
-    face: Face,
-    (u, v): (usize, usize),
-) -> Vec<[Vec3; 2]> {
+fn outline_of(cells: &[IVec3], found: &FxHashSet<IVec3>, face: Face, (u, v): (usize, usize)) -> Vec<[Vec3; 2]> {
     let mut edges: Vec<[IVec3; 2]> = Vec::new();
     let lift = face.normal().max(IVec3::ZERO);
     for (across, along) in [(u, v), (v, u)] {

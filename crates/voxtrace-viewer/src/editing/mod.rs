@@ -247,6 +247,8 @@ pub struct Editing {
     pub saved: Option<Saved>,
     /// Whether the scene came with edits that were not saved: from a recovery file.
     pub is_recovered: bool,
+    /// Where a tool was used last: what planes of symmetry are drawn for when nothing is under the cursor.
+    pub(crate) last_spot: Option<Spot>,
     pub(crate) editor: Option<Editor>,
     pub(crate) stroke: Option<Stroke>,
     /// The scene before the stroke, where that is not what is picked in anyway.
@@ -283,6 +285,7 @@ impl Default for Editing {
             steps: Steps::default(),
             saved: None,
             is_recovered: false,
+            last_spot: None,
             editor: None,
             stroke: None,
             before: None,

@@ -119,7 +119,12 @@ pub fn outlines(session: &Session) -> Vec<Outline> {
     let hovered = session.hover.filter(|_| !session.is_moving()).and_then(|cursor| session.edit_spot(cursor));
     let stroke = editing.stroke();
     let spot = stroke.and_then(Stroke::spot).copied().or(hovered);
-    let Some(spot) = spot else { return all };
+    let Some(spot) = spot else {
+        let Some(last) = &editing.last_spot else { return all };
+        let mut lines = Lines { world_from_grid: &last.world_from_grid, all };
+        planes(session, last, &mut lines);
+        return lines.all;
+    };
     let mut lines = Lines { world_from_grid: &spot.world_from_grid, all };
     planes(session, &spot, &mut lines);
     match stroke {

@@ -200,16 +200,8 @@ pub enum Group {
 
 impl Group {
     /// All of them, in the order of lists.
-    pub const ALL: [Self; 8] = [
-        Self::Moving,
-        Self::Views,
-        Self::Light,
-        Self::Tracing,
-        Self::Files,
-        Self::Editing,
-        Self::Window,
-        Self::Others,
-    ];
+    pub const ALL: [Self; 8] =
+        [Self::Moving, Self::Views, Self::Light, Self::Tracing, Self::Files, Self::Editing, Self::Window, Self::Others];
 
     /// Its name.
     pub fn name(self) -> &'static str {

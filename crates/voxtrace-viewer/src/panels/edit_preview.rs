@@ -34,7 +34,8 @@ pub fn preview(ui: &Ui, session: &Session, side: f32) {
     let window = ui.ctx().content_rect();
     let picture = window.with_max_x(window.right() - side);
     let scale = ui.ctx().pixels_per_point();
-    let painter = ui.ctx().layer_painter(LayerId::new(Order::Background, "edit preview".into())).with_clip_rect(picture);
+    let painter =
+        ui.ctx().layer_painter(LayerId::new(Order::Background, "edit preview".into())).with_clip_rect(picture);
     let camera = session.navigator.camera();
     let projection = Projection::new(camera, session.size());
     let is_straight = matches!(camera.lens, Lens::Pinhole | Lens::Thin { .. } | Lens::Orthographic { .. });

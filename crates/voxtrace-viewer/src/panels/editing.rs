@@ -159,18 +159,23 @@ fn palette(ui: &mut Ui, session: &mut Session) {
     }
     let spacing = vec2(2.0, 2.0);
     let across = ((ui.available_width() / (SWATCH + spacing.x)).floor() as usize).max(1);
-    ScrollArea::vertical().id_salt("palette").max_height(HEIGHT).show_rows(ui, SWATCH, count.div_ceil(across), |ui, rows| {
-        ui.spacing_mut().item_spacing = spacing;
-        for row in rows {
-            ui.horizontal(|ui| {
-                for number in row * across..((row + 1) * across).min(count) {
-                    if swatch(ui, session, number, number == current) {
-                        chosen = Some(number);
+    ScrollArea::vertical().id_salt("palette").max_height(HEIGHT).show_rows(
+        ui,
+        SWATCH,
+        count.div_ceil(across),
+        |ui, rows| {
+            ui.spacing_mut().item_spacing = spacing;
+            for row in rows {
+                ui.horizontal(|ui| {
+                    for number in row * across..((row + 1) * across).min(count) {
+                        if swatch(ui, session, number, number == current) {
+                            chosen = Some(number);
+                        }
                     }
-                }
-            });
-        }
-    });
+                });
+            }
+        },
+    );
     if recent.len() > 1 {
         ui.horizontal(|ui| {
             ui.label("recent");
@@ -297,27 +302,37 @@ fn steps(ui: &mut Ui, session: &mut Session) {
     });
     let height = ui.text_style_height(&egui::TextStyle::Body) + 2.0;
     let rows = done + undone + 1;
-    ScrollArea::vertical().id_salt("steps").max_height(HEIGHT).stick_to_bottom(true).show_rows(ui, height, rows, |ui, rows| {
-        for row in rows {
-            let (text, is_undone) = match row.checked_sub(1) {
-                None if steps.has_forgotten => ("earlier edits, which stay".to_owned(), false),
-                None => ("as it was opened".to_owned(), false),
-                Some(index) => {
-                    let is_undone = index >= done;
-                    let step = if is_undone { &steps.undone[undone - 1 - (index - done)] } else { &steps.done[index] };
-                    let voxels = match step.voxels {
-                        0 => String::new(),
-                        voxels => format!(" {}{}", if voxels > 0 { "+" } else { "−" }, counted(voxels.unsigned_abs(), "voxel")),
-                    };
-                    (format!("{row}. {}{voxels}", step.name), is_undone)
+    ScrollArea::vertical().id_salt("steps").max_height(HEIGHT).stick_to_bottom(true).show_rows(
+        ui,
+        height,
+        rows,
+        |ui, rows| {
+            for row in rows {
+                let (text, is_undone) = match row.checked_sub(1) {
+                    None if steps.has_forgotten => ("earlier edits, which stay".to_owned(), false),
+                    None => ("as it was opened".to_owned(), false),
+                    Some(index) => {
+                        let is_undone = index >= done;
+                        let step =
+                            if is_undone { &steps.undone[undone - 1 - (index - done)] } else { &steps.done[index] };
+                        let voxels = match step.voxels {
+                            0 => String::new(),
+                            voxels => format!(
+                                " {}{}",
+                                if voxels > 0 { "+" } else { "−" },
+                                counted(voxels.unsigned_abs(), "voxel")
+                            ),
+                        };
+                        (format!("{row}. {}{voxels}", step.name), is_undone)
+                    }
+                };
+                let text = if is_undone { RichText::new(text).weak() } else { RichText::new(text) };
+                if ui.add(Button::selectable(row == done, text)).clicked() && row != done {
+                    asked = Some((row.abs_diff(done), row < done));
                 }
-            };
-            let text = if is_undone { RichText::new(text).weak() } else { RichText::new(text) };
-            if ui.add(Button::selectable(row == done, text)).clicked() && row != done {
-                asked = Some((row.abs_diff(done), row < done));
             }
-        }
-    });
+        },
+    );
     if let Some((count, is_back)) = asked {
         session.travel(count, is_back);
     }

@@ -9,6 +9,7 @@ mod devices;
 mod dialogs;
 mod drawing;
 mod editing;
+mod editing_films;
 mod lenses;
 mod limits;
 mod lines;

@@ -25,7 +25,7 @@ impl Session {
             self.say("the scene is being made ready for edits; one moment", false);
             return true;
         }
-        editing.stroke = Some(Stroke::Nothing);
+        (editing.stroke, editing.last_spot) = (Some(Stroke::Nothing), Some(spot));
         if std::mem::take(&mut editing.picks_middle) {
             editing.symmetry.twice = Symmetry::middle_of_voxel(spot.voxel);
             editing.symmetry_of = Some(spot.grid);
@@ -46,8 +46,7 @@ impl Session {
             Tool::Brush => self.begin_brush(spot, act, cursor),
             Tool::Line | Tool::Box => {
                 let cell = act.cell(spot.voxel, spot.face);
-                editing.stroke =
-                    Some(Stroke::Span { tool: editing.tool, act, spot, from: cell, to: cell, depth: 0 });
+                editing.stroke = Some(Stroke::Span { tool: editing.tool, act, spot, from: cell, to: cell, depth: 0 });
             }
             Tool::Select => {
                 let (from, to) = (spot.voxel, spot.voxel);

@@ -92,7 +92,8 @@ impl Session {
     pub(crate) fn begin_saving(&mut self, path: &Path) {
         self.end_stroke();
         let Some(open) = &self.open else { return };
-        let hidden = open.is_visible.iter().zip(&open.original.outline.objects).filter(|(seen, own)| !**seen && !own.is_hidden);
+        let hidden =
+            open.is_visible.iter().zip(&open.original.outline.objects).filter(|(seen, own)| !**seen && !own.is_hidden);
         let hidden = hidden.count() as u64;
         if let Some(editing) = &mut self.editing {
             let (path, is_visible) = (path.to_owned(), open.is_visible.clone());
