@@ -31,9 +31,22 @@ impl Commands<'_> {
         VoxelBox { min, max: min + IVec3::new(self.byte(), self.byte(), self.byte()) % 14 }
     }
 
-    fn content(&mut self) -> Option<u16> {
-        let byte = self.byte() % 5;
-        (byte < 4).then_some(byte as u16)
+    fn material(&mut self, scene: &DynamicScene) -> u16 {
+        (self.byte() as usize % scene.scene().materials().len()) as u16
+    }
+
+    fn content(&mut self, scene: &DynamicScene) -> Option<u16> {
+        let byte = self.byte() as usize % (scene.scene().materials().len() + 1);
+        (byte < scene.scene().materials().len()).then_some(byte as u16)
+    }
+
+    fn new_material(&mut self) -> Material {
+        let strength = Vec3::splat(self.byte() as f32 / 16.0);
+        match self.byte() % 3 {
+            0 => Material::diffuse(strength / 32.0),
+            1 => Material::emissive(strength),
+            _ => Material::glass(1.5, 0.0),
+        }
     }
 
     fn shape(&mut self) -> Shape {
@@ -52,9 +65,9 @@ impl Commands<'_> {
 
     fn edit(&mut self, scene: &DynamicScene) -> Edit {
         match self.byte() % 8 {
-            0..3 => Edit::Fill { shape: self.shape(), material: self.content() },
-            3 => Edit::Paint { shape: self.shape(), material: (self.byte() % 4) as u16 },
-            4 => Edit::Replace { within: Some(self.region()), from: (self.byte() % 4) as u16, to: self.content() },
+            0..3 => Edit::Fill { shape: self.shape(), material: self.content(scene) },
+            3 => Edit::Paint { shape: self.shape(), material: self.material(scene) },
+            4 => Edit::Replace { within: Some(self.region()), from: self.material(scene), to: self.content(scene) },
             5 => Edit::Extrude {
                 layer: self.region(),
                 face: FACES[self.byte() as usize % 6],
@@ -64,7 +77,7 @@ impl Commands<'_> {
                 let clip = scene.copy(0, self.region()).unwrap_or_else(|_| Clip::new(VoxelGrid::new(), IVec3::ONE));
                 Edit::Paste { clip: clip.into(), at: self.voxel(), with_empty: self.byte() % 2 == 0 }
             }
-            _ => Edit::Flood { start: self.voxel(), material: self.content(), within: self.region(), most: 1 << 16 },
+            _ => Edit::Flood { start: self.voxel(), material: self.content(scene), within: self.region(), most: 1 << 16 },
         }
     }
 }
@@ -126,16 +139,10 @@ fn edit_plainly(voxels: &mut Voxels, edit: &Edit) {
     }
 }
 
-fn packed(voxels: &Voxels) -> PackedScene {
+fn packed(voxels: &Voxels, materials: &[Material]) -> PackedScene {
     let mut grid = VoxelGrid::new();
     voxels.iter().for_each(|(&voxel, &material)| _ = grid.set(voxel, material));
-    let materials = vec![
-        Material::diffuse(Vec3::splat(0.5)),
-        Material::emissive(Vec3::ONE),
-        Material::glass(1.5, 0.0),
-        Material::emissive(Vec3::X),
-    ];
-    PackedScene::pack(&Scene::from_grid("edits", grid, materials)).expect("a few materials")
+    PackedScene::pack(&Scene::from_grid("edits", grid, materials.to_vec())).expect("not too many materials")
 }
 
 fn hits(tracer: &mut CpuTracer, rays: &[Ray]) -> Vec<Hit> {
@@ -150,14 +157,20 @@ fn hits(tracer: &mut CpuTracer, rays: &[Ray]) -> Vec<Hit> {
 /// If something does not hold.
 pub fn check(bytes: &[u8]) {
     let mut voxels = Voxels::from([(IVec3::new(3, 7, -1), 1)]);
-    let first = packed(&voxels);
+    let mut materials = vec![
+        Material::diffuse(Vec3::splat(0.5)),
+        Material::emissive(Vec3::ONE),
+        Material::glass(1.5, 0.0),
+        Material::emissive(Vec3::X),
+    ];
+    let first = packed(&voxels, &materials);
     let mut tracer = CpuTracer::new(None);
     tracer.set_scene(&first.clone().into()).expect("memory");
     let mut scene = DynamicScene::new(first).expect("nothing is merged");
     let (mut done, mut undone): (Vec<Voxels>, Vec<Voxels>) = (Vec::new(), Vec::new());
     let mut commands = Commands(&bytes[..bytes.len().min(600)]);
     while !commands.0.is_empty() {
-        match commands.byte() % 10 {
+        match commands.byte() % 11 {
             0 => {
                 assert_eq!(scene.undo().expect("room").is_some(), !done.is_empty());
                 done.pop().into_iter().for_each(|before| undone.push(std::mem::replace(&mut voxels, before)));
@@ -168,6 +181,17 @@ pub fn check(bytes: &[u8]) {
             }
             2 => _ = scene.repair(commands.byte() as usize % 4),
             3 => scene.settle(),
+            10 => {
+                // Now and then so many that a byte cannot name them.
+                let many = if commands.byte() == 255 { 260 } else { 1 };
+                for material in vec![commands.new_material(); many] {
+                    assert_eq!(scene.add_material(&material), Ok(materials.len() as u16));
+                    materials.push(material);
+                }
+                if materials.len() > 256 && materials.len() - many <= 256 {
+                    (done, undone) = (Vec::new(), Vec::new());
+                }
+            }
             4 => tracer.patch(&scene.take_patch()).expect("in step"),
             _ => {
                 let edit = commands.edit(&scene);
@@ -184,7 +208,7 @@ pub fn check(bytes: &[u8]) {
     }
     scene.validate().expect("a sound scene");
     tracer.patch(&scene.take_patch()).expect("in step");
-    let expected = packed(&voxels);
+    let expected = packed(&voxels, &materials);
     assert_eq!(scene.compact().content_hash(), expected.content_hash());
     let mut fresh = CpuTracer::new(None);
     fresh.set_scene(&expected.into()).expect("memory");

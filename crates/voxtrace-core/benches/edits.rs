@@ -1,5 +1,6 @@
-//! `cargo bench -p voxtrace-core --bench edits -- church 100000`: what edits of a built-in scene cost until the CPU tracer has them, and how much
-//! memory many random ones take. Medians, milliseconds, and the bytes of a patch.
+//! `cargo bench -p voxtrace-core --bench edits -- church 100000`: what edits of a built-in scene cost until the CPU tracer has them, what repairing
+//! skip distances costs then and after they are undone, and how much memory many random ones take. Medians, milliseconds, and the bytes of a patch. A third argument is a part of the names of rows to be measured
+//! alone.
 
 use std::error::Error;
 use std::sync::Arc;
@@ -43,7 +44,7 @@ fn sphere(at: IVec3, radius: f64) -> Shape {
     Shape::Sphere { center: at.as_dvec3() + DVec3::splat(0.5), radius }
 }
 
-/// Edits, patch and the tracer that follows; then undone.
+/// Edits, patch and the tracer that follows; then undone. Skip distances are repaired each time, after the tracer has the patch.
 fn measure(
     name: &str,
     scene: &mut DynamicScene,
@@ -51,6 +52,7 @@ fn measure(
     mut next: impl FnMut() -> Edit,
 ) -> Result<(), Box<dyn Error>> {
     let (mut edits, mut patches, mut undos, mut bytes) = (vec![], vec![], vec![], vec![]);
+    let (mut repairs, mut repairs_of_undos) = (vec![], vec![]);
     for _ in 0..TIMES {
         let edit = next();
         let (time, edited) = timed(|| scene.edit(0, &edit));
@@ -64,13 +66,19 @@ fn measure(
         });
         patches.push(time);
         bytes.push(patch?.size_bytes() as f64);
+        repairs.push(timed(|| scene.repair(usize::MAX)).0);
         let (time, undone) = timed(|| scene.undo());
         undone?;
         undos.push(time);
+        repairs_of_undos.push(timed(|| scene.repair(usize::MAX)).0);
         tracer.patch(&scene.take_patch())?;
     }
     let (edit, patch, undo, bytes) = (median(edits), median(patches), median(undos), median(bytes));
-    println!("{name:<28} {edit:>9.3} {patch:>9.3} {:>9.3} {undo:>9.3} {bytes:>12.0}", edit + patch);
+    let (repair, after_undo) = (median(repairs), median(repairs_of_undos));
+    println!(
+        "{name:<34} {edit:>9.3} {patch:>9.3} {:>9.3} {undo:>9.3} {repair:>9.3} {after_undo:>9.3} {bytes:>11.0}",
+        edit + patch
+    );
     Ok(())
 }
 
@@ -110,6 +118,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut arguments = std::env::args().skip(1).filter(|argument| !argument.starts_with('-'));
     let name = arguments.next().unwrap_or_else(|| "church".into());
     let count: u32 = arguments.next().and_then(|count| count.parse().ok()).unwrap_or(100_000);
+    let only = arguments.next().unwrap_or_default();
     let made = voxtrace_scenes::generate(&name, None)?;
     let (time, packed) = timed(|| PackedScene::pack(&made));
     let packed = packed?;
@@ -122,7 +131,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let (time, scene) = timed(|| DynamicScene::new(packed));
     let mut scene = scene?;
     println!("taking the scene {time:.1} ms");
-    println!("{:<28} {:>9} {:>9} {:>9} {:>9} {:>12}", "", "edit", "patch", "both", "undo", "bytes");
+    let columns = ["edit", "patch", "both", "undo", "repair", "after undo"].map(|name| format!("{name:>9}"));
+    println!("{:<34} {} {:>11}", "", columns.join(" "), "bytes");
     let mut random = Random(7);
     for (radius, which) in [(0.0, "one voxel"), (16.0, "sphere, r = 16"), (64.0, "sphere, r = 64")] {
         for (what, material) in [("filled", Some(0)), ("filled with light", Some(lamp)), ("cleared", None)] {
@@ -130,8 +140,11 @@ fn main() -> Result<(), Box<dyn Error>> {
                 .filter(|&at| radius > 0.0 || material.is_some() || scene.voxel(0, at).is_some())
                 .take(TIMES)
                 .collect();
-            let mut places = places.into_iter().cycle();
-            measure(&format!("{which}, {what}"), &mut scene, &mut tracer, || Edit::Fill {
+            let (mut places, name) = (places.into_iter().cycle(), format!("{which}, {what}"));
+            if !name.contains(&only) {
+                continue;
+            }
+            measure(&name, &mut scene, &mut tracer, || Edit::Fill {
                 shape: sphere(places.next().unwrap_or(min), radius),
                 material,
             })?;

@@ -1,13 +1,13 @@
 //! `cargo bench -p voxtrace-tests --bench device_edits -- church`: what edits of a scene cost until a device may trace the next frame, and what
 //! tracing costs while a scene is edited. Medians of nine edits here and there, milliseconds: the edit and its patch on the host, passing it to the
-//! tracer, and of that the device's own time.
+//! tracer, which does not wait for the device, a ray that is cast then, which does, and repairing skip distances afterwards.
 
 use std::error::Error;
 use std::sync::Arc;
 use std::time::Instant;
 use voxtrace::dynamic::{DynamicScene, Edit};
-use voxtrace::glam::DVec3;
-use voxtrace::{Film, Frame, Integrator, PackedScene, Progress, Region, Shape, Tracer, scenes};
+use voxtrace::glam::{DVec3, Vec3};
+use voxtrace::{Film, Frame, Integrator, PackedScene, Progress, Ray, Region, Shape, Tracer, scenes};
 use voxtrace_vulkan::{Device, Options, Primitive, Settings, Traversal, VulkanTracer, missing};
 
 fn median(mut values: Vec<f64>) -> f64 {
@@ -62,22 +62,31 @@ fn measure(
         primitive.name(),
         start.elapsed().as_secs_f64() * 1e3
     );
+    let ray = [Ray::new((bounds.0 + size / 2.0).as_vec3(), Vec3::NEG_Z)];
+    let timed = |work: &mut dyn FnMut() -> Result<(), Box<dyn Error>>| {
+        let start = Instant::now();
+        work().map(|()| start.elapsed().as_secs_f64() * 1e3)
+    };
+    let alone: Result<Vec<f64>, _> = (0..9).map(|_| timed(&mut || Ok(drop(tracer.cast(&ray)?)))).collect();
+    println!("  one ray: {:.3}", median(alone?));
+    let lamp = packed.geometry().emitters().first().map_or(0, |emitter| emitter.material as u16);
     for (name, radius) in [("one voxel", 0.5), ("radius 16", 16.0), ("radius 64", 64.0)] {
-        for (what, material) in [("filled", Some(0)), ("cleared", None)] {
-            let (mut on_host, mut passed, mut on_device) = (Vec::new(), Vec::new(), Vec::new());
+        for (what, material) in [("filled", Some(0)), ("cleared", None), ("filled with light", Some(lamp)), ("cleared", None)] {
+            let (mut on_host, mut passed, mut cast, mut repairs) = (vec![], vec![], vec![], vec![]);
             for i in 0..9 {
                 let start = Instant::now();
                 scene.edit(0, &edit(place(i + 1).floor() + 0.5, radius, material))?;
                 let patch = scene.take_patch();
                 on_host.push(start.elapsed().as_secs_f64() * 1e3);
-                let start = Instant::now();
-                tracer.patch(&patch)?;
-                passed.push(start.elapsed().as_secs_f64() * 1e3);
-                on_device.push(tracer.statistics().gpu_ms);
+                passed.push(timed(&mut || Ok(tracer.patch(&patch)?))?);
+                cast.push(timed(&mut || Ok(drop(tracer.cast(&ray)?)))?);
+                repairs.push(timed(&mut || Ok(_ = scene.repair(usize::MAX)))?);
+                tracer.patch(&scene.take_patch())?;
+                tracer.cast(&ray)?;
             }
-            let (host, passed, device) = (median(on_host), median(passed), median(on_device));
+            let (host, passed, cast, repair) = (median(on_host), median(passed), median(cast), median(repairs));
             println!(
-                "  {name} {what}: {host:.3} on the host, {passed:.3} passing it on, of which {device:.3} on the device"
+                "  {name} {what}: {host:.3} on the host, {passed:.3} passing it on, {cast:.3} a ray then; repairing {repair:.3}"
             );
         }
     }

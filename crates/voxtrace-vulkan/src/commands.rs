@@ -1,6 +1,7 @@
 //! Submitting work: at most two submits in flight, each timed by the device's clock and proved by a number that the
 //! device itself writes.
 
+use crate::barrier::{barrier, memory_barrier};
 use crate::buffer::Buffer;
 use crate::capabilities::DeviceKind;
 use crate::device::Device;
@@ -74,6 +75,8 @@ struct InFlight {
     sequence: u32,
     workgroups: Option<u32>,
     has_then: bool,
+    /// Whether nobody asks what it did.
+    is_quiet: bool,
     submitted: Instant,
 }
 
@@ -158,7 +161,8 @@ impl Submitter {
     }
 
     fn try_submit(&mut self, job: &Job) -> Result<Option<Finished>, TraceError> {
-        let finished = if self.in_flight.len() == SLOTS { self.try_wait()? } else { None };
+        let is_quiet = self.in_flight.front().is_some_and(|oldest| oldest.is_quiet);
+        let finished = if self.in_flight.len() == SLOTS { self.try_wait()?.filter(|_| !is_quiet) } else { None };
         let slot = (self.submitted % SLOTS as u64) as usize;
         self.sequence = self.sequence.wrapping_add(1).max(1);
         let inputs = [Some(job.dispatch), job.then.as_ref().map(|then| then.dispatch)];
@@ -189,6 +193,7 @@ impl Submitter {
             sequence: self.sequence,
             workgroups: job.workgroups.map(|count| count + job.then.as_ref().map_or(0, |then| then.workgroups)),
             has_then: job.then.is_some(),
+            is_quiet: false,
             submitted: Instant::now(),
         });
         Ok(finished)
@@ -221,8 +226,32 @@ impl Submitter {
         self.run(&job).map(|finished| finished.gpu_ms)
     }
 
+    /// As [`Self::run_commands_and`], but does not wait: what is submitted later sees what these commands did. Whatever they use must stay until
+    /// [`Self::wait_for_quiet`].
+    pub fn run_quietly(
+        &mut self,
+        step: &'static str,
+        record: &dyn Fn(vk::CommandBuffer, Barrier),
+    ) -> Result<(), TraceError> {
+        let device = Arc::clone(&self.device);
+        let record = |commands, _| record(commands, &|commands| barrier(&device, commands));
+        self.submit(&Job { step, work: 0, dispatch: Dispatch::default(), workgroups: None, record: &record, then: None })?;
+        self.in_flight.back_mut().into_iter().for_each(|last| last.is_quiet = true);
+        Ok(())
+    }
+
+    /// Waits for what was submitted quietly before anything else that is in flight.
+    pub fn wait_for_quiet(&mut self) -> Result<(), TraceError> {
+        while self.in_flight.front().is_some_and(|oldest| oldest.is_quiet) {
+            let result = self.try_wait();
+            self.settle(result)?;
+        }
+        Ok(())
+    }
+
     /// Waits for the oldest submit in flight; `None` where there is none. After an error nothing is in flight.
     pub fn wait(&mut self) -> Result<Option<Finished>, TraceError> {
+        self.wait_for_quiet()?;
         let result = self.try_wait();
         self.settle(result)
     }
@@ -272,8 +301,11 @@ impl Submitter {
                 raw.cmd_reset_query_pool(commands, self.queries, first_query, TIMES);
             }
             time(0);
-            raw.cmd_fill_buffer(commands, self.counters.handle, 0, vk::WHOLE_SIZE, 0);
-            self.barrier(commands);
+            let counts = job.workgroups.is_some();
+            if counts {
+                raw.cmd_fill_buffer(commands, self.counters.handle, 0, vk::WHOLE_SIZE, 0);
+                self.barrier(commands);
+            }
             (job.record)(commands, offsets[0]);
             self.barrier(commands);
             if let Some(then) = &job.then {
@@ -281,7 +313,9 @@ impl Submitter {
                 (then.record)(commands, offsets[1]);
                 self.barrier(commands);
             }
-            raw.cmd_copy_buffer(commands, self.counters.handle, self.readback.handle, &[copy]);
+            if counts {
+                raw.cmd_copy_buffer(commands, self.counters.handle, self.readback.handle, &[copy]);
+            }
             time(if job.then.is_some() { 2 } else { 1 });
             memory_barrier(&self.device, commands, vk::PipelineStageFlags::HOST, vk::AccessFlags::HOST_READ);
             raw.end_command_buffer(commands)
@@ -329,24 +363,6 @@ impl Submitter {
         let between = |first: usize| ticks[first + 1].wrapping_sub(ticks[first]) as f64 * period * 1e-6;
         Ok((between(0), done.has_then.then(|| between(1))))
     }
-}
-
-/// Lets everything after see everything before.
-fn barrier(device: &Device, commands: vk::CommandBuffer) {
-    let access = vk::AccessFlags::MEMORY_READ | vk::AccessFlags::MEMORY_WRITE;
-    memory_barrier(device, commands, vk::PipelineStageFlags::ALL_COMMANDS, access);
-}
-
-fn memory_barrier(
-    device: &Device,
-    commands: vk::CommandBuffer,
-    stage: vk::PipelineStageFlags,
-    access: vk::AccessFlags,
-) {
-    let memory = vk::MemoryBarrier::default().src_access_mask(vk::AccessFlags::MEMORY_WRITE).dst_access_mask(access);
-    let (before, flags) = (vk::PipelineStageFlags::ALL_COMMANDS, vk::DependencyFlags::empty());
-    // SAFETY: only called while these commands are recorded.
-    unsafe { device.raw.cmd_pipeline_barrier(commands, before, stage, flags, &[memory], &[], &[]) };
 }
 
 /// The counters by name, with what ray generation shaders counted in many places added.

@@ -4,6 +4,7 @@
 
 mod accel;
 mod allocations;
+mod barrier;
 mod bindings;
 mod buffer;
 mod capabilities;

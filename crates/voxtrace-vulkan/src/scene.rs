@@ -9,6 +9,7 @@ use crate::pages::Pages;
 use crate::records::binding;
 use crate::transfer::{Transfer, Write};
 use bytemuck::{Pod, cast_slice};
+use std::ops::Range;
 use std::sync::Arc;
 use voxtrace_core::dynamic::{ArrayPatch, Patch};
 use voxtrace_core::packed::{DeviceCells, Geometry, Placement};
@@ -135,44 +136,50 @@ impl SceneBuffers {
         })
     }
 
-    /// Makes room for what `scene`, the one that is here after a patch, has more of. Returns what of the patch is to be written.
+    /// Makes room for what `scene`, the one that is here after a patch, has more of. Returns what of it is to be written, and whether an array is in
+    /// another buffer now.
     pub fn patched(
         &mut self,
         device: &Arc<Device>,
         scene: &Arc<PackedScene>,
         patch: &Patch,
-    ) -> Result<Vec<OwnedWrite>, TraceError> {
+    ) -> Result<(Vec<PatchWrite>, bool), TraceError> {
         self.scene = Arc::clone(scene);
         self.top_shift = scene.geometry().tree_cells().top_shift;
-        let mut writes = Vec::new();
-        for (at, (binding, name, bytes)) in geometry_arrays(scene.geometry()).into_iter().enumerate() {
-            let (own, buffer) = &mut self.geometry[at];
+        let (mut writes, mut has_moved) = (Vec::new(), false);
+        for (array, (binding, name, bytes)) in geometry_arrays(scene.geometry()).into_iter().enumerate() {
+            let (own, buffer) = &mut self.geometry[array];
             debug_assert_eq!(*own, binding, "arrays are in one order");
             if buffer.size < bytes.len() as u64 {
                 *buffer = Buffer::storage(device, name, with_room(bytes.len()))?;
-                writes.push(OwnedWrite { array: at, at: 0, bytes: bytes.to_vec() });
+                writes.push(PatchWrite { array, range: 0..bytes.len() });
+                has_moved = true;
                 continue;
             }
-            let mut write = |(at_byte, bytes): (usize, &[u8])| {
-                writes.push(OwnedWrite { array: at, at: at_byte as u64, bytes: bytes.to_vec() });
+            let ranges = match binding {
+                binding::CELLS => ranges_of(&patch.cells),
+                binding::BRICKS => ranges_of(&patch.bricks),
+                binding::BRICK_MATERIALS => ranges_of(&patch.brick_materials),
+                binding::EMITTERS => ranges_of(&patch.emitters),
+                binding::LIGHT_NODES => ranges_of(&patch.light_nodes),
+                binding::GRIDS => vec![0..bytes.len()],
+                binding::MATERIALS => ranges_of(&patch.materials),
+                _ => Vec::new(),
             };
-            match binding {
-                binding::CELLS => parts_of(&patch.cells).for_each(&mut write),
-                binding::BRICKS => parts_of(&patch.bricks).for_each(&mut write),
-                binding::BRICK_MATERIALS => parts_of(&patch.brick_materials).for_each(&mut write),
-                binding::EMITTERS => parts_of(&patch.emitters).for_each(&mut write),
-                binding::LIGHT_NODES => parts_of(&patch.light_nodes).for_each(&mut write),
-                binding::GRIDS => write((0, bytes)),
-                // Edits choose among the materials that there are.
-                _ => {}
-            }
+            writes.extend(ranges.into_iter().map(|range| PatchWrite { array, range }));
         }
-        Ok(writes)
+        Ok((writes, has_moved))
     }
 
-    /// Where such a write goes.
-    pub fn write_of<'a>(&'a self, write: &'a OwnedWrite) -> Write<'a> {
-        Write { buffer: &self.geometry[write.array].1, at: write.at, bytes: &write.bytes }
+    /// What is written, and where it goes.
+    pub fn patch_writes(&self, writes: &[PatchWrite]) -> Vec<Write<'_>> {
+        let arrays = geometry_arrays(self.scene.geometry());
+        let write = |PatchWrite { array, range }: &PatchWrite| Write {
+            buffer: &self.geometry[*array].1,
+            at: range.start as u64,
+            bytes: &arrays[*array].2[range.clone()],
+        };
+        writes.iter().map(write).collect()
     }
 
     /// The same geometry with memory for the placement of `scene`, whose geometry it is; [`Self::placement_writes`] must be written.
@@ -259,16 +266,26 @@ impl SceneBuffers {
 
 /// Bytes that drivers add to buffers where they round their sizes, at most.
 const ROUNDED: u64 = 1 << 16;
-/// What is written into one of the arrays of a geometry.
-pub struct OwnedWrite {
+/// Bytes between two ranges of a patch that are sooner copied than begun anew.
+const GAP: usize = 2048;
+
+/// Bytes of one of the arrays of a geometry that are to be written.
+pub struct PatchWrite {
     array: usize,
-    at: u64,
-    bytes: Vec<u8>,
+    range: Range<usize>,
 }
 
-/// The ranges of an array that a patch writes: first byte, bytes.
-fn parts_of<T: Pod>(patch: &ArrayPatch<T>) -> impl Iterator<Item = (usize, &[u8])> {
-    patch.parts().map(|(start, records)| (start * size_of::<T>(), cast_slice(records)))
+/// The bytes of an array that a patch writes; what lies between ranges that are near each other is the same there and here.
+fn ranges_of<T: Pod>(patch: &ArrayPatch<T>) -> Vec<Range<usize>> {
+    let mut joined: Vec<Range<usize>> = Vec::new();
+    for &(start, length) in &patch.ranges {
+        let (start, end) = (start * size_of::<T>(), (start + length) * size_of::<T>());
+        match joined.last_mut() {
+            Some(last) if start <= last.end + GAP => last.end = end,
+            _ => joined.push(start..end),
+        }
+    }
+    joined
 }
 
 /// Bytes for an array of so many that is going to grow.

@@ -2,7 +2,7 @@
 //! the staging buffer has room for, so that a frame in which things move or change waits for the device once.
 
 use crate::buffer::Buffer;
-use crate::commands::Submitter;
+use crate::commands::{Barrier, Submitter};
 use crate::device::Device;
 use ash::vk;
 use gpu_allocator::MemoryLocation;
@@ -26,6 +26,10 @@ pub struct Write<'a> {
 
 /// Commands that are recorded.
 pub type Record<'a> = &'a dyn Fn(vk::CommandBuffer);
+
+/// Submits commands of a step. Returns the device's milliseconds, 0 where nobody waits.
+type Submit<'a> =
+    &'a dyn Fn(&mut Submitter, &'static str, &dyn Fn(vk::CommandBuffer, Barrier)) -> Result<f64, TraceError>;
 
 /// The two staging buffers, made when first needed.
 pub struct Transfer {
@@ -51,6 +55,29 @@ impl Transfer {
         writes: &[Write],
         then: Option<(&'static str, Record)>,
     ) -> Result<f64, TraceError> {
+        self.write_and(submitter, writes, then, &Submitter::run_commands_and)
+    }
+
+    /// As [`Self::write`] without waiting for the last submit: what is submitted later sees it. Buffers must stay until
+    /// [`Submitter::wait_for_quiet`].
+    pub fn write_quietly(
+        &mut self,
+        submitter: &mut Submitter,
+        writes: &[Write],
+        then: Option<(&'static str, Record)>,
+    ) -> Result<(), TraceError> {
+        let last: Submit = &|submitter, step, record| submitter.run_quietly(step, record).map(|()| 0.0);
+        self.write_and(submitter, writes, then, last).map(|_| ())
+    }
+
+    fn write_and(
+        &mut self,
+        submitter: &mut Submitter,
+        writes: &[Write],
+        then: Option<(&'static str, Record)>,
+        last: Submit,
+    ) -> Result<f64, TraceError> {
+        submitter.wait_for_quiet()?;
         let total: u64 = writes.iter().map(|write| write.bytes.len() as u64).sum();
         let usage = vk::BufferUsageFlags::TRANSFER_SRC;
         let staging = staging(&self.device, &mut self.up, total, usage, MemoryLocation::CpuToGpu)?;
@@ -60,7 +87,7 @@ impl Transfer {
             let mut done = 0;
             while done < write.bytes.len() {
                 if used == piece {
-                    ms += submit_copies(&self.device, submitter, "uploading", staging, &copies, None)?;
+                    ms += submitter.run_commands_and("uploading", &copying(&self.device, staging, &copies, None))?;
                     (used, copies) = (0, Vec::new());
                 }
                 let size = (write.bytes.len() - done).min(piece - used);
@@ -75,7 +102,7 @@ impl Transfer {
             return Ok(ms);
         }
         let (step, then) = then.map_or(("uploading", None), |(step, record)| (step, Some(record)));
-        Ok(ms + submit_copies(&self.device, submitter, step, staging, &copies, then)?)
+        Ok(ms + last(submitter, step, &copying(&self.device, staging, &copies, then))?)
     }
 
     /// Reads a buffer from the byte `at` on.
@@ -125,16 +152,14 @@ fn staging<'a>(
     Ok(slot.as_mut().expect("it was just made"))
 }
 
-/// Copies from the staging buffer, those to one buffer by one command, then what else is recorded.
-fn submit_copies(
-    device: &Device,
-    submitter: &mut Submitter,
-    step: &'static str,
-    staging: &Buffer,
-    copies: &[(vk::Buffer, vk::BufferCopy)],
-    then: Option<Record>,
-) -> Result<f64, TraceError> {
-    submitter.run_commands_and(step, &|commands, barrier| {
+/// Records copies from the staging buffer, those to one buffer by one command, then what else is recorded.
+fn copying<'a>(
+    device: &'a Device,
+    staging: &'a Buffer,
+    copies: &'a [(vk::Buffer, vk::BufferCopy)],
+    then: Option<Record<'a>>,
+) -> impl Fn(vk::CommandBuffer, Barrier) + 'a {
+    move |commands, barrier| {
         for to_one in copies.chunk_by(|a, b| a.0 == b.0) {
             let regions: Vec<_> = to_one.iter().map(|copy| copy.1).collect();
             // SAFETY: all buffers are alive, and each range lies inside both of its buffers; the commands are being recorded.
@@ -144,5 +169,5 @@ fn submit_copies(
             barrier(commands);
             record(commands);
         }
-    })
+    }
 }

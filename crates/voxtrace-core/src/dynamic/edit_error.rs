@@ -2,6 +2,7 @@
 
 use glam::IVec3;
 use voxtrace_scene::grid::MAX_COORDINATE;
+use voxtrace_scene::material::MAX_MATERIALS;
 
 /// Most bricks that one edit may touch: some gigabytes.
 pub(super) const MOST_BRICKS: u64 = 1 << 23;
@@ -34,6 +35,9 @@ pub enum EditError {
         /// Materials there are.
         count: usize,
     },
+    /// There are as many materials as voxels can name.
+    #[error("the scene has {MAX_MATERIALS} materials, and no more can be told apart")]
+    TooManyMaterials,
     /// Voxels cannot lie so far out.
     #[error("voxel {0} is out of range: coordinates go from -{MAX_COORDINATE} to {MAX_COORDINATE}")]
     OutOfRange(IVec3),

@@ -68,6 +68,11 @@ impl History {
         self.forget_oldest();
     }
 
+    /// Forgets all.
+    pub fn clear(&mut self) {
+        *self = Self { most_bytes: self.most_bytes, ..Self::default() };
+    }
+
     /// A new edit: what was undone before cannot be redone.
     pub fn push(&mut self, entry: Entry) {
         self.joined = None;

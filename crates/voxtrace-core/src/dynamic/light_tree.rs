@@ -2,12 +2,18 @@
 //! their Morton order that ends where eight are left ([`crate::packed`]). So emitters that come and go change the nodes above them, and the
 //! tree is that of packing from scratch all the time: the same ways down with the same probabilities, in other places of the arrays.
 //!
-//! A left child follows its parent. So a way down to the left, from a root or a right child to a leaf, its spine, is one piece of the array.
+//! A left child follows its parent. So a way down to the left, from a root or a right child to a leaf, its spine, is one piece of the array. Where many
+//! emitters are new, small trees over them are made side by side, as packing makes them, and put into the arrays as pieces.
 
 use super::store::{Store, put};
-use crate::packed::{Emitter, LEAF_EMITTERS, LightNode, deciding_axis, leaf_of, morton_order};
+use crate::packed::{Emitter, LEAF_EMITTERS, LightNode, append_lights, deciding_axis, leaf_of, morton_order};
 use glam::IVec3;
 use std::borrow::Cow;
+
+/// Emitters of which the tree is one piece.
+pub(super) const BLOCK: usize = 128;
+/// Of a subtree all is made anew where this many of its emitters, in eighths of what it has, are others.
+const MANY: usize = 4;
 
 /// What becomes of a voxel as an emitter.
 #[derive(Clone, Copy, Debug)]
@@ -69,7 +75,7 @@ impl Store<'_> {
             let before = opened.below.get(from).copied().unwrap_or(0);
             let after = i64::from(before) + growth(changes);
             let is_leaf = from + 1 >= opened.nodes.len();
-            if is_leaf || after <= LEAF_EMITTERS as i64 || before as usize <= 4 * changes.len() {
+            if is_leaf || after <= LEAF_EMITTERS as i64 || before as usize * MANY <= 8 * changes.len() {
                 let mut all = Vec::with_capacity(after.max(0) as usize);
                 self.gather_opened(&opened, from, &mut all);
                 self.build_spine(&merged(&all, changes), spine);
@@ -138,8 +144,20 @@ impl Store<'_> {
 
     /// Appends the emitters below a node, which is given back with all below it.
     fn gather(&mut self, head: u32, emitters: &mut Vec<Emitter>) {
-        let opened = self.open(head);
-        self.gather_opened(&opened, 0, emitters);
+        let geometry = &*self.geometry;
+        let (nodes, all) = (&*geometry.light_nodes, &*geometry.emitters);
+        let mut waiting = vec![head];
+        while let Some(head) = waiting.pop() {
+            let mut at = head as usize;
+            while nodes[at].count == 0 {
+                waiting.push(nodes[at].index);
+                at += 1;
+            }
+            let LightNode { index, count, .. } = nodes[at];
+            emitters.extend_from_slice(&all[index as usize..(index + count) as usize]);
+            self.pools.emitters.give(index, count);
+            self.pools.light_nodes.give(head, at as u32 - head + 1);
+        }
     }
 
     fn gather_opened(&mut self, opened: &Opened, from: usize, emitters: &mut Vec<Emitter>) {
@@ -153,20 +171,48 @@ impl Store<'_> {
     fn build_spine(&mut self, emitters: &[Emitter], spine: &mut Spine) {
         let mut left = emitters;
         while left.len() > LEAF_EMITTERS {
-            let (low, high) = (left[0].voxel, left[left.len() - 1].voxel);
-            let (axis, bit) = deciding_axis(low, high).expect("no emitter is there twice");
-            let middle = left.partition_point(|emitter| emitter.voxel[axis] >> bit == low[axis] >> bit);
-            let right = self.build_tree(&left[middle..]);
+            let (low, high) = halves(left);
+            let right = self.build_tree(high);
             spine.rights.extend(right);
-            left = &left[..middle];
+            left = low;
         }
         spine.leaf = left.to_vec();
     }
 
+    /// The tree over emitters in Morton order. Returns its root, `None` where nothing emits.
     fn build_tree(&mut self, emitters: &[Emitter]) -> Option<u32> {
-        let mut spine = Spine::default();
-        self.build_spine(emitters, &mut spine);
-        self.commit(&spine)
+        match emitters.len() {
+            0 => None,
+            1..=BLOCK => Some(self.put_block(block_of(emitters))),
+            _ => {
+                let mut spine = Spine::default();
+                self.build_spine(emitters, &mut spine);
+                self.commit(&spine)
+            }
+        }
+    }
+
+    /// Puts a tree into the arrays. Returns its root.
+    fn put_block(&mut self, mut block: Block) -> u32 {
+        let head = self.pools.light_nodes.take(block.nodes.len() as u32);
+        let first = self.pools.emitters.take(block.emitters.len() as u32);
+        block.emitters.iter_mut().for_each(|emitter| emitter.leaf += head);
+        for node in &mut block.nodes {
+            node.index += if node.count > 0 { first } else { head };
+            node.parent = if node.parent == LightNode::NONE { node.parent } else { node.parent + head };
+        }
+        put(&mut self.geometry.emitters, self.pools.emitters.end(), first as usize, &block.emitters);
+        self.dirty.emitters.mark(first as usize, block.emitters.len());
+        self.put_nodes(head, &block.nodes, &block.below);
+        head
+    }
+
+    fn put_nodes(&mut self, head: u32, nodes: &[LightNode], below: &[u32]) {
+        let head = head as usize;
+        put(&mut self.geometry.light_nodes, self.pools.light_nodes.end(), head, nodes);
+        self.dirty.light_nodes.mark(head, nodes.len());
+        self.below.resize(self.geometry.light_nodes.len(), 0);
+        self.below[head..head + nodes.len()].copy_from_slice(below);
     }
 
     /// Puts a spine into the arrays. Returns its first node, which is a root until it is given a parent; `None` where nothing emits.
@@ -190,10 +236,7 @@ impl Store<'_> {
             nodes[at + 1].parent = head + at as u32;
             self.set_parent(right, head + at as u32);
         }
-        put(&mut self.geometry.light_nodes, self.pools.light_nodes.end(), head as usize, &nodes);
-        self.dirty.light_nodes.mark(head as usize, length);
-        self.below.resize(self.geometry.light_nodes.len(), 0);
-        self.below[head as usize..head as usize + length].copy_from_slice(&below);
+        self.put_nodes(head, &nodes, &below);
         Some(head)
     }
 
@@ -203,6 +246,27 @@ impl Store<'_> {
             self.dirty.light_nodes.mark(node as usize, 1);
         }
     }
+}
+
+/// A small tree by itself.
+struct Block {
+    nodes: Vec<LightNode>,
+    below: Vec<u32>,
+    emitters: Vec<Emitter>,
+}
+
+fn block_of(emitters: &[Emitter]) -> Block {
+    let mut block = Block { nodes: Vec::with_capacity(emitters.len()), below: Vec::new(), emitters: Vec::new() };
+    append_lights(emitters.to_vec(), &mut block.emitters, &mut block.nodes);
+    block.below = counts_below(&block.nodes);
+    block
+}
+
+/// Emitters that become a left and a right child.
+fn halves(emitters: &[Emitter]) -> (&[Emitter], &[Emitter]) {
+    let (low, high) = (emitters[0].voxel, emitters[emitters.len() - 1].voxel);
+    let (axis, bit) = deciding_axis(low, high).expect("no emitter is there twice");
+    emitters.split_at(emitters.partition_point(|emitter| emitter.voxel[axis] >> bit == low[axis] >> bit))
 }
 
 /// The emitters that come, none of which was there.

@@ -12,14 +12,19 @@ mod dirty;
 mod edit;
 mod edit_error;
 mod emitters;
+mod fields;
 mod grow;
 mod history;
+mod layers;
 mod light_tree;
+mod materials;
 mod patch;
 mod pieces;
 mod plan;
 mod pool;
+mod recolor;
 mod repair;
+mod shorten;
 mod sketch;
 mod skip;
 mod spread;
@@ -187,6 +192,7 @@ impl DynamicScene {
             cells: self.dirty.cells.take(&geometry.cells),
             bricks: self.dirty.bricks.take(&geometry.bricks),
             brick_materials: self.dirty.materials.take(&geometry.brick_materials),
+            materials: self.dirty.palette.take(&geometry.materials),
             epochs: self.dirty.epochs.take(&self.epochs),
             emitters: self.dirty.emitters.take(&geometry.emitters),
             light_nodes: self.dirty.light_nodes.take(&geometry.light_nodes),

@@ -1,6 +1,6 @@
 //! What a tracer needs to follow edits: of each array the ranges that were written, and what is small as a whole.
 
-use crate::packed::{Emitter, Geometry, LightNode, PackedGrid, PackedScene, Placement, Section};
+use crate::packed::{Emitter, Geometry, LightNode, PackedGrid, PackedMaterial, PackedScene, Placement, Section};
 use bytemuck::Pod;
 use glam::IVec3;
 use std::sync::Arc;
@@ -15,6 +15,8 @@ pub struct Patch {
     pub bricks: ArrayPatch<u32>,
     /// Materials of the voxels: words.
     pub brick_materials: ArrayPatch<u32>,
+    /// Materials of the scene, of which there may be more.
+    pub materials: ArrayPatch<PackedMaterial>,
     /// When bricks changed last: see [`super::DynamicScene::epochs`].
     pub epochs: ArrayPatch<u16>,
     /// Emitters.
@@ -106,6 +108,7 @@ impl Patch {
             cells: whole(&geometry.cells),
             bricks: whole(&geometry.bricks),
             brick_materials: whole(&geometry.brick_materials),
+            materials: whole(&geometry.materials),
             epochs: ArrayPatch { length: geometry.bricks.len().div_ceil(4), ..ArrayPatch::default() },
             emitters: whole(&geometry.emitters),
             light_nodes: whole(&geometry.light_nodes),
@@ -120,7 +123,7 @@ impl Patch {
     /// Bytes that it writes, without what is small.
     pub fn size_bytes(&self) -> u64 {
         let words = self.cells.size_bytes() + self.bricks.size_bytes() + self.brick_materials.size_bytes();
-        words + self.epochs.size_bytes() + self.emitters.size_bytes() + self.light_nodes.size_bytes()
+        words + self.materials.size_bytes() + self.epochs.size_bytes() + self.emitters.size_bytes() + self.light_nodes.size_bytes()
     }
 
     /// Whether a tracer has nothing to do.
@@ -145,6 +148,7 @@ impl PackedScene {
         patch.cells.apply(&mut geometry.cells);
         patch.bricks.apply(&mut geometry.bricks);
         patch.brick_materials.apply(&mut geometry.brick_materials);
+        patch.materials.apply(&mut geometry.materials);
         patch.emitters.apply(&mut geometry.emitters);
         patch.light_nodes.apply(&mut geometry.light_nodes);
         geometry.grids = patch.grids.clone().into();

@@ -1,7 +1,6 @@
 //! Pieces that come off: what a cut leaves without a connection becomes a grid and instances of its own, with what a game's physics needs to move
 //! them, and may come back. Nothing here moves by itself.
 
-use super::history::History;
 use super::plan::{Change, brick_box, code_of, within_range};
 use super::sketch::Sketch;
 use super::{Clip, DynamicScene, Edit, EditError, Edited};
@@ -130,7 +129,7 @@ impl DynamicScene {
         self.apply(piece.grid, removed)?;
         let grid = self.add_grid(bounds.min, bits);
         self.apply(grid, added)?;
-        self.history = History::default();
+        self.history.clear();
         let mut instances = self.scene.placement.instances().to_vec();
         let next = instances.iter().map(|instance| instance.scene_instance + 1).max().unwrap_or(0);
         let own = |instance: &&PackedInstance| instance.grid == piece.grid;
@@ -175,7 +174,7 @@ impl DynamicScene {
             let origin = self.geometry().grids[from.grid as usize].origin / BRICK_SIZE;
             self.apply(from.grid, bricks.into_iter().map(|at| (at + origin, None)).collect())?;
         }
-        self.history = History::default();
+        self.history.clear();
         self.place(instances).expect("they stand where they stood");
         Ok(edited)
     }

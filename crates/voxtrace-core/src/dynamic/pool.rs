@@ -6,6 +6,8 @@
 pub(super) struct Pool {
     /// Free places of each size up to the largest one, by size − 1.
     free: Vec<Vec<u32>>,
+    /// A bit for each list of `free` that may have a place.
+    some: Vec<u64>,
     /// Smallest piece that is of use: what would leave less is not split.
     least: u32,
     /// Units of the array.
@@ -17,7 +19,7 @@ pub(super) struct Pool {
 impl Pool {
     /// Of an array of `end` units without free places, whose pieces have `least..=largest` units.
     pub fn new(end: usize, least: u32, largest: u32) -> Self {
-        Self { free: vec![Vec::new(); largest as usize], least, end: end as u32, freed_since: 0 }
+        Self { free: vec![Vec::new(); largest as usize], some: vec![0; largest.div_ceil(64) as usize], least, end: end as u32, freed_since: 0 }
     }
 
     /// Units of the array.
@@ -44,13 +46,28 @@ impl Pool {
     fn take_free(&mut self, size: u32) -> Option<u32> {
         let exact = size as usize - 1;
         let fits = |class: usize| class == exact || class as u32 - exact as u32 >= self.least;
-        let class = (exact..self.free.len()).find(|&class| fits(class) && !self.free[class].is_empty())?;
-        let place = self.free[class].pop()?;
+        let mut from = exact;
+        let (class, place) = loop {
+            let class = self.class_from(from)?;
+            match self.free[class].pop() {
+                Some(place) if fits(class) => break (class, place),
+                Some(place) => self.free[class].push(place),
+                None => self.some[class / 64] &= !(1 << (class % 64)),
+            }
+            from = class + 1;
+        };
         let rest = (class - exact) as u32;
         if rest > 0 {
             self.put(place + size, rest);
         }
         Some(place)
+    }
+
+    /// The first list from one on that may have a place.
+    fn class_from(&self, from: usize) -> Option<usize> {
+        let above = |word: usize| if word == from / 64 { u64::MAX << (from % 64) } else { u64::MAX };
+        let word = (from / 64..self.some.len()).find(|&word| self.some[word] & above(word) != 0)?;
+        Some(64 * word + (self.some[word] & above(word)).trailing_zeros() as usize)
     }
 
     /// Gives a place back.
@@ -62,7 +79,9 @@ impl Pool {
     fn put(&mut self, mut place: u32, mut size: u32) {
         while size > 0 {
             let piece = size.min(self.free.len() as u32);
-            self.free[piece as usize - 1].push(place);
+            let class = piece as usize - 1;
+            self.free[class].push(place);
+            self.some[class / 64] |= 1 << (class % 64);
             place += piece;
             size -= piece;
         }

@@ -5,18 +5,14 @@
 //! that what is full covers when it is spread by n − 1 cells against the octant, along one axis after the other.
 
 use super::cells::{node_position, top_position};
-use super::store::Store;
+use super::fields::{LONGEST, lesser};
 use crate::packed::{CELL_OCCUPIED, Geometry, PackedGrid, SKIP_DISTANCES};
 use glam::IVec3;
-use rayon::prelude::*;
-use std::sync::OnceLock;
 
 /// Cells that the longest skip distance reaches beyond its cell.
 pub(super) const REACH: i32 = SKIP_DISTANCES[7] as i32 - 1;
 /// Cells along an edge of a box that is looked at: with the reach on one side it fits 64 bits.
 pub(super) const TILE: i32 = 48;
-/// Skip distances of a cell from which nothing is known to lie ahead.
-const LONGEST: u32 = 0xff_ffff;
 
 /// Skip distances of a box of cells, x fastest.
 pub(super) struct Distances {
@@ -39,6 +35,12 @@ impl Distances {
 
     pub fn at(&self, cell: IVec3) -> u32 {
         self.words[self.index(cell)]
+    }
+
+    /// Those of so many cells in a row.
+    pub fn row(&self, cell: IVec3, count: usize) -> &[u32] {
+        let first = self.index(cell);
+        &self.words[first..first + count]
     }
 }
 
@@ -114,13 +116,14 @@ fn shorten_octant(rows: &mut Rows, octant: u32, into: &mut Distances) {
     }
 }
 
-/// The distances that cells which become full allow to the cells around them; they lie in a box of [`TILE`] cells at most.
-fn allowed_by(filled: &[IVec3]) -> Distances {
+/// The distances that cells which become full allow to the cells around them; they lie in a box of [`TILE`] cells at most. The box of the result
+/// is one of whole nodes.
+pub(super) fn allowed_by(filled: &[IVec3]) -> Distances {
     let (mut low, mut high) = (IVec3::MAX, IVec3::MIN);
     for &cell in filled {
         (low, high) = (low.min(cell), high.max(cell + 1));
     }
-    let mut allowed = Distances::longest(low - REACH, high + REACH);
+    let mut allowed = Distances::longest((low - REACH) & !3, (high + REACH + 3) & !3);
     for octant in 0..8 {
         let is_negative = IVec3::new(octant & 1, octant >> 1 & 1, octant >> 2);
         let mut rows = Rows::new(low - REACH * (1 - is_negative), high + REACH * is_negative);
@@ -128,12 +131,6 @@ fn allowed_by(filled: &[IVec3]) -> Distances {
         shorten_octant(&mut rows, octant as u32, &mut allowed);
     }
     allowed
-}
-
-/// The distances around one cell at the origin.
-fn around_one() -> &'static Distances {
-    static AROUND: OnceLock<Distances> = OnceLock::new();
-    AROUND.get_or_init(|| allowed_by(&[IVec3::ZERO]))
 }
 
 /// The largest distances of the cells of a box of [`TILE`] at most, by what is full in and around it. What lies outside of the grid is empty.
@@ -190,7 +187,7 @@ fn full_cells(geometry: &Geometry, grid: &PackedGrid, shift: u32, low: IVec3, hi
 }
 
 /// Calls `each` with the coordinates and the position of every cell of a level that there is in a box.
-fn for_slots(
+pub(super) fn for_slots(
     geometry: &Geometry,
     grid: &PackedGrid,
     shift: u32,
@@ -227,70 +224,6 @@ fn for_slots(
                     }
                 }
             }
-        }
-    }
-}
-
-/// The lesser of each two fields of three bits.
-fn lesser(a: u32, b: u32) -> u32 {
-    if b == LONGEST {
-        return a;
-    }
-    (0..8).map(|octant| (a >> (3 * octant) & 7).min(b >> (3 * octant) & 7) << (3 * octant)).sum()
-}
-
-impl Store<'_> {
-    /// Shortens the distances of a level that reach over cells which became full.
-    pub fn shorten(&mut self, grid: usize, shift: u32, filled: &mut [IVec3]) {
-        let packed = self.geometry.grids[grid];
-        if let [cell] = *filled {
-            let around = around_one();
-            self.write_distances(&packed, shift, (around.low + cell, around.size), |at, was| {
-                lesser(was, around.at(at - cell))
-            });
-            return;
-        }
-        let tile = |cell: &IVec3| (cell.map(|v| v.div_euclid(TILE))).to_array();
-        filled.sort_unstable_by_key(tile);
-        let tiles: Vec<&[IVec3]> = filled.chunk_by(|a, b| tile(a) == tile(b)).collect();
-        for some in tiles.chunks(64) {
-            let allowed: Vec<Distances> = some.par_iter().map(|tile| allowed_by(tile)).collect();
-            for allowed in &allowed {
-                let region = (allowed.low, allowed.size);
-                self.write_distances(&packed, shift, region, |at, was| lesser(was, allowed.at(at)));
-            }
-        }
-    }
-
-    /// Gives the cells of a box the largest distances.
-    pub fn restore(&mut self, grid: usize, shift: u32, largest: &Distances) {
-        let packed = self.geometry.grids[grid];
-        self.write_distances(&packed, shift, (largest.low, largest.size), |at, _| largest.at(at));
-    }
-
-    /// Writes the distances of empty cells of a box where they become others.
-    fn write_distances(
-        &mut self,
-        grid: &PackedGrid,
-        shift: u32,
-        (low, size): (IVec3, IVec3),
-        distances: impl Fn(IVec3, u32) -> u32,
-    ) {
-        let mut changes: Vec<(usize, u32)> = Vec::new();
-        let geometry = &*self.geometry;
-        for_slots(geometry, grid, shift, (low, low + size), |cell, position| {
-            let was = geometry.cells[position];
-            if was & CELL_OCCUPIED == 0 {
-                let now = distances(cell, was);
-                if now != was {
-                    changes.push((position, now));
-                }
-            }
-        });
-        let cells = self.geometry.cells.as_mut();
-        for (position, word) in changes {
-            cells[position] = word;
-            self.dirty.cells.mark(position, 1);
         }
     }
 }

@@ -13,8 +13,9 @@ const LEAST_RECORD: u32 = 2;
 const LARGEST_MATERIALS: u32 = 256;
 /// Largest pieces of free cells that are kept together, in nodes.
 const LARGEST_CELLS: u32 = 256;
-/// Nodes of the longest way down to the left in a tree over emitters: one for each bit of three coordinates, and the leaf.
-const LARGEST_SPINE: u32 = 97;
+/// Largest pieces of nodes over emitters and of emitters: a tree of [`super::light_tree::BLOCK`], which has twice as many nodes at most. The longest
+/// way down to the left, a node for each bit of three coordinates, is shorter.
+const LARGEST_TREE: u32 = 2 * super::light_tree::BLOCK as u32;
 
 /// Free places.
 #[derive(Clone, Debug)]
@@ -37,6 +38,8 @@ pub(super) struct DirtyArrays {
     pub cells: Dirty,
     pub bricks: Dirty,
     pub materials: Dirty,
+    /// Of the materials of the scene.
+    pub palette: Dirty,
     pub epochs: Dirty,
     pub emitters: Dirty,
     pub light_nodes: Dirty,
@@ -44,9 +47,8 @@ pub(super) struct DirtyArrays {
 
 impl DirtyArrays {
     pub fn is_clean(&self) -> bool {
-        [&self.cells, &self.bricks, &self.materials, &self.epochs, &self.emitters, &self.light_nodes]
-            .iter()
-            .all(|dirty| dirty.is_clean())
+        let Self { cells, bricks, materials, palette, epochs, emitters, light_nodes } = self;
+        [cells, bricks, materials, palette, epochs, emitters, light_nodes].iter().all(|dirty| dirty.is_clean())
     }
 }
 
@@ -56,8 +58,8 @@ impl Pools {
             cells: Pool::new(geometry.cells.len().div_ceil(64), 1, LARGEST_CELLS),
             bricks: Pool::new(geometry.bricks.len() / 2, LEAST_RECORD, LARGEST_RECORD),
             materials: Pool::new(geometry.brick_materials.len(), 1, LARGEST_MATERIALS),
-            emitters: Pool::new(geometry.emitters.len(), 1, crate::packed::LEAF_EMITTERS as u32),
-            light_nodes: Pool::new(geometry.light_nodes.len(), 1, LARGEST_SPINE),
+            emitters: Pool::new(geometry.emitters.len(), 1, super::light_tree::BLOCK as u32),
+            light_nodes: Pool::new(geometry.light_nodes.len(), 1, LARGEST_TREE),
         }
     }
 }

@@ -107,9 +107,16 @@ impl Pair {
                 }
             }
             2 => _ = self.dynamic.repair(random.below(4) as usize),
+            3 if random.below(12) == 0 && self.plain.materials.len() < 16 => {
+                let emission = Vec3::splat(random.below(2) as f32 * 2.0);
+                let material = Material { emission, ..Material::diffuse(Vec3::splat(0.3)) };
+                let material = if random.below(4) == 0 { Material::glass(1.3, 0.0) } else { material };
+                assert_eq!(usize::from(self.dynamic.add_material(&material).unwrap()), self.plain.materials.len());
+                self.plain.materials.push(material);
+            }
             _ => {
                 let far = if random.below(40) == 0 { 20 * reach } else { reach };
-                let edit = random_edit(random, far);
+                let edit = random_edit(random, far, self.plain.materials.len() as u32);
                 let before = Arc::clone(&self.plain.grids[0]);
                 edit_plainly(Arc::make_mut(&mut self.plain.grids[0]), &edit);
                 let count = before.count() as i64;
@@ -267,6 +274,29 @@ fn edits_reach_the_ends_of_the_coordinates_and_no_farther() {
     assert_eq!((left.grids().len(), left.instances().len()), (1, 1));
     *Arc::make_mut(&mut pair.plain.grids[0]) = VoxelGrid::new();
     assert!(saved(&left) == saved(&PackedScene::pack(&pair.plain).unwrap()));
+}
+
+#[test]
+fn materials_that_are_added_are_those_of_packing_also_where_a_byte_cannot_name_them() {
+    let (mut random, mut pair) = (Random(17), Pair::new());
+    for count in [60, 251 - 60 - 5, 5, 1, 1, 30] {
+        for _ in 0..count {
+            let number = pair.plain.materials.len();
+            let material = Material { emission: Vec3::splat((number % 7 / 6) as f32), ..Material::default() };
+            assert_eq!(usize::from(pair.dynamic.add_material(&material).unwrap()), number);
+            pair.plain.materials.push(material);
+        }
+        let patch = pair.dynamic.take_patch();
+        assert_eq!(patch.materials.length, pair.plain.materials.len());
+        pair.tracer.patch(&patch).unwrap();
+        if pair.plain.materials.len() > 256 {
+            // What was encoded with bytes cannot be put back.
+            (pair.done, pair.undone) = (Vec::new(), Vec::new());
+        }
+        (0..40).for_each(|_| pair.step(&mut random, 40));
+        pair.compare(&mut random);
+    }
+    assert_eq!(pair.dynamic.scene().grids()[0].material_bits, 16);
 }
 
 #[test]

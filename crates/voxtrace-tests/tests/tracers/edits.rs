@@ -15,7 +15,7 @@ use voxtrace_tests::rays::mixed;
 use voxtrace_vulkan::{Primitive, Settings, Traversal, VulkanTracer, missing};
 
 /// A floor with lamps, and a turned lamp above it.
-fn example() -> Scene {
+pub fn example() -> Scene {
     let mut grid = VoxelGrid::new();
     grid.fill_box(VoxelBox { min: IVec3::new(-40, -40, -3), max: IVec3::new(40, 40, 0) }, 0);
     for lamp in 0..40 {
@@ -56,12 +56,12 @@ fn edit_of(round: usize, random: &mut Random) -> (u32, Edit) {
     }
 }
 
-fn frame() -> Frame {
+pub fn frame() -> Frame {
     let camera = Camera::look_at(Vec3::new(70.0, -90.0, 60.0), Vec3::new(0.0, 0.0, 10.0));
     Frame::new(camera, 31, 17).samples(2).integrator(Integrator::Path)
 }
 
-fn hits_of(tracer: &mut dyn Tracer, rays: &[Ray]) -> Vec<Hit> {
+pub fn hits_of(tracer: &mut dyn Tracer, rays: &[Ray]) -> Vec<Hit> {
     let mut hits = vec![Hit::MISS; rays.len()];
     tracer.cast_into(rays, &mut hits).unwrap();
     hits

@@ -14,6 +14,7 @@ mod light_changes;
 mod light_groups;
 mod light_sampling;
 mod lines;
+mod many_edits;
 mod materials;
 mod merged;
 mod merged_pictures;

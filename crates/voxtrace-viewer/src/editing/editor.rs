@@ -8,7 +8,8 @@ use std::time::{Duration, Instant};
 use voxtrace::changes::{MaterialChange, SceneChanges};
 use voxtrace::dynamic::{Clip, DynamicScene, Edit, EditError, Patch};
 use voxtrace::grid::VoxelBox;
-use voxtrace::{Axis, PackedScene};
+use voxtrace::packed::PackedMaterial;
+use voxtrace::{Axis, Material, PackedScene};
 
 /// Bytes that undo and redo keep.
 pub const UNDO_BYTES: u64 = 256 << 20;
@@ -49,8 +50,10 @@ pub enum Job {
         /// Whether it is mirrored.
         is_mirror: bool,
     },
-    /// Other materials. What was edited before cannot be undone any more.
+    /// Other materials. Where more than colours change, what was edited before cannot be undone any more.
     Materials(Vec<MaterialChange>),
+    /// One more material.
+    AddMaterial(Material),
 }
 
 /// A step of undo.
@@ -119,6 +122,10 @@ pub enum Told {
 pub struct Done {
     /// With the first edit, and where materials changed: the scene before the patch, whose arrays nobody else holds.
     pub base: Option<Arc<PackedScene>>,
+    /// Whether materials have other colours.
+    pub is_recolored: bool,
+    /// The material that was added.
+    pub added: Option<u16>,
     /// Whether that is another scene than the one before, so that it has to be traced anew.
     pub is_other: bool,
     /// What changed.
@@ -259,7 +266,13 @@ impl Work {
             Job::Edit { grid, edits, name, joins } => self.edit(grid, &edits, name, joins),
             Job::Undo(count) => self.travel(count, true),
             Job::Redo(count) => self.travel(count, false),
-            Job::Materials(materials) => return self.change_materials(materials).err().map(Told::Failed),
+            Job::Materials(materials) => {
+                if let Err(error) = self.change_materials(materials) {
+                    self.done.error = Some(error);
+                }
+                Ok(())
+            }
+            Job::AddMaterial(material) => self.scene.add_material(&material).map(|added| self.done.added = Some(added)),
             Job::Copy { grid, region, is_move } => match self.scene.copy(grid, region) {
                 Ok(clip) => {
                     let (count, clip) = (clip.voxels().voxels().count() as u64, Arc::new(clip));
@@ -340,6 +353,19 @@ impl Work {
     }
 
     fn change_materials(&mut self, materials: Vec<MaterialChange>) -> Result<(), String> {
+        let own = self.scene.scene().materials();
+        let colors: Vec<(u16, PackedMaterial)> = (materials.iter())
+            .filter_map(|change| {
+                let own = own.get(change.number)?;
+                let emission = change.emission.unwrap_or(own.emission);
+                Some((change.number as u16, PackedMaterial { base_color: change.base_color, emission, ..*own }))
+            })
+            .collect();
+        self.done.is_recolored = true;
+        // Those of which more changes are left, and all are taken anew.
+        if colors.into_iter().filter(|(number, material)| !self.scene.recolor(*number, *material)).count() == 0 {
+            return Ok(());
+        }
         let changes = SceneChanges { materials, hidden: Vec::new() };
         let scene = changes.apply(&self.scene.compact()).map_err(|error| error.to_string())?;
         let mut dynamic = DynamicScene::new(scene).map_err(|error| error.to_string())?;
@@ -347,7 +373,7 @@ impl Work {
         self.scene = dynamic;
         self.steps.has_forgotten |= !self.steps.done.is_empty();
         (self.steps.done, self.steps.undone, self.steps.bytes) = (Vec::new(), Vec::new(), 0);
-        self.done = Done { base: Some(Arc::new(self.scene.scene().unshared())), is_other: true, ..Done::default() };
+        self.done = Done { is_recolored: true, base: Some(Arc::new(self.scene.scene().unshared())), is_other: true, ..Done::default() };
         Ok(())
     }
 

@@ -9,6 +9,9 @@ use voxtrace::{Shape, Transform};
 /// Sides of a circle.
 const SIDES: usize = 48;
 
+/// Most voxels of a copy that are drawn one by one.
+const MOST_SHOWN: usize = 200;
+
 /// What a line tells.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Look {
@@ -196,7 +199,12 @@ fn of_spot(session: &Session, spot: &Spot, lines: &mut Lines) {
     let Some(editing) = &session.editing else { return };
     if let Some(Pasting { clip, .. }) = &editing.pasting {
         let min = spot.paste_corner(clip.size());
-        return lines.region(VoxelBox { min, max: min + clip.size() }, Look::Own);
+        lines.region(VoxelBox { min, max: min + clip.size() }, Look::Own);
+        if clip.voxels().voxels().nth(MOST_SHOWN).is_none() {
+            let voxels = clip.voxels().voxels().map(|(voxel, _)| min + voxel);
+            voxels.for_each(|voxel| lines.region(VoxelBox { min: voxel, max: voxel + 1 }, Look::Mirrored));
+        }
+        return;
     }
     lines.face(spot.voxel, spot.face);
     if editing.picks_middle || !editing.is_ready {

@@ -5,6 +5,7 @@ use crate::editing::{Act, Brush, Editing, Tool, UNDO_BYTES};
 use crate::keys::{Action, EditAction, EditAxis, key_of};
 use crate::session::{Session, extent};
 use egui::{Button, Color32, DragValue, RichText, ScrollArea, Sense, Stroke, StrokeKind, Ui, vec2};
+use voxtrace::Material;
 use voxtrace::material::srgb_from_linear;
 use voxtrace::packed::PackedMaterial;
 
@@ -191,6 +192,31 @@ fn palette(ui: &mut Ui, session: &mut Session) {
         editing.take_material(number as u16);
     }
     super::materials::material(ui, session, current);
+    new_material(ui, session, current);
+}
+
+/// Buttons that add a material in the colour of the current one.
+fn new_material(ui: &mut Ui, session: &mut Session, current: usize) {
+    let Some(now) = session.material(current) else { return };
+    let mut own = Material::diffuse(now.base_color);
+    (own.roughness, own.metallic, own.transmission) = (now.roughness, now.metallic, now.transmission);
+    (own.ior, own.specular, own.anisotropy) = (now.ior, now.specular, now.anisotropy);
+    (own.absorption, own.scattering, own.emission) = (now.absorption, now.scattering, now.emission);
+    let kinds = [
+        ("like it", own),
+        ("matt", Material::diffuse(now.base_color)),
+        ("metal", Material::metal(now.base_color, 0.2)),
+        ("plastic", Material::plastic(now.base_color, 0.1)),
+        ("lamp", Material::diffuse(now.base_color).glowing(4.0)),
+    ];
+    ui.horizontal_wrapped(|ui| {
+        ui.label("new").on_hover_text("a further material in this colour, to be changed above");
+        for (name, material) in kinds {
+            if ui.button(name).clicked() {
+                session.add_material(material);
+            }
+        }
+    });
 }
 
 fn symmetry(ui: &mut Ui, session: &mut Session) {

@@ -12,6 +12,7 @@ use voxtrace::changes::MaterialChange;
 use voxtrace::dynamic::Patch;
 use voxtrace::glam::{Vec2, Vec3};
 use voxtrace::grid::VoxelBox;
+use voxtrace::Material;
 use voxtrace::ray::FACES;
 
 pub use gestures::extent;
@@ -46,7 +47,8 @@ impl Session {
                 }
             }
             None => {
-                self.editing = Some(Editing::default());
+                let material = self.picked.as_ref().map_or(0, |picked| picked.material as u16);
+                self.editing = Some(Editing { material, ..Editing::default() });
                 self.ask(Command::Edit);
             }
         }
@@ -94,13 +96,11 @@ impl Session {
             self.settle_edits();
             match (done.is_other, &mut self.open, &mut self.editing) {
                 (true, _, Some(editing)) => {
-                    editing.rebased += 1;
-                    let sent = std::mem::take(&mut editing.materials_sent);
-                    if let Some(open) = &mut self.open {
-                        open.materials = sent;
-                    }
+                    let had_steps = !editing.steps.done.is_empty() || !editing.steps.undone.is_empty();
                     self.replace_scene(base);
-                    self.send_materials();
+                    if had_steps {
+                        self.say("what glows was changed: edits before that cannot be taken back any more", false);
+                    }
                 }
                 (false, Some(open), _) => open.take_base(base),
                 _ => {}
@@ -108,9 +108,17 @@ impl Session {
         }
         if let Some(editing) = &mut self.editing {
             editing.steps = done.steps;
+            editing.rebased += u64::from(done.is_recolored);
         }
         if let Some(patch) = done.patch {
             self.follow(patch);
+        }
+        if let (Some(added), Some(editing)) = (done.added, &mut self.editing) {
+            editing.take_material(added);
+        }
+        if let (true, Some(editing)) = (done.is_recolored, &mut self.editing) {
+            editing.materials_sent.clear();
+            self.send_materials();
         }
         if let Some(error) = done.error {
             self.say(error, true);
@@ -289,13 +297,13 @@ impl Session {
     /// A material that is changed while the scene has edits: the thread that owns the scene has to take it.
     pub(crate) fn edit_material(&mut self, change: MaterialChange) {
         let Some(editing) = &mut self.editing else { return };
-        if editing.steps.done.len() + editing.steps.undone.len() > 0 && editing.materials_sent.is_empty() {
-            editing.materials.insert(change.number, change);
-            self.say("materials were changed: edits before that cannot be taken back any more", false);
-        } else {
-            editing.materials.insert(change.number, change);
-        }
+        editing.materials.insert(change.number, change);
         self.send_materials();
+    }
+
+    /// Adds a material, which is the current one from then on.
+    pub fn add_material(&mut self, material: Material) {
+        self.send_job(Job::AddMaterial(material));
     }
 
     fn send_materials(&mut self) {

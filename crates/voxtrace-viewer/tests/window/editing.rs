@@ -456,23 +456,48 @@ fn the_film_of_an_edited_scene_is_that_of_the_scene_from_scratch_also_in_another
 }
 
 #[test]
-fn a_material_that_is_changed_among_edits_is_kept_and_undo_begins_anew() {
+fn a_colour_that_is_changed_among_edits_keeps_undo_and_what_glows_begins_it_anew() {
     let mut hand = in_the_room();
     hand.click(floor(3, 4));
     hand.steps(1, 0);
+    let state = hand.session.editing.as_ref().unwrap().state();
+    let original = |session: &Session| session.open.as_ref().unwrap().original.materials().to_vec();
     for color in ["#203040", "#405060", "#ff8000"] {
         hand.session.set_material(format!("0={color}").parse().unwrap());
     }
     let wanted: voxtrace::changes::MaterialChange = "0=#ff8000".parse().unwrap();
     assert_eq!(hand.session.material(0).unwrap().base_color, wanted.base_color, "at once");
-    hand.until("the material", |session| {
-        session.open.as_ref().unwrap().original.materials()[0].base_color == wanted.base_color
-    });
+    hand.until("the colour", |session| original(session)[0].base_color == wanted.base_color);
+    assert_ne!(hand.session.editing.as_ref().unwrap().state(), state, "it is an edit");
+    assert!(!hand.asked.contains(&Command::SetScene), "what traces takes a patch");
+    hand.ctrl('Z');
+    hand.steps(0, 1);
+    hand.session.set_material("1=#ff0000,5".parse().unwrap());
+    hand.until("the lamp", |session| original(session)[1].emission.max_element() == 5.0);
     assert!(hand.asked.contains(&Command::SetScene));
-    assert_eq!(hand.material_at(IVec3::new(3, 4, 1)), Some(0), "the edit stays");
+    hand.steps(0, 0);
+    assert_eq!(hand.material_at(IVec3::new(3, 4, 1)), None);
     hand.click(floor(5, 5));
     hand.steps(1, 0);
-    assert!(hand.session.has_unsaved_edits() && hand.session.editing.as_ref().unwrap().steps.has_forgotten);
+    assert!(hand.session.has_unsaved_edits());
+    let edited = lit(&hand.session);
+    let scratch = Arc::new(PackedScene::pack(&edited.to_scene()).unwrap());
+    let frame = hand.session.view().frame().size(40, 30).samples(2);
+    assert_eq!(rendered(&edited, &frame), rendered(&scratch, &frame), "with the light of the lamp");
+}
+
+#[test]
+fn a_new_material_is_the_current_one_and_what_is_placed_is_of_it() {
+    let mut hand = in_the_room();
+    hand.session.add_material(voxtrace::Material::from_srgb([1, 200, 30]).glowing(3.0));
+    hand.until("the material", |session| session.editing.as_ref().unwrap().material == 2);
+    assert!(!hand.session.has_unsaved_edits(), "nothing is of it yet");
+    hand.click(floor(3, 4));
+    hand.steps(1, 0);
+    assert_eq!(hand.material_at(IVec3::new(3, 4, 1)), Some(2));
+    assert_eq!(lit(&hand.session).materials()[2].emission.max_element() > 2.0, true);
+    hand.ctrl('Z');
+    hand.steps(0, 1);
 }
 
 #[test]

@@ -6,6 +6,7 @@ use crate::accel::{Accel, BUILDING_TOP};
 use crate::method::Primitive;
 use crate::scene::SceneBuffers;
 use crate::statistics::Statistics;
+use crate::transfer::Record;
 use std::sync::Arc;
 use voxtrace_core::dynamic::Patch;
 use voxtrace_core::{PackedScene, TraceError};
@@ -36,6 +37,7 @@ impl Worker {
     /// Takes `scene`, which differs from the last one by a patch.
     pub fn patch(&mut self, scene: &Arc<PackedScene>, patch: &Patch) -> Result<(), TraceError> {
         self.film = None;
+        self.submitter.wait_for_quiet()?;
         // Where something fails nothing is left, rather than half of it.
         let (buffers, accel) = (self.scene.take().ok_or(TraceError::NoScene)?, self.accel.take());
         if !buffers.is_edited {
@@ -44,7 +46,7 @@ impl Worker {
         }
         let mut buffers = buffers;
         let bounds = patch.placement.is_some();
-        let written = buffers.patched(&self.device, scene, patch)?;
+        let (written, has_moved) = buffers.patched(&self.device, scene, patch)?;
         let has_new_bounds = accel.as_ref().is_some_and(|accel| bounds && !accel.has_bounds(scene.grids()));
         let accel = if has_new_bounds { None } else { accel };
         let placed = if bounds { buffers.placed(&self.device, scene)? } else { buffers };
@@ -52,18 +54,26 @@ impl Worker {
             Some(accel) if bounds => Some(accel.unbuilt(&self.device, scene.placement())?),
             accel => accel,
         };
-        let mut writes: Vec<_> = written.iter().map(|write| placed.write_of(write)).collect();
+        let mut writes = placed.patch_writes(&written);
         if bounds {
             writes.extend(placed.placement_writes());
             writes.extend(accel.iter().flat_map(|accel| accel.top().writes()));
         }
-        let build = |commands| accel.iter().filter(|_| bounds).for_each(|accel| accel.top().record(commands));
-        let ms = self.transfer.write(&mut self.submitter, &writes, Some((BUILDING_TOP, &build)))?;
+        let is_built = bounds && accel.is_some();
+        let build = |commands| accel.iter().for_each(|accel| accel.top().record(commands));
+        // The next frame waits for it on the device, nobody here.
+        self.transfer.write_quietly(
+            &mut self.submitter,
+            &writes,
+            is_built.then_some((BUILDING_TOP, &build as Record)),
+        )?;
         drop(writes);
-        self.statistics = Statistics { gpu_ms: ms, longest_submit_ms: ms, submits: 1, ..Statistics::default() };
-        placed.bind(&self.bindings);
+        self.statistics = Statistics { submits: 1, ..Statistics::default() };
+        if has_moved || bounds {
+            placed.bind(&self.bindings);
+        }
         let accel = if has_new_bounds { Some(self.accel_of_grids(scene)?) } else { accel };
-        if let Some(accel) = &accel {
+        if let Some(accel) = accel.as_ref().filter(|_| bounds) {
             self.bind_accel(accel);
         }
         (self.scene, self.accel) = (Some(placed), accel);

@@ -15,6 +15,7 @@ const FOR_FILMS: u64 = 512 << 20;
 
 impl Worker {
     pub fn set_scene(&mut self, scene: &Arc<PackedScene>) -> Result<(), TraceError> {
+        self.submitter.wait_for_quiet()?;
         if let Some(buffers) = self.scene.as_mut().filter(|buffers| buffers.holds(scene)) {
             // Another light: nothing to build, and at most an environment map to upload.
             if buffers.light(&self.device, &mut self.submitter, &mut self.transfer, scene)? {
@@ -73,6 +74,7 @@ impl Worker {
 
     /// Takes a scene that differs from the last one in its placement alone, and writes nothing else.
     pub fn set_placement(&mut self, scene: &Arc<PackedScene>) -> Result<(), TraceError> {
+        self.submitter.wait_for_quiet()?;
         // Where something fails nothing is left, rather than half of it.
         let (buffers, accel) = (self.scene.take().ok_or(TraceError::NoScene)?, self.accel.take());
         self.film = None;

@@ -28,9 +28,9 @@ impl Random {
     }
 }
 
-/// A random edit of voxels not farther out than `reach`.
-pub fn random_edit(random: &mut Random, reach: i32) -> Edit {
-    let material = |random: &mut Random| random.below(5) as u16;
+/// A random edit of voxels not farther out than `reach`, with so many materials.
+pub fn random_edit(random: &mut Random, reach: i32, materials: u32) -> Edit {
+    let material = |random: &mut Random| random.below(materials) as u16;
     let some = (random.below(3) > 0).then(|| material(random));
     let shape = match random.below(8) {
         0..4 => {
@@ -56,7 +56,7 @@ pub fn random_edit(random: &mut Random, reach: i32) -> Edit {
     match random.below(14) {
         10 => {
             let mut clip = VoxelGrid::new();
-            (0..30).for_each(|_| _ = clip.set(random.voxel(5) + 5, random.below(5) as u16));
+            (0..30).for_each(|_| _ = clip.set(random.voxel(5) + 5, random.below(materials) as u16));
             let clip = Clip::new(clip, IVec3::new(10, 11, 12)).turned(Axis::Y, random.below(4) as i32);
             let clip = if random.below(2) == 0 { clip.mirrored(Axis::X) } else { clip };
             Edit::Paste { clip: clip.into(), at: random.voxel(reach - 14), with_empty: random.below(2) == 0 }
