@@ -77,7 +77,9 @@ impl Commands<'_> {
                 let clip = scene.copy(0, self.region()).unwrap_or_else(|_| Clip::new(VoxelGrid::new(), IVec3::ONE));
                 Edit::Paste { clip: clip.into(), at: self.voxel(), with_empty: self.byte() % 2 == 0 }
             }
-            _ => Edit::Flood { start: self.voxel(), material: self.content(scene), within: self.region(), most: 1 << 16 },
+            _ => {
+                Edit::Flood { start: self.voxel(), material: self.content(scene), within: self.region(), most: 1 << 16 }
+            }
         }
     }
 }

@@ -71,7 +71,9 @@ fn measure(
     println!("  one ray: {:.3}", median(alone?));
     let lamp = packed.geometry().emitters().first().map_or(0, |emitter| emitter.material as u16);
     for (name, radius) in [("one voxel", 0.5), ("radius 16", 16.0), ("radius 64", 64.0)] {
-        for (what, material) in [("filled", Some(0)), ("cleared", None), ("filled with light", Some(lamp)), ("cleared", None)] {
+        for (what, material) in
+            [("filled", Some(0)), ("cleared", None), ("filled with light", Some(lamp)), ("cleared", None)]
+        {
             let (mut on_host, mut passed, mut cast, mut repairs) = (vec![], vec![], vec![], vec![]);
             for i in 0..9 {
                 let start = Instant::now();

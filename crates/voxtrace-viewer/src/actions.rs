@@ -129,10 +129,8 @@ impl Session {
     }
 
     fn cancel(&mut self) {
-        if self.leaving.is_some() {
-            self.stay();
-        } else if self.dialog.take().is_some() {
-            // The dialog goes first.
+        if self.dialog.take().is_some() || self.leaving.is_some() {
+            // The dialog goes first, and with it what waits for it.
             self.stay();
         } else if self.loading.take().is_some() {
             self.say("opening was stopped", false);

@@ -235,7 +235,14 @@ impl Submitter {
     ) -> Result<(), TraceError> {
         let device = Arc::clone(&self.device);
         let record = |commands, _| record(commands, &|commands| barrier(&device, commands));
-        self.submit(&Job { step, work: 0, dispatch: Dispatch::default(), workgroups: None, record: &record, then: None })?;
+        self.submit(&Job {
+            step,
+            work: 0,
+            dispatch: Dispatch::default(),
+            workgroups: None,
+            record: &record,
+            then: None,
+        })?;
         self.in_flight.back_mut().into_iter().for_each(|last| last.is_quiet = true);
         Ok(())
     }

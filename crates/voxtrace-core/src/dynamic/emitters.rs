@@ -66,16 +66,28 @@ const KEY_ORIGIN: i32 = 1 << 20;
 
 /// Puts two zeros between each two of 21 bits.
 fn spread(bits: u64) -> u64 {
-    [(32, 0x1f_0000_0000_ffff), (16, 0x1f_0000_ff00_00ff), (8, 0x100f_00f0_0f00_f00f), (4, 0x10c3_0c30_c30c_30c3), (2, 0x1249_2492_4924_9249)]
-        .into_iter()
-        .fold(bits, |bits, (shift, mask)| (bits | bits << shift) & mask)
+    [
+        (32, 0x1f_0000_0000_ffff),
+        (16, 0x1f_0000_ff00_00ff),
+        (8, 0x100f_00f0_0f00_f00f),
+        (4, 0x10c3_0c30_c30c_30c3),
+        (2, 0x1249_2492_4924_9249),
+    ]
+    .into_iter()
+    .fold(bits, |bits, (shift, mask)| (bits | bits << shift) & mask)
 }
 
 /// The inverse of [`spread`]; the bits between do not count.
 fn gathered(bits: u64) -> u64 {
-    [(2, 0x10c3_0c30_c30c_30c3), (4, 0x100f_00f0_0f00_f00f), (8, 0x1f_0000_ff00_00ff), (16, 0x1f_0000_0000_ffff), (32, 0x1f_ffff)]
-        .into_iter()
-        .fold(bits & 0x1249_2492_4924_9249, |bits, (shift, mask)| (bits | bits >> shift) & mask)
+    [
+        (2, 0x10c3_0c30_c30c_30c3),
+        (4, 0x100f_00f0_0f00_f00f),
+        (8, 0x1f_0000_ff00_00ff),
+        (16, 0x1f_0000_0000_ffff),
+        (32, 0x1f_ffff),
+    ]
+    .into_iter()
+    .fold(bits & 0x1249_2492_4924_9249, |bits, (shift, mask)| (bits | bits >> shift) & mask)
 }
 
 /// The emitters of each brick, in Morton order, as packing finds them.
@@ -145,7 +157,12 @@ fn covering(geometry: &Geometry, index: usize, record: usize, glow: &Glow) -> La
 
 /// What becomes of the emitters of some bricks, which are in Morton order as their emitters are.
 pub(super) fn changes_of(before: Vec<Vec<Emitter>>, after: Vec<Vec<Emitter>>) -> Vec<EmitterChange> {
-    before.into_par_iter().zip(after).with_min_len(CHUNK).flat_map_iter(|(before, after)| changes_of_brick(&before, &after)).collect()
+    before
+        .into_par_iter()
+        .zip(after)
+        .with_min_len(CHUNK)
+        .flat_map_iter(|(before, after)| changes_of_brick(&before, &after))
+        .collect()
 }
 
 fn changes_of_brick(before: &[Emitter], after: &[Emitter]) -> Vec<EmitterChange> {

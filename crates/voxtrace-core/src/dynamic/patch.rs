@@ -123,7 +123,11 @@ impl Patch {
     /// Bytes that it writes, without what is small.
     pub fn size_bytes(&self) -> u64 {
         let words = self.cells.size_bytes() + self.bricks.size_bytes() + self.brick_materials.size_bytes();
-        words + self.materials.size_bytes() + self.epochs.size_bytes() + self.emitters.size_bytes() + self.light_nodes.size_bytes()
+        words
+            + self.materials.size_bytes()
+            + self.epochs.size_bytes()
+            + self.emitters.size_bytes()
+            + self.light_nodes.size_bytes()
     }
 
     /// Whether a tracer has nothing to do.

@@ -19,7 +19,13 @@ pub(super) struct Pool {
 impl Pool {
     /// Of an array of `end` units without free places, whose pieces have `least..=largest` units.
     pub fn new(end: usize, least: u32, largest: u32) -> Self {
-        Self { free: vec![Vec::new(); largest as usize], some: vec![0; largest.div_ceil(64) as usize], least, end: end as u32, freed_since: 0 }
+        Self {
+            free: vec![Vec::new(); largest as usize],
+            some: vec![0; largest.div_ceil(64) as usize],
+            least,
+            end: end as u32,
+            freed_since: 0,
+        }
     }
 
     /// Units of the array.

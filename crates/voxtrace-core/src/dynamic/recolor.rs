@@ -32,8 +32,7 @@ mod tests {
     fn a_material_of_another_colour_is_that_of_packing_and_what_glows_is_left_alone() {
         let mut grid = VoxelGrid::new();
         (0..9).for_each(|x| _ = grid.set(IVec3::new(x, 0, 0), (x % 2) as u16));
-        let mut plain =
-            Scene::from_grid("row", grid, vec![Material::default(), Material::emissive(Vec3::splat(2.0))]);
+        let mut plain = Scene::from_grid("row", grid, vec![Material::default(), Material::emissive(Vec3::splat(2.0))]);
         let packed = PackedScene::pack(&plain).unwrap();
         let (mut scene, mut follower) = (DynamicScene::new(packed.clone()).unwrap(), packed);
         let red = |material: &PackedMaterial| PackedMaterial { base_color: Vec3::X, ..*material };

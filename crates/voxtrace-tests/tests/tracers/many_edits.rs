@@ -145,7 +145,9 @@ fn check_many_edits(traversal: Traversal, primitive: Primitive) {
     let top = scene.scene().grids()[0].max.z;
     let at = IVec3::new(0, 0, top + 12);
     let voxel = Shape::Box(VoxelBox { min: at, max: at + 8 });
-    scene.edit(0, &Edit::Fill { shape: Shape::Box(VoxelBox { min: at + 40, max: at + 41 }), material: Some(0) }).unwrap();
+    scene
+        .edit(0, &Edit::Fill { shape: Shape::Box(VoxelBox { min: at + 40, max: at + 41 }), material: Some(0) })
+        .unwrap();
     tracer.patch(&scene.take_patch()).unwrap();
     scene.edit(0, &Edit::Fill { shape: voxel, material: Some(0) }).unwrap();
     tracer.patch(&with_stale_distances(scene.take_patch())).unwrap();

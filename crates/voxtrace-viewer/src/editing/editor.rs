@@ -373,7 +373,12 @@ impl Work {
         self.scene = dynamic;
         self.steps.has_forgotten |= !self.steps.done.is_empty();
         (self.steps.done, self.steps.undone, self.steps.bytes) = (Vec::new(), Vec::new(), 0);
-        self.done = Done { is_recolored: true, base: Some(Arc::new(self.scene.scene().unshared())), is_other: true, ..Done::default() };
+        self.done = Done {
+            is_recolored: true,
+            base: Some(Arc::new(self.scene.scene().unshared())),
+            is_other: true,
+            ..Done::default()
+        };
         Ok(())
     }
 

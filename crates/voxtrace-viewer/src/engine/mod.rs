@@ -1,6 +1,7 @@
 //! The thread that traces. It takes requests, the last one of a kind counts, and tells of each picture that is ready to be drawn; the
 //! window never waits for it.
 
+mod any_tracer;
 mod contrast;
 mod edits;
 mod pace;

@@ -1,5 +1,6 @@
 //! One of the pictures that the engine traces: its tracer, how far it is, and the pictures that it has made.
 
+use super::any_tracer::AnyTracer;
 use super::pace::Pace;
 use super::{Backend, Shown, View};
 use std::sync::Arc;
@@ -10,42 +11,6 @@ use voxtrace_vulkan::{Device, Picture, VulkanTracer};
 /// Milliseconds of a picture on a device that shares its queue with the window, and on the processor.
 const DEVICE_MS: f64 = 10.0;
 const CPU_MS: f64 = 80.0;
-
-/// Either kind of tracer.
-enum AnyTracer {
-    Cpu(Box<CpuTracer>),
-    Device(Box<VulkanTracer>),
-}
-
-impl AnyTracer {
-    fn as_tracer(&mut self) -> &mut dyn Tracer {
-        match self {
-            Self::Cpu(tracer) => &mut **tracer,
-            Self::Device(tracer) => &mut **tracer,
-        }
-    }
-}
-
-impl AnyTracer {
-    /// The scene that it traces, as edits have made it.
-    fn scene(&self) -> Option<Arc<PackedScene>> {
-        match self {
-            Self::Cpu(tracer) => tracer.scene().ok(),
-            Self::Device(tracer) => tracer.scene().cloned(),
-        }
-    }
-
-    /// Takes the same scene in another light. After edits each tracer has arrays of its own, which stay.
-    fn set_light_of(&mut self, scene: &Arc<PackedScene>) -> Result<(), TraceError> {
-        let own = self.scene().filter(|own| !Arc::ptr_eq(own.geometry(), scene.geometry()));
-        let mut shared = own.as_ref().map(|_| (**scene).clone());
-        let is_shared = own.zip(shared.as_mut()).is_some_and(|(own, shared)| shared.take_arrays_of(&own));
-        match shared.filter(|_| is_shared) {
-            Some(shared) => self.as_tracer().set_scene(&Arc::new(shared)),
-            None => self.as_tracer().set_scene(scene),
-        }
-    }
-}
 
 /// What came of a step.
 pub(super) enum Stepped {

@@ -8,11 +8,11 @@ use super::{Command, Session};
 use crate::editing::{Act, Done, Editing, Editor, Job, Spot, Symmetry, Told, Tool};
 use crate::keys::{Action, EditAction};
 use std::sync::Arc;
+use voxtrace::Material;
 use voxtrace::changes::MaterialChange;
 use voxtrace::dynamic::Patch;
 use voxtrace::glam::{Vec2, Vec3};
 use voxtrace::grid::VoxelBox;
-use voxtrace::Material;
 use voxtrace::ray::FACES;
 
 pub use gestures::extent;

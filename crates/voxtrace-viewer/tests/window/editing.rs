@@ -1,159 +1,12 @@
 //! Editing with a hand: scripts of events, and what becomes of the scene.
 
-use crate::common::{house, in_room, lit, rendered, said, words};
-use std::sync::Arc;
-use std::sync::mpsc::{Receiver, channel};
-use std::time::Duration;
+use crate::common::hand::{differing, floor, in_the_room};
+use crate::common::said;
 use voxtrace::glam::{IVec3, Vec2, Vec3};
 use voxtrace::grid::VoxelBox;
-use voxtrace::normals::Normals;
-use voxtrace::{PackedScene, VoxelGrid};
 use voxtrace_viewer::editing::{Act, Tool};
-use voxtrace_viewer::input::{Button, Input};
+use voxtrace_viewer::input::Button;
 use voxtrace_viewer::keys::{Action, EditAction, EditAxis, Key, Modifiers};
-use voxtrace_viewer::projection::Projection;
-use voxtrace_viewer::session::{Command, Leaving, Session};
-
-/// A session with a hand that edits, and what the thread that owns the scene wakes.
-pub struct Hand {
-    pub session: Session,
-    pub input: Input,
-    woken: Receiver<()>,
-    wake: Arc<dyn Fn() + Send + Sync>,
-    /// What was asked for, but for patches.
-    pub asked: Vec<Command>,
-    pub patches: Vec<Arc<voxtrace::Patch>>,
-}
-
-impl Hand {
-    /// Begins to edit.
-    pub fn on(mut session: Session) -> Self {
-        session.take_commands();
-        let (sender, woken) = channel();
-        let wake: Arc<dyn Fn() + Send + Sync> = Arc::new(move || sender.send(()).unwrap_or_default());
-        let (asked, patches) = (Vec::new(), Vec::new());
-        let mut hand = Self { session, input: Input::default(), woken, wake, asked, patches };
-        hand.session.act(Action::ToggleEditing, None);
-        hand.carry_out();
-        hand.until("editing", |session| session.editing.as_ref().is_none_or(|editing| editing.is_ready));
-        hand
-    }
-
-    fn carry_out(&mut self) {
-        for command in self.session.take_commands() {
-            match command {
-                Command::Edit => self.session.start_editor(Arc::clone(&self.wake)),
-                Command::Follow(followed) => self.patches.push(followed.0),
-                command => self.asked.push(command),
-            }
-        }
-    }
-
-    /// Waits until something is so.
-    pub fn until(&mut self, what: &str, is_so: impl Fn(&Session) -> bool) {
-        loop {
-            self.session.take_edited();
-            self.carry_out();
-            if is_so(&self.session) {
-                return;
-            }
-            self.woken.recv_timeout(Duration::from_secs(60)).unwrap_or_else(|_| panic!("{what} did not come"));
-        }
-    }
-
-    /// Waits until there are so many steps, and so many that were undone.
-    pub fn steps(&mut self, done: usize, undone: usize) {
-        self.until("a step", |session| {
-            let steps = &session.editing.as_ref().unwrap().steps;
-            (steps.done.len(), steps.undone.len()) == (done, undone)
-        });
-    }
-
-    /// Waits until all that was asked for so far is done: jobs are done in their order.
-    pub fn settle(&mut self) {
-        let region = VoxelBox { min: IVec3::ZERO, max: IVec3::ONE };
-        let editing = self.session.editing.as_mut().unwrap();
-        let (selection, clip) = (editing.selection, editing.clip.take());
-        editing.selection = Some(voxtrace_viewer::editing::Selection {
-            instance: 0,
-            grid: 0,
-            world_from_grid: voxtrace::Transform::IDENTITY,
-            region,
-        });
-        self.session.copy_selection(false);
-        self.until("a copy", |session| session.editing.as_ref().unwrap().clip.is_some());
-        let editing = self.session.editing.as_mut().unwrap();
-        (editing.selection, editing.clip) = (selection, clip);
-    }
-
-    pub fn key(&mut self, modifiers: Modifiers, key: Key) {
-        self.input.set_modifiers(modifiers, &mut self.session);
-        self.input.key(key, true, false, &mut self.session);
-        self.input.key(key, false, false, &mut self.session);
-        self.input.set_modifiers(Modifiers::NONE, &mut self.session);
-        self.carry_out();
-    }
-
-    pub fn letter(&mut self, letter: char) {
-        self.key(Modifiers::NONE, Key::Letter(letter));
-    }
-
-    pub fn ctrl(&mut self, letter: char) {
-        self.key(Modifiers::CTRL, Key::Letter(letter));
-    }
-
-    /// Where the picture shows a point.
-    pub fn place(&self, point: Vec3) -> Vec2 {
-        Projection::new(self.session.navigator.camera(), self.session.size()).place(point).unwrap()
-    }
-
-    /// Drags over the points of the scene.
-    pub fn drag(&mut self, points: &[Vec3]) {
-        let places: Vec<Vec2> = points.iter().map(|&point| self.place(point)).collect();
-        self.input.move_to(places[0], &mut self.session);
-        self.input.press(Button::Left, &mut self.session);
-        places[1..].iter().for_each(|&place| self.input.move_to(place, &mut self.session));
-        self.input.release(Button::Left, &mut self.session);
-        self.carry_out();
-    }
-
-    pub fn click(&mut self, point: Vec3) {
-        self.drag(&[point]);
-    }
-
-    pub fn material_at(&self, voxel: IVec3) -> Option<u32> {
-        let scene = &self.session.open.as_ref().unwrap().original;
-        scene.geometry().material_at(&scene.grids()[0], voxel)
-    }
-
-    pub fn take_material(&mut self, material: u16) {
-        self.session.editing.as_mut().unwrap().take_material(material);
-    }
-
-    /// Voxels of the first grid.
-    pub fn voxels(&self) -> VoxelGrid {
-        let scene = self.session.open.as_ref().unwrap().original.to_scene();
-        (*scene.grids[0]).clone()
-    }
-}
-
-fn in_the_room() -> Hand {
-    Hand::on(in_room("room.vxt"))
-}
-
-/// The middle of the upper face of a voxel of the floor.
-fn floor(x: i32, y: i32) -> Vec3 {
-    Vec3::new(x as f32 + 0.5, y as f32 + 0.5, 1.0)
-}
-
-/// Voxels that differ.
-fn differing(before: &VoxelGrid, after: &VoxelGrid) -> Vec<IVec3> {
-    let mut all: Vec<IVec3> = before.voxels().chain(after.voxels()).map(|(voxel, _)| voxel).collect();
-    all.sort_unstable_by_key(|voxel| voxel.to_array());
-    all.dedup();
-    all.retain(|&voxel| before.get(voxel) != after.get(voxel));
-    all
-}
 
 #[test]
 fn a_click_places_a_voxel_on_the_face_under_the_cursor_and_undo_takes_it_back() {
@@ -380,146 +233,6 @@ fn in_the_sky_the_hand_moves_the_camera_and_the_right_button_always_does() {
     assert_ne!(hand.session.navigator.camera(), &camera);
 }
 
-/// A hand on the house, whose second room is the first one's model where they are `shared`.
-fn in_the_house(is_shared: bool) -> Hand {
-    let mut session = in_room("house.vox");
-    let mut scene = house();
-    if is_shared {
-        scene.instances[1].grid = 0;
-    }
-    session.show("house.vox".into(), Arc::new(PackedScene::pack_merged(&scene).unwrap()));
-    Hand::on(session)
-}
-
-#[test]
-fn merged_instances_come_apart_before_they_are_edited() {
-    let mut hand = in_the_house(false);
-    assert!(hand.asked.contains(&Command::SetScene) && !lit(&hand.session).is_merged());
-    let before = hand.voxels();
-    hand.click(floor(3, 4));
-    hand.steps(1, 0);
-    assert_eq!(differing(&before, &hand.voxels()), [IVec3::new(3, 4, 1)]);
-    assert_eq!(hand.session.copies_of(0), 1, "the second room is a model of its own");
-}
-
-#[test]
-fn all_copies_of_a_model_change_and_what_is_hidden_stays_so() {
-    let mut hand = in_the_house(true);
-    assert_eq!(hand.session.copies_of(0), 2);
-    // The second room is hidden: what traces gets patches without it, also where bounds change.
-    hand.session.set_visible(&[1], false);
-    hand.session.editing.as_mut().unwrap().brush.size = 9;
-    hand.click(Vec3::new(12.0, 12.0, 7.0));
-    hand.steps(1, 0);
-    let open = hand.session.open.as_ref().unwrap();
-    assert_eq!((open.lit.instances().len(), open.original.instances().len()), (1, 2));
-    let placement = hand.patches.last().unwrap().placement.as_ref().expect("the bounds have grown");
-    assert_eq!(placement.instances().len(), 1);
-    hand.session.set_visible(&[1], true);
-    assert_eq!(lit(&hand.session).instances().len(), 2, "and it has the edit, too");
-    assert_eq!(lit(&hand.session).content_hash(), hand.session.open.as_ref().unwrap().original.content_hash());
-}
-
-#[test]
-fn a_scene_with_smooth_normals_says_in_one_line_why_it_is_not_edited() {
-    let mut session = in_room("room.vxt");
-    let smooth = PackedScene::pack(&crate::common::room()).unwrap().with_normals(Normals::Smooth).unwrap();
-    session.show("room.vxt".into(), Arc::new(smooth));
-    let mut hand = Hand::on(session);
-    assert!(hand.session.editing.is_none());
-    let lines = said(&mut hand.session);
-    assert_eq!(
-        lines,
-        ["the scene cannot be edited: edits do not follow smooth normals: open it with --normals faces to edit it"]
-    );
-}
-
-#[test]
-fn the_film_of_an_edited_scene_is_that_of_the_scene_from_scratch_also_in_another_light() {
-    let mut hand = in_the_room();
-    hand.take_material(1);
-    hand.session.editing.as_mut().unwrap().brush.size = 7;
-    hand.drag(&[floor(3, 3), floor(10, 5), floor(20, 20)]);
-    hand.steps(1, 0);
-    hand.settle();
-    let mut settings = hand.session.render_settings.clone();
-    settings.sky_brightness = Some(0.5);
-    hand.session.set_render_settings(settings);
-    let frame = hand.session.view().frame().size(40, 30).samples(2);
-    let edited = lit(&hand.session);
-    let mut scratch = (*edited).to_scene();
-    let of = |scene: &voxtrace::Scene| rendered(&Arc::new(PackedScene::pack(scene).unwrap()), &frame);
-    let film = rendered(&edited, &frame);
-    assert_eq!(film, of(&scratch));
-    Arc::make_mut(&mut scratch.grids[0]).set(IVec3::new(1, 1, 3), 0);
-    assert_ne!(film, of(&scratch), "the comparison sees a voxel");
-}
-
-#[test]
-fn a_colour_that_is_changed_among_edits_keeps_undo_and_what_glows_begins_it_anew() {
-    let mut hand = in_the_room();
-    hand.click(floor(3, 4));
-    hand.steps(1, 0);
-    let state = hand.session.editing.as_ref().unwrap().state();
-    let original = |session: &Session| session.open.as_ref().unwrap().original.materials().to_vec();
-    for color in ["#203040", "#405060", "#ff8000"] {
-        hand.session.set_material(format!("0={color}").parse().unwrap());
-    }
-    let wanted: voxtrace::changes::MaterialChange = "0=#ff8000".parse().unwrap();
-    assert_eq!(hand.session.material(0).unwrap().base_color, wanted.base_color, "at once");
-    hand.until("the colour", |session| original(session)[0].base_color == wanted.base_color);
-    assert_ne!(hand.session.editing.as_ref().unwrap().state(), state, "it is an edit");
-    assert!(!hand.asked.contains(&Command::SetScene), "what traces takes a patch");
-    hand.ctrl('Z');
-    hand.steps(0, 1);
-    hand.session.set_material("1=#ff0000,5".parse().unwrap());
-    hand.until("the lamp", |session| original(session)[1].emission.max_element() == 5.0);
-    assert!(hand.asked.contains(&Command::SetScene));
-    hand.steps(0, 0);
-    assert_eq!(hand.material_at(IVec3::new(3, 4, 1)), None);
-    hand.click(floor(5, 5));
-    hand.steps(1, 0);
-    assert!(hand.session.has_unsaved_edits());
-    let edited = lit(&hand.session);
-    let scratch = Arc::new(PackedScene::pack(&edited.to_scene()).unwrap());
-    let frame = hand.session.view().frame().size(40, 30).samples(2);
-    assert_eq!(rendered(&edited, &frame), rendered(&scratch, &frame), "with the light of the lamp");
-}
-
-#[test]
-fn a_new_material_is_the_current_one_and_what_is_placed_is_of_it() {
-    let mut hand = in_the_room();
-    hand.session.add_material(voxtrace::Material::from_srgb([1, 200, 30]).glowing(3.0));
-    hand.until("the material", |session| session.editing.as_ref().unwrap().material == 2);
-    assert!(!hand.session.has_unsaved_edits(), "nothing is of it yet");
-    hand.click(floor(3, 4));
-    hand.steps(1, 0);
-    assert_eq!(hand.material_at(IVec3::new(3, 4, 1)), Some(2));
-    assert_eq!(lit(&hand.session).materials()[2].emission.max_element() > 2.0, true);
-    hand.ctrl('Z');
-    hand.steps(0, 1);
-}
-
-#[test]
-fn what_has_unsaved_edits_is_left_only_after_a_question_and_no_command_renders_it() {
-    let mut hand = in_the_room();
-    assert!(hand.session.may_leave(Leaving::Quit));
-    assert!(words(&hand.session).contains("room.vxt"));
-    hand.click(floor(3, 4));
-    hand.steps(1, 0);
-    assert!(!hand.session.may_leave(Leaving::Load("city".into())));
-    assert_eq!(hand.session.leaving, Some(Leaving::Load("city".into())));
-    hand.key(Modifiers::NONE, Key::Escape);
-    assert_eq!((hand.session.leaving.clone(), hand.session.is_editing()), (None, true), "Esc stays");
-    assert!(hand.session.render_command().is_none());
-    hand.session.act(Action::CopyCommand, None);
-    assert!(said(&mut hand.session).last().unwrap().contains("save it first"));
-    assert!(!hand.session.may_leave(Leaving::Quit));
-    hand.session.discard_and_leave();
-    assert_eq!(hand.session.take_commands(), [Command::Quit]);
-    assert!(hand.session.may_leave(Leaving::Quit), "once is enough");
-}
-
 #[test]
 fn esc_gives_up_a_box_and_the_tool_keys_choose() {
     let mut hand = in_the_room();
@@ -541,4 +254,28 @@ fn esc_gives_up_a_box_and_the_tool_keys_choose() {
     // Turning what is not there says so.
     hand.session.act(Action::Edit(EditAction::Turn(EditAxis::Z)), None);
     assert!(said(&mut hand.session).last().unwrap().contains("nothing is being pasted"));
+}
+
+#[test]
+fn no_key_of_editing_does_two_things_and_each_does_what_its_table_says() {
+    use voxtrace_viewer::keys::{EDIT_TABLE, Trigger, edit_action_of, edit_action_of_gesture, markdown};
+    use voxtrace_viewer::navigation::Mode;
+    for (index, binding) in EDIT_TABLE.iter().enumerate() {
+        for trigger in binding.triggers {
+            let is_alone = |other: &voxtrace_viewer::keys::Binding| !other.triggers.contains(trigger);
+            assert!(EDIT_TABLE[index + 1..].iter().all(is_alone), "{trigger:?} stands twice");
+            let action = match *trigger {
+                Trigger::Key(chord) => edit_action_of(chord, false),
+                Trigger::Gesture(gesture, modifiers, mode) => {
+                    edit_action_of_gesture(gesture, modifiers, mode.unwrap_or(Mode::Fly))
+                }
+                Trigger::Digits(_) => None,
+            };
+            assert_eq!(action, Some(binding.action), "{trigger:?}");
+        }
+        assert!(markdown().contains(binding.about));
+    }
+    // In flight what is held beside a key means the speed.
+    let undo = voxtrace_viewer::keys::Chord { key: Key::Letter('Z'), modifiers: Modifiers::CTRL };
+    assert_eq!(edit_action_of(undo, true), None);
 }

@@ -10,6 +10,8 @@ mod dialogs;
 mod drawing;
 mod editing;
 mod editing_films;
+mod editing_panels;
+mod editing_scene;
 mod lenses;
 mod limits;
 mod lines;

@@ -8,7 +8,11 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 use voxtrace::PackedScene;
+use voxtrace::packed::PackedGrid;
 
+/// What a `.vox` file holds: colours, and voxels along an edge of a model.
+const MOST_COLORS: usize = 255;
+const MOST_ACROSS: i32 = 256;
 /// Time between two recovery files.
 const BETWEEN_RECOVERIES: Duration = Duration::from_secs(60);
 
@@ -88,9 +92,31 @@ impl Session {
         }
     }
 
+    /// What a `.vox` file does not keep of the scene as it is.
+    fn lost_in_vox(&self) -> Vec<String> {
+        let Some(open) = &self.open else { return Vec::new() };
+        let mut lines = Vec::new();
+        let materials = open.used_materials().map_or(open.original.materials().len(), <[usize]>::len);
+        if materials > MOST_COLORS {
+            lines.push(format!("a .vox file has {MOST_COLORS} colours: {materials} materials become as many"));
+        }
+        let is_large = |grid: &PackedGrid| (grid.max - grid.min).max_element() > MOST_ACROSS;
+        let large = open.original.grids().iter().filter(|grid| is_large(grid)).count() as u64;
+        if large > 0 {
+            let what = crate::panels::counted(large, "model");
+            lines.push(format!(
+                "models of a .vox file have at most {MOST_ACROSS} voxels across: {what} will be in parts"
+            ));
+        }
+        lines
+    }
+
     /// The scene begins to be written as it is now.
-    pub(crate) fn begin_saving(&mut self, path: &Path) {
+    pub fn begin_saving(&mut self, path: &Path) {
         self.end_stroke();
+        if path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("vox")) {
+            self.lost_in_vox().into_iter().for_each(|line| self.say(line, false));
+        }
         let Some(open) = &self.open else { return };
         let hidden =
             open.is_visible.iter().zip(&open.original.outline.objects).filter(|(seen, own)| !**seen && !own.is_hidden);
@@ -106,7 +132,7 @@ impl Session {
     }
 
     /// The scene was written, or not.
-    pub(crate) fn end_saving(&mut self, is_written: bool) {
+    pub fn end_saving(&mut self, is_written: bool) {
         let saving = self.editing.as_mut().and_then(|editing| editing.saving.take());
         if let (true, Some(saving), Some(editing)) = (is_written, saving, &mut self.editing) {
             editing.saved = Some(saving);
