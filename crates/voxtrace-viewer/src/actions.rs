@@ -43,6 +43,9 @@ impl Session {
             Action::OpenByPath => self.dialog = Some(Dialog::Open(OpenDialog::new(self))),
             Action::RenderPicture => self.open_dialog(|session| Dialog::Picture(PictureDialog::new(session))),
             Action::RenderFrames => self.open_dialog(|session| Dialog::Frames(Box::new(FramesDialog::new(session)))),
+            Action::ToggleEditing => self.toggle_editing(),
+            Action::Edit(action) => self.edit_act(action, cursor),
+            Action::SaveEdits => self.save_edits(),
             Action::SaveScene => self.open_dialog(|session| Dialog::Save(SaveDialog::new(session))),
             Action::Screenshot => self.screenshot(),
             Action::Quit => self.ask(Command::Quit),
@@ -126,15 +129,16 @@ impl Session {
     }
 
     fn cancel(&mut self) {
-        if self.dialog.take().is_some() {
-            // The dialog goes first.
+        if self.dialog.take().is_some() || self.leaving.is_some() {
+            // The dialog goes first, and with it what waits for it.
+            self.stay();
         } else if self.loading.take().is_some() {
             self.say("opening was stopped", false);
         } else if let Some(benchmark) = &self.benchmark {
             benchmark.cancel();
         } else if self.has_help {
             self.has_help = false;
-        } else if self.dismiss_errors() {
+        } else if self.dismiss_errors() || self.cancel_editing() {
             // That was it.
         } else if self.picked.take().is_none() {
             self.ask(Command::LeaveFullscreen);
@@ -238,7 +242,10 @@ impl Session {
 
     fn copy_line(&mut self, line: Option<Result<String, CommandError>>, what: &str) {
         match line {
-            None => self.say("there is no scene to render yet", false),
+            None => match self.edited_file() {
+                Err(reason) => self.say(reason, true),
+                Ok(_) => self.say("there is no scene to render yet", false),
+            },
             Some(Ok(line)) => {
                 self.ask(Command::Print(line.clone()));
                 self.copy(line, what);
@@ -275,18 +282,22 @@ impl Session {
 
     fn command_with(&self, settings: &RenderSettings) -> Option<RenderCommand> {
         let open = self.open.as_ref()?;
+        let edited = self.edited_file().ok()?;
+        let is_edited = edited.is_some();
         let scene = match is_built_in(&open.source) {
+            _ if is_edited => SceneArgument::File(edited.unwrap_or_default()),
             true => SceneArgument::BuiltIn {
                 name: open.source.clone(),
                 voxels: self.built_in_voxels.filter(|_| scenes::default_voxels(&open.source).is_some()),
             },
             false => SceneArgument::File(PathBuf::from(&open.source)),
         };
-        let (changes, shown) = open.changes();
+        // What was edited has its materials, and lacks what was hidden, in its file.
+        let (changes, shown) = if is_edited { Default::default() } else { open.changes() };
         let is_device = settings.traversal != Traversal::Cpu;
         let has_primitive = matches!(settings.traversal, Traversal::Query | Traversal::Pipeline);
         Some(RenderCommand {
-            scene_options: self.scene_options.clone(),
+            scene_options: if is_edited { Vec::new() } else { self.scene_options.clone() },
             usual_camera: open.original.cameras.first().cloned(),
             size: self.size(),
             samples: settings.samples,

@@ -8,11 +8,23 @@ use voxtrace::packed::PackedMaterial;
 impl Session {
     /// A material as it is now.
     pub fn material(&self, number: usize) -> Option<PackedMaterial> {
-        self.open.as_ref()?.alone.materials().get(number).copied()
+        let mut material = self.open.as_ref()?.alone.materials().get(number).copied()?;
+        if let Some(editing) = &self.editing {
+            // Those that are on their way.
+            let changes = [&editing.materials_sent, &editing.materials].into_iter().filter_map(|own| own.get(&number));
+            for change in changes {
+                material.base_color = change.base_color;
+                material.emission = change.emission.unwrap_or(material.emission);
+            }
+        }
+        Some(material)
     }
 
     /// Changes a material.
     pub fn set_material(&mut self, change: MaterialChange) {
+        if self.is_edited_by_now() {
+            return self.edit_material(change);
+        }
         let Some(open) = &mut self.open else { return };
         let original = open.original.materials().get(change.number);
         let is_same = |original: &PackedMaterial| {
@@ -42,8 +54,35 @@ impl Session {
             }
         }
         match open.lacks_objects() {
+            true if self.editing.as_ref().is_some_and(crate::editing::Editing::has_edits) => {
+                open.hide_unread();
+                self.say(
+                    "what the file hides cannot be read into a scene that was edited: save it, and open it with --show",
+                    true,
+                );
+            }
             true => self.ask(Command::LoadAgain),
             false => self.update_scene(),
+        }
+    }
+
+    /// Whether the scene is another one than the one that was read, so that the thread that owns it has to change its materials. One that has no
+    /// edits yet is begun with anew.
+    fn is_edited_by_now(&mut self) -> bool {
+        let has_edits = self.editing.as_ref().is_some_and(|editing| {
+            editing.has_edits() || !editing.steps.undone.is_empty() || !editing.materials_sent.is_empty()
+        });
+        if !has_edits {
+            self.restart_editing();
+        }
+        has_edits
+    }
+
+    /// Where nothing was edited yet, editing begins anew with the scene as it is changed.
+    fn restart_editing(&mut self) {
+        if let Some(editing) = &mut self.editing {
+            (editing.editor, editing.is_ready, editing.stroke) = (None, false, None);
+            self.ask(Command::Edit);
         }
     }
 
@@ -67,6 +106,8 @@ impl Session {
 
     /// Takes the scene that was read again with parts that its file hides; the view stays.
     pub fn show_again(&mut self, scene: std::sync::Arc<voxtrace::PackedScene>) {
+        // Nothing was edited: what has edits is not read again.
+        self.restart_editing();
         self.open = self.open.take().map(|open| open.read_again(scene));
         self.picked = None;
         self.update_scene();

@@ -75,7 +75,9 @@ impl Session {
             self.say(error.to_string(), true);
             return;
         }
-        let is_read_otherwise = open.depends_on_cuts && cutting.is_cut() != self.render_settings.cutting.is_cut();
+        let has_edits = self.editing.as_ref().is_some_and(crate::editing::Editing::has_edits);
+        let is_read_otherwise =
+            !has_edits && open.depends_on_cuts && cutting.is_cut() != self.render_settings.cutting.is_cut();
         let settings = crate::render_settings::RenderSettings { cutting, ..self.render_settings.clone() };
         self.set_render_settings(settings);
         if is_read_otherwise {

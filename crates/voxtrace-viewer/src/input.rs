@@ -1,7 +1,7 @@
 //! From events of a window system, as plain values, to what they mean: keys to actions, drags and wheels to motions. Places are those
 //! of the picture, pixels.
 
-use crate::keys::{self, Action, Chord, Gesture, Key, Modifiers, Steer};
+use crate::keys::{self, Action, Chord, EditAction, Gesture, Key, Modifiers, Steer};
 use crate::navigation::Motion;
 use crate::session::Session;
 use voxtrace::glam::{Vec2, Vec3};
@@ -32,6 +32,8 @@ struct Drag {
     is_click: bool,
     /// Whether it is the divider of two pictures that is dragged.
     is_divider: bool,
+    /// Whether it edits.
+    is_edit: bool,
 }
 
 /// What the mouse and the keyboard are doing.
@@ -70,7 +72,8 @@ impl Input {
             }
             return;
         }
-        match keys::action_of(chord, is_flying) {
+        let edit = if session.is_editing() { keys::edit_action_of(chord, is_flying) } else { None };
+        match edit.or_else(|| keys::action_of(chord, is_flying)) {
             Some(Action::Move(movement)) => session.navigator.held.set(movement, true),
             Some(action) if !is_repeat || may_repeat(action) => session.act(action, self.cursor),
             _ => {}
@@ -97,6 +100,9 @@ impl Input {
         let last = self.cursor.replace(cursor);
         session.hover = self.drag.is_none().then_some(cursor);
         let (Some(drag), Some(last)) = (&mut self.drag, last) else { return };
+        if drag.is_edit {
+            return session.edit_drag(cursor);
+        }
         if drag.is_divider {
             return session.move_divider((cursor.x - last.x) / session.size().0 as f32);
         }
@@ -121,20 +127,35 @@ impl Input {
             Button::Middle => Gesture::MiddleDrag,
             Button::Right => Gesture::RightDrag,
         };
-        let steer = match keys::action_of_gesture(gesture, self.modifiers, session.navigator.mode) {
+        let is_divider = button == Button::Left && session.is_on_divider(cursor);
+        let mode = session.navigator.mode;
+        let edit = match session.is_editing() && !is_divider {
+            true => keys::edit_action_of_gesture(gesture, self.modifiers, mode),
+            false => None,
+        };
+        let is_edit = match edit {
+            Some(Action::Edit(action)) => session.edit_press_as(action, cursor),
+            _ => false,
+        };
+        let edit = edit.filter(|action| matches!(action, Action::Steer(_)));
+        let steer = match edit.or_else(|| keys::action_of_gesture(gesture, self.modifiers, mode)) {
             Some(Action::Steer(steer)) => Some(steer),
             _ => None,
         };
-        let is_divider = button == Button::Left && session.is_on_divider(cursor);
         let anchor = session.pick(cursor).map(|picked| picked.point);
         session.navigator.begin_gesture();
-        self.drag = Some(Drag { button, steer, from: cursor, anchor, is_click: !is_divider, is_divider });
+        self.drag =
+            Some(Drag { button, steer, from: cursor, anchor, is_click: !is_divider && !is_edit, is_divider, is_edit });
     }
 
     /// A button is let go.
     pub fn release(&mut self, button: Button, session: &mut Session) {
         let Some(drag) = self.drag.take_if(|drag| drag.button == button) else { return };
         session.navigator.end_gesture();
+        if drag.is_edit {
+            session.hover = self.cursor;
+            return session.edit_release();
+        }
         if drag.is_click && button == Button::Left {
             self.gesture(Gesture::Click, session);
         }
@@ -142,8 +163,11 @@ impl Input {
 
     /// The drag ends where it is, and is no click.
     pub fn abandon(&mut self, session: &mut Session) {
-        if self.drag.take().is_some() {
+        if let Some(drag) = self.drag.take() {
             session.navigator.end_gesture();
+            if drag.is_edit {
+                session.drop_stroke();
+            }
         }
     }
 
@@ -166,6 +190,10 @@ impl Input {
 
     /// The second press of two clicks. Letting go is no click any more: something else lies under the cursor then.
     pub fn double_click(&mut self, session: &mut Session) {
+        // Two clicks of a tool are two clicks.
+        if session.is_editing() {
+            return;
+        }
         match self.drag.take() {
             Some(Drag { is_divider: true, .. }) => return session.navigator.end_gesture(),
             Some(_) => session.navigator.end_gesture(),
@@ -182,6 +210,15 @@ impl Input {
 
     /// The wheel turned by so many notches, away from the user above 0.
     pub fn wheel(&mut self, notches: f32, session: &mut Session) {
+        if self.drag.as_ref().is_some_and(|drag| drag.is_edit) && session.edit_wheel(notches) {
+            return;
+        }
+        if session.is_editing()
+            && keys::edit_action_of_gesture(Gesture::Wheel, self.modifiers, session.navigator.mode)
+                == Some(Action::Edit(EditAction::Resize))
+        {
+            return session.resize_brush(notches);
+        }
         let is_right = self.drag.as_ref().is_some_and(|drag| drag.button == Button::Right);
         let gesture = if is_right { Gesture::RightWheel } else { Gesture::Wheel };
         let modifiers = if is_right { Modifiers::NONE } else { self.modifiers };
@@ -252,5 +289,6 @@ fn may_repeat(action: Action) -> bool {
             | Action::DividerRight
             | Action::UndoCamera
             | Action::RedoCamera
+            | Action::Edit(EditAction::Undo | EditAction::Redo | EditAction::Larger | EditAction::Smaller)
     )
 }

@@ -17,7 +17,7 @@ pub struct Open {
     /// As it was read.
     pub original: Arc<PackedScene>,
     /// That with all instances apart, once they are needed so: to hide some, or to draw lines.
-    apart: Option<Arc<PackedScene>>,
+    pub(crate) apart: Option<Arc<PackedScene>>,
     /// With other materials and without what is hidden.
     pub alone: Arc<PackedScene>,
     /// That on a ground and in fog, where there are any.
@@ -36,6 +36,8 @@ pub struct Open {
     pub is_visible: Vec<bool>,
     /// Materials that were changed, by their number.
     pub materials: BTreeMap<usize, MaterialChange>,
+    /// Those of them that the scene has by now, because it is edited.
+    pub baked: BTreeMap<usize, MaterialChange>,
     used: Arc<OnceLock<Vec<usize>>>,
     is_used_asked: Cell<bool>,
 }
@@ -58,6 +60,7 @@ impl Open {
             original: scene,
             apart: None,
             materials: BTreeMap::new(),
+            baked: BTreeMap::new(),
             used: Arc::default(),
             is_used_asked: Cell::new(false),
         }
@@ -76,7 +79,9 @@ impl Open {
     /// What was changed, and the parts that are shown although the file hides them.
     pub fn changes(&self) -> (SceneChanges, Vec<PartName>) {
         let (hidden, shown) = visible_parts(&self.outline, &self.is_visible);
-        (SceneChanges { materials: self.materials.values().copied().collect(), hidden }, shown)
+        let mut materials = self.baked.clone();
+        materials.extend(self.materials.iter().map(|(number, change)| (*number, *change)));
+        (SceneChanges { materials: materials.into_values().collect(), hidden }, shown)
     }
 
     /// Whether objects are to be seen that the file hides and that were not read.
@@ -97,15 +102,19 @@ impl Open {
     /// # Errors
     /// [`ChangeError`] where the scene has no such material or part.
     pub fn update(&mut self, has_lines: bool) -> Result<(), ChangeError> {
-        // Of what was read: an object that the file hides may have been shown, and hidden again.
-        let (hidden, _) = visible_parts(&self.original.outline, &self.is_visible);
-        let changes = SceneChanges { hidden, ..self.changes().0 };
+        let materials = self.materials.values().copied().collect();
+        let changes = SceneChanges { hidden: self.hidden_parts(), materials };
         let scene = if has_lines || !changes.hidden.is_empty() { self.apart() } else { Arc::clone(&self.original) };
         self.alone = match changes.is_empty() {
             true => scene,
             false => Arc::new(threads::aside(|| changes.apply(&scene))?),
         };
         Ok(())
+    }
+
+    /// What is hidden of what was read: an object that the file hides may have been shown, and hidden again.
+    pub(crate) fn hidden_parts(&self) -> Vec<PartName> {
+        visible_parts(&self.original.outline, &self.is_visible).0
     }
 
     /// The scene as it was read, with all instances apart.

@@ -1,5 +1,7 @@
 //! The state of the window without the window: what happens goes in, what is to be done comes out.
 
+mod editing;
+mod messages;
 mod opening;
 
 use crate::benchmark::Benchmark;
@@ -16,17 +18,14 @@ use crate::render_settings::RenderSettings;
 use crate::settings::Settings;
 use crate::skies::Skies;
 use crate::surroundings::Making;
+pub use editing::{Followed, Leaving, extent};
+pub use messages::Message;
 use std::collections::{HashMap, VecDeque};
-use std::time::{Duration, Instant};
 use voxtrace::glam::Vec2;
 use voxtrace::{Camera, Hit};
 use voxtrace_bench::Measurement;
 use voxtrace_vulkan::Traversal;
 
-/// How long a message stays. What went wrong stays until Esc, or until another scene is there.
-const MESSAGE_TIME: Duration = Duration::from_secs(12);
-/// Most messages at a time.
-const MOST_MESSAGES: usize = 6;
 /// Seconds without a motion after which the camera is at rest: events of a mouse come with gaps.
 const REST: f32 = 0.1;
 
@@ -77,6 +76,10 @@ pub enum Command {
     LeaveFullscreen,
     /// Larger or smaller text and buttons, by a step.
     Scale(i8),
+    /// Begin to edit the scene.
+    Edit,
+    /// Follow an edit of the scene.
+    Follow(Followed),
     /// Close the window.
     Quit,
 }
@@ -91,6 +94,7 @@ impl Command {
                 | Self::CompareWith(_)
                 | Self::SetContrast(_)
                 | Self::SetScene
+                | Self::Edit
                 | Self::MakeSky
                 | Self::Surround
                 | Self::SetBackend(_)
@@ -101,16 +105,6 @@ impl Command {
         let is_same = std::mem::discriminant(self) == std::mem::discriminant(earlier);
         is_same && (sets || (self == earlier && !matches!(self, Self::ToggleFullscreen | Self::Scale(_))))
     }
-}
-
-/// A line for people.
-#[derive(Clone, Debug)]
-pub struct Message {
-    /// What it says.
-    pub text: String,
-    /// Whether something went wrong.
-    pub is_error: bool,
-    since: Instant,
 }
 
 /// What a voxel under the cursor is.
@@ -172,6 +166,20 @@ pub struct Session {
     pub given_cutting: Cutting,
     /// How large built-in scenes are made, where that was chosen.
     pub built_in_voxels: Option<u64>,
+    /// Editing of the scene that is shown, since it began.
+    pub editing: Option<crate::editing::Editing>,
+    /// What waits until somebody has said what becomes of edits that no file holds.
+    pub leaving: Option<Leaving>,
+    /// Whether it follows as soon as they are saved.
+    pub(crate) is_leaving_saved: bool,
+    /// Whether edits that no file holds may be lost: somebody said so.
+    pub(crate) is_discarding: bool,
+    /// Edits that windows left behind, to be offered.
+    pub left_behind: Vec<crate::editing::recovery::Left>,
+    /// Those that are being opened.
+    pub(crate) recovering: Option<crate::editing::recovery::Left>,
+    /// Those that were opened, until the files of this window take their place.
+    pub(crate) recovered: Option<crate::editing::recovery::Left>,
     /// Where settings are kept.
     pub settings_folder: Option<std::path::PathBuf>,
     /// What lenses were set to, by the names of the settings, for when they are chosen again.
@@ -214,6 +222,13 @@ impl Session {
             scene_options: Vec::new(),
             given_cutting: Cutting::default(),
             built_in_voxels: None,
+            editing: None,
+            leaving: None,
+            is_leaving_saved: false,
+            is_discarding: false,
+            left_behind: Vec::new(),
+            recovering: None,
+            recovered: None,
             settings_folder: None,
             lens_settings: HashMap::new(),
             surrounding: None,
@@ -238,35 +253,14 @@ impl Session {
     /// Asks for something to be done. Of commands that set one and the same thing the last one counts; steps are all done.
     pub fn ask(&mut self, command: Command) {
         self.commands.retain(|earlier| !command.replaces(earlier));
-        self.commands.push(command);
-    }
-
-    /// Says something to whoever looks. What is said again is no second line.
-    pub fn say(&mut self, text: impl Into<String>, is_error: bool) {
-        let text = text.into();
-        self.messages.retain(|message| message.text != text);
-        self.messages.push_back(Message { text, is_error, since: Instant::now() });
-        while self.messages.len() > MOST_MESSAGES {
-            self.messages.pop_front();
+        // A scene that is to be traced is the one with all edits.
+        if matches!(command, Command::Follow(_)) && self.commands.contains(&Command::SetScene) {
+            return;
         }
-    }
-
-    /// The messages that are still to be seen, oldest first.
-    pub fn messages(&mut self) -> impl Iterator<Item = &Message> {
-        self.messages.retain(|message| message.is_error || message.since.elapsed() < MESSAGE_TIME);
-        self.messages.iter()
-    }
-
-    /// Takes away what went wrong. Returns whether there was something.
-    pub fn dismiss_errors(&mut self) -> bool {
-        let before = self.messages.len();
-        self.messages.retain(|message| !message.is_error);
-        self.messages.len() < before
-    }
-
-    /// Whether there are messages.
-    pub fn has_messages(&self) -> bool {
-        !self.messages.is_empty()
+        if command == Command::SetScene {
+            self.commands.retain(|earlier| !matches!(earlier, Command::Follow(_)));
+        }
+        self.commands.push(command);
     }
 
     /// The size of the picture, pixels.

@@ -83,6 +83,12 @@ impl VulkanTracer {
         &self.device
     }
 
+    /// The scene that was set, as edits have made it; `None` before.
+    #[doc(hidden)]
+    pub fn scene(&self) -> Option<&Arc<PackedScene>> {
+        self.scene.as_ref()
+    }
+
     /// What is allocated on the device.
     pub fn memory(&self) -> MemoryReport {
         self.device.memory()

@@ -31,6 +31,7 @@ mod verbs;
 mod view;
 mod volumes;
 mod voxels;
+mod window_edits;
 #[cfg(feature = "view")]
 mod window_exports;
 mod writing;

@@ -10,7 +10,7 @@ use voxtrace_test_support::{Need, skip_without};
 const MOST: Duration = Duration::from_secs(120);
 
 /// A program that ends with the test, however that ends.
-struct Running(Child);
+pub struct Running(pub Child);
 
 impl Drop for Running {
     fn drop(&mut self) {
@@ -21,14 +21,14 @@ impl Drop for Running {
 }
 
 /// An X server in memory. It chooses a display that is free, and does not begin anew (`-noreset`) whenever its last client goes.
-struct Screen {
+pub struct Screen {
     _server: Running,
     display: String,
 }
 
 impl Screen {
     /// `None` where the machine has no such server.
-    fn open() -> Option<Self> {
+    pub fn open() -> Option<Self> {
         Command::new("xdotool").arg("version").output().ok()?;
         let arguments = ["-displayfd", "1", "-screen", "0", "1024x768x24", "-nolisten", "tcp", "-noreset"];
         let server = Command::new("Xvfb").args(arguments).stdout(Stdio::piped()).stderr(Stdio::null()).spawn();
@@ -40,7 +40,7 @@ impl Screen {
     }
 
     /// One call of `xdotool`, which must succeed.
-    fn hand(&self, words: &[&str]) -> Output {
+    pub fn hand(&self, words: &[&str]) -> Output {
         let output = self.try_hand(words);
         assert!(output.status.success(), "xdotool {words:?}: {}", String::from_utf8_lossy(&output.stderr));
         output
@@ -52,8 +52,8 @@ impl Screen {
 }
 
 /// The program with its window.
-struct View<'a> {
-    program: Running,
+pub struct View<'a> {
+    pub program: Running,
     screen: &'a Screen,
     window: String,
     since: Instant,
@@ -63,7 +63,7 @@ struct View<'a> {
 
 impl<'a> View<'a> {
     /// Starts the program and waits for its window to have the keyboard.
-    fn open(folder: &Folder, screen: &'a Screen, arguments: &[&str]) -> Self {
+    pub fn open(folder: &Folder, screen: &'a Screen, arguments: &[&str]) -> Self {
         let mut command = folder.command(&[&["view"], arguments].concat());
         command.env("DISPLAY", &screen.display).env_remove("WAYLAND_DISPLAY").env_remove("WAYLAND_SOCKET");
         command.env("VOXTRACE_VALIDATION", "1").env("VOXTRACE_SETTINGS", folder.path("settings/viewer.toml"));
@@ -90,7 +90,7 @@ impl<'a> View<'a> {
     }
 
     /// Waits until something holds, as long as the program runs.
-    fn wait(&mut self, what: &str, mut holds: impl FnMut(&mut Self) -> bool) {
+    pub fn wait(&mut self, what: &str, mut holds: impl FnMut(&mut Self) -> bool) {
         while !holds(self) {
             if let Some(status) = self.program.0.try_wait().unwrap() {
                 let stderr = std::mem::replace(&mut self.stderr, std::thread::spawn(String::new)).join().unwrap();
@@ -102,15 +102,15 @@ impl<'a> View<'a> {
     }
 
     /// A call of `xdotool` with the window between its words.
-    fn hand(&self, before: &[&str], after: &[&str]) -> Output {
+    pub fn hand(&self, before: &[&str], after: &[&str]) -> Output {
         self.screen.hand(&[before, &[&self.window], after].concat())
     }
 
-    fn key(&self, key: &str) {
+    pub fn key(&self, key: &str) {
         self.screen.hand(&["key", key]);
     }
 
-    fn title(&self) -> String {
+    pub fn title(&self) -> String {
         let output = self.hand(&["getwindowname"], &[]);
         String::from_utf8_lossy(&output.stdout).trim().to_owned()
     }
@@ -124,14 +124,14 @@ impl<'a> View<'a> {
     }
 
     /// Presses the key of a picture and waits for it.
-    fn screenshot(&mut self, folder: &Folder) -> Picture {
+    pub fn screenshot(&mut self, folder: &Folder) -> Picture {
         self.key("F12");
         self.wait("a picture", |_| folder.exists("room-001.png"));
         folder.png("room-001.png")
     }
 
     /// Waits for the end; the exit code, stdout and stderr.
-    fn end(mut self) -> (Option<i32>, String, String) {
+    pub fn end(mut self) -> (Option<i32>, String, String) {
         let mut code = None;
         while code.is_none() {
             code = self.program.0.try_wait().unwrap();
@@ -143,13 +143,13 @@ impl<'a> View<'a> {
 }
 
 /// Whether there is a device beside the processor.
-fn has_device(folder: &Folder) -> bool {
+pub fn has_device(folder: &Folder) -> bool {
     let devices: serde_json::Value = serde_json::from_str(&folder.succeed(&["devices", "--json"])).unwrap();
     devices["devices"].as_array().unwrap().len() > 1
 }
 
 /// Lines that the validation layer wrote.
-fn validation(stderr: &str) -> Vec<&str> {
+pub fn validation(stderr: &str) -> Vec<&str> {
     stderr.lines().filter(|line| line.starts_with("validation:") || line.contains("VUID-")).collect()
 }
 

@@ -74,7 +74,12 @@ impl CpuTracer {
         }
     }
 
-    fn scene(&self) -> Result<Arc<PackedScene>, TraceError> {
+    /// The scene that was set, as edits have made it.
+    ///
+    /// # Errors
+    /// [`TraceError::NoScene`] before a scene was set.
+    #[doc(hidden)]
+    pub fn scene(&self) -> Result<Arc<PackedScene>, TraceError> {
         self.scene.clone().ok_or(TraceError::NoScene)
     }
 }

@@ -18,6 +18,13 @@ pub enum Edit {
         /// What they become.
         material: Option<u16>,
     },
+    /// The empty voxels of a shape become this material; those that are there stay.
+    Add {
+        /// Which voxels.
+        shape: Shape,
+        /// What they become.
+        material: u16,
+    },
     /// The voxels of a shape that are there become another material.
     Paint {
         /// Which voxels.
@@ -79,7 +86,7 @@ impl Edit {
     pub(super) fn materials(&self) -> impl Iterator<Item = u16> {
         let (first, second) = match self {
             Self::Fill { material, .. } => (*material, None),
-            Self::Paint { material, .. } => (Some(*material), None),
+            Self::Add { material, .. } | Self::Paint { material, .. } => (Some(*material), None),
             Self::Replace { from, to, .. } => (Some(*from), *to),
             Self::Flood { material, .. } => (*material, None),
             Self::Paste { clip, .. } => {

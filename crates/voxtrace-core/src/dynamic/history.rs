@@ -1,6 +1,8 @@
 //! Undo and redo: for each edit the words that its bricks had before, or have after.
 
 use super::plan::Change;
+use glam::IVec3;
+use rustc_hash::FxHashSet;
 use std::collections::VecDeque;
 
 /// Bytes that are kept unless said otherwise.
@@ -27,11 +29,13 @@ pub(super) struct History {
     redo: Vec<Entry>,
     size_bytes: u64,
     most_bytes: u64,
+    /// Bricks of the last entry, while edits are joined to it.
+    joined: Option<FxHashSet<IVec3>>,
 }
 
 impl Default for History {
     fn default() -> Self {
-        Self { undo: VecDeque::new(), redo: Vec::new(), size_bytes: 0, most_bytes: MOST_BYTES }
+        Self { undo: VecDeque::new(), redo: Vec::new(), size_bytes: 0, most_bytes: MOST_BYTES, joined: None }
     }
 }
 
@@ -46,6 +50,24 @@ impl History {
         self.size_bytes
     }
 
+    /// How many edits can be undone, and how many redone.
+    pub fn lengths(&self) -> (usize, usize) {
+        (self.undo.len(), self.redo.len())
+    }
+
+    /// An edit that is one step with the last one: of bricks that both changed, the words before the first count. Where there is none to join, it
+    /// is a new one.
+    pub fn join(&mut self, entry: Entry) {
+        let last = self.undo.back_mut().filter(|last| last.grid == entry.grid && self.redo.is_empty());
+        let Some(last) = last else { return self.push(entry) };
+        let known = self.joined.get_or_insert_with(|| last.bricks.iter().map(|(at, _)| *at).collect());
+        let added: Vec<Change> = entry.bricks.into_iter().filter(|(at, _)| known.insert(*at)).collect();
+        let added = Entry { grid: last.grid, bricks: added };
+        self.size_bytes += added.size_bytes();
+        last.bricks.extend(added.bricks);
+        self.forget_oldest();
+    }
+
     /// Forgets all.
     pub fn clear(&mut self) {
         *self = Self { most_bytes: self.most_bytes, ..Self::default() };
@@ -53,6 +75,7 @@ impl History {
 
     /// A new edit: what was undone before cannot be redone.
     pub fn push(&mut self, entry: Entry) {
+        self.joined = None;
         let gone: u64 = self.redo.drain(..).map(|entry| entry.size_bytes()).sum();
         self.size_bytes = self.size_bytes - gone + entry.size_bytes();
         self.undo.push_back(entry);
@@ -60,6 +83,7 @@ impl History {
     }
 
     pub fn pop_undo(&mut self) -> Option<Entry> {
+        self.joined = None;
         let entry = self.undo.pop_back()?;
         self.size_bytes -= entry.size_bytes();
         Some(entry)
@@ -80,6 +104,7 @@ impl History {
 
     /// What was redone.
     pub fn push_undo(&mut self, entry: Entry) {
+        self.joined = None;
         self.size_bytes += entry.size_bytes();
         self.undo.push_back(entry);
         self.forget_oldest();
@@ -90,6 +115,8 @@ impl History {
             let oldest = self.undo.pop_front().or_else(|| (!self.redo.is_empty()).then(|| self.redo.remove(0)));
             let Some(oldest) = oldest else { break };
             self.size_bytes -= oldest.size_bytes();
+            // It may have been the one that others were joined to.
+            self.joined = self.joined.take().filter(|_| !self.undo.is_empty());
         }
     }
 }

@@ -22,11 +22,13 @@ mod patch;
 mod pieces;
 mod plan;
 mod pool;
+mod recolor;
 mod repair;
 mod shorten;
 mod sketch;
 mod skip;
 mod spread;
+mod steps;
 mod store;
 #[cfg(test)]
 mod tests;

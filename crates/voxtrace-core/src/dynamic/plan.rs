@@ -66,7 +66,8 @@ impl DynamicScene {
             return self.plan_sketch(grid, edit, region);
         }
         match edit {
-            Edit::Fill { shape, material: Some(material) } => self.plan_fill(grid, shape, *material),
+            Edit::Fill { shape, material: Some(material) } => self.plan_fill(grid, shape, *material, true),
+            Edit::Add { shape, material } => self.plan_fill(grid, shape, *material, false),
             Edit::Fill { shape, material: None } => self.plan_masked(grid, shape, |brick, mask| {
                 let is_met = brick.occupancy().iter().zip(mask).any(|(own, mask)| own & mask != 0);
                 is_met.then(|| brick.replaced(&Brick::default(), mask))
@@ -118,7 +119,8 @@ impl DynamicScene {
         Ok(sketch.changes())
     }
 
-    fn plan_fill(&self, grid: u32, shape: &Shape, material: u16) -> Result<Vec<Change>, EditError> {
+    /// Fills the voxels of a shape: all of them, or those that are empty alone.
+    fn plan_fill(&self, grid: u32, shape: &Shape, material: u16, replaces: bool) -> Result<Vec<Change>, EditError> {
         let Some(region) = bounds_of(shape)? else { return Ok(Vec::new()) };
         check_range(region)?;
         let (low, high) = brick_box(region);
@@ -138,6 +140,10 @@ impl DynamicScene {
         let filled = solid(FULL, material);
         Ok(self.planned(grid, &bricks, |at, brick| match shape.mask(at) {
             [0, 0, 0, 0, 0, 0, 0, 0] => None,
+            mask if !replaces => {
+                let empty = std::array::from_fn(|block| mask[block] & !brick.occupancy()[block]);
+                (empty != [0; 8]).then(|| brick.replaced(&solid(empty, material), &empty))
+            }
             FULL => Some(filled.clone()),
             mask => Some(brick.replaced(&solid(mask, material), &mask)),
         }))

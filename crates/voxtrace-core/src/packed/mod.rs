@@ -41,6 +41,7 @@ mod section;
 mod section_writer;
 mod settings;
 mod shape;
+mod sharing;
 mod skip_distances;
 mod statistics;
 mod stream;

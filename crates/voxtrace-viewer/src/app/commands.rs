@@ -4,7 +4,7 @@ use super::App;
 use super::saving::Saving;
 use super::wake::Wake;
 use crate::benchmark::Benchmark;
-use crate::session::Command;
+use crate::session::{Command, Leaving};
 use std::sync::Arc;
 use winit::event_loop::ActiveEventLoop;
 use winit::window::Fullscreen;
@@ -16,7 +16,16 @@ impl App {
         for command in self.session.take_commands() {
             let (Some(graphics), Some(engine)) = (&mut self.graphics, &self.engine) else { return };
             match command {
-                Command::Load(source) => self.load(&source),
+                Command::Load(source) => {
+                    if self.session.may_leave(Leaving::Load(source.clone())) {
+                        self.load(&source);
+                    }
+                }
+                Command::Edit => {
+                    let wake = self.wake_by(|| Wake::Edited);
+                    self.session.start_editor(wake);
+                }
+                Command::Follow(followed) => engine.follow(followed.0),
                 Command::LoadAgain => self.load_again(),
                 Command::CompareWith(other) => {
                     engine.compare_with(other);
@@ -28,6 +37,7 @@ impl App {
                 }
                 Command::Benchmark => self.measure(),
                 Command::SetScene => {
+                    self.session.settle_edits();
                     engine.set_scene(self.session.open.as_ref().map(|open| Arc::clone(&open.lit)));
                     self.status.times.clear();
                 }
@@ -82,6 +92,9 @@ impl App {
     /// Closes the window. Where that would end work under way, only when asked twice.
     pub(super) fn quit(&mut self, event_loop: &ActiveEventLoop) {
         let is_busy = self.session.exporting.is_some() || self.session.saving_scene.is_some();
+        if !self.session.may_leave(Leaving::Quit) {
+            return;
+        }
         if is_busy && !std::mem::replace(&mut self.may_quit, true) {
             self.session.say("a file is being made: close the window again to stop that", false);
             return;

@@ -41,6 +41,8 @@ impl ApplicationHandler<Wake> for App {
                 return self.carry_out_without_redraw(event_loop);
             }
             Wake::Loading => self.take_loaded(),
+            Wake::Edited => self.session.take_edited(),
+            Wake::Unkept(reason) => self.session.say(reason, true),
             Wake::Sky => self.session.take_sky(),
             Wake::Surroundings => self.session.take_surroundings(),
             Wake::Chosen { path, is_quick } => self.take_chosen(path, is_quick),
@@ -167,13 +169,16 @@ impl ApplicationHandler<Wake> for App {
             event_loop.exit();
         }
         self.save_film();
+        self.keep_edits();
         self.carry_out_without_redraw(event_loop);
+        self.update_title();
         event_loop.set_control_flow(flow);
         self.stopwatch.end_turn();
     }
 
     fn exiting(&mut self, _: &ActiveEventLoop) {
         self.save_settings();
+        self.end_edits();
         self.stopwatch.report(self.graphics.as_ref().map(Graphics::phases).as_ref());
         // What is being written is whole or not there.
         self.session.exporting = None;

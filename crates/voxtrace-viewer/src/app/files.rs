@@ -5,6 +5,7 @@ use super::wake::Wake;
 use crate::dialogs::{Dialog, OpenDialog, PictureKind, SCENE_KINDS};
 use crate::export::{ExportRequest, Exporting, Source};
 use crate::load::{Loading, Reading};
+use crate::session::Command;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -29,7 +30,7 @@ impl App {
     /// Takes the answer of the system's dialog; where the system has none, the window's own takes its place.
     pub(super) fn take_chosen(&mut self, path: Option<PathBuf>, is_quick: bool) {
         match path {
-            Some(path) => self.load(&path.display().to_string()),
+            Some(path) => self.session.ask(Command::Load(path.display().to_string())),
             None if is_quick => {
                 self.session.say("the system has no dialog for files; type or paste the path", false);
                 self.session.dialog = Some(Dialog::Open(OpenDialog::new(&self.session)));
@@ -99,11 +100,12 @@ impl App {
 
     /// Begins to write the scene to a file.
     pub(super) fn save_scene(&mut self, path: PathBuf) {
-        let Some(open) = &self.session.open else { return };
         if self.session.saving_scene.is_some() {
             self.session.say("another scene is being written; wait for it", true);
             return;
         }
+        self.session.begin_saving(&path);
+        let Some(open) = &self.session.open else { return };
         let (scene, loader, proxy) = (Arc::clone(&open.pickable), Arc::clone(&self.loader), self.proxy.clone());
         self.may_quit = false;
         self.session.saving_scene = Some(path.clone());
@@ -121,6 +123,7 @@ impl App {
     pub(super) fn take_written(&mut self, result: Result<Vec<String>, String>) {
         let path = self.session.saving_scene.take().unwrap_or_default();
         self.writing = None;
+        self.session.end_saving(result.is_ok());
         match result {
             Ok(notes) => {
                 notes.into_iter().for_each(|note| self.session.say(note, false));
@@ -173,9 +176,6 @@ impl App {
         }
         // Freeing what is large takes its time.
         std::thread::spawn(move || drop(before));
-        if let Some(graphics) = &self.graphics {
-            graphics.window.set_title(&format!("{} – voxtrace", open.original.name));
-        }
         if !scenes::NAMES.contains(&open.source.as_str()) {
             self.settings.settings.add_recent(Path::new(&open.source));
             self.save_settings();

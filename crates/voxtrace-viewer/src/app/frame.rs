@@ -4,6 +4,7 @@ use super::App;
 use crate::engine::{Engine, Event as EngineEvent};
 use crate::gpu::Drawing;
 use crate::panels;
+use crate::session::Command;
 use std::sync::Arc;
 
 impl App {
@@ -21,6 +22,7 @@ impl App {
                 self.saving = None;
                 self.session.say(format!("tracing stopped: {error}"), true);
             }
+            EngineEvent::Stale => self.session.ask(Command::SetScene),
             // The window closes.
             EngineEvent::Gone(_) => {}
             EngineEvent::Moved(device) => {

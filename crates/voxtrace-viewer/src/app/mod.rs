@@ -3,6 +3,7 @@
 
 mod commands;
 mod device;
+mod edits;
 mod events;
 mod files;
 mod frame;
@@ -22,6 +23,7 @@ use crate::session::{Command, Session};
 use crate::settings::SettingsFile;
 use crate::threads;
 use crate::touch::Touch;
+use edits::Recovering;
 use graphics::Graphics;
 use saving::Saving;
 use std::path::Path;
@@ -111,6 +113,9 @@ struct App {
     saving: Option<Saving>,
     /// The thread that writes a scene.
     writing: Option<JoinHandle<()>>,
+    /// The file that keeps edits that no other holds.
+    recovering: Recovering,
+    title: String,
     /// Whether somebody was told that closing the window ends work under way.
     may_quit: bool,
     last_advance: Instant,
@@ -153,6 +158,8 @@ impl App {
             engine: None,
             saving: None,
             writing: None,
+            recovering: Recovering::default(),
+            title: String::new(),
             may_quit: false,
             last_advance: Instant::now(),
             last_click: None,
@@ -186,6 +193,7 @@ impl App {
         self.graphics = Some(graphics);
         self.start_engine();
         self.list_devices();
+        self.look_for_edits();
         self.stopwatch.opened();
         let proxy = self.proxy.clone();
         gamepad::listen(move |event| proxy.send_event(Wake::Pad(event)).is_ok());

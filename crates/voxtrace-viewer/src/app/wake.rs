@@ -26,6 +26,10 @@ pub enum Wake {
         path: Option<PathBuf>,
         is_quick: bool,
     },
+    /// The thread that owns the edited scene tells something.
+    Edited,
+    /// Edits cannot be kept, and why.
+    Unkept(String),
     /// Pictures were rendered to files.
     Exported,
     /// A scene was written, with what is to be said about it.

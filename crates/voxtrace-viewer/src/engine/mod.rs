@@ -1,7 +1,9 @@
 //! The thread that traces. It takes requests, the last one of a kind counts, and tells of each picture that is ready to be drawn; the
 //! window never waits for it.
 
+mod any_tracer;
 mod contrast;
+mod edits;
 mod pace;
 mod side;
 mod worker;
@@ -13,7 +15,7 @@ use std::sync::mpsc::{Receiver, Sender, channel};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::thread::JoinHandle;
 use voxtrace::lines::Lines;
-use voxtrace::{BounceLimits, Camera, Film, Frame, Integrator, PackedScene, Progress, TraceError};
+use voxtrace::{BounceLimits, Camera, Film, Frame, Integrator, PackedScene, Patch, Progress, TraceError};
 use voxtrace_vulkan::{Device, MemoryReport, Picture, Settings, Statistics};
 use worker::Worker;
 
@@ -115,6 +117,8 @@ pub enum Event {
     Notice(String),
     /// Nothing is traced until the scene, the view or what traces changes.
     Failed(TraceError),
+    /// An edit could not be followed: the scene has to be set again.
+    Stale,
     /// The device was lost: pictures lie on this one from now on.
     Moved(Arc<Device>),
     /// The device was lost and does not come back: nothing can be shown any more.
@@ -124,6 +128,7 @@ pub enum Event {
 /// A request.
 enum Request {
     Scene(Option<Arc<PackedScene>>),
+    Follow(Arc<Patch>),
     View { view: Box<View>, is_moving: bool },
     Backend(Backend),
     Other(Option<Backend>),
@@ -169,6 +174,12 @@ impl Engine {
     /// Traces another scene, or none.
     pub fn set_scene(&self, scene: Option<Arc<PackedScene>>) {
         self.send(Request::Scene(scene), true);
+    }
+
+    /// Follows an edit of the scene. The film begins anew.
+    pub fn follow(&self, patch: Arc<Patch>) {
+        let is_first = self.shared.is_first.load(Ordering::Relaxed);
+        self.send(Request::Follow(patch), !is_first);
     }
 
     /// Traces another view. While it `is_moving`, a coarse picture in time is worth more than a fine one.

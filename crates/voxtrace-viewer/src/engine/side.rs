@@ -1,30 +1,16 @@
 //! One of the pictures that the engine traces: its tracer, how far it is, and the pictures that it has made.
 
+use super::any_tracer::AnyTracer;
 use super::pace::Pace;
 use super::{Backend, Shown, View};
 use std::sync::Arc;
 use std::time::Instant;
-use voxtrace::{CpuTracer, Film, Frame, PackedScene, Progress, Ray, TraceError, Tracer};
+use voxtrace::{CpuTracer, Film, Frame, PackedScene, Patch, Progress, Ray, TraceError, Tracer};
 use voxtrace_vulkan::{Device, Picture, VulkanTracer};
 
 /// Milliseconds of a picture on a device that shares its queue with the window, and on the processor.
 const DEVICE_MS: f64 = 10.0;
 const CPU_MS: f64 = 80.0;
-
-/// Either kind of tracer.
-enum AnyTracer {
-    Cpu(Box<CpuTracer>),
-    Device(Box<VulkanTracer>),
-}
-
-impl AnyTracer {
-    fn as_tracer(&mut self) -> &mut dyn Tracer {
-        match self {
-            Self::Cpu(tracer) => &mut **tracer,
-            Self::Device(tracer) => &mut **tracer,
-        }
-    }
-}
 
 /// What came of a step.
 pub(super) enum Stepped {
@@ -92,7 +78,7 @@ impl Side {
     pub fn take_scene(&mut self, scenes: Option<(&Arc<PackedScene>, &Arc<PackedScene>)>) {
         if let (Some((old, scene)), Some(tracer)) = (scenes, &mut self.tracer)
             && Arc::ptr_eq(old.geometry(), scene.geometry())
-            && tracer.as_tracer().set_scene(scene).is_ok()
+            && tracer.set_light_of(scene).is_ok()
         {
             // The tracer forgot its film.
             (self.last, self.left) = (None, None);
@@ -100,6 +86,25 @@ impl Side {
         }
         // The old scene's memory is free before the new one takes its own.
         self.close();
+    }
+
+    /// The scene that is traced, once there is a tracer.
+    pub fn scene(&self) -> Option<Arc<PackedScene>> {
+        self.tracer.as_ref().and_then(AnyTracer::scene)
+    }
+
+    /// Follows an edit of the scene. Where that fails, nothing is traced before a scene is set again.
+    pub fn follow(&mut self, patch: &Patch) -> Result<(), TraceError> {
+        let Some(tracer) = &mut self.tracer else { return Ok(()) };
+        let followed = tracer.as_tracer().patch(patch);
+        self.notes.extend(tracer.as_tracer().take_notes());
+        if followed.is_err() {
+            self.close();
+        }
+        // The tracer forgot its film.
+        self.begin();
+        (self.last, self.left) = (None, None);
+        followed
     }
 
     /// Lets the processor trace from now on.

@@ -22,11 +22,11 @@ const BETWEEN_COMPARISONS: Duration = Duration::from_millis(250);
 pub(super) struct Worker {
     requests: Receiver<Request>,
     shared: Arc<Shared>,
-    tell: Box<dyn Fn(Event) + Send>,
+    pub(super) tell: Box<dyn Fn(Event) + Send>,
     device: Arc<Device>,
     /// The picture that is shown, and the one that it is compared with.
-    sides: Vec<Side>,
-    scene: Option<Arc<PackedScene>>,
+    pub(super) sides: Vec<Side>,
+    pub(super) scene: Option<Arc<PackedScene>>,
     view: Option<View>,
     is_moving: bool,
     is_paused: bool,
@@ -156,7 +156,9 @@ impl Worker {
                 let _ = answer.send(film);
             }
             Request::Lost(device) => self.lost(&device),
+            Request::Follow(patch) => self.follow(&patch),
             Request::Scene(scene) => {
+                let scene = self.sharing(scene);
                 let old = std::mem::replace(&mut self.scene, scene);
                 let scenes = old.as_ref().zip(self.scene.as_ref());
                 self.sides.iter_mut().for_each(|side| side.take_scene(scenes));
@@ -208,7 +210,7 @@ impl Worker {
     }
 
     /// Begins new films.
-    fn begin(&mut self) {
+    pub(super) fn begin(&mut self) {
         self.sides.iter_mut().for_each(Side::begin);
         self.forget_differences();
     }

@@ -2,6 +2,7 @@
 //! `docs/viewer.md` are made of it.
 
 mod chord;
+mod editing;
 mod pad;
 mod page;
 mod table;
@@ -9,6 +10,7 @@ mod table;
 mod tests;
 
 pub use chord::{Chord, Gesture, Key, Modifiers};
+pub use editing::{EDIT_TABLE, EditAction, EditAxis, edit_action_of, edit_action_of_gesture};
 pub use pad::PadButton;
 pub use page::{Row, markdown, rows};
 pub use table::TABLE;
@@ -30,6 +32,12 @@ pub enum Action {
     RenderFrames,
     /// Opens the dialog that writes the scene to a file.
     SaveScene,
+    /// Begins to edit, or ends it.
+    ToggleEditing,
+    /// What is done while the hand edits.
+    Edit(EditAction),
+    /// Saves edits to the file that they were saved to.
+    SaveEdits,
     /// Ends the program.
     Quit,
     /// Closes the dialog, stops loading, closes the list of keys, takes away errors, drops what was picked, leaves full screen: the first of these that there is.
@@ -182,6 +190,8 @@ pub enum Group {
     Tracing,
     /// Files and what is copied.
     Files,
+    /// What holds while the hand edits.
+    Editing,
     /// The window itself.
     Window,
     /// Fingers and gamepads.
@@ -190,8 +200,8 @@ pub enum Group {
 
 impl Group {
     /// All of them, in the order of lists.
-    pub const ALL: [Self; 7] =
-        [Self::Moving, Self::Views, Self::Light, Self::Tracing, Self::Files, Self::Window, Self::Others];
+    pub const ALL: [Self; 8] =
+        [Self::Moving, Self::Views, Self::Light, Self::Tracing, Self::Files, Self::Editing, Self::Window, Self::Others];
 
     /// Its name.
     pub fn name(self) -> &'static str {
@@ -201,6 +211,7 @@ impl Group {
             Self::Light => "Light",
             Self::Tracing => "Tracing",
             Self::Files => "Files",
+            Self::Editing => "Editing (Ctrl+E begins and ends it; keys that are not here do what they do otherwise)",
             Self::Window => "Window",
             Self::Others => "Touch and gamepad",
         }
@@ -236,6 +247,16 @@ pub fn action_of_gesture(gesture: Gesture, modifiers: Modifiers, mode: Mode) -> 
 /// What a button of a gamepad does.
 pub fn action_of_pad(button: PadButton) -> Option<Action> {
     TABLE.iter().find(|binding| binding.pad == Some(button)).map(|binding| binding.action)
+}
+
+/// The key of an action, for people.
+pub fn key_of(action: Action) -> String {
+    let binding = TABLE.iter().chain(EDIT_TABLE).find(|binding| binding.action == action);
+    let key = binding.into_iter().flat_map(|binding| binding.triggers).find_map(|trigger| match trigger {
+        Trigger::Key(chord) => Some(chord.to_string()),
+        _ => None,
+    });
+    key.unwrap_or_default()
 }
 
 fn bound(chord: Chord) -> Option<Action> {

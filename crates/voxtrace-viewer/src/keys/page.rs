@@ -1,6 +1,6 @@
 //! The table for people: as rows for the list of F1, and as Markdown for `docs/viewer.md`.
 
-use super::{Binding, Group, TABLE, Trigger};
+use super::{Binding, EDIT_TABLE, Group, TABLE, Trigger};
 use crate::navigation::Mode;
 
 /// A line of a list.
@@ -14,12 +14,12 @@ pub struct Row {
 
 /// The rows of a group.
 pub fn rows(group: Group) -> Vec<Row> {
-    rows_of(TABLE, group)
+    rows_of(&[TABLE, EDIT_TABLE].concat(), group)
 }
 
 /// All groups as tables in Markdown.
 pub fn markdown() -> String {
-    markdown_of(TABLE)
+    markdown_of(&[TABLE, EDIT_TABLE].concat())
 }
 
 fn rows_of(table: &[Binding], group: Group) -> Vec<Row> {

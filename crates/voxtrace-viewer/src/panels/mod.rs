@@ -4,6 +4,8 @@ mod benchmark;
 mod comparison;
 mod cuts;
 mod dialogs;
+mod edit_preview;
+mod editing;
 mod help;
 mod lens;
 mod light;
@@ -18,6 +20,7 @@ mod statistics;
 mod status;
 mod surroundings;
 mod tracing;
+mod unsaved;
 mod view;
 mod welcome;
 
@@ -52,11 +55,13 @@ pub fn show(ui: &mut Ui, session: &mut Session, status: &Status) -> f32 {
         });
         width = side.response.rect.width();
     }
+    edit_preview::preview(ui, session, width);
     comparison::divider(ui, session, width);
     if session.open.is_none() && session.loading.is_none() && session.dialog.is_none() {
         welcome::welcome(ui, session, status, width);
     }
     dialogs::show(ui, session, status, width);
+    unsaved::show(ui, session, width);
     messages::loading(ui, session, width);
     messages::messages(ui, session);
     if session.has_help {
@@ -68,6 +73,10 @@ pub fn show(ui: &mut Ui, session: &mut Session, status: &Status) -> f32 {
 /// All sections of the side panel.
 fn sections(ui: &mut Ui, session: &mut Session, status: &Status) {
     scene::scene(ui, session);
+    if session.open.is_some() {
+        editing::begin(ui, session);
+        editing::editing(ui, session);
+    }
     view::view(ui, session);
     lens::lens(ui, session);
     light::light(ui, session);
@@ -110,7 +119,7 @@ fn heading(ui: &mut Ui, text: &str) {
 }
 
 /// A number with its noun, as people write both: "1 object", "13,600,000 voxels".
-fn counted(number: u64, noun: &str) -> String {
+pub(crate) fn counted(number: u64, noun: &str) -> String {
     let digits = number.to_string();
     let starts_group = |index: usize| index > 0 && (digits.len() - index).is_multiple_of(3);
     let mut text = String::new();

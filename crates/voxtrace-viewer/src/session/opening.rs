@@ -69,7 +69,8 @@ impl Session {
             }
         }
         self.open = Some(open);
-        self.picked = None;
+        (self.picked, self.editing, self.is_discarding) = (None, None, false);
+        self.take_recovered();
         self.keep_apart_for_lines(false);
         self.ask(Command::SetScene);
         self.ask(Command::SetView);

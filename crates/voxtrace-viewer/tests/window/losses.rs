@@ -31,7 +31,7 @@ fn view(width: u32, height: u32) -> View {
     }
 }
 
-fn backends() -> [Backend; 2] {
+pub fn backends() -> [Backend; 2] {
     [
         Backend::Cpu,
         Backend::Device(Settings { traversal: Traversal::Walk, primitive: Primitive::Brick, is_exact: true }),
@@ -39,15 +39,15 @@ fn backends() -> [Backend; 2] {
 }
 
 /// A window of one view, with or without something in its panels.
-struct Shop {
-    window: Headless,
-    view: View,
+pub struct Shop {
+    pub window: Headless,
+    pub view: View,
     context: egui::Context,
     has_panels: bool,
 }
 
 impl Shop {
-    fn open(backend: Backend) -> Option<Self> {
+    pub fn open(backend: Backend) -> Option<Self> {
         let view = view(96, 64);
         let window = Headless::open(backend, (view.width, view.height))?;
         window.engine.set_scene(Some(packed()));
@@ -56,7 +56,7 @@ impl Shop {
     }
 
     /// Draws what there is, and takes what was told.
-    fn turn(&mut self) {
+    pub fn turn(&mut self) {
         let shown = self.window.engine.shown();
         let size = [self.view.width as f32, self.view.height as f32];
         let layer = shown.map(|shown| Layer {
@@ -79,7 +79,7 @@ impl Shop {
         self.window.pump(Duration::from_millis(20));
     }
 
-    fn resize(&mut self, width: u32, height: u32) {
+    pub fn resize(&mut self, width: u32, height: u32) {
         self.view = View { width, height, ..self.view.clone() };
         self.window.screen.resize((width, height));
         self.window.engine.set_view(self.view.clone(), false);
@@ -87,7 +87,7 @@ impl Shop {
     }
 
     /// Goes on until `frames` more frames were shown.
-    fn show(&mut self, frames: u64) {
+    pub fn show(&mut self, frames: u64) {
         let wanted = self.window.shown + frames;
         until("a frame", || {
             self.window.is_due = true;
@@ -97,7 +97,7 @@ impl Shop {
     }
 
     /// The film once it has all samples.
-    fn film(&mut self) -> Film {
+    pub fn film(&mut self) -> Film {
         let frame = self.view.frame();
         let mut answer = self.window.engine.film();
         let mut film = None;

@@ -53,7 +53,7 @@ pub fn random_edit(random: &mut Random, reach: i32, materials: u32) -> Edit {
         let min = random.voxel(reach - size);
         VoxelBox { min, max: min + (random.voxel(size / 2) + size / 2) }
     };
-    match random.below(13) {
+    match random.below(14) {
         10 => {
             let mut clip = VoxelGrid::new();
             (0..30).for_each(|_| _ = clip.set(random.voxel(5) + 5, random.below(materials) as u16));
@@ -65,6 +65,7 @@ pub fn random_edit(random: &mut Random, reach: i32, materials: u32) -> Edit {
             let layer = region(random, 12);
             Edit::Extrude { layer, face: FACES[random.below(6) as usize], distance: random.between(-4, 6) }
         }
+        13 => Edit::Add { shape, material: material(random) },
         12 => Edit::Flood { start: random.voxel(reach), material: some, within: region(random, 30), most: 1 << 20 },
         0 => Edit::Paint { shape, material: material(random) },
         1 => {
@@ -133,6 +134,11 @@ pub fn edit_plainly(grid: &mut VoxelGrid, edit: &Edit) {
             });
         }
         Edit::Fill { shape, material } => inside(shape).for_each(|voxel| set(voxel, *material)),
+        Edit::Add { shape, material } => {
+            for voxel in inside(shape).filter(|&voxel| grid.get(voxel).is_none()).collect::<Vec<_>>() {
+                grid.set(voxel, *material);
+            }
+        }
         Edit::Paint { shape, material } => {
             for voxel in inside(shape).filter(|&voxel| grid.get(voxel).is_some()).collect::<Vec<_>>() {
                 grid.set(voxel, *material);

@@ -98,6 +98,7 @@ impl Headless {
             Told::Engine(Event::Picture) => self.is_due = true,
             Told::Engine(Event::Notice(text)) => self.notices.push(text),
             Told::Engine(Event::Failed(error)) => self.failures.push(format!("tracing stopped: {error}")),
+            Told::Engine(Event::Stale) => self.failures.push("an edit was not followed".into()),
             Told::Engine(Event::Gone(error)) => panic!("the device is gone: {error}"),
             Told::Engine(Event::Moved(device)) => {
                 self.moves += 1;

@@ -3,6 +3,7 @@
 // Each test takes what it needs.
 #![allow(dead_code)]
 
+pub mod hand;
 pub mod headless;
 pub mod panel;
 

@@ -1,0 +1,221 @@
+//! What becomes of a scene that is edited: its copies, its light, its materials, and what would lose its edits.
+
+use crate::common::hand::{Hand, differing, floor, in_the_room};
+use crate::common::{house, in_room, lit, rendered, said, words};
+use std::sync::Arc;
+use voxtrace::PackedScene;
+use voxtrace::glam::{IVec3, Vec3};
+use voxtrace::normals::Normals;
+use voxtrace_viewer::keys::{Action, Key, Modifiers};
+use voxtrace_viewer::session::{Command, Leaving, Session};
+
+/// A hand on the house, whose second room is the first one's model where they are `shared`.
+fn in_the_house(is_shared: bool) -> Hand {
+    let mut session = in_room("house.vox");
+    let mut scene = house();
+    if is_shared {
+        scene.instances[1].grid = 0;
+    }
+    session.show("house.vox".into(), Arc::new(PackedScene::pack_merged(&scene).unwrap()));
+    Hand::on(session)
+}
+
+#[test]
+fn merged_instances_come_apart_before_they_are_edited() {
+    let mut hand = in_the_house(false);
+    assert!(hand.asked.contains(&Command::SetScene) && !lit(&hand.session).is_merged());
+    let before = hand.voxels();
+    hand.click(floor(3, 4));
+    hand.steps(1, 0);
+    assert_eq!(differing(&before, &hand.voxels()), [IVec3::new(3, 4, 1)]);
+    assert_eq!(hand.session.copies_of(0), 1, "the second room is a model of its own");
+}
+
+#[test]
+fn all_copies_of_a_model_change_and_what_is_hidden_stays_so() {
+    let mut hand = in_the_house(true);
+    assert_eq!(hand.session.copies_of(0), 2);
+    // The second room is hidden: what traces gets patches without it, also where bounds change.
+    hand.session.set_visible(&[1], false);
+    hand.session.editing.as_mut().unwrap().brush.size = 9;
+    hand.click(Vec3::new(12.0, 12.0, 7.0));
+    hand.steps(1, 0);
+    let open = hand.session.open.as_ref().unwrap();
+    assert_eq!((open.lit.instances().len(), open.original.instances().len()), (1, 2));
+    let placement = hand.patches.last().unwrap().placement.as_ref().expect("the bounds have grown");
+    assert_eq!(placement.instances().len(), 1);
+    hand.session.set_visible(&[1], true);
+    assert_eq!(lit(&hand.session).instances().len(), 2, "and it has the edit, too");
+    assert_eq!(lit(&hand.session).content_hash(), hand.session.open.as_ref().unwrap().original.content_hash());
+}
+
+#[test]
+fn a_scene_with_smooth_normals_says_in_one_line_why_it_is_not_edited() {
+    let mut session = in_room("room.vxt");
+    let smooth = PackedScene::pack(&crate::common::room()).unwrap().with_normals(Normals::Smooth).unwrap();
+    session.show("room.vxt".into(), Arc::new(smooth));
+    let mut hand = Hand::on(session);
+    assert!(hand.session.editing.is_none());
+    let lines = said(&mut hand.session);
+    assert_eq!(
+        lines,
+        ["the scene cannot be edited: edits do not follow smooth normals: open it with --normals faces to edit it"]
+    );
+}
+
+#[test]
+fn the_film_of_an_edited_scene_is_that_of_the_scene_from_scratch_also_in_another_light() {
+    let mut hand = in_the_room();
+    hand.take_material(1);
+    hand.session.editing.as_mut().unwrap().brush.size = 7;
+    hand.drag(&[floor(3, 3), floor(10, 5), floor(20, 20)]);
+    hand.steps(1, 0);
+    hand.settle();
+    let mut settings = hand.session.render_settings.clone();
+    settings.sky_brightness = Some(0.5);
+    hand.session.set_render_settings(settings);
+    let frame = hand.session.view().frame().size(40, 30).samples(2);
+    let edited = lit(&hand.session);
+    let mut scratch = (*edited).to_scene();
+    let of = |scene: &voxtrace::Scene| rendered(&Arc::new(PackedScene::pack(scene).unwrap()), &frame);
+    let film = rendered(&edited, &frame);
+    assert_eq!(film, of(&scratch));
+    Arc::make_mut(&mut scratch.grids[0]).set(IVec3::new(1, 1, 3), 0);
+    assert_ne!(film, of(&scratch), "the comparison sees a voxel");
+}
+
+#[test]
+fn a_colour_that_is_changed_among_edits_keeps_undo_and_what_glows_begins_it_anew() {
+    let mut hand = in_the_room();
+    hand.click(floor(3, 4));
+    hand.steps(1, 0);
+    let state = hand.session.editing.as_ref().unwrap().state();
+    let original = |session: &Session| session.open.as_ref().unwrap().original.materials().to_vec();
+    for color in ["#203040", "#405060", "#ff8000"] {
+        hand.session.set_material(format!("0={color}").parse().unwrap());
+    }
+    let wanted: voxtrace::changes::MaterialChange = "0=#ff8000".parse().unwrap();
+    assert_eq!(hand.session.material(0).unwrap().base_color, wanted.base_color, "at once");
+    hand.until("the colour", |session| original(session)[0].base_color == wanted.base_color);
+    assert_ne!(hand.session.editing.as_ref().unwrap().state(), state, "it is an edit");
+    assert!(!hand.asked.contains(&Command::SetScene), "what traces takes a patch");
+    hand.ctrl('Z');
+    hand.steps(0, 1);
+    hand.session.set_material("1=#ff0000,5".parse().unwrap());
+    hand.until("the lamp", |session| original(session)[1].emission.max_element() == 5.0);
+    assert!(hand.asked.contains(&Command::SetScene));
+    hand.steps(0, 0);
+    assert_eq!(hand.material_at(IVec3::new(3, 4, 1)), None);
+    hand.click(floor(5, 5));
+    hand.steps(1, 0);
+    assert!(hand.session.has_unsaved_edits());
+    let edited = lit(&hand.session);
+    let scratch = Arc::new(PackedScene::pack(&edited.to_scene()).unwrap());
+    let frame = hand.session.view().frame().size(40, 30).samples(2);
+    assert_eq!(rendered(&edited, &frame), rendered(&scratch, &frame), "with the light of the lamp");
+}
+
+#[test]
+fn a_new_material_is_the_current_one_and_what_is_placed_is_of_it() {
+    let mut hand = in_the_room();
+    hand.session.add_material(voxtrace::Material::from_srgb([1, 200, 30]).glowing(3.0));
+    hand.until("the material", |session| session.editing.as_ref().unwrap().material == 2);
+    assert!(!hand.session.has_unsaved_edits(), "nothing is of it yet");
+    hand.click(floor(3, 4));
+    hand.steps(1, 0);
+    assert_eq!(hand.material_at(IVec3::new(3, 4, 1)), Some(2));
+    assert!(lit(&hand.session).materials()[2].emission.max_element() > 1.5);
+    hand.ctrl('Z');
+    hand.steps(0, 1);
+}
+
+#[test]
+fn what_has_unsaved_edits_is_left_only_after_a_question_and_no_command_renders_it() {
+    let mut hand = in_the_room();
+    assert!(hand.session.may_leave(Leaving::Quit));
+    assert!(words(&hand.session).contains("room.vxt"));
+    hand.click(floor(3, 4));
+    hand.steps(1, 0);
+    assert!(!hand.session.may_leave(Leaving::Load("city".into())));
+    assert_eq!(hand.session.leaving, Some(Leaving::Load("city".into())));
+    hand.key(Modifiers::NONE, Key::Escape);
+    assert_eq!((hand.session.leaving.clone(), hand.session.is_editing()), (None, true), "Esc stays");
+    assert!(hand.session.render_command().is_none());
+    hand.session.act(Action::CopyCommand, None);
+    assert!(said(&mut hand.session).last().unwrap().contains("save it first"));
+    assert!(!hand.session.may_leave(Leaving::Quit));
+    hand.session.discard_and_leave();
+    assert_eq!(hand.session.take_commands(), [Command::Quit]);
+    assert!(hand.session.may_leave(Leaving::Quit), "once is enough");
+}
+
+#[test]
+fn what_a_vox_file_does_not_keep_is_said_when_it_is_written() {
+    let mut hand = in_the_room();
+    let path = std::path::Path::new("/x/room-2.vox");
+    hand.session.begin_saving(path);
+    assert_eq!(said(&mut hand.session), Vec::<String>::new());
+    let mut scene = crate::common::room();
+    Arc::make_mut(&mut scene.grids[0]).set(IVec3::new(300, 0, 0), 0);
+    scene.materials.resize(300, voxtrace::Material::default());
+    hand.session.show("room.vxt".into(), Arc::new(PackedScene::pack(&scene).unwrap()));
+    hand.session.begin_saving(path);
+    assert_eq!(
+        said(&mut hand.session),
+        [
+            "a .vox file has 255 colours: 300 materials become as many",
+            "models of a .vox file have at most 256 voxels across: 1 model will be in parts"
+        ]
+    );
+}
+
+#[test]
+fn edits_that_were_saved_are_told_from_later_ones_and_ctrl_s_writes_them_there_again() {
+    let mut hand = in_the_room();
+    hand.click(floor(3, 4));
+    hand.steps(1, 0);
+    hand.ctrl('S');
+    assert!(hand.session.dialog.is_some(), "the first time it asks");
+    hand.session.act(Action::Cancel, None);
+    let path = std::path::PathBuf::from("/x/room-2.vxt");
+    hand.session.begin_saving(&path);
+    // Meanwhile somebody goes on.
+    hand.click(floor(6, 4));
+    hand.steps(2, 0);
+    hand.session.end_saving(true);
+    assert!(hand.session.has_unsaved_edits(), "the second edit is not in the file");
+    assert!(hand.session.render_command().is_none());
+    hand.ctrl('Z');
+    hand.steps(1, 1);
+    assert!(!hand.session.has_unsaved_edits());
+    assert!(words(&hand.session).contains("/x/room-2.vxt"), "{}", words(&hand.session));
+    hand.key(Modifiers::CTRL_SHIFT, Key::Letter('Z'));
+    hand.steps(2, 0);
+    hand.asked.clear();
+    hand.ctrl('S');
+    assert_eq!(hand.asked, [Command::SaveScene(path)]);
+    hand.session.begin_saving(std::path::Path::new("/y/none.vxt"));
+    hand.session.end_saving(false);
+    assert!(hand.session.has_unsaved_edits(), "what could not be written is not saved");
+}
+
+#[test]
+fn a_recovery_file_is_due_a_minute_after_an_edit_and_not_for_what_is_saved() {
+    use std::time::{Duration, Instant};
+    let mut hand = in_the_room();
+    let start = Instant::now();
+    let minutes = |count: f64| start + Duration::from_secs_f64(count * 60.0);
+    assert!(hand.session.recovery_due(start).is_none() && hand.session.recovery_due(minutes(2.0)).is_none());
+    hand.click(floor(3, 4));
+    hand.steps(1, 0);
+    assert!(hand.session.recovery_due(minutes(3.0)).is_none(), "not at once");
+    let (scene, note) = hand.session.recovery_due(minutes(4.1)).expect("after a minute");
+    assert_eq!((scene.content_hash(), note.source.as_str()), (lit(&hand.session).content_hash(), "room.vxt"));
+    assert!(hand.session.recovery_due(minutes(9.0)).is_none(), "nothing was edited since");
+    hand.click(floor(6, 4));
+    hand.steps(2, 0);
+    assert!(hand.session.recovery_due(minutes(9.1)).is_some());
+    hand.session.begin_saving(std::path::Path::new("/x/room-2.vxt"));
+    hand.session.end_saving(true);
+    assert!(hand.session.recovery_due(minutes(20.0)).is_none());
+}
