@@ -6,6 +6,7 @@ use crate::camera_toml::camera_toml;
 use crate::comparison::{Comparison, DIVIDER_STEP};
 use crate::dialogs::{Dialog, FramesDialog, OpenDialog, PictureDialog, SaveDialog};
 use crate::export::free_name;
+use crate::kept_file;
 use crate::keys::Action;
 use crate::navigation::{Mode, Motion};
 use crate::render_command::{CommandError, RenderCommand, SceneArgument};
@@ -90,8 +91,12 @@ impl Session {
             Action::Benchmark => self.toggle_benchmark(),
             Action::CopyBenchmark => self.copy_bench_command(),
             Action::HidePicked => self.hide_picked(cursor),
+            Action::IsolatePicked => self.isolate_picked(cursor),
             Action::ShowAll => self.show_all(),
             Action::Pick => self.picked = cursor.and_then(|cursor| self.pick(cursor)),
+            Action::Measure => self.toggle_measuring(),
+            Action::NextTool => self.next_tool(),
+            Action::FinishMeasuring => self.finish_measuring(),
             Action::TogglePanels => self.has_panels = !self.has_panels,
             Action::ToggleFullScreen => self.ask(Command::ToggleFullscreen),
             Action::ScaleUp => self.ask(Command::Scale(1)),
@@ -134,6 +139,8 @@ impl Session {
             benchmark.cancel();
         } else if self.has_help {
             self.has_help = false;
+        } else if self.cancel_measuring() {
+            // Points first, then the tool.
         } else if self.dismiss_errors() {
             // That was it.
         } else if self.picked.take().is_none() {
@@ -326,10 +333,23 @@ impl Session {
 
     /// The file of the scene's bookmarks.
     pub fn bookmark_path(&self) -> Option<PathBuf> {
+        self.beside_scene("cameras.toml")
+    }
+
+    /// A file that is kept beside the scene: of built-in scenes beside the settings, whose folder may not be there yet.
+    pub(crate) fn beside_scene(&self, ending: &str) -> Option<PathBuf> {
         let source = &self.open.as_ref()?.source;
         match is_built_in(source) {
-            true => self.settings_folder.as_deref().map(|folder| Bookmarks::of_built_in(source, folder)),
-            false => Bookmarks::beside(Path::new(source)),
+            true => self.settings_folder.as_deref().map(|folder| folder.join(format!("{source}.{ending}"))),
+            false => kept_file::beside(Path::new(source), ending),
+        }
+    }
+
+    /// Makes the folder of such a file. That it cannot be made, writing says.
+    pub(crate) fn make_kept_folder(&self) {
+        let is_ours = self.open.as_ref().is_some_and(|open| is_built_in(&open.source));
+        if let Some(folder) = self.settings_folder.as_deref().filter(|_| is_ours) {
+            let _ = std::fs::create_dir_all(folder);
         }
     }
 
@@ -346,11 +366,7 @@ impl Session {
 
     fn store_bookmark(&mut self, number: u8) {
         let Some(path) = self.bookmark_path() else { return };
-        // The folder of the settings may not be there yet. That it cannot be made, writing says.
-        if let (Some(folder), true) = (path.parent(), self.open.as_ref().is_some_and(|open| is_built_in(&open.source)))
-        {
-            let _ = std::fs::create_dir_all(folder);
-        }
+        self.make_kept_folder();
         let camera = self.navigator.camera().clone();
         let stored = Bookmarks::open(&path).and_then(|mut bookmarks| bookmarks.store(number, &camera));
         match stored {

@@ -175,6 +175,9 @@ impl Input {
     }
 
     fn gesture(&self, gesture: Gesture, session: &mut Session) {
+        if self.modifiers == Modifiers::NONE && session.measure_by(gesture, self.cursor) {
+            return;
+        }
         if let Some(action) = keys::action_of_gesture(gesture, self.modifiers, session.navigator.mode) {
             session.act(action, self.cursor);
         }

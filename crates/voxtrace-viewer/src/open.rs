@@ -117,6 +117,11 @@ impl Open {
         Arc::clone(self.apart.get_or_insert_with(apart))
     }
 
+    /// The scene with all instances apart, whose boxes are those of its objects.
+    pub(crate) fn apart_for_bounds(&mut self) -> Arc<PackedScene> {
+        self.apart()
+    }
+
     /// Puts the scene into the light of the settings, under a sky that was made for them.
     pub fn set_light(&mut self, settings: &RenderSettings, made: Option<&MadeSky>) {
         self.lit = Arc::new(settings.lit(&self.changed, made));

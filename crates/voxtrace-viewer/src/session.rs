@@ -53,6 +53,8 @@ pub enum Command {
     LoadAgain,
     /// Measure the view.
     Benchmark,
+    /// Read the values of the volume that the scene was made of.
+    ReadValues,
     /// Put a text on the clipboard.
     Copy(String),
     /// Print a line on the terminal.
@@ -95,6 +97,7 @@ impl Command {
                 | Self::Surround
                 | Self::SetBackend(_)
                 | Self::SetView
+                | Self::ReadValues
                 | Self::Copy(_)
                 | Self::Pause(_)
         );
@@ -176,6 +179,14 @@ pub struct Session {
     pub settings_folder: Option<std::path::PathBuf>,
     /// What lenses were set to, by the names of the settings, for when they are chosen again.
     pub(crate) lens_settings: HashMap<&'static str, f32>,
+    /// What is measured.
+    pub measuring: crate::measuring::Measuring,
+    /// The values of the volume that the scene was made of.
+    pub sampling: crate::inspector::Sampling,
+    /// The tree of parts.
+    pub outliner: crate::outliner::Outliner,
+    /// What is known of lines over the picture.
+    pub(crate) sight: crate::sight::Sight,
     /// A scene whose surroundings are being made.
     pub(crate) surrounding: Option<Making>,
     messages: VecDeque<Message>,
@@ -216,6 +227,10 @@ impl Session {
             built_in_voxels: None,
             settings_folder: None,
             lens_settings: HashMap::new(),
+            measuring: crate::measuring::Measuring::default(),
+            sampling: crate::inspector::Sampling::default(),
+            outliner: crate::outliner::Outliner::default(),
+            sight: crate::sight::Sight::default(),
             surrounding: None,
             messages: VecDeque::new(),
             commands: Vec::new(),

@@ -27,6 +27,7 @@ impl App {
                     self.status.differences = None;
                 }
                 Command::Benchmark => self.measure(),
+                Command::ReadValues => self.read_values(),
                 Command::SetScene => {
                     engine.set_scene(self.session.open.as_ref().map(|open| Arc::clone(&open.lit)));
                     self.status.times.clear();

@@ -4,6 +4,7 @@ use super::App;
 use super::wake::Wake;
 use crate::dialogs::{Dialog, OpenDialog, PictureKind, SCENE_KINDS};
 use crate::export::{ExportRequest, Exporting, Source};
+use crate::inspector::{Sampling, Values};
 use crate::load::{Loading, Reading};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -146,6 +147,17 @@ impl App {
         let is_cut = self.session.render_settings.cutting.is_cut();
         let reading = Reading { shown: open.changes().1, is_cut };
         self.session.loading = Some(Loading::start(&self.loader, &open.source, reading, true, self.wake()));
+    }
+
+    /// Begins to read the values of the volume that the scene was made of.
+    pub(super) fn read_values(&mut self) {
+        let Some(open) = &self.session.open else { return };
+        let (loader, source) = (Arc::clone(&self.loader), open.source.clone());
+        let world = open.original.georeference.as_ref().map(|of| of.coordinates_from_world);
+        self.session.sampling = Sampling::start(move |wanted| {
+            let Some(world) = world else { return Ok(None) };
+            Ok(loader.volume(&source, wanted)?.map(|volume| Values::new(volume, world)))
+        });
     }
 
     /// Wakes the window from another thread.

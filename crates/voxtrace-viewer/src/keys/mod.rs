@@ -108,10 +108,18 @@ pub enum Action {
     CopyBenchmark,
     /// Hides the object that was picked, or that is under the cursor.
     HidePicked,
+    /// Shows the object that was picked alone, or what was seen before.
+    IsolatePicked,
     /// Shows all objects that were hidden.
     ShowAll,
     /// Picks the voxel under the cursor.
     Pick,
+    /// Measures in the picture, or picks again.
+    Measure,
+    /// Measures something else.
+    NextTool,
+    /// Ends a path or an area.
+    FinishMeasuring,
     /// Shows the panels or hides them.
     TogglePanels,
     /// Fills the screen, or not any more.
@@ -180,6 +188,8 @@ pub enum Group {
     Light,
     /// Tracing.
     Tracing,
+    /// Measuring.
+    Measuring,
     /// Files and what is copied.
     Files,
     /// The window itself.
@@ -190,8 +200,16 @@ pub enum Group {
 
 impl Group {
     /// All of them, in the order of lists.
-    pub const ALL: [Self; 7] =
-        [Self::Moving, Self::Views, Self::Light, Self::Tracing, Self::Files, Self::Window, Self::Others];
+    pub const ALL: [Self; 8] = [
+        Self::Moving,
+        Self::Views,
+        Self::Light,
+        Self::Tracing,
+        Self::Measuring,
+        Self::Files,
+        Self::Window,
+        Self::Others,
+    ];
 
     /// Its name.
     pub fn name(self) -> &'static str {
@@ -200,6 +218,7 @@ impl Group {
             Self::Views => "Views",
             Self::Light => "Light",
             Self::Tracing => "Tracing",
+            Self::Measuring => "Measuring",
             Self::Files => "Files",
             Self::Window => "Window",
             Self::Others => "Touch and gamepad",

@@ -9,7 +9,9 @@ mod lens;
 mod light;
 mod lines;
 mod materials;
+mod measuring;
 mod messages;
+mod over;
 mod parts;
 mod picked;
 mod scene;
@@ -52,6 +54,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, status: &Status) -> f32 {
         });
         width = side.response.rect.width();
     }
+    measuring::drawn(ui, session, width);
     comparison::divider(ui, session, width);
     if session.open.is_none() && session.loading.is_none() && session.dialog.is_none() {
         welcome::welcome(ui, session, status, width);
@@ -73,6 +76,7 @@ fn sections(ui: &mut Ui, session: &mut Session, status: &Status) {
     light::light(ui, session);
     if session.open.is_some() {
         heading(ui, "Contents");
+        measuring::measuring(ui, session);
         parts::parts(ui, session);
         cuts::cuts(ui, session);
         surroundings::surroundings(ui, session);

@@ -70,6 +70,10 @@ impl Session {
         }
         self.open = Some(open);
         self.picked = None;
+        self.sight.forget();
+        self.outliner = crate::outliner::Outliner::default();
+        self.sampling = crate::inspector::Sampling::default();
+        self.load_measures();
         self.keep_apart_for_lines(false);
         self.ask(Command::SetScene);
         self.ask(Command::SetView);

@@ -12,6 +12,7 @@ mod lenses;
 mod limits;
 mod lines;
 mod losses;
+mod measuring;
 mod opening;
 mod panels;
 mod scripts;

@@ -331,8 +331,8 @@ fn the_voxel_under_the_cursor_is_told_with_its_place_on_the_map() {
     session.hover = Some(cursor);
     let shown = told(session);
     let at = origin + point.as_dvec3() * 0.5;
-    let coordinates = format!("coordinates {:.3}, {:.3}, {:.3} m", at.x, at.y, at.z);
-    for text in ["Voxel under the cursor", "object 0: kitchen", "layer 0: rooms", "EPSG:32632", coordinates.as_str()] {
+    let coordinates = format!("{:.3}, {:.3}, {:.3} m", at.x, at.y, at.z);
+    for text in ["Voxel under the cursor", "0: kitchen", "0: rooms", "EPSG:32632", coordinates.as_str()] {
         assert!(shown.iter().any(|own| own == text), "{text}: {shown:?}");
     }
     assert!(!told(in_room("room.vxt")).iter().any(|text| text == "Voxel under the cursor"), "nothing is under it");
