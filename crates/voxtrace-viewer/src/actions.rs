@@ -1,18 +1,16 @@
 //! What each action of the table of keys does to the state.
 
 use crate::benchmark::{FRAMES, WARM_UP};
-use crate::bookmarks::Bookmarks;
 use crate::camera_toml::camera_toml;
 use crate::comparison::{Comparison, DIVIDER_STEP};
 use crate::dialogs::{Dialog, FramesDialog, OpenDialog, PictureDialog, SaveDialog};
 use crate::export::free_name;
-use crate::kept_file;
 use crate::keys::Action;
 use crate::navigation::{Mode, Motion};
 use crate::render_command::{CommandError, RenderCommand, SceneArgument};
 use crate::render_settings::RenderSettings;
-use crate::session::{Command, Session};
-use std::path::{Path, PathBuf};
+use crate::session::{Command, Session, is_built_in};
+use std::path::PathBuf;
 use voxtrace::glam::Vec2;
 use voxtrace::{Camera, Integrator, scenes};
 use voxtrace_vulkan::{Primitive, Traversal};
@@ -25,11 +23,6 @@ const LEAST_LIGHT: f32 = 0.01;
 const FIELD_STEP: f32 = 5.0;
 /// A voxel that is shown fills this many voxels around it.
 const AROUND: f32 = 12.0;
-
-/// Whether a scene needs no file.
-fn is_built_in(source: &str) -> bool {
-    scenes::NAMES.contains(&source)
-}
 
 /// A factor times another; from darkness upwards there is a first step.
 fn scaled(now: f32, factor: f32) -> f32 {
@@ -49,10 +42,10 @@ impl Session {
             Action::Quit => self.ask(Command::Quit),
             Action::Cancel => self.cancel(),
             Action::ToggleMode => {
-                self.navigator.mode = if self.navigator.mode == Mode::Fly { Mode::Orbit } else { Mode::Fly };
-                let mode = if self.navigator.mode == Mode::Fly { "fly: drag to look around" } else { "orbit" };
-                self.say(mode, false);
+                self.set_mode(if self.navigator.mode == Mode::Fly { Mode::Orbit } else { Mode::Fly });
             }
+            Action::ToggleWalking => self.toggle_walking(),
+            Action::WalkHere => self.walk_here(cursor),
             Action::SpeedUp => self.move_by(Motion::Speed(1.0)),
             Action::SpeedDown => self.move_by(Motion::Speed(-1.0)),
             Action::FrameAll => self.move_by(Motion::FrameAll),
@@ -91,6 +84,7 @@ impl Session {
             Action::Benchmark => self.toggle_benchmark(),
             Action::CopyBenchmark => self.copy_bench_command(),
             Action::HidePicked => self.hide_picked(cursor),
+            Action::ToggleClipBox => self.toggle_clip_box(),
             Action::IsolatePicked => self.isolate_picked(cursor),
             Action::ShowAll => self.show_all(),
             Action::Pick => self.picked = cursor.and_then(|cursor| self.pick(cursor)),
@@ -329,56 +323,6 @@ impl Session {
         let first = self.open.as_ref().and_then(|open| open.original.cameras.first());
         let name = first.map_or("auto", |camera| camera.name.as_str()).to_owned();
         Camera { name, ..self.navigator.camera().clone() }
-    }
-
-    /// The file of the scene's bookmarks.
-    pub fn bookmark_path(&self) -> Option<PathBuf> {
-        self.beside_scene("cameras.toml")
-    }
-
-    /// A file that is kept beside the scene: of built-in scenes beside the settings, whose folder may not be there yet.
-    pub(crate) fn beside_scene(&self, ending: &str) -> Option<PathBuf> {
-        let source = &self.open.as_ref()?.source;
-        match is_built_in(source) {
-            true => self.settings_folder.as_deref().map(|folder| folder.join(format!("{source}.{ending}"))),
-            false => kept_file::beside(Path::new(source), ending),
-        }
-    }
-
-    /// Makes the folder of such a file. That it cannot be made, writing says.
-    pub(crate) fn make_kept_folder(&self) {
-        let is_ours = self.open.as_ref().is_some_and(|open| is_built_in(&open.source));
-        if let Some(folder) = self.settings_folder.as_deref().filter(|_| is_ours) {
-            let _ = std::fs::create_dir_all(folder);
-        }
-    }
-
-    fn go_to_bookmark(&mut self, number: u8) {
-        let Some(path) = self.bookmark_path() else { return };
-        match Bookmarks::open(&path) {
-            Ok(bookmarks) => match bookmarks.get(number).cloned() {
-                Some(camera) => self.move_by(Motion::GoTo(camera)),
-                None => self.say(format!("bookmark {number} is empty; Shift+{number} keeps this camera"), false),
-            },
-            Err(error) => self.say(error.to_string(), true),
-        }
-    }
-
-    fn store_bookmark(&mut self, number: u8) {
-        let Some(path) = self.bookmark_path() else { return };
-        self.make_kept_folder();
-        let camera = self.navigator.camera().clone();
-        let stored = Bookmarks::open(&path).and_then(|mut bookmarks| bookmarks.store(number, &camera));
-        match stored {
-            Ok(()) => {
-                self.say(format!("bookmark {number} is kept in {}", path.display()), false);
-                if let Some(Dialog::Frames(mut dialog)) = self.dialog.take() {
-                    dialog.refresh(self);
-                    self.dialog = Some(Dialog::Frames(dialog));
-                }
-            }
-            Err(error) => self.say(error.to_string(), true),
-        }
     }
 
     fn screenshot(&mut self) {

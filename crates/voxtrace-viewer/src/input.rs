@@ -1,6 +1,7 @@
 //! From events of a window system, as plain values, to what they mean: keys to actions, drags and wheels to motions. Places are those
 //! of the picture, pixels.
 
+use crate::clipping::Grabbed;
 use crate::keys::{self, Action, Chord, Gesture, Key, Modifiers, Steer};
 use crate::navigation::Motion;
 use crate::session::Session;
@@ -32,6 +33,8 @@ struct Drag {
     is_click: bool,
     /// Whether it is the divider of two pictures that is dragged.
     is_divider: bool,
+    /// The handle that is dragged.
+    grabbed: Option<Grabbed>,
 }
 
 /// What the mouse and the keyboard are doing.
@@ -104,6 +107,9 @@ impl Input {
             return;
         }
         let last = if std::mem::take(&mut drag.is_click) { drag.from } else { last };
+        if let Some(grabbed) = &drag.grabbed {
+            return session.drag_handle(grabbed, cursor, self.modifiers.shift);
+        }
         let delta = cursor - last;
         match drag.steer {
             Some(Steer::Look) => session.move_by(Motion::Look(delta)),
@@ -126,15 +132,17 @@ impl Input {
             _ => None,
         };
         let is_divider = button == Button::Left && session.is_on_divider(cursor);
+        let grabbed = if button == Button::Left && !is_divider { session.grab(cursor) } else { None };
         let anchor = session.pick(cursor).map(|picked| picked.point);
         session.navigator.begin_gesture();
-        self.drag = Some(Drag { button, steer, from: cursor, anchor, is_click: !is_divider, is_divider });
+        self.drag = Some(Drag { button, steer, from: cursor, anchor, is_click: !is_divider, is_divider, grabbed });
     }
 
     /// A button is let go.
     pub fn release(&mut self, button: Button, session: &mut Session) {
         let Some(drag) = self.drag.take_if(|drag| drag.button == button) else { return };
         session.navigator.end_gesture();
+        session.let_go();
         if drag.is_click && button == Button::Left {
             self.gesture(Gesture::Click, session);
         }
@@ -144,6 +152,7 @@ impl Input {
     pub fn abandon(&mut self, session: &mut Session) {
         if self.drag.take().is_some() {
             session.navigator.end_gesture();
+            session.let_go();
         }
     }
 
@@ -167,7 +176,10 @@ impl Input {
     /// The second press of two clicks. Letting go is no click any more: something else lies under the cursor then.
     pub fn double_click(&mut self, session: &mut Session) {
         match self.drag.take() {
-            Some(Drag { is_divider: true, .. }) => return session.navigator.end_gesture(),
+            Some(Drag { is_divider: true, .. } | Drag { grabbed: Some(_), .. }) => {
+                session.let_go();
+                return session.navigator.end_gesture();
+            }
             Some(_) => session.navigator.end_gesture(),
             None => {}
         }

@@ -10,6 +10,7 @@ pub mod benchmark;
 pub mod bookmarks;
 pub mod camera_toml;
 mod changes;
+pub mod clipping;
 pub mod comparison;
 pub mod cutting;
 pub mod dialogs;
@@ -44,6 +45,7 @@ pub mod surroundings;
 pub mod threads;
 mod thumbnails;
 pub mod touch;
+mod walking;
 
 pub use app::{ViewerError, WindowOptions, open_window};
 pub use load::{Loader, Reading, Told, Wanted};

@@ -70,8 +70,10 @@ impl Scale {
             Quantity::Count => return grouped(number, 0),
         };
         let symbol = if self.unit == Unit::Voxel { "vx" } else { self.symbol() };
-        // Nobody weighs square metres to the last voxel of a town.
-        let decimals = if number.abs() >= 1e4 { decimals.min(2) } else { decimals };
+        // Six digits of areas and volumes say enough.
+        let digits = if number == 0.0 { 1.0 } else { number.abs().log10().floor() + 1.0 };
+        let enough = if quantity == Quantity::Length { 9 } else { (6.0 - digits).clamp(0.0, 9.0) as usize };
+        let decimals = decimals.min(enough);
         let text = format!("{} {symbol}{sign}", grouped(number, decimals));
         match (self.unit, quantity) {
             (Unit::Millimetre, Quantity::Volume) => format!("{text} ({} ml)", grouped(number / 1000.0, 3)),
@@ -125,6 +127,7 @@ mod tests {
         assert_eq!(metres.text(Quantity::Length, 24.69), "1.2345 m");
         assert_eq!(metres.text(Quantity::Area, 400.0), "1 m²");
         assert_eq!(metres.text(Quantity::Volume, 16_000.0), "2 m³");
+        assert_eq!(metres.text(Quantity::Area, 17_475.145), "43.6879 m²");
         assert_eq!(metres.text(Quantity::Length, 1e6), "50,000 m");
         let scan = Scale { voxel_size: 2.0, unit: Unit::Millimetre, georeference: None };
         assert_eq!(scan.text(Quantity::Volume, 1000.0), "8,000 mm³ (8 ml)");

@@ -1,6 +1,11 @@
 //! The state of the window without the window: what happens goes in, what is to be done comes out.
 
+mod keeping;
+mod messages;
 mod opening;
+
+pub(crate) use keeping::is_built_in;
+pub use messages::Message;
 
 use crate::benchmark::Benchmark;
 use crate::comparison::{Comparison, backend};
@@ -17,16 +22,11 @@ use crate::settings::Settings;
 use crate::skies::Skies;
 use crate::surroundings::Making;
 use std::collections::{HashMap, VecDeque};
-use std::time::{Duration, Instant};
 use voxtrace::glam::Vec2;
 use voxtrace::{Camera, Hit};
 use voxtrace_bench::Measurement;
 use voxtrace_vulkan::Traversal;
 
-/// How long a message stays. What went wrong stays until Esc, or until another scene is there.
-const MESSAGE_TIME: Duration = Duration::from_secs(12);
-/// Most messages at a time.
-const MOST_MESSAGES: usize = 6;
 /// Seconds without a motion after which the camera is at rest: events of a mouse come with gaps.
 const REST: f32 = 0.1;
 
@@ -106,16 +106,6 @@ impl Command {
     }
 }
 
-/// A line for people.
-#[derive(Clone, Debug)]
-pub struct Message {
-    /// What it says.
-    pub text: String,
-    /// Whether something went wrong.
-    pub is_error: bool,
-    since: Instant,
-}
-
 /// What a voxel under the cursor is.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Picked {
@@ -185,6 +175,10 @@ pub struct Session {
     pub sampling: crate::inspector::Sampling,
     /// The tree of parts.
     pub outliner: crate::outliner::Outliner,
+    /// Whether the height of the eye was chosen for the scene.
+    pub(crate) has_eye_height: bool,
+    /// Handles of clip box and slice.
+    pub clipping: crate::clipping::Clipping,
     /// What is known of lines over the picture.
     pub(crate) sight: crate::sight::Sight,
     /// A scene whose surroundings are being made.
@@ -230,6 +224,8 @@ impl Session {
             measuring: crate::measuring::Measuring::default(),
             sampling: crate::inspector::Sampling::default(),
             outliner: crate::outliner::Outliner::default(),
+            has_eye_height: false,
+            clipping: crate::clipping::Clipping::default(),
             sight: crate::sight::Sight::default(),
             surrounding: None,
             messages: VecDeque::new(),
@@ -254,34 +250,6 @@ impl Session {
     pub fn ask(&mut self, command: Command) {
         self.commands.retain(|earlier| !command.replaces(earlier));
         self.commands.push(command);
-    }
-
-    /// Says something to whoever looks. What is said again is no second line.
-    pub fn say(&mut self, text: impl Into<String>, is_error: bool) {
-        let text = text.into();
-        self.messages.retain(|message| message.text != text);
-        self.messages.push_back(Message { text, is_error, since: Instant::now() });
-        while self.messages.len() > MOST_MESSAGES {
-            self.messages.pop_front();
-        }
-    }
-
-    /// The messages that are still to be seen, oldest first.
-    pub fn messages(&mut self) -> impl Iterator<Item = &Message> {
-        self.messages.retain(|message| message.is_error || message.since.elapsed() < MESSAGE_TIME);
-        self.messages.iter()
-    }
-
-    /// Takes away what went wrong. Returns whether there was something.
-    pub fn dismiss_errors(&mut self) -> bool {
-        let before = self.messages.len();
-        self.messages.retain(|message| !message.is_error);
-        self.messages.len() < before
-    }
-
-    /// Whether there are messages.
-    pub fn has_messages(&self) -> bool {
-        !self.messages.is_empty()
     }
 
     /// The size of the picture, pixels.
@@ -342,21 +310,14 @@ impl Session {
         }
     }
 
-    fn moved(&mut self) {
+    pub(crate) fn moved(&mut self) {
         (self.is_moving, self.still) = (true, 0.0);
         self.ask(Command::SetView);
     }
 
-    /// Says how quickly one flies.
-    pub fn say_speed(&mut self) {
-        let text = format!("{:.0} voxels a second", self.navigator.speed());
-        self.messages.retain(|message| !message.text.ends_with("voxels a second"));
-        self.say(text, false);
-    }
-
     /// Lets time go by: what is held moves the camera. Returns whether it goes on moving.
     pub fn advance(&mut self, seconds: f32) -> bool {
-        if self.navigator.advance(seconds) {
+        if self.advance_camera(seconds) {
             self.moved();
         } else if self.is_moving {
             self.still += seconds;

@@ -40,6 +40,10 @@ pub enum Action {
     Steer(Steer),
     /// Exchanges flight and orbit.
     ToggleMode,
+    /// Walks on surfaces, or flies again.
+    ToggleWalking,
+    /// Walks to what is under the cursor.
+    WalkHere,
     /// A step quicker.
     SpeedUp,
     /// A step slower.
@@ -110,6 +114,8 @@ pub enum Action {
     HidePicked,
     /// Shows the object that was picked alone, or what was seen before.
     IsolatePicked,
+    /// Cuts the scene open by a box with handles, or closes it.
+    ToggleClipBox,
     /// Shows all objects that were hidden.
     ShowAll,
     /// Picks the voxel under the cursor.

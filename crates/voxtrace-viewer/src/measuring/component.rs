@@ -207,23 +207,19 @@ impl Search<'_> {
             Entry::Vacant(entry) => {
                 let mut cell = Cell::default();
                 let geometry = self.scene.geometry();
-                if geometry.find_brick(&self.grid, at * 8).is_some() {
-                    let cuts = &self.cuts.cuts;
-                    let keeps = |voxel: IVec3| {
-                        cuts.is_none() || cuts.keeps(self.instance.world_from_grid.point(voxel.as_vec3() + 0.5))
-                    };
-                    for number in 0..512 {
-                        let local = IVec3::new(number & 7, number >> 3 & 7, number >> 6);
-                        let voxel = at * 8 + local;
-                        let Some(material) = geometry.material_at(&self.grid, voxel).filter(|_| keeps(voxel)) else {
-                            continue;
-                        };
-                        let bit = 1 << (local.x + 8 * local.y);
-                        cell.solid[local.z as usize] |= bit;
-                        if self.material.is_none_or(|own| own == material) {
-                            cell.allowed[local.z as usize] |= bit;
-                        }
+                if let Some(record) = geometry.find_brick(&self.grid, at * 8) {
+                    cell.solid = layers_of(geometry.bricks(), record);
+                    let (cuts, world) = (&self.cuts.cuts, &self.instance.world_from_grid);
+                    if !cuts.is_none() {
+                        let keeps = |local: IVec3| cuts.keeps(world.point((at * 8 + local).as_vec3() + 0.5));
+                        cell.solid = filtered(&cell.solid, keeps);
                     }
+                    cell.allowed = match self.material {
+                        None => cell.solid,
+                        Some(own) => {
+                            filtered(&cell.solid, |local| geometry.material_at(&self.grid, at * 8 + local) == Some(own))
+                        }
+                    };
                 }
                 entry.insert(cell)
             }
@@ -261,6 +257,33 @@ impl Search<'_> {
             edges,
         }
     }
+}
+
+/// The layers of a packed brick: a header, whose low bits are the blocks of 4³ voxels that there are, then two words for each of these.
+fn layers_of(bricks: &[u32], record: usize) -> Layers {
+    let mut layers = [0; 8];
+    let blocks = (0..8).filter(|block| bricks[record] >> block & 1 == 1);
+    for (index, block) in blocks.enumerate() {
+        let word = |offset: usize| u64::from(bricks[record + 2 + 2 * index + offset]);
+        let mask = word(0) | word(1) << 32;
+        for row in 0..16 {
+            let (y, z) = (row & 3 | (block >> 1 & 1) << 2, row >> 2 | (block >> 2) << 2);
+            layers[z] |= (mask >> (4 * row) & 0xf) << (8 * y + 4 * (block & 1));
+        }
+    }
+    layers
+}
+
+/// Those voxels of a brick that something holds for.
+fn filtered(layers: &Layers, holds: impl Fn(IVec3) -> bool) -> Layers {
+    let mut kept = *layers;
+    for (z, layer) in kept.iter_mut().enumerate() {
+        for bit in voxtrace::brick::bits(*layer) {
+            let local = IVec3::new((bit & 7) as i32, (bit >> 3) as i32, z as i32);
+            *layer &= !(u64::from(!holds(local)) << bit);
+        }
+    }
+    kept
 }
 
 /// All that hangs together with some voxels of a brick and was not reached before.

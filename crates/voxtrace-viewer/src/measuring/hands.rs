@@ -52,7 +52,8 @@ impl Session {
         self.measuring.tool = tool;
         if let Some(kind) = tool {
             self.measuring.last = tool;
-            self.say(hint(kind), false);
+            self.measuring.opens = true;
+            self.say_instead(&Kind::ALL.map(hint), hint(kind));
         }
     }
 

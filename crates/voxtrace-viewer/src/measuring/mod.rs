@@ -116,6 +116,8 @@ pub struct Measuring {
     pub typed: Option<(u32, String)>,
     /// Voxels that are being counted.
     pub flood: Option<Flood>,
+    /// Whether the panel is to open.
+    pub opens: bool,
     /// The last tool.
     last: Option<Kind>,
     file: Option<MeasureFile>,

@@ -3,6 +3,7 @@
 use super::{section, slider};
 use crate::cutting::{Cutting, LEAST, MOST_PLANES, Slice};
 use crate::session::Session;
+use crate::tr;
 use egui::Ui;
 use std::ops::RangeInclusive;
 use voxtrace::glam::Vec3;
@@ -30,6 +31,9 @@ pub fn cuts(ui: &mut Ui, session: &mut Session) {
                 from[axis] = from[axis].min(to[axis] - LEAST);
             }
         }
+        if old.clip_box.is_some() && ui.button(tr!("clip.reset")).clicked() {
+            cutting.clip_box = Some([min, max]);
+        }
         let mut has_slice = cutting.slice.is_some();
         if ui.checkbox(&mut has_slice, "slice").changed() {
             let middle = (0.5 * (min.z + max.z)).floor();
@@ -53,6 +57,9 @@ pub fn cuts(ui: &mut Ui, session: &mut Session) {
         planes(ui, &mut cutting.planes, (min, max), towards_eye);
         let has_own = session.open.as_ref().is_some_and(|open| !open.original.cuts.is_none());
         if cutting.is_cut() || has_own {
+            if cutting.clip_box.is_some() || cutting.slice.is_some() {
+                ui.checkbox(&mut session.clipping.has_handles, tr!("clip.handles"));
+            }
             ui.checkbox(&mut cutting.shadows, "light of the whole scene");
             if ui.button("show all of it").clicked() {
                 cutting = Cutting::default();
@@ -87,6 +94,9 @@ fn planes(ui: &mut Ui, planes: &mut Vec<(Vec3, f32)>, bounds: (Vec3, Vec3), towa
         }
         let (from, to) = span(*normal, bounds);
         ui.add(slider(offset, from..=to, &format!("plane {number} at")).max_decimals(1));
+        if ui.button(tr!("clip.invert", number = number)).clicked() {
+            (*normal, *offset) = (-*normal, -*offset);
+        }
         if ui.button(format!("without plane {number}")).clicked() {
             gone = Some(index);
         }

@@ -1,12 +1,12 @@
 //! The panel of measurements, and what is drawn of them over the picture.
 
 use super::over::{Over, over};
-use super::{counted, name_node, section};
+use super::{counted, name_node};
 use crate::measuring::{Kind, Measure, Snap, Snapped, Value, kind_name};
 use crate::scale::Scale;
 use crate::session::Session;
 use crate::tr;
-use egui::{Color32, ComboBox, CursorIcon, Grid, ScrollArea, TextEdit, Ui};
+use egui::{CollapsingHeader, Color32, ComboBox, CursorIcon, Grid, ScrollArea, TextEdit, Ui};
 use std::time::Duration;
 use voxtrace::glam::{DVec3, Vec2};
 
@@ -26,7 +26,8 @@ pub fn measuring(ui: &mut Ui, session: &mut Session) {
         0 => tr!("measure.title").to_owned(),
         _ => tr!("measure.title_count", count = count),
     };
-    section(ui, title, "measurements", |ui| {
+    let opens = std::mem::take(&mut session.measuring.opens).then_some(true);
+    CollapsingHeader::new(title).id_salt("measurements").open(opens).show(ui, |ui| {
         tools(ui, session);
         if let Some(flood) = &session.measuring.flood {
             let found = counted(flood.found(), "voxel");

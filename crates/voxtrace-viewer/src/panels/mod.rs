@@ -1,6 +1,7 @@
 //! The panels over the picture: what is shown, how it is traced, light, and what can be done. They change the state alone.
 
 mod benchmark;
+mod clipping;
 mod comparison;
 mod cuts;
 mod dialogs;
@@ -54,6 +55,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, status: &Status) -> f32 {
         });
         width = side.response.rect.width();
     }
+    clipping::drawn(ui, session, width);
     measuring::drawn(ui, session, width);
     comparison::divider(ui, session, width);
     if session.open.is_none() && session.loading.is_none() && session.dialog.is_none() {

@@ -71,6 +71,7 @@ impl Session {
         self.open = Some(open);
         self.picked = None;
         self.sight.forget();
+        self.has_eye_height = false;
         self.outliner = crate::outliner::Outliner::default();
         self.sampling = crate::inspector::Sampling::default();
         self.load_measures();

@@ -8,6 +8,7 @@ mod cutting;
 mod devices;
 mod dialogs;
 mod drawing;
+mod handles;
 mod lenses;
 mod limits;
 mod lines;

@@ -153,7 +153,6 @@ fn the_list_shows_hides_renames_exports_and_deletes() {
     let ends = [pixel(&session, [9.0, 9.0, 7.0]), pixel(&session, [9.0, 9.0, 1.0])].map(|at| at + Vec2::new(3.0, 2.0));
     ends.into_iter().for_each(|at| click(&mut input, &mut session, at));
     let mut harness = panels(session, Status::default());
-    press(&mut harness, "Measurements (1)");
     assert!(harness.query_by_label("Height 1: −6 vx").is_some());
     press(&mut harness, "show Height 1");
     assert!(harness.state().measuring.list[&1].is_hidden);
