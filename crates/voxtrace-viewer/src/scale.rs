@@ -94,7 +94,8 @@ impl Scale {
     /// The unit of those coordinates with a space before it: that of the scene, unless they are degrees or feet.
     pub fn coordinates_symbol(&self) -> String {
         let step = self.georeference.as_ref().map(|of| of.coordinates_from_world.matrix3.x_axis.length());
-        let is_in_unit = step.is_some_and(|step| (step / self.voxel_size - 1.0).abs() < 1e-9);
+        // Voxels of a scan may be a little longer along an axis; feet and degrees are quite different.
+        let is_in_unit = step.is_some_and(|step| (step / self.voxel_size - 1.0).abs() < 0.05);
         if is_in_unit && self.unit != Unit::Voxel { format!(" {}", self.symbol()) } else { String::new() }
     }
 }

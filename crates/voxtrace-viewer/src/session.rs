@@ -179,6 +179,10 @@ pub struct Session {
     pub(crate) has_eye_height: bool,
     /// Handles of clip box and slice.
     pub clipping: crate::clipping::Clipping,
+    /// Dark panels or light ones.
+    pub theme: crate::panels::Theme,
+    /// The language that was chosen, where one was.
+    pub language: Option<String>,
     /// What is known of lines over the picture.
     pub(crate) sight: crate::sight::Sight,
     /// A scene whose surroundings are being made.
@@ -226,6 +230,8 @@ impl Session {
             outliner: crate::outliner::Outliner::default(),
             has_eye_height: false,
             clipping: crate::clipping::Clipping::default(),
+            theme: crate::panels::Theme::default(),
+            language: None,
             sight: crate::sight::Sight::default(),
             surrounding: None,
             messages: VecDeque::new(),

@@ -91,6 +91,8 @@ impl App {
     }
 
     pub(super) fn save_settings(&mut self) {
+        self.settings.settings.theme = self.session.theme.name().to_owned();
+        self.settings.settings.language.clone_from(&self.session.language);
         if let Err(error) = self.settings.save() {
             self.session.say(format!("the settings cannot be kept: {error}"), true);
         }

@@ -4,8 +4,6 @@ use crate::keys::Action;
 use crate::session::Session;
 use egui::{Align2, ProgressBar, RichText, Ui};
 
-/// Text that says what went wrong: red that can be read on the dark panels.
-pub const ERROR: egui::Color32 = egui::Color32::from_rgb(255, 128, 112);
 /// Points to which a message is as long as its text; then it is wrapped.
 const WIDEST_MESSAGE: f32 = 560.0;
 /// Points between them and the edge of the window.
@@ -57,7 +55,7 @@ pub fn messages(ui: &Ui, session: &mut Session) {
                     // The area is as wide as the last line was: a longer one is not to be wrapped for that.
                     ui.set_max_width(WIDEST_MESSAGE);
                     let text = RichText::new(text);
-                    ui.label(if is_error { text.color(ERROR) } else { text });
+                    ui.label(if is_error { text.color(super::look::error_color(ui)) } else { text });
                 });
             }
         });

@@ -9,6 +9,7 @@ mod help;
 mod lens;
 mod light;
 mod lines;
+mod look;
 mod materials;
 mod measuring;
 mod messages;
@@ -24,6 +25,7 @@ mod tracing;
 mod view;
 mod welcome;
 
+pub use look::Theme;
 pub use status::{Compared, DeviceChoice, Status};
 
 use crate::session::Session;
@@ -36,6 +38,7 @@ const BESIDE_BAR: i8 = 8;
 
 /// Shows everything. Returns the width of the side panel, points: the picture lies beside it.
 pub fn show(ui: &mut Ui, session: &mut Session, status: &Status) -> f32 {
+    look::apply(ui, session);
     let mut width = 0.0;
     if session.has_panels {
         let side = egui::Panel::right("side").resizable(true).default_size(WIDTH).show(ui, |ui| {
@@ -89,6 +92,7 @@ fn sections(ui: &mut Ui, session: &mut Session, status: &Status) {
     comparison::comparison(ui, session, status);
     statistics::statistics(ui, session, status);
     benchmark::benchmark(ui, session);
+    look::look(ui, session);
 }
 
 /// A slider for a value that a scene or a key may have set beyond its ends, and that stays so until somebody moves it.

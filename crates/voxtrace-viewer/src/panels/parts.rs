@@ -5,7 +5,7 @@ use crate::keys::Action;
 use crate::outliner::{Order, Part, Row, name_of};
 use crate::session::Session;
 use crate::tr;
-use egui::{Align, Checkbox, CollapsingHeader, ComboBox, ScrollArea, TextEdit, Ui};
+use egui::{Checkbox, CollapsingHeader, ComboBox, ScrollArea, TextEdit, Ui};
 use std::collections::HashMap;
 
 /// Points of the list before it scrolls.
@@ -32,7 +32,7 @@ pub fn parts(ui: &mut Ui, session: &mut Session) {
         top(ui, session);
         list(ui, session);
         selected(ui, session);
-        ui.horizontal(|ui| {
+        ui.horizontal_wrapped(|ui| {
             if session.is_isolated() && ui.button(tr!("outliner.bring_back")).clicked() {
                 session.bring_back();
             }
@@ -138,7 +138,7 @@ fn line(ui: &mut Ui, session: &mut Session, row: &Row, seen: Seen) {
 /// What can be done with the part that is selected, and with the one that was picked.
 fn selected(ui: &mut Ui, session: &mut Session) {
     let selected = session.outliner.selected;
-    ui.with_layout(egui::Layout::left_to_right(Align::Center).with_main_wrap(true), |ui| {
+    ui.horizontal_wrapped(|ui| {
         if let Some(part) = selected {
             if ui.button(tr!("outliner.isolate")).clicked() {
                 session.isolate(part);

@@ -388,3 +388,13 @@ fn a_further_message_is_drawn_once_more_where_all_of_it_is_seen() {
     assert!(!harness.ctx.has_requested_repaint());
     assert!(harness.get_by_label("another line").rect().bottom() < 2400.0);
 }
+
+#[test]
+fn the_panels_are_dark_or_light_as_somebody_chooses() {
+    let mut harness = panels(in_room("room.vxt"), Status::default());
+    for (choice, is_dark) in [("light", false), ("dark", true)] {
+        choose(&mut harness, "colours of the panels", choice);
+        harness.run_steps(2);
+        assert_eq!(harness.ctx.global_style().visuals.dark_mode, is_dark, "{choice}");
+    }
+}

@@ -123,7 +123,7 @@ fn what_a_cut_takes_away_counts_as_gone() {
 #[test]
 fn of_merged_objects_the_one_that_was_clicked_is_counted() {
     let mut grid = VoxelGrid::new();
-    (0..64).for_each(|i| drop(grid.set(IVec3::new(i % 4, i / 4 % 4, i / 16), 0)));
+    (0..64).for_each(|i| _ = grid.set(IVec3::new(i % 4, i / 4 % 4, i / 16), 0));
     let mut both = Scene::from_grid("two", grid.clone(), vec![Material::diffuse(Vec3::ONE)]);
     both.add_instance(grid, Transform::from_translation(Vec3::new(4.0, 0.0, 0.0)));
     let merged = PackedScene::pack_merged(&both).unwrap();

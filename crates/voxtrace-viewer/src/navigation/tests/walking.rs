@@ -12,12 +12,12 @@ fn landscape() -> PackedScene {
     for x in 0..200 {
         for y in 0..200 {
             let top = 1 + 3 * ((x - 110) / 10).clamp(0, 3);
-            (0..top).for_each(|z| drop(grid.set(IVec3::new(x, y, z), 0)));
+            (0..top).for_each(|z| _ = grid.set(IVec3::new(x, y, z), 0));
             if x < 40 {
                 grid.set(IVec3::new(x, y, 24), 0);
             }
         }
-        (0..40).for_each(|z| drop(grid.set(IVec3::new(x, 150, z), 0)));
+        (0..40).for_each(|z| _ = grid.set(IVec3::new(x, 150, z), 0));
     }
     PackedScene::pack(&Scene::from_grid("landscape", grid, vec![Material::diffuse(Vec3::ONE)])).unwrap()
 }

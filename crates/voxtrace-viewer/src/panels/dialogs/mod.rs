@@ -121,7 +121,7 @@ pub fn duration(seconds: f64) -> String {
 fn buttons(ui: &mut Ui, name: &str, missing: Option<&str>, others: impl FnOnce(&mut Ui)) -> Option<Click> {
     let mut clicked = None;
     if let Some(missing) = missing {
-        ui.label(RichText::new(missing).color(super::messages::ERROR));
+        ui.label(RichText::new(missing).color(super::look::error_color(ui)));
     }
     ui.separator();
     ui.horizontal(|ui| {
