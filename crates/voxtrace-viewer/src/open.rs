@@ -145,6 +145,15 @@ impl Open {
         self.used.get().map(Vec::as_slice)
     }
 
+    /// A hit of an object as the scene has it now, `None` where the object is not seen any more.
+    pub(crate) fn hit_of_object(&self, hit: &Hit, object: usize) -> Option<Hit> {
+        if self.object_of(hit) == Some(object) {
+            return Some(*hit);
+        }
+        let mut hits = (0..self.pickable.instance_count()).map(|instance| Hit { instance: instance as u32, ..*hit });
+        hits.find(|hit| self.object_of(hit) == Some(object))
+    }
+
     /// The object that a hit met, by its number in the scene.
     pub fn object_of(&self, hit: &Hit) -> Option<usize> {
         ((hit.instance as usize) < self.pickable.instance_count()).then(|| self.pickable.scene_instance(hit))

@@ -3,6 +3,7 @@
 use super::{counted, name_node};
 use crate::keys::Action;
 use crate::outliner::{Order, Part, Row, name_of};
+use crate::scale::grouped;
 use crate::session::Session;
 use crate::tr;
 use egui::{Checkbox, CollapsingHeader, ComboBox, ScrollArea, TextEdit, Ui};
@@ -26,7 +27,7 @@ pub fn parts(ui: &mut Ui, session: &mut Session) {
     }
     let hidden = open.is_visible.iter().filter(|is_visible| !**is_visible).count();
     let title =
-        if hidden > 0 { tr!("outliner.title_hidden", count = hidden) } else { tr!("outliner.title").to_owned() };
+        if hidden > 0 { tr!("outliner.title_hidden", count = grouped(hidden as f64, 0)) } else { tr!("outliner.title").to_owned() };
     CollapsingHeader::new(title).id_salt("parts").show(ui, |ui| {
         ui.label(counted(outline.objects.len() as u64, "object"));
         top(ui, session);
