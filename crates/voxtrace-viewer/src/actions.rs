@@ -10,6 +10,7 @@ use crate::navigation::{Mode, Motion};
 use crate::render_command::{CommandError, RenderCommand, SceneArgument};
 use crate::render_settings::RenderSettings;
 use crate::session::{Command, Session, is_built_in};
+use crate::tr;
 use std::path::PathBuf;
 use voxtrace::glam::Vec2;
 use voxtrace::{Camera, Integrator, scenes};
@@ -120,7 +121,7 @@ impl Session {
     fn open_dialog(&mut self, make: impl FnOnce(&Self) -> Dialog) {
         match self.open {
             Some(_) => self.dialog = Some(make(self)),
-            None => self.say("there is no scene yet", false),
+            None => self.say(tr!("said.there_is_no_scene_yet"), false),
         }
     }
 
@@ -128,7 +129,7 @@ impl Session {
         if self.dialog.take().is_some() {
             // The dialog goes first.
         } else if self.loading.take().is_some() {
-            self.say("opening was stopped", false);
+            self.say(tr!("said.opening_was_stopped"), false);
         } else if let Some(benchmark) = &self.benchmark {
             benchmark.cancel();
         } else if self.has_help {
@@ -154,7 +155,7 @@ impl Session {
         let Some(open) = &self.open else { return };
         let cameras = &open.original.cameras;
         if cameras.is_empty() {
-            self.say("the scene has no cameras of its own", false);
+            self.say(tr!("said.the_scene_has_no_cameras_of"), false);
             return;
         }
         // Names may stand twice; a camera that moved keeps its name.
@@ -202,14 +203,14 @@ impl Session {
     /// Says what a key has chosen where no panel shows it.
     fn say_unseen(&mut self, what: &str, name: &str) {
         if !self.has_panels {
-            self.say(format!("{what} {name}"), false);
+            self.say(tr!("said.chosen", what = what, name = name), false);
         }
     }
 
     /// Puts a text on the clipboard, and says so.
     pub fn copy(&mut self, text: String, what: &str) {
         self.ask(Command::Copy(text));
-        self.say(format!("copied: {what}"), false);
+        self.say(tr!("said.copied", what = what), false);
     }
 
     fn copy_command(&mut self) {
@@ -239,12 +240,12 @@ impl Session {
 
     fn copy_line(&mut self, line: Option<Result<String, CommandError>>, what: &str) {
         match line {
-            None => self.say("there is no scene to render yet", false),
+            None => self.say(tr!("said.there_is_no_scene_to_render"), false),
             Some(Ok(line)) => {
                 self.ask(Command::Print(line.clone()));
                 self.copy(line, what);
             }
-            Some(Err(error)) => self.say(format!("no command: {error}"), true),
+            Some(Err(error)) => self.say(tr!("said.no_command", error = error), true),
         }
     }
 
@@ -254,7 +255,7 @@ impl Session {
         let object = picked.zip(self.open.as_ref()).and_then(|(picked, open)| open.object_of(&picked.hit));
         if let Some(object) = object {
             self.set_visible(&[object], false);
-            self.say(format!("object {object} is hidden"), false);
+            self.say(tr!("said.object_is_hidden", object = object), false);
         }
     }
 

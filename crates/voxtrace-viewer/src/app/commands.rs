@@ -5,6 +5,7 @@ use super::saving::Saving;
 use super::wake::Wake;
 use crate::benchmark::Benchmark;
 use crate::session::Command;
+use crate::tr;
 use std::sync::Arc;
 use winit::event_loop::ActiveEventLoop;
 use winit::window::Fullscreen;
@@ -84,7 +85,7 @@ impl App {
     pub(super) fn quit(&mut self, event_loop: &ActiveEventLoop) {
         let is_busy = self.session.exporting.is_some() || self.session.saving_scene.is_some();
         if is_busy && !std::mem::replace(&mut self.may_quit, true) {
-            self.session.say("a file is being made: close the window again to stop that", false);
+            self.session.say(tr!("said.a_file_is_being_made_close"), false);
             return;
         }
         event_loop.exit();
@@ -94,7 +95,7 @@ impl App {
         self.settings.settings.theme = self.session.theme.name().to_owned();
         self.settings.settings.language.clone_from(&self.session.language);
         if let Err(error) = self.settings.save() {
-            self.session.say(format!("the settings cannot be kept: {error}"), true);
+            self.session.say(tr!("said.the_settings_cannot_be_kept", error = error), true);
         }
     }
 

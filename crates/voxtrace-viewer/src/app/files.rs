@@ -6,6 +6,7 @@ use crate::dialogs::{Dialog, OpenDialog, PictureKind, SCENE_KINDS};
 use crate::export::{ExportRequest, Exporting, Source};
 use crate::inspector::{Sampling, Values};
 use crate::load::{Loading, Reading};
+use crate::tr;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -32,10 +33,10 @@ impl App {
         match path {
             Some(path) => self.load(&path.display().to_string()),
             None if is_quick => {
-                self.session.say("the system has no dialog for files; type or paste the path", false);
+                self.session.say(tr!("said.the_system_has_no_dialog_for"), false);
                 self.session.dialog = Some(Dialog::Open(OpenDialog::new(&self.session)));
             }
-            None => self.session.say("no file was chosen; files can also be dropped on the window", false),
+            None => self.session.say(tr!("said.no_file_was_chosen_files_can"), false),
         }
     }
 
@@ -75,7 +76,7 @@ impl App {
         match (path, &mut self.session.dialog) {
             (Some(path), Some(dialog)) => dialog.take_path(&path),
             (None, Some(_)) if is_quick => {
-                self.session.say("the system has no dialog for files; type or paste the path", false);
+                self.session.say(tr!("said.the_system_has_no_dialog_for"), false);
             }
             _ => {}
         }
@@ -102,7 +103,7 @@ impl App {
     pub(super) fn save_scene(&mut self, path: PathBuf) {
         let Some(open) = &self.session.open else { return };
         if self.session.saving_scene.is_some() {
-            self.session.say("another scene is being written; wait for it", true);
+            self.session.say(tr!("said.another_scene_is_being_written_wait"), true);
             return;
         }
         let (scene, loader, proxy) = (Arc::clone(&open.pickable), Arc::clone(&self.loader), self.proxy.clone());
@@ -110,7 +111,7 @@ impl App {
         self.session.saving_scene = Some(path.clone());
         let settings = &self.session.render_settings;
         if settings.cutting.is_cut() || !settings.surroundings.is_none() {
-            self.session.say("the file holds the whole scene alone: no cuts, no ground, no fog", false);
+            self.session.say(tr!("said.the_file_holds_the_whole_scene"), false);
         }
         self.writing = Some(std::thread::spawn(move || {
             let result = loader.save(&scene, &path);

@@ -4,6 +4,7 @@ use super::App;
 use crate::engine::{Engine, Event as EngineEvent};
 use crate::gpu::Drawing;
 use crate::panels;
+use crate::tr;
 use std::sync::Arc;
 
 impl App {
@@ -19,7 +20,7 @@ impl App {
             EngineEvent::Notice(text) => self.session.say(text, false),
             EngineEvent::Failed(error) => {
                 self.saving = None;
-                self.session.say(format!("tracing stopped: {error}"), true);
+                self.session.say(tr!("said.tracing_stopped", error = error), true);
             }
             // The window closes.
             EngineEvent::Gone(_) => {}

@@ -2,6 +2,7 @@
 
 use crate::keys::Action;
 use crate::session::Session;
+use crate::tr;
 use egui::{Align2, ProgressBar, RichText, Ui};
 
 /// Points to which a message is as long as its text; then it is wrapped.
@@ -19,17 +20,18 @@ pub fn loading(ui: &Ui, session: &mut Session, side: f32) {
     let (source, share) = (loading.source.clone(), loading.share);
     let mut is_cancelled = false;
     let anchor = [-side / 2.0, -24.0];
-    egui::Window::new("Opening").anchor(Align2::CENTER_BOTTOM, anchor).collapsible(false).resizable(false).show(
-        ui.ctx(),
-        |ui| {
+    egui::Window::new(tr!("messages.opening"))
+        .anchor(Align2::CENTER_BOTTOM, anchor)
+        .collapsible(false)
+        .resizable(false)
+        .show(ui.ctx(), |ui| {
             ui.label(source);
             match share {
                 Some(share) => ui.add(ProgressBar::new(share).desired_width(260.0).text(text)),
                 None => ui.horizontal(|ui| (ui.spinner(), ui.label(text)).1).inner,
             };
-            is_cancelled = ui.button("Stop").clicked();
-        },
-    );
+            is_cancelled = ui.button(tr!("messages.stop")).clicked();
+        });
     if is_cancelled {
         session.act(Action::Cancel, None);
     }

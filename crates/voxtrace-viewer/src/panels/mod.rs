@@ -29,6 +29,7 @@ pub use look::Theme;
 pub use status::{Compared, DeviceChoice, Status};
 
 use crate::session::Session;
+use crate::tr;
 use egui::{CollapsingHeader, Frame, Margin, RichText, ScrollArea, Slider, SliderClamping, Ui};
 
 /// Points of the side panel, as long as nobody drags it.
@@ -80,7 +81,7 @@ fn sections(ui: &mut Ui, session: &mut Session, status: &Status) {
     lens::lens(ui, session);
     light::light(ui, session);
     if session.open.is_some() {
-        heading(ui, "Contents");
+        heading(ui, tr!("panels.contents"));
         measuring::measuring(ui, session);
         parts::parts(ui, session);
         cuts::cuts(ui, session);

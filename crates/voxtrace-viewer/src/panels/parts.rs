@@ -26,8 +26,11 @@ pub fn parts(ui: &mut Ui, session: &mut Session) {
         return;
     }
     let hidden = open.is_visible.iter().filter(|is_visible| !**is_visible).count();
-    let title =
-        if hidden > 0 { tr!("outliner.title_hidden", count = grouped(hidden as f64, 0)) } else { tr!("outliner.title").to_owned() };
+    let title = if hidden > 0 {
+        tr!("outliner.title_hidden", count = grouped(hidden as f64, 0))
+    } else {
+        tr!("outliner.title").to_owned()
+    };
     CollapsingHeader::new(title).id_salt("parts").show(ui, |ui| {
         ui.label(counted(outline.objects.len() as u64, "object"));
         top(ui, session);

@@ -9,12 +9,12 @@ use crate::tr;
 use egui::{Button, ComboBox, Ui};
 
 pub fn view(ui: &mut Ui, session: &mut Session) {
-    heading(ui, "View");
+    heading(ui, tr!("view.view"));
     let cameras: Vec<voxtrace::Camera> =
         session.open.as_ref().map(|open| open.original.cameras.clone()).unwrap_or_default();
     if !cameras.is_empty() {
         let here = session.navigator.camera().name.clone();
-        ComboBox::from_label("camera").selected_text(here.as_str()).show_ui(ui, |ui| {
+        ComboBox::from_label(tr!("view.camera")).selected_text(here.as_str()).show_ui(ui, |ui| {
             for camera in &cameras {
                 if ui.selectable_label(camera.name == here, &camera.name).clicked() {
                     session.move_by(Motion::GoTo(camera.clone()));
@@ -33,13 +33,13 @@ pub fn view(ui: &mut Ui, session: &mut Session) {
                 session.set_mode(mode);
             }
         }
-        if ui.add_enabled(session.open.is_some(), Button::new("show all")).clicked() {
+        if ui.add_enabled(session.open.is_some(), Button::new(tr!("view.show_all"))).clicked() {
             session.act(Action::FrameAll, None);
         }
-        if ui.add_enabled(session.navigator.can_undo(), Button::new("back")).clicked() {
+        if ui.add_enabled(session.navigator.can_undo(), Button::new(tr!("view.back"))).clicked() {
             session.act(Action::UndoCamera, None);
         }
-        if ui.add_enabled(session.navigator.can_redo(), Button::new("forward")).clicked() {
+        if ui.add_enabled(session.navigator.can_redo(), Button::new(tr!("view.forward"))).clicked() {
             session.act(Action::RedoCamera, None);
         }
     });

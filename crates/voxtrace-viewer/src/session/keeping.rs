@@ -5,6 +5,7 @@ use crate::bookmarks::Bookmarks;
 use crate::dialogs::Dialog;
 use crate::kept_file;
 use crate::navigation::Motion;
+use crate::tr;
 use std::path::{Path, PathBuf};
 use voxtrace::scenes;
 
@@ -41,7 +42,7 @@ impl Session {
         match Bookmarks::open(&path) {
             Ok(bookmarks) => match bookmarks.get(number).cloned() {
                 Some(camera) => self.move_by(Motion::GoTo(camera)),
-                None => self.say(format!("bookmark {number} is empty; Shift+{number} keeps this camera"), false),
+                None => self.say(tr!("said.bookmark_is_empty_shift_keeps_this", number = number), false),
             },
             Err(error) => self.say(error.to_string(), true),
         }

@@ -5,6 +5,7 @@ use crate::cutting::Cutting;
 use crate::load::Came;
 use crate::navigation::Mode;
 use crate::surroundings::Surroundings;
+use crate::tr;
 use std::sync::Arc;
 use voxtrace::PackedScene;
 
@@ -59,7 +60,7 @@ impl Session {
                 Ok(cuts) => {
                     open.set_light(&self.render_settings, None);
                     if bounds.is_some_and(|bounds| cuts.cut_away(bounds)) {
-                        self.say("nothing is left of the scene: all of it is cut away", false);
+                        self.say(tr!("said.nothing_is_left_of_the_scene"), false);
                     }
                 }
                 Err(error) => {
