@@ -96,6 +96,10 @@ impl<T: Tracer, L: Tracer> Tracer for Meanwhile<T, L> {
         self.tracer.resume(frame, film)
     }
 
+    fn set_moment(&mut self, placement: Option<&Placement>, frame: &Frame) -> Result<(), TraceError> {
+        self.without_level().set_moment(placement, frame)
+    }
+
     fn take_notes(&mut self) -> Vec<String> {
         let mut notes = self.tracer.take_notes();
         notes.extend(self.of_level.take_notes());

@@ -1,7 +1,6 @@
 //! What each action of the table of keys does to the state.
 
 use crate::benchmark::{FRAMES, WARM_UP};
-use crate::bookmarks::Bookmarks;
 use crate::camera_toml::camera_toml;
 use crate::comparison::{Comparison, DIVIDER_STEP};
 use crate::dialogs::{Dialog, FramesDialog, OpenDialog, PictureDialog, SaveDialog};
@@ -10,8 +9,9 @@ use crate::keys::Action;
 use crate::navigation::{Mode, Motion};
 use crate::render_command::{CommandError, RenderCommand, SceneArgument};
 use crate::render_settings::RenderSettings;
-use crate::session::{Command, Session};
-use std::path::{Path, PathBuf};
+use crate::session::{Command, Session, is_built_in};
+use crate::tr;
+use std::path::PathBuf;
 use voxtrace::glam::Vec2;
 use voxtrace::{Camera, Integrator, scenes};
 use voxtrace_vulkan::{Primitive, Traversal};
@@ -24,11 +24,6 @@ const LEAST_LIGHT: f32 = 0.01;
 const FIELD_STEP: f32 = 5.0;
 /// A voxel that is shown fills this many voxels around it.
 const AROUND: f32 = 12.0;
-
-/// Whether a scene needs no file.
-fn is_built_in(source: &str) -> bool {
-    scenes::NAMES.contains(&source)
-}
 
 /// A factor times another; from darkness upwards there is a first step.
 fn scaled(now: f32, factor: f32) -> f32 {
@@ -51,10 +46,10 @@ impl Session {
             Action::Quit => self.ask(Command::Quit),
             Action::Cancel => self.cancel(),
             Action::ToggleMode => {
-                self.navigator.mode = if self.navigator.mode == Mode::Fly { Mode::Orbit } else { Mode::Fly };
-                let mode = if self.navigator.mode == Mode::Fly { "fly: drag to look around" } else { "orbit" };
-                self.say(mode, false);
+                self.set_mode(if self.navigator.mode == Mode::Fly { Mode::Orbit } else { Mode::Fly });
             }
+            Action::ToggleWalking => self.toggle_walking(),
+            Action::WalkHere => self.walk_here(cursor),
             Action::SpeedUp => self.move_by(Motion::Speed(1.0)),
             Action::SpeedDown => self.move_by(Motion::Speed(-1.0)),
             Action::FrameAll => self.move_by(Motion::FrameAll),
@@ -93,8 +88,13 @@ impl Session {
             Action::Benchmark => self.toggle_benchmark(),
             Action::CopyBenchmark => self.copy_bench_command(),
             Action::HidePicked => self.hide_picked(cursor),
+            Action::ToggleClipBox => self.toggle_clip_box(),
+            Action::IsolatePicked => self.isolate_picked(cursor),
             Action::ShowAll => self.show_all(),
             Action::Pick => self.picked = cursor.and_then(|cursor| self.pick(cursor)),
+            Action::Measure => self.toggle_measuring(),
+            Action::NextTool => self.next_tool(),
+            Action::FinishMeasuring => self.finish_measuring(),
             Action::TogglePanels => self.has_panels = !self.has_panels,
             Action::ToggleFullScreen => self.ask(Command::ToggleFullscreen),
             Action::ScaleUp => self.ask(Command::Scale(1)),
@@ -124,7 +124,7 @@ impl Session {
     fn open_dialog(&mut self, make: impl FnOnce(&Self) -> Dialog) {
         match self.open {
             Some(_) => self.dialog = Some(make(self)),
-            None => self.say("there is no scene yet", false),
+            None => self.say(tr!("said.there_is_no_scene_yet"), false),
         }
     }
 
@@ -133,12 +133,14 @@ impl Session {
             // The dialog goes first, and with it what waits for it.
             self.stay();
         } else if self.loading.take().is_some() {
-            self.say("opening was stopped", false);
+            self.say(tr!("said.opening_was_stopped"), false);
         } else if let Some(benchmark) = &self.benchmark {
             benchmark.cancel();
         } else if self.has_help {
             self.has_help = false;
-        } else if self.dismiss_errors() || self.cancel_editing() {
+        } else if self.cancel_measuring() || self.cancel_editing() {
+            // Points first, then the tool.
+        } else if self.dismiss_errors() {
             // That was it.
         } else if self.picked.take().is_none() {
             self.ask(Command::LeaveFullscreen);
@@ -157,7 +159,7 @@ impl Session {
         let Some(open) = &self.open else { return };
         let cameras = &open.original.cameras;
         if cameras.is_empty() {
-            self.say("the scene has no cameras of its own", false);
+            self.say(tr!("said.the_scene_has_no_cameras_of"), false);
             return;
         }
         // Names may stand twice; a camera that moved keeps its name.
@@ -205,14 +207,14 @@ impl Session {
     /// Says what a key has chosen where no panel shows it.
     fn say_unseen(&mut self, what: &str, name: &str) {
         if !self.has_panels {
-            self.say(format!("{what} {name}"), false);
+            self.say(tr!("said.chosen", what = what, name = name), false);
         }
     }
 
     /// Puts a text on the clipboard, and says so.
     pub fn copy(&mut self, text: String, what: &str) {
         self.ask(Command::Copy(text));
-        self.say(format!("copied: {what}"), false);
+        self.say(tr!("said.copied", what = what), false);
     }
 
     fn copy_command(&mut self) {
@@ -244,13 +246,13 @@ impl Session {
         match line {
             None => match self.edited_file() {
                 Err(reason) => self.say(reason, true),
-                Ok(_) => self.say("there is no scene to render yet", false),
+                Ok(_) => self.say(tr!("said.there_is_no_scene_to_render"), false),
             },
             Some(Ok(line)) => {
                 self.ask(Command::Print(line.clone()));
                 self.copy(line, what);
             }
-            Some(Err(error)) => self.say(format!("no command: {error}"), true),
+            Some(Err(error)) => self.say(tr!("said.no_command", error = error), true),
         }
     }
 
@@ -260,7 +262,7 @@ impl Session {
         let object = picked.zip(self.open.as_ref()).and_then(|(picked, open)| open.object_of(&picked.hit));
         if let Some(object) = object {
             self.set_visible(&[object], false);
-            self.say(format!("object {object} is hidden"), false);
+            self.say(tr!("said.object_is_hidden", object = object), false);
         }
     }
 
@@ -333,47 +335,6 @@ impl Session {
         let first = self.open.as_ref().and_then(|open| open.original.cameras.first());
         let name = first.map_or("auto", |camera| camera.name.as_str()).to_owned();
         Camera { name, ..self.navigator.camera().clone() }
-    }
-
-    /// The file of the scene's bookmarks.
-    pub fn bookmark_path(&self) -> Option<PathBuf> {
-        let source = &self.open.as_ref()?.source;
-        match is_built_in(source) {
-            true => self.settings_folder.as_deref().map(|folder| Bookmarks::of_built_in(source, folder)),
-            false => Bookmarks::beside(Path::new(source)),
-        }
-    }
-
-    fn go_to_bookmark(&mut self, number: u8) {
-        let Some(path) = self.bookmark_path() else { return };
-        match Bookmarks::open(&path) {
-            Ok(bookmarks) => match bookmarks.get(number).cloned() {
-                Some(camera) => self.move_by(Motion::GoTo(camera)),
-                None => self.say(format!("bookmark {number} is empty; Shift+{number} keeps this camera"), false),
-            },
-            Err(error) => self.say(error.to_string(), true),
-        }
-    }
-
-    fn store_bookmark(&mut self, number: u8) {
-        let Some(path) = self.bookmark_path() else { return };
-        // The folder of the settings may not be there yet. That it cannot be made, writing says.
-        if let (Some(folder), true) = (path.parent(), self.open.as_ref().is_some_and(|open| is_built_in(&open.source)))
-        {
-            let _ = std::fs::create_dir_all(folder);
-        }
-        let camera = self.navigator.camera().clone();
-        let stored = Bookmarks::open(&path).and_then(|mut bookmarks| bookmarks.store(number, &camera));
-        match stored {
-            Ok(()) => {
-                self.say(format!("bookmark {number} is kept in {}", path.display()), false);
-                if let Some(Dialog::Frames(mut dialog)) = self.dialog.take() {
-                    dialog.refresh(self);
-                    self.dialog = Some(Dialog::Frames(dialog));
-                }
-            }
-            Err(error) => self.say(error.to_string(), true),
-        }
     }
 
     fn screenshot(&mut self) {

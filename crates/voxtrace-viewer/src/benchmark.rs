@@ -1,6 +1,7 @@
 //! A quick benchmark of the view, on a thread of its own: the project's benchmark on the scene, camera and size that are shown.
 
 use crate::session::{Command, Session};
+use crate::tr;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, Sender, TryRecvError, channel};
@@ -170,7 +171,7 @@ impl Session {
                 self.ask(Command::Pause(true));
                 self.ask(Command::Benchmark);
             }
-            None => self.say("there is no scene to measure yet", false),
+            None => self.say(tr!("said.there_is_no_scene_to_measure"), false),
         }
     }
 
@@ -181,7 +182,7 @@ impl Session {
         self.ask(Command::Pause(self.is_paused));
         match done {
             Ok(measured) => self.measured = Some(measured),
-            Err(error) => self.say(format!("no benchmark: {error}"), true),
+            Err(error) => self.say(tr!("said.no_benchmark", error = error), true),
         }
     }
 }

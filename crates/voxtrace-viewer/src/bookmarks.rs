@@ -2,19 +2,16 @@
 //! with the lines of a camera file; what else the file holds is kept, save comments.
 
 use crate::camera_toml;
-use std::io::{self, Read, Write};
+use crate::kept_file::{self, KeptError};
 use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 use toml::{Table, Value};
 use voxtrace::Camera;
-use voxtrace_core::atomic_file::write_atomically;
 
 /// The numbers of bookmarks.
 pub const SLOTS: RangeInclusive<u8> = 1..=9;
-/// The table of all of them.
+/// The table of all of them, and what errors call them.
 const KEY: &str = "bookmarks";
-/// Largest file that is read.
-const MOST_BYTES: u64 = 1 << 20;
 /// First line of a file that we write.
 const HEADER: &str = "# Cameras kept by voxtrace; each table has the lines of a camera file.\n\n";
 
@@ -22,30 +19,9 @@ const HEADER: &str = "# Cameras kept by voxtrace; each table has the lines of a 
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum BookmarkError {
-    /// The operating system cannot read the file.
-    #[error("cannot read the bookmarks {}: {source}", path.display())]
-    Read {
-        /// The file.
-        path: PathBuf,
-        /// What the system says.
-        source: io::Error,
-    },
-    /// The file is there, but is not one of bookmarks. It is never written over.
-    #[error("the bookmarks {} are damaged: {reason}", path.display())]
-    Damaged {
-        /// The file.
-        path: PathBuf,
-        /// What is wrong with it.
-        reason: String,
-    },
-    /// The operating system cannot write the file.
-    #[error("cannot keep the bookmarks {}: {source}", path.display())]
-    Write {
-        /// The file.
-        path: PathBuf,
-        /// What the system says.
-        source: io::Error,
-    },
+    /// The file cannot be read or written, or is damaged.
+    #[error(transparent)]
+    File(#[from] KeptError),
     /// There is no such number.
     #[error("there is no bookmark {0}, only 1 to 9")]
     Number(u8),
@@ -65,10 +41,7 @@ impl Bookmarks {
     /// Where the bookmarks of a scene's file are: `rooms/church.vxt` has `rooms/church.cameras.toml`, and so has `rooms/church.vox`.
     /// `None` where the path has no name.
     pub fn beside(scene: &Path) -> Option<PathBuf> {
-        let stem = scene.file_stem()?.to_string_lossy().into_owned();
-        // `head.nii.gz` is `head`, as for pictures.
-        let stem = stem.strip_suffix(".nii").unwrap_or(&stem);
-        Some(scene.with_file_name(format!("{stem}.cameras.toml")))
+        kept_file::beside(scene, "cameras.toml")
     }
 
     /// Where the bookmarks of a built-in scene are, in the folder of the settings.
@@ -79,9 +52,9 @@ impl Bookmarks {
     /// Reads the bookmarks at `path`; where no file is, there are none yet.
     ///
     /// # Errors
-    /// [`BookmarkError::Read`] and [`BookmarkError::Damaged`].
+    /// [`BookmarkError::File`].
     pub fn open(path: &Path) -> Result<Self, BookmarkError> {
-        let table = read(path)?;
+        let table = kept_file::read(KEY, path)?;
         let mut cameras = <[Option<Camera>; 9]>::default();
         for (camera, number) in cameras.iter_mut().zip(SLOTS) {
             *camera = camera_of(&table, number).map_err(|reason| damaged(path, reason))?;
@@ -102,7 +75,7 @@ impl Bookmarks {
     /// Keeps a camera under a number, in the file too. What others wrote there meanwhile stays.
     ///
     /// # Errors
-    /// Those of [`Self::open`], [`BookmarkError::Write`], and [`BookmarkError::Number`] and [`BookmarkError::Camera`] for what cannot
+    /// Those of [`Self::open`], and [`BookmarkError::Number`] and [`BookmarkError::Camera`] for what cannot
     /// be kept. The file and the bookmarks are as they were then.
     pub fn store(&mut self, number: u8, camera: &Camera) -> Result<(), BookmarkError> {
         let mut probe = Table::new();
@@ -127,34 +100,18 @@ impl Bookmarks {
         }
         // Opening says whether the file as it is now may be written over.
         Self::open(&self.path)?;
-        let mut table = read(&self.path)?;
+        let mut table = kept_file::read(KEY, &self.path)?;
         if let Value::Table(bookmarks) = table.entry(KEY).or_insert_with(|| Value::Table(Table::new())) {
             change(bookmarks);
         }
-        let text = format!("{HEADER}{table}");
-        write_atomically(&self.path, |file| file.write_all(text.as_bytes()))
-            .map_err(|source| BookmarkError::Write { path: self.path.clone(), source })?;
+        kept_file::write(KEY, &self.path, HEADER, &table)?;
         *self = Self::open(&self.path)?;
         Ok(())
     }
 }
 
 fn damaged(path: &Path, reason: String) -> BookmarkError {
-    BookmarkError::Damaged { path: path.to_path_buf(), reason }
-}
-
-fn read(path: &Path) -> Result<Table, BookmarkError> {
-    let mut text = String::new();
-    let file = match std::fs::File::open(path) {
-        Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(Table::new()),
-        file => file,
-    };
-    match file.and_then(|file| file.take(MOST_BYTES + 1).read_to_string(&mut text)) {
-        Ok(bytes) if bytes as u64 > MOST_BYTES => Err(damaged(path, format!("it has more than {MOST_BYTES} bytes"))),
-        Ok(_) => text.parse().map_err(|error: toml::de::Error| damaged(path, error.message().to_owned())),
-        Err(error) if error.kind() == io::ErrorKind::InvalidData => Err(damaged(path, "it is no text".into())),
-        Err(source) => Err(BookmarkError::Read { path: path.to_path_buf(), source }),
-    }
+    KeptError::Damaged { what: KEY, path: path.to_path_buf(), reason }.into()
 }
 
 fn camera_of(table: &Table, number: u8) -> Result<Option<Camera>, String> {
@@ -228,7 +185,10 @@ mod tests {
         for damage in damages {
             fs::write(&path, damage).unwrap();
             let error = Bookmarks::open(&path).unwrap_err();
-            assert!(matches!(error, BookmarkError::Damaged { .. }) && !error.to_string().contains('\n'), "{error}");
+            assert!(
+                matches!(error, BookmarkError::File(KeptError::Damaged { .. })) && !error.to_string().contains('\n'),
+                "{error}"
+            );
             assert!(bookmarks.store(1, &camera(1.0)).is_err() && bookmarks.remove(1).is_err());
             assert_eq!(fs::read(&path).unwrap(), damage);
         }
@@ -238,7 +198,7 @@ mod tests {
     fn what_cannot_be_kept_is_refused_and_changes_nothing() {
         let folder = tempfile::tempdir().unwrap();
         let mut bookmarks = Bookmarks::open(&folder.path().join("none/a.cameras.toml")).unwrap();
-        assert!(matches!(bookmarks.store(1, &camera(1.0)), Err(BookmarkError::Write { .. })));
+        assert!(matches!(bookmarks.store(1, &camera(1.0)), Err(BookmarkError::File(KeptError::Write { .. }))));
         assert!(matches!(bookmarks.store(0, &camera(1.0)), Err(BookmarkError::Number(0))));
         assert!(matches!(bookmarks.remove(10), Err(BookmarkError::Number(10))));
         assert!(matches!(bookmarks.store(1, &camera(f32::NAN)), Err(BookmarkError::Camera(_))));

@@ -1,6 +1,7 @@
 //! From events of a window system, as plain values, to what they mean: keys to actions, drags and wheels to motions. Places are those
 //! of the picture, pixels.
 
+use crate::clipping::Grabbed;
 use crate::keys::{self, Action, Chord, EditAction, Gesture, Key, Modifiers, Steer};
 use crate::navigation::Motion;
 use crate::session::Session;
@@ -34,6 +35,8 @@ struct Drag {
     is_divider: bool,
     /// Whether it edits.
     is_edit: bool,
+    /// The handle that is dragged.
+    grabbed: Option<Grabbed>,
 }
 
 /// What the mouse and the keyboard are doing.
@@ -110,6 +113,9 @@ impl Input {
             return;
         }
         let last = if std::mem::take(&mut drag.is_click) { drag.from } else { last };
+        if let Some(grabbed) = &drag.grabbed {
+            return session.drag_handle(grabbed, cursor, self.modifiers.shift);
+        }
         let delta = cursor - last;
         match drag.steer {
             Some(Steer::Look) => session.move_by(Motion::Look(delta)),
@@ -142,10 +148,11 @@ impl Input {
             Some(Action::Steer(steer)) => Some(steer),
             _ => None,
         };
+        let grabbed = if button == Button::Left && !is_divider && !is_edit { session.grab(cursor) } else { None };
         let anchor = session.pick(cursor).map(|picked| picked.point);
         session.navigator.begin_gesture();
-        self.drag =
-            Some(Drag { button, steer, from: cursor, anchor, is_click: !is_divider && !is_edit, is_divider, is_edit });
+        let is_click = !is_divider && !is_edit;
+        self.drag = Some(Drag { button, steer, from: cursor, anchor, is_click, is_divider, is_edit, grabbed });
     }
 
     /// A button is let go.
@@ -156,6 +163,7 @@ impl Input {
             session.hover = self.cursor;
             return session.edit_release();
         }
+        session.let_go();
         if drag.is_click && button == Button::Left {
             self.gesture(Gesture::Click, session);
         }
@@ -168,6 +176,7 @@ impl Input {
             if drag.is_edit {
                 session.drop_stroke();
             }
+            session.let_go();
         }
     }
 
@@ -195,7 +204,10 @@ impl Input {
             return;
         }
         match self.drag.take() {
-            Some(Drag { is_divider: true, .. }) => return session.navigator.end_gesture(),
+            Some(Drag { is_divider: true, .. } | Drag { grabbed: Some(_), .. }) => {
+                session.let_go();
+                return session.navigator.end_gesture();
+            }
             Some(_) => session.navigator.end_gesture(),
             None => {}
         }
@@ -203,6 +215,9 @@ impl Input {
     }
 
     fn gesture(&self, gesture: Gesture, session: &mut Session) {
+        if self.modifiers == Modifiers::NONE && session.measure_by(gesture, self.cursor) {
+            return;
+        }
         if let Some(action) = keys::action_of_gesture(gesture, self.modifiers, session.navigator.mode) {
             session.act(action, self.cursor);
         }

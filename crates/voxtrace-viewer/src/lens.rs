@@ -2,6 +2,7 @@
 
 use crate::navigation::Motion;
 use crate::session::Session;
+use crate::tr;
 use voxtrace::Camera;
 use voxtrace::camera::Lens;
 use voxtrace::glam::{Vec2, Vec3};
@@ -119,7 +120,7 @@ impl Session {
     pub fn focus_at(&mut self, cursor: Option<Vec2>) {
         match cursor.and_then(|cursor| self.pick(cursor)) {
             Some(picked) => self.focus_on(picked.point),
-            None => self.say("there is nothing to focus on", false),
+            None => self.say(tr!("said.there_is_nothing_to_focus_on"), false),
         }
     }
 
@@ -157,7 +158,7 @@ impl Session {
                 let (least, most) = FISHEYE_ANGLES.into_inner();
                 Motion::Lens(Lens::Fisheye { fisheye_angle: (fisheye_angle + degrees).clamp(least, most) })
             }
-            Lens::Panorama { .. } => return self.say("a panorama shows all directions", false),
+            Lens::Panorama { .. } => return self.say(tr!("said.a_panorama_shows_all_directions"), false),
             _ => Motion::FieldOfView(camera.fov_y + degrees),
         };
         self.move_by(motion);

@@ -6,8 +6,8 @@ use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
-use voxtrace::PackedScene;
 use voxtrace::changes::PartName;
+use voxtrace::{PackedScene, Volume};
 
 /// What a loader says while it works.
 #[derive(Clone, Debug, PartialEq)]
@@ -76,6 +76,15 @@ pub trait Loader: Send + Sync {
     /// # Errors
     /// One line for people: what is wrong, and what to do.
     fn save(&self, scene: &PackedScene, path: &Path) -> Result<Vec<String>, String>;
+
+    /// Reads the volume that a scene was made of, as long as it is `wanted`; `None` where it was made of something else.
+    ///
+    /// # Errors
+    /// One line for people: why there are no values.
+    fn volume(&self, source: &str, wanted: &Wanted) -> Result<Option<Volume>, String> {
+        let _ = (source, wanted);
+        Ok(None)
+    }
 
     /// Names of the scenes that need no file, each with a line about it.
     fn built_in(&self) -> Vec<(String, String)>;

@@ -126,6 +126,11 @@ impl Open {
         Arc::clone(self.apart.get_or_insert_with(apart))
     }
 
+    /// The scene with all instances apart, whose boxes are those of its objects.
+    pub(crate) fn apart_for_bounds(&mut self) -> Arc<PackedScene> {
+        self.apart()
+    }
+
     /// Puts the scene into the light of the settings, under a sky that was made for them.
     pub fn set_light(&mut self, settings: &RenderSettings, made: Option<&MadeSky>) {
         self.lit = Arc::new(settings.lit(&self.changed, made));
@@ -147,6 +152,15 @@ impl Open {
             });
         }
         self.used.get().map(Vec::as_slice)
+    }
+
+    /// A hit of an object as the scene has it now, `None` where the object is not seen any more.
+    pub(crate) fn hit_of_object(&self, hit: &Hit, object: usize) -> Option<Hit> {
+        if self.object_of(hit) == Some(object) {
+            return Some(*hit);
+        }
+        let mut hits = (0..self.pickable.instance_count()).map(|instance| Hit { instance: instance as u32, ..*hit });
+        hits.find(|hit| self.object_of(hit) == Some(object))
     }
 
     /// The object that a hit met, by its number in the scene.

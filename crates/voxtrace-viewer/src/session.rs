@@ -1,8 +1,12 @@
 //! The state of the window without the window: what happens goes in, what is to be done comes out.
 
 mod editing;
+mod keeping;
 mod messages;
 mod opening;
+
+pub(crate) use keeping::is_built_in;
+pub use messages::Message;
 
 use crate::benchmark::Benchmark;
 use crate::comparison::{Comparison, backend};
@@ -19,7 +23,6 @@ use crate::settings::Settings;
 use crate::skies::Skies;
 use crate::surroundings::Making;
 pub use editing::{Followed, Leaving, extent};
-pub use messages::Message;
 use std::collections::{HashMap, VecDeque};
 use voxtrace::glam::Vec2;
 use voxtrace::{Camera, Hit};
@@ -52,6 +55,8 @@ pub enum Command {
     LoadAgain,
     /// Measure the view.
     Benchmark,
+    /// Read the values of the volume that the scene was made of.
+    ReadValues,
     /// Put a text on the clipboard.
     Copy(String),
     /// Print a line on the terminal.
@@ -99,6 +104,7 @@ impl Command {
                 | Self::Surround
                 | Self::SetBackend(_)
                 | Self::SetView
+                | Self::ReadValues
                 | Self::Copy(_)
                 | Self::Pause(_)
         );
@@ -184,6 +190,22 @@ pub struct Session {
     pub settings_folder: Option<std::path::PathBuf>,
     /// What lenses were set to, by the names of the settings, for when they are chosen again.
     pub(crate) lens_settings: HashMap<&'static str, f32>,
+    /// What is measured.
+    pub measuring: crate::measuring::Measuring,
+    /// The values of the volume that the scene was made of.
+    pub sampling: crate::inspector::Sampling,
+    /// The tree of parts.
+    pub outliner: crate::outliner::Outliner,
+    /// Whether the height of the eye was chosen for the scene.
+    pub(crate) has_eye_height: bool,
+    /// Handles of clip box and slice.
+    pub clipping: crate::clipping::Clipping,
+    /// Dark panels or light ones.
+    pub theme: crate::panels::Theme,
+    /// The language that was chosen, where one was.
+    pub language: Option<String>,
+    /// What is known of lines over the picture.
+    pub(crate) sight: crate::sight::Sight,
     /// A scene whose surroundings are being made.
     pub(crate) surrounding: Option<Making>,
     messages: VecDeque<Message>,
@@ -231,6 +253,14 @@ impl Session {
             recovered: None,
             settings_folder: None,
             lens_settings: HashMap::new(),
+            measuring: crate::measuring::Measuring::default(),
+            sampling: crate::inspector::Sampling::default(),
+            outliner: crate::outliner::Outliner::default(),
+            has_eye_height: false,
+            clipping: crate::clipping::Clipping::default(),
+            theme: crate::panels::Theme::default(),
+            language: None,
+            sight: crate::sight::Sight::default(),
             surrounding: None,
             messages: VecDeque::new(),
             commands: Vec::new(),
@@ -321,21 +351,14 @@ impl Session {
         }
     }
 
-    fn moved(&mut self) {
+    pub(crate) fn moved(&mut self) {
         (self.is_moving, self.still) = (true, 0.0);
         self.ask(Command::SetView);
     }
 
-    /// Says how quickly one flies.
-    pub fn say_speed(&mut self) {
-        let text = format!("{:.0} voxels a second", self.navigator.speed());
-        self.messages.retain(|message| !message.text.ends_with("voxels a second"));
-        self.say(text, false);
-    }
-
     /// Lets time go by: what is held moves the camera. Returns whether it goes on moving.
     pub fn advance(&mut self, seconds: f32) -> bool {
-        if self.navigator.advance(seconds) {
+        if self.advance_camera(seconds) {
             self.moved();
         } else if self.is_moving {
             self.still += seconds;

@@ -28,6 +28,10 @@ pub struct Settings {
     pub invert_look: bool,
     /// Size of text and buttons, 0.5 to 4.
     pub ui_scale: f32,
+    /// Colours of the panels: `system`, `dark` or `light`.
+    pub theme: String,
+    /// Language of the window, where it is not that of the system.
+    pub language: Option<String>,
 }
 
 impl Default for Settings {
@@ -39,6 +43,8 @@ impl Default for Settings {
             exposure_step: 0.25,
             invert_look: false,
             ui_scale: 1.0,
+            theme: "system".into(),
+            language: None,
         }
     }
 }
@@ -149,6 +155,8 @@ fn merged(base: &Settings, ours: &Settings, theirs: Settings) -> Settings {
         exposure_step: one(&base.exposure_step, &ours.exposure_step, &theirs.exposure_step),
         invert_look: one(&base.invert_look, &ours.invert_look, &theirs.invert_look),
         ui_scale: one(&base.ui_scale, &ours.ui_scale, &theirs.ui_scale),
+        theme: one(&base.theme, &ours.theme, &theirs.theme),
+        language: one(&base.language, &ours.language, &theirs.language),
     }
 }
 

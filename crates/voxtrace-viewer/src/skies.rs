@@ -1,7 +1,7 @@
 //! Skies that take their time, panoramas from files and the sky of air: made one at a time on a thread, while the one before stays.
 
 use crate::render_command::{SkySetting, SunSetting};
-use crate::session::{Command, Session};
+use crate::session::{Command, Picked, Session};
 use crate::threads;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
@@ -90,7 +90,13 @@ impl Session {
                 self.ask(Command::MakeSky);
             }
             _ => {
+                // With other objects in the scene, hits have other numbers.
+                let object = self.picked.as_ref().and_then(|picked| open.object_of(&picked.hit));
                 open.set_light(&self.render_settings, self.skies.made.as_ref());
+                self.picked = self.picked.take().and_then(|picked| {
+                    let hit = open.hit_of_object(&picked.hit, object?)?;
+                    Some(Picked { hit, ..picked })
+                });
                 self.ask(Command::SetScene);
             }
         }

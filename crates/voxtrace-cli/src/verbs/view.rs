@@ -13,8 +13,8 @@ use crate::session::trace_failure;
 use crate::tracer::TraversalArg;
 use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
-use voxtrace::import::{Kind, READERS};
-use voxtrace::{PackedScene, scenes};
+use voxtrace::import::{Data, Kind, READERS};
+use voxtrace::{PackedScene, Volume, scenes};
 use voxtrace_viewer::frame_bench::{self, FrameBench, Times, middle_and_most};
 use voxtrace_viewer::{Loader, Reading, Told, ViewerError, Wanted, WindowOptions, open_window};
 use voxtrace_vulkan::{Settings, Traversal};
@@ -261,6 +261,22 @@ impl Loader for Files {
         convert::write_shown(path, scene, &report).map_err(|failure| failure.line())?;
         drop(report);
         Ok(std::mem::take(&mut *notes.lock().unwrap_or_else(PoisonError::into_inner)))
+    }
+
+    fn volume(&self, source: &str, wanted: &Wanted) -> Result<Option<Volume>, String> {
+        if scenes::NAMES.contains(&source) {
+            return Ok(None);
+        }
+        let options = self.import.options(self.memory.in_memory);
+        let opened = READERS.open(Path::new(source), &options).map_err(|error| error.to_string())?;
+        if opened.reader().kind != Kind::Volume || wanted.is_over() {
+            return Ok(None);
+        }
+        match opened.read() {
+            Ok(Data::Volume(volume)) => Ok(Some(volume)),
+            Ok(_) => Ok(None),
+            Err(error) => Err(format!("no values: {error}")),
+        }
     }
 
     fn is_interrupted(&self) -> bool {

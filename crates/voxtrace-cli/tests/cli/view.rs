@@ -228,3 +228,45 @@ fn a_window_is_opened_resized_dragged_flown_through_photographed_and_closed() {
     folder.succeed(&words);
     assert!(folder.exists("again.png"));
 }
+
+#[test]
+fn in_the_window_one_measures_cuts_with_knobs_isolates_and_walks() {
+    let folder = Folder::new();
+    if !has_device(&folder) {
+        return skip_without(Need::Vulkan, "there is no Vulkan device");
+    }
+    let Some(screen) = Screen::open() else {
+        return skip_without(Need::Display, "there is no Xvfb or no xdotool");
+    };
+    let mut view = View::open(&folder, &screen, &["room.vxt"]);
+    view.wait("the scene's title", |view| view.title().starts_with("room"));
+    view.hand(&["windowsize"], &["1000", "700"]);
+    view.wait("the size", |view| view.size() == (1000, 700));
+    let at = |x: &str, y: &str| drop(view.hand(&["mousemove", "--window"], &[x, y]));
+    let click = || drop(screen.hand(&["click", "1", "sleep", "0.1"]));
+    // Two points on the block, which is in the middle of the picture.
+    view.key("m");
+    for (x, y) in [("330", "350"), ("380", "340")] {
+        at(x, y);
+        click();
+    }
+    view.key("Escape");
+    view.key("shift+b");
+    view.key("ctrl+shift+c");
+    view.key("shift+b");
+    view.key("shift+o");
+    screen.hand(&["keydown", "w", "sleep", "0.3", "keyup", "w"]);
+    view.key("c");
+    at("355", "350");
+    view.key("ctrl+Delete");
+    view.key("ctrl+q");
+    let measured = folder.path("room.measurements.toml");
+    let (code, stdout, stderr) = view.end();
+    assert_eq!(code, Some(0), "{stderr}");
+    assert_eq!(validation(&stderr), Vec::<&str>::new());
+    let kept = std::fs::read_to_string(measured).unwrap();
+    assert!(kept.contains("[measurements.1]") && kept.contains("kind = \"distance\""), "{kept}");
+    let command = stdout.lines().find(|line| line.starts_with("voxtrace render ")).expect(&stdout);
+    assert!(command.contains("--clip-box "), "the box was there when the command was copied: {command}");
+    assert!(stdout.lines().any(|line| line.starts_with("eye = ")), "{stdout}");
+}

@@ -5,6 +5,7 @@ use super::saving::Saving;
 use super::wake::Wake;
 use crate::benchmark::Benchmark;
 use crate::session::{Command, Leaving};
+use crate::tr;
 use std::sync::Arc;
 use winit::event_loop::ActiveEventLoop;
 use winit::window::Fullscreen;
@@ -36,6 +37,7 @@ impl App {
                     self.status.differences = None;
                 }
                 Command::Benchmark => self.measure(),
+                Command::ReadValues => self.read_values(),
                 Command::SetScene => {
                     self.session.settle_edits();
                     engine.set_scene(self.session.open.as_ref().map(|open| Arc::clone(&open.lit)));
@@ -96,15 +98,17 @@ impl App {
             return;
         }
         if is_busy && !std::mem::replace(&mut self.may_quit, true) {
-            self.session.say("a file is being made: close the window again to stop that", false);
+            self.session.say(tr!("said.a_file_is_being_made_close"), false);
             return;
         }
         event_loop.exit();
     }
 
     pub(super) fn save_settings(&mut self) {
+        self.settings.settings.theme = self.session.theme.name().to_owned();
+        self.settings.settings.language.clone_from(&self.session.language);
         if let Err(error) = self.settings.save() {
-            self.session.say(format!("the settings cannot be kept: {error}"), true);
+            self.session.say(tr!("said.the_settings_cannot_be_kept", error = error), true);
         }
     }
 

@@ -5,6 +5,7 @@ use super::wake::{Wake, WakeEngine};
 use crate::engine::Engine;
 use crate::panels::DeviceChoice;
 use crate::session::Command;
+use crate::tr;
 use std::sync::Arc;
 use voxtrace_vulkan::{DeviceInfo, DeviceKind, Options, Traversal, devices, missing};
 
@@ -46,7 +47,7 @@ impl App {
         let is_chosen = self.session.render_settings.traversal != Traversal::Cpu;
         let device = match graphics.open_other(&name) {
             Ok(device) => device,
-            Err(error) => return self.session.say(format!("{name} cannot be taken: {error}"), true),
+            Err(error) => return self.session.say(tr!("said.cannot_be_taken", name = name, error = error), true),
         };
         // What traces ends before what shows it.
         self.engine = None;
@@ -54,7 +55,7 @@ impl App {
         self.status.times.clear();
         let old = Arc::clone(graphics.device());
         if let Err(error) = graphics.move_to(&device) {
-            self.session.say(format!("{name} cannot be taken: {error}"), true);
+            self.session.say(tr!("said.cannot_be_taken", name = name, error = error), true);
             if let Err(error) = graphics.move_to(&old) {
                 self.session.say(error.to_string(), true);
             }

@@ -4,8 +4,10 @@ use super::App;
 use super::wake::Wake;
 use crate::dialogs::{Dialog, OpenDialog, PictureKind, SCENE_KINDS};
 use crate::export::{ExportRequest, Exporting, Source};
+use crate::inspector::{Sampling, Values};
 use crate::load::{Loading, Reading};
 use crate::session::Command;
+use crate::tr;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -32,10 +34,10 @@ impl App {
         match path {
             Some(path) => self.session.ask(Command::Load(path.display().to_string())),
             None if is_quick => {
-                self.session.say("the system has no dialog for files; type or paste the path", false);
+                self.session.say(tr!("said.the_system_has_no_dialog_for"), false);
                 self.session.dialog = Some(Dialog::Open(OpenDialog::new(&self.session)));
             }
-            None => self.session.say("no file was chosen; files can also be dropped on the window", false),
+            None => self.session.say(tr!("said.no_file_was_chosen_files_can"), false),
         }
     }
 
@@ -75,7 +77,7 @@ impl App {
         match (path, &mut self.session.dialog) {
             (Some(path), Some(dialog)) => dialog.take_path(&path),
             (None, Some(_)) if is_quick => {
-                self.session.say("the system has no dialog for files; type or paste the path", false);
+                self.session.say(tr!("said.the_system_has_no_dialog_for"), false);
             }
             _ => {}
         }
@@ -101,7 +103,7 @@ impl App {
     /// Begins to write the scene to a file.
     pub(super) fn save_scene(&mut self, path: PathBuf) {
         if self.session.saving_scene.is_some() {
-            self.session.say("another scene is being written; wait for it", true);
+            self.session.say(tr!("said.another_scene_is_being_written_wait"), true);
             return;
         }
         self.session.begin_saving(&path);
@@ -111,7 +113,7 @@ impl App {
         self.session.saving_scene = Some(path.clone());
         let settings = &self.session.render_settings;
         if settings.cutting.is_cut() || !settings.surroundings.is_none() {
-            self.session.say("the file holds the whole scene alone: no cuts, no ground, no fog", false);
+            self.session.say(tr!("said.the_file_holds_the_whole_scene"), false);
         }
         self.writing = Some(std::thread::spawn(move || {
             let result = loader.save(&scene, &path);
@@ -149,6 +151,17 @@ impl App {
         let is_cut = self.session.render_settings.cutting.is_cut();
         let reading = Reading { shown: open.changes().1, is_cut };
         self.session.loading = Some(Loading::start(&self.loader, &open.source, reading, true, self.wake()));
+    }
+
+    /// Begins to read the values of the volume that the scene was made of.
+    pub(super) fn read_values(&mut self) {
+        let Some(open) = &self.session.open else { return };
+        let (loader, source) = (Arc::clone(&self.loader), open.source.clone());
+        let world = open.original.georeference.as_ref().map(|of| of.coordinates_from_world);
+        self.session.sampling = Sampling::start(move |wanted| {
+            let Some(world) = world else { return Ok(None) };
+            Ok(loader.volume(&source, wanted)?.map(|volume| Values::new(volume, world)))
+        });
     }
 
     /// Wakes the window from another thread.

@@ -5,6 +5,7 @@ use crate::engine::{Engine, Event as EngineEvent};
 use crate::gpu::Drawing;
 use crate::panels;
 use crate::session::Command;
+use crate::tr;
 use std::sync::Arc;
 
 impl App {
@@ -20,7 +21,7 @@ impl App {
             EngineEvent::Notice(text) => self.session.say(text, false),
             EngineEvent::Failed(error) => {
                 self.saving = None;
-                self.session.say(format!("tracing stopped: {error}"), true);
+                self.session.say(tr!("said.tracing_stopped", error = error), true);
             }
             EngineEvent::Stale => self.session.ask(Command::SetScene),
             // The window closes.

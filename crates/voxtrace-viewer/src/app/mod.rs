@@ -18,9 +18,10 @@ use crate::engine::Engine;
 use crate::gamepad::{self, Gamepad};
 use crate::input::Input;
 use crate::load::Loader;
-use crate::panels::Status;
+use crate::panels::{Status, Theme};
 use crate::session::{Command, Session};
 use crate::settings::SettingsFile;
+use crate::strings;
 use crate::threads;
 use crate::touch::Touch;
 use edits::Recovering;
@@ -143,6 +144,14 @@ impl App {
         session.settings_folder = settings.folder().map(Path::to_path_buf);
         session.navigator.is_inverted = settings.settings.invert_look;
         session.exposure_step = settings.settings.exposure_step;
+        session.theme = Theme::of_name(&settings.settings.theme);
+        session.language.clone_from(&settings.settings.language);
+        let said = |name: &&str| std::env::var(name).ok().filter(|value| !value.is_empty());
+        let of_system = || ["LC_ALL", "LC_MESSAGES", "LANG"].iter().find_map(said);
+        if let Some(language) = session.language.clone().or_else(of_system) {
+            // What nobody translated is said in English.
+            strings::speak(&language);
+        }
         let status = Status { built_in: loader.built_in(), ..Status::default() };
         Self {
             options,

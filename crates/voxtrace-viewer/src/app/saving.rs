@@ -5,6 +5,7 @@ use super::wake::{Wake, WakeEngine};
 use crate::engine::{Event as EngineEvent, FilmAnswer};
 use crate::export::place;
 use crate::threads;
+use crate::tr;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::mpsc::TryRecvError;
@@ -72,7 +73,7 @@ impl App {
             Ok(_) if !self.session.is_paused && self.session.open.is_some() => saving.answer = None,
             Ok(_) | Err(TryRecvError::Disconnected) => {
                 self.saving = None;
-                self.session.say("there is no whole picture yet", true);
+                self.session.say(tr!("said.there_is_no_whole_picture_yet"), true);
             }
         }
     }

@@ -14,6 +14,7 @@ pub use quality::{PRESETS, Quality};
 
 use crate::export::{End, ExportRequest, Outcome};
 use crate::session::{Command, Session};
+use crate::tr;
 use std::path::{Path, PathBuf};
 
 /// A dialog that is open; there is one at a time.
@@ -68,7 +69,7 @@ impl Session {
     /// Begins an export, unless one is under way.
     pub fn export(&mut self, request: ExportRequest) {
         if self.exporting.is_some() {
-            self.say("another picture is being rendered; wait for it, or stop it", true);
+            self.say(tr!("said.another_picture_is_being_rendered_wait"), true);
             return;
         }
         self.dialog = None;
@@ -87,8 +88,10 @@ impl Session {
         notes.into_iter().for_each(|note| self.say(note, false));
         let kept = if kept > 0 { format!("; {kept} were there and stay") } else { String::new() };
         match end {
-            End::Done => self.say(format!("written: {name}{kept}"), false),
-            End::Cancelled => self.say(format!("stopped; {written} of {name} written{kept}"), false),
+            End::Done => self.say(tr!("said.written", name = name, kept = kept), false),
+            End::Cancelled => {
+                self.say(tr!("said.stopped_of_written", written = written, name = name, kept = kept), false)
+            }
             End::Failed(reason) => self.say(reason, true),
         }
     }

@@ -14,6 +14,8 @@ pub enum Key {
     Function(u8),
     /// Escape.
     Escape,
+    /// Enter, also that of the number pad.
+    Enter,
     /// Tabulator.
     Tab,
     /// Delete.
@@ -45,6 +47,7 @@ impl fmt::Display for Key {
             Self::Digit(digit) => write!(f, "{digit}"),
             Self::Function(number) => write!(f, "F{number}"),
             Self::Escape => f.write_str("Esc"),
+            Self::Enter => f.write_str("Enter"),
             Self::Tab => f.write_str("Tab"),
             Self::Delete => f.write_str("Del"),
             Self::Home => f.write_str("Home"),

@@ -48,6 +48,10 @@ pub enum Action {
     Steer(Steer),
     /// Exchanges flight and orbit.
     ToggleMode,
+    /// Walks on surfaces, or flies again.
+    ToggleWalking,
+    /// Walks to what is under the cursor.
+    WalkHere,
     /// A step quicker.
     SpeedUp,
     /// A step slower.
@@ -116,10 +120,20 @@ pub enum Action {
     CopyBenchmark,
     /// Hides the object that was picked, or that is under the cursor.
     HidePicked,
+    /// Shows the object that was picked alone, or what was seen before.
+    IsolatePicked,
+    /// Cuts the scene open by a box with handles, or closes it.
+    ToggleClipBox,
     /// Shows all objects that were hidden.
     ShowAll,
     /// Picks the voxel under the cursor.
     Pick,
+    /// Measures in the picture, or picks again.
+    Measure,
+    /// Measures something else.
+    NextTool,
+    /// Ends a path or an area.
+    FinishMeasuring,
     /// Shows the panels or hides them.
     TogglePanels,
     /// Fills the screen, or not any more.
@@ -188,6 +202,8 @@ pub enum Group {
     Light,
     /// Tracing.
     Tracing,
+    /// Measuring.
+    Measuring,
     /// Files and what is copied.
     Files,
     /// What holds while the hand edits.
@@ -200,8 +216,17 @@ pub enum Group {
 
 impl Group {
     /// All of them, in the order of lists.
-    pub const ALL: [Self; 8] =
-        [Self::Moving, Self::Views, Self::Light, Self::Tracing, Self::Files, Self::Editing, Self::Window, Self::Others];
+    pub const ALL: [Self; 9] = [
+        Self::Moving,
+        Self::Views,
+        Self::Light,
+        Self::Tracing,
+        Self::Measuring,
+        Self::Files,
+        Self::Editing,
+        Self::Window,
+        Self::Others,
+    ];
 
     /// Its name.
     pub fn name(self) -> &'static str {
@@ -210,6 +235,7 @@ impl Group {
             Self::Views => "Views",
             Self::Light => "Light",
             Self::Tracing => "Tracing",
+            Self::Measuring => "Measuring",
             Self::Files => "Files",
             Self::Editing => "Editing (Ctrl+E begins and ends it; keys that are not here do what they do otherwise)",
             Self::Window => "Window",

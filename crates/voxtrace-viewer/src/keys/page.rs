@@ -48,6 +48,7 @@ fn text(trigger: &Trigger) -> String {
             let when = match mode {
                 Some(Mode::Fly) => " (fly)",
                 Some(Mode::Orbit) => " (orbit)",
+                Some(Mode::Walk) => " (walk)",
                 None => "",
             };
             format!("{modifiers}{gesture}{when}")

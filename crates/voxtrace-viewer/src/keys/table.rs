@@ -10,6 +10,7 @@ const SHIFT: Modifiers = Modifiers::SHIFT;
 const ALT: Modifiers = Modifiers::ALT;
 const FLY: Option<Mode> = Some(Mode::Fly);
 const ORBIT: Option<Mode> = Some(Mode::Orbit);
+const WALK: Option<Mode> = Some(Mode::Walk);
 
 const fn key(key: Key) -> Trigger {
     with(NONE, key)
@@ -69,13 +70,26 @@ pub const TABLE: &[Binding] = &[
     moving(&[key(Key::Up)], Movement::TurnUp, "look up"),
     moving(&[key(Key::Down)], Movement::TurnDown, "look down"),
     row(&[letter('O')], Action::ToggleMode, Group::Moving, "orbit or fly: what dragging and the wheel do"),
+    row(
+        &[with(SHIFT, Key::Letter('O'))],
+        Action::ToggleWalking,
+        Group::Moving,
+        "walk on surfaces, up steps and along walls, E jumps; or fly again",
+    ),
+    row(&[By(Gesture::DoubleClick, NONE, WALK)], Action::WalkHere, Group::Moving, "walk there"),
     steer(
         &[By(Gesture::LeftDrag, NONE, ORBIT), By(Gesture::TrackpadScroll, NONE, ORBIT)],
         Steer::Orbit,
         "orbit: go around what is under the cursor",
     ),
     steer(
-        &[By(Gesture::LeftDrag, NONE, FLY), By(Gesture::RightDrag, NONE, None), By(Gesture::TrackpadScroll, NONE, FLY)],
+        &[
+            By(Gesture::LeftDrag, NONE, FLY),
+            By(Gesture::LeftDrag, NONE, WALK),
+            By(Gesture::RightDrag, NONE, None),
+            By(Gesture::TrackpadScroll, NONE, FLY),
+            By(Gesture::TrackpadScroll, NONE, WALK),
+        ],
         Steer::Look,
         "look around; the right button in orbit too",
     ),
@@ -93,12 +107,16 @@ pub const TABLE: &[Binding] = &[
         Steer::Zoom,
         "towards what is under the cursor, or away from it",
     ),
-    steer(&[By(Gesture::Wheel, NONE, FLY), By(Gesture::RightWheel, NONE, None)], Steer::Speed, "fly quicker or slower"),
+    steer(
+        &[By(Gesture::Wheel, NONE, FLY), By(Gesture::Wheel, NONE, WALK), By(Gesture::RightWheel, NONE, None)],
+        Steer::Speed,
+        "fly or walk quicker or slower",
+    ),
     row(&[key(Key::Plus)], Action::SpeedUp, Group::Moving, "fly quicker"),
     row(&[key(Key::Minus)], Action::SpeedDown, Group::Moving, "fly slower"),
     row(&[key(Key::Home)], Action::FrameAll, Group::Views, "show the whole scene"),
     row(
-        &[letter('F'), By(Gesture::DoubleClick, NONE, None)],
+        &[letter('F'), By(Gesture::DoubleClick, NONE, FLY), By(Gesture::DoubleClick, NONE, ORBIT)],
         Action::FramePicked,
         Group::Views,
         "show what was picked, or what is under the cursor",
@@ -142,6 +160,18 @@ pub const TABLE: &[Binding] = &[
         Group::Views,
         "hide the object that was picked, or is under the cursor",
     ),
+    row(
+        &[with(CTRL, Key::Delete)],
+        Action::IsolatePicked,
+        Group::Views,
+        "show the object that was picked, or is under the cursor, alone; again, the rest too",
+    ),
+    row(
+        &[with(SHIFT, Key::Letter('B'))],
+        Action::ToggleClipBox,
+        Group::Views,
+        "cut open by a box whose knobs are dragged, or close it",
+    ),
     row(&[with(SHIFT, Key::Delete)], Action::ShowAll, Group::Views, "show all objects that were hidden here"),
     row(&[key(Key::PageUp)], Action::ExposureUp, Group::Light, "more exposure"),
     row(&[key(Key::PageDown)], Action::ExposureDown, Group::Light, "less exposure"),
@@ -164,6 +194,19 @@ pub const TABLE: &[Binding] = &[
     row(&[letter('K')], Action::DividerRight, Group::Tracing, "the divider to the right"),
     row(&[with(CTRL, Key::Letter('B'))], Action::Benchmark, Group::Tracing, "measure this view, or stop measuring"),
     row(&[By(Gesture::Click, NONE, None)], Action::Pick, Group::Tracing, "pick the voxel: what it is, and where"),
+    row(&[letter('M')], Action::Measure, Group::Measuring, "measure in the picture by clicks, or pick again"),
+    row(
+        &[with(SHIFT, Key::Letter('M'))],
+        Action::NextTool,
+        Group::Measuring,
+        "what is measured: distance, height, angle, path, area, volume",
+    ),
+    row(
+        &[key(Key::Enter)],
+        Action::FinishMeasuring,
+        Group::Measuring,
+        "end a path or an area; a double click does, too",
+    ),
     row(&[with(CTRL, Key::Letter('O'))], Action::Open, Group::Files, "open a scene"),
     row(&[with(CTRL, Key::Letter('L'))], Action::OpenByPath, Group::Files, "open a scene by its path"),
     row(&[with(Modifiers::CTRL_SHIFT, Key::Letter('S'))], Action::SaveScene, Group::Files, "write the scene to a file"),

@@ -10,7 +10,8 @@ fn expanded(trigger: &Trigger) -> Vec<String> {
             (1..=9).map(|digit| format!("{:?}", Chord { key: Key::Digit(digit), modifiers })).collect()
         }
         Trigger::Gesture(gesture, modifiers, mode) => {
-            let modes = [Mode::Fly, Mode::Orbit].into_iter().filter(|own| mode.is_none_or(|mode| mode == *own));
+            let modes =
+                [Mode::Fly, Mode::Orbit, Mode::Walk].into_iter().filter(|own| mode.is_none_or(|mode| mode == *own));
             modes.map(|mode| format!("{gesture:?} {modifiers:?} {mode:?}")).collect()
         }
     }
@@ -38,7 +39,7 @@ fn no_key_and_no_gesture_does_two_things() {
     };
     const SEVEN: &[Trigger] = &[Trigger::Key(Chord { key: Key::Digit(7), modifiers: Modifiers::SHIFT })];
     const WHEEL: &[Trigger] = &[Trigger::Gesture(Gesture::Wheel, Modifiers::NONE, None)];
-    assert_eq!((plant(SEVEN, None).len(), plant(WHEEL, None).len()), (1, 2), "one among the digits, one in each mode");
+    assert_eq!((plant(SEVEN, None).len(), plant(WHEEL, None).len()), (1, 3), "one among the digits, one in each mode");
     assert_eq!((plant(&[], None).len(), plant(&[], Some(PadButton::East)).len()), (0, 1));
 }
 

@@ -1,6 +1,7 @@
 //! What moves the camera as long as it is held: keys of flight and the sticks of a gamepad.
 
 use super::pose::Pose;
+use super::walking::Wish;
 use voxtrace::glam::{DVec3, Vec2, Vec3};
 
 /// Factor on the speed with Shift.
@@ -103,12 +104,24 @@ impl Held {
         (right, self.axis(Movement::TurnDown, Movement::TurnUp, self.turn.y))
     }
 
+    /// What somebody who walks is to do.
+    pub(super) fn wish(&self) -> Wish {
+        let direction = self.direction();
+        let speed = if self.is_fast { FAST } else { 1.0 } * if self.is_slow { SLOW } else { 1.0 };
+        Wish { direction: direction.truncate().clamp_length_max(1.0), speed, jumps: direction.z > 0.5 }
+    }
+
+    /// The pose turned for so many seconds.
+    pub(super) fn turned(&self, pose: Pose, seconds: f64) -> Pose {
+        let angle = f64::from(pose.fov_y).to_radians() * TURN * seconds;
+        let (right, up) = self.turning();
+        if (right, up) == (0.0, 0.0) { pose } else { pose.turned(right * angle, up * angle) }
+    }
+
     /// The pose after so many seconds at `speed`, voxels a second.
     pub(super) fn moved(&self, pose: Pose, speed: f64, seconds: f64) -> Pose {
         let speed = speed * if self.is_fast { FAST } else { 1.0 } * if self.is_slow { SLOW } else { 1.0 };
-        let angle = f64::from(pose.fov_y).to_radians() * TURN * seconds;
-        let (right, up) = self.turning();
-        let pose = if (right, up) == (0.0, 0.0) { pose } else { pose.turned(right * angle, up * angle) };
+        let pose = self.turned(pose, seconds);
         let (basis, direction) = (pose.basis(), self.direction());
         let step = basis.x_axis * direction.x + basis.z_axis * direction.y + pose.horizon * direction.z;
         Pose { eye: pose.eye + step * (speed * seconds), ..pose }

@@ -11,6 +11,7 @@ mod parallel;
 mod pose;
 #[cfg(test)]
 mod tests;
+pub mod walking;
 
 pub use held::{Held, Movement};
 pub use motion::{AxisView, FIELDS_OF_VIEW, Motion, ZOOM_STEP, steps_of_pinch};
@@ -21,6 +22,7 @@ use motion::{Surroundings, clean_steps};
 use pose::Pose;
 use voxtrace::glam::{DVec3, Vec2, Vec3};
 use voxtrace::{Camera, Ray};
+use walking::{Ground, Walker};
 
 /// Longest step of flight, seconds: after a pause of the program nobody wakes up elsewhere.
 const LONGEST_STEP: f64 = 0.25;
@@ -39,6 +41,8 @@ pub enum Mode {
     /// Goes around what is under the cursor.
     #[default]
     Orbit,
+    /// Turns the view of somebody who walks on surfaces.
+    Walk,
 }
 
 /// The camera and how it moves.
@@ -50,6 +54,8 @@ pub struct Navigator {
     pub held: Held,
     /// Whether looking by dragging is upside down.
     pub is_inverted: bool,
+    /// Who walks, where somebody does.
+    pub walker: Walker,
     now: State,
     bounds: Bounds,
     viewport: (u32, u32),
@@ -90,6 +96,7 @@ impl Navigator {
             mode: Mode::default(),
             held: Held::default(),
             is_inverted: false,
+            walker: Walker::default(),
             now: State::of(camera),
             bounds,
             viewport: (16, 9),
@@ -175,6 +182,34 @@ impl Navigator {
             self.history.pass(seconds, &self.now);
         }
         has_changed
+    }
+
+    /// As [`Self::advance`], of somebody who walks.
+    pub fn walk(&mut self, seconds: f32, ground: &dyn Ground) -> bool {
+        let seconds = if seconds > 0.0 { f64::from(seconds).min(LONGEST_STEP) } else { 0.0 };
+        let turned = self.held.turned(self.now.pose, seconds);
+        let mut wish = self.held.wish();
+        // The wheel and its keys set the speed of walking, too.
+        wish.speed *= self.speed * CROSSING / self.bounds.diagonal();
+        let pose = self.walker.moved(turned, wish, seconds, ground);
+        let has_changed = self.take(pose);
+        if !has_changed {
+            self.history.pass(seconds, &self.now);
+        }
+        has_changed
+    }
+
+    /// Puts somebody who walks where the camera is, on the ground. Returns whether there is one.
+    pub fn step_down(&mut self, ground: &dyn Ground) -> bool {
+        let level = self.now.pose.levelled();
+        let Some(eye) = self.walker.dropped(level.eye, ground) else { return false };
+        self.jump(self.state(Pose { eye, ..level }));
+        true
+    }
+
+    /// Walks to a point by itself.
+    pub fn walk_to(&mut self, point: Vec3) {
+        self.walker.walk_to(point.as_dvec3(), self.now.pose.eye);
     }
 
     /// A gesture begins, a drag say: until its end, it is one entry of the history.

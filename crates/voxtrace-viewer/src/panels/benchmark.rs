@@ -5,11 +5,12 @@ use super::{counted, heading};
 use crate::benchmark::FRAMES;
 use crate::keys::Action;
 use crate::session::Session;
+use crate::tr;
 use egui::{Button, Grid, ProgressBar, RichText, Ui};
 use voxtrace_bench::Measurement;
 
 pub fn benchmark(ui: &mut Ui, session: &mut Session) {
-    heading(ui, "Benchmark");
+    heading(ui, tr!("benchmark.benchmark"));
     let has_scene = session.open.is_some();
     ui.horizontal_wrapped(|ui| {
         let label = if session.benchmark.is_some() { "Stop measuring" } else { "Measure this view" };
@@ -20,7 +21,7 @@ pub fn benchmark(ui: &mut Ui, session: &mut Session) {
         if ui.add_enabled(has_scene, Button::new(label)).on_hover_text(about).clicked() {
             session.act(Action::Benchmark, None);
         }
-        if ui.add_enabled(has_scene, Button::new("Copy bench command")).clicked() {
+        if ui.add_enabled(has_scene, Button::new(tr!("benchmark.copy_bench_command"))).clicked() {
             session.act(Action::CopyBenchmark, None);
         }
     });
@@ -44,7 +45,7 @@ pub fn benchmark(ui: &mut Ui, session: &mut Session) {
         }
     }
     if measured.is_empty() {
-        ui.label("stopped before the first frame");
+        ui.label(tr!("benchmark.stopped_before_the_first_frame"));
     }
 }
 

@@ -6,32 +6,33 @@ use crate::comparison::{Comparison, tracer_name};
 use crate::engine::Contrast;
 use crate::keys::Action;
 use crate::session::Session;
+use crate::tr;
 use egui::{Align2, Color32, ComboBox, CursorIcon, FontId, LayerId, Order, Stroke, Ui, pos2};
 use voxtrace_vulkan::{Primitive, Traversal};
 
 pub fn comparison(ui: &mut Ui, session: &mut Session, status: &Status) {
-    heading(ui, "Compare");
+    heading(ui, tr!("comparison.compare"));
     let mut is_on = session.comparison.is_some();
-    if ui.checkbox(&mut is_on, "with another tracer").changed() {
+    if ui.checkbox(&mut is_on, tr!("comparison.with_another_tracer")).changed() {
         session.act(Action::Compare, None);
     }
     let Some(mut own) = session.comparison.clone() else { return };
-    ComboBox::from_label("other traversal").selected_text(own.traversal.name()).show_ui(ui, |ui| {
+    ComboBox::from_label(tr!("comparison.other_traversal")).selected_text(own.traversal.name()).show_ui(ui, |ui| {
         for &traversal in &session.traversals {
             ui.selectable_value(&mut own.traversal, traversal, traversal.name());
         }
     });
     if own.traversal.uses_primitives() {
-        ComboBox::from_label("other primitive").selected_text(own.primitive.name()).show_ui(ui, |ui| {
+        ComboBox::from_label(tr!("comparison.other_primitive")).selected_text(own.primitive.name()).show_ui(ui, |ui| {
             for primitive in Primitive::ALL {
                 ui.selectable_value(&mut own.primitive, primitive, primitive.name());
             }
         });
     }
     if own.traversal != Traversal::Cpu {
-        ui.checkbox(&mut own.fast, "other fast");
+        ui.checkbox(&mut own.fast, tr!("comparison.other_fast"));
     }
-    ComboBox::from_label("shown").selected_text(own.contrast.name()).show_ui(ui, |ui| {
+    ComboBox::from_label(tr!("comparison.shown")).selected_text(own.contrast.name()).show_ui(ui, |ui| {
         for contrast in Contrast::ALL {
             ui.selectable_value(&mut own.contrast, contrast, contrast.name());
         }
@@ -43,7 +44,7 @@ pub fn comparison(ui: &mut Ui, session: &mut Session, status: &Status) {
     if is_changed {
         session.set_comparison(Some(own));
     }
-    if ui.button("Copy the other's command").clicked() {
+    if ui.button(tr!("comparison.copy_the_other_s_command")).clicked() {
         session.copy_other_command();
     }
 }

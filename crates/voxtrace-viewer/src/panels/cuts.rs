@@ -3,6 +3,7 @@
 use super::{section, slider};
 use crate::cutting::{Cutting, LEAST, MOST_PLANES, Slice};
 use crate::session::Session;
+use crate::tr;
 use egui::Ui;
 use std::ops::RangeInclusive;
 use voxtrace::glam::Vec3;
@@ -17,7 +18,7 @@ pub fn cuts(ui: &mut Ui, session: &mut Session) {
     let towards_eye = along_axis(session.navigator.camera().eye - 0.5 * (min + max));
     section(ui, if old.is_cut() { "Cuts (cut open)" } else { "Cuts" }, "cuts", |ui| {
         let mut has_box = cutting.clip_box.is_some();
-        if ui.checkbox(&mut has_box, "box").changed() {
+        if ui.checkbox(&mut has_box, tr!("cuts.box")).changed() {
             cutting.clip_box = has_box.then_some([min, max]);
         }
         if let Some([from, to]) = &mut cutting.clip_box {
@@ -30,14 +31,17 @@ pub fn cuts(ui: &mut Ui, session: &mut Session) {
                 from[axis] = from[axis].min(to[axis] - LEAST);
             }
         }
+        if old.clip_box.is_some() && ui.button(tr!("clip.reset")).clicked() {
+            cutting.clip_box = Some([min, max]);
+        }
         let mut has_slice = cutting.slice.is_some();
-        if ui.checkbox(&mut has_slice, "slice").changed() {
+        if ui.checkbox(&mut has_slice, tr!("cuts.slice")).changed() {
             let middle = (0.5 * (min.z + max.z)).floor();
             cutting.slice = has_slice.then_some(Slice { axis: 2, from: middle, thickness: 1.0 });
         }
         if let Some(slice) = &mut cutting.slice {
             ui.horizontal(|ui| {
-                ui.label("across");
+                ui.label(tr!("cuts.across"));
                 for (axis, name) in AXES.into_iter().enumerate() {
                     if ui.selectable_label(slice.axis == axis, name).clicked() && slice.axis != axis {
                         (slice.axis, slice.from) = (axis, (0.5 * (min[axis] + max[axis])).floor());
@@ -45,16 +49,21 @@ pub fn cuts(ui: &mut Ui, session: &mut Session) {
                 }
             });
             let length = max[slice.axis] - min[slice.axis];
-            side(ui, &mut slice.from, &(min[slice.axis]..=max[slice.axis]), "slice at");
+            side(ui, &mut slice.from, &(min[slice.axis]..=max[slice.axis]), tr!("cuts.slice_at"));
             ui.add(
-                slider(&mut slice.thickness, LEAST..=length.max(1.0), "thickness").logarithmic(true).max_decimals(1),
+                slider(&mut slice.thickness, LEAST..=length.max(1.0), tr!("cuts.thickness"))
+                    .logarithmic(true)
+                    .max_decimals(1),
             );
         }
         planes(ui, &mut cutting.planes, (min, max), towards_eye);
         let has_own = session.open.as_ref().is_some_and(|open| !open.original.cuts.is_none());
         if cutting.is_cut() || has_own {
-            ui.checkbox(&mut cutting.shadows, "light of the whole scene");
-            if ui.button("show all of it").clicked() {
+            if cutting.clip_box.is_some() || cutting.slice.is_some() {
+                ui.checkbox(&mut session.clipping.has_handles, tr!("clip.handles"));
+            }
+            ui.checkbox(&mut cutting.shadows, tr!("cuts.light_of_the_whole_scene"));
+            if ui.button(tr!("cuts.show_all_of_it")).clicked() {
                 cutting = Cutting::default();
             }
         }
@@ -87,12 +96,15 @@ fn planes(ui: &mut Ui, planes: &mut Vec<(Vec3, f32)>, bounds: (Vec3, Vec3), towa
         }
         let (from, to) = span(*normal, bounds);
         ui.add(slider(offset, from..=to, &format!("plane {number} at")).max_decimals(1));
+        if ui.button(tr!("clip.invert", number = number)).clicked() {
+            (*normal, *offset) = (-*normal, -*offset);
+        }
         if ui.button(format!("without plane {number}")).clicked() {
             gone = Some(index);
         }
     }
     gone.into_iter().for_each(|index| _ = planes.remove(index));
-    if planes.len() < MOST_PLANES && ui.button("cut by a plane").clicked() {
+    if planes.len() < MOST_PLANES && ui.button(tr!("cuts.cut_by_a_plane")).clicked() {
         let (from, to) = span(towards_eye, bounds);
         planes.push((towards_eye, (0.5 * (from + to)).round()));
     }

@@ -3,6 +3,7 @@
 use super::heading;
 use crate::keys::{self, Group};
 use crate::session::Session;
+use crate::tr;
 use egui::{Grid, RichText, ScrollArea, Ui};
 
 /// The font of keys: the proportional one has no arrows.
@@ -10,7 +11,7 @@ const KEYS: egui::FontId = egui::FontId::monospace(11.0);
 
 pub fn help(ui: &Ui, session: &mut Session) {
     let mut is_open = true;
-    egui::Window::new("Keys and gestures")
+    egui::Window::new(tr!("help.keys_and_gestures"))
         .open(&mut is_open)
         .default_pos([24.0, 24.0])
         .default_size([920.0, 560.0])

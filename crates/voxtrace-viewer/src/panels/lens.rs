@@ -4,6 +4,7 @@ use super::slider;
 use crate::lens::{FISHEYE_ANGLES, LensChoice};
 use crate::navigation::Motion;
 use crate::session::Session;
+use crate::tr;
 use egui::{Button, ComboBox, Ui};
 use voxtrace::camera::Lens;
 
@@ -15,7 +16,7 @@ const SHORTEST: f32 = 0.001;
 pub fn lens(ui: &mut Ui, session: &mut Session) {
     let now = LensChoice::of(session.navigator.camera());
     let mut choice = now;
-    ComboBox::from_label("lens").selected_text(now.name()).show_ui(ui, |ui| {
+    ComboBox::from_label(tr!("lens.lens")).selected_text(now.name()).show_ui(ui, |ui| {
         for lens in LensChoice::ALL {
             ui.selectable_value(&mut choice, lens, lens.name());
         }
@@ -26,7 +27,7 @@ pub fn lens(ui: &mut Ui, session: &mut Session) {
     let (mut lens, mut fov) = (session.navigator.camera().lens, session.navigator.camera().fov_y);
     let (old, size) = (lens, session.navigator.diagonal());
     if matches!(lens, Lens::Pinhole | Lens::Thin { .. })
-        && ui.add(slider(&mut fov, 5.0..=120.0, "field of view °")).changed()
+        && ui.add(slider(&mut fov, 5.0..=120.0, tr!("lens.field_of_view"))).changed()
     {
         session.move_by(Motion::FieldOfView(fov));
     }
@@ -39,11 +40,11 @@ pub fn lens(ui: &mut Ui, session: &mut Session) {
         Lens::Orthographic { view_height } => length(ui, view_height, size * 4.0, "height, voxels"),
         Lens::Panorama { eye_distance } => {
             let range = 0.0..=(size * 0.05).max(1.0);
-            let slider = slider(eye_distance, range, "eyes apart, voxels").logarithmic(true);
+            let slider = slider(eye_distance, range, tr!("lens.eyes_apart_voxels")).logarithmic(true);
             ui.add(slider.smallest_positive(SHORTEST.into()));
         }
         Lens::Fisheye { fisheye_angle } => {
-            ui.add(slider(fisheye_angle, FISHEYE_ANGLES, "angle °"));
+            ui.add(slider(fisheye_angle, FISHEYE_ANGLES, tr!("lens.angle")));
         }
         _ => {}
     }
@@ -62,13 +63,13 @@ fn length(ui: &mut Ui, value: &mut f32, most: f32, name: &str) {
 
 fn diaphragm(ui: &mut Ui, blades: &mut u32, rotation: &mut f32) {
     let name = |blades: u32| if blades == 0 { "round".to_owned() } else { format!("{blades} blades") };
-    ComboBox::from_label("diaphragm").selected_text(name(*blades)).show_ui(ui, |ui| {
+    ComboBox::from_label(tr!("lens.diaphragm")).selected_text(name(*blades)).show_ui(ui, |ui| {
         for choice in std::iter::once(0).chain(3..=MOST_BLADES) {
             ui.selectable_value(blades, choice, name(choice));
         }
     });
     if *blades > 0 {
-        ui.add(slider(rotation, -180.0..=180.0, "turned °"));
+        ui.add(slider(rotation, -180.0..=180.0, tr!("lens.turned")));
     }
 }
 

@@ -2,14 +2,15 @@
 
 use super::{heading, sky, slider};
 use crate::session::Session;
+use crate::tr;
 use egui::{Button, ComboBox, Ui};
 use voxtrace::output::Operator;
 
 pub fn light(ui: &mut Ui, session: &mut Session) {
-    heading(ui, "Light");
+    heading(ui, tr!("light.light"));
     let mut settings = session.render_settings.clone();
-    ui.add(slider(&mut settings.tone_map.exposure, -8.0..=8.0, "exposure, stops"));
-    ComboBox::from_label("curve").selected_text(settings.tone_map.operator.name()).show_ui(ui, |ui| {
+    ui.add(slider(&mut settings.tone_map.exposure, -8.0..=8.0, tr!("light.exposure_stops")));
+    ComboBox::from_label(tr!("light.curve")).selected_text(settings.tone_map.operator.name()).show_ui(ui, |ui| {
         for operator in Operator::ALL {
             ui.selectable_value(&mut settings.tone_map.operator, operator, operator.name());
         }
@@ -17,7 +18,12 @@ pub fn light(ui: &mut Ui, session: &mut Session) {
     if let Some(open) = &session.open {
         let mut lamps = open.lit.light_intensity;
         if ui
-            .add(slider(&mut lamps, 0.0..=100.0, "lamps ×").logarithmic(true).smallest_positive(0.01).max_decimals(2))
+            .add(
+                slider(&mut lamps, 0.0..=100.0, tr!("light.lamps"))
+                    .logarithmic(true)
+                    .smallest_positive(0.01)
+                    .max_decimals(2),
+            )
             .changed()
         {
             settings.light_intensity = Some(lamps);
@@ -25,7 +31,7 @@ pub fn light(ui: &mut Ui, session: &mut Session) {
         let mut brightness = open.lit.sky.brightness();
         if ui
             .add(
-                slider(&mut brightness, 0.0..=20.0, "sky and sun ×")
+                slider(&mut brightness, 0.0..=20.0, tr!("light.sky_and_sun"))
                     .logarithmic(true)
                     .smallest_positive(0.01)
                     .max_decimals(2),
@@ -37,18 +43,18 @@ pub fn light(ui: &mut Ui, session: &mut Session) {
         let lit = open.lit.sky.clone();
         sky::sky(ui, session, &mut settings, &lit);
         let mut sun = session.sun();
-        let mut is_changed = ui.add(slider(&mut sun.bearing, 0.0..=360.0, "sun's bearing °")).changed();
-        is_changed |= ui.add(slider(&mut sun.height, -10.0..=90.0, "sun's height °")).changed();
-        is_changed |= ui.add(slider(&mut sun.strength, 0.0..=20.0, "sun's strength")).changed();
+        let mut is_changed = ui.add(slider(&mut sun.bearing, 0.0..=360.0, tr!("light.sun_s_bearing"))).changed();
+        is_changed |= ui.add(slider(&mut sun.height, -10.0..=90.0, tr!("light.sun_s_height"))).changed();
+        is_changed |= ui.add(slider(&mut sun.strength, 0.0..=20.0, tr!("light.sun_s_strength"))).changed();
         if is_changed {
             settings.sun = Some(sun);
         }
         let mut is_visible = lit.is_sun_disc_visible();
-        if ui.checkbox(&mut is_visible, "the camera sees the sun's disc").changed() {
+        if ui.checkbox(&mut is_visible, tr!("light.the_camera_sees_the_sun")).changed() {
             settings.sun_disc = Some(is_visible);
         }
         let own = settings.clone().without_light();
-        if ui.add_enabled(!settings.has_light_of(&own), Button::new("the scene's own light")).clicked() {
+        if ui.add_enabled(!settings.has_light_of(&own), Button::new(tr!("light.the_scene_s_own_light"))).clicked() {
             settings = own;
         }
     }

@@ -3,6 +3,7 @@
 use super::surroundings::pick_color;
 use super::{section, slider};
 use crate::session::Session;
+use crate::tr;
 use egui::Ui;
 use voxtrace::Integrator;
 use voxtrace::glam::Vec3;
@@ -29,22 +30,22 @@ pub fn lines(ui: &mut Ui, session: &mut Session) {
     section(ui, title, "lines", |ui| {
         let edges = &mut settings.lines.edges;
         let mut has_edges = edges.is_some();
-        if ui.checkbox(&mut has_edges, "along the edges of shapes").changed() {
+        if ui.checkbox(&mut has_edges, tr!("lines.along_the_edges_of_shapes")).changed() {
             *edges = has_edges.then_some(EDGES);
         }
         if let Some(Line { width, color }) = edges {
-            ui.add(slider(width, NARROWEST..=1.0, "width of edges").max_decimals(2));
+            ui.add(slider(width, NARROWEST..=1.0, tr!("lines.width_of_edges")).max_decimals(2));
             pick_color(ui, color, "colour of edges");
         }
         let grid = &mut settings.lines.grid;
         let mut has_grid = grid.is_some();
-        if ui.checkbox(&mut has_grid, "between voxels").changed() {
+        if ui.checkbox(&mut has_grid, tr!("lines.between_voxels")).changed() {
             *grid = has_grid.then_some(GRID);
         }
         if let Some(GridLines { line: Line { width, color }, spacing }) = grid {
-            ui.add(slider(width, NARROWEST..=1.0, "width of the grid").max_decimals(2));
+            ui.add(slider(width, NARROWEST..=1.0, tr!("lines.width_of_the_grid")).max_decimals(2));
             pick_color(ui, color, "colour of the grid");
-            ui.add(slider(spacing, 1..=MOST_SPACING, "voxels apart").logarithmic(true));
+            ui.add(slider(spacing, 1..=MOST_SPACING, tr!("lines.voxels_apart")).logarithmic(true));
         }
     });
     session.set_render_settings(settings);

@@ -2,6 +2,7 @@
 
 use super::{counted, name_node};
 use crate::session::Session;
+use crate::tr;
 use egui::{CollapsingHeader, DragValue, ScrollArea, Ui};
 use std::time::Duration;
 use voxtrace::changes::MaterialChange;
@@ -20,7 +21,7 @@ pub fn materials(ui: &mut Ui, session: &mut Session) {
     let title = if changed > 0 { format!("Materials ({changed} changed)") } else { "Materials".into() };
     CollapsingHeader::new(title).id_salt("materials").show(ui, |ui| {
         let Some(used) = session.open.as_ref().and_then(|open| open.used_materials().map(<[usize]>::to_vec)) else {
-            ui.label("looking which are in use …");
+            ui.label(tr!("materials.looking_which_are_in_use"));
             ui.ctx().request_repaint_after(SOON);
             return;
         };
@@ -50,7 +51,8 @@ pub fn material(ui: &mut Ui, session: &mut Session, number: usize) {
         let strength = now.emission.max_element();
         let mut wanted = strength;
         let speed = (0.02 * strength).max(0.02);
-        let drag = DragValue::new(&mut wanted).range(0.0..=1e6).speed(speed).prefix("glows ").max_decimals(2);
+        let drag =
+            DragValue::new(&mut wanted).range(0.0..=1e6).speed(speed).prefix(tr!("materials.glows")).max_decimals(2);
         let drag = ui.add(drag);
         name_node(ui, &drag, &format!("emission of material {number}"));
         if drag.changed() {

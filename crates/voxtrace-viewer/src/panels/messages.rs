@@ -2,10 +2,9 @@
 
 use crate::keys::Action;
 use crate::session::Session;
+use crate::tr;
 use egui::{Align2, ProgressBar, RichText, Ui};
 
-/// Text that says what went wrong: red that can be read on the dark panels.
-pub const ERROR: egui::Color32 = egui::Color32::from_rgb(255, 128, 112);
 /// Points to which a message is as long as its text; then it is wrapped.
 const WIDEST_MESSAGE: f32 = 560.0;
 /// Points between them and the edge of the window.
@@ -21,17 +20,18 @@ pub fn loading(ui: &Ui, session: &mut Session, side: f32) {
     let (source, share) = (loading.source.clone(), loading.share);
     let mut is_cancelled = false;
     let anchor = [-side / 2.0, -24.0];
-    egui::Window::new("Opening").anchor(Align2::CENTER_BOTTOM, anchor).collapsible(false).resizable(false).show(
-        ui.ctx(),
-        |ui| {
+    egui::Window::new(tr!("messages.opening"))
+        .anchor(Align2::CENTER_BOTTOM, anchor)
+        .collapsible(false)
+        .resizable(false)
+        .show(ui.ctx(), |ui| {
             ui.label(source);
             match share {
                 Some(share) => ui.add(ProgressBar::new(share).desired_width(260.0).text(text)),
                 None => ui.horizontal(|ui| (ui.spinner(), ui.label(text)).1).inner,
             };
-            is_cancelled = ui.button("Stop").clicked();
-        },
-    );
+            is_cancelled = ui.button(tr!("messages.stop")).clicked();
+        });
     if is_cancelled {
         session.act(Action::Cancel, None);
     }
@@ -57,7 +57,7 @@ pub fn messages(ui: &Ui, session: &mut Session) {
                     // The area is as wide as the last line was: a longer one is not to be wrapped for that.
                     ui.set_max_width(WIDEST_MESSAGE);
                     let text = RichText::new(text);
-                    ui.label(if is_error { text.color(ERROR) } else { text });
+                    ui.label(if is_error { text.color(super::look::error_color(ui)) } else { text });
                 });
             }
         });

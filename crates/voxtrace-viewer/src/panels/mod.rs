@@ -1,6 +1,7 @@
 //! The panels over the picture: what is shown, how it is traced, light, and what can be done. They change the state alone.
 
 mod benchmark;
+mod clipping;
 mod comparison;
 mod cuts;
 mod dialogs;
@@ -10,8 +11,11 @@ mod help;
 mod lens;
 mod light;
 mod lines;
+mod look;
 mod materials;
+mod measuring;
 mod messages;
+mod over;
 mod parts;
 mod picked;
 mod scene;
@@ -24,9 +28,11 @@ mod unsaved;
 mod view;
 mod welcome;
 
+pub use look::Theme;
 pub use status::{Compared, DeviceChoice, Status};
 
 use crate::session::Session;
+use crate::tr;
 use egui::{CollapsingHeader, Frame, Margin, RichText, ScrollArea, Slider, SliderClamping, Ui};
 
 /// Points of the side panel, as long as nobody drags it.
@@ -36,6 +42,7 @@ const BESIDE_BAR: i8 = 8;
 
 /// Shows everything. Returns the width of the side panel, points: the picture lies beside it.
 pub fn show(ui: &mut Ui, session: &mut Session, status: &Status) -> f32 {
+    look::apply(ui, session);
     let mut width = 0.0;
     if session.has_panels {
         let side = egui::Panel::right("side").resizable(true).default_size(WIDTH).show(ui, |ui| {
@@ -55,6 +62,8 @@ pub fn show(ui: &mut Ui, session: &mut Session, status: &Status) -> f32 {
         });
         width = side.response.rect.width();
     }
+    clipping::drawn(ui, session, width);
+    measuring::drawn(ui, session, width);
     edit_preview::preview(ui, session, width);
     comparison::divider(ui, session, width);
     if session.open.is_none() && session.loading.is_none() && session.dialog.is_none() {
@@ -81,7 +90,8 @@ fn sections(ui: &mut Ui, session: &mut Session, status: &Status) {
     lens::lens(ui, session);
     light::light(ui, session);
     if session.open.is_some() {
-        heading(ui, "Contents");
+        heading(ui, tr!("panels.contents"));
+        measuring::measuring(ui, session);
         parts::parts(ui, session);
         cuts::cuts(ui, session);
         surroundings::surroundings(ui, session);
@@ -92,6 +102,7 @@ fn sections(ui: &mut Ui, session: &mut Session, status: &Status) {
     comparison::comparison(ui, session, status);
     statistics::statistics(ui, session, status);
     benchmark::benchmark(ui, session);
+    look::look(ui, session);
 }
 
 /// A slider for a value that a scene or a key may have set beyond its ends, and that stays so until somebody moves it.

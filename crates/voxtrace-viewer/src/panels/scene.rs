@@ -3,10 +3,11 @@
 use super::{counted, heading};
 use crate::keys::Action;
 use crate::session::Session;
+use crate::tr;
 use egui::{Button, Ui};
 
 pub fn scene(ui: &mut Ui, session: &mut Session) {
-    heading(ui, "Scene");
+    heading(ui, tr!("scene.scene"));
     if let Some(open) = &session.open {
         ui.label(&open.original.name);
         let voxels = open.voxels;
@@ -14,26 +15,26 @@ pub fn scene(ui: &mut Ui, session: &mut Session) {
         ui.label(format!("{}, {}", counted(voxels, "voxel"), counted(objects as u64, "object")));
     }
     ui.horizontal_wrapped(|ui| {
-        if ui.button("Open…").clicked() {
+        if ui.button(tr!("scene.open")).clicked() {
             session.act(Action::Open, None);
         }
         let has_scene = session.open.is_some();
-        if ui.add_enabled(has_scene, Button::new("Picture to file")).clicked() {
+        if ui.add_enabled(has_scene, Button::new(tr!("scene.picture_to_file"))).clicked() {
             session.act(Action::Screenshot, None);
         }
-        if ui.add_enabled(has_scene, Button::new("Render…")).clicked() {
+        if ui.add_enabled(has_scene, Button::new(tr!("scene.render"))).clicked() {
             session.act(Action::RenderPicture, None);
         }
-        if ui.add_enabled(has_scene, Button::new("Frames…")).clicked() {
+        if ui.add_enabled(has_scene, Button::new(tr!("scene.frames"))).clicked() {
             session.act(Action::RenderFrames, None);
         }
-        if ui.add_enabled(has_scene, Button::new("Save scene…")).clicked() {
+        if ui.add_enabled(has_scene, Button::new(tr!("scene.save_scene"))).clicked() {
             session.act(Action::SaveScene, None);
         }
-        if ui.add_enabled(has_scene, Button::new("Copy command")).clicked() {
+        if ui.add_enabled(has_scene, Button::new(tr!("scene.copy_command"))).clicked() {
             session.act(Action::CopyCommand, None);
         }
-        if ui.button("Keys").clicked() {
+        if ui.button(tr!("scene.keys")).clicked() {
             session.act(Action::Help, None);
         }
     });

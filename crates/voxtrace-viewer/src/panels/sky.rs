@@ -5,6 +5,7 @@ use crate::dialogs::PathField;
 use crate::render_command::SkySetting;
 use crate::render_settings::RenderSettings;
 use crate::session::Session;
+use crate::tr;
 use egui::{ComboBox, Key, TextEdit, Ui};
 use std::path::PathBuf;
 use voxtrace::Sky;
@@ -27,7 +28,7 @@ pub fn sky(ui: &mut Ui, session: &mut Session, settings: &mut RenderSettings, li
         Some(_) => PHYSICAL,
     };
     let mut chosen = shown;
-    ComboBox::from_label("sky").selected_text(shown).show_ui(ui, |ui| {
+    ComboBox::from_label(tr!("sky.sky")).selected_text(shown).show_ui(ui, |ui| {
         for choice in [OWN, COLOR, PHYSICAL, PANORAMA] {
             ui.selectable_value(&mut chosen, choice, choice);
         }
@@ -39,7 +40,7 @@ pub fn sky(ui: &mut Ui, session: &mut Session, settings: &mut RenderSettings, li
     if let Some(SkySetting::Color(color)) = &mut settings.sky {
         let mut channels = color.to_array();
         let shown = ui.color_edit_button_rgb(&mut channels);
-        super::name_node(ui, &shown, "colour of the sky");
+        super::name_node(ui, &shown, tr!("sky.colour_of_the_sky"));
         if shown.changed() {
             *color = Vec3::from_array(channels);
         }
@@ -52,12 +53,12 @@ pub fn sky(ui: &mut Ui, session: &mut Session, settings: &mut RenderSettings, li
         && let Some(environment) = lit.background().environment()
     {
         let mut rotation = settings.sky_rotation.unwrap_or(environment.rotation());
-        if ui.add(slider(&mut rotation, -180.0..=180.0, "sky turned by °")).changed() {
+        if ui.add(slider(&mut rotation, -180.0..=180.0, tr!("sky.sky_turned_by"))).changed() {
             settings.sky_rotation = Some(rotation);
         }
     }
     if session.skies.is_making() {
-        ui.label("the sky is being made …");
+        ui.label(tr!("sky.the_sky_is_being_made"));
     }
 }
 
@@ -82,7 +83,7 @@ fn path_field(ui: &mut Ui, session: &mut Session, settings: &RenderSettings) -> 
         Some(SkySetting::Panorama(path)) => PathField::new(path),
         _ => PathField::default(),
     });
-    let label = ui.label("file (.hdr, .exr; or drop one on the window)");
+    let label = ui.label(tr!("sky.file_hdr_exr_or_drop"));
     let edit = ui.add(TextEdit::singleline(&mut field.text)).labelled_by(label.id);
     let is_entered = edit.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
     let path = field.path().filter(|_| is_entered)?;

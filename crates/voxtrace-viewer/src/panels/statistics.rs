@@ -3,18 +3,19 @@
 use super::heading;
 use super::status::{FRAMES, Status};
 use crate::session::Session;
+use crate::tr;
 use egui::{Grid, ProgressBar, Ui};
 use std::collections::VecDeque;
 
 pub fn statistics(ui: &mut Ui, session: &Session, status: &Status) {
     let Some(shown) = &status.shown else { return };
-    heading(ui, "Measured");
+    heading(ui, tr!("statistics.measured"));
     let (width, height) = session.size();
     let scale = if shown.scale > 1 { format!(", at 1/{} of the resolution", shown.scale) } else { String::new() };
     ui.label(format!("{width} × {height}, {} of {} samples{scale}", shown.samples, session.render_settings.samples));
     // There as long as passes are long, so that what stands below does not jump.
     if shown.step_ms > 500.0 {
-        ui.add(ProgressBar::new(status.step_share.fract()).text("next pass"));
+        ui.add(ProgressBar::new(status.step_share.fract()).text(tr!("statistics.next_pass")));
     }
     if let (Some(median), Some(p99)) = (status.percentile(0.5), status.percentile(0.99)) {
         ui.label(format!("{median:.2} ms a sample; 99 %: {p99:.2} ms"));

@@ -2,6 +2,7 @@
 
 use super::{name_node, section, slider};
 use crate::session::Session;
+use crate::tr;
 use egui::Ui;
 use voxtrace::glam::Vec3;
 use voxtrace::material::linear_color;
@@ -28,36 +29,37 @@ pub fn surroundings(ui: &mut Ui, session: &mut Session) {
     section(ui, title, "surroundings", |ui| {
         let ground = &mut settings.surroundings.ground;
         let mut has_ground = ground.is_some();
-        if ui.checkbox(&mut has_ground, "ground").changed() {
+        if ui.checkbox(&mut has_ground, tr!("surroundings.ground")).changed() {
             *ground = has_ground.then(|| Ground { height: None, color: linear_color(GREY) });
         }
         if let Some(Ground { height, color }) = ground {
             pick_color(ui, color, "colour of the ground");
             let mut shown = height.unwrap_or(min.z);
             let range = min.z - 0.5 * diagonal..=max.z;
-            if ui.add(slider(&mut shown, range, "ground's height").max_decimals(1)).changed() {
+            if ui.add(slider(&mut shown, range, tr!("surroundings.ground_s_height")).max_decimals(1)).changed() {
                 *height = Some(shown);
             }
-            if height.is_some() && ui.button("below the lowest voxel").clicked() {
+            if height.is_some() && ui.button(tr!("surroundings.below_the_lowest_voxel")).clicked() {
                 *height = None;
             }
         }
         let fog = &mut settings.surroundings.fog;
         let mut has_fog = fog.is_some();
-        if ui.checkbox(&mut has_fog, "fog").changed() {
+        if ui.checkbox(&mut has_fog, tr!("surroundings.fog")).changed() {
             let density = two_digits(SCATTERED / diagonal);
             *fog = has_fog.then_some(Fog { density, color: Vec3::ONE, anisotropy: 0.0 });
         }
         if let Some(Fog { density, color, anisotropy }) = fog {
             let range = two_digits(0.01 / diagonal)..=two_digits(MOST_SCATTERED / diagonal);
-            ui.add(slider(density, range, "fog's density").logarithmic(true));
+            ui.add(slider(density, range, tr!("surroundings.fog_s_density")).logarithmic(true));
             pick_color(ui, color, "colour of the fog");
-            ui.add(slider(anisotropy, -MOST_G..=MOST_G, "light goes on").max_decimals(2)).on_hover_text(
-                "the mean cosine of the angle by which the fog scatters light: above 0 it goes on forwards",
-            );
+            ui.add(slider(anisotropy, -MOST_G..=MOST_G, tr!("surroundings.light_goes_on")).max_decimals(2))
+                .on_hover_text(
+                    "the mean cosine of the angle by which the fog scatters light: above 0 it goes on forwards",
+                );
         }
         if session.is_surrounding() {
-            ui.label("the surroundings are being made …");
+            ui.label(tr!("surroundings.the_surroundings_are_being_made"));
         }
     });
     session.set_render_settings(settings);

@@ -4,6 +4,7 @@ use super::status::Status;
 use super::{heading, section, slider};
 use crate::render_settings::RenderSettings;
 use crate::session::{Command, Session};
+use crate::tr;
 use egui::{ComboBox, Slider, Ui};
 use voxtrace::{BounceLimits, Integrator};
 use voxtrace_vulkan::{Primitive, Traversal};
@@ -12,22 +13,22 @@ use voxtrace_vulkan::{Primitive, Traversal};
 const CLAMP: f32 = 4.0;
 
 pub fn tracing(ui: &mut Ui, session: &mut Session, status: &Status) {
-    heading(ui, "Tracing");
+    heading(ui, tr!("tracing.tracing"));
     let mut settings = session.render_settings.clone();
-    ComboBox::from_label("traversal").selected_text(settings.traversal.name()).show_ui(ui, |ui| {
+    ComboBox::from_label(tr!("tracing.traversal")).selected_text(settings.traversal.name()).show_ui(ui, |ui| {
         for &traversal in &session.traversals {
             ui.selectable_value(&mut settings.traversal, traversal, traversal.name());
         }
     });
     if matches!(settings.traversal, Traversal::Query | Traversal::Pipeline) {
-        ComboBox::from_label("primitive").selected_text(settings.primitive.name()).show_ui(ui, |ui| {
+        ComboBox::from_label(tr!("tracing.primitive")).selected_text(settings.primitive.name()).show_ui(ui, |ui| {
             for primitive in Primitive::ALL {
                 ui.selectable_value(&mut settings.primitive, primitive, primitive.name());
             }
         });
     }
     if settings.traversal != Traversal::Cpu {
-        ui.checkbox(&mut settings.fast, "fast: not the CPU's bits");
+        ui.checkbox(&mut settings.fast, tr!("tracing.fast_not_the_cpu_s"));
     }
     ui.horizontal(|ui| {
         for integrator in [Integrator::Path, Integrator::Essay] {
@@ -36,26 +37,26 @@ pub fn tracing(ui: &mut Ui, session: &mut Session, status: &Status) {
             }
         }
         let mut is_paused = session.is_paused;
-        if ui.checkbox(&mut is_paused, "paused").changed() {
+        if ui.checkbox(&mut is_paused, tr!("tracing.paused")).changed() {
             session.set_paused(is_paused);
         }
     });
-    ui.add(slider(&mut settings.max_bounces, 0..=32, "bounces"));
+    ui.add(slider(&mut settings.max_bounces, 0..=32, tr!("tracing.bounces")));
     limits(ui, &mut settings);
-    ui.add(slider(&mut settings.samples, 1..=65_536, "samples").logarithmic(true));
+    ui.add(slider(&mut settings.samples, 1..=65_536, tr!("tracing.samples")).logarithmic(true));
     if status.devices.len() > 1 {
         let now = status.devices.iter().find(|device| device.index == status.device_index);
-        ComboBox::from_label("device").truncate().selected_text(now.map_or("", |device| &device.label)).show_ui(
-            ui,
-            |ui| {
+        ComboBox::from_label(tr!("tracing.device"))
+            .truncate()
+            .selected_text(now.map_or("", |device| &device.label))
+            .show_ui(ui, |ui| {
                 for device in &status.devices {
                     let is_now = device.index == status.device_index;
                     if ui.selectable_label(is_now, &device.label).clicked() && !is_now {
                         session.ask(Command::SetDevice(device.value.clone()));
                     }
                 }
-            },
-        );
+            });
     } else {
         ui.label(&status.device);
     }
@@ -79,13 +80,13 @@ fn limits(ui: &mut Ui, settings: &mut RenderSettings) {
             bounces(ui, limit, name);
         }
         let mut is_clamped = settings.clamp_indirect.is_some();
-        if ui.checkbox(&mut is_clamped, "clamp indirect light: less noise, too dark").changed() {
+        if ui.checkbox(&mut is_clamped, tr!("tracing.clamp_indirect_light_less_noise")).changed() {
             settings.clamp_indirect = is_clamped.then_some(CLAMP);
         }
         if let Some(most) = &mut settings.clamp_indirect {
-            ui.add(slider(most, 0.1..=100.0, "most radiance").logarithmic(true).max_decimals(2));
+            ui.add(slider(most, 0.1..=100.0, tr!("tracing.most_radiance")).logarithmic(true).max_decimals(2));
         }
-        ui.checkbox(&mut settings.clear_shadows, "clear shadows: light passes glass straight");
+        ui.checkbox(&mut settings.clear_shadows, tr!("tracing.clear_shadows_light_passes_glass"));
     });
 }
 

@@ -4,6 +4,7 @@ use super::status::Status;
 use crate::keys::Action;
 use crate::session::{Command, Session};
 use crate::thumbnails::thumbnail;
+use crate::tr;
 use egui::{Align2, Button, RichText, Ui};
 
 /// Points of a scene's button: a thumbnail and the longest name.
@@ -16,7 +17,7 @@ pub fn welcome(ui: &Ui, session: &mut Session, status: &Status, side: f32) {
         .collapsible(false)
         .resizable(false)
         .show(ui.ctx(), |ui| {
-            ui.label("Drop a file here, or open one of these:");
+            ui.label(tr!("welcome.drop_a_file_here_or"));
             ui.add_space(6.0);
             for (name, about) in &status.built_in {
                 ui.horizontal(|ui| {
@@ -33,16 +34,16 @@ pub fn welcome(ui: &Ui, session: &mut Session, status: &Status, side: f32) {
             }
             ui.add_space(6.0);
             ui.horizontal(|ui| {
-                if ui.button("Open a file…").clicked() {
+                if ui.button(tr!("welcome.open_a_file")).clicked() {
                     session.act(Action::Open, None);
                 }
-                if ui.button("By its path…").clicked() {
+                if ui.button(tr!("welcome.by_its_path")).clicked() {
                     session.act(Action::OpenByPath, None);
                 }
             });
             if !status.recent.is_empty() {
                 ui.separator();
-                ui.label("Opened last:");
+                ui.label(tr!("welcome.opened_last"));
                 for path in &status.recent {
                     if ui.link(path).clicked() {
                         session.ask(Command::Load(path.clone()));

@@ -1,4 +1,4 @@
-//! Lines for whoever looks: what was done stays for some seconds, what went wrong until it is taken away.
+//! Lines for people: what is said, how long it stays, and what takes it away.
 
 use super::Session;
 use std::time::{Duration, Instant};
@@ -7,7 +7,6 @@ use std::time::{Duration, Instant};
 const MESSAGE_TIME: Duration = Duration::from_secs(12);
 /// Most messages at a time.
 const MOST_MESSAGES: usize = 6;
-
 /// A line for people.
 #[derive(Clone, Debug)]
 pub struct Message {
@@ -29,6 +28,12 @@ impl Session {
         }
     }
 
+    /// Says something in place of whatever of `others` is still to be seen.
+    pub fn say_instead(&mut self, others: &[&str], text: impl Into<String>) {
+        self.messages.retain(|message| !others.contains(&message.text.as_str()));
+        self.say(text, false);
+    }
+
     /// The messages that are still to be seen, oldest first.
     pub fn messages(&mut self) -> impl Iterator<Item = &Message> {
         self.messages.retain(|message| message.is_error || message.since.elapsed() < MESSAGE_TIME);
@@ -45,5 +50,12 @@ impl Session {
     /// Whether there are messages.
     pub fn has_messages(&self) -> bool {
         !self.messages.is_empty()
+    }
+
+    /// Says how quickly one flies.
+    pub fn say_speed(&mut self) {
+        let text = format!("{:.0} voxels a second", self.navigator.speed());
+        self.messages.retain(|message| !message.text.ends_with("voxels a second"));
+        self.say(text, false);
     }
 }

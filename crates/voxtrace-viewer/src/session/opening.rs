@@ -5,6 +5,7 @@ use crate::cutting::Cutting;
 use crate::load::Came;
 use crate::navigation::Mode;
 use crate::surroundings::Surroundings;
+use crate::tr;
 use std::sync::Arc;
 use voxtrace::PackedScene;
 
@@ -59,7 +60,7 @@ impl Session {
                 Ok(cuts) => {
                     open.set_light(&self.render_settings, None);
                     if bounds.is_some_and(|bounds| cuts.cut_away(bounds)) {
-                        self.say("nothing is left of the scene: all of it is cut away", false);
+                        self.say(tr!("said.nothing_is_left_of_the_scene"), false);
                     }
                 }
                 Err(error) => {
@@ -71,6 +72,11 @@ impl Session {
         self.open = Some(open);
         (self.picked, self.editing, self.is_discarding) = (None, None, false);
         self.take_recovered();
+        self.sight.forget();
+        self.has_eye_height = false;
+        self.outliner = crate::outliner::Outliner::default();
+        self.sampling = crate::inspector::Sampling::default();
+        self.load_measures();
         self.keep_apart_for_lines(false);
         self.ask(Command::SetScene);
         self.ask(Command::SetView);

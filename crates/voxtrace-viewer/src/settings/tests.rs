@@ -21,6 +21,8 @@ fn settings_are_read_as_they_were_saved() {
         exposure_step: 0.1,
         invert_look: true,
         ui_scale: 1.3,
+        theme: "light".into(),
+        language: Some("en".into()),
     };
     file.save().unwrap();
     let (read, warning) = open(&path);

@@ -331,8 +331,8 @@ fn the_voxel_under_the_cursor_is_told_with_its_place_on_the_map() {
     session.hover = Some(cursor);
     let shown = told(session);
     let at = origin + point.as_dvec3() * 0.5;
-    let coordinates = format!("coordinates {:.3}, {:.3}, {:.3} m", at.x, at.y, at.z);
-    for text in ["Voxel under the cursor", "object 0: kitchen", "layer 0: rooms", "EPSG:32632", coordinates.as_str()] {
+    let coordinates = format!("{:.3}, {:.3}, {:.3} m", at.x, at.y, at.z);
+    for text in ["Voxel under the cursor", "0: kitchen", "0: rooms", "EPSG:32632", coordinates.as_str()] {
         assert!(shown.iter().any(|own| own == text), "{text}: {shown:?}");
     }
     assert!(!told(in_room("room.vxt")).iter().any(|text| text == "Voxel under the cursor"), "nothing is under it");
@@ -387,4 +387,14 @@ fn a_further_message_is_drawn_once_more_where_all_of_it_is_seen() {
     harness.run_steps(4);
     assert!(!harness.ctx.has_requested_repaint());
     assert!(harness.get_by_label("another line").rect().bottom() < 2400.0);
+}
+
+#[test]
+fn the_panels_are_dark_or_light_as_somebody_chooses() {
+    let mut harness = panels(in_room("room.vxt"), Status::default());
+    for (choice, is_dark) in [("light", false), ("dark", true)] {
+        choose(&mut harness, "colours of the panels", choice);
+        harness.run_steps(2);
+        assert_eq!(harness.ctx.global_style().visuals.dark_mode, is_dark, "{choice}");
+    }
 }

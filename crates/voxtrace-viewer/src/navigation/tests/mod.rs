@@ -4,6 +4,7 @@ mod around;
 mod flight;
 mod parallel;
 mod undo;
+mod walking;
 
 use super::*;
 use voxtrace::camera::Lens;

@@ -4,6 +4,7 @@ use super::{Click, Status, buttons, estimate, path, quality};
 use crate::dialogs::{FramesDialog, Route};
 use crate::export::Existing;
 use crate::session::Session;
+use crate::tr;
 use egui::{DragValue, RichText, TextEdit, Ui};
 
 pub fn show(ui: &mut Ui, session: &mut Session, dialog: &mut FramesDialog, status: &Status) -> Option<Click> {
@@ -14,14 +15,14 @@ pub fn show(ui: &mut Ui, session: &mut Session, dialog: &mut FramesDialog, statu
     }
     let clicked = path::show(ui, "folder", &mut dialog.folder, false);
     ui.horizontal(|ui| {
-        let label = ui.label("name");
+        let label = ui.label(tr!("dialogs_frames.name"));
         ui.add(TextEdit::singleline(&mut dialog.name).desired_width(160.0)).labelled_by(label.id);
         ui.label(RichText::new(format!("{}_0001.png and on", dialog.name)).weak());
     });
     ui.horizontal(|ui| {
-        let label = ui.label("seconds");
+        let label = ui.label(tr!("dialogs_frames.seconds"));
         ui.add(DragValue::new(&mut dialog.seconds).range(0.1..=3600.0).speed(0.1)).labelled_by(label.id);
-        let label = ui.label("frames a second");
+        let label = ui.label(tr!("dialogs_frames.frames_a_second"));
         ui.add(DragValue::new(&mut dialog.rate).range(1..=240)).labelled_by(label.id);
         ui.label(format!("{} frames", dialog.frames()));
     });
@@ -30,8 +31,8 @@ pub fn show(ui: &mut Ui, session: &mut Session, dialog: &mut FramesDialog, statu
     if there > 0 {
         ui.horizontal(|ui| {
             ui.label(format!("{there} frames are there:"));
-            ui.radio_value(&mut dialog.existing, Existing::Keep, "keep them, render the others");
-            ui.radio_value(&mut dialog.existing, Existing::Replace, "write over them");
+            ui.radio_value(&mut dialog.existing, Existing::Keep, tr!("dialogs_frames.keep_them_render_the_others"));
+            ui.radio_value(&mut dialog.existing, Existing::Replace, tr!("dialogs_frames.write_over_them"));
         });
     }
     estimate(ui, session, &dialog.quality, status, dialog.frames() as usize);
@@ -42,11 +43,13 @@ pub fn show(ui: &mut Ui, session: &mut Session, dialog: &mut FramesDialog, statu
     let ffmpeg = dialog.ffmpeg();
     let (mut is_command, mut is_ffmpeg) = (false, false);
     ui.horizontal(|ui| {
-        ui.label(RichText::new("then a film:").weak());
-        is_ffmpeg = ui.button("Copy ffmpeg").on_hover_text(&ffmpeg).clicked();
+        ui.label(RichText::new(tr!("dialogs_frames.then_a_film")).weak());
+        is_ffmpeg = ui.button(tr!("dialogs_frames.copy_ffmpeg")).on_hover_text(&ffmpeg).clicked();
     });
     ui.add(egui::Label::new(RichText::new(&ffmpeg).monospace().small()).truncate());
-    let pressed = buttons(ui, "Render", missing.as_deref(), |ui| is_command = ui.button("Copy its command").clicked());
+    let pressed = buttons(ui, "Render", missing.as_deref(), |ui| {
+        is_command = ui.button(tr!("dialogs_frames.copy_its_command")).clicked()
+    });
     if is_command {
         session.copy_command_of(dialog.command(session), "the command that renders these frames");
     }

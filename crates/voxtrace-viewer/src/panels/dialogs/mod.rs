@@ -8,6 +8,7 @@ mod scene;
 use super::Status;
 use crate::dialogs::{Dialog, PRESETS, Quality};
 use crate::session::{Command, Session};
+use crate::tr;
 use egui::{Align2, Button, ComboBox, DragValue, ProgressBar, RichText, Ui};
 
 /// Least width of a dialog, points.
@@ -78,13 +79,13 @@ fn go(session: &mut Session, mut dialog: Dialog) {
 fn quality(ui: &mut Ui, session: &Session, quality: &mut Quality) {
     let window = <[u32; 2]>::from(session.size());
     ui.horizontal(|ui| {
-        let label = ui.label("size");
+        let label = ui.label(tr!("dialogs.size"));
         ui.add(DragValue::new(&mut quality.size[0]).range(1..=65_536)).labelled_by(label.id);
         let label = ui.label("×");
         ui.add(DragValue::new(&mut quality.size[1]).range(1..=65_536)).labelled_by(label.id);
         let here = PRESETS.iter().find(|(_, size)| *size == quality.size).map(|(name, _)| *name);
         let here = here.unwrap_or(if quality.size == window { "the window's" } else { "another" });
-        ComboBox::from_label("preset").selected_text(here).show_ui(ui, |ui| {
+        ComboBox::from_label(tr!("dialogs.preset")).selected_text(here).show_ui(ui, |ui| {
             for (name, size) in [("the window's", window)].into_iter().chain(PRESETS) {
                 if ui.selectable_label(quality.size == size, name).clicked() {
                     quality.size = size;
@@ -93,9 +94,9 @@ fn quality(ui: &mut Ui, session: &Session, quality: &mut Quality) {
         });
     });
     ui.horizontal(|ui| {
-        let label = ui.label("samples a pixel");
+        let label = ui.label(tr!("dialogs.samples_a_pixel"));
         ui.add(DragValue::new(&mut quality.samples).range(1..=1 << 20)).labelled_by(label.id);
-        ui.checkbox(&mut quality.transparent, "transparent background");
+        ui.checkbox(&mut quality.transparent, tr!("dialogs.transparent_background"));
     });
 }
 
@@ -121,7 +122,7 @@ pub fn duration(seconds: f64) -> String {
 fn buttons(ui: &mut Ui, name: &str, missing: Option<&str>, others: impl FnOnce(&mut Ui)) -> Option<Click> {
     let mut clicked = None;
     if let Some(missing) = missing {
-        ui.label(RichText::new(missing).color(super::messages::ERROR));
+        ui.label(RichText::new(missing).color(super::look::error_color(ui)));
     }
     ui.separator();
     ui.horizontal(|ui| {
@@ -129,7 +130,7 @@ fn buttons(ui: &mut Ui, name: &str, missing: Option<&str>, others: impl FnOnce(&
             clicked = Some(Click::Go);
         }
         others(ui);
-        if ui.button("Cancel").clicked() {
+        if ui.button(tr!("dialogs.cancel")).clicked() {
             clicked = Some(Click::Close);
         }
     });
@@ -141,7 +142,7 @@ fn exporting(ui: &Ui, session: &mut Session, side: f32) {
     let Some(export) = &session.exporting else {
         if let Some(path) = &session.saving_scene {
             let text = format!("writing {}", path.display());
-            egui::Window::new("Writing")
+            egui::Window::new(tr!("dialogs.writing"))
                 .anchor(Align2::CENTER_BOTTOM, [-side / 2.0, -24.0])
                 .collapsible(false)
                 .resizable(false)
@@ -158,14 +159,14 @@ fn exporting(ui: &Ui, session: &mut Session, side: f32) {
     let text = format!("{pictures}{:.0} %{left}", share * 100.0);
     let name = export.name.clone();
     let mut is_cancelled = false;
-    egui::Window::new("Rendering")
+    egui::Window::new(tr!("dialogs.rendering"))
         .anchor(Align2::CENTER_BOTTOM, [-side / 2.0, -24.0])
         .collapsible(false)
         .resizable(false)
         .show(ui.ctx(), |ui| {
             ui.label(name);
             ui.add(ProgressBar::new(share).desired_width(320.0).text(text));
-            is_cancelled = ui.button("Stop rendering").clicked();
+            is_cancelled = ui.button(tr!("dialogs.stop_rendering")).clicked();
         });
     ui.ctx().request_repaint_after(std::time::Duration::from_millis(250));
     if is_cancelled && let Some(export) = &session.exporting {

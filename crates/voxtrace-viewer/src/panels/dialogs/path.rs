@@ -2,6 +2,7 @@
 
 use super::Click;
 use crate::dialogs::{MOST_OFFERED, PathField};
+use crate::tr;
 use egui::text::{CCursor, CCursorRange};
 use egui::{Key, RichText, ScrollArea, TextEdit, Ui};
 
@@ -26,7 +27,7 @@ pub fn show(ui: &mut Ui, name: &str, field: &mut PathField, lists_files: bool) -
         if edit.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter)) {
             clicked = Some(Click::Go);
         }
-        if ui.button("Browse…").clicked() {
+        if ui.button(tr!("dialogs_path.browse")).clicked() {
             clicked = Some(Click::Browse);
         }
     });
@@ -51,5 +52,5 @@ fn offers(ui: &mut Ui, field: &mut PathField, lists_files: bool) {
             }
         }
     });
-    ui.label(RichText::new("Tab completes; a path can be pasted").weak());
+    ui.label(RichText::new(tr!("dialogs_path.tab_completes_a_path_can")).weak());
 }

@@ -3,6 +3,7 @@
 use super::{Click, Status, buttons, estimate, path, quality};
 use crate::dialogs::{PictureDialog, PictureKind};
 use crate::session::Session;
+use crate::tr;
 use egui::Ui;
 
 pub fn show(ui: &mut Ui, session: &mut Session, dialog: &mut PictureDialog, status: &Status) -> Option<Click> {
@@ -15,14 +16,14 @@ pub fn show(ui: &mut Ui, session: &mut Session, dialog: &mut PictureDialog, stat
                 dialog.set_kind(own);
             }
         }
-        ui.checkbox(&mut dialog.sixteen_bits, "16 bits a channel");
+        ui.checkbox(&mut dialog.sixteen_bits, tr!("dialogs_picture.16_bits_a_channel"));
     });
     if kind == Some(PictureKind::Exr) {
-        ui.checkbox(&mut dialog.aovs, "also albedo, normal, depth, instance and voxel");
+        ui.checkbox(&mut dialog.aovs, tr!("dialogs_picture.also_albedo_normal_depth_instance"));
     }
     quality(ui, session, &mut dialog.quality);
     if dialog.is_there() {
-        ui.checkbox(&mut dialog.replaces, "write over the file that is there");
+        ui.checkbox(&mut dialog.replaces, tr!("dialogs_picture.write_over_the_file_that"));
     }
     estimate(ui, session, &dialog.quality, status, 1);
     let missing = match session.exporting {
@@ -31,7 +32,9 @@ pub fn show(ui: &mut Ui, session: &mut Session, dialog: &mut PictureDialog, stat
     };
     let missing = missing.err();
     let mut is_copied = false;
-    let pressed = buttons(ui, "Render", missing.as_deref(), |ui| is_copied = ui.button("Copy its command").clicked());
+    let pressed = buttons(ui, "Render", missing.as_deref(), |ui| {
+        is_copied = ui.button(tr!("dialogs_picture.copy_its_command")).clicked()
+    });
     if is_copied {
         session.copy_command_of(dialog.command(session), "the command that renders this file");
     }

@@ -2,6 +2,7 @@
 
 use super::{Click, buttons, path};
 use crate::dialogs::{OpenDialog, SCENE_KINDS, SaveDialog};
+use crate::tr;
 use egui::{RichText, Ui};
 
 pub fn show_save(ui: &mut Ui, dialog: &mut SaveDialog) -> Option<Click> {
@@ -16,7 +17,7 @@ pub fn show_save(ui: &mut Ui, dialog: &mut SaveDialog) -> Option<Click> {
         });
     }
     if dialog.is_there() {
-        ui.checkbox(&mut dialog.replaces, "write over the file that is there");
+        ui.checkbox(&mut dialog.replaces, tr!("dialogs_scene.write_over_the_file_that"));
     }
     let missing = dialog.request().err();
     buttons(ui, "Write", missing.as_deref(), |_| {}).or(clicked)

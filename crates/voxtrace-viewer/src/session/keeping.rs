@@ -1,0 +1,67 @@
+//! What is kept beside the scene: where its files are, and the bookmarks.
+
+use super::Session;
+use crate::bookmarks::Bookmarks;
+use crate::dialogs::Dialog;
+use crate::kept_file;
+use crate::navigation::Motion;
+use crate::tr;
+use std::path::{Path, PathBuf};
+use voxtrace::scenes;
+
+/// Whether a scene needs no file.
+pub(crate) fn is_built_in(source: &str) -> bool {
+    scenes::NAMES.contains(&source)
+}
+
+impl Session {
+    /// The file of the scene's bookmarks.
+    pub fn bookmark_path(&self) -> Option<PathBuf> {
+        self.beside_scene("cameras.toml")
+    }
+
+    /// A file that is kept beside the scene: of built-in scenes beside the settings, whose folder may not be there yet.
+    pub(crate) fn beside_scene(&self, ending: &str) -> Option<PathBuf> {
+        let source = &self.open.as_ref()?.source;
+        match is_built_in(source) {
+            true => self.settings_folder.as_deref().map(|folder| folder.join(format!("{source}.{ending}"))),
+            false => kept_file::beside(Path::new(source), ending),
+        }
+    }
+
+    /// Makes the folder of such a file. That it cannot be made, writing says.
+    pub(crate) fn make_kept_folder(&self) {
+        let is_ours = self.open.as_ref().is_some_and(|open| is_built_in(&open.source));
+        if let Some(folder) = self.settings_folder.as_deref().filter(|_| is_ours) {
+            let _ = std::fs::create_dir_all(folder);
+        }
+    }
+
+    pub(crate) fn go_to_bookmark(&mut self, number: u8) {
+        let Some(path) = self.bookmark_path() else { return };
+        match Bookmarks::open(&path) {
+            Ok(bookmarks) => match bookmarks.get(number).cloned() {
+                Some(camera) => self.move_by(Motion::GoTo(camera)),
+                None => self.say(tr!("said.bookmark_is_empty_shift_keeps_this", number = number), false),
+            },
+            Err(error) => self.say(error.to_string(), true),
+        }
+    }
+
+    pub(crate) fn store_bookmark(&mut self, number: u8) {
+        let Some(path) = self.bookmark_path() else { return };
+        self.make_kept_folder();
+        let camera = self.navigator.camera().clone();
+        let stored = Bookmarks::open(&path).and_then(|mut bookmarks| bookmarks.store(number, &camera));
+        match stored {
+            Ok(()) => {
+                self.say(format!("bookmark {number} is kept in {}", path.display()), false);
+                if let Some(Dialog::Frames(mut dialog)) = self.dialog.take() {
+                    dialog.refresh(self);
+                    self.dialog = Some(Dialog::Frames(dialog));
+                }
+            }
+            Err(error) => self.say(error.to_string(), true),
+        }
+    }
+}
