@@ -10,9 +10,12 @@ use crate::read_failure::import_failure;
 use crate::report::Report;
 use crate::volume::VolumeArgs;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use voxtrace::Volume;
 use voxtrace::import::{
     Content, Data, Geometry, ImportError, ImportOptions, Kind, Opened, READERS, parts_not_shown, read_while,
 };
+use voxtrace::volume::ValueStatistics;
 
 /// How files become scenes.
 #[derive(clap::Args, Clone, Debug)]
@@ -100,23 +103,46 @@ impl ImportArgs {
             Data::Packed(packed) => return Ok(Content::Packed(packed)),
             Data::Voxels(voxels) => voxels.scene,
             Data::Geometry(geometry) => self.mesh.scene(&geometry, path, self.edits.most_colors(), report)?,
-            Data::Volume(mut volume) => {
-                if self.volume.has_transfer() {
-                    volume.colors = Vec::new();
-                }
-                self.volume.scene(&volume, path, &self.mesh, report)?
-            }
+            Data::Volume(volume) => return self.content_of(&volume, &volume.statistics(), path, report),
             _ => return Err(Failure::other(format!("{}: another kind of content", path.display()))),
         };
         Ok(Content::Scene(scene.into()))
     }
 
-    /// Loads a scene from a file, or from several that are one, as it is.
-    pub fn load(&self, paths: &[PathBuf], in_memory: bool, report: &mut Report) -> Result<Content, Failure> {
+    /// Loads a scene from a file, or from several that are one, as it is; a volume that is in memory goes to `keep`, with what its values are.
+    pub fn load_keeping(
+        &self,
+        paths: &[PathBuf],
+        in_memory: bool,
+        keep: &mut dyn FnMut(Arc<Volume>, Arc<ValueStatistics>),
+        report: &mut Report,
+    ) -> Result<Content, Failure> {
         let options = self.options(in_memory);
         let (opened, path) = (self.open_all(paths, &options)?, paths[0].as_path());
-        let data = self.read(opened, path, report)?;
-        self.scene(data, path, report)
+        match self.read(opened, path, report)? {
+            Data::Volume(volume) => {
+                let values = Arc::new(volume.statistics());
+                let volume = Arc::new(volume);
+                keep(Arc::clone(&volume), Arc::clone(&values));
+                self.content_of(&volume, &values, path, report)
+            }
+            data => self.scene(data, path, report),
+        }
+    }
+
+    /// Makes a scene of a volume whose values are known.
+    pub fn content_of(
+        &self,
+        volume: &Volume,
+        values: &ValueStatistics,
+        path: &Path,
+        report: &mut Report,
+    ) -> Result<Content, Failure> {
+        // Colours of a transfer function that was chosen come before those of the samples.
+        let plain = (self.volume.has_transfer() && !volume.colors.is_empty())
+            .then(|| Volume { colors: Vec::new(), ..volume.clone() });
+        let scene = self.volume.scene(plain.as_ref().unwrap_or(volume), values, path, &self.mesh, report)?;
+        Ok(Content::Scene(scene.into()))
     }
 
     /// Does the edits that are asked for.

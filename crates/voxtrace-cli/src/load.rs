@@ -7,9 +7,11 @@ use crate::normals::{NormalsArg, with_normals};
 use crate::parse;
 use crate::report::Report;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use voxtrace::import::{Content, opened};
 use voxtrace::packed::PackError;
-use voxtrace::{PackedScene, scenes};
+use voxtrace::volume::ValueStatistics;
+use voxtrace::{PackedScene, Volume, scenes};
 
 /// A scene on the command line.
 #[derive(clap::Args, Clone, Debug)]
@@ -131,11 +133,24 @@ impl SceneArgs {
 
     /// Reads or generates the scene, with the edits that are asked for.
     pub fn load(&self, report: &mut Report) -> Result<Content, Failure> {
-        let content = self.load_as_it_is(report)?;
+        self.load_keeping(&mut |_, _| (), report)
+    }
+
+    /// As [`Self::load`]; a volume that is in memory goes to `keep`, with what its values are.
+    pub fn load_keeping(
+        &self,
+        keep: &mut dyn FnMut(Arc<Volume>, Arc<ValueStatistics>),
+        report: &mut Report,
+    ) -> Result<Content, Failure> {
+        let content = self.load_as_it_is(keep, report)?;
         self.import.edit(content, report)
     }
 
-    fn load_as_it_is(&self, report: &mut Report) -> Result<Content, Failure> {
+    fn load_as_it_is(
+        &self,
+        keep: &mut dyn FnMut(Arc<Volume>, Arc<ValueStatistics>),
+        report: &mut Report,
+    ) -> Result<Content, Failure> {
         let scene = self.scene();
         if self.is_builtin() {
             self.import.volume.overlays.refuse(Path::new(scene))?;
@@ -163,7 +178,7 @@ impl SceneArgs {
         }
         self.note();
         let paths: Vec<PathBuf> = self.scenes.iter().map(PathBuf::from).collect();
-        self.import.load(&paths, self.memory.in_memory, report)
+        self.import.load_keeping(&paths, self.memory.in_memory, keep, report)
     }
 }
 

@@ -37,6 +37,7 @@ mod session;
 mod stdout;
 mod surroundings;
 mod tracer;
+mod transfer_text;
 mod verbs;
 mod views;
 mod volume;

@@ -4,7 +4,7 @@ use crate::benchmark::{FRAMES, WARM_UP};
 use crate::bookmarks::Bookmarks;
 use crate::camera_toml::camera_toml;
 use crate::comparison::{Comparison, DIVIDER_STEP};
-use crate::dialogs::{Dialog, FramesDialog, OpenDialog, PictureDialog, SaveDialog};
+use crate::dialogs::{Dialog, FramesDialog, OpenDialog, PictureDialog, RecordDialog, SaveDialog};
 use crate::export::free_name;
 use crate::keys::Action;
 use crate::navigation::{Mode, Motion};
@@ -43,6 +43,10 @@ impl Session {
             Action::OpenByPath => self.dialog = Some(Dialog::Open(OpenDialog::new(self))),
             Action::RenderPicture => self.open_dialog(|session| Dialog::Picture(PictureDialog::new(session))),
             Action::RenderFrames => self.open_dialog(|session| Dialog::Frames(Box::new(FramesDialog::new(session)))),
+            Action::Timeline => self.toggle_timeline(),
+            Action::Values => self.toggle_value_drag(),
+            Action::Play => self.toggle_play(),
+            Action::Record => self.open_dialog(|session| Dialog::Record(Box::new(RecordDialog::new(session)))),
             Action::SaveScene => self.open_dialog(|session| Dialog::Save(SaveDialog::new(session))),
             Action::Screenshot => self.screenshot(),
             Action::Quit => self.ask(Command::Quit),
@@ -86,6 +90,7 @@ impl Session {
             Action::NextContrast => self.next_contrast(),
             Action::NextOtherTraversal => self.next_other_traversal(),
             Action::DividerLeft => self.move_divider(-DIVIDER_STEP),
+            Action::DividerRight if self.comparison.is_none() => self.add_time_key(),
             Action::DividerRight => self.move_divider(DIVIDER_STEP),
             Action::Benchmark => self.toggle_benchmark(),
             Action::CopyBenchmark => self.copy_bench_command(),
@@ -128,6 +133,8 @@ impl Session {
     fn cancel(&mut self) {
         if self.dialog.take().is_some() {
             // The dialog goes first.
+        } else if self.stop_value_drag() {
+            // Dragging moves the camera again.
         } else if self.loading.take().is_some() {
             self.say("opening was stopped", false);
         } else if let Some(benchmark) = &self.benchmark {
@@ -286,7 +293,7 @@ impl Session {
         let is_device = settings.traversal != Traversal::Cpu;
         let has_primitive = matches!(settings.traversal, Traversal::Query | Traversal::Pipeline);
         Some(RenderCommand {
-            scene_options: self.scene_options.clone(),
+            scene_options: crate::transfer::with_transfer(&self.scene_options, self.chosen_transfer()),
             usual_camera: open.original.cameras.first().cloned(),
             size: self.size(),
             samples: settings.samples,

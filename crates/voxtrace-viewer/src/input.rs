@@ -32,6 +32,8 @@ struct Drag {
     is_click: bool,
     /// Whether it is the divider of two pictures that is dragged.
     is_divider: bool,
+    /// Whether it changes which values are shown.
+    is_of_values: bool,
 }
 
 /// What the mouse and the keyboard are doing.
@@ -105,6 +107,9 @@ impl Input {
         }
         let last = if std::mem::take(&mut drag.is_click) { drag.from } else { last };
         let delta = cursor - last;
+        if drag.is_of_values {
+            return session.drag_values(delta);
+        }
         match drag.steer {
             Some(Steer::Look) => session.move_by(Motion::Look(delta)),
             Some(Steer::Orbit) => session.move_by(Motion::Orbit { delta, pivot: drag.anchor }),
@@ -126,9 +131,10 @@ impl Input {
             _ => None,
         };
         let is_divider = button == Button::Left && session.is_on_divider(cursor);
+        let is_of_values = button == Button::Left && self.modifiers == Modifiers::NONE && session.drags_values();
         let anchor = session.pick(cursor).map(|picked| picked.point);
         session.navigator.begin_gesture();
-        self.drag = Some(Drag { button, steer, from: cursor, anchor, is_click: !is_divider, is_divider });
+        self.drag = Some(Drag { button, steer, from: cursor, anchor, is_click: !is_divider, is_divider, is_of_values });
     }
 
     /// A button is let go.

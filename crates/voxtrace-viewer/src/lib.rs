@@ -29,16 +29,20 @@ pub mod panels;
 pub mod phases;
 pub mod render_command;
 pub mod render_settings;
+pub mod running;
 pub mod session;
 pub mod settings;
 pub mod skies;
 pub mod surroundings;
 pub mod threads;
 mod thumbnails;
+pub mod timeline;
 pub mod touch;
+pub mod transfer;
 
 pub use app::{ViewerError, WindowOptions, open_window};
 pub use load::{Loader, Reading, Told, Wanted};
+pub use transfer::ValuesSeen;
 
 /// The example of the crate's page, compiled.
 #[cfg(doctest)]

@@ -1,6 +1,7 @@
 //! Opening scenes on a thread of their own, with what is told meanwhile. The last scene that was asked for counts.
 
 use crate::threads;
+use crate::transfer::ValuesSeen;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
 use std::sync::Arc;
@@ -25,6 +26,8 @@ pub enum Told {
     Note(String),
     /// The file is read otherwise where the scene is cut: with what nobody sees inside.
     DependsOnCuts,
+    /// The scene is a volume in memory: what its values are.
+    Values(Arc<ValuesSeen>),
 }
 
 /// How a scene is to be read.
@@ -34,6 +37,12 @@ pub struct Reading {
     pub shown: Vec<PartName>,
     /// Whether the window cuts it open.
     pub is_cut: bool,
+    /// Whether it is the scene that was read last: a volume may be taken from memory.
+    pub is_again: bool,
+    /// The transfer function of a volume, as `--transfer` has it, in place of that of the command line.
+    pub transfer: Option<String>,
+    /// Of a volume: how many voxels lie along its longest side at most, for a quick look.
+    pub coarse: Option<u32>,
 }
 
 /// Whether a scene that is being read is still wanted.
@@ -66,6 +75,15 @@ pub trait Loader: Send + Sync {
         wanted: &Wanted,
     ) -> Result<PackedScene, String>;
 
+    /// Runs a command of the program, as long as it is `wanted`: its words, `voxtrace` first. It makes what the command line makes.
+    ///
+    /// # Errors
+    /// One line for people: what is wrong, where, and what to do.
+    fn run(&self, words: &[String], tell: Box<dyn Fn(Told) + Send>, wanted: &Wanted) -> Result<(), String> {
+        let _ = (tell, wanted);
+        Err(format!("this window runs no commands: {}", words.join(" ")))
+    }
+
     /// Whether somebody asked the program to end, by a signal say: then the window closes.
     fn is_interrupted(&self) -> bool {
         false
@@ -94,6 +112,7 @@ pub struct Loading {
     /// Seconds that are left of it.
     pub seconds_left: Option<f64>,
     depends_on_cuts: bool,
+    values: Option<Arc<ValuesSeen>>,
     answers: Receiver<Answer>,
     wanted: Wanted,
 }
@@ -114,6 +133,8 @@ enum Answer {
 pub struct Came {
     /// Whether the file is read otherwise where the scene is cut.
     pub depends_on_cuts: bool,
+    /// What the values of a volume are.
+    pub values: Option<Arc<ValuesSeen>>,
     /// Notes about the file.
     pub notes: Vec<String>,
     /// The scene, or why there is none.
@@ -153,6 +174,7 @@ impl Loading {
             share: None,
             seconds_left: None,
             depends_on_cuts: false,
+            values: None,
             answers,
             wanted,
         }
@@ -168,9 +190,11 @@ impl Loading {
                 }
                 Ok(Answer::Told(Told::Note(note))) => came.notes.push(note),
                 Ok(Answer::Told(Told::DependsOnCuts)) => self.depends_on_cuts = true,
+                Ok(Answer::Told(Told::Values(values))) => self.values = Some(values),
                 Ok(Answer::Done(result)) => {
                     came.result = Some(result.map(|scene| Arc::new(*scene)));
                     came.depends_on_cuts = self.depends_on_cuts;
+                    came.values = self.values.take();
                 }
                 Err(TryRecvError::Empty) => return came,
                 Err(TryRecvError::Disconnected) => {

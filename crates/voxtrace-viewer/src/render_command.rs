@@ -75,6 +75,13 @@ pub enum Sequence {
         /// Frames of the whole flight.
         frames: u32,
     },
+    /// An animation, which names its scene: the command is `animate`.
+    Animation {
+        /// The TOML.
+        file: PathBuf,
+        /// Whether frames that are there stay.
+        keeps: bool,
+    },
 }
 
 /// What a view is made of. What is `None` is as the scene or the device has it.
@@ -205,7 +212,13 @@ impl RenderCommand {
     /// As [`Self::line`].
     pub fn words(&self) -> Result<Vec<String>, CommandError> {
         self.check()?;
-        let mut words = self.begin("render")?;
+        let mut words = match &self.sequence {
+            Some(Sequence::Animation { file, .. }) => {
+                let scene = SceneArgument::File(file.clone());
+                Self { scene, ..self.clone() }.begin("animate")?
+            }
+            _ => self.begin("render")?,
+        };
         for output in &self.outputs {
             words.value("--output", Some(unicode(output)?.to_owned()));
         }
@@ -218,6 +231,7 @@ impl RenderCommand {
                 self.say_view(&mut words);
                 words.0.push(format!("--turntable={frames}"));
             }
+            Some(Sequence::Animation { keeps, .. }) => words.flag("--skip-existing", *keeps),
             None => self.say_view(&mut words),
         }
         self.say_quality(&mut words);

@@ -13,9 +13,12 @@ use crate::navigation::{Motion, Navigator};
 pub use crate::open::Open;
 use crate::render_command::{SkySetting, SunSetting};
 use crate::render_settings::RenderSettings;
+use crate::running::{RunRequest, Running};
 use crate::settings::Settings;
 use crate::skies::Skies;
 use crate::surroundings::Making;
+use crate::timeline::Timeline;
+use crate::transfer::Values;
 use std::collections::{HashMap, VecDeque};
 use std::time::{Duration, Instant};
 use voxtrace::glam::Vec2;
@@ -49,6 +52,8 @@ pub enum Command {
     CompareWith(Option<Backend>),
     /// Show this of two tracers.
     SetContrast(Contrast),
+    /// Make other voxels of the volume that is open.
+    Reshape,
     /// Open the scene once more: with parts that its file hides, or with what is inside, where it is cut open.
     LoadAgain,
     /// Measure the view.
@@ -65,6 +70,8 @@ pub enum Command {
     AskForPath,
     /// Render pictures to files.
     Export(Box<ExportRequest>),
+    /// Run a command of the program beside the window.
+    Run(Box<RunRequest>),
     /// Write the scene to a file.
     SaveScene(std::path::PathBuf),
     /// Trace and draw with another device: its number, or its name.
@@ -88,6 +95,7 @@ impl Command {
             self,
             Self::Load(_)
                 | Self::LoadAgain
+                | Self::Reshape
                 | Self::CompareWith(_)
                 | Self::SetContrast(_)
                 | Self::SetScene
@@ -142,6 +150,16 @@ pub struct Session {
     pub exporting: Option<Exporting>,
     /// The file that the scene is being written to.
     pub saving_scene: Option<std::path::PathBuf>,
+    /// The command that runs beside the window.
+    pub running: Option<Running>,
+    /// The values of the volume that is open, and what of them is shown.
+    pub values: Option<Values>,
+    /// The camera over time.
+    pub timeline: Timeline,
+    /// An animation whose scene is being opened.
+    pub(crate) wanted_timeline: Option<std::path::PathBuf>,
+    /// Points that panels take below the picture.
+    pub below: f32,
     /// The dialog that is open.
     pub dialog: Option<Dialog>,
     /// Whether the panels are shown.
@@ -199,6 +217,11 @@ impl Session {
             loading: None,
             exporting: None,
             saving_scene: None,
+            running: None,
+            values: None,
+            timeline: Timeline::default(),
+            wanted_timeline: None,
+            below: 0.0,
             dialog: None,
             has_panels: true,
             has_help: false,
@@ -327,6 +350,18 @@ impl Session {
         }
     }
 
+    /// Shows what a camera sees, without a step of its own to go back to.
+    pub(crate) fn follow(&mut self, camera: Camera) {
+        if self.navigator.follow(camera) {
+            self.moved();
+        }
+    }
+
+    /// The camera moves on soon.
+    pub(crate) fn keep_moving(&mut self) {
+        (self.is_moving, self.still) = (true, 0.0);
+    }
+
     fn moved(&mut self) {
         (self.is_moving, self.still) = (true, 0.0);
         self.ask(Command::SetView);
@@ -341,9 +376,10 @@ impl Session {
 
     /// Lets time go by: what is held moves the camera. Returns whether it goes on moving.
     pub fn advance(&mut self, seconds: f32) -> bool {
+        self.advance_timeline(seconds);
         if self.navigator.advance(seconds) {
             self.moved();
-        } else if self.is_moving {
+        } else if self.is_moving && !self.timeline.is_playing() {
             self.still += seconds;
             if self.still >= REST {
                 // The last view once more, as one that stays.

@@ -14,7 +14,7 @@ use voxtrace::packed::Outline;
 /// Keys of the camera.
 const KEYS: [&str; 9] = ["name", "path", "ease", "start", "seconds", "orbit", "turns_per_second", "look_at", "focus"];
 /// Keys that a camera has anywhere.
-const CAMERA_KEYS: [&str; 14] = [
+const CAMERA_KEYS: [&str; 15] = [
     "at",
     "camera",
     "bookmark",
@@ -29,6 +29,7 @@ const CAMERA_KEYS: [&str; 14] = [
     "blade_rotation",
     "view_height",
     "fisheye_angle",
+    "eye_distance",
 ];
 
 /// What cameras are looked up in.

@@ -1,6 +1,7 @@
 //! `voxtrace view`: the window. Scenes are read with the same options as `render` reads them.
 
-use super::convert;
+use super::kept_volume::KeptVolume;
+use super::{beside, convert};
 use crate::changes::packed_with;
 use crate::cuts::CutArgs;
 use crate::failure::Failure;
@@ -77,7 +78,7 @@ impl ViewerArgs {
 impl ViewerArgs {
     fn into_loader(self) -> Files {
         let Self { scenes, import, memory, cuts, voxels, .. } = self;
-        Files { tiles: scenes, import, memory, cuts, voxels }
+        Files { tiles: scenes, import, memory, cuts, voxels, volume: KeptVolume::default() }
     }
 
     /// Prints the time of frames, without a window or a screen.
@@ -186,6 +187,8 @@ struct Files {
     memory: MemoryArgs,
     cuts: CutArgs,
     voxels: Option<u64>,
+    /// The volume that is shown.
+    volume: KeptVolume,
 }
 
 impl Files {
@@ -214,7 +217,7 @@ impl Loader for Files {
         wanted: &Wanted,
     ) -> Result<PackedScene, String> {
         let is_built_in = scenes::NAMES.contains(&source);
-        if !is_built_in && self.depends_on_cuts(Path::new(source)) {
+        if !is_built_in && !reading.is_again && self.depends_on_cuts(Path::new(source)) {
             tell(Told::DependsOnCuts);
         }
         let mut scene = SceneArgs {
@@ -230,8 +233,16 @@ impl Loader for Files {
         if self.cuts.is_cut() || reading.is_cut {
             scene.import.keep_inside();
         }
+        if let Some(transfer) = &reading.transfer {
+            (scene.import.volume.transfer, scene.import.volume.threshold) = (Some(transfer.clone()), None);
+        }
+        scene.import.volume.coarse = reading.coarse;
+        // What reads tells of values, too.
+        let told = Arc::new(Mutex::new(tell));
+        let of_report = Arc::clone(&told);
+        let tell = move |what| (told.lock().unwrap_or_else(PoisonError::into_inner))(what);
         let mut report = Report::to(Box::new(move |said| {
-            tell(match said {
+            (of_report.lock().unwrap_or_else(PoisonError::into_inner))(match said {
                 Said::Text(text) => Told::Note(text.to_owned()),
                 Said::Progress(work, share, seconds_left) => {
                     Told::Progress { work: work.to_owned(), share: Some(share), seconds_left }
@@ -240,7 +251,8 @@ impl Loader for Files {
         }));
         let wanted = wanted.clone();
         interrupt::also_when(move || wanted.is_over());
-        let content = scene.load(&mut report).and_then(|content| {
+        let again = reading.is_again;
+        let content = self.volume.load(&scene, again, &tell, &mut report).and_then(|content| {
             interrupt::check()?;
             let mut packed = packed_with(content, &reading.shown, self.memory)?;
             self.cuts.apply(&mut packed)?;
@@ -261,6 +273,10 @@ impl Loader for Files {
         convert::write_shown(path, scene, &report).map_err(|failure| failure.line())?;
         drop(report);
         Ok(std::mem::take(&mut *notes.lock().unwrap_or_else(PoisonError::into_inner)))
+    }
+
+    fn run(&self, words: &[String], tell: Box<dyn Fn(Told) + Send>, wanted: &Wanted) -> Result<(), String> {
+        beside::run(words, tell, wanted)
     }
 
     fn is_interrupted(&self) -> bool {

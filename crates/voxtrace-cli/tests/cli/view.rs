@@ -228,3 +228,43 @@ fn a_window_is_opened_resized_dragged_flown_through_photographed_and_closed() {
     folder.succeed(&words);
     assert!(folder.exists("again.png"));
 }
+
+#[test]
+fn a_timeline_that_lies_beside_the_scene_is_played_and_recorded_by_keys_as_animate_renders_it() {
+    let folder = Folder::new();
+    if !has_device(&folder) {
+        return skip_without(Need::Vulkan, "there is no Vulkan device");
+    }
+    let Some(screen) = Screen::open() else {
+        return skip_without(Need::Display, "there is no Xvfb or no xdotool");
+    };
+    let key = |at: f32, x: f32| format!("{{ at = {at}, eye = [{x}, -20.0, 14.0], target = [12.0, 12.0, 3.0] }}");
+    let text = format!("scene = \"room.vxt\"\nfps = 3\nseconds = 1\n[camera]\npath = [{}, {}]\n", key(0.0, 4.0), key(0.7, 20.0));
+    std::fs::write(folder.path("room.animation.toml"), text).unwrap();
+    let mut view = View::open(&folder, &screen, &["room.animation.toml", "--traversal", "cpu"]);
+    view.wait("the scene's title", |view| view.title().starts_with("room"));
+    view.hand(&["windowsize"], &["400", "420"]);
+    view.wait("its size", |view| view.size() == (400, 420));
+    view.key("space");
+    std::thread::sleep(Duration::from_millis(1500));
+    view.key("c");
+    view.key("shift+F8");
+    std::thread::sleep(Duration::from_millis(500));
+    view.key("ctrl+a");
+    screen.hand(&["type", &folder.path("ours_####.png").display().to_string()]);
+    view.key("Return");
+    view.wait("the last frame", |_| folder.exists("ours_0003.png"));
+    view.wait("that it is whole", |_| !std::fs::read(folder.path("ours_0003.png")).unwrap().is_empty());
+    let size = folder.png("ours_0003.png");
+    view.key("ctrl+q");
+    view.key("ctrl+q");
+    let (code, stdout, stderr) = view.end();
+    assert_eq!(code, Some(0), "{stderr}");
+    assert!(stdout.contains("eye = [20"), "at its end the view is the last key's: {stdout}");
+    let size = format!("{}x{}", size.width, size.height);
+    folder.succeed(&["animate", "room.animation.toml", "-o", "theirs_####.png", "--size", &size, "--traversal", "cpu"]);
+    for frame in ["0001", "0002", "0003"] {
+        assert!(folder.bytes(&format!("ours_{frame}.png")) == folder.bytes(&format!("theirs_{frame}.png")), "{frame}");
+    }
+    assert!(folder.bytes("ours_0001.png") != folder.bytes("ours_0003.png"), "the comparison sees frames");
+}

@@ -5,6 +5,7 @@ use super::wake::Wake;
 use crate::dialogs::{Dialog, OpenDialog, PictureKind, SCENE_KINDS};
 use crate::export::{ExportRequest, Exporting, Source};
 use crate::load::{Loading, Reading};
+use crate::running::{RunRequest, Running};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -62,6 +63,7 @@ impl App {
         match dialog {
             Dialog::Open(_) => answer!(system.pick_file()),
             Dialog::Frames(_) => answer!(system.pick_folder()),
+            Dialog::Record(_) => answer!(system.save_file()),
             Dialog::Save(_) => answer!(system.add_filter("scenes", &SCENE_KINDS.map(|(ending, _)| ending)).save_file()),
             Dialog::Picture(_) => {
                 answer!(system.add_filter("pictures", &PictureKind::ALL.map(PictureKind::extension)).save_file());
@@ -95,6 +97,17 @@ impl App {
         };
         self.may_quit = false;
         self.session.exporting = Some(Exporting::start(request, source, wake));
+    }
+
+    /// Runs a command beside the window.
+    pub(super) fn run_beside(&mut self, request: RunRequest) {
+        self.may_quit = false;
+        if request.measures
+            && let Some(engine) = &self.engine
+        {
+            engine.pause(true);
+        }
+        self.session.running = Some(Running::start(&self.loader, request, self.wake()));
     }
 
     /// Begins to write the scene to a file.
@@ -132,6 +145,14 @@ impl App {
 
     /// Begins to open a scene; the one that is shown stays until it is there.
     pub(super) fn load(&mut self, source: &str) {
+        let of_animation = crate::timeline::scene_to_open(Path::new(source));
+        let whole = std::path::absolute(source).unwrap_or_else(|_| source.into());
+        self.session.wanted_timeline = of_animation.as_ref().map(|_| whole);
+        let of_animation = match of_animation.transpose() {
+            Ok(scene) => scene,
+            Err(error) => return self.session.say(error.to_string(), true),
+        };
+        let source = of_animation.as_deref().unwrap_or(source);
         let source = match scenes::NAMES.contains(&source) {
             true => source.to_owned(),
             false => std::path::absolute(source).map_or(source.to_owned(), |path| path.display().to_string()),
@@ -144,7 +165,8 @@ impl App {
     pub(super) fn load_again(&mut self) {
         let Some(open) = &self.session.open else { return };
         let is_cut = self.session.render_settings.cutting.is_cut();
-        let reading = Reading { shown: open.changes().1, is_cut };
+        let transfer = self.session.chosen_transfer();
+        let reading = Reading { shown: open.changes().1, is_cut, is_again: true, transfer, coarse: None };
         self.session.loading = Some(Loading::start(&self.loader, &open.source, reading, true, self.wake()));
     }
 
@@ -165,6 +187,8 @@ impl App {
     /// Takes a scene that has come.
     pub(super) fn take_loaded(&mut self) {
         self.session.take_measured();
+        self.session.take_running();
+        self.session.take_reshaped();
         let before = self.session.open.as_ref().map(|open| (Arc::clone(&open.original), Arc::clone(&open.lit)));
         self.session.take_loaded();
         let Some(open) = &self.session.open else { return };

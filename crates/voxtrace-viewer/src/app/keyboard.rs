@@ -52,6 +52,7 @@ fn letter_at(key: PhysicalKey) -> Option<Key> {
 fn named_key(named: NamedKey) -> Option<Key> {
     Some(match named {
         NamedKey::Escape => Key::Escape,
+        NamedKey::Space => Key::Space,
         NamedKey::Tab => Key::Tab,
         NamedKey::Delete => Key::Delete,
         NamedKey::Home => Key::Home,

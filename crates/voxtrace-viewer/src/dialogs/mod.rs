@@ -5,12 +5,14 @@ mod open;
 mod path_field;
 mod picture;
 mod quality;
+mod record;
 
 pub use frames::{FramesDialog, Route, ffmpeg_line};
 pub use open::{OpenDialog, SCENE_KINDS, SaveDialog};
 pub use path_field::{MOST_OFFERED, Offer, PathField};
 pub use picture::{PictureDialog, PictureKind};
 pub use quality::{PRESETS, Quality};
+pub use record::{RecordDialog, RecordKind};
 
 use crate::export::{End, ExportRequest, Outcome};
 use crate::session::{Command, Session};
@@ -23,6 +25,8 @@ pub enum Dialog {
     Picture(PictureDialog),
     /// Rendering a turntable or a flight to numbered frames.
     Frames(Box<FramesDialog>),
+    /// Recording the timeline.
+    Record(Box<RecordDialog>),
     /// Writing the scene to a file.
     Save(SaveDialog),
     /// Opening a scene by its path.
@@ -35,6 +39,7 @@ impl Dialog {
         match self {
             Self::Picture(dialog) => &mut dialog.path,
             Self::Frames(dialog) => &mut dialog.folder,
+            Self::Record(dialog) => &mut dialog.path,
             Self::Save(dialog) => &mut dialog.path,
             Self::Open(dialog) => &mut dialog.path,
         }

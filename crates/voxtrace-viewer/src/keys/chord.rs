@@ -36,6 +36,8 @@ pub enum Key {
     Plus,
     /// Minus.
     Minus,
+    /// The space bar.
+    Space,
 }
 
 impl fmt::Display for Key {
@@ -56,6 +58,7 @@ impl fmt::Display for Key {
             Self::Down => f.write_str("↓"),
             Self::Plus => f.write_str("+"),
             Self::Minus => f.write_str("−"),
+            Self::Space => f.write_str("Space"),
         }
     }
 }

@@ -12,12 +12,15 @@ mod materials;
 mod messages;
 mod parts;
 mod picked;
+mod running;
 mod scene;
 mod sky;
 mod statistics;
 mod status;
 mod surroundings;
+mod timeline;
 mod tracing;
+mod values;
 mod view;
 mod welcome;
 
@@ -52,12 +55,14 @@ pub fn show(ui: &mut Ui, session: &mut Session, status: &Status) -> f32 {
         });
         width = side.response.rect.width();
     }
+    session.below = timeline::timeline(ui, session);
     comparison::divider(ui, session, width);
     if session.open.is_none() && session.loading.is_none() && session.dialog.is_none() {
         welcome::welcome(ui, session, status, width);
     }
     dialogs::show(ui, session, status, width);
     messages::loading(ui, session, width);
+    running::running(ui, session, width);
     messages::messages(ui, session);
     if session.has_help {
         help::help(ui, session);
@@ -73,6 +78,7 @@ fn sections(ui: &mut Ui, session: &mut Session, status: &Status) {
     light::light(ui, session);
     if session.open.is_some() {
         heading(ui, "Contents");
+        values::values(ui, session);
         parts::parts(ui, session);
         cuts::cuts(ui, session);
         surroundings::surroundings(ui, session);

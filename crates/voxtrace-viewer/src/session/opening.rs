@@ -13,7 +13,7 @@ impl Session {
     pub fn take_loaded(&mut self) {
         let Some(loading) = &mut self.loading else { return };
         let (source, is_again) = (loading.source.clone(), loading.is_again);
-        let Came { notes, result, depends_on_cuts } = loading.take();
+        let Came { notes, result, depends_on_cuts, values } = loading.take();
         for note in notes {
             self.say(note, false);
         }
@@ -28,12 +28,15 @@ impl Session {
             }
             Some(Ok(scene)) => {
                 self.loading = None;
+                if values.is_some() || !is_again {
+                    self.take_values(values, is_again);
+                }
                 match is_again {
                     true => self.show_again(scene),
                     false => self.show(source, scene),
                 }
                 if let Some(open) = &mut self.open {
-                    open.depends_on_cuts = depends_on_cuts;
+                    open.depends_on_cuts = depends_on_cuts || (is_again && open.depends_on_cuts);
                 }
             }
         }
@@ -70,6 +73,8 @@ impl Session {
         }
         self.open = Some(open);
         self.picked = None;
+        let timeline = self.wanted_timeline.take();
+        self.renew_timeline(timeline);
         self.keep_apart_for_lines(false);
         self.ask(Command::SetScene);
         self.ask(Command::SetView);

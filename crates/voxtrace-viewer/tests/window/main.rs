@@ -18,3 +18,4 @@ mod scripts;
 mod showing;
 mod skies;
 mod surroundings;
+mod timeline;

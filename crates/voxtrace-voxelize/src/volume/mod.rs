@@ -2,6 +2,7 @@
 //! colours or to nothing; [`voxelize`] resamples the volume to cubic voxels.
 
 mod automatic;
+mod coarse;
 mod estimate;
 mod labels;
 pub mod large;
@@ -13,6 +14,7 @@ mod slab;
 mod statistics;
 mod transfer;
 
+pub use coarse::voxelize_coarse;
 pub use estimate::{VolumeEstimate, estimate};
 pub use overlay::Overlay;
 pub use statistics::ValueStatistics;
@@ -238,6 +240,11 @@ impl Volume {
             return Err("the axes of the lattice lie in a plane".into());
         }
         Ok(())
+    }
+
+    /// How many finite values lie in each of 1024 equal parts from `low` to `high`; what is higher is in the last one.
+    pub fn histogram(&self, low: f32, high: f32) -> Vec<u64> {
+        statistics::binned(&self.values, low, high)
     }
 
     /// Statistics of the values.
