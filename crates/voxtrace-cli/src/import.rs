@@ -15,7 +15,17 @@ use voxtrace::Volume;
 use voxtrace::import::{
     Content, Data, Geometry, ImportError, ImportOptions, Kind, Opened, READERS, parts_not_shown, read_while,
 };
+use voxtrace::points::PointCloud;
 use voxtrace::volume::ValueStatistics;
+
+/// What a file holds before it becomes voxels.
+#[cfg_attr(not(feature = "view"), allow(dead_code, reason = "only the window looks at it"))]
+pub enum Held<'a> {
+    /// A volume in memory, and what its values are.
+    Volume(Arc<Volume>, Arc<ValueStatistics>),
+    /// Points.
+    Points(&'a PointCloud),
+}
 
 /// How files become scenes.
 #[derive(clap::Args, Clone, Debug)]
@@ -109,12 +119,12 @@ impl ImportArgs {
         Ok(Content::Scene(scene.into()))
     }
 
-    /// Loads a scene from a file, or from several that are one, as it is; a volume that is in memory goes to `keep`, with what its values are.
+    /// Loads a scene from a file, or from several that are one, as it is; `keep` gets what it holds.
     pub fn load_keeping(
         &self,
         paths: &[PathBuf],
         in_memory: bool,
-        keep: &mut dyn FnMut(Arc<Volume>, Arc<ValueStatistics>),
+        keep: &mut dyn FnMut(Held),
         report: &mut Report,
     ) -> Result<Content, Failure> {
         let options = self.options(in_memory);
@@ -123,10 +133,15 @@ impl ImportArgs {
             Data::Volume(volume) => {
                 let values = Arc::new(volume.statistics());
                 let volume = Arc::new(volume);
-                keep(Arc::clone(&volume), Arc::clone(&values));
+                keep(Held::Volume(Arc::clone(&volume), Arc::clone(&values)));
                 self.content_of(&volume, &values, path, report)
             }
-            data => self.scene(data, path, report),
+            data => {
+                if let Data::Geometry(Geometry::Points(cloud)) = &data {
+                    keep(Held::Points(cloud));
+                }
+                self.scene(data, path, report)
+            }
         }
     }
 

@@ -1,17 +1,15 @@
 //! Where scenes come from: a file, or a built-in scene, whose name stands wherever a file may.
 
 use crate::failure::Failure;
-use crate::import::ImportArgs;
+use crate::import::{Held, ImportArgs};
 use crate::interrupt;
 use crate::normals::{NormalsArg, with_normals};
 use crate::parse;
 use crate::report::Report;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 use voxtrace::import::{Content, opened};
 use voxtrace::packed::PackError;
-use voxtrace::volume::ValueStatistics;
-use voxtrace::{PackedScene, Volume, scenes};
+use voxtrace::{PackedScene, scenes};
 
 /// A scene on the command line.
 #[derive(clap::Args, Clone, Debug)]
@@ -133,24 +131,16 @@ impl SceneArgs {
 
     /// Reads or generates the scene, with the edits that are asked for.
     pub fn load(&self, report: &mut Report) -> Result<Content, Failure> {
-        self.load_keeping(&mut |_, _| (), report)
+        self.load_keeping(&mut |_| (), report)
     }
 
-    /// As [`Self::load`]; a volume that is in memory goes to `keep`, with what its values are.
-    pub fn load_keeping(
-        &self,
-        keep: &mut dyn FnMut(Arc<Volume>, Arc<ValueStatistics>),
-        report: &mut Report,
-    ) -> Result<Content, Failure> {
+    /// As [`Self::load`]; `keep` gets what its file holds.
+    pub fn load_keeping(&self, keep: &mut dyn FnMut(Held), report: &mut Report) -> Result<Content, Failure> {
         let content = self.load_as_it_is(keep, report)?;
         self.import.edit(content, report)
     }
 
-    fn load_as_it_is(
-        &self,
-        keep: &mut dyn FnMut(Arc<Volume>, Arc<ValueStatistics>),
-        report: &mut Report,
-    ) -> Result<Content, Failure> {
+    fn load_as_it_is(&self, keep: &mut dyn FnMut(Held), report: &mut Report) -> Result<Content, Failure> {
         let scene = self.scene();
         if self.is_builtin() {
             self.import.volume.overlays.refuse(Path::new(scene))?;

@@ -17,7 +17,8 @@ pub fn as_toml(word: &str) -> Option<Result<String, String>> {
                 let value = number(value).ok_or_else(|| format!("{key}: {value:?} is not a number"))?;
                 settings += &format!("{key} = {value:?}\n");
             } else {
-                let at = number(key).ok_or_else(|| format!("{key:?} is neither a value nor one of {}", KEYS.join(", ")))?;
+                let at =
+                    number(key).ok_or_else(|| format!("{key:?} is neither a value nor one of {}", KEYS.join(", ")))?;
                 let is_plain = value.bytes().all(|byte| byte == b'#' || byte.is_ascii_alphanumeric());
                 let color = is_plain.then_some(value).ok_or_else(|| format!("{value:?} is no colour like #d8c7a0"))?;
                 stops += &format!("[[stop]]\nvalue = {at:?}\ncolor = \"{color}\"\n");
@@ -37,7 +38,9 @@ mod tests {
     #[test]
     fn one_word_says_what_a_file_says() {
         let word = "stops:300=#ff0000,-12.5=#ffffff,threshold=-100,upper=2e3,opacity=0.5";
-        let Transfer { ramp: Ramp::Absolute { low, high, stops }, opacity, .. } = transfer(word).unwrap() else { panic!() };
+        let Transfer { ramp: Ramp::Absolute { low, high, stops }, opacity, .. } = transfer(word).unwrap() else {
+            panic!()
+        };
         assert_eq!((low, high, opacity), (-100.0, 2000.0, 0.5));
         assert_eq!(stops, [(-12.5, Vec3::ONE), (300.0, Vec3::X)]);
         let folder = tempfile::tempdir().unwrap();
@@ -48,7 +51,15 @@ mod tests {
         // Without a threshold, the first stop is it.
         let Ramp::Absolute { low, .. } = transfer("stops:7=#102030").unwrap().ramp else { panic!() };
         assert_eq!(low, 7.0);
-        for wrong in ["stops:", "stops:a=#ffffff", "stops:1", "stops:1=white", "stops:1=#fff\"", "stops:1=#ffffff,upper=x", "stops:nan=#ffffff"] {
+        for wrong in [
+            "stops:",
+            "stops:a=#ffffff",
+            "stops:1",
+            "stops:1=white",
+            "stops:1=#fff\"",
+            "stops:1=#ffffff,upper=x",
+            "stops:nan=#ffffff",
+        ] {
             let line = transfer(wrong).unwrap_err().line();
             assert!(line.contains("transfer function") && line.lines().count() == 1, "{wrong}: {line}");
         }

@@ -4,7 +4,7 @@ use crate::benchmark::{FRAMES, WARM_UP};
 use crate::bookmarks::Bookmarks;
 use crate::camera_toml::camera_toml;
 use crate::comparison::{Comparison, DIVIDER_STEP};
-use crate::dialogs::{Dialog, FramesDialog, OpenDialog, PictureDialog, RecordDialog, SaveDialog};
+use crate::dialogs::{Dialog, FramesDialog, OpenDialog, PictureDialog, PlanDialog, RecordDialog, SaveDialog};
 use crate::export::free_name;
 use crate::keys::Action;
 use crate::navigation::{Mode, Motion};
@@ -44,6 +44,7 @@ impl Session {
             Action::RenderPicture => self.open_dialog(|session| Dialog::Picture(PictureDialog::new(session))),
             Action::RenderFrames => self.open_dialog(|session| Dialog::Frames(Box::new(FramesDialog::new(session)))),
             Action::Timeline => self.toggle_timeline(),
+            Action::Plan => self.dialog = Some(Dialog::Plan(Box::new(PlanDialog::new(self)))),
             Action::Values => self.toggle_value_drag(),
             Action::Play => self.toggle_play(),
             Action::Record => self.open_dialog(|session| Dialog::Record(Box::new(RecordDialog::new(session)))),
@@ -293,7 +294,7 @@ impl Session {
         let is_device = settings.traversal != Traversal::Cpu;
         let has_primitive = matches!(settings.traversal, Traversal::Query | Traversal::Pipeline);
         Some(RenderCommand {
-            scene_options: crate::transfer::with_transfer(&self.scene_options, self.chosen_transfer()),
+            scene_options: self.options_of_reading(),
             usual_camera: open.original.cameras.first().cloned(),
             size: self.size(),
             samples: settings.samples,
@@ -322,6 +323,12 @@ impl Session {
             shown,
             ..RenderCommand::new(scene, self.navigator.camera().clone())
         })
+    }
+
+    /// The options with which the scene is read, with what was chosen here.
+    fn options_of_reading(&self) -> Vec<String> {
+        let options = crate::transfer::with_transfer(&self.scene_options, self.chosen_transfer());
+        self.chosen_points().map_or_else(|| options.clone(), |points| points.over(&options))
     }
 
     /// The camera as that command has it: options move the scene's first camera, and its name, which stands in files, stays.

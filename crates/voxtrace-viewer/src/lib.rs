@@ -10,6 +10,7 @@ pub mod benchmark;
 pub mod bookmarks;
 pub mod camera_toml;
 mod changes;
+pub mod cloud;
 pub mod comparison;
 pub mod cutting;
 pub mod dialogs;
@@ -41,6 +42,7 @@ pub mod touch;
 pub mod transfer;
 
 pub use app::{ViewerError, WindowOptions, open_window};
+pub use cloud::{PointsChoice, PointsSeen};
 pub use load::{Loader, Reading, Told, Wanted};
 pub use transfer::ValuesSeen;
 

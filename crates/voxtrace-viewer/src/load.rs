@@ -1,5 +1,6 @@
 //! Opening scenes on a thread of their own, with what is told meanwhile. The last scene that was asked for counts.
 
+use crate::cloud::{PointsChoice, PointsSeen};
 use crate::threads;
 use crate::transfer::ValuesSeen;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -9,6 +10,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
 use voxtrace::PackedScene;
 use voxtrace::changes::PartName;
+use voxtrace_bench::Measurement;
 
 /// What a loader says while it works.
 #[derive(Clone, Debug, PartialEq)]
@@ -26,6 +28,10 @@ pub enum Told {
     Note(String),
     /// The file is read otherwise where the scene is cut: with what nobody sees inside.
     DependsOnCuts,
+    /// The scene is a cloud of points: what they are.
+    Points(Arc<PointsSeen>),
+    /// What a benchmark measured.
+    Measured(Vec<Measurement>),
     /// The scene is a volume in memory: what its values are.
     Values(Arc<ValuesSeen>),
 }
@@ -39,6 +45,8 @@ pub struct Reading {
     pub is_cut: bool,
     /// Whether it is the scene that was read last: a volume may be taken from memory.
     pub is_again: bool,
+    /// What was chosen about points, in place of what the command line says.
+    pub points: Option<PointsChoice>,
     /// The transfer function of a volume, as `--transfer` has it, in place of that of the command line.
     pub transfer: Option<String>,
     /// Of a volume: how many voxels lie along its longest side at most, for a quick look.
@@ -113,6 +121,7 @@ pub struct Loading {
     pub seconds_left: Option<f64>,
     depends_on_cuts: bool,
     values: Option<Arc<ValuesSeen>>,
+    points: Option<Arc<PointsSeen>>,
     answers: Receiver<Answer>,
     wanted: Wanted,
 }
@@ -135,6 +144,8 @@ pub struct Came {
     pub depends_on_cuts: bool,
     /// What the values of a volume are.
     pub values: Option<Arc<ValuesSeen>>,
+    /// What its points are.
+    pub points: Option<Arc<PointsSeen>>,
     /// Notes about the file.
     pub notes: Vec<String>,
     /// The scene, or why there is none.
@@ -175,6 +186,7 @@ impl Loading {
             seconds_left: None,
             depends_on_cuts: false,
             values: None,
+            points: None,
             answers,
             wanted,
         }
@@ -190,11 +202,13 @@ impl Loading {
                 }
                 Ok(Answer::Told(Told::Note(note))) => came.notes.push(note),
                 Ok(Answer::Told(Told::DependsOnCuts)) => self.depends_on_cuts = true,
+                Ok(Answer::Told(Told::Points(points))) => self.points = Some(points),
+                Ok(Answer::Told(Told::Measured(_))) => {}
                 Ok(Answer::Told(Told::Values(values))) => self.values = Some(values),
                 Ok(Answer::Done(result)) => {
                     came.result = Some(result.map(|scene| Arc::new(*scene)));
                     came.depends_on_cuts = self.depends_on_cuts;
-                    came.values = self.values.take();
+                    (came.values, came.points) = (self.values.take(), self.points.take());
                 }
                 Err(TryRecvError::Empty) => return came,
                 Err(TryRecvError::Disconnected) => {

@@ -8,6 +8,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
+use voxtrace_bench::Measurement;
 
 /// What is to run.
 #[derive(Clone, Debug, PartialEq)]
@@ -34,6 +35,7 @@ pub struct Running {
     pub seconds_left: Option<f64>,
     /// Whether somebody asked it to stop.
     pub is_stopping: bool,
+    measured: Option<Vec<Measurement>>,
     answers: Receiver<Answer>,
     wanted: Wanted,
     thread: Option<std::thread::JoinHandle<()>>,
@@ -70,7 +72,8 @@ impl Running {
             wake();
         });
         let (work, thread) = ("beginning".into(), Some(thread));
-        Self { request, work, share: None, seconds_left: None, is_stopping: false, answers, wanted, thread }
+        let measured = None;
+        Self { request, work, share: None, seconds_left: None, is_stopping: false, measured, answers, wanted, thread }
     }
 
     /// Asks it to stop.
@@ -88,6 +91,7 @@ impl Running {
                     (self.work, self.share, self.seconds_left) = (work, share, seconds_left);
                 }
                 Ok(Answer::Told(Told::Note(note))) => notes.push(note),
+                Ok(Answer::Told(Told::Measured(measured))) => self.measured = Some(measured),
                 Ok(Answer::Told(_)) => {}
                 Ok(Answer::Done(done)) => return (notes, Some(done)),
                 Err(TryRecvError::Empty) => return (notes, None),
@@ -126,7 +130,10 @@ impl Session {
         let is_of_work = |note: &String| note.starts_with("load") || note.contains(" a pixel in ");
         notes.into_iter().filter(|note| !is_of_work(note)).for_each(|note| self.say(note, false));
         let done = done?;
-        let running = self.running.take()?;
+        let mut running = self.running.take()?;
+        if let Some(measured) = running.measured.take() {
+            self.measured = Some(measured);
+        }
         if running.request.measures {
             self.ask(Command::Pause(self.is_paused));
         }

@@ -154,6 +154,8 @@ pub struct Session {
     pub running: Option<Running>,
     /// The values of the volume that is open, and what of them is shown.
     pub values: Option<Values>,
+    /// The points of the scene that is open.
+    pub points: Option<crate::cloud::Points>,
     /// The camera over time.
     pub timeline: Timeline,
     /// An animation whose scene is being opened.
@@ -219,6 +221,7 @@ impl Session {
             saving_scene: None,
             running: None,
             values: None,
+            points: None,
             timeline: Timeline::default(),
             wanted_timeline: None,
             below: 0.0,

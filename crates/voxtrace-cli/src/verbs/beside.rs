@@ -5,7 +5,16 @@ use crate::interrupt;
 use crate::report::{Report, Said};
 use crate::{Cli, Verb};
 use clap::Parser;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use voxtrace_bench::Results;
+use voxtrace_bench::shell::quoted;
 use voxtrace_viewer::{Told, Wanted};
+
+type Tell = Mutex<Box<dyn Fn(Told) + Send>>;
+
+fn locked(tell: &Tell) -> MutexGuard<'_, Box<dyn Fn(Told) + Send>> {
+    tell.lock().unwrap_or_else(PoisonError::into_inner)
+}
 
 /// Runs a command as long as it is wanted.
 ///
@@ -13,8 +22,10 @@ use voxtrace_viewer::{Told, Wanted};
 /// One line: what is wrong, and what to do.
 pub fn run(words: &[String], tell: Box<dyn Fn(Told) + Send>, wanted: &Wanted) -> Result<(), String> {
     let done = Cli::try_parse_from(words).map_err(Failure::from).and_then(|cli| {
+        let told = Arc::new(Mutex::new(tell));
+        let of_report = Arc::clone(&told);
         let report = &mut Report::to(Box::new(move |said| {
-            tell(match said {
+            locked(&of_report)(match said {
                 Said::Text(text) => Told::Note(text.to_owned()),
                 Said::Progress(work, share, seconds_left) => {
                     Told::Progress { work: work.to_owned(), share: Some(share), seconds_left }
@@ -25,7 +36,11 @@ pub fn run(words: &[String], tell: Box<dyn Fn(Told) + Send>, wanted: &Wanted) ->
         interrupt::also_when(move || wanted.is_over());
         match cli.verb {
             Verb::Animate(args) => args.run(report),
-            Verb::Bench(args) => args.run(report),
+            Verb::Bench(mut args) => {
+                args.command = Some(words.iter().map(|word| quoted(word)).collect::<Vec<_>>().join(" "));
+                let show = |results: &Results| locked(&told)(Told::Measured(results.measurements()));
+                args.run_showing(&show, report)
+            }
             _ => Err(Failure::usage("the window runs `animate` and `bench` alone")),
         }
     });
@@ -35,8 +50,6 @@ pub fn run(words: &[String], tell: Box<dyn Fn(Told) + Send>, wanted: &Wanted) ->
 #[cfg(test)]
 mod tests {
     use super::*;
-    use std::sync::{Arc, Mutex};
-
     fn words(text: &str, output: &std::path::Path) -> Vec<String> {
         let words = text.split(' ').map(|word| if word == "OUT" { output.display().to_string() } else { word.into() });
         words.collect()

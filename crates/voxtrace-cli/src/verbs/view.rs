@@ -76,7 +76,7 @@ impl ViewerArgs {
 }
 
 impl ViewerArgs {
-    fn into_loader(self) -> Files {
+    pub(super) fn into_loader(self) -> Files {
         let Self { scenes, import, memory, cuts, voxels, .. } = self;
         Files { tiles: scenes, import, memory, cuts, voxels, volume: KeptVolume::default() }
     }
@@ -180,7 +180,7 @@ fn reading_options(words: &[String], scene: Option<&str>) -> Vec<String> {
 }
 
 /// Reads what the window is given.
-struct Files {
+pub(super) struct Files {
     /// What the command names: several files are one scene, that of the first of them.
     tiles: Vec<String>,
     import: ImportArgs,
@@ -237,6 +237,9 @@ impl Loader for Files {
             (scene.import.volume.transfer, scene.import.volume.threshold) = (Some(transfer.clone()), None);
         }
         scene.import.volume.coarse = reading.coarse;
+        if let Some(points) = &reading.points {
+            scene.import.mesh.choose_points(points)?;
+        }
         // What reads tells of values, too.
         let told = Arc::new(Mutex::new(tell));
         let of_report = Arc::clone(&told);

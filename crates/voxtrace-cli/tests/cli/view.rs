@@ -239,7 +239,11 @@ fn a_timeline_that_lies_beside_the_scene_is_played_and_recorded_by_keys_as_anima
         return skip_without(Need::Display, "there is no Xvfb or no xdotool");
     };
     let key = |at: f32, x: f32| format!("{{ at = {at}, eye = [{x}, -20.0, 14.0], target = [12.0, 12.0, 3.0] }}");
-    let text = format!("scene = \"room.vxt\"\nfps = 3\nseconds = 1\n[camera]\npath = [{}, {}]\n", key(0.0, 4.0), key(0.7, 20.0));
+    let text = format!(
+        "scene = \"room.vxt\"\nfps = 3\nseconds = 1\n[camera]\npath = [{}, {}]\n",
+        key(0.0, 4.0),
+        key(0.7, 20.0)
+    );
     std::fs::write(folder.path("room.animation.toml"), text).unwrap();
     let mut view = View::open(&folder, &screen, &["room.animation.toml", "--traversal", "cpu"]);
     view.wait("the scene's title", |view| view.title().starts_with("room"));

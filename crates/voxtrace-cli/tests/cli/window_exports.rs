@@ -192,7 +192,8 @@ fn the_timeline_of_the_window_is_played_as_animate_renders_its_file() {
         assert!(!folder.exists("f_0010.vxf"));
         for frame in 1..=9 {
             session.set_time_frame(frame);
-            let camera = voxtrace::Camera { name: camera_of(&folder, frame).name, ..session.navigator.camera().clone() };
+            let camera =
+                voxtrace::Camera { name: camera_of(&folder, frame).name, ..session.navigator.camera().clone() };
             assert_eq!(camera, camera_of(&folder, frame), "{frame}");
             assert!(frame == 1 || camera != camera_of(&folder, frame - 1), "the comparison sees frames");
         }

@@ -86,9 +86,8 @@ impl App {
 
     /// Closes the window. Where that would end work under way, only when asked twice.
     pub(super) fn quit(&mut self, event_loop: &ActiveEventLoop) {
-        let is_busy = self.session.exporting.is_some()
-            || self.session.saving_scene.is_some()
-            || self.session.running.is_some();
+        let is_busy =
+            self.session.exporting.is_some() || self.session.saving_scene.is_some() || self.session.running.is_some();
         if is_busy && !std::mem::replace(&mut self.may_quit, true) {
             self.session.say("a file is being made: close the window again to stop that", false);
             return;

@@ -216,7 +216,9 @@ impl App {
         let point = egui::Pos2::new(place.x, place.y) / context.pixels_per_point();
         let layer = context.layer_id_at(point);
         let (width, height) = self.session.size();
-        place.x >= width as f32 || place.y >= height as f32 || layer.is_some_and(|layer| layer.order != egui::Order::Background)
+        place.x >= width as f32
+            || place.y >= height as f32
+            || layer.is_some_and(|layer| layer.order != egui::Order::Background)
     }
 
     /// Whether keys are those of the table: all but what is typed into a field of the panels.

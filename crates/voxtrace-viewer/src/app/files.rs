@@ -61,6 +61,7 @@ impl App {
             }};
         }
         match dialog {
+            Dialog::Plan(_) => answer!(system.add_filter("plans", &["toml"]).pick_file()),
             Dialog::Open(_) => answer!(system.pick_file()),
             Dialog::Frames(_) => answer!(system.pick_folder()),
             Dialog::Record(_) => answer!(system.save_file()),
@@ -165,8 +166,8 @@ impl App {
     pub(super) fn load_again(&mut self) {
         let Some(open) = &self.session.open else { return };
         let is_cut = self.session.render_settings.cutting.is_cut();
-        let transfer = self.session.chosen_transfer();
-        let reading = Reading { shown: open.changes().1, is_cut, is_again: true, transfer, coarse: None };
+        let (transfer, points) = (self.session.chosen_transfer(), self.session.chosen_points());
+        let reading = Reading { shown: open.changes().1, is_cut, is_again: true, points, transfer, coarse: None };
         self.session.loading = Some(Loading::start(&self.loader, &open.source, reading, true, self.wake()));
     }
 

@@ -4,6 +4,7 @@ mod frames;
 mod open;
 mod path_field;
 mod picture;
+mod plan;
 mod quality;
 mod record;
 
@@ -11,6 +12,7 @@ pub use frames::{FramesDialog, Route, ffmpeg_line};
 pub use open::{OpenDialog, SCENE_KINDS, SaveDialog};
 pub use path_field::{MOST_OFFERED, Offer, PathField};
 pub use picture::{PictureDialog, PictureKind};
+pub use plan::PlanDialog;
 pub use quality::{PRESETS, Quality};
 pub use record::{RecordDialog, RecordKind};
 
@@ -25,6 +27,8 @@ pub enum Dialog {
     Picture(PictureDialog),
     /// Rendering a turntable or a flight to numbered frames.
     Frames(Box<FramesDialog>),
+    /// Playing a benchmark plan.
+    Plan(Box<PlanDialog>),
     /// Recording the timeline.
     Record(Box<RecordDialog>),
     /// Writing the scene to a file.
@@ -39,6 +43,7 @@ impl Dialog {
         match self {
             Self::Picture(dialog) => &mut dialog.path,
             Self::Frames(dialog) => &mut dialog.folder,
+            Self::Plan(dialog) => &mut dialog.plan,
             Self::Record(dialog) => &mut dialog.path,
             Self::Save(dialog) => &mut dialog.path,
             Self::Open(dialog) => &mut dialog.path,

@@ -32,6 +32,8 @@ pub enum Action {
     Timeline,
     /// Dragging changes which values of a volume are shown, or moves the camera again.
     Values,
+    /// Opens the dialog that plays a benchmark plan.
+    Plan,
     /// Plays the timeline or stops.
     Play,
     /// Opens the dialog that records the timeline.

@@ -12,6 +12,7 @@ mod materials;
 mod messages;
 mod parts;
 mod picked;
+mod points;
 mod running;
 mod scene;
 mod sky;
@@ -79,6 +80,7 @@ fn sections(ui: &mut Ui, session: &mut Session, status: &Status) {
     if session.open.is_some() {
         heading(ui, "Contents");
         values::values(ui, session);
+        points::points(ui, session);
         parts::parts(ui, session);
         cuts::cuts(ui, session);
         surroundings::surroundings(ui, session);

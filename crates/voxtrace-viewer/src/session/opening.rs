@@ -13,7 +13,7 @@ impl Session {
     pub fn take_loaded(&mut self) {
         let Some(loading) = &mut self.loading else { return };
         let (source, is_again) = (loading.source.clone(), loading.is_again);
-        let Came { notes, result, depends_on_cuts, values } = loading.take();
+        let Came { notes, result, depends_on_cuts, values, points } = loading.take();
         for note in notes {
             self.say(note, false);
         }
@@ -28,6 +28,7 @@ impl Session {
             }
             Some(Ok(scene)) => {
                 self.loading = None;
+                self.take_points(points, is_again);
                 if values.is_some() || !is_again {
                     self.take_values(values, is_again);
                 }

@@ -185,7 +185,9 @@ fn read_camera(
 ) -> Result<(), String> {
     const KEYS: [&str; 4] = ["path", "ease", "look_at", "focus"];
     if let Some(key) = camera.keys().find(|key| !KEYS.contains(&key.as_str())) {
-        return Err(format!("`camera.{key}`: the timeline has cameras at times alone; `voxtrace animate` renders this"));
+        return Err(format!(
+            "`camera.{key}`: the timeline has cameras at times alone; `voxtrace animate` renders this"
+        ));
     }
     let path = camera.get("path").and_then(Value::as_array).ok_or("`camera.path` is missing")?;
     if path.len() > MOST_KEYS {
@@ -314,7 +316,11 @@ mod tests {
         let side = Camera { name: "side".into(), ..plain.clone() };
         let bookmarks = folder.path().join("a.cameras.toml");
         Bookmarks::open(&bookmarks).unwrap().store(3, &kept).unwrap();
-        fs::write(&path, "frames = 48\n[camera]\npath = [{ at = 0, camera = \"side\" }, { at = 1, bookmark = 3, fov_y = 20 }]").unwrap();
+        fs::write(
+            &path,
+            "frames = 48\n[camera]\npath = [{ at = 0, camera = \"side\" }, { at = 1, bookmark = 3, fov_y = 20 }]",
+        )
+        .unwrap();
         let mut timeline = Timeline::default();
         let cameras = Cameras { of_scene: std::slice::from_ref(&side), bookmarks: Some(bookmarks) };
         timeline.open(&path, &cameras).unwrap();
@@ -345,6 +351,9 @@ mod tests {
             assert!(error.contains(about) && !error.contains('\n'), "{text}: {error}");
             assert_eq!(own.course, before);
         }
-        assert!(matches!(Timeline::default().open(&folder.path().join("none"), &NONE), Err(TimelineError::Read { .. })));
+        assert!(matches!(
+            Timeline::default().open(&folder.path().join("none"), &NONE),
+            Err(TimelineError::Read { .. })
+        ));
     }
 }

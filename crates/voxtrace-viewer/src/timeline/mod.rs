@@ -228,7 +228,10 @@ mod tests {
     #[test]
     fn keys_stay_in_order_and_one_frame_has_one_key() {
         let mut course = Course { fps: 10.0, ..Course::default() };
-        assert_eq!((course.put(2.0, camera(2.0)), course.put(0.0, camera(0.0)), course.put(1.0, camera(1.0))), (0, 0, 1));
+        assert_eq!(
+            (course.put(2.0, camera(2.0)), course.put(0.0, camera(0.0)), course.put(1.0, camera(1.0))),
+            (0, 0, 1)
+        );
         assert_eq!(times(&course), [0.0, 1.0, 2.0]);
         course.put(1.02, camera(9.0));
         assert_eq!((times(&course), course.keys[1].camera.eye.x), (vec![0.0, 1.02, 2.0], 9.0), "it was replaced");
@@ -259,6 +262,9 @@ mod tests {
         timeline.edit(|course| course.fps = 24.0);
         timeline.edit(|course| course.fps = 30.0);
         assert!(timeline.undo() && timeline.course.fps == 24.0 && timeline.course.keys.len() == 1);
-        assert!(timeline.undo() && timeline.course == Course::default() && !timeline.undo(), "what changes nothing is no step");
+        assert!(
+            timeline.undo() && timeline.course == Course::default() && !timeline.undo(),
+            "what changes nothing is no step"
+        );
     }
 }

@@ -97,7 +97,9 @@ impl Session {
     /// Gives the selected key the present camera.
     pub fn replace_time_key(&mut self) {
         let camera = self.navigator.camera().clone();
-        let Some(index) = self.timeline.selected.filter(|&index| index < self.timeline.course.keys.len()) else { return };
+        let Some(index) = self.timeline.selected.filter(|&index| index < self.timeline.course.keys.len()) else {
+            return;
+        };
         self.timeline.edit(|course| course.keys[index].camera = camera);
     }
 

@@ -212,7 +212,10 @@ mod tests {
     #[test]
     fn a_stop_stays_between_its_neighbours_and_a_new_one_changes_no_colour() {
         let mut curve = seen().preset(Preset::CtBone).unwrap();
-        assert_eq!((curve.move_stop(1, 9000.0), curve.move_stop(1, -9000.0), curve.move_stop(1, 700.0)), (1200.0, 250.0, 700.0));
+        assert_eq!(
+            (curve.move_stop(1, 9000.0), curve.move_stop(1, -9000.0), curve.move_stop(1, 700.0)),
+            (1200.0, 250.0, 700.0)
+        );
         let before = curve.color_at(900.0);
         let index = curve.add_stop(900.0);
         assert_eq!((index, curve.stops[index]), (2, (900.0, before)));

@@ -95,6 +95,8 @@ impl Session {
         // Where coarse voxels are under way, the last curve follows them.
         if !values.shaping.as_ref().is_some_and(|shaping| shaping.is_coarse) {
             values.shaping = None;
+            // The cores are for the voxels until there are new ones.
+            self.ask(Command::Pause(true));
             self.ask(Command::Reshape);
         }
     }
@@ -106,7 +108,7 @@ impl Session {
         let Some(values) = &mut self.values else { return };
         let is_coarse = values.shown.as_ref() != Some(&word);
         let coarse = is_coarse.then_some(COARSE);
-        let reading = Reading { shown, is_cut, is_again: true, transfer: Some(word.clone()), coarse };
+        let reading = Reading { shown, is_cut, is_again: true, points: None, transfer: Some(word.clone()), coarse };
         let loading = Loading::start(loader, &source, reading, true, wake);
         values.shaping = Some(Shaping { loading, word, is_coarse, since: Instant::now() });
     }
@@ -121,6 +123,7 @@ impl Session {
         let (made, is_coarse) = (shaping.word.clone(), shaping.is_coarse);
         let seconds = shaping.since.elapsed().as_secs_f32();
         values.shaping = None;
+        let is_paused = self.is_paused || self.benchmark.is_some();
         values.took[usize::from(!is_coarse)] = Some(seconds);
         match result {
             Ok(scene) => {
@@ -142,6 +145,7 @@ impl Session {
                 }
             }
         }
+        self.ask(Command::Pause(is_paused));
     }
 
     /// Lets dragging change the values that are shown, or move the camera again.

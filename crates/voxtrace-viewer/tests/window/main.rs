@@ -19,3 +19,4 @@ mod showing;
 mod skies;
 mod surroundings;
 mod timeline;
+mod values;

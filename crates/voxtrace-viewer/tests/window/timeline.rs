@@ -84,9 +84,16 @@ fn while_two_tracers_are_compared_k_moves_their_divider() {
 
 /// Presses at a place, moves to another and lets go.
 fn drag(harness: &mut Harness<Session>, from: Pos2, to: Pos2) {
-    let button = |pos, pressed| Event::PointerButton { pos, button: PointerButton::Primary, pressed, modifiers: Held::NONE };
+    let button =
+        |pos, pressed| Event::PointerButton { pos, button: PointerButton::Primary, pressed, modifiers: Held::NONE };
     let middle = from.lerp(to, 0.5);
-    for event in [Event::PointerMoved(from), button(from, true), Event::PointerMoved(middle), Event::PointerMoved(to), button(to, false)] {
+    for event in [
+        Event::PointerMoved(from),
+        button(from, true),
+        Event::PointerMoved(middle),
+        Event::PointerMoved(to),
+        button(to, false),
+    ] {
         harness.event(event);
         harness.run_steps(2);
     }
@@ -96,10 +103,10 @@ fn drag(harness: &mut Harness<Session>, from: Pos2, to: Pos2) {
 fn keys_are_dragged_in_time_clicked_replaced_deleted_and_brought_back() {
     let mut harness = panels(with_two_keys("room.vxt"), Status::default());
     let axis = harness.get_by_label("time").rect();
-    let at = |seconds: f32| Pos2::new(axis.left() + 12.0 + seconds / 5.0 * (axis.width() - 24.0), axis.center().y + 8.0);
-    let times = |harness: &Harness<Session>| {
-        harness.state().timeline.course.keys.iter().map(|key| key.at).collect::<Vec<_>>()
-    };
+    let at =
+        |seconds: f32| Pos2::new(axis.left() + 12.0 + seconds / 5.0 * (axis.width() - 24.0), axis.center().y + 8.0);
+    let times =
+        |harness: &Harness<Session>| harness.state().timeline.course.keys.iter().map(|key| key.at).collect::<Vec<_>>();
     drag(&mut harness, at(2.0), at(3.5));
     assert_eq!(times(&harness), [0.0, 3.5]);
     // The axis itself moves the playhead, and the view with it.

@@ -1,14 +1,14 @@
 //! Volumes in coarser voxels that lie where the fine ones would: what is shown while a transfer function is being changed.
 
-use super::{Placement, Volume, VolumeError, VolumeOptions, voxelize_with_statistics};
-use super::{Transfer, ValueStatistics};
+use super::{Placement, Transfer, ValueStatistics, Volume, VolumeError, VolumeOptions};
+use super::{voxelize_placed, voxelize_with_statistics};
 use crate::limits::Limits;
 use crate::voxelize::Scale;
 use voxtrace_scene::Transform;
 use voxtrace_scene::scene::Scene;
 
-/// As [`voxelize_with_statistics`], in voxels of such a size that none but `edge` lie along the longest side, in the place and size that the scene has with the voxels
-/// that `options` ask for. Where these are no more, they are taken.
+/// As [`voxelize_with_statistics`], in larger voxels, `edge` along the longest side, that lie in the place of those which `options` ask for; each has the value of its nearest
+/// sample. Where these are no more, they are taken.
 ///
 /// # Errors
 /// As [`super::voxelize`].
@@ -20,15 +20,17 @@ pub fn voxelize_coarse(
     limits: &Limits,
 ) -> Result<Scene, VolumeError> {
     volume.validate().map_err(VolumeError::BadVolume)?;
-    let is_labels = options.transfer.as_ref().map_or_else(|| Transfer::automatic(values).is_labels(), Transfer::is_labels);
-    let fine = Placement::of(volume, options.scale, limits.voxels, is_labels)?;
+    let mut transfer = options.transfer.clone().unwrap_or_else(|| Transfer::automatic(values));
+    transfer.resolve(values, options.threshold);
+    let fine = Placement::of(volume, options.scale, limits.voxels, transfer.is_labels())?;
     let longest = fine.axes.iter().map(|axis| axis.count()).max().unwrap_or(1);
     let factor = longest as f64 / f64::from(edge.max(1));
     if factor <= 1.0 {
         return voxelize_with_statistics(volume, values, options, limits);
     }
-    let scale = Some(Scale::VoxelSize(fine.voxel_size * factor));
-    let mut scene = voxelize_with_statistics(volume, values, &VolumeOptions { scale, ..options.clone() }, limits)?;
+    // The nearest sample of each voxel: a mean of all would read the whole volume, and thin things would fade.
+    let coarse = Placement::of(volume, Some(Scale::VoxelSize(fine.voxel_size * factor)), limits.voxels, true)?;
+    let mut scene = voxelize_placed(volume, values, options, &transfer, coarse)?;
     let Transform { linear, translation } = fine.world_from_grid;
     for instance in &mut scene.instances {
         instance.world_from_grid = Transform { linear: linear * factor as f32, translation };
@@ -85,7 +87,10 @@ mod tests {
         assert_eq!(coarse.voxel_size, fine.voxel_size);
         let same = voxelize_coarse(&volume, &values, &options, 40, &limits).unwrap();
         assert_eq!(same.grids[0].count(), fine.grids[0].count(), "there is nothing coarser to make");
-        let moved = Volume { world_from_index: DAffine3::from_translation(DVec3::X * 50.0) * volume.world_from_index, ..volume };
+        let moved = Volume {
+            world_from_index: DAffine3::from_translation(DVec3::X * 50.0) * volume.world_from_index,
+            ..volume
+        };
         let coarse = voxelize_coarse(&moved, &values, &options, 10, &limits).unwrap();
         assert!((bounds(&coarse).0 - a).abs().max_element() > 4.0, "the comparison sees another place");
     }

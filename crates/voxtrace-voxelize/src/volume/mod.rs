@@ -297,6 +297,17 @@ pub fn voxelize_with_statistics(
     let mut transfer = options.transfer.clone().unwrap_or_else(|| Transfer::automatic(values));
     transfer.resolve(values, options.threshold);
     let placement = Placement::of(volume, options.scale, limits.voxels, transfer.is_labels())?;
+    voxelize_placed(volume, values, options, &transfer, placement)
+}
+
+/// The scene of a volume on a grid, by a transfer function that is resolved.
+fn voxelize_placed(
+    volume: &Volume,
+    values: &ValueStatistics,
+    options: &VolumeOptions,
+    transfer: &Transfer,
+    placement: Placement,
+) -> Result<Scene, VolumeError> {
     let lookup = transfer.lookup();
     let layers = Layers::new(volume, &placement, &lookup, &options.overlays)?;
     let shell = options.shell && layers.is_opaque();

@@ -3,6 +3,7 @@
 mod frames;
 mod path;
 mod picture;
+mod plan;
 mod record;
 mod scene;
 
@@ -28,6 +29,7 @@ pub fn show(ui: &Ui, session: &mut Session, status: &Status, side: f32) {
     let title = match &dialog {
         Dialog::Picture(_) => "Render a picture",
         Dialog::Frames(_) => "Render frames",
+        Dialog::Plan(_) => "Play a benchmark plan",
         Dialog::Record(_) => "Record the timeline",
         Dialog::Save(_) => "Write the scene",
         Dialog::Open(_) => "Open a scene",
@@ -45,6 +47,7 @@ pub fn show(ui: &Ui, session: &mut Session, status: &Status, side: f32) {
             clicked = match &mut dialog {
                 Dialog::Picture(dialog) => picture::show(ui, session, dialog, status),
                 Dialog::Frames(dialog) => frames::show(ui, session, dialog, status),
+                Dialog::Plan(dialog) => plan::show(ui, session, dialog),
                 Dialog::Record(dialog) => record::show(ui, session, dialog, status),
                 Dialog::Save(dialog) => scene::show_save(ui, dialog),
                 Dialog::Open(dialog) => scene::show_open(ui, dialog),
@@ -68,6 +71,7 @@ fn go(session: &mut Session, mut dialog: Dialog) {
     let asked = match &mut dialog {
         Dialog::Picture(dialog) => dialog.request(session).map(|request| session.export(request)),
         Dialog::Frames(dialog) => dialog.request(session).map(|request| session.export(request)),
+        Dialog::Plan(dialog) => dialog.request().map(|request| session.run_command(request)),
         Dialog::Record(dialog) => record_to(session, dialog),
         Dialog::Save(dialog) => dialog.request().map(|path| session.ask(Command::SaveScene(path))),
         Dialog::Open(dialog) => dialog.request().map(|path| session.ask(Command::Load(path.display().to_string()))),
