@@ -30,7 +30,6 @@ pub fn as_toml(word: &str) -> Option<Result<String, String>> {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use crate::volume::transfer;
     use voxtrace::glam::Vec3;
     use voxtrace::volume::{Ramp, Transfer};
@@ -47,7 +46,7 @@ mod tests {
         let path = folder.path().join("stops.toml");
         let file = "threshold = -100\nupper = 2000\nopacity = 0.5\n[[stop]]\nvalue = -12.5\ncolor = \"#ffffff\"\n[[stop]]\nvalue = 300\ncolor = \"#ff0000\"\n";
         std::fs::write(&path, file).unwrap();
-        assert_eq!(transfer(word), transfer(&path.display().to_string()));
+        assert_eq!(transfer(word).unwrap(), transfer(&path.display().to_string()).unwrap());
         // Without a threshold, the first stop is it.
         let Ramp::Absolute { low, .. } = transfer("stops:7=#102030").unwrap().ramp else { panic!() };
         assert_eq!(low, 7.0);

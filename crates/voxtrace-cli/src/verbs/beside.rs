@@ -44,7 +44,7 @@ pub fn run(words: &[String], tell: Box<dyn Fn(Told) + Send>, wanted: &Wanted) ->
             _ => Err(Failure::usage("the window runs `animate` and `bench` alone")),
         }
     });
-    done.map_err(|failure| failure.line())
+    done.map_err(|failure| failure.line().trim_start_matches("error: ").to_owned())
 }
 
 #[cfg(test)]

@@ -242,7 +242,7 @@ fn a_timeline_that_lies_beside_the_scene_is_played_and_recorded_by_keys_as_anima
     let text = format!(
         "scene = \"room.vxt\"\nfps = 3\nseconds = 1\n[camera]\npath = [{}, {}]\n",
         key(0.0, 4.0),
-        key(0.7, 20.0)
+        key(0.6, 20.0)
     );
     std::fs::write(folder.path("room.animation.toml"), text).unwrap();
     let mut view = View::open(&folder, &screen, &["room.animation.toml", "--traversal", "cpu"]);

@@ -103,6 +103,10 @@ impl App {
     /// Runs a command beside the window.
     pub(super) fn run_beside(&mut self, request: RunRequest) {
         self.may_quit = false;
+        if !request.measures {
+            self.session
+                .say("recording beside the window; P stops the window's own samples, which makes it quicker", false);
+        }
         if request.measures
             && let Some(engine) = &self.engine
         {

@@ -23,7 +23,7 @@ pub fn points(ui: &mut Ui, session: &mut Session) {
             }
         });
         let mut least = choice.min_points.unwrap_or(1);
-        let label = ui.label("least points in a voxel");
+        let label = ui.label("least points a voxel");
         let drag = ui.add(DragValue::new(&mut least).range(1..=MOST_POINTS)).labelled_by(label.id);
         // The file is read again when the hand is done, not on the way.
         let id = ui.id().with("least points");

@@ -132,10 +132,10 @@ fn told(ui: &mut Ui, session: &Session, seen: &ValuesSeen, curve: &ValueCurve) {
     } else if let Some(error) = &values.error {
         ui.label(RichText::new(error).color(super::messages::ERROR));
     }
-    let time = |seconds: Option<f32>| seconds.map_or("–".to_owned(), |seconds| format!("{seconds:.2} s"));
-    let text = match values.is_shaping() {
-        true => "making voxels…".to_owned(),
-        false => format!("voxels after {}, all of them after {} more", time(values.took[0]), time(values.took[1])),
+    let text = match (values.is_shaping(), values.took) {
+        (true, _) => "making voxels…".to_owned(),
+        (false, [Some(coarse), Some(all)]) => format!("coarse voxels after {coarse:.2} s, all after {all:.2} s more"),
+        _ => return,
     };
     ui.label(RichText::new(text).weak());
 }

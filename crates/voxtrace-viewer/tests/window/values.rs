@@ -150,7 +150,8 @@ fn the_panel_has_presets_an_automatic_ramp_and_a_way_back_from_nothing() {
     let hot = harness.state().values.as_ref().unwrap().chosen.clone().unwrap();
     assert!(hot.word().starts_with("stops:") && hot.word().contains("=#6e0800"), "{}", hot.word());
     settle(harness.state_mut(), &loader);
-    click(&mut harness, "stop 2 at 119.969");
+    harness.get_by_label_contains("stop 2 at ").click();
+    harness.run_steps(3);
     assert_eq!(harness.state().values.as_ref().unwrap().selected, Some(1));
     click(&mut harness, "delete stop");
     assert_eq!(harness.state().values.as_ref().unwrap().chosen.as_ref().unwrap().stops.len(), 3);
