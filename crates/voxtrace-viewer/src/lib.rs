@@ -24,6 +24,7 @@ pub mod keys;
 pub mod lens;
 pub mod load;
 pub mod memory;
+pub mod motion;
 pub mod navigation;
 pub mod open;
 pub mod panels;
@@ -44,6 +45,7 @@ pub mod transfer;
 pub use app::{ViewerError, WindowOptions, open_window};
 pub use cloud::{PointsChoice, PointsSeen};
 pub use load::{Loader, Reading, Told, Wanted};
+pub use motion::Motion;
 pub use transfer::ValuesSeen;
 
 /// The example of the crate's page, compiled.

@@ -1,10 +1,11 @@
 //! Opening scenes on a thread of their own, with what is told meanwhile. The last scene that was asked for counts.
 
 use crate::cloud::{PointsChoice, PointsSeen};
+use crate::motion::Motion;
 use crate::threads;
 use crate::transfer::ValuesSeen;
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
@@ -30,6 +31,10 @@ pub enum Told {
     DependsOnCuts,
     /// The scene is a cloud of points: what they are.
     Points(Arc<PointsSeen>),
+    /// The scene moves, and how.
+    Moves(Arc<Motion>),
+    /// The file has keyframes, which last so many frames; what moves comes where it is asked for ([`Reading::moves`]).
+    Keyframes(u32),
     /// What a benchmark measured.
     Measured(Vec<Measurement>),
     /// The scene is a volume in memory: what its values are.
@@ -45,6 +50,10 @@ pub struct Reading {
     pub is_cut: bool,
     /// Whether it is the scene that was read last: a volume may be taken from memory.
     pub is_again: bool,
+    /// Whether what moves is wanted.
+    pub moves: bool,
+    /// The TOML that says what else moves.
+    pub animation: Option<PathBuf>,
     /// What was chosen about points, in place of what the command line says.
     pub points: Option<PointsChoice>,
     /// The transfer function of a volume, as `--transfer` has it, in place of that of the command line.
@@ -122,6 +131,8 @@ pub struct Loading {
     depends_on_cuts: bool,
     values: Option<Arc<ValuesSeen>>,
     points: Option<Arc<PointsSeen>>,
+    motion: Option<Arc<Motion>>,
+    keyframes: u32,
     answers: Receiver<Answer>,
     wanted: Wanted,
 }
@@ -144,6 +155,10 @@ pub struct Came {
     pub depends_on_cuts: bool,
     /// What the values of a volume are.
     pub values: Option<Arc<ValuesSeen>>,
+    /// What moves in it.
+    pub motion: Option<Arc<Motion>>,
+    /// How many frames the keyframes of its file last.
+    pub keyframes: u32,
     /// What its points are.
     pub points: Option<Arc<PointsSeen>>,
     /// Notes about the file.
@@ -187,6 +202,8 @@ impl Loading {
             depends_on_cuts: false,
             values: None,
             points: None,
+            motion: None,
+            keyframes: 0,
             answers,
             wanted,
         }
@@ -204,11 +221,14 @@ impl Loading {
                 Ok(Answer::Told(Told::DependsOnCuts)) => self.depends_on_cuts = true,
                 Ok(Answer::Told(Told::Points(points))) => self.points = Some(points),
                 Ok(Answer::Told(Told::Measured(_))) => {}
+                Ok(Answer::Told(Told::Moves(motion))) => self.motion = Some(motion),
+                Ok(Answer::Told(Told::Keyframes(frames))) => self.keyframes = frames,
                 Ok(Answer::Told(Told::Values(values))) => self.values = Some(values),
                 Ok(Answer::Done(result)) => {
                     came.result = Some(result.map(|scene| Arc::new(*scene)));
                     came.depends_on_cuts = self.depends_on_cuts;
                     (came.values, came.points) = (self.values.take(), self.points.take());
+                    (came.motion, came.keyframes) = (self.motion.take(), self.keyframes);
                 }
                 Err(TryRecvError::Empty) => return came,
                 Err(TryRecvError::Disconnected) => {

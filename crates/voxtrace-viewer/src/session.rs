@@ -154,6 +154,10 @@ pub struct Session {
     pub running: Option<Running>,
     /// The values of the volume that is open, and what of them is shown.
     pub values: Option<Values>,
+    /// What of the scene moves.
+    pub(crate) moving: Option<crate::motion::Moving>,
+    /// Whether what moves is to be read.
+    pub(crate) wants_motion: bool,
     /// The points of the scene that is open.
     pub points: Option<crate::cloud::Points>,
     /// The camera over time.
@@ -222,6 +226,8 @@ impl Session {
             running: None,
             values: None,
             points: None,
+            moving: None,
+            wants_motion: false,
             timeline: Timeline::default(),
             wanted_timeline: None,
             below: 0.0,

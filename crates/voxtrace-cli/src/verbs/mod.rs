@@ -16,6 +16,8 @@ pub mod info;
 mod kept_volume;
 pub mod man;
 pub mod merge;
+#[cfg(feature = "view")]
+mod motion;
 pub mod render;
 pub mod scenes;
 #[cfg(feature = "view")]

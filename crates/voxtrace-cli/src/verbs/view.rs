@@ -1,6 +1,7 @@
 //! `voxtrace view`: the window. Scenes are read with the same options as `render` reads them.
 
 use super::kept_volume::KeptVolume;
+use super::motion::{in_motion, keyframes_of};
 use super::{beside, convert};
 use crate::changes::packed_with;
 use crate::cuts::CutArgs;
@@ -257,7 +258,22 @@ impl Loader for Files {
         let again = reading.is_again;
         let content = self.volume.load(&scene, again, &tell, &mut report).and_then(|content| {
             interrupt::check()?;
-            let mut packed = packed_with(content, &reading.shown, self.memory)?;
+            let keyframes = keyframes_of(&content);
+            if keyframes > 0 {
+                tell(Told::Keyframes(keyframes));
+            }
+            let (content, moving) = match reading.moves {
+                true => in_motion(content, reading.animation.as_deref(), &reading.shown)?,
+                false => (content, None),
+            };
+            // What moves stays apart; parts that are hidden were shown before it was put in motion.
+            let mut packed = match &moving {
+                Some(moving) => moving.begun(packed_with(content, &[], self.memory.keeping_instances(true))?)?,
+                None => packed_with(content, &reading.shown, self.memory)?,
+            };
+            if let Some(moving) = moving {
+                tell(Told::Moves(moving.motion));
+            }
             self.cuts.apply(&mut packed)?;
             CutArgs::warn_of_nothing(&packed, &report);
             Ok(packed)

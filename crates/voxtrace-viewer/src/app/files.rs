@@ -162,7 +162,8 @@ impl App {
             true => source.to_owned(),
             false => std::path::absolute(source).map_or(source.to_owned(), |path| path.display().to_string()),
         };
-        let reading = Reading { is_cut: self.session.given_cutting.is_cut(), ..Reading::default() };
+        self.session.wants_motion = false;
+        let reading = Reading { is_cut: self.session.given_cutting.is_cut(), ..self.motion_wanted(false) };
         self.session.loading = Some(Loading::start(&self.loader, &source, reading, false, self.wake()));
     }
 
@@ -171,8 +172,17 @@ impl App {
         let Some(open) = &self.session.open else { return };
         let is_cut = self.session.render_settings.cutting.is_cut();
         let (transfer, points) = (self.session.chosen_transfer(), self.session.chosen_points());
-        let reading = Reading { shown: open.changes().1, is_cut, is_again: true, points, transfer, coarse: None };
+        let reading =
+            Reading { shown: open.changes().1, is_cut, is_again: true, points, transfer, ..self.motion_wanted(true) };
         self.session.loading = Some(Loading::start(&self.loader, &open.source, reading, true, self.wake()));
+    }
+
+    /// How what moves is read: where an animation was opened, or the timeline is shown of a scene with keyframes.
+    fn motion_wanted(&self, is_again: bool) -> Reading {
+        let shown = || self.session.timeline_that_moves().filter(|_| is_again);
+        let animation = self.session.wanted_timeline.clone().or_else(shown);
+        let moves = animation.is_some() || is_again && (self.session.wants_motion || self.session.has_motion());
+        Reading { moves, animation, ..Reading::default() }
     }
 
     /// Wakes the window from another thread.

@@ -125,7 +125,7 @@ impl RecordDialog {
     pub fn check(&mut self, session: &Session) -> Result<PathBuf, String> {
         let path = self.path().ok_or("name a file")?;
         let course = &session.timeline.course;
-        if course.track().is_none() {
+        if course.track().is_none() && !session.has_motion() {
             return Err("a camera's way has two keys or more: K sets one at the playhead of the timeline".into());
         }
         if self.kind().is_none() {

@@ -72,12 +72,13 @@ impl Timeline {
         Ok(())
     }
 
-    /// Keeps it at `path`, for a scene by its path or name. What others wrote there beside the camera stays.
+    /// Keeps it at `path`, for a scene by its path or name; `still` is the camera of a scene that moves, where there are no two keys. What others wrote there
+    /// beside the camera stays.
     ///
     /// # Errors
     /// [`TimelineError::Write`].
-    pub fn save(&mut self, path: &Path, scene: &str) -> Result<(), TimelineError> {
-        let text = self.text(path, scene);
+    pub fn save(&mut self, path: &Path, scene: &str, still: Option<Camera>) -> Result<(), TimelineError> {
+        let text = self.text(path, scene, still);
         write_atomically(path, |file| file.write_all(text.as_bytes()))
             .map_err(|source| TimelineError::Write { path: path.to_path_buf(), source })?;
         (self.path, self.is_changed) = (Some(path.to_path_buf()), false);
@@ -85,7 +86,7 @@ impl Timeline {
     }
 
     /// The text of the file.
-    pub fn text(&self, path: &Path, scene: &str) -> String {
+    pub fn text(&self, path: &Path, scene: &str, still: Option<Camera>) -> String {
         let Course { keys, fps, seconds, shutter, ease, look_at, focuses_on_target } = &self.course;
         let mut table = self.others.clone();
         table.insert("scene".into(), Value::String(scene_word(path, scene)));
@@ -95,6 +96,10 @@ impl Timeline {
         if *shutter > 0.0 {
             table.insert("shutter".into(), Value::Float(*shutter));
         }
+        // A camera that stands still is the same at two times.
+        let at = |time: f64| still.as_ref().map(|camera| TimeKey::new(time, camera.clone()));
+        let still: Vec<TimeKey> = at(0.0).into_iter().chain(at(*seconds)).collect();
+        let keys = if keys.len() < 2 && !still.is_empty() { &still } else { keys };
         if !keys.is_empty() {
             let mut camera = Table::new();
             camera.insert("path".into(), Value::Array(keys.iter().map(entry_of).collect()));
@@ -295,14 +300,14 @@ mod tests {
         let path = folder.path().join("a.animation.toml");
         let mut kept = timeline();
         kept.others.insert("note".into(), Value::String("mine".into()));
-        kept.save(&path, &folder.path().join("room.vox").display().to_string()).unwrap();
+        kept.save(&path, &folder.path().join("room.vox").display().to_string(), None).unwrap();
         let mut read = Timeline { is_shown: true, ..Timeline::default() };
         read.open(&path, &NONE).unwrap();
         assert_eq!((&read.course, read.is_shown, read.is_changed), (&kept.course, true, false));
         assert_eq!(scene_of(&path).unwrap(), folder.path().join("room.vox").display().to_string());
         read.course.keys.pop();
         assert_ne!(read.course, kept.course, "the comparison sees a key");
-        read.save(&path, "church").unwrap();
+        read.save(&path, "church", None).unwrap();
         let text = fs::read_to_string(&path).unwrap();
         assert!(text.contains("note = \"mine\"") && text.contains("scene = \"church\""), "{text}");
         assert_eq!(scene_of(&path).unwrap(), "church");

@@ -86,6 +86,11 @@ impl Course {
         f64::from(frame.saturating_sub(1)) / self.fps
     }
 
+    /// The middle of a frame's exposure, seconds.
+    pub fn middle_of(&self, frame: u32) -> f64 {
+        self.time_of(frame) + 0.5 * (self.shutter / self.fps)
+    }
+
     /// The frame that a time lies in, within the clip.
     pub fn frame_at(&self, seconds: f64) -> u32 {
         ((seconds * self.fps).round() + 1.0).clamp(1.0, f64::from(self.frames())) as u32
@@ -105,9 +110,8 @@ impl Course {
 
     /// The camera in the middle of the exposure of a frame, counted from 1: what `animate` renders it from. `None` with fewer than two keys.
     pub fn camera_of(&self, frame: u32) -> Option<Camera> {
-        let middle = self.time_of(frame) + 0.5 * (self.shutter / self.fps);
         // What it looks at are points: no scene is asked.
-        self.track().map(|track| track.at(&Scene::new(""), middle))
+        self.track().map(|track| track.at(&Scene::new(""), self.middle_of(frame)))
     }
 
     /// Puts a key at a time; one that is there within half a frame goes. Returns its number.
@@ -175,7 +179,7 @@ impl Timeline {
         self.playing.is_some()
     }
 
-    /// Whether the file moves more than the camera: objects, sun or sky, which the frames show and the window does not.
+    /// Whether the file moves more than the camera: objects, sun or sky.
     pub fn moves_more(&self) -> bool {
         ["object", "sun", "sky"].iter().any(|key| self.others.contains_key(*key))
     }

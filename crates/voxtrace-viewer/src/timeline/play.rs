@@ -8,6 +8,9 @@ use std::path::{Path, PathBuf};
 use voxtrace::animation::Ease;
 use voxtrace::{Camera, scenes};
 
+/// Key frames of a file a second, about as MagicaVoxel plays them.
+const KEY_FPS: f64 = 10.0;
+
 impl Timeline {
     /// The ways in which the camera speeds up and slows down, with their words in the file.
     pub const EASES: [(&'static str, Ease); 4] = EASES;
@@ -22,6 +25,9 @@ impl Session {
         }
         self.timeline.is_shown = !self.timeline.is_shown;
         self.timeline.playing = None;
+        if self.timeline.is_shown {
+            self.ask_for_motion();
+        }
     }
 
     /// Plays from the playhead on, from the beginning where that is at the end, or stops.
@@ -30,7 +36,10 @@ impl Session {
             return;
         }
         self.timeline.is_shown |= self.open.is_some();
-        if self.timeline.course.track().is_none() {
+        if !self.has_motion() && self.timeline.course.track().is_none() {
+            if self.ask_for_motion() {
+                return;
+            }
             self.say("a camera's way has two keys or more: K sets one at the playhead", false);
             return;
         }
@@ -77,6 +86,10 @@ impl Session {
         self.timeline.frame = frame.clamp(1, self.timeline.course.frames());
         if let Some(camera) = self.timeline.course.camera_of(self.timeline.frame) {
             self.follow(camera);
+        }
+        if self.has_motion() {
+            self.change_light();
+            self.keep_moving();
         }
     }
 
@@ -174,6 +187,14 @@ impl Session {
         self.timeline.path.clone().or_else(beside)
     }
 
+    /// The file of the timeline, where it moves more than the camera and is shown.
+    pub(crate) fn timeline_that_moves(&self) -> Option<PathBuf> {
+        self.timeline
+            .path
+            .clone()
+            .filter(|_| self.timeline.moves_more() && self.open.is_some() && self.timeline.is_shown)
+    }
+
     fn time_cameras(&self) -> Vec<Camera> {
         self.open.as_ref().map(|open| open.original.cameras.clone()).unwrap_or_default()
     }
@@ -183,12 +204,7 @@ impl Session {
         let of_scene = self.time_cameras();
         let cameras = Cameras { of_scene: &of_scene, bookmarks: self.bookmark_path() };
         match self.timeline.open(path, &cameras) {
-            Ok(()) => {
-                if self.timeline.moves_more() {
-                    self.say("objects, sun or sky of the animation move in what is recorded, not in the window", false);
-                }
-                true
-            }
+            Ok(()) => true,
             Err(error) => {
                 self.say(error.to_string(), true);
                 false
@@ -213,12 +229,27 @@ impl Session {
                 return None;
             }
         }
-        match self.timeline.save(&path, &source) {
+        let still = self.has_motion().then(|| self.navigator.camera().clone());
+        match self.timeline.save(&path, &source, still) {
             Ok(()) => Some(path),
             Err(error) => {
                 self.say(error.to_string(), true);
                 None
             }
+        }
+    }
+
+    /// A scene with keyframes begins at its first frame, with a clip as long as they last.
+    pub(crate) fn begin_motion(&mut self, keyframes: u32) {
+        if keyframes > 0 && self.timeline.path.is_none() && !self.timeline.can_undo() {
+            let course = &mut self.timeline.course;
+            (course.fps, course.seconds) = (KEY_FPS, f64::from(keyframes) / KEY_FPS);
+        }
+        if keyframes > 0 && !self.has_motion() {
+            self.say(format!("the file has {keyframes} key frames: F8 and Space play them"), false);
+        }
+        if self.has_motion() {
+            self.change_light();
         }
     }
 

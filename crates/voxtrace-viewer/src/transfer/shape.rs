@@ -108,7 +108,8 @@ impl Session {
         let Some(values) = &mut self.values else { return };
         let is_coarse = values.shown.as_ref() != Some(&word);
         let coarse = is_coarse.then_some(COARSE);
-        let reading = Reading { shown, is_cut, is_again: true, points: None, transfer: Some(word.clone()), coarse };
+        let reading =
+            Reading { shown, is_cut, is_again: true, transfer: Some(word.clone()), coarse, ..Reading::default() };
         let loading = Loading::start(loader, &source, reading, true, wake);
         values.shaping = Some(Shaping { loading, word, is_coarse, since: Instant::now() });
     }
