@@ -1,6 +1,9 @@
 //! The state of the window without the window: what happens goes in, what is to be done comes out.
 
+mod messages;
 mod opening;
+
+pub use messages::Message;
 
 use crate::benchmark::Benchmark;
 use crate::comparison::{Comparison, backend};
@@ -20,16 +23,11 @@ use crate::surroundings::Making;
 use crate::timeline::Timeline;
 use crate::transfer::Values;
 use std::collections::{HashMap, VecDeque};
-use std::time::{Duration, Instant};
 use voxtrace::glam::Vec2;
 use voxtrace::{Camera, Hit};
 use voxtrace_bench::Measurement;
 use voxtrace_vulkan::Traversal;
 
-/// How long a message stays. What went wrong stays until Esc, or until another scene is there.
-const MESSAGE_TIME: Duration = Duration::from_secs(12);
-/// Most messages at a time.
-const MOST_MESSAGES: usize = 6;
 /// Seconds without a motion after which the camera is at rest: events of a mouse come with gaps.
 const REST: f32 = 0.1;
 
@@ -109,16 +107,6 @@ impl Command {
         let is_same = std::mem::discriminant(self) == std::mem::discriminant(earlier);
         is_same && (sets || (self == earlier && !matches!(self, Self::ToggleFullscreen | Self::Scale(_))))
     }
-}
-
-/// A line for people.
-#[derive(Clone, Debug)]
-pub struct Message {
-    /// What it says.
-    pub text: String,
-    /// Whether something went wrong.
-    pub is_error: bool,
-    since: Instant,
 }
 
 /// What a voxel under the cursor is.
@@ -273,34 +261,6 @@ impl Session {
         self.commands.push(command);
     }
 
-    /// Says something to whoever looks. What is said again is no second line.
-    pub fn say(&mut self, text: impl Into<String>, is_error: bool) {
-        let text = text.into();
-        self.messages.retain(|message| message.text != text);
-        self.messages.push_back(Message { text, is_error, since: Instant::now() });
-        while self.messages.len() > MOST_MESSAGES {
-            self.messages.pop_front();
-        }
-    }
-
-    /// The messages that are still to be seen, oldest first.
-    pub fn messages(&mut self) -> impl Iterator<Item = &Message> {
-        self.messages.retain(|message| message.is_error || message.since.elapsed() < MESSAGE_TIME);
-        self.messages.iter()
-    }
-
-    /// Takes away what went wrong. Returns whether there was something.
-    pub fn dismiss_errors(&mut self) -> bool {
-        let before = self.messages.len();
-        self.messages.retain(|message| !message.is_error);
-        self.messages.len() < before
-    }
-
-    /// Whether there are messages.
-    pub fn has_messages(&self) -> bool {
-        !self.messages.is_empty()
-    }
-
     /// The size of the picture, pixels.
     pub fn size(&self) -> (u32, u32) {
         self.size
@@ -359,19 +319,13 @@ impl Session {
         }
     }
 
-    /// Shows what a camera sees, without a step of its own to go back to.
-    pub(crate) fn follow(&mut self, camera: Camera) {
-        if self.navigator.follow(camera) {
-            self.moved();
-        }
-    }
-
     /// The camera moves on soon.
     pub(crate) fn keep_moving(&mut self) {
         (self.is_moving, self.still) = (true, 0.0);
     }
 
-    fn moved(&mut self) {
+    /// The camera moved.
+    pub(crate) fn moved(&mut self) {
         (self.is_moving, self.still) = (true, 0.0);
         self.ask(Command::SetView);
     }

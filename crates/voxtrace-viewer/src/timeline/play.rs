@@ -81,6 +81,13 @@ impl Session {
         self.follow_time(frame);
     }
 
+    /// Shows what a camera sees, without a step of its own to go back to.
+    fn follow(&mut self, camera: Camera) {
+        if self.navigator.follow(camera) {
+            self.moved();
+        }
+    }
+
     /// Shows a frame.
     fn follow_time(&mut self, frame: u32) {
         self.timeline.frame = frame.clamp(1, self.timeline.course.frames());
@@ -244,6 +251,8 @@ impl Session {
         if keyframes > 0 && self.timeline.path.is_none() && !self.timeline.can_undo() {
             let course = &mut self.timeline.course;
             (course.fps, course.seconds) = (KEY_FPS, f64::from(keyframes) / KEY_FPS);
+            // Most of them are loops: a walk, a flame.
+            self.timeline.repeats = true;
         }
         if keyframes > 0 && !self.has_motion() {
             self.say(format!("the file has {keyframes} key frames: F8 and Space play them"), false);

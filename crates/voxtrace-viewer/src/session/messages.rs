@@ -1,0 +1,49 @@
+//! Lines for people: what is said to whoever looks at the window.
+
+use super::Session;
+use std::time::{Duration, Instant};
+
+/// How long a message stays. What went wrong stays until Esc, or until another scene is there.
+const MESSAGE_TIME: Duration = Duration::from_secs(12);
+/// Most messages at a time.
+const MOST_MESSAGES: usize = 6;
+
+/// A line for people.
+#[derive(Clone, Debug)]
+pub struct Message {
+    /// What it says.
+    pub text: String,
+    /// Whether something went wrong.
+    pub is_error: bool,
+    since: Instant,
+}
+
+impl Session {
+    /// Says something to whoever looks. What is said again is no second line.
+    pub fn say(&mut self, text: impl Into<String>, is_error: bool) {
+        let text = text.into();
+        self.messages.retain(|message| message.text != text);
+        self.messages.push_back(Message { text, is_error, since: Instant::now() });
+        while self.messages.len() > MOST_MESSAGES {
+            self.messages.pop_front();
+        }
+    }
+
+    /// The messages that are still to be seen, oldest first.
+    pub fn messages(&mut self) -> impl Iterator<Item = &Message> {
+        self.messages.retain(|message| message.is_error || message.since.elapsed() < MESSAGE_TIME);
+        self.messages.iter()
+    }
+
+    /// Takes away what went wrong. Returns whether there was something.
+    pub fn dismiss_errors(&mut self) -> bool {
+        let before = self.messages.len();
+        self.messages.retain(|message| !message.is_error);
+        self.messages.len() < before
+    }
+
+    /// Whether there are messages.
+    pub fn has_messages(&self) -> bool {
+        !self.messages.is_empty()
+    }
+}
