@@ -295,6 +295,12 @@ fn values_of_a_scan_are_dragged_in_the_picture_and_a_plan_is_played() {
     std::fs::write(folder.path("plan.toml"), plan).unwrap();
     let mut view = View::open(&folder, &screen, &["ball.npy", "--traversal", "cpu"]);
     view.wait("the scene's title", |view| view.title().starts_with("ball"));
+    // The first keys may come before the window has the keyboard.
+    view.wait("a picture", |view| {
+        view.key("F12");
+        std::thread::sleep(Duration::from_millis(100));
+        folder.exists("ball-001.png")
+    });
     view.key("F9");
     view.hand(&["mousemove", "--window"], &["200", "300"]);
     screen.hand(&["mousedown", "1", "mousemove_relative", "--sync", "--", "-20", "-10"]);
