@@ -95,6 +95,7 @@ impl Session {
             Action::DividerRight => self.move_divider(DIVIDER_STEP),
             Action::Benchmark => self.toggle_benchmark(),
             Action::CopyBenchmark => self.copy_bench_command(),
+            Action::HidePicked if self.is_on_timeline() => self.delete_time_key(),
             Action::HidePicked => self.hide_picked(cursor),
             Action::ShowAll => self.show_all(),
             Action::Pick => self.picked = cursor.and_then(|cursor| self.pick(cursor)),
@@ -220,7 +221,8 @@ impl Session {
     }
 
     fn copy_command(&mut self) {
-        self.copy_command_of(self.render_command(), "the command that renders this picture");
+        let command = if self.has_motion() { self.frame_command() } else { self.render_command() };
+        self.copy_command_of(command, "the command that renders this picture");
     }
 
     /// Copies the command that renders the picture of the tracer that is compared with.

@@ -1,6 +1,7 @@
 //! Scenes that move by themselves: keyframes of files, and objects, sun and sky of an animation's TOML. The frame under the playhead of the timeline says where
 //! everything is, by the function of time that `voxtrace animate` has.
 
+use crate::render_command::{RenderCommand, Sequence};
 use crate::session::{Command, Session};
 use std::fmt;
 use std::sync::Arc;
@@ -105,6 +106,21 @@ impl Session {
             self.ask(Command::LoadAgain);
         }
         is_asked
+    }
+
+    /// The command that renders the picture of a scene that moves: the frame under the playhead, of the timeline as it is kept now.
+    pub fn frame_command(&mut self) -> Option<RenderCommand> {
+        let file = self.save_timeline()?;
+        let frame = self.timeline.frame();
+        let command = self.render_command()?;
+        Some(RenderCommand {
+            // Each frame of `animate` adds its number to the seed, which the window does not.
+            seed: command.seed.wrapping_sub(frame - 1),
+            sequence: Some(Sequence::Frame { file, frame }),
+            outputs: vec![format!("{}_####.png", self.stem()).into()],
+            usual_camera: None,
+            ..command
+        })
     }
 
     /// Puts everything where it is in the frame under the playhead.

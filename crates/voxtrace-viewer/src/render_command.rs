@@ -170,7 +170,7 @@ impl RenderCommand {
     pub fn words(&self) -> Result<Vec<String>, CommandError> {
         self.check()?;
         let mut words = match &self.sequence {
-            Some(Sequence::Animation { file, .. }) => {
+            Some(Sequence::Animation { file, .. } | Sequence::Frame { file, .. }) => {
                 let scene = SceneArgument::File(file.clone());
                 Self { scene, ..self.clone() }.begin("animate")?
             }
@@ -187,6 +187,10 @@ impl RenderCommand {
             Some(Sequence::Turntable(frames)) => {
                 self.say_view(&mut words);
                 words.0.push(format!("--turntable={frames}"));
+            }
+            Some(Sequence::Frame { frame, .. }) => {
+                words.value("--frames", Some(format!("{frame}..{frame}")));
+                self.say_view(&mut words);
             }
             Some(Sequence::Animation { keeps, .. }) => words.flag("--skip-existing", *keeps),
             None => self.say_view(&mut words),

@@ -71,6 +71,7 @@ mod tests {
         Camera, CpuTracer, Film, Instance, Material, Progress, Region, Scene, Tracer, Transform, VoxelGrid,
     };
     use voxtrace_viewer::load::Loading;
+    use voxtrace_viewer::navigation::Motion;
     use voxtrace_viewer::session::{Command, Session};
     use voxtrace_viewer::{Loader, Reading, Wanted};
     use voxtrace_vulkan::Traversal;
@@ -140,6 +141,20 @@ mod tests {
         let words: Vec<String> = words.into_iter().chain(["--traversal", "cpu"]).map(str::to_owned).collect();
         assert_eq!(beside::run(&words, Box::new(|_| {}), &Wanted::default()), Ok(()));
         let of = |frame: u32| FilmFile::open(&folder.join(format!("f_{frame:04}.vxf"))).unwrap();
+        // The command that is copied makes the film of the window, from wherever its camera is.
+        session.set_time_frame(frames[0]);
+        session.move_by(Motion::Orbit { delta: (30.0, 4.0).into(), pivot: None });
+        session.render_settings.samples = 2;
+        let words = session.frame_command().unwrap().words().unwrap();
+        let name = |word: String| {
+            if word.ends_with("_####.png") { folder.join("w_####.vxf").display().to_string() } else { word }
+        };
+        let words: Vec<String> = words.into_iter().map(name).collect();
+        assert_eq!(beside::run(&words, Box::new(|_| {}), &Wanted::default()), Ok(()));
+        let file = FilmFile::open(&folder.join(format!("w_{:04}.vxf", frames[0]))).unwrap();
+        let own = FilmFile { frame: session.view().frame(), ..file.clone() };
+        assert_eq!((own.frame.seed, own.frame.camera.eye), (file.frame.seed, file.frame.camera.eye));
+        assert!(shown(session, &own).pixels == file.film.pixels, "{words:?}");
         for &frame in frames {
             session.take_commands();
             session.set_time_frame(frame);

@@ -55,7 +55,7 @@ fn buttons(ui: &mut Ui, session: &mut Session) {
     if ui.add_enabled(has_key, Button::new("Replace key")).on_hover_text(about).clicked() {
         session.replace_time_key();
     }
-    if ui.add_enabled(has_key, Button::new("Delete key")).clicked() {
+    if ui.add_enabled(has_key, Button::new("Delete key")).on_hover_text("Del, over the timeline").clicked() {
         session.delete_time_key();
     }
     let about = "the bookmarks 1 to 9, evenly over the clip, in place of all keys";
@@ -85,10 +85,17 @@ fn settings(ui: &mut Ui, session: &mut Session) {
     let mut course = session.timeline.course.clone();
     let label = ui.label("seconds");
     let most = f64::from(MOST_FRAMES) / course.fps;
-    ui.add(DragValue::new(&mut course.seconds).range(1.0 / course.fps..=most).speed(0.05).max_decimals(3))
-        .labelled_by(label.id);
+    ui.add(
+        DragValue::new(&mut course.seconds)
+            .range(1.0 / course.fps..=most)
+            .clamp_existing_to_range(false)
+            .speed(0.05)
+            .max_decimals(3),
+    )
+    .labelled_by(label.id);
     let label = ui.label("frames a second");
-    ui.add(DragValue::new(&mut course.fps).range(1.0..=1000.0).speed(0.5).max_decimals(3)).labelled_by(label.id);
+    let fps = DragValue::new(&mut course.fps).range(1.0..=1000.0).clamp_existing_to_range(false);
+    ui.add(fps.speed(0.5).max_decimals(3)).labelled_by(label.id);
     let word = |ease: Ease| match ease {
         Ease::None => "one pace",
         Ease::In => "slow at first",

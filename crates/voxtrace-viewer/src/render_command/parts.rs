@@ -40,6 +40,13 @@ pub enum Sequence {
         /// Frames of the whole flight.
         frames: u32,
     },
+    /// One frame of an animation, from the camera that is said; the command is `animate`.
+    Frame {
+        /// The TOML.
+        file: PathBuf,
+        /// Its number, from 1 on.
+        frame: u32,
+    },
     /// An animation, which names its scene: the command is `animate`.
     Animation {
         /// The TOML.

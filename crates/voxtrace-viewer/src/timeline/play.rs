@@ -114,6 +114,11 @@ impl Session {
         self.say(format!("a key at {at:.2} s, the {} of the way", ordinal(self.timeline.selected)), false);
     }
 
+    /// Whether a key is selected and the cursor is not over the picture: then Del is for the key.
+    pub(crate) fn is_on_timeline(&self) -> bool {
+        self.timeline.is_shown && self.timeline.selected.is_some() && self.hover.is_none() && self.picked.is_none()
+    }
+
     /// Gives the selected key the present camera.
     pub fn replace_time_key(&mut self) {
         let camera = self.navigator.camera().clone();
