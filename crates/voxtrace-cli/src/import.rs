@@ -10,9 +10,22 @@ use crate::read_failure::import_failure;
 use crate::report::Report;
 use crate::volume::VolumeArgs;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use voxtrace::Volume;
 use voxtrace::import::{
     ClipChoice, Content, Data, Geometry, ImportError, ImportOptions, Kind, Opened, READERS, parts_not_shown, read_while,
 };
+use voxtrace::points::PointCloud;
+use voxtrace::volume::ValueStatistics;
+
+/// What a file holds before it becomes voxels.
+#[cfg_attr(not(feature = "view"), allow(dead_code, reason = "only the window looks at it"))]
+pub enum Held<'a> {
+    /// A volume in memory, and what its values are.
+    Volume(Arc<Volume>, Arc<ValueStatistics>),
+    /// Points.
+    Points(&'a PointCloud),
+}
 
 /// How files become scenes.
 #[derive(clap::Args, Clone, Debug)]
@@ -103,23 +116,51 @@ impl ImportArgs {
             Data::Packed(packed) => return Ok(Content::Packed(packed)),
             Data::Voxels(voxels) => voxels.scene,
             Data::Geometry(geometry) => self.mesh.scene(&geometry, path, self.edits.most_colors(), report)?,
-            Data::Volume(mut volume) => {
-                if self.volume.has_transfer() {
-                    volume.colors = Vec::new();
-                }
-                self.volume.scene(&volume, path, &self.mesh, report)?
-            }
+            Data::Volume(volume) => return self.content_of(&volume, &volume.statistics(), path, report),
             _ => return Err(Failure::other(format!("{}: another kind of content", path.display()))),
         };
         Ok(Content::Scene(scene.into()))
     }
 
-    /// Loads a scene from a file, or from several that are one, as it is.
-    pub fn load(&self, paths: &[PathBuf], in_memory: bool, report: &mut Report) -> Result<Content, Failure> {
+    /// Loads a scene from a file, or from several that are one, as it is; `keep` gets what it holds.
+    pub fn load_keeping(
+        &self,
+        paths: &[PathBuf],
+        in_memory: bool,
+        keep: &mut dyn FnMut(Held),
+        report: &mut Report,
+    ) -> Result<Content, Failure> {
         let options = self.options(in_memory);
         let (opened, path) = (self.open_all(paths, &options)?, paths[0].as_path());
-        let data = self.read(opened, path, report)?;
-        self.scene(data, path, report)
+        match self.read(opened, path, report)? {
+            Data::Volume(volume) => {
+                let values = Arc::new(volume.statistics());
+                let volume = Arc::new(volume);
+                keep(Held::Volume(Arc::clone(&volume), Arc::clone(&values)));
+                self.content_of(&volume, &values, path, report)
+            }
+            data => {
+                if let Data::Geometry(Geometry::Points(cloud)) = &data {
+                    keep(Held::Points(cloud));
+                }
+                self.scene(data, path, report)
+            }
+        }
+    }
+
+    /// Makes a scene of a volume whose values are known.
+    pub fn content_of(
+        &self,
+        volume: &Volume,
+        values: &ValueStatistics,
+        path: &Path,
+        report: &mut Report,
+    ) -> Result<Content, Failure> {
+        // Colours of a transfer function that was chosen come before those of the samples.
+        let plain = (self.volume.has_transfer() && !volume.colors.is_empty())
+            .then(|| Volume { colors: Vec::new(), ..volume.clone() });
+        let scene = self.volume.scene(plain.as_ref().unwrap_or(volume), values, path, &self.mesh, report)?;
+        Ok(Content::Scene(scene.into()))
     }
 
     /// Does the edits that are asked for.

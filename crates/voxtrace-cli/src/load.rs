@@ -1,7 +1,7 @@
 //! Where scenes come from: a file, or a built-in scene, whose name stands wherever a file may.
 
 use crate::failure::Failure;
-use crate::import::ImportArgs;
+use crate::import::{Held, ImportArgs};
 use crate::interrupt;
 use crate::levels;
 use crate::normals::{NormalsArg, with_normals};
@@ -135,11 +135,16 @@ impl SceneArgs {
 
     /// Reads or generates the scene, with the edits that are asked for.
     pub fn load(&self, report: &mut Report) -> Result<Content, Failure> {
-        let content = self.load_as_it_is(report)?;
+        self.load_keeping(&mut |_| (), report)
+    }
+
+    /// As [`Self::load`]; `keep` gets what its file holds.
+    pub fn load_keeping(&self, keep: &mut dyn FnMut(Held), report: &mut Report) -> Result<Content, Failure> {
+        let content = self.load_as_it_is(keep, report)?;
         self.import.edit(content, report)
     }
 
-    fn load_as_it_is(&self, report: &mut Report) -> Result<Content, Failure> {
+    fn load_as_it_is(&self, keep: &mut dyn FnMut(Held), report: &mut Report) -> Result<Content, Failure> {
         let scene = self.scene();
         if self.is_builtin() {
             if let Some(level) = self.memory.level {
@@ -174,7 +179,7 @@ impl SceneArgs {
                 .map(|scene| Content::Packed(scene.into()));
         }
         let paths: Vec<PathBuf> = self.scenes.iter().map(PathBuf::from).collect();
-        self.import.load(&paths, self.memory.in_memory, report)
+        self.import.load_keeping(&paths, self.memory.in_memory, keep, report)
     }
 }
 

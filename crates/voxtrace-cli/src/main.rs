@@ -38,6 +38,7 @@ mod session;
 mod stdout;
 mod surroundings;
 mod tracer;
+mod transfer_text;
 mod verbs;
 mod views;
 mod volume;

@@ -135,6 +135,22 @@ impl MeshArgs {
         }
     }
 
+    /// Takes what was chosen in a window in the place of the options.
+    ///
+    /// # Errors
+    /// One line: what is no choice.
+    #[cfg(feature = "view")]
+    pub fn choose_points(&mut self, choice: &voxtrace_viewer::PointsChoice) -> Result<(), String> {
+        if let Some(word) = choice.color_by {
+            self.color_by = clap::ValueEnum::from_str(word, false)?;
+        }
+        if let Some(classes) = choice.classes_word() {
+            self.classes = Some(classes.parse()?);
+        }
+        self.min_points = choice.min_points.unwrap_or(self.min_points);
+        Ok(())
+    }
+
     /// Refuses options that choose among points: `path` holds none.
     pub fn refuse_choice_of_points(&self, path: &Path) -> Result<(), Failure> {
         let asked = [("--classes", self.classes.is_some()), ("--bounds", self.bounds.is_some())];

@@ -146,6 +146,16 @@ impl Report {
         (following > 0).then_some(left + each * following as f64)
     }
 
+    /// The share of all pictures that is done, and the seconds that are left, where this one is so far.
+    fn of_all(&self, share: f32, left: Option<f64>) -> (f32, Option<f64>) {
+        let (following, _, done) = self.following;
+        if !self.is_render || following as u64 + u64::from(done) == 0 {
+            return (share, left);
+        }
+        let all = (following + 1) as f32 + done as f32;
+        ((done as f32 + share) / all, self.left_in_all(left).or(left))
+    }
+
     /// Names on stdout a file that was written.
     pub fn wrote(&self, path: &Path) {
         if self.unnamed.as_ref().is_some_and(|folder| path.starts_with(folder)) {
@@ -193,7 +203,8 @@ impl Report {
             (left, limit) => left.or(limit),
         };
         let share = (done as f64 / self.total.max(1) as f64) as f32;
-        self.tell(Said::Progress(&self.name, share, eta));
+        let (share_of_all, left_in_all) = self.of_all(share, eta);
+        self.tell(Said::Progress(&self.name, share_of_all, left_in_all));
         if let Some(bar) = &self.bar {
             let in_all = self.left_in_all(eta).map_or_else(String::new, |all| format!(", {} in all", clock(all)));
             let eta = eta.map_or_else(String::new, |eta| format!(", {} left{in_all}", clock(eta)));

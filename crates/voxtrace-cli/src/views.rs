@@ -111,6 +111,21 @@ impl View {
 }
 
 impl ViewArgs {
+    /// No option about the view.
+    #[cfg(feature = "view")]
+    pub fn none() -> Self {
+        Self {
+            camera: Vec::new(),
+            camera_file: None,
+            place: PlaceArgs::default(),
+            turntable: None,
+            flight: None,
+            flight_frames: None,
+            frames: None,
+            lens: LensArgs::default(),
+        }
+    }
+
     /// Whether any option says where to look from.
     pub fn says_camera(&self) -> bool {
         !self.camera.is_empty()

@@ -6,6 +6,7 @@ use crate::mesh::{MeshArgs, bytes, number};
 use crate::overlays::OverlayArgs;
 use crate::parse;
 use crate::report::Report;
+use crate::transfer_text;
 use std::path::Path;
 use voxtrace::glam::{DVec3, Vec3};
 use voxtrace::import::{ImportOptions, RawShape, opened};
@@ -21,12 +22,16 @@ const ANNOUNCED_FROM: u64 = 1 << 24;
 #[derive(clap::Args, Clone, Debug)]
 #[command(next_help_heading = "Volumes")]
 pub struct VolumeArgs {
-    /// Transfer function: ct-bone, ct-skin, mri, labels, surface, fog, hot, or a TOML file [default: chosen by the values]
+    /// Transfer function: ct-bone, ct-skin, mri, labels, surface, fog, hot, a TOML file, or stops:VALUE=#RRGGBB,… [default: chosen by the
+    /// values]
     #[arg(long, value_name = "NAME|FILE")]
-    transfer: Option<String>,
+    pub transfer: Option<String>,
     /// Lowest visible value [default: the transfer function's]
     #[arg(long, value_name = "VALUE", value_parser = parse::finite, allow_hyphen_values = true)]
-    threshold: Option<f32>,
+    pub threshold: Option<f32>,
+    /// How many voxels lie along the longest side at most, in the place of all: what the window shows while the transfer function is changed.
+    #[arg(skip)]
+    pub coarse: Option<u32>,
     /// Keep only those voxels of volumes, heightmaps and Minecraft's blocks that have an empty neighbour, as the others are never visible
     /// [default: true; false where the scene is cut]
     #[arg(long, value_name = "BOOL")]
@@ -77,17 +82,23 @@ impl VolumeArgs {
     }
 
     /// Voxelizes the volume of a file and reports with which transfer function.
-    pub fn scene(&self, volume: &Volume, path: &Path, mesh: &MeshArgs, report: &mut Report) -> Result<Scene, Failure> {
+    pub fn scene(
+        &self,
+        volume: &Volume,
+        values: &ValueStatistics,
+        path: &Path,
+        mesh: &MeshArgs,
+        report: &mut Report,
+    ) -> Result<Scene, Failure> {
         let options = self.import_options(mesh);
-        let values = volume.statistics();
         let transfer =
             self.transfer()?.map_or_else(|| self.overlays.transfer_of(volume, report), |own| Ok(Some(own)))?;
         let is_chosen = transfer.is_some() || self.threshold.is_some();
-        let transfer = transfer.unwrap_or_else(|| Transfer::automatic(&values));
+        let transfer = transfer.unwrap_or_else(|| Transfer::automatic(values));
         let mut settled = transfer.clone();
-        settled.resolve(&values, self.threshold);
-        self.announce(volume, Some(&values), &settled, report);
-        self.warn_of(&values, &settled, path, report, || {
+        settled.resolve(values, self.threshold);
+        self.announce(volume, Some(values), &settled, report);
+        self.warn_of(values, &settled, path, report, || {
             let Ramp::Absolute { low, .. } = settled.ramp else { return None };
             let shown = volume.values.iter().filter(|value| **value >= low).count();
             Some(shown as f64 / volume.values.len().max(1) as f64)
@@ -98,16 +109,21 @@ impl VolumeArgs {
         let options_of_volume =
             VolumeOptions { scale, transfer: Some(transfer), threshold: self.threshold, shell: self.shell(), overlays };
         let failure = |error| volume_failure(path, error);
-        let estimate = volume::estimate(volume, &values, &options_of_volume, &options.limits).map_err(failure)?;
-        let [x, y, z] = estimate.size;
-        if x * y * z >= ANNOUNCED_FROM {
-            let (size, voxels) = (estimate.voxel_size as f32, number(estimate.voxels));
-            report.remark(&format!(
-                "on {x} x {y} x {z} voxels of {size}{unit}: about {voxels} voxels, {}",
-                bytes(estimate.bytes)
-            ));
+        if self.coarse.is_none() {
+            let estimate = volume::estimate(volume, values, &options_of_volume, &options.limits).map_err(failure)?;
+            let [x, y, z] = estimate.size;
+            if x * y * z >= ANNOUNCED_FROM {
+                let (size, voxels) = (estimate.voxel_size as f32, number(estimate.voxels));
+                report.remark(&format!(
+                    "on {x} x {y} x {z} voxels of {size}{unit}: about {voxels} voxels, {}",
+                    bytes(estimate.bytes)
+                ));
+            }
         }
-        let voxelize = |how: &VolumeOptions| volume::voxelize_with_statistics(volume, &values, how, &options.limits);
+        let voxelize = |how: &VolumeOptions| match self.coarse {
+            Some(edge) => volume::voxelize_coarse(volume, values, how, edge, &options.limits),
+            None => volume::voxelize_with_statistics(volume, values, how, &options.limits),
+        };
         let scene = voxelize(&options_of_volume);
         if !is_chosen && matches!(scene, Err(VolumeError::Empty { .. })) {
             let threshold =
@@ -213,6 +229,12 @@ pub fn volume_failure(path: &Path, error: VolumeError) -> Failure {
 pub fn transfer(name: &str) -> Result<Transfer, Failure> {
     if let Some(preset) = Preset::ALL.into_iter().find(|preset| preset.name() == name) {
         return Ok(preset.transfer());
+    }
+    if let Some(text) = transfer_text::as_toml(name) {
+        return text.and_then(|text| parse_transfer(&text, "stops")).map_err(|reason| {
+            Failure::usage(format!("transfer function {name}: {reason}"))
+                .hint("stops:VALUE=#RRGGBB,VALUE=#RRGGBB and threshold=, upper=, opacity= behind them")
+        });
     }
     let names = Preset::ALL.map(Preset::name).join(", ");
     opened::note(Path::new(name));

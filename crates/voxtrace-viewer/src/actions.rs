@@ -3,7 +3,7 @@
 use crate::benchmark::{FRAMES, WARM_UP};
 use crate::camera_toml::camera_toml;
 use crate::comparison::{Comparison, DIVIDER_STEP};
-use crate::dialogs::{Dialog, FramesDialog, OpenDialog, PictureDialog, SaveDialog};
+use crate::dialogs::{Dialog, FramesDialog, OpenDialog, PictureDialog, PlanDialog, RecordDialog, SaveDialog};
 use crate::export::free_name;
 use crate::keys::Action;
 use crate::navigation::{Mode, Motion};
@@ -41,6 +41,11 @@ impl Session {
             Action::ToggleEditing => self.toggle_editing(),
             Action::Edit(action) => self.edit_act(action, cursor),
             Action::SaveEdits => self.save_edits(),
+            Action::Timeline => self.toggle_timeline(),
+            Action::Plan => self.dialog = Some(Dialog::Plan(Box::new(PlanDialog::new(self)))),
+            Action::Values => self.toggle_value_drag(),
+            Action::Play => self.toggle_play(),
+            Action::Record => self.open_dialog(|session| Dialog::Record(Box::new(RecordDialog::new(session)))),
             Action::SaveScene => self.open_dialog(|session| Dialog::Save(SaveDialog::new(session))),
             Action::Screenshot => self.screenshot(),
             Action::Quit => self.ask(Command::Quit),
@@ -84,9 +89,11 @@ impl Session {
             Action::NextContrast => self.next_contrast(),
             Action::NextOtherTraversal => self.next_other_traversal(),
             Action::DividerLeft => self.move_divider(-DIVIDER_STEP),
+            Action::DividerRight if self.comparison.is_none() => self.add_time_key(),
             Action::DividerRight => self.move_divider(DIVIDER_STEP),
             Action::Benchmark => self.toggle_benchmark(),
             Action::CopyBenchmark => self.copy_bench_command(),
+            Action::HidePicked if self.is_on_timeline() => self.delete_time_key(),
             Action::HidePicked => self.hide_picked(cursor),
             Action::ToggleClipBox => self.toggle_clip_box(),
             Action::IsolatePicked => self.isolate_picked(cursor),
@@ -132,6 +139,8 @@ impl Session {
         if self.dialog.take().is_some() || self.leaving.is_some() {
             // The dialog goes first, and with it what waits for it.
             self.stay();
+        } else if self.stop_value_drag() {
+            // Dragging moves the camera again.
         } else if self.loading.take().is_some() {
             self.say(tr!("said.opening_was_stopped"), false);
         } else if let Some(benchmark) = &self.benchmark {
@@ -218,7 +227,8 @@ impl Session {
     }
 
     fn copy_command(&mut self) {
-        self.copy_command_of(self.render_command(), "the command that renders this picture");
+        let command = if self.has_motion() { self.frame_command() } else { self.render_command() };
+        self.copy_command_of(command, "the command that renders this picture");
     }
 
     /// Copies the command that renders the picture of the tracer that is compared with.
@@ -299,7 +309,7 @@ impl Session {
         let is_device = settings.traversal != Traversal::Cpu;
         let has_primitive = matches!(settings.traversal, Traversal::Query | Traversal::Pipeline);
         Some(RenderCommand {
-            scene_options: if is_edited { Vec::new() } else { self.scene_options.clone() },
+            scene_options: if is_edited { Vec::new() } else { self.options_of_reading() },
             usual_camera: open.original.cameras.first().cloned(),
             size: self.size(),
             samples: settings.samples,
@@ -328,6 +338,12 @@ impl Session {
             shown,
             ..RenderCommand::new(scene, self.navigator.camera().clone())
         })
+    }
+
+    /// The options with which the scene is read, with what was chosen here.
+    fn options_of_reading(&self) -> Vec<String> {
+        let options = crate::transfer::with_transfer(&self.scene_options, self.chosen_transfer());
+        self.chosen_points().map_or_else(|| options.clone(), |points| points.over(&options))
     }
 
     /// The camera as that command has it: options move the scene's first camera, and its name, which stands in files, stays.

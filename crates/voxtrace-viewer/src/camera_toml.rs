@@ -72,7 +72,7 @@ pub(crate) fn read(table: &Table) -> Result<Camera, String> {
     }
 }
 
-fn array_of(vector: Vec3) -> Value {
+pub(crate) fn array_of(vector: Vec3) -> Value {
     Value::Array(vector.to_array().map(|number| Value::Float(widened(number))).to_vec())
 }
 

@@ -104,10 +104,26 @@ impl Session {
         }
     }
 
+    /// Other points may lie elsewhere in the scene, and in voxels of another size: the camera goes with the map.
+    fn stay_on_map(&mut self, scene: &voxtrace::PackedScene) {
+        let Some(open) = &self.open else { return };
+        let (Some(old), Some(new)) = (&open.original.georeference, &scene.georeference) else { return };
+        if old == new {
+            return;
+        }
+        let new_from_old = new.coordinates_from_world.inverse() * old.coordinates_from_world;
+        let moved = |point: voxtrace::glam::Vec3| new_from_old.transform_point3(point.as_dvec3()).as_vec3();
+        let camera = self.navigator.camera().clone();
+        let camera = voxtrace::Camera { eye: moved(camera.eye), target: moved(camera.target), ..camera };
+        self.navigator = self.navigator.in_scene(camera, scene.bounds());
+        self.ask(Command::SetView);
+    }
+
     /// Takes the scene that was read again with parts that its file hides; the view stays.
     pub fn show_again(&mut self, scene: std::sync::Arc<voxtrace::PackedScene>) {
         // Nothing was edited: what has edits is not read again.
         self.restart_editing();
+        self.stay_on_map(&scene);
         self.open = self.open.take().map(|open| open.read_again(scene));
         self.picked = None;
         self.update_scene();

@@ -37,6 +37,8 @@ struct Drag {
     is_edit: bool,
     /// The handle that is dragged.
     grabbed: Option<Grabbed>,
+    /// Whether it changes which values are shown.
+    is_of_values: bool,
 }
 
 /// What the mouse and the keyboard are doing.
@@ -117,6 +119,9 @@ impl Input {
             return session.drag_handle(grabbed, cursor, self.modifiers.shift);
         }
         let delta = cursor - last;
+        if drag.is_of_values {
+            return session.drag_values(delta);
+        }
         match drag.steer {
             Some(Steer::Look) => session.move_by(Motion::Look(delta)),
             Some(Steer::Orbit) => session.move_by(Motion::Orbit { delta, pivot: drag.anchor }),
@@ -149,10 +154,14 @@ impl Input {
             _ => None,
         };
         let grabbed = if button == Button::Left && !is_divider && !is_edit { session.grab(cursor) } else { None };
+        let is_free = !is_divider && !is_edit && grabbed.is_none();
+        let is_plain_left = button == Button::Left && self.modifiers == Modifiers::NONE;
+        let is_of_values = is_free && is_plain_left && session.drags_values();
         let anchor = session.pick(cursor).map(|picked| picked.point);
         session.navigator.begin_gesture();
         let is_click = !is_divider && !is_edit;
-        self.drag = Some(Drag { button, steer, from: cursor, anchor, is_click, is_divider, is_edit, grabbed });
+        self.drag =
+            Some(Drag { button, steer, from: cursor, anchor, is_click, is_divider, is_edit, grabbed, is_of_values });
     }
 
     /// A button is let go.

@@ -11,6 +11,7 @@ pub mod bookmarks;
 pub mod camera_toml;
 mod changes;
 pub mod clipping;
+pub mod cloud;
 pub mod comparison;
 pub mod cutting;
 pub mod dialogs;
@@ -28,6 +29,7 @@ pub mod lens;
 pub mod load;
 pub mod measuring;
 pub mod memory;
+pub mod motion;
 pub mod navigation;
 pub mod open;
 pub mod outliner;
@@ -36,6 +38,7 @@ pub mod phases;
 pub mod projection;
 pub mod render_command;
 pub mod render_settings;
+pub mod running;
 pub mod scale;
 pub mod session;
 pub mod settings;
@@ -45,11 +48,16 @@ pub mod strings;
 pub mod surroundings;
 pub mod threads;
 mod thumbnails;
+pub mod timeline;
 pub mod touch;
+pub mod transfer;
 mod walking;
 
 pub use app::{ViewerError, WindowOptions, open_window};
+pub use cloud::{PointsChoice, PointsSeen};
 pub use load::{Loader, Reading, Told, Wanted};
+pub use motion::Motion;
+pub use transfer::ValuesSeen;
 
 /// The example of the crate's page, compiled.
 #[cfg(doctest)]

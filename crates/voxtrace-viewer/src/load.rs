@@ -1,13 +1,17 @@
 //! Opening scenes on a thread of their own, with what is told meanwhile. The last scene that was asked for counts.
 
+use crate::cloud::{PointsChoice, PointsSeen};
+use crate::motion::Motion;
 use crate::threads;
+use crate::transfer::ValuesSeen;
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
 use voxtrace::changes::PartName;
 use voxtrace::{PackedScene, Volume};
+use voxtrace_bench::Measurement;
 
 /// What a loader says while it works.
 #[derive(Clone, Debug, PartialEq)]
@@ -25,6 +29,16 @@ pub enum Told {
     Note(String),
     /// The file is read otherwise where the scene is cut: with what nobody sees inside.
     DependsOnCuts,
+    /// The scene is a cloud of points: what they are.
+    Points(Arc<PointsSeen>),
+    /// The scene moves, and how.
+    Moves(Arc<Motion>),
+    /// The file has keyframes, which last so many frames; what moves comes where it is asked for ([`Reading::moves`]).
+    Keyframes(u32),
+    /// What a benchmark measured.
+    Measured(Vec<Measurement>),
+    /// The scene is a volume in memory: what its values are.
+    Values(Arc<ValuesSeen>),
 }
 
 /// How a scene is to be read.
@@ -34,6 +48,18 @@ pub struct Reading {
     pub shown: Vec<PartName>,
     /// Whether the window cuts it open.
     pub is_cut: bool,
+    /// Whether it is the scene that was read last: a volume may be taken from memory.
+    pub is_again: bool,
+    /// Whether what moves is wanted.
+    pub moves: bool,
+    /// The TOML that says what else moves.
+    pub animation: Option<PathBuf>,
+    /// What was chosen about points, in place of what the command line says.
+    pub points: Option<PointsChoice>,
+    /// The transfer function of a volume, as `--transfer` has it, in place of that of the command line.
+    pub transfer: Option<String>,
+    /// Of a volume: how many voxels lie along its longest side at most, for a quick look.
+    pub coarse: Option<u32>,
 }
 
 /// Whether a scene that is being read is still wanted.
@@ -65,6 +91,15 @@ pub trait Loader: Send + Sync {
         tell: Box<dyn Fn(Told) + Send>,
         wanted: &Wanted,
     ) -> Result<PackedScene, String>;
+
+    /// Runs a command of the program, as long as it is `wanted`: its words, `voxtrace` first. It makes what the command line makes.
+    ///
+    /// # Errors
+    /// One line for people: what is wrong, where, and what to do.
+    fn run(&self, words: &[String], tell: Box<dyn Fn(Told) + Send>, wanted: &Wanted) -> Result<(), String> {
+        let _ = (tell, wanted);
+        Err(format!("this window runs no commands: {}", words.join(" ")))
+    }
 
     /// Whether somebody asked the program to end, by a signal say: then the window closes.
     fn is_interrupted(&self) -> bool {
@@ -103,6 +138,10 @@ pub struct Loading {
     /// Seconds that are left of it.
     pub seconds_left: Option<f64>,
     depends_on_cuts: bool,
+    values: Option<Arc<ValuesSeen>>,
+    points: Option<Arc<PointsSeen>>,
+    motion: Option<Arc<Motion>>,
+    keyframes: u32,
     answers: Receiver<Answer>,
     wanted: Wanted,
 }
@@ -123,6 +162,14 @@ enum Answer {
 pub struct Came {
     /// Whether the file is read otherwise where the scene is cut.
     pub depends_on_cuts: bool,
+    /// What the values of a volume are.
+    pub values: Option<Arc<ValuesSeen>>,
+    /// What moves in it.
+    pub motion: Option<Arc<Motion>>,
+    /// How many frames the keyframes of its file last.
+    pub keyframes: u32,
+    /// What its points are.
+    pub points: Option<Arc<PointsSeen>>,
     /// Notes about the file.
     pub notes: Vec<String>,
     /// The scene, or why there is none.
@@ -162,6 +209,10 @@ impl Loading {
             share: None,
             seconds_left: None,
             depends_on_cuts: false,
+            values: None,
+            points: None,
+            motion: None,
+            keyframes: 0,
             answers,
             wanted,
         }
@@ -177,9 +228,16 @@ impl Loading {
                 }
                 Ok(Answer::Told(Told::Note(note))) => came.notes.push(note),
                 Ok(Answer::Told(Told::DependsOnCuts)) => self.depends_on_cuts = true,
+                Ok(Answer::Told(Told::Points(points))) => self.points = Some(points),
+                Ok(Answer::Told(Told::Measured(_))) => {}
+                Ok(Answer::Told(Told::Moves(motion))) => self.motion = Some(motion),
+                Ok(Answer::Told(Told::Keyframes(frames))) => self.keyframes = frames,
+                Ok(Answer::Told(Told::Values(values))) => self.values = Some(values),
                 Ok(Answer::Done(result)) => {
                     came.result = Some(result.map(|scene| Arc::new(*scene)));
                     came.depends_on_cuts = self.depends_on_cuts;
+                    (came.values, came.points) = (self.values.take(), self.points.take());
+                    (came.motion, came.keyframes) = (self.motion.take(), self.keyframes);
                 }
                 Err(TryRecvError::Empty) => return came,
                 Err(TryRecvError::Disconnected) => {

@@ -28,6 +28,8 @@ pub struct Open {
     pub pickable: Arc<PackedScene>,
     /// Whether its file is read otherwise where the scene is cut: with what nobody sees inside.
     pub depends_on_cuts: bool,
+    /// How many frames the keyframes of its file last.
+    pub keyframes: u32,
     /// Voxels of its grids, each once.
     pub voxels: u64,
     /// Its parts, with what its file hides.
@@ -50,6 +52,7 @@ impl Open {
         Self {
             source,
             depends_on_cuts: false,
+            keyframes: 0,
             voxels,
             is_visible: outline.objects.iter().map(|object| !object.is_hidden).collect(),
             outline,
@@ -68,11 +71,11 @@ impl Open {
 
     /// The same scene read again, with parts that its file hides; what was changed stays.
     pub fn read_again(self, scene: Arc<PackedScene>) -> Self {
-        let Self { source, outline, is_visible, materials, depends_on_cuts, .. } = self;
+        let Self { source, outline, is_visible, materials, depends_on_cuts, keyframes, .. } = self;
         // The file may have become another one.
         match scene.outline.objects.len() == outline.objects.len() {
-            true => Self { outline, is_visible, materials, depends_on_cuts, ..Self::new(source, scene) },
-            false => Self { depends_on_cuts, ..Self::new(source, scene) },
+            true => Self { outline, is_visible, materials, depends_on_cuts, keyframes, ..Self::new(source, scene) },
+            false => Self { depends_on_cuts, keyframes, ..Self::new(source, scene) },
         }
     }
 

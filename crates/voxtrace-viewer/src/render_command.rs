@@ -2,7 +2,10 @@
 //! `render` are left out, numbers are read as the same bits (`docs/command-line.md` has the options).
 
 mod check;
+mod parts;
 mod words;
+
+pub use parts::{SceneArgument, Sequence, SkySetting};
 
 use crate::cutting::{Cutting, Slice};
 use crate::surroundings::Surroundings;
@@ -36,45 +39,6 @@ pub enum CommandError {
     /// A value that `render` refuses.
     #[error("{0}")]
     Refused(&'static str),
-}
-
-/// The scene on the command line.
-#[derive(Clone, Debug, PartialEq)]
-pub enum SceneArgument {
-    /// A file, as it is to be called in the command: absolute, or relative to where that is run.
-    File(PathBuf),
-    /// A built-in scene, and its size if somebody chose one.
-    BuiltIn {
-        /// Its name.
-        name: String,
-        /// `--voxels`.
-        voxels: Option<u64>,
-    },
-}
-
-/// The sky behind its sun, in place of the scene's.
-#[derive(Clone, Debug, PartialEq)]
-pub enum SkySetting {
-    /// `--sky-color`: one colour, linear.
-    Color(Vec3),
-    /// `--sky physical`: the Earth's in the light of the sun.
-    Physical,
-    /// `--sky FILE`: a panorama, as it is to be called in the command.
-    Panorama(PathBuf),
-}
-
-/// A row of frames in place of one picture.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Sequence {
-    /// A turn around the vertical through the camera's target, in so many frames.
-    Turntable(u32),
-    /// A flight through the cameras of a file.
-    Flight {
-        /// The bookmarks.
-        file: PathBuf,
-        /// Frames of the whole flight.
-        frames: u32,
-    },
 }
 
 /// What a view is made of. What is `None` is as the scene or the device has it.
@@ -205,7 +169,13 @@ impl RenderCommand {
     /// As [`Self::line`].
     pub fn words(&self) -> Result<Vec<String>, CommandError> {
         self.check()?;
-        let mut words = self.begin("render")?;
+        let mut words = match &self.sequence {
+            Some(Sequence::Animation { file, .. } | Sequence::Frame { file, .. }) => {
+                let scene = SceneArgument::File(file.clone());
+                Self { scene, ..self.clone() }.begin("animate")?
+            }
+            _ => self.begin("render")?,
+        };
         for output in &self.outputs {
             words.value("--output", Some(unicode(output)?.to_owned()));
         }
@@ -218,6 +188,11 @@ impl RenderCommand {
                 self.say_view(&mut words);
                 words.0.push(format!("--turntable={frames}"));
             }
+            Some(Sequence::Frame { frame, .. }) => {
+                words.value("--frames", Some(format!("{frame}..{frame}")));
+                self.say_view(&mut words);
+            }
+            Some(Sequence::Animation { keeps, .. }) => words.flag("--skip-existing", *keeps),
             None => self.say_view(&mut words),
         }
         self.say_quality(&mut words);

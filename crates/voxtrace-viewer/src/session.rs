@@ -19,9 +19,12 @@ use crate::navigation::{Motion, Navigator};
 pub use crate::open::Open;
 use crate::render_command::{SkySetting, SunSetting};
 use crate::render_settings::RenderSettings;
+use crate::running::{RunRequest, Running};
 use crate::settings::Settings;
 use crate::skies::Skies;
 use crate::surroundings::Making;
+use crate::timeline::Timeline;
+use crate::transfer::Values;
 pub use editing::{Followed, Leaving, extent};
 use std::collections::{HashMap, VecDeque};
 use voxtrace::glam::Vec2;
@@ -51,6 +54,8 @@ pub enum Command {
     CompareWith(Option<Backend>),
     /// Show this of two tracers.
     SetContrast(Contrast),
+    /// Make other voxels of the volume that is open.
+    Reshape,
     /// Open the scene once more: with parts that its file hides, or with what is inside, where it is cut open.
     LoadAgain,
     /// Measure the view.
@@ -69,6 +74,8 @@ pub enum Command {
     AskForPath,
     /// Render pictures to files.
     Export(Box<ExportRequest>),
+    /// Run a command of the program beside the window.
+    Run(Box<RunRequest>),
     /// Write the scene to a file.
     SaveScene(std::path::PathBuf),
     /// Trace and draw with another device: its number, or its name.
@@ -96,6 +103,7 @@ impl Command {
             self,
             Self::Load(_)
                 | Self::LoadAgain
+                | Self::Reshape
                 | Self::CompareWith(_)
                 | Self::SetContrast(_)
                 | Self::SetScene
@@ -142,6 +150,22 @@ pub struct Session {
     pub exporting: Option<Exporting>,
     /// The file that the scene is being written to.
     pub saving_scene: Option<std::path::PathBuf>,
+    /// The command that runs beside the window.
+    pub running: Option<Running>,
+    /// The values of the volume that is open, and what of them is shown.
+    pub values: Option<Values>,
+    /// What of the scene moves.
+    pub(crate) moving: Option<crate::motion::Moving>,
+    /// Whether what moves is to be read.
+    pub(crate) wants_motion: bool,
+    /// The points of the scene that is open.
+    pub points: Option<crate::cloud::Points>,
+    /// The camera over time.
+    pub timeline: Timeline,
+    /// An animation whose scene is being opened.
+    pub(crate) wanted_timeline: Option<std::path::PathBuf>,
+    /// Points that panels take below the picture.
+    pub below: f32,
     /// The dialog that is open.
     pub dialog: Option<Dialog>,
     /// Whether the panels are shown.
@@ -229,6 +253,14 @@ impl Session {
             loading: None,
             exporting: None,
             saving_scene: None,
+            running: None,
+            values: None,
+            points: None,
+            moving: None,
+            wants_motion: false,
+            timeline: Timeline::default(),
+            wanted_timeline: None,
+            below: 0.0,
             dialog: None,
             has_panels: true,
             has_help: false,
@@ -351,6 +383,12 @@ impl Session {
         }
     }
 
+    /// The camera moves on soon.
+    pub(crate) fn keep_moving(&mut self) {
+        (self.is_moving, self.still) = (true, 0.0);
+    }
+
+    /// The camera moved.
     pub(crate) fn moved(&mut self) {
         (self.is_moving, self.still) = (true, 0.0);
         self.ask(Command::SetView);
@@ -358,9 +396,10 @@ impl Session {
 
     /// Lets time go by: what is held moves the camera. Returns whether it goes on moving.
     pub fn advance(&mut self, seconds: f32) -> bool {
+        self.advance_timeline(seconds);
         if self.advance_camera(seconds) {
             self.moved();
-        } else if self.is_moving {
+        } else if self.is_moving && !self.timeline.is_playing() {
             self.still += seconds;
             if self.still >= REST {
                 // The last view once more, as one that stays.

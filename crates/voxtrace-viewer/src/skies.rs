@@ -83,6 +83,7 @@ pub fn is_panorama(path: &Path) -> bool {
 impl Session {
     /// The scene in the light of the settings, once the sky is there.
     pub(crate) fn change_light(&mut self) {
+        self.place_moving();
         let source = self.sky_source();
         let Some(open) = &mut self.open else { return };
         match source {

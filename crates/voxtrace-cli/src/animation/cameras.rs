@@ -14,7 +14,7 @@ use voxtrace::packed::Outline;
 /// Keys of the camera.
 const KEYS: [&str; 9] = ["name", "path", "ease", "start", "seconds", "orbit", "turns_per_second", "look_at", "focus"];
 /// Keys that a camera has anywhere.
-const CAMERA_KEYS: [&str; 17] = [
+const CAMERA_KEYS: [&str; 18] = [
     "at",
     "camera",
     "bookmark",
@@ -32,6 +32,7 @@ const CAMERA_KEYS: [&str; 17] = [
     "handle_in",
     "handle_out",
     "corner",
+    "eye_distance",
 ];
 
 /// What cameras are looked up in.

@@ -25,7 +25,9 @@ use voxtrace::import::{Content, ImportOptions, opened};
 use voxtrace::{Camera, TraceError, export, scenes};
 use voxtrace_bench::quantity::QuantityError;
 use voxtrace_bench::shell::quoted;
-use voxtrace_bench::{BenchError, Host, LoadedScene, Monitor, PlanFile, Request, ResumeErrorKind, SceneEntry, run};
+use voxtrace_bench::{
+    BenchError, Host, LoadedScene, Monitor, PlanFile, Request, Results, ResumeErrorKind, SceneEntry, run,
+};
 
 /// Default folder of the report.
 const FOLDER: &str = "voxtrace-bench";
@@ -56,6 +58,9 @@ pub struct BenchArgs {
     force: bool,
     #[arg(skip)]
     output: PathBuf,
+    /// The command as a shell takes it, where it is not the one that the program was started with.
+    #[arg(skip)]
+    pub command: Option<String>,
     /// Frames of each cell [default: 4096; with --quick 256]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     frames: Option<u32>,
@@ -126,7 +131,16 @@ fn sweep_size(text: &str) -> Result<u64, QuantityError> {
 }
 
 impl BenchArgs {
-    pub fn run(mut self, report: &mut Report) -> Result<(), Failure> {
+    pub fn run(self, report: &mut Report) -> Result<(), Failure> {
+        let is_json = self.json;
+        let show = |results: &Results| {
+            crate::stdout::print(&if is_json { format!("{:#}\n", results.json()) } else { results.table() });
+        };
+        self.run_showing(&show, report)
+    }
+
+    /// As [`Self::run`]; `show` gets the results.
+    pub fn run_showing(mut self, show: &dyn Fn(&Results), report: &mut Report) -> Result<(), Failure> {
         self.output = self.folder.clone().unwrap_or(FOLDER.into());
         let mut request = self.request();
         if let Some(path) = &self.plan {
@@ -145,7 +159,7 @@ impl BenchArgs {
             return against::run(program, self.rounds.unwrap_or(against::ROUNDS), &self, &request, report);
         }
         let results = run(&request, &mut CommandLine { args: &self, report })?;
-        crate::stdout::print(&if self.json { format!("{:#}\n", results.json()) } else { results.table() });
+        show(&results);
         report.remark(&format!("the report is {}", self.output.join("report.html").display()));
         if interrupt::is_requested() {
             let hint = format!("what was measured is in {}", self.output.display());
@@ -196,7 +210,7 @@ impl BenchArgs {
             device: self.device.clone(),
             output: self.output.clone(),
             probes: probes::cache(),
-            command: Some(typed()),
+            command: self.command.clone().or_else(|| Some(typed())),
             commit: option_env!("VOXTRACE_COMMIT").map(str::to_owned),
             skip_probes: false,
         }

@@ -2,6 +2,8 @@
 
 pub mod animate;
 pub mod bench;
+#[cfg(feature = "view")]
+pub mod beside;
 pub mod compare;
 pub mod completions;
 pub mod convert;
@@ -10,8 +12,12 @@ pub mod doctor;
 mod film_info;
 pub mod formats;
 pub mod info;
+#[cfg(feature = "view")]
+mod kept_volume;
 pub mod man;
 pub mod merge;
+#[cfg(feature = "view")]
+mod motion;
 pub mod render;
 pub mod scenes;
 #[cfg(feature = "view")]

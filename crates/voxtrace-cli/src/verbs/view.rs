@@ -1,6 +1,8 @@
 //! `voxtrace view`: the window. Scenes are read with the same options as `render` reads them.
 
-use super::convert;
+use super::kept_volume::KeptVolume;
+use super::motion::{in_motion, keyframes_of};
+use super::{beside, convert};
 use crate::changes::packed_with;
 use crate::cuts::CutArgs;
 use crate::failure::Failure;
@@ -75,9 +77,9 @@ impl ViewerArgs {
 }
 
 impl ViewerArgs {
-    fn into_loader(self) -> Files {
+    pub(super) fn into_loader(self) -> Files {
         let Self { scenes, import, memory, cuts, voxels, .. } = self;
-        Files { tiles: scenes, import, memory, cuts, voxels }
+        Files { tiles: scenes, import, memory, cuts, voxels, volume: KeptVolume::default() }
     }
 
     /// Prints the time of frames, without a window or a screen.
@@ -179,13 +181,15 @@ fn reading_options(words: &[String], scene: Option<&str>) -> Vec<String> {
 }
 
 /// Reads what the window is given.
-struct Files {
+pub(super) struct Files {
     /// What the command names: several files are one scene, that of the first of them.
     tiles: Vec<String>,
     import: ImportArgs,
     memory: MemoryArgs,
     cuts: CutArgs,
     voxels: Option<u64>,
+    /// The volume that is shown.
+    volume: KeptVolume,
 }
 
 impl Files {
@@ -214,7 +218,7 @@ impl Loader for Files {
         wanted: &Wanted,
     ) -> Result<PackedScene, String> {
         let is_built_in = scenes::NAMES.contains(&source);
-        if !is_built_in && self.depends_on_cuts(Path::new(source)) {
+        if !is_built_in && !reading.is_again && self.depends_on_cuts(Path::new(source)) {
             tell(Told::DependsOnCuts);
         }
         let mut scene = SceneArgs {
@@ -230,8 +234,19 @@ impl Loader for Files {
         if self.cuts.is_cut() || reading.is_cut {
             scene.import.keep_inside();
         }
+        if let Some(transfer) = &reading.transfer {
+            (scene.import.volume.transfer, scene.import.volume.threshold) = (Some(transfer.clone()), None);
+        }
+        scene.import.volume.coarse = reading.coarse;
+        if let Some(points) = &reading.points {
+            scene.import.mesh.choose_points(points)?;
+        }
+        // What reads tells of values, too.
+        let told = Arc::new(Mutex::new(tell));
+        let of_report = Arc::clone(&told);
+        let tell = move |what| (told.lock().unwrap_or_else(PoisonError::into_inner))(what);
         let mut report = Report::to(Box::new(move |said| {
-            tell(match said {
+            (of_report.lock().unwrap_or_else(PoisonError::into_inner))(match said {
                 Said::Text(text) => Told::Note(text.to_owned()),
                 Said::Progress(work, share, seconds_left) => {
                     Told::Progress { work: work.to_owned(), share: Some(share), seconds_left }
@@ -240,9 +255,25 @@ impl Loader for Files {
         }));
         let wanted = wanted.clone();
         interrupt::also_when(move || wanted.is_over());
-        let content = scene.load(&mut report).and_then(|content| {
+        let again = reading.is_again;
+        let content = self.volume.load(&scene, again, &tell, &mut report).and_then(|content| {
             interrupt::check()?;
-            let mut packed = packed_with(content, &reading.shown, self.memory)?;
+            let keyframes = keyframes_of(&content);
+            if keyframes > 0 {
+                tell(Told::Keyframes(keyframes));
+            }
+            let (content, moving) = match reading.moves {
+                true => in_motion(content, reading.animation.as_deref(), &reading.shown)?,
+                false => (content, None),
+            };
+            // What moves stays apart; parts that are hidden were shown before it was put in motion.
+            let mut packed = match &moving {
+                Some(moving) => moving.begun(packed_with(content, &[], self.memory.keeping_instances(true))?)?,
+                None => packed_with(content, &reading.shown, self.memory)?,
+            };
+            if let Some(moving) = moving {
+                tell(Told::Moves(moving.motion));
+            }
             self.cuts.apply(&mut packed)?;
             CutArgs::warn_of_nothing(&packed, &report);
             Ok(packed)
@@ -277,6 +308,10 @@ impl Loader for Files {
             Ok(_) => Ok(None),
             Err(error) => Err(format!("no values: {error}")),
         }
+    }
+
+    fn run(&self, words: &[String], tell: Box<dyn Fn(Told) + Send>, wanted: &Wanted) -> Result<(), String> {
+        beside::run(words, tell, wanted)
     }
 
     fn is_interrupted(&self) -> bool {

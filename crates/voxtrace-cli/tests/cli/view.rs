@@ -270,3 +270,108 @@ fn in_the_window_one_measures_cuts_with_knobs_isolates_and_walks() {
     assert!(command.contains("--clip-box "), "the box was there when the command was copied: {command}");
     assert!(stdout.lines().any(|line| line.starts_with("eye = ")), "{stdout}");
 }
+
+#[test]
+fn a_timeline_that_lies_beside_the_scene_is_played_and_recorded_by_keys_as_animate_renders_it() {
+    let folder = Folder::new();
+    if !has_device(&folder) {
+        return skip_without(Need::Vulkan, "there is no Vulkan device");
+    }
+    let Some(screen) = Screen::open() else {
+        return skip_without(Need::Display, "there is no Xvfb or no xdotool");
+    };
+    let key = |at: f32, x: f32| format!("{{ at = {at}, eye = [{x}, -20.0, 14.0], target = [12.0, 12.0, 3.0] }}");
+    let text = format!(
+        "scene = \"room.vxt\"\nfps = 3\nseconds = 1\n[camera]\npath = [{}, {}]\n",
+        key(0.0, 4.0),
+        key(0.6, 20.0)
+    );
+    std::fs::write(folder.path("room.animation.toml"), text).unwrap();
+    let mut view = View::open(&folder, &screen, &["room.animation.toml", "--traversal", "cpu"]);
+    view.wait("the scene's title", |view| view.title().starts_with("room"));
+    view.hand(&["windowsize"], &["400", "420"]);
+    view.wait("its size", |view| view.size() == (400, 420));
+    view.key("space");
+    std::thread::sleep(Duration::from_millis(1500));
+    view.key("c");
+    view.key("shift+F8");
+    std::thread::sleep(Duration::from_millis(500));
+    view.key("ctrl+a");
+    screen.hand(&["type", &folder.path("ours_####.png").display().to_string()]);
+    view.key("Return");
+    view.wait("the last frame", |_| folder.exists("ours_0003.png"));
+    view.wait("that it is whole", |_| !std::fs::read(folder.path("ours_0003.png")).unwrap().is_empty());
+    let size = folder.png("ours_0003.png");
+    view.key("ctrl+q");
+    view.key("ctrl+q");
+    let (code, stdout, stderr) = view.end();
+    assert_eq!(code, Some(0), "{stderr}");
+    assert!(stdout.contains("eye = [20"), "at its end the view is the last key's: {stdout}");
+    let size = format!("{}x{}", size.width, size.height);
+    folder.succeed(&["animate", "room.animation.toml", "-o", "theirs_####.png", "--size", &size, "--traversal", "cpu"]);
+    for frame in ["0001", "0002", "0003"] {
+        assert!(folder.bytes(&format!("ours_{frame}.png")) == folder.bytes(&format!("theirs_{frame}.png")), "{frame}");
+    }
+    assert!(folder.bytes("ours_0001.png") != folder.bytes("ours_0003.png"), "the comparison sees frames");
+}
+
+#[test]
+fn values_of_a_scan_are_dragged_in_the_picture_and_a_plan_is_played() {
+    let folder = Folder::new();
+    if !has_device(&folder) {
+        return skip_without(Need::Vulkan, "there is no Vulkan device");
+    }
+    let Some(screen) = Screen::open() else {
+        return skip_without(Need::Display, "there is no Xvfb or no xdotool");
+    };
+    // A ball of values, 0 at its edge and 12 in its middle.
+    let header = "{'descr': '<f4', 'fortran_order': False, 'shape': (24, 24, 24), }";
+    let mut bytes = b"\x93NUMPY\x01\x00\x76\x00".to_vec();
+    bytes.extend(format!("{header:<117}\n").bytes());
+    for i in 0..24 * 24 * 24 {
+        let at = [i / 576, i / 24 % 24, i % 24].map(|at| at as f32 - 11.5);
+        bytes.extend((12.0 - at.iter().map(|x| x * x).sum::<f32>().sqrt()).to_le_bytes());
+    }
+    std::fs::write(folder.path("ball.npy"), bytes).unwrap();
+    let plan = "scenes = [\"room.vxt\"]\ncells = [\"cpu\"]\nframes = 2\nwarm_up = 0\nsize = \"24x18\"\n";
+    std::fs::write(folder.path("plan.toml"), plan).unwrap();
+    let mut view = View::open(&folder, &screen, &["ball.npy", "--traversal", "cpu"]);
+    view.wait("the scene's title", |view| view.title().starts_with("ball"));
+    // The first keys may come before the window has the keyboard.
+    view.wait("a picture", |view| {
+        view.key("F12");
+        std::thread::sleep(Duration::from_millis(100));
+        folder.exists("ball-001.png")
+    });
+    view.key("F9");
+    view.hand(&["mousemove", "--window"], &["200", "300"]);
+    screen.hand(&["mousedown", "1", "mousemove_relative", "--sync", "--", "-20", "-10"]);
+    screen.hand(&["mousemove_relative", "--sync", "--", "-20", "-10", "mouseup", "1"]);
+    view.key("Escape");
+    view.key("ctrl+shift+c");
+    view.key("F10");
+    std::thread::sleep(Duration::from_millis(500));
+    view.key("ctrl+a");
+    screen.hand(&["type", &folder.path("plan.toml").display().to_string()]);
+    std::thread::sleep(Duration::from_millis(500));
+    view.key("Return");
+    view.wait("the report", |_| folder.exists("plan-report/report.html"));
+    view.key("ctrl+q");
+    view.key("ctrl+q");
+    let (code, stdout, stderr) = view.end();
+    assert_eq!(code, Some(0), "{stderr}");
+    assert_eq!(validation(&stderr), Vec::<&str>::new());
+    let line = stdout.lines().find(|line| line.starts_with("voxtrace render ")).expect(&stdout);
+    let word = line.split('\'').nth(1).expect(line);
+    assert!(word.starts_with("stops:") && word.contains("threshold="), "{line}");
+    let picture = |transfer: &str, name: &str| {
+        folder.succeed(&["render", "ball.npy", "--transfer", transfer, "--size", "24x18", "--spp", "1", "-o", name]);
+        folder.bytes(name)
+    };
+    assert!(picture(word, "dragged.png") != picture("mri", "usual.png"), "the drag changed what is shown");
+    let results = std::fs::read_to_string(folder.path("plan-report/results.json")).unwrap();
+    assert!(
+        results.contains("voxtrace bench --plan") && !results.contains("voxtrace view"),
+        "its command plays the plan"
+    );
+}

@@ -3,8 +3,10 @@
 use crate::common::Folder;
 use std::sync::Arc;
 use voxtrace::PackedScene;
+use voxtrace::animation::Ease;
 use voxtrace::glam::Vec3;
-use voxtrace_viewer::dialogs::{FramesDialog, PathField, PictureDialog, Quality, Route};
+use voxtrace::output::FilmFile;
+use voxtrace_viewer::dialogs::{FramesDialog, PathField, PictureDialog, Quality, RecordDialog, Route};
 use voxtrace_viewer::export::{End, Existing, ExportRequest, Source, Watch, export};
 use voxtrace_viewer::keys::Action;
 use voxtrace_viewer::navigation::Motion;
@@ -156,4 +158,48 @@ fn an_export_that_is_stopped_or_refused_leaves_no_half_file() {
     let End::Failed(reason) = run(&session, &request).end else { panic!("it was there") };
     assert!(reason.contains("is there already"), "{reason}");
     assert_eq!(folder.bytes("a.png"), b"mine");
+}
+
+/// The camera from which `animate` rendered a frame.
+fn camera_of(folder: &Folder, frame: u32) -> voxtrace::Camera {
+    FilmFile::open(&folder.path(&format!("f_{frame:04}.vxf"))).unwrap().frame.camera
+}
+
+#[test]
+fn the_timeline_of_the_window_is_played_as_animate_renders_its_file() {
+    let folder = Folder::new();
+    let mut session = session(&folder);
+    let mut cameras = vec![session.navigator.camera().clone()];
+    for delta in [(9.0, -2.0), (40.0, 11.0)] {
+        session.move_by(Motion::Orbit { delta: delta.into(), pivot: Some(Vec3::new(12.0, 12.0, 3.0)) });
+        cameras.push(session.navigator.camera().clone());
+    }
+    for (ease, look_at, shutter) in [(Ease::None, None, 0.0), (Ease::InOut, Some(Vec3::new(1.5, 2.0, 0.1)), 0.5)] {
+        session.timeline.edit(|course| {
+            (course.fps, course.seconds) = (7.0, 1.3);
+            course.spread(cameras.clone());
+            (course.ease, course.look_at, course.shutter) = (ease, look_at, shutter);
+        });
+        let file = session.save_timeline().unwrap();
+        assert_eq!(file, folder.path("room.animation.toml"));
+        let mut dialog = RecordDialog::new(&session);
+        dialog.path = PathField::new(&folder.path("f_####.png"));
+        dialog.quality = Quality { samples: 1, ..small() };
+        let words = dialog.request(&session, file.clone()).unwrap().words;
+        let words: Vec<String> = words.into_iter().map(|word| word.replace("f_####.png", "f_####.vxf")).collect();
+        folder.succeed(&words[1..]);
+        assert_eq!(session.timeline.course.frames(), 9);
+        assert!(!folder.exists("f_0010.vxf"));
+        for frame in 1..=9 {
+            session.set_time_frame(frame);
+            let camera =
+                voxtrace::Camera { name: camera_of(&folder, frame).name, ..session.navigator.camera().clone() };
+            assert_eq!(camera, camera_of(&folder, frame), "{frame}");
+            assert!(frame == 1 || camera != camera_of(&folder, frame - 1), "the comparison sees frames");
+        }
+        // Read again, it is the same to the bit.
+        let course = session.timeline.course.clone();
+        assert!(session.open_timeline(&file));
+        assert_eq!(session.timeline.course, course);
+    }
 }

@@ -28,6 +28,10 @@ impl App {
                 }
                 Command::Follow(followed) => engine.follow(followed.0),
                 Command::LoadAgain => self.load_again(),
+                Command::Reshape => {
+                    let (wake, loader) = (self.wake(), Arc::clone(&self.loader));
+                    self.session.reshape(&loader, wake);
+                }
                 Command::CompareWith(other) => {
                     engine.compare_with(other);
                     (self.status.other, self.status.differences) = (None, None);
@@ -61,6 +65,7 @@ impl App {
                 Command::Print(text) => println!("{}", text.trim_end()),
                 Command::Save(path) => self.saving = Some(Saving::new(path)),
                 Command::Export(request) => self.export(*request),
+                Command::Run(request) => self.run_beside(*request),
                 Command::SaveScene(path) => self.save_scene(path),
                 Command::SetDevice(name) => self.set_device(name),
                 Command::AskForFile => self.ask_for_file(),
@@ -93,7 +98,8 @@ impl App {
 
     /// Closes the window. Where that would end work under way, only when asked twice.
     pub(super) fn quit(&mut self, event_loop: &ActiveEventLoop) {
-        let is_busy = self.session.exporting.is_some() || self.session.saving_scene.is_some();
+        let is_busy =
+            self.session.exporting.is_some() || self.session.saving_scene.is_some() || self.session.running.is_some();
         if !self.session.may_leave(Leaving::Quit) {
             return;
         }

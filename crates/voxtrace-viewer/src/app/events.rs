@@ -181,7 +181,7 @@ impl ApplicationHandler<Wake> for App {
         self.end_edits();
         self.stopwatch.report(self.graphics.as_ref().map(Graphics::phases).as_ref());
         // What is being written is whole or not there.
-        self.session.exporting = None;
+        (self.session.exporting, self.session.running) = (None, None);
         if let Some(writing) = self.writing.take() {
             // A panic was printed when it happened.
             let _ = writing.join();
@@ -220,7 +220,10 @@ impl App {
         let context = graphics.egui.egui_ctx();
         let point = egui::Pos2::new(place.x, place.y) / context.pixels_per_point();
         let layer = context.layer_id_at(point);
-        place.x >= self.session.size().0 as f32 || layer.is_some_and(|layer| layer.order != egui::Order::Background)
+        let (width, height) = self.session.size();
+        place.x >= width as f32
+            || place.y >= height as f32
+            || layer.is_some_and(|layer| layer.order != egui::Order::Background)
     }
 
     /// Whether keys are those of the table: all but what is typed into a field of the panels.

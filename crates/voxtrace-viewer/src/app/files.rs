@@ -6,6 +6,7 @@ use crate::dialogs::{Dialog, OpenDialog, PictureKind, SCENE_KINDS};
 use crate::export::{ExportRequest, Exporting, Source};
 use crate::inspector::{Sampling, Values};
 use crate::load::{Loading, Reading};
+use crate::running::{RunRequest, Running};
 use crate::session::Command;
 use crate::tr;
 use std::path::{Path, PathBuf};
@@ -63,8 +64,10 @@ impl App {
             }};
         }
         match dialog {
+            Dialog::Plan(_) => answer!(system.add_filter("plans", &["toml"]).pick_file()),
             Dialog::Open(_) => answer!(system.pick_file()),
             Dialog::Frames(_) => answer!(system.pick_folder()),
+            Dialog::Record(_) => answer!(system.save_file()),
             Dialog::Save(_) => answer!(system.add_filter("scenes", &SCENE_KINDS.map(|(ending, _)| ending)).save_file()),
             Dialog::Picture(_) => {
                 answer!(system.add_filter("pictures", &PictureKind::ALL.map(PictureKind::extension)).save_file());
@@ -98,6 +101,21 @@ impl App {
         };
         self.may_quit = false;
         self.session.exporting = Some(Exporting::start(request, source, wake));
+    }
+
+    /// Runs a command beside the window.
+    pub(super) fn run_beside(&mut self, request: RunRequest) {
+        self.may_quit = false;
+        if !request.measures {
+            self.session
+                .say("recording beside the window; P stops the window's own samples, which makes it quicker", false);
+        }
+        if request.measures
+            && let Some(engine) = &self.engine
+        {
+            engine.pause(true);
+        }
+        self.session.running = Some(Running::start(&self.loader, request, self.wake()));
     }
 
     /// Begins to write the scene to a file.
@@ -137,11 +155,20 @@ impl App {
 
     /// Begins to open a scene; the one that is shown stays until it is there.
     pub(super) fn load(&mut self, source: &str) {
+        let of_animation = crate::timeline::scene_to_open(Path::new(source));
+        let whole = std::path::absolute(source).unwrap_or_else(|_| source.into());
+        self.session.wanted_timeline = of_animation.as_ref().map(|_| whole);
+        let of_animation = match of_animation.transpose() {
+            Ok(scene) => scene,
+            Err(error) => return self.session.say(error.to_string(), true),
+        };
+        let source = of_animation.as_deref().unwrap_or(source);
         let source = match scenes::NAMES.contains(&source) {
             true => source.to_owned(),
             false => std::path::absolute(source).map_or(source.to_owned(), |path| path.display().to_string()),
         };
-        let reading = Reading { is_cut: self.session.given_cutting.is_cut(), ..Reading::default() };
+        self.session.wants_motion = false;
+        let reading = Reading { is_cut: self.session.given_cutting.is_cut(), ..self.motion_wanted(false) };
         self.session.loading = Some(Loading::start(&self.loader, &source, reading, false, self.wake()));
     }
 
@@ -149,7 +176,9 @@ impl App {
     pub(super) fn load_again(&mut self) {
         let Some(open) = &self.session.open else { return };
         let is_cut = self.session.render_settings.cutting.is_cut();
-        let reading = Reading { shown: open.changes().1, is_cut };
+        let (transfer, points) = (self.session.chosen_transfer(), self.session.chosen_points());
+        let reading =
+            Reading { shown: open.changes().1, is_cut, is_again: true, points, transfer, ..self.motion_wanted(true) };
         self.session.loading = Some(Loading::start(&self.loader, &open.source, reading, true, self.wake()));
     }
 
@@ -162,6 +191,14 @@ impl App {
             let Some(world) = world else { return Ok(None) };
             Ok(loader.volume(&source, wanted)?.map(|volume| Values::new(volume, world)))
         });
+    }
+
+    /// How what moves is read: where an animation was opened, or the timeline is shown of a scene with keyframes.
+    fn motion_wanted(&self, is_again: bool) -> Reading {
+        let shown = || self.session.timeline_that_moves().filter(|_| is_again);
+        let animation = self.session.wanted_timeline.clone().or_else(shown);
+        let moves = animation.is_some() || is_again && (self.session.wants_motion || self.session.has_motion());
+        Reading { moves, animation, ..Reading::default() }
     }
 
     /// Wakes the window from another thread.
@@ -181,6 +218,8 @@ impl App {
     /// Takes a scene that has come.
     pub(super) fn take_loaded(&mut self) {
         self.session.take_measured();
+        self.session.take_running();
+        self.session.take_reshaped();
         let before = self.session.open.as_ref().map(|open| (Arc::clone(&open.original), Arc::clone(&open.lit)));
         self.session.take_loaded();
         let Some(open) = &self.session.open else { return };

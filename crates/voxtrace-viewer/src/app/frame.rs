@@ -67,7 +67,8 @@ impl App {
         self.stopwatch.lap("panels");
         let window = graphics.window.inner_size();
         let taken = (side * frame.pixels_per_point).round() as u32;
-        let (width, height) = (window.width.saturating_sub(taken).max(1), window.height.max(1));
+        let below = (self.session.below * frame.pixels_per_point).round() as u32;
+        let (width, height) = (window.width.saturating_sub(taken).max(1), window.height.saturating_sub(below).max(1));
         self.session.resize(width, height);
         let shown = self.status.shown.as_ref().filter(|_| self.session.open.is_some());
         let comparison = self.session.comparison.as_ref().filter(|_| shown.is_some());

@@ -53,6 +53,7 @@ fn named_key(named: NamedKey) -> Option<Key> {
     Some(match named {
         NamedKey::Escape => Key::Escape,
         NamedKey::Enter => Key::Enter,
+        NamedKey::Space => Key::Space,
         NamedKey::Tab => Key::Tab,
         NamedKey::Delete => Key::Delete,
         NamedKey::Home => Key::Home,

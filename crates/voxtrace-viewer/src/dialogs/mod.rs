@@ -4,13 +4,17 @@ mod frames;
 mod open;
 mod path_field;
 mod picture;
+mod plan;
 mod quality;
+mod record;
 
 pub use frames::{FramesDialog, Route, ffmpeg_line};
 pub use open::{OpenDialog, SCENE_KINDS, SaveDialog};
 pub use path_field::{MOST_OFFERED, Offer, PathField};
 pub use picture::{PictureDialog, PictureKind};
+pub use plan::PlanDialog;
 pub use quality::{PRESETS, Quality};
+pub use record::{RecordDialog, RecordKind};
 
 use crate::export::{End, ExportRequest, Outcome};
 use crate::session::{Command, Session};
@@ -24,6 +28,10 @@ pub enum Dialog {
     Picture(PictureDialog),
     /// Rendering a turntable or a flight to numbered frames.
     Frames(Box<FramesDialog>),
+    /// Playing a benchmark plan.
+    Plan(Box<PlanDialog>),
+    /// Recording the timeline.
+    Record(Box<RecordDialog>),
     /// Writing the scene to a file.
     Save(SaveDialog),
     /// Opening a scene by its path.
@@ -36,6 +44,8 @@ impl Dialog {
         match self {
             Self::Picture(dialog) => &mut dialog.path,
             Self::Frames(dialog) => &mut dialog.folder,
+            Self::Plan(dialog) => &mut dialog.plan,
+            Self::Record(dialog) => &mut dialog.path,
             Self::Save(dialog) => &mut dialog.path,
             Self::Open(dialog) => &mut dialog.path,
         }

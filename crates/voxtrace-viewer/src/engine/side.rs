@@ -78,6 +78,9 @@ impl Side {
     pub fn take_scene(&mut self, scenes: Option<(&Arc<PackedScene>, &Arc<PackedScene>)>) {
         if let (Some((old, scene)), Some(tracer)) = (scenes, &mut self.tracer)
             && Arc::ptr_eq(old.geometry(), scene.geometry())
+            // Where things moved, a device takes their places alone; then another light is no upload.
+            && (std::ptr::eq(old.instances(), scene.instances())
+                || tracer.as_tracer().set_placement(scene.placement()).is_ok())
             && tracer.set_light_of(scene).is_ok()
         {
             // The tracer forgot its film.

@@ -38,6 +38,8 @@ pub enum Key {
     Plus,
     /// Minus.
     Minus,
+    /// The space bar.
+    Space,
 }
 
 impl fmt::Display for Key {
@@ -59,6 +61,7 @@ impl fmt::Display for Key {
             Self::Down => f.write_str("↓"),
             Self::Plus => f.write_str("+"),
             Self::Minus => f.write_str("−"),
+            Self::Space => f.write_str("Space"),
         }
     }
 }

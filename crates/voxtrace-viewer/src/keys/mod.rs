@@ -30,6 +30,16 @@ pub enum Action {
     RenderPicture,
     /// Opens the dialog that renders a turntable or a flight.
     RenderFrames,
+    /// Shows the timeline or hides it.
+    Timeline,
+    /// Dragging changes which values of a volume are shown, or moves the camera again.
+    Values,
+    /// Opens the dialog that plays a benchmark plan.
+    Plan,
+    /// Plays the timeline or stops.
+    Play,
+    /// Opens the dialog that records the timeline.
+    Record,
     /// Opens the dialog that writes the scene to a file.
     SaveScene,
     /// Begins to edit, or ends it.

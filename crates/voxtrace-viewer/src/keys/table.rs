@@ -153,6 +153,8 @@ pub const TABLE: &[Binding] = &[
     row(&[with(SHIFT, Key::Letter('N'))], Action::PreviousCamera, Group::Views, "the scene's camera before"),
     row(&[Digits(NONE)], Action::GoToBookmark(1), Group::Views, "go to a bookmark"),
     row(&[Digits(SHIFT)], Action::StoreBookmark(1), Group::Views, "keep the camera as a bookmark, beside the scene"),
+    row(&[function(8)], Action::Timeline, Group::Views, "show or hide the timeline: the camera over time"),
+    row(&[key(Key::Space)], Action::Play, Group::Views, "play the timeline, or stop"),
     row(&[letter('C')], Action::PrintCamera, Group::Views, "copy the camera as TOML, and print it"),
     row(
         &[key(Key::Delete)],
@@ -173,6 +175,12 @@ pub const TABLE: &[Binding] = &[
         "cut open by a box whose knobs are dragged, or close it",
     ),
     row(&[with(SHIFT, Key::Delete)], Action::ShowAll, Group::Views, "show all objects that were hidden here"),
+    row(
+        &[function(9)],
+        Action::Values,
+        Group::Light,
+        "of a volume: dragging to the sides is the window of values that is shown, up and down its level, or no more",
+    ),
     row(&[key(Key::PageUp)], Action::ExposureUp, Group::Light, "more exposure"),
     row(&[key(Key::PageDown)], Action::ExposureDown, Group::Light, "less exposure"),
     row(&[with(SHIFT, Key::PageUp)], Action::LightUp, Group::Light, "more light from what glows"),
@@ -191,8 +199,14 @@ pub const TABLE: &[Binding] = &[
     ),
     row(&[letter('U')], Action::NextOtherTraversal, Group::Tracing, "next traversal of the other tracer"),
     row(&[letter('J')], Action::DividerLeft, Group::Tracing, "the divider to the left; dragging moves it too"),
-    row(&[letter('K')], Action::DividerRight, Group::Tracing, "the divider to the right"),
+    row(
+        &[letter('K')],
+        Action::DividerRight,
+        Group::Tracing,
+        "the divider to the right; without a comparison: a key of the camera at the playhead of the timeline",
+    ),
     row(&[with(CTRL, Key::Letter('B'))], Action::Benchmark, Group::Tracing, "measure this view, or stop measuring"),
+    row(&[function(10)], Action::Plan, Group::Tracing, "play a benchmark plan, and write its report"),
     row(&[By(Gesture::Click, NONE, None)], Action::Pick, Group::Tracing, "pick the voxel: what it is, and where"),
     row(&[letter('M')], Action::Measure, Group::Measuring, "measure in the picture by clicks, or pick again"),
     row(
@@ -225,6 +239,7 @@ pub const TABLE: &[Binding] = &[
         Group::Files,
         "render a turntable, or a flight through the bookmarks",
     ),
+    row(&[with(SHIFT, Key::Function(8))], Action::Record, Group::Files, "record the timeline to a clip or to frames"),
     row(
         &[with(Modifiers::CTRL_SHIFT, Key::Letter('C'))],
         Action::CopyCommand,

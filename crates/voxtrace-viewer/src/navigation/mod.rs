@@ -172,6 +172,16 @@ impl Navigator {
         }
     }
 
+    /// Stands where a camera is that moves by itself, the timeline's: a step back leads to where it was before. Returns whether the camera changed.
+    pub fn follow(&mut self, camera: Camera) -> bool {
+        if !is_usable(&camera) || camera == self.now.camera {
+            return false;
+        }
+        self.history.note(&self.now);
+        self.now = State::of(camera);
+        true
+    }
+
     /// Lets time go by: what is held moves the camera, and a pause ends a gesture. Returns whether the camera changed.
     pub fn advance(&mut self, seconds: f32) -> bool {
         let seconds = if seconds > 0.0 { f64::from(seconds) } else { 0.0 };

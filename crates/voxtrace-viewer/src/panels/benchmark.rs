@@ -21,6 +21,9 @@ pub fn benchmark(ui: &mut Ui, session: &mut Session) {
         if ui.add_enabled(has_scene, Button::new(label)).on_hover_text(about).clicked() {
             session.act(Action::Benchmark, None);
         }
+        if ui.button("Play a plan…").on_hover_text("F10").clicked() {
+            session.act(Action::Plan, None);
+        }
         if ui.add_enabled(has_scene, Button::new(tr!("benchmark.copy_bench_command"))).clicked() {
             session.act(Action::CopyBenchmark, None);
         }
@@ -32,8 +35,8 @@ pub fn benchmark(ui: &mut Ui, session: &mut Session) {
     }
     let Some(measured) = session.measured.clone() else { return };
     for row in &measured {
-        ui.label(RichText::new(format!("{}, {}", row.cell, row.rounding)).strong());
-        Grid::new(("measured", &row.cell)).num_columns(2).show(ui, |ui| {
+        ui.label(RichText::new(format!("{}{}, {}", scene(row, &measured), row.cell, row.rounding)).strong());
+        Grid::new(("measured", &row.scene, &row.cell)).num_columns(2).show(ui, |ui| {
             for (name, value) in lines(row) {
                 ui.label(name);
                 ui.label(value);
@@ -47,6 +50,12 @@ pub fn benchmark(ui: &mut Ui, session: &mut Session) {
     if measured.is_empty() {
         ui.label(tr!("benchmark.stopped_before_the_first_frame"));
     }
+}
+
+/// The name of a row's scene, where there are several.
+fn scene(row: &Measurement, all: &[Measurement]) -> String {
+    let is_one = all.iter().all(|other| other.scene == row.scene);
+    if is_one { String::new() } else { format!("{}, ", row.scene) }
 }
 
 /// What is told of a cell.

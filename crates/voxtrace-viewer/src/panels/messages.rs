@@ -19,7 +19,7 @@ pub fn loading(ui: &Ui, session: &mut Session, side: f32) {
     };
     let (source, share) = (loading.source.clone(), loading.share);
     let mut is_cancelled = false;
-    let anchor = [-side / 2.0, -24.0];
+    let anchor = [-side / 2.0, -24.0 - session.below];
     egui::Window::new(tr!("messages.opening"))
         .anchor(Align2::CENTER_BOTTOM, anchor)
         .collapsible(false)
@@ -41,6 +41,7 @@ pub fn messages(ui: &Ui, session: &mut Session) {
     if !session.has_messages() {
         return;
     }
+    let below = session.below;
     let lines: Vec<(String, bool)> =
         session.messages().map(|message| (message.text.clone(), message.is_error)).collect();
     // Their time may be over; an area without lines would keep its width of none for the next.
@@ -48,7 +49,7 @@ pub fn messages(ui: &Ui, session: &mut Session) {
         return;
     }
     let area = egui::Area::new("messages".into())
-        .anchor(Align2::LEFT_BOTTOM, [MARGIN, -MARGIN])
+        .anchor(Align2::LEFT_BOTTOM, [MARGIN, -MARGIN - below])
         .interactable(false)
         .default_width(WIDEST_MESSAGE)
         .show(ui.ctx(), |ui| {
@@ -62,7 +63,7 @@ pub fn messages(ui: &Ui, session: &mut Session) {
             }
         });
     // An area is placed by the size that it had before: with another line its place is right in the next frame only.
-    let bottom = ui.ctx().content_rect().bottom() - MARGIN;
+    let bottom = ui.ctx().content_rect().bottom() - MARGIN - below;
     if (area.response.rect.bottom() - bottom).abs() > 0.5 {
         ui.ctx().request_repaint();
     }

@@ -18,13 +18,17 @@ mod messages;
 mod over;
 mod parts;
 mod picked;
+mod points;
+mod running;
 mod scene;
 mod sky;
 mod statistics;
 mod status;
 mod surroundings;
+mod timeline;
 mod tracing;
 mod unsaved;
+mod values;
 mod view;
 mod welcome;
 
@@ -62,6 +66,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, status: &Status) -> f32 {
         });
         width = side.response.rect.width();
     }
+    session.below = timeline::timeline(ui, session);
     clipping::drawn(ui, session, width);
     measuring::drawn(ui, session, width);
     edit_preview::preview(ui, session, width);
@@ -72,6 +77,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, status: &Status) -> f32 {
     dialogs::show(ui, session, status, width);
     unsaved::show(ui, session, width);
     messages::loading(ui, session, width);
+    running::running(ui, session, width);
     messages::messages(ui, session);
     if session.has_help {
         help::help(ui, session);
@@ -91,6 +97,8 @@ fn sections(ui: &mut Ui, session: &mut Session, status: &Status) {
     light::light(ui, session);
     if session.open.is_some() {
         heading(ui, tr!("panels.contents"));
+        values::values(ui, session);
+        points::points(ui, session);
         measuring::measuring(ui, session);
         parts::parts(ui, session);
         cuts::cuts(ui, session);

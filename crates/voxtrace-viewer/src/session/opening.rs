@@ -14,7 +14,7 @@ impl Session {
     pub fn take_loaded(&mut self) {
         let Some(loading) = &mut self.loading else { return };
         let (source, is_again) = (loading.source.clone(), loading.is_again);
-        let Came { notes, result, depends_on_cuts } = loading.take();
+        let Came { notes, result, depends_on_cuts, values, points, motion, keyframes } = loading.take();
         for note in notes {
             self.say(note, false);
         }
@@ -29,12 +29,19 @@ impl Session {
             }
             Some(Ok(scene)) => {
                 self.loading = None;
+                self.take_points(points, is_again);
+                self.take_motion(motion, is_again);
+                if values.is_some() || !is_again {
+                    self.take_values(values, is_again);
+                }
                 match is_again {
                     true => self.show_again(scene),
                     false => self.show(source, scene),
                 }
+                self.begin_motion(keyframes);
                 if let Some(open) = &mut self.open {
-                    open.depends_on_cuts = depends_on_cuts;
+                    open.keyframes = keyframes.max(open.keyframes);
+                    open.depends_on_cuts = depends_on_cuts || (is_again && open.depends_on_cuts);
                 }
             }
         }
@@ -77,6 +84,8 @@ impl Session {
         self.outliner = crate::outliner::Outliner::default();
         self.sampling = crate::inspector::Sampling::default();
         self.load_measures();
+        let timeline = self.wanted_timeline.take();
+        self.renew_timeline(timeline);
         self.keep_apart_for_lines(false);
         self.ask(Command::SetScene);
         self.ask(Command::SetView);

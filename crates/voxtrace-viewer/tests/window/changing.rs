@@ -168,7 +168,7 @@ fn read_again(session: &mut Session, house: House) {
     let (_, shown) = session.open.as_ref().unwrap().changes();
     let loader: Arc<dyn Loader> = Arc::new(house);
     let wake = Arc::new(move || sender.send(()).unwrap_or_default());
-    session.loading = Some(Loading::start(&loader, "house.vox", Reading { shown, is_cut: false }, true, wake));
+    session.loading = Some(Loading::start(&loader, "house.vox", Reading { shown, ..Reading::default() }, true, wake));
     while session.loading.is_some() {
         receiver.recv().expect("the loader ended without an answer");
         session.take_loaded();

@@ -25,4 +25,6 @@ mod scripts;
 mod showing;
 mod skies;
 mod surroundings;
+mod timeline;
+mod values;
 mod walks;

@@ -2,6 +2,7 @@
 //! colours or to nothing; [`voxelize`] resamples the volume to cubic voxels.
 
 mod automatic;
+mod coarse;
 mod estimate;
 mod labels;
 pub mod large;
@@ -13,6 +14,7 @@ mod slab;
 mod statistics;
 mod transfer;
 
+pub use coarse::voxelize_coarse;
 pub use estimate::{VolumeEstimate, estimate};
 pub use overlay::Overlay;
 pub use statistics::ValueStatistics;
@@ -240,6 +242,11 @@ impl Volume {
         Ok(())
     }
 
+    /// How many finite values lie in each of 1024 equal parts from `low` to `high`; what is higher is in the last one.
+    pub fn histogram(&self, low: f32, high: f32) -> Vec<u64> {
+        statistics::binned(&self.values, low, high)
+    }
+
     /// Statistics of the values.
     pub fn statistics(&self) -> ValueStatistics {
         ValueStatistics::of(self)
@@ -290,6 +297,17 @@ pub fn voxelize_with_statistics(
     let mut transfer = options.transfer.clone().unwrap_or_else(|| Transfer::automatic(values));
     transfer.resolve(values, options.threshold);
     let placement = Placement::of(volume, options.scale, limits.voxels, transfer.is_labels())?;
+    voxelize_placed(volume, values, options, &transfer, placement)
+}
+
+/// The scene of a volume on a grid, by a transfer function that is resolved.
+fn voxelize_placed(
+    volume: &Volume,
+    values: &ValueStatistics,
+    options: &VolumeOptions,
+    transfer: &Transfer,
+    placement: Placement,
+) -> Result<Scene, VolumeError> {
     let lookup = transfer.lookup();
     let layers = Layers::new(volume, &placement, &lookup, &options.overlays)?;
     let shell = options.shell && layers.is_opaque();

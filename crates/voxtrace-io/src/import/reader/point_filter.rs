@@ -65,6 +65,11 @@ impl ClassSet {
         self.0[usize::from(class / 64)] >> (class % 64) & 1 == 1
     }
 
+    /// What people call a class; `None` of those that are reserved or of the user's own.
+    pub fn name_of(class: u8) -> Option<&'static str> {
+        NAMES.iter().find(|(_, numbers)| *numbers == [class]).map(|(name, _)| *name)
+    }
+
     /// Whether there is none.
     pub fn is_empty(self) -> bool {
         self.0 == [0; 4]

@@ -3,10 +3,12 @@
 mod frames;
 mod path;
 mod picture;
+mod plan;
+mod record;
 mod scene;
 
 use super::Status;
-use crate::dialogs::{Dialog, PRESETS, Quality};
+use crate::dialogs::{Dialog, PRESETS, Quality, RecordDialog};
 use crate::session::{Command, Session};
 use crate::tr;
 use egui::{Align2, Button, ComboBox, DragValue, ProgressBar, RichText, Ui};
@@ -28,6 +30,8 @@ pub fn show(ui: &Ui, session: &mut Session, status: &Status, side: f32) {
     let title = match &dialog {
         Dialog::Picture(_) => "Render a picture",
         Dialog::Frames(_) => "Render frames",
+        Dialog::Plan(_) => "Play a benchmark plan",
+        Dialog::Record(_) => "Record the timeline",
         Dialog::Save(_) => "Write the scene",
         Dialog::Open(_) => "Open a scene",
     };
@@ -44,6 +48,8 @@ pub fn show(ui: &Ui, session: &mut Session, status: &Status, side: f32) {
             clicked = match &mut dialog {
                 Dialog::Picture(dialog) => picture::show(ui, session, dialog, status),
                 Dialog::Frames(dialog) => frames::show(ui, session, dialog, status),
+                Dialog::Plan(dialog) => plan::show(ui, session, dialog),
+                Dialog::Record(dialog) => record::show(ui, session, dialog, status),
                 Dialog::Save(dialog) => scene::show_save(ui, dialog),
                 Dialog::Open(dialog) => scene::show_open(ui, dialog),
             };
@@ -66,6 +72,8 @@ fn go(session: &mut Session, mut dialog: Dialog) {
     let asked = match &mut dialog {
         Dialog::Picture(dialog) => dialog.request(session).map(|request| session.export(request)),
         Dialog::Frames(dialog) => dialog.request(session).map(|request| session.export(request)),
+        Dialog::Plan(dialog) => dialog.request().map(|request| session.run_command(request)),
+        Dialog::Record(dialog) => record_to(session, dialog),
         Dialog::Save(dialog) => dialog.request().map(|path| session.ask(Command::SaveScene(path))),
         Dialog::Open(dialog) => dialog.request().map(|path| session.ask(Command::Load(path.display().to_string()))),
     };
@@ -73,6 +81,13 @@ fn go(session: &mut Session, mut dialog: Dialog) {
         session.say(reason, true);
         session.dialog = Some(dialog);
     }
+}
+
+/// Records the timeline, which is kept in its file first.
+fn record_to(session: &mut Session, dialog: &mut RecordDialog) -> Result<(), String> {
+    dialog.check(session)?;
+    let file = session.save_timeline().ok_or("the timeline could not be kept")?;
+    dialog.request(session, file).map(|request| session.run_command(request))
 }
 
 /// Size, samples and background.
@@ -143,7 +158,7 @@ fn exporting(ui: &Ui, session: &mut Session, side: f32) {
         if let Some(path) = &session.saving_scene {
             let text = format!("writing {}", path.display());
             egui::Window::new(tr!("dialogs.writing"))
-                .anchor(Align2::CENTER_BOTTOM, [-side / 2.0, -24.0])
+                .anchor(Align2::CENTER_BOTTOM, [-side / 2.0, -24.0 - session.below])
                 .collapsible(false)
                 .resizable(false)
                 .show(ui.ctx(), |ui| ui.horizontal(|ui| (ui.spinner(), ui.label(text))));
@@ -159,8 +174,9 @@ fn exporting(ui: &Ui, session: &mut Session, side: f32) {
     let text = format!("{pictures}{:.0} %{left}", share * 100.0);
     let name = export.name.clone();
     let mut is_cancelled = false;
+    let above = 24.0 + session.below;
     egui::Window::new(tr!("dialogs.rendering"))
-        .anchor(Align2::CENTER_BOTTOM, [-side / 2.0, -24.0])
+        .anchor(Align2::CENTER_BOTTOM, [-side / 2.0, -above])
         .collapsible(false)
         .resizable(false)
         .show(ui.ctx(), |ui| {

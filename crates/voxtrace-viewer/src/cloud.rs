@@ -1,0 +1,149 @@
+//! Clouds of points: which attribute colours them, which classes are shown, and how many points make a voxel. Each is an option of `render`, too; the
+//! file is read again with it, and the view stays in its place on the map.
+
+use crate::session::{Command, Session};
+use std::sync::Arc;
+use voxtrace::points::Attributes;
+
+/// What the points of a file are.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct PointsSeen {
+    /// How many were read.
+    pub count: u64,
+    /// What each has besides its place.
+    pub attributes: Attributes,
+    /// The classes that occur, and how many points are of each.
+    pub classes: Vec<(u8, u64)>,
+}
+
+/// The attributes that colour points, by the words of `--color-by`, with what they need and a line about each.
+pub const COLORS: [(&str, &str); 5] = [
+    ("auto", "their own colours, else heights"),
+    ("rgb", "their own colours"),
+    ("height", "height"),
+    ("intensity", "return intensity"),
+    ("classification", "class"),
+];
+
+/// What was chosen about points.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct PointsChoice {
+    /// `--color-by`; `None`: as the command line says.
+    pub color_by: Option<&'static str>,
+    /// `--classes`, by number; `None`: as the command line says.
+    pub classes: Option<Vec<u8>>,
+    /// `--min-points`; `None`: as the command line says.
+    pub min_points: Option<u32>,
+}
+
+impl PointsChoice {
+    /// The word of `--classes`.
+    pub fn classes_word(&self) -> Option<String> {
+        let numbers = |classes: &Vec<u8>| classes.iter().map(u8::to_string).collect::<Vec<_>>().join(",");
+        self.classes.as_ref().map(numbers)
+    }
+
+    /// The options as words.
+    fn words(&self) -> Vec<(&'static str, String)> {
+        let options = [
+            ("--color-by", self.color_by.map(str::to_owned)),
+            ("--classes", self.classes_word()),
+            ("--min-points", self.min_points.map(|points| points.to_string())),
+        ];
+        options.into_iter().filter_map(|(option, word)| Some((option, word?))).collect()
+    }
+
+    /// The options with which a scene is read, with what was chosen in the place of what was given.
+    pub(crate) fn over(&self, options: &[String]) -> Vec<String> {
+        let words = self.words();
+        let mut kept = Vec::new();
+        let mut options = options.iter();
+        while let Some(option) = options.next() {
+            let is_ours = |(name, _): &(&str, String)| option == name || option.starts_with(&format!("{name}="));
+            if !words.iter().any(is_ours) {
+                kept.push(option.clone());
+            } else if !option.contains('=') {
+                options.next();
+            }
+        }
+        kept.extend(words.into_iter().flat_map(|(option, word)| [option.to_owned(), word]));
+        kept
+    }
+}
+
+/// The points of the scene that is open.
+#[derive(Clone, Debug)]
+pub struct Points {
+    /// What they are: all that were read first.
+    pub seen: Arc<PointsSeen>,
+    /// What was chosen here.
+    pub choice: PointsChoice,
+}
+
+impl Points {
+    /// Whether points of a class are shown, as far as it is known here.
+    pub fn shows(&self, class: u8) -> bool {
+        self.choice.classes.as_ref().is_none_or(|classes| classes.contains(&class))
+    }
+
+    /// What shows a class, or hides it.
+    pub fn with_class(&self, class: u8, is_shown: bool) -> PointsChoice {
+        let all = self.seen.classes.iter().map(|(own, _)| *own);
+        let classes: Vec<u8> =
+            all.clone().filter(|&own| if own == class { is_shown } else { self.shows(own) }).collect();
+        // All of them are no choice.
+        PointsChoice { classes: (classes.len() < all.count()).then_some(classes), ..self.choice.clone() }
+    }
+}
+
+impl Session {
+    /// Takes what is known of the points of a scene that was opened; of one that is read again, other classes are no news.
+    pub(crate) fn take_points(&mut self, seen: Option<Arc<PointsSeen>>, is_again: bool) {
+        if !is_again {
+            self.points = seen.map(|seen| Points { seen, choice: PointsChoice::default() });
+        }
+    }
+
+    /// What was chosen about points.
+    pub fn chosen_points(&self) -> Option<PointsChoice> {
+        self.points.as_ref().map(|points| points.choice.clone())
+    }
+
+    /// Reads the points again in another way; the view stays.
+    pub fn set_points(&mut self, choice: PointsChoice) {
+        let Some(points) = &mut self.points else { return };
+        if choice.classes.as_ref().is_some_and(Vec::is_empty) {
+            self.say("no class would be left to be seen", false);
+        } else if choice != points.choice {
+            points.choice = choice;
+            self.ask(Command::LoadAgain);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_chosen_takes_the_place_of_what_was_given() {
+        let words = |text: &str| text.split(' ').map(str::to_owned).collect::<Vec<_>>();
+        let choice = PointsChoice { color_by: Some("height"), classes: Some(vec![2, 6]), min_points: None };
+        let given = words("--classes=ground --voxel-size 1m --color-by rgb --min-points 2");
+        assert_eq!(choice.over(&given), words("--voxel-size 1m --min-points 2 --color-by height --classes 2,6"));
+        assert_eq!(PointsChoice::default().over(&given), given);
+    }
+
+    #[test]
+    fn a_class_is_hidden_and_shown_again_and_all_of_them_are_no_choice() {
+        let seen = PointsSeen { classes: vec![(1, 5), (2, 9), (6, 1)], ..PointsSeen::default() };
+        let mut points = Points { seen: Arc::new(seen), choice: PointsChoice::default() };
+        points.choice = points.with_class(2, false);
+        assert_eq!(
+            (points.choice.classes_word().as_deref(), points.shows(2), points.shows(6)),
+            (Some("1,6"), false, true)
+        );
+        points.choice = points.with_class(2, true);
+        assert_eq!(points.choice, PointsChoice::default());
+    }
+}

@@ -1,0 +1,258 @@
+//! The timeline below the picture: an axis of time with the camera's keys and the playhead, and what can be done with them.
+
+use super::{name_node, slider};
+use crate::keys::Action;
+use crate::session::Session;
+use crate::timeline::{Course, MOST_FRAMES, Timeline};
+use egui::{Align2, Button, Color32, ComboBox, DragValue, FontId, Pos2, Rect, Sense, Shape, Stroke, Ui, Vec2};
+use voxtrace::animation::Ease;
+
+/// Points of the axis, and between it and the panel's sides.
+const AXIS: f32 = 46.0;
+const MARGIN: f32 = 12.0;
+/// Half of a key, points.
+const KEY: f32 = 7.0;
+/// Least points between two numbers on the axis.
+const BETWEEN: f32 = 64.0;
+const SELECTED: Color32 = Color32::from_rgb(255, 196, 84);
+const PLAYHEAD: Color32 = Color32::from_rgb(255, 110, 96);
+
+/// Shows it below the picture. Returns how high it is, points.
+pub fn timeline(ui: &mut Ui, session: &mut Session) -> f32 {
+    if !session.timeline.is_shown || session.open.is_none() {
+        return 0.0;
+    }
+    let panel = egui::Panel::bottom("timeline").resizable(false).show(ui, |ui| {
+        ui.horizontal_wrapped(|ui| buttons(ui, session));
+        axis(ui, session);
+        ui.horizontal_wrapped(|ui| settings(ui, session));
+    });
+    panel.response.rect.height()
+}
+
+fn buttons(ui: &mut Ui, session: &mut Session) {
+    let is_playing = session.timeline.is_playing();
+    if ui.button(if is_playing { "Stop playing" } else { "Play" }).on_hover_text("Space").clicked() {
+        session.act(Action::Play, None);
+    }
+    let mut repeats = session.timeline.repeats;
+    if ui.checkbox(&mut repeats, "loop").changed() {
+        session.timeline.repeats = repeats;
+    }
+    let course = &session.timeline.course;
+    let (mut frame, frames, fps) = (session.timeline.frame(), course.frames(), course.fps);
+    let label = ui.label("frame");
+    if ui.add(DragValue::new(&mut frame).range(1..=frames)).labelled_by(label.id).changed() {
+        session.set_time_frame(frame);
+    }
+    ui.label(format!("of {frames}, {:.2} s", f64::from(frame - 1) / fps));
+    ui.separator();
+    if ui.button("Set key").on_hover_text("K: the camera as it is, at the playhead").clicked() {
+        session.add_time_key();
+    }
+    let has_key = session.timeline.selected.is_some_and(|index| index < session.timeline.course.keys.len());
+    let about = "the key that was clicked gets the camera as it is";
+    if ui.add_enabled(has_key, Button::new("Replace key")).on_hover_text(about).clicked() {
+        session.replace_time_key();
+    }
+    if ui.add_enabled(has_key, Button::new("Delete key")).on_hover_text("Del, over the timeline").clicked() {
+        session.delete_time_key();
+    }
+    let about = "the bookmarks 1 to 9, evenly over the clip, in place of all keys";
+    if ui.button("Keys from bookmarks").on_hover_text(about).clicked() {
+        session.take_bookmarks();
+    }
+    if ui.add_enabled(session.timeline.can_undo(), Button::new("Undo")).clicked() {
+        session.undo_time();
+    }
+    ui.separator();
+    let path = session.timeline_path().map_or(String::new(), |path| path.display().to_string());
+    let name = if session.timeline.is_changed { "Save *" } else { "Save" };
+    if ui.button(name).on_hover_text(path).clicked()
+        && let Some(path) = session.save_timeline()
+    {
+        session.say(format!("kept: {}", path.display()), false);
+    }
+    if ui.button("Record…").on_hover_text("Shift+F8").clicked() {
+        session.act(Action::Record, None);
+    }
+    if ui.button("Close").on_hover_text("F8").clicked() {
+        session.toggle_timeline();
+    }
+}
+
+fn settings(ui: &mut Ui, session: &mut Session) {
+    let mut course = session.timeline.course.clone();
+    let label = ui.label("seconds");
+    let most = f64::from(MOST_FRAMES) / course.fps;
+    ui.add(
+        DragValue::new(&mut course.seconds)
+            .range(1.0 / course.fps..=most)
+            .clamp_existing_to_range(false)
+            .speed(0.05)
+            .max_decimals(3),
+    )
+    .labelled_by(label.id);
+    let label = ui.label("frames a second");
+    let fps = DragValue::new(&mut course.fps).range(1.0..=1000.0).clamp_existing_to_range(false);
+    ui.add(fps.speed(0.5).max_decimals(3)).labelled_by(label.id);
+    let word = |ease: Ease| match ease {
+        Ease::None => "one pace",
+        Ease::In => "slow at first",
+        Ease::Out => "slow at last",
+        Ease::InOut => "slow at both ends",
+    };
+    ComboBox::from_label("ease").selected_text(word(course.ease)).show_ui(ui, |ui| {
+        for (_, ease) in Timeline::EASES {
+            ui.selectable_value(&mut course.ease, ease, word(ease));
+        }
+    });
+    let mut shutter = course.shutter as f32;
+    ui.spacing_mut().slider_width = 60.0;
+    if ui.add(slider(&mut shutter, 0.0..=1.0, "motion blur").max_decimals(2)).changed() {
+        // Two decimals, so that the file has no 0.30000001.
+        course.shutter = (f64::from(shutter) * 100.0).round() / 100.0;
+    }
+    ui.checkbox(&mut course.focuses_on_target, "focus on the target");
+    let mut has_target = course.look_at.is_some();
+    let about = "the camera looks at the voxel that was clicked, else at what is in the middle, wherever it is";
+    let is_asked = ui.checkbox(&mut has_target, "look at a point").on_hover_text(about).changed();
+    if course != session.timeline.course {
+        session.edit_time(|own| *own = course);
+    }
+    if is_asked {
+        session.set_time_target(has_target);
+        session.edit_time(|_| ());
+    }
+}
+
+/// Where times are on the axis.
+#[derive(Clone, Copy)]
+struct Scale {
+    left: f32,
+    width: f32,
+    seconds: f64,
+}
+
+impl Scale {
+    fn x(self, seconds: f64) -> f32 {
+        self.left + (seconds / self.seconds) as f32 * self.width
+    }
+
+    fn seconds(self, x: f32) -> f64 {
+        f64::from((x - self.left) / self.width) * self.seconds
+    }
+}
+
+fn axis(ui: &mut Ui, session: &mut Session) {
+    let size = Vec2::new(ui.available_width(), AXIS);
+    let (rect, response) = ui.allocate_exact_size(size, Sense::click_and_drag());
+    name_node(ui, &response, "time");
+    // The last key may lie behind the end of the clip.
+    let course = &session.timeline.course;
+    let seconds = course.keys.last().map_or(course.seconds, |key| key.at.max(course.seconds)).max(1e-3);
+    let scale = Scale { left: rect.left() + MARGIN, width: (rect.width() - 2.0 * MARGIN).max(1.0), seconds };
+    paint(ui, rect, scale, course);
+    keys(ui, session, rect, scale);
+    // What lies over a key is the key's.
+    if (response.dragged() || response.clicked())
+        && let Some(place) = response.interact_pointer_pos()
+    {
+        let course = &session.timeline.course;
+        let frame = course.frame_at(scale.seconds(place.x).max(0.0));
+        if frame != session.timeline.frame() || session.timeline.is_playing() {
+            session.set_time_frame(frame);
+        }
+    }
+    let x = scale.x(session.timeline.course.time_of(session.timeline.frame()));
+    let painter = ui.painter();
+    painter.line_segment([Pos2::new(x, rect.top()), Pos2::new(x, rect.bottom())], Stroke::new(1.5, PLAYHEAD));
+    let top = rect.top();
+    let head = vec![Pos2::new(x - 5.0, top), Pos2::new(x + 5.0, top), Pos2::new(x, top + 7.0)];
+    painter.add(Shape::convex_polygon(head, PLAYHEAD, Stroke::NONE));
+}
+
+/// The axis with its numbers, and what lies behind the end of the clip darker.
+fn paint(ui: &Ui, rect: Rect, scale: Scale, course: &Course) {
+    let (painter, visuals) = (ui.painter(), ui.visuals());
+    painter.rect_filled(rect, 3.0, visuals.extreme_bg_color);
+    let end = scale.x(course.seconds);
+    let clip = Rect::from_x_y_ranges(scale.left..=end, rect.top() + 16.0..=rect.bottom());
+    painter.rect_filled(clip, 0.0, visuals.faint_bg_color);
+    let step = step_of(scale.seconds * f64::from(BETWEEN / scale.width));
+    let weak = visuals.weak_text_color();
+    let mut tick = 0;
+    while f64::from(tick) * step <= scale.seconds * 1.0001 {
+        let time = f64::from(tick) * step;
+        let x = scale.x(time);
+        painter.line_segment([Pos2::new(x, rect.top() + 13.0), Pos2::new(x, rect.bottom())], Stroke::new(0.5, weak));
+        let text = format!("{} s", (time * 1000.0).round() / 1000.0);
+        painter.text(Pos2::new(x, rect.top() + 6.0), Align2::CENTER_CENTER, text, FontId::proportional(10.0), weak);
+        tick += 1;
+    }
+}
+
+/// The least of 1, 2, 5 times a power of ten that is at least so much.
+fn step_of(least: f64) -> f64 {
+    let power = 10f64.powf(least.max(1e-6).log10().floor());
+    [1.0, 2.0, 5.0, 10.0].into_iter().map(|factor| factor * power).find(|&step| step >= least).unwrap_or(10.0 * power)
+}
+
+/// The keys: a click goes to one, a drag moves it in time.
+fn keys(ui: &mut Ui, session: &mut Session, rect: Rect, scale: Scale) {
+    let y = rect.top() + 16.0 + (rect.height() - 16.0) / 2.0;
+    let times: Vec<f64> = session.timeline.course.keys.iter().map(|key| key.at).collect();
+    let id = ui.id().with("moved key");
+    for (index, &at) in times.iter().enumerate() {
+        let middle = Pos2::new(scale.x(at), y);
+        let place = Rect::from_center_size(middle, Vec2::splat(2.0 * KEY));
+        let response = ui.interact(place, ui.id().with(("key", index)), Sense::click_and_drag());
+        name_node(ui, &response, &format!("key {} at {at:.2} s", index + 1));
+        let is_selected = session.timeline.selected == Some(index);
+        let color = match (is_selected, response.hovered()) {
+            (true, _) => SELECTED,
+            (false, true) => ui.visuals().strong_text_color(),
+            (false, false) => ui.visuals().text_color(),
+        };
+        let [x, half] = [middle.x, KEY - 1.0];
+        let points =
+            vec![Pos2::new(x, y - half), Pos2::new(x + half, y), Pos2::new(x, y + half), Pos2::new(x - half, y)];
+        ui.painter().add(Shape::convex_polygon(points, color, Stroke::new(1.0, Color32::BLACK)));
+        if response.clicked() {
+            session.go_to_time_key(index);
+        }
+        if response.drag_started() {
+            let course = session.timeline.course.clone();
+            ui.data_mut(|data| data.insert_temp(id, (index, course)));
+            session.timeline.selected = Some(index);
+        }
+    }
+    drag(ui, session, scale, id);
+}
+
+/// The key that is dragged goes with the cursor, past others too; where it is let go, that is one change.
+fn drag(ui: &mut Ui, session: &mut Session, scale: Scale, id: egui::Id) {
+    let Some((index, before)) = ui.data(|data| data.get_temp::<(usize, Course)>(id)) else { return };
+    let (place, is_down) = ui.input(|input| (input.pointer.interact_pos(), input.pointer.any_down()));
+    if let Some(place) = place {
+        let mut course = before.clone();
+        let frame = course.frame_at(scale.seconds(place.x).max(0.0));
+        session.timeline.selected = Some(course.shift(index, frame));
+        session.timeline.course = course;
+    }
+    if !is_down {
+        ui.data_mut(|data| data.remove::<(usize, Course)>(id));
+        session.timeline.note(before);
+        session.edit_time(|_| ());
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::step_of;
+
+    #[test]
+    fn numbers_on_the_axis_are_round() {
+        assert_eq!([0.07, 0.2, 0.21, 3.0, 11.0, 40.0].map(step_of), [0.1, 0.2, 0.5, 5.0, 20.0, 50.0]);
+    }
+}

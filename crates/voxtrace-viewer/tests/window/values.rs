@@ -1,0 +1,233 @@
+//! Values of volumes, points and plans: what a hand changes about them is asked for, coarse first, and stands in the command.
+
+use crate::common::panel::{choose, click, panels};
+use crate::common::{in_room, packed, room, said, words};
+use egui_kittest::kittest::Queryable;
+use std::path::Path;
+use std::sync::{Arc, Mutex};
+use std::time::{Duration, Instant};
+use voxtrace::glam::{Vec2, Vec3};
+use voxtrace::points::Attributes;
+use voxtrace::{PackedScene, Transform, Volume};
+use voxtrace_viewer::dialogs::{Dialog, PathField};
+use voxtrace_viewer::input::{Button, Input};
+use voxtrace_viewer::keys::{Action, Key};
+use voxtrace_viewer::load::{Loader, Loading, Reading, Told, Wanted};
+use voxtrace_viewer::panels::Status;
+use voxtrace_viewer::session::{Command, Session};
+use voxtrace_viewer::{PointsSeen, ValuesSeen};
+
+/// Gives a room whatever it is asked for, shows nothing above 250, and keeps how it was asked.
+#[derive(Default)]
+struct Scanner(Mutex<Vec<Reading>>);
+
+fn seen() -> ValuesSeen {
+    let values: Vec<f32> = (0..4000).map(|i| i as f32 / 20.0).collect();
+    let volume = Volume::new([4000, 1, 1], values);
+    let statistics = volume.statistics();
+    ValuesSeen { histogram: volume.histogram(statistics.lowest, statistics.highest), statistics }
+}
+
+impl Loader for Scanner {
+    fn load(
+        &self,
+        _: &str,
+        reading: &Reading,
+        tell: Box<dyn Fn(Told) + Send>,
+        _: &Wanted,
+    ) -> Result<PackedScene, String> {
+        self.0.lock().unwrap().push(reading.clone());
+        tell(Told::Values(Arc::new(seen())));
+        let attributes = Attributes { classes: true, ..Attributes::default() };
+        let classes = vec![(2, 1500), (6, 300), (77, 1)];
+        tell(Told::Points(Arc::new(PointsSeen { count: 1801, attributes, classes })));
+        if reading.transfer.as_ref().is_some_and(|word| word.contains("threshold=999")) {
+            return Err("no sample is to be seen".into());
+        }
+        let mut scene = room();
+        scene.instances[0].world_from_grid = Transform::from_translation(Vec3::Z * reading.coarse.map_or(0.0, |_| 1.0));
+        Ok(PackedScene::pack(&scene).unwrap())
+    }
+
+    fn save(&self, _: &PackedScene, path: &Path) -> Result<Vec<String>, String> {
+        Err(path.display().to_string())
+    }
+
+    fn built_in(&self) -> Vec<(String, String)> {
+        Vec::new()
+    }
+}
+
+/// A session with a scan, as the window opens it.
+fn opened(loader: &Arc<dyn Loader>) -> Session {
+    let mut session = in_room("scan.nii");
+    session.loading = Some(Loading::start(loader, "scan.nii", Reading::default(), false, Arc::new(|| {})));
+    until(&mut session, |session| {
+        session.take_loaded();
+        session.loading.is_none()
+    });
+    session.take_commands();
+    session
+}
+
+fn until(session: &mut Session, mut holds: impl FnMut(&mut Session) -> bool) {
+    let start = Instant::now();
+    while !holds(session) {
+        assert!(start.elapsed() < Duration::from_secs(60));
+        std::thread::sleep(Duration::from_millis(1));
+    }
+}
+
+/// Carries out what is asked for about voxels until nothing is.
+fn settle(session: &mut Session, loader: &Arc<dyn Loader>) -> Vec<Command> {
+    let mut all = Vec::new();
+    loop {
+        let commands = session.take_commands();
+        let reshapes = commands.contains(&Command::Reshape);
+        all.extend(commands);
+        if !reshapes {
+            return all;
+        }
+        session.reshape(loader, Arc::new(|| {}));
+        until(session, |session| {
+            session.take_reshaped();
+            !session.values.as_ref().unwrap().is_shaping()
+        });
+    }
+}
+
+fn asked(scanner: &Scanner) -> Vec<(Option<u32>, Option<String>)> {
+    std::mem::take(&mut *scanner.0.lock().unwrap())
+        .into_iter()
+        .map(|reading| (reading.coarse, reading.transfer))
+        .collect()
+}
+
+#[test]
+fn a_drag_in_the_picture_is_window_and_level_with_coarse_voxels_first() {
+    let scanner = Arc::new(Scanner::default());
+    let loader: Arc<dyn Loader> = Arc::clone(&scanner) as Arc<dyn Loader>;
+    let mut session = opened(&loader);
+    asked(&scanner);
+    let camera = session.navigator.camera().clone();
+    let mut input = Input::default();
+    input.key(Key::Function(9), true, false, &mut session);
+    assert!(session.drags_values());
+    let before = session.values.as_ref().unwrap().curve().unwrap();
+    input.move_to(Vec2::new(300.0, 300.0), &mut session);
+    input.press(Button::Left, &mut session);
+    input.move_to(Vec2::new(380.0, 300.0), &mut session);
+    let wider = session.values.as_ref().unwrap().curve().unwrap();
+    let width = |(from, to): (f32, f32)| to - from;
+    assert!(width(wider.window()) > 1.3 * width(before.window()), "to the right it is wider");
+    input.move_to(Vec2::new(380.0, 240.0), &mut session);
+    let higher = session.values.as_ref().unwrap().curve().unwrap();
+    assert!(higher.window().0 > wider.window().0 && higher.low > wider.low, "upwards its level is higher");
+    input.release(Button::Left, &mut session);
+    let commands = settle(&mut session, &loader);
+    assert!(commands.contains(&Command::Pause(true)) && commands.contains(&Command::SetScene));
+    assert_eq!(commands.iter().rfind(|command| matches!(command, Command::Pause(_))), Some(&Command::Pause(false)));
+    let word = Some(higher.word());
+    assert_eq!(asked(&scanner), [(Some(96), word.clone()), (None, word)], "the last one alone, coarse and whole");
+    assert_eq!(*session.navigator.camera(), camera, "the view stays");
+    let line = words(&session);
+    assert!(line.contains("--transfer 'stops:") && line.contains(&higher.word()), "{line}");
+    session.act(Action::Cancel, None);
+    assert!(!session.drags_values(), "Esc ends it");
+    input.press(Button::Left, &mut session);
+    input.move_to(Vec2::new(420.0, 200.0), &mut session);
+    assert_ne!(*session.navigator.camera(), camera);
+}
+
+#[test]
+fn the_panel_has_presets_an_automatic_ramp_and_a_way_back_from_nothing() {
+    let scanner = Arc::new(Scanner::default());
+    let loader: Arc<dyn Loader> = Arc::clone(&scanner) as Arc<dyn Loader>;
+    let session = opened(&loader);
+    let mut harness = panels(session, Status::default());
+    click(&mut harness, "Values");
+    choose(&mut harness, "preset", "hot");
+    let hot = harness.state().values.as_ref().unwrap().chosen.clone().unwrap();
+    assert!(hot.word().starts_with("stops:") && hot.word().contains("=#6e0800"), "{}", hot.word());
+    settle(harness.state_mut(), &loader);
+    harness.get_by_label_contains("stop 2 at ").click();
+    harness.run_steps(3);
+    assert_eq!(harness.state().values.as_ref().unwrap().selected, Some(1));
+    click(&mut harness, "delete stop");
+    assert_eq!(harness.state().values.as_ref().unwrap().chosen.as_ref().unwrap().stops.len(), 3);
+    // Nothing is as high as that.
+    let mut nothing = hot.clone();
+    nothing.low = 999.0;
+    harness.state_mut().set_curve(Some(nothing));
+    let shown = Arc::clone(&harness.state().open.as_ref().unwrap().original);
+    settle(harness.state_mut(), &loader);
+    assert!(Arc::ptr_eq(&shown, &harness.state().open.as_ref().unwrap().original), "what was shown stays");
+    harness.run_steps(3);
+    assert!(harness.query_by_label_contains("no value is shown").is_some());
+    click(&mut harness, "Automatic");
+    let (from, to) = harness.state().values.as_ref().unwrap().chosen.as_ref().unwrap().window();
+    assert!((from - 2.0).abs() < 0.5 && (to - 198.0).abs() < 0.5, "{from} {to}");
+    settle(harness.state_mut(), &loader);
+    harness.run_steps(3);
+    assert!(harness.query_by_label_contains("no value is shown").is_none());
+    click(&mut harness, "Reset");
+    assert_eq!(harness.state_mut().take_commands(), [Command::LoadAgain]);
+    assert!(!words(harness.state()).contains("--transfer"));
+}
+
+#[test]
+fn classes_of_points_are_ticked_by_name_and_the_file_is_read_again() {
+    let scanner = Arc::new(Scanner::default());
+    let loader: Arc<dyn Loader> = Arc::clone(&scanner) as Arc<dyn Loader>;
+    let mut session = opened(&loader);
+    session.scene_options = vec!["--classes=1".into(), "--resolution".into(), "64".into()];
+    let mut harness = panels(session, Status::default());
+    click(&mut harness, "Points");
+    click(&mut harness, "6 building: 300 points");
+    assert_eq!(harness.state_mut().take_commands(), [Command::LoadAgain]);
+    let line = words(harness.state());
+    assert!(line.contains("--resolution 64 --classes 2,77") && !line.contains("--classes=1"), "{line}");
+    choose(&mut harness, "coloured by", "classification");
+    assert!(words(harness.state()).contains("--color-by classification"));
+    assert!(harness.query_by_label("intensity").is_none(), "these points have none");
+    for name in ["2 ground: 1,500 points", "class 77: 1 point"] {
+        click(&mut harness, name);
+    }
+    assert!(said(harness.state_mut()).iter().any(|line| line.contains("no class would be left")));
+    assert!(words(harness.state()).contains("--classes 77"));
+}
+
+#[test]
+fn the_camera_stays_on_the_map_where_other_points_lie_elsewhere_in_the_scene() {
+    use voxtrace::georeference::Georeference;
+    let with = |at: f64, size: f64| {
+        let mut scene = room();
+        scene.georeference = Some(Georeference::of_grid(Vec3::splat(at as f32).as_dvec3(), size, ""));
+        Arc::new(PackedScene::pack(&scene).unwrap())
+    };
+    let mut session = in_room("a.laz");
+    session.show("a.laz".into(), with(100.0, 0.5));
+    let camera = session.navigator.camera().clone();
+    session.show_again(with(90.0, 0.25));
+    let moved = session.navigator.camera();
+    assert_eq!(moved.eye, camera.eye * 2.0 + Vec3::splat(40.0));
+    session.show_again(with(90.0, 0.25));
+    assert_eq!(session.navigator.camera().eye, camera.eye * 2.0 + Vec3::splat(40.0), "nothing moved");
+}
+
+#[test]
+fn a_plan_is_played_by_bench_with_nothing_else_traced() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("work.toml"), "").unwrap();
+    let mut session = in_room("room.vxt");
+    session.act(Action::Plan, None);
+    let mut harness = panels(session, Status::default());
+    let Some(Dialog::Plan(dialog)) = &mut harness.state_mut().dialog else { panic!("it is open") };
+    dialog.plan = PathField::new(&folder.path().join("work.toml"));
+    harness.run_steps(3);
+    click(&mut harness, "Play");
+    let commands = harness.state_mut().take_commands();
+    let [Command::Run(request)] = &commands[..] else { panic!("{commands:?}") };
+    assert!(request.measures && request.name.ends_with("work-report/report.html"), "{request:?}");
+    assert!(packed().bounds().is_some());
+}
