@@ -151,6 +151,33 @@ struct Dispatch_std140_0
 @binding(16) @group(0) var<uniform> dispatch_0 : Dispatch_std140_0;
 @binding(15) @group(0) var<storage, read_write> counters_0 : array<atomic<u32>>;
 
+struct LightNode_std430_0
+{
+    @align(4) min_2 : array<f32, i32(3)>,
+    @align(4) index_1 : u32,
+    @align(4) max_2 : array<f32, i32(3)>,
+    @align(4) count_1 : u32,
+    @align(4) power_0 : array<f32, i32(6)>,
+    @align(4) parent_0 : u32,
+    @align(4) root_0 : u32,
+};
+
+@binding(17) @group(0) var<storage, read> top_light_nodes_0 : array<LightNode_std430_0>;
+
+@binding(8) @group(0) var<storage, read> light_nodes_0 : array<LightNode_std430_0>;
+
+struct Emitter_std430_0
+{
+    @align(4) voxel_0 : array<i32, i32(3)>,
+    @align(4) grid_1 : u32,
+    @align(4) faces_0 : u32,
+    @align(4) material_0 : u32,
+    @align(4) luminance_0 : f32,
+    @align(4) leaf_0 : u32,
+};
+
+@binding(7) @group(0) var<storage, read> emitters_0 : array<Emitter_std430_0>;
+
 struct RayRecord_std430_0
 {
     @align(4) origin_1 : array<f32, i32(3)>,
@@ -165,38 +192,11 @@ struct HitRecord_std430_0
 {
     @align(4) t_0 : f32,
     @align(4) instance_0 : u32,
-    @align(4) voxel_0 : array<i32, i32(3)>,
+    @align(4) voxel_1 : array<i32, i32(3)>,
     @align(4) face_0 : u32,
 };
 
 @binding(12) @group(0) var<storage, read_write> hits_0 : array<HitRecord_std430_0>;
-
-struct Emitter_std430_0
-{
-    @align(4) voxel_1 : array<i32, i32(3)>,
-    @align(4) grid_1 : u32,
-    @align(4) faces_0 : u32,
-    @align(4) material_0 : u32,
-    @align(4) luminance_0 : f32,
-    @align(4) leaf_0 : u32,
-};
-
-@binding(7) @group(0) var<storage, read> emitters_0 : array<Emitter_std430_0>;
-
-struct LightNode_std430_0
-{
-    @align(4) min_2 : array<f32, i32(3)>,
-    @align(4) index_1 : u32,
-    @align(4) max_2 : array<f32, i32(3)>,
-    @align(4) count_1 : u32,
-    @align(4) power_0 : array<f32, i32(6)>,
-    @align(4) parent_0 : u32,
-    @align(4) root_0 : u32,
-};
-
-@binding(8) @group(0) var<storage, read> light_nodes_0 : array<LightNode_std430_0>;
-
-@binding(17) @group(0) var<storage, read> top_light_nodes_0 : array<LightNode_std430_0>;
 
 @id(6) override SKY_0 : u32 = u32(0);
 
@@ -352,7 +352,7 @@ fn Sampler_stratified_0( this_1 : Sampler_0,  dimension_1 : u32) -> vec4<f32>
     return unit_float_0(vec4<u32>(Sampler_pair_0(this_1, dimension_1, u32(1)), Sampler_pair_0(this_1, dimension_1, u32(2))));
 }
 
-fn PathTracing_jitter_0( sampler_2 : Sampler_0) -> vec4<f32>
+fn PathTracingOf_jitter_0( sampler_2 : Sampler_0) -> vec4<f32>
 {
     return Sampler_stratified_0(sampler_2, u32(0));
 }
@@ -806,7 +806,7 @@ fn CameraFrame_ray_0( this_7 : CameraFrame_0,  position_5 : vec2<f32>,  lens_sam
     }
 }
 
-fn PathTracing_clip_0( ray_0 : Ray_0) -> Ray_0
+fn PathTracingOf_clip_0( ray_0 : Ray_0) -> Ray_0
 {
     return ray_0;
 }
@@ -814,10 +814,10 @@ fn PathTracing_clip_0( ray_0 : Ray_0) -> Ray_0
 fn camera_path_0( pixel_4 : u32,  sample_4 : u32,  path_0 : ptr<function, Path_0>) -> Ray_0
 {
     (*path_0) = Path_x24init_0(sampler_of_0(pixel_4, sample_4), u32(0), u32(0), u32(0), u32(0), vec3<f32>(1.0f), 0.0f, vec3<f32>(0.0f), Selection_x24init_0(0.0f, 0.0f, 0.0f), 0.0f, in_air_0(), true);
-    var jitter_0 : vec4<f32> = PathTracing_jitter_0((*path_0).sampler_0);
+    var jitter_0 : vec4<f32> = PathTracingOf_jitter_0((*path_0).sampler_0);
     var _S28 : CameraFrame_0 = FrameParams_camera_0();
     var _S29 : vec2<u32> = position_of_0(pixel_4);
-    return PathTracing_clip_0(CameraFrame_ray_0(_S28, vec2<f32>(_S29) + jitter_0.xy, jitter_0.zw));
+    return PathTracingOf_clip_0(CameraFrame_ray_0(_S28, vec2<f32>(_S29) + jitter_0.xy, jitter_0.zw));
 }
 
 struct RayCounts_0
@@ -4162,7 +4162,7 @@ fn density_0( odds_1 : vec2<f32>,  luminance_4 : f32,  power_3 : f32,  toward_3 
 
 struct Emitter_0
 {
-     voxel_1 : array<i32, i32(3)>,
+     voxel_0 : array<i32, i32(3)>,
      grid_1 : u32,
      faces_0 : u32,
      material_0 : u32,
@@ -4219,7 +4219,7 @@ fn emitter_luminance_at_0( index_22 : u32) -> f32
 fn Emitter_x24init_0( voxel_21 : array<i32, i32(3)>,  grid_2 : u32,  faces_1 : u32,  material_5 : u32,  luminance_5 : f32,  leaf_1 : u32) -> Emitter_0
 {
     var _S311 : Emitter_0;
-    _S311.voxel_1 = voxel_21;
+    _S311.voxel_0 = voxel_21;
     _S311.grid_1 = grid_2;
     _S311.faces_0 = faces_1;
     _S311.material_0 = material_5;
@@ -4233,7 +4233,7 @@ fn emitter_at_0( index_23 : u32) -> Emitter_0
     if(!lights_in_pages_0())
     {
         var _S312 : Emitter_std430_0 = emitters_0[index_23];
-        var _S313 : Emitter_0 = Emitter_0( _S312.voxel_1, _S312.grid_1, _S312.faces_0, _S312.material_0, _S312.luminance_0, _S312.leaf_0 );
+        var _S313 : Emitter_0 = Emitter_0( _S312.voxel_0, _S312.grid_1, _S312.faces_0, _S312.material_0, _S312.luminance_0, _S312.leaf_0 );
         return _S313;
     }
     var at_4 : u32 = place_in_emitter_0(index_23, u32(0));
@@ -4493,7 +4493,7 @@ fn sample_emitter_0( receiver_8 : Receiver_0,  u_7 : vec4<f32>,  aim_2 : Aim_0, 
         return _S335 > 0.0f;
     }
     var emitter_1 : Emitter_0 = choose_emitter_0(descent_3, side_4, u_7.y * power_4);
-    var _S336 : vec3<f32> = vec3<f32>(cell_of_0(emitter_1.voxel_1));
+    var _S336 : vec3<f32> = vec3<f32>(cell_of_0(emitter_1.voxel_0));
     var on_face_0 : vec3<f32> = point_of_face_0(_S336, side_4, u_7.z, u_7.w);
     var pdf_8 : f32 = density_0(odds_2, emitter_1.luminance_0, power_4, on_face_0 - local_1.point_0, side_4);
     if(pdf_8 < 0.0f)
@@ -5011,7 +5011,7 @@ fn Surface_world_direction_0( this_47 : Surface_0,  local_3 : vec3<f32>) -> vec3
     return normalize_vector_0(in_grid_3);
 }
 
-fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_18 : Ray_0,  hit_6 : Hit_0,  beyond_2 : u32,  radiance_6 : ptr<function, vec3<f32>>) -> NextRays_0
+fn PathTracingOf_advance_0( path_4 : ptr<function, Path_0>,  ray_18 : Ray_0,  hit_6 : Hit_0,  beyond_2 : u32,  radiance_6 : ptr<function, vec3<f32>>) -> NextRays_0
 {
     var next_0 : NextRays_0 = no_rays_0();
     var is_counted_0 : bool = Path_is_counted_0((*path_4));
@@ -5516,7 +5516,7 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
             {
                 radiance_8 = radiance_8 + light_4;
             }
-            ray_19 = PathTracing_clip_0(ray_from_0(ray_19.origin_2, direction_28));
+            ray_19 = PathTracingOf_clip_0(ray_from_0(ray_19.origin_2, direction_28));
             is_shadow_ray_0 = false;
         }
         else
@@ -5554,7 +5554,7 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
             var next_1 : NextRays_0;
             if(_S399)
             {
-                var _S400 : NextRays_0 = PathTracing_advance_0(&(path_5), ray_19, _S397, u32(4294967295), &(radiance_8));
+                var _S400 : NextRays_0 = PathTracingOf_advance_0(&(path_5), ray_19, _S397, u32(4294967295), &(radiance_8));
                 next_1 = _S400;
             }
             else
@@ -5580,7 +5580,7 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
             var _S403 : NextRays_0 = next_1;
             var _S404 : NextRays_0 = next_1;
             var _S405 : NextRays_0 = next_1;
-            ray_19 = PathTracing_clip_0(ray_from_0(next_1.origin_9, next_1.direction_6));
+            ray_19 = PathTracingOf_clip_0(ray_from_0(next_1.origin_9, next_1.direction_6));
             if(_S404.has_shadow_ray_0)
             {
                 ray_19 = Ray_x24init_0(_S405.origin_9, 0.0f, next_1.shadow_direction_0, next_1.shadow_t_max_0);
@@ -6429,7 +6429,7 @@ struct HitRecord_0
 {
      t_0 : f32,
      instance_0 : u32,
-     voxel_0 : array<i32, i32(3)>,
+     voxel_1 : array<i32, i32(3)>,
      face_0 : u32,
 };
 
@@ -6438,7 +6438,7 @@ fn HitRecord_x24init_0( t_16 : f32,  instance_12 : u32,  voxel_27 : array<i32, i
     var _S488 : HitRecord_0;
     _S488.t_0 = t_16;
     _S488.instance_0 = instance_12;
-    _S488.voxel_0 = voxel_27;
+    _S488.voxel_1 = voxel_27;
     _S488.face_0 = face_8;
     return _S488;
 }
@@ -6577,7 +6577,7 @@ fn cast_rays(@builtin(global_invocation_id) id_2 : vec3<u32>, @builtin(local_inv
         var _S503 : HitRecord_0 = record_of_0(hit_10);
         hits_0[dispatch_0.first_0 + _S499].t_0 = _S503.t_0;
         hits_0[dispatch_0.first_0 + _S499].instance_0 = _S503.instance_0;
-        hits_0[dispatch_0.first_0 + _S499].voxel_0 = _S503.voxel_0;
+        hits_0[dispatch_0.first_0 + _S499].voxel_1 = _S503.voxel_1;
         hits_0[dispatch_0.first_0 + _S499].face_0 = _S503.face_0;
     }
     end_tally_0(RayCounts_x24init_0(u32(0), u32(0)), thread_6);

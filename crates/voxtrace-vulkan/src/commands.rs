@@ -332,7 +332,7 @@ impl Submitter {
 }
 
 /// Lets everything after see everything before.
-fn barrier(device: &Device, commands: vk::CommandBuffer) {
+pub fn barrier(device: &Device, commands: vk::CommandBuffer) {
     let access = vk::AccessFlags::MEMORY_READ | vk::AccessFlags::MEMORY_WRITE;
     memory_barrier(device, commands, vk::PipelineStageFlags::ALL_COMMANDS, access);
 }

@@ -5,6 +5,7 @@ mod edits;
 mod paging;
 mod scene;
 mod show;
+mod waves;
 
 use crate::accel::{Accel, AccelReport};
 use crate::bindings::Bindings;
@@ -29,6 +30,7 @@ use ash::vk;
 use bytemuck::bytes_of;
 use gpu_allocator::MemoryLocation;
 use show::Show;
+use waves::Waves;
 use std::sync::Arc;
 use std::time::Instant;
 use voxtrace_core::normals::Normals;
@@ -46,6 +48,9 @@ pub struct Worker {
     // Dropped first: it waits for the device.
     submitter: Submitter,
     passes: Passes,
+    /// Of paths in waves, where the traversal has them.
+    wave_passes: Option<Passes>,
+    waves: Option<Waves>,
     bindings: Bindings,
     transfer: Transfer,
     params: Buffer,
@@ -89,7 +94,7 @@ impl Worker {
         bindings.bind(binding::FRAME_STORAGE, &params);
         let nothing = Buffer::storage(&device, "placeholder", 0)?;
         for place in
-            [binding::PIXELS, binding::RAYS, binding::HITS, binding::PRIMITIVES, binding::ENTRIES, binding::PAGES]
+            [binding::PIXELS, binding::RAYS, binding::HITS, binding::PRIMITIVES, binding::ENTRIES, binding::PAGES, binding::PATHS, binding::QUEUES]
         {
             bindings.bind(place, &nothing);
         }
@@ -99,8 +104,12 @@ impl Worker {
             _ => (spirv::WALK, spirv::WALK_MATERIALS),
         };
         let (matte, materials) = if settings.is_exact { (matte, materials) } else { (matte.fast(), materials.fast()) };
+        let has_waves = settings.traversal == Traversal::Walk;
+        let waves = if settings.is_exact { spirv::WAVES } else { spirv::WAVES.fast() };
         Ok(Self {
             submitter,
+            wave_passes: has_waves.then(|| Passes::new(&device, &bindings, waves)),
+            waves: None,
             passes: Passes::new(&device, &bindings, matte).with_materials(materials),
             bindings,
             transfer: Transfer::new(&device),
@@ -193,11 +202,17 @@ impl Worker {
         variant: Variant,
         dispatch: Dispatch,
         work: u64,
+        in_waves: bool,
         show: Option<Show>,
     ) -> Result<Option<Finished>, TraceError> {
         let (bindings, passes) = (&self.bindings, &self.passes);
-        let record = |commands, offset| passes.launch(variant, bindings, commands, offset, dispatch.count);
-        let workgroups = Some(passes.proof(variant, dispatch.count));
+        let waves = self.waves.as_ref().zip(self.wave_passes.as_ref()).filter(|_| in_waves);
+        let record = |commands, offset| match waves {
+            Some((waves, passes)) => waves.record(passes, variant, bindings, commands, offset, &dispatch),
+            None => passes.launch(variant, bindings, commands, offset, dispatch.count),
+        };
+        // Of waves each path counts.
+        let workgroups = Some(if in_waves { dispatch.count * dispatch.samples } else { passes.proof(variant, dispatch.count) });
         let show = show.zip(self.resolve_passes.as_ref());
         let record_show = |commands, offset| {
             if let Some((show, passes)) = show {
@@ -240,14 +255,18 @@ impl Worker {
         }
         let part = &mut film.parts[index];
         let variant = self.prepare_part(part, frame)?;
+        let in_waves = self.prepare_waves(variant)?;
+        let waves = self.waves.as_ref().filter(|_| in_waves);
+        let most_samples = waves.map_or(u32::MAX, Waves::most_samples);
+        let most_pixels = self.passes.most_items().min(waves.map_or(u64::MAX, Waves::most_pixels));
         let pixels = part.region.pixels() as u64;
         let mut is_late = false;
         while part.samples < target && !progress.is_cancelled() && !is_late {
-            let mut round = Round::new(&self.render_batches, pixels, target - part.samples);
+            let mut round = Round::new(&self.render_batches, pixels, (target - part.samples).min(most_samples));
             // Pixels that a round left ahead when it was broken off wait for the others.
             let samples_target = part.samples + round.samples();
             let mut is_whole = true;
-            while let Some(block) = round.next(&self.render_batches, self.passes.most_items()) {
+            while let Some(block) = round.next(&self.render_batches, most_pixels) {
                 is_late = Instant::now() >= until;
                 is_whole = !progress.is_cancelled() && !is_late;
                 if !is_whole {
@@ -262,7 +281,7 @@ impl Worker {
                 };
                 let work = block.count * u64::from(block.samples);
                 let is_last = round.is_over() && samples_target >= target;
-                let finished = self.submit("rendering", variant, dispatch, work, show.filter(|_| is_last))?;
+                let finished = self.submit("rendering", variant, dispatch, work, in_waves, show.filter(|_| is_last))?;
                 self.render_done(finished, progress);
             }
             if is_whole {

@@ -95,7 +95,7 @@ impl Worker {
                 samples_target: goal,
                 ..Dispatch::default()
             };
-            self.submit("rendering", variant, dispatch, count * u64::from(samples), None)?;
+            self.submit("rendering", variant, dispatch, count * u64::from(samples), false, None)?;
             let mut rays = 0;
             while let Some(finished) = self.submitter.wait()? {
                 rays = u64::from(finished.counters[Counter::CameraRays as usize]);

@@ -10,6 +10,8 @@ use std::fs;
 
 /// Defines the macro of modules that know all materials.
 const WITH_MATERIALS: &str = "-DWITH_MATERIALS";
+/// Defines the macro of modules that trace paths in waves.
+const WITH_WAVES: &str = "-DWITH_WAVES";
 /// Makes all modules read the frame's parameters from a storage buffer.
 const FRAME_IN_STORAGE: [&str; 2] = ["-DFRAME_IN_STORAGE", "-Dparams=frames[0]"];
 
@@ -33,6 +35,7 @@ pub fn spirv(tools: &Tools, pass: &Pass, variant: &Variant) -> Result<Spirv, Str
     arguments.extend(options.split(' ').chain(["-o"]).map(OsStr::new));
     arguments.extend([output.as_os_str(), OsStr::new("-reflection-json"), json.as_os_str()]);
     arguments.extend(variant.has_materials.then_some(OsStr::new(WITH_MATERIALS)));
+    arguments.extend(variant.has_waves.then_some(OsStr::new(WITH_WAVES)));
     if pass.has_frame_in_storage {
         arguments.extend(FRAME_IN_STORAGE.map(OsStr::new));
     }
