@@ -103,21 +103,7 @@ struct PackedGrid_std430_0
 
 @binding(2) @group(0) var<storage, read> brick_materials_0 : array<u32>;
 
-struct PackedMaterial_std430_0
-{
-    @align(4) base_color_0 : array<f32, i32(3)>,
-    @align(4) roughness_0 : f32,
-    @align(4) emission_0 : array<f32, i32(3)>,
-    @align(4) metallic_0 : f32,
-    @align(4) transmission_0 : f32,
-    @align(4) ior_0 : f32,
-    @align(4) specular_0 : f32,
-    @align(4) anisotropy_0 : f32,
-    @align(4) absorption_0 : array<f32, i32(3)>,
-    @align(4) scattering_0 : f32,
-};
-
-@binding(6) @group(0) var<storage, read> materials_0 : array<PackedMaterial_std430_0>;
+@binding(6) @group(0) var<storage, read> material_rows_0 : array<vec4<u32>>;
 
 struct EnvironmentTexel_std430_0
 {
@@ -151,32 +137,11 @@ struct Dispatch_std140_0
 @binding(16) @group(0) var<uniform> dispatch_0 : Dispatch_std140_0;
 @binding(15) @group(0) var<storage, read_write> counters_0 : array<atomic<u32>>;
 
-struct LightNode_std430_0
-{
-    @align(4) min_2 : array<f32, i32(3)>,
-    @align(4) index_1 : u32,
-    @align(4) max_2 : array<f32, i32(3)>,
-    @align(4) count_1 : u32,
-    @align(4) power_0 : array<f32, i32(6)>,
-    @align(4) parent_0 : u32,
-    @align(4) root_0 : u32,
-};
+@binding(17) @group(0) var<storage, read> top_light_node_rows_0 : array<vec4<u32>>;
 
-@binding(17) @group(0) var<storage, read> top_light_nodes_0 : array<LightNode_std430_0>;
+@binding(8) @group(0) var<storage, read> light_node_rows_0 : array<vec4<u32>>;
 
-@binding(8) @group(0) var<storage, read> light_nodes_0 : array<LightNode_std430_0>;
-
-struct Emitter_std430_0
-{
-    @align(4) voxel_0 : array<i32, i32(3)>,
-    @align(4) grid_1 : u32,
-    @align(4) faces_0 : u32,
-    @align(4) material_0 : u32,
-    @align(4) luminance_0 : f32,
-    @align(4) leaf_0 : u32,
-};
-
-@binding(7) @group(0) var<storage, read> emitters_0 : array<Emitter_std430_0>;
+@binding(7) @group(0) var<storage, read> emitter_rows_0 : array<vec4<u32>>;
 
 struct RayRecord_std430_0
 {
@@ -192,7 +157,7 @@ struct HitRecord_std430_0
 {
     @align(4) t_0 : f32,
     @align(4) instance_0 : u32,
-    @align(4) voxel_1 : array<i32, i32(3)>,
+    @align(4) voxel_0 : array<i32, i32(3)>,
     @align(4) face_0 : u32,
 };
 
@@ -219,14 +184,14 @@ struct Selection_0
 {
      sun_0 : f32,
      sky_1 : f32,
-     emitters_1 : f32,
+     emitters_0 : f32,
 };
 
 struct Inside_0
 {
      instance_1 : u32,
-     voxel_2 : vec3<i32>,
-     material_1 : u32,
+     voxel_1 : vec3<i32>,
+     material_0 : u32,
 };
 
 struct Path_0
@@ -259,21 +224,21 @@ fn sampler_of_0( pixel_2 : u32,  sample_2 : u32) -> Sampler_0
     return Sampler_x24init_0(params_0.seed_0, pixel_2, params_0.first_sample_0 + sample_2);
 }
 
-fn Selection_x24init_0( sun_1 : f32,  sky_2 : f32,  emitters_2 : f32) -> Selection_0
+fn Selection_x24init_0( sun_1 : f32,  sky_2 : f32,  emitters_1 : f32) -> Selection_0
 {
     var _S2 : Selection_0;
     _S2.sun_0 = sun_1;
     _S2.sky_1 = sky_2;
-    _S2.emitters_1 = emitters_2;
+    _S2.emitters_0 = emitters_1;
     return _S2;
 }
 
-fn Inside_x24init_0( instance_2 : u32,  voxel_3 : vec3<i32>,  material_2 : u32) -> Inside_0
+fn Inside_x24init_0( instance_2 : u32,  voxel_2 : vec3<i32>,  material_1 : u32) -> Inside_0
 {
     var _S3 : Inside_0;
     _S3.instance_1 = instance_2;
-    _S3.voxel_2 = voxel_3;
-    _S3.material_1 = material_2;
+    _S3.voxel_1 = voxel_2;
+    _S3.material_0 = material_1;
     return _S3;
 }
 
@@ -328,12 +293,12 @@ fn owen_of_reversed_0( reversed_0 : u32,  seed_3 : u32) -> u32
 
 fn scrambled_sobol_0( sample_3 : u32,  order_0 : u32,  seeds_0 : vec2<u32>) -> vec2<u32>
 {
-    var index_2 : u32 = owen_of_reversed_0(reverseBits(sample_3), order_0);
-    var binomial_0 : u32 = (index_2 ^ (((((index_2 >> (u32(1)))) & (u32(1431655765))))));
+    var index_1 : u32 = owen_of_reversed_0(reverseBits(sample_3), order_0);
+    var binomial_0 : u32 = (index_1 ^ (((((index_1 >> (u32(1)))) & (u32(1431655765))))));
     var binomial_1 : u32 = (binomial_0 ^ (((((binomial_0 >> (u32(2)))) & (u32(858993459))))));
     var binomial_2 : u32 = (binomial_1 ^ (((((binomial_1 >> (u32(4)))) & (u32(252645135))))));
     var binomial_3 : u32 = (binomial_2 ^ (((((binomial_2 >> (u32(8)))) & (u32(16711935))))));
-    return vec2<u32>(owen_of_reversed_0(index_2, seeds_0.x), owen_of_reversed_0((binomial_3 ^ (((((binomial_3 >> (u32(16)))) & (u32(65535)))))), seeds_0.y));
+    return vec2<u32>(owen_of_reversed_0(index_1, seeds_0.x), owen_of_reversed_0((binomial_3 ^ (((((binomial_3 >> (u32(16)))) & (u32(65535)))))), seeds_0.y));
 }
 
 fn Sampler_pair_0( this_0 : Sampler_0,  dimension_0 : u32,  which_0 : u32) -> vec2<u32>
@@ -592,12 +557,12 @@ fn place_in_aperture_0( blades_5 : u32,  lens_3 : vec2<f32>) -> vec2<f32>
         var sin_cos_0 : vec2<f32> = sincos_turns_0(radius_turns_0.y);
         return vec2<f32>(radius_1 * sin_cos_0.y, radius_1 * sin_cos_0.x);
     }
-    var count_2 : f32 = f32(blades_5);
-    var scaled_0 : f32 = radius_turns_0.y * count_2;
+    var count_1 : f32 = f32(blades_5);
+    var scaled_0 : f32 = radius_turns_0.y * count_1;
     var blade_0 : f32 = f32(min(u32(scaled_0), blades_5 - u32(1)));
     var share_0 : f32 = scaled_0 - blade_0;
-    var from_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0, count_2));
-    var to_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0 + 1.0f, count_2));
+    var from_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0, count_1));
+    var to_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0 + 1.0f, count_1));
     var _S18 : f32 = from_0.y;
     var _S19 : f32 = from_0.x;
     return vec2<f32>(_S18 + (to_0.y - _S18) * share_0, _S19 + (to_0.x - _S19) * share_0) * vec2<f32>(radius_1);
@@ -618,9 +583,9 @@ fn nearest_root_0( mantissa_0 : u32,  guess_1 : u32) -> u32
     var rest_1 : i32 = i32(((mantissa_0 << (u32(23)))) - guess_1 * guess_1);
     var units_1 : i32 = i32(floor(f32(rest_1) / f32(u32(2) * guess_1) + 0.5f));
     var _S20 : i32 = i32(guess_1);
-    var root_1 : i32 = _S20 + units_1;
-    var rest_2 : i32 = rest_1 - units_1 * (_S20 + root_1);
-    return u32(root_1 + i32(rest_2 > root_1) - i32(rest_2 <= (- root_1)));
+    var root_0 : i32 = _S20 + units_1;
+    var rest_2 : i32 = rest_1 - units_1 * (_S20 + root_0);
+    return u32(root_0 + i32(rest_2 > root_0) - i32(rest_2 <= (- root_0)));
 }
 
 fn square_root_0( value_0 : f32) -> f32
@@ -845,7 +810,7 @@ struct Hit_0
 {
      t_1 : f32,
      instance_3 : u32,
-     voxel_4 : vec3<i32>,
+     voxel_3 : vec3<i32>,
      face_1 : u32,
 };
 
@@ -957,12 +922,12 @@ fn local_ray_0( _S35 : Ray_0,  _S36 : u32) -> LocalRay_0
     return local_0;
 }
 
-fn Hit_x24init_0( t_2 : f32,  instance_4 : u32,  voxel_5 : vec3<i32>,  face_2 : u32) -> Hit_0
+fn Hit_x24init_0( t_2 : f32,  instance_4 : u32,  voxel_4 : vec3<i32>,  face_2 : u32) -> Hit_0
 {
     var _S39 : Hit_0;
     _S39.t_1 = t_2;
     _S39.instance_3 = instance_4;
-    _S39.voxel_4 = voxel_5;
+    _S39.voxel_3 = voxel_4;
     _S39.face_1 = face_2;
     return _S39;
 }
@@ -1073,9 +1038,9 @@ fn walk_of_0( _S41 : LocalRay_0,  _S42 : u32) -> Walk_0
     return walk_0;
 }
 
-fn Walk_mirrored_0( this_11 : Walk_0,  voxel_6 : vec3<i32>) -> vec3<i32>
+fn Walk_mirrored_0( this_11 : Walk_0,  voxel_5 : vec3<i32>) -> vec3<i32>
 {
-    return (voxel_6 ^ ((this_11.mirror_0)));
+    return (voxel_5 ^ ((this_11.mirror_0)));
 }
 
 fn halves_0( value_1 : f32) -> vec2<f32>
@@ -1108,7 +1073,7 @@ fn exact_start_voxel_0( ray_2 : LocalRay_0) -> vec3<i32>
     var part_0 : f32 = sum_0 - ray_2.origin_5[u32(0)];
     var low_1 : f32 = ray_2.origin_5[u32(0)] - (sum_0 - part_0) + (_S49 - part_0) + way_0.y;
     var whole_0 : f32 = floor(sum_0);
-    var voxel_7 : vec3<i32>;
+    var voxel_6 : vec3<i32>;
     var _S50 : i32 = i32(whole_0);
     var _S51 : bool;
     if(sum_0 == whole_0)
@@ -1119,7 +1084,7 @@ fn exact_start_voxel_0( ray_2 : LocalRay_0) -> vec3<i32>
     {
         _S51 = false;
     }
-    voxel_7[u32(0)] = _S50 - i32(_S51);
+    voxel_6[u32(0)] = _S50 - i32(_S51);
     var way_1 : vec2<f32> = exact_product_0(ray_2.t_min_3, ray_2.direction_4[u32(1)]);
     var _S52 : f32 = way_1.x;
     var sum_1 : f32 = ray_2.origin_5[u32(1)] + _S52;
@@ -1135,7 +1100,7 @@ fn exact_start_voxel_0( ray_2 : LocalRay_0) -> vec3<i32>
     {
         _S51 = false;
     }
-    voxel_7[u32(1)] = _S53 - i32(_S51);
+    voxel_6[u32(1)] = _S53 - i32(_S51);
     var way_2 : vec2<f32> = exact_product_0(ray_2.t_min_3, ray_2.direction_4[u32(2)]);
     var _S54 : f32 = way_2.x;
     var sum_2 : f32 = ray_2.origin_5[u32(2)] + _S54;
@@ -1151,8 +1116,8 @@ fn exact_start_voxel_0( ray_2 : LocalRay_0) -> vec3<i32>
     {
         _S51 = false;
     }
-    voxel_7[u32(2)] = _S55 - i32(_S51);
-    return voxel_7;
+    voxel_6[u32(2)] = _S55 - i32(_S51);
+    return voxel_6;
 }
 
 fn Walk_start_voxel_0( this_12 : Walk_0) -> vec3<i32>
@@ -1249,7 +1214,7 @@ fn Crossing_is_before_0( this_14 : Crossing_0,  other_0 : Crossing_0) -> bool
     return _S58;
 }
 
-fn leave_box_0( ray_4 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>,  nearest_1 : vec3<i32>) -> vec3<i32>
+fn leave_box_0( ray_4 : LocalRay_0,  voxel_7 : vec3<i32>,  exit_0 : vec3<i32>,  nearest_1 : vec3<i32>) -> vec3<i32>
 {
     var _S59 : vec3<f32>;
     var _S60 : f32;
@@ -1356,7 +1321,7 @@ fn leave_box_0( ray_4 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>,  
         }
         break;
     }
-    var arrival_0 : vec3<i32> = voxel_8;
+    var arrival_0 : vec3<i32> = voxel_7;
     for(;;)
     {
         for(;;)
@@ -1454,7 +1419,7 @@ fn leave_box_0( ray_4 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>,  
     return arrival_0;
 }
 
-fn Walk_arrive_0( this_15 : Walk_0,  voxel_9 : vec3<i32>,  t_3 : f32,  is_axis_0 : vec3<bool>,  exit_1 : vec3<i32>) -> vec3<i32>
+fn Walk_arrive_0( this_15 : Walk_0,  voxel_8 : vec3<i32>,  t_3 : f32,  is_axis_0 : vec3<bool>,  exit_1 : vec3<i32>) -> vec3<i32>
 {
     var position_6 : vec3<f32> = this_15.origin_7 + this_15.speed_1 * vec3<f32>(t_3);
     if(IS_EXACT_0)
@@ -1464,18 +1429,18 @@ fn Walk_arrive_0( this_15 : Walk_0,  voxel_9 : vec3<i32>,  t_3 : f32,  is_axis_0
         var from_nearest_1 : vec3<f32> = position_7 - nearest_2;
         if((any((select(vec3<bool>(false), (abs(position_7)) < vec3<f32>(2.097152e+06f), select(vec3<bool>(false), !is_axis_0, (abs(from_nearest_1)) <= (this_15.tolerance_0)))))))
         {
-            return max(Walk_mirrored_0(this_15, leave_box_0(this_15.ray_1, Walk_mirrored_0(this_15, voxel_9) + this_15.grid_origin_0, Walk_mirrored_plane_0(this_15, exit_1) + this_15.grid_origin_0, Walk_mirrored_plane_0(this_15, vec3<i32>(nearest_2))) - this_15.grid_origin_0), voxel_9);
+            return max(Walk_mirrored_0(this_15, leave_box_0(this_15.ray_1, Walk_mirrored_0(this_15, voxel_8) + this_15.grid_origin_0, Walk_mirrored_plane_0(this_15, exit_1) + this_15.grid_origin_0, Walk_mirrored_plane_0(this_15, vec3<i32>(nearest_2))) - this_15.grid_origin_0), voxel_8);
         }
         return select(vec3<i32>(nearest_2) - vec3<i32>(from_nearest_1 < vec3<f32>(0.0f)) - this_15.offset_1, exit_1, is_axis_0);
     }
-    return max(vec3<i32>(floor(position_6)), select(voxel_9, exit_1, is_axis_0));
+    return max(vec3<i32>(floor(position_6)), select(voxel_8, exit_1, is_axis_0));
 }
 
-fn Walk_enter_rounded_0( this_16 : Walk_0,  voxel_10 : ptr<function, vec3<i32>>,  near_0 : vec3<i32>,  far_0 : vec3<i32>) -> bool
+fn Walk_enter_rounded_0( this_16 : Walk_0,  voxel_9 : ptr<function, vec3<i32>>,  near_0 : vec3<i32>,  far_0 : vec3<i32>) -> bool
 {
     for(;;)
     {
-        var is_before_0 : vec3<bool> = (*voxel_10) < near_0;
+        var is_before_0 : vec3<bool> = (*voxel_9) < near_0;
         if(!(any((is_before_0))))
         {
             break;
@@ -1511,9 +1476,9 @@ fn Walk_enter_rounded_0( this_16 : Walk_0,  voxel_10 : ptr<function, vec3<i32>>,
             _S74 = false;
         }
         var is_axis_1 : vec3<bool> = vec3<bool>(is_x_0, is_y_0, _S74);
-        (*voxel_10) = Walk_arrive_0(this_16, (*voxel_10), t_last_0, is_axis_1, select(vec3<i32>(i32(1073741823)), near_0, is_axis_1));
+        (*voxel_9) = Walk_arrive_0(this_16, (*voxel_9), t_last_0, is_axis_1, select(vec3<i32>(i32(1073741823)), near_0, is_axis_1));
     }
-    return (all(((*voxel_10) < far_0)));
+    return (all(((*voxel_9) < far_0)));
 }
 
 fn min_element_0( vector_4 : vec3<f32>) -> f32
@@ -1521,7 +1486,7 @@ fn min_element_0( vector_4 : vec3<f32>) -> f32
     return min(min(vector_4.x, vector_4.y), vector_4.z);
 }
 
-fn Walk_leave_rounded_0( this_17 : Walk_0,  voxel_11 : ptr<function, vec3<i32>>,  exit_2 : vec3<i32>) -> bool
+fn Walk_leave_rounded_0( this_17 : Walk_0,  voxel_10 : ptr<function, vec3<i32>>,  exit_2 : vec3<i32>) -> bool
 {
     var t_5 : vec3<f32> = Walk_crossings_0(this_17, exit_2);
     var t_first_0 : f32 = min_element_0(t_5);
@@ -1529,15 +1494,15 @@ fn Walk_leave_rounded_0( this_17 : Walk_0,  voxel_11 : ptr<function, vec3<i32>>,
     {
         return false;
     }
-    (*voxel_11) = max(exit_2 - vec3<i32>(ceil((t_5 - vec3<f32>(t_first_0)) * this_17.speed_1)), (*voxel_11));
+    (*voxel_10) = max(exit_2 - vec3<i32>(ceil((t_5 - vec3<f32>(t_first_0)) * this_17.speed_1)), (*voxel_10));
     return true;
 }
 
-fn Walk_leave_0( this_18 : Walk_0,  voxel_12 : ptr<function, vec3<i32>>,  exit_3 : vec3<i32>) -> bool
+fn Walk_leave_0( this_18 : Walk_0,  voxel_11 : ptr<function, vec3<i32>>,  exit_3 : vec3<i32>) -> bool
 {
     if(!IS_EXACT_0)
     {
-        var _S75 : bool = Walk_leave_rounded_0(this_18, &((*voxel_12)), exit_3);
+        var _S75 : bool = Walk_leave_rounded_0(this_18, &((*voxel_11)), exit_3);
         return _S75;
     }
     var t_6 : vec3<f32> = Walk_crossings_0(this_18, exit_3);
@@ -1575,17 +1540,17 @@ fn Walk_leave_0( this_18 : Walk_0,  voxel_12 : ptr<function, vec3<i32>>,  exit_3
     var arrival_1 : vec3<i32>;
     if((any((select(vec3<bool>(false), !vec3<bool>(is_x_1, is_y_1, _S79), _S78)))))
     {
-        arrival_1 = Walk_mirrored_0(this_18, leave_box_0(this_18.ray_1, Walk_mirrored_0(this_18, (*voxel_12)) + this_18.grid_origin_0, Walk_mirrored_plane_0(this_18, exit_3) + this_18.grid_origin_0, Walk_mirrored_plane_0(this_18, planes_2) + this_18.grid_origin_0) - this_18.grid_origin_0);
+        arrival_1 = Walk_mirrored_0(this_18, leave_box_0(this_18.ray_1, Walk_mirrored_0(this_18, (*voxel_11)) + this_18.grid_origin_0, Walk_mirrored_plane_0(this_18, exit_3) + this_18.grid_origin_0, Walk_mirrored_plane_0(this_18, planes_2) + this_18.grid_origin_0) - this_18.grid_origin_0);
     }
     else
     {
         arrival_1 = _S77;
     }
-    (*voxel_12) = select(max(arrival_1, (*voxel_12)), (*voxel_12), (this_18.speed_1) == vec3<f32>(0.0f));
+    (*voxel_11) = select(max(arrival_1, (*voxel_11)), (*voxel_11), (this_18.speed_1) == vec3<f32>(0.0f));
     return true;
 }
 
-fn Walk_enter_0( this_19 : Walk_0,  voxel_13 : ptr<function, vec3<i32>>,  low_4 : vec3<i32>,  high_2 : vec3<i32>) -> bool
+fn Walk_enter_0( this_19 : Walk_0,  voxel_12 : ptr<function, vec3<i32>>,  low_4 : vec3<i32>,  high_2 : vec3<i32>) -> bool
 {
     var _S80 : bool;
     var is_mirrored_0 : vec3<bool> = (this_19.mirror_0) != vec3<i32>(i32(0));
@@ -1593,7 +1558,7 @@ fn Walk_enter_0( this_19 : Walk_0,  voxel_13 : ptr<function, vec3<i32>>,  low_4 
     var far_1 : vec3<i32> = select(high_2, (vec3<i32>(0) - low_4), is_mirrored_0);
     if(!IS_EXACT_0)
     {
-        var _S81 : bool = Walk_enter_rounded_0(this_19, &((*voxel_13)), near_1, far_1);
+        var _S81 : bool = Walk_enter_rounded_0(this_19, &((*voxel_12)), near_1, far_1);
         return _S81;
     }
     var axis_3 : u32 = u32(0);
@@ -1601,7 +1566,7 @@ fn Walk_enter_0( this_19 : Walk_0,  voxel_13 : ptr<function, vec3<i32>>,  low_4 
     {
         if(axis_3 < u32(3))
         {
-            _S80 = (any(((*voxel_13) < near_1)));
+            _S80 = (any(((*voxel_12) < near_1)));
         }
         else
         {
@@ -1610,7 +1575,7 @@ fn Walk_enter_0( this_19 : Walk_0,  voxel_13 : ptr<function, vec3<i32>>,  low_4 
         var _S82 : bool;
         if(_S80)
         {
-            _S82 = (all(((*voxel_13) < far_1)));
+            _S82 = (all(((*voxel_12) < far_1)));
         }
         else
         {
@@ -1623,16 +1588,16 @@ fn Walk_enter_0( this_19 : Walk_0,  voxel_13 : ptr<function, vec3<i32>>,  low_4 
         {
             break;
         }
-        var _S83 : bool = Walk_leave_0(this_19, &((*voxel_13)), select(far_1, near_1, (*voxel_13) < near_1));
+        var _S83 : bool = Walk_leave_0(this_19, &((*voxel_12)), select(far_1, near_1, (*voxel_12) < near_1));
         if(!_S83)
         {
             return false;
         }
         axis_3 = axis_3 + u32(1);
     }
-    if((all(((*voxel_13) >= near_1))))
+    if((all(((*voxel_12) >= near_1))))
     {
-        _S80 = (all(((*voxel_13) < far_1)));
+        _S80 = (all(((*voxel_12) < far_1)));
     }
     else
     {
@@ -1666,9 +1631,9 @@ fn ahead_of_0( mirror_1 : vec3<i32>) -> u32
 
 var<private> is_page_missing_0 : bool;
 
-fn word_in_pages_0( index_3 : u32,  first_2 : u32) -> u32
+fn word_in_pages_0( index_2 : u32,  first_2 : u32) -> u32
 {
-    var page_0 : u32 = first_2 + ((index_3 >> (u32(10))));
+    var page_0 : u32 = first_2 + ((index_2 >> (u32(10))));
     var mark_0 : u32 = u32(8) + pages_0[i32(0)] + page_0;
     if(pages_0[mark_0] == u32(0))
     {
@@ -1685,27 +1650,27 @@ fn word_in_pages_0( index_3 : u32,  first_2 : u32) -> u32
         _S84 = slot_0 == u32(0);
     }
     is_page_missing_0 = _S84;
-    return (((slot_0 << (u32(10)))) | (((index_3 & (u32(1023))))));
+    return (((slot_0 << (u32(10)))) | (((index_2 & (u32(1023))))));
 }
 
-fn place_of_cell_0( index_4 : u32) -> u32
+fn place_of_cell_0( index_3 : u32) -> u32
 {
     var _S85 : u32;
     if(HAS_PAGES_0)
     {
-        var _S86 : u32 = word_in_pages_0(index_4, u32(0));
+        var _S86 : u32 = word_in_pages_0(index_3, u32(0));
         _S85 = _S86;
     }
     else
     {
-        _S85 = index_4;
+        _S85 = index_3;
     }
     return _S85;
 }
 
-fn cell_word_0( index_5 : u32) -> u32
+fn cell_word_0( index_4 : u32) -> u32
 {
-    var _S87 : u32 = place_of_cell_0(index_5);
+    var _S87 : u32 = place_of_cell_0(index_4);
     return cells_0[_S87];
 }
 
@@ -1772,24 +1737,24 @@ fn blocks_of_cell_0( cell_4 : u32) -> u32
     return (((cell_4 >> (u32(23)))) & (u32(255)));
 }
 
-fn place_of_brick_0( index_6 : u32) -> u32
+fn place_of_brick_0( index_5 : u32) -> u32
 {
     var _S91 : u32;
     if(HAS_PAGES_0)
     {
-        var _S92 : u32 = word_in_pages_0(index_6, pages_0[i32(1)]);
+        var _S92 : u32 = word_in_pages_0(index_5, pages_0[i32(1)]);
         _S91 = _S92;
     }
     else
     {
-        _S91 = index_6;
+        _S91 = index_5;
     }
     return _S91;
 }
 
-fn brick_word_0( index_7 : u32) -> u32
+fn brick_word_0( index_6 : u32) -> u32
 {
-    var _S93 : u32 = place_of_brick_0(index_7);
+    var _S93 : u32 = place_of_brick_0(index_6);
     return bricks_0[_S93];
 }
 
@@ -1799,14 +1764,14 @@ fn blocks_of_record_0( record_0 : u32) -> u32
     return (_S94 & (u32(255)));
 }
 
-fn empty_around_0( record_1 : u32,  blocks_0 : u32,  voxel_14 : vec3<i32>,  octant_2 : u32,  flip_0 : u32) -> u32
+fn empty_around_0( record_1 : u32,  blocks_0 : u32,  voxel_13 : vec3<i32>,  octant_2 : u32,  flip_0 : u32) -> u32
 {
-    var block_0 : u32 = (((((u32(((((voxel_14.x) >> (u32(2)))) & (i32(1)))) | (u32(((((voxel_14.y) >> (u32(1)))) & (i32(2))))))) | (u32(((voxel_14.z) & (i32(4))))))) ^ (octant_2));
+    var block_0 : u32 = (((((u32(((((voxel_13.x) >> (u32(2)))) & (i32(1)))) | (u32(((((voxel_13.y) >> (u32(1)))) & (i32(2))))))) | (u32(((voxel_13.z) & (i32(4))))))) ^ (octant_2));
     if(((((blocks_0 >> (block_0))) & (u32(1)))) == u32(0))
     {
         return u32(3);
     }
-    var bit_0 : u32 = ((cell_in_node_0(voxel_14, u32(0))) ^ (flip_0));
+    var bit_0 : u32 = ((cell_in_node_0(voxel_13, u32(0))) ^ (flip_0));
     var half_0 : u32 = brick_word_0(record_1 + u32(2) + u32(2) * countOneBits((blocks_0 & ((((u32(1) << (block_0))) - u32(1))))) + ((bit_0 >> (u32(5)))));
     if(((((half_0 >> (((bit_0 & (u32(31))))))) & (u32(1)))) != u32(0))
     {
@@ -1824,7 +1789,7 @@ fn empty_around_0( record_1 : u32,  blocks_0 : u32,  voxel_14 : vec3<i32>,  octa
     return u32(_S95);
 }
 
-fn Walk_leave_rounded_1( this_21 : Walk_0,  voxel_15 : ptr<function, vec3<i32>>,  exit_4 : vec3<i32>) -> bool
+fn Walk_leave_rounded_1( this_21 : Walk_0,  voxel_14 : ptr<function, vec3<i32>>,  exit_4 : vec3<i32>) -> bool
 {
     var t_7 : vec3<f32> = Walk_crossings_0(this_21, exit_4);
     var t_first_2 : f32 = min_element_0(t_7);
@@ -1832,15 +1797,15 @@ fn Walk_leave_rounded_1( this_21 : Walk_0,  voxel_15 : ptr<function, vec3<i32>>,
     {
         return false;
     }
-    (*voxel_15) = max(exit_4 - vec3<i32>(ceil((t_7 - vec3<f32>(t_first_2)) * this_21.speed_1)), (*voxel_15));
+    (*voxel_14) = max(exit_4 - vec3<i32>(ceil((t_7 - vec3<f32>(t_first_2)) * this_21.speed_1)), (*voxel_14));
     return true;
 }
 
-fn Walk_leave_1( this_22 : Walk_0,  voxel_16 : ptr<function, vec3<i32>>,  exit_5 : vec3<i32>) -> bool
+fn Walk_leave_1( this_22 : Walk_0,  voxel_15 : ptr<function, vec3<i32>>,  exit_5 : vec3<i32>) -> bool
 {
     if(!IS_EXACT_0)
     {
-        var _S96 : bool = Walk_leave_rounded_1(this_22, &((*voxel_16)), exit_5);
+        var _S96 : bool = Walk_leave_rounded_1(this_22, &((*voxel_15)), exit_5);
         return _S96;
     }
     var t_8 : vec3<f32> = Walk_crossings_0(this_22, exit_5);
@@ -1878,13 +1843,13 @@ fn Walk_leave_1( this_22 : Walk_0,  voxel_16 : ptr<function, vec3<i32>>,  exit_5
     var arrival_2 : vec3<i32>;
     if((any((select(vec3<bool>(false), !vec3<bool>(is_x_2, is_y_2, _S100), _S99)))))
     {
-        arrival_2 = Walk_mirrored_0(this_22, leave_box_0(this_22.ray_1, Walk_mirrored_0(this_22, (*voxel_16)) + this_22.grid_origin_0, Walk_mirrored_plane_0(this_22, exit_5) + this_22.grid_origin_0, Walk_mirrored_plane_0(this_22, planes_3) + this_22.grid_origin_0) - this_22.grid_origin_0);
+        arrival_2 = Walk_mirrored_0(this_22, leave_box_0(this_22.ray_1, Walk_mirrored_0(this_22, (*voxel_15)) + this_22.grid_origin_0, Walk_mirrored_plane_0(this_22, exit_5) + this_22.grid_origin_0, Walk_mirrored_plane_0(this_22, planes_3) + this_22.grid_origin_0) - this_22.grid_origin_0);
     }
     else
     {
         arrival_2 = _S98;
     }
-    (*voxel_16) = select(max(arrival_2, (*voxel_16)), (*voxel_16), (this_22.speed_1) == vec3<f32>(0.0f));
+    (*voxel_15) = select(max(arrival_2, (*voxel_15)), (*voxel_15), (this_22.speed_1) == vec3<f32>(0.0f));
     return true;
 }
 
@@ -1893,8 +1858,8 @@ fn first_voxel_0( _S101 : u32,  _S102 : Walk_0,  _S103 : ptr<function, vec3<i32>
     var _S104 : Walk_0 = _S102;
     var _S105 : vec3<i32> = vec3<i32>(i32(0));
     (*_S103) = _S105;
-    var voxel_17 : vec3<i32> = Walk_start_voxel_0(_S102);
-    var _S106 : bool = Walk_enter_0(_S102, &(voxel_17), cell_of_0(grids_0[_S101].min_1) - _S104.grid_origin_0, cell_of_0(grids_0[_S101].max_1) - _S104.grid_origin_0);
+    var voxel_16 : vec3<i32> = Walk_start_voxel_0(_S102);
+    var _S106 : bool = Walk_enter_0(_S102, &(voxel_16), cell_of_0(grids_0[_S101].min_1) - _S104.grid_origin_0, cell_of_0(grids_0[_S101].max_1) - _S104.grid_origin_0);
     if(!_S106)
     {
         return false;
@@ -1927,7 +1892,7 @@ fn first_voxel_0( _S101 : u32,  _S102 : Walk_0,  _S103 : ptr<function, vec3<i32>
         var _S112 : bool;
         if(IS_EXACT_0)
         {
-            _S112 = (any((voxel_17 >= end_0)));
+            _S112 = (any((voxel_16 >= end_0)));
         }
         else
         {
@@ -1937,7 +1902,7 @@ fn first_voxel_0( _S101 : u32,  _S102 : Walk_0,  _S103 : ptr<function, vec3<i32>
         {
             break;
         }
-        var cell_5 : u32 = cell_word_0(u32(_S109 + dot_cells_0(_S110, (voxel_17 >> (vec3<u32>(top_shift_2))))));
+        var cell_5 : u32 = cell_word_0(u32(_S109 + dot_cells_0(_S110, (voxel_16 >> (vec3<u32>(top_shift_2))))));
         var cell_6 : u32;
         var shift_1 : u32;
         var is_found_1 : bool;
@@ -1945,7 +1910,7 @@ fn first_voxel_0( _S101 : u32,  _S102 : Walk_0,  _S103 : ptr<function, vec3<i32>
         {
             if(((cell_5 & (u32(2147483648)))) != u32(0))
             {
-                var _S113 : u32 = cell_word_0(((cell_5 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_17, u32(3))) ^ (_S107))));
+                var _S113 : u32 = cell_word_0(((cell_5 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_16, u32(3))) ^ (_S107))));
                 cell_6 = _S113;
                 shift_1 = u32(3);
             }
@@ -1986,7 +1951,7 @@ fn first_voxel_0( _S101 : u32,  _S102 : Walk_0,  _S103 : ptr<function, vec3<i32>
                     break;
                 }
                 var shift_2 : u32 = shift_1 - u32(2);
-                var _S115 : u32 = cell_word_0(((cell_6 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_17, shift_2)) ^ (_S107))));
+                var _S115 : u32 = cell_word_0(((cell_6 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_16, shift_2)) ^ (_S107))));
                 cell_6 = _S115;
                 shift_1 = shift_2;
             }
@@ -2006,7 +1971,7 @@ fn first_voxel_0( _S101 : u32,  _S102 : Walk_0,  _S103 : ptr<function, vec3<i32>
             {
                 exit_6 = extents_0(cell_6, _S111);
             }
-            exit_6 = ((voxel_17 | (vec3<i32>((((i32(1) << (shift_1))) - i32(1)))))) + vec3<i32>(i32(1)) + ((exit_6 << (vec3<u32>(shift_1))));
+            exit_6 = ((voxel_16 | (vec3<i32>((((i32(1) << (shift_1))) - i32(1)))))) + vec3<i32>(i32(1)) + ((exit_6 << (vec3<u32>(shift_1))));
             is_found_1 = is_found_0;
         }
         else
@@ -2022,17 +1987,17 @@ fn first_voxel_0( _S101 : u32,  _S102 : Walk_0,  _S103 : ptr<function, vec3<i32>
                 var _S116 : u32 = blocks_of_record_0(record_2);
                 blocks_1 = _S116;
             }
-            var low_bits_0 : u32 = empty_around_0(record_2, blocks_1, voxel_17, octant_3, _S107);
+            var low_bits_0 : u32 = empty_around_0(record_2, blocks_1, voxel_16, octant_3, _S107);
             var is_found_2 : bool = low_bits_0 == u32(4294967295);
             if(is_found_2)
             {
                 is_found_0 = is_found_2;
                 break;
             }
-            exit_6 = ((voxel_17 | (vec3<i32>(i32(low_bits_0))))) + vec3<i32>(i32(1));
+            exit_6 = ((voxel_16 | (vec3<i32>(i32(low_bits_0))))) + vec3<i32>(i32(1));
             is_found_1 = is_found_2;
         }
-        var _S117 : bool = Walk_leave_1(_S104, &(voxel_17), exit_6);
+        var _S117 : bool = Walk_leave_1(_S104, &(voxel_16), exit_6);
         if(!_S117)
         {
             is_found_0 = is_found_1;
@@ -2040,7 +2005,7 @@ fn first_voxel_0( _S101 : u32,  _S102 : Walk_0,  _S103 : ptr<function, vec3<i32>
         }
         is_found_0 = is_found_1;
     }
-    (*_S103) = Walk_mirrored_0(_S104, voxel_17) + _S104.grid_origin_0;
+    (*_S103) = Walk_mirrored_0(_S104, voxel_16) + _S104.grid_origin_0;
     return is_found_0;
 }
 
@@ -2050,7 +2015,7 @@ fn ray_of_walk_0( walk_1 : Walk_0,  ray_5 : Ray_0) -> Ray_0
     return Ray_x24init_0(select(walk_1.origin_7, (vec3<f32>(0) - walk_1.origin_7), is_mirrored_1) + vec3<f32>(walk_1.grid_origin_0), ray_5.t_min_1, select(walk_1.speed_1, (vec3<f32>(0) - walk_1.speed_1), is_mirrored_1), ray_5.t_max_1);
 }
 
-fn hit_of_0( ray_6 : LocalRay_0,  voxel_18 : vec3<i32>,  instance_5 : u32) -> Hit_0
+fn hit_of_0( ray_6 : LocalRay_0,  voxel_17 : vec3<i32>,  instance_5 : u32) -> Hit_0
 {
     var _S118 : vec3<f32>;
     var _S119 : bool;
@@ -2068,7 +2033,7 @@ fn hit_of_0( ray_6 : LocalRay_0,  voxel_18 : vec3<i32>,  instance_5 : u32) -> Hi
                     last_1 = _S120;
                     break;
                 }
-                var crossing_3 : Crossing_0 = crossing_of_0(ray_6, u32(0), voxel_18[u32(0)] + i32((ray_6.direction_4[u32(0)]) < 0.0f));
+                var crossing_3 : Crossing_0 = crossing_of_0(ray_6, u32(0), voxel_17[u32(0)] + i32((ray_6.direction_4[u32(0)]) < 0.0f));
                 if((_S120.axis_0) == u32(3))
                 {
                     _S119 = true;
@@ -2098,7 +2063,7 @@ fn hit_of_0( ray_6 : LocalRay_0,  voxel_18 : vec3<i32>,  instance_5 : u32) -> Hi
                 {
                     break;
                 }
-                var crossing_4 : Crossing_0 = crossing_of_0(ray_6, u32(1), voxel_18[u32(1)] + i32((_S121[u32(1)]) < 0.0f));
+                var crossing_4 : Crossing_0 = crossing_of_0(ray_6, u32(1), voxel_17[u32(1)] + i32((_S121[u32(1)]) < 0.0f));
                 if((last_1.axis_0) == u32(3))
                 {
                     _S119 = true;
@@ -2124,7 +2089,7 @@ fn hit_of_0( ray_6 : LocalRay_0,  voxel_18 : vec3<i32>,  instance_5 : u32) -> Hi
                 {
                     break;
                 }
-                var crossing_5 : Crossing_0 = crossing_of_0(ray_6, u32(2), voxel_18[u32(2)] + i32((_S122[u32(2)]) < 0.0f));
+                var crossing_5 : Crossing_0 = crossing_of_0(ray_6, u32(2), voxel_17[u32(2)] + i32((_S122[u32(2)]) < 0.0f));
                 if((last_1.axis_0) == u32(3))
                 {
                     _S119 = true;
@@ -2145,7 +2110,7 @@ fn hit_of_0( ray_6 : LocalRay_0,  voxel_18 : vec3<i32>,  instance_5 : u32) -> Hi
     }
     var _S123 : Crossing_0 = last_1;
     var is_negative_1 : bool = (_S118[last_1.axis_0]) < 0.0f;
-    var t_9 : f32 = (f32(voxel_18[last_1.axis_0] + i32(is_negative_1)) - ray_6.origin_5[last_1.axis_0]) * ray_6.inverse_0[last_1.axis_0];
+    var t_9 : f32 = (f32(voxel_17[last_1.axis_0] + i32(is_negative_1)) - ray_6.origin_5[last_1.axis_0]) * ray_6.inverse_0[last_1.axis_0];
     var _S124 : f32;
     if(t_9 > (ray_6.t_min_3))
     {
@@ -2155,12 +2120,12 @@ fn hit_of_0( ray_6 : LocalRay_0,  voxel_18 : vec3<i32>,  instance_5 : u32) -> Hi
     {
         _S124 = ray_6.t_min_3;
     }
-    return Hit_x24init_0(_S124, instance_5, voxel_18, u32(2) * _S123.axis_0 + u32(is_negative_1));
+    return Hit_x24init_0(_S124, instance_5, voxel_17, u32(2) * _S123.axis_0 + u32(is_negative_1));
 }
 
-fn hit_of_walk_0( walk_2 : Walk_0,  voxel_19 : vec3<i32>,  instance_6 : u32) -> Hit_0
+fn hit_of_walk_0( walk_2 : Walk_0,  voxel_18 : vec3<i32>,  instance_6 : u32) -> Hit_0
 {
-    var t_10 : vec3<f32> = Walk_crossings_0(walk_2, Walk_mirrored_0(walk_2, voxel_19 - walk_2.grid_origin_0));
+    var t_10 : vec3<f32> = Walk_crossings_0(walk_2, Walk_mirrored_0(walk_2, voxel_18 - walk_2.grid_origin_0));
     var last_2 : f32 = max_element_0(t_10);
     var _S125 : i32;
     if((t_10.z) == last_2)
@@ -2179,7 +2144,7 @@ fn hit_of_walk_0( walk_2 : Walk_0,  voxel_19 : vec3<i32>,  instance_6 : u32) -> 
         }
     }
     var axis_4 : u32 = u32(_S125);
-    return Hit_x24init_0(max(last_2, walk_2.ray_1.t_min_3), instance_6, voxel_19, u32(2) * axis_4 + u32((walk_2.mirror_0[axis_4]) != i32(0)));
+    return Hit_x24init_0(max(last_2, walk_2.ray_1.t_min_3), instance_6, voxel_18, u32(2) * axis_4 + u32((walk_2.mirror_0[axis_4]) != i32(0)));
 }
 
 fn hit_in_0( instance_7 : u32,  ray_7 : ptr<function, Ray_0>) -> Hit_0
@@ -2190,8 +2155,8 @@ fn hit_in_0( instance_7 : u32,  ray_7 : ptr<function, Ray_0>) -> Hit_0
         return miss_0();
     }
     var _S127 : Walk_0 = walk_of_0(_S126, instances_0[instance_7].grid_0);
-    var voxel_20 : vec3<i32>;
-    var _S128 : bool = first_voxel_0(instances_0[instance_7].grid_0, _S127, &(voxel_20));
+    var voxel_19 : vec3<i32>;
+    var _S128 : bool = first_voxel_0(instances_0[instance_7].grid_0, _S127, &(voxel_19));
     var _S129 : bool;
     if(IS_SINGLE_0)
     {
@@ -2212,11 +2177,11 @@ fn hit_in_0( instance_7 : u32,  ray_7 : ptr<function, Ray_0>) -> Hit_0
     var hit_0 : Hit_0;
     if(IS_EXACT_0)
     {
-        hit_0 = hit_of_0(_S126, voxel_20, instance_7);
+        hit_0 = hit_of_0(_S126, voxel_19, instance_7);
     }
     else
     {
-        hit_0 = hit_of_walk_0(_S127, voxel_20, instance_7);
+        hit_0 = hit_of_walk_0(_S127, voxel_19, instance_7);
     }
     if((hit_0.t_1) > ((*ray_7).t_max_1))
     {
@@ -2258,16 +2223,16 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_1 : u3
     var is_zero_1 : vec3<bool> = !((abs(ray_8.direction_1)) >= vec3<f32>(1.17549435082228751e-38f));
     var _S136 : vec3<f32> = select(reciprocal_0(select(ray_8.direction_1, vec3<f32>(1.0f), is_zero_1)), vec3<f32>(3.4028234663852886e+38f), is_zero_1);
     var stack_0 : array<u32, i32(32)>;
-    var index_8 : u32 = u32(0);
+    var index_7 : u32 = u32(0);
     var nearest_6 : Hit_0 = nearest_5;
     var depth_0 : u32 = u32(0);
     for(;;)
     {
         var depth_1 : u32;
         var is_reached_0 : bool;
-        if((instance_nodes_0[index_8].is_leaf_0) != u32(0))
+        if((instance_nodes_0[index_7].is_leaf_0) != u32(0))
         {
-            var _S137 : Hit_0 = hit_in_0(instance_nodes_0[index_8].index_0, &(ray_8));
+            var _S137 : Hit_0 = hit_in_0(instance_nodes_0[index_7].index_0, &(ray_8));
             var _S138 : Hit_0 = nearest_6;
             if((_S137.t_1) < (nearest_6.t_1))
             {
@@ -2303,18 +2268,18 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_1 : u3
         }
         else
         {
-            var _S139 : u32 = index_8 + u32(1);
+            var _S139 : u32 = index_7 + u32(1);
             var _S140 : f32 = entry_0(_S139, ray_8, _S136);
-            var _S141 : u32 = instance_nodes_0[index_8].index_0;
-            var _S142 : f32 = entry_0(instance_nodes_0[index_8].index_0, ray_8, _S136);
+            var _S141 : u32 = instance_nodes_0[index_7].index_0;
+            var _S142 : f32 = entry_0(instance_nodes_0[index_7].index_0, ray_8, _S136);
             var _S143 : bool = _S140 <= _S142;
             if(_S143)
             {
-                index_8 = _S139;
+                index_7 = _S139;
             }
             else
             {
-                index_8 = _S141;
+                index_7 = _S141;
             }
             var far_2 : u32;
             if(_S143)
@@ -2364,7 +2329,7 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_1 : u3
             }
             var depth_2 : u32 = depth_0 - u32(1);
             is_reached_0 = (entry_0(stack_0[depth_2], ray_8, _S136)) < (bitcast<f32>((u32(2139095040))));
-            index_8 = stack_0[depth_2];
+            index_7 = stack_0[depth_2];
             depth_0 = depth_2;
         }
         if(!is_reached_0)
@@ -2491,41 +2456,87 @@ fn Sampler_independent_0( this_29 : Sampler_0,  dimension_2 : u32) -> vec4<f32>
     return unit_float_0(pcg4d_0(vec4<u32>(this_29.pixel_0, this_29.sample_0, dimension_2, this_29.seed_1)));
 }
 
+struct PackedMaterial_0
+{
+     base_color_0 : array<f32, i32(3)>,
+     roughness_0 : f32,
+     emission_0 : array<f32, i32(3)>,
+     metallic_0 : f32,
+     transmission_0 : f32,
+     ior_0 : f32,
+     specular_0 : f32,
+     anisotropy_0 : f32,
+     absorption_0 : array<f32, i32(3)>,
+     scattering_0 : f32,
+};
+
+fn material_of_index_0( index_8 : u32) -> PackedMaterial_0
+{
+    var _S152 : u32 = u32(4) * index_8;
+    var a_5 : vec4<u32> = material_rows_0[_S152];
+    var b_5 : vec4<u32> = material_rows_0[_S152 + u32(1)];
+    var c_0 : vec4<u32> = material_rows_0[_S152 + u32(2)];
+    var d_0 : vec4<u32> = material_rows_0[_S152 + u32(3)];
+    var material_2 : PackedMaterial_0;
+    var _S153 : f32 = (bitcast<f32>((a_5.y)));
+    var _S154 : f32 = (bitcast<f32>((a_5.z)));
+    material_2.base_color_0[i32(0)] = (bitcast<f32>((a_5.x)));
+    material_2.base_color_0[i32(1)] = _S153;
+    material_2.base_color_0[i32(2)] = _S154;
+    var _S155 : f32 = (bitcast<f32>((b_5.y)));
+    var _S156 : f32 = (bitcast<f32>((b_5.z)));
+    material_2.emission_0[i32(0)] = (bitcast<f32>((b_5.x)));
+    material_2.emission_0[i32(1)] = _S155;
+    material_2.emission_0[i32(2)] = _S156;
+    var _S157 : f32 = (bitcast<f32>((d_0.y)));
+    var _S158 : f32 = (bitcast<f32>((d_0.z)));
+    material_2.absorption_0[i32(0)] = (bitcast<f32>((d_0.x)));
+    material_2.absorption_0[i32(1)] = _S157;
+    material_2.absorption_0[i32(2)] = _S158;
+    material_2.roughness_0 = (bitcast<f32>((a_5.w)));
+    material_2.metallic_0 = (bitcast<f32>((b_5.w)));
+    material_2.transmission_0 = (bitcast<f32>((c_0.x)));
+    material_2.ior_0 = (bitcast<f32>((c_0.y)));
+    material_2.specular_0 = (bitcast<f32>((c_0.z)));
+    material_2.anisotropy_0 = (bitcast<f32>((c_0.w)));
+    material_2.scattering_0 = (bitcast<f32>((d_0.w)));
+    return material_2;
+}
+
 fn logarithm_0( x_2 : f32) -> f32
 {
     var bits_1 : u32 = (bitcast<u32>((x_2)));
-    var _S152 : u32 = (bits_1 & (u32(8388607)));
-    var is_upper_0 : bool = _S152 > u32(3474675);
-    var power_1 : i32 = i32((bits_1 >> (u32(23)))) - i32(127) + i32(is_upper_0);
-    var _S153 : u32;
+    var _S159 : u32 = (bits_1 & (u32(8388607)));
+    var is_upper_0 : bool = _S159 > u32(3474675);
+    var power_0 : i32 = i32((bits_1 >> (u32(23)))) - i32(127) + i32(is_upper_0);
+    var _S160 : u32;
     if(is_upper_0)
     {
-        _S153 = u32(1056964608);
+        _S160 = u32(1056964608);
     }
     else
     {
-        _S153 = u32(1065353216);
+        _S160 = u32(1065353216);
     }
-    var mantissa_2 : f32 = (bitcast<f32>(((_S152 | (_S153)))));
+    var mantissa_2 : f32 = (bitcast<f32>(((_S159 | (_S160)))));
     var s_0 : f32 = divide_0(mantissa_2 - 1.0f, mantissa_2 + 1.0f);
     var ss_0 : f32 = s_0 * s_0;
-    var _S154 : f32 = f32(power_1);
-    return _S154 * 0.693359375f + (_S154 * -0.00021219444170129f + s_0 * (2.0f + ss_0 * (0.66666668653488159f + ss_0 * (0.40000000596046448f + ss_0 * (0.28571429848670959f + ss_0 * 0.2222222238779068f)))));
+    var _S161 : f32 = f32(power_0);
+    return _S161 * 0.693359375f + (_S161 * -0.00021219444170129f + s_0 * (2.0f + ss_0 * (0.66666668653488159f + ss_0 * (0.40000000596046448f + ss_0 * (0.28571429848670959f + ss_0 * 0.2222222238779068f)))));
 }
 
-fn free_path_0( _S155 : u32,  _S156 : f32) -> f32
+fn free_path_0( medium_0 : PackedMaterial_0,  u_0 : f32) -> f32
 {
-    var _S157 : f32 = materials_0[_S155].scattering_0;
-    var _S158 : f32;
-    if((materials_0[_S155].scattering_0) > 0.0f)
+    var _S162 : f32;
+    if((medium_0.scattering_0) > 0.0f)
     {
-        _S158 = divide_0(- logarithm_0(1.0f - _S156), _S157);
+        _S162 = divide_0(- logarithm_0(1.0f - u_0), medium_0.scattering_0);
     }
     else
     {
-        _S158 = (bitcast<f32>((u32(2139095040))));
+        _S162 = (bitcast<f32>((u32(2139095040))));
     }
-    return _S158;
+    return _S162;
 }
 
 fn grid_direction_0( instance_8 : u32,  direction_8 : vec3<f32>) -> vec3<f32>
@@ -2540,7 +2551,7 @@ fn Inside_voxels_per_t_0( this_30 : Inside_0,  ray_11 : Ray_0) -> f32
 
 fn scattering_t_0( path_1 : Path_0,  inside_2 : Inside_0,  ray_12 : Ray_0) -> f32
 {
-    return divide_0(free_path_0(inside_2.material_1, Sampler_independent_0(path_1.sampler_0, Path_dimension_medium_0(path_1)).x), Inside_voxels_per_t_0(inside_2, ray_12));
+    return divide_0(free_path_0(material_of_index_0(inside_2.material_0), Sampler_independent_0(path_1.sampler_0, Path_dimension_medium_0(path_1)).x), Inside_voxels_per_t_0(inside_2, ray_12));
 }
 
 fn exponential_0( x_3 : f32) -> f32
@@ -2549,41 +2560,41 @@ fn exponential_0( x_3 : f32) -> f32
     {
         return 0.0f;
     }
-    var power_2 : i32 = i32(x_3 * 1.4426950216293335f - 0.5f);
-    var k_0 : f32 = f32(power_2);
+    var power_1 : i32 = i32(x_3 * 1.4426950216293335f - 0.5f);
+    var k_0 : f32 = f32(power_1);
     var r_0 : f32 = x_3 - k_0 * 0.693359375f - k_0 * -0.00021219444170129f;
-    return (1.0f + r_0 * (1.0f + r_0 * (0.5f + r_0 * (0.1666666716337204f + r_0 * (0.0416666679084301f + r_0 * (0.00833333376795053f + r_0 * (0.00138888892251998f + r_0 * 0.0001984127011383f))))))) * (bitcast<f32>(((u32(i32(127) + power_2) << (u32(23))))));
+    return (1.0f + r_0 * (1.0f + r_0 * (0.5f + r_0 * (0.1666666716337204f + r_0 * (0.0416666679084301f + r_0 * (0.00833333376795053f + r_0 * (0.00138888892251998f + r_0 * 0.0001984127011383f))))))) * (bitcast<f32>(((u32(i32(127) + power_1) << (u32(23))))));
 }
 
-fn attenuation_0( _S159 : u32,  _S160 : f32) -> vec3<f32>
+fn attenuation_0( medium_1 : PackedMaterial_0,  voxels_1 : f32) -> vec3<f32>
 {
-    var sigma_0 : vec3<f32> = vector_of_0(materials_0[_S159].absorption_0);
-    return vec3<f32>(exponential_0(- (sigma_0.x * _S160)), exponential_0(- (sigma_0.y * _S160)), exponential_0(- (sigma_0.z * _S160)));
+    var sigma_0 : vec3<f32> = vector_of_0(medium_1.absorption_0);
+    return vec3<f32>(exponential_0(- (sigma_0.x * voxels_1)), exponential_0(- (sigma_0.y * voxels_1)), exponential_0(- (sigma_0.z * voxels_1)));
 }
 
 fn absorb_0( path_2 : ptr<function, Path_0>,  inside_3 : Inside_0,  ray_13 : Ray_0,  t_11 : f32)
 {
-    (*path_2).beta_0 = (*path_2).beta_0 * attenuation_0(inside_3.material_1, t_11 * Inside_voxels_per_t_0(inside_3, ray_13));
+    (*path_2).beta_0 = (*path_2).beta_0 * attenuation_0(material_of_index_0(inside_3.material_0), t_11 * Inside_voxels_per_t_0(inside_3, ray_13));
     return;
 }
 
-fn Environment_to_map_0( d_0 : vec3<f32>) -> vec3<f32>
+fn Environment_to_map_0( d_1 : vec3<f32>) -> vec3<f32>
 {
     var sin_1 : f32 = params_0.sky_turned_0.x;
     var cos_1 : f32 = params_0.sky_turned_0.y;
-    var _S161 : f32 = d_0.x;
-    var _S162 : f32 = d_0.y;
-    return vec3<f32>(_S161 * cos_1 - _S162 * sin_1, _S161 * sin_1 + _S162 * cos_1, d_0.z);
+    var _S163 : f32 = d_1.x;
+    var _S164 : f32 = d_1.y;
+    return vec3<f32>(_S163 * cos_1 - _S164 * sin_1, _S163 * sin_1 + _S164 * cos_1, d_1.z);
 }
 
 fn quarter_turns_0( x_4 : f32,  y_2 : f32) -> f32
 {
-    var _S163 : f32 = min(x_4, y_2);
-    var _S164 : f32 = max(x_4, y_2);
+    var _S165 : f32 = min(x_4, y_2);
+    var _S166 : f32 = max(x_4, y_2);
     var ratio_0 : f32;
-    if(_S164 > 0.0f)
+    if(_S166 > 0.0f)
     {
-        ratio_0 = divide_0(_S163, _S164);
+        ratio_0 = divide_0(_S165, _S166);
     }
     else
     {
@@ -2605,25 +2616,25 @@ fn quarter_turns_0( x_4 : f32,  y_2 : f32) -> f32
 fn square_of_0( direction_9 : vec3<f32>) -> vec2<f32>
 {
     var size_0 : vec3<f32> = abs(direction_9);
-    var _S165 : f32 = size_0.x;
-    var _S166 : f32 = size_0.y;
-    var radius_3 : f32 = square_root_0(divide_0(_S165 * _S165 + _S166 * _S166, 1.0f + size_0.z));
-    var v_1 : f32 = quarter_turns_0(_S165, _S166) * radius_3;
-    var u_0 : f32 = radius_3 - v_1;
+    var _S167 : f32 = size_0.x;
+    var _S168 : f32 = size_0.y;
+    var radius_3 : f32 = square_root_0(divide_0(_S167 * _S167 + _S168 * _S168, 1.0f + size_0.z));
+    var v_1 : f32 = quarter_turns_0(_S167, _S168) * radius_3;
+    var u_1 : f32 = radius_3 - v_1;
     var is_below_1 : bool = (direction_9.z) < 0.0f;
-    var u_1 : f32;
+    var u_2 : f32;
     if(is_below_1)
     {
-        u_1 = 1.0f - v_1;
+        u_2 = 1.0f - v_1;
     }
     else
     {
-        u_1 = u_0;
+        u_2 = u_1;
     }
     var v_2 : f32;
     if(is_below_1)
     {
-        v_2 = 1.0f - u_0;
+        v_2 = 1.0f - u_1;
     }
     else
     {
@@ -2631,13 +2642,13 @@ fn square_of_0( direction_9 : vec3<f32>) -> vec2<f32>
     }
     if((direction_9.x) < 0.0f)
     {
-        u_1 = - u_1;
+        u_2 = - u_2;
     }
     if((direction_9.y) < 0.0f)
     {
         v_2 = - v_2;
     }
-    return vec2<f32>(u_1 * 0.5f + 0.5f, v_2 * 0.5f + 0.5f);
+    return vec2<f32>(u_2 * 0.5f + 0.5f, v_2 * 0.5f + 0.5f);
 }
 
 fn Environment_place_of_0( direction_10 : vec3<f32>) -> vec2<f32>
@@ -2657,42 +2668,42 @@ fn Environment_index_of_0( x_5 : i32,  y_3 : i32) -> u32
     {
         is_beside_0 = x_5 > last_3;
     }
-    var _S167 : i32;
+    var _S169 : i32;
     if(is_beside_0)
     {
-        _S167 = last_3 - y_3;
+        _S169 = last_3 - y_3;
     }
     else
     {
-        _S167 = y_3;
+        _S169 = y_3;
     }
-    var _S168 : i32;
+    var _S170 : i32;
     if(is_beside_0)
     {
-        _S168 = clamp(x_5, i32(0), last_3);
+        _S170 = clamp(x_5, i32(0), last_3);
     }
     else
     {
-        _S168 = x_5;
+        _S170 = x_5;
     }
     var is_beyond_0 : bool;
-    if(_S167 < i32(0))
+    if(_S169 < i32(0))
     {
         is_beyond_0 = true;
     }
     else
     {
-        is_beyond_0 = _S167 > last_3;
+        is_beyond_0 = _S169 > last_3;
     }
     if(is_beyond_0)
     {
-        _S168 = last_3 - _S168;
+        _S170 = last_3 - _S170;
     }
     if(is_beyond_0)
     {
-        _S167 = clamp(_S167, i32(0), last_3);
+        _S169 = clamp(_S169, i32(0), last_3);
     }
-    return u32(_S167 * i32(params_0.sky_edge_0) + _S168);
+    return u32(_S169 * i32(params_0.sky_edge_0) + _S170);
 }
 
 fn Environment_texel_radiance_0( x_6 : i32,  y_4 : i32) -> vec3<f32>
@@ -2702,18 +2713,18 @@ fn Environment_texel_radiance_0( x_6 : i32,  y_4 : i32) -> vec3<f32>
 
 fn Environment_radiance_at_0( place_1 : vec2<f32>) -> vec3<f32>
 {
-    var _S169 : vec2<f32> = place_1 - vec2<f32>(0.5f);
-    var corner_7 : vec2<f32> = floor(_S169);
-    var beyond_0 : vec2<f32> = _S169 - corner_7;
+    var _S171 : vec2<f32> = place_1 - vec2<f32>(0.5f);
+    var corner_7 : vec2<f32> = floor(_S171);
+    var beyond_0 : vec2<f32> = _S171 - corner_7;
     var x_7 : i32 = i32(corner_7.x);
     var y_5 : i32 = i32(corner_7.y);
-    var _S170 : f32 = beyond_0.x;
-    var _S171 : vec3<f32> = vec3<f32>((1.0f - _S170));
-    var _S172 : i32 = x_7 + i32(1);
-    var _S173 : vec3<f32> = vec3<f32>(_S170);
-    var _S174 : i32 = y_5 + i32(1);
-    var _S175 : f32 = beyond_0.y;
-    return (Environment_texel_radiance_0(x_7, y_5) * _S171 + Environment_texel_radiance_0(_S172, y_5) * _S173) * vec3<f32>((1.0f - _S175)) + (Environment_texel_radiance_0(x_7, _S174) * _S171 + Environment_texel_radiance_0(_S172, _S174) * _S173) * vec3<f32>(_S175);
+    var _S172 : f32 = beyond_0.x;
+    var _S173 : vec3<f32> = vec3<f32>((1.0f - _S172));
+    var _S174 : i32 = x_7 + i32(1);
+    var _S175 : vec3<f32> = vec3<f32>(_S172);
+    var _S176 : i32 = y_5 + i32(1);
+    var _S177 : f32 = beyond_0.y;
+    return (Environment_texel_radiance_0(x_7, y_5) * _S173 + Environment_texel_radiance_0(_S174, y_5) * _S175) * vec3<f32>((1.0f - _S177)) + (Environment_texel_radiance_0(x_7, _S176) * _S173 + Environment_texel_radiance_0(_S174, _S176) * _S175) * vec3<f32>(_S177);
 }
 
 fn Environment_radiance_0( direction_11 : vec3<f32>) -> vec3<f32>
@@ -2729,10 +2740,10 @@ struct Gradient_0
 
 fn Gradient_x24init_0( nadir_1 : vec3<f32>,  zenith_1 : vec3<f32>) -> Gradient_0
 {
-    var _S176 : Gradient_0;
-    _S176.nadir_0 = nadir_1;
-    _S176.zenith_0 = zenith_1;
-    return _S176;
+    var _S178 : Gradient_0;
+    _S178.nadir_0 = nadir_1;
+    _S178.zenith_0 = zenith_1;
+    return _S178;
 }
 
 fn Gradient_radiance_0( this_31 : Gradient_0,  direction_12 : vec3<f32>) -> vec3<f32>
@@ -2761,16 +2772,16 @@ fn Path_selection_at_0( this_32 : Path_0,  last_4 : Receiver_0) -> Selection_0
 
 fn Lights_has_chosen_sky_0() -> bool
 {
-    var _S177 : bool;
+    var _S179 : bool;
     if(SKY_0 == u32(1))
     {
-        _S177 = (params_0.sky_irradiance_0) > 0.0f;
+        _S179 = (params_0.sky_irradiance_0) > 0.0f;
     }
     else
     {
-        _S177 = false;
+        _S179 = false;
     }
-    return _S177;
+    return _S179;
 }
 
 fn Environment_pdf_0( direction_15 : vec3<f32>) -> f32
@@ -2782,30 +2793,30 @@ fn Environment_pdf_0( direction_15 : vec3<f32>) -> f32
 
 fn Sky_pdf_0( direction_16 : vec3<f32>) -> f32
 {
-    var _S178 : f32;
+    var _S180 : f32;
     if(SKY_0 == u32(1))
     {
-        _S178 = Environment_pdf_0(direction_16);
+        _S180 = Environment_pdf_0(direction_16);
     }
     else
     {
-        _S178 = 0.0f;
+        _S180 = 0.0f;
     }
-    return _S178;
+    return _S180;
 }
 
 fn Lights_sky_pdf_0( selection_2 : Selection_0,  direction_17 : vec3<f32>) -> f32
 {
-    var _S179 : f32;
+    var _S181 : f32;
     if(Lights_has_chosen_sky_0())
     {
-        _S179 = Sky_pdf_0(direction_17) * selection_2.sky_1;
+        _S181 = Sky_pdf_0(direction_17) * selection_2.sky_1;
     }
     else
     {
-        _S179 = 0.0f;
+        _S181 = 0.0f;
     }
-    return _S179;
+    return _S181;
 }
 
 fn power_heuristic_0( own_0 : f32,  other_1 : f32) -> f32
@@ -2816,16 +2827,16 @@ fn power_heuristic_0( own_0 : f32,  other_1 : f32) -> f32
 
 fn mis_weight_0( bounce_pdf_0 : f32,  light_pdf_0 : f32) -> f32
 {
-    var _S180 : bool;
+    var _S182 : bool;
     if(bounce_pdf_0 == 0.0f)
     {
-        _S180 = true;
+        _S182 = true;
     }
     else
     {
-        _S180 = light_pdf_0 == 0.0f;
+        _S182 = light_pdf_0 == 0.0f;
     }
-    if(_S180)
+    if(_S182)
     {
         return 1.0f;
     }
@@ -2844,24 +2855,24 @@ fn SunDisc_is_visible_0() -> bool
 
 fn Path_is_straight_0( this_33 : Path_0) -> bool
 {
-    var _S181 : bool;
+    var _S183 : bool;
     if((this_33.bounce_0) == u32(0))
     {
-        _S181 = (this_33.pdf_1) == 0.0f;
+        _S183 = (this_33.pdf_1) == 0.0f;
     }
     else
     {
-        _S181 = false;
+        _S183 = false;
     }
-    if(_S181)
+    if(_S183)
     {
-        _S181 = (all(((this_33.normal_0) == vec3<f32>(0.0f))));
+        _S183 = (all(((this_33.normal_0) == vec3<f32>(0.0f))));
     }
     else
     {
-        _S181 = false;
+        _S183 = false;
     }
-    return _S181;
+    return _S183;
 }
 
 fn SunDisc_contains_0( direction_18 : vec3<f32>) -> bool
@@ -2871,44 +2882,44 @@ fn SunDisc_contains_0( direction_18 : vec3<f32>) -> bool
 
 fn SunDisc_le_0( direction_19 : vec3<f32>) -> vec3<f32>
 {
-    var _S182 : vec3<f32>;
+    var _S184 : vec3<f32>;
     if(SunDisc_contains_0(direction_19))
     {
-        _S182 = params_0.sun_radiance_0;
+        _S184 = params_0.sun_radiance_0;
     }
     else
     {
-        _S182 = vec3<f32>(0.0f);
+        _S184 = vec3<f32>(0.0f);
     }
-    return _S182;
+    return _S184;
 }
 
 fn SunDisc_pdf_0( direction_20 : vec3<f32>) -> f32
 {
-    var _S183 : f32;
+    var _S185 : f32;
     if(SunDisc_contains_0(direction_20))
     {
-        _S183 = params_0.sun_pdf_0;
+        _S185 = params_0.sun_pdf_0;
     }
     else
     {
-        _S183 = 0.0f;
+        _S185 = 0.0f;
     }
-    return _S183;
+    return _S185;
 }
 
 fn Lights_sun_pdf_0( selection_3 : Selection_0,  direction_21 : vec3<f32>) -> f32
 {
-    var _S184 : f32;
+    var _S186 : f32;
     if(has_sun_0())
     {
-        _S184 = SunDisc_pdf_0(direction_21) * selection_3.sun_0;
+        _S186 = SunDisc_pdf_0(direction_21) * selection_3.sun_0;
     }
     else
     {
-        _S184 = 0.0f;
+        _S186 = 0.0f;
     }
-    return _S184;
+    return _S186;
 }
 
 fn Path_dimension_scatter_0( this_34 : Path_0) -> u32
@@ -2916,38 +2927,24 @@ fn Path_dimension_scatter_0( this_34 : Path_0) -> u32
     return u32(1) + u32(2) * Path_events_0(this_34);
 }
 
-struct PackedMaterial_0
+fn find_brick_0( _S187 : u32,  _S188 : vec3<i32>) -> u32
 {
-     base_color_0 : array<f32, i32(3)>,
-     roughness_0 : f32,
-     emission_0 : array<f32, i32(3)>,
-     metallic_0 : f32,
-     transmission_0 : f32,
-     ior_0 : f32,
-     specular_0 : f32,
-     anisotropy_0 : f32,
-     absorption_0 : array<f32, i32(3)>,
-     scattering_0 : f32,
-};
-
-fn find_brick_0( _S185 : u32,  _S186 : vec3<i32>) -> u32
-{
-    var top_0 : vec3<i32> = (_S186 >> (vec3<u32>(grids_0[_S185].top_shift_0)));
-    var _S187 : u32 = cell_word_0(grids_0[_S185].top_offset_0 + u32((top_0.z * grids_0[_S185].top_size_0[i32(1)] + top_0.y) * grids_0[_S185].top_size_0[i32(0)] + top_0.x));
-    var cell_7 : u32 = _S187;
-    var shift_3 : u32 = grids_0[_S185].top_shift_0;
+    var top_0 : vec3<i32> = (_S188 >> (vec3<u32>(grids_0[_S187].top_shift_0)));
+    var _S189 : u32 = cell_word_0(grids_0[_S187].top_offset_0 + u32((top_0.z * grids_0[_S187].top_size_0[i32(1)] + top_0.y) * grids_0[_S187].top_size_0[i32(0)] + top_0.x));
+    var cell_7 : u32 = _S189;
+    var shift_3 : u32 = grids_0[_S187].top_shift_0;
     for(;;)
     {
-        var _S188 : bool;
+        var _S190 : bool;
         if(shift_3 > u32(3))
         {
-            _S188 = ((cell_7 & (u32(2147483648)))) != u32(0);
+            _S190 = ((cell_7 & (u32(2147483648)))) != u32(0);
         }
         else
         {
-            _S188 = false;
+            _S190 = false;
         }
-        if(_S188)
+        if(_S190)
         {
         }
         else
@@ -2955,8 +2952,8 @@ fn find_brick_0( _S185 : u32,  _S186 : vec3<i32>) -> u32
             break;
         }
         var shift_4 : u32 = shift_3 - u32(2);
-        var _S189 : u32 = cell_word_0(((cell_7 & (u32(2147483647)))) * u32(64) + cell_in_node_0(_S186, shift_4));
-        cell_7 = _S189;
+        var _S191 : u32 = cell_word_0(((cell_7 & (u32(2147483647)))) * u32(64) + cell_in_node_0(_S188, shift_4));
+        cell_7 = _S191;
         shift_3 = shift_4;
     }
     return record_of_cell_0(cell_7);
@@ -2978,97 +2975,95 @@ fn rank_in_brick_0( record_3 : u32,  relative_1 : vec3<i32>) -> u32
         {
             break;
         }
-        var _S190 : u32 = u32(2) * index_9;
-        var _S191 : u32 = brick_word_0(record_3 + u32(2) + _S190);
-        var _S192 : u32 = countOneBits(_S191);
-        var _S193 : u32 = brick_word_0(record_3 + u32(3) + _S190);
-        var rank_1 : u32 = rank_0 + (_S192 + countOneBits(_S193));
+        var _S192 : u32 = u32(2) * index_9;
+        var _S193 : u32 = brick_word_0(record_3 + u32(2) + _S192);
+        var _S194 : u32 = countOneBits(_S193);
+        var _S195 : u32 = brick_word_0(record_3 + u32(3) + _S192);
+        var rank_1 : u32 = rank_0 + (_S194 + countOneBits(_S195));
         index_9 = index_9 + u32(1);
         rank_0 = rank_1;
     }
-    var _S194 : u32 = u32(2) * present_before_0;
-    var low_6 : u32 = brick_word_0(record_3 + u32(2) + _S194);
+    var _S196 : u32 = u32(2) * present_before_0;
+    var low_6 : u32 = brick_word_0(record_3 + u32(2) + _S196);
     if(bit_1 < u32(32))
     {
         rank_0 = rank_0 + countOneBits((low_6 & ((((u32(1) << (bit_1))) - u32(1)))));
     }
     else
     {
-        var _S195 : u32 = countOneBits(low_6);
-        var _S196 : u32 = brick_word_0(record_3 + u32(3) + _S194);
-        rank_0 = rank_0 + (_S195 + countOneBits((_S196 & ((((u32(1) << ((bit_1 - u32(32))))) - u32(1))))));
+        var _S197 : u32 = countOneBits(low_6);
+        var _S198 : u32 = brick_word_0(record_3 + u32(3) + _S196);
+        rank_0 = rank_0 + (_S197 + countOneBits((_S198 & ((((u32(1) << ((bit_1 - u32(32))))) - u32(1))))));
     }
     return rank_0;
 }
 
 fn place_of_material_0( index_10 : u32) -> u32
 {
-    var _S197 : u32;
+    var _S199 : u32;
     if(HAS_PAGES_0)
     {
-        var _S198 : u32 = word_in_pages_0(index_10, pages_0[i32(2)]);
-        _S197 = _S198;
+        var _S200 : u32 = word_in_pages_0(index_10, pages_0[i32(2)]);
+        _S199 = _S200;
     }
     else
     {
-        _S197 = index_10;
+        _S199 = index_10;
     }
-    return _S197;
+    return _S199;
 }
 
 fn material_word_0( index_11 : u32) -> u32
 {
-    var _S199 : u32 = place_of_material_0(index_11);
-    return brick_materials_0[_S199];
+    var _S201 : u32 = place_of_material_0(index_11);
+    return brick_materials_0[_S201];
 }
 
-fn read_bits_0( start_1 : u32,  position_8 : u32,  count_3 : u32) -> u32
+fn read_bits_0( start_1 : u32,  position_8 : u32,  count_2 : u32) -> u32
 {
-    if(count_3 == u32(0))
+    if(count_2 == u32(0))
     {
         return u32(0);
     }
     var word_4 : u32 = start_1 + ((position_8 >> (u32(5))));
     var shift_5 : u32 = (position_8 & (u32(31)));
-    var _S200 : u32 = material_word_0(word_4);
-    var bits_2 : u32 = (_S200 >> (shift_5));
+    var _S202 : u32 = material_word_0(word_4);
+    var bits_2 : u32 = (_S202 >> (shift_5));
     var bits_3 : u32;
-    if((shift_5 + count_3) > u32(32))
+    if((shift_5 + count_2) > u32(32))
     {
-        var _S201 : u32 = material_word_0(word_4 + u32(1));
-        bits_3 = (bits_2 | (((_S201 << ((u32(32) - shift_5))))));
+        var _S203 : u32 = material_word_0(word_4 + u32(1));
+        bits_3 = (bits_2 | (((_S203 << ((u32(32) - shift_5))))));
     }
     else
     {
         bits_3 = bits_2;
     }
-    return (bits_3 & ((((u32(1) << (count_3))) - u32(1))));
+    return (bits_3 & ((((u32(1) << (count_2))) - u32(1))));
 }
 
-fn material_at_0( _S202 : u32,  _S203 : vec3<i32>) -> u32
+fn material_at_0( _S204 : u32,  _S205 : vec3<i32>) -> u32
 {
-    var _S204 : u32 = find_brick_0(_S202, _S203);
-    var header_1 : u32 = brick_word_0(_S204);
-    var rank_2 : u32 = rank_in_brick_0(_S204, _S203);
+    var _S206 : u32 = find_brick_0(_S204, _S205);
+    var header_1 : u32 = brick_word_0(_S206);
+    var rank_2 : u32 = rank_in_brick_0(_S206, _S205);
     var index_bits_0 : u32 = (((header_1 >> (u32(8)))) & (u32(255)));
     var palette_count_0 : u32 = (header_1 >> (u32(16)));
-    var entry_bits_0 : u32 = grids_0[_S202].material_bits_0;
-    var start_2 : u32 = brick_word_0(_S204 + u32(1));
-    var index_12 : u32 = read_bits_0(start_2, palette_count_0 * grids_0[_S202].material_bits_0 + rank_2 * index_bits_0, index_bits_0);
+    var entry_bits_0 : u32 = grids_0[_S204].material_bits_0;
+    var start_2 : u32 = brick_word_0(_S206 + u32(1));
+    var index_12 : u32 = read_bits_0(start_2, palette_count_0 * grids_0[_S204].material_bits_0 + rank_2 * index_bits_0, index_bits_0);
     if(palette_count_0 == u32(0))
     {
         return index_12;
     }
-    var _S205 : u32 = read_bits_0(start_2, index_12 * entry_bits_0, entry_bits_0);
-    return _S205;
+    var _S207 : u32 = read_bits_0(start_2, index_12 * entry_bits_0, entry_bits_0);
+    return _S207;
 }
 
 fn material_of_0( hit_1 : Hit_0) -> PackedMaterial_0
 {
-    var _S206 : u32 = material_at_0(instances_0[hit_1.instance_3].grid_0, hit_1.voxel_4 - cell_of_0(grids_0[instances_0[hit_1.instance_3].grid_0].origin_0));
-    var _S207 : PackedMaterial_std430_0 = materials_0[_S206];
-    var _S208 : PackedMaterial_0 = PackedMaterial_0( _S207.base_color_0, _S207.roughness_0, _S207.emission_0, _S207.metallic_0, _S207.transmission_0, _S207.ior_0, _S207.specular_0, _S207.anisotropy_0, _S207.absorption_0, _S207.scattering_0 );
-    return _S208;
+    var _S208 : u32 = material_at_0(instances_0[hit_1.instance_3].grid_0, hit_1.voxel_3 - cell_of_0(grids_0[instances_0[hit_1.instance_3].grid_0].origin_0));
+    return material_of_index_0(_S208);
 }
 
 fn material_met_0( path_3 : Path_0,  hit_2 : Hit_0,  beyond_1 : u32) -> PackedMaterial_0
@@ -3087,7 +3082,7 @@ fn EmitterTree_le_0( material_4 : PackedMaterial_0) -> vec3<f32>
     return emitted_0(material_4);
 }
 
-fn luminance_1( color_0 : vec3<f32>) -> f32
+fn luminance_0( color_0 : vec3<f32>) -> f32
 {
     return color_0.x * 0.2125999927520752f + color_0.y * 0.71520000696182251f + color_0.z * 0.07220000028610229f;
 }
@@ -3097,16 +3092,16 @@ struct Aim_0
      is_met_0 : bool,
      direction_22 : vec3<f32>,
      hit_3 : Hit_0,
-     luminance_2 : f32,
+     luminance_1 : f32,
 };
 
-fn Aim_x24init_0( is_met_1 : bool,  direction_23 : vec3<f32>,  hit_4 : Hit_0,  luminance_3 : f32) -> Aim_0
+fn Aim_x24init_0( is_met_1 : bool,  direction_23 : vec3<f32>,  hit_4 : Hit_0,  luminance_2 : f32) -> Aim_0
 {
     var _S210 : Aim_0;
     _S210.is_met_0 = is_met_1;
     _S210.direction_22 = direction_23;
     _S210.hit_3 = hit_4;
-    _S210.luminance_2 = luminance_3;
+    _S210.luminance_1 = luminance_2;
     return _S210;
 }
 
@@ -3139,11 +3134,11 @@ fn with_slack_0( receiver_0 : Receiver_0,  cos_2 : f32) -> f32
     return cos_2;
 }
 
-fn SunDisc_sample_0( receiver_1 : Receiver_0,  u_2 : vec4<f32>,  sample_6 : ptr<function, LightSample_0>) -> bool
+fn SunDisc_sample_0( receiver_1 : Receiver_0,  u_3 : vec4<f32>,  sample_6 : ptr<function, LightSample_0>) -> bool
 {
-    var one_minus_cos_theta_0 : f32 = u_2.z * params_0.sun_one_minus_cos_theta_max_0;
+    var one_minus_cos_theta_0 : f32 = u_3.z * params_0.sun_one_minus_cos_theta_max_0;
     var radius_4 : f32 = square_root_0(one_minus_cos_theta_0 * (2.0f - one_minus_cos_theta_0));
-    var sin_cos_2 : vec2<f32> = sincos_turns_0(u_2.w);
+    var sin_cos_2 : vec2<f32> = sincos_turns_0(u_3.w);
     var direction_24 : vec3<f32> = params_0.sun_direction_0 * vec3<f32>((1.0f - one_minus_cos_theta_0)) + (params_0.sun_tangent_0 * vec3<f32>((radius_4 * sin_cos_2.y)) + params_0.sun_bitangent_0 * vec3<f32>((radius_4 * sin_cos_2.x)));
     var cos_theta_2 : f32 = with_slack_0(receiver_1, dot_product_0(receiver_1.normal_2, direction_24));
     (*sample_6) = LightSample_x24init_0(ray_from_0(receiver_1.point_0, direction_24), cos_theta_2, params_0.sun_radiance_0, params_0.sun_pdf_0);
@@ -3168,9 +3163,9 @@ fn ChosenDirection_x24init_0( direction_26 : vec3<f32>,  radiance_5 : vec3<f32>,
 
 fn direction_of_0( square_1 : vec2<f32>) -> vec3<f32>
 {
-    var u_3 : f32 = square_1.x * 2.0f - 1.0f;
+    var u_4 : f32 = square_1.x * 2.0f - 1.0f;
     var v_3 : f32 = square_1.y * 2.0f - 1.0f;
-    var _S214 : f32 = abs(u_3);
+    var _S214 : f32 = abs(u_4);
     var _S215 : f32 = abs(v_3);
     var height_2 : f32 = 1.0f - (_S214 + _S215);
     var radius_5 : f32 = 1.0f - abs(height_2);
@@ -3189,7 +3184,7 @@ fn direction_of_0( square_1 : vec2<f32>) -> vec3<f32>
     var x_8 : f32 = sin_cos_3.y * across_0;
     var y_6 : f32 = sin_cos_3.x * across_0;
     var z_0 : f32 = 1.0f - _S216;
-    if(u_3 < 0.0f)
+    if(u_4 < 0.0f)
     {
         turns_3 = - x_8;
     }
@@ -3218,26 +3213,26 @@ fn direction_of_0( square_1 : vec2<f32>) -> vec3<f32>
     return vec3<f32>(turns_3, _S217, _S218);
 }
 
-fn Environment_to_world_0( d_1 : vec3<f32>) -> vec3<f32>
+fn Environment_to_world_0( d_2 : vec3<f32>) -> vec3<f32>
 {
     var sin_2 : f32 = params_0.sky_turned_0.x;
     var cos_3 : f32 = params_0.sky_turned_0.y;
-    var _S219 : f32 = d_1.x;
-    var _S220 : f32 = d_1.y;
-    return vec3<f32>(_S219 * cos_3 + _S220 * sin_2, _S220 * cos_3 - _S219 * sin_2, d_1.z);
+    var _S219 : f32 = d_2.x;
+    var _S220 : f32 = d_2.y;
+    return vec3<f32>(_S219 * cos_3 + _S220 * sin_2, _S220 * cos_3 - _S219 * sin_2, d_2.z);
 }
 
-fn Environment_choose_0( u_4 : vec4<f32>,  chosen_0 : ptr<function, ChosenDirection_0>) -> bool
+fn Environment_choose_0( u_5 : vec4<f32>,  chosen_0 : ptr<function, ChosenDirection_0>) -> bool
 {
     var _S221 : vec3<f32> = vec3<f32>(0.0f);
     (*chosen_0) = ChosenDirection_x24init_0(_S221, _S221, 0.0f);
     var edge_0 : f32 = f32(params_0.sky_edge_0);
-    var _S222 : f32 = u_4.x * edge_0;
+    var _S222 : f32 = u_5.x * edge_0;
     var _S223 : f32 = edge_0 - 1.0f;
     var _S224 : f32 = min(floor(_S222), _S223);
-    var own_1 : u32 = u32(_S224) * params_0.sky_edge_0 + u32(min(floor(u_4.y * edge_0), _S223));
+    var own_1 : u32 = u32(_S224) * params_0.sky_edge_0 + u32(min(floor(u_5.y * edge_0), _S223));
     var index_13 : u32;
-    if((u_4.z) < (environment_0[own_1].threshold_0))
+    if((u_5.z) < (environment_0[own_1].threshold_0))
     {
         index_13 = own_1;
     }
@@ -3253,12 +3248,12 @@ fn Environment_choose_0( u_4 : vec4<f32>,  chosen_0 : ptr<function, ChosenDirect
     var _S225 : u32 = index_13 % params_0.sky_edge_0;
     var _S226 : f32 = f32(_S225);
     var _S227 : u32 = index_13 / params_0.sky_edge_0;
-    var place_3 : vec2<f32> = vec2<f32>(_S226, f32(_S227)) + vec2<f32>(min(_S222 - _S224, 1.0f), u_4.w);
+    var place_3 : vec2<f32> = vec2<f32>(_S226, f32(_S227)) + vec2<f32>(min(_S222 - _S224, 1.0f), u_5.w);
     (*chosen_0) = ChosenDirection_x24init_0(Environment_to_world_0(direction_of_0(place_3 * vec2<f32>(divide_0(1.0f, edge_0)))), Environment_radiance_at_0(place_3), pdf_7);
     return true;
 }
 
-fn Sky_sample_0( receiver_2 : Receiver_0,  u_5 : vec4<f32>,  sample_7 : ptr<function, LightSample_0>) -> bool
+fn Sky_sample_0( receiver_2 : Receiver_0,  u_6 : vec4<f32>,  sample_7 : ptr<function, LightSample_0>) -> bool
 {
     (*sample_7) = no_light_0();
     var chosen_1 : ChosenDirection_0;
@@ -3269,7 +3264,7 @@ fn Sky_sample_0( receiver_2 : Receiver_0,  u_5 : vec4<f32>,  sample_7 : ptr<func
     }
     else
     {
-        var _S229 : bool = Environment_choose_0(u_5, &(chosen_1));
+        var _S229 : bool = Environment_choose_0(u_6, &(chosen_1));
         _S228 = !_S229;
     }
     if(_S228)
@@ -3285,19 +3280,19 @@ struct Descent_0
 {
      node_0 : u32,
      index_14 : u32,
-     count_4 : u32,
+     count_3 : u32,
      weight_0 : f32,
      total_0 : f32,
      choice_0 : f32,
      is_far_0 : bool,
 };
 
-fn Descent_x24init_0( node_1 : u32,  index_15 : u32,  count_5 : u32,  weight_1 : f32,  total_1 : f32,  choice_1 : f32,  is_far_1 : bool) -> Descent_0
+fn Descent_x24init_0( node_1 : u32,  index_15 : u32,  count_4 : u32,  weight_1 : f32,  total_1 : f32,  choice_1 : f32,  is_far_1 : bool) -> Descent_0
 {
     var _S230 : Descent_0;
     _S230.node_0 = node_1;
     _S230.index_14 = index_15;
-    _S230.count_4 = count_5;
+    _S230.count_3 = count_4;
     _S230.weight_0 = weight_1;
     _S230.total_0 = total_1;
     _S230.choice_0 = choice_1;
@@ -3308,27 +3303,62 @@ fn Descent_x24init_0( node_1 : u32,  index_15 : u32,  count_5 : u32,  weight_1 :
 struct LightNode_0
 {
      min_2 : array<f32, i32(3)>,
-     index_1 : u32,
+     index_16 : u32,
      max_2 : array<f32, i32(3)>,
-     count_1 : u32,
-     power_0 : array<f32, i32(6)>,
+     count_5 : u32,
+     power_2 : array<f32, i32(6)>,
      parent_0 : u32,
-     root_0 : u32,
+     root_1 : u32,
 };
 
-fn TopLights_node_0( index_16 : u32) -> LightNode_0
+fn light_node_of_0( a_6 : vec4<u32>,  b_6 : vec4<u32>,  c_1 : vec4<u32>,  d_3 : vec4<u32>) -> LightNode_0
 {
-    var _S231 : LightNode_std430_0 = top_light_nodes_0[index_16];
-    var _S232 : LightNode_0 = LightNode_0( _S231.min_2, _S231.index_1, _S231.max_2, _S231.count_1, _S231.power_0, _S231.parent_0, _S231.root_0 );
-    return _S232;
+    var node_2 : LightNode_0;
+    var _S231 : f32 = (bitcast<f32>((a_6.y)));
+    var _S232 : f32 = (bitcast<f32>((a_6.z)));
+    node_2.min_2[i32(0)] = (bitcast<f32>((a_6.x)));
+    node_2.min_2[i32(1)] = _S231;
+    node_2.min_2[i32(2)] = _S232;
+    node_2.index_16 = a_6.w;
+    var _S233 : f32 = (bitcast<f32>((b_6.y)));
+    var _S234 : f32 = (bitcast<f32>((b_6.z)));
+    node_2.max_2[i32(0)] = (bitcast<f32>((b_6.x)));
+    node_2.max_2[i32(1)] = _S233;
+    node_2.max_2[i32(2)] = _S234;
+    node_2.count_5 = b_6.w;
+    var _S235 : f32 = (bitcast<f32>((c_1.y)));
+    var _S236 : f32 = (bitcast<f32>((c_1.z)));
+    var _S237 : f32 = (bitcast<f32>((c_1.w)));
+    var _S238 : f32 = (bitcast<f32>((d_3.x)));
+    var _S239 : f32 = (bitcast<f32>((d_3.y)));
+    node_2.power_2[i32(0)] = (bitcast<f32>((c_1.x)));
+    node_2.power_2[i32(1)] = _S235;
+    node_2.power_2[i32(2)] = _S236;
+    node_2.power_2[i32(3)] = _S237;
+    node_2.power_2[i32(4)] = _S238;
+    node_2.power_2[i32(5)] = _S239;
+    node_2.parent_0 = d_3.z;
+    node_2.root_1 = d_3.w;
+    return node_2;
+}
+
+fn top_light_node_0( index_17 : u32) -> LightNode_0
+{
+    var _S240 : u32 = u32(4) * index_17;
+    return light_node_of_0(top_light_node_rows_0[_S240], top_light_node_rows_0[_S240 + u32(1)], top_light_node_rows_0[_S240 + u32(2)], top_light_node_rows_0[_S240 + u32(3)]);
+}
+
+fn TopLights_node_0( index_18 : u32) -> LightNode_0
+{
+    return top_light_node_0(index_18);
 }
 
 fn Descent_at_0( this_35 : ptr<function, Descent_0>,  root_2 : u32)
 {
-    var node_2 : LightNode_0 = TopLights_node_0(root_2);
+    var node_3 : LightNode_0 = TopLights_node_0(root_2);
     (*this_35).node_0 = root_2;
-    (*this_35).index_14 = node_2.index_1;
-    (*this_35).count_4 = node_2.count_1;
+    (*this_35).index_14 = node_3.index_16;
+    (*this_35).count_3 = node_3.count_5;
     (*this_35).is_far_0 = false;
     return;
 }
@@ -3352,17 +3382,17 @@ struct BySide_0
 
 fn BySide_x24init_0( low_8 : vec3<f32>,  high_5 : vec3<f32>) -> BySide_0
 {
-    var _S233 : BySide_0;
-    _S233.low_7 = low_8;
-    _S233.high_4 = high_5;
-    return _S233;
+    var _S241 : BySide_0;
+    _S241.low_7 = low_8;
+    _S241.high_4 = high_5;
+    return _S241;
 }
 
-fn sent_by_side_0( node_3 : LightNode_0,  point_2 : vec3<f32>,  distance_2 : f32) -> BySide_0
+fn sent_by_side_0( node_4 : LightNode_0,  point_2 : vec3<f32>,  distance_2 : f32) -> BySide_0
 {
-    var _S234 : vec3<f32> = vec3<f32>(0.0f);
-    var _S235 : vec3<f32> = vec3<f32>(distance_2);
-    return BySide_x24init_0(vec3<f32>(node_3.power_0[i32(0)], node_3.power_0[i32(2)], node_3.power_0[i32(4)]) * min(max(vector_of_0(node_3.max_2) - point_2, _S234), _S235), vec3<f32>(node_3.power_0[i32(1)], node_3.power_0[i32(3)], node_3.power_0[i32(5)]) * min(max(point_2 - vector_of_0(node_3.min_2), _S234), _S235));
+    var _S242 : vec3<f32> = vec3<f32>(0.0f);
+    var _S243 : vec3<f32> = vec3<f32>(distance_2);
+    return BySide_x24init_0(vec3<f32>(node_4.power_2[i32(0)], node_4.power_2[i32(2)], node_4.power_2[i32(4)]) * min(max(vector_of_0(node_4.max_2) - point_2, _S242), _S243), vec3<f32>(node_4.power_2[i32(1)], node_4.power_2[i32(3)], node_4.power_2[i32(5)]) * min(max(point_2 - vector_of_0(node_4.min_2), _S242), _S243));
 }
 
 fn BySide_sum_0( this_36 : BySide_0) -> f32
@@ -3379,19 +3409,19 @@ fn reciprocal_guess_0( x_9 : f32) -> f32
 
 fn View_x24init_0( importance_1 : f32,  is_far_3 : bool) -> View_0
 {
-    var _S236 : View_0;
-    _S236.importance_0 = importance_1;
-    _S236.is_far_2 = is_far_3;
-    return _S236;
+    var _S244 : View_0;
+    _S244.importance_0 = importance_1;
+    _S244.is_far_2 = is_far_3;
+    return _S244;
 }
 
-fn view_0( node_4 : LightNode_0,  receiver_3 : Receiver_0) -> View_0
+fn view_0( node_5 : LightNode_0,  receiver_3 : Receiver_0) -> View_0
 {
-    var _S237 : vec3<f32> = vector_of_0(node_4.max_2);
-    var _S238 : vec3<f32> = vector_of_0(node_4.min_2);
-    var _S239 : vec3<f32> = vec3<f32>(0.5f);
-    var half_1 : vec3<f32> = (_S237 - _S238) * _S239;
-    var toward_0 : vec3<f32> = (_S238 + _S237) * _S239 - receiver_3.point_0;
+    var _S245 : vec3<f32> = vector_of_0(node_5.max_2);
+    var _S246 : vec3<f32> = vector_of_0(node_5.min_2);
+    var _S247 : vec3<f32> = vec3<f32>(0.5f);
+    var half_1 : vec3<f32> = (_S245 - _S246) * _S247;
+    var toward_0 : vec3<f32> = (_S246 + _S245) * _S247 - receiver_3.point_0;
     var middle_2 : f32 = dot_product_0(toward_0, receiver_3.normal_2);
     var aside_0 : f32 = dot_product_0(half_1, abs(receiver_3.normal_2));
     var above_0 : f32 = with_slack_0(receiver_3, middle_2 + aside_0);
@@ -3407,75 +3437,32 @@ fn view_0( node_4 : LightNode_0,  receiver_3 : Receiver_0) -> View_0
         is_far_4 = false;
     }
     var distance_3 : f32 = length_bound_0(select(half_1, abs(toward_0), vec3<bool>((far_3 > near_2))));
-    var sent_0 : f32 = BySide_sum_0(sent_by_side_0(node_4, receiver_3.point_0, distance_3));
+    var sent_0 : f32 = BySide_sum_0(sent_by_side_0(node_5, receiver_3.point_0, distance_3));
     var falloff_0 : f32 = reciprocal_guess_0(max(far_3, near_2));
-    var _S240 : f32;
+    var _S248 : f32;
     if(above_0 > 0.0f)
     {
-        _S240 = sent_0 * min(above_0, distance_3) * (falloff_0 * falloff_0);
+        _S248 = sent_0 * min(above_0, distance_3) * (falloff_0 * falloff_0);
     }
     else
     {
-        _S240 = 0.0f;
+        _S248 = 0.0f;
     }
-    return View_x24init_0(_S240, is_far_4);
-}
-
-fn sent_by_side_1( _S241 : u32,  _S242 : vec3<f32>,  _S243 : f32) -> BySide_0
-{
-    var _S244 : vec3<f32> = vec3<f32>(0.0f);
-    var _S245 : vec3<f32> = vec3<f32>(_S243);
-    return BySide_x24init_0(vec3<f32>(top_light_nodes_0[_S241].power_0[i32(0)], top_light_nodes_0[_S241].power_0[i32(2)], top_light_nodes_0[_S241].power_0[i32(4)]) * min(max(vector_of_0(top_light_nodes_0[_S241].max_2) - _S242, _S244), _S245), vec3<f32>(top_light_nodes_0[_S241].power_0[i32(1)], top_light_nodes_0[_S241].power_0[i32(3)], top_light_nodes_0[_S241].power_0[i32(5)]) * min(max(_S242 - vector_of_0(top_light_nodes_0[_S241].min_2), _S244), _S245));
-}
-
-fn view_1( _S246 : u32,  _S247 : Receiver_0) -> View_0
-{
-    var _S248 : vec3<f32> = vector_of_0(top_light_nodes_0[_S246].max_2);
-    var _S249 : vec3<f32> = vector_of_0(top_light_nodes_0[_S246].min_2);
-    var _S250 : vec3<f32> = vec3<f32>(0.5f);
-    var half_2 : vec3<f32> = (_S248 - _S249) * _S250;
-    var toward_1 : vec3<f32> = (_S249 + _S248) * _S250 - _S247.point_0;
-    var middle_3 : f32 = dot_product_0(toward_1, _S247.normal_2);
-    var aside_1 : f32 = dot_product_0(half_2, abs(_S247.normal_2));
-    var above_1 : f32 = with_slack_0(_S247, middle_3 + aside_1);
-    var far_4 : f32 = length_squared_0(toward_1);
-    var near_3 : f32 = length_squared_0(half_2);
-    var is_far_5 : bool;
-    if((with_slack_0(_S247, middle_3 - aside_1)) > 0.0f)
-    {
-        is_far_5 = far_4 > (near_3 * 36.0f);
-    }
-    else
-    {
-        is_far_5 = false;
-    }
-    var distance_4 : f32 = length_bound_0(select(half_2, abs(toward_1), vec3<bool>((far_4 > near_3))));
-    var sent_1 : f32 = BySide_sum_0(sent_by_side_1(_S246, _S247.point_0, distance_4));
-    var falloff_1 : f32 = reciprocal_guess_0(max(far_4, near_3));
-    var _S251 : f32;
-    if(above_1 > 0.0f)
-    {
-        _S251 = sent_1 * min(above_1, distance_4) * (falloff_1 * falloff_1);
-    }
-    else
-    {
-        _S251 = 0.0f;
-    }
-    return View_x24init_0(_S251, is_far_5);
+    return View_x24init_0(_S248, is_far_4);
 }
 
 fn normal_or_zero_0( weight_2 : f32) -> f32
 {
-    var _S252 : f32;
+    var _S249 : f32;
     if(weight_2 < 1.17549435082228751e-38f)
     {
-        _S252 = 0.0f;
+        _S249 = 0.0f;
     }
     else
     {
-        _S252 = weight_2;
+        _S249 = weight_2;
     }
-    return _S252;
+    return _S249;
 }
 
 fn inverse_power_of_two_0( x_10 : f32) -> f32
@@ -3485,93 +3472,79 @@ fn inverse_power_of_two_0( x_10 : f32) -> f32
 
 fn weights_of_0( left_0 : f32,  right_2 : f32) -> vec2<f32>
 {
-    var _S253 : f32 = normal_or_zero_0(left_0);
-    var _S254 : f32 = normal_or_zero_0(right_2);
-    var unit_0 : f32 = inverse_power_of_two_0(_S253 + _S254);
-    return vec2<f32>(normal_or_zero_0(_S253 * unit_0), normal_or_zero_0(_S254 * unit_0));
+    var _S250 : f32 = normal_or_zero_0(left_0);
+    var _S251 : f32 = normal_or_zero_0(right_2);
+    var unit_0 : f32 = inverse_power_of_two_0(_S250 + _S251);
+    return vec2<f32>(normal_or_zero_0(_S250 * unit_0), normal_or_zero_0(_S251 * unit_0));
 }
 
 fn climb_0( receiver_4 : Receiver_0,  start_3 : u32,  descent_0 : ptr<function, Descent_0>) -> bool
 {
-    var _S255 : LightNode_std430_0 = top_light_nodes_0[start_3];
-    var node_5 : LightNode_0;
-    node_5.min_2 = _S255.min_2;
-    node_5.index_1 = _S255.index_1;
-    node_5.max_2 = _S255.max_2;
-    node_5.count_1 = _S255.count_1;
-    node_5.power_0 = _S255.power_0;
-    node_5.parent_0 = _S255.parent_0;
-    node_5.root_0 = _S255.root_0;
+    var node_6 : LightNode_0 = top_light_node_0(start_3);
     var at_1 : u32 = start_3;
     for(;;)
     {
-        var _S256 : LightNode_0 = node_5;
-        if((node_5.parent_0) != u32(4294967295))
+        var _S252 : LightNode_0 = node_6;
+        if((node_6.parent_0) != u32(4294967295))
         {
         }
         else
         {
             break;
         }
-        var parent_1 : LightNode_std430_0 = top_light_nodes_0[_S256.parent_0];
-        var _S257 : u32 = _S256.parent_0 + u32(1);
-        var is_left_0 : bool = at_1 == _S257;
-        var _S258 : u32;
+        var parent_1 : LightNode_0 = top_light_node_0(_S252.parent_0);
+        var _S253 : u32 = _S252.parent_0 + u32(1);
+        var is_left_0 : bool = at_1 == _S253;
+        var _S254 : u32;
         if(is_left_0)
         {
-            _S258 = parent_1.index_1;
+            _S254 = parent_1.index_16;
         }
         else
         {
-            _S258 = _S257;
+            _S254 = _S253;
         }
-        var _S259 : View_0 = view_0(node_5, receiver_4);
-        var _S260 : View_0 = view_1(_S258, receiver_4);
-        var _S261 : f32;
+        var _S255 : View_0 = view_0(node_6, receiver_4);
+        var _S256 : View_0 = view_0(top_light_node_0(_S254), receiver_4);
+        var _S257 : f32;
         if(is_left_0)
         {
-            _S261 = _S259.importance_0;
+            _S257 = _S255.importance_0;
         }
         else
         {
-            _S261 = _S260.importance_0;
+            _S257 = _S256.importance_0;
         }
-        var _S262 : f32;
+        var _S258 : f32;
         if(is_left_0)
         {
-            _S262 = _S260.importance_0;
+            _S258 = _S256.importance_0;
         }
         else
         {
-            _S262 = _S259.importance_0;
+            _S258 = _S255.importance_0;
         }
-        var weights_0 : vec2<f32> = weights_of_0(_S261, _S262);
-        var _S263 : f32 = weights_0.x;
-        var _S264 : f32 = weights_0.y;
-        var total_2 : f32 = _S263 + _S264;
+        var weights_0 : vec2<f32> = weights_of_0(_S257, _S258);
+        var _S259 : f32 = weights_0.x;
+        var _S260 : f32 = weights_0.y;
+        var total_2 : f32 = _S259 + _S260;
         if(!(total_2 > 0.0f))
         {
             return false;
         }
-        var _S265 : f32;
+        var _S261 : f32;
         if(is_left_0)
         {
-            _S265 = _S263;
+            _S261 = _S259;
         }
         else
         {
-            _S265 = _S264;
+            _S261 = _S260;
         }
-        (*descent_0).weight_0 = (*descent_0).weight_0 * _S265;
+        (*descent_0).weight_0 = (*descent_0).weight_0 * _S261;
         (*descent_0).total_0 = (*descent_0).total_0 * total_2;
-        node_5.min_2 = parent_1.min_2;
-        node_5.index_1 = parent_1.index_1;
-        node_5.max_2 = parent_1.max_2;
-        node_5.count_1 = parent_1.count_1;
-        node_5.power_0 = parent_1.power_0;
-        node_5.parent_0 = parent_1.parent_0;
-        node_5.root_0 = parent_1.root_0;
-        at_1 = _S256.parent_0;
+        node_6 = parent_1;
+        at_1 = _S252.parent_0;
     }
     return ((*descent_0).weight_0) > 0.0f;
 }
@@ -3585,16 +3558,16 @@ fn descend_0( receiver_5 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<function
 {
     for(;;)
     {
-        var _S266 : bool;
-        if(((*descent_1).count_4) == u32(0))
+        var _S262 : bool;
+        if(((*descent_1).count_3) == u32(0))
         {
-            _S266 = !(*descent_1).is_far_0;
+            _S262 = !(*descent_1).is_far_0;
         }
         else
         {
-            _S266 = false;
+            _S262 = false;
         }
-        if(_S266)
+        if(_S262)
         {
         }
         else
@@ -3608,29 +3581,29 @@ fn descend_0( receiver_5 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<function
         var left_1 : LightNode_0 = TopLights_node_0((*descent_1).node_0 + u32(1));
         var right_3 : LightNode_0 = TopLights_node_0((*descent_1).index_14);
         var weights_1 : vec2<f32> = weights_of_0(view_0(left_1, receiver_5).importance_0, view_0(right_3, receiver_5).importance_0);
-        var _S267 : f32 = weights_1.x;
-        var _S268 : f32 = weights_1.y;
-        var total_3 : f32 = _S267 + _S268;
+        var _S263 : f32 = weights_1.x;
+        var _S264 : f32 = weights_1.y;
+        var total_3 : f32 = _S263 + _S264;
         if(!(total_3 > 0.0f))
         {
             return false;
         }
-        var _S269 : bool;
-        if(_S268 <= 0.0f)
+        var _S265 : bool;
+        if(_S264 <= 0.0f)
         {
-            _S269 = true;
+            _S265 = true;
         }
         else
         {
-            _S269 = ((*descent_1).choice_0 * total_3) < (_S267 * (*descent_1).weight_0);
+            _S265 = ((*descent_1).choice_0 * total_3) < (_S263 * (*descent_1).weight_0);
         }
         var is_left_1 : bool;
         if(aim_0.is_met_0)
         {
-            var _S270 : vec3<f32> = vec3<f32>(aim_0.hit_3.voxel_4);
-            if((all((_S270 >= (vector_of_0(left_1.min_2))))))
+            var _S266 : vec3<f32> = vec3<f32>(aim_0.hit_3.voxel_3);
+            if((all((_S266 >= (vector_of_0(left_1.min_2))))))
             {
-                is_left_1 = (all((_S270 < (vector_of_0(left_1.max_2)))));
+                is_left_1 = (all((_S266 < (vector_of_0(left_1.max_2)))));
             }
             else
             {
@@ -3639,63 +3612,63 @@ fn descend_0( receiver_5 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<function
         }
         else
         {
-            is_left_1 = _S269;
+            is_left_1 = _S265;
         }
-        var _S271 : f32 = (*descent_1).choice_0 * total_3;
+        var _S267 : f32 = (*descent_1).choice_0 * total_3;
+        var _S268 : f32;
+        if(is_left_1)
+        {
+            _S268 = 0.0f;
+        }
+        else
+        {
+            _S268 = _S263 * (*descent_1).weight_0;
+        }
+        (*descent_1).choice_0 = _S267 - _S268;
+        var _S269 : u32;
+        if(is_left_1)
+        {
+            _S269 = (*descent_1).node_0 + u32(1);
+        }
+        else
+        {
+            _S269 = (*descent_1).index_14;
+        }
+        (*descent_1).node_0 = _S269;
+        var _S270 : u32;
+        if(is_left_1)
+        {
+            _S270 = left_1.index_16;
+        }
+        else
+        {
+            _S270 = right_3.index_16;
+        }
+        (*descent_1).index_14 = _S270;
+        var _S271 : u32;
+        if(is_left_1)
+        {
+            _S271 = left_1.count_5;
+        }
+        else
+        {
+            _S271 = right_3.count_5;
+        }
+        (*descent_1).count_3 = _S271;
+        (*descent_1).is_far_0 = false;
         var _S272 : f32;
         if(is_left_1)
         {
-            _S272 = 0.0f;
+            _S272 = _S263;
         }
         else
         {
-            _S272 = _S267 * (*descent_1).weight_0;
+            _S272 = _S264;
         }
-        (*descent_1).choice_0 = _S271 - _S272;
-        var _S273 : u32;
-        if(is_left_1)
-        {
-            _S273 = (*descent_1).node_0 + u32(1);
-        }
-        else
-        {
-            _S273 = (*descent_1).index_14;
-        }
-        (*descent_1).node_0 = _S273;
-        var _S274 : u32;
-        if(is_left_1)
-        {
-            _S274 = left_1.index_1;
-        }
-        else
-        {
-            _S274 = right_3.index_1;
-        }
-        (*descent_1).index_14 = _S274;
-        var _S275 : u32;
-        if(is_left_1)
-        {
-            _S275 = left_1.count_1;
-        }
-        else
-        {
-            _S275 = right_3.count_1;
-        }
-        (*descent_1).count_4 = _S275;
-        (*descent_1).is_far_0 = false;
-        var _S276 : f32;
-        if(is_left_1)
-        {
-            _S276 = _S267;
-        }
-        else
-        {
-            _S276 = _S268;
-        }
-        var _S277 : f32 = (*descent_1).weight_0 * _S276;
-        (*descent_1).weight_0 = _S277;
+        var _S273 : f32 = (*descent_1).weight_0 * _S272;
+        (*descent_1).weight_0 = _S273;
         (*descent_1).total_0 = (*descent_1).total_0 * total_3;
-        if(_S277 <= 0.0f)
+        if(_S273 <= 0.0f)
         {
             return false;
         }
@@ -3714,34 +3687,33 @@ fn in_grid_0( instance_9 : u32,  receiver_6 : Receiver_0) -> Receiver_0
 
 fn lights_in_pages_0() -> bool
 {
-    var _S278 : bool;
+    var _S274 : bool;
     if(HAS_PAGES_0)
     {
-        _S278 = pages_0[u32(5)] != u32(0);
+        _S274 = pages_0[u32(5)] != u32(0);
     }
     else
     {
-        _S278 = false;
+        _S274 = false;
     }
-    return _S278;
+    return _S274;
 }
 
-fn place_in_light_node_0( node_6 : u32,  word_5 : u32) -> u32
+fn place_in_light_node_0( node_7 : u32,  word_5 : u32) -> u32
 {
-    var _S279 : u32 = word_in_pages_0(node_6 * u32(16) + word_5, pages_0[i32(4)]);
-    return _S279;
+    var _S275 : u32 = word_in_pages_0(node_7 * u32(16) + word_5, pages_0[i32(4)]);
+    return _S275;
 }
 
-fn light_node_at_0( index_17 : u32) -> LightNode_0
+fn light_node_at_0( index_19 : u32) -> LightNode_0
 {
     if(!lights_in_pages_0())
     {
-        var _S280 : LightNode_std430_0 = light_nodes_0[index_17];
-        var _S281 : LightNode_0 = LightNode_0( _S280.min_2, _S280.index_1, _S280.max_2, _S280.count_1, _S280.power_0, _S280.parent_0, _S280.root_0 );
-        return _S281;
+        var _S276 : u32 = u32(4) * index_19;
+        return light_node_of_0(light_node_rows_0[_S276], light_node_rows_0[_S276 + u32(1)], light_node_rows_0[_S276 + u32(2)], light_node_rows_0[_S276 + u32(3)]);
     }
-    var at_2 : u32 = place_in_light_node_0(index_17, u32(0));
-    var node_7 : LightNode_0;
+    var at_2 : u32 = place_in_light_node_0(index_19, u32(0));
+    var node_8 : LightNode_0;
     var i_0 : u32 = u32(0);
     for(;;)
     {
@@ -3752,12 +3724,12 @@ fn light_node_at_0( index_17 : u32) -> LightNode_0
         {
             break;
         }
-        node_7.min_2[i_0] = (bitcast<f32>((cells_0[at_2 + i_0])));
-        node_7.max_2[i_0] = (bitcast<f32>((cells_0[at_2 + u32(4) + i_0])));
+        node_8.min_2[i_0] = (bitcast<f32>((cells_0[at_2 + i_0])));
+        node_8.max_2[i_0] = (bitcast<f32>((cells_0[at_2 + u32(4) + i_0])));
         i_0 = i_0 + u32(1);
     }
-    node_7.index_1 = cells_0[at_2 + u32(3)];
-    node_7.count_1 = cells_0[at_2 + u32(7)];
+    node_8.index_16 = cells_0[at_2 + u32(3)];
+    node_8.count_5 = cells_0[at_2 + u32(7)];
     i_0 = u32(0);
     for(;;)
     {
@@ -3768,26 +3740,26 @@ fn light_node_at_0( index_17 : u32) -> LightNode_0
         {
             break;
         }
-        node_7.power_0[i_0] = (bitcast<f32>((cells_0[at_2 + u32(8) + i_0])));
+        node_8.power_2[i_0] = (bitcast<f32>((cells_0[at_2 + u32(8) + i_0])));
         i_0 = i_0 + u32(1);
     }
-    node_7.parent_0 = cells_0[at_2 + u32(14)];
-    node_7.root_0 = cells_0[at_2 + u32(15)];
-    return node_7;
+    node_8.parent_0 = cells_0[at_2 + u32(14)];
+    node_8.root_1 = cells_0[at_2 + u32(15)];
+    return node_8;
 }
 
-fn GridLights_node_0( index_18 : u32) -> LightNode_0
+fn GridLights_node_0( index_20 : u32) -> LightNode_0
 {
-    var _S282 : LightNode_0 = light_node_at_0(index_18);
-    return _S282;
+    var _S277 : LightNode_0 = light_node_at_0(index_20);
+    return _S277;
 }
 
 fn Descent_at_1( this_37 : ptr<function, Descent_0>,  root_3 : u32)
 {
-    var node_8 : LightNode_0 = GridLights_node_0(root_3);
+    var node_9 : LightNode_0 = GridLights_node_0(root_3);
     (*this_37).node_0 = root_3;
-    (*this_37).index_14 = node_8.index_1;
-    (*this_37).count_4 = node_8.count_1;
+    (*this_37).index_14 = node_9.index_16;
+    (*this_37).count_3 = node_9.count_5;
     (*this_37).is_far_0 = false;
     return;
 }
@@ -3796,16 +3768,16 @@ fn descend_1( receiver_7 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<function
 {
     for(;;)
     {
-        var _S283 : bool;
-        if(((*descent_2).count_4) == u32(0))
+        var _S278 : bool;
+        if(((*descent_2).count_3) == u32(0))
         {
-            _S283 = !(*descent_2).is_far_0;
+            _S278 = !(*descent_2).is_far_0;
         }
         else
         {
-            _S283 = false;
+            _S278 = false;
         }
-        if(_S283)
+        if(_S278)
         {
         }
         else
@@ -3821,29 +3793,29 @@ fn descend_1( receiver_7 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<function
         var of_left_0 : View_0 = view_0(left_2, receiver_7);
         var of_right_0 : View_0 = view_0(right_4, receiver_7);
         var weights_2 : vec2<f32> = weights_of_0(of_left_0.importance_0, of_right_0.importance_0);
-        var _S284 : f32 = weights_2.x;
-        var _S285 : f32 = weights_2.y;
-        var total_4 : f32 = _S284 + _S285;
+        var _S279 : f32 = weights_2.x;
+        var _S280 : f32 = weights_2.y;
+        var total_4 : f32 = _S279 + _S280;
         if(!(total_4 > 0.0f))
         {
             return false;
         }
-        var _S286 : bool;
-        if(_S285 <= 0.0f)
+        var _S281 : bool;
+        if(_S280 <= 0.0f)
         {
-            _S286 = true;
+            _S281 = true;
         }
         else
         {
-            _S286 = ((*descent_2).choice_0 * total_4) < (_S284 * (*descent_2).weight_0);
+            _S281 = ((*descent_2).choice_0 * total_4) < (_S279 * (*descent_2).weight_0);
         }
         var is_left_2 : bool;
         if(aim_1.is_met_0)
         {
-            var _S287 : vec3<f32> = vec3<f32>(aim_1.hit_3.voxel_4);
-            if((all((_S287 >= (vector_of_0(left_2.min_2))))))
+            var _S282 : vec3<f32> = vec3<f32>(aim_1.hit_3.voxel_3);
+            if((all((_S282 >= (vector_of_0(left_2.min_2))))))
             {
-                is_left_2 = (all((_S287 < (vector_of_0(left_2.max_2)))));
+                is_left_2 = (all((_S282 < (vector_of_0(left_2.max_2)))));
             }
             else
             {
@@ -3852,72 +3824,72 @@ fn descend_1( receiver_7 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<function
         }
         else
         {
-            is_left_2 = _S286;
+            is_left_2 = _S281;
         }
-        var _S288 : f32 = (*descent_2).choice_0 * total_4;
+        var _S283 : f32 = (*descent_2).choice_0 * total_4;
+        var _S284 : f32;
+        if(is_left_2)
+        {
+            _S284 = 0.0f;
+        }
+        else
+        {
+            _S284 = _S279 * (*descent_2).weight_0;
+        }
+        (*descent_2).choice_0 = _S283 - _S284;
+        var _S285 : u32;
+        if(is_left_2)
+        {
+            _S285 = (*descent_2).node_0 + u32(1);
+        }
+        else
+        {
+            _S285 = (*descent_2).index_14;
+        }
+        (*descent_2).node_0 = _S285;
+        var _S286 : u32;
+        if(is_left_2)
+        {
+            _S286 = left_2.index_16;
+        }
+        else
+        {
+            _S286 = right_4.index_16;
+        }
+        (*descent_2).index_14 = _S286;
+        var _S287 : u32;
+        if(is_left_2)
+        {
+            _S287 = left_2.count_5;
+        }
+        else
+        {
+            _S287 = right_4.count_5;
+        }
+        (*descent_2).count_3 = _S287;
+        var _S288 : bool;
+        if(is_left_2)
+        {
+            _S288 = of_left_0.is_far_2;
+        }
+        else
+        {
+            _S288 = of_right_0.is_far_2;
+        }
+        (*descent_2).is_far_0 = _S288;
         var _S289 : f32;
         if(is_left_2)
         {
-            _S289 = 0.0f;
+            _S289 = _S279;
         }
         else
         {
-            _S289 = _S284 * (*descent_2).weight_0;
+            _S289 = _S280;
         }
-        (*descent_2).choice_0 = _S288 - _S289;
-        var _S290 : u32;
-        if(is_left_2)
-        {
-            _S290 = (*descent_2).node_0 + u32(1);
-        }
-        else
-        {
-            _S290 = (*descent_2).index_14;
-        }
-        (*descent_2).node_0 = _S290;
-        var _S291 : u32;
-        if(is_left_2)
-        {
-            _S291 = left_2.index_1;
-        }
-        else
-        {
-            _S291 = right_4.index_1;
-        }
-        (*descent_2).index_14 = _S291;
-        var _S292 : u32;
-        if(is_left_2)
-        {
-            _S292 = left_2.count_1;
-        }
-        else
-        {
-            _S292 = right_4.count_1;
-        }
-        (*descent_2).count_4 = _S292;
-        var _S293 : bool;
-        if(is_left_2)
-        {
-            _S293 = of_left_0.is_far_2;
-        }
-        else
-        {
-            _S293 = of_right_0.is_far_2;
-        }
-        (*descent_2).is_far_0 = _S293;
-        var _S294 : f32;
-        if(is_left_2)
-        {
-            _S294 = _S284;
-        }
-        else
-        {
-            _S294 = _S285;
-        }
-        var _S295 : f32 = (*descent_2).weight_0 * _S294;
-        (*descent_2).weight_0 = _S295;
+        var _S290 : f32 = (*descent_2).weight_0 * _S289;
+        (*descent_2).weight_0 = _S290;
         (*descent_2).total_0 = (*descent_2).total_0 * total_4;
-        if(_S295 <= 0.0f)
+        if(_S290 <= 0.0f)
         {
             return false;
         }
@@ -3927,30 +3899,30 @@ fn descend_1( receiver_7 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<function
 
 fn choose_side_0( point_3 : vec3<f32>,  is_met_2 : bool,  way_3 : Descent_0,  side_1 : ptr<function, u32>,  odds_0 : ptr<function, vec2<f32>>) -> bool
 {
-    var node_9 : LightNode_0 = light_node_at_0(way_3.node_0);
-    var _S296 : vec3<f32> = vector_of_0(node_9.max_2);
-    var _S297 : vec3<f32> = vector_of_0(node_9.min_2);
-    var _S298 : vec3<f32> = vec3<f32>(0.5f);
-    var half_3 : vec3<f32> = (_S296 - _S297) * _S298;
-    var toward_2 : vec3<f32> = (_S297 + _S296) * _S298 - point_3;
-    var sent_2 : BySide_0 = sent_by_side_0(node_9, point_3, length_bound_0(select(half_3, abs(toward_2), vec3<bool>(((length_squared_0(toward_2)) > (length_squared_0(half_3)))))));
-    var sum_3 : f32 = normal_or_zero_0(BySide_sum_0(sent_2));
+    var node_10 : LightNode_0 = light_node_at_0(way_3.node_0);
+    var _S291 : vec3<f32> = vector_of_0(node_10.max_2);
+    var _S292 : vec3<f32> = vector_of_0(node_10.min_2);
+    var _S293 : vec3<f32> = vec3<f32>(0.5f);
+    var half_2 : vec3<f32> = (_S291 - _S292) * _S293;
+    var toward_1 : vec3<f32> = (_S292 + _S291) * _S293 - point_3;
+    var sent_1 : BySide_0 = sent_by_side_0(node_10, point_3, length_bound_0(select(half_2, abs(toward_1), vec3<bool>(((length_squared_0(toward_1)) > (length_squared_0(half_2)))))));
+    var sum_3 : f32 = normal_or_zero_0(BySide_sum_0(sent_1));
     var unit_1 : f32 = inverse_power_of_two_0(sum_3);
     var total_5 : f32 = sum_3 * unit_1;
-    var _S299 : f32 = way_3.choice_0 * total_5;
-    var _S300 : u32 = (*side_1);
-    var share_1 : f32 = normal_or_zero_0(sent_2.low_7[u32(0)] * unit_1);
-    var _S301 : bool;
+    var _S294 : f32 = way_3.choice_0 * total_5;
+    var _S295 : u32 = (*side_1);
+    var share_1 : f32 = normal_or_zero_0(sent_1.low_7[u32(0)] * unit_1);
+    var _S296 : bool;
     if(is_met_2)
     {
-        _S301 = u32(0) == _S300;
+        _S296 = u32(0) == _S295;
     }
     else
     {
-        _S301 = share_1 > 0.0f;
+        _S296 = share_1 > 0.0f;
     }
     var chosen_2 : f32;
-    if(_S301)
+    if(_S296)
     {
         (*side_1) = u32(0);
         chosen_2 = share_1;
@@ -3959,145 +3931,145 @@ fn choose_side_0( point_3 : vec3<f32>,  is_met_2 : bool,  way_3 : Descent_0,  si
     {
         chosen_2 = 0.0f;
     }
-    var _S302 : bool = _S299 < (share_1 * way_3.weight_0);
-    var share_2 : f32 = normal_or_zero_0(sent_2.high_4[u32(0)] * unit_1);
+    var _S297 : bool = _S294 < (share_1 * way_3.weight_0);
+    var share_2 : f32 = normal_or_zero_0(sent_1.high_4[u32(0)] * unit_1);
     if(is_met_2)
     {
-        _S301 = u32(1) == _S300;
+        _S296 = u32(1) == _S295;
     }
     else
     {
         if(share_2 > 0.0f)
         {
-            _S301 = !_S302;
+            _S296 = !_S297;
         }
         else
         {
-            _S301 = false;
+            _S296 = false;
         }
     }
-    if(_S301)
+    if(_S296)
     {
         (*side_1) = u32(1);
         chosen_2 = share_2;
     }
     var passed_0 : f32 = share_1 + share_2;
-    if(_S302)
+    if(_S297)
     {
-        _S301 = true;
+        _S296 = true;
     }
     else
     {
-        _S301 = _S299 < (passed_0 * way_3.weight_0);
+        _S296 = _S294 < (passed_0 * way_3.weight_0);
     }
-    var share_3 : f32 = normal_or_zero_0(sent_2.low_7[u32(1)] * unit_1);
-    var _S303 : bool;
+    var share_3 : f32 = normal_or_zero_0(sent_1.low_7[u32(1)] * unit_1);
+    var _S298 : bool;
     if(is_met_2)
     {
-        _S303 = u32(2) == _S300;
+        _S298 = u32(2) == _S295;
     }
     else
     {
         if(share_3 > 0.0f)
         {
-            _S303 = !_S301;
+            _S298 = !_S296;
         }
         else
         {
-            _S303 = false;
+            _S298 = false;
         }
     }
-    if(_S303)
+    if(_S298)
     {
         (*side_1) = u32(2);
         chosen_2 = share_3;
     }
     var passed_1 : f32 = passed_0 + share_3;
-    if(_S301)
+    if(_S296)
     {
-        _S301 = true;
+        _S296 = true;
     }
     else
     {
-        _S301 = _S299 < (passed_1 * way_3.weight_0);
+        _S296 = _S294 < (passed_1 * way_3.weight_0);
     }
-    var share_4 : f32 = normal_or_zero_0(sent_2.high_4[u32(1)] * unit_1);
+    var share_4 : f32 = normal_or_zero_0(sent_1.high_4[u32(1)] * unit_1);
     if(is_met_2)
     {
-        _S303 = u32(3) == _S300;
+        _S298 = u32(3) == _S295;
     }
     else
     {
         if(share_4 > 0.0f)
         {
-            _S303 = !_S301;
+            _S298 = !_S296;
         }
         else
         {
-            _S303 = false;
+            _S298 = false;
         }
     }
-    if(_S303)
+    if(_S298)
     {
         (*side_1) = u32(3);
         chosen_2 = share_4;
     }
     var passed_2 : f32 = passed_1 + share_4;
-    if(_S301)
+    if(_S296)
     {
-        _S301 = true;
+        _S296 = true;
     }
     else
     {
-        _S301 = _S299 < (passed_2 * way_3.weight_0);
+        _S296 = _S294 < (passed_2 * way_3.weight_0);
     }
-    var share_5 : f32 = normal_or_zero_0(sent_2.low_7[u32(2)] * unit_1);
+    var share_5 : f32 = normal_or_zero_0(sent_1.low_7[u32(2)] * unit_1);
     if(is_met_2)
     {
-        _S303 = u32(4) == _S300;
+        _S298 = u32(4) == _S295;
     }
     else
     {
         if(share_5 > 0.0f)
         {
-            _S303 = !_S301;
+            _S298 = !_S296;
         }
         else
         {
-            _S303 = false;
+            _S298 = false;
         }
     }
-    if(_S303)
+    if(_S298)
     {
         (*side_1) = u32(4);
         chosen_2 = share_5;
     }
     var passed_3 : f32 = passed_2 + share_5;
-    if(_S301)
+    if(_S296)
     {
-        _S301 = true;
+        _S296 = true;
     }
     else
     {
-        _S301 = _S299 < (passed_3 * way_3.weight_0);
+        _S296 = _S294 < (passed_3 * way_3.weight_0);
     }
-    var share_6 : f32 = normal_or_zero_0(sent_2.high_4[u32(2)] * unit_1);
+    var share_6 : f32 = normal_or_zero_0(sent_1.high_4[u32(2)] * unit_1);
     if(is_met_2)
     {
-        _S301 = u32(5) == _S300;
+        _S296 = u32(5) == _S295;
     }
     else
     {
         if(share_6 > 0.0f)
         {
-            _S301 = !_S301;
+            _S296 = !_S296;
         }
         else
         {
-            _S301 = false;
+            _S296 = false;
         }
     }
-    if(_S301)
+    if(_S296)
     {
         (*side_1) = u32(5);
         chosen_2 = share_6;
@@ -4105,28 +4077,23 @@ fn choose_side_0( point_3 : vec3<f32>,  is_met_2 : bool,  way_3 : Descent_0,  si
     (*odds_0) = vec2<f32>(way_3.weight_0 * chosen_2, way_3.total_0 * total_5);
     if(sum_3 > 0.0f)
     {
-        _S301 = ((*odds_0).x) > 0.0f;
+        _S296 = ((*odds_0).x) > 0.0f;
     }
     else
     {
-        _S301 = false;
+        _S296 = false;
     }
-    return _S301;
+    return _S296;
 }
 
-fn light_power_at_0( index_19 : u32,  side_2 : u32) -> f32
+fn light_power_at_0( index_21 : u32,  side_2 : u32) -> f32
 {
-    var _S304 : f32;
     if(lights_in_pages_0())
     {
-        var _S305 : u32 = place_in_light_node_0(index_19, u32(8) + side_2);
-        _S304 = (bitcast<f32>((cells_0[_S305])));
+        var _S299 : u32 = place_in_light_node_0(index_21, u32(8) + side_2);
+        return (bitcast<f32>((cells_0[_S299])));
     }
-    else
-    {
-        _S304 = light_nodes_0[index_19].power_0[side_2];
-    }
-    return _S304;
+    return (bitcast<f32>((light_node_rows_0[u32(4) * index_21 + u32(2) + ((side_2 >> (u32(2))))][(side_2 & (u32(3)))])));
 }
 
 fn component_0( vector_5 : vec3<f32>,  axis_5 : u32) -> f32
@@ -4134,9 +4101,9 @@ fn component_0( vector_5 : vec3<f32>,  axis_5 : u32) -> f32
     return select(select(vector_5.z, vector_5.y, axis_5 == u32(1)), vector_5.x, axis_5 == u32(0));
 }
 
-fn density_0( odds_1 : vec2<f32>,  luminance_4 : f32,  power_3 : f32,  toward_3 : vec3<f32>,  face_3 : u32) -> f32
+fn density_0( odds_1 : vec2<f32>,  luminance_3 : f32,  power_3 : f32,  toward_2 : vec3<f32>,  face_3 : u32) -> f32
 {
-    var along_0 : f32 = component_0(toward_3, (face_3 >> (u32(1))));
+    var along_0 : f32 = component_0(toward_2, (face_3 >> (u32(1))));
     var in_front_0 : f32;
     if(((face_3 & (u32(1)))) == u32(1))
     {
@@ -4146,9 +4113,9 @@ fn density_0( odds_1 : vec2<f32>,  luminance_4 : f32,  power_3 : f32,  toward_3 
     {
         in_front_0 = along_0;
     }
-    var distance_squared_0 : f32 = length_squared_0(toward_3);
+    var distance_squared_0 : f32 = length_squared_0(toward_2);
     var unit_2 : f32 = inverse_power_of_two_0(power_3);
-    var share_7 : f32 = odds_1.x * (luminance_4 * unit_2) * (distance_squared_0 * square_root_0(distance_squared_0));
+    var share_7 : f32 = odds_1.x * (luminance_3 * unit_2) * (distance_squared_0 * square_root_0(distance_squared_0));
     if(in_front_0 > 0.0f)
     {
         in_front_0 = divide_0(share_7, odds_1.y * (power_3 * unit_2) * in_front_0);
@@ -4162,93 +4129,96 @@ fn density_0( odds_1 : vec2<f32>,  luminance_4 : f32,  power_3 : f32,  toward_3 
 
 struct Emitter_0
 {
-     voxel_0 : array<i32, i32(3)>,
+     voxel_20 : array<i32, i32(3)>,
      grid_1 : u32,
      faces_0 : u32,
-     material_0 : u32,
-     luminance_0 : f32,
+     material_5 : u32,
+     luminance_4 : f32,
      leaf_0 : u32,
 };
 
-fn below_light_node_0( index_20 : u32) -> vec2<u32>
+fn below_light_node_0( index_22 : u32) -> vec2<u32>
 {
     if(!lights_in_pages_0())
     {
-        return vec2<u32>(light_nodes_0[index_20].index_1, light_nodes_0[index_20].count_1);
+        var _S300 : u32 = u32(4) * index_22;
+        return vec2<u32>(light_node_rows_0[_S300].w, light_node_rows_0[_S300 + u32(1)].w);
     }
-    var at_3 : u32 = place_in_light_node_0(index_20, u32(0));
+    var at_3 : u32 = place_in_light_node_0(index_22, u32(0));
     return vec2<u32>(cells_0[at_3 + u32(3)], cells_0[at_3 + u32(7)]);
 }
 
 fn place_in_emitter_0( emitter_0 : u32,  word_6 : u32) -> u32
 {
-    var _S306 : u32 = word_in_pages_0(emitter_0 * u32(8) + word_6, pages_0[i32(3)]);
+    var _S301 : u32 = word_in_pages_0(emitter_0 * u32(8) + word_6, pages_0[i32(3)]);
+    return _S301;
+}
+
+fn emitter_faces_at_0( index_23 : u32) -> u32
+{
+    var _S302 : u32;
+    if(lights_in_pages_0())
+    {
+        var _S303 : u32 = place_in_emitter_0(index_23, u32(4));
+        _S302 = cells_0[_S303];
+    }
+    else
+    {
+        _S302 = emitter_rows_0[u32(2) * index_23 + u32(1)].x;
+    }
+    return _S302;
+}
+
+fn emitter_luminance_at_0( index_24 : u32) -> f32
+{
+    var _S304 : f32;
+    if(lights_in_pages_0())
+    {
+        var _S305 : u32 = place_in_emitter_0(index_24, u32(6));
+        _S304 = (bitcast<f32>((cells_0[_S305])));
+    }
+    else
+    {
+        _S304 = (bitcast<f32>((emitter_rows_0[u32(2) * index_24 + u32(1)].z)));
+    }
+    return _S304;
+}
+
+fn Emitter_x24init_0( voxel_21 : array<i32, i32(3)>,  grid_2 : u32,  faces_1 : u32,  material_6 : u32,  luminance_5 : f32,  leaf_1 : u32) -> Emitter_0
+{
+    var _S306 : Emitter_0;
+    _S306.voxel_20 = voxel_21;
+    _S306.grid_1 = grid_2;
+    _S306.faces_0 = faces_1;
+    _S306.material_5 = material_6;
+    _S306.luminance_4 = luminance_5;
+    _S306.leaf_0 = leaf_1;
     return _S306;
 }
 
-fn emitter_faces_at_0( index_21 : u32) -> u32
-{
-    var _S307 : u32;
-    if(lights_in_pages_0())
-    {
-        var _S308 : u32 = place_in_emitter_0(index_21, u32(4));
-        _S307 = cells_0[_S308];
-    }
-    else
-    {
-        _S307 = emitters_0[index_21].faces_0;
-    }
-    return _S307;
-}
-
-fn emitter_luminance_at_0( index_22 : u32) -> f32
-{
-    var _S309 : f32;
-    if(lights_in_pages_0())
-    {
-        var _S310 : u32 = place_in_emitter_0(index_22, u32(6));
-        _S309 = (bitcast<f32>((cells_0[_S310])));
-    }
-    else
-    {
-        _S309 = emitters_0[index_22].luminance_0;
-    }
-    return _S309;
-}
-
-fn Emitter_x24init_0( voxel_21 : array<i32, i32(3)>,  grid_2 : u32,  faces_1 : u32,  material_5 : u32,  luminance_5 : f32,  leaf_1 : u32) -> Emitter_0
-{
-    var _S311 : Emitter_0;
-    _S311.voxel_0 = voxel_21;
-    _S311.grid_1 = grid_2;
-    _S311.faces_0 = faces_1;
-    _S311.material_0 = material_5;
-    _S311.luminance_0 = luminance_5;
-    _S311.leaf_0 = leaf_1;
-    return _S311;
-}
-
-fn emitter_at_0( index_23 : u32) -> Emitter_0
+fn emitter_at_0( index_25 : u32) -> Emitter_0
 {
     if(!lights_in_pages_0())
     {
-        var _S312 : Emitter_std430_0 = emitters_0[index_23];
-        var _S313 : Emitter_0 = Emitter_0( _S312.voxel_0, _S312.grid_1, _S312.faces_0, _S312.material_0, _S312.luminance_0, _S312.leaf_0 );
-        return _S313;
+        var _S307 : u32 = u32(2) * index_25;
+        var a_7 : vec4<u32> = emitter_rows_0[_S307];
+        var b_7 : vec4<u32> = emitter_rows_0[_S307 + u32(1)];
+        var _S308 : array<i32, i32(3)> = array<i32, i32(3)>( i32(a_7.x), i32(a_7.y), i32(a_7.z) );
+        return Emitter_x24init_0(_S308, a_7.w, b_7.x, b_7.y, (bitcast<f32>((b_7.z))), b_7.w);
     }
-    var at_4 : u32 = place_in_emitter_0(index_23, u32(0));
-    var _S314 : array<i32, i32(3)> = array<i32, i32(3)>( i32(cells_0[at_4]), i32(cells_0[at_4 + u32(1)]), i32(cells_0[at_4 + u32(2)]) );
-    return Emitter_x24init_0(_S314, cells_0[at_4 + u32(3)], cells_0[at_4 + u32(4)], cells_0[at_4 + u32(5)], (bitcast<f32>((cells_0[at_4 + u32(6)]))), cells_0[at_4 + u32(7)]);
+    var at_4 : u32 = place_in_emitter_0(index_25, u32(0));
+    var _S309 : array<i32, i32(3)> = array<i32, i32(3)>( i32(cells_0[at_4]), i32(cells_0[at_4 + u32(1)]), i32(cells_0[at_4 + u32(2)]) );
+    return Emitter_x24init_0(_S309, cells_0[at_4 + u32(3)], cells_0[at_4 + u32(4)], cells_0[at_4 + u32(5)], (bitcast<f32>((cells_0[at_4 + u32(6)]))), cells_0[at_4 + u32(7)]);
 }
 
 fn choose_emitter_0( way_4 : Descent_0,  side_3 : u32,  threshold_1 : f32) -> Emitter_0
 {
     var is_found_3 : bool;
     var is_left_3 : bool;
-    var count_6 : u32 = way_4.count_4;
-    var node_10 : u32 = way_4.node_0;
-    var index_24 : u32 = way_4.index_14;
-    var _S315 : f32 = threshold_1;
+    var count_6 : u32 = way_4.count_3;
+    var node_11 : u32 = way_4.node_0;
+    var index_26 : u32 = way_4.index_14;
+    var _S310 : f32 = threshold_1;
     for(;;)
     {
         if(count_6 == u32(0))
@@ -4266,12 +4236,12 @@ fn choose_emitter_0( way_4 : Descent_0,  side_3 : u32,  threshold_1 : f32) -> Em
         {
             break;
         }
-        var left_3 : u32 = node_10 + u32(1);
+        var left_3 : u32 = node_11 + u32(1);
         var power_left_0 : f32 = light_power_at_0(left_3, side_3);
-        var power_right_0 : f32 = light_power_at_0(index_24, side_3);
+        var power_right_0 : f32 = light_power_at_0(index_26, side_3);
         var below_left_0 : vec2<u32> = below_light_node_0(left_3);
-        var below_right_0 : vec2<u32> = below_light_node_0(index_24);
-        if(_S315 < power_left_0)
+        var below_right_0 : vec2<u32> = below_light_node_0(index_26);
+        if(_S310 < power_left_0)
         {
             is_left_3 = true;
         }
@@ -4284,23 +4254,23 @@ fn choose_emitter_0( way_4 : Descent_0,  side_3 : u32,  threshold_1 : f32) -> Em
         }
         else
         {
-            _S315 = _S315 - power_left_0;
+            _S310 = _S310 - power_left_0;
         }
         if(is_left_3)
         {
-            node_10 = left_3;
+            node_11 = left_3;
         }
         else
         {
-            node_10 = index_24;
+            node_11 = index_26;
         }
         if(is_left_3)
         {
-            index_24 = below_left_0.x;
+            index_26 = below_left_0.x;
         }
         else
         {
-            index_24 = below_right_0.x;
+            index_26 = below_right_0.x;
         }
         if(is_left_3)
         {
@@ -4312,11 +4282,11 @@ fn choose_emitter_0( way_4 : Descent_0,  side_3 : u32,  threshold_1 : f32) -> Em
         }
     }
     is_found_3 = false;
-    var chosen_3 : u32 = index_24;
-    var at_5 : u32 = index_24;
+    var chosen_3 : u32 = index_26;
+    var at_5 : u32 = index_26;
     for(;;)
     {
-        if(at_5 < (index_24 + count_6))
+        if(at_5 < (index_26 + count_6))
         {
             is_left_3 = !is_found_3;
         }
@@ -4331,24 +4301,24 @@ fn choose_emitter_0( way_4 : Descent_0,  side_3 : u32,  threshold_1 : f32) -> Em
         {
             break;
         }
-        var _S316 : u32 = emitter_faces_at_0(at_5);
-        if(((((_S316 >> (side_3))) & (u32(1)))) != u32(0))
+        var _S311 : u32 = emitter_faces_at_0(at_5);
+        if(((((_S311 >> (side_3))) & (u32(1)))) != u32(0))
         {
-            var _S317 : f32 = emitter_luminance_at_0(at_5);
-            var _S318 : bool = _S315 < _S317;
-            var _S319 : f32 = emitter_luminance_at_0(at_5);
-            var _S320 : f32 = _S315 - _S319;
-            is_found_3 = _S318;
+            var _S312 : f32 = emitter_luminance_at_0(at_5);
+            var _S313 : bool = _S310 < _S312;
+            var _S314 : f32 = emitter_luminance_at_0(at_5);
+            var _S315 : f32 = _S310 - _S314;
+            is_found_3 = _S313;
             chosen_3 = at_5;
-            _S315 = _S320;
+            _S310 = _S315;
         }
         at_5 = at_5 + u32(1);
     }
-    var _S321 : Emitter_0 = emitter_at_0(chosen_3);
-    return _S321;
+    var _S316 : Emitter_0 = emitter_at_0(chosen_3);
+    return _S316;
 }
 
-fn point_of_face_0( low_9 : vec3<f32>,  face_4 : u32,  u_6 : f32,  v_4 : f32) -> vec3<f32>
+fn point_of_face_0( low_9 : vec3<f32>,  face_4 : u32,  u_7 : f32,  v_4 : f32) -> vec3<f32>
 {
     var away_0 : f32;
     if(((face_4 & (u32(1)))) == u32(1))
@@ -4361,13 +4331,13 @@ fn point_of_face_0( low_9 : vec3<f32>,  face_4 : u32,  u_6 : f32,  v_4 : f32) ->
     }
     if(face_4 < u32(2))
     {
-        return low_9 + vec3<f32>(away_0, u_6, v_4);
+        return low_9 + vec3<f32>(away_0, u_7, v_4);
     }
     if(face_4 < u32(4))
     {
-        return low_9 + vec3<f32>(u_6, away_0, v_4);
+        return low_9 + vec3<f32>(u_7, away_0, v_4);
     }
-    return low_9 + vec3<f32>(u_6, v_4, away_0);
+    return low_9 + vec3<f32>(u_7, v_4, away_0);
 }
 
 fn margin_of_0( translation_1 : vec3<f32>,  low_10 : vec3<f32>) -> f32
@@ -4378,19 +4348,19 @@ fn margin_of_0( translation_1 : vec3<f32>,  low_10 : vec3<f32>) -> f32
 fn offset_ray_origin_0( translation_2 : vec3<f32>,  low_11 : vec3<f32>,  face_5 : u32,  point_4 : vec3<f32>) -> vec3<f32>
 {
     var margin_0 : f32 = margin_of_0(translation_2, low_11);
-    var _S322 : vec3<f32> = vec3<f32>(margin_0);
-    var moved_0 : vec3<f32> = min(max(point_4, low_11 + _S322), low_11 + vec3<f32>((1.0f - margin_0)));
-    var _S323 : bool = face_5 < u32(2);
-    var _S324 : bool;
+    var _S317 : vec3<f32> = vec3<f32>(margin_0);
+    var moved_0 : vec3<f32> = min(max(point_4, low_11 + _S317), low_11 + vec3<f32>((1.0f - margin_0)));
+    var _S318 : bool = face_5 < u32(2);
+    var _S319 : bool;
     if(face_5 >= u32(2))
     {
-        _S324 = face_5 < u32(4);
+        _S319 = face_5 < u32(4);
     }
     else
     {
-        _S324 = false;
+        _S319 = false;
     }
-    var is_axis_2 : vec3<bool> = vec3<bool>(_S323, _S324, face_5 >= u32(4));
+    var is_axis_2 : vec3<bool> = vec3<bool>(_S318, _S319, face_5 >= u32(4));
     var outside_0 : vec3<f32>;
     if(((face_5 & (u32(1)))) == u32(1))
     {
@@ -4398,57 +4368,52 @@ fn offset_ray_origin_0( translation_2 : vec3<f32>,  low_11 : vec3<f32>,  face_5 
     }
     else
     {
-        outside_0 = low_11 - _S322;
+        outside_0 = low_11 - _S317;
     }
     return select(moved_0, outside_0, is_axis_2);
 }
 
-fn Transform_direction_1( _S325 : u32,  _S326 : vec3<f32>) -> vec3<f32>
+fn Transform_direction_1( _S320 : u32,  _S321 : vec3<f32>) -> vec3<f32>
 {
-    return vector_of_0(instances_0[_S325].world_from_grid_0.x_axis_0) * vec3<f32>(_S326.x) + vector_of_0(instances_0[_S325].world_from_grid_0.y_axis_0) * vec3<f32>(_S326.y) + vector_of_0(instances_0[_S325].world_from_grid_0.z_axis_0) * vec3<f32>(_S326.z);
+    return vector_of_0(instances_0[_S320].world_from_grid_0.x_axis_0) * vec3<f32>(_S321.x) + vector_of_0(instances_0[_S320].world_from_grid_0.y_axis_0) * vec3<f32>(_S321.y) + vector_of_0(instances_0[_S320].world_from_grid_0.z_axis_0) * vec3<f32>(_S321.z);
 }
 
-fn Transform_point_1( _S327 : u32,  _S328 : vec3<f32>) -> vec3<f32>
+fn Transform_point_1( _S322 : u32,  _S323 : vec3<f32>) -> vec3<f32>
 {
-    return Transform_direction_1(_S327, _S328) + vector_of_0(instances_0[_S327].world_from_grid_0.translation_0);
+    return Transform_direction_1(_S322, _S323) + vector_of_0(instances_0[_S322].world_from_grid_0.translation_0);
 }
 
-fn emitted_1( _S329 : u32) -> vec3<f32>
-{
-    return vector_of_0(materials_0[_S329].emission_0) * vec3<f32>(params_0.emitter_intensity_0);
-}
-
-fn sample_emitter_0( receiver_8 : Receiver_0,  u_7 : vec4<f32>,  aim_2 : Aim_0,  sample_8 : ptr<function, LightSample_0>) -> bool
+fn sample_emitter_0( receiver_8 : Receiver_0,  u_8 : vec4<f32>,  aim_2 : Aim_0,  sample_8 : ptr<function, LightSample_0>) -> bool
 {
     (*sample_8) = no_light_0();
     if((params_0.light_node_count_0) == u32(0))
     {
         return false;
     }
-    var descent_3 : Descent_0 = Descent_x24init_0(u32(0), u32(0), u32(0), 1.0f, 1.0f, u_7.x, false);
+    var descent_3 : Descent_0 = Descent_x24init_0(u32(0), u32(0), u32(0), 1.0f, 1.0f, u_8.x, false);
     Descent_at_0(&(descent_3), u32(0));
-    var _S330 : bool;
+    var _S324 : bool;
     if(!IS_SINGLE_0)
     {
-        _S330 = aim_2.is_met_0;
+        _S324 = aim_2.is_met_0;
     }
     else
     {
-        _S330 = false;
+        _S324 = false;
     }
-    if(_S330)
+    if(_S324)
     {
         var leaf_2 : u32 = instances_0[aim_2.hit_3.instance_3].light_leaf_0;
         if((instances_0[aim_2.hit_3.instance_3].light_leaf_0) == u32(4294967295))
         {
-            _S330 = true;
+            _S324 = true;
         }
         else
         {
-            var _S331 : bool = climb_0(receiver_8, leaf_2, &(descent_3));
-            _S330 = !_S331;
+            var _S325 : bool = climb_0(receiver_8, leaf_2, &(descent_3));
+            _S324 = !_S325;
         }
-        if(_S330)
+        if(_S324)
         {
             return false;
         }
@@ -4458,61 +4423,61 @@ fn sample_emitter_0( receiver_8 : Receiver_0,  u_7 : vec4<f32>,  aim_2 : Aim_0, 
     {
         if(!IS_SINGLE_0)
         {
-            var _S332 : bool = descend_0(receiver_8, by_chance_0(), &(descent_3));
-            _S330 = !_S332;
+            var _S326 : bool = descend_0(receiver_8, by_chance_0(), &(descent_3));
+            _S324 = !_S326;
         }
         else
         {
-            _S330 = false;
+            _S324 = false;
         }
-        if(_S330)
+        if(_S324)
         {
             return false;
         }
     }
     var chosen_instance_0 : u32 = descent_3.index_14;
     var local_1 : Receiver_0 = in_grid_0(descent_3.index_14, receiver_8);
-    Descent_at_1(&(descent_3), top_light_nodes_0[descent_3.node_0].root_0);
-    var _S333 : bool = descend_1(local_1, aim_2, &(descent_3));
-    if(!_S333)
+    Descent_at_1(&(descent_3), top_light_node_0(descent_3.node_0).root_1);
+    var _S327 : bool = descend_1(local_1, aim_2, &(descent_3));
+    if(!_S327)
     {
         return false;
     }
     var side_4 : u32 = aim_2.hit_3.face_1;
     var odds_2 : vec2<f32>;
-    var _S334 : bool = choose_side_0(local_1.point_0, aim_2.is_met_0, descent_3, &(side_4), &(odds_2));
-    if(!_S334)
+    var _S328 : bool = choose_side_0(local_1.point_0, aim_2.is_met_0, descent_3, &(side_4), &(odds_2));
+    if(!_S328)
     {
         return false;
     }
     var power_4 : f32 = light_power_at_0(descent_3.node_0, side_4);
     if(aim_2.is_met_0)
     {
-        var _S335 : f32 = density_0(odds_2, aim_2.luminance_2, power_4, Transform_direction_0(chosen_instance_0, aim_2.direction_22) * vec3<f32>(aim_2.hit_3.t_1), side_4);
-        (*sample_8).pdf_3 = _S335;
-        return _S335 > 0.0f;
+        var _S329 : f32 = density_0(odds_2, aim_2.luminance_1, power_4, Transform_direction_0(chosen_instance_0, aim_2.direction_22) * vec3<f32>(aim_2.hit_3.t_1), side_4);
+        (*sample_8).pdf_3 = _S329;
+        return _S329 > 0.0f;
     }
-    var emitter_1 : Emitter_0 = choose_emitter_0(descent_3, side_4, u_7.y * power_4);
-    var _S336 : vec3<f32> = vec3<f32>(cell_of_0(emitter_1.voxel_0));
-    var on_face_0 : vec3<f32> = point_of_face_0(_S336, side_4, u_7.z, u_7.w);
-    var pdf_8 : f32 = density_0(odds_2, emitter_1.luminance_0, power_4, on_face_0 - local_1.point_0, side_4);
+    var emitter_1 : Emitter_0 = choose_emitter_0(descent_3, side_4, u_8.y * power_4);
+    var _S330 : vec3<f32> = vec3<f32>(cell_of_0(emitter_1.voxel_20));
+    var on_face_0 : vec3<f32> = point_of_face_0(_S330, side_4, u_8.z, u_8.w);
+    var pdf_8 : f32 = density_0(odds_2, emitter_1.luminance_4, power_4, on_face_0 - local_1.point_0, side_4);
     if(pdf_8 < 0.0f)
     {
         return false;
     }
-    var direction_27 : vec3<f32> = Transform_point_1(chosen_instance_0, offset_ray_origin_0(vector_of_0(instances_0[chosen_instance_0].grid_from_world_0.translation_0), _S336, side_4, on_face_0)) - receiver_8.point_0;
+    var direction_27 : vec3<f32> = Transform_point_1(chosen_instance_0, offset_ray_origin_0(vector_of_0(instances_0[chosen_instance_0].grid_from_world_0.translation_0), _S330, side_4, on_face_0)) - receiver_8.point_0;
     var cos_theta_4 : f32 = with_slack_0(receiver_8, divide_0(dot_product_0(receiver_8.normal_2, direction_27), square_root_0(length_squared_0(direction_27))));
-    (*sample_8) = LightSample_x24init_0(Ray_x24init_0(receiver_8.point_0, 0.0f, direction_27, 1.0f), cos_theta_4, emitted_1(emitter_1.material_0), pdf_8);
+    (*sample_8) = LightSample_x24init_0(Ray_x24init_0(receiver_8.point_0, 0.0f, direction_27, 1.0f), cos_theta_4, emitted_0(material_of_index_0(emitter_1.material_5)), pdf_8);
     return cos_theta_4 > 0.0f;
 }
 
-fn EmitterTree_sample_0( receiver_9 : Receiver_0,  u_8 : vec4<f32>,  aim_3 : Aim_0,  sample_9 : ptr<function, LightSample_0>) -> bool
+fn EmitterTree_sample_0( receiver_9 : Receiver_0,  u_9 : vec4<f32>,  aim_3 : Aim_0,  sample_9 : ptr<function, LightSample_0>) -> bool
 {
-    var _S337 : bool = sample_emitter_0(receiver_9, u_8, aim_3, &((*sample_9)));
-    return _S337;
+    var _S331 : bool = sample_emitter_0(receiver_9, u_9, aim_3, &((*sample_9)));
+    return _S331;
 }
 
-fn Lights_sample_0( receiver_10 : Receiver_0,  selection_4 : Selection_0,  u_9 : vec4<f32>,  aim_4 : Aim_0,  sample_10 : ptr<function, LightSample_0>) -> bool
+fn Lights_sample_0( receiver_10 : Receiver_0,  selection_4 : Selection_0,  u_10 : vec4<f32>,  aim_4 : Aim_0,  sample_10 : ptr<function, LightSample_0>) -> bool
 {
     var is_found_4 : bool;
     if(has_sun_0())
@@ -4525,7 +4490,7 @@ fn Lights_sample_0( receiver_10 : Receiver_0,  selection_4 : Selection_0,  u_9 :
     }
     if(is_found_4)
     {
-        is_found_4 = (u_9.x) < (selection_4.sun_0);
+        is_found_4 = (u_10.x) < (selection_4.sun_0);
     }
     else
     {
@@ -4533,9 +4498,9 @@ fn Lights_sample_0( receiver_10 : Receiver_0,  selection_4 : Selection_0,  u_9 :
     }
     if(is_found_4)
     {
-        var _S338 : bool = SunDisc_sample_0(receiver_10, u_9, &((*sample_10)));
+        var _S332 : bool = SunDisc_sample_0(receiver_10, u_10, &((*sample_10)));
         (*sample_10).pdf_3 = (*sample_10).pdf_3 * selection_4.sun_0;
-        is_found_4 = _S338;
+        is_found_4 = _S332;
     }
     else
     {
@@ -4549,7 +4514,7 @@ fn Lights_sample_0( receiver_10 : Receiver_0,  selection_4 : Selection_0,  u_9 :
         }
         if(is_found_4)
         {
-            is_found_4 = (u_9.x) < (selection_4.sun_0 + selection_4.sky_1);
+            is_found_4 = (u_10.x) < (selection_4.sun_0 + selection_4.sky_1);
         }
         else
         {
@@ -4557,15 +4522,15 @@ fn Lights_sample_0( receiver_10 : Receiver_0,  selection_4 : Selection_0,  u_9 :
         }
         if(is_found_4)
         {
-            var _S339 : bool = Sky_sample_0(receiver_10, vec4<f32>(min(divide_0(u_9.x - selection_4.sun_0, selection_4.sky_1), 0.99999994039535522f), u_9.yzw), &((*sample_10)));
+            var _S333 : bool = Sky_sample_0(receiver_10, vec4<f32>(min(divide_0(u_10.x - selection_4.sun_0, selection_4.sky_1), 0.99999994039535522f), u_10.yzw), &((*sample_10)));
             (*sample_10).pdf_3 = (*sample_10).pdf_3 * selection_4.sky_1;
-            is_found_4 = _S339;
+            is_found_4 = _S333;
         }
         else
         {
-            var _S340 : bool = EmitterTree_sample_0(receiver_10, vec4<f32>(min(divide_0(u_9.x - (selection_4.sun_0 + selection_4.sky_1), selection_4.emitters_1), 0.99999994039535522f), u_9.yzw), aim_4, &((*sample_10)));
-            (*sample_10).pdf_3 = (*sample_10).pdf_3 * selection_4.emitters_1;
-            is_found_4 = _S340;
+            var _S334 : bool = EmitterTree_sample_0(receiver_10, vec4<f32>(min(divide_0(u_10.x - (selection_4.sun_0 + selection_4.sky_1), selection_4.emitters_0), 0.99999994039535522f), u_10.yzw), aim_4, &((*sample_10)));
+            (*sample_10).pdf_3 = (*sample_10).pdf_3 * selection_4.emitters_0;
+            is_found_4 = _S334;
         }
     }
     return is_found_4;
@@ -4573,16 +4538,16 @@ fn Lights_sample_0( receiver_10 : Receiver_0,  selection_4 : Selection_0,  u_9 :
 
 fn ior_of_0( inside_4 : Inside_0) -> f32
 {
-    var _S341 : f32;
+    var _S335 : f32;
     if(Inside_is_in_0(inside_4))
     {
-        _S341 = materials_0[inside_4.material_1].ior_0;
+        _S335 = material_of_index_0(inside_4.material_0).ior_0;
     }
     else
     {
-        _S341 = 1.0f;
+        _S335 = 1.0f;
     }
-    return _S341;
+    return _S335;
 }
 
 struct Microfacets_0
@@ -4601,25 +4566,25 @@ struct MaterialBsdf_0
 
 fn Microfacets_x24init_0( alpha_1 : f32) -> Microfacets_0
 {
-    var _S342 : Microfacets_0;
-    _S342.alpha_0 = alpha_1;
-    return _S342;
+    var _S336 : Microfacets_0;
+    _S336.alpha_0 = alpha_1;
+    return _S336;
 }
 
 fn MaterialBsdf_x24init_0( kind_1 : u32,  color_2 : vec3<f32>,  specular_2 : f32,  eta_1 : f32,  facets_1 : Microfacets_0) -> MaterialBsdf_0
 {
-    var _S343 : MaterialBsdf_0;
-    _S343.kind_0 = kind_1;
-    _S343.color_1 = color_2;
-    _S343.specular_1 = specular_2;
-    _S343.eta_0 = eta_1;
-    _S343.facets_0 = facets_1;
-    return _S343;
+    var _S337 : MaterialBsdf_0;
+    _S337.kind_0 = kind_1;
+    _S337.color_1 = color_2;
+    _S337.specular_1 = specular_2;
+    _S337.eta_0 = eta_1;
+    _S337.facets_0 = facets_1;
+    return _S337;
 }
 
-fn bsdf_of_0( material_6 : PackedMaterial_0,  ior_1 : f32,  choice_2 : ptr<function, f32>) -> MaterialBsdf_0
+fn bsdf_of_0( material_7 : PackedMaterial_0,  ior_1 : f32,  choice_2 : ptr<function, f32>) -> MaterialBsdf_0
 {
-    return MaterialBsdf_x24init_0(u32(0), vector_of_0(material_6.base_color_0), 0.0f, 1.0f, Microfacets_x24init_0(1.0f));
+    return MaterialBsdf_x24init_0(u32(0), vector_of_0(material_7.base_color_0), 0.0f, 1.0f, Microfacets_x24init_0(1.0f));
 }
 
 fn MaterialBsdf_albedo_0( this_38 : MaterialBsdf_0) -> vec3<f32>
@@ -4627,23 +4592,23 @@ fn MaterialBsdf_albedo_0( this_38 : MaterialBsdf_0) -> vec3<f32>
     return this_38.color_1;
 }
 
-fn roulette_0( event_2 : u32,  scattered_2 : vec3<f32>,  u_10 : f32) -> f32
+fn roulette_0( event_2 : u32,  scattered_2 : vec3<f32>,  u_11 : f32) -> f32
 {
     if(event_2 < u32(3))
     {
         return 1.0f;
     }
-    var _S344 : f32 = min(max_element_0(scattered_2), 0.94999998807907104f);
-    var _S345 : f32;
-    if(u_10 < _S344)
+    var _S338 : f32 = min(max_element_0(scattered_2), 0.94999998807907104f);
+    var _S339 : f32;
+    if(u_11 < _S338)
     {
-        _S345 = divide_0(1.0f, _S344);
+        _S339 = divide_0(1.0f, _S338);
     }
     else
     {
-        _S345 = 0.0f;
+        _S339 = 0.0f;
     }
-    return _S345;
+    return _S339;
 }
 
 struct Surface_0
@@ -4665,32 +4630,32 @@ fn face_normal_0( face_7 : u32) -> vec3<f32>
     {
         away_1 = -1.0f;
     }
-    var _S346 : f32;
+    var _S340 : f32;
     if(face_7 < u32(2))
     {
-        _S346 = away_1;
+        _S340 = away_1;
     }
     else
     {
-        _S346 = 0.0f;
+        _S340 = 0.0f;
     }
-    var _S347 : bool;
+    var _S341 : bool;
     if(face_7 >= u32(2))
     {
-        _S347 = face_7 < u32(4);
+        _S341 = face_7 < u32(4);
     }
     else
     {
-        _S347 = false;
+        _S341 = false;
     }
-    var _S348 : f32;
-    if(_S347)
+    var _S342 : f32;
+    if(_S341)
     {
-        _S348 = away_1;
+        _S342 = away_1;
     }
     else
     {
-        _S348 = 0.0f;
+        _S342 = 0.0f;
     }
     if(face_7 >= u32(4))
     {
@@ -4699,26 +4664,26 @@ fn face_normal_0( face_7 : u32) -> vec3<f32>
     {
         away_1 = 0.0f;
     }
-    return vec3<f32>(_S346, _S348, away_1);
+    return vec3<f32>(_S340, _S342, away_1);
 }
 
-fn world_normal_0( _S349 : u32,  _S350 : u32) -> vec3<f32>
+fn world_normal_0( _S343 : u32,  _S344 : u32) -> vec3<f32>
 {
-    return normalize_vector_0(Transform_direction_1(_S349, face_normal_0(_S350)));
+    return normalize_vector_0(Transform_direction_1(_S343, face_normal_0(_S344)));
 }
 
 fn surface_of_0( ray_16 : Ray_0,  hit_5 : Hit_0) -> Surface_0
 {
     var surface_0 : Surface_0;
-    var _S351 : vec3<f32> = vec3<f32>(hit_5.voxel_4);
+    var _S345 : vec3<f32> = vec3<f32>(hit_5.voxel_3);
     if(IS_SINGLE_0)
     {
-        surface_0.origin_11 = offset_ray_origin_0(vec3<f32>(0.0f), _S351, hit_5.face_1, ray_16.origin_2 + ray_16.direction_1 * vec3<f32>(hit_5.t_1));
+        surface_0.origin_11 = offset_ray_origin_0(vec3<f32>(0.0f), _S345, hit_5.face_1, ray_16.origin_2 + ray_16.direction_1 * vec3<f32>(hit_5.t_1));
         surface_0.normal_4 = face_normal_0(hit_5.face_1);
     }
     else
     {
-        surface_0.origin_11 = Transform_point_1(hit_5.instance_3, offset_ray_origin_0(vector_of_0(instances_0[hit_5.instance_3].grid_from_world_0.translation_0), _S351, hit_5.face_1, Transform_point_0(hit_5.instance_3, ray_16.origin_2) + Transform_direction_0(hit_5.instance_3, ray_16.direction_1) * vec3<f32>(hit_5.t_1)));
+        surface_0.origin_11 = Transform_point_1(hit_5.instance_3, offset_ray_origin_0(vector_of_0(instances_0[hit_5.instance_3].grid_from_world_0.translation_0), _S345, hit_5.face_1, Transform_point_0(hit_5.instance_3, ray_16.origin_2) + Transform_direction_0(hit_5.instance_3, ray_16.direction_1) * vec3<f32>(hit_5.t_1)));
         surface_0.normal_4 = world_normal_0(hit_5.instance_3, hit_5.face_1);
     }
     surface_0.face_6 = hit_5.face_1;
@@ -4773,50 +4738,7 @@ fn clamp_to_voxel_0( translation_3 : vec3<f32>,  low_12 : vec3<f32>,  point_5 : 
 
 fn Inside_point_0( this_40 : Inside_0,  ray_17 : Ray_0,  t_12 : f32) -> vec3<f32>
 {
-    return Transform_point_1(this_40.instance_1, clamp_to_voxel_0(vector_of_0(instances_0[this_40.instance_1].grid_from_world_0.translation_0), vec3<f32>(this_40.voxel_2), Transform_point_0(this_40.instance_1, ray_17.origin_2) + Transform_direction_0(this_40.instance_1, ray_17.direction_1) * vec3<f32>(t_12)));
-}
-
-fn sent_by_side_2( _S352 : i32,  _S353 : vec3<f32>,  _S354 : f32) -> BySide_0
-{
-    var _S355 : vec3<f32> = vec3<f32>(0.0f);
-    var _S356 : vec3<f32> = vec3<f32>(_S354);
-    return BySide_x24init_0(vec3<f32>(top_light_nodes_0[_S352].power_0[i32(0)], top_light_nodes_0[_S352].power_0[i32(2)], top_light_nodes_0[_S352].power_0[i32(4)]) * min(max(vector_of_0(top_light_nodes_0[_S352].max_2) - _S353, _S355), _S356), vec3<f32>(top_light_nodes_0[_S352].power_0[i32(1)], top_light_nodes_0[_S352].power_0[i32(3)], top_light_nodes_0[_S352].power_0[i32(5)]) * min(max(_S353 - vector_of_0(top_light_nodes_0[_S352].min_2), _S355), _S356));
-}
-
-fn view_2( _S357 : i32,  _S358 : Receiver_0) -> View_0
-{
-    var _S359 : vec3<f32> = vector_of_0(top_light_nodes_0[_S357].max_2);
-    var _S360 : vec3<f32> = vector_of_0(top_light_nodes_0[_S357].min_2);
-    var _S361 : vec3<f32> = vec3<f32>(0.5f);
-    var half_4 : vec3<f32> = (_S359 - _S360) * _S361;
-    var toward_4 : vec3<f32> = (_S360 + _S359) * _S361 - _S358.point_0;
-    var middle_4 : f32 = dot_product_0(toward_4, _S358.normal_2);
-    var aside_2 : f32 = dot_product_0(half_4, abs(_S358.normal_2));
-    var above_2 : f32 = with_slack_0(_S358, middle_4 + aside_2);
-    var far_5 : f32 = length_squared_0(toward_4);
-    var near_4 : f32 = length_squared_0(half_4);
-    var is_far_6 : bool;
-    if((with_slack_0(_S358, middle_4 - aside_2)) > 0.0f)
-    {
-        is_far_6 = far_5 > (near_4 * 36.0f);
-    }
-    else
-    {
-        is_far_6 = false;
-    }
-    var distance_5 : f32 = length_bound_0(select(half_4, abs(toward_4), vec3<bool>((far_5 > near_4))));
-    var sent_3 : f32 = BySide_sum_0(sent_by_side_2(_S357, _S358.point_0, distance_5));
-    var falloff_2 : f32 = reciprocal_guess_0(max(far_5, near_4));
-    var _S362 : f32;
-    if(above_2 > 0.0f)
-    {
-        _S362 = sent_3 * min(above_2, distance_5) * (falloff_2 * falloff_2);
-    }
-    else
-    {
-        _S362 = 0.0f;
-    }
-    return View_x24init_0(_S362, is_far_6);
+    return Transform_point_1(this_40.instance_1, clamp_to_voxel_0(vector_of_0(instances_0[this_40.instance_1].grid_from_world_0.translation_0), vec3<f32>(this_40.voxel_1), Transform_point_0(this_40.instance_1, ray_17.origin_2) + Transform_direction_0(this_40.instance_1, ray_17.direction_1) * vec3<f32>(t_12)));
 }
 
 fn importance_of_all_0( receiver_11 : Receiver_0) -> f32
@@ -4825,7 +4747,7 @@ fn importance_of_all_0( receiver_11 : Receiver_0) -> f32
     {
         return 0.0f;
     }
-    return view_2(i32(0), receiver_11).importance_0 * params_0.light_intensity_0;
+    return view_0(top_light_node_0(u32(0)), receiver_11).importance_0 * params_0.light_intensity_0;
 }
 
 fn EmitterTree_importance_0( receiver_12 : Receiver_0) -> f32
@@ -4881,8 +4803,8 @@ fn Lights_selection_0( receiver_15 : Receiver_0) -> Selection_0
         return Selection_x24init_0(sun_2, 0.0f, 1.0f - sun_2);
     }
     var sky_3 : f32 = Lights_sky_probability_0(receiver_15);
-    var _S363 : f32 = 1.0f - sky_3;
-    return Selection_x24init_0(sun_2 * _S363, sky_3, (1.0f - sun_2) * _S363);
+    var _S346 : f32 = 1.0f - sky_3;
+    return Selection_x24init_0(sun_2 * _S346, sky_3, (1.0f - sun_2) * _S346);
 }
 
 fn MaterialBsdf_is_delta_0( this_41 : MaterialBsdf_0) -> bool
@@ -4908,9 +4830,9 @@ struct Diffuse_0
 
 fn Diffuse_x24init_0( reflectance_1 : vec3<f32>) -> Diffuse_0
 {
-    var _S364 : Diffuse_0;
-    _S364.reflectance_0 = reflectance_1;
-    return _S364;
+    var _S347 : Diffuse_0;
+    _S347.reflectance_0 = reflectance_1;
+    return _S347;
 }
 
 fn cosine_hemisphere_pdf_0( cos_theta_7 : f32) -> f32
@@ -4920,10 +4842,10 @@ fn cosine_hemisphere_pdf_0( cos_theta_7 : f32) -> f32
 
 fn BsdfEval_x24init_0( weight_4 : vec3<f32>,  pdf_10 : f32) -> BsdfEval_0
 {
-    var _S365 : BsdfEval_0;
-    _S365.weight_3 = weight_4;
-    _S365.pdf_9 = pdf_10;
-    return _S365;
+    var _S348 : BsdfEval_0;
+    _S348.weight_3 = weight_4;
+    _S348.pdf_9 = pdf_10;
+    return _S348;
 }
 
 fn Diffuse_eval_0( this_43 : Diffuse_0,  wo_0 : vec3<f32>,  wi_0 : vec3<f32>) -> BsdfEval_0
@@ -4944,34 +4866,34 @@ struct BsdfSample_0
      is_delta_0 : bool,
 };
 
-fn cosine_hemisphere_0( u_11 : f32,  v_5 : f32) -> vec3<f32>
+fn cosine_hemisphere_0( u_12 : f32,  v_5 : f32) -> vec3<f32>
 {
-    var radius_6 : f32 = square_root_0(u_11);
+    var radius_6 : f32 = square_root_0(u_12);
     var sin_cos_4 : vec2<f32> = sincos_turns_0(v_5);
-    return vec3<f32>(radius_6 * sin_cos_4.y, radius_6 * sin_cos_4.x, square_root_0(1.0f - u_11));
+    return vec3<f32>(radius_6 * sin_cos_4.y, radius_6 * sin_cos_4.x, square_root_0(1.0f - u_12));
 }
 
 fn BsdfSample_x24init_0( wi_3 : vec3<f32>,  weight_6 : vec3<f32>,  pdf_12 : f32,  is_delta_1 : bool) -> BsdfSample_0
 {
-    var _S366 : BsdfSample_0;
-    _S366.wi_2 = wi_3;
-    _S366.weight_5 = weight_6;
-    _S366.pdf_11 = pdf_12;
-    _S366.is_delta_0 = is_delta_1;
-    return _S366;
+    var _S349 : BsdfSample_0;
+    _S349.wi_2 = wi_3;
+    _S349.weight_5 = weight_6;
+    _S349.pdf_11 = pdf_12;
+    _S349.is_delta_0 = is_delta_1;
+    return _S349;
 }
 
-fn Diffuse_sample_0( this_45 : Diffuse_0,  wo_2 : vec3<f32>,  u_12 : vec3<f32>,  sample_11 : ptr<function, BsdfSample_0>) -> bool
+fn Diffuse_sample_0( this_45 : Diffuse_0,  wo_2 : vec3<f32>,  u_13 : vec3<f32>,  sample_11 : ptr<function, BsdfSample_0>) -> bool
 {
-    var wi_4 : vec3<f32> = cosine_hemisphere_0(u_12.x, u_12.y);
+    var wi_4 : vec3<f32> = cosine_hemisphere_0(u_13.x, u_13.y);
     (*sample_11) = BsdfSample_x24init_0(wi_4, this_45.reflectance_0, cosine_hemisphere_pdf_0(wi_4.z), false);
     return true;
 }
 
-fn MaterialBsdf_sample_0( this_46 : MaterialBsdf_0,  wo_3 : vec3<f32>,  u_13 : vec3<f32>,  sample_12 : ptr<function, BsdfSample_0>) -> bool
+fn MaterialBsdf_sample_0( this_46 : MaterialBsdf_0,  wo_3 : vec3<f32>,  u_14 : vec3<f32>,  sample_12 : ptr<function, BsdfSample_0>) -> bool
 {
-    var _S367 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_46.color_1), wo_3, u_13, &((*sample_12)));
-    return _S367;
+    var _S350 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_46.color_1), wo_3, u_14, &((*sample_12)));
+    return _S350;
 }
 
 fn Surface_world_direction_0( this_47 : Surface_0,  local_3 : vec3<f32>) -> vec3<f32>
@@ -4985,23 +4907,23 @@ fn Surface_world_direction_0( this_47 : Surface_0,  local_3 : vec3<f32>) -> vec3
     {
         away_2 = - local_3.z;
     }
-    var _S368 : f32 = local_3.x;
-    var _S369 : f32 = local_3.y;
-    var _S370 : vec3<f32> = vec3<f32>(_S368, _S369, away_2);
+    var _S351 : f32 = local_3.x;
+    var _S352 : f32 = local_3.y;
+    var _S353 : vec3<f32> = vec3<f32>(_S351, _S352, away_2);
     var in_grid_3 : vec3<f32>;
     if((this_47.face_6) < u32(2))
     {
-        in_grid_3 = vec3<f32>(away_2, _S368, _S369);
+        in_grid_3 = vec3<f32>(away_2, _S351, _S352);
     }
     else
     {
         if((this_47.face_6) < u32(4))
         {
-            in_grid_3 = vec3<f32>(_S369, away_2, _S368);
+            in_grid_3 = vec3<f32>(_S352, away_2, _S351);
         }
         else
         {
-            in_grid_3 = _S370;
+            in_grid_3 = _S353;
         }
     }
     if(!IS_SINGLE_0)
@@ -5100,22 +5022,22 @@ fn PathTracingOf_advance_0( path_4 : ptr<function, Path_0>,  ray_18 : Ray_0,  hi
         }
         return next_0;
     }
-    var u_14 : vec4<f32> = Sampler_stratified_0((*path_4).sampler_0, Path_dimension_scatter_0((*path_4)));
-    var material_7 : PackedMaterial_0 = material_met_0((*path_4), hit_6, beyond_2);
-    var _S371 : vec3<f32> = vec3<f32>(0.0f);
+    var u_15 : vec4<f32> = Sampler_stratified_0((*path_4).sampler_0, Path_dimension_scatter_0((*path_4)));
+    var material_8 : PackedMaterial_0 = material_met_0((*path_4), hit_6, beyond_2);
+    var _S354 : vec3<f32> = vec3<f32>(0.0f);
     var le_1 : vec3<f32>;
     if(!is_counted_0)
     {
-        le_1 = EmitterTree_le_0(material_7);
+        le_1 = EmitterTree_le_0(material_8);
     }
     else
     {
-        le_1 = _S371;
+        le_1 = _S354;
     }
     var is_lit_0 : bool = (max_element_0(le_1)) > 0.0f;
-    var met_0 : Aim_0 = Aim_x24init_0(true, ray_18.direction_1, hit_6, luminance_1(vector_of_0(material_7.emission_0)));
-    var _S372 : bool = weighs_apart_0();
-    if(_S372)
+    var met_0 : Aim_0 = Aim_x24init_0(true, ray_18.direction_1, hit_6, luminance_0(vector_of_0(material_8.emission_0)));
+    var _S355 : bool = weighs_apart_0();
+    if(_S355)
     {
         is_weighed_0 = is_lit_0;
     }
@@ -5143,7 +5065,7 @@ fn PathTracingOf_advance_0( path_4 : ptr<function, Path_0>,  ray_18 : Ray_0,  hi
     if(is_chosen_0)
     {
         var light_2 : LightSample_0 = no_light_0();
-        if(!_S372)
+        if(!_S355)
         {
             is_chosen_0 = ((*path_4).pdf_1) > 0.0f;
         }
@@ -5153,15 +5075,15 @@ fn PathTracingOf_advance_0( path_4 : ptr<function, Path_0>,  ray_18 : Ray_0,  hi
         }
         if(is_chosen_0)
         {
-            var _S373 : bool = Lights_sample_0(last_6, Path_selection_at_0((*path_4), last_6), vec4<f32>(0.0f), met_0, &(light_2));
-            is_chosen_0 = _S373;
+            var _S356 : bool = Lights_sample_0(last_6, Path_selection_at_0((*path_4), last_6), vec4<f32>(0.0f), met_0, &(light_2));
+            is_chosen_0 = _S356;
         }
         else
         {
             is_chosen_0 = false;
         }
-        var _S374 : vec3<f32> = (*path_4).beta_0 * le_1;
-        var _S375 : f32 = (*path_4).pdf_1;
+        var _S357 : vec3<f32> = (*path_4).beta_0 * le_1;
+        var _S358 : f32 = (*path_4).pdf_1;
         if(is_chosen_0)
         {
             light_pdf_1 = light_2.pdf_3;
@@ -5170,18 +5092,18 @@ fn PathTracingOf_advance_0( path_4 : ptr<function, Path_0>,  ray_18 : Ray_0,  hi
         {
             light_pdf_1 = 0.0f;
         }
-        (*radiance_6) = (*radiance_6) + _S374 * vec3<f32>(mis_weight_0(_S375, light_pdf_1));
+        (*radiance_6) = (*radiance_6) + _S357 * vec3<f32>(mis_weight_0(_S358, light_pdf_1));
     }
-    var _S376 : f32 = ior_of_0((*path_4).inside_0);
-    var _S377 : f32 = u_14[i32(3)];
-    var _S378 : MaterialBsdf_0 = bsdf_of_0(material_7, _S376, &(_S377));
-    u_14[i32(3)] = _S377;
-    var scattered_3 : vec3<f32> = (*path_4).beta_0 * MaterialBsdf_albedo_0(_S378);
-    var _S379 : bool = ((*path_4).bounce_0) >= (params_0.max_bounces_0);
-    var _S380 : bool = !is_weighed_0;
-    if(_S380)
+    var _S359 : f32 = ior_of_0((*path_4).inside_0);
+    var _S360 : f32 = u_15[i32(3)];
+    var _S361 : MaterialBsdf_0 = bsdf_of_0(material_8, _S359, &(_S360));
+    u_15[i32(3)] = _S360;
+    var scattered_3 : vec3<f32> = (*path_4).beta_0 * MaterialBsdf_albedo_0(_S361);
+    var _S362 : bool = ((*path_4).bounce_0) >= (params_0.max_bounces_0);
+    var _S363 : bool = !is_weighed_0;
+    if(_S363)
     {
-        if(_S379)
+        if(_S362)
         {
             is_chosen_0 = true;
         }
@@ -5198,8 +5120,8 @@ fn PathTracingOf_advance_0( path_4 : ptr<function, Path_0>,  ray_18 : Ray_0,  hi
     {
         return next_0;
     }
-    var compensation_0 : f32 = roulette_0(Path_events_0((*path_4)), scattered_3, u_14.z);
-    if(_S380)
+    var compensation_0 : f32 = roulette_0(Path_events_0((*path_4)), scattered_3, u_15.z);
+    if(_S363)
     {
         is_chosen_0 = compensation_0 == 0.0f;
     }
@@ -5214,41 +5136,41 @@ fn PathTracingOf_advance_0( path_4 : ptr<function, Path_0>,  ray_18 : Ray_0,  hi
     var at_6 : Hit_0;
     if(is_scattered_0)
     {
-        at_6 = Hit_x24init_0(t_13, (*path_4).inside_0.instance_1, hit_6.voxel_4, u32(0));
+        at_6 = Hit_x24init_0(t_13, (*path_4).inside_0.instance_1, hit_6.voxel_3, u32(0));
     }
     else
     {
         at_6 = hit_6;
     }
     var surface_1 : Surface_0 = surface_of_0(ray_18, at_6);
-    var _S381 : Receiver_0 = Receiver_x24init_0(surface_1.origin_11, surface_1.normal_4);
-    var _S382 : vec3<f32> = (vec3<f32>(0) - ray_18.direction_1);
-    var wo_4 : vec3<f32> = Surface_local_direction_0(surface_1, _S382);
+    var _S364 : Receiver_0 = Receiver_x24init_0(surface_1.origin_11, surface_1.normal_4);
+    var _S365 : vec3<f32> = (vec3<f32>(0) - ray_18.direction_1);
+    var wo_4 : vec3<f32> = Surface_local_direction_0(surface_1, _S365);
     var inside_5 : Inside_0 = in_air_0();
     var wo_5 : vec3<f32>;
     var receiver_16 : Receiver_0;
     if(is_scattered_0)
     {
-        var _S383 : Inside_0 = Inside_x24init_0((*path_4).inside_0.instance_1, hit_6.voxel_4, (*path_4).inside_0.material_1);
-        inside_5 = _S383;
-        var _S384 : vec3<f32> = normalize_vector_0(_S382);
-        receiver_16 = Receiver_x24init_0(Inside_point_0(_S383, ray_18, t_13), _S371);
-        wo_5 = _S384;
+        var _S366 : Inside_0 = Inside_x24init_0((*path_4).inside_0.instance_1, hit_6.voxel_3, (*path_4).inside_0.material_0);
+        inside_5 = _S366;
+        var _S367 : vec3<f32> = normalize_vector_0(_S365);
+        receiver_16 = Receiver_x24init_0(Inside_point_0(_S366, ray_18, t_13), _S354);
+        wo_5 = _S367;
     }
     else
     {
         if(Inside_is_in_0((*path_4).inside_0))
         {
             next_0.relocates_0 = (hit_6.instance_3) != ((*path_4).inside_0.instance_1);
-            inside_5 = Inside_x24init_0((*path_4).inside_0.instance_1, hit_6.voxel_4, (*path_4).inside_0.material_1);
-            inside_5.voxel_2 = hit_6.voxel_4 + vec3<i32>(face_normal_0(hit_6.face_1));
+            inside_5 = Inside_x24init_0((*path_4).inside_0.instance_1, hit_6.voxel_3, (*path_4).inside_0.material_0);
+            inside_5.voxel_1 = hit_6.voxel_3 + vec3<i32>(face_normal_0(hit_6.face_1));
         }
-        receiver_16 = _S381;
+        receiver_16 = _S364;
         wo_5 = wo_4;
     }
     next_0.origin_9 = receiver_16.point_0;
     next_0.shadow_inside_0 = inside_5;
-    var _S385 : Aim_0 = by_chance_0();
+    var _S368 : Aim_0 = by_chance_0();
     var aim_5 : Aim_0;
     if(is_weighed_0)
     {
@@ -5257,9 +5179,9 @@ fn PathTracingOf_advance_0( path_4 : ptr<function, Path_0>,  ray_18 : Ray_0,  hi
     }
     else
     {
-        aim_5 = _S385;
+        aim_5 = _S368;
     }
-    if(_S380)
+    if(_S363)
     {
         (*path_4).selection_0 = Lights_selection_0(receiver_16);
     }
@@ -5270,12 +5192,12 @@ fn PathTracingOf_advance_0( path_4 : ptr<function, Path_0>,  ray_18 : Ray_0,  hi
     }
     else
     {
-        is_chosen_0 = !MaterialBsdf_is_delta_0(_S378);
+        is_chosen_0 = !MaterialBsdf_is_delta_0(_S361);
     }
     if(is_chosen_0)
     {
-        var _S386 : bool = Lights_sample_0(receiver_16, (*path_4).selection_0, Sampler_stratified_0((*path_4).sampler_0, Path_dimension_light_0((*path_4))), aim_5, &(light_3));
-        next_0.has_shadow_ray_0 = _S386;
+        var _S369 : bool = Lights_sample_0(receiver_16, (*path_4).selection_0, Sampler_stratified_0((*path_4).sampler_0, Path_dimension_light_0((*path_4))), aim_5, &(light_3));
+        next_0.has_shadow_ray_0 = _S369;
     }
     if(is_weighed_0)
     {
@@ -5294,7 +5216,7 @@ fn PathTracingOf_advance_0( path_4 : ptr<function, Path_0>,  ray_18 : Ray_0,  hi
     }
     if(next_0.has_shadow_ray_0)
     {
-        var _S387 : vec3<f32> = vec3<f32>(Surface_local_direction_0(surface_1, light_3.ray_14.direction_1).xy, light_3.cos_theta_0);
+        var _S370 : vec3<f32> = vec3<f32>(Surface_local_direction_0(surface_1, light_3.ray_14.direction_1).xy, light_3.cos_theta_0);
         var wi_5 : vec3<f32>;
         if(is_scattered_0)
         {
@@ -5302,17 +5224,17 @@ fn PathTracingOf_advance_0( path_4 : ptr<function, Path_0>,  ray_18 : Ray_0,  hi
         }
         else
         {
-            wi_5 = _S387;
+            wi_5 = _S370;
         }
-        var eval_0 : BsdfEval_0 = MaterialBsdf_eval_0(_S378, wo_5, wi_5);
+        var eval_0 : BsdfEval_0 = MaterialBsdf_eval_0(_S361, wo_5, wi_5);
         var share_8 : f32 = divide_0(eval_0.pdf_9, light_3.pdf_3) * power_heuristic_0(light_3.pdf_3, eval_0.pdf_9);
         next_0.shadow_direction_0 = light_3.ray_14.direction_1;
         next_0.shadow_t_max_0 = light_3.ray_14.t_max_1;
         next_0.light_0 = (*path_4).beta_0 * eval_0.weight_3 * vec3<f32>(compensation_0) * light_3.radiance_2 * vec3<f32>(share_8);
     }
     var bounce_4 : BsdfSample_0;
-    var _S388 : bool = MaterialBsdf_sample_0(_S378, wo_5, vec3<f32>(u_14.xy, u_14.w), &(bounce_4));
-    if(!_S388)
+    var _S371 : bool = MaterialBsdf_sample_0(_S361, wo_5, vec3<f32>(u_15.xy, u_15.w), &(bounce_4));
+    if(!_S371)
     {
         return next_0;
     }
@@ -5369,17 +5291,17 @@ fn fixed_point_0( value_2 : f32) -> vec2<u32>
     }
     if(shift_6 < i32(32))
     {
-        var _S389 : u32 = (mantissa_3 << (u32(shift_6)));
-        var _S390 : u32;
+        var _S372 : u32 = (mantissa_3 << (u32(shift_6)));
+        var _S373 : u32;
         if(shift_6 == i32(0))
         {
-            _S390 = u32(0);
+            _S373 = u32(0);
         }
         else
         {
-            _S390 = (mantissa_3 >> (u32(i32(32) - shift_6)));
+            _S373 = (mantissa_3 >> (u32(i32(32) - shift_6)));
         }
-        return vec2<u32>(_S389, _S390);
+        return vec2<u32>(_S372, _S373);
     }
     return vec2<u32>(u32(0), (mantissa_3 << (u32(shift_6 - i32(32)))));
 }
@@ -5387,107 +5309,107 @@ fn fixed_point_0( value_2 : f32) -> vec2<u32>
 fn PixelRecord_add_0( this_48 : ptr<function, PixelRecord_0>,  value_3 : vec3<f32>,  is_covered_0 : bool)
 {
     var addend_0 : vec2<u32> = fixed_point_0(value_3[u32(0)]);
-    var _S391 : u32 = addend_0.x;
-    var low_13 : u32 = (*this_48).radiance_1[u32(0)] + _S391;
-    var high_6 : u32 = (*this_48).radiance_1[u32(1)] + addend_0.y + u32(low_13 < _S391);
+    var _S374 : u32 = addend_0.x;
+    var low_13 : u32 = (*this_48).radiance_1[u32(0)] + _S374;
+    var high_6 : u32 = (*this_48).radiance_1[u32(1)] + addend_0.y + u32(low_13 < _S374);
     var is_full_0 : bool = high_6 < ((*this_48).radiance_1[u32(1)]);
-    var _S392 : u32;
+    var _S375 : u32;
     if(is_full_0)
     {
-        _S392 = u32(4294967295);
+        _S375 = u32(4294967295);
     }
     else
     {
-        _S392 = low_13;
+        _S375 = low_13;
     }
-    (*this_48).radiance_1[u32(0)] = _S392;
+    (*this_48).radiance_1[u32(0)] = _S375;
     if(is_full_0)
     {
-        _S392 = u32(4294967295);
+        _S375 = u32(4294967295);
     }
     else
     {
-        _S392 = high_6;
+        _S375 = high_6;
     }
-    (*this_48).radiance_1[u32(1)] = _S392;
+    (*this_48).radiance_1[u32(1)] = _S375;
     var addend_1 : vec2<u32> = fixed_point_0(value_3[u32(1)]);
-    var _S393 : u32 = addend_1.x;
-    var low_14 : u32 = (*this_48).radiance_1[u32(2)] + _S393;
-    var high_7 : u32 = (*this_48).radiance_1[u32(3)] + addend_1.y + u32(low_14 < _S393);
+    var _S376 : u32 = addend_1.x;
+    var low_14 : u32 = (*this_48).radiance_1[u32(2)] + _S376;
+    var high_7 : u32 = (*this_48).radiance_1[u32(3)] + addend_1.y + u32(low_14 < _S376);
     var is_full_1 : bool = high_7 < ((*this_48).radiance_1[u32(3)]);
     if(is_full_1)
     {
-        _S392 = u32(4294967295);
+        _S375 = u32(4294967295);
     }
     else
     {
-        _S392 = low_14;
+        _S375 = low_14;
     }
-    (*this_48).radiance_1[u32(2)] = _S392;
+    (*this_48).radiance_1[u32(2)] = _S375;
     if(is_full_1)
     {
-        _S392 = u32(4294967295);
+        _S375 = u32(4294967295);
     }
     else
     {
-        _S392 = high_7;
+        _S375 = high_7;
     }
-    (*this_48).radiance_1[u32(3)] = _S392;
+    (*this_48).radiance_1[u32(3)] = _S375;
     var addend_2 : vec2<u32> = fixed_point_0(value_3[u32(2)]);
-    var _S394 : u32 = addend_2.x;
-    var low_15 : u32 = (*this_48).radiance_1[u32(4)] + _S394;
-    var high_8 : u32 = (*this_48).radiance_1[u32(5)] + addend_2.y + u32(low_15 < _S394);
+    var _S377 : u32 = addend_2.x;
+    var low_15 : u32 = (*this_48).radiance_1[u32(4)] + _S377;
+    var high_8 : u32 = (*this_48).radiance_1[u32(5)] + addend_2.y + u32(low_15 < _S377);
     var is_full_2 : bool = high_8 < ((*this_48).radiance_1[u32(5)]);
     if(is_full_2)
     {
-        _S392 = u32(4294967295);
+        _S375 = u32(4294967295);
     }
     else
     {
-        _S392 = low_15;
+        _S375 = low_15;
     }
-    (*this_48).radiance_1[u32(4)] = _S392;
+    (*this_48).radiance_1[u32(4)] = _S375;
     if(is_full_2)
     {
-        _S392 = u32(4294967295);
+        _S375 = u32(4294967295);
     }
     else
     {
-        _S392 = high_8;
+        _S375 = high_8;
     }
-    (*this_48).radiance_1[u32(5)] = _S392;
+    (*this_48).radiance_1[u32(5)] = _S375;
     (*this_48).samples_0 = (*this_48).samples_0 + u32(1);
     (*this_48).covered_0 = (*this_48).covered_0 + u32(is_covered_0);
     return;
 }
 
-fn add_sample_0( index_25 : u32,  radiance_7 : vec3<f32>,  is_covered_1 : bool)
+fn add_sample_0( index_27 : u32,  radiance_7 : vec3<f32>,  is_covered_1 : bool)
 {
     var pixel_6 : PixelRecord_0;
-    pixel_6.radiance_1 = pixels_0[index_25].radiance_1;
-    pixel_6.samples_0 = pixels_0[index_25].samples_0;
-    pixel_6.covered_0 = pixels_0[index_25].covered_0;
+    pixel_6.radiance_1 = pixels_0[index_27].radiance_1;
+    pixel_6.samples_0 = pixels_0[index_27].samples_0;
+    pixel_6.covered_0 = pixels_0[index_27].covered_0;
     PixelRecord_add_0(&(pixel_6), radiance_7, is_covered_1);
-    pixels_0[index_25].radiance_1 = pixel_6.radiance_1;
-    pixels_0[index_25].samples_0 = pixel_6.samples_0;
-    pixels_0[index_25].covered_0 = pixel_6.covered_0;
+    pixels_0[index_27].radiance_1 = pixel_6.radiance_1;
+    pixels_0[index_27].samples_0 = pixel_6.samples_0;
+    pixels_0[index_27].covered_0 = pixel_6.covered_0;
     return;
 }
 
 fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
 {
     var counts_0 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
-    var _S395 : vec3<f32> = vec3<f32>(0.0f);
-    var radiance_8 : vec3<f32> = _S395;
+    var _S378 : vec3<f32> = vec3<f32>(0.0f);
+    var radiance_8 : vec3<f32> = _S378;
     var path_5 : Path_0;
-    var _S396 : Ray_0 = camera_path_0(work_0.pixel_5, work_0.sample_5, &(path_5));
-    var ray_19 : Ray_0 = _S396;
+    var _S379 : Ray_0 = camera_path_0(work_0.pixel_5, work_0.sample_5, &(path_5));
+    var ray_19 : Ray_0 = _S379;
     var is_shadow_turn_0 : bool = true;
     var is_shadow_ray_0 : bool = false;
-    var direction_28 : vec3<f32> = _S395;
+    var direction_28 : vec3<f32> = _S378;
     var is_covered_2 : bool = false;
     var sample_13 : u32 = work_0.sample_5;
-    var light_4 : vec3<f32> = _S395;
+    var light_4 : vec3<f32> = _S378;
     for(;;)
     {
         if(sample_13 < (work_0.last_0))
@@ -5503,7 +5425,7 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
             is_shadow_turn_0 = is_shadow_turn_1;
             continue;
         }
-        var _S397 : Hit_0 = WalkTracer_trace_0(&(ray_19), is_shadow_ray_0);
+        var _S380 : Hit_0 = WalkTracer_trace_0(&(ray_19), is_shadow_ray_0);
         if(waits_for_pages_0())
         {
             break;
@@ -5512,7 +5434,7 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
         if(is_shadow_ray_0)
         {
             counts_0.shadow_0 = counts_0.shadow_0 + u32(1);
-            if(Hit_is_miss_0(_S397))
+            if(Hit_is_miss_0(_S380))
             {
                 radiance_8 = radiance_8 + light_4;
             }
@@ -5523,7 +5445,7 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
         {
             if((Path_events_0(path_5)) == u32(0))
             {
-                if(!Hit_is_miss_0(_S397))
+                if(!Hit_is_miss_0(_S380))
                 {
                     is_covered_3 = true;
                 }
@@ -5540,55 +5462,55 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
                 }
                 is_covered_3 = is_covered_2;
             }
-            var _S398 : NextRays_0 = no_rays_0();
+            var _S381 : NextRays_0 = no_rays_0();
             path_5.sampler_0 = sampler_of_0(work_0.pixel_5, sample_13);
-            var _S399 : bool;
+            var _S382 : bool;
             if(is_covered_3)
             {
-                _S399 = true;
+                _S382 = true;
             }
             else
             {
-                _S399 = (params_0.is_transparent_0) == u32(0);
+                _S382 = (params_0.is_transparent_0) == u32(0);
             }
             var next_1 : NextRays_0;
-            if(_S399)
+            if(_S382)
             {
-                var _S400 : NextRays_0 = PathTracingOf_advance_0(&(path_5), ray_19, _S397, u32(4294967295), &(radiance_8));
-                next_1 = _S400;
+                var _S383 : NextRays_0 = PathTracingOf_advance_0(&(path_5), ray_19, _S380, u32(4294967295), &(radiance_8));
+                next_1 = _S383;
             }
             else
             {
-                next_1 = _S398;
+                next_1 = _S381;
             }
-            var _S401 : bool;
+            var _S384 : bool;
             if(weighs_apart_0())
             {
-                _S401 = next_1.is_same_0;
+                _S384 = next_1.is_same_0;
             }
             else
             {
-                _S401 = false;
+                _S384 = false;
             }
-            if(_S401)
+            if(_S384)
             {
                 is_shadow_turn_0 = is_shadow_turn_1;
                 is_covered_2 = is_covered_3;
                 continue;
             }
-            var _S402 : NextRays_0 = next_1;
-            var _S403 : NextRays_0 = next_1;
-            var _S404 : NextRays_0 = next_1;
-            var _S405 : NextRays_0 = next_1;
+            var _S385 : NextRays_0 = next_1;
+            var _S386 : NextRays_0 = next_1;
+            var _S387 : NextRays_0 = next_1;
+            var _S388 : NextRays_0 = next_1;
             ray_19 = PathTracingOf_clip_0(ray_from_0(next_1.origin_9, next_1.direction_6));
-            if(_S404.has_shadow_ray_0)
+            if(_S387.has_shadow_ray_0)
             {
-                ray_19 = Ray_x24init_0(_S405.origin_9, 0.0f, next_1.shadow_direction_0, next_1.shadow_t_max_0);
+                ray_19 = Ray_x24init_0(_S388.origin_9, 0.0f, next_1.shadow_direction_0, next_1.shadow_t_max_0);
             }
-            is_shadow_ray_0 = _S404.has_shadow_ray_0;
-            direction_28 = _S402.direction_6;
+            is_shadow_ray_0 = _S387.has_shadow_ray_0;
+            direction_28 = _S385.direction_6;
             is_covered_2 = is_covered_3;
-            light_4 = _S403.light_0;
+            light_4 = _S386.light_0;
         }
         if(waits_for_pages_0())
         {
@@ -5596,7 +5518,7 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
         }
         if(!is_shadow_ray_0)
         {
-            is_covered_3 = (all((direction_28 == _S395)));
+            is_covered_3 = (all((direction_28 == _S378)));
         }
         else
         {
@@ -5604,16 +5526,16 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
         }
         if(is_covered_3)
         {
-            var _S406 : vec2<u32> = position_of_0(work_0.pixel_5);
-            add_sample_0(place_of_0(_S406), radiance_8, is_covered_2);
-            radiance_8 = _S395;
+            var _S389 : vec2<u32> = position_of_0(work_0.pixel_5);
+            add_sample_0(place_of_0(_S389), radiance_8, is_covered_2);
+            radiance_8 = _S378;
             var sample_14 : u32 = sample_13 + u32(1);
             if(sample_14 == (work_0.last_0))
             {
                 break;
             }
-            var _S407 : Ray_0 = camera_path_0(work_0.pixel_5, sample_14, &(path_5));
-            ray_19 = _S407;
+            var _S390 : Ray_0 = camera_path_0(work_0.pixel_5, sample_14, &(path_5));
+            ray_19 = _S390;
             sample_13 = sample_14;
         }
         is_shadow_turn_0 = is_shadow_turn_1;
@@ -5635,9 +5557,9 @@ fn camera_path_1( pixel_7 : u32,  sample_15 : u32,  path_6 : ptr<function, Path_
 {
     (*path_6) = Path_x24init_0(sampler_of_0(pixel_7, sample_15), u32(0), u32(0), u32(0), u32(0), vec3<f32>(1.0f), 0.0f, vec3<f32>(0.0f), Selection_x24init_0(0.0f, 0.0f, 0.0f), 0.0f, in_air_0(), true);
     var jitter_1 : vec4<f32> = Essay_jitter_0((*path_6).sampler_0);
-    var _S408 : CameraFrame_0 = FrameParams_camera_0();
-    var _S409 : vec2<u32> = position_of_0(pixel_7);
-    return Essay_clip_0(CameraFrame_ray_0(_S408, vec2<f32>(_S409) + jitter_1.xy, jitter_1.zw));
+    var _S391 : CameraFrame_0 = FrameParams_camera_0();
+    var _S392 : vec2<u32> = position_of_0(pixel_7);
+    return Essay_clip_0(CameraFrame_ray_0(_S391, vec2<f32>(_S392) + jitter_1.xy, jitter_1.zw));
 }
 
 fn Essay_advance_0( path_7 : ptr<function, Path_0>,  ray_21 : Ray_0,  hit_7 : Hit_0,  beyond_3 : u32,  radiance_9 : ptr<function, vec3<f32>>) -> NextRays_0
@@ -5648,38 +5570,38 @@ fn Essay_advance_0( path_7 : ptr<function, Path_0>,  ray_21 : Ray_0,  hit_7 : Hi
         (*radiance_9) = (*radiance_9) + (*path_7).beta_0 * Sky_radiance_0(ray_21.direction_1);
         return next_2;
     }
-    var material_8 : PackedMaterial_0 = material_of_0(hit_7);
-    if((max_element_0(vector_of_0(material_8.emission_0))) > 0.0f)
+    var material_9 : PackedMaterial_0 = material_of_0(hit_7);
+    if((max_element_0(vector_of_0(material_9.emission_0))) > 0.0f)
     {
-        (*radiance_9) = (*radiance_9) + (*path_7).beta_0 * emitted_0(material_8);
+        (*radiance_9) = (*radiance_9) + (*path_7).beta_0 * emitted_0(material_9);
         return next_2;
     }
     if(((*path_7).bounce_0) == (params_0.max_bounces_0))
     {
         return next_2;
     }
-    var u_15 : vec4<f32> = Sampler_independent_0((*path_7).sampler_0, Path_dimension_scatter_0((*path_7)));
+    var u_16 : vec4<f32> = Sampler_independent_0((*path_7).sampler_0, Path_dimension_scatter_0((*path_7)));
     var surface_2 : Surface_0 = surface_of_0(ray_21, hit_7);
-    (*path_7).beta_0 = (*path_7).beta_0 * vector_of_0(material_8.base_color_0);
+    (*path_7).beta_0 = (*path_7).beta_0 * vector_of_0(material_9.base_color_0);
     (*path_7).bounce_0 = (*path_7).bounce_0 + u32(1);
     next_2.origin_9 = surface_2.origin_11;
-    next_2.direction_6 = Surface_world_direction_0(surface_2, cosine_hemisphere_0(u_15.x, u_15.y));
+    next_2.direction_6 = Surface_world_direction_0(surface_2, cosine_hemisphere_0(u_16.x, u_16.y));
     return next_2;
 }
 
 fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
 {
     var counts_1 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
-    var _S410 : vec3<f32> = vec3<f32>(0.0f);
-    var radiance_10 : vec3<f32> = _S410;
+    var _S393 : vec3<f32> = vec3<f32>(0.0f);
+    var radiance_10 : vec3<f32> = _S393;
     var path_8 : Path_0;
-    var _S411 : Ray_0 = camera_path_1(work_1.pixel_5, work_1.sample_5, &(path_8));
-    var ray_22 : Ray_0 = _S411;
+    var _S394 : Ray_0 = camera_path_1(work_1.pixel_5, work_1.sample_5, &(path_8));
+    var ray_22 : Ray_0 = _S394;
     var is_shadow_ray_1 : bool = false;
-    var direction_29 : vec3<f32> = _S410;
+    var direction_29 : vec3<f32> = _S393;
     var is_covered_4 : bool = false;
     var sample_16 : u32 = work_1.sample_5;
-    var light_5 : vec3<f32> = _S410;
+    var light_5 : vec3<f32> = _S393;
     for(;;)
     {
         if(sample_16 < (work_1.last_0))
@@ -5689,7 +5611,7 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
         {
             break;
         }
-        var _S412 : Hit_0 = WalkTracer_trace_0(&(ray_22), is_shadow_ray_1);
+        var _S395 : Hit_0 = WalkTracer_trace_0(&(ray_22), is_shadow_ray_1);
         if(waits_for_pages_0())
         {
             break;
@@ -5698,7 +5620,7 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
         if(is_shadow_ray_1)
         {
             counts_1.shadow_0 = counts_1.shadow_0 + u32(1);
-            if(Hit_is_miss_0(_S412))
+            if(Hit_is_miss_0(_S395))
             {
                 radiance_10 = radiance_10 + light_5;
             }
@@ -5709,7 +5631,7 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
         {
             if((Path_events_0(path_8)) == u32(0))
             {
-                if(!Hit_is_miss_0(_S412))
+                if(!Hit_is_miss_0(_S395))
                 {
                     is_covered_5 = true;
                 }
@@ -5726,54 +5648,54 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
                 }
                 is_covered_5 = is_covered_4;
             }
-            var _S413 : NextRays_0 = no_rays_0();
+            var _S396 : NextRays_0 = no_rays_0();
             path_8.sampler_0 = sampler_of_0(work_1.pixel_5, sample_16);
-            var _S414 : bool;
+            var _S397 : bool;
             if(is_covered_5)
             {
-                _S414 = true;
+                _S397 = true;
             }
             else
             {
-                _S414 = (params_0.is_transparent_0) == u32(0);
+                _S397 = (params_0.is_transparent_0) == u32(0);
             }
             var next_3 : NextRays_0;
-            if(_S414)
+            if(_S397)
             {
-                var _S415 : NextRays_0 = Essay_advance_0(&(path_8), ray_22, _S412, u32(4294967295), &(radiance_10));
-                next_3 = _S415;
+                var _S398 : NextRays_0 = Essay_advance_0(&(path_8), ray_22, _S395, u32(4294967295), &(radiance_10));
+                next_3 = _S398;
             }
             else
             {
-                next_3 = _S413;
+                next_3 = _S396;
             }
-            var _S416 : bool;
+            var _S399 : bool;
             if(weighs_apart_0())
             {
-                _S416 = next_3.is_same_0;
+                _S399 = next_3.is_same_0;
             }
             else
             {
-                _S416 = false;
+                _S399 = false;
             }
-            if(_S416)
+            if(_S399)
             {
                 is_covered_4 = is_covered_5;
                 continue;
             }
-            var _S417 : NextRays_0 = next_3;
-            var _S418 : NextRays_0 = next_3;
-            var _S419 : NextRays_0 = next_3;
-            var _S420 : NextRays_0 = next_3;
+            var _S400 : NextRays_0 = next_3;
+            var _S401 : NextRays_0 = next_3;
+            var _S402 : NextRays_0 = next_3;
+            var _S403 : NextRays_0 = next_3;
             ray_22 = Essay_clip_0(ray_from_0(next_3.origin_9, next_3.direction_6));
-            if(_S419.has_shadow_ray_0)
+            if(_S402.has_shadow_ray_0)
             {
-                ray_22 = Ray_x24init_0(_S420.origin_9, 0.0f, next_3.shadow_direction_0, next_3.shadow_t_max_0);
+                ray_22 = Ray_x24init_0(_S403.origin_9, 0.0f, next_3.shadow_direction_0, next_3.shadow_t_max_0);
             }
-            is_shadow_ray_1 = _S419.has_shadow_ray_0;
-            direction_29 = _S417.direction_6;
+            is_shadow_ray_1 = _S402.has_shadow_ray_0;
+            direction_29 = _S400.direction_6;
             is_covered_4 = is_covered_5;
-            light_5 = _S418.light_0;
+            light_5 = _S401.light_0;
         }
         if(waits_for_pages_0())
         {
@@ -5781,7 +5703,7 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
         }
         if(!is_shadow_ray_1)
         {
-            is_covered_5 = (all((direction_29 == _S410)));
+            is_covered_5 = (all((direction_29 == _S393)));
         }
         else
         {
@@ -5789,27 +5711,27 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
         }
         if(is_covered_5)
         {
-            var _S421 : vec2<u32> = position_of_0(work_1.pixel_5);
-            add_sample_0(place_of_0(_S421), radiance_10, is_covered_4);
-            radiance_10 = _S410;
+            var _S404 : vec2<u32> = position_of_0(work_1.pixel_5);
+            add_sample_0(place_of_0(_S404), radiance_10, is_covered_4);
+            radiance_10 = _S393;
             var sample_17 : u32 = sample_16 + u32(1);
             if(sample_17 == (work_1.last_0))
             {
                 break;
             }
-            var _S422 : Ray_0 = camera_path_1(work_1.pixel_5, sample_17, &(path_8));
-            ray_22 = _S422;
+            var _S405 : Ray_0 = camera_path_1(work_1.pixel_5, sample_17, &(path_8));
+            ray_22 = _S405;
             sample_16 = sample_17;
         }
     }
     return counts_1;
 }
 
-fn Walk_enter_rounded_1( this_49 : Walk_0,  voxel_22 : ptr<function, vec3<i32>>,  near_5 : vec3<i32>,  far_6 : vec3<i32>) -> bool
+fn Walk_enter_rounded_1( this_49 : Walk_0,  voxel_22 : ptr<function, vec3<i32>>,  near_3 : vec3<i32>,  far_4 : vec3<i32>) -> bool
 {
     for(;;)
     {
-        var is_before_1 : vec3<bool> = (*voxel_22) < near_5;
+        var is_before_1 : vec3<bool> = (*voxel_22) < near_3;
         if(!(any((is_before_1))))
         {
             break;
@@ -5818,16 +5740,16 @@ fn Walk_enter_rounded_1( this_49 : Walk_0,  voxel_22 : ptr<function, vec3<i32>>,
         {
             return false;
         }
-        var t_14 : vec3<f32> = select(vec3<f32>(-1.0f), Walk_crossings_0(this_49, near_5), is_before_1);
+        var t_14 : vec3<f32> = select(vec3<f32>(-1.0f), Walk_crossings_0(this_49, near_3), is_before_1);
         var t_last_1 : f32 = max_element_0(t_14);
         if(t_last_1 > (this_49.t_end_0))
         {
             return false;
         }
         var is_x_3 : bool = (t_14.x) == t_last_1;
-        var _S423 : bool = !is_x_3;
+        var _S406 : bool = !is_x_3;
         var is_y_3 : bool;
-        if(_S423)
+        if(_S406)
         {
             is_y_3 = (t_14.y) == t_last_1;
         }
@@ -5835,27 +5757,27 @@ fn Walk_enter_rounded_1( this_49 : Walk_0,  voxel_22 : ptr<function, vec3<i32>>,
         {
             is_y_3 = false;
         }
-        var _S424 : bool;
-        if(_S423)
+        var _S407 : bool;
+        if(_S406)
         {
-            _S424 = !is_y_3;
+            _S407 = !is_y_3;
         }
         else
         {
-            _S424 = false;
+            _S407 = false;
         }
-        var is_axis_3 : vec3<bool> = vec3<bool>(is_x_3, is_y_3, _S424);
-        (*voxel_22) = Walk_arrive_0(this_49, (*voxel_22), t_last_1, is_axis_3, select(vec3<i32>(i32(1073741823)), near_5, is_axis_3));
+        var is_axis_3 : vec3<bool> = vec3<bool>(is_x_3, is_y_3, _S407);
+        (*voxel_22) = Walk_arrive_0(this_49, (*voxel_22), t_last_1, is_axis_3, select(vec3<i32>(i32(1073741823)), near_3, is_axis_3));
     }
-    return (all(((*voxel_22) < far_6)));
+    return (all(((*voxel_22) < far_4)));
 }
 
 fn Walk_leave_2( this_50 : Walk_0,  voxel_23 : ptr<function, vec3<i32>>,  exit_7 : vec3<i32>) -> bool
 {
     if(!IS_EXACT_0)
     {
-        var _S425 : bool = Walk_leave_rounded_0(this_50, &((*voxel_23)), exit_7);
-        return _S425;
+        var _S408 : bool = Walk_leave_rounded_0(this_50, &((*voxel_23)), exit_7);
+        return _S408;
     }
     var t_15 : vec3<f32> = Walk_crossings_0(this_50, exit_7);
     var t_first_4 : f32 = min_element_0(t_15);
@@ -5864,9 +5786,9 @@ fn Walk_leave_2( this_50 : Walk_0,  voxel_23 : ptr<function, vec3<i32>>,  exit_7
         return false;
     }
     var is_x_4 : bool = (t_15.x) == t_first_4;
-    var _S426 : bool = !is_x_4;
+    var _S409 : bool = !is_x_4;
     var is_y_4 : bool;
-    if(_S426)
+    if(_S409)
     {
         is_y_4 = (t_15.y) == t_first_4;
     }
@@ -5878,25 +5800,25 @@ fn Walk_leave_2( this_50 : Walk_0,  voxel_23 : ptr<function, vec3<i32>>,  exit_7
     var nearest_8 : vec3<f32> = round(back_2);
     var from_nearest_4 : vec3<f32> = back_2 - nearest_8;
     var planes_4 : vec3<i32> = exit_7 - vec3<i32>(min(nearest_8, vec3<f32>(4.194304e+06f)));
-    var _S427 : vec3<i32> = planes_4 - vec3<i32>(from_nearest_4 > vec3<f32>(0.0f));
-    var _S428 : vec3<bool> = (abs(from_nearest_4)) <= (this_50.tolerance_0);
-    var _S429 : bool;
-    if(_S426)
+    var _S410 : vec3<i32> = planes_4 - vec3<i32>(from_nearest_4 > vec3<f32>(0.0f));
+    var _S411 : vec3<bool> = (abs(from_nearest_4)) <= (this_50.tolerance_0);
+    var _S412 : bool;
+    if(_S409)
     {
-        _S429 = !is_y_4;
+        _S412 = !is_y_4;
     }
     else
     {
-        _S429 = false;
+        _S412 = false;
     }
     var arrival_3 : vec3<i32>;
-    if((any((select(vec3<bool>(false), !vec3<bool>(is_x_4, is_y_4, _S429), _S428)))))
+    if((any((select(vec3<bool>(false), !vec3<bool>(is_x_4, is_y_4, _S412), _S411)))))
     {
         arrival_3 = Walk_mirrored_0(this_50, leave_box_0(this_50.ray_1, Walk_mirrored_0(this_50, (*voxel_23)) + this_50.grid_origin_0, Walk_mirrored_plane_0(this_50, exit_7) + this_50.grid_origin_0, Walk_mirrored_plane_0(this_50, planes_4) + this_50.grid_origin_0) - this_50.grid_origin_0);
     }
     else
     {
-        arrival_3 = _S427;
+        arrival_3 = _S410;
     }
     (*voxel_23) = select(max(arrival_3, (*voxel_23)), (*voxel_23), (this_50.speed_1) == vec3<f32>(0.0f));
     return true;
@@ -5904,73 +5826,73 @@ fn Walk_leave_2( this_50 : Walk_0,  voxel_23 : ptr<function, vec3<i32>>,  exit_7
 
 fn Walk_enter_1( this_51 : Walk_0,  voxel_24 : ptr<function, vec3<i32>>,  low_16 : vec3<i32>,  high_9 : vec3<i32>) -> bool
 {
-    var _S430 : bool;
+    var _S413 : bool;
     var is_mirrored_2 : vec3<bool> = (this_51.mirror_0) != vec3<i32>(i32(0));
-    var near_6 : vec3<i32> = select(low_16, (vec3<i32>(0) - high_9), is_mirrored_2);
-    var far_7 : vec3<i32> = select(high_9, (vec3<i32>(0) - low_16), is_mirrored_2);
+    var near_4 : vec3<i32> = select(low_16, (vec3<i32>(0) - high_9), is_mirrored_2);
+    var far_5 : vec3<i32> = select(high_9, (vec3<i32>(0) - low_16), is_mirrored_2);
     if(!IS_EXACT_0)
     {
-        var _S431 : bool = Walk_enter_rounded_1(this_51, &((*voxel_24)), near_6, far_7);
-        return _S431;
+        var _S414 : bool = Walk_enter_rounded_1(this_51, &((*voxel_24)), near_4, far_5);
+        return _S414;
     }
     var axis_6 : u32 = u32(0);
     for(;;)
     {
         if(axis_6 < u32(3))
         {
-            _S430 = (any(((*voxel_24) < near_6)));
+            _S413 = (any(((*voxel_24) < near_4)));
         }
         else
         {
-            _S430 = false;
+            _S413 = false;
         }
-        var _S432 : bool;
-        if(_S430)
+        var _S415 : bool;
+        if(_S413)
         {
-            _S432 = (all(((*voxel_24) < far_7)));
+            _S415 = (all(((*voxel_24) < far_5)));
         }
         else
         {
-            _S432 = false;
+            _S415 = false;
         }
-        if(_S432)
+        if(_S415)
         {
         }
         else
         {
             break;
         }
-        var _S433 : bool = Walk_leave_2(this_51, &((*voxel_24)), select(far_7, near_6, (*voxel_24) < near_6));
-        if(!_S433)
+        var _S416 : bool = Walk_leave_2(this_51, &((*voxel_24)), select(far_5, near_4, (*voxel_24) < near_4));
+        if(!_S416)
         {
             return false;
         }
         axis_6 = axis_6 + u32(1);
     }
-    if((all(((*voxel_24) >= near_6))))
+    if((all(((*voxel_24) >= near_4))))
     {
-        _S430 = (all(((*voxel_24) < far_7)));
+        _S413 = (all(((*voxel_24) < far_5)));
     }
     else
     {
-        _S430 = false;
+        _S413 = false;
     }
-    return _S430;
+    return _S413;
 }
 
-fn first_voxel_1( _S434 : u32,  _S435 : Walk_0,  _S436 : ptr<function, vec3<i32>>) -> bool
+fn first_voxel_1( _S417 : u32,  _S418 : Walk_0,  _S419 : ptr<function, vec3<i32>>) -> bool
 {
-    var _S437 : Walk_0 = _S435;
-    var _S438 : vec3<i32> = vec3<i32>(i32(0));
-    (*_S436) = _S438;
-    var voxel_25 : vec3<i32> = Walk_start_voxel_0(_S435);
-    var _S439 : bool = Walk_enter_1(_S435, &(voxel_25), cell_of_0(grids_0[_S434].min_1) - _S437.grid_origin_0, cell_of_0(grids_0[_S434].max_1) - _S437.grid_origin_0);
-    if(!_S439)
+    var _S420 : Walk_0 = _S418;
+    var _S421 : vec3<i32> = vec3<i32>(i32(0));
+    (*_S419) = _S421;
+    var voxel_25 : vec3<i32> = Walk_start_voxel_0(_S418);
+    var _S422 : bool = Walk_enter_1(_S418, &(voxel_25), cell_of_0(grids_0[_S417].min_1) - _S420.grid_origin_0, cell_of_0(grids_0[_S417].max_1) - _S420.grid_origin_0);
+    if(!_S422)
     {
         return false;
     }
-    var octant_4 : u32 = LocalRay_octant_0(_S437.ray_1);
-    var _S440 : u32 = flip_of_0(octant_4);
+    var octant_4 : u32 = LocalRay_octant_0(_S420.ray_1);
+    var _S423 : u32 = flip_of_0(octant_4);
     var top_shift_3 : u32;
     if(TOP_SHIFT_0 != u32(0))
     {
@@ -5978,36 +5900,36 @@ fn first_voxel_1( _S434 : u32,  _S435 : Walk_0,  _S436 : ptr<function, vec3<i32>
     }
     else
     {
-        top_shift_3 = grids_0[_S434].top_shift_0;
+        top_shift_3 = grids_0[_S417].top_shift_0;
     }
-    var top_size_2 : vec3<i32> = cell_of_0(grids_0[_S434].top_size_0);
-    var _S441 : i32 = top_size_2.x;
-    var stride_1 : vec3<i32> = vec3<i32>(i32(1), _S441, _S441 * top_size_2.y);
-    var _S442 : i32 = i32(grids_0[_S434].top_offset_0) - dot_cells_0((stride_1 & ((_S437.mirror_0))), vec3<i32>(i32(1)));
-    var _S443 : vec3<i32> = Walk_mirrored_plane_0(_S437, stride_1);
-    var _S444 : u32 = ahead_of_0(_S437.mirror_0);
-    var end_2 : vec3<i32> = select((top_size_2 << (vec3<u32>(top_shift_3))), _S438, (_S437.mirror_0) != _S438);
+    var top_size_2 : vec3<i32> = cell_of_0(grids_0[_S417].top_size_0);
+    var _S424 : i32 = top_size_2.x;
+    var stride_1 : vec3<i32> = vec3<i32>(i32(1), _S424, _S424 * top_size_2.y);
+    var _S425 : i32 = i32(grids_0[_S417].top_offset_0) - dot_cells_0((stride_1 & ((_S420.mirror_0))), vec3<i32>(i32(1)));
+    var _S426 : vec3<i32> = Walk_mirrored_plane_0(_S420, stride_1);
+    var _S427 : u32 = ahead_of_0(_S420.mirror_0);
+    var end_2 : vec3<i32> = select((top_size_2 << (vec3<u32>(top_shift_3))), _S421, (_S420.mirror_0) != _S421);
     if(!IS_EXACT_0)
     {
-        _S437.t_end_0 = min(_S437.t_end_0, min_element_0(Walk_crossings_0(_S437, end_2)));
+        _S420.t_end_0 = min(_S420.t_end_0, min_element_0(Walk_crossings_0(_S420, end_2)));
     }
     var is_found_5 : bool = false;
     for(;;)
     {
-        var _S445 : bool;
+        var _S428 : bool;
         if(IS_EXACT_0)
         {
-            _S445 = (any((voxel_25 >= end_2)));
+            _S428 = (any((voxel_25 >= end_2)));
         }
         else
         {
-            _S445 = false;
+            _S428 = false;
         }
-        if(_S445)
+        if(_S428)
         {
             break;
         }
-        var cell_8 : u32 = cell_word_0(u32(_S442 + dot_cells_0(_S443, (voxel_25 >> (vec3<u32>(top_shift_3))))));
+        var cell_8 : u32 = cell_word_0(u32(_S425 + dot_cells_0(_S426, (voxel_25 >> (vec3<u32>(top_shift_3))))));
         var cell_9 : u32;
         var shift_7 : u32;
         var is_found_6 : bool;
@@ -6015,8 +5937,8 @@ fn first_voxel_1( _S434 : u32,  _S435 : Walk_0,  _S436 : ptr<function, vec3<i32>
         {
             if(((cell_8 & (u32(2147483648)))) != u32(0))
             {
-                var _S446 : u32 = cell_word_0(((cell_8 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_25, u32(3))) ^ (_S440))));
-                cell_9 = _S446;
+                var _S429 : u32 = cell_word_0(((cell_8 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_25, u32(3))) ^ (_S423))));
+                cell_9 = _S429;
                 shift_7 = u32(3);
             }
             else
@@ -6039,16 +5961,16 @@ fn first_voxel_1( _S434 : u32,  _S435 : Walk_0,  _S436 : ptr<function, vec3<i32>
                 {
                     is_found_6 = false;
                 }
-                var _S447 : bool;
+                var _S430 : bool;
                 if(is_found_6)
                 {
-                    _S447 = ((cell_9 & (u32(2147483648)))) != u32(0);
+                    _S430 = ((cell_9 & (u32(2147483648)))) != u32(0);
                 }
                 else
                 {
-                    _S447 = false;
+                    _S430 = false;
                 }
-                if(_S447)
+                if(_S430)
                 {
                 }
                 else
@@ -6056,8 +5978,8 @@ fn first_voxel_1( _S434 : u32,  _S435 : Walk_0,  _S436 : ptr<function, vec3<i32>
                     break;
                 }
                 var shift_8 : u32 = shift_7 - u32(2);
-                var _S448 : u32 = cell_word_0(((cell_9 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_25, shift_8)) ^ (_S440))));
-                cell_9 = _S448;
+                var _S431 : u32 = cell_word_0(((cell_9 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_25, shift_8)) ^ (_S423))));
+                cell_9 = _S431;
                 shift_7 = shift_8;
             }
         }
@@ -6074,7 +5996,7 @@ fn first_voxel_1( _S434 : u32,  _S435 : Walk_0,  _S436 : ptr<function, vec3<i32>
             }
             else
             {
-                exit_8 = extents_0(cell_9, _S444);
+                exit_8 = extents_0(cell_9, _S427);
             }
             exit_8 = ((voxel_25 | (vec3<i32>((((i32(1) << (shift_7))) - i32(1)))))) + vec3<i32>(i32(1)) + ((exit_8 << (vec3<u32>(shift_7))));
             is_found_6 = is_found_5;
@@ -6089,10 +6011,10 @@ fn first_voxel_1( _S434 : u32,  _S435 : Walk_0,  _S436 : ptr<function, vec3<i32>
             }
             else
             {
-                var _S449 : u32 = blocks_of_record_0(record_4);
-                blocks_2 = _S449;
+                var _S432 : u32 = blocks_of_record_0(record_4);
+                blocks_2 = _S432;
             }
-            var low_bits_1 : u32 = empty_around_0(record_4, blocks_2, voxel_25, octant_4, _S440);
+            var low_bits_1 : u32 = empty_around_0(record_4, blocks_2, voxel_25, octant_4, _S423);
             var is_found_7 : bool = low_bits_1 == u32(4294967295);
             if(is_found_7)
             {
@@ -6102,53 +6024,53 @@ fn first_voxel_1( _S434 : u32,  _S435 : Walk_0,  _S436 : ptr<function, vec3<i32>
             exit_8 = ((voxel_25 | (vec3<i32>(i32(low_bits_1))))) + vec3<i32>(i32(1));
             is_found_6 = is_found_7;
         }
-        var _S450 : bool = Walk_leave_0(_S437, &(voxel_25), exit_8);
-        if(!_S450)
+        var _S433 : bool = Walk_leave_0(_S420, &(voxel_25), exit_8);
+        if(!_S433)
         {
             is_found_5 = is_found_6;
             break;
         }
         is_found_5 = is_found_6;
     }
-    (*_S436) = Walk_mirrored_0(_S437, voxel_25) + _S437.grid_origin_0;
+    (*_S419) = Walk_mirrored_0(_S420, voxel_25) + _S420.grid_origin_0;
     return is_found_5;
 }
 
 fn hit_in_1( instance_11 : u32,  ray_23 : ptr<function, Ray_0>) -> Hit_0
 {
-    var _S451 : LocalRay_0 = local_ray_0((*ray_23), instance_11);
-    if(!_S451.is_valid_0)
+    var _S434 : LocalRay_0 = local_ray_0((*ray_23), instance_11);
+    if(!_S434.is_valid_0)
     {
         return miss_0();
     }
-    var _S452 : Walk_0 = walk_of_0(_S451, instances_0[instance_11].grid_0);
+    var _S435 : Walk_0 = walk_of_0(_S434, instances_0[instance_11].grid_0);
     var voxel_26 : vec3<i32>;
-    var _S453 : bool = first_voxel_1(instances_0[instance_11].grid_0, _S452, &(voxel_26));
-    var _S454 : bool;
+    var _S436 : bool = first_voxel_1(instances_0[instance_11].grid_0, _S435, &(voxel_26));
+    var _S437 : bool;
     if(IS_SINGLE_0)
     {
-        _S454 = !IS_EXACT_0;
+        _S437 = !IS_EXACT_0;
     }
     else
     {
-        _S454 = false;
+        _S437 = false;
     }
-    if(_S454)
+    if(_S437)
     {
-        (*ray_23) = ray_of_walk_0(_S452, (*ray_23));
+        (*ray_23) = ray_of_walk_0(_S435, (*ray_23));
     }
-    if(!_S453)
+    if(!_S436)
     {
         return miss_0();
     }
     var hit_8 : Hit_0;
     if(IS_EXACT_0)
     {
-        hit_8 = hit_of_0(_S451, voxel_26, instance_11);
+        hit_8 = hit_of_0(_S434, voxel_26, instance_11);
     }
     else
     {
-        hit_8 = hit_of_walk_0(_S452, voxel_26, instance_11);
+        hit_8 = hit_of_walk_0(_S435, voxel_26, instance_11);
     }
     if((hit_8.t_1) > ((*ray_23).t_max_1))
     {
@@ -6161,8 +6083,8 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_2 : bool,  end_3 : u3
 {
     if(IS_SINGLE_0)
     {
-        var _S455 : Hit_0 = hit_in_1(u32(0), &((*given_1)));
-        return _S455;
+        var _S438 : Hit_0 = hit_in_1(u32(0), &((*given_1)));
+        return _S438;
     }
     var ray_24 : Ray_0 = (*given_1);
     var nearest_9 : Hit_0 = miss_0();
@@ -6171,28 +6093,28 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_2 : bool,  end_3 : u3
         return nearest_9;
     }
     var is_zero_2 : vec3<bool> = !((abs(ray_24.direction_1)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S456 : vec3<f32> = select(reciprocal_0(select(ray_24.direction_1, vec3<f32>(1.0f), is_zero_2)), vec3<f32>(3.4028234663852886e+38f), is_zero_2);
+    var _S439 : vec3<f32> = select(reciprocal_0(select(ray_24.direction_1, vec3<f32>(1.0f), is_zero_2)), vec3<f32>(3.4028234663852886e+38f), is_zero_2);
     var stack_1 : array<u32, i32(32)>;
-    var index_26 : u32 = u32(0);
+    var index_28 : u32 = u32(0);
     var nearest_10 : Hit_0 = nearest_9;
     var depth_3 : u32 = u32(0);
     for(;;)
     {
         var depth_4 : u32;
         var is_reached_1 : bool;
-        if((instance_nodes_0[index_26].is_leaf_0) != u32(0))
+        if((instance_nodes_0[index_28].is_leaf_0) != u32(0))
         {
-            var _S457 : Hit_0 = hit_in_1(instance_nodes_0[index_26].index_0, &(ray_24));
-            var _S458 : Hit_0 = nearest_10;
-            if((_S457.t_1) < (nearest_10.t_1))
+            var _S440 : Hit_0 = hit_in_1(instance_nodes_0[index_28].index_0, &(ray_24));
+            var _S441 : Hit_0 = nearest_10;
+            if((_S440.t_1) < (nearest_10.t_1))
             {
                 is_reached_1 = true;
             }
             else
             {
-                if((_S457.t_1) == (_S458.t_1))
+                if((_S440.t_1) == (_S441.t_1))
                 {
-                    is_reached_1 = (_S457.instance_3) < (nearest_10.instance_3);
+                    is_reached_1 = (_S440.instance_3) < (nearest_10.instance_3);
                 }
                 else
                 {
@@ -6202,12 +6124,12 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_2 : bool,  end_3 : u3
             var nearest_11 : Hit_0;
             if(is_reached_1)
             {
-                ray_24.t_max_1 = _S457.t_1;
+                ray_24.t_max_1 = _S440.t_1;
                 if(is_any_enough_2)
                 {
-                    return _S457;
+                    return _S440;
                 }
-                nearest_11 = _S457;
+                nearest_11 = _S440;
             }
             else
             {
@@ -6218,40 +6140,40 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_2 : bool,  end_3 : u3
         }
         else
         {
-            var _S459 : u32 = index_26 + u32(1);
-            var _S460 : f32 = entry_0(_S459, ray_24, _S456);
-            var _S461 : u32 = instance_nodes_0[index_26].index_0;
-            var _S462 : f32 = entry_0(instance_nodes_0[index_26].index_0, ray_24, _S456);
-            var _S463 : bool = _S460 <= _S462;
-            if(_S463)
+            var _S442 : u32 = index_28 + u32(1);
+            var _S443 : f32 = entry_0(_S442, ray_24, _S439);
+            var _S444 : u32 = instance_nodes_0[index_28].index_0;
+            var _S445 : f32 = entry_0(instance_nodes_0[index_28].index_0, ray_24, _S439);
+            var _S446 : bool = _S443 <= _S445;
+            if(_S446)
             {
-                index_26 = _S459;
+                index_28 = _S442;
             }
             else
             {
-                index_26 = _S461;
+                index_28 = _S444;
             }
-            var far_8 : u32;
-            if(_S463)
+            var far_6 : u32;
+            if(_S446)
             {
-                far_8 = _S461;
+                far_6 = _S444;
             }
             else
             {
-                far_8 = _S459;
+                far_6 = _S442;
             }
             var INFINITY_1 : f32 = (bitcast<f32>((u32(2139095040))));
-            if((max(_S460, _S462)) < INFINITY_1)
+            if((max(_S443, _S445)) < INFINITY_1)
             {
-                var _S464 : u32 = depth_3 + u32(1);
-                stack_1[depth_3] = far_8;
-                depth_4 = _S464;
+                var _S447 : u32 = depth_3 + u32(1);
+                stack_1[depth_3] = far_6;
+                depth_4 = _S447;
             }
             else
             {
                 depth_4 = depth_3;
             }
-            if((min(_S460, _S462)) < INFINITY_1)
+            if((min(_S443, _S445)) < INFINITY_1)
             {
                 depth_3 = depth_4;
                 continue;
@@ -6261,16 +6183,16 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_2 : bool,  end_3 : u3
         depth_3 = depth_4;
         for(;;)
         {
-            var _S465 : bool;
+            var _S448 : bool;
             if(depth_3 > u32(0))
             {
-                _S465 = !is_reached_1;
+                _S448 = !is_reached_1;
             }
             else
             {
-                _S465 = false;
+                _S448 = false;
             }
-            if(_S465)
+            if(_S448)
             {
             }
             else
@@ -6278,8 +6200,8 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_2 : bool,  end_3 : u3
                 break;
             }
             var depth_5 : u32 = depth_3 - u32(1);
-            is_reached_1 = (entry_0(stack_1[depth_5], ray_24, _S456)) < (bitcast<f32>((u32(2139095040))));
-            index_26 = stack_1[depth_5];
+            is_reached_1 = (entry_0(stack_1[depth_5], ray_24, _S439)) < (bitcast<f32>((u32(2139095040))));
+            index_28 = stack_1[depth_5];
             depth_3 = depth_5;
         }
         if(!is_reached_1)
@@ -6304,31 +6226,31 @@ fn begin_tally_0( thread_0 : u32)
 
 fn Work_x24init_0( pixel_8 : u32,  sample_18 : u32,  last_7 : u32) -> Work_0
 {
-    var _S466 : Work_0;
-    _S466.pixel_5 = pixel_8;
-    _S466.sample_5 = sample_18;
-    _S466.last_0 = last_7;
-    return _S466;
+    var _S449 : Work_0;
+    _S449.pixel_5 = pixel_8;
+    _S449.sample_5 = sample_18;
+    _S449.last_0 = last_7;
+    return _S449;
 }
 
-fn work_of_0( index_27 : u32) -> Work_0
+fn work_of_0( index_29 : u32) -> Work_0
 {
     var size_1 : vec2<u32> = params_0.region_0.zw - params_0.region_0.xy;
-    var _S467 : u32 = size_1.x;
-    var _S468 : u32 = u32(8) * _S467;
-    var band_0 : u32 = index_27 / _S468;
-    var _S469 : u32 = u32(8) * band_0;
-    var in_band_0 : u32 = index_27 - _S468 * band_0;
-    var _S470 : u32 = u32(8) * min(u32(8), size_1.y - _S469);
-    var tile_0 : u32 = in_band_0 / _S470;
-    var _S471 : u32 = u32(8) * tile_0;
-    var _S472 : u32 = min(u32(8), _S467 - _S471);
-    var in_tile_0 : u32 = in_band_0 - _S470 * tile_0;
-    var _S473 : vec2<u32> = params_0.region_0.xy;
-    var _S474 : u32 = in_tile_0 % _S472;
-    var _S475 : u32 = _S471 + _S474;
-    var _S476 : u32 = in_tile_0 / _S472;
-    var at_8 : vec2<u32> = _S473 + vec2<u32>(_S475, _S469 + _S476);
+    var _S450 : u32 = size_1.x;
+    var _S451 : u32 = u32(8) * _S450;
+    var band_0 : u32 = index_29 / _S451;
+    var _S452 : u32 = u32(8) * band_0;
+    var in_band_0 : u32 = index_29 - _S451 * band_0;
+    var _S453 : u32 = u32(8) * min(u32(8), size_1.y - _S452);
+    var tile_0 : u32 = in_band_0 / _S453;
+    var _S454 : u32 = u32(8) * tile_0;
+    var _S455 : u32 = min(u32(8), _S450 - _S454);
+    var in_tile_0 : u32 = in_band_0 - _S453 * tile_0;
+    var _S456 : vec2<u32> = params_0.region_0.xy;
+    var _S457 : u32 = in_tile_0 % _S455;
+    var _S458 : u32 = _S454 + _S457;
+    var _S459 : u32 = in_tile_0 / _S455;
+    var at_8 : vec2<u32> = _S456 + vec2<u32>(_S458, _S452 + _S459);
     return Work_x24init_0(at_8.y * params_0.width_0 + at_8.x, pixels_0[place_of_0(at_8)].samples_0, min(dispatch_0.samples_target_0, pixels_0[place_of_0(at_8)].samples_0 + dispatch_0.samples_1));
 }
 
@@ -6339,63 +6261,63 @@ fn Work_camera_rays_0( this_52 : Work_0) -> u32
 
 fn tally_camera_rays_0( count_7 : u32)
 {
-    var _S477 : u32 = atomicAdd(&(group_counts_0[i32(0)]), count_7);
+    var _S460 : u32 = atomicAdd(&(group_counts_0[i32(0)]), count_7);
     return;
 }
 
 fn end_tally_0( counts_2 : RayCounts_0,  thread_1 : u32)
 {
-    var _S478 : u32 = atomicAdd(&(group_counts_0[i32(1)]), counts_2.bounce_2);
-    var _S479 : u32 = atomicAdd(&(group_counts_0[i32(2)]), counts_2.shadow_0);
+    var _S461 : u32 = atomicAdd(&(group_counts_0[i32(1)]), counts_2.bounce_2);
+    var _S462 : u32 = atomicAdd(&(group_counts_0[i32(2)]), counts_2.shadow_0);
     workgroupBarrier();
     if(thread_1 < u32(3))
     {
-        var _S480 : u32 = atomicLoad(&(group_counts_0[thread_1]));
-        var _S481 : u32 = atomicAdd(&(counters_0[u32(1) + thread_1]), _S480);
+        var _S463 : u32 = atomicLoad(&(group_counts_0[thread_1]));
+        var _S464 : u32 = atomicAdd(&(counters_0[u32(1) + thread_1]), _S463);
     }
     if(thread_1 == u32(0))
     {
         atomicStore(&(counters_0[u32(0)]), dispatch_0.sequence_0);
-        var _S482 : u32 = atomicAdd(&(counters_0[u32(4)]), u32(1));
+        var _S465 : u32 = atomicAdd(&(counters_0[u32(4)]), u32(1));
     }
     return;
 }
 
-fn render_0( index_28 : u32,  thread_2 : u32)
+fn render_0( index_30 : u32,  thread_2 : u32)
 {
     begin_tally_0(thread_2);
-    var _S483 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
+    var _S466 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
     var counts_3 : RayCounts_0;
-    if(index_28 < (dispatch_0.count_0))
+    if(index_30 < (dispatch_0.count_0))
     {
-        var work_2 : Work_0 = work_of_0(dispatch_0.first_0 + index_28);
+        var work_2 : Work_0 = work_of_0(dispatch_0.first_0 + index_30);
         tally_camera_rays_0(Work_camera_rays_0(work_2));
-        var _S484 : RayCounts_0 = trace_pixel_0(work_2);
-        counts_3 = _S484;
+        var _S467 : RayCounts_0 = trace_pixel_0(work_2);
+        counts_3 = _S467;
     }
     else
     {
-        counts_3 = _S483;
+        counts_3 = _S466;
     }
     end_tally_0(counts_3, thread_2);
     return;
 }
 
-fn render_1( index_29 : u32,  thread_3 : u32)
+fn render_1( index_31 : u32,  thread_3 : u32)
 {
     begin_tally_0(thread_3);
-    var _S485 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
+    var _S468 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
     var counts_4 : RayCounts_0;
-    if(index_29 < (dispatch_0.count_0))
+    if(index_31 < (dispatch_0.count_0))
     {
-        var work_3 : Work_0 = work_of_0(dispatch_0.first_0 + index_29);
+        var work_3 : Work_0 = work_of_0(dispatch_0.first_0 + index_31);
         tally_camera_rays_0(Work_camera_rays_0(work_3));
-        var _S486 : RayCounts_0 = trace_pixel_1(work_3);
-        counts_4 = _S486;
+        var _S469 : RayCounts_0 = trace_pixel_1(work_3);
+        counts_4 = _S469;
     }
     else
     {
-        counts_4 = _S485;
+        counts_4 = _S468;
     }
     end_tally_0(counts_4, thread_3);
     return;
@@ -6421,71 +6343,71 @@ fn render_path(@builtin(global_invocation_id) id_1 : vec3<u32>, @builtin(local_i
 
 fn WalkTracer_trace_1( ray_25 : ptr<function, Ray_0>,  is_any_enough_3 : bool) -> Hit_0
 {
-    var _S487 : Hit_0 = visit_1(&((*ray_25)), is_any_enough_3, u32(0));
-    return _S487;
+    var _S470 : Hit_0 = visit_1(&((*ray_25)), is_any_enough_3, u32(0));
+    return _S470;
 }
 
 struct HitRecord_0
 {
      t_0 : f32,
      instance_0 : u32,
-     voxel_1 : array<i32, i32(3)>,
+     voxel_0 : array<i32, i32(3)>,
      face_0 : u32,
 };
 
 fn HitRecord_x24init_0( t_16 : f32,  instance_12 : u32,  voxel_27 : array<i32, i32(3)>,  face_8 : u32) -> HitRecord_0
 {
-    var _S488 : HitRecord_0;
-    _S488.t_0 = t_16;
-    _S488.instance_0 = instance_12;
-    _S488.voxel_1 = voxel_27;
-    _S488.face_0 = face_8;
-    return _S488;
+    var _S471 : HitRecord_0;
+    _S471.t_0 = t_16;
+    _S471.instance_0 = instance_12;
+    _S471.voxel_0 = voxel_27;
+    _S471.face_0 = face_8;
+    return _S471;
 }
 
 fn record_of_0( hit_9 : Hit_0) -> HitRecord_0
 {
-    var _S489 : array<i32, i32(3)> = array<i32, i32(3)>( hit_9.voxel_4.x, hit_9.voxel_4.y, hit_9.voxel_4.z );
-    return HitRecord_x24init_0(hit_9.t_1, hit_9.instance_3, _S489, hit_9.face_1);
+    var _S472 : array<i32, i32(3)> = array<i32, i32(3)>( hit_9.voxel_3.x, hit_9.voxel_3.y, hit_9.voxel_3.z );
+    return HitRecord_x24init_0(hit_9.t_1, hit_9.instance_3, _S472, hit_9.face_1);
 }
 
-fn ray_of_0( _S490 : u32) -> Ray_0
+fn ray_of_0( _S473 : u32) -> Ray_0
 {
-    return Ray_x24init_0(vector_of_0(rays_0[_S490].origin_1), rays_0[_S490].t_min_0, vector_of_0(rays_0[_S490].direction_0), rays_0[_S490].t_max_0);
+    return Ray_x24init_0(vector_of_0(rays_0[_S473].origin_1), rays_0[_S473].t_min_0, vector_of_0(rays_0[_S473].direction_0), rays_0[_S473].t_max_0);
 }
 
-fn Transform_direction_2( _S491 : i32,  _S492 : vec3<f32>) -> vec3<f32>
+fn Transform_direction_2( _S474 : i32,  _S475 : vec3<f32>) -> vec3<f32>
 {
-    return vector_of_0(instances_0[_S491].grid_from_world_0.x_axis_0) * vec3<f32>(_S492.x) + vector_of_0(instances_0[_S491].grid_from_world_0.y_axis_0) * vec3<f32>(_S492.y) + vector_of_0(instances_0[_S491].grid_from_world_0.z_axis_0) * vec3<f32>(_S492.z);
+    return vector_of_0(instances_0[_S474].grid_from_world_0.x_axis_0) * vec3<f32>(_S475.x) + vector_of_0(instances_0[_S474].grid_from_world_0.y_axis_0) * vec3<f32>(_S475.y) + vector_of_0(instances_0[_S474].grid_from_world_0.z_axis_0) * vec3<f32>(_S475.z);
 }
 
-fn Transform_point_2( _S493 : i32,  _S494 : vec3<f32>) -> vec3<f32>
+fn Transform_point_2( _S476 : i32,  _S477 : vec3<f32>) -> vec3<f32>
 {
-    return Transform_direction_2(_S493, _S494) + vector_of_0(instances_0[_S493].grid_from_world_0.translation_0);
+    return Transform_direction_2(_S476, _S477) + vector_of_0(instances_0[_S476].grid_from_world_0.translation_0);
 }
 
-fn local_ray_1( _S495 : Ray_0,  _S496 : i32) -> LocalRay_0
+fn local_ray_1( _S478 : Ray_0,  _S479 : i32) -> LocalRay_0
 {
     var local_4 : LocalRay_0;
     var direction_30 : vec3<f32>;
     var origin_12 : vec3<f32>;
     if(!IS_SINGLE_0)
     {
-        var _S497 : vec3<f32> = Transform_point_2(_S496, _S495.origin_2);
-        direction_30 = Transform_direction_2(_S496, _S495.direction_1);
-        origin_12 = _S497;
+        var _S480 : vec3<f32> = Transform_point_2(_S479, _S478.origin_2);
+        direction_30 = Transform_direction_2(_S479, _S478.direction_1);
+        origin_12 = _S480;
     }
     else
     {
-        direction_30 = _S495.direction_1;
-        origin_12 = _S495.origin_2;
+        direction_30 = _S478.direction_1;
+        origin_12 = _S478.origin_2;
     }
     var is_zero_3 : vec3<bool> = !((abs(direction_30)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S498 : vec3<f32> = select(direction_30, vec3<f32>(0.0f), is_zero_3);
-    local_4.direction_4 = _S498;
+    var _S481 : vec3<f32> = select(direction_30, vec3<f32>(0.0f), is_zero_3);
+    local_4.direction_4 = _S481;
     local_4.inverse_0 = select(reciprocal_0(select(direction_30, vec3<f32>(1.0f), is_zero_3)), vec3<f32>(3.4028234663852886e+38f), is_zero_3);
     local_4.origin_5 = select(origin_12, floor(origin_12) + vec3<f32>(0.5f), is_zero_3);
-    var speed_4 : f32 = max_element_0(abs(_S498));
+    var speed_4 : f32 = max_element_0(abs(_S481));
     var moves_1 : bool;
     if(speed_4 >= 1.00000004581370497e-18f)
     {
@@ -6497,9 +6419,9 @@ fn local_ray_1( _S495 : Ray_0,  _S496 : i32) -> LocalRay_0
     }
     var is_near_1 : bool = (all(((abs(local_4.origin_5)) <= vec3<f32>(2.097152e+06f))));
     var is_segment_1 : bool;
-    if((_S495.t_min_1) >= 0.0f)
+    if((_S478.t_min_1) >= 0.0f)
     {
-        is_segment_1 = (_S495.t_min_1) <= 3.4028234663852886e+38f;
+        is_segment_1 = (_S478.t_min_1) <= 3.4028234663852886e+38f;
     }
     else
     {
@@ -6507,14 +6429,14 @@ fn local_ray_1( _S495 : Ray_0,  _S496 : i32) -> LocalRay_0
     }
     if(is_segment_1)
     {
-        is_segment_1 = (_S495.t_min_1) <= (_S495.t_max_1);
+        is_segment_1 = (_S478.t_min_1) <= (_S478.t_max_1);
     }
     else
     {
         is_segment_1 = false;
     }
-    local_4.t_min_3 = _S495.t_min_1;
-    local_4.t_max_3 = _S495.t_max_1;
+    local_4.t_min_3 = _S478.t_min_1;
+    local_4.t_max_3 = _S478.t_max_1;
     if(moves_1)
     {
         moves_1 = is_near_1;
@@ -6541,44 +6463,44 @@ fn cast_rays(@builtin(global_invocation_id) id_2 : vec3<u32>, @builtin(local_inv
 {
     is_page_missing_0 = false;
     begin_tally_0(thread_6);
-    var _S499 : u32 = id_2.x;
-    if(_S499 < (dispatch_0.count_0))
+    var _S482 : u32 = id_2.x;
+    if(_S482 < (dispatch_0.count_0))
     {
         tally_camera_rays_0(u32(1));
-        var _S500 : Ray_0 = ray_of_0(dispatch_0.first_0 + _S499);
-        var ray_26 : Ray_0 = _S500;
-        var _S501 : Hit_0 = WalkTracer_trace_1(&(ray_26), false);
-        var _S502 : bool;
+        var _S483 : Ray_0 = ray_of_0(dispatch_0.first_0 + _S482);
+        var ray_26 : Ray_0 = _S483;
+        var _S484 : Hit_0 = WalkTracer_trace_1(&(ray_26), false);
+        var _S485 : bool;
         if(IS_SINGLE_0)
         {
-            _S502 = !IS_EXACT_0;
+            _S485 = !IS_EXACT_0;
         }
         else
         {
-            _S502 = false;
+            _S485 = false;
         }
-        if(_S502)
+        if(_S485)
         {
-            _S502 = !Hit_is_miss_0(_S501);
+            _S485 = !Hit_is_miss_0(_S484);
         }
         else
         {
-            _S502 = false;
+            _S485 = false;
         }
         var hit_10 : Hit_0;
-        if(_S502)
+        if(_S485)
         {
-            hit_10 = hit_of_0(local_ray_1(_S500, i32(0)), _S501.voxel_4, _S501.instance_3);
+            hit_10 = hit_of_0(local_ray_1(_S483, i32(0)), _S484.voxel_3, _S484.instance_3);
         }
         else
         {
-            hit_10 = _S501;
+            hit_10 = _S484;
         }
-        var _S503 : HitRecord_0 = record_of_0(hit_10);
-        hits_0[dispatch_0.first_0 + _S499].t_0 = _S503.t_0;
-        hits_0[dispatch_0.first_0 + _S499].instance_0 = _S503.instance_0;
-        hits_0[dispatch_0.first_0 + _S499].voxel_1 = _S503.voxel_1;
-        hits_0[dispatch_0.first_0 + _S499].face_0 = _S503.face_0;
+        var _S486 : HitRecord_0 = record_of_0(hit_10);
+        hits_0[dispatch_0.first_0 + _S482].t_0 = _S486.t_0;
+        hits_0[dispatch_0.first_0 + _S482].instance_0 = _S486.instance_0;
+        hits_0[dispatch_0.first_0 + _S482].voxel_0 = _S486.voxel_0;
+        hits_0[dispatch_0.first_0 + _S482].face_0 = _S486.face_0;
     }
     end_tally_0(RayCounts_x24init_0(u32(0), u32(0)), thread_6);
     return;

@@ -139,21 +139,21 @@ pub enum Launch<'a> {
 }
 
 impl Passes {
-    /// Records a step of a wave by a prepared variant, a compute shader. Bindings are set already.
+    /// Records a step of a wave by a prepared variant, a compute shader. The bindings are in use already.
     pub fn launch_step(
         &self,
-        entry: Variant,
-        layout: vk::PipelineLayout,
+        variant: Variant,
+        bindings: &Bindings,
         commands: vk::CommandBuffer,
         step: WaveStep,
         launch: &Launch,
     ) {
-        let Some(Program::Compute(pipeline)) = self.programs.get(&entry) else { return };
+        let Some(Program::Compute(pipeline)) = self.programs.get(&variant) else { return };
         let raw = &self.device.raw;
         // SAFETY: the pipeline is alive and its bindings are set; counts are within the device's limits, and the buffer is one of indirect commands.
         unsafe {
             raw.cmd_bind_pipeline(commands, vk::PipelineBindPoint::COMPUTE, *pipeline);
-            raw.cmd_push_constants(commands, layout, vk::ShaderStageFlags::COMPUTE, 0, bytes_of(&step));
+            raw.cmd_push_constants(commands, bindings.layout, vk::ShaderStageFlags::COMPUTE, 0, bytes_of(&step));
             match launch {
                 Launch::Groups(count) => raw.cmd_dispatch(commands, *count, 1, 1),
                 Launch::Told(buffer, word) => raw.cmd_dispatch_indirect(commands, buffer.handle, 4 * u64::from(*word)),

@@ -277,6 +277,8 @@ pub struct WaveStep {
     pub capacity: u32,
     /// Rounds of a wave.
     pub rounds: u32,
+    /// Samples of each pixel in it, at most.
+    pub samples: u32,
 }
 
 /// Words of the counts of one round of a wave.

@@ -61,7 +61,7 @@ impl Worker {
                 .min(self.passes.most_items())
                 .min(if variant.has_pages { self.pixels_at_a_time } else { u64::MAX });
             let dispatch = Dispatch { first: at as u32, count: count as u32, ..Dispatch::default() };
-            let finished = self.submit("casting rays", variant, dispatch, count, false, None)?;
+            let finished = self.submit("casting rays", variant, dispatch, count, None)?;
             self.cast_done(finished);
             if variant.has_pages {
                 while let Some(finished) = self.submitter.wait()? {

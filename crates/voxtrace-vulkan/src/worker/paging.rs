@@ -51,7 +51,7 @@ impl Worker {
         until: Instant,
     ) -> Result<bool, TraceError> {
         let part = &mut film.parts[index];
-        let variant = self.prepare_part(part, frame)?;
+        let variant = self.prepare_part(part, 0, frame)?;
         let pixels = part.region.pixels() as u64;
         while part.samples < target {
             let goal = if part.samples == 0 { 1 } else { target };
@@ -95,7 +95,7 @@ impl Worker {
                 samples_target: goal,
                 ..Dispatch::default()
             };
-            self.submit("rendering", variant, dispatch, count * u64::from(samples), false, None)?;
+            self.submit("rendering", variant, dispatch, count * u64::from(samples), None)?;
             let mut rays = 0;
             while let Some(finished) = self.submitter.wait()? {
                 rays = u64::from(finished.counters[Counter::CameraRays as usize]);

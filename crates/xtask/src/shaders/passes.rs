@@ -109,7 +109,7 @@ pub const PASSES: &[Pass] = &[
     },
     Pass {
         name: "waves",
-        entries: &["wave_begin", "wave_finish", "wave_lit", "wave_shade", "wave_walk"],
+        entries: &["wave_begin", "wave_end", "wave_finish", "wave_lit", "wave_shade", "wave_walk"],
         variants: &[WAVES],
         has_wgsl: false,
         has_frame_in_storage: false,
