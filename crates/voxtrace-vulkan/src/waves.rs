@@ -20,12 +20,11 @@ pub const LEAST_PATHS: u32 = 1 << 18;
 pub const LEAST_QUICK_PATHS: u32 = 1 << 20;
 /// Share of the memory left that paths may take.
 const SHARE: u64 = 4;
-/// Rows of 16 bytes of a path.
+/// Rows of 16 bytes of a path among matte things, and of one that knows all materials.
 const ROWS: u64 = 7;
+const ROWS_IN_MEDIA: u64 = 13;
 /// Queues: two in turn, and the paths that met light.
 const QUEUES: u64 = 3;
-/// Bytes of a path and its places in the queues.
-const PATH_BYTES: u64 = 16 * ROWS + 4 * QUEUES;
 /// Rounds after which so few paths are left that one shader follows each to its end. Russian roulette begins with the third bounce.
 const ROUNDS: u32 = 4;
 
@@ -38,20 +37,33 @@ pub struct Waves {
     queues: Buffer,
     paths: Buffer,
     capacity: u32,
+    rows: u64,
 }
 
 impl Waves {
-    /// Paths that have room on a device, where `held` bytes of those that are there would be free.
-    pub fn room_on(device: &Device, held: u64) -> u32 {
+    /// Rows of a path of a variant.
+    fn rows_of(variant: Variant) -> u64 {
+        if variant.has_materials { ROWS_IN_MEDIA } else { ROWS }
+    }
+
+    /// Whether its paths are those of a variant.
+    pub fn suits(&self, variant: Variant) -> bool {
+        self.rows == Self::rows_of(variant)
+    }
+
+    /// Paths of a variant that have room on a device, where `held` bytes of those that are there would be free.
+    pub fn room_on(device: &Device, variant: Variant, held: u64) -> u32 {
+        let rows = Self::rows_of(variant);
         let limits = &device.info().limits;
-        let of_buffer = limits.max_storage_buffer_range / (16 * ROWS);
-        let of_memory = (device.available_bytes() + held) / SHARE / PATH_BYTES;
+        let of_buffer = limits.max_storage_buffer_range / (16 * rows);
+        let of_memory = (device.available_bytes() + held) / SHARE / (16 * rows + 4 * QUEUES);
         let of_launch = u64::from(limits.max_workgroups) * u64::from(WORKGROUP);
         of_buffer.min(of_memory).min(of_launch).min(u32::MAX.into()) as u32
     }
 
-    /// Room for so many paths.
-    pub fn new(device: &Arc<Device>, capacity: u32) -> Result<Self, TraceError> {
+    /// Room for so many paths of a variant.
+    pub fn new(device: &Arc<Device>, variant: Variant, capacity: u32) -> Result<Self, TraceError> {
+        let rows = Self::rows_of(variant);
         let usage = vk::BufferUsageFlags::STORAGE_BUFFER
             | vk::BufferUsageFlags::TRANSFER_DST
             | vk::BufferUsageFlags::INDIRECT_BUFFER;
@@ -59,8 +71,9 @@ impl Waves {
         Ok(Self {
             device: Arc::clone(device),
             queues: Buffer::new(device, "queues of paths", size, usage, MemoryLocation::GpuOnly)?,
-            paths: Buffer::storage(device, "paths", 16 * ROWS * u64::from(capacity))?,
+            paths: Buffer::storage(device, "paths", 16 * rows * u64::from(capacity))?,
             capacity,
+            rows,
         })
     }
 

@@ -117,10 +117,13 @@ impl Worker {
         };
         let (matte, materials) = if settings.is_exact { (matte, materials) } else { (matte.fast(), materials.fast()) };
         let has_waves = settings.traversal == Traversal::Walk;
-        let waves = if settings.is_exact { spirv::WAVES } else { spirv::WAVES.fast() };
+        let (waves, waves_of_materials) = match settings.is_exact {
+            true => (spirv::WAVES, spirv::WAVES_MATERIALS),
+            false => (spirv::WAVES.fast(), spirv::WAVES_MATERIALS.fast()),
+        };
         Ok(Self {
             submitter,
-            wave_passes: has_waves.then(|| Passes::new(&device, &bindings, waves)),
+            wave_passes: has_waves.then(|| Passes::new(&device, &bindings, waves).with_materials(waves_of_materials)),
             waves: None,
             most_paths: None,
             left_out: None,

@@ -1,9 +1,12 @@
 //! Paths in waves: films and counts of rays are those of one shader that follows each path, bit for bit, however many paths are traced at once.
 
-use crate::cuts::things;
+use crate::cuts::{cut, plane, things};
 use std::sync::Arc;
 use voxtrace::glam::Vec3;
-use voxtrace::{Camera, CpuTracer, Film, Frame, LightGroup, PackedScene, Progress, Region, TraceError, Tracer};
+use voxtrace::{
+    BounceLimits, Camera, CpuTracer, Film, Frame, Integrator, LightGroup, PackedScene, Progress, Region, TraceError,
+    Tracer,
+};
 use voxtrace_tests::gpu::{assert_valid, device, film, wanted};
 use voxtrace_vulkan::{Device, Options, Settings, VulkanTracer};
 
@@ -31,6 +34,29 @@ fn one_grid() -> Arc<PackedScene> {
     Arc::new(PackedScene::pack(&things(true, false)).unwrap())
 }
 
+/// Compares films and counts of rays with those of the processor, however many paths are traced at once.
+fn compare(device: &Arc<Device>, name: &str, scene: &Arc<PackedScene>, frames: &[(&str, Frame)], sizes: &[u32]) {
+    let mut cpu = CpuTracer::new(None);
+    cpu.set_scene(scene).unwrap();
+    let mut gpu = tracer(device, scene, 0);
+    for &size in sizes {
+        gpu = gpu.with_most_paths(size);
+        for (what, frame) in frames {
+            let expected = film(&mut cpu, frame);
+            let counts = cpu.ray_counts();
+            let ours = film(&mut gpu, frame);
+            assert!(ours.pixels == expected.pixels, "{name}, {what}, {size} paths at once");
+            assert!(holds_paths(&gpu), "{name}, {what}");
+            let theirs = gpu.statistics();
+            let theirs = [theirs.camera_rays, theirs.bounce_rays, theirs.shadow_rays];
+            assert_eq!(theirs, [counts.camera, counts.bounce, counts.light], "{name}, {what}");
+        }
+    }
+    // A planted fault: fewer bounces.
+    let other = frames[0].1.clone().max_bounces(2);
+    assert!(film(&mut gpu, &other).pixels != film(&mut cpu, &frames[0].1).pixels, "{name}");
+}
+
 #[test]
 fn films_in_waves_are_those_of_the_processor() {
     let Some(device) = device() else { return };
@@ -42,29 +68,28 @@ fn films_in_waves_are_those_of_the_processor() {
         ("a part, without background", view().region(crop).transparent(true)),
         ("the light of lamps", view().light_group(LightGroup::Emitters)),
     ];
-    // All paths at once, some samples at once, some pixels at once.
-    let sizes = [1 << 20, 2500, 700];
     for (name, scene) in [("one grid", one_grid()), ("turned instances", turned)] {
-        let mut cpu = CpuTracer::new(None);
-        cpu.set_scene(&scene).unwrap();
-        let mut gpu = tracer(&device, &scene, 0);
-        for size in sizes {
-            gpu = gpu.with_most_paths(size);
-            for (what, frame) in &frames {
-                let expected = film(&mut cpu, frame);
-                let counts = cpu.ray_counts();
-                let ours = film(&mut gpu, frame);
-                assert!(ours.pixels == expected.pixels, "{name}, {what}, {size} paths at once");
-                assert!(holds_paths(&gpu), "{name}, {what}");
-                let theirs = gpu.statistics();
-                let theirs = [theirs.camera_rays, theirs.bounce_rays, theirs.shadow_rays];
-                assert_eq!(theirs, [counts.camera, counts.bounce, counts.light], "{name}, {what}");
-            }
-        }
-        // A planted fault: fewer bounces.
-        let other = view().max_bounces(2);
-        assert!(film(&mut gpu, &other).pixels != film(&mut cpu, &view()).pixels, "{name}");
+        // All paths at once, some samples at once, some pixels at once.
+        compare(&device, name, &scene, &frames, &[1 << 20, 2500, 700]);
     }
+    assert_valid(&device);
+}
+
+#[test]
+fn films_in_waves_of_glass_metal_and_clouds_are_those_of_the_processor() {
+    let Some(device) = device() else { return };
+    let mut within = view();
+    within.camera = Camera::look_at(Vec3::new(-4.1, -3.6, 3.2), Vec3::new(4.0, 4.0, 2.0));
+    let limits = BounceLimits { transmitted: 2, ..BounceLimits::default() };
+    let frames = [
+        ("all of it", view()),
+        ("light that passes glass straight", view().clear_shadows(true)),
+        ("limits", view().bounce_limits(limits).clamp_indirect(1.5)),
+        ("from within", within),
+    ];
+    // A cut asks for all that waves know, and programs take a software device a minute to compile.
+    let scene = cut(&things(false, true), &plane([0.0, -1.0, 0.0], 4.0));
+    compare(&device, "cut", &scene, &frames, &[1500]);
     assert_valid(&device);
 }
 
@@ -94,7 +119,7 @@ fn waves_make_room_and_give_way_to_one_shader() {
     let whole = film(&mut roomy, &view());
     assert!(holds_paths(&roomy));
     // What waves do not know is for one shader, and their memory is free.
-    roomy.set_scene(&Arc::new(PackedScene::pack(&things(false, false)).unwrap())).unwrap();
+    film(&mut roomy, &view().integrator(Integrator::Essay));
     assert!(!holds_paths(&roomy));
     // Where there is little memory they take what they may.
     let (mut sizes, mut films) = (Vec::new(), Vec::new());

@@ -35,10 +35,13 @@ impl Worker {
     /// The variant that renders so many samples in waves, ready to run: `None` where one shader does it, as it is quicker, waves do not know what the
     /// scene has, or there is no memory for them. Nothing may be in flight.
     pub(super) fn prepare_waves(&mut self, variant: Variant, samples: u64) -> Result<Option<Variant>, TraceError> {
-        let is_known = variant.entry == Entry::RenderPath && !variant.has_materials && !variant.has_pages;
+        let is_known = variant.entry == Entry::RenderPath && !variant.has_catcher && !variant.has_pages;
         if !is_known || self.wave_passes.is_none() {
             self.drop_waves();
             return Ok(None);
+        }
+        if self.waves.as_ref().is_some_and(|waves| !waves.suits(variant)) {
+            self.drop_waves();
         }
         let (least, most) = self.paths_of_waves();
         let wanted = samples.min(most.into()) as u32;
@@ -47,13 +50,13 @@ impl Worker {
         }
         let held = self.waves.as_ref().map_or((0, 0), |waves| (waves.capacity(), waves.bytes()));
         if held.0 < wanted {
-            let capacity = wanted.min(Waves::room_on(&self.device, held.1));
+            let capacity = wanted.min(Waves::room_on(&self.device, variant, held.1));
             if capacity < least {
                 return Ok(None);
             }
             if held.0 < capacity {
                 self.drop_waves();
-                let waves = Waves::new(&self.device, capacity)?;
+                let waves = Waves::new(&self.device, variant, capacity)?;
                 waves.bind(&self.bindings);
                 self.waves = Some(waves);
             }

@@ -31,8 +31,8 @@ pub struct Variant {
 const MATTE: Variant = Variant { suffix: "", has_materials: false, has_waves: false };
 /// Paths that know all materials.
 const MATERIALS: Variant = Variant { suffix: ".materials", has_materials: true, has_waves: false };
-/// Matte paths in waves.
-const WAVES: Variant = Variant { has_waves: true, ..MATTE };
+/// Both with paths in waves.
+const WAVES: &[Variant] = &[Variant { has_waves: true, ..MATTE }, Variant { has_waves: true, ..MATERIALS }];
 /// The variants of passes that render.
 const RENDERING: &[Variant] = &[MATTE, MATERIALS];
 
@@ -110,7 +110,7 @@ pub const PASSES: &[Pass] = &[
     Pass {
         name: "waves",
         entries: &["wave_begin", "wave_end", "wave_finish", "wave_lit", "wave_shade", "wave_walk"],
-        variants: &[WAVES],
+        variants: WAVES,
         has_wgsl: false,
         has_frame_in_storage: false,
     },
