@@ -3406,14 +3406,24 @@ fn choose_side_0( point_7 : vec3<f32>,  is_met_2 : bool,  way_3 : Descent_0,  si
     return _S275;
 }
 
-fn light_power_at_0( index_18 : u32,  side_1 : u32) -> f32
+fn light_node_word_0( index_18 : u32,  word_7 : u32) -> u32
 {
+    return light_node_rows_0[u32(4) * index_18 + ((word_7 >> (u32(2))))][(word_7 & (u32(3)))];
+}
+
+fn light_power_at_0( index_19 : u32,  side_1 : u32) -> f32
+{
+    var _S278 : u32;
     if(lights_in_pages_0())
     {
-        var _S278 : u32 = place_in_light_node_0(index_18, u32(8) + side_1);
-        return (bitcast<f32>((cells_0[_S278])));
+        var _S279 : u32 = place_in_light_node_0(index_19, u32(8) + side_1);
+        _S278 = cells_0[_S279];
     }
-    return (bitcast<f32>((light_node_rows_0[u32(4) * index_18 + u32(2) + ((side_1 >> (u32(2))))][(side_1 & (u32(3)))])));
+    else
+    {
+        _S278 = light_node_word_0(index_19, u32(8) + side_1);
+    }
+    return (bitcast<f32>((_S278)));
 }
 
 fn component_0( vector_5 : vec3<f32>,  axis_3 : u32) -> f32
@@ -3447,49 +3457,53 @@ fn density_0( odds_1 : vec2<f32>,  luminance_3 : f32,  power_1 : f32,  toward_2 
     return in_front_0;
 }
 
-fn below_light_node_0( index_19 : u32) -> vec2<u32>
+fn below_light_node_0( index_20 : u32) -> vec2<u32>
 {
     if(!lights_in_pages_0())
     {
-        var _S279 : u32 = u32(4) * index_19;
-        return vec2<u32>(light_node_rows_0[_S279].w, light_node_rows_0[_S279 + u32(1)].w);
+        return vec2<u32>(light_node_word_0(index_20, u32(3)), light_node_word_0(index_20, u32(7)));
     }
-    var at_7 : u32 = place_in_light_node_0(index_19, u32(0));
+    var at_7 : u32 = place_in_light_node_0(index_20, u32(0));
     return vec2<u32>(cells_0[at_7 + u32(3)], cells_0[at_7 + u32(7)]);
 }
 
-fn place_in_emitter_0( emitter_0 : u32,  word_7 : u32) -> u32
+fn place_in_emitter_0( emitter_0 : u32,  word_8 : u32) -> u32
 {
-    var _S280 : u32 = word_in_pages_0(emitter_0 * u32(8) + word_7, pages_0[i32(3)]);
+    var _S280 : u32 = word_in_pages_0(emitter_0 * u32(8) + word_8, pages_0[i32(3)]);
     return _S280;
 }
 
-fn emitter_faces_at_0( index_20 : u32) -> u32
+fn emitter_word_0( index_21 : u32,  word_9 : u32) -> u32
+{
+    return emitter_rows_0[u32(2) * index_21 + ((word_9 >> (u32(2))))][(word_9 & (u32(3)))];
+}
+
+fn emitter_faces_at_0( index_22 : u32) -> u32
 {
     var _S281 : u32;
     if(lights_in_pages_0())
     {
-        var _S282 : u32 = place_in_emitter_0(index_20, u32(4));
+        var _S282 : u32 = place_in_emitter_0(index_22, u32(4));
         _S281 = cells_0[_S282];
     }
     else
     {
-        _S281 = emitter_rows_0[u32(2) * index_20 + u32(1)].x;
+        _S281 = emitter_word_0(index_22, u32(4));
     }
     return _S281;
 }
 
-fn emitter_luminance_at_0( index_21 : u32) -> f32
+fn emitter_luminance_at_0( index_23 : u32) -> f32
 {
     var _S283 : f32;
     if(lights_in_pages_0())
     {
-        var _S284 : u32 = place_in_emitter_0(index_21, u32(6));
+        var _S284 : u32 = place_in_emitter_0(index_23, u32(6));
         _S283 = (bitcast<f32>((cells_0[_S284])));
     }
     else
     {
-        _S283 = (bitcast<f32>((emitter_rows_0[u32(2) * index_21 + u32(1)].z)));
+        _S283 = (bitcast<f32>((emitter_word_0(index_23, u32(6)))));
     }
     return _S283;
 }
@@ -3516,17 +3530,17 @@ fn Emitter_x24init_0( voxel_10 : array<i32, i32(3)>,  grid_2 : u32,  faces_1 : u
     return _S285;
 }
 
-fn emitter_at_0( index_22 : u32) -> Emitter_0
+fn emitter_at_0( index_24 : u32) -> Emitter_0
 {
     if(!lights_in_pages_0())
     {
-        var _S286 : u32 = u32(2) * index_22;
+        var _S286 : u32 = u32(2) * index_24;
         var a_7 : vec4<u32> = emitter_rows_0[_S286];
         var b_6 : vec4<u32> = emitter_rows_0[_S286 + u32(1)];
         var _S287 : array<i32, i32(3)> = array<i32, i32(3)>( i32(a_7.x), i32(a_7.y), i32(a_7.z) );
         return Emitter_x24init_0(_S287, a_7.w, b_6.x, b_6.y, (bitcast<f32>((b_6.z))), b_6.w);
     }
-    var at_8 : u32 = place_in_emitter_0(index_22, u32(0));
+    var at_8 : u32 = place_in_emitter_0(index_24, u32(0));
     var _S288 : array<i32, i32(3)> = array<i32, i32(3)>( i32(cells_0[at_8]), i32(cells_0[at_8 + u32(1)]), i32(cells_0[at_8 + u32(2)]) );
     return Emitter_x24init_0(_S288, cells_0[at_8 + u32(3)], cells_0[at_8 + u32(4)], cells_0[at_8 + u32(5)], (bitcast<f32>((cells_0[at_8 + u32(6)]))), cells_0[at_8 + u32(7)]);
 }
@@ -3537,7 +3551,7 @@ fn choose_emitter_0( way_4 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
     var is_left_3 : bool;
     var count_5 : u32 = way_4.count_1;
     var node_11 : u32 = way_4.node_0;
-    var index_23 : u32 = way_4.index_0;
+    var index_25 : u32 = way_4.index_0;
     var _S289 : f32 = threshold_1;
     for(;;)
     {
@@ -3558,9 +3572,9 @@ fn choose_emitter_0( way_4 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
         }
         var left_3 : u32 = node_11 + u32(1);
         var power_left_0 : f32 = light_power_at_0(left_3, side_2);
-        var power_right_0 : f32 = light_power_at_0(index_23, side_2);
+        var power_right_0 : f32 = light_power_at_0(index_25, side_2);
         var below_left_0 : vec2<u32> = below_light_node_0(left_3);
-        var below_right_0 : vec2<u32> = below_light_node_0(index_23);
+        var below_right_0 : vec2<u32> = below_light_node_0(index_25);
         if(_S289 < power_left_0)
         {
             is_left_3 = true;
@@ -3582,15 +3596,15 @@ fn choose_emitter_0( way_4 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
         }
         else
         {
-            node_11 = index_23;
+            node_11 = index_25;
         }
         if(is_left_3)
         {
-            index_23 = below_left_0.x;
+            index_25 = below_left_0.x;
         }
         else
         {
-            index_23 = below_right_0.x;
+            index_25 = below_right_0.x;
         }
         if(is_left_3)
         {
@@ -3602,11 +3616,11 @@ fn choose_emitter_0( way_4 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
         }
     }
     is_found_0 = false;
-    var chosen_3 : u32 = index_23;
-    var at_9 : u32 = index_23;
+    var chosen_3 : u32 = index_25;
+    var at_9 : u32 = index_25;
     for(;;)
     {
-        if(at_9 < (index_23 + count_5))
+        if(at_9 < (index_25 + count_5))
         {
             is_left_3 = !is_found_0;
         }
@@ -3674,9 +3688,9 @@ struct PackedMaterial_0
      scattering_0 : f32,
 };
 
-fn material_of_index_0( index_24 : u32) -> PackedMaterial_0
+fn material_of_index_0( index_26 : u32) -> PackedMaterial_0
 {
-    var _S296 : u32 = u32(4) * index_24;
+    var _S296 : u32 = u32(4) * index_26;
     var a_8 : vec4<u32> = material_rows_0[_S296];
     var b_7 : vec4<u32> = material_rows_0[_S296 + u32(1)];
     var c_1 : vec4<u32> = material_rows_0[_S296 + u32(2)];

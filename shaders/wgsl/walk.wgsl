@@ -4081,14 +4081,24 @@ fn choose_side_0( point_3 : vec3<f32>,  is_met_2 : bool,  way_3 : Descent_0,  si
     return _S297;
 }
 
-fn light_power_at_0( index_21 : u32,  side_2 : u32) -> f32
+fn light_node_word_0( index_21 : u32,  word_6 : u32) -> u32
 {
+    return light_node_rows_0[u32(4) * index_21 + ((word_6 >> (u32(2))))][(word_6 & (u32(3)))];
+}
+
+fn light_power_at_0( index_22 : u32,  side_2 : u32) -> f32
+{
+    var _S300 : u32;
     if(lights_in_pages_0())
     {
-        var _S300 : u32 = place_in_light_node_0(index_21, u32(8) + side_2);
-        return (bitcast<f32>((cells_0[_S300])));
+        var _S301 : u32 = place_in_light_node_0(index_22, u32(8) + side_2);
+        _S300 = cells_0[_S301];
     }
-    return (bitcast<f32>((light_node_rows_0[u32(4) * index_21 + u32(2) + ((side_2 >> (u32(2))))][(side_2 & (u32(3)))])));
+    else
+    {
+        _S300 = light_node_word_0(index_22, u32(8) + side_2);
+    }
+    return (bitcast<f32>((_S300)));
 }
 
 fn component_0( vector_5 : vec3<f32>,  axis_5 : u32) -> f32
@@ -4132,49 +4142,53 @@ struct Emitter_0
      leaf_0 : u32,
 };
 
-fn below_light_node_0( index_22 : u32) -> vec2<u32>
+fn below_light_node_0( index_23 : u32) -> vec2<u32>
 {
     if(!lights_in_pages_0())
     {
-        var _S301 : u32 = u32(4) * index_22;
-        return vec2<u32>(light_node_rows_0[_S301].w, light_node_rows_0[_S301 + u32(1)].w);
+        return vec2<u32>(light_node_word_0(index_23, u32(3)), light_node_word_0(index_23, u32(7)));
     }
-    var at_3 : u32 = place_in_light_node_0(index_22, u32(0));
+    var at_3 : u32 = place_in_light_node_0(index_23, u32(0));
     return vec2<u32>(cells_0[at_3 + u32(3)], cells_0[at_3 + u32(7)]);
 }
 
-fn place_in_emitter_0( emitter_0 : u32,  word_6 : u32) -> u32
+fn place_in_emitter_0( emitter_0 : u32,  word_7 : u32) -> u32
 {
-    var _S302 : u32 = word_in_pages_0(emitter_0 * u32(8) + word_6, pages_0[i32(3)]);
+    var _S302 : u32 = word_in_pages_0(emitter_0 * u32(8) + word_7, pages_0[i32(3)]);
     return _S302;
 }
 
-fn emitter_faces_at_0( index_23 : u32) -> u32
+fn emitter_word_0( index_24 : u32,  word_8 : u32) -> u32
+{
+    return emitter_rows_0[u32(2) * index_24 + ((word_8 >> (u32(2))))][(word_8 & (u32(3)))];
+}
+
+fn emitter_faces_at_0( index_25 : u32) -> u32
 {
     var _S303 : u32;
     if(lights_in_pages_0())
     {
-        var _S304 : u32 = place_in_emitter_0(index_23, u32(4));
+        var _S304 : u32 = place_in_emitter_0(index_25, u32(4));
         _S303 = cells_0[_S304];
     }
     else
     {
-        _S303 = emitter_rows_0[u32(2) * index_23 + u32(1)].x;
+        _S303 = emitter_word_0(index_25, u32(4));
     }
     return _S303;
 }
 
-fn emitter_luminance_at_0( index_24 : u32) -> f32
+fn emitter_luminance_at_0( index_26 : u32) -> f32
 {
     var _S305 : f32;
     if(lights_in_pages_0())
     {
-        var _S306 : u32 = place_in_emitter_0(index_24, u32(6));
+        var _S306 : u32 = place_in_emitter_0(index_26, u32(6));
         _S305 = (bitcast<f32>((cells_0[_S306])));
     }
     else
     {
-        _S305 = (bitcast<f32>((emitter_rows_0[u32(2) * index_24 + u32(1)].z)));
+        _S305 = (bitcast<f32>((emitter_word_0(index_26, u32(6)))));
     }
     return _S305;
 }
@@ -4191,17 +4205,17 @@ fn Emitter_x24init_0( voxel_20 : array<i32, i32(3)>,  grid_2 : u32,  faces_1 : u
     return _S307;
 }
 
-fn emitter_at_0( index_25 : u32) -> Emitter_0
+fn emitter_at_0( index_27 : u32) -> Emitter_0
 {
     if(!lights_in_pages_0())
     {
-        var _S308 : u32 = u32(2) * index_25;
+        var _S308 : u32 = u32(2) * index_27;
         var a_7 : vec4<u32> = emitter_rows_0[_S308];
         var b_7 : vec4<u32> = emitter_rows_0[_S308 + u32(1)];
         var _S309 : array<i32, i32(3)> = array<i32, i32(3)>( i32(a_7.x), i32(a_7.y), i32(a_7.z) );
         return Emitter_x24init_0(_S309, a_7.w, b_7.x, b_7.y, (bitcast<f32>((b_7.z))), b_7.w);
     }
-    var at_4 : u32 = place_in_emitter_0(index_25, u32(0));
+    var at_4 : u32 = place_in_emitter_0(index_27, u32(0));
     var _S310 : array<i32, i32(3)> = array<i32, i32(3)>( i32(cells_0[at_4]), i32(cells_0[at_4 + u32(1)]), i32(cells_0[at_4 + u32(2)]) );
     return Emitter_x24init_0(_S310, cells_0[at_4 + u32(3)], cells_0[at_4 + u32(4)], cells_0[at_4 + u32(5)], (bitcast<f32>((cells_0[at_4 + u32(6)]))), cells_0[at_4 + u32(7)]);
 }
@@ -4212,7 +4226,7 @@ fn choose_emitter_0( way_4 : Descent_0,  side_3 : u32,  threshold_1 : f32) -> Em
     var is_left_3 : bool;
     var count_6 : u32 = way_4.count_3;
     var node_11 : u32 = way_4.node_0;
-    var index_26 : u32 = way_4.index_14;
+    var index_28 : u32 = way_4.index_14;
     var _S311 : f32 = threshold_1;
     for(;;)
     {
@@ -4233,9 +4247,9 @@ fn choose_emitter_0( way_4 : Descent_0,  side_3 : u32,  threshold_1 : f32) -> Em
         }
         var left_3 : u32 = node_11 + u32(1);
         var power_left_0 : f32 = light_power_at_0(left_3, side_3);
-        var power_right_0 : f32 = light_power_at_0(index_26, side_3);
+        var power_right_0 : f32 = light_power_at_0(index_28, side_3);
         var below_left_0 : vec2<u32> = below_light_node_0(left_3);
-        var below_right_0 : vec2<u32> = below_light_node_0(index_26);
+        var below_right_0 : vec2<u32> = below_light_node_0(index_28);
         if(_S311 < power_left_0)
         {
             is_left_3 = true;
@@ -4257,15 +4271,15 @@ fn choose_emitter_0( way_4 : Descent_0,  side_3 : u32,  threshold_1 : f32) -> Em
         }
         else
         {
-            node_11 = index_26;
+            node_11 = index_28;
         }
         if(is_left_3)
         {
-            index_26 = below_left_0.x;
+            index_28 = below_left_0.x;
         }
         else
         {
-            index_26 = below_right_0.x;
+            index_28 = below_right_0.x;
         }
         if(is_left_3)
         {
@@ -4277,11 +4291,11 @@ fn choose_emitter_0( way_4 : Descent_0,  side_3 : u32,  threshold_1 : f32) -> Em
         }
     }
     is_found_3 = false;
-    var chosen_3 : u32 = index_26;
-    var at_5 : u32 = index_26;
+    var chosen_3 : u32 = index_28;
+    var at_5 : u32 = index_28;
     for(;;)
     {
-        if(at_5 < (index_26 + count_6))
+        if(at_5 < (index_28 + count_6))
         {
             is_left_3 = !is_found_3;
         }
@@ -5378,16 +5392,16 @@ fn PixelRecord_add_0( this_47 : ptr<function, PixelRecord_0>,  value_3 : vec3<f3
     return;
 }
 
-fn add_sample_0( index_27 : u32,  radiance_7 : vec3<f32>,  is_covered_1 : bool)
+fn add_sample_0( index_29 : u32,  radiance_7 : vec3<f32>,  is_covered_1 : bool)
 {
     var pixel_6 : PixelRecord_0;
-    pixel_6.radiance_1 = pixels_0[index_27].radiance_1;
-    pixel_6.samples_0 = pixels_0[index_27].samples_0;
-    pixel_6.covered_0 = pixels_0[index_27].covered_0;
+    pixel_6.radiance_1 = pixels_0[index_29].radiance_1;
+    pixel_6.samples_0 = pixels_0[index_29].samples_0;
+    pixel_6.covered_0 = pixels_0[index_29].covered_0;
     PixelRecord_add_0(&(pixel_6), radiance_7, is_covered_1);
-    pixels_0[index_27].radiance_1 = pixel_6.radiance_1;
-    pixels_0[index_27].samples_0 = pixel_6.samples_0;
-    pixels_0[index_27].covered_0 = pixel_6.covered_0;
+    pixels_0[index_29].radiance_1 = pixel_6.radiance_1;
+    pixels_0[index_29].samples_0 = pixel_6.samples_0;
+    pixels_0[index_29].covered_0 = pixel_6.covered_0;
     return;
 }
 
@@ -5764,14 +5778,14 @@ fn Work_x24init_0( pixel_8 : u32,  sample_18 : u32,  last_7 : u32) -> Work_0
     return _S410;
 }
 
-fn work_of_0( index_28 : u32) -> Work_0
+fn work_of_0( index_30 : u32) -> Work_0
 {
     var size_1 : vec2<u32> = params_0.region_0.zw - params_0.region_0.xy;
     var _S411 : u32 = size_1.x;
     var _S412 : u32 = u32(8) * _S411;
-    var band_0 : u32 = index_28 / _S412;
+    var band_0 : u32 = index_30 / _S412;
     var _S413 : u32 = u32(8) * band_0;
-    var in_band_0 : u32 = index_28 - _S412 * band_0;
+    var in_band_0 : u32 = index_30 - _S412 * band_0;
     var _S414 : u32 = u32(8) * min(u32(8), size_1.y - _S413);
     var tile_0 : u32 = in_band_0 / _S414;
     var _S415 : u32 = u32(8) * tile_0;
@@ -5814,14 +5828,14 @@ fn end_tally_0( counts_2 : RayCounts_0,  thread_1 : u32)
     return;
 }
 
-fn render_0( index_29 : u32,  thread_2 : u32)
+fn render_0( index_31 : u32,  thread_2 : u32)
 {
     begin_tally_0(thread_2);
     var _S427 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
     var counts_3 : RayCounts_0;
-    if(index_29 < (dispatch_0.count_0))
+    if(index_31 < (dispatch_0.count_0))
     {
-        var work_2 : Work_0 = work_of_0(dispatch_0.first_0 + index_29);
+        var work_2 : Work_0 = work_of_0(dispatch_0.first_0 + index_31);
         tally_camera_rays_0(Work_camera_rays_0(work_2));
         var _S428 : RayCounts_0 = trace_pixel_0(work_2);
         counts_3 = _S428;
@@ -5834,14 +5848,14 @@ fn render_0( index_29 : u32,  thread_2 : u32)
     return;
 }
 
-fn render_1( index_30 : u32,  thread_3 : u32)
+fn render_1( index_32 : u32,  thread_3 : u32)
 {
     begin_tally_0(thread_3);
     var _S429 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
     var counts_4 : RayCounts_0;
-    if(index_30 < (dispatch_0.count_0))
+    if(index_32 < (dispatch_0.count_0))
     {
-        var work_3 : Work_0 = work_of_0(dispatch_0.first_0 + index_30);
+        var work_3 : Work_0 = work_of_0(dispatch_0.first_0 + index_32);
         tally_camera_rays_0(Work_camera_rays_0(work_3));
         var _S430 : RayCounts_0 = trace_pixel_1(work_3);
         counts_4 = _S430;

@@ -25,8 +25,10 @@ const ROWS: u64 = 7;
 const ROWS_IN_MEDIA: u64 = 13;
 /// Queues: two in turn, and the paths that met light.
 const QUEUES: u64 = 3;
-/// Rounds after which so few paths are left that one shader follows each to its end. Russian roulette begins with the third bounce.
+/// Rounds after which so few paths are left that one shader follows each to its end: Russian roulette begins with the third bounce, but paths pass
+/// boundaries of media beside.
 const ROUNDS: u32 = 4;
+const ROUNDS_IN_MEDIA: u32 = 8;
 
 /// The steps of a wave.
 pub const STEPS: [&str; 6] = ["wave_begin", "wave_walk", "wave_shade", "wave_lit", "wave_finish", "wave_end"];
@@ -38,6 +40,7 @@ pub struct Waves {
     paths: Buffer,
     capacity: u32,
     rows: u64,
+    rounds: u32,
 }
 
 impl Waves {
@@ -74,6 +77,7 @@ impl Waves {
             paths: Buffer::storage(device, "paths", 16 * rows * u64::from(capacity))?,
             capacity,
             rows,
+            rounds: if variant.has_materials { ROUNDS_IN_MEDIA } else { ROUNDS },
         })
     }
 
@@ -112,7 +116,7 @@ impl Waves {
 
     /// Most samples of `pixels` pixels in a submit: the counts of so many waves have room.
     pub fn most_samples(&self, pixels: u64) -> u32 {
-        let waves = WAVE_COUNTS_WORDS / (WAVE_ROUND_WORDS * (ROUNDS + 1));
+        let waves = WAVE_COUNTS_WORDS / (WAVE_ROUND_WORDS * (self.rounds + 1));
         waves.saturating_mul(self.samples_at_once(pixels.min(self.capacity.into()) as u32))
     }
 
@@ -129,12 +133,12 @@ impl Waves {
         let (queues, bytes) = (self.queues.handle, 4 * u64::from(WAVE_COUNTS_WORDS));
         // SAFETY: the buffer is alive and larger; the commands are being recorded.
         unsafe { self.device.raw.cmd_fill_buffer(commands, queues, 0, bytes, 0) };
-        let at_once = self.samples_at_once(dispatch.count);
+        let (rounds, at_once) = (self.rounds, self.samples_at_once(dispatch.count));
         for wave in 0..dispatch.samples.div_ceil(at_once) {
             let samples = at_once.min(dispatch.samples - wave * at_once);
-            let counts = wave * WAVE_ROUND_WORDS * (ROUNDS + 1);
+            let counts = wave * WAVE_ROUND_WORDS * (self.rounds + 1);
             let launch = |name, round, launch: Launch| {
-                let step = WaveStep { round, counts, capacity: self.capacity, rounds: ROUNDS, samples };
+                let step = WaveStep { round, counts, capacity: self.capacity, rounds, samples };
                 passes.launch_step(variant.step(name), bindings, commands, step, &launch);
             };
             let groups = |count: u32| Launch::Groups(count.div_ceil(WORKGROUP));
@@ -142,7 +146,7 @@ impl Waves {
             let lit = |round| Launch::Told(&self.queues, counts + WAVE_ROUND_WORDS * round + 5);
             barrier();
             launch("wave_begin", 0, groups(dispatch.count * samples));
-            for round in 0..ROUNDS {
+            for round in 0..rounds {
                 if round > 0 {
                     launch("wave_walk", round, paths(round));
                     launch("wave_lit", round - 1, lit(round - 1));
@@ -151,10 +155,10 @@ impl Waves {
                 launch("wave_shade", round, paths(round));
                 barrier();
             }
-            launch("wave_finish", ROUNDS, paths(ROUNDS));
-            launch("wave_finish", ROUNDS - 1, lit(ROUNDS - 1));
+            launch("wave_finish", rounds, paths(rounds));
+            launch("wave_finish", rounds - 1, lit(rounds - 1));
             barrier();
-            launch("wave_end", ROUNDS, groups(dispatch.count));
+            launch("wave_end", rounds, groups(dispatch.count));
         }
     }
 }

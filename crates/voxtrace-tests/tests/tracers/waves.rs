@@ -8,7 +8,7 @@ use voxtrace::{
     Tracer,
 };
 use voxtrace_tests::gpu::{assert_valid, device, film, wanted};
-use voxtrace_vulkan::{Device, Options, Settings, VulkanTracer};
+use voxtrace_vulkan::{Device, Fault, Faults, Options, Settings, VulkanTracer};
 
 fn view() -> Frame {
     let camera = Camera::look_at(Vec3::new(3.0, -26.0, 17.0), Vec3::new(0.0, 0.0, 1.0));
@@ -138,6 +138,30 @@ fn waves_make_room_and_give_way_to_one_shader() {
     assert!(0 < sizes[0] && sizes[0] < sizes[1], "{sizes:?}");
     assert!(films.iter().all(|film| *film == whole));
     assert_valid(&device);
+}
+
+#[test]
+fn where_the_driver_has_no_memory_for_waves_one_shader_renders() {
+    let Some(wanted) = wanted() else { return };
+    let scene = one_grid();
+    let render = |faults: &Arc<Faults>| {
+        let options = Options { faults: Some(Arc::clone(faults)), validation: true, ..Options::default() };
+        let device = Device::open(options, Some(&wanted), None).unwrap();
+        let mut tracer = tracer(&device, &scene, 1 << 20);
+        // So many paths have an allocation of their own.
+        let film = film(&mut tracer, &view().samples(12));
+        assert_valid(&device);
+        (film, holds_paths(&tracer))
+    };
+    let counting = Faults::none();
+    let (expected, has_waves) = render(&counting);
+    assert!(has_waves);
+    // Paths are what is allocated last.
+    let last = counting.calls().iter().rposition(|call| *call == "vkAllocateMemory").unwrap();
+    let faults = Faults::at(&[(last as u64, Fault::OutOfDeviceMemory)]);
+    let (ours, has_waves) = render(&faults);
+    assert_eq!(faults.fired(), [("vkAllocateMemory", Fault::OutOfDeviceMemory)]);
+    assert!(!has_waves && ours == expected);
 }
 
 #[test]

@@ -56,7 +56,10 @@ impl Worker {
             }
             if held.0 < capacity {
                 self.drop_waves();
-                let waves = Waves::new(&self.device, variant, capacity)?;
+                let waves = match Waves::new(&self.device, variant, capacity) {
+                    Err(TraceError::OutOfMemory { .. }) => return Ok(None),
+                    waves => waves?,
+                };
                 waves.bind(&self.bindings);
                 self.waves = Some(waves);
             }

@@ -12,6 +12,8 @@ use std::fs;
 const WITH_MATERIALS: &str = "-DWITH_MATERIALS";
 /// Defines the macro of modules that trace paths in waves.
 const WITH_WAVES: &str = "-DWITH_WAVES";
+/// Defines the macro of what is compiled to WGSL.
+const FOR_WGSL: &str = "-DFOR_WGSL";
 /// Makes all modules read the frame's parameters from a storage buffer.
 const FRAME_IN_STORAGE: [&str; 2] = ["-DFRAME_IN_STORAGE", "-Dparams=frames[0]"];
 
@@ -53,7 +55,7 @@ pub fn wgsl(tools: &Tools, pass: &Pass) -> Result<Vec<u8>, String> {
     let output = folder.path().join("module.wgsl");
     let mut arguments = vec![OsStr::new(&source)];
     arguments.extend(["-I", ".", "-target", "wgsl", "-o"].map(OsStr::new));
-    arguments.push(output.as_os_str());
+    arguments.extend([output.as_os_str(), OsStr::new(FOR_WGSL)]);
     arguments.extend(pass.variants[0].has_materials.then_some(OsStr::new(WITH_MATERIALS)));
     tools.slangc(&arguments)?;
     let text = fs::read_to_string(&output).map_err(|error| format!("slangc left no WGSL of {}: {error}", pass.name))?;
