@@ -12,7 +12,7 @@ use voxtrace_core::packed::{
     Emitter, InstanceNode, LightNode, MAX_INSTANCE_DEPTH, PackedGrid, PackedInstance, PackedMaterial,
 };
 use voxtrace_vulkan::PresentParams;
-use voxtrace_vulkan::records::{Dispatch, FrameParams, ProbeAnswer, ProbeRay};
+use voxtrace_vulkan::records::{Dispatch, FrameParams, ProbeAnswer, ProbeRay, WaveStep};
 
 /// Size in bytes, and offset and size of each member by its name.
 type Layout = (usize, Vec<(String, usize, usize)>);
@@ -60,15 +60,6 @@ fn of_host() -> BTreeMap<&'static str, Layout> {
         ("PackedGrid", layout!(PackedGrid: origin, top_shift, top_size, top_offset, min, voxels, max, material_bits)),
         ("PackedInstance", layout!(PackedInstance: grid_from_world, world_from_grid, grid, scene_instance, light_leaf)),
         ("InstanceNode", layout!(InstanceNode: min, index, max, is_leaf)),
-        (
-            "PackedMaterial",
-            layout!(
-                PackedMaterial: base_color, roughness, emission, metallic, transmission, ior, specular, anisotropy, absorption,
-                scattering
-            ),
-        ),
-        ("Emitter", layout!(Emitter: voxel, grid, faces, material, luminance, leaf)),
-        ("LightNode", layout!(LightNode: min, index, max, count, power, parent, root)),
         ("RayRecord", layout!(Ray: origin, t_min, direction, t_max)),
         ("HitRecord", layout!(Hit: t, instance, voxel, face)),
         (
@@ -85,6 +76,7 @@ fn of_host() -> BTreeMap<&'static str, Layout> {
         ),
         ("PresentParams", layout!(PresentParams: corner, size, width, height, exposure, curve)),
         ("Dispatch", layout!(Dispatch: first, count, samples, samples_target, padding, sequence)),
+        ("WaveStep", layout!(WaveStep: round, counts, capacity, rounds, samples)),
         (
             "ProbeRay",
             layout!(ProbeRay: origin, t_min, direction, t_max, flags, mask, report, log_first, log_capacity, padding),
@@ -114,12 +106,34 @@ fn host_and_shaders_agree_on_every_offset() {
 
     let moved = text.replacen("  material_bits 64 4", "  material_bits 60 4", 1);
     assert_eq!(differences(&of_shaders(&moved)), ["PackedGrid"]);
-    let padded = text.replacen("PackedMaterial 64", "PackedMaterial 68", 1);
-    assert_eq!(differences(&of_shaders(&padded)), ["PackedMaterial"]);
+    let padded = text.replacen("PixelRecord 32", "PixelRecord 36", 1);
+    assert_eq!(differences(&of_shaders(&padded)), ["PixelRecord"]);
     let forgotten = format!("{text}Unheard 4\n  of 0 4\n");
     assert_eq!(differences(&of_shaders(&forgotten)), ["Unheard"]);
     let renamed = text.replacen("  is_leaf 28 4", "  leaf 28 4", 1);
     assert_eq!(differences(&of_shaders(&renamed)), ["InstanceNode"]);
+}
+
+/// The words of records that shaders read by rows of four words, as `shaders/scene.slang` reads them: first members of rows, and what follows them.
+#[test]
+fn records_that_shaders_read_by_rows_have_their_words_there() {
+    let offsets = |layout: Layout| -> Vec<usize> {
+        let (mut end, mut offsets) = (0, Vec::new());
+        for (_, offset, size) in &layout.1 {
+            assert_eq!(*offset, end, "no gaps");
+            offsets.push(offset / 4);
+            end = offset + size;
+        }
+        assert_eq!(end, layout.0);
+        offsets
+    };
+    let material = layout!(
+        PackedMaterial: base_color, roughness, emission, metallic, transmission, ior, specular, anisotropy, absorption,
+        scattering
+    );
+    assert_eq!(offsets(material), [0, 3, 4, 7, 8, 9, 10, 11, 12, 15]);
+    assert_eq!(offsets(layout!(Emitter: voxel, grid, faces, material, luminance, leaf)), [0, 3, 4, 5, 6, 7]);
+    assert_eq!(offsets(layout!(LightNode: min, index, max, count, power, parent, root)), [0, 3, 4, 7, 8, 14, 15]);
 }
 
 /// Where shaders keep a stack of another size than the host's walk over instances has, or say another depth than the one up to

@@ -4,7 +4,7 @@ use crate::buffer::Buffer;
 use crate::commands::Submitter;
 use crate::device::Device;
 use crate::errors::ResultExt;
-use crate::records::{Dispatch, binding};
+use crate::records::{Dispatch, WaveStep, binding};
 use ash::vk;
 use std::sync::Arc;
 use voxtrace_core::TraceError;
@@ -69,7 +69,10 @@ impl Bindings {
         // SAFETY: the device is alive; what was created is destroyed by `drop`, also when a later step fails.
         bindings.set_layout = unsafe { raw.create_descriptor_set_layout(&info, None) }.context(step)?;
         let layouts = [bindings.set_layout];
-        let info = vk::PipelineLayoutCreateInfo::default().set_layouts(&layouts);
+        let pushed = [vk::PushConstantRange::default()
+            .stage_flags(vk::ShaderStageFlags::COMPUTE)
+            .size(size_of::<WaveStep>() as u32)];
+        let info = vk::PipelineLayoutCreateInfo::default().set_layouts(&layouts).push_constant_ranges(&pushed);
         // SAFETY: as above.
         bindings.layout = unsafe { raw.create_pipeline_layout(&info, None) }.context(step)?;
         let info = vk::DescriptorPoolCreateInfo::default().max_sets(1).pool_sizes(&sizes);

@@ -31,6 +31,7 @@ mod transfer;
 mod variant;
 mod vulkan;
 mod watch;
+mod waves;
 mod worker;
 
 // For the other crates of voxtrace and their tests: not covered by semantic versioning.

@@ -1,12 +1,15 @@
 //! Pipelines, made when first needed.
 
 use crate::bindings::Bindings;
+use crate::buffer::Buffer;
 use crate::device::Device;
 use crate::errors::ResultExt;
 use crate::ray_program::RayProgram;
+use crate::records::WaveStep;
 use crate::spirv::Module;
 use crate::variant::{Specialization, Variant};
 use ash::vk;
+use bytemuck::bytes_of;
 use std::collections::HashMap;
 use std::ffi::CString;
 use std::sync::Arc;
@@ -123,6 +126,38 @@ impl Passes {
             }
             // Nothing runs, and the proof of work says so.
             None => {}
+        }
+    }
+}
+
+/// How a step of a wave is launched.
+pub enum Launch<'a> {
+    /// So many workgroups.
+    Groups(u32),
+    /// As many along three axes as stand in a buffer from a word on.
+    Told(&'a Buffer, u32),
+}
+
+impl Passes {
+    /// Records a step of a wave by a prepared variant, a compute shader. The bindings are in use already.
+    pub fn launch_step(
+        &self,
+        variant: Variant,
+        bindings: &Bindings,
+        commands: vk::CommandBuffer,
+        step: WaveStep,
+        launch: &Launch,
+    ) {
+        let Some(Program::Compute(pipeline)) = self.programs.get(&variant) else { return };
+        let raw = &self.device.raw;
+        // SAFETY: the pipeline is alive and its bindings are set; counts are within the device's limits, and the buffer is one of indirect commands.
+        unsafe {
+            raw.cmd_bind_pipeline(commands, vk::PipelineBindPoint::COMPUTE, *pipeline);
+            raw.cmd_push_constants(commands, bindings.layout, vk::ShaderStageFlags::COMPUTE, 0, bytes_of(&step));
+            match launch {
+                Launch::Groups(count) => raw.cmd_dispatch(commands, *count, 1, 1),
+                Launch::Told(buffer, word) => raw.cmd_dispatch_indirect(commands, buffer.handle, 4 * u64::from(*word)),
+            }
         }
     }
 }

@@ -265,6 +265,27 @@ pub struct Dispatch {
     pub sequence: u32,
 }
 
+/// A step of a wave of paths: see `shaders/pass/waves.slang`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
+#[repr(C)]
+pub struct WaveStep {
+    /// Number of the round.
+    pub round: u32,
+    /// Place of the wave's counts among the queues, words.
+    pub counts: u32,
+    /// Paths that have room.
+    pub capacity: u32,
+    /// Rounds of a wave.
+    pub rounds: u32,
+    /// Samples of each pixel in it, at most.
+    pub samples: u32,
+}
+
+/// Words of the counts of one round of a wave.
+pub const WAVE_ROUND_WORDS: u32 = 16;
+/// Words of all counts, before the queues.
+pub const WAVE_COUNTS_WORDS: u32 = 1 << 14;
+
 /// A ray of the driver probes and what its shaders do.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 #[repr(C)]
@@ -396,6 +417,10 @@ pub mod binding {
     pub const FRAME_STORAGE: u32 = 20;
     /// Which pages of the scene are there, and where.
     pub const PAGES: u32 = 21;
+    /// Paths under way.
+    pub const PATHS: u32 = 22;
+    /// Which of them each step of a wave takes.
+    pub const QUEUES: u32 = 23;
     /// The last place.
-    pub const LAST: u32 = PAGES;
+    pub const LAST: u32 = QUEUES;
 }

@@ -15,6 +15,11 @@ pub static WALK: Module = Module::new("walk", include_bytes!("../spirv/walk.spv"
 /// The walk of paths that know all materials.
 pub static WALK_MATERIALS: Module = Module::new("walk (materials)", include_bytes!("../spirv/walk.materials.spv"));
 
+/// The walk and the shading of paths in waves.
+pub static WAVES: Module = Module::new("waves", include_bytes!("../spirv/waves.spv"));
+/// Those of paths that know all materials.
+pub static WAVES_MATERIALS: Module = Module::new("waves (materials)", include_bytes!("../spirv/waves.materials.spv"));
+
 /// What a window shows of a film.
 pub static RESOLVE: Module = Module::new("resolve", include_bytes!("../spirv/resolve.spv"));
 /// Draws what a window shows.

@@ -33,6 +33,7 @@ pub struct VulkanTracer {
     submit_ms: Option<f64>,
     /// Whether scenes that do not fit are traced page by page.
     has_pages: bool,
+    most_paths: Option<u32>,
     scene: Option<Arc<PackedScene>>,
     /// The film as it was last on the host.
     copy: Option<(Frame, Film)>,
@@ -67,6 +68,7 @@ impl VulkanTracer {
             settings,
             submit_ms: None,
             has_pages: true,
+            most_paths: None,
             scene: None,
             copy: None,
             rendered: None,
@@ -131,6 +133,24 @@ impl VulkanTracer {
             worker.allow_pages(has_pages);
         }
         self
+    }
+
+    /// How many paths are traced at once in waves, at most, with [`crate::Traversal::Walk`] and `path`, where all materials are matte: those are quicker, and take
+    /// memory for paths. 0 makes one shader follow each path from its camera to its end, which gives the same picture. At first it is what suits the device.
+    pub fn with_most_paths(mut self, most_paths: u32) -> Self {
+        self.most_paths = Some(most_paths);
+        if let Backend::Device(worker) = &mut self.backend {
+            worker.set_most_paths(self.most_paths);
+        }
+        self
+    }
+
+    /// Leaves out a step of waves, by the name of its entry point, from the next program on that is made for them, for tests.
+    #[cfg(feature = "faults")]
+    pub fn leave_out(&mut self, step: &'static str) {
+        if let Backend::Device(worker) = &mut self.backend {
+            worker.leave_out(step);
+        }
     }
 
     /// Brings the next pages of the scene as if nothing were in them, for tests.
@@ -268,6 +288,7 @@ impl VulkanTracer {
         self.device = self.device.reopened()?;
         let mut worker = Worker::new(Arc::clone(&self.device), self.settings)?;
         worker.allow_pages(self.has_pages);
+        worker.set_most_paths(self.most_paths);
         if let Some(submit_ms) = self.submit_ms {
             worker.set_submit_ms(submit_ms);
         }

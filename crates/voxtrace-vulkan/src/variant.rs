@@ -13,6 +13,8 @@ pub enum Entry {
     RenderEssay,
     /// Adds samples, looking for light.
     RenderPath,
+    /// A step of paths in waves.
+    Wave(&'static str),
     /// Writes the mean of each pixel's samples for a window.
     Resolve,
     /// A group of functions of the self-test.
@@ -35,7 +37,7 @@ impl Entry {
             Self::RenderEssay => "render_essay",
             Self::RenderPath => "render_path",
             Self::Resolve => "resolve",
-            Self::SelfTest(name) => name,
+            Self::Wave(name) | Self::SelfTest(name) => name,
         }
     }
 }

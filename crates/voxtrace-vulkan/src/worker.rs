@@ -3,8 +3,10 @@
 mod casting;
 mod edits;
 mod paging;
+mod rendering;
 mod scene;
 mod show;
+mod waves;
 
 use crate::accel::{Accel, AccelReport};
 use crate::bindings::Bindings;
@@ -12,19 +14,20 @@ use crate::buffer::Buffer;
 use crate::capabilities::missing;
 use crate::commands::{Finished, Job, Submitter, Then};
 use crate::device::Device;
-use crate::film::{DeviceFilm, Part};
+use crate::film::DeviceFilm;
 use crate::method::{Settings, Traversal};
 use crate::pages::Pages;
 use crate::passes::Passes;
 use crate::picture::Picture;
-use crate::records::{Counter, Dispatch, FrameParams, binding};
+use crate::records::{Dispatch, FrameParams, binding};
 use crate::scene::SceneBuffers;
-use crate::schedule::{BatchSizer, Round, TARGET_MS};
+use crate::schedule::{BatchSizer, TARGET_MS};
 use crate::spirv;
 use crate::statistics::Statistics;
 use crate::transfer::Transfer;
 use crate::variant::{Entry, Variant};
 use crate::watch::Watch;
+use crate::waves::Waves;
 use ash::vk;
 use bytemuck::bytes_of;
 use gpu_allocator::MemoryLocation;
@@ -46,6 +49,13 @@ pub struct Worker {
     // Dropped first: it waits for the device.
     submitter: Submitter,
     passes: Passes,
+    /// Of paths in waves, where the traversal has them.
+    wave_passes: Option<Passes>,
+    waves: Option<Waves>,
+    /// Most paths of a wave, where it is said.
+    most_paths: Option<u32>,
+    /// A step of waves that is not done, for tests.
+    left_out: Option<&'static str>,
     bindings: Bindings,
     transfer: Transfer,
     params: Buffer,
@@ -88,9 +98,16 @@ impl Worker {
         bindings.bind(binding::FRAME, &params);
         bindings.bind(binding::FRAME_STORAGE, &params);
         let nothing = Buffer::storage(&device, "placeholder", 0)?;
-        for place in
-            [binding::PIXELS, binding::RAYS, binding::HITS, binding::PRIMITIVES, binding::ENTRIES, binding::PAGES]
-        {
+        for place in [
+            binding::PIXELS,
+            binding::RAYS,
+            binding::HITS,
+            binding::PRIMITIVES,
+            binding::ENTRIES,
+            binding::PAGES,
+            binding::PATHS,
+            binding::QUEUES,
+        ] {
             bindings.bind(place, &nothing);
         }
         let (matte, materials) = match settings.traversal {
@@ -99,8 +116,17 @@ impl Worker {
             _ => (spirv::WALK, spirv::WALK_MATERIALS),
         };
         let (matte, materials) = if settings.is_exact { (matte, materials) } else { (matte.fast(), materials.fast()) };
+        let has_waves = settings.traversal == Traversal::Walk;
+        let (waves, waves_of_materials) = match settings.is_exact {
+            true => (spirv::WAVES, spirv::WAVES_MATERIALS),
+            false => (spirv::WAVES.fast(), spirv::WAVES_MATERIALS.fast()),
+        };
         Ok(Self {
             submitter,
+            wave_passes: has_waves.then(|| Passes::new(&device, &bindings, waves).with_materials(waves_of_materials)),
+            waves: None,
+            most_paths: None,
+            left_out: None,
             passes: Passes::new(&device, &bindings, matte).with_materials(materials),
             bindings,
             transfer: Transfer::new(&device),
@@ -196,8 +222,18 @@ impl Worker {
         show: Option<Show>,
     ) -> Result<Option<Finished>, TraceError> {
         let (bindings, passes) = (&self.bindings, &self.passes);
-        let record = |commands, offset| passes.launch(variant, bindings, commands, offset, dispatch.count);
-        let workgroups = Some(passes.proof(variant, dispatch.count));
+        let waves = self.waves.as_ref().zip(self.wave_passes.as_ref()).filter(|_| variant.is_in_waves());
+        let record = |commands, offset| match waves {
+            Some((waves, steps)) => {
+                waves.record((steps, bindings), variant, (commands, offset), &dispatch);
+            }
+            None => passes.launch(variant, bindings, commands, offset, dispatch.count),
+        };
+        // Of waves each sample counts.
+        let workgroups = match waves {
+            Some(_) => dispatch.count.wrapping_mul(dispatch.samples),
+            None => passes.proof(variant, dispatch.count),
+        };
         let show = show.zip(self.resolve_passes.as_ref());
         let record_show = |commands, offset| {
             if let Some((show, passes)) = show {
@@ -209,80 +245,7 @@ impl Worker {
             workgroups: passes.proof(show.variant, show.count),
             record: &record_show,
         });
-        self.submitter.submit(&Job { step, work, dispatch, workgroups, record: &record, then })
-    }
-
-    /// Makes the program that renders a part of a film, and tells it about the frame. Nothing may be in flight.
-    fn prepare_part(&mut self, part: &Part, frame: &Frame) -> Result<Variant, TraceError> {
-        let params = FrameParams::of_frame(self.scene()?, &frame.clone().region(part.region));
-        let variant = self.variant(Entry::of(frame.integrator), (params.lens, params.sky), Some(frame))?;
-        if variant.has_catcher {
-            self.prepare_catcher()?;
-        }
-        self.passes.prepare(variant)?;
-        self.set_params(&params);
-        self.bindings.bind(binding::PIXELS, &part.pixels);
-        Ok(variant)
-    }
-
-    /// Brings one part of the film up to `target` samples. Returns false where it ran out of time.
-    fn render_part(
-        &mut self,
-        film: &mut DeviceFilm,
-        (index, target): (usize, u32),
-        frame: &Frame,
-        progress: &mut Watch,
-        until: Instant,
-        show: Option<Show>,
-    ) -> Result<bool, TraceError> {
-        if self.scene.as_ref().is_some_and(|buffers| buffers.pages.is_some()) {
-            return self.render_part_in_pages(film, (index, target), frame, progress, until);
-        }
-        let part = &mut film.parts[index];
-        let variant = self.prepare_part(part, frame)?;
-        let pixels = part.region.pixels() as u64;
-        let mut is_late = false;
-        while part.samples < target && !progress.is_cancelled() && !is_late {
-            let mut round = Round::new(&self.render_batches, pixels, target - part.samples);
-            // Pixels that a round left ahead when it was broken off wait for the others.
-            let samples_target = part.samples + round.samples();
-            let mut is_whole = true;
-            while let Some(block) = round.next(&self.render_batches, self.passes.most_items()) {
-                is_late = Instant::now() >= until;
-                is_whole = !progress.is_cancelled() && !is_late;
-                if !is_whole {
-                    break;
-                }
-                let dispatch = Dispatch {
-                    first: block.first as u32,
-                    count: block.count as u32,
-                    samples: block.samples,
-                    samples_target,
-                    ..Dispatch::default()
-                };
-                let work = block.count * u64::from(block.samples);
-                let is_last = round.is_over() && samples_target >= target;
-                let finished = self.submit("rendering", variant, dispatch, work, show.filter(|_| is_last))?;
-                self.render_done(finished, progress);
-            }
-            if is_whole {
-                part.samples += round.samples();
-            }
-        }
-        while let Some(finished) = self.submitter.wait()? {
-            self.render_done(Some(finished), progress);
-        }
-        Ok(!is_late || progress.is_cancelled())
-    }
-
-    fn render_done(&mut self, finished: Option<Finished>, progress: &mut Watch) {
-        if let Some(finished) = finished {
-            let samples = u64::from(finished.counters[Counter::CameraRays as usize]);
-            self.render_batches.update(samples, finished.gpu_ms);
-            self.statistics.add(&finished);
-            self.shown_ms = finished.then_ms.or(self.shown_ms);
-            progress.add(samples);
-        }
+        self.submitter.submit(&Job { step, work, dispatch, workgroups: Some(workgroups), record: &record, then })
     }
 }
 
@@ -301,7 +264,7 @@ impl Worker {
         self.scene()?;
         let mut film = match self.film.take() {
             Some(film) if frame.continues(&film.frame) => film,
-            _ => DeviceFilm::new(&self.device, &mut self.submitter, frame)?,
+            _ => self.new_film(frame)?,
         };
         film.frame = frame.clone();
         // A long call comes here in pieces, which are counted together.
@@ -312,6 +275,17 @@ impl Worker {
         self.stop_showing();
         self.film = Some(film);
         result
+    }
+
+    /// A black film, for which paths make room.
+    fn new_film(&mut self, frame: &Frame) -> Result<DeviceFilm, TraceError> {
+        match DeviceFilm::new(&self.device, &mut self.submitter, frame) {
+            Err(TraceError::OutOfMemory { .. }) if self.waves.is_some() => {
+                self.drop_waves();
+                DeviceFilm::new(&self.device, &mut self.submitter, frame)
+            }
+            result => result,
+        }
     }
 
     fn render_film(
@@ -348,6 +322,12 @@ impl Worker {
     pub fn set_submit_ms(&mut self, submit_ms: f64) {
         self.submit_ms = submit_ms;
         (self.render_batches, self.cast_batches) = (BatchSizer::new(submit_ms), BatchSizer::new(submit_ms));
+    }
+
+    /// Leaves out a step of waves from now on, for tests.
+    #[cfg(feature = "faults")]
+    pub fn leave_out(&mut self, step: &'static str) {
+        self.left_out = Some(step);
     }
 
     /// Empties the next pages, for tests.

@@ -37,3 +37,4 @@ mod volume_emission;
 mod voxel_glass;
 mod vulkan;
 mod vulkan_faults;
+mod waves;

@@ -51,7 +51,7 @@ impl Worker {
         until: Instant,
     ) -> Result<bool, TraceError> {
         let part = &mut film.parts[index];
-        let variant = self.prepare_part(part, frame)?;
+        let variant = self.prepare_part(part, 0, frame)?;
         let pixels = part.region.pixels() as u64;
         while part.samples < target {
             let goal = if part.samples == 0 { 1 } else { target };

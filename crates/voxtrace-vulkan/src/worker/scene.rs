@@ -26,6 +26,7 @@ impl Worker {
             return Ok(());
         }
         (self.scene, self.film, self.accel) = (None, None, None);
+        self.drop_waves();
         let buffers = self.buffers_of(scene)?;
         buffers.bind(&self.bindings);
         let Settings { traversal, primitive, is_exact } = self.settings;

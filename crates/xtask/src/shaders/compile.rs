@@ -10,6 +10,10 @@ use std::fs;
 
 /// Defines the macro of modules that know all materials.
 const WITH_MATERIALS: &str = "-DWITH_MATERIALS";
+/// Defines the macro of modules that trace paths in waves.
+const WITH_WAVES: &str = "-DWITH_WAVES";
+/// Defines the macro of what is compiled to WGSL.
+const FOR_WGSL: &str = "-DFOR_WGSL";
 /// Makes all modules read the frame's parameters from a storage buffer.
 const FRAME_IN_STORAGE: [&str; 2] = ["-DFRAME_IN_STORAGE", "-Dparams=frames[0]"];
 
@@ -33,6 +37,7 @@ pub fn spirv(tools: &Tools, pass: &Pass, variant: &Variant) -> Result<Spirv, Str
     arguments.extend(options.split(' ').chain(["-o"]).map(OsStr::new));
     arguments.extend([output.as_os_str(), OsStr::new("-reflection-json"), json.as_os_str()]);
     arguments.extend(variant.has_materials.then_some(OsStr::new(WITH_MATERIALS)));
+    arguments.extend(variant.has_waves.then_some(OsStr::new(WITH_WAVES)));
     if pass.has_frame_in_storage {
         arguments.extend(FRAME_IN_STORAGE.map(OsStr::new));
     }
@@ -50,7 +55,7 @@ pub fn wgsl(tools: &Tools, pass: &Pass) -> Result<Vec<u8>, String> {
     let output = folder.path().join("module.wgsl");
     let mut arguments = vec![OsStr::new(&source)];
     arguments.extend(["-I", ".", "-target", "wgsl", "-o"].map(OsStr::new));
-    arguments.push(output.as_os_str());
+    arguments.extend([output.as_os_str(), OsStr::new(FOR_WGSL)]);
     arguments.extend(pass.variants[0].has_materials.then_some(OsStr::new(WITH_MATERIALS)));
     tools.slangc(&arguments)?;
     let text = fs::read_to_string(&output).map_err(|error| format!("slangc left no WGSL of {}: {error}", pass.name))?;

@@ -23,12 +23,16 @@ pub struct Variant {
     pub suffix: &'static str,
     /// Whether paths know all materials: the macro `WITH_MATERIALS`.
     pub has_materials: bool,
+    /// Whether paths are traced in waves: the macro `WITH_WAVES`.
+    pub has_waves: bool,
 }
 
 /// Paths that know matte surfaces only.
-const MATTE: Variant = Variant { suffix: "", has_materials: false };
+const MATTE: Variant = Variant { suffix: "", has_materials: false, has_waves: false };
 /// Paths that know all materials.
-const MATERIALS: Variant = Variant { suffix: ".materials", has_materials: true };
+const MATERIALS: Variant = Variant { suffix: ".materials", has_materials: true, has_waves: false };
+/// Both with paths in waves.
+const WAVES: &[Variant] = &[Variant { has_waves: true, ..MATTE }, Variant { has_waves: true, ..MATERIALS }];
 /// The variants of passes that render.
 const RENDERING: &[Variant] = &[MATTE, MATERIALS];
 
@@ -101,6 +105,13 @@ pub const PASSES: &[Pass] = &[
         ],
         variants: &[Variant { suffix: "", ..MATERIALS }],
         has_wgsl: true,
+        has_frame_in_storage: false,
+    },
+    Pass {
+        name: "waves",
+        entries: &["wave_begin", "wave_end", "wave_finish", "wave_lit", "wave_shade", "wave_walk"],
+        variants: WAVES,
+        has_wgsl: false,
         has_frame_in_storage: false,
     },
     Pass {
