@@ -37,6 +37,7 @@ mod parts;
 mod placement;
 mod sah_tree;
 mod section;
+mod section_reader;
 mod section_writer;
 mod settings;
 mod shape;
