@@ -79,9 +79,9 @@ pub fn open(path: &Path, level: u32, in_memory: bool) -> Result<PackedScene, Fai
             0 => "no levels of detail".to_owned(),
             count => format!("levels of detail up to {count}"),
         };
-        return Err(
-            Failure::input(format!("{}: it has {found}, and --level {level} asks for more", path.display())).hint(HINT)
-        );
+        let hint = if levels.count() == 0 { HINT } else { "`voxtrace info` lists what they hold" };
+        let message = format!("{}: it has {found}, and --level {level} asks for more", path.display());
+        return Err(Failure::input(message).hint(hint));
     }
     let failure = |kind: FileErrorKind| Failure::input(format!("{}: {kind}", path.display()));
     levels.scene(level).map_err(failure)

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """The CPU tracer where memory is less than the scene: the picture, the time and the bytes read, with all memory and with parts of the file's size.
 
-    sudo python3 little_memory.py target/release/voxtrace city.vxt --size 640x360 --samples 16 --parts 2 4
+    sudo python3 little_memory.py target/release/voxtrace city.vxt --size 640x360 --spp 16 --parts 2 4
 
 Linux, as root: each run goes into a control group (version 1 or 2) of its own with a limit on its memory, which counts the pages of the mapped file, after the file was
 dropped from the system's cache. Ends with 1 where a picture is another one than with all memory. That the comparison sees a difference is tried with another seed.
@@ -65,16 +65,16 @@ def main():
     parser.add_argument("program")
     parser.add_argument("scene")
     parser.add_argument("--size", default="640x360")
-    parser.add_argument("--samples", default="16")
+    parser.add_argument("--spp", default="16")
     parser.add_argument("--parts", type=int, nargs="+", default=[2, 4], help="parts of the file's bytes that memory is limited to")
     arguments = parser.parse_args()
     whole = os.path.getsize(arguments.scene)
-    print(f"{arguments.scene}: {whole / 1e6:.0f} MB, {arguments.size}, {arguments.samples} samples of path")
+    print(f"{arguments.scene}: {whole / 1e6:.0f} MB, {arguments.size}, {arguments.spp} samples of path")
     print("| memory at most | seconds | of the processors | read | picture |\n|---|---:|---:|---:|---|")
     with tempfile.TemporaryDirectory() as folder:
         picture = pathlib.Path(folder) / "picture.png"
         command = [arguments.program, "render", arguments.scene, "-o", str(picture), "--traversal", "cpu", "--quiet"]
-        command += ["--integrator", "path", "--size", arguments.size, "--spp", arguments.samples]
+        command += ["--integrator", "path", "--size", arguments.size, "--spp", arguments.spp]
         expected = None
         for part in [None, *arguments.parts]:
             seconds, used = run(command, arguments.scene, whole // part if part else None)

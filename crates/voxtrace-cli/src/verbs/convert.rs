@@ -60,7 +60,7 @@ impl ConvertArgs {
         } else {
             content
         };
-        if let Some(input) = self.scene.file().filter(|_| is_native(out)) {
+        if let Some(input) = self.scene.file().filter(|_| is_native(out) && self.scene.memory.level.is_none()) {
             self.levels.remark_lost(input, report);
         }
         target.write(out, content, (memory, self.levels), report)

@@ -38,6 +38,7 @@ mod placement;
 mod placement_error;
 mod sah_tree;
 mod section;
+mod section_reader;
 mod section_writer;
 mod settings;
 mod shape;

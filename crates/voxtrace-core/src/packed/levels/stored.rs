@@ -2,8 +2,8 @@
 
 use super::{MAX_LEVELS, tag_of};
 use crate::packed::bytes::{Access, Bytes};
-use crate::packed::file::{Reader, geometry_and_placement};
 use crate::packed::file_error::damaged;
+use crate::packed::section_reader::{Reader, geometry_and_placement};
 use crate::packed::{FileError, FileErrorKind, Outline, PackedGrid, PackedScene};
 use std::fs::File;
 use std::ops::Range;

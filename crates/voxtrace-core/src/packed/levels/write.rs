@@ -199,6 +199,7 @@ fn order_of(geometry: &Geometry, grid: &PackedGrid) -> (Vec<IVec3>, Vec<Level>, 
     let high = order.iter().copied().reduce(IVec3::max).unwrap_or(IVec3::ZERO);
     let relative: Vec<IVec3> = order.iter().map(|&at| at - low).collect();
     let levels = levels_of(&relative, (high - low + 1) * BRICK_SIZE);
+    drop(relative);
     order.par_sort_by_cached_key(|&at| ordered_position(&levels, at - low));
     (order, levels, low)
 }
