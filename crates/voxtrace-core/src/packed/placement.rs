@@ -296,8 +296,7 @@ mod tests {
             let broken = Placement { instances, instance_nodes, light_nodes, ..placement.clone() };
             assert!(broken.validate(geometry).is_err(), "fault {which}");
         }
-        let other = Placement { fingerprint: 1, ..scene.placement.clone() };
-        assert!(other.validate(geometry).is_err());
+        assert!(Placement { fingerprint: 1, ..scene.placement.clone() }.validate(geometry).is_err());
     }
 
     #[test]
