@@ -195,6 +195,8 @@ fn keyframes_of_a_file_play_and_info_counts_them() {
     assert_eq!(json["frames"], 4);
     let frames = folder.succeed(&[&["animate", &deer, "-o", "deer_####.png"], &SMALL[..]].concat());
     assert_eq!(frames.lines().count(), 4, "{frames}");
+    let played = super::common::stderr(&folder.run(&[&["animate", &deer, "-o", "x_####.png"], &SMALL[..]].concat()));
+    assert!(!played.contains("keyframe"), "what is played is not counted as left out: {played}");
     let frame = |number: u32| folder.png(&format!("deer_{number:04}.png")).samples;
     assert!((2..=4).all(|number| frame(number) != frame(1)));
     // It comes again.

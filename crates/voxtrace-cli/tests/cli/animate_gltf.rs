@@ -58,7 +58,7 @@ fn folder() -> Folder {
 
 fn frames(folder: &Folder, name: &str, options: &[&str]) -> Vec<Vec<u16>> {
     let told = folder.succeed(&[&["animate", name, "-o", "f_####.png"], options, &SMALL[..]].concat());
-    told.lines().map(|file| folder.png(file).samples.iter().map(|&sample| sample.into()).collect()).collect()
+    told.lines().map(|file| folder.png(file).samples.clone()).collect()
 }
 
 /// The mean difference of two frames.

@@ -243,6 +243,7 @@ fn placed_in(
 mod tests {
     use super::*;
     use crate::packed::PackedScene;
+    use crate::{CpuTracer, Film, Frame, Progress, Tracer};
     use glam::{IVec3, Mat3, Vec3};
     use voxtrace_scene::grid::VoxelGrid;
     use voxtrace_scene::material::Material;
@@ -295,8 +296,7 @@ mod tests {
             let broken = Placement { instances, instance_nodes, light_nodes, ..placement.clone() };
             assert!(broken.validate(geometry).is_err(), "fault {which}");
         }
-        let other = Placement { fingerprint: 1, ..scene.placement.clone() };
-        assert!(other.validate(geometry).is_err());
+        assert!(Placement { fingerprint: 1, ..scene.placement.clone() }.validate(geometry).is_err());
     }
 
     #[test]
@@ -338,6 +338,30 @@ mod tests {
         );
         let other = Placement { fingerprint: 1, ..first.clone() };
         assert_eq!(other.moved(geometry, []).unwrap_err(), PlacementError::OtherGeometry);
+    }
+
+    #[test]
+    fn a_tree_over_the_lights_of_another_moment_is_another_picture() {
+        let scene = example();
+        let (geometry, first) = (scene.geometry(), scene.placement());
+        let turn = Transform { linear: Mat3::from_rotation_z(2.0) * 1.5, translation: Vec3::ZERO };
+        let turned =
+            |own: &PackedInstance| PackedInstance::new(own.grid, turn.after(&own.world_from_grid), own.scene_instance);
+        let instances: Vec<_> = first.instances().iter().map(turned).collect();
+        let moved = first.moved(geometry, instances.clone()).unwrap();
+        let anew = Placement::new(geometry, instances).unwrap();
+        let stale = Placement { light_nodes: first.light_nodes.clone(), ..moved.clone() };
+        let film = |placement: &Placement| {
+            let scene = scene.with_placement(placement).unwrap();
+            let frame = Frame::new(scene.overview(1.0), 24, 24).samples(4);
+            let mut tracer = CpuTracer::new(Some(1));
+            tracer.set_scene(&Arc::new(scene)).unwrap();
+            tracer.render(&frame, &Progress::default()).unwrap();
+            let mut film = Film::new(0, 0, frame.region, 0);
+            tracer.read(&mut film).unwrap();
+            film
+        };
+        assert!(film(&moved) == film(&anew) && film(&stale) != film(&anew));
     }
 
     #[test]

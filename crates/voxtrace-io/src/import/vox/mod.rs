@@ -32,7 +32,7 @@ pub use surroundings::{Surroundings, surroundings};
 pub const ATTACHMENT: &str = "vox";
 
 use crate::import::panorama::environment_from_bytes;
-use crate::import::reader::{Data, Kind, Magic, NotShown, Reader, Voxels};
+use crate::import::reader::{ClipChoice, Data, Kind, Magic, NotShown, Reader, Voxels};
 use crate::import::source::folder::Folder;
 use crate::import::source::input::Input;
 use light::Picture;
@@ -60,7 +60,10 @@ pub(crate) const READER: Reader = Reader::new(
         let file = VoxFile::parse(&bytes, path, limits)?;
         let scene = file.scene_under(path, limits, &mut map_of)?;
         let mut parts = NotShown::default();
-        parts.count("further keyframe", keyframes(&file));
+        // Who asks for an animation plays them.
+        if options.animation == ClipChoice::None {
+            parts.count("further keyframe", keyframes(&file));
+        }
         ignored(&scene).iter().for_each(|part| parts.name(part));
         notes.extend(parts.note());
         Ok(Data::Voxels(Voxels { scene, notes }))
