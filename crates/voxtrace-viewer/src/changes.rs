@@ -57,7 +57,7 @@ impl Session {
             true if self.editing.as_ref().is_some_and(crate::editing::Editing::has_edits) => {
                 open.hide_unread();
                 self.say(
-                    "what the file hides cannot be read into a scene that was edited: save it, and open it with --show",
+                    "what the file hides cannot be read into a scene that was edited: show it before the first edit",
                     true,
                 );
             }

@@ -4,17 +4,18 @@ use super::PackedScene;
 use std::sync::Arc;
 
 impl PackedScene {
-    /// The same scene with arrays that nobody else holds, so that patches are applied to it in place.
+    /// The same scene with arrays that nobody else holds, and with room in them, so that patches are applied to it in place.
     #[doc(hidden)]
     #[must_use]
     pub fn unshared(&self) -> Self {
         let mut own = self.clone();
         let geometry = Arc::make_mut(&mut own.geometry);
-        let _ = geometry.cells.as_mut();
-        let _ = geometry.bricks.as_mut();
-        let _ = geometry.brick_materials.as_mut();
-        let _ = geometry.emitters.as_mut();
-        let _ = geometry.light_nodes.as_mut();
+        // Of an array that others hold it makes a copy.
+        geometry.cells.set_length(geometry.cells.len());
+        geometry.bricks.set_length(geometry.bricks.len());
+        geometry.brick_materials.set_length(geometry.brick_materials.len());
+        geometry.emitters.set_length(geometry.emitters.len());
+        geometry.light_nodes.set_length(geometry.light_nodes.len());
         own
     }
 

@@ -157,7 +157,7 @@ impl Editor {
             };
             let end = catch_unwind(AssertUnwindSafe(|| run(&scene, materials, &of_window, &tell)));
             if end.is_err() {
-                tell(Told::Failed("editing ended by a fault of the program; save the scene".into()));
+                tell(Told::Failed("a fault of the program; save the scene (Ctrl+S)".into()));
             }
         });
         Self { jobs, told }

@@ -73,12 +73,9 @@ impl Open {
                 changes.apply(scene).map_or_else(|_| Arc::clone(scene), Arc::new)
             }
         };
-        let in_light = |scene: &Arc<PackedScene>, light: &PackedScene| {
-            let mut lit = (**scene).clone();
-            (lit.sky, lit.light_intensity, lit.cuts) = (light.sky.clone(), light.light_intensity, light.cuts.clone());
-            Arc::new(lit)
-        };
-        self.pickable = in_light(&self.alone, &self.lit);
+        let (mut lit, light) = ((*self.alone).clone(), &self.lit);
+        (lit.sky, lit.light_intensity, lit.cuts) = (light.sky.clone(), light.light_intensity, light.cuts.clone());
+        self.pickable = Arc::new(lit);
         if is_alone {
             self.changed = Arc::clone(&self.alone);
             self.lit = Arc::clone(&self.pickable);

@@ -79,8 +79,12 @@ impl Session {
                     }
                 }
                 Told::Failed(reason) => {
-                    let has_edits = self.editing.take().is_some_and(|editing| editing.has_edits());
-                    self.say(if has_edits { reason } else { format!("the scene cannot be edited: {reason}") }, true);
+                    match self.editing.as_mut().filter(|editing| editing.is_unsaved()) {
+                        // What was edited is still there to be saved.
+                        Some(editing) => (editing.editor, editing.is_on, editing.is_ready) = (None, false, false),
+                        None => self.editing = None,
+                    }
+                    self.say(format!("the scene cannot be edited: {reason}"), true);
                 }
                 Told::Done(done) => self.take_done(*done),
                 Told::Copied { clip, count, grid, region, is_move } => {

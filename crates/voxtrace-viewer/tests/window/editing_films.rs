@@ -135,27 +135,25 @@ fn both_sides_of_a_comparison_follow_edits_and_so_does_a_tracer_that_comes_later
 
 #[test]
 fn a_device_that_is_lost_after_edits_comes_back_with_them() {
-    for (function, fault) in [("vkQueueSubmit", Fault::DeviceLost)] {
-        let walk = crate::losses::backends()[1];
-        let Some(mut shop) = Shop::open(walk) else { return };
-        shop.show(1);
-        let mut dynamic = DynamicScene::new((*packed()).clone()).unwrap();
-        edit(&mut dynamic, &shop.window.engine, &ball([6.0, 6.0, 3.0], 4.0, Some(1)));
-        let expected = rendered(&saved(&dynamic), &shop.view.frame());
-        assert_eq!(shop.film(), expected);
-        // Lost while it is traced, and while a patch is taken.
-        shop.window.faults.plant(function, fault);
-        edit(&mut dynamic, &shop.window.engine, &ball([18.0, 6.0, 3.0], 4.0, None));
-        until("the loss", || {
-            shop.window.is_due = true;
-            shop.turn();
-            !shop.window.faults.fired().is_empty() && shop.window.moves > 0
-        });
-        edit(&mut dynamic, &shop.window.engine, &ball([18.0, 18.0, 3.0], 4.0, Some(0)));
-        let after = rendered(&saved(&dynamic), &shop.view.frame());
-        assert_ne!(after, expected);
-        assert_eq!(shop.film(), after, "{function}");
-        assert_eq!((shop.window.messages(), shop.window.failures.clone()), (Vec::new(), Vec::new()), "{function}");
-        assert_eq!(dynamic.voxel(0, IVec3::new(6, 6, 3)), Some(1));
-    }
+    let walk = crate::losses::backends()[1];
+    let Some(mut shop) = Shop::open(walk) else { return };
+    shop.show(1);
+    let mut dynamic = DynamicScene::new((*packed()).clone()).unwrap();
+    edit(&mut dynamic, &shop.window.engine, &ball([6.0, 6.0, 3.0], 4.0, Some(1)));
+    let expected = rendered(&saved(&dynamic), &shop.view.frame());
+    assert_eq!(shop.film(), expected);
+    // Lost while it is traced, and while a patch is taken.
+    shop.window.faults.plant("vkQueueSubmit", Fault::DeviceLost);
+    edit(&mut dynamic, &shop.window.engine, &ball([18.0, 6.0, 3.0], 4.0, None));
+    until("the loss", || {
+        shop.window.is_due = true;
+        shop.turn();
+        !shop.window.faults.fired().is_empty() && shop.window.moves > 0
+    });
+    edit(&mut dynamic, &shop.window.engine, &ball([18.0, 18.0, 3.0], 4.0, Some(0)));
+    let after = rendered(&saved(&dynamic), &shop.view.frame());
+    assert_ne!(after, expected);
+    assert_eq!(shop.film(), after);
+    assert_eq!((shop.window.messages(), shop.window.failures.clone()), (Vec::new(), Vec::new()));
+    assert_eq!(dynamic.voxel(0, IVec3::new(6, 6, 3)), Some(1));
 }

@@ -1,13 +1,16 @@
 //! What becomes of a scene that is edited: its copies, its light, its materials, and what would lose its edits.
 
 use crate::common::hand::{Hand, differing, floor, in_the_room};
-use crate::common::{house, in_room, lit, rendered, said, words};
+use crate::common::{film, house, in_room, lit, rendered, said, words};
 use std::sync::Arc;
 use voxtrace::PackedScene;
 use voxtrace::glam::{IVec3, Vec3};
 use voxtrace::normals::Normals;
+use voxtrace::surroundings::Ground;
 use voxtrace_viewer::keys::{Action, Key, Modifiers};
+use voxtrace_viewer::render_settings::RenderSettings;
 use voxtrace_viewer::session::{Command, Leaving, Session};
+use voxtrace_viewer::surroundings::Surroundings;
 
 /// A hand on the house, whose second room is the first one's model where they are `shared`.
 fn in_the_house(is_shared: bool) -> Hand {
@@ -218,4 +221,29 @@ fn a_recovery_file_is_due_a_minute_after_an_edit_and_not_for_what_is_saved() {
     hand.session.begin_saving(std::path::Path::new("/x/room-2.vxt"));
     hand.session.end_saving(true);
     assert!(hand.session.recovery_due(minutes(20.0)).is_none());
+}
+
+#[test]
+fn a_ground_around_an_edited_scene_is_made_anew_when_a_stroke_ends() {
+    let mut hand = in_the_room();
+    let surroundings =
+        Surroundings { ground: Some(Ground { height: None, color: Vec3::splat(0.2) }), ..Surroundings::default() };
+    let settings = RenderSettings { surroundings, ..hand.session.render_settings.clone() };
+    hand.session.set_render_settings(settings);
+    hand.carry_out();
+    let is_made = |session: &Session| !session.is_surrounding() && lit(session).grids().len() > 1;
+    hand.until("the ground", is_made);
+    hand.patches.clear();
+    let before = film(&lit(&hand.session), &hand.session);
+    hand.session.editing.as_mut().unwrap().brush.size = 9;
+    hand.drag(&[floor(3, 4), floor(12, 3)]);
+    hand.steps(1, 0);
+    hand.settle();
+    hand.until("the ground", is_made);
+    let open = hand.session.open.as_ref().unwrap();
+    let expected = Arc::new(surroundings.around(&open.pickable).unwrap());
+    let now = film(&lit(&hand.session), &hand.session);
+    assert_eq!(now, film(&expected, &hand.session));
+    assert_ne!(now, before, "the comparison sees the stroke");
+    assert!(hand.patches.is_empty(), "a patch of the scene alone is none of the scene on its ground");
 }

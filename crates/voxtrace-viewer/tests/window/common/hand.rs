@@ -42,10 +42,12 @@ impl Hand {
         hand
     }
 
-    fn carry_out(&mut self) {
+    /// Carries out what was asked for.
+    pub fn carry_out(&mut self) {
         for command in self.session.take_commands() {
             match command {
                 Command::Edit => self.session.start_editor(Arc::clone(&self.wake)),
+                Command::Surround => self.session.make_surroundings(Arc::clone(&self.wake)),
                 Command::Follow(followed) => self.patches.push(followed.0),
                 command => self.asked.push(command),
             }
@@ -56,6 +58,7 @@ impl Hand {
     pub fn until(&mut self, what: &str, is_so: impl Fn(&Session) -> bool) {
         loop {
             self.session.take_edited();
+            self.session.take_surroundings();
             self.carry_out();
             if is_so(&self.session) {
                 return;
