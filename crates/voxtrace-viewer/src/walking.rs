@@ -13,7 +13,7 @@ const SHARE: f64 = 1.0 / 30.0;
 /// A person is at most as tall as this share of the diagonal.
 const MOST: f64 = 0.2;
 /// Least height of an eye, voxels.
-const LEAST: f64 = 1.5;
+const LEAST: f64 = 2.6;
 
 impl Session {
     /// The height of an eye that suits the scene, voxels.

@@ -187,8 +187,8 @@ impl Search<'_> {
                 }
                 let cell = self.cell(brick + step);
                 let mut is_new = 0;
-                for layer in 0..8 {
-                    let seeds = over[layer] & cell.allowed[layer] & !cell.reached[layer];
+                for (layer, over) in over.into_iter().enumerate() {
+                    let seeds = over & cell.allowed[layer] & !cell.reached[layer];
                     cell.pending[layer] |= seeds;
                     is_new |= seeds;
                 }

@@ -10,7 +10,6 @@ use crate::projection::Projection;
 use crate::scale::Scale;
 use crate::session::Session;
 use crate::tr;
-use std::collections::BTreeMap;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -196,7 +195,7 @@ impl Session {
         let Some(open) = &self.open else { return };
         let scale = Scale::of(&open.original);
         self.measuring.file = self.beside_scene("measurements.toml").map(|path| MeasureFile::new(path, scale));
-        self.measuring.list = self.kept(MeasureFile::read).unwrap_or_else(BTreeMap::new);
+        self.measuring.list = self.kept(MeasureFile::read).unwrap_or_default();
     }
 
     /// Does something with the file; says what goes wrong.

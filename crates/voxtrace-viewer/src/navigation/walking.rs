@@ -8,6 +8,8 @@ use voxtrace::{PackedScene, Ray};
 /// All lengths in heights of the eye: radius of the body, steps that it climbs, how high it jumps, what is free above the eye.
 const RADIUS: f64 = 0.14;
 const STEP: f64 = 0.35;
+/// Where voxels are large, one of them is a step, unless it is this high: voxels, and heights of the eye.
+const ONE_VOXEL: (f64, f64) = (1.05, 0.6);
 const JUMP: f64 = 0.65;
 const HEAD: f64 = 0.08;
 /// Of a person of 1.7 m, in heights of the eye a second, squared.
@@ -98,6 +100,12 @@ impl Walker {
         self.goal = None;
     }
 
+    /// The highest step that it climbs.
+    fn step(&self) -> f64 {
+        let (voxel, most) = ONE_VOXEL;
+        (STEP * self.eye_height).max(voxel.min(most * self.eye_height))
+    }
+
     /// Where it walks to by itself.
     pub fn goal(&self) -> Option<DVec3> {
         self.goal.map(|(goal, _)| goal)
@@ -170,8 +178,7 @@ impl Walker {
             let Some(normal) = wall.and_then(|wall| wall.with_z(0.0).try_normalize()) else { break };
             step = rest - normal * rest.dot(normal).min(0.0);
         }
-        let has_ground =
-            |at: DVec3| ground.cast(at + DVec3::Z * (STEP * self.eye_height), DVec3::NEG_Z, f64::INFINITY).is_some();
+        let has_ground = |at: DVec3| ground.cast(at + DVec3::Z * self.step(), DVec3::NEG_Z, f64::INFINITY).is_some();
         let ways = [now, DVec3::new(now.x, feet.y, feet.z), DVec3::new(feet.x, now.y, feet.z)];
         // Somebody who has nothing below already may go wherever he wants.
         if !has_ground(feet) { now } else { ways.into_iter().find(|way| has_ground(*way)).unwrap_or(feet) }
@@ -182,7 +189,7 @@ impl Walker {
         let (height, radius) = (self.eye_height, RADIUS * self.eye_height);
         let side = direction.cross(DVec3::Z) * radius;
         let mut free = (most, None);
-        for up in [STEP * 1.02, 0.7, 1.0] {
+        for up in [self.step() / height * 1.02, 0.7, 1.0] {
             for across in [0.0, 0.9, -0.9] {
                 let origin = feet + DVec3::Z * (up * height) + side * across;
                 if let Some((t, normal)) = ground.cast(origin, direction, most + radius) {
@@ -200,7 +207,7 @@ impl Walker {
     /// After falling, climbing, standing or jumping.
     fn risen(&mut self, mut feet: DVec3, jumps: bool, seconds: f64, ground: &dyn Ground) -> DVec3 {
         let height = self.eye_height;
-        let knee = DVec3::Z * (STEP * height);
+        let knee = DVec3::Z * self.step();
         let below = [DVec2::ZERO, DVec2::X, DVec2::NEG_X, DVec2::Y, DVec2::NEG_Y].into_iter().filter_map(|side| {
             let origin = feet + knee + (side * (0.8 * RADIUS * height)).extend(0.0);
             let (t, _) = ground.cast(origin, DVec3::NEG_Z, f64::INFINITY)?;
@@ -218,7 +225,7 @@ impl Walker {
             (self.rising, self.is_on_ground) = (0.0, true);
             return feet;
         };
-        let reaches = if self.is_on_ground { STEP * height } else { SMALL * height };
+        let reaches = if self.is_on_ground { self.step() } else { SMALL * height };
         if self.rising <= 0.0 && feet.z - floor <= reaches {
             feet.z = floor;
             self.lag += feet.z - before;

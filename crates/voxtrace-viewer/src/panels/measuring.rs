@@ -6,7 +6,7 @@ use crate::measuring::{Kind, Measure, Snap, Snapped, Value, kind_name};
 use crate::scale::Scale;
 use crate::session::Session;
 use crate::tr;
-use egui::{CollapsingHeader, Color32, ComboBox, CursorIcon, Grid, ScrollArea, TextEdit, Ui};
+use egui::{Button, CollapsingHeader, Color32, ComboBox, CursorIcon, Grid, ScrollArea, TextEdit, Ui};
 use std::time::Duration;
 use voxtrace::glam::{DVec3, Vec2};
 
@@ -31,13 +31,13 @@ pub fn measuring(ui: &mut Ui, session: &mut Session) {
         tools(ui, session);
         if let Some(flood) = &session.measuring.flood {
             let found = counted(flood.found(), "voxel");
-            let is_stopped = ui
-                .horizontal(|ui| {
-                    ui.spinner();
-                    ui.label(tr!("measure.counting", voxels = found));
-                    ui.button(tr!("measure.stop")).clicked()
-                })
-                .inner;
+            let mut is_stopped = false;
+            // Panels that became wider would make the picture another one.
+            ui.horizontal_wrapped(|ui| {
+                ui.spinner();
+                ui.label(tr!("measure.counting", voxels = found));
+                is_stopped = ui.button(tr!("measure.stop")).clicked();
+            });
             if is_stopped {
                 session.cancel_measuring();
             }
@@ -71,10 +71,10 @@ fn tools(ui: &mut Ui, session: &mut Session) {
         ui.checkbox(&mut session.measuring.by_material, tr!("measure.by_material"));
     }
     if !session.measuring.points.is_empty() {
-        ui.horizontal(|ui| {
+        ui.horizontal_wrapped(|ui| {
             let least = session.measuring.tool.map_or(0, |kind| kind.points().0);
             let can_finish = session.measuring.points.len() >= least;
-            if ui.add_enabled(can_finish, egui::Button::new(tr!("measure.finish"))).clicked() {
+            if ui.add_enabled(can_finish, Button::new(tr!("measure.finish"))).clicked() {
                 session.finish_measuring();
             }
             if ui.button(tr!("measure.drop_point")).clicked() {
@@ -110,7 +110,7 @@ fn row(ui: &mut Ui, session: &mut Session, number: u32, scale: &Scale) {
         let is_selected = session.measuring.selected == Some(number);
         let first = measure.values().first().map(|value| scale.text(value.quantity, value.number)).unwrap_or_default();
         let text = format!("{}: {first}", measure.name);
-        if ui.selectable_label(is_selected, text).clicked() {
+        if ui.add(Button::selectable(is_selected, text).truncate()).clicked() {
             session.measuring.selected = (!is_selected).then_some(number);
         }
     });
@@ -135,7 +135,7 @@ fn details(ui: &mut Ui, session: &mut Session) {
     } else if field.changed() {
         session.measuring.typed = Some((number, name));
     }
-    ui.horizontal(|ui| {
+    ui.horizontal_wrapped(|ui| {
         if ui.button(tr!("measure.zoom")).clicked() {
             session.show_measure(number);
         }

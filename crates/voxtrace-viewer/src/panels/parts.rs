@@ -6,7 +6,7 @@ use crate::outliner::{Order, Part, Row, name_of};
 use crate::scale::grouped;
 use crate::session::Session;
 use crate::tr;
-use egui::{Checkbox, CollapsingHeader, ComboBox, ScrollArea, TextEdit, Ui};
+use egui::{Button, Checkbox, CollapsingHeader, ComboBox, ScrollArea, TextEdit, Ui};
 use std::collections::HashMap;
 
 /// Points of the list before it scrolls.
@@ -129,7 +129,7 @@ fn line(ui: &mut Ui, session: &mut Session, row: &Row, seen: Seen) {
         }
         let text = if row.has_more { format!("{name} ({})", row.objects) } else { name.clone() };
         let is_selected = session.outliner.selected == Some(row.part);
-        let label = ui.selectable_label(is_selected, text);
+        let label = ui.add(Button::selectable(is_selected, text).truncate());
         name_node(ui, &label, &tr!("outliner.select", name = name));
         if label.double_clicked() {
             session.show_part(row.part);

@@ -5,9 +5,11 @@ use crate::inspector::{self, Fact, Sampling};
 use crate::keys::Action;
 use crate::session::{Command, Picked, Session};
 use crate::tr;
-use egui::{CollapsingHeader, Grid, RichText, Ui};
+use egui::{CollapsingHeader, Grid, Label, RichText, Ui};
 use std::time::Duration;
 
+/// Share of the panel that a column takes at most.
+const NAMES: f32 = 0.62;
 /// Time until one looks again whether the values were read.
 const SOON: Duration = Duration::from_millis(100);
 
@@ -54,10 +56,12 @@ pub fn picked(ui: &mut Ui, session: &mut Session, picked: &Picked, is_picked: bo
 }
 
 fn table(ui: &mut Ui, id: &str, facts: &[Fact]) {
-    Grid::new(id).num_columns(2).spacing([8.0, 2.0]).show(ui, |ui| {
+    // Long names are wrapped: panels that became wider would make the picture another one.
+    let widest = ui.available_width() * NAMES;
+    Grid::new(id).num_columns(2).spacing([8.0, 2.0]).max_col_width(widest).show(ui, |ui| {
         for fact in facts {
             ui.label(RichText::new(fact.name).weak());
-            ui.label(&fact.text);
+            ui.add(Label::new(&fact.text).wrap());
             ui.end_row();
         }
     });

@@ -13,6 +13,8 @@ use voxtrace_bench::{Measurement, Times};
 use voxtrace_viewer::cutting::Slice;
 use voxtrace_viewer::engine::{Backend, Contrast};
 use voxtrace_viewer::keys::{self, Action, Group};
+use voxtrace_viewer::measuring::{Kind, Measure};
+use voxtrace_viewer::navigation::Mode;
 use voxtrace_viewer::panels::{self as panel, Status};
 use voxtrace_viewer::session::{Command, Session};
 use voxtrace_vulkan::{Primitive, Traversal};
@@ -354,6 +356,14 @@ fn the_side_keeps_its_width_whatever_is_opened_in_it_or_lies_under_the_cursor() 
             settings.surroundings.fog = Some(Fog { density: 1e-5, color: Vec3::ONE, anisotropy: -0.99 });
             session.set_render_settings(settings);
             session.toggle_comparison();
+            session.choose_tool(Some(Kind::Area));
+            let points = vec![voxtrace::glam::DVec3::splat(123.456); 3];
+            let name = "the area of a room whose name is longer than the panel is wide".to_owned();
+            session.measuring.points.clone_from(&points);
+            let measure = Measure { name, is_hidden: false, kind: Kind::Area, points, component: None };
+            session.measuring.list.insert(1, measure);
+            session.measuring.selected = Some(1);
+            session.navigator.mode = Mode::Walk;
         }
         let show = |ui: &mut egui::Ui, (session, width): &mut (Session, f32)| {
             *width = panel::show(ui, session, &Status::default());
@@ -366,6 +376,7 @@ fn the_side_keeps_its_width_whatever_is_opened_in_it_or_lies_under_the_cursor() 
                 harness.run_steps(4);
             }
             assert!(harness.query_by_role_and_label(Role::Slider, "bearing 6 °").is_some());
+            assert!(harness.query_by_label("Without the last point").is_some(), "the measurements are open");
         }
         assert_eq!(harness.query_by_label("Voxel under the cursor").is_some(), hover.is_some());
         harness.state().1

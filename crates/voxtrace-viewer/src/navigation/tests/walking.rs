@@ -85,6 +85,22 @@ fn steps_are_climbed_and_descended_and_what_is_too_high_stops() {
 }
 
 #[test]
+fn where_voxels_are_as_large_as_knees_one_of_them_is_a_step() {
+    let mut grid = VoxelGrid::new();
+    for number in 0..60 * 20 {
+        let (x, y) = (number % 60, number / 60);
+        (0..1 + (x - 20).clamp(0, 20)).for_each(|z| _ = grid.set(IVec3::new(x, y, z), 0));
+    }
+    let scene = Scene::from_grid("slope", grid, vec![Material::diffuse(Vec3::ONE)]);
+    let scene = PackedScene::pack(&scene).unwrap();
+    let eye = Vec3::new(10.5, 10.5, 3.6);
+    let mut navigator = Navigator::new(Camera::look_at(eye, eye + Vec3::X), scene.bounds());
+    navigator.walker.eye_height = 2.6;
+    let eye = run(&mut navigator, Movement::Forward, 8.0, &scene);
+    assert!(eye.x > 45.0 && (eye.z - 23.6).abs() < 0.1, "twenty steps up: {eye}");
+}
+
+#[test]
 fn a_wall_stops_who_walks_into_it_and_lets_slide_who_walks_along() {
     let scene = landscape();
     let mut navigator = standing(60.0, 140.0, &scene);
