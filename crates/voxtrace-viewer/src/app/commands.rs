@@ -32,7 +32,11 @@ impl App {
                 }
                 Command::Benchmark => self.measure(),
                 Command::SetScene => {
-                    engine.set_scene(self.session.open.as_ref().map(|open| Arc::clone(&open.lit)));
+                    let lit = self.session.open.as_ref().map(|open| Arc::clone(&open.lit));
+                    match lit {
+                        Some(lit) if self.session.has_motion() => engine.move_scene(lit),
+                        lit => engine.set_scene(lit),
+                    }
                     self.status.times.clear();
                 }
                 Command::MakeSky => {
