@@ -44,7 +44,11 @@ impl App {
                 Command::ReadValues => self.read_values(),
                 Command::SetScene => {
                     self.session.settle_edits();
-                    engine.set_scene(self.session.open.as_ref().map(|open| Arc::clone(&open.lit)));
+                    let lit = self.session.open.as_ref().map(|open| Arc::clone(&open.lit));
+                    match lit {
+                        Some(lit) if self.session.has_motion() => engine.move_scene(lit),
+                        lit => engine.set_scene(lit),
+                    }
                     self.status.times.clear();
                 }
                 Command::MakeSky => {

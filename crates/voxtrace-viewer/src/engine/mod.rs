@@ -182,6 +182,12 @@ impl Engine {
         self.send(Request::Follow(patch), !is_first);
     }
 
+    /// Traces a scene in which things moved: as a view that moves on, it does not keep the first picture from coming.
+    pub fn move_scene(&self, scene: Arc<PackedScene>) {
+        let is_first = self.shared.is_first.load(Ordering::Relaxed);
+        self.send(Request::Scene(Some(scene)), !is_first);
+    }
+
     /// Traces another view. While it `is_moving`, a coarse picture in time is worth more than a fine one.
     pub fn set_view(&self, view: View, is_moving: bool) {
         let is_first = self.shared.is_first.load(Ordering::Relaxed);
