@@ -256,10 +256,10 @@ impl Session {
         if keyframes > 0 && self.timeline.path.is_none() && !self.timeline.can_undo() {
             let course = &mut self.timeline.course;
             (course.fps, course.seconds) = (KEY_FPS, f64::from(keyframes) / KEY_FPS);
-            // Most of them are loops: a walk, a flame.
-            self.timeline.repeats = true;
         }
         if keyframes > 0 && !self.has_motion() {
+            // Most of them are loops: a walk, a flame.
+            self.timeline.repeats = true;
             self.say(format!("the file has {keyframes} key frames: F8 and Space play them"), false);
         }
         if self.has_motion() {
