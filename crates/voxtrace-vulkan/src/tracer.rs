@@ -135,8 +135,9 @@ impl VulkanTracer {
         self
     }
 
-    /// How many paths are traced at once in waves, at most, with [`crate::Traversal::Walk`] and `path`, where all materials are matte: those are quicker, and take
-    /// memory for paths. 0 makes one shader follow each path from its camera to its end, which gives the same picture. At first it is what suits the device.
+    /// How many paths are traced at once in waves, at most, with [`crate::Traversal::Walk`] and [`voxtrace_core::Integrator::Path`]: those are quicker, and take
+    /// 124 bytes a path among matte things, else 220, but no more than a quarter of the memory that is left. 0 makes one shader follow each path from its
+    /// camera to its end, which gives the same picture. At first it is what suits the device.
     pub fn with_most_paths(mut self, most_paths: u32) -> Self {
         self.most_paths = Some(most_paths);
         if let Backend::Device(worker) = &mut self.backend {

@@ -54,7 +54,8 @@ impl Worker {
             if capacity < least {
                 return Ok(None);
             }
-            if held.0 < capacity {
+            // Not anew for the little that other memory comes and goes.
+            if held.0 < capacity && (capacity == wanted || capacity / 5 * 4 > held.0) {
                 self.drop_waves();
                 let waves = match Waves::new(&self.device, variant, capacity) {
                     Err(TraceError::OutOfMemory { .. }) => return Ok(None),
