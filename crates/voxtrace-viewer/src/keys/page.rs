@@ -1,6 +1,6 @@
 //! The table for people: as rows for the list of F1, and as Markdown for `docs/viewer.md`.
 
-use super::{Binding, EDIT_TABLE, Group, TABLE, Trigger};
+use super::{Binding, EDIT_TABLE, Gesture, Group, Modifiers, TABLE, Trigger};
 use crate::navigation::Mode;
 
 /// A line of a list.
@@ -26,7 +26,9 @@ fn rows_of(table: &[Binding], group: Group) -> Vec<Row> {
     let row = |binding: &Binding| {
         let told = Some(binding.told.to_owned()).filter(|told| !told.is_empty());
         let button = binding.pad.map(|button| format!("gamepad {button}"));
-        let keys: Vec<String> = binding.triggers.iter().map(text).chain(told).chain(button).collect();
+        // One gesture in several modes is told once.
+        let same = |a: &Trigger, b: &Trigger| gesture(a).is_some() && gesture(a) == gesture(b);
+        let keys: Vec<String> = binding.triggers.chunk_by(same).map(text).chain(told).chain(button).collect();
         Row { keys: keys.join(", "), about: binding.about }
     };
     table.iter().filter(|binding| binding.group == group).map(row).collect()
@@ -40,18 +42,30 @@ pub(super) fn markdown_of(table: &[Binding]) -> String {
     Group::ALL.map(group).join("\n")
 }
 
-fn text(trigger: &Trigger) -> String {
-    match trigger {
-        Trigger::Key(chord) => chord.to_string(),
-        Trigger::Digits(modifiers) => format!("{modifiers}1 … {modifiers}9"),
-        Trigger::Gesture(gesture, modifiers, mode) => {
-            let when = match mode {
-                Some(Mode::Fly) => " (fly)",
-                Some(Mode::Orbit) => " (orbit)",
-                Some(Mode::Walk) => " (walk)",
-                None => "",
-            };
+/// A gesture with what is held beside it, whatever the mode.
+fn gesture(trigger: &Trigger) -> Option<(Gesture, Modifiers)> {
+    match *trigger {
+        Trigger::Gesture(gesture, modifiers, _) => Some((gesture, modifiers)),
+        _ => None,
+    }
+}
+
+/// One trigger, or one gesture in several modes.
+fn text(triggers: &[Trigger]) -> String {
+    let mode = |trigger: &Trigger| match trigger {
+        Trigger::Gesture(_, _, Some(Mode::Fly)) => Some("fly"),
+        Trigger::Gesture(_, _, Some(Mode::Orbit)) => Some("orbit"),
+        Trigger::Gesture(_, _, Some(Mode::Walk)) => Some("walk"),
+        _ => None,
+    };
+    match triggers.first() {
+        Some(Trigger::Key(chord)) => chord.to_string(),
+        Some(Trigger::Digits(modifiers)) => format!("{modifiers}1 … {modifiers}9"),
+        Some(Trigger::Gesture(gesture, modifiers, _)) => {
+            let modes: Vec<&str> = triggers.iter().filter_map(mode).collect();
+            let when = if modes.is_empty() { String::new() } else { format!(" ({})", modes.join(", ")) };
             format!("{modifiers}{gesture}{when}")
         }
+        None => String::new(),
     }
 }
