@@ -67,7 +67,8 @@ fn measure(
         let start = Instant::now();
         work().map(|()| start.elapsed().as_secs_f64() * 1e3)
     };
-    let alone: Result<Vec<f64>, _> = (0..9).map(|_| timed(&mut || tracer.cast(&ray).map(drop).map_err(Into::into))).collect();
+    let alone: Result<Vec<f64>, _> =
+        (0..9).map(|_| timed(&mut || tracer.cast(&ray).map(drop).map_err(Into::into))).collect();
     println!("  one ray: {:.3}", median(alone?));
     let lamp = packed.geometry().emitters().first().map_or(0, |emitter| emitter.material as u16);
     for (name, radius) in [("one voxel", 0.5), ("radius 16", 16.0), ("radius 64", 64.0)] {
