@@ -1,5 +1,5 @@
 //! Which values of a volume are shown, and in which colours: a curve of stops between two ends, as `--transfer` has it in one word. The volume stays in
-//! memory; another curve makes other voxels of it ([`shape`]), coarse ones at once and all of them after.
+//! memory; another curve makes other voxels of it (`shape`), coarse ones at once and all of them after.
 
 mod shape;
 
