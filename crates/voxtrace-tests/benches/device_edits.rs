@@ -26,6 +26,13 @@ fn sample_ms(tracer: &mut VulkanTracer, frame: &Frame) -> Result<f64, Box<dyn Er
     Ok(least)
 }
 
+/// Milliseconds that something takes.
+fn timed<T>(work: impl FnOnce() -> Result<T, Box<dyn Error>>) -> Result<f64, Box<dyn Error>> {
+    let start = Instant::now();
+    work()?;
+    Ok(start.elapsed().as_secs_f64() * 1e3)
+}
+
 fn film_of(tracer: &mut VulkanTracer, frame: &Frame) -> Result<Film, Box<dyn Error>> {
     let mut film = Film::new(1, 1, Region::full(1, 1), 0);
     tracer.render(&frame.clone().samples(2), &Progress::default())?;
@@ -63,12 +70,7 @@ fn measure(
         start.elapsed().as_secs_f64() * 1e3
     );
     let ray = [Ray::new((bounds.0 + size / 2.0).as_vec3(), Vec3::NEG_Z)];
-    let timed = |work: &mut dyn FnMut() -> Result<(), Box<dyn Error>>| {
-        let start = Instant::now();
-        work().map(|()| start.elapsed().as_secs_f64() * 1e3)
-    };
-    let alone: Result<Vec<f64>, _> =
-        (0..9).map(|_| timed(&mut || tracer.cast(&ray).map(drop).map_err(Into::into))).collect();
+    let alone: Result<Vec<f64>, _> = (0..9).map(|_| timed(|| Ok(tracer.cast(&ray)?))).collect();
     println!("  one ray: {:.3}", median(alone?));
     let lamp = packed.geometry().emitters().first().map_or(0, |emitter| emitter.material as u16);
     for (name, radius) in [("one voxel", 0.5), ("radius 16", 16.0), ("radius 64", 64.0)] {
@@ -81,9 +83,9 @@ fn measure(
                 scene.edit(0, &edit(place(i + 1).floor() + 0.5, radius, material))?;
                 let patch = scene.take_patch();
                 on_host.push(start.elapsed().as_secs_f64() * 1e3);
-                passed.push(timed(&mut || Ok(tracer.patch(&patch)?))?);
-                cast.push(timed(&mut || tracer.cast(&ray).map(drop).map_err(Into::into))?);
-                repairs.push(timed(&mut || Ok(_ = scene.repair(usize::MAX)))?);
+                passed.push(timed(|| Ok(tracer.patch(&patch)?))?);
+                cast.push(timed(|| Ok(tracer.cast(&ray)?))?);
+                repairs.push(timed(|| Ok(scene.repair(usize::MAX)))?);
                 tracer.patch(&scene.take_patch())?;
                 tracer.cast(&ray)?;
             }

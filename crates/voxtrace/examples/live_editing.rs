@@ -6,7 +6,7 @@ use std::sync::Arc;
 use std::time::Instant;
 use voxtrace::dynamic::{DynamicScene, Edit};
 use voxtrace::glam::{DVec3, Vec2};
-use voxtrace::{Material, PackedScene, Renderer, Shape, scenes};
+use voxtrace::{Material, PackedScene, Picture, Renderer, Shape, scenes};
 use voxtrace_vulkan::{Request, choose};
 
 const SIZE: (u32, u32) = (320, 180);
@@ -38,14 +38,18 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     scene.edit(grid, &Edit::Fill { shape: Shape::Sphere { center, radius: 20.0 }, material: None })?;
     scene.edit(grid, &Edit::Fill { shape: Shape::Sphere { center, radius: 8.0 }, material: Some(lamp) })?;
     renderer.patch(&scene.take_patch())?;
-    println!("two edits took {:.2} ms, until the next picture could begin", start.elapsed().as_secs_f64() * 1e3);
-    save(&mut renderer, "edited.png")?;
+    println!(
+        "two edits and the first patch, which copies the scene, took {:.2} ms",
+        start.elapsed().as_secs_f64() * 1e3
+    );
+    let edited = save(&mut renderer, "edited.png")?;
 
     scene.undo()?;
     scene.undo()?;
     renderer.patch(&scene.take_patch())?;
     let undone = save(&mut renderer, "undone.png")?;
-    let is_same = undone.film().pixels == before.film().pixels;
-    println!("undone, it is {}the picture from before", if is_same { "" } else { "NOT " });
+    let is_that_from_before = |picture: &Picture| picture.film().pixels == before.film().pixels;
+    let which = |picture| if is_that_from_before(picture) { "the picture from before" } else { "another one" };
+    println!("undone, it is {}; edited, it is {}", which(&undone), which(&edited));
     Ok(())
 }
