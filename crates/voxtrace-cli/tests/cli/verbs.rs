@@ -15,7 +15,7 @@ fn info_has_exactly_the_documented_keys_and_the_right_numbers() {
         let info = json(&folder.succeed(&["info", scene, "--json"]));
         let keys: Vec<&String> = info.as_object().unwrap().keys().collect();
         let expected = "name unit voxel_size content_hash cameras objects layers groups \
-            georeference sky on_request ignored size bounds voxels voxels_placed models instances merged_instances materials emissive_voxels bytes bytes_per_voxel warnings frames";
+            georeference sky on_request ignored size bounds voxels voxels_placed models instances merged_instances materials emissive_voxels bytes bytes_per_voxel warnings frames levels animations";
         assert_eq!(keys, expected.split(' ').collect::<Vec<_>>());
         assert_eq!(info["size"], serde_json::json!({ "x": 24, "y": 24, "z": 8 }));
         let corner = |name: &str, axis: usize| info["bounds"][name][axis].as_f64().unwrap();

@@ -280,6 +280,7 @@ fn edits_reach_the_ends_of_the_coordinates_and_no_farther() {
 fn materials_that_are_added_are_those_of_packing_also_where_a_byte_cannot_name_them() {
     let (mut random, mut pair) = (Random(17), Pair::new());
     for count in [60, 251 - 60 - 5, 5, 1, 1, 30] {
+        let before = pair.plain.materials.len();
         for _ in 0..count {
             let number = pair.plain.materials.len();
             let material = Material { emission: Vec3::splat((number % 7 / 6) as f32), ..Material::default() };
@@ -289,7 +290,7 @@ fn materials_that_are_added_are_those_of_packing_also_where_a_byte_cannot_name_t
         let patch = pair.dynamic.take_patch();
         assert_eq!(patch.materials.length, pair.plain.materials.len());
         pair.tracer.patch(&patch).unwrap();
-        if pair.plain.materials.len() > 256 {
+        if before <= 256 && pair.plain.materials.len() > 256 {
             // What was encoded with bytes cannot be put back.
             (pair.done, pair.undone) = (Vec::new(), Vec::new());
         }
