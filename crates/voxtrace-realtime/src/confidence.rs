@@ -2,12 +2,12 @@
 //! random numbers, and what they find now is compared (Schied, Peters, Dachsbacher, "Gradient Estimation for Real-Time Adaptive Temporal Filtering", HPG 2018).
 //! As random numbers are a hash, nothing but what was found has to be kept.
 
-use crate::filter::box_mean;
 use crate::memory::LEAST_ALBEDO;
 use crate::path::View;
 use glam::Vec3;
 use rayon::prelude::*;
 use voxtrace_core::Frame;
+use voxtrace_core::denoise::box_mean;
 use voxtrace_core::math::luminance;
 use voxtrace_core::sampler::{Sampler, pcg4d};
 

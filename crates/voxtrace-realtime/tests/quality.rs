@@ -70,16 +70,16 @@ fn pictures(parts: Parts, scene: &PackedScene, frame: &Frame, count: u32) -> Vec
 
 #[test]
 fn pictures_are_nearer_to_the_truth_than_samples_alone_from_the_first_frame_on() {
-    let (scene, frame) = (room(), frame());
-    let truth = film(&scene, &frame, 512);
+    let (scene, frame) = (room(), Frame::new(frame().camera, 96, 54));
+    let truth = film(&scene, &frame, 1024);
     let memory = Parts { memory: true, ..Parts::NONE };
     let all = pictures(Parts::ALL, &scene, &frame, 16);
     let raw = pictures(memory, &scene, &frame, 16);
-    for (number, most) in [(1, 0.35), (4, 0.45), (16, 0.55)] {
+    for (number, most) in [(1, 0.35), (4, 0.4), (16, 0.5)] {
         let [of_all, of_raw] = [&all, &raw].map(|pictures| difference(&truth, &pictures[number - 1]));
         assert!(of_all < most * of_raw, "frame {number}: {of_all} of {of_raw}");
     }
-    assert!(difference(&truth, &raw[15]) < 0.45 * difference(&truth, &raw[0]), "samples of frames add up");
+    assert!(difference(&truth, &raw[15]) < 0.35 * difference(&truth, &raw[0]), "samples of frames add up");
     let shifted: Vec<Vec3> = all[15].iter().skip(2).chain(&all[15][..2]).copied().collect();
     assert!(difference(&truth, &shifted) > 0.5 * difference(&truth, &raw[15]), "a fault is seen");
 }

@@ -64,7 +64,7 @@ pub fn denoise(film: &Film, features: &Features) -> Vec<Vec3> {
 
 /// How far each pixel goes from what it was to what the filter made of it: all the way where that is about as far as its noise, and
 /// the less the farther beyond it is (James and Stein, "Estimation with Quadratic Loss", 1961).
-fn trust(noisy: &[Vec3], smooth: &[Vec3], variance: &[f32], width: usize) -> Vec<f32> {
+pub fn trust(noisy: &[Vec3], smooth: &[Vec3], variance: &[f32], width: usize) -> Vec<f32> {
     let step = |(noisy, smooth): (&Vec3, &Vec3)| {
         let step = luminance(*smooth) - luminance(*noisy);
         step * step

@@ -18,3 +18,8 @@ mod wavelet;
 
 pub use features::{FeaturePixel, Features};
 pub use filter::denoise;
+// For the filter of real-time light.
+#[doc(hidden)]
+pub use filter::trust;
+#[doc(hidden)]
+pub use wavelet::box_mean;

@@ -3,7 +3,6 @@
 //! pixel remembers: after few, everything that differs is noise, and pixels like no other borrow from all around.
 
 mod surfaces;
-pub(crate) use surfaces::box_mean;
 mod variance;
 mod wavelet;
 
@@ -11,14 +10,10 @@ use crate::memory::Memory;
 use glam::Vec3;
 use rayon::prelude::*;
 use surfaces::Surfaces;
-use voxtrace_core::math::luminance;
+use voxtrace_core::denoise::trust;
 
 /// Levels of the wavelet transform: the last one reaches 2 · 2⁴ pixels far.
 const LEVELS: u32 = 5;
-/// How many times its variance a pixel's square step may be before the filter is doubted.
-const MOST_STEP: f32 = 1.2;
-/// Pixels on either side over which that is averaged.
-const TRUST_REACH: usize = 4;
 
 /// The radiance of each pixel, `width` in a row, without noise.
 pub fn filter(memory: &[Memory], width: usize) -> Vec<Vec3> {
@@ -41,16 +36,4 @@ pub fn filter(memory: &[Memory], width: usize) -> Vec<Vec3> {
         memory[index].radiance(light)
     };
     (0..memory.len()).into_par_iter().map(pixel).collect()
-}
-
-/// How far each pixel goes from what it was to what the filter made of it: all the way where that is about as far as its noise, and
-/// the less the farther beyond it is (James and Stein, "Estimation with Quadratic Loss", 1961).
-fn trust(noisy: &[Vec3], smooth: &[Vec3], variance: &[f32], width: usize) -> Vec<f32> {
-    let step = |(noisy, smooth): (&Vec3, &Vec3)| {
-        let step = luminance(*smooth) - luminance(*noisy);
-        step * step
-    };
-    let steps: Vec<f32> = noisy.par_iter().zip(smooth).map(step).collect();
-    let (steps, variance) = (box_mean(&steps, width, TRUST_REACH), box_mean(variance, width, TRUST_REACH));
-    steps.iter().zip(variance).map(|(step, variance)| (MOST_STEP * variance / step.max(1e-30)).min(1.0)).collect()
 }

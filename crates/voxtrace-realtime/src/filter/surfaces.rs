@@ -88,24 +88,3 @@ impl<'a> Surfaces<'a> {
         (0..values.len()).into_par_iter().map(mean).collect()
     }
 }
-
-/// The mean of a square of pixels around each, `reach` on either side, smaller at the picture's edge.
-pub fn box_mean(values: &[f32], width: usize, reach: usize) -> Vec<f32> {
-    let height = values.len() / width;
-    let mut across = vec![0.0; values.len()];
-    across.par_chunks_mut(width).zip(values.par_chunks(width)).for_each(|(out, row)| {
-        for (x, out) in out.iter_mut().enumerate() {
-            let part = &row[x.saturating_sub(reach)..(x + reach + 1).min(width)];
-            *out = part.iter().sum::<f32>() / part.len() as f32;
-        }
-    });
-    let mut out = vec![0.0; values.len()];
-    out.par_chunks_mut(width).enumerate().for_each(|(y, out)| {
-        let rows = y.saturating_sub(reach)..(y + reach + 1).min(height);
-        let scale = 1.0 / rows.len() as f32;
-        for row in rows {
-            out.iter_mut().zip(&across[row * width..][..width]).for_each(|(out, value)| *out += scale * value);
-        }
-    });
-    out
-}

@@ -1,9 +1,10 @@
 //! How noisy the light of each pixel is: from the squares of its paths, and as long as these are few from the pixels around.
 
-use super::surfaces::{Surfaces, box_mean};
+use super::surfaces::Surfaces;
 use crate::memory::Memory;
 use glam::Vec3;
 use rayon::prelude::*;
+use voxtrace_core::denoise::box_mean;
 use voxtrace_core::math::luminance;
 
 /// Paths from which on a pixel knows its noise itself.

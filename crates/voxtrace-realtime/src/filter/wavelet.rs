@@ -2,9 +2,10 @@
 //! Illumination Filtering", HPG 2010), and which of the details that it took away are more than noise (Chang, Yu, Vetterli, "Adaptive Wavelet
 //! Thresholding for Image Denoising and Compression", IEEE TIP 9(9), 2000).
 
-use super::surfaces::{SPLINE, Surfaces, box_mean};
+use super::surfaces::{SPLINE, Surfaces};
 use glam::Vec3;
 use rayon::prelude::*;
+use voxtrace_core::denoise::box_mean;
 use voxtrace_core::math::luminance;
 
 /// Variance below which noise is not looked for, relative to the square of the light, so that exact light divides by no zero.
