@@ -114,8 +114,9 @@ impl RealTime {
         requests.extend(asked);
         let memory = self.remember(&view, frame, &samples);
         let found = Found::of(&View { cache: None, ..view }, frame, self.number);
-        self.cache.update(&light);
+        let scramble = view.scramble;
         self.cache.insert(&requests);
+        self.cache.update(&light, scramble);
         let camera = frame.camera.frame(width, height);
         self.before = Some(FrameBefore { frame: frame.clone(), camera, found });
         (self.memory, self.transforms, self.has_changed) = (memory, None, false);
@@ -137,6 +138,7 @@ impl RealTime {
             has_media: scene.has_media(),
             candidates: if self.parts.candidates { CANDIDATES } else { 1 },
             cache: self.parts.cache.then_some(&self.cache),
+            scramble: Request::scramble_of(self.number),
         }
     }
 
