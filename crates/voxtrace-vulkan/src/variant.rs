@@ -15,6 +15,8 @@ pub enum Entry {
     RenderPath,
     /// A step of paths in waves.
     Wave(&'static str),
+    /// A step of real-time light.
+    RealTime(&'static str),
     /// Writes the mean of each pixel's samples for a window.
     Resolve,
     /// A group of functions of the self-test.
@@ -37,7 +39,7 @@ impl Entry {
             Self::RenderEssay => "render_essay",
             Self::RenderPath => "render_path",
             Self::Resolve => "resolve",
-            Self::Wave(name) | Self::SelfTest(name) => name,
+            Self::Wave(name) | Self::RealTime(name) | Self::SelfTest(name) => name,
         }
     }
 }
