@@ -52,9 +52,9 @@ pub use device::Device;
 pub use faults::{Fault, Faults};
 pub use listing::devices;
 pub use method::{Primitive, Settings, Traversal};
-pub use picture::{BLUE_LOWEST, DISPLAY_BINDING, PICTURE_BINDING, Picture, PresentParams, Tone};
+pub use picture::{BLUE_LOWEST, DISPLAY_BINDING, PICTURE_BINDING, Picture, PresentParams, Tone, Under};
 pub use statistics::Statistics;
-pub use tracer::VulkanTracer;
+pub use tracer::{Rate, RealTimeFrame, VulkanTracer};
 pub use vulkan::{Messages, Options, Vulkan};
 
 /// The shaders that show a [`Picture`] in a window, SPIR-V: the entry point `present_curve` takes the picture at [`PICTURE_BINDING`] of

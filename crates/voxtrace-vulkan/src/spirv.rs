@@ -22,6 +22,8 @@ pub static WAVES_MATERIALS: Module = Module::new("waves (materials)", include_by
 
 /// What a window shows of a film.
 pub static RESOLVE: Module = Module::new("resolve", include_bytes!("../spirv/resolve.spv"));
+/// Lays that over another picture.
+pub static BLEND: Module = Module::new("blend", include_bytes!("../spirv/blend.spv"));
 /// Draws what a window shows.
 pub static PRESENT: Module = Module::new("present", include_bytes!("../spirv/present.spv"));
 

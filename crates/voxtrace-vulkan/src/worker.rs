@@ -18,7 +18,6 @@ use crate::film::DeviceFilm;
 use crate::method::{Settings, Traversal};
 use crate::pages::Pages;
 use crate::passes::Passes;
-use crate::picture::Picture;
 use crate::records::{Dispatch, FrameParams, binding};
 use crate::scene::SceneBuffers;
 use crate::schedule::{BatchSizer, TARGET_MS};
@@ -31,7 +30,8 @@ use crate::waves::Waves;
 use ash::vk;
 use bytemuck::bytes_of;
 use gpu_allocator::MemoryLocation;
-use show::Show;
+pub use show::Canvas;
+use show::{Show, ShowPasses};
 use std::sync::Arc;
 use std::time::Instant;
 use voxtrace_core::normals::Normals;
@@ -64,7 +64,7 @@ pub struct Worker {
     scene: Option<SceneBuffers>,
     film: Option<DeviceFilm>,
     cast_buffers: Option<(Buffer, Buffer)>,
-    resolve_passes: Option<Passes>,
+    show_passes: Option<ShowPasses>,
     /// Milliseconds of the picture that the last call of `render` wrote, where it did.
     shown_ms: Option<f64>,
     submit_ms: f64,
@@ -136,7 +136,7 @@ impl Worker {
             scene: None,
             film: None,
             cast_buffers: None,
-            resolve_passes: None,
+            show_passes: None,
             shown_ms: None,
             submit_ms: TARGET_MS,
             allows_pages: true,
@@ -234,15 +234,15 @@ impl Worker {
             Some(_) => dispatch.count.wrapping_mul(dispatch.samples),
             None => passes.proof(variant, dispatch.count),
         };
-        let show = show.zip(self.resolve_passes.as_ref());
+        let show = show.zip(self.show_passes.as_ref());
         let record_show = |commands, offset| {
             if let Some((show, passes)) = show {
-                passes.launch(show.variant, bindings, commands, offset, show.count);
+                show.record((bindings, &self.device), passes, commands, offset);
             }
         };
         let then = show.map(|(show, passes)| Then {
             dispatch: show.dispatch(),
-            workgroups: passes.proof(show.variant, show.count),
+            workgroups: show.proof(passes),
             record: &record_show,
         });
         self.submitter.submit(&Job { step, work, dispatch, workgroups: Some(workgroups), record: &record, then })
@@ -251,14 +251,14 @@ impl Worker {
 
 /// As in [`voxtrace_core::Tracer`].
 impl Worker {
-    /// Adds the samples that the frame lacks, until `until`, and shows the film in `picture` with the last ones, if that can be: see
+    /// Adds the samples that the frame lacks, until `until`, and shows the film on a canvas with the last ones, if that can be: see
     /// [`Self::take_shown`]. Returns whether it has them all or `progress` is cancelled.
     pub fn render(
         &mut self,
         frame: &Frame,
         progress: &mut Watch,
         until: Instant,
-        picture: Option<&Picture>,
+        canvas: Option<Canvas>,
     ) -> Result<bool, TraceError> {
         frame.check()?;
         self.scene()?;
@@ -271,7 +271,7 @@ impl Worker {
         if progress.done() == 0 {
             self.statistics = Statistics::default();
         }
-        let result = self.render_film(&mut film, frame, progress, until, picture);
+        let result = self.render_film(&mut film, frame, progress, until, canvas);
         self.stop_showing();
         self.film = Some(film);
         result
@@ -294,13 +294,13 @@ impl Worker {
         frame: &Frame,
         progress: &mut Watch,
         until: Instant,
-        picture: Option<&Picture>,
+        canvas: Option<Canvas>,
     ) -> Result<bool, TraceError> {
         if frame.aovs && film.aovs.is_none() {
             film.aovs = Some(self.aov_pixels(frame)?);
             self.statistics = Statistics::default();
         }
-        let show = self.show_with_samples(film, picture)?;
+        let show = self.show_with_samples(film, canvas)?;
         // Several parts take turns, so that none is black when the work is broken off.
         let is_one = film.parts.len() == 1;
         loop {

@@ -176,7 +176,7 @@ impl FrameBench<'_> {
             times.resolve_ms.push(resolve_ms);
             let (samples, step_ms) = (frame.samples, statistics.gpu_ms);
             let shown =
-                Shown { picture, samples, scale: 1, step_ms, step_samples: 1, device: Some((statistics, memory)) };
+                Shown { picture, samples, scale: 1, step_ms, step_samples: 1, device: Some((statistics, memory)), lit: None };
             if ready.send(shown).is_err() {
                 break;
             }

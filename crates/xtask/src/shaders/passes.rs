@@ -38,6 +38,7 @@ const RENDERING: &[Variant] = &[MATTE, MATERIALS];
 
 /// All passes.
 pub const PASSES: &[Pass] = &[
+    Pass { name: "blend", entries: &["blend"], variants: &[MATTE], has_wgsl: false, has_frame_in_storage: false },
     Pass {
         name: "pipeline",
         entries: &[

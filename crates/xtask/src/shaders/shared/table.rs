@@ -124,6 +124,7 @@ pub const TABLE: &[Source] = &[
             same("LENS_FISHEYE"),
             uniform("Dispatch"),
             uniform("WaveStep"),
+            uniform("BlendParams"),
             same("WAVE_ROUND_WORDS"),
             same("WAVE_COUNTS_WORDS"),
             same("ProbeRay"),
