@@ -42,6 +42,25 @@ pub enum RealTimeChoice {
     On,
 }
 
+impl RealTimeChoice {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::Off, Self::Auto, Self::On];
+
+    /// Its name in the settings.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Off => "off",
+            Self::Auto => "auto",
+            Self::On => "on",
+        }
+    }
+
+    /// That of a name in the settings; of one that there is not, what the window chooses.
+    pub fn of_name(name: &str) -> Self {
+        Self::ALL.into_iter().find(|choice| choice.name() == name).unwrap_or(Self::Auto)
+    }
+}
+
 /// The light that a view is shown in.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Light {
