@@ -283,7 +283,9 @@ impl Side {
     ) -> Result<Option<Arc<Picture>>, TraceError> {
         let is_seen = below.as_ref().is_none_or(|(_, weight)| *weight > 0.0);
         let by_host = self.is_by_host();
-        let picture = (!by_host && is_seen).then(|| self.pictures.free(device, frame.width, frame.height, by_host)).transpose()?;
+        let picture = (!by_host && is_seen)
+            .then(|| self.pictures.free(device, frame.width, frame.height, by_host))
+            .transpose()?;
         let Some(tracer) = &mut self.tracer else { return Err(TraceError::NoScene) };
         let rendered = match (&mut *tracer, &picture) {
             (AnyTracer::Device(tracer), Some(picture)) => {
@@ -353,10 +355,12 @@ impl Side {
         let by_host = self.is_by_host();
         let mut picture = self.pictures.free(device, frame.width, frame.height, by_host)?;
         match &mut self.tracer {
-            Some(AnyTracer::Device(tracer)) if !by_host => match tracer.resolve_over(&picture, below.as_ref().map(under)) {
-                Err(TraceError::DeviceLost { .. }) => return Ok(None),
-                result => drop(result?),
-            },
+            Some(AnyTracer::Device(tracer)) if !by_host => {
+                match tracer.resolve_over(&picture, below.as_ref().map(under)) {
+                    Err(TraceError::DeviceLost { .. }) => return Ok(None),
+                    result => drop(result?),
+                }
+            }
             Some(tracer) => {
                 tracer.as_tracer().read(&mut self.film)?;
                 // Nobody else holds a free picture.

@@ -1,9 +1,11 @@
 //! Real-time light in the window: it is seen while the view moves and until the film is clean, and the film has nothing of it.
 
 use crate::common::headless::until;
-use crate::common::rendered;
+use crate::common::panel::{click, panels};
+use crate::common::{in_room, rendered};
 use crate::drawing::{device, engine, finished, no_panels, scene, view as large_view};
 use crate::losses::Shop;
+use egui_kittest::kittest::{NodeT, Queryable};
 use std::sync::Arc;
 use std::sync::mpsc::Receiver;
 use std::time::Duration;
@@ -11,9 +13,15 @@ use voxtrace::dynamic::{DynamicScene, Edit};
 use voxtrace::glam::{DVec3, Vec3};
 use voxtrace::output::{Operator, ToneMap};
 use voxtrace::{Camera, Film, Integrator, PackedScene, Progress, Shape, Tracer};
-use voxtrace_viewer::engine::{Backend, Engine, Event, Light, RealTimeChoice, Shown, View};
+use voxtrace_viewer::engine::{Backend, Engine, Event, Light, Lit, Quality, RealTimeChoice, Shown, View};
 use voxtrace_viewer::gpu::{Layer, Offscreen};
-use voxtrace_vulkan::{Device, Fault, Picture, Settings, Under, VulkanTracer};
+use voxtrace_viewer::input::Input;
+use voxtrace_viewer::keys::{Action, Key, Modifiers};
+use voxtrace_viewer::panels::Status;
+use voxtrace_viewer::session::{Command, Session};
+use voxtrace_vulkan::{
+    Device, Fault, Picture, Rate, RealTimeFrame, Settings, Statistics, Traversal, Under, VulkanTracer,
+};
 
 const ON: Light = Light { real_time: RealTimeChoice::On, is_bare: false };
 const BARE: Light = Light { is_bare: true, ..ON };
@@ -252,5 +260,72 @@ fn a_device_that_is_lost_amidst_real_time_light_goes_on_with_it_and_the_film_is_
             assert_eq!(shop.film(), expected, "{function}");
             assert_eq!((shop.window.failures.clone(), shop.window.messages()), (vec![], vec![]), "{function}");
         }
+    }
+}
+
+#[test]
+fn keys_and_boxes_turn_real_time_light_off_and_on_and_say_why_it_is_not_seen() {
+    let mut session = in_room("room.vxt");
+    session.render_settings.traversal = Traversal::Walk;
+    session.take_commands();
+    assert!(session.wants_real_time() && session.no_real_time().is_none());
+    let mut input = Input::default();
+    let mut press = |session: &mut Session, modifiers| {
+        input.set_modifiers(modifiers, session);
+        input.key(Key::Letter('R'), true, false, session);
+        input.key(Key::Letter('R'), false, false, session);
+        input.set_modifiers(Modifiers::NONE, session);
+        session.take_commands()
+    };
+    let light = |real_time, is_bare| Command::SetLight(Light { real_time, is_bare });
+    assert_eq!(press(&mut session, Modifiers::NONE), [light(RealTimeChoice::Off, false)]);
+    assert_eq!(press(&mut session, Modifiers::SHIFT), [light(RealTimeChoice::Off, true)]);
+    assert_eq!(press(&mut session, Modifiers::NONE), [light(RealTimeChoice::Auto, true)]);
+    // On a device in software somebody has to want it.
+    session.has_hardware = false;
+    assert!(!session.wants_real_time());
+    assert_eq!(press(&mut session, Modifiers::NONE), [light(RealTimeChoice::On, true)]);
+    assert_eq!(press(&mut session, Modifiers::NONE), [light(RealTimeChoice::Off, true)]);
+
+    let mut harness = panels(session, Status::default());
+    let name = "real-time light while the view moves";
+    click(&mut harness, name);
+    assert_eq!(harness.state_mut().take_commands(), [light(RealTimeChoice::On, true)]);
+    click(&mut harness, "bare film where it stands");
+    assert_eq!(harness.state_mut().take_commands(), [light(RealTimeChoice::On, false)]);
+    harness.state_mut().act(Action::NextIntegrator, None);
+    harness.run_steps(3);
+    assert!(harness.get_by_label(name).accesskit_node().is_disabled(), "essay has another light");
+    assert!(harness.state().no_real_time().is_some_and(|reason| reason.contains("essay")));
+}
+
+#[test]
+fn times_of_passes_rays_and_memory_are_one_key_away_with_panels_or_without() {
+    let Some(device) = device() else { return };
+    let picture = Arc::new(Picture::new(&device, 8, 8, false).unwrap());
+    let frame = RealTimeFrame { gpu_ms: 3.5, passes: vec![("paths", 1.25), ("filter", 0.75)], bytes: 300 << 20 };
+    let lit = Lit { frame: Arc::new(frame), quality: Quality { scale: 2, rate: Rate::Half }, film_weight: 0.25 };
+    let statistics = Statistics { gpu_ms: 2.0, camera_rays: 4000, bounce_rays: 2000, ..Statistics::default() };
+    let device = Some((statistics, device.memory()));
+    let shown = Shown { picture, samples: 32, scale: 1, step_ms: 4.0, step_samples: 2, device, lit: Some(lit) };
+    for has_panels in [true, false] {
+        let mut session = in_room("room.vxt");
+        session.has_panels = has_panels;
+        let mut status = Status::default();
+        status.take(Shown { step_samples: 0, ..shown.clone() });
+        status.take(shown.clone());
+        let mut harness = panels(session, status);
+        assert!(harness.query_all_by_label("filter").next().is_none());
+        harness.state_mut().act(Action::ToggleTimes, None);
+        harness.run_steps(3);
+        for text in ["paths", "1.250 ms", "filter", "real-time light: 3.50 ms", "the film is 25 % of the picture"] {
+            assert!(harness.query_all_by_label(text).next().is_some(), "{text}");
+        }
+        assert!(harness.query_all_by_label_contains("3.0 million rays").next().is_some());
+        assert!(harness.query_all_by_label_contains("2.00 ms a sample").next().is_some());
+        assert!(harness.query_all_by_label("picture as seen").next().is_some(), "memory by name");
+        harness.state_mut().act(Action::ToggleTimes, None);
+        harness.run_steps(3);
+        assert!(harness.query_all_by_label("filter").next().is_none());
     }
 }

@@ -2,17 +2,17 @@
 //! frame of a window does not wait for another one. While the film has few samples it is laid over another picture.
 
 use super::Worker;
+use crate::barrier::barrier;
 use crate::bindings::Bindings;
 use crate::commands::Job;
 use crate::device::Device;
 use crate::film::DeviceFilm;
-use crate::barrier::barrier;
 use crate::passes::{Launch, Passes, WORKGROUP};
 use crate::picture::{Picture, Under};
 use crate::records::{BlendParams, Dispatch, LENS_PINHOLE, SKY_GRADIENT, binding};
-use ash::vk;
 use crate::spirv;
 use crate::variant::{Entry, Variant};
+use ash::vk;
 use std::sync::Arc;
 use voxtrace_core::TraceError;
 

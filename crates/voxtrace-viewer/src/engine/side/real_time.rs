@@ -90,7 +90,8 @@ impl Side {
     /// The last frame, and how much is seen of a film over it that has `done` samples; `None` where that is all of it.
     pub(super) fn under(&self, done: u32, view: &View) -> Option<(Arc<Picture>, f32)> {
         let (picture, scale) = self.real_time.picture.as_ref()?;
-        let weight = if self.real_time.light.is_bare && done > 0 { 1.0 } else { film_weight(done, view.samples, *scale) };
+        let weight =
+            if self.real_time.light.is_bare && done > 0 { 1.0 } else { film_weight(done, view.samples, *scale) };
         (weight < 1.0).then(|| (Arc::clone(picture), weight))
     }
 
