@@ -42,6 +42,20 @@ pub enum RealTimeChoice {
     On,
 }
 
+impl Lit {
+    /// Milliseconds of each pass of the frame, in their order; what runs several times is told once.
+    pub fn passes(&self) -> Vec<(&'static str, f64)> {
+        let mut sums: Vec<(&'static str, f64)> = Vec::new();
+        for &(name, ms) in &self.frame.passes {
+            match sums.iter_mut().find(|(known, _)| *known == name) {
+                Some((_, sum)) => *sum += ms,
+                None => sums.push((name, ms)),
+            }
+        }
+        sums
+    }
+}
+
 impl RealTimeChoice {
     /// All of them.
     pub const ALL: [Self; 3] = [Self::Off, Self::Auto, Self::On];

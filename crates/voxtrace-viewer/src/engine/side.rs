@@ -87,12 +87,6 @@ impl Side {
         self.real_time.begin();
     }
 
-    /// Shows views in this light from now on.
-    pub fn set_light(&mut self, light: Light) {
-        self.real_time.light = light;
-        self.real_time.begin();
-    }
-
     /// Gives back what the scene takes.
     pub fn close(&mut self) {
         (self.tracer, self.stands_in) = (None, false);

@@ -5,7 +5,6 @@ use super::window::Window;
 use crate::engine::{Backend, Engine, Event, Light, Quality, RealTimeChoice, Shown, View};
 use crate::gpu::DrawError;
 use crate::render_command::usual_bounces;
-use std::collections::BTreeMap;
 use std::f32::consts::TAU;
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, channel};
@@ -29,8 +28,8 @@ pub struct Moving {
     pub wall_ms: Vec<f64>,
     /// Those of all passes of a frame, by the device's clock.
     pub gpu_ms: Vec<f64>,
-    /// Those of each pass.
-    pub passes: BTreeMap<&'static str, Vec<f64>>,
+    /// Those of each pass, in their order.
+    pub passes: Vec<(&'static str, Vec<f64>)>,
     /// Frames of each quality: pixels of the window along each side of a pixel, and whether half of the pixels have a path.
     pub qualities: Vec<(Quality, u32)>,
     /// Bytes on the device beyond the scene.
@@ -104,7 +103,12 @@ impl Moving {
         self.wall_ms.push(since.as_secs_f64() * 1e3);
         let Some(lit) = &shown.lit else { return };
         self.gpu_ms.push(lit.frame.gpu_ms);
-        lit.frame.passes.iter().for_each(|&(name, ms)| self.passes.entry(name).or_default().push(ms));
+        for (name, ms) in lit.passes() {
+            match self.passes.iter_mut().find(|(known, _)| *known == name) {
+                Some((_, times)) => times.push(ms),
+                None => self.passes.push((name, vec![ms])),
+            }
+        }
         self.bytes = self.bytes.max(lit.frame.bytes);
         match self.qualities.iter_mut().find(|(quality, _)| *quality == lit.quality) {
             Some((_, count)) => *count += 1,

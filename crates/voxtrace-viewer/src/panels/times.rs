@@ -68,8 +68,8 @@ fn real_time(ui: &mut Ui, status: &Status, lit: &Lit) {
         ui.label(tr!("times.weight", share = format!("{:.0}", film_weight * 100.0)));
     }
     Grid::new("times.passes").show(ui, |ui| {
-        for (name, ms) in &frame.passes {
-            ui.label(*name);
+        for (name, ms) in lit.passes() {
+            ui.label(name);
             ui.label(format!("{ms:.3} ms"));
             ui.end_row();
         }

@@ -155,6 +155,35 @@ fn a_view_that_moves_is_seen_in_real_time_light_and_one_that_stands_goes_over_to
 }
 
 #[test]
+fn after_a_cut_the_picture_is_nearer_to_the_light_of_many_samples_than_a_sample_of_each_pixel() {
+    let Some(device) = device() else { return };
+    let (engine, events) = engine(&device, Backend::Device(Settings::default()));
+    let mut wall = Wall::new(&device, (48, 32));
+    engine.set_light(ON);
+    // As fine as the window, however slow the machine is: of a view that stands.
+    engine.set_view(aside(-90.0, 4096), false);
+    picture(&engine, &events, |shown| shown.lit.is_some());
+    engine.set_view(view(4096), false);
+    let is_fine = |shown: &Shown| shown.picture.size() == (48, 32);
+    let shown = picture(&engine, &events, |shown| {
+        let weight = shown.lit.as_ref().map(|lit| lit.film_weight);
+        weight == Some(0.0) && is_fine(shown) && shown.samples >= 4
+    });
+    let seen = wall.seen(&shown.picture);
+    drop(engine);
+    let of = |samples| -> Vec<f64> {
+        let film = rendered(&scene(), &View { seed: 1234, ..view(samples) }.frame());
+        film.pixels.iter().flat_map(|pixel| (LINEAR.signal(pixel.mean()) * 255.0).to_array()).collect()
+    };
+    let (reference, sample) = (of(2048), of(1));
+    let square = |picture: &[f64]| -> f64 {
+        picture.iter().zip(&reference).map(|(a, b)| (a - b).powi(2)).sum::<f64>() / picture.len() as f64
+    };
+    let (lit, raw) = (square(&seen), square(&sample));
+    assert!(lit < 0.25 * raw, "{lit} and {raw}");
+}
+
+#[test]
 fn the_film_over_a_frame_becomes_more_and_more_of_the_picture_and_the_bare_one_is_there_at_once() {
     let Some(device) = device() else { return };
     let (engine, events) = engine(&device, Backend::Device(Settings::default()));
@@ -303,7 +332,7 @@ fn keys_and_boxes_turn_real_time_light_off_and_on_and_say_why_it_is_not_seen() {
 fn times_of_passes_rays_and_memory_are_one_key_away_with_panels_or_without() {
     let Some(device) = device() else { return };
     let picture = Arc::new(Picture::new(&device, 8, 8, false).unwrap());
-    let frame = RealTimeFrame { gpu_ms: 3.5, passes: vec![("paths", 1.25), ("filter", 0.75)], bytes: 300 << 20 };
+    let frame = RealTimeFrame { gpu_ms: 3.5, passes: vec![("paths", 1.25), ("filter", 0.5), ("filter", 0.25)], bytes: 300 << 20 };
     let lit = Lit { frame: Arc::new(frame), quality: Quality { scale: 2, rate: Rate::Half }, film_weight: 0.25 };
     let statistics = Statistics { gpu_ms: 2.0, camera_rays: 4000, bounce_rays: 2000, ..Statistics::default() };
     let device = Some((statistics, device.memory()));
@@ -318,7 +347,7 @@ fn times_of_passes_rays_and_memory_are_one_key_away_with_panels_or_without() {
         assert!(harness.query_all_by_label("filter").next().is_none());
         harness.state_mut().act(Action::ToggleTimes, None);
         harness.run_steps(3);
-        for text in ["paths", "1.250 ms", "filter", "real-time light: 3.50 ms", "the film is 25 % of the picture"] {
+        for text in ["paths", "1.250 ms", "filter", "0.750 ms", "real-time light: 3.50 ms", "the film is 25 % of the picture"] {
             assert!(harness.query_all_by_label(text).next().is_some(), "{text}");
         }
         assert!(harness.query_all_by_label_contains("3.0 million rays").next().is_some());

@@ -73,6 +73,32 @@ fn film_weight(done: u32, samples: u32, scale: u32) -> f32 {
 }
 
 impl Side {
+    /// Shows views in this light from now on.
+    pub fn set_light(&mut self, light: Light) {
+        self.real_time.light = light;
+        self.real_time.begin();
+        if light.real_time == RealTimeChoice::Off {
+            self.give_back();
+        }
+    }
+
+    /// Gives back what frames take on the device.
+    fn give_back(&mut self) {
+        self.real_time.forget();
+        if let Some(AnyTracer::Device(tracer)) = &mut self.tracer {
+            tracer.forget_real_time();
+        }
+    }
+
+    /// Makes room for what lacked memory, where real-time light takes some. Returns whether it does.
+    pub fn makes_room_for(&mut self, error: &TraceError) -> bool {
+        let can = matches!(error, TraceError::OutOfMemory { .. }) && self.real_time.lit.is_some();
+        if can {
+            self.refuse(error);
+        }
+        can
+    }
+
     /// Whether a view is shown in real-time light while it moves.
     pub fn has_real_time(&self, view: &View, device: &Device) -> bool {
         let is_wanted = match self.real_time.light.real_time {
@@ -165,11 +191,8 @@ impl Side {
     /// Shows the film alone from now on.
     fn refuse(&mut self, error: &TraceError) {
         self.notes.push(tr!("real_time.refused", error = error));
-        self.real_time.forget();
+        self.give_back();
         self.real_time.is_refused = true;
-        if let Some(AnyTracer::Device(tracer)) = &mut self.tracer {
-            tracer.forget_real_time();
-        }
     }
 
     /// Shows the last frame with the film over it. The last step took so many milliseconds for so many samples.
