@@ -7,6 +7,8 @@ pub use quality::{Quality, QualityPace};
 
 /// The coarsest picture has a pixel for this many along each side.
 const COARSEST: u32 = 8;
+/// Samples that take about as long as a pixel of real-time light.
+const SAMPLES_OF_LIGHT: f64 = 2.5;
 /// How much of a new measurement counts.
 const WEIGHT: f64 = 0.5;
 
@@ -41,6 +43,16 @@ impl Pace {
     /// The view changed: what is shown is of no use.
     pub fn begin(&mut self) {
         self.shown = None;
+    }
+
+    /// Whether it is known how quick the device is.
+    pub fn is_measured(&self) -> bool {
+        self.rate.is_some()
+    }
+
+    /// About what a frame of real-time light of so many pixels takes, milliseconds.
+    pub fn guess(&self, pixels: u64) -> f64 {
+        pixels as f64 * SAMPLES_OF_LIGHT / self.rate.unwrap_or(f64::INFINITY)
     }
 
     /// A frame of real-time light is shown: what is traced next is the film.

@@ -5,7 +5,7 @@ mod real_time;
 use super::any_tracer::AnyTracer;
 use super::pace::{Pace, Step};
 use super::pictures::Pictures;
-use super::{Backend, Light, Shown, View};
+use super::{Backend, Shown, View};
 use real_time::RealTime;
 use std::sync::Arc;
 use std::time::Instant;
@@ -214,7 +214,9 @@ impl Side {
         progress: &Progress,
     ) -> Result<Stepped, TraceError> {
         let is_lit = self.has_real_time(view, device);
-        if is_lit && (turn.is_moving || self.is_frame_next(view)) {
+        // The first picture of a tracer is one of the film, as coarse as can be: it comes at once, and says how quick the device is.
+        let is_known = self.tracer.is_some() && self.pace.is_measured();
+        if is_lit && is_known && (turn.is_moving || self.is_frame_next(view)) {
             return self.step_real_time(scene, view, turn.is_moving, device);
         }
         self.open_tracer(scene, device)?;

@@ -332,7 +332,11 @@ fn keys_and_boxes_turn_real_time_light_off_and_on_and_say_why_it_is_not_seen() {
 fn times_of_passes_rays_and_memory_are_one_key_away_with_panels_or_without() {
     let Some(device) = device() else { return };
     let picture = Arc::new(Picture::new(&device, 8, 8, false).unwrap());
-    let frame = RealTimeFrame { gpu_ms: 3.5, passes: vec![("paths", 1.25), ("filter", 0.5), ("filter", 0.25)], bytes: 300 << 20 };
+    let frame = RealTimeFrame {
+        gpu_ms: 3.5,
+        passes: vec![("paths", 1.25), ("filter", 0.5), ("filter", 0.25)],
+        bytes: 300 << 20,
+    };
     let lit = Lit { frame: Arc::new(frame), quality: Quality { scale: 2, rate: Rate::Half }, film_weight: 0.25 };
     let statistics = Statistics { gpu_ms: 2.0, camera_rays: 4000, bounce_rays: 2000, ..Statistics::default() };
     let device = Some((statistics, device.memory()));
@@ -347,7 +351,9 @@ fn times_of_passes_rays_and_memory_are_one_key_away_with_panels_or_without() {
         assert!(harness.query_all_by_label("filter").next().is_none());
         harness.state_mut().act(Action::ToggleTimes, None);
         harness.run_steps(3);
-        for text in ["paths", "1.250 ms", "filter", "0.750 ms", "real-time light: 3.50 ms", "the film is 25 % of the picture"] {
+        for text in
+            ["paths", "1.250 ms", "filter", "0.750 ms", "real-time light: 3.50 ms", "the film is 25 % of the picture"]
+        {
             assert!(harness.query_all_by_label(text).next().is_some(), "{text}");
         }
         assert!(harness.query_all_by_label_contains("3.0 million rays").next().is_some());

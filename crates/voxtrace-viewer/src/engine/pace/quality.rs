@@ -43,6 +43,8 @@ pub struct QualityPace {
     now: usize,
     /// What frames of it take; `None` before the first.
     ms: Option<f64>,
+    /// Whether that is a guess.
+    is_guessed: bool,
     late: u32,
     early: u32,
     /// Early frames that are waited for.
@@ -54,7 +56,17 @@ pub struct QualityPace {
 impl QualityPace {
     /// Frames that take `budget_ms` each.
     pub fn new(budget_ms: f64) -> Self {
-        Self { budget_ms, now: 0, ms: None, late: 0, early: 0, wait: WAIT, tried: None }
+        Self { budget_ms, now: 0, ms: None, is_guessed: false, late: 0, early: 0, wait: WAIT, tried: None }
+    }
+
+    /// Begins with what suits a device on which the finest frame takes about `ms`, where nothing is known yet.
+    pub fn begin(&mut self, ms: f64) {
+        if self.ms.is_none() {
+            let fits = |&index: &usize| ms * ALL[index].2 <= self.budget_ms;
+            self.now = (0..ALL.len()).find(fits).unwrap_or(ALL.len() - 1);
+            self.ms = Some(ms * ALL[self.now].2);
+            self.is_guessed = true;
+        }
     }
 
     /// The quality of the next frame of a view that moves.
@@ -70,13 +82,19 @@ impl QualityPace {
         quality(full.into_iter().find(fits).unwrap_or(self.now))
     }
 
-    /// Takes into account that a frame took `ms`. Of a view that stands, in a quality of its own, it counts where that is the one of moving.
+    /// Takes into account that a frame took `ms`. Where that of a view that stands is finer than those of views that move, and quick enough, theirs are as
+    /// fine from now on.
     pub fn update(&mut self, of: Quality, ms: f64) {
+        let finer = (0..self.now).find(|&index| quality(index) == of);
+        if let Some(index) = finer.filter(|_| ms < EARLY * self.budget_ms) {
+            self.go_to(index);
+            (self.ms, self.is_guessed) = (Some(ms), false);
+        }
         if of != self.moving() {
             return;
         }
-        let is_first = self.ms.is_none();
-        let now = self.ms.map_or(ms, |old| old + WEIGHT * (ms - old));
+        let is_first = self.ms.is_none() || std::mem::take(&mut self.is_guessed);
+        let now = self.ms.filter(|_| !is_first).map_or(ms, |old| old + WEIGHT * (ms - old));
         self.ms = Some(now);
         self.tried = self.tried.map(|frames| frames + 1).filter(|&frames| frames <= TRIAL);
         self.late = if now > LATE * self.budget_ms { self.late + 1 } else { 0 };
@@ -172,9 +190,27 @@ mod tests {
         frames(&mut pace, 3, |_| 60.0);
         assert_eq!(pace.still(250.0), Quality { scale: 1, rate: Rate::Full });
         assert_eq!(pace.still(20.0), Quality { scale: 2, rate: Rate::Full });
-        // What they take says nothing about frames of views that move.
-        let before = pace.clone().now;
+        // What they take says nothing about frames of views that move, unless they are quick.
+        let before = pace.now;
         pace.update(pace.still(250.0), 60.0);
         assert_eq!(pace.now, before);
+        pace.update(pace.still(250.0), 5.0);
+        assert_eq!(pace.now, 0);
+    }
+
+    #[test]
+    fn a_guess_begins_and_a_measurement_decides() {
+        let mut pace = QualityPace::new(10.0);
+        pace.begin(50.0);
+        assert_eq!((pace.moving().scale, pace.still(250.0).scale), (2, 1), "a guess too high");
+        pace.update(pace.still(250.0), 4.0);
+        assert_eq!(pace.moving(), Quality { scale: 1, rate: Rate::Full });
+        let mut pace = QualityPace::new(10.0);
+        pace.begin(10_000.0);
+        assert_eq!((pace.moving().scale, pace.still(250.0).scale), (8, 8), "a device in software never traces seconds");
+        let mut pace = QualityPace::new(10.0);
+        pace.begin(5.0);
+        pace.update(pace.moving(), 60.0);
+        assert_eq!(pace.moving(), Quality { scale: 2, rate: Rate::Half }, "a guess too low");
     }
 }

@@ -152,6 +152,7 @@ impl Side {
         self.open_tracer(scene, device)?;
         self.real_time.is_next = false;
         let Some(AnyTracer::Device(tracer)) = &mut self.tracer else { return Ok(Stepped::Lost) };
+        self.pace.quality.begin(self.pace.guess(u64::from(view.width) * u64::from(view.height)));
         let quality = if is_moving { self.pace.quality.moving() } else { self.pace.quality.still(STILL_MS) };
         let (width, height) = (view.width.div_ceil(quality.scale), view.height.div_ceil(quality.scale));
         let picture = self.pictures.free(device, width, height, false)?;
