@@ -22,6 +22,7 @@ mod pages;
 mod passes;
 mod picture;
 mod ray_program;
+mod real_time;
 mod scene;
 mod schedule;
 mod spirv;
@@ -53,8 +54,9 @@ pub use faults::{Fault, Faults};
 pub use listing::devices;
 pub use method::{Primitive, Settings, Traversal};
 pub use picture::{BLUE_LOWEST, DISPLAY_BINDING, PICTURE_BINDING, Picture, PresentParams, Tone, Under};
+pub use real_time::{Rate, RealTimeFrame};
 pub use statistics::Statistics;
-pub use tracer::{Rate, RealTimeFrame, VulkanTracer};
+pub use tracer::VulkanTracer;
 pub use vulkan::{Messages, Options, Vulkan};
 
 /// The shaders that show a [`Picture`] in a window, SPIR-V: the entry point `present_curve` takes the picture at [`PICTURE_BINDING`] of

@@ -1,6 +1,6 @@
 //! What a window shows while a film is made: the mean radiance of its pixels as half floats, in a buffer of the device that
 //! draws the window, so that nothing is read back, and beside it what that looks like through a tone curve. Twin of
-//! `shaders/pass/resolve.slang` and `shaders/half_floats.slang`.
+//! `shaders/pass/resolve.slang` and `shaders/half.slang`.
 
 use crate::buffer::Buffer;
 use crate::device::Device;
@@ -144,6 +144,15 @@ impl Picture {
         &self.buffer
     }
 
+    /// The radiance of its pixels, row by row, where the host can write it: for tests.
+    #[doc(hidden)]
+    pub fn radiance(&self) -> Vec<[f32; 3]> {
+        let half = |bytes: [u8; 2]| number_of(u16::from_le_bytes(bytes));
+        let pixel = |bytes: &[u8]| [0, 2, 4].map(|at| half([bytes[at], bytes[at + 1]]));
+        let pixels = self.buffer.mapped().chunks_exact(PIXEL_BYTES as usize).map(pixel);
+        pixels.take((self.width * self.height) as usize).collect()
+    }
+
     /// Writes a film of the whole picture from the host.
     ///
     /// # Panics
@@ -180,6 +189,16 @@ fn half_of(value: f32) -> u16 {
     (sign | magnitude) as u16
 }
 
+/// The number that a finite half float stands for.
+fn number_of(half: u16) -> f32 {
+    let sign = if half & 0x8000 != 0 { -1.0 } else { 1.0 };
+    let (exponent, mantissa) = (i32::from(half >> 10 & 0x1f), f32::from(half & 0x3ff));
+    match exponent {
+        0 => sign * mantissa * 2f32.powi(-24),
+        _ => sign * (1.0 + mantissa / 1024.0) * 2f32.powi(exponent - 15),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -187,12 +206,7 @@ mod tests {
 
     /// The number that a half float stands for.
     fn number_of(half: u16) -> f64 {
-        let sign = if half & 0x8000 != 0 { -1.0 } else { 1.0 };
-        let (exponent, mantissa) = (i32::from(half >> 10 & 0x1f), f64::from(half & 0x3ff));
-        match exponent {
-            0 => sign * mantissa * 2f64.powi(-24),
-            _ => sign * (1.0 + mantissa / 1024.0) * 2f64.powi(exponent - 15),
-        }
+        super::number_of(half).into()
     }
 
     #[test]

@@ -4,8 +4,6 @@
 mod contract;
 mod real_time;
 
-pub use real_time::{Rate, RealTimeFrame};
-
 use crate::accel::AccelReport;
 use crate::allocations::MemoryReport;
 use crate::device::Device;
@@ -23,6 +21,7 @@ use voxtrace_core::PackedScene;
 use voxtrace_core::Progress;
 use voxtrace_core::TraceError;
 use voxtrace_core::Tracer;
+use voxtrace_realtime::Parts;
 
 /// A device that is lost twice within this time is not tried again.
 const BETWEEN_LOSSES: Duration = Duration::from_secs(60);
@@ -47,6 +46,8 @@ pub struct VulkanTracer {
     last_loss: Option<Instant>,
     /// Whether the film has samples of other moments, which cannot be rendered again.
     is_carried: bool,
+    /// Parts of real-time light, and whether its rays are exact.
+    real_time_settings: (Parts, bool),
     notes: Vec<String>,
     device: Arc<Device>,
 }
@@ -78,6 +79,7 @@ impl VulkanTracer {
             copied: Instant::now(),
             last_loss: None,
             is_carried: false,
+            real_time_settings: (Parts::ALL, false),
             notes: Vec::new(),
             device,
         })

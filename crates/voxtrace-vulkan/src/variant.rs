@@ -15,6 +15,8 @@ pub enum Entry {
     RenderPath,
     /// A step of paths in waves.
     Wave(&'static str),
+    /// A step of real-time light.
+    RealTime(&'static str),
     /// Writes the mean of each pixel's samples for a window.
     Resolve,
     /// Lays that over another picture.
@@ -40,7 +42,7 @@ impl Entry {
             Self::RenderPath => "render_path",
             Self::Resolve => "resolve",
             Self::Blend => "blend",
-            Self::Wave(name) | Self::SelfTest(name) => name,
+            Self::Wave(name) | Self::RealTime(name) | Self::SelfTest(name) => name,
         }
     }
 }

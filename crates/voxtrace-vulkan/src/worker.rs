@@ -3,6 +3,7 @@
 mod casting;
 mod edits;
 mod paging;
+mod real_time;
 mod rendering;
 mod scene;
 mod show;
@@ -18,6 +19,7 @@ use crate::film::DeviceFilm;
 use crate::method::{Settings, Traversal};
 use crate::pages::Pages;
 use crate::passes::Passes;
+use crate::real_time::RealTime;
 use crate::records::{Dispatch, FrameParams, binding};
 use crate::scene::SceneBuffers;
 use crate::schedule::{BatchSizer, TARGET_MS};
@@ -37,6 +39,7 @@ use std::time::Instant;
 use voxtrace_core::normals::Normals;
 use voxtrace_core::shadow_catcher::ShadowCatcher;
 use voxtrace_core::{Film, Frame, PackedScene, TraceError};
+use voxtrace_realtime::Parts;
 use voxtrace_scene::transform::Transform;
 
 /// Samples that each part of a film in several parts gets in its turn, where all have `least`.
@@ -65,6 +68,12 @@ pub struct Worker {
     film: Option<DeviceFilm>,
     cast_buffers: Option<(Buffer, Buffer)>,
     show_passes: Option<ShowPasses>,
+    /// Of real-time light, those that trace and the others.
+    real_time_passes: Option<[Passes; 2]>,
+    real_time: Option<RealTime>,
+    real_time_parts: Parts,
+    /// Whether its rays are traced exactly.
+    is_real_time_exact: bool,
     /// Milliseconds of the picture that the last call of `render` wrote, where it did.
     shown_ms: Option<f64>,
     submit_ms: f64,
@@ -97,6 +106,7 @@ impl Worker {
         let params = Buffer::new(&device, "frame parameters", size, usage, MemoryLocation::CpuToGpu)?;
         bindings.bind(binding::FRAME, &params);
         bindings.bind(binding::FRAME_STORAGE, &params);
+        bindings.bind(binding::REAL_TIME, &params);
         let nothing = Buffer::storage(&device, "placeholder", 0)?;
         for place in [
             binding::PIXELS,
@@ -107,6 +117,11 @@ impl Worker {
             binding::PAGES,
             binding::PATHS,
             binding::QUEUES,
+            binding::MEMORY,
+            binding::SCRATCH,
+            binding::CELL_KEYS,
+            binding::CELL_ROWS,
+            binding::MOTIONS,
         ] {
             bindings.bind(place, &nothing);
         }
@@ -137,6 +152,10 @@ impl Worker {
             film: None,
             cast_buffers: None,
             show_passes: None,
+            real_time_passes: None,
+            real_time: None,
+            real_time_parts: Parts::ALL,
+            is_real_time_exact: false,
             shown_ms: None,
             submit_ms: TARGET_MS,
             allows_pages: true,
@@ -181,9 +200,9 @@ impl Worker {
         let cells_have_blocks = self.scene.as_ref().is_some_and(|buffers| buffers.cells_have_blocks);
         let has_cuts = !scene.cuts.is_none();
         // No other pass asks what voxels are made of.
-        let has_normals = matches!(entry, Entry::RenderEssay | Entry::RenderPath) && scene.normals() == Normals::Smooth;
-        let has_materials =
-            has_cuts || has_normals || (entry == Entry::RenderPath && (knows_paths || !scene.is_matte()));
+        let follows_paths = matches!(entry, Entry::RenderPath | Entry::RealTime(_));
+        let has_normals = (entry == Entry::RenderEssay || follows_paths) && scene.normals() == Normals::Smooth;
+        let has_materials = has_cuts || has_normals || (follows_paths && (knows_paths || !scene.is_matte()));
         Ok(Variant {
             entry,
             is_exact,
