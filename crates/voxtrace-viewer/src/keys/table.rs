@@ -190,6 +190,18 @@ pub const TABLE: &[Binding] = &[
     row(&[letter('P')], Action::Pause, Group::Tracing, "stop tracing, or go on"),
     row(&[letter('T')], Action::NextTraversal, Group::Tracing, "next traversal"),
     row(&[letter('I')], Action::NextIntegrator, Group::Tracing, "next integrator"),
+    row(
+        &[letter('R')],
+        Action::ToggleRealTime,
+        Group::Tracing,
+        "real-time light while the view moves, or the film alone (not while editing)",
+    ),
+    row(
+        &[with(SHIFT, Key::Letter('R'))],
+        Action::ToggleBareFilm,
+        Group::Tracing,
+        "show the bare film where the view stands, or lay it over real-time light until it is clean",
+    ),
     row(&[letter('B')], Action::Compare, Group::Tracing, "compare with another tracer, or no more"),
     row(
         &[letter('V')],
@@ -254,6 +266,7 @@ pub const TABLE: &[Binding] = &[
     ),
     row(&[function(1), letter('H')], Action::Help, Group::Window, "this list"),
     row(&[key(Key::Tab)], Action::TogglePanels, Group::Window, "show or hide the panels"),
+    row(&[function(3)], Action::ToggleTimes, Group::Window, "show or hide times of passes, rays and memory"),
     row(&[function(11)], Action::ToggleFullScreen, Group::Window, "full screen"),
     row(&[with(CTRL, Key::Plus)], Action::ScaleUp, Group::Window, "larger text and buttons"),
     row(&[with(CTRL, Key::Minus)], Action::ScaleDown, Group::Window, "smaller text and buttons"),
