@@ -141,12 +141,17 @@ impl Session {
             self.stay();
         } else if self.stop_value_drag() {
             // Dragging moves the camera again.
-        } else if self.loading.take().is_some() {
+        } else if let Some(loading) = self.loading.take() {
+            if loading.is_again {
+                self.keep_shown_choices();
+            }
             self.say(tr!("said.opening_was_stopped"), false);
-        } else if let Some(benchmark) = &self.benchmark {
-            benchmark.cancel();
         } else if self.has_help {
             self.has_help = false;
+        } else if let Some(benchmark) = &self.benchmark {
+            benchmark.cancel();
+        } else if self.stop_making() {
+            // One at a time, the quickest to make again first.
         } else if self.cancel_measuring() || self.cancel_editing() {
             // Points first, then the tool.
         } else if self.dismiss_errors() {
@@ -154,6 +159,23 @@ impl Session {
         } else if self.picked.take().is_none() {
             self.ask(Command::LeaveFullscreen);
         }
+    }
+
+    /// Stops what is made beside the window: voxels of a volume, a recording, a plan that is played, pictures that are rendered. Returns whether there
+    /// was something.
+    fn stop_making(&mut self) -> bool {
+        if self.stop_shaping() {
+            self.say(tr!("said.voxels_are_not_made"), false);
+            return true;
+        }
+        if let Some(running) = self.running.as_mut().filter(|running| !running.is_stopping) {
+            running.cancel();
+            let what = running.request.name.clone();
+            self.say(tr!("said.stopping", what = what), false);
+            return true;
+        }
+        let exporting = self.exporting.as_ref();
+        exporting.map(crate::export::Exporting::cancel).is_some()
     }
 
     fn frame_picked(&mut self, cursor: Option<Vec2>) {

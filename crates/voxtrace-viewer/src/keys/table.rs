@@ -261,7 +261,7 @@ pub const TABLE: &[Binding] = &[
         &[key(Key::Escape)],
         Action::Cancel,
         Group::Window,
-        "close a dialog, stop loading or measuring, close this list, take away errors, leave full screen",
+        "close a dialog or this list, stop what is opened, measured, made, recorded or played, take away errors, leave full screen",
     ),
     row(&[with(CTRL, Key::Letter('Q'))], Action::Quit, Group::Window, "quit (in flight, Ctrl+Q goes down slowly)"),
     told("one finger on the screen", Action::Steer(Steer::Orbit), "as the left button: drag, tap, tap twice"),

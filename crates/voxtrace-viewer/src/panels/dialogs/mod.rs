@@ -182,7 +182,7 @@ fn exporting(ui: &Ui, session: &mut Session, side: f32) {
         .show(ui.ctx(), |ui| {
             ui.label(name);
             ui.add(ProgressBar::new(share).desired_width(320.0).text(text));
-            is_cancelled = ui.button(tr!("dialogs.stop_rendering")).clicked();
+            is_cancelled = super::stop_button(ui, tr!("dialogs.stop_rendering"));
         });
     ui.ctx().request_repaint_after(std::time::Duration::from_millis(250));
     if is_cancelled && let Some(export) = &session.exporting {
