@@ -2,6 +2,7 @@
 
 use crate::benchmark::{FRAMES, WARM_UP};
 use crate::camera_toml::camera_toml;
+use crate::canvas::USUAL;
 use crate::comparison::{Comparison, DIVIDER_STEP};
 use crate::dialogs::{Dialog, FramesDialog, OpenDialog, PictureDialog, PlanDialog, RecordDialog, SaveDialog};
 use crate::export::free_name;
@@ -9,7 +10,7 @@ use crate::keys::Action;
 use crate::navigation::{Mode, Motion};
 use crate::render_command::{CommandError, RenderCommand, SceneArgument};
 use crate::render_settings::RenderSettings;
-use crate::session::{Command, Session, is_built_in};
+use crate::session::{Command, Open, Session, is_built_in};
 use crate::tr;
 use std::path::PathBuf;
 use voxtrace::glam::Vec2;
@@ -30,6 +31,11 @@ fn scaled(now: f32, factor: f32) -> f32 {
     if now == 0.0 && factor > 1.0 { LEAST_LIGHT } else { now * factor }
 }
 
+/// Voxels along the sides of the box of a scene that was begun here.
+fn new_size(open: &Open) -> Option<[u32; 3]> {
+    open.canvas.map(|canvas| canvas.size().to_array().map(i32::unsigned_abs))
+}
+
 impl Session {
     /// Does what an action asks for, with the cursor at a place in the picture.
     pub fn act(&mut self, action: Action, cursor: Option<Vec2>) {
@@ -46,6 +52,7 @@ impl Session {
             Action::Values => self.toggle_value_drag(),
             Action::Play => self.toggle_play(),
             Action::Record => self.open_dialog(|session| Dialog::Record(Box::new(RecordDialog::new(session)))),
+            Action::New => self.dialog = Some(Dialog::New(self.open.as_ref().and_then(new_size).unwrap_or(USUAL))),
             Action::SaveScene => self.open_dialog(|session| Dialog::Save(SaveDialog::new(session))),
             Action::Screenshot => self.screenshot(),
             Action::Quit => self.ask(Command::Quit),

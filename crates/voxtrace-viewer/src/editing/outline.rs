@@ -27,6 +27,8 @@ pub enum Look {
     Selected,
     /// The face under the cursor.
     Face,
+    /// The box to build in.
+    Canvas,
 }
 
 /// A line from point to point, world space.
@@ -114,6 +116,11 @@ impl Lines<'_> {
 pub fn outlines(session: &Session) -> Vec<Outline> {
     let Some(editing) = session.editing.as_ref().filter(|editing| editing.is_on) else { return Vec::new() };
     let mut all = Vec::new();
+    if let Some(canvas) = session.open.as_ref().and_then(|open| open.canvas) {
+        let mut lines = Lines { world_from_grid: &Transform::IDENTITY, all: Vec::new() };
+        lines.region(canvas, Look::Canvas);
+        all.append(&mut lines.all);
+    }
     if let Some(Selection { world_from_grid, region, .. }) = &editing.selection {
         let mut lines = Lines { world_from_grid, all: Vec::new() };
         lines.region(*region, Look::Selected);

@@ -20,6 +20,8 @@ use crate::navigation::{AxisView, Mode, Movement};
 /// Everything that the window does when asked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Action {
+    /// Opens the dialog that begins an empty scene.
+    New,
     /// Shows the dialog that opens a scene.
     Open,
     /// Opens the dialog that opens a scene by its path.

@@ -221,6 +221,7 @@ pub const TABLE: &[Binding] = &[
         Group::Measuring,
         "end a path or an area; a double click does, too",
     ),
+    row(&[with(CTRL, Key::Letter('N'))], Action::New, Group::Files, "begin an empty scene, to build in it"),
     row(&[with(CTRL, Key::Letter('O'))], Action::Open, Group::Files, "open a scene"),
     row(&[with(CTRL, Key::Letter('L'))], Action::OpenByPath, Group::Files, "open a scene by its path"),
     row(&[with(Modifiers::CTRL_SHIFT, Key::Letter('S'))], Action::SaveScene, Group::Files, "write the scene to a file"),

@@ -21,6 +21,7 @@ fn stroke(look: Look) -> Stroke {
         Look::Plane(1) => Stroke::new(1.0, Color32::from_rgb(120, 230, 120)),
         Look::Plane(_) => Stroke::new(1.0, Color32::from_rgb(130, 160, 255)),
         Look::Selected => Stroke::new(1.5, Color32::from_rgb(255, 215, 80)),
+        Look::Canvas => Stroke::new(1.0, Color32::from_rgba_unmultiplied(220, 220, 220, 120)),
         Look::Face => Stroke::new(2.0, Color32::from_rgb(255, 215, 80)),
     }
 }

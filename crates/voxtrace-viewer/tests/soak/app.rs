@@ -90,6 +90,11 @@ impl App {
                         self.load(&source, Reading::default(), false);
                     }
                 }
+                Command::New(size) => {
+                    if self.session.may_leave(Leaving::New(size)) {
+                        self.session.show_new(size);
+                    }
+                }
                 Command::LoadAgain => self.load_again(),
                 Command::Reshape => self.session.reshape(&self.loader, nobody()),
                 Command::SetScene => {

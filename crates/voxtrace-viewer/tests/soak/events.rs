@@ -99,8 +99,10 @@ impl Hands {
                 "the wheel".into()
             }
             47..50 => {
-                let file = app.files[self.random.below(app.files.len() as u64) as usize].clone();
-                app.session.ask(Command::Load(file));
+                let number = self.random.below(app.files.len() as u64 + 2) as usize;
+                // Some are begun here.
+                let command = app.files.get(number).map_or(Command::New([24, 20, 16]), |file| Command::Load(file.clone()));
+                app.session.ask(command);
                 "opening".into()
             }
             50..53 => {

@@ -172,7 +172,7 @@ fn random_events_find_no_fault_and_planted_faults_are_found() {
     let counts = result.unwrap();
     assert!(counts.events > 10 && counts.frames > 1, "{counts:?}");
 
-    let found = soak(seed, Duration::from_secs(20), slack, Plant::Leak(64e6)).unwrap();
+    let found = soak(seed, Duration::from_secs(20), slack, Plant::Leak(128e6)).unwrap();
     assert!(found.as_ref().is_err_and(|error| error.contains("memory grows")), "{found:?}");
     let found = soak(seed, 3 * HANG, slack, Plant::Hang).unwrap();
     assert!(found.as_ref().is_err_and(|error| error.contains("hangs")), "{found:?}");
