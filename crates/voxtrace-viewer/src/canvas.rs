@@ -2,13 +2,15 @@
 
 use crate::editing::{Editing, Spot};
 use crate::session::{Command, Session};
+use crate::threads;
 use std::sync::Arc;
 use voxtrace::dynamic::{DynamicScene, Edit, EditError};
 use voxtrace::glam::{IVec3, Vec3};
 use voxtrace::grid::VoxelBox;
 use voxtrace::import::vox::default_palette;
 use voxtrace::ray::FACES;
-use voxtrace::{Camera, Material, PackedScene, Ray, Scene, Shape, Transform, VoxelGrid};
+use voxtrace::sky::Sun;
+use voxtrace::{Camera, Material, PackedScene, Ray, Scene, Shape, Sky, Transform, VoxelGrid};
 
 /// What a scene without a file is called.
 pub const NAME: &str = "untitled";
@@ -18,6 +20,8 @@ pub const LARGEST: u32 = 1024;
 pub const USUAL: [u32; 3] = [48; 3];
 /// Colours of the palette; the last entry is none.
 const COLORS: usize = 255;
+/// The material that hands begin with: orange, which is seen before the sky.
+const MATERIAL: u16 = 16;
 /// How far the camera is from the middle, in diagonals of the box.
 const DISTANCE: f32 = 1.35;
 
@@ -28,7 +32,11 @@ fn empty() -> Result<DynamicScene, EditError> {
     // A grid without voxels is not packed: one is put there and taken away again.
     let mut grid = VoxelGrid::new();
     grid.set(IVec3::ZERO, 0);
-    let packed = PackedScene::pack(&Scene::from_grid(NAME, grid, materials)).expect("one voxel is packed");
+    let mut scene = Scene::from_grid(NAME, grid, materials);
+    // Darker than most skies: white voxels are seen before it.
+    let background = Sky::gradient(Vec3::splat(0.16), Vec3::new(0.3, 0.36, 0.45));
+    scene.sky = background.with_sun(Sun::at(215.0, 50.0, 2.0)).with_sun_disc_visible(false);
+    let packed = PackedScene::pack(&scene).expect("one voxel is packed");
     let mut scene = DynamicScene::new(packed)?;
     // Nobody is to take that back.
     scene.set_undo_limit(0);
@@ -66,7 +74,8 @@ fn wall(region: VoxelBox, ray: &Ray) -> Option<(IVec3, usize, Vec3)> {
 impl Session {
     /// Shows an empty scene to build in, of so many voxels along each side, and begins to edit it.
     pub fn show_new(&mut self, size: [u32; 3]) {
-        let dynamic = match empty() {
+        // The tracer may hold all other threads.
+        let dynamic = match threads::aside(empty) {
             Ok(dynamic) => dynamic,
             Err(error) => return self.say(error.to_string(), true),
         };
@@ -81,7 +90,7 @@ impl Session {
         }
         self.loading = None;
         (self.values, self.points) = (None, None);
-        self.editing = Some(Editing { begun: Some(Box::new(dynamic)), ..Editing::default() });
+        self.editing = Some(Editing { begun: Some(Box::new(dynamic)), material: MATERIAL, ..Editing::default() });
         self.has_panels = true;
         self.ask(Command::Edit);
     }

@@ -265,7 +265,7 @@ fn a_new_scene_takes_its_first_voxels_on_the_walls_of_its_box_and_has_a_file_onc
     hand.click(Vec3::new(7.5, 6.5, 1.0));
     hand.steps(3, 0);
     assert_eq!(differing(&VoxelGrid::new(), &hand.voxels()).len(), 3);
-    assert!([one, behind, above].into_iter().all(|voxel| hand.material_at(voxel) == Some(0)));
+    assert!([one, behind, above].into_iter().all(|voxel| hand.material_at(voxel) == Some(16)));
     let packed = Arc::new(PackedScene::pack(&lit(&hand.session).to_scene()).unwrap());
     let built = film(&lit(&hand.session), &hand.session);
     assert!(built != blank && built == film(&packed, &hand.session), "it is the scene as it is packed from scratch");
@@ -276,7 +276,7 @@ fn a_new_scene_takes_its_first_voxels_on_the_walls_of_its_box_and_has_a_file_onc
     assert!(film(&lit(&hand.session), &hand.session) == blank);
     hand.session.travel(1, false);
     hand.steps(1, 2);
-    assert_eq!(hand.material_at(one), Some(0));
+    assert_eq!(hand.material_at(one), Some(16));
     // No file holds it: there is no command, and no place for bookmarks.
     assert!(hand.session.bookmark_path().is_none() && hand.session.has_unsaved_edits());
     hand.session.act(Action::CopyCommand, None);

@@ -32,7 +32,8 @@ pub fn show_new(ui: &mut Ui, size: &mut [u32; 3]) -> Option<Click> {
             ui.add(DragValue::new(side).range(1..=LARGEST)).labelled_by(label.id);
         }
     });
-    buttons(ui, tr!("dialogs_new.begin"), None, |_| {})
+    let is_confirmed = ui.input(|input| input.key_pressed(egui::Key::Enter));
+    buttons(ui, tr!("dialogs_new.begin"), None, |_| {}).or(is_confirmed.then_some(Click::Go))
 }
 
 pub fn show_open(ui: &mut Ui, dialog: &mut OpenDialog) -> Option<Click> {
