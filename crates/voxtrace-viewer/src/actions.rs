@@ -146,6 +146,9 @@ impl Session {
         if self.dialog.take().is_some() || self.leaving.is_some() {
             // The dialog goes first, and with it what waits for it.
             self.stay();
+        } else if !self.left_behind.is_empty() {
+            // Later: they are offered again when a window is opened.
+            self.left_behind.clear();
         } else if self.stop_value_drag() {
             // Dragging moves the camera again.
         } else if let Some(loading) = self.loading.take() {

@@ -79,7 +79,8 @@ impl Session {
             Ok(dynamic) => dynamic,
             Err(error) => return self.say(error.to_string(), true),
         };
-        let region = VoxelBox { min: IVec3::ZERO, max: IVec3::from_array(size.map(|side| side.clamp(1, LARGEST) as i32)) };
+        let region =
+            VoxelBox { min: IVec3::ZERO, max: IVec3::from_array(size.map(|side| side.clamp(1, LARGEST) as i32)) };
         let mut scene = dynamic.scene().unshared();
         scene.cameras = vec![camera(region)];
         self.show(NAME.into(), Arc::new(scene));

@@ -157,9 +157,8 @@ impl App {
         let Some(open) = &self.session.open else { return };
         let (loader, source) = (Arc::clone(&self.loader), open.source.clone());
         let world = voxtrace::glam::DAffine3::IDENTITY;
-        self.session.sampling = Sampling::start(move |wanted| {
-            Ok(loader.volume(&source, wanted)?.map(|volume| Values::new(volume, world)))
-        });
+        self.session.sampling =
+            Sampling::start(move |wanted| Ok(loader.volume(&source, wanted)?.map(|volume| Values::new(volume, world))));
     }
 
     fn export(&mut self, request: voxtrace_viewer::export::ExportRequest) {

@@ -92,7 +92,12 @@ impl Hands {
                 if app.is_on_panels(place) {
                     let delta = egui::vec2(0.0, 40.0 * notches);
                     let (unit, modifiers) = (egui::MouseWheelUnit::Point, egui::Modifiers::NONE);
-                    app.to_panels.push(egui::Event::MouseWheel { unit, delta, phase: egui::TouchPhase::Move, modifiers });
+                    app.to_panels.push(egui::Event::MouseWheel {
+                        unit,
+                        delta,
+                        phase: egui::TouchPhase::Move,
+                        modifiers,
+                    });
                 } else {
                     app.input.wheel(notches, &mut app.session);
                 }
@@ -101,7 +106,8 @@ impl Hands {
             47..50 => {
                 let number = self.random.below(app.files.len() as u64 + 2) as usize;
                 // Some are begun here.
-                let command = app.files.get(number).map_or(Command::New([24, 20, 16]), |file| Command::Load(file.clone()));
+                let command =
+                    app.files.get(number).map_or(Command::New([24, 20, 16]), |file| Command::Load(file.clone()));
                 app.session.ask(command);
                 "opening".into()
             }
@@ -169,7 +175,13 @@ impl Hands {
             app.to_panels.push(egui::Event::Text(letter.into()));
             if self.random.below(3) == 0 {
                 let (key, modifiers) = (egui::Key::Escape, egui::Modifiers::NONE);
-                app.to_panels.push(egui::Event::Key { key, physical_key: None, pressed: true, repeat: false, modifiers });
+                app.to_panels.push(egui::Event::Key {
+                    key,
+                    physical_key: None,
+                    pressed: true,
+                    repeat: false,
+                    modifiers,
+                });
                 app.input.key(Key::Escape, true, false, &mut app.session);
             }
             return "typing".into();

@@ -101,8 +101,18 @@ pub fn files(folder: &Path) -> Vec<String> {
     changed[middle] ^= 0x55;
     std::fs::write(path("changed.vxt"), &changed).unwrap();
     std::fs::write(path("noise.vox"), b"VOX \x96\0\0\0MAIN nothing of the kind").unwrap();
-    let names =
-        ["room.vxt", "room.vxt", VOLUME, VOLUME, POINTS, POINTS, "short.vxt", "changed.vxt", "noise.vox", "nowhere.ply"];
+    let names = [
+        "room.vxt",
+        "room.vxt",
+        VOLUME,
+        VOLUME,
+        POINTS,
+        POINTS,
+        "short.vxt",
+        "changed.vxt",
+        "noise.vox",
+        "nowhere.ply",
+    ];
     let files = names.iter().map(|name| path(name).display().to_string());
     files.chain(["church", "city", "glass", "forest"].map(str::to_owned)).collect()
 }

@@ -118,7 +118,10 @@ fn soak(seed: u64, time: Duration, slack: u64, plant: Plant) -> Option<Result<Co
     }
     let longest = &counts.longest;
     if longest.took > FELT {
-        return Some(Err(format!("seed {seed}: a turn takes {:?} at {:?}: {}", longest.took, longest.at, longest.what)));
+        return Some(Err(format!(
+            "seed {seed}: a turn takes {:?} at {:?}: {}",
+            longest.took, longest.at, longest.what
+        )));
     }
     // The first half warms up. Scenes come and go: of the third and the last quarter what is needed at least is compared.
     let quarter = curve.len() / 4;
@@ -139,8 +142,7 @@ fn report(seed: u64, counts: &Counts, curve: &[Memory]) {
         println!("  {name:<22} {steps:?}");
     }
     if let Ok(path) = std::env::var("VOXTRACE_SOAK_CURVE") {
-        let lines: Vec<String> =
-            curve.iter().enumerate().map(|(i, memory)| format!("{i} {memory}")).collect();
+        let lines: Vec<String> = curve.iter().enumerate().map(|(i, memory)| format!("{i} {memory}")).collect();
         std::fs::write(path, lines.join("\n")).unwrap();
     }
 }

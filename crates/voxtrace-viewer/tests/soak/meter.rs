@@ -61,7 +61,8 @@ fn held_after_trimming() -> u64 {
 /// Resident pages, and those of them that are of files, bytes.
 fn pages() -> (u64, u64) {
     let text = std::fs::read_to_string("/proc/self/statm").unwrap_or_default();
-    let bytes = |index: usize| text.split(' ').nth(index).and_then(|pages| pages.parse::<u64>().ok()).unwrap_or(0) * 4096;
+    let bytes =
+        |index: usize| text.split(' ').nth(index).and_then(|pages| pages.parse::<u64>().ok()).unwrap_or(0) * 4096;
     (bytes(1), bytes(2))
 }
 

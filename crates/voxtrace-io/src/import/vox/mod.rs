@@ -24,8 +24,8 @@ pub use document::{Body, Chunk, Dict, GroupNode, Numbered, OldMaterial, ShapeNod
 pub(crate) use graph::MAX_TRANSLATION;
 pub use ignored::{ignored, on_request};
 pub use lines::lines;
-pub use palette::default_palette;
 pub(crate) use material::MEDIUM_KEYS;
+pub use palette::default_palette;
 pub(crate) use scene::MAX_EDGE;
 pub use surroundings::{Surroundings, surroundings};
 

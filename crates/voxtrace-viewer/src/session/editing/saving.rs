@@ -139,7 +139,9 @@ impl Session {
         let saving = self.editing.as_mut().and_then(|editing| editing.saving.take());
         if let (true, Some(saving), Some(editing)) = (is_written, saving, &mut self.editing) {
             // What was begun here has a place from now on, and with it bookmarks and measurements.
-            if let Some(open) = self.open.as_mut().filter(|open| open.canvas.is_some() && open.source == crate::canvas::NAME) {
+            if let Some(open) =
+                self.open.as_mut().filter(|open| open.canvas.is_some() && open.source == crate::canvas::NAME)
+            {
                 open.source = saving.path.display().to_string();
             }
             editing.saved = Some(saving);
