@@ -78,7 +78,9 @@ impl PyVoxelGrid {
             [x, y, z] => ([x, y, z], 0),
             [x, y, z, channels @ 3..=4] => ([x, y, z], channels),
             _ => {
-                return Err(argument(format!("shape (X, Y, Z), (X, Y, Z, 3) or (X, Y, Z, 4) is wanted, not {shape:?}")));
+                return Err(argument(format!(
+                    "shape (X, Y, Z), (X, Y, Z, 3) or (X, Y, Z, 4) is wanted, not {shape:?}"
+                )));
             }
         };
         let extent = extent_of(origin, size)?;
