@@ -1027,10 +1027,6 @@ fn choose_cell_0( cell_3 : u32)
     }
     var number_2 : u32 = atomicAdd(&(cell_keys_0[u32(2)]), u32(1));
     atomicStore(&(cell_keys_0[place_of_chosen_0(number_2)]), cell_3);
-    if(((number_2 & (u32(63)))) == u32(0))
-    {
-        var _S91 : u32 = atomicAdd(&(cell_keys_0[u32(3)]), u32(1));
-    }
     return;
 }
 
@@ -1056,9 +1052,9 @@ fn nearest_quotient_0( dividend_0 : u32,  divisor_0 : u32,  guess_0 : u32) -> u3
 {
     var rest_0 : i32 = i32(((dividend_0 << (u32(23)))) - guess_0 * divisor_0);
     var units_0 : i32 = i32(floor(f32(rest_0) * (1.0f / f32(divisor_0)) + 0.5f));
-    var _S92 : i32 = i32(divisor_0);
-    var _S93 : i32 = i32(2) * (rest_0 - units_0 * _S92);
-    return guess_0 + u32(units_0 + (i32(_S93 > _S92) - i32(_S93 < (- _S92))));
+    var _S91 : i32 = i32(divisor_0);
+    var _S92 : i32 = i32(2) * (rest_0 - units_0 * _S91);
+    return guess_0 + u32(units_0 + (i32(_S92 > _S91) - i32(_S92 < (- _S91))));
 }
 
 fn divide_0( a_1 : f32,  b_1 : f32) -> f32
@@ -1067,82 +1063,82 @@ fn divide_0( a_1 : f32,  b_1 : f32) -> f32
     {
         return a_1 / b_1;
     }
-    var _S94 : u32 = (bitcast<u32>((a_1)));
-    var exponent_a_0 : u32 = (((_S94 >> (u32(23)))) & (u32(255)));
-    var _S95 : u32 = (bitcast<u32>((b_1)));
-    var exponent_b_0 : u32 = (((_S95 >> (u32(23)))) & (u32(255)));
-    var dividend_1 : u32 = (((_S94 & (u32(8388607)))) | (u32(8388608)));
-    var divisor_1 : u32 = (((_S95 & (u32(8388607)))) | (u32(8388608)));
+    var _S93 : u32 = (bitcast<u32>((a_1)));
+    var exponent_a_0 : u32 = (((_S93 >> (u32(23)))) & (u32(255)));
+    var _S94 : u32 = (bitcast<u32>((b_1)));
+    var exponent_b_0 : u32 = (((_S94 >> (u32(23)))) & (u32(255)));
+    var dividend_1 : u32 = (((_S93 & (u32(8388607)))) | (u32(8388608)));
+    var divisor_1 : u32 = (((_S94 & (u32(8388607)))) | (u32(8388608)));
     var is_below_0 : u32 = u32(dividend_1 < divisor_1);
     var dividend_2 : u32 = (dividend_1 << (is_below_0));
     var exponent_1 : u32 = exponent_a_0 + u32(127) - exponent_b_0 - is_below_0;
-    var _S96 : bool;
+    var _S95 : bool;
     if(!is_normal_0(exponent_a_0))
     {
-        _S96 = true;
+        _S95 = true;
     }
     else
     {
-        _S96 = !is_normal_0(exponent_b_0);
+        _S95 = !is_normal_0(exponent_b_0);
     }
-    if(_S96)
+    if(_S95)
     {
-        _S96 = true;
+        _S95 = true;
     }
     else
     {
-        _S96 = !is_normal_0(exponent_1);
+        _S95 = !is_normal_0(exponent_1);
     }
-    if(_S96)
+    if(_S95)
     {
         return a_1 / b_1;
     }
-    return (bitcast<f32>(((((((_S94 ^ (_S95))) & (u32(2147483648)))) | ((((exponent_1 << (u32(23)))) + (nearest_quotient_0(dividend_2, divisor_1, u32(f32(dividend_2) * (1.0f / f32(divisor_1)) * 8.388608e+06f)) - u32(8388608))))))));
+    return (bitcast<f32>(((((((_S93 ^ (_S94))) & (u32(2147483648)))) | ((((exponent_1 << (u32(23)))) + (nearest_quotient_0(dividend_2, divisor_1, u32(f32(dividend_2) * (1.0f / f32(divisor_1)) * 8.388608e+06f)) - u32(8388608))))))));
 }
 
 fn end_cell_0( cell_5 : u32)
 {
-    var _S97 : u32 = place_of_check_0(cell_5);
-    var _S98 : u32 = atomicLoad(&(cell_keys_0[_S97]));
-    if(_S98 == u32(0))
+    var _S96 : u32 = place_of_check_0(cell_5);
+    var _S97 : u32 = atomicLoad(&(cell_keys_0[_S96]));
+    if(_S97 == u32(0))
     {
         return;
     }
-    var _S99 : u32 = place_of_asked_0(cell_5);
-    var asked_0 : u32 = atomicLoad(&(cell_keys_0[_S99]));
+    var _S98 : u32 = place_of_asked_0(cell_5);
+    var asked_0 : u32 = atomicLoad(&(cell_keys_0[_S98]));
     var face_1 : vec4<u32> = cell_row_0(u32(1), cell_5);
     var found_0 : vec4<u32> = cell_row_0(u32(3), cell_5);
     var light_6 : vec4<u32> = cell_row_0(u32(0), cell_5);
     var light_7 : vec4<u32>;
     if((found_0.w) != u32(0))
     {
-        var _S100 : f32 = min((bitcast<f32>((light_6.w))) + 1.0f, 128.0f);
+        var _S99 : f32 = min((bitcast<f32>((light_6.w))) + 1.0f, 128.0f);
         var known_0 : vec3<f32> = (bitcast<vec3<f32>>((light_6.xyz)));
         var step_2 : vec3<f32> = (bitcast<vec3<f32>>((found_0.xyz))) - known_0;
-        var _S101 : vec4<u32> = vec4<u32>((bitcast<vec3<u32>>((known_0 + vec3<f32>(divide_0(step_2.x, _S100), divide_0(step_2.y, _S100), divide_0(step_2.z, _S100))))), (bitcast<u32>((_S100))));
+        var _S100 : vec4<u32> = vec4<u32>((bitcast<vec3<u32>>((known_0 + vec3<f32>(divide_0(step_2.x, _S99), divide_0(step_2.y, _S99), divide_0(step_2.z, _S99))))), (bitcast<u32>((_S99))));
         set_cell_row_0(u32(3), cell_5, vec4<u32>(vec4<i32>(i32(0))));
-        light_7 = _S101;
+        light_7 = _S100;
     }
     else
     {
         light_7 = light_6;
     }
     var before_0 : u32 = ((face_1.z) >> (u32(20)));
-    var _S102 : u32;
+    var _S101 : u32;
     if(before_0 == u32(0))
     {
-        _S102 = u32(0);
+        _S101 = u32(0);
     }
     else
     {
-        _S102 = before_0 - u32(1);
+        _S101 = before_0 - u32(1);
     }
-    var _S103 : u32 = max(_S102, (asked_0 >> (u32(20))));
+    var _S102 : u32 = max(_S101, (asked_0 >> (u32(20))));
     var code_0 : u32 = (asked_0 & (u32(1048575)));
-    face_1[i32(2)] = (((_S103 << (u32(20)))) | (code_0));
-    if(_S103 == u32(0))
+    face_1[i32(2)] = (((_S102 << (u32(20)))) | (code_0));
+    if(_S102 == u32(0))
     {
-        atomicStore(&(cell_keys_0[_S97]), u32(0));
+        atomicStore(&(cell_keys_0[_S96]), u32(0));
         light_7 = vec4<u32>(vec4<i32>(i32(0)));
     }
     else
@@ -1151,16 +1147,16 @@ fn end_cell_0( cell_5 : u32)
         {
             if((bitcast<f32>((light_7.w))) == 0.0f)
             {
-                _S102 = u32(0);
+                _S101 = u32(0);
             }
             else
             {
-                _S102 = u32(1);
+                _S101 = u32(1);
             }
-            var _S104 : u32 = atomicAdd(&(cell_keys_0[_S102]), u32(1));
+            var _S103 : u32 = atomicAdd(&(cell_keys_0[_S101]), u32(1));
         }
     }
-    atomicStore(&(cell_keys_0[_S99]), u32(0));
+    atomicStore(&(cell_keys_0[_S98]), u32(0));
     set_cell_row_0(u32(0), cell_5, light_7);
     set_cell_row_0(u32(1), cell_5, face_1);
     return;
@@ -1176,9 +1172,9 @@ fn end_cells(@builtin(global_invocation_id) id_1 : vec3<u32>)
 
 fn squares_0() -> vec2<u32>
 {
-    var _S105 : vec2<u32> = vec2<u32>(u32(5));
-    var _S106 : vec2<u32> = (vec2<u32>(params_0.width_0, params_0.height_0) + _S105 - vec2<u32>(u32(1))) / _S105;
-    return _S106;
+    var _S104 : vec2<u32> = vec2<u32>(u32(5));
+    var _S105 : vec2<u32> = (vec2<u32>(params_0.width_0, params_0.height_0) + _S104 - vec2<u32>(u32(1))) / _S104;
+    return _S105;
 }
 
 fn place_of_square_0( list_0 : u32,  square_0 : u32) -> u32
@@ -1189,42 +1185,42 @@ fn place_of_square_0( list_0 : u32,  square_0 : u32) -> u32
 
 fn changes_around_0( at_12 : vec2<i32>,  reach_1 : i32) -> vec2<f32>
 {
-    var _S107 : vec2<i32> = vec2<i32>(squares_0());
-    var _S108 : vec2<f32> = vec2<f32>(0.0f);
-    var _S109 : i32 = at_12.y;
-    var y_0 : i32 = max(_S109 - reach_1, i32(0));
-    var sum_4 : vec2<f32> = _S108;
+    var _S106 : vec2<i32> = vec2<i32>(squares_0());
+    var _S107 : vec2<f32> = vec2<f32>(0.0f);
+    var _S108 : i32 = at_12.y;
+    var y_0 : i32 = max(_S108 - reach_1, i32(0));
+    var sum_4 : vec2<f32> = _S107;
     for(;;)
     {
-        if(y_0 <= (min(_S109 + reach_1, _S107.y - i32(1))))
+        if(y_0 <= (min(_S108 + reach_1, _S106.y - i32(1))))
         {
         }
         else
         {
             break;
         }
-        var _S110 : i32 = at_12.x;
-        var x_0 : i32 = max(_S110 - reach_1, i32(0));
+        var _S109 : i32 = at_12.x;
+        var x_0 : i32 = max(_S109 - reach_1, i32(0));
         var sum_5 : vec2<f32> = sum_4;
         for(;;)
         {
-            var _S111 : i32 = _S107.x;
-            if(x_0 <= (min(_S110 + reach_1, _S111 - i32(1))))
+            var _S110 : i32 = _S106.x;
+            if(x_0 <= (min(_S109 + reach_1, _S110 - i32(1))))
             {
             }
             else
             {
                 break;
             }
-            var square_1 : u32 = u32(y_0 * _S111 + x_0);
-            var before_1 : vec4<f32> = (bitcast<vec4<f32>>((memory_rows_0[place_of_square_0(u32(0), square_1)])));
-            var now_0 : vec4<f32> = (bitcast<vec4<f32>>((memory_rows_0[place_of_square_0(u32(1), square_1)])));
-            var _S112 : vec3<f32> = now_0.xyz;
-            if((sqrt(length_squared_0(_S112 - before_1.xyz))) <= (2.0f * (1.0f + real_time_0.view_angle_0 / f32(params_0.height_0) * sqrt(length_squared_0(_S112 - real_time_0.before_place_0)))))
+            var square_1 : u32 = u32(y_0 * _S110 + x_0);
+            var before_1 : vec4<f32> = (bitcast<vec4<f32>>((memory_rows_0[place_of_square_0(((real_time_0.number_0 - u32(1)) & (u32(1))), square_1)])));
+            var now_0 : vec4<f32> = (bitcast<vec4<f32>>((memory_rows_0[place_of_square_0(u32(2), square_1)])));
+            var _S111 : vec3<f32> = now_0.xyz;
+            if((sqrt(length_squared_0(_S111 - before_1.xyz))) <= (2.0f * (1.0f + real_time_0.view_angle_0 / f32(params_0.height_0) * sqrt(length_squared_0(_S111 - real_time_0.before_place_0)))))
             {
-                var _S113 : f32 = now_0.w;
-                var _S114 : f32 = before_1.w;
-                sum_5 = sum_5 + vec2<f32>(abs(_S113 - _S114), max(_S113, _S114));
+                var _S112 : f32 = now_0.w;
+                var _S113 : f32 = before_1.w;
+                sum_5 = sum_5 + vec2<f32>(abs(_S112 - _S113), max(_S112, _S113));
             }
             x_0 = x_0 + i32(1);
         }
@@ -1239,16 +1235,16 @@ fn changes_around_0( at_12 : vec2<i32>,  reach_1 : i32) -> vec2<f32>
 fn compare_found(@builtin(global_invocation_id) id_2 : vec3<u32>)
 {
     var count_7 : vec2<u32> = squares_0();
-    var _S115 : u32 = id_2.x;
-    var _S116 : u32 = count_7.x;
-    if(_S115 >= (_S116 * count_7.y))
+    var _S114 : u32 = id_2.x;
+    var _S115 : u32 = count_7.x;
+    if(_S114 >= (_S115 * count_7.y))
     {
         return;
     }
-    var _S117 : u32 = _S115 % _S116;
-    var _S118 : i32 = i32(_S117);
-    var _S119 : u32 = _S115 / _S116;
-    var at_13 : vec2<i32> = vec2<i32>(_S118, i32(_S119));
+    var _S116 : u32 = _S114 % _S115;
+    var _S117 : i32 = i32(_S116);
+    var _S118 : u32 = _S114 / _S115;
+    var at_13 : vec2<i32> = vec2<i32>(_S117, i32(_S118));
     var changes_0 : vec2<f32> = changes_around_0(at_13, i32(1));
     var changes_1 : vec2<f32>;
     if((changes_0.y) <= 0.0f)
@@ -1259,17 +1255,17 @@ fn compare_found(@builtin(global_invocation_id) id_2 : vec3<u32>)
     {
         changes_1 = changes_0;
     }
-    var _S120 : f32 = changes_1.y;
+    var _S119 : f32 = changes_1.y;
     var share_1 : f32;
-    if(_S120 > 0.0f)
+    if(_S119 > 0.0f)
     {
-        share_1 = min(changes_1.x / _S120, 1.0f);
+        share_1 = min(changes_1.x / _S119, 1.0f);
     }
     else
     {
         share_1 = 0.0f;
     }
-    memory_rows_0[place_of_square_0(u32(2), _S115)] = vec4<u32>((bitcast<u32>((share_1))), u32(0), u32(0), u32(0));
+    memory_rows_0[place_of_square_0(u32(3), _S114)] = vec4<u32>((bitcast<u32>((share_1))), u32(0), u32(0), u32(0));
     return;
 }
 
@@ -1291,13 +1287,13 @@ fn doubt(@builtin(global_invocation_id) id_3 : vec3<u32>)
     {
         var index_16 : u32 = index_of_0(at_14);
         var square_2 : vec2<u32> = at_14 / vec2<u32>(u32(5));
-        var changed_0 : f32 = (bitcast<f32>((memory_rows_0[place_of_square_0(u32(2), square_2.y * squares_0().x + square_2.x)].x)));
-        var _S121 : vec4<u32> = memory_row_0(u32(1), index_16);
-        var row_11 : vec4<u32> = _S121;
-        var _S122 : u32 = _S121.x;
-        var paths_0 : f32 = low_half_0(_S122);
+        var changed_0 : f32 = (bitcast<f32>((memory_rows_0[place_of_square_0(u32(3), square_2.y * squares_0().x + square_2.x)].x)));
+        var _S120 : vec4<u32> = memory_row_0(u32(1), index_16);
+        var row_11 : vec4<u32> = _S120;
+        var _S121 : u32 = _S120.x;
+        var paths_0 : f32 = low_half_0(_S121);
         var next_0 : f32 = 1.0f / (paths_0 + 1.0f);
-        row_11[i32(0)] = halves_0(min(paths_0, 1.0f / (next_0 + (1.0f - next_0) * changed_0) - 1.0f), high_half_0(_S122));
+        row_11[i32(0)] = halves_0(min(paths_0, 1.0f / (next_0 + (1.0f - next_0) * changed_0) - 1.0f), high_half_0(_S121));
         memory_rows_0[real_time_0.pixels_0 + index_16] = row_11;
     }
     return;
@@ -1316,21 +1312,21 @@ struct Sample_0
 
 fn Sample_x24init_0( direct_1 : vec3<f32>,  light_9 : vec3<f32>,  is_shown_1 : bool,  albedo_1 : vec3<f32>,  normal_2 : vec3<f32>,  place_2 : vec3<f32>,  instance_3 : u32) -> Sample_0
 {
-    var _S123 : Sample_0;
-    _S123.direct_0 = direct_1;
-    _S123.light_8 = light_9;
-    _S123.is_shown_0 = is_shown_1;
-    _S123.albedo_0 = albedo_1;
-    _S123.normal_1 = normal_2;
-    _S123.place_1 = place_2;
-    _S123.instance_2 = instance_3;
-    return _S123;
+    var _S122 : Sample_0;
+    _S122.direct_0 = direct_1;
+    _S122.light_8 = light_9;
+    _S122.is_shown_0 = is_shown_1;
+    _S122.albedo_0 = albedo_1;
+    _S122.normal_1 = normal_2;
+    _S122.place_1 = place_2;
+    _S122.instance_2 = instance_3;
+    return _S122;
 }
 
 fn no_sample_0() -> Sample_0
 {
-    var _S124 : vec3<f32> = vec3<f32>(0.0f);
-    return Sample_x24init_0(_S124, _S124, false, _S124, _S124, _S124, u32(4294967295));
+    var _S123 : vec3<f32> = vec3<f32>(0.0f);
+    return Sample_x24init_0(_S123, _S123, false, _S123, _S123, _S123, u32(4294967295));
 }
 
 fn has_0( flag_0 : u32) -> bool
@@ -1340,16 +1336,16 @@ fn has_0( flag_0 : u32) -> bool
 
 fn traces_0( at_15 : vec2<i32>) -> bool
 {
-    var _S125 : bool;
+    var _S124 : bool;
     if(!has_0(u32(128)))
     {
-        _S125 = true;
+        _S124 = true;
     }
     else
     {
-        _S125 = (((u32(at_15.x + at_15.y) + real_time_0.number_0) & (u32(1)))) == u32(0);
+        _S124 = (((u32(at_15.x + at_15.y) + real_time_0.number_0) & (u32(1)))) == u32(0);
     }
-    return _S125;
+    return _S124;
 }
 
 fn load_sample_0( index_17 : u32) -> Sample_0
@@ -1363,9 +1359,9 @@ fn load_sample_0( index_17 : u32) -> Sample_0
     sample_0.direct_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(2), index_17)))), d_0.x);
     sample_0.place_1 = vec3<f32>(d_0.y, (bitcast<vec2<f32>>((scratch_row_0(u32(4), index_17)))));
     sample_0.albedo_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(5), index_17)))), (bitcast<f32>((g_0.x))));
-    var _S126 : u32 = g_0.y;
-    sample_0.normal_1 = normal_in_0(_S126);
-    sample_0.is_shown_0 = ((_S126 & (u32(1073741824)))) != u32(0);
+    var _S125 : u32 = g_0.y;
+    sample_0.normal_1 = normal_in_0(_S125);
+    sample_0.is_shown_0 = ((_S125 & (u32(1073741824)))) != u32(0);
     return sample_0;
 }
 
@@ -1380,39 +1376,39 @@ fn neighbour_0( which_0 : u32) -> vec2<i32>
     {
         side_0 = i32(-1);
     }
-    var _S127 : vec2<i32>;
+    var _S126 : vec2<i32>;
     if(((which_0 & (u32(1)))) != u32(0))
     {
-        _S127 = vec2<i32>(i32(0), side_0);
+        _S126 = vec2<i32>(i32(0), side_0);
     }
     else
     {
-        _S127 = vec2<i32>(side_0, i32(0));
+        _S126 = vec2<i32>(side_0, i32(0));
     }
-    return _S127;
+    return _S126;
 }
 
 fn sample_at_0( at_16 : vec2<i32>) -> Sample_0
 {
-    var _S128 : Sample_0 = no_sample_0();
+    var _S127 : Sample_0 = no_sample_0();
     if(traces_0(at_16))
     {
         return load_sample_0(index_of_0(vec2<u32>(at_16)));
     }
-    var sample_1 : Sample_0 = _S128;
+    var sample_1 : Sample_0 = _S127;
     var turn_0 : u32 = u32(0);
     for(;;)
     {
-        var _S129 : bool;
+        var _S128 : bool;
         if(turn_0 < u32(4))
         {
-            _S129 = !sample_1.is_shown_0;
+            _S128 = !sample_1.is_shown_0;
         }
         else
         {
-            _S129 = false;
+            _S128 = false;
         }
-        if(_S129)
+        if(_S128)
         {
         }
         else
@@ -1439,12 +1435,12 @@ struct Wanted_0
 
 fn Wanted_x24init_0( is_shown_3 : bool,  place_4 : vec3<f32>,  normal_4 : vec3<f32>,  tolerance_1 : f32) -> Wanted_0
 {
-    var _S130 : Wanted_0;
-    _S130.is_shown_2 = is_shown_3;
-    _S130.place_3 = place_4;
-    _S130.normal_3 = normal_4;
-    _S130.tolerance_0 = tolerance_1;
-    return _S130;
+    var _S129 : Wanted_0;
+    _S129.is_shown_2 = is_shown_3;
+    _S129.place_3 = place_4;
+    _S129.normal_3 = normal_4;
+    _S129.tolerance_0 = tolerance_1;
+    return _S129;
 }
 
 struct CameraFrame_0
@@ -1461,16 +1457,16 @@ struct CameraFrame_0
 
 fn CameraFrame_x24init_0( lens_2 : u32,  eye_3 : vec3<f32>,  corner_2 : vec3<f32>,  pixel_x_2 : vec3<f32>,  pixel_y_2 : vec3<f32>,  lens_x_2 : vec3<f32>,  lens_y_2 : vec3<f32>,  blades_2 : u32) -> CameraFrame_0
 {
-    var _S131 : CameraFrame_0;
-    _S131.lens_1 = lens_2;
-    _S131.eye_2 = eye_3;
-    _S131.corner_1 = corner_2;
-    _S131.pixel_x_1 = pixel_x_2;
-    _S131.pixel_y_1 = pixel_y_2;
-    _S131.lens_x_1 = lens_x_2;
-    _S131.lens_y_1 = lens_y_2;
-    _S131.blades_1 = blades_2;
-    return _S131;
+    var _S130 : CameraFrame_0;
+    _S130.lens_1 = lens_2;
+    _S130.eye_2 = eye_3;
+    _S130.corner_1 = corner_2;
+    _S130.pixel_x_1 = pixel_x_2;
+    _S130.pixel_y_1 = pixel_y_2;
+    _S130.lens_x_1 = lens_x_2;
+    _S130.lens_y_1 = lens_y_2;
+    _S130.blades_1 = blades_2;
+    return _S130;
 }
 
 @id(5) override LENS_0 : u32 = u32(0);
@@ -1485,12 +1481,12 @@ struct Perspective_0
 
 fn Perspective_x24init_0( eye_5 : vec3<f32>,  corner_4 : vec3<f32>,  pixel_x_4 : vec3<f32>,  pixel_y_4 : vec3<f32>) -> Perspective_0
 {
-    var _S132 : Perspective_0;
-    _S132.eye_4 = eye_5;
-    _S132.corner_3 = corner_4;
-    _S132.pixel_x_3 = pixel_x_4;
-    _S132.pixel_y_3 = pixel_y_4;
-    return _S132;
+    var _S131 : Perspective_0;
+    _S131.eye_4 = eye_5;
+    _S131.corner_3 = corner_4;
+    _S131.pixel_x_3 = pixel_x_4;
+    _S131.pixel_y_3 = pixel_y_4;
+    return _S131;
 }
 
 struct Axes_0
@@ -1502,11 +1498,11 @@ struct Axes_0
 
 fn Axes_x24init_0( forward_1 : vec3<f32>,  right_1 : vec3<f32>,  up_1 : vec3<f32>) -> Axes_0
 {
-    var _S133 : Axes_0;
-    _S133.forward_0 = forward_1;
-    _S133.right_0 = right_1;
-    _S133.up_0 = up_1;
-    return _S133;
+    var _S132 : Axes_0;
+    _S132.forward_0 = forward_1;
+    _S132.right_0 = right_1;
+    _S132.up_0 = up_1;
+    return _S132;
 }
 
 struct ThinLens_0
@@ -1519,28 +1515,28 @@ struct ThinLens_0
 
 fn ThinLens_x24init_0( perspective_1 : Perspective_0,  lens_x_4 : vec3<f32>,  lens_y_4 : vec3<f32>,  blades_4 : u32) -> ThinLens_0
 {
-    var _S134 : ThinLens_0;
-    _S134.perspective_0 = perspective_1;
-    _S134.lens_x_3 = lens_x_4;
-    _S134.lens_y_3 = lens_y_4;
-    _S134.blades_3 = blades_4;
-    return _S134;
+    var _S133 : ThinLens_0;
+    _S133.perspective_0 = perspective_1;
+    _S133.lens_x_3 = lens_x_4;
+    _S133.lens_y_3 = lens_y_4;
+    _S133.blades_3 = blades_4;
+    return _S133;
 }
 
 fn concentric_0( square_3 : vec2<f32>) -> vec2<f32>
 {
     var a_2 : f32 = 2.0f * square_3.x - 1.0f;
     var b_3 : f32 = 2.0f * square_3.y - 1.0f;
-    var _S135 : bool;
+    var _S134 : bool;
     if(a_2 == 0.0f)
     {
-        _S135 = b_3 == 0.0f;
+        _S134 = b_3 == 0.0f;
     }
     else
     {
-        _S135 = false;
+        _S134 = false;
     }
-    if(_S135)
+    if(_S134)
     {
         return vec2<f32>(0.0f);
     }
@@ -1567,7 +1563,7 @@ fn concentric_0( square_3 : vec2<f32>) -> vec2<f32>
     {
         turns_0 = turns_0 + 0.5f;
     }
-    var _S136 : f32 = abs(radius_0);
+    var _S135 : f32 = abs(radius_0);
     if(turns_0 < 0.0f)
     {
         radius_0 = turns_0 + 1.0f;
@@ -1576,7 +1572,7 @@ fn concentric_0( square_3 : vec2<f32>) -> vec2<f32>
     {
         radius_0 = turns_0;
     }
-    return vec2<f32>(_S136, radius_0);
+    return vec2<f32>(_S135, radius_0);
 }
 
 fn sincos_turns_0( turns_1 : f32) -> vec2<f32>
@@ -1622,18 +1618,18 @@ fn place_in_aperture_0( blades_5 : u32,  lens_3 : vec2<f32>) -> vec2<f32>
     var share_2 : f32 = scaled_0 - blade_0;
     var from_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0, count_8));
     var to_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0 + 1.0f, count_8));
-    var _S137 : f32 = from_0.y;
-    var _S138 : f32 = from_0.x;
-    return vec2<f32>(_S137 + (to_0.y - _S137) * share_2, _S138 + (to_0.x - _S138) * share_2) * vec2<f32>(radius_1);
+    var _S136 : f32 = from_0.y;
+    var _S137 : f32 = from_0.x;
+    return vec2<f32>(_S136 + (to_0.y - _S136) * share_2, _S137 + (to_0.x - _S137) * share_2) * vec2<f32>(radius_1);
 }
 
 fn nearest_root_0( mantissa_0 : u32,  guess_1 : u32) -> u32
 {
     var rest_1 : i32 = i32(((mantissa_0 << (u32(23)))) - guess_1 * guess_1);
     var units_1 : i32 = i32(floor(f32(rest_1) / f32(u32(2) * guess_1) + 0.5f));
-    var _S139 : i32 = i32(guess_1);
-    var root_0 : i32 = _S139 + units_1;
-    var rest_2 : i32 = rest_1 - units_1 * (_S139 + root_0);
+    var _S138 : i32 = i32(guess_1);
+    var root_0 : i32 = _S138 + units_1;
+    var rest_2 : i32 = rest_1 - units_1 * (_S138 + root_0);
     return u32(root_0 + i32(rest_2 > root_0) - i32(rest_2 <= (- root_0)));
 }
 
@@ -1643,13 +1639,13 @@ fn square_root_0( value_3 : f32) -> f32
     {
         return sqrt(value_3);
     }
-    var _S140 : u32 = (bitcast<u32>((value_3)));
-    var exponent_2 : u32 = (_S140 >> (u32(23)));
+    var _S139 : u32 = (bitcast<u32>((value_3)));
+    var exponent_2 : u32 = (_S139 >> (u32(23)));
     if(!is_normal_0(exponent_2))
     {
         return sqrt(value_3);
     }
-    var mantissa_1 : u32 = (((((_S140 & (u32(8388607)))) | (u32(8388608)))) << ((((~exponent_2) & (u32(1))))));
+    var mantissa_1 : u32 = (((((_S139 & (u32(8388607)))) | (u32(8388608)))) << ((((~exponent_2) & (u32(1))))));
     return (bitcast<f32>(((((((exponent_2 + u32(127)) >> (u32(1)))) << (u32(23)))) + (nearest_root_0(mantissa_1, u32(sqrt(f32(mantissa_1) * 1.1920928955078125e-07f) * 8.388608e+06f)) - u32(8388608)))));
 }
 
@@ -1668,12 +1664,12 @@ struct Ray_0
 
 fn Ray_x24init_0( origin_1 : vec3<f32>,  t_min_1 : f32,  direction_1 : vec3<f32>,  t_max_1 : f32) -> Ray_0
 {
-    var _S141 : Ray_0;
-    _S141.origin_0 = origin_1;
-    _S141.t_min_0 = t_min_1;
-    _S141.direction_0 = direction_1;
-    _S141.t_max_0 = t_max_1;
-    return _S141;
+    var _S140 : Ray_0;
+    _S140.origin_0 = origin_1;
+    _S140.t_min_0 = t_min_1;
+    _S140.direction_0 = direction_1;
+    _S140.t_max_0 = t_max_1;
+    return _S140;
 }
 
 fn ray_from_0( origin_2 : vec3<f32>,  direction_2 : vec3<f32>) -> Ray_0
@@ -1698,12 +1694,12 @@ struct Orthographic_0
 
 fn Orthographic_x24init_0( corner_6 : vec3<f32>,  pixel_x_6 : vec3<f32>,  pixel_y_6 : vec3<f32>,  forward_3 : vec3<f32>) -> Orthographic_0
 {
-    var _S142 : Orthographic_0;
-    _S142.corner_5 = corner_6;
-    _S142.pixel_x_5 = pixel_x_6;
-    _S142.pixel_y_5 = pixel_y_6;
-    _S142.forward_2 = forward_3;
-    return _S142;
+    var _S141 : Orthographic_0;
+    _S141.corner_5 = corner_6;
+    _S141.pixel_x_5 = pixel_x_6;
+    _S141.pixel_y_5 = pixel_y_6;
+    _S141.forward_2 = forward_3;
+    return _S141;
 }
 
 fn Orthographic_ray_0( this_3 : Orthographic_0,  position_1 : vec2<f32>,  lens_5 : vec2<f32>) -> Ray_0
@@ -1721,12 +1717,12 @@ struct Panorama_0
 
 fn Panorama_x24init_0( eye_7 : vec3<f32>,  axes_1 : Axes_0,  inverse_size_1 : vec2<f32>,  half_eye_distance_1 : f32) -> Panorama_0
 {
-    var _S143 : Panorama_0;
-    _S143.eye_6 = eye_7;
-    _S143.axes_0 = axes_1;
-    _S143.inverse_size_0 = inverse_size_1;
-    _S143.half_eye_distance_0 = half_eye_distance_1;
-    return _S143;
+    var _S142 : Panorama_0;
+    _S142.eye_6 = eye_7;
+    _S142.axes_0 = axes_1;
+    _S142.inverse_size_0 = inverse_size_1;
+    _S142.half_eye_distance_0 = half_eye_distance_1;
+    return _S142;
 }
 
 fn Panorama_ray_0( this_4 : Panorama_0,  position_2 : vec2<f32>,  lens_6 : vec2<f32>) -> Ray_0
@@ -1753,9 +1749,9 @@ fn Panorama_ray_0( this_4 : Panorama_0,  position_2 : vec2<f32>,  lens_6 : vec2<
     }
     var longitude_0 : vec2<f32> = sincos_turns_0(position_2.x * this_4.inverse_size_0.x);
     var height_1 : vec2<f32> = sincos_turns_0(latitude_1 * 0.5f);
-    var _S144 : vec3<f32> = vec3<f32>(longitude_0.y);
-    var _S145 : vec3<f32> = vec3<f32>(longitude_0.x);
-    return ray_from_0(this_4.eye_6 + (this_4.axes_0.forward_0 * _S145 - this_4.axes_0.right_0 * _S144) * vec3<f32>(side_1), normalize_vector_0((vec3<f32>(0) - this_4.axes_0.forward_0 * _S144 + this_4.axes_0.right_0 * _S145) * vec3<f32>(height_1.x) + this_4.axes_0.up_0 * vec3<f32>(height_1.y)));
+    var _S143 : vec3<f32> = vec3<f32>(longitude_0.y);
+    var _S144 : vec3<f32> = vec3<f32>(longitude_0.x);
+    return ray_from_0(this_4.eye_6 + (this_4.axes_0.forward_0 * _S144 - this_4.axes_0.right_0 * _S143) * vec3<f32>(side_1), normalize_vector_0((vec3<f32>(0) - this_4.axes_0.forward_0 * _S143 + this_4.axes_0.right_0 * _S144) * vec3<f32>(height_1.x) + this_4.axes_0.up_0 * vec3<f32>(height_1.y)));
 }
 
 struct Fisheye_0
@@ -1768,12 +1764,12 @@ struct Fisheye_0
 
 fn Fisheye_x24init_0( eye_9 : vec3<f32>,  axes_3 : Axes_0,  middle_1 : vec2<f32>,  turns_per_pixel_1 : f32) -> Fisheye_0
 {
-    var _S146 : Fisheye_0;
-    _S146.eye_8 = eye_9;
-    _S146.axes_2 = axes_3;
-    _S146.middle_0 = middle_1;
-    _S146.turns_per_pixel_0 = turns_per_pixel_1;
-    return _S146;
+    var _S145 : Fisheye_0;
+    _S145.eye_8 = eye_9;
+    _S145.axes_2 = axes_3;
+    _S145.middle_0 = middle_1;
+    _S145.turns_per_pixel_0 = turns_per_pixel_1;
+    return _S145;
 }
 
 fn Fisheye_ray_0( this_5 : Fisheye_0,  position_3 : vec2<f32>,  lens_7 : vec2<f32>) -> Ray_0
@@ -1838,26 +1834,26 @@ struct Lit_0
 
 fn Lit_x24init_0( paths_2 : f32,  light_11 : vec3<f32>,  shaded_2 : vec3<f32>,  moments_1 : vec3<f32>) -> Lit_0
 {
-    var _S147 : Lit_0;
-    _S147.paths_1 = paths_2;
-    _S147.light_10 = light_11;
-    _S147.shaded_1 = shaded_2;
-    _S147.moments_0 = moments_1;
-    return _S147;
+    var _S146 : Lit_0;
+    _S146.paths_1 = paths_2;
+    _S146.light_10 = light_11;
+    _S146.shaded_1 = shaded_2;
+    _S146.moments_0 = moments_1;
+    return _S146;
 }
 
 fn not_lit_0() -> Lit_0
 {
-    var _S148 : vec3<f32> = vec3<f32>(0.0f);
-    return Lit_x24init_0(0.0f, _S148, _S148, _S148);
+    var _S147 : vec3<f32> = vec3<f32>(0.0f);
+    return Lit_x24init_0(0.0f, _S147, _S147, _S147);
 }
 
 fn cubic_weights_0( t_0 : f32) -> vec4<f32>
 {
     var tt_0 : f32 = t_0 * t_0;
     var ttt_0 : f32 = tt_0 * t_0;
-    var _S149 : f32 = 3.0f * ttt_0;
-    return vec4<f32>(0.5f) * vec4<f32>(2.0f * tt_0 - ttt_0 - t_0, _S149 - 5.0f * tt_0 + 2.0f, 4.0f * tt_0 - _S149 + t_0, ttt_0 - tt_0);
+    var _S148 : f32 = 3.0f * ttt_0;
+    return vec4<f32>(0.5f) * vec4<f32>(2.0f * tt_0 - ttt_0 - t_0, _S148 - 5.0f * tt_0 + 2.0f, 4.0f * tt_0 - _S148 + t_0, ttt_0 - tt_0);
 }
 
 fn shows_0( wanted_0 : Wanted_0,  index_18 : u32) -> bool
@@ -1868,29 +1864,29 @@ fn shows_0( wanted_0 : Wanted_0,  index_18 : u32) -> bool
     {
         return (low_half_0(word_3)) < 0.5f;
     }
-    var _S150 : u32 = surface_2.w;
-    var normal_5 : vec3<f32> = normal_in_0(_S150);
+    var _S149 : u32 = surface_2.w;
+    var normal_5 : vec3<f32> = normal_in_0(_S149);
     var distance_1 : f32 = abs(dot_product_0(wanted_0.normal_3, (bitcast<vec3<f32>>((surface_2.xyz))) - wanted_0.place_3));
     var tolerance_2 : f32 = wanted_0.tolerance_0 + 2.0f * sqrt(high_half_0(word_3));
     var cosine_0 : f32 = dot_product_0(wanted_0.normal_3, normal_5);
-    var _S151 : bool;
-    if(((_S150 & (u32(1073741824)))) != u32(0))
+    var _S150 : bool;
+    if(((_S149 & (u32(1073741824)))) != u32(0))
     {
-        _S151 = distance_1 <= tolerance_2;
+        _S150 = distance_1 <= tolerance_2;
     }
     else
     {
-        _S151 = false;
+        _S150 = false;
     }
-    if(_S151)
+    if(_S150)
     {
-        _S151 = cosine_0 >= (0.5f * sqrt(length_squared_0(normal_5)));
+        _S150 = cosine_0 >= (0.5f * sqrt(length_squared_0(normal_5)));
     }
     else
     {
-        _S151 = false;
+        _S150 = false;
     }
-    return _S151;
+    return _S150;
 }
 
 fn pixel_before_0( wanted_1 : Wanted_0,  at_17 : vec2<i32>) -> u32
@@ -1900,16 +1896,16 @@ fn pixel_before_0( wanted_1 : Wanted_0,  at_17 : vec2<i32>) -> u32
         return real_time_0.pixels_0;
     }
     var index_19 : u32 = index_of_0(vec2<u32>(at_17));
-    var _S152 : u32;
+    var _S151 : u32;
     if(shows_0(wanted_1, index_19))
     {
-        _S152 = index_19;
+        _S151 = index_19;
     }
     else
     {
-        _S152 = real_time_0.pixels_0;
+        _S151 = real_time_0.pixels_0;
     }
-    return _S152;
+    return _S151;
 }
 
 fn Lit_products_0( this_8 : Lit_0,  kept_4 : vec3<f32>) -> vec3<f32>
@@ -1921,12 +1917,12 @@ fn Lit_products_0( this_8 : Lit_0,  kept_4 : vec3<f32>) -> vec3<f32>
 
 fn lit_of_0( paths_3 : f32,  light_12 : vec3<f32>,  words_2 : vec3<u32>) -> Lit_0
 {
-    var _S153 : u32 = words_2.x;
-    var _S154 : u32 = words_2.y;
-    var _S155 : Lit_0 = Lit_x24init_0(paths_3, light_12, vec3<f32>(low_half_0(_S153), high_half_0(_S153), low_half_0(_S154)), vec3<f32>(0.0f));
-    var lit_0 : Lit_0 = _S155;
-    var _S156 : u32 = words_2.z;
-    lit_0.moments_0 = Lit_products_0(_S155, lit_0.shaded_1) * (vec3<f32>(1.0f) + vec3<f32>(high_half_0(_S154), low_half_0(_S156), high_half_0(_S156)));
+    var _S152 : u32 = words_2.x;
+    var _S153 : u32 = words_2.y;
+    var _S154 : Lit_0 = Lit_x24init_0(paths_3, light_12, vec3<f32>(low_half_0(_S152), high_half_0(_S152), low_half_0(_S153)), vec3<f32>(0.0f));
+    var lit_0 : Lit_0 = _S154;
+    var _S155 : u32 = words_2.z;
+    lit_0.moments_0 = Lit_products_0(_S154, lit_0.shaded_1) * (vec3<f32>(1.0f) + vec3<f32>(high_half_0(_S153), low_half_0(_S155), high_half_0(_S155)));
     return lit_0;
 }
 
@@ -1940,10 +1936,10 @@ fn load_lit_0( index_20 : u32) -> Lit_0
 fn add_weighed_0( sum_6 : ptr<function, Lit_0>,  lit_1 : Lit_0,  weight_5 : f32)
 {
     (*sum_6).paths_1 = (*sum_6).paths_1 + lit_1.paths_1 * weight_5;
-    var _S157 : vec3<f32> = vec3<f32>(weight_5);
-    (*sum_6).light_10 = (*sum_6).light_10 + lit_1.light_10 * _S157;
-    (*sum_6).shaded_1 = (*sum_6).shaded_1 + lit_1.shaded_1 * _S157;
-    (*sum_6).moments_0 = (*sum_6).moments_0 + lit_1.moments_0 * _S157;
+    var _S156 : vec3<f32> = vec3<f32>(weight_5);
+    (*sum_6).light_10 = (*sum_6).light_10 + lit_1.light_10 * _S156;
+    (*sum_6).shaded_1 = (*sum_6).shaded_1 + lit_1.shaded_1 * _S156;
+    (*sum_6).moments_0 = (*sum_6).moments_0 + lit_1.moments_0 * _S156;
     return;
 }
 
@@ -1955,49 +1951,49 @@ fn min_element_0( vector_2 : vec3<f32>) -> f32
 fn cubic_0( wanted_2 : Wanted_0,  corner_7 : vec2<i32>,  share_3 : vec2<f32>,  lit_2 : ptr<function, Lit_0>) -> bool
 {
     (*lit_2) = not_lit_0();
-    var _S158 : vec4<f32> = cubic_weights_0(share_3.x);
-    var _S159 : vec4<f32> = cubic_weights_0(share_3.y);
+    var _S157 : vec4<f32> = cubic_weights_0(share_3.x);
+    var _S158 : vec4<f32> = cubic_weights_0(share_3.y);
     var INFINITY_0 : f32 = (bitcast<f32>((u32(2139095040))));
     var is_whole_0 : bool = true;
     var least_1 : f32 = INFINITY_0;
     var place_6 : i32 = i32(0);
     for(;;)
     {
-        var _S160 : bool;
+        var _S159 : bool;
         if(place_6 < i32(16))
         {
-            _S160 = is_whole_0;
+            _S159 = is_whole_0;
         }
         else
         {
-            _S160 = false;
+            _S159 = false;
         }
-        if(_S160)
+        if(_S159)
         {
         }
         else
         {
             break;
         }
-        var _S161 : i32 = (place_6 & (i32(3)));
-        var _S162 : i32 = (place_6 >> (u32(2)));
-        var index_21 : u32 = pixel_before_0(wanted_2, corner_7 + vec2<i32>(_S161, _S162) - vec2<i32>(i32(1)));
+        var _S160 : i32 = (place_6 & (i32(3)));
+        var _S161 : i32 = (place_6 >> (u32(2)));
+        var index_21 : u32 = pixel_before_0(wanted_2, corner_7 + vec2<i32>(_S160, _S161) - vec2<i32>(i32(1)));
         var is_whole_1 : bool = index_21 != (real_time_0.pixels_0);
         if(is_whole_1)
         {
             var other_8 : Lit_0 = load_lit_0(index_21);
-            add_weighed_0(&((*lit_2)), other_8, _S158[_S161] * _S159[_S162]);
+            add_weighed_0(&((*lit_2)), other_8, _S157[_S160] * _S158[_S161]);
             least_1 = min(least_1, other_8.paths_1);
         }
-        var _S163 : i32 = place_6 + i32(1);
+        var _S162 : i32 = place_6 + i32(1);
         is_whole_0 = is_whole_1;
-        place_6 = _S163;
+        place_6 = _S162;
     }
     (*lit_2).paths_1 = max((*lit_2).paths_1, least_1);
-    var _S164 : f32 = min(min(min_element_0((*lit_2).light_10), min_element_0((*lit_2).shaded_1)), min_element_0((*lit_2).moments_0));
+    var _S163 : f32 = min(min(min_element_0((*lit_2).light_10), min_element_0((*lit_2).shaded_1)), min_element_0((*lit_2).moments_0));
     if(is_whole_0)
     {
-        is_whole_0 = _S164 >= 0.0f;
+        is_whole_0 = _S163 >= 0.0f;
     }
     else
     {
@@ -2020,30 +2016,30 @@ fn linear_mean_0( wanted_3 : Wanted_0,  corner_8 : vec2<i32>,  share_4 : vec2<f3
         {
             break;
         }
-        var _S165 : i32 = i32((place_7 & (u32(1))));
-        var _S166 : i32 = i32((place_7 >> (u32(1))));
-        var index_22 : u32 = pixel_before_0(wanted_3, corner_8 + vec2<i32>(_S165, _S166));
+        var _S164 : i32 = i32((place_7 & (u32(1))));
+        var _S165 : i32 = i32((place_7 >> (u32(1))));
+        var index_22 : u32 = pixel_before_0(wanted_3, corner_8 + vec2<i32>(_S164, _S165));
         if(index_22 != (real_time_0.pixels_0))
         {
+            var _S166 : f32;
+            if(_S164 == i32(0))
+            {
+                _S166 = 1.0f - share_4.x;
+            }
+            else
+            {
+                _S166 = share_4.x;
+            }
             var _S167 : f32;
             if(_S165 == i32(0))
             {
-                _S167 = 1.0f - share_4.x;
+                _S167 = 1.0f - share_4.y;
             }
             else
             {
-                _S167 = share_4.x;
+                _S167 = share_4.y;
             }
-            var _S168 : f32;
-            if(_S166 == i32(0))
-            {
-                _S168 = 1.0f - share_4.y;
-            }
-            else
-            {
-                _S168 = share_4.y;
-            }
-            var weight_6 : f32 = _S167 * _S168;
+            var weight_6 : f32 = _S166 * _S167;
             add_weighed_0(&((*lit_3)), load_lit_0(index_22), weight_6);
             weights_15 = weights_15 + weight_6;
         }
@@ -2051,10 +2047,10 @@ fn linear_mean_0( wanted_3 : Wanted_0,  corner_8 : vec2<i32>,  share_4 : vec2<f3
     }
     var scale_1 : f32 = 1.0f / max(weights_15, 9.99999968265522539e-21f);
     (*lit_3).paths_1 = (*lit_3).paths_1 * scale_1;
-    var _S169 : vec3<f32> = vec3<f32>(scale_1);
-    (*lit_3).light_10 = (*lit_3).light_10 * _S169;
-    (*lit_3).shaded_1 = (*lit_3).shaded_1 * _S169;
-    (*lit_3).moments_0 = (*lit_3).moments_0 * _S169;
+    var _S168 : vec3<f32> = vec3<f32>(scale_1);
+    (*lit_3).light_10 = (*lit_3).light_10 * _S168;
+    (*lit_3).shaded_1 = (*lit_3).shaded_1 * _S168;
+    (*lit_3).moments_0 = (*lit_3).moments_0 * _S168;
     return weights_15 >= 0.01999999955296516f;
 }
 
@@ -2076,16 +2072,16 @@ fn nearest_0( wanted_4 : Wanted_0,  at_18 : vec2<f32>) -> Lit_0
         var way_0 : vec2<f32> = vec2<f32>(pixel_0) + vec2<f32>(0.5f) - at_18;
         var distance_2 : f32 = dot(way_0, way_0);
         var index_23 : u32 = pixel_before_0(wanted_4, pixel_0);
-        var _S170 : bool;
+        var _S169 : bool;
         if(index_23 != (real_time_0.pixels_0))
         {
-            _S170 = distance_2 < least_2;
+            _S169 = distance_2 < least_2;
         }
         else
         {
-            _S170 = false;
+            _S169 = false;
         }
-        if(_S170)
+        if(_S169)
         {
             least_2 = distance_2;
             best_0 = index_23;
@@ -2114,16 +2110,16 @@ fn lit_before_0( sample_2 : Sample_0,  pixel_1 : vec2<u32>) -> Lit_0
     }
     var distance_3 : f32 = sqrt(length_squared_0(sample_2.place_1 - real_time_0.eye_0));
     var pixel_width_0 : f32 = real_time_0.view_angle_0 / f32(params_0.height_0);
-    var _S171 : f32;
+    var _S170 : f32;
     if(sample_2.is_shown_0)
     {
-        _S171 = pixel_width_0 * distance_3;
+        _S170 = pixel_width_0 * distance_3;
     }
     else
     {
-        _S171 = 0.0f;
+        _S170 = 0.0f;
     }
-    wanted_5.tolerance_0 = 1.5f + _S171;
+    wanted_5.tolerance_0 = 1.5f + _S170;
     var is_seen_0 : bool;
     if(sample_2.is_shown_0)
     {
@@ -2138,33 +2134,33 @@ fn lit_before_0( sample_2 : Sample_0,  pixel_1 : vec2<u32>) -> Lit_0
         var row_12 : u32 = u32(3) * sample_2.instance_2;
         var place_9 : vec4<f32> = vec4<f32>(sample_2.place_1, 1.0f);
         var normal_6 : vec4<f32> = vec4<f32>(sample_2.normal_1, 0.0f);
-        var _S172 : u32 = row_12 + u32(1);
-        var _S173 : u32 = row_12 + u32(2);
-        wanted_5.place_3 = vec3<f32>(dot(motions_1[row_12], place_9), dot(motions_1[_S172], place_9), dot(motions_1[_S173], place_9));
-        var turned_0 : vec3<f32> = vec3<f32>(dot(motions_1[row_12], normal_6), dot(motions_1[_S172], normal_6), dot(motions_1[_S173], normal_6));
+        var _S171 : u32 = row_12 + u32(1);
+        var _S172 : u32 = row_12 + u32(2);
+        wanted_5.place_3 = vec3<f32>(dot(motions_1[row_12], place_9), dot(motions_1[_S171], place_9), dot(motions_1[_S172], place_9));
+        var turned_0 : vec3<f32> = vec3<f32>(dot(motions_1[row_12], normal_6), dot(motions_1[_S171], normal_6), dot(motions_1[_S172], normal_6));
         wanted_5.normal_3 = turned_0 / vec3<f32>(max(sqrt(length_squared_0(turned_0)), 9.99999968265522539e-21f));
     }
     var way_1 : vec3<f32> = wanted_5.place_3 - real_time_0.before_origin_0;
-    var _S174 : f32 = dot_product_0(real_time_0.before_rows_0[i32(2)].xyz, way_1);
+    var _S173 : f32 = dot_product_0(real_time_0.before_rows_0[i32(2)].xyz, way_1);
     var is_seen_1 : bool = has_0(u32(32));
-    var _S175 : vec2<f32> = vec2<f32>(dot_product_0(real_time_0.before_rows_0[i32(0)].xyz, way_1), dot_product_0(real_time_0.before_rows_0[i32(1)].xyz, way_1));
+    var _S174 : vec2<f32> = vec2<f32>(dot_product_0(real_time_0.before_rows_0[i32(0)].xyz, way_1), dot_product_0(real_time_0.before_rows_0[i32(1)].xyz, way_1));
     var at_19 : vec2<f32>;
     if(has_0(u32(64)))
     {
         if(is_seen_1)
         {
-            is_seen_0 = _S174 > 9.99999997475242708e-07f;
+            is_seen_0 = _S173 > 9.99999997475242708e-07f;
         }
         else
         {
             is_seen_0 = false;
         }
-        at_19 = _S175 / vec2<f32>(max(_S174, 9.99999997475242708e-07f));
+        at_19 = _S174 / vec2<f32>(max(_S173, 9.99999997475242708e-07f));
     }
     else
     {
         is_seen_0 = is_seen_1;
-        at_19 = _S175;
+        at_19 = _S174;
     }
     if(!is_seen_0)
     {
@@ -2178,18 +2174,18 @@ fn lit_before_0( sample_2 : Sample_0,  pixel_1 : vec2<u32>) -> Lit_0
     {
         return not_lit_0();
     }
-    var _S176 : vec2<f32> = at_19 - vec2<f32>(0.5f);
-    var corner_9 : vec2<f32> = floor(_S176);
-    var share_5 : vec2<f32> = _S176 - corner_9;
-    var _S177 : vec2<i32> = vec2<i32>(corner_9);
+    var _S175 : vec2<f32> = at_19 - vec2<f32>(0.5f);
+    var corner_9 : vec2<f32> = floor(_S175);
+    var share_5 : vec2<f32> = _S175 - corner_9;
+    var _S176 : vec2<i32> = vec2<i32>(corner_9);
     var lit_4 : Lit_0;
-    var _S178 : bool = cubic_0(wanted_5, _S177, share_5, &(lit_4));
-    if(_S178)
+    var _S177 : bool = cubic_0(wanted_5, _S176, share_5, &(lit_4));
+    if(_S177)
     {
         return lit_4;
     }
-    var _S179 : bool = linear_mean_0(wanted_5, _S177, share_5, &(lit_4));
-    if(_S179)
+    var _S178 : bool = linear_mean_0(wanted_5, _S176, share_5, &(lit_4));
+    if(_S178)
     {
         return lit_4;
     }
@@ -2199,8 +2195,8 @@ fn lit_before_0( sample_2 : Sample_0,  pixel_1 : vec2<u32>) -> Lit_0
 fn Lit_beyond_0( this_9 : Lit_0,  kept_5 : vec3<f32>) -> vec3<f32>
 {
     var products_0 : vec3<f32> = Lit_products_0(this_9, kept_5);
-    var _S180 : vec3<f32> = vec3<f32>(1.00000000317107685e-30f);
-    return select(vec3<f32>(0.0f), this_9.moments_0 / max(products_0, _S180) - vec3<f32>(1.0f), products_0 > _S180);
+    var _S179 : vec3<f32> = vec3<f32>(1.00000000317107685e-30f);
+    return select(vec3<f32>(0.0f), this_9.moments_0 / max(products_0, _S179) - vec3<f32>(1.0f), products_0 > _S179);
 }
 
 fn words_of_0( lit_5 : Lit_0) -> vec3<u32>
@@ -2225,10 +2221,10 @@ fn store_known_0( index_24 : u32,  lit_6 : Lit_0)
 fn reproject(@builtin(global_invocation_id) id_4 : vec3<u32>)
 {
     var at_20 : vec2<u32> = pixel_of_thread_0(id_4.x);
-    var _S181 : vec2<i32> = vec2<i32>(at_20);
-    if(is_inside_0(_S181))
+    var _S180 : vec2<i32> = vec2<i32>(at_20);
+    if(is_inside_0(_S180))
     {
-        store_known_0(index_of_0(at_20), lit_before_0(sample_at_0(_S181), at_20));
+        store_known_0(index_of_0(at_20), lit_before_0(sample_at_0(_S180), at_20));
     }
     return;
 }
@@ -2247,22 +2243,22 @@ struct Memory_0
 
 fn Memory_x24init_0( lit_8 : Lit_0,  looks_1 : f32,  direct_3 : vec3<f32>,  albedo_3 : vec3<f32>,  normal_8 : vec3<f32>,  place_11 : vec3<f32>,  roughness_1 : f32,  coverage_1 : f32) -> Memory_0
 {
-    var _S182 : Memory_0;
-    _S182.lit_7 = lit_8;
-    _S182.looks_0 = looks_1;
-    _S182.direct_2 = direct_3;
-    _S182.albedo_2 = albedo_3;
-    _S182.normal_7 = normal_8;
-    _S182.place_10 = place_11;
-    _S182.roughness_0 = roughness_1;
-    _S182.coverage_0 = coverage_1;
-    return _S182;
+    var _S181 : Memory_0;
+    _S181.lit_7 = lit_8;
+    _S181.looks_0 = looks_1;
+    _S181.direct_2 = direct_3;
+    _S181.albedo_2 = albedo_3;
+    _S181.normal_7 = normal_8;
+    _S181.place_10 = place_11;
+    _S181.roughness_0 = roughness_1;
+    _S181.coverage_0 = coverage_1;
+    return _S181;
 }
 
 fn nothing_known_0() -> Memory_0
 {
-    var _S183 : vec3<f32> = vec3<f32>(0.0f);
-    return Memory_x24init_0(not_lit_0(), 0.0f, _S183, _S183, _S183, _S183, 0.0f, 0.0f);
+    var _S182 : vec3<f32> = vec3<f32>(0.0f);
+    return Memory_x24init_0(not_lit_0(), 0.0f, _S182, _S182, _S182, _S182, 0.0f, 0.0f);
 }
 
 fn load_memory_0( index_25 : u32) -> Memory_0
@@ -2273,16 +2269,16 @@ fn load_memory_0( index_25 : u32) -> Memory_0
     var memory_0 : Memory_0;
     memory_0.lit_7 = load_lit_0(index_25);
     memory_0.looks_0 = high_half_0(shaded_4.x);
-    var _S184 : u32 = seen_0.x;
-    var _S185 : u32 = seen_0.y;
-    memory_0.direct_2 = vec3<f32>(low_half_0(_S184), high_half_0(_S184), low_half_0(_S185));
-    var _S186 : u32 = seen_0.z;
-    memory_0.albedo_2 = vec3<f32>(high_half_0(_S185), low_half_0(_S186), high_half_0(_S186));
+    var _S183 : u32 = seen_0.x;
+    var _S184 : u32 = seen_0.y;
+    memory_0.direct_2 = vec3<f32>(low_half_0(_S183), high_half_0(_S183), low_half_0(_S184));
+    var _S185 : u32 = seen_0.z;
+    memory_0.albedo_2 = vec3<f32>(high_half_0(_S184), low_half_0(_S185), high_half_0(_S185));
     memory_0.normal_7 = normal_in_0(surface_3.w);
     memory_0.place_10 = (bitcast<vec3<f32>>((surface_3.xyz)));
-    var _S187 : u32 = shaded_4.y;
-    memory_0.roughness_0 = high_half_0(_S187);
-    memory_0.coverage_0 = low_half_0(_S187);
+    var _S186 : u32 = shaded_4.y;
+    memory_0.roughness_0 = high_half_0(_S186);
+    memory_0.coverage_0 = low_half_0(_S186);
     return memory_0;
 }
 
@@ -2297,9 +2293,9 @@ fn Memory_look_anew_0( this_10 : ptr<function, Memory_0>)
 fn load_known_0( index_26 : u32) -> Lit_0
 {
     var light_14 : vec2<u32> = scratch_row_0(u32(7), index_26);
-    var _S188 : u32 = light_14.y;
-    var _S189 : u32 = light_14.x;
-    return lit_of_0(high_half_0(_S188), vec3<f32>(low_half_0(_S189), high_half_0(_S189), low_half_0(_S188)), vec3<u32>(scratch_row_0(u32(8), index_26), scratch_row_0(u32(9), index_26).x));
+    var _S187 : u32 = light_14.y;
+    var _S188 : u32 = light_14.x;
+    return lit_of_0(high_half_0(_S187), vec3<f32>(low_half_0(_S188), high_half_0(_S188), low_half_0(_S187)), vec3<u32>(scratch_row_0(u32(8), index_26), scratch_row_0(u32(9), index_26).x));
 }
 
 fn memory_before_0( index_27 : u32) -> Memory_0
@@ -2324,12 +2320,12 @@ fn memory_before_0( index_27 : u32) -> Memory_0
 
 fn Memory_look_0( this_11 : ptr<function, Memory_0>,  sample_3 : Sample_0)
 {
-    var _S190 : f32 = (*this_11).looks_0 + 1.0f;
-    (*this_11).looks_0 = _S190;
-    var share_6 : f32 = 1.0f / _S190;
-    var _S191 : vec3<f32> = vec3<f32>(share_6);
-    (*this_11).direct_2 = (*this_11).direct_2 + (sample_3.direct_0 - (*this_11).direct_2) * _S191;
-    (*this_11).albedo_2 = (*this_11).albedo_2 + (sample_3.albedo_0 - (*this_11).albedo_2) * _S191;
+    var _S189 : f32 = (*this_11).looks_0 + 1.0f;
+    (*this_11).looks_0 = _S189;
+    var share_6 : f32 = 1.0f / _S189;
+    var _S190 : vec3<f32> = vec3<f32>(share_6);
+    (*this_11).direct_2 = (*this_11).direct_2 + (sample_3.direct_0 - (*this_11).direct_2) * _S190;
+    (*this_11).albedo_2 = (*this_11).albedo_2 + (sample_3.albedo_0 - (*this_11).albedo_2) * _S190;
     if(!sample_3.is_shown_0)
     {
         (*this_11).coverage_0 = (*this_11).coverage_0 - (*this_11).coverage_0 * share_6;
@@ -2339,9 +2335,9 @@ fn Memory_look_0( this_11 : ptr<function, Memory_0>,  sample_3 : Sample_0)
     (*this_11).coverage_0 = covered_0 * share_6;
     var of_covered_0 : f32 = 1.0f / covered_0;
     var before_2 : vec3<f32> = (*this_11).place_10;
-    var _S192 : vec3<f32> = vec3<f32>(of_covered_0);
-    (*this_11).normal_7 = (*this_11).normal_7 + (sample_3.normal_1 - (*this_11).normal_7) * _S192;
-    (*this_11).place_10 = (*this_11).place_10 + (sample_3.place_1 - (*this_11).place_10) * _S192;
+    var _S191 : vec3<f32> = vec3<f32>(of_covered_0);
+    (*this_11).normal_7 = (*this_11).normal_7 + (sample_3.normal_1 - (*this_11).normal_7) * _S191;
+    (*this_11).place_10 = (*this_11).place_10 + (sample_3.place_1 - (*this_11).place_10) * _S191;
     if(covered_0 > 1.0f)
     {
         var along_0 : f32 = dot_product_0((*this_11).normal_7, sample_3.place_1 - before_2);
@@ -2352,47 +2348,47 @@ fn Memory_look_0( this_11 : ptr<function, Memory_0>,  sample_3 : Sample_0)
 
 fn Lit_add_0( this_12 : ptr<function, Lit_0>,  found_1 : vec3<f32>,  albedo_4 : vec3<f32>,  most_0 : f32)
 {
-    var _S193 : f32 = min((*this_12).paths_1 + 1.0f, most_0);
-    (*this_12).paths_1 = _S193;
+    var _S192 : f32 = min((*this_12).paths_1 + 1.0f, most_0);
+    (*this_12).paths_1 = _S192;
     var l_1 : f32 = luminance_0(found_1);
     var a_4 : f32 = luminance_0(albedo_4);
-    var _S194 : vec3<f32> = vec3<f32>((1.0f / _S193));
-    (*this_12).light_10 = (*this_12).light_10 + (found_1 - (*this_12).light_10) * _S194;
-    (*this_12).shaded_1 = (*this_12).shaded_1 + (albedo_4 - (*this_12).shaded_1) * _S194;
-    (*this_12).moments_0 = (*this_12).moments_0 + (vec3<f32>(l_1 * l_1, l_1 * a_4, a_4 * a_4) - (*this_12).moments_0) * _S194;
+    var _S193 : vec3<f32> = vec3<f32>((1.0f / _S192));
+    (*this_12).light_10 = (*this_12).light_10 + (found_1 - (*this_12).light_10) * _S193;
+    (*this_12).shaded_1 = (*this_12).shaded_1 + (albedo_4 - (*this_12).shaded_1) * _S193;
+    (*this_12).moments_0 = (*this_12).moments_0 + (vec3<f32>(l_1 * l_1, l_1 * a_4, a_4 * a_4) - (*this_12).moments_0) * _S193;
     return;
 }
 
 fn Memory_add_0( this_13 : ptr<function, Memory_0>,  sample_4 : Sample_0,  most_1 : f32)
 {
     Memory_look_0(&((*this_13)), sample_4);
-    var _S195 : Lit_0 = (*this_13).lit_7;
-    Lit_add_0(&(_S195), sample_4.light_8, sample_4.albedo_0, most_1);
-    (*this_13).lit_7 = _S195;
+    var _S194 : Lit_0 = (*this_13).lit_7;
+    Lit_add_0(&(_S194), sample_4.light_8, sample_4.albedo_0, most_1);
+    (*this_13).lit_7 = _S194;
     return;
 }
 
 fn packed_normal_0( normal_9 : vec3<f32>) -> u32
 {
-    var _S196 : vec3<i32> = vec3<i32>(floor(clamp(normal_9, vec3<f32>(-1.0f), vec3<f32>(1.0f)) * vec3<f32>(511.0f) + vec3<f32>(0.5f)));
-    return (((((u32(_S196.x) & (u32(1023)))) | (((((u32(_S196.y) & (u32(1023)))) << (u32(10))))))) | (((((u32(_S196.z) & (u32(1023)))) << (u32(20))))));
+    var _S195 : vec3<i32> = vec3<i32>(floor(clamp(normal_9, vec3<f32>(-1.0f), vec3<f32>(1.0f)) * vec3<f32>(511.0f) + vec3<f32>(0.5f)));
+    return (((((u32(_S195.x) & (u32(1023)))) | (((((u32(_S195.y) & (u32(1023)))) << (u32(10))))))) | (((((u32(_S195.z) & (u32(1023)))) << (u32(20))))));
 }
 
 fn store_memory_0( index_28 : u32,  memory_2 : Memory_0)
 {
     var pixels_1 : u32 = real_time_0.pixels_0;
     var words_4 : vec3<u32> = words_of_0(memory_2.lit_7);
-    var _S197 : u32 = packed_normal_0(memory_2.normal_7);
-    var _S198 : u32;
+    var _S196 : u32 = packed_normal_0(memory_2.normal_7);
+    var _S197 : u32;
     if((memory_2.coverage_0) > 0.0f)
     {
-        _S198 = u32(1073741824);
+        _S197 = u32(1073741824);
     }
     else
     {
-        _S198 = u32(0);
+        _S197 = u32(0);
     }
-    memory_rows_0[index_28] = vec4<u32>((bitcast<vec3<u32>>((memory_2.place_10))), (_S197 | (_S198)));
+    memory_rows_0[index_28] = vec4<u32>((bitcast<vec3<u32>>((memory_2.place_10))), (_S196 | (_S197)));
     memory_rows_0[pixels_1 + index_28] = vec4<u32>(halves_0(memory_2.lit_7.paths_1, memory_2.looks_0), halves_0(memory_2.coverage_0, memory_2.roughness_0), words_4.x, words_4.y);
     memory_rows_0[u32(2) * pixels_1 + index_28] = vec4<u32>((bitcast<vec3<u32>>((memory_2.lit_7.light_10))), words_4.z);
     memory_rows_0[u32(3) * pixels_1 + index_28] = vec4<u32>(halves_0(memory_2.direct_2.x, memory_2.direct_2.y), halves_0(memory_2.direct_2.z, memory_2.albedo_2.x), halves_0(memory_2.albedo_2.y, memory_2.albedo_2.z), u32(0));
@@ -2404,30 +2400,30 @@ fn store_memory_0( index_28 : u32,  memory_2 : Memory_0)
 fn remember_others(@builtin(global_invocation_id) id_5 : vec3<u32>)
 {
     var at_21 : vec2<u32> = pixel_of_thread_0(id_5.x);
-    var _S199 : vec2<i32> = vec2<i32>(at_21);
-    var _S200 : bool;
-    if(is_inside_0(_S199))
+    var _S198 : vec2<i32> = vec2<i32>(at_21);
+    var _S199 : bool;
+    if(is_inside_0(_S198))
     {
-        _S200 = !traces_0(_S199);
+        _S199 = !traces_0(_S198);
     }
     else
     {
-        _S200 = false;
+        _S199 = false;
     }
-    if(_S200)
+    if(_S199)
     {
         var index_29 : u32 = index_of_0(at_21);
         var memory_3 : Memory_0 = memory_before_0(index_29);
         var is_lit_0 : bool = (memory_3.lit_7.paths_1) > 0.0f;
         if(!is_lit_0)
         {
-            _S200 = true;
+            _S199 = true;
         }
         else
         {
-            _S200 = !has_0(u32(8));
+            _S199 = !has_0(u32(8));
         }
-        if(_S200)
+        if(_S199)
         {
             var which_1 : u32 = u32(0);
             for(;;)
@@ -2439,7 +2435,7 @@ fn remember_others(@builtin(global_invocation_id) id_5 : vec3<u32>)
                 {
                     break;
                 }
-                var beside_6 : vec2<i32> = _S199 + neighbour_0(which_1);
+                var beside_6 : vec2<i32> = _S198 + neighbour_0(which_1);
                 if(!is_inside_0(beside_6))
                 {
                     which_1 = which_1 + u32(1);
@@ -2511,10 +2507,10 @@ fn variance_around_0( at_22 : vec2<i32>,  center_1 : Center_0) -> f32
             var index_30 : u32 = index_of_0(vec2<u32>(other_9));
             var weight_7 : f32 = Center_alike_0(center_1, index_30);
             var light_15 : f32 = luminance_0(Lit_irradiance_0(load_lit_0(index_30)));
-            var _S201 : f32 = weight_7 * light_15;
-            var squares_3 : f32 = squares_2 + _S201 * light_15;
+            var _S200 : f32 = weight_7 * light_15;
+            var squares_3 : f32 = squares_2 + _S200 * light_15;
             var weights_18 : f32 = weights_17 + weight_7;
-            sum_8 = sum_8 + _S201;
+            sum_8 = sum_8 + _S200;
             squares_2 = squares_3;
             weights_17 = weights_18;
             dx_7 = dx_7 + i32(1);
@@ -2560,21 +2556,21 @@ fn begin_filter_0( at_23 : vec2<i32>)
 @workgroup_size(64, 1, 1)
 fn filter_begin(@builtin(global_invocation_id) id_6 : vec3<u32>)
 {
-    var _S202 : vec2<u32> = pixel_of_thread_0(id_6.x);
-    var _S203 : vec2<i32> = vec2<i32>(_S202);
-    if(is_inside_0(_S203))
+    var _S201 : vec2<u32> = pixel_of_thread_0(id_6.x);
+    var _S202 : vec2<i32> = vec2<i32>(_S201);
+    if(is_inside_0(_S202))
     {
-        begin_filter_0(_S203);
+        begin_filter_0(_S202);
     }
     return;
 }
 
 fn mean_around_0( row_13 : u32,  at_24 : vec2<i32>,  step_3 : i32) -> vec2<f32>
 {
-    var _S204 : Center_0 = center_of_0(index_of_0(vec2<u32>(at_24)));
-    var _S205 : vec2<f32> = vec2<f32>(0.0f);
+    var _S203 : Center_0 = center_of_0(index_of_0(vec2<u32>(at_24)));
+    var _S204 : vec2<f32> = vec2<f32>(0.0f);
     var dy_8 : i32 = i32(-2);
-    var sum_9 : vec2<f32> = _S205;
+    var sum_9 : vec2<f32> = _S204;
     var weights_19 : f32 = 0.0f;
     for(;;)
     {
@@ -2597,15 +2593,15 @@ fn mean_around_0( row_13 : u32,  at_24 : vec2<i32>,  step_3 : i32) -> vec2<f32>
             {
                 break;
             }
-            var _S206 : vec2<i32> = vec2<i32>(dx_8, dy_8);
-            var other_10 : vec2<i32> = at_24 + _S206 * vec2<i32>(step_3);
+            var _S205 : vec2<i32> = vec2<i32>(dx_8, dy_8);
+            var other_10 : vec2<i32> = at_24 + _S205 * vec2<i32>(step_3);
             if(!is_inside_0(other_10))
             {
                 dx_8 = dx_8 + i32(1);
                 continue;
             }
             var index_32 : u32 = index_of_0(vec2<u32>(other_10));
-            var weight_8 : f32 = spline_0(_S206) * Center_alike_0(_S204, index_32);
+            var weight_8 : f32 = spline_0(_S205) * Center_alike_0(_S203, index_32);
             var weights_21 : f32 = weights_20 + weight_8;
             sum_10 = sum_10 + numbers_0(row_13, index_32) * vec2<f32>(weight_8);
             weights_20 = weights_21;
@@ -2631,11 +2627,11 @@ fn compare_around_0( at_25 : vec2<i32>)
 @workgroup_size(64, 1, 1)
 fn filter_compare(@builtin(global_invocation_id) id_7 : vec3<u32>)
 {
-    var _S207 : vec2<u32> = pixel_of_thread_0(id_7.x);
-    var _S208 : vec2<i32> = vec2<i32>(_S207);
-    if(is_inside_0(_S208))
+    var _S206 : vec2<u32> = pixel_of_thread_0(id_7.x);
+    var _S207 : vec2<i32> = vec2<i32>(_S206);
+    if(is_inside_0(_S207))
     {
-        compare_around_0(_S208);
+        compare_around_0(_S207);
     }
     return;
 }
@@ -2647,9 +2643,9 @@ fn estimate_noise_0( at_26 : vec2<i32>)
     var color_18 : vec4<f32> = color_in_0(u32(0), index_34);
     color_18[i32(3)] = sqrt(max(own_8, mean_around_0(u32(5), at_26, i32(2)).x));
     set_color_0(u32(0), index_34, color_18);
-    var _S209 : vec2<f32> = vec2<f32>(0.0f);
+    var _S208 : vec2<f32> = vec2<f32>(0.0f);
     var dx_9 : i32 = i32(-8);
-    var sum_11 : vec2<f32> = _S209;
+    var sum_11 : vec2<f32> = _S208;
     var count_9 : f32 = 0.0f;
     for(;;)
     {
@@ -2680,11 +2676,11 @@ fn estimate_noise_0( at_26 : vec2<i32>)
 @workgroup_size(64, 1, 1)
 fn filter_noise(@builtin(global_invocation_id) id_8 : vec3<u32>)
 {
-    var _S210 : vec2<u32> = pixel_of_thread_0(id_8.x);
-    var _S211 : vec2<i32> = vec2<i32>(_S210);
-    if(is_inside_0(_S211))
+    var _S209 : vec2<u32> = pixel_of_thread_0(id_8.x);
+    var _S210 : vec2<i32> = vec2<i32>(_S209);
+    if(is_inside_0(_S210))
     {
-        estimate_noise_0(_S211);
+        estimate_noise_0(_S210);
     }
     return;
 }
@@ -2702,11 +2698,11 @@ fn set_tolerance_0( at_27 : vec2<i32>)
 @workgroup_size(64, 1, 1)
 fn filter_tolerance(@builtin(global_invocation_id) id_9 : vec3<u32>)
 {
-    var _S212 : vec2<u32> = pixel_of_thread_0(id_9.x);
-    var _S213 : vec2<i32> = vec2<i32>(_S212);
-    if(is_inside_0(_S213))
+    var _S211 : vec2<u32> = pixel_of_thread_0(id_9.x);
+    var _S212 : vec2<i32> = vec2<i32>(_S211);
+    if(is_inside_0(_S212))
     {
-        set_tolerance_0(_S213);
+        set_tolerance_0(_S212);
     }
     return;
 }
@@ -2715,11 +2711,11 @@ fn filter_tolerance(@builtin(global_invocation_id) id_9 : vec3<u32>)
 @workgroup_size(64, 1, 1)
 fn filter_level_0(@builtin(global_invocation_id) id_10 : vec3<u32>)
 {
-    var _S214 : vec2<u32> = pixel_of_thread_0(id_10.x);
-    var _S215 : vec2<i32> = vec2<i32>(_S214);
-    if(is_inside_0(_S215))
+    var _S213 : vec2<u32> = pixel_of_thread_0(id_10.x);
+    var _S214 : vec2<i32> = vec2<i32>(_S213);
+    if(is_inside_0(_S214))
     {
-        smooth_light_4(_S215);
+        smooth_light_4(_S214);
     }
     return;
 }
@@ -2728,11 +2724,11 @@ fn filter_level_0(@builtin(global_invocation_id) id_10 : vec3<u32>)
 @workgroup_size(64, 1, 1)
 fn filter_level_1(@builtin(global_invocation_id) id_11 : vec3<u32>)
 {
-    var _S216 : vec2<u32> = pixel_of_thread_0(id_11.x);
-    var _S217 : vec2<i32> = vec2<i32>(_S216);
-    if(is_inside_0(_S217))
+    var _S215 : vec2<u32> = pixel_of_thread_0(id_11.x);
+    var _S216 : vec2<i32> = vec2<i32>(_S215);
+    if(is_inside_0(_S216))
     {
-        smooth_light_3(_S217);
+        smooth_light_3(_S216);
     }
     return;
 }
@@ -2741,11 +2737,11 @@ fn filter_level_1(@builtin(global_invocation_id) id_11 : vec3<u32>)
 @workgroup_size(64, 1, 1)
 fn filter_level_2(@builtin(global_invocation_id) id_12 : vec3<u32>)
 {
-    var _S218 : vec2<u32> = pixel_of_thread_0(id_12.x);
-    var _S219 : vec2<i32> = vec2<i32>(_S218);
-    if(is_inside_0(_S219))
+    var _S217 : vec2<u32> = pixel_of_thread_0(id_12.x);
+    var _S218 : vec2<i32> = vec2<i32>(_S217);
+    if(is_inside_0(_S218))
     {
-        smooth_light_2(_S219);
+        smooth_light_2(_S218);
     }
     return;
 }
@@ -2754,11 +2750,11 @@ fn filter_level_2(@builtin(global_invocation_id) id_12 : vec3<u32>)
 @workgroup_size(64, 1, 1)
 fn filter_level_3(@builtin(global_invocation_id) id_13 : vec3<u32>)
 {
-    var _S220 : vec2<u32> = pixel_of_thread_0(id_13.x);
-    var _S221 : vec2<i32> = vec2<i32>(_S220);
-    if(is_inside_0(_S221))
+    var _S219 : vec2<u32> = pixel_of_thread_0(id_13.x);
+    var _S220 : vec2<i32> = vec2<i32>(_S219);
+    if(is_inside_0(_S220))
     {
-        smooth_light_1(_S221);
+        smooth_light_1(_S220);
     }
     return;
 }
@@ -2767,11 +2763,11 @@ fn filter_level_3(@builtin(global_invocation_id) id_13 : vec3<u32>)
 @workgroup_size(64, 1, 1)
 fn filter_level_4(@builtin(global_invocation_id) id_14 : vec3<u32>)
 {
-    var _S222 : vec2<u32> = pixel_of_thread_0(id_14.x);
-    var _S223 : vec2<i32> = vec2<i32>(_S222);
-    if(is_inside_0(_S223))
+    var _S221 : vec2<u32> = pixel_of_thread_0(id_14.x);
+    var _S222 : vec2<i32> = vec2<i32>(_S221);
+    if(is_inside_0(_S222))
     {
-        smooth_light_0(_S223);
+        smooth_light_0(_S222);
     }
     return;
 }
@@ -2780,11 +2776,11 @@ fn filter_level_4(@builtin(global_invocation_id) id_14 : vec3<u32>)
 @workgroup_size(64, 1, 1)
 fn filter_end(@builtin(global_invocation_id) id_15 : vec3<u32>)
 {
-    var _S224 : vec2<u32> = pixel_of_thread_0(id_15.x);
-    var _S225 : vec2<i32> = vec2<i32>(_S224);
-    if(is_inside_0(_S225))
+    var _S223 : vec2<u32> = pixel_of_thread_0(id_15.x);
+    var _S224 : vec2<i32> = vec2<i32>(_S223);
+    if(is_inside_0(_S224))
     {
-        end_levels_0(_S225);
+        end_levels_0(_S224);
     }
     return;
 }
@@ -2793,11 +2789,11 @@ fn filter_end(@builtin(global_invocation_id) id_15 : vec3<u32>)
 @workgroup_size(64, 1, 1)
 fn filter_across(@builtin(global_invocation_id) id_16 : vec3<u32>)
 {
-    var _S226 : vec2<u32> = pixel_of_thread_0(id_16.x);
-    var _S227 : vec2<i32> = vec2<i32>(_S226);
-    if(is_inside_0(_S227))
+    var _S225 : vec2<u32> = pixel_of_thread_0(id_16.x);
+    var _S226 : vec2<i32> = vec2<i32>(_S225);
+    if(is_inside_0(_S226))
     {
-        compare_across_0(_S227);
+        compare_across_0(_S226);
     }
     return;
 }
@@ -2839,18 +2835,18 @@ fn half_of_0( value_4 : f32) -> u32
 @workgroup_size(64, 1, 1)
 fn show_picture(@builtin(global_invocation_id) id_17 : vec3<u32>, @builtin(local_invocation_index) thread_1 : u32)
 {
-    var _S228 : u32 = id_17.x;
-    var _S229 : vec2<u32> = pixel_of_thread_0(_S228);
-    var _S230 : vec2<i32> = vec2<i32>(_S229);
-    if(is_inside_0(_S230))
+    var _S227 : u32 = id_17.x;
+    var _S228 : vec2<u32> = pixel_of_thread_0(_S227);
+    var _S229 : vec2<i32> = vec2<i32>(_S228);
+    if(is_inside_0(_S229))
     {
-        var index_36 : u32 = index_of_0(vec2<u32>(_S230));
+        var index_36 : u32 = index_of_0(vec2<u32>(_S229));
         var memory_5 : Memory_0 = load_memory_0(index_36);
         var light_16 : vec3<f32> = Lit_irradiance_0(memory_5.lit_7);
         var light_17 : vec3<f32>;
         if(has_0(u32(256)))
         {
-            light_17 = trusted_light_0(_S230, light_16);
+            light_17 = trusted_light_0(_S229, light_16);
         }
         else
         {
@@ -2861,11 +2857,11 @@ fn show_picture(@builtin(global_invocation_id) id_17 : vec3<u32>, @builtin(local
     }
     if(thread_1 == u32(0))
     {
-        if(_S228 == u32(0))
+        if(_S227 == u32(0))
         {
             atomicStore(&(counters_0[u32(0)]), dispatch_0.sequence_0);
         }
-        var _S231 : u32 = atomicAdd(&(counters_0[u32(4)]), u32(1));
+        var _S230 : u32 = atomicAdd(&(counters_0[u32(4)]), u32(1));
     }
     return;
 }

@@ -141,8 +141,9 @@ impl View<'_> {
 
     /// Takes a path one bounce further, as the integrator does; `light` gets what arrives. The light that is asked is one of `candidates`.
     pub fn advance(&self, path: &mut Path, at: (&Ray, &Hit), candidates: u32, light: &mut Vec3) -> Option<Ray> {
-        let mut chosen = Vec3::ZERO;
-        let next = self.advance_apart(path, at, candidates, light, &mut chosen);
+        let (mut emitted, mut chosen) = (Vec3::ZERO, Vec3::ZERO);
+        let next = self.advance_apart(path, at, candidates, &mut emitted, &mut chosen);
+        *light += emitted;
         *light += chosen;
         next
     }
@@ -179,7 +180,7 @@ impl View<'_> {
     }
 
     /// Random numbers of a candidate: those that choose the light, and one that chooses between it and those before.
-    fn candidate(&self, path: &Path, candidate: u32) -> ([f32; 4], f32) {
+    pub(crate) fn candidate(&self, path: &Path, candidate: u32) -> ([f32; 4], f32) {
         let dimension = DIMENSION_CANDIDATES + 64 * path.event + 2 * candidate;
         let light = match candidate {
             0 => path.sampler.stratified(path.dimension_light()),

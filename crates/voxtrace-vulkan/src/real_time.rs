@@ -23,7 +23,7 @@ pub use voxtrace_realtime::Rate;
 const MEMORY_WORDS: u64 = 16;
 const SCRATCH_WORDS: u64 = 20;
 /// Lists of rows of squares of pixels, after the pixels.
-const SQUARE_LISTS: u64 = 3;
+const SQUARE_LISTS: u64 = 4;
 /// Words of the counts before the keys of cells, and lists of words behind them.
 const CELL_COUNTS: u64 = 16;
 const CELL_LISTS: u64 = 3;
@@ -78,31 +78,17 @@ struct PixelBuffers {
     scratch: Buffer,
 }
 
-/// A step of a frame: its entry point, and how it is launched.
+/// A step of a frame: its entry point, and its invocations.
 pub struct Step {
     pub name: &'static str,
-    pub launch: StepLaunch,
-}
-
-/// How many invocations a step has.
-#[derive(Clone, Copy)]
-pub enum StepLaunch {
-    /// So many.
-    Items(u32),
-    /// One for each cell that traces.
-    ChosenCells,
+    pub count: u32,
 }
 
 impl RealTime {
     /// One that knows nothing.
     pub fn new(device: &Arc<Device>, parts: Parts) -> Result<Self, TraceError> {
         let cells = LightCache::CAPACITY as u64;
-        let usage = vk::BufferUsageFlags::STORAGE_BUFFER
-            | vk::BufferUsageFlags::TRANSFER_SRC
-            | vk::BufferUsageFlags::TRANSFER_DST
-            | vk::BufferUsageFlags::INDIRECT_BUFFER;
-        let bytes = 4 * (CELL_COUNTS + CELL_LISTS * cells);
-        let cell_keys = Buffer::new(device, "light cache", bytes, usage, MemoryLocation::GpuOnly)?;
+        let cell_keys = Buffer::storage(device, "light cache", 4 * (CELL_COUNTS + CELL_LISTS * cells))?;
         let cell_rows = Buffer::storage(device, "light cache", 4 * CELL_WORDS * cells)?;
         let usage = vk::BufferUsageFlags::UNIFORM_BUFFER;
         let size = size_of::<RealTimeParams>() as u64;
@@ -228,9 +214,8 @@ impl RealTime {
             unsafe { raw.cmd_fill_buffer(commands, self.cell_rows.handle, 0, vk::WHOLE_SIZE, 0) };
         }
         barrier(&self.device, commands);
-        // Cells that trace, and workgroups for them along three axes.
-        fill(2, 2, 0);
-        fill(4, 2, 1);
+        // Cells that trace.
+        fill(2, 1, 0);
         bindings.use_in(commands, vk::PipelineBindPoint::COMPUTE, offset);
         // SAFETY: the pool is alive and not in use.
         unsafe { raw.cmd_reset_query_pool(commands, self.queries, 0, MOST_STEPS + 1) };
@@ -243,10 +228,7 @@ impl RealTime {
                 barrier(&self.device, commands);
             }
             let which = usize::from(!TRACING.contains(&step.name));
-            let launch = match step.launch {
-                StepLaunch::Items(count) => Launch::Groups(count.div_ceil(WORKGROUP)),
-                StepLaunch::ChosenCells => Launch::Told(&self.cell_keys, 3),
-            };
+            let launch = Launch::Groups(step.count.div_ceil(WORKGROUP));
             let variant = variants[which].real_time(step.name);
             passes[which].launch_step(variant, bindings, commands, WaveStep::default(), &launch);
             self.time(commands, number);
@@ -300,4 +282,4 @@ impl Variant {
 }
 
 /// The steps that trace rays.
-pub const TRACING: [&str; 5] = ["trace_cells", "trace_paths", "remember", "find_now", "find_again"];
+pub const TRACING: [&str; 2] = ["trace", "remember"];

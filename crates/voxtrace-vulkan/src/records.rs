@@ -367,6 +367,8 @@ pub mod real_time {
     pub const HALF: u32 = 128;
     /// Light is filtered.
     pub const FILTER: u32 = 256;
+    /// Paths of the frame before are followed again.
+    pub const FINDS_AGAIN: u32 = 512;
 }
 
 /// A ray of the driver probes and what its shaders do.

@@ -53,6 +53,8 @@ impl LightCache {
     pub const CAPACITY: usize = 1 << 18;
     /// Cells that trace rays in one frame.
     pub const BUDGET: usize = 1 << 16;
+    /// Room for those on devices: random numbers may choose a few more.
+    pub const MOST_CHOSEN: usize = (1 << 16) + (1 << 13);
 
     /// One without cells, with room for `capacity` of them, a power of two.
     pub fn new(capacity: usize, budget: usize) -> Self {

@@ -63,17 +63,16 @@ impl Cell {
         let normal = instance.world_normal(face);
         let receiver = Receiver::on_surface(origin, normal);
 
-        let mut choice = Choice::default();
-        for candidate in 0..view.candidates {
-            let [u, v] = [1, 2].map(|which| sampler.independent(which + 2 * candidate));
-            choice.add(view.lights.sample(&receiver, u).map(|light| lit(&light)), v[0]);
-        }
-        let mut light = choice.chosen().map_or(Vec3::ZERO, |shadow_ray| view.arriving(&shadow_ray));
-
         let (x, y) = orthonormal_pair(normal);
         let local = cosine_hemisphere(a, b);
         let mut ray = Ray::new(origin, x * local.x + y * local.y + normal * local.z);
         let mut path = Path::from_sampler(sampler);
+        let mut choice = Choice::default();
+        for candidate in 0..view.candidates {
+            let (u, v) = view.candidate(&path, candidate);
+            choice.add(view.lights.sample(&receiver, u).map(|light| lit(&light)), v);
+        }
+        let mut light = choice.chosen().map_or(Vec3::ZERO, |shadow_ray| view.arriving(&shadow_ray));
         (path.normal, path.pdf) = (normal, local.z * FRAC_1_PI);
         // It stands for a path that was scattered by a surface before: what it finds is indirect light for whoever asks.
         (path.bounce, path.event, path.scattered) = (1, 1, 1);
@@ -91,6 +90,6 @@ impl Cell {
 /// What a white matte surface sends on of a light, weighed by the power heuristic, unless something is in its way.
 fn lit(light: &LightSample) -> ShadowRay {
     let ratio = light.cos_theta.max(0.0) * FRAC_1_PI / light.pdf;
-    let radiance = light.radiance * (ratio / (1.0 + ratio * ratio));
+    let radiance = light.radiance * (ratio * (1.0 / (1.0 + ratio * ratio)));
     ShadowRay { ray: light.ray, inside: None, is_clipped: true, radiance }
 }

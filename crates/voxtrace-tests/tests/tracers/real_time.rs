@@ -103,7 +103,8 @@ fn paths_of_real_time_light_have_the_bits_of_the_processor() {
             both.frame(&view());
             let (ours, theirs) = (both.samples(), both.cpu.samples().to_vec());
             let different = differing(&ours, &theirs);
-            assert!(different == 0, "{name}, frame {number}: {different} pixels of {}", theirs.len());
+            let first = ours.iter().zip(&theirs).find(|(ours, theirs)| **ours != row_of(theirs));
+            assert!(different == 0, "{name}, frame {number}: {different} pixels, {first:?}");
         }
         let light: f32 = both.samples().iter().map(|row| row[0]).sum();
         assert!(light > 1.0, "{name}: there is light");

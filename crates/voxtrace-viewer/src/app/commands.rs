@@ -22,6 +22,11 @@ impl App {
                         self.load(&source);
                     }
                 }
+                Command::New(size) => {
+                    if self.session.may_leave(Leaving::New(size)) {
+                        self.session.show_new(size);
+                    }
+                }
                 Command::Edit => {
                     let wake = self.wake_by(|| Wake::Edited);
                     self.session.start_editor(wake);

@@ -134,6 +134,17 @@ fn section(ui: &mut Ui, title: impl Into<egui::WidgetText>, id: &str, add: impl 
     });
 }
 
+/// A button that stops something, and the key that does. Returns whether it was clicked.
+fn stop_button(ui: &mut Ui, text: &str) -> bool {
+    ui.horizontal(|ui| {
+        let is_clicked = ui.button(text).clicked();
+        let key = crate::keys::key_of(crate::keys::Action::Cancel);
+        ui.label(RichText::new(tr!("panels.key_stops", key = key)).weak());
+        is_clicked
+    })
+    .inner
+}
+
 fn heading(ui: &mut Ui, text: &str) {
     ui.add_space(6.0);
     ui.label(RichText::new(text).strong());

@@ -11,6 +11,8 @@ use std::path::PathBuf;
 pub enum Command {
     /// Open a scene.
     Load(String),
+    /// Show an empty scene of so many voxels along each side.
+    New([u32; 3]),
     /// Trace this scene.
     SetScene,
     /// Make the sky that is asked for.
@@ -75,6 +77,7 @@ impl Command {
         let sets = matches!(
             self,
             Self::Load(_)
+                | Self::New(_)
                 | Self::LoadAgain
                 | Self::Reshape
                 | Self::CompareWith(_)

@@ -4,7 +4,7 @@ use super::Worker;
 use crate::commands::Job;
 use crate::passes::{Passes, WORKGROUP};
 use crate::picture::Picture;
-use crate::real_time::{RealTime, RealTimeFrame, Step, StepLaunch, TRACING};
+use crate::real_time::{RealTime, RealTimeFrame, Step, TRACING};
 use crate::records::{Dispatch, FrameParams, RealTimeParams, binding, real_time};
 use crate::spirv;
 use crate::variant::{Entry, Variant};
@@ -65,7 +65,7 @@ impl Worker {
         let whole = Region { x0: 0, y0: 0, x1: frame.width, y1: frame.height };
         let params = FrameParams::of_frame(scene, &frame.clone().region(whole));
         let of_frame = real_time_params(state, scene, frame, &params, rate);
-        let steps = steps_of(&of_frame, state, (frame.width, frame.height));
+        let steps = steps_of(&of_frame, (frame.width, frame.height));
         let variants = self.prepare_real_time(&params, frame, &steps)?;
         let motions = motions(state, scene);
         state.write(&of_frame, &motions)?;
@@ -169,6 +169,7 @@ fn real_time_params(
     flag(is_still, real_time::STILL);
     flag(is_same_view && state.transforms.is_none(), real_time::SAME_VIEW);
     flag(rate == Rate::Half, real_time::HALF);
+    flag(before.is_some() && state.has_changed, real_time::FINDS_AGAIN);
     let camera = before.map_or(&frame.camera, |before| &before.frame.camera);
     let then = camera.frame(frame.width, frame.height);
     let (place_flags, before_origin, rows) = places_of(&then);
@@ -226,24 +227,25 @@ fn motions(state: &RealTime, scene: &PackedScene) -> Vec<[f32; 4]> {
 }
 
 /// The steps of a frame.
-fn steps_of(params: &RealTimeParams, state: &RealTime, (width, height): (u32, u32)) -> Vec<Step> {
+fn steps_of(params: &RealTimeParams, (width, height): (u32, u32)) -> Vec<Step> {
     let has = |flag: u32| params.flags & flag != 0;
     let pixels = width.div_ceil(8) * height.div_ceil(8) * WORKGROUP;
     let half = width.div_ceil(16) * height.div_ceil(8) * WORKGROUP;
     let that_trace = if has(real_time::HALF) { half } else { pixels };
     let squares = width.div_ceil(STRIDE) * height.div_ceil(STRIDE);
     let cells = LightCache::CAPACITY as u32;
+    let tracing_cells = if has(real_time::CACHE) { LightCache::MOST_CHOSEN as u32 } else { 0 };
+    let tracing_squares = if has(real_time::FINDS_AGAIN) { 2 * squares } else { squares };
     let mut steps = Vec::new();
-    let mut add = |name, count| steps.push(Step { name, launch: StepLaunch::Items(count) });
+    let mut add = |name, count| steps.push(Step { name, count });
     if has(real_time::CACHE) {
         add("choose_cells", cells);
     }
-    if state.has_changed && has(real_time::KNOWS) {
-        add("find_again", squares);
+    add("trace", tracing_cells + that_trace + tracing_squares);
+    if has(real_time::FINDS_AGAIN) {
         add("compare_found", squares);
         add("doubt", pixels);
     }
-    add("trace_paths", that_trace);
     if has(real_time::KNOWS) && !has(real_time::SAME_VIEW) {
         add("reproject", pixels);
     }
@@ -251,7 +253,6 @@ fn steps_of(params: &RealTimeParams, state: &RealTime, (width, height): (u32, u3
     if has(real_time::HALF) {
         add("remember_others", pixels);
     }
-    add("find_now", squares);
     if has(real_time::CACHE) {
         add("end_cells", cells);
     }
@@ -261,10 +262,6 @@ fn steps_of(params: &RealTimeParams, state: &RealTime, (width, height): (u32, u3
         }
     }
     add("show_picture", pixels);
-    if has(real_time::CACHE) {
-        let at = steps.iter().position(|step| step.name == "choose_cells").map_or(0, |at| at + 1);
-        steps.insert(at, Step { name: "trace_cells", launch: StepLaunch::ChosenCells });
-    }
     steps
 }
 

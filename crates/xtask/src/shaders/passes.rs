@@ -91,7 +91,7 @@ pub const PASSES: &[Pass] = &[
     },
     Pass {
         name: "realtime",
-        entries: &["find_again", "find_now", "remember", "trace_cells", "trace_paths"],
+        entries: &["remember", "trace"],
         variants: REAL_TIME,
         has_wgsl: true,
         has_frame_in_storage: false,

@@ -198,6 +198,7 @@ pub const TABLE: &[Source] = &[
         items: &[
             named("LightCache::CAPACITY", "CACHE_CAPACITY"),
             named("LightCache::BUDGET", "CACHE_BUDGET"),
+            named("LightCache::MOST_CHOSEN", "CACHE_MOST_CHOSEN"),
             named("PROBES", "CACHE_PROBES"),
             named("WIDTH", "CACHE_WIDTH"),
             named("LEAST_DISTANCE", "CACHE_LEAST_DISTANCE"),
