@@ -24,10 +24,11 @@ const ALL: [(u32, Rate, f64); 7] = [
 ];
 /// Frames are late above this share of their time; a finer quality is tried where it would take less than this one.
 const LATE: f64 = 1.25;
-const EARLY: f64 = 0.7;
+const EARLY: f64 = 0.85;
 /// Late frames one after the other until a coarser quality is taken.
 const PATIENCE: u32 = 4;
-/// Early frames until a finer one is tried: at first, and at most, after tries that failed.
+/// Early frames until a finer one is tried: while nothing is settled yet, then, and at most, after tries that failed.
+const FIRST_WAIT: u32 = 2;
 const WAIT: u32 = 30;
 const LONGEST_WAIT: u32 = 1920;
 /// A try has failed where frames are late within so many.
@@ -59,7 +60,7 @@ impl QualityPace {
     /// Frames that take `budget_ms` each.
     pub fn new(budget_ms: f64) -> Self {
         let (seen, guess) = ([None; ALL.len()], None);
-        Self { budget_ms, now: 0, seen, guess, late: 0, early: 0, wait: WAIT, tried: None }
+        Self { budget_ms, now: 0, seen, guess, late: 0, early: 0, wait: FIRST_WAIT, tried: None }
     }
 
     /// Begins with what suits a device on which the finest frame takes about `ms`, where nothing is known yet.
@@ -142,14 +143,17 @@ impl QualityPace {
         self.late = if now > LATE * most { self.late + 1 } else { 0 };
         let finer = self.now.checked_sub(1).and_then(|finer| self.expected(finer));
         self.early = if finer.is_some_and(|ms| ms < EARLY * most) { self.early + 1 } else { 0 };
+        if self.early == 0 {
+            self.wait = self.wait.max(WAIT);
+        }
         // At first nothing is known that could be lost.
         if self.late >= PATIENCE || (is_first && self.late > 0) {
             if self.tried.take().is_some() {
-                self.wait = (self.wait * 2).min(LONGEST_WAIT);
+                self.wait = (self.wait.max(WAIT / 2) * 2).min(LONGEST_WAIT);
             }
             self.go_to(self.finest(self.now + 1, most));
         } else if self.early >= self.wait {
-            self.go_to(self.now - 1);
+            self.go_to(self.finest(0, EARLY * most).min(self.now - 1));
             // What it took once is not what it takes now.
             self.seen[self.now] = None;
             self.tried = Some(0);
@@ -254,6 +258,22 @@ mod tests {
         assert_eq!(pace.now, before);
         pace.update(pace.still(250.0), 5.0);
         assert_eq!(pace.now, 0);
+    }
+
+    #[test]
+    fn a_quick_device_is_at_the_finest_within_some_frames_however_low_the_guess() {
+        // As an H200 has them: little of a coarse frame depends on its pixels.
+        let ms = |quality: Quality| {
+            let cost = ALL.iter().find(|(scale, rate, _)| (*scale, *rate) == (quality.scale, quality.rate));
+            0.5 + 6.0 * cost.unwrap().2
+        };
+        let mut pace = QualityPace::new(10.0);
+        pace.begin(5000.0);
+        assert_eq!(pace.moving().scale, 8);
+        for _ in 0..12 {
+            pace.update(pace.moving(), ms(pace.moving()));
+        }
+        assert_eq!(pace.moving(), Quality { scale: 1, rate: Rate::Full });
     }
 
     #[test]
