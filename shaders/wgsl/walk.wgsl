@@ -5195,18 +5195,19 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_19 : Ray_0,  hi
         (*path_5).selection_0 = Lights_selection_0(receiver_16);
     }
     var light_3 : LightSample_0 = no_light_0();
+    var _S370 : bool = !MaterialBsdf_is_delta_0(_S362);
     if(is_weighed_0)
     {
         is_chosen_0 = true;
     }
     else
     {
-        is_chosen_0 = !MaterialBsdf_is_delta_0(_S362);
+        is_chosen_0 = _S370;
     }
     if(is_chosen_0)
     {
-        var _S370 : bool = Lights_sample_0(receiver_16, (*path_5).selection_0, Sampler_stratified_0((*path_5).sampler_0, Path_dimension_light_0((*path_5))), aim_5, &(light_3));
-        next_0.has_shadow_ray_0 = _S370;
+        var _S371 : bool = Lights_sample_0(receiver_16, (*path_5).selection_0, Sampler_stratified_0((*path_5).sampler_0, Path_dimension_light_0((*path_5))), aim_5, &(light_3));
+        next_0.has_shadow_ray_0 = _S371;
     }
     if(is_weighed_0)
     {
@@ -5225,7 +5226,7 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_19 : Ray_0,  hi
     }
     if(next_0.has_shadow_ray_0)
     {
-        var _S371 : vec3<f32> = vec3<f32>(Surface_local_direction_0(surface_1, light_3.ray_15.direction_1).xy, light_3.cos_theta_0);
+        var _S372 : vec3<f32> = vec3<f32>(Surface_local_direction_0(surface_1, light_3.ray_15.direction_1).xy, light_3.cos_theta_0);
         var wi_5 : vec3<f32>;
         if(is_scattered_0)
         {
@@ -5233,7 +5234,7 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_19 : Ray_0,  hi
         }
         else
         {
-            wi_5 = _S371;
+            wi_5 = _S372;
         }
         var eval_0 : BsdfEval_0 = MaterialBsdf_eval_0(_S362, wo_5, wi_5);
         var share_8 : f32 = divide_0(eval_0.pdf_9, light_3.pdf_3) * power_heuristic_0(light_3.pdf_3, eval_0.pdf_9);
@@ -5242,8 +5243,8 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_19 : Ray_0,  hi
         next_0.light_0 = (*path_5).beta_0 * eval_0.weight_3 * vec3<f32>(compensation_0) * light_3.radiance_2 * vec3<f32>(share_8);
     }
     var bounce_4 : BsdfSample_0;
-    var _S372 : bool = MaterialBsdf_sample_0(_S362, wo_5, vec3<f32>(u_15.xy, u_15.w), &(bounce_4));
-    if(!_S372)
+    var _S373 : bool = MaterialBsdf_sample_0(_S362, wo_5, vec3<f32>(u_15.xy, u_15.w), &(bounce_4));
+    if(!_S373)
     {
         return next_0;
     }
@@ -5300,17 +5301,17 @@ fn fixed_point_0( value_2 : f32) -> vec2<u32>
     }
     if(shift_6 < i32(32))
     {
-        var _S373 : u32 = (mantissa_3 << (u32(shift_6)));
-        var _S374 : u32;
+        var _S374 : u32 = (mantissa_3 << (u32(shift_6)));
+        var _S375 : u32;
         if(shift_6 == i32(0))
         {
-            _S374 = u32(0);
+            _S375 = u32(0);
         }
         else
         {
-            _S374 = (mantissa_3 >> (u32(i32(32) - shift_6)));
+            _S375 = (mantissa_3 >> (u32(i32(32) - shift_6)));
         }
-        return vec2<u32>(_S373, _S374);
+        return vec2<u32>(_S374, _S375);
     }
     return vec2<u32>(u32(0), (mantissa_3 << (u32(shift_6 - i32(32)))));
 }
@@ -5318,75 +5319,75 @@ fn fixed_point_0( value_2 : f32) -> vec2<u32>
 fn PixelRecord_add_0( this_47 : ptr<function, PixelRecord_0>,  value_3 : vec3<f32>,  is_covered_0 : bool)
 {
     var addend_0 : vec2<u32> = fixed_point_0(value_3[u32(0)]);
-    var _S375 : u32 = addend_0.x;
-    var low_13 : u32 = (*this_47).radiance_1[u32(0)] + _S375;
-    var high_6 : u32 = (*this_47).radiance_1[u32(1)] + addend_0.y + u32(low_13 < _S375);
+    var _S376 : u32 = addend_0.x;
+    var low_13 : u32 = (*this_47).radiance_1[u32(0)] + _S376;
+    var high_6 : u32 = (*this_47).radiance_1[u32(1)] + addend_0.y + u32(low_13 < _S376);
     var is_full_0 : bool = high_6 < ((*this_47).radiance_1[u32(1)]);
-    var _S376 : u32;
+    var _S377 : u32;
     if(is_full_0)
     {
-        _S376 = u32(4294967295);
+        _S377 = u32(4294967295);
     }
     else
     {
-        _S376 = low_13;
+        _S377 = low_13;
     }
-    (*this_47).radiance_1[u32(0)] = _S376;
+    (*this_47).radiance_1[u32(0)] = _S377;
     if(is_full_0)
     {
-        _S376 = u32(4294967295);
+        _S377 = u32(4294967295);
     }
     else
     {
-        _S376 = high_6;
+        _S377 = high_6;
     }
-    (*this_47).radiance_1[u32(1)] = _S376;
+    (*this_47).radiance_1[u32(1)] = _S377;
     var addend_1 : vec2<u32> = fixed_point_0(value_3[u32(1)]);
-    var _S377 : u32 = addend_1.x;
-    var low_14 : u32 = (*this_47).radiance_1[u32(2)] + _S377;
-    var high_7 : u32 = (*this_47).radiance_1[u32(3)] + addend_1.y + u32(low_14 < _S377);
+    var _S378 : u32 = addend_1.x;
+    var low_14 : u32 = (*this_47).radiance_1[u32(2)] + _S378;
+    var high_7 : u32 = (*this_47).radiance_1[u32(3)] + addend_1.y + u32(low_14 < _S378);
     var is_full_1 : bool = high_7 < ((*this_47).radiance_1[u32(3)]);
     if(is_full_1)
     {
-        _S376 = u32(4294967295);
+        _S377 = u32(4294967295);
     }
     else
     {
-        _S376 = low_14;
+        _S377 = low_14;
     }
-    (*this_47).radiance_1[u32(2)] = _S376;
+    (*this_47).radiance_1[u32(2)] = _S377;
     if(is_full_1)
     {
-        _S376 = u32(4294967295);
+        _S377 = u32(4294967295);
     }
     else
     {
-        _S376 = high_7;
+        _S377 = high_7;
     }
-    (*this_47).radiance_1[u32(3)] = _S376;
+    (*this_47).radiance_1[u32(3)] = _S377;
     var addend_2 : vec2<u32> = fixed_point_0(value_3[u32(2)]);
-    var _S378 : u32 = addend_2.x;
-    var low_15 : u32 = (*this_47).radiance_1[u32(4)] + _S378;
-    var high_8 : u32 = (*this_47).radiance_1[u32(5)] + addend_2.y + u32(low_15 < _S378);
+    var _S379 : u32 = addend_2.x;
+    var low_15 : u32 = (*this_47).radiance_1[u32(4)] + _S379;
+    var high_8 : u32 = (*this_47).radiance_1[u32(5)] + addend_2.y + u32(low_15 < _S379);
     var is_full_2 : bool = high_8 < ((*this_47).radiance_1[u32(5)]);
     if(is_full_2)
     {
-        _S376 = u32(4294967295);
+        _S377 = u32(4294967295);
     }
     else
     {
-        _S376 = low_15;
+        _S377 = low_15;
     }
-    (*this_47).radiance_1[u32(4)] = _S376;
+    (*this_47).radiance_1[u32(4)] = _S377;
     if(is_full_2)
     {
-        _S376 = u32(4294967295);
+        _S377 = u32(4294967295);
     }
     else
     {
-        _S376 = high_8;
+        _S377 = high_8;
     }
-    (*this_47).radiance_1[u32(5)] = _S376;
+    (*this_47).radiance_1[u32(5)] = _S377;
     (*this_47).samples_0 = (*this_47).samples_0 + u32(1);
     (*this_47).covered_0 = (*this_47).covered_0 + u32(is_covered_0);
     return;
@@ -5408,20 +5409,20 @@ fn add_sample_0( index_29 : u32,  radiance_7 : vec3<f32>,  is_covered_1 : bool)
 fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
 {
     var counts_0 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
-    var _S379 : vec3<f32> = vec3<f32>(0.0f);
-    var radiance_8 : vec3<f32> = _S379;
+    var _S380 : vec3<f32> = vec3<f32>(0.0f);
+    var radiance_8 : vec3<f32> = _S380;
     var path_6 : Path_0;
-    var _S380 : Ray_0 = camera_path_0(work_0.pixel_5, work_0.sample_5, &(path_6));
-    var ray_20 : Ray_0 = _S380;
+    var _S381 : Ray_0 = camera_path_0(work_0.pixel_5, work_0.sample_5, &(path_6));
+    var ray_20 : Ray_0 = _S381;
     var shadow_inside_3 : Inside_0 = in_air_0();
     var relocates_3 : bool = true;
     var path_relocates_3 : bool = true;
     var is_shadow_turn_0 : bool = true;
     var is_shadow_ray_1 : bool = false;
-    var direction_28 : vec3<f32> = _S379;
+    var direction_28 : vec3<f32> = _S380;
     var is_covered_2 : bool = false;
     var sample_13 : u32 = work_0.sample_5;
-    var light_4 : vec3<f32> = _S379;
+    var light_4 : vec3<f32> = _S380;
     for(;;)
     {
         if(sample_13 < (work_0.last_2))
@@ -5437,9 +5438,9 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
             is_shadow_turn_0 = is_shadow_turn_1;
             continue;
         }
-        var _S381 : Sampler_0 = sampler_of_0(work_0.pixel_5, sample_13);
+        var _S382 : Sampler_0 = sampler_of_0(work_0.pixel_5, sample_13);
         var beyond_4 : u32;
-        var _S382 : Hit_0 = hit_of_ray_0(_S381, &(ray_20), is_shadow_ray_1, &(path_6), &(shadow_inside_3), &(relocates_3), &(path_relocates_3), &(beyond_4));
+        var _S383 : Hit_0 = hit_of_ray_0(_S382, &(ray_20), is_shadow_ray_1, &(path_6), &(shadow_inside_3), &(relocates_3), &(path_relocates_3), &(beyond_4));
         if(waits_for_pages_0())
         {
             break;
@@ -5448,7 +5449,7 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
         if(is_shadow_ray_1)
         {
             counts_0.shadow_0 = counts_0.shadow_0 + u32(1);
-            if(Hit_is_miss_0(_S382))
+            if(Hit_is_miss_0(_S383))
             {
                 radiance_8 = radiance_8 + light_4;
             }
@@ -5459,7 +5460,7 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
         {
             if((Path_events_0(path_6)) == u32(0))
             {
-                if(!Hit_is_miss_0(_S382))
+                if(!Hit_is_miss_0(_S383))
                 {
                     is_covered_3 = true;
                 }
@@ -5476,55 +5477,55 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
                 }
                 is_covered_3 = is_covered_2;
             }
-            var _S383 : NextRays_0 = no_rays_0();
-            path_6.sampler_0 = _S381;
-            var _S384 : bool;
+            var _S384 : NextRays_0 = no_rays_0();
+            path_6.sampler_0 = _S382;
+            var _S385 : bool;
             if(is_covered_3)
             {
-                _S384 = true;
+                _S385 = true;
             }
             else
             {
-                _S384 = (params_0.is_transparent_0) == u32(0);
+                _S385 = (params_0.is_transparent_0) == u32(0);
             }
             var next_1 : NextRays_0;
-            if(_S384)
+            if(_S385)
             {
-                var _S385 : NextRays_0 = PathTracingOf_advance_0(&(path_6), ray_20, _S382, beyond_4, &(radiance_8));
-                next_1 = _S385;
+                var _S386 : NextRays_0 = PathTracingOf_advance_0(&(path_6), ray_20, _S383, beyond_4, &(radiance_8));
+                next_1 = _S386;
             }
             else
             {
-                next_1 = _S383;
+                next_1 = _S384;
             }
-            var _S386 : bool;
+            var _S387 : bool;
             if(weighs_apart_0())
             {
-                _S386 = next_1.is_same_0;
+                _S387 = next_1.is_same_0;
             }
             else
             {
-                _S386 = false;
+                _S387 = false;
             }
-            if(_S386)
+            if(_S387)
             {
                 is_shadow_turn_0 = is_shadow_turn_1;
                 is_covered_2 = is_covered_3;
                 continue;
             }
-            var _S387 : NextRays_0 = next_1;
             var _S388 : NextRays_0 = next_1;
             var _S389 : NextRays_0 = next_1;
             var _S390 : NextRays_0 = next_1;
+            var _S391 : NextRays_0 = next_1;
             ray_20 = PathTracingOf_clip_0(ray_from_0(next_1.origin_9, next_1.direction_6));
-            if(_S389.has_shadow_ray_0)
+            if(_S390.has_shadow_ray_0)
             {
-                ray_20 = Ray_x24init_0(_S390.origin_9, 0.0f, next_1.shadow_direction_0, next_1.shadow_t_max_0);
+                ray_20 = Ray_x24init_0(_S391.origin_9, 0.0f, next_1.shadow_direction_0, next_1.shadow_t_max_0);
             }
-            is_shadow_ray_1 = _S389.has_shadow_ray_0;
-            direction_28 = _S387.direction_6;
+            is_shadow_ray_1 = _S390.has_shadow_ray_0;
+            direction_28 = _S388.direction_6;
             is_covered_2 = is_covered_3;
-            light_4 = _S388.light_0;
+            light_4 = _S389.light_0;
         }
         if(waits_for_pages_0())
         {
@@ -5532,7 +5533,7 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
         }
         if(!is_shadow_ray_1)
         {
-            is_covered_3 = (all((direction_28 == _S379)));
+            is_covered_3 = (all((direction_28 == _S380)));
         }
         else
         {
@@ -5540,16 +5541,16 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
         }
         if(is_covered_3)
         {
-            var _S391 : vec2<u32> = position_of_0(work_0.pixel_5);
-            add_sample_0(place_of_0(_S391), radiance_8, is_covered_2);
-            radiance_8 = _S379;
+            var _S392 : vec2<u32> = position_of_0(work_0.pixel_5);
+            add_sample_0(place_of_0(_S392), radiance_8, is_covered_2);
+            radiance_8 = _S380;
             var sample_14 : u32 = sample_13 + u32(1);
             if(sample_14 == (work_0.last_2))
             {
                 break;
             }
-            var _S392 : Ray_0 = camera_path_0(work_0.pixel_5, sample_14, &(path_6));
-            ray_20 = _S392;
+            var _S393 : Ray_0 = camera_path_0(work_0.pixel_5, sample_14, &(path_6));
+            ray_20 = _S393;
             relocates_3 = true;
             path_relocates_3 = true;
             sample_13 = sample_14;
@@ -5562,8 +5563,8 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
 fn hit_of_ray_1( sampler_4 : Sampler_0,  ray_21 : ptr<function, Ray_0>,  is_shadow_ray_2 : bool,  path_7 : ptr<function, Path_0>,  shadow_inside_4 : ptr<function, Inside_0>,  relocates_4 : ptr<function, bool>,  path_relocates_4 : ptr<function, bool>,  beyond_5 : ptr<function, u32>) -> Hit_0
 {
     (*beyond_5) = u32(4294967295);
-    var _S393 : Hit_0 = WalkTracer_trace_0(&((*ray_21)), is_shadow_ray_2);
-    return _S393;
+    var _S394 : Hit_0 = WalkTracer_trace_0(&((*ray_21)), is_shadow_ray_2);
+    return _S394;
 }
 
 fn Essay_jitter_0( sampler_5 : Sampler_0) -> vec4<f32>
@@ -5580,9 +5581,9 @@ fn camera_path_1( pixel_7 : u32,  sample_15 : u32,  path_8 : ptr<function, Path_
 {
     (*path_8) = Path_x24init_0(sampler_of_0(pixel_7, sample_15), u32(0), u32(0), u32(0), u32(0), vec3<f32>(1.0f), 0.0f, vec3<f32>(0.0f), Selection_x24init_0(0.0f, 0.0f, 0.0f), 0.0f, in_air_0(), true);
     var jitter_1 : vec4<f32> = Essay_jitter_0((*path_8).sampler_0);
-    var _S394 : CameraFrame_0 = FrameParams_camera_0();
-    var _S395 : vec2<u32> = position_of_0(pixel_7);
-    return Essay_clip_0(CameraFrame_ray_0(_S394, vec2<f32>(_S395) + jitter_1.xy, jitter_1.zw));
+    var _S395 : CameraFrame_0 = FrameParams_camera_0();
+    var _S396 : vec2<u32> = position_of_0(pixel_7);
+    return Essay_clip_0(CameraFrame_ray_0(_S395, vec2<f32>(_S396) + jitter_1.xy, jitter_1.zw));
 }
 
 fn Essay_advance_0( path_9 : ptr<function, Path_0>,  ray_23 : Ray_0,  hit_7 : Hit_0,  beyond_6 : u32,  radiance_9 : ptr<function, vec3<f32>>) -> NextRays_0
@@ -5615,19 +5616,19 @@ fn Essay_advance_0( path_9 : ptr<function, Path_0>,  ray_23 : Ray_0,  hit_7 : Hi
 fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
 {
     var counts_1 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
-    var _S396 : vec3<f32> = vec3<f32>(0.0f);
-    var radiance_10 : vec3<f32> = _S396;
+    var _S397 : vec3<f32> = vec3<f32>(0.0f);
+    var radiance_10 : vec3<f32> = _S397;
     var path_10 : Path_0;
-    var _S397 : Ray_0 = camera_path_1(work_1.pixel_5, work_1.sample_5, &(path_10));
-    var ray_24 : Ray_0 = _S397;
+    var _S398 : Ray_0 = camera_path_1(work_1.pixel_5, work_1.sample_5, &(path_10));
+    var ray_24 : Ray_0 = _S398;
     var shadow_inside_5 : Inside_0 = in_air_0();
     var relocates_5 : bool = true;
     var path_relocates_5 : bool = true;
     var is_shadow_ray_3 : bool = false;
-    var direction_29 : vec3<f32> = _S396;
+    var direction_29 : vec3<f32> = _S397;
     var is_covered_4 : bool = false;
     var sample_16 : u32 = work_1.sample_5;
-    var light_5 : vec3<f32> = _S396;
+    var light_5 : vec3<f32> = _S397;
     for(;;)
     {
         if(sample_16 < (work_1.last_2))
@@ -5637,9 +5638,9 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
         {
             break;
         }
-        var _S398 : Sampler_0 = sampler_of_0(work_1.pixel_5, sample_16);
+        var _S399 : Sampler_0 = sampler_of_0(work_1.pixel_5, sample_16);
         var beyond_7 : u32;
-        var _S399 : Hit_0 = hit_of_ray_1(_S398, &(ray_24), is_shadow_ray_3, &(path_10), &(shadow_inside_5), &(relocates_5), &(path_relocates_5), &(beyond_7));
+        var _S400 : Hit_0 = hit_of_ray_1(_S399, &(ray_24), is_shadow_ray_3, &(path_10), &(shadow_inside_5), &(relocates_5), &(path_relocates_5), &(beyond_7));
         if(waits_for_pages_0())
         {
             break;
@@ -5648,7 +5649,7 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
         if(is_shadow_ray_3)
         {
             counts_1.shadow_0 = counts_1.shadow_0 + u32(1);
-            if(Hit_is_miss_0(_S399))
+            if(Hit_is_miss_0(_S400))
             {
                 radiance_10 = radiance_10 + light_5;
             }
@@ -5659,7 +5660,7 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
         {
             if((Path_events_0(path_10)) == u32(0))
             {
-                if(!Hit_is_miss_0(_S399))
+                if(!Hit_is_miss_0(_S400))
                 {
                     is_covered_5 = true;
                 }
@@ -5676,54 +5677,54 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
                 }
                 is_covered_5 = is_covered_4;
             }
-            var _S400 : NextRays_0 = no_rays_0();
-            path_10.sampler_0 = _S398;
-            var _S401 : bool;
+            var _S401 : NextRays_0 = no_rays_0();
+            path_10.sampler_0 = _S399;
+            var _S402 : bool;
             if(is_covered_5)
             {
-                _S401 = true;
+                _S402 = true;
             }
             else
             {
-                _S401 = (params_0.is_transparent_0) == u32(0);
+                _S402 = (params_0.is_transparent_0) == u32(0);
             }
             var next_3 : NextRays_0;
-            if(_S401)
+            if(_S402)
             {
-                var _S402 : NextRays_0 = Essay_advance_0(&(path_10), ray_24, _S399, beyond_7, &(radiance_10));
-                next_3 = _S402;
+                var _S403 : NextRays_0 = Essay_advance_0(&(path_10), ray_24, _S400, beyond_7, &(radiance_10));
+                next_3 = _S403;
             }
             else
             {
-                next_3 = _S400;
+                next_3 = _S401;
             }
-            var _S403 : bool;
+            var _S404 : bool;
             if(weighs_apart_0())
             {
-                _S403 = next_3.is_same_0;
+                _S404 = next_3.is_same_0;
             }
             else
             {
-                _S403 = false;
+                _S404 = false;
             }
-            if(_S403)
+            if(_S404)
             {
                 is_covered_4 = is_covered_5;
                 continue;
             }
-            var _S404 : NextRays_0 = next_3;
             var _S405 : NextRays_0 = next_3;
             var _S406 : NextRays_0 = next_3;
             var _S407 : NextRays_0 = next_3;
+            var _S408 : NextRays_0 = next_3;
             ray_24 = Essay_clip_0(ray_from_0(next_3.origin_9, next_3.direction_6));
-            if(_S406.has_shadow_ray_0)
+            if(_S407.has_shadow_ray_0)
             {
-                ray_24 = Ray_x24init_0(_S407.origin_9, 0.0f, next_3.shadow_direction_0, next_3.shadow_t_max_0);
+                ray_24 = Ray_x24init_0(_S408.origin_9, 0.0f, next_3.shadow_direction_0, next_3.shadow_t_max_0);
             }
-            is_shadow_ray_3 = _S406.has_shadow_ray_0;
-            direction_29 = _S404.direction_6;
+            is_shadow_ray_3 = _S407.has_shadow_ray_0;
+            direction_29 = _S405.direction_6;
             is_covered_4 = is_covered_5;
-            light_5 = _S405.light_0;
+            light_5 = _S406.light_0;
         }
         if(waits_for_pages_0())
         {
@@ -5731,7 +5732,7 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
         }
         if(!is_shadow_ray_3)
         {
-            is_covered_5 = (all((direction_29 == _S396)));
+            is_covered_5 = (all((direction_29 == _S397)));
         }
         else
         {
@@ -5739,16 +5740,16 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
         }
         if(is_covered_5)
         {
-            var _S408 : vec2<u32> = position_of_0(work_1.pixel_5);
-            add_sample_0(place_of_0(_S408), radiance_10, is_covered_4);
-            radiance_10 = _S396;
+            var _S409 : vec2<u32> = position_of_0(work_1.pixel_5);
+            add_sample_0(place_of_0(_S409), radiance_10, is_covered_4);
+            radiance_10 = _S397;
             var sample_17 : u32 = sample_16 + u32(1);
             if(sample_17 == (work_1.last_2))
             {
                 break;
             }
-            var _S409 : Ray_0 = camera_path_1(work_1.pixel_5, sample_17, &(path_10));
-            ray_24 = _S409;
+            var _S410 : Ray_0 = camera_path_1(work_1.pixel_5, sample_17, &(path_10));
+            ray_24 = _S410;
             relocates_5 = true;
             path_relocates_5 = true;
             sample_16 = sample_17;
@@ -5771,31 +5772,31 @@ fn begin_tally_0( thread_0 : u32)
 
 fn Work_x24init_0( pixel_8 : u32,  sample_18 : u32,  last_7 : u32) -> Work_0
 {
-    var _S410 : Work_0;
-    _S410.pixel_5 = pixel_8;
-    _S410.sample_5 = sample_18;
-    _S410.last_2 = last_7;
-    return _S410;
+    var _S411 : Work_0;
+    _S411.pixel_5 = pixel_8;
+    _S411.sample_5 = sample_18;
+    _S411.last_2 = last_7;
+    return _S411;
 }
 
 fn work_of_0( index_30 : u32) -> Work_0
 {
     var size_1 : vec2<u32> = params_0.region_0.zw - params_0.region_0.xy;
-    var _S411 : u32 = size_1.x;
-    var _S412 : u32 = u32(8) * _S411;
-    var band_0 : u32 = index_30 / _S412;
-    var _S413 : u32 = u32(8) * band_0;
-    var in_band_0 : u32 = index_30 - _S412 * band_0;
-    var _S414 : u32 = u32(8) * min(u32(8), size_1.y - _S413);
-    var tile_0 : u32 = in_band_0 / _S414;
-    var _S415 : u32 = u32(8) * tile_0;
-    var _S416 : u32 = min(u32(8), _S411 - _S415);
-    var in_tile_0 : u32 = in_band_0 - _S414 * tile_0;
-    var _S417 : vec2<u32> = params_0.region_0.xy;
-    var _S418 : u32 = in_tile_0 % _S416;
-    var _S419 : u32 = _S415 + _S418;
-    var _S420 : u32 = in_tile_0 / _S416;
-    var at_8 : vec2<u32> = _S417 + vec2<u32>(_S419, _S413 + _S420);
+    var _S412 : u32 = size_1.x;
+    var _S413 : u32 = u32(8) * _S412;
+    var band_0 : u32 = index_30 / _S413;
+    var _S414 : u32 = u32(8) * band_0;
+    var in_band_0 : u32 = index_30 - _S413 * band_0;
+    var _S415 : u32 = u32(8) * min(u32(8), size_1.y - _S414);
+    var tile_0 : u32 = in_band_0 / _S415;
+    var _S416 : u32 = u32(8) * tile_0;
+    var _S417 : u32 = min(u32(8), _S412 - _S416);
+    var in_tile_0 : u32 = in_band_0 - _S415 * tile_0;
+    var _S418 : vec2<u32> = params_0.region_0.xy;
+    var _S419 : u32 = in_tile_0 % _S417;
+    var _S420 : u32 = _S416 + _S419;
+    var _S421 : u32 = in_tile_0 / _S417;
+    var at_8 : vec2<u32> = _S418 + vec2<u32>(_S420, _S414 + _S421);
     return Work_x24init_0(at_8.y * params_0.width_0 + at_8.x, pixels_0[place_of_0(at_8)].samples_0, min(dispatch_0.samples_target_0, pixels_0[place_of_0(at_8)].samples_0 + dispatch_0.samples_1));
 }
 
@@ -5806,24 +5807,24 @@ fn Work_camera_rays_0( this_48 : Work_0) -> u32
 
 fn tally_camera_rays_0( count_7 : u32)
 {
-    var _S421 : u32 = atomicAdd(&(group_counts_0[i32(0)]), count_7);
+    var _S422 : u32 = atomicAdd(&(group_counts_0[i32(0)]), count_7);
     return;
 }
 
 fn end_tally_0( counts_2 : RayCounts_0,  thread_1 : u32)
 {
-    var _S422 : u32 = atomicAdd(&(group_counts_0[i32(1)]), counts_2.bounce_2);
-    var _S423 : u32 = atomicAdd(&(group_counts_0[i32(2)]), counts_2.shadow_0);
+    var _S423 : u32 = atomicAdd(&(group_counts_0[i32(1)]), counts_2.bounce_2);
+    var _S424 : u32 = atomicAdd(&(group_counts_0[i32(2)]), counts_2.shadow_0);
     workgroupBarrier();
     if(thread_1 < u32(3))
     {
-        var _S424 : u32 = atomicLoad(&(group_counts_0[thread_1]));
-        var _S425 : u32 = atomicAdd(&(counters_0[u32(1) + thread_1]), _S424);
+        var _S425 : u32 = atomicLoad(&(group_counts_0[thread_1]));
+        var _S426 : u32 = atomicAdd(&(counters_0[u32(1) + thread_1]), _S425);
     }
     if(thread_1 == u32(0))
     {
         atomicStore(&(counters_0[u32(0)]), dispatch_0.sequence_0);
-        var _S426 : u32 = atomicAdd(&(counters_0[u32(4)]), u32(1));
+        var _S427 : u32 = atomicAdd(&(counters_0[u32(4)]), u32(1));
     }
     return;
 }
@@ -5831,18 +5832,18 @@ fn end_tally_0( counts_2 : RayCounts_0,  thread_1 : u32)
 fn render_0( index_31 : u32,  thread_2 : u32)
 {
     begin_tally_0(thread_2);
-    var _S427 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
+    var _S428 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
     var counts_3 : RayCounts_0;
     if(index_31 < (dispatch_0.count_0))
     {
         var work_2 : Work_0 = work_of_0(dispatch_0.first_0 + index_31);
         tally_camera_rays_0(Work_camera_rays_0(work_2));
-        var _S428 : RayCounts_0 = trace_pixel_0(work_2);
-        counts_3 = _S428;
+        var _S429 : RayCounts_0 = trace_pixel_0(work_2);
+        counts_3 = _S429;
     }
     else
     {
-        counts_3 = _S427;
+        counts_3 = _S428;
     }
     end_tally_0(counts_3, thread_2);
     return;
@@ -5851,18 +5852,18 @@ fn render_0( index_31 : u32,  thread_2 : u32)
 fn render_1( index_32 : u32,  thread_3 : u32)
 {
     begin_tally_0(thread_3);
-    var _S429 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
+    var _S430 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
     var counts_4 : RayCounts_0;
     if(index_32 < (dispatch_0.count_0))
     {
         var work_3 : Work_0 = work_of_0(dispatch_0.first_0 + index_32);
         tally_camera_rays_0(Work_camera_rays_0(work_3));
-        var _S430 : RayCounts_0 = trace_pixel_1(work_3);
-        counts_4 = _S430;
+        var _S431 : RayCounts_0 = trace_pixel_1(work_3);
+        counts_4 = _S431;
     }
     else
     {
-        counts_4 = _S429;
+        counts_4 = _S430;
     }
     end_tally_0(counts_4, thread_3);
     return;
@@ -5888,8 +5889,8 @@ fn render_path(@builtin(global_invocation_id) id_1 : vec3<u32>, @builtin(local_i
 
 fn WalkTracer_trace_1( ray_25 : ptr<function, Ray_0>,  is_any_enough_2 : bool) -> Hit_0
 {
-    var _S431 : Hit_0 = visit_0(&((*ray_25)), is_any_enough_2, u32(0));
-    return _S431;
+    var _S432 : Hit_0 = visit_0(&((*ray_25)), is_any_enough_2, u32(0));
+    return _S432;
 }
 
 struct HitRecord_0
@@ -5902,57 +5903,57 @@ struct HitRecord_0
 
 fn HitRecord_x24init_0( t_13 : f32,  instance_11 : u32,  voxel_21 : array<i32, i32(3)>,  face_8 : u32) -> HitRecord_0
 {
-    var _S432 : HitRecord_0;
-    _S432.t_0 = t_13;
-    _S432.instance_0 = instance_11;
-    _S432.voxel_0 = voxel_21;
-    _S432.face_0 = face_8;
-    return _S432;
+    var _S433 : HitRecord_0;
+    _S433.t_0 = t_13;
+    _S433.instance_0 = instance_11;
+    _S433.voxel_0 = voxel_21;
+    _S433.face_0 = face_8;
+    return _S433;
 }
 
 fn record_of_0( hit_8 : Hit_0) -> HitRecord_0
 {
-    var _S433 : array<i32, i32(3)> = array<i32, i32(3)>( hit_8.voxel_1.x, hit_8.voxel_1.y, hit_8.voxel_1.z );
-    return HitRecord_x24init_0(hit_8.t_1, hit_8.instance_1, _S433, hit_8.face_1);
+    var _S434 : array<i32, i32(3)> = array<i32, i32(3)>( hit_8.voxel_1.x, hit_8.voxel_1.y, hit_8.voxel_1.z );
+    return HitRecord_x24init_0(hit_8.t_1, hit_8.instance_1, _S434, hit_8.face_1);
 }
 
-fn ray_of_0( _S434 : u32) -> Ray_0
+fn ray_of_0( _S435 : u32) -> Ray_0
 {
-    return Ray_x24init_0(vector_of_0(rays_0[_S434].origin_1), rays_0[_S434].t_min_0, vector_of_0(rays_0[_S434].direction_0), rays_0[_S434].t_max_0);
+    return Ray_x24init_0(vector_of_0(rays_0[_S435].origin_1), rays_0[_S435].t_min_0, vector_of_0(rays_0[_S435].direction_0), rays_0[_S435].t_max_0);
 }
 
-fn Transform_direction_2( _S435 : i32,  _S436 : vec3<f32>) -> vec3<f32>
+fn Transform_direction_2( _S436 : i32,  _S437 : vec3<f32>) -> vec3<f32>
 {
-    return vector_of_0(instances_0[_S435].grid_from_world_0.x_axis_0) * vec3<f32>(_S436.x) + vector_of_0(instances_0[_S435].grid_from_world_0.y_axis_0) * vec3<f32>(_S436.y) + vector_of_0(instances_0[_S435].grid_from_world_0.z_axis_0) * vec3<f32>(_S436.z);
+    return vector_of_0(instances_0[_S436].grid_from_world_0.x_axis_0) * vec3<f32>(_S437.x) + vector_of_0(instances_0[_S436].grid_from_world_0.y_axis_0) * vec3<f32>(_S437.y) + vector_of_0(instances_0[_S436].grid_from_world_0.z_axis_0) * vec3<f32>(_S437.z);
 }
 
-fn Transform_point_2( _S437 : i32,  _S438 : vec3<f32>) -> vec3<f32>
+fn Transform_point_2( _S438 : i32,  _S439 : vec3<f32>) -> vec3<f32>
 {
-    return Transform_direction_2(_S437, _S438) + vector_of_0(instances_0[_S437].grid_from_world_0.translation_0);
+    return Transform_direction_2(_S438, _S439) + vector_of_0(instances_0[_S438].grid_from_world_0.translation_0);
 }
 
-fn local_ray_1( _S439 : Ray_0,  _S440 : i32) -> LocalRay_0
+fn local_ray_1( _S440 : Ray_0,  _S441 : i32) -> LocalRay_0
 {
     var local_4 : LocalRay_0;
     var direction_30 : vec3<f32>;
     var origin_12 : vec3<f32>;
     if(!IS_SINGLE_0)
     {
-        var _S441 : vec3<f32> = Transform_point_2(_S440, _S439.origin_2);
-        direction_30 = Transform_direction_2(_S440, _S439.direction_1);
-        origin_12 = _S441;
+        var _S442 : vec3<f32> = Transform_point_2(_S441, _S440.origin_2);
+        direction_30 = Transform_direction_2(_S441, _S440.direction_1);
+        origin_12 = _S442;
     }
     else
     {
-        direction_30 = _S439.direction_1;
-        origin_12 = _S439.origin_2;
+        direction_30 = _S440.direction_1;
+        origin_12 = _S440.origin_2;
     }
     var is_zero_2 : vec3<bool> = !((abs(direction_30)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S442 : vec3<f32> = select(direction_30, vec3<f32>(0.0f), is_zero_2);
-    local_4.direction_2 = _S442;
+    var _S443 : vec3<f32> = select(direction_30, vec3<f32>(0.0f), is_zero_2);
+    local_4.direction_2 = _S443;
     local_4.inverse_0 = select(reciprocal_0(select(direction_30, vec3<f32>(1.0f), is_zero_2)), vec3<f32>(3.4028234663852886e+38f), is_zero_2);
     local_4.origin_3 = select(origin_12, floor(origin_12) + vec3<f32>(0.5f), is_zero_2);
-    var speed_4 : f32 = max_element_0(abs(_S442));
+    var speed_4 : f32 = max_element_0(abs(_S443));
     var moves_1 : bool;
     if(speed_4 >= 1.00000004581370497e-18f)
     {
@@ -5964,9 +5965,9 @@ fn local_ray_1( _S439 : Ray_0,  _S440 : i32) -> LocalRay_0
     }
     var is_near_1 : bool = (all(((abs(local_4.origin_3)) <= vec3<f32>(2.097152e+06f))));
     var is_segment_1 : bool;
-    if((_S439.t_min_1) >= 0.0f)
+    if((_S440.t_min_1) >= 0.0f)
     {
-        is_segment_1 = (_S439.t_min_1) <= 3.4028234663852886e+38f;
+        is_segment_1 = (_S440.t_min_1) <= 3.4028234663852886e+38f;
     }
     else
     {
@@ -5974,14 +5975,14 @@ fn local_ray_1( _S439 : Ray_0,  _S440 : i32) -> LocalRay_0
     }
     if(is_segment_1)
     {
-        is_segment_1 = (_S439.t_min_1) <= (_S439.t_max_1);
+        is_segment_1 = (_S440.t_min_1) <= (_S440.t_max_1);
     }
     else
     {
         is_segment_1 = false;
     }
-    local_4.t_min_2 = _S439.t_min_1;
-    local_4.t_max_2 = _S439.t_max_1;
+    local_4.t_min_2 = _S440.t_min_1;
+    local_4.t_max_2 = _S440.t_max_1;
     if(moves_1)
     {
         moves_1 = is_near_1;
@@ -6008,44 +6009,44 @@ fn cast_rays(@builtin(global_invocation_id) id_2 : vec3<u32>, @builtin(local_inv
 {
     is_page_missing_0 = false;
     begin_tally_0(thread_6);
-    var _S443 : u32 = id_2.x;
-    if(_S443 < (dispatch_0.count_0))
+    var _S444 : u32 = id_2.x;
+    if(_S444 < (dispatch_0.count_0))
     {
         tally_camera_rays_0(u32(1));
-        var _S444 : Ray_0 = ray_of_0(dispatch_0.first_0 + _S443);
-        var ray_26 : Ray_0 = _S444;
-        var _S445 : Hit_0 = WalkTracer_trace_1(&(ray_26), false);
-        var _S446 : bool;
+        var _S445 : Ray_0 = ray_of_0(dispatch_0.first_0 + _S444);
+        var ray_26 : Ray_0 = _S445;
+        var _S446 : Hit_0 = WalkTracer_trace_1(&(ray_26), false);
+        var _S447 : bool;
         if(IS_SINGLE_0)
         {
-            _S446 = !IS_EXACT_0;
+            _S447 = !IS_EXACT_0;
         }
         else
         {
-            _S446 = false;
+            _S447 = false;
         }
-        if(_S446)
+        if(_S447)
         {
-            _S446 = !Hit_is_miss_0(_S445);
+            _S447 = !Hit_is_miss_0(_S446);
         }
         else
         {
-            _S446 = false;
+            _S447 = false;
         }
         var hit_9 : Hit_0;
-        if(_S446)
+        if(_S447)
         {
-            hit_9 = hit_of_0(local_ray_1(_S444, i32(0)), _S445.voxel_1, _S445.instance_1);
+            hit_9 = hit_of_0(local_ray_1(_S445, i32(0)), _S446.voxel_1, _S446.instance_1);
         }
         else
         {
-            hit_9 = _S445;
+            hit_9 = _S446;
         }
-        var _S447 : HitRecord_0 = record_of_0(hit_9);
-        hits_0[dispatch_0.first_0 + _S443].t_0 = _S447.t_0;
-        hits_0[dispatch_0.first_0 + _S443].instance_0 = _S447.instance_0;
-        hits_0[dispatch_0.first_0 + _S443].voxel_0 = _S447.voxel_0;
-        hits_0[dispatch_0.first_0 + _S443].face_0 = _S447.face_0;
+        var _S448 : HitRecord_0 = record_of_0(hit_9);
+        hits_0[dispatch_0.first_0 + _S444].t_0 = _S448.t_0;
+        hits_0[dispatch_0.first_0 + _S444].instance_0 = _S448.instance_0;
+        hits_0[dispatch_0.first_0 + _S444].voxel_0 = _S448.voxel_0;
+        hits_0[dispatch_0.first_0 + _S444].face_0 = _S448.face_0;
     }
     end_tally_0(RayCounts_x24init_0(u32(0), u32(0)), thread_6);
     return;

@@ -14,7 +14,7 @@ use voxtrace_core::sampler::{Sampler, pcg4d};
 /// Mixed into the user's seed.
 const SEED: u32 = 0xc2b2_ae35;
 /// One pixel of a square of this width is looked at.
-const STRIDE: u32 = 5;
+pub const STRIDE: u32 = 5;
 /// Squares on either side over which changes are averaged; where none of them found light, over more.
 const REACH: [usize; 2] = [1, 4];
 /// How far, in voxels and in pixel widths, what is seen may be from what was seen: else it moved, and nothing is known of its light.

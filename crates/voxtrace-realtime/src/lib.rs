@@ -25,6 +25,7 @@
 
 mod confidence;
 mod filter;
+mod half_rate;
 mod light_cache;
 mod memory;
 mod path;
@@ -32,10 +33,17 @@ mod real_time;
 mod reprojection;
 
 pub use filter::filter;
+pub use half_rate::Rate;
 pub use light_cache::{Key, LightCache, Request};
 pub use memory::Memory;
 pub use path::{Sample, Shown, View};
 pub use real_time::{Parts, RealTime};
+
+// For what makes the same pictures on devices: not covered by semantic versioning.
+#[doc(hidden)]
+pub use confidence::STRIDE;
+#[doc(hidden)]
+pub use real_time::{CANDIDATES, MOST_PATHS, SAMPLES_WHILE_MOVING, view_angle};
 
 /// The example of the crate's page, tested.
 #[cfg(doctest)]

@@ -99,6 +99,12 @@ impl Memory {
         Self { looks: 0.0, coverage: 0.0, roughness: 0.0, ..self }
     }
 
+    /// The light that is known, without what was seen.
+    pub fn light_alone(&self) -> Self {
+        let Self { paths, light, shaded, moments, .. } = *self;
+        Self { paths, light, shaded, moments, ..Self::default() }
+    }
+
     /// Forgets all but `paths` paths.
     pub fn doubt(&mut self, paths: f32) {
         self.paths = self.paths.min(paths);

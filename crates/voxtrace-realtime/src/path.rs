@@ -41,6 +41,8 @@ pub struct View<'a> {
     pub candidates: u32,
     /// Light on faces, where it is used.
     pub cache: Option<&'a LightCache>,
+    /// [`Request::scramble_of`] of the frame.
+    pub scramble: u32,
 }
 
 /// The surface that a sample shows, through mirrors and clear glass.
@@ -139,9 +141,9 @@ impl View<'_> {
 
     /// Takes a path one bounce further, as the integrator does; `light` gets what arrives. The light that is asked is one of `candidates`.
     pub fn advance(&self, path: &mut Path, at: (&Ray, &Hit), candidates: u32, light: &mut Vec3) -> Option<Ray> {
-        let mut emitted = Vec3::ZERO;
-        let next = self.advance_apart(path, at, candidates, &mut emitted, light);
-        *light += emitted;
+        let mut chosen = Vec3::ZERO;
+        let next = self.advance_apart(path, at, candidates, light, &mut chosen);
+        *light += chosen;
         next
     }
 
@@ -207,7 +209,7 @@ impl View<'_> {
         let place = ray.at(hit.t);
         let size = LightCache::size(self.view_angle, (place - self.eye).length());
         let u = path.sampler.independent(DIMENSION_LEVEL + path.event)[0];
-        let request = Request::of(hit, size, u, life);
+        let request = Request::of(hit, size, u, life, self.scramble);
         if hit.t * ray.direction.length() < LightCache::least_distance(&request) {
             return None;
         }

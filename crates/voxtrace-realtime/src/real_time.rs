@@ -2,6 +2,7 @@
 
 use crate::confidence::{Found, paths_left};
 use crate::filter::filter;
+use crate::half_rate::{Rate, Samples};
 use crate::light_cache::{LightCache, Request};
 use crate::memory::Memory;
 use crate::path::{Sample, View};
@@ -13,6 +14,7 @@ use voxtrace_core::integrator::path::Limits;
 use voxtrace_core::light::Lights;
 use voxtrace_core::packed::{PackedInstance, PackedScene};
 use voxtrace_core::sampler::Sampler;
+use voxtrace_scene::Camera;
 use voxtrace_scene::camera::CameraFrame;
 use voxtrace_scene::transform::Transform;
 
@@ -23,13 +25,13 @@ const LOOK_SEED: u32 = 0x85eb_ca6b;
 /// The same, for the light cache.
 const CACHE_SEED: u32 = 0x5bd1_e995;
 /// Samples that cells of the light cache remember while things move.
-const SAMPLES_WHILE_MOVING: f32 = 8.0;
+pub const SAMPLES_WHILE_MOVING: f32 = 8.0;
 /// Lights of which a surface chooses one.
-const CANDIDATES: u32 = 8;
+pub const CANDIDATES: u32 = 8;
 /// Rays of the camera that a pixel has seen at least since the view moved: those beyond its paths find no light.
 const LEAST_LOOKS: f32 = 4.0;
 /// Paths that a pixel remembers while something moves, and while nothing does.
-const MOST_PATHS: [f32; 2] = [32.0, 1e6];
+pub const MOST_PATHS: [f32; 2] = [32.0, 1e6];
 
 /// What is used: all of it, but where one wants to know what a part is worth.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -54,8 +56,11 @@ impl Parts {
 /// Real-time light of a view: what it knows from frame to frame.
 pub struct RealTime {
     parts: Parts,
+    rate: Rate,
     cache: LightCache,
     memory: Vec<Memory>,
+    /// What the paths of the last frame found.
+    samples: Vec<Sample>,
     before: Option<FrameBefore>,
     /// Number of the next frame.
     number: u32,
@@ -76,7 +81,28 @@ impl RealTime {
     /// One that knows nothing.
     pub fn new(parts: Parts) -> Self {
         let cache = LightCache::new(LightCache::CAPACITY, LightCache::BUDGET);
-        Self { parts, cache, memory: Vec::new(), before: None, number: 0, has_changed: false, transforms: None }
+        Self {
+            parts,
+            rate: Rate::Full,
+            cache,
+            memory: Vec::new(),
+            samples: Vec::new(),
+            before: None,
+            number: 0,
+            has_changed: false,
+            transforms: None,
+        }
+    }
+
+    /// How many pixels trace from the next frame on.
+    pub fn set_rate(&mut self, rate: Rate) {
+        self.rate = rate;
+    }
+
+    /// What the paths of the last frame found, for tests of what does the same.
+    #[doc(hidden)]
+    pub fn samples(&self) -> &[Sample] {
+        &self.samples
     }
 
     /// Voxels, materials or lights of the scene are others now.
@@ -110,15 +136,17 @@ impl RealTime {
             true => self.cache.trace(&view, self.number, frame.seed ^ CACHE_SEED),
             false => Default::default(),
         };
-        let (samples, asked) = self.samples(&view, frame);
+        let (samples, asked) = self.trace(&view, frame);
         requests.extend(asked);
         let memory = self.remember(&view, frame, &samples);
         let found = Found::of(&View { cache: None, ..view }, frame, self.number);
-        self.cache.update(&light);
+        let scramble = view.scramble;
         self.cache.insert(&requests);
+        self.cache.update(&light, scramble);
         let camera = frame.camera.frame(width, height);
         self.before = Some(FrameBefore { frame: frame.clone(), camera, found });
-        (self.memory, self.transforms, self.has_changed) = (memory, None, false);
+        (self.memory, self.samples) = (memory, samples);
+        (self.transforms, self.has_changed) = (None, false);
         self.number += 1;
         match self.parts.filter {
             true => filter(&self.memory, width as usize),
@@ -133,18 +161,22 @@ impl RealTime {
             limits: Limits::of(frame),
             camera: frame.camera.frame(frame.width, frame.height),
             eye: frame.camera.eye,
-            view_angle: 2.0 * (0.5 * frame.camera.fov_y).to_radians().tan(),
+            view_angle: view_angle(&frame.camera),
             has_media: scene.has_media(),
             candidates: if self.parts.candidates { CANDIDATES } else { 1 },
             cache: self.parts.cache.then_some(&self.cache),
+            scramble: Request::scramble_of(self.number),
         }
     }
 
     /// One path of each pixel, and what they asked of the light cache.
-    fn samples(&self, view: &View, frame: &Frame) -> (Vec<Sample>, Vec<Request>) {
+    fn trace(&self, view: &View, frame: &Frame) -> (Vec<Sample>, Vec<Request>) {
         let row = |y: u32| {
             let mut requests = Vec::new();
-            let pixel = |x: u32| view.sample(x, y, sampler(frame, self.number, y * frame.width + x), &mut requests);
+            let pixel = |x: u32| match self.rate.traces(x, y, self.number) {
+                true => view.sample(x, y, sampler(frame, self.number, y * frame.width + x), &mut requests),
+                false => Sample::default(),
+            };
             let samples: Vec<Sample> = (0..frame.width).map(pixel).collect();
             (samples, requests)
         };
@@ -167,7 +199,10 @@ impl RealTime {
         };
         let motions = self.motions(view.scene);
         let pixel_width = view.view_angle / frame.height as f32;
-        let pixel = |(index, sample): (usize, &Sample)| {
+        let size = [frame.width, frame.height];
+        let samples = Samples { samples, size, rate: self.rate, number: self.number };
+        let pixel = |index: usize| {
+            let sample = samples.at(index);
             let (x, y) = (index as u32 % frame.width, index as u32 / frame.width);
             let mut known = match before {
                 None => Memory::default(),
@@ -178,10 +213,20 @@ impl RealTime {
                     let size = [before.frame.width, before.frame.height];
                     let distance = sample.shown.map_or(0.0, |shown| (shown.place - view.eye).length());
                     let before = Before { memory: &memory, camera: &before.camera, size, motions: &motions };
-                    before.memory_of(sample, &ray, pixel_width * distance)
+                    before.memory_of(&sample, &ray, pixel_width * distance)
                 }
             };
-            known.add(sample, most);
+            if !samples.traced(index) {
+                let is_lit = known.paths > 0.0;
+                if is_still && is_lit {
+                    return known;
+                }
+                for sample in samples.beside(index) {
+                    if is_lit { known.look(&sample) } else { known.add(&sample, most) }
+                }
+                return known;
+            }
+            known.add(&sample, most);
             let mut looks = 0;
             while self.parts.candidates && known.looks < LEAST_LOOKS {
                 looks += 1;
@@ -191,7 +236,7 @@ impl RealTime {
             }
             known
         };
-        samples.par_iter().enumerate().map(pixel).collect()
+        (0..samples.samples.len()).into_par_iter().map(pixel).collect()
     }
 
     /// What was known of each pixel of the frame before, less where light changed.
@@ -215,6 +260,11 @@ impl RealTime {
         };
         before.iter().zip(scene.instances()).map(motion).collect()
     }
+}
+
+/// What the picture's height sees, radians: about, where that is much.
+pub fn view_angle(camera: &Camera) -> f32 {
+    2.0 * (0.5 * camera.fov_y).to_radians().tan()
 }
 
 /// The random numbers of a pixel's path.

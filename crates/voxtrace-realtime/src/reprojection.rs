@@ -77,7 +77,7 @@ impl Before<'_> {
         let distance = |(dx, dy): (i32, i32)| (Vec2::new((x + dx) as f32, (y + dy) as f32) + 0.5 - at).length_squared();
         let found = around.filter(|&(dx, dy)| self.pixel(x + dx, y + dy).is_some_and(shows));
         let nearest = found.min_by(|&a, &b| distance(a).total_cmp(&distance(b)));
-        nearest.and_then(|(dx, dy)| self.pixel(x + dx, y + dy)).copied().unwrap_or_default()
+        nearest.and_then(|(dx, dy)| self.pixel(x + dx, y + dy)).map(Memory::light_alone).unwrap_or_default()
     }
 
     fn pixel(&self, x: i32, y: i32) -> Option<&Memory> {

@@ -37,6 +37,7 @@ pub mod outliner;
 pub mod panels;
 pub mod phases;
 pub mod projection;
+mod real_time;
 pub mod render_command;
 pub mod render_settings;
 pub mod running;

@@ -21,7 +21,7 @@ pub struct Bindings {
 /// Kind of each binding.
 fn kind(binding: u32) -> vk::DescriptorType {
     match binding {
-        binding::FRAME => vk::DescriptorType::UNIFORM_BUFFER,
+        binding::FRAME | binding::REAL_TIME => vk::DescriptorType::UNIFORM_BUFFER,
         binding::DISPATCH => vk::DescriptorType::UNIFORM_BUFFER_DYNAMIC,
         binding::TOP_LEVEL => vk::DescriptorType::ACCELERATION_STRUCTURE_KHR,
         _ => vk::DescriptorType::STORAGE_BUFFER,

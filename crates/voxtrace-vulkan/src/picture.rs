@@ -1,6 +1,6 @@
 //! What a window shows while a film is made: the mean radiance of its pixels as half floats, in a buffer of the device that
 //! draws the window, so that nothing is read back, and beside it what that looks like through a tone curve. Twin of
-//! `shaders/pass/resolve.slang`.
+//! `shaders/pass/resolve.slang` and `shaders/half.slang`.
 
 use crate::buffer::Buffer;
 use crate::device::Device;
@@ -51,6 +51,15 @@ pub struct PresentParams {
     pub exposure: f32,
     /// The curve from radiance to signal: 0 AgX, 1 neutral, 2 Reinhard, 3 linear; with `BLUE_LOWEST` or without.
     pub curve: u32,
+}
+
+/// A picture that lies under a film's: it is seen until the film has as many samples as it needs.
+#[derive(Clone, Copy)]
+pub struct Under<'a> {
+    /// It shows the same view, with as many pixels or fewer.
+    pub picture: &'a Picture,
+    /// How much of the film is seen, 0 to 1.
+    pub film_weight: f32,
 }
 
 /// A picture of `width` × `height` pixels on a device, row by row.
@@ -124,10 +133,24 @@ impl Picture {
         self.tone.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
+    /// The buffer, for a pass that reads it.
+    pub(crate) fn to_read(&self) -> &Buffer {
+        &self.buffer
+    }
+
     /// The buffer, for a pass that writes it: what is to be seen has to be made anew.
     pub(crate) fn to_write(&self) -> &Buffer {
         *self.tone() = None;
         &self.buffer
+    }
+
+    /// The radiance of its pixels, row by row, where the host can write it: for tests.
+    #[doc(hidden)]
+    pub fn radiance(&self) -> Vec<[f32; 3]> {
+        let half = |bytes: [u8; 2]| number_of(u16::from_le_bytes(bytes));
+        let pixel = |bytes: &[u8]| [0, 2, 4].map(|at| half([bytes[at], bytes[at + 1]]));
+        let pixels = self.buffer.mapped().chunks_exact(PIXEL_BYTES as usize).map(pixel);
+        pixels.take((self.width * self.height) as usize).collect()
     }
 
     /// Writes a film of the whole picture from the host.
@@ -166,6 +189,16 @@ fn half_of(value: f32) -> u16 {
     (sign | magnitude) as u16
 }
 
+/// The number that a finite half float stands for.
+fn number_of(half: u16) -> f32 {
+    let sign = if half & 0x8000 != 0 { -1.0 } else { 1.0 };
+    let (exponent, mantissa) = (i32::from(half >> 10 & 0x1f), f32::from(half & 0x3ff));
+    match exponent {
+        0 => sign * mantissa * 2f32.powi(-24),
+        _ => sign * (1.0 + mantissa / 1024.0) * 2f32.powi(exponent - 15),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -173,12 +206,7 @@ mod tests {
 
     /// The number that a half float stands for.
     fn number_of(half: u16) -> f64 {
-        let sign = if half & 0x8000 != 0 { -1.0 } else { 1.0 };
-        let (exponent, mantissa) = (i32::from(half >> 10 & 0x1f), f64::from(half & 0x3ff));
-        match exponent {
-            0 => sign * mantissa * 2f64.powi(-24),
-            _ => sign * (1.0 + mantissa / 1024.0) * 2f64.powi(exponent - 15),
-        }
+        super::number_of(half).into()
     }
 
     #[test]

@@ -15,8 +15,12 @@ pub enum Entry {
     RenderPath,
     /// A step of paths in waves.
     Wave(&'static str),
+    /// A step of real-time light.
+    RealTime(&'static str),
     /// Writes the mean of each pixel's samples for a window.
     Resolve,
+    /// Lays that over another picture.
+    Blend,
     /// A group of functions of the self-test.
     SelfTest(&'static str),
 }
@@ -37,7 +41,8 @@ impl Entry {
             Self::RenderEssay => "render_essay",
             Self::RenderPath => "render_path",
             Self::Resolve => "resolve",
-            Self::Wave(name) | Self::SelfTest(name) => name,
+            Self::Blend => "blend",
+            Self::Wave(name) | Self::RealTime(name) | Self::SelfTest(name) => name,
         }
     }
 }

@@ -3,6 +3,7 @@
 mod casting;
 mod edits;
 mod paging;
+mod real_time;
 mod rendering;
 mod scene;
 mod show;
@@ -18,7 +19,7 @@ use crate::film::DeviceFilm;
 use crate::method::{Settings, Traversal};
 use crate::pages::Pages;
 use crate::passes::Passes;
-use crate::picture::Picture;
+use crate::real_time::RealTime;
 use crate::records::{Dispatch, FrameParams, binding};
 use crate::scene::SceneBuffers;
 use crate::schedule::{BatchSizer, TARGET_MS};
@@ -31,12 +32,14 @@ use crate::waves::Waves;
 use ash::vk;
 use bytemuck::bytes_of;
 use gpu_allocator::MemoryLocation;
-use show::Show;
+pub use show::Canvas;
+use show::{Show, ShowPasses};
 use std::sync::Arc;
 use std::time::Instant;
 use voxtrace_core::normals::Normals;
 use voxtrace_core::shadow_catcher::ShadowCatcher;
 use voxtrace_core::{Film, Frame, PackedScene, TraceError};
+use voxtrace_realtime::Parts;
 use voxtrace_scene::transform::Transform;
 
 /// Samples that each part of a film in several parts gets in its turn, where all have `least`.
@@ -64,7 +67,13 @@ pub struct Worker {
     scene: Option<SceneBuffers>,
     film: Option<DeviceFilm>,
     cast_buffers: Option<(Buffer, Buffer)>,
-    resolve_passes: Option<Passes>,
+    show_passes: Option<ShowPasses>,
+    /// Of real-time light, those that trace and the others.
+    real_time_passes: Option<[Passes; 2]>,
+    real_time: Option<RealTime>,
+    real_time_parts: Parts,
+    /// Whether its rays are traced exactly.
+    is_real_time_exact: bool,
     /// Milliseconds of the picture that the last call of `render` wrote, where it did.
     shown_ms: Option<f64>,
     submit_ms: f64,
@@ -97,6 +106,7 @@ impl Worker {
         let params = Buffer::new(&device, "frame parameters", size, usage, MemoryLocation::CpuToGpu)?;
         bindings.bind(binding::FRAME, &params);
         bindings.bind(binding::FRAME_STORAGE, &params);
+        bindings.bind(binding::REAL_TIME, &params);
         let nothing = Buffer::storage(&device, "placeholder", 0)?;
         for place in [
             binding::PIXELS,
@@ -107,6 +117,11 @@ impl Worker {
             binding::PAGES,
             binding::PATHS,
             binding::QUEUES,
+            binding::MEMORY,
+            binding::SCRATCH,
+            binding::CELL_KEYS,
+            binding::CELL_ROWS,
+            binding::MOTIONS,
         ] {
             bindings.bind(place, &nothing);
         }
@@ -136,7 +151,11 @@ impl Worker {
             scene: None,
             film: None,
             cast_buffers: None,
-            resolve_passes: None,
+            show_passes: None,
+            real_time_passes: None,
+            real_time: None,
+            real_time_parts: Parts::ALL,
+            is_real_time_exact: false,
             shown_ms: None,
             submit_ms: TARGET_MS,
             allows_pages: true,
@@ -181,9 +200,9 @@ impl Worker {
         let cells_have_blocks = self.scene.as_ref().is_some_and(|buffers| buffers.cells_have_blocks);
         let has_cuts = !scene.cuts.is_none();
         // No other pass asks what voxels are made of.
-        let has_normals = matches!(entry, Entry::RenderEssay | Entry::RenderPath) && scene.normals() == Normals::Smooth;
-        let has_materials =
-            has_cuts || has_normals || (entry == Entry::RenderPath && (knows_paths || !scene.is_matte()));
+        let follows_paths = matches!(entry, Entry::RenderPath | Entry::RealTime(_));
+        let has_normals = (entry == Entry::RenderEssay || follows_paths) && scene.normals() == Normals::Smooth;
+        let has_materials = has_cuts || has_normals || (follows_paths && (knows_paths || !scene.is_matte()));
         Ok(Variant {
             entry,
             is_exact,
@@ -234,15 +253,15 @@ impl Worker {
             Some(_) => dispatch.count.wrapping_mul(dispatch.samples),
             None => passes.proof(variant, dispatch.count),
         };
-        let show = show.zip(self.resolve_passes.as_ref());
+        let show = show.zip(self.show_passes.as_ref());
         let record_show = |commands, offset| {
             if let Some((show, passes)) = show {
-                passes.launch(show.variant, bindings, commands, offset, show.count);
+                show.record((bindings, &self.device), passes, commands, offset);
             }
         };
         let then = show.map(|(show, passes)| Then {
             dispatch: show.dispatch(),
-            workgroups: passes.proof(show.variant, show.count),
+            workgroups: show.proof(passes),
             record: &record_show,
         });
         self.submitter.submit(&Job { step, work, dispatch, workgroups: Some(workgroups), record: &record, then })
@@ -251,14 +270,14 @@ impl Worker {
 
 /// As in [`voxtrace_core::Tracer`].
 impl Worker {
-    /// Adds the samples that the frame lacks, until `until`, and shows the film in `picture` with the last ones, if that can be: see
+    /// Adds the samples that the frame lacks, until `until`, and shows the film on a canvas with the last ones, if that can be: see
     /// [`Self::take_shown`]. Returns whether it has them all or `progress` is cancelled.
     pub fn render(
         &mut self,
         frame: &Frame,
         progress: &mut Watch,
         until: Instant,
-        picture: Option<&Picture>,
+        canvas: Option<Canvas>,
     ) -> Result<bool, TraceError> {
         frame.check()?;
         self.scene()?;
@@ -271,7 +290,7 @@ impl Worker {
         if progress.done() == 0 {
             self.statistics = Statistics::default();
         }
-        let result = self.render_film(&mut film, frame, progress, until, picture);
+        let result = self.render_film(&mut film, frame, progress, until, canvas);
         self.stop_showing();
         self.film = Some(film);
         result
@@ -294,13 +313,13 @@ impl Worker {
         frame: &Frame,
         progress: &mut Watch,
         until: Instant,
-        picture: Option<&Picture>,
+        canvas: Option<Canvas>,
     ) -> Result<bool, TraceError> {
         if frame.aovs && film.aovs.is_none() {
             film.aovs = Some(self.aov_pixels(frame)?);
             self.statistics = Statistics::default();
         }
-        let show = self.show_with_samples(film, picture)?;
+        let show = self.show_with_samples(film, canvas)?;
         // Several parts take turns, so that none is black when the work is broken off.
         let is_one = film.parts.len() == 1;
         loop {

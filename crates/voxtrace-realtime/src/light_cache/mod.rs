@@ -23,14 +23,16 @@ const LEAST_DISTANCE: f32 = 2.0;
 /// Most samples that a cell remembers: its light follows what changes as quickly as that.
 const MOST_SAMPLES: f32 = 128.0;
 
-/// One cell; without life it is free.
+/// One cell; without life, and where nobody asked for it, it is free.
 #[derive(Clone, Copy, Debug, Default)]
 struct Cell {
     key: Key,
     /// Frames that it is kept if nobody asks.
     life: u32,
-    /// Which of its voxels its rays leave: [`Request::voxel_code`] of the last frame in which it was asked for.
+    /// Which of its voxels its rays leave: [`Request::voxel_code`] of the last frame, 0 where nobody asked.
     voxel_code: u32,
+    /// [`Request::rank`] of who asked in this frame, the largest; 0 where nobody did.
+    asked: u32,
     /// What its face sends on of the light that falls on it, were it white: a mean of samples.
     light: Vec3,
     /// How many samples that is a mean of.
@@ -40,10 +42,10 @@ struct Cell {
 /// The cells.
 pub struct LightCache {
     cells: Vec<Cell>,
-    /// Most cells that trace rays in one frame.
+    /// Most cells that trace rays in one frame, about.
     budget: usize,
-    /// Where the next frame begins to update.
-    next: usize,
+    /// What voxel codes of the last frame are scrambled by.
+    scramble: u32,
 }
 
 impl LightCache {
@@ -55,7 +57,7 @@ impl LightCache {
     /// One without cells, with room for `capacity` of them, a power of two.
     pub fn new(capacity: usize, budget: usize) -> Self {
         assert!(capacity.is_power_of_two(), "the capacity is a power of two");
-        Self { cells: vec![Cell::default(); capacity], budget, next: 0 }
+        Self { cells: vec![Cell::default(); capacity], budget, scramble: 0 }
     }
 
     /// Number of cells that are alive.
@@ -84,9 +86,9 @@ impl LightCache {
         (cell.samples > 0.0).then_some(cell.light)
     }
 
-    /// The place of a living cell.
+    /// The place of a cell.
     fn find(&self, key: &Key) -> Option<usize> {
-        self.places(key).find(|&place| self.cells[place].life > 0 && self.cells[place].key == *key)
+        self.places(key).find(|&place| !self.cells[place].is_free() && self.cells[place].key == *key)
     }
 
     /// The places at which a cell may be.
@@ -95,17 +97,16 @@ impl LightCache {
         (0..PROBES).map(move |probe| first.wrapping_add(probe) as usize & mask)
     }
 
-    /// Takes what was asked for in a frame. Where there is no room, nobody learns of it: the path goes on without.
+    /// Takes what was asked for in a frame. Where there is no room, nobody learns of it: the path goes on without. To be called before [`Self::update`].
     pub fn insert(&mut self, requests: &[Request]) {
-        for request in requests {
-            let free = || self.places(&request.key).find(|&place| self.cells[place].life == 0);
+        for request in requests.iter().filter(|request| request.life > 0) {
+            let free = || self.places(&request.key).find(|&place| self.cells[place].is_free());
             let Some(place) = self.find(&request.key).or_else(free) else { continue };
             let cell = &mut self.cells[place];
-            if cell.life == 0 {
+            if cell.is_free() {
                 *cell = Cell { key: request.key, ..Cell::default() };
             }
-            cell.life = cell.life.max(request.life);
-            cell.voxel_code = cell.voxel_code.max(request.voxel_code);
+            cell.asked = cell.asked.max(request.rank());
         }
     }
 
@@ -114,16 +115,25 @@ impl LightCache {
         self.cells.iter_mut().for_each(|cell| cell.samples = cell.samples.min(samples));
     }
 
-    /// Adds what cells found, by their places, and lets them grow older. To be called before [`Self::insert`] of what was asked for meanwhile.
-    fn add(&mut self, found: &[(usize, Vec3)]) {
-        for cell in self.cells.iter_mut().filter(|cell| cell.life > 0) {
-            cell.life -= 1;
-            cell.voxel_code = 0;
-        }
+    /// Ends a frame, whose voxel codes were scrambled by `scramble`: adds what cells found, by their places, and lets them grow older.
+    pub(crate) fn update(&mut self, found: &[(usize, Vec3)], scramble: u32) {
+        self.scramble = scramble;
         for &(place, light) in found {
             let cell = &mut self.cells[place];
             cell.samples = (cell.samples + 1.0).min(MOST_SAMPLES);
             cell.light += (light - cell.light) / cell.samples;
         }
+        for cell in &mut self.cells {
+            cell.life = cell.life.saturating_sub(1).max(Request::life_of(cell.asked));
+            cell.voxel_code = Request::code_of(cell.asked);
+            cell.asked = 0;
+        }
+    }
+}
+
+impl Cell {
+    /// Whether its place can be taken.
+    fn is_free(&self) -> bool {
+        self.life == 0 && self.asked == 0
     }
 }

@@ -9,44 +9,52 @@ use std::f32::consts::FRAC_1_PI;
 use voxtrace_core::integrator::{Path, ShadowRay};
 use voxtrace_core::light::{LightSample, Receiver};
 use voxtrace_core::math::{cosine_hemisphere, orthonormal_pair};
-use voxtrace_core::sampler::Sampler;
+use voxtrace_core::sampler::{Sampler, pcg4d};
 use voxtrace_core::surface::offset_ray_origin;
 use voxtrace_scene::ray::Ray;
 
 impl LightCache {
-    /// Lets cells trace rays, those first that know nothing yet, then the others in turns. Returns what they found, by their places, and what they asked for.
-    /// What they read of each other is what was known before.
+    /// Lets cells trace rays, those first that know nothing yet. Where there are more than the budget has room for, random numbers of their own choose: which
+    /// cells lie beside which does not matter. Returns what they found, by their places, and what they asked for. What they read of each other is what was
+    /// known before.
     pub(crate) fn trace(&self, view: &View, frame: u32, seed: u32) -> (Vec<(usize, Vec3)>, Vec<Request>) {
-        let is_asked = |place: &usize| self.cells[*place].life > 0 && self.cells[*place].voxel_code > 0;
-        let count = self.cells.len();
-        let new = (0..count).filter(is_asked).filter(|&place| self.cells[place].samples == 0.0);
-        let turn = (0..count).map(|step| (self.next + step) % count).filter(is_asked);
-        let old = turn.filter(|&place| self.cells[place].samples > 0.0);
-        let chosen: Vec<usize> = new.chain(old).take(self.budget).collect();
-        let trace = |&place: &usize| {
-            let (cell, mut requests) = (&self.cells[place], Vec::new());
+        let is_asked = |cell: &&Cell| cell.life > 0 && cell.voxel_code > 0;
+        let count = |is_new: bool| self.cells.iter().filter(is_asked).filter(|cell| cell.is_new() == is_new).count();
+        let (new, old) = (count(true) as u32, count(false) as u32);
+        let budget = self.budget as u32;
+        let (of_new, of_old) = (share(new, budget), share(old, budget - new.min(budget)));
+        let is_chosen =
+            |cell: &Cell| pcg4d([cell.key.hash(), frame, 1, seed])[0] <= if cell.is_new() { of_new } else { of_old };
+        let chosen = |(_, cell): &(usize, &Cell)| is_asked(cell) && is_chosen(cell);
+        let chosen: Vec<(usize, &Cell)> = self.cells.iter().enumerate().filter(chosen).collect();
+        let trace = |&(place, cell): &(usize, &Cell)| {
+            let mut requests = Vec::new();
             let sampler = Sampler { seed, pixel: cell.key.hash(), sample: frame };
-            let light = cell.trace(view, sampler, &mut requests);
+            let light = cell.trace(view, self.scramble, sampler, &mut requests);
             ((place, light), requests)
         };
         let (found, requests): (Vec<_>, Vec<_>) = chosen.par_iter().map(trace).unzip();
         (found, requests.into_iter().flatten().collect())
     }
+}
 
-    /// As [`Self::trace`], and adds what was found. Returns what cells asked for.
-    pub(crate) fn update(&mut self, found: &[(usize, Vec3)]) {
-        self.next = found.last().map_or(0, |&(place, _)| place + 1) % self.cells.len();
-        self.add(found);
-    }
+/// Up to which random word a cell is chosen, where there is room for `room` of `count`.
+fn share(count: u32, room: u32) -> u32 {
+    if count <= room { u32::MAX } else { u32::MAX / count * room }
 }
 
 impl Cell {
+    /// Whether it knows nothing yet.
+    fn is_new(&self) -> bool {
+        self.samples == 0.0
+    }
+
     /// A sample of what the face sends on of the light that falls on it, were it white.
-    fn trace(&self, view: &View, sampler: Sampler, requests: &mut Vec<Request>) -> Vec3 {
+    fn trace(&self, view: &View, scramble: u32, sampler: Sampler, requests: &mut Vec<Request>) -> Vec3 {
         let instance = &view.scene.instances()[self.key.instance as usize];
         let face = self.key.face();
         let [u, v, a, b] = sampler.independent(0);
-        let low = self.key.voxel(self.voxel_code).as_vec3();
+        let low = self.key.voxel(self.voxel_code, scramble).as_vec3();
         let mut point = low;
         let axis = face.axis();
         point[(axis + 1) % 3] += u;
@@ -72,7 +80,7 @@ impl Cell {
         loop {
             let hit = view.cast(&path, &ray);
             if let Some(cached) = view.cached(&path, &ray, &hit, self.life.saturating_sub(1), requests) {
-                return light + cached + view.emitted(&path, &ray, &hit);
+                return light + (cached + view.emitted(&path, &ray, &hit));
             }
             let Some(next) = view.advance(&mut path, (&ray, &hit), 1, &mut light) else { return light };
             ray = next;

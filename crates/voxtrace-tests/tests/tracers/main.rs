@@ -26,6 +26,7 @@ mod physics;
 mod placement;
 mod placement_faults;
 mod ray_counts;
+mod real_time;
 mod sampling;
 mod scene_pictures;
 mod selftest;

@@ -149,6 +149,12 @@ pub enum Action {
     FinishMeasuring,
     /// Shows the panels or hides them.
     TogglePanels,
+    /// Shows times, rays and memory over the picture, or hides them.
+    ToggleTimes,
+    /// Shows views that move in real-time light, or no more.
+    ToggleRealTime,
+    /// Shows the film of a view that stands at once, or when it is clean.
+    ToggleBareFilm,
     /// Fills the screen, or not any more.
     ToggleFullScreen,
     /// Larger text and buttons.

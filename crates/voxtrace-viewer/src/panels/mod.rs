@@ -26,6 +26,7 @@ mod statistics;
 mod status;
 mod surroundings;
 mod timeline;
+mod times;
 mod tracing;
 mod unsaved;
 mod values;
@@ -79,6 +80,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, status: &Status) -> f32 {
     messages::loading(ui, session, width);
     running::running(ui, session, width);
     messages::messages(ui, session);
+    times::times(ui, session, status);
     if session.has_help {
         help::help(ui, session);
     }

@@ -1,7 +1,7 @@
 //! What the state asks for: things to be done outside of it.
 
 use super::editing::Followed;
-use crate::engine::{Backend, Contrast};
+use crate::engine::{Backend, Contrast, Light};
 use crate::export::ExportRequest;
 use crate::running::RunRequest;
 use std::path::PathBuf;
@@ -27,6 +27,8 @@ pub enum Command {
     CompareWith(Option<Backend>),
     /// Show this of two tracers.
     SetContrast(Contrast),
+    /// Show views in this light.
+    SetLight(Light),
     /// Make other voxels of the volume that is open.
     Reshape,
     /// Open the scene once more: with parts that its file hides, or with what is inside, where it is cut open.
@@ -80,6 +82,7 @@ impl Command {
                 | Self::Reshape
                 | Self::CompareWith(_)
                 | Self::SetContrast(_)
+                | Self::SetLight(_)
                 | Self::SetScene
                 | Self::Edit
                 | Self::MakeSky

@@ -4,6 +4,7 @@ use super::Worker;
 use crate::accel::{Accel, BUILDING_TOP};
 use crate::film::DeviceFilm;
 use crate::method::{Primitive, Settings, Traversal};
+use crate::real_time::RealTime;
 use crate::records::binding;
 use crate::scene::SceneBuffers;
 use crate::schedule::BatchSizer;
@@ -23,10 +24,12 @@ impl Worker {
                 buffers.bind(&self.bindings);
             }
             self.film = None;
+            self.real_time.iter_mut().for_each(RealTime::change);
             return Ok(());
         }
         (self.scene, self.film, self.accel) = (None, None, None);
         self.drop_waves();
+        self.forget_real_time();
         let buffers = self.buffers_of(scene)?;
         buffers.bind(&self.bindings);
         let Settings { traversal, primitive, is_exact } = self.settings;
@@ -80,6 +83,9 @@ impl Worker {
         // Where something fails nothing is left, rather than half of it.
         let (buffers, accel) = (self.scene.take().ok_or(TraceError::NoScene)?, self.accel.take());
         self.film = None;
+        if let Some(state) = &mut self.real_time {
+            state.move_instances(buffers.scene.instances().iter().map(|instance| instance.world_from_grid));
+        }
         let buffers = buffers.placed(&self.device, scene)?;
         let accel = accel.map(|accel| accel.unbuilt(&self.device, scene.placement())).transpose()?;
         let mut writes = buffers.placement_writes();

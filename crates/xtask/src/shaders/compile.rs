@@ -12,6 +12,8 @@ use std::fs;
 const WITH_MATERIALS: &str = "-DWITH_MATERIALS";
 /// Defines the macro of modules that trace paths in waves.
 const WITH_WAVES: &str = "-DWITH_WAVES";
+/// Defines the macro of modules that trace paths of real-time light.
+const WITH_REAL_TIME: &str = "-DWITH_REAL_TIME";
 /// Defines the macro of what is compiled to WGSL.
 const FOR_WGSL: &str = "-DFOR_WGSL";
 /// Makes all modules read the frame's parameters from a storage buffer.
@@ -38,6 +40,7 @@ pub fn spirv(tools: &Tools, pass: &Pass, variant: &Variant) -> Result<Spirv, Str
     arguments.extend([output.as_os_str(), OsStr::new("-reflection-json"), json.as_os_str()]);
     arguments.extend(variant.has_materials.then_some(OsStr::new(WITH_MATERIALS)));
     arguments.extend(variant.has_waves.then_some(OsStr::new(WITH_WAVES)));
+    arguments.extend(variant.has_real_time.then_some(OsStr::new(WITH_REAL_TIME)));
     if pass.has_frame_in_storage {
         arguments.extend(FRAME_IN_STORAGE.map(OsStr::new));
     }
@@ -57,6 +60,7 @@ pub fn wgsl(tools: &Tools, pass: &Pass) -> Result<Vec<u8>, String> {
     arguments.extend(["-I", ".", "-target", "wgsl", "-o"].map(OsStr::new));
     arguments.extend([output.as_os_str(), OsStr::new(FOR_WGSL)]);
     arguments.extend(pass.variants[0].has_materials.then_some(OsStr::new(WITH_MATERIALS)));
+    arguments.extend(pass.variants[0].has_real_time.then_some(OsStr::new(WITH_REAL_TIME)));
     tools.slangc(&arguments)?;
     let text = fs::read_to_string(&output).map_err(|error| format!("slangc left no WGSL of {}: {error}", pass.name))?;
     let entries = wgsl_entries(&text).map_err(|error| format!("WGSL of {}: {error}", pass.name))?;
@@ -98,7 +102,8 @@ fn spirv_entries(bytes: &[u8]) -> BTreeSet<String> {
 /// Names of the entry points of WGSL that is valid without extensions.
 fn wgsl_entries(text: &str) -> Result<BTreeSet<String>, String> {
     let module = wgsl::parse_str(text).map_err(|error| error.emit_to_string(text))?;
-    let mut validator = Validator::new(ValidationFlags::all(), Capabilities::empty());
+    // WGSL has packed half floats without extensions (section "Data Packing Built-in Functions").
+    let mut validator = Validator::new(ValidationFlags::all(), Capabilities::SHADER_FLOAT16_IN_FLOAT32);
     validator.validate(&module).map_err(|error| error.emit_to_string(text))?;
     Ok(module.entry_points.into_iter().map(|entry| entry.name).collect())
 }

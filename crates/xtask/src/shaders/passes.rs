@@ -25,19 +25,25 @@ pub struct Variant {
     pub has_materials: bool,
     /// Whether paths are traced in waves: the macro `WITH_WAVES`.
     pub has_waves: bool,
+    /// Whether they are those of real-time light: the macro `WITH_REAL_TIME`.
+    pub has_real_time: bool,
 }
 
 /// Paths that know matte surfaces only.
-const MATTE: Variant = Variant { suffix: "", has_materials: false, has_waves: false };
+const MATTE: Variant = Variant { suffix: "", has_materials: false, has_waves: false, has_real_time: false };
 /// Paths that know all materials.
-const MATERIALS: Variant = Variant { suffix: ".materials", has_materials: true, has_waves: false };
+const MATERIALS: Variant =
+    Variant { suffix: ".materials", has_materials: true, has_waves: false, has_real_time: false };
 /// Both with paths in waves.
 const WAVES: &[Variant] = &[Variant { has_waves: true, ..MATTE }, Variant { has_waves: true, ..MATERIALS }];
+/// Both with paths of real-time light.
+const REAL_TIME: &[Variant] = &[Variant { has_real_time: true, ..MATTE }, Variant { has_real_time: true, ..MATERIALS }];
 /// The variants of passes that render.
 const RENDERING: &[Variant] = &[MATTE, MATERIALS];
 
 /// All passes.
 pub const PASSES: &[Pass] = &[
+    Pass { name: "blend", entries: &["blend"], variants: &[MATTE], has_wgsl: false, has_frame_in_storage: false },
     Pass {
         name: "pipeline",
         entries: &[
@@ -81,6 +87,39 @@ pub const PASSES: &[Pass] = &[
         entries: &["cast_rays", "render_essay", "render_path"],
         variants: RENDERING,
         has_wgsl: false,
+        has_frame_in_storage: false,
+    },
+    Pass {
+        name: "realtime",
+        entries: &["find_again", "find_now", "remember", "trace_cells", "trace_paths"],
+        variants: REAL_TIME,
+        has_wgsl: true,
+        has_frame_in_storage: false,
+    },
+    Pass {
+        name: "realtime_pixels",
+        entries: &[
+            "choose_cells",
+            "compare_found",
+            "doubt",
+            "end_cells",
+            "filter_across",
+            "filter_begin",
+            "filter_compare",
+            "filter_end",
+            "filter_level_0",
+            "filter_level_1",
+            "filter_level_2",
+            "filter_level_3",
+            "filter_level_4",
+            "filter_noise",
+            "filter_tolerance",
+            "remember_others",
+            "reproject",
+            "show_picture",
+        ],
+        variants: &[MATTE],
+        has_wgsl: true,
         has_frame_in_storage: false,
     },
     Pass { name: "resolve", entries: &["resolve"], variants: &[MATTE], has_wgsl: true, has_frame_in_storage: false },

@@ -34,10 +34,23 @@ pub fn constants_of(items: &[Item]) -> Vec<Constant<'_>> {
 
 /// A constant. Its expression may name those of `scope`.
 pub fn constant(name: &str, constant: Constant, scope: &[Constant]) -> Result<String, String> {
-    let number = value(constant.expression, scope).ok_or_else(|| format!("{name}: too difficult an expression"))?;
-    let Type::Path(kind) = constant.kind else { return Err(format!("{name}: shaders have no such type")) };
+    if let (Type::Array(array), Expr::Array(elements)) = (constant.kind, constant.expression) {
+        let of = |element| of_type(name, &array.elem, element, scope);
+        let elements = elements.elems.iter().map(of).collect::<Result<Vec<_>, String>>()?;
+        let kind = elements.first().ok_or_else(|| format!("{name}: an empty array"))?.0;
+        let texts: Vec<&str> = elements.iter().map(|(_, text)| text.as_str()).collect();
+        let (place, values) = (format!("{name}[{}]", texts.len()), format!("{{ {} }}", texts.join(", ")));
+        return Ok(declaration(&place, constant.attributes, (kind, values)));
+    }
+    Ok(declaration(name, constant.attributes, of_type(name, constant.kind, constant.expression, scope)?))
+}
+
+/// Type and text of the value of an expression of a type in Slang.
+fn of_type(name: &str, kind: &Type, expression: &Expr, scope: &[Constant]) -> Result<(&'static str, String), String> {
+    let number = value(expression, scope).ok_or_else(|| format!("{name}: too difficult an expression"))?;
+    let Type::Path(kind) = kind else { return Err(format!("{name}: shaders have no such type")) };
     let kind = kind.path.get_ident().map(ToString::to_string).unwrap_or_default();
-    Ok(declaration(name, constant.attributes, literal(name, &kind, number)?))
+    literal(name, &kind, number)
 }
 
 /// The constants `PREFIX_NAME` of a module of constants.

@@ -124,6 +124,9 @@ pub const TABLE: &[Source] = &[
             same("LENS_FISHEYE"),
             uniform("Dispatch"),
             uniform("WaveStep"),
+            uniform("BlendParams"),
+            uniform("RealTimeParams"),
+            named("real_time", "REAL_TIME"),
             same("WAVE_ROUND_WORDS"),
             same("WAVE_COUNTS_WORDS"),
             same("ProbeRay"),
@@ -163,4 +166,80 @@ pub const TABLE: &[Source] = &[
         ],
     },
     Source { file: "voxtrace-vulkan/src/probe/shot.rs", items: &[named("Reports", "REPORT")] },
+    Source {
+        file: "voxtrace-core/src/denoise/filter.rs",
+        items: &[named("MOST_STEP", "TRUST_MOST_STEP"), same("TRUST_REACH")],
+    },
+    Source { file: "voxtrace-realtime/src/path.rs", items: &[same("DIMENSION_CANDIDATES"), same("DIMENSION_LEVEL")] },
+    Source {
+        file: "voxtrace-realtime/src/real_time.rs",
+        items: &[named("SEED", "PATH_SEED"), same("LOOK_SEED"), same("CACHE_SEED"), same("LEAST_LOOKS")],
+    },
+    Source { file: "voxtrace-realtime/src/memory.rs", items: &[same("LEAST_ALBEDO")] },
+    Source {
+        file: "voxtrace-realtime/src/reprojection.rs",
+        items: &[
+            named("PLACE_TOLERANCE", "BEFORE_PLACE_TOLERANCE"),
+            named("LEAST_COSINE", "BEFORE_LEAST_COSINE"),
+            named("LEAST_WEIGHT", "BEFORE_LEAST_WEIGHT"),
+        ],
+    },
+    Source {
+        file: "voxtrace-realtime/src/confidence.rs",
+        items: &[
+            named("SEED", "FOUND_SEED"),
+            named("STRIDE", "FOUND_STRIDE"),
+            named("REACH", "FOUND_REACH"),
+            named("PLACE_TOLERANCE", "FOUND_PLACE_TOLERANCE"),
+        ],
+    },
+    Source {
+        file: "voxtrace-realtime/src/light_cache/mod.rs",
+        items: &[
+            named("LightCache::CAPACITY", "CACHE_CAPACITY"),
+            named("LightCache::BUDGET", "CACHE_BUDGET"),
+            named("PROBES", "CACHE_PROBES"),
+            named("WIDTH", "CACHE_WIDTH"),
+            named("LEAST_DISTANCE", "CACHE_LEAST_DISTANCE"),
+            named("MOST_SAMPLES", "CACHE_MOST_SAMPLES"),
+            named("LIFE", "CACHE_LIFE"),
+        ],
+    },
+    Source {
+        file: "voxtrace-realtime/src/light_cache/key.rs",
+        items: &[
+            named("MOST_LEVEL", "CACHE_MOST_LEVEL"),
+            named("CODE_BITS", "CACHE_CODE_BITS"),
+            named("SCRAMBLE", "CACHE_SCRAMBLE"),
+        ],
+    },
+    Source {
+        file: "voxtrace-realtime/src/filter/surfaces.rs",
+        items: &[
+            named("NORMAL_TOLERANCE", "ALIKE_NORMAL_TOLERANCE"),
+            named("PLACE_TOLERANCE", "ALIKE_PLACE_TOLERANCE"),
+            named("LEAST_ALIKE", "ALIKE_LEAST"),
+            same("SPLINE"),
+        ],
+    },
+    Source {
+        file: "voxtrace-realtime/src/filter/variance.rs",
+        items: &[
+            same("ENOUGH_PATHS"),
+            named("TOLERANCE", "LIGHT_TOLERANCE"),
+            same("PATHS_OF_TOLERANCE"),
+            same("TOLERANCE_FALL"),
+            same("MANY_PATHS"),
+            same("TOLERANCE_REACH"),
+            same("SPATIAL_REACH"),
+        ],
+    },
+    Source {
+        file: "voxtrace-realtime/src/filter/wavelet.rs",
+        items: &[
+            named("LEAST_VARIANCE", "WAVELET_LEAST_VARIANCE"),
+            named("THRESHOLD", "WAVELET_THRESHOLD"),
+            named("NEIGHBOURHOOD", "WAVELET_NEIGHBOURHOOD"),
+        ],
+    },
 ];

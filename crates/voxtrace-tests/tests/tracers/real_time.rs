@@ -1,0 +1,232 @@
+//! Real-time light on devices: its paths have the bits of the processor's, and its pictures are those of the processor as far as half floats allow.
+
+use crate::cuts::things;
+use std::sync::Arc;
+use voxtrace::glam::{UVec2, Vec3};
+use voxtrace::{Camera, DynamicScene, Edit, Frame, PackedScene, Placement, Shape, Tracer};
+use voxtrace_core::packed::PackedInstance;
+use voxtrace_realtime::{Parts, Rate, RealTime, Sample};
+use voxtrace_tests::gpu::{assert_valid, device};
+use voxtrace_vulkan::{Device, Picture, Settings, VulkanTracer};
+
+const SIZE: UVec2 = UVec2::new(61, 43);
+
+fn view() -> Frame {
+    let camera = Camera::look_at(Vec3::new(3.0, -26.0, 17.0), Vec3::new(0.0, 0.0, 1.0));
+    Frame::new(camera, SIZE.x, SIZE.y).max_bounces(5).seed(7)
+}
+
+fn packed(is_matte: bool, turns: bool) -> Arc<PackedScene> {
+    Arc::new(PackedScene::pack(&things(is_matte, turns)).unwrap())
+}
+
+/// Both sides: the processor's, and a device's.
+struct Both {
+    scene: Arc<PackedScene>,
+    cpu: RealTime,
+    gpu: VulkanTracer,
+    picture: Picture,
+    rate: Rate,
+}
+
+impl Both {
+    fn new(device: &Arc<Device>, scene: &Arc<PackedScene>, parts: Parts) -> Self {
+        let mut gpu = VulkanTracer::new(Arc::clone(device), Settings::default()).unwrap();
+        gpu.set_real_time(parts, true);
+        gpu.set_scene(scene).unwrap();
+        let picture = Picture::new(device, SIZE.x, SIZE.y, true).unwrap();
+        Self { scene: Arc::clone(scene), cpu: RealTime::new(parts), gpu, picture, rate: Rate::Full }
+    }
+
+    /// Another frame. Returns both pictures, the processor's first.
+    fn frame(&mut self, frame: &Frame) -> [Vec<Vec3>; 2] {
+        let expected = self.cpu.frame(&self.scene, frame);
+        self.gpu.show_real_time(frame, self.rate, &self.picture).unwrap().expect("a device traces");
+        [expected, self.picture.radiance().into_iter().map(Vec3::from).collect()]
+    }
+
+    /// The samples that the device's last frame found, in a row for each pixel: light, direct, albedo, place.
+    fn samples(&mut self) -> Vec<[f32; 12]> {
+        let [_, scratch, ..] = self.gpu.real_time_words().unwrap();
+        let pixels = (SIZE.x * SIZE.y) as usize;
+        let pixel = |index: usize| {
+            let word = |row: usize, which: usize| f32::from_bits(scratch[2 * (row * pixels + index) + which]);
+            let [light, direct] = [0, 2].map(|row| [word(row, 0), word(row, 1), word(row + 1, 0)]);
+            let place = [word(3, 1), word(4, 0), word(4, 1)];
+            let albedo = [word(5, 0), word(5, 1), word(6, 0)];
+            let mut all = [0.0; 12];
+            for (part, three) in all.chunks_mut(3).zip([light, direct, albedo, place]) {
+                part.copy_from_slice(&three);
+            }
+            all
+        };
+        (0..pixels).map(pixel).collect()
+    }
+}
+
+/// A sample of the processor, as [`Both::samples`] has them.
+fn row_of(sample: &Sample) -> [f32; 12] {
+    let (albedo, place) = sample.shown.map_or((Vec3::ZERO, Vec3::ZERO), |shown| (shown.albedo, shown.place));
+    let mut all = [0.0; 12];
+    for (part, three) in all.chunks_mut(3).zip([sample.light, sample.direct, albedo, place]) {
+        part.copy_from_slice(&three.to_array());
+    }
+    all
+}
+
+/// PSNR of what is shown, dB.
+fn psnr([a, b]: &[Vec<Vec3>; 2]) -> f32 {
+    let shown = |color: Vec3| color / (color + 1.0);
+    let squares = a.iter().zip(b).map(|(a, b)| (shown(*a) - shown(*b)).length_squared()).sum::<f32>();
+    assert_eq!(a.len(), b.len());
+    -10.0 * (squares / (3 * a.len()) as f32).max(1e-12).log10()
+}
+
+/// Pixels whose samples differ in a bit.
+fn differing(ours: &[[f32; 12]], theirs: &[Sample]) -> usize {
+    assert_eq!(ours.len(), theirs.len());
+    let bits = |row: [f32; 12]| row.map(|value| (value + 0.0).to_bits());
+    ours.iter().zip(theirs).filter(|(ours, theirs)| bits(**ours) != bits(row_of(theirs))).count()
+}
+
+#[test]
+fn paths_of_real_time_light_have_the_bits_of_the_processor() {
+    let Some(device) = device() else { return };
+    let all = Parts { candidates: true, cache: true, ..Parts::NONE };
+    for (name, scene, parts) in [
+        ("matte, one grid", packed(true, false), Parts::NONE),
+        ("matte, turned", packed(true, true), all),
+        ("materials", packed(false, true), all),
+    ] {
+        let mut both = Both::new(&device, &scene, parts);
+        for number in 0..4 {
+            both.frame(&view());
+            let (ours, theirs) = (both.samples(), both.cpu.samples().to_vec());
+            let different = differing(&ours, &theirs);
+            assert!(different == 0, "{name}, frame {number}: {different} pixels of {}", theirs.len());
+        }
+        let light: f32 = both.samples().iter().map(|row| row[0]).sum();
+        assert!(light > 1.0, "{name}: there is light");
+        // A planted fault: another seed.
+        both.gpu.show_real_time(&view().seed(8), Rate::Full, &both.picture).unwrap();
+        let (ours, theirs) = (both.samples(), both.cpu.samples().to_vec());
+        assert!(differing(&ours, &theirs) > 100, "{name}");
+    }
+    assert_valid(&device);
+}
+
+/// PSNR that pictures of both sides have at least: half floats differ.
+const LEAST_PSNR: f32 = 45.0;
+
+/// Compares the next frames, whose views `view` gives, and makes sure that a fault is seen: the picture of the frame before.
+fn compare(both: &mut Both, what: &str, frames: u32, view: impl Fn(u32) -> Frame) {
+    let mut last = None;
+    for number in 0..frames {
+        let pictures = both.frame(&view(number));
+        let found = psnr(&pictures);
+        println!("{what}, frame {number}: {found:.1} dB");
+        assert!(found >= LEAST_PSNR, "{what}, frame {number}: {found:.1} dB");
+        let [expected, ours] = pictures;
+        if let Some(before) = last.replace(ours) {
+            let fault = psnr(&[expected, before]);
+            assert!(fault < found - 3.0, "{what}: the frame before is as near: {fault:.1} dB");
+        }
+    }
+}
+
+#[test]
+fn pictures_of_real_time_light_are_those_of_the_processor_part_by_part() {
+    let Some(device) = device() else { return };
+    let memory = Parts { memory: true, ..Parts::NONE };
+    for (name, parts) in [
+        ("a path", Parts::NONE),
+        ("memory", memory),
+        ("cache", Parts { cache: true, candidates: true, ..memory }),
+        ("filter", Parts { filter: true, ..memory }),
+        ("all", Parts::ALL),
+    ] {
+        compare(&mut Both::new(&device, &packed(true, true), parts), name, 6, |_| view());
+    }
+    compare(&mut Both::new(&device, &packed(false, true), Parts::ALL), "all, materials", 6, |_| view());
+    assert_valid(&device);
+}
+
+/// A view that goes aside.
+fn aside(number: u32) -> Frame {
+    let by = Vec3::new(0.3, 0.1, 0.05) * number as f32;
+    let camera = Camera::look_at(Vec3::new(3.0, -26.0, 17.0) + by, Vec3::new(0.0, 0.0, 1.0));
+    let mut frame = view();
+    frame.camera = camera;
+    frame
+}
+
+#[test]
+fn pictures_of_real_time_light_are_those_of_the_processor_while_the_camera_moves() {
+    let Some(device) = device() else { return };
+    compare(&mut Both::new(&device, &packed(true, true), Parts::ALL), "moving, matte", 5, aside);
+    let mut both = Both::new(&device, &packed(false, true), Parts::ALL);
+    compare(&mut both, "moving, materials", 5, aside);
+    both.rate = Rate::Half;
+    both.cpu.set_rate(Rate::Half);
+    compare(&mut both, "moving at half the rate", 4, |number| aside(5 + number));
+    compare(&mut both, "still at half the rate", 4, |_| view());
+    assert_valid(&device);
+}
+
+#[test]
+fn pictures_of_real_time_light_are_those_of_the_processor_after_edits_and_where_instances_move() {
+    let Some(device) = device() else { return };
+    let mut dynamic = DynamicScene::new(packed(true, true).split()).unwrap();
+    let first = Arc::new(dynamic.scene().clone());
+    let mut both = Both::new(&device, &first, Parts::ALL);
+    compare(&mut both, "before the edit", 3, |_| view());
+    let shape = Shape::Sphere { center: Vec3::new(-4.0, -8.0, 3.0).as_dvec3(), radius: 3.0 };
+    dynamic.edit(0, &Edit::Fill { shape, material: Some(1) }).unwrap();
+    both.gpu.patch(&dynamic.take_patch()).unwrap();
+    both.scene = Arc::new(dynamic.scene().clone());
+    both.cpu.change();
+    compare(&mut both, "after the edit", 3, |_| view());
+
+    for step in 1..4 {
+        let before = both.scene.instances().to_vec();
+        let moved = |instance: &PackedInstance| {
+            let by = if instance.grid == 0 { Vec3::ZERO } else { Vec3::new(0.4, 0.2, 0.0) };
+            PackedInstance::new(instance.grid, instance.world_from_grid.translated(by), instance.scene_instance)
+        };
+        let placement = Placement::new(both.scene.geometry(), before.iter().map(moved)).unwrap();
+        both.gpu.set_placement(&placement).unwrap();
+        both.scene = Arc::new(both.scene.with_placement(&placement).unwrap());
+        both.cpu.move_instances(&before);
+        compare(&mut both, &format!("where instances moved, {step}"), 1, |_| view());
+    }
+    assert_valid(&device);
+}
+
+#[test]
+fn real_time_light_leaves_the_film_as_it_is_and_gives_its_memory_back() {
+    let Some(device) = device() else { return };
+    let scene = packed(true, false);
+    let mut both = Both::new(&device, &scene, Parts::ALL);
+    let frame = view().samples(2);
+    let film = voxtrace_tests::gpu::film(&mut both.gpu, &frame);
+    both.frame(&view());
+    let mut after = voxtrace::Film::new(1, 1, frame.region, 0);
+    both.gpu.read(&mut after).unwrap();
+    assert_eq!(film.pixels, after.pixels);
+    let more = voxtrace_tests::gpu::film(&mut both.gpu, &frame.clone().samples(4));
+    let mut other = VulkanTracer::new(Arc::clone(&device), Settings::default()).unwrap();
+    other.set_scene(&scene).unwrap();
+    assert_eq!(more.pixels, voxtrace_tests::gpu::film(&mut other, &frame.samples(4)).pixels);
+    let held = |tracer: &VulkanTracer| {
+        let entries = tracer.memory().entries;
+        entries
+            .iter()
+            .filter(|(name, _)| name.starts_with("real-time") || *name == "light cache")
+            .map(|entry| entry.1)
+            .sum::<u64>()
+    };
+    assert!(held(&both.gpu) > 1 << 20);
+    both.gpu.forget_real_time();
+    assert_eq!(held(&both.gpu), 0);
+    assert_valid(&device);
+}

@@ -1,0 +1,303 @@
+//! Real-time light on a device: what it keeps from frame to frame, and the steps of a frame. Twin of `voxtrace-realtime`, whose parts the shaders name;
+//! `docs/realtime.md` lists the steps.
+
+use crate::barrier::barrier;
+use crate::bindings::Bindings;
+use crate::buffer::Buffer;
+use crate::device::Device;
+use crate::errors::ResultExt;
+use crate::passes::{Launch, Passes, WORKGROUP};
+use crate::records::{RealTimeParams, WaveStep, binding};
+use crate::variant::{Entry, Variant};
+use ash::vk;
+use gpu_allocator::MemoryLocation;
+use std::sync::Arc;
+use voxtrace_core::{Frame, TraceError};
+use voxtrace_realtime::{LightCache, Parts, STRIDE};
+use voxtrace_scene::transform::Transform;
+
+/// How many pixels trace a path in each frame of real-time light.
+pub use voxtrace_realtime::Rate;
+
+/// Words of a pixel in memory, and within a frame.
+const MEMORY_WORDS: u64 = 16;
+const SCRATCH_WORDS: u64 = 20;
+/// Lists of rows of squares of pixels, after the pixels.
+const SQUARE_LISTS: u64 = 3;
+/// Words of the counts before the keys of cells, and lists of words behind them.
+const CELL_COUNTS: u64 = 16;
+const CELL_LISTS: u64 = 3;
+/// Words of the rows of a cell.
+const CELL_WORDS: u64 = 16;
+/// Steps of a frame, at most.
+const MOST_STEPS: u32 = 40;
+
+/// What a frame of real-time light took.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RealTimeFrame {
+    /// Time on the device, milliseconds.
+    pub gpu_ms: f64,
+    /// That of each step, by its name, in order; empty where the device has no clock.
+    pub passes: Vec<(&'static str, f64)>,
+    /// Bytes on the device that real-time light takes beside the scene and the picture.
+    pub bytes: u64,
+}
+
+/// What is kept of the last frame.
+pub struct FrameBefore {
+    pub frame: Frame,
+}
+
+/// Real-time light of a view.
+pub struct RealTime {
+    device: Arc<Device>,
+    pub parts: Parts,
+    pixels: Option<PixelBuffers>,
+    pub cell_keys: Buffer,
+    pub cell_rows: Buffer,
+    params: Buffer,
+    motions: Option<Buffer>,
+    queries: vk::QueryPool,
+    /// Number of the next frame.
+    pub number: u32,
+    pub before: Option<FrameBefore>,
+    /// Whether light may have changed since the last frame.
+    pub has_changed: bool,
+    /// Samples that cells remember at most, since something changed.
+    pub cell_samples: f32,
+    /// Where instances were at the last frame, where they are elsewhere now.
+    pub transforms: Option<Vec<Transform>>,
+    /// Whether the cells are to be cleared.
+    is_new: bool,
+}
+
+/// Memory of pixels.
+struct PixelBuffers {
+    size: (u32, u32),
+    memory: Buffer,
+    scratch: Buffer,
+}
+
+/// A step of a frame: its entry point, and how it is launched.
+pub struct Step {
+    pub name: &'static str,
+    pub launch: StepLaunch,
+}
+
+/// How many invocations a step has.
+#[derive(Clone, Copy)]
+pub enum StepLaunch {
+    /// So many.
+    Items(u32),
+    /// One for each cell that traces.
+    ChosenCells,
+}
+
+impl RealTime {
+    /// One that knows nothing.
+    pub fn new(device: &Arc<Device>, parts: Parts) -> Result<Self, TraceError> {
+        let cells = LightCache::CAPACITY as u64;
+        let usage = vk::BufferUsageFlags::STORAGE_BUFFER
+            | vk::BufferUsageFlags::TRANSFER_SRC
+            | vk::BufferUsageFlags::TRANSFER_DST
+            | vk::BufferUsageFlags::INDIRECT_BUFFER;
+        let bytes = 4 * (CELL_COUNTS + CELL_LISTS * cells);
+        let cell_keys = Buffer::new(device, "light cache", bytes, usage, MemoryLocation::GpuOnly)?;
+        let cell_rows = Buffer::storage(device, "light cache", 4 * CELL_WORDS * cells)?;
+        let usage = vk::BufferUsageFlags::UNIFORM_BUFFER;
+        let size = size_of::<RealTimeParams>() as u64;
+        let params = Buffer::new(device, "real-time parameters", size, usage, MemoryLocation::CpuToGpu)?;
+        let info = vk::QueryPoolCreateInfo::default().query_type(vk::QueryType::TIMESTAMP).query_count(MOST_STEPS + 1);
+        // SAFETY: the device is alive; `drop` destroys it.
+        let queries = unsafe { device.raw.create_query_pool(&info, None) }.context("creating timestamps")?;
+        Ok(Self {
+            device: Arc::clone(device),
+            parts,
+            pixels: None,
+            cell_keys,
+            cell_rows,
+            params,
+            motions: None,
+            queries,
+            number: 0,
+            before: None,
+            has_changed: false,
+            cell_samples: f32::INFINITY,
+            transforms: None,
+            is_new: true,
+        })
+    }
+
+    /// Voxels, materials or lights of the scene are others now.
+    pub fn change(&mut self) {
+        self.has_changed = true;
+        self.cell_samples = 0.0;
+    }
+
+    /// Instances stand elsewhere now; `before` is where they stood.
+    pub fn move_instances(&mut self, before: impl Iterator<Item = Transform>) {
+        self.has_changed = true;
+        self.cell_samples = self.cell_samples.min(voxtrace_realtime::SAMPLES_WHILE_MOVING);
+        if self.transforms.is_none() {
+            self.transforms = Some(before.collect());
+        }
+    }
+
+    /// Makes room for pictures of a size. Where it is another one nothing is known of pixels any more.
+    pub fn set_size(&mut self, width: u32, height: u32) -> Result<(), TraceError> {
+        if self.pixels.as_ref().is_some_and(|pixels| pixels.size == (width, height)) {
+            return Ok(());
+        }
+        (self.pixels, self.before) = (None, None);
+        let count = u64::from(width) * u64::from(height);
+        let squares = u64::from(width.div_ceil(STRIDE)) * u64::from(height.div_ceil(STRIDE));
+        let memory = 4 * MEMORY_WORDS * count + 16 * SQUARE_LISTS * squares;
+        let scratch = 4 * SCRATCH_WORDS * count;
+        let limit = self.device.info().limits.max_storage_buffer_range;
+        if memory.max(scratch) > limit {
+            return Err(TraceError::OutOfMemory { needed: memory.max(scratch), available: limit });
+        }
+        self.pixels = Some(PixelBuffers {
+            size: (width, height),
+            memory: Buffer::storage(&self.device, "real-time memory", memory)?,
+            scratch: Buffer::storage(&self.device, "real-time scratch", scratch)?,
+        });
+        Ok(())
+    }
+
+    /// The buffers of pixels: what is known of them, and what a frame works with.
+    pub fn pixel_buffers(&self) -> Option<(&Buffer, &Buffer)> {
+        self.pixels.as_ref().map(|pixels| (&pixels.memory, &pixels.scratch))
+    }
+
+    /// Bytes that it takes.
+    pub fn bytes(&self) -> u64 {
+        let pixels = self.pixels.iter().flat_map(|pixels| [&pixels.memory, &pixels.scratch]);
+        let cells = [&self.cell_keys, &self.cell_rows, &self.params];
+        pixels.chain(cells).chain(&self.motions).map(Buffer::bytes).sum()
+    }
+
+    /// Writes what the steps of a frame read, and how instances moved: rows of affine maps. Nothing may be in flight.
+    pub fn write(&mut self, params: &RealTimeParams, motions: &[[f32; 4]]) -> Result<(), TraceError> {
+        self.params.mapped_mut()[..size_of::<RealTimeParams>()].copy_from_slice(bytemuck::bytes_of(params));
+        let bytes: &[u8] = bytemuck::cast_slice(motions);
+        if bytes.is_empty() {
+            self.motions = None;
+            return Ok(());
+        }
+        if self.motions.as_ref().is_none_or(|buffer| buffer.size < bytes.len() as u64) {
+            let usage = vk::BufferUsageFlags::STORAGE_BUFFER;
+            let size = bytes.len() as u64;
+            self.motions = Some(Buffer::new(&self.device, "motions", size, usage, MemoryLocation::CpuToGpu)?);
+        }
+        if let Some(buffer) = &mut self.motions {
+            buffer.mapped_mut()[..bytes.len()].copy_from_slice(bytes);
+        }
+        Ok(())
+    }
+
+    /// Nothing may be in flight.
+    pub fn bind(&self, bindings: &Bindings, nothing: &Buffer) {
+        bindings.bind(binding::REAL_TIME, &self.params);
+        bindings.bind(binding::CELL_KEYS, &self.cell_keys);
+        bindings.bind(binding::CELL_ROWS, &self.cell_rows);
+        bindings.bind(binding::MOTIONS, self.motions.as_ref().unwrap_or(nothing));
+        if let Some(pixels) = &self.pixels {
+            bindings.bind(binding::MEMORY, &pixels.memory);
+            bindings.bind(binding::SCRATCH, &pixels.scratch);
+        }
+    }
+
+    /// Records the steps of a frame. `passes` are those that trace, and the others.
+    pub fn record(
+        &self,
+        steps: &[Step],
+        passes: [&Passes; 2],
+        variants: [Variant; 2],
+        bindings: &Bindings,
+        (commands, offset): (vk::CommandBuffer, u32),
+    ) {
+        let raw = &self.device.raw;
+        let fill = |first: u64, words: u64, value: u32| {
+            // SAFETY: the buffer is alive and larger; the commands are being recorded.
+            unsafe { raw.cmd_fill_buffer(commands, self.cell_keys.handle, 4 * first, 4 * words, value) };
+        };
+        if self.is_new {
+            fill(0, self.cell_keys.size / 4, 0);
+            // SAFETY: as above.
+            unsafe { raw.cmd_fill_buffer(commands, self.cell_rows.handle, 0, vk::WHOLE_SIZE, 0) };
+        }
+        barrier(&self.device, commands);
+        // Cells that trace, and workgroups for them along three axes.
+        fill(2, 2, 0);
+        fill(4, 2, 1);
+        bindings.use_in(commands, vk::PipelineBindPoint::COMPUTE, offset);
+        // SAFETY: the pool is alive and not in use.
+        unsafe { raw.cmd_reset_query_pool(commands, self.queries, 0, MOST_STEPS + 1) };
+        self.time(commands, 0);
+        for (number, step) in (1..).zip(steps) {
+            barrier(&self.device, commands);
+            if step.name == "end_cells" {
+                // Cells that are asked for are counted anew.
+                fill(0, 2, 0);
+                barrier(&self.device, commands);
+            }
+            let which = usize::from(!TRACING.contains(&step.name));
+            let launch = match step.launch {
+                StepLaunch::Items(count) => Launch::Groups(count.div_ceil(WORKGROUP)),
+                StepLaunch::ChosenCells => Launch::Told(&self.cell_keys, 3),
+            };
+            let variant = variants[which].real_time(step.name);
+            passes[which].launch_step(variant, bindings, commands, WaveStep::default(), &launch);
+            self.time(commands, number);
+        }
+    }
+
+    fn time(&self, commands: vk::CommandBuffer, query: u32) {
+        if self.device.info().limits.timestamp_period_ns > 0.0 {
+            let stage = vk::PipelineStageFlags::BOTTOM_OF_PIPE;
+            // SAFETY: these commands are being recorded, and have reset the queries.
+            unsafe { self.device.raw.cmd_write_timestamp(commands, stage, self.queries, query) };
+        }
+    }
+
+    /// The milliseconds of each step of a frame that is over.
+    pub fn milliseconds(&self, steps: &[Step]) -> Result<Vec<(&'static str, f64)>, TraceError> {
+        let period = f64::from(self.device.info().limits.timestamp_period_ns);
+        if period == 0.0 {
+            return Ok(Vec::new());
+        }
+        let mut ticks = vec![0u64; steps.len() + 1];
+        let flags = vk::QueryResultFlags::TYPE_64 | vk::QueryResultFlags::WAIT;
+        // SAFETY: the submit that writes these queries is over.
+        unsafe { self.device.raw.get_query_pool_results(self.queries, 0, &mut ticks, flags) }
+            .context("real-time light")?;
+        let ms = ticks.windows(2).map(|pair| pair[1].wrapping_sub(pair[0]) as f64 * period * 1e-6);
+        Ok(steps.iter().map(|step| step.name).zip(ms).collect())
+    }
+
+    /// Ends a frame.
+    pub fn end(&mut self, frame: &Frame) {
+        self.before = Some(FrameBefore { frame: frame.clone() });
+        (self.transforms, self.has_changed, self.is_new) = (None, false, false);
+        self.cell_samples = f32::INFINITY;
+        self.number = self.number.wrapping_add(1);
+    }
+}
+
+impl Drop for RealTime {
+    fn drop(&mut self) {
+        // SAFETY: whoever drops it has waited for the work that uses it.
+        unsafe { self.device.raw.destroy_query_pool(self.queries, None) };
+    }
+}
+
+impl Variant {
+    /// The same for a step of real-time light.
+    pub fn real_time(self, name: &'static str) -> Self {
+        Self { entry: Entry::RealTime(name), ..self }
+    }
+}
+
+/// The steps that trace rays.
+pub const TRACING: [&str; 5] = ["trace_cells", "trace_paths", "remember", "find_now", "find_again"];

@@ -1,0 +1,284 @@
+//! Frames of real-time light.
+
+use super::Worker;
+use crate::commands::Job;
+use crate::passes::{Passes, WORKGROUP};
+use crate::picture::Picture;
+use crate::real_time::{RealTime, RealTimeFrame, Step, StepLaunch, TRACING};
+use crate::records::{Dispatch, FrameParams, RealTimeParams, binding, real_time};
+use crate::spirv;
+use crate::variant::{Entry, Variant};
+use glam::{Mat3, Vec3};
+use std::sync::Arc;
+use voxtrace_core::{Frame, PackedScene, Region, TraceError};
+use voxtrace_realtime::{CANDIDATES, LightCache, MOST_PATHS, Parts, Rate, STRIDE};
+use voxtrace_scene::camera::{CameraFrame, Orthographic, Perspective};
+use voxtrace_scene::transform::Transform;
+
+impl Worker {
+    /// Traces the next frame of real-time light and writes it to a picture.
+    pub fn show_real_time(
+        &mut self,
+        frame: &Frame,
+        rate: Rate,
+        picture: &Picture,
+    ) -> Result<RealTimeFrame, TraceError> {
+        frame.check()?;
+        let scene = Arc::clone(self.scene()?);
+        if picture.size() != (frame.width, frame.height) || !Arc::ptr_eq(picture.device(), &self.device) {
+            return Err(TraceError::BadFrame("the picture has another size or lies on another device".into()));
+        }
+        if self.scene.as_ref().is_some_and(|buffers| buffers.pages.is_some()) {
+            let reason = "real-time light needs the whole scene on the device, and this one is larger than its memory";
+            return Err(TraceError::Unsupported(reason.into()));
+        }
+        let tiles = u64::from(frame.width.div_ceil(8)) * u64::from(frame.height.div_ceil(8));
+        if tiles > u64::from(self.device.info().limits.max_workgroups) {
+            let name = &self.device.info().name;
+            return Err(TraceError::BadFrame(format!("{name} makes no real-time pictures as large as this")));
+        }
+        self.submitter.wait_for_quiet()?;
+        let mut state = match self.real_time.take() {
+            Some(state) => state,
+            None => RealTime::new(&self.device, self.real_time_parts)?,
+        };
+        state.set_size(frame.width, frame.height)?;
+        let result = self.real_time_frame(&mut state, &scene, frame, rate, picture);
+        self.stop_showing();
+        if result.is_ok() {
+            state.end(frame);
+            self.real_time = Some(state);
+        } else {
+            self.unbind_real_time();
+        }
+        result
+    }
+
+    fn real_time_frame(
+        &mut self,
+        state: &mut RealTime,
+        scene: &PackedScene,
+        frame: &Frame,
+        rate: Rate,
+        picture: &Picture,
+    ) -> Result<RealTimeFrame, TraceError> {
+        let whole = Region { x0: 0, y0: 0, x1: frame.width, y1: frame.height };
+        let params = FrameParams::of_frame(scene, &frame.clone().region(whole));
+        let of_frame = real_time_params(state, scene, frame, &params, rate);
+        let steps = steps_of(&of_frame, state, (frame.width, frame.height));
+        let variants = self.prepare_real_time(&params, frame, &steps)?;
+        let motions = motions(state, scene);
+        state.write(&of_frame, &motions)?;
+        self.set_params(&params);
+        state.bind(&self.bindings, &self.nothing);
+        self.bindings.bind(binding::HITS, picture.to_write());
+        let Some([tracing, gathering]) = &self.real_time_passes else { return Err(TraceError::NoScene) };
+        let record = |commands, offset| {
+            state.record(&steps, [tracing, gathering], variants, &self.bindings, (commands, offset));
+        };
+        let tiles = frame.width.div_ceil(8) * frame.height.div_ceil(8);
+        let dispatch = Dispatch { count: tiles * WORKGROUP, ..Dispatch::default() };
+        let step = "real-time light";
+        let job = Job { step, work: 0, dispatch, workgroups: Some(tiles), record: &record, then: None };
+        let gpu_ms = self.submitter.run(&job)?.gpu_ms;
+        Ok(RealTimeFrame { gpu_ms, passes: state.milliseconds(&steps)?, bytes: state.bytes() })
+    }
+
+    /// Makes the programs of steps. Returns the variants of those that trace and of the others.
+    fn prepare_real_time(
+        &mut self,
+        params: &FrameParams,
+        frame: &Frame,
+        steps: &[Step],
+    ) -> Result<[Variant; 2], TraceError> {
+        let is_exact = self.is_real_time_exact;
+        let kinds = (params.lens, params.sky);
+        let variant = self.variant(Entry::RealTime(""), kinds, Some(frame))?;
+        // Shadows alone are the film's.
+        let tracing = Variant { is_exact, has_catcher: false, ..variant };
+        let gathering = Variant { has_materials: false, ..tracing };
+        let passes = self.real_time_passes.get_or_insert_with(|| {
+            let module = |module: spirv::Module| if is_exact { module } else { module.fast() };
+            let tracing = Passes::new(&self.device, &self.bindings, module(spirv::REALTIME));
+            let gathering = Passes::new(&self.device, &self.bindings, module(spirv::REALTIME_PIXELS));
+            [tracing.with_materials(module(spirv::REALTIME_MATERIALS)), gathering]
+        });
+        for step in steps {
+            let which = usize::from(!TRACING.contains(&step.name));
+            passes[which].prepare([tracing, gathering][which].real_time(step.name))?;
+        }
+        Ok([tracing, gathering])
+    }
+
+    /// Gives back what real-time light took. Nothing may be in flight.
+    pub fn forget_real_time(&mut self) {
+        if self.real_time.take().is_some() {
+            self.unbind_real_time();
+        }
+    }
+
+    fn unbind_real_time(&self) {
+        let places = [binding::MEMORY, binding::SCRATCH, binding::CELL_KEYS, binding::CELL_ROWS, binding::MOTIONS];
+        places.into_iter().for_each(|place| self.bindings.bind(place, &self.nothing));
+        self.bindings.bind(binding::REAL_TIME, &self.params);
+    }
+
+    /// Which parts of real-time light are used from now on, and whether its rays are traced exactly.
+    pub fn set_real_time(&mut self, parts: Parts, is_exact: bool) {
+        self.forget_real_time();
+        (self.real_time_parts, self.is_real_time_exact, self.real_time_passes) = (parts, is_exact, None);
+    }
+
+    /// The words of the buffers of real-time light: memory, scratch memory, keys and rows of cells. For tests.
+    pub fn real_time_words(&mut self) -> Result<[Vec<u32>; 4], TraceError> {
+        let state = self.real_time.take().ok_or(TraceError::NoFilm)?;
+        let (memory, scratch) = state.pixel_buffers().ok_or(TraceError::NoFilm)?;
+        let mut words = [memory, scratch, &state.cell_keys, &state.cell_rows].map(|buffer| (buffer, Vec::new()));
+        for (buffer, words) in &mut words {
+            words.resize(buffer.size as usize / 4, 0);
+            self.transfer.download(&mut self.submitter, buffer, 0, bytemuck::cast_slice_mut(words))?;
+        }
+        let words = words.map(|(_, words)| words);
+        self.real_time = Some(state);
+        Ok(words)
+    }
+}
+
+/// What the steps of a frame read.
+fn real_time_params(
+    state: &RealTime,
+    scene: &PackedScene,
+    frame: &Frame,
+    params: &FrameParams,
+    rate: Rate,
+) -> RealTimeParams {
+    let parts = state.parts;
+    let before = state.before.as_ref().filter(|before| {
+        // A camera of another kind is not found again: pipelines are made for one.
+        let lens = FrameParams::default().with_camera(&before.frame.camera.frame(1, 1)).lens;
+        parts.memory && before.frame.seed == frame.seed && lens == params.lens
+    });
+    let is_same_view = before.is_some_and(|before| before.frame.camera == frame.camera);
+    let is_still = is_same_view && !state.has_changed;
+    let mut flags = 0;
+    let mut flag = |is_set: bool, flag: u32| flags |= if is_set { flag } else { 0 };
+    flag(parts.cache, real_time::CACHE);
+    flag(parts.filter, real_time::FILTER);
+    flag(parts.candidates, real_time::LOOKS);
+    flag(before.is_some(), real_time::KNOWS);
+    flag(is_still, real_time::STILL);
+    flag(is_same_view && state.transforms.is_none(), real_time::SAME_VIEW);
+    flag(rate == Rate::Half, real_time::HALF);
+    let camera = before.map_or(&frame.camera, |before| &before.frame.camera);
+    let then = camera.frame(frame.width, frame.height);
+    let (place_flags, before_origin, rows) = places_of(&then);
+    let of_before = FrameParams::default().with_camera(&then);
+    RealTimeParams {
+        eye: frame.camera.eye,
+        view_angle: voxtrace_realtime::view_angle(&frame.camera),
+        before_eye: of_before.eye,
+        number: state.number,
+        before_corner: of_before.corner,
+        candidates: if parts.candidates { CANDIDATES } else { 1 },
+        before_pixel_x: of_before.pixel_x,
+        flags: flags | place_flags,
+        before_pixel_y: of_before.pixel_y,
+        most_paths: MOST_PATHS[usize::from(is_still)],
+        before_lens_x: of_before.lens_x,
+        before_blades: of_before.blades,
+        before_lens_y: of_before.lens_y,
+        cell_samples: state.cell_samples,
+        before_place: camera.eye,
+        motions: if state.transforms.is_some() { scene.instances().len() as u32 } else { 0 },
+        before_rows: rows.map(|row| row.extend(0.0).to_array()),
+        before_origin,
+        pixels: frame.width * frame.height,
+    }
+}
+
+/// How a camera sees places: as `position` of `voxtrace-realtime` has it.
+fn places_of(camera: &CameraFrame) -> (u32, Vec3, [Vec3; 3]) {
+    let of_perspective = |perspective: &Perspective| {
+        let Perspective { eye, corner, pixel_x, pixel_y } = *perspective;
+        let inverse = Mat3::from_cols(pixel_x, pixel_y, corner).inverse();
+        (real_time::FINDS_PLACES | real_time::PERSPECTIVE, eye, [inverse.row(0), inverse.row(1), inverse.row(2)])
+    };
+    match camera {
+        CameraFrame::Perspective(perspective) => of_perspective(perspective),
+        CameraFrame::ThinLens(lens) => of_perspective(&lens.perspective),
+        CameraFrame::Orthographic(Orthographic { corner, pixel_x, pixel_y, .. }) => {
+            let row = |pixel: Vec3| pixel / pixel.length_squared();
+            (real_time::FINDS_PLACES, *corner, [row(*pixel_x), row(*pixel_y), Vec3::ZERO])
+        }
+        CameraFrame::Panorama(_) | CameraFrame::Fisheye(_) => (0, Vec3::ZERO, [Vec3::ZERO; 3]),
+    }
+}
+
+/// The world at the last frame from the world now, for each instance: three rows.
+fn motions(state: &RealTime, scene: &PackedScene) -> Vec<[f32; 4]> {
+    let Some(before) = &state.transforms else { return Vec::new() };
+    let rows = |(before, now): (&Transform, &voxtrace_core::packed::PackedInstance)| {
+        let has_moved = *before != now.world_from_grid;
+        let then = if has_moved { before.after(&now.grid_from_world) } else { Transform::IDENTITY };
+        [0, 1, 2].map(|axis| then.linear.row(axis).extend(then.translation[axis]).to_array())
+    };
+    before.iter().zip(scene.instances()).flat_map(rows).collect()
+}
+
+/// The steps of a frame.
+fn steps_of(params: &RealTimeParams, state: &RealTime, (width, height): (u32, u32)) -> Vec<Step> {
+    let has = |flag: u32| params.flags & flag != 0;
+    let pixels = width.div_ceil(8) * height.div_ceil(8) * WORKGROUP;
+    let half = width.div_ceil(16) * height.div_ceil(8) * WORKGROUP;
+    let that_trace = if has(real_time::HALF) { half } else { pixels };
+    let squares = width.div_ceil(STRIDE) * height.div_ceil(STRIDE);
+    let cells = LightCache::CAPACITY as u32;
+    let mut steps = Vec::new();
+    let mut add = |name, count| steps.push(Step { name, launch: StepLaunch::Items(count) });
+    if has(real_time::CACHE) {
+        add("choose_cells", cells);
+    }
+    if state.has_changed && has(real_time::KNOWS) {
+        add("find_again", squares);
+        add("compare_found", squares);
+        add("doubt", pixels);
+    }
+    add("trace_paths", that_trace);
+    if has(real_time::KNOWS) && !has(real_time::SAME_VIEW) {
+        add("reproject", pixels);
+    }
+    add("remember", that_trace);
+    if has(real_time::HALF) {
+        add("remember_others", pixels);
+    }
+    add("find_now", squares);
+    if has(real_time::CACHE) {
+        add("end_cells", cells);
+    }
+    if has(real_time::FILTER) {
+        for name in FILTER_STEPS {
+            add(name, pixels);
+        }
+    }
+    add("show_picture", pixels);
+    if has(real_time::CACHE) {
+        let at = steps.iter().position(|step| step.name == "choose_cells").map_or(0, |at| at + 1);
+        steps.insert(at, Step { name: "trace_cells", launch: StepLaunch::ChosenCells });
+    }
+    steps
+}
+
+/// The steps of the filter.
+const FILTER_STEPS: [&str; 11] = [
+    "filter_begin",
+    "filter_compare",
+    "filter_noise",
+    "filter_tolerance",
+    "filter_level_0",
+    "filter_level_1",
+    "filter_level_2",
+    "filter_level_3",
+    "filter_level_4",
+    "filter_end",
+    "filter_across",
+];
