@@ -18,7 +18,8 @@ import mss
 import numpy as np
 from PIL import Image
 
-SIZE = (1280, 800)
+# Pixels of the window, and of that of the clip.
+SIZE, CLIP = (1280, 800), (900, 560)
 DISPLAY = ":97"
 # Seconds until a picture is clean, and frames a second of the clip.
 CLEAN, RATE = 25, 8
@@ -31,7 +32,8 @@ def tool(*words):
 class Window:
     """The program's window with the hand on it."""
 
-    def __init__(self, program, *scene):
+    def __init__(self, program, *scene, size=SIZE):
+        self.size = size
         self.settings = tempfile.TemporaryDirectory()
         settings = os.path.join(self.settings.name, "settings.toml")
         words = [program, "view", *scene]
@@ -44,8 +46,11 @@ class Window:
                 break
         self.window = found[-1]
         tool("windowmove", self.window, 0, 0)
-        tool("windowsize", self.window, *SIZE)
-        time.sleep(4)
+        tool("windowsize", self.window, *size)
+        # The title names the scene once it is there.
+        while scene and "–" not in tool("getwindowname", self.window):
+            time.sleep(0.2)
+        time.sleep(2)
 
     def __enter__(self):
         return self
@@ -90,7 +95,7 @@ class Window:
 
     def seen(self):
         with mss.MSS() as screen:
-            shot = screen.grab({"left": 0, "top": 0, "width": SIZE[0], "height": SIZE[1]})
+            shot = screen.grab({"left": 0, "top": 0, "width": self.size[0], "height": self.size[1]})
         return Image.frombytes("RGB", shot.size, shot.rgb)
 
     def record(self, seconds=0.0):
@@ -185,25 +190,26 @@ def building(program):
 
 
 def clip(program):
-    """Going around, standing still until it is clean, and an edit."""
-    with Window(program, "city") as window:
+    """Going around in real-time light, standing still until the film is there, and an edit. A small city, which a device in software traces soon."""
+    with Window(program, "city", "--voxels", "1000000", "--traversal", "walk", size=CLIP) as window:
+        window.keys("r")
         window.record(1)
-        window.drag([(700, 400), (420, 430)], steps=20, records=True)
-        window.record(4)
+        window.drag([(420, 300), (240, 330)], steps=24, records=True)
+        window.record(8)
         window.keys("ctrl+e")
         window.keys(*["plus"] * 8)
-        window.drag([(420, 420), (560, 400)], steps=12, records=True)
-        window.record(3)
+        window.drag([(230, 330), (340, 320)], steps=14, records=True)
+        window.record(6)
         window.keys("ctrl+z")
-        window.record(2)
+        window.record(4)
         return window.frames
 
 
 PLACES = {
     "values": (1024, 543),
-    "parts": (1024, 543),
-    "middle of the timeline": (650, 745),
-    "end of the timeline": (950, 745),
+    "parts": (1024, 564),
+    "middle of the timeline": (500, 740),
+    "end of the timeline": (960, 740),
 }
 LINES = {"clipping": [(300, 300), (420, 330)]}
 PICTURES = [clipping, values, timeline, parts, comparing, building]
@@ -220,11 +226,9 @@ def main():
             if not names or make.__name__ in names:
                 make(program).save(folder / f"window-{make.__name__}.webp", quality=82, method=6)
         if not names or "clip" in names:
-            frames = [frame.resize((960, 600), Image.Resampling.LANCZOS) for frame in clip(program)]
-            first, *rest = frames
-            first.save(
-                folder / "window.webp", save_all=True, append_images=rest, duration=1000 // RATE, loop=0, quality=55, method=4
-            )
+            first, *rest = clip(program)
+            options = {"duration": 1000 // RATE, "loop": 0, "quality": 50, "method": 4}
+            first.save(folder / "window.webp", save_all=True, append_images=rest, **options)
     finally:
         screen.terminate()
 
