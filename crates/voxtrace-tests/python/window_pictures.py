@@ -22,7 +22,7 @@ from PIL import Image
 SIZE, CLIP = (1280, 800), (900, 560)
 DISPLAY = ":97"
 # Seconds until a picture is clean, and frames a second of the clip.
-CLEAN, RATE = 25, 8
+CLEAN, RATE = 30, 8
 
 
 def tool(*words):
@@ -122,9 +122,12 @@ def gyroid(path, size=96):
 
 def clipping(program):
     with Window(program, "city") as window:
-        window.keys("shift+b")
-        window.drag(LINES["clipping"])
-        window.move(700, 120)
+        window.keys("o", "Home", "shift+b")
+        window.wheel(490, 400, -2)
+        time.sleep(2)
+        window.drag([PLACES["knob"], PLACES["middle of the box"]])
+        window.wheel(450, 400, 6)
+        window.move(900, 60)
         time.sleep(CLEAN)
         return window.seen()
 
@@ -161,12 +164,14 @@ def parts(program):
     with Window(program, "forest") as window:
         window.click(*PLACES["parts"])
         window.click(480, 470)
+        window.wheel(1130, 300, -6)
+        window.move(700, 60)
         time.sleep(CLEAN)
         return window.seen()
 
 
 def comparing(program):
-    with Window(program, "church") as window:
+    with Window(program, "city") as window:
         window.keys("b")
         time.sleep(CLEAN)
         return window.seen()
@@ -206,12 +211,13 @@ def clip(program):
 
 
 PLACES = {
+    "knob": (643, 369),
+    "middle of the box": (530, 392),
     "values": (1024, 543),
-    "parts": (1024, 564),
+    "parts": (1024, 584),
     "middle of the timeline": (500, 740),
     "end of the timeline": (960, 740),
 }
-LINES = {"clipping": [(300, 300), (420, 330)]}
 PICTURES = [clipping, values, timeline, parts, comparing, building]
 
 
