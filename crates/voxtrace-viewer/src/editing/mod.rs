@@ -4,13 +4,15 @@
 pub mod brush;
 mod editor;
 pub mod face_region;
+mod job;
 pub mod outline;
 pub mod recovery;
 mod scene;
 pub mod symmetry;
 
 pub use brush::{Act, Brush};
-pub use editor::{Done, Editor, Job, Step, Steps, Told, UNDO_BYTES};
+pub use editor::{Editor, UNDO_BYTES};
+pub use job::{Done, Job, Step, Steps, Told};
 pub use symmetry::Symmetry;
 
 use face_region::FaceRegion;

@@ -41,6 +41,10 @@ fn contents(ui: &mut Ui, session: &Session, status: &Status, shown: &Shown) {
         let (median, p99) = (format!("{median:.2}"), format!("{p99:.2}"));
         ui.label(tr!("times.sample", median = median, p99 = p99));
     }
+    if let Some(editing) = &session.editing {
+        let (bytes, most) = (mebibytes(editing.steps.bytes), mebibytes(crate::editing::UNDO_BYTES));
+        ui.label(tr!("times.undo", bytes = format!("{bytes:.1}"), most = format!("{most:.0}")));
+    }
     let Some((statistics, memory)) = &shown.device else { return };
     if statistics.gpu_ms > 0.0 {
         let rays = [statistics.camera_rays, statistics.bounce_rays, statistics.shadow_rays];

@@ -56,6 +56,8 @@ impl App {
         let mut session = Session::new(Traversal::Cpu);
         session.traversals = vec![Traversal::Cpu, Traversal::Walk, Traversal::Query];
         session.settings_folder = Some(folder.to_path_buf());
+        // Its device is software, on which the key alone turns real-time light on.
+        session.has_hardware = false;
         let loader: Arc<dyn Loader> = Arc::new(Files);
         let status = Status { built_in: loader.built_in(), ..Status::default() };
         let (files, folder) = (files(folder), folder.to_path_buf());
@@ -85,16 +87,10 @@ impl App {
             self.window.is_due = true;
             let engine = &self.window.engine;
             match command {
-                Command::Load(source) => {
-                    if self.session.may_leave(Leaving::Load(source.clone())) {
-                        self.load(&source, Reading::default(), false);
-                    }
+                Command::Load(source) if self.session.may_leave(Leaving::Load(source.clone())) => {
+                    self.load(&source, Reading::default(), false);
                 }
-                Command::New(size) => {
-                    if self.session.may_leave(Leaving::New(size)) {
-                        self.session.show_new(size);
-                    }
-                }
+                Command::New(size) if self.session.may_leave(Leaving::New(size)) => self.session.show_new(size),
                 Command::LoadAgain => self.load_again(),
                 Command::Reshape => self.session.reshape(&self.loader, nobody()),
                 Command::SetScene => {
@@ -128,6 +124,7 @@ impl App {
                 Command::Export(request) => self.export(*request),
                 Command::SaveScene(path) => self.save_scene(path),
                 Command::SetBackend(backend) => engine.set_backend(backend),
+                Command::SetLight(light) => engine.set_light(light),
                 Command::SetView => engine.set_view(self.session.view(), self.session.is_moving()),
                 Command::Pause(is_paused) => engine.pause(is_paused),
                 Command::Save(_) => self.saving = Some((self.folder.join("picture.png"), engine.film())),

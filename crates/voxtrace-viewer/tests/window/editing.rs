@@ -273,7 +273,7 @@ fn no_key_of_editing_does_two_things_and_each_does_what_its_table_says() {
             };
             assert_eq!(action, Some(binding.action), "{trigger:?}");
         }
-        assert!(markdown().contains(binding.about));
+        assert!(markdown().contains(voxtrace_viewer::strings::text(binding.about)));
     }
     // In flight what is held beside a key means the speed.
     let undo = voxtrace_viewer::keys::Chord { key: Key::Letter('Z'), modifiers: Modifiers::CTRL };

@@ -24,16 +24,19 @@ const ALL: [(u32, Rate, f64); 7] = [
 ];
 /// Frames are late above this share of their time; a finer quality is tried where it would take less than this one.
 const LATE: f64 = 1.25;
-const EARLY: f64 = 0.7;
+const EARLY: f64 = 0.85;
 /// Late frames one after the other until a coarser quality is taken.
 const PATIENCE: u32 = 4;
-/// Early frames until a finer one is tried: at first, and at most, after tries that failed.
+/// Early frames until a finer one is tried: while nothing is settled yet, then, and at most, after tries that failed.
+const FIRST_WAIT: u32 = 2;
 const WAIT: u32 = 30;
 const LONGEST_WAIT: u32 = 1920;
 /// A try has failed where frames are late within so many.
 const TRIAL: u32 = 60;
 /// How much of a new measurement counts.
 const WEIGHT: f64 = 0.5;
+/// Where even the coarsest frames are late, finer ones are worth twice their time.
+const WORTH: f64 = 2.0;
 
 /// Chooses the quality of one frame after the other.
 #[derive(Clone, Debug)]
@@ -41,10 +44,10 @@ pub struct QualityPace {
     budget_ms: f64,
     /// Place among all.
     now: usize,
-    /// What frames of it take; `None` before the first.
-    ms: Option<f64>,
-    /// Whether that is a guess.
-    is_guessed: bool,
+    /// What frames of each quality take, milliseconds, as far as they were seen.
+    seen: [Option<f64>; ALL.len()],
+    /// What the finest frame takes, as long as none was measured.
+    guess: Option<f64>,
     late: u32,
     early: u32,
     /// Early frames that are waited for.
@@ -56,16 +59,15 @@ pub struct QualityPace {
 impl QualityPace {
     /// Frames that take `budget_ms` each.
     pub fn new(budget_ms: f64) -> Self {
-        Self { budget_ms, now: 0, ms: None, is_guessed: false, late: 0, early: 0, wait: WAIT, tried: None }
+        let (seen, guess) = ([None; ALL.len()], None);
+        Self { budget_ms, now: 0, seen, guess, late: 0, early: 0, wait: FIRST_WAIT, tried: None }
     }
 
     /// Begins with what suits a device on which the finest frame takes about `ms`, where nothing is known yet.
     pub fn begin(&mut self, ms: f64) {
-        if self.ms.is_none() {
-            let fits = |&index: &usize| ms * ALL[index].2 <= self.budget_ms;
-            self.now = (0..ALL.len()).find(fits).unwrap_or(ALL.len() - 1);
-            self.ms = Some(ms * ALL[self.now].2);
-            self.is_guessed = true;
+        if self.guess.is_none() && self.seen.iter().all(Option::is_none) {
+            self.guess = Some(ms);
+            self.now = self.finest(0, self.budget_ms);
         }
     }
 
@@ -77,44 +79,88 @@ impl QualityPace {
     /// The quality of the next frame of a view that stands, which may take `ms`: nobody waits for it, so all pixels have their paths, and
     /// they are as small as can be.
     pub fn still(&self, ms: f64) -> Quality {
-        let fits = |&index: &usize| self.ms.is_none_or(|now| now * ALL[index].2 / ALL[self.now].2 <= ms);
-        let full = (0..self.now).filter(|&index| ALL[index].1 == Rate::Full);
-        quality(full.into_iter().find(fits).unwrap_or(self.now))
+        let mut full = (0..self.now).filter(|&index| ALL[index].1 == Rate::Full);
+        quality(full.find(|&index| self.expected(index).is_none_or(|expected| expected <= ms)).unwrap_or(self.now))
+    }
+
+    /// What a frame of a quality would take: what it took, or by what others did. A part is the same for all, as far as two are known; else all
+    /// of it is taken to grow with the pixels, which is too much for finer ones.
+    fn expected(&self, index: usize) -> Option<f64> {
+        let known = |index: usize| self.seen[index].map(|ms| (ALL[index].2, ms));
+        if let Some((_, ms)) = known(index) {
+            return Some(ms);
+        }
+        // The two nearest, the finer ones first.
+        let mut nearest: Vec<usize> = (0..ALL.len()).filter(|&other| known(other).is_some()).collect();
+        nearest.sort_by_key(|&other| (other.abs_diff(index), other));
+        let cost = ALL[index].2;
+        match (nearest.first().copied().and_then(known), nearest.get(1).copied().and_then(known)) {
+            (Some((a, a_ms)), Some((b, b_ms))) => {
+                let slope = ((a_ms - b_ms) / (a - b)).max(0.0);
+                Some((a_ms + slope * (cost - a)).max(0.0))
+            }
+            (Some((known, ms)), None) => Some(ms * cost / known),
+            _ => self.guess.map(|ms| ms * cost),
+        }
+    }
+
+    /// The finest quality from one on that takes no longer than may be, else the coarsest.
+    fn finest(&self, from: usize, ms: f64) -> usize {
+        let fits = |&index: &usize| self.expected(index).is_none_or(|expected| expected <= ms);
+        (from..ALL.len()).find(fits).unwrap_or(ALL.len() - 1)
+    }
+
+    /// Milliseconds that a frame may take: where even the coarsest takes longer than its time, more.
+    fn most(&self) -> f64 {
+        let is_known = self.seen.iter().flatten().count() > 1;
+        let least = self.expected(ALL.len() - 1).filter(|_| is_known).unwrap_or(0.0);
+        self.budget_ms.max(WORTH * least)
     }
 
     /// Takes into account that a frame took `ms`. Where that of a view that stands is finer than those of views that move, and quick enough, theirs are as
     /// fine from now on.
     pub fn update(&mut self, of: Quality, ms: f64) {
-        let finer = (0..self.now).find(|&index| quality(index) == of);
-        if let Some(index) = finer.filter(|_| ms < EARLY * self.budget_ms) {
+        let Some(index) = (0..ALL.len()).find(|&index| quality(index) == of) else { return };
+        let is_first = self.seen.iter().all(Option::is_none);
+        let now = match self.seen[index] {
+            Some(old) => {
+                let now = old + WEIGHT * (ms - old);
+                // A view that is harder or easier is so in every quality.
+                self.seen.iter_mut().flatten().for_each(|ms| *ms *= now / old.max(1e-6));
+                now
+            }
+            None => ms,
+        };
+        self.seen[index] = Some(now);
+        if index < self.now && ms < EARLY * self.most() {
             self.go_to(index);
-            (self.ms, self.is_guessed) = (Some(ms), false);
         }
-        if of != self.moving() {
+        if index != self.now {
             return;
         }
-        let is_first = self.ms.is_none() || std::mem::take(&mut self.is_guessed);
-        let now = self.ms.filter(|_| !is_first).map_or(ms, |old| old + WEIGHT * (ms - old));
-        self.ms = Some(now);
         self.tried = self.tried.map(|frames| frames + 1).filter(|&frames| frames <= TRIAL);
-        self.late = if now > LATE * self.budget_ms { self.late + 1 } else { 0 };
-        let finer = self.now.checked_sub(1).map(|index| now * ALL[index].2 / ALL[self.now].2);
-        self.early = if finer.is_some_and(|ms| ms < EARLY * self.budget_ms) { self.early + 1 } else { 0 };
+        let most = self.most();
+        self.late = if now > LATE * most { self.late + 1 } else { 0 };
+        let finer = self.now.checked_sub(1).and_then(|finer| self.expected(finer));
+        self.early = if finer.is_some_and(|ms| ms < EARLY * most) { self.early + 1 } else { 0 };
+        if self.early == 0 {
+            self.wait = self.wait.max(WAIT);
+        }
         // At first nothing is known that could be lost.
         if self.late >= PATIENCE || (is_first && self.late > 0) {
             if self.tried.take().is_some() {
-                self.wait = (self.wait * 2).min(LONGEST_WAIT);
+                self.wait = (self.wait.max(WAIT / 2) * 2).min(LONGEST_WAIT);
             }
-            let fits = |&index: &usize| now * ALL[index].2 / ALL[self.now].2 <= self.budget_ms;
-            self.go_to((self.now + 1..ALL.len()).find(fits).unwrap_or(ALL.len() - 1));
+            self.go_to(self.finest(self.now + 1, most));
         } else if self.early >= self.wait {
-            self.go_to(self.now - 1);
+            self.go_to(self.finest(0, EARLY * most).min(self.now - 1));
+            // What it took once is not what it takes now.
+            self.seen[self.now] = None;
             self.tried = Some(0);
         }
     }
 
     fn go_to(&mut self, index: usize) {
-        self.ms = self.ms.map(|ms| ms * ALL[index].2 / ALL[self.now].2);
         (self.now, self.late, self.early) = (index, 0, 0);
     }
 }
@@ -157,6 +203,22 @@ mod tests {
     }
 
     #[test]
+    fn where_most_of_a_frame_is_the_same_for_all_pixels_are_not_made_large_in_vain() {
+        for (same, finest) in [(50.0, 10.0), (7.0, 2.5), (40.0, 40.0)] {
+            let mut pace = QualityPace::new(10.0);
+            for _ in 0..400 {
+                let still = pace.still(250.0);
+                for quality in [still, pace.moving(), pace.moving()] {
+                    let cost = ALL.iter().find(|(scale, rate, _)| (*scale, *rate) == (quality.scale, quality.rate));
+                    pace.update(quality, same + finest * cost.unwrap().2);
+                }
+            }
+            let ms = same + finest * ALL[pace.now].2;
+            assert!(ms < 2.0 * same.max(10.0) && pace.now <= 3, "{same} + {finest}: {:?}", pace.moving());
+        }
+    }
+
+    #[test]
     fn half_rate_is_taken_where_it_is_enough() {
         let mut pace = QualityPace::new(10.0);
         frames(&mut pace, 2, |_| 15.0);
@@ -196,6 +258,22 @@ mod tests {
         assert_eq!(pace.now, before);
         pace.update(pace.still(250.0), 5.0);
         assert_eq!(pace.now, 0);
+    }
+
+    #[test]
+    fn a_quick_device_is_at_the_finest_within_some_frames_however_low_the_guess() {
+        // As an H200 has them: little of a coarse frame depends on its pixels.
+        let ms = |quality: Quality| {
+            let cost = ALL.iter().find(|(scale, rate, _)| (*scale, *rate) == (quality.scale, quality.rate));
+            0.5 + 6.0 * cost.unwrap().2
+        };
+        let mut pace = QualityPace::new(10.0);
+        pace.begin(5000.0);
+        assert_eq!(pace.moving().scale, 8);
+        for _ in 0..12 {
+            pace.update(pace.moving(), ms(pace.moving()));
+        }
+        assert_eq!(pace.moving(), Quality { scale: 1, rate: Rate::Full });
     }
 
     #[test]

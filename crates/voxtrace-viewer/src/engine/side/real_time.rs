@@ -138,7 +138,10 @@ impl Side {
         let RealTime { is_next, beside, picture, .. } = &self.real_time;
         // After a loss the film may have samples, and nothing lies under it.
         let is_due = picture.is_none() && self.lacks_film(view) || self.under(self.done, view).is_some();
-        is_due && *is_next && *beside < BESIDE
+        // Frames become as fine as they can be before the film has its turns.
+        let finest = self.pace.quality.still(STILL_MS).scale;
+        let is_coarse = self.done == 0 && picture.as_ref().is_some_and(|(_, scale)| finest < *scale);
+        is_coarse || is_due && *is_next && *beside < BESIDE
     }
 
     /// Traces a frame and shows it, with the film over it where that has samples enough to be seen.
