@@ -33,10 +33,10 @@ mod real_time;
 mod reprojection;
 
 pub use filter::filter;
+pub use half_rate::Rate;
 pub use light_cache::{Key, LightCache, Request};
 pub use memory::Memory;
 pub use path::{Sample, Shown, View};
-pub use half_rate::Rate;
 pub use real_time::{Parts, RealTime};
 
 // For what makes the same pictures on devices: not covered by semantic versioning.

@@ -12,7 +12,7 @@ use voxtrace_core::packed::{
     Emitter, InstanceNode, LightNode, MAX_INSTANCE_DEPTH, PackedGrid, PackedInstance, PackedMaterial,
 };
 use voxtrace_vulkan::PresentParams;
-use voxtrace_vulkan::records::{Dispatch, FrameParams, ProbeAnswer, ProbeRay, WaveStep};
+use voxtrace_vulkan::records::{BlendParams, Dispatch, FrameParams, ProbeAnswer, ProbeRay, WaveStep};
 
 /// Size in bytes, and offset and size of each member by its name.
 type Layout = (usize, Vec<(String, usize, usize)>);
@@ -76,6 +76,7 @@ fn of_host() -> BTreeMap<&'static str, Layout> {
         ),
         ("PresentParams", layout!(PresentParams: corner, size, width, height, exposure, curve)),
         ("Dispatch", layout!(Dispatch: first, count, samples, samples_target, padding, sequence)),
+        ("BlendParams", layout!(BlendParams: width, height, under_width, under_height, film_weight)),
         ("WaveStep", layout!(WaveStep: round, counts, capacity, rounds, samples)),
         (
             "ProbeRay",

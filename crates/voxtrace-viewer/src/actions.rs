@@ -2,6 +2,7 @@
 
 use crate::benchmark::{FRAMES, WARM_UP};
 use crate::camera_toml::camera_toml;
+use crate::canvas::USUAL;
 use crate::comparison::{Comparison, DIVIDER_STEP};
 use crate::dialogs::{Dialog, FramesDialog, OpenDialog, PictureDialog, PlanDialog, RecordDialog, SaveDialog};
 use crate::export::free_name;
@@ -9,7 +10,7 @@ use crate::keys::Action;
 use crate::navigation::{Mode, Motion};
 use crate::render_command::{CommandError, RenderCommand, SceneArgument};
 use crate::render_settings::RenderSettings;
-use crate::session::{Command, Session, is_built_in};
+use crate::session::{Command, Open, Session, is_built_in};
 use crate::tr;
 use std::path::PathBuf;
 use voxtrace::glam::Vec2;
@@ -30,6 +31,11 @@ fn scaled(now: f32, factor: f32) -> f32 {
     if now == 0.0 && factor > 1.0 { LEAST_LIGHT } else { now * factor }
 }
 
+/// Voxels along the sides of the box of a scene that was begun here.
+fn new_size(open: &Open) -> Option<[u32; 3]> {
+    open.canvas.map(|canvas| canvas.size().to_array().map(i32::unsigned_abs))
+}
+
 impl Session {
     /// Does what an action asks for, with the cursor at a place in the picture.
     pub fn act(&mut self, action: Action, cursor: Option<Vec2>) {
@@ -46,6 +52,7 @@ impl Session {
             Action::Values => self.toggle_value_drag(),
             Action::Play => self.toggle_play(),
             Action::Record => self.open_dialog(|session| Dialog::Record(Box::new(RecordDialog::new(session)))),
+            Action::New => self.dialog = Some(Dialog::New(self.open.as_ref().and_then(new_size).unwrap_or(USUAL))),
             Action::SaveScene => self.open_dialog(|session| Dialog::Save(SaveDialog::new(session))),
             Action::Screenshot => self.screenshot(),
             Action::Quit => self.ask(Command::Quit),
@@ -102,6 +109,9 @@ impl Session {
             Action::Measure => self.toggle_measuring(),
             Action::NextTool => self.next_tool(),
             Action::FinishMeasuring => self.finish_measuring(),
+            Action::ToggleTimes => self.has_times = !self.has_times,
+            Action::ToggleRealTime => self.toggle_real_time(),
+            Action::ToggleBareFilm => self.toggle_bare_film(),
             Action::TogglePanels => self.has_panels = !self.has_panels,
             Action::ToggleFullScreen => self.ask(Command::ToggleFullscreen),
             Action::ScaleUp => self.ask(Command::Scale(1)),
@@ -139,14 +149,22 @@ impl Session {
         if self.dialog.take().is_some() || self.leaving.is_some() {
             // The dialog goes first, and with it what waits for it.
             self.stay();
+        } else if !self.left_behind.is_empty() {
+            // Later: they are offered again when a window is opened.
+            self.left_behind.clear();
         } else if self.stop_value_drag() {
             // Dragging moves the camera again.
-        } else if self.loading.take().is_some() {
+        } else if let Some(loading) = self.loading.take() {
+            if loading.is_again {
+                self.keep_shown_choices();
+            }
             self.say(tr!("said.opening_was_stopped"), false);
-        } else if let Some(benchmark) = &self.benchmark {
-            benchmark.cancel();
         } else if self.has_help {
             self.has_help = false;
+        } else if let Some(benchmark) = &self.benchmark {
+            benchmark.cancel();
+        } else if self.stop_making() {
+            // One at a time, the quickest to make again first.
         } else if self.cancel_measuring() || self.cancel_editing() {
             // Points first, then the tool.
         } else if self.dismiss_errors() {
@@ -154,6 +172,23 @@ impl Session {
         } else if self.picked.take().is_none() {
             self.ask(Command::LeaveFullscreen);
         }
+    }
+
+    /// Stops what is made beside the window: voxels of a volume, a recording, a plan that is played, pictures that are rendered. Returns whether there
+    /// was something.
+    fn stop_making(&mut self) -> bool {
+        if self.stop_shaping() {
+            self.say(tr!("said.voxels_are_not_made"), false);
+            return true;
+        }
+        if let Some(running) = self.running.as_mut().filter(|running| !running.is_stopping) {
+            running.cancel();
+            let what = running.request.name.clone();
+            self.say(tr!("said.stopping", what = what), false);
+            return true;
+        }
+        let exporting = self.exporting.as_ref();
+        exporting.map(crate::export::Exporting::cancel).is_some()
     }
 
     fn frame_picked(&mut self, cursor: Option<Vec2>) {

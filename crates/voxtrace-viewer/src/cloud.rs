@@ -78,9 +78,16 @@ pub struct Points {
     pub seen: Arc<PointsSeen>,
     /// What was chosen here.
     pub choice: PointsChoice,
+    /// The choice that is shown: the other one's points may be on their way.
+    pub(crate) shown: PointsChoice,
 }
 
 impl Points {
+    /// Points that were opened as the command line says.
+    pub fn new(seen: Arc<PointsSeen>) -> Self {
+        Self { seen, choice: PointsChoice::default(), shown: PointsChoice::default() }
+    }
+
     /// Whether points of a class are shown, as far as it is known here.
     pub fn shows(&self, class: u8) -> bool {
         self.choice.classes.as_ref().is_none_or(|classes| classes.contains(&class))
@@ -99,14 +106,24 @@ impl Points {
 impl Session {
     /// Takes what is known of the points of a scene that was opened; of one that is read again, other classes are no news.
     pub(crate) fn take_points(&mut self, seen: Option<Arc<PointsSeen>>, is_again: bool) {
-        if !is_again {
-            self.points = seen.map(|seen| Points { seen, choice: PointsChoice::default() });
+        match (is_again, &mut self.points) {
+            (true, Some(points)) => points.shown = points.choice.clone(),
+            (true, None) => {}
+            (false, points) => *points = seen.map(Points::new),
         }
     }
 
     /// What was chosen about points.
     pub fn chosen_points(&self) -> Option<PointsChoice> {
         self.points.as_ref().map(|points| points.choice.clone())
+    }
+
+    /// Reading the scene again was stopped, or failed: what is chosen of points and values is what is shown.
+    pub(crate) fn keep_shown_choices(&mut self) {
+        if let Some(points) = &mut self.points {
+            points.choice = points.shown.clone();
+        }
+        self.keep_shown_values();
     }
 
     /// Reads the points again in another way; the view stays.
@@ -137,7 +154,7 @@ mod tests {
     #[test]
     fn a_class_is_hidden_and_shown_again_and_all_of_them_are_no_choice() {
         let seen = PointsSeen { classes: vec![(1, 5), (2, 9), (6, 1)], ..PointsSeen::default() };
-        let mut points = Points { seen: Arc::new(seen), choice: PointsChoice::default() };
+        let mut points = Points::new(Arc::new(seen));
         points.choice = points.with_class(2, false);
         assert_eq!(
             (points.choice.classes_word().as_deref(), points.shows(2), points.shows(6)),

@@ -26,6 +26,8 @@ pub struct Open {
     pub lit: Arc<PackedScene>,
     /// The scene alone in the same light, with the same cuts: what can be picked, and what is written to a file.
     pub pickable: Arc<PackedScene>,
+    /// The box whose walls take voxels, of a scene that was begun here.
+    pub canvas: Option<voxtrace::grid::VoxelBox>,
     /// Whether its file is read otherwise where the scene is cut: with what nobody sees inside.
     pub depends_on_cuts: bool,
     /// How many frames the keyframes of its file last.
@@ -51,6 +53,7 @@ impl Open {
         let outline = Arc::clone(&scene.outline);
         Self {
             source,
+            canvas: None,
             depends_on_cuts: false,
             keyframes: 0,
             voxels,

@@ -14,7 +14,7 @@ use crate::benchmark::Benchmark;
 use crate::comparison::{Comparison, backend};
 use crate::cutting::Cutting;
 use crate::dialogs::Dialog;
-use crate::engine::{Backend, View};
+use crate::engine::{Backend, Light, RealTimeChoice, View};
 use crate::export::Exporting;
 use crate::load::Loading;
 use crate::navigation::{Motion, Navigator};
@@ -88,6 +88,12 @@ pub struct Session {
     pub has_panels: bool,
     /// Whether the list of keys is shown.
     pub has_help: bool,
+    /// Whether times, rays and memory are shown over the picture.
+    pub has_times: bool,
+    /// The light that views are shown in.
+    pub light: Light,
+    /// Whether the device of the window is no software.
+    pub has_hardware: bool,
     /// Whether no samples are added.
     pub is_paused: bool,
     /// Stops of exposure that a key changes.
@@ -180,6 +186,9 @@ impl Session {
             dialog: None,
             has_panels: true,
             has_help: false,
+            has_times: false,
+            light: Light { real_time: RealTimeChoice::Auto, is_bare: false },
+            has_hardware: true,
             is_paused: false,
             exposure_step: Settings::default().exposure_step,
             picked: None,

@@ -1,6 +1,7 @@
 //! What the window remembers: one TOML file, `voxtrace/viewer.toml` in the user's folder of configuration (XDG_CONFIG_HOME, ~/.config,
 //! or what the system has instead), or the file that `VOXTRACE_SETTINGS` names.
 
+use crate::engine::RealTimeChoice;
 use etcetera::BaseStrategy;
 use serde::{Deserialize, Serialize};
 use std::ffi::OsString;
@@ -30,6 +31,10 @@ pub struct Settings {
     pub ui_scale: f32,
     /// Colours of the panels: `system`, `dark` or `light`.
     pub theme: String,
+    /// Whether views that move are shown in real-time light: `auto`, which is where a device traces that is not software, `on` or `off`.
+    pub real_time: String,
+    /// Whether a view that stands shows its film at once, however noisy it is.
+    pub bare_film: bool,
     /// Language of the window, where it is not that of the system.
     pub language: Option<String>,
 }
@@ -44,6 +49,8 @@ impl Default for Settings {
             invert_look: false,
             ui_scale: 1.0,
             theme: "system".into(),
+            real_time: RealTimeChoice::Auto.name().into(),
+            bare_film: false,
             language: None,
         }
     }
@@ -155,6 +162,8 @@ fn merged(base: &Settings, ours: &Settings, theirs: Settings) -> Settings {
         exposure_step: one(&base.exposure_step, &ours.exposure_step, &theirs.exposure_step),
         invert_look: one(&base.invert_look, &ours.invert_look, &theirs.invert_look),
         ui_scale: one(&base.ui_scale, &ours.ui_scale, &theirs.ui_scale),
+        real_time: one(&base.real_time, &ours.real_time, &theirs.real_time),
+        bare_film: one(&base.bare_film, &ours.bare_film, &theirs.bare_film),
         theme: one(&base.theme, &ours.theme, &theirs.theme),
         language: one(&base.language, &ours.language, &theirs.language),
     }

@@ -53,7 +53,7 @@ pub use device::Device;
 pub use faults::{Fault, Faults};
 pub use listing::devices;
 pub use method::{Primitive, Settings, Traversal};
-pub use picture::{BLUE_LOWEST, DISPLAY_BINDING, PICTURE_BINDING, Picture, PresentParams, Tone};
+pub use picture::{BLUE_LOWEST, DISPLAY_BINDING, PICTURE_BINDING, Picture, PresentParams, Tone, Under};
 pub use real_time::{Rate, RealTimeFrame};
 pub use statistics::Statistics;
 pub use tracer::VulkanTracer;

@@ -9,7 +9,7 @@ use crate::records::WaveStep;
 use crate::spirv::Module;
 use crate::variant::{Specialization, Variant};
 use ash::vk;
-use bytemuck::bytes_of;
+use bytemuck::{Pod, bytes_of};
 use std::collections::HashMap;
 use std::ffi::CString;
 use std::sync::Arc;
@@ -139,15 +139,16 @@ pub enum Launch<'a> {
 }
 
 impl Passes {
-    /// Records a step of a wave by a prepared variant, a compute shader. The bindings are in use already.
-    pub fn launch_step(
+    /// Records a step by a prepared variant, a compute shader, with its push constants. The bindings are in use already.
+    pub fn launch_step<T: Pod>(
         &self,
         variant: Variant,
         bindings: &Bindings,
         commands: vk::CommandBuffer,
-        step: WaveStep,
+        step: T,
         launch: &Launch,
     ) {
+        const { assert!(size_of::<T>() <= size_of::<WaveStep>(), "the layout has room for as much") };
         let Some(Program::Compute(pipeline)) = self.programs.get(&variant) else { return };
         let raw = &self.device.raw;
         // SAFETY: the pipeline is alive and its bindings are set; counts are within the device's limits, and the buffer is one of indirect commands.

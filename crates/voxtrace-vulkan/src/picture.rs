@@ -1,6 +1,6 @@
 //! What a window shows while a film is made: the mean radiance of its pixels as half floats, in a buffer of the device that
 //! draws the window, so that nothing is read back, and beside it what that looks like through a tone curve. Twin of
-//! `shaders/pass/resolve.slang`.
+//! `shaders/pass/resolve.slang` and `shaders/half.slang`.
 
 use crate::buffer::Buffer;
 use crate::device::Device;
@@ -51,6 +51,15 @@ pub struct PresentParams {
     pub exposure: f32,
     /// The curve from radiance to signal: 0 AgX, 1 neutral, 2 Reinhard, 3 linear; with `BLUE_LOWEST` or without.
     pub curve: u32,
+}
+
+/// A picture that lies under a film's: it is seen until the film has as many samples as it needs.
+#[derive(Clone, Copy)]
+pub struct Under<'a> {
+    /// It shows the same view, with as many pixels or fewer.
+    pub picture: &'a Picture,
+    /// How much of the film is seen, 0 to 1.
+    pub film_weight: f32,
 }
 
 /// A picture of `width` × `height` pixels on a device, row by row.
@@ -122,6 +131,11 @@ impl Picture {
 
     fn tone(&self) -> MutexGuard<'_, Option<Tone>> {
         self.tone.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// The buffer, for a pass that reads it.
+    pub(crate) fn to_read(&self) -> &Buffer {
+        &self.buffer
     }
 
     /// The buffer, for a pass that writes it: what is to be seen has to be made anew.

@@ -93,8 +93,7 @@ impl RealTime {
         let usage = vk::BufferUsageFlags::UNIFORM_BUFFER;
         let size = size_of::<RealTimeParams>() as u64;
         let params = Buffer::new(device, "real-time parameters", size, usage, MemoryLocation::CpuToGpu)?;
-        let info =
-            vk::QueryPoolCreateInfo::default().query_type(vk::QueryType::TIMESTAMP).query_count(MOST_STEPS + 1);
+        let info = vk::QueryPoolCreateInfo::default().query_type(vk::QueryType::TIMESTAMP).query_count(MOST_STEPS + 1);
         // SAFETY: the device is alive; `drop` destroys it.
         let queries = unsafe { device.raw.create_query_pool(&info, None) }.context("creating timestamps")?;
         Ok(Self {

@@ -281,6 +281,22 @@ pub struct WaveStep {
     pub samples: u32,
 }
 
+/// How the picture of a film is laid over another one: the push constants of `shaders/pass/blend.slang`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct BlendParams {
+    /// Pixels of the film's picture.
+    pub width: u32,
+    /// Pixels of the film's picture.
+    pub height: u32,
+    /// Pixels of the one under it.
+    pub under_width: u32,
+    /// Pixels of the one under it.
+    pub under_height: u32,
+    /// How much of the film is seen, 0 to 1.
+    pub film_weight: f32,
+}
+
 /// Words of the counts of one round of a wave.
 pub const WAVE_ROUND_WORDS: u32 = 16;
 /// Words of all counts, before the queues.

@@ -26,11 +26,12 @@ pub static REALTIME: Module = Module::new("realtime", include_bytes!("../spirv/r
 pub static REALTIME_MATERIALS: Module =
     Module::new("realtime (materials)", include_bytes!("../spirv/realtime.materials.spv"));
 /// The other steps of real-time light.
-pub static REALTIME_PIXELS: Module =
-    Module::new("realtime_pixels", include_bytes!("../spirv/realtime_pixels.spv"));
+pub static REALTIME_PIXELS: Module = Module::new("realtime_pixels", include_bytes!("../spirv/realtime_pixels.spv"));
 
 /// What a window shows of a film.
 pub static RESOLVE: Module = Module::new("resolve", include_bytes!("../spirv/resolve.spv"));
+/// Lays that over another picture.
+pub static BLEND: Module = Module::new("blend", include_bytes!("../spirv/blend.spv"));
 /// Draws what a window shows.
 pub static PRESENT: Module = Module::new("present", include_bytes!("../spirv/present.spv"));
 

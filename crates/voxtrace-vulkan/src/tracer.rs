@@ -8,10 +8,10 @@ use crate::accel::AccelReport;
 use crate::allocations::MemoryReport;
 use crate::device::Device;
 use crate::method::Settings;
-use crate::picture::Picture;
+use crate::picture::{Picture, Under};
 use crate::statistics::Statistics;
 use crate::watch::Watch;
-use crate::worker::Worker;
+use crate::worker::{Canvas, Worker};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 use voxtrace_core::CpuTracer;
@@ -183,8 +183,16 @@ impl VulkanTracer {
     /// [`TraceError::DeviceLost`] after a loss: the tracer goes on, on another device or on the CPU, and the film is read with
     /// [`Tracer::read`].
     pub fn resolve(&mut self, picture: &Picture) -> Result<f64, TraceError> {
+        self.resolve_over(picture, None)
+    }
+
+    /// As [`Self::resolve`], over another picture, which is seen where the film has little weight.
+    ///
+    /// # Errors
+    /// As there.
+    pub fn resolve_over(&mut self, picture: &Picture, under: Option<Under>) -> Result<f64, TraceError> {
         let result = match &mut self.backend {
-            Backend::Device(worker) => worker.resolve(picture),
+            Backend::Device(worker) => worker.resolve(Canvas { picture, under }),
             _ => Err(TraceError::BadFrame("the picture lies on a device, and the film does not".into())),
         };
         if let Err(TraceError::DeviceLost { last_pass }) = &result {
@@ -205,7 +213,21 @@ impl VulkanTracer {
         progress: &Progress,
         picture: &Picture,
     ) -> Result<Option<f64>, TraceError> {
-        self.render_with(frame, progress, Some(picture))?;
+        self.render_over(frame, progress, picture, None)
+    }
+
+    /// As [`Self::render_shown`], over another picture, which is seen where the film has little weight.
+    ///
+    /// # Errors
+    /// As there.
+    pub fn render_over(
+        &mut self,
+        frame: &Frame,
+        progress: &Progress,
+        picture: &Picture,
+        under: Option<Under>,
+    ) -> Result<Option<f64>, TraceError> {
+        self.render_with(frame, progress, Some(Canvas { picture, under }))?;
         let Backend::Device(worker) = &mut self.backend else { return Ok(None) };
         let shown = worker.take_shown();
         if progress.is_cancelled() || !Arc::ptr_eq(picture.device(), &self.device) {
@@ -213,7 +235,7 @@ impl VulkanTracer {
         }
         match shown {
             Some(ms) => Ok(Some(ms)),
-            None => self.resolve(picture).map(Some),
+            None => self.resolve_over(picture, under).map(Some),
         }
     }
 
@@ -309,7 +331,7 @@ impl VulkanTracer {
     }
 
     /// Renders, and shows the film with the last samples where that can be.
-    fn render_with(&mut self, frame: &Frame, progress: &Progress, picture: Option<&Picture>) -> Result<(), TraceError> {
+    fn render_with(&mut self, frame: &Frame, progress: &Progress, canvas: Option<Canvas>) -> Result<(), TraceError> {
         frame.check()?;
         self.scene.iter().try_for_each(|scene| frame.check_in(scene))?;
         // A film of another frame is of no use after a loss.
@@ -321,7 +343,7 @@ impl VulkanTracer {
         loop {
             let until = Instant::now() + BETWEEN_COPIES;
             let finished = match &mut self.backend {
-                Backend::Device(worker) => worker.render(frame, &mut watch, until, picture),
+                Backend::Device(worker) => worker.render(frame, &mut watch, until, canvas),
                 Backend::Cpu(cpu) => cpu.render(frame, progress).map(|()| true),
                 Backend::None => Err(TraceError::NoScene),
             };

@@ -19,6 +19,8 @@ pub enum Entry {
     RealTime(&'static str),
     /// Writes the mean of each pixel's samples for a window.
     Resolve,
+    /// Lays that over another picture.
+    Blend,
     /// A group of functions of the self-test.
     SelfTest(&'static str),
 }
@@ -39,6 +41,7 @@ impl Entry {
             Self::RenderEssay => "render_essay",
             Self::RenderPath => "render_path",
             Self::Resolve => "resolve",
+            Self::Blend => "blend",
             Self::Wave(name) | Self::RealTime(name) | Self::SelfTest(name) => name,
         }
     }

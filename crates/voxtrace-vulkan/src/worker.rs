@@ -18,9 +18,8 @@ use crate::device::Device;
 use crate::film::DeviceFilm;
 use crate::method::{Settings, Traversal};
 use crate::pages::Pages;
-use crate::real_time::RealTime;
 use crate::passes::Passes;
-use crate::picture::Picture;
+use crate::real_time::RealTime;
 use crate::records::{Dispatch, FrameParams, binding};
 use crate::scene::SceneBuffers;
 use crate::schedule::{BatchSizer, TARGET_MS};
@@ -33,7 +32,8 @@ use crate::waves::Waves;
 use ash::vk;
 use bytemuck::bytes_of;
 use gpu_allocator::MemoryLocation;
-use show::Show;
+pub use show::Canvas;
+use show::{Show, ShowPasses};
 use std::sync::Arc;
 use std::time::Instant;
 use voxtrace_core::normals::Normals;
@@ -67,7 +67,7 @@ pub struct Worker {
     scene: Option<SceneBuffers>,
     film: Option<DeviceFilm>,
     cast_buffers: Option<(Buffer, Buffer)>,
-    resolve_passes: Option<Passes>,
+    show_passes: Option<ShowPasses>,
     /// Of real-time light, those that trace and the others.
     real_time_passes: Option<[Passes; 2]>,
     real_time: Option<RealTime>,
@@ -151,7 +151,7 @@ impl Worker {
             scene: None,
             film: None,
             cast_buffers: None,
-            resolve_passes: None,
+            show_passes: None,
             real_time_passes: None,
             real_time: None,
             real_time_parts: Parts::ALL,
@@ -202,8 +202,7 @@ impl Worker {
         // No other pass asks what voxels are made of.
         let follows_paths = matches!(entry, Entry::RenderPath | Entry::RealTime(_));
         let has_normals = (entry == Entry::RenderEssay || follows_paths) && scene.normals() == Normals::Smooth;
-        let has_materials =
-            has_cuts || has_normals || (follows_paths && (knows_paths || !scene.is_matte()));
+        let has_materials = has_cuts || has_normals || (follows_paths && (knows_paths || !scene.is_matte()));
         Ok(Variant {
             entry,
             is_exact,
@@ -254,15 +253,15 @@ impl Worker {
             Some(_) => dispatch.count.wrapping_mul(dispatch.samples),
             None => passes.proof(variant, dispatch.count),
         };
-        let show = show.zip(self.resolve_passes.as_ref());
+        let show = show.zip(self.show_passes.as_ref());
         let record_show = |commands, offset| {
             if let Some((show, passes)) = show {
-                passes.launch(show.variant, bindings, commands, offset, show.count);
+                show.record((bindings, &self.device), passes, commands, offset);
             }
         };
         let then = show.map(|(show, passes)| Then {
             dispatch: show.dispatch(),
-            workgroups: passes.proof(show.variant, show.count),
+            workgroups: show.proof(passes),
             record: &record_show,
         });
         self.submitter.submit(&Job { step, work, dispatch, workgroups: Some(workgroups), record: &record, then })
@@ -271,14 +270,14 @@ impl Worker {
 
 /// As in [`voxtrace_core::Tracer`].
 impl Worker {
-    /// Adds the samples that the frame lacks, until `until`, and shows the film in `picture` with the last ones, if that can be: see
+    /// Adds the samples that the frame lacks, until `until`, and shows the film on a canvas with the last ones, if that can be: see
     /// [`Self::take_shown`]. Returns whether it has them all or `progress` is cancelled.
     pub fn render(
         &mut self,
         frame: &Frame,
         progress: &mut Watch,
         until: Instant,
-        picture: Option<&Picture>,
+        canvas: Option<Canvas>,
     ) -> Result<bool, TraceError> {
         frame.check()?;
         self.scene()?;
@@ -291,7 +290,7 @@ impl Worker {
         if progress.done() == 0 {
             self.statistics = Statistics::default();
         }
-        let result = self.render_film(&mut film, frame, progress, until, picture);
+        let result = self.render_film(&mut film, frame, progress, until, canvas);
         self.stop_showing();
         self.film = Some(film);
         result
@@ -314,13 +313,13 @@ impl Worker {
         frame: &Frame,
         progress: &mut Watch,
         until: Instant,
-        picture: Option<&Picture>,
+        canvas: Option<Canvas>,
     ) -> Result<bool, TraceError> {
         if frame.aovs && film.aovs.is_none() {
             film.aovs = Some(self.aov_pixels(frame)?);
             self.statistics = Statistics::default();
         }
-        let show = self.show_with_samples(film, picture)?;
+        let show = self.show_with_samples(film, canvas)?;
         // Several parts take turns, so that none is black when the work is broken off.
         let is_one = film.parts.len() == 1;
         loop {

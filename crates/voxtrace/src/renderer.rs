@@ -223,22 +223,8 @@ impl Renderer {
             self.tracer.set_scene(&self.scene)?;
             self.has_scene = true;
         }
-        let mut film = Film::new(frame.width, frame.height, frame.region, frame.first_sample);
-        let mut halfway = None;
-        if self.denoises && frame.samples > 1 {
-            self.tracer.render(&frame.clone().samples(frame.samples / 2), &Progress::default())?;
-            self.tracer.read(&mut film)?;
-            halfway = Some(film.pixels.clone());
-        }
-        self.tracer.render(&frame, &Progress::default())?;
-        self.tracer.read(&mut film)?;
-        film.earlier = halfway;
-        let denoised = self.denoises.then(|| {
-            let features = Features::of(&self.scene, &frame, &film);
-            Denoised { radiance: denoise(&film, &features), filter: "voxtrace" }
-        });
-        let file = FilmFile { frame, scene: SceneStamp::of(&self.scene), film };
-        Ok(Picture { file, denoised, tone_map: ToneMap::default() })
+        let picture = Picture::trace(&mut *self.tracer, &self.scene, frame, self.denoises, &Progress::default())?;
+        Ok(picture.expect("nobody cancels it"))
     }
 
     fn find_camera(&self) -> Result<Camera, RenderError> {
@@ -267,6 +253,34 @@ pub struct Picture {
 }
 
 impl Picture {
+    /// Traces a picture of `scene`, which `tracer` has, and removes its noise if it `denoises`. `None` where `progress` was cancelled.
+    ///
+    /// # Errors
+    /// What the tracer answers.
+    pub fn trace(
+        tracer: &mut dyn Tracer,
+        scene: &PackedScene,
+        frame: Frame,
+        denoises: bool,
+        progress: &Progress,
+    ) -> Result<Option<Self>, TraceError> {
+        let mut film = Film::new(frame.width, frame.height, frame.region, frame.first_sample);
+        let mut halfway = None;
+        if denoises && frame.samples > 1 {
+            tracer.render(&frame.clone().samples(frame.samples / 2), progress)?;
+            tracer.read(&mut film)?;
+            halfway = Some(film.pixels.clone());
+        }
+        tracer.render(&frame, progress)?;
+        if progress.is_cancelled() {
+            return Ok(None);
+        }
+        tracer.read(&mut film)?;
+        film.earlier = halfway;
+        let picture = Self::of_film(FilmFile { frame, scene: SceneStamp::of(scene), film });
+        Ok(Some(if denoises { picture.without_noise(scene) } else { picture }))
+    }
+
     /// Brightens the picture by a number of stops: each doubles its radiance on the way to the screen.
     #[must_use]
     pub fn exposure(mut self, stops: f32) -> Self {
@@ -284,6 +298,46 @@ impl Picture {
     /// Radiance sums, sample counts and AOVs of its pixels.
     pub fn film(&self) -> &Film {
         &self.file.film
+    }
+
+    /// A picture of a film, with its noise.
+    pub fn of_film(file: FilmFile) -> Self {
+        Self { file, denoised: None, tone_map: ToneMap::default() }
+    }
+
+    /// The same picture without its noise, which `scene`, that of the film, tells from its details.
+    #[must_use]
+    pub fn without_noise(self, scene: &PackedScene) -> Self {
+        let features = Features::of(scene, &self.file.frame, &self.file.film);
+        let radiance = denoise(&self.file.film, &features);
+        Self { denoised: Some(Denoised { radiance, filter: "voxtrace" }), ..self }
+    }
+
+    /// The film with the frame and the scene that it is of.
+    pub fn film_file(&self) -> &FilmFile {
+        &self.file
+    }
+
+    /// The mean radiance of each pixel without its noise, where that was removed.
+    pub fn denoised(&self) -> Option<&Denoised> {
+        self.denoised.as_ref()
+    }
+
+    /// The tone map, with its exposure.
+    pub fn tone(&self) -> ToneMap {
+        self.tone_map
+    }
+
+    /// The picture as a PNG file of 8 bits a channel.
+    ///
+    /// # Panics
+    /// Never: memory does not refuse to be written.
+    pub fn to_png(&self) -> Vec<u8> {
+        let options = PictureOptions { tone_map: self.tone_map, ..PictureOptions::default() };
+        let mut bytes = Vec::new();
+        let encoded = self.file.encode_denoised(&mut bytes, PictureFormat::Png, &options, self.denoised.as_ref());
+        encoded.expect("memory does not refuse to be written");
+        bytes
     }
 
     /// Writes the picture: `.png` for people, `.exr` with linear radiance, `.vxf` for the film itself. The file is whole or what

@@ -52,7 +52,8 @@ pub struct Conformance {
     pub from_edge: f64,
 }
 
-/// How far, in voxels, from the nearest edge of its face a ray enters the voxel of `hit`; infinite where it hit nothing.
+/// How far, in voxels, from the nearest edge of its face a ray enters the voxel of `hit`; on the face of a cut, which no axis crosses, from its nearest
+/// neighbour. Infinite where it hit nothing.
 fn distance_from_edge(scene: &PackedScene, ray: &Ray, hit: &Hit) -> f64 {
     if hit.is_miss() {
         return f64::INFINITY;
@@ -61,6 +62,10 @@ fn distance_from_edge(scene: &PackedScene, ray: &Ray, hit: &Hit) -> f64 {
     let linear = grid_from_world.linear.as_dmat3();
     let origin = linear * ray.origin.as_dvec3() + grid_from_world.translation.as_dvec3();
     let direction = linear * ray.direction.as_dvec3();
+    if hit.cut().is_some() {
+        let point = origin + direction * f64::from(hit.t);
+        return (point - point.round()).abs().min_element();
+    }
     let axis = hit.face as usize / 2;
     let plane = f64::from(hit.voxel[axis] + (hit.face & 1) as i32);
     let point = origin + direction * ((plane - origin[axis]) / direction[axis]);
@@ -158,6 +163,9 @@ mod tests {
         assert_eq!(counts, few);
         assert!((counts.from_edge - 0.25).abs() < 1e-6, "{}", counts.from_edge);
         assert!((of(&[&hits[..1], &right[1..]].concat()).from_edge - 0.1).abs() < 1e-6);
+        // A cut goes through a voxel where it likes.
+        let cut = Hit { t: 8.6, face: Hit::FIRST_CUT, ..hit(2, 5) };
+        assert!((of(&[&[cut], &right[1..]].concat()).from_edge - 0.1).abs() < 1e-6);
         assert_eq!((counts.errors(), counts.holds(false)), (3, false));
         assert_eq!(Conformance::from_json(&counts.json()), Some(counts));
         let rare = Conformance { rays: 1_000_000, wrong: 99, ..Conformance::default() };

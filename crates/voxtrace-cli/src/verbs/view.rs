@@ -19,7 +19,7 @@ use voxtrace::import::{Data, Kind, READERS};
 use voxtrace::{PackedScene, Volume, scenes};
 use voxtrace_viewer::frame_bench::{self, FrameBench, Times, middle_and_most};
 use voxtrace_viewer::{Loader, Reading, Told, ViewerError, Wanted, WindowOptions, open_window};
-use voxtrace_vulkan::{Settings, Traversal};
+use voxtrace_vulkan::{Device, Rate, Settings, Traversal};
 
 /// Fly through a scene in a window, while the light gathers
 ///
@@ -47,12 +47,19 @@ pub struct ViewerArgs {
     /// Open no window: print how long so many frames of 1920 × 1080 pixels take on their way to one
     #[arg(long, value_name = "N", requires = "scenes", help_heading = "Device")]
     bench_frames: Option<u32>,
+    /// Open no window: print how long frames of real-time light take while the camera moves, in so many of 1920 × 1080 pixels, and how soon a view that
+    /// stands has its film
+    #[arg(long, value_name = "N", requires = "scenes", conflicts_with = "bench_frames", help_heading = "Device")]
+    bench_moving: Option<u32>,
 }
 
 impl ViewerArgs {
     pub fn run(mut self) -> Result<(), Failure> {
         if let Some(frames) = self.bench_frames {
             return self.bench(frames);
+        }
+        if let Some(frames) = self.bench_moving {
+            return self.bench_moving(frames);
         }
         self.cuts.check()?;
         let cutting = self.cuts.take_cutting();
@@ -82,16 +89,48 @@ impl ViewerArgs {
         Files { tiles: scenes, import, memory, cuts, voxels, volume: KeptVolume::default() }
     }
 
-    /// Prints the time of frames, without a window or a screen.
-    fn bench(self, frames: u32) -> Result<(), Failure> {
+    /// The device, what traces and the scene of frames that are measured.
+    fn subject(self) -> Result<(Arc<Device>, Traversal, Arc<PackedScene>), Failure> {
         let device = frame_bench::open_device(self.device.as_deref()).map_err(trace_failure)?;
-        let queue = if device.has_present_queue() { "a queue of its own shows them" } else { "one queue does all" };
         let traversal = self.traversal.map_or(Traversal::Walk, Into::into);
         let source = self.scenes.first().cloned().unwrap_or_default();
-        let loader = self.into_loader();
         let reading = Reading::default();
-        let scene =
-            Arc::new(loader.load(&source, &reading, Box::new(|_| {}), &Wanted::default()).map_err(Failure::input)?);
+        let scene = self.into_loader().load(&source, &reading, Box::new(|_| {}), &Wanted::default());
+        Ok((device, traversal, Arc::new(scene.map_err(Failure::input)?)))
+    }
+
+    /// Prints the time of frames of a camera that moves, without a window or a screen.
+    fn bench_moving(self, frames: u32) -> Result<(), Failure> {
+        let source = self.scenes.first().cloned().unwrap_or_default();
+        let (device, traversal, scene) = self.subject()?;
+        let settings = Settings { traversal, ..Settings::default() };
+        let taken = frame_bench::moving(&device, settings, &scene, (1920, 1080), frames).map_err(Failure::other)?;
+        let name = &device.info().name;
+        say(&format!("{source}, real-time light, 1920 × 1080, {frames} frames of a camera that moves, on {name}"));
+        say("milliseconds                 median      p99");
+        let line = |what: &str, times: &[f64]| {
+            let (middle, most) = middle_and_most(times);
+            say(&format!("{what:<26} {middle:>8.3} {most:>8.3}"));
+        };
+        line("picture to picture, wall", &taken.wall_ms);
+        line("frame, by the GPU", &taken.gpu_ms);
+        taken.passes.iter().for_each(|(pass, times)| line(&format!("  {pass}"), times));
+        for (quality, count) in &taken.qualities {
+            let rate = if quality.rate == Rate::Half { "every other pixel" } else { "each pixel" };
+            say(&format!("{count} frames at 1/{} of the resolution, a path for {rate}", quality.scale));
+        }
+        say(&format!("{:.1} MiB beyond the scene", taken.bytes as f64 / f64::from(1 << 20)));
+        for (samples, ms) in &taken.film {
+            say(&format!("{samples} samples of the film {ms:.0} ms after the view stood"));
+        }
+        Ok(())
+    }
+
+    /// Prints the time of frames, without a window or a screen.
+    fn bench(self, frames: u32) -> Result<(), Failure> {
+        let source = self.scenes.first().cloned().unwrap_or_default();
+        let (device, traversal, scene) = self.subject()?;
+        let queue = if device.has_present_queue() { "a queue of its own shows them" } else { "one queue does all" };
         let frame = frame_bench::essay(&scene);
         say(&format!(
             "{source}, essay, 1920 × 1080, {frames} frames of a sample a pixel, on {}: {queue}",

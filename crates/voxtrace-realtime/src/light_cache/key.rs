@@ -125,7 +125,11 @@ mod tests {
                 let request = Request::of(&hit, size, u, u32::MAX, 0x1234_5678);
                 assert_eq!(request.key.voxel(request.voxel_code, 0x1234_5678), voxel);
                 assert_eq!((request.key.face() as u32, request.life), (4, LIFE));
-                assert_ne!(request.key.voxel(request.voxel_code % 2 + 1, 0x1234_5678), voxel + IVec3::X, "a fault is seen");
+                assert_ne!(
+                    request.key.voxel(request.voxel_code % 2 + 1, 0x1234_5678),
+                    voxel + IVec3::X,
+                    "a fault is seen"
+                );
                 let corner = request.key.cube.as_vec3() * request.key.width();
                 assert!((voxel.as_vec3() - corner).min_element() >= 0.0);
                 assert!((voxel.as_vec3() - corner).max_element() < request.key.width());

@@ -23,9 +23,8 @@ impl LightCache {
         let (new, old) = (count(true) as u32, count(false) as u32);
         let budget = self.budget as u32;
         let (of_new, of_old) = (share(new, budget), share(old, budget - new.min(budget)));
-        let is_chosen = |cell: &Cell| {
-            pcg4d([cell.key.hash(), frame, 1, seed])[0] <= if cell.is_new() { of_new } else { of_old }
-        };
+        let is_chosen =
+            |cell: &Cell| pcg4d([cell.key.hash(), frame, 1, seed])[0] <= if cell.is_new() { of_new } else { of_old };
         let chosen = |(_, cell): &(usize, &Cell)| is_asked(cell) && is_chosen(cell);
         let chosen: Vec<(usize, &Cell)> = self.cells.iter().enumerate().filter(chosen).collect();
         let trace = |&(place, cell): &(usize, &Cell)| {

@@ -220,7 +220,11 @@ fn real_time_light_leaves_the_film_as_it_is_and_gives_its_memory_back() {
     assert_eq!(more.pixels, voxtrace_tests::gpu::film(&mut other, &frame.samples(4)).pixels);
     let held = |tracer: &VulkanTracer| {
         let entries = tracer.memory().entries;
-        entries.iter().filter(|(name, _)| name.starts_with("real-time") || *name == "light cache").map(|entry| entry.1).sum::<u64>()
+        entries
+            .iter()
+            .filter(|(name, _)| name.starts_with("real-time") || *name == "light cache")
+            .map(|entry| entry.1)
+            .sum::<u64>()
     };
     assert!(held(&both.gpu) > 1 << 20);
     both.gpu.forget_real_time();

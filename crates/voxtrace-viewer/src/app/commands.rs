@@ -22,6 +22,11 @@ impl App {
                         self.load(&source);
                     }
                 }
+                Command::New(size) => {
+                    if self.session.may_leave(Leaving::New(size)) {
+                        self.session.show_new(size);
+                    }
+                }
                 Command::Edit => {
                     let wake = self.wake_by(|| Wake::Edited);
                     self.session.start_editor(wake);
@@ -40,6 +45,7 @@ impl App {
                     engine.set_contrast(contrast);
                     self.status.differences = None;
                 }
+                Command::SetLight(light) => engine.set_light(light),
                 Command::Benchmark => self.measure(),
                 Command::ReadValues => self.read_values(),
                 Command::SetScene => {
@@ -116,6 +122,8 @@ impl App {
 
     pub(super) fn save_settings(&mut self) {
         self.settings.settings.theme = self.session.theme.name().to_owned();
+        self.settings.settings.real_time = self.session.light.real_time.name().to_owned();
+        self.settings.settings.bare_film = self.session.light.is_bare;
         self.settings.settings.language.clone_from(&self.session.language);
         if let Err(error) = self.settings.save() {
             self.session.say(tr!("said.the_settings_cannot_be_kept", error = error), true);

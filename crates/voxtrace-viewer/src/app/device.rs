@@ -26,10 +26,13 @@ impl App {
         self.status.device = format!("window on {}", info.name);
         self.status.device_index = info.index;
         let proxy = self.proxy.clone();
-        self.engine = Some(Engine::start(Arc::clone(graphics.device()), self.session.backend(), move |event| {
+        self.session.has_hardware = is_hardware;
+        let engine = Engine::start(Arc::clone(graphics.device()), self.session.backend(), move |event| {
             // The window may be closed.
             let _ = proxy.send_event(Wake::Engine(WakeEngine(event)));
-        }));
+        });
+        engine.set_light(self.session.light);
+        self.engine = Some(engine);
     }
 
     /// Looks for the devices of this machine, which takes drivers a while.

@@ -3,6 +3,7 @@
 use super::graphics::Graphics;
 use super::wake::{Wake, WakeDrawing, WakeEngine};
 use super::{App, keyboard};
+use crate::dialogs::Dialog;
 use crate::engine::Event;
 use crate::input::Button;
 use crate::keys::Key;
@@ -91,8 +92,8 @@ impl ApplicationHandler<Wake> for App {
                 let is_pressed = event.state == ElementState::Pressed;
                 let key = keyboard::key_of(&event);
                 let completes = key == Some(Key::Tab) && is_pressed && !self.has_keyboard();
-                if let Some(dialog) = self.session.dialog.as_mut().filter(|_| completes) {
-                    dialog.path_field().complete();
+                if let Some(field) = self.session.dialog.as_mut().filter(|_| completes).and_then(Dialog::path_field) {
+                    field.complete();
                 }
                 // Esc closes a dialog also while its fields are typed in.
                 let is_escape = key == Some(Key::Escape) && self.session.dialog.is_some();

@@ -46,7 +46,7 @@ impl App {
     pub(super) fn ask_for_path(&mut self) {
         let (Some(graphics), Some(dialog)) = (&self.graphics, &mut self.session.dialog) else { return };
         let mut system = rfd::AsyncFileDialog::new().set_parent(&*graphics.window);
-        let path = dialog.path_field().path().unwrap_or_default();
+        let path = dialog.path_field().and_then(|field| field.path()).unwrap_or_default();
         if let Some(folder) = path.ancestors().skip(1).find(|folder| folder.is_dir()) {
             system = system.set_directory(folder);
         }
@@ -64,6 +64,7 @@ impl App {
             }};
         }
         match dialog {
+            Dialog::New(_) => {}
             Dialog::Plan(_) => answer!(system.add_filter("plans", &["toml"]).pick_file()),
             Dialog::Open(_) => answer!(system.pick_file()),
             Dialog::Frames(_) => answer!(system.pick_folder()),

@@ -14,7 +14,7 @@ mod stopwatch;
 mod wake;
 
 use crate::cutting::Cutting;
-use crate::engine::Engine;
+use crate::engine::{Engine, Light, RealTimeChoice};
 use crate::gamepad::{self, Gamepad};
 use crate::input::Input;
 use crate::load::Loader;
@@ -145,6 +145,10 @@ impl App {
         session.navigator.is_inverted = settings.settings.invert_look;
         session.exposure_step = settings.settings.exposure_step;
         session.theme = Theme::of_name(&settings.settings.theme);
+        session.light = Light {
+            real_time: RealTimeChoice::of_name(&settings.settings.real_time),
+            is_bare: settings.settings.bare_film,
+        };
         session.language.clone_from(&settings.settings.language);
         let said = |name: &&str| std::env::var(name).ok().filter(|value| !value.is_empty());
         let of_system = || ["LC_ALL", "LC_MESSAGES", "LANG"].iter().find_map(said);

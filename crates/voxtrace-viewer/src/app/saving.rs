@@ -17,12 +17,14 @@ pub struct Saving {
     path: PathBuf,
     /// Whether a frame was drawn since: panels that come or go change the size of the picture then.
     is_laid_out: bool,
+    /// Whether it was said that it waits for the film.
+    is_told: bool,
     answer: Option<FilmAnswer>,
 }
 
 impl Saving {
     pub fn new(path: PathBuf) -> Self {
-        Self { path, is_laid_out: false, answer: None }
+        Self { path, is_laid_out: false, is_told: false, answer: None }
     }
 }
 
@@ -39,7 +41,13 @@ impl App {
         let (Some(saving), Some(engine)) = (&mut self.saving, &self.engine) else { return };
         let Some(answer) = &saving.answer else {
             if saving.is_laid_out && !self.session.has_commands() {
-                saving.answer = Some(engine.film());
+                // What is seen is written when it is the film.
+                match self.status.shown.as_ref().filter(|shown| shown.lit.is_some()) {
+                    Some(_) if self.session.is_paused => saving.answer = Some(engine.film()),
+                    Some(_) if std::mem::replace(&mut saving.is_told, true) => {}
+                    Some(_) => self.session.say(tr!("real_time.waits"), false),
+                    None => saving.answer = Some(engine.film()),
+                }
             }
             return;
         };

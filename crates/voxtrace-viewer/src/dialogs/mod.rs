@@ -36,24 +36,29 @@ pub enum Dialog {
     Save(SaveDialog),
     /// Opening a scene by its path.
     Open(OpenDialog),
+    /// Beginning a scene, of so many voxels along each side.
+    New([u32; 3]),
 }
 
 impl Dialog {
-    /// The path that is typed in it.
-    pub fn path_field(&mut self) -> &mut PathField {
-        match self {
+    /// The path that is typed in it, where one is.
+    pub fn path_field(&mut self) -> Option<&mut PathField> {
+        Some(match self {
+            Self::New(_) => return None,
             Self::Picture(dialog) => &mut dialog.path,
             Self::Frames(dialog) => &mut dialog.folder,
             Self::Plan(dialog) => &mut dialog.plan,
             Self::Record(dialog) => &mut dialog.path,
             Self::Save(dialog) => &mut dialog.path,
             Self::Open(dialog) => &mut dialog.path,
-        }
+        })
     }
 
     /// Takes a path that the system's dialog gave.
     pub fn take_path(&mut self, path: &Path) {
-        *self.path_field() = PathField::new(path);
+        if let Some(field) = self.path_field() {
+            *field = PathField::new(path);
+        }
         if let Self::Picture(dialog) = self {
             dialog.take_kind_of_path();
         }

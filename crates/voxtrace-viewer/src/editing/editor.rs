@@ -145,6 +145,23 @@ pub struct Editor {
 impl Editor {
     /// Begins to edit a scene with changed materials. `wake` is called on the thread whenever it told something.
     pub fn start(scene: Arc<PackedScene>, materials: Vec<MaterialChange>, wake: Arc<dyn Fn() + Send + Sync>) -> Self {
+        Self::owning(wake, move |jobs, tell| run(&scene, materials, jobs, tell))
+    }
+
+    /// Goes on with a scene that was begun in the window, which shows it as `base`.
+    pub fn begun(scene: DynamicScene, base: Arc<PackedScene>, wake: Arc<dyn Fn() + Send + Sync>) -> Self {
+        Self::owning(wake, move |jobs, tell| {
+            if tell(Told::Ready { base, is_same: true }) {
+                work(Work::new(scene), jobs, tell);
+            }
+        })
+    }
+
+    /// The thread, which tells by the function that it is given as long as somebody hears it.
+    fn owning(
+        wake: Arc<dyn Fn() + Send + Sync>,
+        run: impl FnOnce(&Receiver<Job>, &dyn Fn(Told) -> bool) + Send + 'static,
+    ) -> Self {
         let (jobs, of_window) = channel();
         let (sender, told) = channel();
         std::thread::spawn(move || {
@@ -155,7 +172,7 @@ impl Editor {
                 wake();
                 is_heard
             };
-            let end = catch_unwind(AssertUnwindSafe(|| run(&scene, materials, &of_window, &tell)));
+            let end = catch_unwind(AssertUnwindSafe(|| run(&of_window, &tell)));
             if end.is_err() {
                 tell(Told::Failed("a fault of the program; save the scene (Ctrl+S)".into()));
             }
@@ -183,7 +200,7 @@ fn run(scene: &Arc<PackedScene>, materials: Vec<MaterialChange>, jobs: &Receiver
             return;
         }
     };
-    let mut work = match threads::aside(|| DynamicScene::new((*base).clone())) {
+    let own = match threads::aside(|| DynamicScene::new((*base).clone())) {
         Ok(dynamic) => Work::new(dynamic),
         Err(EditError::SmoothNormals) => {
             let hint = "open it with --normals faces to edit it";
@@ -196,9 +213,13 @@ fn run(scene: &Arc<PackedScene>, materials: Vec<MaterialChange>, jobs: &Receiver
         }
     };
     let is_same = Arc::ptr_eq(&base, scene);
-    if !tell(Told::Ready { base, is_same }) {
-        return;
+    if tell(Told::Ready { base, is_same }) {
+        work(own, jobs, tell);
     }
+}
+
+/// Does jobs until there is nobody who gives them.
+fn work(mut work: Work, jobs: &Receiver<Job>, tell: &dyn Fn(Told) -> bool) {
     while let Ok(job) = jobs.recv() {
         let since = Instant::now();
         let mut next = Some(job);
@@ -367,7 +388,11 @@ impl Work {
             return Ok(());
         }
         let changes = SceneChanges { materials, hidden: Vec::new() };
-        let scene = changes.apply(&self.scene.compact()).map_err(|error| error.to_string())?;
+        let compact = self.scene.compact();
+        if compact.grids().len() < self.scene.scene().grids().len() {
+            return Err("what glows cannot be changed while a model is empty: place a voxel first".into());
+        }
+        let scene = changes.apply(&compact).map_err(|error| error.to_string())?;
         let mut dynamic = DynamicScene::new(scene).map_err(|error| error.to_string())?;
         dynamic.set_undo_limit(UNDO_BYTES);
         self.scene = dynamic;

@@ -18,7 +18,7 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::Arc;
 use voxtrace::changes::MaterialChange;
-use voxtrace::dynamic::{Clip, Patch};
+use voxtrace::dynamic::{Clip, DynamicScene, Patch};
 use voxtrace::glam::{DVec3, IVec3, Vec2};
 use voxtrace::grid::VoxelBox;
 use voxtrace::ray::Face;
@@ -249,6 +249,8 @@ pub struct Editing {
     pub is_recovered: bool,
     /// Where a tool was used last: what planes of symmetry are drawn for when nothing is under the cursor.
     pub(crate) last_spot: Option<Spot>,
+    /// A scene that was begun here, until the thread takes it.
+    pub(crate) begun: Option<Box<DynamicScene>>,
     pub(crate) editor: Option<Editor>,
     pub(crate) stroke: Option<Stroke>,
     /// The scene before the stroke, where that is not what is picked in anyway.
@@ -286,6 +288,7 @@ impl Default for Editing {
             saved: None,
             is_recovered: false,
             last_spot: None,
+            begun: None,
             editor: None,
             stroke: None,
             before: None,

@@ -9,6 +9,9 @@ use voxtrace::{Shape, Transform};
 /// Sides of a circle.
 const SIDES: usize = 48;
 
+/// Voxels between lines on the floor of a box to build in.
+const BETWEEN_LINES: usize = 8;
+
 /// Most voxels of a copy that are drawn one by one.
 const MOST_SHOWN: usize = 200;
 
@@ -27,6 +30,10 @@ pub enum Look {
     Selected,
     /// The face under the cursor.
     Face,
+    /// The box to build in.
+    Canvas,
+    /// Lines on its floor.
+    Floor,
 }
 
 /// A line from point to point, world space.
@@ -60,6 +67,18 @@ impl Lines<'_> {
         self.add((0..5).map(corner), look);
         self.add((5..10).map(corner), look);
         (0..4).for_each(|index| self.add([corner(index), corner(index + 5)], look));
+    }
+
+    /// Lines on the floor of a box, between bricks.
+    fn floor(&mut self, region: VoxelBox) {
+        let (low, high) = (region.min, region.max);
+        for axis in 0..2 {
+            for at in (low[axis]..high[axis]).step_by(BETWEEN_LINES).skip(1) {
+                let (mut from, mut to) = (low, IVec3::new(high.x, high.y, low.z));
+                (from[axis], to[axis]) = (at, at);
+                self.add([from.as_vec3(), to.as_vec3()], Look::Floor);
+            }
+        }
     }
 
     fn ball(&mut self, center: DVec3, radius: f64, look: Look) {
@@ -114,6 +133,12 @@ impl Lines<'_> {
 pub fn outlines(session: &Session) -> Vec<Outline> {
     let Some(editing) = session.editing.as_ref().filter(|editing| editing.is_on) else { return Vec::new() };
     let mut all = Vec::new();
+    if let Some(canvas) = session.open.as_ref().and_then(|open| open.canvas) {
+        let mut lines = Lines { world_from_grid: &Transform::IDENTITY, all: Vec::new() };
+        lines.region(canvas, Look::Canvas);
+        lines.floor(canvas);
+        all.append(&mut lines.all);
+    }
     if let Some(Selection { world_from_grid, region, .. }) = &editing.selection {
         let mut lines = Lines { world_from_grid, all: Vec::new() };
         lines.region(*region, Look::Selected);

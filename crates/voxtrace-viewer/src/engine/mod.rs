@@ -5,10 +5,12 @@ mod any_tracer;
 mod contrast;
 mod edits;
 mod pace;
+mod pictures;
 mod side;
 mod worker;
 
 pub use contrast::Contrast;
+pub use pace::Quality;
 
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, Sender, channel};
@@ -16,7 +18,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::thread::JoinHandle;
 use voxtrace::lines::Lines;
 use voxtrace::{BounceLimits, Camera, Film, Frame, Integrator, PackedScene, Patch, Progress, TraceError};
-use voxtrace_vulkan::{Device, MemoryReport, Picture, Settings, Statistics};
+use voxtrace_vulkan::{Device, MemoryReport, Picture, RealTimeFrame, Settings, Statistics};
 use worker::Worker;
 
 /// What traces.
@@ -26,6 +28,60 @@ pub enum Backend {
     Cpu,
     /// The device of the window.
     Device(Settings),
+}
+
+/// Whether views are shown in real-time light while they move.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum RealTimeChoice {
+    /// The film alone is shown.
+    #[default]
+    Off,
+    /// On devices, but not on those in software.
+    Auto,
+    /// On all devices.
+    On,
+}
+
+impl Lit {
+    /// Milliseconds of each pass of the frame, in their order; what runs several times is told once.
+    pub fn passes(&self) -> Vec<(&'static str, f64)> {
+        let mut sums: Vec<(&'static str, f64)> = Vec::new();
+        for &(name, ms) in &self.frame.passes {
+            match sums.iter_mut().find(|(known, _)| *known == name) {
+                Some((_, sum)) => *sum += ms,
+                None => sums.push((name, ms)),
+            }
+        }
+        sums
+    }
+}
+
+impl RealTimeChoice {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::Off, Self::Auto, Self::On];
+
+    /// Its name in the settings.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Off => "off",
+            Self::Auto => "auto",
+            Self::On => "on",
+        }
+    }
+
+    /// That of a name in the settings; of one that there is not, what the window chooses.
+    pub fn of_name(name: &str) -> Self {
+        Self::ALL.into_iter().find(|choice| choice.name() == name).unwrap_or(Self::Auto)
+    }
+}
+
+/// The light that a view is shown in.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Light {
+    /// Whether it is real-time light at first.
+    pub real_time: RealTimeChoice,
+    /// Whether a view that stands shows its film at once, however noisy it is.
+    pub is_bare: bool,
 }
 
 /// The view to trace.
@@ -87,10 +143,23 @@ pub struct Shown {
     pub scale: u32,
     /// Milliseconds that the last step took, by the device's clock where it has one.
     pub step_ms: f64,
-    /// Samples a pixel of that step.
+    /// Samples a pixel of that step; none where it was a frame of real-time light.
     pub step_samples: u32,
     /// What the device counted in it, and its memory; `None` on the processor.
     pub device: Option<(Statistics, MemoryReport)>,
+    /// The real-time light that is seen of it; `None` where it is the film alone.
+    pub lit: Option<Lit>,
+}
+
+/// A frame of real-time light that is seen.
+#[derive(Clone, Debug)]
+pub struct Lit {
+    /// What it took.
+    pub frame: Arc<RealTimeFrame>,
+    /// How fine it is.
+    pub quality: Quality,
+    /// How much is seen of the film over it, 0 to 1.
+    pub film_weight: f32,
 }
 
 /// Where two tracers differ.
@@ -133,6 +202,7 @@ enum Request {
     Backend(Backend),
     Other(Option<Backend>),
     Contrast(Contrast),
+    Light(Light),
     Film(usize, Sender<Option<(Frame, Film)>>),
     Pause(bool),
     Lost(Arc<Device>),
@@ -207,6 +277,11 @@ impl Engine {
     /// Says what is wanted of two tracers.
     pub fn set_contrast(&self, contrast: Contrast) {
         self.send(Request::Contrast(contrast), false);
+    }
+
+    /// Shows views in this light from now on. At first it is that of the film alone.
+    pub fn set_light(&self, light: Light) {
+        self.send(Request::Light(light), false);
     }
 
     /// Stops adding samples, or goes on.

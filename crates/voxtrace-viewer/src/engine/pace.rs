@@ -1,8 +1,14 @@
 //! How much a window traces between two of its pictures: at a fraction of the resolution while the view moves and the device is
-//! slow, then finer and finer while it is still, and at full resolution as many samples as fit.
+//! slow, then finer and finer while it is still, and at full resolution as many samples as fit; and how fine frames of real-time light are.
+
+mod quality;
+
+pub use quality::{Quality, QualityPace};
 
 /// The coarsest picture has a pixel for this many along each side.
 const COARSEST: u32 = 8;
+/// Samples that take about as long as a pixel of real-time light.
+const SAMPLES_OF_LIGHT: f64 = 2.5;
 /// How much of a new measurement counts.
 const WEIGHT: f64 = 0.5;
 
@@ -24,17 +30,34 @@ pub struct Pace {
     rate: Option<f64>,
     /// The scale whose picture is shown; `None` where the view changed since.
     shown: Option<u32>,
+    /// How fine frames of real-time light are.
+    pub quality: QualityPace,
 }
 
 impl Pace {
     /// A pace of pictures that take `budget_ms` each.
     pub fn new(budget_ms: f64) -> Self {
-        Self { budget_ms, rate: None, shown: None }
+        Self { budget_ms, rate: None, shown: None, quality: QualityPace::new(budget_ms) }
     }
 
     /// The view changed: what is shown is of no use.
     pub fn begin(&mut self) {
         self.shown = None;
+    }
+
+    /// Whether it is known how quick the device is.
+    pub fn is_measured(&self) -> bool {
+        self.rate.is_some()
+    }
+
+    /// About what a frame of real-time light of so many pixels takes, milliseconds.
+    pub fn guess(&self, pixels: u64) -> f64 {
+        pixels as f64 * SAMPLES_OF_LIGHT / self.rate.unwrap_or(f64::INFINITY)
+    }
+
+    /// A frame of real-time light is shown: what is traced next is the film.
+    pub fn lit(&mut self) {
+        self.shown = Some(1);
     }
 
     /// Whether the next step makes the first picture of its view.

@@ -1,12 +1,16 @@
 //! One of the pictures that the engine traces: its tracer, how far it is, and the pictures that it has made.
 
+mod real_time;
+
 use super::any_tracer::AnyTracer;
-use super::pace::Pace;
+use super::pace::{Pace, Step};
+use super::pictures::Pictures;
 use super::{Backend, Shown, View};
+use real_time::RealTime;
 use std::sync::Arc;
 use std::time::Instant;
 use voxtrace::{CpuTracer, Film, Frame, PackedScene, Patch, Progress, Ray, TraceError, Tracer};
-use voxtrace_vulkan::{Device, Picture, VulkanTracer};
+use voxtrace_vulkan::{Device, Picture, Under, VulkanTracer};
 
 /// Milliseconds of a picture on a device that shares its queue with the window, and on the processor.
 const DEVICE_MS: f64 = 10.0;
@@ -24,6 +28,18 @@ pub(super) enum Stepped {
     Lost,
 }
 
+/// What a step may do.
+#[derive(Clone, Copy)]
+pub(super) struct Turn {
+    /// Most samples.
+    pub most: u32,
+    /// Whether the view moves on.
+    pub is_moving: bool,
+}
+
+/// What a film is laid over, and how much of the film is seen.
+type Below = Option<(Arc<Picture>, f32)>;
+
 /// A film that grows, and its pictures.
 pub(super) struct Side {
     pub backend: Backend,
@@ -39,6 +55,7 @@ pub(super) struct Side {
     last: Option<Frame>,
     pace: Pace,
     pictures: Pictures,
+    real_time: RealTime,
     /// The film of the processor, kept for its memory.
     film: Film,
     /// What went wrong and was mended, for people.
@@ -56,6 +73,7 @@ impl Side {
             last: None,
             pace: Pace::new(CPU_MS),
             pictures: Pictures::default(),
+            real_time: RealTime::default(),
             film: empty_film(),
             notes: Vec::new(),
         }
@@ -66,11 +84,13 @@ impl Side {
         self.done = 0;
         self.left = self.last.take().or(self.left.take());
         self.pace.begin();
+        self.real_time.begin();
     }
 
     /// Gives back what the scene takes.
     pub fn close(&mut self) {
         (self.tracer, self.stands_in) = (None, false);
+        self.real_time.forget();
         self.begin();
     }
 
@@ -126,6 +146,7 @@ impl Side {
     /// Pictures lie on `device` from now on. What traces on another one, which was lost, is closed.
     pub fn leave_device(&mut self, device: &Arc<Device>) {
         self.pictures = Pictures::default();
+        self.real_time.forget();
         if let Some(AnyTracer::Device(tracer)) = &self.tracer
             && !tracer.is_on_cpu()
             && !Arc::ptr_eq(tracer.device(), device)
@@ -155,8 +176,10 @@ impl Side {
     /// The film as it is, shown from another device: its `last` picture went with the old one. `None` where there is no whole film; the next
     /// step shows it then.
     pub fn shown_again(&mut self, view: &View, last: Option<Shown>, device: &Arc<Device>) -> Option<Shown> {
-        let last = last.filter(|_| self.done > 0 && self.tracer.is_some());
-        let picture = last.as_ref().and_then(|_| self.resolve(&view.frame().samples(self.done), device).ok().flatten());
+        let is_whole = self.done > 0 && !self.lacks_samples(view, device);
+        let last = last.filter(|_| is_whole && self.tracer.is_some());
+        let frame = view.frame().samples(self.done);
+        let picture = last.as_ref().and_then(|_| self.resolve(&frame, None, device).ok().flatten());
         match (last, picture) {
             (Some(last), Some(picture)) => Some(Shown { picture, samples: self.done, scale: 1, ..last }),
             _ => {
@@ -181,19 +204,25 @@ impl Side {
         (self.pace.fineness(), self.done)
     }
 
-    /// Traces one step of the view, of at most `most` samples.
+    /// Traces one step of the view: a frame of real-time light, or samples of the film.
     pub fn step(
         &mut self,
         scene: &Arc<PackedScene>,
         view: &View,
-        most: u32,
+        turn: Turn,
         device: &Arc<Device>,
         progress: &Progress,
     ) -> Result<Stepped, TraceError> {
+        let is_lit = self.has_real_time(view, device);
+        // The first picture of a tracer is one of the film, as coarse as can be: it comes at once, and says how quick the device is.
+        let is_known = self.tracer.is_some() && self.pace.is_measured();
+        if is_lit && is_known && (turn.is_moving || self.is_frame_next(view)) {
+            return self.step_real_time(scene, view, turn.is_moving, device);
+        }
         self.open_tracer(scene, device)?;
         let Some(tracer) = &mut self.tracer else { return Err(TraceError::NoScene) };
         let pixels = u64::from(view.width) * u64::from(view.height);
-        let step = self.pace.next(pixels, most);
+        let step = self.pace.next(pixels, turn.most);
         let (width, height) = (view.width.div_ceil(step.scale), view.height.div_ceil(step.scale));
         let is_whole = step.scale == 1;
         let samples = if is_whole { self.done + step.samples } else { 1 };
@@ -204,8 +233,10 @@ impl Side {
             tracer.as_tracer().render(&frame.clone().size(1, 1).samples(1), &Progress::default())?;
         }
         self.last = Some(frame.clone());
+        let below = self.under(samples, view).filter(|_| is_lit && is_whole);
+        let weight = below.as_ref().map_or(1.0, |(_, weight)| *weight);
         let start = Instant::now();
-        let shown = self.render(&frame, device, progress)?;
+        let shown = self.render(&frame, below.clone(), device, progress)?;
         if progress.is_cancelled() {
             return Ok(Stepped::Cancelled);
         }
@@ -213,43 +244,49 @@ impl Side {
         if let Some(moved) = self.moved_from(device)? {
             return Ok(Stepped::Moved(moved));
         }
-        let shown = match shown {
-            Some(picture) => Some(picture),
-            None => self.resolve(&frame, device)?,
-        };
-        let Some(picture) = shown else { return Ok(Stepped::Lost) };
-        let mut of_device = None;
         if let Some(AnyTracer::Device(tracer)) = &self.tracer {
-            let statistics = tracer.statistics();
-            ms = if statistics.gpu_ms > 0.0 { statistics.gpu_ms } else { ms };
-            of_device = Some((statistics, tracer.memory()));
+            let gpu_ms = tracer.statistics().gpu_ms;
+            ms = if gpu_ms > 0.0 { gpu_ms } else { ms };
         }
+        if weight > 0.0 {
+            let shown = match shown {
+                Some(picture) => Some(picture),
+                None => self.resolve(&frame, below, device)?,
+            };
+            let Some(picture) = shown else { return Ok(Stepped::Lost) };
+            self.stepped(step, pixels, ms, is_whole.then_some(samples));
+            let samples = if is_whole { samples } else { 0 };
+            return Ok(Stepped::Picture(self.shown(picture, (samples, step.scale), (ms, step.samples), weight)));
+        }
+        self.stepped(step, pixels, ms, Some(samples));
+        self.show_lit(view, (ms, step.samples), device)
+    }
+
+    /// A step was taken, after which the film has `done` samples, where it was one of the film.
+    fn stepped(&mut self, step: Step, pixels: u64, ms: f64, done: Option<u32>) {
         self.pace.update(step, pixels, ms);
-        if is_whole {
-            self.done = samples;
-        }
-        Ok(Stepped::Picture(Shown {
-            picture,
-            samples: if is_whole { samples } else { 0 },
-            scale: step.scale,
-            step_ms: ms,
-            step_samples: step.samples,
-            device: of_device,
-        }))
+        self.done = done.unwrap_or(self.done);
+        self.real_time.film_came();
     }
 
     /// Renders a frame. Returns its picture where a device made that with the last samples.
     fn render(
         &mut self,
         frame: &Frame,
+        below: Below,
         device: &Arc<Device>,
         progress: &Progress,
     ) -> Result<Option<Arc<Picture>>, TraceError> {
+        let is_seen = below.as_ref().is_none_or(|(_, weight)| *weight > 0.0);
         let by_host = self.is_by_host();
-        let picture = (!by_host).then(|| self.pictures.free(device, frame.width, frame.height, by_host)).transpose()?;
+        let picture = (!by_host && is_seen)
+            .then(|| self.pictures.free(device, frame.width, frame.height, by_host))
+            .transpose()?;
         let Some(tracer) = &mut self.tracer else { return Err(TraceError::NoScene) };
         let rendered = match (&mut *tracer, &picture) {
-            (AnyTracer::Device(tracer), Some(picture)) => tracer.render_shown(frame, progress, picture),
+            (AnyTracer::Device(tracer), Some(picture)) => {
+                tracer.render_over(frame, progress, picture, below.as_ref().map(under))
+            }
             _ => tracer.as_tracer().render(frame, progress).map(|()| None),
         };
         self.notes.extend(tracer.as_tracer().take_notes());
@@ -305,14 +342,21 @@ impl Side {
     }
 
     /// A picture of the tracer's film, `None` where the device was lost and the next step makes one.
-    fn resolve(&mut self, frame: &Frame, device: &Arc<Device>) -> Result<Option<Arc<Picture>>, TraceError> {
+    fn resolve(
+        &mut self,
+        frame: &Frame,
+        below: Below,
+        device: &Arc<Device>,
+    ) -> Result<Option<Arc<Picture>>, TraceError> {
         let by_host = self.is_by_host();
         let mut picture = self.pictures.free(device, frame.width, frame.height, by_host)?;
         match &mut self.tracer {
-            Some(AnyTracer::Device(tracer)) if !by_host => match tracer.resolve(&picture) {
-                Err(TraceError::DeviceLost { .. }) => return Ok(None),
-                result => drop(result?),
-            },
+            Some(AnyTracer::Device(tracer)) if !by_host => {
+                match tracer.resolve_over(&picture, below.as_ref().map(under)) {
+                    Err(TraceError::DeviceLost { .. }) => return Ok(None),
+                    result => drop(result?),
+                }
+            }
             Some(tracer) => {
                 tracer.as_tracer().read(&mut self.film)?;
                 // Nobody else holds a free picture.
@@ -345,34 +389,11 @@ impl Side {
     }
 }
 
-fn empty_film() -> Film {
-    Film::new(0, 0, voxtrace::Region::full(0, 0), 0)
+/// What lies under a film, as tracers take it.
+fn under((picture, film_weight): &(Arc<Picture>, f32)) -> Under<'_> {
+    Under { picture, film_weight: *film_weight }
 }
 
-/// Pictures that were made; those that nobody else holds are used again.
-#[derive(Default)]
-pub(super) struct Pictures(Vec<Arc<Picture>>);
-
-impl Pictures {
-    /// A picture that nobody holds, taken out of the pool. Pictures of other sizes go where nobody holds them.
-    pub fn free(
-        &mut self,
-        device: &Arc<Device>,
-        width: u32,
-        height: u32,
-        by_host: bool,
-    ) -> Result<Arc<Picture>, TraceError> {
-        let suits =
-            |picture: &Arc<Picture>| picture.size() == (width, height) && picture.is_written_by_host() == by_host;
-        self.0.retain(|picture| Arc::strong_count(picture) > 1 || suits(picture));
-        match self.0.iter().position(|picture| Arc::strong_count(picture) == 1 && suits(picture)) {
-            Some(index) => Ok(self.0.swap_remove(index)),
-            None => Ok(Arc::new(Picture::new(device, width, height, by_host)?)),
-        }
-    }
-
-    /// Puts a picture into the pool that others hold for a while.
-    pub fn keep(&mut self, picture: &Arc<Picture>) {
-        self.0.push(Arc::clone(picture));
-    }
+fn empty_film() -> Film {
+    Film::new(0, 0, voxtrace::Region::full(0, 0), 0)
 }

@@ -4,8 +4,9 @@
 mod loss;
 
 use super::contrast::{Contrast, blacken, central_rays, differing_pixels, differing_voxels};
-use super::side::{Pictures, Side, Stepped};
-use super::{Backend, Differences, Event, Request, Shared, View, locked};
+use super::pictures::Pictures;
+use super::side::{Side, Stepped, Turn};
+use super::{Backend, Differences, Event, Light, Request, Shared, View, locked};
 use crate::memory;
 use std::collections::VecDeque;
 use std::sync::Arc;
@@ -34,6 +35,7 @@ pub(super) struct Worker {
     /// When the device was lost, the last times.
     losses: VecDeque<Instant>,
     contrast: Contrast,
+    light: Light,
     /// Where rays of the view meet other voxels, once that is known.
     other_voxels: Option<Vec<bool>>,
     /// When films were compared last, and of how many samples.
@@ -63,6 +65,7 @@ impl Worker {
             has_failed: false,
             losses: VecDeque::new(),
             contrast: Contrast::default(),
+            light: Light::default(),
             other_voxels: None,
             compared: None,
             pictures: Pictures::default(),
@@ -85,9 +88,14 @@ impl Worker {
 
     /// The side whose turn it is, and how many samples it may take; `None` where there is nothing to do.
     fn turn(&self) -> Option<(usize, u32)> {
-        let samples = self.view.as_ref()?.samples;
+        let view = self.view.as_ref()?;
+        let samples = view.samples;
         if self.scene.is_none() || self.is_paused || self.has_failed {
             return None;
+        }
+        // Frames of real-time light come as long as the view moves on.
+        if self.is_moving && self.sides[0].has_real_time(view, &self.device) {
+            return Some((0, samples));
         }
         let open = (0..self.sides.len()).filter(|&index| self.sides[index].is_open(samples, self.is_moving));
         // The one that is behind; the first leads, and the second goes as far as it.
@@ -184,6 +192,10 @@ impl Worker {
                 self.contrast = contrast;
                 self.forget_differences();
             }
+            Request::Light(light) => {
+                self.light = light;
+                self.light_sides();
+            }
             Request::View { view, is_moving } => {
                 self.is_moving = is_moving;
                 let continues = self.view.as_ref().is_some_and(|last| view.frame().continues(&last.frame()));
@@ -205,8 +217,15 @@ impl Worker {
             locked(&self.shared.shown)[1] = None;
             memory::give_back();
             self.sides.extend(other.map(Side::new));
+            self.light_sides();
         }
         self.forget_differences();
+    }
+
+    /// Tracers are compared by their films alone.
+    fn light_sides(&mut self) {
+        let light = if self.sides.len() > 1 { Light::default() } else { self.light };
+        self.sides.iter_mut().for_each(|side| side.set_light(light));
     }
 
     /// Begins new films.
@@ -237,7 +256,8 @@ impl Worker {
         let (Some(view), Some(scene)) = (&self.view, &self.scene) else { return Ok(()) };
         let side = &mut self.sides[index];
         self.shared.is_first.store(side.is_first(), Ordering::Relaxed);
-        let stepped = side.step(scene, view, most, &self.device, progress);
+        let turn = Turn { most, is_moving: self.is_moving };
+        let stepped = side.step(scene, view, turn, &self.device, progress);
         side.notes.drain(..).for_each(|note| (self.tell)(Event::Notice(note)));
         match stepped? {
             Stepped::Cancelled | Stepped::Lost => {}

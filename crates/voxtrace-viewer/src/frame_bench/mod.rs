@@ -2,7 +2,10 @@
 //! the panels run, and both are drawn into an image in another submit, by three threads as in the window, which shows each picture; beside it,
 //! tracing alone, as `voxtrace bench` measures it, and drawing alone.
 
+mod moving;
 mod window;
+
+pub use moving::{Moving, moving};
 
 use crate::engine::Shown;
 use crate::gpu::DrawError;
@@ -175,8 +178,15 @@ impl FrameBench<'_> {
             times.trace_ms.push(statistics.gpu_ms);
             times.resolve_ms.push(resolve_ms);
             let (samples, step_ms) = (frame.samples, statistics.gpu_ms);
-            let shown =
-                Shown { picture, samples, scale: 1, step_ms, step_samples: 1, device: Some((statistics, memory)) };
+            let shown = Shown {
+                picture,
+                samples,
+                scale: 1,
+                step_ms,
+                step_samples: 1,
+                device: Some((statistics, memory)),
+                lit: None,
+            };
             if ready.send(shown).is_err() {
                 break;
             }

@@ -1,5 +1,6 @@
 //! Keys and gestures by themselves, whatever window system tells of them.
 
+use crate::tr;
 use std::fmt;
 
 /// A key. Letters and digits are those that the key writes without modifiers on the user's layout, where it writes none of these those
@@ -138,15 +139,15 @@ pub enum Gesture {
 impl fmt::Display for Gesture {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         f.write_str(match self {
-            Self::Click => "click",
-            Self::DoubleClick => "double click",
-            Self::LeftDrag => "left drag",
-            Self::MiddleDrag => "middle drag",
-            Self::RightDrag => "right drag",
-            Self::Wheel => "wheel",
-            Self::RightWheel => "wheel with the right button held",
-            Self::TrackpadScroll => "two fingers on the trackpad",
-            Self::Pinch => "pinch",
+            Self::Click => tr!("keys_gesture.click"),
+            Self::DoubleClick => tr!("keys_gesture.double_click"),
+            Self::LeftDrag => tr!("keys_gesture.left_drag"),
+            Self::MiddleDrag => tr!("keys_gesture.middle_drag"),
+            Self::RightDrag => tr!("keys_gesture.right_drag"),
+            Self::Wheel => tr!("keys_gesture.wheel"),
+            Self::RightWheel => tr!("keys_gesture.right_wheel"),
+            Self::TrackpadScroll => tr!("keys_gesture.trackpad_scroll"),
+            Self::Pinch => tr!("keys_gesture.pinch"),
         })
     }
 }

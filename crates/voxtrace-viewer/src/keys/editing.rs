@@ -4,6 +4,7 @@ use super::Trigger::Gesture as By;
 use super::{Action, Binding, Chord, Gesture, Group, Key, Modifiers, Steer, Trigger};
 use crate::editing::{Act, Tool};
 use crate::navigation::Mode;
+use crate::text_key;
 use voxtrace::Axis;
 
 /// What is done while the hand edits.
@@ -96,52 +97,44 @@ const fn steer(triggers: &'static [Trigger], what: Steer, about: &'static str) -
 
 /// Everything that keys and gestures do while the hand edits. No trigger stands twice.
 pub const EDIT_TABLE: &[Binding] = &[
-    row(
-        &[By(Gesture::LeftDrag, Modifiers::NONE, None)],
-        EditAction::Use,
-        "use the tool; where nothing is under the cursor, move the camera",
-    ),
-    row(&[By(Gesture::LeftDrag, Modifiers::CTRL, None)], EditAction::Erase, "erase with the brush, line or box"),
+    row(&[By(Gesture::LeftDrag, Modifiers::NONE, None)], EditAction::Use, text_key!("keys.use_the_tool_where")),
+    row(&[By(Gesture::LeftDrag, Modifiers::CTRL, None)], EditAction::Erase, text_key!("keys.erase_with_the_brush")),
     row(
         &[By(Gesture::LeftDrag, Modifiers::ALT, None), letter('I')],
         EditAction::PickMaterial,
-        "take the material under the cursor",
+        text_key!("keys.take_the_material_under"),
     ),
     steer(
         &[By(Gesture::RightDrag, Modifiers::NONE, Some(Mode::Orbit))],
         Steer::Orbit,
-        "in orbit, go around what is under the cursor",
+        text_key!("keys.in_orbit_go_around"),
     ),
-    row(&[digit(1)], EditAction::Choose(Act::Place), "place"),
-    row(&[digit(2)], EditAction::Choose(Act::Erase), "erase"),
-    row(&[digit(3)], EditAction::Choose(Act::Paint), "paint"),
-    row(&[digit(4)], EditAction::Take(Tool::Brush), "brush"),
-    row(&[digit(5)], EditAction::Take(Tool::Line), "line"),
-    row(&[digit(6)], EditAction::Take(Tool::Box), "box"),
-    row(&[digit(7)], EditAction::Take(Tool::Extrude), "push and pull a face"),
-    row(&[digit(8)], EditAction::Take(Tool::Fill), "fill what is connected"),
-    row(&[digit(9)], EditAction::Take(Tool::Replace), "replace a material"),
-    row(&[digit(0)], EditAction::Take(Tool::Select), "select a box"),
-    row(&[key(Modifiers::NONE, Key::Plus)], EditAction::Larger, "larger brush"),
-    row(&[key(Modifiers::NONE, Key::Minus)], EditAction::Smaller, "smaller brush"),
-    row(
-        &[By(Gesture::Wheel, Modifiers::SHIFT, None)],
-        EditAction::Resize,
-        "size of the brush; while a box is dragged, the wheel alone makes it deeper",
-    ),
-    row(&[ctrl('Z')], EditAction::Undo, "take the last edit back"),
-    row(&[key(Modifiers::CTRL_SHIFT, Key::Letter('Z')), ctrl('Y')], EditAction::Redo, "do it again"),
-    row(&[ctrl('C')], EditAction::Copy, "copy what is selected"),
-    row(&[ctrl('X')], EditAction::Cut, "cut it"),
-    row(&[ctrl('V')], EditAction::Paste, "paste: a click puts it down, again and again until Esc"),
-    row(&[letter('G')], EditAction::Move, "move what is selected: a click puts it down"),
-    row(&[key(Modifiers::NONE, Key::Delete)], EditAction::Clear, "clear what is selected"),
-    row(&[letter('R')], EditAction::Turn(EditAxis::Z), "turn what is pasted by a quarter about z"),
-    row(&[shift('R')], EditAction::Turn(EditAxis::X), "about x"),
-    row(&[ctrl('R')], EditAction::Turn(EditAxis::Y), "about y"),
-    row(&[letter('M')], EditAction::Mirror(EditAxis::X), "mirror what is pasted along x"),
-    row(&[shift('M')], EditAction::Mirror(EditAxis::Y), "along y"),
-    row(&[ctrl('M')], EditAction::Mirror(EditAxis::Z), "along z"),
+    row(&[digit(1)], EditAction::Choose(Act::Place), text_key!("keys.place")),
+    row(&[digit(2)], EditAction::Choose(Act::Erase), text_key!("keys.erase")),
+    row(&[digit(3)], EditAction::Choose(Act::Paint), text_key!("keys.paint")),
+    row(&[digit(4)], EditAction::Take(Tool::Brush), text_key!("keys.brush")),
+    row(&[digit(5)], EditAction::Take(Tool::Line), text_key!("keys.line")),
+    row(&[digit(6)], EditAction::Take(Tool::Box), text_key!("keys.box")),
+    row(&[digit(7)], EditAction::Take(Tool::Extrude), text_key!("keys.push_and_pull_a")),
+    row(&[digit(8)], EditAction::Take(Tool::Fill), text_key!("keys.fill_what_is_connected")),
+    row(&[digit(9)], EditAction::Take(Tool::Replace), text_key!("keys.replace_a_material")),
+    row(&[digit(0)], EditAction::Take(Tool::Select), text_key!("keys.select_a_box")),
+    row(&[key(Modifiers::NONE, Key::Plus)], EditAction::Larger, text_key!("keys.larger_brush")),
+    row(&[key(Modifiers::NONE, Key::Minus)], EditAction::Smaller, text_key!("keys.smaller_brush")),
+    row(&[By(Gesture::Wheel, Modifiers::SHIFT, None)], EditAction::Resize, text_key!("keys.size_of_the_brush")),
+    row(&[ctrl('Z')], EditAction::Undo, text_key!("keys.take_the_last_edit")),
+    row(&[key(Modifiers::CTRL_SHIFT, Key::Letter('Z')), ctrl('Y')], EditAction::Redo, text_key!("keys.do_it_again")),
+    row(&[ctrl('C')], EditAction::Copy, text_key!("keys.copy_what_is_selected")),
+    row(&[ctrl('X')], EditAction::Cut, text_key!("keys.cut_it")),
+    row(&[ctrl('V')], EditAction::Paste, text_key!("keys.paste_a_click_puts")),
+    row(&[letter('G')], EditAction::Move, text_key!("keys.move_what_is_selected")),
+    row(&[key(Modifiers::NONE, Key::Delete)], EditAction::Clear, text_key!("keys.clear_what_is_selected")),
+    row(&[letter('R')], EditAction::Turn(EditAxis::Z), text_key!("keys.turn_what_is_pasted")),
+    row(&[shift('R')], EditAction::Turn(EditAxis::X), text_key!("keys.about_x")),
+    row(&[ctrl('R')], EditAction::Turn(EditAxis::Y), text_key!("keys.about_y")),
+    row(&[letter('M')], EditAction::Mirror(EditAxis::X), text_key!("keys.mirror_what_is_pasted")),
+    row(&[shift('M')], EditAction::Mirror(EditAxis::Y), text_key!("keys.along_y")),
+    row(&[ctrl('M')], EditAction::Mirror(EditAxis::Z), text_key!("keys.along_z")),
 ];
 
 /// What a key does while the hand edits, `None` where it does what it does otherwise. In flight what is held beside it means the speed.

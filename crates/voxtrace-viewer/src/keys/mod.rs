@@ -16,10 +16,13 @@ pub use page::{Row, markdown, rows};
 pub use table::TABLE;
 
 use crate::navigation::{AxisView, Mode, Movement};
+use crate::tr;
 
 /// Everything that the window does when asked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Action {
+    /// Opens the dialog that begins an empty scene.
+    New,
     /// Shows the dialog that opens a scene.
     Open,
     /// Opens the dialog that opens a scene by its path.
@@ -146,6 +149,12 @@ pub enum Action {
     FinishMeasuring,
     /// Shows the panels or hides them.
     TogglePanels,
+    /// Shows times, rays and memory over the picture, or hides them.
+    ToggleTimes,
+    /// Shows views that move in real-time light, or no more.
+    ToggleRealTime,
+    /// Shows the film of a view that stands at once, or when it is clean.
+    ToggleBareFilm,
     /// Fills the screen, or not any more.
     ToggleFullScreen,
     /// Larger text and buttons.
@@ -189,7 +198,7 @@ pub enum Trigger {
 pub struct Binding {
     /// What starts it, each by itself.
     pub triggers: &'static [Trigger],
-    /// A stick of a gamepad or fingers on the screen, which act by themselves; the table tells people of them. Else empty.
+    /// A stick of a gamepad or fingers on the screen, which act by themselves; the table tells people of them by the key of a text. Else empty.
     pub told: &'static str,
     /// The button of a gamepad that does it, too.
     pub pad: Option<PadButton>,
@@ -197,7 +206,7 @@ pub struct Binding {
     pub action: Action,
     /// Where it stands in lists.
     pub group: Group,
-    /// What it does, for people.
+    /// What it does, for people: the key of a text.
     pub about: &'static str,
 }
 
@@ -241,15 +250,15 @@ impl Group {
     /// Its name.
     pub fn name(self) -> &'static str {
         match self {
-            Self::Moving => "Getting around",
-            Self::Views => "Views",
-            Self::Light => "Light",
-            Self::Tracing => "Tracing",
-            Self::Measuring => "Measuring",
-            Self::Files => "Files",
-            Self::Editing => "Editing (Ctrl+E begins and ends it; keys that are not here do what they do otherwise)",
-            Self::Window => "Window",
-            Self::Others => "Touch and gamepad",
+            Self::Moving => tr!("keys_group.moving"),
+            Self::Views => tr!("keys_group.views"),
+            Self::Light => tr!("keys_group.light"),
+            Self::Tracing => tr!("keys_group.tracing"),
+            Self::Measuring => tr!("keys_group.measuring"),
+            Self::Files => tr!("keys_group.files"),
+            Self::Editing => tr!("keys_group.editing"),
+            Self::Window => tr!("keys_group.window"),
+            Self::Others => tr!("keys_group.others"),
         }
     }
 }

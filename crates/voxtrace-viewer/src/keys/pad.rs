@@ -1,5 +1,6 @@
 //! The parts of a gamepad that the table names, whatever system tells of them.
 
+use crate::tr;
 use std::fmt;
 
 /// A button, named by its place.
@@ -38,14 +39,14 @@ impl fmt::Display for PadButton {
             Self::East => "B",
             Self::North => "Y",
             Self::West => "X",
-            Self::LeftShoulder => "left shoulder",
-            Self::RightShoulder => "right shoulder",
-            Self::Start => "start",
-            Self::Select => "select",
-            Self::Up => "cross up",
-            Self::Down => "cross down",
-            Self::Left => "cross left",
-            Self::Right => "cross right",
+            Self::LeftShoulder => tr!("keys_pad.left_shoulder"),
+            Self::RightShoulder => tr!("keys_pad.right_shoulder"),
+            Self::Start => tr!("keys_pad.start"),
+            Self::Select => tr!("keys_pad.select"),
+            Self::Up => tr!("keys_pad.up"),
+            Self::Down => tr!("keys_pad.down"),
+            Self::Left => tr!("keys_pad.left"),
+            Self::Right => tr!("keys_pad.right"),
         })
     }
 }

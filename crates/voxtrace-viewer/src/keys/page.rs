@@ -2,6 +2,7 @@
 
 use super::{Binding, EDIT_TABLE, Gesture, Group, Modifiers, TABLE, Trigger};
 use crate::navigation::Mode;
+use crate::{strings, tr};
 
 /// A line of a list.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -24,12 +25,12 @@ pub fn markdown() -> String {
 
 fn rows_of(table: &[Binding], group: Group) -> Vec<Row> {
     let row = |binding: &Binding| {
-        let told = Some(binding.told.to_owned()).filter(|told| !told.is_empty());
-        let button = binding.pad.map(|button| format!("gamepad {button}"));
+        let told = Some(binding.told).filter(|told| !told.is_empty()).map(|told| strings::text(told).to_owned());
+        let button = binding.pad.map(|button| tr!("keys_pad.gamepad", button = button));
         // One gesture in several modes is told once.
         let same = |a: &Trigger, b: &Trigger| gesture(a).is_some() && gesture(a) == gesture(b);
         let keys: Vec<String> = binding.triggers.chunk_by(same).map(text).chain(told).chain(button).collect();
-        Row { keys: keys.join(", "), about: binding.about }
+        Row { keys: keys.join(", "), about: strings::text(binding.about) }
     };
     table.iter().filter(|binding| binding.group == group).map(row).collect()
 }
@@ -53,9 +54,9 @@ fn gesture(trigger: &Trigger) -> Option<(Gesture, Modifiers)> {
 /// One trigger, or one gesture in several modes.
 fn text(triggers: &[Trigger]) -> String {
     let mode = |trigger: &Trigger| match trigger {
-        Trigger::Gesture(_, _, Some(Mode::Fly)) => Some("fly"),
-        Trigger::Gesture(_, _, Some(Mode::Orbit)) => Some("orbit"),
-        Trigger::Gesture(_, _, Some(Mode::Walk)) => Some("walk"),
+        Trigger::Gesture(_, _, Some(Mode::Fly)) => Some(tr!("walk.mode_fly")),
+        Trigger::Gesture(_, _, Some(Mode::Orbit)) => Some(tr!("walk.mode_orbit")),
+        Trigger::Gesture(_, _, Some(Mode::Walk)) => Some(tr!("walk.mode_walk")),
         _ => None,
     };
     match triggers.first() {

@@ -21,6 +21,8 @@ fn stroke(look: Look) -> Stroke {
         Look::Plane(1) => Stroke::new(1.0, Color32::from_rgb(120, 230, 120)),
         Look::Plane(_) => Stroke::new(1.0, Color32::from_rgb(130, 160, 255)),
         Look::Selected => Stroke::new(1.5, Color32::from_rgb(255, 215, 80)),
+        Look::Floor => Stroke::new(0.5, Color32::from_rgba_unmultiplied(200, 200, 200, 60)),
+        Look::Canvas => Stroke::new(1.0, Color32::from_gray(205)),
         Look::Face => Stroke::new(2.0, Color32::from_rgb(255, 215, 80)),
     }
 }
@@ -62,7 +64,7 @@ pub fn preview(ui: &Ui, session: &Session, side: f32) {
         }
     }
     // A dark line around a bright one is seen on any picture.
-    for (segment, look) in &segments {
+    for (segment, look) in segments.iter().filter(|(_, look)| *look != Look::Floor) {
         painter.line_segment(*segment, Stroke::new(stroke(*look).width + 2.0, Color32::from_black_alpha(130)));
     }
     for (segment, look) in &segments {

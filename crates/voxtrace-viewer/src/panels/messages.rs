@@ -30,7 +30,7 @@ pub fn loading(ui: &Ui, session: &mut Session, side: f32) {
                 Some(share) => ui.add(ProgressBar::new(share).desired_width(260.0).text(text)),
                 None => ui.horizontal(|ui| (ui.spinner(), ui.label(text)).1).inner,
             };
-            is_cancelled = ui.button(tr!("messages.stop")).clicked();
+            is_cancelled = super::stop_button(ui, tr!("messages.stop"));
         });
     if is_cancelled {
         session.act(Action::Cancel, None);

@@ -26,6 +26,7 @@ mod statistics;
 mod status;
 mod surroundings;
 mod timeline;
+mod times;
 mod tracing;
 mod unsaved;
 mod values;
@@ -79,6 +80,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, status: &Status) -> f32 {
     messages::loading(ui, session, width);
     running::running(ui, session, width);
     messages::messages(ui, session);
+    times::times(ui, session, status);
     if session.has_help {
         help::help(ui, session);
     }
@@ -130,6 +132,17 @@ fn section(ui: &mut Ui, title: impl Into<egui::WidgetText>, id: &str, add: impl 
         ui.spacing_mut().slider_width -= ui.spacing().indent;
         add(ui);
     });
+}
+
+/// A button that stops something, and the key that does. Returns whether it was clicked.
+fn stop_button(ui: &mut Ui, text: &str) -> bool {
+    ui.horizontal(|ui| {
+        let is_clicked = ui.button(text).clicked();
+        let key = crate::keys::key_of(crate::keys::Action::Cancel);
+        ui.label(RichText::new(tr!("panels.key_stops", key = key)).weak());
+        is_clicked
+    })
+    .inner
 }
 
 fn heading(ui: &mut Ui, text: &str) {

@@ -1,6 +1,7 @@
 //! How far a command is that runs beside the window, with a button that stops it.
 
 use crate::session::Session;
+use crate::tr;
 use egui::{Align2, ProgressBar, Ui};
 
 /// Points above the lower edge.
@@ -12,7 +13,7 @@ pub fn running(ui: &Ui, session: &mut Session, side: f32) {
     let left = left.map_or(String::new(), |seconds| format!(", {} left", super::dialogs::duration(seconds)));
     let percent = running.share.map_or(String::new(), |share| format!(" {:.0} %", share * 100.0));
     let text = format!("{}{percent}{left}", running.work);
-    let title = if running.request.measures { "Measuring" } else { "Recording" };
+    let title = if running.request.measures { tr!("running.measuring") } else { tr!("running.recording") };
     egui::Window::new(title)
         .anchor(Align2::CENTER_BOTTOM, [-side / 2.0, -ABOVE - session.below])
         .collapsible(false)
@@ -21,8 +22,8 @@ pub fn running(ui: &Ui, session: &mut Session, side: f32) {
             ui.label(&running.request.name);
             ui.add(ProgressBar::new(running.share.unwrap_or(0.0)).desired_width(360.0).text(text));
             if running.is_stopping {
-                ui.label("stopping…");
-            } else if ui.button("Stop").clicked() {
+                ui.label(tr!("running.stopping"));
+            } else if super::stop_button(ui, tr!("running.stop")) {
                 running.cancel();
             }
         });

@@ -15,6 +15,9 @@ pub fn scene(ui: &mut Ui, session: &mut Session) {
         ui.label(format!("{}, {}", counted(voxels, "voxel"), counted(objects as u64, "object")));
     }
     ui.horizontal_wrapped(|ui| {
+        if ui.button(tr!("scene.new")).clicked() {
+            session.act(Action::New, None);
+        }
         if ui.button(tr!("scene.open")).clicked() {
             session.act(Action::Open, None);
         }

@@ -6,6 +6,7 @@ use crate::session::Session;
 use crate::tr;
 use egui::{Grid, ProgressBar, Ui};
 use std::collections::VecDeque;
+use voxtrace_vulkan::MemoryReport;
 
 pub fn statistics(ui: &mut Ui, session: &Session, status: &Status) {
     let Some(shown) = &status.shown else { return };
@@ -27,15 +28,20 @@ pub fn statistics(ui: &mut Ui, session: &Session, status: &Status) {
             ui.label(format!("{:.1} million rays a second", rays as f64 / statistics.gpu_ms / 1e3));
         }
         egui::CollapsingHeader::new(format!("memory: {:.1} MiB", mebibytes(memory.total_bytes()))).show(ui, |ui| {
-            Grid::new("memory").show(ui, |ui| {
-                for (name, &bytes) in &memory.entries {
-                    ui.label(name);
-                    ui.label(format!("{:.2} MiB", mebibytes(bytes)));
-                    ui.end_row();
-                }
-            });
+            memory_grid(ui, memory, "memory");
         });
     }
+}
+
+/// What is allocated on the device, by name.
+pub fn memory_grid(ui: &mut Ui, memory: &MemoryReport, id: &str) {
+    Grid::new(id).show(ui, |ui| {
+        for (name, &bytes) in &memory.entries {
+            ui.label(name);
+            ui.label(format!("{:.2} MiB", mebibytes(bytes)));
+            ui.end_row();
+        }
+    });
 }
 
 pub fn mebibytes(bytes: u64) -> f64 {

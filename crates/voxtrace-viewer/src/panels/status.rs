@@ -29,6 +29,8 @@ pub struct Status {
     pub differences: Option<Differences>,
     /// Milliseconds a sample of the last steps.
     pub times: VecDeque<f32>,
+    /// Milliseconds of the last frames of real-time light.
+    pub frames: VecDeque<f32>,
     /// Share of the step under way that is done.
     pub step_share: f32,
     /// What traces, for people.
@@ -70,20 +72,38 @@ impl Status {
         // Times of a picture of another size would tell nothing.
         if self.shown.as_ref().is_some_and(|last| last.scale == 1 && last.picture.size() != shown.picture.size()) {
             self.times.clear();
+            self.frames.clear();
         }
-        if shown.scale == 1 {
-            self.times.push_back((shown.step_ms / f64::from(shown.step_samples.max(1))) as f32);
-            while self.times.len() > FRAMES {
-                self.times.pop_front();
+        match shown.step_samples {
+            0 => push(&mut self.frames, shown.step_ms),
+            samples if shown.scale == 1 || shown.lit.is_some() => {
+                push(&mut self.times, shown.step_ms / f64::from(samples));
             }
+            _ => {}
         }
         self.shown = Some(shown);
     }
 
     /// The time that a share of the last samples stayed below, milliseconds.
     pub fn percentile(&self, share: f64) -> Option<f32> {
-        let mut times: Vec<f32> = self.times.iter().copied().collect();
-        times.sort_by(f32::total_cmp);
-        times.get(((times.len().checked_sub(1)?) as f64 * share).round() as usize).copied()
+        percentile(&self.times, share)
     }
+
+    /// The time that a share of the last frames of real-time light stayed below, milliseconds.
+    pub fn frame_percentile(&self, share: f64) -> Option<f32> {
+        percentile(&self.frames, share)
+    }
+}
+
+fn push(times: &mut VecDeque<f32>, ms: f64) {
+    times.push_back(ms as f32);
+    while times.len() > FRAMES {
+        times.pop_front();
+    }
+}
+
+fn percentile(times: &VecDeque<f32>, share: f64) -> Option<f32> {
+    let mut times: Vec<f32> = times.iter().copied().collect();
+    times.sort_by(f32::total_cmp);
+    times.get(((times.len().checked_sub(1)?) as f64 * share).round() as usize).copied()
 }

@@ -2,6 +2,7 @@
 
 use super::status::Status;
 use super::{heading, section, slider};
+use crate::engine::Light;
 use crate::render_settings::RenderSettings;
 use crate::session::{Command, Session};
 use crate::tr;
@@ -41,6 +42,7 @@ pub fn tracing(ui: &mut Ui, session: &mut Session, status: &Status) {
             session.set_paused(is_paused);
         }
     });
+    light(ui, session);
     ui.add(slider(&mut settings.max_bounces, 0..=32, tr!("tracing.bounces")));
     limits(ui, &mut settings);
     ui.add(slider(&mut settings.samples, 1..=65_536, tr!("tracing.samples")).logarithmic(true));
@@ -61,6 +63,23 @@ pub fn tracing(ui: &mut Ui, session: &mut Session, status: &Status) {
         ui.label(&status.device);
     }
     session.set_render_settings(settings);
+}
+
+/// Whether views that move are shown in real-time light.
+fn light(ui: &mut Ui, session: &mut Session) {
+    let why_not = session.no_real_time();
+    ui.add_enabled_ui(why_not.is_none(), |ui| {
+        let mut is_on = session.wants_real_time();
+        let response = ui.checkbox(&mut is_on, tr!("real_time.title"));
+        if response.on_disabled_hover_text(why_not.unwrap_or_default()).changed() {
+            session.toggle_real_time();
+        }
+        let mut is_bare = session.light.is_bare;
+        let response = ui.checkbox(&mut is_bare, tr!("real_time.bare"));
+        if response.on_hover_text(tr!("real_time.bare_about")).changed() {
+            session.set_light(Light { is_bare, ..session.light });
+        }
+    });
 }
 
 /// Bounces by kind, and the clamp of indirect light.

@@ -18,6 +18,7 @@ fn leaving(ui: &Ui, session: &mut Session, side: f32) {
     let name = session.open.as_ref().map_or(String::new(), |open| open.original.name.clone());
     let (discard, next) = match &leaving {
         Leaving::Quit => ("Close without saving", "closing the window".to_owned()),
+        Leaving::New(_) => ("Begin without saving", "beginning a new scene".to_owned()),
         Leaving::Load(source) => ("Open without saving", format!("opening {source}")),
     };
     egui::Window::new("Edits are not saved")

@@ -2,7 +2,8 @@
 
 use super::{counted, name_node, section};
 use crate::keys::Action;
-use crate::session::Session;
+use crate::session::{Command, Session};
+use crate::tr;
 use crate::transfer::{ValueCurve, ValuesSeen};
 use egui::{Align2, Color32, ComboBox, DragValue, FontId, Pos2, Rect, RichText, Sense, Shape, Stroke, Ui, Vec2};
 use voxtrace::volume::Preset;
@@ -125,7 +126,7 @@ fn stop(ui: &mut Ui, session: &mut Session, curve: &mut ValueCurve, speed: f64) 
 }
 
 /// What is being made, and what is in the way.
-fn told(ui: &mut Ui, session: &Session, seen: &ValuesSeen, curve: &ValueCurve) {
+fn told(ui: &mut Ui, session: &mut Session, seen: &ValuesSeen, curve: &ValueCurve) {
     let Some(values) = &session.values else { return };
     if !curve.shows(seen.range()) {
         ui.label(
@@ -135,7 +136,13 @@ fn told(ui: &mut Ui, session: &Session, seen: &ValuesSeen, curve: &ValueCurve) {
         ui.label(RichText::new(error).color(super::look::error_color(ui)));
     }
     let text = match (values.is_shaping(), values.took) {
-        (true, _) => "making voxels…".to_owned(),
+        (true, _) => tr!("values.making", key = crate::keys::key_of(Action::Cancel)),
+        (false, _) if values.is_left_coarse => {
+            if ui.button(tr!("values.make_all")).on_hover_text(tr!("values.are_coarse")).clicked() {
+                session.ask(Command::Reshape);
+            }
+            return;
+        }
         (false, [Some(coarse), Some(all)]) => format!("coarse voxels after {coarse:.2} s, all after {all:.2} s more"),
         _ => return,
     };

@@ -37,6 +37,9 @@ pub fn welcome(ui: &Ui, session: &mut Session, status: &Status, side: f32) {
                 if ui.button(tr!("welcome.open_a_file")).clicked() {
                     session.act(Action::Open, None);
                 }
+                if ui.button(tr!("scene.new")).clicked() {
+                    session.act(Action::New, None);
+                }
                 if ui.button(tr!("welcome.by_its_path")).clicked() {
                     session.act(Action::OpenByPath, None);
                 }

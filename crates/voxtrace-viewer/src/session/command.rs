@@ -1,7 +1,7 @@
 //! What the state asks for: things to be done outside of it.
 
 use super::editing::Followed;
-use crate::engine::{Backend, Contrast};
+use crate::engine::{Backend, Contrast, Light};
 use crate::export::ExportRequest;
 use crate::running::RunRequest;
 use std::path::PathBuf;
@@ -11,6 +11,8 @@ use std::path::PathBuf;
 pub enum Command {
     /// Open a scene.
     Load(String),
+    /// Show an empty scene of so many voxels along each side.
+    New([u32; 3]),
     /// Trace this scene.
     SetScene,
     /// Make the sky that is asked for.
@@ -25,6 +27,8 @@ pub enum Command {
     CompareWith(Option<Backend>),
     /// Show this of two tracers.
     SetContrast(Contrast),
+    /// Show views in this light.
+    SetLight(Light),
     /// Make other voxels of the volume that is open.
     Reshape,
     /// Open the scene once more: with parts that its file hides, or with what is inside, where it is cut open.
@@ -73,10 +77,12 @@ impl Command {
         let sets = matches!(
             self,
             Self::Load(_)
+                | Self::New(_)
                 | Self::LoadAgain
                 | Self::Reshape
                 | Self::CompareWith(_)
                 | Self::SetContrast(_)
+                | Self::SetLight(_)
                 | Self::SetScene
                 | Self::Edit
                 | Self::MakeSky

@@ -8,12 +8,12 @@ use super::{Command, Session};
 use crate::editing::{Act, Done, Editing, Editor, Job, Spot, Symmetry, Told, Tool};
 use crate::keys::{Action, EditAction};
 use std::sync::Arc;
-use voxtrace::Material;
 use voxtrace::changes::MaterialChange;
 use voxtrace::dynamic::Patch;
 use voxtrace::glam::{Vec2, Vec3};
 use voxtrace::grid::VoxelBox;
 use voxtrace::ray::FACES;
+use voxtrace::{Material, Ray};
 
 pub use gestures::extent;
 pub use saving::Leaving;
@@ -62,7 +62,10 @@ impl Session {
         let (Some(open), Some(editing)) = (&self.open, &mut self.editing) else { return };
         if editing.editor.is_none() {
             let materials = open.materials.values().copied().collect();
-            editing.editor = Some(Editor::start(Arc::clone(&open.original), materials, wake));
+            editing.editor = Some(match editing.begun.take() {
+                Some(begun) => Editor::begun(*begun, Arc::clone(&open.original), wake),
+                None => Editor::start(Arc::clone(&open.original), materials, wake),
+            });
         }
     }
 
@@ -237,18 +240,22 @@ impl Session {
 
     /// Takes the material under the cursor.
     pub fn pick_material(&mut self, cursor: Option<Vec2>) {
-        let spot = cursor.and_then(|cursor| self.edit_spot(cursor));
+        let spot = cursor.and_then(|cursor| self.voxel_spot(&self.navigator.ray(cursor)));
         if let (Some(spot), Some(editing)) = (spot, &mut self.editing) {
             editing.take_material(spot.material);
         }
     }
 
-    /// The voxel under a place in the picture.
+    /// The voxel under a place in the picture; of a scene that was begun here, else the wall of its box.
     pub fn edit_spot(&self, cursor: Vec2) -> Option<Spot> {
+        let ray = self.navigator.ray(cursor);
+        self.voxel_spot(&ray).or_else(|| self.canvas_spot(&ray))
+    }
+
+    fn voxel_spot(&self, ray: &Ray) -> Option<Spot> {
         let editing = self.editing.as_ref()?;
         let scene = editing.before.as_ref().unwrap_or(&self.open.as_ref()?.pickable);
-        let ray = self.navigator.ray(cursor);
-        let hit = scene.cast(&ray)?;
+        let hit = scene.cast(ray)?;
         let instance = scene.instance(&hit);
         let direction = instance.grid_from_world.direction(ray.direction);
         // On the face of a cut: the side of the voxel that looks at the camera most.
@@ -294,7 +301,9 @@ impl Session {
         if editing.symmetry_of == Some(spot.grid) {
             return editing.symmetry;
         }
-        let bounds = self.grid_bounds(spot.grid);
+        // What is built in a box is as symmetric as the box.
+        let canvas = self.open.as_ref().and_then(|open| open.canvas);
+        let bounds = canvas.or_else(|| self.grid_bounds(spot.grid));
         Symmetry { twice: bounds.map_or(editing.symmetry.twice, Symmetry::middle_of), ..editing.symmetry }
     }
 

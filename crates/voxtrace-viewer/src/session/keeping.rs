@@ -23,6 +23,10 @@ impl Session {
     /// A file that is kept beside the scene: of built-in scenes beside the settings, whose folder may not be there yet.
     pub(crate) fn beside_scene(&self, ending: &str) -> Option<PathBuf> {
         let source = &self.open.as_ref()?.source;
+        // What no file holds yet has no place for them.
+        if self.is_untitled() {
+            return None;
+        }
         match is_built_in(source) {
             true => self.settings_folder.as_deref().map(|folder| folder.join(format!("{source}.{ending}"))),
             false => kept_file::beside(Path::new(source), ending),
@@ -49,7 +53,12 @@ impl Session {
     }
 
     pub(crate) fn store_bookmark(&mut self, number: u8) {
-        let Some(path) = self.bookmark_path() else { return };
+        let Some(path) = self.bookmark_path() else {
+            if self.is_untitled() {
+                self.say(tr!("said.save_the_scene_first"), false);
+            }
+            return;
+        };
         self.make_kept_folder();
         let camera = self.navigator.camera().clone();
         let stored = Bookmarks::open(&path).and_then(|mut bookmarks| bookmarks.store(number, &camera));

@@ -23,6 +23,9 @@ impl Session {
             Some(Err(error)) => {
                 self.loading = None;
                 self.say(error, true);
+                if is_again {
+                    self.keep_shown_choices();
+                }
                 if let Some(open) = self.open.as_mut().filter(|_| is_again) {
                     open.hide_unread();
                 }

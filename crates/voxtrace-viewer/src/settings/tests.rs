@@ -22,6 +22,8 @@ fn settings_are_read_as_they_were_saved() {
         invert_look: true,
         ui_scale: 1.3,
         theme: "light".into(),
+        real_time: "off".into(),
+        bare_film: true,
         language: Some("en".into()),
     };
     file.save().unwrap();

@@ -35,6 +35,14 @@ macro_rules! tr {
     };
 }
 
+/// The key of a text that is asked for elsewhere: in tables that are constants.
+#[macro_export]
+macro_rules! text_key {
+    ($key:literal) => {
+        $key
+    };
+}
+
 fn index_of(language: &str) -> Option<usize> {
     FILES.iter().position(|(name, _)| *name == language)
 }

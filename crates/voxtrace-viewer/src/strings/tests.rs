@@ -8,7 +8,8 @@ use std::path::Path;
 fn asked_for(code: &str) -> Vec<String> {
     let is_own =
         |&(at, _): &(usize, &str)| !code[..at].ends_with(|before: char| before.is_alphanumeric() || before == '_');
-    let calls = code.match_indices("tr!(").filter(is_own).map(|(at, call)| &code[at + call.len()..]);
+    let calls = ["tr!(", "text_key!("].into_iter().flat_map(|call| code.match_indices(call));
+    let calls = calls.filter(is_own).map(|(at, call)| &code[at + call.len()..]);
     let calls = calls.filter_map(|rest| rest.trim_start().strip_prefix('"')?.split('"').next());
     calls.map(str::to_owned).collect()
 }

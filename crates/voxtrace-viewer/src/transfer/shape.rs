@@ -30,12 +30,17 @@ pub struct Values {
     shaping: Option<Shaping>,
     /// What the voxels are of that are shown; `None`: of what the scene was opened with.
     shown: Option<String>,
+    /// The same as a curve, to be gone back to.
+    shown_curve: Option<ValueCurve>,
+    /// Whether those are coarse ones, and nobody makes all of them.
+    pub is_left_coarse: bool,
 }
 
 /// Voxels that are being made.
 struct Shaping {
     loading: Loading,
     word: String,
+    curve: Option<ValueCurve>,
     is_coarse: bool,
     since: Instant,
 }
@@ -51,6 +56,8 @@ impl Values {
             took: [None; 2],
             shaping: None,
             shown: None,
+            shown_curve: None,
+            is_left_coarse: false,
         }
     }
 
@@ -69,7 +76,10 @@ impl Session {
     /// Takes what is known of the values of a scene that was opened.
     pub(crate) fn take_values(&mut self, seen: Option<Arc<ValuesSeen>>, is_again: bool) {
         match (seen, &mut self.values) {
-            (Some(seen), Some(values)) if is_again => values.seen = seen,
+            (Some(seen), Some(values)) if is_again => {
+                values.seen = seen;
+                (values.shown_curve, values.is_left_coarse) = (values.chosen.clone(), false);
+            }
             (seen, values) => *values = seen.map(Values::new),
         }
     }
@@ -111,7 +121,9 @@ impl Session {
         let reading =
             Reading { shown, is_cut, is_again: true, transfer: Some(word.clone()), coarse, ..Reading::default() };
         let loading = Loading::start(loader, &source, reading, true, wake);
-        values.shaping = Some(Shaping { loading, word, is_coarse, since: Instant::now() });
+        let curve = values.chosen.clone();
+        values.is_left_coarse = false;
+        values.shaping = Some(Shaping { loading, word, curve, is_coarse, since: Instant::now() });
     }
 
     /// Takes voxels that were made. The view stays.
@@ -121,7 +133,7 @@ impl Session {
         let Some(shaping) = &mut values.shaping else { return };
         let Came { result, .. } = shaping.loading.take();
         let Some(result) = result else { return };
-        let (made, is_coarse) = (shaping.word.clone(), shaping.is_coarse);
+        let (made, curve, is_coarse) = (shaping.word.clone(), shaping.curve.take(), shaping.is_coarse);
         let seconds = shaping.since.elapsed().as_secs_f32();
         values.shaping = None;
         let is_paused = self.is_paused || self.benchmark.is_some();
@@ -129,7 +141,7 @@ impl Session {
         match result {
             Ok(scene) => {
                 let is_last = word.as_ref() == Some(&made);
-                (values.error, values.shown) = (None, Some(made));
+                (values.error, values.shown, values.shown_curve) = (None, Some(made), curve);
                 self.show_again(scene);
                 if is_coarse || !is_last {
                     self.ask(Command::Reshape);
@@ -147,6 +159,29 @@ impl Session {
             }
         }
         self.ask(Command::Pause(is_paused));
+    }
+
+    /// Stops making voxels. What is shown stays, and what is chosen is what it is made of; coarse voxels stay coarse. Returns whether some were being
+    /// made.
+    pub(crate) fn stop_shaping(&mut self) -> bool {
+        let is_paused = self.is_paused || self.benchmark.is_some();
+        let Some(values) = &mut self.values else { return false };
+        let Some(shaping) = values.shaping.take() else { return false };
+        values.is_left_coarse = !shaping.is_coarse;
+        let is_as_opened = values.shown_curve.is_none();
+        values.chosen.clone_from(&values.shown_curve);
+        if is_as_opened {
+            (values.shown, values.is_left_coarse) = (None, false);
+        }
+        self.ask(Command::Pause(is_paused));
+        true
+    }
+
+    /// Reading the volume again was stopped, or failed: what is chosen is what is shown.
+    pub(crate) fn keep_shown_values(&mut self) {
+        let Some(values) = &mut self.values else { return };
+        values.chosen.clone_from(&values.shown_curve);
+        values.shown = values.chosen.as_ref().map(ValueCurve::word);
     }
 
     /// Lets dragging change the values that are shown, or move the camera again.

@@ -1,26 +1,18 @@
-//! The window with its state, as `app` has it, and the events that random numbers choose for it.
+//! The events that random numbers choose for the window: mouse and keys over picture and panels, all keys of the table, files, sizes, and faults of the
+//! driver.
 
-use super::common::headless::Headless;
-use super::common::room;
-use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use super::app::App;
+use super::turn::Turn;
 use std::time::{Duration, Instant};
 use voxtrace::glam::Vec2;
-use voxtrace::import::{Content, ImportOptions, load};
-use voxtrace::output::{FilmFile, PictureOptions, SceneStamp};
-use voxtrace::{PackedScene, scenes};
-use voxtrace_viewer::engine::{Backend, FilmAnswer};
-use voxtrace_viewer::gpu::{Layer, Panels};
-use voxtrace_viewer::input::{Button, Input};
-use voxtrace_viewer::keys::Action;
-use voxtrace_viewer::load::Loading;
-use voxtrace_viewer::panels::{self, Status};
-use voxtrace_viewer::session::{Command, Session};
-use voxtrace_viewer::{Loader, Reading, Told, Wanted};
-use voxtrace_vulkan::{Fault, Traversal};
+use voxtrace_viewer::input::Button;
+use voxtrace_viewer::keys::{Action, Binding, EDIT_TABLE, EditAction, Key, Modifiers, TABLE, Trigger};
+use voxtrace_viewer::session::Command;
+use voxtrace_vulkan::Fault;
 
 /// Time between two losses of the device, at least: five within ten seconds, and the window gives it up.
 const BETWEEN_LOSSES: Duration = Duration::from_secs(3);
+const BUTTONS: [Button; 3] = [Button::Left, Button::Middle, Button::Right];
 
 /// SplitMix64 (Steele, Lea and Flood 2014).
 pub struct Random(pub u64);
@@ -38,259 +30,184 @@ impl Random {
         self.next() % end
     }
 
+    fn of<T: Copy>(&mut self, all: &[T]) -> T {
+        all[self.below(all.len() as u64) as usize]
+    }
+
     fn place(&mut self, (width, height): (u32, u32)) -> Vec2 {
-        Vec2::new(self.below(width.into()) as f32, self.below(height.into()) as f32)
+        Vec2::new(self.below(width.max(1).into()) as f32, self.below(height.max(1).into()) as f32)
     }
 }
 
-/// Reads files and small built-in scenes.
-struct Files;
-
-impl Loader for Files {
-    fn load(
-        &self,
-        source: &str,
-        _: &Reading,
-        tell: Box<dyn Fn(Told) + Send>,
-        _: &Wanted,
-    ) -> Result<PackedScene, String> {
-        tell(Told::Note(format!("reading {source}")));
-        if scenes::NAMES.contains(&source) {
-            let scene = scenes::generate(source, Some(20_000)).map_err(|error| error.to_string())?;
-            return PackedScene::pack(&scene).map_err(|error| error.to_string());
-        }
-        let loaded = load(Path::new(source), &ImportOptions::default()).map_err(|error| error.to_string())?;
-        match loaded.content {
-            Content::Packed(packed) => Ok(*packed),
-            Content::Scene(scene) => PackedScene::pack(&scene).map_err(|error| error.to_string()),
-        }
-    }
-
-    fn save(&self, _: &PackedScene, path: &Path) -> Result<Vec<String>, String> {
-        Err(format!("{} is not written here", path.display()))
-    }
-
-    fn built_in(&self) -> Vec<(String, String)> {
-        scenes::NAMES.iter().map(|&name| (name.to_owned(), "a scene".to_owned())).collect()
-    }
-}
-
-/// Files to open, some of them damaged.
-fn files(folder: &Path) -> Vec<String> {
-    let path = |name: &str| folder.join(name);
-    let packed = PackedScene::pack(&room()).unwrap();
-    packed.save(&path("room.vxt")).unwrap();
-    let whole = std::fs::read(path("room.vxt")).unwrap();
-    std::fs::write(path("short.vxt"), &whole[..whole.len() / 2]).unwrap();
-    let mut changed = whole;
-    let middle = changed.len() / 2;
-    changed[middle] ^= 0x55;
-    std::fs::write(path("changed.vxt"), &changed).unwrap();
-    std::fs::write(path("noise.vox"), b"VOX \x96\0\0\0MAIN nothing of the kind").unwrap();
-    let names = ["room.vxt", "room.vxt", "short.vxt", "changed.vxt", "noise.vox", "nowhere.ply"];
-    let files = names.iter().map(|name| path(name).display().to_string());
-    files.chain(["church", "city"].map(str::to_owned)).collect()
-}
-
-/// The window with its state, as `app` has it.
-pub struct App {
-    pub window: Headless,
-    session: Session,
-    input: Input,
-    status: Status,
-    context: egui::Context,
-    loader: Arc<dyn Loader>,
-    size: (u32, u32),
-    saving: Option<(PathBuf, FilmAnswer)>,
-    files: Vec<String>,
-    folder: PathBuf,
-    last: Instant,
+/// What the events need to know of those before.
+pub struct Hands {
+    random: Random,
     /// Until when nothing happens, so that a film is made.
     rests: Instant,
     /// When the device was lost last.
     lost: Instant,
-    pub saved: u64,
+    /// Button that is held over the panels.
+    holds_panels: bool,
 }
 
-impl App {
-    pub fn open(folder: &Path) -> Option<Self> {
-        let size = (640, 420);
-        let window = Headless::open(Backend::Cpu, size)?;
-        let mut session = Session::new(Traversal::Cpu);
-        session.traversals = vec![Traversal::Cpu, Traversal::Walk, Traversal::Query];
-        session.settings_folder = Some(folder.to_path_buf());
-        let loader: Arc<dyn Loader> = Arc::new(Files);
-        let status = Status { built_in: loader.built_in(), ..Status::default() };
-        let (files, folder) = (files(folder), folder.to_path_buf());
-        let (input, context, now) = (Input::default(), egui::Context::default(), Instant::now());
-        Some(Self {
-            window,
-            session,
-            input,
-            status,
-            context,
-            loader,
-            size,
-            saving: None,
-            files,
-            folder,
-            last: now,
-            rests: now,
-            lost: now,
-            saved: 0,
-        })
-    }
-
-    fn carry_out(&mut self) {
-        for command in self.session.take_commands() {
-            self.window.is_due = true;
-            let engine = &self.window.engine;
-            match command {
-                Command::Load(source) => {
-                    self.session.loading =
-                        Some(Loading::start(&self.loader, &source, Reading::default(), false, Arc::new(|| {})));
-                }
-                Command::SetScene => {
-                    engine.set_scene(self.session.open.as_ref().map(|open| Arc::clone(&open.lit)));
-                    self.status.times.clear();
-                }
-                Command::SetBackend(backend) => engine.set_backend(backend),
-                Command::SetView => engine.set_view(self.session.view(), self.session.is_moving()),
-                Command::Pause(is_paused) => engine.pause(is_paused),
-                Command::Save(_) => self.saving = Some((self.folder.join("picture.png"), engine.film())),
-                _ => {}
-            }
-        }
-    }
-
-    /// Writes a film that has come.
-    fn save(&mut self) {
-        let Some((path, answer)) = self.saving.take() else { return };
-        match answer.try_recv() {
-            Err(std::sync::mpsc::TryRecvError::Empty) => self.saving = Some((path, answer)),
-            Ok(Some((frame, film))) => {
-                if let Some(open) = &self.session.open {
-                    let file = FilmFile { frame, scene: SceneStamp::of(&open.lit), film };
-                    file.save_picture(&path, &PictureOptions::default()).unwrap();
-                    self.saved += 1;
-                }
-            }
-            _ => {}
-        }
-    }
-
-    pub fn turn(&mut self) {
-        let seconds = self.last.elapsed().as_secs_f32();
-        self.last = Instant::now();
-        self.session.advance(seconds);
-        self.session.take_loaded();
-        self.carry_out();
-        self.save();
-        if let Some(shown) = self.window.engine.shown().filter(|_| self.window.is_due) {
-            self.status.take(shown);
-        }
-        if self.size.0 > 0 {
-            self.draw();
-        }
-        self.window.pump(Duration::from_millis(4));
-        self.status.shown =
-            self.status.shown.take().filter(|shown| Arc::ptr_eq(shown.picture.device(), self.window.screen.device()));
-    }
-
-    fn draw(&mut self) {
-        let (session, status, size) = (&mut self.session, &self.status, self.size);
-        let layer = status.shown.as_ref().filter(|_| session.open.is_some()).map(|shown| Layer {
-            picture: Arc::clone(&shown.picture),
-            corner: [0.0; 2],
-            size: [session.size().0 as f32, session.size().1 as f32],
-            tone_map: session.render_settings.tone_map,
-            beside: None,
-        });
-        let context = &self.context;
-        self.window.draw(layer, || {
-            let screen = egui::Rect::from_min_size(egui::Pos2::ZERO, egui::vec2(size.0 as f32, size.1 as f32));
-            let input = egui::RawInput { screen_rect: Some(screen), ..egui::RawInput::default() };
-            let mut side = 0.0;
-            let output = context.run_ui(input, |ui| side = panels::show(ui, session, status));
-            session.resize(size.0.saturating_sub(side as u32).max(1), size.1);
-            let primitives = context.tessellate(output.shapes, output.pixels_per_point);
-            Panels { textures: output.textures_delta, primitives, pixels_per_point: output.pixels_per_point }
-        });
+impl Hands {
+    pub fn new(seed: u64) -> Self {
+        let now = Instant::now();
+        Self { random: Random(seed), rests: now, lost: now, holds_panels: false }
     }
 
     /// Does something.
-    pub fn event(&mut self, random: &mut Random) {
+    pub fn act(&mut self, app: &mut App, since: Duration) {
         if Instant::now() < self.rests {
             return;
         }
-        let place = random.place(self.session.size());
-        match random.below(100) {
-            0..30 => self.input.move_to(place, &mut self.session),
-            30..36 => {
-                let button = [Button::Left, Button::Middle, Button::Right][random.below(3) as usize];
-                self.input.move_to(place, &mut self.session);
-                self.input.press(button, &mut self.session);
+        let turn = Turn::begin();
+        let what = self.event(app);
+        if what == "nothing" {
+            // Let things happen.
+            std::thread::sleep(Duration::from_millis(self.random.below(60)));
+        } else {
+            app.note(&turn, since, &what);
+        }
+    }
+
+    /// Does something, and says what.
+    fn event(&mut self, app: &mut App) -> String {
+        let place = self.random.place(app.size);
+        match self.random.below(100) {
+            0..24 => {
+                move_to(app, place);
+                "moving".into()
             }
-            36..45 => [Button::Left, Button::Middle, Button::Right]
-                .into_iter()
-                .for_each(|button| self.input.release(button, &mut self.session)),
-            45..52 => self.input.wheel(random.below(5) as f32 - 2.0, &mut self.session),
-            52..55 => {
-                let file = self.files[random.below(self.files.len() as u64) as usize].clone();
-                self.session.ask(Command::Load(file));
+            24..33 => {
+                move_to(app, place);
+                self.press(app, place)
             }
-            55..59 => {
+            33..42 => {
+                self.release(app);
+                "letting go".into()
+            }
+            42..47 => {
+                let notches = self.random.below(5) as f32 - 2.0;
+                if app.is_on_panels(place) {
+                    let delta = egui::vec2(0.0, 40.0 * notches);
+                    let (unit, modifiers) = (egui::MouseWheelUnit::Point, egui::Modifiers::NONE);
+                    app.to_panels.push(egui::Event::MouseWheel {
+                        unit,
+                        delta,
+                        phase: egui::TouchPhase::Move,
+                        modifiers,
+                    });
+                } else {
+                    app.input.wheel(notches, &mut app.session);
+                }
+                "the wheel".into()
+            }
+            47..50 => {
+                let number = self.random.below(app.files.len() as u64 + 2) as usize;
+                // Some are begun here.
+                let command =
+                    app.files.get(number).map_or(Command::New([24, 20, 16]), |file| Command::Load(file.clone()));
+                app.session.ask(command);
+                "opening".into()
+            }
+            50..53 => {
                 // Minimized, too.
-                self.size = if random.below(4) == 0 {
+                app.size = if self.random.below(4) == 0 {
                     (0, 0)
                 } else {
-                    (200 + random.below(500) as u32, 150 + random.below(300) as u32)
+                    (200 + self.random.below(500) as u32, 150 + self.random.below(300) as u32)
                 };
-                self.window.screen.resize(self.size);
+                app.window.screen.resize(app.size);
+                "another size".into()
             }
-            59..60 => {
-                self.input.lose_focus(&mut self.session);
-                self.session.act(Action::Screenshot, None);
+            53..54 => {
+                app.input.lose_focus(&mut app.session);
+                app.session.act(Action::Screenshot, None);
                 self.rests = Instant::now() + Duration::from_millis(400);
+                "a screenshot".into()
             }
-            60..61 => self.lose(random),
-            61..90 => {
-                use Action::{
-                    Cancel, ExposureDown, ExposureUp, FrameAll, FramePicked, Help, Level, LightDown, LightUp,
-                    NextCamera, NextIntegrator, NextTraversal, Pause, Pick, RedoCamera, SkyDown, SkyUp, ToggleMode,
-                    TogglePanels, UndoCamera,
-                };
-                let actions = [
-                    Cancel,
-                    ExposureDown,
-                    ExposureUp,
-                    FrameAll,
-                    FramePicked,
-                    Help,
-                    Level,
-                    LightDown,
-                    LightUp,
-                    NextCamera,
-                    NextIntegrator,
-                    NextTraversal,
-                    Pause,
-                    Pick,
-                    RedoCamera,
-                    SkyDown,
-                    SkyUp,
-                    ToggleMode,
-                    TogglePanels,
-                    UndoCamera,
-                ];
-                self.session.act(actions[random.below(actions.len() as u64) as usize], Some(place));
+            54..55 => self.lose(app),
+            55..62 => {
+                // Hands that edit do it again and again.
+                app.session.act(self.random.of(&EDITS), Some(place));
+                "editing".into()
             }
-            // Let things happen.
-            _ => std::thread::sleep(Duration::from_millis(random.below(60))),
+            62..66 => {
+                self.answer(app);
+                "answering".into()
+            }
+            66..92 => self.key(app),
+            _ => "nothing".into(),
+        }
+    }
+
+    fn press(&mut self, app: &mut App, place: Vec2) -> String {
+        if app.is_on_panels(place) {
+            self.holds_panels = true;
+            app.to_panels.push(button_event(place, true));
+            // A click, more often than not.
+            if self.random.below(4) > 0 {
+                self.release(app);
+            }
+            return "a click on the panels".into();
+        }
+        let button = self.random.of(&BUTTONS);
+        app.input.press(button, &mut app.session);
+        if self.random.below(6) == 0 {
+            app.input.double_click(&mut app.session);
+        }
+        format!("pressing {button:?}")
+    }
+
+    fn release(&mut self, app: &mut App) {
+        BUTTONS.into_iter().for_each(|button| app.input.release(button, &mut app.session));
+        if std::mem::take(&mut self.holds_panels) {
+            let place = app.input.cursor().unwrap_or_default();
+            app.to_panels.push(button_event(place, false));
+        }
+    }
+
+    /// A key of one of the tables, or text where a field is typed in.
+    fn key(&mut self, app: &mut App) -> String {
+        if !app.has_keyboard() {
+            let letter = char::from(b'a' + self.random.below(26) as u8);
+            app.to_panels.push(egui::Event::Text(letter.into()));
+            if self.random.below(3) == 0 {
+                let (key, modifiers) = (egui::Key::Escape, egui::Modifiers::NONE);
+                app.to_panels.push(egui::Event::Key {
+                    key,
+                    physical_key: None,
+                    pressed: true,
+                    repeat: false,
+                    modifiers,
+                });
+                app.input.key(Key::Escape, true, false, &mut app.session);
+            }
+            return "typing".into();
+        }
+        let table = if app.session.is_editing() && self.random.below(2) == 0 { EDIT_TABLE } else { TABLE };
+        let keys: Vec<(Key, Modifiers)> = table.iter().flat_map(keys_of).collect();
+        let (key, modifiers) = self.random.of(&keys);
+        app.input.set_modifiers(modifiers, &mut app.session);
+        app.input.key(key, true, false, &mut app.session);
+        app.input.key(key, false, false, &mut app.session);
+        app.input.set_modifiers(Modifiers::NONE, &mut app.session);
+        format!("{modifiers}{key}")
+    }
+
+    /// Answers the question about edits that no file holds, or stops what is being made.
+    fn answer(&mut self, app: &mut App) {
+        match self.random.below(4) {
+            0 => app.session.discard_and_leave(),
+            1 => app.session.save_and_leave(),
+            2 => app.session.stay(),
+            _ => app.session.act(Action::Cancel, None),
         }
     }
 
     /// Lets the driver fail. The window gives up a device that is lost again and again, so it is not lost more often than every few seconds.
-    fn lose(&mut self, random: &mut Random) {
+    fn lose(&mut self, app: &mut App) -> String {
         let faults = [
             ("vkAcquireNextImageKHR", Fault::SurfaceLost),
             ("vkQueuePresentKHR", Fault::OutOfDate),
@@ -299,14 +216,46 @@ impl App {
             ("vkQueueSubmit", Fault::DeviceLost),
             ("vkQueuePresentKHR", Fault::DeviceLost),
         ];
-        self.window.faults.clear();
-        let (function, fault) = faults[random.below(faults.len() as u64) as usize];
+        app.window.faults.clear();
+        let (function, fault) = self.random.of(&faults);
         if fault == Fault::DeviceLost {
             if self.lost.elapsed() < BETWEEN_LOSSES {
-                return;
+                return "nothing".into();
             }
             self.lost = Instant::now();
         }
-        self.window.faults.plant(function, fault);
+        app.window.faults.plant(function, fault);
+        format!("{function} fails")
     }
+}
+
+/// What a hand does again and again while it edits; the first begins it where it has not begun.
+const EDITS: [Action; 8] = [
+    Action::ToggleEditing,
+    Action::Edit(EditAction::Undo),
+    Action::Edit(EditAction::Undo),
+    Action::Edit(EditAction::Redo),
+    Action::Edit(EditAction::Larger),
+    Action::Edit(EditAction::Copy),
+    Action::Edit(EditAction::Paste),
+    Action::Edit(EditAction::Move),
+];
+
+fn keys_of(binding: &Binding) -> Vec<(Key, Modifiers)> {
+    let of = |trigger: &Trigger| match *trigger {
+        Trigger::Key(chord) => vec![(chord.key, chord.modifiers)],
+        Trigger::Digits(modifiers) => (1..=9).map(|digit| (Key::Digit(digit), modifiers)).collect(),
+        Trigger::Gesture(..) => Vec::new(),
+    };
+    binding.triggers.iter().flat_map(of).collect()
+}
+
+fn move_to(app: &mut App, place: Vec2) {
+    app.to_panels.push(egui::Event::PointerMoved(egui::pos2(place.x, place.y)));
+    app.input.move_to(place, &mut app.session);
+}
+
+fn button_event(place: Vec2, pressed: bool) -> egui::Event {
+    let pos = egui::pos2(place.x, place.y);
+    egui::Event::PointerButton { pos, button: egui::PointerButton::Primary, pressed, modifiers: egui::Modifiers::NONE }
 }

@@ -29,7 +29,7 @@ pub fn device() -> Option<Arc<Device>> {
 }
 
 /// A lamp over a floor with a block on it.
-fn scene() -> Arc<PackedScene> {
+pub fn scene() -> Arc<PackedScene> {
     let mut grid = VoxelGrid::new();
     grid.fill_box(VoxelBox { min: IVec3::new(0, 0, 0), max: IVec3::new(40, 40, 2) }, 0);
     grid.fill_box(VoxelBox { min: IVec3::new(10, 12, 2), max: IVec3::new(22, 26, 14) }, 1);
@@ -95,7 +95,7 @@ pub fn finished(engine: &Engine, events: &Receiver<Event>, samples: u32) -> Show
     }
 }
 
-fn no_panels() -> Panels {
+pub fn no_panels() -> Panels {
     Panels { textures: egui::TexturesDelta::default(), primitives: Vec::new(), pixels_per_point: 1.0 }
 }
 

@@ -3,10 +3,10 @@
 use crate::common::hand::{Hand, differing, floor, in_the_room};
 use crate::common::{film, house, in_room, lit, rendered, said, words};
 use std::sync::Arc;
-use voxtrace::PackedScene;
 use voxtrace::glam::{IVec3, Vec3};
 use voxtrace::normals::Normals;
 use voxtrace::surroundings::Ground;
+use voxtrace::{PackedScene, VoxelGrid};
 use voxtrace_viewer::keys::{Action, Key, Modifiers};
 use voxtrace_viewer::render_settings::RenderSettings;
 use voxtrace_viewer::session::{Command, Leaving, Session};
@@ -246,4 +246,44 @@ fn a_ground_around_an_edited_scene_is_made_anew_when_a_stroke_ends() {
     assert_eq!(now, film(&expected, &hand.session));
     assert_ne!(now, before, "the comparison sees the stroke");
     assert!(hand.patches.is_empty(), "a patch of the scene alone is none of the scene on its ground");
+}
+
+#[test]
+fn a_new_scene_takes_its_first_voxels_on_the_walls_of_its_box_and_has_a_file_once_it_is_saved() {
+    let mut session = in_room("room.vxt");
+    session.show_new([16, 12, 8]);
+    let mut hand = Hand::at(session);
+    let open = hand.session.open.as_ref().unwrap();
+    assert_eq!((open.voxels, open.original.materials().len()), (0, 255));
+    assert!(hand.session.is_editing() && !hand.session.has_unsaved_edits());
+    let blank = film(&lit(&hand.session), &hand.session);
+    // On the floor, on the wall behind, and on what is there.
+    let (one, behind, above) = (IVec3::new(7, 6, 0), IVec3::new(3, 11, 4), IVec3::new(7, 6, 1));
+    hand.click(Vec3::new(7.5, 6.5, 0.0));
+    hand.steps(1, 0);
+    hand.click(Vec3::new(3.5, 12.0, 4.5));
+    hand.click(Vec3::new(7.5, 6.5, 1.0));
+    hand.steps(3, 0);
+    assert_eq!(differing(&VoxelGrid::new(), &hand.voxels()).len(), 3);
+    assert!([one, behind, above].into_iter().all(|voxel| hand.material_at(voxel) == Some(16)));
+    let packed = Arc::new(PackedScene::pack(&lit(&hand.session).to_scene()).unwrap());
+    let built = film(&lit(&hand.session), &hand.session);
+    assert!(built != blank && built == film(&packed, &hand.session), "it is the scene as it is packed from scratch");
+    // Taken back, nothing is there, and it goes on from there.
+    hand.session.travel(3, true);
+    hand.steps(0, 3);
+    assert_eq!(hand.session.open.as_ref().unwrap().voxels, 0);
+    assert!(film(&lit(&hand.session), &hand.session) == blank);
+    hand.session.travel(1, false);
+    hand.steps(1, 2);
+    assert_eq!(hand.material_at(one), Some(16));
+    // No file holds it: there is no command, and no place for bookmarks.
+    assert!(hand.session.bookmark_path().is_none() && hand.session.has_unsaved_edits());
+    hand.session.act(Action::CopyCommand, None);
+    assert!(said(&mut hand.session).join(" ").contains("save it first"));
+    let path = std::env::temp_dir().join("built.vxt");
+    hand.session.begin_saving(&path);
+    hand.session.end_saving(true);
+    assert!(hand.session.bookmark_path().unwrap().starts_with(std::env::temp_dir()));
+    assert!(words(&hand.session).contains("built.vxt"), "{}", words(&hand.session));
 }

@@ -17,7 +17,12 @@ use voxtrace_scene::transform::Transform;
 
 impl Worker {
     /// Traces the next frame of real-time light and writes it to a picture.
-    pub fn show_real_time(&mut self, frame: &Frame, rate: Rate, picture: &Picture) -> Result<RealTimeFrame, TraceError> {
+    pub fn show_real_time(
+        &mut self,
+        frame: &Frame,
+        rate: Rate,
+        picture: &Picture,
+    ) -> Result<RealTimeFrame, TraceError> {
         frame.check()?;
         let scene = Arc::clone(self.scene()?);
         if picture.size() != (frame.width, frame.height) || !Arc::ptr_eq(picture.device(), &self.device) {

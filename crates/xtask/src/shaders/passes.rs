@@ -32,7 +32,8 @@ pub struct Variant {
 /// Paths that know matte surfaces only.
 const MATTE: Variant = Variant { suffix: "", has_materials: false, has_waves: false, has_real_time: false };
 /// Paths that know all materials.
-const MATERIALS: Variant = Variant { suffix: ".materials", has_materials: true, has_waves: false, has_real_time: false };
+const MATERIALS: Variant =
+    Variant { suffix: ".materials", has_materials: true, has_waves: false, has_real_time: false };
 /// Both with paths in waves.
 const WAVES: &[Variant] = &[Variant { has_waves: true, ..MATTE }, Variant { has_waves: true, ..MATERIALS }];
 /// Both with paths of real-time light.
@@ -42,6 +43,7 @@ const RENDERING: &[Variant] = &[MATTE, MATERIALS];
 
 /// All passes.
 pub const PASSES: &[Pass] = &[
+    Pass { name: "blend", entries: &["blend"], variants: &[MATTE], has_wgsl: false, has_frame_in_storage: false },
     Pass {
         name: "pipeline",
         entries: &[

@@ -25,6 +25,7 @@ pub(crate) use graph::MAX_TRANSLATION;
 pub use ignored::{ignored, on_request};
 pub use lines::lines;
 pub(crate) use material::MEDIUM_KEYS;
+pub use palette::default_palette;
 pub(crate) use scene::MAX_EDGE;
 pub use surroundings::{Surroundings, surroundings};
 

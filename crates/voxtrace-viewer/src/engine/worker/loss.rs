@@ -18,6 +18,9 @@ impl Worker {
     pub(super) fn go_on_after(&mut self, index: usize, error: TraceError) {
         let is_of_device = matches!(error, TraceError::OutOfMemory { .. } | TraceError::Device { .. });
         let side = &mut self.sides[index];
+        if side.makes_room_for(&error) {
+            return;
+        }
         if !is_of_device || !side.is_on_device() {
             self.has_failed = true;
             (self.tell)(Event::Failed(error));

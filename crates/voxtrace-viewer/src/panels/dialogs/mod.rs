@@ -34,6 +34,7 @@ pub fn show(ui: &Ui, session: &mut Session, status: &Status, side: f32) {
         Dialog::Record(_) => "Record the timeline",
         Dialog::Save(_) => "Write the scene",
         Dialog::Open(_) => "Open a scene",
+        Dialog::New(_) => tr!("dialogs_new.title"),
     };
     let mut is_open = true;
     let mut clicked = None;
@@ -52,6 +53,7 @@ pub fn show(ui: &Ui, session: &mut Session, status: &Status, side: f32) {
                 Dialog::Record(dialog) => record::show(ui, session, dialog, status),
                 Dialog::Save(dialog) => scene::show_save(ui, dialog),
                 Dialog::Open(dialog) => scene::show_open(ui, dialog),
+                Dialog::New(size) => scene::show_new(ui, size),
             };
         });
     match clicked {
@@ -75,6 +77,10 @@ fn go(session: &mut Session, mut dialog: Dialog) {
         Dialog::Plan(dialog) => dialog.request().map(|request| session.run_command(request)),
         Dialog::Record(dialog) => record_to(session, dialog),
         Dialog::Save(dialog) => dialog.request().map(|path| session.ask(Command::SaveScene(path))),
+        Dialog::New(size) => {
+            session.ask(Command::New(*size));
+            Ok(())
+        }
         Dialog::Open(dialog) => dialog.request().map(|path| session.ask(Command::Load(path.display().to_string()))),
     };
     if let Err(reason) = asked {
@@ -182,7 +188,7 @@ fn exporting(ui: &Ui, session: &mut Session, side: f32) {
         .show(ui.ctx(), |ui| {
             ui.label(name);
             ui.add(ProgressBar::new(share).desired_width(320.0).text(text));
-            is_cancelled = ui.button(tr!("dialogs.stop_rendering")).clicked();
+            is_cancelled = super::stop_button(ui, tr!("dialogs.stop_rendering"));
         });
     ui.ctx().request_repaint_after(std::time::Duration::from_millis(250));
     if is_cancelled && let Some(export) = &session.exporting {

@@ -1,9 +1,10 @@
 //! The dialogs that open a scene by its path, and write the one that is shown.
 
 use super::{Click, buttons, path};
+use crate::canvas::LARGEST;
 use crate::dialogs::{OpenDialog, SCENE_KINDS, SaveDialog};
 use crate::tr;
-use egui::{RichText, Ui};
+use egui::{DragValue, RichText, Ui};
 
 pub fn show_save(ui: &mut Ui, dialog: &mut SaveDialog) -> Option<Click> {
     let clicked = path::show(ui, "file", &mut dialog.path, false);
@@ -21,6 +22,18 @@ pub fn show_save(ui: &mut Ui, dialog: &mut SaveDialog) -> Option<Click> {
     }
     let missing = dialog.request().err();
     buttons(ui, "Write", missing.as_deref(), |_| {}).or(clicked)
+}
+
+pub fn show_new(ui: &mut Ui, size: &mut [u32; 3]) -> Option<Click> {
+    ui.label(tr!("dialogs_new.about"));
+    ui.horizontal(|ui| {
+        for (name, side) in ["x", "y", "z"].into_iter().zip(size) {
+            let label = ui.label(name);
+            ui.add(DragValue::new(side).range(1..=LARGEST)).labelled_by(label.id);
+        }
+    });
+    let is_confirmed = ui.input(|input| input.key_pressed(egui::Key::Enter));
+    buttons(ui, tr!("dialogs_new.begin"), None, |_| {}).or(is_confirmed.then_some(Click::Go))
 }
 
 pub fn show_open(ui: &mut Ui, dialog: &mut OpenDialog) -> Option<Click> {

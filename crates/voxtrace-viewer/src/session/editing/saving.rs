@@ -23,6 +23,8 @@ pub enum Leaving {
     Quit,
     /// Another scene is to be opened.
     Load(String),
+    /// An empty one of so many voxels along each side.
+    New([u32; 3]),
 }
 
 impl Leaving {
@@ -30,6 +32,7 @@ impl Leaving {
         match self {
             Self::Quit => Command::Quit,
             Self::Load(source) => Command::Load(source),
+            Self::New(size) => Command::New(size),
         }
     }
 }
@@ -135,6 +138,12 @@ impl Session {
     pub fn end_saving(&mut self, is_written: bool) {
         let saving = self.editing.as_mut().and_then(|editing| editing.saving.take());
         if let (true, Some(saving), Some(editing)) = (is_written, saving, &mut self.editing) {
+            // What was begun here has a place from now on, and with it bookmarks and measurements.
+            if let Some(open) =
+                self.open.as_mut().filter(|open| open.canvas.is_some() && open.source == crate::canvas::NAME)
+            {
+                open.source = saving.path.display().to_string();
+            }
             editing.saved = Some(saving);
         }
         if std::mem::take(&mut self.is_leaving_saved)
@@ -151,6 +160,9 @@ impl Session {
     /// One line: there is none.
     pub(crate) fn edited_file(&self) -> Result<Option<PathBuf>, &'static str> {
         let (Some(editing), Some(open)) = (&self.editing, &self.open) else { return Ok(None) };
+        if self.is_untitled() {
+            return Err("no file holds the scene: save it first (Ctrl+S)");
+        }
         if !editing.has_edits() && !editing.is_recovered {
             return Ok(None);
         }

@@ -32,11 +32,16 @@ impl Hand {
     /// Begins to edit.
     pub fn on(mut session: Session) -> Self {
         session.take_commands();
+        session.act(Action::ToggleEditing, None);
+        Self::at(session)
+    }
+
+    /// Goes on with a session that has begun to edit.
+    pub fn at(session: Session) -> Self {
         let (sender, woken) = channel();
         let wake: Arc<dyn Fn() + Send + Sync> = Arc::new(move || sender.send(()).unwrap_or_default());
         let (asked, patches) = (Vec::new(), Vec::new());
         let mut hand = Self { session, input: Input::default(), woken, wake, asked, patches };
-        hand.session.act(Action::ToggleEditing, None);
         hand.carry_out();
         hand.until("editing", |session| session.editing.as_ref().is_none_or(|editing| editing.is_ready));
         hand

@@ -124,6 +124,7 @@ pub const TABLE: &[Source] = &[
             same("LENS_FISHEYE"),
             uniform("Dispatch"),
             uniform("WaveStep"),
+            uniform("BlendParams"),
             uniform("RealTimeParams"),
             named("real_time", "REAL_TIME"),
             same("WAVE_ROUND_WORDS"),

@@ -1,0 +1,100 @@
+//! Arguments as people write them: three numbers in anything that has three, colours as pickers show them or linear, matrices.
+
+use crate::errors::argument;
+use pyo3::prelude::*;
+use pyo3::types::PyString;
+use voxtrace::Transform;
+use voxtrace::glam::{DVec3, Mat3, Vec3};
+use voxtrace::material::linear_color;
+
+/// Three finite numbers, of a tuple, a list or an array.
+#[derive(Clone, Copy)]
+pub struct Three(pub DVec3);
+
+impl Three {
+    /// In single precision.
+    pub fn single(self) -> Vec3 {
+        self.0.as_vec3()
+    }
+}
+
+impl<'py> FromPyObject<'_, 'py> for Three {
+    type Error = PyErr;
+
+    fn extract(object: Borrowed<'_, 'py, PyAny>) -> PyResult<Self> {
+        let numbers = numbers::<3>(&object)?;
+        Ok(Self(DVec3::from_array(numbers)))
+    }
+}
+
+/// So many finite numbers.
+pub fn numbers<const N: usize>(object: &Bound<'_, PyAny>) -> PyResult<[f64; N]> {
+    let wrong = || {
+        argument(format!(
+            "{N} numbers are wanted, not {}",
+            object.repr().map_or(String::new(), |text| text.to_string())
+        ))
+    };
+    let mut numbers = [0.0; N];
+    let mut count = 0;
+    for item in object.try_iter().map_err(|_| wrong())? {
+        let number: f64 = item?.extract().map_err(|_| wrong())?;
+        if !number.is_finite() || count == N {
+            return Err(wrong());
+        }
+        numbers[count] = number;
+        count += 1;
+    }
+    if count == N { Ok(numbers) } else { Err(wrong()) }
+}
+
+/// A colour: `"#rrggbb"` as pickers show it (sRGB), or three linear numbers.
+#[derive(Clone, Copy)]
+pub struct Color(pub Vec3);
+
+impl<'py> FromPyObject<'_, 'py> for Color {
+    type Error = PyErr;
+
+    fn extract(object: Borrowed<'_, 'py, PyAny>) -> PyResult<Self> {
+        let Ok(text) = object.cast::<PyString>() else { return Ok(Self(object.extract::<Three>()?.single())) };
+        let text = text.to_str()?.to_owned();
+        let digits = text.strip_prefix('#').filter(|digits| digits.len() == 6);
+        let value = digits.and_then(|digits| u32::from_str_radix(digits, 16).ok());
+        let value = value.ok_or_else(|| argument(format!("{text:?} is no colour like \"#d8c7a0\"")))?;
+        Ok(Self(linear_color([(value >> 16) as u8, (value >> 8) as u8, value as u8])))
+    }
+}
+
+/// A placement: 4 × 4 or 3 × 4 numbers, row by row, that turn, mirror, scale evenly and move.
+#[derive(Clone, Copy)]
+pub struct Matrix(pub Transform);
+
+impl<'py> FromPyObject<'_, 'py> for Matrix {
+    type Error = PyErr;
+
+    fn extract(object: Borrowed<'_, 'py, PyAny>) -> PyResult<Self> {
+        let rows: Vec<[f64; 4]> = object.try_iter()?.map(|row| numbers::<4>(&row?)).collect::<PyResult<_>>()?;
+        transform_of(&rows).map(Self)
+    }
+}
+
+/// The transform of three or four rows.
+pub fn transform_of(rows: &[[f64; 4]]) -> PyResult<Transform> {
+    let is_affine = rows.get(3).is_none_or(|row| *row == [0.0, 0.0, 0.0, 1.0]);
+    if !(3..=4).contains(&rows.len()) || !is_affine {
+        return Err(argument("a transform has 4 × 4 numbers, the last row 0, 0, 0, 1, or 3 × 4"));
+    }
+    let column = |at: usize| Vec3::new(rows[0][at] as f32, rows[1][at] as f32, rows[2][at] as f32);
+    let transform = Transform { linear: Mat3::from_cols(column(0), column(1), column(2)), translation: column(3) };
+    if !transform.is_similarity() {
+        return Err(argument("a transform turns, mirrors, scales evenly and moves; this one shears, or is not finite"));
+    }
+    Ok(transform)
+}
+
+/// The rows of a transform, 4 × 4.
+pub fn rows_of(transform: &Transform) -> [[f64; 4]; 4] {
+    let (linear, translation) = (transform.linear, transform.translation);
+    let row = |at: usize| [linear.x_axis[at], linear.y_axis[at], linear.z_axis[at], translation[at]].map(f64::from);
+    [row(0), row(1), row(2), [0.0, 0.0, 0.0, 1.0]]
+}

@@ -1,0 +1,228 @@
+//! `Image`: a rendered picture as arrays and files.
+
+use crate::errors::{argument, of_film, of_writing};
+use crate::scene::PyScene;
+use numpy::ndarray::Array;
+use numpy::{IntoPyArray, PyArray2, PyArray3};
+use pyo3::prelude::*;
+use pyo3::types::PyBytes;
+use std::path::PathBuf;
+use voxtrace::film::{AovPixel, Pixel};
+use voxtrace::glam::Vec3;
+use voxtrace::output::{FilmFile, Operator, SceneStamp, ToneMap};
+use voxtrace::{Film, Picture, RenderError};
+
+/// A rendered picture. In a notebook it shows itself.
+#[pyclass(name = "Image", module = "voxtrace", frozen)]
+pub struct PyImage {
+    pub picture: Picture,
+    /// What traced, and why that.
+    #[pyo3(get)]
+    device: String,
+}
+
+impl PyImage {
+    pub fn new(picture: Picture, device: String) -> Self {
+        Self { picture, device }
+    }
+
+    fn film(&self) -> &Film {
+        self.picture.film()
+    }
+
+    fn size(&self) -> (usize, usize) {
+        let region = self.film().region;
+        (region.height() as usize, region.width() as usize)
+    }
+
+    /// Mean radiance of each pixel, without its noise where that was removed.
+    fn means(&self) -> Vec<Vec3> {
+        match self.picture.denoised() {
+            Some(denoised) => denoised.radiance.clone(),
+            None => self.film().pixels.iter().map(Pixel::mean).collect(),
+        }
+    }
+
+    /// An array of so many numbers a pixel.
+    fn array<'py, T: numpy::Element, const N: usize>(
+        &self,
+        py: Python<'py>,
+        values: impl Iterator<Item = [T; N]>,
+    ) -> PyResult<Bound<'py, PyArray3<T>>> {
+        let (height, width) = self.size();
+        let values: Vec<T> = values.flatten().collect();
+        Ok(Array::from_shape_vec((height, width, N), values).map_err(argument)?.into_pyarray(py))
+    }
+}
+
+#[pymethods]
+impl PyImage {
+    /// Height and width, pixels.
+    #[getter]
+    fn shape(&self) -> (usize, usize) {
+        self.size()
+    }
+
+    /// Linear radiance, shape `(H, W, 3)`, float32; without its noise where that was removed.
+    #[getter]
+    fn radiance<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray3<f32>>> {
+        self.array(py, self.means().into_iter().map(|mean| mean.to_array()))
+    }
+
+    /// Mean of the samples as they are, shape `(H, W, 3)`, float32.
+    #[getter]
+    fn noisy<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray3<f32>>> {
+        self.array(py, self.film().pixels.iter().map(|pixel| pixel.mean().to_array()))
+    }
+
+    /// Share of the samples whose ray met a voxel, shape `(H, W)`, float32.
+    #[getter]
+    fn alpha<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f32>>> {
+        let values = self.film().pixels.iter().map(Pixel::alpha).collect();
+        Ok(Array::from_shape_vec(self.size(), values).map_err(argument)?.into_pyarray(py))
+    }
+
+    /// Sums of the samples' radiance in units of 2⁻³², shape `(H, W, 3)`, uint64: they are the same on every device, and films of other samples of the same
+    /// frame can be added to them.
+    #[getter]
+    fn sums<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray3<u64>>> {
+        self.array(py, self.film().pixels.iter().map(|pixel| pixel.radiance))
+    }
+
+    /// What the ray through the middle of each pixel meets; noise-free, zeros where it is nothing (`"instance"`: 4294967295).
+    ///
+    /// `"albedo"` and `"normal"`: float32, `(H, W, 3)`; `"depth"`: float32, `(H, W, 1)`, world units; `"instance"`: uint32, `(H, W, 1)`; `"voxel"`: int32, `(H, W, 3)`.
+    ///
+    /// Raises `ValueError` for another name, or where `aovs=True` was not asked for.
+    fn aov<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyAny>> {
+        let Some(aovs) = &self.film().aovs else { return Err(argument("render with aovs=True to have them")) };
+        let of = |value: fn(&AovPixel) -> [f32; 3]| self.array(py, aovs.iter().map(value)).map(Bound::into_any);
+        match name {
+            "albedo" => of(|pixel| pixel.albedo.to_array()),
+            "normal" => of(|pixel| pixel.normal.to_array()),
+            "depth" => self.array(py, aovs.iter().map(|pixel| [pixel.depth])).map(Bound::into_any),
+            "instance" => self.array(py, aovs.iter().map(|pixel| [pixel.instance])).map(Bound::into_any),
+            "voxel" => self.array(py, aovs.iter().map(|pixel| pixel.voxel.to_array())).map(Bound::into_any),
+            other => Err(argument(format!(
+                "{other:?} is none of \"albedo\", \"normal\", \"depth\", \"instance\" and \"voxel\""
+            ))),
+        }
+    }
+
+    /// What a screen shows: sRGB, shape `(H, W, 3)`, uint8. `exposure` in stops; `tone_map`: `"agx"`, `"neutral"`, `"reinhard"` or `"linear"`.
+    #[pyo3(signature = (*, exposure=0.0, tone_map="agx"))]
+    fn to_srgb<'py>(&self, py: Python<'py>, exposure: f32, tone_map: &str) -> PyResult<Bound<'py, PyArray3<u8>>> {
+        let tone = tone_of(exposure, tone_map)?;
+        let byte = |mean: Vec3| tone.signal(mean).to_array().map(|channel| (channel * 255.0).round() as u8);
+        self.array(py, self.means().into_iter().map(byte))
+    }
+
+    /// As numpy wants it: `to_srgb()`.
+    #[pyo3(signature = (dtype=None, copy=None))]
+    fn __array__<'py>(
+        &self,
+        py: Python<'py>,
+        dtype: Option<Bound<'py, PyAny>>,
+        copy: Option<Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let _ = copy;
+        let array = self.to_srgb(py, 0.0, "agx")?.into_any();
+        match dtype {
+            Some(dtype) => array.call_method1("astype", (dtype,)),
+            None => Ok(array),
+        }
+    }
+
+    /// Writes the picture: `.png`, `.exr` (linear, with AOVs) or `.vxf` (the film, which `voxtrace render --resume` goes on with). The file is whole or what
+    /// it was before.
+    ///
+    /// Raises `ValueError` for another name, `OSError` where the file cannot be written.
+    #[pyo3(signature = (path, *, exposure=0.0, tone_map="agx"))]
+    fn save(&self, py: Python<'_>, path: PathBuf, exposure: f32, tone_map: &str) -> PyResult<()> {
+        let picture = self.picture.clone().tone_map(tone_of(exposure, tone_map)?);
+        py.detach(|| picture.save(&path)).map_err(|error| match error {
+            RenderError::Io { path, error } => of_writing(&path, &error),
+            error => argument(error),
+        })
+    }
+
+    /// The film as the bytes of a `.vxf` file; noise that was removed comes back with it.
+    fn to_bytes<'py>(&self, py: Python<'py>) -> Bound<'py, PyBytes> {
+        PyBytes::new(py, &py.detach(|| self.picture.film_file().to_bytes()))
+    }
+
+    /// The picture of the bytes of a `.vxf` file.
+    ///
+    /// Raises `ReadError` where they are none.
+    #[staticmethod]
+    fn from_bytes(py: Python<'_>, film: Vec<u8>) -> PyResult<Self> {
+        let file = py.detach(|| FilmFile::from_bytes(&film)).map_err(|error| of_film(py, &error))?;
+        Ok(Self::new(Picture::of_film(file), "a film".into()))
+    }
+
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, (Bound<'py, PyBytes>,))> {
+        Ok((py.get_type::<Self>().getattr("from_bytes")?, (self.to_bytes(py),)))
+    }
+
+    /// The picture of all samples of pictures of the same frame whose ranges of samples join, in any order: bit for bit what one run of all of them gives.
+    /// `halfway`: it keeps what there was after half of the samples, as `denoise` wants it; a range has to end there.
+    ///
+    /// Raises `ValueError` where ranges overlap or leave a gap, or pictures are of different frames or scenes.
+    #[staticmethod]
+    #[pyo3(signature = (images, *, halfway=false))]
+    fn merge(py: Python<'_>, images: Vec<PyRef<'_, Self>>, halfway: bool) -> PyResult<Self> {
+        let mut films: Vec<FilmFile> = images.iter().map(|image| image.picture.film_file().clone()).collect();
+        films.sort_by_key(|file| file.film.first_sample);
+        let half = films.iter().map(|file| file.frame.samples).sum::<u32>() / 2;
+        let mut films = films.into_iter();
+        let mut first = films.next().ok_or_else(|| argument("no picture to merge"))?;
+        let mut earlier = None;
+        for other in films {
+            if halfway && first.frame.samples == half {
+                earlier = Some(first.film.pixels.clone());
+            }
+            let alike = other.frame.clone().first_sample(first.frame.first_sample).samples(first.frame.samples);
+            if alike != first.frame || other.scene != first.scene {
+                return Err(argument("the pictures are of different frames or scenes"));
+            }
+            first.film.merge(&other.film).map_err(argument)?;
+            first.frame.samples += other.frame.samples;
+        }
+        first.film.earlier = earlier;
+        let device = images[0].device.clone();
+        Ok(py.detach(|| Self::new(Picture::of_film(first), device)))
+    }
+
+    /// The same picture without its noise; `scene` is that which was rendered.
+    ///
+    /// Raises `ValueError` where it is another.
+    fn denoise(&self, py: Python<'_>, scene: &mut PyScene) -> PyResult<Self> {
+        let packed = scene.packed(py, false)?;
+        let file = self.picture.film_file().clone();
+        if SceneStamp::of(&packed).content_hash != file.scene.content_hash {
+            return Err(argument("the picture is of another scene"));
+        }
+        let picture = py.detach(|| Picture::of_film(file).without_noise(&packed));
+        Ok(Self::new(picture, self.device.clone()))
+    }
+
+    fn _repr_png_<'py>(&self, py: Python<'py>) -> Bound<'py, PyBytes> {
+        PyBytes::new(py, &py.detach(|| self.picture.to_png()))
+    }
+
+    fn __repr__(&self) -> String {
+        let (height, width) = self.size();
+        format!("<Image: {width} × {height}, {} samples>", self.film().sample_range().1)
+    }
+}
+
+/// A tone map by its name.
+fn tone_of(exposure: f32, name: &str) -> PyResult<ToneMap> {
+    let names = || Operator::ALL.map(Operator::name).join(", ");
+    let operator = Operator::ALL.into_iter().find(|operator| operator.name() == name);
+    let operator = operator.ok_or_else(|| argument(format!("{name:?} is none of {}", names())))?;
+    if !exposure.is_finite() {
+        return Err(argument("exposure is a finite number of stops"));
+    }
+    Ok(ToneMap { operator, exposure })
+}

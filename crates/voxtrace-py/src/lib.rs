@@ -1,0 +1,55 @@
+//! The extension module `voxtrace._voxtrace`: the engine for Python. The package around it, `python/voxtrace`, has what is easier said in Python.
+#![allow(missing_docs, reason = "docstrings stand at the methods")]
+
+mod arguments;
+mod camera;
+mod editor;
+mod errors;
+mod grid;
+mod image;
+mod interrupt;
+mod material;
+mod open;
+mod renderer;
+mod scene;
+mod sky;
+mod transfer;
+mod volume;
+
+use pyo3::prelude::*;
+
+#[pymodule]
+mod _voxtrace {
+    use pyo3::prelude::*;
+
+    #[pymodule_export]
+    use super::camera::PyCamera;
+    #[pymodule_export]
+    use super::editor::PyEditor;
+    #[pymodule_export]
+    use super::errors::{DeviceError, ReadError, VoxtraceError};
+    #[pymodule_export]
+    use super::grid::PyVoxelGrid;
+    #[pymodule_export]
+    use super::image::PyImage;
+    #[pymodule_export]
+    use super::material::PyMaterial;
+    #[pymodule_export]
+    use super::open::{builtin, open, open_volume};
+    #[pymodule_export]
+    use super::renderer::PyRenderer;
+    #[pymodule_export]
+    use super::scene::{PyInstance, PyScene};
+    #[pymodule_export]
+    use super::sky::PySky;
+    #[pymodule_export]
+    use super::transfer::PyTransfer;
+    #[pymodule_export]
+    use super::volume::PyVolume;
+
+    #[pymodule_init]
+    fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
+        module.add("__version__", env!("CARGO_PKG_VERSION"))?;
+        module.add("BUILTIN_SCENES", voxtrace::scenes::NAMES.to_vec())
+    }
+}

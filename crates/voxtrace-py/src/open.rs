@@ -1,0 +1,104 @@
+//! Scenes and volumes from files, and built-in scenes.
+
+use crate::errors::{argument, of_reading, other};
+use crate::interrupt::run;
+use crate::scene::PyScene;
+use crate::transfer::AnyTransfer;
+use crate::volume::{PyVolume, scale_of};
+use pyo3::prelude::*;
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use voxtrace::import::{self, ClipChoice, Content, ImportError, ImportOptions};
+use voxtrace::scenes::{self, SceneError};
+use voxtrace::volume::VolumeOptions;
+use voxtrace::voxelize::VoxelizeOptions;
+
+/// Runs a reader until it ends or Ctrl-C does it.
+fn read<T: Send>(py: Python<'_>, reader: impl FnOnce() -> Result<T, ImportError> + Send) -> PyResult<T> {
+    let wanted = Arc::new(AtomicBool::new(true));
+    let goes_on = Arc::clone(&wanted);
+    let stop = || wanted.store(false, Ordering::Relaxed);
+    let result = run(py, stop, |_| Ok(()), || import::read_while(move || goes_on.load(Ordering::Relaxed), reader))?;
+    result.map_err(|error| of_reading(py, &error))
+}
+
+/// A scene from a file or a folder of any format that `voxtrace formats` lists; meshes, points and scans are voxelized.
+///
+/// `resolution`: voxels along the longest side; `voxel_size`: their edge in units of the file. `fill`: the inside of closed meshes too. `transfer` and
+/// `threshold`: what of a volume is shown. `channel` and `time`: of a volume, from 1 on. `series`: of a folder of DICOM files. `animation`: name of a
+/// mesh's animation. `shell`: of volumes only what a ray from outside can reach. `strict`: a damaged part is an error; else it is left out and `Scene.notes` says so.
+///
+/// Raises `ReadError`, and `OSError` where the file cannot be opened.
+#[pyfunction]
+#[pyo3(signature = (path, *, resolution=None, voxel_size=None, fill=false, transfer=None, threshold=None, shell=true, channel=None, time=None, series=None, animation=None, strict=false))]
+#[expect(clippy::too_many_arguments, reason = "keywords of Python")]
+pub fn open(
+    py: Python<'_>,
+    path: PathBuf,
+    resolution: Option<u32>,
+    voxel_size: Option<f64>,
+    fill: bool,
+    transfer: Option<AnyTransfer>,
+    threshold: Option<f32>,
+    shell: bool,
+    channel: Option<u32>,
+    time: Option<u32>,
+    series: Option<i64>,
+    animation: Option<String>,
+    strict: bool,
+) -> PyResult<PyScene> {
+    let scale = scale_of(resolution, voxel_size)?;
+    let mut voxelize = VoxelizeOptions { fill, ..VoxelizeOptions::default() };
+    voxelize.scale = scale.unwrap_or(voxelize.scale);
+    let volume =
+        VolumeOptions { scale, transfer: transfer.map(|transfer| transfer.0), threshold, shell, overlays: Vec::new() };
+    let animation = animation.map_or(ClipChoice::None, ClipChoice::Named);
+    let options =
+        ImportOptions { voxelize, volume, channel, time, series, animation, strict, ..ImportOptions::default() };
+    let loaded = read(py, || import::load(&path, &options))?;
+    let mut scene = match loaded.content {
+        Content::Scene(scene) => PyScene::of(*scene),
+        Content::Packed(packed) => PyScene::of_packed(Arc::new(*packed)),
+    };
+    scene.notes = loaded.notes;
+    Ok(scene)
+}
+
+/// The volume of a file or a folder: NIfTI, DICOM, NRRD, MetaImage, OME-TIFF, Zarr, OpenVDB and more.
+///
+/// `channel` and `time` count from 1. Raises `ReadError` where the file holds none, and `OSError` where it cannot be opened.
+#[pyfunction]
+#[pyo3(signature = (path, *, channel=None, time=None, series=None, strict=false))]
+pub fn open_volume(
+    py: Python<'_>,
+    path: PathBuf,
+    channel: Option<u32>,
+    time: Option<u32>,
+    series: Option<i64>,
+    strict: bool,
+) -> PyResult<PyVolume> {
+    let options = ImportOptions { channel, time, series, strict, ..ImportOptions::default() };
+    read(py, || import::read_volume(&path, &options)).map(PyVolume)
+}
+
+/// A built-in scene: `"church"`, `"operating-room"`, `"city"`, `"forest"`, `"glass"`, of about so many voxels, or of so many instances (forest).
+///
+/// Raises `ValueError` for another name or size.
+#[pyfunction]
+#[pyo3(signature = (name, *, voxels=None, instances=None))]
+pub fn builtin(py: Python<'_>, name: &str, voxels: Option<u64>, instances: Option<u32>) -> PyResult<PyScene> {
+    let wanted = AtomicBool::new(true);
+    let goes_on = || wanted.load(Ordering::Relaxed);
+    let stop = || wanted.store(false, Ordering::Relaxed);
+    let work = || match instances {
+        Some(instances) if name == scenes::FOREST => scenes::generate_forest_while(instances, &goes_on),
+        Some(_) => Err(SceneError::NotOfInstances(name.to_owned())),
+        None => scenes::generate_while(name, voxels, &goes_on),
+    };
+    match run(py, stop, |_| Ok(()), work)? {
+        Ok(scene) => Ok(PyScene::of(scene)),
+        Err(SceneError::Stopped) => Err(other(py, "stopped")),
+        Err(error) => Err(argument(error)),
+    }
+}

@@ -1,0 +1,304 @@
+//! `Renderer`: a tracer with a scene, for many pictures and rays.
+
+use crate::arguments::transform_of;
+use crate::camera::PyCamera;
+use crate::editor::PyEditor;
+use crate::errors::{argument, of_tracing, other};
+use crate::image::PyImage;
+use crate::interrupt::run;
+use crate::scene::PyScene;
+use numpy::ndarray::Array2;
+use numpy::{AllowTypeChange, IntoPyArray, PyArrayLike2, PyArrayLike3, PyArrayLikeDyn};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use rayon::prelude::*;
+use std::sync::Arc;
+use voxtrace::glam::Vec3;
+use voxtrace::packed::{PackedInstance, Placement};
+use voxtrace::{Camera, CpuTracer, Frame, Hit, Integrator, PackedScene, Picture, Progress, Ray, TraceError, Tracer};
+use voxtrace_vulkan::{Request, Traversal, choose};
+
+/// Renders pictures of one scene, again and again: the scene is packed and sent to the device once.
+///
+/// >>> import voxtrace
+/// >>> renderer = voxtrace.Renderer(voxtrace.builtin("church", voxels=20_000), device="cpu")
+/// >>> renderer.render(samples=2, size=(64, 36)).shape
+/// (36, 64)
+#[pyclass(name = "Renderer", module = "voxtrace")]
+pub struct PyRenderer {
+    tracer: Box<dyn Tracer + Send>,
+    scene: Arc<PackedScene>,
+    is_placeable: bool,
+    /// What the tracer rendered last.
+    last: Option<Frame>,
+    /// What traces, and why that.
+    #[pyo3(get)]
+    device: String,
+}
+
+// The tracer is only ever used through `&mut self`.
+#[expect(unsafe_code, reason = "pyo3 wants classes that can be shared between threads")]
+// SAFETY: no method reads the tracer through a shared reference.
+unsafe impl Sync for PyRenderer {}
+
+#[pymethods]
+impl PyRenderer {
+    /// A renderer of a `Scene`, or of what an `Editor` edits.
+    ///
+    /// `device`: `"auto"` (a GPU, or the processor where there is none), `"cpu"`, or the number or a part of the name of a device as `voxtrace devices`
+    /// lists them. `traversal`: `"walk"`, `"query"` or `"pipeline"`. `fast`: GPUs may round as they like; pictures are no longer the processor's bit for bit.
+    /// `memory`: limit on GPU memory, bytes. `placeable`: instances are kept apart, so that `place` can move them; else those that stand on the lattice of voxels
+    /// become one grid, which is faster.
+    ///
+    /// Raises `DeviceError` where the machine lacks what was asked for or the scene does not fit it.
+    #[new]
+    #[pyo3(signature = (scene, *, device="auto", traversal=None, fast=false, memory=None, placeable=false))]
+    fn new(
+        py: Python<'_>,
+        scene: &Bound<'_, PyAny>,
+        device: &str,
+        traversal: Option<&str>,
+        fast: bool,
+        memory: Option<u64>,
+        placeable: bool,
+    ) -> PyResult<Self> {
+        let packed = match scene.cast::<PyEditor>() {
+            Ok(editor) => editor.borrow_mut().begin_anew(),
+            Err(_) => scene.cast::<PyScene>()?.borrow_mut().packed(py, placeable)?,
+        };
+        let request = request_of(device, traversal, fast, memory)?;
+        let opened = run(py, || (), |_| Ok(()), || open_tracer(&request, &packed))?;
+        let (tracer, device) = opened.map_err(|error| of_tracing(py, &error))?;
+        Ok(Self { tracer, scene: packed, is_placeable: placeable, last: None, device })
+    }
+
+    /// Renders a picture.
+    ///
+    /// `camera`: a `Camera`, the name of one of the scene's, or `None` for its first, or one that sees everything. `samples`: of each pixel. `size`: width and
+    /// height, pixels. The same `seed` gives the same picture, bit for bit, on every device. `first_sample`: to be added to films with the samples before.
+    /// `region`: `(x0, y0, x1, y1)`, pixels, the part that is rendered. `denoise`: noise is removed. `transparent`: the sky stays away. `aovs`: see `Image.aov`.
+    /// `progress`: called with the share that is done, again and again.
+    ///
+    /// Raises `ValueError` for what cannot be rendered, `DeviceError` where the device fails; Ctrl-C ends it.
+    #[pyo3(signature = (camera=None, *, samples=64, size=(1280, 720), seed=0, max_bounces=8, integrator="path", denoise=true, transparent=false, aovs=false, first_sample=0, region=None, progress=None),
+        text_signature = "($self, camera=None, *, samples=64, size=(1280, 720), seed=0, max_bounces=8, integrator='path', denoise=True, transparent=False, aovs=False, first_sample=0, region=None, progress=None)")]
+    #[expect(clippy::too_many_arguments, reason = "keywords of Python")]
+    fn render(
+        &mut self,
+        py: Python<'_>,
+        camera: Option<&Bound<'_, PyAny>>,
+        samples: u32,
+        size: (u32, u32),
+        seed: u32,
+        max_bounces: u32,
+        integrator: &str,
+        denoise: bool,
+        transparent: bool,
+        aovs: bool,
+        first_sample: u32,
+        region: Option<[u32; 4]>,
+        progress: Option<Py<PyAny>>,
+    ) -> PyResult<PyImage> {
+        let camera = self.camera(camera, size)?;
+        if samples == 0 {
+            return Err(argument("a picture has at least one sample"));
+        }
+        let integrator = match integrator {
+            "path" => Integrator::Path,
+            "essay" => Integrator::Essay,
+            other => return Err(argument(format!("{other:?} is neither \"path\" nor \"essay\""))),
+        };
+        let mut frame = Frame::new(camera, size.0, size.1)
+            .samples(samples)
+            .first_sample(first_sample)
+            .seed(seed)
+            .max_bounces(max_bounces)
+            .integrator(integrator)
+            .transparent(transparent)
+            .aovs(aovs);
+        if let Some([x0, y0, x1, y1]) = region {
+            let is_inside = x0 < x1 && x1 <= size.0 && y0 < y1 && y1 <= size.1;
+            if !is_inside {
+                return Err(argument("region is (x0, y0, x1, y1), pixels of the picture, the end not included"));
+            }
+            frame = frame.region(voxtrace::Region { x0, y0, x1, y1 });
+        }
+        if self.last.take().is_some_and(|last| frame.continues(&last) && samples < last.samples) {
+            // The tracer's film has more samples than are asked for: another frame makes it forget that one.
+            let other = frame.clone().size(1, 1).samples(1);
+            self.tracer.render(&other, &Progress::default()).map_err(|error| of_tracing(py, &error))?;
+        }
+        self.last = Some(frame.clone());
+        let all = frame.region.pixels() as u64 * u64::from(samples);
+        let (done, scene, tracer) = (Progress::default(), &self.scene, &mut self.tracer);
+        let tell = |py: Python<'_>| match &progress {
+            Some(progress) => progress.call1(py, (done.samples_done() as f64 / all.max(1) as f64,)).map(drop),
+            None => Ok(()),
+        };
+        let work = || Picture::trace(&mut **tracer, scene, frame, denoise, &done);
+        let picture = run(py, || done.cancel(), tell, work)?.map_err(|error| of_tracing(py, &error))?;
+        if let Some(progress) = &progress {
+            progress.call1(py, (1.0,))?;
+        }
+        let picture = picture.ok_or_else(|| other(py, "stopped"))?;
+        let remarks = self.tracer.take_notes().into_iter().map(|note| format!("; {note}"));
+        Ok(PyImage::new(picture, self.device.clone() + &remarks.collect::<String>()))
+    }
+
+    /// Finds for each ray the first voxel that it meets.
+    ///
+    /// `origins` and `directions`: shape `(N, 3)`; `t_max`: one number or `(N,)`, in multiples of the direction's length. Returns a dict of arrays of length N: `hit`
+    /// (bool), `t` (float32, infinite for a miss), `position` (float32, `(N, 3)`), `normal` (float32, `(N, 3)`), `voxel` (int32, `(N, 3)`, in the instance's grid),
+    /// `instance` (uint32), `material` (uint32). Numbers of misses are 0, their instance and material 4294967295.
+    ///
+    /// Raises `ValueError` for other shapes and rays that are not finite.
+    #[pyo3(signature = (origins, directions, t_max=None))]
+    fn cast<'py>(
+        &mut self,
+        py: Python<'py>,
+        origins: PyArrayLike2<'py, f32, AllowTypeChange>,
+        directions: PyArrayLike2<'py, f32, AllowTypeChange>,
+        t_max: Option<PyArrayLikeDyn<'py, f32, AllowTypeChange>>,
+    ) -> PyResult<Bound<'py, PyDict>> {
+        let (origins, directions) = (origins.as_array(), directions.as_array());
+        let t_max: Option<Vec<f32>> = t_max.as_ref().map(|t_max| t_max.as_array().iter().copied().collect());
+        let count = origins.nrows();
+        let is_sound = origins.ncols() == 3 && directions.dim() == (count, 3);
+        if !is_sound || t_max.as_ref().is_some_and(|t_max| t_max.len() != count && t_max.len() != 1) {
+            return Err(argument("origins and directions have shape (N, 3), t_max has length N or 1"));
+        }
+        let ray = |index: usize| {
+            let vector =
+                |of: &numpy::ndarray::ArrayView2<f32>| Vec3::new(of[[index, 0]], of[[index, 1]], of[[index, 2]]);
+            let mut ray = Ray::new(vector(&origins), vector(&directions));
+            if let Some(t_max) = &t_max {
+                ray.t_max = t_max[if t_max.len() == 1 { 0 } else { index }];
+            }
+            ray
+        };
+        let rays: Vec<Ray> = py.detach(|| (0..count).into_par_iter().map(ray).collect());
+        if !rays.par_iter().all(|ray| ray.origin.is_finite() && ray.direction.is_finite() && !ray.t_max.is_nan()) {
+            return Err(argument("rays are finite"));
+        }
+        let mut hits = vec![Hit::MISS; count];
+        let (tracer, scene) = (&mut self.tracer, &self.scene);
+        let found = run(py, || (), |_| Ok(()), || tracer.cast_into(&rays, &mut hits))?;
+        found.map_err(|error| of_tracing(py, &error))?;
+        arrays_of(py, scene, &rays, &hits)
+    }
+
+    /// Puts instances elsewhere: `transforms` of shape `(N, 4, 4)`, in the order of the visible instances of the scene. The geometry stays on the device.
+    ///
+    /// Raises `ValueError` for another number of them, for those that shear, and where the renderer was not made with `placeable=True`.
+    fn place(&mut self, py: Python<'_>, transforms: PyArrayLike3<'_, f64, AllowTypeChange>) -> PyResult<()> {
+        let transforms = transforms.as_array();
+        let instances = self.scene.instances();
+        if !self.is_placeable {
+            return Err(argument("make the renderer with placeable=True, so that instances are kept apart"));
+        }
+        if transforms.dim() != (instances.len(), 4, 4) {
+            return Err(argument(format!("shape ({}, 4, 4) is wanted", instances.len())));
+        }
+        let placed = |(index, instance): (usize, &PackedInstance)| {
+            let rows = [0, 1, 2, 3].map(|row| [0, 1, 2, 3].map(|column| transforms[[index, row, column]]));
+            transform_of(&rows).map(|transform| PackedInstance::new(instance.grid, transform, instance.scene_instance))
+        };
+        let placed = instances.iter().enumerate().map(placed).collect::<PyResult<Vec<_>>>()?;
+        let placement: Placement = self.scene.placement().moved(self.scene.geometry(), placed).map_err(argument)?;
+        let moved = Arc::new(self.scene.with_placement(&placement).map_err(argument)?);
+        let tracer = &mut self.tracer;
+        py.detach(|| tracer.set_placement(&placement)).map_err(|error| of_tracing(py, &error))?;
+        self.scene = moved;
+        Ok(())
+    }
+
+    /// Follows the edits of the `Editor` that this renderer was made of, since the last time.
+    ///
+    /// Raises `ValueError` where it was made of something else.
+    fn follow(&mut self, py: Python<'_>, editor: &mut PyEditor) -> PyResult<()> {
+        let patch = editor.take_patch();
+        let followed = Arc::make_mut(&mut self.scene).apply_patch(&patch);
+        followed.map_err(|_| {
+            argument("the renderer was not made of this editor, or another one follows it: make it anew")
+        })?;
+        let tracer = &mut self.tracer;
+        py.detach(|| tracer.patch(&patch)).map_err(|error| of_tracing(py, &error))
+    }
+
+    /// The camera that looks when none is given.
+    #[pyo3(signature = (size=(1280, 720)), text_signature = "($self, size=(1280, 720))")]
+    fn default_camera(&self, size: (u32, u32)) -> PyCamera {
+        let aspect = size.0 as f32 / size.1.max(1) as f32;
+        PyCamera(self.scene.cameras.first().cloned().unwrap_or_else(|| self.scene.portrait(aspect)))
+    }
+
+    fn __repr__(&self) -> String {
+        format!("<Renderer of {:?}: {}>", self.scene.name, self.device)
+    }
+}
+
+impl PyRenderer {
+    fn camera(&self, camera: Option<&Bound<'_, PyAny>>, size: (u32, u32)) -> PyResult<Camera> {
+        let Some(camera) = camera else { return Ok(self.default_camera(size).0) };
+        if let Ok(camera) = camera.extract::<PyCamera>() {
+            return Ok(camera.0);
+        }
+        let name: String = camera.extract().map_err(|_| argument("camera is a Camera, a name or None"))?;
+        let found = self.scene.cameras.iter().find(|camera| camera.name == name);
+        let there_are = || self.scene.cameras.iter().map(|camera| camera.name.as_str()).collect::<Vec<_>>().join(", ");
+        found.cloned().ok_or_else(|| argument(format!("the scene has no camera {name:?}; there are: {}", there_are())))
+    }
+}
+
+fn request_of(device: &str, traversal: Option<&str>, is_fast: bool, memory_budget: Option<u64>) -> PyResult<Request> {
+    let traversal = match (traversal, device) {
+        (None, "cpu") => Some(Traversal::Cpu),
+        (Some(_), "cpu") => return Err(argument("the processor has one traversal")),
+        (None, _) => None,
+        (Some("walk"), _) => Some(Traversal::Walk),
+        (Some("query"), _) => Some(Traversal::Query),
+        (Some("pipeline"), _) => Some(Traversal::Pipeline),
+        (Some(other), _) => return Err(argument(format!("{other:?} is none of \"walk\", \"query\" and \"pipeline\""))),
+    };
+    let device = Some(device).filter(|device| !["auto", "cpu"].contains(device)).map(str::to_owned);
+    Ok(Request { traversal, device, memory_budget, is_fast, ..Request::default() })
+}
+
+/// The tracer with the scene; where nothing was asked for and the scene is too large for the device, the processor's.
+fn open_tracer(request: &Request, scene: &Arc<PackedScene>) -> Result<(Box<dyn Tracer + Send>, String), TraceError> {
+    let choice = choose(request)?;
+    let (mut tracer, mut reason) = (choice.tracer, choice.reason);
+    match tracer.set_scene(scene) {
+        Err(error @ TraceError::OutOfMemory { .. }) if request.is_automatic() => {
+            reason = format!("tracing on the CPU: the scene does not fit the GPU ({error})");
+            tracer = Box::new(CpuTracer::new(None));
+            tracer.set_scene(scene)?;
+        }
+        result => result?,
+    }
+    Ok((tracer, reason))
+}
+
+/// What rays met, as arrays.
+fn arrays_of<'py>(py: Python<'py>, scene: &PackedScene, rays: &[Ray], hits: &[Hit]) -> PyResult<Bound<'py, PyDict>> {
+    let found = PyDict::new(py);
+    let single = |of: &(dyn Fn(&Hit) -> u32 + Sync)| -> Vec<u32> { hits.par_iter().map(of).collect() };
+    let vectors = |of: &(dyn Fn((&Ray, &Hit)) -> Vec3 + Sync)| -> PyResult<Array2<f32>> {
+        let values: Vec<[f32; 3]> = rays.par_iter().zip(hits).map(|pair| of(pair).to_array()).collect();
+        Array2::from_shape_vec((hits.len(), 3), values.into_flattened()).map_err(argument)
+    };
+    found.set_item("hit", hits.iter().map(|hit| !hit.is_miss()).collect::<Vec<bool>>().into_pyarray(py))?;
+    let t: Vec<f32> = hits.iter().map(|hit| if hit.is_miss() { f32::INFINITY } else { hit.t }).collect();
+    found.set_item("t", t.into_pyarray(py))?;
+    let position = |(ray, hit): (&Ray, &Hit)| if hit.is_miss() { Vec3::ZERO } else { ray.at(hit.t) };
+    found.set_item("position", vectors(&position)?.into_pyarray(py))?;
+    let normal = |(_, hit): (&Ray, &Hit)| if hit.is_miss() { Vec3::ZERO } else { scene.normal(hit) };
+    found.set_item("normal", vectors(&normal)?.into_pyarray(py))?;
+    let voxels: Vec<[i32; 3]> = hits.par_iter().map(|hit| hit.voxel.to_array()).collect();
+    let voxels = Array2::from_shape_vec((hits.len(), 3), voxels.into_flattened()).map_err(argument)?;
+    found.set_item("voxel", voxels.into_pyarray(py))?;
+    found.set_item("instance", single(&|hit| hit.instance).into_pyarray(py))?;
+    let material = |hit: &Hit| if hit.is_miss() { u32::MAX } else { scene.material_index(hit) };
+    found.set_item("material", single(&material).into_pyarray(py))?;
+    Ok(found)
+}

@@ -1,0 +1,360 @@
+//! `Scene` and `Instance`.
+
+use crate::arguments::{Matrix, rows_of};
+use crate::camera::PyCamera;
+use crate::errors::{argument, of_writing, other};
+use crate::grid::PyVoxelGrid;
+use crate::interrupt::run;
+use crate::material::PyMaterial;
+use crate::sky::PySky;
+use crate::volume::unit_name;
+use pyo3::exceptions::PyIndexError;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use voxtrace::export::{ExportError, writer_of};
+use voxtrace::material::MAX_MATERIALS;
+use voxtrace::packed::{FileErrorKind, PackError};
+use voxtrace::{Instance, PackedScene, Scene, Transform};
+
+/// Voxels in their places, with materials, sky and cameras.
+///
+/// >>> import voxtrace
+/// >>> scene = voxtrace.builtin("city", voxels=20_000)
+/// >>> scene.name, len(scene.materials) > 3
+/// ('city', True)
+#[pyclass(name = "Scene", module = "voxtrace")]
+pub struct PyScene {
+    content: Held,
+    /// As it is traced: with instances merged, and with instances kept apart.
+    packed: [Option<Arc<PackedScene>>; 2],
+    /// What the reader left out or put up with.
+    #[pyo3(get)]
+    pub notes: Vec<String>,
+}
+
+/// What a scene is made of.
+enum Held {
+    Scene(Box<Scene>),
+    /// As a file had it.
+    Packed(Arc<PackedScene>),
+}
+
+/// A placed grid: a copy of what the scene says of it.
+#[pyclass(name = "Instance", module = "voxtrace", frozen, get_all)]
+pub struct PyInstance {
+    /// Name, empty where there is none.
+    name: String,
+    /// Index of the grid.
+    grid: usize,
+    /// From grid to world, 4 × 4.
+    transform: [[f64; 4]; 4],
+    /// Whether it is hidden.
+    hidden: bool,
+    /// Name of its layer, or `None`.
+    layer: Option<String>,
+}
+
+#[pymethods]
+impl PyInstance {
+    fn __repr__(&self) -> String {
+        let [x, y, z] = [0, 1, 2].map(|row| self.transform[row][3]);
+        format!("<Instance {:?}: grid {} at ({x}, {y}, {z})>", self.name, self.grid)
+    }
+}
+
+impl PyScene {
+    pub fn of(scene: Scene) -> Self {
+        Self { content: Held::Scene(Box::new(scene)), packed: [None, None], notes: Vec::new() }
+    }
+
+    pub fn of_packed(packed: Arc<PackedScene>) -> Self {
+        Self { content: Held::Packed(packed), packed: [None, None], notes: Vec::new() }
+    }
+
+    /// The scene to be changed; what was packed is packed anew when it is next needed.
+    fn changing(&mut self) -> &mut Scene {
+        self.packed = [None, None];
+        if let Held::Packed(packed) = &self.content {
+            self.content = Held::Scene(Box::new(packed.to_scene()));
+        }
+        match &mut self.content {
+            Held::Scene(scene) => scene,
+            Held::Packed(_) => unreachable!("it was unpacked"),
+        }
+    }
+
+    /// The scene as it can be read.
+    fn looked_at<T>(&self, of_scene: impl FnOnce(&Scene) -> T) -> T {
+        match &self.content {
+            Held::Scene(scene) => of_scene(scene),
+            Held::Packed(packed) => of_scene(&packed.to_scene()),
+        }
+    }
+
+    /// The scene as it is traced; `keeps_instances` where they are to be moved or edited.
+    pub fn packed(&mut self, py: Python<'_>, keeps_instances: bool) -> PyResult<Arc<PackedScene>> {
+        if let Some(packed) = &self.packed[usize::from(keeps_instances)] {
+            return Ok(Arc::clone(packed));
+        }
+        let wanted = AtomicBool::new(true);
+        let goes_on = || wanted.load(Ordering::Relaxed);
+        let content = &self.content;
+        let work = || match content {
+            Held::Packed(packed) if keeps_instances && packed.is_merged() => Ok(Arc::new(packed.split())),
+            Held::Packed(packed) => Ok(Arc::clone(packed)),
+            Held::Scene(scene) if keeps_instances => PackedScene::pack_while(scene, &goes_on).map(Arc::new),
+            Held::Scene(scene) => PackedScene::pack_merged_while(scene, &goes_on).map(Arc::new),
+        };
+        let packed: Result<_, PackError> = run(py, || wanted.store(false, Ordering::Relaxed), |_| Ok(()), work)?;
+        let packed = packed.map_err(|error| other(py, error))?;
+        self.packed[usize::from(keeps_instances)] = Some(Arc::clone(&packed));
+        Ok(packed)
+    }
+}
+
+#[pymethods]
+impl PyScene {
+    /// A scene without anything in it, or of one grid at the origin.
+    #[new]
+    #[pyo3(signature = (grid=None, *, name="scene"))]
+    fn new(grid: Option<PyRef<'_, PyVoxelGrid>>, name: &str) -> PyResult<Self> {
+        let mut scene = Self::of(Scene::new(name));
+        if let Some(grid) = grid {
+            scene.add(grid, None, "")?;
+        }
+        Ok(scene)
+    }
+
+    /// Adds a grid with its materials, placed by `transform` (4 × 4, voxels of the grid to the world). Returns the index of the instance.
+    ///
+    /// Raises `ValueError` for a transform that shears and for more than 65,535 materials.
+    #[pyo3(signature = (grid, transform=None, *, name=""))]
+    fn add(&mut self, grid: PyRef<'_, PyVoxelGrid>, transform: Option<Matrix>, name: &str) -> PyResult<usize> {
+        let scene = self.changing();
+        let first = scene.materials.len();
+        if first + grid.materials.len() > MAX_MATERIALS {
+            return Err(argument(format!("more than {MAX_MATERIALS} materials")));
+        }
+        scene.materials.extend_from_slice(&grid.materials);
+        let voxels = match first {
+            0 => Arc::clone(&grid.grid),
+            _ => Arc::new(voxtrace::VoxelGrid::from_bricks(grid.grid.sorted_bricks().into_iter().map(
+                |(place, brick)| {
+                    let materials = brick.materials().iter().map(|material| material + first as u16).collect();
+                    (place, voxtrace::Brick::new(*brick.occupancy(), materials))
+                },
+            ))),
+        };
+        scene.grids.push(voxels);
+        let transform = transform.map_or(Transform::IDENTITY, |transform| transform.0);
+        let instance = Instance { name: name.into(), ..Instance::new(scene.grids.len() - 1, transform) };
+        scene.instances.push(instance);
+        Ok(scene.instances.len() - 1)
+    }
+
+    /// Adds another instance of the grid of an instance. Returns its index.
+    ///
+    /// Raises `IndexError` where there is no such instance, `ValueError` for a transform that shears.
+    #[pyo3(signature = (instance, transform, *, name=""))]
+    fn add_copy(&mut self, instance: usize, transform: Matrix, name: &str) -> PyResult<usize> {
+        let scene = self.changing();
+        let of = scene.instances.get(instance).ok_or_else(|| no_instance(instance, scene.instances.len()))?;
+        let copy = Instance { name: name.into(), ..Instance::new(of.grid, transform.0) };
+        scene.instances.push(copy);
+        Ok(scene.instances.len() - 1)
+    }
+
+    /// Puts an instance elsewhere. For a frame after another, `Renderer.place` is quicker.
+    ///
+    /// Raises `IndexError` where there is no such instance, `ValueError` for a transform that shears.
+    fn place(&mut self, instance: usize, transform: Matrix) -> PyResult<()> {
+        let scene = self.changing();
+        let count = scene.instances.len();
+        let instance = scene.instances.get_mut(instance).ok_or_else(|| no_instance(instance, count))?;
+        instance.world_from_grid = transform.0;
+        Ok(())
+    }
+
+    /// The placed grids.
+    #[getter]
+    fn instances(&self) -> Vec<PyInstance> {
+        self.looked_at(|scene| {
+            let layer = |instance: &Instance| Some(scene.layers.get(instance.layer?)?.name.clone());
+            let instance = |instance: &Instance| PyInstance {
+                name: instance.name.clone(),
+                grid: instance.grid,
+                transform: rows_of(&instance.world_from_grid),
+                hidden: !scene.is_visible(instance),
+                layer: layer(instance),
+            };
+            scene.instances.iter().map(instance).collect()
+        })
+    }
+
+    /// The voxels of a grid, with the materials of the scene.
+    ///
+    /// Raises `IndexError` where there is no such grid.
+    fn grid(&self, index: usize) -> PyResult<PyVoxelGrid> {
+        self.looked_at(|scene| {
+            let grid = scene.grids.get(index).cloned();
+            let grid = grid.map(|grid| PyVoxelGrid::new(grid, scene.materials.clone()));
+            grid.ok_or_else(|| {
+                PyIndexError::new_err(format!("there is no grid {index}: the scene has {}", scene.grids.len()))
+            })
+        })
+    }
+
+    /// Materials; voxels refer to them by index.
+    #[getter]
+    fn materials(&self) -> Vec<PyMaterial> {
+        self.looked_at(|scene| scene.materials.iter().map(|material| PyMaterial(*material)).collect())
+    }
+
+    /// Replaces a material.
+    ///
+    /// Raises `IndexError` where there is no such material.
+    fn set_material(&mut self, index: usize, material: PyMaterial) -> PyResult<()> {
+        let scene = self.changing();
+        let count = scene.materials.len();
+        let no_material = || PyIndexError::new_err(format!("there is no material {index}: the scene has {count}"));
+        *scene.materials.get_mut(index).ok_or_else(no_material)? = material.0;
+        Ok(())
+    }
+
+    /// Light from outside.
+    #[getter]
+    fn sky(&self) -> PySky {
+        match &self.content {
+            Held::Scene(scene) => PySky(scene.sky.clone()),
+            Held::Packed(packed) => PySky(packed.sky.clone()),
+        }
+    }
+
+    #[setter]
+    fn set_sky(&mut self, sky: PySky) {
+        self.changing().sky = sky.0;
+    }
+
+    /// Factor on every material's emission.
+    #[getter]
+    fn light_intensity(&self) -> f32 {
+        match &self.content {
+            Held::Scene(scene) => scene.light_intensity,
+            Held::Packed(packed) => packed.light_intensity,
+        }
+    }
+
+    #[setter]
+    fn set_light_intensity(&mut self, intensity: f32) -> PyResult<()> {
+        if !(intensity >= 0.0 && intensity.is_finite()) {
+            return Err(argument("light_intensity is ≥ 0"));
+        }
+        self.changing().light_intensity = intensity;
+        Ok(())
+    }
+
+    /// Named cameras; the first one is the default.
+    #[getter]
+    fn cameras(&self) -> Vec<PyCamera> {
+        let cameras = match &self.content {
+            Held::Scene(scene) => &scene.cameras,
+            Held::Packed(packed) => &packed.cameras,
+        };
+        cameras.iter().map(|camera| PyCamera(camera.clone())).collect()
+    }
+
+    #[setter]
+    fn set_cameras(&mut self, cameras: Vec<PyCamera>) {
+        self.changing().cameras = cameras.into_iter().map(|camera| camera.0).collect();
+    }
+
+    /// Name for people.
+    #[getter]
+    fn name(&self) -> String {
+        match &self.content {
+            Held::Scene(scene) => scene.name.clone(),
+            Held::Packed(packed) => packed.name.clone(),
+        }
+    }
+
+    /// Voxels stored, each grid once.
+    #[getter]
+    fn voxels(&mut self, py: Python<'_>) -> PyResult<u64> {
+        match &self.content {
+            Held::Scene(scene) => Ok(py.detach(|| scene.grids.iter().map(|grid| grid.count()).sum())),
+            Held::Packed(packed) => Ok(packed.statistics().voxels),
+        }
+    }
+
+    /// The lowest and the highest corner of everything visible, world units; `None` where there is nothing.
+    #[getter]
+    fn bounds(&mut self, py: Python<'_>) -> PyResult<Option<([f32; 3], [f32; 3])>> {
+        let packed = self.packed(py, false)?;
+        Ok(packed.bounds().map(|(low, high)| (low.to_array(), high.to_array())))
+    }
+
+    /// What the scene holds and what it costs: `voxels`, `voxels_placed`, `instances`, `materials`, `size`, `bytes` by kind, `bytes_per_voxel`, `unit`,
+    /// `voxel_size`, `content_hash`.
+    fn info<'py>(&mut self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let packed = self.packed(py, false)?;
+        let statistics = py.detach(|| packed.statistics());
+        let bytes = PyDict::new(py);
+        for (kind, count) in statistics.bytes {
+            bytes.set_item(kind, count)?;
+        }
+        let info = PyDict::new(py);
+        info.set_item("name", &packed.name)?;
+        info.set_item("voxels", statistics.voxels)?;
+        info.set_item("voxels_placed", statistics.voxels_placed)?;
+        info.set_item("models", statistics.models)?;
+        info.set_item("instances", statistics.instances)?;
+        info.set_item("materials", statistics.materials)?;
+        info.set_item("emissive_voxels", statistics.emissive_voxels)?;
+        let [x, y, z] = statistics.size;
+        info.set_item("size", (x, y, z))?;
+        info.set_item("bytes", bytes)?;
+        info.set_item("total_bytes", statistics.total_bytes())?;
+        info.set_item("bytes_per_voxel", statistics.bytes_per_voxel)?;
+        info.set_item("unit", unit_name(packed.unit))?;
+        info.set_item("voxel_size", packed.voxel_size)?;
+        info.set_item("content_hash", format!("{:016x}", packed.content_hash()))?;
+        Ok(info)
+    }
+
+    /// Writes the scene: `.vxt`, `.vox`, `.ply`, `.obj`, `.glb` and the other formats of `voxtrace convert`. Returns what the file does not hold, one
+    /// phrase each. The file is whole or what it was before.
+    ///
+    /// Raises `ValueError` for another name or a scene that the format has no place for, `OSError` where the file cannot be written.
+    fn save(&mut self, py: Python<'_>, path: PathBuf) -> PyResult<Vec<String>> {
+        if path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("vxt")) {
+            let packed = self.packed(py, false)?;
+            let saved = py.detach(|| packed.save(&path));
+            return saved.map(|()| Vec::new()).map_err(|error| match error.kind {
+                FileErrorKind::Io(cause) => of_writing(&path, &cause),
+                kind => argument(format!("{}: {kind}", path.display())),
+            });
+        }
+        let writer = writer_of(&path)
+            .ok_or_else(|| argument(format!("{}: no format that scenes are written in", path.display())))?;
+        let written = match &self.content {
+            Held::Scene(scene) => py.detach(|| writer.write(&path, scene)),
+            Held::Packed(packed) => py.detach(|| writer.write(&path, &packed.to_scene())),
+        };
+        written.map_err(|error| match error {
+            ExportError::Io { path, error } => of_writing(&path, &error),
+            error => argument(error),
+        })
+    }
+
+    fn __repr__(&mut self, py: Python<'_>) -> PyResult<String> {
+        let voxels = self.voxels(py)?;
+        Ok(format!("<Scene {:?}: {voxels} voxels>", self.name()))
+    }
+}
+
+fn no_instance(instance: usize, count: usize) -> PyErr {
+    PyIndexError::new_err(format!("there is no instance {instance}: the scene has {count}"))
+}

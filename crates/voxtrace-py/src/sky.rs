@@ -1,0 +1,85 @@
+//! `Sky`.
+
+use crate::arguments::Color;
+use crate::errors::{argument, of_reading};
+use pyo3::prelude::*;
+use std::path::PathBuf;
+use std::sync::Arc;
+use voxtrace::Sky;
+use voxtrace::import::Limits;
+use voxtrace::sky::{Background, Environment, Sun};
+
+/// Light that comes from outside the scene.
+///
+/// >>> import voxtrace
+/// >>> sky = voxtrace.Sky.uniform((0.5, 0.5, 0.5)).with_sun(bearing=120, height=40)
+/// >>> sky.brightness
+/// 1.0
+#[pyclass(name = "Sky", module = "voxtrace", frozen, eq, from_py_object)]
+#[derive(Clone, PartialEq)]
+pub struct PySky(pub Sky);
+
+#[pymethods]
+impl PySky {
+    /// From one colour straight down to another straight up.
+    #[staticmethod]
+    fn gradient(nadir: Color, zenith: Color) -> Self {
+        Self(Sky::gradient(nadir.0, zenith.0))
+    }
+
+    /// The same radiance from everywhere.
+    #[staticmethod]
+    fn uniform(color: Color) -> Self {
+        Self(Sky::uniform(color.0))
+    }
+
+    /// No light.
+    #[staticmethod]
+    fn black() -> Self {
+        Self(Sky::black())
+    }
+
+    /// A panorama, `.hdr` or `.exr`, turned counterclockwise by `rotation` degrees, seen from above.
+    ///
+    /// Raises `ReadError` where the file holds none.
+    #[staticmethod]
+    #[pyo3(signature = (path, *, rotation=0.0))]
+    fn environment(py: Python<'_>, path: PathBuf, rotation: f32) -> PyResult<Self> {
+        let map = py.detach(|| voxtrace::import::read_environment(&path, &Limits::default()));
+        let map = map.map_err(|error| of_reading(py, &error))?;
+        Ok(Self(Sky::new(Background::Environment(Environment::new(Arc::new(map), rotation)))))
+    }
+
+    /// The same sky with a warm white sun at a `bearing` (degrees clockwise from +y) and `height` above the horizon, of irradiance `strength`; 0
+    /// takes the sun away.
+    #[pyo3(signature = (*, bearing=150.0, height=45.0, strength=3.0))]
+    fn with_sun(&self, bearing: f32, height: f32, strength: f32) -> PyResult<Self> {
+        if !(bearing.is_finite() && height.is_finite() && strength >= 0.0 && strength.is_finite()) {
+            return Err(argument("bearing and height are finite, strength is ≥ 0"));
+        }
+        Ok(Self(self.0.clone().with_sun(Sun::at(bearing, height, strength))))
+    }
+
+    /// The same sky, brighter or darker, its sun too.
+    fn with_brightness(&self, brightness: f32) -> PyResult<Self> {
+        if !(brightness >= 0.0 && brightness.is_finite()) {
+            return Err(argument("brightness is ≥ 0"));
+        }
+        Ok(Self(self.0.clone().with_brightness(brightness)))
+    }
+
+    /// Factor on all its light.
+    #[getter]
+    fn brightness(&self) -> f32 {
+        self.0.brightness()
+    }
+
+    fn __repr__(&self) -> String {
+        let kind = match self.0.background() {
+            Background::Gradient(_) => "gradient",
+            Background::Environment(_) => "environment",
+        };
+        let sun = if self.0.sun().is_some() { ", sun" } else { "" };
+        format!("<Sky: {kind}{sun}, brightness {}>", self.0.brightness())
+    }
+}

@@ -1,0 +1,90 @@
+//! `TransferFunction`.
+
+use crate::arguments::Color;
+use crate::errors::argument;
+use pyo3::prelude::*;
+use pyo3::types::PyString;
+use std::collections::BTreeMap;
+use voxtrace::volume::{LabelColor, Preset, Ramp, Transfer};
+
+/// Which values of a volume are shown, and in which colour.
+///
+/// >>> import voxtrace
+/// >>> voxtrace.TransferFunction([(250, "#c9a67c"), (1200, "#f3ead2")], threshold=200)
+/// <TransferFunction stops: what is 200 or more>
+#[pyclass(name = "TransferFunction", module = "voxtrace", frozen, from_py_object)]
+#[derive(Clone)]
+pub struct PyTransfer(pub Transfer);
+
+#[pymethods]
+impl PyTransfer {
+    /// Colours between `stops`, pairs of a value and a colour. Values from `threshold`, by default the first stop's, to `upper` are shown.
+    /// `relative`: stops lie from 0, the volume's own threshold, to 1, its 99.9th percentile. `opacity` in [0, 1] is that of surfaces.
+    ///
+    /// Raises `ValueError` where there is no stop or values do not ascend.
+    #[new]
+    #[pyo3(signature = (stops, *, threshold=None, upper=None, opacity=1.0, relative=false))]
+    fn new(
+        stops: Vec<(f32, Color)>,
+        threshold: Option<f32>,
+        upper: Option<f32>,
+        opacity: f32,
+        relative: bool,
+    ) -> PyResult<Self> {
+        let mut stops: Vec<_> = stops.into_iter().map(|(value, color)| (value, color.0)).collect();
+        if stops.is_empty() || stops.iter().any(|(value, _)| !value.is_finite()) {
+            return Err(argument("at least one stop with a finite value is wanted"));
+        }
+        stops.sort_by(|a, b| a.0.total_cmp(&b.0));
+        check_opacity(opacity)?;
+        let ramp = match relative {
+            true if threshold.is_some() || upper.is_some() => {
+                return Err(argument("relative stops have no threshold of their own: voxelize(threshold=…) sets it"));
+            }
+            true => Ramp::Relative { stops },
+            false => Ramp::Absolute { low: threshold.unwrap_or(stops[0].0), high: upper.unwrap_or(f32::MAX), stops },
+        };
+        Ok(Self(Transfer { opacity, ..Transfer::new("stops", ramp) }))
+    }
+
+    /// One for a kind of data: `"ct-bone"` and `"ct-skin"` (Hounsfield units), `"mri"`, `"labels"`, `"surface"` (level sets), `"fog"`, `"hot"`.
+    ///
+    /// Raises `ValueError` for another name.
+    #[staticmethod]
+    fn preset(name: &str) -> PyResult<Self> {
+        let names = || Preset::ALL.map(Preset::name).join(", ");
+        let preset = Preset::ALL.into_iter().find(|preset| preset.name() == name);
+        preset.map(|preset| Self(preset.transfer())).ok_or_else(|| argument(format!("{name:?} is none of {}", names())))
+    }
+
+    /// Colours of labels, which are never interpolated; labels that are not named are not shown.
+    #[staticmethod]
+    #[pyo3(signature = (colors, *, opacity=1.0))]
+    fn labels(colors: BTreeMap<i32, Color>, opacity: f32) -> PyResult<Self> {
+        check_opacity(opacity)?;
+        let colors = colors.into_iter().map(|(label, color)| (label, LabelColor::from(color.0))).collect();
+        Ok(Self(Transfer { opacity, ..Transfer::new("labels", Ramp::Labels(colors)) }))
+    }
+
+    fn __repr__(&self) -> String {
+        format!("<TransferFunction {}: {}>", self.0.name, self.0.shown())
+    }
+}
+
+fn check_opacity(opacity: f32) -> PyResult<()> {
+    if (0.0..=1.0).contains(&opacity) { Ok(()) } else { Err(argument(format!("opacity is in [0, 1], not {opacity}"))) }
+}
+
+/// A transfer function, or the name of a preset.
+pub struct AnyTransfer(pub Transfer);
+
+impl<'py> FromPyObject<'_, 'py> for AnyTransfer {
+    type Error = PyErr;
+
+    fn extract(object: Borrowed<'_, 'py, PyAny>) -> PyResult<Self> {
+        if let Ok(name) = object.cast::<PyString>() {
+            return PyTransfer::preset(name.to_str()?).map(|transfer| Self(transfer.0));
+        }
+        Ok(Self(object.extract::<PyTransfer>()?.0))
+    }
+}

@@ -1,0 +1,188 @@
+//! `Volume`: samples on a lattice.
+
+use crate::arguments::Three;
+use crate::errors::{argument, other};
+use crate::scene::PyScene;
+use crate::transfer::AnyTransfer;
+use numpy::ndarray::{ArrayView3, Axis};
+use numpy::{AllowTypeChange, IntoPyArray, PyArrayLike3, PyArrayMethods};
+use pyo3::prelude::*;
+use rayon::prelude::*;
+use voxtrace::Volume;
+use voxtrace::glam::{DAffine3, DMat3, DVec3};
+use voxtrace::scene::Unit;
+use voxtrace::volume::{self, VolumeOptions};
+use voxtrace::voxelize::Scale;
+
+/// Scalar samples on a regular lattice, as scanners and simulations make them.
+///
+/// >>> import numpy, voxtrace
+/// >>> x, y, z = numpy.mgrid[-1:1:32j, -1:1:32j, -1:1:32j]
+/// >>> ball = voxtrace.Volume.from_array(1 - numpy.sqrt(x * x + y * y + z * z), spacing=0.1)
+/// >>> ball.voxelize(threshold=0.2).voxels > 1000
+/// True
+#[pyclass(name = "Volume", module = "voxtrace", frozen)]
+pub struct PyVolume(pub Volume);
+
+#[pymethods]
+impl PyVolume {
+    /// A volume of an array of shape `(X, Y, Z)`, of any type of real numbers; it is kept as float32.
+    ///
+    /// `spacing`: distance between samples, one number or three. `affine`: 4 × 4 or 3 × 4, from indices to the world, z up; patients as in DICOM (left,
+    /// back, head). `unit`: `"mm"`, `"m"` or `None`. `labels`: values are labels, which are not interpolated.
+    ///
+    /// Raises `ValueError` for another shape, an affine that flattens, and both of `spacing` and `affine`.
+    #[staticmethod]
+    #[pyo3(signature = (array, *, spacing=None, affine=None, unit=None, labels=false, name="array"))]
+    fn _from_numpy(
+        py: Python<'_>,
+        array: PyArrayLike3<'_, f32, AllowTypeChange>,
+        spacing: Option<&Bound<'_, PyAny>>,
+        affine: Option<Vec<[f64; 4]>>,
+        unit: Option<&str>,
+        labels: bool,
+        name: &str,
+    ) -> PyResult<Self> {
+        let spacing = spacing
+            .map(|spacing| {
+                spacing.extract::<f64>().map(DVec3::splat).or_else(|_| spacing.extract::<Three>().map(|three| three.0))
+            })
+            .transpose()?;
+        let view = array.as_array();
+        let (x, y, z) = view.dim();
+        let values = py.detach(|| first_axis_fastest(&view));
+        let mut volume = Volume::new([x, y, z], values);
+        volume.world_from_index = match (spacing, affine) {
+            (Some(_), Some(_)) => return Err(argument("spacing or affine, not both")),
+            (Some(spacing), None) => DAffine3::from_scale(spacing),
+            (None, Some(rows)) => affine_of(&rows)?,
+            (None, None) => DAffine3::IDENTITY,
+        };
+        volume.unit = match unit {
+            None => Unit::Voxel,
+            Some("mm") => Unit::Millimetre,
+            Some("m") => Unit::Metre,
+            Some(unit) => return Err(argument(format!("unit is \"mm\", \"m\" or None, not {unit:?}"))),
+        };
+        (volume.is_labels, volume.name) = (labels, name.into());
+        volume.validate().map_err(argument)?;
+        Ok(Self(volume))
+    }
+
+    /// The samples, shape `(X, Y, Z)`, float32; a copy.
+    fn to_numpy<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let [x, y, z] = self.0.size;
+        let values = self.0.values.clone().into_pyarray(py);
+        // The first axis varies fastest here.
+        let array = values.reshape([z, y, x]).map_err(argument)?;
+        array.call_method1("transpose", ((2, 1, 0),))
+    }
+
+    /// Samples along each axis.
+    #[getter]
+    fn shape(&self) -> (usize, usize, usize) {
+        self.0.size.into()
+    }
+
+    /// Distance between samples along each axis.
+    #[getter]
+    fn spacing(&self) -> [f64; 3] {
+        self.0.spacing().to_array()
+    }
+
+    /// From indices to the world, 4 × 4.
+    #[getter]
+    fn affine(&self) -> [[f64; 4]; 4] {
+        let DAffine3 { matrix3, translation } = self.0.world_from_index;
+        let row = |at: usize| [matrix3.x_axis[at], matrix3.y_axis[at], matrix3.z_axis[at], translation[at]];
+        [row(0), row(1), row(2), [0.0, 0.0, 0.0, 1.0]]
+    }
+
+    /// `"mm"`, `"m"` or `None`.
+    #[getter]
+    fn unit(&self) -> Option<&'static str> {
+        unit_name(self.0.unit)
+    }
+
+    /// Name for people.
+    #[getter]
+    fn name(&self) -> &str {
+        &self.0.name
+    }
+
+    /// Makes voxels of what `transfer`, a `TransferFunction` or the name of a preset, shows; without it one is chosen by the values.
+    ///
+    /// `threshold` overrides its threshold. `resolution` is the number of voxels along the longest side, `voxel_size` their edge in units; by default
+    /// there is one for each sample. `shell`: only those that a ray from outside can reach are kept.
+    ///
+    /// Raises `VoxtraceError` where nothing would be seen.
+    #[pyo3(signature = (transfer=None, *, threshold=None, resolution=None, voxel_size=None, shell=true))]
+    fn voxelize(
+        &self,
+        py: Python<'_>,
+        transfer: Option<AnyTransfer>,
+        threshold: Option<f32>,
+        resolution: Option<u32>,
+        voxel_size: Option<f64>,
+        shell: bool,
+    ) -> PyResult<PyScene> {
+        let options = VolumeOptions {
+            scale: scale_of(resolution, voxel_size)?,
+            transfer: transfer.map(|transfer| transfer.0),
+            threshold,
+            shell,
+            overlays: Vec::new(),
+        };
+        let limits = voxtrace::import::Limits::default();
+        let scene = py.detach(|| volume::voxelize(&self.0, &options, &limits)).map_err(|error| other(py, error))?;
+        Ok(PyScene::of(scene))
+    }
+
+    fn __repr__(&self) -> String {
+        let ([x, y, z], spacing) = (self.0.size, self.0.spacing());
+        let unit = self.unit().map_or(String::new(), |unit| format!(" {unit}"));
+        format!(
+            "<Volume {:?}: {x} × {y} × {z} samples, {:.4} × {:.4} × {:.4}{unit} apart>",
+            self.0.name, spacing.x, spacing.y, spacing.z
+        )
+    }
+}
+
+/// The size of voxels that arguments ask for.
+pub fn scale_of(resolution: Option<u32>, voxel_size: Option<f64>) -> PyResult<Option<Scale>> {
+    match (resolution, voxel_size) {
+        (Some(_), Some(_)) => Err(argument("resolution or voxel_size, not both")),
+        (Some(0), None) => Err(argument("resolution is at least 1")),
+        (Some(resolution), None) => Ok(Some(Scale::Resolution(resolution))),
+        (None, Some(size)) => Ok(Some(Scale::VoxelSize(size))),
+        (None, None) => Ok(None),
+    }
+}
+
+/// Name of a unit.
+pub fn unit_name(unit: Unit) -> Option<&'static str> {
+    match unit {
+        Unit::Voxel => None,
+        Unit::Metre => Some("m"),
+        Unit::Millimetre => Some("mm"),
+    }
+}
+
+/// The samples with the first axis fastest.
+fn first_axis_fastest(view: &ArrayView3<f32>) -> Vec<f32> {
+    let turned = view.view().permuted_axes([2, 1, 0]);
+    let (z, y, x) = turned.dim();
+    let mut values = vec![0.0; x * y * z];
+    values.par_chunks_mut((x * y).max(1)).enumerate().for_each(|(z, slab)| {
+        slab.iter_mut().zip(turned.index_axis(Axis(0), z).iter()).for_each(|(value, &sample)| *value = sample);
+    });
+    values
+}
+
+fn affine_of(rows: &[[f64; 4]]) -> PyResult<DAffine3> {
+    if !(3..=4).contains(&rows.len()) || rows.get(3).is_some_and(|row| *row != [0.0, 0.0, 0.0, 1.0]) {
+        return Err(argument("an affine has 4 × 4 numbers, the last row 0, 0, 0, 1, or 3 × 4"));
+    }
+    let column = |at: usize| DVec3::new(rows[0][at], rows[1][at], rows[2][at]);
+    Ok(DAffine3 { matrix3: DMat3::from_cols(column(0), column(1), column(2)), translation: column(3) })
+}

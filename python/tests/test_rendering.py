@@ -1,0 +1,157 @@
+"""Pictures: the same bytes as the command line's, and how one waits for them."""
+
+import os
+import signal
+import threading
+import time
+
+import numpy
+import pytest
+
+import voxtrace
+
+
+def test_films_are_those_of_the_command_line_byte_for_byte(tmp_path, run, church):
+    run("convert", "church", "--voxels", 20_000, tmp_path / "church.vxt")
+    options = ["--traversal", "cpu", "--size", "48x27", "--spp", 3, "--seed", 5]
+    run("render", tmp_path / "church.vxt", "-o", tmp_path / "a.vxf", *options)
+    scene = voxtrace.open(tmp_path / "church.vxt")
+    image = voxtrace.render(scene, samples=3, size=(48, 27), seed=5, device="cpu", denoise=False)
+    image.save(tmp_path / "b.vxf")
+    assert (tmp_path / "a.vxf").read_bytes() == (tmp_path / "b.vxf").read_bytes()
+    image = voxtrace.render(scene, samples=3, size=(48, 27), seed=6, device="cpu", denoise=False)
+    image.save(tmp_path / "c.vxf")
+    assert (tmp_path / "a.vxf").read_bytes() != (tmp_path / "c.vxf").read_bytes(), "another seed is another film"
+
+
+def test_devices_give_the_same_sums(church):
+    options = {"samples": 2, "size": (48, 27), "denoise": False}
+    try:
+        device = voxtrace.Renderer(church, device="0")
+    except voxtrace.DeviceError:
+        if os.environ.get("VOXTRACE_REQUIRE_VULKAN"):
+            raise
+        pytest.skip("no Vulkan device")
+    of_device = device.render(**options)
+    of_processor = voxtrace.Renderer(church, device="cpu").render(**options)
+    assert (of_device.sums == of_processor.sums).all()
+    assert "tracing on" in of_device.device
+
+
+def test_films_of_parts_add_up(church):
+    renderer = voxtrace.Renderer(church, device="cpu")
+    size = (40, 30)
+    whole = renderer.render(samples=5, size=size, denoise=False).sums
+    first = renderer.render(samples=2, size=size, denoise=False).sums
+    second = renderer.render(samples=3, first_sample=2, size=size, denoise=False).sums
+    assert (first + second == whole).all() and (first != second).any()
+    part = renderer.render(samples=5, size=size, region=(10, 5, 30, 25), denoise=False).sums
+    assert (part == whole[5:25, 10:30]).all()
+
+
+def test_a_picture_is_arrays_and_files(tmp_path, church):
+    image = voxtrace.render(church, samples=4, size=(64, 36), aovs=True, device="cpu")
+    assert image.shape == (36, 64) and image.radiance.shape == image.noisy.shape == (36, 64, 3)
+    assert image.alpha.min() >= 0 and image.alpha.max() == 1
+    assert (image.radiance != image.noisy).any(), "noise was removed"
+    assert image.noisy == pytest.approx(image.sums / 2**32 / 4, rel=1e-5)
+    shown = image.to_srgb()
+    assert shown.dtype == "uint8" and (numpy.asarray(image) == shown).all()
+    brighter = image.to_srgb(exposure=1)
+    assert brighter.mean() > shown.mean()
+    for name in ["a.png", "a.exr", "a.vxf"]:
+        image.save(tmp_path / name)
+    from PIL import Image
+
+    assert numpy.abs(numpy.asarray(Image.open(tmp_path / "a.png")).astype(int)[..., :3] - shown).max() == 0
+    png = image._repr_png_()
+    assert png[:8] == b"\x89PNG\r\n\x1a\n"
+    normals, depth = image.aov("normal"), image.aov("depth")
+    met = depth[..., 0] > 0
+    assert numpy.linalg.norm(normals[met], axis=1) == pytest.approx(1)
+    assert ((image.aov("instance")[..., 0] != 2**32 - 1) == met).all()
+    with pytest.raises(ValueError, match="png"):
+        image.save(tmp_path / "a.jpeg")
+    with pytest.raises(OSError):
+        image.save(tmp_path / "nowhere" / "a.png")
+    assert repr(image) == "<Image: 64 × 36, 4 samples>"
+
+
+def test_a_sun_and_a_camera_change_the_picture():
+    scene = voxtrace.Scene(voxtrace.VoxelGrid.from_numpy(numpy.ones((8, 8, 2), bool)))
+    camera = voxtrace.Camera((4, 4, 40), (4, 4, 0), up=(0, 1, 0), fov=20)
+    options = {"samples": 16, "size": (16, 16), "device": "cpu", "denoise": False}
+    scene.sky = voxtrace.Sky.black()
+    assert voxtrace.render(scene, camera, **options).radiance.max() == 0
+    scene.sky = voxtrace.Sky.uniform((0.5, 0.5, 0.5))
+    # A matte surface of reflectance 0.8 under an even sky.
+    middle = voxtrace.render(scene, camera, **options).radiance[8, 8]
+    assert middle == pytest.approx(0.4, rel=0.02)
+    scene.sky = scene.sky.with_sun(bearing=0, height=90, strength=2)
+    assert voxtrace.render(scene, camera, **options).radiance[8, 8, 0] > 0.8
+    assert voxtrace.render(scene, voxtrace.Camera((4, 4, 40), (4, 4, 80)), **options).alpha.max() == 0
+
+
+def test_who_waits_is_told(church):
+    shares = []
+    voxtrace.render(church, samples=24, size=(320, 180), device="cpu", denoise=False, progress=shares.append)
+    assert shares[-1] == 1 and shares == sorted(shares) and len(shares) > 1
+
+    def refuses(share: float) -> None:
+        raise KeyError("enough")
+
+    with pytest.raises(KeyError, match="enough"):
+        voxtrace.render(church, samples=10**6, size=(320, 180), device="cpu", progress=refuses)
+
+
+def test_ctrl_c_ends_a_long_render(church):
+    def interrupt() -> None:
+        time.sleep(0.5)
+        os.kill(os.getpid(), signal.SIGINT)
+
+    # Whoever starts tests in the background may have turned it off.
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    threading.Thread(target=interrupt).start()
+    start = time.monotonic()
+    with pytest.raises(KeyboardInterrupt):
+        voxtrace.render(church, samples=10**7, size=(640, 360), device="cpu", progress=False)
+    assert time.monotonic() - start < 30
+    signal.signal(signal.SIGINT, before)
+
+
+def test_other_threads_run_meanwhile(church):
+    count = 0
+    ended = threading.Event()
+
+    def counts() -> None:
+        nonlocal count
+        while not ended.is_set():
+            count += 1
+            time.sleep(0.001)
+
+    thread = threading.Thread(target=counts)
+    thread.start()
+    voxtrace.render(church, samples=48, size=(320, 180), device="cpu", progress=False)
+    ended.set()
+    thread.join()
+    assert count > 20
+
+
+@pytest.mark.parametrize(
+    ("options", "says"),
+    [
+        ({"size": (0, 5)}, "frame cannot be rendered|region"),
+        ({"samples": 0}, "sample"),
+        ({"camera": "nobody"}, "there are: nave"),
+        ({"region": (5, 5, 5, 9)}, "region is"),
+        ({"integrator": "rays"}, "neither"),
+    ],
+)
+def test_what_cannot_be_rendered_is_said(church, options, says):
+    with pytest.raises(ValueError, match=says):
+        voxtrace.render(church, device="cpu", **{"size": (16, 9), "samples": 1, **options})
+
+
+def test_devices_that_are_not_there_are_said(church):
+    with pytest.raises(voxtrace.DeviceError, match="no such card"):
+        voxtrace.Renderer(church, device="no such card")

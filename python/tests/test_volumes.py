@@ -1,0 +1,91 @@
+"""Volumes of arrays of several libraries: the same samples in the same places."""
+
+import numpy
+import pytest
+
+import voxtrace
+
+
+def test_samples_stay_where_they_are(random):
+    values = random.random((5, 6, 7), dtype="float32")
+    for array in [values, numpy.asfortranarray(values), values.astype("float64"), values[::-1][::-1]]:
+        volume = voxtrace.Volume.from_array(array, spacing=(1, 2, 3), unit="mm")
+        assert (volume.to_numpy() == values).all() and volume.shape == (5, 6, 7)
+        assert volume.spacing == [1, 2, 3] and volume.unit == "mm"
+    assert (voxtrace.Volume.from_array(values[::-1]).to_numpy() != values).any(), "a fault is seen"
+
+
+def test_affines_say_the_spacing_and_are_checked(random):
+    values = random.random((5, 6, 7))
+    affine = [[0, 2, 0, 9], [1, 0, 0, 8], [0, 0, 4, 7], [0, 0, 0, 1]]
+    volume = voxtrace.Volume.from_array(values, affine=affine)
+    assert volume.spacing == [1, 2, 4] and volume.affine == affine
+    for wrong in [numpy.zeros((4, 4)), numpy.eye(2), [[1, 0, 0, 0], [1, 0, 0, 0], [0, 0, 1, 0]]]:
+        with pytest.raises((ValueError, TypeError)):
+            voxtrace.Volume.from_array(values, affine=wrong)
+    with pytest.raises(ValueError, match="not both"):
+        voxtrace.Volume.from_array(values, affine=affine, spacing=1)
+    with pytest.raises((ValueError, TypeError)):
+        voxtrace.Volume.from_array(numpy.zeros((3, 4)))
+
+
+def test_other_libraries_know_where_their_samples_are(random, tmp_path):
+    values = random.random((5, 6, 7), dtype="float32")
+
+    xarray = pytest.importorskip("xarray")
+    coordinates = {"x": 10 + 0.5 * numpy.arange(5), "y": -2.0 * numpy.arange(6), "z": 3.0 * numpy.arange(7)}
+    data = xarray.DataArray(values, coordinates, name="temperature")
+    volume = voxtrace.Volume.from_array(data)
+    assert volume.spacing == [0.5, 2, 3] and volume.name == "temperature"
+    assert volume.affine[0] == [0.5, 0, 0, 10] and volume.affine[1] == [0, -2, 0, 0]
+    assert (volume.to_numpy() == values).all()
+    with pytest.raises(ValueError, match="not even"):
+        voxtrace.Volume.from_array(data.assign_coords(x=[0, 1, 2, 4, 8]))
+
+    nibabel = pytest.importorskip("nibabel")
+    affine = numpy.diag([2.0, 3.0, 4.0, 1.0])
+    affine[:3, 3] = 5, 6, 7
+    image = nibabel.Nifti1Image(values, affine)
+    nibabel.save(image, tmp_path / "a.nii.gz")
+    volume = voxtrace.Volume.from_array(nibabel.load(tmp_path / "a.nii.gz"))
+    of_file = voxtrace.open_volume(tmp_path / "a.nii.gz")
+    assert volume.affine == of_file.affine and volume.unit == of_file.unit == "mm"
+    assert (volume.to_numpy() == of_file.to_numpy()).all()
+
+    simple = pytest.importorskip("SimpleITK")
+    image = simple.GetImageFromArray(values.T)
+    image.SetSpacing((2, 3, 4))
+    image.SetOrigin((-5, -6, 7))
+    image.SetDirection((-1, 0, 0, 0, -1, 0, 0, 0, 1))
+    simple.WriteImage(image, str(tmp_path / "b.nii.gz"))
+    volume = voxtrace.Volume.from_array(image)
+    of_file = voxtrace.open_volume(tmp_path / "b.nii.gz")
+    assert numpy.allclose(volume.affine, of_file.affine) and (volume.to_numpy() == of_file.to_numpy()).all()
+
+    dask = pytest.importorskip("dask.array")
+    assert (voxtrace.Volume.from_array(dask.from_array(values, chunks=3)).to_numpy() == values).all()
+
+    zarr = pytest.importorskip("zarr")
+    stored = zarr.create_array(zarr.storage.MemoryStore(), data=values)
+    assert (voxtrace.Volume.from_array(stored).to_numpy() == values).all()
+
+
+def test_a_ball_is_voxelized_where_its_values_are():
+    x, y, z = numpy.mgrid[-1:1:41j, -1:1:41j, -1:1:41j]
+    volume = voxtrace.Volume.from_array(1 - numpy.sqrt(x * x + y * y + z * z))
+    scene = volume.voxelize([(0.5, "#ff0000")] and voxtrace.TransferFunction([(0.5, "#ff0000")]), shell=False)
+    expected = numpy.count_nonzero(volume.to_numpy() >= numpy.float32(0.5))
+    assert scene.voxels == expected
+    assert volume.voxelize("mri", threshold=0.7, shell=False).voxels < expected
+    assert volume.voxelize(voxtrace.TransferFunction([(0.5, "#ff0000")])).voxels < expected, "a shell"
+    with pytest.raises(voxtrace.VoxtraceError, match="no sample is to be seen"):
+        volume.voxelize(voxtrace.TransferFunction([(2, "#ffffff")]))
+    with pytest.raises(ValueError, match="ct-bone"):
+        volume.voxelize("bone")
+
+
+def test_labels_are_not_interpolated(random):
+    labels = random.integers(0, 3, (10, 10, 10))
+    volume = voxtrace.Volume.from_array(labels, labels=True)
+    scene = volume.voxelize(voxtrace.TransferFunction.labels({2: "#00ff00"}), shell=False)
+    assert scene.voxels == numpy.count_nonzero(labels == 2)

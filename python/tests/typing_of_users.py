@@ -1,0 +1,19 @@
+"""What people write, for type checkers; it is never run."""
+
+import numpy
+
+import voxtrace
+
+scene: voxtrace.Scene = voxtrace.open("model.vox", resolution=256)
+image: voxtrace.Image = voxtrace.render(scene, samples=16, size=(640, 360))
+radiance: "numpy.ndarray[tuple[int, ...], numpy.dtype[numpy.float32]]" = image.radiance
+grid = voxtrace.VoxelGrid.from_numpy(numpy.zeros((3, 3, 3), numpy.uint8), palette=["#ffffff"], origin=(1, 2, 3))
+scene.sky = voxtrace.Sky.uniform("#ffffff").with_sun(height=30)
+scene.add(grid, numpy.eye(4), name="box")
+hits = voxtrace.Renderer(scene, placeable=True).cast([[0, 0, 0]], [[0, 0, 1]], t_max=5)
+first: float = float(hits["t"][0])
+volume = voxtrace.Volume.from_array(numpy.zeros((3, 3, 3)), spacing=0.5)
+scene = volume.voxelize("ct-bone", threshold=300)
+editor = voxtrace.Editor(scene)
+change: int = editor.sphere((1, 2, 3), 4, None)
+camera = voxtrace.Camera((1, 2, 3), (0, 0, 0), lens="thin-lens", aperture=0.5, focus=3.0)
