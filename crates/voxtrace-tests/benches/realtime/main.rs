@@ -11,13 +11,13 @@ mod timing;
 
 use clap::Parser;
 use common::{DeviceArgs, Outcome};
+use maker::Maker;
 use quality::{Quality, Totals};
 use situations::Situation;
 use std::path::PathBuf;
 use std::sync::Arc;
 use voxtrace::import::{Content, ImportOptions, load};
 use voxtrace::{CpuTracer, Film, Frame, PackedScene, Progress, Tracer};
-use maker::Maker;
 use voxtrace_realtime::Parts;
 use voxtrace_tests::still_lifes;
 use voxtrace_vulkan::{Request, Traversal, choose};
