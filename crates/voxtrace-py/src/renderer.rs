@@ -12,7 +12,7 @@ use numpy::{AllowTypeChange, IntoPyArray, PyArrayLike2, PyArrayLike3, PyArrayLik
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use rayon::prelude::*;
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 use voxtrace::glam::Vec3;
 use voxtrace::packed::{PackedInstance, Placement};
 use voxtrace::{Camera, CpuTracer, Frame, Hit, Integrator, PackedScene, Picture, Progress, Ray, TraceError, Tracer};
@@ -26,7 +26,8 @@ use voxtrace_vulkan::{Request, Traversal, choose};
 /// (36, 64)
 #[pyclass(name = "Renderer", module = "voxtrace")]
 pub struct PyRenderer {
-    tracer: Box<dyn Tracer + Send>,
+    /// Never locked: what uses it has the renderer for itself.
+    tracer: Mutex<Box<dyn Tracer + Send>>,
     scene: Arc<PackedScene>,
     is_placeable: bool,
     /// What the tracer rendered last.
@@ -35,11 +36,6 @@ pub struct PyRenderer {
     #[pyo3(get)]
     device: String,
 }
-
-// The tracer is only ever used through `&mut self`.
-#[expect(unsafe_code, reason = "pyo3 wants classes that can be shared between threads")]
-// SAFETY: no method reads the tracer through a shared reference.
-unsafe impl Sync for PyRenderer {}
 
 #[pymethods]
 impl PyRenderer {
@@ -69,7 +65,7 @@ impl PyRenderer {
         let request = request_of(device, traversal, fast, memory)?;
         let opened = run(py, || (), |_| Ok(()), || open_tracer(&request, &packed))?;
         let (tracer, device) = opened.map_err(|error| of_tracing(py, &error))?;
-        Ok(Self { tracer, scene: packed, is_placeable: placeable, last: None, device })
+        Ok(Self { tracer: Mutex::new(tracer), scene: packed, is_placeable: placeable, last: None, device })
     }
 
     /// Renders a picture.
@@ -126,22 +122,22 @@ impl PyRenderer {
         if self.last.take().is_some_and(|last| frame.continues(&last) && samples < last.samples) {
             // The tracer's film has more samples than are asked for: another frame makes it forget that one.
             let other = frame.clone().size(1, 1).samples(1);
-            self.tracer.render(&other, &Progress::default()).map_err(|error| of_tracing(py, &error))?;
+            exclusive(&mut self.tracer).render(&other, &Progress::default()).map_err(|error| of_tracing(py, &error))?;
         }
         self.last = Some(frame.clone());
         let all = frame.region.pixels() as u64 * u64::from(samples);
-        let (done, scene, tracer) = (Progress::default(), &self.scene, &mut self.tracer);
+        let (done, scene, tracer) = (Progress::default(), &self.scene, exclusive(&mut self.tracer));
         let tell = |py: Python<'_>| match &progress {
             Some(progress) => progress.call1(py, (done.samples_done() as f64 / all.max(1) as f64,)).map(drop),
             None => Ok(()),
         };
-        let work = || Picture::trace(&mut **tracer, scene, frame, denoise, &done);
+        let work = || Picture::trace(tracer, scene, frame, denoise, &done);
         let picture = run(py, || done.cancel(), tell, work)?.map_err(|error| of_tracing(py, &error))?;
         if let Some(progress) = &progress {
             progress.call1(py, (1.0,))?;
         }
         let picture = picture.ok_or_else(|| other(py, "stopped"))?;
-        let remarks = self.tracer.take_notes().into_iter().map(|note| format!("; {note}"));
+        let remarks = exclusive(&mut self.tracer).take_notes().into_iter().map(|note| format!("; {note}"));
         Ok(PyImage::new(picture, self.device.clone() + &remarks.collect::<String>()))
     }
 
@@ -181,7 +177,7 @@ impl PyRenderer {
             return Err(argument("rays are finite"));
         }
         let mut hits = vec![Hit::MISS; count];
-        let (tracer, scene) = (&mut self.tracer, &self.scene);
+        let (tracer, scene) = (exclusive(&mut self.tracer), &self.scene);
         let found = run(py, || (), |_| Ok(()), || tracer.cast_into(&rays, &mut hits))?;
         found.map_err(|error| of_tracing(py, &error))?;
         arrays_of(py, scene, &rays, &hits)
@@ -206,7 +202,7 @@ impl PyRenderer {
         let placed = instances.iter().enumerate().map(placed).collect::<PyResult<Vec<_>>>()?;
         let placement: Placement = self.scene.placement().moved(self.scene.geometry(), placed).map_err(argument)?;
         let moved = Arc::new(self.scene.with_placement(&placement).map_err(argument)?);
-        let tracer = &mut self.tracer;
+        let tracer = exclusive(&mut self.tracer);
         py.detach(|| tracer.set_placement(&placement)).map_err(|error| of_tracing(py, &error))?;
         self.scene = moved;
         Ok(())
@@ -221,7 +217,7 @@ impl PyRenderer {
         followed.map_err(|_| {
             argument("the renderer was not made of this editor, or another one follows it: make it anew")
         })?;
-        let tracer = &mut self.tracer;
+        let tracer = exclusive(&mut self.tracer);
         py.detach(|| tracer.patch(&patch)).map_err(|error| of_tracing(py, &error))
     }
 
@@ -235,6 +231,14 @@ impl PyRenderer {
     fn __repr__(&self) -> String {
         format!("<Renderer of {:?}: {}>", self.scene.name, self.device)
     }
+}
+
+/// What nobody else can hold.
+fn exclusive<T>(mutex: &mut Mutex<Box<T>>) -> &mut T
+where
+    T: ?Sized,
+{
+    mutex.get_mut().unwrap_or_else(PoisonError::into_inner)
 }
 
 impl PyRenderer {
