@@ -344,7 +344,7 @@ fn center_of_0( index_9 : u32) -> Center_0
     center_0.is_covered_0 = ((_S8 & (u32(1073741824)))) != u32(0);
     center_0.normal_scale_0 = 1.0f / (0.40000000596046448f + max(1.0f - length_squared_0(_S9), 0.0f));
     center_0.place_scale_0 = 1.0f / (6.0f + high_half_0(shaded_0.y));
-    center_0.least_0 = 0.02999999932944775f / max(low_half_0(shaded_0.x), 1.0f);
+    center_0.least_0 = 0.10000000149011612f / max(low_half_0(shaded_0.x), 1.0f);
     return center_0;
 }
 

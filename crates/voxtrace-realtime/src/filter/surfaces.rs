@@ -11,7 +11,7 @@ const NORMAL_TOLERANCE: [f32; 2] = [0.4, 1.0];
 /// each unit of the variance of places adds to it.
 const PLACE_TOLERANCE: [f32; 2] = [6.0, 1.0];
 /// How alike pixels are at least, times the paths that they remember: after few, one that is like no other borrows from all around.
-const LEAST_ALIKE: f32 = 0.03;
+const LEAST_ALIKE: f32 = 0.1;
 
 /// The cubic B-spline, from the middle outwards.
 pub const SPLINE: [f32; 3] = [3.0 / 8.0, 1.0 / 4.0, 1.0 / 16.0];
