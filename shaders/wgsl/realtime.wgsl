@@ -5090,29 +5090,19 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_1 : u3
     return nearest_6;
 }
 
-struct Sample_0
-{
-     direct_0 : vec3<f32>,
-     light_5 : vec3<f32>,
-     is_shown_0 : bool,
-     albedo_0 : vec3<f32>,
-     normal_4 : vec3<f32>,
-     place_3 : vec3<f32>,
-     instance_10 : u32,
-};
-
 struct Walker_0
 {
      path_7 : Path_0,
      ray_18 : Ray_0,
      is_shadow_ray_0 : bool,
-     light_6 : vec3<f32>,
+     light_5 : vec3<f32>,
      direction_27 : vec3<f32>,
      path_origin_2 : vec3<f32>,
      shadow_inside_2 : Inside_0,
      boundaries_0 : u32,
      relocates_2 : bool,
      path_relocates_2 : bool,
+     camera_ray_0 : Ray_0,
      way_5 : f32,
      has_shown_0 : bool,
      asks_cache_0 : bool,
@@ -5120,43 +5110,35 @@ struct Walker_0
      is_at_cell_0 : bool,
 };
 
-fn Sample_x24init_0( direct_1 : vec3<f32>,  light_7 : vec3<f32>,  is_shown_1 : bool,  albedo_1 : vec3<f32>,  normal_5 : vec3<f32>,  place_4 : vec3<f32>,  instance_11 : u32) -> Sample_0
+struct Sample_0
 {
-    var _S360 : Sample_0;
-    _S360.direct_0 = direct_1;
-    _S360.light_5 = light_7;
-    _S360.is_shown_0 = is_shown_1;
-    _S360.albedo_0 = albedo_1;
-    _S360.normal_4 = normal_5;
-    _S360.place_3 = place_4;
-    _S360.instance_10 = instance_11;
-    return _S360;
-}
-
-fn no_sample_0() -> Sample_0
-{
-    var _S361 : vec3<f32> = vec3<f32>(0.0f);
-    return Sample_x24init_0(_S361, _S361, false, _S361, _S361, _S361, u32(4294967295));
-}
+     direct_0 : vec3<f32>,
+     light_6 : vec3<f32>,
+     is_shown_0 : bool,
+     albedo_0 : vec3<f32>,
+     normal_4 : vec3<f32>,
+     place_3 : vec3<f32>,
+     instance_10 : u32,
+};
 
 fn WalkTracer_trace_0( ray_19 : ptr<function, Ray_0>,  is_any_enough_1 : bool) -> Hit_0
 {
-    var _S362 : Hit_0 = visit_0(&((*ray_19)), is_any_enough_1, u32(0));
-    return _S362;
+    var _S360 : Hit_0 = visit_0(&((*ray_19)), is_any_enough_1, u32(0));
+    return _S360;
 }
 
 fn hit_of_ray_0( sampler_1 : Sampler_0,  ray_20 : ptr<function, Ray_0>,  is_shadow_ray_1 : bool,  path_8 : ptr<function, Path_0>,  shadow_inside_3 : ptr<function, Inside_0>,  relocates_3 : ptr<function, bool>,  path_relocates_3 : ptr<function, bool>,  beyond_4 : ptr<function, u32>) -> Hit_0
 {
     (*beyond_4) = u32(4294967295);
-    var _S363 : Hit_0 = WalkTracer_trace_0(&((*ray_20)), is_shadow_ray_1);
-    return _S363;
+    var _S361 : Hit_0 = WalkTracer_trace_0(&((*ray_20)), is_shadow_ray_1);
+    return _S361;
 }
 
-fn Walker_arrives_0( this_38 : ptr<function, Walker_0>,  hit_8 : Hit_0,  beyond_5 : u32,  light_8 : ptr<function, vec3<f32>>) -> bool
+fn Walker_arrives_0( this_38 : ptr<function, Walker_0>,  hit_8 : Hit_0,  beyond_5 : u32,  light_7 : ptr<function, vec3<f32>>) -> bool
 {
     if(Hit_is_miss_0(hit_8))
     {
-        (*light_8) = (*light_8) + (*this_38).light_6;
+        (*light_7) = (*light_7) + (*this_38).light_5;
     }
     return false;
 }
@@ -5173,34 +5155,34 @@ fn albedo_of_0( material_11 : PackedMaterial_0) -> vec3<f32>
 
 fn show_0( path_9 : Path_0,  ray_22 : Ray_0,  hit_10 : Hit_0,  beyond_6 : u32,  sample_9 : ptr<function, Sample_0>)
 {
-    var _S364 : Path_0 = path_9;
+    var _S362 : Path_0 = path_9;
     (*sample_9).is_shown_0 = true;
-    if(Inside_is_in_0(_S364.inside_0))
+    if(Inside_is_in_0(_S362.inside_0))
     {
-        absorb_0(&(_S364), _S364.inside_0, ray_22, hit_10.t_0);
+        absorb_0(&(_S362), _S362.inside_0, ray_22, hit_10.t_0);
     }
-    var material_12 : PackedMaterial_0 = material_met_0(_S364, hit_10, beyond_6);
+    var material_12 : PackedMaterial_0 = material_met_0(_S362, hit_10, beyond_6);
     (*sample_9).normal_4 = shading_normal_0(ray_22, hit_10, material_12);
-    (*sample_9).albedo_0 = _S364.beta_0 * albedo_of_0(material_12);
+    (*sample_9).albedo_0 = _S362.beta_0 * albedo_of_0(material_12);
     return;
 }
 
-fn Walker_see_0( this_39 : ptr<function, Walker_0>,  arrived_0 : Path_0,  camera_ray_0 : Ray_0,  hit_11 : Hit_0,  beyond_7 : u32,  emitted_1 : vec3<f32>,  goes_on_0 : bool,  sample_10 : ptr<function, Sample_0>)
+fn Walker_see_0( this_39 : ptr<function, Walker_0>,  arrived_0 : Path_0,  hit_11 : Hit_0,  beyond_7 : u32,  emitted_1 : vec3<f32>,  goes_on_0 : bool,  sample_10 : ptr<function, Sample_0>)
 {
     (*sample_10).direct_0 = (*sample_10).direct_0 + emitted_1;
-    var _S365 : bool = ((*this_39).path_7.bounce_0) == u32(0);
-    var _S366 : bool;
+    var _S363 : bool = ((*this_39).path_7.bounce_0) == u32(0);
+    var _S364 : bool;
     if(goes_on_0)
     {
-        _S366 = _S365;
+        _S364 = _S363;
     }
     else
     {
-        _S366 = false;
+        _S364 = false;
     }
-    var _S367 : bool = !_S366;
-    (*this_39).has_shown_0 = _S367;
-    if(!_S367)
+    var _S365 : bool = !_S364;
+    (*this_39).has_shown_0 = _S365;
+    if(!_S365)
     {
         (*this_39).way_5 = (*this_39).way_5 + hit_11.t_0;
     }
@@ -5209,135 +5191,124 @@ fn Walker_see_0( this_39 : ptr<function, Walker_0>,  arrived_0 : Path_0,  camera
         if(!Hit_is_miss_0(hit_11))
         {
             show_0(arrived_0, (*this_39).ray_18, hit_11, beyond_7, &((*sample_10)));
-            (*sample_10).place_3 = camera_ray_0.origin_2 + camera_ray_0.direction_1 * vec3<f32>(((*this_39).way_5 + hit_11.t_0));
-            var _S368 : u32;
+            (*sample_10).place_3 = (*this_39).camera_ray_0.origin_2 + (*this_39).camera_ray_0.direction_1 * vec3<f32>(((*this_39).way_5 + hit_11.t_0));
+            var _S366 : u32;
             if(((*this_39).way_5) > 0.0f)
             {
-                _S368 = u32(4294967295);
+                _S366 = u32(4294967295);
             }
             else
             {
-                _S368 = hit_11.instance_1;
+                _S366 = hit_11.instance_1;
             }
-            (*sample_10).instance_10 = _S368;
+            (*sample_10).instance_10 = _S366;
         }
     }
     return;
 }
 
-fn follow_0( start_4 : Walker_0,  camera_ray_1 : Ray_0) -> Sample_0
+fn goes_on_1( at_8 : ptr<function, Walker_0>,  sample_11 : ptr<function, Sample_0>) -> bool
 {
-    var at_8 : Walker_0 = start_4;
-    var sample_11 : Sample_0 = no_sample_0();
-    var goes_on_1 : bool = true;
-    for(;;)
+    var next_2 : NextRays_0 = no_rays_0();
+    var goes_on_2 : bool;
+    if((*at_8).is_at_cell_0)
     {
-        if(goes_on_1)
-        {
-        }
-        else
-        {
-            break;
-        }
-        var next_2 : NextRays_0 = no_rays_0();
-        var goes_on_2 : bool;
-        if(at_8.is_at_cell_0)
-        {
-            next_2.origin_1 = at_8.ray_18.origin_2;
-            next_2.path_origin_0 = at_8.ray_18.origin_2;
-            next_2.direction_0 = at_8.ray_18.direction_1;
-            goes_on_2 = goes_on_1;
-        }
-        else
-        {
-            var _S369 : Ray_0 = at_8.ray_18;
-            var _S370 : Path_0 = at_8.path_7;
-            var _S371 : Inside_0 = at_8.shadow_inside_2;
-            var _S372 : bool = at_8.relocates_2;
-            var _S373 : bool = at_8.path_relocates_2;
-            var beyond_8 : u32;
-            var _S374 : Hit_0 = hit_of_ray_0(start_4.path_7.sampler_0, &(_S369), at_8.is_shadow_ray_0, &(_S370), &(_S371), &(_S372), &(_S373), &(beyond_8));
-            at_8.ray_18 = _S369;
-            at_8.path_7 = _S370;
-            at_8.shadow_inside_2 = _S371;
-            at_8.relocates_2 = _S372;
-            at_8.path_relocates_2 = _S373;
-            if(at_8.is_shadow_ray_0)
-            {
-                var _S375 : vec3<f32> = sample_11.light_5;
-                var _S376 : bool = Walker_arrives_0(&(at_8), _S374, beyond_8, &(_S375));
-                sample_11.light_5 = _S375;
-                at_8.is_shadow_ray_0 = _S376;
-                if(!_S376)
-                {
-                    at_8.ray_18 = ray_from_0(at_8.ray_18.origin_2, at_8.direction_27);
-                    goes_on_1 = (any(((at_8.direction_27) != vec3<f32>(0.0f))));
-                }
-                continue;
-            }
-            at_8.path_7.sampler_0 = start_4.path_7.sampler_0;
-            var cached_0 : vec3<f32> = vec3<f32>(0.0f);
-            ends_here_0 = false;
-            var arrived_1 : Path_0 = at_8.path_7;
-            var emitted_2 : vec3<f32> = cached_0;
-            var _S377 : Path_0 = at_8.path_7;
-            var _S378 : NextRays_0 = PathTracingOf_advance_0(&(_S377), at_8.ray_18, _S374, beyond_8, &(emitted_2));
-            at_8.path_7 = _S377;
-            next_2 = _S378;
-            var goes_on_3 : bool = (any(((next_2.direction_0) != cached_0)));
-            if(at_8.has_shown_0)
-            {
-                sample_11.light_5 = sample_11.light_5 + emitted_2;
-            }
-            else
-            {
-                Walker_see_0(&(at_8), arrived_1, camera_ray_1, _S374, beyond_8, emitted_2, goes_on_3, &(sample_11));
-            }
-            if(at_8.has_shown_0)
-            {
-                break;
-            }
-            goes_on_2 = goes_on_3;
-        }
-        if(at_8.is_at_cell_0)
-        {
-            at_8.path_7.bounce_0 = u32(1);
-            at_8.path_7.event_0 = u32(1);
-            at_8.path_7.scattered_0 = u32(1);
-            at_8.is_at_cell_0 = false;
-        }
-        at_8.direction_27 = next_2.direction_0;
-        at_8.light_6 = next_2.light_0;
-        at_8.is_shadow_ray_0 = next_2.has_shadow_ray_0;
-        at_8.path_origin_2 = next_2.path_origin_0;
-        at_8.ray_18 = ray_from_0(next_2.origin_1, next_2.direction_0);
-        if(at_8.is_shadow_ray_0)
-        {
-            at_8.ray_18 = Ray_x24init_0(next_2.origin_1, 0.0f, next_2.shadow_direction_0, next_2.shadow_t_max_0);
-            goes_on_1 = true;
-        }
-        else
-        {
-            goes_on_1 = goes_on_2;
-        }
+        next_2.origin_1 = (*at_8).ray_18.origin_2;
+        next_2.path_origin_0 = (*at_8).ray_18.origin_2;
+        next_2.direction_0 = (*at_8).ray_18.direction_1;
+        goes_on_2 = true;
     }
-    return sample_11;
+    else
+    {
+        var _S367 : Ray_0 = (*at_8).ray_18;
+        var _S368 : Path_0 = (*at_8).path_7;
+        var _S369 : Inside_0 = (*at_8).shadow_inside_2;
+        var _S370 : bool = (*at_8).relocates_2;
+        var _S371 : bool = (*at_8).path_relocates_2;
+        var beyond_8 : u32;
+        var _S372 : Hit_0 = hit_of_ray_0((*at_8).path_7.sampler_0, &(_S367), (*at_8).is_shadow_ray_0, &(_S368), &(_S369), &(_S370), &(_S371), &(beyond_8));
+        (*at_8).ray_18 = _S367;
+        (*at_8).path_7 = _S368;
+        (*at_8).shadow_inside_2 = _S369;
+        (*at_8).relocates_2 = _S370;
+        (*at_8).path_relocates_2 = _S371;
+        if((*at_8).is_shadow_ray_0)
+        {
+            var _S373 : vec3<f32> = (*sample_11).light_6;
+            var _S374 : bool = Walker_arrives_0(&((*at_8)), _S372, beyond_8, &(_S373));
+            (*sample_11).light_6 = _S373;
+            (*at_8).is_shadow_ray_0 = _S374;
+            if(_S374)
+            {
+                return true;
+            }
+            (*at_8).ray_18 = ray_from_0((*at_8).ray_18.origin_2, (*at_8).direction_27);
+            return (any((((*at_8).direction_27) != vec3<f32>(0.0f))));
+        }
+        var cached_0 : vec3<f32> = vec3<f32>(0.0f);
+        ends_here_0 = false;
+        var arrived_1 : Path_0 = (*at_8).path_7;
+        var emitted_2 : vec3<f32> = cached_0;
+        var _S375 : Path_0 = (*at_8).path_7;
+        var _S376 : NextRays_0 = PathTracingOf_advance_0(&(_S375), (*at_8).ray_18, _S372, beyond_8, &(emitted_2));
+        (*at_8).path_7 = _S375;
+        next_2 = _S376;
+        var goes_on_3 : bool = (any(((next_2.direction_0) != cached_0)));
+        if((*at_8).has_shown_0)
+        {
+            (*sample_11).light_6 = (*sample_11).light_6 + emitted_2;
+        }
+        else
+        {
+            Walker_see_0(&((*at_8)), arrived_1, _S372, beyond_8, emitted_2, goes_on_3, &((*sample_11)));
+        }
+        if((*at_8).has_shown_0)
+        {
+            return false;
+        }
+        goes_on_2 = goes_on_3;
+    }
+    if((*at_8).is_at_cell_0)
+    {
+        (*at_8).path_7.bounce_0 = u32(1);
+        (*at_8).path_7.event_0 = u32(1);
+        (*at_8).path_7.scattered_0 = u32(1);
+        (*at_8).is_at_cell_0 = false;
+    }
+    (*at_8).direction_27 = next_2.direction_0;
+    (*at_8).light_5 = next_2.light_0;
+    (*at_8).is_shadow_ray_0 = next_2.has_shadow_ray_0;
+    (*at_8).path_origin_2 = next_2.path_origin_0;
+    (*at_8).ray_18 = ray_from_0(next_2.origin_1, next_2.direction_0);
+    if((*at_8).is_shadow_ray_0)
+    {
+        (*at_8).ray_18 = Ray_x24init_0(next_2.origin_1, 0.0f, next_2.shadow_direction_0, next_2.shadow_t_max_0);
+    }
+    if(goes_on_2)
+    {
+        goes_on_2 = true;
+    }
+    else
+    {
+        goes_on_2 = (*at_8).is_shadow_ray_0;
+    }
+    return goes_on_2;
 }
 
 struct Key_0
 {
-     instance_12 : u32,
+     instance_11 : u32,
      face_and_level_0 : u32,
      cube_0 : vec3<i32>,
 };
 
-fn Key_x24init_0( instance_13 : u32,  face_and_level_1 : u32,  cube_1 : vec3<i32>) -> Key_0
+fn Key_x24init_0( instance_12 : u32,  face_and_level_1 : u32,  cube_1 : vec3<i32>) -> Key_0
 {
-    var _S379 : Key_0;
-    _S379.instance_12 = instance_13;
-    _S379.face_and_level_0 = face_and_level_1;
-    _S379.cube_0 = cube_1;
-    return _S379;
+    var _S377 : Key_0;
+    _S377.instance_11 = instance_12;
+    _S377.face_and_level_0 = face_and_level_1;
+    _S377.cube_0 = cube_1;
+    return _S377;
 }
 
 fn scramble_of_0( number_1 : u32) -> u32
@@ -5359,26 +5330,26 @@ fn key_of_0( hit_12 : Hit_0,  size_1 : f32,  u_17 : f32,  code_1 : ptr<function,
 {
     var clamped_0 : f32 = clamp(size_1, 1.0f, 128.0f);
     var power_5 : f32 = f32(((bitcast<u32>((clamped_0))) >> (u32(23)))) - 127.0f;
-    var _S380 : f32;
+    var _S378 : f32;
     if(u_17 < (clamped_0 * inverse_power_of_two_0(clamped_0) - 1.0f))
     {
-        _S380 = 1.0f;
+        _S378 = 1.0f;
     }
     else
     {
-        _S380 = 0.0f;
+        _S378 = 0.0f;
     }
-    var level_0 : u32 = u32(min(power_5 + _S380, 6.0f));
-    var _S381 : vec3<u32> = vec3<u32>(u32(i32(level_0)));
-    var key_0 : Key_0 = Key_x24init_0(hit_12.instance_1, ((hit_12.face_0) | (((level_0 << (u32(3)))))), ((hit_12.voxel_1) >> (_S381)));
-    var _S382 : vec3<u32> = vec3<u32>(hit_12.voxel_1 - (((key_0.cube_0) << (_S381))));
-    (*code_1) = u32(1) + (((((((_S382.x) | ((((_S382.y) << (level_0)))))) | ((((_S382.z) << ((u32(2) * level_0))))))) ^ ((((scramble_of_0(real_time_0.number_0)) & ((Key_mask_0(key_0))))))));
+    var level_0 : u32 = u32(min(power_5 + _S378, 6.0f));
+    var _S379 : vec3<u32> = vec3<u32>(u32(i32(level_0)));
+    var key_0 : Key_0 = Key_x24init_0(hit_12.instance_1, ((hit_12.face_0) | (((level_0 << (u32(3)))))), ((hit_12.voxel_1) >> (_S379)));
+    var _S380 : vec3<u32> = vec3<u32>(hit_12.voxel_1 - (((key_0.cube_0) << (_S379))));
+    (*code_1) = u32(1) + (((((((_S380.x) | ((((_S380.y) << (level_0)))))) | ((((_S380.z) << ((u32(2) * level_0))))))) ^ ((((scramble_of_0(real_time_0.number_0)) & ((Key_mask_0(key_0))))))));
     return key_0;
 }
 
 fn Key_hash_0( this_42 : Key_0) -> vec2<u32>
 {
-    return pcg4d_0(vec4<u32>(vec3<u32>(this_42.cube_0), this_42.instance_12 * u32(61) + this_42.face_and_level_0)).xy;
+    return pcg4d_0(vec4<u32>(vec3<u32>(this_42.cube_0), this_42.instance_11 * u32(61) + this_42.face_and_level_0)).xy;
 }
 
 fn place_of_check_0( cell_8 : u32) -> u32
@@ -5399,8 +5370,8 @@ fn find_cell_0( hash_0 : vec2<u32>) -> u32
             break;
         }
         var cell_9 : u32 = ((hash_0.x + probe_0) & (u32(262143)));
-        var _S383 : u32 = atomicLoad(&(cell_keys_0[place_of_check_0(cell_9)]));
-        if(_S383 == (max(hash_0.y, u32(1))))
+        var _S381 : u32 = atomicLoad(&(cell_keys_0[place_of_check_0(cell_9)]));
+        if(_S381 == (max(hash_0.y, u32(1))))
         {
             return cell_9;
         }
@@ -5427,11 +5398,11 @@ fn place_of_asked_0( cell_12 : u32) -> u32
 
 fn ask_cell_0( key_1 : Key_0,  asked_0 : u32) -> vec4<f32>
 {
-    var _S384 : bool;
+    var _S382 : bool;
     var hash_1 : vec2<u32> = Key_hash_0(key_1);
-    var _S385 : u32 = max(hash_1.y, u32(1));
+    var _S383 : u32 = max(hash_1.y, u32(1));
     var cell_13 : u32 = find_cell_0(hash_1);
-    var _S386 : vec4<f32> = vec4<f32>(0.0f);
+    var _S384 : vec4<f32> = vec4<f32>(0.0f);
     var known_0 : vec4<f32>;
     if(cell_13 != u32(262144))
     {
@@ -5439,7 +5410,7 @@ fn ask_cell_0( key_1 : Key_0,  asked_0 : u32) -> vec4<f32>
     }
     else
     {
-        known_0 = _S386;
+        known_0 = _S384;
     }
     var cell_14 : u32 = cell_13;
     var probe_1 : u32 = u32(0);
@@ -5447,84 +5418,84 @@ fn ask_cell_0( key_1 : Key_0,  asked_0 : u32) -> vec4<f32>
     {
         if(probe_1 < u32(8))
         {
-            _S384 = cell_14 == u32(262144);
+            _S382 = cell_14 == u32(262144);
         }
         else
         {
-            _S384 = false;
+            _S382 = false;
         }
-        if(_S384)
+        if(_S382)
         {
         }
         else
         {
             break;
         }
-        var place_5 : u32 = ((hash_1.x + probe_1) & (u32(262143)));
-        var found_0 : u32 = atomicCompareExchangeWeak(&(cell_keys_0[place_of_check_0(place_5)]), u32(0), _S385).old_value;
-        var _S387 : bool = found_0 == u32(0);
-        if(_S387)
+        var place_4 : u32 = ((hash_1.x + probe_1) & (u32(262143)));
+        var found_0 : u32 = atomicCompareExchangeWeak(&(cell_keys_0[place_of_check_0(place_4)]), u32(0), _S383).old_value;
+        var _S385 : bool = found_0 == u32(0);
+        if(_S385)
         {
-            set_cell_row_0(u32(1), place_5, vec4<u32>(key_1.instance_12, key_1.face_and_level_0, u32(0), u32(0)));
-            set_cell_row_0(u32(2), place_5, vec4<u32>(vec3<u32>(key_1.cube_0), u32(0)));
+            set_cell_row_0(u32(1), place_4, vec4<u32>(key_1.instance_11, key_1.face_and_level_0, u32(0), u32(0)));
+            set_cell_row_0(u32(2), place_4, vec4<u32>(vec3<u32>(key_1.cube_0), u32(0)));
         }
-        var _S388 : bool;
-        if(_S387)
+        var _S386 : bool;
+        if(_S385)
         {
-            _S388 = true;
+            _S386 = true;
         }
         else
         {
-            _S388 = found_0 == _S385;
+            _S386 = found_0 == _S383;
         }
-        if(_S388)
+        if(_S386)
         {
-            cell_14 = place_5;
+            cell_14 = place_4;
         }
         probe_1 = probe_1 + u32(1);
     }
     if(cell_14 != u32(262144))
     {
-        var _S389 : u32 = atomicLoad(&(cell_keys_0[place_of_asked_0(cell_14)]));
-        _S384 = _S389 < asked_0;
+        var _S387 : u32 = atomicLoad(&(cell_keys_0[place_of_asked_0(cell_14)]));
+        _S382 = _S387 < asked_0;
     }
     else
     {
-        _S384 = false;
+        _S382 = false;
     }
-    if(_S384)
+    if(_S382)
     {
-        var _S390 : u32 = atomicMax(&(cell_keys_0[place_of_asked_0(cell_14)]), asked_0);
+        var _S388 : u32 = atomicMax(&(cell_keys_0[place_of_asked_0(cell_14)]), asked_0);
     }
     return known_0;
 }
 
-fn asks_0( path_10 : Path_0,  ray_23 : Ray_0,  hit_13 : Hit_0,  beyond_9 : u32,  life_1 : u32,  light_9 : ptr<function, vec3<f32>>) -> bool
+fn asks_0( path_10 : Path_0,  ray_23 : Ray_0,  hit_13 : Hit_0,  beyond_9 : u32,  life_1 : u32,  light_8 : ptr<function, vec3<f32>>) -> bool
 {
-    (*light_9) = vec3<f32>(0.0f);
-    var _S391 : bool;
+    (*light_8) = vec3<f32>(0.0f);
+    var _S389 : bool;
     if(Hit_is_miss_0(hit_13))
     {
-        _S391 = true;
+        _S389 = true;
     }
     else
     {
-        _S391 = Inside_is_in_0(path_10.inside_0);
+        _S389 = Inside_is_in_0(path_10.inside_0);
     }
-    if(_S391)
+    if(_S389)
     {
         return false;
     }
     var material_13 : PackedMaterial_0 = material_met_0(path_10, hit_13, beyond_9);
     if((material_13.metallic_0) > 0.0f)
     {
-        _S391 = true;
+        _S389 = true;
     }
     else
     {
-        _S391 = (material_13.transmission_0) > 0.0f;
+        _S389 = (material_13.transmission_0) > 0.0f;
     }
-    if(_S391)
+    if(_S389)
     {
         return false;
     }
@@ -5533,13 +5504,13 @@ fn asks_0( path_10 : Path_0,  ray_23 : Ray_0,  hit_13 : Hit_0,  beyond_9 : u32, 
     var least_0 : f32 = 2.0f * f32((u32(1) << ((Key_level_0(key_2)))));
     if(life_1 == u32(0))
     {
-        _S391 = true;
+        _S389 = true;
     }
     else
     {
-        _S391 = (hit_13.t_0 * square_root_0(length_squared_0(ray_23.direction_1))) < least_0;
+        _S389 = (hit_13.t_0 * square_root_0(length_squared_0(ray_23.direction_1))) < least_0;
     }
-    if(_S391)
+    if(_S389)
     {
         return false;
     }
@@ -5548,7 +5519,7 @@ fn asks_0( path_10 : Path_0,  ray_23 : Ray_0,  hit_13 : Hit_0,  beyond_9 : u32, 
     {
         return false;
     }
-    (*light_9) = path_10.beta_0 * vector_of_0(material_13.base_color_0) * known_1.xyz;
+    (*light_8) = path_10.beta_0 * vector_of_0(material_13.base_color_0) * known_1.xyz;
     return true;
 }
 
@@ -5567,10 +5538,10 @@ struct BsdfEval_0
 
 fn BsdfEval_x24init_0( weight_6 : vec3<f32>,  pdf_11 : f32) -> BsdfEval_0
 {
-    var _S392 : BsdfEval_0;
-    _S392.weight_5 = weight_6;
-    _S392.pdf_10 = pdf_11;
-    return _S392;
+    var _S390 : BsdfEval_0;
+    _S390.weight_5 = weight_6;
+    _S390.pdf_10 = pdf_11;
+    return _S390;
 }
 
 fn Diffuse_eval_0( this_44 : Diffuse_0,  wo_8 : vec3<f32>,  wi_3 : vec3<f32>) -> BsdfEval_0
@@ -5616,37 +5587,37 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_3 : ptr<function, NextRays_0>)
         {
             u_18 = Sampler_independent_0(scatter_0.path_0.sampler_0, dimension_3);
         }
-        var light_10 : LightSample_0 = no_light_0();
-        var is_found_5 : bool = Lights_sample_0(scatter_0.receiver_0, scatter_0.path_0.selection_0, u_18, by_chance_0(), &(light_10));
+        var light_9 : LightSample_0 = no_light_0();
+        var is_found_5 : bool = Lights_sample_0(scatter_0.receiver_0, scatter_0.path_0.selection_0, u_18, by_chance_0(), &(light_9));
         if(!is_found_5)
         {
             candidate_0 = candidate_0 + u32(1);
             continue;
         }
-        var _S393 : vec3<f32> = vec3<f32>(Surface_local_direction_0(scatter_0.surface_0, light_10.ray_6.direction_1).xy, light_10.cos_theta_0);
+        var _S391 : vec3<f32> = vec3<f32>(Surface_local_direction_0(scatter_0.surface_0, light_9.ray_6.direction_1).xy, light_9.cos_theta_0);
         var wi_5 : vec3<f32>;
         if(scatter_0.is_scattered_0)
         {
-            wi_5 = normalize_vector_0(light_10.ray_6.direction_1);
+            wi_5 = normalize_vector_0(light_9.ray_6.direction_1);
         }
         else
         {
-            wi_5 = _S393;
+            wi_5 = _S391;
         }
         var eval_0 : BsdfEval_0 = MaterialBsdf_eval_0(scatter_0.bsdf_0, scatter_0.wo_0, wi_5);
-        var _S394 : vec3<f32> = scatter_0.path_0.beta_0 * eval_0.weight_5 * vec3<f32>(scatter_0.compensation_0) * light_10.radiance_1 * vec3<f32>((divide_0(eval_0.pdf_10, light_10.pdf_2) * power_heuristic_0(light_10.pdf_2, eval_0.pdf_10)));
-        var weight_7 : f32 = luminance_0(_S394);
+        var _S392 : vec3<f32> = scatter_0.path_0.beta_0 * eval_0.weight_5 * vec3<f32>(scatter_0.compensation_0) * light_9.radiance_1 * vec3<f32>((divide_0(eval_0.pdf_10, light_9.pdf_2) * power_heuristic_0(light_9.pdf_2, eval_0.pdf_10)));
+        var weight_7 : f32 = luminance_0(_S392);
         var sum_5 : f32 = sum_4 + weight_7;
-        var _S395 : bool;
+        var _S393 : bool;
         if(count_5 > u32(1))
         {
-            _S395 = (Sampler_independent_0(scatter_0.path_0.sampler_0, dimension_3 + u32(1)).x * sum_5) >= weight_7;
+            _S393 = (Sampler_independent_0(scatter_0.path_0.sampler_0, dimension_3 + u32(1)).x * sum_5) >= weight_7;
         }
         else
         {
-            _S395 = false;
+            _S393 = false;
         }
-        if(_S395)
+        if(_S393)
         {
             sum_4 = sum_5;
             candidate_0 = candidate_0 + u32(1);
@@ -5655,9 +5626,9 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_3 : ptr<function, NextRays_0>)
         var chosen_5 : f32;
         if(weight_7 > 0.0f)
         {
-            (*next_3).shadow_direction_0 = light_10.ray_6.direction_1;
-            (*next_3).shadow_t_max_0 = light_10.ray_6.t_max_0;
-            (*next_3).light_0 = _S394;
+            (*next_3).shadow_direction_0 = light_9.ray_6.direction_1;
+            (*next_3).shadow_t_max_0 = light_9.ray_6.t_max_0;
+            (*next_3).light_0 = _S392;
             chosen_5 = weight_7;
         }
         else
@@ -5668,131 +5639,119 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_3 : ptr<function, NextRays_0>)
         sum_4 = sum_5;
         candidate_0 = candidate_0 + u32(1);
     }
-    var _S396 : bool = chosen_4 > 0.0f;
-    (*next_3).has_shadow_ray_0 = _S396;
-    if(_S396)
+    var _S394 : bool = chosen_4 > 0.0f;
+    (*next_3).has_shadow_ray_0 = _S394;
+    if(_S394)
     {
         (*next_3).light_0 = (*next_3).light_0 * vec3<f32>(divide_0(sum_4, chosen_4 * f32(count_5)));
     }
     return;
 }
 
-fn follow_1( start_5 : Walker_0,  camera_ray_2 : Ray_0) -> Sample_0
+fn goes_on_4( at_9 : ptr<function, Walker_0>,  sample_12 : ptr<function, Sample_0>) -> bool
 {
-    var at_9 : Walker_0 = start_5;
-    var sample_12 : Sample_0 = no_sample_0();
-    var goes_on_4 : bool = true;
-    for(;;)
+    var next_4 : NextRays_0 = no_rays_0();
+    var goes_on_5 : bool;
+    if((*at_9).is_at_cell_0)
     {
-        if(goes_on_4)
-        {
-        }
-        else
-        {
-            break;
-        }
-        var next_4 : NextRays_0 = no_rays_0();
-        var goes_on_5 : bool;
-        if(at_9.is_at_cell_0)
-        {
-            next_4.origin_1 = at_9.ray_18.origin_2;
-            next_4.path_origin_0 = at_9.ray_18.origin_2;
-            next_4.direction_0 = at_9.ray_18.direction_1;
-            goes_on_5 = goes_on_4;
-        }
-        else
-        {
-            var _S397 : Ray_0 = at_9.ray_18;
-            var _S398 : Path_0 = at_9.path_7;
-            var _S399 : Inside_0 = at_9.shadow_inside_2;
-            var _S400 : bool = at_9.relocates_2;
-            var _S401 : bool = at_9.path_relocates_2;
-            var beyond_10 : u32;
-            var _S402 : Hit_0 = hit_of_ray_0(start_5.path_7.sampler_0, &(_S397), at_9.is_shadow_ray_0, &(_S398), &(_S399), &(_S400), &(_S401), &(beyond_10));
-            at_9.ray_18 = _S397;
-            at_9.path_7 = _S398;
-            at_9.shadow_inside_2 = _S399;
-            at_9.relocates_2 = _S400;
-            at_9.path_relocates_2 = _S401;
-            if(at_9.is_shadow_ray_0)
-            {
-                var _S403 : vec3<f32> = sample_12.light_5;
-                var _S404 : bool = Walker_arrives_0(&(at_9), _S402, beyond_10, &(_S403));
-                sample_12.light_5 = _S403;
-                at_9.is_shadow_ray_0 = _S404;
-                if(!_S404)
-                {
-                    at_9.ray_18 = ray_from_0(at_9.ray_18.origin_2, at_9.direction_27);
-                    goes_on_4 = (any(((at_9.direction_27) != vec3<f32>(0.0f))));
-                }
-                continue;
-            }
-            at_9.path_7.sampler_0 = start_5.path_7.sampler_0;
-            var _S405 : vec3<f32> = vec3<f32>(0.0f);
-            var cached_1 : vec3<f32> = _S405;
-            if(at_9.has_shown_0)
-            {
-                goes_on_5 = at_9.asks_cache_0;
-            }
-            else
-            {
-                goes_on_5 = false;
-            }
-            var _S406 : bool;
-            if(goes_on_5)
-            {
-                var _S407 : bool = asks_0(at_9.path_7, at_9.ray_18, _S402, beyond_10, at_9.life_0, &(cached_1));
-                _S406 = _S407;
-            }
-            else
-            {
-                _S406 = false;
-            }
-            ends_here_0 = _S406;
-            var arrived_2 : Path_0 = at_9.path_7;
-            var emitted_3 : vec3<f32> = _S405;
-            var _S408 : Path_0 = at_9.path_7;
-            var _S409 : NextRays_0 = PathTracingOf_advance_1(&(_S408), at_9.ray_18, _S402, beyond_10, &(emitted_3));
-            at_9.path_7 = _S408;
-            next_4 = _S409;
-            var goes_on_6 : bool = (any(((next_4.direction_0) != _S405)));
-            if(at_9.has_shown_0)
-            {
-                sample_12.light_5 = sample_12.light_5 + (cached_1 + emitted_3);
-            }
-            else
-            {
-                Walker_see_0(&(at_9), arrived_2, camera_ray_2, _S402, beyond_10, emitted_3, goes_on_6, &(sample_12));
-            }
-            goes_on_5 = goes_on_6;
-        }
-        if(scatter_of_path_0.wants_light_0)
-        {
-            choose_light_0(scatter_of_path_0, &(next_4));
-        }
-        if(at_9.is_at_cell_0)
-        {
-            at_9.path_7.bounce_0 = u32(1);
-            at_9.path_7.event_0 = u32(1);
-            at_9.path_7.scattered_0 = u32(1);
-            at_9.is_at_cell_0 = false;
-        }
-        at_9.direction_27 = next_4.direction_0;
-        at_9.light_6 = next_4.light_0;
-        at_9.is_shadow_ray_0 = next_4.has_shadow_ray_0;
-        at_9.path_origin_2 = next_4.path_origin_0;
-        at_9.ray_18 = ray_from_0(next_4.origin_1, next_4.direction_0);
-        if(at_9.is_shadow_ray_0)
-        {
-            at_9.ray_18 = Ray_x24init_0(next_4.origin_1, 0.0f, next_4.shadow_direction_0, next_4.shadow_t_max_0);
-            goes_on_4 = true;
-        }
-        else
-        {
-            goes_on_4 = goes_on_5;
-        }
+        next_4.origin_1 = (*at_9).ray_18.origin_2;
+        next_4.path_origin_0 = (*at_9).ray_18.origin_2;
+        next_4.direction_0 = (*at_9).ray_18.direction_1;
+        goes_on_5 = true;
     }
-    return sample_12;
+    else
+    {
+        var _S395 : Ray_0 = (*at_9).ray_18;
+        var _S396 : Path_0 = (*at_9).path_7;
+        var _S397 : Inside_0 = (*at_9).shadow_inside_2;
+        var _S398 : bool = (*at_9).relocates_2;
+        var _S399 : bool = (*at_9).path_relocates_2;
+        var beyond_10 : u32;
+        var _S400 : Hit_0 = hit_of_ray_0((*at_9).path_7.sampler_0, &(_S395), (*at_9).is_shadow_ray_0, &(_S396), &(_S397), &(_S398), &(_S399), &(beyond_10));
+        (*at_9).ray_18 = _S395;
+        (*at_9).path_7 = _S396;
+        (*at_9).shadow_inside_2 = _S397;
+        (*at_9).relocates_2 = _S398;
+        (*at_9).path_relocates_2 = _S399;
+        if((*at_9).is_shadow_ray_0)
+        {
+            var _S401 : vec3<f32> = (*sample_12).light_6;
+            var _S402 : bool = Walker_arrives_0(&((*at_9)), _S400, beyond_10, &(_S401));
+            (*sample_12).light_6 = _S401;
+            (*at_9).is_shadow_ray_0 = _S402;
+            if(_S402)
+            {
+                return true;
+            }
+            (*at_9).ray_18 = ray_from_0((*at_9).ray_18.origin_2, (*at_9).direction_27);
+            return (any((((*at_9).direction_27) != vec3<f32>(0.0f))));
+        }
+        var _S403 : vec3<f32> = vec3<f32>(0.0f);
+        var cached_1 : vec3<f32> = _S403;
+        if((*at_9).has_shown_0)
+        {
+            goes_on_5 = (*at_9).asks_cache_0;
+        }
+        else
+        {
+            goes_on_5 = false;
+        }
+        if(goes_on_5)
+        {
+            var _S404 : bool = asks_0((*at_9).path_7, (*at_9).ray_18, _S400, beyond_10, (*at_9).life_0, &(cached_1));
+            goes_on_5 = _S404;
+        }
+        else
+        {
+            goes_on_5 = false;
+        }
+        ends_here_0 = goes_on_5;
+        var arrived_2 : Path_0 = (*at_9).path_7;
+        var emitted_3 : vec3<f32> = _S403;
+        var _S405 : Path_0 = (*at_9).path_7;
+        var _S406 : NextRays_0 = PathTracingOf_advance_1(&(_S405), (*at_9).ray_18, _S400, beyond_10, &(emitted_3));
+        (*at_9).path_7 = _S405;
+        next_4 = _S406;
+        var goes_on_6 : bool = (any(((next_4.direction_0) != _S403)));
+        if((*at_9).has_shown_0)
+        {
+            (*sample_12).light_6 = (*sample_12).light_6 + (cached_1 + emitted_3);
+        }
+        else
+        {
+            Walker_see_0(&((*at_9)), arrived_2, _S400, beyond_10, emitted_3, goes_on_6, &((*sample_12)));
+        }
+        goes_on_5 = goes_on_6;
+    }
+    if(scatter_of_path_0.wants_light_0)
+    {
+        choose_light_0(scatter_of_path_0, &(next_4));
+    }
+    if((*at_9).is_at_cell_0)
+    {
+        (*at_9).path_7.bounce_0 = u32(1);
+        (*at_9).path_7.event_0 = u32(1);
+        (*at_9).path_7.scattered_0 = u32(1);
+        (*at_9).is_at_cell_0 = false;
+    }
+    (*at_9).direction_27 = next_4.direction_0;
+    (*at_9).light_5 = next_4.light_0;
+    (*at_9).is_shadow_ray_0 = next_4.has_shadow_ray_0;
+    (*at_9).path_origin_2 = next_4.path_origin_0;
+    (*at_9).ray_18 = ray_from_0(next_4.origin_1, next_4.direction_0);
+    if((*at_9).is_shadow_ray_0)
+    {
+        (*at_9).ray_18 = Ray_x24init_0(next_4.origin_1, 0.0f, next_4.shadow_direction_0, next_4.shadow_t_max_0);
+    }
+    if(goes_on_5)
+    {
+        goes_on_5 = true;
+    }
+    else
+    {
+        goes_on_5 = (*at_9).is_shadow_ray_0;
+    }
+    return goes_on_5;
 }
 
 fn PathTracingOf_jitter_0( sampler_2 : Sampler_0) -> vec4<f32>
@@ -5800,9 +5759,42 @@ fn PathTracingOf_jitter_0( sampler_2 : Sampler_0) -> vec4<f32>
     return Sampler_stratified_0(sampler_2, u32(0));
 }
 
+fn Sample_x24init_0( direct_1 : vec3<f32>,  light_10 : vec3<f32>,  is_shown_1 : bool,  albedo_1 : vec3<f32>,  normal_5 : vec3<f32>,  place_5 : vec3<f32>,  instance_13 : u32) -> Sample_0
+{
+    var _S407 : Sample_0;
+    _S407.direct_0 = direct_1;
+    _S407.light_6 = light_10;
+    _S407.is_shown_0 = is_shown_1;
+    _S407.albedo_0 = albedo_1;
+    _S407.normal_4 = normal_5;
+    _S407.place_3 = place_5;
+    _S407.instance_10 = instance_13;
+    return _S407;
+}
+
+fn no_sample_0() -> Sample_0
+{
+    var _S408 : vec3<f32> = vec3<f32>(0.0f);
+    return Sample_x24init_0(_S408, _S408, false, _S408, _S408, _S408, u32(4294967295));
+}
+
 fn has_0( flag_0 : u32) -> bool
 {
     return (((real_time_0.flags_0) & (flag_0))) != u32(0);
+}
+
+fn cells_that_trace_0() -> u32
+{
+    var _S409 : u32;
+    if(has_0(u32(1)))
+    {
+        _S409 = u32(73728);
+    }
+    else
+    {
+        _S409 = u32(0);
+    }
+    return _S409;
 }
 
 fn threads_that_trace_0() -> u32
@@ -5902,19 +5894,20 @@ fn Surface_x24init_0( origin_11 : vec3<f32>,  normal_7 : vec3<f32>,  face_7 : u3
     return _S418;
 }
 
-fn Walker_x24init_0( path_11 : Path_0,  ray_24 : Ray_0,  is_shadow_ray_2 : bool,  light_11 : vec3<f32>,  direction_28 : vec3<f32>,  path_origin_3 : vec3<f32>,  shadow_inside_4 : Inside_0,  boundaries_1 : u32,  relocates_4 : bool,  path_relocates_4 : bool,  way_6 : f32,  has_shown_1 : bool,  asks_cache_1 : bool,  life_2 : u32,  is_at_cell_1 : bool) -> Walker_0
+fn Walker_x24init_0( path_11 : Path_0,  ray_24 : Ray_0,  is_shadow_ray_2 : bool,  light_11 : vec3<f32>,  direction_28 : vec3<f32>,  path_origin_3 : vec3<f32>,  shadow_inside_4 : Inside_0,  boundaries_1 : u32,  relocates_4 : bool,  path_relocates_4 : bool,  camera_ray_1 : Ray_0,  way_6 : f32,  has_shown_1 : bool,  asks_cache_1 : bool,  life_2 : u32,  is_at_cell_1 : bool) -> Walker_0
 {
     var _S419 : Walker_0;
     _S419.path_7 = path_11;
     _S419.ray_18 = ray_24;
     _S419.is_shadow_ray_0 = is_shadow_ray_2;
-    _S419.light_6 = light_11;
+    _S419.light_5 = light_11;
     _S419.direction_27 = direction_28;
     _S419.path_origin_2 = path_origin_3;
     _S419.shadow_inside_2 = shadow_inside_4;
     _S419.boundaries_0 = boundaries_1;
     _S419.relocates_2 = relocates_4;
     _S419.path_relocates_2 = path_relocates_4;
+    _S419.camera_ray_0 = camera_ray_1;
     _S419.way_5 = way_6;
     _S419.has_shown_0 = has_shown_1;
     _S419.asks_cache_0 = asks_cache_1;
@@ -5945,8 +5938,8 @@ fn at_cell_0( key_3 : Key_0,  rank_3 : u32,  sampler_5 : Sampler_0) -> Walker_0
             on_face_1 = vec3<f32>(u_19.x, u_19.y, 0.0f);
         }
     }
-    var _S421 : vec3<f32> = Transform_point_1(key_3.instance_12, offset_ray_origin_0(vector_of_0(instances_0[key_3.instance_12].grid_from_world_0.translation_0), _S420, face_8, _S420 + on_face_1));
-    var _S422 : vec3<f32> = world_normal_0(key_3.instance_12, face_8);
+    var _S421 : vec3<f32> = Transform_point_1(key_3.instance_11, offset_ray_origin_0(vector_of_0(instances_0[key_3.instance_11].grid_from_world_0.translation_0), _S420, face_8, _S420 + on_face_1));
+    var _S422 : vec3<f32> = world_normal_0(key_3.instance_11, face_8);
     var path_12 : Path_0 = path_from_0(sampler_5);
     var x_11 : vec3<f32>;
     var y_6 : vec3<f32>;
@@ -5958,7 +5951,7 @@ fn at_cell_0( key_3 : Key_0,  rank_3 : u32,  sampler_5 : Sampler_0) -> Walker_0
     path_12.selection_0 = Lights_selection_0(receiver_20);
     path_12.normal_0 = _S422;
     path_12.pdf_1 = cosine_hemisphere_pdf_0(_S423);
-    var surface_5 : Surface_0 = Surface_x24init_0(_S421, _S422, face_8, key_3.instance_12);
+    var surface_5 : Surface_0 = Surface_x24init_0(_S421, _S422, face_8, key_3.instance_11);
     var white_0 : MaterialBsdf_0;
     white_0.kind_0 = u32(0);
     white_0.color_0 = vec3<f32>(1.0f);
@@ -5966,7 +5959,8 @@ fn at_cell_0( key_3 : Key_0,  rank_3 : u32,  sampler_5 : Sampler_0) -> Walker_0
     white_0.eta_0 = 1.0f;
     white_0.facets_0.alpha_0 = 1.0f;
     scatter_of_path_0 = Scatter_x24init_0(path_12, receiver_20, surface_5, white_0, vec3<f32>(0.0f, 0.0f, 1.0f), 1.0f, false, true);
-    return Walker_x24init_0(path_12, ray_from_0(_S421, direction_29), false, vec3<f32>(0.0f), direction_29, _S421, in_air_0(), u32(0), false, false, 0.0f, true, true, max((rank_3 >> (u32(20))), u32(1)) - u32(1), true);
+    var ray_25 : Ray_0 = ray_from_0(_S421, direction_29);
+    return Walker_x24init_0(path_12, ray_25, false, vec3<f32>(0.0f), direction_29, _S421, in_air_0(), u32(0), false, false, ray_25, 0.0f, true, true, max((rank_3 >> (u32(20))), u32(1)) - u32(1), true);
 }
 
 fn pixel_of_thread_0( thread_0 : u32) -> vec2<u32>
@@ -5995,31 +5989,38 @@ fn pixel_that_traces_0( thread_1 : u32) -> vec2<u32>
     return at_10;
 }
 
-fn is_inside_0( at_11 : vec2<i32>) -> bool
+fn pixel_of_square_0( square_1 : u32,  number_3 : u32) -> vec2<u32>
 {
-    var _S426 : bool;
-    if((all((at_11 >= vec2<i32>(i32(0))))))
-    {
-        _S426 = (at_11.x) < i32(params_0.width_0);
-    }
-    else
-    {
-        _S426 = false;
-    }
-    if(_S426)
-    {
-        _S426 = (at_11.y) < i32(params_0.height_0);
-    }
-    else
-    {
-        _S426 = false;
-    }
-    return _S426;
+    var columns_1 : u32 = squares_0().x;
+    var _S426 : u32 = square_1 % columns_1;
+    var _S427 : u32 = square_1 / columns_1;
+    var at_11 : vec2<u32> = vec2<u32>(_S426, _S427);
+    var _S428 : vec2<u32> = vec2<u32>(u32(5));
+    var _S429 : vec2<u32> = at_11 * _S428;
+    var _S430 : vec2<u32> = pcg4d_0(vec4<u32>(at_11, number_3, u32(3266489909))).xy % _S428;
+    return min(_S429 + _S430, vec2<u32>(params_0.width_0, params_0.height_0) - vec2<u32>(u32(1)));
 }
 
-fn index_of_0( at_12 : vec2<u32>) -> u32
+fn is_inside_0( at_12 : vec2<i32>) -> bool
 {
-    return at_12.y * params_0.width_0 + at_12.x;
+    var _S431 : bool;
+    if((all((at_12 >= vec2<i32>(i32(0))))))
+    {
+        _S431 = (at_12.x) < i32(params_0.width_0);
+    }
+    else
+    {
+        _S431 = false;
+    }
+    if(_S431)
+    {
+        _S431 = (at_12.y) < i32(params_0.height_0);
+    }
+    else
+    {
+        _S431 = false;
+    }
+    return _S431;
 }
 
 struct CameraFrame_0
@@ -6036,19 +6037,35 @@ struct CameraFrame_0
 
 fn CameraFrame_x24init_0( lens_2 : u32,  eye_3 : vec3<f32>,  corner_3 : vec3<f32>,  pixel_x_2 : vec3<f32>,  pixel_y_2 : vec3<f32>,  lens_x_2 : vec3<f32>,  lens_y_2 : vec3<f32>,  blades_2 : u32) -> CameraFrame_0
 {
-    var _S427 : CameraFrame_0;
-    _S427.lens_1 = lens_2;
-    _S427.eye_2 = eye_3;
-    _S427.corner_2 = corner_3;
-    _S427.pixel_x_1 = pixel_x_2;
-    _S427.pixel_y_1 = pixel_y_2;
-    _S427.lens_x_1 = lens_x_2;
-    _S427.lens_y_1 = lens_y_2;
-    _S427.blades_1 = blades_2;
-    return _S427;
+    var _S432 : CameraFrame_0;
+    _S432.lens_1 = lens_2;
+    _S432.eye_2 = eye_3;
+    _S432.corner_2 = corner_3;
+    _S432.pixel_x_1 = pixel_x_2;
+    _S432.pixel_y_1 = pixel_y_2;
+    _S432.lens_x_1 = lens_x_2;
+    _S432.lens_y_1 = lens_y_2;
+    _S432.blades_1 = blades_2;
+    return _S432;
 }
 
 @id(5) override LENS_0 : u32 = u32(0);
+
+fn camera_before_0() -> CameraFrame_0
+{
+    return CameraFrame_x24init_0(LENS_0, real_time_0.before_eye_0, real_time_0.before_corner_0, real_time_0.before_pixel_x_0, real_time_0.before_pixel_y_0, real_time_0.before_lens_x_0, real_time_0.before_lens_y_0, real_time_0.before_blades_0);
+}
+
+fn place_of_square_0( list_0 : u32,  square_2 : u32) -> u32
+{
+    var count_6 : vec2<u32> = squares_0();
+    return u32(4) * real_time_0.pixels_0 + list_0 * count_6.x * count_6.y + square_2;
+}
+
+fn index_of_0( at_13 : vec2<u32>) -> u32
+{
+    return at_13.y * params_0.width_0 + at_13.x;
+}
 
 struct Perspective_0
 {
@@ -6060,12 +6077,12 @@ struct Perspective_0
 
 fn Perspective_x24init_0( eye_5 : vec3<f32>,  corner_5 : vec3<f32>,  pixel_x_4 : vec3<f32>,  pixel_y_4 : vec3<f32>) -> Perspective_0
 {
-    var _S428 : Perspective_0;
-    _S428.eye_4 = eye_5;
-    _S428.corner_4 = corner_5;
-    _S428.pixel_x_3 = pixel_x_4;
-    _S428.pixel_y_3 = pixel_y_4;
-    return _S428;
+    var _S433 : Perspective_0;
+    _S433.eye_4 = eye_5;
+    _S433.corner_4 = corner_5;
+    _S433.pixel_x_3 = pixel_x_4;
+    _S433.pixel_y_3 = pixel_y_4;
+    return _S433;
 }
 
 struct Axes_0
@@ -6077,11 +6094,11 @@ struct Axes_0
 
 fn Axes_x24init_0( forward_1 : vec3<f32>,  right_4 : vec3<f32>,  up_1 : vec3<f32>) -> Axes_0
 {
-    var _S429 : Axes_0;
-    _S429.forward_0 = forward_1;
-    _S429.right_3 = right_4;
-    _S429.up_0 = up_1;
-    return _S429;
+    var _S434 : Axes_0;
+    _S434.forward_0 = forward_1;
+    _S434.right_3 = right_4;
+    _S434.up_0 = up_1;
+    return _S434;
 }
 
 struct ThinLens_0
@@ -6094,28 +6111,28 @@ struct ThinLens_0
 
 fn ThinLens_x24init_0( perspective_1 : Perspective_0,  lens_x_4 : vec3<f32>,  lens_y_4 : vec3<f32>,  blades_4 : u32) -> ThinLens_0
 {
-    var _S430 : ThinLens_0;
-    _S430.perspective_0 = perspective_1;
-    _S430.lens_x_3 = lens_x_4;
-    _S430.lens_y_3 = lens_y_4;
-    _S430.blades_3 = blades_4;
-    return _S430;
+    var _S435 : ThinLens_0;
+    _S435.perspective_0 = perspective_1;
+    _S435.lens_x_3 = lens_x_4;
+    _S435.lens_y_3 = lens_y_4;
+    _S435.blades_3 = blades_4;
+    return _S435;
 }
 
-fn concentric_0( square_1 : vec2<f32>) -> vec2<f32>
+fn concentric_0( square_3 : vec2<f32>) -> vec2<f32>
 {
-    var a_8 : f32 = 2.0f * square_1.x - 1.0f;
-    var b_8 : f32 = 2.0f * square_1.y - 1.0f;
-    var _S431 : bool;
+    var a_8 : f32 = 2.0f * square_3.x - 1.0f;
+    var b_8 : f32 = 2.0f * square_3.y - 1.0f;
+    var _S436 : bool;
     if(a_8 == 0.0f)
     {
-        _S431 = b_8 == 0.0f;
+        _S436 = b_8 == 0.0f;
     }
     else
     {
-        _S431 = false;
+        _S436 = false;
     }
-    if(_S431)
+    if(_S436)
     {
         return vec2<f32>(0.0f);
     }
@@ -6142,7 +6159,7 @@ fn concentric_0( square_1 : vec2<f32>) -> vec2<f32>
     {
         turns_3 = turns_3 + 0.5f;
     }
-    var _S432 : f32 = abs(radius_4);
+    var _S437 : f32 = abs(radius_4);
     if(turns_3 < 0.0f)
     {
         radius_4 = turns_3 + 1.0f;
@@ -6151,7 +6168,7 @@ fn concentric_0( square_1 : vec2<f32>) -> vec2<f32>
     {
         radius_4 = turns_3;
     }
-    return vec2<f32>(_S432, radius_4);
+    return vec2<f32>(_S437, radius_4);
 }
 
 fn place_in_aperture_0( blades_5 : u32,  lens_3 : vec2<f32>) -> vec2<f32>
@@ -6163,15 +6180,15 @@ fn place_in_aperture_0( blades_5 : u32,  lens_3 : vec2<f32>) -> vec2<f32>
         var sin_cos_3 : vec2<f32> = sincos_turns_0(radius_turns_0.y);
         return vec2<f32>(radius_5 * sin_cos_3.y, radius_5 * sin_cos_3.x);
     }
-    var count_6 : f32 = f32(blades_5);
-    var scaled_0 : f32 = radius_turns_0.y * count_6;
+    var count_7 : f32 = f32(blades_5);
+    var scaled_0 : f32 = radius_turns_0.y * count_7;
     var blade_0 : f32 = f32(min(u32(scaled_0), blades_5 - u32(1)));
     var share_7 : f32 = scaled_0 - blade_0;
-    var from_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0, count_6));
-    var to_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0 + 1.0f, count_6));
-    var _S433 : f32 = from_0.y;
-    var _S434 : f32 = from_0.x;
-    return vec2<f32>(_S433 + (to_0.y - _S433) * share_7, _S434 + (to_0.x - _S434) * share_7) * vec2<f32>(radius_5);
+    var from_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0, count_7));
+    var to_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0 + 1.0f, count_7));
+    var _S438 : f32 = from_0.y;
+    var _S439 : f32 = from_0.x;
+    return vec2<f32>(_S438 + (to_0.y - _S438) * share_7, _S439 + (to_0.x - _S439) * share_7) * vec2<f32>(radius_5);
 }
 
 fn ThinLens_ray_0( this_47 : ThinLens_0,  position_3 : vec2<f32>,  lens_4 : vec2<f32>) -> Ray_0
@@ -6191,12 +6208,12 @@ struct Orthographic_0
 
 fn Orthographic_x24init_0( corner_7 : vec3<f32>,  pixel_x_6 : vec3<f32>,  pixel_y_6 : vec3<f32>,  forward_3 : vec3<f32>) -> Orthographic_0
 {
-    var _S435 : Orthographic_0;
-    _S435.corner_6 = corner_7;
-    _S435.pixel_x_5 = pixel_x_6;
-    _S435.pixel_y_5 = pixel_y_6;
-    _S435.forward_2 = forward_3;
-    return _S435;
+    var _S440 : Orthographic_0;
+    _S440.corner_6 = corner_7;
+    _S440.pixel_x_5 = pixel_x_6;
+    _S440.pixel_y_5 = pixel_y_6;
+    _S440.forward_2 = forward_3;
+    return _S440;
 }
 
 fn Orthographic_ray_0( this_48 : Orthographic_0,  position_4 : vec2<f32>,  lens_5 : vec2<f32>) -> Ray_0
@@ -6214,12 +6231,12 @@ struct Panorama_0
 
 fn Panorama_x24init_0( eye_7 : vec3<f32>,  axes_2 : Axes_0,  inverse_size_1 : vec2<f32>,  half_eye_distance_1 : f32) -> Panorama_0
 {
-    var _S436 : Panorama_0;
-    _S436.eye_6 = eye_7;
-    _S436.axes_1 = axes_2;
-    _S436.inverse_size_0 = inverse_size_1;
-    _S436.half_eye_distance_0 = half_eye_distance_1;
-    return _S436;
+    var _S441 : Panorama_0;
+    _S441.eye_6 = eye_7;
+    _S441.axes_1 = axes_2;
+    _S441.inverse_size_0 = inverse_size_1;
+    _S441.half_eye_distance_0 = half_eye_distance_1;
+    return _S441;
 }
 
 fn Panorama_ray_0( this_49 : Panorama_0,  position_5 : vec2<f32>,  lens_6 : vec2<f32>) -> Ray_0
@@ -6246,9 +6263,9 @@ fn Panorama_ray_0( this_49 : Panorama_0,  position_5 : vec2<f32>,  lens_6 : vec2
     }
     var longitude_0 : vec2<f32> = sincos_turns_0(position_5.x * this_49.inverse_size_0.x);
     var height_2 : vec2<f32> = sincos_turns_0(latitude_1 * 0.5f);
-    var _S437 : vec3<f32> = vec3<f32>(longitude_0.y);
-    var _S438 : vec3<f32> = vec3<f32>(longitude_0.x);
-    return ray_from_0(this_49.eye_6 + (this_49.axes_1.forward_0 * _S438 - this_49.axes_1.right_3 * _S437) * vec3<f32>(side_4), normalize_vector_0((vec3<f32>(0) - this_49.axes_1.forward_0 * _S437 + this_49.axes_1.right_3 * _S438) * vec3<f32>(height_2.x) + this_49.axes_1.up_0 * vec3<f32>(height_2.y)));
+    var _S442 : vec3<f32> = vec3<f32>(longitude_0.y);
+    var _S443 : vec3<f32> = vec3<f32>(longitude_0.x);
+    return ray_from_0(this_49.eye_6 + (this_49.axes_1.forward_0 * _S443 - this_49.axes_1.right_3 * _S442) * vec3<f32>(side_4), normalize_vector_0((vec3<f32>(0) - this_49.axes_1.forward_0 * _S442 + this_49.axes_1.right_3 * _S443) * vec3<f32>(height_2.x) + this_49.axes_1.up_0 * vec3<f32>(height_2.y)));
 }
 
 struct Fisheye_0
@@ -6261,12 +6278,12 @@ struct Fisheye_0
 
 fn Fisheye_x24init_0( eye_9 : vec3<f32>,  axes_4 : Axes_0,  middle_2 : vec2<f32>,  turns_per_pixel_1 : f32) -> Fisheye_0
 {
-    var _S439 : Fisheye_0;
-    _S439.eye_8 = eye_9;
-    _S439.axes_3 = axes_4;
-    _S439.middle_1 = middle_2;
-    _S439.turns_per_pixel_0 = turns_per_pixel_1;
-    return _S439;
+    var _S444 : Fisheye_0;
+    _S444.eye_8 = eye_9;
+    _S444.axes_3 = axes_4;
+    _S444.middle_1 = middle_2;
+    _S444.turns_per_pixel_0 = turns_per_pixel_1;
+    return _S444;
 }
 
 fn Fisheye_ray_0( this_50 : Fisheye_0,  position_6 : vec2<f32>,  lens_7 : vec2<f32>) -> Ray_0
@@ -6324,37 +6341,160 @@ fn CameraFrame_ray_0( this_52 : CameraFrame_0,  position_8 : vec2<f32>,  lens_sa
 fn at_camera_0( pixel_2 : vec2<u32>,  camera_0 : CameraFrame_0,  sampler_6 : Sampler_0,  asks_cache_2 : bool) -> Walker_0
 {
     var jitter_0 : vec4<f32> = PathTracingOf_jitter_0(sampler_6);
-    var _S440 : vec3<f32> = vec3<f32>(0.0f);
-    return Walker_x24init_0(path_from_0(sampler_6), CameraFrame_ray_0(camera_0, vec2<f32>(pixel_2) + jitter_0.xy, jitter_0.zw), false, _S440, _S440, _S440, in_air_0(), u32(0), true, true, 0.0f, false, asks_cache_2, u32(10), false);
+    var ray_26 : Ray_0 = CameraFrame_ray_0(camera_0, vec2<f32>(pixel_2) + jitter_0.xy, jitter_0.zw);
+    var _S445 : vec3<f32> = vec3<f32>(0.0f);
+    return Walker_x24init_0(path_from_0(sampler_6), ray_26, false, _S445, _S445, _S445, in_air_0(), u32(0), true, true, ray_26, 0.0f, false, asks_cache_2, u32(10), false);
 }
 
-fn place_of_square_0( list_0 : u32,  square_2 : u32) -> u32
+fn FrameParams_camera_0() -> CameraFrame_0
 {
-    var count_7 : vec2<u32> = squares_0();
-    return u32(4) * real_time_0.pixels_0 + list_0 * count_7.x * count_7.y + square_2;
+    return CameraFrame_x24init_0(LENS_0, params_0.eye_1, params_0.corner_0, params_0.pixel_x_0, params_0.pixel_y_0, params_0.lens_x_0, params_0.lens_y_0, params_0.blades_0);
 }
 
-fn pixel_of_square_0( square_3 : u32,  number_3 : u32) -> vec2<u32>
+fn begin_item_0( item_0 : u32,  start_4 : ptr<function, Walker_0>,  place_8 : ptr<function, u32>) -> bool
 {
-    var columns_1 : u32 = squares_0().x;
-    var _S441 : u32 = square_3 % columns_1;
-    var _S442 : u32 = square_3 / columns_1;
-    var at_13 : vec2<u32> = vec2<u32>(_S441, _S442);
-    var _S443 : vec2<u32> = vec2<u32>(u32(5));
-    var _S444 : vec2<u32> = at_13 * _S443;
-    var _S445 : vec2<u32> = pcg4d_0(vec4<u32>(at_13, number_3, u32(3266489909))).xy % _S443;
-    return min(_S444 + _S445, vec2<u32>(params_0.width_0, params_0.height_0) - vec2<u32>(u32(1)));
-}
-
-fn camera_before_0() -> CameraFrame_0
-{
-    return CameraFrame_x24init_0(LENS_0, real_time_0.before_eye_0, real_time_0.before_corner_0, real_time_0.before_pixel_x_0, real_time_0.before_pixel_y_0, real_time_0.before_lens_x_0, real_time_0.before_lens_y_0, real_time_0.before_blades_0);
+    (*start_4).is_at_cell_0 = false;
+    (*place_8) = u32(0);
+    var cells_1 : u32 = cells_that_trace_0();
+    var pixels_1 : u32 = threads_that_trace_0();
+    var _S446 : vec2<u32> = squares_0();
+    var count_8 : u32 = _S446.x * _S446.y;
+    if(item_0 < cells_1)
+    {
+        var _S447 : u32 = atomicLoad(&(cell_keys_0[u32(2)]));
+        var traces_0 : bool = item_0 < _S447;
+        if(traces_0)
+        {
+            var _S448 : u32 = atomicLoad(&(cell_keys_0[place_of_chosen_0(item_0)]));
+            (*place_8) = _S448;
+            var face_9 : vec4<u32> = cell_row_0(u32(1), _S448);
+            var key_4 : Key_0 = Key_x24init_0(face_9.x, face_9.y, vec3<i32>(cell_row_0(u32(2), _S448).xyz));
+            var _S449 : Walker_0 = at_cell_0(key_4, face_9.z, Sampler_x24init_0(((params_0.seed_0) ^ (u32(1540483477))), Key_hash_0(key_4).x, real_time_0.number_0));
+            (*start_4) = _S449;
+        }
+        return traces_0;
+    }
+    var _S450 : u32 = item_0 - cells_1;
+    var _S451 : vec2<u32> = pixel_that_traces_0(_S450);
+    var square_4 : u32 = _S450 - pixels_1;
+    var is_square_0 : bool = item_0 >= (cells_1 + pixels_1);
+    var is_again_0 : bool;
+    if(is_square_0)
+    {
+        is_again_0 = square_4 >= count_8;
+    }
+    else
+    {
+        is_again_0 = false;
+    }
+    var number_4 : u32;
+    if(is_again_0)
+    {
+        number_4 = count_8;
+    }
+    else
+    {
+        number_4 = u32(0);
+    }
+    var square_5 : u32 = square_4 - number_4;
+    if(is_again_0)
+    {
+        number_4 = real_time_0.number_0 - u32(1);
+    }
+    else
+    {
+        number_4 = real_time_0.number_0;
+    }
+    var at_14 : vec2<u32>;
+    if(is_square_0)
+    {
+        var _S452 : vec2<u32> = pixel_of_square_0(square_5, number_4);
+        at_14 = _S452;
+    }
+    else
+    {
+        at_14 = _S451;
+    }
+    var traces_1 : bool;
+    if(is_square_0)
+    {
+        if(square_5 < count_8)
+        {
+            if(!is_again_0)
+            {
+                traces_1 = true;
+            }
+            else
+            {
+                traces_1 = has_0(u32(512));
+            }
+        }
+        else
+        {
+            traces_1 = false;
+        }
+    }
+    else
+    {
+        traces_1 = is_inside_0(vec2<i32>(at_14));
+    }
+    if(traces_1)
+    {
+        var _S453 : CameraFrame_0 = FrameParams_camera_0();
+        var camera_1 : CameraFrame_0;
+        if(is_again_0)
+        {
+            camera_1 = camera_before_0();
+        }
+        else
+        {
+            camera_1 = _S453;
+        }
+        var _S454 : u32;
+        if(is_square_0)
+        {
+            if(is_again_0)
+            {
+                _S454 = u32(2);
+            }
+            else
+            {
+                _S454 = (number_4 & (u32(1)));
+            }
+            _S454 = place_of_square_0(_S454, square_5);
+        }
+        else
+        {
+            _S454 = index_of_0(at_14);
+        }
+        (*place_8) = _S454;
+        var _S455 : u32 = params_0.seed_0;
+        if(is_square_0)
+        {
+            _S454 = u32(3266489909);
+        }
+        else
+        {
+            _S454 = u32(2654435769);
+        }
+        var sampler_7 : Sampler_0 = Sampler_x24init_0((_S455 ^ (_S454)), index_of_0(at_14), number_4);
+        if(!is_square_0)
+        {
+            is_again_0 = has_0(u32(1));
+        }
+        else
+        {
+            is_again_0 = false;
+        }
+        (*start_4) = at_camera_0(at_14, camera_1, sampler_7, is_again_0);
+    }
+    return traces_1;
 }
 
 fn packed_normal_0( normal_8 : vec3<f32>) -> u32
 {
-    var _S446 : vec3<i32> = vec3<i32>(floor(clamp(normal_8, vec3<f32>(-1.0f), vec3<f32>(1.0f)) * vec3<f32>(511.0f) + vec3<f32>(0.5f)));
-    return (((((u32(_S446.x) & (u32(1023)))) | (((((u32(_S446.y) & (u32(1023)))) << (u32(10))))))) | (((((u32(_S446.z) & (u32(1023)))) << (u32(20))))));
+    var _S456 : vec3<i32> = vec3<i32>(floor(clamp(normal_8, vec3<f32>(-1.0f), vec3<f32>(1.0f)) * vec3<f32>(511.0f) + vec3<f32>(0.5f)));
+    return (((((u32(_S456.x) & (u32(1023)))) | (((((u32(_S456.y) & (u32(1023)))) << (u32(10))))))) | (((((u32(_S456.z) & (u32(1023)))) << (u32(20))))));
 }
 
 fn set_scratch_row_0( row_4 : u32,  index_29 : u32,  value_3 : vec2<u32>)
@@ -6365,19 +6505,19 @@ fn set_scratch_row_0( row_4 : u32,  index_29 : u32,  value_3 : vec2<u32>)
 
 fn store_sample_0( index_30 : u32,  sample_14 : Sample_0)
 {
-    var _S447 : u32 = packed_normal_0(sample_14.normal_4);
-    var _S448 : u32;
+    var _S457 : u32 = packed_normal_0(sample_14.normal_4);
+    var _S458 : u32;
     if(sample_14.is_shown_0)
     {
-        _S448 = u32(1073741824);
+        _S458 = u32(1073741824);
     }
     else
     {
-        _S448 = u32(0);
+        _S458 = u32(0);
     }
-    var normal_9 : u32 = (_S447 | (_S448));
-    set_scratch_row_0(u32(0), index_30, (bitcast<vec2<u32>>((sample_14.light_5.xy))));
-    set_scratch_row_0(u32(1), index_30, vec2<u32>((bitcast<u32>((sample_14.light_5.z))), sample_14.instance_10));
+    var normal_9 : u32 = (_S457 | (_S458));
+    set_scratch_row_0(u32(0), index_30, (bitcast<vec2<u32>>((sample_14.light_6.xy))));
+    set_scratch_row_0(u32(1), index_30, vec2<u32>((bitcast<u32>((sample_14.light_6.z))), sample_14.instance_10));
     set_scratch_row_0(u32(2), index_30, (bitcast<vec2<u32>>((sample_14.direct_0.xy))));
     set_scratch_row_0(u32(3), index_30, (bitcast<vec2<u32>>((vec2<f32>(sample_14.direct_0.z, sample_14.place_3.x)))));
     set_scratch_row_0(u32(4), index_30, (bitcast<vec2<u32>>((sample_14.place_3.yz))));
@@ -6388,21 +6528,37 @@ fn store_sample_0( index_30 : u32,  sample_14 : Sample_0)
 
 fn light_on_0( sample_15 : Sample_0) -> f32
 {
-    var _S449 : f32;
+    var _S459 : f32;
     if(sample_15.is_shown_0)
     {
-        _S449 = luminance_0(sample_15.light_5) / (luminance_0(sample_15.albedo_0) + 0.00300000002607703f);
+        _S459 = luminance_0(sample_15.light_6) / (luminance_0(sample_15.albedo_0) + 0.00300000002607703f);
     }
     else
     {
-        _S449 = 0.0f;
+        _S459 = 0.0f;
     }
-    return _S449;
+    return _S459;
 }
 
-fn FrameParams_camera_0() -> CameraFrame_0
+fn end_item_0( item_1 : u32,  place_9 : u32,  sample_16 : Sample_0)
 {
-    return CameraFrame_x24init_0(LENS_0, params_0.eye_1, params_0.corner_0, params_0.pixel_x_0, params_0.pixel_y_0, params_0.lens_x_0, params_0.lens_y_0, params_0.blades_0);
+    var cells_2 : u32 = cells_that_trace_0();
+    if(item_1 < cells_2)
+    {
+        set_cell_row_0(u32(3), place_9, vec4<u32>((bitcast<vec3<u32>>((sample_16.light_6))), u32(1)));
+    }
+    else
+    {
+        if(item_1 < (cells_2 + threads_that_trace_0()))
+        {
+            store_sample_0(place_9, sample_16);
+        }
+        else
+        {
+            memory_rows_0[place_9] = vec4<u32>((bitcast<vec3<u32>>((sample_16.place_3))), (bitcast<u32>((light_on_0(sample_16)))));
+        }
+    }
+    return;
 }
 
 @compute
@@ -6412,143 +6568,35 @@ fn trace(@builtin(global_invocation_id) id_0 : vec3<u32>)
     first_candidates_0 = u32(1);
     is_page_missing_0 = false;
     ends_here_0 = false;
-    var thread_2 : u32 = id_0.x;
-    var _S450 : bool = has_0(u32(1));
-    var cells_1 : u32;
-    if(_S450)
-    {
-        cells_1 = u32(73728);
-    }
-    else
-    {
-        cells_1 = u32(0);
-    }
-    var pixels_1 : u32 = threads_that_trace_0();
-    var _S451 : vec2<u32> = squares_0();
-    var count_8 : u32 = _S451.x * _S451.y;
     scatter_of_path_0.wants_light_0 = false;
     first_candidates_0 = real_time_0.candidates_0;
-    var start_6 : Walker_0;
-    start_6.is_at_cell_0 = false;
-    var _S452 : bool = thread_2 < cells_1;
-    var place_8 : u32;
-    var traces_0 : bool;
-    if(_S452)
+    var sample_17 : Sample_0 = no_sample_0();
+    var _S460 : u32 = id_0.x;
+    var at_15 : Walker_0;
+    var place_10 : u32;
+    var is_begun_0 : bool = begin_item_0(_S460, &(at_15), &(place_10));
+    var is_under_way_0 : bool = is_begun_0;
+    var is_shadow_turn_0 : bool = true;
+    for(;;)
     {
-        var _S453 : u32 = atomicLoad(&(cell_keys_0[u32(2)]));
-        var traces_1 : bool = thread_2 < _S453;
-        if(traces_1)
+        if(is_under_way_0)
         {
-            var place_9 : u32 = atomicLoad(&(cell_keys_0[place_of_chosen_0(thread_2)]));
-            var face_9 : vec4<u32> = cell_row_0(u32(1), place_9);
-            var key_4 : Key_0 = Key_x24init_0(face_9.x, face_9.y, vec3<i32>(cell_row_0(u32(2), place_9).xyz));
-            var _S454 : Walker_0 = at_cell_0(key_4, face_9.z, Sampler_x24init_0(((params_0.seed_0) ^ (u32(1540483477))), Key_hash_0(key_4).x, real_time_0.number_0));
-            start_6 = _S454;
-            place_8 = place_9;
         }
         else
         {
-            place_8 = u32(0);
+            break;
         }
-        traces_0 = traces_1;
-    }
-    else
-    {
-        if(thread_2 < (cells_1 + pixels_1))
+        var is_shadow_turn_1 : bool = !is_shadow_turn_0;
+        if((at_15.is_shadow_ray_0) == is_shadow_turn_1)
         {
-            var at_14 : vec2<u32> = pixel_that_traces_0(thread_2 - cells_1);
-            var traces_2 : bool = is_inside_0(vec2<i32>(at_14));
-            var place_10 : u32 = index_of_0(at_14);
-            if(traces_2)
-            {
-                start_6 = at_camera_0(at_14, FrameParams_camera_0(), Sampler_x24init_0(((params_0.seed_0) ^ (u32(2654435769))), place_10, real_time_0.number_0), _S450);
-            }
-            traces_0 = traces_2;
-            place_8 = place_10;
+            var _S461 : bool = goes_on_4(&(at_15), &(sample_17));
+            is_under_way_0 = _S461;
         }
-        else
-        {
-            var square_4 : u32 = thread_2 - cells_1 - pixels_1;
-            var is_again_0 : bool = square_4 >= count_8;
-            if(is_again_0)
-            {
-                place_8 = count_8;
-            }
-            else
-            {
-                place_8 = u32(0);
-            }
-            var square_5 : u32 = square_4 - place_8;
-            if(square_5 < count_8)
-            {
-                if(!is_again_0)
-                {
-                    traces_0 = true;
-                }
-                else
-                {
-                    traces_0 = has_0(u32(512));
-                }
-            }
-            else
-            {
-                traces_0 = false;
-            }
-            if(is_again_0)
-            {
-                place_8 = real_time_0.number_0 - u32(1);
-            }
-            else
-            {
-                place_8 = real_time_0.number_0;
-            }
-            var _S455 : u32;
-            if(is_again_0)
-            {
-                _S455 = u32(2);
-            }
-            else
-            {
-                _S455 = (place_8 & (u32(1)));
-            }
-            var _S456 : u32 = place_of_square_0(_S455, square_5);
-            if(traces_0)
-            {
-                var at_15 : vec2<u32> = pixel_of_square_0(square_5, place_8);
-                var _S457 : CameraFrame_0 = FrameParams_camera_0();
-                var camera_1 : CameraFrame_0;
-                if(is_again_0)
-                {
-                    camera_1 = camera_before_0();
-                }
-                else
-                {
-                    camera_1 = _S457;
-                }
-                start_6 = at_camera_0(at_15, camera_1, Sampler_x24init_0(((params_0.seed_0) ^ (u32(3266489909))), index_of_0(at_15), place_8), false);
-            }
-            place_8 = _S456;
-        }
+        is_shadow_turn_0 = is_shadow_turn_1;
     }
-    if(!traces_0)
+    if(is_begun_0)
     {
-        return;
-    }
-    var sample_16 : Sample_0 = follow_1(start_6, start_6.ray_18);
-    if(_S452)
-    {
-        set_cell_row_0(u32(3), place_8, vec4<u32>((bitcast<vec3<u32>>((sample_16.light_5))), u32(1)));
-    }
-    else
-    {
-        if(thread_2 < (cells_1 + pixels_1))
-        {
-            store_sample_0(place_8, sample_16);
-        }
-        else
-        {
-            memory_rows_0[place_8] = vec4<u32>((bitcast<vec3<u32>>((sample_16.place_3))), (bitcast<u32>((light_on_0(sample_16)))));
-        }
+        end_item_0(_S460, place_10, sample_17);
     }
     return;
 }
@@ -6563,18 +6611,18 @@ struct Lit_0
 
 fn Lit_x24init_0( paths_1 : f32,  light_13 : vec3<f32>,  shaded_1 : vec3<f32>,  moments_1 : vec3<f32>) -> Lit_0
 {
-    var _S458 : Lit_0;
-    _S458.paths_0 = paths_1;
-    _S458.light_12 = light_13;
-    _S458.shaded_0 = shaded_1;
-    _S458.moments_0 = moments_1;
-    return _S458;
+    var _S462 : Lit_0;
+    _S462.paths_0 = paths_1;
+    _S462.light_12 = light_13;
+    _S462.shaded_0 = shaded_1;
+    _S462.moments_0 = moments_1;
+    return _S462;
 }
 
 fn not_lit_0() -> Lit_0
 {
-    var _S459 : vec3<f32> = vec3<f32>(0.0f);
-    return Lit_x24init_0(0.0f, _S459, _S459, _S459);
+    var _S463 : vec3<f32> = vec3<f32>(0.0f);
+    return Lit_x24init_0(0.0f, _S463, _S463, _S463);
 }
 
 struct Memory_0
@@ -6591,22 +6639,22 @@ struct Memory_0
 
 fn Memory_x24init_0( lit_1 : Lit_0,  looks_1 : f32,  direct_3 : vec3<f32>,  albedo_3 : vec3<f32>,  normal_11 : vec3<f32>,  place_12 : vec3<f32>,  roughness_2 : f32,  coverage_1 : f32) -> Memory_0
 {
-    var _S460 : Memory_0;
-    _S460.lit_0 = lit_1;
-    _S460.looks_0 = looks_1;
-    _S460.direct_2 = direct_3;
-    _S460.albedo_2 = albedo_3;
-    _S460.normal_10 = normal_11;
-    _S460.place_11 = place_12;
-    _S460.roughness_1 = roughness_2;
-    _S460.coverage_0 = coverage_1;
-    return _S460;
+    var _S464 : Memory_0;
+    _S464.lit_0 = lit_1;
+    _S464.looks_0 = looks_1;
+    _S464.direct_2 = direct_3;
+    _S464.albedo_2 = albedo_3;
+    _S464.normal_10 = normal_11;
+    _S464.place_11 = place_12;
+    _S464.roughness_1 = roughness_2;
+    _S464.coverage_0 = coverage_1;
+    return _S464;
 }
 
 fn nothing_known_0() -> Memory_0
 {
-    var _S461 : vec3<f32> = vec3<f32>(0.0f);
-    return Memory_x24init_0(not_lit_0(), 0.0f, _S461, _S461, _S461, _S461, 0.0f, 0.0f);
+    var _S465 : vec3<f32> = vec3<f32>(0.0f);
+    return Memory_x24init_0(not_lit_0(), 0.0f, _S465, _S465, _S465, _S465, 0.0f, 0.0f);
 }
 
 fn memory_row_0( row_5 : u32,  index_31 : u32) -> vec4<u32>
@@ -6633,12 +6681,12 @@ fn Lit_products_0( this_53 : Lit_0,  kept_0 : vec3<f32>) -> vec3<f32>
 
 fn lit_of_0( paths_2 : f32,  light_14 : vec3<f32>,  words_3 : vec3<u32>) -> Lit_0
 {
-    var _S462 : u32 = words_3.x;
-    var _S463 : u32 = words_3.y;
-    var _S464 : Lit_0 = Lit_x24init_0(paths_2, light_14, vec3<f32>(low_half_0(_S462), high_half_0(_S462), low_half_0(_S463)), vec3<f32>(0.0f));
-    var lit_2 : Lit_0 = _S464;
-    var _S465 : u32 = words_3.z;
-    lit_2.moments_0 = Lit_products_0(_S464, lit_2.shaded_0) * (vec3<f32>(1.0f) + vec3<f32>(high_half_0(_S463), low_half_0(_S465), high_half_0(_S465)));
+    var _S466 : u32 = words_3.x;
+    var _S467 : u32 = words_3.y;
+    var _S468 : Lit_0 = Lit_x24init_0(paths_2, light_14, vec3<f32>(low_half_0(_S466), high_half_0(_S466), low_half_0(_S467)), vec3<f32>(0.0f));
+    var lit_2 : Lit_0 = _S468;
+    var _S469 : u32 = words_3.z;
+    lit_2.moments_0 = Lit_products_0(_S468, lit_2.shaded_0) * (vec3<f32>(1.0f) + vec3<f32>(high_half_0(_S467), low_half_0(_S469), high_half_0(_S469)));
     return lit_2;
 }
 
@@ -6662,16 +6710,16 @@ fn load_memory_0( index_33 : u32) -> Memory_0
     var memory_0 : Memory_0;
     memory_0.lit_0 = load_lit_0(index_33);
     memory_0.looks_0 = high_half_0(shaded_3.x);
-    var _S466 : u32 = seen_0.x;
-    var _S467 : u32 = seen_0.y;
-    memory_0.direct_2 = vec3<f32>(low_half_0(_S466), high_half_0(_S466), low_half_0(_S467));
-    var _S468 : u32 = seen_0.z;
-    memory_0.albedo_2 = vec3<f32>(high_half_0(_S467), low_half_0(_S468), high_half_0(_S468));
+    var _S470 : u32 = seen_0.x;
+    var _S471 : u32 = seen_0.y;
+    memory_0.direct_2 = vec3<f32>(low_half_0(_S470), high_half_0(_S470), low_half_0(_S471));
+    var _S472 : u32 = seen_0.z;
+    memory_0.albedo_2 = vec3<f32>(high_half_0(_S471), low_half_0(_S472), high_half_0(_S472));
     memory_0.normal_10 = normal_in_0(surface_6.w);
     memory_0.place_11 = (bitcast<vec3<f32>>((surface_6.xyz)));
-    var _S469 : u32 = shaded_3.y;
-    memory_0.roughness_1 = high_half_0(_S469);
-    memory_0.coverage_0 = low_half_0(_S469);
+    var _S473 : u32 = shaded_3.y;
+    memory_0.roughness_1 = high_half_0(_S473);
+    memory_0.coverage_0 = low_half_0(_S473);
     return memory_0;
 }
 
@@ -6691,9 +6739,9 @@ fn scratch_row_0( row_6 : u32,  index_34 : u32) -> vec2<u32>
 fn load_known_0( index_35 : u32) -> Lit_0
 {
     var light_16 : vec2<u32> = scratch_row_0(u32(7), index_35);
-    var _S470 : u32 = light_16.y;
-    var _S471 : u32 = light_16.x;
-    return lit_of_0(high_half_0(_S470), vec3<f32>(low_half_0(_S471), high_half_0(_S471), low_half_0(_S470)), vec3<u32>(scratch_row_0(u32(8), index_35), scratch_row_0(u32(9), index_35).x));
+    var _S474 : u32 = light_16.y;
+    var _S475 : u32 = light_16.x;
+    return lit_of_0(high_half_0(_S474), vec3<f32>(low_half_0(_S475), high_half_0(_S475), low_half_0(_S474)), vec3<u32>(scratch_row_0(u32(8), index_35), scratch_row_0(u32(9), index_35).x));
 }
 
 fn memory_before_0( index_36 : u32) -> Memory_0
@@ -6721,27 +6769,27 @@ fn load_sample_0( index_37 : u32) -> Sample_0
     var b_9 : vec2<u32> = scratch_row_0(u32(1), index_37);
     var d_4 : vec2<f32> = (bitcast<vec2<f32>>((scratch_row_0(u32(3), index_37))));
     var g_0 : vec2<u32> = scratch_row_0(u32(6), index_37);
-    var sample_17 : Sample_0;
-    sample_17.light_5 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(0), index_37)))), (bitcast<f32>((b_9.x))));
-    sample_17.instance_10 = b_9.y;
-    sample_17.direct_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(2), index_37)))), d_4.x);
-    sample_17.place_3 = vec3<f32>(d_4.y, (bitcast<vec2<f32>>((scratch_row_0(u32(4), index_37)))));
-    sample_17.albedo_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(5), index_37)))), (bitcast<f32>((g_0.x))));
-    var _S472 : u32 = g_0.y;
-    sample_17.normal_4 = normal_in_0(_S472);
-    sample_17.is_shown_0 = ((_S472 & (u32(1073741824)))) != u32(0);
-    return sample_17;
+    var sample_18 : Sample_0;
+    sample_18.light_6 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(0), index_37)))), (bitcast<f32>((b_9.x))));
+    sample_18.instance_10 = b_9.y;
+    sample_18.direct_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(2), index_37)))), d_4.x);
+    sample_18.place_3 = vec3<f32>(d_4.y, (bitcast<vec2<f32>>((scratch_row_0(u32(4), index_37)))));
+    sample_18.albedo_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(5), index_37)))), (bitcast<f32>((g_0.x))));
+    var _S476 : u32 = g_0.y;
+    sample_18.normal_4 = normal_in_0(_S476);
+    sample_18.is_shown_0 = ((_S476 & (u32(1073741824)))) != u32(0);
+    return sample_18;
 }
 
-fn Memory_look_0( this_55 : ptr<function, Memory_0>,  sample_18 : Sample_0)
+fn Memory_look_0( this_55 : ptr<function, Memory_0>,  sample_19 : Sample_0)
 {
-    var _S473 : f32 = (*this_55).looks_0 + 1.0f;
-    (*this_55).looks_0 = _S473;
-    var share_8 : f32 = 1.0f / _S473;
-    var _S474 : vec3<f32> = vec3<f32>(share_8);
-    (*this_55).direct_2 = (*this_55).direct_2 + (sample_18.direct_0 - (*this_55).direct_2) * _S474;
-    (*this_55).albedo_2 = (*this_55).albedo_2 + (sample_18.albedo_0 - (*this_55).albedo_2) * _S474;
-    if(!sample_18.is_shown_0)
+    var _S477 : f32 = (*this_55).looks_0 + 1.0f;
+    (*this_55).looks_0 = _S477;
+    var share_8 : f32 = 1.0f / _S477;
+    var _S478 : vec3<f32> = vec3<f32>(share_8);
+    (*this_55).direct_2 = (*this_55).direct_2 + (sample_19.direct_0 - (*this_55).direct_2) * _S478;
+    (*this_55).albedo_2 = (*this_55).albedo_2 + (sample_19.albedo_0 - (*this_55).albedo_2) * _S478;
+    if(!sample_19.is_shown_0)
     {
         (*this_55).coverage_0 = (*this_55).coverage_0 - (*this_55).coverage_0 * share_8;
         return;
@@ -6750,12 +6798,12 @@ fn Memory_look_0( this_55 : ptr<function, Memory_0>,  sample_18 : Sample_0)
     (*this_55).coverage_0 = covered_0 * share_8;
     var of_covered_0 : f32 = 1.0f / covered_0;
     var before_0 : vec3<f32> = (*this_55).place_11;
-    var _S475 : vec3<f32> = vec3<f32>(of_covered_0);
-    (*this_55).normal_10 = (*this_55).normal_10 + (sample_18.normal_4 - (*this_55).normal_10) * _S475;
-    (*this_55).place_11 = (*this_55).place_11 + (sample_18.place_3 - (*this_55).place_11) * _S475;
+    var _S479 : vec3<f32> = vec3<f32>(of_covered_0);
+    (*this_55).normal_10 = (*this_55).normal_10 + (sample_19.normal_4 - (*this_55).normal_10) * _S479;
+    (*this_55).place_11 = (*this_55).place_11 + (sample_19.place_3 - (*this_55).place_11) * _S479;
     if(covered_0 > 1.0f)
     {
-        var along_1 : f32 = dot_product_0((*this_55).normal_10, sample_18.place_3 - before_0);
+        var along_1 : f32 = dot_product_0((*this_55).normal_10, sample_19.place_3 - before_0);
         (*this_55).roughness_1 = (*this_55).roughness_1 + (along_1 * along_1 / max(length_squared_0((*this_55).normal_10), 9.99999997475242708e-07f) * (1.0f - of_covered_0) - (*this_55).roughness_1) * of_covered_0;
     }
     return;
@@ -6763,31 +6811,24 @@ fn Memory_look_0( this_55 : ptr<function, Memory_0>,  sample_18 : Sample_0)
 
 fn Lit_add_0( this_56 : ptr<function, Lit_0>,  found_1 : vec3<f32>,  albedo_4 : vec3<f32>,  most_0 : f32)
 {
-    var _S476 : f32 = min((*this_56).paths_0 + 1.0f, most_0);
-    (*this_56).paths_0 = _S476;
+    var _S480 : f32 = min((*this_56).paths_0 + 1.0f, most_0);
+    (*this_56).paths_0 = _S480;
     var l_1 : f32 = luminance_0(found_1);
     var a_10 : f32 = luminance_0(albedo_4);
-    var _S477 : vec3<f32> = vec3<f32>((1.0f / _S476));
-    (*this_56).light_12 = (*this_56).light_12 + (found_1 - (*this_56).light_12) * _S477;
-    (*this_56).shaded_0 = (*this_56).shaded_0 + (albedo_4 - (*this_56).shaded_0) * _S477;
-    (*this_56).moments_0 = (*this_56).moments_0 + (vec3<f32>(l_1 * l_1, l_1 * a_10, a_10 * a_10) - (*this_56).moments_0) * _S477;
+    var _S481 : vec3<f32> = vec3<f32>((1.0f / _S480));
+    (*this_56).light_12 = (*this_56).light_12 + (found_1 - (*this_56).light_12) * _S481;
+    (*this_56).shaded_0 = (*this_56).shaded_0 + (albedo_4 - (*this_56).shaded_0) * _S481;
+    (*this_56).moments_0 = (*this_56).moments_0 + (vec3<f32>(l_1 * l_1, l_1 * a_10, a_10 * a_10) - (*this_56).moments_0) * _S481;
     return;
 }
 
-fn Memory_add_0( this_57 : ptr<function, Memory_0>,  sample_19 : Sample_0,  most_1 : f32)
+fn Memory_add_0( this_57 : ptr<function, Memory_0>,  sample_20 : Sample_0,  most_1 : f32)
 {
-    Memory_look_0(&((*this_57)), sample_19);
-    var _S478 : Lit_0 = (*this_57).lit_0;
-    Lit_add_0(&(_S478), sample_19.light_5, sample_19.albedo_0, most_1);
-    (*this_57).lit_0 = _S478;
+    Memory_look_0(&((*this_57)), sample_20);
+    var _S482 : Lit_0 = (*this_57).lit_0;
+    Lit_add_0(&(_S482), sample_20.light_6, sample_20.albedo_0, most_1);
+    (*this_57).lit_0 = _S482;
     return;
-}
-
-fn look_at_0( pixel_3 : vec2<u32>,  sampler_7 : Sampler_0) -> Sample_0
-{
-    var start_7 : Walker_0 = at_camera_0(pixel_3, FrameParams_camera_0(), sampler_7, false);
-    var _S479 : Sample_0 = follow_0(start_7, start_7.ray_18);
-    return _S479;
 }
 
 fn halves_1( low_13 : f32,  high_6 : f32) -> u32
@@ -6798,8 +6839,8 @@ fn halves_1( low_13 : f32,  high_6 : f32) -> u32
 fn Lit_beyond_0( this_58 : Lit_0,  kept_1 : vec3<f32>) -> vec3<f32>
 {
     var products_0 : vec3<f32> = Lit_products_0(this_58, kept_1);
-    var _S480 : vec3<f32> = vec3<f32>(1.00000000317107685e-30f);
-    return select(vec3<f32>(0.0f), this_58.moments_0 / max(products_0, _S480) - vec3<f32>(1.0f), products_0 > _S480);
+    var _S483 : vec3<f32> = vec3<f32>(1.00000000317107685e-30f);
+    return select(vec3<f32>(0.0f), this_58.moments_0 / max(products_0, _S483) - vec3<f32>(1.0f), products_0 > _S483);
 }
 
 fn words_of_0( lit_3 : Lit_0) -> vec3<u32>
@@ -6814,17 +6855,17 @@ fn store_memory_0( index_38 : u32,  memory_2 : Memory_0)
 {
     var pixels_2 : u32 = real_time_0.pixels_0;
     var words_4 : vec3<u32> = words_of_0(memory_2.lit_0);
-    var _S481 : u32 = packed_normal_0(memory_2.normal_10);
-    var _S482 : u32;
+    var _S484 : u32 = packed_normal_0(memory_2.normal_10);
+    var _S485 : u32;
     if((memory_2.coverage_0) > 0.0f)
     {
-        _S482 = u32(1073741824);
+        _S485 = u32(1073741824);
     }
     else
     {
-        _S482 = u32(0);
+        _S485 = u32(0);
     }
-    memory_rows_0[index_38] = vec4<u32>((bitcast<vec3<u32>>((memory_2.place_11))), (_S481 | (_S482)));
+    memory_rows_0[index_38] = vec4<u32>((bitcast<vec3<u32>>((memory_2.place_11))), (_S484 | (_S485)));
     memory_rows_0[pixels_2 + index_38] = vec4<u32>(halves_1(memory_2.lit_0.paths_0, memory_2.looks_0), halves_1(memory_2.coverage_0, memory_2.roughness_1), words_4.x, words_4.y);
     memory_rows_0[u32(2) * pixels_2 + index_38] = vec4<u32>((bitcast<vec3<u32>>((memory_2.lit_0.light_12))), words_4.z);
     memory_rows_0[u32(3) * pixels_2 + index_38] = vec4<u32>(halves_1(memory_2.direct_2.x, memory_2.direct_2.y), halves_1(memory_2.direct_2.z, memory_2.albedo_2.x), halves_1(memory_2.albedo_2.y, memory_2.albedo_2.z), u32(0));
@@ -6844,29 +6885,49 @@ fn remember(@builtin(global_invocation_id) id_1 : vec3<u32>)
         var index_39 : u32 = index_of_0(at_16);
         var memory_3 : Memory_0 = memory_before_0(index_39);
         Memory_add_0(&(memory_3), load_sample_0(index_39), real_time_0.most_paths_0);
+        var look_0 : Walker_0;
+        var _S486 : Sample_0 = no_sample_0();
+        var seen_1 : Sample_0 = _S486;
+        var is_under_way_1 : bool = false;
         var looks_2 : u32 = u32(0);
         for(;;)
         {
-            var _S483 : bool;
-            if(has_0(u32(2)))
+            var _S487 : bool;
+            if(is_under_way_1)
             {
-                _S483 = (memory_3.looks_0) < 4.0f;
+                _S487 = true;
             }
             else
             {
-                _S483 = false;
+                if(has_0(u32(2)))
+                {
+                    _S487 = (memory_3.looks_0) < 4.0f;
+                }
+                else
+                {
+                    _S487 = false;
+                }
             }
-            if(_S483)
+            if(_S487)
             {
             }
             else
             {
                 break;
             }
-            var looks_3 : u32 = looks_2 + u32(1);
-            var _S484 : Sample_0 = look_at_0(at_16, Sampler_x24init_0(((params_0.seed_0) ^ (u32(2246822507))), index_39, u32(4) * real_time_0.number_0 + looks_3));
-            Memory_look_0(&(memory_3), _S484);
-            looks_2 = looks_3;
+            if(!is_under_way_1)
+            {
+                var looks_3 : u32 = looks_2 + u32(1);
+                look_0 = at_camera_0(at_16, FrameParams_camera_0(), Sampler_x24init_0(((params_0.seed_0) ^ (u32(2246822507))), index_39, u32(4) * real_time_0.number_0 + looks_3), false);
+                seen_1 = _S486;
+                looks_2 = looks_3;
+            }
+            var is_under_way_2 : bool = goes_on_1(&(look_0), &(seen_1));
+            if(!is_under_way_2)
+            {
+                Memory_look_0(&(memory_3), seen_1);
+            }
+            is_under_way_1 = is_under_way_2;
         }
         store_memory_0(index_39, memory_3);
     }

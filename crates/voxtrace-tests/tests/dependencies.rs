@@ -9,7 +9,7 @@ const LAYERS: &[&[&str]] = &[
     &["voxtrace-voxelize", "voxtrace-scenes", "voxtrace-vulkan", "voxtrace-realtime"],
     &["voxtrace-io"],
     &["voxtrace"],
-    &["voxtrace-bench"],
+    &["voxtrace-bench", "voxtrace-py"],
     &["voxtrace-viewer"],
     &["voxtrace-cli"],
     &["voxtrace-tests", "xtask"],

@@ -12,7 +12,7 @@ use voxtrace_core::packed::{
     Emitter, InstanceNode, LightNode, MAX_INSTANCE_DEPTH, PackedGrid, PackedInstance, PackedMaterial,
 };
 use voxtrace_vulkan::PresentParams;
-use voxtrace_vulkan::records::{BlendParams, Dispatch, FrameParams, ProbeAnswer, ProbeRay, WaveStep};
+use voxtrace_vulkan::records::{BlendParams, Dispatch, FrameParams, ProbeAnswer, ProbeRay, RealTimeParams, WaveStep};
 
 /// Size in bytes, and offset and size of each member by its name.
 type Layout = (usize, Vec<(String, usize, usize)>);
@@ -77,6 +77,14 @@ fn of_host() -> BTreeMap<&'static str, Layout> {
         ("PresentParams", layout!(PresentParams: corner, size, width, height, exposure, curve)),
         ("Dispatch", layout!(Dispatch: first, count, samples, samples_target, padding, sequence)),
         ("BlendParams", layout!(BlendParams: width, height, under_width, under_height, film_weight)),
+        (
+            "RealTimeParams",
+            layout!(
+                RealTimeParams: eye, view_angle, before_eye, number, before_corner, candidates, before_pixel_x, flags, before_pixel_y,
+                most_paths, before_lens_x, before_blades, before_lens_y, cell_samples, before_place, motions, before_rows, before_origin,
+                pixels
+            ),
+        ),
         ("WaveStep", layout!(WaveStep: round, counts, capacity, rounds, samples)),
         (
             "ProbeRay",

@@ -113,6 +113,7 @@ impl<T: Pod> Default for Section<T> {
 impl<T: Pod> Deref for Section<T> {
     type Target = [T];
 
+    #[inline]
     fn deref(&self) -> &[T] {
         match &self.storage {
             Storage::Owned(records) => records,

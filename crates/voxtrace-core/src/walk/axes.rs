@@ -2,12 +2,15 @@
 //! Its steps are those of [`super::scalar`], the reference, operation by operation. Some rays take turns: while one waits for its numbers the
 //! others compute.
 
+use super::beams::{Beams, Entry};
 use super::exact;
 use super::local_ray::{LocalRay, MAX_ORIGIN};
 use super::scalar::{Leave, Place, SHIFT, Step, Walk};
+use super::simd::LANES;
 use crate::packed::{Geometry, PackedGrid, PackedInstance};
 use glam::{IVec3, Vec3A};
 use voxtrace_scene::ray::{Hit, Ray};
+use voxtrace_scene::transform::Transform;
 
 /// Rays that take turns: of one alone each step waits for the one before, and what more need is no longer in registers and the nearest cache.
 const TURNS: usize = 2;
@@ -36,13 +39,19 @@ struct Turn {
 pub fn first_hits(geometry: &Geometry, instance: &PackedInstance, rays: &[Ray], hits: &mut [Hit]) {
     let grid = &geometry.grids[instance.grid as usize];
     let arrays: (&[u32], &[u32]) = (&geometry.cells, &geometry.bricks);
+    let is_plain = instance.grid_from_world == Transform::IDENTITY;
+    let mut beams = Beams::new(geometry, grid, rays);
+    let mut entry = Entry::Start;
     let mut next = 0;
     let mut begin = |hits: &mut [Hit]| {
         while let Some(ray) = rays.get(next) {
             let index = next;
             next += 1;
+            if is_plain && index.is_multiple_of(LANES) {
+                entry = beams.entry(index / LANES);
+            }
             if let Some(local) = LocalRay::new(ray, &instance.grid_from_world)
-                && let Some((axes, voxel)) = Axes::new(local, grid)
+                && let Some((axes, voxel)) = Axes::new(local, grid, entry)
             {
                 return Some(Turn { index, axes, place: Place::at(voxel) });
             }
@@ -65,7 +74,7 @@ pub fn first_hits(geometry: &Geometry, instance: &PackedInstance, rays: &[Ray], 
                     continue;
                 }
                 Step::Out => None,
-                Step::Hit => Some(exact::hit_of(&turn.axes.ray, turn.place.voxel, 0)),
+                Step::Hit => Some(turn.axes.hit(turn.place.voxel)),
             };
             hits[turn.index] = hit.filter(|hit| hit.t <= turn.axes.ray.t_max).unwrap_or(Hit::MISS);
             match begin(hits) {
@@ -79,13 +88,32 @@ pub fn first_hits(geometry: &Geometry, instance: &PackedInstance, rays: &[Ray], 
 impl Axes {
     /// A ray, and the voxel in which it enters a grid, if it does.
     #[inline(always)]
-    fn new(ray: LocalRay, grid: &PackedGrid) -> Option<(Self, IVec3)> {
+    fn new(ray: LocalRay, grid: &PackedGrid, entry: Entry) -> Option<(Self, IVec3)> {
         let walk = Walk::new(&ray, grid);
-        let voxel = walk.enter(grid, walk.start_voxel())?;
+        let voxel = walk.begin(grid, entry)?;
         let (octant, tolerance) = (walk.octant, walk.tolerance.into());
         let signs = [-(octant as i32 & 1), -(octant as i32 >> 1 & 1), -(octant as i32 >> 2)];
         let (origin, direction, inverse) = (ray.origin.into(), ray.direction.into(), ray.inverse.into());
         Some((Self { origin, direction, inverse, tolerance, signs, octant, t_end: ray.t_end(), ray }, voxel))
+    }
+
+    /// The hit of a voxel, as [`exact::hit_of`] finds it.
+    #[inline(always)]
+    fn hit(&self, voxel: IVec3) -> Hit {
+        // Along − the far side of the voxel.
+        let entry = |axis: usize| (voxel[axis] - self.signs[axis]) as f32;
+        let times = (Vec3A::new(entry(0), entry(1), entry(2)) - self.origin) * self.inverse;
+        let latest = Vec3A::splat(times.max_element());
+        // Three roundings each, of numbers that may be too small for their precision.
+        let margin = |times: Vec3A| times.abs() * (4.0 * f32::EPSILON) + 4.0 * f32::MIN_POSITIVE;
+        let may_be_last = !(times + margin(times)).cmplt(latest - margin(latest)).bitmask() & 0b111;
+        if !may_be_last.is_power_of_two() {
+            return exact::hit_of(&self.ray, voxel, 0);
+        }
+        let axis = may_be_last.trailing_zeros() as usize;
+        let (t, t_min) = (times[axis], self.ray.t_min);
+        let face = 2 * axis as u32 + u32::from(self.signs[axis] != 0);
+        Hit { t: if t > t_min { t } else { t_min }, instance: 0, voxel, face }
     }
 }
 

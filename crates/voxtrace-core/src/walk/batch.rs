@@ -7,12 +7,10 @@ use super::avx512;
 use super::counts::WalkCounts;
 use super::groups::Groups;
 use super::instructions::Instructions;
-use super::local_ray::LocalRay;
 use super::simd::{LANES, Portable, Simd};
-use super::{axes, cast_whole, exact, occluded, stream};
+use super::{axes, cast_whole, occluded, stream};
 use crate::cuts;
 use crate::packed::{PackedGrid, PackedScene, WideTree};
-use glam::IVec3;
 use voxtrace_scene::ray::{Hit, Ray};
 use voxtrace_scene::transform::Transform;
 
@@ -148,14 +146,9 @@ impl Batch<'_> {
                 hits.fill(Hit::MISS);
             }
         }
-        let mut found = |index: usize, voxel: IVec3| {
-            let ray = &rays[index];
-            let entered = LocalRay::new(ray, from_world).map(|local| exact::hit_of(&local, voxel, 0));
-            hits[index] = entered.filter(|hit| hit.t <= ray.t_max).unwrap_or(Hit::MISS);
-        };
         let grid = (&*scene.geometry, grid);
         // SAFETY: the caller's duty.
-        unsafe { stream::first_voxels(simd, grid, from_world, rays, &done, &mut found) };
+        unsafe { stream::first_hits_in_grid(simd, grid, from_world, rays, &done, hits) };
         done.count_of(rays.len())
     }
 
@@ -192,7 +185,7 @@ unsafe fn by_avx512(batch: &Batch, hits: &mut [Hit]) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use glam::Vec3;
+    use glam::{IVec3, Vec3};
     use std::sync::Arc;
     use voxtrace_scene::{Instance, Material, Scene, VoxelGrid};
 

@@ -10,6 +10,7 @@
 mod avx512;
 mod axes;
 mod batch;
+mod beams;
 mod counts;
 pub mod exact;
 mod groups;

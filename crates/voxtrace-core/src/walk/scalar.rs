@@ -3,6 +3,7 @@
 //! Each step asks how large an empty box around the ray's voxel is known, and leaves it. The known boxes are cubes of
 //! tree cells (by their skip distances), 4×4×4 blocks without a voxel ahead, 2×2×2 blocks, single voxels.
 
+use super::beams::Entry;
 use super::exact;
 use super::local_ray::{LocalRay, MAX_ORIGIN};
 use crate::packed::{CELL_OCCUPIED, Geometry, PackedGrid, SKIP_DISTANCES, cell_in_node};
@@ -11,7 +12,7 @@ use glam::{IVec3, Vec3};
 /// The first occupied voxel on a ray's path through a grid, not later than `t_max`.
 pub fn first_voxel(geometry: &Geometry, grid: &PackedGrid, ray: &LocalRay) -> Option<IVec3> {
     let walk = Walk::new(ray, grid);
-    let voxel = walk.enter(grid, walk.start_voxel())?;
+    let voxel = walk.begin(grid, Entry::Start)?;
     follow(geometry, grid, &walk, walk.octant, voxel)
 }
 
@@ -36,6 +37,7 @@ fn follow(geometry: &Geometry, grid: &PackedGrid, walk: &impl Leave, octant: usi
 }
 
 /// Where a ray has come to.
+#[derive(Clone)]
 pub(super) struct Place {
     pub voxel: IVec3,
     /// The finest node visited last, and where it lies: most steps stay in it.
@@ -57,6 +59,27 @@ pub(super) enum Step {
     Out,
 }
 
+/// A box that is known to be empty.
+#[derive(Clone, Copy)]
+pub(super) struct Empty {
+    /// log₂ of the size of the cell around the voxel all of which is empty.
+    pub own: u32,
+    /// log₂ of the size of the cells that are empty from the voxel on, along the octant.
+    pub shift: u32,
+    /// How many of these there are along each axis.
+    pub count: i32,
+}
+
+/// What is around a voxel.
+pub(super) enum Around {
+    /// An empty box.
+    Empty(Empty),
+    /// The voxel is occupied.
+    Voxel,
+    /// The end of the grid.
+    Nothing,
+}
+
 impl Place {
     pub fn at(voxel: IVec3) -> Self {
         let nowhere = IVec3::splat(i32::MIN);
@@ -65,36 +88,42 @@ impl Place {
 
     /// Leaves the largest box around the voxel that is known to be empty.
     #[inline(always)]
-    pub fn step(
-        &mut self,
-        (cells, bricks): (&[u32], &[u32]),
-        grid: &PackedGrid,
-        walk: &impl Leave,
-        octant: usize,
-    ) -> Step {
-        let relative = self.voxel - grid.origin;
-        let (mut shift, mut count) = (3, 1);
-        if relative >> 3 != self.brick_at {
-            let Some((cell, cell_shift)) = self.cell(cells, grid, relative) else { return Step::Out };
-            if cell & CELL_OCCUPIED != 0 {
-                self.brick_at = relative >> 3;
-                self.record = (cell & !CELL_OCCUPIED) as usize * 2;
-                self.header = bricks[self.record];
-            } else {
-                (shift, count) = (cell_shift, i32::from(SKIP_DISTANCES[(cell >> (3 * octant) & 7) as usize]));
-            }
-        }
-        if relative >> 3 == self.brick_at {
-            match self.empty_shift(bricks, relative, octant) {
-                Some(empty) => shift = empty,
-                None => return Step::Hit,
-            }
-        }
-        match walk.leave(grid, self.voxel, shift, count) {
+    pub fn step(&mut self, arrays: (&[u32], &[u32]), grid: &PackedGrid, walk: &impl Leave, octant: usize) -> Step {
+        let empty = match self.around(arrays, grid, self.voxel - grid.origin, octant) {
+            Around::Empty(empty) => empty,
+            Around::Voxel => return Step::Hit,
+            Around::Nothing => return Step::Out,
+        };
+        match walk.leave(grid, self.voxel, empty.shift, empty.count) {
             Some(voxel) => self.voxel = voxel,
             None => return Step::Out,
         }
         Step::On
+    }
+
+    /// What is around a voxel, which is given from the grid's origin, and ahead of it.
+    #[inline(always)]
+    pub fn around(
+        &mut self,
+        (cells, bricks): (&[u32], &[u32]),
+        grid: &PackedGrid,
+        relative: IVec3,
+        octant: usize,
+    ) -> Around {
+        if relative >> 3 != self.brick_at {
+            let Some((cell, shift)) = self.cell(cells, grid, relative) else { return Around::Nothing };
+            if cell & CELL_OCCUPIED == 0 {
+                let count = i32::from(SKIP_DISTANCES[(cell >> (3 * octant) & 7) as usize]);
+                return Around::Empty(Empty { own: shift, shift, count });
+            }
+            self.brick_at = relative >> 3;
+            self.record = (cell & !CELL_OCCUPIED) as usize * 2;
+            self.header = bricks[self.record];
+        }
+        match self.empty_in_brick(bricks, relative, octant) {
+            Some((own, shift)) => Around::Empty(Empty { own, shift, count: 1 }),
+            None => Around::Voxel,
+        }
     }
 
     /// The cell that holds a voxel, of the finest level that is stored, and log₂ of its size; `None` outside of the grid.
@@ -112,23 +141,23 @@ impl Place {
         let mut cell = cells[grid.top_offset as usize + (row * grid.top_size.x + top.x) as usize];
         while cell & CELL_OCCUPIED != 0 && shift > 3 {
             shift -= 2;
-            self.node = (cell & !CELL_OCCUPIED) as usize * 64;
-            cell = cells[self.node + cell_in_node(relative, shift)];
+            let node = (cell & !CELL_OCCUPIED) as usize * 64;
+            cell = cells[node + cell_in_node(relative, shift)];
             if shift == 3 {
-                self.node_at = relative >> 5;
+                (self.node, self.node_at) = (node, relative >> 5);
             }
         }
         Some((cell, shift))
     }
 
-    /// log₂ of the size of an empty box around a voxel of the brick; `None` where the voxel is occupied.
+    /// log₂ of the sizes of an empty cell around a voxel of the brick, and of one that is empty from it on; `None` where the voxel is occupied.
     #[inline(always)]
-    fn empty_shift(&self, bricks: &[u32], relative: IVec3, octant: usize) -> Option<u32> {
+    fn empty_in_brick(&self, bricks: &[u32], relative: IVec3, octant: usize) -> Option<(u32, u32)> {
         let header = self.header;
         let block = (relative.x >> 2 & 1 | (relative.y >> 2 & 1) << 1 | (relative.z >> 2 & 1) << 2) as usize;
         let ahead = u32::from(BLOCKS_AHEAD[octant][block]);
         if header >> block & 1 == 0 {
-            return Some(if header & ahead == 0 { 3 } else { 2 });
+            return Some((2, if header & ahead == 0 { 3 } else { 2 }));
         }
         let rank = (header & ((1 << block) - 1)).count_ones() as usize;
         let at = self.record + 2 + 2 * rank;
@@ -139,9 +168,10 @@ impl Place {
         }
         if mask & VOXELS_AHEAD[octant][bit] != 0 {
             let corner = bit & 0b10_10_10;
-            return Some(u32::from(mask >> corner & 0x0033_0033 == 0));
+            let own = u32::from(mask >> corner & 0x0033_0033 == 0);
+            return Some((own, own));
         }
-        Some(if header & (ahead & !(1 << block)) == 0 { 3 } else { 2 })
+        Some((0, if header & (ahead & !(1 << block)) == 0 { 3 } else { 2 }))
     }
 }
 
@@ -244,10 +274,29 @@ impl<'a> Walk<'a> {
                 }
             }
             let (t, axis, plane) = farthest?;
-            // Half of the range: arriving there must not overflow.
-            let far = |axis: usize| if self.is_negative[axis] == 1 { i32::MIN / 2 } else { i32::MAX / 2 };
-            voxel = self.arrive(voxel, t, axis, plane, |other| if other == axis { plane } else { far(other) })?;
+            voxel = self.arrive_at_plane(voxel, t, axis, plane)?;
         }
+    }
+
+    /// The first voxel inside the grid's bounds, where nothing is met before it: from the start voxel or behind a plane ahead of it.
+    #[inline]
+    pub(super) fn begin(&self, grid: &PackedGrid, entry: Entry) -> Option<IVec3> {
+        let start = self.start_voxel();
+        match entry {
+            Entry::Start => self.enter(grid, start),
+            Entry::Plane { axis, plane } => {
+                self.enter(grid, self.arrive_at_plane(start, self.crossing(axis, plane), axis, plane)?)
+            }
+            Entry::Never => None,
+        }
+    }
+
+    /// The voxel in which the ray arrives when it crosses a plane ahead, whatever is before it.
+    #[inline]
+    fn arrive_at_plane(&self, voxel: IVec3, t: f32, axis: usize, plane: i32) -> Option<IVec3> {
+        // Half of the range: arriving there must not overflow.
+        let far = |axis: usize| if self.is_negative[axis] == 1 { i32::MIN / 2 } else { i32::MAX / 2 };
+        self.arrive(voxel, t, axis, plane, |other| if other == axis { plane } else { far(other) })
     }
 
     /// Time of the crossing of a plane ahead.

@@ -39,7 +39,7 @@ pub fn rows(
                 cells.extend(["–".to_owned(), "–".to_owned()]);
                 continue;
             }
-            let ours = &measured[usize::from(instructions != Instructions::Scalar)];
+            let ours = &measured[1];
             cells.push(format!("{:.2}", spread(ours.mrays.iter().copied())[0]));
             if instructions != Instructions::Scalar {
                 cells.push(advantage(&names, ours, &measured[2..]));
@@ -65,12 +65,13 @@ fn contenders<'a>(
     packed: &'a PackedScene,
     available: bool,
 ) -> Vec<Box<dyn Contender + 'a>> {
-    let mut contenders: Vec<Box<dyn Contender>> =
-        vec![Box::new(Walk::by(packed, Duration::ZERO, Instructions::Scalar))];
+    let mut contenders: Vec<Box<dyn Contender>> = vec![
+        Box::new(Walk::reference(packed, Duration::ZERO)),
+        Box::new(Walk::by(packed, Duration::ZERO, instructions)),
+    ];
     if instructions == Instructions::Scalar || !available {
         return contenders;
     }
-    contenders.push(Box::new(Walk::by(packed, Duration::ZERO, instructions)));
     #[cfg(feature = "embree")]
     if let [grid] = &scene.grids[..] {
         let config = if instructions == Instructions::Avx2 { c"isa=avx2" } else { c"" };

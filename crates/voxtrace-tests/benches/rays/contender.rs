@@ -30,45 +30,48 @@ pub trait Contender {
 pub struct Walk<'a> {
     scene: &'a PackedScene,
     pack_time: Duration,
-    instructions: Instructions,
+    /// Those of a batch; `None` for the reference, ray after ray.
+    instructions: Option<Instructions>,
     hits: Vec<Hit>,
 }
 
 impl<'a> Walk<'a> {
-    /// The walk by some instructions.
-    pub fn by(scene: &'a PackedScene, pack_time: Duration, instructions: Instructions) -> Self {
-        Self { scene, pack_time, instructions, hits: Vec::new() }
+    /// The walk of one ray after the other, which is the plain reference.
+    pub fn reference(scene: &'a PackedScene, pack_time: Duration) -> Self {
+        Self { scene, pack_time, instructions: None, hits: Vec::new() }
     }
 
-    /// The walk of one ray after the other, which is the plain reference, then all batches that this processor can do, the one that
-    /// the renderer uses first.
+    /// Batches by some instructions.
+    pub fn by(scene: &'a PackedScene, pack_time: Duration, instructions: Instructions) -> Self {
+        Self { scene, pack_time, instructions: Some(instructions), hits: Vec::new() }
+    }
+
+    /// The reference, then all batches that this processor can do, the one that the renderer uses first.
     pub fn all(scene: &'a PackedScene, pack_time: Duration) -> Vec<Self> {
-        let by = |instructions| Self::by(scene, pack_time, instructions);
-        let is_batch =
-            |instructions: &Instructions| *instructions != Instructions::Scalar && instructions.is_available();
-        let batches = Instructions::ALL.into_iter().filter(is_batch);
-        std::iter::once(Instructions::Scalar).chain(batches).map(by).collect()
+        let batches = Instructions::ALL.into_iter().filter(|instructions| instructions.is_available());
+        let batches = batches.map(|instructions| Self::by(scene, pack_time, instructions));
+        std::iter::once(Self::reference(scene, pack_time)).chain(batches).collect()
     }
 }
 
 impl Contender for Walk<'_> {
     fn name(&self) -> String {
         match self.instructions {
-            Instructions::Scalar => "voxtrace `walk::cast`".to_owned(),
-            instructions => format!("voxtrace `walk::cast_batch`, {}", instructions.name()),
+            None => "voxtrace `walk::cast`".to_owned(),
+            Some(instructions) => format!("voxtrace `walk::cast_batch`, {}", instructions.name()),
         }
     }
 
     fn tune(&mut self, rays: &RaySet) -> &'static str {
         self.hits.clear();
         self.hits.resize(rays.rays.len(), Hit::MISS);
-        if self.instructions == Instructions::Scalar { "one by one" } else { self.instructions.name() }
+        self.instructions.map_or("one by one", Instructions::name)
     }
 
     fn cast(&mut self, rays: &RaySet) {
-        if self.instructions != Instructions::Scalar {
+        if let Some(instructions) = self.instructions {
             for (rays, hits) in rays.rays.chunks(WAVE).zip(self.hits.chunks_mut(WAVE)) {
-                walk::cast_batch_with(self.instructions, self.scene, rays, hits);
+                walk::cast_batch_with(instructions, self.scene, rays, hits);
             }
         } else {
             for (ray, hit) in rays.rays.iter().zip(&mut self.hits) {

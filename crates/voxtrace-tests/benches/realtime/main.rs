@@ -1,21 +1,24 @@
 //! `cargo bench -p voxtrace-tests --bench realtime`: how near real-time light is to the picture of many samples, and what each of its parts is worth: after a cut,
-//! along a way of the camera, after an edit, after the lamps were dimmed, and while things move. Prints the table of `docs/realtime.md`. The real-time pictures are the processor's;
-//! those of many samples are made by `--device` where there is one.
+//! along a way of the camera, after an edit, after the lamps were dimmed, and while things move. Prints the tables of `docs/realtime.md`. Pictures of many samples are made by `--device` where
+//! there is one; the real-time pictures are the processor's, or with `--on-device` those of that device. `--timing` prints how long each of its steps takes.
 
 #[path = "../common/mod.rs"]
 mod common;
+mod maker;
 mod quality;
 mod situations;
+mod timing;
 
 use clap::Parser;
 use common::{DeviceArgs, Outcome};
+use maker::Maker;
 use quality::{Quality, Totals};
 use situations::Situation;
 use std::path::PathBuf;
 use std::sync::Arc;
 use voxtrace::import::{Content, ImportOptions, load};
 use voxtrace::{CpuTracer, Film, Frame, PackedScene, Progress, Tracer};
-use voxtrace_realtime::{Parts, RealTime};
+use voxtrace_realtime::Parts;
 use voxtrace_tests::still_lifes;
 use voxtrace_vulkan::{Request, Traversal, choose};
 
@@ -45,6 +48,12 @@ struct Args {
     /// Folder that keeps scenes
     #[arg(long, default_value = "target/realtime")]
     cache: PathBuf,
+    /// Makes real-time pictures on the device, too
+    #[arg(long)]
+    on_device: bool,
+    /// Measures how long the steps take on the device, and nothing else
+    #[arg(long)]
+    timing: bool,
     /// Writes the pictures there, as PPM
     #[arg(long)]
     pictures: Option<PathBuf>,
@@ -96,7 +105,8 @@ impl References {
     }
 }
 
-fn measure(args: &Args, name: &str, situation: Situation, references: &mut References) -> Outcome<()> {
+/// A built-in scene, and its view.
+fn scene_of(args: &Args, name: &str) -> Outcome<(PackedScene, Frame)> {
     let path = common::packed_scene(&args.cache, name, args.voxels)?;
     let scene = match load(&path, &ImportOptions::default())?.content {
         Content::Packed(packed) => *packed,
@@ -105,11 +115,16 @@ fn measure(args: &Args, name: &str, situation: Situation, references: &mut Refer
     let (width, height) = args.size.split_once('x').ok_or("a size is WIDTHxHEIGHT")?;
     let camera = scene.cameras.first().ok_or("a scene without a camera")?.clone();
     let frame = Frame::new(camera, width.parse()?, height.parse()?).max_bounces(still_lifes::max_bounces(name));
+    Ok((scene, frame))
+}
+
+fn measure(args: &Args, name: &str, situation: Situation, references: &mut References) -> Outcome<()> {
+    let (scene, frame) = scene_of(args, name)?;
     let Some(steps) = situation.steps(scene, &frame)? else { return Ok(()) };
-    let mut all: Vec<(&String, RealTime, Totals)> = args
+    let mut all: Vec<(&String, Maker, Totals)> = args
         .parts
         .iter()
-        .map(|name| Ok((name, RealTime::new(parts(name)?), Totals::default())))
+        .map(|name| Ok((name, Maker::new(args, parts(name)?)?, Totals::default())))
         .collect::<Outcome<_>>()?;
     for step in steps {
         let reference = match step.samples {
@@ -117,13 +132,7 @@ fn measure(args: &Args, name: &str, situation: Situation, references: &mut Refer
             samples => Some(references.picture(&step.scene, &step.frame, samples)?),
         };
         for (parts, real_time, totals) in &mut all {
-            if step.is_changed {
-                real_time.change();
-            }
-            if let Some(before) = &step.moved_from {
-                real_time.move_instances(before);
-            }
-            let picture = real_time.frame(&step.scene, &step.frame);
+            let picture = real_time.frame(&step)?;
             totals.follow(&picture, &step.frame, situation.is_still());
             let Some(reference) = &reference else { continue };
             let quality = Quality::of(reference, &picture, &step.frame)?;
@@ -147,6 +156,9 @@ fn measure(args: &Args, name: &str, situation: Situation, references: &mut Refer
 fn main() -> Outcome<()> {
     let args = Args::parse();
     std::fs::create_dir_all(&args.cache)?;
+    if args.timing {
+        return timing::measure(&args);
+    }
     let mut references = References::new(&args)?;
     println!("| scene | situation | parts | PSNR, dB | FLIP | energy | flicker |\n|---|---|---|---:|---:|---:|---:|");
     for name in &args.scenes {

@@ -6,7 +6,7 @@ use std::fmt::{self, Display};
 use std::sync::Arc;
 use voxtrace::camera::Projection;
 use voxtrace::transform::Transform;
-use voxtrace::{Camera, DynamicScene, Edit, Shape};
+use voxtrace::{Camera, DynamicScene, Edit, Patch, Shape};
 use voxtrace::{Frame, PackedScene, Placement};
 use voxtrace_core::packed::PackedInstance;
 use voxtrace_core::walk;
@@ -50,6 +50,8 @@ pub struct Step {
     pub label: String,
     /// Whether light may have changed since the frame before.
     pub is_changed: bool,
+    /// What of the voxels changed.
+    pub patch: Option<Arc<Patch>>,
     /// Where instances stood at the frame before, where they moved.
     pub moved_from: Option<Vec<PackedInstance>>,
 }
@@ -76,15 +78,19 @@ impl Situation {
             samples,
             label: number.to_string(),
             is_changed: false,
+            patch: None,
             moved_from: None,
         };
         // Frames 1, 4, 16, 64 are compared.
         let samples = |number: u32| if number.is_power_of_two() && number.ilog2().is_multiple_of(2) { MANY } else { 0 };
-        let after = |changed: PackedScene| {
-            let changed = Arc::new(changed);
-            let before = (1..=SETTLING).map(|number| still(&scene, number, 0));
-            let after =
-                (1..=64).map(|number| Step { is_changed: number == 1, ..still(&changed, number, samples(number)) });
+        let after = |first: &Arc<PackedScene>, changed: PackedScene, patch: Option<Patch>| {
+            let (changed, patch) = (Arc::new(changed), patch.map(Arc::new));
+            let before = (1..=SETTLING).map(|number| still(first, number, 0));
+            let after = (1..=64).map(|number| {
+                let is_changed = number == 1;
+                let patch = patch.clone().filter(|_| is_changed);
+                Step { is_changed, patch, ..still(&changed, number, samples(number)) }
+            });
             before.chain(after).collect()
         };
         Ok(match self {
@@ -98,8 +104,11 @@ impl Situation {
                 };
                 Some((0..=WAY).map(step).collect())
             }
-            Self::Edit => edited(&scene, frame)?.map(after),
-            Self::Dimmed => Some(after(dimmed(&scene))),
+            Self::Edit => {
+                let scene = Arc::new(scene.split());
+                edited(&scene, frame)?.map(|(changed, patch)| after(&scene, changed, Some(patch)))
+            }
+            Self::Dimmed => Some(after(&scene, dimmed(&scene), None)),
             Self::Moving => moving(&scene, frame)?,
         })
     }
@@ -118,12 +127,12 @@ impl Display for Situation {
 }
 
 /// How far the scene's view reaches, world units: from the camera to what it looks at, at most half of the scene.
-fn size_of(scene: &PackedScene) -> f32 {
+pub fn size_of(scene: &PackedScene) -> f32 {
     scene.bounds().map_or(1.0, |(low, high)| 0.5 * (high - low).max_element())
 }
 
 /// A camera that goes forward for a third of the way, then around what it looks at, then to the side: about one pixel of 240 a frame and more.
-fn on_the_way(camera: &Camera, number: u32, size: f32) -> Camera {
+pub fn on_the_way(camera: &Camera, number: u32, size: f32) -> Camera {
     let third = WAY / 3;
     let part = |from: u32| number.saturating_sub(from).min(third) as f32 / third as f32;
     let reach = (camera.target - camera.eye).length().min(size);
@@ -135,10 +144,9 @@ fn on_the_way(camera: &Camera, number: u32, size: f32) -> Camera {
 }
 
 /// The scene with a ball of what is seen in the middle of the picture, a little before it.
-fn edited(scene: &PackedScene, frame: &Frame) -> Outcome<Option<PackedScene>> {
+fn edited(scene: &PackedScene, frame: &Frame) -> Outcome<Option<(PackedScene, Patch)>> {
     let middle = Vec2::new(0.5 * frame.width as f32, 0.65 * frame.height as f32);
     let ray = frame.camera.frame(frame.width, frame.height).ray(middle, Vec2::splat(0.5));
-    let scene = &scene.split();
     let hit = walk::cast(scene, &ray);
     if hit.is_miss() {
         return Ok(None);
@@ -152,7 +160,8 @@ fn edited(scene: &PackedScene, frame: &Frame) -> Outcome<Option<PackedScene>> {
         material: Some(material as u16),
     };
     dynamic.edit(grid, &edit)?;
-    Ok(Some(dynamic.scene().clone()))
+    let patch = dynamic.take_patch();
+    Ok(Some((dynamic.scene().clone(), patch)))
 }
 
 /// The scene with a tenth of the light that its lamps give; without lamps, of its sky and sun.
@@ -193,6 +202,7 @@ fn moving(scene: &Arc<PackedScene>, frame: &Frame) -> Outcome<Option<Vec<Step>>>
             samples: if number > 0 && number.is_multiple_of(STRIDE) { FEWER } else { 0 },
             label: number.to_string(),
             is_changed: false,
+            patch: None,
             moved_from: before.as_ref().map(|before| before.instances().to_vec()),
             scene: Arc::clone(&scene),
         });

@@ -51,7 +51,7 @@ fn cast_all(packed: &PackedScene, rays: &[Ray]) -> Vec<Hit> {
 
 /// The first ray for which a set of instructions, where the processor has it, finds another hit.
 fn first_difference(instructions: Instructions, packed: &PackedScene, rays: &[Ray], hits: &[Hit]) -> Option<usize> {
-    let is_compared = instructions.is_available() && instructions != Instructions::Scalar;
+    let is_compared = instructions.is_available();
     let mut others = vec![Hit::MISS; rays.len()];
     let differs = |(hit, other): (&Hit, &Hit)| hit != other;
     is_compared.then(|| walk::cast_batch_with(instructions, packed, rays, &mut others))?;

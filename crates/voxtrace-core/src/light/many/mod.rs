@@ -14,7 +14,7 @@ use super::emitters::{Chosen, emitter_by_power, emitter_sample, in_grid};
 use super::{LightSample, Lights, Receiver, Technique};
 use crate::packed::{Geometry, LightNode, PackedScene};
 use crate::walk::Instructions;
-use crate::walk::simd::{Portable, Simd};
+use crate::walk::simd::{Portable, Simd, prefetch};
 use fall::Fall;
 pub use ways::CAPACITY;
 use ways::{CHOICE, COUNT, INDEX, NODE, TOTAL, WEIGHT, WITHIN, Ways};
@@ -132,6 +132,12 @@ impl Task<'_> {
         // SAFETY: as above.
         unsafe { fall::begin(s, nodes, &room.ways, &mut room.falls) };
         fall::to_leaves(nodes, &mut room.falls);
+        for fall in &room.falls {
+            let first = nodes[fall.at].index as usize;
+            let lines: *const [u8; 64] = geometry.emitters.as_ptr().wrapping_add(first).cast();
+            prefetch(lines);
+            prefetch(lines.wrapping_add(1));
+        }
         for fall in &room.falls {
             let place = room.places[fall.way] as usize;
             found[place] = self.finish(geometry, room, fall);

@@ -2,10 +2,11 @@
 //! at a time. The steps are those of [`LocalRay::new`] and of `Walk::enter`, so the numbers are the same.
 
 use super::journeys::Journeys;
-use super::waiting::{window, window_mut};
+use super::waiting::{floor_of, window, window_mut};
 use super::{
     DIRECTION, FLOATS, INTEGERS, INVERSE, Lanes, ORIGIN, RAY, SIGN_INDEX, SKIP_SHIFT, T_END, TOLERANCE, VOXEL,
 };
+use crate::walk::beams::Entry;
 use crate::walk::local_ray::{LocalRay, MAX_ORIGIN, SPEED_MAX, SPEED_MIN, T_END_SCALE, TOLERANCE_SCALE};
 use crate::walk::scalar::Walk;
 use crate::walk::simd::{Bits, LANES, Simd, lanes_of};
@@ -130,7 +131,7 @@ impl Arrivals {
         let grid = &journeys.grids[placed.grid as usize];
         let entered = LocalRay::new(&journey.ray, &placed.grid_from_world).and_then(|local| {
             let walk = Walk::new(&local, grid);
-            let voxel = walk.enter(grid, walk.start_voxel())?;
+            let voxel = walk.begin(grid, Entry::Start)?;
             Some((local, walk.tolerance, voxel))
         });
         let Some((local, tolerance, voxel)) = entered else {
@@ -314,13 +315,4 @@ impl<S: Simd> Turned<S> {
         self.missed = s.both(self.plain, s.either(self.missed, s.except(passed, is_unsure)));
         self.plain = s.except(self.plain, s.either(self.missed, is_unsure));
     }
-}
-
-/// The integers below coordinates, and how far those are from the nearest ones.
-#[inline(always)]
-fn floor_of<S: Simd>(s: S, position: S::Floats) -> (S::Ints, S::Floats) {
-    let nearest = s.nearest(position);
-    let difference = s.sub_floats(position, s.to_floats(nearest));
-    let is_below = s.lt_floats(difference, s.floats(0.0));
-    (s.select(is_below, s.sub(nearest, s.ints(1)), nearest), difference)
 }

@@ -1,11 +1,10 @@
 //! Rays on their way through the instances of a scene, nearest boxes first: up to sixteen boxes of the wide tree are met together.
 
+use super::kernel::Met;
 use super::of_scene::GROUPS;
-use super::{DIRECTION, INVERSE, Lanes, ORIGIN, RAY};
+use super::{Lanes, RAY};
 use crate::packed::{InstanceNode, LEAF, PackedGrid, PackedInstance, PackedScene, WideNode, WideTree};
-use crate::walk::exact;
 use crate::walk::instances::{cast_whole, entry};
-use crate::walk::local_ray::LocalRay;
 use crate::walk::simd::{Bits, LANES, Simd, lanes_of, prefetch};
 use glam::{Vec3, Vec4};
 use voxtrace_scene::ray::{Hit, Ray};
@@ -239,16 +238,10 @@ impl<'a> Journeys<'a> {
 
     /// Keeps the hit of a lane where it is the nearest of its ray.
     #[inline(always)]
-    pub fn take_hit(&mut self, lanes: &Lanes, lane: usize) {
+    pub fn take_hit(&mut self, met: &Met, lanes: &Lanes, lane: usize) {
         let journey = &mut self.all[lanes.integers[RAY][lane] as usize];
-        let local = LocalRay {
-            origin: lanes.vector(ORIGIN, lane),
-            direction: lanes.vector(DIRECTION, lane),
-            inverse: lanes.vector(INVERSE, lane),
-            t_min: journey.ray.t_min,
-            t_max: journey.ray.t_max,
-        };
-        let hit = exact::hit_of(&local, lanes.voxel_of(lane) + lanes.grids.origin_of(lane), journey.instance);
+        let voxel = lanes.voxel_of(lane) + lanes.grids.origin_of(lane);
+        let hit = met.hit(lanes, lane, voxel, journey.ray.t_min, journey.instance);
         let is_nearer =
             hit.t < journey.nearest.t || (hit.t == journey.nearest.t && hit.instance < journey.nearest.instance);
         if hit.t <= journey.ray.t_max && is_nearer {

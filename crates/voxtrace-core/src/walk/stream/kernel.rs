@@ -3,7 +3,11 @@
 use super::grids::Grids;
 use super::{DIRECTION, INVERSE, Lanes, ORIGIN, SIGN_INDEX, SKIP_SHIFT, T_END, TOLERANCE, VOXEL};
 use crate::packed::{Geometry, SKIP_DISTANCES};
-use crate::walk::simd::{Bits, Simd, prefetch};
+use crate::walk::exact;
+use crate::walk::local_ray::LocalRay;
+use crate::walk::simd::{Bits, LANES, Simd, prefetch};
+use glam::IVec3;
+use voxtrace_scene::ray::Hit;
 
 /// What a step leaves to do.
 pub struct Step {
@@ -244,6 +248,40 @@ impl<'a, S: Simd, G: Grids<S>> Kernel<'a, S, G> {
         Boxes { shift, count, inside, hit }
     }
 
+    /// Where lanes meet the voxels that they are in: the face is that of the last of the planes through which they came.
+    #[inline(always)]
+    pub fn meet(&self, lanes: &Lanes) -> Met {
+        let s = self.simd;
+        let (mut t, mut sign) = ([s.floats(0.0); 3], [s.ints(0); 3]);
+        for axis in 0..3 {
+            sign[axis] = s.load(&lanes.integers[SIGN_INDEX + axis]);
+            // Along − the far side of the voxel.
+            let first = s.add(s.load(&lanes.integers[VOXEL + axis]), self.grids.origin(s, lanes, axis));
+            let entry = s.to_floats(s.add(first, s.shr(sign[axis], 2)));
+            let distance = s.sub_floats(entry, s.load_floats(&lanes.floats[ORIGIN + axis]));
+            t[axis] = s.mul_floats(distance, s.load_floats(&lanes.floats[INVERSE + axis]));
+        }
+        let latest = s.max(s.max(t[0], t[1]), t[2]);
+        // Three roundings each, of numbers that may be too small for their precision.
+        let (scale, least) = (s.floats(4.0 * f32::EPSILON), s.floats(4.0 * f32::MIN_POSITIVE));
+        let surely_before = s.sub_floats(latest, s.multiply_add(s.abs(latest), scale, least));
+        let mut may_be_last = [s.mask(0); 3];
+        for axis in 0..3 {
+            let until = s.add_floats(t[axis], s.multiply_add(s.abs(t[axis]), scale, least));
+            may_be_last[axis] = s.except(s.mask(Bits::MAX), s.lt_floats(until, surely_before));
+        }
+        let [x, y, z] = may_be_last;
+        let several = s.either(s.both(x, y), s.both(z, s.either(x, y)));
+        for axis in 0..3 {
+            sign[axis] = s.add(s.ints(2 * axis as i32), s.shr(sign[axis], 2));
+        }
+        let face = s.select(z, sign[2], s.select(y, sign[1], sign[0]));
+        let mut met = Met { t: [0.0; LANES], face: [0; LANES], sure: !s.bits(several) };
+        s.store(bytemuck::cast_mut(&mut met.t), s.bits_of(latest));
+        s.store(&mut met.face, face);
+        met
+    }
+
     /// Takes the lanes out of their boxes.
     #[inline(always)]
     fn leave(&self, lanes: &mut Lanes, voxel: [S::Ints; 3], sign: [S::Ints; 3], boxes: &Boxes<S>) -> Step {
@@ -293,6 +331,26 @@ impl<'a, S: Simd, G: Grids<S>> Kernel<'a, S, G> {
             }
         }
         Step { active: s.bits(going), hit: s.bits(boxes.hit), unsure: s.bits(unsure) }
+    }
+}
+
+/// Where the rays of lanes meet their voxels.
+pub struct Met {
+    t: [f32; LANES],
+    face: [i32; LANES],
+    /// Lanes of which f32 is sure.
+    sure: Bits,
+}
+
+impl Met {
+    /// The hit of a lane, as [`exact::hit_of`] finds it, of a segment that starts at `t_min`.
+    #[inline(always)]
+    pub fn hit(&self, lanes: &Lanes, lane: usize, voxel: IVec3, t_min: f32, instance: u32) -> Hit {
+        if self.sure >> lane & 1 == 0 {
+            return exact::hit_of(&LocalRay { t_min, ..lanes.local_ray(lane) }, voxel, instance);
+        }
+        let t = self.t[lane];
+        Hit { t: if t > t_min { t } else { t_min }, instance, voxel, face: self.face[lane] as u32 }
     }
 }
 

@@ -20,7 +20,7 @@ use glam::{IVec3, Vec3};
 use grids::{GridOfEach, OneGrid};
 use kernel::Kernel;
 pub use of_scene::first_hits;
-use voxtrace_scene::ray::Ray;
+use voxtrace_scene::ray::{Hit, Ray};
 use voxtrace_scene::transform::Transform;
 use waiting::Waiting;
 
@@ -71,22 +71,22 @@ pub struct Lanes {
     pub active: Bits,
 }
 
-/// Finds the first voxel on the path of each ray through a grid, but of those in groups that are done, and hands it to
-/// `found` with the ray's index; rays that meet nothing are not handed over.
+/// Finds the first hit of each ray in a grid, which has the number 0, but of those in groups that are done. `hits` of rays that meet nothing are
+/// left as they are.
 ///
 /// # Safety
 /// `geometry` must be valid as [`Geometry::validate`] says.
 #[inline(always)]
-pub unsafe fn first_voxels<S: Simd>(
+pub unsafe fn first_hits_in_grid<S: Simd>(
     simd: S,
     (geometry, grid): (&Geometry, &PackedGrid),
     grid_from_world: &Transform,
     rays: &[Ray],
     done: &Groups,
-    found: &mut impl FnMut(usize, IVec3),
+    hits: &mut [Hit],
 ) {
     let kernel = Kernel::new(simd, geometry, OneGrid(grid));
-    let mut waiting = Waiting::new(rays, done, grid, grid_from_world);
+    let mut waiting = Waiting::new(rays, done, (geometry, grid), grid_from_world);
     let mut groups = [Lanes::empty(); GROUPS];
     let mut is_under_way = true;
     while is_under_way {
@@ -99,8 +99,13 @@ pub unsafe fn first_voxels<S: Simd>(
                 for lane in lanes_of(step.unsure) {
                     lanes.decide(lane, grid.origin);
                 }
-                for lane in lanes_of(step.hit) {
-                    found(lanes.integers[RAY][lane] as usize, lanes.voxel_of(lane) + grid.origin);
+                if step.hit != 0 {
+                    let met = kernel.meet(lanes);
+                    for lane in lanes_of(step.hit) {
+                        let index = lanes.integers[RAY][lane] as usize;
+                        let hit = met.hit(lanes, lane, lanes.voxel_of(lane) + grid.origin, rays[index].t_min, 0);
+                        hits[index] = if hit.t <= rays[index].t_max { hit } else { Hit::MISS };
+                    }
                 }
             }
             if lanes.active.count_zeros() >= REFILL_AT {
@@ -143,16 +148,16 @@ impl Lanes {
         Vec3::new(self.floats[first][lane], self.floats[first + 1][lane], self.floats[first + 2][lane])
     }
 
+    /// The ray of a lane, without its ends.
+    fn local_ray(&self, lane: usize) -> LocalRay {
+        let (origin, direction) = (self.vector(ORIGIN, lane), self.vector(DIRECTION, lane));
+        LocalRay { origin, direction, inverse: self.vector(INVERSE, lane), t_min: 0.0, t_max: f32::INFINITY }
+    }
+
     /// Takes the step of a lane that f32 is not sure about.
     #[cold]
     fn decide(&mut self, lane: usize, origin: IVec3) {
-        let local = LocalRay {
-            origin: self.vector(ORIGIN, lane),
-            direction: self.vector(DIRECTION, lane),
-            inverse: self.vector(INVERSE, lane),
-            t_min: 0.0,
-            t_max: f32::INFINITY,
-        };
+        let local = self.local_ray(lane);
         let exit = IVec3::from_array(std::array::from_fn(|axis| self.exit[axis][lane]));
         let arrival = exact::leave_box(&local, self.voxel_of(lane) + origin, exit);
         // A local ray crosses some plane of every box.

@@ -41,8 +41,11 @@ pub unsafe fn first_hits<S: Simd>(
                 for lane in lanes_of(step.unsure) {
                     lanes.decide(lane, lanes.grids.origin_of(lane));
                 }
-                for lane in lanes_of(step.hit) {
-                    journeys.take_hit(lanes, lane);
+                if step.hit != 0 {
+                    let met = kernel.meet(lanes);
+                    for lane in lanes_of(step.hit) {
+                        journeys.take_hit(&met, lanes, lane);
+                    }
                 }
                 for lane in lanes_of(done) {
                     journeys.wait(lanes.integers[RAY][lane] as usize);

@@ -3,9 +3,10 @@
 use super::{
     DIRECTION, FLOATS, INTEGERS, INVERSE, Lanes, ORIGIN, RAY, SIGN_INDEX, SKIP_SHIFT, T_END, TOLERANCE, VOXEL,
 };
-use crate::packed::PackedGrid;
+use crate::packed::{Geometry, PackedGrid};
+use crate::walk::beams::{Beams, Entry};
 use crate::walk::groups::Groups;
-use crate::walk::local_ray::{LocalRay, T_END_SCALE, TOLERANCE_SCALE};
+use crate::walk::local_ray::{LocalRay, MAX_ORIGIN, T_END_SCALE, TOLERANCE_SCALE};
 use crate::walk::scalar::Walk;
 use crate::walk::simd::{Bits, LANES, Simd, lanes_of};
 use voxtrace_scene::ray::Ray;
@@ -22,6 +23,7 @@ pub struct Waiting<'a> {
     prepared: usize,
     grid: &'a PackedGrid,
     grid_from_world: &'a Transform,
+    beams: Beams<'a>,
     /// One array for each quantity; a vector more than a chunk, so that whole vectors can be read and written.
     floats: [[f32; CHUNK + LANES]; FLOATS],
     integers: [[i32; CHUNK + LANES]; INTEGERS],
@@ -32,9 +34,15 @@ pub struct Waiting<'a> {
 
 impl<'a> Waiting<'a> {
     #[inline(always)]
-    pub fn new(rays: &'a [Ray], done: &'a Groups, grid: &'a PackedGrid, grid_from_world: &'a Transform) -> Self {
+    pub fn new(
+        rays: &'a [Ray],
+        done: &'a Groups,
+        (geometry, grid): (&'a Geometry, &'a PackedGrid),
+        grid_from_world: &'a Transform,
+    ) -> Self {
         let (floats, integers) = ([[0.0; CHUNK + LANES]; FLOATS], [[0; CHUNK + LANES]; INTEGERS]);
-        Self { rays, done, prepared: 0, grid, grid_from_world, floats, integers, next: 0, end: 0 }
+        let beams = Beams::new(geometry, grid, rays);
+        Self { rays, done, prepared: 0, grid, grid_from_world, beams, floats, integers, next: 0, end: 0 }
     }
 
     /// Puts ready rays into all free lanes, or as many as there are.
@@ -75,12 +83,14 @@ impl<'a> Waiting<'a> {
                     self.prepared += count;
                     continue;
                 }
+                let entry = if is_identity { self.beams.entry(self.prepared / LANES) } else { Entry::Start };
                 let plain = match self.rays[self.prepared..].first_chunk() {
-                    Some(rays) if is_identity && count == LANES => self.prepare_vector(simd, rays),
+                    _ if entry == Entry::Never => Bits::MAX,
+                    Some(rays) if is_identity && count == LANES => self.prepare_vector(simd, rays, entry),
                     _ => 0,
                 };
                 for lane in lanes_of(!plain & (Bits::MAX >> (LANES - count))) {
-                    self.prepare_one(self.prepared + lane);
+                    self.prepare_one(self.prepared + lane, entry);
                 }
                 self.prepared += count;
             }
@@ -88,10 +98,10 @@ impl<'a> Waiting<'a> {
         self.end > 0
     }
 
-    /// Prepares those of the next sixteen rays that need no special care: that start within the grid's bounds, at t = 0,
-    /// and move along every axis at a sensible speed. Returns which they are. The grid must not be transformed.
+    /// Prepares those of the next sixteen rays that need no special care: that start at t = 0, begin within the grid's bounds, surely in one
+    /// voxel, and move along every axis at a sensible speed. Returns which they are. The grid must not be transformed.
     #[inline(always)]
-    fn prepare_vector<S: Simd>(&mut self, s: S, rays: &[Ray; LANES]) -> Bits {
+    fn prepare_vector<S: Simd>(&mut self, s: S, rays: &[Ray; LANES], entry: Entry) -> Bits {
         let (zero, one) = (s.floats(0.0), s.floats(1.0));
         let mut words = [[0.0; LANES]; 8];
         for (lane, ray) in rays.iter().enumerate() {
@@ -105,30 +115,48 @@ impl<'a> Waiting<'a> {
         let end = self.end;
         let mut skip_shift = s.ints(0);
         let (mut floats, mut integers) = ([zero; FLOATS], [s.ints(0); INTEGERS]);
+        let t_end = s.min(s.mul_floats(t_max, s.floats(T_END_SCALE)), s.floats(f32::MAX));
+        let (mut t, mut main, mut first) = (zero, usize::MAX, 0);
+        if let Entry::Plane { axis, plane } = entry {
+            let distance = s.sub_floats(s.floats(plane as f32), s.load_floats(&words[axis]));
+            t = s.mul_floats(distance, s.div_floats(one, s.load_floats(&words[4 + axis])));
+            plain = s.both(plain, s.le_floats(t, t_end));
+            (main, first) = (axis, plane);
+        }
         for axis in 0..3 {
             let (origin, direction) = (s.load_floats(&words[axis]), s.load_floats(&words[4 + axis]));
             // Speeds between 1e-18 and 1e18 along every axis satisfy all that `LocalRay::new` asks of them.
             let speed = s.abs(direction);
             plain = s.both(plain, s.le_floats(s.floats(1e-18), speed));
             plain = s.both(plain, s.le_floats(speed, s.floats(1e18)));
-            plain = s.both(plain, s.le_floats(s.floats(self.grid.min[axis] as f32), origin));
-            plain = s.both(plain, s.lt_floats(origin, s.floats(self.grid.max[axis] as f32)));
+            plain = s.both(plain, s.le_floats(s.abs(origin), s.floats(MAX_ORIGIN)));
             let extent = self.grid.min[axis].abs().max(self.grid.max[axis].abs()) as f32 + 1.0;
-            let reach = s.add_floats(s.abs(origin), s.floats(extent));
+            let tolerance = s.mul_floats(s.add_floats(s.abs(origin), s.floats(extent)), s.floats(TOLERANCE_SCALE));
             floats[ORIGIN + axis] = origin;
             floats[DIRECTION + axis] = direction;
             floats[INVERSE + axis] = s.div_floats(one, direction);
-            floats[TOLERANCE + axis] = s.mul_floats(reach, s.floats(TOLERANCE_SCALE));
-            let nearest = s.nearest(origin);
-            let is_above = s.lt_floats(origin, s.to_floats(nearest));
-            let floor = s.select(is_above, s.sub(nearest, s.ints(1)), nearest);
-            integers[VOXEL + axis] = s.sub(floor, s.ints(self.grid.origin[axis]));
+            floats[TOLERANCE + axis] = tolerance;
             let is_negative = s.lt_floats(direction, zero);
+            let voxel = if axis == main {
+                s.select(is_negative, s.ints(first - 1), s.ints(first))
+            } else {
+                let position = s.add_floats(origin, s.mul_floats(direction, t));
+                let (voxel, difference) = floor_of(s, position);
+                // At t = 0 the position is the origin, exactly.
+                if entry != Entry::Start {
+                    plain = s.except(plain, s.le_floats(s.abs(difference), tolerance));
+                }
+                // Far away the voxel would be another number.
+                plain = s.both(plain, s.le_floats(s.abs(position), s.floats(MAX_ORIGIN)));
+                voxel
+            };
+            let (min, max) = (self.grid.min[axis], self.grid.max[axis]);
+            plain = s.both(plain, s.is_below(s.sub(voxel, s.ints(min)), s.ints(max - min)));
+            integers[VOXEL + axis] = s.sub(voxel, s.ints(self.grid.origin[axis]));
             integers[SIGN_INDEX + axis] = s.select(is_negative, s.ints(4), s.ints(0));
             skip_shift = s.add(skip_shift, s.select(is_negative, s.ints(3 << axis), s.ints(0)));
         }
-        let t_end = s.mul_floats(t_max, s.floats(T_END_SCALE));
-        floats[T_END] = s.min(t_end, s.floats(f32::MAX));
+        floats[T_END] = t_end;
         integers[SKIP_SHIFT] = skip_shift;
         integers[RAY] = s.add(s.load(&NUMBERS), s.ints(self.prepared as i32));
         let plain = s.bits(plain);
@@ -144,10 +172,10 @@ impl<'a> Waiting<'a> {
 
     /// Prepares any ray.
     #[cold]
-    fn prepare_one(&mut self, index: usize) {
+    fn prepare_one(&mut self, index: usize, entry: Entry) {
         let Some(local) = LocalRay::new(&self.rays[index], self.grid_from_world) else { return };
         let walk = Walk::new(&local, self.grid);
-        let Some(voxel) = walk.enter(self.grid, walk.start_voxel()) else { return };
+        let Some(voxel) = walk.begin(self.grid, entry) else { return };
         let (relative, octant, at) = (voxel - self.grid.origin, local.octant(), self.end);
         for axis in 0..3 {
             self.floats[ORIGIN + axis][at] = local.origin[axis];
@@ -162,6 +190,15 @@ impl<'a> Waiting<'a> {
         self.integers[RAY][at] = index as i32;
         self.end += 1;
     }
+}
+
+/// The integers below coordinates, and how far those are from the nearest ones.
+#[inline(always)]
+pub fn floor_of<S: Simd>(s: S, position: S::Floats) -> (S::Ints, S::Floats) {
+    let nearest = s.nearest(position);
+    let difference = s.sub_floats(position, s.to_floats(nearest));
+    let is_below = s.lt_floats(difference, s.floats(0.0));
+    (s.select(is_below, s.sub(nearest, s.ints(1)), nearest), difference)
 }
 
 /// The numbers of lanes.
