@@ -65,7 +65,7 @@ fn contenders<'a>(
     packed: &'a PackedScene,
     available: bool,
 ) -> Vec<Box<dyn Contender + 'a>> {
-    let mut contenders: Vec<Box<dyn Contender>> = vec![
+    let contenders: Vec<Box<dyn Contender>> = vec![
         Box::new(Walk::reference(packed, Duration::ZERO)),
         Box::new(Walk::by(packed, Duration::ZERO, instructions)),
     ];

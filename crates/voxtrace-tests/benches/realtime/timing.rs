@@ -22,7 +22,7 @@ pub fn measure(args: &Args) -> Outcome<()> {
             eprintln!("{name} on {}", device.name());
             device.tracer.set_scene(&scene)?;
             let picture = device.picture(frame.width, frame.height)?;
-            let mut line = |what: &str, frames: &[RealTimeFrame]| print(name, what, parts_name, frames);
+            let line = |what: &str, frames: &[RealTimeFrame]| print(name, what, parts_name, frames);
             let first = device.tracer.show_real_time(&frame, Rate::Full, &picture)?;
             line("first frame", first.as_slice());
             for rate in [Rate::Full, Rate::Half] {
