@@ -13,7 +13,7 @@ impl VulkanTracer {
     /// # Errors
     /// [`TraceError::NoFilm`] before the first render; [`TraceError::BadFrame`] where the picture does not suit;
     /// [`TraceError::DeviceLost`] after a loss: the tracer goes on, on another device or on the CPU, and the film is read with
-    /// [`Tracer::read`].
+    /// [`Tracer::read`](voxtrace_core::Tracer::read).
     pub fn resolve(&mut self, picture: &Picture) -> Result<f64, TraceError> {
         self.resolve_over(picture, None)
     }
@@ -33,7 +33,7 @@ impl VulkanTracer {
         result
     }
 
-    /// As [`Tracer::render`], and writes the picture as [`Self::resolve`] does: with the last samples where that can be, which spares a
+    /// As [`Tracer::render`](voxtrace_core::Tracer::render), and writes the picture as [`Self::resolve`] does: with the last samples where that can be, which spares a
     /// frame of a window the wait for a submit. Returns the milliseconds that showing took by the device's clock; `None` where `progress`
     /// was cancelled, or where the film went elsewhere after a loss, so that the picture is not written.
     ///
