@@ -99,7 +99,7 @@ impl LightCache {
         (0..PROBES).map(move |probe| first.wrapping_add(probe) as usize & mask)
     }
 
-    /// Takes what was asked for in a frame. Where there is no room, nobody learns of it: the path goes on without. To be called before [`Self::update`].
+    /// Takes what was asked for in a frame. Where there is no room, nobody learns of it: the path goes on without. To be called before `update`.
     pub fn insert(&mut self, requests: &[Request]) {
         for request in requests.iter().filter(|request| request.life > 0) {
             let free = || self.places(&request.key).find(|&place| self.cells[place].is_free());
