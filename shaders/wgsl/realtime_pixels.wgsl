@@ -387,7 +387,7 @@ fn smooth_light_0( at_7 : vec2<i32>)
     kept_0.y = _S14.y;
     kept_0.z = _S14.z;
     var fall_0 : f32;
-    if((low_half_0(memory_row_0(u32(1), index_11).x)) < 8.0f)
+    if((low_half_0(memory_row_0(u32(1), index_11).x)) < 7.5f)
     {
         fall_0 = 0.80000001192092896f;
     }
@@ -495,7 +495,7 @@ fn smooth_light_1( at_8 : vec2<i32>)
     kept_1.y = _S28.y;
     kept_1.z = _S28.z;
     var fall_1 : f32;
-    if((low_half_0(memory_row_0(u32(1), index_12).x)) < 8.0f)
+    if((low_half_0(memory_row_0(u32(1), index_12).x)) < 7.5f)
     {
         fall_1 = 0.80000001192092896f;
     }
@@ -603,7 +603,7 @@ fn smooth_light_2( at_9 : vec2<i32>)
     kept_2.y = _S42.y;
     kept_2.z = _S42.z;
     var fall_2 : f32;
-    if((low_half_0(memory_row_0(u32(1), index_13).x)) < 8.0f)
+    if((low_half_0(memory_row_0(u32(1), index_13).x)) < 7.5f)
     {
         fall_2 = 0.80000001192092896f;
     }
@@ -711,7 +711,7 @@ fn smooth_light_3( at_10 : vec2<i32>)
     kept_3.y = _S56.y;
     kept_3.z = _S56.z;
     var fall_3 : f32;
-    if((low_half_0(memory_row_0(u32(1), index_14).x)) < 8.0f)
+    if((low_half_0(memory_row_0(u32(1), index_14).x)) < 7.5f)
     {
         fall_3 = 0.80000001192092896f;
     }
@@ -1862,7 +1862,7 @@ fn shows_0( wanted_0 : Wanted_0,  index_18 : u32) -> bool
     var word_3 : u32 = memory_row_0(u32(1), index_18).y;
     if(!wanted_0.is_shown_2)
     {
-        return (low_half_0(word_3)) < 0.5f;
+        return (low_half_0(word_3)) < 0.44999998807907104f;
     }
     var _S149 : u32 = surface_2.w;
     var normal_5 : vec3<f32> = normal_in_0(_S149);
@@ -2531,10 +2531,10 @@ fn begin_filter_0( at_23 : vec2<i32>)
     var color_17 : vec3<f32> = Lit_irradiance_0(lit_9);
     var own_6 : f32 = Lit_variance_0(lit_9);
     var own_7 : f32;
-    if((lit_9.paths_1) < 4.0f)
+    if((lit_9.paths_1) < 3.5f)
     {
         var around_0 : f32 = variance_around_0(at_23, center_of_0(index_31));
-        if((lit_9.paths_1) < 2.0f)
+        if((lit_9.paths_1) < 1.5f)
         {
             own_7 = around_0;
         }

@@ -11,6 +11,8 @@ use voxtrace_scene::transform::Transform;
 const PLACE_TOLERANCE: f32 = 1.5;
 /// Least cosine between the normals.
 const LEAST_COSINE: f32 = 0.5;
+/// Share of a pixel that surfaces cover at most where it is said to show none: between what four and more rays can find, so that no rounding decides.
+const MOST_COVERAGE: f32 = 0.45;
 /// Least sum of the weights of pixels that show the same, of one.
 const LEAST_WEIGHT: f32 = 0.02;
 
@@ -40,7 +42,7 @@ impl Before<'_> {
         });
         let Some(at) = position(self.camera, place) else { return Memory::default() };
         let shows = |memory: &Memory| match &sample.shown {
-            None => memory.coverage < 0.5,
+            None => memory.coverage < MOST_COVERAGE,
             Some(_) => {
                 let distance = normal.dot(memory.place - place).abs();
                 let tolerance = PLACE_TOLERANCE + width + 2.0 * memory.roughness.sqrt();

@@ -7,8 +7,10 @@ use rayon::prelude::*;
 use voxtrace_core::denoise::box_mean;
 use voxtrace_core::math::luminance;
 
-/// Paths from which on a pixel knows its noise itself.
-const ENOUGH_PATHS: f32 = 4.0;
+/// Between whole numbers, as the others, so that means of numbers of paths decide the same however they are rounded: paths from which on a pixel knows its noise itself.
+const ENOUGH_PATHS: f32 = 3.5;
+/// Paths that differ, so that their squares say something.
+const SEVERAL_PATHS: f32 = 1.5;
 /// Standard deviations by which the light of two pixels may differ before they are no longer alike, where light varies about as much as
 /// its noise would have it; the least, and the most after many paths.
 const TOLERANCE: [f32; 3] = [6.0, 2.5, 10.0];
@@ -17,7 +19,7 @@ const PATHS_OF_TOLERANCE: f32 = 8.0;
 /// What a level of the wavelet transform has of the tolerance of the one before it: means of more pixels have shorter tails. After few paths, and after many.
 const TOLERANCE_FALL: [f32; 2] = [0.8, 0.6];
 /// Paths that are many for that.
-const MANY_PATHS: f32 = 8.0;
+const MANY_PATHS: f32 = 7.5;
 /// Pixels on either side over which the variation of light is averaged.
 const TOLERANCE_REACH: usize = 8;
 /// Pixels on either side of which the noise is that of a pixel without enough paths.
@@ -41,7 +43,7 @@ pub fn of(memory: &[Memory], light: &[Vec3], surfaces: &Surfaces) -> Vec<f32> {
             return memory.variance();
         }
         let spatial = of_surroundings(index);
-        if memory.paths < 2.0 { spatial } else { 0.5 * (spatial + memory.variance()) }
+        if memory.paths < SEVERAL_PATHS { spatial } else { 0.5 * (spatial + memory.variance()) }
     };
     memory.par_iter().enumerate().map(pixel).collect()
 }

@@ -182,6 +182,7 @@ pub const TABLE: &[Source] = &[
             named("PLACE_TOLERANCE", "BEFORE_PLACE_TOLERANCE"),
             named("LEAST_COSINE", "BEFORE_LEAST_COSINE"),
             named("LEAST_WEIGHT", "BEFORE_LEAST_WEIGHT"),
+            named("MOST_COVERAGE", "BEFORE_MOST_COVERAGE"),
         ],
     },
     Source {
@@ -227,6 +228,7 @@ pub const TABLE: &[Source] = &[
         file: "voxtrace-realtime/src/filter/variance.rs",
         items: &[
             same("ENOUGH_PATHS"),
+            same("SEVERAL_PATHS"),
             named("TOLERANCE", "LIGHT_TOLERANCE"),
             same("PATHS_OF_TOLERANCE"),
             same("TOLERANCE_FALL"),
