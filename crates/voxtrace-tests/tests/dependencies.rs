@@ -6,8 +6,8 @@ use std::collections::{BTreeMap, BTreeSet};
 const LAYERS: &[&[&str]] = &[
     &["voxtrace-oidn", "voxtrace-scene", "voxtrace-test-support"],
     &["voxtrace-core"],
-    &["voxtrace-voxelize", "voxtrace-scenes", "voxtrace-vulkan", "voxtrace-realtime"],
-    &["voxtrace-io"],
+    &["voxtrace-voxelize", "voxtrace-scenes", "voxtrace-realtime"],
+    &["voxtrace-io", "voxtrace-vulkan"],
     &["voxtrace"],
     &["voxtrace-bench", "voxtrace-py"],
     &["voxtrace-viewer"],
