@@ -22,6 +22,8 @@ from ._voxtrace import Camera, Image, Renderer, Scene
 
 #: A part that takes so many times as long as others is given to another worker as well.
 PATIENCE = 3.0
+#: The same, in seconds, before the first part is there.
+FIRST_PATIENCE = 30.0
 #: Parts for each worker, so that quick ones take more of them.
 PARTS_A_WORKER = 4
 
@@ -54,7 +56,6 @@ def render(
     if samples < 1:
         raise ValueError("a picture has at least one sample")
     data, key = _packed(scene)
-    scattered = client.scatter(data, broadcast=True, hash=False)
     workers = max(1, len(client.scheduler_info()["workers"]))
     count = min(samples, parts or PARTS_A_WORKER * workers)
     # The filter compares what there is after half of the samples.
@@ -64,12 +65,19 @@ def render(
     # The camera is chosen once, for all.
     where = camera if isinstance(camera, Camera) else _camera_of(scene, camera, size)
 
-    def submit(part: int, workers: list[str] | None = None) -> Any:
-        first, end = bounds[part], bounds[part + 1]
-        arguments = scattered, key, device, where, first, end - first, frame
-        # Preferred, not demanded: the others may be all that is left.
-        elsewhere = {"workers": workers, "allow_other_workers": True} if workers else {}
-        return client.submit(_render_part, *arguments, pure=False, retries=retries, **elsewhere)
+    # Preferred, not demanded: the others may be all that is left.
+    def elsewhere(workers: list[str]) -> dict[str, Any]:
+        return {"workers": workers, "allow_other_workers": True} if workers else {}
+
+    def submit(missing: list[int], workers: list[str]) -> dict[Any, int]:
+        # The scene goes along anew, as whoever had it may be gone or stand still; workers that know it do not unpack it again.
+        sent = client.submit(bytes, data, pure=False, retries=retries, **elsewhere(workers))
+        begun: dict[Any, int] = {}
+        for part in missing:
+            first, end = bounds[part], bounds[part + 1]
+            arguments = sent, key, device, where, first, end - first, frame
+            begun[client.submit(_render_part, *arguments, pure=False, retries=retries, **elsewhere(workers))] = part
+        return begun
 
     films = _gathered(client, submit, count, progress)
     image = Image.merge([Image.from_bytes(film) for film in films], halfway=denoise)
@@ -84,12 +92,11 @@ def _gathered(
 
     # It has no types.
     wait: Any = distributed.wait
-    begun = time.monotonic()
-    waiting: dict[Any, int] = {submit(part): part for part in range(count)}
+    waiting: dict[Any, int] = submit(list(range(count)), [])
     films: dict[int, bytes] = {}
     alive: set[str] = set()
     took: deque[float] = deque(maxlen=64)
-    last = begun
+    last = time.monotonic()
     while len(films) < count:
         try:
             done = wait(list(waiting), timeout=1.0, return_when="FIRST_COMPLETED").done
@@ -106,11 +113,11 @@ def _gathered(
         if progress:
             progress(len(films) / count)
         rest = [part for part in range(count) if part not in films]
-        is_late = took and time.monotonic() - last > max(2.0, PATIENCE * statistics.median(took))
+        patience = max(2.0, PATIENCE * statistics.median(took)) if took else FIRST_PATIENCE
+        is_late = time.monotonic() - last > patience
         # Once for each silence: nobody is asked for the same again and again.
         if rest and is_late:
-            for part in rest:
-                waiting[submit(part, sorted(alive))] = part
+            waiting |= submit(rest, sorted(alive))
             alive.clear()
             last = time.monotonic()
     client.cancel(list(waiting), force=True)
