@@ -45,6 +45,8 @@ def test_films_of_parts_add_up(church):
     first = renderer.render(samples=2, size=size, denoise=False).sums
     second = renderer.render(samples=3, first_sample=2, size=size, denoise=False).sums
     assert (first + second == whole).all() and (first != second).any()
+    denoised = [renderer.render(samples=5, size=size).to_bytes() for _ in range(2)]
+    assert denoised[0] == denoised[1] == voxtrace.render(church, samples=5, size=size, device="cpu").to_bytes()
     part = renderer.render(samples=5, size=size, region=(10, 5, 30, 25), denoise=False).sums
     assert (part == whole[5:25, 10:30]).all()
 

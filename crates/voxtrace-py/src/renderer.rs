@@ -30,8 +30,6 @@ pub struct PyRenderer {
     tracer: Mutex<Box<dyn Tracer + Send>>,
     scene: Arc<PackedScene>,
     is_placeable: bool,
-    /// What the tracer rendered last.
-    last: Option<Frame>,
     /// What traces, and why that.
     #[pyo3(get)]
     device: String,
@@ -65,7 +63,7 @@ impl PyRenderer {
         let request = request_of(device, traversal, fast, memory)?;
         let opened = run(py, || (), |_| Ok(()), || open_tracer(&request, &packed))?;
         let (tracer, device) = opened.map_err(|error| of_tracing(py, &error))?;
-        Ok(Self { tracer: Mutex::new(tracer), scene: packed, is_placeable: placeable, last: None, device })
+        Ok(Self { tracer: Mutex::new(tracer), scene: packed, is_placeable: placeable, device })
     }
 
     /// Renders a picture.
@@ -119,12 +117,6 @@ impl PyRenderer {
             }
             frame = frame.region(voxtrace::Region { x0, y0, x1, y1 });
         }
-        if self.last.take().is_some_and(|last| frame.continues(&last) && samples < last.samples) {
-            // The tracer's film has more samples than are asked for: another frame makes it forget that one.
-            let other = frame.clone().size(1, 1).samples(1);
-            exclusive(&mut self.tracer).render(&other, &Progress::default()).map_err(|error| of_tracing(py, &error))?;
-        }
-        self.last = Some(frame.clone());
         let all = frame.region.pixels() as u64 * u64::from(samples);
         let (done, scene, tracer) = (Progress::default(), &self.scene, exclusive(&mut self.tracer));
         let tell = |py: Python<'_>| match &progress {

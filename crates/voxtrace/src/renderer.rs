@@ -267,15 +267,13 @@ impl Picture {
         let mut film = Film::new(frame.width, frame.height, frame.region, frame.first_sample);
         let mut halfway = None;
         if denoises && frame.samples > 1 {
-            tracer.render(&frame.clone().samples(frame.samples / 2), progress)?;
-            tracer.read(&mut film)?;
+            render_into(&mut film, tracer, &frame.clone().samples(frame.samples / 2), progress)?;
             halfway = Some(film.pixels.clone());
         }
-        tracer.render(&frame, progress)?;
+        render_into(&mut film, tracer, &frame, progress)?;
         if progress.is_cancelled() {
             return Ok(None);
         }
-        tracer.read(&mut film)?;
         film.earlier = halfway;
         let picture = Self::of_film(FilmFile { frame, scene: SceneStamp::of(scene), film });
         Ok(Some(if denoises { picture.without_noise(scene) } else { picture }))
@@ -353,5 +351,37 @@ impl Picture {
         let options = PictureOptions { tone_map: self.tone_map, ..PictureOptions::default() };
         let saved = self.file.save_denoised(path, &options, self.denoised.as_ref());
         saved.map_err(|error| RenderError::Io { path: path.into(), error })
+    }
+}
+
+/// Renders a frame and reads its film, of no more samples than are asked for: a tracer keeps those that an earlier picture of the frame has.
+fn render_into(film: &mut Film, tracer: &mut dyn Tracer, frame: &Frame, progress: &Progress) -> Result<(), TraceError> {
+    tracer.render(frame, progress)?;
+    tracer.read(film)?;
+    if film.sample_range().1 > frame.samples && !progress.is_cancelled() {
+        // Another frame makes it forget that one.
+        let other = frame.clone().seed(!frame.seed).size(1, 1).samples(1);
+        tracer.render(&other, &Progress::default())?;
+        tracer.render(frame, progress)?;
+        tracer.read(film)?;
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_picture_does_not_depend_on_those_that_were_rendered_before() {
+        let scene = voxtrace_scenes::generate("church", Some(20_000)).unwrap();
+        let renderer = || Renderer::new(&scene).unwrap().size(24, 16).denoise(true);
+        let bytes = |renderer: &mut Renderer| renderer.render().unwrap().film_file().to_bytes();
+        let four = bytes(&mut renderer().samples(4));
+        let mut again = renderer().samples(4);
+        assert_eq!([bytes(&mut again), bytes(&mut again)], [four.clone(), four.clone()]);
+        let mut fewer = renderer().samples(9);
+        assert_ne!(bytes(&mut fewer), four, "the comparison sees samples");
+        assert_eq!(bytes(&mut fewer.samples(4)), four);
     }
 }
