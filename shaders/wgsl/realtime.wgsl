@@ -2139,169 +2139,6 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_8 : Ray_0,  hit
     return next_0;
 }
 
-struct Walker_0
-{
-     path_6 : Path_0,
-     ray_9 : Ray_0,
-     is_shadow_ray_0 : bool,
-     light_3 : vec3<f32>,
-     direction_18 : vec3<f32>,
-     path_origin_2 : vec3<f32>,
-     shadow_inside_2 : Inside_0,
-     boundaries_0 : u32,
-     relocates_2 : bool,
-     path_relocates_2 : bool,
-     camera_ray_0 : Ray_0,
-     way_0 : f32,
-     has_shown_0 : bool,
-     asks_cache_0 : bool,
-     life_0 : u32,
-     is_at_cell_0 : bool,
-};
-
-struct Sample_0
-{
-     direct_0 : vec3<f32>,
-     light_4 : vec3<f32>,
-     is_shown_0 : bool,
-     albedo_0 : vec3<f32>,
-     normal_4 : vec3<f32>,
-     place_2 : vec3<f32>,
-     instance_6 : u32,
-};
-
-fn shading_normal_0( ray_10 : Ray_0,  hit_4 : Hit_0,  material_7 : PackedMaterial_0) -> vec3<f32>
-{
-    return world_normal_0(hit_4.instance_1, hit_4.face_0);
-}
-
-fn albedo_of_0( material_8 : PackedMaterial_0) -> vec3<f32>
-{
-    return vector_of_0(material_8.base_color_0);
-}
-
-fn show_0( path_7 : Path_0,  ray_11 : Ray_0,  hit_5 : Hit_0,  beyond_3 : u32,  sample_4 : ptr<function, Sample_0>)
-{
-    var _S145 : Path_0 = path_7;
-    (*sample_4).is_shown_0 = true;
-    if(Inside_is_in_0(_S145.inside_0))
-    {
-        absorb_0(&(_S145), _S145.inside_0, ray_11, hit_5.t_0);
-    }
-    var material_9 : PackedMaterial_0 = material_met_0(_S145, hit_5, beyond_3);
-    (*sample_4).normal_4 = shading_normal_0(ray_11, hit_5, material_9);
-    (*sample_4).albedo_0 = _S145.beta_0 * albedo_of_0(material_9);
-    return;
-}
-
-fn Walker_see_0( this_21 : ptr<function, Walker_0>,  arrived_0 : Path_0,  hit_6 : Hit_0,  beyond_4 : u32,  emitted_1 : vec3<f32>,  goes_on_0 : bool,  sample_5 : ptr<function, Sample_0>)
-{
-    (*sample_5).direct_0 = (*sample_5).direct_0 + emitted_1;
-    var _S146 : bool = ((*this_21).path_6.bounce_0) == u32(0);
-    var _S147 : bool;
-    if(goes_on_0)
-    {
-        _S147 = _S146;
-    }
-    else
-    {
-        _S147 = false;
-    }
-    var _S148 : bool = !_S147;
-    (*this_21).has_shown_0 = _S148;
-    if(!_S148)
-    {
-        (*this_21).way_0 = (*this_21).way_0 + hit_6.t_0;
-    }
-    else
-    {
-        if(!Hit_is_miss_0(hit_6))
-        {
-            show_0(arrived_0, (*this_21).ray_9, hit_6, beyond_4, &((*sample_5)));
-            (*sample_5).place_2 = (*this_21).camera_ray_0.origin_2 + (*this_21).camera_ray_0.direction_1 * vec3<f32>(((*this_21).way_0 + hit_6.t_0));
-            var _S149 : u32;
-            if(((*this_21).way_0) > 0.0f)
-            {
-                _S149 = u32(4294967295);
-            }
-            else
-            {
-                _S149 = hit_6.instance_1;
-            }
-            (*sample_5).instance_6 = _S149;
-        }
-    }
-    return;
-}
-
-fn ray_from_0( origin_6 : vec3<f32>,  direction_19 : vec3<f32>) -> Ray_0
-{
-    return Ray_x24init_0(origin_6, 0.0f, direction_19, (bitcast<f32>((u32(2139095040)))));
-}
-
-fn goes_on_from_0( at_1 : ptr<function, Walker_0>,  hit_7 : Hit_0,  beyond_5 : u32,  sample_6 : ptr<function, Sample_0>) -> bool
-{
-    var next_1 : NextRays_0 = no_rays_0();
-    var goes_on_1 : bool;
-    if((*at_1).is_at_cell_0)
-    {
-        next_1.origin_1 = (*at_1).ray_9.origin_2;
-        next_1.path_origin_0 = (*at_1).ray_9.origin_2;
-        next_1.direction_0 = (*at_1).ray_9.direction_1;
-        goes_on_1 = true;
-    }
-    else
-    {
-        var cached_0 : vec3<f32> = vec3<f32>(0.0f);
-        ends_here_0 = false;
-        var arrived_1 : Path_0 = (*at_1).path_6;
-        var emitted_2 : vec3<f32> = cached_0;
-        var _S150 : Path_0 = (*at_1).path_6;
-        var _S151 : NextRays_0 = PathTracingOf_advance_0(&(_S150), (*at_1).ray_9, hit_7, beyond_5, &(emitted_2));
-        (*at_1).path_6 = _S150;
-        next_1 = _S151;
-        var goes_on_2 : bool = (any(((next_1.direction_0) != cached_0)));
-        if((*at_1).has_shown_0)
-        {
-            (*sample_6).light_4 = (*sample_6).light_4 + emitted_2;
-        }
-        else
-        {
-            Walker_see_0(&((*at_1)), arrived_1, hit_7, beyond_5, emitted_2, goes_on_2, &((*sample_6)));
-        }
-        if((*at_1).has_shown_0)
-        {
-            return false;
-        }
-        goes_on_1 = goes_on_2;
-    }
-    if((*at_1).is_at_cell_0)
-    {
-        (*at_1).path_6.bounce_0 = u32(1);
-        (*at_1).path_6.event_0 = u32(1);
-        (*at_1).path_6.scattered_0 = u32(1);
-        (*at_1).is_at_cell_0 = false;
-    }
-    (*at_1).direction_18 = next_1.direction_0;
-    (*at_1).light_3 = next_1.light_0;
-    (*at_1).is_shadow_ray_0 = next_1.has_shadow_ray_0;
-    (*at_1).path_origin_2 = next_1.path_origin_0;
-    (*at_1).ray_9 = ray_from_0(next_1.origin_1, next_1.direction_0);
-    if((*at_1).is_shadow_ray_0)
-    {
-        (*at_1).ray_9 = Ray_x24init_0(next_1.origin_1, 0.0f, next_1.shadow_direction_0, next_1.shadow_t_max_0);
-    }
-    if(goes_on_1)
-    {
-        goes_on_1 = true;
-    }
-    else
-    {
-        goes_on_1 = (*at_1).is_shadow_ray_0;
-    }
-    return goes_on_1;
-}
-
 fn luminance_0( color_2 : vec3<f32>) -> f32
 {
     return color_2.x * 0.2125999927520752f + color_2.y * 0.71520000696182251f + color_2.z * 0.07220000028610229f;
@@ -2310,71 +2147,76 @@ fn luminance_0( color_2 : vec3<f32>) -> f32
 struct Aim_0
 {
      is_met_0 : bool,
-     direction_20 : vec3<f32>,
-     hit_8 : Hit_0,
+     direction_18 : vec3<f32>,
+     hit_4 : Hit_0,
      luminance_1 : f32,
 };
 
-fn Aim_x24init_0( is_met_1 : bool,  direction_21 : vec3<f32>,  hit_9 : Hit_0,  luminance_2 : f32) -> Aim_0
+fn Aim_x24init_0( is_met_1 : bool,  direction_19 : vec3<f32>,  hit_5 : Hit_0,  luminance_2 : f32) -> Aim_0
 {
-    var _S152 : Aim_0;
-    _S152.is_met_0 = is_met_1;
-    _S152.direction_20 = direction_21;
-    _S152.hit_8 = hit_9;
-    _S152.luminance_1 = luminance_2;
-    return _S152;
+    var _S145 : Aim_0;
+    _S145.is_met_0 = is_met_1;
+    _S145.direction_18 = direction_19;
+    _S145.hit_4 = hit_5;
+    _S145.luminance_1 = luminance_2;
+    return _S145;
 }
 
-fn SunDisc_sample_0( receiver_10 : Receiver_0,  u_8 : vec4<f32>,  sample_7 : ptr<function, LightSample_0>) -> bool
+fn ray_from_0( origin_6 : vec3<f32>,  direction_20 : vec3<f32>) -> Ray_0
+{
+    return Ray_x24init_0(origin_6, 0.0f, direction_20, (bitcast<f32>((u32(2139095040)))));
+}
+
+fn SunDisc_sample_0( receiver_10 : Receiver_0,  u_8 : vec4<f32>,  sample_4 : ptr<function, LightSample_0>) -> bool
 {
     var one_minus_cos_theta_0 : f32 = u_8.z * params_0.sun_one_minus_cos_theta_max_0;
     var radius_2 : f32 = square_root_0(one_minus_cos_theta_0 * (2.0f - one_minus_cos_theta_0));
     var sin_cos_1 : vec2<f32> = sincos_turns_0(u_8.w);
-    var direction_22 : vec3<f32> = params_0.sun_direction_0 * vec3<f32>((1.0f - one_minus_cos_theta_0)) + (params_0.sun_tangent_0 * vec3<f32>((radius_2 * sin_cos_1.y)) + params_0.sun_bitangent_0 * vec3<f32>((radius_2 * sin_cos_1.x)));
-    var cos_theta_5 : f32 = with_slack_0(receiver_10, dot_product_0(receiver_10.normal_1, direction_22));
-    (*sample_7) = LightSample_x24init_0(ray_from_0(receiver_10.point_0, direction_22), cos_theta_5, params_0.sun_radiance_0, params_0.sun_pdf_0);
+    var direction_21 : vec3<f32> = params_0.sun_direction_0 * vec3<f32>((1.0f - one_minus_cos_theta_0)) + (params_0.sun_tangent_0 * vec3<f32>((radius_2 * sin_cos_1.y)) + params_0.sun_bitangent_0 * vec3<f32>((radius_2 * sin_cos_1.x)));
+    var cos_theta_5 : f32 = with_slack_0(receiver_10, dot_product_0(receiver_10.normal_1, direction_21));
+    (*sample_4) = LightSample_x24init_0(ray_from_0(receiver_10.point_0, direction_21), cos_theta_5, params_0.sun_radiance_0, params_0.sun_pdf_0);
     return cos_theta_5 > 0.0f;
 }
 
 struct ChosenDirection_0
 {
-     direction_23 : vec3<f32>,
+     direction_22 : vec3<f32>,
      radiance_4 : vec3<f32>,
      pdf_6 : f32,
 };
 
-fn ChosenDirection_x24init_0( direction_24 : vec3<f32>,  radiance_5 : vec3<f32>,  pdf_7 : f32) -> ChosenDirection_0
+fn ChosenDirection_x24init_0( direction_23 : vec3<f32>,  radiance_5 : vec3<f32>,  pdf_7 : f32) -> ChosenDirection_0
 {
-    var _S153 : ChosenDirection_0;
-    _S153.direction_23 = direction_24;
-    _S153.radiance_4 = radiance_5;
-    _S153.pdf_6 = pdf_7;
-    return _S153;
+    var _S146 : ChosenDirection_0;
+    _S146.direction_22 = direction_23;
+    _S146.radiance_4 = radiance_5;
+    _S146.pdf_6 = pdf_7;
+    return _S146;
 }
 
 fn direction_of_0( square_0 : vec2<f32>) -> vec3<f32>
 {
     var u_9 : f32 = square_0.x * 2.0f - 1.0f;
     var v_4 : f32 = square_0.y * 2.0f - 1.0f;
-    var _S154 : f32 = abs(u_9);
-    var _S155 : f32 = abs(v_4);
-    var height_1 : f32 = 1.0f - (_S154 + _S155);
+    var _S147 : f32 = abs(u_9);
+    var _S148 : f32 = abs(v_4);
+    var height_1 : f32 = 1.0f - (_S147 + _S148);
     var radius_3 : f32 = 1.0f - abs(height_1);
     var turns_2 : f32;
     if(radius_3 > 0.0f)
     {
-        turns_2 = (divide_0(_S155 - _S154, radius_3) + 1.0f) * 0.125f;
+        turns_2 = (divide_0(_S148 - _S147, radius_3) + 1.0f) * 0.125f;
     }
     else
     {
         turns_2 = 0.0f;
     }
     var sin_cos_2 : vec2<f32> = sincos_turns_0(turns_2);
-    var _S156 : f32 = radius_3 * radius_3;
-    var across_0 : f32 = radius_3 * square_root_0(2.0f - _S156);
+    var _S149 : f32 = radius_3 * radius_3;
+    var across_0 : f32 = radius_3 * square_root_0(2.0f - _S149);
     var x_8 : f32 = sin_cos_2.y * across_0;
     var y_4 : f32 = sin_cos_2.x * across_0;
-    var z_0 : f32 = 1.0f - _S156;
+    var z_0 : f32 = 1.0f - _S149;
     if(u_9 < 0.0f)
     {
         turns_2 = - x_8;
@@ -2383,45 +2225,45 @@ fn direction_of_0( square_0 : vec2<f32>) -> vec3<f32>
     {
         turns_2 = x_8;
     }
-    var _S157 : f32;
+    var _S150 : f32;
     if(v_4 < 0.0f)
     {
-        _S157 = - y_4;
+        _S150 = - y_4;
     }
     else
     {
-        _S157 = y_4;
+        _S150 = y_4;
     }
-    var _S158 : f32;
+    var _S151 : f32;
     if(height_1 < 0.0f)
     {
-        _S158 = - z_0;
+        _S151 = - z_0;
     }
     else
     {
-        _S158 = z_0;
+        _S151 = z_0;
     }
-    return vec3<f32>(turns_2, _S157, _S158);
+    return vec3<f32>(turns_2, _S150, _S151);
 }
 
 fn Environment_to_world_0( d_3 : vec3<f32>) -> vec3<f32>
 {
     var sin_2 : f32 = params_0.sky_turned_0.x;
     var cos_3 : f32 = params_0.sky_turned_0.y;
-    var _S159 : f32 = d_3.x;
-    var _S160 : f32 = d_3.y;
-    return vec3<f32>(_S159 * cos_3 + _S160 * sin_2, _S160 * cos_3 - _S159 * sin_2, d_3.z);
+    var _S152 : f32 = d_3.x;
+    var _S153 : f32 = d_3.y;
+    return vec3<f32>(_S152 * cos_3 + _S153 * sin_2, _S153 * cos_3 - _S152 * sin_2, d_3.z);
 }
 
 fn Environment_choose_0( u_10 : vec4<f32>,  chosen_0 : ptr<function, ChosenDirection_0>) -> bool
 {
-    var _S161 : vec3<f32> = vec3<f32>(0.0f);
-    (*chosen_0) = ChosenDirection_x24init_0(_S161, _S161, 0.0f);
+    var _S154 : vec3<f32> = vec3<f32>(0.0f);
+    (*chosen_0) = ChosenDirection_x24init_0(_S154, _S154, 0.0f);
     var edge_0 : f32 = f32(params_0.sky_edge_0);
-    var _S162 : f32 = u_10.x * edge_0;
-    var _S163 : f32 = edge_0 - 1.0f;
-    var _S164 : f32 = min(floor(_S162), _S163);
-    var own_1 : u32 = u32(_S164) * params_0.sky_edge_0 + u32(min(floor(u_10.y * edge_0), _S163));
+    var _S155 : f32 = u_10.x * edge_0;
+    var _S156 : f32 = edge_0 - 1.0f;
+    var _S157 : f32 = min(floor(_S155), _S156);
+    var own_1 : u32 = u32(_S157) * params_0.sky_edge_0 + u32(min(floor(u_10.y * edge_0), _S156));
     var index_14 : u32;
     if((u_10.z) < (environment_0[own_1].threshold_0))
     {
@@ -2436,34 +2278,34 @@ fn Environment_choose_0( u_10 : vec4<f32>,  chosen_0 : ptr<function, ChosenDirec
     {
         return false;
     }
-    var _S165 : u32 = index_14 % params_0.sky_edge_0;
-    var _S166 : f32 = f32(_S165);
-    var _S167 : u32 = index_14 / params_0.sky_edge_0;
-    var place_3 : vec2<f32> = vec2<f32>(_S166, f32(_S167)) + vec2<f32>(min(_S162 - _S164, 1.0f), u_10.w);
-    (*chosen_0) = ChosenDirection_x24init_0(Environment_to_world_0(direction_of_0(place_3 * vec2<f32>(divide_0(1.0f, edge_0)))), Environment_radiance_at_0(place_3), pdf_8);
+    var _S158 : u32 = index_14 % params_0.sky_edge_0;
+    var _S159 : f32 = f32(_S158);
+    var _S160 : u32 = index_14 / params_0.sky_edge_0;
+    var place_2 : vec2<f32> = vec2<f32>(_S159, f32(_S160)) + vec2<f32>(min(_S155 - _S157, 1.0f), u_10.w);
+    (*chosen_0) = ChosenDirection_x24init_0(Environment_to_world_0(direction_of_0(place_2 * vec2<f32>(divide_0(1.0f, edge_0)))), Environment_radiance_at_0(place_2), pdf_8);
     return true;
 }
 
-fn Sky_sample_0( receiver_11 : Receiver_0,  u_11 : vec4<f32>,  sample_8 : ptr<function, LightSample_0>) -> bool
+fn Sky_sample_0( receiver_11 : Receiver_0,  u_11 : vec4<f32>,  sample_5 : ptr<function, LightSample_0>) -> bool
 {
-    (*sample_8) = no_light_0();
+    (*sample_5) = no_light_0();
     var chosen_1 : ChosenDirection_0;
-    var _S168 : bool;
+    var _S161 : bool;
     if(SKY_0 != u32(1))
     {
-        _S168 = true;
+        _S161 = true;
     }
     else
     {
-        var _S169 : bool = Environment_choose_0(u_11, &(chosen_1));
-        _S168 = !_S169;
+        var _S162 : bool = Environment_choose_0(u_11, &(chosen_1));
+        _S161 = !_S162;
     }
-    if(_S168)
+    if(_S161)
     {
         return false;
     }
-    var cos_theta_6 : f32 = dot_product_0(receiver_11.normal_1, chosen_1.direction_23);
-    (*sample_8) = LightSample_x24init_0(ray_from_0(receiver_11.point_0, chosen_1.direction_23), cos_theta_6, chosen_1.radiance_4 * vec3<f32>(params_0.sky_brightness_0), chosen_1.pdf_6);
+    var cos_theta_6 : f32 = dot_product_0(receiver_11.normal_1, chosen_1.direction_22);
+    (*sample_5) = LightSample_x24init_0(ray_from_0(receiver_11.point_0, chosen_1.direction_22), cos_theta_6, chosen_1.radiance_4 * vec3<f32>(params_0.sky_brightness_0), chosen_1.pdf_6);
     return cos_theta_6 > 0.0f;
 }
 
@@ -2480,15 +2322,15 @@ struct Descent_0
 
 fn Descent_x24init_0( node_4 : u32,  index_16 : u32,  count_3 : u32,  weight_3 : f32,  total_1 : f32,  choice_2 : f32,  is_far_4 : bool) -> Descent_0
 {
-    var _S170 : Descent_0;
-    _S170.node_3 = node_4;
-    _S170.index_15 = index_16;
-    _S170.count_2 = count_3;
-    _S170.weight_2 = weight_3;
-    _S170.total_0 = total_1;
-    _S170.choice_1 = choice_2;
-    _S170.is_far_3 = is_far_4;
-    return _S170;
+    var _S163 : Descent_0;
+    _S163.node_3 = node_4;
+    _S163.index_15 = index_16;
+    _S163.count_2 = count_3;
+    _S163.weight_2 = weight_3;
+    _S163.total_0 = total_1;
+    _S163.choice_1 = choice_2;
+    _S163.is_far_3 = is_far_4;
+    return _S163;
 }
 
 fn TopLights_node_0( index_17 : u32) -> LightNode_0
@@ -2496,28 +2338,28 @@ fn TopLights_node_0( index_17 : u32) -> LightNode_0
     return top_light_node_0(index_17);
 }
 
-fn Descent_at_0( this_22 : ptr<function, Descent_0>,  root_2 : u32)
+fn Descent_at_0( this_21 : ptr<function, Descent_0>,  root_2 : u32)
 {
     var node_5 : LightNode_0 = TopLights_node_0(root_2);
-    (*this_22).node_3 = root_2;
-    (*this_22).index_15 = node_5.index_2;
-    (*this_22).count_2 = node_5.count_0;
-    (*this_22).is_far_3 = false;
+    (*this_21).node_3 = root_2;
+    (*this_21).index_15 = node_5.index_2;
+    (*this_21).count_2 = node_5.count_0;
+    (*this_21).is_far_3 = false;
     return;
 }
 
 fn normal_or_zero_0( weight_4 : f32) -> f32
 {
-    var _S171 : f32;
+    var _S164 : f32;
     if(weight_4 < 1.17549435082228751e-38f)
     {
-        _S171 = 0.0f;
+        _S164 = 0.0f;
     }
     else
     {
-        _S171 = weight_4;
+        _S164 = weight_4;
     }
-    return _S171;
+    return _S164;
 }
 
 fn inverse_power_of_two_0( x_9 : f32) -> f32
@@ -2527,19 +2369,19 @@ fn inverse_power_of_two_0( x_9 : f32) -> f32
 
 fn weights_of_0( left_0 : f32,  right_0 : f32) -> vec2<f32>
 {
-    var _S172 : f32 = normal_or_zero_0(left_0);
-    var _S173 : f32 = normal_or_zero_0(right_0);
-    var unit_0 : f32 = inverse_power_of_two_0(_S172 + _S173);
-    return vec2<f32>(normal_or_zero_0(_S172 * unit_0), normal_or_zero_0(_S173 * unit_0));
+    var _S165 : f32 = normal_or_zero_0(left_0);
+    var _S166 : f32 = normal_or_zero_0(right_0);
+    var unit_0 : f32 = inverse_power_of_two_0(_S165 + _S166);
+    return vec2<f32>(normal_or_zero_0(_S165 * unit_0), normal_or_zero_0(_S166 * unit_0));
 }
 
 fn climb_0( receiver_12 : Receiver_0,  start_2 : u32,  descent_0 : ptr<function, Descent_0>) -> bool
 {
     var node_6 : LightNode_0 = top_light_node_0(start_2);
-    var at_2 : u32 = start_2;
+    var at_1 : u32 = start_2;
     for(;;)
     {
-        var _S174 : LightNode_0 = node_6;
+        var _S167 : LightNode_0 = node_6;
         if((node_6.parent_0) != u32(4294967295))
         {
         }
@@ -2547,59 +2389,59 @@ fn climb_0( receiver_12 : Receiver_0,  start_2 : u32,  descent_0 : ptr<function,
         {
             break;
         }
-        var parent_1 : LightNode_0 = top_light_node_0(_S174.parent_0);
-        var _S175 : u32 = _S174.parent_0 + u32(1);
-        var is_left_0 : bool = at_2 == _S175;
-        var _S176 : u32;
+        var parent_1 : LightNode_0 = top_light_node_0(_S167.parent_0);
+        var _S168 : u32 = _S167.parent_0 + u32(1);
+        var is_left_0 : bool = at_1 == _S168;
+        var _S169 : u32;
         if(is_left_0)
         {
-            _S176 = parent_1.index_2;
+            _S169 = parent_1.index_2;
+        }
+        else
+        {
+            _S169 = _S168;
+        }
+        var _S170 : View_0 = view_0(node_6, receiver_12);
+        var _S171 : View_0 = view_0(top_light_node_0(_S169), receiver_12);
+        var _S172 : f32;
+        if(is_left_0)
+        {
+            _S172 = _S170.importance_0;
+        }
+        else
+        {
+            _S172 = _S171.importance_0;
+        }
+        var _S173 : f32;
+        if(is_left_0)
+        {
+            _S173 = _S171.importance_0;
+        }
+        else
+        {
+            _S173 = _S170.importance_0;
+        }
+        var weights_0 : vec2<f32> = weights_of_0(_S172, _S173);
+        var _S174 : f32 = weights_0.x;
+        var _S175 : f32 = weights_0.y;
+        var total_2 : f32 = _S174 + _S175;
+        if(!(total_2 > 0.0f))
+        {
+            return false;
+        }
+        var _S176 : f32;
+        if(is_left_0)
+        {
+            _S176 = _S174;
         }
         else
         {
             _S176 = _S175;
         }
-        var _S177 : View_0 = view_0(node_6, receiver_12);
-        var _S178 : View_0 = view_0(top_light_node_0(_S176), receiver_12);
-        var _S179 : f32;
-        if(is_left_0)
-        {
-            _S179 = _S177.importance_0;
-        }
-        else
-        {
-            _S179 = _S178.importance_0;
-        }
-        var _S180 : f32;
-        if(is_left_0)
-        {
-            _S180 = _S178.importance_0;
-        }
-        else
-        {
-            _S180 = _S177.importance_0;
-        }
-        var weights_0 : vec2<f32> = weights_of_0(_S179, _S180);
-        var _S181 : f32 = weights_0.x;
-        var _S182 : f32 = weights_0.y;
-        var total_2 : f32 = _S181 + _S182;
-        if(!(total_2 > 0.0f))
-        {
-            return false;
-        }
-        var _S183 : f32;
-        if(is_left_0)
-        {
-            _S183 = _S181;
-        }
-        else
-        {
-            _S183 = _S182;
-        }
-        (*descent_0).weight_2 = (*descent_0).weight_2 * _S183;
+        (*descent_0).weight_2 = (*descent_0).weight_2 * _S176;
         (*descent_0).total_0 = (*descent_0).total_0 * total_2;
         node_6 = parent_1;
-        at_2 = _S174.parent_0;
+        at_1 = _S167.parent_0;
     }
     return ((*descent_0).weight_2) > 0.0f;
 }
@@ -2616,32 +2458,32 @@ fn by_chance_0() -> Aim_0
 
 fn waits_for_pages_0() -> bool
 {
-    var _S184 : bool;
+    var _S177 : bool;
     if(HAS_PAGES_0)
     {
-        _S184 = is_page_missing_0;
+        _S177 = is_page_missing_0;
     }
     else
     {
-        _S184 = false;
+        _S177 = false;
     }
-    return _S184;
+    return _S177;
 }
 
 fn descend_0( receiver_13 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<function, Descent_0>) -> bool
 {
     for(;;)
     {
-        var _S185 : bool;
+        var _S178 : bool;
         if(((*descent_1).count_2) == u32(0))
         {
-            _S185 = !(*descent_1).is_far_3;
+            _S178 = !(*descent_1).is_far_3;
         }
         else
         {
-            _S185 = false;
+            _S178 = false;
         }
-        if(_S185)
+        if(_S178)
         {
         }
         else
@@ -2655,29 +2497,29 @@ fn descend_0( receiver_13 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<functio
         var left_1 : LightNode_0 = TopLights_node_0((*descent_1).node_3 + u32(1));
         var right_1 : LightNode_0 = TopLights_node_0((*descent_1).index_15);
         var weights_1 : vec2<f32> = weights_of_0(view_0(left_1, receiver_13).importance_0, view_0(right_1, receiver_13).importance_0);
-        var _S186 : f32 = weights_1.x;
-        var _S187 : f32 = weights_1.y;
-        var total_3 : f32 = _S186 + _S187;
+        var _S179 : f32 = weights_1.x;
+        var _S180 : f32 = weights_1.y;
+        var total_3 : f32 = _S179 + _S180;
         if(!(total_3 > 0.0f))
         {
             return false;
         }
-        var _S188 : bool;
-        if(_S187 <= 0.0f)
+        var _S181 : bool;
+        if(_S180 <= 0.0f)
         {
-            _S188 = true;
+            _S181 = true;
         }
         else
         {
-            _S188 = ((*descent_1).choice_1 * total_3) < (_S186 * (*descent_1).weight_2);
+            _S181 = ((*descent_1).choice_1 * total_3) < (_S179 * (*descent_1).weight_2);
         }
         var is_left_1 : bool;
         if(aim_0.is_met_0)
         {
-            var _S189 : vec3<f32> = vec3<f32>(aim_0.hit_8.voxel_1);
-            if((all((_S189 >= (vector_of_0(left_1.min_2))))))
+            var _S182 : vec3<f32> = vec3<f32>(aim_0.hit_4.voxel_1);
+            if((all((_S182 >= (vector_of_0(left_1.min_2))))))
             {
-                is_left_1 = (all((_S189 < (vector_of_0(left_1.max_2)))));
+                is_left_1 = (all((_S182 < (vector_of_0(left_1.max_2)))));
             }
             else
             {
@@ -2686,63 +2528,63 @@ fn descend_0( receiver_13 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<functio
         }
         else
         {
-            is_left_1 = _S188;
+            is_left_1 = _S181;
         }
-        var _S190 : f32 = (*descent_1).choice_1 * total_3;
-        var _S191 : f32;
+        var _S183 : f32 = (*descent_1).choice_1 * total_3;
+        var _S184 : f32;
         if(is_left_1)
         {
-            _S191 = 0.0f;
+            _S184 = 0.0f;
         }
         else
         {
-            _S191 = _S186 * (*descent_1).weight_2;
+            _S184 = _S179 * (*descent_1).weight_2;
         }
-        (*descent_1).choice_1 = _S190 - _S191;
-        var _S192 : u32;
+        (*descent_1).choice_1 = _S183 - _S184;
+        var _S185 : u32;
         if(is_left_1)
         {
-            _S192 = (*descent_1).node_3 + u32(1);
+            _S185 = (*descent_1).node_3 + u32(1);
         }
         else
         {
-            _S192 = (*descent_1).index_15;
+            _S185 = (*descent_1).index_15;
         }
-        (*descent_1).node_3 = _S192;
-        var _S193 : u32;
+        (*descent_1).node_3 = _S185;
+        var _S186 : u32;
         if(is_left_1)
         {
-            _S193 = left_1.index_2;
+            _S186 = left_1.index_2;
         }
         else
         {
-            _S193 = right_1.index_2;
+            _S186 = right_1.index_2;
         }
-        (*descent_1).index_15 = _S193;
-        var _S194 : u32;
+        (*descent_1).index_15 = _S186;
+        var _S187 : u32;
         if(is_left_1)
         {
-            _S194 = left_1.count_0;
+            _S187 = left_1.count_0;
         }
         else
         {
-            _S194 = right_1.count_0;
+            _S187 = right_1.count_0;
         }
-        (*descent_1).count_2 = _S194;
+        (*descent_1).count_2 = _S187;
         (*descent_1).is_far_3 = false;
-        var _S195 : f32;
+        var _S188 : f32;
         if(is_left_1)
         {
-            _S195 = _S186;
+            _S188 = _S179;
         }
         else
         {
-            _S195 = _S187;
+            _S188 = _S180;
         }
-        var _S196 : f32 = (*descent_1).weight_2 * _S195;
-        (*descent_1).weight_2 = _S196;
+        var _S189 : f32 = (*descent_1).weight_2 * _S188;
+        (*descent_1).weight_2 = _S189;
         (*descent_1).total_0 = (*descent_1).total_0 * total_3;
-        if(_S196 <= 0.0f)
+        if(_S189 <= 0.0f)
         {
             return false;
         }
@@ -2750,43 +2592,43 @@ fn descend_0( receiver_13 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<functio
     return true;
 }
 
-fn in_grid_3( instance_7 : u32,  receiver_14 : Receiver_0) -> Receiver_0
+fn in_grid_3( instance_6 : u32,  receiver_14 : Receiver_0) -> Receiver_0
 {
     if(IS_SINGLE_0)
     {
         return receiver_14;
     }
-    return Receiver_x24init_0(Transform_point_0(instance_7, receiver_14.point_0), normalize_vector_0(Transform_direction_0(instance_7, receiver_14.normal_1)));
+    return Receiver_x24init_0(Transform_point_0(instance_6, receiver_14.point_0), normalize_vector_0(Transform_direction_0(instance_6, receiver_14.normal_1)));
 }
 
 fn lights_in_pages_0() -> bool
 {
-    var _S197 : bool;
+    var _S190 : bool;
     if(HAS_PAGES_0)
     {
-        _S197 = pages_0[u32(5)] != u32(0);
+        _S190 = pages_0[u32(5)] != u32(0);
     }
     else
     {
-        _S197 = false;
+        _S190 = false;
     }
-    return _S197;
+    return _S190;
 }
 
 fn place_in_light_node_0( node_7 : u32,  word_5 : u32) -> u32
 {
-    var _S198 : u32 = word_in_pages_0(node_7 * u32(16) + word_5, pages_0[i32(4)]);
-    return _S198;
+    var _S191 : u32 = word_in_pages_0(node_7 * u32(16) + word_5, pages_0[i32(4)]);
+    return _S191;
 }
 
 fn light_node_at_0( index_18 : u32) -> LightNode_0
 {
     if(!lights_in_pages_0())
     {
-        var _S199 : u32 = u32(4) * index_18;
-        return light_node_of_0(light_node_rows_0[_S199], light_node_rows_0[_S199 + u32(1)], light_node_rows_0[_S199 + u32(2)], light_node_rows_0[_S199 + u32(3)]);
+        var _S192 : u32 = u32(4) * index_18;
+        return light_node_of_0(light_node_rows_0[_S192], light_node_rows_0[_S192 + u32(1)], light_node_rows_0[_S192 + u32(2)], light_node_rows_0[_S192 + u32(3)]);
     }
-    var at_3 : u32 = place_in_light_node_0(index_18, u32(0));
+    var at_2 : u32 = place_in_light_node_0(index_18, u32(0));
     var node_8 : LightNode_0;
     var i_0 : u32 = u32(0);
     for(;;)
@@ -2798,12 +2640,12 @@ fn light_node_at_0( index_18 : u32) -> LightNode_0
         {
             break;
         }
-        node_8.min_2[i_0] = (bitcast<f32>((cells_1[at_3 + i_0])));
-        node_8.max_2[i_0] = (bitcast<f32>((cells_1[at_3 + u32(4) + i_0])));
+        node_8.min_2[i_0] = (bitcast<f32>((cells_1[at_2 + i_0])));
+        node_8.max_2[i_0] = (bitcast<f32>((cells_1[at_2 + u32(4) + i_0])));
         i_0 = i_0 + u32(1);
     }
-    node_8.index_2 = cells_1[at_3 + u32(3)];
-    node_8.count_0 = cells_1[at_3 + u32(7)];
+    node_8.index_2 = cells_1[at_2 + u32(3)];
+    node_8.count_0 = cells_1[at_2 + u32(7)];
     i_0 = u32(0);
     for(;;)
     {
@@ -2814,27 +2656,27 @@ fn light_node_at_0( index_18 : u32) -> LightNode_0
         {
             break;
         }
-        node_8.power_2[i_0] = (bitcast<f32>((cells_1[at_3 + u32(8) + i_0])));
+        node_8.power_2[i_0] = (bitcast<f32>((cells_1[at_2 + u32(8) + i_0])));
         i_0 = i_0 + u32(1);
     }
-    node_8.parent_0 = cells_1[at_3 + u32(14)];
-    node_8.root_1 = cells_1[at_3 + u32(15)];
+    node_8.parent_0 = cells_1[at_2 + u32(14)];
+    node_8.root_1 = cells_1[at_2 + u32(15)];
     return node_8;
 }
 
 fn GridLights_node_0( index_19 : u32) -> LightNode_0
 {
-    var _S200 : LightNode_0 = light_node_at_0(index_19);
-    return _S200;
+    var _S193 : LightNode_0 = light_node_at_0(index_19);
+    return _S193;
 }
 
-fn Descent_at_1( this_23 : ptr<function, Descent_0>,  root_3 : u32)
+fn Descent_at_1( this_22 : ptr<function, Descent_0>,  root_3 : u32)
 {
     var node_9 : LightNode_0 = GridLights_node_0(root_3);
-    (*this_23).node_3 = root_3;
-    (*this_23).index_15 = node_9.index_2;
-    (*this_23).count_2 = node_9.count_0;
-    (*this_23).is_far_3 = false;
+    (*this_22).node_3 = root_3;
+    (*this_22).index_15 = node_9.index_2;
+    (*this_22).count_2 = node_9.count_0;
+    (*this_22).is_far_3 = false;
     return;
 }
 
@@ -2842,16 +2684,16 @@ fn descend_1( receiver_15 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<functio
 {
     for(;;)
     {
-        var _S201 : bool;
+        var _S194 : bool;
         if(((*descent_2).count_2) == u32(0))
         {
-            _S201 = !(*descent_2).is_far_3;
+            _S194 = !(*descent_2).is_far_3;
         }
         else
         {
-            _S201 = false;
+            _S194 = false;
         }
-        if(_S201)
+        if(_S194)
         {
         }
         else
@@ -2867,29 +2709,29 @@ fn descend_1( receiver_15 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<functio
         var of_left_0 : View_0 = view_0(left_2, receiver_15);
         var of_right_0 : View_0 = view_0(right_2, receiver_15);
         var weights_2 : vec2<f32> = weights_of_0(of_left_0.importance_0, of_right_0.importance_0);
-        var _S202 : f32 = weights_2.x;
-        var _S203 : f32 = weights_2.y;
-        var total_4 : f32 = _S202 + _S203;
+        var _S195 : f32 = weights_2.x;
+        var _S196 : f32 = weights_2.y;
+        var total_4 : f32 = _S195 + _S196;
         if(!(total_4 > 0.0f))
         {
             return false;
         }
-        var _S204 : bool;
-        if(_S203 <= 0.0f)
+        var _S197 : bool;
+        if(_S196 <= 0.0f)
         {
-            _S204 = true;
+            _S197 = true;
         }
         else
         {
-            _S204 = ((*descent_2).choice_1 * total_4) < (_S202 * (*descent_2).weight_2);
+            _S197 = ((*descent_2).choice_1 * total_4) < (_S195 * (*descent_2).weight_2);
         }
         var is_left_2 : bool;
         if(aim_1.is_met_0)
         {
-            var _S205 : vec3<f32> = vec3<f32>(aim_1.hit_8.voxel_1);
-            if((all((_S205 >= (vector_of_0(left_2.min_2))))))
+            var _S198 : vec3<f32> = vec3<f32>(aim_1.hit_4.voxel_1);
+            if((all((_S198 >= (vector_of_0(left_2.min_2))))))
             {
-                is_left_2 = (all((_S205 < (vector_of_0(left_2.max_2)))));
+                is_left_2 = (all((_S198 < (vector_of_0(left_2.max_2)))));
             }
             else
             {
@@ -2898,72 +2740,72 @@ fn descend_1( receiver_15 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<functio
         }
         else
         {
-            is_left_2 = _S204;
+            is_left_2 = _S197;
         }
-        var _S206 : f32 = (*descent_2).choice_1 * total_4;
-        var _S207 : f32;
+        var _S199 : f32 = (*descent_2).choice_1 * total_4;
+        var _S200 : f32;
         if(is_left_2)
         {
-            _S207 = 0.0f;
+            _S200 = 0.0f;
         }
         else
         {
-            _S207 = _S202 * (*descent_2).weight_2;
+            _S200 = _S195 * (*descent_2).weight_2;
         }
-        (*descent_2).choice_1 = _S206 - _S207;
-        var _S208 : u32;
+        (*descent_2).choice_1 = _S199 - _S200;
+        var _S201 : u32;
         if(is_left_2)
         {
-            _S208 = (*descent_2).node_3 + u32(1);
+            _S201 = (*descent_2).node_3 + u32(1);
         }
         else
         {
-            _S208 = (*descent_2).index_15;
+            _S201 = (*descent_2).index_15;
         }
-        (*descent_2).node_3 = _S208;
-        var _S209 : u32;
+        (*descent_2).node_3 = _S201;
+        var _S202 : u32;
         if(is_left_2)
         {
-            _S209 = left_2.index_2;
+            _S202 = left_2.index_2;
         }
         else
         {
-            _S209 = right_2.index_2;
+            _S202 = right_2.index_2;
         }
-        (*descent_2).index_15 = _S209;
-        var _S210 : u32;
+        (*descent_2).index_15 = _S202;
+        var _S203 : u32;
         if(is_left_2)
         {
-            _S210 = left_2.count_0;
+            _S203 = left_2.count_0;
         }
         else
         {
-            _S210 = right_2.count_0;
+            _S203 = right_2.count_0;
         }
-        (*descent_2).count_2 = _S210;
-        var _S211 : bool;
+        (*descent_2).count_2 = _S203;
+        var _S204 : bool;
         if(is_left_2)
         {
-            _S211 = of_left_0.is_far_0;
+            _S204 = of_left_0.is_far_0;
         }
         else
         {
-            _S211 = of_right_0.is_far_0;
+            _S204 = of_right_0.is_far_0;
         }
-        (*descent_2).is_far_3 = _S211;
-        var _S212 : f32;
+        (*descent_2).is_far_3 = _S204;
+        var _S205 : f32;
         if(is_left_2)
         {
-            _S212 = _S202;
+            _S205 = _S195;
         }
         else
         {
-            _S212 = _S203;
+            _S205 = _S196;
         }
-        var _S213 : f32 = (*descent_2).weight_2 * _S212;
-        (*descent_2).weight_2 = _S213;
+        var _S206 : f32 = (*descent_2).weight_2 * _S205;
+        (*descent_2).weight_2 = _S206;
         (*descent_2).total_0 = (*descent_2).total_0 * total_4;
-        if(_S213 <= 0.0f)
+        if(_S206 <= 0.0f)
         {
             return false;
         }
@@ -2971,32 +2813,32 @@ fn descend_1( receiver_15 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<functio
     return true;
 }
 
-fn choose_side_0( point_5 : vec3<f32>,  is_met_2 : bool,  way_1 : Descent_0,  side_0 : ptr<function, u32>,  odds_0 : ptr<function, vec2<f32>>) -> bool
+fn choose_side_0( point_5 : vec3<f32>,  is_met_2 : bool,  way_0 : Descent_0,  side_0 : ptr<function, u32>,  odds_0 : ptr<function, vec2<f32>>) -> bool
 {
-    var node_10 : LightNode_0 = light_node_at_0(way_1.node_3);
-    var _S214 : vec3<f32> = vector_of_0(node_10.max_2);
-    var _S215 : vec3<f32> = vector_of_0(node_10.min_2);
-    var _S216 : vec3<f32> = vec3<f32>(0.5f);
-    var half_1 : vec3<f32> = (_S214 - _S215) * _S216;
-    var toward_1 : vec3<f32> = (_S215 + _S214) * _S216 - point_5;
+    var node_10 : LightNode_0 = light_node_at_0(way_0.node_3);
+    var _S207 : vec3<f32> = vector_of_0(node_10.max_2);
+    var _S208 : vec3<f32> = vector_of_0(node_10.min_2);
+    var _S209 : vec3<f32> = vec3<f32>(0.5f);
+    var half_1 : vec3<f32> = (_S207 - _S208) * _S209;
+    var toward_1 : vec3<f32> = (_S208 + _S207) * _S209 - point_5;
     var sent_1 : BySide_0 = sent_by_side_0(node_10, point_5, length_bound_0(select(half_1, abs(toward_1), vec3<bool>(((length_squared_0(toward_1)) > (length_squared_0(half_1)))))));
     var sum_0 : f32 = normal_or_zero_0(BySide_sum_0(sent_1));
     var unit_1 : f32 = inverse_power_of_two_0(sum_0);
     var total_5 : f32 = sum_0 * unit_1;
-    var _S217 : f32 = way_1.choice_1 * total_5;
-    var _S218 : u32 = (*side_0);
+    var _S210 : f32 = way_0.choice_1 * total_5;
+    var _S211 : u32 = (*side_0);
     var share_0 : f32 = normal_or_zero_0(sent_1.low_0[u32(0)] * unit_1);
-    var _S219 : bool;
+    var _S212 : bool;
     if(is_met_2)
     {
-        _S219 = u32(0) == _S218;
+        _S212 = u32(0) == _S211;
     }
     else
     {
-        _S219 = share_0 > 0.0f;
+        _S212 = share_0 > 0.0f;
     }
     var chosen_2 : f32;
-    if(_S219)
+    if(_S212)
     {
         (*side_0) = u32(0);
         chosen_2 = share_0;
@@ -3005,159 +2847,159 @@ fn choose_side_0( point_5 : vec3<f32>,  is_met_2 : bool,  way_1 : Descent_0,  si
     {
         chosen_2 = 0.0f;
     }
-    var _S220 : bool = _S217 < (share_0 * way_1.weight_2);
+    var _S213 : bool = _S210 < (share_0 * way_0.weight_2);
     var share_1 : f32 = normal_or_zero_0(sent_1.high_0[u32(0)] * unit_1);
     if(is_met_2)
     {
-        _S219 = u32(1) == _S218;
+        _S212 = u32(1) == _S211;
     }
     else
     {
         if(share_1 > 0.0f)
         {
-            _S219 = !_S220;
+            _S212 = !_S213;
         }
         else
         {
-            _S219 = false;
+            _S212 = false;
         }
     }
-    if(_S219)
+    if(_S212)
     {
         (*side_0) = u32(1);
         chosen_2 = share_1;
     }
     var passed_0 : f32 = share_0 + share_1;
-    if(_S220)
+    if(_S213)
     {
-        _S219 = true;
+        _S212 = true;
     }
     else
     {
-        _S219 = _S217 < (passed_0 * way_1.weight_2);
+        _S212 = _S210 < (passed_0 * way_0.weight_2);
     }
     var share_2 : f32 = normal_or_zero_0(sent_1.low_0[u32(1)] * unit_1);
-    var _S221 : bool;
+    var _S214 : bool;
     if(is_met_2)
     {
-        _S221 = u32(2) == _S218;
+        _S214 = u32(2) == _S211;
     }
     else
     {
         if(share_2 > 0.0f)
         {
-            _S221 = !_S219;
+            _S214 = !_S212;
         }
         else
         {
-            _S221 = false;
+            _S214 = false;
         }
     }
-    if(_S221)
+    if(_S214)
     {
         (*side_0) = u32(2);
         chosen_2 = share_2;
     }
     var passed_1 : f32 = passed_0 + share_2;
-    if(_S219)
+    if(_S212)
     {
-        _S219 = true;
+        _S212 = true;
     }
     else
     {
-        _S219 = _S217 < (passed_1 * way_1.weight_2);
+        _S212 = _S210 < (passed_1 * way_0.weight_2);
     }
     var share_3 : f32 = normal_or_zero_0(sent_1.high_0[u32(1)] * unit_1);
     if(is_met_2)
     {
-        _S221 = u32(3) == _S218;
+        _S214 = u32(3) == _S211;
     }
     else
     {
         if(share_3 > 0.0f)
         {
-            _S221 = !_S219;
+            _S214 = !_S212;
         }
         else
         {
-            _S221 = false;
+            _S214 = false;
         }
     }
-    if(_S221)
+    if(_S214)
     {
         (*side_0) = u32(3);
         chosen_2 = share_3;
     }
     var passed_2 : f32 = passed_1 + share_3;
-    if(_S219)
+    if(_S212)
     {
-        _S219 = true;
+        _S212 = true;
     }
     else
     {
-        _S219 = _S217 < (passed_2 * way_1.weight_2);
+        _S212 = _S210 < (passed_2 * way_0.weight_2);
     }
     var share_4 : f32 = normal_or_zero_0(sent_1.low_0[u32(2)] * unit_1);
     if(is_met_2)
     {
-        _S221 = u32(4) == _S218;
+        _S214 = u32(4) == _S211;
     }
     else
     {
         if(share_4 > 0.0f)
         {
-            _S221 = !_S219;
+            _S214 = !_S212;
         }
         else
         {
-            _S221 = false;
+            _S214 = false;
         }
     }
-    if(_S221)
+    if(_S214)
     {
         (*side_0) = u32(4);
         chosen_2 = share_4;
     }
     var passed_3 : f32 = passed_2 + share_4;
-    if(_S219)
+    if(_S212)
     {
-        _S219 = true;
+        _S212 = true;
     }
     else
     {
-        _S219 = _S217 < (passed_3 * way_1.weight_2);
+        _S212 = _S210 < (passed_3 * way_0.weight_2);
     }
     var share_5 : f32 = normal_or_zero_0(sent_1.high_0[u32(2)] * unit_1);
     if(is_met_2)
     {
-        _S219 = u32(5) == _S218;
+        _S212 = u32(5) == _S211;
     }
     else
     {
         if(share_5 > 0.0f)
         {
-            _S219 = !_S219;
+            _S212 = !_S212;
         }
         else
         {
-            _S219 = false;
+            _S212 = false;
         }
     }
-    if(_S219)
+    if(_S212)
     {
         (*side_0) = u32(5);
         chosen_2 = share_5;
     }
-    (*odds_0) = vec2<f32>(way_1.weight_2 * chosen_2, way_1.total_0 * total_5);
+    (*odds_0) = vec2<f32>(way_0.weight_2 * chosen_2, way_0.total_0 * total_5);
     if(sum_0 > 0.0f)
     {
-        _S219 = ((*odds_0).x) > 0.0f;
+        _S212 = ((*odds_0).x) > 0.0f;
     }
     else
     {
-        _S219 = false;
+        _S212 = false;
     }
-    return _S219;
+    return _S212;
 }
 
 fn light_node_word_0( index_20 : u32,  word_6 : u32) -> u32
@@ -3167,17 +3009,17 @@ fn light_node_word_0( index_20 : u32,  word_6 : u32) -> u32
 
 fn light_power_at_0( index_21 : u32,  side_1 : u32) -> f32
 {
-    var _S222 : u32;
+    var _S215 : u32;
     if(lights_in_pages_0())
     {
-        var _S223 : u32 = place_in_light_node_0(index_21, u32(8) + side_1);
-        _S222 = cells_1[_S223];
+        var _S216 : u32 = place_in_light_node_0(index_21, u32(8) + side_1);
+        _S215 = cells_1[_S216];
     }
     else
     {
-        _S222 = light_node_word_0(index_21, u32(8) + side_1);
+        _S215 = light_node_word_0(index_21, u32(8) + side_1);
     }
-    return (bitcast<f32>((_S222)));
+    return (bitcast<f32>((_S215)));
 }
 
 fn component_0( vector_3 : vec3<f32>,  axis_0 : u32) -> f32
@@ -3216,7 +3058,7 @@ struct Emitter_0
      voxel_4 : array<i32, i32(3)>,
      grid_1 : u32,
      faces_0 : u32,
-     material_10 : u32,
+     material_7 : u32,
      luminance_4 : f32,
      leaf_0 : u32,
 };
@@ -3227,14 +3069,14 @@ fn below_light_node_0( index_22 : u32) -> vec2<u32>
     {
         return vec2<u32>(light_node_word_0(index_22, u32(3)), light_node_word_0(index_22, u32(7)));
     }
-    var at_4 : u32 = place_in_light_node_0(index_22, u32(0));
-    return vec2<u32>(cells_1[at_4 + u32(3)], cells_1[at_4 + u32(7)]);
+    var at_3 : u32 = place_in_light_node_0(index_22, u32(0));
+    return vec2<u32>(cells_1[at_3 + u32(3)], cells_1[at_3 + u32(7)]);
 }
 
 fn place_in_emitter_0( emitter_0 : u32,  word_7 : u32) -> u32
 {
-    var _S224 : u32 = word_in_pages_0(emitter_0 * u32(8) + word_7, pages_0[i32(3)]);
-    return _S224;
+    var _S217 : u32 = word_in_pages_0(emitter_0 * u32(8) + word_7, pages_0[i32(3)]);
+    return _S217;
 }
 
 fn emitter_word_0( index_23 : u32,  word_8 : u32) -> u32
@@ -3244,69 +3086,69 @@ fn emitter_word_0( index_23 : u32,  word_8 : u32) -> u32
 
 fn emitter_faces_at_0( index_24 : u32) -> u32
 {
-    var _S225 : u32;
+    var _S218 : u32;
     if(lights_in_pages_0())
     {
-        var _S226 : u32 = place_in_emitter_0(index_24, u32(4));
-        _S225 = cells_1[_S226];
+        var _S219 : u32 = place_in_emitter_0(index_24, u32(4));
+        _S218 = cells_1[_S219];
     }
     else
     {
-        _S225 = emitter_word_0(index_24, u32(4));
+        _S218 = emitter_word_0(index_24, u32(4));
     }
-    return _S225;
+    return _S218;
 }
 
 fn emitter_luminance_at_0( index_25 : u32) -> f32
 {
-    var _S227 : f32;
+    var _S220 : f32;
     if(lights_in_pages_0())
     {
-        var _S228 : u32 = place_in_emitter_0(index_25, u32(6));
-        _S227 = (bitcast<f32>((cells_1[_S228])));
+        var _S221 : u32 = place_in_emitter_0(index_25, u32(6));
+        _S220 = (bitcast<f32>((cells_1[_S221])));
     }
     else
     {
-        _S227 = (bitcast<f32>((emitter_word_0(index_25, u32(6)))));
+        _S220 = (bitcast<f32>((emitter_word_0(index_25, u32(6)))));
     }
-    return _S227;
+    return _S220;
 }
 
-fn Emitter_x24init_0( voxel_5 : array<i32, i32(3)>,  grid_2 : u32,  faces_1 : u32,  material_11 : u32,  luminance_5 : f32,  leaf_1 : u32) -> Emitter_0
+fn Emitter_x24init_0( voxel_5 : array<i32, i32(3)>,  grid_2 : u32,  faces_1 : u32,  material_8 : u32,  luminance_5 : f32,  leaf_1 : u32) -> Emitter_0
 {
-    var _S229 : Emitter_0;
-    _S229.voxel_4 = voxel_5;
-    _S229.grid_1 = grid_2;
-    _S229.faces_0 = faces_1;
-    _S229.material_10 = material_11;
-    _S229.luminance_4 = luminance_5;
-    _S229.leaf_0 = leaf_1;
-    return _S229;
+    var _S222 : Emitter_0;
+    _S222.voxel_4 = voxel_5;
+    _S222.grid_1 = grid_2;
+    _S222.faces_0 = faces_1;
+    _S222.material_7 = material_8;
+    _S222.luminance_4 = luminance_5;
+    _S222.leaf_0 = leaf_1;
+    return _S222;
 }
 
 fn emitter_at_0( index_26 : u32) -> Emitter_0
 {
     if(!lights_in_pages_0())
     {
-        var _S230 : u32 = u32(2) * index_26;
-        var a_4 : vec4<u32> = emitter_rows_0[_S230];
-        var b_4 : vec4<u32> = emitter_rows_0[_S230 + u32(1)];
-        var _S231 : array<i32, i32(3)> = array<i32, i32(3)>( i32(a_4.x), i32(a_4.y), i32(a_4.z) );
-        return Emitter_x24init_0(_S231, a_4.w, b_4.x, b_4.y, (bitcast<f32>((b_4.z))), b_4.w);
+        var _S223 : u32 = u32(2) * index_26;
+        var a_4 : vec4<u32> = emitter_rows_0[_S223];
+        var b_4 : vec4<u32> = emitter_rows_0[_S223 + u32(1)];
+        var _S224 : array<i32, i32(3)> = array<i32, i32(3)>( i32(a_4.x), i32(a_4.y), i32(a_4.z) );
+        return Emitter_x24init_0(_S224, a_4.w, b_4.x, b_4.y, (bitcast<f32>((b_4.z))), b_4.w);
     }
-    var at_5 : u32 = place_in_emitter_0(index_26, u32(0));
-    var _S232 : array<i32, i32(3)> = array<i32, i32(3)>( i32(cells_1[at_5]), i32(cells_1[at_5 + u32(1)]), i32(cells_1[at_5 + u32(2)]) );
-    return Emitter_x24init_0(_S232, cells_1[at_5 + u32(3)], cells_1[at_5 + u32(4)], cells_1[at_5 + u32(5)], (bitcast<f32>((cells_1[at_5 + u32(6)]))), cells_1[at_5 + u32(7)]);
+    var at_4 : u32 = place_in_emitter_0(index_26, u32(0));
+    var _S225 : array<i32, i32(3)> = array<i32, i32(3)>( i32(cells_1[at_4]), i32(cells_1[at_4 + u32(1)]), i32(cells_1[at_4 + u32(2)]) );
+    return Emitter_x24init_0(_S225, cells_1[at_4 + u32(3)], cells_1[at_4 + u32(4)], cells_1[at_4 + u32(5)], (bitcast<f32>((cells_1[at_4 + u32(6)]))), cells_1[at_4 + u32(7)]);
 }
 
-fn choose_emitter_0( way_2 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Emitter_0
+fn choose_emitter_0( way_1 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Emitter_0
 {
     var is_found_0 : bool;
     var is_left_3 : bool;
-    var count_4 : u32 = way_2.count_2;
-    var node_11 : u32 = way_2.node_3;
-    var index_27 : u32 = way_2.index_15;
-    var _S233 : f32 = threshold_1;
+    var count_4 : u32 = way_1.count_2;
+    var node_11 : u32 = way_1.node_3;
+    var index_27 : u32 = way_1.index_15;
+    var _S226 : f32 = threshold_1;
     for(;;)
     {
         if(count_4 == u32(0))
@@ -3329,7 +3171,7 @@ fn choose_emitter_0( way_2 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
         var power_right_0 : f32 = light_power_at_0(index_27, side_2);
         var below_left_0 : vec2<u32> = below_light_node_0(left_3);
         var below_right_0 : vec2<u32> = below_light_node_0(index_27);
-        if(_S233 < power_left_0)
+        if(_S226 < power_left_0)
         {
             is_left_3 = true;
         }
@@ -3342,7 +3184,7 @@ fn choose_emitter_0( way_2 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
         }
         else
         {
-            _S233 = _S233 - power_left_0;
+            _S226 = _S226 - power_left_0;
         }
         if(is_left_3)
         {
@@ -3371,10 +3213,10 @@ fn choose_emitter_0( way_2 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
     }
     is_found_0 = false;
     var chosen_3 : u32 = index_27;
-    var at_6 : u32 = index_27;
+    var at_5 : u32 = index_27;
     for(;;)
     {
-        if(at_6 < (index_27 + count_4))
+        if(at_5 < (index_27 + count_4))
         {
             is_left_3 = !is_found_0;
         }
@@ -3389,21 +3231,21 @@ fn choose_emitter_0( way_2 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
         {
             break;
         }
-        var _S234 : u32 = emitter_faces_at_0(at_6);
-        if(((((_S234 >> (side_2))) & (u32(1)))) != u32(0))
+        var _S227 : u32 = emitter_faces_at_0(at_5);
+        if(((((_S227 >> (side_2))) & (u32(1)))) != u32(0))
         {
-            var _S235 : f32 = emitter_luminance_at_0(at_6);
-            var _S236 : bool = _S233 < _S235;
-            var _S237 : f32 = emitter_luminance_at_0(at_6);
-            var _S238 : f32 = _S233 - _S237;
-            is_found_0 = _S236;
-            chosen_3 = at_6;
-            _S233 = _S238;
+            var _S228 : f32 = emitter_luminance_at_0(at_5);
+            var _S229 : bool = _S226 < _S228;
+            var _S230 : f32 = emitter_luminance_at_0(at_5);
+            var _S231 : f32 = _S226 - _S230;
+            is_found_0 = _S229;
+            chosen_3 = at_5;
+            _S226 = _S231;
         }
-        at_6 = at_6 + u32(1);
+        at_5 = at_5 + u32(1);
     }
-    var _S239 : Emitter_0 = emitter_at_0(chosen_3);
-    return _S239;
+    var _S232 : Emitter_0 = emitter_at_0(chosen_3);
+    return _S232;
 }
 
 fn point_of_face_0( low_6 : vec3<f32>,  face_6 : u32,  u_12 : f32,  v_5 : f32) -> vec3<f32>
@@ -3428,37 +3270,37 @@ fn point_of_face_0( low_6 : vec3<f32>,  face_6 : u32,  u_12 : f32,  v_5 : f32) -
     return low_6 + vec3<f32>(u_12, v_5, away_2);
 }
 
-fn sample_emitter_0( receiver_16 : Receiver_0,  u_13 : vec4<f32>,  aim_2 : Aim_0,  sample_9 : ptr<function, LightSample_0>) -> bool
+fn sample_emitter_0( receiver_16 : Receiver_0,  u_13 : vec4<f32>,  aim_2 : Aim_0,  sample_6 : ptr<function, LightSample_0>) -> bool
 {
-    (*sample_9) = no_light_0();
+    (*sample_6) = no_light_0();
     if((params_0.light_node_count_0) == u32(0))
     {
         return false;
     }
     var descent_3 : Descent_0 = Descent_x24init_0(u32(0), u32(0), u32(0), 1.0f, 1.0f, u_13.x, false);
     Descent_at_0(&(descent_3), u32(0));
-    var _S240 : bool;
+    var _S233 : bool;
     if(!IS_SINGLE_0)
     {
-        _S240 = aim_2.is_met_0;
+        _S233 = aim_2.is_met_0;
     }
     else
     {
-        _S240 = false;
+        _S233 = false;
     }
-    if(_S240)
+    if(_S233)
     {
-        var leaf_2 : u32 = instances_0[aim_2.hit_8.instance_1].light_leaf_0;
-        if((instances_0[aim_2.hit_8.instance_1].light_leaf_0) == u32(4294967295))
+        var leaf_2 : u32 = instances_0[aim_2.hit_4.instance_1].light_leaf_0;
+        if((instances_0[aim_2.hit_4.instance_1].light_leaf_0) == u32(4294967295))
         {
-            _S240 = true;
+            _S233 = true;
         }
         else
         {
-            var _S241 : bool = climb_0(receiver_16, leaf_2, &(descent_3));
-            _S240 = !_S241;
+            var _S234 : bool = climb_0(receiver_16, leaf_2, &(descent_3));
+            _S233 = !_S234;
         }
-        if(_S240)
+        if(_S233)
         {
             return false;
         }
@@ -3468,14 +3310,14 @@ fn sample_emitter_0( receiver_16 : Receiver_0,  u_13 : vec4<f32>,  aim_2 : Aim_0
     {
         if(!IS_SINGLE_0)
         {
-            var _S242 : bool = descend_0(receiver_16, by_chance_0(), &(descent_3));
-            _S240 = !_S242;
+            var _S235 : bool = descend_0(receiver_16, by_chance_0(), &(descent_3));
+            _S233 = !_S235;
         }
         else
         {
-            _S240 = false;
+            _S233 = false;
         }
-        if(_S240)
+        if(_S233)
         {
             return false;
         }
@@ -3483,46 +3325,46 @@ fn sample_emitter_0( receiver_16 : Receiver_0,  u_13 : vec4<f32>,  aim_2 : Aim_0
     var chosen_instance_0 : u32 = descent_3.index_15;
     var local_2 : Receiver_0 = in_grid_3(descent_3.index_15, receiver_16);
     Descent_at_1(&(descent_3), top_light_node_0(descent_3.node_3).root_1);
-    var _S243 : bool = descend_1(local_2, aim_2, &(descent_3));
-    if(!_S243)
+    var _S236 : bool = descend_1(local_2, aim_2, &(descent_3));
+    if(!_S236)
     {
         return false;
     }
-    var side_3 : u32 = aim_2.hit_8.face_0;
+    var side_3 : u32 = aim_2.hit_4.face_0;
     var odds_2 : vec2<f32>;
-    var _S244 : bool = choose_side_0(local_2.point_0, aim_2.is_met_0, descent_3, &(side_3), &(odds_2));
-    if(!_S244)
+    var _S237 : bool = choose_side_0(local_2.point_0, aim_2.is_met_0, descent_3, &(side_3), &(odds_2));
+    if(!_S237)
     {
         return false;
     }
     var power_4 : f32 = light_power_at_0(descent_3.node_3, side_3);
     if(aim_2.is_met_0)
     {
-        var _S245 : f32 = density_0(odds_2, aim_2.luminance_1, power_4, Transform_direction_0(chosen_instance_0, aim_2.direction_20) * vec3<f32>(aim_2.hit_8.t_0), side_3);
-        (*sample_9).pdf_2 = _S245;
-        return _S245 > 0.0f;
+        var _S238 : f32 = density_0(odds_2, aim_2.luminance_1, power_4, Transform_direction_0(chosen_instance_0, aim_2.direction_18) * vec3<f32>(aim_2.hit_4.t_0), side_3);
+        (*sample_6).pdf_2 = _S238;
+        return _S238 > 0.0f;
     }
     var emitter_1 : Emitter_0 = choose_emitter_0(descent_3, side_3, u_13.y * power_4);
-    var _S246 : vec3<f32> = vec3<f32>(cell_of_0(emitter_1.voxel_4));
-    var on_face_0 : vec3<f32> = point_of_face_0(_S246, side_3, u_13.z, u_13.w);
+    var _S239 : vec3<f32> = vec3<f32>(cell_of_0(emitter_1.voxel_4));
+    var on_face_0 : vec3<f32> = point_of_face_0(_S239, side_3, u_13.z, u_13.w);
     var pdf_9 : f32 = density_0(odds_2, emitter_1.luminance_4, power_4, on_face_0 - local_2.point_0, side_3);
     if(pdf_9 < 0.0f)
     {
         return false;
     }
-    var direction_25 : vec3<f32> = Transform_point_1(chosen_instance_0, offset_ray_origin_0(vector_of_0(instances_0[chosen_instance_0].grid_from_world_0.translation_0), _S246, side_3, on_face_0)) - receiver_16.point_0;
-    var cos_theta_7 : f32 = with_slack_0(receiver_16, divide_0(dot_product_0(receiver_16.normal_1, direction_25), square_root_0(length_squared_0(direction_25))));
-    (*sample_9) = LightSample_x24init_0(Ray_x24init_0(receiver_16.point_0, 0.0f, direction_25, 1.0f), cos_theta_7, emitted_0(material_of_index_0(emitter_1.material_10)), pdf_9);
+    var direction_24 : vec3<f32> = Transform_point_1(chosen_instance_0, offset_ray_origin_0(vector_of_0(instances_0[chosen_instance_0].grid_from_world_0.translation_0), _S239, side_3, on_face_0)) - receiver_16.point_0;
+    var cos_theta_7 : f32 = with_slack_0(receiver_16, divide_0(dot_product_0(receiver_16.normal_1, direction_24), square_root_0(length_squared_0(direction_24))));
+    (*sample_6) = LightSample_x24init_0(Ray_x24init_0(receiver_16.point_0, 0.0f, direction_24, 1.0f), cos_theta_7, emitted_0(material_of_index_0(emitter_1.material_7)), pdf_9);
     return cos_theta_7 > 0.0f;
 }
 
-fn EmitterTree_sample_0( receiver_17 : Receiver_0,  u_14 : vec4<f32>,  aim_3 : Aim_0,  sample_10 : ptr<function, LightSample_0>) -> bool
+fn EmitterTree_sample_0( receiver_17 : Receiver_0,  u_14 : vec4<f32>,  aim_3 : Aim_0,  sample_7 : ptr<function, LightSample_0>) -> bool
 {
-    var _S247 : bool = sample_emitter_0(receiver_17, u_14, aim_3, &((*sample_10)));
-    return _S247;
+    var _S240 : bool = sample_emitter_0(receiver_17, u_14, aim_3, &((*sample_7)));
+    return _S240;
 }
 
-fn Lights_sample_0( receiver_18 : Receiver_0,  selection_3 : Selection_0,  u_15 : vec4<f32>,  aim_4 : Aim_0,  sample_11 : ptr<function, LightSample_0>) -> bool
+fn Lights_sample_0( receiver_18 : Receiver_0,  selection_3 : Selection_0,  u_15 : vec4<f32>,  aim_4 : Aim_0,  sample_8 : ptr<function, LightSample_0>) -> bool
 {
     var is_found_1 : bool;
     if(has_sun_0())
@@ -3543,9 +3385,9 @@ fn Lights_sample_0( receiver_18 : Receiver_0,  selection_3 : Selection_0,  u_15 
     }
     if(is_found_1)
     {
-        var _S248 : bool = SunDisc_sample_0(receiver_18, u_15, &((*sample_11)));
-        (*sample_11).pdf_2 = (*sample_11).pdf_2 * selection_3.sun_0;
-        is_found_1 = _S248;
+        var _S241 : bool = SunDisc_sample_0(receiver_18, u_15, &((*sample_8)));
+        (*sample_8).pdf_2 = (*sample_8).pdf_2 * selection_3.sun_0;
+        is_found_1 = _S241;
     }
     else
     {
@@ -3567,71 +3409,71 @@ fn Lights_sample_0( receiver_18 : Receiver_0,  selection_3 : Selection_0,  u_15 
         }
         if(is_found_1)
         {
-            var _S249 : bool = Sky_sample_0(receiver_18, vec4<f32>(min(divide_0(u_15.x - selection_3.sun_0, selection_3.sky_1), 0.99999994039535522f), u_15.yzw), &((*sample_11)));
-            (*sample_11).pdf_2 = (*sample_11).pdf_2 * selection_3.sky_1;
-            is_found_1 = _S249;
+            var _S242 : bool = Sky_sample_0(receiver_18, vec4<f32>(min(divide_0(u_15.x - selection_3.sun_0, selection_3.sky_1), 0.99999994039535522f), u_15.yzw), &((*sample_8)));
+            (*sample_8).pdf_2 = (*sample_8).pdf_2 * selection_3.sky_1;
+            is_found_1 = _S242;
         }
         else
         {
-            var _S250 : bool = EmitterTree_sample_0(receiver_18, vec4<f32>(min(divide_0(u_15.x - (selection_3.sun_0 + selection_3.sky_1), selection_3.emitters_0), 0.99999994039535522f), u_15.yzw), aim_4, &((*sample_11)));
-            (*sample_11).pdf_2 = (*sample_11).pdf_2 * selection_3.emitters_0;
-            is_found_1 = _S250;
+            var _S243 : bool = EmitterTree_sample_0(receiver_18, vec4<f32>(min(divide_0(u_15.x - (selection_3.sun_0 + selection_3.sky_1), selection_3.emitters_0), 0.99999994039535522f), u_15.yzw), aim_4, &((*sample_8)));
+            (*sample_8).pdf_2 = (*sample_8).pdf_2 * selection_3.emitters_0;
+            is_found_1 = _S243;
         }
     }
     return is_found_1;
 }
 
-fn MaterialBsdf_is_delta_0( this_24 : MaterialBsdf_0) -> bool
+fn MaterialBsdf_is_delta_0( this_23 : MaterialBsdf_0) -> bool
 {
     return false;
 }
 
-fn PathTracingOf_advance_1( path_8 : ptr<function, Path_0>,  ray_12 : Ray_0,  hit_10 : Hit_0,  beyond_6 : u32,  radiance_6 : ptr<function, vec3<f32>>) -> NextRays_0
+fn PathTracingOf_advance_1( path_6 : ptr<function, Path_0>,  ray_9 : Ray_0,  hit_6 : Hit_0,  beyond_3 : u32,  radiance_6 : ptr<function, vec3<f32>>) -> NextRays_0
 {
-    var next_2 : NextRays_0 = no_rays_0();
+    var next_1 : NextRays_0 = no_rays_0();
     scatter_of_path_0.wants_light_0 = false;
-    var is_counted_1 : bool = Path_is_counted_0((*path_8));
+    var is_counted_1 : bool = Path_is_counted_0((*path_6));
     var t_5 : f32;
     if(is_counted_1)
     {
-        t_5 = - (*path_8).pdf_1;
+        t_5 = - (*path_6).pdf_1;
     }
     else
     {
-        t_5 = (*path_8).pdf_1;
+        t_5 = (*path_6).pdf_1;
     }
-    (*path_8).pdf_1 = t_5;
-    var last_4 : Receiver_0 = Path_receiver_0((*path_8), ray_12);
+    (*path_6).pdf_1 = t_5;
+    var last_4 : Receiver_0 = Path_receiver_0((*path_6), ray_9);
     var is_scattered_3 : bool;
-    if(Inside_is_in_0((*path_8).inside_0))
+    if(Inside_is_in_0((*path_6).inside_0))
     {
-        is_scattered_3 = Hit_is_miss_0(hit_10);
+        is_scattered_3 = Hit_is_miss_0(hit_6);
     }
     else
     {
         is_scattered_3 = false;
     }
-    if(Inside_is_in_0((*path_8).inside_0))
+    if(Inside_is_in_0((*path_6).inside_0))
     {
         if(is_scattered_3)
         {
-            t_5 = scattering_t_0((*path_8), (*path_8).inside_0, ray_12);
+            t_5 = scattering_t_0((*path_6), (*path_6).inside_0, ray_9);
         }
         else
         {
-            t_5 = hit_10.t_0;
+            t_5 = hit_6.t_0;
         }
         if(!is_counted_1)
         {
-            absorb_0(&((*path_8)), (*path_8).inside_0, ray_12, t_5);
+            absorb_0(&((*path_6)), (*path_6).inside_0, ray_9, t_5);
         }
     }
     else
     {
-        t_5 = hit_10.t_0;
+        t_5 = hit_6.t_0;
     }
     var is_weighed_1 : bool;
-    if(Hit_is_miss_0(hit_10))
+    if(Hit_is_miss_0(hit_6))
     {
         is_weighed_1 = !is_scattered_3;
     }
@@ -3642,7 +3484,7 @@ fn PathTracingOf_advance_1( path_8 : ptr<function, Path_0>,  ray_12 : Ray_0,  hi
     var light_pdf_2 : f32;
     if(is_weighed_1)
     {
-        (*radiance_6) = (*radiance_6) + (*path_8).beta_0 * Sky_le_0(ray_12.direction_1) * vec3<f32>(mis_weight_0((*path_8).pdf_1, Lights_sky_pdf_0(Path_selection_at_0((*path_8), last_4), ray_12.direction_1)));
+        (*radiance_6) = (*radiance_6) + (*path_6).beta_0 * Sky_le_0(ray_9.direction_1) * vec3<f32>(mis_weight_0((*path_6).pdf_1, Lights_sky_pdf_0(Path_selection_at_0((*path_6), last_4), ray_9.direction_1)));
         if(has_sun_0())
         {
             if(SunDisc_is_visible_0())
@@ -3651,7 +3493,7 @@ fn PathTracingOf_advance_1( path_8 : ptr<function, Path_0>,  ray_12 : Ray_0,  hi
             }
             else
             {
-                is_scattered_3 = !Path_is_straight_0((*path_8));
+                is_scattered_3 = !Path_is_straight_0((*path_6));
             }
         }
         else
@@ -3660,38 +3502,38 @@ fn PathTracingOf_advance_1( path_8 : ptr<function, Path_0>,  ray_12 : Ray_0,  hi
         }
         if(is_scattered_3)
         {
-            var le_2 : vec3<f32> = SunDisc_le_0(ray_12.direction_1);
+            var le_2 : vec3<f32> = SunDisc_le_0(ray_9.direction_1);
             if((max_element_0(le_2)) > 0.0f)
             {
-                if(((*path_8).pdf_1) == 0.0f)
+                if(((*path_6).pdf_1) == 0.0f)
                 {
                     light_pdf_2 = 0.0f;
                 }
                 else
                 {
-                    light_pdf_2 = Lights_sun_pdf_0(Path_selection_at_0((*path_8), last_4), ray_12.direction_1);
+                    light_pdf_2 = Lights_sun_pdf_0(Path_selection_at_0((*path_6), last_4), ray_9.direction_1);
                 }
-                (*radiance_6) = (*radiance_6) + (*path_8).beta_0 * le_2 * vec3<f32>(mis_weight_0((*path_8).pdf_1, light_pdf_2));
+                (*radiance_6) = (*radiance_6) + (*path_6).beta_0 * le_2 * vec3<f32>(mis_weight_0((*path_6).pdf_1, light_pdf_2));
             }
         }
-        return next_2;
+        return next_1;
     }
-    var u_16 : vec4<f32> = Sampler_stratified_0((*path_8).sampler_0, Path_dimension_scatter_0((*path_8)));
-    var material_12 : PackedMaterial_0 = material_met_0((*path_8), hit_10, beyond_6);
-    var _S251 : vec3<f32> = vec3<f32>(0.0f);
+    var u_16 : vec4<f32> = Sampler_stratified_0((*path_6).sampler_0, Path_dimension_scatter_0((*path_6)));
+    var material_9 : PackedMaterial_0 = material_met_0((*path_6), hit_6, beyond_3);
+    var _S244 : vec3<f32> = vec3<f32>(0.0f);
     var le_3 : vec3<f32>;
     if(!is_counted_1)
     {
-        le_3 = EmitterTree_le_0(material_12);
+        le_3 = EmitterTree_le_0(material_9);
     }
     else
     {
-        le_3 = _S251;
+        le_3 = _S244;
     }
     var is_lit_1 : bool = (max_element_0(le_3)) > 0.0f;
-    var met_0 : Aim_0 = Aim_x24init_0(true, ray_12.direction_1, hit_10, luminance_0(vector_of_0(material_12.emission_0)));
-    var _S252 : bool = weighs_apart_0();
-    if(_S252)
+    var met_0 : Aim_0 = Aim_x24init_0(true, ray_9.direction_1, hit_6, luminance_0(vector_of_0(material_9.emission_0)));
+    var _S245 : bool = weighs_apart_0();
+    if(_S245)
     {
         is_weighed_1 = is_lit_1;
     }
@@ -3701,7 +3543,7 @@ fn PathTracingOf_advance_1( path_8 : ptr<function, Path_0>,  ray_12 : Ray_0,  hi
     }
     if(is_weighed_1)
     {
-        is_weighed_1 = ((*path_8).pdf_1) > 0.0f;
+        is_weighed_1 = ((*path_6).pdf_1) > 0.0f;
     }
     else
     {
@@ -3718,10 +3560,10 @@ fn PathTracingOf_advance_1( path_8 : ptr<function, Path_0>,  ray_12 : Ray_0,  hi
     }
     if(is_chosen_0)
     {
-        var light_5 : LightSample_0 = no_light_0();
-        if(!_S252)
+        var light_3 : LightSample_0 = no_light_0();
+        if(!_S245)
         {
-            is_chosen_0 = ((*path_8).pdf_1) > 0.0f;
+            is_chosen_0 = ((*path_6).pdf_1) > 0.0f;
         }
         else
         {
@@ -3729,31 +3571,31 @@ fn PathTracingOf_advance_1( path_8 : ptr<function, Path_0>,  ray_12 : Ray_0,  hi
         }
         if(is_chosen_0)
         {
-            var _S253 : bool = Lights_sample_0(last_4, Path_selection_at_0((*path_8), last_4), vec4<f32>(0.0f), met_0, &(light_5));
-            is_chosen_0 = _S253;
+            var _S246 : bool = Lights_sample_0(last_4, Path_selection_at_0((*path_6), last_4), vec4<f32>(0.0f), met_0, &(light_3));
+            is_chosen_0 = _S246;
         }
         else
         {
             is_chosen_0 = false;
         }
-        var _S254 : vec3<f32> = (*path_8).beta_0 * le_3;
-        var _S255 : f32 = (*path_8).pdf_1;
+        var _S247 : vec3<f32> = (*path_6).beta_0 * le_3;
+        var _S248 : f32 = (*path_6).pdf_1;
         if(is_chosen_0)
         {
-            light_pdf_2 = light_5.pdf_2;
+            light_pdf_2 = light_3.pdf_2;
         }
         else
         {
             light_pdf_2 = 0.0f;
         }
-        (*radiance_6) = (*radiance_6) + _S254 * vec3<f32>(mis_weight_0(_S255, light_pdf_2));
+        (*radiance_6) = (*radiance_6) + _S247 * vec3<f32>(mis_weight_0(_S248, light_pdf_2));
     }
-    var _S256 : f32 = ior_of_0((*path_8).inside_0);
-    var _S257 : f32 = u_16[i32(3)];
-    var _S258 : MaterialBsdf_0 = bsdf_of_0(material_12, _S256, &(_S257));
-    u_16[i32(3)] = _S257;
-    var scattered_3 : vec3<f32> = (*path_8).beta_0 * MaterialBsdf_albedo_0(_S258);
-    if(((*path_8).bounce_0) >= (params_0.max_bounces_0))
+    var _S249 : f32 = ior_of_0((*path_6).inside_0);
+    var _S250 : f32 = u_16[i32(3)];
+    var _S251 : MaterialBsdf_0 = bsdf_of_0(material_9, _S249, &(_S250));
+    u_16[i32(3)] = _S250;
+    var scattered_3 : vec3<f32> = (*path_6).beta_0 * MaterialBsdf_albedo_0(_S251);
+    if(((*path_6).bounce_0) >= (params_0.max_bounces_0))
     {
         is_chosen_0 = true;
     }
@@ -3761,8 +3603,8 @@ fn PathTracingOf_advance_1( path_8 : ptr<function, Path_0>,  ray_12 : Ray_0,  hi
     {
         is_chosen_0 = ends_here_0;
     }
-    var _S259 : bool = !is_weighed_1;
-    if(_S259)
+    var _S252 : bool = !is_weighed_1;
+    if(_S252)
     {
         if(is_chosen_0)
         {
@@ -3779,10 +3621,10 @@ fn PathTracingOf_advance_1( path_8 : ptr<function, Path_0>,  ray_12 : Ray_0,  hi
     }
     if(is_chosen_0)
     {
-        return next_2;
+        return next_1;
     }
-    var compensation_3 : f32 = roulette_0(Path_events_0((*path_8)), scattered_3, u_16.z);
-    if(_S259)
+    var compensation_3 : f32 = roulette_0(Path_events_0((*path_6)), scattered_3, u_16.z);
+    if(_S252)
     {
         is_chosen_0 = compensation_3 == 0.0f;
     }
@@ -3792,78 +3634,78 @@ fn PathTracingOf_advance_1( path_8 : ptr<function, Path_0>,  ray_12 : Ray_0,  hi
     }
     if(is_chosen_0)
     {
-        return next_2;
+        return next_1;
     }
-    var at_7 : Hit_0;
+    var at_6 : Hit_0;
     if(is_scattered_3)
     {
-        at_7 = Hit_x24init_0(t_5, (*path_8).inside_0.instance_0, hit_10.voxel_1, u32(0));
+        at_6 = Hit_x24init_0(t_5, (*path_6).inside_0.instance_0, hit_6.voxel_1, u32(0));
     }
     else
     {
-        at_7 = hit_10;
+        at_6 = hit_6;
     }
-    var surface_4 : Surface_0 = surface_of_0(ray_12, at_7);
-    var _S260 : Receiver_0 = Receiver_x24init_0(surface_4.origin_4, surface_4.normal_2);
-    var _S261 : vec3<f32> = (vec3<f32>(0) - ray_12.direction_1);
-    var wo_6 : vec3<f32> = Surface_local_direction_0(surface_4, _S261);
+    var surface_4 : Surface_0 = surface_of_0(ray_9, at_6);
+    var _S253 : Receiver_0 = Receiver_x24init_0(surface_4.origin_4, surface_4.normal_2);
+    var _S254 : vec3<f32> = (vec3<f32>(0) - ray_9.direction_1);
+    var wo_6 : vec3<f32> = Surface_local_direction_0(surface_4, _S254);
     var inside_5 : Inside_0 = in_air_0();
     var wo_7 : vec3<f32>;
     var receiver_19 : Receiver_0;
     if(is_scattered_3)
     {
-        var _S262 : Inside_0 = Inside_x24init_0((*path_8).inside_0.instance_0, hit_10.voxel_1, (*path_8).inside_0.material_0);
-        inside_5 = _S262;
-        var _S263 : vec3<f32> = normalize_vector_0(_S261);
-        receiver_19 = Receiver_x24init_0(Inside_point_0(_S262, ray_12, t_5), _S251);
-        wo_7 = _S263;
+        var _S255 : Inside_0 = Inside_x24init_0((*path_6).inside_0.instance_0, hit_6.voxel_1, (*path_6).inside_0.material_0);
+        inside_5 = _S255;
+        var _S256 : vec3<f32> = normalize_vector_0(_S254);
+        receiver_19 = Receiver_x24init_0(Inside_point_0(_S255, ray_9, t_5), _S244);
+        wo_7 = _S256;
     }
     else
     {
-        if(Inside_is_in_0((*path_8).inside_0))
+        if(Inside_is_in_0((*path_6).inside_0))
         {
-            next_2.relocates_0 = (hit_10.instance_1) != ((*path_8).inside_0.instance_0);
-            inside_5 = Inside_x24init_0((*path_8).inside_0.instance_0, hit_10.voxel_1, (*path_8).inside_0.material_0);
-            inside_5.voxel_0 = hit_10.voxel_1 + vec3<i32>(face_normal_0(hit_10.face_0));
+            next_1.relocates_0 = (hit_6.instance_1) != ((*path_6).inside_0.instance_0);
+            inside_5 = Inside_x24init_0((*path_6).inside_0.instance_0, hit_6.voxel_1, (*path_6).inside_0.material_0);
+            inside_5.voxel_0 = hit_6.voxel_1 + vec3<i32>(face_normal_0(hit_6.face_0));
         }
-        receiver_19 = _S260;
+        receiver_19 = _S253;
         wo_7 = wo_6;
     }
-    next_2.origin_1 = receiver_19.point_0;
-    next_2.shadow_inside_0 = inside_5;
+    next_1.origin_1 = receiver_19.point_0;
+    next_1.shadow_inside_0 = inside_5;
     if(is_weighed_1)
     {
         receiver_19 = last_4;
     }
-    if(_S259)
+    if(_S252)
     {
-        (*path_8).selection_0 = Lights_selection_0(receiver_19);
+        (*path_6).selection_0 = Lights_selection_0(receiver_19);
     }
-    var light_6 : LightSample_0 = no_light_0();
-    var _S264 : bool = !MaterialBsdf_is_delta_0(_S258);
-    scatter_of_path_0 = Scatter_x24init_0((*path_8), receiver_19, surface_4, _S258, wo_7, compensation_3, is_scattered_3, _S264);
+    var light_4 : LightSample_0 = no_light_0();
+    var _S257 : bool = !MaterialBsdf_is_delta_0(_S251);
+    scatter_of_path_0 = Scatter_x24init_0((*path_6), receiver_19, surface_4, _S251, wo_7, compensation_3, is_scattered_3, _S257);
     if(is_weighed_1)
     {
-        if(next_2.has_shadow_ray_0)
+        if(next_1.has_shadow_ray_0)
         {
-            light_pdf_2 = light_6.pdf_2;
+            light_pdf_2 = light_4.pdf_2;
         }
         else
         {
             light_pdf_2 = 0.0f;
         }
-        (*radiance_6) = (*radiance_6) + (*path_8).beta_0 * le_3 * vec3<f32>(mis_weight_0((*path_8).pdf_1, light_pdf_2));
-        (*path_8).pdf_1 = - (*path_8).pdf_1;
-        next_2.is_same_0 = true;
-        return next_2;
+        (*radiance_6) = (*radiance_6) + (*path_6).beta_0 * le_3 * vec3<f32>(mis_weight_0((*path_6).pdf_1, light_pdf_2));
+        (*path_6).pdf_1 = - (*path_6).pdf_1;
+        next_1.is_same_0 = true;
+        return next_1;
     }
     var bounce_2 : BsdfSample_0;
-    var _S265 : bool = MaterialBsdf_sample_0(_S258, wo_7, vec3<f32>(u_16.xy, u_16.w), &(bounce_2));
-    if(!_S265)
+    var _S258 : bool = MaterialBsdf_sample_0(_S251, wo_7, vec3<f32>(u_16.xy, u_16.w), &(bounce_2));
+    if(!_S258)
     {
-        return next_2;
+        return next_1;
     }
-    (*path_8).beta_0 = (*path_8).beta_0 * bounce_2.weight_0 * vec3<f32>(compensation_3);
+    (*path_6).beta_0 = (*path_6).beta_0 * bounce_2.weight_0 * vec3<f32>(compensation_3);
     if(bounce_2.is_delta_0)
     {
         t_5 = 0.0f;
@@ -3872,16 +3714,174 @@ fn PathTracingOf_advance_1( path_8 : ptr<function, Path_0>,  ray_12 : Ray_0,  hi
     {
         t_5 = bounce_2.pdf_4;
     }
-    (*path_8).pdf_1 = t_5;
-    (*path_8).normal_0 = receiver_19.normal_1;
-    next_2.direction_0 = bounce_2.wi_0;
+    (*path_6).pdf_1 = t_5;
+    (*path_6).normal_0 = receiver_19.normal_1;
+    next_1.direction_0 = bounce_2.wi_0;
     if(!is_scattered_3)
     {
-        next_2.direction_0 = Surface_world_direction_0(surface_4, bounce_2.wi_0);
+        next_1.direction_0 = Surface_world_direction_0(surface_4, bounce_2.wi_0);
     }
-    next_2.path_relocates_0 = next_2.relocates_0;
-    (*path_8).bounce_0 = (*path_8).bounce_0 + u32(1);
-    return next_2;
+    next_1.path_relocates_0 = next_1.relocates_0;
+    (*path_6).bounce_0 = (*path_6).bounce_0 + u32(1);
+    return next_1;
+}
+
+struct Walker_0
+{
+     path_7 : Path_0,
+     ray_10 : Ray_0,
+     is_shadow_ray_0 : bool,
+     light_5 : vec3<f32>,
+     direction_25 : vec3<f32>,
+     path_origin_2 : vec3<f32>,
+     shadow_inside_2 : Inside_0,
+     boundaries_0 : u32,
+     relocates_2 : bool,
+     path_relocates_2 : bool,
+     camera_ray_0 : Ray_0,
+     way_2 : f32,
+     has_shown_0 : bool,
+     asks_cache_0 : bool,
+     life_0 : u32,
+     is_at_cell_0 : bool,
+};
+
+struct Sample_0
+{
+     direct_0 : vec3<f32>,
+     light_6 : vec3<f32>,
+     is_shown_0 : bool,
+     albedo_0 : vec3<f32>,
+     normal_4 : vec3<f32>,
+     place_3 : vec3<f32>,
+     instance_7 : u32,
+};
+
+fn shading_normal_0( ray_11 : Ray_0,  hit_7 : Hit_0,  material_10 : PackedMaterial_0) -> vec3<f32>
+{
+    return world_normal_0(hit_7.instance_1, hit_7.face_0);
+}
+
+fn albedo_of_0( material_11 : PackedMaterial_0) -> vec3<f32>
+{
+    return vector_of_0(material_11.base_color_0);
+}
+
+fn show_0( path_8 : Path_0,  ray_12 : Ray_0,  hit_8 : Hit_0,  beyond_4 : u32,  sample_9 : ptr<function, Sample_0>)
+{
+    var _S259 : Path_0 = path_8;
+    (*sample_9).is_shown_0 = true;
+    if(Inside_is_in_0(_S259.inside_0))
+    {
+        absorb_0(&(_S259), _S259.inside_0, ray_12, hit_8.t_0);
+    }
+    var material_12 : PackedMaterial_0 = material_met_0(_S259, hit_8, beyond_4);
+    (*sample_9).normal_4 = shading_normal_0(ray_12, hit_8, material_12);
+    (*sample_9).albedo_0 = _S259.beta_0 * albedo_of_0(material_12);
+    return;
+}
+
+fn Walker_see_0( this_24 : ptr<function, Walker_0>,  arrived_0 : Path_0,  hit_9 : Hit_0,  beyond_5 : u32,  emitted_1 : vec3<f32>,  goes_on_0 : bool,  sample_10 : ptr<function, Sample_0>)
+{
+    (*sample_10).direct_0 = (*sample_10).direct_0 + emitted_1;
+    var _S260 : bool = ((*this_24).path_7.bounce_0) == u32(0);
+    var _S261 : bool;
+    if(goes_on_0)
+    {
+        _S261 = _S260;
+    }
+    else
+    {
+        _S261 = false;
+    }
+    var _S262 : bool = !_S261;
+    (*this_24).has_shown_0 = _S262;
+    if(!_S262)
+    {
+        (*this_24).way_2 = (*this_24).way_2 + hit_9.t_0;
+    }
+    else
+    {
+        if(!Hit_is_miss_0(hit_9))
+        {
+            show_0(arrived_0, (*this_24).ray_10, hit_9, beyond_5, &((*sample_10)));
+            (*sample_10).place_3 = (*this_24).camera_ray_0.origin_2 + (*this_24).camera_ray_0.direction_1 * vec3<f32>(((*this_24).way_2 + hit_9.t_0));
+            var _S263 : u32;
+            if(((*this_24).way_2) > 0.0f)
+            {
+                _S263 = u32(4294967295);
+            }
+            else
+            {
+                _S263 = hit_9.instance_1;
+            }
+            (*sample_10).instance_7 = _S263;
+        }
+    }
+    return;
+}
+
+fn goes_on_from_0( at_7 : ptr<function, Walker_0>,  hit_10 : Hit_0,  beyond_6 : u32,  sample_11 : ptr<function, Sample_0>) -> bool
+{
+    var next_2 : NextRays_0 = no_rays_0();
+    var goes_on_1 : bool;
+    if((*at_7).is_at_cell_0)
+    {
+        next_2.origin_1 = (*at_7).ray_10.origin_2;
+        next_2.path_origin_0 = (*at_7).ray_10.origin_2;
+        next_2.direction_0 = (*at_7).ray_10.direction_1;
+        goes_on_1 = true;
+    }
+    else
+    {
+        var cached_0 : vec3<f32> = vec3<f32>(0.0f);
+        ends_here_0 = false;
+        var arrived_1 : Path_0 = (*at_7).path_7;
+        var emitted_2 : vec3<f32> = cached_0;
+        var _S264 : Path_0 = (*at_7).path_7;
+        var _S265 : NextRays_0 = PathTracingOf_advance_0(&(_S264), (*at_7).ray_10, hit_10, beyond_6, &(emitted_2));
+        (*at_7).path_7 = _S264;
+        next_2 = _S265;
+        var goes_on_2 : bool = (any(((next_2.direction_0) != cached_0)));
+        if((*at_7).has_shown_0)
+        {
+            (*sample_11).light_6 = (*sample_11).light_6 + emitted_2;
+        }
+        else
+        {
+            Walker_see_0(&((*at_7)), arrived_1, hit_10, beyond_6, emitted_2, goes_on_2, &((*sample_11)));
+        }
+        if((*at_7).has_shown_0)
+        {
+            return false;
+        }
+        goes_on_1 = goes_on_2;
+    }
+    if((*at_7).is_at_cell_0)
+    {
+        (*at_7).path_7.bounce_0 = u32(1);
+        (*at_7).path_7.event_0 = u32(1);
+        (*at_7).path_7.scattered_0 = u32(1);
+        (*at_7).is_at_cell_0 = false;
+    }
+    (*at_7).direction_25 = next_2.direction_0;
+    (*at_7).light_5 = next_2.light_0;
+    (*at_7).is_shadow_ray_0 = next_2.has_shadow_ray_0;
+    (*at_7).path_origin_2 = next_2.path_origin_0;
+    (*at_7).ray_10 = ray_from_0(next_2.origin_1, next_2.direction_0);
+    if((*at_7).is_shadow_ray_0)
+    {
+        (*at_7).ray_10 = Ray_x24init_0(next_2.origin_1, 0.0f, next_2.shadow_direction_0, next_2.shadow_t_max_0);
+    }
+    if(goes_on_1)
+    {
+        goes_on_1 = true;
+    }
+    else
+    {
+        goes_on_1 = (*at_7).is_shadow_ray_0;
+    }
+    return goes_on_1;
 }
 
 struct Key_0
@@ -4243,9 +4243,9 @@ fn goes_on_from_1( at_8 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_8 : 
     var goes_on_3 : bool;
     if((*at_8).is_at_cell_0)
     {
-        next_4.origin_1 = (*at_8).ray_9.origin_2;
-        next_4.path_origin_0 = (*at_8).ray_9.origin_2;
-        next_4.direction_0 = (*at_8).ray_9.direction_1;
+        next_4.origin_1 = (*at_8).ray_10.origin_2;
+        next_4.path_origin_0 = (*at_8).ray_10.origin_2;
+        next_4.direction_0 = (*at_8).ray_10.direction_1;
         goes_on_3 = true;
     }
     else
@@ -4262,7 +4262,7 @@ fn goes_on_from_1( at_8 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_8 : 
         }
         if(goes_on_3)
         {
-            var _S285 : bool = asks_0((*at_8).path_6, (*at_8).ray_9, hit_13, beyond_8, (*at_8).life_0, &(cached_1));
+            var _S285 : bool = asks_0((*at_8).path_7, (*at_8).ray_10, hit_13, beyond_8, (*at_8).life_0, &(cached_1));
             goes_on_3 = _S285;
         }
         else
@@ -4270,16 +4270,16 @@ fn goes_on_from_1( at_8 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_8 : 
             goes_on_3 = false;
         }
         ends_here_0 = goes_on_3;
-        var arrived_2 : Path_0 = (*at_8).path_6;
+        var arrived_2 : Path_0 = (*at_8).path_7;
         var emitted_3 : vec3<f32> = _S284;
-        var _S286 : Path_0 = (*at_8).path_6;
-        var _S287 : NextRays_0 = PathTracingOf_advance_1(&(_S286), (*at_8).ray_9, hit_13, beyond_8, &(emitted_3));
-        (*at_8).path_6 = _S286;
+        var _S286 : Path_0 = (*at_8).path_7;
+        var _S287 : NextRays_0 = PathTracingOf_advance_1(&(_S286), (*at_8).ray_10, hit_13, beyond_8, &(emitted_3));
+        (*at_8).path_7 = _S286;
         next_4 = _S287;
         var goes_on_4 : bool = (any(((next_4.direction_0) != _S284)));
         if((*at_8).has_shown_0)
         {
-            (*sample_12).light_4 = (*sample_12).light_4 + (cached_1 + emitted_3);
+            (*sample_12).light_6 = (*sample_12).light_6 + (cached_1 + emitted_3);
         }
         else
         {
@@ -4293,19 +4293,19 @@ fn goes_on_from_1( at_8 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_8 : 
     }
     if((*at_8).is_at_cell_0)
     {
-        (*at_8).path_6.bounce_0 = u32(1);
-        (*at_8).path_6.event_0 = u32(1);
-        (*at_8).path_6.scattered_0 = u32(1);
+        (*at_8).path_7.bounce_0 = u32(1);
+        (*at_8).path_7.event_0 = u32(1);
+        (*at_8).path_7.scattered_0 = u32(1);
         (*at_8).is_at_cell_0 = false;
     }
-    (*at_8).direction_18 = next_4.direction_0;
-    (*at_8).light_3 = next_4.light_0;
+    (*at_8).direction_25 = next_4.direction_0;
+    (*at_8).light_5 = next_4.light_0;
     (*at_8).is_shadow_ray_0 = next_4.has_shadow_ray_0;
     (*at_8).path_origin_2 = next_4.path_origin_0;
-    (*at_8).ray_9 = ray_from_0(next_4.origin_1, next_4.direction_0);
+    (*at_8).ray_10 = ray_from_0(next_4.origin_1, next_4.direction_0);
     if((*at_8).is_shadow_ray_0)
     {
-        (*at_8).ray_9 = Ray_x24init_0(next_4.origin_1, 0.0f, next_4.shadow_direction_0, next_4.shadow_t_max_0);
+        (*at_8).ray_10 = Ray_x24init_0(next_4.origin_1, 0.0f, next_4.shadow_direction_0, next_4.shadow_t_max_0);
     }
     if(goes_on_3)
     {
@@ -5703,7 +5703,7 @@ fn Walker_arrives_0( this_45 : ptr<function, Walker_0>,  hit_15 : Hit_0,  beyond
 {
     if(Hit_is_miss_0(hit_15))
     {
-        (*light_9) = (*light_9) + (*this_45).light_3;
+        (*light_9) = (*light_9) + (*this_45).light_5;
     }
     return false;
 }
@@ -5715,29 +5715,29 @@ fn goes_on_5( at_10 : ptr<function, Walker_0>,  sample_13 : ptr<function, Sample
     var hit_16 : Hit_0;
     if(!(*at_10).is_at_cell_0)
     {
-        var _S392 : Ray_0 = (*at_10).ray_9;
-        var _S393 : Path_0 = (*at_10).path_6;
+        var _S392 : Ray_0 = (*at_10).ray_10;
+        var _S393 : Path_0 = (*at_10).path_7;
         var _S394 : Inside_0 = (*at_10).shadow_inside_2;
         var _S395 : bool = (*at_10).relocates_2;
         var _S396 : bool = (*at_10).path_relocates_2;
-        var _S397 : Hit_0 = hit_of_ray_0((*at_10).path_6.sampler_0, &(_S392), (*at_10).is_shadow_ray_0, &(_S393), &(_S394), &(_S395), &(_S396), &(beyond_11));
-        (*at_10).ray_9 = _S392;
-        (*at_10).path_6 = _S393;
+        var _S397 : Hit_0 = hit_of_ray_0((*at_10).path_7.sampler_0, &(_S392), (*at_10).is_shadow_ray_0, &(_S393), &(_S394), &(_S395), &(_S396), &(beyond_11));
+        (*at_10).ray_10 = _S392;
+        (*at_10).path_7 = _S393;
         (*at_10).shadow_inside_2 = _S394;
         (*at_10).relocates_2 = _S395;
         (*at_10).path_relocates_2 = _S396;
         if((*at_10).is_shadow_ray_0)
         {
-            var _S398 : vec3<f32> = (*sample_13).light_4;
+            var _S398 : vec3<f32> = (*sample_13).light_6;
             var _S399 : bool = Walker_arrives_0(&((*at_10)), _S397, beyond_11, &(_S398));
-            (*sample_13).light_4 = _S398;
+            (*sample_13).light_6 = _S398;
             (*at_10).is_shadow_ray_0 = _S399;
             if(_S399)
             {
                 return true;
             }
-            (*at_10).ray_9 = ray_from_0((*at_10).ray_9.origin_2, (*at_10).direction_18);
-            return (any((((*at_10).direction_18) != vec3<f32>(0.0f))));
+            (*at_10).ray_10 = ray_from_0((*at_10).ray_10.origin_2, (*at_10).direction_25);
+            return (any((((*at_10).direction_25) != vec3<f32>(0.0f))));
         }
         hit_16 = _S397;
     }
@@ -5756,29 +5756,29 @@ fn goes_on_6( at_11 : ptr<function, Walker_0>,  sample_14 : ptr<function, Sample
     var hit_17 : Hit_0;
     if(!(*at_11).is_at_cell_0)
     {
-        var _S402 : Ray_0 = (*at_11).ray_9;
-        var _S403 : Path_0 = (*at_11).path_6;
+        var _S402 : Ray_0 = (*at_11).ray_10;
+        var _S403 : Path_0 = (*at_11).path_7;
         var _S404 : Inside_0 = (*at_11).shadow_inside_2;
         var _S405 : bool = (*at_11).relocates_2;
         var _S406 : bool = (*at_11).path_relocates_2;
-        var _S407 : Hit_0 = hit_of_ray_0((*at_11).path_6.sampler_0, &(_S402), (*at_11).is_shadow_ray_0, &(_S403), &(_S404), &(_S405), &(_S406), &(beyond_12));
-        (*at_11).ray_9 = _S402;
-        (*at_11).path_6 = _S403;
+        var _S407 : Hit_0 = hit_of_ray_0((*at_11).path_7.sampler_0, &(_S402), (*at_11).is_shadow_ray_0, &(_S403), &(_S404), &(_S405), &(_S406), &(beyond_12));
+        (*at_11).ray_10 = _S402;
+        (*at_11).path_7 = _S403;
         (*at_11).shadow_inside_2 = _S404;
         (*at_11).relocates_2 = _S405;
         (*at_11).path_relocates_2 = _S406;
         if((*at_11).is_shadow_ray_0)
         {
-            var _S408 : vec3<f32> = (*sample_14).light_4;
+            var _S408 : vec3<f32> = (*sample_14).light_6;
             var _S409 : bool = Walker_arrives_0(&((*at_11)), _S407, beyond_12, &(_S408));
-            (*sample_14).light_4 = _S408;
+            (*sample_14).light_6 = _S408;
             (*at_11).is_shadow_ray_0 = _S409;
             if(_S409)
             {
                 return true;
             }
-            (*at_11).ray_9 = ray_from_0((*at_11).ray_9.origin_2, (*at_11).direction_18);
-            return (any((((*at_11).direction_18) != vec3<f32>(0.0f))));
+            (*at_11).ray_10 = ray_from_0((*at_11).ray_10.origin_2, (*at_11).direction_25);
+            return (any((((*at_11).direction_25) != vec3<f32>(0.0f))));
         }
         hit_17 = _S407;
     }
@@ -5799,12 +5799,12 @@ fn Sample_x24init_0( direct_1 : vec3<f32>,  light_10 : vec3<f32>,  is_shown_1 : 
 {
     var _S411 : Sample_0;
     _S411.direct_0 = direct_1;
-    _S411.light_4 = light_10;
+    _S411.light_6 = light_10;
     _S411.is_shown_0 = is_shown_1;
     _S411.albedo_0 = albedo_1;
     _S411.normal_4 = normal_5;
-    _S411.place_2 = place_5;
-    _S411.instance_6 = instance_13;
+    _S411.place_3 = place_5;
+    _S411.instance_7 = instance_13;
     return _S411;
 }
 
@@ -6168,18 +6168,18 @@ fn Surface_x24init_0( origin_11 : vec3<f32>,  normal_8 : vec3<f32>,  face_8 : u3
 fn Walker_x24init_0( path_11 : Path_0,  ray_24 : Ray_0,  is_shadow_ray_2 : bool,  light_11 : vec3<f32>,  direction_28 : vec3<f32>,  path_origin_3 : vec3<f32>,  shadow_inside_4 : Inside_0,  boundaries_1 : u32,  relocates_4 : bool,  path_relocates_4 : bool,  camera_ray_1 : Ray_0,  way_6 : f32,  has_shown_1 : bool,  asks_cache_1 : bool,  life_2 : u32,  is_at_cell_1 : bool) -> Walker_0
 {
     var _S441 : Walker_0;
-    _S441.path_6 = path_11;
-    _S441.ray_9 = ray_24;
+    _S441.path_7 = path_11;
+    _S441.ray_10 = ray_24;
     _S441.is_shadow_ray_0 = is_shadow_ray_2;
-    _S441.light_3 = light_11;
-    _S441.direction_18 = direction_28;
+    _S441.light_5 = light_11;
+    _S441.direction_25 = direction_28;
     _S441.path_origin_2 = path_origin_3;
     _S441.shadow_inside_2 = shadow_inside_4;
     _S441.boundaries_0 = boundaries_1;
     _S441.relocates_2 = relocates_4;
     _S441.path_relocates_2 = path_relocates_4;
     _S441.camera_ray_0 = camera_ray_1;
-    _S441.way_0 = way_6;
+    _S441.way_2 = way_6;
     _S441.has_shown_0 = has_shown_1;
     _S441.asks_cache_0 = asks_cache_1;
     _S441.life_0 = life_2;
@@ -6620,11 +6620,11 @@ fn store_sample_0( index_30 : u32,  sample_16 : Sample_0)
         _S465 = u32(0);
     }
     var normal_10 : u32 = (_S464 | (_S465));
-    set_scratch_row_0(u32(0), index_30, (bitcast<vec2<u32>>((sample_16.light_4.xy))));
-    set_scratch_row_0(u32(1), index_30, vec2<u32>((bitcast<u32>((sample_16.light_4.z))), sample_16.instance_6));
+    set_scratch_row_0(u32(0), index_30, (bitcast<vec2<u32>>((sample_16.light_6.xy))));
+    set_scratch_row_0(u32(1), index_30, vec2<u32>((bitcast<u32>((sample_16.light_6.z))), sample_16.instance_7));
     set_scratch_row_0(u32(2), index_30, (bitcast<vec2<u32>>((sample_16.direct_0.xy))));
-    set_scratch_row_0(u32(3), index_30, (bitcast<vec2<u32>>((vec2<f32>(sample_16.direct_0.z, sample_16.place_2.x)))));
-    set_scratch_row_0(u32(4), index_30, (bitcast<vec2<u32>>((sample_16.place_2.yz))));
+    set_scratch_row_0(u32(3), index_30, (bitcast<vec2<u32>>((vec2<f32>(sample_16.direct_0.z, sample_16.place_3.x)))));
+    set_scratch_row_0(u32(4), index_30, (bitcast<vec2<u32>>((sample_16.place_3.yz))));
     set_scratch_row_0(u32(5), index_30, (bitcast<vec2<u32>>((sample_16.albedo_0.xy))));
     set_scratch_row_0(u32(6), index_30, vec2<u32>((bitcast<u32>((sample_16.albedo_0.z))), normal_10));
     return;
@@ -6635,7 +6635,7 @@ fn light_on_0( sample_17 : Sample_0) -> f32
     var _S466 : f32;
     if(sample_17.is_shown_0)
     {
-        _S466 = luminance_0(sample_17.light_4) / (luminance_0(sample_17.albedo_0) + 0.00300000002607703f);
+        _S466 = luminance_0(sample_17.light_6) / (luminance_0(sample_17.albedo_0) + 0.00300000002607703f);
     }
     else
     {
@@ -6648,7 +6648,7 @@ fn Item_end_0( this_57 : Item_0,  sample_18 : Sample_0)
 {
     if(Item_is_cell_0(this_57))
     {
-        set_cell_row_0(u32(3), this_57.place_6, vec4<u32>((bitcast<vec3<u32>>((sample_18.light_4))), u32(1)));
+        set_cell_row_0(u32(3), this_57.place_6, vec4<u32>((bitcast<vec3<u32>>((sample_18.light_6))), u32(1)));
     }
     else
     {
@@ -6658,7 +6658,7 @@ fn Item_end_0( this_57 : Item_0,  sample_18 : Sample_0)
         }
         else
         {
-            memory_rows_0[this_57.place_6] = vec4<u32>((bitcast<vec3<u32>>((sample_18.place_2))), (bitcast<u32>((light_on_0(sample_18)))));
+            memory_rows_0[this_57.place_6] = vec4<u32>((bitcast<vec3<u32>>((sample_18.place_3))), (bitcast<u32>((light_on_0(sample_18)))));
         }
     }
     return;
@@ -6876,10 +6876,10 @@ fn load_sample_0( index_37 : u32) -> Sample_0
     var d_4 : vec2<f32> = (bitcast<vec2<f32>>((scratch_row_0(u32(3), index_37))));
     var g_0 : vec2<u32> = scratch_row_0(u32(6), index_37);
     var sample_20 : Sample_0;
-    sample_20.light_4 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(0), index_37)))), (bitcast<f32>((b_9.x))));
-    sample_20.instance_6 = b_9.y;
+    sample_20.light_6 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(0), index_37)))), (bitcast<f32>((b_9.x))));
+    sample_20.instance_7 = b_9.y;
     sample_20.direct_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(2), index_37)))), d_4.x);
-    sample_20.place_2 = vec3<f32>(d_4.y, (bitcast<vec2<f32>>((scratch_row_0(u32(4), index_37)))));
+    sample_20.place_3 = vec3<f32>(d_4.y, (bitcast<vec2<f32>>((scratch_row_0(u32(4), index_37)))));
     sample_20.albedo_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(5), index_37)))), (bitcast<f32>((g_0.x))));
     var _S483 : u32 = g_0.y;
     sample_20.normal_4 = normal_in_0(_S483);
@@ -6906,10 +6906,10 @@ fn Memory_look_0( this_60 : ptr<function, Memory_0>,  sample_21 : Sample_0)
     var before_0 : vec3<f32> = (*this_60).place_10;
     var _S486 : vec3<f32> = vec3<f32>(of_covered_0);
     (*this_60).normal_11 = (*this_60).normal_11 + (sample_21.normal_4 - (*this_60).normal_11) * _S486;
-    (*this_60).place_10 = (*this_60).place_10 + (sample_21.place_2 - (*this_60).place_10) * _S486;
+    (*this_60).place_10 = (*this_60).place_10 + (sample_21.place_3 - (*this_60).place_10) * _S486;
     if(covered_0 > 1.0f)
     {
-        var along_1 : f32 = dot_product_0((*this_60).normal_11, sample_21.place_2 - before_0);
+        var along_1 : f32 = dot_product_0((*this_60).normal_11, sample_21.place_3 - before_0);
         (*this_60).roughness_1 = (*this_60).roughness_1 + (along_1 * along_1 / max(length_squared_0((*this_60).normal_11), 9.99999997475242708e-07f) * (1.0f - of_covered_0) - (*this_60).roughness_1) * of_covered_0;
     }
     return;
@@ -6932,7 +6932,7 @@ fn Memory_add_0( this_62 : ptr<function, Memory_0>,  sample_22 : Sample_0,  most
 {
     Memory_look_0(&((*this_62)), sample_22);
     var _S489 : Lit_0 = (*this_62).lit_0;
-    Lit_add_0(&(_S489), sample_22.light_4, sample_22.albedo_0, most_1);
+    Lit_add_0(&(_S489), sample_22.light_6, sample_22.albedo_0, most_1);
     (*this_62).lit_0 = _S489;
     return;
 }

@@ -128,6 +128,7 @@ pub const PASSES: &[Pass] = &[
             "trace_again",
             "trace_camera",
             "trace_ends",
+            "trace_first",
             "trace_light",
             "trace_on",
             "trace_on_rays",
