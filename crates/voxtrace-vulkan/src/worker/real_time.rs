@@ -93,7 +93,7 @@ impl Worker {
         let tracing = Variant { is_exact: self.is_real_time_exact, has_catcher: false, ..variant };
         // In software more shaders only take longer to compile.
         let is_software = self.device.info().kind == DeviceKind::Cpu;
-        let in_waves = self.most_paths.map_or(!is_software, |most| most > 0) && std::env::var("TRY").ok().as_deref() != Some("kernel");
+        let in_waves = self.most_paths.map_or(!is_software, |most| most > 0);
         Ok((tracing, in_waves && !tracing.has_materials))
     }
 
@@ -251,8 +251,7 @@ fn steps_of(params: &RealTimeParams, (width, height): (u32, u32), in_waves: bool
         let counts = [that_trace + squares, all, all, all, all].map(Some);
         let names = ["trace_camera", "trace_first", "trace_light", "trace_rays", "trace_ends"];
         let first = names.into_iter().zip(counts);
-        let skip = std::env::var("TRY").ok().and_then(|t| t.parse::<usize>().ok()).unwrap_or(0);
-        let others = ["trace_on", "trace_on_rays", "trace_on", "trace_on_rays", "trace_rest"].map(|name| (name, None)).into_iter().skip(2 * skip);
+        let others = ["trace_on", "trace_on_rays", "trace_on", "trace_on_rays", "trace_rest"].map(|name| (name, None));
         steps.extend(first.chain(others).map(|(name, count)| Step { name, count }));
         if again > 0 {
             steps.push(Step { name: "trace_again", count: Some(again) });
