@@ -5,8 +5,8 @@ use crate::parse;
 use crate::report::Report;
 use crate::session::trace_failure;
 use std::sync::Arc;
-use voxtrace::{CpuTracer, PackedScene, TraceError, Tracer};
-use voxtrace_vulkan::{Primitive, Request, Traversal, choose};
+use voxtrace::{PackedScene, Tracer};
+use voxtrace_vulkan::{Primitive, Request, Traversal, choose_for};
 
 /// Options about the device and how it finds voxels.
 #[derive(clap::Args, Clone, Debug)]
@@ -18,7 +18,7 @@ pub struct TracerArgs {
     /// What the acceleration structure holds, for the traversals query and pipeline [default: brick]
     #[arg(long, value_name = "NAME")]
     primitive: Option<PrimitiveArg>,
-    /// Device by its number or a part of its name, as `voxtrace devices` lists them
+    /// Device by its number or a part of its name, as `voxtrace devices` lists them; several share the picture by their numbers, as 0,1 (or 0,1,cpu), or all GPUs by the word all
     #[arg(long, value_name = "DEVICE", env = "VOXTRACE_DEVICE", hide_env_values = true)]
     device: Option<String>,
     /// Relax the rules of rounding on the GPU: faster, but no longer bit for bit the CPU's picture
@@ -72,19 +72,12 @@ impl TracerArgs {
     /// Opens the tracer with a scene, and says which one it is and why. Where the choice is ours and the scene is too large
     /// for the device, the CPU traces.
     pub fn open(&self, scene: &Arc<PackedScene>, report: &mut Report) -> Result<Box<dyn Tracer + Send>, Failure> {
-        let request = self.request();
-        let choice = choose(&request).map_err(trace_failure)?;
-        report.remark(&choice.reason);
-        let mut tracer = choice.tracer;
-        match tracer.set_scene(scene) {
-            Err(error @ TraceError::OutOfMemory { .. }) if request.is_automatic() => {
-                report.warn(&format!("tracing on the CPU: the scene does not fit the GPU ({error})"));
-                tracer = Box::new(CpuTracer::new(None));
-                tracer.set_scene(scene).map_err(trace_failure)?;
-            }
-            result => result.map_err(trace_failure)?,
+        let choice = choose_for(&self.request(), scene).map_err(trace_failure)?;
+        match &choice.warning {
+            Some(warning) => report.warn(warning),
+            None => report.remark(&choice.reason),
         }
-        Ok(tracer)
+        Ok(choice.tracer)
     }
 
     fn request(&self) -> Request {

@@ -15,8 +15,8 @@ use rayon::prelude::*;
 use std::sync::{Arc, Mutex, PoisonError};
 use voxtrace::glam::Vec3;
 use voxtrace::packed::{PackedInstance, Placement};
-use voxtrace::{Camera, CpuTracer, Frame, Hit, Integrator, PackedScene, Picture, Progress, Ray, TraceError, Tracer};
-use voxtrace_vulkan::{Request, Traversal, choose};
+use voxtrace::{Camera, Frame, Hit, Integrator, PackedScene, Picture, Progress, Ray, Tracer};
+use voxtrace_vulkan::{Choice, Request, Traversal, choose_for};
 
 /// Renders pictures of one scene, again and again: the scene is packed and sent to the device once.
 ///
@@ -39,8 +39,8 @@ pub struct PyRenderer {
 impl PyRenderer {
     /// A renderer of a `Scene`, or of what an `Editor` edits.
     ///
-    /// `device`: `"auto"` (a GPU, or the processor where there is none), `"cpu"`, or the number or a part of the name of a device as `voxtrace devices`
-    /// lists them. `traversal`: `"walk"`, `"query"` or `"pipeline"`. `fast`: GPUs may round as they like; pictures are no longer the processor's bit for bit.
+    /// `device`: `"auto"` (a GPU, or the processor where there is none), `"cpu"`, the number or a part of the name of a device as `voxtrace devices`
+    /// lists them, `"all"` (every GPU; they share the work, and the picture is the same), or numbers of several (`"0,1"`). `traversal`: `"walk"`, `"query"` or `"pipeline"`. `fast`: GPUs may round as they like; pictures are no longer the processor's bit for bit.
     /// `memory`: limit on GPU memory, bytes. `placeable`: instances are kept apart, so that `place` can move them; else those that stand on the lattice of voxels
     /// become one grid, which is faster.
     ///
@@ -61,9 +61,9 @@ impl PyRenderer {
             Err(_) => scene.cast::<PyScene>()?.borrow_mut().packed(py, placeable)?,
         };
         let request = request_of(device, traversal, fast, memory)?;
-        let opened = run(py, || (), |_| Ok(()), || open_tracer(&request, &packed))?;
-        let (tracer, device) = opened.map_err(|error| of_tracing(py, &error))?;
-        Ok(Self { tracer: Mutex::new(tracer), scene: packed, is_placeable: placeable, device })
+        let opened = run(py, || (), |_| Ok(()), || choose_for(&request, &packed))?;
+        let Choice { tracer, reason, .. } = opened.map_err(|error| of_tracing(py, &error))?;
+        Ok(Self { tracer: Mutex::new(tracer), scene: packed, is_placeable: placeable, device: reason })
     }
 
     /// Renders a picture.
@@ -258,21 +258,6 @@ fn request_of(device: &str, traversal: Option<&str>, is_fast: bool, memory_budge
     };
     let device = Some(device).filter(|device| !["auto", "cpu"].contains(device)).map(str::to_owned);
     Ok(Request { traversal, device, memory_budget, is_fast, ..Request::default() })
-}
-
-/// The tracer with the scene; where nothing was asked for and the scene is too large for the device, the processor's.
-fn open_tracer(request: &Request, scene: &Arc<PackedScene>) -> Result<(Box<dyn Tracer + Send>, String), TraceError> {
-    let choice = choose(request)?;
-    let (mut tracer, mut reason) = (choice.tracer, choice.reason);
-    match tracer.set_scene(scene) {
-        Err(error @ TraceError::OutOfMemory { .. }) if request.is_automatic() => {
-            reason = format!("tracing on the CPU: the scene does not fit the GPU ({error})");
-            tracer = Box::new(CpuTracer::new(None));
-            tracer.set_scene(scene)?;
-        }
-        result => result?,
-    }
-    Ok((tracer, reason))
 }
 
 /// What rays met, as arrays.
