@@ -8,6 +8,7 @@ mod blocks;
 mod camera_file;
 mod changes;
 mod clip;
+mod cluster;
 mod cuts;
 mod edits;
 mod failure;
