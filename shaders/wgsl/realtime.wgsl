@@ -139,15 +139,7 @@ struct PackedGrid_std430_0
 
 @binding(7) @group(0) var<storage, read> emitter_rows_0 : array<vec4<u32>>;
 
-struct InstanceNode_std430_0
-{
-    @align(4) min_1 : array<f32, i32(3)>,
-    @align(4) index_0 : u32,
-    @align(4) max_1 : array<f32, i32(3)>,
-    @align(4) is_leaf_0 : u32,
-};
-
-@binding(5) @group(0) var<storage, read> instance_nodes_0 : array<InstanceNode_std430_0>;
+@binding(5) @group(0) var<storage, read> instance_rows_0 : array<vec4<u32>>;
 
 @binding(26) @group(0) var<storage, read_write> scratch_0 : array<vec2<u32>>;
 
@@ -390,9 +382,9 @@ struct PackedMaterial_0
      scattering_0 : f32,
 };
 
-fn material_of_index_0( index_1 : u32) -> PackedMaterial_0
+fn material_of_index_0( index_0 : u32) -> PackedMaterial_0
 {
-    var _S8 : u32 = u32(4) * index_1;
+    var _S8 : u32 = u32(4) * index_0;
     var a_0 : vec4<u32> = material_rows_0[_S8];
     var b_0 : vec4<u32> = material_rows_0[_S8 + u32(1)];
     var c_0 : vec4<u32> = material_rows_0[_S8 + u32(2)];
@@ -969,12 +961,12 @@ fn owen_of_reversed_0( reversed_0 : u32,  seed_2 : u32) -> u32
 
 fn scrambled_sobol_0( sample_1 : u32,  order_0 : u32,  seeds_0 : vec2<u32>) -> vec2<u32>
 {
-    var index_2 : u32 = owen_of_reversed_0(reverseBits(sample_1), order_0);
-    var binomial_0 : u32 = (index_2 ^ (((((index_2 >> (u32(1)))) & (u32(1431655765))))));
+    var index_1 : u32 = owen_of_reversed_0(reverseBits(sample_1), order_0);
+    var binomial_0 : u32 = (index_1 ^ (((((index_1 >> (u32(1)))) & (u32(1431655765))))));
     var binomial_1 : u32 = (binomial_0 ^ (((((binomial_0 >> (u32(2)))) & (u32(858993459))))));
     var binomial_2 : u32 = (binomial_1 ^ (((((binomial_1 >> (u32(4)))) & (u32(252645135))))));
     var binomial_3 : u32 = (binomial_2 ^ (((((binomial_2 >> (u32(8)))) & (u32(16711935))))));
-    return vec2<u32>(owen_of_reversed_0(index_2, seeds_0.x), owen_of_reversed_0((binomial_3 ^ (((((binomial_3 >> (u32(16)))) & (u32(65535)))))), seeds_0.y));
+    return vec2<u32>(owen_of_reversed_0(index_1, seeds_0.x), owen_of_reversed_0((binomial_3 ^ (((((binomial_3 >> (u32(16)))) & (u32(65535)))))), seeds_0.y));
 }
 
 fn Sampler_pair_0( this_12 : Sampler_0,  dimension_1 : u32,  which_0 : u32) -> vec2<u32>
@@ -997,9 +989,9 @@ fn cell_of_0( values_1 : array<i32, i32(3)>) -> vec3<i32>
 
 var<private> is_page_missing_0 : bool;
 
-fn word_in_pages_0( index_3 : u32,  first_0 : u32) -> u32
+fn word_in_pages_0( index_2 : u32,  first_0 : u32) -> u32
 {
-    var page_0 : u32 = first_0 + ((index_3 >> (u32(10))));
+    var page_0 : u32 = first_0 + ((index_2 >> (u32(10))));
     var mark_0 : u32 = u32(8) + pages_0[i32(0)] + page_0;
     if(pages_0[mark_0] == u32(0))
     {
@@ -1016,27 +1008,27 @@ fn word_in_pages_0( index_3 : u32,  first_0 : u32) -> u32
         _S52 = slot_0 == u32(0);
     }
     is_page_missing_0 = _S52;
-    return (((slot_0 << (u32(10)))) | (((index_3 & (u32(1023))))));
+    return (((slot_0 << (u32(10)))) | (((index_2 & (u32(1023))))));
 }
 
-fn place_of_cell_0( index_4 : u32) -> u32
+fn place_of_cell_0( index_3 : u32) -> u32
 {
     var _S53 : u32;
     if(HAS_PAGES_0)
     {
-        var _S54 : u32 = word_in_pages_0(index_4, u32(0));
+        var _S54 : u32 = word_in_pages_0(index_3, u32(0));
         _S53 = _S54;
     }
     else
     {
-        _S53 = index_4;
+        _S53 = index_3;
     }
     return _S53;
 }
 
-fn cell_word_0( index_5 : u32) -> u32
+fn cell_word_0( index_4 : u32) -> u32
 {
-    var _S55 : u32 = place_of_cell_0(index_5);
+    var _S55 : u32 = place_of_cell_0(index_4);
     return cells_0[_S55];
 }
 
@@ -1094,24 +1086,24 @@ fn find_brick_0( _S57 : u32,  _S58 : vec3<i32>) -> u32
     return record_of_cell_0(cell_2);
 }
 
-fn place_of_brick_0( index_6 : u32) -> u32
+fn place_of_brick_0( index_5 : u32) -> u32
 {
     var _S62 : u32;
     if(HAS_PAGES_0)
     {
-        var _S63 : u32 = word_in_pages_0(index_6, pages_0[i32(1)]);
+        var _S63 : u32 = word_in_pages_0(index_5, pages_0[i32(1)]);
         _S62 = _S63;
     }
     else
     {
-        _S62 = index_6;
+        _S62 = index_5;
     }
     return _S62;
 }
 
-fn brick_word_0( index_7 : u32) -> u32
+fn brick_word_0( index_6 : u32) -> u32
 {
-    var _S64 : u32 = place_of_brick_0(index_7);
+    var _S64 : u32 = place_of_brick_0(index_6);
     return bricks_0[_S64];
 }
 
@@ -1120,23 +1112,23 @@ fn rank_in_brick_0( record_0 : u32,  relative_1 : vec3<i32>) -> u32
     var header_0 : u32 = brick_word_0(record_0);
     var bit_0 : u32 = cell_in_node_0(relative_1, u32(0));
     var present_before_0 : u32 = countOneBits((header_0 & ((((u32(1) << (((((u32(((((relative_1.x) >> (u32(2)))) & (i32(1)))) | (((u32(((((relative_1.y) >> (u32(2)))) & (i32(1)))) << (u32(1))))))) | (((u32(((((relative_1.z) >> (u32(2)))) & (i32(1)))) << (u32(2)))))))))) - u32(1)))));
-    var index_8 : u32 = u32(0);
+    var index_7 : u32 = u32(0);
     var rank_0 : u32 = u32(0);
     for(;;)
     {
-        if(index_8 < present_before_0)
+        if(index_7 < present_before_0)
         {
         }
         else
         {
             break;
         }
-        var _S65 : u32 = u32(2) * index_8;
+        var _S65 : u32 = u32(2) * index_7;
         var _S66 : u32 = brick_word_0(record_0 + u32(2) + _S65);
         var _S67 : u32 = countOneBits(_S66);
         var _S68 : u32 = brick_word_0(record_0 + u32(3) + _S65);
         var rank_1 : u32 = rank_0 + (_S67 + countOneBits(_S68));
-        index_8 = index_8 + u32(1);
+        index_7 = index_7 + u32(1);
         rank_0 = rank_1;
     }
     var _S69 : u32 = u32(2) * present_before_0;
@@ -1154,24 +1146,24 @@ fn rank_in_brick_0( record_0 : u32,  relative_1 : vec3<i32>) -> u32
     return rank_0;
 }
 
-fn place_of_material_0( index_9 : u32) -> u32
+fn place_of_material_0( index_8 : u32) -> u32
 {
     var _S72 : u32;
     if(HAS_PAGES_0)
     {
-        var _S73 : u32 = word_in_pages_0(index_9, pages_0[i32(2)]);
+        var _S73 : u32 = word_in_pages_0(index_8, pages_0[i32(2)]);
         _S72 = _S73;
     }
     else
     {
-        _S72 = index_9;
+        _S72 = index_8;
     }
     return _S72;
 }
 
-fn material_word_0( index_10 : u32) -> u32
+fn material_word_0( index_9 : u32) -> u32
 {
-    var _S74 : u32 = place_of_material_0(index_10);
+    var _S74 : u32 = place_of_material_0(index_9);
     return brick_materials_0[_S74];
 }
 
@@ -1207,12 +1199,12 @@ fn material_at_0( _S77 : u32,  _S78 : vec3<i32>) -> u32
     var palette_count_0 : u32 = (header_1 >> (u32(16)));
     var entry_bits_0 : u32 = grids_0[_S77].material_bits_0;
     var start_1 : u32 = brick_word_0(_S79 + u32(1));
-    var index_11 : u32 = read_bits_0(start_1, palette_count_0 * grids_0[_S77].material_bits_0 + rank_2 * index_bits_0, index_bits_0);
+    var index_10 : u32 = read_bits_0(start_1, palette_count_0 * grids_0[_S77].material_bits_0 + rank_2 * index_bits_0, index_bits_0);
     if(palette_count_0 == u32(0))
     {
-        return index_11;
+        return index_10;
     }
-    var _S80 : u32 = read_bits_0(start_1, index_11 * entry_bits_0, entry_bits_0);
+    var _S80 : u32 = read_bits_0(start_1, index_10 * entry_bits_0, entry_bits_0);
     return _S80;
 }
 
@@ -2049,23 +2041,23 @@ fn Environment_choose_0( u_10 : vec4<f32>,  chosen_0 : ptr<function, ChosenDirec
     var _S136 : f32 = edge_0 - 1.0f;
     var _S137 : f32 = min(floor(_S135), _S136);
     var own_1 : u32 = u32(_S137) * params_0.sky_edge_0 + u32(min(floor(u_10.y * edge_0), _S136));
-    var index_12 : u32;
+    var index_11 : u32;
     if((u_10.z) < (environment_0[own_1].threshold_0))
     {
-        index_12 = own_1;
+        index_11 = own_1;
     }
     else
     {
-        index_12 = environment_0[own_1].alias_0;
+        index_11 = environment_0[own_1].alias_0;
     }
-    var pdf_8 : f32 = environment_0[index_12].pdf_0;
-    if((environment_0[index_12].pdf_0) <= 0.0f)
+    var pdf_8 : f32 = environment_0[index_11].pdf_0;
+    if((environment_0[index_11].pdf_0) <= 0.0f)
     {
         return false;
     }
-    var _S138 : u32 = index_12 % params_0.sky_edge_0;
+    var _S138 : u32 = index_11 % params_0.sky_edge_0;
     var _S139 : f32 = f32(_S138);
-    var _S140 : u32 = index_12 / params_0.sky_edge_0;
+    var _S140 : u32 = index_11 / params_0.sky_edge_0;
     var place_2 : vec2<f32> = vec2<f32>(_S139, f32(_S140)) + vec2<f32>(min(_S135 - _S137, 1.0f), u_10.w);
     (*chosen_0) = ChosenDirection_x24init_0(Environment_to_world_0(direction_of_0(place_2 * vec2<f32>(divide_0(1.0f, edge_0)))), Environment_radiance_at_0(place_2), pdf_8);
     return true;
@@ -2097,7 +2089,7 @@ fn Sky_sample_0( receiver_5 : Receiver_0,  u_11 : vec4<f32>,  sample_5 : ptr<fun
 struct Descent_0
 {
      node_0 : u32,
-     index_13 : u32,
+     index_12 : u32,
      count_1 : u32,
      weight_2 : f32,
      total_0 : f32,
@@ -2105,11 +2097,11 @@ struct Descent_0
      is_far_0 : bool,
 };
 
-fn Descent_x24init_0( node_1 : u32,  index_14 : u32,  count_2 : u32,  weight_3 : f32,  total_1 : f32,  choice_2 : f32,  is_far_1 : bool) -> Descent_0
+fn Descent_x24init_0( node_1 : u32,  index_13 : u32,  count_2 : u32,  weight_3 : f32,  total_1 : f32,  choice_2 : f32,  is_far_1 : bool) -> Descent_0
 {
     var _S143 : Descent_0;
     _S143.node_0 = node_1;
-    _S143.index_13 = index_14;
+    _S143.index_12 = index_13;
     _S143.count_1 = count_2;
     _S143.weight_2 = weight_3;
     _S143.total_0 = total_1;
@@ -2120,9 +2112,9 @@ fn Descent_x24init_0( node_1 : u32,  index_14 : u32,  count_2 : u32,  weight_3 :
 
 struct LightNode_0
 {
-     min_2 : array<f32, i32(3)>,
-     index_15 : u32,
-     max_2 : array<f32, i32(3)>,
+     min_1 : array<f32, i32(3)>,
+     index_14 : u32,
+     max_1 : array<f32, i32(3)>,
      count_3 : u32,
      power_2 : array<f32, i32(6)>,
      parent_0 : u32,
@@ -2134,15 +2126,15 @@ fn light_node_of_0( a_3 : vec4<u32>,  b_3 : vec4<u32>,  c_1 : vec4<u32>,  d_3 : 
     var node_2 : LightNode_0;
     var _S144 : f32 = (bitcast<f32>((a_3.y)));
     var _S145 : f32 = (bitcast<f32>((a_3.z)));
-    node_2.min_2[i32(0)] = (bitcast<f32>((a_3.x)));
-    node_2.min_2[i32(1)] = _S144;
-    node_2.min_2[i32(2)] = _S145;
-    node_2.index_15 = a_3.w;
+    node_2.min_1[i32(0)] = (bitcast<f32>((a_3.x)));
+    node_2.min_1[i32(1)] = _S144;
+    node_2.min_1[i32(2)] = _S145;
+    node_2.index_14 = a_3.w;
     var _S146 : f32 = (bitcast<f32>((b_3.y)));
     var _S147 : f32 = (bitcast<f32>((b_3.z)));
-    node_2.max_2[i32(0)] = (bitcast<f32>((b_3.x)));
-    node_2.max_2[i32(1)] = _S146;
-    node_2.max_2[i32(2)] = _S147;
+    node_2.max_1[i32(0)] = (bitcast<f32>((b_3.x)));
+    node_2.max_1[i32(1)] = _S146;
+    node_2.max_1[i32(2)] = _S147;
     node_2.count_3 = b_3.w;
     var _S148 : f32 = (bitcast<f32>((c_1.y)));
     var _S149 : f32 = (bitcast<f32>((c_1.z)));
@@ -2160,22 +2152,22 @@ fn light_node_of_0( a_3 : vec4<u32>,  b_3 : vec4<u32>,  c_1 : vec4<u32>,  d_3 : 
     return node_2;
 }
 
-fn top_light_node_0( index_16 : u32) -> LightNode_0
+fn top_light_node_0( index_15 : u32) -> LightNode_0
 {
-    var _S153 : u32 = u32(4) * index_16;
+    var _S153 : u32 = u32(4) * index_15;
     return light_node_of_0(top_light_node_rows_0[_S153], top_light_node_rows_0[_S153 + u32(1)], top_light_node_rows_0[_S153 + u32(2)], top_light_node_rows_0[_S153 + u32(3)]);
 }
 
-fn TopLights_node_0( index_17 : u32) -> LightNode_0
+fn TopLights_node_0( index_16 : u32) -> LightNode_0
 {
-    return top_light_node_0(index_17);
+    return top_light_node_0(index_16);
 }
 
 fn Descent_at_0( this_20 : ptr<function, Descent_0>,  root_2 : u32)
 {
     var node_3 : LightNode_0 = TopLights_node_0(root_2);
     (*this_20).node_0 = root_2;
-    (*this_20).index_13 = node_3.index_15;
+    (*this_20).index_12 = node_3.index_14;
     (*this_20).count_1 = node_3.count_3;
     (*this_20).is_far_0 = false;
     return;
@@ -2210,7 +2202,7 @@ fn sent_by_side_0( node_4 : LightNode_0,  point_4 : vec3<f32>,  distance_0 : f32
 {
     var _S155 : vec3<f32> = vec3<f32>(0.0f);
     var _S156 : vec3<f32> = vec3<f32>(distance_0);
-    return BySide_x24init_0(vec3<f32>(node_4.power_2[i32(0)], node_4.power_2[i32(2)], node_4.power_2[i32(4)]) * min(max(vector_of_0(node_4.max_2) - point_4, _S155), _S156), vec3<f32>(node_4.power_2[i32(1)], node_4.power_2[i32(3)], node_4.power_2[i32(5)]) * min(max(point_4 - vector_of_0(node_4.min_2), _S155), _S156));
+    return BySide_x24init_0(vec3<f32>(node_4.power_2[i32(0)], node_4.power_2[i32(2)], node_4.power_2[i32(4)]) * min(max(vector_of_0(node_4.max_1) - point_4, _S155), _S156), vec3<f32>(node_4.power_2[i32(1)], node_4.power_2[i32(3)], node_4.power_2[i32(5)]) * min(max(point_4 - vector_of_0(node_4.min_1), _S155), _S156));
 }
 
 fn BySide_sum_0( this_21 : BySide_0) -> f32
@@ -2235,8 +2227,8 @@ fn View_x24init_0( importance_1 : f32,  is_far_3 : bool) -> View_0
 
 fn view_0( node_5 : LightNode_0,  receiver_6 : Receiver_0) -> View_0
 {
-    var _S158 : vec3<f32> = vector_of_0(node_5.max_2);
-    var _S159 : vec3<f32> = vector_of_0(node_5.min_2);
+    var _S158 : vec3<f32> = vector_of_0(node_5.max_1);
+    var _S159 : vec3<f32> = vector_of_0(node_5.min_1);
     var _S160 : vec3<f32> = vec3<f32>(0.5f);
     var half_0 : vec3<f32> = (_S158 - _S159) * _S160;
     var toward_0 : vec3<f32> = (_S159 + _S158) * _S160 - receiver_6.point_0;
@@ -2316,7 +2308,7 @@ fn climb_0( receiver_7 : Receiver_0,  start_2 : u32,  descent_0 : ptr<function, 
         var _S167 : u32;
         if(is_left_0)
         {
-            _S167 = parent_1.index_15;
+            _S167 = parent_1.index_14;
         }
         else
         {
@@ -2416,7 +2408,7 @@ fn descend_0( receiver_8 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<function
             return false;
         }
         var left_1 : LightNode_0 = TopLights_node_0((*descent_1).node_0 + u32(1));
-        var right_1 : LightNode_0 = TopLights_node_0((*descent_1).index_13);
+        var right_1 : LightNode_0 = TopLights_node_0((*descent_1).index_12);
         var weights_1 : vec2<f32> = weights_of_0(view_0(left_1, receiver_8).importance_0, view_0(right_1, receiver_8).importance_0);
         var _S177 : f32 = weights_1.x;
         var _S178 : f32 = weights_1.y;
@@ -2438,9 +2430,9 @@ fn descend_0( receiver_8 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<function
         if(aim_0.is_met_0)
         {
             var _S180 : vec3<f32> = vec3<f32>(aim_0.hit_4.voxel_1);
-            if((all((_S180 >= (vector_of_0(left_1.min_2))))))
+            if((all((_S180 >= (vector_of_0(left_1.min_1))))))
             {
-                is_left_1 = (all((_S180 < (vector_of_0(left_1.max_2)))));
+                is_left_1 = (all((_S180 < (vector_of_0(left_1.max_1)))));
             }
             else
             {
@@ -2469,19 +2461,19 @@ fn descend_0( receiver_8 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<function
         }
         else
         {
-            _S183 = (*descent_1).index_13;
+            _S183 = (*descent_1).index_12;
         }
         (*descent_1).node_0 = _S183;
         var _S184 : u32;
         if(is_left_1)
         {
-            _S184 = left_1.index_15;
+            _S184 = left_1.index_14;
         }
         else
         {
-            _S184 = right_1.index_15;
+            _S184 = right_1.index_14;
         }
-        (*descent_1).index_13 = _S184;
+        (*descent_1).index_12 = _S184;
         var _S185 : u32;
         if(is_left_1)
         {
@@ -2542,14 +2534,14 @@ fn place_in_light_node_0( node_7 : u32,  word_5 : u32) -> u32
     return _S189;
 }
 
-fn light_node_at_0( index_18 : u32) -> LightNode_0
+fn light_node_at_0( index_17 : u32) -> LightNode_0
 {
     if(!lights_in_pages_0())
     {
-        var _S190 : u32 = u32(4) * index_18;
+        var _S190 : u32 = u32(4) * index_17;
         return light_node_of_0(light_node_rows_0[_S190], light_node_rows_0[_S190 + u32(1)], light_node_rows_0[_S190 + u32(2)], light_node_rows_0[_S190 + u32(3)]);
     }
-    var at_2 : u32 = place_in_light_node_0(index_18, u32(0));
+    var at_2 : u32 = place_in_light_node_0(index_17, u32(0));
     var node_8 : LightNode_0;
     var i_0 : u32 = u32(0);
     for(;;)
@@ -2561,11 +2553,11 @@ fn light_node_at_0( index_18 : u32) -> LightNode_0
         {
             break;
         }
-        node_8.min_2[i_0] = (bitcast<f32>((cells_0[at_2 + i_0])));
-        node_8.max_2[i_0] = (bitcast<f32>((cells_0[at_2 + u32(4) + i_0])));
+        node_8.min_1[i_0] = (bitcast<f32>((cells_0[at_2 + i_0])));
+        node_8.max_1[i_0] = (bitcast<f32>((cells_0[at_2 + u32(4) + i_0])));
         i_0 = i_0 + u32(1);
     }
-    node_8.index_15 = cells_0[at_2 + u32(3)];
+    node_8.index_14 = cells_0[at_2 + u32(3)];
     node_8.count_3 = cells_0[at_2 + u32(7)];
     i_0 = u32(0);
     for(;;)
@@ -2585,9 +2577,9 @@ fn light_node_at_0( index_18 : u32) -> LightNode_0
     return node_8;
 }
 
-fn GridLights_node_0( index_19 : u32) -> LightNode_0
+fn GridLights_node_0( index_18 : u32) -> LightNode_0
 {
-    var _S191 : LightNode_0 = light_node_at_0(index_19);
+    var _S191 : LightNode_0 = light_node_at_0(index_18);
     return _S191;
 }
 
@@ -2595,7 +2587,7 @@ fn Descent_at_1( this_22 : ptr<function, Descent_0>,  root_3 : u32)
 {
     var node_9 : LightNode_0 = GridLights_node_0(root_3);
     (*this_22).node_0 = root_3;
-    (*this_22).index_13 = node_9.index_15;
+    (*this_22).index_12 = node_9.index_14;
     (*this_22).count_1 = node_9.count_3;
     (*this_22).is_far_0 = false;
     return;
@@ -2626,7 +2618,7 @@ fn descend_1( receiver_10 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<functio
             return false;
         }
         var left_2 : LightNode_0 = GridLights_node_0((*descent_2).node_0 + u32(1));
-        var right_2 : LightNode_0 = GridLights_node_0((*descent_2).index_13);
+        var right_2 : LightNode_0 = GridLights_node_0((*descent_2).index_12);
         var of_left_0 : View_0 = view_0(left_2, receiver_10);
         var of_right_0 : View_0 = view_0(right_2, receiver_10);
         var weights_2 : vec2<f32> = weights_of_0(of_left_0.importance_0, of_right_0.importance_0);
@@ -2650,9 +2642,9 @@ fn descend_1( receiver_10 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<functio
         if(aim_1.is_met_0)
         {
             var _S196 : vec3<f32> = vec3<f32>(aim_1.hit_4.voxel_1);
-            if((all((_S196 >= (vector_of_0(left_2.min_2))))))
+            if((all((_S196 >= (vector_of_0(left_2.min_1))))))
             {
-                is_left_2 = (all((_S196 < (vector_of_0(left_2.max_2)))));
+                is_left_2 = (all((_S196 < (vector_of_0(left_2.max_1)))));
             }
             else
             {
@@ -2681,19 +2673,19 @@ fn descend_1( receiver_10 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<functio
         }
         else
         {
-            _S199 = (*descent_2).index_13;
+            _S199 = (*descent_2).index_12;
         }
         (*descent_2).node_0 = _S199;
         var _S200 : u32;
         if(is_left_2)
         {
-            _S200 = left_2.index_15;
+            _S200 = left_2.index_14;
         }
         else
         {
-            _S200 = right_2.index_15;
+            _S200 = right_2.index_14;
         }
-        (*descent_2).index_13 = _S200;
+        (*descent_2).index_12 = _S200;
         var _S201 : u32;
         if(is_left_2)
         {
@@ -2737,8 +2729,8 @@ fn descend_1( receiver_10 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<functio
 fn choose_side_0( point_5 : vec3<f32>,  is_met_2 : bool,  way_0 : Descent_0,  side_0 : ptr<function, u32>,  odds_0 : ptr<function, vec2<f32>>) -> bool
 {
     var node_10 : LightNode_0 = light_node_at_0(way_0.node_0);
-    var _S205 : vec3<f32> = vector_of_0(node_10.max_2);
-    var _S206 : vec3<f32> = vector_of_0(node_10.min_2);
+    var _S205 : vec3<f32> = vector_of_0(node_10.max_1);
+    var _S206 : vec3<f32> = vector_of_0(node_10.min_1);
     var _S207 : vec3<f32> = vec3<f32>(0.5f);
     var half_1 : vec3<f32> = (_S205 - _S206) * _S207;
     var toward_1 : vec3<f32> = (_S206 + _S205) * _S207 - point_5;
@@ -2923,22 +2915,22 @@ fn choose_side_0( point_5 : vec3<f32>,  is_met_2 : bool,  way_0 : Descent_0,  si
     return _S210;
 }
 
-fn light_node_word_0( index_20 : u32,  word_6 : u32) -> u32
+fn light_node_word_0( index_19 : u32,  word_6 : u32) -> u32
 {
-    return light_node_rows_0[u32(4) * index_20 + ((word_6 >> (u32(2))))][(word_6 & (u32(3)))];
+    return light_node_rows_0[u32(4) * index_19 + ((word_6 >> (u32(2))))][(word_6 & (u32(3)))];
 }
 
-fn light_power_at_0( index_21 : u32,  side_1 : u32) -> f32
+fn light_power_at_0( index_20 : u32,  side_1 : u32) -> f32
 {
     var _S213 : u32;
     if(lights_in_pages_0())
     {
-        var _S214 : u32 = place_in_light_node_0(index_21, u32(8) + side_1);
+        var _S214 : u32 = place_in_light_node_0(index_20, u32(8) + side_1);
         _S213 = cells_0[_S214];
     }
     else
     {
-        _S213 = light_node_word_0(index_21, u32(8) + side_1);
+        _S213 = light_node_word_0(index_20, u32(8) + side_1);
     }
     return (bitcast<f32>((_S213)));
 }
@@ -2984,13 +2976,13 @@ struct Emitter_0
      leaf_0 : u32,
 };
 
-fn below_light_node_0( index_22 : u32) -> vec2<u32>
+fn below_light_node_0( index_21 : u32) -> vec2<u32>
 {
     if(!lights_in_pages_0())
     {
-        return vec2<u32>(light_node_word_0(index_22, u32(3)), light_node_word_0(index_22, u32(7)));
+        return vec2<u32>(light_node_word_0(index_21, u32(3)), light_node_word_0(index_21, u32(7)));
     }
-    var at_3 : u32 = place_in_light_node_0(index_22, u32(0));
+    var at_3 : u32 = place_in_light_node_0(index_21, u32(0));
     return vec2<u32>(cells_0[at_3 + u32(3)], cells_0[at_3 + u32(7)]);
 }
 
@@ -3000,37 +2992,37 @@ fn place_in_emitter_0( emitter_0 : u32,  word_7 : u32) -> u32
     return _S215;
 }
 
-fn emitter_word_0( index_23 : u32,  word_8 : u32) -> u32
+fn emitter_word_0( index_22 : u32,  word_8 : u32) -> u32
 {
-    return emitter_rows_0[u32(2) * index_23 + ((word_8 >> (u32(2))))][(word_8 & (u32(3)))];
+    return emitter_rows_0[u32(2) * index_22 + ((word_8 >> (u32(2))))][(word_8 & (u32(3)))];
 }
 
-fn emitter_faces_at_0( index_24 : u32) -> u32
+fn emitter_faces_at_0( index_23 : u32) -> u32
 {
     var _S216 : u32;
     if(lights_in_pages_0())
     {
-        var _S217 : u32 = place_in_emitter_0(index_24, u32(4));
+        var _S217 : u32 = place_in_emitter_0(index_23, u32(4));
         _S216 = cells_0[_S217];
     }
     else
     {
-        _S216 = emitter_word_0(index_24, u32(4));
+        _S216 = emitter_word_0(index_23, u32(4));
     }
     return _S216;
 }
 
-fn emitter_luminance_at_0( index_25 : u32) -> f32
+fn emitter_luminance_at_0( index_24 : u32) -> f32
 {
     var _S218 : f32;
     if(lights_in_pages_0())
     {
-        var _S219 : u32 = place_in_emitter_0(index_25, u32(6));
+        var _S219 : u32 = place_in_emitter_0(index_24, u32(6));
         _S218 = (bitcast<f32>((cells_0[_S219])));
     }
     else
     {
-        _S218 = (bitcast<f32>((emitter_word_0(index_25, u32(6)))));
+        _S218 = (bitcast<f32>((emitter_word_0(index_24, u32(6)))));
     }
     return _S218;
 }
@@ -3047,17 +3039,17 @@ fn Emitter_x24init_0( voxel_5 : array<i32, i32(3)>,  grid_2 : u32,  faces_1 : u3
     return _S220;
 }
 
-fn emitter_at_0( index_26 : u32) -> Emitter_0
+fn emitter_at_0( index_25 : u32) -> Emitter_0
 {
     if(!lights_in_pages_0())
     {
-        var _S221 : u32 = u32(2) * index_26;
+        var _S221 : u32 = u32(2) * index_25;
         var a_4 : vec4<u32> = emitter_rows_0[_S221];
         var b_4 : vec4<u32> = emitter_rows_0[_S221 + u32(1)];
         var _S222 : array<i32, i32(3)> = array<i32, i32(3)>( i32(a_4.x), i32(a_4.y), i32(a_4.z) );
         return Emitter_x24init_0(_S222, a_4.w, b_4.x, b_4.y, (bitcast<f32>((b_4.z))), b_4.w);
     }
-    var at_4 : u32 = place_in_emitter_0(index_26, u32(0));
+    var at_4 : u32 = place_in_emitter_0(index_25, u32(0));
     var _S223 : array<i32, i32(3)> = array<i32, i32(3)>( i32(cells_0[at_4]), i32(cells_0[at_4 + u32(1)]), i32(cells_0[at_4 + u32(2)]) );
     return Emitter_x24init_0(_S223, cells_0[at_4 + u32(3)], cells_0[at_4 + u32(4)], cells_0[at_4 + u32(5)], (bitcast<f32>((cells_0[at_4 + u32(6)]))), cells_0[at_4 + u32(7)]);
 }
@@ -3068,7 +3060,7 @@ fn choose_emitter_0( way_1 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
     var is_left_3 : bool;
     var count_4 : u32 = way_1.count_1;
     var node_11 : u32 = way_1.node_0;
-    var index_27 : u32 = way_1.index_13;
+    var index_26 : u32 = way_1.index_12;
     var _S224 : f32 = threshold_1;
     for(;;)
     {
@@ -3089,9 +3081,9 @@ fn choose_emitter_0( way_1 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
         }
         var left_3 : u32 = node_11 + u32(1);
         var power_left_0 : f32 = light_power_at_0(left_3, side_2);
-        var power_right_0 : f32 = light_power_at_0(index_27, side_2);
+        var power_right_0 : f32 = light_power_at_0(index_26, side_2);
         var below_left_0 : vec2<u32> = below_light_node_0(left_3);
-        var below_right_0 : vec2<u32> = below_light_node_0(index_27);
+        var below_right_0 : vec2<u32> = below_light_node_0(index_26);
         if(_S224 < power_left_0)
         {
             is_left_3 = true;
@@ -3113,15 +3105,15 @@ fn choose_emitter_0( way_1 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
         }
         else
         {
-            node_11 = index_27;
+            node_11 = index_26;
         }
         if(is_left_3)
         {
-            index_27 = below_left_0.x;
+            index_26 = below_left_0.x;
         }
         else
         {
-            index_27 = below_right_0.x;
+            index_26 = below_right_0.x;
         }
         if(is_left_3)
         {
@@ -3133,11 +3125,11 @@ fn choose_emitter_0( way_1 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
         }
     }
     is_found_0 = false;
-    var chosen_3 : u32 = index_27;
-    var at_5 : u32 = index_27;
+    var chosen_3 : u32 = index_26;
+    var at_5 : u32 = index_26;
     for(;;)
     {
-        if(at_5 < (index_27 + count_4))
+        if(at_5 < (index_26 + count_4))
         {
             is_left_3 = !is_found_0;
         }
@@ -3243,8 +3235,8 @@ fn sample_emitter_0( receiver_11 : Receiver_0,  u_13 : vec4<f32>,  aim_2 : Aim_0
             return false;
         }
     }
-    var chosen_instance_0 : u32 = descent_3.index_13;
-    var local_2 : Receiver_0 = in_grid_3(descent_3.index_13, receiver_11);
+    var chosen_instance_0 : u32 = descent_3.index_12;
+    var local_2 : Receiver_0 = in_grid_3(descent_3.index_12, receiver_11);
     Descent_at_1(&(descent_3), top_light_node_0(descent_3.node_0).root_1);
     var _S234 : bool = descend_1(local_2, aim_2, &(descent_3));
     if(!_S234)
@@ -3722,6 +3714,18 @@ fn PathTracingOf_advance_1( path_6 : ptr<function, Path_0>,  ray_9 : Ray_0,  hit
     return next_1;
 }
 
+struct PackedGrid_0
+{
+     origin_0 : array<i32, i32(3)>,
+     top_shift_0 : u32,
+     top_size_0 : array<i32, i32(3)>,
+     top_offset_0 : u32,
+     min_0 : array<i32, i32(3)>,
+     voxels_0 : array<u32, i32(2)>,
+     max_0 : array<i32, i32(3)>,
+     material_bits_0 : u32,
+};
+
 struct LocalRay_0
 {
      origin_7 : vec3<f32>,
@@ -3852,38 +3856,38 @@ fn LocalRay_t_end_0( this_26 : LocalRay_0) -> f32
     return min(this_26.t_max_2 * 1.00000095367431641f, 3.4028234663852886e+38f);
 }
 
-fn walk_of_0( _S264 : LocalRay_0,  _S265 : u32) -> Walk_0
+fn walk_of_0( ray_11 : LocalRay_0,  grid_3 : PackedGrid_0) -> Walk_0
 {
     var walk_0 : Walk_0;
-    walk_0.ray_10 = _S264;
-    walk_0.grid_origin_0 = cell_of_0(grids_0[_S265].origin_0);
-    var is_negative_0 : vec3<bool> = (_S264.direction_25) < vec3<f32>(0.0f);
-    var _S266 : vec3<i32> = vec3<i32>(i32(0));
-    walk_0.mirror_0 = select(_S266, vec3<i32>(i32(-1)), is_negative_0);
-    var _S267 : vec3<i32>;
+    walk_0.ray_10 = ray_11;
+    walk_0.grid_origin_0 = cell_of_0(grid_3.origin_0);
+    var is_negative_0 : vec3<bool> = (ray_11.direction_25) < vec3<f32>(0.0f);
+    var _S264 : vec3<i32> = vec3<i32>(i32(0));
+    walk_0.mirror_0 = select(_S264, vec3<i32>(i32(-1)), is_negative_0);
+    var _S265 : vec3<i32>;
     if(IS_EXACT_0)
     {
-        _S267 = Walk_mirrored_plane_0(walk_0, walk_0.grid_origin_0);
+        _S265 = Walk_mirrored_plane_0(walk_0, walk_0.grid_origin_0);
     }
     else
     {
-        _S267 = _S266;
+        _S265 = _S264;
     }
-    walk_0.offset_0 = _S267;
+    walk_0.offset_0 = _S265;
     var origin_10 : vec3<f32>;
     if(IS_EXACT_0)
     {
-        origin_10 = _S264.origin_7;
+        origin_10 = ray_11.origin_7;
     }
     else
     {
-        origin_10 = _S264.origin_7 - vec3<f32>(walk_0.grid_origin_0);
+        origin_10 = ray_11.origin_7 - vec3<f32>(walk_0.grid_origin_0);
     }
     walk_0.origin_9 = select(origin_10, (vec3<f32>(0) - origin_10), is_negative_0);
-    walk_0.speed_1 = max(abs(_S264.direction_25), vec3<f32>(min_abs_direction_0()));
+    walk_0.speed_1 = max(abs(ray_11.direction_25), vec3<f32>(min_abs_direction_0()));
     if(IS_EXACT_0)
     {
-        origin_10 = abs(_S264.inverse_0);
+        origin_10 = abs(ray_11.inverse_0);
     }
     else
     {
@@ -3897,10 +3901,10 @@ fn walk_of_0( _S264 : LocalRay_0,  _S265 : u32) -> Walk_0
     }
     else
     {
-        top_shift_1 = grids_0[_S265].top_shift_0;
+        top_shift_1 = grid_3.top_shift_0;
     }
-    walk_0.tolerance_0 = LocalRay_tolerance_0(_S264, walk_0.grid_origin_0, walk_0.grid_origin_0 + (((cell_of_0(grids_0[_S265].top_size_0)) << (vec3<u32>(top_shift_1)))));
-    walk_0.t_end_0 = LocalRay_t_end_0(_S264);
+    walk_0.tolerance_0 = LocalRay_tolerance_0(ray_11, walk_0.grid_origin_0, walk_0.grid_origin_0 + (((cell_of_0(grid_3.top_size_0)) << (vec3<u32>(top_shift_1)))));
+    walk_0.t_end_0 = LocalRay_t_end_0(ray_11);
     return walk_0;
 }
 
@@ -3924,65 +3928,65 @@ fn exact_product_0( a_5 : f32,  b_5 : f32) -> vec2<f32>
     }
     var a_parts_0 : vec2<f32> = halves_0(a_5);
     var b_parts_0 : vec2<f32> = halves_0(b_5);
-    var _S268 : f32 = a_parts_0.x;
-    var _S269 : f32 = b_parts_0.x;
-    var _S270 : f32 = b_parts_0.y;
-    var _S271 : f32 = a_parts_0.y;
-    return vec2<f32>(product_0, _S268 * _S269 - product_0 + _S268 * _S270 + _S271 * _S269 + _S271 * _S270);
+    var _S266 : f32 = a_parts_0.x;
+    var _S267 : f32 = b_parts_0.x;
+    var _S268 : f32 = b_parts_0.y;
+    var _S269 : f32 = a_parts_0.y;
+    return vec2<f32>(product_0, _S266 * _S267 - product_0 + _S266 * _S268 + _S269 * _S267 + _S269 * _S268);
 }
 
-fn exact_start_voxel_0( ray_11 : LocalRay_0) -> vec3<i32>
+fn exact_start_voxel_0( ray_12 : LocalRay_0) -> vec3<i32>
 {
-    var way_2 : vec2<f32> = exact_product_0(ray_11.t_min_2, ray_11.direction_25[u32(0)]);
-    var _S272 : f32 = way_2.x;
-    var sum_1 : f32 = ray_11.origin_7[u32(0)] + _S272;
-    var part_0 : f32 = sum_1 - ray_11.origin_7[u32(0)];
-    var low_8 : f32 = ray_11.origin_7[u32(0)] - (sum_1 - part_0) + (_S272 - part_0) + way_2.y;
+    var way_2 : vec2<f32> = exact_product_0(ray_12.t_min_2, ray_12.direction_25[u32(0)]);
+    var _S270 : f32 = way_2.x;
+    var sum_1 : f32 = ray_12.origin_7[u32(0)] + _S270;
+    var part_0 : f32 = sum_1 - ray_12.origin_7[u32(0)];
+    var low_8 : f32 = ray_12.origin_7[u32(0)] - (sum_1 - part_0) + (_S270 - part_0) + way_2.y;
     var whole_0 : f32 = floor(sum_1);
     var voxel_7 : vec3<i32>;
-    var _S273 : i32 = i32(whole_0);
-    var _S274 : bool;
+    var _S271 : i32 = i32(whole_0);
+    var _S272 : bool;
     if(sum_1 == whole_0)
     {
-        _S274 = low_8 < 0.0f;
+        _S272 = low_8 < 0.0f;
     }
     else
     {
-        _S274 = false;
+        _S272 = false;
     }
-    voxel_7[u32(0)] = _S273 - i32(_S274);
-    var way_3 : vec2<f32> = exact_product_0(ray_11.t_min_2, ray_11.direction_25[u32(1)]);
-    var _S275 : f32 = way_3.x;
-    var sum_2 : f32 = ray_11.origin_7[u32(1)] + _S275;
-    var part_1 : f32 = sum_2 - ray_11.origin_7[u32(1)];
-    var low_9 : f32 = ray_11.origin_7[u32(1)] - (sum_2 - part_1) + (_S275 - part_1) + way_3.y;
+    voxel_7[u32(0)] = _S271 - i32(_S272);
+    var way_3 : vec2<f32> = exact_product_0(ray_12.t_min_2, ray_12.direction_25[u32(1)]);
+    var _S273 : f32 = way_3.x;
+    var sum_2 : f32 = ray_12.origin_7[u32(1)] + _S273;
+    var part_1 : f32 = sum_2 - ray_12.origin_7[u32(1)];
+    var low_9 : f32 = ray_12.origin_7[u32(1)] - (sum_2 - part_1) + (_S273 - part_1) + way_3.y;
     var whole_1 : f32 = floor(sum_2);
-    var _S276 : i32 = i32(whole_1);
+    var _S274 : i32 = i32(whole_1);
     if(sum_2 == whole_1)
     {
-        _S274 = low_9 < 0.0f;
+        _S272 = low_9 < 0.0f;
     }
     else
     {
-        _S274 = false;
+        _S272 = false;
     }
-    voxel_7[u32(1)] = _S276 - i32(_S274);
-    var way_4 : vec2<f32> = exact_product_0(ray_11.t_min_2, ray_11.direction_25[u32(2)]);
-    var _S277 : f32 = way_4.x;
-    var sum_3 : f32 = ray_11.origin_7[u32(2)] + _S277;
-    var part_2 : f32 = sum_3 - ray_11.origin_7[u32(2)];
-    var low_10 : f32 = ray_11.origin_7[u32(2)] - (sum_3 - part_2) + (_S277 - part_2) + way_4.y;
+    voxel_7[u32(1)] = _S274 - i32(_S272);
+    var way_4 : vec2<f32> = exact_product_0(ray_12.t_min_2, ray_12.direction_25[u32(2)]);
+    var _S275 : f32 = way_4.x;
+    var sum_3 : f32 = ray_12.origin_7[u32(2)] + _S275;
+    var part_2 : f32 = sum_3 - ray_12.origin_7[u32(2)];
+    var low_10 : f32 = ray_12.origin_7[u32(2)] - (sum_3 - part_2) + (_S275 - part_2) + way_4.y;
     var whole_2 : f32 = floor(sum_3);
-    var _S278 : i32 = i32(whole_2);
+    var _S276 : i32 = i32(whole_2);
     if(sum_3 == whole_2)
     {
-        _S274 = low_10 < 0.0f;
+        _S272 = low_10 < 0.0f;
     }
     else
     {
-        _S274 = false;
+        _S272 = false;
     }
-    voxel_7[u32(2)] = _S278 - i32(_S274);
+    voxel_7[u32(2)] = _S276 - i32(_S272);
     return voxel_7;
 }
 
@@ -3995,16 +3999,16 @@ fn Walk_start_voxel_0( this_28 : Walk_0) -> vec3<i32>
     }
     var nearest_0 : vec3<f32> = round(start_3);
     var from_nearest_0 : vec3<f32> = start_3 - nearest_0;
-    var _S279 : bool;
+    var _S277 : bool;
     if((this_28.ray_10.t_min_2) > 0.0f)
     {
-        _S279 = (any(((abs(from_nearest_0)) <= (this_28.tolerance_0))));
+        _S277 = (any(((abs(from_nearest_0)) <= (this_28.tolerance_0))));
     }
     else
     {
-        _S279 = false;
+        _S277 = false;
     }
-    if(_S279)
+    if(_S277)
     {
         return Walk_mirrored_0(this_28, exact_start_voxel_0(this_28.ray_10) - this_28.grid_origin_0);
     }
@@ -4026,18 +4030,18 @@ struct Crossing_0
 
 fn Crossing_x24init_0( distance_3 : f32,  distance_low_1 : f32,  speed_3 : f32,  axis_2 : u32) -> Crossing_0
 {
-    var _S280 : Crossing_0;
-    _S280.distance_2 = distance_3;
-    _S280.distance_low_0 = distance_low_1;
-    _S280.speed_2 = speed_3;
-    _S280.axis_1 = axis_2;
-    return _S280;
+    var _S278 : Crossing_0;
+    _S278.distance_2 = distance_3;
+    _S278.distance_low_0 = distance_low_1;
+    _S278.speed_2 = speed_3;
+    _S278.axis_1 = axis_2;
+    return _S278;
 }
 
-fn crossing_of_0( ray_12 : LocalRay_0,  axis_3 : u32,  plane_1 : i32) -> Crossing_0
+fn crossing_of_0( ray_13 : LocalRay_0,  axis_3 : u32,  plane_1 : i32) -> Crossing_0
 {
     var sign_0 : f32;
-    if((ray_12.direction_25[axis_3]) < 0.0f)
+    if((ray_13.direction_25[axis_3]) < 0.0f)
     {
         sign_0 = -1.0f;
     }
@@ -4046,9 +4050,9 @@ fn crossing_of_0( ray_12 : LocalRay_0,  axis_3 : u32,  plane_1 : i32) -> Crossin
         sign_0 = 1.0f;
     }
     var at_7 : f32 = f32(plane_1);
-    var difference_0 : f32 = at_7 - ray_12.origin_7[axis_3];
+    var difference_0 : f32 = at_7 - ray_13.origin_7[axis_3];
     var part_3 : f32 = difference_0 - at_7;
-    return Crossing_x24init_0(difference_0 * sign_0, (at_7 - (difference_0 - part_3) - (ray_12.origin_7[axis_3] + part_3)) * sign_0, abs(ray_12.direction_25[axis_3]), axis_3);
+    return Crossing_x24init_0(difference_0 * sign_0, (at_7 - (difference_0 - part_3) - (ray_13.origin_7[axis_3] + part_3)) * sign_0, abs(ray_13.direction_25[axis_3]), axis_3);
 }
 
 fn Crossing_is_before_0( this_30 : Crossing_0,  other_1 : Crossing_0) -> bool
@@ -4061,61 +4065,61 @@ fn Crossing_is_before_0( this_30 : Crossing_0,  other_1 : Crossing_0) -> bool
         theirs_0[i32(1)] = theirs_0[i32(1)] + other_1.distance_low_0 * this_30.speed_2;
     }
     var difference_1 : f32 = ours_0.x - theirs_0.x + (ours_0.y - theirs_0.y);
-    var _S281 : bool;
+    var _S279 : bool;
     if(difference_1 < 0.0f)
     {
-        _S281 = true;
+        _S279 = true;
     }
     else
     {
         if(difference_1 == 0.0f)
         {
-            _S281 = (this_30.axis_1) < (other_1.axis_1);
+            _S279 = (this_30.axis_1) < (other_1.axis_1);
         }
         else
         {
-            _S281 = false;
+            _S279 = false;
         }
     }
-    return _S281;
+    return _S279;
 }
 
-fn leave_box_0( ray_13 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>,  nearest_1 : vec3<i32>) -> vec3<i32>
+fn leave_box_0( ray_14 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>,  nearest_1 : vec3<i32>) -> vec3<i32>
 {
-    var _S282 : vec3<f32>;
-    var _S283 : f32;
-    var _S284 : bool;
+    var _S280 : vec3<f32>;
+    var _S281 : f32;
+    var _S282 : bool;
     var is_crossed_0 : bool;
     var first_1 : Crossing_0;
+    var _S283 : f32;
+    var _S284 : bool;
     var _S285 : f32;
     var _S286 : bool;
-    var _S287 : f32;
-    var _S288 : bool;
     var plane_2 : i32;
-    var _S289 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
+    var _S287 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
     for(;;)
     {
         for(;;)
         {
             for(;;)
             {
-                _S282 = ray_13.direction_25;
-                _S283 = ray_13.direction_25[u32(0)];
-                var _S290 : bool = (ray_13.direction_25[u32(0)]) == 0.0f;
-                _S284 = _S290;
-                if(_S290)
+                _S280 = ray_14.direction_25;
+                _S281 = ray_14.direction_25[u32(0)];
+                var _S288 : bool = (ray_14.direction_25[u32(0)]) == 0.0f;
+                _S282 = _S288;
+                if(_S288)
                 {
-                    first_1 = _S289;
+                    first_1 = _S287;
                     break;
                 }
-                var crossing_0 : Crossing_0 = crossing_of_0(ray_13, u32(0), exit_0[u32(0)]);
-                if((_S289.axis_1) == u32(3))
+                var crossing_0 : Crossing_0 = crossing_of_0(ray_14, u32(0), exit_0[u32(0)]);
+                if((_S287.axis_1) == u32(3))
                 {
                     is_crossed_0 = true;
                 }
                 else
                 {
-                    is_crossed_0 = Crossing_is_before_0(crossing_0, _S289);
+                    is_crossed_0 = Crossing_is_before_0(crossing_0, _S287);
                 }
                 if(is_crossed_0)
                 {
@@ -4123,7 +4127,7 @@ fn leave_box_0( ray_13 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>, 
                 }
                 else
                 {
-                    first_1 = _S289;
+                    first_1 = _S287;
                 }
                 break;
             }
@@ -4133,14 +4137,14 @@ fn leave_box_0( ray_13 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>, 
         {
             for(;;)
             {
-                _S285 = _S282[u32(1)];
-                var _S291 : bool = (_S282[u32(1)]) == 0.0f;
-                _S286 = _S291;
-                if(_S291)
+                _S283 = _S280[u32(1)];
+                var _S289 : bool = (_S280[u32(1)]) == 0.0f;
+                _S284 = _S289;
+                if(_S289)
                 {
                     break;
                 }
-                var crossing_1 : Crossing_0 = crossing_of_0(ray_13, u32(1), exit_0[u32(1)]);
+                var crossing_1 : Crossing_0 = crossing_of_0(ray_14, u32(1), exit_0[u32(1)]);
                 if((first_1.axis_1) == u32(3))
                 {
                     is_crossed_0 = true;
@@ -4161,14 +4165,14 @@ fn leave_box_0( ray_13 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>, 
         {
             for(;;)
             {
-                _S287 = _S282[u32(2)];
-                var _S292 : bool = (_S282[u32(2)]) == 0.0f;
-                _S288 = _S292;
-                if(_S292)
+                _S285 = _S280[u32(2)];
+                var _S290 : bool = (_S280[u32(2)]) == 0.0f;
+                _S286 = _S290;
+                if(_S290)
                 {
                     break;
                 }
-                var crossing_2 : Crossing_0 = crossing_of_0(ray_13, u32(2), exit_0[u32(2)]);
+                var crossing_2 : Crossing_0 = crossing_of_0(ray_14, u32(2), exit_0[u32(2)]);
                 if((first_1.axis_1) == u32(3))
                 {
                     is_crossed_0 = true;
@@ -4194,20 +4198,20 @@ fn leave_box_0( ray_13 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>, 
         {
             for(;;)
             {
-                if(_S284)
+                if(_S282)
                 {
                     break;
                 }
-                var _S293 : bool = u32(0) == (first_1.axis_1);
-                if(_S293)
+                var _S291 : bool = u32(0) == (first_1.axis_1);
+                if(_S291)
                 {
                     is_crossed_0 = true;
                 }
                 else
                 {
-                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_13, u32(0), nearest_1[u32(0)]), first_1);
+                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_14, u32(0), nearest_1[u32(0)]), first_1);
                 }
-                if(_S293)
+                if(_S291)
                 {
                     plane_2 = exit_0[u32(0)];
                 }
@@ -4215,7 +4219,37 @@ fn leave_box_0( ray_13 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>, 
                 {
                     plane_2 = nearest_1[u32(0)];
                 }
-                arrival_0[u32(0)] = plane_2 - i32(is_crossed_0 == (_S283 < 0.0f));
+                arrival_0[u32(0)] = plane_2 - i32(is_crossed_0 == (_S281 < 0.0f));
+                break;
+            }
+            break;
+        }
+        for(;;)
+        {
+            for(;;)
+            {
+                if(_S284)
+                {
+                    break;
+                }
+                var _S292 : bool = u32(1) == (first_1.axis_1);
+                if(_S292)
+                {
+                    is_crossed_0 = true;
+                }
+                else
+                {
+                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_14, u32(1), nearest_1[u32(1)]), first_1);
+                }
+                if(_S292)
+                {
+                    plane_2 = exit_0[u32(1)];
+                }
+                else
+                {
+                    plane_2 = nearest_1[u32(1)];
+                }
+                arrival_0[u32(1)] = plane_2 - i32(is_crossed_0 == (_S283 < 0.0f));
                 break;
             }
             break;
@@ -4228,46 +4262,16 @@ fn leave_box_0( ray_13 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>, 
                 {
                     break;
                 }
-                var _S294 : bool = u32(1) == (first_1.axis_1);
-                if(_S294)
+                var _S293 : bool = u32(2) == (first_1.axis_1);
+                if(_S293)
                 {
                     is_crossed_0 = true;
                 }
                 else
                 {
-                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_13, u32(1), nearest_1[u32(1)]), first_1);
+                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_14, u32(2), nearest_1[u32(2)]), first_1);
                 }
-                if(_S294)
-                {
-                    plane_2 = exit_0[u32(1)];
-                }
-                else
-                {
-                    plane_2 = nearest_1[u32(1)];
-                }
-                arrival_0[u32(1)] = plane_2 - i32(is_crossed_0 == (_S285 < 0.0f));
-                break;
-            }
-            break;
-        }
-        for(;;)
-        {
-            for(;;)
-            {
-                if(_S288)
-                {
-                    break;
-                }
-                var _S295 : bool = u32(2) == (first_1.axis_1);
-                if(_S295)
-                {
-                    is_crossed_0 = true;
-                }
-                else
-                {
-                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_13, u32(2), nearest_1[u32(2)]), first_1);
-                }
-                if(_S295)
+                if(_S293)
                 {
                     plane_2 = exit_0[u32(2)];
                 }
@@ -4275,7 +4279,7 @@ fn leave_box_0( ray_13 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>, 
                 {
                     plane_2 = nearest_1[u32(2)];
                 }
-                arrival_0[u32(2)] = plane_2 - i32(is_crossed_0 == (_S287 < 0.0f));
+                arrival_0[u32(2)] = plane_2 - i32(is_crossed_0 == (_S285 < 0.0f));
                 break;
             }
             break;
@@ -4322,9 +4326,9 @@ fn Walk_enter_rounded_0( this_32 : Walk_0,  voxel_10 : ptr<function, vec3<i32>>,
             return false;
         }
         var is_x_0 : bool = (t_7.x) == t_last_0;
-        var _S296 : bool = !is_x_0;
+        var _S294 : bool = !is_x_0;
         var is_y_0 : bool;
-        if(_S296)
+        if(_S294)
         {
             is_y_0 = (t_7.y) == t_last_0;
         }
@@ -4332,16 +4336,16 @@ fn Walk_enter_rounded_0( this_32 : Walk_0,  voxel_10 : ptr<function, vec3<i32>>,
         {
             is_y_0 = false;
         }
-        var _S297 : bool;
-        if(_S296)
+        var _S295 : bool;
+        if(_S294)
         {
-            _S297 = !is_y_0;
+            _S295 = !is_y_0;
         }
         else
         {
-            _S297 = false;
+            _S295 = false;
         }
-        var is_axis_2 : vec3<bool> = vec3<bool>(is_x_0, is_y_0, _S297);
+        var is_axis_2 : vec3<bool> = vec3<bool>(is_x_0, is_y_0, _S295);
         (*voxel_10) = Walk_arrive_0(this_32, (*voxel_10), t_last_0, is_axis_2, select(vec3<i32>(i32(1073741823)), near_1, is_axis_2));
     }
     return (all(((*voxel_10) < far_1)));
@@ -4368,8 +4372,8 @@ fn Walk_leave_0( this_34 : Walk_0,  voxel_12 : ptr<function, vec3<i32>>,  exit_3
 {
     if(!IS_EXACT_0)
     {
-        var _S298 : bool = Walk_leave_rounded_0(this_34, &((*voxel_12)), exit_3);
-        return _S298;
+        var _S296 : bool = Walk_leave_rounded_0(this_34, &((*voxel_12)), exit_3);
+        return _S296;
     }
     var t_9 : vec3<f32> = Walk_crossings_0(this_34, exit_3);
     var t_first_1 : f32 = min_element_0(t_9);
@@ -4378,9 +4382,9 @@ fn Walk_leave_0( this_34 : Walk_0,  voxel_12 : ptr<function, vec3<i32>>,  exit_3
         return false;
     }
     var is_x_1 : bool = (t_9.x) == t_first_1;
-    var _S299 : bool = !is_x_1;
+    var _S297 : bool = !is_x_1;
     var is_y_1 : bool;
-    if(_S299)
+    if(_S297)
     {
         is_y_1 = (t_9.y) == t_first_1;
     }
@@ -4392,25 +4396,25 @@ fn Walk_leave_0( this_34 : Walk_0,  voxel_12 : ptr<function, vec3<i32>>,  exit_3
     var nearest_3 : vec3<f32> = round(back_0);
     var from_nearest_2 : vec3<f32> = back_0 - nearest_3;
     var planes_2 : vec3<i32> = exit_3 - vec3<i32>(min(nearest_3, vec3<f32>(4.194304e+06f)));
-    var _S300 : vec3<i32> = planes_2 - vec3<i32>(from_nearest_2 > vec3<f32>(0.0f));
-    var _S301 : vec3<bool> = (abs(from_nearest_2)) <= (this_34.tolerance_0);
-    var _S302 : bool;
-    if(_S299)
+    var _S298 : vec3<i32> = planes_2 - vec3<i32>(from_nearest_2 > vec3<f32>(0.0f));
+    var _S299 : vec3<bool> = (abs(from_nearest_2)) <= (this_34.tolerance_0);
+    var _S300 : bool;
+    if(_S297)
     {
-        _S302 = !is_y_1;
+        _S300 = !is_y_1;
     }
     else
     {
-        _S302 = false;
+        _S300 = false;
     }
     var arrival_1 : vec3<i32>;
-    if((any((select(vec3<bool>(false), !vec3<bool>(is_x_1, is_y_1, _S302), _S301)))))
+    if((any((select(vec3<bool>(false), !vec3<bool>(is_x_1, is_y_1, _S300), _S299)))))
     {
         arrival_1 = Walk_mirrored_0(this_34, leave_box_0(this_34.ray_10, Walk_mirrored_0(this_34, (*voxel_12)) + this_34.grid_origin_0, Walk_mirrored_plane_0(this_34, exit_3) + this_34.grid_origin_0, Walk_mirrored_plane_0(this_34, planes_2) + this_34.grid_origin_0) - this_34.grid_origin_0);
     }
     else
     {
-        arrival_1 = _S300;
+        arrival_1 = _S298;
     }
     (*voxel_12) = select(max(arrival_1, (*voxel_12)), (*voxel_12), (this_34.speed_1) == vec3<f32>(0.0f));
     return true;
@@ -4418,44 +4422,44 @@ fn Walk_leave_0( this_34 : Walk_0,  voxel_12 : ptr<function, vec3<i32>>,  exit_3
 
 fn Walk_enter_0( this_35 : Walk_0,  voxel_13 : ptr<function, vec3<i32>>,  low_11 : vec3<i32>,  high_4 : vec3<i32>) -> bool
 {
-    var _S303 : bool;
+    var _S301 : bool;
     var is_mirrored_0 : vec3<bool> = (this_35.mirror_0) != vec3<i32>(i32(0));
     var near_2 : vec3<i32> = select(low_11, (vec3<i32>(0) - high_4), is_mirrored_0);
     var far_2 : vec3<i32> = select(high_4, (vec3<i32>(0) - low_11), is_mirrored_0);
     if(!IS_EXACT_0)
     {
-        var _S304 : bool = Walk_enter_rounded_0(this_35, &((*voxel_13)), near_2, far_2);
-        return _S304;
+        var _S302 : bool = Walk_enter_rounded_0(this_35, &((*voxel_13)), near_2, far_2);
+        return _S302;
     }
     var axis_4 : u32 = u32(0);
     for(;;)
     {
         if(axis_4 < u32(3))
         {
-            _S303 = (any(((*voxel_13) < near_2)));
+            _S301 = (any(((*voxel_13) < near_2)));
+        }
+        else
+        {
+            _S301 = false;
+        }
+        var _S303 : bool;
+        if(_S301)
+        {
+            _S303 = (all(((*voxel_13) < far_2)));
         }
         else
         {
             _S303 = false;
         }
-        var _S305 : bool;
         if(_S303)
-        {
-            _S305 = (all(((*voxel_13) < far_2)));
-        }
-        else
-        {
-            _S305 = false;
-        }
-        if(_S305)
         {
         }
         else
         {
             break;
         }
-        var _S306 : bool = Walk_leave_0(this_35, &((*voxel_13)), select(far_2, near_2, (*voxel_13) < near_2));
-        if(!_S306)
+        var _S304 : bool = Walk_leave_0(this_35, &((*voxel_13)), select(far_2, near_2, (*voxel_13) < near_2));
+        if(!_S304)
         {
             return false;
         }
@@ -4463,13 +4467,13 @@ fn Walk_enter_0( this_35 : Walk_0,  voxel_13 : ptr<function, vec3<i32>>,  low_11
     }
     if((all(((*voxel_13) >= near_2))))
     {
-        _S303 = (all(((*voxel_13) < far_2)));
+        _S301 = (all(((*voxel_13) < far_2)));
     }
     else
     {
-        _S303 = false;
+        _S301 = false;
     }
-    return _S303;
+    return _S301;
 }
 
 fn LocalRay_octant_0( this_36 : LocalRay_0) -> u32
@@ -4498,16 +4502,16 @@ fn ahead_of_0( mirror_1 : vec3<i32>) -> u32
 fn skip_distance_0( cell_3 : u32,  octant_1 : u32) -> u32
 {
     var code_0 : u32 = (((cell_3 >> ((u32(3) * octant_1)))) & (u32(7)));
-    var _S307 : u32;
+    var _S305 : u32;
     if(code_0 < u32(2))
     {
-        _S307 = code_0 + u32(1);
+        _S305 = code_0 + u32(1);
     }
     else
     {
-        _S307 = ((u32(3) + ((code_0 & (u32(1))))) << ((((code_0 >> (u32(1)))) - u32(1))));
+        _S305 = ((u32(3) + ((code_0 & (u32(1))))) << ((((code_0 >> (u32(1)))) - u32(1))));
     }
-    return _S307;
+    return _S305;
 }
 
 fn extents_0( cell_4 : u32,  ahead_0 : u32) -> vec3<i32>
@@ -4522,8 +4526,8 @@ fn blocks_of_cell_0( cell_5 : u32) -> u32
 
 fn blocks_of_record_0( record_1 : u32) -> u32
 {
-    var _S308 : u32 = brick_word_0(record_1);
-    return (_S308 & (u32(255)));
+    var _S306 : u32 = brick_word_0(record_1);
+    return (_S306 & (u32(255)));
 }
 
 fn empty_around_0( record_2 : u32,  blocks_0 : u32,  voxel_14 : vec3<i32>,  octant_2 : u32,  flip_0 : u32) -> u32
@@ -4539,24 +4543,24 @@ fn empty_around_0( record_2 : u32,  blocks_0 : u32,  voxel_14 : vec3<i32>,  octa
     {
         return u32(4294967295);
     }
-    var _S309 : i32;
+    var _S307 : i32;
     if(((((half_2 >> (((bit_1 & (u32(10))))))) & (u32(3342387)))) == u32(0))
     {
-        _S309 = i32(1);
+        _S307 = i32(1);
     }
     else
     {
-        _S309 = i32(0);
+        _S307 = i32(0);
     }
-    return u32(_S309);
+    return u32(_S307);
 }
 
 fn Walk_leave_1( this_37 : Walk_0,  voxel_15 : ptr<function, vec3<i32>>,  exit_4 : vec3<i32>) -> bool
 {
     if(!IS_EXACT_0)
     {
-        var _S310 : bool = Walk_leave_rounded_0(this_37, &((*voxel_15)), exit_4);
-        return _S310;
+        var _S308 : bool = Walk_leave_rounded_0(this_37, &((*voxel_15)), exit_4);
+        return _S308;
     }
     var t_10 : vec3<f32> = Walk_crossings_0(this_37, exit_4);
     var t_first_2 : f32 = min_element_0(t_10);
@@ -4565,9 +4569,9 @@ fn Walk_leave_1( this_37 : Walk_0,  voxel_15 : ptr<function, vec3<i32>>,  exit_4
         return false;
     }
     var is_x_2 : bool = (t_10.x) == t_first_2;
-    var _S311 : bool = !is_x_2;
+    var _S309 : bool = !is_x_2;
     var is_y_2 : bool;
-    if(_S311)
+    if(_S309)
     {
         is_y_2 = (t_10.y) == t_first_2;
     }
@@ -4579,43 +4583,45 @@ fn Walk_leave_1( this_37 : Walk_0,  voxel_15 : ptr<function, vec3<i32>>,  exit_4
     var nearest_4 : vec3<f32> = round(back_1);
     var from_nearest_3 : vec3<f32> = back_1 - nearest_4;
     var planes_3 : vec3<i32> = exit_4 - vec3<i32>(min(nearest_4, vec3<f32>(4.194304e+06f)));
-    var _S312 : vec3<i32> = planes_3 - vec3<i32>(from_nearest_3 > vec3<f32>(0.0f));
-    var _S313 : vec3<bool> = (abs(from_nearest_3)) <= (this_37.tolerance_0);
-    var _S314 : bool;
-    if(_S311)
+    var _S310 : vec3<i32> = planes_3 - vec3<i32>(from_nearest_3 > vec3<f32>(0.0f));
+    var _S311 : vec3<bool> = (abs(from_nearest_3)) <= (this_37.tolerance_0);
+    var _S312 : bool;
+    if(_S309)
     {
-        _S314 = !is_y_2;
+        _S312 = !is_y_2;
     }
     else
     {
-        _S314 = false;
+        _S312 = false;
     }
     var arrival_2 : vec3<i32>;
-    if((any((select(vec3<bool>(false), !vec3<bool>(is_x_2, is_y_2, _S314), _S313)))))
+    if((any((select(vec3<bool>(false), !vec3<bool>(is_x_2, is_y_2, _S312), _S311)))))
     {
         arrival_2 = Walk_mirrored_0(this_37, leave_box_0(this_37.ray_10, Walk_mirrored_0(this_37, (*voxel_15)) + this_37.grid_origin_0, Walk_mirrored_plane_0(this_37, exit_4) + this_37.grid_origin_0, Walk_mirrored_plane_0(this_37, planes_3) + this_37.grid_origin_0) - this_37.grid_origin_0);
     }
     else
     {
-        arrival_2 = _S312;
+        arrival_2 = _S310;
     }
     (*voxel_15) = select(max(arrival_2, (*voxel_15)), (*voxel_15), (this_37.speed_1) == vec3<f32>(0.0f));
     return true;
 }
 
-fn first_voxel_0( _S315 : u32,  _S316 : Walk_0,  _S317 : ptr<function, vec3<i32>>) -> bool
+fn first_voxel_0( grid_4 : PackedGrid_0,  walk_1 : Walk_0,  found_0 : ptr<function, vec3<i32>>) -> bool
 {
-    var _S318 : Walk_0 = _S316;
-    var _S319 : vec3<i32> = vec3<i32>(i32(0));
-    (*_S317) = _S319;
-    var voxel_16 : vec3<i32> = Walk_start_voxel_0(_S316);
-    var _S320 : bool = Walk_enter_0(_S316, &(voxel_16), cell_of_0(grids_0[_S315].min_0) - _S318.grid_origin_0, cell_of_0(grids_0[_S315].max_0) - _S318.grid_origin_0);
-    if(!_S320)
+    var _S313 : Walk_0 = walk_1;
+    var _S314 : vec3<i32> = vec3<i32>(i32(0));
+    (*found_0) = _S314;
+    var voxel_16 : vec3<i32> = Walk_start_voxel_0(walk_1);
+    var _S315 : vec3<i32> = cell_of_0(grid_4.min_0);
+    var _S316 : vec3<i32> = cell_of_0(grid_4.max_0);
+    var _S317 : bool = Walk_enter_0(walk_1, &(voxel_16), _S315 - _S313.grid_origin_0, _S316 - _S313.grid_origin_0);
+    if(!_S317)
     {
         return false;
     }
-    var octant_3 : u32 = LocalRay_octant_0(_S318.ray_10);
-    var _S321 : u32 = flip_of_0(octant_3);
+    var octant_3 : u32 = LocalRay_octant_0(_S313.ray_10);
+    var _S318 : u32 = flip_of_0(octant_3);
     var top_shift_2 : u32;
     if(TOP_SHIFT_0 != u32(0))
     {
@@ -4623,18 +4629,33 @@ fn first_voxel_0( _S315 : u32,  _S316 : Walk_0,  _S317 : ptr<function, vec3<i32>
     }
     else
     {
-        top_shift_2 = grids_0[_S315].top_shift_0;
+        top_shift_2 = grid_4.top_shift_0;
     }
-    var top_size_1 : vec3<i32> = cell_of_0(grids_0[_S315].top_size_0);
-    var _S322 : i32 = top_size_1.x;
-    var stride_0 : vec3<i32> = vec3<i32>(i32(1), _S322, _S322 * top_size_1.y);
-    var _S323 : i32 = i32(grids_0[_S315].top_offset_0) - dot_cells_0((stride_0 & ((_S318.mirror_0))), vec3<i32>(i32(1)));
-    var _S324 : vec3<i32> = Walk_mirrored_plane_0(_S318, stride_0);
-    var _S325 : u32 = ahead_of_0(_S318.mirror_0);
-    var end_0 : vec3<i32> = select((top_size_1 << (vec3<u32>(top_shift_2))), _S319, (_S318.mirror_0) != _S319);
+    var top_size_1 : vec3<i32> = cell_of_0(grid_4.top_size_0);
+    var _S319 : i32 = top_size_1.x;
+    var stride_0 : vec3<i32> = vec3<i32>(i32(1), _S319, _S319 * top_size_1.y);
+    var _S320 : i32 = i32(grid_4.top_offset_0) - dot_cells_0((stride_0 & ((_S313.mirror_0))), vec3<i32>(i32(1)));
+    var _S321 : vec3<i32> = Walk_mirrored_plane_0(_S313, stride_0);
+    var _S322 : u32 = ahead_of_0(_S313.mirror_0);
+    var end_0 : vec3<i32> = select((top_size_1 << (vec3<u32>(top_shift_2))), _S314, (_S313.mirror_0) != _S314);
     if(!IS_EXACT_0)
     {
-        _S318.t_end_0 = min(_S318.t_end_0, min_element_0(Walk_crossings_0(_S318, end_0)));
+        _S313.t_end_0 = min(_S313.t_end_0, min_element_0(Walk_crossings_0(_S313, end_0)));
+    }
+    if(!IS_SINGLE_0)
+    {
+        var _S323 : f32 = _S313.t_end_0;
+        var _S324 : f32 = min_element_0(Walk_crossings_0(_S313, Walk_mirrored_plane_0(_S313, select(_S316, _S315, (_S313.mirror_0) != _S314) - _S313.grid_origin_0)));
+        var _S325 : f32;
+        if(IS_EXACT_0)
+        {
+            _S325 = 1.00000095367431641f;
+        }
+        else
+        {
+            _S325 = 1.0f;
+        }
+        _S313.t_end_0 = min(_S323, _S324 * _S325);
     }
     var is_found_2 : bool = false;
     for(;;)
@@ -4652,7 +4673,7 @@ fn first_voxel_0( _S315 : u32,  _S316 : Walk_0,  _S317 : ptr<function, vec3<i32>
         {
             break;
         }
-        var cell_6 : u32 = cell_word_0(u32(_S323 + dot_cells_0(_S324, (voxel_16 >> (vec3<u32>(top_shift_2))))));
+        var cell_6 : u32 = cell_word_0(u32(_S320 + dot_cells_0(_S321, (voxel_16 >> (vec3<u32>(top_shift_2))))));
         var cell_7 : u32;
         var shift_4 : u32;
         var is_found_3 : bool;
@@ -4660,7 +4681,7 @@ fn first_voxel_0( _S315 : u32,  _S316 : Walk_0,  _S317 : ptr<function, vec3<i32>
         {
             if(((cell_6 & (u32(2147483648)))) != u32(0))
             {
-                var _S327 : u32 = cell_word_0(((cell_6 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_16, u32(3))) ^ (_S321))));
+                var _S327 : u32 = cell_word_0(((cell_6 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_16, u32(3))) ^ (_S318))));
                 cell_7 = _S327;
                 shift_4 = u32(3);
             }
@@ -4701,7 +4722,7 @@ fn first_voxel_0( _S315 : u32,  _S316 : Walk_0,  _S317 : ptr<function, vec3<i32>
                     break;
                 }
                 var shift_5 : u32 = shift_4 - u32(2);
-                var _S329 : u32 = cell_word_0(((cell_7 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_16, shift_5)) ^ (_S321))));
+                var _S329 : u32 = cell_word_0(((cell_7 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_16, shift_5)) ^ (_S318))));
                 cell_7 = _S329;
                 shift_4 = shift_5;
             }
@@ -4719,7 +4740,7 @@ fn first_voxel_0( _S315 : u32,  _S316 : Walk_0,  _S317 : ptr<function, vec3<i32>
             }
             else
             {
-                exit_5 = extents_0(cell_7, _S325);
+                exit_5 = extents_0(cell_7, _S322);
             }
             exit_5 = ((voxel_16 | (vec3<i32>((((i32(1) << (shift_4))) - i32(1)))))) + vec3<i32>(i32(1)) + ((exit_5 << (vec3<u32>(shift_4))));
             is_found_3 = is_found_2;
@@ -4737,7 +4758,7 @@ fn first_voxel_0( _S315 : u32,  _S316 : Walk_0,  _S317 : ptr<function, vec3<i32>
                 var _S330 : u32 = blocks_of_record_0(record_3);
                 blocks_1 = _S330;
             }
-            var low_bits_0 : u32 = empty_around_0(record_3, blocks_1, voxel_16, octant_3, _S321);
+            var low_bits_0 : u32 = empty_around_0(record_3, blocks_1, voxel_16, octant_3, _S318);
             var is_found_4 : bool = low_bits_0 == u32(4294967295);
             if(is_found_4)
             {
@@ -4747,7 +4768,7 @@ fn first_voxel_0( _S315 : u32,  _S316 : Walk_0,  _S317 : ptr<function, vec3<i32>
             exit_5 = ((voxel_16 | (vec3<i32>(i32(low_bits_0))))) + vec3<i32>(i32(1));
             is_found_3 = is_found_4;
         }
-        var _S331 : bool = Walk_leave_1(_S318, &(voxel_16), exit_5);
+        var _S331 : bool = Walk_leave_1(_S313, &(voxel_16), exit_5);
         if(!_S331)
         {
             is_found_2 = is_found_3;
@@ -4755,17 +4776,17 @@ fn first_voxel_0( _S315 : u32,  _S316 : Walk_0,  _S317 : ptr<function, vec3<i32>
         }
         is_found_2 = is_found_3;
     }
-    (*_S317) = Walk_mirrored_0(_S318, voxel_16) + _S318.grid_origin_0;
+    (*found_0) = Walk_mirrored_0(_S313, voxel_16) + _S313.grid_origin_0;
     return is_found_2;
 }
 
-fn ray_of_walk_0( walk_1 : Walk_0,  ray_14 : Ray_0) -> Ray_0
+fn ray_of_walk_0( walk_2 : Walk_0,  ray_15 : Ray_0) -> Ray_0
 {
-    var is_mirrored_1 : vec3<bool> = (walk_1.mirror_0) != vec3<i32>(i32(0));
-    return Ray_x24init_0(select(walk_1.origin_9, (vec3<f32>(0) - walk_1.origin_9), is_mirrored_1) + vec3<f32>(walk_1.grid_origin_0), ray_14.t_min_0, select(walk_1.speed_1, (vec3<f32>(0) - walk_1.speed_1), is_mirrored_1), ray_14.t_max_0);
+    var is_mirrored_1 : vec3<bool> = (walk_2.mirror_0) != vec3<i32>(i32(0));
+    return Ray_x24init_0(select(walk_2.origin_9, (vec3<f32>(0) - walk_2.origin_9), is_mirrored_1) + vec3<f32>(walk_2.grid_origin_0), ray_15.t_min_0, select(walk_2.speed_1, (vec3<f32>(0) - walk_2.speed_1), is_mirrored_1), ray_15.t_max_0);
 }
 
-fn hit_of_0( ray_15 : LocalRay_0,  voxel_17 : vec3<i32>,  instance_7 : u32) -> Hit_0
+fn hit_of_0( ray_16 : LocalRay_0,  voxel_17 : vec3<i32>,  instance_7 : u32) -> Hit_0
 {
     var _S332 : vec3<f32>;
     var _S333 : bool;
@@ -4777,13 +4798,13 @@ fn hit_of_0( ray_15 : LocalRay_0,  voxel_17 : vec3<i32>,  instance_7 : u32) -> H
         {
             for(;;)
             {
-                _S332 = ray_15.direction_25;
-                if((ray_15.direction_25[u32(0)]) == 0.0f)
+                _S332 = ray_16.direction_25;
+                if((ray_16.direction_25[u32(0)]) == 0.0f)
                 {
                     last_5 = _S334;
                     break;
                 }
-                var crossing_3 : Crossing_0 = crossing_of_0(ray_15, u32(0), voxel_17[u32(0)] + i32((ray_15.direction_25[u32(0)]) < 0.0f));
+                var crossing_3 : Crossing_0 = crossing_of_0(ray_16, u32(0), voxel_17[u32(0)] + i32((ray_16.direction_25[u32(0)]) < 0.0f));
                 if((_S334.axis_1) == u32(3))
                 {
                     _S333 = true;
@@ -4813,7 +4834,7 @@ fn hit_of_0( ray_15 : LocalRay_0,  voxel_17 : vec3<i32>,  instance_7 : u32) -> H
                 {
                     break;
                 }
-                var crossing_4 : Crossing_0 = crossing_of_0(ray_15, u32(1), voxel_17[u32(1)] + i32((_S335[u32(1)]) < 0.0f));
+                var crossing_4 : Crossing_0 = crossing_of_0(ray_16, u32(1), voxel_17[u32(1)] + i32((_S335[u32(1)]) < 0.0f));
                 if((last_5.axis_1) == u32(3))
                 {
                     _S333 = true;
@@ -4839,7 +4860,7 @@ fn hit_of_0( ray_15 : LocalRay_0,  voxel_17 : vec3<i32>,  instance_7 : u32) -> H
                 {
                     break;
                 }
-                var crossing_5 : Crossing_0 = crossing_of_0(ray_15, u32(2), voxel_17[u32(2)] + i32((_S336[u32(2)]) < 0.0f));
+                var crossing_5 : Crossing_0 = crossing_of_0(ray_16, u32(2), voxel_17[u32(2)] + i32((_S336[u32(2)]) < 0.0f));
                 if((last_5.axis_1) == u32(3))
                 {
                     _S333 = true;
@@ -4860,22 +4881,22 @@ fn hit_of_0( ray_15 : LocalRay_0,  voxel_17 : vec3<i32>,  instance_7 : u32) -> H
     }
     var _S337 : Crossing_0 = last_5;
     var is_negative_1 : bool = (_S332[last_5.axis_1]) < 0.0f;
-    var t_11 : f32 = (f32(voxel_17[last_5.axis_1] + i32(is_negative_1)) - ray_15.origin_7[last_5.axis_1]) * ray_15.inverse_0[last_5.axis_1];
+    var t_11 : f32 = (f32(voxel_17[last_5.axis_1] + i32(is_negative_1)) - ray_16.origin_7[last_5.axis_1]) * ray_16.inverse_0[last_5.axis_1];
     var _S338 : f32;
-    if(t_11 > (ray_15.t_min_2))
+    if(t_11 > (ray_16.t_min_2))
     {
         _S338 = t_11;
     }
     else
     {
-        _S338 = ray_15.t_min_2;
+        _S338 = ray_16.t_min_2;
     }
     return Hit_x24init_0(_S338, instance_7, voxel_17, u32(2) * _S337.axis_1 + u32(is_negative_1));
 }
 
-fn hit_of_walk_0( walk_2 : Walk_0,  voxel_18 : vec3<i32>,  instance_8 : u32) -> Hit_0
+fn hit_of_walk_0( walk_3 : Walk_0,  voxel_18 : vec3<i32>,  instance_8 : u32) -> Hit_0
 {
-    var t_12 : vec3<f32> = Walk_crossings_0(walk_2, Walk_mirrored_0(walk_2, voxel_18 - walk_2.grid_origin_0));
+    var t_12 : vec3<f32> = Walk_crossings_0(walk_3, Walk_mirrored_0(walk_3, voxel_18 - walk_3.grid_origin_0));
     var last_6 : f32 = max_element_0(t_12);
     var _S339 : i32;
     if((t_12.z) == last_6)
@@ -4894,33 +4915,33 @@ fn hit_of_walk_0( walk_2 : Walk_0,  voxel_18 : vec3<i32>,  instance_8 : u32) -> 
         }
     }
     var axis_5 : u32 = u32(_S339);
-    return Hit_x24init_0(max(last_6, walk_2.ray_10.t_min_2), instance_8, voxel_18, u32(2) * axis_5 + u32((walk_2.mirror_0[axis_5]) != i32(0)));
+    return Hit_x24init_0(max(last_6, walk_3.ray_10.t_min_2), instance_8, voxel_18, u32(2) * axis_5 + u32((walk_3.mirror_0[axis_5]) != i32(0)));
 }
 
-fn hit_in_0( instance_9 : u32,  ray_16 : ptr<function, Ray_0>) -> Hit_0
+fn hit_in_0( instance_9 : u32,  grid_5 : PackedGrid_0,  ray_17 : ptr<function, Ray_0>) -> Hit_0
 {
-    var _S340 : LocalRay_0 = local_ray_0((*ray_16), instance_9);
+    var _S340 : LocalRay_0 = local_ray_0((*ray_17), instance_9);
     if(!_S340.is_valid_0)
     {
         return miss_0();
     }
-    var _S341 : Walk_0 = walk_of_0(_S340, instances_0[instance_9].grid_0);
+    var walk_4 : Walk_0 = walk_of_0(_S340, grid_5);
     var voxel_19 : vec3<i32>;
-    var _S342 : bool = first_voxel_0(instances_0[instance_9].grid_0, _S341, &(voxel_19));
-    var _S343 : bool;
+    var is_found_5 : bool = first_voxel_0(grid_5, walk_4, &(voxel_19));
+    var _S341 : bool;
     if(IS_SINGLE_0)
     {
-        _S343 = !IS_EXACT_0;
+        _S341 = !IS_EXACT_0;
     }
     else
     {
-        _S343 = false;
+        _S341 = false;
     }
-    if(_S343)
+    if(_S341)
     {
-        (*ray_16) = ray_of_walk_0(_S341, (*ray_16));
+        (*ray_17) = ray_of_walk_0(walk_4, (*ray_17));
     }
-    if(!_S342)
+    if(!is_found_5)
     {
         return miss_0();
     }
@@ -4931,161 +4952,540 @@ fn hit_in_0( instance_9 : u32,  ray_16 : ptr<function, Ray_0>) -> Hit_0
     }
     else
     {
-        hit_7 = hit_of_walk_0(_S341, voxel_19, instance_9);
+        hit_7 = hit_of_walk_0(walk_4, voxel_19, instance_9);
     }
-    if((hit_7.t_0) > ((*ray_16).t_max_0))
+    if((hit_7.t_0) > ((*ray_17).t_max_0))
     {
         return miss_0();
     }
     return hit_7;
 }
 
-fn entry_0( _S344 : u32,  _S345 : Ray_0,  _S346 : vec3<f32>) -> f32
+fn walk_of_1( _S342 : LocalRay_0,  _S343 : u32) -> Walk_0
 {
-    var low_12 : vec3<f32> = (vector_of_0(instance_nodes_0[_S344].min_1) - _S345.origin_2) * _S346;
-    var high_5 : vec3<f32> = (vector_of_0(instance_nodes_0[_S344].max_1) - _S345.origin_2) * _S346;
-    var _S347 : f32 = max(_S345.t_min_0, max_element_0(min(low_12, high_5)));
-    var _S348 : f32;
-    if(_S347 <= (min(_S345.t_max_0, min_element_0(max(low_12, high_5)))))
+    var walk_5 : Walk_0;
+    walk_5.ray_10 = _S342;
+    walk_5.grid_origin_0 = cell_of_0(grids_0[_S343].origin_0);
+    var is_negative_2 : vec3<bool> = (_S342.direction_25) < vec3<f32>(0.0f);
+    var _S344 : vec3<i32> = vec3<i32>(i32(0));
+    walk_5.mirror_0 = select(_S344, vec3<i32>(i32(-1)), is_negative_2);
+    var _S345 : vec3<i32>;
+    if(IS_EXACT_0)
     {
-        _S348 = _S347;
+        _S345 = Walk_mirrored_plane_0(walk_5, walk_5.grid_origin_0);
     }
     else
     {
-        _S348 = (bitcast<f32>((u32(2139095040))));
+        _S345 = _S344;
     }
-    return _S348;
+    walk_5.offset_0 = _S345;
+    var origin_11 : vec3<f32>;
+    if(IS_EXACT_0)
+    {
+        origin_11 = _S342.origin_7;
+    }
+    else
+    {
+        origin_11 = _S342.origin_7 - vec3<f32>(walk_5.grid_origin_0);
+    }
+    walk_5.origin_9 = select(origin_11, (vec3<f32>(0) - origin_11), is_negative_2);
+    walk_5.speed_1 = max(abs(_S342.direction_25), vec3<f32>(min_abs_direction_0()));
+    if(IS_EXACT_0)
+    {
+        origin_11 = abs(_S342.inverse_0);
+    }
+    else
+    {
+        origin_11 = vec3<f32>(1.0f) / walk_5.speed_1;
+    }
+    walk_5.inverse_1 = origin_11;
+    var top_shift_3 : u32;
+    if(TOP_SHIFT_0 != u32(0))
+    {
+        top_shift_3 = TOP_SHIFT_0;
+    }
+    else
+    {
+        top_shift_3 = grids_0[_S343].top_shift_0;
+    }
+    walk_5.tolerance_0 = LocalRay_tolerance_0(_S342, walk_5.grid_origin_0, walk_5.grid_origin_0 + (((cell_of_0(grids_0[_S343].top_size_0)) << (vec3<u32>(top_shift_3)))));
+    walk_5.t_end_0 = LocalRay_t_end_0(_S342);
+    return walk_5;
 }
 
-fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_1 : u32) -> Hit_0
+fn first_voxel_1( _S346 : u32,  _S347 : Walk_0,  _S348 : ptr<function, vec3<i32>>) -> bool
 {
+    var _S349 : Walk_0 = _S347;
+    var _S350 : vec3<i32> = vec3<i32>(i32(0));
+    (*_S348) = _S350;
+    var voxel_20 : vec3<i32> = Walk_start_voxel_0(_S347);
+    var _S351 : vec3<i32> = cell_of_0(grids_0[_S346].min_0);
+    var _S352 : vec3<i32> = cell_of_0(grids_0[_S346].max_0);
+    var _S353 : bool = Walk_enter_0(_S347, &(voxel_20), _S351 - _S349.grid_origin_0, _S352 - _S349.grid_origin_0);
+    if(!_S353)
+    {
+        return false;
+    }
+    var octant_4 : u32 = LocalRay_octant_0(_S349.ray_10);
+    var _S354 : u32 = flip_of_0(octant_4);
+    var top_shift_4 : u32;
+    if(TOP_SHIFT_0 != u32(0))
+    {
+        top_shift_4 = TOP_SHIFT_0;
+    }
+    else
+    {
+        top_shift_4 = grids_0[_S346].top_shift_0;
+    }
+    var top_size_2 : vec3<i32> = cell_of_0(grids_0[_S346].top_size_0);
+    var _S355 : i32 = top_size_2.x;
+    var stride_1 : vec3<i32> = vec3<i32>(i32(1), _S355, _S355 * top_size_2.y);
+    var _S356 : i32 = i32(grids_0[_S346].top_offset_0) - dot_cells_0((stride_1 & ((_S349.mirror_0))), vec3<i32>(i32(1)));
+    var _S357 : vec3<i32> = Walk_mirrored_plane_0(_S349, stride_1);
+    var _S358 : u32 = ahead_of_0(_S349.mirror_0);
+    var end_1 : vec3<i32> = select((top_size_2 << (vec3<u32>(top_shift_4))), _S350, (_S349.mirror_0) != _S350);
+    if(!IS_EXACT_0)
+    {
+        _S349.t_end_0 = min(_S349.t_end_0, min_element_0(Walk_crossings_0(_S349, end_1)));
+    }
+    if(!IS_SINGLE_0)
+    {
+        var _S359 : f32 = _S349.t_end_0;
+        var _S360 : f32 = min_element_0(Walk_crossings_0(_S349, Walk_mirrored_plane_0(_S349, select(_S352, _S351, (_S349.mirror_0) != _S350) - _S349.grid_origin_0)));
+        var _S361 : f32;
+        if(IS_EXACT_0)
+        {
+            _S361 = 1.00000095367431641f;
+        }
+        else
+        {
+            _S361 = 1.0f;
+        }
+        _S349.t_end_0 = min(_S359, _S360 * _S361);
+    }
+    var is_found_6 : bool = false;
+    for(;;)
+    {
+        var _S362 : bool;
+        if(IS_EXACT_0)
+        {
+            _S362 = (any((voxel_20 >= end_1)));
+        }
+        else
+        {
+            _S362 = false;
+        }
+        if(_S362)
+        {
+            break;
+        }
+        var cell_8 : u32 = cell_word_0(u32(_S356 + dot_cells_0(_S357, (voxel_20 >> (vec3<u32>(top_shift_4))))));
+        var cell_9 : u32;
+        var shift_6 : u32;
+        var is_found_7 : bool;
+        if(TOP_SHIFT_0 == u32(5))
+        {
+            if(((cell_8 & (u32(2147483648)))) != u32(0))
+            {
+                var _S363 : u32 = cell_word_0(((cell_8 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_20, u32(3))) ^ (_S354))));
+                cell_9 = _S363;
+                shift_6 = u32(3);
+            }
+            else
+            {
+                cell_9 = cell_8;
+                shift_6 = top_shift_4;
+            }
+        }
+        else
+        {
+            cell_9 = cell_8;
+            shift_6 = top_shift_4;
+            for(;;)
+            {
+                if(TOP_SHIFT_0 != u32(3))
+                {
+                    is_found_7 = shift_6 > u32(3);
+                }
+                else
+                {
+                    is_found_7 = false;
+                }
+                var _S364 : bool;
+                if(is_found_7)
+                {
+                    _S364 = ((cell_9 & (u32(2147483648)))) != u32(0);
+                }
+                else
+                {
+                    _S364 = false;
+                }
+                if(_S364)
+                {
+                }
+                else
+                {
+                    break;
+                }
+                var shift_7 : u32 = shift_6 - u32(2);
+                var _S365 : u32 = cell_word_0(((cell_9 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_20, shift_7)) ^ (_S354))));
+                cell_9 = _S365;
+                shift_6 = shift_7;
+            }
+        }
+        if(waits_for_pages_0())
+        {
+            break;
+        }
+        var exit_6 : vec3<i32>;
+        if(((cell_9 & (u32(2147483648)))) == u32(0))
+        {
+            if(CELLS_SKIP_0)
+            {
+                exit_6 = vec3<i32>((i32(skip_distance_0(cell_9, octant_4)) - i32(1)));
+            }
+            else
+            {
+                exit_6 = extents_0(cell_9, _S358);
+            }
+            exit_6 = ((voxel_20 | (vec3<i32>((((i32(1) << (shift_6))) - i32(1)))))) + vec3<i32>(i32(1)) + ((exit_6 << (vec3<u32>(shift_6))));
+            is_found_7 = is_found_6;
+        }
+        else
+        {
+            var record_4 : u32 = record_of_cell_0(cell_9);
+            var blocks_2 : u32;
+            if(CELLS_HAVE_BLOCKS_0)
+            {
+                blocks_2 = blocks_of_cell_0(cell_9);
+            }
+            else
+            {
+                var _S366 : u32 = blocks_of_record_0(record_4);
+                blocks_2 = _S366;
+            }
+            var low_bits_1 : u32 = empty_around_0(record_4, blocks_2, voxel_20, octant_4, _S354);
+            var is_found_8 : bool = low_bits_1 == u32(4294967295);
+            if(is_found_8)
+            {
+                is_found_6 = is_found_8;
+                break;
+            }
+            exit_6 = ((voxel_20 | (vec3<i32>(i32(low_bits_1))))) + vec3<i32>(i32(1));
+            is_found_7 = is_found_8;
+        }
+        var _S367 : bool = Walk_leave_1(_S349, &(voxel_20), exit_6);
+        if(!_S367)
+        {
+            is_found_6 = is_found_7;
+            break;
+        }
+        is_found_6 = is_found_7;
+    }
+    (*_S348) = Walk_mirrored_0(_S349, voxel_20) + _S349.grid_origin_0;
+    return is_found_6;
+}
+
+fn hit_in_1( _S368 : u32,  _S369 : u32,  _S370 : ptr<function, Ray_0>) -> Hit_0
+{
+    var _S371 : LocalRay_0 = local_ray_0((*_S370), _S368);
+    if(!_S371.is_valid_0)
+    {
+        return miss_0();
+    }
+    var _S372 : Walk_0 = walk_of_1(_S371, _S369);
+    var voxel_21 : vec3<i32>;
+    var _S373 : bool = first_voxel_1(_S369, _S372, &(voxel_21));
+    var _S374 : bool;
     if(IS_SINGLE_0)
     {
-        var _S349 : Hit_0 = hit_in_0(u32(0), &((*given_0)));
-        return _S349;
+        _S374 = !IS_EXACT_0;
     }
-    var ray_17 : Ray_0 = (*given_0);
+    else
+    {
+        _S374 = false;
+    }
+    if(_S374)
+    {
+        (*_S370) = ray_of_walk_0(_S372, (*_S370));
+    }
+    if(!_S373)
+    {
+        return miss_0();
+    }
+    var hit_8 : Hit_0;
+    if(IS_EXACT_0)
+    {
+        hit_8 = hit_of_0(_S371, voxel_21, _S368);
+    }
+    else
+    {
+        hit_8 = hit_of_walk_0(_S372, voxel_21, _S368);
+    }
+    if((hit_8.t_0) > ((*_S370).t_max_0))
+    {
+        return miss_0();
+    }
+    return hit_8;
+}
+
+fn children_of_0( node_12 : u32) -> vec4<u32>
+{
+    return instance_rows_0[node_12 + u32(1)];
+}
+
+fn base_of_0( node_13 : u32) -> vec3<f32>
+{
+    return (bitcast<vec3<f32>>((instance_rows_0[node_13].xyz)));
+}
+
+fn sort_two_0( a_7 : ptr<function, u32>,  b_7 : ptr<function, u32>)
+{
+    var _S375 : u32 = min((*a_7), (*b_7));
+    (*b_7) = max((*a_7), (*b_7));
+    (*a_7) = _S375;
+    return;
+}
+
+fn met_children_0( node_14 : u32,  children_0 : vec4<u32>,  origin_12 : vec3<f32>,  inverse_2 : vec3<f32>,  t_min_3 : f32,  t_max_3 : f32) -> vec4<u32>
+{
+    var _S376 : vec3<f32> = (base_of_0(node_14) - origin_12) * inverse_2;
+    var _S377 : vec4<f32> = vec4<f32>(t_max_3);
+    var enter_0 : vec4<f32> = vec4<f32>(t_min_3);
+    var leave_0 : vec4<f32> = _S377;
+    var axis_6 : u32 = u32(0);
+    for(;;)
+    {
+        if(axis_6 < u32(3))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var sides_0 : vec4<u32> = instance_rows_0[node_14 + u32(2) + axis_6];
+        var _S378 : vec4<f32> = vec4<f32>(inverse_2[axis_6]);
+        var _S379 : vec4<f32> = vec4<f32>(_S376[axis_6]);
+        var low_12 : vec4<f32> = (bitcast<vec4<f32>>(((sides_0 << (vec4<u32>(u32(16))))))) * _S378 + _S379;
+        var high_5 : vec4<f32> = (bitcast<vec4<f32>>(((sides_0 & (vec4<u32>(u32(4294901760))))))) * _S378 + _S379;
+        var _S380 : vec4<f32> = max(enter_0, min(low_12, high_5));
+        var _S381 : vec4<f32> = min(leave_0, max(low_12, high_5));
+        var _S382 : u32 = axis_6 + u32(1);
+        enter_0 = _S380;
+        leave_0 = _S381;
+        axis_6 = _S382;
+    }
+    var _S383 : vec4<u32> = vec4<u32>(u32(4294967295));
+    var keys_0 : vec4<u32> = select(_S383, ((((bitcast<vec4<u32>>((abs(enter_0)))) & (vec4<u32>(u32(4294967292))))) | (vec4<u32>(u32(0), u32(1), u32(2), u32(3)))), select(vec4<bool>(false), children_0 != _S383, enter_0 <= (leave_0 * vec4<f32>(1.00000202655792236f))));
+    var _S384 : u32 = keys_0[i32(0)];
+    var _S385 : u32 = keys_0[i32(1)];
+    sort_two_0(&(_S384), &(_S385));
+    var _S386 : u32 = keys_0[i32(2)];
+    var _S387 : u32 = keys_0[i32(3)];
+    sort_two_0(&(_S386), &(_S387));
+    var _S388 : u32 = _S384;
+    var _S389 : u32 = _S386;
+    sort_two_0(&(_S388), &(_S389));
+    keys_0[i32(0)] = _S388;
+    var _S390 : u32 = _S385;
+    var _S391 : u32 = _S387;
+    sort_two_0(&(_S390), &(_S391));
+    keys_0[i32(3)] = _S391;
+    var _S392 : u32 = _S390;
+    var _S393 : u32 = _S389;
+    sort_two_0(&(_S392), &(_S393));
+    keys_0[i32(1)] = _S392;
+    keys_0[i32(2)] = _S393;
+    return keys_0;
+}
+
+fn child_of_0( children_1 : vec4<u32>,  number_1 : u32) -> u32
+{
+    var half_3 : vec2<u32> = select(children_1.xy, children_1.zw, ((number_1 & (u32(2)))) != u32(0));
+    return select(half_3.x, half_3.y, ((number_1 & (u32(1)))) != u32(0));
+}
+
+fn grid_of_leaf_0( leaf_3 : vec4<u32>) -> PackedGrid_0
+{
+    var _S394 : PackedGrid_std430_0 = grids_0[leaf_3.y];
+    var grid_6 : PackedGrid_0;
+    grid_6.origin_0 = _S394.origin_0;
+    grid_6.top_shift_0 = _S394.top_shift_0;
+    grid_6.top_size_0 = _S394.top_size_0;
+    grid_6.top_offset_0 = _S394.top_offset_0;
+    grid_6.min_0 = _S394.min_0;
+    grid_6.voxels_0 = _S394.voxels_0;
+    grid_6.max_0 = _S394.max_0;
+    grid_6.material_bits_0 = _S394.material_bits_0;
+    var _S395 : u32 = leaf_3.z;
+    if(_S395 != u32(0))
+    {
+        var _S396 : vec4<i32> = vec4<i32>(instance_rows_0[_S395]);
+        var _S397 : vec4<i32> = vec4<i32>(instance_rows_0[_S395 + u32(1)]);
+        var _S398 : i32 = _S396.y;
+        var _S399 : i32 = _S396.z;
+        grid_6.min_0[i32(0)] = _S396.x;
+        grid_6.min_0[i32(1)] = _S398;
+        grid_6.min_0[i32(2)] = _S399;
+        var _S400 : i32 = _S397.y;
+        var _S401 : i32 = _S397.z;
+        grid_6.max_0[i32(0)] = _S397.x;
+        grid_6.max_0[i32(1)] = _S400;
+        grid_6.max_0[i32(2)] = _S401;
+    }
+    return grid_6;
+}
+
+fn is_before_1( hit_9 : Hit_0,  other_2 : Hit_0,  direction_27 : vec3<f32>) -> bool
+{
+    var _S402 : bool;
+    if((hit_9.t_0) != (other_2.t_0))
+    {
+        _S402 = true;
+    }
+    else
+    {
+        _S402 = Hit_is_miss_0(hit_9);
+    }
+    if(_S402)
+    {
+        return (hit_9.t_0) < (other_2.t_0);
+    }
+    if((hit_9.instance_1) != (other_2.instance_1))
+    {
+        return (hit_9.instance_1) < (other_2.instance_1);
+    }
+    var ahead_1 : vec3<i32> = select(hit_9.voxel_1 - other_2.voxel_1, other_2.voxel_1 - hit_9.voxel_1, (Transform_direction_0(hit_9.instance_1, direction_27)) < vec3<f32>(0.0f));
+    return (ahead_1.x + ahead_1.y + ahead_1.z) < i32(0);
+}
+
+fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_2 : u32) -> Hit_0
+{
+    var next_2 : u32;
+    var depth_0 : u32;
+    var _S403 : bool;
+    if(IS_SINGLE_0)
+    {
+        var _S404 : Hit_0 = hit_in_1(u32(0), instances_0[i32(0)].grid_0, &((*given_0)));
+        return _S404;
+    }
+    var ray_18 : Ray_0 = (*given_0);
     var nearest_5 : Hit_0 = miss_0();
     if((params_0.instance_count_0) == u32(0))
     {
         return nearest_5;
     }
-    var is_zero_1 : vec3<bool> = !((abs(ray_17.direction_1)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S350 : vec3<f32> = select(reciprocal_0(select(ray_17.direction_1, vec3<f32>(1.0f), is_zero_1)), vec3<f32>(3.4028234663852886e+38f), is_zero_1);
-    var stack_0 : array<u32, i32(32)>;
-    var index_28 : u32 = u32(0);
+    var is_zero_1 : vec3<bool> = !((abs(ray_18.direction_1)) >= vec3<f32>(1.00000006335638761e-28f));
+    var _S405 : vec3<f32> = select(reciprocal_0(select(ray_18.direction_1, vec3<f32>(1.0f), is_zero_1)), select(vec3<f32>(9.99999944211968977e+27f), vec3<f32>(-9.99999944211968977e+27f), (ray_18.direction_1) < vec3<f32>(0.0f)), is_zero_1);
+    var stack_0 : array<vec2<u32>, i32(64)>;
+    var next_3 : u32 = u32(0);
     var nearest_6 : Hit_0 = nearest_5;
-    var depth_0 : u32 = u32(0);
+    var depth_1 : u32 = u32(0);
     for(;;)
     {
-        var depth_1 : u32;
-        var is_reached_0 : bool;
-        if((instance_nodes_0[index_28].is_leaf_0) != u32(0))
+        var next_4 : u32 = next_3;
+        var depth_2 : u32 = depth_1;
+        for(;;)
         {
-            var _S351 : Hit_0 = hit_in_0(instance_nodes_0[index_28].index_0, &(ray_17));
-            var _S352 : Hit_0 = nearest_6;
-            if((_S351.t_0) < (nearest_6.t_0))
+            next_2 = next_4;
+            depth_0 = depth_2;
+            for(;;)
             {
-                is_reached_0 = true;
-            }
-            else
-            {
-                if((_S351.t_0) == (_S352.t_0))
+                var _S406 : bool = next_2 == u32(4294967295);
+                _S403 = _S406;
+                var _S407 : bool;
+                if(_S406)
                 {
-                    is_reached_0 = (_S351.instance_1) < (nearest_6.instance_1);
+                    _S407 = depth_0 > u32(0);
                 }
                 else
                 {
-                    is_reached_0 = false;
+                    _S407 = false;
                 }
-            }
-            var nearest_7 : Hit_0;
-            if(is_reached_0)
-            {
-                ray_17.t_max_0 = _S351.t_0;
-                if(is_any_enough_0)
+                if(_S407)
                 {
-                    return _S351;
                 }
-                nearest_7 = _S351;
+                else
+                {
+                    break;
+                }
+                var depth_3 : u32 = depth_0 - u32(1);
+                var nearest_waiting_0 : vec2<u32> = stack_0[depth_3];
+                if((bitcast<f32>((((stack_0[depth_3].x) & (u32(4294967292)))))) <= (ray_18.t_max_0))
+                {
+                    next_2 = nearest_waiting_0.y;
+                }
+                depth_0 = depth_3;
             }
-            else
-            {
-                nearest_7 = nearest_6;
-            }
-            nearest_6 = nearest_7;
-            depth_1 = depth_0;
-        }
-        else
-        {
-            var _S353 : u32 = index_28 + u32(1);
-            var _S354 : f32 = entry_0(_S353, ray_17, _S350);
-            var _S355 : u32 = instance_nodes_0[index_28].index_0;
-            var _S356 : f32 = entry_0(instance_nodes_0[index_28].index_0, ray_17, _S350);
-            var _S357 : bool = _S354 <= _S356;
-            if(_S357)
-            {
-                index_28 = _S353;
-            }
-            else
-            {
-                index_28 = _S355;
-            }
-            var far_3 : u32;
-            if(_S357)
-            {
-                far_3 = _S355;
-            }
-            else
-            {
-                far_3 = _S353;
-            }
-            var INFINITY_0 : f32 = (bitcast<f32>((u32(2139095040))));
-            if((max(_S354, _S356)) < INFINITY_0)
-            {
-                var _S358 : u32 = depth_0 + u32(1);
-                stack_0[depth_0] = far_3;
-                depth_1 = _S358;
-            }
-            else
-            {
-                depth_1 = depth_0;
-            }
-            if((min(_S354, _S356)) < INFINITY_0)
-            {
-                depth_0 = depth_1;
-                continue;
-            }
-        }
-        is_reached_0 = false;
-        depth_0 = depth_1;
-        for(;;)
-        {
-            var _S359 : bool;
-            if(depth_0 > u32(0))
-            {
-                _S359 = !is_reached_0;
-            }
-            else
-            {
-                _S359 = false;
-            }
-            if(_S359)
-            {
-            }
-            else
+            if(((next_2 & (u32(2147483648)))) != u32(0))
             {
                 break;
             }
-            var depth_2 : u32 = depth_0 - u32(1);
-            is_reached_0 = (entry_0(stack_0[depth_2], ray_17, _S350)) < (bitcast<f32>((u32(2139095040))));
-            index_28 = stack_0[depth_2];
-            depth_0 = depth_2;
+            var children_2 : vec4<u32> = children_of_0(next_2);
+            var met_1 : vec4<u32> = met_children_0(next_2, children_2, ray_18.origin_2, _S405, ray_18.t_min_0, ray_18.t_max_0);
+            var _S408 : u32 = met_1.w;
+            var depth_4 : u32;
+            if(_S408 != u32(4294967295))
+            {
+                var _S409 : u32 = depth_0 + u32(1);
+                stack_0[depth_0] = vec2<u32>(_S408, child_of_0(children_2, _S408));
+                depth_4 = _S409;
+            }
+            else
+            {
+                depth_4 = depth_0;
+            }
+            var _S410 : u32 = met_1.z;
+            var depth_5 : u32;
+            if(_S410 != u32(4294967295))
+            {
+                var _S411 : u32 = depth_4 + u32(1);
+                stack_0[depth_4] = vec2<u32>(_S410, child_of_0(children_2, _S410));
+                depth_5 = _S411;
+            }
+            else
+            {
+                depth_5 = depth_4;
+            }
+            var _S412 : u32 = met_1.y;
+            if(_S412 != u32(4294967295))
+            {
+                var _S413 : u32 = depth_5 + u32(1);
+                stack_0[depth_5] = vec2<u32>(_S412, child_of_0(children_2, _S412));
+                depth_2 = _S413;
+            }
+            else
+            {
+                depth_2 = depth_5;
+            }
+            var _S414 : u32 = met_1.x;
+            if(_S414 != u32(4294967295))
+            {
+                next_4 = child_of_0(children_2, _S414);
+            }
+            else
+            {
+                next_4 = u32(4294967295);
+            }
         }
-        if(!is_reached_0)
+        if(_S403)
         {
             break;
         }
+        var leaf_4 : vec4<u32> = instance_rows_0[(next_2 & (u32(2147483647)))];
+        var _S415 : Hit_0 = hit_in_0(leaf_4.x, grid_of_leaf_0(leaf_4), &(ray_18));
+        if(is_before_1(_S415, nearest_6, ray_18.direction_1))
+        {
+            ray_18.t_max_0 = _S415.t_0;
+            if(is_any_enough_0)
+            {
+                nearest_6 = _S415;
+                break;
+            }
+            nearest_6 = _S415;
+        }
+        next_3 = u32(4294967295);
+        depth_1 = depth_0;
     }
     return nearest_6;
 }
@@ -5093,10 +5493,10 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_1 : u3
 struct Walker_0
 {
      path_7 : Path_0,
-     ray_18 : Ray_0,
+     ray_19 : Ray_0,
      is_shadow_ray_0 : bool,
      light_5 : vec3<f32>,
-     direction_27 : vec3<f32>,
+     direction_28 : vec3<f32>,
      path_origin_2 : vec3<f32>,
      shadow_inside_2 : Inside_0,
      boundaries_0 : u32,
@@ -5121,31 +5521,31 @@ struct Sample_0
      instance_10 : u32,
 };
 
-fn WalkTracer_trace_0( ray_19 : ptr<function, Ray_0>,  is_any_enough_1 : bool) -> Hit_0
+fn WalkTracer_trace_0( ray_20 : ptr<function, Ray_0>,  is_any_enough_1 : bool) -> Hit_0
 {
-    var _S360 : Hit_0 = visit_0(&((*ray_19)), is_any_enough_1, u32(0));
-    return _S360;
+    var _S416 : Hit_0 = visit_0(&((*ray_20)), is_any_enough_1, u32(0));
+    return _S416;
 }
 
-fn hit_of_ray_0( sampler_1 : Sampler_0,  ray_20 : ptr<function, Ray_0>,  is_shadow_ray_1 : bool,  path_8 : ptr<function, Path_0>,  shadow_inside_3 : ptr<function, Inside_0>,  relocates_3 : ptr<function, bool>,  path_relocates_3 : ptr<function, bool>,  beyond_4 : ptr<function, u32>) -> Hit_0
+fn hit_of_ray_0( sampler_1 : Sampler_0,  ray_21 : ptr<function, Ray_0>,  is_shadow_ray_1 : bool,  path_8 : ptr<function, Path_0>,  shadow_inside_3 : ptr<function, Inside_0>,  relocates_3 : ptr<function, bool>,  path_relocates_3 : ptr<function, bool>,  beyond_4 : ptr<function, u32>) -> Hit_0
 {
     (*beyond_4) = u32(4294967295);
-    var _S361 : Hit_0 = WalkTracer_trace_0(&((*ray_20)), is_shadow_ray_1);
-    return _S361;
+    var _S417 : Hit_0 = WalkTracer_trace_0(&((*ray_21)), is_shadow_ray_1);
+    return _S417;
 }
 
-fn Walker_arrives_0( this_38 : ptr<function, Walker_0>,  hit_8 : Hit_0,  beyond_5 : u32,  light_7 : ptr<function, vec3<f32>>) -> bool
+fn Walker_arrives_0( this_38 : ptr<function, Walker_0>,  hit_10 : Hit_0,  beyond_5 : u32,  light_7 : ptr<function, vec3<f32>>) -> bool
 {
-    if(Hit_is_miss_0(hit_8))
+    if(Hit_is_miss_0(hit_10))
     {
         (*light_7) = (*light_7) + (*this_38).light_5;
     }
     return false;
 }
 
-fn shading_normal_0( ray_21 : Ray_0,  hit_9 : Hit_0,  material_10 : PackedMaterial_0) -> vec3<f32>
+fn shading_normal_0( ray_22 : Ray_0,  hit_11 : Hit_0,  material_10 : PackedMaterial_0) -> vec3<f32>
 {
-    return world_normal_0(hit_9.instance_1, hit_9.face_0);
+    return world_normal_0(hit_11.instance_1, hit_11.face_0);
 }
 
 fn albedo_of_0( material_11 : PackedMaterial_0) -> vec3<f32>
@@ -5153,55 +5553,55 @@ fn albedo_of_0( material_11 : PackedMaterial_0) -> vec3<f32>
     return vector_of_0(material_11.base_color_0);
 }
 
-fn show_0( path_9 : Path_0,  ray_22 : Ray_0,  hit_10 : Hit_0,  beyond_6 : u32,  sample_9 : ptr<function, Sample_0>)
+fn show_0( path_9 : Path_0,  ray_23 : Ray_0,  hit_12 : Hit_0,  beyond_6 : u32,  sample_9 : ptr<function, Sample_0>)
 {
-    var _S362 : Path_0 = path_9;
+    var _S418 : Path_0 = path_9;
     (*sample_9).is_shown_0 = true;
-    if(Inside_is_in_0(_S362.inside_0))
+    if(Inside_is_in_0(_S418.inside_0))
     {
-        absorb_0(&(_S362), _S362.inside_0, ray_22, hit_10.t_0);
+        absorb_0(&(_S418), _S418.inside_0, ray_23, hit_12.t_0);
     }
-    var material_12 : PackedMaterial_0 = material_met_0(_S362, hit_10, beyond_6);
-    (*sample_9).normal_4 = shading_normal_0(ray_22, hit_10, material_12);
-    (*sample_9).albedo_0 = _S362.beta_0 * albedo_of_0(material_12);
+    var material_12 : PackedMaterial_0 = material_met_0(_S418, hit_12, beyond_6);
+    (*sample_9).normal_4 = shading_normal_0(ray_23, hit_12, material_12);
+    (*sample_9).albedo_0 = _S418.beta_0 * albedo_of_0(material_12);
     return;
 }
 
-fn Walker_see_0( this_39 : ptr<function, Walker_0>,  arrived_0 : Path_0,  hit_11 : Hit_0,  beyond_7 : u32,  emitted_1 : vec3<f32>,  goes_on_0 : bool,  sample_10 : ptr<function, Sample_0>)
+fn Walker_see_0( this_39 : ptr<function, Walker_0>,  arrived_0 : Path_0,  hit_13 : Hit_0,  beyond_7 : u32,  emitted_1 : vec3<f32>,  goes_on_0 : bool,  sample_10 : ptr<function, Sample_0>)
 {
     (*sample_10).direct_0 = (*sample_10).direct_0 + emitted_1;
-    var _S363 : bool = ((*this_39).path_7.bounce_0) == u32(0);
-    var _S364 : bool;
+    var _S419 : bool = ((*this_39).path_7.bounce_0) == u32(0);
+    var _S420 : bool;
     if(goes_on_0)
     {
-        _S364 = _S363;
+        _S420 = _S419;
     }
     else
     {
-        _S364 = false;
+        _S420 = false;
     }
-    var _S365 : bool = !_S364;
-    (*this_39).has_shown_0 = _S365;
-    if(!_S365)
+    var _S421 : bool = !_S420;
+    (*this_39).has_shown_0 = _S421;
+    if(!_S421)
     {
-        (*this_39).way_5 = (*this_39).way_5 + hit_11.t_0;
+        (*this_39).way_5 = (*this_39).way_5 + hit_13.t_0;
     }
     else
     {
-        if(!Hit_is_miss_0(hit_11))
+        if(!Hit_is_miss_0(hit_13))
         {
-            show_0(arrived_0, (*this_39).ray_18, hit_11, beyond_7, &((*sample_10)));
-            (*sample_10).place_3 = (*this_39).camera_ray_0.origin_2 + (*this_39).camera_ray_0.direction_1 * vec3<f32>(((*this_39).way_5 + hit_11.t_0));
-            var _S366 : u32;
+            show_0(arrived_0, (*this_39).ray_19, hit_13, beyond_7, &((*sample_10)));
+            (*sample_10).place_3 = (*this_39).camera_ray_0.origin_2 + (*this_39).camera_ray_0.direction_1 * vec3<f32>(((*this_39).way_5 + hit_13.t_0));
+            var _S422 : u32;
             if(((*this_39).way_5) > 0.0f)
             {
-                _S366 = u32(4294967295);
+                _S422 = u32(4294967295);
             }
             else
             {
-                _S366 = hit_11.instance_1;
+                _S422 = hit_13.instance_1;
             }
-            (*sample_10).instance_10 = _S366;
+            (*sample_10).instance_10 = _S422;
         }
     }
     return;
@@ -5209,58 +5609,58 @@ fn Walker_see_0( this_39 : ptr<function, Walker_0>,  arrived_0 : Path_0,  hit_11
 
 fn goes_on_1( at_8 : ptr<function, Walker_0>,  sample_11 : ptr<function, Sample_0>) -> bool
 {
-    var next_2 : NextRays_0 = no_rays_0();
+    var next_5 : NextRays_0 = no_rays_0();
     var goes_on_2 : bool;
     if((*at_8).is_at_cell_0)
     {
-        next_2.origin_1 = (*at_8).ray_18.origin_2;
-        next_2.path_origin_0 = (*at_8).ray_18.origin_2;
-        next_2.direction_0 = (*at_8).ray_18.direction_1;
+        next_5.origin_1 = (*at_8).ray_19.origin_2;
+        next_5.path_origin_0 = (*at_8).ray_19.origin_2;
+        next_5.direction_0 = (*at_8).ray_19.direction_1;
         goes_on_2 = true;
     }
     else
     {
-        var _S367 : Ray_0 = (*at_8).ray_18;
-        var _S368 : Path_0 = (*at_8).path_7;
-        var _S369 : Inside_0 = (*at_8).shadow_inside_2;
-        var _S370 : bool = (*at_8).relocates_2;
-        var _S371 : bool = (*at_8).path_relocates_2;
+        var _S423 : Ray_0 = (*at_8).ray_19;
+        var _S424 : Path_0 = (*at_8).path_7;
+        var _S425 : Inside_0 = (*at_8).shadow_inside_2;
+        var _S426 : bool = (*at_8).relocates_2;
+        var _S427 : bool = (*at_8).path_relocates_2;
         var beyond_8 : u32;
-        var _S372 : Hit_0 = hit_of_ray_0((*at_8).path_7.sampler_0, &(_S367), (*at_8).is_shadow_ray_0, &(_S368), &(_S369), &(_S370), &(_S371), &(beyond_8));
-        (*at_8).ray_18 = _S367;
-        (*at_8).path_7 = _S368;
-        (*at_8).shadow_inside_2 = _S369;
-        (*at_8).relocates_2 = _S370;
-        (*at_8).path_relocates_2 = _S371;
+        var _S428 : Hit_0 = hit_of_ray_0((*at_8).path_7.sampler_0, &(_S423), (*at_8).is_shadow_ray_0, &(_S424), &(_S425), &(_S426), &(_S427), &(beyond_8));
+        (*at_8).ray_19 = _S423;
+        (*at_8).path_7 = _S424;
+        (*at_8).shadow_inside_2 = _S425;
+        (*at_8).relocates_2 = _S426;
+        (*at_8).path_relocates_2 = _S427;
         if((*at_8).is_shadow_ray_0)
         {
-            var _S373 : vec3<f32> = (*sample_11).light_6;
-            var _S374 : bool = Walker_arrives_0(&((*at_8)), _S372, beyond_8, &(_S373));
-            (*sample_11).light_6 = _S373;
-            (*at_8).is_shadow_ray_0 = _S374;
-            if(_S374)
+            var _S429 : vec3<f32> = (*sample_11).light_6;
+            var _S430 : bool = Walker_arrives_0(&((*at_8)), _S428, beyond_8, &(_S429));
+            (*sample_11).light_6 = _S429;
+            (*at_8).is_shadow_ray_0 = _S430;
+            if(_S430)
             {
                 return true;
             }
-            (*at_8).ray_18 = ray_from_0((*at_8).ray_18.origin_2, (*at_8).direction_27);
-            return (any((((*at_8).direction_27) != vec3<f32>(0.0f))));
+            (*at_8).ray_19 = ray_from_0((*at_8).ray_19.origin_2, (*at_8).direction_28);
+            return (any((((*at_8).direction_28) != vec3<f32>(0.0f))));
         }
         var cached_0 : vec3<f32> = vec3<f32>(0.0f);
         ends_here_0 = false;
         var arrived_1 : Path_0 = (*at_8).path_7;
         var emitted_2 : vec3<f32> = cached_0;
-        var _S375 : Path_0 = (*at_8).path_7;
-        var _S376 : NextRays_0 = PathTracingOf_advance_0(&(_S375), (*at_8).ray_18, _S372, beyond_8, &(emitted_2));
-        (*at_8).path_7 = _S375;
-        next_2 = _S376;
-        var goes_on_3 : bool = (any(((next_2.direction_0) != cached_0)));
+        var _S431 : Path_0 = (*at_8).path_7;
+        var _S432 : NextRays_0 = PathTracingOf_advance_0(&(_S431), (*at_8).ray_19, _S428, beyond_8, &(emitted_2));
+        (*at_8).path_7 = _S431;
+        next_5 = _S432;
+        var goes_on_3 : bool = (any(((next_5.direction_0) != cached_0)));
         if((*at_8).has_shown_0)
         {
             (*sample_11).light_6 = (*sample_11).light_6 + emitted_2;
         }
         else
         {
-            Walker_see_0(&((*at_8)), arrived_1, _S372, beyond_8, emitted_2, goes_on_3, &((*sample_11)));
+            Walker_see_0(&((*at_8)), arrived_1, _S428, beyond_8, emitted_2, goes_on_3, &((*sample_11)));
         }
         if((*at_8).has_shown_0)
         {
@@ -5275,14 +5675,14 @@ fn goes_on_1( at_8 : ptr<function, Walker_0>,  sample_11 : ptr<function, Sample_
         (*at_8).path_7.scattered_0 = u32(1);
         (*at_8).is_at_cell_0 = false;
     }
-    (*at_8).direction_27 = next_2.direction_0;
-    (*at_8).light_5 = next_2.light_0;
-    (*at_8).is_shadow_ray_0 = next_2.has_shadow_ray_0;
-    (*at_8).path_origin_2 = next_2.path_origin_0;
-    (*at_8).ray_18 = ray_from_0(next_2.origin_1, next_2.direction_0);
+    (*at_8).direction_28 = next_5.direction_0;
+    (*at_8).light_5 = next_5.light_0;
+    (*at_8).is_shadow_ray_0 = next_5.has_shadow_ray_0;
+    (*at_8).path_origin_2 = next_5.path_origin_0;
+    (*at_8).ray_19 = ray_from_0(next_5.origin_1, next_5.direction_0);
     if((*at_8).is_shadow_ray_0)
     {
-        (*at_8).ray_18 = Ray_x24init_0(next_2.origin_1, 0.0f, next_2.shadow_direction_0, next_2.shadow_t_max_0);
+        (*at_8).ray_19 = Ray_x24init_0(next_5.origin_1, 0.0f, next_5.shadow_direction_0, next_5.shadow_t_max_0);
     }
     if(goes_on_2)
     {
@@ -5304,16 +5704,16 @@ struct Key_0
 
 fn Key_x24init_0( instance_12 : u32,  face_and_level_1 : u32,  cube_1 : vec3<i32>) -> Key_0
 {
-    var _S377 : Key_0;
-    _S377.instance_11 = instance_12;
-    _S377.face_and_level_0 = face_and_level_1;
-    _S377.cube_0 = cube_1;
-    return _S377;
+    var _S433 : Key_0;
+    _S433.instance_11 = instance_12;
+    _S433.face_and_level_0 = face_and_level_1;
+    _S433.cube_0 = cube_1;
+    return _S433;
 }
 
-fn scramble_of_0( number_1 : u32) -> u32
+fn scramble_of_0( number_2 : u32) -> u32
 {
-    return pcg4d_0(vec4<u32>(number_1, u32(0), u32(0), u32(2654435769))).x;
+    return pcg4d_0(vec4<u32>(number_2, u32(0), u32(0), u32(2654435769))).x;
 }
 
 fn Key_level_0( this_40 : Key_0) -> u32
@@ -5326,24 +5726,24 @@ fn Key_mask_0( this_41 : Key_0) -> u32
     return ((u32(1) << ((u32(3) * Key_level_0(this_41))))) - u32(1);
 }
 
-fn key_of_0( hit_12 : Hit_0,  size_1 : f32,  u_17 : f32,  code_1 : ptr<function, u32>) -> Key_0
+fn key_of_0( hit_14 : Hit_0,  size_1 : f32,  u_17 : f32,  code_1 : ptr<function, u32>) -> Key_0
 {
     var clamped_0 : f32 = clamp(size_1, 1.0f, 128.0f);
     var power_5 : f32 = f32(((bitcast<u32>((clamped_0))) >> (u32(23)))) - 127.0f;
-    var _S378 : f32;
+    var _S434 : f32;
     if(u_17 < (clamped_0 * inverse_power_of_two_0(clamped_0) - 1.0f))
     {
-        _S378 = 1.0f;
+        _S434 = 1.0f;
     }
     else
     {
-        _S378 = 0.0f;
+        _S434 = 0.0f;
     }
-    var level_0 : u32 = u32(min(power_5 + _S378, 6.0f));
-    var _S379 : vec3<u32> = vec3<u32>(u32(i32(level_0)));
-    var key_0 : Key_0 = Key_x24init_0(hit_12.instance_1, ((hit_12.face_0) | (((level_0 << (u32(3)))))), ((hit_12.voxel_1) >> (_S379)));
-    var _S380 : vec3<u32> = vec3<u32>(hit_12.voxel_1 - (((key_0.cube_0) << (_S379))));
-    (*code_1) = u32(1) + (((((((_S380.x) | ((((_S380.y) << (level_0)))))) | ((((_S380.z) << ((u32(2) * level_0))))))) ^ ((((scramble_of_0(real_time_0.number_0)) & ((Key_mask_0(key_0))))))));
+    var level_0 : u32 = u32(min(power_5 + _S434, 6.0f));
+    var _S435 : vec3<u32> = vec3<u32>(u32(i32(level_0)));
+    var key_0 : Key_0 = Key_x24init_0(hit_14.instance_1, ((hit_14.face_0) | (((level_0 << (u32(3)))))), ((hit_14.voxel_1) >> (_S435)));
+    var _S436 : vec3<u32> = vec3<u32>(hit_14.voxel_1 - (((key_0.cube_0) << (_S435))));
+    (*code_1) = u32(1) + (((((((_S436.x) | ((((_S436.y) << (level_0)))))) | ((((_S436.z) << ((u32(2) * level_0))))))) ^ ((((scramble_of_0(real_time_0.number_0)) & ((Key_mask_0(key_0))))))));
     return key_0;
 }
 
@@ -5352,9 +5752,9 @@ fn Key_hash_0( this_42 : Key_0) -> vec2<u32>
     return pcg4d_0(vec4<u32>(vec3<u32>(this_42.cube_0), this_42.instance_11 * u32(61) + this_42.face_and_level_0)).xy;
 }
 
-fn place_of_check_0( cell_8 : u32) -> u32
+fn place_of_check_0( cell_10 : u32) -> u32
 {
-    return u32(16) + cell_8;
+    return u32(16) + cell_10;
 }
 
 fn find_cell_0( hash_0 : vec2<u32>) -> u32
@@ -5369,62 +5769,62 @@ fn find_cell_0( hash_0 : vec2<u32>) -> u32
         {
             break;
         }
-        var cell_9 : u32 = ((hash_0.x + probe_0) & (u32(262143)));
-        var _S381 : u32 = atomicLoad(&(cell_keys_0[place_of_check_0(cell_9)]));
-        if(_S381 == (max(hash_0.y, u32(1))))
+        var cell_11 : u32 = ((hash_0.x + probe_0) & (u32(262143)));
+        var _S437 : u32 = atomicLoad(&(cell_keys_0[place_of_check_0(cell_11)]));
+        if(_S437 == (max(hash_0.y, u32(1))))
         {
-            return cell_9;
+            return cell_11;
         }
         probe_0 = probe_0 + u32(1);
     }
     return u32(262144);
 }
 
-fn cell_row_0( row_0 : u32,  cell_10 : u32) -> vec4<u32>
+fn cell_row_0( row_0 : u32,  cell_12 : u32) -> vec4<u32>
 {
-    return cell_rows_0[row_0 * u32(262144) + cell_10];
+    return cell_rows_0[row_0 * u32(262144) + cell_12];
 }
 
-fn set_cell_row_0( row_1 : u32,  cell_11 : u32,  value_2 : vec4<u32>)
+fn set_cell_row_0( row_1 : u32,  cell_13 : u32,  value_2 : vec4<u32>)
 {
-    cell_rows_0[row_1 * u32(262144) + cell_11] = value_2;
+    cell_rows_0[row_1 * u32(262144) + cell_13] = value_2;
     return;
 }
 
-fn place_of_asked_0( cell_12 : u32) -> u32
+fn place_of_asked_0( cell_14 : u32) -> u32
 {
-    return u32(262160) + cell_12;
+    return u32(262160) + cell_14;
 }
 
 fn ask_cell_0( key_1 : Key_0,  asked_0 : u32) -> vec4<f32>
 {
-    var _S382 : bool;
+    var _S438 : bool;
     var hash_1 : vec2<u32> = Key_hash_0(key_1);
-    var _S383 : u32 = max(hash_1.y, u32(1));
-    var cell_13 : u32 = find_cell_0(hash_1);
-    var _S384 : vec4<f32> = vec4<f32>(0.0f);
+    var _S439 : u32 = max(hash_1.y, u32(1));
+    var cell_15 : u32 = find_cell_0(hash_1);
+    var _S440 : vec4<f32> = vec4<f32>(0.0f);
     var known_0 : vec4<f32>;
-    if(cell_13 != u32(262144))
+    if(cell_15 != u32(262144))
     {
-        known_0 = (bitcast<vec4<f32>>((cell_row_0(u32(0), cell_13))));
+        known_0 = (bitcast<vec4<f32>>((cell_row_0(u32(0), cell_15))));
     }
     else
     {
-        known_0 = _S384;
+        known_0 = _S440;
     }
-    var cell_14 : u32 = cell_13;
+    var cell_16 : u32 = cell_15;
     var probe_1 : u32 = u32(0);
     for(;;)
     {
         if(probe_1 < u32(8))
         {
-            _S382 = cell_14 == u32(262144);
+            _S438 = cell_16 == u32(262144);
         }
         else
         {
-            _S382 = false;
+            _S438 = false;
         }
-        if(_S382)
+        if(_S438)
         {
         }
         else
@@ -5432,85 +5832,85 @@ fn ask_cell_0( key_1 : Key_0,  asked_0 : u32) -> vec4<f32>
             break;
         }
         var place_4 : u32 = ((hash_1.x + probe_1) & (u32(262143)));
-        var found_0 : u32 = atomicCompareExchangeWeak(&(cell_keys_0[place_of_check_0(place_4)]), u32(0), _S383).old_value;
-        var _S385 : bool = found_0 == u32(0);
-        if(_S385)
+        var found_1 : u32 = atomicCompareExchangeWeak(&(cell_keys_0[place_of_check_0(place_4)]), u32(0), _S439).old_value;
+        var _S441 : bool = found_1 == u32(0);
+        if(_S441)
         {
             set_cell_row_0(u32(1), place_4, vec4<u32>(key_1.instance_11, key_1.face_and_level_0, u32(0), u32(0)));
             set_cell_row_0(u32(2), place_4, vec4<u32>(vec3<u32>(key_1.cube_0), u32(0)));
         }
-        var _S386 : bool;
-        if(_S385)
+        var _S442 : bool;
+        if(_S441)
         {
-            _S386 = true;
+            _S442 = true;
         }
         else
         {
-            _S386 = found_0 == _S383;
+            _S442 = found_1 == _S439;
         }
-        if(_S386)
+        if(_S442)
         {
-            cell_14 = place_4;
+            cell_16 = place_4;
         }
         probe_1 = probe_1 + u32(1);
     }
-    if(cell_14 != u32(262144))
+    if(cell_16 != u32(262144))
     {
-        var _S387 : u32 = atomicLoad(&(cell_keys_0[place_of_asked_0(cell_14)]));
-        _S382 = _S387 < asked_0;
+        var _S443 : u32 = atomicLoad(&(cell_keys_0[place_of_asked_0(cell_16)]));
+        _S438 = _S443 < asked_0;
     }
     else
     {
-        _S382 = false;
+        _S438 = false;
     }
-    if(_S382)
+    if(_S438)
     {
-        var _S388 : u32 = atomicMax(&(cell_keys_0[place_of_asked_0(cell_14)]), asked_0);
+        var _S444 : u32 = atomicMax(&(cell_keys_0[place_of_asked_0(cell_16)]), asked_0);
     }
     return known_0;
 }
 
-fn asks_0( path_10 : Path_0,  ray_23 : Ray_0,  hit_13 : Hit_0,  beyond_9 : u32,  life_1 : u32,  light_8 : ptr<function, vec3<f32>>) -> bool
+fn asks_0( path_10 : Path_0,  ray_24 : Ray_0,  hit_15 : Hit_0,  beyond_9 : u32,  life_1 : u32,  light_8 : ptr<function, vec3<f32>>) -> bool
 {
     (*light_8) = vec3<f32>(0.0f);
-    var _S389 : bool;
-    if(Hit_is_miss_0(hit_13))
+    var _S445 : bool;
+    if(Hit_is_miss_0(hit_15))
     {
-        _S389 = true;
+        _S445 = true;
     }
     else
     {
-        _S389 = Inside_is_in_0(path_10.inside_0);
+        _S445 = Inside_is_in_0(path_10.inside_0);
     }
-    if(_S389)
+    if(_S445)
     {
         return false;
     }
-    var material_13 : PackedMaterial_0 = material_met_0(path_10, hit_13, beyond_9);
+    var material_13 : PackedMaterial_0 = material_met_0(path_10, hit_15, beyond_9);
     if((material_13.metallic_0) > 0.0f)
     {
-        _S389 = true;
+        _S445 = true;
     }
     else
     {
-        _S389 = (material_13.transmission_0) > 0.0f;
+        _S445 = (material_13.transmission_0) > 0.0f;
     }
-    if(_S389)
+    if(_S445)
     {
         return false;
     }
     var code_2 : u32;
-    var key_2 : Key_0 = key_of_0(hit_13, square_root_0(length_squared_0(ray_23.origin_2 + ray_23.direction_1 * vec3<f32>(hit_13.t_0) - real_time_0.eye_0)) * real_time_0.view_angle_0 * 0.05882352963089943f, Sampler_independent_0(path_10.sampler_0, u32(3221225472) + Path_events_0(path_10)).x, &(code_2));
+    var key_2 : Key_0 = key_of_0(hit_15, square_root_0(length_squared_0(ray_24.origin_2 + ray_24.direction_1 * vec3<f32>(hit_15.t_0) - real_time_0.eye_0)) * real_time_0.view_angle_0 * 0.05882352963089943f, Sampler_independent_0(path_10.sampler_0, u32(3221225472) + Path_events_0(path_10)).x, &(code_2));
     var least_0 : f32 = 2.0f * f32((u32(1) << ((Key_level_0(key_2)))));
     if(life_1 == u32(0))
     {
-        _S389 = true;
+        _S445 = true;
     }
     else
     {
-        _S389 = (hit_13.t_0 * square_root_0(length_squared_0(ray_23.direction_1))) < least_0;
+        _S445 = (hit_15.t_0 * square_root_0(length_squared_0(ray_24.direction_1))) < least_0;
     }
-    if(_S389)
+    if(_S445)
     {
         return false;
     }
@@ -5538,10 +5938,10 @@ struct BsdfEval_0
 
 fn BsdfEval_x24init_0( weight_6 : vec3<f32>,  pdf_11 : f32) -> BsdfEval_0
 {
-    var _S390 : BsdfEval_0;
-    _S390.weight_5 = weight_6;
-    _S390.pdf_10 = pdf_11;
-    return _S390;
+    var _S446 : BsdfEval_0;
+    _S446.weight_5 = weight_6;
+    _S446.pdf_10 = pdf_11;
+    return _S446;
 }
 
 fn Diffuse_eval_0( this_44 : Diffuse_0,  wo_8 : vec3<f32>,  wi_3 : vec3<f32>) -> BsdfEval_0
@@ -5554,7 +5954,7 @@ fn MaterialBsdf_eval_0( this_45 : MaterialBsdf_0,  wo_9 : vec3<f32>,  wi_4 : vec
     return Diffuse_eval_0(Diffuse_x24init_0(this_45.color_0), wo_9, wi_4);
 }
 
-fn choose_light_0( scatter_0 : Scatter_0,  next_3 : ptr<function, NextRays_0>)
+fn choose_light_0( scatter_0 : Scatter_0,  next_6 : ptr<function, NextRays_0>)
 {
     var count_5 : u32;
     if((scatter_0.path_0.bounce_0) == u32(0))
@@ -5588,13 +5988,13 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_3 : ptr<function, NextRays_0>)
             u_18 = Sampler_independent_0(scatter_0.path_0.sampler_0, dimension_3);
         }
         var light_9 : LightSample_0 = no_light_0();
-        var is_found_5 : bool = Lights_sample_0(scatter_0.receiver_0, scatter_0.path_0.selection_0, u_18, by_chance_0(), &(light_9));
-        if(!is_found_5)
+        var is_found_9 : bool = Lights_sample_0(scatter_0.receiver_0, scatter_0.path_0.selection_0, u_18, by_chance_0(), &(light_9));
+        if(!is_found_9)
         {
             candidate_0 = candidate_0 + u32(1);
             continue;
         }
-        var _S391 : vec3<f32> = vec3<f32>(Surface_local_direction_0(scatter_0.surface_0, light_9.ray_6.direction_1).xy, light_9.cos_theta_0);
+        var _S447 : vec3<f32> = vec3<f32>(Surface_local_direction_0(scatter_0.surface_0, light_9.ray_6.direction_1).xy, light_9.cos_theta_0);
         var wi_5 : vec3<f32>;
         if(scatter_0.is_scattered_0)
         {
@@ -5602,22 +6002,22 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_3 : ptr<function, NextRays_0>)
         }
         else
         {
-            wi_5 = _S391;
+            wi_5 = _S447;
         }
         var eval_0 : BsdfEval_0 = MaterialBsdf_eval_0(scatter_0.bsdf_0, scatter_0.wo_0, wi_5);
-        var _S392 : vec3<f32> = scatter_0.path_0.beta_0 * eval_0.weight_5 * vec3<f32>(scatter_0.compensation_0) * light_9.radiance_1 * vec3<f32>((divide_0(eval_0.pdf_10, light_9.pdf_2) * power_heuristic_0(light_9.pdf_2, eval_0.pdf_10)));
-        var weight_7 : f32 = luminance_0(_S392);
+        var _S448 : vec3<f32> = scatter_0.path_0.beta_0 * eval_0.weight_5 * vec3<f32>(scatter_0.compensation_0) * light_9.radiance_1 * vec3<f32>((divide_0(eval_0.pdf_10, light_9.pdf_2) * power_heuristic_0(light_9.pdf_2, eval_0.pdf_10)));
+        var weight_7 : f32 = luminance_0(_S448);
         var sum_5 : f32 = sum_4 + weight_7;
-        var _S393 : bool;
+        var _S449 : bool;
         if(count_5 > u32(1))
         {
-            _S393 = (Sampler_independent_0(scatter_0.path_0.sampler_0, dimension_3 + u32(1)).x * sum_5) >= weight_7;
+            _S449 = (Sampler_independent_0(scatter_0.path_0.sampler_0, dimension_3 + u32(1)).x * sum_5) >= weight_7;
         }
         else
         {
-            _S393 = false;
+            _S449 = false;
         }
-        if(_S393)
+        if(_S449)
         {
             sum_4 = sum_5;
             candidate_0 = candidate_0 + u32(1);
@@ -5626,9 +6026,9 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_3 : ptr<function, NextRays_0>)
         var chosen_5 : f32;
         if(weight_7 > 0.0f)
         {
-            (*next_3).shadow_direction_0 = light_9.ray_6.direction_1;
-            (*next_3).shadow_t_max_0 = light_9.ray_6.t_max_0;
-            (*next_3).light_0 = _S392;
+            (*next_6).shadow_direction_0 = light_9.ray_6.direction_1;
+            (*next_6).shadow_t_max_0 = light_9.ray_6.t_max_0;
+            (*next_6).light_0 = _S448;
             chosen_5 = weight_7;
         }
         else
@@ -5639,55 +6039,55 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_3 : ptr<function, NextRays_0>)
         sum_4 = sum_5;
         candidate_0 = candidate_0 + u32(1);
     }
-    var _S394 : bool = chosen_4 > 0.0f;
-    (*next_3).has_shadow_ray_0 = _S394;
-    if(_S394)
+    var _S450 : bool = chosen_4 > 0.0f;
+    (*next_6).has_shadow_ray_0 = _S450;
+    if(_S450)
     {
-        (*next_3).light_0 = (*next_3).light_0 * vec3<f32>(divide_0(sum_4, chosen_4 * f32(count_5)));
+        (*next_6).light_0 = (*next_6).light_0 * vec3<f32>(divide_0(sum_4, chosen_4 * f32(count_5)));
     }
     return;
 }
 
 fn goes_on_4( at_9 : ptr<function, Walker_0>,  sample_12 : ptr<function, Sample_0>) -> bool
 {
-    var next_4 : NextRays_0 = no_rays_0();
+    var next_7 : NextRays_0 = no_rays_0();
     var goes_on_5 : bool;
     if((*at_9).is_at_cell_0)
     {
-        next_4.origin_1 = (*at_9).ray_18.origin_2;
-        next_4.path_origin_0 = (*at_9).ray_18.origin_2;
-        next_4.direction_0 = (*at_9).ray_18.direction_1;
+        next_7.origin_1 = (*at_9).ray_19.origin_2;
+        next_7.path_origin_0 = (*at_9).ray_19.origin_2;
+        next_7.direction_0 = (*at_9).ray_19.direction_1;
         goes_on_5 = true;
     }
     else
     {
-        var _S395 : Ray_0 = (*at_9).ray_18;
-        var _S396 : Path_0 = (*at_9).path_7;
-        var _S397 : Inside_0 = (*at_9).shadow_inside_2;
-        var _S398 : bool = (*at_9).relocates_2;
-        var _S399 : bool = (*at_9).path_relocates_2;
+        var _S451 : Ray_0 = (*at_9).ray_19;
+        var _S452 : Path_0 = (*at_9).path_7;
+        var _S453 : Inside_0 = (*at_9).shadow_inside_2;
+        var _S454 : bool = (*at_9).relocates_2;
+        var _S455 : bool = (*at_9).path_relocates_2;
         var beyond_10 : u32;
-        var _S400 : Hit_0 = hit_of_ray_0((*at_9).path_7.sampler_0, &(_S395), (*at_9).is_shadow_ray_0, &(_S396), &(_S397), &(_S398), &(_S399), &(beyond_10));
-        (*at_9).ray_18 = _S395;
-        (*at_9).path_7 = _S396;
-        (*at_9).shadow_inside_2 = _S397;
-        (*at_9).relocates_2 = _S398;
-        (*at_9).path_relocates_2 = _S399;
+        var _S456 : Hit_0 = hit_of_ray_0((*at_9).path_7.sampler_0, &(_S451), (*at_9).is_shadow_ray_0, &(_S452), &(_S453), &(_S454), &(_S455), &(beyond_10));
+        (*at_9).ray_19 = _S451;
+        (*at_9).path_7 = _S452;
+        (*at_9).shadow_inside_2 = _S453;
+        (*at_9).relocates_2 = _S454;
+        (*at_9).path_relocates_2 = _S455;
         if((*at_9).is_shadow_ray_0)
         {
-            var _S401 : vec3<f32> = (*sample_12).light_6;
-            var _S402 : bool = Walker_arrives_0(&((*at_9)), _S400, beyond_10, &(_S401));
-            (*sample_12).light_6 = _S401;
-            (*at_9).is_shadow_ray_0 = _S402;
-            if(_S402)
+            var _S457 : vec3<f32> = (*sample_12).light_6;
+            var _S458 : bool = Walker_arrives_0(&((*at_9)), _S456, beyond_10, &(_S457));
+            (*sample_12).light_6 = _S457;
+            (*at_9).is_shadow_ray_0 = _S458;
+            if(_S458)
             {
                 return true;
             }
-            (*at_9).ray_18 = ray_from_0((*at_9).ray_18.origin_2, (*at_9).direction_27);
-            return (any((((*at_9).direction_27) != vec3<f32>(0.0f))));
+            (*at_9).ray_19 = ray_from_0((*at_9).ray_19.origin_2, (*at_9).direction_28);
+            return (any((((*at_9).direction_28) != vec3<f32>(0.0f))));
         }
-        var _S403 : vec3<f32> = vec3<f32>(0.0f);
-        var cached_1 : vec3<f32> = _S403;
+        var _S459 : vec3<f32> = vec3<f32>(0.0f);
+        var cached_1 : vec3<f32> = _S459;
         if((*at_9).has_shown_0)
         {
             goes_on_5 = (*at_9).asks_cache_0;
@@ -5698,8 +6098,8 @@ fn goes_on_4( at_9 : ptr<function, Walker_0>,  sample_12 : ptr<function, Sample_
         }
         if(goes_on_5)
         {
-            var _S404 : bool = asks_0((*at_9).path_7, (*at_9).ray_18, _S400, beyond_10, (*at_9).life_0, &(cached_1));
-            goes_on_5 = _S404;
+            var _S460 : bool = asks_0((*at_9).path_7, (*at_9).ray_19, _S456, beyond_10, (*at_9).life_0, &(cached_1));
+            goes_on_5 = _S460;
         }
         else
         {
@@ -5707,25 +6107,25 @@ fn goes_on_4( at_9 : ptr<function, Walker_0>,  sample_12 : ptr<function, Sample_
         }
         ends_here_0 = goes_on_5;
         var arrived_2 : Path_0 = (*at_9).path_7;
-        var emitted_3 : vec3<f32> = _S403;
-        var _S405 : Path_0 = (*at_9).path_7;
-        var _S406 : NextRays_0 = PathTracingOf_advance_1(&(_S405), (*at_9).ray_18, _S400, beyond_10, &(emitted_3));
-        (*at_9).path_7 = _S405;
-        next_4 = _S406;
-        var goes_on_6 : bool = (any(((next_4.direction_0) != _S403)));
+        var emitted_3 : vec3<f32> = _S459;
+        var _S461 : Path_0 = (*at_9).path_7;
+        var _S462 : NextRays_0 = PathTracingOf_advance_1(&(_S461), (*at_9).ray_19, _S456, beyond_10, &(emitted_3));
+        (*at_9).path_7 = _S461;
+        next_7 = _S462;
+        var goes_on_6 : bool = (any(((next_7.direction_0) != _S459)));
         if((*at_9).has_shown_0)
         {
             (*sample_12).light_6 = (*sample_12).light_6 + (cached_1 + emitted_3);
         }
         else
         {
-            Walker_see_0(&((*at_9)), arrived_2, _S400, beyond_10, emitted_3, goes_on_6, &((*sample_12)));
+            Walker_see_0(&((*at_9)), arrived_2, _S456, beyond_10, emitted_3, goes_on_6, &((*sample_12)));
         }
         goes_on_5 = goes_on_6;
     }
     if(scatter_of_path_0.wants_light_0)
     {
-        choose_light_0(scatter_of_path_0, &(next_4));
+        choose_light_0(scatter_of_path_0, &(next_7));
     }
     if((*at_9).is_at_cell_0)
     {
@@ -5734,14 +6134,14 @@ fn goes_on_4( at_9 : ptr<function, Walker_0>,  sample_12 : ptr<function, Sample_
         (*at_9).path_7.scattered_0 = u32(1);
         (*at_9).is_at_cell_0 = false;
     }
-    (*at_9).direction_27 = next_4.direction_0;
-    (*at_9).light_5 = next_4.light_0;
-    (*at_9).is_shadow_ray_0 = next_4.has_shadow_ray_0;
-    (*at_9).path_origin_2 = next_4.path_origin_0;
-    (*at_9).ray_18 = ray_from_0(next_4.origin_1, next_4.direction_0);
+    (*at_9).direction_28 = next_7.direction_0;
+    (*at_9).light_5 = next_7.light_0;
+    (*at_9).is_shadow_ray_0 = next_7.has_shadow_ray_0;
+    (*at_9).path_origin_2 = next_7.path_origin_0;
+    (*at_9).ray_19 = ray_from_0(next_7.origin_1, next_7.direction_0);
     if((*at_9).is_shadow_ray_0)
     {
-        (*at_9).ray_18 = Ray_x24init_0(next_4.origin_1, 0.0f, next_4.shadow_direction_0, next_4.shadow_t_max_0);
+        (*at_9).ray_19 = Ray_x24init_0(next_7.origin_1, 0.0f, next_7.shadow_direction_0, next_7.shadow_t_max_0);
     }
     if(goes_on_5)
     {
@@ -5761,21 +6161,21 @@ fn PathTracingOf_jitter_0( sampler_2 : Sampler_0) -> vec4<f32>
 
 fn Sample_x24init_0( direct_1 : vec3<f32>,  light_10 : vec3<f32>,  is_shown_1 : bool,  albedo_1 : vec3<f32>,  normal_5 : vec3<f32>,  place_5 : vec3<f32>,  instance_13 : u32) -> Sample_0
 {
-    var _S407 : Sample_0;
-    _S407.direct_0 = direct_1;
-    _S407.light_6 = light_10;
-    _S407.is_shown_0 = is_shown_1;
-    _S407.albedo_0 = albedo_1;
-    _S407.normal_4 = normal_5;
-    _S407.place_3 = place_5;
-    _S407.instance_10 = instance_13;
-    return _S407;
+    var _S463 : Sample_0;
+    _S463.direct_0 = direct_1;
+    _S463.light_6 = light_10;
+    _S463.is_shown_0 = is_shown_1;
+    _S463.albedo_0 = albedo_1;
+    _S463.normal_4 = normal_5;
+    _S463.place_3 = place_5;
+    _S463.instance_10 = instance_13;
+    return _S463;
 }
 
 fn no_sample_0() -> Sample_0
 {
-    var _S408 : vec3<f32> = vec3<f32>(0.0f);
-    return Sample_x24init_0(_S408, _S408, false, _S408, _S408, _S408, u32(4294967295));
+    var _S464 : vec3<f32> = vec3<f32>(0.0f);
+    return Sample_x24init_0(_S464, _S464, false, _S464, _S464, _S464, u32(4294967295));
 }
 
 fn has_0( flag_0 : u32) -> bool
@@ -5785,16 +6185,16 @@ fn has_0( flag_0 : u32) -> bool
 
 fn cells_that_trace_0() -> u32
 {
-    var _S409 : u32;
+    var _S465 : u32;
     if(has_0(u32(1)))
     {
-        _S409 = u32(73728);
+        _S465 = u32(73728);
     }
     else
     {
-        _S409 = u32(0);
+        _S465 = u32(0);
     }
-    return _S409;
+    return _S465;
 }
 
 fn threads_that_trace_0() -> u32
@@ -5813,49 +6213,49 @@ fn threads_that_trace_0() -> u32
 
 fn squares_0() -> vec2<u32>
 {
-    var _S410 : vec2<u32> = vec2<u32>(u32(5));
-    var _S411 : vec2<u32> = (vec2<u32>(params_0.width_0, params_0.height_0) + _S410 - vec2<u32>(u32(1))) / _S410;
-    return _S411;
+    var _S466 : vec2<u32> = vec2<u32>(u32(5));
+    var _S467 : vec2<u32> = (vec2<u32>(params_0.width_0, params_0.height_0) + _S466 - vec2<u32>(u32(1))) / _S466;
+    return _S467;
 }
 
-fn place_of_chosen_0( number_2 : u32) -> u32
+fn place_of_chosen_0( number_3 : u32) -> u32
 {
-    return u32(524304) + number_2;
+    return u32(524304) + number_3;
 }
 
 fn Sampler_x24init_0( seed_3 : u32,  pixel_1 : u32,  sample_13 : u32) -> Sampler_0
 {
-    var _S412 : Sampler_0;
-    _S412.seed_1 = seed_3;
-    _S412.pixel_0 = pixel_1;
-    _S412.sample_0 = sample_13;
-    return _S412;
+    var _S468 : Sampler_0;
+    _S468.seed_1 = seed_3;
+    _S468.pixel_0 = pixel_1;
+    _S468.sample_0 = sample_13;
+    return _S468;
 }
 
 fn Key_voxel_0( this_46 : Key_0,  code_3 : u32,  scramble_0 : u32) -> vec3<i32>
 {
-    var _S413 : u32 = Key_level_0(this_46);
-    var bits_4 : u32 = ((u32(1) << (_S413))) - u32(1);
+    var _S469 : u32 = Key_level_0(this_46);
+    var bits_4 : u32 = ((u32(1) << (_S469))) - u32(1);
     var place_6 : u32 = ((code_3 - u32(1)) ^ (((scramble_0 & ((Key_mask_0(this_46)))))));
-    return (((this_46.cube_0) << (vec3<u32>(u32(i32(_S413)))))) + vec3<i32>(i32((place_6 & (bits_4))), i32((((place_6 >> (_S413))) & (bits_4))), i32((((place_6 >> ((u32(2) * _S413)))) & (bits_4))));
+    return (((this_46.cube_0) << (vec3<u32>(u32(i32(_S469)))))) + vec3<i32>(i32((place_6 & (bits_4))), i32((((place_6 >> (_S469))) & (bits_4))), i32((((place_6 >> ((u32(2) * _S469)))) & (bits_4))));
 }
 
 fn Path_x24init_0( sampler_3 : Sampler_0,  bounce_3 : u32,  event_2 : u32,  kinds_1 : u32,  scattered_4 : u32,  beta_1 : vec3<f32>,  pdf_12 : f32,  normal_6 : vec3<f32>,  selection_4 : Selection_0,  passed_t_1 : f32,  inside_6 : Inside_0,  is_clipped_1 : bool) -> Path_0
 {
-    var _S414 : Path_0;
-    _S414.sampler_0 = sampler_3;
-    _S414.bounce_0 = bounce_3;
-    _S414.event_0 = event_2;
-    _S414.kinds_0 = kinds_1;
-    _S414.scattered_0 = scattered_4;
-    _S414.beta_0 = beta_1;
-    _S414.pdf_1 = pdf_12;
-    _S414.normal_0 = normal_6;
-    _S414.selection_0 = selection_4;
-    _S414.passed_t_0 = passed_t_1;
-    _S414.inside_0 = inside_6;
-    _S414.is_clipped_0 = is_clipped_1;
-    return _S414;
+    var _S470 : Path_0;
+    _S470.sampler_0 = sampler_3;
+    _S470.bounce_0 = bounce_3;
+    _S470.event_0 = event_2;
+    _S470.kinds_0 = kinds_1;
+    _S470.scattered_0 = scattered_4;
+    _S470.beta_0 = beta_1;
+    _S470.pdf_1 = pdf_12;
+    _S470.normal_0 = normal_6;
+    _S470.selection_0 = selection_4;
+    _S470.passed_t_0 = passed_t_1;
+    _S470.inside_0 = inside_6;
+    _S470.is_clipped_0 = is_clipped_1;
+    return _S470;
 }
 
 fn path_from_0( sampler_4 : Sampler_0) -> Path_0
@@ -5865,9 +6265,9 @@ fn path_from_0( sampler_4 : Sampler_0) -> Path_0
 
 fn orthonormal_pair_0( z_1 : vec3<f32>,  x_10 : ptr<function, vec3<f32>>,  y_5 : ptr<function, vec3<f32>>)
 {
-    var _S415 : f32 = z_1.z;
+    var _S471 : f32 = z_1.z;
     var sign_1 : f32;
-    if(_S415 < 0.0f)
+    if(_S471 < 0.0f)
     {
         sign_1 = -1.0f;
     }
@@ -5875,61 +6275,61 @@ fn orthonormal_pair_0( z_1 : vec3<f32>,  x_10 : ptr<function, vec3<f32>>,  y_5 :
     {
         sign_1 = 1.0f;
     }
-    var a_7 : f32 = divide_0(-1.0f, sign_1 + _S415);
-    var _S416 : f32 = z_1.x;
-    var _S417 : f32 = z_1.y;
-    var b_7 : f32 = _S416 * _S417 * a_7;
-    (*x_10) = vec3<f32>(1.0f + sign_1 * _S416 * _S416 * a_7, sign_1 * b_7, - sign_1 * _S416);
-    (*y_5) = vec3<f32>(b_7, sign_1 + _S417 * _S417 * a_7, - _S417);
+    var a_8 : f32 = divide_0(-1.0f, sign_1 + _S471);
+    var _S472 : f32 = z_1.x;
+    var _S473 : f32 = z_1.y;
+    var b_8 : f32 = _S472 * _S473 * a_8;
+    (*x_10) = vec3<f32>(1.0f + sign_1 * _S472 * _S472 * a_8, sign_1 * b_8, - sign_1 * _S472);
+    (*y_5) = vec3<f32>(b_8, sign_1 + _S473 * _S473 * a_8, - _S473);
     return;
 }
 
-fn Surface_x24init_0( origin_11 : vec3<f32>,  normal_7 : vec3<f32>,  face_7 : u32,  instance_14 : u32) -> Surface_0
+fn Surface_x24init_0( origin_13 : vec3<f32>,  normal_7 : vec3<f32>,  face_7 : u32,  instance_14 : u32) -> Surface_0
 {
-    var _S418 : Surface_0;
-    _S418.origin_4 = origin_11;
-    _S418.normal_2 = normal_7;
-    _S418.face_1 = face_7;
-    _S418.instance_3 = instance_14;
-    return _S418;
+    var _S474 : Surface_0;
+    _S474.origin_4 = origin_13;
+    _S474.normal_2 = normal_7;
+    _S474.face_1 = face_7;
+    _S474.instance_3 = instance_14;
+    return _S474;
 }
 
-fn Walker_x24init_0( path_11 : Path_0,  ray_24 : Ray_0,  is_shadow_ray_2 : bool,  light_11 : vec3<f32>,  direction_28 : vec3<f32>,  path_origin_3 : vec3<f32>,  shadow_inside_4 : Inside_0,  boundaries_1 : u32,  relocates_4 : bool,  path_relocates_4 : bool,  camera_ray_1 : Ray_0,  way_6 : f32,  has_shown_1 : bool,  asks_cache_1 : bool,  life_2 : u32,  is_at_cell_1 : bool) -> Walker_0
+fn Walker_x24init_0( path_11 : Path_0,  ray_25 : Ray_0,  is_shadow_ray_2 : bool,  light_11 : vec3<f32>,  direction_29 : vec3<f32>,  path_origin_3 : vec3<f32>,  shadow_inside_4 : Inside_0,  boundaries_1 : u32,  relocates_4 : bool,  path_relocates_4 : bool,  camera_ray_1 : Ray_0,  way_6 : f32,  has_shown_1 : bool,  asks_cache_1 : bool,  life_2 : u32,  is_at_cell_1 : bool) -> Walker_0
 {
-    var _S419 : Walker_0;
-    _S419.path_7 = path_11;
-    _S419.ray_18 = ray_24;
-    _S419.is_shadow_ray_0 = is_shadow_ray_2;
-    _S419.light_5 = light_11;
-    _S419.direction_27 = direction_28;
-    _S419.path_origin_2 = path_origin_3;
-    _S419.shadow_inside_2 = shadow_inside_4;
-    _S419.boundaries_0 = boundaries_1;
-    _S419.relocates_2 = relocates_4;
-    _S419.path_relocates_2 = path_relocates_4;
-    _S419.camera_ray_0 = camera_ray_1;
-    _S419.way_5 = way_6;
-    _S419.has_shown_0 = has_shown_1;
-    _S419.asks_cache_0 = asks_cache_1;
-    _S419.life_0 = life_2;
-    _S419.is_at_cell_0 = is_at_cell_1;
-    return _S419;
+    var _S475 : Walker_0;
+    _S475.path_7 = path_11;
+    _S475.ray_19 = ray_25;
+    _S475.is_shadow_ray_0 = is_shadow_ray_2;
+    _S475.light_5 = light_11;
+    _S475.direction_28 = direction_29;
+    _S475.path_origin_2 = path_origin_3;
+    _S475.shadow_inside_2 = shadow_inside_4;
+    _S475.boundaries_0 = boundaries_1;
+    _S475.relocates_2 = relocates_4;
+    _S475.path_relocates_2 = path_relocates_4;
+    _S475.camera_ray_0 = camera_ray_1;
+    _S475.way_5 = way_6;
+    _S475.has_shown_0 = has_shown_1;
+    _S475.asks_cache_0 = asks_cache_1;
+    _S475.life_0 = life_2;
+    _S475.is_at_cell_0 = is_at_cell_1;
+    return _S475;
 }
 
 fn at_cell_0( key_3 : Key_0,  rank_3 : u32,  sampler_5 : Sampler_0) -> Walker_0
 {
     var face_8 : u32 = ((key_3.face_and_level_0) & (u32(7)));
-    var axis_6 : u32 = (face_8 >> (u32(1)));
+    var axis_7 : u32 = (face_8 >> (u32(1)));
     var u_19 : vec4<f32> = Sampler_independent_0(sampler_5, u32(0));
-    var _S420 : vec3<f32> = vec3<f32>(Key_voxel_0(key_3, (rank_3 & (u32(1048575))), scramble_of_0(real_time_0.number_0 - u32(1))));
+    var _S476 : vec3<f32> = vec3<f32>(Key_voxel_0(key_3, (rank_3 & (u32(1048575))), scramble_of_0(real_time_0.number_0 - u32(1))));
     var on_face_1 : vec3<f32>;
-    if(axis_6 == u32(0))
+    if(axis_7 == u32(0))
     {
         on_face_1 = vec3<f32>(0.0f, u_19.x, u_19.y);
     }
     else
     {
-        if(axis_6 == u32(1))
+        if(axis_7 == u32(1))
         {
             on_face_1 = vec3<f32>(u_19.y, 0.0f, u_19.x);
         }
@@ -5938,20 +6338,20 @@ fn at_cell_0( key_3 : Key_0,  rank_3 : u32,  sampler_5 : Sampler_0) -> Walker_0
             on_face_1 = vec3<f32>(u_19.x, u_19.y, 0.0f);
         }
     }
-    var _S421 : vec3<f32> = Transform_point_1(key_3.instance_11, offset_ray_origin_0(vector_of_0(instances_0[key_3.instance_11].grid_from_world_0.translation_0), _S420, face_8, _S420 + on_face_1));
-    var _S422 : vec3<f32> = world_normal_0(key_3.instance_11, face_8);
+    var _S477 : vec3<f32> = Transform_point_1(key_3.instance_11, offset_ray_origin_0(vector_of_0(instances_0[key_3.instance_11].grid_from_world_0.translation_0), _S476, face_8, _S476 + on_face_1));
+    var _S478 : vec3<f32> = world_normal_0(key_3.instance_11, face_8);
     var path_12 : Path_0 = path_from_0(sampler_5);
     var x_11 : vec3<f32>;
     var y_6 : vec3<f32>;
-    orthonormal_pair_0(_S422, &(x_11), &(y_6));
+    orthonormal_pair_0(_S478, &(x_11), &(y_6));
     var local_4 : vec3<f32> = cosine_hemisphere_0(u_19.z, u_19.w);
-    var _S423 : f32 = local_4.z;
-    var direction_29 : vec3<f32> = x_11 * vec3<f32>(local_4.x) + y_6 * vec3<f32>(local_4.y) + _S422 * vec3<f32>(_S423);
-    var receiver_20 : Receiver_0 = Receiver_x24init_0(_S421, _S422);
+    var _S479 : f32 = local_4.z;
+    var direction_30 : vec3<f32> = x_11 * vec3<f32>(local_4.x) + y_6 * vec3<f32>(local_4.y) + _S478 * vec3<f32>(_S479);
+    var receiver_20 : Receiver_0 = Receiver_x24init_0(_S477, _S478);
     path_12.selection_0 = Lights_selection_0(receiver_20);
-    path_12.normal_0 = _S422;
-    path_12.pdf_1 = cosine_hemisphere_pdf_0(_S423);
-    var surface_5 : Surface_0 = Surface_x24init_0(_S421, _S422, face_8, key_3.instance_11);
+    path_12.normal_0 = _S478;
+    path_12.pdf_1 = cosine_hemisphere_pdf_0(_S479);
+    var surface_5 : Surface_0 = Surface_x24init_0(_S477, _S478, face_8, key_3.instance_11);
     var white_0 : MaterialBsdf_0;
     white_0.kind_0 = u32(0);
     white_0.color_0 = vec3<f32>(1.0f);
@@ -5959,8 +6359,8 @@ fn at_cell_0( key_3 : Key_0,  rank_3 : u32,  sampler_5 : Sampler_0) -> Walker_0
     white_0.eta_0 = 1.0f;
     white_0.facets_0.alpha_0 = 1.0f;
     scatter_of_path_0 = Scatter_x24init_0(path_12, receiver_20, surface_5, white_0, vec3<f32>(0.0f, 0.0f, 1.0f), 1.0f, false, true);
-    var ray_25 : Ray_0 = ray_from_0(_S421, direction_29);
-    return Walker_x24init_0(path_12, ray_25, false, vec3<f32>(0.0f), direction_29, _S421, in_air_0(), u32(0), false, false, ray_25, 0.0f, true, true, max((rank_3 >> (u32(20))), u32(1)) - u32(1), true);
+    var ray_26 : Ray_0 = ray_from_0(_S477, direction_30);
+    return Walker_x24init_0(path_12, ray_26, false, vec3<f32>(0.0f), direction_30, _S477, in_air_0(), u32(0), false, false, ray_26, 0.0f, true, true, max((rank_3 >> (u32(20))), u32(1)) - u32(1), true);
 }
 
 fn pixel_of_thread_0( thread_0 : u32) -> vec2<u32>
@@ -5976,51 +6376,51 @@ fn pixel_that_traces_0( thread_1 : u32) -> vec2<u32>
 {
     if(!has_0(u32(128)))
     {
-        var _S424 : vec2<u32> = pixel_of_thread_0(thread_1);
-        return _S424;
+        var _S480 : vec2<u32> = pixel_of_thread_0(thread_1);
+        return _S480;
     }
     var tiles_1 : u32 = (params_0.width_0 + u32(15)) / u32(16);
     var tile_1 : u32 = thread_1 / u32(64);
     var in_tile_1 : u32 = (thread_1 & (u32(63)));
     var row_3 : u32 = tile_1 / tiles_1;
-    var _S425 : u32 = row_3 * u32(8) + ((in_tile_1 >> (u32(3))));
-    var at_10 : vec2<u32> = vec2<u32>((tile_1 - row_3 * tiles_1) * u32(16) + u32(2) * ((in_tile_1 & (u32(7)))), _S425);
-    at_10[i32(0)] = at_10[i32(0)] + (((_S425 + real_time_0.number_0) & (u32(1))));
+    var _S481 : u32 = row_3 * u32(8) + ((in_tile_1 >> (u32(3))));
+    var at_10 : vec2<u32> = vec2<u32>((tile_1 - row_3 * tiles_1) * u32(16) + u32(2) * ((in_tile_1 & (u32(7)))), _S481);
+    at_10[i32(0)] = at_10[i32(0)] + (((_S481 + real_time_0.number_0) & (u32(1))));
     return at_10;
 }
 
-fn pixel_of_square_0( square_1 : u32,  number_3 : u32) -> vec2<u32>
+fn pixel_of_square_0( square_1 : u32,  number_4 : u32) -> vec2<u32>
 {
     var columns_1 : u32 = squares_0().x;
-    var _S426 : u32 = square_1 % columns_1;
-    var _S427 : u32 = square_1 / columns_1;
-    var at_11 : vec2<u32> = vec2<u32>(_S426, _S427);
-    var _S428 : vec2<u32> = vec2<u32>(u32(5));
-    var _S429 : vec2<u32> = at_11 * _S428;
-    var _S430 : vec2<u32> = pcg4d_0(vec4<u32>(at_11, number_3, u32(3266489909))).xy % _S428;
-    return min(_S429 + _S430, vec2<u32>(params_0.width_0, params_0.height_0) - vec2<u32>(u32(1)));
+    var _S482 : u32 = square_1 % columns_1;
+    var _S483 : u32 = square_1 / columns_1;
+    var at_11 : vec2<u32> = vec2<u32>(_S482, _S483);
+    var _S484 : vec2<u32> = vec2<u32>(u32(5));
+    var _S485 : vec2<u32> = at_11 * _S484;
+    var _S486 : vec2<u32> = pcg4d_0(vec4<u32>(at_11, number_4, u32(3266489909))).xy % _S484;
+    return min(_S485 + _S486, vec2<u32>(params_0.width_0, params_0.height_0) - vec2<u32>(u32(1)));
 }
 
 fn is_inside_0( at_12 : vec2<i32>) -> bool
 {
-    var _S431 : bool;
+    var _S487 : bool;
     if((all((at_12 >= vec2<i32>(i32(0))))))
     {
-        _S431 = (at_12.x) < i32(params_0.width_0);
+        _S487 = (at_12.x) < i32(params_0.width_0);
     }
     else
     {
-        _S431 = false;
+        _S487 = false;
     }
-    if(_S431)
+    if(_S487)
     {
-        _S431 = (at_12.y) < i32(params_0.height_0);
+        _S487 = (at_12.y) < i32(params_0.height_0);
     }
     else
     {
-        _S431 = false;
+        _S487 = false;
     }
-    return _S431;
+    return _S487;
 }
 
 struct CameraFrame_0
@@ -6037,16 +6437,16 @@ struct CameraFrame_0
 
 fn CameraFrame_x24init_0( lens_2 : u32,  eye_3 : vec3<f32>,  corner_3 : vec3<f32>,  pixel_x_2 : vec3<f32>,  pixel_y_2 : vec3<f32>,  lens_x_2 : vec3<f32>,  lens_y_2 : vec3<f32>,  blades_2 : u32) -> CameraFrame_0
 {
-    var _S432 : CameraFrame_0;
-    _S432.lens_1 = lens_2;
-    _S432.eye_2 = eye_3;
-    _S432.corner_2 = corner_3;
-    _S432.pixel_x_1 = pixel_x_2;
-    _S432.pixel_y_1 = pixel_y_2;
-    _S432.lens_x_1 = lens_x_2;
-    _S432.lens_y_1 = lens_y_2;
-    _S432.blades_1 = blades_2;
-    return _S432;
+    var _S488 : CameraFrame_0;
+    _S488.lens_1 = lens_2;
+    _S488.eye_2 = eye_3;
+    _S488.corner_2 = corner_3;
+    _S488.pixel_x_1 = pixel_x_2;
+    _S488.pixel_y_1 = pixel_y_2;
+    _S488.lens_x_1 = lens_x_2;
+    _S488.lens_y_1 = lens_y_2;
+    _S488.blades_1 = blades_2;
+    return _S488;
 }
 
 @id(5) override LENS_0 : u32 = u32(0);
@@ -6077,12 +6477,12 @@ struct Perspective_0
 
 fn Perspective_x24init_0( eye_5 : vec3<f32>,  corner_5 : vec3<f32>,  pixel_x_4 : vec3<f32>,  pixel_y_4 : vec3<f32>) -> Perspective_0
 {
-    var _S433 : Perspective_0;
-    _S433.eye_4 = eye_5;
-    _S433.corner_4 = corner_5;
-    _S433.pixel_x_3 = pixel_x_4;
-    _S433.pixel_y_3 = pixel_y_4;
-    return _S433;
+    var _S489 : Perspective_0;
+    _S489.eye_4 = eye_5;
+    _S489.corner_4 = corner_5;
+    _S489.pixel_x_3 = pixel_x_4;
+    _S489.pixel_y_3 = pixel_y_4;
+    return _S489;
 }
 
 struct Axes_0
@@ -6094,11 +6494,11 @@ struct Axes_0
 
 fn Axes_x24init_0( forward_1 : vec3<f32>,  right_4 : vec3<f32>,  up_1 : vec3<f32>) -> Axes_0
 {
-    var _S434 : Axes_0;
-    _S434.forward_0 = forward_1;
-    _S434.right_3 = right_4;
-    _S434.up_0 = up_1;
-    return _S434;
+    var _S490 : Axes_0;
+    _S490.forward_0 = forward_1;
+    _S490.right_3 = right_4;
+    _S490.up_0 = up_1;
+    return _S490;
 }
 
 struct ThinLens_0
@@ -6111,55 +6511,55 @@ struct ThinLens_0
 
 fn ThinLens_x24init_0( perspective_1 : Perspective_0,  lens_x_4 : vec3<f32>,  lens_y_4 : vec3<f32>,  blades_4 : u32) -> ThinLens_0
 {
-    var _S435 : ThinLens_0;
-    _S435.perspective_0 = perspective_1;
-    _S435.lens_x_3 = lens_x_4;
-    _S435.lens_y_3 = lens_y_4;
-    _S435.blades_3 = blades_4;
-    return _S435;
+    var _S491 : ThinLens_0;
+    _S491.perspective_0 = perspective_1;
+    _S491.lens_x_3 = lens_x_4;
+    _S491.lens_y_3 = lens_y_4;
+    _S491.blades_3 = blades_4;
+    return _S491;
 }
 
 fn concentric_0( square_3 : vec2<f32>) -> vec2<f32>
 {
-    var a_8 : f32 = 2.0f * square_3.x - 1.0f;
-    var b_8 : f32 = 2.0f * square_3.y - 1.0f;
-    var _S436 : bool;
-    if(a_8 == 0.0f)
+    var a_9 : f32 = 2.0f * square_3.x - 1.0f;
+    var b_9 : f32 = 2.0f * square_3.y - 1.0f;
+    var _S492 : bool;
+    if(a_9 == 0.0f)
     {
-        _S436 = b_8 == 0.0f;
+        _S492 = b_9 == 0.0f;
     }
     else
     {
-        _S436 = false;
+        _S492 = false;
     }
-    if(_S436)
+    if(_S492)
     {
         return vec2<f32>(0.0f);
     }
-    var is_across_0 : bool = (abs(a_8)) > (abs(b_8));
+    var is_across_0 : bool = (abs(a_9)) > (abs(b_9));
     var radius_4 : f32;
     if(is_across_0)
     {
-        radius_4 = a_8;
+        radius_4 = a_9;
     }
     else
     {
-        radius_4 = b_8;
+        radius_4 = b_9;
     }
     var turns_3 : f32;
     if(is_across_0)
     {
-        turns_3 = divide_0(b_8, a_8) * 0.125f;
+        turns_3 = divide_0(b_9, a_9) * 0.125f;
     }
     else
     {
-        turns_3 = 0.25f - divide_0(a_8, b_8) * 0.125f;
+        turns_3 = 0.25f - divide_0(a_9, b_9) * 0.125f;
     }
     if(radius_4 < 0.0f)
     {
         turns_3 = turns_3 + 0.5f;
     }
-    var _S437 : f32 = abs(radius_4);
+    var _S493 : f32 = abs(radius_4);
     if(turns_3 < 0.0f)
     {
         radius_4 = turns_3 + 1.0f;
@@ -6168,7 +6568,7 @@ fn concentric_0( square_3 : vec2<f32>) -> vec2<f32>
     {
         radius_4 = turns_3;
     }
-    return vec2<f32>(_S437, radius_4);
+    return vec2<f32>(_S493, radius_4);
 }
 
 fn place_in_aperture_0( blades_5 : u32,  lens_3 : vec2<f32>) -> vec2<f32>
@@ -6186,9 +6586,9 @@ fn place_in_aperture_0( blades_5 : u32,  lens_3 : vec2<f32>) -> vec2<f32>
     var share_7 : f32 = scaled_0 - blade_0;
     var from_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0, count_7));
     var to_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0 + 1.0f, count_7));
-    var _S438 : f32 = from_0.y;
-    var _S439 : f32 = from_0.x;
-    return vec2<f32>(_S438 + (to_0.y - _S438) * share_7, _S439 + (to_0.x - _S439) * share_7) * vec2<f32>(radius_5);
+    var _S494 : f32 = from_0.y;
+    var _S495 : f32 = from_0.x;
+    return vec2<f32>(_S494 + (to_0.y - _S494) * share_7, _S495 + (to_0.x - _S495) * share_7) * vec2<f32>(radius_5);
 }
 
 fn ThinLens_ray_0( this_47 : ThinLens_0,  position_3 : vec2<f32>,  lens_4 : vec2<f32>) -> Ray_0
@@ -6208,12 +6608,12 @@ struct Orthographic_0
 
 fn Orthographic_x24init_0( corner_7 : vec3<f32>,  pixel_x_6 : vec3<f32>,  pixel_y_6 : vec3<f32>,  forward_3 : vec3<f32>) -> Orthographic_0
 {
-    var _S440 : Orthographic_0;
-    _S440.corner_6 = corner_7;
-    _S440.pixel_x_5 = pixel_x_6;
-    _S440.pixel_y_5 = pixel_y_6;
-    _S440.forward_2 = forward_3;
-    return _S440;
+    var _S496 : Orthographic_0;
+    _S496.corner_6 = corner_7;
+    _S496.pixel_x_5 = pixel_x_6;
+    _S496.pixel_y_5 = pixel_y_6;
+    _S496.forward_2 = forward_3;
+    return _S496;
 }
 
 fn Orthographic_ray_0( this_48 : Orthographic_0,  position_4 : vec2<f32>,  lens_5 : vec2<f32>) -> Ray_0
@@ -6231,12 +6631,12 @@ struct Panorama_0
 
 fn Panorama_x24init_0( eye_7 : vec3<f32>,  axes_2 : Axes_0,  inverse_size_1 : vec2<f32>,  half_eye_distance_1 : f32) -> Panorama_0
 {
-    var _S441 : Panorama_0;
-    _S441.eye_6 = eye_7;
-    _S441.axes_1 = axes_2;
-    _S441.inverse_size_0 = inverse_size_1;
-    _S441.half_eye_distance_0 = half_eye_distance_1;
-    return _S441;
+    var _S497 : Panorama_0;
+    _S497.eye_6 = eye_7;
+    _S497.axes_1 = axes_2;
+    _S497.inverse_size_0 = inverse_size_1;
+    _S497.half_eye_distance_0 = half_eye_distance_1;
+    return _S497;
 }
 
 fn Panorama_ray_0( this_49 : Panorama_0,  position_5 : vec2<f32>,  lens_6 : vec2<f32>) -> Ray_0
@@ -6263,9 +6663,9 @@ fn Panorama_ray_0( this_49 : Panorama_0,  position_5 : vec2<f32>,  lens_6 : vec2
     }
     var longitude_0 : vec2<f32> = sincos_turns_0(position_5.x * this_49.inverse_size_0.x);
     var height_2 : vec2<f32> = sincos_turns_0(latitude_1 * 0.5f);
-    var _S442 : vec3<f32> = vec3<f32>(longitude_0.y);
-    var _S443 : vec3<f32> = vec3<f32>(longitude_0.x);
-    return ray_from_0(this_49.eye_6 + (this_49.axes_1.forward_0 * _S443 - this_49.axes_1.right_3 * _S442) * vec3<f32>(side_4), normalize_vector_0((vec3<f32>(0) - this_49.axes_1.forward_0 * _S442 + this_49.axes_1.right_3 * _S443) * vec3<f32>(height_2.x) + this_49.axes_1.up_0 * vec3<f32>(height_2.y)));
+    var _S498 : vec3<f32> = vec3<f32>(longitude_0.y);
+    var _S499 : vec3<f32> = vec3<f32>(longitude_0.x);
+    return ray_from_0(this_49.eye_6 + (this_49.axes_1.forward_0 * _S499 - this_49.axes_1.right_3 * _S498) * vec3<f32>(side_4), normalize_vector_0((vec3<f32>(0) - this_49.axes_1.forward_0 * _S498 + this_49.axes_1.right_3 * _S499) * vec3<f32>(height_2.x) + this_49.axes_1.up_0 * vec3<f32>(height_2.y)));
 }
 
 struct Fisheye_0
@@ -6278,12 +6678,12 @@ struct Fisheye_0
 
 fn Fisheye_x24init_0( eye_9 : vec3<f32>,  axes_4 : Axes_0,  middle_2 : vec2<f32>,  turns_per_pixel_1 : f32) -> Fisheye_0
 {
-    var _S444 : Fisheye_0;
-    _S444.eye_8 = eye_9;
-    _S444.axes_3 = axes_4;
-    _S444.middle_1 = middle_2;
-    _S444.turns_per_pixel_0 = turns_per_pixel_1;
-    return _S444;
+    var _S500 : Fisheye_0;
+    _S500.eye_8 = eye_9;
+    _S500.axes_3 = axes_4;
+    _S500.middle_1 = middle_2;
+    _S500.turns_per_pixel_0 = turns_per_pixel_1;
+    return _S500;
 }
 
 fn Fisheye_ray_0( this_50 : Fisheye_0,  position_6 : vec2<f32>,  lens_7 : vec2<f32>) -> Ray_0
@@ -6341,9 +6741,9 @@ fn CameraFrame_ray_0( this_52 : CameraFrame_0,  position_8 : vec2<f32>,  lens_sa
 fn at_camera_0( pixel_2 : vec2<u32>,  camera_0 : CameraFrame_0,  sampler_6 : Sampler_0,  asks_cache_2 : bool) -> Walker_0
 {
     var jitter_0 : vec4<f32> = PathTracingOf_jitter_0(sampler_6);
-    var ray_26 : Ray_0 = CameraFrame_ray_0(camera_0, vec2<f32>(pixel_2) + jitter_0.xy, jitter_0.zw);
-    var _S445 : vec3<f32> = vec3<f32>(0.0f);
-    return Walker_x24init_0(path_from_0(sampler_6), ray_26, false, _S445, _S445, _S445, in_air_0(), u32(0), true, true, ray_26, 0.0f, false, asks_cache_2, u32(10), false);
+    var ray_27 : Ray_0 = CameraFrame_ray_0(camera_0, vec2<f32>(pixel_2) + jitter_0.xy, jitter_0.zw);
+    var _S501 : vec3<f32> = vec3<f32>(0.0f);
+    return Walker_x24init_0(path_from_0(sampler_6), ray_27, false, _S501, _S501, _S501, in_air_0(), u32(0), true, true, ray_27, 0.0f, false, asks_cache_2, u32(10), false);
 }
 
 fn FrameParams_camera_0() -> CameraFrame_0
@@ -6357,26 +6757,26 @@ fn begin_item_0( item_0 : u32,  start_4 : ptr<function, Walker_0>,  place_8 : pt
     (*place_8) = u32(0);
     var cells_1 : u32 = cells_that_trace_0();
     var pixels_1 : u32 = threads_that_trace_0();
-    var _S446 : vec2<u32> = squares_0();
-    var count_8 : u32 = _S446.x * _S446.y;
+    var _S502 : vec2<u32> = squares_0();
+    var count_8 : u32 = _S502.x * _S502.y;
     if(item_0 < cells_1)
     {
-        var _S447 : u32 = atomicLoad(&(cell_keys_0[u32(2)]));
-        var traces_0 : bool = item_0 < _S447;
+        var _S503 : u32 = atomicLoad(&(cell_keys_0[u32(2)]));
+        var traces_0 : bool = item_0 < _S503;
         if(traces_0)
         {
-            var _S448 : u32 = atomicLoad(&(cell_keys_0[place_of_chosen_0(item_0)]));
-            (*place_8) = _S448;
-            var face_9 : vec4<u32> = cell_row_0(u32(1), _S448);
-            var key_4 : Key_0 = Key_x24init_0(face_9.x, face_9.y, vec3<i32>(cell_row_0(u32(2), _S448).xyz));
-            var _S449 : Walker_0 = at_cell_0(key_4, face_9.z, Sampler_x24init_0(((params_0.seed_0) ^ (u32(1540483477))), Key_hash_0(key_4).x, real_time_0.number_0));
-            (*start_4) = _S449;
+            var _S504 : u32 = atomicLoad(&(cell_keys_0[place_of_chosen_0(item_0)]));
+            (*place_8) = _S504;
+            var face_9 : vec4<u32> = cell_row_0(u32(1), _S504);
+            var key_4 : Key_0 = Key_x24init_0(face_9.x, face_9.y, vec3<i32>(cell_row_0(u32(2), _S504).xyz));
+            var _S505 : Walker_0 = at_cell_0(key_4, face_9.z, Sampler_x24init_0(((params_0.seed_0) ^ (u32(1540483477))), Key_hash_0(key_4).x, real_time_0.number_0));
+            (*start_4) = _S505;
         }
         return traces_0;
     }
-    var _S450 : u32 = item_0 - cells_1;
-    var _S451 : vec2<u32> = pixel_that_traces_0(_S450);
-    var square_4 : u32 = _S450 - pixels_1;
+    var _S506 : u32 = item_0 - cells_1;
+    var _S507 : vec2<u32> = pixel_that_traces_0(_S506);
+    var square_4 : u32 = _S506 - pixels_1;
     var is_square_0 : bool = item_0 >= (cells_1 + pixels_1);
     var is_again_0 : bool;
     if(is_square_0)
@@ -6387,33 +6787,33 @@ fn begin_item_0( item_0 : u32,  start_4 : ptr<function, Walker_0>,  place_8 : pt
     {
         is_again_0 = false;
     }
-    var number_4 : u32;
+    var number_5 : u32;
     if(is_again_0)
     {
-        number_4 = count_8;
+        number_5 = count_8;
     }
     else
     {
-        number_4 = u32(0);
+        number_5 = u32(0);
     }
-    var square_5 : u32 = square_4 - number_4;
+    var square_5 : u32 = square_4 - number_5;
     if(is_again_0)
     {
-        number_4 = real_time_0.number_0 - u32(1);
+        number_5 = real_time_0.number_0 - u32(1);
     }
     else
     {
-        number_4 = real_time_0.number_0;
+        number_5 = real_time_0.number_0;
     }
     var at_14 : vec2<u32>;
     if(is_square_0)
     {
-        var _S452 : vec2<u32> = pixel_of_square_0(square_5, number_4);
-        at_14 = _S452;
+        var _S508 : vec2<u32> = pixel_of_square_0(square_5, number_5);
+        at_14 = _S508;
     }
     else
     {
-        at_14 = _S451;
+        at_14 = _S507;
     }
     var traces_1 : bool;
     if(is_square_0)
@@ -6440,7 +6840,7 @@ fn begin_item_0( item_0 : u32,  start_4 : ptr<function, Walker_0>,  place_8 : pt
     }
     if(traces_1)
     {
-        var _S453 : CameraFrame_0 = FrameParams_camera_0();
+        var _S509 : CameraFrame_0 = FrameParams_camera_0();
         var camera_1 : CameraFrame_0;
         if(is_again_0)
         {
@@ -6448,36 +6848,36 @@ fn begin_item_0( item_0 : u32,  start_4 : ptr<function, Walker_0>,  place_8 : pt
         }
         else
         {
-            camera_1 = _S453;
+            camera_1 = _S509;
         }
-        var _S454 : u32;
+        var _S510 : u32;
         if(is_square_0)
         {
             if(is_again_0)
             {
-                _S454 = u32(2);
+                _S510 = u32(2);
             }
             else
             {
-                _S454 = (number_4 & (u32(1)));
+                _S510 = (number_5 & (u32(1)));
             }
-            _S454 = place_of_square_0(_S454, square_5);
+            _S510 = place_of_square_0(_S510, square_5);
         }
         else
         {
-            _S454 = index_of_0(at_14);
+            _S510 = index_of_0(at_14);
         }
-        (*place_8) = _S454;
-        var _S455 : u32 = params_0.seed_0;
+        (*place_8) = _S510;
+        var _S511 : u32 = params_0.seed_0;
         if(is_square_0)
         {
-            _S454 = u32(3266489909);
+            _S510 = u32(3266489909);
         }
         else
         {
-            _S454 = u32(2654435769);
+            _S510 = u32(2654435769);
         }
-        var sampler_7 : Sampler_0 = Sampler_x24init_0((_S455 ^ (_S454)), index_of_0(at_14), number_4);
+        var sampler_7 : Sampler_0 = Sampler_x24init_0((_S511 ^ (_S510)), index_of_0(at_14), number_5);
         if(!is_square_0)
         {
             is_again_0 = has_0(u32(1));
@@ -6493,51 +6893,51 @@ fn begin_item_0( item_0 : u32,  start_4 : ptr<function, Walker_0>,  place_8 : pt
 
 fn packed_normal_0( normal_8 : vec3<f32>) -> u32
 {
-    var _S456 : vec3<i32> = vec3<i32>(floor(clamp(normal_8, vec3<f32>(-1.0f), vec3<f32>(1.0f)) * vec3<f32>(511.0f) + vec3<f32>(0.5f)));
-    return (((((u32(_S456.x) & (u32(1023)))) | (((((u32(_S456.y) & (u32(1023)))) << (u32(10))))))) | (((((u32(_S456.z) & (u32(1023)))) << (u32(20))))));
+    var _S512 : vec3<i32> = vec3<i32>(floor(clamp(normal_8, vec3<f32>(-1.0f), vec3<f32>(1.0f)) * vec3<f32>(511.0f) + vec3<f32>(0.5f)));
+    return (((((u32(_S512.x) & (u32(1023)))) | (((((u32(_S512.y) & (u32(1023)))) << (u32(10))))))) | (((((u32(_S512.z) & (u32(1023)))) << (u32(20))))));
 }
 
-fn set_scratch_row_0( row_4 : u32,  index_29 : u32,  value_3 : vec2<u32>)
+fn set_scratch_row_0( row_4 : u32,  index_27 : u32,  value_3 : vec2<u32>)
 {
-    scratch_0[row_4 * real_time_0.pixels_0 + index_29] = value_3;
+    scratch_0[row_4 * real_time_0.pixels_0 + index_27] = value_3;
     return;
 }
 
-fn store_sample_0( index_30 : u32,  sample_14 : Sample_0)
+fn store_sample_0( index_28 : u32,  sample_14 : Sample_0)
 {
-    var _S457 : u32 = packed_normal_0(sample_14.normal_4);
-    var _S458 : u32;
+    var _S513 : u32 = packed_normal_0(sample_14.normal_4);
+    var _S514 : u32;
     if(sample_14.is_shown_0)
     {
-        _S458 = u32(1073741824);
+        _S514 = u32(1073741824);
     }
     else
     {
-        _S458 = u32(0);
+        _S514 = u32(0);
     }
-    var normal_9 : u32 = (_S457 | (_S458));
-    set_scratch_row_0(u32(0), index_30, (bitcast<vec2<u32>>((sample_14.light_6.xy))));
-    set_scratch_row_0(u32(1), index_30, vec2<u32>((bitcast<u32>((sample_14.light_6.z))), sample_14.instance_10));
-    set_scratch_row_0(u32(2), index_30, (bitcast<vec2<u32>>((sample_14.direct_0.xy))));
-    set_scratch_row_0(u32(3), index_30, (bitcast<vec2<u32>>((vec2<f32>(sample_14.direct_0.z, sample_14.place_3.x)))));
-    set_scratch_row_0(u32(4), index_30, (bitcast<vec2<u32>>((sample_14.place_3.yz))));
-    set_scratch_row_0(u32(5), index_30, (bitcast<vec2<u32>>((sample_14.albedo_0.xy))));
-    set_scratch_row_0(u32(6), index_30, vec2<u32>((bitcast<u32>((sample_14.albedo_0.z))), normal_9));
+    var normal_9 : u32 = (_S513 | (_S514));
+    set_scratch_row_0(u32(0), index_28, (bitcast<vec2<u32>>((sample_14.light_6.xy))));
+    set_scratch_row_0(u32(1), index_28, vec2<u32>((bitcast<u32>((sample_14.light_6.z))), sample_14.instance_10));
+    set_scratch_row_0(u32(2), index_28, (bitcast<vec2<u32>>((sample_14.direct_0.xy))));
+    set_scratch_row_0(u32(3), index_28, (bitcast<vec2<u32>>((vec2<f32>(sample_14.direct_0.z, sample_14.place_3.x)))));
+    set_scratch_row_0(u32(4), index_28, (bitcast<vec2<u32>>((sample_14.place_3.yz))));
+    set_scratch_row_0(u32(5), index_28, (bitcast<vec2<u32>>((sample_14.albedo_0.xy))));
+    set_scratch_row_0(u32(6), index_28, vec2<u32>((bitcast<u32>((sample_14.albedo_0.z))), normal_9));
     return;
 }
 
 fn light_on_0( sample_15 : Sample_0) -> f32
 {
-    var _S459 : f32;
+    var _S515 : f32;
     if(sample_15.is_shown_0)
     {
-        _S459 = luminance_0(sample_15.light_6) / (luminance_0(sample_15.albedo_0) + 0.00300000002607703f);
+        _S515 = luminance_0(sample_15.light_6) / (luminance_0(sample_15.albedo_0) + 0.00300000002607703f);
     }
     else
     {
-        _S459 = 0.0f;
+        _S515 = 0.0f;
     }
-    return _S459;
+    return _S515;
 }
 
 fn end_item_0( item_1 : u32,  place_9 : u32,  sample_16 : Sample_0)
@@ -6571,10 +6971,10 @@ fn trace(@builtin(global_invocation_id) id_0 : vec3<u32>)
     scatter_of_path_0.wants_light_0 = false;
     first_candidates_0 = real_time_0.candidates_0;
     var sample_17 : Sample_0 = no_sample_0();
-    var _S460 : u32 = id_0.x;
+    var _S516 : u32 = id_0.x;
     var at_15 : Walker_0;
     var place_10 : u32;
-    var is_begun_0 : bool = begin_item_0(_S460, &(at_15), &(place_10));
+    var is_begun_0 : bool = begin_item_0(_S516, &(at_15), &(place_10));
     var is_under_way_0 : bool = is_begun_0;
     var is_shadow_turn_0 : bool = true;
     for(;;)
@@ -6589,14 +6989,14 @@ fn trace(@builtin(global_invocation_id) id_0 : vec3<u32>)
         var is_shadow_turn_1 : bool = !is_shadow_turn_0;
         if((at_15.is_shadow_ray_0) == is_shadow_turn_1)
         {
-            var _S461 : bool = goes_on_4(&(at_15), &(sample_17));
-            is_under_way_0 = _S461;
+            var _S517 : bool = goes_on_4(&(at_15), &(sample_17));
+            is_under_way_0 = _S517;
         }
         is_shadow_turn_0 = is_shadow_turn_1;
     }
     if(is_begun_0)
     {
-        end_item_0(_S460, place_10, sample_17);
+        end_item_0(_S516, place_10, sample_17);
     }
     return;
 }
@@ -6611,18 +7011,18 @@ struct Lit_0
 
 fn Lit_x24init_0( paths_1 : f32,  light_13 : vec3<f32>,  shaded_1 : vec3<f32>,  moments_1 : vec3<f32>) -> Lit_0
 {
-    var _S462 : Lit_0;
-    _S462.paths_0 = paths_1;
-    _S462.light_12 = light_13;
-    _S462.shaded_0 = shaded_1;
-    _S462.moments_0 = moments_1;
-    return _S462;
+    var _S518 : Lit_0;
+    _S518.paths_0 = paths_1;
+    _S518.light_12 = light_13;
+    _S518.shaded_0 = shaded_1;
+    _S518.moments_0 = moments_1;
+    return _S518;
 }
 
 fn not_lit_0() -> Lit_0
 {
-    var _S463 : vec3<f32> = vec3<f32>(0.0f);
-    return Lit_x24init_0(0.0f, _S463, _S463, _S463);
+    var _S519 : vec3<f32> = vec3<f32>(0.0f);
+    return Lit_x24init_0(0.0f, _S519, _S519, _S519);
 }
 
 struct Memory_0
@@ -6639,27 +7039,27 @@ struct Memory_0
 
 fn Memory_x24init_0( lit_1 : Lit_0,  looks_1 : f32,  direct_3 : vec3<f32>,  albedo_3 : vec3<f32>,  normal_11 : vec3<f32>,  place_12 : vec3<f32>,  roughness_2 : f32,  coverage_1 : f32) -> Memory_0
 {
-    var _S464 : Memory_0;
-    _S464.lit_0 = lit_1;
-    _S464.looks_0 = looks_1;
-    _S464.direct_2 = direct_3;
-    _S464.albedo_2 = albedo_3;
-    _S464.normal_10 = normal_11;
-    _S464.place_11 = place_12;
-    _S464.roughness_1 = roughness_2;
-    _S464.coverage_0 = coverage_1;
-    return _S464;
+    var _S520 : Memory_0;
+    _S520.lit_0 = lit_1;
+    _S520.looks_0 = looks_1;
+    _S520.direct_2 = direct_3;
+    _S520.albedo_2 = albedo_3;
+    _S520.normal_10 = normal_11;
+    _S520.place_11 = place_12;
+    _S520.roughness_1 = roughness_2;
+    _S520.coverage_0 = coverage_1;
+    return _S520;
 }
 
 fn nothing_known_0() -> Memory_0
 {
-    var _S465 : vec3<f32> = vec3<f32>(0.0f);
-    return Memory_x24init_0(not_lit_0(), 0.0f, _S465, _S465, _S465, _S465, 0.0f, 0.0f);
+    var _S521 : vec3<f32> = vec3<f32>(0.0f);
+    return Memory_x24init_0(not_lit_0(), 0.0f, _S521, _S521, _S521, _S521, 0.0f, 0.0f);
 }
 
-fn memory_row_0( row_5 : u32,  index_31 : u32) -> vec4<u32>
+fn memory_row_0( row_5 : u32,  index_29 : u32) -> vec4<u32>
 {
-    return memory_rows_0[row_5 * real_time_0.pixels_0 + index_31];
+    return memory_rows_0[row_5 * real_time_0.pixels_0 + index_29];
 }
 
 fn low_half_0( word_9 : u32) -> f32
@@ -6675,25 +7075,25 @@ fn high_half_0( word_10 : u32) -> f32
 fn Lit_products_0( this_53 : Lit_0,  kept_0 : vec3<f32>) -> vec3<f32>
 {
     var l_0 : f32 = luminance_0(this_53.light_12);
-    var a_9 : f32 = luminance_0(kept_0);
-    return vec3<f32>(l_0 * l_0, l_0 * a_9, a_9 * a_9);
+    var a_10 : f32 = luminance_0(kept_0);
+    return vec3<f32>(l_0 * l_0, l_0 * a_10, a_10 * a_10);
 }
 
 fn lit_of_0( paths_2 : f32,  light_14 : vec3<f32>,  words_3 : vec3<u32>) -> Lit_0
 {
-    var _S466 : u32 = words_3.x;
-    var _S467 : u32 = words_3.y;
-    var _S468 : Lit_0 = Lit_x24init_0(paths_2, light_14, vec3<f32>(low_half_0(_S466), high_half_0(_S466), low_half_0(_S467)), vec3<f32>(0.0f));
-    var lit_2 : Lit_0 = _S468;
-    var _S469 : u32 = words_3.z;
-    lit_2.moments_0 = Lit_products_0(_S468, lit_2.shaded_0) * (vec3<f32>(1.0f) + vec3<f32>(high_half_0(_S467), low_half_0(_S469), high_half_0(_S469)));
+    var _S522 : u32 = words_3.x;
+    var _S523 : u32 = words_3.y;
+    var _S524 : Lit_0 = Lit_x24init_0(paths_2, light_14, vec3<f32>(low_half_0(_S522), high_half_0(_S522), low_half_0(_S523)), vec3<f32>(0.0f));
+    var lit_2 : Lit_0 = _S524;
+    var _S525 : u32 = words_3.z;
+    lit_2.moments_0 = Lit_products_0(_S524, lit_2.shaded_0) * (vec3<f32>(1.0f) + vec3<f32>(high_half_0(_S523), low_half_0(_S525), high_half_0(_S525)));
     return lit_2;
 }
 
-fn load_lit_0( index_32 : u32) -> Lit_0
+fn load_lit_0( index_30 : u32) -> Lit_0
 {
-    var shaded_2 : vec4<u32> = memory_row_0(u32(1), index_32);
-    var light_15 : vec4<u32> = memory_row_0(u32(2), index_32);
+    var shaded_2 : vec4<u32> = memory_row_0(u32(1), index_30);
+    var light_15 : vec4<u32> = memory_row_0(u32(2), index_30);
     return lit_of_0(low_half_0(shaded_2.x), (bitcast<vec3<f32>>((light_15.xyz))), vec3<u32>(shaded_2.z, shaded_2.w, light_15.w));
 }
 
@@ -6702,24 +7102,24 @@ fn normal_in_0( word_11 : u32) -> vec3<f32>
     return vec3<f32>(vec3<i32>((i32((word_11 << (u32(22)))) >> (u32(22))), (i32((word_11 << (u32(12)))) >> (u32(22))), (i32((word_11 << (u32(2)))) >> (u32(22))))) * vec3<f32>(0.00195694714784622f);
 }
 
-fn load_memory_0( index_33 : u32) -> Memory_0
+fn load_memory_0( index_31 : u32) -> Memory_0
 {
-    var surface_6 : vec4<u32> = memory_row_0(u32(0), index_33);
-    var shaded_3 : vec4<u32> = memory_row_0(u32(1), index_33);
-    var seen_0 : vec4<u32> = memory_row_0(u32(3), index_33);
+    var surface_6 : vec4<u32> = memory_row_0(u32(0), index_31);
+    var shaded_3 : vec4<u32> = memory_row_0(u32(1), index_31);
+    var seen_0 : vec4<u32> = memory_row_0(u32(3), index_31);
     var memory_0 : Memory_0;
-    memory_0.lit_0 = load_lit_0(index_33);
+    memory_0.lit_0 = load_lit_0(index_31);
     memory_0.looks_0 = high_half_0(shaded_3.x);
-    var _S470 : u32 = seen_0.x;
-    var _S471 : u32 = seen_0.y;
-    memory_0.direct_2 = vec3<f32>(low_half_0(_S470), high_half_0(_S470), low_half_0(_S471));
-    var _S472 : u32 = seen_0.z;
-    memory_0.albedo_2 = vec3<f32>(high_half_0(_S471), low_half_0(_S472), high_half_0(_S472));
+    var _S526 : u32 = seen_0.x;
+    var _S527 : u32 = seen_0.y;
+    memory_0.direct_2 = vec3<f32>(low_half_0(_S526), high_half_0(_S526), low_half_0(_S527));
+    var _S528 : u32 = seen_0.z;
+    memory_0.albedo_2 = vec3<f32>(high_half_0(_S527), low_half_0(_S528), high_half_0(_S528));
     memory_0.normal_10 = normal_in_0(surface_6.w);
     memory_0.place_11 = (bitcast<vec3<f32>>((surface_6.xyz)));
-    var _S473 : u32 = shaded_3.y;
-    memory_0.roughness_1 = high_half_0(_S473);
-    memory_0.coverage_0 = low_half_0(_S473);
+    var _S529 : u32 = shaded_3.y;
+    memory_0.roughness_1 = high_half_0(_S529);
+    memory_0.coverage_0 = low_half_0(_S529);
     return memory_0;
 }
 
@@ -6731,20 +7131,20 @@ fn Memory_look_anew_0( this_54 : ptr<function, Memory_0>)
     return;
 }
 
-fn scratch_row_0( row_6 : u32,  index_34 : u32) -> vec2<u32>
+fn scratch_row_0( row_6 : u32,  index_32 : u32) -> vec2<u32>
 {
-    return scratch_0[row_6 * real_time_0.pixels_0 + index_34];
+    return scratch_0[row_6 * real_time_0.pixels_0 + index_32];
 }
 
-fn load_known_0( index_35 : u32) -> Lit_0
+fn load_known_0( index_33 : u32) -> Lit_0
 {
-    var light_16 : vec2<u32> = scratch_row_0(u32(7), index_35);
-    var _S474 : u32 = light_16.y;
-    var _S475 : u32 = light_16.x;
-    return lit_of_0(high_half_0(_S474), vec3<f32>(low_half_0(_S475), high_half_0(_S475), low_half_0(_S474)), vec3<u32>(scratch_row_0(u32(8), index_35), scratch_row_0(u32(9), index_35).x));
+    var light_16 : vec2<u32> = scratch_row_0(u32(7), index_33);
+    var _S530 : u32 = light_16.y;
+    var _S531 : u32 = light_16.x;
+    return lit_of_0(high_half_0(_S530), vec3<f32>(low_half_0(_S531), high_half_0(_S531), low_half_0(_S530)), vec3<u32>(scratch_row_0(u32(8), index_33), scratch_row_0(u32(9), index_33).x));
 }
 
-fn memory_before_0( index_36 : u32) -> Memory_0
+fn memory_before_0( index_34 : u32) -> Memory_0
 {
     var memory_1 : Memory_0 = nothing_known_0();
     if(!has_0(u32(4)))
@@ -6753,42 +7153,42 @@ fn memory_before_0( index_36 : u32) -> Memory_0
     }
     if(has_0(u32(16)))
     {
-        memory_1 = load_memory_0(index_36);
+        memory_1 = load_memory_0(index_34);
         if(!has_0(u32(8)))
         {
             Memory_look_anew_0(&(memory_1));
         }
         return memory_1;
     }
-    memory_1.lit_0 = load_known_0(index_36);
+    memory_1.lit_0 = load_known_0(index_34);
     return memory_1;
 }
 
-fn load_sample_0( index_37 : u32) -> Sample_0
+fn load_sample_0( index_35 : u32) -> Sample_0
 {
-    var b_9 : vec2<u32> = scratch_row_0(u32(1), index_37);
-    var d_4 : vec2<f32> = (bitcast<vec2<f32>>((scratch_row_0(u32(3), index_37))));
-    var g_0 : vec2<u32> = scratch_row_0(u32(6), index_37);
+    var b_10 : vec2<u32> = scratch_row_0(u32(1), index_35);
+    var d_4 : vec2<f32> = (bitcast<vec2<f32>>((scratch_row_0(u32(3), index_35))));
+    var g_0 : vec2<u32> = scratch_row_0(u32(6), index_35);
     var sample_18 : Sample_0;
-    sample_18.light_6 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(0), index_37)))), (bitcast<f32>((b_9.x))));
-    sample_18.instance_10 = b_9.y;
-    sample_18.direct_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(2), index_37)))), d_4.x);
-    sample_18.place_3 = vec3<f32>(d_4.y, (bitcast<vec2<f32>>((scratch_row_0(u32(4), index_37)))));
-    sample_18.albedo_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(5), index_37)))), (bitcast<f32>((g_0.x))));
-    var _S476 : u32 = g_0.y;
-    sample_18.normal_4 = normal_in_0(_S476);
-    sample_18.is_shown_0 = ((_S476 & (u32(1073741824)))) != u32(0);
+    sample_18.light_6 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(0), index_35)))), (bitcast<f32>((b_10.x))));
+    sample_18.instance_10 = b_10.y;
+    sample_18.direct_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(2), index_35)))), d_4.x);
+    sample_18.place_3 = vec3<f32>(d_4.y, (bitcast<vec2<f32>>((scratch_row_0(u32(4), index_35)))));
+    sample_18.albedo_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(5), index_35)))), (bitcast<f32>((g_0.x))));
+    var _S532 : u32 = g_0.y;
+    sample_18.normal_4 = normal_in_0(_S532);
+    sample_18.is_shown_0 = ((_S532 & (u32(1073741824)))) != u32(0);
     return sample_18;
 }
 
 fn Memory_look_0( this_55 : ptr<function, Memory_0>,  sample_19 : Sample_0)
 {
-    var _S477 : f32 = (*this_55).looks_0 + 1.0f;
-    (*this_55).looks_0 = _S477;
-    var share_8 : f32 = 1.0f / _S477;
-    var _S478 : vec3<f32> = vec3<f32>(share_8);
-    (*this_55).direct_2 = (*this_55).direct_2 + (sample_19.direct_0 - (*this_55).direct_2) * _S478;
-    (*this_55).albedo_2 = (*this_55).albedo_2 + (sample_19.albedo_0 - (*this_55).albedo_2) * _S478;
+    var _S533 : f32 = (*this_55).looks_0 + 1.0f;
+    (*this_55).looks_0 = _S533;
+    var share_8 : f32 = 1.0f / _S533;
+    var _S534 : vec3<f32> = vec3<f32>(share_8);
+    (*this_55).direct_2 = (*this_55).direct_2 + (sample_19.direct_0 - (*this_55).direct_2) * _S534;
+    (*this_55).albedo_2 = (*this_55).albedo_2 + (sample_19.albedo_0 - (*this_55).albedo_2) * _S534;
     if(!sample_19.is_shown_0)
     {
         (*this_55).coverage_0 = (*this_55).coverage_0 - (*this_55).coverage_0 * share_8;
@@ -6798,9 +7198,9 @@ fn Memory_look_0( this_55 : ptr<function, Memory_0>,  sample_19 : Sample_0)
     (*this_55).coverage_0 = covered_0 * share_8;
     var of_covered_0 : f32 = 1.0f / covered_0;
     var before_0 : vec3<f32> = (*this_55).place_11;
-    var _S479 : vec3<f32> = vec3<f32>(of_covered_0);
-    (*this_55).normal_10 = (*this_55).normal_10 + (sample_19.normal_4 - (*this_55).normal_10) * _S479;
-    (*this_55).place_11 = (*this_55).place_11 + (sample_19.place_3 - (*this_55).place_11) * _S479;
+    var _S535 : vec3<f32> = vec3<f32>(of_covered_0);
+    (*this_55).normal_10 = (*this_55).normal_10 + (sample_19.normal_4 - (*this_55).normal_10) * _S535;
+    (*this_55).place_11 = (*this_55).place_11 + (sample_19.place_3 - (*this_55).place_11) * _S535;
     if(covered_0 > 1.0f)
     {
         var along_1 : f32 = dot_product_0((*this_55).normal_10, sample_19.place_3 - before_0);
@@ -6809,25 +7209,25 @@ fn Memory_look_0( this_55 : ptr<function, Memory_0>,  sample_19 : Sample_0)
     return;
 }
 
-fn Lit_add_0( this_56 : ptr<function, Lit_0>,  found_1 : vec3<f32>,  albedo_4 : vec3<f32>,  most_0 : f32)
+fn Lit_add_0( this_56 : ptr<function, Lit_0>,  found_2 : vec3<f32>,  albedo_4 : vec3<f32>,  most_0 : f32)
 {
-    var _S480 : f32 = min((*this_56).paths_0 + 1.0f, most_0);
-    (*this_56).paths_0 = _S480;
-    var l_1 : f32 = luminance_0(found_1);
-    var a_10 : f32 = luminance_0(albedo_4);
-    var _S481 : vec3<f32> = vec3<f32>((1.0f / _S480));
-    (*this_56).light_12 = (*this_56).light_12 + (found_1 - (*this_56).light_12) * _S481;
-    (*this_56).shaded_0 = (*this_56).shaded_0 + (albedo_4 - (*this_56).shaded_0) * _S481;
-    (*this_56).moments_0 = (*this_56).moments_0 + (vec3<f32>(l_1 * l_1, l_1 * a_10, a_10 * a_10) - (*this_56).moments_0) * _S481;
+    var _S536 : f32 = min((*this_56).paths_0 + 1.0f, most_0);
+    (*this_56).paths_0 = _S536;
+    var l_1 : f32 = luminance_0(found_2);
+    var a_11 : f32 = luminance_0(albedo_4);
+    var _S537 : vec3<f32> = vec3<f32>((1.0f / _S536));
+    (*this_56).light_12 = (*this_56).light_12 + (found_2 - (*this_56).light_12) * _S537;
+    (*this_56).shaded_0 = (*this_56).shaded_0 + (albedo_4 - (*this_56).shaded_0) * _S537;
+    (*this_56).moments_0 = (*this_56).moments_0 + (vec3<f32>(l_1 * l_1, l_1 * a_11, a_11 * a_11) - (*this_56).moments_0) * _S537;
     return;
 }
 
 fn Memory_add_0( this_57 : ptr<function, Memory_0>,  sample_20 : Sample_0,  most_1 : f32)
 {
     Memory_look_0(&((*this_57)), sample_20);
-    var _S482 : Lit_0 = (*this_57).lit_0;
-    Lit_add_0(&(_S482), sample_20.light_6, sample_20.albedo_0, most_1);
-    (*this_57).lit_0 = _S482;
+    var _S538 : Lit_0 = (*this_57).lit_0;
+    Lit_add_0(&(_S538), sample_20.light_6, sample_20.albedo_0, most_1);
+    (*this_57).lit_0 = _S538;
     return;
 }
 
@@ -6839,8 +7239,8 @@ fn halves_1( low_13 : f32,  high_6 : f32) -> u32
 fn Lit_beyond_0( this_58 : Lit_0,  kept_1 : vec3<f32>) -> vec3<f32>
 {
     var products_0 : vec3<f32> = Lit_products_0(this_58, kept_1);
-    var _S483 : vec3<f32> = vec3<f32>(1.00000000317107685e-30f);
-    return select(vec3<f32>(0.0f), this_58.moments_0 / max(products_0, _S483) - vec3<f32>(1.0f), products_0 > _S483);
+    var _S539 : vec3<f32> = vec3<f32>(1.00000000317107685e-30f);
+    return select(vec3<f32>(0.0f), this_58.moments_0 / max(products_0, _S539) - vec3<f32>(1.0f), products_0 > _S539);
 }
 
 fn words_of_0( lit_3 : Lit_0) -> vec3<u32>
@@ -6851,24 +7251,24 @@ fn words_of_0( lit_3 : Lit_0) -> vec3<u32>
     return vec3<u32>(first_2, halves_1(last_7, beyond_11.x), halves_1(beyond_11.y, beyond_11.z));
 }
 
-fn store_memory_0( index_38 : u32,  memory_2 : Memory_0)
+fn store_memory_0( index_36 : u32,  memory_2 : Memory_0)
 {
     var pixels_2 : u32 = real_time_0.pixels_0;
     var words_4 : vec3<u32> = words_of_0(memory_2.lit_0);
-    var _S484 : u32 = packed_normal_0(memory_2.normal_10);
-    var _S485 : u32;
+    var _S540 : u32 = packed_normal_0(memory_2.normal_10);
+    var _S541 : u32;
     if((memory_2.coverage_0) > 0.0f)
     {
-        _S485 = u32(1073741824);
+        _S541 = u32(1073741824);
     }
     else
     {
-        _S485 = u32(0);
+        _S541 = u32(0);
     }
-    memory_rows_0[index_38] = vec4<u32>((bitcast<vec3<u32>>((memory_2.place_11))), (_S484 | (_S485)));
-    memory_rows_0[pixels_2 + index_38] = vec4<u32>(halves_1(memory_2.lit_0.paths_0, memory_2.looks_0), halves_1(memory_2.coverage_0, memory_2.roughness_1), words_4.x, words_4.y);
-    memory_rows_0[u32(2) * pixels_2 + index_38] = vec4<u32>((bitcast<vec3<u32>>((memory_2.lit_0.light_12))), words_4.z);
-    memory_rows_0[u32(3) * pixels_2 + index_38] = vec4<u32>(halves_1(memory_2.direct_2.x, memory_2.direct_2.y), halves_1(memory_2.direct_2.z, memory_2.albedo_2.x), halves_1(memory_2.albedo_2.y, memory_2.albedo_2.z), u32(0));
+    memory_rows_0[index_36] = vec4<u32>((bitcast<vec3<u32>>((memory_2.place_11))), (_S540 | (_S541)));
+    memory_rows_0[pixels_2 + index_36] = vec4<u32>(halves_1(memory_2.lit_0.paths_0, memory_2.looks_0), halves_1(memory_2.coverage_0, memory_2.roughness_1), words_4.x, words_4.y);
+    memory_rows_0[u32(2) * pixels_2 + index_36] = vec4<u32>((bitcast<vec3<u32>>((memory_2.lit_0.light_12))), words_4.z);
+    memory_rows_0[u32(3) * pixels_2 + index_36] = vec4<u32>(halves_1(memory_2.direct_2.x, memory_2.direct_2.y), halves_1(memory_2.direct_2.z, memory_2.albedo_2.x), halves_1(memory_2.albedo_2.y, memory_2.albedo_2.z), u32(0));
     return;
 }
 
@@ -6882,33 +7282,33 @@ fn remember(@builtin(global_invocation_id) id_1 : vec3<u32>)
     var at_16 : vec2<u32> = pixel_that_traces_0(id_1.x);
     if(is_inside_0(vec2<i32>(at_16)))
     {
-        var index_39 : u32 = index_of_0(at_16);
-        var memory_3 : Memory_0 = memory_before_0(index_39);
-        Memory_add_0(&(memory_3), load_sample_0(index_39), real_time_0.most_paths_0);
+        var index_37 : u32 = index_of_0(at_16);
+        var memory_3 : Memory_0 = memory_before_0(index_37);
+        Memory_add_0(&(memory_3), load_sample_0(index_37), real_time_0.most_paths_0);
         var look_0 : Walker_0;
-        var _S486 : Sample_0 = no_sample_0();
-        var seen_1 : Sample_0 = _S486;
+        var _S542 : Sample_0 = no_sample_0();
+        var seen_1 : Sample_0 = _S542;
         var is_under_way_1 : bool = false;
         var looks_2 : u32 = u32(0);
         for(;;)
         {
-            var _S487 : bool;
+            var _S543 : bool;
             if(is_under_way_1)
             {
-                _S487 = true;
+                _S543 = true;
             }
             else
             {
                 if(has_0(u32(2)))
                 {
-                    _S487 = (memory_3.looks_0) < 4.0f;
+                    _S543 = (memory_3.looks_0) < 4.0f;
                 }
                 else
                 {
-                    _S487 = false;
+                    _S543 = false;
                 }
             }
-            if(_S487)
+            if(_S543)
             {
             }
             else
@@ -6918,8 +7318,8 @@ fn remember(@builtin(global_invocation_id) id_1 : vec3<u32>)
             if(!is_under_way_1)
             {
                 var looks_3 : u32 = looks_2 + u32(1);
-                look_0 = at_camera_0(at_16, FrameParams_camera_0(), Sampler_x24init_0(((params_0.seed_0) ^ (u32(2246822507))), index_39, u32(4) * real_time_0.number_0 + looks_3), false);
-                seen_1 = _S486;
+                look_0 = at_camera_0(at_16, FrameParams_camera_0(), Sampler_x24init_0(((params_0.seed_0) ^ (u32(2246822507))), index_37, u32(4) * real_time_0.number_0 + looks_3), false);
+                seen_1 = _S542;
                 looks_2 = looks_3;
             }
             var is_under_way_2 : bool = goes_on_1(&(look_0), &(seen_1));
@@ -6929,7 +7329,7 @@ fn remember(@builtin(global_invocation_id) id_1 : vec3<u32>)
             }
             is_under_way_1 = is_under_way_2;
         }
-        store_memory_0(index_39, memory_3);
+        store_memory_0(index_37, memory_3);
     }
     return;
 }
