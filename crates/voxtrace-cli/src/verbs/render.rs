@@ -7,6 +7,7 @@ mod jobs;
 mod limits;
 mod moving;
 mod resume;
+mod shared;
 
 use crate::adaptive::run_adaptively;
 use crate::animation::{Director, Stage};
