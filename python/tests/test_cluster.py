@@ -3,6 +3,8 @@
 import os
 import pickle
 import signal
+import subprocess
+import sys
 import threading
 import time
 
@@ -65,6 +67,38 @@ def test_a_cluster_gives_the_bytes_of_one_process(client, church):
     assert denoised.to_bytes() == here.to_bytes() and (denoised.radiance == here.radiance).all()
     with pytest.raises(ValueError, match="there are"):
         dask.render(client, church, "nobody", **options)
+
+
+def test_the_command_line_renders_by_a_cluster(client, tmp_path, command_line, monkeypatch):
+    monkeypatch.setenv("VOXTRACE_PYTHON", sys.executable)
+    monkeypatch.setenv("PYTHONPATH", os.pathsep.join(sys.path))
+    address = client.scheduler.address
+
+    def run(*words: object) -> subprocess.CompletedProcess[str]:
+        words = (command_line, "render", "church", "--voxels", 20_000, "--size", "48x27", "--traversal", "cpu", *words)
+        return subprocess.run([str(word) for word in words], capture_output=True, text=True, timeout=300)
+
+    # What only the command line can say goes along: bounces by kind, light, cuts, lines and a crop.
+    options = ["--spp", 6, "--seed", 2, "--sun", "40,30,2", "--clip-plane=0,0,1,20", "--edges=0.1", "--crop", "3,40,2,20"]
+    options += ["--diffuse-bounces", 3, "--aovs", "--denoise", "-o"]
+    for number, more in enumerate([[], ["--cluster", address]]):
+        outputs = [tmp_path / f"{number}.vxf", "-o", tmp_path / f"{number}.exr"]
+        ended = run(*more, *options, *outputs)
+        assert ended.returncode == 0, ended.stderr
+    for kind in ["vxf", "exr"]:
+        assert (tmp_path / f"0.{kind}").read_bytes() == (tmp_path / f"1.{kind}").read_bytes(), kind
+    assert f"tracing on the workers of {address}" in ended.stderr
+    # What is missing is said in one line.
+    ended = run("--cluster", address, "--spp", 2, "--noise", 0.1, "-o", tmp_path / "a.png")
+    assert ended.returncode == 2 and "--noise" in ended.stderr
+    monkeypatch.setenv("PYTHONPATH", "")
+    monkeypatch.setenv("VOXTRACE_PYTHON", "/usr/bin/python3")
+    ended = run("--cluster", address, "--spp", 2, "-o", tmp_path / "a.png")
+    assert ended.returncode == 1 and "pip install voxtrace[cluster]" in ended.stderr.splitlines()[-1], ended.stderr
+    monkeypatch.setenv("VOXTRACE_PYTHON", str(tmp_path / "nothing"))
+    ended = run("--cluster", address, "--spp", 2, "-o", tmp_path / "a.png")
+    assert ended.returncode == 1 and "VOXTRACE_PYTHON" in ended.stderr.splitlines()[-1], ended.stderr
+    assert not list(tmp_path.glob("*.png"))
 
 
 def test_workers_may_be_lost_and_may_stand_still(client, church):

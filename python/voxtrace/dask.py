@@ -55,15 +55,54 @@ def render(
     """
     if samples < 1:
         raise ValueError("a picture has at least one sample")
-    data, key = _packed(scene)
-    workers = max(1, len(client.scheduler_info()["workers"]))
-    count = min(samples, parts or PARTS_A_WORKER * workers)
+    count = min(samples, parts or _usual_parts(client))
     # The filter compares what there is after half of the samples.
     bounds = sorted({samples * part // count for part in range(count + 1)} | ({samples // 2} if denoise else set()))
-    count = len(bounds) - 1
-    frame = {"size": size, **options}
     # The camera is chosen once, for all.
     where = camera if isinstance(camera, Camera) else _camera_of(scene, camera, size)
+    films = _shared(client, _packed(scene), device, where, {"size": size, **options}, bounds, retries, progress)
+    image = Image.merge(films, halfway=denoise)
+    return image.denoise(scene) if denoise else image
+
+
+def render_like(
+    client: Any,
+    scene: Scene,
+    film: Image,
+    *,
+    samples: int,
+    first_sample: int = 0,
+    region: tuple[int, int, int, int] | None = None,
+    device: str = "auto",
+    parts: int | None = None,
+    retries: int = 5,
+    progress: Callable[[float], object] | None = None,
+) -> Image:
+    """Samples of the picture that a film shows, as `Renderer.render_like` makes them, by the workers of `client`: see `render`."""
+    if samples < 1:
+        raise ValueError("a picture has at least one sample")
+    count = min(samples, parts or _usual_parts(client))
+    bounds = [first_sample + samples * part // count for part in range(count + 1)]
+    films = _shared(client, _packed(scene), device, film.to_bytes(), {"region": region}, bounds, retries, progress)
+    return Image.merge(films)
+
+
+def _usual_parts(client: Any) -> int:
+    return PARTS_A_WORKER * max(1, len(client.scheduler_info(n_workers=-1)["workers"]))
+
+
+def _shared(
+    client: Any,
+    packed: tuple[bytes, str],
+    device: str,
+    what: Camera | bytes,
+    frame: dict[str, Any],
+    bounds: list[int],
+    retries: int,
+    progress: Callable[[float], object] | None,
+) -> list[Image]:
+    """The films of the ranges of samples between bounds, of a camera or like a film."""
+    data, key = packed
 
     # Preferred, not demanded: the others may be all that is left.
     def elsewhere(workers: list[str]) -> dict[str, Any]:
@@ -75,13 +114,12 @@ def render(
         begun: dict[Any, int] = {}
         for part in missing:
             first, end = bounds[part], bounds[part + 1]
-            arguments = sent, key, device, where, first, end - first, frame
+            arguments = sent, key, device, what, first, end - first, frame
             begun[client.submit(_render_part, *arguments, pure=False, retries=retries, **elsewhere(workers))] = part
         return begun
 
-    films = _gathered(client, submit, count, progress)
-    image = Image.merge([Image.from_bytes(film) for film in films], halfway=denoise)
-    return image.denoise(scene) if denoise else image
+    films = _gathered(client, submit, len(bounds) - 1, progress)
+    return [Image.from_bytes(film) for film in films]
 
 
 def _gathered(
@@ -144,19 +182,25 @@ def _camera_of(scene: Scene, camera: str | None, size: tuple[int, int]) -> Camer
 
 
 def _render_part(
-    data: bytes, key: str, device: str, camera: Camera, first_sample: int, samples: int, frame: dict[str, Any]
+    data: bytes, key: str, device: str, what: Camera | bytes, first_sample: int, samples: int, frame: dict[str, Any]
 ) -> tuple[str, bytes]:
     """The worker, and the film of a range of samples."""
     from dask import distributed
 
     worker: Any = distributed.get_worker()  # type: ignore[no-untyped-call, unused-ignore]
-    renderer = _renderers.get((key, device))
+    film = Image.from_bytes(what) if isinstance(what, bytes) else None
+    light = hashlib.sha256(what).hexdigest() if isinstance(what, bytes) else ""
+    renderer = _renderers.get((key + light, device))
     if renderer is None:
-        renderer = Renderer(_unpacked(data, key), device=device)
         # One scene at a time lies on a device.
         _renderers.clear()
-        _renderers[key, device] = renderer
-    image = renderer.render(camera, samples=samples, first_sample=first_sample, denoise=False, **frame)
+        renderer = Renderer(_unpacked(data, key), device=device, film=film)
+        _renderers[key + light, device] = renderer
+    if isinstance(what, Camera):
+        image = renderer.render(what, samples=samples, first_sample=first_sample, denoise=False, **frame)
+    else:
+        assert film is not None
+        image = renderer.render_like(film, samples=samples, first_sample=first_sample, **frame)
     return worker.address, image.to_bytes()
 
 

@@ -2,6 +2,7 @@
 //! file is read again with it, and the view stays in its place on the map.
 
 use crate::session::{Command, Session};
+use crate::{text_key, tr};
 use std::sync::Arc;
 use voxtrace::points::Attributes;
 
@@ -18,11 +19,11 @@ pub struct PointsSeen {
 
 /// The attributes that colour points, by the words of `--color-by`, with what they need and a line about each.
 pub const COLORS: [(&str, &str); 5] = [
-    ("auto", "their own colours, else heights"),
-    ("rgb", "their own colours"),
-    ("height", "height"),
-    ("intensity", "return intensity"),
-    ("classification", "class"),
+    ("auto", text_key!("points.auto")),
+    ("rgb", text_key!("points.rgb")),
+    ("height", text_key!("points.height")),
+    ("intensity", text_key!("points.intensity")),
+    ("classification", text_key!("points.classification")),
 ];
 
 /// What was chosen about points.
@@ -130,7 +131,7 @@ impl Session {
     pub fn set_points(&mut self, choice: PointsChoice) {
         let Some(points) = &mut self.points else { return };
         if choice.classes.as_ref().is_some_and(Vec::is_empty) {
-            self.say("no class would be left to be seen", false);
+            self.say(tr!("points.no_class_left"), false);
         } else if choice != points.choice {
             points.choice = choice;
             self.ask(Command::LoadAgain);

@@ -35,6 +35,8 @@ pub struct VulkanTracer {
     submit_ms: Option<f64>,
     /// Whether scenes that do not fit are traced page by page.
     has_pages: bool,
+    /// Whether the CPU goes on where the device does not come back.
+    has_processor: bool,
     most_paths: Option<u32>,
     scene: Option<Arc<PackedScene>>,
     /// The film as it was last on the host.
@@ -72,6 +74,7 @@ impl VulkanTracer {
             settings,
             submit_ms: None,
             has_pages: true,
+            has_processor: true,
             most_paths: None,
             scene: None,
             copy: None,
@@ -140,9 +143,16 @@ impl VulkanTracer {
         self
     }
 
+    /// Gives up with [`TraceError::DeviceLost`] where the CPU would go on for a device that does not come back: others take its work.
+    pub(crate) fn without_processor(mut self) -> Self {
+        self.has_processor = false;
+        self
+    }
+
     /// How many paths are traced at once in waves, at most, with [`crate::Traversal::Walk`] and [`voxtrace_core::Integrator::Path`]: those are quicker, and take
     /// 124 bytes a path among matte things, else 220, but no more than a quarter of the memory that is left. 0 makes one shader follow each path from its
-    /// camera to its end, which gives the same picture. At first it is what suits the device.
+    /// camera to its end, which gives the same picture. At first it is what suits the device. Real-time light is in waves of all its paths unless it is 0, or by one shader
+    /// where at first that suits the device.
     pub fn with_most_paths(mut self, most_paths: u32) -> Self {
         self.most_paths = Some(most_paths);
         if let Backend::Device(worker) = &mut self.backend {
@@ -236,6 +246,9 @@ impl VulkanTracer {
             }
         }
         self.backend = Backend::None;
+        if !self.has_processor {
+            return Err(TraceError::DeviceLost { last_pass: last_pass.into() });
+        }
         let mut cpu = CpuTracer::new(None);
         if let Some(scene) = &self.scene {
             cpu.set_scene(scene)?;

@@ -1,8 +1,10 @@
 //! The panel of a cloud of points: what colours them, which classes are shown, how many points make a voxel.
 
-use super::{counted, section};
+use super::{Noun, counted, section};
 use crate::cloud::{COLORS, Points};
 use crate::session::Session;
+use crate::strings::text;
+use crate::tr;
 use egui::{ComboBox, DragValue, Ui};
 use voxtrace::import::ClassSet;
 
@@ -11,19 +13,19 @@ const MOST_POINTS: u32 = 1000;
 
 pub fn points(ui: &mut Ui, session: &mut Session) {
     let Some(points) = session.points.clone() else { return };
-    section(ui, "Points", "points", |ui| {
-        ui.label(counted(points.seen.count, "point"));
+    section(ui, tr!("points.title"), "points", |ui| {
+        ui.label(counted(points.seen.count, Noun::Point));
         let mut choice = points.choice.clone();
-        let now = choice.color_by.unwrap_or("as opened");
-        ComboBox::from_label("coloured by").selected_text(now).show_ui(ui, |ui| {
+        let now = choice.color_by.unwrap_or(tr!("points.as_opened"));
+        ComboBox::from_label(tr!("points.coloured_by")).selected_text(now).show_ui(ui, |ui| {
             for (word, about) in COLORS.into_iter().filter(|(word, _)| has(&points, word)) {
-                if ui.selectable_label(choice.color_by == Some(word), word).on_hover_text(about).clicked() {
+                if ui.selectable_label(choice.color_by == Some(word), word).on_hover_text(text(about)).clicked() {
                     choice.color_by = Some(word);
                 }
             }
         });
         let mut least = choice.min_points.unwrap_or(1);
-        let label = ui.label("least points a voxel");
+        let label = ui.label(tr!("points.least"));
         let drag = ui.add(DragValue::new(&mut least).range(1..=MOST_POINTS)).labelled_by(label.id);
         // The file is read again when the hand is done, not on the way.
         let id = ui.id().with("least points");
@@ -39,9 +41,9 @@ pub fn points(ui: &mut Ui, session: &mut Session) {
         }
         for &(class, count) in &points.seen.classes {
             let mut is_shown = points.shows(class);
-            let name =
-                ClassSet::name_of(class).map_or_else(|| format!("class {class}"), |name| format!("{class} {name}"));
-            if ui.checkbox(&mut is_shown, format!("{name}: {}", counted(count, "point"))).changed() {
+            let name = ClassSet::name_of(class)
+                .map_or_else(|| tr!("points.class", class = class), |name| format!("{class} {name}"));
+            if ui.checkbox(&mut is_shown, format!("{name}: {}", counted(count, Noun::Point))).changed() {
                 choice = points.with_class(class, is_shown);
             }
         }
