@@ -7,6 +7,7 @@ Vulkan device (Mesa's in software will do), and a Python with mss, numpy and pil
 is not yet clean says so in its panel.
 """
 
+import contextlib
 import os
 import pathlib
 import subprocess
@@ -19,13 +20,14 @@ import numpy as np
 from PIL import Image
 
 # Pixels of the window, and of that of the clip.
-SIZE, CLIP = (1280, 800), (640, 400)
+SIZE, CLIP = (1280, 800), (480, 300)
 DISPLAY = ":97"
 # Seconds until a picture is clean, and frames a second of the clip.
 CLEAN, RATE = 30, 12
-# The stroke of the brush in the clip, and seconds between its last pictures, where the window stands.
-STROKE = ((200, 250), (330, 270))
-STANDS = [2, 2, 2, 2, 4, 4, 4, 4, 8, 8, 8, 8]
+# The stroke of the brush in the clip.
+STROKE = ((150, 185), (250, 200))
+# Seconds between pictures of the window that stands, and how many of them are kept.
+STEP, STANDS = 6, 14
 
 
 def tool(*words):
@@ -202,38 +204,44 @@ def step(window, do, most=20.0):
 
 
 def clip(program):
-    """Going around in real-time light, an edit, and standing still until the film is there. A small city, which a device in software traces soon."""
+    """Going around in real-time light, an edit, and standing still until the film alone is seen. A small city, which a device in software traces soon."""
     # Frames as fine as on a device that has the time for them.
     os.environ["VOXTRACE_VIEW_FRAME_MS"] = "60000"
-    with Window(program, "city", "--voxels", "1000000", "--traversal", "walk", size=CLIP) as window:
+    with (
+        tempfile.TemporaryDirectory() as folder,
+        contextlib.chdir(folder),
+        Window(program, "city", "--voxels", "300000", "--traversal", "walk", size=CLIP) as window,
+    ):
         window.keys("o", "Tab", "r")
-        time.sleep(12)
-        window.move(500, 300)
+        time.sleep(6)
+        window.move(300, 180)
         tool("mousedown", 1)
-        for number in range(36):
-            step(window, lambda number=number: tool("mousemove", 500 - 5 * number, 300 - number))
+        for number in range(1, 25):
+            step(window, lambda: tool("mousemove", 300 - 4 * number, 180 - number))
         tool("mouseup", 1)
-        window.keys("ctrl+e", "Tab", *["plus"] * 5)
+        window.keys("ctrl+e", "Tab", *["plus"] * 3)
         time.sleep(2)
         window.move(*STROKE[0])
         tool("mousedown", 1)
         (x, y), (to_x, to_y) = STROKE
-        for number in range(1, 17):
-            place = (round(x + (to_x - x) * number / 16), round(y + (to_y - y) * number / 16))
-            step(window, lambda place=place: tool("mousemove", *place))
+        for number in range(1, 13):
+            step(window, lambda: tool("mousemove", round(x + (to_x - x) * number / 12), round(y + (to_y - y) * number / 12)))
         tool("mouseup", 1)
         window.keys("Escape")
         window.move(5, 5)
-        for seconds in STANDS:
-            time.sleep(seconds)
-            window.frames.append(window.seen())
-        return window.frames
+        # The picture is written when the film alone is seen.
+        window.keys("F12")
+        stands, end = [window.seen()], time.monotonic() + 600
+        while not list(pathlib.Path(folder).glob("*.png")) and time.monotonic() < end:
+            time.sleep(STEP)
+            stands.append(window.seen())
+        kept = [stands[round(number * (len(stands) - 1) / (STANDS - 1))] for number in range(STANDS)]
+        return window.frames + kept
 
 
 def durations(count):
     """Milliseconds of each picture of the clip: where the window stands, longer; the last one stays."""
-    stands = len(STANDS)
-    return [1000 // RATE] * (count - stands) + [250] * (stands - 1) + [2500]
+    return [1000 // RATE] * (count - STANDS) + [250] * (STANDS - 1) + [2500]
 
 
 PLACES = {
@@ -249,7 +257,7 @@ PICTURES = [clipping, values, timeline, parts, comparing, building]
 
 def main():
     program, folder, *names = sys.argv[1:]
-    folder = pathlib.Path(folder)
+    program, folder = os.path.abspath(program), pathlib.Path(folder).absolute()
     screen = subprocess.Popen(["Xvfb", DISPLAY, "-screen", "0", "1280x800x24"], stderr=subprocess.DEVNULL)
     os.environ["DISPLAY"] = DISPLAY
     time.sleep(1)

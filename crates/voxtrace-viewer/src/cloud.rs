@@ -152,10 +152,15 @@ mod tests {
     #[test]
     fn what_is_chosen_takes_the_place_of_what_was_given() {
         let words = |text: &str| text.split(' ').map(str::to_owned).collect::<Vec<_>>();
-        let choice = PointsChoice { color_by: Some("height"), classes: Some(vec![2, 6]), min_points: None };
+        let (color_by, classes) = (Some("height"), Some(vec![2, 6]));
+        let choice = PointsChoice { color_by, classes, ..PointsChoice::default() };
         let given = words("--classes=ground --voxel-size 1m --color-by rgb --min-points 2");
         assert_eq!(choice.over(&given), words("--voxel-size 1m --min-points 2 --color-by height --classes 2,6"));
         assert_eq!(PointsChoice::default().over(&given), given);
+        let fewer = PointsChoice { resolution: Some(90), ..PointsChoice::default() };
+        let sized = words("--classes=ground --color-by rgb --min-points 2 --resolution 90");
+        assert_eq!(fewer.over(&given), sized, "the size of a voxel would say the same otherwise");
+        assert_eq!(fewer.over(&words("--resolution=7 --voxel-size=2m")), words("--resolution 90"));
     }
 
     #[test]
