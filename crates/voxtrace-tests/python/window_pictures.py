@@ -19,10 +19,13 @@ import numpy as np
 from PIL import Image
 
 # Pixels of the window, and of that of the clip.
-SIZE, CLIP = (1280, 800), (900, 560)
+SIZE, CLIP = (1280, 800), (640, 400)
 DISPLAY = ":97"
 # Seconds until a picture is clean, and frames a second of the clip.
-CLEAN, RATE = 30, 8
+CLEAN, RATE = 30, 12
+# The stroke of the brush in the clip, and seconds between its last pictures, where the window stands.
+STROKE = ((200, 250), (330, 270))
+STANDS = [2, 2, 2, 2, 4, 4, 4, 4, 8, 8, 8, 8]
 
 
 def tool(*words):
@@ -81,15 +84,13 @@ class Window:
             tool("click", 4 if notches > 0 else 5)
             time.sleep(0.05)
 
-    def drag(self, points, button=1, steps=12, records=False):
+    def drag(self, points, button=1, steps=12):
         self.move(*points[0])
         tool("mousedown", button)
         for (x, y), (to_x, to_y) in zip(points, points[1:]):
             for step in range(1, steps + 1):
                 tool("mousemove", round(x + (to_x - x) * step / steps), round(y + (to_y - y) * step / steps))
-                time.sleep(1 / RATE if records else 0.03)
-                if records:
-                    self.record()
+                time.sleep(0.03)
         tool("mouseup", button)
         time.sleep(0.3)
 
@@ -98,14 +99,10 @@ class Window:
             shot = screen.grab({"left": 0, "top": 0, "width": self.size[0], "height": self.size[1]})
         return Image.frombytes("RGB", shot.size, shot.rgb)
 
-    def record(self, seconds=0.0):
-        """Keeps what is seen for the clip, for some time."""
-        end = time.monotonic() + seconds
-        while True:
-            self.frames.append(self.seen())
-            if time.monotonic() >= end:
-                return
-            time.sleep(1 / RATE)
+    def picture(self):
+        """What is seen without the lower edge, where messages come and go."""
+        seen = self.seen()
+        return seen.crop((0, 0, seen.width, seen.height - 120)).tobytes()
 
 
 def gyroid(path, size=96):
@@ -194,20 +191,49 @@ def building(program):
         return window.seen()
 
 
+def step(window, do, most=20.0):
+    """Does something and waits until another picture is there, which is kept: so the clip shows what a device shows that draws each frame in time."""
+    before = window.picture()
+    do()
+    end = time.monotonic() + most
+    while window.picture() == before and time.monotonic() < end:
+        time.sleep(0.02)
+    window.frames.append(window.seen())
+
+
 def clip(program):
-    """Going around in real-time light, standing still until the film is there, and an edit. A small city, which a device in software traces soon."""
+    """Going around in real-time light, an edit, and standing still until the film is there. A small city, which a device in software traces soon."""
+    # Frames as fine as on a device that has the time for them.
+    os.environ["VOXTRACE_VIEW_FRAME_MS"] = "60000"
     with Window(program, "city", "--voxels", "1000000", "--traversal", "walk", size=CLIP) as window:
-        window.keys("r")
-        window.record(1)
-        window.drag([(420, 300), (240, 330)], steps=24, records=True)
-        window.record(8)
-        window.keys("ctrl+e")
-        window.keys(*["plus"] * 8)
-        window.drag([(230, 330), (340, 320)], steps=14, records=True)
-        window.record(6)
-        window.keys("ctrl+z")
-        window.record(4)
+        window.keys("o", "Tab", "r")
+        time.sleep(12)
+        window.move(500, 300)
+        tool("mousedown", 1)
+        for number in range(36):
+            step(window, lambda number=number: tool("mousemove", 500 - 5 * number, 300 - number))
+        tool("mouseup", 1)
+        window.keys("ctrl+e", "Tab", *["plus"] * 5)
+        time.sleep(2)
+        window.move(*STROKE[0])
+        tool("mousedown", 1)
+        (x, y), (to_x, to_y) = STROKE
+        for number in range(1, 17):
+            place = (round(x + (to_x - x) * number / 16), round(y + (to_y - y) * number / 16))
+            step(window, lambda place=place: tool("mousemove", *place))
+        tool("mouseup", 1)
+        window.keys("Escape")
+        window.move(5, 5)
+        for seconds in STANDS:
+            time.sleep(seconds)
+            window.frames.append(window.seen())
         return window.frames
+
+
+def durations(count):
+    """Milliseconds of each picture of the clip: where the window stands, longer; the last one stays."""
+    stands = len(STANDS)
+    return [1000 // RATE] * (count - stands) + [250] * (stands - 1) + [2500]
 
 
 PLACES = {
@@ -233,7 +259,7 @@ def main():
                 make(program).save(folder / f"window-{make.__name__}.webp", quality=82, method=6)
         if not names or "clip" in names:
             first, *rest = clip(program)
-            options = {"duration": 1000 // RATE, "loop": 0, "quality": 50, "method": 4}
+            options = {"duration": durations(len(rest) + 1), "loop": 0, "quality": 60, "method": 4}
             first.save(folder / "window.webp", save_all=True, append_images=rest, **options)
     finally:
         screen.terminate()

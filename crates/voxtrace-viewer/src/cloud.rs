@@ -35,6 +35,8 @@ pub struct PointsChoice {
     pub classes: Option<Vec<u8>>,
     /// `--min-points`; `None`: as the command line says.
     pub min_points: Option<u32>,
+    /// `--resolution`; `None`: as the command line says, or by how dense the points are.
+    pub resolution: Option<u32>,
 }
 
 impl PointsChoice {
@@ -50,6 +52,7 @@ impl PointsChoice {
             ("--color-by", self.color_by.map(str::to_owned)),
             ("--classes", self.classes_word()),
             ("--min-points", self.min_points.map(|points| points.to_string())),
+            ("--resolution", self.resolution.map(|voxels| voxels.to_string())),
         ];
         options.into_iter().filter_map(|(option, word)| Some((option, word?))).collect()
     }
@@ -61,7 +64,10 @@ impl PointsChoice {
         let mut options = options.iter();
         while let Some(option) = options.next() {
             let is_ours = |(name, _): &(&str, String)| option == name || option.starts_with(&format!("{name}="));
-            if !words.iter().any(is_ours) {
+            // The size of a voxel says the same as the number of voxels.
+            let is_size =
+                self.resolution.is_some() && (option == "--voxel-size" || option.starts_with("--voxel-size="));
+            if !is_size && !words.iter().any(is_ours) {
                 kept.push(option.clone());
             } else if !option.contains('=') {
                 options.next();
