@@ -24,6 +24,7 @@ mod noise;
 mod normals;
 mod not_shown;
 mod outputs;
+mod plan;
 mod render;
 mod surroundings;
 mod tiles;
