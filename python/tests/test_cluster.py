@@ -8,6 +8,7 @@ import sys
 import threading
 import time
 
+import numpy
 import pytest
 
 import voxtrace
@@ -121,3 +122,68 @@ def test_workers_may_be_lost_and_may_stand_still(client, church):
         thread.join()
         os.kill(paused, signal.SIGCONT)
     assert image.to_bytes() == alone.to_bytes()
+
+
+def test_frames_of_an_animation_are_those_of_one_process(client, tmp_path, church):
+    from voxtrace import dask
+
+    first = church.cameras[0]
+    cameras = [voxtrace.Camera((x, 40, 20), first.target, fov=50) for x in [10, 14, 18, 22, 26]]
+    options = {"samples": 2, "size": (32, 18), "device": "cpu"}
+    files = dask.animate(client, church, cameras, tmp_path / "a_###.png", seed=5, **options)
+    assert [file.name for file in files] == [f"a_00{number}.png" for number in range(1, 6)]
+    renderer = voxtrace.Renderer(church, device="cpu")
+    for number, file in enumerate(files):
+        image = renderer.render(cameras[number], samples=2, size=(32, 18), seed=5 + number)
+        image.save(tmp_path / "alone.png")
+        assert file.read_bytes() == (tmp_path / "alone.png").read_bytes()
+    assert files[0].read_bytes() != files[1].read_bytes()
+    # What is there stays, and what is missing comes back.
+    lost = files[2].read_bytes()
+    files[2].unlink()
+    files[3].write_bytes(b"mine")
+    dask.animate(client, church, cameras, tmp_path / "a_###.png", seed=5, **options)
+    assert files[2].read_bytes() == lost and files[3].read_bytes() == b"mine"
+    dask.animate(client, church, cameras, tmp_path / "a_###.png", seed=5, overwrite=True, **options)
+    assert files[3].read_bytes() != b"mine"
+    with pytest.raises(ValueError, match="####"):
+        dask.animate(client, church, cameras, tmp_path / "a.png", **options)
+
+
+def test_things_move_in_an_animation(client, tmp_path):
+    from voxtrace import dask
+
+    scene = voxtrace.Scene(voxtrace.VoxelGrid.from_numpy(numpy.ones((4, 4, 4), bool)))
+    camera = voxtrace.Camera((2, -30, 10), (2, 2, 2), fov=30)
+    places = numpy.tile(numpy.eye(4), (3, 1, 1, 1))
+    places[:, 0, 0, 3] = [0, 2, 4]
+    options = {"samples": 2, "size": (24, 24), "device": "cpu"}
+    files = dask.animate(client, scene, [camera] * 3, tmp_path / "m_##.vxf", transforms=places, **options)
+    renderer = voxtrace.Renderer(scene, device="cpu", placeable=True)
+    for number, file in enumerate(files):
+        renderer.place(places[number])
+        image = renderer.render(camera, samples=2, size=(24, 24), seed=number)
+        assert (voxtrace.Image.from_bytes(file.read_bytes()).sums == image.sums).all()
+    with pytest.raises(ValueError, match="2 cameras"):
+        dask.animate(client, scene, [camera] * 2, tmp_path / "n_##.vxf", transforms=places, **options)
+
+
+def test_thumbnails_of_many_files_and_one_that_is_none(client, tmp_path, church):
+    from voxtrace import dask
+
+    (tmp_path / "in" / "deep").mkdir(parents=True)
+    files = [tmp_path / "in" / f"{number}.vxt" for number in range(6)] + [tmp_path / "in" / "deep" / "0.vxt"]
+    for file in files:
+        church.save(file)
+    broken = tmp_path / "in" / "broken.vox"
+    broken.write_bytes(b"nothing")
+    options = {"size": (24, 24), "samples": 2, "device": "cpu"}
+    made = dask.thumbnails(client, [*files, broken], tmp_path / "out", **options)
+    assert [thumbnail.path for thumbnail in made] == [*files, broken]
+    assert made[-1].picture is None and "broken.vox" in made[-1].error
+    assert made[-2].picture == tmp_path / "out" / "deep" / "0.vxt.png"
+    alone = voxtrace.render(voxtrace.open(files[0]), samples=2, size=(24, 24), device="cpu")
+    alone.save(tmp_path / "alone.png")
+    for thumbnail in made[:-1]:
+        assert thumbnail.error is None and thumbnail.picture.read_bytes() == (tmp_path / "alone.png").read_bytes()
+    assert dask.thumbnails(client, [], tmp_path / "out") == []

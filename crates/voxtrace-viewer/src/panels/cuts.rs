@@ -63,7 +63,7 @@ pub fn cuts(ui: &mut Ui, session: &mut Session) {
                 ui.checkbox(&mut session.clipping.has_handles, tr!("clip.handles"));
             }
             ui.checkbox(&mut cutting.shadows, tr!("cuts.light_of_the_whole_scene"));
-            ui.label(RichText::new(tr!("cuts.convex")).weak().small());
+            ui.label(RichText::new(tr!("cuts.convex")).weak());
             if ui.button(tr!("cuts.show_all_of_it")).clicked() {
                 cutting = Cutting::default();
             }

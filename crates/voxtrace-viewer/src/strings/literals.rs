@@ -129,10 +129,10 @@ fn texts_in(code: &str, in_panels: bool) -> Vec<String> {
         let before = before.trim_end();
         let is_name = after.starts_with(", |ui|") || after.trim_start().starts_with("=>");
         let is_word_of_a_file = before.ends_with("write!(f,") || line.starts_with("const ");
-        !(line.starts_with("#[") || line.starts_with("#![") || is_name || is_word_of_a_file)
-            && !BEFORE.iter().any(|call| before.ends_with(call))
-            && !OTHERS.contains(&literal)
-            && is_text(literal, in_panels)
+        let is_attribute = line.starts_with("#[") || line.starts_with("#![");
+        let is_known = BEFORE.iter().any(|call| before.ends_with(call)) || OTHERS.contains(&literal);
+        let is_none = is_attribute || is_name || is_word_of_a_file || is_known;
+        !is_none && is_text(literal, in_panels)
     };
     literals(code).into_iter().filter(is_seen).map(|(_, literal, _)| literal.to_owned()).collect()
 }

@@ -140,8 +140,10 @@ impl Hands {
                 "answering".into()
             }
             66..92 => self.key(app),
-            92..95 if self.lights => {
+            92 if self.lights => {
                 app.light_again();
+                // On a slow machine a frame takes its time.
+                self.rests = Instant::now() + Duration::from_millis(self.random.below(2500));
                 "real-time light".into()
             }
             _ => "nothing".into(),
