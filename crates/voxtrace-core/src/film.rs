@@ -93,7 +93,8 @@ impl Pixel {
     }
 
     /// Adds the samples of another pixel.
-    pub(crate) fn merge(&mut self, other: &Self) {
+    #[doc(hidden)]
+    pub fn merge(&mut self, other: &Self) {
         for (sum, addend) in self.radiance.iter_mut().zip(other.radiance) {
             *sum = sum.saturating_add(addend);
         }

@@ -1,15 +1,16 @@
 //! Choosing a tracer for a machine.
 
+mod several;
+
 use crate::capabilities::DeviceKind;
 use crate::device::Device;
 use crate::method::{Primitive, Settings, Traversal};
 use crate::probe::{Cache, Cached, ProbeReport};
 use crate::tracer::VulkanTracer;
 use crate::vulkan::Options;
+use several::Several;
 use std::sync::Arc;
-use voxtrace_core::CpuTracer;
-use voxtrace_core::TraceError;
-use voxtrace_core::Tracer;
+use voxtrace_core::{CpuTracer, PackedScene, TraceError, Tracer};
 
 /// What is wanted; what is `None` is chosen.
 #[derive(Clone, Debug, Default)]
@@ -18,7 +19,8 @@ pub struct Request {
     pub traversal: Option<Traversal>,
     /// What acceleration structures are made of.
     pub primitive: Option<Primitive>,
-    /// Number of a device, or a part of its name.
+    /// Number of a device, or a part of its name; numbers of several, with commas between them, and `cpu` among them for the processor; or `all`, every
+    /// GPU of the machine.
     pub device: Option<String>,
     /// Most bytes to allocate on the device.
     pub memory_budget: Option<u64>,
@@ -30,9 +32,9 @@ pub struct Request {
 }
 
 impl Request {
-    /// Whether neither a device nor a traversal was asked for, so that the CPU may take over.
+    /// Whether neither a certain device nor a traversal was asked for, so that the CPU may take over.
     pub fn is_automatic(&self) -> bool {
-        self.device.is_none() && self.traversal.is_none()
+        self.device.as_deref().is_none_or(|device| device == several::ALL) && self.traversal.is_none()
     }
 }
 
@@ -44,6 +46,32 @@ pub struct Choice {
     pub traversal: Traversal,
     /// One line for people: what traces, on what, and why.
     pub reason: String,
+    /// One line for people about what was wanted and cannot be.
+    pub warning: Option<String>,
+}
+
+impl Choice {
+    /// The CPU traces.
+    fn cpu(reason: String) -> Self {
+        Self { tracer: Box::new(CpuTracer::new(None)), traversal: Traversal::Cpu, reason, warning: None }
+    }
+}
+
+/// Chooses a tracer as [`choose`] does, and gives it the scene. Where the choice is ours and the scene is too large for the device, the CPU traces.
+///
+/// # Errors
+/// As [`choose`] and [`Tracer::set_scene`].
+pub fn choose_for(request: &Request, scene: &Arc<PackedScene>) -> Result<Choice, TraceError> {
+    let mut choice = choose(request)?;
+    match choice.tracer.set_scene(scene) {
+        Err(error @ TraceError::OutOfMemory { .. }) if request.is_automatic() => {
+            let reason = format!("tracing on the CPU: the scene does not fit the GPU ({error})");
+            choice = Choice { warning: Some(reason.clone()), ..Choice::cpu(reason) };
+            choice.tracer.set_scene(scene)?;
+        }
+        result => result?,
+    }
+    Ok(choice)
 }
 
 /// Chooses a tracer. What the request says holds, or is an error. The rest is chosen so:
@@ -52,7 +80,9 @@ pub struct Choice {
 ///    the CPU: its vector walk is several times as fast as Vulkan in software.
 /// 2. A traversal asked for, but no device: the best hardware, else the first software device.
 /// 3. A device asked for, but no traversal: its compute walk.
-/// 4. Acceleration structures are made of bricks. Where the driver's probes are kept and speak against that, of what they
+/// 4. Several devices asked for: they share the work ([`crate::SharedTracer`]), and the picture is the same. All of them: those that are hardware and can do the
+///    traversal; with one of them, or none, as if none had been asked for.
+/// 5. Acceleration structures are made of bricks. Where the driver's probes are kept and speak against that, of what they
 ///    trust: bricks, grids, triangles, in this order; where they trust none, the compute walk takes over. A primitive that was
 ///    asked for stays, and the reason says what speaks against it. Probes are never run here.
 ///
@@ -62,11 +92,19 @@ pub struct Choice {
 /// # Errors
 /// [`TraceError::Unsupported`] where the machine lacks what was asked for; what the driver answers.
 pub fn choose(request: &Request) -> Result<Choice, TraceError> {
-    let cpu = |reason: String| Choice { tracer: Box::new(CpuTracer::new(None)), traversal: Traversal::Cpu, reason };
+    let cpu = Choice::cpu;
     if request.traversal == Some(Traversal::Cpu) {
         return Ok(cpu("tracing on the CPU, as asked".into()));
     }
     let options = Options::from_environment();
+    match Several::of(request, &options) {
+        Several::One(device) => choose_one(&Request { device, ..request.clone() }, options),
+        Several::These(numbers, with_processor) => several::choose(request, options, &numbers, with_processor),
+    }
+}
+
+fn choose_one(request: &Request, options: Options) -> Result<Choice, TraceError> {
+    let cpu = Choice::cpu;
     let open = |wanted| Device::open(options.clone(), wanted, request.memory_budget);
     let device = match (request.device.as_deref(), request.traversal) {
         (Some(device), _) => open(Some(device))?,
@@ -77,6 +115,35 @@ pub fn choose(request: &Request) -> Result<Choice, TraceError> {
             Err(error) => return Ok(cpu(format!("tracing on the CPU: the GPU does not open ({error})"))),
         },
     };
+    let (settings, remark) = settings_for(request, &device);
+    let tracer = match VulkanTracer::new(Arc::clone(&device), settings) {
+        // The CPU is quicker than a device that must bring a scene page by page.
+        Ok(tracer) => tracer.with_pages(!request.is_automatic()),
+        Err(error) if request.is_automatic() => {
+            return Ok(cpu(format!("tracing on the CPU: the GPU does not work ({error})")));
+        }
+        Err(error) => return Err(error),
+    };
+    let why = match (request.traversal, device.info().kind) {
+        (_, DeviceKind::Cpu) => "a device in software: the CPU tracer is quicker",
+        (Some(_), _) => "as asked",
+        (None, _) => "the compute walk is the quickest where measured",
+    };
+    let reason = format!("tracing on {}, {} ({why}){remark}", device.info().name, with(settings));
+    Ok(Choice { tracer: Box::new(tracer), traversal: settings.traversal, reason, warning: None })
+}
+
+/// The traversal of settings, in words.
+fn with(settings: Settings) -> String {
+    let name = settings.traversal.name();
+    match settings.traversal.uses_primitives() {
+        true => format!("traversal {name}, primitive {}", settings.primitive.name()),
+        false => format!("traversal {name}"),
+    }
+}
+
+/// What to trace with on a device, and what there is to say about it.
+fn settings_for(request: &Request, device: &Device) -> (Settings, String) {
     let probed = request.probes.as_ref().map_or(Cached::Nothing, |cache| cache.load(device.info()));
     let (report, mut remark) = match probed {
         Cached::Report(report) => (Some(report), String::new()),
@@ -88,24 +155,7 @@ pub fn choose(request: &Request) -> Result<Choice, TraceError> {
     if let Some(doubt) = doubt {
         remark += &format!("; {doubt}");
     }
-    let (name, kind) = (device.info().name.clone(), device.info().kind);
-    let settings = Settings { traversal, primitive, is_exact: !request.is_fast };
-    let tracer = match VulkanTracer::new(Arc::clone(&device), settings) {
-        // The CPU is quicker than a device that must bring a scene page by page.
-        Ok(tracer) => tracer.with_pages(!request.is_automatic()),
-        Err(error) if request.is_automatic() => {
-            return Ok(cpu(format!("tracing on the CPU: the GPU does not work ({error})")));
-        }
-        Err(error) => return Err(error),
-    };
-    let with = if traversal.uses_primitives() { format!(", primitive {}", primitive.name()) } else { String::new() };
-    let why = match (request.traversal, kind) {
-        (_, DeviceKind::Cpu) => "a device in software: the CPU tracer is quicker",
-        (Some(_), _) => "as asked",
-        (None, _) => "the compute walk is the quickest where measured",
-    };
-    let reason = format!("tracing on {name}, traversal {}{with} ({why}){remark}", traversal.name());
-    Ok(Choice { tracer: Box::new(tracer), traversal, reason })
+    (Settings { traversal, primitive, is_exact: !request.is_fast }, remark)
 }
 
 /// The traversal and primitive to take, and a word about it where the probes speak against what was asked for.

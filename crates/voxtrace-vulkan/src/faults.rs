@@ -139,6 +139,11 @@ impl Faults {
         calls.get(call).is_some_and(|function| fault.is_legal(function))
     }
 
+    /// Puts the plan in force on this thread as well, for work that another one hands over.
+    pub(crate) fn follow(self: &Arc<Self>) {
+        OF_THREAD.set((!self.is_lasting).then(|| Arc::clone(self)));
+    }
+
     fn locked(&self) -> MutexGuard<'_, State> {
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
@@ -350,7 +355,7 @@ unsafe extern "system" fn get_device_function(device: vk::Device, name: *const c
 
 /// The same instance, with a table that plants errors.
 pub fn instance_with_faults(entry: &ash::Entry, instance: ash::Instance, faults: &Arc<Faults>) -> ash::Instance {
-    OF_THREAD.set((!faults.is_lasting).then(|| Arc::clone(faults)));
+    faults.follow();
     if faults.is_lasting {
         table().faults = Some(Arc::clone(faults));
     }

@@ -25,6 +25,7 @@ mod ray_program;
 mod real_time;
 mod scene;
 mod schedule;
+mod shared;
 mod spirv;
 mod statistics;
 mod tracer;
@@ -46,7 +47,7 @@ pub mod selftest;
 pub use accel::AccelReport;
 pub use allocations::MemoryReport;
 pub use capabilities::{DeviceInfo, DeviceKind, Limits, RayTracing, missing};
-pub use choose::{Choice, Request, choose};
+pub use choose::{Choice, Request, choose, choose_for};
 pub use device::Device;
 #[cfg(feature = "faults")]
 #[doc(hidden)]
@@ -55,6 +56,7 @@ pub use listing::devices;
 pub use method::{Primitive, Settings, Traversal};
 pub use picture::{BLUE_LOWEST, DISPLAY_BINDING, PICTURE_BINDING, Picture, PresentParams, Tone, Under};
 pub use real_time::{Rate, RealTimeFrame};
+pub use shared::SharedTracer;
 pub use statistics::Statistics;
 pub use tracer::VulkanTracer;
 pub use vulkan::{Messages, Options, Vulkan};

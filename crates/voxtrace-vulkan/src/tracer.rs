@@ -35,6 +35,8 @@ pub struct VulkanTracer {
     submit_ms: Option<f64>,
     /// Whether scenes that do not fit are traced page by page.
     has_pages: bool,
+    /// Whether the CPU goes on where the device does not come back.
+    has_processor: bool,
     most_paths: Option<u32>,
     scene: Option<Arc<PackedScene>>,
     /// The film as it was last on the host.
@@ -72,6 +74,7 @@ impl VulkanTracer {
             settings,
             submit_ms: None,
             has_pages: true,
+            has_processor: true,
             most_paths: None,
             scene: None,
             copy: None,
@@ -137,6 +140,12 @@ impl VulkanTracer {
         if let Backend::Device(worker) = &mut self.backend {
             worker.allow_pages(has_pages);
         }
+        self
+    }
+
+    /// Gives up with [`TraceError::DeviceLost`] where the CPU would go on for a device that does not come back: others take its work.
+    pub(crate) fn without_processor(mut self) -> Self {
+        self.has_processor = false;
         self
     }
 
@@ -236,6 +245,9 @@ impl VulkanTracer {
             }
         }
         self.backend = Backend::None;
+        if !self.has_processor {
+            return Err(TraceError::DeviceLost { last_pass: last_pass.into() });
+        }
         let mut cpu = CpuTracer::new(None);
         if let Some(scene) = &self.scene {
             cpu.set_scene(scene)?;

@@ -31,6 +31,7 @@ mod sampling;
 mod scene_pictures;
 mod selftest;
 mod shadow_catcher;
+mod shared;
 mod slab;
 mod sun_disc;
 mod surroundings;
