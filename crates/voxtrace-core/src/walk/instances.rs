@@ -154,3 +154,21 @@ fn entry(node: &InstanceNode, ray: &Ray, inverse: Vec3) -> Option<f32> {
     }
     (enter <= leave).then_some(enter)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::IVec3;
+
+    #[test]
+    fn at_the_same_t_the_lowest_instance_counts_and_in_one_the_first_on_the_path() {
+        let hit = |t, instance, x| Hit { t, instance, voxel: IVec3::new(x, 4, 4), face: 0 };
+        let backwards = || Vec3::new(-1.0, 1.0, 0.0);
+        assert!(is_before(&hit(1.0, 9, 0), &hit(2.0, 3, 0), backwards));
+        assert!(is_before(&hit(1.0, 3, 0), &hit(1.0, 9, 0), backwards));
+        assert!(is_before(&hit(1.0, 3, 6), &hit(1.0, 3, 5), backwards));
+        assert!(!is_before(&hit(1.0, 3, 5), &hit(1.0, 3, 6), backwards));
+        assert!(is_before(&hit(1.0, 3, 5), &hit(1.0, 3, 6), || Vec3::X));
+        assert!(!is_before(&Hit::MISS, &Hit::MISS, backwards));
+    }
+}

@@ -8,6 +8,8 @@
 mod device;
 mod hull;
 mod split;
+#[cfg(test)]
+mod tests;
 
 pub use device::{DEVICE_LEAF, DEVICE_MISSING, MOST_WAITING};
 
