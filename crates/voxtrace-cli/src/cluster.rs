@@ -56,7 +56,9 @@ impl ClusterTracer {
         let mut command = Command::new(&self.python);
         command.args(["-m", "voxtrace._program"]).arg(&self.address).arg(&self.device);
         command.arg(self.scene_file()).arg(&like);
-        command.args([frame.first_sample, frame.samples, region.x0, region.y0, region.x1, region.y1].map(|n| n.to_string()));
+        command.args(
+            [frame.first_sample, frame.samples, region.x0, region.y0, region.x1, region.y1].map(|n| n.to_string()),
+        );
         command.arg(&out).stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
         let child = command.spawn().map_err(|error| self.no_python(&error))?;
         let pixels = region.pixels() as u64 * u64::from(frame.samples);

@@ -27,7 +27,9 @@ pub fn split(words: &[String], verb: &Command) -> Vec<Word> {
             found.push(Word { id: Some(option.get_id().to_string()), text });
         } else if word.starts_with('-') && word.len() > 1 {
             for (at, letter) in word.char_indices().skip(1) {
-                let Some(option) = verb.get_arguments().find(|option| option.get_short() == Some(letter)) else { break };
+                let Some(option) = verb.get_arguments().find(|option| option.get_short() == Some(letter)) else {
+                    break;
+                };
                 let mut text = vec![format!("-{letter}")];
                 let value = &word[at + letter.len_utf8()..];
                 let has_value = option.get_action().takes_values();
@@ -84,7 +86,8 @@ mod tests {
         let mut program = Cli::command();
         program.build();
         let verb = program.find_subcommand("plan").unwrap();
-        let words = "--threads 3 plan -qo a.png x.vox --eye -1,2,3 --samples=4 --denoise --edges -ob.png --sun 10,20 -- -y.vox";
+        let words =
+            "--threads 3 plan -qo a.png x.vox --eye -1,2,3 --samples=4 --denoise --edges -ob.png --sun 10,20 -- -y.vox";
         let words: Vec<String> = words.split(' ').map(str::to_owned).collect();
         let found = split(&words, verb);
         let found: Vec<(&str, String)> =

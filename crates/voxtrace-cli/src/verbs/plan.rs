@@ -26,9 +26,9 @@ impl PlanArgs {
     pub fn run(self, report: &mut Report) -> Result<(), Failure> {
         let shared = self.render.shared()?;
         let words = std::env::args_os().skip(1).map(|word| word.into_string());
-        let words = words.collect::<Result<Vec<String>, _>>().map_err(|word| {
-            Failure::usage(format!("{} is not Unicode, and JSON is", word.display()))
-        })?;
+        let words = words
+            .collect::<Result<Vec<String>, _>>()
+            .map_err(|word| Failure::usage(format!("{} is not Unicode, and JSON is", word.display())))?;
         let mut program = Cli::command();
         program.build();
         let verb = program.find_subcommand("plan").ok_or_else(|| Failure::other("the verb is missing"))?;

@@ -14,7 +14,8 @@ fn words(line: &Value) -> Vec<String> {
 #[test]
 fn the_commands_of_a_plan_make_the_picture_of_one_run() {
     let folder = Folder::new();
-    let options = ["-q", "--size=24x14", "--traversal", "cpu", "--eye", "-20,-30,25", "--exposure", "-1", "--seed", "3"];
+    let options =
+        ["-q", "--size=24x14", "--traversal", "cpu", "--eye", "-20,-30,25", "--exposure", "-1", "--seed", "3"];
     let whole = [&["render", "room.vox"], &options[..], &["--samples", "10", "-o", "whole.png", "-o", "whole.vxf"]];
     folder.succeed(&whole.concat());
     let planned = [&["plan", "--parts", "4", "room.vox"], &options[..], &["--samples", "10", "-oa.png", "-o", "a.vxf"]];
@@ -25,7 +26,10 @@ fn the_commands_of_a_plan_make_the_picture_of_one_run() {
         assert_eq!((part["kind"].as_str(), part["first_sample"].as_u64()), (Some("part"), Some(next)));
         next += part["samples"].as_u64().unwrap();
         let command = words(part);
-        assert_eq!((&command[..2], command.last().unwrap().as_str()), (&["voxtrace".into(), "render".into()][..], "room.vox"));
+        assert_eq!(
+            (&command[..2], command.last().unwrap().as_str()),
+            (&["voxtrace".into(), "render".into()][..], "room.vox")
+        );
         folder.succeed(&command[1..].iter().map(String::as_str).collect::<Vec<_>>());
         assert!(folder.exists(part["film"].as_str().unwrap()));
     }

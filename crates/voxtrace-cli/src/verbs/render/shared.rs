@@ -26,9 +26,17 @@ impl RenderArgs {
         }
         refuse(self.quality.time_limit.is_some(), "--time-limit", "--spp N says how many samples there are")?;
         refuse(self.quality.noise.is_some(), "--noise", "--spp N says how many samples there are")?;
-        refuse(self.quality.denoise.is_some(), "--denoise", "--cluster removes noise of a picture that many machines make")?;
+        refuse(
+            self.quality.denoise.is_some(),
+            "--denoise",
+            "--cluster removes noise of a picture that many machines make",
+        )?;
         refuse(self.surroundings.has_background(), "--background", "--transparent leaves room for one")?;
-        refuse(self.film.resume.is_some(), "--resume", "--first-sample N begins behind a film of N samples, which merge takes")?;
+        refuse(
+            self.film.resume.is_some(),
+            "--resume",
+            "--first-sample N begins behind a film of N samples, which merge takes",
+        )?;
         refuse(self.film.checkpoint.is_some(), "--checkpoint", "each part writes its film")?;
         refuse(self.tracer.has_cluster(), "--cluster", "render takes it")?;
         let mut outputs = Vec::new();
