@@ -19,6 +19,10 @@ struct RealTimeParams_std140_0
     @align(16) before_rows_0 : array<vec4<f32>, i32(3)>,
     @align(16) before_origin_0 : vec3<f32>,
     @align(4) pixels_0 : u32,
+    @align(16) slots_0 : u32,
+    @align(4) cells_0 : u32,
+    @align(8) squares_0 : u32,
+    @align(4) again_0 : u32,
 };
 
 @binding(24) @group(0) var<uniform> real_time_0 : RealTimeParams_std140_0;
@@ -129,7 +133,7 @@ struct PackedGrid_std430_0
 
 @binding(21) @group(0) var<storage, read_write> pages_0 : array<u32>;
 
-@binding(0) @group(0) var<storage, read> cells_0 : array<u32>;
+@binding(0) @group(0) var<storage, read> cells_1 : array<u32>;
 
 @binding(1) @group(0) var<storage, read> bricks_0 : array<u32>;
 
@@ -139,15 +143,7 @@ struct PackedGrid_std430_0
 
 @binding(7) @group(0) var<storage, read> emitter_rows_0 : array<vec4<u32>>;
 
-struct InstanceNode_std430_0
-{
-    @align(4) min_1 : array<f32, i32(3)>,
-    @align(4) index_0 : u32,
-    @align(4) max_1 : array<f32, i32(3)>,
-    @align(4) is_leaf_0 : u32,
-};
-
-@binding(5) @group(0) var<storage, read> instance_nodes_0 : array<InstanceNode_std430_0>;
+@binding(5) @group(0) var<storage, read> instance_rows_0 : array<vec4<u32>>;
 
 @binding(26) @group(0) var<storage, read_write> scratch_0 : array<vec2<u32>>;
 
@@ -390,9 +386,9 @@ struct PackedMaterial_0
      scattering_0 : f32,
 };
 
-fn material_of_index_0( index_1 : u32) -> PackedMaterial_0
+fn material_of_index_0( index_0 : u32) -> PackedMaterial_0
 {
-    var _S8 : u32 = u32(4) * index_1;
+    var _S8 : u32 = u32(4) * index_0;
     var a_0 : vec4<u32> = material_rows_0[_S8];
     var b_0 : vec4<u32> = material_rows_0[_S8 + u32(1)];
     var c_0 : vec4<u32> = material_rows_0[_S8 + u32(2)];
@@ -786,23 +782,249 @@ fn Sky_le_0( direction_9 : vec3<f32>) -> vec3<f32>
     return Sky_radiance_0(direction_9);
 }
 
-fn Path_selection_at_0( this_8 : Path_0,  last_1 : Receiver_0) -> Selection_0
+fn has_sun_0() -> bool
 {
-    return this_8.selection_0;
+    return (params_0.sun_irradiance_0) > 0.0f;
+}
+
+fn with_slack_0( receiver_1 : Receiver_0,  cos_1 : f32) -> f32
+{
+    return cos_1;
+}
+
+struct LightNode_0
+{
+     min_1 : array<f32, i32(3)>,
+     index_1 : u32,
+     max_1 : array<f32, i32(3)>,
+     count_0 : u32,
+     power_2 : array<f32, i32(6)>,
+     parent_0 : u32,
+     root_1 : u32,
+};
+
+fn light_node_of_0( a_3 : vec4<u32>,  b_3 : vec4<u32>,  c_1 : vec4<u32>,  d_2 : vec4<u32>) -> LightNode_0
+{
+    var node_0 : LightNode_0;
+    var _S44 : f32 = (bitcast<f32>((a_3.y)));
+    var _S45 : f32 = (bitcast<f32>((a_3.z)));
+    node_0.min_1[i32(0)] = (bitcast<f32>((a_3.x)));
+    node_0.min_1[i32(1)] = _S44;
+    node_0.min_1[i32(2)] = _S45;
+    node_0.index_1 = a_3.w;
+    var _S46 : f32 = (bitcast<f32>((b_3.y)));
+    var _S47 : f32 = (bitcast<f32>((b_3.z)));
+    node_0.max_1[i32(0)] = (bitcast<f32>((b_3.x)));
+    node_0.max_1[i32(1)] = _S46;
+    node_0.max_1[i32(2)] = _S47;
+    node_0.count_0 = b_3.w;
+    var _S48 : f32 = (bitcast<f32>((c_1.y)));
+    var _S49 : f32 = (bitcast<f32>((c_1.z)));
+    var _S50 : f32 = (bitcast<f32>((c_1.w)));
+    var _S51 : f32 = (bitcast<f32>((d_2.x)));
+    var _S52 : f32 = (bitcast<f32>((d_2.y)));
+    node_0.power_2[i32(0)] = (bitcast<f32>((c_1.x)));
+    node_0.power_2[i32(1)] = _S48;
+    node_0.power_2[i32(2)] = _S49;
+    node_0.power_2[i32(3)] = _S50;
+    node_0.power_2[i32(4)] = _S51;
+    node_0.power_2[i32(5)] = _S52;
+    node_0.parent_0 = d_2.z;
+    node_0.root_1 = d_2.w;
+    return node_0;
+}
+
+fn top_light_node_0( index_2 : u32) -> LightNode_0
+{
+    var _S53 : u32 = u32(4) * index_2;
+    return light_node_of_0(top_light_node_rows_0[_S53], top_light_node_rows_0[_S53 + u32(1)], top_light_node_rows_0[_S53 + u32(2)], top_light_node_rows_0[_S53 + u32(3)]);
+}
+
+struct View_0
+{
+     importance_0 : f32,
+     is_far_0 : bool,
+};
+
+fn max_element_0( vector_1 : vec3<f32>) -> f32
+{
+    return max(max(vector_1.x, vector_1.y), vector_1.z);
+}
+
+fn length_bound_0( absolute_0 : vec3<f32>) -> f32
+{
+    return (max_element_0(absolute_0) + (absolute_0.x + absolute_0.y + absolute_0.z)) * 0.5f;
+}
+
+struct BySide_0
+{
+     low_0 : vec3<f32>,
+     high_0 : vec3<f32>,
+};
+
+fn BySide_x24init_0( low_1 : vec3<f32>,  high_1 : vec3<f32>) -> BySide_0
+{
+    var _S54 : BySide_0;
+    _S54.low_0 = low_1;
+    _S54.high_0 = high_1;
+    return _S54;
+}
+
+fn sent_by_side_0( node_1 : LightNode_0,  point_2 : vec3<f32>,  distance_0 : f32) -> BySide_0
+{
+    var _S55 : vec3<f32> = vec3<f32>(0.0f);
+    var _S56 : vec3<f32> = vec3<f32>(distance_0);
+    return BySide_x24init_0(vec3<f32>(node_1.power_2[i32(0)], node_1.power_2[i32(2)], node_1.power_2[i32(4)]) * min(max(vector_of_0(node_1.max_1) - point_2, _S55), _S56), vec3<f32>(node_1.power_2[i32(1)], node_1.power_2[i32(3)], node_1.power_2[i32(5)]) * min(max(point_2 - vector_of_0(node_1.min_1), _S55), _S56));
+}
+
+fn BySide_sum_0( this_8 : BySide_0) -> f32
+{
+    var axes_0 : vec3<f32> = this_8.low_0 + this_8.high_0;
+    return axes_0.x + axes_0.y + axes_0.z;
+}
+
+fn reciprocal_guess_0( x_6 : f32) -> f32
+{
+    var guess_2 : f32 = (bitcast<f32>((u32(2129859011) - (bitcast<u32>((x_6))))));
+    return guess_2 * (2.0f - x_6 * guess_2);
+}
+
+fn View_x24init_0( importance_1 : f32,  is_far_1 : bool) -> View_0
+{
+    var _S57 : View_0;
+    _S57.importance_0 = importance_1;
+    _S57.is_far_0 = is_far_1;
+    return _S57;
+}
+
+fn view_0( node_2 : LightNode_0,  receiver_2 : Receiver_0) -> View_0
+{
+    var _S58 : vec3<f32> = vector_of_0(node_2.max_1);
+    var _S59 : vec3<f32> = vector_of_0(node_2.min_1);
+    var _S60 : vec3<f32> = vec3<f32>(0.5f);
+    var half_0 : vec3<f32> = (_S58 - _S59) * _S60;
+    var toward_0 : vec3<f32> = (_S59 + _S58) * _S60 - receiver_2.point_0;
+    var middle_0 : f32 = dot_product_0(toward_0, receiver_2.normal_1);
+    var aside_0 : f32 = dot_product_0(half_0, abs(receiver_2.normal_1));
+    var above_0 : f32 = with_slack_0(receiver_2, middle_0 + aside_0);
+    var far_0 : f32 = length_squared_0(toward_0);
+    var near_0 : f32 = length_squared_0(half_0);
+    var is_far_2 : bool;
+    if((with_slack_0(receiver_2, middle_0 - aside_0)) > 0.0f)
+    {
+        is_far_2 = far_0 > (near_0 * 36.0f);
+    }
+    else
+    {
+        is_far_2 = false;
+    }
+    var distance_1 : f32 = length_bound_0(select(half_0, abs(toward_0), vec3<bool>((far_0 > near_0))));
+    var sent_0 : f32 = BySide_sum_0(sent_by_side_0(node_2, receiver_2.point_0, distance_1));
+    var falloff_0 : f32 = reciprocal_guess_0(max(far_0, near_0));
+    var _S61 : f32;
+    if(above_0 > 0.0f)
+    {
+        _S61 = sent_0 * min(above_0, distance_1) * (falloff_0 * falloff_0);
+    }
+    else
+    {
+        _S61 = 0.0f;
+    }
+    return View_x24init_0(_S61, is_far_2);
+}
+
+fn importance_of_all_0( receiver_3 : Receiver_0) -> f32
+{
+    if((params_0.light_node_count_0) == u32(0))
+    {
+        return 0.0f;
+    }
+    return view_0(top_light_node_0(u32(0)), receiver_3).importance_0 * params_0.light_intensity_0;
+}
+
+fn EmitterTree_importance_0( receiver_4 : Receiver_0) -> f32
+{
+    return importance_of_all_0(receiver_4);
+}
+
+fn Lights_sun_probability_0( receiver_5 : Receiver_0) -> f32
+{
+    if(!has_sun_0())
+    {
+        return 0.0f;
+    }
+    var cos_theta_0 : f32 = with_slack_0(receiver_5, dot_product_0(receiver_5.normal_1, params_0.sun_direction_0));
+    if(cos_theta_0 <= (- params_0.sun_sin_radius_0))
+    {
+        return 0.0f;
+    }
+    var from_emitters_0 : f32 = EmitterTree_importance_0(receiver_5);
+    if(from_emitters_0 <= 0.0f)
+    {
+        return 1.0f;
+    }
+    var from_sun_0 : f32 = params_0.sun_irradiance_0 * max(cos_theta_0, 0.0f);
+    return clamp(divide_0(from_sun_0, from_sun_0 + from_emitters_0), 0.25f, 0.75f);
 }
 
 fn Lights_has_chosen_sky_0() -> bool
 {
-    var _S44 : bool;
+    var _S62 : bool;
     if(SKY_0 == u32(1))
     {
-        _S44 = (params_0.sky_irradiance_0) > 0.0f;
+        _S62 = (params_0.sky_irradiance_0) > 0.0f;
     }
     else
     {
-        _S44 = false;
+        _S62 = false;
     }
-    return _S44;
+    return _S62;
+}
+
+fn Selection_x24init_0( sun_1 : f32,  sky_2 : f32,  emitters_1 : f32) -> Selection_0
+{
+    var _S63 : Selection_0;
+    _S63.sun_0 = sun_1;
+    _S63.sky_1 = sky_2;
+    _S63.emitters_0 = emitters_1;
+    return _S63;
+}
+
+fn Lights_sky_probability_0( receiver_6 : Receiver_0) -> f32
+{
+    var cos_theta_1 : f32 = dot_product_0(receiver_6.normal_1, params_0.sun_direction_0);
+    var from_sun_1 : f32;
+    if(has_sun_0())
+    {
+        from_sun_1 = params_0.sun_irradiance_0 * max(cos_theta_1, 0.0f);
+    }
+    else
+    {
+        from_sun_1 = 0.0f;
+    }
+    var from_others_0 : f32 = from_sun_1 + EmitterTree_importance_0(receiver_6);
+    if(from_others_0 <= 0.0f)
+    {
+        return 1.0f;
+    }
+    return clamp(divide_0(params_0.sky_irradiance_0, params_0.sky_irradiance_0 + from_others_0), 0.25f, 0.75f);
+}
+
+fn Lights_selection_0( receiver_7 : Receiver_0) -> Selection_0
+{
+    var sun_2 : f32 = Lights_sun_probability_0(receiver_7);
+    if(!Lights_has_chosen_sky_0())
+    {
+        return Selection_x24init_0(sun_2, 0.0f, 1.0f - sun_2);
+    }
+    var sky_3 : f32 = Lights_sky_probability_0(receiver_7);
+    var _S64 : f32 = 1.0f - sky_3;
+    return Selection_x24init_0(sun_2 * _S64, sky_3, (1.0f - sun_2) * _S64);
+}
+
+fn Path_selection_at_0( this_9 : Path_0,  last_1 : Receiver_0) -> Selection_0
+{
+    return Lights_selection_0(last_1);
 }
 
 fn Environment_pdf_0( direction_10 : vec3<f32>) -> f32
@@ -814,30 +1036,30 @@ fn Environment_pdf_0( direction_10 : vec3<f32>) -> f32
 
 fn Sky_pdf_0( direction_11 : vec3<f32>) -> f32
 {
-    var _S45 : f32;
+    var _S65 : f32;
     if(SKY_0 == u32(1))
     {
-        _S45 = Environment_pdf_0(direction_11);
+        _S65 = Environment_pdf_0(direction_11);
     }
     else
     {
-        _S45 = 0.0f;
+        _S65 = 0.0f;
     }
-    return _S45;
+    return _S65;
 }
 
 fn Lights_sky_pdf_0( selection_1 : Selection_0,  direction_12 : vec3<f32>) -> f32
 {
-    var _S46 : f32;
+    var _S66 : f32;
     if(Lights_has_chosen_sky_0())
     {
-        _S46 = Sky_pdf_0(direction_12) * selection_1.sky_1;
+        _S66 = Sky_pdf_0(direction_12) * selection_1.sky_1;
     }
     else
     {
-        _S46 = 0.0f;
+        _S66 = 0.0f;
     }
-    return _S46;
+    return _S66;
 }
 
 fn power_heuristic_0( own_0 : f32,  other_0 : f32) -> f32
@@ -848,25 +1070,20 @@ fn power_heuristic_0( own_0 : f32,  other_0 : f32) -> f32
 
 fn mis_weight_0( bounce_pdf_0 : f32,  light_pdf_0 : f32) -> f32
 {
-    var _S47 : bool;
+    var _S67 : bool;
     if(bounce_pdf_0 == 0.0f)
     {
-        _S47 = true;
+        _S67 = true;
     }
     else
     {
-        _S47 = light_pdf_0 == 0.0f;
+        _S67 = light_pdf_0 == 0.0f;
     }
-    if(_S47)
+    if(_S67)
     {
         return 1.0f;
     }
     return power_heuristic_0(bounce_pdf_0, light_pdf_0);
-}
-
-fn has_sun_0() -> bool
-{
-    return (params_0.sun_irradiance_0) > 0.0f;
 }
 
 fn SunDisc_is_visible_0() -> bool
@@ -874,26 +1091,26 @@ fn SunDisc_is_visible_0() -> bool
     return (params_0.hides_sun_disc_0) == u32(0);
 }
 
-fn Path_is_straight_0( this_9 : Path_0) -> bool
+fn Path_is_straight_0( this_10 : Path_0) -> bool
 {
-    var _S48 : bool;
-    if((this_9.bounce_0) == u32(0))
+    var _S68 : bool;
+    if((this_10.bounce_0) == u32(0))
     {
-        _S48 = (this_9.pdf_1) == 0.0f;
+        _S68 = (this_10.pdf_1) == 0.0f;
     }
     else
     {
-        _S48 = false;
+        _S68 = false;
     }
-    if(_S48)
+    if(_S68)
     {
-        _S48 = (all(((this_9.normal_0) == vec3<f32>(0.0f))));
+        _S68 = (all(((this_10.normal_0) == vec3<f32>(0.0f))));
     }
     else
     {
-        _S48 = false;
+        _S68 = false;
     }
-    return _S48;
+    return _S68;
 }
 
 fn SunDisc_contains_0( direction_13 : vec3<f32>) -> bool
@@ -903,59 +1120,54 @@ fn SunDisc_contains_0( direction_13 : vec3<f32>) -> bool
 
 fn SunDisc_le_0( direction_14 : vec3<f32>) -> vec3<f32>
 {
-    var _S49 : vec3<f32>;
+    var _S69 : vec3<f32>;
     if(SunDisc_contains_0(direction_14))
     {
-        _S49 = params_0.sun_radiance_0;
+        _S69 = params_0.sun_radiance_0;
     }
     else
     {
-        _S49 = vec3<f32>(0.0f);
+        _S69 = vec3<f32>(0.0f);
     }
-    return _S49;
-}
-
-fn max_element_0( vector_1 : vec3<f32>) -> f32
-{
-    return max(max(vector_1.x, vector_1.y), vector_1.z);
+    return _S69;
 }
 
 fn SunDisc_pdf_0( direction_15 : vec3<f32>) -> f32
 {
-    var _S50 : f32;
+    var _S70 : f32;
     if(SunDisc_contains_0(direction_15))
     {
-        _S50 = params_0.sun_pdf_0;
+        _S70 = params_0.sun_pdf_0;
     }
     else
     {
-        _S50 = 0.0f;
+        _S70 = 0.0f;
     }
-    return _S50;
+    return _S70;
 }
 
 fn Lights_sun_pdf_0( selection_2 : Selection_0,  direction_16 : vec3<f32>) -> f32
 {
-    var _S51 : f32;
+    var _S71 : f32;
     if(has_sun_0())
     {
-        _S51 = SunDisc_pdf_0(direction_16) * selection_2.sun_0;
+        _S71 = SunDisc_pdf_0(direction_16) * selection_2.sun_0;
     }
     else
     {
-        _S51 = 0.0f;
+        _S71 = 0.0f;
     }
-    return _S51;
+    return _S71;
 }
 
-fn Path_events_0( this_10 : Path_0) -> u32
+fn Path_events_0( this_11 : Path_0) -> u32
 {
-    return this_10.bounce_0;
+    return this_11.bounce_0;
 }
 
-fn Path_dimension_scatter_0( this_11 : Path_0) -> u32
+fn Path_dimension_scatter_0( this_12 : Path_0) -> u32
 {
-    return u32(1) + u32(2) * Path_events_0(this_11);
+    return u32(1) + u32(2) * Path_events_0(this_12);
 }
 
 fn owen_of_reversed_0( reversed_0 : u32,  seed_2 : u32) -> u32
@@ -969,23 +1181,23 @@ fn owen_of_reversed_0( reversed_0 : u32,  seed_2 : u32) -> u32
 
 fn scrambled_sobol_0( sample_1 : u32,  order_0 : u32,  seeds_0 : vec2<u32>) -> vec2<u32>
 {
-    var index_2 : u32 = owen_of_reversed_0(reverseBits(sample_1), order_0);
-    var binomial_0 : u32 = (index_2 ^ (((((index_2 >> (u32(1)))) & (u32(1431655765))))));
+    var index_3 : u32 = owen_of_reversed_0(reverseBits(sample_1), order_0);
+    var binomial_0 : u32 = (index_3 ^ (((((index_3 >> (u32(1)))) & (u32(1431655765))))));
     var binomial_1 : u32 = (binomial_0 ^ (((((binomial_0 >> (u32(2)))) & (u32(858993459))))));
     var binomial_2 : u32 = (binomial_1 ^ (((((binomial_1 >> (u32(4)))) & (u32(252645135))))));
     var binomial_3 : u32 = (binomial_2 ^ (((((binomial_2 >> (u32(8)))) & (u32(16711935))))));
-    return vec2<u32>(owen_of_reversed_0(index_2, seeds_0.x), owen_of_reversed_0((binomial_3 ^ (((((binomial_3 >> (u32(16)))) & (u32(65535)))))), seeds_0.y));
+    return vec2<u32>(owen_of_reversed_0(index_3, seeds_0.x), owen_of_reversed_0((binomial_3 ^ (((((binomial_3 >> (u32(16)))) & (u32(65535)))))), seeds_0.y));
 }
 
-fn Sampler_pair_0( this_12 : Sampler_0,  dimension_1 : u32,  which_0 : u32) -> vec2<u32>
+fn Sampler_pair_0( this_13 : Sampler_0,  dimension_1 : u32,  which_0 : u32) -> vec2<u32>
 {
-    var words_2 : vec4<u32> = pcg4d_0(vec4<u32>(this_12.pixel_0, dimension_1, this_12.seed_1, which_0));
-    return scrambled_sobol_0(this_12.sample_0, words_2.x, words_2.yz);
+    var words_2 : vec4<u32> = pcg4d_0(vec4<u32>(this_13.pixel_0, dimension_1, this_13.seed_1, which_0));
+    return scrambled_sobol_0(this_13.sample_0, words_2.x, words_2.yz);
 }
 
-fn Sampler_stratified_0( this_13 : Sampler_0,  dimension_2 : u32) -> vec4<f32>
+fn Sampler_stratified_0( this_14 : Sampler_0,  dimension_2 : u32) -> vec4<f32>
 {
-    return unit_float_0(vec4<u32>(Sampler_pair_0(this_13, dimension_2, u32(1)), Sampler_pair_0(this_13, dimension_2, u32(2))));
+    return unit_float_0(vec4<u32>(Sampler_pair_0(this_14, dimension_2, u32(1)), Sampler_pair_0(this_14, dimension_2, u32(2))));
 }
 
 fn cell_of_0( values_1 : array<i32, i32(3)>) -> vec3<i32>
@@ -997,47 +1209,47 @@ fn cell_of_0( values_1 : array<i32, i32(3)>) -> vec3<i32>
 
 var<private> is_page_missing_0 : bool;
 
-fn word_in_pages_0( index_3 : u32,  first_0 : u32) -> u32
+fn word_in_pages_0( index_4 : u32,  first_0 : u32) -> u32
 {
-    var page_0 : u32 = first_0 + ((index_3 >> (u32(10))));
+    var page_0 : u32 = first_0 + ((index_4 >> (u32(10))));
     var mark_0 : u32 = u32(8) + pages_0[i32(0)] + page_0;
     if(pages_0[mark_0] == u32(0))
     {
         pages_0[mark_0] = u32(1);
     }
     var slot_0 : u32 = pages_0[u32(8) + page_0];
-    var _S52 : bool;
+    var _S72 : bool;
     if(is_page_missing_0)
     {
-        _S52 = true;
+        _S72 = true;
     }
     else
     {
-        _S52 = slot_0 == u32(0);
+        _S72 = slot_0 == u32(0);
     }
-    is_page_missing_0 = _S52;
-    return (((slot_0 << (u32(10)))) | (((index_3 & (u32(1023))))));
+    is_page_missing_0 = _S72;
+    return (((slot_0 << (u32(10)))) | (((index_4 & (u32(1023))))));
 }
 
-fn place_of_cell_0( index_4 : u32) -> u32
+fn place_of_cell_0( index_5 : u32) -> u32
 {
-    var _S53 : u32;
+    var _S73 : u32;
     if(HAS_PAGES_0)
     {
-        var _S54 : u32 = word_in_pages_0(index_4, u32(0));
-        _S53 = _S54;
+        var _S74 : u32 = word_in_pages_0(index_5, u32(0));
+        _S73 = _S74;
     }
     else
     {
-        _S53 = index_4;
+        _S73 = index_5;
     }
-    return _S53;
+    return _S73;
 }
 
-fn cell_word_0( index_5 : u32) -> u32
+fn cell_word_0( index_6 : u32) -> u32
 {
-    var _S55 : u32 = place_of_cell_0(index_5);
-    return cells_0[_S55];
+    var _S75 : u32 = place_of_cell_0(index_6);
+    return cells_1[_S75];
 }
 
 fn cell_in_node_0( relative_0 : vec3<i32>,  shift_0 : u32) -> u32
@@ -1050,36 +1262,36 @@ fn cell_in_node_0( relative_0 : vec3<i32>,  shift_0 : u32) -> u32
 
 fn record_of_cell_0( cell_1 : u32) -> u32
 {
-    var _S56 : u32;
+    var _S76 : u32;
     if(CELLS_HAVE_BLOCKS_0)
     {
-        _S56 = u32(8388607);
+        _S76 = u32(8388607);
     }
     else
     {
-        _S56 = u32(2147483647);
+        _S76 = u32(2147483647);
     }
-    return ((cell_1 & (_S56))) * u32(2);
+    return ((cell_1 & (_S76))) * u32(2);
 }
 
-fn find_brick_0( _S57 : u32,  _S58 : vec3<i32>) -> u32
+fn find_brick_0( _S77 : u32,  _S78 : vec3<i32>) -> u32
 {
-    var top_0 : vec3<i32> = (_S58 >> (vec3<u32>(grids_0[_S57].top_shift_0)));
-    var _S59 : u32 = cell_word_0(grids_0[_S57].top_offset_0 + u32((top_0.z * grids_0[_S57].top_size_0[i32(1)] + top_0.y) * grids_0[_S57].top_size_0[i32(0)] + top_0.x));
-    var cell_2 : u32 = _S59;
-    var shift_1 : u32 = grids_0[_S57].top_shift_0;
+    var top_0 : vec3<i32> = (_S78 >> (vec3<u32>(grids_0[_S77].top_shift_0)));
+    var _S79 : u32 = cell_word_0(grids_0[_S77].top_offset_0 + u32((top_0.z * grids_0[_S77].top_size_0[i32(1)] + top_0.y) * grids_0[_S77].top_size_0[i32(0)] + top_0.x));
+    var cell_2 : u32 = _S79;
+    var shift_1 : u32 = grids_0[_S77].top_shift_0;
     for(;;)
     {
-        var _S60 : bool;
+        var _S80 : bool;
         if(shift_1 > u32(3))
         {
-            _S60 = ((cell_2 & (u32(2147483648)))) != u32(0);
+            _S80 = ((cell_2 & (u32(2147483648)))) != u32(0);
         }
         else
         {
-            _S60 = false;
+            _S80 = false;
         }
-        if(_S60)
+        if(_S80)
         {
         }
         else
@@ -1087,32 +1299,32 @@ fn find_brick_0( _S57 : u32,  _S58 : vec3<i32>) -> u32
             break;
         }
         var shift_2 : u32 = shift_1 - u32(2);
-        var _S61 : u32 = cell_word_0(((cell_2 & (u32(2147483647)))) * u32(64) + cell_in_node_0(_S58, shift_2));
-        cell_2 = _S61;
+        var _S81 : u32 = cell_word_0(((cell_2 & (u32(2147483647)))) * u32(64) + cell_in_node_0(_S78, shift_2));
+        cell_2 = _S81;
         shift_1 = shift_2;
     }
     return record_of_cell_0(cell_2);
 }
 
-fn place_of_brick_0( index_6 : u32) -> u32
+fn place_of_brick_0( index_7 : u32) -> u32
 {
-    var _S62 : u32;
+    var _S82 : u32;
     if(HAS_PAGES_0)
     {
-        var _S63 : u32 = word_in_pages_0(index_6, pages_0[i32(1)]);
-        _S62 = _S63;
+        var _S83 : u32 = word_in_pages_0(index_7, pages_0[i32(1)]);
+        _S82 = _S83;
     }
     else
     {
-        _S62 = index_6;
+        _S82 = index_7;
     }
-    return _S62;
+    return _S82;
 }
 
-fn brick_word_0( index_7 : u32) -> u32
+fn brick_word_0( index_8 : u32) -> u32
 {
-    var _S64 : u32 = place_of_brick_0(index_7);
-    return bricks_0[_S64];
+    var _S84 : u32 = place_of_brick_0(index_8);
+    return bricks_0[_S84];
 }
 
 fn rank_in_brick_0( record_0 : u32,  relative_1 : vec3<i32>) -> u32
@@ -1120,112 +1332,112 @@ fn rank_in_brick_0( record_0 : u32,  relative_1 : vec3<i32>) -> u32
     var header_0 : u32 = brick_word_0(record_0);
     var bit_0 : u32 = cell_in_node_0(relative_1, u32(0));
     var present_before_0 : u32 = countOneBits((header_0 & ((((u32(1) << (((((u32(((((relative_1.x) >> (u32(2)))) & (i32(1)))) | (((u32(((((relative_1.y) >> (u32(2)))) & (i32(1)))) << (u32(1))))))) | (((u32(((((relative_1.z) >> (u32(2)))) & (i32(1)))) << (u32(2)))))))))) - u32(1)))));
-    var index_8 : u32 = u32(0);
+    var index_9 : u32 = u32(0);
     var rank_0 : u32 = u32(0);
     for(;;)
     {
-        if(index_8 < present_before_0)
+        if(index_9 < present_before_0)
         {
         }
         else
         {
             break;
         }
-        var _S65 : u32 = u32(2) * index_8;
-        var _S66 : u32 = brick_word_0(record_0 + u32(2) + _S65);
-        var _S67 : u32 = countOneBits(_S66);
-        var _S68 : u32 = brick_word_0(record_0 + u32(3) + _S65);
-        var rank_1 : u32 = rank_0 + (_S67 + countOneBits(_S68));
-        index_8 = index_8 + u32(1);
+        var _S85 : u32 = u32(2) * index_9;
+        var _S86 : u32 = brick_word_0(record_0 + u32(2) + _S85);
+        var _S87 : u32 = countOneBits(_S86);
+        var _S88 : u32 = brick_word_0(record_0 + u32(3) + _S85);
+        var rank_1 : u32 = rank_0 + (_S87 + countOneBits(_S88));
+        index_9 = index_9 + u32(1);
         rank_0 = rank_1;
     }
-    var _S69 : u32 = u32(2) * present_before_0;
-    var low_0 : u32 = brick_word_0(record_0 + u32(2) + _S69);
+    var _S89 : u32 = u32(2) * present_before_0;
+    var low_2 : u32 = brick_word_0(record_0 + u32(2) + _S89);
     if(bit_0 < u32(32))
     {
-        rank_0 = rank_0 + countOneBits((low_0 & ((((u32(1) << (bit_0))) - u32(1)))));
+        rank_0 = rank_0 + countOneBits((low_2 & ((((u32(1) << (bit_0))) - u32(1)))));
     }
     else
     {
-        var _S70 : u32 = countOneBits(low_0);
-        var _S71 : u32 = brick_word_0(record_0 + u32(3) + _S69);
-        rank_0 = rank_0 + (_S70 + countOneBits((_S71 & ((((u32(1) << ((bit_0 - u32(32))))) - u32(1))))));
+        var _S90 : u32 = countOneBits(low_2);
+        var _S91 : u32 = brick_word_0(record_0 + u32(3) + _S89);
+        rank_0 = rank_0 + (_S90 + countOneBits((_S91 & ((((u32(1) << ((bit_0 - u32(32))))) - u32(1))))));
     }
     return rank_0;
 }
 
-fn place_of_material_0( index_9 : u32) -> u32
+fn place_of_material_0( index_10 : u32) -> u32
 {
-    var _S72 : u32;
+    var _S92 : u32;
     if(HAS_PAGES_0)
     {
-        var _S73 : u32 = word_in_pages_0(index_9, pages_0[i32(2)]);
-        _S72 = _S73;
+        var _S93 : u32 = word_in_pages_0(index_10, pages_0[i32(2)]);
+        _S92 = _S93;
     }
     else
     {
-        _S72 = index_9;
+        _S92 = index_10;
     }
-    return _S72;
+    return _S92;
 }
 
-fn material_word_0( index_10 : u32) -> u32
+fn material_word_0( index_11 : u32) -> u32
 {
-    var _S74 : u32 = place_of_material_0(index_10);
-    return brick_materials_0[_S74];
+    var _S94 : u32 = place_of_material_0(index_11);
+    return brick_materials_0[_S94];
 }
 
-fn read_bits_0( start_0 : u32,  position_0 : u32,  count_0 : u32) -> u32
+fn read_bits_0( start_0 : u32,  position_0 : u32,  count_1 : u32) -> u32
 {
-    if(count_0 == u32(0))
+    if(count_1 == u32(0))
     {
         return u32(0);
     }
     var word_4 : u32 = start_0 + ((position_0 >> (u32(5))));
     var shift_3 : u32 = (position_0 & (u32(31)));
-    var _S75 : u32 = material_word_0(word_4);
-    var bits_1 : u32 = (_S75 >> (shift_3));
+    var _S95 : u32 = material_word_0(word_4);
+    var bits_1 : u32 = (_S95 >> (shift_3));
     var bits_2 : u32;
-    if((shift_3 + count_0) > u32(32))
+    if((shift_3 + count_1) > u32(32))
     {
-        var _S76 : u32 = material_word_0(word_4 + u32(1));
-        bits_2 = (bits_1 | (((_S76 << ((u32(32) - shift_3))))));
+        var _S96 : u32 = material_word_0(word_4 + u32(1));
+        bits_2 = (bits_1 | (((_S96 << ((u32(32) - shift_3))))));
     }
     else
     {
         bits_2 = bits_1;
     }
-    return (bits_2 & ((((u32(1) << (count_0))) - u32(1))));
+    return (bits_2 & ((((u32(1) << (count_1))) - u32(1))));
 }
 
-fn material_at_0( _S77 : u32,  _S78 : vec3<i32>) -> u32
+fn material_at_0( _S97 : u32,  _S98 : vec3<i32>) -> u32
 {
-    var _S79 : u32 = find_brick_0(_S77, _S78);
-    var header_1 : u32 = brick_word_0(_S79);
-    var rank_2 : u32 = rank_in_brick_0(_S79, _S78);
+    var _S99 : u32 = find_brick_0(_S97, _S98);
+    var header_1 : u32 = brick_word_0(_S99);
+    var rank_2 : u32 = rank_in_brick_0(_S99, _S98);
     var index_bits_0 : u32 = (((header_1 >> (u32(8)))) & (u32(255)));
     var palette_count_0 : u32 = (header_1 >> (u32(16)));
-    var entry_bits_0 : u32 = grids_0[_S77].material_bits_0;
-    var start_1 : u32 = brick_word_0(_S79 + u32(1));
-    var index_11 : u32 = read_bits_0(start_1, palette_count_0 * grids_0[_S77].material_bits_0 + rank_2 * index_bits_0, index_bits_0);
+    var entry_bits_0 : u32 = grids_0[_S97].material_bits_0;
+    var start_1 : u32 = brick_word_0(_S99 + u32(1));
+    var index_12 : u32 = read_bits_0(start_1, palette_count_0 * grids_0[_S97].material_bits_0 + rank_2 * index_bits_0, index_bits_0);
     if(palette_count_0 == u32(0))
     {
-        return index_11;
+        return index_12;
     }
-    var _S80 : u32 = read_bits_0(start_1, index_11 * entry_bits_0, entry_bits_0);
-    return _S80;
+    var _S100 : u32 = read_bits_0(start_1, index_12 * entry_bits_0, entry_bits_0);
+    return _S100;
 }
 
 fn material_of_0( hit_0 : Hit_0) -> PackedMaterial_0
 {
-    var _S81 : u32 = material_at_0(instances_0[hit_0.instance_1].grid_0, hit_0.voxel_1 - cell_of_0(grids_0[instances_0[hit_0.instance_1].grid_0].origin_0));
-    return material_of_index_0(_S81);
+    var _S101 : u32 = material_at_0(instances_0[hit_0.instance_1].grid_0, hit_0.voxel_1 - cell_of_0(grids_0[instances_0[hit_0.instance_1].grid_0].origin_0));
+    return material_of_index_0(_S101);
 }
 
 fn material_met_0( path_3 : Path_0,  hit_1 : Hit_0,  beyond_1 : u32) -> PackedMaterial_0
 {
-    var _S82 : PackedMaterial_0 = material_of_0(hit_1);
-    return _S82;
+    var _S102 : PackedMaterial_0 = material_of_0(hit_1);
+    return _S102;
 }
 
 fn emitted_0( material_3 : PackedMaterial_0) -> vec3<f32>
@@ -1240,34 +1452,34 @@ fn EmitterTree_le_0( material_4 : PackedMaterial_0) -> vec3<f32>
 
 fn ior_of_0( inside_3 : Inside_0) -> f32
 {
-    var _S83 : f32;
+    var _S103 : f32;
     if(Inside_is_in_0(inside_3))
     {
-        _S83 = material_of_index_0(inside_3.material_0).ior_0;
+        _S103 = material_of_index_0(inside_3.material_0).ior_0;
     }
     else
     {
-        _S83 = 1.0f;
+        _S103 = 1.0f;
     }
-    return _S83;
+    return _S103;
 }
 
 fn Microfacets_x24init_0( alpha_1 : f32) -> Microfacets_0
 {
-    var _S84 : Microfacets_0;
-    _S84.alpha_0 = alpha_1;
-    return _S84;
+    var _S104 : Microfacets_0;
+    _S104.alpha_0 = alpha_1;
+    return _S104;
 }
 
 fn MaterialBsdf_x24init_0( kind_1 : u32,  color_1 : vec3<f32>,  specular_2 : f32,  eta_1 : f32,  facets_1 : Microfacets_0) -> MaterialBsdf_0
 {
-    var _S85 : MaterialBsdf_0;
-    _S85.kind_0 = kind_1;
-    _S85.color_0 = color_1;
-    _S85.specular_0 = specular_2;
-    _S85.eta_0 = eta_1;
-    _S85.facets_0 = facets_1;
-    return _S85;
+    var _S105 : MaterialBsdf_0;
+    _S105.kind_0 = kind_1;
+    _S105.color_0 = color_1;
+    _S105.specular_0 = specular_2;
+    _S105.eta_0 = eta_1;
+    _S105.facets_0 = facets_1;
+    return _S105;
 }
 
 fn bsdf_of_0( material_5 : PackedMaterial_0,  ior_1 : f32,  choice_0 : ptr<function, f32>) -> MaterialBsdf_0
@@ -1275,9 +1487,9 @@ fn bsdf_of_0( material_5 : PackedMaterial_0,  ior_1 : f32,  choice_0 : ptr<funct
     return MaterialBsdf_x24init_0(u32(0), vector_of_0(material_5.base_color_0), 0.0f, 1.0f, Microfacets_x24init_0(1.0f));
 }
 
-fn MaterialBsdf_albedo_0( this_14 : MaterialBsdf_0) -> vec3<f32>
+fn MaterialBsdf_albedo_0( this_15 : MaterialBsdf_0) -> vec3<f32>
 {
-    return this_14.color_0;
+    return this_15.color_0;
 }
 
 var<private> ends_here_0 : bool;
@@ -1288,60 +1500,60 @@ fn roulette_0( event_1 : u32,  scattered_1 : vec3<f32>,  u_3 : f32) -> f32
     {
         return 1.0f;
     }
-    var _S86 : f32 = min(max_element_0(scattered_1), 0.94999998807907104f);
-    var _S87 : f32;
-    if(u_3 < _S86)
+    var _S106 : f32 = min(max_element_0(scattered_1), 0.94999998807907104f);
+    var _S107 : f32;
+    if(u_3 < _S106)
     {
-        _S87 = divide_0(1.0f, _S86);
+        _S107 = divide_0(1.0f, _S106);
     }
     else
     {
-        _S87 = 0.0f;
+        _S107 = 0.0f;
     }
-    return _S87;
+    return _S107;
 }
 
 fn Hit_x24init_0( t_2 : f32,  instance_5 : u32,  voxel_3 : vec3<i32>,  face_2 : u32) -> Hit_0
 {
-    var _S88 : Hit_0;
-    _S88.t_0 = t_2;
-    _S88.instance_1 = instance_5;
-    _S88.voxel_1 = voxel_3;
-    _S88.face_0 = face_2;
-    return _S88;
+    var _S108 : Hit_0;
+    _S108.t_0 = t_2;
+    _S108.instance_1 = instance_5;
+    _S108.voxel_1 = voxel_3;
+    _S108.face_0 = face_2;
+    return _S108;
 }
 
 @id(1) override IS_SINGLE_0 : bool = false;
 
-fn margin_of_0( translation_1 : vec3<f32>,  low_1 : vec3<f32>) -> f32
+fn margin_of_0( translation_1 : vec3<f32>,  low_3 : vec3<f32>) -> f32
 {
-    return clamp((max_element_0(abs(low_1) + abs(translation_1)) + 1.0f) * 4.76837158203125e-07f, 0.0009765625f, 0.25f);
+    return clamp((max_element_0(abs(low_3) + abs(translation_1)) + 1.0f) * 4.76837158203125e-07f, 0.0009765625f, 0.25f);
 }
 
-fn offset_ray_origin_0( translation_2 : vec3<f32>,  low_2 : vec3<f32>,  face_3 : u32,  point_2 : vec3<f32>) -> vec3<f32>
+fn offset_ray_origin_0( translation_2 : vec3<f32>,  low_4 : vec3<f32>,  face_3 : u32,  point_3 : vec3<f32>) -> vec3<f32>
 {
-    var margin_0 : f32 = margin_of_0(translation_2, low_2);
-    var _S89 : vec3<f32> = vec3<f32>(margin_0);
-    var moved_0 : vec3<f32> = min(max(point_2, low_2 + _S89), low_2 + vec3<f32>((1.0f - margin_0)));
-    var _S90 : bool = face_3 < u32(2);
-    var _S91 : bool;
+    var margin_0 : f32 = margin_of_0(translation_2, low_4);
+    var _S109 : vec3<f32> = vec3<f32>(margin_0);
+    var moved_0 : vec3<f32> = min(max(point_3, low_4 + _S109), low_4 + vec3<f32>((1.0f - margin_0)));
+    var _S110 : bool = face_3 < u32(2);
+    var _S111 : bool;
     if(face_3 >= u32(2))
     {
-        _S91 = face_3 < u32(4);
+        _S111 = face_3 < u32(4);
     }
     else
     {
-        _S91 = false;
+        _S111 = false;
     }
-    var is_axis_0 : vec3<bool> = vec3<bool>(_S90, _S91, face_3 >= u32(4));
+    var is_axis_0 : vec3<bool> = vec3<bool>(_S110, _S111, face_3 >= u32(4));
     var outside_0 : vec3<f32>;
     if(((face_3 & (u32(1)))) == u32(1))
     {
-        outside_0 = low_2 + vec3<f32>((1.0f + margin_0));
+        outside_0 = low_4 + vec3<f32>((1.0f + margin_0));
     }
     else
     {
-        outside_0 = low_2 - _S89;
+        outside_0 = low_4 - _S109;
     }
     return select(moved_0, outside_0, is_axis_0);
 }
@@ -1357,32 +1569,32 @@ fn face_normal_0( face_4 : u32) -> vec3<f32>
     {
         away_0 = -1.0f;
     }
-    var _S92 : f32;
+    var _S112 : f32;
     if(face_4 < u32(2))
     {
-        _S92 = away_0;
+        _S112 = away_0;
     }
     else
     {
-        _S92 = 0.0f;
+        _S112 = 0.0f;
     }
-    var _S93 : bool;
+    var _S113 : bool;
     if(face_4 >= u32(2))
     {
-        _S93 = face_4 < u32(4);
+        _S113 = face_4 < u32(4);
     }
     else
     {
-        _S93 = false;
+        _S113 = false;
     }
-    var _S94 : f32;
-    if(_S93)
+    var _S114 : f32;
+    if(_S113)
     {
-        _S94 = away_0;
+        _S114 = away_0;
     }
     else
     {
-        _S94 = 0.0f;
+        _S114 = 0.0f;
     }
     if(face_4 >= u32(4))
     {
@@ -1391,22 +1603,22 @@ fn face_normal_0( face_4 : u32) -> vec3<f32>
     {
         away_0 = 0.0f;
     }
-    return vec3<f32>(_S92, _S94, away_0);
+    return vec3<f32>(_S112, _S114, away_0);
 }
 
-fn Transform_point_0( _S95 : u32,  _S96 : vec3<f32>) -> vec3<f32>
+fn Transform_point_0( _S115 : u32,  _S116 : vec3<f32>) -> vec3<f32>
 {
-    return Transform_direction_0(_S95, _S96) + vector_of_0(instances_0[_S95].grid_from_world_0.translation_0);
+    return Transform_direction_0(_S115, _S116) + vector_of_0(instances_0[_S115].grid_from_world_0.translation_0);
 }
 
-fn Transform_direction_1( _S97 : u32,  _S98 : vec3<f32>) -> vec3<f32>
+fn Transform_direction_1( _S117 : u32,  _S118 : vec3<f32>) -> vec3<f32>
 {
-    return vector_of_0(instances_0[_S97].world_from_grid_0.x_axis_0) * vec3<f32>(_S98.x) + vector_of_0(instances_0[_S97].world_from_grid_0.y_axis_0) * vec3<f32>(_S98.y) + vector_of_0(instances_0[_S97].world_from_grid_0.z_axis_0) * vec3<f32>(_S98.z);
+    return vector_of_0(instances_0[_S117].world_from_grid_0.x_axis_0) * vec3<f32>(_S118.x) + vector_of_0(instances_0[_S117].world_from_grid_0.y_axis_0) * vec3<f32>(_S118.y) + vector_of_0(instances_0[_S117].world_from_grid_0.z_axis_0) * vec3<f32>(_S118.z);
 }
 
-fn Transform_point_1( _S99 : u32,  _S100 : vec3<f32>) -> vec3<f32>
+fn Transform_point_1( _S119 : u32,  _S120 : vec3<f32>) -> vec3<f32>
 {
-    return Transform_direction_1(_S99, _S100) + vector_of_0(instances_0[_S99].world_from_grid_0.translation_0);
+    return Transform_direction_1(_S119, _S120) + vector_of_0(instances_0[_S119].world_from_grid_0.translation_0);
 }
 
 fn normalize_vector_0( vector_2 : vec3<f32>) -> vec3<f32>
@@ -1414,23 +1626,23 @@ fn normalize_vector_0( vector_2 : vec3<f32>) -> vec3<f32>
     return vector_2 * vec3<f32>(divide_0(1.0f, square_root_0(length_squared_0(vector_2))));
 }
 
-fn world_normal_0( _S101 : u32,  _S102 : u32) -> vec3<f32>
+fn world_normal_0( _S121 : u32,  _S122 : u32) -> vec3<f32>
 {
-    return normalize_vector_0(Transform_direction_1(_S101, face_normal_0(_S102)));
+    return normalize_vector_0(Transform_direction_1(_S121, face_normal_0(_S122)));
 }
 
 fn surface_of_0( ray_4 : Ray_0,  hit_2 : Hit_0) -> Surface_0
 {
     var surface_1 : Surface_0;
-    var _S103 : vec3<f32> = vec3<f32>(hit_2.voxel_1);
+    var _S123 : vec3<f32> = vec3<f32>(hit_2.voxel_1);
     if(IS_SINGLE_0)
     {
-        surface_1.origin_4 = offset_ray_origin_0(vec3<f32>(0.0f), _S103, hit_2.face_0, ray_4.origin_2 + ray_4.direction_1 * vec3<f32>(hit_2.t_0));
+        surface_1.origin_4 = offset_ray_origin_0(vec3<f32>(0.0f), _S123, hit_2.face_0, ray_4.origin_2 + ray_4.direction_1 * vec3<f32>(hit_2.t_0));
         surface_1.normal_2 = face_normal_0(hit_2.face_0);
     }
     else
     {
-        surface_1.origin_4 = Transform_point_1(hit_2.instance_1, offset_ray_origin_0(vector_of_0(instances_0[hit_2.instance_1].grid_from_world_0.translation_0), _S103, hit_2.face_0, Transform_point_0(hit_2.instance_1, ray_4.origin_2) + Transform_direction_0(hit_2.instance_1, ray_4.direction_1) * vec3<f32>(hit_2.t_0)));
+        surface_1.origin_4 = Transform_point_1(hit_2.instance_1, offset_ray_origin_0(vector_of_0(instances_0[hit_2.instance_1].grid_from_world_0.translation_0), _S123, hit_2.face_0, Transform_point_0(hit_2.instance_1, ray_4.origin_2) + Transform_direction_0(hit_2.instance_1, ray_4.direction_1) * vec3<f32>(hit_2.t_0)));
         surface_1.normal_2 = world_normal_0(hit_2.instance_1, hit_2.face_0);
     }
     surface_1.face_1 = hit_2.face_0;
@@ -1438,12 +1650,12 @@ fn surface_of_0( ray_4 : Ray_0,  hit_2 : Hit_0) -> Surface_0
     return surface_1;
 }
 
-fn Surface_local_direction_0( this_15 : Surface_0,  world_0 : vec3<f32>) -> vec3<f32>
+fn Surface_local_direction_0( this_16 : Surface_0,  world_0 : vec3<f32>) -> vec3<f32>
 {
     var in_grid_0 : vec3<f32>;
     if(!IS_SINGLE_0)
     {
-        in_grid_0 = Transform_direction_0(this_15.instance_3, world_0);
+        in_grid_0 = Transform_direction_0(this_16.instance_3, world_0);
     }
     else
     {
@@ -1451,13 +1663,13 @@ fn Surface_local_direction_0( this_15 : Surface_0,  world_0 : vec3<f32>) -> vec3
     }
     var in_grid_1 : vec3<f32> = normalize_vector_0(in_grid_0);
     var local_0 : vec3<f32>;
-    if((this_15.face_1) < u32(2))
+    if((this_16.face_1) < u32(2))
     {
         local_0 = in_grid_1.yzx;
     }
     else
     {
-        if((this_15.face_1) < u32(4))
+        if((this_16.face_1) < u32(4))
         {
             local_0 = in_grid_1.zxy;
         }
@@ -1466,7 +1678,7 @@ fn Surface_local_direction_0( this_15 : Surface_0,  world_0 : vec3<f32>) -> vec3
             local_0 = in_grid_1;
         }
     }
-    if((((this_15.face_1) & (u32(1)))) == u32(1))
+    if((((this_16.face_1) & (u32(1)))) == u32(1))
     {
         in_grid_0 = local_0;
     }
@@ -1477,63 +1689,63 @@ fn Surface_local_direction_0( this_15 : Surface_0,  world_0 : vec3<f32>) -> vec3
     return in_grid_0;
 }
 
-fn clamp_to_voxel_0( translation_3 : vec3<f32>,  low_3 : vec3<f32>,  point_3 : vec3<f32>) -> vec3<f32>
+fn clamp_to_voxel_0( translation_3 : vec3<f32>,  low_5 : vec3<f32>,  point_4 : vec3<f32>) -> vec3<f32>
 {
-    var margin_1 : f32 = margin_of_0(translation_3, low_3);
-    return min(max(point_3, low_3 + vec3<f32>(margin_1)), low_3 + vec3<f32>((1.0f - margin_1)));
+    var margin_1 : f32 = margin_of_0(translation_3, low_5);
+    return min(max(point_4, low_5 + vec3<f32>(margin_1)), low_5 + vec3<f32>((1.0f - margin_1)));
 }
 
-fn Inside_point_0( this_16 : Inside_0,  ray_5 : Ray_0,  t_3 : f32) -> vec3<f32>
+fn Inside_point_0( this_17 : Inside_0,  ray_5 : Ray_0,  t_3 : f32) -> vec3<f32>
 {
-    return Transform_point_1(this_16.instance_0, clamp_to_voxel_0(vector_of_0(instances_0[this_16.instance_0].grid_from_world_0.translation_0), vec3<f32>(this_16.voxel_0), Transform_point_0(this_16.instance_0, ray_5.origin_2) + Transform_direction_0(this_16.instance_0, ray_5.direction_1) * vec3<f32>(t_3)));
+    return Transform_point_1(this_17.instance_0, clamp_to_voxel_0(vector_of_0(instances_0[this_17.instance_0].grid_from_world_0.translation_0), vec3<f32>(this_17.voxel_0), Transform_point_0(this_17.instance_0, ray_5.origin_2) + Transform_direction_0(this_17.instance_0, ray_5.direction_1) * vec3<f32>(t_3)));
 }
 
 struct LightSample_0
 {
      ray_6 : Ray_0,
-     cos_theta_0 : f32,
+     cos_theta_2 : f32,
      radiance_1 : vec3<f32>,
      pdf_2 : f32,
 };
 
 fn Ray_x24init_0( origin_5 : vec3<f32>,  t_min_1 : f32,  direction_17 : vec3<f32>,  t_max_1 : f32) -> Ray_0
 {
-    var _S104 : Ray_0;
-    _S104.origin_2 = origin_5;
-    _S104.t_min_0 = t_min_1;
-    _S104.direction_1 = direction_17;
-    _S104.t_max_0 = t_max_1;
-    return _S104;
+    var _S124 : Ray_0;
+    _S124.origin_2 = origin_5;
+    _S124.t_min_0 = t_min_1;
+    _S124.direction_1 = direction_17;
+    _S124.t_max_0 = t_max_1;
+    return _S124;
 }
 
-fn LightSample_x24init_0( ray_7 : Ray_0,  cos_theta_1 : f32,  radiance_2 : vec3<f32>,  pdf_3 : f32) -> LightSample_0
+fn LightSample_x24init_0( ray_7 : Ray_0,  cos_theta_3 : f32,  radiance_2 : vec3<f32>,  pdf_3 : f32) -> LightSample_0
 {
-    var _S105 : LightSample_0;
-    _S105.ray_6 = ray_7;
-    _S105.cos_theta_0 = cos_theta_1;
-    _S105.radiance_1 = radiance_2;
-    _S105.pdf_2 = pdf_3;
-    return _S105;
+    var _S125 : LightSample_0;
+    _S125.ray_6 = ray_7;
+    _S125.cos_theta_2 = cos_theta_3;
+    _S125.radiance_1 = radiance_2;
+    _S125.pdf_2 = pdf_3;
+    return _S125;
 }
 
 fn no_light_0() -> LightSample_0
 {
-    var _S106 : vec3<f32> = vec3<f32>(0.0f);
-    return LightSample_x24init_0(Ray_x24init_0(_S106, 0.0f, _S106, 0.0f), 0.0f, _S106, 0.0f);
+    var _S126 : vec3<f32> = vec3<f32>(0.0f);
+    return LightSample_x24init_0(Ray_x24init_0(_S126, 0.0f, _S126, 0.0f), 0.0f, _S126, 0.0f);
 }
 
-fn Scatter_x24init_0( path_4 : Path_0,  receiver_1 : Receiver_0,  surface_2 : Surface_0,  bsdf_1 : MaterialBsdf_0,  wo_1 : vec3<f32>,  compensation_1 : f32,  is_scattered_1 : bool,  wants_light_1 : bool) -> Scatter_0
+fn Scatter_x24init_0( path_4 : Path_0,  receiver_8 : Receiver_0,  surface_2 : Surface_0,  bsdf_1 : MaterialBsdf_0,  wo_1 : vec3<f32>,  compensation_1 : f32,  is_scattered_1 : bool,  wants_light_1 : bool) -> Scatter_0
 {
-    var _S107 : Scatter_0;
-    _S107.path_0 = path_4;
-    _S107.receiver_0 = receiver_1;
-    _S107.surface_0 = surface_2;
-    _S107.bsdf_0 = bsdf_1;
-    _S107.wo_0 = wo_1;
-    _S107.compensation_0 = compensation_1;
-    _S107.is_scattered_0 = is_scattered_1;
-    _S107.wants_light_0 = wants_light_1;
-    return _S107;
+    var _S127 : Scatter_0;
+    _S127.path_0 = path_4;
+    _S127.receiver_0 = receiver_8;
+    _S127.surface_0 = surface_2;
+    _S127.bsdf_0 = bsdf_1;
+    _S127.wo_0 = wo_1;
+    _S127.compensation_0 = compensation_1;
+    _S127.is_scattered_0 = is_scattered_1;
+    _S127.wants_light_0 = wants_light_1;
+    return _S127;
 }
 
 struct BsdfSample_0
@@ -1551,35 +1763,35 @@ struct Diffuse_0
 
 fn Diffuse_x24init_0( reflectance_1 : vec3<f32>) -> Diffuse_0
 {
-    var _S108 : Diffuse_0;
-    _S108.reflectance_0 = reflectance_1;
-    return _S108;
+    var _S128 : Diffuse_0;
+    _S128.reflectance_0 = reflectance_1;
+    return _S128;
 }
 
 fn sincos_turns_0( turns_1 : f32) -> vec2<f32>
 {
     var quadrant_0 : i32 = i32(turns_1 * 4.0f + 0.5f);
-    var x_6 : f32 = (turns_1 - f32(quadrant_0) * 0.25f) * 6.28318548202514648f;
-    var xx_0 : f32 = x_6 * x_6;
-    var sin_1 : f32 = x_6 + x_6 * xx_0 * (-0.1666666716337204f + xx_0 * (0.00833333376795053f + xx_0 * (-0.0001984127011383f + xx_0 * 2.75573188446287531e-06f)));
-    var cos_1 : f32 = 1.0f + xx_0 * (-0.5f + xx_0 * (0.0416666679084301f + xx_0 * (-0.00138888892251998f + xx_0 * (0.00002480158764229f + xx_0 * -2.75573199814971304e-07f))));
+    var x_7 : f32 = (turns_1 - f32(quadrant_0) * 0.25f) * 6.28318548202514648f;
+    var xx_0 : f32 = x_7 * x_7;
+    var sin_1 : f32 = x_7 + x_7 * xx_0 * (-0.1666666716337204f + xx_0 * (0.00833333376795053f + xx_0 * (-0.0001984127011383f + xx_0 * 2.75573188446287531e-06f)));
+    var cos_2 : f32 = 1.0f + xx_0 * (-0.5f + xx_0 * (0.0416666679084301f + xx_0 * (-0.00138888892251998f + xx_0 * (0.00002480158764229f + xx_0 * -2.75573199814971304e-07f))));
     switch((quadrant_0 & (i32(3))))
     {
     case i32(0):
         {
-            return vec2<f32>(sin_1, cos_1);
+            return vec2<f32>(sin_1, cos_2);
         }
     case i32(1):
         {
-            return vec2<f32>(cos_1, - sin_1);
+            return vec2<f32>(cos_2, - sin_1);
         }
     case i32(2):
         {
-            return vec2<f32>(- sin_1, - cos_1);
+            return vec2<f32>(- sin_1, - cos_2);
         }
     default :
         {
-            return vec2<f32>(- cos_1, sin_1);
+            return vec2<f32>(- cos_2, sin_1);
         }
     }
 }
@@ -1591,38 +1803,38 @@ fn cosine_hemisphere_0( u_4 : f32,  v_3 : f32) -> vec3<f32>
     return vec3<f32>(radius_1 * sin_cos_0.y, radius_1 * sin_cos_0.x, square_root_0(1.0f - u_4));
 }
 
-fn cosine_hemisphere_pdf_0( cos_theta_2 : f32) -> f32
+fn cosine_hemisphere_pdf_0( cos_theta_4 : f32) -> f32
 {
-    return max(cos_theta_2, 0.0f) * 0.31830987334251404f;
+    return max(cos_theta_4, 0.0f) * 0.31830987334251404f;
 }
 
 fn BsdfSample_x24init_0( wi_1 : vec3<f32>,  weight_1 : vec3<f32>,  pdf_5 : f32,  is_delta_1 : bool) -> BsdfSample_0
 {
-    var _S109 : BsdfSample_0;
-    _S109.wi_0 = wi_1;
-    _S109.weight_0 = weight_1;
-    _S109.pdf_4 = pdf_5;
-    _S109.is_delta_0 = is_delta_1;
-    return _S109;
+    var _S129 : BsdfSample_0;
+    _S129.wi_0 = wi_1;
+    _S129.weight_0 = weight_1;
+    _S129.pdf_4 = pdf_5;
+    _S129.is_delta_0 = is_delta_1;
+    return _S129;
 }
 
-fn Diffuse_sample_0( this_17 : Diffuse_0,  wo_2 : vec3<f32>,  u_5 : vec3<f32>,  sample_2 : ptr<function, BsdfSample_0>) -> bool
+fn Diffuse_sample_0( this_18 : Diffuse_0,  wo_2 : vec3<f32>,  u_5 : vec3<f32>,  sample_2 : ptr<function, BsdfSample_0>) -> bool
 {
     var wi_2 : vec3<f32> = cosine_hemisphere_0(u_5.x, u_5.y);
-    (*sample_2) = BsdfSample_x24init_0(wi_2, this_17.reflectance_0, cosine_hemisphere_pdf_0(wi_2.z), false);
+    (*sample_2) = BsdfSample_x24init_0(wi_2, this_18.reflectance_0, cosine_hemisphere_pdf_0(wi_2.z), false);
     return true;
 }
 
-fn MaterialBsdf_sample_0( this_18 : MaterialBsdf_0,  wo_3 : vec3<f32>,  u_6 : vec3<f32>,  sample_3 : ptr<function, BsdfSample_0>) -> bool
+fn MaterialBsdf_sample_0( this_19 : MaterialBsdf_0,  wo_3 : vec3<f32>,  u_6 : vec3<f32>,  sample_3 : ptr<function, BsdfSample_0>) -> bool
 {
-    var _S110 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_18.color_0), wo_3, u_6, &((*sample_3)));
-    return _S110;
+    var _S130 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_19.color_0), wo_3, u_6, &((*sample_3)));
+    return _S130;
 }
 
-fn Surface_world_direction_0( this_19 : Surface_0,  local_1 : vec3<f32>) -> vec3<f32>
+fn Surface_world_direction_0( this_20 : Surface_0,  local_1 : vec3<f32>) -> vec3<f32>
 {
     var away_1 : f32;
-    if((((this_19.face_1) & (u32(1)))) == u32(1))
+    if((((this_20.face_1) & (u32(1)))) == u32(1))
     {
         away_1 = local_1.z;
     }
@@ -1630,28 +1842,28 @@ fn Surface_world_direction_0( this_19 : Surface_0,  local_1 : vec3<f32>) -> vec3
     {
         away_1 = - local_1.z;
     }
-    var _S111 : f32 = local_1.x;
-    var _S112 : f32 = local_1.y;
-    var _S113 : vec3<f32> = vec3<f32>(_S111, _S112, away_1);
+    var _S131 : f32 = local_1.x;
+    var _S132 : f32 = local_1.y;
+    var _S133 : vec3<f32> = vec3<f32>(_S131, _S132, away_1);
     var in_grid_2 : vec3<f32>;
-    if((this_19.face_1) < u32(2))
+    if((this_20.face_1) < u32(2))
     {
-        in_grid_2 = vec3<f32>(away_1, _S111, _S112);
+        in_grid_2 = vec3<f32>(away_1, _S131, _S132);
     }
     else
     {
-        if((this_19.face_1) < u32(4))
+        if((this_20.face_1) < u32(4))
         {
-            in_grid_2 = vec3<f32>(_S112, away_1, _S111);
+            in_grid_2 = vec3<f32>(_S132, away_1, _S131);
         }
         else
         {
-            in_grid_2 = _S113;
+            in_grid_2 = _S133;
         }
     }
     if(!IS_SINGLE_0)
     {
-        in_grid_2 = Transform_direction_1(this_19.instance_3, in_grid_2);
+        in_grid_2 = Transform_direction_1(this_20.instance_3, in_grid_2);
     }
     return normalize_vector_0(in_grid_2);
 }
@@ -1748,7 +1960,7 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_8 : Ray_0,  hit
     }
     var u_7 : vec4<f32> = Sampler_stratified_0((*path_5).sampler_0, Path_dimension_scatter_0((*path_5)));
     var material_6 : PackedMaterial_0 = material_met_0((*path_5), hit_3, beyond_2);
-    var _S114 : vec3<f32> = vec3<f32>(0.0f);
+    var _S134 : vec3<f32> = vec3<f32>(0.0f);
     var le_1 : vec3<f32>;
     if(!is_counted_0)
     {
@@ -1756,7 +1968,7 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_8 : Ray_0,  hit
     }
     else
     {
-        le_1 = _S114;
+        le_1 = _S134;
     }
     var is_lit_0 : bool = (max_element_0(le_1)) > 0.0f;
     if(weighs_apart_0())
@@ -1775,62 +1987,62 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_8 : Ray_0,  hit
     {
         is_weighed_0 = false;
     }
-    var _S115 : bool;
+    var _S135 : bool;
     if(is_lit_0)
     {
-        _S115 = !is_weighed_0;
+        _S135 = !is_weighed_0;
     }
     else
     {
-        _S115 = false;
+        _S135 = false;
     }
-    if(_S115)
+    if(_S135)
     {
         (*radiance_3) = (*radiance_3) + (*path_5).beta_0 * le_1 * vec3<f32>(mis_weight_0((*path_5).pdf_1, 0.0f));
     }
-    var _S116 : f32 = ior_of_0((*path_5).inside_0);
-    var _S117 : f32 = u_7[i32(3)];
-    var _S118 : MaterialBsdf_0 = bsdf_of_0(material_6, _S116, &(_S117));
-    u_7[i32(3)] = _S117;
-    var scattered_2 : vec3<f32> = (*path_5).beta_0 * MaterialBsdf_albedo_0(_S118);
+    var _S136 : f32 = ior_of_0((*path_5).inside_0);
+    var _S137 : f32 = u_7[i32(3)];
+    var _S138 : MaterialBsdf_0 = bsdf_of_0(material_6, _S136, &(_S137));
+    u_7[i32(3)] = _S137;
+    var scattered_2 : vec3<f32> = (*path_5).beta_0 * MaterialBsdf_albedo_0(_S138);
     if(((*path_5).bounce_0) >= (params_0.max_bounces_0))
     {
-        _S115 = true;
+        _S135 = true;
     }
     else
     {
-        _S115 = ends_here_0;
+        _S135 = ends_here_0;
     }
-    var _S119 : bool = !is_weighed_0;
-    if(_S119)
+    var _S139 : bool = !is_weighed_0;
+    if(_S139)
     {
-        if(_S115)
+        if(_S135)
         {
-            _S115 = true;
+            _S135 = true;
         }
         else
         {
-            _S115 = (max_element_0(scattered_2)) <= 0.0f;
+            _S135 = (max_element_0(scattered_2)) <= 0.0f;
         }
     }
     else
     {
-        _S115 = false;
+        _S135 = false;
     }
-    if(_S115)
+    if(_S135)
     {
         return next_0;
     }
     var compensation_2 : f32 = roulette_0(Path_events_0((*path_5)), scattered_2, u_7.z);
-    if(_S119)
+    if(_S139)
     {
-        _S115 = compensation_2 == 0.0f;
+        _S135 = compensation_2 == 0.0f;
     }
     else
     {
-        _S115 = false;
+        _S135 = false;
     }
-    if(_S115)
+    if(_S135)
     {
         return next_0;
     }
@@ -1844,19 +2056,19 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_8 : Ray_0,  hit
         at_0 = hit_3;
     }
     var surface_3 : Surface_0 = surface_of_0(ray_8, at_0);
-    var _S120 : Receiver_0 = Receiver_x24init_0(surface_3.origin_4, surface_3.normal_2);
-    var _S121 : vec3<f32> = (vec3<f32>(0) - ray_8.direction_1);
-    var wo_4 : vec3<f32> = Surface_local_direction_0(surface_3, _S121);
+    var _S140 : Receiver_0 = Receiver_x24init_0(surface_3.origin_4, surface_3.normal_2);
+    var _S141 : vec3<f32> = (vec3<f32>(0) - ray_8.direction_1);
+    var wo_4 : vec3<f32> = Surface_local_direction_0(surface_3, _S141);
     var inside_4 : Inside_0 = in_air_0();
     var wo_5 : vec3<f32>;
-    var receiver_2 : Receiver_0;
+    var receiver_9 : Receiver_0;
     if(is_scattered_2)
     {
-        var _S122 : Inside_0 = Inside_x24init_0((*path_5).inside_0.instance_0, hit_3.voxel_1, (*path_5).inside_0.material_0);
-        inside_4 = _S122;
-        var _S123 : vec3<f32> = normalize_vector_0(_S121);
-        receiver_2 = Receiver_x24init_0(Inside_point_0(_S122, ray_8, t_4), _S114);
-        wo_5 = _S123;
+        var _S142 : Inside_0 = Inside_x24init_0((*path_5).inside_0.instance_0, hit_3.voxel_1, (*path_5).inside_0.material_0);
+        inside_4 = _S142;
+        var _S143 : vec3<f32> = normalize_vector_0(_S141);
+        receiver_9 = Receiver_x24init_0(Inside_point_0(_S142, ray_8, t_4), _S134);
+        wo_5 = _S143;
     }
     else
     {
@@ -1866,17 +2078,17 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_8 : Ray_0,  hit
             inside_4 = Inside_x24init_0((*path_5).inside_0.instance_0, hit_3.voxel_1, (*path_5).inside_0.material_0);
             inside_4.voxel_0 = hit_3.voxel_1 + vec3<i32>(face_normal_0(hit_3.face_0));
         }
-        receiver_2 = _S120;
+        receiver_9 = _S140;
         wo_5 = wo_4;
     }
-    next_0.origin_1 = receiver_2.point_0;
+    next_0.origin_1 = receiver_9.point_0;
     next_0.shadow_inside_0 = inside_4;
     if(is_weighed_0)
     {
-        receiver_2 = last_3;
+        receiver_9 = last_3;
     }
     var light_2 : LightSample_0 = no_light_0();
-    scatter_of_path_0 = Scatter_x24init_0((*path_5), receiver_2, surface_3, _S118, wo_5, compensation_2, is_scattered_2, false);
+    scatter_of_path_0 = Scatter_x24init_0((*path_5), receiver_9, surface_3, _S138, wo_5, compensation_2, is_scattered_2, false);
     if(is_weighed_0)
     {
         if(next_0.has_shadow_ray_0)
@@ -1893,8 +2105,8 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_8 : Ray_0,  hit
         return next_0;
     }
     var bounce_1 : BsdfSample_0;
-    var _S124 : bool = MaterialBsdf_sample_0(_S118, wo_5, vec3<f32>(u_7.xy, u_7.w), &(bounce_1));
-    if(!_S124)
+    var _S144 : bool = MaterialBsdf_sample_0(_S138, wo_5, vec3<f32>(u_7.xy, u_7.w), &(bounce_1));
+    if(!_S144)
     {
         return next_0;
     }
@@ -1908,7 +2120,7 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_8 : Ray_0,  hit
         t_4 = bounce_1.pdf_4;
     }
     (*path_5).pdf_1 = t_4;
-    (*path_5).normal_0 = receiver_2.normal_1;
+    (*path_5).normal_0 = receiver_9.normal_1;
     next_0.direction_0 = bounce_1.wi_0;
     if(!is_scattered_2)
     {
@@ -1919,6 +2131,169 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_8 : Ray_0,  hit
     return next_0;
 }
 
+struct Walker_0
+{
+     path_6 : Path_0,
+     ray_9 : Ray_0,
+     is_shadow_ray_0 : bool,
+     light_3 : vec3<f32>,
+     direction_18 : vec3<f32>,
+     path_origin_2 : vec3<f32>,
+     shadow_inside_2 : Inside_0,
+     boundaries_0 : u32,
+     relocates_2 : bool,
+     path_relocates_2 : bool,
+     camera_ray_0 : Ray_0,
+     way_0 : f32,
+     has_shown_0 : bool,
+     asks_cache_0 : bool,
+     life_0 : u32,
+     is_at_cell_0 : bool,
+};
+
+struct Sample_0
+{
+     direct_0 : vec3<f32>,
+     light_4 : vec3<f32>,
+     is_shown_0 : bool,
+     albedo_0 : vec3<f32>,
+     normal_4 : vec3<f32>,
+     place_2 : vec3<f32>,
+     instance_6 : u32,
+};
+
+fn shading_normal_0( ray_10 : Ray_0,  hit_4 : Hit_0,  material_7 : PackedMaterial_0) -> vec3<f32>
+{
+    return world_normal_0(hit_4.instance_1, hit_4.face_0);
+}
+
+fn albedo_of_0( material_8 : PackedMaterial_0) -> vec3<f32>
+{
+    return vector_of_0(material_8.base_color_0);
+}
+
+fn show_0( path_7 : Path_0,  ray_11 : Ray_0,  hit_5 : Hit_0,  beyond_3 : u32,  sample_4 : ptr<function, Sample_0>)
+{
+    var _S145 : Path_0 = path_7;
+    (*sample_4).is_shown_0 = true;
+    if(Inside_is_in_0(_S145.inside_0))
+    {
+        absorb_0(&(_S145), _S145.inside_0, ray_11, hit_5.t_0);
+    }
+    var material_9 : PackedMaterial_0 = material_met_0(_S145, hit_5, beyond_3);
+    (*sample_4).normal_4 = shading_normal_0(ray_11, hit_5, material_9);
+    (*sample_4).albedo_0 = _S145.beta_0 * albedo_of_0(material_9);
+    return;
+}
+
+fn Walker_see_0( this_21 : ptr<function, Walker_0>,  arrived_0 : Path_0,  hit_6 : Hit_0,  beyond_4 : u32,  emitted_1 : vec3<f32>,  goes_on_0 : bool,  sample_5 : ptr<function, Sample_0>)
+{
+    (*sample_5).direct_0 = (*sample_5).direct_0 + emitted_1;
+    var _S146 : bool = ((*this_21).path_6.bounce_0) == u32(0);
+    var _S147 : bool;
+    if(goes_on_0)
+    {
+        _S147 = _S146;
+    }
+    else
+    {
+        _S147 = false;
+    }
+    var _S148 : bool = !_S147;
+    (*this_21).has_shown_0 = _S148;
+    if(!_S148)
+    {
+        (*this_21).way_0 = (*this_21).way_0 + hit_6.t_0;
+    }
+    else
+    {
+        if(!Hit_is_miss_0(hit_6))
+        {
+            show_0(arrived_0, (*this_21).ray_9, hit_6, beyond_4, &((*sample_5)));
+            (*sample_5).place_2 = (*this_21).camera_ray_0.origin_2 + (*this_21).camera_ray_0.direction_1 * vec3<f32>(((*this_21).way_0 + hit_6.t_0));
+            var _S149 : u32;
+            if(((*this_21).way_0) > 0.0f)
+            {
+                _S149 = u32(4294967295);
+            }
+            else
+            {
+                _S149 = hit_6.instance_1;
+            }
+            (*sample_5).instance_6 = _S149;
+        }
+    }
+    return;
+}
+
+fn ray_from_0( origin_6 : vec3<f32>,  direction_19 : vec3<f32>) -> Ray_0
+{
+    return Ray_x24init_0(origin_6, 0.0f, direction_19, (bitcast<f32>((u32(2139095040)))));
+}
+
+fn goes_on_from_0( at_1 : ptr<function, Walker_0>,  hit_7 : Hit_0,  beyond_5 : u32,  sample_6 : ptr<function, Sample_0>) -> bool
+{
+    var next_1 : NextRays_0 = no_rays_0();
+    var goes_on_1 : bool;
+    if((*at_1).is_at_cell_0)
+    {
+        next_1.origin_1 = (*at_1).ray_9.origin_2;
+        next_1.path_origin_0 = (*at_1).ray_9.origin_2;
+        next_1.direction_0 = (*at_1).ray_9.direction_1;
+        goes_on_1 = true;
+    }
+    else
+    {
+        var cached_0 : vec3<f32> = vec3<f32>(0.0f);
+        ends_here_0 = false;
+        var arrived_1 : Path_0 = (*at_1).path_6;
+        var emitted_2 : vec3<f32> = cached_0;
+        var _S150 : Path_0 = (*at_1).path_6;
+        var _S151 : NextRays_0 = PathTracingOf_advance_0(&(_S150), (*at_1).ray_9, hit_7, beyond_5, &(emitted_2));
+        (*at_1).path_6 = _S150;
+        next_1 = _S151;
+        var goes_on_2 : bool = (any(((next_1.direction_0) != cached_0)));
+        if((*at_1).has_shown_0)
+        {
+            (*sample_6).light_4 = (*sample_6).light_4 + emitted_2;
+        }
+        else
+        {
+            Walker_see_0(&((*at_1)), arrived_1, hit_7, beyond_5, emitted_2, goes_on_2, &((*sample_6)));
+        }
+        if((*at_1).has_shown_0)
+        {
+            return false;
+        }
+        goes_on_1 = goes_on_2;
+    }
+    if((*at_1).is_at_cell_0)
+    {
+        (*at_1).path_6.bounce_0 = u32(1);
+        (*at_1).path_6.event_0 = u32(1);
+        (*at_1).path_6.scattered_0 = u32(1);
+        (*at_1).is_at_cell_0 = false;
+    }
+    (*at_1).direction_18 = next_1.direction_0;
+    (*at_1).light_3 = next_1.light_0;
+    (*at_1).is_shadow_ray_0 = next_1.has_shadow_ray_0;
+    (*at_1).path_origin_2 = next_1.path_origin_0;
+    (*at_1).ray_9 = ray_from_0(next_1.origin_1, next_1.direction_0);
+    if((*at_1).is_shadow_ray_0)
+    {
+        (*at_1).ray_9 = Ray_x24init_0(next_1.origin_1, 0.0f, next_1.shadow_direction_0, next_1.shadow_t_max_0);
+    }
+    if(goes_on_1)
+    {
+        goes_on_1 = true;
+    }
+    else
+    {
+        goes_on_1 = (*at_1).is_shadow_ray_0;
+    }
+    return goes_on_1;
+}
+
 fn luminance_0( color_2 : vec3<f32>) -> f32
 {
     return color_2.x * 0.2125999927520752f + color_2.y * 0.71520000696182251f + color_2.z * 0.07220000028610229f;
@@ -1927,360 +2302,214 @@ fn luminance_0( color_2 : vec3<f32>) -> f32
 struct Aim_0
 {
      is_met_0 : bool,
-     direction_18 : vec3<f32>,
-     hit_4 : Hit_0,
+     direction_20 : vec3<f32>,
+     hit_8 : Hit_0,
      luminance_1 : f32,
 };
 
-fn Aim_x24init_0( is_met_1 : bool,  direction_19 : vec3<f32>,  hit_5 : Hit_0,  luminance_2 : f32) -> Aim_0
+fn Aim_x24init_0( is_met_1 : bool,  direction_21 : vec3<f32>,  hit_9 : Hit_0,  luminance_2 : f32) -> Aim_0
 {
-    var _S125 : Aim_0;
-    _S125.is_met_0 = is_met_1;
-    _S125.direction_18 = direction_19;
-    _S125.hit_4 = hit_5;
-    _S125.luminance_1 = luminance_2;
-    return _S125;
+    var _S152 : Aim_0;
+    _S152.is_met_0 = is_met_1;
+    _S152.direction_20 = direction_21;
+    _S152.hit_8 = hit_9;
+    _S152.luminance_1 = luminance_2;
+    return _S152;
 }
 
-fn with_slack_0( receiver_3 : Receiver_0,  cos_2 : f32) -> f32
-{
-    return cos_2;
-}
-
-fn ray_from_0( origin_6 : vec3<f32>,  direction_20 : vec3<f32>) -> Ray_0
-{
-    return Ray_x24init_0(origin_6, 0.0f, direction_20, (bitcast<f32>((u32(2139095040)))));
-}
-
-fn SunDisc_sample_0( receiver_4 : Receiver_0,  u_8 : vec4<f32>,  sample_4 : ptr<function, LightSample_0>) -> bool
+fn SunDisc_sample_0( receiver_10 : Receiver_0,  u_8 : vec4<f32>,  sample_7 : ptr<function, LightSample_0>) -> bool
 {
     var one_minus_cos_theta_0 : f32 = u_8.z * params_0.sun_one_minus_cos_theta_max_0;
     var radius_2 : f32 = square_root_0(one_minus_cos_theta_0 * (2.0f - one_minus_cos_theta_0));
     var sin_cos_1 : vec2<f32> = sincos_turns_0(u_8.w);
-    var direction_21 : vec3<f32> = params_0.sun_direction_0 * vec3<f32>((1.0f - one_minus_cos_theta_0)) + (params_0.sun_tangent_0 * vec3<f32>((radius_2 * sin_cos_1.y)) + params_0.sun_bitangent_0 * vec3<f32>((radius_2 * sin_cos_1.x)));
-    var cos_theta_3 : f32 = with_slack_0(receiver_4, dot_product_0(receiver_4.normal_1, direction_21));
-    (*sample_4) = LightSample_x24init_0(ray_from_0(receiver_4.point_0, direction_21), cos_theta_3, params_0.sun_radiance_0, params_0.sun_pdf_0);
-    return cos_theta_3 > 0.0f;
+    var direction_22 : vec3<f32> = params_0.sun_direction_0 * vec3<f32>((1.0f - one_minus_cos_theta_0)) + (params_0.sun_tangent_0 * vec3<f32>((radius_2 * sin_cos_1.y)) + params_0.sun_bitangent_0 * vec3<f32>((radius_2 * sin_cos_1.x)));
+    var cos_theta_5 : f32 = with_slack_0(receiver_10, dot_product_0(receiver_10.normal_1, direction_22));
+    (*sample_7) = LightSample_x24init_0(ray_from_0(receiver_10.point_0, direction_22), cos_theta_5, params_0.sun_radiance_0, params_0.sun_pdf_0);
+    return cos_theta_5 > 0.0f;
 }
 
 struct ChosenDirection_0
 {
-     direction_22 : vec3<f32>,
+     direction_23 : vec3<f32>,
      radiance_4 : vec3<f32>,
      pdf_6 : f32,
 };
 
-fn ChosenDirection_x24init_0( direction_23 : vec3<f32>,  radiance_5 : vec3<f32>,  pdf_7 : f32) -> ChosenDirection_0
+fn ChosenDirection_x24init_0( direction_24 : vec3<f32>,  radiance_5 : vec3<f32>,  pdf_7 : f32) -> ChosenDirection_0
 {
-    var _S126 : ChosenDirection_0;
-    _S126.direction_22 = direction_23;
-    _S126.radiance_4 = radiance_5;
-    _S126.pdf_6 = pdf_7;
-    return _S126;
+    var _S153 : ChosenDirection_0;
+    _S153.direction_23 = direction_24;
+    _S153.radiance_4 = radiance_5;
+    _S153.pdf_6 = pdf_7;
+    return _S153;
 }
 
 fn direction_of_0( square_0 : vec2<f32>) -> vec3<f32>
 {
     var u_9 : f32 = square_0.x * 2.0f - 1.0f;
     var v_4 : f32 = square_0.y * 2.0f - 1.0f;
-    var _S127 : f32 = abs(u_9);
-    var _S128 : f32 = abs(v_4);
-    var height_1 : f32 = 1.0f - (_S127 + _S128);
+    var _S154 : f32 = abs(u_9);
+    var _S155 : f32 = abs(v_4);
+    var height_1 : f32 = 1.0f - (_S154 + _S155);
     var radius_3 : f32 = 1.0f - abs(height_1);
     var turns_2 : f32;
     if(radius_3 > 0.0f)
     {
-        turns_2 = (divide_0(_S128 - _S127, radius_3) + 1.0f) * 0.125f;
+        turns_2 = (divide_0(_S155 - _S154, radius_3) + 1.0f) * 0.125f;
     }
     else
     {
         turns_2 = 0.0f;
     }
     var sin_cos_2 : vec2<f32> = sincos_turns_0(turns_2);
-    var _S129 : f32 = radius_3 * radius_3;
-    var across_0 : f32 = radius_3 * square_root_0(2.0f - _S129);
-    var x_7 : f32 = sin_cos_2.y * across_0;
+    var _S156 : f32 = radius_3 * radius_3;
+    var across_0 : f32 = radius_3 * square_root_0(2.0f - _S156);
+    var x_8 : f32 = sin_cos_2.y * across_0;
     var y_4 : f32 = sin_cos_2.x * across_0;
-    var z_0 : f32 = 1.0f - _S129;
+    var z_0 : f32 = 1.0f - _S156;
     if(u_9 < 0.0f)
     {
-        turns_2 = - x_7;
+        turns_2 = - x_8;
     }
     else
     {
-        turns_2 = x_7;
+        turns_2 = x_8;
     }
-    var _S130 : f32;
+    var _S157 : f32;
     if(v_4 < 0.0f)
     {
-        _S130 = - y_4;
+        _S157 = - y_4;
     }
     else
     {
-        _S130 = y_4;
+        _S157 = y_4;
     }
-    var _S131 : f32;
+    var _S158 : f32;
     if(height_1 < 0.0f)
     {
-        _S131 = - z_0;
+        _S158 = - z_0;
     }
     else
     {
-        _S131 = z_0;
+        _S158 = z_0;
     }
-    return vec3<f32>(turns_2, _S130, _S131);
+    return vec3<f32>(turns_2, _S157, _S158);
 }
 
-fn Environment_to_world_0( d_2 : vec3<f32>) -> vec3<f32>
+fn Environment_to_world_0( d_3 : vec3<f32>) -> vec3<f32>
 {
     var sin_2 : f32 = params_0.sky_turned_0.x;
     var cos_3 : f32 = params_0.sky_turned_0.y;
-    var _S132 : f32 = d_2.x;
-    var _S133 : f32 = d_2.y;
-    return vec3<f32>(_S132 * cos_3 + _S133 * sin_2, _S133 * cos_3 - _S132 * sin_2, d_2.z);
+    var _S159 : f32 = d_3.x;
+    var _S160 : f32 = d_3.y;
+    return vec3<f32>(_S159 * cos_3 + _S160 * sin_2, _S160 * cos_3 - _S159 * sin_2, d_3.z);
 }
 
 fn Environment_choose_0( u_10 : vec4<f32>,  chosen_0 : ptr<function, ChosenDirection_0>) -> bool
 {
-    var _S134 : vec3<f32> = vec3<f32>(0.0f);
-    (*chosen_0) = ChosenDirection_x24init_0(_S134, _S134, 0.0f);
+    var _S161 : vec3<f32> = vec3<f32>(0.0f);
+    (*chosen_0) = ChosenDirection_x24init_0(_S161, _S161, 0.0f);
     var edge_0 : f32 = f32(params_0.sky_edge_0);
-    var _S135 : f32 = u_10.x * edge_0;
-    var _S136 : f32 = edge_0 - 1.0f;
-    var _S137 : f32 = min(floor(_S135), _S136);
-    var own_1 : u32 = u32(_S137) * params_0.sky_edge_0 + u32(min(floor(u_10.y * edge_0), _S136));
-    var index_12 : u32;
+    var _S162 : f32 = u_10.x * edge_0;
+    var _S163 : f32 = edge_0 - 1.0f;
+    var _S164 : f32 = min(floor(_S162), _S163);
+    var own_1 : u32 = u32(_S164) * params_0.sky_edge_0 + u32(min(floor(u_10.y * edge_0), _S163));
+    var index_13 : u32;
     if((u_10.z) < (environment_0[own_1].threshold_0))
     {
-        index_12 = own_1;
+        index_13 = own_1;
     }
     else
     {
-        index_12 = environment_0[own_1].alias_0;
+        index_13 = environment_0[own_1].alias_0;
     }
-    var pdf_8 : f32 = environment_0[index_12].pdf_0;
-    if((environment_0[index_12].pdf_0) <= 0.0f)
+    var pdf_8 : f32 = environment_0[index_13].pdf_0;
+    if((environment_0[index_13].pdf_0) <= 0.0f)
     {
         return false;
     }
-    var _S138 : u32 = index_12 % params_0.sky_edge_0;
-    var _S139 : f32 = f32(_S138);
-    var _S140 : u32 = index_12 / params_0.sky_edge_0;
-    var place_2 : vec2<f32> = vec2<f32>(_S139, f32(_S140)) + vec2<f32>(min(_S135 - _S137, 1.0f), u_10.w);
-    (*chosen_0) = ChosenDirection_x24init_0(Environment_to_world_0(direction_of_0(place_2 * vec2<f32>(divide_0(1.0f, edge_0)))), Environment_radiance_at_0(place_2), pdf_8);
+    var _S165 : u32 = index_13 % params_0.sky_edge_0;
+    var _S166 : f32 = f32(_S165);
+    var _S167 : u32 = index_13 / params_0.sky_edge_0;
+    var place_3 : vec2<f32> = vec2<f32>(_S166, f32(_S167)) + vec2<f32>(min(_S162 - _S164, 1.0f), u_10.w);
+    (*chosen_0) = ChosenDirection_x24init_0(Environment_to_world_0(direction_of_0(place_3 * vec2<f32>(divide_0(1.0f, edge_0)))), Environment_radiance_at_0(place_3), pdf_8);
     return true;
 }
 
-fn Sky_sample_0( receiver_5 : Receiver_0,  u_11 : vec4<f32>,  sample_5 : ptr<function, LightSample_0>) -> bool
+fn Sky_sample_0( receiver_11 : Receiver_0,  u_11 : vec4<f32>,  sample_8 : ptr<function, LightSample_0>) -> bool
 {
-    (*sample_5) = no_light_0();
+    (*sample_8) = no_light_0();
     var chosen_1 : ChosenDirection_0;
-    var _S141 : bool;
+    var _S168 : bool;
     if(SKY_0 != u32(1))
     {
-        _S141 = true;
+        _S168 = true;
     }
     else
     {
-        var _S142 : bool = Environment_choose_0(u_11, &(chosen_1));
-        _S141 = !_S142;
+        var _S169 : bool = Environment_choose_0(u_11, &(chosen_1));
+        _S168 = !_S169;
     }
-    if(_S141)
+    if(_S168)
     {
         return false;
     }
-    var cos_theta_4 : f32 = dot_product_0(receiver_5.normal_1, chosen_1.direction_22);
-    (*sample_5) = LightSample_x24init_0(ray_from_0(receiver_5.point_0, chosen_1.direction_22), cos_theta_4, chosen_1.radiance_4 * vec3<f32>(params_0.sky_brightness_0), chosen_1.pdf_6);
-    return cos_theta_4 > 0.0f;
+    var cos_theta_6 : f32 = dot_product_0(receiver_11.normal_1, chosen_1.direction_23);
+    (*sample_8) = LightSample_x24init_0(ray_from_0(receiver_11.point_0, chosen_1.direction_23), cos_theta_6, chosen_1.radiance_4 * vec3<f32>(params_0.sky_brightness_0), chosen_1.pdf_6);
+    return cos_theta_6 > 0.0f;
 }
 
 struct Descent_0
 {
-     node_0 : u32,
-     index_13 : u32,
-     count_1 : u32,
+     node_3 : u32,
+     index_14 : u32,
+     count_2 : u32,
      weight_2 : f32,
      total_0 : f32,
      choice_1 : f32,
-     is_far_0 : bool,
+     is_far_3 : bool,
 };
 
-fn Descent_x24init_0( node_1 : u32,  index_14 : u32,  count_2 : u32,  weight_3 : f32,  total_1 : f32,  choice_2 : f32,  is_far_1 : bool) -> Descent_0
+fn Descent_x24init_0( node_4 : u32,  index_15 : u32,  count_3 : u32,  weight_3 : f32,  total_1 : f32,  choice_2 : f32,  is_far_4 : bool) -> Descent_0
 {
-    var _S143 : Descent_0;
-    _S143.node_0 = node_1;
-    _S143.index_13 = index_14;
-    _S143.count_1 = count_2;
-    _S143.weight_2 = weight_3;
-    _S143.total_0 = total_1;
-    _S143.choice_1 = choice_2;
-    _S143.is_far_0 = is_far_1;
-    return _S143;
+    var _S170 : Descent_0;
+    _S170.node_3 = node_4;
+    _S170.index_14 = index_15;
+    _S170.count_2 = count_3;
+    _S170.weight_2 = weight_3;
+    _S170.total_0 = total_1;
+    _S170.choice_1 = choice_2;
+    _S170.is_far_3 = is_far_4;
+    return _S170;
 }
 
-struct LightNode_0
+fn TopLights_node_0( index_16 : u32) -> LightNode_0
 {
-     min_2 : array<f32, i32(3)>,
-     index_15 : u32,
-     max_2 : array<f32, i32(3)>,
-     count_3 : u32,
-     power_2 : array<f32, i32(6)>,
-     parent_0 : u32,
-     root_1 : u32,
-};
-
-fn light_node_of_0( a_3 : vec4<u32>,  b_3 : vec4<u32>,  c_1 : vec4<u32>,  d_3 : vec4<u32>) -> LightNode_0
-{
-    var node_2 : LightNode_0;
-    var _S144 : f32 = (bitcast<f32>((a_3.y)));
-    var _S145 : f32 = (bitcast<f32>((a_3.z)));
-    node_2.min_2[i32(0)] = (bitcast<f32>((a_3.x)));
-    node_2.min_2[i32(1)] = _S144;
-    node_2.min_2[i32(2)] = _S145;
-    node_2.index_15 = a_3.w;
-    var _S146 : f32 = (bitcast<f32>((b_3.y)));
-    var _S147 : f32 = (bitcast<f32>((b_3.z)));
-    node_2.max_2[i32(0)] = (bitcast<f32>((b_3.x)));
-    node_2.max_2[i32(1)] = _S146;
-    node_2.max_2[i32(2)] = _S147;
-    node_2.count_3 = b_3.w;
-    var _S148 : f32 = (bitcast<f32>((c_1.y)));
-    var _S149 : f32 = (bitcast<f32>((c_1.z)));
-    var _S150 : f32 = (bitcast<f32>((c_1.w)));
-    var _S151 : f32 = (bitcast<f32>((d_3.x)));
-    var _S152 : f32 = (bitcast<f32>((d_3.y)));
-    node_2.power_2[i32(0)] = (bitcast<f32>((c_1.x)));
-    node_2.power_2[i32(1)] = _S148;
-    node_2.power_2[i32(2)] = _S149;
-    node_2.power_2[i32(3)] = _S150;
-    node_2.power_2[i32(4)] = _S151;
-    node_2.power_2[i32(5)] = _S152;
-    node_2.parent_0 = d_3.z;
-    node_2.root_1 = d_3.w;
-    return node_2;
+    return top_light_node_0(index_16);
 }
 
-fn top_light_node_0( index_16 : u32) -> LightNode_0
+fn Descent_at_0( this_22 : ptr<function, Descent_0>,  root_2 : u32)
 {
-    var _S153 : u32 = u32(4) * index_16;
-    return light_node_of_0(top_light_node_rows_0[_S153], top_light_node_rows_0[_S153 + u32(1)], top_light_node_rows_0[_S153 + u32(2)], top_light_node_rows_0[_S153 + u32(3)]);
-}
-
-fn TopLights_node_0( index_17 : u32) -> LightNode_0
-{
-    return top_light_node_0(index_17);
-}
-
-fn Descent_at_0( this_20 : ptr<function, Descent_0>,  root_2 : u32)
-{
-    var node_3 : LightNode_0 = TopLights_node_0(root_2);
-    (*this_20).node_0 = root_2;
-    (*this_20).index_13 = node_3.index_15;
-    (*this_20).count_1 = node_3.count_3;
-    (*this_20).is_far_0 = false;
+    var node_5 : LightNode_0 = TopLights_node_0(root_2);
+    (*this_22).node_3 = root_2;
+    (*this_22).index_14 = node_5.index_1;
+    (*this_22).count_2 = node_5.count_0;
+    (*this_22).is_far_3 = false;
     return;
-}
-
-struct View_0
-{
-     importance_0 : f32,
-     is_far_2 : bool,
-};
-
-fn length_bound_0( absolute_0 : vec3<f32>) -> f32
-{
-    return (max_element_0(absolute_0) + (absolute_0.x + absolute_0.y + absolute_0.z)) * 0.5f;
-}
-
-struct BySide_0
-{
-     low_4 : vec3<f32>,
-     high_0 : vec3<f32>,
-};
-
-fn BySide_x24init_0( low_5 : vec3<f32>,  high_1 : vec3<f32>) -> BySide_0
-{
-    var _S154 : BySide_0;
-    _S154.low_4 = low_5;
-    _S154.high_0 = high_1;
-    return _S154;
-}
-
-fn sent_by_side_0( node_4 : LightNode_0,  point_4 : vec3<f32>,  distance_0 : f32) -> BySide_0
-{
-    var _S155 : vec3<f32> = vec3<f32>(0.0f);
-    var _S156 : vec3<f32> = vec3<f32>(distance_0);
-    return BySide_x24init_0(vec3<f32>(node_4.power_2[i32(0)], node_4.power_2[i32(2)], node_4.power_2[i32(4)]) * min(max(vector_of_0(node_4.max_2) - point_4, _S155), _S156), vec3<f32>(node_4.power_2[i32(1)], node_4.power_2[i32(3)], node_4.power_2[i32(5)]) * min(max(point_4 - vector_of_0(node_4.min_2), _S155), _S156));
-}
-
-fn BySide_sum_0( this_21 : BySide_0) -> f32
-{
-    var axes_0 : vec3<f32> = this_21.low_4 + this_21.high_0;
-    return axes_0.x + axes_0.y + axes_0.z;
-}
-
-fn reciprocal_guess_0( x_8 : f32) -> f32
-{
-    var guess_2 : f32 = (bitcast<f32>((u32(2129859011) - (bitcast<u32>((x_8))))));
-    return guess_2 * (2.0f - x_8 * guess_2);
-}
-
-fn View_x24init_0( importance_1 : f32,  is_far_3 : bool) -> View_0
-{
-    var _S157 : View_0;
-    _S157.importance_0 = importance_1;
-    _S157.is_far_2 = is_far_3;
-    return _S157;
-}
-
-fn view_0( node_5 : LightNode_0,  receiver_6 : Receiver_0) -> View_0
-{
-    var _S158 : vec3<f32> = vector_of_0(node_5.max_2);
-    var _S159 : vec3<f32> = vector_of_0(node_5.min_2);
-    var _S160 : vec3<f32> = vec3<f32>(0.5f);
-    var half_0 : vec3<f32> = (_S158 - _S159) * _S160;
-    var toward_0 : vec3<f32> = (_S159 + _S158) * _S160 - receiver_6.point_0;
-    var middle_0 : f32 = dot_product_0(toward_0, receiver_6.normal_1);
-    var aside_0 : f32 = dot_product_0(half_0, abs(receiver_6.normal_1));
-    var above_0 : f32 = with_slack_0(receiver_6, middle_0 + aside_0);
-    var far_0 : f32 = length_squared_0(toward_0);
-    var near_0 : f32 = length_squared_0(half_0);
-    var is_far_4 : bool;
-    if((with_slack_0(receiver_6, middle_0 - aside_0)) > 0.0f)
-    {
-        is_far_4 = far_0 > (near_0 * 36.0f);
-    }
-    else
-    {
-        is_far_4 = false;
-    }
-    var distance_1 : f32 = length_bound_0(select(half_0, abs(toward_0), vec3<bool>((far_0 > near_0))));
-    var sent_0 : f32 = BySide_sum_0(sent_by_side_0(node_5, receiver_6.point_0, distance_1));
-    var falloff_0 : f32 = reciprocal_guess_0(max(far_0, near_0));
-    var _S161 : f32;
-    if(above_0 > 0.0f)
-    {
-        _S161 = sent_0 * min(above_0, distance_1) * (falloff_0 * falloff_0);
-    }
-    else
-    {
-        _S161 = 0.0f;
-    }
-    return View_x24init_0(_S161, is_far_4);
 }
 
 fn normal_or_zero_0( weight_4 : f32) -> f32
 {
-    var _S162 : f32;
+    var _S171 : f32;
     if(weight_4 < 1.17549435082228751e-38f)
     {
-        _S162 = 0.0f;
+        _S171 = 0.0f;
     }
     else
     {
-        _S162 = weight_4;
+        _S171 = weight_4;
     }
-    return _S162;
+    return _S171;
 }
 
 fn inverse_power_of_two_0( x_9 : f32) -> f32
@@ -2290,19 +2519,19 @@ fn inverse_power_of_two_0( x_9 : f32) -> f32
 
 fn weights_of_0( left_0 : f32,  right_0 : f32) -> vec2<f32>
 {
-    var _S163 : f32 = normal_or_zero_0(left_0);
-    var _S164 : f32 = normal_or_zero_0(right_0);
-    var unit_0 : f32 = inverse_power_of_two_0(_S163 + _S164);
-    return vec2<f32>(normal_or_zero_0(_S163 * unit_0), normal_or_zero_0(_S164 * unit_0));
+    var _S172 : f32 = normal_or_zero_0(left_0);
+    var _S173 : f32 = normal_or_zero_0(right_0);
+    var unit_0 : f32 = inverse_power_of_two_0(_S172 + _S173);
+    return vec2<f32>(normal_or_zero_0(_S172 * unit_0), normal_or_zero_0(_S173 * unit_0));
 }
 
-fn climb_0( receiver_7 : Receiver_0,  start_2 : u32,  descent_0 : ptr<function, Descent_0>) -> bool
+fn climb_0( receiver_12 : Receiver_0,  start_2 : u32,  descent_0 : ptr<function, Descent_0>) -> bool
 {
     var node_6 : LightNode_0 = top_light_node_0(start_2);
-    var at_1 : u32 = start_2;
+    var at_2 : u32 = start_2;
     for(;;)
     {
-        var _S165 : LightNode_0 = node_6;
+        var _S174 : LightNode_0 = node_6;
         if((node_6.parent_0) != u32(4294967295))
         {
         }
@@ -2310,59 +2539,59 @@ fn climb_0( receiver_7 : Receiver_0,  start_2 : u32,  descent_0 : ptr<function, 
         {
             break;
         }
-        var parent_1 : LightNode_0 = top_light_node_0(_S165.parent_0);
-        var _S166 : u32 = _S165.parent_0 + u32(1);
-        var is_left_0 : bool = at_1 == _S166;
-        var _S167 : u32;
+        var parent_1 : LightNode_0 = top_light_node_0(_S174.parent_0);
+        var _S175 : u32 = _S174.parent_0 + u32(1);
+        var is_left_0 : bool = at_2 == _S175;
+        var _S176 : u32;
         if(is_left_0)
         {
-            _S167 = parent_1.index_15;
+            _S176 = parent_1.index_1;
         }
         else
         {
-            _S167 = _S166;
+            _S176 = _S175;
         }
-        var _S168 : View_0 = view_0(node_6, receiver_7);
-        var _S169 : View_0 = view_0(top_light_node_0(_S167), receiver_7);
-        var _S170 : f32;
+        var _S177 : View_0 = view_0(node_6, receiver_12);
+        var _S178 : View_0 = view_0(top_light_node_0(_S176), receiver_12);
+        var _S179 : f32;
         if(is_left_0)
         {
-            _S170 = _S168.importance_0;
+            _S179 = _S177.importance_0;
         }
         else
         {
-            _S170 = _S169.importance_0;
+            _S179 = _S178.importance_0;
         }
-        var _S171 : f32;
+        var _S180 : f32;
         if(is_left_0)
         {
-            _S171 = _S169.importance_0;
+            _S180 = _S178.importance_0;
         }
         else
         {
-            _S171 = _S168.importance_0;
+            _S180 = _S177.importance_0;
         }
-        var weights_0 : vec2<f32> = weights_of_0(_S170, _S171);
-        var _S172 : f32 = weights_0.x;
-        var _S173 : f32 = weights_0.y;
-        var total_2 : f32 = _S172 + _S173;
+        var weights_0 : vec2<f32> = weights_of_0(_S179, _S180);
+        var _S181 : f32 = weights_0.x;
+        var _S182 : f32 = weights_0.y;
+        var total_2 : f32 = _S181 + _S182;
         if(!(total_2 > 0.0f))
         {
             return false;
         }
-        var _S174 : f32;
+        var _S183 : f32;
         if(is_left_0)
         {
-            _S174 = _S172;
+            _S183 = _S181;
         }
         else
         {
-            _S174 = _S173;
+            _S183 = _S182;
         }
-        (*descent_0).weight_2 = (*descent_0).weight_2 * _S174;
+        (*descent_0).weight_2 = (*descent_0).weight_2 * _S183;
         (*descent_0).total_0 = (*descent_0).total_0 * total_2;
         node_6 = parent_1;
-        at_1 = _S165.parent_0;
+        at_2 = _S174.parent_0;
     }
     return ((*descent_0).weight_2) > 0.0f;
 }
@@ -2379,32 +2608,32 @@ fn by_chance_0() -> Aim_0
 
 fn waits_for_pages_0() -> bool
 {
-    var _S175 : bool;
+    var _S184 : bool;
     if(HAS_PAGES_0)
     {
-        _S175 = is_page_missing_0;
+        _S184 = is_page_missing_0;
     }
     else
     {
-        _S175 = false;
+        _S184 = false;
     }
-    return _S175;
+    return _S184;
 }
 
-fn descend_0( receiver_8 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<function, Descent_0>) -> bool
+fn descend_0( receiver_13 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<function, Descent_0>) -> bool
 {
     for(;;)
     {
-        var _S176 : bool;
-        if(((*descent_1).count_1) == u32(0))
+        var _S185 : bool;
+        if(((*descent_1).count_2) == u32(0))
         {
-            _S176 = !(*descent_1).is_far_0;
+            _S185 = !(*descent_1).is_far_3;
         }
         else
         {
-            _S176 = false;
+            _S185 = false;
         }
-        if(_S176)
+        if(_S185)
         {
         }
         else
@@ -2415,32 +2644,32 @@ fn descend_0( receiver_8 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<function
         {
             return false;
         }
-        var left_1 : LightNode_0 = TopLights_node_0((*descent_1).node_0 + u32(1));
-        var right_1 : LightNode_0 = TopLights_node_0((*descent_1).index_13);
-        var weights_1 : vec2<f32> = weights_of_0(view_0(left_1, receiver_8).importance_0, view_0(right_1, receiver_8).importance_0);
-        var _S177 : f32 = weights_1.x;
-        var _S178 : f32 = weights_1.y;
-        var total_3 : f32 = _S177 + _S178;
+        var left_1 : LightNode_0 = TopLights_node_0((*descent_1).node_3 + u32(1));
+        var right_1 : LightNode_0 = TopLights_node_0((*descent_1).index_14);
+        var weights_1 : vec2<f32> = weights_of_0(view_0(left_1, receiver_13).importance_0, view_0(right_1, receiver_13).importance_0);
+        var _S186 : f32 = weights_1.x;
+        var _S187 : f32 = weights_1.y;
+        var total_3 : f32 = _S186 + _S187;
         if(!(total_3 > 0.0f))
         {
             return false;
         }
-        var _S179 : bool;
-        if(_S178 <= 0.0f)
+        var _S188 : bool;
+        if(_S187 <= 0.0f)
         {
-            _S179 = true;
+            _S188 = true;
         }
         else
         {
-            _S179 = ((*descent_1).choice_1 * total_3) < (_S177 * (*descent_1).weight_2);
+            _S188 = ((*descent_1).choice_1 * total_3) < (_S186 * (*descent_1).weight_2);
         }
         var is_left_1 : bool;
         if(aim_0.is_met_0)
         {
-            var _S180 : vec3<f32> = vec3<f32>(aim_0.hit_4.voxel_1);
-            if((all((_S180 >= (vector_of_0(left_1.min_2))))))
+            var _S189 : vec3<f32> = vec3<f32>(aim_0.hit_8.voxel_1);
+            if((all((_S189 >= (vector_of_0(left_1.min_1))))))
             {
-                is_left_1 = (all((_S180 < (vector_of_0(left_1.max_2)))));
+                is_left_1 = (all((_S189 < (vector_of_0(left_1.max_1)))));
             }
             else
             {
@@ -2449,63 +2678,63 @@ fn descend_0( receiver_8 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<function
         }
         else
         {
-            is_left_1 = _S179;
+            is_left_1 = _S188;
         }
-        var _S181 : f32 = (*descent_1).choice_1 * total_3;
-        var _S182 : f32;
+        var _S190 : f32 = (*descent_1).choice_1 * total_3;
+        var _S191 : f32;
         if(is_left_1)
         {
-            _S182 = 0.0f;
+            _S191 = 0.0f;
         }
         else
         {
-            _S182 = _S177 * (*descent_1).weight_2;
+            _S191 = _S186 * (*descent_1).weight_2;
         }
-        (*descent_1).choice_1 = _S181 - _S182;
-        var _S183 : u32;
+        (*descent_1).choice_1 = _S190 - _S191;
+        var _S192 : u32;
         if(is_left_1)
         {
-            _S183 = (*descent_1).node_0 + u32(1);
+            _S192 = (*descent_1).node_3 + u32(1);
         }
         else
         {
-            _S183 = (*descent_1).index_13;
+            _S192 = (*descent_1).index_14;
         }
-        (*descent_1).node_0 = _S183;
-        var _S184 : u32;
+        (*descent_1).node_3 = _S192;
+        var _S193 : u32;
         if(is_left_1)
         {
-            _S184 = left_1.index_15;
+            _S193 = left_1.index_1;
         }
         else
         {
-            _S184 = right_1.index_15;
+            _S193 = right_1.index_1;
         }
-        (*descent_1).index_13 = _S184;
-        var _S185 : u32;
+        (*descent_1).index_14 = _S193;
+        var _S194 : u32;
         if(is_left_1)
         {
-            _S185 = left_1.count_3;
+            _S194 = left_1.count_0;
         }
         else
         {
-            _S185 = right_1.count_3;
+            _S194 = right_1.count_0;
         }
-        (*descent_1).count_1 = _S185;
-        (*descent_1).is_far_0 = false;
-        var _S186 : f32;
+        (*descent_1).count_2 = _S194;
+        (*descent_1).is_far_3 = false;
+        var _S195 : f32;
         if(is_left_1)
         {
-            _S186 = _S177;
+            _S195 = _S186;
         }
         else
         {
-            _S186 = _S178;
+            _S195 = _S187;
         }
-        var _S187 : f32 = (*descent_1).weight_2 * _S186;
-        (*descent_1).weight_2 = _S187;
+        var _S196 : f32 = (*descent_1).weight_2 * _S195;
+        (*descent_1).weight_2 = _S196;
         (*descent_1).total_0 = (*descent_1).total_0 * total_3;
-        if(_S187 <= 0.0f)
+        if(_S196 <= 0.0f)
         {
             return false;
         }
@@ -2513,43 +2742,43 @@ fn descend_0( receiver_8 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<function
     return true;
 }
 
-fn in_grid_3( instance_6 : u32,  receiver_9 : Receiver_0) -> Receiver_0
+fn in_grid_3( instance_7 : u32,  receiver_14 : Receiver_0) -> Receiver_0
 {
     if(IS_SINGLE_0)
     {
-        return receiver_9;
+        return receiver_14;
     }
-    return Receiver_x24init_0(Transform_point_0(instance_6, receiver_9.point_0), normalize_vector_0(Transform_direction_0(instance_6, receiver_9.normal_1)));
+    return Receiver_x24init_0(Transform_point_0(instance_7, receiver_14.point_0), normalize_vector_0(Transform_direction_0(instance_7, receiver_14.normal_1)));
 }
 
 fn lights_in_pages_0() -> bool
 {
-    var _S188 : bool;
+    var _S197 : bool;
     if(HAS_PAGES_0)
     {
-        _S188 = pages_0[u32(5)] != u32(0);
+        _S197 = pages_0[u32(5)] != u32(0);
     }
     else
     {
-        _S188 = false;
+        _S197 = false;
     }
-    return _S188;
+    return _S197;
 }
 
 fn place_in_light_node_0( node_7 : u32,  word_5 : u32) -> u32
 {
-    var _S189 : u32 = word_in_pages_0(node_7 * u32(16) + word_5, pages_0[i32(4)]);
-    return _S189;
+    var _S198 : u32 = word_in_pages_0(node_7 * u32(16) + word_5, pages_0[i32(4)]);
+    return _S198;
 }
 
-fn light_node_at_0( index_18 : u32) -> LightNode_0
+fn light_node_at_0( index_17 : u32) -> LightNode_0
 {
     if(!lights_in_pages_0())
     {
-        var _S190 : u32 = u32(4) * index_18;
-        return light_node_of_0(light_node_rows_0[_S190], light_node_rows_0[_S190 + u32(1)], light_node_rows_0[_S190 + u32(2)], light_node_rows_0[_S190 + u32(3)]);
+        var _S199 : u32 = u32(4) * index_17;
+        return light_node_of_0(light_node_rows_0[_S199], light_node_rows_0[_S199 + u32(1)], light_node_rows_0[_S199 + u32(2)], light_node_rows_0[_S199 + u32(3)]);
     }
-    var at_2 : u32 = place_in_light_node_0(index_18, u32(0));
+    var at_3 : u32 = place_in_light_node_0(index_17, u32(0));
     var node_8 : LightNode_0;
     var i_0 : u32 = u32(0);
     for(;;)
@@ -2561,12 +2790,12 @@ fn light_node_at_0( index_18 : u32) -> LightNode_0
         {
             break;
         }
-        node_8.min_2[i_0] = (bitcast<f32>((cells_0[at_2 + i_0])));
-        node_8.max_2[i_0] = (bitcast<f32>((cells_0[at_2 + u32(4) + i_0])));
+        node_8.min_1[i_0] = (bitcast<f32>((cells_1[at_3 + i_0])));
+        node_8.max_1[i_0] = (bitcast<f32>((cells_1[at_3 + u32(4) + i_0])));
         i_0 = i_0 + u32(1);
     }
-    node_8.index_15 = cells_0[at_2 + u32(3)];
-    node_8.count_3 = cells_0[at_2 + u32(7)];
+    node_8.index_1 = cells_1[at_3 + u32(3)];
+    node_8.count_0 = cells_1[at_3 + u32(7)];
     i_0 = u32(0);
     for(;;)
     {
@@ -2577,44 +2806,44 @@ fn light_node_at_0( index_18 : u32) -> LightNode_0
         {
             break;
         }
-        node_8.power_2[i_0] = (bitcast<f32>((cells_0[at_2 + u32(8) + i_0])));
+        node_8.power_2[i_0] = (bitcast<f32>((cells_1[at_3 + u32(8) + i_0])));
         i_0 = i_0 + u32(1);
     }
-    node_8.parent_0 = cells_0[at_2 + u32(14)];
-    node_8.root_1 = cells_0[at_2 + u32(15)];
+    node_8.parent_0 = cells_1[at_3 + u32(14)];
+    node_8.root_1 = cells_1[at_3 + u32(15)];
     return node_8;
 }
 
-fn GridLights_node_0( index_19 : u32) -> LightNode_0
+fn GridLights_node_0( index_18 : u32) -> LightNode_0
 {
-    var _S191 : LightNode_0 = light_node_at_0(index_19);
-    return _S191;
+    var _S200 : LightNode_0 = light_node_at_0(index_18);
+    return _S200;
 }
 
-fn Descent_at_1( this_22 : ptr<function, Descent_0>,  root_3 : u32)
+fn Descent_at_1( this_23 : ptr<function, Descent_0>,  root_3 : u32)
 {
     var node_9 : LightNode_0 = GridLights_node_0(root_3);
-    (*this_22).node_0 = root_3;
-    (*this_22).index_13 = node_9.index_15;
-    (*this_22).count_1 = node_9.count_3;
-    (*this_22).is_far_0 = false;
+    (*this_23).node_3 = root_3;
+    (*this_23).index_14 = node_9.index_1;
+    (*this_23).count_2 = node_9.count_0;
+    (*this_23).is_far_3 = false;
     return;
 }
 
-fn descend_1( receiver_10 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<function, Descent_0>) -> bool
+fn descend_1( receiver_15 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<function, Descent_0>) -> bool
 {
     for(;;)
     {
-        var _S192 : bool;
-        if(((*descent_2).count_1) == u32(0))
+        var _S201 : bool;
+        if(((*descent_2).count_2) == u32(0))
         {
-            _S192 = !(*descent_2).is_far_0;
+            _S201 = !(*descent_2).is_far_3;
         }
         else
         {
-            _S192 = false;
+            _S201 = false;
         }
-        if(_S192)
+        if(_S201)
         {
         }
         else
@@ -2625,34 +2854,34 @@ fn descend_1( receiver_10 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<functio
         {
             return false;
         }
-        var left_2 : LightNode_0 = GridLights_node_0((*descent_2).node_0 + u32(1));
-        var right_2 : LightNode_0 = GridLights_node_0((*descent_2).index_13);
-        var of_left_0 : View_0 = view_0(left_2, receiver_10);
-        var of_right_0 : View_0 = view_0(right_2, receiver_10);
+        var left_2 : LightNode_0 = GridLights_node_0((*descent_2).node_3 + u32(1));
+        var right_2 : LightNode_0 = GridLights_node_0((*descent_2).index_14);
+        var of_left_0 : View_0 = view_0(left_2, receiver_15);
+        var of_right_0 : View_0 = view_0(right_2, receiver_15);
         var weights_2 : vec2<f32> = weights_of_0(of_left_0.importance_0, of_right_0.importance_0);
-        var _S193 : f32 = weights_2.x;
-        var _S194 : f32 = weights_2.y;
-        var total_4 : f32 = _S193 + _S194;
+        var _S202 : f32 = weights_2.x;
+        var _S203 : f32 = weights_2.y;
+        var total_4 : f32 = _S202 + _S203;
         if(!(total_4 > 0.0f))
         {
             return false;
         }
-        var _S195 : bool;
-        if(_S194 <= 0.0f)
+        var _S204 : bool;
+        if(_S203 <= 0.0f)
         {
-            _S195 = true;
+            _S204 = true;
         }
         else
         {
-            _S195 = ((*descent_2).choice_1 * total_4) < (_S193 * (*descent_2).weight_2);
+            _S204 = ((*descent_2).choice_1 * total_4) < (_S202 * (*descent_2).weight_2);
         }
         var is_left_2 : bool;
         if(aim_1.is_met_0)
         {
-            var _S196 : vec3<f32> = vec3<f32>(aim_1.hit_4.voxel_1);
-            if((all((_S196 >= (vector_of_0(left_2.min_2))))))
+            var _S205 : vec3<f32> = vec3<f32>(aim_1.hit_8.voxel_1);
+            if((all((_S205 >= (vector_of_0(left_2.min_1))))))
             {
-                is_left_2 = (all((_S196 < (vector_of_0(left_2.max_2)))));
+                is_left_2 = (all((_S205 < (vector_of_0(left_2.max_1)))));
             }
             else
             {
@@ -2661,72 +2890,72 @@ fn descend_1( receiver_10 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<functio
         }
         else
         {
-            is_left_2 = _S195;
+            is_left_2 = _S204;
         }
-        var _S197 : f32 = (*descent_2).choice_1 * total_4;
-        var _S198 : f32;
+        var _S206 : f32 = (*descent_2).choice_1 * total_4;
+        var _S207 : f32;
         if(is_left_2)
         {
-            _S198 = 0.0f;
+            _S207 = 0.0f;
         }
         else
         {
-            _S198 = _S193 * (*descent_2).weight_2;
+            _S207 = _S202 * (*descent_2).weight_2;
         }
-        (*descent_2).choice_1 = _S197 - _S198;
-        var _S199 : u32;
+        (*descent_2).choice_1 = _S206 - _S207;
+        var _S208 : u32;
         if(is_left_2)
         {
-            _S199 = (*descent_2).node_0 + u32(1);
+            _S208 = (*descent_2).node_3 + u32(1);
         }
         else
         {
-            _S199 = (*descent_2).index_13;
+            _S208 = (*descent_2).index_14;
         }
-        (*descent_2).node_0 = _S199;
-        var _S200 : u32;
+        (*descent_2).node_3 = _S208;
+        var _S209 : u32;
         if(is_left_2)
         {
-            _S200 = left_2.index_15;
+            _S209 = left_2.index_1;
         }
         else
         {
-            _S200 = right_2.index_15;
+            _S209 = right_2.index_1;
         }
-        (*descent_2).index_13 = _S200;
-        var _S201 : u32;
+        (*descent_2).index_14 = _S209;
+        var _S210 : u32;
         if(is_left_2)
         {
-            _S201 = left_2.count_3;
+            _S210 = left_2.count_0;
         }
         else
         {
-            _S201 = right_2.count_3;
+            _S210 = right_2.count_0;
         }
-        (*descent_2).count_1 = _S201;
-        var _S202 : bool;
+        (*descent_2).count_2 = _S210;
+        var _S211 : bool;
         if(is_left_2)
         {
-            _S202 = of_left_0.is_far_2;
+            _S211 = of_left_0.is_far_0;
         }
         else
         {
-            _S202 = of_right_0.is_far_2;
+            _S211 = of_right_0.is_far_0;
         }
-        (*descent_2).is_far_0 = _S202;
-        var _S203 : f32;
+        (*descent_2).is_far_3 = _S211;
+        var _S212 : f32;
         if(is_left_2)
         {
-            _S203 = _S193;
+            _S212 = _S202;
         }
         else
         {
-            _S203 = _S194;
+            _S212 = _S203;
         }
-        var _S204 : f32 = (*descent_2).weight_2 * _S203;
-        (*descent_2).weight_2 = _S204;
+        var _S213 : f32 = (*descent_2).weight_2 * _S212;
+        (*descent_2).weight_2 = _S213;
         (*descent_2).total_0 = (*descent_2).total_0 * total_4;
-        if(_S204 <= 0.0f)
+        if(_S213 <= 0.0f)
         {
             return false;
         }
@@ -2734,32 +2963,32 @@ fn descend_1( receiver_10 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<functio
     return true;
 }
 
-fn choose_side_0( point_5 : vec3<f32>,  is_met_2 : bool,  way_0 : Descent_0,  side_0 : ptr<function, u32>,  odds_0 : ptr<function, vec2<f32>>) -> bool
+fn choose_side_0( point_5 : vec3<f32>,  is_met_2 : bool,  way_1 : Descent_0,  side_0 : ptr<function, u32>,  odds_0 : ptr<function, vec2<f32>>) -> bool
 {
-    var node_10 : LightNode_0 = light_node_at_0(way_0.node_0);
-    var _S205 : vec3<f32> = vector_of_0(node_10.max_2);
-    var _S206 : vec3<f32> = vector_of_0(node_10.min_2);
-    var _S207 : vec3<f32> = vec3<f32>(0.5f);
-    var half_1 : vec3<f32> = (_S205 - _S206) * _S207;
-    var toward_1 : vec3<f32> = (_S206 + _S205) * _S207 - point_5;
+    var node_10 : LightNode_0 = light_node_at_0(way_1.node_3);
+    var _S214 : vec3<f32> = vector_of_0(node_10.max_1);
+    var _S215 : vec3<f32> = vector_of_0(node_10.min_1);
+    var _S216 : vec3<f32> = vec3<f32>(0.5f);
+    var half_1 : vec3<f32> = (_S214 - _S215) * _S216;
+    var toward_1 : vec3<f32> = (_S215 + _S214) * _S216 - point_5;
     var sent_1 : BySide_0 = sent_by_side_0(node_10, point_5, length_bound_0(select(half_1, abs(toward_1), vec3<bool>(((length_squared_0(toward_1)) > (length_squared_0(half_1)))))));
     var sum_0 : f32 = normal_or_zero_0(BySide_sum_0(sent_1));
     var unit_1 : f32 = inverse_power_of_two_0(sum_0);
     var total_5 : f32 = sum_0 * unit_1;
-    var _S208 : f32 = way_0.choice_1 * total_5;
-    var _S209 : u32 = (*side_0);
-    var share_0 : f32 = normal_or_zero_0(sent_1.low_4[u32(0)] * unit_1);
-    var _S210 : bool;
+    var _S217 : f32 = way_1.choice_1 * total_5;
+    var _S218 : u32 = (*side_0);
+    var share_0 : f32 = normal_or_zero_0(sent_1.low_0[u32(0)] * unit_1);
+    var _S219 : bool;
     if(is_met_2)
     {
-        _S210 = u32(0) == _S209;
+        _S219 = u32(0) == _S218;
     }
     else
     {
-        _S210 = share_0 > 0.0f;
+        _S219 = share_0 > 0.0f;
     }
     var chosen_2 : f32;
-    if(_S210)
+    if(_S219)
     {
         (*side_0) = u32(0);
         chosen_2 = share_0;
@@ -2768,179 +2997,179 @@ fn choose_side_0( point_5 : vec3<f32>,  is_met_2 : bool,  way_0 : Descent_0,  si
     {
         chosen_2 = 0.0f;
     }
-    var _S211 : bool = _S208 < (share_0 * way_0.weight_2);
+    var _S220 : bool = _S217 < (share_0 * way_1.weight_2);
     var share_1 : f32 = normal_or_zero_0(sent_1.high_0[u32(0)] * unit_1);
     if(is_met_2)
     {
-        _S210 = u32(1) == _S209;
+        _S219 = u32(1) == _S218;
     }
     else
     {
         if(share_1 > 0.0f)
         {
-            _S210 = !_S211;
+            _S219 = !_S220;
         }
         else
         {
-            _S210 = false;
+            _S219 = false;
         }
     }
-    if(_S210)
+    if(_S219)
     {
         (*side_0) = u32(1);
         chosen_2 = share_1;
     }
     var passed_0 : f32 = share_0 + share_1;
-    if(_S211)
+    if(_S220)
     {
-        _S210 = true;
+        _S219 = true;
     }
     else
     {
-        _S210 = _S208 < (passed_0 * way_0.weight_2);
+        _S219 = _S217 < (passed_0 * way_1.weight_2);
     }
-    var share_2 : f32 = normal_or_zero_0(sent_1.low_4[u32(1)] * unit_1);
-    var _S212 : bool;
+    var share_2 : f32 = normal_or_zero_0(sent_1.low_0[u32(1)] * unit_1);
+    var _S221 : bool;
     if(is_met_2)
     {
-        _S212 = u32(2) == _S209;
+        _S221 = u32(2) == _S218;
     }
     else
     {
         if(share_2 > 0.0f)
         {
-            _S212 = !_S210;
+            _S221 = !_S219;
         }
         else
         {
-            _S212 = false;
+            _S221 = false;
         }
     }
-    if(_S212)
+    if(_S221)
     {
         (*side_0) = u32(2);
         chosen_2 = share_2;
     }
     var passed_1 : f32 = passed_0 + share_2;
-    if(_S210)
+    if(_S219)
     {
-        _S210 = true;
+        _S219 = true;
     }
     else
     {
-        _S210 = _S208 < (passed_1 * way_0.weight_2);
+        _S219 = _S217 < (passed_1 * way_1.weight_2);
     }
     var share_3 : f32 = normal_or_zero_0(sent_1.high_0[u32(1)] * unit_1);
     if(is_met_2)
     {
-        _S212 = u32(3) == _S209;
+        _S221 = u32(3) == _S218;
     }
     else
     {
         if(share_3 > 0.0f)
         {
-            _S212 = !_S210;
+            _S221 = !_S219;
         }
         else
         {
-            _S212 = false;
+            _S221 = false;
         }
     }
-    if(_S212)
+    if(_S221)
     {
         (*side_0) = u32(3);
         chosen_2 = share_3;
     }
     var passed_2 : f32 = passed_1 + share_3;
-    if(_S210)
+    if(_S219)
     {
-        _S210 = true;
+        _S219 = true;
     }
     else
     {
-        _S210 = _S208 < (passed_2 * way_0.weight_2);
+        _S219 = _S217 < (passed_2 * way_1.weight_2);
     }
-    var share_4 : f32 = normal_or_zero_0(sent_1.low_4[u32(2)] * unit_1);
+    var share_4 : f32 = normal_or_zero_0(sent_1.low_0[u32(2)] * unit_1);
     if(is_met_2)
     {
-        _S212 = u32(4) == _S209;
+        _S221 = u32(4) == _S218;
     }
     else
     {
         if(share_4 > 0.0f)
         {
-            _S212 = !_S210;
+            _S221 = !_S219;
         }
         else
         {
-            _S212 = false;
+            _S221 = false;
         }
     }
-    if(_S212)
+    if(_S221)
     {
         (*side_0) = u32(4);
         chosen_2 = share_4;
     }
     var passed_3 : f32 = passed_2 + share_4;
-    if(_S210)
+    if(_S219)
     {
-        _S210 = true;
+        _S219 = true;
     }
     else
     {
-        _S210 = _S208 < (passed_3 * way_0.weight_2);
+        _S219 = _S217 < (passed_3 * way_1.weight_2);
     }
     var share_5 : f32 = normal_or_zero_0(sent_1.high_0[u32(2)] * unit_1);
     if(is_met_2)
     {
-        _S210 = u32(5) == _S209;
+        _S219 = u32(5) == _S218;
     }
     else
     {
         if(share_5 > 0.0f)
         {
-            _S210 = !_S210;
+            _S219 = !_S219;
         }
         else
         {
-            _S210 = false;
+            _S219 = false;
         }
     }
-    if(_S210)
+    if(_S219)
     {
         (*side_0) = u32(5);
         chosen_2 = share_5;
     }
-    (*odds_0) = vec2<f32>(way_0.weight_2 * chosen_2, way_0.total_0 * total_5);
+    (*odds_0) = vec2<f32>(way_1.weight_2 * chosen_2, way_1.total_0 * total_5);
     if(sum_0 > 0.0f)
     {
-        _S210 = ((*odds_0).x) > 0.0f;
+        _S219 = ((*odds_0).x) > 0.0f;
     }
     else
     {
-        _S210 = false;
+        _S219 = false;
     }
-    return _S210;
+    return _S219;
 }
 
-fn light_node_word_0( index_20 : u32,  word_6 : u32) -> u32
+fn light_node_word_0( index_19 : u32,  word_6 : u32) -> u32
 {
-    return light_node_rows_0[u32(4) * index_20 + ((word_6 >> (u32(2))))][(word_6 & (u32(3)))];
+    return light_node_rows_0[u32(4) * index_19 + ((word_6 >> (u32(2))))][(word_6 & (u32(3)))];
 }
 
-fn light_power_at_0( index_21 : u32,  side_1 : u32) -> f32
+fn light_power_at_0( index_20 : u32,  side_1 : u32) -> f32
 {
-    var _S213 : u32;
+    var _S222 : u32;
     if(lights_in_pages_0())
     {
-        var _S214 : u32 = place_in_light_node_0(index_21, u32(8) + side_1);
-        _S213 = cells_0[_S214];
+        var _S223 : u32 = place_in_light_node_0(index_20, u32(8) + side_1);
+        _S222 = cells_1[_S223];
     }
     else
     {
-        _S213 = light_node_word_0(index_21, u32(8) + side_1);
+        _S222 = light_node_word_0(index_20, u32(8) + side_1);
     }
-    return (bitcast<f32>((_S213)));
+    return (bitcast<f32>((_S222)));
 }
 
 fn component_0( vector_3 : vec3<f32>,  axis_0 : u32) -> f32
@@ -2979,97 +3208,97 @@ struct Emitter_0
      voxel_4 : array<i32, i32(3)>,
      grid_1 : u32,
      faces_0 : u32,
-     material_7 : u32,
+     material_10 : u32,
      luminance_4 : f32,
      leaf_0 : u32,
 };
 
-fn below_light_node_0( index_22 : u32) -> vec2<u32>
+fn below_light_node_0( index_21 : u32) -> vec2<u32>
 {
     if(!lights_in_pages_0())
     {
-        return vec2<u32>(light_node_word_0(index_22, u32(3)), light_node_word_0(index_22, u32(7)));
+        return vec2<u32>(light_node_word_0(index_21, u32(3)), light_node_word_0(index_21, u32(7)));
     }
-    var at_3 : u32 = place_in_light_node_0(index_22, u32(0));
-    return vec2<u32>(cells_0[at_3 + u32(3)], cells_0[at_3 + u32(7)]);
+    var at_4 : u32 = place_in_light_node_0(index_21, u32(0));
+    return vec2<u32>(cells_1[at_4 + u32(3)], cells_1[at_4 + u32(7)]);
 }
 
 fn place_in_emitter_0( emitter_0 : u32,  word_7 : u32) -> u32
 {
-    var _S215 : u32 = word_in_pages_0(emitter_0 * u32(8) + word_7, pages_0[i32(3)]);
-    return _S215;
+    var _S224 : u32 = word_in_pages_0(emitter_0 * u32(8) + word_7, pages_0[i32(3)]);
+    return _S224;
 }
 
-fn emitter_word_0( index_23 : u32,  word_8 : u32) -> u32
+fn emitter_word_0( index_22 : u32,  word_8 : u32) -> u32
 {
-    return emitter_rows_0[u32(2) * index_23 + ((word_8 >> (u32(2))))][(word_8 & (u32(3)))];
+    return emitter_rows_0[u32(2) * index_22 + ((word_8 >> (u32(2))))][(word_8 & (u32(3)))];
 }
 
-fn emitter_faces_at_0( index_24 : u32) -> u32
+fn emitter_faces_at_0( index_23 : u32) -> u32
 {
-    var _S216 : u32;
+    var _S225 : u32;
     if(lights_in_pages_0())
     {
-        var _S217 : u32 = place_in_emitter_0(index_24, u32(4));
-        _S216 = cells_0[_S217];
+        var _S226 : u32 = place_in_emitter_0(index_23, u32(4));
+        _S225 = cells_1[_S226];
     }
     else
     {
-        _S216 = emitter_word_0(index_24, u32(4));
+        _S225 = emitter_word_0(index_23, u32(4));
     }
-    return _S216;
+    return _S225;
 }
 
-fn emitter_luminance_at_0( index_25 : u32) -> f32
+fn emitter_luminance_at_0( index_24 : u32) -> f32
 {
-    var _S218 : f32;
+    var _S227 : f32;
     if(lights_in_pages_0())
     {
-        var _S219 : u32 = place_in_emitter_0(index_25, u32(6));
-        _S218 = (bitcast<f32>((cells_0[_S219])));
+        var _S228 : u32 = place_in_emitter_0(index_24, u32(6));
+        _S227 = (bitcast<f32>((cells_1[_S228])));
     }
     else
     {
-        _S218 = (bitcast<f32>((emitter_word_0(index_25, u32(6)))));
+        _S227 = (bitcast<f32>((emitter_word_0(index_24, u32(6)))));
     }
-    return _S218;
+    return _S227;
 }
 
-fn Emitter_x24init_0( voxel_5 : array<i32, i32(3)>,  grid_2 : u32,  faces_1 : u32,  material_8 : u32,  luminance_5 : f32,  leaf_1 : u32) -> Emitter_0
+fn Emitter_x24init_0( voxel_5 : array<i32, i32(3)>,  grid_2 : u32,  faces_1 : u32,  material_11 : u32,  luminance_5 : f32,  leaf_1 : u32) -> Emitter_0
 {
-    var _S220 : Emitter_0;
-    _S220.voxel_4 = voxel_5;
-    _S220.grid_1 = grid_2;
-    _S220.faces_0 = faces_1;
-    _S220.material_7 = material_8;
-    _S220.luminance_4 = luminance_5;
-    _S220.leaf_0 = leaf_1;
-    return _S220;
+    var _S229 : Emitter_0;
+    _S229.voxel_4 = voxel_5;
+    _S229.grid_1 = grid_2;
+    _S229.faces_0 = faces_1;
+    _S229.material_10 = material_11;
+    _S229.luminance_4 = luminance_5;
+    _S229.leaf_0 = leaf_1;
+    return _S229;
 }
 
-fn emitter_at_0( index_26 : u32) -> Emitter_0
+fn emitter_at_0( index_25 : u32) -> Emitter_0
 {
     if(!lights_in_pages_0())
     {
-        var _S221 : u32 = u32(2) * index_26;
-        var a_4 : vec4<u32> = emitter_rows_0[_S221];
-        var b_4 : vec4<u32> = emitter_rows_0[_S221 + u32(1)];
-        var _S222 : array<i32, i32(3)> = array<i32, i32(3)>( i32(a_4.x), i32(a_4.y), i32(a_4.z) );
-        return Emitter_x24init_0(_S222, a_4.w, b_4.x, b_4.y, (bitcast<f32>((b_4.z))), b_4.w);
+        var _S230 : u32 = u32(2) * index_25;
+        var a_4 : vec4<u32> = emitter_rows_0[_S230];
+        var b_4 : vec4<u32> = emitter_rows_0[_S230 + u32(1)];
+        var _S231 : array<i32, i32(3)> = array<i32, i32(3)>( i32(a_4.x), i32(a_4.y), i32(a_4.z) );
+        return Emitter_x24init_0(_S231, a_4.w, b_4.x, b_4.y, (bitcast<f32>((b_4.z))), b_4.w);
     }
-    var at_4 : u32 = place_in_emitter_0(index_26, u32(0));
-    var _S223 : array<i32, i32(3)> = array<i32, i32(3)>( i32(cells_0[at_4]), i32(cells_0[at_4 + u32(1)]), i32(cells_0[at_4 + u32(2)]) );
-    return Emitter_x24init_0(_S223, cells_0[at_4 + u32(3)], cells_0[at_4 + u32(4)], cells_0[at_4 + u32(5)], (bitcast<f32>((cells_0[at_4 + u32(6)]))), cells_0[at_4 + u32(7)]);
+    var at_5 : u32 = place_in_emitter_0(index_25, u32(0));
+    var _S232 : array<i32, i32(3)> = array<i32, i32(3)>( i32(cells_1[at_5]), i32(cells_1[at_5 + u32(1)]), i32(cells_1[at_5 + u32(2)]) );
+    return Emitter_x24init_0(_S232, cells_1[at_5 + u32(3)], cells_1[at_5 + u32(4)], cells_1[at_5 + u32(5)], (bitcast<f32>((cells_1[at_5 + u32(6)]))), cells_1[at_5 + u32(7)]);
 }
 
-fn choose_emitter_0( way_1 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Emitter_0
+fn choose_emitter_0( way_2 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Emitter_0
 {
     var is_found_0 : bool;
     var is_left_3 : bool;
-    var count_4 : u32 = way_1.count_1;
-    var node_11 : u32 = way_1.node_0;
-    var index_27 : u32 = way_1.index_13;
-    var _S224 : f32 = threshold_1;
+    var count_4 : u32 = way_2.count_2;
+    var node_11 : u32 = way_2.node_3;
+    var index_26 : u32 = way_2.index_14;
+    var _S233 : f32 = threshold_1;
     for(;;)
     {
         if(count_4 == u32(0))
@@ -3089,10 +3318,10 @@ fn choose_emitter_0( way_1 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
         }
         var left_3 : u32 = node_11 + u32(1);
         var power_left_0 : f32 = light_power_at_0(left_3, side_2);
-        var power_right_0 : f32 = light_power_at_0(index_27, side_2);
+        var power_right_0 : f32 = light_power_at_0(index_26, side_2);
         var below_left_0 : vec2<u32> = below_light_node_0(left_3);
-        var below_right_0 : vec2<u32> = below_light_node_0(index_27);
-        if(_S224 < power_left_0)
+        var below_right_0 : vec2<u32> = below_light_node_0(index_26);
+        if(_S233 < power_left_0)
         {
             is_left_3 = true;
         }
@@ -3105,7 +3334,7 @@ fn choose_emitter_0( way_1 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
         }
         else
         {
-            _S224 = _S224 - power_left_0;
+            _S233 = _S233 - power_left_0;
         }
         if(is_left_3)
         {
@@ -3113,15 +3342,15 @@ fn choose_emitter_0( way_1 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
         }
         else
         {
-            node_11 = index_27;
+            node_11 = index_26;
         }
         if(is_left_3)
         {
-            index_27 = below_left_0.x;
+            index_26 = below_left_0.x;
         }
         else
         {
-            index_27 = below_right_0.x;
+            index_26 = below_right_0.x;
         }
         if(is_left_3)
         {
@@ -3133,11 +3362,11 @@ fn choose_emitter_0( way_1 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
         }
     }
     is_found_0 = false;
-    var chosen_3 : u32 = index_27;
-    var at_5 : u32 = index_27;
+    var chosen_3 : u32 = index_26;
+    var at_6 : u32 = index_26;
     for(;;)
     {
-        if(at_5 < (index_27 + count_4))
+        if(at_6 < (index_26 + count_4))
         {
             is_left_3 = !is_found_0;
         }
@@ -3152,21 +3381,21 @@ fn choose_emitter_0( way_1 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
         {
             break;
         }
-        var _S225 : u32 = emitter_faces_at_0(at_5);
-        if(((((_S225 >> (side_2))) & (u32(1)))) != u32(0))
+        var _S234 : u32 = emitter_faces_at_0(at_6);
+        if(((((_S234 >> (side_2))) & (u32(1)))) != u32(0))
         {
-            var _S226 : f32 = emitter_luminance_at_0(at_5);
-            var _S227 : bool = _S224 < _S226;
-            var _S228 : f32 = emitter_luminance_at_0(at_5);
-            var _S229 : f32 = _S224 - _S228;
-            is_found_0 = _S227;
-            chosen_3 = at_5;
-            _S224 = _S229;
+            var _S235 : f32 = emitter_luminance_at_0(at_6);
+            var _S236 : bool = _S233 < _S235;
+            var _S237 : f32 = emitter_luminance_at_0(at_6);
+            var _S238 : f32 = _S233 - _S237;
+            is_found_0 = _S236;
+            chosen_3 = at_6;
+            _S233 = _S238;
         }
-        at_5 = at_5 + u32(1);
+        at_6 = at_6 + u32(1);
     }
-    var _S230 : Emitter_0 = emitter_at_0(chosen_3);
-    return _S230;
+    var _S239 : Emitter_0 = emitter_at_0(chosen_3);
+    return _S239;
 }
 
 fn point_of_face_0( low_6 : vec3<f32>,  face_6 : u32,  u_12 : f32,  v_5 : f32) -> vec3<f32>
@@ -3191,37 +3420,37 @@ fn point_of_face_0( low_6 : vec3<f32>,  face_6 : u32,  u_12 : f32,  v_5 : f32) -
     return low_6 + vec3<f32>(u_12, v_5, away_2);
 }
 
-fn sample_emitter_0( receiver_11 : Receiver_0,  u_13 : vec4<f32>,  aim_2 : Aim_0,  sample_6 : ptr<function, LightSample_0>) -> bool
+fn sample_emitter_0( receiver_16 : Receiver_0,  u_13 : vec4<f32>,  aim_2 : Aim_0,  sample_9 : ptr<function, LightSample_0>) -> bool
 {
-    (*sample_6) = no_light_0();
+    (*sample_9) = no_light_0();
     if((params_0.light_node_count_0) == u32(0))
     {
         return false;
     }
     var descent_3 : Descent_0 = Descent_x24init_0(u32(0), u32(0), u32(0), 1.0f, 1.0f, u_13.x, false);
     Descent_at_0(&(descent_3), u32(0));
-    var _S231 : bool;
+    var _S240 : bool;
     if(!IS_SINGLE_0)
     {
-        _S231 = aim_2.is_met_0;
+        _S240 = aim_2.is_met_0;
     }
     else
     {
-        _S231 = false;
+        _S240 = false;
     }
-    if(_S231)
+    if(_S240)
     {
-        var leaf_2 : u32 = instances_0[aim_2.hit_4.instance_1].light_leaf_0;
-        if((instances_0[aim_2.hit_4.instance_1].light_leaf_0) == u32(4294967295))
+        var leaf_2 : u32 = instances_0[aim_2.hit_8.instance_1].light_leaf_0;
+        if((instances_0[aim_2.hit_8.instance_1].light_leaf_0) == u32(4294967295))
         {
-            _S231 = true;
+            _S240 = true;
         }
         else
         {
-            var _S232 : bool = climb_0(receiver_11, leaf_2, &(descent_3));
-            _S231 = !_S232;
+            var _S241 : bool = climb_0(receiver_16, leaf_2, &(descent_3));
+            _S240 = !_S241;
         }
-        if(_S231)
+        if(_S240)
         {
             return false;
         }
@@ -3231,61 +3460,61 @@ fn sample_emitter_0( receiver_11 : Receiver_0,  u_13 : vec4<f32>,  aim_2 : Aim_0
     {
         if(!IS_SINGLE_0)
         {
-            var _S233 : bool = descend_0(receiver_11, by_chance_0(), &(descent_3));
-            _S231 = !_S233;
+            var _S242 : bool = descend_0(receiver_16, by_chance_0(), &(descent_3));
+            _S240 = !_S242;
         }
         else
         {
-            _S231 = false;
+            _S240 = false;
         }
-        if(_S231)
+        if(_S240)
         {
             return false;
         }
     }
-    var chosen_instance_0 : u32 = descent_3.index_13;
-    var local_2 : Receiver_0 = in_grid_3(descent_3.index_13, receiver_11);
-    Descent_at_1(&(descent_3), top_light_node_0(descent_3.node_0).root_1);
-    var _S234 : bool = descend_1(local_2, aim_2, &(descent_3));
-    if(!_S234)
+    var chosen_instance_0 : u32 = descent_3.index_14;
+    var local_2 : Receiver_0 = in_grid_3(descent_3.index_14, receiver_16);
+    Descent_at_1(&(descent_3), top_light_node_0(descent_3.node_3).root_1);
+    var _S243 : bool = descend_1(local_2, aim_2, &(descent_3));
+    if(!_S243)
     {
         return false;
     }
-    var side_3 : u32 = aim_2.hit_4.face_0;
+    var side_3 : u32 = aim_2.hit_8.face_0;
     var odds_2 : vec2<f32>;
-    var _S235 : bool = choose_side_0(local_2.point_0, aim_2.is_met_0, descent_3, &(side_3), &(odds_2));
-    if(!_S235)
+    var _S244 : bool = choose_side_0(local_2.point_0, aim_2.is_met_0, descent_3, &(side_3), &(odds_2));
+    if(!_S244)
     {
         return false;
     }
-    var power_4 : f32 = light_power_at_0(descent_3.node_0, side_3);
+    var power_4 : f32 = light_power_at_0(descent_3.node_3, side_3);
     if(aim_2.is_met_0)
     {
-        var _S236 : f32 = density_0(odds_2, aim_2.luminance_1, power_4, Transform_direction_0(chosen_instance_0, aim_2.direction_18) * vec3<f32>(aim_2.hit_4.t_0), side_3);
-        (*sample_6).pdf_2 = _S236;
-        return _S236 > 0.0f;
+        var _S245 : f32 = density_0(odds_2, aim_2.luminance_1, power_4, Transform_direction_0(chosen_instance_0, aim_2.direction_20) * vec3<f32>(aim_2.hit_8.t_0), side_3);
+        (*sample_9).pdf_2 = _S245;
+        return _S245 > 0.0f;
     }
     var emitter_1 : Emitter_0 = choose_emitter_0(descent_3, side_3, u_13.y * power_4);
-    var _S237 : vec3<f32> = vec3<f32>(cell_of_0(emitter_1.voxel_4));
-    var on_face_0 : vec3<f32> = point_of_face_0(_S237, side_3, u_13.z, u_13.w);
+    var _S246 : vec3<f32> = vec3<f32>(cell_of_0(emitter_1.voxel_4));
+    var on_face_0 : vec3<f32> = point_of_face_0(_S246, side_3, u_13.z, u_13.w);
     var pdf_9 : f32 = density_0(odds_2, emitter_1.luminance_4, power_4, on_face_0 - local_2.point_0, side_3);
     if(pdf_9 < 0.0f)
     {
         return false;
     }
-    var direction_24 : vec3<f32> = Transform_point_1(chosen_instance_0, offset_ray_origin_0(vector_of_0(instances_0[chosen_instance_0].grid_from_world_0.translation_0), _S237, side_3, on_face_0)) - receiver_11.point_0;
-    var cos_theta_5 : f32 = with_slack_0(receiver_11, divide_0(dot_product_0(receiver_11.normal_1, direction_24), square_root_0(length_squared_0(direction_24))));
-    (*sample_6) = LightSample_x24init_0(Ray_x24init_0(receiver_11.point_0, 0.0f, direction_24, 1.0f), cos_theta_5, emitted_0(material_of_index_0(emitter_1.material_7)), pdf_9);
-    return cos_theta_5 > 0.0f;
+    var direction_25 : vec3<f32> = Transform_point_1(chosen_instance_0, offset_ray_origin_0(vector_of_0(instances_0[chosen_instance_0].grid_from_world_0.translation_0), _S246, side_3, on_face_0)) - receiver_16.point_0;
+    var cos_theta_7 : f32 = with_slack_0(receiver_16, divide_0(dot_product_0(receiver_16.normal_1, direction_25), square_root_0(length_squared_0(direction_25))));
+    (*sample_9) = LightSample_x24init_0(Ray_x24init_0(receiver_16.point_0, 0.0f, direction_25, 1.0f), cos_theta_7, emitted_0(material_of_index_0(emitter_1.material_10)), pdf_9);
+    return cos_theta_7 > 0.0f;
 }
 
-fn EmitterTree_sample_0( receiver_12 : Receiver_0,  u_14 : vec4<f32>,  aim_3 : Aim_0,  sample_7 : ptr<function, LightSample_0>) -> bool
+fn EmitterTree_sample_0( receiver_17 : Receiver_0,  u_14 : vec4<f32>,  aim_3 : Aim_0,  sample_10 : ptr<function, LightSample_0>) -> bool
 {
-    var _S238 : bool = sample_emitter_0(receiver_12, u_14, aim_3, &((*sample_7)));
-    return _S238;
+    var _S247 : bool = sample_emitter_0(receiver_17, u_14, aim_3, &((*sample_10)));
+    return _S247;
 }
 
-fn Lights_sample_0( receiver_13 : Receiver_0,  selection_3 : Selection_0,  u_15 : vec4<f32>,  aim_4 : Aim_0,  sample_8 : ptr<function, LightSample_0>) -> bool
+fn Lights_sample_0( receiver_18 : Receiver_0,  selection_3 : Selection_0,  u_15 : vec4<f32>,  aim_4 : Aim_0,  sample_11 : ptr<function, LightSample_0>) -> bool
 {
     var is_found_1 : bool;
     if(has_sun_0())
@@ -3306,9 +3535,9 @@ fn Lights_sample_0( receiver_13 : Receiver_0,  selection_3 : Selection_0,  u_15 
     }
     if(is_found_1)
     {
-        var _S239 : bool = SunDisc_sample_0(receiver_13, u_15, &((*sample_8)));
-        (*sample_8).pdf_2 = (*sample_8).pdf_2 * selection_3.sun_0;
-        is_found_1 = _S239;
+        var _S248 : bool = SunDisc_sample_0(receiver_18, u_15, &((*sample_11)));
+        (*sample_11).pdf_2 = (*sample_11).pdf_2 * selection_3.sun_0;
+        is_found_1 = _S248;
     }
     else
     {
@@ -3330,146 +3559,71 @@ fn Lights_sample_0( receiver_13 : Receiver_0,  selection_3 : Selection_0,  u_15 
         }
         if(is_found_1)
         {
-            var _S240 : bool = Sky_sample_0(receiver_13, vec4<f32>(min(divide_0(u_15.x - selection_3.sun_0, selection_3.sky_1), 0.99999994039535522f), u_15.yzw), &((*sample_8)));
-            (*sample_8).pdf_2 = (*sample_8).pdf_2 * selection_3.sky_1;
-            is_found_1 = _S240;
+            var _S249 : bool = Sky_sample_0(receiver_18, vec4<f32>(min(divide_0(u_15.x - selection_3.sun_0, selection_3.sky_1), 0.99999994039535522f), u_15.yzw), &((*sample_11)));
+            (*sample_11).pdf_2 = (*sample_11).pdf_2 * selection_3.sky_1;
+            is_found_1 = _S249;
         }
         else
         {
-            var _S241 : bool = EmitterTree_sample_0(receiver_13, vec4<f32>(min(divide_0(u_15.x - (selection_3.sun_0 + selection_3.sky_1), selection_3.emitters_0), 0.99999994039535522f), u_15.yzw), aim_4, &((*sample_8)));
-            (*sample_8).pdf_2 = (*sample_8).pdf_2 * selection_3.emitters_0;
-            is_found_1 = _S241;
+            var _S250 : bool = EmitterTree_sample_0(receiver_18, vec4<f32>(min(divide_0(u_15.x - (selection_3.sun_0 + selection_3.sky_1), selection_3.emitters_0), 0.99999994039535522f), u_15.yzw), aim_4, &((*sample_11)));
+            (*sample_11).pdf_2 = (*sample_11).pdf_2 * selection_3.emitters_0;
+            is_found_1 = _S250;
         }
     }
     return is_found_1;
 }
 
-fn importance_of_all_0( receiver_14 : Receiver_0) -> f32
-{
-    if((params_0.light_node_count_0) == u32(0))
-    {
-        return 0.0f;
-    }
-    return view_0(top_light_node_0(u32(0)), receiver_14).importance_0 * params_0.light_intensity_0;
-}
-
-fn EmitterTree_importance_0( receiver_15 : Receiver_0) -> f32
-{
-    return importance_of_all_0(receiver_15);
-}
-
-fn Lights_sun_probability_0( receiver_16 : Receiver_0) -> f32
-{
-    if(!has_sun_0())
-    {
-        return 0.0f;
-    }
-    var cos_theta_6 : f32 = with_slack_0(receiver_16, dot_product_0(receiver_16.normal_1, params_0.sun_direction_0));
-    if(cos_theta_6 <= (- params_0.sun_sin_radius_0))
-    {
-        return 0.0f;
-    }
-    var from_emitters_0 : f32 = EmitterTree_importance_0(receiver_16);
-    if(from_emitters_0 <= 0.0f)
-    {
-        return 1.0f;
-    }
-    var from_sun_0 : f32 = params_0.sun_irradiance_0 * max(cos_theta_6, 0.0f);
-    return clamp(divide_0(from_sun_0, from_sun_0 + from_emitters_0), 0.25f, 0.75f);
-}
-
-fn Selection_x24init_0( sun_1 : f32,  sky_2 : f32,  emitters_1 : f32) -> Selection_0
-{
-    var _S242 : Selection_0;
-    _S242.sun_0 = sun_1;
-    _S242.sky_1 = sky_2;
-    _S242.emitters_0 = emitters_1;
-    return _S242;
-}
-
-fn Lights_sky_probability_0( receiver_17 : Receiver_0) -> f32
-{
-    var cos_theta_7 : f32 = dot_product_0(receiver_17.normal_1, params_0.sun_direction_0);
-    var from_sun_1 : f32;
-    if(has_sun_0())
-    {
-        from_sun_1 = params_0.sun_irradiance_0 * max(cos_theta_7, 0.0f);
-    }
-    else
-    {
-        from_sun_1 = 0.0f;
-    }
-    var from_others_0 : f32 = from_sun_1 + EmitterTree_importance_0(receiver_17);
-    if(from_others_0 <= 0.0f)
-    {
-        return 1.0f;
-    }
-    return clamp(divide_0(params_0.sky_irradiance_0, params_0.sky_irradiance_0 + from_others_0), 0.25f, 0.75f);
-}
-
-fn Lights_selection_0( receiver_18 : Receiver_0) -> Selection_0
-{
-    var sun_2 : f32 = Lights_sun_probability_0(receiver_18);
-    if(!Lights_has_chosen_sky_0())
-    {
-        return Selection_x24init_0(sun_2, 0.0f, 1.0f - sun_2);
-    }
-    var sky_3 : f32 = Lights_sky_probability_0(receiver_18);
-    var _S243 : f32 = 1.0f - sky_3;
-    return Selection_x24init_0(sun_2 * _S243, sky_3, (1.0f - sun_2) * _S243);
-}
-
-fn MaterialBsdf_is_delta_0( this_23 : MaterialBsdf_0) -> bool
+fn MaterialBsdf_is_delta_0( this_24 : MaterialBsdf_0) -> bool
 {
     return false;
 }
 
-fn PathTracingOf_advance_1( path_6 : ptr<function, Path_0>,  ray_9 : Ray_0,  hit_6 : Hit_0,  beyond_3 : u32,  radiance_6 : ptr<function, vec3<f32>>) -> NextRays_0
+fn PathTracingOf_advance_1( path_8 : ptr<function, Path_0>,  ray_12 : Ray_0,  hit_10 : Hit_0,  beyond_6 : u32,  radiance_6 : ptr<function, vec3<f32>>) -> NextRays_0
 {
-    var next_1 : NextRays_0 = no_rays_0();
+    var next_2 : NextRays_0 = no_rays_0();
     scatter_of_path_0.wants_light_0 = false;
-    var is_counted_1 : bool = Path_is_counted_0((*path_6));
+    var is_counted_1 : bool = Path_is_counted_0((*path_8));
     var t_5 : f32;
     if(is_counted_1)
     {
-        t_5 = - (*path_6).pdf_1;
+        t_5 = - (*path_8).pdf_1;
     }
     else
     {
-        t_5 = (*path_6).pdf_1;
+        t_5 = (*path_8).pdf_1;
     }
-    (*path_6).pdf_1 = t_5;
-    var last_4 : Receiver_0 = Path_receiver_0((*path_6), ray_9);
+    (*path_8).pdf_1 = t_5;
+    var last_4 : Receiver_0 = Path_receiver_0((*path_8), ray_12);
     var is_scattered_3 : bool;
-    if(Inside_is_in_0((*path_6).inside_0))
+    if(Inside_is_in_0((*path_8).inside_0))
     {
-        is_scattered_3 = Hit_is_miss_0(hit_6);
+        is_scattered_3 = Hit_is_miss_0(hit_10);
     }
     else
     {
         is_scattered_3 = false;
     }
-    if(Inside_is_in_0((*path_6).inside_0))
+    if(Inside_is_in_0((*path_8).inside_0))
     {
         if(is_scattered_3)
         {
-            t_5 = scattering_t_0((*path_6), (*path_6).inside_0, ray_9);
+            t_5 = scattering_t_0((*path_8), (*path_8).inside_0, ray_12);
         }
         else
         {
-            t_5 = hit_6.t_0;
+            t_5 = hit_10.t_0;
         }
         if(!is_counted_1)
         {
-            absorb_0(&((*path_6)), (*path_6).inside_0, ray_9, t_5);
+            absorb_0(&((*path_8)), (*path_8).inside_0, ray_12, t_5);
         }
     }
     else
     {
-        t_5 = hit_6.t_0;
+        t_5 = hit_10.t_0;
     }
     var is_weighed_1 : bool;
-    if(Hit_is_miss_0(hit_6))
+    if(Hit_is_miss_0(hit_10))
     {
         is_weighed_1 = !is_scattered_3;
     }
@@ -3480,7 +3634,7 @@ fn PathTracingOf_advance_1( path_6 : ptr<function, Path_0>,  ray_9 : Ray_0,  hit
     var light_pdf_2 : f32;
     if(is_weighed_1)
     {
-        (*radiance_6) = (*radiance_6) + (*path_6).beta_0 * Sky_le_0(ray_9.direction_1) * vec3<f32>(mis_weight_0((*path_6).pdf_1, Lights_sky_pdf_0(Path_selection_at_0((*path_6), last_4), ray_9.direction_1)));
+        (*radiance_6) = (*radiance_6) + (*path_8).beta_0 * Sky_le_0(ray_12.direction_1) * vec3<f32>(mis_weight_0((*path_8).pdf_1, Lights_sky_pdf_0(Path_selection_at_0((*path_8), last_4), ray_12.direction_1)));
         if(has_sun_0())
         {
             if(SunDisc_is_visible_0())
@@ -3489,7 +3643,7 @@ fn PathTracingOf_advance_1( path_6 : ptr<function, Path_0>,  ray_9 : Ray_0,  hit
             }
             else
             {
-                is_scattered_3 = !Path_is_straight_0((*path_6));
+                is_scattered_3 = !Path_is_straight_0((*path_8));
             }
         }
         else
@@ -3498,38 +3652,38 @@ fn PathTracingOf_advance_1( path_6 : ptr<function, Path_0>,  ray_9 : Ray_0,  hit
         }
         if(is_scattered_3)
         {
-            var le_2 : vec3<f32> = SunDisc_le_0(ray_9.direction_1);
+            var le_2 : vec3<f32> = SunDisc_le_0(ray_12.direction_1);
             if((max_element_0(le_2)) > 0.0f)
             {
-                if(((*path_6).pdf_1) == 0.0f)
+                if(((*path_8).pdf_1) == 0.0f)
                 {
                     light_pdf_2 = 0.0f;
                 }
                 else
                 {
-                    light_pdf_2 = Lights_sun_pdf_0(Path_selection_at_0((*path_6), last_4), ray_9.direction_1);
+                    light_pdf_2 = Lights_sun_pdf_0(Path_selection_at_0((*path_8), last_4), ray_12.direction_1);
                 }
-                (*radiance_6) = (*radiance_6) + (*path_6).beta_0 * le_2 * vec3<f32>(mis_weight_0((*path_6).pdf_1, light_pdf_2));
+                (*radiance_6) = (*radiance_6) + (*path_8).beta_0 * le_2 * vec3<f32>(mis_weight_0((*path_8).pdf_1, light_pdf_2));
             }
         }
-        return next_1;
+        return next_2;
     }
-    var u_16 : vec4<f32> = Sampler_stratified_0((*path_6).sampler_0, Path_dimension_scatter_0((*path_6)));
-    var material_9 : PackedMaterial_0 = material_met_0((*path_6), hit_6, beyond_3);
-    var _S244 : vec3<f32> = vec3<f32>(0.0f);
+    var u_16 : vec4<f32> = Sampler_stratified_0((*path_8).sampler_0, Path_dimension_scatter_0((*path_8)));
+    var material_12 : PackedMaterial_0 = material_met_0((*path_8), hit_10, beyond_6);
+    var _S251 : vec3<f32> = vec3<f32>(0.0f);
     var le_3 : vec3<f32>;
     if(!is_counted_1)
     {
-        le_3 = EmitterTree_le_0(material_9);
+        le_3 = EmitterTree_le_0(material_12);
     }
     else
     {
-        le_3 = _S244;
+        le_3 = _S251;
     }
     var is_lit_1 : bool = (max_element_0(le_3)) > 0.0f;
-    var met_0 : Aim_0 = Aim_x24init_0(true, ray_9.direction_1, hit_6, luminance_0(vector_of_0(material_9.emission_0)));
-    var _S245 : bool = weighs_apart_0();
-    if(_S245)
+    var met_0 : Aim_0 = Aim_x24init_0(true, ray_12.direction_1, hit_10, luminance_0(vector_of_0(material_12.emission_0)));
+    var _S252 : bool = weighs_apart_0();
+    if(_S252)
     {
         is_weighed_1 = is_lit_1;
     }
@@ -3539,7 +3693,7 @@ fn PathTracingOf_advance_1( path_6 : ptr<function, Path_0>,  ray_9 : Ray_0,  hit
     }
     if(is_weighed_1)
     {
-        is_weighed_1 = ((*path_6).pdf_1) > 0.0f;
+        is_weighed_1 = ((*path_8).pdf_1) > 0.0f;
     }
     else
     {
@@ -3556,10 +3710,10 @@ fn PathTracingOf_advance_1( path_6 : ptr<function, Path_0>,  ray_9 : Ray_0,  hit
     }
     if(is_chosen_0)
     {
-        var light_3 : LightSample_0 = no_light_0();
-        if(!_S245)
+        var light_5 : LightSample_0 = no_light_0();
+        if(!_S252)
         {
-            is_chosen_0 = ((*path_6).pdf_1) > 0.0f;
+            is_chosen_0 = ((*path_8).pdf_1) > 0.0f;
         }
         else
         {
@@ -3567,31 +3721,31 @@ fn PathTracingOf_advance_1( path_6 : ptr<function, Path_0>,  ray_9 : Ray_0,  hit
         }
         if(is_chosen_0)
         {
-            var _S246 : bool = Lights_sample_0(last_4, Path_selection_at_0((*path_6), last_4), vec4<f32>(0.0f), met_0, &(light_3));
-            is_chosen_0 = _S246;
+            var _S253 : bool = Lights_sample_0(last_4, Path_selection_at_0((*path_8), last_4), vec4<f32>(0.0f), met_0, &(light_5));
+            is_chosen_0 = _S253;
         }
         else
         {
             is_chosen_0 = false;
         }
-        var _S247 : vec3<f32> = (*path_6).beta_0 * le_3;
-        var _S248 : f32 = (*path_6).pdf_1;
+        var _S254 : vec3<f32> = (*path_8).beta_0 * le_3;
+        var _S255 : f32 = (*path_8).pdf_1;
         if(is_chosen_0)
         {
-            light_pdf_2 = light_3.pdf_2;
+            light_pdf_2 = light_5.pdf_2;
         }
         else
         {
             light_pdf_2 = 0.0f;
         }
-        (*radiance_6) = (*radiance_6) + _S247 * vec3<f32>(mis_weight_0(_S248, light_pdf_2));
+        (*radiance_6) = (*radiance_6) + _S254 * vec3<f32>(mis_weight_0(_S255, light_pdf_2));
     }
-    var _S249 : f32 = ior_of_0((*path_6).inside_0);
-    var _S250 : f32 = u_16[i32(3)];
-    var _S251 : MaterialBsdf_0 = bsdf_of_0(material_9, _S249, &(_S250));
-    u_16[i32(3)] = _S250;
-    var scattered_3 : vec3<f32> = (*path_6).beta_0 * MaterialBsdf_albedo_0(_S251);
-    if(((*path_6).bounce_0) >= (params_0.max_bounces_0))
+    var _S256 : f32 = ior_of_0((*path_8).inside_0);
+    var _S257 : f32 = u_16[i32(3)];
+    var _S258 : MaterialBsdf_0 = bsdf_of_0(material_12, _S256, &(_S257));
+    u_16[i32(3)] = _S257;
+    var scattered_3 : vec3<f32> = (*path_8).beta_0 * MaterialBsdf_albedo_0(_S258);
+    if(((*path_8).bounce_0) >= (params_0.max_bounces_0))
     {
         is_chosen_0 = true;
     }
@@ -3599,8 +3753,8 @@ fn PathTracingOf_advance_1( path_6 : ptr<function, Path_0>,  ray_9 : Ray_0,  hit
     {
         is_chosen_0 = ends_here_0;
     }
-    var _S252 : bool = !is_weighed_1;
-    if(_S252)
+    var _S259 : bool = !is_weighed_1;
+    if(_S259)
     {
         if(is_chosen_0)
         {
@@ -3617,10 +3771,10 @@ fn PathTracingOf_advance_1( path_6 : ptr<function, Path_0>,  ray_9 : Ray_0,  hit
     }
     if(is_chosen_0)
     {
-        return next_1;
+        return next_2;
     }
-    var compensation_3 : f32 = roulette_0(Path_events_0((*path_6)), scattered_3, u_16.z);
-    if(_S252)
+    var compensation_3 : f32 = roulette_0(Path_events_0((*path_8)), scattered_3, u_16.z);
+    if(_S259)
     {
         is_chosen_0 = compensation_3 == 0.0f;
     }
@@ -3630,78 +3784,78 @@ fn PathTracingOf_advance_1( path_6 : ptr<function, Path_0>,  ray_9 : Ray_0,  hit
     }
     if(is_chosen_0)
     {
-        return next_1;
+        return next_2;
     }
-    var at_6 : Hit_0;
+    var at_7 : Hit_0;
     if(is_scattered_3)
     {
-        at_6 = Hit_x24init_0(t_5, (*path_6).inside_0.instance_0, hit_6.voxel_1, u32(0));
+        at_7 = Hit_x24init_0(t_5, (*path_8).inside_0.instance_0, hit_10.voxel_1, u32(0));
     }
     else
     {
-        at_6 = hit_6;
+        at_7 = hit_10;
     }
-    var surface_4 : Surface_0 = surface_of_0(ray_9, at_6);
-    var _S253 : Receiver_0 = Receiver_x24init_0(surface_4.origin_4, surface_4.normal_2);
-    var _S254 : vec3<f32> = (vec3<f32>(0) - ray_9.direction_1);
-    var wo_6 : vec3<f32> = Surface_local_direction_0(surface_4, _S254);
+    var surface_4 : Surface_0 = surface_of_0(ray_12, at_7);
+    var _S260 : Receiver_0 = Receiver_x24init_0(surface_4.origin_4, surface_4.normal_2);
+    var _S261 : vec3<f32> = (vec3<f32>(0) - ray_12.direction_1);
+    var wo_6 : vec3<f32> = Surface_local_direction_0(surface_4, _S261);
     var inside_5 : Inside_0 = in_air_0();
     var wo_7 : vec3<f32>;
     var receiver_19 : Receiver_0;
     if(is_scattered_3)
     {
-        var _S255 : Inside_0 = Inside_x24init_0((*path_6).inside_0.instance_0, hit_6.voxel_1, (*path_6).inside_0.material_0);
-        inside_5 = _S255;
-        var _S256 : vec3<f32> = normalize_vector_0(_S254);
-        receiver_19 = Receiver_x24init_0(Inside_point_0(_S255, ray_9, t_5), _S244);
-        wo_7 = _S256;
+        var _S262 : Inside_0 = Inside_x24init_0((*path_8).inside_0.instance_0, hit_10.voxel_1, (*path_8).inside_0.material_0);
+        inside_5 = _S262;
+        var _S263 : vec3<f32> = normalize_vector_0(_S261);
+        receiver_19 = Receiver_x24init_0(Inside_point_0(_S262, ray_12, t_5), _S251);
+        wo_7 = _S263;
     }
     else
     {
-        if(Inside_is_in_0((*path_6).inside_0))
+        if(Inside_is_in_0((*path_8).inside_0))
         {
-            next_1.relocates_0 = (hit_6.instance_1) != ((*path_6).inside_0.instance_0);
-            inside_5 = Inside_x24init_0((*path_6).inside_0.instance_0, hit_6.voxel_1, (*path_6).inside_0.material_0);
-            inside_5.voxel_0 = hit_6.voxel_1 + vec3<i32>(face_normal_0(hit_6.face_0));
+            next_2.relocates_0 = (hit_10.instance_1) != ((*path_8).inside_0.instance_0);
+            inside_5 = Inside_x24init_0((*path_8).inside_0.instance_0, hit_10.voxel_1, (*path_8).inside_0.material_0);
+            inside_5.voxel_0 = hit_10.voxel_1 + vec3<i32>(face_normal_0(hit_10.face_0));
         }
-        receiver_19 = _S253;
+        receiver_19 = _S260;
         wo_7 = wo_6;
     }
-    next_1.origin_1 = receiver_19.point_0;
-    next_1.shadow_inside_0 = inside_5;
+    next_2.origin_1 = receiver_19.point_0;
+    next_2.shadow_inside_0 = inside_5;
     if(is_weighed_1)
     {
         receiver_19 = last_4;
     }
-    if(_S252)
+    if(_S259)
     {
-        (*path_6).selection_0 = Lights_selection_0(receiver_19);
+        (*path_8).selection_0 = Lights_selection_0(receiver_19);
     }
-    var light_4 : LightSample_0 = no_light_0();
-    var _S257 : bool = !MaterialBsdf_is_delta_0(_S251);
-    scatter_of_path_0 = Scatter_x24init_0((*path_6), receiver_19, surface_4, _S251, wo_7, compensation_3, is_scattered_3, _S257);
+    var light_6 : LightSample_0 = no_light_0();
+    var _S264 : bool = !MaterialBsdf_is_delta_0(_S258);
+    scatter_of_path_0 = Scatter_x24init_0((*path_8), receiver_19, surface_4, _S258, wo_7, compensation_3, is_scattered_3, _S264);
     if(is_weighed_1)
     {
-        if(next_1.has_shadow_ray_0)
+        if(next_2.has_shadow_ray_0)
         {
-            light_pdf_2 = light_4.pdf_2;
+            light_pdf_2 = light_6.pdf_2;
         }
         else
         {
             light_pdf_2 = 0.0f;
         }
-        (*radiance_6) = (*radiance_6) + (*path_6).beta_0 * le_3 * vec3<f32>(mis_weight_0((*path_6).pdf_1, light_pdf_2));
-        (*path_6).pdf_1 = - (*path_6).pdf_1;
-        next_1.is_same_0 = true;
-        return next_1;
+        (*radiance_6) = (*radiance_6) + (*path_8).beta_0 * le_3 * vec3<f32>(mis_weight_0((*path_8).pdf_1, light_pdf_2));
+        (*path_8).pdf_1 = - (*path_8).pdf_1;
+        next_2.is_same_0 = true;
+        return next_2;
     }
     var bounce_2 : BsdfSample_0;
-    var _S258 : bool = MaterialBsdf_sample_0(_S251, wo_7, vec3<f32>(u_16.xy, u_16.w), &(bounce_2));
-    if(!_S258)
+    var _S265 : bool = MaterialBsdf_sample_0(_S258, wo_7, vec3<f32>(u_16.xy, u_16.w), &(bounce_2));
+    if(!_S265)
     {
-        return next_1;
+        return next_2;
     }
-    (*path_6).beta_0 = (*path_6).beta_0 * bounce_2.weight_0 * vec3<f32>(compensation_3);
+    (*path_8).beta_0 = (*path_8).beta_0 * bounce_2.weight_0 * vec3<f32>(compensation_3);
     if(bounce_2.is_delta_0)
     {
         t_5 = 0.0f;
@@ -3710,22 +3864,468 @@ fn PathTracingOf_advance_1( path_6 : ptr<function, Path_0>,  ray_9 : Ray_0,  hit
     {
         t_5 = bounce_2.pdf_4;
     }
-    (*path_6).pdf_1 = t_5;
-    (*path_6).normal_0 = receiver_19.normal_1;
-    next_1.direction_0 = bounce_2.wi_0;
+    (*path_8).pdf_1 = t_5;
+    (*path_8).normal_0 = receiver_19.normal_1;
+    next_2.direction_0 = bounce_2.wi_0;
     if(!is_scattered_3)
     {
-        next_1.direction_0 = Surface_world_direction_0(surface_4, bounce_2.wi_0);
+        next_2.direction_0 = Surface_world_direction_0(surface_4, bounce_2.wi_0);
     }
-    next_1.path_relocates_0 = next_1.relocates_0;
-    (*path_6).bounce_0 = (*path_6).bounce_0 + u32(1);
-    return next_1;
+    next_2.path_relocates_0 = next_2.relocates_0;
+    (*path_8).bounce_0 = (*path_8).bounce_0 + u32(1);
+    return next_2;
 }
+
+struct Key_0
+{
+     instance_8 : u32,
+     face_and_level_0 : u32,
+     cube_0 : vec3<i32>,
+};
+
+fn Key_x24init_0( instance_9 : u32,  face_and_level_1 : u32,  cube_1 : vec3<i32>) -> Key_0
+{
+    var _S266 : Key_0;
+    _S266.instance_8 = instance_9;
+    _S266.face_and_level_0 = face_and_level_1;
+    _S266.cube_0 = cube_1;
+    return _S266;
+}
+
+fn scramble_of_0( number_1 : u32) -> u32
+{
+    return pcg4d_0(vec4<u32>(number_1, u32(0), u32(0), u32(2654435769))).x;
+}
+
+fn Key_level_0( this_25 : Key_0) -> u32
+{
+    return ((this_25.face_and_level_0) >> (u32(3)));
+}
+
+fn Key_mask_0( this_26 : Key_0) -> u32
+{
+    return ((u32(1) << ((u32(3) * Key_level_0(this_26))))) - u32(1);
+}
+
+fn key_of_0( hit_11 : Hit_0,  size_1 : f32,  u_17 : f32,  code_0 : ptr<function, u32>) -> Key_0
+{
+    var clamped_0 : f32 = clamp(size_1, 1.0f, 128.0f);
+    var power_5 : f32 = f32(((bitcast<u32>((clamped_0))) >> (u32(23)))) - 127.0f;
+    var _S267 : f32;
+    if(u_17 < (clamped_0 * inverse_power_of_two_0(clamped_0) - 1.0f))
+    {
+        _S267 = 1.0f;
+    }
+    else
+    {
+        _S267 = 0.0f;
+    }
+    var level_0 : u32 = u32(min(power_5 + _S267, 6.0f));
+    var _S268 : vec3<u32> = vec3<u32>(u32(i32(level_0)));
+    var key_0 : Key_0 = Key_x24init_0(hit_11.instance_1, ((hit_11.face_0) | (((level_0 << (u32(3)))))), ((hit_11.voxel_1) >> (_S268)));
+    var _S269 : vec3<u32> = vec3<u32>(hit_11.voxel_1 - (((key_0.cube_0) << (_S268))));
+    (*code_0) = u32(1) + (((((((_S269.x) | ((((_S269.y) << (level_0)))))) | ((((_S269.z) << ((u32(2) * level_0))))))) ^ ((((scramble_of_0(real_time_0.number_0)) & ((Key_mask_0(key_0))))))));
+    return key_0;
+}
+
+fn Key_hash_0( this_27 : Key_0) -> vec2<u32>
+{
+    return pcg4d_0(vec4<u32>(vec3<u32>(this_27.cube_0), this_27.instance_8 * u32(61) + this_27.face_and_level_0)).xy;
+}
+
+fn place_of_check_0( cell_3 : u32) -> u32
+{
+    return u32(16) + cell_3;
+}
+
+fn find_cell_0( hash_0 : vec2<u32>) -> u32
+{
+    var probe_0 : u32 = u32(0);
+    for(;;)
+    {
+        if(probe_0 < u32(8))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var cell_4 : u32 = ((hash_0.x + probe_0) & (u32(262143)));
+        var _S270 : u32 = atomicLoad(&(cell_keys_0[place_of_check_0(cell_4)]));
+        if(_S270 == (max(hash_0.y, u32(1))))
+        {
+            return cell_4;
+        }
+        probe_0 = probe_0 + u32(1);
+    }
+    return u32(262144);
+}
+
+fn cell_row_0( row_0 : u32,  cell_5 : u32) -> vec4<u32>
+{
+    return cell_rows_0[row_0 * u32(262144) + cell_5];
+}
+
+fn set_cell_row_0( row_1 : u32,  cell_6 : u32,  value_1 : vec4<u32>)
+{
+    cell_rows_0[row_1 * u32(262144) + cell_6] = value_1;
+    return;
+}
+
+fn place_of_asked_0( cell_7 : u32) -> u32
+{
+    return u32(262160) + cell_7;
+}
+
+fn ask_cell_0( key_1 : Key_0,  asked_0 : u32) -> vec4<f32>
+{
+    var _S271 : bool;
+    var hash_1 : vec2<u32> = Key_hash_0(key_1);
+    var _S272 : u32 = max(hash_1.y, u32(1));
+    var cell_8 : u32 = find_cell_0(hash_1);
+    var _S273 : vec4<f32> = vec4<f32>(0.0f);
+    var known_0 : vec4<f32>;
+    if(cell_8 != u32(262144))
+    {
+        known_0 = (bitcast<vec4<f32>>((cell_row_0(u32(0), cell_8))));
+    }
+    else
+    {
+        known_0 = _S273;
+    }
+    var cell_9 : u32 = cell_8;
+    var probe_1 : u32 = u32(0);
+    for(;;)
+    {
+        if(probe_1 < u32(8))
+        {
+            _S271 = cell_9 == u32(262144);
+        }
+        else
+        {
+            _S271 = false;
+        }
+        if(_S271)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var place_4 : u32 = ((hash_1.x + probe_1) & (u32(262143)));
+        var found_0 : u32 = atomicCompareExchangeWeak(&(cell_keys_0[place_of_check_0(place_4)]), u32(0), _S272).old_value;
+        var _S274 : bool = found_0 == u32(0);
+        if(_S274)
+        {
+            set_cell_row_0(u32(1), place_4, vec4<u32>(key_1.instance_8, key_1.face_and_level_0, u32(0), u32(0)));
+            set_cell_row_0(u32(2), place_4, vec4<u32>(vec3<u32>(key_1.cube_0), u32(0)));
+        }
+        var _S275 : bool;
+        if(_S274)
+        {
+            _S275 = true;
+        }
+        else
+        {
+            _S275 = found_0 == _S272;
+        }
+        if(_S275)
+        {
+            cell_9 = place_4;
+        }
+        probe_1 = probe_1 + u32(1);
+    }
+    if(cell_9 != u32(262144))
+    {
+        var _S276 : u32 = atomicLoad(&(cell_keys_0[place_of_asked_0(cell_9)]));
+        _S271 = _S276 < asked_0;
+    }
+    else
+    {
+        _S271 = false;
+    }
+    if(_S271)
+    {
+        var _S277 : u32 = atomicMax(&(cell_keys_0[place_of_asked_0(cell_9)]), asked_0);
+    }
+    return known_0;
+}
+
+fn asks_0( path_9 : Path_0,  ray_13 : Ray_0,  hit_12 : Hit_0,  beyond_7 : u32,  life_1 : u32,  light_7 : ptr<function, vec3<f32>>) -> bool
+{
+    (*light_7) = vec3<f32>(0.0f);
+    var _S278 : bool;
+    if(Hit_is_miss_0(hit_12))
+    {
+        _S278 = true;
+    }
+    else
+    {
+        _S278 = Inside_is_in_0(path_9.inside_0);
+    }
+    if(_S278)
+    {
+        return false;
+    }
+    var material_13 : PackedMaterial_0 = material_met_0(path_9, hit_12, beyond_7);
+    if((material_13.metallic_0) > 0.0f)
+    {
+        _S278 = true;
+    }
+    else
+    {
+        _S278 = (material_13.transmission_0) > 0.0f;
+    }
+    if(_S278)
+    {
+        return false;
+    }
+    var code_1 : u32;
+    var key_2 : Key_0 = key_of_0(hit_12, square_root_0(length_squared_0(ray_13.origin_2 + ray_13.direction_1 * vec3<f32>(hit_12.t_0) - real_time_0.eye_0)) * real_time_0.view_angle_0 * 0.05882352963089943f, Sampler_independent_0(path_9.sampler_0, u32(3221225472) + Path_events_0(path_9)).x, &(code_1));
+    var least_0 : f32 = 2.0f * f32((u32(1) << ((Key_level_0(key_2)))));
+    if(life_1 == u32(0))
+    {
+        _S278 = true;
+    }
+    else
+    {
+        _S278 = (hit_12.t_0 * square_root_0(length_squared_0(ray_13.direction_1))) < least_0;
+    }
+    if(_S278)
+    {
+        return false;
+    }
+    var known_1 : vec4<f32> = ask_cell_0(key_2, ((((min(life_1, u32(10))) << (u32(20)))) | (code_1)));
+    if((known_1.w) <= 0.0f)
+    {
+        return false;
+    }
+    (*light_7) = path_9.beta_0 * vector_of_0(material_13.base_color_0) * known_1.xyz;
+    return true;
+}
+
+var<private> first_candidates_0 : u32;
+
+fn Path_dimension_light_0( this_28 : Path_0) -> u32
+{
+    return u32(2) + u32(2) * Path_events_0(this_28);
+}
+
+struct BsdfEval_0
+{
+     weight_5 : vec3<f32>,
+     pdf_10 : f32,
+};
+
+fn BsdfEval_x24init_0( weight_6 : vec3<f32>,  pdf_11 : f32) -> BsdfEval_0
+{
+    var _S279 : BsdfEval_0;
+    _S279.weight_5 = weight_6;
+    _S279.pdf_10 = pdf_11;
+    return _S279;
+}
+
+fn Diffuse_eval_0( this_29 : Diffuse_0,  wo_8 : vec3<f32>,  wi_3 : vec3<f32>) -> BsdfEval_0
+{
+    return BsdfEval_x24init_0(this_29.reflectance_0, cosine_hemisphere_pdf_0(wi_3.z));
+}
+
+fn MaterialBsdf_eval_0( this_30 : MaterialBsdf_0,  wo_9 : vec3<f32>,  wi_4 : vec3<f32>) -> BsdfEval_0
+{
+    return Diffuse_eval_0(Diffuse_x24init_0(this_30.color_0), wo_9, wi_4);
+}
+
+fn choose_light_0( scatter_0 : Scatter_0,  next_3 : ptr<function, NextRays_0>)
+{
+    var count_5 : u32;
+    if((scatter_0.path_0.bounce_0) == u32(0))
+    {
+        count_5 = first_candidates_0;
+    }
+    else
+    {
+        count_5 = u32(1);
+    }
+    var chosen_4 : f32 = 0.0f;
+    var candidate_0 : u32 = u32(0);
+    var sum_1 : f32 = 0.0f;
+    for(;;)
+    {
+        if(candidate_0 < count_5)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var dimension_3 : u32 = u32(1073741824) + u32(64) * Path_events_0(scatter_0.path_0) + u32(2) * candidate_0;
+        var u_18 : vec4<f32>;
+        if(candidate_0 == u32(0))
+        {
+            u_18 = Sampler_stratified_0(scatter_0.path_0.sampler_0, Path_dimension_light_0(scatter_0.path_0));
+        }
+        else
+        {
+            u_18 = Sampler_independent_0(scatter_0.path_0.sampler_0, dimension_3);
+        }
+        var light_8 : LightSample_0 = no_light_0();
+        var is_found_2 : bool = Lights_sample_0(scatter_0.receiver_0, scatter_0.path_0.selection_0, u_18, by_chance_0(), &(light_8));
+        if(!is_found_2)
+        {
+            candidate_0 = candidate_0 + u32(1);
+            continue;
+        }
+        var _S280 : vec3<f32> = vec3<f32>(Surface_local_direction_0(scatter_0.surface_0, light_8.ray_6.direction_1).xy, light_8.cos_theta_2);
+        var wi_5 : vec3<f32>;
+        if(scatter_0.is_scattered_0)
+        {
+            wi_5 = normalize_vector_0(light_8.ray_6.direction_1);
+        }
+        else
+        {
+            wi_5 = _S280;
+        }
+        var eval_0 : BsdfEval_0 = MaterialBsdf_eval_0(scatter_0.bsdf_0, scatter_0.wo_0, wi_5);
+        var _S281 : vec3<f32> = scatter_0.path_0.beta_0 * eval_0.weight_5 * vec3<f32>(scatter_0.compensation_0) * light_8.radiance_1 * vec3<f32>((divide_0(eval_0.pdf_10, light_8.pdf_2) * power_heuristic_0(light_8.pdf_2, eval_0.pdf_10)));
+        var weight_7 : f32 = luminance_0(_S281);
+        var sum_2 : f32 = sum_1 + weight_7;
+        var _S282 : bool;
+        if(count_5 > u32(1))
+        {
+            _S282 = (Sampler_independent_0(scatter_0.path_0.sampler_0, dimension_3 + u32(1)).x * sum_2) >= weight_7;
+        }
+        else
+        {
+            _S282 = false;
+        }
+        if(_S282)
+        {
+            sum_1 = sum_2;
+            candidate_0 = candidate_0 + u32(1);
+            continue;
+        }
+        var chosen_5 : f32;
+        if(weight_7 > 0.0f)
+        {
+            (*next_3).shadow_direction_0 = light_8.ray_6.direction_1;
+            (*next_3).shadow_t_max_0 = light_8.ray_6.t_max_0;
+            (*next_3).light_0 = _S281;
+            chosen_5 = weight_7;
+        }
+        else
+        {
+            chosen_5 = chosen_4;
+        }
+        chosen_4 = chosen_5;
+        sum_1 = sum_2;
+        candidate_0 = candidate_0 + u32(1);
+    }
+    var _S283 : bool = chosen_4 > 0.0f;
+    (*next_3).has_shadow_ray_0 = _S283;
+    if(_S283)
+    {
+        (*next_3).light_0 = (*next_3).light_0 * vec3<f32>(divide_0(sum_1, chosen_4 * f32(count_5)));
+    }
+    return;
+}
+
+fn goes_on_from_1( at_8 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_8 : u32,  sample_12 : ptr<function, Sample_0>) -> bool
+{
+    var next_4 : NextRays_0 = no_rays_0();
+    var goes_on_3 : bool;
+    if((*at_8).is_at_cell_0)
+    {
+        next_4.origin_1 = (*at_8).ray_9.origin_2;
+        next_4.path_origin_0 = (*at_8).ray_9.origin_2;
+        next_4.direction_0 = (*at_8).ray_9.direction_1;
+        goes_on_3 = true;
+    }
+    else
+    {
+        var _S284 : vec3<f32> = vec3<f32>(0.0f);
+        var cached_1 : vec3<f32> = _S284;
+        if((*at_8).has_shown_0)
+        {
+            goes_on_3 = (*at_8).asks_cache_0;
+        }
+        else
+        {
+            goes_on_3 = false;
+        }
+        if(goes_on_3)
+        {
+            var _S285 : bool = asks_0((*at_8).path_6, (*at_8).ray_9, hit_13, beyond_8, (*at_8).life_0, &(cached_1));
+            goes_on_3 = _S285;
+        }
+        else
+        {
+            goes_on_3 = false;
+        }
+        ends_here_0 = goes_on_3;
+        var arrived_2 : Path_0 = (*at_8).path_6;
+        var emitted_3 : vec3<f32> = _S284;
+        var _S286 : Path_0 = (*at_8).path_6;
+        var _S287 : NextRays_0 = PathTracingOf_advance_1(&(_S286), (*at_8).ray_9, hit_13, beyond_8, &(emitted_3));
+        (*at_8).path_6 = _S286;
+        next_4 = _S287;
+        var goes_on_4 : bool = (any(((next_4.direction_0) != _S284)));
+        if((*at_8).has_shown_0)
+        {
+            (*sample_12).light_4 = (*sample_12).light_4 + (cached_1 + emitted_3);
+        }
+        else
+        {
+            Walker_see_0(&((*at_8)), arrived_2, hit_13, beyond_8, emitted_3, goes_on_4, &((*sample_12)));
+        }
+        goes_on_3 = goes_on_4;
+    }
+    if(scatter_of_path_0.wants_light_0)
+    {
+        choose_light_0(scatter_of_path_0, &(next_4));
+    }
+    if((*at_8).is_at_cell_0)
+    {
+        (*at_8).path_6.bounce_0 = u32(1);
+        (*at_8).path_6.event_0 = u32(1);
+        (*at_8).path_6.scattered_0 = u32(1);
+        (*at_8).is_at_cell_0 = false;
+    }
+    (*at_8).direction_18 = next_4.direction_0;
+    (*at_8).light_3 = next_4.light_0;
+    (*at_8).is_shadow_ray_0 = next_4.has_shadow_ray_0;
+    (*at_8).path_origin_2 = next_4.path_origin_0;
+    (*at_8).ray_9 = ray_from_0(next_4.origin_1, next_4.direction_0);
+    if((*at_8).is_shadow_ray_0)
+    {
+        (*at_8).ray_9 = Ray_x24init_0(next_4.origin_1, 0.0f, next_4.shadow_direction_0, next_4.shadow_t_max_0);
+    }
+    if(goes_on_3)
+    {
+        goes_on_3 = true;
+    }
+    else
+    {
+        goes_on_3 = (*at_8).is_shadow_ray_0;
+    }
+    return goes_on_3;
+}
+
+struct PackedGrid_0
+{
+     origin_0 : array<i32, i32(3)>,
+     top_shift_0 : u32,
+     top_size_0 : array<i32, i32(3)>,
+     top_offset_0 : u32,
+     min_0 : array<i32, i32(3)>,
+     voxels_0 : array<u32, i32(2)>,
+     max_0 : array<i32, i32(3)>,
+     material_bits_0 : u32,
+};
 
 struct LocalRay_0
 {
      origin_7 : vec3<f32>,
-     direction_25 : vec3<f32>,
+     direction_26 : vec3<f32>,
      inverse_0 : vec3<f32>,
      t_min_2 : f32,
      t_max_2 : f32,
@@ -3737,28 +4337,28 @@ fn reciprocal_0( vector_4 : vec3<f32>) -> vec3<f32>
     return vec3<f32>(divide_0(1.0f, vector_4.x), divide_0(1.0f, vector_4.y), divide_0(1.0f, vector_4.z));
 }
 
-fn local_ray_0( _S259 : Ray_0,  _S260 : u32) -> LocalRay_0
+fn local_ray_0( _S288 : Ray_0,  _S289 : u32) -> LocalRay_0
 {
     var local_3 : LocalRay_0;
-    var direction_26 : vec3<f32>;
+    var direction_27 : vec3<f32>;
     var origin_8 : vec3<f32>;
     if(!IS_SINGLE_0)
     {
-        var _S261 : vec3<f32> = Transform_point_0(_S260, _S259.origin_2);
-        direction_26 = Transform_direction_0(_S260, _S259.direction_1);
-        origin_8 = _S261;
+        var _S290 : vec3<f32> = Transform_point_0(_S289, _S288.origin_2);
+        direction_27 = Transform_direction_0(_S289, _S288.direction_1);
+        origin_8 = _S290;
     }
     else
     {
-        direction_26 = _S259.direction_1;
-        origin_8 = _S259.origin_2;
+        direction_27 = _S288.direction_1;
+        origin_8 = _S288.origin_2;
     }
-    var is_zero_0 : vec3<bool> = !((abs(direction_26)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S262 : vec3<f32> = select(direction_26, vec3<f32>(0.0f), is_zero_0);
-    local_3.direction_25 = _S262;
-    local_3.inverse_0 = select(reciprocal_0(select(direction_26, vec3<f32>(1.0f), is_zero_0)), vec3<f32>(3.4028234663852886e+38f), is_zero_0);
+    var is_zero_0 : vec3<bool> = !((abs(direction_27)) >= vec3<f32>(1.17549435082228751e-38f));
+    var _S291 : vec3<f32> = select(direction_27, vec3<f32>(0.0f), is_zero_0);
+    local_3.direction_26 = _S291;
+    local_3.inverse_0 = select(reciprocal_0(select(direction_27, vec3<f32>(1.0f), is_zero_0)), vec3<f32>(3.4028234663852886e+38f), is_zero_0);
     local_3.origin_7 = select(origin_8, floor(origin_8) + vec3<f32>(0.5f), is_zero_0);
-    var speed_0 : f32 = max_element_0(abs(_S262));
+    var speed_0 : f32 = max_element_0(abs(_S291));
     var moves_0 : bool;
     if(speed_0 >= 1.00000004581370497e-18f)
     {
@@ -3770,9 +4370,9 @@ fn local_ray_0( _S259 : Ray_0,  _S260 : u32) -> LocalRay_0
     }
     var is_near_0 : bool = (all(((abs(local_3.origin_7)) <= vec3<f32>(2.097152e+06f))));
     var is_segment_0 : bool;
-    if((_S259.t_min_0) >= 0.0f)
+    if((_S288.t_min_0) >= 0.0f)
     {
-        is_segment_0 = (_S259.t_min_0) <= 3.4028234663852886e+38f;
+        is_segment_0 = (_S288.t_min_0) <= 3.4028234663852886e+38f;
     }
     else
     {
@@ -3780,14 +4380,14 @@ fn local_ray_0( _S259 : Ray_0,  _S260 : u32) -> LocalRay_0
     }
     if(is_segment_0)
     {
-        is_segment_0 = (_S259.t_min_0) <= (_S259.t_max_0);
+        is_segment_0 = (_S288.t_min_0) <= (_S288.t_max_0);
     }
     else
     {
         is_segment_0 = false;
     }
-    local_3.t_min_2 = _S259.t_min_0;
-    local_3.t_max_2 = _S259.t_max_0;
+    local_3.t_min_2 = _S288.t_min_0;
+    local_3.t_max_2 = _S288.t_max_0;
     if(moves_0)
     {
         moves_0 = is_near_0;
@@ -3810,7 +4410,7 @@ fn local_ray_0( _S259 : Ray_0,  _S260 : u32) -> LocalRay_0
 
 struct Walk_0
 {
-     ray_10 : LocalRay_0,
+     ray_14 : LocalRay_0,
      origin_9 : vec3<f32>,
      offset_0 : vec3<i32>,
      speed_1 : vec3<f32>,
@@ -3821,69 +4421,69 @@ struct Walk_0
      t_end_0 : f32,
 };
 
-fn Walk_mirrored_plane_0( this_24 : Walk_0,  plane_0 : vec3<i32>) -> vec3<i32>
+fn Walk_mirrored_plane_0( this_31 : Walk_0,  plane_0 : vec3<i32>) -> vec3<i32>
 {
-    return ((plane_0 ^ ((this_24.mirror_0)))) - this_24.mirror_0;
+    return ((plane_0 ^ ((this_31.mirror_0)))) - this_31.mirror_0;
 }
 
 fn min_abs_direction_0() -> f32
 {
-    var _S263 : f32;
+    var _S292 : f32;
     if(IS_EXACT_0)
     {
-        _S263 = 0.0f;
+        _S292 = 0.0f;
     }
     else
     {
-        _S263 = 1.00000004581370497e-18f;
+        _S292 = 1.00000004581370497e-18f;
     }
-    return _S263;
+    return _S292;
 }
 
 @id(3) override TOP_SHIFT_0 : u32 = u32(0);
 
-fn LocalRay_tolerance_0( this_25 : LocalRay_0,  low_7 : vec3<i32>,  high_2 : vec3<i32>) -> vec3<f32>
+fn LocalRay_tolerance_0( this_32 : LocalRay_0,  low_7 : vec3<i32>,  high_2 : vec3<i32>) -> vec3<f32>
 {
-    return select((abs(this_25.origin_7) + (vec3<f32>(max(abs(low_7), abs(high_2))) + vec3<f32>(1.0f))) * vec3<f32>(5.36441802978515625e-07f), vec3<f32>(-1.0f), (this_25.direction_25) == vec3<f32>(0.0f));
+    return select((abs(this_32.origin_7) + (vec3<f32>(max(abs(low_7), abs(high_2))) + vec3<f32>(1.0f))) * vec3<f32>(5.36441802978515625e-07f), vec3<f32>(-1.0f), (this_32.direction_26) == vec3<f32>(0.0f));
 }
 
-fn LocalRay_t_end_0( this_26 : LocalRay_0) -> f32
+fn LocalRay_t_end_0( this_33 : LocalRay_0) -> f32
 {
-    return min(this_26.t_max_2 * 1.00000095367431641f, 3.4028234663852886e+38f);
+    return min(this_33.t_max_2 * 1.00000095367431641f, 3.4028234663852886e+38f);
 }
 
-fn walk_of_0( _S264 : LocalRay_0,  _S265 : u32) -> Walk_0
+fn walk_of_0( ray_15 : LocalRay_0,  grid_3 : PackedGrid_0) -> Walk_0
 {
     var walk_0 : Walk_0;
-    walk_0.ray_10 = _S264;
-    walk_0.grid_origin_0 = cell_of_0(grids_0[_S265].origin_0);
-    var is_negative_0 : vec3<bool> = (_S264.direction_25) < vec3<f32>(0.0f);
-    var _S266 : vec3<i32> = vec3<i32>(i32(0));
-    walk_0.mirror_0 = select(_S266, vec3<i32>(i32(-1)), is_negative_0);
-    var _S267 : vec3<i32>;
+    walk_0.ray_14 = ray_15;
+    walk_0.grid_origin_0 = cell_of_0(grid_3.origin_0);
+    var is_negative_0 : vec3<bool> = (ray_15.direction_26) < vec3<f32>(0.0f);
+    var _S293 : vec3<i32> = vec3<i32>(i32(0));
+    walk_0.mirror_0 = select(_S293, vec3<i32>(i32(-1)), is_negative_0);
+    var _S294 : vec3<i32>;
     if(IS_EXACT_0)
     {
-        _S267 = Walk_mirrored_plane_0(walk_0, walk_0.grid_origin_0);
+        _S294 = Walk_mirrored_plane_0(walk_0, walk_0.grid_origin_0);
     }
     else
     {
-        _S267 = _S266;
+        _S294 = _S293;
     }
-    walk_0.offset_0 = _S267;
+    walk_0.offset_0 = _S294;
     var origin_10 : vec3<f32>;
     if(IS_EXACT_0)
     {
-        origin_10 = _S264.origin_7;
+        origin_10 = ray_15.origin_7;
     }
     else
     {
-        origin_10 = _S264.origin_7 - vec3<f32>(walk_0.grid_origin_0);
+        origin_10 = ray_15.origin_7 - vec3<f32>(walk_0.grid_origin_0);
     }
     walk_0.origin_9 = select(origin_10, (vec3<f32>(0) - origin_10), is_negative_0);
-    walk_0.speed_1 = max(abs(_S264.direction_25), vec3<f32>(min_abs_direction_0()));
+    walk_0.speed_1 = max(abs(ray_15.direction_26), vec3<f32>(min_abs_direction_0()));
     if(IS_EXACT_0)
     {
-        origin_10 = abs(_S264.inverse_0);
+        origin_10 = abs(ray_15.inverse_0);
     }
     else
     {
@@ -3897,22 +4497,22 @@ fn walk_of_0( _S264 : LocalRay_0,  _S265 : u32) -> Walk_0
     }
     else
     {
-        top_shift_1 = grids_0[_S265].top_shift_0;
+        top_shift_1 = grid_3.top_shift_0;
     }
-    walk_0.tolerance_0 = LocalRay_tolerance_0(_S264, walk_0.grid_origin_0, walk_0.grid_origin_0 + (((cell_of_0(grids_0[_S265].top_size_0)) << (vec3<u32>(top_shift_1)))));
-    walk_0.t_end_0 = LocalRay_t_end_0(_S264);
+    walk_0.tolerance_0 = LocalRay_tolerance_0(ray_15, walk_0.grid_origin_0, walk_0.grid_origin_0 + (((cell_of_0(grid_3.top_size_0)) << (vec3<u32>(top_shift_1)))));
+    walk_0.t_end_0 = LocalRay_t_end_0(ray_15);
     return walk_0;
 }
 
-fn Walk_mirrored_0( this_27 : Walk_0,  voxel_6 : vec3<i32>) -> vec3<i32>
+fn Walk_mirrored_0( this_34 : Walk_0,  voxel_6 : vec3<i32>) -> vec3<i32>
 {
-    return (voxel_6 ^ ((this_27.mirror_0)));
+    return (voxel_6 ^ ((this_34.mirror_0)));
 }
 
-fn halves_0( value_1 : f32) -> vec2<f32>
+fn halves_0( value_2 : f32) -> vec2<f32>
 {
-    var high_3 : f32 = (bitcast<f32>((((bitcast<u32>((value_1))) & (u32(4294963200))))));
-    return vec2<f32>(high_3, value_1 - high_3);
+    var high_3 : f32 = (bitcast<f32>((((bitcast<u32>((value_2))) & (u32(4294963200))))));
+    return vec2<f32>(high_3, value_2 - high_3);
 }
 
 fn exact_product_0( a_5 : f32,  b_5 : f32) -> vec2<f32>
@@ -3924,96 +4524,96 @@ fn exact_product_0( a_5 : f32,  b_5 : f32) -> vec2<f32>
     }
     var a_parts_0 : vec2<f32> = halves_0(a_5);
     var b_parts_0 : vec2<f32> = halves_0(b_5);
-    var _S268 : f32 = a_parts_0.x;
-    var _S269 : f32 = b_parts_0.x;
-    var _S270 : f32 = b_parts_0.y;
-    var _S271 : f32 = a_parts_0.y;
-    return vec2<f32>(product_0, _S268 * _S269 - product_0 + _S268 * _S270 + _S271 * _S269 + _S271 * _S270);
+    var _S295 : f32 = a_parts_0.x;
+    var _S296 : f32 = b_parts_0.x;
+    var _S297 : f32 = b_parts_0.y;
+    var _S298 : f32 = a_parts_0.y;
+    return vec2<f32>(product_0, _S295 * _S296 - product_0 + _S295 * _S297 + _S298 * _S296 + _S298 * _S297);
 }
 
-fn exact_start_voxel_0( ray_11 : LocalRay_0) -> vec3<i32>
+fn exact_start_voxel_0( ray_16 : LocalRay_0) -> vec3<i32>
 {
-    var way_2 : vec2<f32> = exact_product_0(ray_11.t_min_2, ray_11.direction_25[u32(0)]);
-    var _S272 : f32 = way_2.x;
-    var sum_1 : f32 = ray_11.origin_7[u32(0)] + _S272;
-    var part_0 : f32 = sum_1 - ray_11.origin_7[u32(0)];
-    var low_8 : f32 = ray_11.origin_7[u32(0)] - (sum_1 - part_0) + (_S272 - part_0) + way_2.y;
-    var whole_0 : f32 = floor(sum_1);
+    var way_3 : vec2<f32> = exact_product_0(ray_16.t_min_2, ray_16.direction_26[u32(0)]);
+    var _S299 : f32 = way_3.x;
+    var sum_3 : f32 = ray_16.origin_7[u32(0)] + _S299;
+    var part_0 : f32 = sum_3 - ray_16.origin_7[u32(0)];
+    var low_8 : f32 = ray_16.origin_7[u32(0)] - (sum_3 - part_0) + (_S299 - part_0) + way_3.y;
+    var whole_0 : f32 = floor(sum_3);
     var voxel_7 : vec3<i32>;
-    var _S273 : i32 = i32(whole_0);
-    var _S274 : bool;
-    if(sum_1 == whole_0)
+    var _S300 : i32 = i32(whole_0);
+    var _S301 : bool;
+    if(sum_3 == whole_0)
     {
-        _S274 = low_8 < 0.0f;
+        _S301 = low_8 < 0.0f;
     }
     else
     {
-        _S274 = false;
+        _S301 = false;
     }
-    voxel_7[u32(0)] = _S273 - i32(_S274);
-    var way_3 : vec2<f32> = exact_product_0(ray_11.t_min_2, ray_11.direction_25[u32(1)]);
-    var _S275 : f32 = way_3.x;
-    var sum_2 : f32 = ray_11.origin_7[u32(1)] + _S275;
-    var part_1 : f32 = sum_2 - ray_11.origin_7[u32(1)];
-    var low_9 : f32 = ray_11.origin_7[u32(1)] - (sum_2 - part_1) + (_S275 - part_1) + way_3.y;
-    var whole_1 : f32 = floor(sum_2);
-    var _S276 : i32 = i32(whole_1);
-    if(sum_2 == whole_1)
+    voxel_7[u32(0)] = _S300 - i32(_S301);
+    var way_4 : vec2<f32> = exact_product_0(ray_16.t_min_2, ray_16.direction_26[u32(1)]);
+    var _S302 : f32 = way_4.x;
+    var sum_4 : f32 = ray_16.origin_7[u32(1)] + _S302;
+    var part_1 : f32 = sum_4 - ray_16.origin_7[u32(1)];
+    var low_9 : f32 = ray_16.origin_7[u32(1)] - (sum_4 - part_1) + (_S302 - part_1) + way_4.y;
+    var whole_1 : f32 = floor(sum_4);
+    var _S303 : i32 = i32(whole_1);
+    if(sum_4 == whole_1)
     {
-        _S274 = low_9 < 0.0f;
+        _S301 = low_9 < 0.0f;
     }
     else
     {
-        _S274 = false;
+        _S301 = false;
     }
-    voxel_7[u32(1)] = _S276 - i32(_S274);
-    var way_4 : vec2<f32> = exact_product_0(ray_11.t_min_2, ray_11.direction_25[u32(2)]);
-    var _S277 : f32 = way_4.x;
-    var sum_3 : f32 = ray_11.origin_7[u32(2)] + _S277;
-    var part_2 : f32 = sum_3 - ray_11.origin_7[u32(2)];
-    var low_10 : f32 = ray_11.origin_7[u32(2)] - (sum_3 - part_2) + (_S277 - part_2) + way_4.y;
-    var whole_2 : f32 = floor(sum_3);
-    var _S278 : i32 = i32(whole_2);
-    if(sum_3 == whole_2)
+    voxel_7[u32(1)] = _S303 - i32(_S301);
+    var way_5 : vec2<f32> = exact_product_0(ray_16.t_min_2, ray_16.direction_26[u32(2)]);
+    var _S304 : f32 = way_5.x;
+    var sum_5 : f32 = ray_16.origin_7[u32(2)] + _S304;
+    var part_2 : f32 = sum_5 - ray_16.origin_7[u32(2)];
+    var low_10 : f32 = ray_16.origin_7[u32(2)] - (sum_5 - part_2) + (_S304 - part_2) + way_5.y;
+    var whole_2 : f32 = floor(sum_5);
+    var _S305 : i32 = i32(whole_2);
+    if(sum_5 == whole_2)
     {
-        _S274 = low_10 < 0.0f;
+        _S301 = low_10 < 0.0f;
     }
     else
     {
-        _S274 = false;
+        _S301 = false;
     }
-    voxel_7[u32(2)] = _S278 - i32(_S274);
+    voxel_7[u32(2)] = _S305 - i32(_S301);
     return voxel_7;
 }
 
-fn Walk_start_voxel_0( this_28 : Walk_0) -> vec3<i32>
+fn Walk_start_voxel_0( this_35 : Walk_0) -> vec3<i32>
 {
-    var start_3 : vec3<f32> = clamp(this_28.ray_10.origin_7 + this_28.ray_10.direction_25 * vec3<f32>(this_28.ray_10.t_min_2), vec3<f32>(-2.097152e+06f), vec3<f32>(2.097152e+06f));
+    var start_3 : vec3<f32> = clamp(this_35.ray_14.origin_7 + this_35.ray_14.direction_26 * vec3<f32>(this_35.ray_14.t_min_2), vec3<f32>(-2.097152e+06f), vec3<f32>(2.097152e+06f));
     if(!IS_EXACT_0)
     {
-        return Walk_mirrored_0(this_28, vec3<i32>(floor(start_3)) - this_28.grid_origin_0);
+        return Walk_mirrored_0(this_35, vec3<i32>(floor(start_3)) - this_35.grid_origin_0);
     }
     var nearest_0 : vec3<f32> = round(start_3);
     var from_nearest_0 : vec3<f32> = start_3 - nearest_0;
-    var _S279 : bool;
-    if((this_28.ray_10.t_min_2) > 0.0f)
+    var _S306 : bool;
+    if((this_35.ray_14.t_min_2) > 0.0f)
     {
-        _S279 = (any(((abs(from_nearest_0)) <= (this_28.tolerance_0))));
+        _S306 = (any(((abs(from_nearest_0)) <= (this_35.tolerance_0))));
     }
     else
     {
-        _S279 = false;
+        _S306 = false;
     }
-    if(_S279)
+    if(_S306)
     {
-        return Walk_mirrored_0(this_28, exact_start_voxel_0(this_28.ray_10) - this_28.grid_origin_0);
+        return Walk_mirrored_0(this_35, exact_start_voxel_0(this_35.ray_14) - this_35.grid_origin_0);
     }
-    return Walk_mirrored_0(this_28, vec3<i32>(nearest_0) - vec3<i32>(from_nearest_0 < vec3<f32>(0.0f)) - this_28.grid_origin_0);
+    return Walk_mirrored_0(this_35, vec3<i32>(nearest_0) - vec3<i32>(from_nearest_0 < vec3<f32>(0.0f)) - this_35.grid_origin_0);
 }
 
-fn Walk_crossings_0( this_29 : Walk_0,  planes_1 : vec3<i32>) -> vec3<f32>
+fn Walk_crossings_0( this_36 : Walk_0,  planes_1 : vec3<i32>) -> vec3<f32>
 {
-    return (vec3<f32>(planes_1 + this_29.offset_0) - this_29.origin_9) * this_29.inverse_1;
+    return (vec3<f32>(planes_1 + this_36.offset_0) - this_36.origin_9) * this_36.inverse_1;
 }
 
 struct Crossing_0
@@ -4026,18 +4626,18 @@ struct Crossing_0
 
 fn Crossing_x24init_0( distance_3 : f32,  distance_low_1 : f32,  speed_3 : f32,  axis_2 : u32) -> Crossing_0
 {
-    var _S280 : Crossing_0;
-    _S280.distance_2 = distance_3;
-    _S280.distance_low_0 = distance_low_1;
-    _S280.speed_2 = speed_3;
-    _S280.axis_1 = axis_2;
-    return _S280;
+    var _S307 : Crossing_0;
+    _S307.distance_2 = distance_3;
+    _S307.distance_low_0 = distance_low_1;
+    _S307.speed_2 = speed_3;
+    _S307.axis_1 = axis_2;
+    return _S307;
 }
 
-fn crossing_of_0( ray_12 : LocalRay_0,  axis_3 : u32,  plane_1 : i32) -> Crossing_0
+fn crossing_of_0( ray_17 : LocalRay_0,  axis_3 : u32,  plane_1 : i32) -> Crossing_0
 {
     var sign_0 : f32;
-    if((ray_12.direction_25[axis_3]) < 0.0f)
+    if((ray_17.direction_26[axis_3]) < 0.0f)
     {
         sign_0 = -1.0f;
     }
@@ -4045,77 +4645,77 @@ fn crossing_of_0( ray_12 : LocalRay_0,  axis_3 : u32,  plane_1 : i32) -> Crossin
     {
         sign_0 = 1.0f;
     }
-    var at_7 : f32 = f32(plane_1);
-    var difference_0 : f32 = at_7 - ray_12.origin_7[axis_3];
-    var part_3 : f32 = difference_0 - at_7;
-    return Crossing_x24init_0(difference_0 * sign_0, (at_7 - (difference_0 - part_3) - (ray_12.origin_7[axis_3] + part_3)) * sign_0, abs(ray_12.direction_25[axis_3]), axis_3);
+    var at_9 : f32 = f32(plane_1);
+    var difference_0 : f32 = at_9 - ray_17.origin_7[axis_3];
+    var part_3 : f32 = difference_0 - at_9;
+    return Crossing_x24init_0(difference_0 * sign_0, (at_9 - (difference_0 - part_3) - (ray_17.origin_7[axis_3] + part_3)) * sign_0, abs(ray_17.direction_26[axis_3]), axis_3);
 }
 
-fn Crossing_is_before_0( this_30 : Crossing_0,  other_1 : Crossing_0) -> bool
+fn Crossing_is_before_0( this_37 : Crossing_0,  other_1 : Crossing_0) -> bool
 {
-    var ours_0 : vec2<f32> = exact_product_0(this_30.distance_2, other_1.speed_2);
-    var theirs_0 : vec2<f32> = exact_product_0(other_1.distance_2, this_30.speed_2);
+    var ours_0 : vec2<f32> = exact_product_0(this_37.distance_2, other_1.speed_2);
+    var theirs_0 : vec2<f32> = exact_product_0(other_1.distance_2, this_37.speed_2);
     if(IS_EXACT_0)
     {
-        ours_0[i32(1)] = ours_0[i32(1)] + this_30.distance_low_0 * other_1.speed_2;
-        theirs_0[i32(1)] = theirs_0[i32(1)] + other_1.distance_low_0 * this_30.speed_2;
+        ours_0[i32(1)] = ours_0[i32(1)] + this_37.distance_low_0 * other_1.speed_2;
+        theirs_0[i32(1)] = theirs_0[i32(1)] + other_1.distance_low_0 * this_37.speed_2;
     }
     var difference_1 : f32 = ours_0.x - theirs_0.x + (ours_0.y - theirs_0.y);
-    var _S281 : bool;
+    var _S308 : bool;
     if(difference_1 < 0.0f)
     {
-        _S281 = true;
+        _S308 = true;
     }
     else
     {
         if(difference_1 == 0.0f)
         {
-            _S281 = (this_30.axis_1) < (other_1.axis_1);
+            _S308 = (this_37.axis_1) < (other_1.axis_1);
         }
         else
         {
-            _S281 = false;
+            _S308 = false;
         }
     }
-    return _S281;
+    return _S308;
 }
 
-fn leave_box_0( ray_13 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>,  nearest_1 : vec3<i32>) -> vec3<i32>
+fn leave_box_0( ray_18 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>,  nearest_1 : vec3<i32>) -> vec3<i32>
 {
-    var _S282 : vec3<f32>;
-    var _S283 : f32;
-    var _S284 : bool;
+    var _S309 : vec3<f32>;
+    var _S310 : f32;
+    var _S311 : bool;
     var is_crossed_0 : bool;
     var first_1 : Crossing_0;
-    var _S285 : f32;
-    var _S286 : bool;
-    var _S287 : f32;
-    var _S288 : bool;
+    var _S312 : f32;
+    var _S313 : bool;
+    var _S314 : f32;
+    var _S315 : bool;
     var plane_2 : i32;
-    var _S289 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
+    var _S316 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
     for(;;)
     {
         for(;;)
         {
             for(;;)
             {
-                _S282 = ray_13.direction_25;
-                _S283 = ray_13.direction_25[u32(0)];
-                var _S290 : bool = (ray_13.direction_25[u32(0)]) == 0.0f;
-                _S284 = _S290;
-                if(_S290)
+                _S309 = ray_18.direction_26;
+                _S310 = ray_18.direction_26[u32(0)];
+                var _S317 : bool = (ray_18.direction_26[u32(0)]) == 0.0f;
+                _S311 = _S317;
+                if(_S317)
                 {
-                    first_1 = _S289;
+                    first_1 = _S316;
                     break;
                 }
-                var crossing_0 : Crossing_0 = crossing_of_0(ray_13, u32(0), exit_0[u32(0)]);
-                if((_S289.axis_1) == u32(3))
+                var crossing_0 : Crossing_0 = crossing_of_0(ray_18, u32(0), exit_0[u32(0)]);
+                if((_S316.axis_1) == u32(3))
                 {
                     is_crossed_0 = true;
                 }
                 else
                 {
-                    is_crossed_0 = Crossing_is_before_0(crossing_0, _S289);
+                    is_crossed_0 = Crossing_is_before_0(crossing_0, _S316);
                 }
                 if(is_crossed_0)
                 {
@@ -4123,7 +4723,7 @@ fn leave_box_0( ray_13 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>, 
                 }
                 else
                 {
-                    first_1 = _S289;
+                    first_1 = _S316;
                 }
                 break;
             }
@@ -4133,14 +4733,14 @@ fn leave_box_0( ray_13 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>, 
         {
             for(;;)
             {
-                _S285 = _S282[u32(1)];
-                var _S291 : bool = (_S282[u32(1)]) == 0.0f;
-                _S286 = _S291;
-                if(_S291)
+                _S312 = _S309[u32(1)];
+                var _S318 : bool = (_S309[u32(1)]) == 0.0f;
+                _S313 = _S318;
+                if(_S318)
                 {
                     break;
                 }
-                var crossing_1 : Crossing_0 = crossing_of_0(ray_13, u32(1), exit_0[u32(1)]);
+                var crossing_1 : Crossing_0 = crossing_of_0(ray_18, u32(1), exit_0[u32(1)]);
                 if((first_1.axis_1) == u32(3))
                 {
                     is_crossed_0 = true;
@@ -4161,14 +4761,14 @@ fn leave_box_0( ray_13 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>, 
         {
             for(;;)
             {
-                _S287 = _S282[u32(2)];
-                var _S292 : bool = (_S282[u32(2)]) == 0.0f;
-                _S288 = _S292;
-                if(_S292)
+                _S314 = _S309[u32(2)];
+                var _S319 : bool = (_S309[u32(2)]) == 0.0f;
+                _S315 = _S319;
+                if(_S319)
                 {
                     break;
                 }
-                var crossing_2 : Crossing_0 = crossing_of_0(ray_13, u32(2), exit_0[u32(2)]);
+                var crossing_2 : Crossing_0 = crossing_of_0(ray_18, u32(2), exit_0[u32(2)]);
                 if((first_1.axis_1) == u32(3))
                 {
                     is_crossed_0 = true;
@@ -4194,20 +4794,20 @@ fn leave_box_0( ray_13 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>, 
         {
             for(;;)
             {
-                if(_S284)
+                if(_S311)
                 {
                     break;
                 }
-                var _S293 : bool = u32(0) == (first_1.axis_1);
-                if(_S293)
+                var _S320 : bool = u32(0) == (first_1.axis_1);
+                if(_S320)
                 {
                     is_crossed_0 = true;
                 }
                 else
                 {
-                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_13, u32(0), nearest_1[u32(0)]), first_1);
+                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_18, u32(0), nearest_1[u32(0)]), first_1);
                 }
-                if(_S293)
+                if(_S320)
                 {
                     plane_2 = exit_0[u32(0)];
                 }
@@ -4215,7 +4815,7 @@ fn leave_box_0( ray_13 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>, 
                 {
                     plane_2 = nearest_1[u32(0)];
                 }
-                arrival_0[u32(0)] = plane_2 - i32(is_crossed_0 == (_S283 < 0.0f));
+                arrival_0[u32(0)] = plane_2 - i32(is_crossed_0 == (_S310 < 0.0f));
                 break;
             }
             break;
@@ -4224,20 +4824,20 @@ fn leave_box_0( ray_13 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>, 
         {
             for(;;)
             {
-                if(_S286)
+                if(_S313)
                 {
                     break;
                 }
-                var _S294 : bool = u32(1) == (first_1.axis_1);
-                if(_S294)
+                var _S321 : bool = u32(1) == (first_1.axis_1);
+                if(_S321)
                 {
                     is_crossed_0 = true;
                 }
                 else
                 {
-                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_13, u32(1), nearest_1[u32(1)]), first_1);
+                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_18, u32(1), nearest_1[u32(1)]), first_1);
                 }
-                if(_S294)
+                if(_S321)
                 {
                     plane_2 = exit_0[u32(1)];
                 }
@@ -4245,7 +4845,7 @@ fn leave_box_0( ray_13 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>, 
                 {
                     plane_2 = nearest_1[u32(1)];
                 }
-                arrival_0[u32(1)] = plane_2 - i32(is_crossed_0 == (_S285 < 0.0f));
+                arrival_0[u32(1)] = plane_2 - i32(is_crossed_0 == (_S312 < 0.0f));
                 break;
             }
             break;
@@ -4254,20 +4854,20 @@ fn leave_box_0( ray_13 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>, 
         {
             for(;;)
             {
-                if(_S288)
+                if(_S315)
                 {
                     break;
                 }
-                var _S295 : bool = u32(2) == (first_1.axis_1);
-                if(_S295)
+                var _S322 : bool = u32(2) == (first_1.axis_1);
+                if(_S322)
                 {
                     is_crossed_0 = true;
                 }
                 else
                 {
-                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_13, u32(2), nearest_1[u32(2)]), first_1);
+                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_18, u32(2), nearest_1[u32(2)]), first_1);
                 }
-                if(_S295)
+                if(_S322)
                 {
                     plane_2 = exit_0[u32(2)];
                 }
@@ -4275,7 +4875,7 @@ fn leave_box_0( ray_13 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>, 
                 {
                     plane_2 = nearest_1[u32(2)];
                 }
-                arrival_0[u32(2)] = plane_2 - i32(is_crossed_0 == (_S287 < 0.0f));
+                arrival_0[u32(2)] = plane_2 - i32(is_crossed_0 == (_S314 < 0.0f));
                 break;
             }
             break;
@@ -4285,24 +4885,24 @@ fn leave_box_0( ray_13 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>, 
     return arrival_0;
 }
 
-fn Walk_arrive_0( this_31 : Walk_0,  voxel_9 : vec3<i32>,  t_6 : f32,  is_axis_1 : vec3<bool>,  exit_1 : vec3<i32>) -> vec3<i32>
+fn Walk_arrive_0( this_38 : Walk_0,  voxel_9 : vec3<i32>,  t_6 : f32,  is_axis_1 : vec3<bool>,  exit_1 : vec3<i32>) -> vec3<i32>
 {
-    var position_1 : vec3<f32> = this_31.origin_9 + this_31.speed_1 * vec3<f32>(t_6);
+    var position_1 : vec3<f32> = this_38.origin_9 + this_38.speed_1 * vec3<f32>(t_6);
     if(IS_EXACT_0)
     {
         var position_2 : vec3<f32> = clamp(position_1, vec3<f32>(-2.097152e+06f), vec3<f32>(2.097152e+06f));
         var nearest_2 : vec3<f32> = round(position_2);
         var from_nearest_1 : vec3<f32> = position_2 - nearest_2;
-        if((any((select(vec3<bool>(false), (abs(position_2)) < vec3<f32>(2.097152e+06f), select(vec3<bool>(false), !is_axis_1, (abs(from_nearest_1)) <= (this_31.tolerance_0)))))))
+        if((any((select(vec3<bool>(false), (abs(position_2)) < vec3<f32>(2.097152e+06f), select(vec3<bool>(false), !is_axis_1, (abs(from_nearest_1)) <= (this_38.tolerance_0)))))))
         {
-            return max(Walk_mirrored_0(this_31, leave_box_0(this_31.ray_10, Walk_mirrored_0(this_31, voxel_9) + this_31.grid_origin_0, Walk_mirrored_plane_0(this_31, exit_1) + this_31.grid_origin_0, Walk_mirrored_plane_0(this_31, vec3<i32>(nearest_2))) - this_31.grid_origin_0), voxel_9);
+            return max(Walk_mirrored_0(this_38, leave_box_0(this_38.ray_14, Walk_mirrored_0(this_38, voxel_9) + this_38.grid_origin_0, Walk_mirrored_plane_0(this_38, exit_1) + this_38.grid_origin_0, Walk_mirrored_plane_0(this_38, vec3<i32>(nearest_2))) - this_38.grid_origin_0), voxel_9);
         }
-        return select(vec3<i32>(nearest_2) - vec3<i32>(from_nearest_1 < vec3<f32>(0.0f)) - this_31.offset_0, exit_1, is_axis_1);
+        return select(vec3<i32>(nearest_2) - vec3<i32>(from_nearest_1 < vec3<f32>(0.0f)) - this_38.offset_0, exit_1, is_axis_1);
     }
     return max(vec3<i32>(floor(position_1)), select(voxel_9, exit_1, is_axis_1));
 }
 
-fn Walk_enter_rounded_0( this_32 : Walk_0,  voxel_10 : ptr<function, vec3<i32>>,  near_1 : vec3<i32>,  far_1 : vec3<i32>) -> bool
+fn Walk_enter_rounded_0( this_39 : Walk_0,  voxel_10 : ptr<function, vec3<i32>>,  near_1 : vec3<i32>,  far_1 : vec3<i32>) -> bool
 {
     for(;;)
     {
@@ -4311,20 +4911,20 @@ fn Walk_enter_rounded_0( this_32 : Walk_0,  voxel_10 : ptr<function, vec3<i32>>,
         {
             break;
         }
-        if((any((select(vec3<bool>(false), (this_32.speed_1) <= vec3<f32>(min_abs_direction_0()), is_before_0)))))
+        if((any((select(vec3<bool>(false), (this_39.speed_1) <= vec3<f32>(min_abs_direction_0()), is_before_0)))))
         {
             return false;
         }
-        var t_7 : vec3<f32> = select(vec3<f32>(-1.0f), Walk_crossings_0(this_32, near_1), is_before_0);
+        var t_7 : vec3<f32> = select(vec3<f32>(-1.0f), Walk_crossings_0(this_39, near_1), is_before_0);
         var t_last_0 : f32 = max_element_0(t_7);
-        if(t_last_0 > (this_32.t_end_0))
+        if(t_last_0 > (this_39.t_end_0))
         {
             return false;
         }
         var is_x_0 : bool = (t_7.x) == t_last_0;
-        var _S296 : bool = !is_x_0;
+        var _S323 : bool = !is_x_0;
         var is_y_0 : bool;
-        if(_S296)
+        if(_S323)
         {
             is_y_0 = (t_7.y) == t_last_0;
         }
@@ -4332,17 +4932,17 @@ fn Walk_enter_rounded_0( this_32 : Walk_0,  voxel_10 : ptr<function, vec3<i32>>,
         {
             is_y_0 = false;
         }
-        var _S297 : bool;
-        if(_S296)
+        var _S324 : bool;
+        if(_S323)
         {
-            _S297 = !is_y_0;
+            _S324 = !is_y_0;
         }
         else
         {
-            _S297 = false;
+            _S324 = false;
         }
-        var is_axis_2 : vec3<bool> = vec3<bool>(is_x_0, is_y_0, _S297);
-        (*voxel_10) = Walk_arrive_0(this_32, (*voxel_10), t_last_0, is_axis_2, select(vec3<i32>(i32(1073741823)), near_1, is_axis_2));
+        var is_axis_2 : vec3<bool> = vec3<bool>(is_x_0, is_y_0, _S324);
+        (*voxel_10) = Walk_arrive_0(this_39, (*voxel_10), t_last_0, is_axis_2, select(vec3<i32>(i32(1073741823)), near_1, is_axis_2));
     }
     return (all(((*voxel_10) < far_1)));
 }
@@ -4352,35 +4952,35 @@ fn min_element_0( vector_5 : vec3<f32>) -> f32
     return min(min(vector_5.x, vector_5.y), vector_5.z);
 }
 
-fn Walk_leave_rounded_0( this_33 : Walk_0,  voxel_11 : ptr<function, vec3<i32>>,  exit_2 : vec3<i32>) -> bool
+fn Walk_leave_rounded_0( this_40 : Walk_0,  voxel_11 : ptr<function, vec3<i32>>,  exit_2 : vec3<i32>) -> bool
 {
-    var t_8 : vec3<f32> = Walk_crossings_0(this_33, exit_2);
+    var t_8 : vec3<f32> = Walk_crossings_0(this_40, exit_2);
     var t_first_0 : f32 = min_element_0(t_8);
-    if(t_first_0 >= (this_33.t_end_0))
+    if(t_first_0 >= (this_40.t_end_0))
     {
         return false;
     }
-    (*voxel_11) = max(exit_2 - vec3<i32>(ceil((t_8 - vec3<f32>(t_first_0)) * this_33.speed_1)), (*voxel_11));
+    (*voxel_11) = max(exit_2 - vec3<i32>(ceil((t_8 - vec3<f32>(t_first_0)) * this_40.speed_1)), (*voxel_11));
     return true;
 }
 
-fn Walk_leave_0( this_34 : Walk_0,  voxel_12 : ptr<function, vec3<i32>>,  exit_3 : vec3<i32>) -> bool
+fn Walk_leave_0( this_41 : Walk_0,  voxel_12 : ptr<function, vec3<i32>>,  exit_3 : vec3<i32>) -> bool
 {
     if(!IS_EXACT_0)
     {
-        var _S298 : bool = Walk_leave_rounded_0(this_34, &((*voxel_12)), exit_3);
-        return _S298;
+        var _S325 : bool = Walk_leave_rounded_0(this_41, &((*voxel_12)), exit_3);
+        return _S325;
     }
-    var t_9 : vec3<f32> = Walk_crossings_0(this_34, exit_3);
+    var t_9 : vec3<f32> = Walk_crossings_0(this_41, exit_3);
     var t_first_1 : f32 = min_element_0(t_9);
-    if(t_first_1 > (this_34.t_end_0))
+    if(t_first_1 > (this_41.t_end_0))
     {
         return false;
     }
     var is_x_1 : bool = (t_9.x) == t_first_1;
-    var _S299 : bool = !is_x_1;
+    var _S326 : bool = !is_x_1;
     var is_y_1 : bool;
-    if(_S299)
+    if(_S326)
     {
         is_y_1 = (t_9.y) == t_first_1;
     }
@@ -4388,74 +4988,74 @@ fn Walk_leave_0( this_34 : Walk_0,  voxel_12 : ptr<function, vec3<i32>>,  exit_3
     {
         is_y_1 = false;
     }
-    var back_0 : vec3<f32> = (t_9 - vec3<f32>(t_first_1)) * this_34.speed_1;
+    var back_0 : vec3<f32> = (t_9 - vec3<f32>(t_first_1)) * this_41.speed_1;
     var nearest_3 : vec3<f32> = round(back_0);
     var from_nearest_2 : vec3<f32> = back_0 - nearest_3;
     var planes_2 : vec3<i32> = exit_3 - vec3<i32>(min(nearest_3, vec3<f32>(4.194304e+06f)));
-    var _S300 : vec3<i32> = planes_2 - vec3<i32>(from_nearest_2 > vec3<f32>(0.0f));
-    var _S301 : vec3<bool> = (abs(from_nearest_2)) <= (this_34.tolerance_0);
-    var _S302 : bool;
-    if(_S299)
+    var _S327 : vec3<i32> = planes_2 - vec3<i32>(from_nearest_2 > vec3<f32>(0.0f));
+    var _S328 : vec3<bool> = (abs(from_nearest_2)) <= (this_41.tolerance_0);
+    var _S329 : bool;
+    if(_S326)
     {
-        _S302 = !is_y_1;
+        _S329 = !is_y_1;
     }
     else
     {
-        _S302 = false;
+        _S329 = false;
     }
     var arrival_1 : vec3<i32>;
-    if((any((select(vec3<bool>(false), !vec3<bool>(is_x_1, is_y_1, _S302), _S301)))))
+    if((any((select(vec3<bool>(false), !vec3<bool>(is_x_1, is_y_1, _S329), _S328)))))
     {
-        arrival_1 = Walk_mirrored_0(this_34, leave_box_0(this_34.ray_10, Walk_mirrored_0(this_34, (*voxel_12)) + this_34.grid_origin_0, Walk_mirrored_plane_0(this_34, exit_3) + this_34.grid_origin_0, Walk_mirrored_plane_0(this_34, planes_2) + this_34.grid_origin_0) - this_34.grid_origin_0);
+        arrival_1 = Walk_mirrored_0(this_41, leave_box_0(this_41.ray_14, Walk_mirrored_0(this_41, (*voxel_12)) + this_41.grid_origin_0, Walk_mirrored_plane_0(this_41, exit_3) + this_41.grid_origin_0, Walk_mirrored_plane_0(this_41, planes_2) + this_41.grid_origin_0) - this_41.grid_origin_0);
     }
     else
     {
-        arrival_1 = _S300;
+        arrival_1 = _S327;
     }
-    (*voxel_12) = select(max(arrival_1, (*voxel_12)), (*voxel_12), (this_34.speed_1) == vec3<f32>(0.0f));
+    (*voxel_12) = select(max(arrival_1, (*voxel_12)), (*voxel_12), (this_41.speed_1) == vec3<f32>(0.0f));
     return true;
 }
 
-fn Walk_enter_0( this_35 : Walk_0,  voxel_13 : ptr<function, vec3<i32>>,  low_11 : vec3<i32>,  high_4 : vec3<i32>) -> bool
+fn Walk_enter_0( this_42 : Walk_0,  voxel_13 : ptr<function, vec3<i32>>,  low_11 : vec3<i32>,  high_4 : vec3<i32>) -> bool
 {
-    var _S303 : bool;
-    var is_mirrored_0 : vec3<bool> = (this_35.mirror_0) != vec3<i32>(i32(0));
+    var _S330 : bool;
+    var is_mirrored_0 : vec3<bool> = (this_42.mirror_0) != vec3<i32>(i32(0));
     var near_2 : vec3<i32> = select(low_11, (vec3<i32>(0) - high_4), is_mirrored_0);
     var far_2 : vec3<i32> = select(high_4, (vec3<i32>(0) - low_11), is_mirrored_0);
     if(!IS_EXACT_0)
     {
-        var _S304 : bool = Walk_enter_rounded_0(this_35, &((*voxel_13)), near_2, far_2);
-        return _S304;
+        var _S331 : bool = Walk_enter_rounded_0(this_42, &((*voxel_13)), near_2, far_2);
+        return _S331;
     }
     var axis_4 : u32 = u32(0);
     for(;;)
     {
         if(axis_4 < u32(3))
         {
-            _S303 = (any(((*voxel_13) < near_2)));
+            _S330 = (any(((*voxel_13) < near_2)));
         }
         else
         {
-            _S303 = false;
+            _S330 = false;
         }
-        var _S305 : bool;
-        if(_S303)
+        var _S332 : bool;
+        if(_S330)
         {
-            _S305 = (all(((*voxel_13) < far_2)));
+            _S332 = (all(((*voxel_13) < far_2)));
         }
         else
         {
-            _S305 = false;
+            _S332 = false;
         }
-        if(_S305)
+        if(_S332)
         {
         }
         else
         {
             break;
         }
-        var _S306 : bool = Walk_leave_0(this_35, &((*voxel_13)), select(far_2, near_2, (*voxel_13) < near_2));
-        if(!_S306)
+        var _S333 : bool = Walk_leave_0(this_42, &((*voxel_13)), select(far_2, near_2, (*voxel_13) < near_2));
+        if(!_S333)
         {
             return false;
         }
@@ -4463,18 +5063,18 @@ fn Walk_enter_0( this_35 : Walk_0,  voxel_13 : ptr<function, vec3<i32>>,  low_11
     }
     if((all(((*voxel_13) >= near_2))))
     {
-        _S303 = (all(((*voxel_13) < far_2)));
+        _S330 = (all(((*voxel_13) < far_2)));
     }
     else
     {
-        _S303 = false;
+        _S330 = false;
     }
-    return _S303;
+    return _S330;
 }
 
-fn LocalRay_octant_0( this_36 : LocalRay_0) -> u32
+fn LocalRay_octant_0( this_43 : LocalRay_0) -> u32
 {
-    return (((u32((this_36.direction_25.x) < 0.0f) | (((u32((this_36.direction_25.y) < 0.0f) << (u32(1))))))) | (((u32((this_36.direction_25.z) < 0.0f) << (u32(2))))));
+    return (((u32((this_43.direction_26.x) < 0.0f) | (((u32((this_43.direction_26.y) < 0.0f) << (u32(1))))))) | (((u32((this_43.direction_26.z) < 0.0f) << (u32(2))))));
 }
 
 fn flip_of_0( octant_0 : u32) -> u32
@@ -4495,35 +5095,35 @@ fn ahead_of_0( mirror_1 : vec3<i32>) -> u32
 
 @id(11) override CELLS_SKIP_0 : bool = false;
 
-fn skip_distance_0( cell_3 : u32,  octant_1 : u32) -> u32
+fn skip_distance_0( cell_10 : u32,  octant_1 : u32) -> u32
 {
-    var code_0 : u32 = (((cell_3 >> ((u32(3) * octant_1)))) & (u32(7)));
-    var _S307 : u32;
-    if(code_0 < u32(2))
+    var code_2 : u32 = (((cell_10 >> ((u32(3) * octant_1)))) & (u32(7)));
+    var _S334 : u32;
+    if(code_2 < u32(2))
     {
-        _S307 = code_0 + u32(1);
+        _S334 = code_2 + u32(1);
     }
     else
     {
-        _S307 = ((u32(3) + ((code_0 & (u32(1))))) << ((((code_0 >> (u32(1)))) - u32(1))));
+        _S334 = ((u32(3) + ((code_2 & (u32(1))))) << ((((code_2 >> (u32(1)))) - u32(1))));
     }
-    return _S307;
+    return _S334;
 }
 
-fn extents_0( cell_4 : u32,  ahead_0 : u32) -> vec3<i32>
+fn extents_0( cell_11 : u32,  ahead_0 : u32) -> vec3<i32>
 {
-    return vec3<i32>((((vec3<u32>(((((cell_4 & (ahead_0))) | (((((cell_4 >> (u32(15)))) & (((u32(32767) ^ (ahead_0)))))))))) >> (vec3<u32>(u32(0), u32(5), u32(10))))) & (vec3<u32>(u32(31)))));
+    return vec3<i32>((((vec3<u32>(((((cell_11 & (ahead_0))) | (((((cell_11 >> (u32(15)))) & (((u32(32767) ^ (ahead_0)))))))))) >> (vec3<u32>(u32(0), u32(5), u32(10))))) & (vec3<u32>(u32(31)))));
 }
 
-fn blocks_of_cell_0( cell_5 : u32) -> u32
+fn blocks_of_cell_0( cell_12 : u32) -> u32
 {
-    return (((cell_5 >> (u32(23)))) & (u32(255)));
+    return (((cell_12 >> (u32(23)))) & (u32(255)));
 }
 
 fn blocks_of_record_0( record_1 : u32) -> u32
 {
-    var _S308 : u32 = brick_word_0(record_1);
-    return (_S308 & (u32(255)));
+    var _S335 : u32 = brick_word_0(record_1);
+    return (_S335 & (u32(255)));
 }
 
 fn empty_around_0( record_2 : u32,  blocks_0 : u32,  voxel_14 : vec3<i32>,  octant_2 : u32,  flip_0 : u32) -> u32
@@ -4539,35 +5139,35 @@ fn empty_around_0( record_2 : u32,  blocks_0 : u32,  voxel_14 : vec3<i32>,  octa
     {
         return u32(4294967295);
     }
-    var _S309 : i32;
+    var _S336 : i32;
     if(((((half_2 >> (((bit_1 & (u32(10))))))) & (u32(3342387)))) == u32(0))
     {
-        _S309 = i32(1);
+        _S336 = i32(1);
     }
     else
     {
-        _S309 = i32(0);
+        _S336 = i32(0);
     }
-    return u32(_S309);
+    return u32(_S336);
 }
 
-fn Walk_leave_1( this_37 : Walk_0,  voxel_15 : ptr<function, vec3<i32>>,  exit_4 : vec3<i32>) -> bool
+fn Walk_leave_1( this_44 : Walk_0,  voxel_15 : ptr<function, vec3<i32>>,  exit_4 : vec3<i32>) -> bool
 {
     if(!IS_EXACT_0)
     {
-        var _S310 : bool = Walk_leave_rounded_0(this_37, &((*voxel_15)), exit_4);
-        return _S310;
+        var _S337 : bool = Walk_leave_rounded_0(this_44, &((*voxel_15)), exit_4);
+        return _S337;
     }
-    var t_10 : vec3<f32> = Walk_crossings_0(this_37, exit_4);
+    var t_10 : vec3<f32> = Walk_crossings_0(this_44, exit_4);
     var t_first_2 : f32 = min_element_0(t_10);
-    if(t_first_2 > (this_37.t_end_0))
+    if(t_first_2 > (this_44.t_end_0))
     {
         return false;
     }
     var is_x_2 : bool = (t_10.x) == t_first_2;
-    var _S311 : bool = !is_x_2;
+    var _S338 : bool = !is_x_2;
     var is_y_2 : bool;
-    if(_S311)
+    if(_S338)
     {
         is_y_2 = (t_10.y) == t_first_2;
     }
@@ -4575,47 +5175,49 @@ fn Walk_leave_1( this_37 : Walk_0,  voxel_15 : ptr<function, vec3<i32>>,  exit_4
     {
         is_y_2 = false;
     }
-    var back_1 : vec3<f32> = (t_10 - vec3<f32>(t_first_2)) * this_37.speed_1;
+    var back_1 : vec3<f32> = (t_10 - vec3<f32>(t_first_2)) * this_44.speed_1;
     var nearest_4 : vec3<f32> = round(back_1);
     var from_nearest_3 : vec3<f32> = back_1 - nearest_4;
     var planes_3 : vec3<i32> = exit_4 - vec3<i32>(min(nearest_4, vec3<f32>(4.194304e+06f)));
-    var _S312 : vec3<i32> = planes_3 - vec3<i32>(from_nearest_3 > vec3<f32>(0.0f));
-    var _S313 : vec3<bool> = (abs(from_nearest_3)) <= (this_37.tolerance_0);
-    var _S314 : bool;
-    if(_S311)
+    var _S339 : vec3<i32> = planes_3 - vec3<i32>(from_nearest_3 > vec3<f32>(0.0f));
+    var _S340 : vec3<bool> = (abs(from_nearest_3)) <= (this_44.tolerance_0);
+    var _S341 : bool;
+    if(_S338)
     {
-        _S314 = !is_y_2;
+        _S341 = !is_y_2;
     }
     else
     {
-        _S314 = false;
+        _S341 = false;
     }
     var arrival_2 : vec3<i32>;
-    if((any((select(vec3<bool>(false), !vec3<bool>(is_x_2, is_y_2, _S314), _S313)))))
+    if((any((select(vec3<bool>(false), !vec3<bool>(is_x_2, is_y_2, _S341), _S340)))))
     {
-        arrival_2 = Walk_mirrored_0(this_37, leave_box_0(this_37.ray_10, Walk_mirrored_0(this_37, (*voxel_15)) + this_37.grid_origin_0, Walk_mirrored_plane_0(this_37, exit_4) + this_37.grid_origin_0, Walk_mirrored_plane_0(this_37, planes_3) + this_37.grid_origin_0) - this_37.grid_origin_0);
+        arrival_2 = Walk_mirrored_0(this_44, leave_box_0(this_44.ray_14, Walk_mirrored_0(this_44, (*voxel_15)) + this_44.grid_origin_0, Walk_mirrored_plane_0(this_44, exit_4) + this_44.grid_origin_0, Walk_mirrored_plane_0(this_44, planes_3) + this_44.grid_origin_0) - this_44.grid_origin_0);
     }
     else
     {
-        arrival_2 = _S312;
+        arrival_2 = _S339;
     }
-    (*voxel_15) = select(max(arrival_2, (*voxel_15)), (*voxel_15), (this_37.speed_1) == vec3<f32>(0.0f));
+    (*voxel_15) = select(max(arrival_2, (*voxel_15)), (*voxel_15), (this_44.speed_1) == vec3<f32>(0.0f));
     return true;
 }
 
-fn first_voxel_0( _S315 : u32,  _S316 : Walk_0,  _S317 : ptr<function, vec3<i32>>) -> bool
+fn first_voxel_0( grid_4 : PackedGrid_0,  walk_1 : Walk_0,  found_1 : ptr<function, vec3<i32>>) -> bool
 {
-    var _S318 : Walk_0 = _S316;
-    var _S319 : vec3<i32> = vec3<i32>(i32(0));
-    (*_S317) = _S319;
-    var voxel_16 : vec3<i32> = Walk_start_voxel_0(_S316);
-    var _S320 : bool = Walk_enter_0(_S316, &(voxel_16), cell_of_0(grids_0[_S315].min_0) - _S318.grid_origin_0, cell_of_0(grids_0[_S315].max_0) - _S318.grid_origin_0);
-    if(!_S320)
+    var _S342 : Walk_0 = walk_1;
+    var _S343 : vec3<i32> = vec3<i32>(i32(0));
+    (*found_1) = _S343;
+    var voxel_16 : vec3<i32> = Walk_start_voxel_0(walk_1);
+    var _S344 : vec3<i32> = cell_of_0(grid_4.min_0);
+    var _S345 : vec3<i32> = cell_of_0(grid_4.max_0);
+    var _S346 : bool = Walk_enter_0(walk_1, &(voxel_16), _S344 - _S342.grid_origin_0, _S345 - _S342.grid_origin_0);
+    if(!_S346)
     {
         return false;
     }
-    var octant_3 : u32 = LocalRay_octant_0(_S318.ray_10);
-    var _S321 : u32 = flip_of_0(octant_3);
+    var octant_3 : u32 = LocalRay_octant_0(_S342.ray_14);
+    var _S347 : u32 = flip_of_0(octant_3);
     var top_shift_2 : u32;
     if(TOP_SHIFT_0 != u32(0))
     {
@@ -4623,77 +5225,92 @@ fn first_voxel_0( _S315 : u32,  _S316 : Walk_0,  _S317 : ptr<function, vec3<i32>
     }
     else
     {
-        top_shift_2 = grids_0[_S315].top_shift_0;
+        top_shift_2 = grid_4.top_shift_0;
     }
-    var top_size_1 : vec3<i32> = cell_of_0(grids_0[_S315].top_size_0);
-    var _S322 : i32 = top_size_1.x;
-    var stride_0 : vec3<i32> = vec3<i32>(i32(1), _S322, _S322 * top_size_1.y);
-    var _S323 : i32 = i32(grids_0[_S315].top_offset_0) - dot_cells_0((stride_0 & ((_S318.mirror_0))), vec3<i32>(i32(1)));
-    var _S324 : vec3<i32> = Walk_mirrored_plane_0(_S318, stride_0);
-    var _S325 : u32 = ahead_of_0(_S318.mirror_0);
-    var end_0 : vec3<i32> = select((top_size_1 << (vec3<u32>(top_shift_2))), _S319, (_S318.mirror_0) != _S319);
+    var top_size_1 : vec3<i32> = cell_of_0(grid_4.top_size_0);
+    var _S348 : i32 = top_size_1.x;
+    var stride_0 : vec3<i32> = vec3<i32>(i32(1), _S348, _S348 * top_size_1.y);
+    var _S349 : i32 = i32(grid_4.top_offset_0) - dot_cells_0((stride_0 & ((_S342.mirror_0))), vec3<i32>(i32(1)));
+    var _S350 : vec3<i32> = Walk_mirrored_plane_0(_S342, stride_0);
+    var _S351 : u32 = ahead_of_0(_S342.mirror_0);
+    var end_0 : vec3<i32> = select((top_size_1 << (vec3<u32>(top_shift_2))), _S343, (_S342.mirror_0) != _S343);
     if(!IS_EXACT_0)
     {
-        _S318.t_end_0 = min(_S318.t_end_0, min_element_0(Walk_crossings_0(_S318, end_0)));
+        _S342.t_end_0 = min(_S342.t_end_0, min_element_0(Walk_crossings_0(_S342, end_0)));
     }
-    var is_found_2 : bool = false;
-    for(;;)
+    if(!IS_SINGLE_0)
     {
-        var _S326 : bool;
+        var _S352 : f32 = _S342.t_end_0;
+        var _S353 : f32 = min_element_0(Walk_crossings_0(_S342, Walk_mirrored_plane_0(_S342, select(_S345, _S344, (_S342.mirror_0) != _S343) - _S342.grid_origin_0)));
+        var _S354 : f32;
         if(IS_EXACT_0)
         {
-            _S326 = (any((voxel_16 >= end_0)));
+            _S354 = 1.00000095367431641f;
         }
         else
         {
-            _S326 = false;
+            _S354 = 1.0f;
         }
-        if(_S326)
+        _S342.t_end_0 = min(_S352, _S353 * _S354);
+    }
+    var is_found_3 : bool = false;
+    for(;;)
+    {
+        var _S355 : bool;
+        if(IS_EXACT_0)
+        {
+            _S355 = (any((voxel_16 >= end_0)));
+        }
+        else
+        {
+            _S355 = false;
+        }
+        if(_S355)
         {
             break;
         }
-        var cell_6 : u32 = cell_word_0(u32(_S323 + dot_cells_0(_S324, (voxel_16 >> (vec3<u32>(top_shift_2))))));
-        var cell_7 : u32;
+        var cell_13 : u32 = cell_word_0(u32(_S349 + dot_cells_0(_S350, (voxel_16 >> (vec3<u32>(top_shift_2))))));
+        var cell_14 : u32;
         var shift_4 : u32;
-        var is_found_3 : bool;
+        var is_found_4 : bool;
         if(TOP_SHIFT_0 == u32(5))
         {
-            if(((cell_6 & (u32(2147483648)))) != u32(0))
+            if(((cell_13 & (u32(2147483648)))) != u32(0))
             {
-                var _S327 : u32 = cell_word_0(((cell_6 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_16, u32(3))) ^ (_S321))));
-                cell_7 = _S327;
+                var _S356 : u32 = cell_word_0(((cell_13 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_16, u32(3))) ^ (_S347))));
+                cell_14 = _S356;
                 shift_4 = u32(3);
             }
             else
             {
-                cell_7 = cell_6;
+                cell_14 = cell_13;
                 shift_4 = top_shift_2;
             }
         }
         else
         {
-            cell_7 = cell_6;
+            cell_14 = cell_13;
             shift_4 = top_shift_2;
             for(;;)
             {
                 if(TOP_SHIFT_0 != u32(3))
                 {
-                    is_found_3 = shift_4 > u32(3);
+                    is_found_4 = shift_4 > u32(3);
                 }
                 else
                 {
-                    is_found_3 = false;
+                    is_found_4 = false;
                 }
-                var _S328 : bool;
-                if(is_found_3)
+                var _S357 : bool;
+                if(is_found_4)
                 {
-                    _S328 = ((cell_7 & (u32(2147483648)))) != u32(0);
+                    _S357 = ((cell_14 & (u32(2147483648)))) != u32(0);
                 }
                 else
                 {
-                    _S328 = false;
+                    _S357 = false;
                 }
-                if(_S328)
+                if(_S357)
                 {
                 }
                 else
@@ -4701,8 +5318,8 @@ fn first_voxel_0( _S315 : u32,  _S316 : Walk_0,  _S317 : ptr<function, vec3<i32>
                     break;
                 }
                 var shift_5 : u32 = shift_4 - u32(2);
-                var _S329 : u32 = cell_word_0(((cell_7 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_16, shift_5)) ^ (_S321))));
-                cell_7 = _S329;
+                var _S358 : u32 = cell_word_0(((cell_14 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_16, shift_5)) ^ (_S347))));
+                cell_14 = _S358;
                 shift_4 = shift_5;
             }
         }
@@ -4711,94 +5328,94 @@ fn first_voxel_0( _S315 : u32,  _S316 : Walk_0,  _S317 : ptr<function, vec3<i32>
             break;
         }
         var exit_5 : vec3<i32>;
-        if(((cell_7 & (u32(2147483648)))) == u32(0))
+        if(((cell_14 & (u32(2147483648)))) == u32(0))
         {
             if(CELLS_SKIP_0)
             {
-                exit_5 = vec3<i32>((i32(skip_distance_0(cell_7, octant_3)) - i32(1)));
+                exit_5 = vec3<i32>((i32(skip_distance_0(cell_14, octant_3)) - i32(1)));
             }
             else
             {
-                exit_5 = extents_0(cell_7, _S325);
+                exit_5 = extents_0(cell_14, _S351);
             }
             exit_5 = ((voxel_16 | (vec3<i32>((((i32(1) << (shift_4))) - i32(1)))))) + vec3<i32>(i32(1)) + ((exit_5 << (vec3<u32>(shift_4))));
-            is_found_3 = is_found_2;
+            is_found_4 = is_found_3;
         }
         else
         {
-            var record_3 : u32 = record_of_cell_0(cell_7);
+            var record_3 : u32 = record_of_cell_0(cell_14);
             var blocks_1 : u32;
             if(CELLS_HAVE_BLOCKS_0)
             {
-                blocks_1 = blocks_of_cell_0(cell_7);
+                blocks_1 = blocks_of_cell_0(cell_14);
             }
             else
             {
-                var _S330 : u32 = blocks_of_record_0(record_3);
-                blocks_1 = _S330;
+                var _S359 : u32 = blocks_of_record_0(record_3);
+                blocks_1 = _S359;
             }
-            var low_bits_0 : u32 = empty_around_0(record_3, blocks_1, voxel_16, octant_3, _S321);
-            var is_found_4 : bool = low_bits_0 == u32(4294967295);
-            if(is_found_4)
+            var low_bits_0 : u32 = empty_around_0(record_3, blocks_1, voxel_16, octant_3, _S347);
+            var is_found_5 : bool = low_bits_0 == u32(4294967295);
+            if(is_found_5)
             {
-                is_found_2 = is_found_4;
+                is_found_3 = is_found_5;
                 break;
             }
             exit_5 = ((voxel_16 | (vec3<i32>(i32(low_bits_0))))) + vec3<i32>(i32(1));
-            is_found_3 = is_found_4;
+            is_found_4 = is_found_5;
         }
-        var _S331 : bool = Walk_leave_1(_S318, &(voxel_16), exit_5);
-        if(!_S331)
+        var _S360 : bool = Walk_leave_1(_S342, &(voxel_16), exit_5);
+        if(!_S360)
         {
-            is_found_2 = is_found_3;
+            is_found_3 = is_found_4;
             break;
         }
-        is_found_2 = is_found_3;
+        is_found_3 = is_found_4;
     }
-    (*_S317) = Walk_mirrored_0(_S318, voxel_16) + _S318.grid_origin_0;
-    return is_found_2;
+    (*found_1) = Walk_mirrored_0(_S342, voxel_16) + _S342.grid_origin_0;
+    return is_found_3;
 }
 
-fn ray_of_walk_0( walk_1 : Walk_0,  ray_14 : Ray_0) -> Ray_0
+fn ray_of_walk_0( walk_2 : Walk_0,  ray_19 : Ray_0) -> Ray_0
 {
-    var is_mirrored_1 : vec3<bool> = (walk_1.mirror_0) != vec3<i32>(i32(0));
-    return Ray_x24init_0(select(walk_1.origin_9, (vec3<f32>(0) - walk_1.origin_9), is_mirrored_1) + vec3<f32>(walk_1.grid_origin_0), ray_14.t_min_0, select(walk_1.speed_1, (vec3<f32>(0) - walk_1.speed_1), is_mirrored_1), ray_14.t_max_0);
+    var is_mirrored_1 : vec3<bool> = (walk_2.mirror_0) != vec3<i32>(i32(0));
+    return Ray_x24init_0(select(walk_2.origin_9, (vec3<f32>(0) - walk_2.origin_9), is_mirrored_1) + vec3<f32>(walk_2.grid_origin_0), ray_19.t_min_0, select(walk_2.speed_1, (vec3<f32>(0) - walk_2.speed_1), is_mirrored_1), ray_19.t_max_0);
 }
 
-fn hit_of_0( ray_15 : LocalRay_0,  voxel_17 : vec3<i32>,  instance_7 : u32) -> Hit_0
+fn hit_of_0( ray_20 : LocalRay_0,  voxel_17 : vec3<i32>,  instance_10 : u32) -> Hit_0
 {
-    var _S332 : vec3<f32>;
-    var _S333 : bool;
+    var _S361 : vec3<f32>;
+    var _S362 : bool;
     var last_5 : Crossing_0;
-    var _S334 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
+    var _S363 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
     for(;;)
     {
         for(;;)
         {
             for(;;)
             {
-                _S332 = ray_15.direction_25;
-                if((ray_15.direction_25[u32(0)]) == 0.0f)
+                _S361 = ray_20.direction_26;
+                if((ray_20.direction_26[u32(0)]) == 0.0f)
                 {
-                    last_5 = _S334;
+                    last_5 = _S363;
                     break;
                 }
-                var crossing_3 : Crossing_0 = crossing_of_0(ray_15, u32(0), voxel_17[u32(0)] + i32((ray_15.direction_25[u32(0)]) < 0.0f));
-                if((_S334.axis_1) == u32(3))
+                var crossing_3 : Crossing_0 = crossing_of_0(ray_20, u32(0), voxel_17[u32(0)] + i32((ray_20.direction_26[u32(0)]) < 0.0f));
+                if((_S363.axis_1) == u32(3))
                 {
-                    _S333 = true;
+                    _S362 = true;
                 }
                 else
                 {
-                    _S333 = !Crossing_is_before_0(crossing_3, _S334);
+                    _S362 = !Crossing_is_before_0(crossing_3, _S363);
                 }
-                if(_S333)
+                if(_S362)
                 {
                     last_5 = crossing_3;
                 }
                 else
                 {
-                    last_5 = _S334;
+                    last_5 = _S363;
                 }
                 break;
             }
@@ -4808,21 +5425,21 @@ fn hit_of_0( ray_15 : LocalRay_0,  voxel_17 : vec3<i32>,  instance_7 : u32) -> H
         {
             for(;;)
             {
-                var _S335 : vec3<f32> = _S332;
-                if((_S332[u32(1)]) == 0.0f)
+                var _S364 : vec3<f32> = _S361;
+                if((_S361[u32(1)]) == 0.0f)
                 {
                     break;
                 }
-                var crossing_4 : Crossing_0 = crossing_of_0(ray_15, u32(1), voxel_17[u32(1)] + i32((_S335[u32(1)]) < 0.0f));
+                var crossing_4 : Crossing_0 = crossing_of_0(ray_20, u32(1), voxel_17[u32(1)] + i32((_S364[u32(1)]) < 0.0f));
                 if((last_5.axis_1) == u32(3))
                 {
-                    _S333 = true;
+                    _S362 = true;
                 }
                 else
                 {
-                    _S333 = !Crossing_is_before_0(crossing_4, last_5);
+                    _S362 = !Crossing_is_before_0(crossing_4, last_5);
                 }
-                if(_S333)
+                if(_S362)
                 {
                     last_5 = crossing_4;
                 }
@@ -4834,21 +5451,21 @@ fn hit_of_0( ray_15 : LocalRay_0,  voxel_17 : vec3<i32>,  instance_7 : u32) -> H
         {
             for(;;)
             {
-                var _S336 : vec3<f32> = _S332;
-                if((_S332[u32(2)]) == 0.0f)
+                var _S365 : vec3<f32> = _S361;
+                if((_S361[u32(2)]) == 0.0f)
                 {
                     break;
                 }
-                var crossing_5 : Crossing_0 = crossing_of_0(ray_15, u32(2), voxel_17[u32(2)] + i32((_S336[u32(2)]) < 0.0f));
+                var crossing_5 : Crossing_0 = crossing_of_0(ray_20, u32(2), voxel_17[u32(2)] + i32((_S365[u32(2)]) < 0.0f));
                 if((last_5.axis_1) == u32(3))
                 {
-                    _S333 = true;
+                    _S362 = true;
                 }
                 else
                 {
-                    _S333 = !Crossing_is_before_0(crossing_5, last_5);
+                    _S362 = !Crossing_is_before_0(crossing_5, last_5);
                 }
-                if(_S333)
+                if(_S362)
                 {
                     last_5 = crossing_5;
                 }
@@ -4858,900 +5475,719 @@ fn hit_of_0( ray_15 : LocalRay_0,  voxel_17 : vec3<i32>,  instance_7 : u32) -> H
         }
         break;
     }
-    var _S337 : Crossing_0 = last_5;
-    var is_negative_1 : bool = (_S332[last_5.axis_1]) < 0.0f;
-    var t_11 : f32 = (f32(voxel_17[last_5.axis_1] + i32(is_negative_1)) - ray_15.origin_7[last_5.axis_1]) * ray_15.inverse_0[last_5.axis_1];
-    var _S338 : f32;
-    if(t_11 > (ray_15.t_min_2))
+    var _S366 : Crossing_0 = last_5;
+    var is_negative_1 : bool = (_S361[last_5.axis_1]) < 0.0f;
+    var t_11 : f32 = (f32(voxel_17[last_5.axis_1] + i32(is_negative_1)) - ray_20.origin_7[last_5.axis_1]) * ray_20.inverse_0[last_5.axis_1];
+    var _S367 : f32;
+    if(t_11 > (ray_20.t_min_2))
     {
-        _S338 = t_11;
+        _S367 = t_11;
     }
     else
     {
-        _S338 = ray_15.t_min_2;
+        _S367 = ray_20.t_min_2;
     }
-    return Hit_x24init_0(_S338, instance_7, voxel_17, u32(2) * _S337.axis_1 + u32(is_negative_1));
+    return Hit_x24init_0(_S367, instance_10, voxel_17, u32(2) * _S366.axis_1 + u32(is_negative_1));
 }
 
-fn hit_of_walk_0( walk_2 : Walk_0,  voxel_18 : vec3<i32>,  instance_8 : u32) -> Hit_0
+fn hit_of_walk_0( walk_3 : Walk_0,  voxel_18 : vec3<i32>,  instance_11 : u32) -> Hit_0
 {
-    var t_12 : vec3<f32> = Walk_crossings_0(walk_2, Walk_mirrored_0(walk_2, voxel_18 - walk_2.grid_origin_0));
+    var t_12 : vec3<f32> = Walk_crossings_0(walk_3, Walk_mirrored_0(walk_3, voxel_18 - walk_3.grid_origin_0));
     var last_6 : f32 = max_element_0(t_12);
-    var _S339 : i32;
+    var _S368 : i32;
     if((t_12.z) == last_6)
     {
-        _S339 = i32(2);
+        _S368 = i32(2);
     }
     else
     {
         if((t_12.y) == last_6)
         {
-            _S339 = i32(1);
+            _S368 = i32(1);
         }
         else
         {
-            _S339 = i32(0);
+            _S368 = i32(0);
         }
     }
-    var axis_5 : u32 = u32(_S339);
-    return Hit_x24init_0(max(last_6, walk_2.ray_10.t_min_2), instance_8, voxel_18, u32(2) * axis_5 + u32((walk_2.mirror_0[axis_5]) != i32(0)));
+    var axis_5 : u32 = u32(_S368);
+    return Hit_x24init_0(max(last_6, walk_3.ray_14.t_min_2), instance_11, voxel_18, u32(2) * axis_5 + u32((walk_3.mirror_0[axis_5]) != i32(0)));
 }
 
-fn hit_in_0( instance_9 : u32,  ray_16 : ptr<function, Ray_0>) -> Hit_0
+fn hit_in_0( instance_12 : u32,  grid_5 : PackedGrid_0,  ray_21 : ptr<function, Ray_0>) -> Hit_0
 {
-    var _S340 : LocalRay_0 = local_ray_0((*ray_16), instance_9);
-    if(!_S340.is_valid_0)
+    var _S369 : LocalRay_0 = local_ray_0((*ray_21), instance_12);
+    if(!_S369.is_valid_0)
     {
         return miss_0();
     }
-    var _S341 : Walk_0 = walk_of_0(_S340, instances_0[instance_9].grid_0);
+    var walk_4 : Walk_0 = walk_of_0(_S369, grid_5);
     var voxel_19 : vec3<i32>;
-    var _S342 : bool = first_voxel_0(instances_0[instance_9].grid_0, _S341, &(voxel_19));
-    var _S343 : bool;
+    var is_found_6 : bool = first_voxel_0(grid_5, walk_4, &(voxel_19));
+    var _S370 : bool;
     if(IS_SINGLE_0)
     {
-        _S343 = !IS_EXACT_0;
+        _S370 = !IS_EXACT_0;
     }
     else
     {
-        _S343 = false;
+        _S370 = false;
     }
-    if(_S343)
+    if(_S370)
     {
-        (*ray_16) = ray_of_walk_0(_S341, (*ray_16));
+        (*ray_21) = ray_of_walk_0(walk_4, (*ray_21));
     }
-    if(!_S342)
+    if(!is_found_6)
     {
         return miss_0();
     }
-    var hit_7 : Hit_0;
+    var hit_14 : Hit_0;
     if(IS_EXACT_0)
     {
-        hit_7 = hit_of_0(_S340, voxel_19, instance_9);
+        hit_14 = hit_of_0(_S369, voxel_19, instance_12);
     }
     else
     {
-        hit_7 = hit_of_walk_0(_S341, voxel_19, instance_9);
+        hit_14 = hit_of_walk_0(walk_4, voxel_19, instance_12);
     }
-    if((hit_7.t_0) > ((*ray_16).t_max_0))
+    if((hit_14.t_0) > ((*ray_21).t_max_0))
     {
         return miss_0();
     }
-    return hit_7;
+    return hit_14;
 }
 
-fn entry_0( _S344 : u32,  _S345 : Ray_0,  _S346 : vec3<f32>) -> f32
+fn walk_of_1( _S371 : LocalRay_0,  _S372 : u32) -> Walk_0
 {
-    var low_12 : vec3<f32> = (vector_of_0(instance_nodes_0[_S344].min_1) - _S345.origin_2) * _S346;
-    var high_5 : vec3<f32> = (vector_of_0(instance_nodes_0[_S344].max_1) - _S345.origin_2) * _S346;
-    var _S347 : f32 = max(_S345.t_min_0, max_element_0(min(low_12, high_5)));
-    var _S348 : f32;
-    if(_S347 <= (min(_S345.t_max_0, min_element_0(max(low_12, high_5)))))
+    var walk_5 : Walk_0;
+    walk_5.ray_14 = _S371;
+    walk_5.grid_origin_0 = cell_of_0(grids_0[_S372].origin_0);
+    var is_negative_2 : vec3<bool> = (_S371.direction_26) < vec3<f32>(0.0f);
+    var _S373 : vec3<i32> = vec3<i32>(i32(0));
+    walk_5.mirror_0 = select(_S373, vec3<i32>(i32(-1)), is_negative_2);
+    var _S374 : vec3<i32>;
+    if(IS_EXACT_0)
     {
-        _S348 = _S347;
+        _S374 = Walk_mirrored_plane_0(walk_5, walk_5.grid_origin_0);
     }
     else
     {
-        _S348 = (bitcast<f32>((u32(2139095040))));
+        _S374 = _S373;
     }
-    return _S348;
+    walk_5.offset_0 = _S374;
+    var origin_11 : vec3<f32>;
+    if(IS_EXACT_0)
+    {
+        origin_11 = _S371.origin_7;
+    }
+    else
+    {
+        origin_11 = _S371.origin_7 - vec3<f32>(walk_5.grid_origin_0);
+    }
+    walk_5.origin_9 = select(origin_11, (vec3<f32>(0) - origin_11), is_negative_2);
+    walk_5.speed_1 = max(abs(_S371.direction_26), vec3<f32>(min_abs_direction_0()));
+    if(IS_EXACT_0)
+    {
+        origin_11 = abs(_S371.inverse_0);
+    }
+    else
+    {
+        origin_11 = vec3<f32>(1.0f) / walk_5.speed_1;
+    }
+    walk_5.inverse_1 = origin_11;
+    var top_shift_3 : u32;
+    if(TOP_SHIFT_0 != u32(0))
+    {
+        top_shift_3 = TOP_SHIFT_0;
+    }
+    else
+    {
+        top_shift_3 = grids_0[_S372].top_shift_0;
+    }
+    walk_5.tolerance_0 = LocalRay_tolerance_0(_S371, walk_5.grid_origin_0, walk_5.grid_origin_0 + (((cell_of_0(grids_0[_S372].top_size_0)) << (vec3<u32>(top_shift_3)))));
+    walk_5.t_end_0 = LocalRay_t_end_0(_S371);
+    return walk_5;
 }
 
-fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_1 : u32) -> Hit_0
+fn first_voxel_1( _S375 : u32,  _S376 : Walk_0,  _S377 : ptr<function, vec3<i32>>) -> bool
 {
+    var _S378 : Walk_0 = _S376;
+    var _S379 : vec3<i32> = vec3<i32>(i32(0));
+    (*_S377) = _S379;
+    var voxel_20 : vec3<i32> = Walk_start_voxel_0(_S376);
+    var _S380 : vec3<i32> = cell_of_0(grids_0[_S375].min_0);
+    var _S381 : vec3<i32> = cell_of_0(grids_0[_S375].max_0);
+    var _S382 : bool = Walk_enter_0(_S376, &(voxel_20), _S380 - _S378.grid_origin_0, _S381 - _S378.grid_origin_0);
+    if(!_S382)
+    {
+        return false;
+    }
+    var octant_4 : u32 = LocalRay_octant_0(_S378.ray_14);
+    var _S383 : u32 = flip_of_0(octant_4);
+    var top_shift_4 : u32;
+    if(TOP_SHIFT_0 != u32(0))
+    {
+        top_shift_4 = TOP_SHIFT_0;
+    }
+    else
+    {
+        top_shift_4 = grids_0[_S375].top_shift_0;
+    }
+    var top_size_2 : vec3<i32> = cell_of_0(grids_0[_S375].top_size_0);
+    var _S384 : i32 = top_size_2.x;
+    var stride_1 : vec3<i32> = vec3<i32>(i32(1), _S384, _S384 * top_size_2.y);
+    var _S385 : i32 = i32(grids_0[_S375].top_offset_0) - dot_cells_0((stride_1 & ((_S378.mirror_0))), vec3<i32>(i32(1)));
+    var _S386 : vec3<i32> = Walk_mirrored_plane_0(_S378, stride_1);
+    var _S387 : u32 = ahead_of_0(_S378.mirror_0);
+    var end_1 : vec3<i32> = select((top_size_2 << (vec3<u32>(top_shift_4))), _S379, (_S378.mirror_0) != _S379);
+    if(!IS_EXACT_0)
+    {
+        _S378.t_end_0 = min(_S378.t_end_0, min_element_0(Walk_crossings_0(_S378, end_1)));
+    }
+    if(!IS_SINGLE_0)
+    {
+        var _S388 : f32 = _S378.t_end_0;
+        var _S389 : f32 = min_element_0(Walk_crossings_0(_S378, Walk_mirrored_plane_0(_S378, select(_S381, _S380, (_S378.mirror_0) != _S379) - _S378.grid_origin_0)));
+        var _S390 : f32;
+        if(IS_EXACT_0)
+        {
+            _S390 = 1.00000095367431641f;
+        }
+        else
+        {
+            _S390 = 1.0f;
+        }
+        _S378.t_end_0 = min(_S388, _S389 * _S390);
+    }
+    var is_found_7 : bool = false;
+    for(;;)
+    {
+        var _S391 : bool;
+        if(IS_EXACT_0)
+        {
+            _S391 = (any((voxel_20 >= end_1)));
+        }
+        else
+        {
+            _S391 = false;
+        }
+        if(_S391)
+        {
+            break;
+        }
+        var cell_15 : u32 = cell_word_0(u32(_S385 + dot_cells_0(_S386, (voxel_20 >> (vec3<u32>(top_shift_4))))));
+        var cell_16 : u32;
+        var shift_6 : u32;
+        var is_found_8 : bool;
+        if(TOP_SHIFT_0 == u32(5))
+        {
+            if(((cell_15 & (u32(2147483648)))) != u32(0))
+            {
+                var _S392 : u32 = cell_word_0(((cell_15 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_20, u32(3))) ^ (_S383))));
+                cell_16 = _S392;
+                shift_6 = u32(3);
+            }
+            else
+            {
+                cell_16 = cell_15;
+                shift_6 = top_shift_4;
+            }
+        }
+        else
+        {
+            cell_16 = cell_15;
+            shift_6 = top_shift_4;
+            for(;;)
+            {
+                if(TOP_SHIFT_0 != u32(3))
+                {
+                    is_found_8 = shift_6 > u32(3);
+                }
+                else
+                {
+                    is_found_8 = false;
+                }
+                var _S393 : bool;
+                if(is_found_8)
+                {
+                    _S393 = ((cell_16 & (u32(2147483648)))) != u32(0);
+                }
+                else
+                {
+                    _S393 = false;
+                }
+                if(_S393)
+                {
+                }
+                else
+                {
+                    break;
+                }
+                var shift_7 : u32 = shift_6 - u32(2);
+                var _S394 : u32 = cell_word_0(((cell_16 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_20, shift_7)) ^ (_S383))));
+                cell_16 = _S394;
+                shift_6 = shift_7;
+            }
+        }
+        if(waits_for_pages_0())
+        {
+            break;
+        }
+        var exit_6 : vec3<i32>;
+        if(((cell_16 & (u32(2147483648)))) == u32(0))
+        {
+            if(CELLS_SKIP_0)
+            {
+                exit_6 = vec3<i32>((i32(skip_distance_0(cell_16, octant_4)) - i32(1)));
+            }
+            else
+            {
+                exit_6 = extents_0(cell_16, _S387);
+            }
+            exit_6 = ((voxel_20 | (vec3<i32>((((i32(1) << (shift_6))) - i32(1)))))) + vec3<i32>(i32(1)) + ((exit_6 << (vec3<u32>(shift_6))));
+            is_found_8 = is_found_7;
+        }
+        else
+        {
+            var record_4 : u32 = record_of_cell_0(cell_16);
+            var blocks_2 : u32;
+            if(CELLS_HAVE_BLOCKS_0)
+            {
+                blocks_2 = blocks_of_cell_0(cell_16);
+            }
+            else
+            {
+                var _S395 : u32 = blocks_of_record_0(record_4);
+                blocks_2 = _S395;
+            }
+            var low_bits_1 : u32 = empty_around_0(record_4, blocks_2, voxel_20, octant_4, _S383);
+            var is_found_9 : bool = low_bits_1 == u32(4294967295);
+            if(is_found_9)
+            {
+                is_found_7 = is_found_9;
+                break;
+            }
+            exit_6 = ((voxel_20 | (vec3<i32>(i32(low_bits_1))))) + vec3<i32>(i32(1));
+            is_found_8 = is_found_9;
+        }
+        var _S396 : bool = Walk_leave_1(_S378, &(voxel_20), exit_6);
+        if(!_S396)
+        {
+            is_found_7 = is_found_8;
+            break;
+        }
+        is_found_7 = is_found_8;
+    }
+    (*_S377) = Walk_mirrored_0(_S378, voxel_20) + _S378.grid_origin_0;
+    return is_found_7;
+}
+
+fn hit_in_1( _S397 : u32,  _S398 : u32,  _S399 : ptr<function, Ray_0>) -> Hit_0
+{
+    var _S400 : LocalRay_0 = local_ray_0((*_S399), _S397);
+    if(!_S400.is_valid_0)
+    {
+        return miss_0();
+    }
+    var _S401 : Walk_0 = walk_of_1(_S400, _S398);
+    var voxel_21 : vec3<i32>;
+    var _S402 : bool = first_voxel_1(_S398, _S401, &(voxel_21));
+    var _S403 : bool;
     if(IS_SINGLE_0)
     {
-        var _S349 : Hit_0 = hit_in_0(u32(0), &((*given_0)));
-        return _S349;
+        _S403 = !IS_EXACT_0;
     }
-    var ray_17 : Ray_0 = (*given_0);
+    else
+    {
+        _S403 = false;
+    }
+    if(_S403)
+    {
+        (*_S399) = ray_of_walk_0(_S401, (*_S399));
+    }
+    if(!_S402)
+    {
+        return miss_0();
+    }
+    var hit_15 : Hit_0;
+    if(IS_EXACT_0)
+    {
+        hit_15 = hit_of_0(_S400, voxel_21, _S397);
+    }
+    else
+    {
+        hit_15 = hit_of_walk_0(_S401, voxel_21, _S397);
+    }
+    if((hit_15.t_0) > ((*_S399).t_max_0))
+    {
+        return miss_0();
+    }
+    return hit_15;
+}
+
+fn children_of_0( node_12 : u32) -> vec4<u32>
+{
+    return instance_rows_0[node_12 + u32(1)];
+}
+
+fn base_of_0( node_13 : u32) -> vec3<f32>
+{
+    return (bitcast<vec3<f32>>((instance_rows_0[node_13].xyz)));
+}
+
+fn sort_two_0( a_7 : ptr<function, u32>,  b_7 : ptr<function, u32>)
+{
+    var _S404 : u32 = min((*a_7), (*b_7));
+    (*b_7) = max((*a_7), (*b_7));
+    (*a_7) = _S404;
+    return;
+}
+
+fn met_children_0( node_14 : u32,  children_0 : vec4<u32>,  origin_12 : vec3<f32>,  inverse_2 : vec3<f32>,  t_min_3 : f32,  t_max_3 : f32) -> vec4<u32>
+{
+    var _S405 : vec3<f32> = (base_of_0(node_14) - origin_12) * inverse_2;
+    var _S406 : vec4<f32> = vec4<f32>(t_max_3);
+    var enter_0 : vec4<f32> = vec4<f32>(t_min_3);
+    var leave_0 : vec4<f32> = _S406;
+    var axis_6 : u32 = u32(0);
+    for(;;)
+    {
+        if(axis_6 < u32(3))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var sides_0 : vec4<u32> = instance_rows_0[node_14 + u32(2) + axis_6];
+        var _S407 : vec4<f32> = vec4<f32>(inverse_2[axis_6]);
+        var _S408 : vec4<f32> = vec4<f32>(_S405[axis_6]);
+        var low_12 : vec4<f32> = (bitcast<vec4<f32>>(((sides_0 << (vec4<u32>(u32(16))))))) * _S407 + _S408;
+        var high_5 : vec4<f32> = (bitcast<vec4<f32>>(((sides_0 & (vec4<u32>(u32(4294901760))))))) * _S407 + _S408;
+        var _S409 : vec4<f32> = max(enter_0, min(low_12, high_5));
+        var _S410 : vec4<f32> = min(leave_0, max(low_12, high_5));
+        var _S411 : u32 = axis_6 + u32(1);
+        enter_0 = _S409;
+        leave_0 = _S410;
+        axis_6 = _S411;
+    }
+    var _S412 : vec4<u32> = vec4<u32>(u32(4294967295));
+    var keys_0 : vec4<u32> = select(_S412, ((((bitcast<vec4<u32>>((abs(enter_0)))) & (vec4<u32>(u32(4294967292))))) | (vec4<u32>(u32(0), u32(1), u32(2), u32(3)))), select(vec4<bool>(false), children_0 != _S412, enter_0 <= (leave_0 * vec4<f32>(1.00000202655792236f))));
+    var _S413 : u32 = keys_0[i32(0)];
+    var _S414 : u32 = keys_0[i32(1)];
+    sort_two_0(&(_S413), &(_S414));
+    var _S415 : u32 = keys_0[i32(2)];
+    var _S416 : u32 = keys_0[i32(3)];
+    sort_two_0(&(_S415), &(_S416));
+    var _S417 : u32 = _S413;
+    var _S418 : u32 = _S415;
+    sort_two_0(&(_S417), &(_S418));
+    keys_0[i32(0)] = _S417;
+    var _S419 : u32 = _S414;
+    var _S420 : u32 = _S416;
+    sort_two_0(&(_S419), &(_S420));
+    keys_0[i32(3)] = _S420;
+    var _S421 : u32 = _S419;
+    var _S422 : u32 = _S418;
+    sort_two_0(&(_S421), &(_S422));
+    keys_0[i32(1)] = _S421;
+    keys_0[i32(2)] = _S422;
+    return keys_0;
+}
+
+fn child_of_0( children_1 : vec4<u32>,  number_2 : u32) -> u32
+{
+    var half_3 : vec2<u32> = select(children_1.xy, children_1.zw, ((number_2 & (u32(2)))) != u32(0));
+    return select(half_3.x, half_3.y, ((number_2 & (u32(1)))) != u32(0));
+}
+
+fn grid_of_leaf_0( leaf_3 : vec4<u32>) -> PackedGrid_0
+{
+    var _S423 : PackedGrid_std430_0 = grids_0[leaf_3.y];
+    var grid_6 : PackedGrid_0;
+    grid_6.origin_0 = _S423.origin_0;
+    grid_6.top_shift_0 = _S423.top_shift_0;
+    grid_6.top_size_0 = _S423.top_size_0;
+    grid_6.top_offset_0 = _S423.top_offset_0;
+    grid_6.min_0 = _S423.min_0;
+    grid_6.voxels_0 = _S423.voxels_0;
+    grid_6.max_0 = _S423.max_0;
+    grid_6.material_bits_0 = _S423.material_bits_0;
+    var _S424 : u32 = leaf_3.z;
+    if(_S424 != u32(0))
+    {
+        var _S425 : vec4<i32> = vec4<i32>(instance_rows_0[_S424]);
+        var _S426 : vec4<i32> = vec4<i32>(instance_rows_0[_S424 + u32(1)]);
+        var _S427 : i32 = _S425.y;
+        var _S428 : i32 = _S425.z;
+        grid_6.min_0[i32(0)] = _S425.x;
+        grid_6.min_0[i32(1)] = _S427;
+        grid_6.min_0[i32(2)] = _S428;
+        var _S429 : i32 = _S426.y;
+        var _S430 : i32 = _S426.z;
+        grid_6.max_0[i32(0)] = _S426.x;
+        grid_6.max_0[i32(1)] = _S429;
+        grid_6.max_0[i32(2)] = _S430;
+    }
+    return grid_6;
+}
+
+fn is_before_1( hit_16 : Hit_0,  other_2 : Hit_0,  direction_28 : vec3<f32>) -> bool
+{
+    var _S431 : bool;
+    if((hit_16.t_0) != (other_2.t_0))
+    {
+        _S431 = true;
+    }
+    else
+    {
+        _S431 = Hit_is_miss_0(hit_16);
+    }
+    if(_S431)
+    {
+        return (hit_16.t_0) < (other_2.t_0);
+    }
+    if((hit_16.instance_1) != (other_2.instance_1))
+    {
+        return (hit_16.instance_1) < (other_2.instance_1);
+    }
+    var ahead_1 : vec3<i32> = select(hit_16.voxel_1 - other_2.voxel_1, other_2.voxel_1 - hit_16.voxel_1, (Transform_direction_0(hit_16.instance_1, direction_28)) < vec3<f32>(0.0f));
+    return (ahead_1.x + ahead_1.y + ahead_1.z) < i32(0);
+}
+
+fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_2 : u32) -> Hit_0
+{
+    var next_5 : u32;
+    var depth_0 : u32;
+    var _S432 : bool;
+    if(IS_SINGLE_0)
+    {
+        var _S433 : Hit_0 = hit_in_1(u32(0), instances_0[i32(0)].grid_0, &((*given_0)));
+        return _S433;
+    }
+    var ray_22 : Ray_0 = (*given_0);
     var nearest_5 : Hit_0 = miss_0();
     if((params_0.instance_count_0) == u32(0))
     {
         return nearest_5;
     }
-    var is_zero_1 : vec3<bool> = !((abs(ray_17.direction_1)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S350 : vec3<f32> = select(reciprocal_0(select(ray_17.direction_1, vec3<f32>(1.0f), is_zero_1)), vec3<f32>(3.4028234663852886e+38f), is_zero_1);
-    var stack_0 : array<u32, i32(32)>;
-    var index_28 : u32 = u32(0);
+    var is_zero_1 : vec3<bool> = !((abs(ray_22.direction_1)) >= vec3<f32>(1.00000006335638761e-28f));
+    var _S434 : vec3<f32> = select(reciprocal_0(select(ray_22.direction_1, vec3<f32>(1.0f), is_zero_1)), select(vec3<f32>(9.99999944211968977e+27f), vec3<f32>(-9.99999944211968977e+27f), (ray_22.direction_1) < vec3<f32>(0.0f)), is_zero_1);
+    var stack_0 : array<vec2<u32>, i32(64)>;
+    var next_6 : u32 = u32(0);
     var nearest_6 : Hit_0 = nearest_5;
-    var depth_0 : u32 = u32(0);
+    var depth_1 : u32 = u32(0);
     for(;;)
     {
-        var depth_1 : u32;
-        var is_reached_0 : bool;
-        if((instance_nodes_0[index_28].is_leaf_0) != u32(0))
+        var next_7 : u32 = next_6;
+        var depth_2 : u32 = depth_1;
+        for(;;)
         {
-            var _S351 : Hit_0 = hit_in_0(instance_nodes_0[index_28].index_0, &(ray_17));
-            var _S352 : Hit_0 = nearest_6;
-            if((_S351.t_0) < (nearest_6.t_0))
+            next_5 = next_7;
+            depth_0 = depth_2;
+            for(;;)
             {
-                is_reached_0 = true;
-            }
-            else
-            {
-                if((_S351.t_0) == (_S352.t_0))
+                var _S435 : bool = next_5 == u32(4294967295);
+                _S432 = _S435;
+                var _S436 : bool;
+                if(_S435)
                 {
-                    is_reached_0 = (_S351.instance_1) < (nearest_6.instance_1);
+                    _S436 = depth_0 > u32(0);
                 }
                 else
                 {
-                    is_reached_0 = false;
+                    _S436 = false;
                 }
-            }
-            var nearest_7 : Hit_0;
-            if(is_reached_0)
-            {
-                ray_17.t_max_0 = _S351.t_0;
-                if(is_any_enough_0)
+                if(_S436)
                 {
-                    return _S351;
                 }
-                nearest_7 = _S351;
+                else
+                {
+                    break;
+                }
+                var depth_3 : u32 = depth_0 - u32(1);
+                var nearest_waiting_0 : vec2<u32> = stack_0[depth_3];
+                if((bitcast<f32>((((stack_0[depth_3].x) & (u32(4294967292)))))) <= (ray_22.t_max_0))
+                {
+                    next_5 = nearest_waiting_0.y;
+                }
+                depth_0 = depth_3;
             }
-            else
-            {
-                nearest_7 = nearest_6;
-            }
-            nearest_6 = nearest_7;
-            depth_1 = depth_0;
-        }
-        else
-        {
-            var _S353 : u32 = index_28 + u32(1);
-            var _S354 : f32 = entry_0(_S353, ray_17, _S350);
-            var _S355 : u32 = instance_nodes_0[index_28].index_0;
-            var _S356 : f32 = entry_0(instance_nodes_0[index_28].index_0, ray_17, _S350);
-            var _S357 : bool = _S354 <= _S356;
-            if(_S357)
-            {
-                index_28 = _S353;
-            }
-            else
-            {
-                index_28 = _S355;
-            }
-            var far_3 : u32;
-            if(_S357)
-            {
-                far_3 = _S355;
-            }
-            else
-            {
-                far_3 = _S353;
-            }
-            var INFINITY_0 : f32 = (bitcast<f32>((u32(2139095040))));
-            if((max(_S354, _S356)) < INFINITY_0)
-            {
-                var _S358 : u32 = depth_0 + u32(1);
-                stack_0[depth_0] = far_3;
-                depth_1 = _S358;
-            }
-            else
-            {
-                depth_1 = depth_0;
-            }
-            if((min(_S354, _S356)) < INFINITY_0)
-            {
-                depth_0 = depth_1;
-                continue;
-            }
-        }
-        is_reached_0 = false;
-        depth_0 = depth_1;
-        for(;;)
-        {
-            var _S359 : bool;
-            if(depth_0 > u32(0))
-            {
-                _S359 = !is_reached_0;
-            }
-            else
-            {
-                _S359 = false;
-            }
-            if(_S359)
-            {
-            }
-            else
+            if(((next_5 & (u32(2147483648)))) != u32(0))
             {
                 break;
             }
-            var depth_2 : u32 = depth_0 - u32(1);
-            is_reached_0 = (entry_0(stack_0[depth_2], ray_17, _S350)) < (bitcast<f32>((u32(2139095040))));
-            index_28 = stack_0[depth_2];
-            depth_0 = depth_2;
+            var children_2 : vec4<u32> = children_of_0(next_5);
+            var met_1 : vec4<u32> = met_children_0(next_5, children_2, ray_22.origin_2, _S434, ray_22.t_min_0, ray_22.t_max_0);
+            var _S437 : u32 = met_1.w;
+            var depth_4 : u32;
+            if(_S437 != u32(4294967295))
+            {
+                var _S438 : u32 = depth_0 + u32(1);
+                stack_0[depth_0] = vec2<u32>(_S437, child_of_0(children_2, _S437));
+                depth_4 = _S438;
+            }
+            else
+            {
+                depth_4 = depth_0;
+            }
+            var _S439 : u32 = met_1.z;
+            var depth_5 : u32;
+            if(_S439 != u32(4294967295))
+            {
+                var _S440 : u32 = depth_4 + u32(1);
+                stack_0[depth_4] = vec2<u32>(_S439, child_of_0(children_2, _S439));
+                depth_5 = _S440;
+            }
+            else
+            {
+                depth_5 = depth_4;
+            }
+            var _S441 : u32 = met_1.y;
+            if(_S441 != u32(4294967295))
+            {
+                var _S442 : u32 = depth_5 + u32(1);
+                stack_0[depth_5] = vec2<u32>(_S441, child_of_0(children_2, _S441));
+                depth_2 = _S442;
+            }
+            else
+            {
+                depth_2 = depth_5;
+            }
+            var _S443 : u32 = met_1.x;
+            if(_S443 != u32(4294967295))
+            {
+                next_7 = child_of_0(children_2, _S443);
+            }
+            else
+            {
+                next_7 = u32(4294967295);
+            }
         }
-        if(!is_reached_0)
+        if(_S432)
         {
             break;
         }
+        var leaf_4 : vec4<u32> = instance_rows_0[(next_5 & (u32(2147483647)))];
+        var _S444 : Hit_0 = hit_in_0(leaf_4.x, grid_of_leaf_0(leaf_4), &(ray_22));
+        if(is_before_1(_S444, nearest_6, ray_22.direction_1))
+        {
+            ray_22.t_max_0 = _S444.t_0;
+            if(is_any_enough_0)
+            {
+                nearest_6 = _S444;
+                break;
+            }
+            nearest_6 = _S444;
+        }
+        next_6 = u32(4294967295);
+        depth_1 = depth_0;
     }
     return nearest_6;
 }
 
-struct Walker_0
+fn WalkTracer_trace_0( ray_23 : ptr<function, Ray_0>,  is_any_enough_1 : bool) -> Hit_0
 {
-     path_7 : Path_0,
-     ray_18 : Ray_0,
-     is_shadow_ray_0 : bool,
-     light_5 : vec3<f32>,
-     direction_27 : vec3<f32>,
-     path_origin_2 : vec3<f32>,
-     shadow_inside_2 : Inside_0,
-     boundaries_0 : u32,
-     relocates_2 : bool,
-     path_relocates_2 : bool,
-     camera_ray_0 : Ray_0,
-     way_5 : f32,
-     has_shown_0 : bool,
-     asks_cache_0 : bool,
-     life_0 : u32,
-     is_at_cell_0 : bool,
-};
-
-struct Sample_0
-{
-     direct_0 : vec3<f32>,
-     light_6 : vec3<f32>,
-     is_shown_0 : bool,
-     albedo_0 : vec3<f32>,
-     normal_4 : vec3<f32>,
-     place_3 : vec3<f32>,
-     instance_10 : u32,
-};
-
-fn WalkTracer_trace_0( ray_19 : ptr<function, Ray_0>,  is_any_enough_1 : bool) -> Hit_0
-{
-    var _S360 : Hit_0 = visit_0(&((*ray_19)), is_any_enough_1, u32(0));
-    return _S360;
+    var _S445 : Hit_0 = visit_0(&((*ray_23)), is_any_enough_1, u32(0));
+    return _S445;
 }
 
-fn hit_of_ray_0( sampler_1 : Sampler_0,  ray_20 : ptr<function, Ray_0>,  is_shadow_ray_1 : bool,  path_8 : ptr<function, Path_0>,  shadow_inside_3 : ptr<function, Inside_0>,  relocates_3 : ptr<function, bool>,  path_relocates_3 : ptr<function, bool>,  beyond_4 : ptr<function, u32>) -> Hit_0
+fn hit_of_ray_0( sampler_1 : Sampler_0,  ray_24 : ptr<function, Ray_0>,  is_shadow_ray_1 : bool,  path_10 : ptr<function, Path_0>,  shadow_inside_3 : ptr<function, Inside_0>,  relocates_3 : ptr<function, bool>,  path_relocates_3 : ptr<function, bool>,  beyond_9 : ptr<function, u32>) -> Hit_0
 {
-    (*beyond_4) = u32(4294967295);
-    var _S361 : Hit_0 = WalkTracer_trace_0(&((*ray_20)), is_shadow_ray_1);
-    return _S361;
+    (*beyond_9) = u32(4294967295);
+    var _S446 : Hit_0 = WalkTracer_trace_0(&((*ray_24)), is_shadow_ray_1);
+    return _S446;
 }
 
-fn Walker_arrives_0( this_38 : ptr<function, Walker_0>,  hit_8 : Hit_0,  beyond_5 : u32,  light_7 : ptr<function, vec3<f32>>) -> bool
+fn Walker_arrives_0( this_45 : ptr<function, Walker_0>,  hit_17 : Hit_0,  beyond_10 : u32,  light_9 : ptr<function, vec3<f32>>) -> bool
 {
-    if(Hit_is_miss_0(hit_8))
+    if(Hit_is_miss_0(hit_17))
     {
-        (*light_7) = (*light_7) + (*this_38).light_5;
+        (*light_9) = (*light_9) + (*this_45).light_3;
     }
     return false;
 }
 
-fn shading_normal_0( ray_21 : Ray_0,  hit_9 : Hit_0,  material_10 : PackedMaterial_0) -> vec3<f32>
+fn goes_on_5( at_10 : ptr<function, Walker_0>,  sample_13 : ptr<function, Sample_0>) -> bool
 {
-    return world_normal_0(hit_9.instance_1, hit_9.face_0);
-}
-
-fn albedo_of_0( material_11 : PackedMaterial_0) -> vec3<f32>
-{
-    return vector_of_0(material_11.base_color_0);
-}
-
-fn show_0( path_9 : Path_0,  ray_22 : Ray_0,  hit_10 : Hit_0,  beyond_6 : u32,  sample_9 : ptr<function, Sample_0>)
-{
-    var _S362 : Path_0 = path_9;
-    (*sample_9).is_shown_0 = true;
-    if(Inside_is_in_0(_S362.inside_0))
+    var _S447 : Hit_0 = miss_0();
+    var beyond_11 : u32 = u32(4294967295);
+    var hit_18 : Hit_0;
+    if(!(*at_10).is_at_cell_0)
     {
-        absorb_0(&(_S362), _S362.inside_0, ray_22, hit_10.t_0);
-    }
-    var material_12 : PackedMaterial_0 = material_met_0(_S362, hit_10, beyond_6);
-    (*sample_9).normal_4 = shading_normal_0(ray_22, hit_10, material_12);
-    (*sample_9).albedo_0 = _S362.beta_0 * albedo_of_0(material_12);
-    return;
-}
-
-fn Walker_see_0( this_39 : ptr<function, Walker_0>,  arrived_0 : Path_0,  hit_11 : Hit_0,  beyond_7 : u32,  emitted_1 : vec3<f32>,  goes_on_0 : bool,  sample_10 : ptr<function, Sample_0>)
-{
-    (*sample_10).direct_0 = (*sample_10).direct_0 + emitted_1;
-    var _S363 : bool = ((*this_39).path_7.bounce_0) == u32(0);
-    var _S364 : bool;
-    if(goes_on_0)
-    {
-        _S364 = _S363;
-    }
-    else
-    {
-        _S364 = false;
-    }
-    var _S365 : bool = !_S364;
-    (*this_39).has_shown_0 = _S365;
-    if(!_S365)
-    {
-        (*this_39).way_5 = (*this_39).way_5 + hit_11.t_0;
-    }
-    else
-    {
-        if(!Hit_is_miss_0(hit_11))
+        var _S448 : Ray_0 = (*at_10).ray_9;
+        var _S449 : Path_0 = (*at_10).path_6;
+        var _S450 : Inside_0 = (*at_10).shadow_inside_2;
+        var _S451 : bool = (*at_10).relocates_2;
+        var _S452 : bool = (*at_10).path_relocates_2;
+        var _S453 : Hit_0 = hit_of_ray_0((*at_10).path_6.sampler_0, &(_S448), (*at_10).is_shadow_ray_0, &(_S449), &(_S450), &(_S451), &(_S452), &(beyond_11));
+        (*at_10).ray_9 = _S448;
+        (*at_10).path_6 = _S449;
+        (*at_10).shadow_inside_2 = _S450;
+        (*at_10).relocates_2 = _S451;
+        (*at_10).path_relocates_2 = _S452;
+        if((*at_10).is_shadow_ray_0)
         {
-            show_0(arrived_0, (*this_39).ray_18, hit_11, beyond_7, &((*sample_10)));
-            (*sample_10).place_3 = (*this_39).camera_ray_0.origin_2 + (*this_39).camera_ray_0.direction_1 * vec3<f32>(((*this_39).way_5 + hit_11.t_0));
-            var _S366 : u32;
-            if(((*this_39).way_5) > 0.0f)
-            {
-                _S366 = u32(4294967295);
-            }
-            else
-            {
-                _S366 = hit_11.instance_1;
-            }
-            (*sample_10).instance_10 = _S366;
-        }
-    }
-    return;
-}
-
-fn goes_on_1( at_8 : ptr<function, Walker_0>,  sample_11 : ptr<function, Sample_0>) -> bool
-{
-    var next_2 : NextRays_0 = no_rays_0();
-    var goes_on_2 : bool;
-    if((*at_8).is_at_cell_0)
-    {
-        next_2.origin_1 = (*at_8).ray_18.origin_2;
-        next_2.path_origin_0 = (*at_8).ray_18.origin_2;
-        next_2.direction_0 = (*at_8).ray_18.direction_1;
-        goes_on_2 = true;
-    }
-    else
-    {
-        var _S367 : Ray_0 = (*at_8).ray_18;
-        var _S368 : Path_0 = (*at_8).path_7;
-        var _S369 : Inside_0 = (*at_8).shadow_inside_2;
-        var _S370 : bool = (*at_8).relocates_2;
-        var _S371 : bool = (*at_8).path_relocates_2;
-        var beyond_8 : u32;
-        var _S372 : Hit_0 = hit_of_ray_0((*at_8).path_7.sampler_0, &(_S367), (*at_8).is_shadow_ray_0, &(_S368), &(_S369), &(_S370), &(_S371), &(beyond_8));
-        (*at_8).ray_18 = _S367;
-        (*at_8).path_7 = _S368;
-        (*at_8).shadow_inside_2 = _S369;
-        (*at_8).relocates_2 = _S370;
-        (*at_8).path_relocates_2 = _S371;
-        if((*at_8).is_shadow_ray_0)
-        {
-            var _S373 : vec3<f32> = (*sample_11).light_6;
-            var _S374 : bool = Walker_arrives_0(&((*at_8)), _S372, beyond_8, &(_S373));
-            (*sample_11).light_6 = _S373;
-            (*at_8).is_shadow_ray_0 = _S374;
-            if(_S374)
+            var _S454 : vec3<f32> = (*sample_13).light_4;
+            var _S455 : bool = Walker_arrives_0(&((*at_10)), _S453, beyond_11, &(_S454));
+            (*sample_13).light_4 = _S454;
+            (*at_10).is_shadow_ray_0 = _S455;
+            if(_S455)
             {
                 return true;
             }
-            (*at_8).ray_18 = ray_from_0((*at_8).ray_18.origin_2, (*at_8).direction_27);
-            return (any((((*at_8).direction_27) != vec3<f32>(0.0f))));
+            (*at_10).ray_9 = ray_from_0((*at_10).ray_9.origin_2, (*at_10).direction_18);
+            return (any((((*at_10).direction_18) != vec3<f32>(0.0f))));
         }
-        var cached_0 : vec3<f32> = vec3<f32>(0.0f);
-        ends_here_0 = false;
-        var arrived_1 : Path_0 = (*at_8).path_7;
-        var emitted_2 : vec3<f32> = cached_0;
-        var _S375 : Path_0 = (*at_8).path_7;
-        var _S376 : NextRays_0 = PathTracingOf_advance_0(&(_S375), (*at_8).ray_18, _S372, beyond_8, &(emitted_2));
-        (*at_8).path_7 = _S375;
-        next_2 = _S376;
-        var goes_on_3 : bool = (any(((next_2.direction_0) != cached_0)));
-        if((*at_8).has_shown_0)
-        {
-            (*sample_11).light_6 = (*sample_11).light_6 + emitted_2;
-        }
-        else
-        {
-            Walker_see_0(&((*at_8)), arrived_1, _S372, beyond_8, emitted_2, goes_on_3, &((*sample_11)));
-        }
-        if((*at_8).has_shown_0)
-        {
-            return false;
-        }
-        goes_on_2 = goes_on_3;
-    }
-    if((*at_8).is_at_cell_0)
-    {
-        (*at_8).path_7.bounce_0 = u32(1);
-        (*at_8).path_7.event_0 = u32(1);
-        (*at_8).path_7.scattered_0 = u32(1);
-        (*at_8).is_at_cell_0 = false;
-    }
-    (*at_8).direction_27 = next_2.direction_0;
-    (*at_8).light_5 = next_2.light_0;
-    (*at_8).is_shadow_ray_0 = next_2.has_shadow_ray_0;
-    (*at_8).path_origin_2 = next_2.path_origin_0;
-    (*at_8).ray_18 = ray_from_0(next_2.origin_1, next_2.direction_0);
-    if((*at_8).is_shadow_ray_0)
-    {
-        (*at_8).ray_18 = Ray_x24init_0(next_2.origin_1, 0.0f, next_2.shadow_direction_0, next_2.shadow_t_max_0);
-    }
-    if(goes_on_2)
-    {
-        goes_on_2 = true;
+        hit_18 = _S453;
     }
     else
     {
-        goes_on_2 = (*at_8).is_shadow_ray_0;
+        hit_18 = _S447;
     }
-    return goes_on_2;
+    var _S456 : bool = goes_on_from_0(&((*at_10)), hit_18, beyond_11, &((*sample_13)));
+    return _S456;
 }
 
-struct Key_0
+fn goes_on_6( at_11 : ptr<function, Walker_0>,  sample_14 : ptr<function, Sample_0>) -> bool
 {
-     instance_11 : u32,
-     face_and_level_0 : u32,
-     cube_0 : vec3<i32>,
-};
-
-fn Key_x24init_0( instance_12 : u32,  face_and_level_1 : u32,  cube_1 : vec3<i32>) -> Key_0
-{
-    var _S377 : Key_0;
-    _S377.instance_11 = instance_12;
-    _S377.face_and_level_0 = face_and_level_1;
-    _S377.cube_0 = cube_1;
-    return _S377;
-}
-
-fn scramble_of_0( number_1 : u32) -> u32
-{
-    return pcg4d_0(vec4<u32>(number_1, u32(0), u32(0), u32(2654435769))).x;
-}
-
-fn Key_level_0( this_40 : Key_0) -> u32
-{
-    return ((this_40.face_and_level_0) >> (u32(3)));
-}
-
-fn Key_mask_0( this_41 : Key_0) -> u32
-{
-    return ((u32(1) << ((u32(3) * Key_level_0(this_41))))) - u32(1);
-}
-
-fn key_of_0( hit_12 : Hit_0,  size_1 : f32,  u_17 : f32,  code_1 : ptr<function, u32>) -> Key_0
-{
-    var clamped_0 : f32 = clamp(size_1, 1.0f, 128.0f);
-    var power_5 : f32 = f32(((bitcast<u32>((clamped_0))) >> (u32(23)))) - 127.0f;
-    var _S378 : f32;
-    if(u_17 < (clamped_0 * inverse_power_of_two_0(clamped_0) - 1.0f))
+    var _S457 : Hit_0 = miss_0();
+    var beyond_12 : u32 = u32(4294967295);
+    var hit_19 : Hit_0;
+    if(!(*at_11).is_at_cell_0)
     {
-        _S378 = 1.0f;
-    }
-    else
-    {
-        _S378 = 0.0f;
-    }
-    var level_0 : u32 = u32(min(power_5 + _S378, 6.0f));
-    var _S379 : vec3<u32> = vec3<u32>(u32(i32(level_0)));
-    var key_0 : Key_0 = Key_x24init_0(hit_12.instance_1, ((hit_12.face_0) | (((level_0 << (u32(3)))))), ((hit_12.voxel_1) >> (_S379)));
-    var _S380 : vec3<u32> = vec3<u32>(hit_12.voxel_1 - (((key_0.cube_0) << (_S379))));
-    (*code_1) = u32(1) + (((((((_S380.x) | ((((_S380.y) << (level_0)))))) | ((((_S380.z) << ((u32(2) * level_0))))))) ^ ((((scramble_of_0(real_time_0.number_0)) & ((Key_mask_0(key_0))))))));
-    return key_0;
-}
-
-fn Key_hash_0( this_42 : Key_0) -> vec2<u32>
-{
-    return pcg4d_0(vec4<u32>(vec3<u32>(this_42.cube_0), this_42.instance_11 * u32(61) + this_42.face_and_level_0)).xy;
-}
-
-fn place_of_check_0( cell_8 : u32) -> u32
-{
-    return u32(16) + cell_8;
-}
-
-fn find_cell_0( hash_0 : vec2<u32>) -> u32
-{
-    var probe_0 : u32 = u32(0);
-    for(;;)
-    {
-        if(probe_0 < u32(8))
+        var _S458 : Ray_0 = (*at_11).ray_9;
+        var _S459 : Path_0 = (*at_11).path_6;
+        var _S460 : Inside_0 = (*at_11).shadow_inside_2;
+        var _S461 : bool = (*at_11).relocates_2;
+        var _S462 : bool = (*at_11).path_relocates_2;
+        var _S463 : Hit_0 = hit_of_ray_0((*at_11).path_6.sampler_0, &(_S458), (*at_11).is_shadow_ray_0, &(_S459), &(_S460), &(_S461), &(_S462), &(beyond_12));
+        (*at_11).ray_9 = _S458;
+        (*at_11).path_6 = _S459;
+        (*at_11).shadow_inside_2 = _S460;
+        (*at_11).relocates_2 = _S461;
+        (*at_11).path_relocates_2 = _S462;
+        if((*at_11).is_shadow_ray_0)
         {
-        }
-        else
-        {
-            break;
-        }
-        var cell_9 : u32 = ((hash_0.x + probe_0) & (u32(262143)));
-        var _S381 : u32 = atomicLoad(&(cell_keys_0[place_of_check_0(cell_9)]));
-        if(_S381 == (max(hash_0.y, u32(1))))
-        {
-            return cell_9;
-        }
-        probe_0 = probe_0 + u32(1);
-    }
-    return u32(262144);
-}
-
-fn cell_row_0( row_0 : u32,  cell_10 : u32) -> vec4<u32>
-{
-    return cell_rows_0[row_0 * u32(262144) + cell_10];
-}
-
-fn set_cell_row_0( row_1 : u32,  cell_11 : u32,  value_2 : vec4<u32>)
-{
-    cell_rows_0[row_1 * u32(262144) + cell_11] = value_2;
-    return;
-}
-
-fn place_of_asked_0( cell_12 : u32) -> u32
-{
-    return u32(262160) + cell_12;
-}
-
-fn ask_cell_0( key_1 : Key_0,  asked_0 : u32) -> vec4<f32>
-{
-    var _S382 : bool;
-    var hash_1 : vec2<u32> = Key_hash_0(key_1);
-    var _S383 : u32 = max(hash_1.y, u32(1));
-    var cell_13 : u32 = find_cell_0(hash_1);
-    var _S384 : vec4<f32> = vec4<f32>(0.0f);
-    var known_0 : vec4<f32>;
-    if(cell_13 != u32(262144))
-    {
-        known_0 = (bitcast<vec4<f32>>((cell_row_0(u32(0), cell_13))));
-    }
-    else
-    {
-        known_0 = _S384;
-    }
-    var cell_14 : u32 = cell_13;
-    var probe_1 : u32 = u32(0);
-    for(;;)
-    {
-        if(probe_1 < u32(8))
-        {
-            _S382 = cell_14 == u32(262144);
-        }
-        else
-        {
-            _S382 = false;
-        }
-        if(_S382)
-        {
-        }
-        else
-        {
-            break;
-        }
-        var place_4 : u32 = ((hash_1.x + probe_1) & (u32(262143)));
-        var found_0 : u32 = atomicCompareExchangeWeak(&(cell_keys_0[place_of_check_0(place_4)]), u32(0), _S383).old_value;
-        var _S385 : bool = found_0 == u32(0);
-        if(_S385)
-        {
-            set_cell_row_0(u32(1), place_4, vec4<u32>(key_1.instance_11, key_1.face_and_level_0, u32(0), u32(0)));
-            set_cell_row_0(u32(2), place_4, vec4<u32>(vec3<u32>(key_1.cube_0), u32(0)));
-        }
-        var _S386 : bool;
-        if(_S385)
-        {
-            _S386 = true;
-        }
-        else
-        {
-            _S386 = found_0 == _S383;
-        }
-        if(_S386)
-        {
-            cell_14 = place_4;
-        }
-        probe_1 = probe_1 + u32(1);
-    }
-    if(cell_14 != u32(262144))
-    {
-        var _S387 : u32 = atomicLoad(&(cell_keys_0[place_of_asked_0(cell_14)]));
-        _S382 = _S387 < asked_0;
-    }
-    else
-    {
-        _S382 = false;
-    }
-    if(_S382)
-    {
-        var _S388 : u32 = atomicMax(&(cell_keys_0[place_of_asked_0(cell_14)]), asked_0);
-    }
-    return known_0;
-}
-
-fn asks_0( path_10 : Path_0,  ray_23 : Ray_0,  hit_13 : Hit_0,  beyond_9 : u32,  life_1 : u32,  light_8 : ptr<function, vec3<f32>>) -> bool
-{
-    (*light_8) = vec3<f32>(0.0f);
-    var _S389 : bool;
-    if(Hit_is_miss_0(hit_13))
-    {
-        _S389 = true;
-    }
-    else
-    {
-        _S389 = Inside_is_in_0(path_10.inside_0);
-    }
-    if(_S389)
-    {
-        return false;
-    }
-    var material_13 : PackedMaterial_0 = material_met_0(path_10, hit_13, beyond_9);
-    if((material_13.metallic_0) > 0.0f)
-    {
-        _S389 = true;
-    }
-    else
-    {
-        _S389 = (material_13.transmission_0) > 0.0f;
-    }
-    if(_S389)
-    {
-        return false;
-    }
-    var code_2 : u32;
-    var key_2 : Key_0 = key_of_0(hit_13, square_root_0(length_squared_0(ray_23.origin_2 + ray_23.direction_1 * vec3<f32>(hit_13.t_0) - real_time_0.eye_0)) * real_time_0.view_angle_0 * 0.05882352963089943f, Sampler_independent_0(path_10.sampler_0, u32(3221225472) + Path_events_0(path_10)).x, &(code_2));
-    var least_0 : f32 = 2.0f * f32((u32(1) << ((Key_level_0(key_2)))));
-    if(life_1 == u32(0))
-    {
-        _S389 = true;
-    }
-    else
-    {
-        _S389 = (hit_13.t_0 * square_root_0(length_squared_0(ray_23.direction_1))) < least_0;
-    }
-    if(_S389)
-    {
-        return false;
-    }
-    var known_1 : vec4<f32> = ask_cell_0(key_2, ((((min(life_1, u32(10))) << (u32(20)))) | (code_2)));
-    if((known_1.w) <= 0.0f)
-    {
-        return false;
-    }
-    (*light_8) = path_10.beta_0 * vector_of_0(material_13.base_color_0) * known_1.xyz;
-    return true;
-}
-
-var<private> first_candidates_0 : u32;
-
-fn Path_dimension_light_0( this_43 : Path_0) -> u32
-{
-    return u32(2) + u32(2) * Path_events_0(this_43);
-}
-
-struct BsdfEval_0
-{
-     weight_5 : vec3<f32>,
-     pdf_10 : f32,
-};
-
-fn BsdfEval_x24init_0( weight_6 : vec3<f32>,  pdf_11 : f32) -> BsdfEval_0
-{
-    var _S390 : BsdfEval_0;
-    _S390.weight_5 = weight_6;
-    _S390.pdf_10 = pdf_11;
-    return _S390;
-}
-
-fn Diffuse_eval_0( this_44 : Diffuse_0,  wo_8 : vec3<f32>,  wi_3 : vec3<f32>) -> BsdfEval_0
-{
-    return BsdfEval_x24init_0(this_44.reflectance_0, cosine_hemisphere_pdf_0(wi_3.z));
-}
-
-fn MaterialBsdf_eval_0( this_45 : MaterialBsdf_0,  wo_9 : vec3<f32>,  wi_4 : vec3<f32>) -> BsdfEval_0
-{
-    return Diffuse_eval_0(Diffuse_x24init_0(this_45.color_0), wo_9, wi_4);
-}
-
-fn choose_light_0( scatter_0 : Scatter_0,  next_3 : ptr<function, NextRays_0>)
-{
-    var count_5 : u32;
-    if((scatter_0.path_0.bounce_0) == u32(0))
-    {
-        count_5 = first_candidates_0;
-    }
-    else
-    {
-        count_5 = u32(1);
-    }
-    var chosen_4 : f32 = 0.0f;
-    var candidate_0 : u32 = u32(0);
-    var sum_4 : f32 = 0.0f;
-    for(;;)
-    {
-        if(candidate_0 < count_5)
-        {
-        }
-        else
-        {
-            break;
-        }
-        var dimension_3 : u32 = u32(1073741824) + u32(64) * Path_events_0(scatter_0.path_0) + u32(2) * candidate_0;
-        var u_18 : vec4<f32>;
-        if(candidate_0 == u32(0))
-        {
-            u_18 = Sampler_stratified_0(scatter_0.path_0.sampler_0, Path_dimension_light_0(scatter_0.path_0));
-        }
-        else
-        {
-            u_18 = Sampler_independent_0(scatter_0.path_0.sampler_0, dimension_3);
-        }
-        var light_9 : LightSample_0 = no_light_0();
-        var is_found_5 : bool = Lights_sample_0(scatter_0.receiver_0, scatter_0.path_0.selection_0, u_18, by_chance_0(), &(light_9));
-        if(!is_found_5)
-        {
-            candidate_0 = candidate_0 + u32(1);
-            continue;
-        }
-        var _S391 : vec3<f32> = vec3<f32>(Surface_local_direction_0(scatter_0.surface_0, light_9.ray_6.direction_1).xy, light_9.cos_theta_0);
-        var wi_5 : vec3<f32>;
-        if(scatter_0.is_scattered_0)
-        {
-            wi_5 = normalize_vector_0(light_9.ray_6.direction_1);
-        }
-        else
-        {
-            wi_5 = _S391;
-        }
-        var eval_0 : BsdfEval_0 = MaterialBsdf_eval_0(scatter_0.bsdf_0, scatter_0.wo_0, wi_5);
-        var _S392 : vec3<f32> = scatter_0.path_0.beta_0 * eval_0.weight_5 * vec3<f32>(scatter_0.compensation_0) * light_9.radiance_1 * vec3<f32>((divide_0(eval_0.pdf_10, light_9.pdf_2) * power_heuristic_0(light_9.pdf_2, eval_0.pdf_10)));
-        var weight_7 : f32 = luminance_0(_S392);
-        var sum_5 : f32 = sum_4 + weight_7;
-        var _S393 : bool;
-        if(count_5 > u32(1))
-        {
-            _S393 = (Sampler_independent_0(scatter_0.path_0.sampler_0, dimension_3 + u32(1)).x * sum_5) >= weight_7;
-        }
-        else
-        {
-            _S393 = false;
-        }
-        if(_S393)
-        {
-            sum_4 = sum_5;
-            candidate_0 = candidate_0 + u32(1);
-            continue;
-        }
-        var chosen_5 : f32;
-        if(weight_7 > 0.0f)
-        {
-            (*next_3).shadow_direction_0 = light_9.ray_6.direction_1;
-            (*next_3).shadow_t_max_0 = light_9.ray_6.t_max_0;
-            (*next_3).light_0 = _S392;
-            chosen_5 = weight_7;
-        }
-        else
-        {
-            chosen_5 = chosen_4;
-        }
-        chosen_4 = chosen_5;
-        sum_4 = sum_5;
-        candidate_0 = candidate_0 + u32(1);
-    }
-    var _S394 : bool = chosen_4 > 0.0f;
-    (*next_3).has_shadow_ray_0 = _S394;
-    if(_S394)
-    {
-        (*next_3).light_0 = (*next_3).light_0 * vec3<f32>(divide_0(sum_4, chosen_4 * f32(count_5)));
-    }
-    return;
-}
-
-fn goes_on_4( at_9 : ptr<function, Walker_0>,  sample_12 : ptr<function, Sample_0>) -> bool
-{
-    var next_4 : NextRays_0 = no_rays_0();
-    var goes_on_5 : bool;
-    if((*at_9).is_at_cell_0)
-    {
-        next_4.origin_1 = (*at_9).ray_18.origin_2;
-        next_4.path_origin_0 = (*at_9).ray_18.origin_2;
-        next_4.direction_0 = (*at_9).ray_18.direction_1;
-        goes_on_5 = true;
-    }
-    else
-    {
-        var _S395 : Ray_0 = (*at_9).ray_18;
-        var _S396 : Path_0 = (*at_9).path_7;
-        var _S397 : Inside_0 = (*at_9).shadow_inside_2;
-        var _S398 : bool = (*at_9).relocates_2;
-        var _S399 : bool = (*at_9).path_relocates_2;
-        var beyond_10 : u32;
-        var _S400 : Hit_0 = hit_of_ray_0((*at_9).path_7.sampler_0, &(_S395), (*at_9).is_shadow_ray_0, &(_S396), &(_S397), &(_S398), &(_S399), &(beyond_10));
-        (*at_9).ray_18 = _S395;
-        (*at_9).path_7 = _S396;
-        (*at_9).shadow_inside_2 = _S397;
-        (*at_9).relocates_2 = _S398;
-        (*at_9).path_relocates_2 = _S399;
-        if((*at_9).is_shadow_ray_0)
-        {
-            var _S401 : vec3<f32> = (*sample_12).light_6;
-            var _S402 : bool = Walker_arrives_0(&((*at_9)), _S400, beyond_10, &(_S401));
-            (*sample_12).light_6 = _S401;
-            (*at_9).is_shadow_ray_0 = _S402;
-            if(_S402)
+            var _S464 : vec3<f32> = (*sample_14).light_4;
+            var _S465 : bool = Walker_arrives_0(&((*at_11)), _S463, beyond_12, &(_S464));
+            (*sample_14).light_4 = _S464;
+            (*at_11).is_shadow_ray_0 = _S465;
+            if(_S465)
             {
                 return true;
             }
-            (*at_9).ray_18 = ray_from_0((*at_9).ray_18.origin_2, (*at_9).direction_27);
-            return (any((((*at_9).direction_27) != vec3<f32>(0.0f))));
+            (*at_11).ray_9 = ray_from_0((*at_11).ray_9.origin_2, (*at_11).direction_18);
+            return (any((((*at_11).direction_18) != vec3<f32>(0.0f))));
         }
-        var _S403 : vec3<f32> = vec3<f32>(0.0f);
-        var cached_1 : vec3<f32> = _S403;
-        if((*at_9).has_shown_0)
-        {
-            goes_on_5 = (*at_9).asks_cache_0;
-        }
-        else
-        {
-            goes_on_5 = false;
-        }
-        if(goes_on_5)
-        {
-            var _S404 : bool = asks_0((*at_9).path_7, (*at_9).ray_18, _S400, beyond_10, (*at_9).life_0, &(cached_1));
-            goes_on_5 = _S404;
-        }
-        else
-        {
-            goes_on_5 = false;
-        }
-        ends_here_0 = goes_on_5;
-        var arrived_2 : Path_0 = (*at_9).path_7;
-        var emitted_3 : vec3<f32> = _S403;
-        var _S405 : Path_0 = (*at_9).path_7;
-        var _S406 : NextRays_0 = PathTracingOf_advance_1(&(_S405), (*at_9).ray_18, _S400, beyond_10, &(emitted_3));
-        (*at_9).path_7 = _S405;
-        next_4 = _S406;
-        var goes_on_6 : bool = (any(((next_4.direction_0) != _S403)));
-        if((*at_9).has_shown_0)
-        {
-            (*sample_12).light_6 = (*sample_12).light_6 + (cached_1 + emitted_3);
-        }
-        else
-        {
-            Walker_see_0(&((*at_9)), arrived_2, _S400, beyond_10, emitted_3, goes_on_6, &((*sample_12)));
-        }
-        goes_on_5 = goes_on_6;
-    }
-    if(scatter_of_path_0.wants_light_0)
-    {
-        choose_light_0(scatter_of_path_0, &(next_4));
-    }
-    if((*at_9).is_at_cell_0)
-    {
-        (*at_9).path_7.bounce_0 = u32(1);
-        (*at_9).path_7.event_0 = u32(1);
-        (*at_9).path_7.scattered_0 = u32(1);
-        (*at_9).is_at_cell_0 = false;
-    }
-    (*at_9).direction_27 = next_4.direction_0;
-    (*at_9).light_5 = next_4.light_0;
-    (*at_9).is_shadow_ray_0 = next_4.has_shadow_ray_0;
-    (*at_9).path_origin_2 = next_4.path_origin_0;
-    (*at_9).ray_18 = ray_from_0(next_4.origin_1, next_4.direction_0);
-    if((*at_9).is_shadow_ray_0)
-    {
-        (*at_9).ray_18 = Ray_x24init_0(next_4.origin_1, 0.0f, next_4.shadow_direction_0, next_4.shadow_t_max_0);
-    }
-    if(goes_on_5)
-    {
-        goes_on_5 = true;
+        hit_19 = _S463;
     }
     else
     {
-        goes_on_5 = (*at_9).is_shadow_ray_0;
+        hit_19 = _S457;
     }
-    return goes_on_5;
+    var _S466 : bool = goes_on_from_1(&((*at_11)), hit_19, beyond_12, &((*sample_14)));
+    return _S466;
 }
 
 fn PathTracingOf_jitter_0( sampler_2 : Sampler_0) -> vec4<f32>
@@ -5761,40 +6197,57 @@ fn PathTracingOf_jitter_0( sampler_2 : Sampler_0) -> vec4<f32>
 
 fn Sample_x24init_0( direct_1 : vec3<f32>,  light_10 : vec3<f32>,  is_shown_1 : bool,  albedo_1 : vec3<f32>,  normal_5 : vec3<f32>,  place_5 : vec3<f32>,  instance_13 : u32) -> Sample_0
 {
-    var _S407 : Sample_0;
-    _S407.direct_0 = direct_1;
-    _S407.light_6 = light_10;
-    _S407.is_shown_0 = is_shown_1;
-    _S407.albedo_0 = albedo_1;
-    _S407.normal_4 = normal_5;
-    _S407.place_3 = place_5;
-    _S407.instance_10 = instance_13;
-    return _S407;
+    var _S467 : Sample_0;
+    _S467.direct_0 = direct_1;
+    _S467.light_4 = light_10;
+    _S467.is_shown_0 = is_shown_1;
+    _S467.albedo_0 = albedo_1;
+    _S467.normal_4 = normal_5;
+    _S467.place_2 = place_5;
+    _S467.instance_6 = instance_13;
+    return _S467;
 }
 
 fn no_sample_0() -> Sample_0
 {
-    var _S408 : vec3<f32> = vec3<f32>(0.0f);
-    return Sample_x24init_0(_S408, _S408, false, _S408, _S408, _S408, u32(4294967295));
+    var _S468 : vec3<f32> = vec3<f32>(0.0f);
+    return Sample_x24init_0(_S468, _S468, false, _S468, _S468, _S468, u32(4294967295));
+}
+
+fn Sampler_x24init_0( seed_3 : u32,  pixel_1 : u32,  sample_15 : u32) -> Sampler_0
+{
+    var _S469 : Sampler_0;
+    _S469.seed_1 = seed_3;
+    _S469.pixel_0 = pixel_1;
+    _S469.sample_0 = sample_15;
+    return _S469;
+}
+
+struct Item_0
+{
+     traces_0 : bool,
+     kind_2 : u32,
+     at_12 : vec2<u32>,
+     place_6 : u32,
+     slot_1 : u32,
+     sampler_3 : Sampler_0,
+};
+
+fn Item_x24init_0( traces_1 : bool,  kind_3 : u32,  at_13 : vec2<u32>,  place_7 : u32,  slot_2 : u32,  sampler_4 : Sampler_0) -> Item_0
+{
+    var _S470 : Item_0;
+    _S470.traces_0 = traces_1;
+    _S470.kind_2 = kind_3;
+    _S470.at_12 = at_13;
+    _S470.place_6 = place_7;
+    _S470.slot_1 = slot_2;
+    _S470.sampler_3 = sampler_4;
+    return _S470;
 }
 
 fn has_0( flag_0 : u32) -> bool
 {
     return (((real_time_0.flags_0) & (flag_0))) != u32(0);
-}
-
-fn cells_that_trace_0() -> u32
-{
-    var _S409 : u32;
-    if(has_0(u32(1)))
-    {
-        _S409 = u32(73728);
-    }
-    else
-    {
-        _S409 = u32(0);
-    }
-    return _S409;
 }
 
 fn threads_that_trace_0() -> u32
@@ -5811,156 +6264,16 @@ fn threads_that_trace_0() -> u32
     return columns_0 * ((params_0.height_0 + u32(7)) / u32(8)) * u32(64);
 }
 
-fn squares_0() -> vec2<u32>
+fn place_of_chosen_0( number_3 : u32) -> u32
 {
-    var _S410 : vec2<u32> = vec2<u32>(u32(5));
-    var _S411 : vec2<u32> = (vec2<u32>(params_0.width_0, params_0.height_0) + _S410 - vec2<u32>(u32(1))) / _S410;
-    return _S411;
+    return u32(524304) + number_3;
 }
 
-fn place_of_chosen_0( number_2 : u32) -> u32
+fn Item_key_0( this_46 : Item_0,  rank_3 : ptr<function, u32>) -> Key_0
 {
-    return u32(524304) + number_2;
-}
-
-fn Sampler_x24init_0( seed_3 : u32,  pixel_1 : u32,  sample_13 : u32) -> Sampler_0
-{
-    var _S412 : Sampler_0;
-    _S412.seed_1 = seed_3;
-    _S412.pixel_0 = pixel_1;
-    _S412.sample_0 = sample_13;
-    return _S412;
-}
-
-fn Key_voxel_0( this_46 : Key_0,  code_3 : u32,  scramble_0 : u32) -> vec3<i32>
-{
-    var _S413 : u32 = Key_level_0(this_46);
-    var bits_4 : u32 = ((u32(1) << (_S413))) - u32(1);
-    var place_6 : u32 = ((code_3 - u32(1)) ^ (((scramble_0 & ((Key_mask_0(this_46)))))));
-    return (((this_46.cube_0) << (vec3<u32>(u32(i32(_S413)))))) + vec3<i32>(i32((place_6 & (bits_4))), i32((((place_6 >> (_S413))) & (bits_4))), i32((((place_6 >> ((u32(2) * _S413)))) & (bits_4))));
-}
-
-fn Path_x24init_0( sampler_3 : Sampler_0,  bounce_3 : u32,  event_2 : u32,  kinds_1 : u32,  scattered_4 : u32,  beta_1 : vec3<f32>,  pdf_12 : f32,  normal_6 : vec3<f32>,  selection_4 : Selection_0,  passed_t_1 : f32,  inside_6 : Inside_0,  is_clipped_1 : bool) -> Path_0
-{
-    var _S414 : Path_0;
-    _S414.sampler_0 = sampler_3;
-    _S414.bounce_0 = bounce_3;
-    _S414.event_0 = event_2;
-    _S414.kinds_0 = kinds_1;
-    _S414.scattered_0 = scattered_4;
-    _S414.beta_0 = beta_1;
-    _S414.pdf_1 = pdf_12;
-    _S414.normal_0 = normal_6;
-    _S414.selection_0 = selection_4;
-    _S414.passed_t_0 = passed_t_1;
-    _S414.inside_0 = inside_6;
-    _S414.is_clipped_0 = is_clipped_1;
-    return _S414;
-}
-
-fn path_from_0( sampler_4 : Sampler_0) -> Path_0
-{
-    return Path_x24init_0(sampler_4, u32(0), u32(0), u32(0), u32(0), vec3<f32>(1.0f), 0.0f, vec3<f32>(0.0f), Selection_x24init_0(0.0f, 0.0f, 0.0f), 0.0f, in_air_0(), true);
-}
-
-fn orthonormal_pair_0( z_1 : vec3<f32>,  x_10 : ptr<function, vec3<f32>>,  y_5 : ptr<function, vec3<f32>>)
-{
-    var _S415 : f32 = z_1.z;
-    var sign_1 : f32;
-    if(_S415 < 0.0f)
-    {
-        sign_1 = -1.0f;
-    }
-    else
-    {
-        sign_1 = 1.0f;
-    }
-    var a_7 : f32 = divide_0(-1.0f, sign_1 + _S415);
-    var _S416 : f32 = z_1.x;
-    var _S417 : f32 = z_1.y;
-    var b_7 : f32 = _S416 * _S417 * a_7;
-    (*x_10) = vec3<f32>(1.0f + sign_1 * _S416 * _S416 * a_7, sign_1 * b_7, - sign_1 * _S416);
-    (*y_5) = vec3<f32>(b_7, sign_1 + _S417 * _S417 * a_7, - _S417);
-    return;
-}
-
-fn Surface_x24init_0( origin_11 : vec3<f32>,  normal_7 : vec3<f32>,  face_7 : u32,  instance_14 : u32) -> Surface_0
-{
-    var _S418 : Surface_0;
-    _S418.origin_4 = origin_11;
-    _S418.normal_2 = normal_7;
-    _S418.face_1 = face_7;
-    _S418.instance_3 = instance_14;
-    return _S418;
-}
-
-fn Walker_x24init_0( path_11 : Path_0,  ray_24 : Ray_0,  is_shadow_ray_2 : bool,  light_11 : vec3<f32>,  direction_28 : vec3<f32>,  path_origin_3 : vec3<f32>,  shadow_inside_4 : Inside_0,  boundaries_1 : u32,  relocates_4 : bool,  path_relocates_4 : bool,  camera_ray_1 : Ray_0,  way_6 : f32,  has_shown_1 : bool,  asks_cache_1 : bool,  life_2 : u32,  is_at_cell_1 : bool) -> Walker_0
-{
-    var _S419 : Walker_0;
-    _S419.path_7 = path_11;
-    _S419.ray_18 = ray_24;
-    _S419.is_shadow_ray_0 = is_shadow_ray_2;
-    _S419.light_5 = light_11;
-    _S419.direction_27 = direction_28;
-    _S419.path_origin_2 = path_origin_3;
-    _S419.shadow_inside_2 = shadow_inside_4;
-    _S419.boundaries_0 = boundaries_1;
-    _S419.relocates_2 = relocates_4;
-    _S419.path_relocates_2 = path_relocates_4;
-    _S419.camera_ray_0 = camera_ray_1;
-    _S419.way_5 = way_6;
-    _S419.has_shown_0 = has_shown_1;
-    _S419.asks_cache_0 = asks_cache_1;
-    _S419.life_0 = life_2;
-    _S419.is_at_cell_0 = is_at_cell_1;
-    return _S419;
-}
-
-fn at_cell_0( key_3 : Key_0,  rank_3 : u32,  sampler_5 : Sampler_0) -> Walker_0
-{
-    var face_8 : u32 = ((key_3.face_and_level_0) & (u32(7)));
-    var axis_6 : u32 = (face_8 >> (u32(1)));
-    var u_19 : vec4<f32> = Sampler_independent_0(sampler_5, u32(0));
-    var _S420 : vec3<f32> = vec3<f32>(Key_voxel_0(key_3, (rank_3 & (u32(1048575))), scramble_of_0(real_time_0.number_0 - u32(1))));
-    var on_face_1 : vec3<f32>;
-    if(axis_6 == u32(0))
-    {
-        on_face_1 = vec3<f32>(0.0f, u_19.x, u_19.y);
-    }
-    else
-    {
-        if(axis_6 == u32(1))
-        {
-            on_face_1 = vec3<f32>(u_19.y, 0.0f, u_19.x);
-        }
-        else
-        {
-            on_face_1 = vec3<f32>(u_19.x, u_19.y, 0.0f);
-        }
-    }
-    var _S421 : vec3<f32> = Transform_point_1(key_3.instance_11, offset_ray_origin_0(vector_of_0(instances_0[key_3.instance_11].grid_from_world_0.translation_0), _S420, face_8, _S420 + on_face_1));
-    var _S422 : vec3<f32> = world_normal_0(key_3.instance_11, face_8);
-    var path_12 : Path_0 = path_from_0(sampler_5);
-    var x_11 : vec3<f32>;
-    var y_6 : vec3<f32>;
-    orthonormal_pair_0(_S422, &(x_11), &(y_6));
-    var local_4 : vec3<f32> = cosine_hemisphere_0(u_19.z, u_19.w);
-    var _S423 : f32 = local_4.z;
-    var direction_29 : vec3<f32> = x_11 * vec3<f32>(local_4.x) + y_6 * vec3<f32>(local_4.y) + _S422 * vec3<f32>(_S423);
-    var receiver_20 : Receiver_0 = Receiver_x24init_0(_S421, _S422);
-    path_12.selection_0 = Lights_selection_0(receiver_20);
-    path_12.normal_0 = _S422;
-    path_12.pdf_1 = cosine_hemisphere_pdf_0(_S423);
-    var surface_5 : Surface_0 = Surface_x24init_0(_S421, _S422, face_8, key_3.instance_11);
-    var white_0 : MaterialBsdf_0;
-    white_0.kind_0 = u32(0);
-    white_0.color_0 = vec3<f32>(1.0f);
-    white_0.specular_0 = 0.0f;
-    white_0.eta_0 = 1.0f;
-    white_0.facets_0.alpha_0 = 1.0f;
-    scatter_of_path_0 = Scatter_x24init_0(path_12, receiver_20, surface_5, white_0, vec3<f32>(0.0f, 0.0f, 1.0f), 1.0f, false, true);
-    var ray_25 : Ray_0 = ray_from_0(_S421, direction_29);
-    return Walker_x24init_0(path_12, ray_25, false, vec3<f32>(0.0f), direction_29, _S421, in_air_0(), u32(0), false, false, ray_25, 0.0f, true, true, max((rank_3 >> (u32(20))), u32(1)) - u32(1), true);
+    var face_7 : vec4<u32> = cell_row_0(u32(1), this_46.place_6);
+    (*rank_3) = face_7.z;
+    return Key_x24init_0(face_7.x, face_7.y, vec3<i32>(cell_row_0(u32(2), this_46.place_6).xyz));
 }
 
 fn pixel_of_thread_0( thread_0 : u32) -> vec2<u32>
@@ -5976,51 +6289,345 @@ fn pixel_that_traces_0( thread_1 : u32) -> vec2<u32>
 {
     if(!has_0(u32(128)))
     {
-        var _S424 : vec2<u32> = pixel_of_thread_0(thread_1);
-        return _S424;
+        var _S471 : vec2<u32> = pixel_of_thread_0(thread_1);
+        return _S471;
     }
     var tiles_1 : u32 = (params_0.width_0 + u32(15)) / u32(16);
     var tile_1 : u32 = thread_1 / u32(64);
     var in_tile_1 : u32 = (thread_1 & (u32(63)));
     var row_3 : u32 = tile_1 / tiles_1;
-    var _S425 : u32 = row_3 * u32(8) + ((in_tile_1 >> (u32(3))));
-    var at_10 : vec2<u32> = vec2<u32>((tile_1 - row_3 * tiles_1) * u32(16) + u32(2) * ((in_tile_1 & (u32(7)))), _S425);
-    at_10[i32(0)] = at_10[i32(0)] + (((_S425 + real_time_0.number_0) & (u32(1))));
-    return at_10;
+    var _S472 : u32 = row_3 * u32(8) + ((in_tile_1 >> (u32(3))));
+    var at_14 : vec2<u32> = vec2<u32>((tile_1 - row_3 * tiles_1) * u32(16) + u32(2) * ((in_tile_1 & (u32(7)))), _S472);
+    at_14[i32(0)] = at_14[i32(0)] + (((_S472 + real_time_0.number_0) & (u32(1))));
+    return at_14;
 }
 
-fn pixel_of_square_0( square_1 : u32,  number_3 : u32) -> vec2<u32>
+fn squares_1() -> vec2<u32>
 {
-    var columns_1 : u32 = squares_0().x;
-    var _S426 : u32 = square_1 % columns_1;
-    var _S427 : u32 = square_1 / columns_1;
-    var at_11 : vec2<u32> = vec2<u32>(_S426, _S427);
-    var _S428 : vec2<u32> = vec2<u32>(u32(5));
-    var _S429 : vec2<u32> = at_11 * _S428;
-    var _S430 : vec2<u32> = pcg4d_0(vec4<u32>(at_11, number_3, u32(3266489909))).xy % _S428;
-    return min(_S429 + _S430, vec2<u32>(params_0.width_0, params_0.height_0) - vec2<u32>(u32(1)));
+    var _S473 : vec2<u32> = vec2<u32>(u32(5));
+    var _S474 : vec2<u32> = (vec2<u32>(params_0.width_0, params_0.height_0) + _S473 - vec2<u32>(u32(1))) / _S473;
+    return _S474;
 }
 
-fn is_inside_0( at_12 : vec2<i32>) -> bool
+fn pixel_of_square_0( square_1 : u32,  number_4 : u32) -> vec2<u32>
 {
-    var _S431 : bool;
-    if((all((at_12 >= vec2<i32>(i32(0))))))
+    var columns_1 : u32 = squares_1().x;
+    var _S475 : u32 = square_1 % columns_1;
+    var _S476 : u32 = square_1 / columns_1;
+    var at_15 : vec2<u32> = vec2<u32>(_S475, _S476);
+    var _S477 : vec2<u32> = vec2<u32>(u32(5));
+    var _S478 : vec2<u32> = at_15 * _S477;
+    var _S479 : vec2<u32> = pcg4d_0(vec4<u32>(at_15, number_4, u32(3266489909))).xy % _S477;
+    return min(_S478 + _S479, vec2<u32>(params_0.width_0, params_0.height_0) - vec2<u32>(u32(1)));
+}
+
+fn is_inside_0( at_16 : vec2<i32>) -> bool
+{
+    var _S480 : bool;
+    if((all((at_16 >= vec2<i32>(i32(0))))))
     {
-        _S431 = (at_12.x) < i32(params_0.width_0);
+        _S480 = (at_16.x) < i32(params_0.width_0);
     }
     else
     {
-        _S431 = false;
+        _S480 = false;
     }
-    if(_S431)
+    if(_S480)
     {
-        _S431 = (at_12.y) < i32(params_0.height_0);
+        _S480 = (at_16.y) < i32(params_0.height_0);
     }
     else
     {
-        _S431 = false;
+        _S480 = false;
     }
-    return _S431;
+    return _S480;
+}
+
+fn place_of_square_0( list_0 : u32,  square_2 : u32) -> u32
+{
+    var count_6 : vec2<u32> = squares_1();
+    return u32(4) * real_time_0.pixels_0 + list_0 * count_6.x * count_6.y + square_2;
+}
+
+fn index_of_0( at_17 : vec2<u32>) -> u32
+{
+    return at_17.y * params_0.width_0 + at_17.x;
+}
+
+fn item_of_0( number_5 : u32) -> Item_0
+{
+    var item_0 : Item_0 = Item_x24init_0(false, u32(0), vec2<u32>(vec2<i32>(i32(0))), u32(0), u32(0), Sampler_x24init_0(u32(0), u32(0), u32(0)));
+    var cells_2 : u32 = real_time_0.cells_0;
+    var pixels_1 : u32 = threads_that_trace_0();
+    var count_7 : u32 = real_time_0.squares_0;
+    if(number_5 < (real_time_0.cells_0))
+    {
+        var _S481 : u32 = atomicLoad(&(cell_keys_0[u32(2)]));
+        var _S482 : bool = number_5 < _S481;
+        item_0.traces_0 = _S482;
+        if(_S482)
+        {
+            var _S483 : u32 = atomicLoad(&(cell_keys_0[place_of_chosen_0(number_5)]));
+            item_0.place_6 = _S483;
+            item_0.slot_1 = real_time_0.pixels_0 + count_7 + number_5;
+            var rank_4 : u32;
+            item_0.sampler_3 = Sampler_x24init_0(((params_0.seed_0) ^ (u32(1540483477))), Key_hash_0(Item_key_0(item_0, &(rank_4))).x, real_time_0.number_0);
+        }
+        return item_0;
+    }
+    var _S484 : u32 = number_5 - cells_2;
+    var _S485 : vec2<u32> = pixel_that_traces_0(_S484);
+    item_0.at_12 = _S485;
+    var square_3 : u32 = _S484 - pixels_1;
+    var is_square_0 : bool = number_5 >= (cells_2 + pixels_1);
+    var is_again_0 : bool;
+    if(is_square_0)
+    {
+        is_again_0 = square_3 >= count_7;
+    }
+    else
+    {
+        is_again_0 = false;
+    }
+    var frame_0 : u32;
+    if(is_again_0)
+    {
+        frame_0 = count_7;
+    }
+    else
+    {
+        frame_0 = u32(0);
+    }
+    var square_4 : u32 = square_3 - frame_0;
+    if(is_again_0)
+    {
+        frame_0 = real_time_0.number_0 - u32(1);
+    }
+    else
+    {
+        frame_0 = real_time_0.number_0;
+    }
+    var _S486 : u32;
+    if(is_again_0)
+    {
+        _S486 = u32(3);
+    }
+    else
+    {
+        if(is_square_0)
+        {
+            _S486 = u32(2);
+        }
+        else
+        {
+            _S486 = u32(1);
+        }
+    }
+    item_0.kind_2 = _S486;
+    if(is_square_0)
+    {
+        var _S487 : vec2<u32> = pixel_of_square_0(square_4, frame_0);
+        item_0.at_12 = _S487;
+    }
+    var _S488 : bool;
+    if(is_square_0)
+    {
+        if(is_again_0)
+        {
+            _S486 = real_time_0.again_0;
+        }
+        else
+        {
+            _S486 = count_7;
+        }
+        _S488 = square_4 < _S486;
+    }
+    else
+    {
+        _S488 = is_inside_0(vec2<i32>(item_0.at_12));
+    }
+    item_0.traces_0 = _S488;
+    if(is_square_0)
+    {
+        if(is_again_0)
+        {
+            _S486 = u32(2);
+        }
+        else
+        {
+            _S486 = (frame_0 & (u32(1)));
+        }
+        _S486 = place_of_square_0(_S486, square_4);
+    }
+    else
+    {
+        _S486 = index_of_0(item_0.at_12);
+    }
+    item_0.place_6 = _S486;
+    if(is_square_0)
+    {
+        _S486 = real_time_0.pixels_0 + square_4;
+    }
+    else
+    {
+        _S486 = item_0.place_6;
+    }
+    item_0.slot_1 = _S486;
+    var _S489 : u32 = params_0.seed_0;
+    if(is_square_0)
+    {
+        _S486 = u32(3266489909);
+    }
+    else
+    {
+        _S486 = u32(2654435769);
+    }
+    item_0.sampler_3 = Sampler_x24init_0((_S489 ^ (_S486)), index_of_0(item_0.at_12), frame_0);
+    return item_0;
+}
+
+fn Item_is_cell_0( this_47 : Item_0) -> bool
+{
+    return (this_47.kind_2) == u32(0);
+}
+
+fn Key_voxel_0( this_48 : Key_0,  code_3 : u32,  scramble_0 : u32) -> vec3<i32>
+{
+    var _S490 : u32 = Key_level_0(this_48);
+    var bits_4 : u32 = ((u32(1) << (_S490))) - u32(1);
+    var place_8 : u32 = ((code_3 - u32(1)) ^ (((scramble_0 & ((Key_mask_0(this_48)))))));
+    return (((this_48.cube_0) << (vec3<u32>(u32(i32(_S490)))))) + vec3<i32>(i32((place_8 & (bits_4))), i32((((place_8 >> (_S490))) & (bits_4))), i32((((place_8 >> ((u32(2) * _S490)))) & (bits_4))));
+}
+
+fn Path_x24init_0( sampler_5 : Sampler_0,  bounce_3 : u32,  event_2 : u32,  kinds_1 : u32,  scattered_4 : u32,  beta_1 : vec3<f32>,  pdf_12 : f32,  normal_6 : vec3<f32>,  selection_4 : Selection_0,  passed_t_1 : f32,  inside_6 : Inside_0,  is_clipped_1 : bool) -> Path_0
+{
+    var _S491 : Path_0;
+    _S491.sampler_0 = sampler_5;
+    _S491.bounce_0 = bounce_3;
+    _S491.event_0 = event_2;
+    _S491.kinds_0 = kinds_1;
+    _S491.scattered_0 = scattered_4;
+    _S491.beta_0 = beta_1;
+    _S491.pdf_1 = pdf_12;
+    _S491.normal_0 = normal_6;
+    _S491.selection_0 = selection_4;
+    _S491.passed_t_0 = passed_t_1;
+    _S491.inside_0 = inside_6;
+    _S491.is_clipped_0 = is_clipped_1;
+    return _S491;
+}
+
+fn path_from_0( sampler_6 : Sampler_0) -> Path_0
+{
+    return Path_x24init_0(sampler_6, u32(0), u32(0), u32(0), u32(0), vec3<f32>(1.0f), 0.0f, vec3<f32>(0.0f), Selection_x24init_0(0.0f, 0.0f, 0.0f), 0.0f, in_air_0(), true);
+}
+
+fn orthonormal_pair_0( z_1 : vec3<f32>,  x_10 : ptr<function, vec3<f32>>,  y_5 : ptr<function, vec3<f32>>)
+{
+    var _S492 : f32 = z_1.z;
+    var sign_1 : f32;
+    if(_S492 < 0.0f)
+    {
+        sign_1 = -1.0f;
+    }
+    else
+    {
+        sign_1 = 1.0f;
+    }
+    var a_8 : f32 = divide_0(-1.0f, sign_1 + _S492);
+    var _S493 : f32 = z_1.x;
+    var _S494 : f32 = z_1.y;
+    var b_8 : f32 = _S493 * _S494 * a_8;
+    (*x_10) = vec3<f32>(1.0f + sign_1 * _S493 * _S493 * a_8, sign_1 * b_8, - sign_1 * _S493);
+    (*y_5) = vec3<f32>(b_8, sign_1 + _S494 * _S494 * a_8, - _S494);
+    return;
+}
+
+fn direction_from_cell_0( sampler_7 : Sampler_0,  normal_7 : vec3<f32>,  pdf_13 : ptr<function, f32>) -> vec3<f32>
+{
+    var u_19 : vec4<f32> = Sampler_independent_0(sampler_7, u32(0));
+    var x_11 : vec3<f32>;
+    var y_6 : vec3<f32>;
+    orthonormal_pair_0(normal_7, &(x_11), &(y_6));
+    var local_4 : vec3<f32> = cosine_hemisphere_0(u_19.z, u_19.w);
+    var _S495 : f32 = local_4.z;
+    (*pdf_13) = cosine_hemisphere_pdf_0(_S495);
+    return x_11 * vec3<f32>(local_4.x) + y_6 * vec3<f32>(local_4.y) + normal_7 * vec3<f32>(_S495);
+}
+
+fn Surface_x24init_0( origin_13 : vec3<f32>,  normal_8 : vec3<f32>,  face_8 : u32,  instance_14 : u32) -> Surface_0
+{
+    var _S496 : Surface_0;
+    _S496.origin_4 = origin_13;
+    _S496.normal_2 = normal_8;
+    _S496.face_1 = face_8;
+    _S496.instance_3 = instance_14;
+    return _S496;
+}
+
+fn Walker_x24init_0( path_11 : Path_0,  ray_25 : Ray_0,  is_shadow_ray_2 : bool,  light_11 : vec3<f32>,  direction_29 : vec3<f32>,  path_origin_3 : vec3<f32>,  shadow_inside_4 : Inside_0,  boundaries_1 : u32,  relocates_4 : bool,  path_relocates_4 : bool,  camera_ray_1 : Ray_0,  way_6 : f32,  has_shown_1 : bool,  asks_cache_1 : bool,  life_2 : u32,  is_at_cell_1 : bool) -> Walker_0
+{
+    var _S497 : Walker_0;
+    _S497.path_6 = path_11;
+    _S497.ray_9 = ray_25;
+    _S497.is_shadow_ray_0 = is_shadow_ray_2;
+    _S497.light_3 = light_11;
+    _S497.direction_18 = direction_29;
+    _S497.path_origin_2 = path_origin_3;
+    _S497.shadow_inside_2 = shadow_inside_4;
+    _S497.boundaries_0 = boundaries_1;
+    _S497.relocates_2 = relocates_4;
+    _S497.path_relocates_2 = path_relocates_4;
+    _S497.camera_ray_0 = camera_ray_1;
+    _S497.way_0 = way_6;
+    _S497.has_shown_0 = has_shown_1;
+    _S497.asks_cache_0 = asks_cache_1;
+    _S497.life_0 = life_2;
+    _S497.is_at_cell_0 = is_at_cell_1;
+    return _S497;
+}
+
+fn at_cell_0( key_3 : Key_0,  rank_5 : u32,  sampler_8 : Sampler_0) -> Walker_0
+{
+    var face_9 : u32 = ((key_3.face_and_level_0) & (u32(7)));
+    var axis_7 : u32 = (face_9 >> (u32(1)));
+    var u_20 : vec4<f32> = Sampler_independent_0(sampler_8, u32(0));
+    var _S498 : vec3<f32> = vec3<f32>(Key_voxel_0(key_3, (rank_5 & (u32(1048575))), scramble_of_0(real_time_0.number_0 - u32(1))));
+    var on_face_1 : vec3<f32>;
+    if(axis_7 == u32(0))
+    {
+        on_face_1 = vec3<f32>(0.0f, u_20.x, u_20.y);
+    }
+    else
+    {
+        if(axis_7 == u32(1))
+        {
+            on_face_1 = vec3<f32>(u_20.y, 0.0f, u_20.x);
+        }
+        else
+        {
+            on_face_1 = vec3<f32>(u_20.x, u_20.y, 0.0f);
+        }
+    }
+    var _S499 : vec3<f32> = Transform_point_1(key_3.instance_8, offset_ray_origin_0(vector_of_0(instances_0[key_3.instance_8].grid_from_world_0.translation_0), _S498, face_9, _S498 + on_face_1));
+    var _S500 : vec3<f32> = world_normal_0(key_3.instance_8, face_9);
+    var path_12 : Path_0 = path_from_0(sampler_8);
+    var _S501 : f32 = path_12.pdf_1;
+    var direction_30 : vec3<f32> = direction_from_cell_0(sampler_8, _S500, &(_S501));
+    path_12.pdf_1 = _S501;
+    var receiver_20 : Receiver_0 = Receiver_x24init_0(_S499, _S500);
+    path_12.selection_0 = Lights_selection_0(receiver_20);
+    path_12.normal_0 = _S500;
+    var surface_5 : Surface_0 = Surface_x24init_0(_S499, _S500, face_9, key_3.instance_8);
+    var white_0 : MaterialBsdf_0;
+    white_0.kind_0 = u32(0);
+    white_0.color_0 = vec3<f32>(1.0f);
+    white_0.specular_0 = 0.0f;
+    white_0.eta_0 = 1.0f;
+    white_0.facets_0.alpha_0 = 1.0f;
+    scatter_of_path_0 = Scatter_x24init_0(path_12, receiver_20, surface_5, white_0, vec3<f32>(0.0f, 0.0f, 1.0f), 1.0f, false, true);
+    var ray_26 : Ray_0 = ray_from_0(_S499, direction_30);
+    return Walker_x24init_0(path_12, ray_26, false, vec3<f32>(0.0f), direction_30, _S499, in_air_0(), u32(0), false, false, ray_26, 0.0f, true, true, max((rank_5 >> (u32(20))), u32(1)) - u32(1), true);
 }
 
 struct CameraFrame_0
@@ -6037,16 +6644,16 @@ struct CameraFrame_0
 
 fn CameraFrame_x24init_0( lens_2 : u32,  eye_3 : vec3<f32>,  corner_3 : vec3<f32>,  pixel_x_2 : vec3<f32>,  pixel_y_2 : vec3<f32>,  lens_x_2 : vec3<f32>,  lens_y_2 : vec3<f32>,  blades_2 : u32) -> CameraFrame_0
 {
-    var _S432 : CameraFrame_0;
-    _S432.lens_1 = lens_2;
-    _S432.eye_2 = eye_3;
-    _S432.corner_2 = corner_3;
-    _S432.pixel_x_1 = pixel_x_2;
-    _S432.pixel_y_1 = pixel_y_2;
-    _S432.lens_x_1 = lens_x_2;
-    _S432.lens_y_1 = lens_y_2;
-    _S432.blades_1 = blades_2;
-    return _S432;
+    var _S502 : CameraFrame_0;
+    _S502.lens_1 = lens_2;
+    _S502.eye_2 = eye_3;
+    _S502.corner_2 = corner_3;
+    _S502.pixel_x_1 = pixel_x_2;
+    _S502.pixel_y_1 = pixel_y_2;
+    _S502.lens_x_1 = lens_x_2;
+    _S502.lens_y_1 = lens_y_2;
+    _S502.blades_1 = blades_2;
+    return _S502;
 }
 
 @id(5) override LENS_0 : u32 = u32(0);
@@ -6056,15 +6663,25 @@ fn camera_before_0() -> CameraFrame_0
     return CameraFrame_x24init_0(LENS_0, real_time_0.before_eye_0, real_time_0.before_corner_0, real_time_0.before_pixel_x_0, real_time_0.before_pixel_y_0, real_time_0.before_lens_x_0, real_time_0.before_lens_y_0, real_time_0.before_blades_0);
 }
 
-fn place_of_square_0( list_0 : u32,  square_2 : u32) -> u32
+fn Item_asks_cache_0( this_49 : Item_0) -> bool
 {
-    var count_6 : vec2<u32> = squares_0();
-    return u32(4) * real_time_0.pixels_0 + list_0 * count_6.x * count_6.y + square_2;
-}
-
-fn index_of_0( at_13 : vec2<u32>) -> u32
-{
-    return at_13.y * params_0.width_0 + at_13.x;
+    var _S503 : bool;
+    if(Item_is_cell_0(this_49))
+    {
+        _S503 = true;
+    }
+    else
+    {
+        if((this_49.kind_2) == u32(1))
+        {
+            _S503 = has_0(u32(1));
+        }
+        else
+        {
+            _S503 = false;
+        }
+    }
+    return _S503;
 }
 
 struct Perspective_0
@@ -6077,12 +6694,12 @@ struct Perspective_0
 
 fn Perspective_x24init_0( eye_5 : vec3<f32>,  corner_5 : vec3<f32>,  pixel_x_4 : vec3<f32>,  pixel_y_4 : vec3<f32>) -> Perspective_0
 {
-    var _S433 : Perspective_0;
-    _S433.eye_4 = eye_5;
-    _S433.corner_4 = corner_5;
-    _S433.pixel_x_3 = pixel_x_4;
-    _S433.pixel_y_3 = pixel_y_4;
-    return _S433;
+    var _S504 : Perspective_0;
+    _S504.eye_4 = eye_5;
+    _S504.corner_4 = corner_5;
+    _S504.pixel_x_3 = pixel_x_4;
+    _S504.pixel_y_3 = pixel_y_4;
+    return _S504;
 }
 
 struct Axes_0
@@ -6094,11 +6711,11 @@ struct Axes_0
 
 fn Axes_x24init_0( forward_1 : vec3<f32>,  right_4 : vec3<f32>,  up_1 : vec3<f32>) -> Axes_0
 {
-    var _S434 : Axes_0;
-    _S434.forward_0 = forward_1;
-    _S434.right_3 = right_4;
-    _S434.up_0 = up_1;
-    return _S434;
+    var _S505 : Axes_0;
+    _S505.forward_0 = forward_1;
+    _S505.right_3 = right_4;
+    _S505.up_0 = up_1;
+    return _S505;
 }
 
 struct ThinLens_0
@@ -6111,55 +6728,55 @@ struct ThinLens_0
 
 fn ThinLens_x24init_0( perspective_1 : Perspective_0,  lens_x_4 : vec3<f32>,  lens_y_4 : vec3<f32>,  blades_4 : u32) -> ThinLens_0
 {
-    var _S435 : ThinLens_0;
-    _S435.perspective_0 = perspective_1;
-    _S435.lens_x_3 = lens_x_4;
-    _S435.lens_y_3 = lens_y_4;
-    _S435.blades_3 = blades_4;
-    return _S435;
+    var _S506 : ThinLens_0;
+    _S506.perspective_0 = perspective_1;
+    _S506.lens_x_3 = lens_x_4;
+    _S506.lens_y_3 = lens_y_4;
+    _S506.blades_3 = blades_4;
+    return _S506;
 }
 
-fn concentric_0( square_3 : vec2<f32>) -> vec2<f32>
+fn concentric_0( square_5 : vec2<f32>) -> vec2<f32>
 {
-    var a_8 : f32 = 2.0f * square_3.x - 1.0f;
-    var b_8 : f32 = 2.0f * square_3.y - 1.0f;
-    var _S436 : bool;
-    if(a_8 == 0.0f)
+    var a_9 : f32 = 2.0f * square_5.x - 1.0f;
+    var b_9 : f32 = 2.0f * square_5.y - 1.0f;
+    var _S507 : bool;
+    if(a_9 == 0.0f)
     {
-        _S436 = b_8 == 0.0f;
+        _S507 = b_9 == 0.0f;
     }
     else
     {
-        _S436 = false;
+        _S507 = false;
     }
-    if(_S436)
+    if(_S507)
     {
         return vec2<f32>(0.0f);
     }
-    var is_across_0 : bool = (abs(a_8)) > (abs(b_8));
+    var is_across_0 : bool = (abs(a_9)) > (abs(b_9));
     var radius_4 : f32;
     if(is_across_0)
     {
-        radius_4 = a_8;
+        radius_4 = a_9;
     }
     else
     {
-        radius_4 = b_8;
+        radius_4 = b_9;
     }
     var turns_3 : f32;
     if(is_across_0)
     {
-        turns_3 = divide_0(b_8, a_8) * 0.125f;
+        turns_3 = divide_0(b_9, a_9) * 0.125f;
     }
     else
     {
-        turns_3 = 0.25f - divide_0(a_8, b_8) * 0.125f;
+        turns_3 = 0.25f - divide_0(a_9, b_9) * 0.125f;
     }
     if(radius_4 < 0.0f)
     {
         turns_3 = turns_3 + 0.5f;
     }
-    var _S437 : f32 = abs(radius_4);
+    var _S508 : f32 = abs(radius_4);
     if(turns_3 < 0.0f)
     {
         radius_4 = turns_3 + 1.0f;
@@ -6168,7 +6785,7 @@ fn concentric_0( square_3 : vec2<f32>) -> vec2<f32>
     {
         radius_4 = turns_3;
     }
-    return vec2<f32>(_S437, radius_4);
+    return vec2<f32>(_S508, radius_4);
 }
 
 fn place_in_aperture_0( blades_5 : u32,  lens_3 : vec2<f32>) -> vec2<f32>
@@ -6180,22 +6797,22 @@ fn place_in_aperture_0( blades_5 : u32,  lens_3 : vec2<f32>) -> vec2<f32>
         var sin_cos_3 : vec2<f32> = sincos_turns_0(radius_turns_0.y);
         return vec2<f32>(radius_5 * sin_cos_3.y, radius_5 * sin_cos_3.x);
     }
-    var count_7 : f32 = f32(blades_5);
-    var scaled_0 : f32 = radius_turns_0.y * count_7;
+    var count_8 : f32 = f32(blades_5);
+    var scaled_0 : f32 = radius_turns_0.y * count_8;
     var blade_0 : f32 = f32(min(u32(scaled_0), blades_5 - u32(1)));
     var share_7 : f32 = scaled_0 - blade_0;
-    var from_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0, count_7));
-    var to_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0 + 1.0f, count_7));
-    var _S438 : f32 = from_0.y;
-    var _S439 : f32 = from_0.x;
-    return vec2<f32>(_S438 + (to_0.y - _S438) * share_7, _S439 + (to_0.x - _S439) * share_7) * vec2<f32>(radius_5);
+    var from_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0, count_8));
+    var to_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0 + 1.0f, count_8));
+    var _S509 : f32 = from_0.y;
+    var _S510 : f32 = from_0.x;
+    return vec2<f32>(_S509 + (to_0.y - _S509) * share_7, _S510 + (to_0.x - _S510) * share_7) * vec2<f32>(radius_5);
 }
 
-fn ThinLens_ray_0( this_47 : ThinLens_0,  position_3 : vec2<f32>,  lens_4 : vec2<f32>) -> Ray_0
+fn ThinLens_ray_0( this_50 : ThinLens_0,  position_3 : vec2<f32>,  lens_4 : vec2<f32>) -> Ray_0
 {
-    var place_7 : vec2<f32> = place_in_aperture_0(this_47.blades_3, lens_4);
-    var offset_1 : vec3<f32> = this_47.lens_x_3 * vec3<f32>(place_7.x) + this_47.lens_y_3 * vec3<f32>(place_7.y);
-    return ray_from_0(this_47.perspective_0.eye_4 + offset_1, normalize_vector_0(this_47.perspective_0.corner_4 + this_47.perspective_0.pixel_x_3 * vec3<f32>(position_3.x) + this_47.perspective_0.pixel_y_3 * vec3<f32>(position_3.y) - offset_1));
+    var place_9 : vec2<f32> = place_in_aperture_0(this_50.blades_3, lens_4);
+    var offset_1 : vec3<f32> = this_50.lens_x_3 * vec3<f32>(place_9.x) + this_50.lens_y_3 * vec3<f32>(place_9.y);
+    return ray_from_0(this_50.perspective_0.eye_4 + offset_1, normalize_vector_0(this_50.perspective_0.corner_4 + this_50.perspective_0.pixel_x_3 * vec3<f32>(position_3.x) + this_50.perspective_0.pixel_y_3 * vec3<f32>(position_3.y) - offset_1));
 }
 
 struct Orthographic_0
@@ -6208,17 +6825,17 @@ struct Orthographic_0
 
 fn Orthographic_x24init_0( corner_7 : vec3<f32>,  pixel_x_6 : vec3<f32>,  pixel_y_6 : vec3<f32>,  forward_3 : vec3<f32>) -> Orthographic_0
 {
-    var _S440 : Orthographic_0;
-    _S440.corner_6 = corner_7;
-    _S440.pixel_x_5 = pixel_x_6;
-    _S440.pixel_y_5 = pixel_y_6;
-    _S440.forward_2 = forward_3;
-    return _S440;
+    var _S511 : Orthographic_0;
+    _S511.corner_6 = corner_7;
+    _S511.pixel_x_5 = pixel_x_6;
+    _S511.pixel_y_5 = pixel_y_6;
+    _S511.forward_2 = forward_3;
+    return _S511;
 }
 
-fn Orthographic_ray_0( this_48 : Orthographic_0,  position_4 : vec2<f32>,  lens_5 : vec2<f32>) -> Ray_0
+fn Orthographic_ray_0( this_51 : Orthographic_0,  position_4 : vec2<f32>,  lens_5 : vec2<f32>) -> Ray_0
 {
-    return ray_from_0(this_48.corner_6 + this_48.pixel_x_5 * vec3<f32>(position_4.x) + this_48.pixel_y_5 * vec3<f32>(position_4.y), this_48.forward_2);
+    return ray_from_0(this_51.corner_6 + this_51.pixel_x_5 * vec3<f32>(position_4.x) + this_51.pixel_y_5 * vec3<f32>(position_4.y), this_51.forward_2);
 }
 
 struct Panorama_0
@@ -6231,26 +6848,26 @@ struct Panorama_0
 
 fn Panorama_x24init_0( eye_7 : vec3<f32>,  axes_2 : Axes_0,  inverse_size_1 : vec2<f32>,  half_eye_distance_1 : f32) -> Panorama_0
 {
-    var _S441 : Panorama_0;
-    _S441.eye_6 = eye_7;
-    _S441.axes_1 = axes_2;
-    _S441.inverse_size_0 = inverse_size_1;
-    _S441.half_eye_distance_0 = half_eye_distance_1;
-    return _S441;
+    var _S512 : Panorama_0;
+    _S512.eye_6 = eye_7;
+    _S512.axes_1 = axes_2;
+    _S512.inverse_size_0 = inverse_size_1;
+    _S512.half_eye_distance_0 = half_eye_distance_1;
+    return _S512;
 }
 
-fn Panorama_ray_0( this_49 : Panorama_0,  position_5 : vec2<f32>,  lens_6 : vec2<f32>) -> Ray_0
+fn Panorama_ray_0( this_52 : Panorama_0,  position_5 : vec2<f32>,  lens_6 : vec2<f32>) -> Ray_0
 {
-    var latitude_0 : f32 = position_5.y * this_49.inverse_size_0.y;
+    var latitude_0 : f32 = position_5.y * this_52.inverse_size_0.y;
     var is_right_eye_0 : bool = latitude_0 >= 1.0f;
     var side_4 : f32;
     if(is_right_eye_0)
     {
-        side_4 = this_49.half_eye_distance_0;
+        side_4 = this_52.half_eye_distance_0;
     }
     else
     {
-        side_4 = - this_49.half_eye_distance_0;
+        side_4 = - this_52.half_eye_distance_0;
     }
     var latitude_1 : f32;
     if(is_right_eye_0)
@@ -6261,11 +6878,11 @@ fn Panorama_ray_0( this_49 : Panorama_0,  position_5 : vec2<f32>,  lens_6 : vec2
     {
         latitude_1 = latitude_0;
     }
-    var longitude_0 : vec2<f32> = sincos_turns_0(position_5.x * this_49.inverse_size_0.x);
+    var longitude_0 : vec2<f32> = sincos_turns_0(position_5.x * this_52.inverse_size_0.x);
     var height_2 : vec2<f32> = sincos_turns_0(latitude_1 * 0.5f);
-    var _S442 : vec3<f32> = vec3<f32>(longitude_0.y);
-    var _S443 : vec3<f32> = vec3<f32>(longitude_0.x);
-    return ray_from_0(this_49.eye_6 + (this_49.axes_1.forward_0 * _S443 - this_49.axes_1.right_3 * _S442) * vec3<f32>(side_4), normalize_vector_0((vec3<f32>(0) - this_49.axes_1.forward_0 * _S442 + this_49.axes_1.right_3 * _S443) * vec3<f32>(height_2.x) + this_49.axes_1.up_0 * vec3<f32>(height_2.y)));
+    var _S513 : vec3<f32> = vec3<f32>(longitude_0.y);
+    var _S514 : vec3<f32> = vec3<f32>(longitude_0.x);
+    return ray_from_0(this_52.eye_6 + (this_52.axes_1.forward_0 * _S514 - this_52.axes_1.right_3 * _S513) * vec3<f32>(side_4), normalize_vector_0((vec3<f32>(0) - this_52.axes_1.forward_0 * _S513 + this_52.axes_1.right_3 * _S514) * vec3<f32>(height_2.x) + this_52.axes_1.up_0 * vec3<f32>(height_2.y)));
 }
 
 struct Fisheye_0
@@ -6278,20 +6895,20 @@ struct Fisheye_0
 
 fn Fisheye_x24init_0( eye_9 : vec3<f32>,  axes_4 : Axes_0,  middle_2 : vec2<f32>,  turns_per_pixel_1 : f32) -> Fisheye_0
 {
-    var _S444 : Fisheye_0;
-    _S444.eye_8 = eye_9;
-    _S444.axes_3 = axes_4;
-    _S444.middle_1 = middle_2;
-    _S444.turns_per_pixel_0 = turns_per_pixel_1;
-    return _S444;
+    var _S515 : Fisheye_0;
+    _S515.eye_8 = eye_9;
+    _S515.axes_3 = axes_4;
+    _S515.middle_1 = middle_2;
+    _S515.turns_per_pixel_0 = turns_per_pixel_1;
+    return _S515;
 }
 
-fn Fisheye_ray_0( this_50 : Fisheye_0,  position_6 : vec2<f32>,  lens_7 : vec2<f32>) -> Ray_0
+fn Fisheye_ray_0( this_53 : Fisheye_0,  position_6 : vec2<f32>,  lens_7 : vec2<f32>) -> Ray_0
 {
-    var x_12 : f32 = position_6.x - this_50.middle_1.x;
-    var y_7 : f32 = position_6.y - this_50.middle_1.y;
+    var x_12 : f32 = position_6.x - this_53.middle_1.x;
+    var y_7 : f32 = position_6.y - this_53.middle_1.y;
     var radius_6 : f32 = square_root_0(x_12 * x_12 + y_7 * y_7);
-    var sin_cos_4 : vec2<f32> = sincos_turns_0(min(radius_6 * this_50.turns_per_pixel_0, 1.0f));
+    var sin_cos_4 : vec2<f32> = sincos_turns_0(min(radius_6 * this_53.turns_per_pixel_0, 1.0f));
     var scale_0 : f32;
     if(radius_6 > 0.0f)
     {
@@ -6301,35 +6918,35 @@ fn Fisheye_ray_0( this_50 : Fisheye_0,  position_6 : vec2<f32>,  lens_7 : vec2<f
     {
         scale_0 = 0.0f;
     }
-    return ray_from_0(this_50.eye_8, normalize_vector_0(this_50.axes_3.forward_0 * vec3<f32>(sin_cos_4.y) + this_50.axes_3.right_3 * vec3<f32>((x_12 * scale_0)) - this_50.axes_3.up_0 * vec3<f32>((y_7 * scale_0))));
+    return ray_from_0(this_53.eye_8, normalize_vector_0(this_53.axes_3.forward_0 * vec3<f32>(sin_cos_4.y) + this_53.axes_3.right_3 * vec3<f32>((x_12 * scale_0)) - this_53.axes_3.up_0 * vec3<f32>((y_7 * scale_0))));
 }
 
-fn Perspective_ray_0( this_51 : Perspective_0,  position_7 : vec2<f32>,  lens_8 : vec2<f32>) -> Ray_0
+fn Perspective_ray_0( this_54 : Perspective_0,  position_7 : vec2<f32>,  lens_8 : vec2<f32>) -> Ray_0
 {
-    return ray_from_0(this_51.eye_4, normalize_vector_0(this_51.corner_4 + this_51.pixel_x_3 * vec3<f32>(position_7.x) + this_51.pixel_y_3 * vec3<f32>(position_7.y)));
+    return ray_from_0(this_54.eye_4, normalize_vector_0(this_54.corner_4 + this_54.pixel_x_3 * vec3<f32>(position_7.x) + this_54.pixel_y_3 * vec3<f32>(position_7.y)));
 }
 
-fn CameraFrame_ray_0( this_52 : CameraFrame_0,  position_8 : vec2<f32>,  lens_sample_0 : vec2<f32>) -> Ray_0
+fn CameraFrame_ray_0( this_55 : CameraFrame_0,  position_8 : vec2<f32>,  lens_sample_0 : vec2<f32>) -> Ray_0
 {
-    var perspective_2 : Perspective_0 = Perspective_x24init_0(this_52.eye_2, this_52.corner_2, this_52.pixel_x_1, this_52.pixel_y_1);
-    var axes_5 : Axes_0 = Axes_x24init_0(this_52.corner_2, this_52.pixel_x_1, this_52.pixel_y_1);
-    switch(this_52.lens_1)
+    var perspective_2 : Perspective_0 = Perspective_x24init_0(this_55.eye_2, this_55.corner_2, this_55.pixel_x_1, this_55.pixel_y_1);
+    var axes_5 : Axes_0 = Axes_x24init_0(this_55.corner_2, this_55.pixel_x_1, this_55.pixel_y_1);
+    switch(this_55.lens_1)
     {
     case u32(1):
         {
-            return ThinLens_ray_0(ThinLens_x24init_0(perspective_2, this_52.lens_x_1, this_52.lens_y_1, this_52.blades_1), position_8, lens_sample_0);
+            return ThinLens_ray_0(ThinLens_x24init_0(perspective_2, this_55.lens_x_1, this_55.lens_y_1, this_55.blades_1), position_8, lens_sample_0);
         }
     case u32(2):
         {
-            return Orthographic_ray_0(Orthographic_x24init_0(this_52.corner_2, this_52.pixel_x_1, this_52.pixel_y_1, this_52.lens_x_1), position_8, lens_sample_0);
+            return Orthographic_ray_0(Orthographic_x24init_0(this_55.corner_2, this_55.pixel_x_1, this_55.pixel_y_1, this_55.lens_x_1), position_8, lens_sample_0);
         }
     case u32(3):
         {
-            return Panorama_ray_0(Panorama_x24init_0(this_52.eye_2, axes_5, this_52.lens_x_1.xy, this_52.lens_x_1.z), position_8, lens_sample_0);
+            return Panorama_ray_0(Panorama_x24init_0(this_55.eye_2, axes_5, this_55.lens_x_1.xy, this_55.lens_x_1.z), position_8, lens_sample_0);
         }
     case u32(4):
         {
-            return Fisheye_ray_0(Fisheye_x24init_0(this_52.eye_2, axes_5, this_52.lens_x_1.xy, this_52.lens_x_1.z), position_8, lens_sample_0);
+            return Fisheye_ray_0(Fisheye_x24init_0(this_55.eye_2, axes_5, this_55.lens_x_1.xy, this_55.lens_x_1.z), position_8, lens_sample_0);
         }
     default :
         {
@@ -6338,12 +6955,17 @@ fn CameraFrame_ray_0( this_52 : CameraFrame_0,  position_8 : vec2<f32>,  lens_sa
     }
 }
 
-fn at_camera_0( pixel_2 : vec2<u32>,  camera_0 : CameraFrame_0,  sampler_6 : Sampler_0,  asks_cache_2 : bool) -> Walker_0
+fn camera_ray_2( pixel_2 : vec2<u32>,  camera_0 : CameraFrame_0,  sampler_9 : Sampler_0) -> Ray_0
 {
-    var jitter_0 : vec4<f32> = PathTracingOf_jitter_0(sampler_6);
-    var ray_26 : Ray_0 = CameraFrame_ray_0(camera_0, vec2<f32>(pixel_2) + jitter_0.xy, jitter_0.zw);
-    var _S445 : vec3<f32> = vec3<f32>(0.0f);
-    return Walker_x24init_0(path_from_0(sampler_6), ray_26, false, _S445, _S445, _S445, in_air_0(), u32(0), true, true, ray_26, 0.0f, false, asks_cache_2, u32(10), false);
+    var jitter_0 : vec4<f32> = PathTracingOf_jitter_0(sampler_9);
+    return CameraFrame_ray_0(camera_0, vec2<f32>(pixel_2) + jitter_0.xy, jitter_0.zw);
+}
+
+fn at_camera_0( pixel_3 : vec2<u32>,  camera_1 : CameraFrame_0,  sampler_10 : Sampler_0,  asks_cache_2 : bool) -> Walker_0
+{
+    var ray_27 : Ray_0 = camera_ray_2(pixel_3, camera_1, sampler_10);
+    var _S516 : vec3<f32> = vec3<f32>(0.0f);
+    return Walker_x24init_0(path_from_0(sampler_10), ray_27, false, _S516, _S516, _S516, in_air_0(), u32(0), true, true, ray_27, 0.0f, false, asks_cache_2, u32(10), false);
 }
 
 fn FrameParams_camera_0() -> CameraFrame_0
@@ -6351,211 +6973,92 @@ fn FrameParams_camera_0() -> CameraFrame_0
     return CameraFrame_x24init_0(LENS_0, params_0.eye_1, params_0.corner_0, params_0.pixel_x_0, params_0.pixel_y_0, params_0.lens_x_0, params_0.lens_y_0, params_0.blades_0);
 }
 
-fn begin_item_0( item_0 : u32,  start_4 : ptr<function, Walker_0>,  place_8 : ptr<function, u32>) -> bool
+fn Item_start_0( this_56 : Item_0) -> Walker_0
 {
-    (*start_4).is_at_cell_0 = false;
-    (*place_8) = u32(0);
-    var cells_1 : u32 = cells_that_trace_0();
-    var pixels_1 : u32 = threads_that_trace_0();
-    var _S446 : vec2<u32> = squares_0();
-    var count_8 : u32 = _S446.x * _S446.y;
-    if(item_0 < cells_1)
+    if(Item_is_cell_0(this_56))
     {
-        var _S447 : u32 = atomicLoad(&(cell_keys_0[u32(2)]));
-        var traces_0 : bool = item_0 < _S447;
-        if(traces_0)
-        {
-            var _S448 : u32 = atomicLoad(&(cell_keys_0[place_of_chosen_0(item_0)]));
-            (*place_8) = _S448;
-            var face_9 : vec4<u32> = cell_row_0(u32(1), _S448);
-            var key_4 : Key_0 = Key_x24init_0(face_9.x, face_9.y, vec3<i32>(cell_row_0(u32(2), _S448).xyz));
-            var _S449 : Walker_0 = at_cell_0(key_4, face_9.z, Sampler_x24init_0(((params_0.seed_0) ^ (u32(1540483477))), Key_hash_0(key_4).x, real_time_0.number_0));
-            (*start_4) = _S449;
-        }
-        return traces_0;
+        var rank_6 : u32;
+        var key_4 : Key_0 = Item_key_0(this_56, &(rank_6));
+        var _S517 : Walker_0 = at_cell_0(key_4, rank_6, this_56.sampler_3);
+        return _S517;
     }
-    var _S450 : u32 = item_0 - cells_1;
-    var _S451 : vec2<u32> = pixel_that_traces_0(_S450);
-    var square_4 : u32 = _S450 - pixels_1;
-    var is_square_0 : bool = item_0 >= (cells_1 + pixels_1);
-    var is_again_0 : bool;
-    if(is_square_0)
+    var _S518 : CameraFrame_0 = FrameParams_camera_0();
+    var camera_2 : CameraFrame_0;
+    if((this_56.kind_2) == u32(3))
     {
-        is_again_0 = square_4 >= count_8;
+        camera_2 = camera_before_0();
     }
     else
     {
-        is_again_0 = false;
+        camera_2 = _S518;
     }
-    var number_4 : u32;
-    if(is_again_0)
-    {
-        number_4 = count_8;
-    }
-    else
-    {
-        number_4 = u32(0);
-    }
-    var square_5 : u32 = square_4 - number_4;
-    if(is_again_0)
-    {
-        number_4 = real_time_0.number_0 - u32(1);
-    }
-    else
-    {
-        number_4 = real_time_0.number_0;
-    }
-    var at_14 : vec2<u32>;
-    if(is_square_0)
-    {
-        var _S452 : vec2<u32> = pixel_of_square_0(square_5, number_4);
-        at_14 = _S452;
-    }
-    else
-    {
-        at_14 = _S451;
-    }
-    var traces_1 : bool;
-    if(is_square_0)
-    {
-        if(square_5 < count_8)
-        {
-            if(!is_again_0)
-            {
-                traces_1 = true;
-            }
-            else
-            {
-                traces_1 = has_0(u32(512));
-            }
-        }
-        else
-        {
-            traces_1 = false;
-        }
-    }
-    else
-    {
-        traces_1 = is_inside_0(vec2<i32>(at_14));
-    }
-    if(traces_1)
-    {
-        var _S453 : CameraFrame_0 = FrameParams_camera_0();
-        var camera_1 : CameraFrame_0;
-        if(is_again_0)
-        {
-            camera_1 = camera_before_0();
-        }
-        else
-        {
-            camera_1 = _S453;
-        }
-        var _S454 : u32;
-        if(is_square_0)
-        {
-            if(is_again_0)
-            {
-                _S454 = u32(2);
-            }
-            else
-            {
-                _S454 = (number_4 & (u32(1)));
-            }
-            _S454 = place_of_square_0(_S454, square_5);
-        }
-        else
-        {
-            _S454 = index_of_0(at_14);
-        }
-        (*place_8) = _S454;
-        var _S455 : u32 = params_0.seed_0;
-        if(is_square_0)
-        {
-            _S454 = u32(3266489909);
-        }
-        else
-        {
-            _S454 = u32(2654435769);
-        }
-        var sampler_7 : Sampler_0 = Sampler_x24init_0((_S455 ^ (_S454)), index_of_0(at_14), number_4);
-        if(!is_square_0)
-        {
-            is_again_0 = has_0(u32(1));
-        }
-        else
-        {
-            is_again_0 = false;
-        }
-        (*start_4) = at_camera_0(at_14, camera_1, sampler_7, is_again_0);
-    }
-    return traces_1;
+    return at_camera_0(this_56.at_12, camera_2, this_56.sampler_3, Item_asks_cache_0(this_56));
 }
 
-fn packed_normal_0( normal_8 : vec3<f32>) -> u32
+fn packed_normal_0( normal_9 : vec3<f32>) -> u32
 {
-    var _S456 : vec3<i32> = vec3<i32>(floor(clamp(normal_8, vec3<f32>(-1.0f), vec3<f32>(1.0f)) * vec3<f32>(511.0f) + vec3<f32>(0.5f)));
-    return (((((u32(_S456.x) & (u32(1023)))) | (((((u32(_S456.y) & (u32(1023)))) << (u32(10))))))) | (((((u32(_S456.z) & (u32(1023)))) << (u32(20))))));
+    var _S519 : vec3<i32> = vec3<i32>(floor(clamp(normal_9, vec3<f32>(-1.0f), vec3<f32>(1.0f)) * vec3<f32>(511.0f) + vec3<f32>(0.5f)));
+    return (((((u32(_S519.x) & (u32(1023)))) | (((((u32(_S519.y) & (u32(1023)))) << (u32(10))))))) | (((((u32(_S519.z) & (u32(1023)))) << (u32(20))))));
 }
 
-fn set_scratch_row_0( row_4 : u32,  index_29 : u32,  value_3 : vec2<u32>)
+fn set_scratch_row_0( row_4 : u32,  index_27 : u32,  value_3 : vec2<u32>)
 {
-    scratch_0[row_4 * real_time_0.pixels_0 + index_29] = value_3;
+    scratch_0[row_4 * real_time_0.slots_0 + index_27] = value_3;
     return;
 }
 
-fn store_sample_0( index_30 : u32,  sample_14 : Sample_0)
+fn store_sample_0( index_28 : u32,  sample_16 : Sample_0)
 {
-    var _S457 : u32 = packed_normal_0(sample_14.normal_4);
-    var _S458 : u32;
-    if(sample_14.is_shown_0)
+    var _S520 : u32 = packed_normal_0(sample_16.normal_4);
+    var _S521 : u32;
+    if(sample_16.is_shown_0)
     {
-        _S458 = u32(1073741824);
+        _S521 = u32(1073741824);
     }
     else
     {
-        _S458 = u32(0);
+        _S521 = u32(0);
     }
-    var normal_9 : u32 = (_S457 | (_S458));
-    set_scratch_row_0(u32(0), index_30, (bitcast<vec2<u32>>((sample_14.light_6.xy))));
-    set_scratch_row_0(u32(1), index_30, vec2<u32>((bitcast<u32>((sample_14.light_6.z))), sample_14.instance_10));
-    set_scratch_row_0(u32(2), index_30, (bitcast<vec2<u32>>((sample_14.direct_0.xy))));
-    set_scratch_row_0(u32(3), index_30, (bitcast<vec2<u32>>((vec2<f32>(sample_14.direct_0.z, sample_14.place_3.x)))));
-    set_scratch_row_0(u32(4), index_30, (bitcast<vec2<u32>>((sample_14.place_3.yz))));
-    set_scratch_row_0(u32(5), index_30, (bitcast<vec2<u32>>((sample_14.albedo_0.xy))));
-    set_scratch_row_0(u32(6), index_30, vec2<u32>((bitcast<u32>((sample_14.albedo_0.z))), normal_9));
+    var normal_10 : u32 = (_S520 | (_S521));
+    set_scratch_row_0(u32(0), index_28, (bitcast<vec2<u32>>((sample_16.light_4.xy))));
+    set_scratch_row_0(u32(1), index_28, vec2<u32>((bitcast<u32>((sample_16.light_4.z))), sample_16.instance_6));
+    set_scratch_row_0(u32(2), index_28, (bitcast<vec2<u32>>((sample_16.direct_0.xy))));
+    set_scratch_row_0(u32(3), index_28, (bitcast<vec2<u32>>((vec2<f32>(sample_16.direct_0.z, sample_16.place_2.x)))));
+    set_scratch_row_0(u32(4), index_28, (bitcast<vec2<u32>>((sample_16.place_2.yz))));
+    set_scratch_row_0(u32(5), index_28, (bitcast<vec2<u32>>((sample_16.albedo_0.xy))));
+    set_scratch_row_0(u32(6), index_28, vec2<u32>((bitcast<u32>((sample_16.albedo_0.z))), normal_10));
     return;
 }
 
-fn light_on_0( sample_15 : Sample_0) -> f32
+fn light_on_0( sample_17 : Sample_0) -> f32
 {
-    var _S459 : f32;
-    if(sample_15.is_shown_0)
+    var _S522 : f32;
+    if(sample_17.is_shown_0)
     {
-        _S459 = luminance_0(sample_15.light_6) / (luminance_0(sample_15.albedo_0) + 0.00300000002607703f);
+        _S522 = luminance_0(sample_17.light_4) / (luminance_0(sample_17.albedo_0) + 0.00300000002607703f);
     }
     else
     {
-        _S459 = 0.0f;
+        _S522 = 0.0f;
     }
-    return _S459;
+    return _S522;
 }
 
-fn end_item_0( item_1 : u32,  place_9 : u32,  sample_16 : Sample_0)
+fn Item_end_0( this_57 : Item_0,  sample_18 : Sample_0)
 {
-    var cells_2 : u32 = cells_that_trace_0();
-    if(item_1 < cells_2)
+    if(Item_is_cell_0(this_57))
     {
-        set_cell_row_0(u32(3), place_9, vec4<u32>((bitcast<vec3<u32>>((sample_16.light_6))), u32(1)));
+        set_cell_row_0(u32(3), this_57.place_6, vec4<u32>((bitcast<vec3<u32>>((sample_18.light_4))), u32(1)));
     }
     else
     {
-        if(item_1 < (cells_2 + threads_that_trace_0()))
+        if((this_57.kind_2) == u32(1))
         {
-            store_sample_0(place_9, sample_16);
+            store_sample_0(this_57.place_6, sample_18);
         }
         else
         {
-            memory_rows_0[place_9] = vec4<u32>((bitcast<vec3<u32>>((sample_16.place_3))), (bitcast<u32>((light_on_0(sample_16)))));
+            memory_rows_0[this_57.place_6] = vec4<u32>((bitcast<vec3<u32>>((sample_18.place_2))), (bitcast<u32>((light_on_0(sample_18)))));
         }
     }
     return;
@@ -6570,12 +7073,15 @@ fn trace(@builtin(global_invocation_id) id_0 : vec3<u32>)
     ends_here_0 = false;
     scatter_of_path_0.wants_light_0 = false;
     first_candidates_0 = real_time_0.candidates_0;
-    var sample_17 : Sample_0 = no_sample_0();
-    var _S460 : u32 = id_0.x;
-    var at_15 : Walker_0;
-    var place_10 : u32;
-    var is_begun_0 : bool = begin_item_0(_S460, &(at_15), &(place_10));
-    var is_under_way_0 : bool = is_begun_0;
+    var sample_19 : Sample_0 = no_sample_0();
+    var item_1 : Item_0 = item_of_0(id_0.x);
+    var at_18 : Walker_0;
+    if(item_1.traces_0)
+    {
+        var _S523 : Walker_0 = Item_start_0(item_1);
+        at_18 = _S523;
+    }
+    var is_under_way_0 : bool = item_1.traces_0;
     var is_shadow_turn_0 : bool = true;
     for(;;)
     {
@@ -6587,16 +7093,16 @@ fn trace(@builtin(global_invocation_id) id_0 : vec3<u32>)
             break;
         }
         var is_shadow_turn_1 : bool = !is_shadow_turn_0;
-        if((at_15.is_shadow_ray_0) == is_shadow_turn_1)
+        if((at_18.is_shadow_ray_0) == is_shadow_turn_1)
         {
-            var _S461 : bool = goes_on_4(&(at_15), &(sample_17));
-            is_under_way_0 = _S461;
+            var _S524 : bool = goes_on_6(&(at_18), &(sample_19));
+            is_under_way_0 = _S524;
         }
         is_shadow_turn_0 = is_shadow_turn_1;
     }
-    if(is_begun_0)
+    if(item_1.traces_0)
     {
-        end_item_0(_S460, place_10, sample_17);
+        Item_end_0(item_1, sample_19);
     }
     return;
 }
@@ -6611,18 +7117,18 @@ struct Lit_0
 
 fn Lit_x24init_0( paths_1 : f32,  light_13 : vec3<f32>,  shaded_1 : vec3<f32>,  moments_1 : vec3<f32>) -> Lit_0
 {
-    var _S462 : Lit_0;
-    _S462.paths_0 = paths_1;
-    _S462.light_12 = light_13;
-    _S462.shaded_0 = shaded_1;
-    _S462.moments_0 = moments_1;
-    return _S462;
+    var _S525 : Lit_0;
+    _S525.paths_0 = paths_1;
+    _S525.light_12 = light_13;
+    _S525.shaded_0 = shaded_1;
+    _S525.moments_0 = moments_1;
+    return _S525;
 }
 
 fn not_lit_0() -> Lit_0
 {
-    var _S463 : vec3<f32> = vec3<f32>(0.0f);
-    return Lit_x24init_0(0.0f, _S463, _S463, _S463);
+    var _S526 : vec3<f32> = vec3<f32>(0.0f);
+    return Lit_x24init_0(0.0f, _S526, _S526, _S526);
 }
 
 struct Memory_0
@@ -6631,35 +7137,35 @@ struct Memory_0
      looks_0 : f32,
      direct_2 : vec3<f32>,
      albedo_2 : vec3<f32>,
-     normal_10 : vec3<f32>,
-     place_11 : vec3<f32>,
+     normal_11 : vec3<f32>,
+     place_10 : vec3<f32>,
      roughness_1 : f32,
      coverage_0 : f32,
 };
 
-fn Memory_x24init_0( lit_1 : Lit_0,  looks_1 : f32,  direct_3 : vec3<f32>,  albedo_3 : vec3<f32>,  normal_11 : vec3<f32>,  place_12 : vec3<f32>,  roughness_2 : f32,  coverage_1 : f32) -> Memory_0
+fn Memory_x24init_0( lit_1 : Lit_0,  looks_1 : f32,  direct_3 : vec3<f32>,  albedo_3 : vec3<f32>,  normal_12 : vec3<f32>,  place_11 : vec3<f32>,  roughness_2 : f32,  coverage_1 : f32) -> Memory_0
 {
-    var _S464 : Memory_0;
-    _S464.lit_0 = lit_1;
-    _S464.looks_0 = looks_1;
-    _S464.direct_2 = direct_3;
-    _S464.albedo_2 = albedo_3;
-    _S464.normal_10 = normal_11;
-    _S464.place_11 = place_12;
-    _S464.roughness_1 = roughness_2;
-    _S464.coverage_0 = coverage_1;
-    return _S464;
+    var _S527 : Memory_0;
+    _S527.lit_0 = lit_1;
+    _S527.looks_0 = looks_1;
+    _S527.direct_2 = direct_3;
+    _S527.albedo_2 = albedo_3;
+    _S527.normal_11 = normal_12;
+    _S527.place_10 = place_11;
+    _S527.roughness_1 = roughness_2;
+    _S527.coverage_0 = coverage_1;
+    return _S527;
 }
 
 fn nothing_known_0() -> Memory_0
 {
-    var _S465 : vec3<f32> = vec3<f32>(0.0f);
-    return Memory_x24init_0(not_lit_0(), 0.0f, _S465, _S465, _S465, _S465, 0.0f, 0.0f);
+    var _S528 : vec3<f32> = vec3<f32>(0.0f);
+    return Memory_x24init_0(not_lit_0(), 0.0f, _S528, _S528, _S528, _S528, 0.0f, 0.0f);
 }
 
-fn memory_row_0( row_5 : u32,  index_31 : u32) -> vec4<u32>
+fn memory_row_0( row_5 : u32,  index_29 : u32) -> vec4<u32>
 {
-    return memory_rows_0[row_5 * real_time_0.pixels_0 + index_31];
+    return memory_rows_0[row_5 * real_time_0.pixels_0 + index_29];
 }
 
 fn low_half_0( word_9 : u32) -> f32
@@ -6672,28 +7178,28 @@ fn high_half_0( word_10 : u32) -> f32
     return unpack2x16float(word_10).y;
 }
 
-fn Lit_products_0( this_53 : Lit_0,  kept_0 : vec3<f32>) -> vec3<f32>
+fn Lit_products_0( this_58 : Lit_0,  kept_0 : vec3<f32>) -> vec3<f32>
 {
-    var l_0 : f32 = luminance_0(this_53.light_12);
-    var a_9 : f32 = luminance_0(kept_0);
-    return vec3<f32>(l_0 * l_0, l_0 * a_9, a_9 * a_9);
+    var l_0 : f32 = luminance_0(this_58.light_12);
+    var a_10 : f32 = luminance_0(kept_0);
+    return vec3<f32>(l_0 * l_0, l_0 * a_10, a_10 * a_10);
 }
 
 fn lit_of_0( paths_2 : f32,  light_14 : vec3<f32>,  words_3 : vec3<u32>) -> Lit_0
 {
-    var _S466 : u32 = words_3.x;
-    var _S467 : u32 = words_3.y;
-    var _S468 : Lit_0 = Lit_x24init_0(paths_2, light_14, vec3<f32>(low_half_0(_S466), high_half_0(_S466), low_half_0(_S467)), vec3<f32>(0.0f));
-    var lit_2 : Lit_0 = _S468;
-    var _S469 : u32 = words_3.z;
-    lit_2.moments_0 = Lit_products_0(_S468, lit_2.shaded_0) * (vec3<f32>(1.0f) + vec3<f32>(high_half_0(_S467), low_half_0(_S469), high_half_0(_S469)));
+    var _S529 : u32 = words_3.x;
+    var _S530 : u32 = words_3.y;
+    var _S531 : Lit_0 = Lit_x24init_0(paths_2, light_14, vec3<f32>(low_half_0(_S529), high_half_0(_S529), low_half_0(_S530)), vec3<f32>(0.0f));
+    var lit_2 : Lit_0 = _S531;
+    var _S532 : u32 = words_3.z;
+    lit_2.moments_0 = Lit_products_0(_S531, lit_2.shaded_0) * (vec3<f32>(1.0f) + vec3<f32>(high_half_0(_S530), low_half_0(_S532), high_half_0(_S532)));
     return lit_2;
 }
 
-fn load_lit_0( index_32 : u32) -> Lit_0
+fn load_lit_0( index_30 : u32) -> Lit_0
 {
-    var shaded_2 : vec4<u32> = memory_row_0(u32(1), index_32);
-    var light_15 : vec4<u32> = memory_row_0(u32(2), index_32);
+    var shaded_2 : vec4<u32> = memory_row_0(u32(1), index_30);
+    var light_15 : vec4<u32> = memory_row_0(u32(2), index_30);
     return lit_of_0(low_half_0(shaded_2.x), (bitcast<vec3<f32>>((light_15.xyz))), vec3<u32>(shaded_2.z, shaded_2.w, light_15.w));
 }
 
@@ -6702,49 +7208,49 @@ fn normal_in_0( word_11 : u32) -> vec3<f32>
     return vec3<f32>(vec3<i32>((i32((word_11 << (u32(22)))) >> (u32(22))), (i32((word_11 << (u32(12)))) >> (u32(22))), (i32((word_11 << (u32(2)))) >> (u32(22))))) * vec3<f32>(0.00195694714784622f);
 }
 
-fn load_memory_0( index_33 : u32) -> Memory_0
+fn load_memory_0( index_31 : u32) -> Memory_0
 {
-    var surface_6 : vec4<u32> = memory_row_0(u32(0), index_33);
-    var shaded_3 : vec4<u32> = memory_row_0(u32(1), index_33);
-    var seen_0 : vec4<u32> = memory_row_0(u32(3), index_33);
+    var surface_6 : vec4<u32> = memory_row_0(u32(0), index_31);
+    var shaded_3 : vec4<u32> = memory_row_0(u32(1), index_31);
+    var seen_0 : vec4<u32> = memory_row_0(u32(3), index_31);
     var memory_0 : Memory_0;
-    memory_0.lit_0 = load_lit_0(index_33);
+    memory_0.lit_0 = load_lit_0(index_31);
     memory_0.looks_0 = high_half_0(shaded_3.x);
-    var _S470 : u32 = seen_0.x;
-    var _S471 : u32 = seen_0.y;
-    memory_0.direct_2 = vec3<f32>(low_half_0(_S470), high_half_0(_S470), low_half_0(_S471));
-    var _S472 : u32 = seen_0.z;
-    memory_0.albedo_2 = vec3<f32>(high_half_0(_S471), low_half_0(_S472), high_half_0(_S472));
-    memory_0.normal_10 = normal_in_0(surface_6.w);
-    memory_0.place_11 = (bitcast<vec3<f32>>((surface_6.xyz)));
-    var _S473 : u32 = shaded_3.y;
-    memory_0.roughness_1 = high_half_0(_S473);
-    memory_0.coverage_0 = low_half_0(_S473);
+    var _S533 : u32 = seen_0.x;
+    var _S534 : u32 = seen_0.y;
+    memory_0.direct_2 = vec3<f32>(low_half_0(_S533), high_half_0(_S533), low_half_0(_S534));
+    var _S535 : u32 = seen_0.z;
+    memory_0.albedo_2 = vec3<f32>(high_half_0(_S534), low_half_0(_S535), high_half_0(_S535));
+    memory_0.normal_11 = normal_in_0(surface_6.w);
+    memory_0.place_10 = (bitcast<vec3<f32>>((surface_6.xyz)));
+    var _S536 : u32 = shaded_3.y;
+    memory_0.roughness_1 = high_half_0(_S536);
+    memory_0.coverage_0 = low_half_0(_S536);
     return memory_0;
 }
 
-fn Memory_look_anew_0( this_54 : ptr<function, Memory_0>)
+fn Memory_look_anew_0( this_59 : ptr<function, Memory_0>)
 {
-    (*this_54).looks_0 = 0.0f;
-    (*this_54).coverage_0 = 0.0f;
-    (*this_54).roughness_1 = 0.0f;
+    (*this_59).looks_0 = 0.0f;
+    (*this_59).coverage_0 = 0.0f;
+    (*this_59).roughness_1 = 0.0f;
     return;
 }
 
-fn scratch_row_0( row_6 : u32,  index_34 : u32) -> vec2<u32>
+fn scratch_row_0( row_6 : u32,  index_32 : u32) -> vec2<u32>
 {
-    return scratch_0[row_6 * real_time_0.pixels_0 + index_34];
+    return scratch_0[row_6 * real_time_0.slots_0 + index_32];
 }
 
-fn load_known_0( index_35 : u32) -> Lit_0
+fn load_known_0( index_33 : u32) -> Lit_0
 {
-    var light_16 : vec2<u32> = scratch_row_0(u32(7), index_35);
-    var _S474 : u32 = light_16.y;
-    var _S475 : u32 = light_16.x;
-    return lit_of_0(high_half_0(_S474), vec3<f32>(low_half_0(_S475), high_half_0(_S475), low_half_0(_S474)), vec3<u32>(scratch_row_0(u32(8), index_35), scratch_row_0(u32(9), index_35).x));
+    var light_16 : vec2<u32> = scratch_row_0(u32(7), index_33);
+    var _S537 : u32 = light_16.y;
+    var _S538 : u32 = light_16.x;
+    return lit_of_0(high_half_0(_S537), vec3<f32>(low_half_0(_S538), high_half_0(_S538), low_half_0(_S537)), vec3<u32>(scratch_row_0(u32(8), index_33), scratch_row_0(u32(9), index_33).x));
 }
 
-fn memory_before_0( index_36 : u32) -> Memory_0
+fn memory_before_0( index_34 : u32) -> Memory_0
 {
     var memory_1 : Memory_0 = nothing_known_0();
     if(!has_0(u32(4)))
@@ -6753,81 +7259,81 @@ fn memory_before_0( index_36 : u32) -> Memory_0
     }
     if(has_0(u32(16)))
     {
-        memory_1 = load_memory_0(index_36);
+        memory_1 = load_memory_0(index_34);
         if(!has_0(u32(8)))
         {
             Memory_look_anew_0(&(memory_1));
         }
         return memory_1;
     }
-    memory_1.lit_0 = load_known_0(index_36);
+    memory_1.lit_0 = load_known_0(index_34);
     return memory_1;
 }
 
-fn load_sample_0( index_37 : u32) -> Sample_0
+fn load_sample_0( index_35 : u32) -> Sample_0
 {
-    var b_9 : vec2<u32> = scratch_row_0(u32(1), index_37);
-    var d_4 : vec2<f32> = (bitcast<vec2<f32>>((scratch_row_0(u32(3), index_37))));
-    var g_0 : vec2<u32> = scratch_row_0(u32(6), index_37);
-    var sample_18 : Sample_0;
-    sample_18.light_6 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(0), index_37)))), (bitcast<f32>((b_9.x))));
-    sample_18.instance_10 = b_9.y;
-    sample_18.direct_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(2), index_37)))), d_4.x);
-    sample_18.place_3 = vec3<f32>(d_4.y, (bitcast<vec2<f32>>((scratch_row_0(u32(4), index_37)))));
-    sample_18.albedo_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(5), index_37)))), (bitcast<f32>((g_0.x))));
-    var _S476 : u32 = g_0.y;
-    sample_18.normal_4 = normal_in_0(_S476);
-    sample_18.is_shown_0 = ((_S476 & (u32(1073741824)))) != u32(0);
-    return sample_18;
+    var b_10 : vec2<u32> = scratch_row_0(u32(1), index_35);
+    var d_4 : vec2<f32> = (bitcast<vec2<f32>>((scratch_row_0(u32(3), index_35))));
+    var g_0 : vec2<u32> = scratch_row_0(u32(6), index_35);
+    var sample_20 : Sample_0;
+    sample_20.light_4 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(0), index_35)))), (bitcast<f32>((b_10.x))));
+    sample_20.instance_6 = b_10.y;
+    sample_20.direct_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(2), index_35)))), d_4.x);
+    sample_20.place_2 = vec3<f32>(d_4.y, (bitcast<vec2<f32>>((scratch_row_0(u32(4), index_35)))));
+    sample_20.albedo_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(5), index_35)))), (bitcast<f32>((g_0.x))));
+    var _S539 : u32 = g_0.y;
+    sample_20.normal_4 = normal_in_0(_S539);
+    sample_20.is_shown_0 = ((_S539 & (u32(1073741824)))) != u32(0);
+    return sample_20;
 }
 
-fn Memory_look_0( this_55 : ptr<function, Memory_0>,  sample_19 : Sample_0)
+fn Memory_look_0( this_60 : ptr<function, Memory_0>,  sample_21 : Sample_0)
 {
-    var _S477 : f32 = (*this_55).looks_0 + 1.0f;
-    (*this_55).looks_0 = _S477;
-    var share_8 : f32 = 1.0f / _S477;
-    var _S478 : vec3<f32> = vec3<f32>(share_8);
-    (*this_55).direct_2 = (*this_55).direct_2 + (sample_19.direct_0 - (*this_55).direct_2) * _S478;
-    (*this_55).albedo_2 = (*this_55).albedo_2 + (sample_19.albedo_0 - (*this_55).albedo_2) * _S478;
-    if(!sample_19.is_shown_0)
+    var _S540 : f32 = (*this_60).looks_0 + 1.0f;
+    (*this_60).looks_0 = _S540;
+    var share_8 : f32 = 1.0f / _S540;
+    var _S541 : vec3<f32> = vec3<f32>(share_8);
+    (*this_60).direct_2 = (*this_60).direct_2 + (sample_21.direct_0 - (*this_60).direct_2) * _S541;
+    (*this_60).albedo_2 = (*this_60).albedo_2 + (sample_21.albedo_0 - (*this_60).albedo_2) * _S541;
+    if(!sample_21.is_shown_0)
     {
-        (*this_55).coverage_0 = (*this_55).coverage_0 - (*this_55).coverage_0 * share_8;
+        (*this_60).coverage_0 = (*this_60).coverage_0 - (*this_60).coverage_0 * share_8;
         return;
     }
-    var covered_0 : f32 = (*this_55).coverage_0 * ((*this_55).looks_0 - 1.0f) + 1.0f;
-    (*this_55).coverage_0 = covered_0 * share_8;
+    var covered_0 : f32 = (*this_60).coverage_0 * ((*this_60).looks_0 - 1.0f) + 1.0f;
+    (*this_60).coverage_0 = covered_0 * share_8;
     var of_covered_0 : f32 = 1.0f / covered_0;
-    var before_0 : vec3<f32> = (*this_55).place_11;
-    var _S479 : vec3<f32> = vec3<f32>(of_covered_0);
-    (*this_55).normal_10 = (*this_55).normal_10 + (sample_19.normal_4 - (*this_55).normal_10) * _S479;
-    (*this_55).place_11 = (*this_55).place_11 + (sample_19.place_3 - (*this_55).place_11) * _S479;
+    var before_0 : vec3<f32> = (*this_60).place_10;
+    var _S542 : vec3<f32> = vec3<f32>(of_covered_0);
+    (*this_60).normal_11 = (*this_60).normal_11 + (sample_21.normal_4 - (*this_60).normal_11) * _S542;
+    (*this_60).place_10 = (*this_60).place_10 + (sample_21.place_2 - (*this_60).place_10) * _S542;
     if(covered_0 > 1.0f)
     {
-        var along_1 : f32 = dot_product_0((*this_55).normal_10, sample_19.place_3 - before_0);
-        (*this_55).roughness_1 = (*this_55).roughness_1 + (along_1 * along_1 / max(length_squared_0((*this_55).normal_10), 9.99999997475242708e-07f) * (1.0f - of_covered_0) - (*this_55).roughness_1) * of_covered_0;
+        var along_1 : f32 = dot_product_0((*this_60).normal_11, sample_21.place_2 - before_0);
+        (*this_60).roughness_1 = (*this_60).roughness_1 + (along_1 * along_1 / max(length_squared_0((*this_60).normal_11), 9.99999997475242708e-07f) * (1.0f - of_covered_0) - (*this_60).roughness_1) * of_covered_0;
     }
     return;
 }
 
-fn Lit_add_0( this_56 : ptr<function, Lit_0>,  found_1 : vec3<f32>,  albedo_4 : vec3<f32>,  most_0 : f32)
+fn Lit_add_0( this_61 : ptr<function, Lit_0>,  found_2 : vec3<f32>,  albedo_4 : vec3<f32>,  most_0 : f32)
 {
-    var _S480 : f32 = min((*this_56).paths_0 + 1.0f, most_0);
-    (*this_56).paths_0 = _S480;
-    var l_1 : f32 = luminance_0(found_1);
-    var a_10 : f32 = luminance_0(albedo_4);
-    var _S481 : vec3<f32> = vec3<f32>((1.0f / _S480));
-    (*this_56).light_12 = (*this_56).light_12 + (found_1 - (*this_56).light_12) * _S481;
-    (*this_56).shaded_0 = (*this_56).shaded_0 + (albedo_4 - (*this_56).shaded_0) * _S481;
-    (*this_56).moments_0 = (*this_56).moments_0 + (vec3<f32>(l_1 * l_1, l_1 * a_10, a_10 * a_10) - (*this_56).moments_0) * _S481;
+    var _S543 : f32 = min((*this_61).paths_0 + 1.0f, most_0);
+    (*this_61).paths_0 = _S543;
+    var l_1 : f32 = luminance_0(found_2);
+    var a_11 : f32 = luminance_0(albedo_4);
+    var _S544 : vec3<f32> = vec3<f32>((1.0f / _S543));
+    (*this_61).light_12 = (*this_61).light_12 + (found_2 - (*this_61).light_12) * _S544;
+    (*this_61).shaded_0 = (*this_61).shaded_0 + (albedo_4 - (*this_61).shaded_0) * _S544;
+    (*this_61).moments_0 = (*this_61).moments_0 + (vec3<f32>(l_1 * l_1, l_1 * a_11, a_11 * a_11) - (*this_61).moments_0) * _S544;
     return;
 }
 
-fn Memory_add_0( this_57 : ptr<function, Memory_0>,  sample_20 : Sample_0,  most_1 : f32)
+fn Memory_add_0( this_62 : ptr<function, Memory_0>,  sample_22 : Sample_0,  most_1 : f32)
 {
-    Memory_look_0(&((*this_57)), sample_20);
-    var _S482 : Lit_0 = (*this_57).lit_0;
-    Lit_add_0(&(_S482), sample_20.light_6, sample_20.albedo_0, most_1);
-    (*this_57).lit_0 = _S482;
+    Memory_look_0(&((*this_62)), sample_22);
+    var _S545 : Lit_0 = (*this_62).lit_0;
+    Lit_add_0(&(_S545), sample_22.light_4, sample_22.albedo_0, most_1);
+    (*this_62).lit_0 = _S545;
     return;
 }
 
@@ -6836,39 +7342,39 @@ fn halves_1( low_13 : f32,  high_6 : f32) -> u32
     return pack2x16float(clamp(vec2<f32>(low_13, high_6), vec2<f32>(-65504.0f), vec2<f32>(65504.0f)));
 }
 
-fn Lit_beyond_0( this_58 : Lit_0,  kept_1 : vec3<f32>) -> vec3<f32>
+fn Lit_beyond_0( this_63 : Lit_0,  kept_1 : vec3<f32>) -> vec3<f32>
 {
-    var products_0 : vec3<f32> = Lit_products_0(this_58, kept_1);
-    var _S483 : vec3<f32> = vec3<f32>(1.00000000317107685e-30f);
-    return select(vec3<f32>(0.0f), this_58.moments_0 / max(products_0, _S483) - vec3<f32>(1.0f), products_0 > _S483);
+    var products_0 : vec3<f32> = Lit_products_0(this_63, kept_1);
+    var _S546 : vec3<f32> = vec3<f32>(1.00000000317107685e-30f);
+    return select(vec3<f32>(0.0f), this_63.moments_0 / max(products_0, _S546) - vec3<f32>(1.0f), products_0 > _S546);
 }
 
 fn words_of_0( lit_3 : Lit_0) -> vec3<u32>
 {
     var first_2 : u32 = halves_1(lit_3.shaded_0.x, lit_3.shaded_0.y);
     var last_7 : f32 = low_half_0(halves_1(lit_3.shaded_0.z, 0.0f));
-    var beyond_11 : vec3<f32> = Lit_beyond_0(lit_3, vec3<f32>(low_half_0(first_2), high_half_0(first_2), last_7));
-    return vec3<u32>(first_2, halves_1(last_7, beyond_11.x), halves_1(beyond_11.y, beyond_11.z));
+    var beyond_13 : vec3<f32> = Lit_beyond_0(lit_3, vec3<f32>(low_half_0(first_2), high_half_0(first_2), last_7));
+    return vec3<u32>(first_2, halves_1(last_7, beyond_13.x), halves_1(beyond_13.y, beyond_13.z));
 }
 
-fn store_memory_0( index_38 : u32,  memory_2 : Memory_0)
+fn store_memory_0( index_36 : u32,  memory_2 : Memory_0)
 {
     var pixels_2 : u32 = real_time_0.pixels_0;
     var words_4 : vec3<u32> = words_of_0(memory_2.lit_0);
-    var _S484 : u32 = packed_normal_0(memory_2.normal_10);
-    var _S485 : u32;
+    var _S547 : u32 = packed_normal_0(memory_2.normal_11);
+    var _S548 : u32;
     if((memory_2.coverage_0) > 0.0f)
     {
-        _S485 = u32(1073741824);
+        _S548 = u32(1073741824);
     }
     else
     {
-        _S485 = u32(0);
+        _S548 = u32(0);
     }
-    memory_rows_0[index_38] = vec4<u32>((bitcast<vec3<u32>>((memory_2.place_11))), (_S484 | (_S485)));
-    memory_rows_0[pixels_2 + index_38] = vec4<u32>(halves_1(memory_2.lit_0.paths_0, memory_2.looks_0), halves_1(memory_2.coverage_0, memory_2.roughness_1), words_4.x, words_4.y);
-    memory_rows_0[u32(2) * pixels_2 + index_38] = vec4<u32>((bitcast<vec3<u32>>((memory_2.lit_0.light_12))), words_4.z);
-    memory_rows_0[u32(3) * pixels_2 + index_38] = vec4<u32>(halves_1(memory_2.direct_2.x, memory_2.direct_2.y), halves_1(memory_2.direct_2.z, memory_2.albedo_2.x), halves_1(memory_2.albedo_2.y, memory_2.albedo_2.z), u32(0));
+    memory_rows_0[index_36] = vec4<u32>((bitcast<vec3<u32>>((memory_2.place_10))), (_S547 | (_S548)));
+    memory_rows_0[pixels_2 + index_36] = vec4<u32>(halves_1(memory_2.lit_0.paths_0, memory_2.looks_0), halves_1(memory_2.coverage_0, memory_2.roughness_1), words_4.x, words_4.y);
+    memory_rows_0[u32(2) * pixels_2 + index_36] = vec4<u32>((bitcast<vec3<u32>>((memory_2.lit_0.light_12))), words_4.z);
+    memory_rows_0[u32(3) * pixels_2 + index_36] = vec4<u32>(halves_1(memory_2.direct_2.x, memory_2.direct_2.y), halves_1(memory_2.direct_2.z, memory_2.albedo_2.x), halves_1(memory_2.albedo_2.y, memory_2.albedo_2.z), u32(0));
     return;
 }
 
@@ -6879,36 +7385,36 @@ fn remember(@builtin(global_invocation_id) id_1 : vec3<u32>)
     first_candidates_0 = u32(1);
     is_page_missing_0 = false;
     ends_here_0 = false;
-    var at_16 : vec2<u32> = pixel_that_traces_0(id_1.x);
-    if(is_inside_0(vec2<i32>(at_16)))
+    var at_19 : vec2<u32> = pixel_that_traces_0(id_1.x);
+    if(is_inside_0(vec2<i32>(at_19)))
     {
-        var index_39 : u32 = index_of_0(at_16);
-        var memory_3 : Memory_0 = memory_before_0(index_39);
-        Memory_add_0(&(memory_3), load_sample_0(index_39), real_time_0.most_paths_0);
+        var index_37 : u32 = index_of_0(at_19);
+        var memory_3 : Memory_0 = memory_before_0(index_37);
+        Memory_add_0(&(memory_3), load_sample_0(index_37), real_time_0.most_paths_0);
         var look_0 : Walker_0;
-        var _S486 : Sample_0 = no_sample_0();
-        var seen_1 : Sample_0 = _S486;
+        var _S549 : Sample_0 = no_sample_0();
+        var seen_1 : Sample_0 = _S549;
         var is_under_way_1 : bool = false;
         var looks_2 : u32 = u32(0);
         for(;;)
         {
-            var _S487 : bool;
+            var _S550 : bool;
             if(is_under_way_1)
             {
-                _S487 = true;
+                _S550 = true;
             }
             else
             {
                 if(has_0(u32(2)))
                 {
-                    _S487 = (memory_3.looks_0) < 4.0f;
+                    _S550 = (memory_3.looks_0) < 4.0f;
                 }
                 else
                 {
-                    _S487 = false;
+                    _S550 = false;
                 }
             }
-            if(_S487)
+            if(_S550)
             {
             }
             else
@@ -6918,18 +7424,18 @@ fn remember(@builtin(global_invocation_id) id_1 : vec3<u32>)
             if(!is_under_way_1)
             {
                 var looks_3 : u32 = looks_2 + u32(1);
-                look_0 = at_camera_0(at_16, FrameParams_camera_0(), Sampler_x24init_0(((params_0.seed_0) ^ (u32(2246822507))), index_39, u32(4) * real_time_0.number_0 + looks_3), false);
-                seen_1 = _S486;
+                look_0 = at_camera_0(at_19, FrameParams_camera_0(), Sampler_x24init_0(((params_0.seed_0) ^ (u32(2246822507))), index_37, u32(4) * real_time_0.number_0 + looks_3), false);
+                seen_1 = _S549;
                 looks_2 = looks_3;
             }
-            var is_under_way_2 : bool = goes_on_1(&(look_0), &(seen_1));
+            var is_under_way_2 : bool = goes_on_5(&(look_0), &(seen_1));
             if(!is_under_way_2)
             {
                 Memory_look_0(&(memory_3), seen_1);
             }
             is_under_way_1 = is_under_way_2;
         }
-        store_memory_0(index_39, memory_3);
+        store_memory_0(index_37, memory_3);
     }
     return;
 }

@@ -23,6 +23,10 @@ struct RealTimeParams_std140_0
     @align(16) before_rows_0 : array<vec4<f32>, i32(3)>,
     @align(16) before_origin_0 : vec3<f32>,
     @align(4) pixels_0 : u32,
+    @align(16) slots_0 : u32,
+    @align(4) cells_0 : u32,
+    @align(8) squares_0 : u32,
+    @align(4) again_0 : u32,
 };
 
 @binding(24) @group(0) var<uniform> real_time_0 : RealTimeParams_std140_0;
@@ -130,7 +134,7 @@ fn index_of_0( at_1 : vec2<u32>) -> u32
 
 fn scratch_row_0( row_0 : u32,  index_0 : u32) -> vec2<u32>
 {
-    return scratch_0[row_0 * real_time_0.pixels_0 + index_0];
+    return scratch_0[row_0 * real_time_0.slots_0 + index_0];
 }
 
 fn numbers_0( row_1 : u32,  index_1 : u32) -> vec2<f32>
@@ -193,7 +197,7 @@ fn trusted_light_0( at_3 : vec2<i32>,  noisy_0 : vec3<f32>) -> vec3<f32>
 
 fn set_scratch_row_0( row_4 : u32,  index_3 : u32,  value_0 : vec2<u32>)
 {
-    scratch_0[row_4 * real_time_0.pixels_0 + index_3] = value_0;
+    scratch_0[row_4 * real_time_0.slots_0 + index_3] = value_0;
     return;
 }
 
@@ -1170,7 +1174,7 @@ fn end_cells(@builtin(global_invocation_id) id_1 : vec3<u32>)
     return;
 }
 
-fn squares_0() -> vec2<u32>
+fn squares_1() -> vec2<u32>
 {
     var _S104 : vec2<u32> = vec2<u32>(u32(5));
     var _S105 : vec2<u32> = (vec2<u32>(params_0.width_0, params_0.height_0) + _S104 - vec2<u32>(u32(1))) / _S104;
@@ -1179,13 +1183,13 @@ fn squares_0() -> vec2<u32>
 
 fn place_of_square_0( list_0 : u32,  square_0 : u32) -> u32
 {
-    var count_6 : vec2<u32> = squares_0();
+    var count_6 : vec2<u32> = squares_1();
     return u32(4) * real_time_0.pixels_0 + list_0 * count_6.x * count_6.y + square_0;
 }
 
 fn changes_around_0( at_12 : vec2<i32>,  reach_1 : i32) -> vec2<f32>
 {
-    var _S106 : vec2<i32> = vec2<i32>(squares_0());
+    var _S106 : vec2<i32> = vec2<i32>(squares_1());
     var _S107 : vec2<f32> = vec2<f32>(0.0f);
     var _S108 : i32 = at_12.y;
     var y_0 : i32 = max(_S108 - reach_1, i32(0));
@@ -1234,7 +1238,7 @@ fn changes_around_0( at_12 : vec2<i32>,  reach_1 : i32) -> vec2<f32>
 @workgroup_size(64, 1, 1)
 fn compare_found(@builtin(global_invocation_id) id_2 : vec3<u32>)
 {
-    var count_7 : vec2<u32> = squares_0();
+    var count_7 : vec2<u32> = squares_1();
     var _S114 : u32 = id_2.x;
     var _S115 : u32 = count_7.x;
     if(_S114 >= (_S115 * count_7.y))
@@ -1287,7 +1291,7 @@ fn doubt(@builtin(global_invocation_id) id_3 : vec3<u32>)
     {
         var index_16 : u32 = index_of_0(at_14);
         var square_2 : vec2<u32> = at_14 / vec2<u32>(u32(5));
-        var changed_0 : f32 = (bitcast<f32>((memory_rows_0[place_of_square_0(u32(3), square_2.y * squares_0().x + square_2.x)].x)));
+        var changed_0 : f32 = (bitcast<f32>((memory_rows_0[place_of_square_0(u32(3), square_2.y * squares_1().x + square_2.x)].x)));
         var _S120 : vec4<u32> = memory_row_0(u32(1), index_16);
         var row_11 : vec4<u32> = _S120;
         var _S121 : u32 = _S120.x;
@@ -2474,7 +2478,7 @@ fn variance_around_0( at_22 : vec2<i32>,  center_1 : Center_0) -> f32
 {
     var dy_7 : i32 = i32(-3);
     var sum_7 : f32 = 0.0f;
-    var squares_1 : f32 = 0.0f;
+    var squares_2 : f32 = 0.0f;
     var weights_16 : f32 = 0.0f;
     for(;;)
     {
@@ -2487,7 +2491,7 @@ fn variance_around_0( at_22 : vec2<i32>,  center_1 : Center_0) -> f32
         }
         var dx_7 : i32 = i32(-3);
         var sum_8 : f32 = sum_7;
-        var squares_2 : f32 = squares_1;
+        var squares_3 : f32 = squares_2;
         var weights_17 : f32 = weights_16;
         for(;;)
         {
@@ -2508,20 +2512,20 @@ fn variance_around_0( at_22 : vec2<i32>,  center_1 : Center_0) -> f32
             var weight_7 : f32 = Center_alike_0(center_1, index_30);
             var light_15 : f32 = luminance_0(Lit_irradiance_0(load_lit_0(index_30)));
             var _S200 : f32 = weight_7 * light_15;
-            var squares_3 : f32 = squares_2 + _S200 * light_15;
+            var squares_4 : f32 = squares_3 + _S200 * light_15;
             var weights_18 : f32 = weights_17 + weight_7;
             sum_8 = sum_8 + _S200;
-            squares_2 = squares_3;
+            squares_3 = squares_4;
             weights_17 = weights_18;
             dx_7 = dx_7 + i32(1);
         }
         dy_7 = dy_7 + i32(1);
         sum_7 = sum_8;
-        squares_1 = squares_2;
+        squares_2 = squares_3;
         weights_16 = weights_17;
     }
     var scale_2 : f32 = 1.0f / max(weights_16, 9.99999968265522539e-21f);
-    return max(squares_1 * scale_2 - sum_7 * scale_2 * sum_7 * scale_2, 0.0f);
+    return max(squares_2 * scale_2 - sum_7 * scale_2 * sum_7 * scale_2, 0.0f);
 }
 
 fn begin_filter_0( at_23 : vec2<i32>)

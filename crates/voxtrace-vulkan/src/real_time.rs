@@ -22,6 +22,8 @@ pub use voxtrace_realtime::Rate;
 /// Words of a pixel in memory, and within a frame.
 const MEMORY_WORDS: u64 = 16;
 const SCRATCH_WORDS: u64 = 20;
+/// Place of the counts of paths in waves: those of the rest, workgroups for them along three axes, and those that are over.
+const REST: u64 = 4;
 /// Lists of rows of squares of pixels, after the pixels.
 const SQUARE_LISTS: u64 = 4;
 /// Words of the counts before the keys of cells, and lists of words behind them.
@@ -57,6 +59,8 @@ pub struct RealTime {
     pub cell_rows: Buffer,
     params: Buffer,
     motions: Option<Buffer>,
+    /// Whether paths are traced in waves: `shaders/pass/realtime_waves.slang` says how.
+    pub in_waves: bool,
     queries: vk::QueryPool,
     /// Number of the next frame.
     pub number: u32,
@@ -76,19 +80,26 @@ struct PixelBuffers {
     size: (u32, u32),
     memory: Buffer,
     scratch: Buffer,
+    /// Where paths are traced in waves: those that few steps could not end.
+    rest: Option<Buffer>,
 }
 
-/// A step of a frame: its entry point, and its invocations.
+/// A step of a frame: its entry point, and its invocations, `None`: as many as paths are left.
 pub struct Step {
     pub name: &'static str,
-    pub count: u32,
+    pub count: Option<u32>,
 }
 
 impl RealTime {
     /// One that knows nothing.
     pub fn new(device: &Arc<Device>, parts: Parts) -> Result<Self, TraceError> {
         let cells = LightCache::CAPACITY as u64;
-        let cell_keys = Buffer::storage(device, "light cache", 4 * (CELL_COUNTS + CELL_LISTS * cells))?;
+        let usage = vk::BufferUsageFlags::STORAGE_BUFFER
+            | vk::BufferUsageFlags::TRANSFER_SRC
+            | vk::BufferUsageFlags::TRANSFER_DST
+            | vk::BufferUsageFlags::INDIRECT_BUFFER;
+        let size = 4 * (CELL_COUNTS + CELL_LISTS * cells);
+        let cell_keys = Buffer::new(device, "light cache", size, usage, MemoryLocation::GpuOnly)?;
         let cell_rows = Buffer::storage(device, "light cache", 4 * CELL_WORDS * cells)?;
         let usage = vk::BufferUsageFlags::UNIFORM_BUFFER;
         let size = size_of::<RealTimeParams>() as u64;
@@ -104,6 +115,7 @@ impl RealTime {
             cell_rows,
             params,
             motions: None,
+            in_waves: false,
             queries,
             number: 0,
             before: None,
@@ -129,16 +141,19 @@ impl RealTime {
         }
     }
 
-    /// Makes room for pictures of a size. Where it is another one nothing is known of pixels any more.
-    pub fn set_size(&mut self, width: u32, height: u32) -> Result<(), TraceError> {
-        if self.pixels.as_ref().is_some_and(|pixels| pixels.size == (width, height)) {
+    /// Makes room for pictures of a size, their paths traced in waves or not. Where either is another one nothing is known of pixels any more.
+    pub fn set_size(&mut self, width: u32, height: u32, in_waves: bool) -> Result<(), TraceError> {
+        let is_same = self.pixels.as_ref().is_some_and(|pixels| pixels.size == (width, height));
+        if is_same && self.in_waves == in_waves {
             return Ok(());
         }
+        self.in_waves = in_waves;
         (self.pixels, self.before) = (None, None);
         let count = u64::from(width) * u64::from(height);
-        let squares = u64::from(width.div_ceil(STRIDE)) * u64::from(height.div_ceil(STRIDE));
+        let squares = u64::from(squares((width, height)));
         let memory = 4 * MEMORY_WORDS * count + 16 * SQUARE_LISTS * squares;
-        let scratch = 4 * SCRATCH_WORDS * count;
+        let slots = u64::from(slots((width, height), in_waves));
+        let scratch = 4 * SCRATCH_WORDS * slots;
         let limit = self.device.info().limits.max_storage_buffer_range;
         if memory.max(scratch) > limit {
             return Err(TraceError::OutOfMemory { needed: memory.max(scratch), available: limit });
@@ -147,6 +162,10 @@ impl RealTime {
             size: (width, height),
             memory: Buffer::storage(&self.device, "real-time memory", memory)?,
             scratch: Buffer::storage(&self.device, "real-time scratch", scratch)?,
+            rest: match in_waves {
+                true => Some(Buffer::storage(&self.device, "real-time paths", 4 * slots)?),
+                false => None,
+            },
         });
         Ok(())
     }
@@ -158,7 +177,8 @@ impl RealTime {
 
     /// Bytes that it takes.
     pub fn bytes(&self) -> u64 {
-        let pixels = self.pixels.iter().flat_map(|pixels| [&pixels.memory, &pixels.scratch]);
+        let pixels = self.pixels.iter();
+        let pixels = pixels.flat_map(|pixels| [&pixels.memory, &pixels.scratch].into_iter().chain(&pixels.rest));
         let cells = [&self.cell_keys, &self.cell_rows, &self.params];
         pixels.chain(cells).chain(&self.motions).map(Buffer::bytes).sum()
     }
@@ -191,15 +211,16 @@ impl RealTime {
         if let Some(pixels) = &self.pixels {
             bindings.bind(binding::MEMORY, &pixels.memory);
             bindings.bind(binding::SCRATCH, &pixels.scratch);
+            bindings.bind(binding::REST, pixels.rest.as_ref().unwrap_or(nothing));
         }
     }
 
-    /// Records the steps of a frame. `passes` are those that trace, and the others.
+    /// Records the steps of a frame. `passes` are those of each [`Kind`].
     pub fn record(
         &self,
         steps: &[Step],
-        passes: [&Passes; 2],
-        variants: [Variant; 2],
+        passes: &[Passes; 3],
+        variants: [Variant; 3],
         bindings: &Bindings,
         (commands, offset): (vk::CommandBuffer, u32),
     ) {
@@ -216,19 +237,29 @@ impl RealTime {
         barrier(&self.device, commands);
         // Cells that trace.
         fill(2, 1, 0);
+        fill(REST, 2, 0);
+        // Workgroups along y and z.
+        fill(REST + 2, 2, 1);
+        fill(REST + 4, 1, 0);
         bindings.use_in(commands, vk::PipelineBindPoint::COMPUTE, offset);
         // SAFETY: the pool is alive and not in use.
         unsafe { raw.cmd_reset_query_pool(commands, self.queries, 0, MOST_STEPS + 1) };
         self.time(commands, 0);
         for (number, step) in (1..).zip(steps) {
-            barrier(&self.device, commands);
+            // Those that are followed again run beside the rest.
+            if step.name != "trace_again" {
+                barrier(&self.device, commands);
+            }
             if step.name == "end_cells" {
                 // Cells that are asked for are counted anew.
                 fill(0, 2, 0);
                 barrier(&self.device, commands);
             }
-            let which = usize::from(!TRACING.contains(&step.name));
-            let launch = Launch::Groups(step.count.div_ceil(WORKGROUP));
+            let which = Kind::of(step.name) as usize;
+            let launch = match step.count {
+                Some(count) => Launch::Groups(count.div_ceil(WORKGROUP)),
+                None => Launch::Told(&self.cell_keys, REST as u32 + 1),
+            };
             let variant = variants[which].real_time(step.name);
             passes[which].launch_step(variant, bindings, commands, WaveStep::default(), &launch);
             self.time(commands, number);
@@ -281,5 +312,35 @@ impl Variant {
     }
 }
 
-/// The steps that trace rays.
-pub const TRACING: [&str; 2] = ["trace", "remember"];
+/// The module of a step.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// It traces rays, whatever the scene has.
+    Tracing,
+    /// It traces paths in waves.
+    Waves,
+    /// It traces no rays.
+    Gathering,
+}
+
+impl Kind {
+    /// That of a step.
+    pub fn of(name: &str) -> Self {
+        match name {
+            "trace" | "remember" => Self::Tracing,
+            _ if name.starts_with("trace_") => Self::Waves,
+            _ => Self::Gathering,
+        }
+    }
+}
+
+/// Squares of pixels in a picture.
+pub fn squares((width, height): (u32, u32)) -> u32 {
+    width.div_ceil(STRIDE) * height.div_ceil(STRIDE)
+}
+
+/// Slots of the scratch memory: one for each pixel, and in waves one for each square and each cell of the light cache that traces.
+pub fn slots((width, height): (u32, u32), in_waves: bool) -> u32 {
+    let others = if in_waves { squares((width, height)) + LightCache::MOST_CHOSEN as u32 } else { 0 };
+    width * height + others
+}

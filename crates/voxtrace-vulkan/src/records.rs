@@ -345,6 +345,14 @@ pub struct RealTimeParams {
     pub before_origin: Vec3,
     /// Pixels of the picture.
     pub pixels: u32,
+    /// Slots of the scratch memory: those of the pixels, and where paths are traced in waves of other paths.
+    pub slots: u32,
+    /// Cells of the light cache that may trace.
+    pub cells: u32,
+    /// Squares of pixels, of each of which the path of one is followed again in the next frame.
+    pub squares: u32,
+    /// Those that are in this one.
+    pub again: u32,
 }
 
 /// Flags of [`RealTimeParams`].
@@ -468,8 +476,8 @@ pub mod binding {
     pub const GRIDS: u32 = 3;
     /// Instances.
     pub const INSTANCES: u32 = 4;
-    /// Hierarchy over the instances.
-    pub const INSTANCE_NODES: u32 = 5;
+    /// The tree over parts of instances.
+    pub const INSTANCE_ROWS: u32 = 5;
     /// Materials.
     pub const MATERIALS: u32 = 6;
     /// Emitters.
@@ -518,6 +526,8 @@ pub mod binding {
     pub const CELL_ROWS: u32 = 28;
     /// How instances moved since the frame before.
     pub const MOTIONS: u32 = 29;
+    /// Paths of real-time light in waves that few steps could not end.
+    pub const REST: u32 = 30;
     /// The last place.
-    pub const LAST: u32 = MOTIONS;
+    pub const LAST: u32 = REST;
 }

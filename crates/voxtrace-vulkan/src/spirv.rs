@@ -25,6 +25,8 @@ pub static REALTIME: Module = Module::new("realtime", include_bytes!("../spirv/r
 /// Those of paths that know all materials.
 pub static REALTIME_MATERIALS: Module =
     Module::new("realtime (materials)", include_bytes!("../spirv/realtime.materials.spv"));
+/// Paths of real-time light in waves, among matte things.
+pub static REALTIME_WAVES: Module = Module::new("realtime_waves", include_bytes!("../spirv/realtime_waves.spv"));
 /// The other steps of real-time light.
 pub static REALTIME_PIXELS: Module = Module::new("realtime_pixels", include_bytes!("../spirv/realtime_pixels.spv"));
 

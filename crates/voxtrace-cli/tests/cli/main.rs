@@ -35,4 +35,5 @@ mod voxels;
 mod window_edits;
 #[cfg(feature = "view")]
 mod window_exports;
+mod window_real_time;
 mod writing;

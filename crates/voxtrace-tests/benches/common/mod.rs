@@ -2,7 +2,7 @@
 
 use std::error::Error;
 use std::path::{Path, PathBuf};
-use voxtrace::PackedScene;
+use voxtrace::{PackedScene, Scene};
 use voxtrace_tests::still_lifes;
 
 pub type Outcome<T> = Result<T, Box<dyn Error>>;
@@ -23,12 +23,23 @@ pub struct DeviceArgs {
 
 /// The file of a built-in scene or a still life, packed into `folder` where it is not there yet.
 pub fn packed_scene(folder: &Path, name: &str, voxels: Option<u64>) -> Outcome<PathBuf> {
-    let path = folder.join(format!("{name}-{}.vxt", voxels.unwrap_or(0)));
+    packed_scene_with(folder, (name, ""), voxels, |_| Ok(()))
+}
+
+/// The same with what `add` adds; `suffix` tells the file from that of the scene alone.
+pub fn packed_scene_with(
+    folder: &Path,
+    (name, suffix): (&str, &str),
+    voxels: Option<u64>,
+    add: impl FnOnce(&mut Scene) -> Outcome<()>,
+) -> Outcome<PathBuf> {
+    let path = folder.join(format!("{name}{suffix}-{}.vxt", voxels.unwrap_or(0)));
     if !path.exists() {
-        let scene = match still_lifes::scene(name) {
+        let mut scene = match still_lifes::scene(name) {
             Some(scene) => scene,
             None => voxtrace::scenes::generate(name, voxels)?,
         };
+        add(&mut scene)?;
         PackedScene::pack(&scene)?.save(&path)?;
     }
     Ok(path)

@@ -6,6 +6,8 @@
 mod common;
 mod maker;
 mod quality;
+mod references;
+mod results;
 mod situations;
 mod timing;
 
@@ -13,17 +15,14 @@ use clap::Parser;
 use common::{DeviceArgs, Outcome};
 use maker::Maker;
 use quality::{Quality, Totals};
-use situations::Situation;
+use references::{References, StillFilter};
+use results::{Line, Results};
+use situations::{Situation, Step};
 use std::path::PathBuf;
-use std::sync::Arc;
 use voxtrace::import::{Content, ImportOptions, load};
-use voxtrace::{CpuTracer, Film, Frame, PackedScene, Progress, Tracer};
+use voxtrace::{Frame, PackedScene};
 use voxtrace_realtime::Parts;
 use voxtrace_tests::still_lifes;
-use voxtrace_vulkan::{Request, Traversal, choose};
-
-/// Seed of the pictures of many samples.
-const REFERENCE_SEED: u32 = 1;
 
 #[derive(Parser)]
 struct Args {
@@ -36,8 +35,8 @@ struct Args {
     /// Situations
     #[arg(long, value_enum, value_delimiter = ',', default_values_t = Situation::ALL)]
     situations: Vec<Situation>,
-    /// Parts of real-time light: raw, temporal, cache, filter, all
-    #[arg(long, value_delimiter = ',', default_value = "raw,temporal,cache,filter,all")]
+    /// Parts of real-time light: raw, temporal, cache, filter, all; after a cut also as many samples filtered as stills: denoise, oidn
+    #[arg(long, value_delimiter = ',', default_value = "raw,temporal,cache,filter,all,denoise,oidn")]
     parts: Vec<String>,
     /// Size of the pictures
     #[arg(long, default_value = "240x136")]
@@ -45,7 +44,10 @@ struct Args {
     /// Samples of the pictures to compare with
     #[arg(long, default_value_t = 4096)]
     samples: u32,
-    /// Folder that keeps scenes
+    /// Last frame of each situation
+    #[arg(long, default_value_t = u32::MAX)]
+    frames: u32,
+    /// Folder that keeps scenes, pictures of many samples and what was measured
     #[arg(long, default_value = "target/realtime")]
     cache: PathBuf,
     /// Makes real-time pictures on the device, too
@@ -54,6 +56,9 @@ struct Args {
     /// Measures how long the steps take on the device, and nothing else
     #[arg(long)]
     timing: bool,
+    /// Prints the table of what was measured, and measures nothing
+    #[arg(long)]
+    table: bool,
     /// Writes the pictures there, as PPM
     #[arg(long)]
     pictures: Option<PathBuf>,
@@ -74,40 +79,14 @@ fn parts(name: &str) -> Outcome<Parts> {
     })
 }
 
-/// Makes the pictures to compare with.
-struct References {
-    tracer: Box<dyn Tracer + Send>,
-    samples: u32,
-}
-
-impl References {
-    fn new(args: &Args) -> Outcome<Self> {
-        let tracer: Box<dyn Tracer + Send> = match &args.renderer.device {
-            None => Box::new(CpuTracer::new(None)),
-            device => {
-                let request =
-                    Request { device: device.clone(), traversal: Some(Traversal::Walk), ..Request::default() };
-                let choice = choose(&Request { is_fast: args.renderer.fast, ..request })?;
-                eprintln!("{}", choice.reason);
-                choice.tracer
-            }
-        };
-        Ok(Self { tracer, samples: args.samples })
-    }
-
-    fn picture(&mut self, scene: &Arc<PackedScene>, frame: &Frame, samples: u32) -> Outcome<Vec<glam::Vec3>> {
-        let frame = frame.clone().samples(samples.min(self.samples)).seed(REFERENCE_SEED);
-        self.tracer.set_scene(scene)?;
-        self.tracer.render(&frame, &Progress::default())?;
-        let mut film = Film::new(1, 1, frame.region, 0);
-        self.tracer.read(&mut film)?;
-        Ok(film.pixels.iter().map(|pixel| pixel.mean()).collect())
-    }
-}
-
-/// A built-in scene, and its view.
-fn scene_of(args: &Args, name: &str) -> Outcome<(PackedScene, Frame)> {
-    let path = common::packed_scene(&args.cache, name, args.voxels)?;
+/// A built-in scene, and its view; with what moves in a situation.
+fn scene_of(args: &Args, name: &str, situation: Option<Situation>) -> Outcome<(PackedScene, Frame)> {
+    let path = match situation {
+        Some(Situation::Moving) => {
+            common::packed_scene_with(&args.cache, (name, "-moving"), args.voxels, situations::add_moving)?
+        }
+        _ => common::packed_scene(&args.cache, name, args.voxels)?,
+    };
     let scene = match load(&path, &ImportOptions::default())?.content {
         Content::Packed(packed) => *packed,
         Content::Scene(scene) => PackedScene::pack(&scene)?,
@@ -118,37 +97,92 @@ fn scene_of(args: &Args, name: &str) -> Outcome<(PackedScene, Frame)> {
     Ok((scene, frame))
 }
 
-fn measure(args: &Args, name: &str, situation: Situation, references: &mut References) -> Outcome<()> {
-    let (scene, frame) = scene_of(args, name)?;
+/// What of a filter of stills has a name.
+fn still_filter(name: &str) -> Option<StillFilter> {
+    match name {
+        "denoise" => Some(StillFilter::Ours),
+        "oidn" => Some(StillFilter::Oidn),
+        _ => None,
+    }
+}
+
+/// One of the columns that are compared.
+struct Column<'a> {
+    name: &'a str,
+    maker: Option<Maker>,
+    totals: Totals,
+}
+
+impl Column<'_> {
+    /// The picture of a step; `None` where its filter is not asked for it.
+    fn picture(
+        &mut self,
+        references: &mut References,
+        of: (&str, Situation, &Step),
+    ) -> Outcome<Option<Vec<glam::Vec3>>> {
+        let step = of.2;
+        match (&mut self.maker, still_filter(self.name)) {
+            (Some(maker), _) => maker.frame(step).map(Some),
+            (None, Some(filter)) if step.samples > 0 => references.filtered(of, step.label.parse()?, filter).map(Some),
+            _ => Ok(None),
+        }
+    }
+}
+
+/// Measures what of a situation was not measured yet.
+fn measure(
+    args: &Args,
+    (name, situation): (&str, Situation),
+    references: &mut References,
+    results: &mut Results,
+) -> Outcome<()> {
+    let is_wanted = |parts: &&String| {
+        let has = still_filter(parts).is_none_or(|filter| situation.is_still() && references.has(filter));
+        has && !results.has(name, &situation.to_string(), parts)
+    };
+    let wanted: Vec<&String> = args.parts.iter().filter(is_wanted).collect();
+    if wanted.is_empty() {
+        return Ok(());
+    }
+    let (scene, frame) = scene_of(args, name, Some(situation))?;
     let Some(steps) = situation.steps(scene, &frame)? else { return Ok(()) };
-    let mut all: Vec<(&String, Maker, Totals)> = args
-        .parts
-        .iter()
-        .map(|name| Ok((name, Maker::new(args, parts(name)?)?, Totals::default())))
-        .collect::<Outcome<_>>()?;
-    for step in steps {
-        let reference = match step.samples {
-            0 => None,
-            samples => Some(references.picture(&step.scene, &step.frame, samples)?),
-        };
-        for (parts, real_time, totals) in &mut all {
-            let picture = real_time.frame(&step)?;
-            totals.follow(&picture, &step.frame, situation.is_still());
+    let column = |name| {
+        let maker = if still_filter(name).is_some() { None } else { Some(Maker::new(args, parts(name)?)?) };
+        Ok(Column { name, maker, totals: Totals::default() })
+    };
+    let mut columns: Vec<Column> = wanted.into_iter().map(|name| column(name.as_str())).collect::<Outcome<_>>()?;
+    let line = |frame: &str, parts: &str, values: [f64; 4]| Line {
+        scene: name.to_owned(),
+        situation: situation.to_string(),
+        frame: frame.to_owned(),
+        parts: parts.to_owned(),
+        values,
+    };
+    for step in &steps {
+        let is_over = step.label.parse::<u32>().is_ok_and(|number| number > args.frames);
+        if is_over {
+            break;
+        }
+        let of = (name, situation, step);
+        let reference = if step.samples > 0 { Some(references.picture(of)?) } else { None };
+        for column in &mut columns {
+            let Some(picture) = column.picture(references, of)? else { continue };
+            if column.maker.is_some() {
+                column.totals.follow(&picture, &step.frame, situation.is_still());
+            }
             let Some(reference) = &reference else { continue };
             let quality = Quality::of(reference, &picture, &step.frame)?;
             if let Some(folder) = &args.pictures {
-                quality.write(folder, &format!("{name}-{situation}-{parts}-{}", step.label))?;
+                quality.write(folder, &format!("{name}-{situation}-{}-{}", column.name, step.label))?;
             }
-            totals.add(&quality);
+            column.totals.add(&quality);
             if situation.has_each_step() {
-                println!("| {name} | {situation}, {} | {parts} | {quality} | |", step.label);
+                results.add(line(&step.label, column.name, quality.values()))?;
             }
         }
     }
-    for (parts, _, totals) in &all {
-        if let Some(line) = totals.line(situation) {
-            println!("| {name} | {situation}, mean | {parts} | {line} |");
-        }
+    for column in &columns {
+        results.add(line("mean", column.name, column.totals.values(situation)))?;
     }
     Ok(())
 }
@@ -159,11 +193,15 @@ fn main() -> Outcome<()> {
     if args.timing {
         return timing::measure(&args);
     }
-    let mut references = References::new(&args)?;
-    println!("| scene | situation | parts | PSNR, dB | FLIP | energy | flicker |\n|---|---|---|---:|---:|---:|---:|");
+    let mut results = Results::open(args.cache.join("results.tsv"))?;
+    if args.table {
+        print!("{}", results.table());
+        return Ok(());
+    }
+    let mut references = References::new(&args);
     for name in &args.scenes {
         for &situation in &args.situations {
-            measure(&args, name, situation, &mut references)?;
+            measure(&args, (name, situation), &mut references, &mut results)?;
         }
     }
     Ok(())

@@ -3,7 +3,6 @@
 use super::Outcome;
 use super::situations::Situation;
 use glam::Vec3;
-use std::fmt::{self, Display};
 use std::path::Path;
 use voxtrace::Frame;
 use voxtrace::difference::{Difference, Shown};
@@ -30,6 +29,11 @@ impl Quality {
         Ok(Self { psnr: difference.psnr(), flip: difference.mean_flip(), energy, shown })
     }
 
+    /// What a line of the results holds.
+    pub fn values(&self) -> [f64; 4] {
+        [self.psnr, self.flip, self.energy, f64::NAN]
+    }
+
     /// Writes the picture as PPM.
     pub fn write(&self, folder: &Path, name: &str) -> Outcome<()> {
         std::fs::create_dir_all(folder)?;
@@ -37,12 +41,6 @@ impl Quality {
         let bytes = |signal: &Vec3| (*signal * 255.0).to_array().map(|value| value.round() as u8);
         ppm.extend(self.shown.signal.iter().flat_map(bytes));
         Ok(std::fs::write(folder.join(format!("{}.ppm", name.replace([' ', ','], "-"))), ppm)?)
-    }
-}
-
-impl Display for Quality {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{:.2} | {:.4} | {:.3}", self.psnr, self.flip, self.energy)
     }
 }
 
@@ -78,13 +76,14 @@ impl Totals {
         self.pictures += 1;
     }
 
-    /// The means, in the columns of the table.
-    pub fn line(&self, situation: Situation) -> Option<String> {
+    /// The means, where not each frame has a line of its own; how much pictures that follow each other differ, where nothing moves.
+    pub fn values(&self, situation: Situation) -> [f64; 4] {
+        let mean = |sum: f64, count: u32| if count > 0 { sum / f64::from(count) } else { f64::NAN };
+        let flicker = mean(self.flicker, self.frames);
         if situation.has_each_step() {
-            let flicker = self.flicker / f64::from(self.frames.max(1));
-            return Some(format!("| | | {flicker:.4}"));
+            return [f64::NAN, f64::NAN, f64::NAN, flicker];
         }
-        let mean = |sum: f64| sum / f64::from(self.pictures.max(1));
-        Some(format!("{:.2} | {:.4} | {:.3} | ", mean(self.psnr), mean(self.flip), mean(self.energy)))
+        let [psnr, flip, energy] = [self.psnr, self.flip, self.energy].map(|sum| mean(sum, self.pictures));
+        [psnr, flip, energy, flicker]
     }
 }

@@ -1,13 +1,14 @@
 //! What happens while real-time light is measured: a row of frames each.
 
 use super::Outcome;
-use glam::{Quat, Vec2, Vec3};
+use glam::{IVec3, Quat, Vec2, Vec3};
 use std::fmt::{self, Display};
 use std::sync::Arc;
 use voxtrace::camera::Projection;
 use voxtrace::transform::Transform;
-use voxtrace::{Camera, DynamicScene, Edit, Patch, Shape};
-use voxtrace::{Frame, PackedScene, Placement};
+use voxtrace::{
+    Camera, DynamicScene, Edit, Frame, Instance, Material, PackedScene, Patch, Placement, Scene, Shape, VoxelGrid,
+};
 use voxtrace_core::packed::PackedInstance;
 use voxtrace_core::walk;
 
@@ -25,6 +26,8 @@ const FEWER: u32 = 1024;
 const RADIUS: f64 = 8.0;
 /// Instances that move.
 const MOVING: usize = 64;
+/// Their radius, voxels.
+const BALL: f32 = 4.0;
 
 /// What happens.
 #[derive(Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
@@ -42,6 +45,7 @@ pub enum Situation {
 }
 
 /// One frame.
+#[derive(Clone)]
 pub struct Step {
     pub scene: Arc<PackedScene>,
     pub frame: Frame,
@@ -85,7 +89,8 @@ impl Situation {
         let samples = |number: u32| if number.is_power_of_two() && number.ilog2().is_multiple_of(2) { MANY } else { 0 };
         let after = |first: &Arc<PackedScene>, changed: PackedScene, patch: Option<Patch>| {
             let (changed, patch) = (Arc::new(changed), patch.map(Arc::new));
-            let before = (1..=SETTLING).map(|number| still(first, number, 0));
+            let settling = |number| Step { label: "before".into(), ..still(first, number, 0) };
+            let before = (1..=SETTLING).map(settling);
             let after = (1..=64).map(|number| {
                 let is_changed = number == 1;
                 let patch = patch.clone().filter(|_| is_changed);
@@ -109,7 +114,7 @@ impl Situation {
                 edited(&scene, frame)?.map(|(changed, patch)| after(&scene, changed, Some(patch)))
             }
             Self::Dimmed => Some(after(&scene, dimmed(&scene), None)),
-            Self::Moving => moving(&scene, frame)?,
+            Self::Moving => Some(moving(&scene, frame)?),
         })
     }
 }
@@ -171,24 +176,51 @@ fn dimmed(scene: &PackedScene) -> PackedScene {
     dimmed
 }
 
-/// Frames in which instances near the middle of the picture go in circles.
-fn moving(scene: &Arc<PackedScene>, frame: &Frame) -> Outcome<Option<Vec<Step>>> {
-    let instances = scene.instances();
-    if instances.len() < MOVING {
-        return Ok(None);
+/// Adds the balls that move to a scene: 64 instances of one grid before the middle of what its first camera sees.
+pub fn add_moving(scene: &mut Scene) -> Outcome<()> {
+    let camera = scene.cameras.first().ok_or("a scene without a camera")?.clone();
+    let mut ball = VoxelGrid::default();
+    let material = u16::try_from(scene.materials.len())?;
+    let reach = BALL as i32;
+    for (x, (y, z)) in
+        (-reach..=reach).flat_map(|x| (-reach..=reach).flat_map(move |y| (-reach..=reach).map(move |z| (x, (y, z)))))
+    {
+        let voxel = IVec3::new(x, y, z);
+        if voxel.length_squared() <= reach * reach {
+            ball.set(voxel, material);
+        }
     }
-    let target = frame.camera.target;
-    let mut nearest: Vec<usize> = (0..instances.len()).collect();
-    let place = |index: usize| instances[index].world_from_grid.translation;
-    nearest.sort_by(|&a, &b| place(a).distance(target).total_cmp(&place(b).distance(target)));
-    nearest.truncate(MOVING);
+    let grey = Material { base_color: Vec3::new(0.7, 0.5, 0.3), ..Material::default() };
+    scene.materials.push(grey);
+    let grid = scene.grids.len();
+    scene.grids.push(ball.into());
+    let axes = camera.axes();
+    let distance = 0.5 * (camera.target - camera.eye).length();
+    let step = distance * (0.5 * camera.fov_y).to_radians().tan() * 2.0 / 10.0;
+    // As large as they look from anywhere: a third of what lies between them.
+    let size = step / (3.0 * BALL);
+    for number in 0..MOVING {
+        let (column, row) = ((number % 8) as f32 - 3.5, (number / 8) as f32 - 3.5);
+        let place = camera.eye + axes.forward * distance + (axes.right * column * 1.5 + axes.up * row) * step;
+        let transform = Transform::IDENTITY.scaled(size).translated(place);
+        scene.instances.push(Instance::new(grid, transform));
+    }
+    Ok(())
+}
+
+/// Frames in which the last 64 instances go in circles.
+fn moving(scene: &Arc<PackedScene>, frame: &Frame) -> Outcome<Vec<Step>> {
+    let instances = scene.instances();
+    let first = instances.len().checked_sub(MOVING).ok_or("a scene without balls")?;
+    let size = instances[first].world_from_grid.direction(Vec3::X).length() * BALL;
+    let axes = frame.camera.axes();
     let at = |number: u32| -> Outcome<Arc<PackedScene>> {
         let mut placed = instances.to_vec();
-        for (which, &index) in nearest.iter().enumerate() {
+        for (which, placed) in placed.iter_mut().skip(first).enumerate() {
             let angle = number as f32 * 0.05 + which as f32;
-            let by = Vec3::new(angle.cos(), angle.sin(), 0.0) * 6.0;
-            let world_from_grid: Transform = placed[index].world_from_grid.translated(by);
-            placed[index] = PackedInstance::new(placed[index].grid, world_from_grid, placed[index].scene_instance);
+            let by = (axes.right * angle.cos() + axes.up * angle.sin()) * size;
+            let world_from_grid: Transform = placed.world_from_grid.translated(by);
+            *placed = PackedInstance::new(placed.grid, world_from_grid, placed.scene_instance);
         }
         let placement = Placement::new(scene.geometry(), placed)?;
         Ok(Arc::new(scene.with_placement(&placement)?))
@@ -208,5 +240,5 @@ fn moving(scene: &Arc<PackedScene>, frame: &Frame) -> Outcome<Option<Vec<Step>>>
         });
         before = Some(scene);
     }
-    Ok(Some(steps))
+    Ok(steps)
 }

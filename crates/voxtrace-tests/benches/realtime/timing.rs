@@ -15,7 +15,7 @@ const BEFORE: u32 = 12;
 pub fn measure(args: &Args) -> Outcome<()> {
     println!("| scene | | parts | all, ms | steps, ms | MB |\n|---|---|---|---:|---|---:|");
     for name in &args.scenes {
-        let (scene, frame) = scene_of(args, name)?;
+        let (scene, frame) = scene_of(args, name, None)?;
         let scene = Arc::new(scene);
         for parts_name in &args.parts {
             let mut device = OnDevice::new(args, parts(parts_name)?)?;

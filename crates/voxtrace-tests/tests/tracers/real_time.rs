@@ -30,8 +30,19 @@ struct Both {
 }
 
 impl Both {
+    /// A device's traces by one shader that follows each path.
     fn new(device: &Arc<Device>, scene: &Arc<PackedScene>, parts: Parts) -> Self {
-        let mut gpu = VulkanTracer::new(Arc::clone(device), Settings::default()).unwrap();
+        Self::with_most_paths(device, scene, parts, 0)
+    }
+
+    /// A device's traces in waves, as far as the scene is matte.
+    fn in_waves(device: &Arc<Device>, scene: &Arc<PackedScene>, parts: Parts) -> Self {
+        Self::with_most_paths(device, scene, parts, 1)
+    }
+
+    fn with_most_paths(device: &Arc<Device>, scene: &Arc<PackedScene>, parts: Parts, most_paths: u32) -> Self {
+        let gpu = VulkanTracer::new(Arc::clone(device), Settings::default()).unwrap();
+        let mut gpu = gpu.with_most_paths(most_paths);
         gpu.set_real_time(parts, true);
         gpu.set_scene(scene).unwrap();
         let picture = Picture::new(device, SIZE.x, SIZE.y, true).unwrap();
@@ -49,8 +60,10 @@ impl Both {
     fn samples(&mut self) -> Vec<[f32; 12]> {
         let [_, scratch, ..] = self.gpu.real_time_words().unwrap();
         let pixels = (SIZE.x * SIZE.y) as usize;
+        // In waves other paths have slots behind those of the pixels.
+        let slots = scratch.len() / 20;
         let pixel = |index: usize| {
-            let word = |row: usize, which: usize| f32::from_bits(scratch[2 * (row * pixels + index) + which]);
+            let word = |row: usize, which: usize| f32::from_bits(scratch[2 * (row * slots + index) + which]);
             let [light, direct] = [0, 2].map(|row| [word(row, 0), word(row, 1), word(row + 1, 0)]);
             let place = [word(3, 1), word(4, 0), word(4, 1)];
             let albedo = [word(5, 0), word(5, 1), word(6, 0)];
@@ -113,6 +126,42 @@ fn paths_of_real_time_light_have_the_bits_of_the_processor() {
         let (ours, theirs) = (both.samples(), both.cpu.samples().to_vec());
         assert!(differing(&ours, &theirs) > 100, "{name}");
     }
+    assert_valid(&device);
+}
+
+#[test]
+fn paths_of_real_time_light_in_waves_have_the_bits_of_the_processor() {
+    let Some(device) = device() else { return };
+    let parts = Parts { candidates: true, cache: true, ..Parts::NONE };
+    for (name, turns, most_bounces) in [("one grid", false, 5), ("turned", true, 5), ("one bounce", true, 1), ("none", true, 0)] {
+        let mut both = Both::in_waves(&device, &packed(true, turns), parts);
+        let frame = view().max_bounces(most_bounces);
+        for number in 0..4 {
+            both.frame(&frame);
+            let (ours, theirs) = (both.samples(), both.cpu.samples().to_vec());
+            let different = differing(&ours, &theirs);
+            let first = ours.iter().zip(&theirs).find(|(ours, theirs)| **ours != row_of(theirs));
+            assert!(different == 0, "{name}, frame {number}: {different} pixels, {first:?}");
+        }
+        let passes = both.gpu.show_real_time(&frame, Rate::Full, &both.picture).unwrap().unwrap().passes;
+        assert!(passes.iter().any(|(step, _)| *step == "trace_ends"), "in waves");
+    }
+    assert_valid(&device);
+}
+
+#[test]
+fn pictures_of_real_time_light_in_waves_are_those_of_the_processor() {
+    let Some(device) = device() else { return };
+    let mut dynamic = DynamicScene::new(packed(true, true).split()).unwrap();
+    let mut both = Both::in_waves(&device, &Arc::new(dynamic.scene().clone()), Parts::ALL);
+    compare(&mut both, "in waves", 3, |_| view());
+    compare(&mut both, "in waves, moving", 3, aside);
+    // Paths of the frame before are followed again.
+    edit(&mut both, &mut dynamic);
+    compare(&mut both, "in waves, after the edit", 2, |_| view());
+    both.rate = Rate::Half;
+    both.cpu.set_rate(Rate::Half);
+    compare(&mut both, "in waves, at half the rate", 3, |number| aside(3 + number));
     assert_valid(&device);
 }
 
@@ -180,6 +229,15 @@ fn pictures_of_real_time_light_are_those_of_the_processor_while_the_camera_moves
     assert_valid(&device);
 }
 
+/// A ball appears.
+fn edit(both: &mut Both, dynamic: &mut DynamicScene) {
+    let shape = Shape::Sphere { center: Vec3::new(-4.0, -8.0, 3.0).as_dvec3(), radius: 3.0 };
+    dynamic.edit(0, &Edit::Fill { shape, material: Some(1) }).unwrap();
+    both.gpu.patch(&dynamic.take_patch()).unwrap();
+    both.scene = Arc::new(dynamic.scene().clone());
+    both.cpu.change();
+}
+
 #[test]
 fn pictures_of_real_time_light_are_those_of_the_processor_after_edits_and_where_instances_move() {
     let Some(device) = device() else { return };
@@ -187,11 +245,7 @@ fn pictures_of_real_time_light_are_those_of_the_processor_after_edits_and_where_
     let first = Arc::new(dynamic.scene().clone());
     let mut both = Both::new(&device, &first, Parts::ALL);
     compare(&mut both, "before the edit", 3, |_| view());
-    let shape = Shape::Sphere { center: Vec3::new(-4.0, -8.0, 3.0).as_dvec3(), radius: 3.0 };
-    dynamic.edit(0, &Edit::Fill { shape, material: Some(1) }).unwrap();
-    both.gpu.patch(&dynamic.take_patch()).unwrap();
-    both.scene = Arc::new(dynamic.scene().clone());
-    both.cpu.change();
+    edit(&mut both, &mut dynamic);
     compare(&mut both, "after the edit", 3, |_| view());
 
     for step in 1..4 {

@@ -1,17 +1,18 @@
 //! Frames of real-time light.
 
 use super::Worker;
+use crate::capabilities::DeviceKind;
 use crate::commands::Job;
 use crate::passes::{Passes, WORKGROUP};
 use crate::picture::Picture;
-use crate::real_time::{RealTime, RealTimeFrame, Step, TRACING};
+use crate::real_time::{Kind, RealTime, RealTimeFrame, Step, slots, squares};
 use crate::records::{Dispatch, FrameParams, RealTimeParams, binding, real_time};
 use crate::spirv;
 use crate::variant::{Entry, Variant};
 use glam::{Mat3, Vec3};
 use std::sync::Arc;
 use voxtrace_core::{Frame, PackedScene, Region, TraceError};
-use voxtrace_realtime::{CANDIDATES, LightCache, MOST_PATHS, Parts, Rate, STRIDE};
+use voxtrace_realtime::{CANDIDATES, LightCache, MOST_PATHS, Parts, Rate};
 use voxtrace_scene::camera::{CameraFrame, Orthographic, Perspective};
 use voxtrace_scene::transform::Transform;
 
@@ -42,7 +43,6 @@ impl Worker {
             Some(state) => state,
             None => RealTime::new(&self.device, self.real_time_parts)?,
         };
-        state.set_size(frame.width, frame.height)?;
         let result = self.real_time_frame(&mut state, &scene, frame, rate, picture);
         self.stop_showing();
         if result.is_ok() {
@@ -64,17 +64,19 @@ impl Worker {
     ) -> Result<RealTimeFrame, TraceError> {
         let whole = Region { x0: 0, y0: 0, x1: frame.width, y1: frame.height };
         let params = FrameParams::of_frame(scene, &frame.clone().region(whole));
+        let (tracing, in_waves) = self.tracing_variant(&params, frame)?;
+        state.set_size(frame.width, frame.height, in_waves)?;
         let of_frame = real_time_params(state, scene, frame, &params, rate);
-        let steps = steps_of(&of_frame, (frame.width, frame.height));
-        let variants = self.prepare_real_time(&params, frame, &steps)?;
+        let steps = steps_of(&of_frame, (frame.width, frame.height), in_waves);
+        let variants = self.prepare_real_time(tracing, &steps)?;
         let motions = motions(state, scene);
         state.write(&of_frame, &motions)?;
         self.set_params(&params);
         state.bind(&self.bindings, &self.nothing);
         self.bindings.bind(binding::HITS, picture.to_write());
-        let Some([tracing, gathering]) = &self.real_time_passes else { return Err(TraceError::NoScene) };
+        let Some(passes) = &self.real_time_passes else { return Err(TraceError::NoScene) };
         let record = |commands, offset| {
-            state.record(&steps, [tracing, gathering], variants, &self.bindings, (commands, offset));
+            state.record(&steps, passes, variants, &self.bindings, (commands, offset));
         };
         let tiles = frame.width.div_ceil(8) * frame.height.div_ceil(8);
         let dispatch = Dispatch { count: tiles * WORKGROUP, ..Dispatch::default() };
@@ -84,30 +86,34 @@ impl Worker {
         Ok(RealTimeFrame { gpu_ms, passes: state.milliseconds(&steps)?, bytes: state.bytes() })
     }
 
-    /// Makes the programs of steps. Returns the variants of those that trace and of the others.
-    fn prepare_real_time(
-        &mut self,
-        params: &FrameParams,
-        frame: &Frame,
-        steps: &[Step],
-    ) -> Result<[Variant; 2], TraceError> {
-        let is_exact = self.is_real_time_exact;
-        let kinds = (params.lens, params.sky);
-        let variant = self.variant(Entry::RealTime(""), kinds, Some(frame))?;
+    /// The variant of steps that trace, and whether paths are traced in waves.
+    fn tracing_variant(&self, params: &FrameParams, frame: &Frame) -> Result<(Variant, bool), TraceError> {
+        let variant = self.variant(Entry::RealTime(""), (params.lens, params.sky), Some(frame))?;
         // Shadows alone are the film's.
-        let tracing = Variant { is_exact, has_catcher: false, ..variant };
+        let tracing = Variant { is_exact: self.is_real_time_exact, has_catcher: false, ..variant };
+        // In software more shaders only take longer to compile.
+        let is_software = self.device.info().kind == DeviceKind::Cpu;
+        let in_waves = self.most_paths.map_or(!is_software, |most| most > 0);
+        Ok((tracing, in_waves && !tracing.has_materials))
+    }
+
+    /// Makes the programs of steps. Returns the variants of each [`Kind`].
+    fn prepare_real_time(&mut self, tracing: Variant, steps: &[Step]) -> Result<[Variant; 3], TraceError> {
+        let is_exact = self.is_real_time_exact;
         let gathering = Variant { has_materials: false, ..tracing };
         let passes = self.real_time_passes.get_or_insert_with(|| {
             let module = |module: spirv::Module| if is_exact { module } else { module.fast() };
             let tracing = Passes::new(&self.device, &self.bindings, module(spirv::REALTIME));
+            let waves = Passes::new(&self.device, &self.bindings, module(spirv::REALTIME_WAVES));
             let gathering = Passes::new(&self.device, &self.bindings, module(spirv::REALTIME_PIXELS));
-            [tracing.with_materials(module(spirv::REALTIME_MATERIALS)), gathering]
+            [tracing.with_materials(module(spirv::REALTIME_MATERIALS)), waves, gathering]
         });
+        let variants = [tracing, tracing, gathering];
         for step in steps {
-            let which = usize::from(!TRACING.contains(&step.name));
-            passes[which].prepare([tracing, gathering][which].real_time(step.name))?;
+            let which = Kind::of(step.name) as usize;
+            passes[which].prepare(variants[which].real_time(step.name))?;
         }
-        Ok([tracing, gathering])
+        Ok(variants)
     }
 
     /// Gives back what real-time light took. Nothing may be in flight.
@@ -118,7 +124,7 @@ impl Worker {
     }
 
     fn unbind_real_time(&self) {
-        let places = [binding::MEMORY, binding::SCRATCH, binding::CELL_KEYS, binding::CELL_ROWS, binding::MOTIONS];
+        let places = [binding::MEMORY, binding::SCRATCH, binding::CELL_KEYS, binding::CELL_ROWS, binding::MOTIONS, binding::REST];
         places.into_iter().for_each(|place| self.bindings.bind(place, &self.nothing));
         self.bindings.bind(binding::REAL_TIME, &self.params);
     }
@@ -174,6 +180,7 @@ fn real_time_params(
     let then = camera.frame(frame.width, frame.height);
     let (place_flags, before_origin, rows) = places_of(&then);
     let of_before = FrameParams::default().with_camera(&then);
+    let size = (frame.width, frame.height);
     RealTimeParams {
         eye: frame.camera.eye,
         view_angle: voxtrace_realtime::view_angle(&frame.camera),
@@ -194,6 +201,10 @@ fn real_time_params(
         before_rows: rows.map(|row| row.extend(0.0).to_array()),
         before_origin,
         pixels: frame.width * frame.height,
+        slots: slots(size, state.in_waves),
+        cells: if parts.cache { LightCache::MOST_CHOSEN as u32 } else { 0 },
+        squares: squares(size),
+        again: if flags & real_time::FINDS_AGAIN != 0 { squares(size) } else { 0 },
     }
 }
 
@@ -227,21 +238,31 @@ fn motions(state: &RealTime, scene: &PackedScene) -> Vec<[f32; 4]> {
 }
 
 /// The steps of a frame.
-fn steps_of(params: &RealTimeParams, (width, height): (u32, u32)) -> Vec<Step> {
+fn steps_of(params: &RealTimeParams, (width, height): (u32, u32), in_waves: bool) -> Vec<Step> {
     let has = |flag: u32| params.flags & flag != 0;
     let pixels = width.div_ceil(8) * height.div_ceil(8) * WORKGROUP;
     let half = width.div_ceil(16) * height.div_ceil(8) * WORKGROUP;
     let that_trace = if has(real_time::HALF) { half } else { pixels };
-    let squares = width.div_ceil(STRIDE) * height.div_ceil(STRIDE);
     let cells = LightCache::CAPACITY as u32;
-    let tracing_cells = if has(real_time::CACHE) { LightCache::MOST_CHOSEN as u32 } else { 0 };
-    let tracing_squares = if has(real_time::FINDS_AGAIN) { 2 * squares } else { squares };
+    let RealTimeParams { cells: tracing_cells, squares, again, .. } = *params;
     let mut steps = Vec::new();
-    let mut add = |name, count| steps.push(Step { name, count });
-    if has(real_time::CACHE) {
-        add("choose_cells", cells);
+    if in_waves {
+        let all = tracing_cells + that_trace + squares;
+        let counts = [that_trace + squares, all, all, all].map(Some);
+        let names = ["trace_camera", "trace_light", "trace_rays", "trace_ends"];
+        let first = names.into_iter().zip(counts);
+        let others = ["trace_on", "trace_on_rays", "trace_on", "trace_on_rays", "trace_rest"].map(|name| (name, None));
+        steps.extend(first.chain(others).map(|(name, count)| Step { name, count }));
+        if again > 0 {
+            steps.push(Step { name: "trace_again", count: Some(again) });
+        }
+    } else {
+        steps.push(Step { name: "trace", count: Some(tracing_cells + that_trace + squares + again) });
     }
-    add("trace", tracing_cells + that_trace + tracing_squares);
+    if has(real_time::CACHE) {
+        steps.insert(0, Step { name: "choose_cells", count: Some(cells) });
+    }
+    let mut add = |name, count| steps.push(Step { name, count: Some(count) });
     if has(real_time::FINDS_AGAIN) {
         add("compare_found", squares);
         add("doubt", pixels);

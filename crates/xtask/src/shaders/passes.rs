@@ -122,6 +122,22 @@ pub const PASSES: &[Pass] = &[
         has_wgsl: true,
         has_frame_in_storage: false,
     },
+    Pass {
+        name: "realtime_waves",
+        entries: &[
+            "trace_again",
+            "trace_camera",
+            "trace_ends",
+            "trace_light",
+            "trace_on",
+            "trace_on_rays",
+            "trace_rays",
+            "trace_rest",
+        ],
+        variants: &[Variant { has_real_time: true, ..MATTE }],
+        has_wgsl: true,
+        has_frame_in_storage: false,
+    },
     Pass { name: "resolve", entries: &["resolve"], variants: &[MATTE], has_wgsl: true, has_frame_in_storage: false },
     Pass {
         name: "selftest",

@@ -1,0 +1,9975 @@
+struct RealTimeParams_std140_0
+{
+    @align(16) eye_0 : vec3<f32>,
+    @align(4) view_angle_0 : f32,
+    @align(16) before_eye_0 : vec3<f32>,
+    @align(4) number_0 : u32,
+    @align(16) before_corner_0 : vec3<f32>,
+    @align(4) candidates_0 : u32,
+    @align(16) before_pixel_x_0 : vec3<f32>,
+    @align(4) flags_0 : u32,
+    @align(16) before_pixel_y_0 : vec3<f32>,
+    @align(4) most_paths_0 : f32,
+    @align(16) before_lens_x_0 : vec3<f32>,
+    @align(4) before_blades_0 : u32,
+    @align(16) before_lens_y_0 : vec3<f32>,
+    @align(4) cell_samples_0 : f32,
+    @align(16) before_place_0 : vec3<f32>,
+    @align(4) motions_0 : u32,
+    @align(16) before_rows_0 : array<vec4<f32>, i32(3)>,
+    @align(16) before_origin_0 : vec3<f32>,
+    @align(4) pixels_0 : u32,
+    @align(16) slots_0 : u32,
+    @align(4) cells_0 : u32,
+    @align(8) squares_0 : u32,
+    @align(4) again_0 : u32,
+};
+
+@binding(24) @group(0) var<uniform> real_time_0 : RealTimeParams_std140_0;
+struct FrameParams_std140_0
+{
+    @align(16) eye_1 : vec3<f32>,
+    @align(4) width_0 : u32,
+    @align(16) corner_0 : vec3<f32>,
+    @align(4) height_0 : u32,
+    @align(16) pixel_x_0 : vec3<f32>,
+    @align(4) lens_0 : u32,
+    @align(16) pixel_y_0 : vec3<f32>,
+    @align(4) sky_0 : u32,
+    @align(16) region_0 : vec4<u32>,
+    @align(16) max_bounces_0 : u32,
+    @align(4) is_transparent_0 : u32,
+    @align(8) first_sample_0 : u32,
+    @align(4) seed_0 : u32,
+    @align(16) sky_nadir_0 : vec3<f32>,
+    @align(4) sky_brightness_0 : f32,
+    @align(16) sky_zenith_0 : vec3<f32>,
+    @align(4) light_intensity_0 : f32,
+    @align(16) sun_direction_0 : vec3<f32>,
+    @align(4) sun_one_minus_cos_theta_max_0 : f32,
+    @align(16) sun_tangent_0 : vec3<f32>,
+    @align(4) sun_sin_radius_0 : f32,
+    @align(16) sun_bitangent_0 : vec3<f32>,
+    @align(4) sun_irradiance_0 : f32,
+    @align(16) sun_radiance_0 : vec3<f32>,
+    @align(4) sun_pdf_0 : f32,
+    @align(16) lens_x_0 : vec3<f32>,
+    @align(4) light_node_count_0 : u32,
+    @align(16) lens_y_0 : vec3<f32>,
+    @align(4) blades_0 : u32,
+    @align(16) sky_turned_0 : vec2<f32>,
+    @align(8) sky_edge_0 : u32,
+    @align(4) sky_irradiance_0 : f32,
+    @align(16) emitter_intensity_0 : f32,
+    @align(4) bounce_limits_0 : u32,
+    @align(8) clamp_indirect_0 : f32,
+    @align(4) instance_count_0 : u32,
+    @align(16) planes_0 : array<vec4<f32>, i32(12)>,
+    @align(16) plane_count_0 : u32,
+    @align(4) cuts_cast_shadows_0 : u32,
+    @align(8) clear_shadows_0 : u32,
+    @align(4) hides_sun_disc_0 : u32,
+    @align(16) ground_material_0 : u32,
+    @align(4) catcher_sun_share_0 : f32,
+    @align(8) catcher_cube_share_0 : f32,
+    @align(4) grid_spacing_0 : u32,
+    @align(16) edge_color_0 : vec3<f32>,
+    @align(4) edge_width_0 : f32,
+    @align(16) grid_color_0 : vec3<f32>,
+    @align(4) grid_width_0 : f32,
+};
+
+@binding(9) @group(0) var<uniform> params_0 : FrameParams_std140_0;
+@binding(27) @group(0) var<storage, read_write> cell_keys_0 : array<atomic<u32>>;
+
+@binding(28) @group(0) var<storage, read_write> cell_rows_0 : array<vec4<u32>>;
+
+struct Transform_std430_0
+{
+    @align(4) x_axis_0 : array<f32, i32(3)>,
+    @align(4) y_axis_0 : array<f32, i32(3)>,
+    @align(4) z_axis_0 : array<f32, i32(3)>,
+    @align(4) translation_0 : array<f32, i32(3)>,
+};
+
+struct PackedInstance_std430_0
+{
+    @align(4) grid_from_world_0 : Transform_std430_0,
+    @align(4) world_from_grid_0 : Transform_std430_0,
+    @align(4) grid_0 : u32,
+    @align(4) scene_instance_0 : u32,
+    @align(4) light_leaf_0 : u32,
+};
+
+@binding(4) @group(0) var<storage, read> instances_0 : array<PackedInstance_std430_0>;
+
+@binding(21) @group(0) var<storage, read_write> pages_0 : array<u32>;
+
+@binding(0) @group(0) var<storage, read> cells_1 : array<u32>;
+
+@binding(1) @group(0) var<storage, read> bricks_0 : array<u32>;
+
+struct PackedGrid_std430_0
+{
+    @align(4) origin_0 : array<i32, i32(3)>,
+    @align(4) top_shift_0 : u32,
+    @align(4) top_size_0 : array<i32, i32(3)>,
+    @align(4) top_offset_0 : u32,
+    @align(4) min_0 : array<i32, i32(3)>,
+    @align(4) voxels_0 : array<u32, i32(2)>,
+    @align(4) max_0 : array<i32, i32(3)>,
+    @align(4) material_bits_0 : u32,
+};
+
+@binding(3) @group(0) var<storage, read> grids_0 : array<PackedGrid_std430_0>;
+
+@binding(5) @group(0) var<storage, read> instance_rows_0 : array<vec4<u32>>;
+
+@binding(26) @group(0) var<storage, read_write> scratch_0 : array<vec2<u32>>;
+
+@binding(17) @group(0) var<storage, read> top_light_node_rows_0 : array<vec4<u32>>;
+
+@binding(6) @group(0) var<storage, read> material_rows_0 : array<vec4<u32>>;
+
+struct EnvironmentTexel_std430_0
+{
+    @align(4) radiance_0 : array<f32, i32(3)>,
+    @align(4) pdf_0 : f32,
+    @align(4) threshold_0 : f32,
+    @align(4) alias_0 : u32,
+};
+
+@binding(19) @group(0) var<storage, read> environment_0 : array<EnvironmentTexel_std430_0>;
+
+@binding(2) @group(0) var<storage, read> brick_materials_0 : array<u32>;
+
+@binding(8) @group(0) var<storage, read> light_node_rows_0 : array<vec4<u32>>;
+
+@binding(7) @group(0) var<storage, read> emitter_rows_0 : array<vec4<u32>>;
+
+@binding(25) @group(0) var<storage, read_write> memory_rows_0 : array<vec4<u32>>;
+
+@binding(30) @group(0) var<storage, read_write> rest_0 : array<u32>;
+
+@id(6) override SKY_0 : u32 = u32(0);
+
+struct Hit_0
+{
+     t_0 : f32,
+     instance_0 : u32,
+     voxel_0 : vec3<i32>,
+     face_0 : u32,
+};
+
+struct PackedGrid_0
+{
+     origin_0 : array<i32, i32(3)>,
+     top_shift_0 : u32,
+     top_size_0 : array<i32, i32(3)>,
+     top_offset_0 : u32,
+     min_0 : array<i32, i32(3)>,
+     voxels_0 : array<u32, i32(2)>,
+     max_0 : array<i32, i32(3)>,
+     material_bits_0 : u32,
+};
+
+struct Ray_0
+{
+     origin_1 : vec3<f32>,
+     t_min_0 : f32,
+     direction_0 : vec3<f32>,
+     t_max_0 : f32,
+};
+
+struct LocalRay_0
+{
+     origin_2 : vec3<f32>,
+     direction_1 : vec3<f32>,
+     inverse_0 : vec3<f32>,
+     t_min_1 : f32,
+     t_max_1 : f32,
+     is_valid_0 : bool,
+};
+
+@id(1) override IS_SINGLE_0 : bool = false;
+
+fn vector_of_0( values_0 : array<f32, i32(3)>) -> vec3<f32>
+{
+    return vec3<f32>(values_0[i32(0)], values_0[i32(1)], values_0[i32(2)]);
+}
+
+fn Transform_direction_0( _S1 : u32,  _S2 : vec3<f32>) -> vec3<f32>
+{
+    return vector_of_0(instances_0[_S1].grid_from_world_0.x_axis_0) * vec3<f32>(_S2.x) + vector_of_0(instances_0[_S1].grid_from_world_0.y_axis_0) * vec3<f32>(_S2.y) + vector_of_0(instances_0[_S1].grid_from_world_0.z_axis_0) * vec3<f32>(_S2.z);
+}
+
+fn Transform_point_0( _S3 : u32,  _S4 : vec3<f32>) -> vec3<f32>
+{
+    return Transform_direction_0(_S3, _S4) + vector_of_0(instances_0[_S3].grid_from_world_0.translation_0);
+}
+
+@id(0) override IS_EXACT_0 : bool = true;
+
+fn is_normal_0( exponent_0 : u32) -> bool
+{
+    return (exponent_0 - u32(1)) < u32(254);
+}
+
+fn nearest_quotient_0( dividend_0 : u32,  divisor_0 : u32,  guess_0 : u32) -> u32
+{
+    var rest_1 : i32 = i32(((dividend_0 << (u32(23)))) - guess_0 * divisor_0);
+    var units_0 : i32 = i32(floor(f32(rest_1) * (1.0f / f32(divisor_0)) + 0.5f));
+    var _S5 : i32 = i32(divisor_0);
+    var _S6 : i32 = i32(2) * (rest_1 - units_0 * _S5);
+    return guess_0 + u32(units_0 + (i32(_S6 > _S5) - i32(_S6 < (- _S5))));
+}
+
+fn divide_0( a_0 : f32,  b_0 : f32) -> f32
+{
+    if(!IS_EXACT_0)
+    {
+        return a_0 / b_0;
+    }
+    var _S7 : u32 = (bitcast<u32>((a_0)));
+    var exponent_a_0 : u32 = (((_S7 >> (u32(23)))) & (u32(255)));
+    var _S8 : u32 = (bitcast<u32>((b_0)));
+    var exponent_b_0 : u32 = (((_S8 >> (u32(23)))) & (u32(255)));
+    var dividend_1 : u32 = (((_S7 & (u32(8388607)))) | (u32(8388608)));
+    var divisor_1 : u32 = (((_S8 & (u32(8388607)))) | (u32(8388608)));
+    var is_below_0 : u32 = u32(dividend_1 < divisor_1);
+    var dividend_2 : u32 = (dividend_1 << (is_below_0));
+    var exponent_1 : u32 = exponent_a_0 + u32(127) - exponent_b_0 - is_below_0;
+    var _S9 : bool;
+    if(!is_normal_0(exponent_a_0))
+    {
+        _S9 = true;
+    }
+    else
+    {
+        _S9 = !is_normal_0(exponent_b_0);
+    }
+    if(_S9)
+    {
+        _S9 = true;
+    }
+    else
+    {
+        _S9 = !is_normal_0(exponent_1);
+    }
+    if(_S9)
+    {
+        return a_0 / b_0;
+    }
+    return (bitcast<f32>(((((((_S7 ^ (_S8))) & (u32(2147483648)))) | ((((exponent_1 << (u32(23)))) + (nearest_quotient_0(dividend_2, divisor_1, u32(f32(dividend_2) * (1.0f / f32(divisor_1)) * 8.388608e+06f)) - u32(8388608))))))));
+}
+
+fn reciprocal_0( vector_0 : vec3<f32>) -> vec3<f32>
+{
+    return vec3<f32>(divide_0(1.0f, vector_0.x), divide_0(1.0f, vector_0.y), divide_0(1.0f, vector_0.z));
+}
+
+fn max_element_0( vector_1 : vec3<f32>) -> f32
+{
+    return max(max(vector_1.x, vector_1.y), vector_1.z);
+}
+
+fn local_ray_0( _S10 : Ray_0,  _S11 : u32) -> LocalRay_0
+{
+    var local_0 : LocalRay_0;
+    var direction_2 : vec3<f32>;
+    var origin_3 : vec3<f32>;
+    if(!IS_SINGLE_0)
+    {
+        var _S12 : vec3<f32> = Transform_point_0(_S11, _S10.origin_1);
+        direction_2 = Transform_direction_0(_S11, _S10.direction_0);
+        origin_3 = _S12;
+    }
+    else
+    {
+        direction_2 = _S10.direction_0;
+        origin_3 = _S10.origin_1;
+    }
+    var is_zero_0 : vec3<bool> = !((abs(direction_2)) >= vec3<f32>(1.17549435082228751e-38f));
+    var _S13 : vec3<f32> = select(direction_2, vec3<f32>(0.0f), is_zero_0);
+    local_0.direction_1 = _S13;
+    local_0.inverse_0 = select(reciprocal_0(select(direction_2, vec3<f32>(1.0f), is_zero_0)), vec3<f32>(3.4028234663852886e+38f), is_zero_0);
+    local_0.origin_2 = select(origin_3, floor(origin_3) + vec3<f32>(0.5f), is_zero_0);
+    var speed_0 : f32 = max_element_0(abs(_S13));
+    var moves_0 : bool;
+    if(speed_0 >= 1.00000004581370497e-18f)
+    {
+        moves_0 = speed_0 <= 9.9999998430674944e+17f;
+    }
+    else
+    {
+        moves_0 = false;
+    }
+    var is_near_0 : bool = (all(((abs(local_0.origin_2)) <= vec3<f32>(2.097152e+06f))));
+    var is_segment_0 : bool;
+    if((_S10.t_min_0) >= 0.0f)
+    {
+        is_segment_0 = (_S10.t_min_0) <= 3.4028234663852886e+38f;
+    }
+    else
+    {
+        is_segment_0 = false;
+    }
+    if(is_segment_0)
+    {
+        is_segment_0 = (_S10.t_min_0) <= (_S10.t_max_0);
+    }
+    else
+    {
+        is_segment_0 = false;
+    }
+    local_0.t_min_1 = _S10.t_min_0;
+    local_0.t_max_1 = _S10.t_max_0;
+    if(moves_0)
+    {
+        moves_0 = is_near_0;
+    }
+    else
+    {
+        moves_0 = false;
+    }
+    if(moves_0)
+    {
+        moves_0 = is_segment_0;
+    }
+    else
+    {
+        moves_0 = false;
+    }
+    local_0.is_valid_0 = moves_0;
+    return local_0;
+}
+
+fn Hit_x24init_0( t_1 : f32,  instance_1 : u32,  voxel_1 : vec3<i32>,  face_1 : u32) -> Hit_0
+{
+    var _S14 : Hit_0;
+    _S14.t_0 = t_1;
+    _S14.instance_0 = instance_1;
+    _S14.voxel_0 = voxel_1;
+    _S14.face_0 = face_1;
+    return _S14;
+}
+
+fn miss_0() -> Hit_0
+{
+    return Hit_x24init_0((bitcast<f32>((u32(2139095040)))), u32(4294967295), vec3<i32>(i32(0)), u32(0));
+}
+
+struct Walk_0
+{
+     ray_0 : LocalRay_0,
+     origin_4 : vec3<f32>,
+     offset_0 : vec3<i32>,
+     speed_1 : vec3<f32>,
+     inverse_1 : vec3<f32>,
+     grid_origin_0 : vec3<i32>,
+     tolerance_0 : vec3<f32>,
+     mirror_0 : vec3<i32>,
+     t_end_0 : f32,
+};
+
+fn cell_of_0( values_1 : array<i32, i32(3)>) -> vec3<i32>
+{
+    return vec3<i32>(values_1[i32(0)], values_1[i32(1)], values_1[i32(2)]);
+}
+
+fn Walk_mirrored_plane_0( this_0 : Walk_0,  plane_0 : vec3<i32>) -> vec3<i32>
+{
+    return ((plane_0 ^ ((this_0.mirror_0)))) - this_0.mirror_0;
+}
+
+fn min_abs_direction_0() -> f32
+{
+    var _S15 : f32;
+    if(IS_EXACT_0)
+    {
+        _S15 = 0.0f;
+    }
+    else
+    {
+        _S15 = 1.00000004581370497e-18f;
+    }
+    return _S15;
+}
+
+@id(3) override TOP_SHIFT_0 : u32 = u32(0);
+
+fn LocalRay_tolerance_0( this_1 : LocalRay_0,  low_0 : vec3<i32>,  high_0 : vec3<i32>) -> vec3<f32>
+{
+    return select((abs(this_1.origin_2) + (vec3<f32>(max(abs(low_0), abs(high_0))) + vec3<f32>(1.0f))) * vec3<f32>(5.36441802978515625e-07f), vec3<f32>(-1.0f), (this_1.direction_1) == vec3<f32>(0.0f));
+}
+
+fn LocalRay_t_end_0( this_2 : LocalRay_0) -> f32
+{
+    return min(this_2.t_max_1 * 1.00000095367431641f, 3.4028234663852886e+38f);
+}
+
+fn walk_of_0( ray_1 : LocalRay_0,  grid_1 : PackedGrid_0) -> Walk_0
+{
+    var walk_0 : Walk_0;
+    walk_0.ray_0 = ray_1;
+    walk_0.grid_origin_0 = cell_of_0(grid_1.origin_0);
+    var is_negative_0 : vec3<bool> = (ray_1.direction_1) < vec3<f32>(0.0f);
+    var _S16 : vec3<i32> = vec3<i32>(i32(0));
+    walk_0.mirror_0 = select(_S16, vec3<i32>(i32(-1)), is_negative_0);
+    var _S17 : vec3<i32>;
+    if(IS_EXACT_0)
+    {
+        _S17 = Walk_mirrored_plane_0(walk_0, walk_0.grid_origin_0);
+    }
+    else
+    {
+        _S17 = _S16;
+    }
+    walk_0.offset_0 = _S17;
+    var origin_5 : vec3<f32>;
+    if(IS_EXACT_0)
+    {
+        origin_5 = ray_1.origin_2;
+    }
+    else
+    {
+        origin_5 = ray_1.origin_2 - vec3<f32>(walk_0.grid_origin_0);
+    }
+    walk_0.origin_4 = select(origin_5, (vec3<f32>(0) - origin_5), is_negative_0);
+    walk_0.speed_1 = max(abs(ray_1.direction_1), vec3<f32>(min_abs_direction_0()));
+    if(IS_EXACT_0)
+    {
+        origin_5 = abs(ray_1.inverse_0);
+    }
+    else
+    {
+        origin_5 = vec3<f32>(1.0f) / walk_0.speed_1;
+    }
+    walk_0.inverse_1 = origin_5;
+    var top_shift_1 : u32;
+    if(TOP_SHIFT_0 != u32(0))
+    {
+        top_shift_1 = TOP_SHIFT_0;
+    }
+    else
+    {
+        top_shift_1 = grid_1.top_shift_0;
+    }
+    walk_0.tolerance_0 = LocalRay_tolerance_0(ray_1, walk_0.grid_origin_0, walk_0.grid_origin_0 + (((cell_of_0(grid_1.top_size_0)) << (vec3<u32>(top_shift_1)))));
+    walk_0.t_end_0 = LocalRay_t_end_0(ray_1);
+    return walk_0;
+}
+
+fn Walk_mirrored_0( this_3 : Walk_0,  voxel_2 : vec3<i32>) -> vec3<i32>
+{
+    return (voxel_2 ^ ((this_3.mirror_0)));
+}
+
+fn halves_0( value_0 : f32) -> vec2<f32>
+{
+    var high_1 : f32 = (bitcast<f32>((((bitcast<u32>((value_0))) & (u32(4294963200))))));
+    return vec2<f32>(high_1, value_0 - high_1);
+}
+
+fn exact_product_0( a_1 : f32,  b_1 : f32) -> vec2<f32>
+{
+    var product_0 : f32 = a_1 * b_1;
+    if(!IS_EXACT_0)
+    {
+        return vec2<f32>(product_0, 0.0f);
+    }
+    var a_parts_0 : vec2<f32> = halves_0(a_1);
+    var b_parts_0 : vec2<f32> = halves_0(b_1);
+    var _S18 : f32 = a_parts_0.x;
+    var _S19 : f32 = b_parts_0.x;
+    var _S20 : f32 = b_parts_0.y;
+    var _S21 : f32 = a_parts_0.y;
+    return vec2<f32>(product_0, _S18 * _S19 - product_0 + _S18 * _S20 + _S21 * _S19 + _S21 * _S20);
+}
+
+fn exact_start_voxel_0( ray_2 : LocalRay_0) -> vec3<i32>
+{
+    var way_0 : vec2<f32> = exact_product_0(ray_2.t_min_1, ray_2.direction_1[u32(0)]);
+    var _S22 : f32 = way_0.x;
+    var sum_0 : f32 = ray_2.origin_2[u32(0)] + _S22;
+    var part_0 : f32 = sum_0 - ray_2.origin_2[u32(0)];
+    var low_1 : f32 = ray_2.origin_2[u32(0)] - (sum_0 - part_0) + (_S22 - part_0) + way_0.y;
+    var whole_0 : f32 = floor(sum_0);
+    var voxel_3 : vec3<i32>;
+    var _S23 : i32 = i32(whole_0);
+    var _S24 : bool;
+    if(sum_0 == whole_0)
+    {
+        _S24 = low_1 < 0.0f;
+    }
+    else
+    {
+        _S24 = false;
+    }
+    voxel_3[u32(0)] = _S23 - i32(_S24);
+    var way_1 : vec2<f32> = exact_product_0(ray_2.t_min_1, ray_2.direction_1[u32(1)]);
+    var _S25 : f32 = way_1.x;
+    var sum_1 : f32 = ray_2.origin_2[u32(1)] + _S25;
+    var part_1 : f32 = sum_1 - ray_2.origin_2[u32(1)];
+    var low_2 : f32 = ray_2.origin_2[u32(1)] - (sum_1 - part_1) + (_S25 - part_1) + way_1.y;
+    var whole_1 : f32 = floor(sum_1);
+    var _S26 : i32 = i32(whole_1);
+    if(sum_1 == whole_1)
+    {
+        _S24 = low_2 < 0.0f;
+    }
+    else
+    {
+        _S24 = false;
+    }
+    voxel_3[u32(1)] = _S26 - i32(_S24);
+    var way_2 : vec2<f32> = exact_product_0(ray_2.t_min_1, ray_2.direction_1[u32(2)]);
+    var _S27 : f32 = way_2.x;
+    var sum_2 : f32 = ray_2.origin_2[u32(2)] + _S27;
+    var part_2 : f32 = sum_2 - ray_2.origin_2[u32(2)];
+    var low_3 : f32 = ray_2.origin_2[u32(2)] - (sum_2 - part_2) + (_S27 - part_2) + way_2.y;
+    var whole_2 : f32 = floor(sum_2);
+    var _S28 : i32 = i32(whole_2);
+    if(sum_2 == whole_2)
+    {
+        _S24 = low_3 < 0.0f;
+    }
+    else
+    {
+        _S24 = false;
+    }
+    voxel_3[u32(2)] = _S28 - i32(_S24);
+    return voxel_3;
+}
+
+fn Walk_start_voxel_0( this_4 : Walk_0) -> vec3<i32>
+{
+    var start_0 : vec3<f32> = clamp(this_4.ray_0.origin_2 + this_4.ray_0.direction_1 * vec3<f32>(this_4.ray_0.t_min_1), vec3<f32>(-2.097152e+06f), vec3<f32>(2.097152e+06f));
+    if(!IS_EXACT_0)
+    {
+        return Walk_mirrored_0(this_4, vec3<i32>(floor(start_0)) - this_4.grid_origin_0);
+    }
+    var nearest_0 : vec3<f32> = round(start_0);
+    var from_nearest_0 : vec3<f32> = start_0 - nearest_0;
+    var _S29 : bool;
+    if((this_4.ray_0.t_min_1) > 0.0f)
+    {
+        _S29 = (any(((abs(from_nearest_0)) <= (this_4.tolerance_0))));
+    }
+    else
+    {
+        _S29 = false;
+    }
+    if(_S29)
+    {
+        return Walk_mirrored_0(this_4, exact_start_voxel_0(this_4.ray_0) - this_4.grid_origin_0);
+    }
+    return Walk_mirrored_0(this_4, vec3<i32>(nearest_0) - vec3<i32>(from_nearest_0 < vec3<f32>(0.0f)) - this_4.grid_origin_0);
+}
+
+fn Walk_crossings_0( this_5 : Walk_0,  planes_1 : vec3<i32>) -> vec3<f32>
+{
+    return (vec3<f32>(planes_1 + this_5.offset_0) - this_5.origin_4) * this_5.inverse_1;
+}
+
+struct Crossing_0
+{
+     distance_0 : f32,
+     distance_low_0 : f32,
+     speed_2 : f32,
+     axis_0 : u32,
+};
+
+fn Crossing_x24init_0( distance_1 : f32,  distance_low_1 : f32,  speed_3 : f32,  axis_1 : u32) -> Crossing_0
+{
+    var _S30 : Crossing_0;
+    _S30.distance_0 = distance_1;
+    _S30.distance_low_0 = distance_low_1;
+    _S30.speed_2 = speed_3;
+    _S30.axis_0 = axis_1;
+    return _S30;
+}
+
+fn crossing_of_0( ray_3 : LocalRay_0,  axis_2 : u32,  plane_1 : i32) -> Crossing_0
+{
+    var sign_0 : f32;
+    if((ray_3.direction_1[axis_2]) < 0.0f)
+    {
+        sign_0 = -1.0f;
+    }
+    else
+    {
+        sign_0 = 1.0f;
+    }
+    var at_0 : f32 = f32(plane_1);
+    var difference_0 : f32 = at_0 - ray_3.origin_2[axis_2];
+    var part_3 : f32 = difference_0 - at_0;
+    return Crossing_x24init_0(difference_0 * sign_0, (at_0 - (difference_0 - part_3) - (ray_3.origin_2[axis_2] + part_3)) * sign_0, abs(ray_3.direction_1[axis_2]), axis_2);
+}
+
+fn Crossing_is_before_0( this_6 : Crossing_0,  other_0 : Crossing_0) -> bool
+{
+    var ours_0 : vec2<f32> = exact_product_0(this_6.distance_0, other_0.speed_2);
+    var theirs_0 : vec2<f32> = exact_product_0(other_0.distance_0, this_6.speed_2);
+    if(IS_EXACT_0)
+    {
+        ours_0[i32(1)] = ours_0[i32(1)] + this_6.distance_low_0 * other_0.speed_2;
+        theirs_0[i32(1)] = theirs_0[i32(1)] + other_0.distance_low_0 * this_6.speed_2;
+    }
+    var difference_1 : f32 = ours_0.x - theirs_0.x + (ours_0.y - theirs_0.y);
+    var _S31 : bool;
+    if(difference_1 < 0.0f)
+    {
+        _S31 = true;
+    }
+    else
+    {
+        if(difference_1 == 0.0f)
+        {
+            _S31 = (this_6.axis_0) < (other_0.axis_0);
+        }
+        else
+        {
+            _S31 = false;
+        }
+    }
+    return _S31;
+}
+
+fn leave_box_0( ray_4 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  nearest_1 : vec3<i32>) -> vec3<i32>
+{
+    var _S32 : vec3<f32>;
+    var _S33 : f32;
+    var _S34 : bool;
+    var is_crossed_0 : bool;
+    var first_0 : Crossing_0;
+    var _S35 : f32;
+    var _S36 : bool;
+    var _S37 : f32;
+    var _S38 : bool;
+    var plane_2 : i32;
+    var _S39 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
+    for(;;)
+    {
+        for(;;)
+        {
+            for(;;)
+            {
+                _S32 = ray_4.direction_1;
+                _S33 = ray_4.direction_1[u32(0)];
+                var _S40 : bool = (ray_4.direction_1[u32(0)]) == 0.0f;
+                _S34 = _S40;
+                if(_S40)
+                {
+                    first_0 = _S39;
+                    break;
+                }
+                var crossing_0 : Crossing_0 = crossing_of_0(ray_4, u32(0), exit_0[u32(0)]);
+                if((_S39.axis_0) == u32(3))
+                {
+                    is_crossed_0 = true;
+                }
+                else
+                {
+                    is_crossed_0 = Crossing_is_before_0(crossing_0, _S39);
+                }
+                if(is_crossed_0)
+                {
+                    first_0 = crossing_0;
+                }
+                else
+                {
+                    first_0 = _S39;
+                }
+                break;
+            }
+            break;
+        }
+        for(;;)
+        {
+            for(;;)
+            {
+                _S35 = _S32[u32(1)];
+                var _S41 : bool = (_S32[u32(1)]) == 0.0f;
+                _S36 = _S41;
+                if(_S41)
+                {
+                    break;
+                }
+                var crossing_1 : Crossing_0 = crossing_of_0(ray_4, u32(1), exit_0[u32(1)]);
+                if((first_0.axis_0) == u32(3))
+                {
+                    is_crossed_0 = true;
+                }
+                else
+                {
+                    is_crossed_0 = Crossing_is_before_0(crossing_1, first_0);
+                }
+                if(is_crossed_0)
+                {
+                    first_0 = crossing_1;
+                }
+                break;
+            }
+            break;
+        }
+        for(;;)
+        {
+            for(;;)
+            {
+                _S37 = _S32[u32(2)];
+                var _S42 : bool = (_S32[u32(2)]) == 0.0f;
+                _S38 = _S42;
+                if(_S42)
+                {
+                    break;
+                }
+                var crossing_2 : Crossing_0 = crossing_of_0(ray_4, u32(2), exit_0[u32(2)]);
+                if((first_0.axis_0) == u32(3))
+                {
+                    is_crossed_0 = true;
+                }
+                else
+                {
+                    is_crossed_0 = Crossing_is_before_0(crossing_2, first_0);
+                }
+                if(is_crossed_0)
+                {
+                    first_0 = crossing_2;
+                }
+                break;
+            }
+            break;
+        }
+        break;
+    }
+    var arrival_0 : vec3<i32> = voxel_4;
+    for(;;)
+    {
+        for(;;)
+        {
+            for(;;)
+            {
+                if(_S34)
+                {
+                    break;
+                }
+                var _S43 : bool = u32(0) == (first_0.axis_0);
+                if(_S43)
+                {
+                    is_crossed_0 = true;
+                }
+                else
+                {
+                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_4, u32(0), nearest_1[u32(0)]), first_0);
+                }
+                if(_S43)
+                {
+                    plane_2 = exit_0[u32(0)];
+                }
+                else
+                {
+                    plane_2 = nearest_1[u32(0)];
+                }
+                arrival_0[u32(0)] = plane_2 - i32(is_crossed_0 == (_S33 < 0.0f));
+                break;
+            }
+            break;
+        }
+        for(;;)
+        {
+            for(;;)
+            {
+                if(_S36)
+                {
+                    break;
+                }
+                var _S44 : bool = u32(1) == (first_0.axis_0);
+                if(_S44)
+                {
+                    is_crossed_0 = true;
+                }
+                else
+                {
+                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_4, u32(1), nearest_1[u32(1)]), first_0);
+                }
+                if(_S44)
+                {
+                    plane_2 = exit_0[u32(1)];
+                }
+                else
+                {
+                    plane_2 = nearest_1[u32(1)];
+                }
+                arrival_0[u32(1)] = plane_2 - i32(is_crossed_0 == (_S35 < 0.0f));
+                break;
+            }
+            break;
+        }
+        for(;;)
+        {
+            for(;;)
+            {
+                if(_S38)
+                {
+                    break;
+                }
+                var _S45 : bool = u32(2) == (first_0.axis_0);
+                if(_S45)
+                {
+                    is_crossed_0 = true;
+                }
+                else
+                {
+                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_4, u32(2), nearest_1[u32(2)]), first_0);
+                }
+                if(_S45)
+                {
+                    plane_2 = exit_0[u32(2)];
+                }
+                else
+                {
+                    plane_2 = nearest_1[u32(2)];
+                }
+                arrival_0[u32(2)] = plane_2 - i32(is_crossed_0 == (_S37 < 0.0f));
+                break;
+            }
+            break;
+        }
+        break;
+    }
+    return arrival_0;
+}
+
+fn Walk_arrive_0( this_7 : Walk_0,  voxel_5 : vec3<i32>,  t_2 : f32,  is_axis_0 : vec3<bool>,  exit_1 : vec3<i32>) -> vec3<i32>
+{
+    var position_0 : vec3<f32> = this_7.origin_4 + this_7.speed_1 * vec3<f32>(t_2);
+    if(IS_EXACT_0)
+    {
+        var position_1 : vec3<f32> = clamp(position_0, vec3<f32>(-2.097152e+06f), vec3<f32>(2.097152e+06f));
+        var nearest_2 : vec3<f32> = round(position_1);
+        var from_nearest_1 : vec3<f32> = position_1 - nearest_2;
+        if((any((select(vec3<bool>(false), (abs(position_1)) < vec3<f32>(2.097152e+06f), select(vec3<bool>(false), !is_axis_0, (abs(from_nearest_1)) <= (this_7.tolerance_0)))))))
+        {
+            return max(Walk_mirrored_0(this_7, leave_box_0(this_7.ray_0, Walk_mirrored_0(this_7, voxel_5) + this_7.grid_origin_0, Walk_mirrored_plane_0(this_7, exit_1) + this_7.grid_origin_0, Walk_mirrored_plane_0(this_7, vec3<i32>(nearest_2))) - this_7.grid_origin_0), voxel_5);
+        }
+        return select(vec3<i32>(nearest_2) - vec3<i32>(from_nearest_1 < vec3<f32>(0.0f)) - this_7.offset_0, exit_1, is_axis_0);
+    }
+    return max(vec3<i32>(floor(position_0)), select(voxel_5, exit_1, is_axis_0));
+}
+
+fn Walk_enter_rounded_0( this_8 : Walk_0,  voxel_6 : ptr<function, vec3<i32>>,  near_0 : vec3<i32>,  far_0 : vec3<i32>) -> bool
+{
+    for(;;)
+    {
+        var is_before_0 : vec3<bool> = (*voxel_6) < near_0;
+        if(!(any((is_before_0))))
+        {
+            break;
+        }
+        if((any((select(vec3<bool>(false), (this_8.speed_1) <= vec3<f32>(min_abs_direction_0()), is_before_0)))))
+        {
+            return false;
+        }
+        var t_3 : vec3<f32> = select(vec3<f32>(-1.0f), Walk_crossings_0(this_8, near_0), is_before_0);
+        var t_last_0 : f32 = max_element_0(t_3);
+        if(t_last_0 > (this_8.t_end_0))
+        {
+            return false;
+        }
+        var is_x_0 : bool = (t_3.x) == t_last_0;
+        var _S46 : bool = !is_x_0;
+        var is_y_0 : bool;
+        if(_S46)
+        {
+            is_y_0 = (t_3.y) == t_last_0;
+        }
+        else
+        {
+            is_y_0 = false;
+        }
+        var _S47 : bool;
+        if(_S46)
+        {
+            _S47 = !is_y_0;
+        }
+        else
+        {
+            _S47 = false;
+        }
+        var is_axis_1 : vec3<bool> = vec3<bool>(is_x_0, is_y_0, _S47);
+        (*voxel_6) = Walk_arrive_0(this_8, (*voxel_6), t_last_0, is_axis_1, select(vec3<i32>(i32(1073741823)), near_0, is_axis_1));
+    }
+    return (all(((*voxel_6) < far_0)));
+}
+
+fn min_element_0( vector_2 : vec3<f32>) -> f32
+{
+    return min(min(vector_2.x, vector_2.y), vector_2.z);
+}
+
+fn Walk_leave_rounded_0( this_9 : Walk_0,  voxel_7 : ptr<function, vec3<i32>>,  exit_2 : vec3<i32>) -> bool
+{
+    var t_4 : vec3<f32> = Walk_crossings_0(this_9, exit_2);
+    var t_first_0 : f32 = min_element_0(t_4);
+    if(t_first_0 >= (this_9.t_end_0))
+    {
+        return false;
+    }
+    (*voxel_7) = max(exit_2 - vec3<i32>(ceil((t_4 - vec3<f32>(t_first_0)) * this_9.speed_1)), (*voxel_7));
+    return true;
+}
+
+fn Walk_leave_0( this_10 : Walk_0,  voxel_8 : ptr<function, vec3<i32>>,  exit_3 : vec3<i32>) -> bool
+{
+    if(!IS_EXACT_0)
+    {
+        var _S48 : bool = Walk_leave_rounded_0(this_10, &((*voxel_8)), exit_3);
+        return _S48;
+    }
+    var t_5 : vec3<f32> = Walk_crossings_0(this_10, exit_3);
+    var t_first_1 : f32 = min_element_0(t_5);
+    if(t_first_1 > (this_10.t_end_0))
+    {
+        return false;
+    }
+    var is_x_1 : bool = (t_5.x) == t_first_1;
+    var _S49 : bool = !is_x_1;
+    var is_y_1 : bool;
+    if(_S49)
+    {
+        is_y_1 = (t_5.y) == t_first_1;
+    }
+    else
+    {
+        is_y_1 = false;
+    }
+    var back_0 : vec3<f32> = (t_5 - vec3<f32>(t_first_1)) * this_10.speed_1;
+    var nearest_3 : vec3<f32> = round(back_0);
+    var from_nearest_2 : vec3<f32> = back_0 - nearest_3;
+    var planes_2 : vec3<i32> = exit_3 - vec3<i32>(min(nearest_3, vec3<f32>(4.194304e+06f)));
+    var _S50 : vec3<i32> = planes_2 - vec3<i32>(from_nearest_2 > vec3<f32>(0.0f));
+    var _S51 : vec3<bool> = (abs(from_nearest_2)) <= (this_10.tolerance_0);
+    var _S52 : bool;
+    if(_S49)
+    {
+        _S52 = !is_y_1;
+    }
+    else
+    {
+        _S52 = false;
+    }
+    var arrival_1 : vec3<i32>;
+    if((any((select(vec3<bool>(false), !vec3<bool>(is_x_1, is_y_1, _S52), _S51)))))
+    {
+        arrival_1 = Walk_mirrored_0(this_10, leave_box_0(this_10.ray_0, Walk_mirrored_0(this_10, (*voxel_8)) + this_10.grid_origin_0, Walk_mirrored_plane_0(this_10, exit_3) + this_10.grid_origin_0, Walk_mirrored_plane_0(this_10, planes_2) + this_10.grid_origin_0) - this_10.grid_origin_0);
+    }
+    else
+    {
+        arrival_1 = _S50;
+    }
+    (*voxel_8) = select(max(arrival_1, (*voxel_8)), (*voxel_8), (this_10.speed_1) == vec3<f32>(0.0f));
+    return true;
+}
+
+fn Walk_enter_0( this_11 : Walk_0,  voxel_9 : ptr<function, vec3<i32>>,  low_4 : vec3<i32>,  high_2 : vec3<i32>) -> bool
+{
+    var _S53 : bool;
+    var is_mirrored_0 : vec3<bool> = (this_11.mirror_0) != vec3<i32>(i32(0));
+    var near_1 : vec3<i32> = select(low_4, (vec3<i32>(0) - high_2), is_mirrored_0);
+    var far_1 : vec3<i32> = select(high_2, (vec3<i32>(0) - low_4), is_mirrored_0);
+    if(!IS_EXACT_0)
+    {
+        var _S54 : bool = Walk_enter_rounded_0(this_11, &((*voxel_9)), near_1, far_1);
+        return _S54;
+    }
+    var axis_3 : u32 = u32(0);
+    for(;;)
+    {
+        if(axis_3 < u32(3))
+        {
+            _S53 = (any(((*voxel_9) < near_1)));
+        }
+        else
+        {
+            _S53 = false;
+        }
+        var _S55 : bool;
+        if(_S53)
+        {
+            _S55 = (all(((*voxel_9) < far_1)));
+        }
+        else
+        {
+            _S55 = false;
+        }
+        if(_S55)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S56 : bool = Walk_leave_0(this_11, &((*voxel_9)), select(far_1, near_1, (*voxel_9) < near_1));
+        if(!_S56)
+        {
+            return false;
+        }
+        axis_3 = axis_3 + u32(1);
+    }
+    if((all(((*voxel_9) >= near_1))))
+    {
+        _S53 = (all(((*voxel_9) < far_1)));
+    }
+    else
+    {
+        _S53 = false;
+    }
+    return _S53;
+}
+
+fn LocalRay_octant_0( this_12 : LocalRay_0) -> u32
+{
+    return (((u32((this_12.direction_1.x) < 0.0f) | (((u32((this_12.direction_1.y) < 0.0f) << (u32(1))))))) | (((u32((this_12.direction_1.z) < 0.0f) << (u32(2))))));
+}
+
+fn flip_of_0( octant_0 : u32) -> u32
+{
+    return ((((((octant_0 & (u32(1)))) | (((((octant_0 & (u32(2)))) << (u32(1))))))) | (((((octant_0 & (u32(4)))) << (u32(2))))))) * u32(3);
+}
+
+fn dot_cells_0( a_2 : vec3<i32>,  b_2 : vec3<i32>) -> i32
+{
+    return a_2.x * b_2.x + a_2.y * b_2.y + a_2.z * b_2.z;
+}
+
+fn ahead_of_0( mirror_1 : vec3<i32>) -> u32
+{
+    var bits_0 : vec3<u32> = (vec3<u32>(~mirror_1) & (vec3<u32>(u32(31), u32(992), u32(31744))));
+    return ((((bits_0.x) | ((bits_0.y)))) | ((bits_0.z)));
+}
+
+@id(12) override HAS_PAGES_0 : bool = false;
+
+var<private> is_page_missing_0 : bool;
+
+fn word_in_pages_0( index_0 : u32,  first_1 : u32) -> u32
+{
+    var page_0 : u32 = first_1 + ((index_0 >> (u32(10))));
+    var mark_0 : u32 = u32(8) + pages_0[i32(0)] + page_0;
+    if(pages_0[mark_0] == u32(0))
+    {
+        pages_0[mark_0] = u32(1);
+    }
+    var slot_0 : u32 = pages_0[u32(8) + page_0];
+    var _S57 : bool;
+    if(is_page_missing_0)
+    {
+        _S57 = true;
+    }
+    else
+    {
+        _S57 = slot_0 == u32(0);
+    }
+    is_page_missing_0 = _S57;
+    return (((slot_0 << (u32(10)))) | (((index_0 & (u32(1023))))));
+}
+
+fn place_of_cell_0( index_1 : u32) -> u32
+{
+    var _S58 : u32;
+    if(HAS_PAGES_0)
+    {
+        var _S59 : u32 = word_in_pages_0(index_1, u32(0));
+        _S58 = _S59;
+    }
+    else
+    {
+        _S58 = index_1;
+    }
+    return _S58;
+}
+
+fn cell_word_0( index_2 : u32) -> u32
+{
+    var _S60 : u32 = place_of_cell_0(index_2);
+    return cells_1[_S60];
+}
+
+fn cell_in_node_0( relative_0 : vec3<i32>,  shift_0 : u32) -> u32
+{
+    var cell_0 : vec3<u32> = (((vec3<u32>(relative_0) >> (vec3<u32>(shift_0)))) & (vec3<u32>(u32(3))));
+    return ((((cell_0.x) | ((((cell_0.y) << (u32(2))))))) | ((((cell_0.z) << (u32(4))))));
+}
+
+fn waits_for_pages_0() -> bool
+{
+    var _S61 : bool;
+    if(HAS_PAGES_0)
+    {
+        _S61 = is_page_missing_0;
+    }
+    else
+    {
+        _S61 = false;
+    }
+    return _S61;
+}
+
+@id(11) override CELLS_SKIP_0 : bool = false;
+
+fn skip_distance_0( cell_1 : u32,  octant_1 : u32) -> u32
+{
+    var code_0 : u32 = (((cell_1 >> ((u32(3) * octant_1)))) & (u32(7)));
+    var _S62 : u32;
+    if(code_0 < u32(2))
+    {
+        _S62 = code_0 + u32(1);
+    }
+    else
+    {
+        _S62 = ((u32(3) + ((code_0 & (u32(1))))) << ((((code_0 >> (u32(1)))) - u32(1))));
+    }
+    return _S62;
+}
+
+fn extents_0( cell_2 : u32,  ahead_0 : u32) -> vec3<i32>
+{
+    return vec3<i32>((((vec3<u32>(((((cell_2 & (ahead_0))) | (((((cell_2 >> (u32(15)))) & (((u32(32767) ^ (ahead_0)))))))))) >> (vec3<u32>(u32(0), u32(5), u32(10))))) & (vec3<u32>(u32(31)))));
+}
+
+@id(4) override CELLS_HAVE_BLOCKS_0 : bool = false;
+
+fn record_of_cell_0( cell_3 : u32) -> u32
+{
+    var _S63 : u32;
+    if(CELLS_HAVE_BLOCKS_0)
+    {
+        _S63 = u32(8388607);
+    }
+    else
+    {
+        _S63 = u32(2147483647);
+    }
+    return ((cell_3 & (_S63))) * u32(2);
+}
+
+fn blocks_of_cell_0( cell_4 : u32) -> u32
+{
+    return (((cell_4 >> (u32(23)))) & (u32(255)));
+}
+
+fn place_of_brick_0( index_3 : u32) -> u32
+{
+    var _S64 : u32;
+    if(HAS_PAGES_0)
+    {
+        var _S65 : u32 = word_in_pages_0(index_3, pages_0[i32(1)]);
+        _S64 = _S65;
+    }
+    else
+    {
+        _S64 = index_3;
+    }
+    return _S64;
+}
+
+fn brick_word_0( index_4 : u32) -> u32
+{
+    var _S66 : u32 = place_of_brick_0(index_4);
+    return bricks_0[_S66];
+}
+
+fn blocks_of_record_0( record_0 : u32) -> u32
+{
+    var _S67 : u32 = brick_word_0(record_0);
+    return (_S67 & (u32(255)));
+}
+
+fn empty_around_0( record_1 : u32,  blocks_0 : u32,  voxel_10 : vec3<i32>,  octant_2 : u32,  flip_0 : u32) -> u32
+{
+    var block_0 : u32 = (((((u32(((((voxel_10.x) >> (u32(2)))) & (i32(1)))) | (u32(((((voxel_10.y) >> (u32(1)))) & (i32(2))))))) | (u32(((voxel_10.z) & (i32(4))))))) ^ (octant_2));
+    if(((((blocks_0 >> (block_0))) & (u32(1)))) == u32(0))
+    {
+        return u32(3);
+    }
+    var bit_0 : u32 = ((cell_in_node_0(voxel_10, u32(0))) ^ (flip_0));
+    var half_0 : u32 = brick_word_0(record_1 + u32(2) + u32(2) * countOneBits((blocks_0 & ((((u32(1) << (block_0))) - u32(1))))) + ((bit_0 >> (u32(5)))));
+    if(((((half_0 >> (((bit_0 & (u32(31))))))) & (u32(1)))) != u32(0))
+    {
+        return u32(4294967295);
+    }
+    var _S68 : i32;
+    if(((((half_0 >> (((bit_0 & (u32(10))))))) & (u32(3342387)))) == u32(0))
+    {
+        _S68 = i32(1);
+    }
+    else
+    {
+        _S68 = i32(0);
+    }
+    return u32(_S68);
+}
+
+fn Walk_leave_rounded_1( this_13 : Walk_0,  voxel_11 : ptr<function, vec3<i32>>,  exit_4 : vec3<i32>) -> bool
+{
+    var t_6 : vec3<f32> = Walk_crossings_0(this_13, exit_4);
+    var t_first_2 : f32 = min_element_0(t_6);
+    if(t_first_2 >= (this_13.t_end_0))
+    {
+        return false;
+    }
+    (*voxel_11) = max(exit_4 - vec3<i32>(ceil((t_6 - vec3<f32>(t_first_2)) * this_13.speed_1)), (*voxel_11));
+    return true;
+}
+
+fn Walk_leave_1( this_14 : Walk_0,  voxel_12 : ptr<function, vec3<i32>>,  exit_5 : vec3<i32>) -> bool
+{
+    if(!IS_EXACT_0)
+    {
+        var _S69 : bool = Walk_leave_rounded_1(this_14, &((*voxel_12)), exit_5);
+        return _S69;
+    }
+    var t_7 : vec3<f32> = Walk_crossings_0(this_14, exit_5);
+    var t_first_3 : f32 = min_element_0(t_7);
+    if(t_first_3 > (this_14.t_end_0))
+    {
+        return false;
+    }
+    var is_x_2 : bool = (t_7.x) == t_first_3;
+    var _S70 : bool = !is_x_2;
+    var is_y_2 : bool;
+    if(_S70)
+    {
+        is_y_2 = (t_7.y) == t_first_3;
+    }
+    else
+    {
+        is_y_2 = false;
+    }
+    var back_1 : vec3<f32> = (t_7 - vec3<f32>(t_first_3)) * this_14.speed_1;
+    var nearest_4 : vec3<f32> = round(back_1);
+    var from_nearest_3 : vec3<f32> = back_1 - nearest_4;
+    var planes_3 : vec3<i32> = exit_5 - vec3<i32>(min(nearest_4, vec3<f32>(4.194304e+06f)));
+    var _S71 : vec3<i32> = planes_3 - vec3<i32>(from_nearest_3 > vec3<f32>(0.0f));
+    var _S72 : vec3<bool> = (abs(from_nearest_3)) <= (this_14.tolerance_0);
+    var _S73 : bool;
+    if(_S70)
+    {
+        _S73 = !is_y_2;
+    }
+    else
+    {
+        _S73 = false;
+    }
+    var arrival_2 : vec3<i32>;
+    if((any((select(vec3<bool>(false), !vec3<bool>(is_x_2, is_y_2, _S73), _S72)))))
+    {
+        arrival_2 = Walk_mirrored_0(this_14, leave_box_0(this_14.ray_0, Walk_mirrored_0(this_14, (*voxel_12)) + this_14.grid_origin_0, Walk_mirrored_plane_0(this_14, exit_5) + this_14.grid_origin_0, Walk_mirrored_plane_0(this_14, planes_3) + this_14.grid_origin_0) - this_14.grid_origin_0);
+    }
+    else
+    {
+        arrival_2 = _S71;
+    }
+    (*voxel_12) = select(max(arrival_2, (*voxel_12)), (*voxel_12), (this_14.speed_1) == vec3<f32>(0.0f));
+    return true;
+}
+
+fn first_voxel_0( grid_2 : PackedGrid_0,  walk_1 : Walk_0,  found_0 : ptr<function, vec3<i32>>) -> bool
+{
+    var _S74 : Walk_0 = walk_1;
+    var _S75 : vec3<i32> = vec3<i32>(i32(0));
+    (*found_0) = _S75;
+    var voxel_13 : vec3<i32> = Walk_start_voxel_0(walk_1);
+    var _S76 : vec3<i32> = cell_of_0(grid_2.min_0);
+    var _S77 : vec3<i32> = cell_of_0(grid_2.max_0);
+    var _S78 : bool = Walk_enter_0(walk_1, &(voxel_13), _S76 - _S74.grid_origin_0, _S77 - _S74.grid_origin_0);
+    if(!_S78)
+    {
+        return false;
+    }
+    var octant_3 : u32 = LocalRay_octant_0(_S74.ray_0);
+    var _S79 : u32 = flip_of_0(octant_3);
+    var top_shift_2 : u32;
+    if(TOP_SHIFT_0 != u32(0))
+    {
+        top_shift_2 = TOP_SHIFT_0;
+    }
+    else
+    {
+        top_shift_2 = grid_2.top_shift_0;
+    }
+    var top_size_1 : vec3<i32> = cell_of_0(grid_2.top_size_0);
+    var _S80 : i32 = top_size_1.x;
+    var stride_0 : vec3<i32> = vec3<i32>(i32(1), _S80, _S80 * top_size_1.y);
+    var _S81 : i32 = i32(grid_2.top_offset_0) - dot_cells_0((stride_0 & ((_S74.mirror_0))), vec3<i32>(i32(1)));
+    var _S82 : vec3<i32> = Walk_mirrored_plane_0(_S74, stride_0);
+    var _S83 : u32 = ahead_of_0(_S74.mirror_0);
+    var end_0 : vec3<i32> = select((top_size_1 << (vec3<u32>(top_shift_2))), _S75, (_S74.mirror_0) != _S75);
+    if(!IS_EXACT_0)
+    {
+        _S74.t_end_0 = min(_S74.t_end_0, min_element_0(Walk_crossings_0(_S74, end_0)));
+    }
+    if(!IS_SINGLE_0)
+    {
+        var _S84 : f32 = _S74.t_end_0;
+        var _S85 : f32 = min_element_0(Walk_crossings_0(_S74, Walk_mirrored_plane_0(_S74, select(_S77, _S76, (_S74.mirror_0) != _S75) - _S74.grid_origin_0)));
+        var _S86 : f32;
+        if(IS_EXACT_0)
+        {
+            _S86 = 1.00000095367431641f;
+        }
+        else
+        {
+            _S86 = 1.0f;
+        }
+        _S74.t_end_0 = min(_S84, _S85 * _S86);
+    }
+    var is_found_0 : bool = false;
+    for(;;)
+    {
+        var _S87 : bool;
+        if(IS_EXACT_0)
+        {
+            _S87 = (any((voxel_13 >= end_0)));
+        }
+        else
+        {
+            _S87 = false;
+        }
+        if(_S87)
+        {
+            break;
+        }
+        var cell_5 : u32 = cell_word_0(u32(_S81 + dot_cells_0(_S82, (voxel_13 >> (vec3<u32>(top_shift_2))))));
+        var cell_6 : u32;
+        var shift_1 : u32;
+        var is_found_1 : bool;
+        if(TOP_SHIFT_0 == u32(5))
+        {
+            if(((cell_5 & (u32(2147483648)))) != u32(0))
+            {
+                var _S88 : u32 = cell_word_0(((cell_5 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_13, u32(3))) ^ (_S79))));
+                cell_6 = _S88;
+                shift_1 = u32(3);
+            }
+            else
+            {
+                cell_6 = cell_5;
+                shift_1 = top_shift_2;
+            }
+        }
+        else
+        {
+            cell_6 = cell_5;
+            shift_1 = top_shift_2;
+            for(;;)
+            {
+                if(TOP_SHIFT_0 != u32(3))
+                {
+                    is_found_1 = shift_1 > u32(3);
+                }
+                else
+                {
+                    is_found_1 = false;
+                }
+                var _S89 : bool;
+                if(is_found_1)
+                {
+                    _S89 = ((cell_6 & (u32(2147483648)))) != u32(0);
+                }
+                else
+                {
+                    _S89 = false;
+                }
+                if(_S89)
+                {
+                }
+                else
+                {
+                    break;
+                }
+                var shift_2 : u32 = shift_1 - u32(2);
+                var _S90 : u32 = cell_word_0(((cell_6 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_13, shift_2)) ^ (_S79))));
+                cell_6 = _S90;
+                shift_1 = shift_2;
+            }
+        }
+        if(waits_for_pages_0())
+        {
+            break;
+        }
+        var exit_6 : vec3<i32>;
+        if(((cell_6 & (u32(2147483648)))) == u32(0))
+        {
+            if(CELLS_SKIP_0)
+            {
+                exit_6 = vec3<i32>((i32(skip_distance_0(cell_6, octant_3)) - i32(1)));
+            }
+            else
+            {
+                exit_6 = extents_0(cell_6, _S83);
+            }
+            exit_6 = ((voxel_13 | (vec3<i32>((((i32(1) << (shift_1))) - i32(1)))))) + vec3<i32>(i32(1)) + ((exit_6 << (vec3<u32>(shift_1))));
+            is_found_1 = is_found_0;
+        }
+        else
+        {
+            var record_2 : u32 = record_of_cell_0(cell_6);
+            var blocks_1 : u32;
+            if(CELLS_HAVE_BLOCKS_0)
+            {
+                blocks_1 = blocks_of_cell_0(cell_6);
+            }
+            else
+            {
+                var _S91 : u32 = blocks_of_record_0(record_2);
+                blocks_1 = _S91;
+            }
+            var low_bits_0 : u32 = empty_around_0(record_2, blocks_1, voxel_13, octant_3, _S79);
+            var is_found_2 : bool = low_bits_0 == u32(4294967295);
+            if(is_found_2)
+            {
+                is_found_0 = is_found_2;
+                break;
+            }
+            exit_6 = ((voxel_13 | (vec3<i32>(i32(low_bits_0))))) + vec3<i32>(i32(1));
+            is_found_1 = is_found_2;
+        }
+        var _S92 : bool = Walk_leave_1(_S74, &(voxel_13), exit_6);
+        if(!_S92)
+        {
+            is_found_0 = is_found_1;
+            break;
+        }
+        is_found_0 = is_found_1;
+    }
+    (*found_0) = Walk_mirrored_0(_S74, voxel_13) + _S74.grid_origin_0;
+    return is_found_0;
+}
+
+fn Ray_x24init_0( origin_6 : vec3<f32>,  t_min_2 : f32,  direction_3 : vec3<f32>,  t_max_2 : f32) -> Ray_0
+{
+    var _S93 : Ray_0;
+    _S93.origin_1 = origin_6;
+    _S93.t_min_0 = t_min_2;
+    _S93.direction_0 = direction_3;
+    _S93.t_max_0 = t_max_2;
+    return _S93;
+}
+
+fn ray_of_walk_0( walk_2 : Walk_0,  ray_5 : Ray_0) -> Ray_0
+{
+    var is_mirrored_1 : vec3<bool> = (walk_2.mirror_0) != vec3<i32>(i32(0));
+    return Ray_x24init_0(select(walk_2.origin_4, (vec3<f32>(0) - walk_2.origin_4), is_mirrored_1) + vec3<f32>(walk_2.grid_origin_0), ray_5.t_min_0, select(walk_2.speed_1, (vec3<f32>(0) - walk_2.speed_1), is_mirrored_1), ray_5.t_max_0);
+}
+
+fn hit_of_0( ray_6 : LocalRay_0,  voxel_14 : vec3<i32>,  instance_2 : u32) -> Hit_0
+{
+    var _S94 : vec3<f32>;
+    var _S95 : bool;
+    var last_0 : Crossing_0;
+    var _S96 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
+    for(;;)
+    {
+        for(;;)
+        {
+            for(;;)
+            {
+                _S94 = ray_6.direction_1;
+                if((ray_6.direction_1[u32(0)]) == 0.0f)
+                {
+                    last_0 = _S96;
+                    break;
+                }
+                var crossing_3 : Crossing_0 = crossing_of_0(ray_6, u32(0), voxel_14[u32(0)] + i32((ray_6.direction_1[u32(0)]) < 0.0f));
+                if((_S96.axis_0) == u32(3))
+                {
+                    _S95 = true;
+                }
+                else
+                {
+                    _S95 = !Crossing_is_before_0(crossing_3, _S96);
+                }
+                if(_S95)
+                {
+                    last_0 = crossing_3;
+                }
+                else
+                {
+                    last_0 = _S96;
+                }
+                break;
+            }
+            break;
+        }
+        for(;;)
+        {
+            for(;;)
+            {
+                var _S97 : vec3<f32> = _S94;
+                if((_S94[u32(1)]) == 0.0f)
+                {
+                    break;
+                }
+                var crossing_4 : Crossing_0 = crossing_of_0(ray_6, u32(1), voxel_14[u32(1)] + i32((_S97[u32(1)]) < 0.0f));
+                if((last_0.axis_0) == u32(3))
+                {
+                    _S95 = true;
+                }
+                else
+                {
+                    _S95 = !Crossing_is_before_0(crossing_4, last_0);
+                }
+                if(_S95)
+                {
+                    last_0 = crossing_4;
+                }
+                break;
+            }
+            break;
+        }
+        for(;;)
+        {
+            for(;;)
+            {
+                var _S98 : vec3<f32> = _S94;
+                if((_S94[u32(2)]) == 0.0f)
+                {
+                    break;
+                }
+                var crossing_5 : Crossing_0 = crossing_of_0(ray_6, u32(2), voxel_14[u32(2)] + i32((_S98[u32(2)]) < 0.0f));
+                if((last_0.axis_0) == u32(3))
+                {
+                    _S95 = true;
+                }
+                else
+                {
+                    _S95 = !Crossing_is_before_0(crossing_5, last_0);
+                }
+                if(_S95)
+                {
+                    last_0 = crossing_5;
+                }
+                break;
+            }
+            break;
+        }
+        break;
+    }
+    var _S99 : Crossing_0 = last_0;
+    var is_negative_1 : bool = (_S94[last_0.axis_0]) < 0.0f;
+    var t_8 : f32 = (f32(voxel_14[last_0.axis_0] + i32(is_negative_1)) - ray_6.origin_2[last_0.axis_0]) * ray_6.inverse_0[last_0.axis_0];
+    var _S100 : f32;
+    if(t_8 > (ray_6.t_min_1))
+    {
+        _S100 = t_8;
+    }
+    else
+    {
+        _S100 = ray_6.t_min_1;
+    }
+    return Hit_x24init_0(_S100, instance_2, voxel_14, u32(2) * _S99.axis_0 + u32(is_negative_1));
+}
+
+fn hit_of_walk_0( walk_3 : Walk_0,  voxel_15 : vec3<i32>,  instance_3 : u32) -> Hit_0
+{
+    var t_9 : vec3<f32> = Walk_crossings_0(walk_3, Walk_mirrored_0(walk_3, voxel_15 - walk_3.grid_origin_0));
+    var last_1 : f32 = max_element_0(t_9);
+    var _S101 : i32;
+    if((t_9.z) == last_1)
+    {
+        _S101 = i32(2);
+    }
+    else
+    {
+        if((t_9.y) == last_1)
+        {
+            _S101 = i32(1);
+        }
+        else
+        {
+            _S101 = i32(0);
+        }
+    }
+    var axis_4 : u32 = u32(_S101);
+    return Hit_x24init_0(max(last_1, walk_3.ray_0.t_min_1), instance_3, voxel_15, u32(2) * axis_4 + u32((walk_3.mirror_0[axis_4]) != i32(0)));
+}
+
+fn hit_in_0( instance_4 : u32,  grid_3 : PackedGrid_0,  ray_7 : ptr<function, Ray_0>) -> Hit_0
+{
+    var _S102 : LocalRay_0 = local_ray_0((*ray_7), instance_4);
+    if(!_S102.is_valid_0)
+    {
+        return miss_0();
+    }
+    var walk_4 : Walk_0 = walk_of_0(_S102, grid_3);
+    var voxel_16 : vec3<i32>;
+    var is_found_3 : bool = first_voxel_0(grid_3, walk_4, &(voxel_16));
+    var _S103 : bool;
+    if(IS_SINGLE_0)
+    {
+        _S103 = !IS_EXACT_0;
+    }
+    else
+    {
+        _S103 = false;
+    }
+    if(_S103)
+    {
+        (*ray_7) = ray_of_walk_0(walk_4, (*ray_7));
+    }
+    if(!is_found_3)
+    {
+        return miss_0();
+    }
+    var hit_0 : Hit_0;
+    if(IS_EXACT_0)
+    {
+        hit_0 = hit_of_0(_S102, voxel_16, instance_4);
+    }
+    else
+    {
+        hit_0 = hit_of_walk_0(walk_4, voxel_16, instance_4);
+    }
+    if((hit_0.t_0) > ((*ray_7).t_max_0))
+    {
+        return miss_0();
+    }
+    return hit_0;
+}
+
+fn Walk_enter_rounded_1( this_15 : Walk_0,  voxel_17 : ptr<function, vec3<i32>>,  near_2 : vec3<i32>,  far_2 : vec3<i32>) -> bool
+{
+    for(;;)
+    {
+        var is_before_1 : vec3<bool> = (*voxel_17) < near_2;
+        if(!(any((is_before_1))))
+        {
+            break;
+        }
+        if((any((select(vec3<bool>(false), (this_15.speed_1) <= vec3<f32>(min_abs_direction_0()), is_before_1)))))
+        {
+            return false;
+        }
+        var t_10 : vec3<f32> = select(vec3<f32>(-1.0f), Walk_crossings_0(this_15, near_2), is_before_1);
+        var t_last_1 : f32 = max_element_0(t_10);
+        if(t_last_1 > (this_15.t_end_0))
+        {
+            return false;
+        }
+        var is_x_3 : bool = (t_10.x) == t_last_1;
+        var _S104 : bool = !is_x_3;
+        var is_y_3 : bool;
+        if(_S104)
+        {
+            is_y_3 = (t_10.y) == t_last_1;
+        }
+        else
+        {
+            is_y_3 = false;
+        }
+        var _S105 : bool;
+        if(_S104)
+        {
+            _S105 = !is_y_3;
+        }
+        else
+        {
+            _S105 = false;
+        }
+        var is_axis_2 : vec3<bool> = vec3<bool>(is_x_3, is_y_3, _S105);
+        (*voxel_17) = Walk_arrive_0(this_15, (*voxel_17), t_last_1, is_axis_2, select(vec3<i32>(i32(1073741823)), near_2, is_axis_2));
+    }
+    return (all(((*voxel_17) < far_2)));
+}
+
+fn Walk_leave_2( this_16 : Walk_0,  voxel_18 : ptr<function, vec3<i32>>,  exit_7 : vec3<i32>) -> bool
+{
+    if(!IS_EXACT_0)
+    {
+        var _S106 : bool = Walk_leave_rounded_0(this_16, &((*voxel_18)), exit_7);
+        return _S106;
+    }
+    var t_11 : vec3<f32> = Walk_crossings_0(this_16, exit_7);
+    var t_first_4 : f32 = min_element_0(t_11);
+    if(t_first_4 > (this_16.t_end_0))
+    {
+        return false;
+    }
+    var is_x_4 : bool = (t_11.x) == t_first_4;
+    var _S107 : bool = !is_x_4;
+    var is_y_4 : bool;
+    if(_S107)
+    {
+        is_y_4 = (t_11.y) == t_first_4;
+    }
+    else
+    {
+        is_y_4 = false;
+    }
+    var back_2 : vec3<f32> = (t_11 - vec3<f32>(t_first_4)) * this_16.speed_1;
+    var nearest_5 : vec3<f32> = round(back_2);
+    var from_nearest_4 : vec3<f32> = back_2 - nearest_5;
+    var planes_4 : vec3<i32> = exit_7 - vec3<i32>(min(nearest_5, vec3<f32>(4.194304e+06f)));
+    var _S108 : vec3<i32> = planes_4 - vec3<i32>(from_nearest_4 > vec3<f32>(0.0f));
+    var _S109 : vec3<bool> = (abs(from_nearest_4)) <= (this_16.tolerance_0);
+    var _S110 : bool;
+    if(_S107)
+    {
+        _S110 = !is_y_4;
+    }
+    else
+    {
+        _S110 = false;
+    }
+    var arrival_3 : vec3<i32>;
+    if((any((select(vec3<bool>(false), !vec3<bool>(is_x_4, is_y_4, _S110), _S109)))))
+    {
+        arrival_3 = Walk_mirrored_0(this_16, leave_box_0(this_16.ray_0, Walk_mirrored_0(this_16, (*voxel_18)) + this_16.grid_origin_0, Walk_mirrored_plane_0(this_16, exit_7) + this_16.grid_origin_0, Walk_mirrored_plane_0(this_16, planes_4) + this_16.grid_origin_0) - this_16.grid_origin_0);
+    }
+    else
+    {
+        arrival_3 = _S108;
+    }
+    (*voxel_18) = select(max(arrival_3, (*voxel_18)), (*voxel_18), (this_16.speed_1) == vec3<f32>(0.0f));
+    return true;
+}
+
+fn Walk_enter_1( this_17 : Walk_0,  voxel_19 : ptr<function, vec3<i32>>,  low_5 : vec3<i32>,  high_3 : vec3<i32>) -> bool
+{
+    var _S111 : bool;
+    var is_mirrored_2 : vec3<bool> = (this_17.mirror_0) != vec3<i32>(i32(0));
+    var near_3 : vec3<i32> = select(low_5, (vec3<i32>(0) - high_3), is_mirrored_2);
+    var far_3 : vec3<i32> = select(high_3, (vec3<i32>(0) - low_5), is_mirrored_2);
+    if(!IS_EXACT_0)
+    {
+        var _S112 : bool = Walk_enter_rounded_1(this_17, &((*voxel_19)), near_3, far_3);
+        return _S112;
+    }
+    var axis_5 : u32 = u32(0);
+    for(;;)
+    {
+        if(axis_5 < u32(3))
+        {
+            _S111 = (any(((*voxel_19) < near_3)));
+        }
+        else
+        {
+            _S111 = false;
+        }
+        var _S113 : bool;
+        if(_S111)
+        {
+            _S113 = (all(((*voxel_19) < far_3)));
+        }
+        else
+        {
+            _S113 = false;
+        }
+        if(_S113)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S114 : bool = Walk_leave_2(this_17, &((*voxel_19)), select(far_3, near_3, (*voxel_19) < near_3));
+        if(!_S114)
+        {
+            return false;
+        }
+        axis_5 = axis_5 + u32(1);
+    }
+    if((all(((*voxel_19) >= near_3))))
+    {
+        _S111 = (all(((*voxel_19) < far_3)));
+    }
+    else
+    {
+        _S111 = false;
+    }
+    return _S111;
+}
+
+fn first_voxel_1( grid_4 : PackedGrid_0,  walk_5 : Walk_0,  found_1 : ptr<function, vec3<i32>>) -> bool
+{
+    var _S115 : Walk_0 = walk_5;
+    var _S116 : vec3<i32> = vec3<i32>(i32(0));
+    (*found_1) = _S116;
+    var voxel_20 : vec3<i32> = Walk_start_voxel_0(walk_5);
+    var _S117 : vec3<i32> = cell_of_0(grid_4.min_0);
+    var _S118 : vec3<i32> = cell_of_0(grid_4.max_0);
+    var _S119 : bool = Walk_enter_1(walk_5, &(voxel_20), _S117 - _S115.grid_origin_0, _S118 - _S115.grid_origin_0);
+    if(!_S119)
+    {
+        return false;
+    }
+    var octant_4 : u32 = LocalRay_octant_0(_S115.ray_0);
+    var _S120 : u32 = flip_of_0(octant_4);
+    var top_shift_3 : u32;
+    if(TOP_SHIFT_0 != u32(0))
+    {
+        top_shift_3 = TOP_SHIFT_0;
+    }
+    else
+    {
+        top_shift_3 = grid_4.top_shift_0;
+    }
+    var top_size_2 : vec3<i32> = cell_of_0(grid_4.top_size_0);
+    var _S121 : i32 = top_size_2.x;
+    var stride_1 : vec3<i32> = vec3<i32>(i32(1), _S121, _S121 * top_size_2.y);
+    var _S122 : i32 = i32(grid_4.top_offset_0) - dot_cells_0((stride_1 & ((_S115.mirror_0))), vec3<i32>(i32(1)));
+    var _S123 : vec3<i32> = Walk_mirrored_plane_0(_S115, stride_1);
+    var _S124 : u32 = ahead_of_0(_S115.mirror_0);
+    var end_1 : vec3<i32> = select((top_size_2 << (vec3<u32>(top_shift_3))), _S116, (_S115.mirror_0) != _S116);
+    if(!IS_EXACT_0)
+    {
+        _S115.t_end_0 = min(_S115.t_end_0, min_element_0(Walk_crossings_0(_S115, end_1)));
+    }
+    if(!IS_SINGLE_0)
+    {
+        var _S125 : f32 = _S115.t_end_0;
+        var _S126 : f32 = min_element_0(Walk_crossings_0(_S115, Walk_mirrored_plane_0(_S115, select(_S118, _S117, (_S115.mirror_0) != _S116) - _S115.grid_origin_0)));
+        var _S127 : f32;
+        if(IS_EXACT_0)
+        {
+            _S127 = 1.00000095367431641f;
+        }
+        else
+        {
+            _S127 = 1.0f;
+        }
+        _S115.t_end_0 = min(_S125, _S126 * _S127);
+    }
+    var is_found_4 : bool = false;
+    for(;;)
+    {
+        var _S128 : bool;
+        if(IS_EXACT_0)
+        {
+            _S128 = (any((voxel_20 >= end_1)));
+        }
+        else
+        {
+            _S128 = false;
+        }
+        if(_S128)
+        {
+            break;
+        }
+        var cell_7 : u32 = cell_word_0(u32(_S122 + dot_cells_0(_S123, (voxel_20 >> (vec3<u32>(top_shift_3))))));
+        var cell_8 : u32;
+        var shift_3 : u32;
+        var is_found_5 : bool;
+        if(TOP_SHIFT_0 == u32(5))
+        {
+            if(((cell_7 & (u32(2147483648)))) != u32(0))
+            {
+                var _S129 : u32 = cell_word_0(((cell_7 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_20, u32(3))) ^ (_S120))));
+                cell_8 = _S129;
+                shift_3 = u32(3);
+            }
+            else
+            {
+                cell_8 = cell_7;
+                shift_3 = top_shift_3;
+            }
+        }
+        else
+        {
+            cell_8 = cell_7;
+            shift_3 = top_shift_3;
+            for(;;)
+            {
+                if(TOP_SHIFT_0 != u32(3))
+                {
+                    is_found_5 = shift_3 > u32(3);
+                }
+                else
+                {
+                    is_found_5 = false;
+                }
+                var _S130 : bool;
+                if(is_found_5)
+                {
+                    _S130 = ((cell_8 & (u32(2147483648)))) != u32(0);
+                }
+                else
+                {
+                    _S130 = false;
+                }
+                if(_S130)
+                {
+                }
+                else
+                {
+                    break;
+                }
+                var shift_4 : u32 = shift_3 - u32(2);
+                var _S131 : u32 = cell_word_0(((cell_8 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_20, shift_4)) ^ (_S120))));
+                cell_8 = _S131;
+                shift_3 = shift_4;
+            }
+        }
+        if(waits_for_pages_0())
+        {
+            break;
+        }
+        var exit_8 : vec3<i32>;
+        if(((cell_8 & (u32(2147483648)))) == u32(0))
+        {
+            if(CELLS_SKIP_0)
+            {
+                exit_8 = vec3<i32>((i32(skip_distance_0(cell_8, octant_4)) - i32(1)));
+            }
+            else
+            {
+                exit_8 = extents_0(cell_8, _S124);
+            }
+            exit_8 = ((voxel_20 | (vec3<i32>((((i32(1) << (shift_3))) - i32(1)))))) + vec3<i32>(i32(1)) + ((exit_8 << (vec3<u32>(shift_3))));
+            is_found_5 = is_found_4;
+        }
+        else
+        {
+            var record_3 : u32 = record_of_cell_0(cell_8);
+            var blocks_2 : u32;
+            if(CELLS_HAVE_BLOCKS_0)
+            {
+                blocks_2 = blocks_of_cell_0(cell_8);
+            }
+            else
+            {
+                var _S132 : u32 = blocks_of_record_0(record_3);
+                blocks_2 = _S132;
+            }
+            var low_bits_1 : u32 = empty_around_0(record_3, blocks_2, voxel_20, octant_4, _S120);
+            var is_found_6 : bool = low_bits_1 == u32(4294967295);
+            if(is_found_6)
+            {
+                is_found_4 = is_found_6;
+                break;
+            }
+            exit_8 = ((voxel_20 | (vec3<i32>(i32(low_bits_1))))) + vec3<i32>(i32(1));
+            is_found_5 = is_found_6;
+        }
+        var _S133 : bool = Walk_leave_0(_S115, &(voxel_20), exit_8);
+        if(!_S133)
+        {
+            is_found_4 = is_found_5;
+            break;
+        }
+        is_found_4 = is_found_5;
+    }
+    (*found_1) = Walk_mirrored_0(_S115, voxel_20) + _S115.grid_origin_0;
+    return is_found_4;
+}
+
+fn hit_in_1( instance_5 : u32,  grid_5 : PackedGrid_0,  ray_8 : ptr<function, Ray_0>) -> Hit_0
+{
+    var _S134 : LocalRay_0 = local_ray_0((*ray_8), instance_5);
+    if(!_S134.is_valid_0)
+    {
+        return miss_0();
+    }
+    var walk_6 : Walk_0 = walk_of_0(_S134, grid_5);
+    var voxel_21 : vec3<i32>;
+    var is_found_7 : bool = first_voxel_1(grid_5, walk_6, &(voxel_21));
+    var _S135 : bool;
+    if(IS_SINGLE_0)
+    {
+        _S135 = !IS_EXACT_0;
+    }
+    else
+    {
+        _S135 = false;
+    }
+    if(_S135)
+    {
+        (*ray_8) = ray_of_walk_0(walk_6, (*ray_8));
+    }
+    if(!is_found_7)
+    {
+        return miss_0();
+    }
+    var hit_1 : Hit_0;
+    if(IS_EXACT_0)
+    {
+        hit_1 = hit_of_0(_S134, voxel_21, instance_5);
+    }
+    else
+    {
+        hit_1 = hit_of_walk_0(walk_6, voxel_21, instance_5);
+    }
+    if((hit_1.t_0) > ((*ray_8).t_max_0))
+    {
+        return miss_0();
+    }
+    return hit_1;
+}
+
+struct Inside_0
+{
+     instance_6 : u32,
+     voxel_22 : vec3<i32>,
+     material_0 : u32,
+};
+
+struct NextRays_0
+{
+     origin_7 : vec3<f32>,
+     path_origin_0 : vec3<f32>,
+     shadow_inside_0 : Inside_0,
+     relocates_0 : bool,
+     path_relocates_0 : bool,
+     direction_4 : vec3<f32>,
+     has_shadow_ray_0 : bool,
+     shadow_direction_0 : vec3<f32>,
+     shadow_t_max_0 : f32,
+     light_0 : vec3<f32>,
+     is_same_0 : bool,
+};
+
+struct Sampler_0
+{
+     seed_1 : u32,
+     pixel_0 : u32,
+     sample_0 : u32,
+};
+
+struct Selection_0
+{
+     sun_0 : f32,
+     sky_1 : f32,
+     emitters_0 : f32,
+};
+
+struct Path_0
+{
+     sampler_0 : Sampler_0,
+     bounce_0 : u32,
+     event_0 : u32,
+     kinds_0 : u32,
+     scattered_0 : u32,
+     beta_0 : vec3<f32>,
+     pdf_1 : f32,
+     normal_0 : vec3<f32>,
+     selection_0 : Selection_0,
+     passed_t_0 : f32,
+     inside_0 : Inside_0,
+     is_clipped_0 : bool,
+};
+
+fn Inside_x24init_0( instance_7 : u32,  voxel_23 : vec3<i32>,  material_1 : u32) -> Inside_0
+{
+    var _S136 : Inside_0;
+    _S136.instance_6 = instance_7;
+    _S136.voxel_22 = voxel_23;
+    _S136.material_0 = material_1;
+    return _S136;
+}
+
+fn in_air_0() -> Inside_0
+{
+    return Inside_x24init_0(u32(4294967295), vec3<i32>(i32(0)), u32(0));
+}
+
+fn NextRays_x24init_0( origin_8 : vec3<f32>,  path_origin_1 : vec3<f32>,  shadow_inside_1 : Inside_0,  relocates_1 : bool,  path_relocates_1 : bool,  direction_5 : vec3<f32>,  has_shadow_ray_1 : bool,  shadow_direction_1 : vec3<f32>,  shadow_t_max_1 : f32,  light_1 : vec3<f32>,  is_same_1 : bool) -> NextRays_0
+{
+    var _S137 : NextRays_0;
+    _S137.origin_7 = origin_8;
+    _S137.path_origin_0 = path_origin_1;
+    _S137.shadow_inside_0 = shadow_inside_1;
+    _S137.relocates_0 = relocates_1;
+    _S137.path_relocates_0 = path_relocates_1;
+    _S137.direction_4 = direction_5;
+    _S137.has_shadow_ray_0 = has_shadow_ray_1;
+    _S137.shadow_direction_0 = shadow_direction_1;
+    _S137.shadow_t_max_0 = shadow_t_max_1;
+    _S137.light_0 = light_1;
+    _S137.is_same_0 = is_same_1;
+    return _S137;
+}
+
+fn no_rays_0() -> NextRays_0
+{
+    var _S138 : vec3<f32> = vec3<f32>(0.0f);
+    return NextRays_x24init_0(_S138, _S138, in_air_0(), false, false, _S138, false, _S138, 0.0f, _S138, false);
+}
+
+struct Receiver_0
+{
+     point_0 : vec3<f32>,
+     normal_1 : vec3<f32>,
+};
+
+struct Surface_0
+{
+     origin_9 : vec3<f32>,
+     normal_2 : vec3<f32>,
+     face_2 : u32,
+     instance_8 : u32,
+};
+
+struct Microfacets_0
+{
+     alpha_0 : f32,
+};
+
+struct MaterialBsdf_0
+{
+     kind_0 : u32,
+     color_0 : vec3<f32>,
+     specular_0 : f32,
+     eta_0 : f32,
+     facets_0 : Microfacets_0,
+};
+
+struct Scatter_0
+{
+     path_0 : Path_0,
+     receiver_0 : Receiver_0,
+     surface_0 : Surface_0,
+     bsdf_0 : MaterialBsdf_0,
+     wo_0 : vec3<f32>,
+     compensation_0 : f32,
+     is_scattered_0 : bool,
+     wants_light_0 : bool,
+};
+
+var<private> scatter_of_path_0 : Scatter_0;
+
+fn weighs_apart_0() -> bool
+{
+    return false;
+}
+
+fn Path_is_counted_0( this_18 : Path_0) -> bool
+{
+    var _S139 : bool;
+    if(weighs_apart_0())
+    {
+        _S139 = (this_18.pdf_1) < 0.0f;
+    }
+    else
+    {
+        _S139 = false;
+    }
+    return _S139;
+}
+
+fn Receiver_x24init_0( point_1 : vec3<f32>,  normal_3 : vec3<f32>) -> Receiver_0
+{
+    var _S140 : Receiver_0;
+    _S140.point_0 = point_1;
+    _S140.normal_1 = normal_3;
+    return _S140;
+}
+
+fn Path_receiver_0( this_19 : Path_0,  ray_9 : Ray_0) -> Receiver_0
+{
+    return Receiver_x24init_0(ray_9.origin_1, this_19.normal_0);
+}
+
+fn Inside_is_in_0( this_20 : Inside_0) -> bool
+{
+    return false;
+}
+
+fn Hit_is_miss_0( this_21 : Hit_0) -> bool
+{
+    return (this_21.instance_0) == u32(4294967295);
+}
+
+fn Path_dimension_medium_0( this_22 : Path_0) -> u32
+{
+    return u32(2147483648) + this_22.event_0;
+}
+
+fn pcg4d_0( words_0 : vec4<u32>) -> vec4<u32>
+{
+    var _S141 : vec4<u32> = words_0 * vec4<u32>(u32(1664525)) + vec4<u32>(u32(1013904223));
+    var v_0 : vec4<u32> = _S141;
+    v_0[i32(0)] = v_0[i32(0)] + _S141.y * _S141.w;
+    v_0[i32(1)] = v_0[i32(1)] + v_0.z * v_0.x;
+    v_0[i32(2)] = v_0[i32(2)] + v_0.x * v_0.y;
+    v_0[i32(3)] = v_0[i32(3)] + v_0.y * v_0.z;
+    var _S142 : vec4<u32> = (v_0 ^ (((v_0 >> (vec4<u32>(u32(16)))))));
+    v_0 = _S142;
+    v_0[i32(0)] = v_0[i32(0)] + _S142.y * _S142.w;
+    v_0[i32(1)] = v_0[i32(1)] + v_0.z * v_0.x;
+    v_0[i32(2)] = v_0[i32(2)] + v_0.x * v_0.y;
+    v_0[i32(3)] = v_0[i32(3)] + v_0.y * v_0.z;
+    return v_0;
+}
+
+fn unit_float_0( words_1 : vec4<u32>) -> vec4<f32>
+{
+    return vec4<f32>((words_1 >> (vec4<u32>(u32(8))))) * vec4<f32>(5.9604644775390625e-08f);
+}
+
+fn Sampler_independent_0( this_23 : Sampler_0,  dimension_0 : u32) -> vec4<f32>
+{
+    return unit_float_0(pcg4d_0(vec4<u32>(this_23.pixel_0, this_23.sample_0, dimension_0, this_23.seed_1)));
+}
+
+struct PackedMaterial_0
+{
+     base_color_0 : array<f32, i32(3)>,
+     roughness_0 : f32,
+     emission_0 : array<f32, i32(3)>,
+     metallic_0 : f32,
+     transmission_0 : f32,
+     ior_0 : f32,
+     specular_1 : f32,
+     anisotropy_0 : f32,
+     absorption_0 : array<f32, i32(3)>,
+     scattering_0 : f32,
+};
+
+fn material_of_index_0( index_5 : u32) -> PackedMaterial_0
+{
+    var _S143 : u32 = u32(4) * index_5;
+    var a_3 : vec4<u32> = material_rows_0[_S143];
+    var b_3 : vec4<u32> = material_rows_0[_S143 + u32(1)];
+    var c_0 : vec4<u32> = material_rows_0[_S143 + u32(2)];
+    var d_0 : vec4<u32> = material_rows_0[_S143 + u32(3)];
+    var material_2 : PackedMaterial_0;
+    var _S144 : f32 = (bitcast<f32>((a_3.y)));
+    var _S145 : f32 = (bitcast<f32>((a_3.z)));
+    material_2.base_color_0[i32(0)] = (bitcast<f32>((a_3.x)));
+    material_2.base_color_0[i32(1)] = _S144;
+    material_2.base_color_0[i32(2)] = _S145;
+    var _S146 : f32 = (bitcast<f32>((b_3.y)));
+    var _S147 : f32 = (bitcast<f32>((b_3.z)));
+    material_2.emission_0[i32(0)] = (bitcast<f32>((b_3.x)));
+    material_2.emission_0[i32(1)] = _S146;
+    material_2.emission_0[i32(2)] = _S147;
+    var _S148 : f32 = (bitcast<f32>((d_0.y)));
+    var _S149 : f32 = (bitcast<f32>((d_0.z)));
+    material_2.absorption_0[i32(0)] = (bitcast<f32>((d_0.x)));
+    material_2.absorption_0[i32(1)] = _S148;
+    material_2.absorption_0[i32(2)] = _S149;
+    material_2.roughness_0 = (bitcast<f32>((a_3.w)));
+    material_2.metallic_0 = (bitcast<f32>((b_3.w)));
+    material_2.transmission_0 = (bitcast<f32>((c_0.x)));
+    material_2.ior_0 = (bitcast<f32>((c_0.y)));
+    material_2.specular_1 = (bitcast<f32>((c_0.z)));
+    material_2.anisotropy_0 = (bitcast<f32>((c_0.w)));
+    material_2.scattering_0 = (bitcast<f32>((d_0.w)));
+    return material_2;
+}
+
+fn logarithm_0( x_0 : f32) -> f32
+{
+    var bits_1 : u32 = (bitcast<u32>((x_0)));
+    var _S150 : u32 = (bits_1 & (u32(8388607)));
+    var is_upper_0 : bool = _S150 > u32(3474675);
+    var power_0 : i32 = i32((bits_1 >> (u32(23)))) - i32(127) + i32(is_upper_0);
+    var _S151 : u32;
+    if(is_upper_0)
+    {
+        _S151 = u32(1056964608);
+    }
+    else
+    {
+        _S151 = u32(1065353216);
+    }
+    var mantissa_0 : f32 = (bitcast<f32>(((_S150 | (_S151)))));
+    var s_0 : f32 = divide_0(mantissa_0 - 1.0f, mantissa_0 + 1.0f);
+    var ss_0 : f32 = s_0 * s_0;
+    var _S152 : f32 = f32(power_0);
+    return _S152 * 0.693359375f + (_S152 * -0.00021219444170129f + s_0 * (2.0f + ss_0 * (0.66666668653488159f + ss_0 * (0.40000000596046448f + ss_0 * (0.28571429848670959f + ss_0 * 0.2222222238779068f)))));
+}
+
+fn free_path_0( medium_0 : PackedMaterial_0,  u_0 : f32) -> f32
+{
+    var _S153 : f32;
+    if((medium_0.scattering_0) > 0.0f)
+    {
+        _S153 = divide_0(- logarithm_0(1.0f - u_0), medium_0.scattering_0);
+    }
+    else
+    {
+        _S153 = (bitcast<f32>((u32(2139095040))));
+    }
+    return _S153;
+}
+
+fn grid_direction_0( instance_9 : u32,  direction_6 : vec3<f32>) -> vec3<f32>
+{
+    return Transform_direction_0(instance_9, direction_6);
+}
+
+fn dot_product_0( a_4 : vec3<f32>,  b_4 : vec3<f32>) -> f32
+{
+    return a_4.x * b_4.x + a_4.y * b_4.y + a_4.z * b_4.z;
+}
+
+fn length_squared_0( vector_3 : vec3<f32>) -> f32
+{
+    return dot_product_0(vector_3, vector_3);
+}
+
+fn nearest_root_0( mantissa_1 : u32,  guess_1 : u32) -> u32
+{
+    var rest_2 : i32 = i32(((mantissa_1 << (u32(23)))) - guess_1 * guess_1);
+    var units_1 : i32 = i32(floor(f32(rest_2) / f32(u32(2) * guess_1) + 0.5f));
+    var _S154 : i32 = i32(guess_1);
+    var root_0 : i32 = _S154 + units_1;
+    var rest_3 : i32 = rest_2 - units_1 * (_S154 + root_0);
+    return u32(root_0 + i32(rest_3 > root_0) - i32(rest_3 <= (- root_0)));
+}
+
+fn square_root_0( value_1 : f32) -> f32
+{
+    if(!IS_EXACT_0)
+    {
+        return sqrt(value_1);
+    }
+    var _S155 : u32 = (bitcast<u32>((value_1)));
+    var exponent_2 : u32 = (_S155 >> (u32(23)));
+    if(!is_normal_0(exponent_2))
+    {
+        return sqrt(value_1);
+    }
+    var mantissa_2 : u32 = (((((_S155 & (u32(8388607)))) | (u32(8388608)))) << ((((~exponent_2) & (u32(1))))));
+    return (bitcast<f32>(((((((exponent_2 + u32(127)) >> (u32(1)))) << (u32(23)))) + (nearest_root_0(mantissa_2, u32(sqrt(f32(mantissa_2) * 1.1920928955078125e-07f) * 8.388608e+06f)) - u32(8388608)))));
+}
+
+fn Inside_voxels_per_t_0( this_24 : Inside_0,  ray_10 : Ray_0) -> f32
+{
+    return square_root_0(length_squared_0(grid_direction_0(this_24.instance_6, ray_10.direction_0)));
+}
+
+fn scattering_t_0( path_1 : Path_0,  inside_1 : Inside_0,  ray_11 : Ray_0) -> f32
+{
+    return divide_0(free_path_0(material_of_index_0(inside_1.material_0), Sampler_independent_0(path_1.sampler_0, Path_dimension_medium_0(path_1)).x), Inside_voxels_per_t_0(inside_1, ray_11));
+}
+
+fn exponential_0( x_1 : f32) -> f32
+{
+    if(x_1 < -87.0f)
+    {
+        return 0.0f;
+    }
+    var power_1 : i32 = i32(x_1 * 1.4426950216293335f - 0.5f);
+    var k_0 : f32 = f32(power_1);
+    var r_0 : f32 = x_1 - k_0 * 0.693359375f - k_0 * -0.00021219444170129f;
+    return (1.0f + r_0 * (1.0f + r_0 * (0.5f + r_0 * (0.1666666716337204f + r_0 * (0.0416666679084301f + r_0 * (0.00833333376795053f + r_0 * (0.00138888892251998f + r_0 * 0.0001984127011383f))))))) * (bitcast<f32>(((u32(i32(127) + power_1) << (u32(23))))));
+}
+
+fn attenuation_0( medium_1 : PackedMaterial_0,  voxels_1 : f32) -> vec3<f32>
+{
+    var sigma_0 : vec3<f32> = vector_of_0(medium_1.absorption_0);
+    return vec3<f32>(exponential_0(- (sigma_0.x * voxels_1)), exponential_0(- (sigma_0.y * voxels_1)), exponential_0(- (sigma_0.z * voxels_1)));
+}
+
+fn absorb_0( path_2 : ptr<function, Path_0>,  inside_2 : Inside_0,  ray_12 : Ray_0,  t_12 : f32)
+{
+    (*path_2).beta_0 = (*path_2).beta_0 * attenuation_0(material_of_index_0(inside_2.material_0), t_12 * Inside_voxels_per_t_0(inside_2, ray_12));
+    return;
+}
+
+fn Environment_to_map_0( d_1 : vec3<f32>) -> vec3<f32>
+{
+    var sin_0 : f32 = params_0.sky_turned_0.x;
+    var cos_0 : f32 = params_0.sky_turned_0.y;
+    var _S156 : f32 = d_1.x;
+    var _S157 : f32 = d_1.y;
+    return vec3<f32>(_S156 * cos_0 - _S157 * sin_0, _S156 * sin_0 + _S157 * cos_0, d_1.z);
+}
+
+fn quarter_turns_0( x_2 : f32,  y_0 : f32) -> f32
+{
+    var _S158 : f32 = min(x_2, y_0);
+    var _S159 : f32 = max(x_2, y_0);
+    var ratio_0 : f32;
+    if(_S159 > 0.0f)
+    {
+        ratio_0 = divide_0(_S158, _S159);
+    }
+    else
+    {
+        ratio_0 = 0.0f;
+    }
+    var s_1 : f32 = ratio_0 * ratio_0;
+    var turns_0 : f32 = ratio_0 * (0.63661932945251465f + s_1 * (-0.21218447387218475f + s_1 * (0.12698377668857574f + s_1 * (-0.08854507654905319f + s_1 * (0.06138415634632111f + s_1 * (-0.03559486567974091f + s_1 * (0.01391837373375893f + s_1 * -0.00258121290244162f)))))));
+    if(y_0 > x_2)
+    {
+        ratio_0 = 1.0f - turns_0;
+    }
+    else
+    {
+        ratio_0 = turns_0;
+    }
+    return ratio_0;
+}
+
+fn square_of_0( direction_7 : vec3<f32>) -> vec2<f32>
+{
+    var size_0 : vec3<f32> = abs(direction_7);
+    var _S160 : f32 = size_0.x;
+    var _S161 : f32 = size_0.y;
+    var radius_0 : f32 = square_root_0(divide_0(_S160 * _S160 + _S161 * _S161, 1.0f + size_0.z));
+    var v_1 : f32 = quarter_turns_0(_S160, _S161) * radius_0;
+    var u_1 : f32 = radius_0 - v_1;
+    var is_below_1 : bool = (direction_7.z) < 0.0f;
+    var u_2 : f32;
+    if(is_below_1)
+    {
+        u_2 = 1.0f - v_1;
+    }
+    else
+    {
+        u_2 = u_1;
+    }
+    var v_2 : f32;
+    if(is_below_1)
+    {
+        v_2 = 1.0f - u_1;
+    }
+    else
+    {
+        v_2 = v_1;
+    }
+    if((direction_7.x) < 0.0f)
+    {
+        u_2 = - u_2;
+    }
+    if((direction_7.y) < 0.0f)
+    {
+        v_2 = - v_2;
+    }
+    return vec2<f32>(u_2 * 0.5f + 0.5f, v_2 * 0.5f + 0.5f);
+}
+
+fn Environment_place_of_0( direction_8 : vec3<f32>) -> vec2<f32>
+{
+    return square_of_0(Environment_to_map_0(direction_8)) * vec2<f32>(f32(params_0.sky_edge_0));
+}
+
+fn Environment_index_of_0( x_3 : i32,  y_1 : i32) -> u32
+{
+    var last_2 : i32 = i32(params_0.sky_edge_0) - i32(1);
+    var is_beside_0 : bool;
+    if(x_3 < i32(0))
+    {
+        is_beside_0 = true;
+    }
+    else
+    {
+        is_beside_0 = x_3 > last_2;
+    }
+    var _S162 : i32;
+    if(is_beside_0)
+    {
+        _S162 = last_2 - y_1;
+    }
+    else
+    {
+        _S162 = y_1;
+    }
+    var _S163 : i32;
+    if(is_beside_0)
+    {
+        _S163 = clamp(x_3, i32(0), last_2);
+    }
+    else
+    {
+        _S163 = x_3;
+    }
+    var is_beyond_0 : bool;
+    if(_S162 < i32(0))
+    {
+        is_beyond_0 = true;
+    }
+    else
+    {
+        is_beyond_0 = _S162 > last_2;
+    }
+    if(is_beyond_0)
+    {
+        _S163 = last_2 - _S163;
+    }
+    if(is_beyond_0)
+    {
+        _S162 = clamp(_S162, i32(0), last_2);
+    }
+    return u32(_S162 * i32(params_0.sky_edge_0) + _S163);
+}
+
+fn Environment_texel_radiance_0( x_4 : i32,  y_2 : i32) -> vec3<f32>
+{
+    return vector_of_0(environment_0[Environment_index_of_0(x_4, y_2)].radiance_0);
+}
+
+fn Environment_radiance_at_0( place_0 : vec2<f32>) -> vec3<f32>
+{
+    var _S164 : vec2<f32> = place_0 - vec2<f32>(0.5f);
+    var corner_1 : vec2<f32> = floor(_S164);
+    var beyond_0 : vec2<f32> = _S164 - corner_1;
+    var x_5 : i32 = i32(corner_1.x);
+    var y_3 : i32 = i32(corner_1.y);
+    var _S165 : f32 = beyond_0.x;
+    var _S166 : vec3<f32> = vec3<f32>((1.0f - _S165));
+    var _S167 : i32 = x_5 + i32(1);
+    var _S168 : vec3<f32> = vec3<f32>(_S165);
+    var _S169 : i32 = y_3 + i32(1);
+    var _S170 : f32 = beyond_0.y;
+    return (Environment_texel_radiance_0(x_5, y_3) * _S166 + Environment_texel_radiance_0(_S167, y_3) * _S168) * vec3<f32>((1.0f - _S170)) + (Environment_texel_radiance_0(x_5, _S169) * _S166 + Environment_texel_radiance_0(_S167, _S169) * _S168) * vec3<f32>(_S170);
+}
+
+fn Environment_radiance_0( direction_9 : vec3<f32>) -> vec3<f32>
+{
+    return Environment_radiance_at_0(Environment_place_of_0(direction_9));
+}
+
+struct Gradient_0
+{
+     nadir_0 : vec3<f32>,
+     zenith_0 : vec3<f32>,
+};
+
+fn Gradient_x24init_0( nadir_1 : vec3<f32>,  zenith_1 : vec3<f32>) -> Gradient_0
+{
+    var _S171 : Gradient_0;
+    _S171.nadir_0 = nadir_1;
+    _S171.zenith_0 = zenith_1;
+    return _S171;
+}
+
+fn Gradient_radiance_0( this_25 : Gradient_0,  direction_10 : vec3<f32>) -> vec3<f32>
+{
+    return this_25.nadir_0 + (this_25.zenith_0 - this_25.nadir_0) * vec3<f32>((0.5f * (direction_10.z + 1.0f)));
+}
+
+fn Sky_radiance_0( direction_11 : vec3<f32>) -> vec3<f32>
+{
+    if(SKY_0 == u32(1))
+    {
+        return Environment_radiance_0(direction_11) * vec3<f32>(params_0.sky_brightness_0);
+    }
+    return Gradient_radiance_0(Gradient_x24init_0(params_0.sky_nadir_0, params_0.sky_zenith_0), direction_11) * vec3<f32>(params_0.sky_brightness_0);
+}
+
+fn Sky_le_0( direction_12 : vec3<f32>) -> vec3<f32>
+{
+    return Sky_radiance_0(direction_12);
+}
+
+fn has_sun_0() -> bool
+{
+    return (params_0.sun_irradiance_0) > 0.0f;
+}
+
+fn with_slack_0( receiver_1 : Receiver_0,  cos_1 : f32) -> f32
+{
+    return cos_1;
+}
+
+struct LightNode_0
+{
+     min_1 : array<f32, i32(3)>,
+     index_6 : u32,
+     max_1 : array<f32, i32(3)>,
+     count_0 : u32,
+     power_2 : array<f32, i32(6)>,
+     parent_0 : u32,
+     root_1 : u32,
+};
+
+fn light_node_of_0( a_5 : vec4<u32>,  b_5 : vec4<u32>,  c_1 : vec4<u32>,  d_2 : vec4<u32>) -> LightNode_0
+{
+    var node_0 : LightNode_0;
+    var _S172 : f32 = (bitcast<f32>((a_5.y)));
+    var _S173 : f32 = (bitcast<f32>((a_5.z)));
+    node_0.min_1[i32(0)] = (bitcast<f32>((a_5.x)));
+    node_0.min_1[i32(1)] = _S172;
+    node_0.min_1[i32(2)] = _S173;
+    node_0.index_6 = a_5.w;
+    var _S174 : f32 = (bitcast<f32>((b_5.y)));
+    var _S175 : f32 = (bitcast<f32>((b_5.z)));
+    node_0.max_1[i32(0)] = (bitcast<f32>((b_5.x)));
+    node_0.max_1[i32(1)] = _S174;
+    node_0.max_1[i32(2)] = _S175;
+    node_0.count_0 = b_5.w;
+    var _S176 : f32 = (bitcast<f32>((c_1.y)));
+    var _S177 : f32 = (bitcast<f32>((c_1.z)));
+    var _S178 : f32 = (bitcast<f32>((c_1.w)));
+    var _S179 : f32 = (bitcast<f32>((d_2.x)));
+    var _S180 : f32 = (bitcast<f32>((d_2.y)));
+    node_0.power_2[i32(0)] = (bitcast<f32>((c_1.x)));
+    node_0.power_2[i32(1)] = _S176;
+    node_0.power_2[i32(2)] = _S177;
+    node_0.power_2[i32(3)] = _S178;
+    node_0.power_2[i32(4)] = _S179;
+    node_0.power_2[i32(5)] = _S180;
+    node_0.parent_0 = d_2.z;
+    node_0.root_1 = d_2.w;
+    return node_0;
+}
+
+fn top_light_node_0( index_7 : u32) -> LightNode_0
+{
+    var _S181 : u32 = u32(4) * index_7;
+    return light_node_of_0(top_light_node_rows_0[_S181], top_light_node_rows_0[_S181 + u32(1)], top_light_node_rows_0[_S181 + u32(2)], top_light_node_rows_0[_S181 + u32(3)]);
+}
+
+struct View_0
+{
+     importance_0 : f32,
+     is_far_0 : bool,
+};
+
+fn length_bound_0( absolute_0 : vec3<f32>) -> f32
+{
+    return (max_element_0(absolute_0) + (absolute_0.x + absolute_0.y + absolute_0.z)) * 0.5f;
+}
+
+struct BySide_0
+{
+     low_6 : vec3<f32>,
+     high_4 : vec3<f32>,
+};
+
+fn BySide_x24init_0( low_7 : vec3<f32>,  high_5 : vec3<f32>) -> BySide_0
+{
+    var _S182 : BySide_0;
+    _S182.low_6 = low_7;
+    _S182.high_4 = high_5;
+    return _S182;
+}
+
+fn sent_by_side_0( node_1 : LightNode_0,  point_2 : vec3<f32>,  distance_2 : f32) -> BySide_0
+{
+    var _S183 : vec3<f32> = vec3<f32>(0.0f);
+    var _S184 : vec3<f32> = vec3<f32>(distance_2);
+    return BySide_x24init_0(vec3<f32>(node_1.power_2[i32(0)], node_1.power_2[i32(2)], node_1.power_2[i32(4)]) * min(max(vector_of_0(node_1.max_1) - point_2, _S183), _S184), vec3<f32>(node_1.power_2[i32(1)], node_1.power_2[i32(3)], node_1.power_2[i32(5)]) * min(max(point_2 - vector_of_0(node_1.min_1), _S183), _S184));
+}
+
+fn BySide_sum_0( this_26 : BySide_0) -> f32
+{
+    var axes_0 : vec3<f32> = this_26.low_6 + this_26.high_4;
+    return axes_0.x + axes_0.y + axes_0.z;
+}
+
+fn reciprocal_guess_0( x_6 : f32) -> f32
+{
+    var guess_2 : f32 = (bitcast<f32>((u32(2129859011) - (bitcast<u32>((x_6))))));
+    return guess_2 * (2.0f - x_6 * guess_2);
+}
+
+fn View_x24init_0( importance_1 : f32,  is_far_1 : bool) -> View_0
+{
+    var _S185 : View_0;
+    _S185.importance_0 = importance_1;
+    _S185.is_far_0 = is_far_1;
+    return _S185;
+}
+
+fn view_0( node_2 : LightNode_0,  receiver_2 : Receiver_0) -> View_0
+{
+    var _S186 : vec3<f32> = vector_of_0(node_2.max_1);
+    var _S187 : vec3<f32> = vector_of_0(node_2.min_1);
+    var _S188 : vec3<f32> = vec3<f32>(0.5f);
+    var half_1 : vec3<f32> = (_S186 - _S187) * _S188;
+    var toward_0 : vec3<f32> = (_S187 + _S186) * _S188 - receiver_2.point_0;
+    var middle_0 : f32 = dot_product_0(toward_0, receiver_2.normal_1);
+    var aside_0 : f32 = dot_product_0(half_1, abs(receiver_2.normal_1));
+    var above_0 : f32 = with_slack_0(receiver_2, middle_0 + aside_0);
+    var far_4 : f32 = length_squared_0(toward_0);
+    var near_4 : f32 = length_squared_0(half_1);
+    var is_far_2 : bool;
+    if((with_slack_0(receiver_2, middle_0 - aside_0)) > 0.0f)
+    {
+        is_far_2 = far_4 > (near_4 * 36.0f);
+    }
+    else
+    {
+        is_far_2 = false;
+    }
+    var distance_3 : f32 = length_bound_0(select(half_1, abs(toward_0), vec3<bool>((far_4 > near_4))));
+    var sent_0 : f32 = BySide_sum_0(sent_by_side_0(node_2, receiver_2.point_0, distance_3));
+    var falloff_0 : f32 = reciprocal_guess_0(max(far_4, near_4));
+    var _S189 : f32;
+    if(above_0 > 0.0f)
+    {
+        _S189 = sent_0 * min(above_0, distance_3) * (falloff_0 * falloff_0);
+    }
+    else
+    {
+        _S189 = 0.0f;
+    }
+    return View_x24init_0(_S189, is_far_2);
+}
+
+fn importance_of_all_0( receiver_3 : Receiver_0) -> f32
+{
+    if((params_0.light_node_count_0) == u32(0))
+    {
+        return 0.0f;
+    }
+    return view_0(top_light_node_0(u32(0)), receiver_3).importance_0 * params_0.light_intensity_0;
+}
+
+fn EmitterTree_importance_0( receiver_4 : Receiver_0) -> f32
+{
+    return importance_of_all_0(receiver_4);
+}
+
+fn Lights_sun_probability_0( receiver_5 : Receiver_0) -> f32
+{
+    if(!has_sun_0())
+    {
+        return 0.0f;
+    }
+    var cos_theta_0 : f32 = with_slack_0(receiver_5, dot_product_0(receiver_5.normal_1, params_0.sun_direction_0));
+    if(cos_theta_0 <= (- params_0.sun_sin_radius_0))
+    {
+        return 0.0f;
+    }
+    var from_emitters_0 : f32 = EmitterTree_importance_0(receiver_5);
+    if(from_emitters_0 <= 0.0f)
+    {
+        return 1.0f;
+    }
+    var from_sun_0 : f32 = params_0.sun_irradiance_0 * max(cos_theta_0, 0.0f);
+    return clamp(divide_0(from_sun_0, from_sun_0 + from_emitters_0), 0.25f, 0.75f);
+}
+
+fn Lights_has_chosen_sky_0() -> bool
+{
+    var _S190 : bool;
+    if(SKY_0 == u32(1))
+    {
+        _S190 = (params_0.sky_irradiance_0) > 0.0f;
+    }
+    else
+    {
+        _S190 = false;
+    }
+    return _S190;
+}
+
+fn Selection_x24init_0( sun_1 : f32,  sky_2 : f32,  emitters_1 : f32) -> Selection_0
+{
+    var _S191 : Selection_0;
+    _S191.sun_0 = sun_1;
+    _S191.sky_1 = sky_2;
+    _S191.emitters_0 = emitters_1;
+    return _S191;
+}
+
+fn Lights_sky_probability_0( receiver_6 : Receiver_0) -> f32
+{
+    var cos_theta_1 : f32 = dot_product_0(receiver_6.normal_1, params_0.sun_direction_0);
+    var from_sun_1 : f32;
+    if(has_sun_0())
+    {
+        from_sun_1 = params_0.sun_irradiance_0 * max(cos_theta_1, 0.0f);
+    }
+    else
+    {
+        from_sun_1 = 0.0f;
+    }
+    var from_others_0 : f32 = from_sun_1 + EmitterTree_importance_0(receiver_6);
+    if(from_others_0 <= 0.0f)
+    {
+        return 1.0f;
+    }
+    return clamp(divide_0(params_0.sky_irradiance_0, params_0.sky_irradiance_0 + from_others_0), 0.25f, 0.75f);
+}
+
+fn Lights_selection_0( receiver_7 : Receiver_0) -> Selection_0
+{
+    var sun_2 : f32 = Lights_sun_probability_0(receiver_7);
+    if(!Lights_has_chosen_sky_0())
+    {
+        return Selection_x24init_0(sun_2, 0.0f, 1.0f - sun_2);
+    }
+    var sky_3 : f32 = Lights_sky_probability_0(receiver_7);
+    var _S192 : f32 = 1.0f - sky_3;
+    return Selection_x24init_0(sun_2 * _S192, sky_3, (1.0f - sun_2) * _S192);
+}
+
+fn Path_selection_at_0( this_27 : Path_0,  last_3 : Receiver_0) -> Selection_0
+{
+    return Lights_selection_0(last_3);
+}
+
+fn Environment_pdf_0( direction_13 : vec3<f32>) -> f32
+{
+    var place_1 : vec2<f32> = Environment_place_of_0(direction_13);
+    var last_4 : i32 = i32(params_0.sky_edge_0) - i32(1);
+    return environment_0[Environment_index_of_0(min(i32(place_1.x), last_4), min(i32(place_1.y), last_4))].pdf_0;
+}
+
+fn Sky_pdf_0( direction_14 : vec3<f32>) -> f32
+{
+    var _S193 : f32;
+    if(SKY_0 == u32(1))
+    {
+        _S193 = Environment_pdf_0(direction_14);
+    }
+    else
+    {
+        _S193 = 0.0f;
+    }
+    return _S193;
+}
+
+fn Lights_sky_pdf_0( selection_1 : Selection_0,  direction_15 : vec3<f32>) -> f32
+{
+    var _S194 : f32;
+    if(Lights_has_chosen_sky_0())
+    {
+        _S194 = Sky_pdf_0(direction_15) * selection_1.sky_1;
+    }
+    else
+    {
+        _S194 = 0.0f;
+    }
+    return _S194;
+}
+
+fn power_heuristic_0( own_0 : f32,  other_1 : f32) -> f32
+{
+    var ratio_1 : f32 = divide_0(other_1, own_0);
+    return divide_0(1.0f, 1.0f + ratio_1 * ratio_1);
+}
+
+fn mis_weight_0( bounce_pdf_0 : f32,  light_pdf_0 : f32) -> f32
+{
+    var _S195 : bool;
+    if(bounce_pdf_0 == 0.0f)
+    {
+        _S195 = true;
+    }
+    else
+    {
+        _S195 = light_pdf_0 == 0.0f;
+    }
+    if(_S195)
+    {
+        return 1.0f;
+    }
+    return power_heuristic_0(bounce_pdf_0, light_pdf_0);
+}
+
+fn SunDisc_is_visible_0() -> bool
+{
+    return (params_0.hides_sun_disc_0) == u32(0);
+}
+
+fn Path_is_straight_0( this_28 : Path_0) -> bool
+{
+    var _S196 : bool;
+    if((this_28.bounce_0) == u32(0))
+    {
+        _S196 = (this_28.pdf_1) == 0.0f;
+    }
+    else
+    {
+        _S196 = false;
+    }
+    if(_S196)
+    {
+        _S196 = (all(((this_28.normal_0) == vec3<f32>(0.0f))));
+    }
+    else
+    {
+        _S196 = false;
+    }
+    return _S196;
+}
+
+fn SunDisc_contains_0( direction_16 : vec3<f32>) -> bool
+{
+    return (length_squared_0(direction_16 - params_0.sun_direction_0)) <= (2.0f * params_0.sun_one_minus_cos_theta_max_0);
+}
+
+fn SunDisc_le_0( direction_17 : vec3<f32>) -> vec3<f32>
+{
+    var _S197 : vec3<f32>;
+    if(SunDisc_contains_0(direction_17))
+    {
+        _S197 = params_0.sun_radiance_0;
+    }
+    else
+    {
+        _S197 = vec3<f32>(0.0f);
+    }
+    return _S197;
+}
+
+fn SunDisc_pdf_0( direction_18 : vec3<f32>) -> f32
+{
+    var _S198 : f32;
+    if(SunDisc_contains_0(direction_18))
+    {
+        _S198 = params_0.sun_pdf_0;
+    }
+    else
+    {
+        _S198 = 0.0f;
+    }
+    return _S198;
+}
+
+fn Lights_sun_pdf_0( selection_2 : Selection_0,  direction_19 : vec3<f32>) -> f32
+{
+    var _S199 : f32;
+    if(has_sun_0())
+    {
+        _S199 = SunDisc_pdf_0(direction_19) * selection_2.sun_0;
+    }
+    else
+    {
+        _S199 = 0.0f;
+    }
+    return _S199;
+}
+
+fn Path_events_0( this_29 : Path_0) -> u32
+{
+    return this_29.bounce_0;
+}
+
+fn Path_dimension_scatter_0( this_30 : Path_0) -> u32
+{
+    return u32(1) + u32(2) * Path_events_0(this_30);
+}
+
+fn owen_of_reversed_0( reversed_0 : u32,  seed_2 : u32) -> u32
+{
+    var word_0 : u32 = reversed_0 + seed_2;
+    var word_1 : u32 = (word_0 ^ ((word_0 * u32(1817228412))));
+    var word_2 : u32 = (word_1 ^ ((word_1 * u32(3090095698))));
+    var word_3 : u32 = (word_2 ^ ((word_2 * u32(3350193720))));
+    return reverseBits((word_3 ^ ((word_3 * u32(2367878886)))));
+}
+
+fn scrambled_sobol_0( sample_1 : u32,  order_0 : u32,  seeds_0 : vec2<u32>) -> vec2<u32>
+{
+    var index_8 : u32 = owen_of_reversed_0(reverseBits(sample_1), order_0);
+    var binomial_0 : u32 = (index_8 ^ (((((index_8 >> (u32(1)))) & (u32(1431655765))))));
+    var binomial_1 : u32 = (binomial_0 ^ (((((binomial_0 >> (u32(2)))) & (u32(858993459))))));
+    var binomial_2 : u32 = (binomial_1 ^ (((((binomial_1 >> (u32(4)))) & (u32(252645135))))));
+    var binomial_3 : u32 = (binomial_2 ^ (((((binomial_2 >> (u32(8)))) & (u32(16711935))))));
+    return vec2<u32>(owen_of_reversed_0(index_8, seeds_0.x), owen_of_reversed_0((binomial_3 ^ (((((binomial_3 >> (u32(16)))) & (u32(65535)))))), seeds_0.y));
+}
+
+fn Sampler_pair_0( this_31 : Sampler_0,  dimension_1 : u32,  which_0 : u32) -> vec2<u32>
+{
+    var words_2 : vec4<u32> = pcg4d_0(vec4<u32>(this_31.pixel_0, dimension_1, this_31.seed_1, which_0));
+    return scrambled_sobol_0(this_31.sample_0, words_2.x, words_2.yz);
+}
+
+fn Sampler_stratified_0( this_32 : Sampler_0,  dimension_2 : u32) -> vec4<f32>
+{
+    return unit_float_0(vec4<u32>(Sampler_pair_0(this_32, dimension_2, u32(1)), Sampler_pair_0(this_32, dimension_2, u32(2))));
+}
+
+fn find_brick_0( _S200 : u32,  _S201 : vec3<i32>) -> u32
+{
+    var top_0 : vec3<i32> = (_S201 >> (vec3<u32>(grids_0[_S200].top_shift_0)));
+    var _S202 : u32 = cell_word_0(grids_0[_S200].top_offset_0 + u32((top_0.z * grids_0[_S200].top_size_0[i32(1)] + top_0.y) * grids_0[_S200].top_size_0[i32(0)] + top_0.x));
+    var cell_9 : u32 = _S202;
+    var shift_5 : u32 = grids_0[_S200].top_shift_0;
+    for(;;)
+    {
+        var _S203 : bool;
+        if(shift_5 > u32(3))
+        {
+            _S203 = ((cell_9 & (u32(2147483648)))) != u32(0);
+        }
+        else
+        {
+            _S203 = false;
+        }
+        if(_S203)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var shift_6 : u32 = shift_5 - u32(2);
+        var _S204 : u32 = cell_word_0(((cell_9 & (u32(2147483647)))) * u32(64) + cell_in_node_0(_S201, shift_6));
+        cell_9 = _S204;
+        shift_5 = shift_6;
+    }
+    return record_of_cell_0(cell_9);
+}
+
+fn rank_in_brick_0( record_4 : u32,  relative_1 : vec3<i32>) -> u32
+{
+    var header_0 : u32 = brick_word_0(record_4);
+    var bit_1 : u32 = cell_in_node_0(relative_1, u32(0));
+    var present_before_0 : u32 = countOneBits((header_0 & ((((u32(1) << (((((u32(((((relative_1.x) >> (u32(2)))) & (i32(1)))) | (((u32(((((relative_1.y) >> (u32(2)))) & (i32(1)))) << (u32(1))))))) | (((u32(((((relative_1.z) >> (u32(2)))) & (i32(1)))) << (u32(2)))))))))) - u32(1)))));
+    var index_9 : u32 = u32(0);
+    var rank_0 : u32 = u32(0);
+    for(;;)
+    {
+        if(index_9 < present_before_0)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S205 : u32 = u32(2) * index_9;
+        var _S206 : u32 = brick_word_0(record_4 + u32(2) + _S205);
+        var _S207 : u32 = countOneBits(_S206);
+        var _S208 : u32 = brick_word_0(record_4 + u32(3) + _S205);
+        var rank_1 : u32 = rank_0 + (_S207 + countOneBits(_S208));
+        index_9 = index_9 + u32(1);
+        rank_0 = rank_1;
+    }
+    var _S209 : u32 = u32(2) * present_before_0;
+    var low_8 : u32 = brick_word_0(record_4 + u32(2) + _S209);
+    if(bit_1 < u32(32))
+    {
+        rank_0 = rank_0 + countOneBits((low_8 & ((((u32(1) << (bit_1))) - u32(1)))));
+    }
+    else
+    {
+        var _S210 : u32 = countOneBits(low_8);
+        var _S211 : u32 = brick_word_0(record_4 + u32(3) + _S209);
+        rank_0 = rank_0 + (_S210 + countOneBits((_S211 & ((((u32(1) << ((bit_1 - u32(32))))) - u32(1))))));
+    }
+    return rank_0;
+}
+
+fn place_of_material_0( index_10 : u32) -> u32
+{
+    var _S212 : u32;
+    if(HAS_PAGES_0)
+    {
+        var _S213 : u32 = word_in_pages_0(index_10, pages_0[i32(2)]);
+        _S212 = _S213;
+    }
+    else
+    {
+        _S212 = index_10;
+    }
+    return _S212;
+}
+
+fn material_word_0( index_11 : u32) -> u32
+{
+    var _S214 : u32 = place_of_material_0(index_11);
+    return brick_materials_0[_S214];
+}
+
+fn read_bits_0( start_1 : u32,  position_2 : u32,  count_1 : u32) -> u32
+{
+    if(count_1 == u32(0))
+    {
+        return u32(0);
+    }
+    var word_4 : u32 = start_1 + ((position_2 >> (u32(5))));
+    var shift_7 : u32 = (position_2 & (u32(31)));
+    var _S215 : u32 = material_word_0(word_4);
+    var bits_2 : u32 = (_S215 >> (shift_7));
+    var bits_3 : u32;
+    if((shift_7 + count_1) > u32(32))
+    {
+        var _S216 : u32 = material_word_0(word_4 + u32(1));
+        bits_3 = (bits_2 | (((_S216 << ((u32(32) - shift_7))))));
+    }
+    else
+    {
+        bits_3 = bits_2;
+    }
+    return (bits_3 & ((((u32(1) << (count_1))) - u32(1))));
+}
+
+fn material_at_0( _S217 : u32,  _S218 : vec3<i32>) -> u32
+{
+    var _S219 : u32 = find_brick_0(_S217, _S218);
+    var header_1 : u32 = brick_word_0(_S219);
+    var rank_2 : u32 = rank_in_brick_0(_S219, _S218);
+    var index_bits_0 : u32 = (((header_1 >> (u32(8)))) & (u32(255)));
+    var palette_count_0 : u32 = (header_1 >> (u32(16)));
+    var entry_bits_0 : u32 = grids_0[_S217].material_bits_0;
+    var start_2 : u32 = brick_word_0(_S219 + u32(1));
+    var index_12 : u32 = read_bits_0(start_2, palette_count_0 * grids_0[_S217].material_bits_0 + rank_2 * index_bits_0, index_bits_0);
+    if(palette_count_0 == u32(0))
+    {
+        return index_12;
+    }
+    var _S220 : u32 = read_bits_0(start_2, index_12 * entry_bits_0, entry_bits_0);
+    return _S220;
+}
+
+fn material_of_0( hit_2 : Hit_0) -> PackedMaterial_0
+{
+    var _S221 : u32 = material_at_0(instances_0[hit_2.instance_0].grid_0, hit_2.voxel_0 - cell_of_0(grids_0[instances_0[hit_2.instance_0].grid_0].origin_0));
+    return material_of_index_0(_S221);
+}
+
+fn material_met_0( path_3 : Path_0,  hit_3 : Hit_0,  beyond_1 : u32) -> PackedMaterial_0
+{
+    var _S222 : PackedMaterial_0 = material_of_0(hit_3);
+    return _S222;
+}
+
+fn emitted_0( material_3 : PackedMaterial_0) -> vec3<f32>
+{
+    return vector_of_0(material_3.emission_0) * vec3<f32>(params_0.emitter_intensity_0);
+}
+
+fn EmitterTree_le_0( material_4 : PackedMaterial_0) -> vec3<f32>
+{
+    return emitted_0(material_4);
+}
+
+fn luminance_0( color_1 : vec3<f32>) -> f32
+{
+    return color_1.x * 0.2125999927520752f + color_1.y * 0.71520000696182251f + color_1.z * 0.07220000028610229f;
+}
+
+struct Aim_0
+{
+     is_met_0 : bool,
+     direction_20 : vec3<f32>,
+     hit_4 : Hit_0,
+     luminance_1 : f32,
+};
+
+fn Aim_x24init_0( is_met_1 : bool,  direction_21 : vec3<f32>,  hit_5 : Hit_0,  luminance_2 : f32) -> Aim_0
+{
+    var _S223 : Aim_0;
+    _S223.is_met_0 = is_met_1;
+    _S223.direction_20 = direction_21;
+    _S223.hit_4 = hit_5;
+    _S223.luminance_1 = luminance_2;
+    return _S223;
+}
+
+struct LightSample_0
+{
+     ray_13 : Ray_0,
+     cos_theta_2 : f32,
+     radiance_1 : vec3<f32>,
+     pdf_2 : f32,
+};
+
+fn LightSample_x24init_0( ray_14 : Ray_0,  cos_theta_3 : f32,  radiance_2 : vec3<f32>,  pdf_3 : f32) -> LightSample_0
+{
+    var _S224 : LightSample_0;
+    _S224.ray_13 = ray_14;
+    _S224.cos_theta_2 = cos_theta_3;
+    _S224.radiance_1 = radiance_2;
+    _S224.pdf_2 = pdf_3;
+    return _S224;
+}
+
+fn no_light_0() -> LightSample_0
+{
+    var _S225 : vec3<f32> = vec3<f32>(0.0f);
+    return LightSample_x24init_0(Ray_x24init_0(_S225, 0.0f, _S225, 0.0f), 0.0f, _S225, 0.0f);
+}
+
+fn sincos_turns_0( turns_1 : f32) -> vec2<f32>
+{
+    var quadrant_0 : i32 = i32(turns_1 * 4.0f + 0.5f);
+    var x_7 : f32 = (turns_1 - f32(quadrant_0) * 0.25f) * 6.28318548202514648f;
+    var xx_0 : f32 = x_7 * x_7;
+    var sin_1 : f32 = x_7 + x_7 * xx_0 * (-0.1666666716337204f + xx_0 * (0.00833333376795053f + xx_0 * (-0.0001984127011383f + xx_0 * 2.75573188446287531e-06f)));
+    var cos_2 : f32 = 1.0f + xx_0 * (-0.5f + xx_0 * (0.0416666679084301f + xx_0 * (-0.00138888892251998f + xx_0 * (0.00002480158764229f + xx_0 * -2.75573199814971304e-07f))));
+    switch((quadrant_0 & (i32(3))))
+    {
+    case i32(0):
+        {
+            return vec2<f32>(sin_1, cos_2);
+        }
+    case i32(1):
+        {
+            return vec2<f32>(cos_2, - sin_1);
+        }
+    case i32(2):
+        {
+            return vec2<f32>(- sin_1, - cos_2);
+        }
+    default :
+        {
+            return vec2<f32>(- cos_2, sin_1);
+        }
+    }
+}
+
+fn ray_from_0( origin_10 : vec3<f32>,  direction_22 : vec3<f32>) -> Ray_0
+{
+    return Ray_x24init_0(origin_10, 0.0f, direction_22, (bitcast<f32>((u32(2139095040)))));
+}
+
+fn SunDisc_sample_0( receiver_8 : Receiver_0,  u_3 : vec4<f32>,  sample_2 : ptr<function, LightSample_0>) -> bool
+{
+    var one_minus_cos_theta_0 : f32 = u_3.z * params_0.sun_one_minus_cos_theta_max_0;
+    var radius_1 : f32 = square_root_0(one_minus_cos_theta_0 * (2.0f - one_minus_cos_theta_0));
+    var sin_cos_0 : vec2<f32> = sincos_turns_0(u_3.w);
+    var direction_23 : vec3<f32> = params_0.sun_direction_0 * vec3<f32>((1.0f - one_minus_cos_theta_0)) + (params_0.sun_tangent_0 * vec3<f32>((radius_1 * sin_cos_0.y)) + params_0.sun_bitangent_0 * vec3<f32>((radius_1 * sin_cos_0.x)));
+    var cos_theta_4 : f32 = with_slack_0(receiver_8, dot_product_0(receiver_8.normal_1, direction_23));
+    (*sample_2) = LightSample_x24init_0(ray_from_0(receiver_8.point_0, direction_23), cos_theta_4, params_0.sun_radiance_0, params_0.sun_pdf_0);
+    return cos_theta_4 > 0.0f;
+}
+
+struct ChosenDirection_0
+{
+     direction_24 : vec3<f32>,
+     radiance_3 : vec3<f32>,
+     pdf_4 : f32,
+};
+
+fn ChosenDirection_x24init_0( direction_25 : vec3<f32>,  radiance_4 : vec3<f32>,  pdf_5 : f32) -> ChosenDirection_0
+{
+    var _S226 : ChosenDirection_0;
+    _S226.direction_24 = direction_25;
+    _S226.radiance_3 = radiance_4;
+    _S226.pdf_4 = pdf_5;
+    return _S226;
+}
+
+fn direction_of_0( square_0 : vec2<f32>) -> vec3<f32>
+{
+    var u_4 : f32 = square_0.x * 2.0f - 1.0f;
+    var v_3 : f32 = square_0.y * 2.0f - 1.0f;
+    var _S227 : f32 = abs(u_4);
+    var _S228 : f32 = abs(v_3);
+    var height_1 : f32 = 1.0f - (_S227 + _S228);
+    var radius_2 : f32 = 1.0f - abs(height_1);
+    var turns_2 : f32;
+    if(radius_2 > 0.0f)
+    {
+        turns_2 = (divide_0(_S228 - _S227, radius_2) + 1.0f) * 0.125f;
+    }
+    else
+    {
+        turns_2 = 0.0f;
+    }
+    var sin_cos_1 : vec2<f32> = sincos_turns_0(turns_2);
+    var _S229 : f32 = radius_2 * radius_2;
+    var across_0 : f32 = radius_2 * square_root_0(2.0f - _S229);
+    var x_8 : f32 = sin_cos_1.y * across_0;
+    var y_4 : f32 = sin_cos_1.x * across_0;
+    var z_0 : f32 = 1.0f - _S229;
+    if(u_4 < 0.0f)
+    {
+        turns_2 = - x_8;
+    }
+    else
+    {
+        turns_2 = x_8;
+    }
+    var _S230 : f32;
+    if(v_3 < 0.0f)
+    {
+        _S230 = - y_4;
+    }
+    else
+    {
+        _S230 = y_4;
+    }
+    var _S231 : f32;
+    if(height_1 < 0.0f)
+    {
+        _S231 = - z_0;
+    }
+    else
+    {
+        _S231 = z_0;
+    }
+    return vec3<f32>(turns_2, _S230, _S231);
+}
+
+fn Environment_to_world_0( d_3 : vec3<f32>) -> vec3<f32>
+{
+    var sin_2 : f32 = params_0.sky_turned_0.x;
+    var cos_3 : f32 = params_0.sky_turned_0.y;
+    var _S232 : f32 = d_3.x;
+    var _S233 : f32 = d_3.y;
+    return vec3<f32>(_S232 * cos_3 + _S233 * sin_2, _S233 * cos_3 - _S232 * sin_2, d_3.z);
+}
+
+fn Environment_choose_0( u_5 : vec4<f32>,  chosen_0 : ptr<function, ChosenDirection_0>) -> bool
+{
+    var _S234 : vec3<f32> = vec3<f32>(0.0f);
+    (*chosen_0) = ChosenDirection_x24init_0(_S234, _S234, 0.0f);
+    var edge_0 : f32 = f32(params_0.sky_edge_0);
+    var _S235 : f32 = u_5.x * edge_0;
+    var _S236 : f32 = edge_0 - 1.0f;
+    var _S237 : f32 = min(floor(_S235), _S236);
+    var own_1 : u32 = u32(_S237) * params_0.sky_edge_0 + u32(min(floor(u_5.y * edge_0), _S236));
+    var index_13 : u32;
+    if((u_5.z) < (environment_0[own_1].threshold_0))
+    {
+        index_13 = own_1;
+    }
+    else
+    {
+        index_13 = environment_0[own_1].alias_0;
+    }
+    var pdf_6 : f32 = environment_0[index_13].pdf_0;
+    if((environment_0[index_13].pdf_0) <= 0.0f)
+    {
+        return false;
+    }
+    var _S238 : u32 = index_13 % params_0.sky_edge_0;
+    var _S239 : f32 = f32(_S238);
+    var _S240 : u32 = index_13 / params_0.sky_edge_0;
+    var place_2 : vec2<f32> = vec2<f32>(_S239, f32(_S240)) + vec2<f32>(min(_S235 - _S237, 1.0f), u_5.w);
+    (*chosen_0) = ChosenDirection_x24init_0(Environment_to_world_0(direction_of_0(place_2 * vec2<f32>(divide_0(1.0f, edge_0)))), Environment_radiance_at_0(place_2), pdf_6);
+    return true;
+}
+
+fn Sky_sample_0( receiver_9 : Receiver_0,  u_6 : vec4<f32>,  sample_3 : ptr<function, LightSample_0>) -> bool
+{
+    (*sample_3) = no_light_0();
+    var chosen_1 : ChosenDirection_0;
+    var _S241 : bool;
+    if(SKY_0 != u32(1))
+    {
+        _S241 = true;
+    }
+    else
+    {
+        var _S242 : bool = Environment_choose_0(u_6, &(chosen_1));
+        _S241 = !_S242;
+    }
+    if(_S241)
+    {
+        return false;
+    }
+    var cos_theta_5 : f32 = dot_product_0(receiver_9.normal_1, chosen_1.direction_24);
+    (*sample_3) = LightSample_x24init_0(ray_from_0(receiver_9.point_0, chosen_1.direction_24), cos_theta_5, chosen_1.radiance_3 * vec3<f32>(params_0.sky_brightness_0), chosen_1.pdf_4);
+    return cos_theta_5 > 0.0f;
+}
+
+struct Descent_0
+{
+     node_3 : u32,
+     index_14 : u32,
+     count_2 : u32,
+     weight_0 : f32,
+     total_0 : f32,
+     choice_0 : f32,
+     is_far_3 : bool,
+};
+
+fn Descent_x24init_0( node_4 : u32,  index_15 : u32,  count_3 : u32,  weight_1 : f32,  total_1 : f32,  choice_1 : f32,  is_far_4 : bool) -> Descent_0
+{
+    var _S243 : Descent_0;
+    _S243.node_3 = node_4;
+    _S243.index_14 = index_15;
+    _S243.count_2 = count_3;
+    _S243.weight_0 = weight_1;
+    _S243.total_0 = total_1;
+    _S243.choice_0 = choice_1;
+    _S243.is_far_3 = is_far_4;
+    return _S243;
+}
+
+fn TopLights_node_0( index_16 : u32) -> LightNode_0
+{
+    return top_light_node_0(index_16);
+}
+
+fn Descent_at_0( this_33 : ptr<function, Descent_0>,  root_2 : u32)
+{
+    var node_5 : LightNode_0 = TopLights_node_0(root_2);
+    (*this_33).node_3 = root_2;
+    (*this_33).index_14 = node_5.index_6;
+    (*this_33).count_2 = node_5.count_0;
+    (*this_33).is_far_3 = false;
+    return;
+}
+
+fn normal_or_zero_0( weight_2 : f32) -> f32
+{
+    var _S244 : f32;
+    if(weight_2 < 1.17549435082228751e-38f)
+    {
+        _S244 = 0.0f;
+    }
+    else
+    {
+        _S244 = weight_2;
+    }
+    return _S244;
+}
+
+fn inverse_power_of_two_0( x_9 : f32) -> f32
+{
+    return (bitcast<f32>((((u32(254) - (((bitcast<u32>((x_9))) >> (u32(23))))) << (u32(23))))));
+}
+
+fn weights_of_0( left_0 : f32,  right_0 : f32) -> vec2<f32>
+{
+    var _S245 : f32 = normal_or_zero_0(left_0);
+    var _S246 : f32 = normal_or_zero_0(right_0);
+    var unit_0 : f32 = inverse_power_of_two_0(_S245 + _S246);
+    return vec2<f32>(normal_or_zero_0(_S245 * unit_0), normal_or_zero_0(_S246 * unit_0));
+}
+
+fn climb_0( receiver_10 : Receiver_0,  start_3 : u32,  descent_0 : ptr<function, Descent_0>) -> bool
+{
+    var node_6 : LightNode_0 = top_light_node_0(start_3);
+    var at_1 : u32 = start_3;
+    for(;;)
+    {
+        var _S247 : LightNode_0 = node_6;
+        if((node_6.parent_0) != u32(4294967295))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var parent_1 : LightNode_0 = top_light_node_0(_S247.parent_0);
+        var _S248 : u32 = _S247.parent_0 + u32(1);
+        var is_left_0 : bool = at_1 == _S248;
+        var _S249 : u32;
+        if(is_left_0)
+        {
+            _S249 = parent_1.index_6;
+        }
+        else
+        {
+            _S249 = _S248;
+        }
+        var _S250 : View_0 = view_0(node_6, receiver_10);
+        var _S251 : View_0 = view_0(top_light_node_0(_S249), receiver_10);
+        var _S252 : f32;
+        if(is_left_0)
+        {
+            _S252 = _S250.importance_0;
+        }
+        else
+        {
+            _S252 = _S251.importance_0;
+        }
+        var _S253 : f32;
+        if(is_left_0)
+        {
+            _S253 = _S251.importance_0;
+        }
+        else
+        {
+            _S253 = _S250.importance_0;
+        }
+        var weights_0 : vec2<f32> = weights_of_0(_S252, _S253);
+        var _S254 : f32 = weights_0.x;
+        var _S255 : f32 = weights_0.y;
+        var total_2 : f32 = _S254 + _S255;
+        if(!(total_2 > 0.0f))
+        {
+            return false;
+        }
+        var _S256 : f32;
+        if(is_left_0)
+        {
+            _S256 = _S254;
+        }
+        else
+        {
+            _S256 = _S255;
+        }
+        (*descent_0).weight_0 = (*descent_0).weight_0 * _S256;
+        (*descent_0).total_0 = (*descent_0).total_0 * total_2;
+        node_6 = parent_1;
+        at_1 = _S247.parent_0;
+    }
+    return ((*descent_0).weight_0) > 0.0f;
+}
+
+fn by_chance_0() -> Aim_0
+{
+    return Aim_x24init_0(false, vec3<f32>(0.0f), miss_0(), 0.0f);
+}
+
+fn descend_0( receiver_11 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<function, Descent_0>) -> bool
+{
+    for(;;)
+    {
+        var _S257 : bool;
+        if(((*descent_1).count_2) == u32(0))
+        {
+            _S257 = !(*descent_1).is_far_3;
+        }
+        else
+        {
+            _S257 = false;
+        }
+        if(_S257)
+        {
+        }
+        else
+        {
+            break;
+        }
+        if(waits_for_pages_0())
+        {
+            return false;
+        }
+        var left_1 : LightNode_0 = TopLights_node_0((*descent_1).node_3 + u32(1));
+        var right_1 : LightNode_0 = TopLights_node_0((*descent_1).index_14);
+        var weights_1 : vec2<f32> = weights_of_0(view_0(left_1, receiver_11).importance_0, view_0(right_1, receiver_11).importance_0);
+        var _S258 : f32 = weights_1.x;
+        var _S259 : f32 = weights_1.y;
+        var total_3 : f32 = _S258 + _S259;
+        if(!(total_3 > 0.0f))
+        {
+            return false;
+        }
+        var _S260 : bool;
+        if(_S259 <= 0.0f)
+        {
+            _S260 = true;
+        }
+        else
+        {
+            _S260 = ((*descent_1).choice_0 * total_3) < (_S258 * (*descent_1).weight_0);
+        }
+        var is_left_1 : bool;
+        if(aim_0.is_met_0)
+        {
+            var _S261 : vec3<f32> = vec3<f32>(aim_0.hit_4.voxel_0);
+            if((all((_S261 >= (vector_of_0(left_1.min_1))))))
+            {
+                is_left_1 = (all((_S261 < (vector_of_0(left_1.max_1)))));
+            }
+            else
+            {
+                is_left_1 = false;
+            }
+        }
+        else
+        {
+            is_left_1 = _S260;
+        }
+        var _S262 : f32 = (*descent_1).choice_0 * total_3;
+        var _S263 : f32;
+        if(is_left_1)
+        {
+            _S263 = 0.0f;
+        }
+        else
+        {
+            _S263 = _S258 * (*descent_1).weight_0;
+        }
+        (*descent_1).choice_0 = _S262 - _S263;
+        var _S264 : u32;
+        if(is_left_1)
+        {
+            _S264 = (*descent_1).node_3 + u32(1);
+        }
+        else
+        {
+            _S264 = (*descent_1).index_14;
+        }
+        (*descent_1).node_3 = _S264;
+        var _S265 : u32;
+        if(is_left_1)
+        {
+            _S265 = left_1.index_6;
+        }
+        else
+        {
+            _S265 = right_1.index_6;
+        }
+        (*descent_1).index_14 = _S265;
+        var _S266 : u32;
+        if(is_left_1)
+        {
+            _S266 = left_1.count_0;
+        }
+        else
+        {
+            _S266 = right_1.count_0;
+        }
+        (*descent_1).count_2 = _S266;
+        (*descent_1).is_far_3 = false;
+        var _S267 : f32;
+        if(is_left_1)
+        {
+            _S267 = _S258;
+        }
+        else
+        {
+            _S267 = _S259;
+        }
+        var _S268 : f32 = (*descent_1).weight_0 * _S267;
+        (*descent_1).weight_0 = _S268;
+        (*descent_1).total_0 = (*descent_1).total_0 * total_3;
+        if(_S268 <= 0.0f)
+        {
+            return false;
+        }
+    }
+    return true;
+}
+
+fn normalize_vector_0( vector_4 : vec3<f32>) -> vec3<f32>
+{
+    return vector_4 * vec3<f32>(divide_0(1.0f, square_root_0(length_squared_0(vector_4))));
+}
+
+fn in_grid_0( instance_10 : u32,  receiver_12 : Receiver_0) -> Receiver_0
+{
+    if(IS_SINGLE_0)
+    {
+        return receiver_12;
+    }
+    return Receiver_x24init_0(Transform_point_0(instance_10, receiver_12.point_0), normalize_vector_0(Transform_direction_0(instance_10, receiver_12.normal_1)));
+}
+
+fn lights_in_pages_0() -> bool
+{
+    var _S269 : bool;
+    if(HAS_PAGES_0)
+    {
+        _S269 = pages_0[u32(5)] != u32(0);
+    }
+    else
+    {
+        _S269 = false;
+    }
+    return _S269;
+}
+
+fn place_in_light_node_0( node_7 : u32,  word_5 : u32) -> u32
+{
+    var _S270 : u32 = word_in_pages_0(node_7 * u32(16) + word_5, pages_0[i32(4)]);
+    return _S270;
+}
+
+fn light_node_at_0( index_17 : u32) -> LightNode_0
+{
+    if(!lights_in_pages_0())
+    {
+        var _S271 : u32 = u32(4) * index_17;
+        return light_node_of_0(light_node_rows_0[_S271], light_node_rows_0[_S271 + u32(1)], light_node_rows_0[_S271 + u32(2)], light_node_rows_0[_S271 + u32(3)]);
+    }
+    var at_2 : u32 = place_in_light_node_0(index_17, u32(0));
+    var node_8 : LightNode_0;
+    var i_0 : u32 = u32(0);
+    for(;;)
+    {
+        if(i_0 < u32(3))
+        {
+        }
+        else
+        {
+            break;
+        }
+        node_8.min_1[i_0] = (bitcast<f32>((cells_1[at_2 + i_0])));
+        node_8.max_1[i_0] = (bitcast<f32>((cells_1[at_2 + u32(4) + i_0])));
+        i_0 = i_0 + u32(1);
+    }
+    node_8.index_6 = cells_1[at_2 + u32(3)];
+    node_8.count_0 = cells_1[at_2 + u32(7)];
+    i_0 = u32(0);
+    for(;;)
+    {
+        if(i_0 < u32(6))
+        {
+        }
+        else
+        {
+            break;
+        }
+        node_8.power_2[i_0] = (bitcast<f32>((cells_1[at_2 + u32(8) + i_0])));
+        i_0 = i_0 + u32(1);
+    }
+    node_8.parent_0 = cells_1[at_2 + u32(14)];
+    node_8.root_1 = cells_1[at_2 + u32(15)];
+    return node_8;
+}
+
+fn GridLights_node_0( index_18 : u32) -> LightNode_0
+{
+    var _S272 : LightNode_0 = light_node_at_0(index_18);
+    return _S272;
+}
+
+fn Descent_at_1( this_34 : ptr<function, Descent_0>,  root_3 : u32)
+{
+    var node_9 : LightNode_0 = GridLights_node_0(root_3);
+    (*this_34).node_3 = root_3;
+    (*this_34).index_14 = node_9.index_6;
+    (*this_34).count_2 = node_9.count_0;
+    (*this_34).is_far_3 = false;
+    return;
+}
+
+fn descend_1( receiver_13 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<function, Descent_0>) -> bool
+{
+    for(;;)
+    {
+        var _S273 : bool;
+        if(((*descent_2).count_2) == u32(0))
+        {
+            _S273 = !(*descent_2).is_far_3;
+        }
+        else
+        {
+            _S273 = false;
+        }
+        if(_S273)
+        {
+        }
+        else
+        {
+            break;
+        }
+        if(waits_for_pages_0())
+        {
+            return false;
+        }
+        var left_2 : LightNode_0 = GridLights_node_0((*descent_2).node_3 + u32(1));
+        var right_2 : LightNode_0 = GridLights_node_0((*descent_2).index_14);
+        var of_left_0 : View_0 = view_0(left_2, receiver_13);
+        var of_right_0 : View_0 = view_0(right_2, receiver_13);
+        var weights_2 : vec2<f32> = weights_of_0(of_left_0.importance_0, of_right_0.importance_0);
+        var _S274 : f32 = weights_2.x;
+        var _S275 : f32 = weights_2.y;
+        var total_4 : f32 = _S274 + _S275;
+        if(!(total_4 > 0.0f))
+        {
+            return false;
+        }
+        var _S276 : bool;
+        if(_S275 <= 0.0f)
+        {
+            _S276 = true;
+        }
+        else
+        {
+            _S276 = ((*descent_2).choice_0 * total_4) < (_S274 * (*descent_2).weight_0);
+        }
+        var is_left_2 : bool;
+        if(aim_1.is_met_0)
+        {
+            var _S277 : vec3<f32> = vec3<f32>(aim_1.hit_4.voxel_0);
+            if((all((_S277 >= (vector_of_0(left_2.min_1))))))
+            {
+                is_left_2 = (all((_S277 < (vector_of_0(left_2.max_1)))));
+            }
+            else
+            {
+                is_left_2 = false;
+            }
+        }
+        else
+        {
+            is_left_2 = _S276;
+        }
+        var _S278 : f32 = (*descent_2).choice_0 * total_4;
+        var _S279 : f32;
+        if(is_left_2)
+        {
+            _S279 = 0.0f;
+        }
+        else
+        {
+            _S279 = _S274 * (*descent_2).weight_0;
+        }
+        (*descent_2).choice_0 = _S278 - _S279;
+        var _S280 : u32;
+        if(is_left_2)
+        {
+            _S280 = (*descent_2).node_3 + u32(1);
+        }
+        else
+        {
+            _S280 = (*descent_2).index_14;
+        }
+        (*descent_2).node_3 = _S280;
+        var _S281 : u32;
+        if(is_left_2)
+        {
+            _S281 = left_2.index_6;
+        }
+        else
+        {
+            _S281 = right_2.index_6;
+        }
+        (*descent_2).index_14 = _S281;
+        var _S282 : u32;
+        if(is_left_2)
+        {
+            _S282 = left_2.count_0;
+        }
+        else
+        {
+            _S282 = right_2.count_0;
+        }
+        (*descent_2).count_2 = _S282;
+        var _S283 : bool;
+        if(is_left_2)
+        {
+            _S283 = of_left_0.is_far_0;
+        }
+        else
+        {
+            _S283 = of_right_0.is_far_0;
+        }
+        (*descent_2).is_far_3 = _S283;
+        var _S284 : f32;
+        if(is_left_2)
+        {
+            _S284 = _S274;
+        }
+        else
+        {
+            _S284 = _S275;
+        }
+        var _S285 : f32 = (*descent_2).weight_0 * _S284;
+        (*descent_2).weight_0 = _S285;
+        (*descent_2).total_0 = (*descent_2).total_0 * total_4;
+        if(_S285 <= 0.0f)
+        {
+            return false;
+        }
+    }
+    return true;
+}
+
+fn choose_side_0( point_3 : vec3<f32>,  is_met_2 : bool,  way_3 : Descent_0,  side_0 : ptr<function, u32>,  odds_0 : ptr<function, vec2<f32>>) -> bool
+{
+    var node_10 : LightNode_0 = light_node_at_0(way_3.node_3);
+    var _S286 : vec3<f32> = vector_of_0(node_10.max_1);
+    var _S287 : vec3<f32> = vector_of_0(node_10.min_1);
+    var _S288 : vec3<f32> = vec3<f32>(0.5f);
+    var half_2 : vec3<f32> = (_S286 - _S287) * _S288;
+    var toward_1 : vec3<f32> = (_S287 + _S286) * _S288 - point_3;
+    var sent_1 : BySide_0 = sent_by_side_0(node_10, point_3, length_bound_0(select(half_2, abs(toward_1), vec3<bool>(((length_squared_0(toward_1)) > (length_squared_0(half_2)))))));
+    var sum_3 : f32 = normal_or_zero_0(BySide_sum_0(sent_1));
+    var unit_1 : f32 = inverse_power_of_two_0(sum_3);
+    var total_5 : f32 = sum_3 * unit_1;
+    var _S289 : f32 = way_3.choice_0 * total_5;
+    var _S290 : u32 = (*side_0);
+    var share_0 : f32 = normal_or_zero_0(sent_1.low_6[u32(0)] * unit_1);
+    var _S291 : bool;
+    if(is_met_2)
+    {
+        _S291 = u32(0) == _S290;
+    }
+    else
+    {
+        _S291 = share_0 > 0.0f;
+    }
+    var chosen_2 : f32;
+    if(_S291)
+    {
+        (*side_0) = u32(0);
+        chosen_2 = share_0;
+    }
+    else
+    {
+        chosen_2 = 0.0f;
+    }
+    var _S292 : bool = _S289 < (share_0 * way_3.weight_0);
+    var share_1 : f32 = normal_or_zero_0(sent_1.high_4[u32(0)] * unit_1);
+    if(is_met_2)
+    {
+        _S291 = u32(1) == _S290;
+    }
+    else
+    {
+        if(share_1 > 0.0f)
+        {
+            _S291 = !_S292;
+        }
+        else
+        {
+            _S291 = false;
+        }
+    }
+    if(_S291)
+    {
+        (*side_0) = u32(1);
+        chosen_2 = share_1;
+    }
+    var passed_0 : f32 = share_0 + share_1;
+    if(_S292)
+    {
+        _S291 = true;
+    }
+    else
+    {
+        _S291 = _S289 < (passed_0 * way_3.weight_0);
+    }
+    var share_2 : f32 = normal_or_zero_0(sent_1.low_6[u32(1)] * unit_1);
+    var _S293 : bool;
+    if(is_met_2)
+    {
+        _S293 = u32(2) == _S290;
+    }
+    else
+    {
+        if(share_2 > 0.0f)
+        {
+            _S293 = !_S291;
+        }
+        else
+        {
+            _S293 = false;
+        }
+    }
+    if(_S293)
+    {
+        (*side_0) = u32(2);
+        chosen_2 = share_2;
+    }
+    var passed_1 : f32 = passed_0 + share_2;
+    if(_S291)
+    {
+        _S291 = true;
+    }
+    else
+    {
+        _S291 = _S289 < (passed_1 * way_3.weight_0);
+    }
+    var share_3 : f32 = normal_or_zero_0(sent_1.high_4[u32(1)] * unit_1);
+    if(is_met_2)
+    {
+        _S293 = u32(3) == _S290;
+    }
+    else
+    {
+        if(share_3 > 0.0f)
+        {
+            _S293 = !_S291;
+        }
+        else
+        {
+            _S293 = false;
+        }
+    }
+    if(_S293)
+    {
+        (*side_0) = u32(3);
+        chosen_2 = share_3;
+    }
+    var passed_2 : f32 = passed_1 + share_3;
+    if(_S291)
+    {
+        _S291 = true;
+    }
+    else
+    {
+        _S291 = _S289 < (passed_2 * way_3.weight_0);
+    }
+    var share_4 : f32 = normal_or_zero_0(sent_1.low_6[u32(2)] * unit_1);
+    if(is_met_2)
+    {
+        _S293 = u32(4) == _S290;
+    }
+    else
+    {
+        if(share_4 > 0.0f)
+        {
+            _S293 = !_S291;
+        }
+        else
+        {
+            _S293 = false;
+        }
+    }
+    if(_S293)
+    {
+        (*side_0) = u32(4);
+        chosen_2 = share_4;
+    }
+    var passed_3 : f32 = passed_2 + share_4;
+    if(_S291)
+    {
+        _S291 = true;
+    }
+    else
+    {
+        _S291 = _S289 < (passed_3 * way_3.weight_0);
+    }
+    var share_5 : f32 = normal_or_zero_0(sent_1.high_4[u32(2)] * unit_1);
+    if(is_met_2)
+    {
+        _S291 = u32(5) == _S290;
+    }
+    else
+    {
+        if(share_5 > 0.0f)
+        {
+            _S291 = !_S291;
+        }
+        else
+        {
+            _S291 = false;
+        }
+    }
+    if(_S291)
+    {
+        (*side_0) = u32(5);
+        chosen_2 = share_5;
+    }
+    (*odds_0) = vec2<f32>(way_3.weight_0 * chosen_2, way_3.total_0 * total_5);
+    if(sum_3 > 0.0f)
+    {
+        _S291 = ((*odds_0).x) > 0.0f;
+    }
+    else
+    {
+        _S291 = false;
+    }
+    return _S291;
+}
+
+fn light_node_word_0( index_19 : u32,  word_6 : u32) -> u32
+{
+    return light_node_rows_0[u32(4) * index_19 + ((word_6 >> (u32(2))))][(word_6 & (u32(3)))];
+}
+
+fn light_power_at_0( index_20 : u32,  side_1 : u32) -> f32
+{
+    var _S294 : u32;
+    if(lights_in_pages_0())
+    {
+        var _S295 : u32 = place_in_light_node_0(index_20, u32(8) + side_1);
+        _S294 = cells_1[_S295];
+    }
+    else
+    {
+        _S294 = light_node_word_0(index_20, u32(8) + side_1);
+    }
+    return (bitcast<f32>((_S294)));
+}
+
+fn component_0( vector_5 : vec3<f32>,  axis_6 : u32) -> f32
+{
+    return select(select(vector_5.z, vector_5.y, axis_6 == u32(1)), vector_5.x, axis_6 == u32(0));
+}
+
+fn density_0( odds_1 : vec2<f32>,  luminance_3 : f32,  power_3 : f32,  toward_2 : vec3<f32>,  face_3 : u32) -> f32
+{
+    var along_0 : f32 = component_0(toward_2, (face_3 >> (u32(1))));
+    var in_front_0 : f32;
+    if(((face_3 & (u32(1)))) == u32(1))
+    {
+        in_front_0 = - along_0;
+    }
+    else
+    {
+        in_front_0 = along_0;
+    }
+    var distance_squared_0 : f32 = length_squared_0(toward_2);
+    var unit_2 : f32 = inverse_power_of_two_0(power_3);
+    var share_6 : f32 = odds_1.x * (luminance_3 * unit_2) * (distance_squared_0 * square_root_0(distance_squared_0));
+    if(in_front_0 > 0.0f)
+    {
+        in_front_0 = divide_0(share_6, odds_1.y * (power_3 * unit_2) * in_front_0);
+    }
+    else
+    {
+        in_front_0 = -1.0f;
+    }
+    return in_front_0;
+}
+
+struct Emitter_0
+{
+     voxel_24 : array<i32, i32(3)>,
+     grid_6 : u32,
+     faces_0 : u32,
+     material_5 : u32,
+     luminance_4 : f32,
+     leaf_0 : u32,
+};
+
+fn below_light_node_0( index_21 : u32) -> vec2<u32>
+{
+    if(!lights_in_pages_0())
+    {
+        return vec2<u32>(light_node_word_0(index_21, u32(3)), light_node_word_0(index_21, u32(7)));
+    }
+    var at_3 : u32 = place_in_light_node_0(index_21, u32(0));
+    return vec2<u32>(cells_1[at_3 + u32(3)], cells_1[at_3 + u32(7)]);
+}
+
+fn place_in_emitter_0( emitter_0 : u32,  word_7 : u32) -> u32
+{
+    var _S296 : u32 = word_in_pages_0(emitter_0 * u32(8) + word_7, pages_0[i32(3)]);
+    return _S296;
+}
+
+fn emitter_word_0( index_22 : u32,  word_8 : u32) -> u32
+{
+    return emitter_rows_0[u32(2) * index_22 + ((word_8 >> (u32(2))))][(word_8 & (u32(3)))];
+}
+
+fn emitter_faces_at_0( index_23 : u32) -> u32
+{
+    var _S297 : u32;
+    if(lights_in_pages_0())
+    {
+        var _S298 : u32 = place_in_emitter_0(index_23, u32(4));
+        _S297 = cells_1[_S298];
+    }
+    else
+    {
+        _S297 = emitter_word_0(index_23, u32(4));
+    }
+    return _S297;
+}
+
+fn emitter_luminance_at_0( index_24 : u32) -> f32
+{
+    var _S299 : f32;
+    if(lights_in_pages_0())
+    {
+        var _S300 : u32 = place_in_emitter_0(index_24, u32(6));
+        _S299 = (bitcast<f32>((cells_1[_S300])));
+    }
+    else
+    {
+        _S299 = (bitcast<f32>((emitter_word_0(index_24, u32(6)))));
+    }
+    return _S299;
+}
+
+fn Emitter_x24init_0( voxel_25 : array<i32, i32(3)>,  grid_7 : u32,  faces_1 : u32,  material_6 : u32,  luminance_5 : f32,  leaf_1 : u32) -> Emitter_0
+{
+    var _S301 : Emitter_0;
+    _S301.voxel_24 = voxel_25;
+    _S301.grid_6 = grid_7;
+    _S301.faces_0 = faces_1;
+    _S301.material_5 = material_6;
+    _S301.luminance_4 = luminance_5;
+    _S301.leaf_0 = leaf_1;
+    return _S301;
+}
+
+fn emitter_at_0( index_25 : u32) -> Emitter_0
+{
+    if(!lights_in_pages_0())
+    {
+        var _S302 : u32 = u32(2) * index_25;
+        var a_6 : vec4<u32> = emitter_rows_0[_S302];
+        var b_6 : vec4<u32> = emitter_rows_0[_S302 + u32(1)];
+        var _S303 : array<i32, i32(3)> = array<i32, i32(3)>( i32(a_6.x), i32(a_6.y), i32(a_6.z) );
+        return Emitter_x24init_0(_S303, a_6.w, b_6.x, b_6.y, (bitcast<f32>((b_6.z))), b_6.w);
+    }
+    var at_4 : u32 = place_in_emitter_0(index_25, u32(0));
+    var _S304 : array<i32, i32(3)> = array<i32, i32(3)>( i32(cells_1[at_4]), i32(cells_1[at_4 + u32(1)]), i32(cells_1[at_4 + u32(2)]) );
+    return Emitter_x24init_0(_S304, cells_1[at_4 + u32(3)], cells_1[at_4 + u32(4)], cells_1[at_4 + u32(5)], (bitcast<f32>((cells_1[at_4 + u32(6)]))), cells_1[at_4 + u32(7)]);
+}
+
+fn choose_emitter_0( way_4 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Emitter_0
+{
+    var is_found_8 : bool;
+    var is_left_3 : bool;
+    var count_4 : u32 = way_4.count_2;
+    var node_11 : u32 = way_4.node_3;
+    var index_26 : u32 = way_4.index_14;
+    var _S305 : f32 = threshold_1;
+    for(;;)
+    {
+        if(count_4 == u32(0))
+        {
+            is_found_8 = !waits_for_pages_0();
+        }
+        else
+        {
+            is_found_8 = false;
+        }
+        if(is_found_8)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var left_3 : u32 = node_11 + u32(1);
+        var power_left_0 : f32 = light_power_at_0(left_3, side_2);
+        var power_right_0 : f32 = light_power_at_0(index_26, side_2);
+        var below_left_0 : vec2<u32> = below_light_node_0(left_3);
+        var below_right_0 : vec2<u32> = below_light_node_0(index_26);
+        if(_S305 < power_left_0)
+        {
+            is_left_3 = true;
+        }
+        else
+        {
+            is_left_3 = power_right_0 <= 0.0f;
+        }
+        if(is_left_3)
+        {
+        }
+        else
+        {
+            _S305 = _S305 - power_left_0;
+        }
+        if(is_left_3)
+        {
+            node_11 = left_3;
+        }
+        else
+        {
+            node_11 = index_26;
+        }
+        if(is_left_3)
+        {
+            index_26 = below_left_0.x;
+        }
+        else
+        {
+            index_26 = below_right_0.x;
+        }
+        if(is_left_3)
+        {
+            count_4 = below_left_0.y;
+        }
+        else
+        {
+            count_4 = below_right_0.y;
+        }
+    }
+    is_found_8 = false;
+    var chosen_3 : u32 = index_26;
+    var at_5 : u32 = index_26;
+    for(;;)
+    {
+        if(at_5 < (index_26 + count_4))
+        {
+            is_left_3 = !is_found_8;
+        }
+        else
+        {
+            is_left_3 = false;
+        }
+        if(is_left_3)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S306 : u32 = emitter_faces_at_0(at_5);
+        if(((((_S306 >> (side_2))) & (u32(1)))) != u32(0))
+        {
+            var _S307 : f32 = emitter_luminance_at_0(at_5);
+            var _S308 : bool = _S305 < _S307;
+            var _S309 : f32 = emitter_luminance_at_0(at_5);
+            var _S310 : f32 = _S305 - _S309;
+            is_found_8 = _S308;
+            chosen_3 = at_5;
+            _S305 = _S310;
+        }
+        at_5 = at_5 + u32(1);
+    }
+    var _S311 : Emitter_0 = emitter_at_0(chosen_3);
+    return _S311;
+}
+
+fn point_of_face_0( low_9 : vec3<f32>,  face_4 : u32,  u_7 : f32,  v_4 : f32) -> vec3<f32>
+{
+    var away_0 : f32;
+    if(((face_4 & (u32(1)))) == u32(1))
+    {
+        away_0 = 1.0f;
+    }
+    else
+    {
+        away_0 = 0.0f;
+    }
+    if(face_4 < u32(2))
+    {
+        return low_9 + vec3<f32>(away_0, u_7, v_4);
+    }
+    if(face_4 < u32(4))
+    {
+        return low_9 + vec3<f32>(u_7, away_0, v_4);
+    }
+    return low_9 + vec3<f32>(u_7, v_4, away_0);
+}
+
+fn margin_of_0( translation_1 : vec3<f32>,  low_10 : vec3<f32>) -> f32
+{
+    return clamp((max_element_0(abs(low_10) + abs(translation_1)) + 1.0f) * 4.76837158203125e-07f, 0.0009765625f, 0.25f);
+}
+
+fn offset_ray_origin_0( translation_2 : vec3<f32>,  low_11 : vec3<f32>,  face_5 : u32,  point_4 : vec3<f32>) -> vec3<f32>
+{
+    var margin_0 : f32 = margin_of_0(translation_2, low_11);
+    var _S312 : vec3<f32> = vec3<f32>(margin_0);
+    var moved_0 : vec3<f32> = min(max(point_4, low_11 + _S312), low_11 + vec3<f32>((1.0f - margin_0)));
+    var _S313 : bool = face_5 < u32(2);
+    var _S314 : bool;
+    if(face_5 >= u32(2))
+    {
+        _S314 = face_5 < u32(4);
+    }
+    else
+    {
+        _S314 = false;
+    }
+    var is_axis_3 : vec3<bool> = vec3<bool>(_S313, _S314, face_5 >= u32(4));
+    var outside_0 : vec3<f32>;
+    if(((face_5 & (u32(1)))) == u32(1))
+    {
+        outside_0 = low_11 + vec3<f32>((1.0f + margin_0));
+    }
+    else
+    {
+        outside_0 = low_11 - _S312;
+    }
+    return select(moved_0, outside_0, is_axis_3);
+}
+
+fn Transform_direction_1( _S315 : u32,  _S316 : vec3<f32>) -> vec3<f32>
+{
+    return vector_of_0(instances_0[_S315].world_from_grid_0.x_axis_0) * vec3<f32>(_S316.x) + vector_of_0(instances_0[_S315].world_from_grid_0.y_axis_0) * vec3<f32>(_S316.y) + vector_of_0(instances_0[_S315].world_from_grid_0.z_axis_0) * vec3<f32>(_S316.z);
+}
+
+fn Transform_point_1( _S317 : u32,  _S318 : vec3<f32>) -> vec3<f32>
+{
+    return Transform_direction_1(_S317, _S318) + vector_of_0(instances_0[_S317].world_from_grid_0.translation_0);
+}
+
+fn sample_emitter_0( receiver_14 : Receiver_0,  u_8 : vec4<f32>,  aim_2 : Aim_0,  sample_4 : ptr<function, LightSample_0>) -> bool
+{
+    (*sample_4) = no_light_0();
+    if((params_0.light_node_count_0) == u32(0))
+    {
+        return false;
+    }
+    var descent_3 : Descent_0 = Descent_x24init_0(u32(0), u32(0), u32(0), 1.0f, 1.0f, u_8.x, false);
+    Descent_at_0(&(descent_3), u32(0));
+    var _S319 : bool;
+    if(!IS_SINGLE_0)
+    {
+        _S319 = aim_2.is_met_0;
+    }
+    else
+    {
+        _S319 = false;
+    }
+    if(_S319)
+    {
+        var leaf_2 : u32 = instances_0[aim_2.hit_4.instance_0].light_leaf_0;
+        if((instances_0[aim_2.hit_4.instance_0].light_leaf_0) == u32(4294967295))
+        {
+            _S319 = true;
+        }
+        else
+        {
+            var _S320 : bool = climb_0(receiver_14, leaf_2, &(descent_3));
+            _S319 = !_S320;
+        }
+        if(_S319)
+        {
+            return false;
+        }
+        Descent_at_0(&(descent_3), leaf_2);
+    }
+    else
+    {
+        if(!IS_SINGLE_0)
+        {
+            var _S321 : bool = descend_0(receiver_14, by_chance_0(), &(descent_3));
+            _S319 = !_S321;
+        }
+        else
+        {
+            _S319 = false;
+        }
+        if(_S319)
+        {
+            return false;
+        }
+    }
+    var chosen_instance_0 : u32 = descent_3.index_14;
+    var local_1 : Receiver_0 = in_grid_0(descent_3.index_14, receiver_14);
+    Descent_at_1(&(descent_3), top_light_node_0(descent_3.node_3).root_1);
+    var _S322 : bool = descend_1(local_1, aim_2, &(descent_3));
+    if(!_S322)
+    {
+        return false;
+    }
+    var side_3 : u32 = aim_2.hit_4.face_0;
+    var odds_2 : vec2<f32>;
+    var _S323 : bool = choose_side_0(local_1.point_0, aim_2.is_met_0, descent_3, &(side_3), &(odds_2));
+    if(!_S323)
+    {
+        return false;
+    }
+    var power_4 : f32 = light_power_at_0(descent_3.node_3, side_3);
+    if(aim_2.is_met_0)
+    {
+        var _S324 : f32 = density_0(odds_2, aim_2.luminance_1, power_4, Transform_direction_0(chosen_instance_0, aim_2.direction_20) * vec3<f32>(aim_2.hit_4.t_0), side_3);
+        (*sample_4).pdf_2 = _S324;
+        return _S324 > 0.0f;
+    }
+    var emitter_1 : Emitter_0 = choose_emitter_0(descent_3, side_3, u_8.y * power_4);
+    var _S325 : vec3<f32> = vec3<f32>(cell_of_0(emitter_1.voxel_24));
+    var on_face_0 : vec3<f32> = point_of_face_0(_S325, side_3, u_8.z, u_8.w);
+    var pdf_7 : f32 = density_0(odds_2, emitter_1.luminance_4, power_4, on_face_0 - local_1.point_0, side_3);
+    if(pdf_7 < 0.0f)
+    {
+        return false;
+    }
+    var direction_26 : vec3<f32> = Transform_point_1(chosen_instance_0, offset_ray_origin_0(vector_of_0(instances_0[chosen_instance_0].grid_from_world_0.translation_0), _S325, side_3, on_face_0)) - receiver_14.point_0;
+    var cos_theta_6 : f32 = with_slack_0(receiver_14, divide_0(dot_product_0(receiver_14.normal_1, direction_26), square_root_0(length_squared_0(direction_26))));
+    (*sample_4) = LightSample_x24init_0(Ray_x24init_0(receiver_14.point_0, 0.0f, direction_26, 1.0f), cos_theta_6, emitted_0(material_of_index_0(emitter_1.material_5)), pdf_7);
+    return cos_theta_6 > 0.0f;
+}
+
+fn EmitterTree_sample_0( receiver_15 : Receiver_0,  u_9 : vec4<f32>,  aim_3 : Aim_0,  sample_5 : ptr<function, LightSample_0>) -> bool
+{
+    var _S326 : bool = sample_emitter_0(receiver_15, u_9, aim_3, &((*sample_5)));
+    return _S326;
+}
+
+fn Lights_sample_0( receiver_16 : Receiver_0,  selection_3 : Selection_0,  u_10 : vec4<f32>,  aim_4 : Aim_0,  sample_6 : ptr<function, LightSample_0>) -> bool
+{
+    var is_found_9 : bool;
+    if(has_sun_0())
+    {
+        is_found_9 = !aim_4.is_met_0;
+    }
+    else
+    {
+        is_found_9 = false;
+    }
+    if(is_found_9)
+    {
+        is_found_9 = (u_10.x) < (selection_3.sun_0);
+    }
+    else
+    {
+        is_found_9 = false;
+    }
+    if(is_found_9)
+    {
+        var _S327 : bool = SunDisc_sample_0(receiver_16, u_10, &((*sample_6)));
+        (*sample_6).pdf_2 = (*sample_6).pdf_2 * selection_3.sun_0;
+        is_found_9 = _S327;
+    }
+    else
+    {
+        if(Lights_has_chosen_sky_0())
+        {
+            is_found_9 = !aim_4.is_met_0;
+        }
+        else
+        {
+            is_found_9 = false;
+        }
+        if(is_found_9)
+        {
+            is_found_9 = (u_10.x) < (selection_3.sun_0 + selection_3.sky_1);
+        }
+        else
+        {
+            is_found_9 = false;
+        }
+        if(is_found_9)
+        {
+            var _S328 : bool = Sky_sample_0(receiver_16, vec4<f32>(min(divide_0(u_10.x - selection_3.sun_0, selection_3.sky_1), 0.99999994039535522f), u_10.yzw), &((*sample_6)));
+            (*sample_6).pdf_2 = (*sample_6).pdf_2 * selection_3.sky_1;
+            is_found_9 = _S328;
+        }
+        else
+        {
+            var _S329 : bool = EmitterTree_sample_0(receiver_16, vec4<f32>(min(divide_0(u_10.x - (selection_3.sun_0 + selection_3.sky_1), selection_3.emitters_0), 0.99999994039535522f), u_10.yzw), aim_4, &((*sample_6)));
+            (*sample_6).pdf_2 = (*sample_6).pdf_2 * selection_3.emitters_0;
+            is_found_9 = _S329;
+        }
+    }
+    return is_found_9;
+}
+
+fn ior_of_0( inside_3 : Inside_0) -> f32
+{
+    var _S330 : f32;
+    if(Inside_is_in_0(inside_3))
+    {
+        _S330 = material_of_index_0(inside_3.material_0).ior_0;
+    }
+    else
+    {
+        _S330 = 1.0f;
+    }
+    return _S330;
+}
+
+fn Microfacets_x24init_0( alpha_1 : f32) -> Microfacets_0
+{
+    var _S331 : Microfacets_0;
+    _S331.alpha_0 = alpha_1;
+    return _S331;
+}
+
+fn MaterialBsdf_x24init_0( kind_1 : u32,  color_2 : vec3<f32>,  specular_2 : f32,  eta_1 : f32,  facets_1 : Microfacets_0) -> MaterialBsdf_0
+{
+    var _S332 : MaterialBsdf_0;
+    _S332.kind_0 = kind_1;
+    _S332.color_0 = color_2;
+    _S332.specular_0 = specular_2;
+    _S332.eta_0 = eta_1;
+    _S332.facets_0 = facets_1;
+    return _S332;
+}
+
+fn bsdf_of_0( material_7 : PackedMaterial_0,  ior_1 : f32,  choice_2 : ptr<function, f32>) -> MaterialBsdf_0
+{
+    return MaterialBsdf_x24init_0(u32(0), vector_of_0(material_7.base_color_0), 0.0f, 1.0f, Microfacets_x24init_0(1.0f));
+}
+
+fn MaterialBsdf_albedo_0( this_35 : MaterialBsdf_0) -> vec3<f32>
+{
+    return this_35.color_0;
+}
+
+var<private> ends_here_0 : bool;
+
+fn roulette_0( event_1 : u32,  scattered_1 : vec3<f32>,  u_11 : f32) -> f32
+{
+    if(event_1 < u32(3))
+    {
+        return 1.0f;
+    }
+    var _S333 : f32 = min(max_element_0(scattered_1), 0.94999998807907104f);
+    var _S334 : f32;
+    if(u_11 < _S333)
+    {
+        _S334 = divide_0(1.0f, _S333);
+    }
+    else
+    {
+        _S334 = 0.0f;
+    }
+    return _S334;
+}
+
+fn face_normal_0( face_6 : u32) -> vec3<f32>
+{
+    var away_1 : f32;
+    if(((face_6 & (u32(1)))) == u32(1))
+    {
+        away_1 = 1.0f;
+    }
+    else
+    {
+        away_1 = -1.0f;
+    }
+    var _S335 : f32;
+    if(face_6 < u32(2))
+    {
+        _S335 = away_1;
+    }
+    else
+    {
+        _S335 = 0.0f;
+    }
+    var _S336 : bool;
+    if(face_6 >= u32(2))
+    {
+        _S336 = face_6 < u32(4);
+    }
+    else
+    {
+        _S336 = false;
+    }
+    var _S337 : f32;
+    if(_S336)
+    {
+        _S337 = away_1;
+    }
+    else
+    {
+        _S337 = 0.0f;
+    }
+    if(face_6 >= u32(4))
+    {
+    }
+    else
+    {
+        away_1 = 0.0f;
+    }
+    return vec3<f32>(_S335, _S337, away_1);
+}
+
+fn world_normal_0( _S338 : u32,  _S339 : u32) -> vec3<f32>
+{
+    return normalize_vector_0(Transform_direction_1(_S338, face_normal_0(_S339)));
+}
+
+fn surface_of_0( ray_15 : Ray_0,  hit_6 : Hit_0) -> Surface_0
+{
+    var surface_1 : Surface_0;
+    var _S340 : vec3<f32> = vec3<f32>(hit_6.voxel_0);
+    if(IS_SINGLE_0)
+    {
+        surface_1.origin_9 = offset_ray_origin_0(vec3<f32>(0.0f), _S340, hit_6.face_0, ray_15.origin_1 + ray_15.direction_0 * vec3<f32>(hit_6.t_0));
+        surface_1.normal_2 = face_normal_0(hit_6.face_0);
+    }
+    else
+    {
+        surface_1.origin_9 = Transform_point_1(hit_6.instance_0, offset_ray_origin_0(vector_of_0(instances_0[hit_6.instance_0].grid_from_world_0.translation_0), _S340, hit_6.face_0, Transform_point_0(hit_6.instance_0, ray_15.origin_1) + Transform_direction_0(hit_6.instance_0, ray_15.direction_0) * vec3<f32>(hit_6.t_0)));
+        surface_1.normal_2 = world_normal_0(hit_6.instance_0, hit_6.face_0);
+    }
+    surface_1.face_2 = hit_6.face_0;
+    surface_1.instance_8 = hit_6.instance_0;
+    return surface_1;
+}
+
+fn Surface_local_direction_0( this_36 : Surface_0,  world_0 : vec3<f32>) -> vec3<f32>
+{
+    var in_grid_1 : vec3<f32>;
+    if(!IS_SINGLE_0)
+    {
+        in_grid_1 = Transform_direction_0(this_36.instance_8, world_0);
+    }
+    else
+    {
+        in_grid_1 = world_0;
+    }
+    var in_grid_2 : vec3<f32> = normalize_vector_0(in_grid_1);
+    var local_2 : vec3<f32>;
+    if((this_36.face_2) < u32(2))
+    {
+        local_2 = in_grid_2.yzx;
+    }
+    else
+    {
+        if((this_36.face_2) < u32(4))
+        {
+            local_2 = in_grid_2.zxy;
+        }
+        else
+        {
+            local_2 = in_grid_2;
+        }
+    }
+    if((((this_36.face_2) & (u32(1)))) == u32(1))
+    {
+        in_grid_1 = local_2;
+    }
+    else
+    {
+        in_grid_1 = vec3<f32>(local_2.xy, - local_2.z);
+    }
+    return in_grid_1;
+}
+
+fn clamp_to_voxel_0( translation_3 : vec3<f32>,  low_12 : vec3<f32>,  point_5 : vec3<f32>) -> vec3<f32>
+{
+    var margin_1 : f32 = margin_of_0(translation_3, low_12);
+    return min(max(point_5, low_12 + vec3<f32>(margin_1)), low_12 + vec3<f32>((1.0f - margin_1)));
+}
+
+fn Inside_point_0( this_37 : Inside_0,  ray_16 : Ray_0,  t_13 : f32) -> vec3<f32>
+{
+    return Transform_point_1(this_37.instance_6, clamp_to_voxel_0(vector_of_0(instances_0[this_37.instance_6].grid_from_world_0.translation_0), vec3<f32>(this_37.voxel_22), Transform_point_0(this_37.instance_6, ray_16.origin_1) + Transform_direction_0(this_37.instance_6, ray_16.direction_0) * vec3<f32>(t_13)));
+}
+
+fn MaterialBsdf_is_delta_0( this_38 : MaterialBsdf_0) -> bool
+{
+    return false;
+}
+
+fn Scatter_x24init_0( path_4 : Path_0,  receiver_17 : Receiver_0,  surface_2 : Surface_0,  bsdf_1 : MaterialBsdf_0,  wo_1 : vec3<f32>,  compensation_1 : f32,  is_scattered_1 : bool,  wants_light_1 : bool) -> Scatter_0
+{
+    var _S341 : Scatter_0;
+    _S341.path_0 = path_4;
+    _S341.receiver_0 = receiver_17;
+    _S341.surface_0 = surface_2;
+    _S341.bsdf_0 = bsdf_1;
+    _S341.wo_0 = wo_1;
+    _S341.compensation_0 = compensation_1;
+    _S341.is_scattered_0 = is_scattered_1;
+    _S341.wants_light_0 = wants_light_1;
+    return _S341;
+}
+
+struct BsdfSample_0
+{
+     wi_0 : vec3<f32>,
+     weight_3 : vec3<f32>,
+     pdf_8 : f32,
+     is_delta_0 : bool,
+};
+
+struct Diffuse_0
+{
+     reflectance_0 : vec3<f32>,
+};
+
+fn Diffuse_x24init_0( reflectance_1 : vec3<f32>) -> Diffuse_0
+{
+    var _S342 : Diffuse_0;
+    _S342.reflectance_0 = reflectance_1;
+    return _S342;
+}
+
+fn cosine_hemisphere_0( u_12 : f32,  v_5 : f32) -> vec3<f32>
+{
+    var radius_3 : f32 = square_root_0(u_12);
+    var sin_cos_2 : vec2<f32> = sincos_turns_0(v_5);
+    return vec3<f32>(radius_3 * sin_cos_2.y, radius_3 * sin_cos_2.x, square_root_0(1.0f - u_12));
+}
+
+fn cosine_hemisphere_pdf_0( cos_theta_7 : f32) -> f32
+{
+    return max(cos_theta_7, 0.0f) * 0.31830987334251404f;
+}
+
+fn BsdfSample_x24init_0( wi_1 : vec3<f32>,  weight_4 : vec3<f32>,  pdf_9 : f32,  is_delta_1 : bool) -> BsdfSample_0
+{
+    var _S343 : BsdfSample_0;
+    _S343.wi_0 = wi_1;
+    _S343.weight_3 = weight_4;
+    _S343.pdf_8 = pdf_9;
+    _S343.is_delta_0 = is_delta_1;
+    return _S343;
+}
+
+fn Diffuse_sample_0( this_39 : Diffuse_0,  wo_2 : vec3<f32>,  u_13 : vec3<f32>,  sample_7 : ptr<function, BsdfSample_0>) -> bool
+{
+    var wi_2 : vec3<f32> = cosine_hemisphere_0(u_13.x, u_13.y);
+    (*sample_7) = BsdfSample_x24init_0(wi_2, this_39.reflectance_0, cosine_hemisphere_pdf_0(wi_2.z), false);
+    return true;
+}
+
+fn MaterialBsdf_sample_0( this_40 : MaterialBsdf_0,  wo_3 : vec3<f32>,  u_14 : vec3<f32>,  sample_8 : ptr<function, BsdfSample_0>) -> bool
+{
+    var _S344 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_40.color_0), wo_3, u_14, &((*sample_8)));
+    return _S344;
+}
+
+fn Surface_world_direction_0( this_41 : Surface_0,  local_3 : vec3<f32>) -> vec3<f32>
+{
+    var away_2 : f32;
+    if((((this_41.face_2) & (u32(1)))) == u32(1))
+    {
+        away_2 = local_3.z;
+    }
+    else
+    {
+        away_2 = - local_3.z;
+    }
+    var _S345 : f32 = local_3.x;
+    var _S346 : f32 = local_3.y;
+    var _S347 : vec3<f32> = vec3<f32>(_S345, _S346, away_2);
+    var in_grid_3 : vec3<f32>;
+    if((this_41.face_2) < u32(2))
+    {
+        in_grid_3 = vec3<f32>(away_2, _S345, _S346);
+    }
+    else
+    {
+        if((this_41.face_2) < u32(4))
+        {
+            in_grid_3 = vec3<f32>(_S346, away_2, _S345);
+        }
+        else
+        {
+            in_grid_3 = _S347;
+        }
+    }
+    if(!IS_SINGLE_0)
+    {
+        in_grid_3 = Transform_direction_1(this_41.instance_8, in_grid_3);
+    }
+    return normalize_vector_0(in_grid_3);
+}
+
+fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_17 : Ray_0,  hit_7 : Hit_0,  beyond_2 : u32,  radiance_5 : ptr<function, vec3<f32>>) -> NextRays_0
+{
+    var next_0 : NextRays_0 = no_rays_0();
+    scatter_of_path_0.wants_light_0 = false;
+    var is_counted_0 : bool = Path_is_counted_0((*path_5));
+    var t_14 : f32;
+    if(is_counted_0)
+    {
+        t_14 = - (*path_5).pdf_1;
+    }
+    else
+    {
+        t_14 = (*path_5).pdf_1;
+    }
+    (*path_5).pdf_1 = t_14;
+    var last_5 : Receiver_0 = Path_receiver_0((*path_5), ray_17);
+    var is_scattered_2 : bool;
+    if(Inside_is_in_0((*path_5).inside_0))
+    {
+        is_scattered_2 = Hit_is_miss_0(hit_7);
+    }
+    else
+    {
+        is_scattered_2 = false;
+    }
+    if(Inside_is_in_0((*path_5).inside_0))
+    {
+        if(is_scattered_2)
+        {
+            t_14 = scattering_t_0((*path_5), (*path_5).inside_0, ray_17);
+        }
+        else
+        {
+            t_14 = hit_7.t_0;
+        }
+        if(!is_counted_0)
+        {
+            absorb_0(&((*path_5)), (*path_5).inside_0, ray_17, t_14);
+        }
+    }
+    else
+    {
+        t_14 = hit_7.t_0;
+    }
+    var is_weighed_0 : bool;
+    if(Hit_is_miss_0(hit_7))
+    {
+        is_weighed_0 = !is_scattered_2;
+    }
+    else
+    {
+        is_weighed_0 = false;
+    }
+    var light_pdf_1 : f32;
+    if(is_weighed_0)
+    {
+        (*radiance_5) = (*radiance_5) + (*path_5).beta_0 * Sky_le_0(ray_17.direction_0) * vec3<f32>(mis_weight_0((*path_5).pdf_1, Lights_sky_pdf_0(Path_selection_at_0((*path_5), last_5), ray_17.direction_0)));
+        if(has_sun_0())
+        {
+            if(SunDisc_is_visible_0())
+            {
+                is_scattered_2 = true;
+            }
+            else
+            {
+                is_scattered_2 = !Path_is_straight_0((*path_5));
+            }
+        }
+        else
+        {
+            is_scattered_2 = false;
+        }
+        if(is_scattered_2)
+        {
+            var le_0 : vec3<f32> = SunDisc_le_0(ray_17.direction_0);
+            if((max_element_0(le_0)) > 0.0f)
+            {
+                if(((*path_5).pdf_1) == 0.0f)
+                {
+                    light_pdf_1 = 0.0f;
+                }
+                else
+                {
+                    light_pdf_1 = Lights_sun_pdf_0(Path_selection_at_0((*path_5), last_5), ray_17.direction_0);
+                }
+                (*radiance_5) = (*radiance_5) + (*path_5).beta_0 * le_0 * vec3<f32>(mis_weight_0((*path_5).pdf_1, light_pdf_1));
+            }
+        }
+        return next_0;
+    }
+    var u_15 : vec4<f32> = Sampler_stratified_0((*path_5).sampler_0, Path_dimension_scatter_0((*path_5)));
+    var material_8 : PackedMaterial_0 = material_met_0((*path_5), hit_7, beyond_2);
+    var _S348 : vec3<f32> = vec3<f32>(0.0f);
+    var le_1 : vec3<f32>;
+    if(!is_counted_0)
+    {
+        le_1 = EmitterTree_le_0(material_8);
+    }
+    else
+    {
+        le_1 = _S348;
+    }
+    var is_lit_0 : bool = (max_element_0(le_1)) > 0.0f;
+    var met_0 : Aim_0 = Aim_x24init_0(true, ray_17.direction_0, hit_7, luminance_0(vector_of_0(material_8.emission_0)));
+    var _S349 : bool = weighs_apart_0();
+    if(_S349)
+    {
+        is_weighed_0 = is_lit_0;
+    }
+    else
+    {
+        is_weighed_0 = false;
+    }
+    if(is_weighed_0)
+    {
+        is_weighed_0 = ((*path_5).pdf_1) > 0.0f;
+    }
+    else
+    {
+        is_weighed_0 = false;
+    }
+    var is_chosen_0 : bool;
+    if(is_lit_0)
+    {
+        is_chosen_0 = !is_weighed_0;
+    }
+    else
+    {
+        is_chosen_0 = false;
+    }
+    if(is_chosen_0)
+    {
+        var light_2 : LightSample_0 = no_light_0();
+        if(!_S349)
+        {
+            is_chosen_0 = ((*path_5).pdf_1) > 0.0f;
+        }
+        else
+        {
+            is_chosen_0 = false;
+        }
+        if(is_chosen_0)
+        {
+            var _S350 : bool = Lights_sample_0(last_5, Path_selection_at_0((*path_5), last_5), vec4<f32>(0.0f), met_0, &(light_2));
+            is_chosen_0 = _S350;
+        }
+        else
+        {
+            is_chosen_0 = false;
+        }
+        var _S351 : vec3<f32> = (*path_5).beta_0 * le_1;
+        var _S352 : f32 = (*path_5).pdf_1;
+        if(is_chosen_0)
+        {
+            light_pdf_1 = light_2.pdf_2;
+        }
+        else
+        {
+            light_pdf_1 = 0.0f;
+        }
+        (*radiance_5) = (*radiance_5) + _S351 * vec3<f32>(mis_weight_0(_S352, light_pdf_1));
+    }
+    var _S353 : f32 = ior_of_0((*path_5).inside_0);
+    var _S354 : f32 = u_15[i32(3)];
+    var _S355 : MaterialBsdf_0 = bsdf_of_0(material_8, _S353, &(_S354));
+    u_15[i32(3)] = _S354;
+    var scattered_2 : vec3<f32> = (*path_5).beta_0 * MaterialBsdf_albedo_0(_S355);
+    if(((*path_5).bounce_0) >= (params_0.max_bounces_0))
+    {
+        is_chosen_0 = true;
+    }
+    else
+    {
+        is_chosen_0 = ends_here_0;
+    }
+    var _S356 : bool = !is_weighed_0;
+    if(_S356)
+    {
+        if(is_chosen_0)
+        {
+            is_chosen_0 = true;
+        }
+        else
+        {
+            is_chosen_0 = (max_element_0(scattered_2)) <= 0.0f;
+        }
+    }
+    else
+    {
+        is_chosen_0 = false;
+    }
+    if(is_chosen_0)
+    {
+        return next_0;
+    }
+    var compensation_2 : f32 = roulette_0(Path_events_0((*path_5)), scattered_2, u_15.z);
+    if(_S356)
+    {
+        is_chosen_0 = compensation_2 == 0.0f;
+    }
+    else
+    {
+        is_chosen_0 = false;
+    }
+    if(is_chosen_0)
+    {
+        return next_0;
+    }
+    var at_6 : Hit_0;
+    if(is_scattered_2)
+    {
+        at_6 = Hit_x24init_0(t_14, (*path_5).inside_0.instance_6, hit_7.voxel_0, u32(0));
+    }
+    else
+    {
+        at_6 = hit_7;
+    }
+    var surface_3 : Surface_0 = surface_of_0(ray_17, at_6);
+    var _S357 : Receiver_0 = Receiver_x24init_0(surface_3.origin_9, surface_3.normal_2);
+    var _S358 : vec3<f32> = (vec3<f32>(0) - ray_17.direction_0);
+    var wo_4 : vec3<f32> = Surface_local_direction_0(surface_3, _S358);
+    var inside_4 : Inside_0 = in_air_0();
+    var wo_5 : vec3<f32>;
+    var receiver_18 : Receiver_0;
+    if(is_scattered_2)
+    {
+        var _S359 : Inside_0 = Inside_x24init_0((*path_5).inside_0.instance_6, hit_7.voxel_0, (*path_5).inside_0.material_0);
+        inside_4 = _S359;
+        var _S360 : vec3<f32> = normalize_vector_0(_S358);
+        receiver_18 = Receiver_x24init_0(Inside_point_0(_S359, ray_17, t_14), _S348);
+        wo_5 = _S360;
+    }
+    else
+    {
+        if(Inside_is_in_0((*path_5).inside_0))
+        {
+            next_0.relocates_0 = (hit_7.instance_0) != ((*path_5).inside_0.instance_6);
+            inside_4 = Inside_x24init_0((*path_5).inside_0.instance_6, hit_7.voxel_0, (*path_5).inside_0.material_0);
+            inside_4.voxel_22 = hit_7.voxel_0 + vec3<i32>(face_normal_0(hit_7.face_0));
+        }
+        receiver_18 = _S357;
+        wo_5 = wo_4;
+    }
+    next_0.origin_7 = receiver_18.point_0;
+    next_0.shadow_inside_0 = inside_4;
+    if(is_weighed_0)
+    {
+        receiver_18 = last_5;
+    }
+    if(_S356)
+    {
+        (*path_5).selection_0 = Lights_selection_0(receiver_18);
+    }
+    var light_3 : LightSample_0 = no_light_0();
+    var _S361 : bool = !MaterialBsdf_is_delta_0(_S355);
+    scatter_of_path_0 = Scatter_x24init_0((*path_5), receiver_18, surface_3, _S355, wo_5, compensation_2, is_scattered_2, _S361);
+    if(is_weighed_0)
+    {
+        if(next_0.has_shadow_ray_0)
+        {
+            light_pdf_1 = light_3.pdf_2;
+        }
+        else
+        {
+            light_pdf_1 = 0.0f;
+        }
+        (*radiance_5) = (*radiance_5) + (*path_5).beta_0 * le_1 * vec3<f32>(mis_weight_0((*path_5).pdf_1, light_pdf_1));
+        (*path_5).pdf_1 = - (*path_5).pdf_1;
+        next_0.is_same_0 = true;
+        return next_0;
+    }
+    var bounce_1 : BsdfSample_0;
+    var _S362 : bool = MaterialBsdf_sample_0(_S355, wo_5, vec3<f32>(u_15.xy, u_15.w), &(bounce_1));
+    if(!_S362)
+    {
+        return next_0;
+    }
+    (*path_5).beta_0 = (*path_5).beta_0 * bounce_1.weight_3 * vec3<f32>(compensation_2);
+    if(bounce_1.is_delta_0)
+    {
+        t_14 = 0.0f;
+    }
+    else
+    {
+        t_14 = bounce_1.pdf_8;
+    }
+    (*path_5).pdf_1 = t_14;
+    (*path_5).normal_0 = receiver_18.normal_1;
+    next_0.direction_4 = bounce_1.wi_0;
+    if(!is_scattered_2)
+    {
+        next_0.direction_4 = Surface_world_direction_0(surface_3, bounce_1.wi_0);
+    }
+    next_0.path_relocates_0 = next_0.relocates_0;
+    (*path_5).bounce_0 = (*path_5).bounce_0 + u32(1);
+    return next_0;
+}
+
+fn absorb_1( path_6 : ptr<function, Path_0>,  inside_5 : Inside_0,  ray_18 : Ray_0,  t_15 : f32)
+{
+    (*path_6).beta_0 = (*path_6).beta_0 * attenuation_0(material_of_index_0(inside_5.material_0), t_15 * Inside_voxels_per_t_0(inside_5, ray_18));
+    return;
+}
+
+fn SunDisc_sample_1( receiver_19 : Receiver_0,  u_16 : vec4<f32>,  sample_9 : ptr<function, LightSample_0>) -> bool
+{
+    var one_minus_cos_theta_1 : f32 = u_16.z * params_0.sun_one_minus_cos_theta_max_0;
+    var radius_4 : f32 = square_root_0(one_minus_cos_theta_1 * (2.0f - one_minus_cos_theta_1));
+    var sin_cos_3 : vec2<f32> = sincos_turns_0(u_16.w);
+    var direction_27 : vec3<f32> = params_0.sun_direction_0 * vec3<f32>((1.0f - one_minus_cos_theta_1)) + (params_0.sun_tangent_0 * vec3<f32>((radius_4 * sin_cos_3.y)) + params_0.sun_bitangent_0 * vec3<f32>((radius_4 * sin_cos_3.x)));
+    var cos_theta_8 : f32 = with_slack_0(receiver_19, dot_product_0(receiver_19.normal_1, direction_27));
+    (*sample_9) = LightSample_x24init_0(ray_from_0(receiver_19.point_0, direction_27), cos_theta_8, params_0.sun_radiance_0, params_0.sun_pdf_0);
+    return cos_theta_8 > 0.0f;
+}
+
+fn Environment_choose_1( u_17 : vec4<f32>,  chosen_4 : ptr<function, ChosenDirection_0>) -> bool
+{
+    var _S363 : vec3<f32> = vec3<f32>(0.0f);
+    (*chosen_4) = ChosenDirection_x24init_0(_S363, _S363, 0.0f);
+    var edge_1 : f32 = f32(params_0.sky_edge_0);
+    var _S364 : f32 = u_17.x * edge_1;
+    var _S365 : f32 = edge_1 - 1.0f;
+    var _S366 : f32 = min(floor(_S364), _S365);
+    var own_2 : u32 = u32(_S366) * params_0.sky_edge_0 + u32(min(floor(u_17.y * edge_1), _S365));
+    var index_27 : u32;
+    if((u_17.z) < (environment_0[own_2].threshold_0))
+    {
+        index_27 = own_2;
+    }
+    else
+    {
+        index_27 = environment_0[own_2].alias_0;
+    }
+    var pdf_10 : f32 = environment_0[index_27].pdf_0;
+    if((environment_0[index_27].pdf_0) <= 0.0f)
+    {
+        return false;
+    }
+    var _S367 : u32 = index_27 % params_0.sky_edge_0;
+    var _S368 : f32 = f32(_S367);
+    var _S369 : u32 = index_27 / params_0.sky_edge_0;
+    var place_3 : vec2<f32> = vec2<f32>(_S368, f32(_S369)) + vec2<f32>(min(_S364 - _S366, 1.0f), u_17.w);
+    (*chosen_4) = ChosenDirection_x24init_0(Environment_to_world_0(direction_of_0(place_3 * vec2<f32>(divide_0(1.0f, edge_1)))), Environment_radiance_at_0(place_3), pdf_10);
+    return true;
+}
+
+fn Sky_sample_1( receiver_20 : Receiver_0,  u_18 : vec4<f32>,  sample_10 : ptr<function, LightSample_0>) -> bool
+{
+    (*sample_10) = no_light_0();
+    var chosen_5 : ChosenDirection_0;
+    var _S370 : bool;
+    if(SKY_0 != u32(1))
+    {
+        _S370 = true;
+    }
+    else
+    {
+        var _S371 : bool = Environment_choose_1(u_18, &(chosen_5));
+        _S370 = !_S371;
+    }
+    if(_S370)
+    {
+        return false;
+    }
+    var cos_theta_9 : f32 = dot_product_0(receiver_20.normal_1, chosen_5.direction_24);
+    (*sample_10) = LightSample_x24init_0(ray_from_0(receiver_20.point_0, chosen_5.direction_24), cos_theta_9, chosen_5.radiance_3 * vec3<f32>(params_0.sky_brightness_0), chosen_5.pdf_4);
+    return cos_theta_9 > 0.0f;
+}
+
+fn Descent_at_2( this_42 : ptr<function, Descent_0>,  root_4 : u32)
+{
+    var node_12 : LightNode_0 = TopLights_node_0(root_4);
+    (*this_42).node_3 = root_4;
+    (*this_42).index_14 = node_12.index_6;
+    (*this_42).count_2 = node_12.count_0;
+    (*this_42).is_far_3 = false;
+    return;
+}
+
+fn climb_1( receiver_21 : Receiver_0,  start_4 : u32,  descent_4 : ptr<function, Descent_0>) -> bool
+{
+    var node_13 : LightNode_0 = top_light_node_0(start_4);
+    var at_7 : u32 = start_4;
+    for(;;)
+    {
+        var _S372 : LightNode_0 = node_13;
+        if((node_13.parent_0) != u32(4294967295))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var parent_2 : LightNode_0 = top_light_node_0(_S372.parent_0);
+        var _S373 : u32 = _S372.parent_0 + u32(1);
+        var is_left_4 : bool = at_7 == _S373;
+        var _S374 : u32;
+        if(is_left_4)
+        {
+            _S374 = parent_2.index_6;
+        }
+        else
+        {
+            _S374 = _S373;
+        }
+        var _S375 : View_0 = view_0(node_13, receiver_21);
+        var _S376 : View_0 = view_0(top_light_node_0(_S374), receiver_21);
+        var _S377 : f32;
+        if(is_left_4)
+        {
+            _S377 = _S375.importance_0;
+        }
+        else
+        {
+            _S377 = _S376.importance_0;
+        }
+        var _S378 : f32;
+        if(is_left_4)
+        {
+            _S378 = _S376.importance_0;
+        }
+        else
+        {
+            _S378 = _S375.importance_0;
+        }
+        var weights_3 : vec2<f32> = weights_of_0(_S377, _S378);
+        var _S379 : f32 = weights_3.x;
+        var _S380 : f32 = weights_3.y;
+        var total_6 : f32 = _S379 + _S380;
+        if(!(total_6 > 0.0f))
+        {
+            return false;
+        }
+        var _S381 : f32;
+        if(is_left_4)
+        {
+            _S381 = _S379;
+        }
+        else
+        {
+            _S381 = _S380;
+        }
+        (*descent_4).weight_0 = (*descent_4).weight_0 * _S381;
+        (*descent_4).total_0 = (*descent_4).total_0 * total_6;
+        node_13 = parent_2;
+        at_7 = _S372.parent_0;
+    }
+    return ((*descent_4).weight_0) > 0.0f;
+}
+
+fn descend_2( receiver_22 : Receiver_0,  aim_5 : Aim_0,  descent_5 : ptr<function, Descent_0>) -> bool
+{
+    for(;;)
+    {
+        var _S382 : bool;
+        if(((*descent_5).count_2) == u32(0))
+        {
+            _S382 = !(*descent_5).is_far_3;
+        }
+        else
+        {
+            _S382 = false;
+        }
+        if(_S382)
+        {
+        }
+        else
+        {
+            break;
+        }
+        if(waits_for_pages_0())
+        {
+            return false;
+        }
+        var left_4 : LightNode_0 = TopLights_node_0((*descent_5).node_3 + u32(1));
+        var right_3 : LightNode_0 = TopLights_node_0((*descent_5).index_14);
+        var weights_4 : vec2<f32> = weights_of_0(view_0(left_4, receiver_22).importance_0, view_0(right_3, receiver_22).importance_0);
+        var _S383 : f32 = weights_4.x;
+        var _S384 : f32 = weights_4.y;
+        var total_7 : f32 = _S383 + _S384;
+        if(!(total_7 > 0.0f))
+        {
+            return false;
+        }
+        var _S385 : bool;
+        if(_S384 <= 0.0f)
+        {
+            _S385 = true;
+        }
+        else
+        {
+            _S385 = ((*descent_5).choice_0 * total_7) < (_S383 * (*descent_5).weight_0);
+        }
+        var is_left_5 : bool;
+        if(aim_5.is_met_0)
+        {
+            var _S386 : vec3<f32> = vec3<f32>(aim_5.hit_4.voxel_0);
+            if((all((_S386 >= (vector_of_0(left_4.min_1))))))
+            {
+                is_left_5 = (all((_S386 < (vector_of_0(left_4.max_1)))));
+            }
+            else
+            {
+                is_left_5 = false;
+            }
+        }
+        else
+        {
+            is_left_5 = _S385;
+        }
+        var _S387 : f32 = (*descent_5).choice_0 * total_7;
+        var _S388 : f32;
+        if(is_left_5)
+        {
+            _S388 = 0.0f;
+        }
+        else
+        {
+            _S388 = _S383 * (*descent_5).weight_0;
+        }
+        (*descent_5).choice_0 = _S387 - _S388;
+        var _S389 : u32;
+        if(is_left_5)
+        {
+            _S389 = (*descent_5).node_3 + u32(1);
+        }
+        else
+        {
+            _S389 = (*descent_5).index_14;
+        }
+        (*descent_5).node_3 = _S389;
+        var _S390 : u32;
+        if(is_left_5)
+        {
+            _S390 = left_4.index_6;
+        }
+        else
+        {
+            _S390 = right_3.index_6;
+        }
+        (*descent_5).index_14 = _S390;
+        var _S391 : u32;
+        if(is_left_5)
+        {
+            _S391 = left_4.count_0;
+        }
+        else
+        {
+            _S391 = right_3.count_0;
+        }
+        (*descent_5).count_2 = _S391;
+        (*descent_5).is_far_3 = false;
+        var _S392 : f32;
+        if(is_left_5)
+        {
+            _S392 = _S383;
+        }
+        else
+        {
+            _S392 = _S384;
+        }
+        var _S393 : f32 = (*descent_5).weight_0 * _S392;
+        (*descent_5).weight_0 = _S393;
+        (*descent_5).total_0 = (*descent_5).total_0 * total_7;
+        if(_S393 <= 0.0f)
+        {
+            return false;
+        }
+    }
+    return true;
+}
+
+fn Descent_at_3( this_43 : ptr<function, Descent_0>,  root_5 : u32)
+{
+    var node_14 : LightNode_0 = GridLights_node_0(root_5);
+    (*this_43).node_3 = root_5;
+    (*this_43).index_14 = node_14.index_6;
+    (*this_43).count_2 = node_14.count_0;
+    (*this_43).is_far_3 = false;
+    return;
+}
+
+fn descend_3( receiver_23 : Receiver_0,  aim_6 : Aim_0,  descent_6 : ptr<function, Descent_0>) -> bool
+{
+    for(;;)
+    {
+        var _S394 : bool;
+        if(((*descent_6).count_2) == u32(0))
+        {
+            _S394 = !(*descent_6).is_far_3;
+        }
+        else
+        {
+            _S394 = false;
+        }
+        if(_S394)
+        {
+        }
+        else
+        {
+            break;
+        }
+        if(waits_for_pages_0())
+        {
+            return false;
+        }
+        var left_5 : LightNode_0 = GridLights_node_0((*descent_6).node_3 + u32(1));
+        var right_4 : LightNode_0 = GridLights_node_0((*descent_6).index_14);
+        var of_left_1 : View_0 = view_0(left_5, receiver_23);
+        var of_right_1 : View_0 = view_0(right_4, receiver_23);
+        var weights_5 : vec2<f32> = weights_of_0(of_left_1.importance_0, of_right_1.importance_0);
+        var _S395 : f32 = weights_5.x;
+        var _S396 : f32 = weights_5.y;
+        var total_8 : f32 = _S395 + _S396;
+        if(!(total_8 > 0.0f))
+        {
+            return false;
+        }
+        var _S397 : bool;
+        if(_S396 <= 0.0f)
+        {
+            _S397 = true;
+        }
+        else
+        {
+            _S397 = ((*descent_6).choice_0 * total_8) < (_S395 * (*descent_6).weight_0);
+        }
+        var is_left_6 : bool;
+        if(aim_6.is_met_0)
+        {
+            var _S398 : vec3<f32> = vec3<f32>(aim_6.hit_4.voxel_0);
+            if((all((_S398 >= (vector_of_0(left_5.min_1))))))
+            {
+                is_left_6 = (all((_S398 < (vector_of_0(left_5.max_1)))));
+            }
+            else
+            {
+                is_left_6 = false;
+            }
+        }
+        else
+        {
+            is_left_6 = _S397;
+        }
+        var _S399 : f32 = (*descent_6).choice_0 * total_8;
+        var _S400 : f32;
+        if(is_left_6)
+        {
+            _S400 = 0.0f;
+        }
+        else
+        {
+            _S400 = _S395 * (*descent_6).weight_0;
+        }
+        (*descent_6).choice_0 = _S399 - _S400;
+        var _S401 : u32;
+        if(is_left_6)
+        {
+            _S401 = (*descent_6).node_3 + u32(1);
+        }
+        else
+        {
+            _S401 = (*descent_6).index_14;
+        }
+        (*descent_6).node_3 = _S401;
+        var _S402 : u32;
+        if(is_left_6)
+        {
+            _S402 = left_5.index_6;
+        }
+        else
+        {
+            _S402 = right_4.index_6;
+        }
+        (*descent_6).index_14 = _S402;
+        var _S403 : u32;
+        if(is_left_6)
+        {
+            _S403 = left_5.count_0;
+        }
+        else
+        {
+            _S403 = right_4.count_0;
+        }
+        (*descent_6).count_2 = _S403;
+        var _S404 : bool;
+        if(is_left_6)
+        {
+            _S404 = of_left_1.is_far_0;
+        }
+        else
+        {
+            _S404 = of_right_1.is_far_0;
+        }
+        (*descent_6).is_far_3 = _S404;
+        var _S405 : f32;
+        if(is_left_6)
+        {
+            _S405 = _S395;
+        }
+        else
+        {
+            _S405 = _S396;
+        }
+        var _S406 : f32 = (*descent_6).weight_0 * _S405;
+        (*descent_6).weight_0 = _S406;
+        (*descent_6).total_0 = (*descent_6).total_0 * total_8;
+        if(_S406 <= 0.0f)
+        {
+            return false;
+        }
+    }
+    return true;
+}
+
+fn choose_side_1( point_6 : vec3<f32>,  is_met_3 : bool,  way_5 : Descent_0,  side_4 : ptr<function, u32>,  odds_3 : ptr<function, vec2<f32>>) -> bool
+{
+    var node_15 : LightNode_0 = light_node_at_0(way_5.node_3);
+    var _S407 : vec3<f32> = vector_of_0(node_15.max_1);
+    var _S408 : vec3<f32> = vector_of_0(node_15.min_1);
+    var _S409 : vec3<f32> = vec3<f32>(0.5f);
+    var half_3 : vec3<f32> = (_S407 - _S408) * _S409;
+    var toward_3 : vec3<f32> = (_S408 + _S407) * _S409 - point_6;
+    var sent_2 : BySide_0 = sent_by_side_0(node_15, point_6, length_bound_0(select(half_3, abs(toward_3), vec3<bool>(((length_squared_0(toward_3)) > (length_squared_0(half_3)))))));
+    var sum_4 : f32 = normal_or_zero_0(BySide_sum_0(sent_2));
+    var unit_3 : f32 = inverse_power_of_two_0(sum_4);
+    var total_9 : f32 = sum_4 * unit_3;
+    var _S410 : f32 = way_5.choice_0 * total_9;
+    var _S411 : u32 = (*side_4);
+    var share_7 : f32 = normal_or_zero_0(sent_2.low_6[u32(0)] * unit_3);
+    var _S412 : bool;
+    if(is_met_3)
+    {
+        _S412 = u32(0) == _S411;
+    }
+    else
+    {
+        _S412 = share_7 > 0.0f;
+    }
+    var chosen_6 : f32;
+    if(_S412)
+    {
+        (*side_4) = u32(0);
+        chosen_6 = share_7;
+    }
+    else
+    {
+        chosen_6 = 0.0f;
+    }
+    var _S413 : bool = _S410 < (share_7 * way_5.weight_0);
+    var share_8 : f32 = normal_or_zero_0(sent_2.high_4[u32(0)] * unit_3);
+    if(is_met_3)
+    {
+        _S412 = u32(1) == _S411;
+    }
+    else
+    {
+        if(share_8 > 0.0f)
+        {
+            _S412 = !_S413;
+        }
+        else
+        {
+            _S412 = false;
+        }
+    }
+    if(_S412)
+    {
+        (*side_4) = u32(1);
+        chosen_6 = share_8;
+    }
+    var passed_4 : f32 = share_7 + share_8;
+    if(_S413)
+    {
+        _S412 = true;
+    }
+    else
+    {
+        _S412 = _S410 < (passed_4 * way_5.weight_0);
+    }
+    var share_9 : f32 = normal_or_zero_0(sent_2.low_6[u32(1)] * unit_3);
+    var _S414 : bool;
+    if(is_met_3)
+    {
+        _S414 = u32(2) == _S411;
+    }
+    else
+    {
+        if(share_9 > 0.0f)
+        {
+            _S414 = !_S412;
+        }
+        else
+        {
+            _S414 = false;
+        }
+    }
+    if(_S414)
+    {
+        (*side_4) = u32(2);
+        chosen_6 = share_9;
+    }
+    var passed_5 : f32 = passed_4 + share_9;
+    if(_S412)
+    {
+        _S412 = true;
+    }
+    else
+    {
+        _S412 = _S410 < (passed_5 * way_5.weight_0);
+    }
+    var share_10 : f32 = normal_or_zero_0(sent_2.high_4[u32(1)] * unit_3);
+    if(is_met_3)
+    {
+        _S414 = u32(3) == _S411;
+    }
+    else
+    {
+        if(share_10 > 0.0f)
+        {
+            _S414 = !_S412;
+        }
+        else
+        {
+            _S414 = false;
+        }
+    }
+    if(_S414)
+    {
+        (*side_4) = u32(3);
+        chosen_6 = share_10;
+    }
+    var passed_6 : f32 = passed_5 + share_10;
+    if(_S412)
+    {
+        _S412 = true;
+    }
+    else
+    {
+        _S412 = _S410 < (passed_6 * way_5.weight_0);
+    }
+    var share_11 : f32 = normal_or_zero_0(sent_2.low_6[u32(2)] * unit_3);
+    if(is_met_3)
+    {
+        _S414 = u32(4) == _S411;
+    }
+    else
+    {
+        if(share_11 > 0.0f)
+        {
+            _S414 = !_S412;
+        }
+        else
+        {
+            _S414 = false;
+        }
+    }
+    if(_S414)
+    {
+        (*side_4) = u32(4);
+        chosen_6 = share_11;
+    }
+    var passed_7 : f32 = passed_6 + share_11;
+    if(_S412)
+    {
+        _S412 = true;
+    }
+    else
+    {
+        _S412 = _S410 < (passed_7 * way_5.weight_0);
+    }
+    var share_12 : f32 = normal_or_zero_0(sent_2.high_4[u32(2)] * unit_3);
+    if(is_met_3)
+    {
+        _S412 = u32(5) == _S411;
+    }
+    else
+    {
+        if(share_12 > 0.0f)
+        {
+            _S412 = !_S412;
+        }
+        else
+        {
+            _S412 = false;
+        }
+    }
+    if(_S412)
+    {
+        (*side_4) = u32(5);
+        chosen_6 = share_12;
+    }
+    (*odds_3) = vec2<f32>(way_5.weight_0 * chosen_6, way_5.total_0 * total_9);
+    if(sum_4 > 0.0f)
+    {
+        _S412 = ((*odds_3).x) > 0.0f;
+    }
+    else
+    {
+        _S412 = false;
+    }
+    return _S412;
+}
+
+fn sample_emitter_1( receiver_24 : Receiver_0,  u_19 : vec4<f32>,  aim_7 : Aim_0,  sample_11 : ptr<function, LightSample_0>) -> bool
+{
+    (*sample_11) = no_light_0();
+    if((params_0.light_node_count_0) == u32(0))
+    {
+        return false;
+    }
+    var descent_7 : Descent_0 = Descent_x24init_0(u32(0), u32(0), u32(0), 1.0f, 1.0f, u_19.x, false);
+    Descent_at_2(&(descent_7), u32(0));
+    var _S415 : bool;
+    if(!IS_SINGLE_0)
+    {
+        _S415 = aim_7.is_met_0;
+    }
+    else
+    {
+        _S415 = false;
+    }
+    if(_S415)
+    {
+        var leaf_3 : u32 = instances_0[aim_7.hit_4.instance_0].light_leaf_0;
+        if((instances_0[aim_7.hit_4.instance_0].light_leaf_0) == u32(4294967295))
+        {
+            _S415 = true;
+        }
+        else
+        {
+            var _S416 : bool = climb_1(receiver_24, leaf_3, &(descent_7));
+            _S415 = !_S416;
+        }
+        if(_S415)
+        {
+            return false;
+        }
+        Descent_at_2(&(descent_7), leaf_3);
+    }
+    else
+    {
+        if(!IS_SINGLE_0)
+        {
+            var _S417 : bool = descend_2(receiver_24, by_chance_0(), &(descent_7));
+            _S415 = !_S417;
+        }
+        else
+        {
+            _S415 = false;
+        }
+        if(_S415)
+        {
+            return false;
+        }
+    }
+    var chosen_instance_1 : u32 = descent_7.index_14;
+    var local_4 : Receiver_0 = in_grid_0(descent_7.index_14, receiver_24);
+    Descent_at_3(&(descent_7), top_light_node_0(descent_7.node_3).root_1);
+    var _S418 : bool = descend_3(local_4, aim_7, &(descent_7));
+    if(!_S418)
+    {
+        return false;
+    }
+    var side_5 : u32 = aim_7.hit_4.face_0;
+    var odds_4 : vec2<f32>;
+    var _S419 : bool = choose_side_1(local_4.point_0, aim_7.is_met_0, descent_7, &(side_5), &(odds_4));
+    if(!_S419)
+    {
+        return false;
+    }
+    var power_5 : f32 = light_power_at_0(descent_7.node_3, side_5);
+    if(aim_7.is_met_0)
+    {
+        var _S420 : f32 = density_0(odds_4, aim_7.luminance_1, power_5, Transform_direction_0(chosen_instance_1, aim_7.direction_20) * vec3<f32>(aim_7.hit_4.t_0), side_5);
+        (*sample_11).pdf_2 = _S420;
+        return _S420 > 0.0f;
+    }
+    var emitter_2 : Emitter_0 = choose_emitter_0(descent_7, side_5, u_19.y * power_5);
+    var _S421 : vec3<f32> = vec3<f32>(cell_of_0(emitter_2.voxel_24));
+    var on_face_1 : vec3<f32> = point_of_face_0(_S421, side_5, u_19.z, u_19.w);
+    var pdf_11 : f32 = density_0(odds_4, emitter_2.luminance_4, power_5, on_face_1 - local_4.point_0, side_5);
+    if(pdf_11 < 0.0f)
+    {
+        return false;
+    }
+    var direction_28 : vec3<f32> = Transform_point_1(chosen_instance_1, offset_ray_origin_0(vector_of_0(instances_0[chosen_instance_1].grid_from_world_0.translation_0), _S421, side_5, on_face_1)) - receiver_24.point_0;
+    var cos_theta_10 : f32 = with_slack_0(receiver_24, divide_0(dot_product_0(receiver_24.normal_1, direction_28), square_root_0(length_squared_0(direction_28))));
+    (*sample_11) = LightSample_x24init_0(Ray_x24init_0(receiver_24.point_0, 0.0f, direction_28, 1.0f), cos_theta_10, emitted_0(material_of_index_0(emitter_2.material_5)), pdf_11);
+    return cos_theta_10 > 0.0f;
+}
+
+fn EmitterTree_sample_1( receiver_25 : Receiver_0,  u_20 : vec4<f32>,  aim_8 : Aim_0,  sample_12 : ptr<function, LightSample_0>) -> bool
+{
+    var _S422 : bool = sample_emitter_1(receiver_25, u_20, aim_8, &((*sample_12)));
+    return _S422;
+}
+
+fn Lights_sample_1( receiver_26 : Receiver_0,  selection_4 : Selection_0,  u_21 : vec4<f32>,  aim_9 : Aim_0,  sample_13 : ptr<function, LightSample_0>) -> bool
+{
+    var is_found_10 : bool;
+    if(has_sun_0())
+    {
+        is_found_10 = !aim_9.is_met_0;
+    }
+    else
+    {
+        is_found_10 = false;
+    }
+    if(is_found_10)
+    {
+        is_found_10 = (u_21.x) < (selection_4.sun_0);
+    }
+    else
+    {
+        is_found_10 = false;
+    }
+    if(is_found_10)
+    {
+        var _S423 : bool = SunDisc_sample_1(receiver_26, u_21, &((*sample_13)));
+        (*sample_13).pdf_2 = (*sample_13).pdf_2 * selection_4.sun_0;
+        is_found_10 = _S423;
+    }
+    else
+    {
+        if(Lights_has_chosen_sky_0())
+        {
+            is_found_10 = !aim_9.is_met_0;
+        }
+        else
+        {
+            is_found_10 = false;
+        }
+        if(is_found_10)
+        {
+            is_found_10 = (u_21.x) < (selection_4.sun_0 + selection_4.sky_1);
+        }
+        else
+        {
+            is_found_10 = false;
+        }
+        if(is_found_10)
+        {
+            var _S424 : bool = Sky_sample_1(receiver_26, vec4<f32>(min(divide_0(u_21.x - selection_4.sun_0, selection_4.sky_1), 0.99999994039535522f), u_21.yzw), &((*sample_13)));
+            (*sample_13).pdf_2 = (*sample_13).pdf_2 * selection_4.sky_1;
+            is_found_10 = _S424;
+        }
+        else
+        {
+            var _S425 : bool = EmitterTree_sample_1(receiver_26, vec4<f32>(min(divide_0(u_21.x - (selection_4.sun_0 + selection_4.sky_1), selection_4.emitters_0), 0.99999994039535522f), u_21.yzw), aim_9, &((*sample_13)));
+            (*sample_13).pdf_2 = (*sample_13).pdf_2 * selection_4.emitters_0;
+            is_found_10 = _S425;
+        }
+    }
+    return is_found_10;
+}
+
+fn bsdf_of_1( material_9 : PackedMaterial_0,  ior_2 : f32,  choice_3 : ptr<function, f32>) -> MaterialBsdf_0
+{
+    return MaterialBsdf_x24init_0(u32(0), vector_of_0(material_9.base_color_0), 0.0f, 1.0f, Microfacets_x24init_0(1.0f));
+}
+
+fn Diffuse_sample_1( this_44 : Diffuse_0,  wo_6 : vec3<f32>,  u_22 : vec3<f32>,  sample_14 : ptr<function, BsdfSample_0>) -> bool
+{
+    var wi_3 : vec3<f32> = cosine_hemisphere_0(u_22.x, u_22.y);
+    (*sample_14) = BsdfSample_x24init_0(wi_3, this_44.reflectance_0, cosine_hemisphere_pdf_0(wi_3.z), false);
+    return true;
+}
+
+fn MaterialBsdf_sample_1( this_45 : MaterialBsdf_0,  wo_7 : vec3<f32>,  u_23 : vec3<f32>,  sample_15 : ptr<function, BsdfSample_0>) -> bool
+{
+    var _S426 : bool = Diffuse_sample_1(Diffuse_x24init_0(this_45.color_0), wo_7, u_23, &((*sample_15)));
+    return _S426;
+}
+
+fn PathTracingOf_advance_1( path_7 : ptr<function, Path_0>,  ray_19 : Ray_0,  hit_8 : Hit_0,  beyond_3 : u32,  radiance_6 : ptr<function, vec3<f32>>) -> NextRays_0
+{
+    var next_1 : NextRays_0 = no_rays_0();
+    scatter_of_path_0.wants_light_0 = false;
+    var is_counted_1 : bool = Path_is_counted_0((*path_7));
+    var t_16 : f32;
+    if(is_counted_1)
+    {
+        t_16 = - (*path_7).pdf_1;
+    }
+    else
+    {
+        t_16 = (*path_7).pdf_1;
+    }
+    (*path_7).pdf_1 = t_16;
+    var last_6 : Receiver_0 = Path_receiver_0((*path_7), ray_19);
+    var is_scattered_3 : bool;
+    if(Inside_is_in_0((*path_7).inside_0))
+    {
+        is_scattered_3 = Hit_is_miss_0(hit_8);
+    }
+    else
+    {
+        is_scattered_3 = false;
+    }
+    if(Inside_is_in_0((*path_7).inside_0))
+    {
+        if(is_scattered_3)
+        {
+            t_16 = scattering_t_0((*path_7), (*path_7).inside_0, ray_19);
+        }
+        else
+        {
+            t_16 = hit_8.t_0;
+        }
+        if(!is_counted_1)
+        {
+            absorb_1(&((*path_7)), (*path_7).inside_0, ray_19, t_16);
+        }
+    }
+    else
+    {
+        t_16 = hit_8.t_0;
+    }
+    var is_weighed_1 : bool;
+    if(Hit_is_miss_0(hit_8))
+    {
+        is_weighed_1 = !is_scattered_3;
+    }
+    else
+    {
+        is_weighed_1 = false;
+    }
+    var light_pdf_2 : f32;
+    if(is_weighed_1)
+    {
+        (*radiance_6) = (*radiance_6) + (*path_7).beta_0 * Sky_le_0(ray_19.direction_0) * vec3<f32>(mis_weight_0((*path_7).pdf_1, Lights_sky_pdf_0(Path_selection_at_0((*path_7), last_6), ray_19.direction_0)));
+        if(has_sun_0())
+        {
+            if(SunDisc_is_visible_0())
+            {
+                is_scattered_3 = true;
+            }
+            else
+            {
+                is_scattered_3 = !Path_is_straight_0((*path_7));
+            }
+        }
+        else
+        {
+            is_scattered_3 = false;
+        }
+        if(is_scattered_3)
+        {
+            var le_2 : vec3<f32> = SunDisc_le_0(ray_19.direction_0);
+            if((max_element_0(le_2)) > 0.0f)
+            {
+                if(((*path_7).pdf_1) == 0.0f)
+                {
+                    light_pdf_2 = 0.0f;
+                }
+                else
+                {
+                    light_pdf_2 = Lights_sun_pdf_0(Path_selection_at_0((*path_7), last_6), ray_19.direction_0);
+                }
+                (*radiance_6) = (*radiance_6) + (*path_7).beta_0 * le_2 * vec3<f32>(mis_weight_0((*path_7).pdf_1, light_pdf_2));
+            }
+        }
+        return next_1;
+    }
+    var u_24 : vec4<f32> = Sampler_stratified_0((*path_7).sampler_0, Path_dimension_scatter_0((*path_7)));
+    var material_10 : PackedMaterial_0 = material_met_0((*path_7), hit_8, beyond_3);
+    var _S427 : vec3<f32> = vec3<f32>(0.0f);
+    var le_3 : vec3<f32>;
+    if(!is_counted_1)
+    {
+        le_3 = EmitterTree_le_0(material_10);
+    }
+    else
+    {
+        le_3 = _S427;
+    }
+    var is_lit_1 : bool = (max_element_0(le_3)) > 0.0f;
+    var met_1 : Aim_0 = Aim_x24init_0(true, ray_19.direction_0, hit_8, luminance_0(vector_of_0(material_10.emission_0)));
+    var _S428 : bool = weighs_apart_0();
+    if(_S428)
+    {
+        is_weighed_1 = is_lit_1;
+    }
+    else
+    {
+        is_weighed_1 = false;
+    }
+    if(is_weighed_1)
+    {
+        is_weighed_1 = ((*path_7).pdf_1) > 0.0f;
+    }
+    else
+    {
+        is_weighed_1 = false;
+    }
+    var is_chosen_1 : bool;
+    if(is_lit_1)
+    {
+        is_chosen_1 = !is_weighed_1;
+    }
+    else
+    {
+        is_chosen_1 = false;
+    }
+    if(is_chosen_1)
+    {
+        var light_4 : LightSample_0 = no_light_0();
+        if(!_S428)
+        {
+            is_chosen_1 = ((*path_7).pdf_1) > 0.0f;
+        }
+        else
+        {
+            is_chosen_1 = false;
+        }
+        if(is_chosen_1)
+        {
+            var _S429 : bool = Lights_sample_1(last_6, Path_selection_at_0((*path_7), last_6), vec4<f32>(0.0f), met_1, &(light_4));
+            is_chosen_1 = _S429;
+        }
+        else
+        {
+            is_chosen_1 = false;
+        }
+        var _S430 : vec3<f32> = (*path_7).beta_0 * le_3;
+        var _S431 : f32 = (*path_7).pdf_1;
+        if(is_chosen_1)
+        {
+            light_pdf_2 = light_4.pdf_2;
+        }
+        else
+        {
+            light_pdf_2 = 0.0f;
+        }
+        (*radiance_6) = (*radiance_6) + _S430 * vec3<f32>(mis_weight_0(_S431, light_pdf_2));
+    }
+    var _S432 : f32 = ior_of_0((*path_7).inside_0);
+    var _S433 : f32 = u_24[i32(3)];
+    var _S434 : MaterialBsdf_0 = bsdf_of_1(material_10, _S432, &(_S433));
+    u_24[i32(3)] = _S433;
+    var scattered_3 : vec3<f32> = (*path_7).beta_0 * MaterialBsdf_albedo_0(_S434);
+    if(((*path_7).bounce_0) >= (params_0.max_bounces_0))
+    {
+        is_chosen_1 = true;
+    }
+    else
+    {
+        is_chosen_1 = ends_here_0;
+    }
+    var _S435 : bool = !is_weighed_1;
+    if(_S435)
+    {
+        if(is_chosen_1)
+        {
+            is_chosen_1 = true;
+        }
+        else
+        {
+            is_chosen_1 = (max_element_0(scattered_3)) <= 0.0f;
+        }
+    }
+    else
+    {
+        is_chosen_1 = false;
+    }
+    if(is_chosen_1)
+    {
+        return next_1;
+    }
+    var compensation_3 : f32 = roulette_0(Path_events_0((*path_7)), scattered_3, u_24.z);
+    if(_S435)
+    {
+        is_chosen_1 = compensation_3 == 0.0f;
+    }
+    else
+    {
+        is_chosen_1 = false;
+    }
+    if(is_chosen_1)
+    {
+        return next_1;
+    }
+    var at_8 : Hit_0;
+    if(is_scattered_3)
+    {
+        at_8 = Hit_x24init_0(t_16, (*path_7).inside_0.instance_6, hit_8.voxel_0, u32(0));
+    }
+    else
+    {
+        at_8 = hit_8;
+    }
+    var surface_4 : Surface_0 = surface_of_0(ray_19, at_8);
+    var _S436 : Receiver_0 = Receiver_x24init_0(surface_4.origin_9, surface_4.normal_2);
+    var _S437 : vec3<f32> = (vec3<f32>(0) - ray_19.direction_0);
+    var wo_8 : vec3<f32> = Surface_local_direction_0(surface_4, _S437);
+    var inside_6 : Inside_0 = in_air_0();
+    var wo_9 : vec3<f32>;
+    var receiver_27 : Receiver_0;
+    if(is_scattered_3)
+    {
+        var _S438 : Inside_0 = Inside_x24init_0((*path_7).inside_0.instance_6, hit_8.voxel_0, (*path_7).inside_0.material_0);
+        inside_6 = _S438;
+        var _S439 : vec3<f32> = normalize_vector_0(_S437);
+        receiver_27 = Receiver_x24init_0(Inside_point_0(_S438, ray_19, t_16), _S427);
+        wo_9 = _S439;
+    }
+    else
+    {
+        if(Inside_is_in_0((*path_7).inside_0))
+        {
+            next_1.relocates_0 = (hit_8.instance_0) != ((*path_7).inside_0.instance_6);
+            inside_6 = Inside_x24init_0((*path_7).inside_0.instance_6, hit_8.voxel_0, (*path_7).inside_0.material_0);
+            inside_6.voxel_22 = hit_8.voxel_0 + vec3<i32>(face_normal_0(hit_8.face_0));
+        }
+        receiver_27 = _S436;
+        wo_9 = wo_8;
+    }
+    next_1.origin_7 = receiver_27.point_0;
+    next_1.shadow_inside_0 = inside_6;
+    if(is_weighed_1)
+    {
+        receiver_27 = last_6;
+    }
+    if(_S435)
+    {
+        (*path_7).selection_0 = Lights_selection_0(receiver_27);
+    }
+    var light_5 : LightSample_0 = no_light_0();
+    var _S440 : bool = !MaterialBsdf_is_delta_0(_S434);
+    scatter_of_path_0 = Scatter_x24init_0((*path_7), receiver_27, surface_4, _S434, wo_9, compensation_3, is_scattered_3, _S440);
+    if(is_weighed_1)
+    {
+        if(next_1.has_shadow_ray_0)
+        {
+            light_pdf_2 = light_5.pdf_2;
+        }
+        else
+        {
+            light_pdf_2 = 0.0f;
+        }
+        (*radiance_6) = (*radiance_6) + (*path_7).beta_0 * le_3 * vec3<f32>(mis_weight_0((*path_7).pdf_1, light_pdf_2));
+        (*path_7).pdf_1 = - (*path_7).pdf_1;
+        next_1.is_same_0 = true;
+        return next_1;
+    }
+    var bounce_2 : BsdfSample_0;
+    var _S441 : bool = MaterialBsdf_sample_1(_S434, wo_9, vec3<f32>(u_24.xy, u_24.w), &(bounce_2));
+    if(!_S441)
+    {
+        return next_1;
+    }
+    (*path_7).beta_0 = (*path_7).beta_0 * bounce_2.weight_3 * vec3<f32>(compensation_3);
+    if(bounce_2.is_delta_0)
+    {
+        t_16 = 0.0f;
+    }
+    else
+    {
+        t_16 = bounce_2.pdf_8;
+    }
+    (*path_7).pdf_1 = t_16;
+    (*path_7).normal_0 = receiver_27.normal_1;
+    next_1.direction_4 = bounce_2.wi_0;
+    if(!is_scattered_3)
+    {
+        next_1.direction_4 = Surface_world_direction_0(surface_4, bounce_2.wi_0);
+    }
+    next_1.path_relocates_0 = next_1.relocates_0;
+    (*path_7).bounce_0 = (*path_7).bounce_0 + u32(1);
+    return next_1;
+}
+
+fn PathTracingOf_advance_2( path_8 : ptr<function, Path_0>,  ray_20 : Ray_0,  hit_9 : Hit_0,  beyond_4 : u32,  radiance_7 : ptr<function, vec3<f32>>) -> NextRays_0
+{
+    var next_2 : NextRays_0 = no_rays_0();
+    scatter_of_path_0.wants_light_0 = false;
+    var is_counted_2 : bool = Path_is_counted_0((*path_8));
+    var t_17 : f32;
+    if(is_counted_2)
+    {
+        t_17 = - (*path_8).pdf_1;
+    }
+    else
+    {
+        t_17 = (*path_8).pdf_1;
+    }
+    (*path_8).pdf_1 = t_17;
+    var last_7 : Receiver_0 = Path_receiver_0((*path_8), ray_20);
+    var is_scattered_4 : bool;
+    if(Inside_is_in_0((*path_8).inside_0))
+    {
+        is_scattered_4 = Hit_is_miss_0(hit_9);
+    }
+    else
+    {
+        is_scattered_4 = false;
+    }
+    if(Inside_is_in_0((*path_8).inside_0))
+    {
+        if(is_scattered_4)
+        {
+            t_17 = scattering_t_0((*path_8), (*path_8).inside_0, ray_20);
+        }
+        else
+        {
+            t_17 = hit_9.t_0;
+        }
+        if(!is_counted_2)
+        {
+            absorb_1(&((*path_8)), (*path_8).inside_0, ray_20, t_17);
+        }
+    }
+    else
+    {
+        t_17 = hit_9.t_0;
+    }
+    var is_weighed_2 : bool;
+    if(Hit_is_miss_0(hit_9))
+    {
+        is_weighed_2 = !is_scattered_4;
+    }
+    else
+    {
+        is_weighed_2 = false;
+    }
+    var light_pdf_3 : f32;
+    if(is_weighed_2)
+    {
+        (*radiance_7) = (*radiance_7) + (*path_8).beta_0 * Sky_le_0(ray_20.direction_0) * vec3<f32>(mis_weight_0((*path_8).pdf_1, Lights_sky_pdf_0(Path_selection_at_0((*path_8), last_7), ray_20.direction_0)));
+        if(has_sun_0())
+        {
+            if(SunDisc_is_visible_0())
+            {
+                is_scattered_4 = true;
+            }
+            else
+            {
+                is_scattered_4 = !Path_is_straight_0((*path_8));
+            }
+        }
+        else
+        {
+            is_scattered_4 = false;
+        }
+        if(is_scattered_4)
+        {
+            var le_4 : vec3<f32> = SunDisc_le_0(ray_20.direction_0);
+            if((max_element_0(le_4)) > 0.0f)
+            {
+                if(((*path_8).pdf_1) == 0.0f)
+                {
+                    light_pdf_3 = 0.0f;
+                }
+                else
+                {
+                    light_pdf_3 = Lights_sun_pdf_0(Path_selection_at_0((*path_8), last_7), ray_20.direction_0);
+                }
+                (*radiance_7) = (*radiance_7) + (*path_8).beta_0 * le_4 * vec3<f32>(mis_weight_0((*path_8).pdf_1, light_pdf_3));
+            }
+        }
+        return next_2;
+    }
+    var u_25 : vec4<f32> = Sampler_stratified_0((*path_8).sampler_0, Path_dimension_scatter_0((*path_8)));
+    var material_11 : PackedMaterial_0 = material_met_0((*path_8), hit_9, beyond_4);
+    var _S442 : vec3<f32> = vec3<f32>(0.0f);
+    var le_5 : vec3<f32>;
+    if(!is_counted_2)
+    {
+        le_5 = EmitterTree_le_0(material_11);
+    }
+    else
+    {
+        le_5 = _S442;
+    }
+    var is_lit_2 : bool = (max_element_0(le_5)) > 0.0f;
+    var met_2 : Aim_0 = Aim_x24init_0(true, ray_20.direction_0, hit_9, luminance_0(vector_of_0(material_11.emission_0)));
+    var _S443 : bool = weighs_apart_0();
+    if(_S443)
+    {
+        is_weighed_2 = is_lit_2;
+    }
+    else
+    {
+        is_weighed_2 = false;
+    }
+    if(is_weighed_2)
+    {
+        is_weighed_2 = ((*path_8).pdf_1) > 0.0f;
+    }
+    else
+    {
+        is_weighed_2 = false;
+    }
+    var is_chosen_2 : bool;
+    if(is_lit_2)
+    {
+        is_chosen_2 = !is_weighed_2;
+    }
+    else
+    {
+        is_chosen_2 = false;
+    }
+    if(is_chosen_2)
+    {
+        var light_6 : LightSample_0 = no_light_0();
+        if(!_S443)
+        {
+            is_chosen_2 = ((*path_8).pdf_1) > 0.0f;
+        }
+        else
+        {
+            is_chosen_2 = false;
+        }
+        if(is_chosen_2)
+        {
+            var _S444 : bool = Lights_sample_1(last_7, Path_selection_at_0((*path_8), last_7), vec4<f32>(0.0f), met_2, &(light_6));
+            is_chosen_2 = _S444;
+        }
+        else
+        {
+            is_chosen_2 = false;
+        }
+        var _S445 : vec3<f32> = (*path_8).beta_0 * le_5;
+        var _S446 : f32 = (*path_8).pdf_1;
+        if(is_chosen_2)
+        {
+            light_pdf_3 = light_6.pdf_2;
+        }
+        else
+        {
+            light_pdf_3 = 0.0f;
+        }
+        (*radiance_7) = (*radiance_7) + _S445 * vec3<f32>(mis_weight_0(_S446, light_pdf_3));
+    }
+    var _S447 : f32 = ior_of_0((*path_8).inside_0);
+    var _S448 : f32 = u_25[i32(3)];
+    var _S449 : MaterialBsdf_0 = bsdf_of_1(material_11, _S447, &(_S448));
+    u_25[i32(3)] = _S448;
+    var scattered_4 : vec3<f32> = (*path_8).beta_0 * MaterialBsdf_albedo_0(_S449);
+    if(((*path_8).bounce_0) >= (params_0.max_bounces_0))
+    {
+        is_chosen_2 = true;
+    }
+    else
+    {
+        is_chosen_2 = ends_here_0;
+    }
+    var _S450 : bool = !is_weighed_2;
+    if(_S450)
+    {
+        if(is_chosen_2)
+        {
+            is_chosen_2 = true;
+        }
+        else
+        {
+            is_chosen_2 = (max_element_0(scattered_4)) <= 0.0f;
+        }
+    }
+    else
+    {
+        is_chosen_2 = false;
+    }
+    if(is_chosen_2)
+    {
+        return next_2;
+    }
+    var compensation_4 : f32 = roulette_0(Path_events_0((*path_8)), scattered_4, u_25.z);
+    if(_S450)
+    {
+        is_chosen_2 = compensation_4 == 0.0f;
+    }
+    else
+    {
+        is_chosen_2 = false;
+    }
+    if(is_chosen_2)
+    {
+        return next_2;
+    }
+    var at_9 : Hit_0;
+    if(is_scattered_4)
+    {
+        at_9 = Hit_x24init_0(t_17, (*path_8).inside_0.instance_6, hit_9.voxel_0, u32(0));
+    }
+    else
+    {
+        at_9 = hit_9;
+    }
+    var surface_5 : Surface_0 = surface_of_0(ray_20, at_9);
+    var _S451 : Receiver_0 = Receiver_x24init_0(surface_5.origin_9, surface_5.normal_2);
+    var _S452 : vec3<f32> = (vec3<f32>(0) - ray_20.direction_0);
+    var wo_10 : vec3<f32> = Surface_local_direction_0(surface_5, _S452);
+    var inside_7 : Inside_0 = in_air_0();
+    var wo_11 : vec3<f32>;
+    var receiver_28 : Receiver_0;
+    if(is_scattered_4)
+    {
+        var _S453 : Inside_0 = Inside_x24init_0((*path_8).inside_0.instance_6, hit_9.voxel_0, (*path_8).inside_0.material_0);
+        inside_7 = _S453;
+        var _S454 : vec3<f32> = normalize_vector_0(_S452);
+        receiver_28 = Receiver_x24init_0(Inside_point_0(_S453, ray_20, t_17), _S442);
+        wo_11 = _S454;
+    }
+    else
+    {
+        if(Inside_is_in_0((*path_8).inside_0))
+        {
+            next_2.relocates_0 = (hit_9.instance_0) != ((*path_8).inside_0.instance_6);
+            inside_7 = Inside_x24init_0((*path_8).inside_0.instance_6, hit_9.voxel_0, (*path_8).inside_0.material_0);
+            inside_7.voxel_22 = hit_9.voxel_0 + vec3<i32>(face_normal_0(hit_9.face_0));
+        }
+        receiver_28 = _S451;
+        wo_11 = wo_10;
+    }
+    next_2.origin_7 = receiver_28.point_0;
+    next_2.shadow_inside_0 = inside_7;
+    if(is_weighed_2)
+    {
+        receiver_28 = last_7;
+    }
+    if(_S450)
+    {
+        (*path_8).selection_0 = Lights_selection_0(receiver_28);
+    }
+    var light_7 : LightSample_0 = no_light_0();
+    var _S455 : bool = !MaterialBsdf_is_delta_0(_S449);
+    scatter_of_path_0 = Scatter_x24init_0((*path_8), receiver_28, surface_5, _S449, wo_11, compensation_4, is_scattered_4, _S455);
+    if(is_weighed_2)
+    {
+        if(next_2.has_shadow_ray_0)
+        {
+            light_pdf_3 = light_7.pdf_2;
+        }
+        else
+        {
+            light_pdf_3 = 0.0f;
+        }
+        (*radiance_7) = (*radiance_7) + (*path_8).beta_0 * le_5 * vec3<f32>(mis_weight_0((*path_8).pdf_1, light_pdf_3));
+        (*path_8).pdf_1 = - (*path_8).pdf_1;
+        next_2.is_same_0 = true;
+        return next_2;
+    }
+    var bounce_3 : BsdfSample_0;
+    var _S456 : bool = MaterialBsdf_sample_1(_S449, wo_11, vec3<f32>(u_25.xy, u_25.w), &(bounce_3));
+    if(!_S456)
+    {
+        return next_2;
+    }
+    (*path_8).beta_0 = (*path_8).beta_0 * bounce_3.weight_3 * vec3<f32>(compensation_4);
+    if(bounce_3.is_delta_0)
+    {
+        t_17 = 0.0f;
+    }
+    else
+    {
+        t_17 = bounce_3.pdf_8;
+    }
+    (*path_8).pdf_1 = t_17;
+    (*path_8).normal_0 = receiver_28.normal_1;
+    next_2.direction_4 = bounce_3.wi_0;
+    if(!is_scattered_4)
+    {
+        next_2.direction_4 = Surface_world_direction_0(surface_5, bounce_3.wi_0);
+    }
+    next_2.path_relocates_0 = next_2.relocates_0;
+    (*path_8).bounce_0 = (*path_8).bounce_0 + u32(1);
+    return next_2;
+}
+
+struct Walker_0
+{
+     path_9 : Path_0,
+     ray_21 : Ray_0,
+     is_shadow_ray_0 : bool,
+     light_8 : vec3<f32>,
+     direction_29 : vec3<f32>,
+     path_origin_2 : vec3<f32>,
+     shadow_inside_2 : Inside_0,
+     boundaries_0 : u32,
+     relocates_2 : bool,
+     path_relocates_2 : bool,
+     camera_ray_0 : Ray_0,
+     way_6 : f32,
+     has_shown_0 : bool,
+     asks_cache_0 : bool,
+     life_0 : u32,
+     is_at_cell_0 : bool,
+};
+
+struct Sample_0
+{
+     direct_0 : vec3<f32>,
+     light_9 : vec3<f32>,
+     is_shown_0 : bool,
+     albedo_0 : vec3<f32>,
+     normal_4 : vec3<f32>,
+     place_4 : vec3<f32>,
+     instance_11 : u32,
+};
+
+struct Key_0
+{
+     instance_12 : u32,
+     face_and_level_0 : u32,
+     cube_0 : vec3<i32>,
+};
+
+fn Key_x24init_0( instance_13 : u32,  face_and_level_1 : u32,  cube_1 : vec3<i32>) -> Key_0
+{
+    var _S457 : Key_0;
+    _S457.instance_12 = instance_13;
+    _S457.face_and_level_0 = face_and_level_1;
+    _S457.cube_0 = cube_1;
+    return _S457;
+}
+
+fn scramble_of_0( number_1 : u32) -> u32
+{
+    return pcg4d_0(vec4<u32>(number_1, u32(0), u32(0), u32(2654435769))).x;
+}
+
+fn Key_level_0( this_46 : Key_0) -> u32
+{
+    return ((this_46.face_and_level_0) >> (u32(3)));
+}
+
+fn Key_mask_0( this_47 : Key_0) -> u32
+{
+    return ((u32(1) << ((u32(3) * Key_level_0(this_47))))) - u32(1);
+}
+
+fn key_of_0( hit_10 : Hit_0,  size_1 : f32,  u_26 : f32,  code_1 : ptr<function, u32>) -> Key_0
+{
+    var clamped_0 : f32 = clamp(size_1, 1.0f, 128.0f);
+    var power_6 : f32 = f32(((bitcast<u32>((clamped_0))) >> (u32(23)))) - 127.0f;
+    var _S458 : f32;
+    if(u_26 < (clamped_0 * inverse_power_of_two_0(clamped_0) - 1.0f))
+    {
+        _S458 = 1.0f;
+    }
+    else
+    {
+        _S458 = 0.0f;
+    }
+    var level_0 : u32 = u32(min(power_6 + _S458, 6.0f));
+    var _S459 : vec3<u32> = vec3<u32>(u32(i32(level_0)));
+    var key_0 : Key_0 = Key_x24init_0(hit_10.instance_0, ((hit_10.face_0) | (((level_0 << (u32(3)))))), ((hit_10.voxel_0) >> (_S459)));
+    var _S460 : vec3<u32> = vec3<u32>(hit_10.voxel_0 - (((key_0.cube_0) << (_S459))));
+    (*code_1) = u32(1) + (((((((_S460.x) | ((((_S460.y) << (level_0)))))) | ((((_S460.z) << ((u32(2) * level_0))))))) ^ ((((scramble_of_0(real_time_0.number_0)) & ((Key_mask_0(key_0))))))));
+    return key_0;
+}
+
+fn Key_hash_0( this_48 : Key_0) -> vec2<u32>
+{
+    return pcg4d_0(vec4<u32>(vec3<u32>(this_48.cube_0), this_48.instance_12 * u32(61) + this_48.face_and_level_0)).xy;
+}
+
+fn place_of_check_0( cell_10 : u32) -> u32
+{
+    return u32(16) + cell_10;
+}
+
+fn find_cell_0( hash_0 : vec2<u32>) -> u32
+{
+    var probe_0 : u32 = u32(0);
+    for(;;)
+    {
+        if(probe_0 < u32(8))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var cell_11 : u32 = ((hash_0.x + probe_0) & (u32(262143)));
+        var _S461 : u32 = atomicLoad(&(cell_keys_0[place_of_check_0(cell_11)]));
+        if(_S461 == (max(hash_0.y, u32(1))))
+        {
+            return cell_11;
+        }
+        probe_0 = probe_0 + u32(1);
+    }
+    return u32(262144);
+}
+
+fn cell_row_0( row_0 : u32,  cell_12 : u32) -> vec4<u32>
+{
+    return cell_rows_0[row_0 * u32(262144) + cell_12];
+}
+
+fn set_cell_row_0( row_1 : u32,  cell_13 : u32,  value_2 : vec4<u32>)
+{
+    cell_rows_0[row_1 * u32(262144) + cell_13] = value_2;
+    return;
+}
+
+fn place_of_asked_0( cell_14 : u32) -> u32
+{
+    return u32(262160) + cell_14;
+}
+
+fn ask_cell_0( key_1 : Key_0,  asked_0 : u32) -> vec4<f32>
+{
+    var _S462 : bool;
+    var hash_1 : vec2<u32> = Key_hash_0(key_1);
+    var _S463 : u32 = max(hash_1.y, u32(1));
+    var cell_15 : u32 = find_cell_0(hash_1);
+    var _S464 : vec4<f32> = vec4<f32>(0.0f);
+    var known_0 : vec4<f32>;
+    if(cell_15 != u32(262144))
+    {
+        known_0 = (bitcast<vec4<f32>>((cell_row_0(u32(0), cell_15))));
+    }
+    else
+    {
+        known_0 = _S464;
+    }
+    var cell_16 : u32 = cell_15;
+    var probe_1 : u32 = u32(0);
+    for(;;)
+    {
+        if(probe_1 < u32(8))
+        {
+            _S462 = cell_16 == u32(262144);
+        }
+        else
+        {
+            _S462 = false;
+        }
+        if(_S462)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var place_5 : u32 = ((hash_1.x + probe_1) & (u32(262143)));
+        var found_2 : u32 = atomicCompareExchangeWeak(&(cell_keys_0[place_of_check_0(place_5)]), u32(0), _S463).old_value;
+        var _S465 : bool = found_2 == u32(0);
+        if(_S465)
+        {
+            set_cell_row_0(u32(1), place_5, vec4<u32>(key_1.instance_12, key_1.face_and_level_0, u32(0), u32(0)));
+            set_cell_row_0(u32(2), place_5, vec4<u32>(vec3<u32>(key_1.cube_0), u32(0)));
+        }
+        var _S466 : bool;
+        if(_S465)
+        {
+            _S466 = true;
+        }
+        else
+        {
+            _S466 = found_2 == _S463;
+        }
+        if(_S466)
+        {
+            cell_16 = place_5;
+        }
+        probe_1 = probe_1 + u32(1);
+    }
+    if(cell_16 != u32(262144))
+    {
+        var _S467 : u32 = atomicLoad(&(cell_keys_0[place_of_asked_0(cell_16)]));
+        _S462 = _S467 < asked_0;
+    }
+    else
+    {
+        _S462 = false;
+    }
+    if(_S462)
+    {
+        var _S468 : u32 = atomicMax(&(cell_keys_0[place_of_asked_0(cell_16)]), asked_0);
+    }
+    return known_0;
+}
+
+fn asks_0( path_10 : Path_0,  ray_22 : Ray_0,  hit_11 : Hit_0,  beyond_5 : u32,  life_1 : u32,  light_10 : ptr<function, vec3<f32>>) -> bool
+{
+    (*light_10) = vec3<f32>(0.0f);
+    var _S469 : bool;
+    if(Hit_is_miss_0(hit_11))
+    {
+        _S469 = true;
+    }
+    else
+    {
+        _S469 = Inside_is_in_0(path_10.inside_0);
+    }
+    if(_S469)
+    {
+        return false;
+    }
+    var material_12 : PackedMaterial_0 = material_met_0(path_10, hit_11, beyond_5);
+    if((material_12.metallic_0) > 0.0f)
+    {
+        _S469 = true;
+    }
+    else
+    {
+        _S469 = (material_12.transmission_0) > 0.0f;
+    }
+    if(_S469)
+    {
+        return false;
+    }
+    var code_2 : u32;
+    var key_2 : Key_0 = key_of_0(hit_11, square_root_0(length_squared_0(ray_22.origin_1 + ray_22.direction_0 * vec3<f32>(hit_11.t_0) - real_time_0.eye_0)) * real_time_0.view_angle_0 * 0.05882352963089943f, Sampler_independent_0(path_10.sampler_0, u32(3221225472) + Path_events_0(path_10)).x, &(code_2));
+    var least_0 : f32 = 2.0f * f32((u32(1) << ((Key_level_0(key_2)))));
+    if(life_1 == u32(0))
+    {
+        _S469 = true;
+    }
+    else
+    {
+        _S469 = (hit_11.t_0 * square_root_0(length_squared_0(ray_22.direction_0))) < least_0;
+    }
+    if(_S469)
+    {
+        return false;
+    }
+    var known_1 : vec4<f32> = ask_cell_0(key_2, ((((min(life_1, u32(10))) << (u32(20)))) | (code_2)));
+    if((known_1.w) <= 0.0f)
+    {
+        return false;
+    }
+    (*light_10) = path_10.beta_0 * vector_of_0(material_12.base_color_0) * known_1.xyz;
+    return true;
+}
+
+fn shading_normal_0( ray_23 : Ray_0,  hit_12 : Hit_0,  material_13 : PackedMaterial_0) -> vec3<f32>
+{
+    return world_normal_0(hit_12.instance_0, hit_12.face_0);
+}
+
+fn albedo_of_0( material_14 : PackedMaterial_0) -> vec3<f32>
+{
+    return vector_of_0(material_14.base_color_0);
+}
+
+fn show_0( path_11 : Path_0,  ray_24 : Ray_0,  hit_13 : Hit_0,  beyond_6 : u32,  sample_16 : ptr<function, Sample_0>)
+{
+    var _S470 : Path_0 = path_11;
+    (*sample_16).is_shown_0 = true;
+    if(Inside_is_in_0(_S470.inside_0))
+    {
+        absorb_0(&(_S470), _S470.inside_0, ray_24, hit_13.t_0);
+    }
+    var material_15 : PackedMaterial_0 = material_met_0(_S470, hit_13, beyond_6);
+    (*sample_16).normal_4 = shading_normal_0(ray_24, hit_13, material_15);
+    (*sample_16).albedo_0 = _S470.beta_0 * albedo_of_0(material_15);
+    return;
+}
+
+fn Walker_see_0( this_49 : ptr<function, Walker_0>,  arrived_0 : Path_0,  hit_14 : Hit_0,  beyond_7 : u32,  emitted_1 : vec3<f32>,  goes_on_0 : bool,  sample_17 : ptr<function, Sample_0>)
+{
+    (*sample_17).direct_0 = (*sample_17).direct_0 + emitted_1;
+    var _S471 : bool = ((*this_49).path_9.bounce_0) == u32(0);
+    var _S472 : bool;
+    if(goes_on_0)
+    {
+        _S472 = _S471;
+    }
+    else
+    {
+        _S472 = false;
+    }
+    var _S473 : bool = !_S472;
+    (*this_49).has_shown_0 = _S473;
+    if(!_S473)
+    {
+        (*this_49).way_6 = (*this_49).way_6 + hit_14.t_0;
+    }
+    else
+    {
+        if(!Hit_is_miss_0(hit_14))
+        {
+            show_0(arrived_0, (*this_49).ray_21, hit_14, beyond_7, &((*sample_17)));
+            (*sample_17).place_4 = (*this_49).camera_ray_0.origin_1 + (*this_49).camera_ray_0.direction_0 * vec3<f32>(((*this_49).way_6 + hit_14.t_0));
+            var _S474 : u32;
+            if(((*this_49).way_6) > 0.0f)
+            {
+                _S474 = u32(4294967295);
+            }
+            else
+            {
+                _S474 = hit_14.instance_0;
+            }
+            (*sample_17).instance_11 = _S474;
+        }
+    }
+    return;
+}
+
+var<private> first_candidates_0 : u32;
+
+fn Path_dimension_light_0( this_50 : Path_0) -> u32
+{
+    return u32(2) + u32(2) * Path_events_0(this_50);
+}
+
+struct BsdfEval_0
+{
+     weight_5 : vec3<f32>,
+     pdf_12 : f32,
+};
+
+fn BsdfEval_x24init_0( weight_6 : vec3<f32>,  pdf_13 : f32) -> BsdfEval_0
+{
+    var _S475 : BsdfEval_0;
+    _S475.weight_5 = weight_6;
+    _S475.pdf_12 = pdf_13;
+    return _S475;
+}
+
+fn Diffuse_eval_0( this_51 : Diffuse_0,  wo_12 : vec3<f32>,  wi_4 : vec3<f32>) -> BsdfEval_0
+{
+    return BsdfEval_x24init_0(this_51.reflectance_0, cosine_hemisphere_pdf_0(wi_4.z));
+}
+
+fn MaterialBsdf_eval_0( this_52 : MaterialBsdf_0,  wo_13 : vec3<f32>,  wi_5 : vec3<f32>) -> BsdfEval_0
+{
+    return Diffuse_eval_0(Diffuse_x24init_0(this_52.color_0), wo_13, wi_5);
+}
+
+fn choose_light_0( scatter_0 : Scatter_0,  next_3 : ptr<function, NextRays_0>)
+{
+    var count_5 : u32;
+    if((scatter_0.path_0.bounce_0) == u32(0))
+    {
+        count_5 = first_candidates_0;
+    }
+    else
+    {
+        count_5 = u32(1);
+    }
+    var chosen_7 : f32 = 0.0f;
+    var candidate_0 : u32 = u32(0);
+    var sum_5 : f32 = 0.0f;
+    for(;;)
+    {
+        if(candidate_0 < count_5)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var dimension_3 : u32 = u32(1073741824) + u32(64) * Path_events_0(scatter_0.path_0) + u32(2) * candidate_0;
+        var u_27 : vec4<f32>;
+        if(candidate_0 == u32(0))
+        {
+            u_27 = Sampler_stratified_0(scatter_0.path_0.sampler_0, Path_dimension_light_0(scatter_0.path_0));
+        }
+        else
+        {
+            u_27 = Sampler_independent_0(scatter_0.path_0.sampler_0, dimension_3);
+        }
+        var light_11 : LightSample_0 = no_light_0();
+        var is_found_11 : bool = Lights_sample_0(scatter_0.receiver_0, scatter_0.path_0.selection_0, u_27, by_chance_0(), &(light_11));
+        if(!is_found_11)
+        {
+            candidate_0 = candidate_0 + u32(1);
+            continue;
+        }
+        var _S476 : vec3<f32> = vec3<f32>(Surface_local_direction_0(scatter_0.surface_0, light_11.ray_13.direction_0).xy, light_11.cos_theta_2);
+        var wi_6 : vec3<f32>;
+        if(scatter_0.is_scattered_0)
+        {
+            wi_6 = normalize_vector_0(light_11.ray_13.direction_0);
+        }
+        else
+        {
+            wi_6 = _S476;
+        }
+        var eval_0 : BsdfEval_0 = MaterialBsdf_eval_0(scatter_0.bsdf_0, scatter_0.wo_0, wi_6);
+        var _S477 : vec3<f32> = scatter_0.path_0.beta_0 * eval_0.weight_5 * vec3<f32>(scatter_0.compensation_0) * light_11.radiance_1 * vec3<f32>((divide_0(eval_0.pdf_12, light_11.pdf_2) * power_heuristic_0(light_11.pdf_2, eval_0.pdf_12)));
+        var weight_7 : f32 = luminance_0(_S477);
+        var sum_6 : f32 = sum_5 + weight_7;
+        var _S478 : bool;
+        if(count_5 > u32(1))
+        {
+            _S478 = (Sampler_independent_0(scatter_0.path_0.sampler_0, dimension_3 + u32(1)).x * sum_6) >= weight_7;
+        }
+        else
+        {
+            _S478 = false;
+        }
+        if(_S478)
+        {
+            sum_5 = sum_6;
+            candidate_0 = candidate_0 + u32(1);
+            continue;
+        }
+        var chosen_8 : f32;
+        if(weight_7 > 0.0f)
+        {
+            (*next_3).shadow_direction_0 = light_11.ray_13.direction_0;
+            (*next_3).shadow_t_max_0 = light_11.ray_13.t_max_0;
+            (*next_3).light_0 = _S477;
+            chosen_8 = weight_7;
+        }
+        else
+        {
+            chosen_8 = chosen_7;
+        }
+        chosen_7 = chosen_8;
+        sum_5 = sum_6;
+        candidate_0 = candidate_0 + u32(1);
+    }
+    var _S479 : bool = chosen_7 > 0.0f;
+    (*next_3).has_shadow_ray_0 = _S479;
+    if(_S479)
+    {
+        (*next_3).light_0 = (*next_3).light_0 * vec3<f32>(divide_0(sum_5, chosen_7 * f32(count_5)));
+    }
+    return;
+}
+
+fn goes_on_from_0( at_10 : ptr<function, Walker_0>,  hit_15 : Hit_0,  beyond_8 : u32,  sample_18 : ptr<function, Sample_0>) -> bool
+{
+    var next_4 : NextRays_0 = no_rays_0();
+    var goes_on_1 : bool;
+    if((*at_10).is_at_cell_0)
+    {
+        next_4.origin_7 = (*at_10).ray_21.origin_1;
+        next_4.path_origin_0 = (*at_10).ray_21.origin_1;
+        next_4.direction_4 = (*at_10).ray_21.direction_0;
+        goes_on_1 = true;
+    }
+    else
+    {
+        var _S480 : vec3<f32> = vec3<f32>(0.0f);
+        var cached_0 : vec3<f32> = _S480;
+        if((*at_10).has_shown_0)
+        {
+            goes_on_1 = (*at_10).asks_cache_0;
+        }
+        else
+        {
+            goes_on_1 = false;
+        }
+        if(goes_on_1)
+        {
+            var _S481 : bool = asks_0((*at_10).path_9, (*at_10).ray_21, hit_15, beyond_8, (*at_10).life_0, &(cached_0));
+            goes_on_1 = _S481;
+        }
+        else
+        {
+            goes_on_1 = false;
+        }
+        ends_here_0 = goes_on_1;
+        var arrived_1 : Path_0 = (*at_10).path_9;
+        var emitted_2 : vec3<f32> = _S480;
+        var _S482 : Path_0 = (*at_10).path_9;
+        var _S483 : NextRays_0 = PathTracingOf_advance_0(&(_S482), (*at_10).ray_21, hit_15, beyond_8, &(emitted_2));
+        (*at_10).path_9 = _S482;
+        next_4 = _S483;
+        var goes_on_2 : bool = (any(((next_4.direction_4) != _S480)));
+        if((*at_10).has_shown_0)
+        {
+            (*sample_18).light_9 = (*sample_18).light_9 + (cached_0 + emitted_2);
+        }
+        else
+        {
+            Walker_see_0(&((*at_10)), arrived_1, hit_15, beyond_8, emitted_2, goes_on_2, &((*sample_18)));
+        }
+        goes_on_1 = goes_on_2;
+    }
+    if(scatter_of_path_0.wants_light_0)
+    {
+        choose_light_0(scatter_of_path_0, &(next_4));
+    }
+    if((*at_10).is_at_cell_0)
+    {
+        (*at_10).path_9.bounce_0 = u32(1);
+        (*at_10).path_9.event_0 = u32(1);
+        (*at_10).path_9.scattered_0 = u32(1);
+        (*at_10).is_at_cell_0 = false;
+    }
+    (*at_10).direction_29 = next_4.direction_4;
+    (*at_10).light_8 = next_4.light_0;
+    (*at_10).is_shadow_ray_0 = next_4.has_shadow_ray_0;
+    (*at_10).path_origin_2 = next_4.path_origin_0;
+    (*at_10).ray_21 = ray_from_0(next_4.origin_7, next_4.direction_4);
+    if((*at_10).is_shadow_ray_0)
+    {
+        (*at_10).ray_21 = Ray_x24init_0(next_4.origin_7, 0.0f, next_4.shadow_direction_0, next_4.shadow_t_max_0);
+    }
+    if(goes_on_1)
+    {
+        goes_on_1 = true;
+    }
+    else
+    {
+        goes_on_1 = (*at_10).is_shadow_ray_0;
+    }
+    return goes_on_1;
+}
+
+fn key_of_1( hit_16 : Hit_0,  size_2 : f32,  u_28 : f32,  code_3 : ptr<function, u32>) -> Key_0
+{
+    var clamped_1 : f32 = clamp(size_2, 1.0f, 128.0f);
+    var power_7 : f32 = f32(((bitcast<u32>((clamped_1))) >> (u32(23)))) - 127.0f;
+    var _S484 : f32;
+    if(u_28 < (clamped_1 * inverse_power_of_two_0(clamped_1) - 1.0f))
+    {
+        _S484 = 1.0f;
+    }
+    else
+    {
+        _S484 = 0.0f;
+    }
+    var level_1 : u32 = u32(min(power_7 + _S484, 6.0f));
+    var _S485 : vec3<u32> = vec3<u32>(u32(i32(level_1)));
+    var key_3 : Key_0 = Key_x24init_0(hit_16.instance_0, ((hit_16.face_0) | (((level_1 << (u32(3)))))), ((hit_16.voxel_0) >> (_S485)));
+    var _S486 : vec3<u32> = vec3<u32>(hit_16.voxel_0 - (((key_3.cube_0) << (_S485))));
+    (*code_3) = u32(1) + (((((((_S486.x) | ((((_S486.y) << (level_1)))))) | ((((_S486.z) << ((u32(2) * level_1))))))) ^ ((((scramble_of_0(real_time_0.number_0)) & ((Key_mask_0(key_3))))))));
+    return key_3;
+}
+
+fn asks_1( path_12 : Path_0,  ray_25 : Ray_0,  hit_17 : Hit_0,  beyond_9 : u32,  life_2 : u32,  light_12 : ptr<function, vec3<f32>>) -> bool
+{
+    (*light_12) = vec3<f32>(0.0f);
+    var _S487 : bool;
+    if(Hit_is_miss_0(hit_17))
+    {
+        _S487 = true;
+    }
+    else
+    {
+        _S487 = Inside_is_in_0(path_12.inside_0);
+    }
+    if(_S487)
+    {
+        return false;
+    }
+    var material_16 : PackedMaterial_0 = material_met_0(path_12, hit_17, beyond_9);
+    if((material_16.metallic_0) > 0.0f)
+    {
+        _S487 = true;
+    }
+    else
+    {
+        _S487 = (material_16.transmission_0) > 0.0f;
+    }
+    if(_S487)
+    {
+        return false;
+    }
+    var code_4 : u32;
+    var key_4 : Key_0 = key_of_1(hit_17, square_root_0(length_squared_0(ray_25.origin_1 + ray_25.direction_0 * vec3<f32>(hit_17.t_0) - real_time_0.eye_0)) * real_time_0.view_angle_0 * 0.05882352963089943f, Sampler_independent_0(path_12.sampler_0, u32(3221225472) + Path_events_0(path_12)).x, &(code_4));
+    var least_1 : f32 = 2.0f * f32((u32(1) << ((Key_level_0(key_4)))));
+    if(life_2 == u32(0))
+    {
+        _S487 = true;
+    }
+    else
+    {
+        _S487 = (hit_17.t_0 * square_root_0(length_squared_0(ray_25.direction_0))) < least_1;
+    }
+    if(_S487)
+    {
+        return false;
+    }
+    var known_2 : vec4<f32> = ask_cell_0(key_4, ((((min(life_2, u32(10))) << (u32(20)))) | (code_4)));
+    if((known_2.w) <= 0.0f)
+    {
+        return false;
+    }
+    (*light_12) = path_12.beta_0 * vector_of_0(material_16.base_color_0) * known_2.xyz;
+    return true;
+}
+
+fn show_1( path_13 : Path_0,  ray_26 : Ray_0,  hit_18 : Hit_0,  beyond_10 : u32,  sample_19 : ptr<function, Sample_0>)
+{
+    var _S488 : Path_0 = path_13;
+    (*sample_19).is_shown_0 = true;
+    if(Inside_is_in_0(_S488.inside_0))
+    {
+        absorb_1(&(_S488), _S488.inside_0, ray_26, hit_18.t_0);
+    }
+    var material_17 : PackedMaterial_0 = material_met_0(_S488, hit_18, beyond_10);
+    (*sample_19).normal_4 = shading_normal_0(ray_26, hit_18, material_17);
+    (*sample_19).albedo_0 = _S488.beta_0 * albedo_of_0(material_17);
+    return;
+}
+
+fn Walker_see_1( this_53 : ptr<function, Walker_0>,  arrived_2 : Path_0,  hit_19 : Hit_0,  beyond_11 : u32,  emitted_3 : vec3<f32>,  goes_on_3 : bool,  sample_20 : ptr<function, Sample_0>)
+{
+    (*sample_20).direct_0 = (*sample_20).direct_0 + emitted_3;
+    var _S489 : bool = ((*this_53).path_9.bounce_0) == u32(0);
+    var _S490 : bool;
+    if(goes_on_3)
+    {
+        _S490 = _S489;
+    }
+    else
+    {
+        _S490 = false;
+    }
+    var _S491 : bool = !_S490;
+    (*this_53).has_shown_0 = _S491;
+    if(!_S491)
+    {
+        (*this_53).way_6 = (*this_53).way_6 + hit_19.t_0;
+    }
+    else
+    {
+        if(!Hit_is_miss_0(hit_19))
+        {
+            show_1(arrived_2, (*this_53).ray_21, hit_19, beyond_11, &((*sample_20)));
+            (*sample_20).place_4 = (*this_53).camera_ray_0.origin_1 + (*this_53).camera_ray_0.direction_0 * vec3<f32>(((*this_53).way_6 + hit_19.t_0));
+            var _S492 : u32;
+            if(((*this_53).way_6) > 0.0f)
+            {
+                _S492 = u32(4294967295);
+            }
+            else
+            {
+                _S492 = hit_19.instance_0;
+            }
+            (*sample_20).instance_11 = _S492;
+        }
+    }
+    return;
+}
+
+fn choose_light_1( scatter_1 : Scatter_0,  next_5 : ptr<function, NextRays_0>)
+{
+    var count_6 : u32;
+    if((scatter_1.path_0.bounce_0) == u32(0))
+    {
+        count_6 = first_candidates_0;
+    }
+    else
+    {
+        count_6 = u32(1);
+    }
+    var chosen_9 : f32 = 0.0f;
+    var candidate_1 : u32 = u32(0);
+    var sum_7 : f32 = 0.0f;
+    for(;;)
+    {
+        if(candidate_1 < count_6)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var dimension_4 : u32 = u32(1073741824) + u32(64) * Path_events_0(scatter_1.path_0) + u32(2) * candidate_1;
+        var u_29 : vec4<f32>;
+        if(candidate_1 == u32(0))
+        {
+            u_29 = Sampler_stratified_0(scatter_1.path_0.sampler_0, Path_dimension_light_0(scatter_1.path_0));
+        }
+        else
+        {
+            u_29 = Sampler_independent_0(scatter_1.path_0.sampler_0, dimension_4);
+        }
+        var light_13 : LightSample_0 = no_light_0();
+        var is_found_12 : bool = Lights_sample_1(scatter_1.receiver_0, scatter_1.path_0.selection_0, u_29, by_chance_0(), &(light_13));
+        if(!is_found_12)
+        {
+            candidate_1 = candidate_1 + u32(1);
+            continue;
+        }
+        var _S493 : vec3<f32> = vec3<f32>(Surface_local_direction_0(scatter_1.surface_0, light_13.ray_13.direction_0).xy, light_13.cos_theta_2);
+        var wi_7 : vec3<f32>;
+        if(scatter_1.is_scattered_0)
+        {
+            wi_7 = normalize_vector_0(light_13.ray_13.direction_0);
+        }
+        else
+        {
+            wi_7 = _S493;
+        }
+        var eval_1 : BsdfEval_0 = MaterialBsdf_eval_0(scatter_1.bsdf_0, scatter_1.wo_0, wi_7);
+        var _S494 : vec3<f32> = scatter_1.path_0.beta_0 * eval_1.weight_5 * vec3<f32>(scatter_1.compensation_0) * light_13.radiance_1 * vec3<f32>((divide_0(eval_1.pdf_12, light_13.pdf_2) * power_heuristic_0(light_13.pdf_2, eval_1.pdf_12)));
+        var weight_8 : f32 = luminance_0(_S494);
+        var sum_8 : f32 = sum_7 + weight_8;
+        var _S495 : bool;
+        if(count_6 > u32(1))
+        {
+            _S495 = (Sampler_independent_0(scatter_1.path_0.sampler_0, dimension_4 + u32(1)).x * sum_8) >= weight_8;
+        }
+        else
+        {
+            _S495 = false;
+        }
+        if(_S495)
+        {
+            sum_7 = sum_8;
+            candidate_1 = candidate_1 + u32(1);
+            continue;
+        }
+        var chosen_10 : f32;
+        if(weight_8 > 0.0f)
+        {
+            (*next_5).shadow_direction_0 = light_13.ray_13.direction_0;
+            (*next_5).shadow_t_max_0 = light_13.ray_13.t_max_0;
+            (*next_5).light_0 = _S494;
+            chosen_10 = weight_8;
+        }
+        else
+        {
+            chosen_10 = chosen_9;
+        }
+        chosen_9 = chosen_10;
+        sum_7 = sum_8;
+        candidate_1 = candidate_1 + u32(1);
+    }
+    var _S496 : bool = chosen_9 > 0.0f;
+    (*next_5).has_shadow_ray_0 = _S496;
+    if(_S496)
+    {
+        (*next_5).light_0 = (*next_5).light_0 * vec3<f32>(divide_0(sum_7, chosen_9 * f32(count_6)));
+    }
+    return;
+}
+
+fn goes_on_from_1( at_11 : ptr<function, Walker_0>,  hit_20 : Hit_0,  beyond_12 : u32,  sample_21 : ptr<function, Sample_0>) -> bool
+{
+    var next_6 : NextRays_0 = no_rays_0();
+    var goes_on_4 : bool;
+    if((*at_11).is_at_cell_0)
+    {
+        next_6.origin_7 = (*at_11).ray_21.origin_1;
+        next_6.path_origin_0 = (*at_11).ray_21.origin_1;
+        next_6.direction_4 = (*at_11).ray_21.direction_0;
+        goes_on_4 = true;
+    }
+    else
+    {
+        var _S497 : vec3<f32> = vec3<f32>(0.0f);
+        var cached_1 : vec3<f32> = _S497;
+        if((*at_11).has_shown_0)
+        {
+            goes_on_4 = (*at_11).asks_cache_0;
+        }
+        else
+        {
+            goes_on_4 = false;
+        }
+        if(goes_on_4)
+        {
+            var _S498 : bool = asks_1((*at_11).path_9, (*at_11).ray_21, hit_20, beyond_12, (*at_11).life_0, &(cached_1));
+            goes_on_4 = _S498;
+        }
+        else
+        {
+            goes_on_4 = false;
+        }
+        ends_here_0 = goes_on_4;
+        var arrived_3 : Path_0 = (*at_11).path_9;
+        var emitted_4 : vec3<f32> = _S497;
+        var _S499 : Path_0 = (*at_11).path_9;
+        var _S500 : NextRays_0 = PathTracingOf_advance_2(&(_S499), (*at_11).ray_21, hit_20, beyond_12, &(emitted_4));
+        (*at_11).path_9 = _S499;
+        next_6 = _S500;
+        var goes_on_5 : bool = (any(((next_6.direction_4) != _S497)));
+        if((*at_11).has_shown_0)
+        {
+            (*sample_21).light_9 = (*sample_21).light_9 + (cached_1 + emitted_4);
+        }
+        else
+        {
+            Walker_see_1(&((*at_11)), arrived_3, hit_20, beyond_12, emitted_4, goes_on_5, &((*sample_21)));
+        }
+        goes_on_4 = goes_on_5;
+    }
+    if(scatter_of_path_0.wants_light_0)
+    {
+        choose_light_1(scatter_of_path_0, &(next_6));
+    }
+    if((*at_11).is_at_cell_0)
+    {
+        (*at_11).path_9.bounce_0 = u32(1);
+        (*at_11).path_9.event_0 = u32(1);
+        (*at_11).path_9.scattered_0 = u32(1);
+        (*at_11).is_at_cell_0 = false;
+    }
+    (*at_11).direction_29 = next_6.direction_4;
+    (*at_11).light_8 = next_6.light_0;
+    (*at_11).is_shadow_ray_0 = next_6.has_shadow_ray_0;
+    (*at_11).path_origin_2 = next_6.path_origin_0;
+    (*at_11).ray_21 = ray_from_0(next_6.origin_7, next_6.direction_4);
+    if((*at_11).is_shadow_ray_0)
+    {
+        (*at_11).ray_21 = Ray_x24init_0(next_6.origin_7, 0.0f, next_6.shadow_direction_0, next_6.shadow_t_max_0);
+    }
+    if(goes_on_4)
+    {
+        goes_on_4 = true;
+    }
+    else
+    {
+        goes_on_4 = (*at_11).is_shadow_ray_0;
+    }
+    return goes_on_4;
+}
+
+fn walk_of_1( _S501 : LocalRay_0,  _S502 : u32) -> Walk_0
+{
+    var walk_7 : Walk_0;
+    walk_7.ray_0 = _S501;
+    walk_7.grid_origin_0 = cell_of_0(grids_0[_S502].origin_0);
+    var is_negative_2 : vec3<bool> = (_S501.direction_1) < vec3<f32>(0.0f);
+    var _S503 : vec3<i32> = vec3<i32>(i32(0));
+    walk_7.mirror_0 = select(_S503, vec3<i32>(i32(-1)), is_negative_2);
+    var _S504 : vec3<i32>;
+    if(IS_EXACT_0)
+    {
+        _S504 = Walk_mirrored_plane_0(walk_7, walk_7.grid_origin_0);
+    }
+    else
+    {
+        _S504 = _S503;
+    }
+    walk_7.offset_0 = _S504;
+    var origin_11 : vec3<f32>;
+    if(IS_EXACT_0)
+    {
+        origin_11 = _S501.origin_2;
+    }
+    else
+    {
+        origin_11 = _S501.origin_2 - vec3<f32>(walk_7.grid_origin_0);
+    }
+    walk_7.origin_4 = select(origin_11, (vec3<f32>(0) - origin_11), is_negative_2);
+    walk_7.speed_1 = max(abs(_S501.direction_1), vec3<f32>(min_abs_direction_0()));
+    if(IS_EXACT_0)
+    {
+        origin_11 = abs(_S501.inverse_0);
+    }
+    else
+    {
+        origin_11 = vec3<f32>(1.0f) / walk_7.speed_1;
+    }
+    walk_7.inverse_1 = origin_11;
+    var top_shift_4 : u32;
+    if(TOP_SHIFT_0 != u32(0))
+    {
+        top_shift_4 = TOP_SHIFT_0;
+    }
+    else
+    {
+        top_shift_4 = grids_0[_S502].top_shift_0;
+    }
+    walk_7.tolerance_0 = LocalRay_tolerance_0(_S501, walk_7.grid_origin_0, walk_7.grid_origin_0 + (((cell_of_0(grids_0[_S502].top_size_0)) << (vec3<u32>(top_shift_4)))));
+    walk_7.t_end_0 = LocalRay_t_end_0(_S501);
+    return walk_7;
+}
+
+fn first_voxel_2( _S505 : u32,  _S506 : Walk_0,  _S507 : ptr<function, vec3<i32>>) -> bool
+{
+    var _S508 : Walk_0 = _S506;
+    var _S509 : vec3<i32> = vec3<i32>(i32(0));
+    (*_S507) = _S509;
+    var voxel_26 : vec3<i32> = Walk_start_voxel_0(_S506);
+    var _S510 : vec3<i32> = cell_of_0(grids_0[_S505].min_0);
+    var _S511 : vec3<i32> = cell_of_0(grids_0[_S505].max_0);
+    var _S512 : bool = Walk_enter_0(_S506, &(voxel_26), _S510 - _S508.grid_origin_0, _S511 - _S508.grid_origin_0);
+    if(!_S512)
+    {
+        return false;
+    }
+    var octant_5 : u32 = LocalRay_octant_0(_S508.ray_0);
+    var _S513 : u32 = flip_of_0(octant_5);
+    var top_shift_5 : u32;
+    if(TOP_SHIFT_0 != u32(0))
+    {
+        top_shift_5 = TOP_SHIFT_0;
+    }
+    else
+    {
+        top_shift_5 = grids_0[_S505].top_shift_0;
+    }
+    var top_size_3 : vec3<i32> = cell_of_0(grids_0[_S505].top_size_0);
+    var _S514 : i32 = top_size_3.x;
+    var stride_2 : vec3<i32> = vec3<i32>(i32(1), _S514, _S514 * top_size_3.y);
+    var _S515 : i32 = i32(grids_0[_S505].top_offset_0) - dot_cells_0((stride_2 & ((_S508.mirror_0))), vec3<i32>(i32(1)));
+    var _S516 : vec3<i32> = Walk_mirrored_plane_0(_S508, stride_2);
+    var _S517 : u32 = ahead_of_0(_S508.mirror_0);
+    var end_2 : vec3<i32> = select((top_size_3 << (vec3<u32>(top_shift_5))), _S509, (_S508.mirror_0) != _S509);
+    if(!IS_EXACT_0)
+    {
+        _S508.t_end_0 = min(_S508.t_end_0, min_element_0(Walk_crossings_0(_S508, end_2)));
+    }
+    if(!IS_SINGLE_0)
+    {
+        var _S518 : f32 = _S508.t_end_0;
+        var _S519 : f32 = min_element_0(Walk_crossings_0(_S508, Walk_mirrored_plane_0(_S508, select(_S511, _S510, (_S508.mirror_0) != _S509) - _S508.grid_origin_0)));
+        var _S520 : f32;
+        if(IS_EXACT_0)
+        {
+            _S520 = 1.00000095367431641f;
+        }
+        else
+        {
+            _S520 = 1.0f;
+        }
+        _S508.t_end_0 = min(_S518, _S519 * _S520);
+    }
+    var is_found_13 : bool = false;
+    for(;;)
+    {
+        var _S521 : bool;
+        if(IS_EXACT_0)
+        {
+            _S521 = (any((voxel_26 >= end_2)));
+        }
+        else
+        {
+            _S521 = false;
+        }
+        if(_S521)
+        {
+            break;
+        }
+        var cell_17 : u32 = cell_word_0(u32(_S515 + dot_cells_0(_S516, (voxel_26 >> (vec3<u32>(top_shift_5))))));
+        var cell_18 : u32;
+        var shift_8 : u32;
+        var is_found_14 : bool;
+        if(TOP_SHIFT_0 == u32(5))
+        {
+            if(((cell_17 & (u32(2147483648)))) != u32(0))
+            {
+                var _S522 : u32 = cell_word_0(((cell_17 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_26, u32(3))) ^ (_S513))));
+                cell_18 = _S522;
+                shift_8 = u32(3);
+            }
+            else
+            {
+                cell_18 = cell_17;
+                shift_8 = top_shift_5;
+            }
+        }
+        else
+        {
+            cell_18 = cell_17;
+            shift_8 = top_shift_5;
+            for(;;)
+            {
+                if(TOP_SHIFT_0 != u32(3))
+                {
+                    is_found_14 = shift_8 > u32(3);
+                }
+                else
+                {
+                    is_found_14 = false;
+                }
+                var _S523 : bool;
+                if(is_found_14)
+                {
+                    _S523 = ((cell_18 & (u32(2147483648)))) != u32(0);
+                }
+                else
+                {
+                    _S523 = false;
+                }
+                if(_S523)
+                {
+                }
+                else
+                {
+                    break;
+                }
+                var shift_9 : u32 = shift_8 - u32(2);
+                var _S524 : u32 = cell_word_0(((cell_18 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_26, shift_9)) ^ (_S513))));
+                cell_18 = _S524;
+                shift_8 = shift_9;
+            }
+        }
+        if(waits_for_pages_0())
+        {
+            break;
+        }
+        var exit_9 : vec3<i32>;
+        if(((cell_18 & (u32(2147483648)))) == u32(0))
+        {
+            if(CELLS_SKIP_0)
+            {
+                exit_9 = vec3<i32>((i32(skip_distance_0(cell_18, octant_5)) - i32(1)));
+            }
+            else
+            {
+                exit_9 = extents_0(cell_18, _S517);
+            }
+            exit_9 = ((voxel_26 | (vec3<i32>((((i32(1) << (shift_8))) - i32(1)))))) + vec3<i32>(i32(1)) + ((exit_9 << (vec3<u32>(shift_8))));
+            is_found_14 = is_found_13;
+        }
+        else
+        {
+            var record_5 : u32 = record_of_cell_0(cell_18);
+            var blocks_3 : u32;
+            if(CELLS_HAVE_BLOCKS_0)
+            {
+                blocks_3 = blocks_of_cell_0(cell_18);
+            }
+            else
+            {
+                var _S525 : u32 = blocks_of_record_0(record_5);
+                blocks_3 = _S525;
+            }
+            var low_bits_2 : u32 = empty_around_0(record_5, blocks_3, voxel_26, octant_5, _S513);
+            var is_found_15 : bool = low_bits_2 == u32(4294967295);
+            if(is_found_15)
+            {
+                is_found_13 = is_found_15;
+                break;
+            }
+            exit_9 = ((voxel_26 | (vec3<i32>(i32(low_bits_2))))) + vec3<i32>(i32(1));
+            is_found_14 = is_found_15;
+        }
+        var _S526 : bool = Walk_leave_1(_S508, &(voxel_26), exit_9);
+        if(!_S526)
+        {
+            is_found_13 = is_found_14;
+            break;
+        }
+        is_found_13 = is_found_14;
+    }
+    (*_S507) = Walk_mirrored_0(_S508, voxel_26) + _S508.grid_origin_0;
+    return is_found_13;
+}
+
+fn hit_in_2( _S527 : u32,  _S528 : u32,  _S529 : ptr<function, Ray_0>) -> Hit_0
+{
+    var _S530 : LocalRay_0 = local_ray_0((*_S529), _S527);
+    if(!_S530.is_valid_0)
+    {
+        return miss_0();
+    }
+    var _S531 : Walk_0 = walk_of_1(_S530, _S528);
+    var voxel_27 : vec3<i32>;
+    var _S532 : bool = first_voxel_2(_S528, _S531, &(voxel_27));
+    var _S533 : bool;
+    if(IS_SINGLE_0)
+    {
+        _S533 = !IS_EXACT_0;
+    }
+    else
+    {
+        _S533 = false;
+    }
+    if(_S533)
+    {
+        (*_S529) = ray_of_walk_0(_S531, (*_S529));
+    }
+    if(!_S532)
+    {
+        return miss_0();
+    }
+    var hit_21 : Hit_0;
+    if(IS_EXACT_0)
+    {
+        hit_21 = hit_of_0(_S530, voxel_27, _S527);
+    }
+    else
+    {
+        hit_21 = hit_of_walk_0(_S531, voxel_27, _S527);
+    }
+    if((hit_21.t_0) > ((*_S529).t_max_0))
+    {
+        return miss_0();
+    }
+    return hit_21;
+}
+
+fn children_of_0( node_16 : u32) -> vec4<u32>
+{
+    return instance_rows_0[node_16 + u32(1)];
+}
+
+fn base_of_0( node_17 : u32) -> vec3<f32>
+{
+    return (bitcast<vec3<f32>>((instance_rows_0[node_17].xyz)));
+}
+
+fn sort_two_0( a_7 : ptr<function, u32>,  b_7 : ptr<function, u32>)
+{
+    var _S534 : u32 = min((*a_7), (*b_7));
+    (*b_7) = max((*a_7), (*b_7));
+    (*a_7) = _S534;
+    return;
+}
+
+fn met_children_0( node_18 : u32,  children_0 : vec4<u32>,  origin_12 : vec3<f32>,  inverse_2 : vec3<f32>,  t_min_3 : f32,  t_max_3 : f32) -> vec4<u32>
+{
+    var _S535 : vec3<f32> = (base_of_0(node_18) - origin_12) * inverse_2;
+    var _S536 : vec4<f32> = vec4<f32>(t_max_3);
+    var enter_0 : vec4<f32> = vec4<f32>(t_min_3);
+    var leave_0 : vec4<f32> = _S536;
+    var axis_7 : u32 = u32(0);
+    for(;;)
+    {
+        if(axis_7 < u32(3))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var sides_0 : vec4<u32> = instance_rows_0[node_18 + u32(2) + axis_7];
+        var _S537 : vec4<f32> = vec4<f32>(inverse_2[axis_7]);
+        var _S538 : vec4<f32> = vec4<f32>(_S535[axis_7]);
+        var low_13 : vec4<f32> = (bitcast<vec4<f32>>(((sides_0 << (vec4<u32>(u32(16))))))) * _S537 + _S538;
+        var high_6 : vec4<f32> = (bitcast<vec4<f32>>(((sides_0 & (vec4<u32>(u32(4294901760))))))) * _S537 + _S538;
+        var _S539 : vec4<f32> = max(enter_0, min(low_13, high_6));
+        var _S540 : vec4<f32> = min(leave_0, max(low_13, high_6));
+        var _S541 : u32 = axis_7 + u32(1);
+        enter_0 = _S539;
+        leave_0 = _S540;
+        axis_7 = _S541;
+    }
+    var _S542 : vec4<u32> = vec4<u32>(u32(4294967295));
+    var keys_0 : vec4<u32> = select(_S542, ((((bitcast<vec4<u32>>((abs(enter_0)))) & (vec4<u32>(u32(4294967292))))) | (vec4<u32>(u32(0), u32(1), u32(2), u32(3)))), select(vec4<bool>(false), children_0 != _S542, enter_0 <= (leave_0 * vec4<f32>(1.00000202655792236f))));
+    var _S543 : u32 = keys_0[i32(0)];
+    var _S544 : u32 = keys_0[i32(1)];
+    sort_two_0(&(_S543), &(_S544));
+    var _S545 : u32 = keys_0[i32(2)];
+    var _S546 : u32 = keys_0[i32(3)];
+    sort_two_0(&(_S545), &(_S546));
+    var _S547 : u32 = _S543;
+    var _S548 : u32 = _S545;
+    sort_two_0(&(_S547), &(_S548));
+    keys_0[i32(0)] = _S547;
+    var _S549 : u32 = _S544;
+    var _S550 : u32 = _S546;
+    sort_two_0(&(_S549), &(_S550));
+    keys_0[i32(3)] = _S550;
+    var _S551 : u32 = _S549;
+    var _S552 : u32 = _S548;
+    sort_two_0(&(_S551), &(_S552));
+    keys_0[i32(1)] = _S551;
+    keys_0[i32(2)] = _S552;
+    return keys_0;
+}
+
+fn child_of_0( children_1 : vec4<u32>,  number_2 : u32) -> u32
+{
+    var half_4 : vec2<u32> = select(children_1.xy, children_1.zw, ((number_2 & (u32(2)))) != u32(0));
+    return select(half_4.x, half_4.y, ((number_2 & (u32(1)))) != u32(0));
+}
+
+fn grid_of_leaf_0( leaf_4 : vec4<u32>) -> PackedGrid_0
+{
+    var _S553 : PackedGrid_std430_0 = grids_0[leaf_4.y];
+    var grid_8 : PackedGrid_0;
+    grid_8.origin_0 = _S553.origin_0;
+    grid_8.top_shift_0 = _S553.top_shift_0;
+    grid_8.top_size_0 = _S553.top_size_0;
+    grid_8.top_offset_0 = _S553.top_offset_0;
+    grid_8.min_0 = _S553.min_0;
+    grid_8.voxels_0 = _S553.voxels_0;
+    grid_8.max_0 = _S553.max_0;
+    grid_8.material_bits_0 = _S553.material_bits_0;
+    var _S554 : u32 = leaf_4.z;
+    if(_S554 != u32(0))
+    {
+        var _S555 : vec4<i32> = vec4<i32>(instance_rows_0[_S554]);
+        var _S556 : vec4<i32> = vec4<i32>(instance_rows_0[_S554 + u32(1)]);
+        var _S557 : i32 = _S555.y;
+        var _S558 : i32 = _S555.z;
+        grid_8.min_0[i32(0)] = _S555.x;
+        grid_8.min_0[i32(1)] = _S557;
+        grid_8.min_0[i32(2)] = _S558;
+        var _S559 : i32 = _S556.y;
+        var _S560 : i32 = _S556.z;
+        grid_8.max_0[i32(0)] = _S556.x;
+        grid_8.max_0[i32(1)] = _S559;
+        grid_8.max_0[i32(2)] = _S560;
+    }
+    return grid_8;
+}
+
+fn is_before_2( hit_22 : Hit_0,  other_2 : Hit_0,  direction_30 : vec3<f32>) -> bool
+{
+    var _S561 : bool;
+    if((hit_22.t_0) != (other_2.t_0))
+    {
+        _S561 = true;
+    }
+    else
+    {
+        _S561 = Hit_is_miss_0(hit_22);
+    }
+    if(_S561)
+    {
+        return (hit_22.t_0) < (other_2.t_0);
+    }
+    if((hit_22.instance_0) != (other_2.instance_0))
+    {
+        return (hit_22.instance_0) < (other_2.instance_0);
+    }
+    var ahead_1 : vec3<i32> = select(hit_22.voxel_0 - other_2.voxel_0, other_2.voxel_0 - hit_22.voxel_0, (Transform_direction_0(hit_22.instance_0, direction_30)) < vec3<f32>(0.0f));
+    return (ahead_1.x + ahead_1.y + ahead_1.z) < i32(0);
+}
+
+fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_3 : u32) -> Hit_0
+{
+    var next_7 : u32;
+    var depth_0 : u32;
+    var _S562 : bool;
+    if(IS_SINGLE_0)
+    {
+        var _S563 : Hit_0 = hit_in_2(u32(0), instances_0[i32(0)].grid_0, &((*given_0)));
+        return _S563;
+    }
+    var ray_27 : Ray_0 = (*given_0);
+    var nearest_6 : Hit_0 = miss_0();
+    if((params_0.instance_count_0) == u32(0))
+    {
+        return nearest_6;
+    }
+    var is_zero_1 : vec3<bool> = !((abs(ray_27.direction_0)) >= vec3<f32>(1.00000006335638761e-28f));
+    var _S564 : vec3<f32> = select(reciprocal_0(select(ray_27.direction_0, vec3<f32>(1.0f), is_zero_1)), select(vec3<f32>(9.99999944211968977e+27f), vec3<f32>(-9.99999944211968977e+27f), (ray_27.direction_0) < vec3<f32>(0.0f)), is_zero_1);
+    var stack_0 : array<vec2<u32>, i32(64)>;
+    var next_8 : u32 = u32(0);
+    var nearest_7 : Hit_0 = nearest_6;
+    var depth_1 : u32 = u32(0);
+    for(;;)
+    {
+        var next_9 : u32 = next_8;
+        var depth_2 : u32 = depth_1;
+        for(;;)
+        {
+            next_7 = next_9;
+            depth_0 = depth_2;
+            for(;;)
+            {
+                var _S565 : bool = next_7 == u32(4294967295);
+                _S562 = _S565;
+                var _S566 : bool;
+                if(_S565)
+                {
+                    _S566 = depth_0 > u32(0);
+                }
+                else
+                {
+                    _S566 = false;
+                }
+                if(_S566)
+                {
+                }
+                else
+                {
+                    break;
+                }
+                var depth_3 : u32 = depth_0 - u32(1);
+                var nearest_waiting_0 : vec2<u32> = stack_0[depth_3];
+                if((bitcast<f32>((((stack_0[depth_3].x) & (u32(4294967292)))))) <= (ray_27.t_max_0))
+                {
+                    next_7 = nearest_waiting_0.y;
+                }
+                depth_0 = depth_3;
+            }
+            if(((next_7 & (u32(2147483648)))) != u32(0))
+            {
+                break;
+            }
+            var children_2 : vec4<u32> = children_of_0(next_7);
+            var met_3 : vec4<u32> = met_children_0(next_7, children_2, ray_27.origin_1, _S564, ray_27.t_min_0, ray_27.t_max_0);
+            var _S567 : u32 = met_3.w;
+            var depth_4 : u32;
+            if(_S567 != u32(4294967295))
+            {
+                var _S568 : u32 = depth_0 + u32(1);
+                stack_0[depth_0] = vec2<u32>(_S567, child_of_0(children_2, _S567));
+                depth_4 = _S568;
+            }
+            else
+            {
+                depth_4 = depth_0;
+            }
+            var _S569 : u32 = met_3.z;
+            var depth_5 : u32;
+            if(_S569 != u32(4294967295))
+            {
+                var _S570 : u32 = depth_4 + u32(1);
+                stack_0[depth_4] = vec2<u32>(_S569, child_of_0(children_2, _S569));
+                depth_5 = _S570;
+            }
+            else
+            {
+                depth_5 = depth_4;
+            }
+            var _S571 : u32 = met_3.y;
+            if(_S571 != u32(4294967295))
+            {
+                var _S572 : u32 = depth_5 + u32(1);
+                stack_0[depth_5] = vec2<u32>(_S571, child_of_0(children_2, _S571));
+                depth_2 = _S572;
+            }
+            else
+            {
+                depth_2 = depth_5;
+            }
+            var _S573 : u32 = met_3.x;
+            if(_S573 != u32(4294967295))
+            {
+                next_9 = child_of_0(children_2, _S573);
+            }
+            else
+            {
+                next_9 = u32(4294967295);
+            }
+        }
+        if(_S562)
+        {
+            break;
+        }
+        var leaf_5 : vec4<u32> = instance_rows_0[(next_7 & (u32(2147483647)))];
+        var _S574 : Hit_0 = hit_in_0(leaf_5.x, grid_of_leaf_0(leaf_5), &(ray_27));
+        if(is_before_2(_S574, nearest_7, ray_27.direction_0))
+        {
+            ray_27.t_max_0 = _S574.t_0;
+            if(is_any_enough_0)
+            {
+                nearest_7 = _S574;
+                break;
+            }
+            nearest_7 = _S574;
+        }
+        next_8 = u32(4294967295);
+        depth_1 = depth_0;
+    }
+    return nearest_7;
+}
+
+fn first_voxel_3( _S575 : u32,  _S576 : Walk_0,  _S577 : ptr<function, vec3<i32>>) -> bool
+{
+    var _S578 : Walk_0 = _S576;
+    var _S579 : vec3<i32> = vec3<i32>(i32(0));
+    (*_S577) = _S579;
+    var voxel_28 : vec3<i32> = Walk_start_voxel_0(_S576);
+    var _S580 : vec3<i32> = cell_of_0(grids_0[_S575].min_0);
+    var _S581 : vec3<i32> = cell_of_0(grids_0[_S575].max_0);
+    var _S582 : bool = Walk_enter_1(_S576, &(voxel_28), _S580 - _S578.grid_origin_0, _S581 - _S578.grid_origin_0);
+    if(!_S582)
+    {
+        return false;
+    }
+    var octant_6 : u32 = LocalRay_octant_0(_S578.ray_0);
+    var _S583 : u32 = flip_of_0(octant_6);
+    var top_shift_6 : u32;
+    if(TOP_SHIFT_0 != u32(0))
+    {
+        top_shift_6 = TOP_SHIFT_0;
+    }
+    else
+    {
+        top_shift_6 = grids_0[_S575].top_shift_0;
+    }
+    var top_size_4 : vec3<i32> = cell_of_0(grids_0[_S575].top_size_0);
+    var _S584 : i32 = top_size_4.x;
+    var stride_3 : vec3<i32> = vec3<i32>(i32(1), _S584, _S584 * top_size_4.y);
+    var _S585 : i32 = i32(grids_0[_S575].top_offset_0) - dot_cells_0((stride_3 & ((_S578.mirror_0))), vec3<i32>(i32(1)));
+    var _S586 : vec3<i32> = Walk_mirrored_plane_0(_S578, stride_3);
+    var _S587 : u32 = ahead_of_0(_S578.mirror_0);
+    var end_4 : vec3<i32> = select((top_size_4 << (vec3<u32>(top_shift_6))), _S579, (_S578.mirror_0) != _S579);
+    if(!IS_EXACT_0)
+    {
+        _S578.t_end_0 = min(_S578.t_end_0, min_element_0(Walk_crossings_0(_S578, end_4)));
+    }
+    if(!IS_SINGLE_0)
+    {
+        var _S588 : f32 = _S578.t_end_0;
+        var _S589 : f32 = min_element_0(Walk_crossings_0(_S578, Walk_mirrored_plane_0(_S578, select(_S581, _S580, (_S578.mirror_0) != _S579) - _S578.grid_origin_0)));
+        var _S590 : f32;
+        if(IS_EXACT_0)
+        {
+            _S590 = 1.00000095367431641f;
+        }
+        else
+        {
+            _S590 = 1.0f;
+        }
+        _S578.t_end_0 = min(_S588, _S589 * _S590);
+    }
+    var is_found_16 : bool = false;
+    for(;;)
+    {
+        var _S591 : bool;
+        if(IS_EXACT_0)
+        {
+            _S591 = (any((voxel_28 >= end_4)));
+        }
+        else
+        {
+            _S591 = false;
+        }
+        if(_S591)
+        {
+            break;
+        }
+        var cell_19 : u32 = cell_word_0(u32(_S585 + dot_cells_0(_S586, (voxel_28 >> (vec3<u32>(top_shift_6))))));
+        var cell_20 : u32;
+        var shift_10 : u32;
+        var is_found_17 : bool;
+        if(TOP_SHIFT_0 == u32(5))
+        {
+            if(((cell_19 & (u32(2147483648)))) != u32(0))
+            {
+                var _S592 : u32 = cell_word_0(((cell_19 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_28, u32(3))) ^ (_S583))));
+                cell_20 = _S592;
+                shift_10 = u32(3);
+            }
+            else
+            {
+                cell_20 = cell_19;
+                shift_10 = top_shift_6;
+            }
+        }
+        else
+        {
+            cell_20 = cell_19;
+            shift_10 = top_shift_6;
+            for(;;)
+            {
+                if(TOP_SHIFT_0 != u32(3))
+                {
+                    is_found_17 = shift_10 > u32(3);
+                }
+                else
+                {
+                    is_found_17 = false;
+                }
+                var _S593 : bool;
+                if(is_found_17)
+                {
+                    _S593 = ((cell_20 & (u32(2147483648)))) != u32(0);
+                }
+                else
+                {
+                    _S593 = false;
+                }
+                if(_S593)
+                {
+                }
+                else
+                {
+                    break;
+                }
+                var shift_11 : u32 = shift_10 - u32(2);
+                var _S594 : u32 = cell_word_0(((cell_20 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_28, shift_11)) ^ (_S583))));
+                cell_20 = _S594;
+                shift_10 = shift_11;
+            }
+        }
+        if(waits_for_pages_0())
+        {
+            break;
+        }
+        var exit_10 : vec3<i32>;
+        if(((cell_20 & (u32(2147483648)))) == u32(0))
+        {
+            if(CELLS_SKIP_0)
+            {
+                exit_10 = vec3<i32>((i32(skip_distance_0(cell_20, octant_6)) - i32(1)));
+            }
+            else
+            {
+                exit_10 = extents_0(cell_20, _S587);
+            }
+            exit_10 = ((voxel_28 | (vec3<i32>((((i32(1) << (shift_10))) - i32(1)))))) + vec3<i32>(i32(1)) + ((exit_10 << (vec3<u32>(shift_10))));
+            is_found_17 = is_found_16;
+        }
+        else
+        {
+            var record_6 : u32 = record_of_cell_0(cell_20);
+            var blocks_4 : u32;
+            if(CELLS_HAVE_BLOCKS_0)
+            {
+                blocks_4 = blocks_of_cell_0(cell_20);
+            }
+            else
+            {
+                var _S595 : u32 = blocks_of_record_0(record_6);
+                blocks_4 = _S595;
+            }
+            var low_bits_3 : u32 = empty_around_0(record_6, blocks_4, voxel_28, octant_6, _S583);
+            var is_found_18 : bool = low_bits_3 == u32(4294967295);
+            if(is_found_18)
+            {
+                is_found_16 = is_found_18;
+                break;
+            }
+            exit_10 = ((voxel_28 | (vec3<i32>(i32(low_bits_3))))) + vec3<i32>(i32(1));
+            is_found_17 = is_found_18;
+        }
+        var _S596 : bool = Walk_leave_0(_S578, &(voxel_28), exit_10);
+        if(!_S596)
+        {
+            is_found_16 = is_found_17;
+            break;
+        }
+        is_found_16 = is_found_17;
+    }
+    (*_S577) = Walk_mirrored_0(_S578, voxel_28) + _S578.grid_origin_0;
+    return is_found_16;
+}
+
+fn hit_in_3( _S597 : u32,  _S598 : u32,  _S599 : ptr<function, Ray_0>) -> Hit_0
+{
+    var _S600 : LocalRay_0 = local_ray_0((*_S599), _S597);
+    if(!_S600.is_valid_0)
+    {
+        return miss_0();
+    }
+    var _S601 : Walk_0 = walk_of_1(_S600, _S598);
+    var voxel_29 : vec3<i32>;
+    var _S602 : bool = first_voxel_3(_S598, _S601, &(voxel_29));
+    var _S603 : bool;
+    if(IS_SINGLE_0)
+    {
+        _S603 = !IS_EXACT_0;
+    }
+    else
+    {
+        _S603 = false;
+    }
+    if(_S603)
+    {
+        (*_S599) = ray_of_walk_0(_S601, (*_S599));
+    }
+    if(!_S602)
+    {
+        return miss_0();
+    }
+    var hit_23 : Hit_0;
+    if(IS_EXACT_0)
+    {
+        hit_23 = hit_of_0(_S600, voxel_29, _S597);
+    }
+    else
+    {
+        hit_23 = hit_of_walk_0(_S601, voxel_29, _S597);
+    }
+    if((hit_23.t_0) > ((*_S599).t_max_0))
+    {
+        return miss_0();
+    }
+    return hit_23;
+}
+
+fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool,  end_5 : u32) -> Hit_0
+{
+    var next_10 : u32;
+    var depth_6 : u32;
+    var _S604 : bool;
+    if(IS_SINGLE_0)
+    {
+        var _S605 : Hit_0 = hit_in_3(u32(0), instances_0[i32(0)].grid_0, &((*given_1)));
+        return _S605;
+    }
+    var ray_28 : Ray_0 = (*given_1);
+    var nearest_8 : Hit_0 = miss_0();
+    if((params_0.instance_count_0) == u32(0))
+    {
+        return nearest_8;
+    }
+    var is_zero_2 : vec3<bool> = !((abs(ray_28.direction_0)) >= vec3<f32>(1.00000006335638761e-28f));
+    var _S606 : vec3<f32> = select(reciprocal_0(select(ray_28.direction_0, vec3<f32>(1.0f), is_zero_2)), select(vec3<f32>(9.99999944211968977e+27f), vec3<f32>(-9.99999944211968977e+27f), (ray_28.direction_0) < vec3<f32>(0.0f)), is_zero_2);
+    var stack_1 : array<vec2<u32>, i32(64)>;
+    var next_11 : u32 = u32(0);
+    var nearest_9 : Hit_0 = nearest_8;
+    var depth_7 : u32 = u32(0);
+    for(;;)
+    {
+        var next_12 : u32 = next_11;
+        var depth_8 : u32 = depth_7;
+        for(;;)
+        {
+            next_10 = next_12;
+            depth_6 = depth_8;
+            for(;;)
+            {
+                var _S607 : bool = next_10 == u32(4294967295);
+                _S604 = _S607;
+                var _S608 : bool;
+                if(_S607)
+                {
+                    _S608 = depth_6 > u32(0);
+                }
+                else
+                {
+                    _S608 = false;
+                }
+                if(_S608)
+                {
+                }
+                else
+                {
+                    break;
+                }
+                var depth_9 : u32 = depth_6 - u32(1);
+                var nearest_waiting_1 : vec2<u32> = stack_1[depth_9];
+                if((bitcast<f32>((((stack_1[depth_9].x) & (u32(4294967292)))))) <= (ray_28.t_max_0))
+                {
+                    next_10 = nearest_waiting_1.y;
+                }
+                depth_6 = depth_9;
+            }
+            if(((next_10 & (u32(2147483648)))) != u32(0))
+            {
+                break;
+            }
+            var children_3 : vec4<u32> = children_of_0(next_10);
+            var met_4 : vec4<u32> = met_children_0(next_10, children_3, ray_28.origin_1, _S606, ray_28.t_min_0, ray_28.t_max_0);
+            var _S609 : u32 = met_4.w;
+            var depth_10 : u32;
+            if(_S609 != u32(4294967295))
+            {
+                var _S610 : u32 = depth_6 + u32(1);
+                stack_1[depth_6] = vec2<u32>(_S609, child_of_0(children_3, _S609));
+                depth_10 = _S610;
+            }
+            else
+            {
+                depth_10 = depth_6;
+            }
+            var _S611 : u32 = met_4.z;
+            var depth_11 : u32;
+            if(_S611 != u32(4294967295))
+            {
+                var _S612 : u32 = depth_10 + u32(1);
+                stack_1[depth_10] = vec2<u32>(_S611, child_of_0(children_3, _S611));
+                depth_11 = _S612;
+            }
+            else
+            {
+                depth_11 = depth_10;
+            }
+            var _S613 : u32 = met_4.y;
+            if(_S613 != u32(4294967295))
+            {
+                var _S614 : u32 = depth_11 + u32(1);
+                stack_1[depth_11] = vec2<u32>(_S613, child_of_0(children_3, _S613));
+                depth_8 = _S614;
+            }
+            else
+            {
+                depth_8 = depth_11;
+            }
+            var _S615 : u32 = met_4.x;
+            if(_S615 != u32(4294967295))
+            {
+                next_12 = child_of_0(children_3, _S615);
+            }
+            else
+            {
+                next_12 = u32(4294967295);
+            }
+        }
+        if(_S604)
+        {
+            break;
+        }
+        var leaf_6 : vec4<u32> = instance_rows_0[(next_10 & (u32(2147483647)))];
+        var _S616 : Hit_0 = hit_in_1(leaf_6.x, grid_of_leaf_0(leaf_6), &(ray_28));
+        if(is_before_2(_S616, nearest_9, ray_28.direction_0))
+        {
+            ray_28.t_max_0 = _S616.t_0;
+            if(is_any_enough_1)
+            {
+                nearest_9 = _S616;
+                break;
+            }
+            nearest_9 = _S616;
+        }
+        next_11 = u32(4294967295);
+        depth_7 = depth_6;
+    }
+    return nearest_9;
+}
+
+fn PathTracingOf_jitter_0( sampler_1 : Sampler_0) -> vec4<f32>
+{
+    return Sampler_stratified_0(sampler_1, u32(0));
+}
+
+fn Sampler_x24init_0( seed_3 : u32,  pixel_1 : u32,  sample_22 : u32) -> Sampler_0
+{
+    var _S617 : Sampler_0;
+    _S617.seed_1 = seed_3;
+    _S617.pixel_0 = pixel_1;
+    _S617.sample_0 = sample_22;
+    return _S617;
+}
+
+struct Item_0
+{
+     traces_0 : bool,
+     kind_2 : u32,
+     at_12 : vec2<u32>,
+     place_6 : u32,
+     slot_1 : u32,
+     sampler_2 : Sampler_0,
+};
+
+fn Item_x24init_0( traces_1 : bool,  kind_3 : u32,  at_13 : vec2<u32>,  place_7 : u32,  slot_2 : u32,  sampler_3 : Sampler_0) -> Item_0
+{
+    var _S618 : Item_0;
+    _S618.traces_0 = traces_1;
+    _S618.kind_2 = kind_3;
+    _S618.at_12 = at_13;
+    _S618.place_6 = place_7;
+    _S618.slot_1 = slot_2;
+    _S618.sampler_2 = sampler_3;
+    return _S618;
+}
+
+fn has_0( flag_0 : u32) -> bool
+{
+    return (((real_time_0.flags_0) & (flag_0))) != u32(0);
+}
+
+fn threads_that_trace_0() -> u32
+{
+    var columns_0 : u32;
+    if(has_0(u32(128)))
+    {
+        columns_0 = (params_0.width_0 + u32(15)) / u32(16);
+    }
+    else
+    {
+        columns_0 = (params_0.width_0 + u32(7)) / u32(8);
+    }
+    return columns_0 * ((params_0.height_0 + u32(7)) / u32(8)) * u32(64);
+}
+
+fn place_of_chosen_0( number_3 : u32) -> u32
+{
+    return u32(524304) + number_3;
+}
+
+fn Item_key_0( this_54 : Item_0,  rank_3 : ptr<function, u32>) -> Key_0
+{
+    var face_7 : vec4<u32> = cell_row_0(u32(1), this_54.place_6);
+    (*rank_3) = face_7.z;
+    return Key_x24init_0(face_7.x, face_7.y, vec3<i32>(cell_row_0(u32(2), this_54.place_6).xyz));
+}
+
+fn Item_key_1( this_55 : Item_0,  rank_4 : ptr<function, u32>) -> Key_0
+{
+    var face_8 : vec4<u32> = cell_row_0(u32(1), this_55.place_6);
+    (*rank_4) = face_8.z;
+    return Key_x24init_0(face_8.x, face_8.y, vec3<i32>(cell_row_0(u32(2), this_55.place_6).xyz));
+}
+
+fn Item_key_2( this_56 : Item_0,  rank_5 : ptr<function, u32>) -> Key_0
+{
+    var face_9 : vec4<u32> = cell_row_0(u32(1), this_56.place_6);
+    (*rank_5) = face_9.z;
+    return Key_x24init_0(face_9.x, face_9.y, vec3<i32>(cell_row_0(u32(2), this_56.place_6).xyz));
+}
+
+fn pixel_of_thread_0( thread_0 : u32) -> vec2<u32>
+{
+    var tiles_0 : u32 = (params_0.width_0 + u32(7)) / u32(8);
+    var tile_0 : u32 = thread_0 / u32(64);
+    var in_tile_0 : u32 = (thread_0 & (u32(63)));
+    var row_2 : u32 = tile_0 / tiles_0;
+    return vec2<u32>((tile_0 - row_2 * tiles_0) * u32(8) + ((in_tile_0 & (u32(7)))), row_2 * u32(8) + ((in_tile_0 >> (u32(3)))));
+}
+
+fn pixel_that_traces_0( thread_1 : u32) -> vec2<u32>
+{
+    if(!has_0(u32(128)))
+    {
+        var _S619 : vec2<u32> = pixel_of_thread_0(thread_1);
+        return _S619;
+    }
+    var tiles_1 : u32 = (params_0.width_0 + u32(15)) / u32(16);
+    var tile_1 : u32 = thread_1 / u32(64);
+    var in_tile_1 : u32 = (thread_1 & (u32(63)));
+    var row_3 : u32 = tile_1 / tiles_1;
+    var _S620 : u32 = row_3 * u32(8) + ((in_tile_1 >> (u32(3))));
+    var at_14 : vec2<u32> = vec2<u32>((tile_1 - row_3 * tiles_1) * u32(16) + u32(2) * ((in_tile_1 & (u32(7)))), _S620);
+    at_14[i32(0)] = at_14[i32(0)] + (((_S620 + real_time_0.number_0) & (u32(1))));
+    return at_14;
+}
+
+fn squares_1() -> vec2<u32>
+{
+    var _S621 : vec2<u32> = vec2<u32>(u32(5));
+    var _S622 : vec2<u32> = (vec2<u32>(params_0.width_0, params_0.height_0) + _S621 - vec2<u32>(u32(1))) / _S621;
+    return _S622;
+}
+
+fn pixel_of_square_0( square_1 : u32,  number_4 : u32) -> vec2<u32>
+{
+    var columns_1 : u32 = squares_1().x;
+    var _S623 : u32 = square_1 % columns_1;
+    var _S624 : u32 = square_1 / columns_1;
+    var at_15 : vec2<u32> = vec2<u32>(_S623, _S624);
+    var _S625 : vec2<u32> = vec2<u32>(u32(5));
+    var _S626 : vec2<u32> = at_15 * _S625;
+    var _S627 : vec2<u32> = pcg4d_0(vec4<u32>(at_15, number_4, u32(3266489909))).xy % _S625;
+    return min(_S626 + _S627, vec2<u32>(params_0.width_0, params_0.height_0) - vec2<u32>(u32(1)));
+}
+
+fn is_inside_0( at_16 : vec2<i32>) -> bool
+{
+    var _S628 : bool;
+    if((all((at_16 >= vec2<i32>(i32(0))))))
+    {
+        _S628 = (at_16.x) < i32(params_0.width_0);
+    }
+    else
+    {
+        _S628 = false;
+    }
+    if(_S628)
+    {
+        _S628 = (at_16.y) < i32(params_0.height_0);
+    }
+    else
+    {
+        _S628 = false;
+    }
+    return _S628;
+}
+
+fn place_of_square_0( list_0 : u32,  square_2 : u32) -> u32
+{
+    var count_7 : vec2<u32> = squares_1();
+    return u32(4) * real_time_0.pixels_0 + list_0 * count_7.x * count_7.y + square_2;
+}
+
+fn index_of_0( at_17 : vec2<u32>) -> u32
+{
+    return at_17.y * params_0.width_0 + at_17.x;
+}
+
+fn item_of_0( number_5 : u32) -> Item_0
+{
+    var item_0 : Item_0 = Item_x24init_0(false, u32(0), vec2<u32>(vec2<i32>(i32(0))), u32(0), u32(0), Sampler_x24init_0(u32(0), u32(0), u32(0)));
+    var cells_2 : u32 = real_time_0.cells_0;
+    var pixels_1 : u32 = threads_that_trace_0();
+    var count_8 : u32 = real_time_0.squares_0;
+    if(number_5 < (real_time_0.cells_0))
+    {
+        var _S629 : u32 = atomicLoad(&(cell_keys_0[u32(2)]));
+        var _S630 : bool = number_5 < _S629;
+        item_0.traces_0 = _S630;
+        if(_S630)
+        {
+            var _S631 : u32 = atomicLoad(&(cell_keys_0[place_of_chosen_0(number_5)]));
+            item_0.place_6 = _S631;
+            item_0.slot_1 = real_time_0.pixels_0 + count_8 + number_5;
+            var rank_6 : u32;
+            item_0.sampler_2 = Sampler_x24init_0(((params_0.seed_0) ^ (u32(1540483477))), Key_hash_0(Item_key_0(item_0, &(rank_6))).x, real_time_0.number_0);
+        }
+        return item_0;
+    }
+    var _S632 : u32 = number_5 - cells_2;
+    var _S633 : vec2<u32> = pixel_that_traces_0(_S632);
+    item_0.at_12 = _S633;
+    var square_3 : u32 = _S632 - pixels_1;
+    var is_square_0 : bool = number_5 >= (cells_2 + pixels_1);
+    var is_again_0 : bool;
+    if(is_square_0)
+    {
+        is_again_0 = square_3 >= count_8;
+    }
+    else
+    {
+        is_again_0 = false;
+    }
+    var frame_0 : u32;
+    if(is_again_0)
+    {
+        frame_0 = count_8;
+    }
+    else
+    {
+        frame_0 = u32(0);
+    }
+    var square_4 : u32 = square_3 - frame_0;
+    if(is_again_0)
+    {
+        frame_0 = real_time_0.number_0 - u32(1);
+    }
+    else
+    {
+        frame_0 = real_time_0.number_0;
+    }
+    var _S634 : u32;
+    if(is_again_0)
+    {
+        _S634 = u32(3);
+    }
+    else
+    {
+        if(is_square_0)
+        {
+            _S634 = u32(2);
+        }
+        else
+        {
+            _S634 = u32(1);
+        }
+    }
+    item_0.kind_2 = _S634;
+    if(is_square_0)
+    {
+        var _S635 : vec2<u32> = pixel_of_square_0(square_4, frame_0);
+        item_0.at_12 = _S635;
+    }
+    var _S636 : bool;
+    if(is_square_0)
+    {
+        if(is_again_0)
+        {
+            _S634 = real_time_0.again_0;
+        }
+        else
+        {
+            _S634 = count_8;
+        }
+        _S636 = square_4 < _S634;
+    }
+    else
+    {
+        _S636 = is_inside_0(vec2<i32>(item_0.at_12));
+    }
+    item_0.traces_0 = _S636;
+    if(is_square_0)
+    {
+        if(is_again_0)
+        {
+            _S634 = u32(2);
+        }
+        else
+        {
+            _S634 = (frame_0 & (u32(1)));
+        }
+        _S634 = place_of_square_0(_S634, square_4);
+    }
+    else
+    {
+        _S634 = index_of_0(item_0.at_12);
+    }
+    item_0.place_6 = _S634;
+    if(is_square_0)
+    {
+        _S634 = real_time_0.pixels_0 + square_4;
+    }
+    else
+    {
+        _S634 = item_0.place_6;
+    }
+    item_0.slot_1 = _S634;
+    var _S637 : u32 = params_0.seed_0;
+    if(is_square_0)
+    {
+        _S634 = u32(3266489909);
+    }
+    else
+    {
+        _S634 = u32(2654435769);
+    }
+    item_0.sampler_2 = Sampler_x24init_0((_S637 ^ (_S634)), index_of_0(item_0.at_12), frame_0);
+    return item_0;
+}
+
+struct CameraFrame_0
+{
+     lens_1 : u32,
+     eye_2 : vec3<f32>,
+     corner_2 : vec3<f32>,
+     pixel_x_1 : vec3<f32>,
+     pixel_y_1 : vec3<f32>,
+     lens_x_1 : vec3<f32>,
+     lens_y_1 : vec3<f32>,
+     blades_1 : u32,
+};
+
+fn CameraFrame_x24init_0( lens_2 : u32,  eye_3 : vec3<f32>,  corner_3 : vec3<f32>,  pixel_x_2 : vec3<f32>,  pixel_y_2 : vec3<f32>,  lens_x_2 : vec3<f32>,  lens_y_2 : vec3<f32>,  blades_2 : u32) -> CameraFrame_0
+{
+    var _S638 : CameraFrame_0;
+    _S638.lens_1 = lens_2;
+    _S638.eye_2 = eye_3;
+    _S638.corner_2 = corner_3;
+    _S638.pixel_x_1 = pixel_x_2;
+    _S638.pixel_y_1 = pixel_y_2;
+    _S638.lens_x_1 = lens_x_2;
+    _S638.lens_y_1 = lens_y_2;
+    _S638.blades_1 = blades_2;
+    return _S638;
+}
+
+@id(5) override LENS_0 : u32 = u32(0);
+
+struct Perspective_0
+{
+     eye_4 : vec3<f32>,
+     corner_4 : vec3<f32>,
+     pixel_x_3 : vec3<f32>,
+     pixel_y_3 : vec3<f32>,
+};
+
+fn Perspective_x24init_0( eye_5 : vec3<f32>,  corner_5 : vec3<f32>,  pixel_x_4 : vec3<f32>,  pixel_y_4 : vec3<f32>) -> Perspective_0
+{
+    var _S639 : Perspective_0;
+    _S639.eye_4 = eye_5;
+    _S639.corner_4 = corner_5;
+    _S639.pixel_x_3 = pixel_x_4;
+    _S639.pixel_y_3 = pixel_y_4;
+    return _S639;
+}
+
+struct Axes_0
+{
+     forward_0 : vec3<f32>,
+     right_5 : vec3<f32>,
+     up_0 : vec3<f32>,
+};
+
+fn Axes_x24init_0( forward_1 : vec3<f32>,  right_6 : vec3<f32>,  up_1 : vec3<f32>) -> Axes_0
+{
+    var _S640 : Axes_0;
+    _S640.forward_0 = forward_1;
+    _S640.right_5 = right_6;
+    _S640.up_0 = up_1;
+    return _S640;
+}
+
+struct ThinLens_0
+{
+     perspective_0 : Perspective_0,
+     lens_x_3 : vec3<f32>,
+     lens_y_3 : vec3<f32>,
+     blades_3 : u32,
+};
+
+fn ThinLens_x24init_0( perspective_1 : Perspective_0,  lens_x_4 : vec3<f32>,  lens_y_4 : vec3<f32>,  blades_4 : u32) -> ThinLens_0
+{
+    var _S641 : ThinLens_0;
+    _S641.perspective_0 = perspective_1;
+    _S641.lens_x_3 = lens_x_4;
+    _S641.lens_y_3 = lens_y_4;
+    _S641.blades_3 = blades_4;
+    return _S641;
+}
+
+fn concentric_0( square_5 : vec2<f32>) -> vec2<f32>
+{
+    var a_8 : f32 = 2.0f * square_5.x - 1.0f;
+    var b_8 : f32 = 2.0f * square_5.y - 1.0f;
+    var _S642 : bool;
+    if(a_8 == 0.0f)
+    {
+        _S642 = b_8 == 0.0f;
+    }
+    else
+    {
+        _S642 = false;
+    }
+    if(_S642)
+    {
+        return vec2<f32>(0.0f);
+    }
+    var is_across_0 : bool = (abs(a_8)) > (abs(b_8));
+    var radius_5 : f32;
+    if(is_across_0)
+    {
+        radius_5 = a_8;
+    }
+    else
+    {
+        radius_5 = b_8;
+    }
+    var turns_3 : f32;
+    if(is_across_0)
+    {
+        turns_3 = divide_0(b_8, a_8) * 0.125f;
+    }
+    else
+    {
+        turns_3 = 0.25f - divide_0(a_8, b_8) * 0.125f;
+    }
+    if(radius_5 < 0.0f)
+    {
+        turns_3 = turns_3 + 0.5f;
+    }
+    var _S643 : f32 = abs(radius_5);
+    if(turns_3 < 0.0f)
+    {
+        radius_5 = turns_3 + 1.0f;
+    }
+    else
+    {
+        radius_5 = turns_3;
+    }
+    return vec2<f32>(_S643, radius_5);
+}
+
+fn place_in_aperture_0( blades_5 : u32,  lens_3 : vec2<f32>) -> vec2<f32>
+{
+    var radius_turns_0 : vec2<f32> = concentric_0(lens_3);
+    var radius_6 : f32 = radius_turns_0.x;
+    if(blades_5 == u32(0))
+    {
+        var sin_cos_4 : vec2<f32> = sincos_turns_0(radius_turns_0.y);
+        return vec2<f32>(radius_6 * sin_cos_4.y, radius_6 * sin_cos_4.x);
+    }
+    var count_9 : f32 = f32(blades_5);
+    var scaled_0 : f32 = radius_turns_0.y * count_9;
+    var blade_0 : f32 = f32(min(u32(scaled_0), blades_5 - u32(1)));
+    var share_13 : f32 = scaled_0 - blade_0;
+    var from_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0, count_9));
+    var to_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0 + 1.0f, count_9));
+    var _S644 : f32 = from_0.y;
+    var _S645 : f32 = from_0.x;
+    return vec2<f32>(_S644 + (to_0.y - _S644) * share_13, _S645 + (to_0.x - _S645) * share_13) * vec2<f32>(radius_6);
+}
+
+fn ThinLens_ray_0( this_57 : ThinLens_0,  position_3 : vec2<f32>,  lens_4 : vec2<f32>) -> Ray_0
+{
+    var place_8 : vec2<f32> = place_in_aperture_0(this_57.blades_3, lens_4);
+    var offset_1 : vec3<f32> = this_57.lens_x_3 * vec3<f32>(place_8.x) + this_57.lens_y_3 * vec3<f32>(place_8.y);
+    return ray_from_0(this_57.perspective_0.eye_4 + offset_1, normalize_vector_0(this_57.perspective_0.corner_4 + this_57.perspective_0.pixel_x_3 * vec3<f32>(position_3.x) + this_57.perspective_0.pixel_y_3 * vec3<f32>(position_3.y) - offset_1));
+}
+
+struct Orthographic_0
+{
+     corner_6 : vec3<f32>,
+     pixel_x_5 : vec3<f32>,
+     pixel_y_5 : vec3<f32>,
+     forward_2 : vec3<f32>,
+};
+
+fn Orthographic_x24init_0( corner_7 : vec3<f32>,  pixel_x_6 : vec3<f32>,  pixel_y_6 : vec3<f32>,  forward_3 : vec3<f32>) -> Orthographic_0
+{
+    var _S646 : Orthographic_0;
+    _S646.corner_6 = corner_7;
+    _S646.pixel_x_5 = pixel_x_6;
+    _S646.pixel_y_5 = pixel_y_6;
+    _S646.forward_2 = forward_3;
+    return _S646;
+}
+
+fn Orthographic_ray_0( this_58 : Orthographic_0,  position_4 : vec2<f32>,  lens_5 : vec2<f32>) -> Ray_0
+{
+    return ray_from_0(this_58.corner_6 + this_58.pixel_x_5 * vec3<f32>(position_4.x) + this_58.pixel_y_5 * vec3<f32>(position_4.y), this_58.forward_2);
+}
+
+struct Panorama_0
+{
+     eye_6 : vec3<f32>,
+     axes_1 : Axes_0,
+     inverse_size_0 : vec2<f32>,
+     half_eye_distance_0 : f32,
+};
+
+fn Panorama_x24init_0( eye_7 : vec3<f32>,  axes_2 : Axes_0,  inverse_size_1 : vec2<f32>,  half_eye_distance_1 : f32) -> Panorama_0
+{
+    var _S647 : Panorama_0;
+    _S647.eye_6 = eye_7;
+    _S647.axes_1 = axes_2;
+    _S647.inverse_size_0 = inverse_size_1;
+    _S647.half_eye_distance_0 = half_eye_distance_1;
+    return _S647;
+}
+
+fn Panorama_ray_0( this_59 : Panorama_0,  position_5 : vec2<f32>,  lens_6 : vec2<f32>) -> Ray_0
+{
+    var latitude_0 : f32 = position_5.y * this_59.inverse_size_0.y;
+    var is_right_eye_0 : bool = latitude_0 >= 1.0f;
+    var side_6 : f32;
+    if(is_right_eye_0)
+    {
+        side_6 = this_59.half_eye_distance_0;
+    }
+    else
+    {
+        side_6 = - this_59.half_eye_distance_0;
+    }
+    var latitude_1 : f32;
+    if(is_right_eye_0)
+    {
+        latitude_1 = latitude_0 - 1.0f;
+    }
+    else
+    {
+        latitude_1 = latitude_0;
+    }
+    var longitude_0 : vec2<f32> = sincos_turns_0(position_5.x * this_59.inverse_size_0.x);
+    var height_2 : vec2<f32> = sincos_turns_0(latitude_1 * 0.5f);
+    var _S648 : vec3<f32> = vec3<f32>(longitude_0.y);
+    var _S649 : vec3<f32> = vec3<f32>(longitude_0.x);
+    return ray_from_0(this_59.eye_6 + (this_59.axes_1.forward_0 * _S649 - this_59.axes_1.right_5 * _S648) * vec3<f32>(side_6), normalize_vector_0((vec3<f32>(0) - this_59.axes_1.forward_0 * _S648 + this_59.axes_1.right_5 * _S649) * vec3<f32>(height_2.x) + this_59.axes_1.up_0 * vec3<f32>(height_2.y)));
+}
+
+struct Fisheye_0
+{
+     eye_8 : vec3<f32>,
+     axes_3 : Axes_0,
+     middle_1 : vec2<f32>,
+     turns_per_pixel_0 : f32,
+};
+
+fn Fisheye_x24init_0( eye_9 : vec3<f32>,  axes_4 : Axes_0,  middle_2 : vec2<f32>,  turns_per_pixel_1 : f32) -> Fisheye_0
+{
+    var _S650 : Fisheye_0;
+    _S650.eye_8 = eye_9;
+    _S650.axes_3 = axes_4;
+    _S650.middle_1 = middle_2;
+    _S650.turns_per_pixel_0 = turns_per_pixel_1;
+    return _S650;
+}
+
+fn Fisheye_ray_0( this_60 : Fisheye_0,  position_6 : vec2<f32>,  lens_7 : vec2<f32>) -> Ray_0
+{
+    var x_10 : f32 = position_6.x - this_60.middle_1.x;
+    var y_5 : f32 = position_6.y - this_60.middle_1.y;
+    var radius_7 : f32 = square_root_0(x_10 * x_10 + y_5 * y_5);
+    var sin_cos_5 : vec2<f32> = sincos_turns_0(min(radius_7 * this_60.turns_per_pixel_0, 1.0f));
+    var scale_0 : f32;
+    if(radius_7 > 0.0f)
+    {
+        scale_0 = divide_0(sin_cos_5.x, radius_7);
+    }
+    else
+    {
+        scale_0 = 0.0f;
+    }
+    return ray_from_0(this_60.eye_8, normalize_vector_0(this_60.axes_3.forward_0 * vec3<f32>(sin_cos_5.y) + this_60.axes_3.right_5 * vec3<f32>((x_10 * scale_0)) - this_60.axes_3.up_0 * vec3<f32>((y_5 * scale_0))));
+}
+
+fn Perspective_ray_0( this_61 : Perspective_0,  position_7 : vec2<f32>,  lens_8 : vec2<f32>) -> Ray_0
+{
+    return ray_from_0(this_61.eye_4, normalize_vector_0(this_61.corner_4 + this_61.pixel_x_3 * vec3<f32>(position_7.x) + this_61.pixel_y_3 * vec3<f32>(position_7.y)));
+}
+
+fn CameraFrame_ray_0( this_62 : CameraFrame_0,  position_8 : vec2<f32>,  lens_sample_0 : vec2<f32>) -> Ray_0
+{
+    var perspective_2 : Perspective_0 = Perspective_x24init_0(this_62.eye_2, this_62.corner_2, this_62.pixel_x_1, this_62.pixel_y_1);
+    var axes_5 : Axes_0 = Axes_x24init_0(this_62.corner_2, this_62.pixel_x_1, this_62.pixel_y_1);
+    switch(this_62.lens_1)
+    {
+    case u32(1):
+        {
+            return ThinLens_ray_0(ThinLens_x24init_0(perspective_2, this_62.lens_x_1, this_62.lens_y_1, this_62.blades_1), position_8, lens_sample_0);
+        }
+    case u32(2):
+        {
+            return Orthographic_ray_0(Orthographic_x24init_0(this_62.corner_2, this_62.pixel_x_1, this_62.pixel_y_1, this_62.lens_x_1), position_8, lens_sample_0);
+        }
+    case u32(3):
+        {
+            return Panorama_ray_0(Panorama_x24init_0(this_62.eye_2, axes_5, this_62.lens_x_1.xy, this_62.lens_x_1.z), position_8, lens_sample_0);
+        }
+    case u32(4):
+        {
+            return Fisheye_ray_0(Fisheye_x24init_0(this_62.eye_2, axes_5, this_62.lens_x_1.xy, this_62.lens_x_1.z), position_8, lens_sample_0);
+        }
+    default :
+        {
+            return Perspective_ray_0(perspective_2, position_8, lens_sample_0);
+        }
+    }
+}
+
+fn camera_ray_1( pixel_2 : vec2<u32>,  camera_0 : CameraFrame_0,  sampler_4 : Sampler_0) -> Ray_0
+{
+    var jitter_0 : vec4<f32> = PathTracingOf_jitter_0(sampler_4);
+    return CameraFrame_ray_0(camera_0, vec2<f32>(pixel_2) + jitter_0.xy, jitter_0.zw);
+}
+
+fn WalkTracer_trace_0( ray_29 : ptr<function, Ray_0>,  is_any_enough_2 : bool) -> Hit_0
+{
+    var _S651 : Hit_0 = visit_0(&((*ray_29)), is_any_enough_2, u32(0));
+    return _S651;
+}
+
+fn WalkTracer_trace_1( ray_30 : ptr<function, Ray_0>,  is_any_enough_3 : bool) -> Hit_0
+{
+    var _S652 : Hit_0 = visit_1(&((*ray_30)), is_any_enough_3, u32(0));
+    return _S652;
+}
+
+fn set_scratch_row_0( row_4 : u32,  index_28 : u32,  value_3 : vec2<u32>)
+{
+    scratch_0[row_4 * real_time_0.slots_0 + index_28] = value_3;
+    return;
+}
+
+fn set_words_0( slot_3 : u32,  words_3 : vec3<u32>)
+{
+    scratch_0[u32(8) * real_time_0.slots_0 + slot_3][i32(1)] = words_3.x;
+    set_scratch_row_0(u32(9), slot_3, words_3.yz);
+    return;
+}
+
+fn set_end_word_0( slot_4 : u32,  word_9 : u32)
+{
+    scratch_0[u32(4) * real_time_0.slots_0 + slot_4][i32(0)] = word_9;
+    return;
+}
+
+fn keep_hit_0( slot_5 : u32,  hit_24 : Hit_0)
+{
+    set_words_0(slot_5, vec3<u32>(hit_24.voxel_0));
+    set_end_word_0(slot_5, hit_24.instance_0);
+    return;
+}
+
+fn FrameParams_camera_0() -> CameraFrame_0
+{
+    return CameraFrame_x24init_0(LENS_0, params_0.eye_1, params_0.corner_0, params_0.pixel_x_0, params_0.pixel_y_0, params_0.lens_x_0, params_0.lens_y_0, params_0.blades_0);
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn trace_camera(@builtin(global_invocation_id) id_0 : vec3<u32>)
+{
+    is_page_missing_0 = false;
+    first_candidates_0 = u32(1);
+    ends_here_0 = false;
+    var item_1 : Item_0 = item_of_0(real_time_0.cells_0 + id_0.x);
+    if(item_1.traces_0)
+    {
+        var ray_31 : Ray_0 = camera_ray_1(item_1.at_12, FrameParams_camera_0(), item_1.sampler_2);
+        var _S653 : Hit_0 = WalkTracer_trace_1(&(ray_31), false);
+        keep_hit_0(item_1.slot_1, _S653);
+    }
+    return;
+}
+
+fn Sample_x24init_0( direct_1 : vec3<f32>,  light_14 : vec3<f32>,  is_shown_1 : bool,  albedo_1 : vec3<f32>,  normal_5 : vec3<f32>,  place_9 : vec3<f32>,  instance_14 : u32) -> Sample_0
+{
+    var _S654 : Sample_0;
+    _S654.direct_0 = direct_1;
+    _S654.light_9 = light_14;
+    _S654.is_shown_0 = is_shown_1;
+    _S654.albedo_0 = albedo_1;
+    _S654.normal_4 = normal_5;
+    _S654.place_4 = place_9;
+    _S654.instance_11 = instance_14;
+    return _S654;
+}
+
+fn no_sample_0() -> Sample_0
+{
+    var _S655 : vec3<f32> = vec3<f32>(0.0f);
+    return Sample_x24init_0(_S655, _S655, false, _S655, _S655, _S655, u32(4294967295));
+}
+
+fn Item_is_cell_0( this_63 : Item_0) -> bool
+{
+    return (this_63.kind_2) == u32(0);
+}
+
+fn Key_voxel_0( this_64 : Key_0,  code_5 : u32,  scramble_0 : u32) -> vec3<i32>
+{
+    var _S656 : u32 = Key_level_0(this_64);
+    var bits_4 : u32 = ((u32(1) << (_S656))) - u32(1);
+    var place_10 : u32 = ((code_5 - u32(1)) ^ (((scramble_0 & ((Key_mask_0(this_64)))))));
+    return (((this_64.cube_0) << (vec3<u32>(u32(i32(_S656)))))) + vec3<i32>(i32((place_10 & (bits_4))), i32((((place_10 >> (_S656))) & (bits_4))), i32((((place_10 >> ((u32(2) * _S656)))) & (bits_4))));
+}
+
+fn Path_x24init_0( sampler_5 : Sampler_0,  bounce_4 : u32,  event_2 : u32,  kinds_1 : u32,  scattered_5 : u32,  beta_1 : vec3<f32>,  pdf_14 : f32,  normal_6 : vec3<f32>,  selection_5 : Selection_0,  passed_t_1 : f32,  inside_8 : Inside_0,  is_clipped_1 : bool) -> Path_0
+{
+    var _S657 : Path_0;
+    _S657.sampler_0 = sampler_5;
+    _S657.bounce_0 = bounce_4;
+    _S657.event_0 = event_2;
+    _S657.kinds_0 = kinds_1;
+    _S657.scattered_0 = scattered_5;
+    _S657.beta_0 = beta_1;
+    _S657.pdf_1 = pdf_14;
+    _S657.normal_0 = normal_6;
+    _S657.selection_0 = selection_5;
+    _S657.passed_t_0 = passed_t_1;
+    _S657.inside_0 = inside_8;
+    _S657.is_clipped_0 = is_clipped_1;
+    return _S657;
+}
+
+fn path_from_0( sampler_6 : Sampler_0) -> Path_0
+{
+    return Path_x24init_0(sampler_6, u32(0), u32(0), u32(0), u32(0), vec3<f32>(1.0f), 0.0f, vec3<f32>(0.0f), Selection_x24init_0(0.0f, 0.0f, 0.0f), 0.0f, in_air_0(), true);
+}
+
+fn orthonormal_pair_0( z_1 : vec3<f32>,  x_11 : ptr<function, vec3<f32>>,  y_6 : ptr<function, vec3<f32>>)
+{
+    var _S658 : f32 = z_1.z;
+    var sign_1 : f32;
+    if(_S658 < 0.0f)
+    {
+        sign_1 = -1.0f;
+    }
+    else
+    {
+        sign_1 = 1.0f;
+    }
+    var a_9 : f32 = divide_0(-1.0f, sign_1 + _S658);
+    var _S659 : f32 = z_1.x;
+    var _S660 : f32 = z_1.y;
+    var b_9 : f32 = _S659 * _S660 * a_9;
+    (*x_11) = vec3<f32>(1.0f + sign_1 * _S659 * _S659 * a_9, sign_1 * b_9, - sign_1 * _S659);
+    (*y_6) = vec3<f32>(b_9, sign_1 + _S660 * _S660 * a_9, - _S660);
+    return;
+}
+
+fn direction_from_cell_0( sampler_7 : Sampler_0,  normal_7 : vec3<f32>,  pdf_15 : ptr<function, f32>) -> vec3<f32>
+{
+    var u_30 : vec4<f32> = Sampler_independent_0(sampler_7, u32(0));
+    var x_12 : vec3<f32>;
+    var y_7 : vec3<f32>;
+    orthonormal_pair_0(normal_7, &(x_12), &(y_7));
+    var local_5 : vec3<f32> = cosine_hemisphere_0(u_30.z, u_30.w);
+    var _S661 : f32 = local_5.z;
+    (*pdf_15) = cosine_hemisphere_pdf_0(_S661);
+    return x_12 * vec3<f32>(local_5.x) + y_7 * vec3<f32>(local_5.y) + normal_7 * vec3<f32>(_S661);
+}
+
+fn direction_from_cell_1( sampler_8 : Sampler_0,  normal_8 : vec3<f32>,  pdf_16 : ptr<function, f32>) -> vec3<f32>
+{
+    var u_31 : vec4<f32> = Sampler_independent_0(sampler_8, u32(0));
+    var x_13 : vec3<f32>;
+    var y_8 : vec3<f32>;
+    orthonormal_pair_0(normal_8, &(x_13), &(y_8));
+    var local_6 : vec3<f32> = cosine_hemisphere_0(u_31.z, u_31.w);
+    var _S662 : f32 = local_6.z;
+    (*pdf_16) = cosine_hemisphere_pdf_0(_S662);
+    return x_13 * vec3<f32>(local_6.x) + y_8 * vec3<f32>(local_6.y) + normal_8 * vec3<f32>(_S662);
+}
+
+fn Surface_x24init_0( origin_13 : vec3<f32>,  normal_9 : vec3<f32>,  face_10 : u32,  instance_15 : u32) -> Surface_0
+{
+    var _S663 : Surface_0;
+    _S663.origin_9 = origin_13;
+    _S663.normal_2 = normal_9;
+    _S663.face_2 = face_10;
+    _S663.instance_8 = instance_15;
+    return _S663;
+}
+
+fn Walker_x24init_0( path_14 : Path_0,  ray_32 : Ray_0,  is_shadow_ray_1 : bool,  light_15 : vec3<f32>,  direction_31 : vec3<f32>,  path_origin_3 : vec3<f32>,  shadow_inside_3 : Inside_0,  boundaries_1 : u32,  relocates_3 : bool,  path_relocates_3 : bool,  camera_ray_2 : Ray_0,  way_7 : f32,  has_shown_1 : bool,  asks_cache_1 : bool,  life_3 : u32,  is_at_cell_1 : bool) -> Walker_0
+{
+    var _S664 : Walker_0;
+    _S664.path_9 = path_14;
+    _S664.ray_21 = ray_32;
+    _S664.is_shadow_ray_0 = is_shadow_ray_1;
+    _S664.light_8 = light_15;
+    _S664.direction_29 = direction_31;
+    _S664.path_origin_2 = path_origin_3;
+    _S664.shadow_inside_2 = shadow_inside_3;
+    _S664.boundaries_0 = boundaries_1;
+    _S664.relocates_2 = relocates_3;
+    _S664.path_relocates_2 = path_relocates_3;
+    _S664.camera_ray_0 = camera_ray_2;
+    _S664.way_6 = way_7;
+    _S664.has_shown_0 = has_shown_1;
+    _S664.asks_cache_0 = asks_cache_1;
+    _S664.life_0 = life_3;
+    _S664.is_at_cell_0 = is_at_cell_1;
+    return _S664;
+}
+
+fn at_cell_0( key_5 : Key_0,  rank_7 : u32,  sampler_9 : Sampler_0) -> Walker_0
+{
+    var face_11 : u32 = ((key_5.face_and_level_0) & (u32(7)));
+    var axis_8 : u32 = (face_11 >> (u32(1)));
+    var u_32 : vec4<f32> = Sampler_independent_0(sampler_9, u32(0));
+    var _S665 : vec3<f32> = vec3<f32>(Key_voxel_0(key_5, (rank_7 & (u32(1048575))), scramble_of_0(real_time_0.number_0 - u32(1))));
+    var on_face_2 : vec3<f32>;
+    if(axis_8 == u32(0))
+    {
+        on_face_2 = vec3<f32>(0.0f, u_32.x, u_32.y);
+    }
+    else
+    {
+        if(axis_8 == u32(1))
+        {
+            on_face_2 = vec3<f32>(u_32.y, 0.0f, u_32.x);
+        }
+        else
+        {
+            on_face_2 = vec3<f32>(u_32.x, u_32.y, 0.0f);
+        }
+    }
+    var _S666 : vec3<f32> = Transform_point_1(key_5.instance_12, offset_ray_origin_0(vector_of_0(instances_0[key_5.instance_12].grid_from_world_0.translation_0), _S665, face_11, _S665 + on_face_2));
+    var _S667 : vec3<f32> = world_normal_0(key_5.instance_12, face_11);
+    var path_15 : Path_0 = path_from_0(sampler_9);
+    var _S668 : f32 = path_15.pdf_1;
+    var direction_32 : vec3<f32> = direction_from_cell_0(sampler_9, _S667, &(_S668));
+    path_15.pdf_1 = _S668;
+    var receiver_29 : Receiver_0 = Receiver_x24init_0(_S666, _S667);
+    path_15.selection_0 = Lights_selection_0(receiver_29);
+    path_15.normal_0 = _S667;
+    var surface_6 : Surface_0 = Surface_x24init_0(_S666, _S667, face_11, key_5.instance_12);
+    var white_0 : MaterialBsdf_0;
+    white_0.kind_0 = u32(0);
+    white_0.color_0 = vec3<f32>(1.0f);
+    white_0.specular_0 = 0.0f;
+    white_0.eta_0 = 1.0f;
+    white_0.facets_0.alpha_0 = 1.0f;
+    scatter_of_path_0 = Scatter_x24init_0(path_15, receiver_29, surface_6, white_0, vec3<f32>(0.0f, 0.0f, 1.0f), 1.0f, false, true);
+    var ray_33 : Ray_0 = ray_from_0(_S666, direction_32);
+    return Walker_x24init_0(path_15, ray_33, false, vec3<f32>(0.0f), direction_32, _S666, in_air_0(), u32(0), false, false, ray_33, 0.0f, true, true, max((rank_7 >> (u32(20))), u32(1)) - u32(1), true);
+}
+
+fn camera_before_0() -> CameraFrame_0
+{
+    return CameraFrame_x24init_0(LENS_0, real_time_0.before_eye_0, real_time_0.before_corner_0, real_time_0.before_pixel_x_0, real_time_0.before_pixel_y_0, real_time_0.before_lens_x_0, real_time_0.before_lens_y_0, real_time_0.before_blades_0);
+}
+
+fn Item_asks_cache_0( this_65 : Item_0) -> bool
+{
+    var _S669 : bool;
+    if(Item_is_cell_0(this_65))
+    {
+        _S669 = true;
+    }
+    else
+    {
+        if((this_65.kind_2) == u32(1))
+        {
+            _S669 = has_0(u32(1));
+        }
+        else
+        {
+            _S669 = false;
+        }
+    }
+    return _S669;
+}
+
+fn at_camera_0( pixel_3 : vec2<u32>,  camera_1 : CameraFrame_0,  sampler_10 : Sampler_0,  asks_cache_2 : bool) -> Walker_0
+{
+    var ray_34 : Ray_0 = camera_ray_1(pixel_3, camera_1, sampler_10);
+    var _S670 : vec3<f32> = vec3<f32>(0.0f);
+    return Walker_x24init_0(path_from_0(sampler_10), ray_34, false, _S670, _S670, _S670, in_air_0(), u32(0), true, true, ray_34, 0.0f, false, asks_cache_2, u32(10), false);
+}
+
+fn Item_start_0( this_66 : Item_0) -> Walker_0
+{
+    if(Item_is_cell_0(this_66))
+    {
+        var rank_8 : u32;
+        var key_6 : Key_0 = Item_key_1(this_66, &(rank_8));
+        var _S671 : Walker_0 = at_cell_0(key_6, rank_8, this_66.sampler_2);
+        return _S671;
+    }
+    var _S672 : CameraFrame_0 = FrameParams_camera_0();
+    var camera_2 : CameraFrame_0;
+    if((this_66.kind_2) == u32(3))
+    {
+        camera_2 = camera_before_0();
+    }
+    else
+    {
+        camera_2 = _S672;
+    }
+    return at_camera_0(this_66.at_12, camera_2, this_66.sampler_2, Item_asks_cache_0(this_66));
+}
+
+fn scratch_row_0( row_5 : u32,  index_29 : u32) -> vec2<u32>
+{
+    return scratch_0[row_5 * real_time_0.slots_0 + index_29];
+}
+
+fn end_word_0( slot_6 : u32) -> u32
+{
+    return scratch_row_0(u32(4), slot_6).x;
+}
+
+fn words_in_0( slot_7 : u32) -> vec3<u32>
+{
+    return vec3<u32>(scratch_row_0(u32(8), slot_7).y, scratch_row_0(u32(9), slot_7));
+}
+
+fn hit_in_slot_0( slot_8 : u32,  ray_35 : Ray_0) -> Hit_0
+{
+    var instance_16 : u32 = end_word_0(slot_8);
+    if(instance_16 == u32(4294967295))
+    {
+        return miss_0();
+    }
+    return hit_of_0(local_ray_0(ray_35, instance_16), vec3<i32>(words_in_0(slot_8)), instance_16);
+}
+
+struct Slot_0
+{
+     item_2 : Item_0,
+     own_3 : u32,
+     lent_0 : u32,
+};
+
+fn Slot_x24init_0( item_3 : Item_0,  own_4 : u32,  lent_1 : u32) -> Slot_0
+{
+    var _S673 : Slot_0;
+    _S673.item_2 = item_3;
+    _S673.own_3 = own_4;
+    _S673.lent_0 = lent_1;
+    return _S673;
+}
+
+fn asks_2( path_16 : Path_0,  ray_36 : Ray_0,  hit_25 : Hit_0,  beyond_13 : u32,  life_4 : u32,  light_16 : ptr<function, vec3<f32>>) -> bool
+{
+    (*light_16) = vec3<f32>(0.0f);
+    var _S674 : bool;
+    if(Hit_is_miss_0(hit_25))
+    {
+        _S674 = true;
+    }
+    else
+    {
+        _S674 = Inside_is_in_0(path_16.inside_0);
+    }
+    if(_S674)
+    {
+        return false;
+    }
+    var material_18 : PackedMaterial_0 = material_met_0(path_16, hit_25, beyond_13);
+    if((material_18.metallic_0) > 0.0f)
+    {
+        _S674 = true;
+    }
+    else
+    {
+        _S674 = (material_18.transmission_0) > 0.0f;
+    }
+    if(_S674)
+    {
+        return false;
+    }
+    var code_6 : u32;
+    var key_7 : Key_0 = key_of_1(hit_25, square_root_0(length_squared_0(ray_36.origin_1 + ray_36.direction_0 * vec3<f32>(hit_25.t_0) - real_time_0.eye_0)) * real_time_0.view_angle_0 * 0.05882352963089943f, Sampler_independent_0(path_16.sampler_0, u32(3221225472) + Path_events_0(path_16)).x, &(code_6));
+    var least_2 : f32 = 2.0f * f32((u32(1) << ((Key_level_0(key_7)))));
+    if(life_4 == u32(0))
+    {
+        _S674 = true;
+    }
+    else
+    {
+        _S674 = (hit_25.t_0 * square_root_0(length_squared_0(ray_36.direction_0))) < least_2;
+    }
+    if(_S674)
+    {
+        return false;
+    }
+    var known_3 : vec4<f32> = ask_cell_0(key_7, ((((min(life_4, u32(10))) << (u32(20)))) | (code_6)));
+    if((known_3.w) <= 0.0f)
+    {
+        return false;
+    }
+    (*light_16) = path_16.beta_0 * vector_of_0(material_18.base_color_0) * known_3.xyz;
+    return true;
+}
+
+fn packed_normal_0( normal_10 : vec3<f32>) -> u32
+{
+    var _S675 : vec3<i32> = vec3<i32>(floor(clamp(normal_10, vec3<f32>(-1.0f), vec3<f32>(1.0f)) * vec3<f32>(511.0f) + vec3<f32>(0.5f)));
+    return (((((u32(_S675.x) & (u32(1023)))) | (((((u32(_S675.y) & (u32(1023)))) << (u32(10))))))) | (((((u32(_S675.z) & (u32(1023)))) << (u32(20))))));
+}
+
+fn store_sample_0( index_30 : u32,  sample_23 : Sample_0)
+{
+    var _S676 : u32 = packed_normal_0(sample_23.normal_4);
+    var _S677 : u32;
+    if(sample_23.is_shown_0)
+    {
+        _S677 = u32(1073741824);
+    }
+    else
+    {
+        _S677 = u32(0);
+    }
+    var normal_11 : u32 = (_S676 | (_S677));
+    set_scratch_row_0(u32(0), index_30, (bitcast<vec2<u32>>((sample_23.light_9.xy))));
+    set_scratch_row_0(u32(1), index_30, vec2<u32>((bitcast<u32>((sample_23.light_9.z))), sample_23.instance_11));
+    set_scratch_row_0(u32(2), index_30, (bitcast<vec2<u32>>((sample_23.direct_0.xy))));
+    set_scratch_row_0(u32(3), index_30, (bitcast<vec2<u32>>((vec2<f32>(sample_23.direct_0.z, sample_23.place_4.x)))));
+    set_scratch_row_0(u32(4), index_30, (bitcast<vec2<u32>>((sample_23.place_4.yz))));
+    set_scratch_row_0(u32(5), index_30, (bitcast<vec2<u32>>((sample_23.albedo_0.xy))));
+    set_scratch_row_0(u32(6), index_30, vec2<u32>((bitcast<u32>((sample_23.albedo_0.z))), normal_11));
+    return;
+}
+
+fn Slot_keep_0( this_67 : Slot_0,  at_18 : Walker_0,  instance_17 : u32,  face_12 : u32)
+{
+    var word_10 : u32 = (((((instance_17 << (u32(5)))) | ((((at_18.path_9.bounce_0) << (u32(3))))))) | (face_12));
+    var _S678 : u32;
+    if(at_18.is_shadow_ray_0)
+    {
+        _S678 = (bitcast<u32>((at_18.ray_21.t_max_0)));
+    }
+    else
+    {
+        _S678 = u32(0);
+    }
+    set_scratch_row_0(u32(4), this_67.own_3, vec2<u32>(_S678, word_10));
+    set_scratch_row_0(u32(7), this_67.own_3, (bitcast<vec2<u32>>((at_18.ray_21.origin_1.xy))));
+    set_scratch_row_0(u32(8), this_67.own_3, (bitcast<vec2<u32>>((vec2<f32>(at_18.ray_21.origin_1.z, at_18.ray_21.direction_0.x)))));
+    set_scratch_row_0(u32(9), this_67.own_3, (bitcast<vec2<u32>>((at_18.ray_21.direction_0.yz))));
+    return;
+}
+
+fn Slot_keep_first_0( this_68 : Slot_0,  at_19 : Walker_0,  instance_18 : u32,  face_13 : u32,  t_18 : f32,  sample_24 : Sample_0)
+{
+    var _S679 : Sample_0 = sample_24;
+    var _S680 : vec3<f32>;
+    if(at_19.is_shadow_ray_0)
+    {
+        _S680 = at_19.light_8;
+    }
+    else
+    {
+        _S680 = vec3<f32>(0.0f);
+    }
+    _S679.light_9 = _S680;
+    _S679.albedo_0 = at_19.path_9.beta_0;
+    store_sample_0(this_68.own_3, _S679);
+    scratch_0[u32(3) * real_time_0.slots_0 + this_68.own_3][i32(1)] = (bitcast<u32>((t_18)));
+    Slot_keep_0(this_68, at_19, instance_18, face_13);
+    return;
+}
+
+fn light_on_0( sample_25 : Sample_0) -> f32
+{
+    var _S681 : f32;
+    if(sample_25.is_shown_0)
+    {
+        _S681 = luminance_0(sample_25.light_9) / (luminance_0(sample_25.albedo_0) + 0.00300000002607703f);
+    }
+    else
+    {
+        _S681 = 0.0f;
+    }
+    return _S681;
+}
+
+fn Item_end_0( this_69 : Item_0,  sample_26 : Sample_0)
+{
+    if(Item_is_cell_0(this_69))
+    {
+        set_cell_row_0(u32(3), this_69.place_6, vec4<u32>((bitcast<vec3<u32>>((sample_26.light_9))), u32(1)));
+    }
+    else
+    {
+        if((this_69.kind_2) == u32(1))
+        {
+            store_sample_0(this_69.place_6, sample_26);
+        }
+        else
+        {
+            memory_rows_0[this_69.place_6] = vec4<u32>((bitcast<vec3<u32>>((sample_26.place_4))), (bitcast<u32>((light_on_0(sample_26)))));
+        }
+    }
+    return;
+}
+
+fn set_over_0( slot_9 : u32)
+{
+    scratch_0[u32(7) * real_time_0.slots_0 + slot_9][i32(0)] = u32(4294967295);
+    return;
+}
+
+fn Slot_end_0( this_70 : Slot_0,  sample_27 : Sample_0)
+{
+    Item_end_0(this_70.item_2, sample_27);
+    set_over_0(this_70.own_3);
+    return;
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn trace_light(@builtin(global_invocation_id) id_1 : vec3<u32>)
+{
+    is_page_missing_0 = false;
+    first_candidates_0 = u32(1);
+    ends_here_0 = false;
+    var item_4 : Item_0 = item_of_0(id_1.x);
+    if(item_4.traces_0)
+    {
+        scatter_of_path_0.wants_light_0 = false;
+        first_candidates_0 = real_time_0.candidates_0;
+        var sample_28 : Sample_0 = no_sample_0();
+        var _S682 : Walker_0 = Item_start_0(item_4);
+        var at_20 : Walker_0 = _S682;
+        var _S683 : Hit_0 = miss_0();
+        var hit_26 : Hit_0;
+        var instance_19 : u32;
+        var face_14 : u32;
+        if(Item_is_cell_0(item_4))
+        {
+            var rank_9 : u32;
+            var key_8 : Key_0 = Item_key_2(item_4, &(rank_9));
+            var _S684 : u32 = ((key_8.face_and_level_0) & (u32(7)));
+            hit_26 = _S683;
+            instance_19 = key_8.instance_12;
+            face_14 = _S684;
+        }
+        else
+        {
+            var hit_27 : Hit_0 = hit_in_slot_0(item_4.slot_1, at_20.ray_21);
+            hit_26 = hit_27;
+            instance_19 = hit_27.instance_0;
+            face_14 = hit_27.face_0;
+        }
+        var _S685 : u32 = item_4.slot_1;
+        var slot_10 : Slot_0 = Slot_x24init_0(item_4, _S685, _S685);
+        var _S686 : bool = goes_on_from_1(&(at_20), hit_26, u32(4294967295), &(sample_28));
+        if(_S686)
+        {
+            Slot_keep_first_0(slot_10, at_20, instance_19, face_14, hit_26.t_0, sample_28);
+        }
+        else
+        {
+            Slot_end_0(slot_10, sample_28);
+        }
+    }
+    return;
+}
+
+fn is_over_0( slot_11 : u32) -> bool
+{
+    return (scratch_row_0(u32(7), slot_11).x) == u32(4294967295);
+}
+
+fn origin_in_0( slot_12 : u32) -> vec3<f32>
+{
+    return vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(7), slot_12)))), (bitcast<f32>((scratch_row_0(u32(8), slot_12).x))));
+}
+
+fn Slot_face_word_0( this_71 : Slot_0) -> u32
+{
+    return scratch_row_0(u32(4), this_71.own_3).y;
+}
+
+fn Slot_bounce_0( this_72 : Slot_0) -> u32
+{
+    return ((((Slot_face_word_0(this_72)) >> (u32(3)))) & (u32(3)));
+}
+
+fn Slot_instance_0( this_73 : Slot_0) -> u32
+{
+    return ((Slot_face_word_0(this_73)) >> (u32(5)));
+}
+
+fn Slot_face_0( this_74 : Slot_0) -> u32
+{
+    return ((Slot_face_word_0(this_74)) & (u32(7)));
+}
+
+fn Slot_ray_0( this_75 : Slot_0,  pdf_17 : ptr<function, f32>) -> Ray_0
+{
+    var _S687 : bool;
+    if(Item_is_cell_0(this_75.item_2))
+    {
+        _S687 = (Slot_bounce_0(this_75)) == u32(1);
+    }
+    else
+    {
+        _S687 = false;
+    }
+    var direction_33 : vec3<f32>;
+    if(_S687)
+    {
+        var _S688 : vec3<f32> = direction_from_cell_1(this_75.item_2.sampler_2, world_normal_0(Slot_instance_0(this_75), Slot_face_0(this_75)), &((*pdf_17)));
+        direction_33 = _S688;
+    }
+    else
+    {
+        var surface_7 : Surface_0;
+        surface_7.face_2 = Slot_face_0(this_75);
+        surface_7.instance_8 = Slot_instance_0(this_75);
+        var u_33 : vec4<f32> = Sampler_stratified_0(this_75.item_2.sampler_2, u32(2) * Slot_bounce_0(this_75) - u32(1));
+        var wi_8 : vec3<f32> = cosine_hemisphere_0(u_33.x, u_33.y);
+        (*pdf_17) = cosine_hemisphere_pdf_0(wi_8.z);
+        direction_33 = Surface_world_direction_0(surface_7, wi_8);
+    }
+    return ray_from_0(origin_in_0(this_75.own_3), direction_33);
+}
+
+fn Slot_ray_1( this_76 : Slot_0,  pdf_18 : ptr<function, f32>) -> Ray_0
+{
+    var _S689 : bool;
+    if(Item_is_cell_0(this_76.item_2))
+    {
+        _S689 = (Slot_bounce_0(this_76)) == u32(1);
+    }
+    else
+    {
+        _S689 = false;
+    }
+    var direction_34 : vec3<f32>;
+    if(_S689)
+    {
+        var _S690 : vec3<f32> = direction_from_cell_1(this_76.item_2.sampler_2, world_normal_0(Slot_instance_0(this_76), Slot_face_0(this_76)), &((*pdf_18)));
+        direction_34 = _S690;
+    }
+    else
+    {
+        var surface_8 : Surface_0;
+        surface_8.face_2 = Slot_face_0(this_76);
+        surface_8.instance_8 = Slot_instance_0(this_76);
+        var u_34 : vec4<f32> = Sampler_stratified_0(this_76.item_2.sampler_2, u32(2) * Slot_bounce_0(this_76) - u32(1));
+        var wi_9 : vec3<f32> = cosine_hemisphere_0(u_34.x, u_34.y);
+        (*pdf_18) = cosine_hemisphere_pdf_0(wi_9.z);
+        direction_34 = Surface_world_direction_0(surface_8, wi_9);
+    }
+    return ray_from_0(origin_in_0(this_76.own_3), direction_34);
+}
+
+fn Slot_darken_0( this_77 : Slot_0)
+{
+    if((Slot_bounce_0(this_77)) == u32(1))
+    {
+        set_scratch_row_0(u32(0), this_77.own_3, vec2<u32>(vec2<i32>(i32(0))));
+        scratch_0[real_time_0.slots_0 + this_77.own_3][i32(0)] = u32(0);
+    }
+    else
+    {
+        scratch_0[u32(8) * real_time_0.slots_0 + this_77.lent_0][i32(1)] = u32(0);
+        set_scratch_row_0(u32(9), this_77.lent_0, vec2<u32>(vec2<i32>(i32(0))));
+    }
+    return;
+}
+
+fn Slot_walk_0( this_78 : Slot_0)
+{
+    var end_6 : u32 = end_word_0(this_78.own_3);
+    var pdf_19 : f32;
+    var ray_37 : Ray_0 = Ray_x24init_0(origin_in_0(this_78.own_3), 0.0f, (bitcast<vec3<f32>>((words_in_0(this_78.own_3)))), (bitcast<f32>((end_6))));
+    var _S691 : i32;
+    if(end_6 == u32(0))
+    {
+        _S691 = i32(1);
+    }
+    else
+    {
+        _S691 = i32(0);
+    }
+    var turn_0 : u32 = u32(_S691);
+    for(;;)
+    {
+        if(turn_0 < u32(2))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S692 : bool = turn_0 == u32(1);
+        if(_S692)
+        {
+            ray_37 = Slot_ray_0(this_78, &(pdf_19));
+        }
+        var _S693 : Hit_0 = WalkTracer_trace_0(&(ray_37), turn_0 == u32(0));
+        if(_S692)
+        {
+            keep_hit_0(this_78.own_3, _S693);
+        }
+        else
+        {
+            if(!Hit_is_miss_0(_S693))
+            {
+                Slot_darken_0(this_78);
+            }
+        }
+        turn_0 = turn_0 + u32(1);
+    }
+    return;
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn trace_rays(@builtin(global_invocation_id) id_2 : vec3<u32>)
+{
+    is_page_missing_0 = false;
+    first_candidates_0 = u32(1);
+    ends_here_0 = false;
+    var slot_13 : Slot_0;
+    var _S694 : Item_0 = item_of_0(id_2.x);
+    slot_13.item_2 = _S694;
+    slot_13.own_3 = slot_13.item_2.slot_1;
+    slot_13.lent_0 = slot_13.item_2.slot_1;
+    var _S695 : bool;
+    if(slot_13.item_2.traces_0)
+    {
+        _S695 = !is_over_0(slot_13.own_3);
+    }
+    else
+    {
+        _S695 = false;
+    }
+    if(_S695)
+    {
+        Slot_walk_0(slot_13);
+    }
+    return;
+}
+
+fn normal_in_0( word_11 : u32) -> vec3<f32>
+{
+    return vec3<f32>(vec3<i32>((i32((word_11 << (u32(22)))) >> (u32(22))), (i32((word_11 << (u32(12)))) >> (u32(22))), (i32((word_11 << (u32(2)))) >> (u32(22))))) * vec3<f32>(0.00195694714784622f);
+}
+
+fn load_sample_0( index_31 : u32) -> Sample_0
+{
+    var b_10 : vec2<u32> = scratch_row_0(u32(1), index_31);
+    var d_4 : vec2<f32> = (bitcast<vec2<f32>>((scratch_row_0(u32(3), index_31))));
+    var g_0 : vec2<u32> = scratch_row_0(u32(6), index_31);
+    var sample_29 : Sample_0;
+    sample_29.light_9 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(0), index_31)))), (bitcast<f32>((b_10.x))));
+    sample_29.instance_11 = b_10.y;
+    sample_29.direct_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(2), index_31)))), d_4.x);
+    sample_29.place_4 = vec3<f32>(d_4.y, (bitcast<vec2<f32>>((scratch_row_0(u32(4), index_31)))));
+    sample_29.albedo_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(5), index_31)))), (bitcast<f32>((g_0.x))));
+    var _S696 : u32 = g_0.y;
+    sample_29.normal_4 = normal_in_0(_S696);
+    sample_29.is_shown_0 = ((_S696 & (u32(1073741824)))) != u32(0);
+    return sample_29;
+}
+
+fn Slot_walker_0( this_79 : Slot_0,  sample_30 : ptr<function, Sample_0>) -> Walker_0
+{
+    (*sample_30) = load_sample_0(this_79.own_3);
+    var bounce_5 : u32 = Slot_bounce_0(this_79);
+    var at_21 : Walker_0;
+    at_21.path_9 = path_from_0(this_79.item_2.sampler_2);
+    at_21.path_9.bounce_0 = bounce_5;
+    at_21.path_9.event_0 = bounce_5;
+    at_21.path_9.scattered_0 = bounce_5;
+    at_21.path_9.beta_0 = (*sample_30).albedo_0;
+    if(bounce_5 > u32(1))
+    {
+        at_21.path_9.beta_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(7), this_79.lent_0)))), (bitcast<f32>((scratch_row_0(u32(8), this_79.lent_0).x))));
+        (*sample_30).light_9 = (*sample_30).light_9 + vec3<f32>((bitcast<f32>((scratch_row_0(u32(8), this_79.lent_0).y))), (bitcast<vec2<f32>>((scratch_row_0(u32(9), this_79.lent_0)))));
+    }
+    var _S697 : f32 = at_21.path_9.pdf_1;
+    var _S698 : Ray_0 = Slot_ray_1(this_79, &(_S697));
+    at_21.path_9.pdf_1 = _S697;
+    at_21.ray_21 = _S698;
+    at_21.path_9.normal_0 = world_normal_0(Slot_instance_0(this_79), Slot_face_0(this_79));
+    at_21.is_shadow_ray_0 = false;
+    at_21.light_8 = vec3<f32>(0.0f);
+    at_21.direction_29 = at_21.ray_21.direction_0;
+    at_21.path_origin_2 = at_21.ray_21.origin_1;
+    at_21.shadow_inside_2 = in_air_0();
+    at_21.boundaries_0 = u32(0);
+    at_21.relocates_2 = false;
+    at_21.path_relocates_2 = false;
+    at_21.camera_ray_0 = _S698;
+    at_21.way_6 = 0.0f;
+    at_21.has_shown_0 = true;
+    at_21.asks_cache_0 = Item_asks_cache_0(this_79.item_2);
+    at_21.life_0 = u32(10);
+    at_21.is_at_cell_0 = false;
+    if(Item_is_cell_0(this_79.item_2))
+    {
+        var rank_10 : u32;
+        var _S699 : Key_0 = Item_key_2(this_79.item_2, &(rank_10));
+        at_21.life_0 = max((rank_10 >> (u32(20))), u32(1)) - u32(1);
+    }
+    else
+    {
+        var ray_38 : Ray_0 = camera_ray_1(this_79.item_2.at_12, FrameParams_camera_0(), this_79.item_2.sampler_2);
+        (*sample_30).place_4 = ray_38.origin_1 + ray_38.direction_0 * vec3<f32>((bitcast<f32>((scratch_row_0(u32(3), this_79.own_3).y))));
+    }
+    return at_21;
+}
+
+fn Slot_walker_1( this_80 : Slot_0,  sample_31 : ptr<function, Sample_0>) -> Walker_0
+{
+    (*sample_31) = load_sample_0(this_80.own_3);
+    var bounce_6 : u32 = Slot_bounce_0(this_80);
+    var at_22 : Walker_0;
+    at_22.path_9 = path_from_0(this_80.item_2.sampler_2);
+    at_22.path_9.bounce_0 = bounce_6;
+    at_22.path_9.event_0 = bounce_6;
+    at_22.path_9.scattered_0 = bounce_6;
+    at_22.path_9.beta_0 = (*sample_31).albedo_0;
+    if(bounce_6 > u32(1))
+    {
+        at_22.path_9.beta_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(7), this_80.lent_0)))), (bitcast<f32>((scratch_row_0(u32(8), this_80.lent_0).x))));
+        (*sample_31).light_9 = (*sample_31).light_9 + vec3<f32>((bitcast<f32>((scratch_row_0(u32(8), this_80.lent_0).y))), (bitcast<vec2<f32>>((scratch_row_0(u32(9), this_80.lent_0)))));
+    }
+    var _S700 : f32 = at_22.path_9.pdf_1;
+    var _S701 : Ray_0 = Slot_ray_1(this_80, &(_S700));
+    at_22.path_9.pdf_1 = _S700;
+    at_22.ray_21 = _S701;
+    at_22.path_9.normal_0 = world_normal_0(Slot_instance_0(this_80), Slot_face_0(this_80));
+    at_22.is_shadow_ray_0 = false;
+    at_22.light_8 = vec3<f32>(0.0f);
+    at_22.direction_29 = at_22.ray_21.direction_0;
+    at_22.path_origin_2 = at_22.ray_21.origin_1;
+    at_22.shadow_inside_2 = in_air_0();
+    at_22.boundaries_0 = u32(0);
+    at_22.relocates_2 = false;
+    at_22.path_relocates_2 = false;
+    at_22.camera_ray_0 = _S701;
+    at_22.way_6 = 0.0f;
+    at_22.has_shown_0 = true;
+    at_22.asks_cache_0 = Item_asks_cache_0(this_80.item_2);
+    at_22.life_0 = u32(10);
+    at_22.is_at_cell_0 = false;
+    if(Item_is_cell_0(this_80.item_2))
+    {
+        var rank_11 : u32;
+        var _S702 : Key_0 = Item_key_2(this_80.item_2, &(rank_11));
+        at_22.life_0 = max((rank_11 >> (u32(20))), u32(1)) - u32(1);
+    }
+    else
+    {
+        var ray_39 : Ray_0 = camera_ray_1(this_80.item_2.at_12, FrameParams_camera_0(), this_80.item_2.sampler_2);
+        (*sample_31).place_4 = ray_39.origin_1 + ray_39.direction_0 * vec3<f32>((bitcast<f32>((scratch_row_0(u32(3), this_80.own_3).y))));
+    }
+    return at_22;
+}
+
+fn goes_on_from_second_0( slot_14 : Slot_0) -> bool
+{
+    var sample_32 : Sample_0;
+    var _S703 : Walker_0 = Slot_walker_0(slot_14, &(sample_32));
+    var at_23 : Walker_0 = _S703;
+    var hit_28 : Hit_0 = hit_in_slot_0(slot_14.own_3, at_23.ray_21);
+    var _S704 : vec3<f32> = vec3<f32>(0.0f);
+    var cached_2 : vec3<f32> = _S704;
+    var is_known_0 : bool;
+    if(at_23.asks_cache_0)
+    {
+        var _S705 : bool = asks_2(at_23.path_9, at_23.ray_21, hit_28, u32(4294967295), at_23.life_0, &(cached_2));
+        is_known_0 = _S705;
+    }
+    else
+    {
+        is_known_0 = false;
+    }
+    if(!is_known_0)
+    {
+        is_known_0 = !Hit_is_miss_0(hit_28);
+    }
+    else
+    {
+        is_known_0 = false;
+    }
+    if(is_known_0)
+    {
+        is_known_0 = (at_23.path_9.bounce_0) < (params_0.max_bounces_0);
+    }
+    else
+    {
+        is_known_0 = false;
+    }
+    if(is_known_0)
+    {
+        return true;
+    }
+    ends_here_0 = true;
+    var emitted_5 : vec3<f32> = _S704;
+    var _S706 : Path_0 = at_23.path_9;
+    var _S707 : NextRays_0 = PathTracingOf_advance_1(&(_S706), at_23.ray_21, hit_28, u32(4294967295), &(emitted_5));
+    at_23.path_9 = _S706;
+    sample_32.light_9 = sample_32.light_9 + (cached_2 + emitted_5);
+    Slot_end_0(slot_14, sample_32);
+    return false;
+}
+
+var<workgroup> appended_0 : array<atomic<u32>, i32(2)>;
+
+var<workgroup> first_appended_0 : array<u32, i32(2)>;
+
+fn append_0( thread_2 : u32,  item_5 : u32,  of_0 : Item_0,  goes_on_6 : bool)
+{
+    var _S708 : bool = thread_2 < u32(2);
+    if(_S708)
+    {
+        atomicStore(&(appended_0[thread_2]), u32(0));
+    }
+    workgroupBarrier();
+    var _S709 : i32;
+    if(goes_on_6)
+    {
+        _S709 = i32(0);
+    }
+    else
+    {
+        _S709 = i32(1);
+    }
+    var list_1 : u32 = u32(_S709);
+    var index_32 : u32;
+    if(of_0.traces_0)
+    {
+        var _S710 : u32 = atomicAdd(&(appended_0[list_1]), u32(1));
+        index_32 = _S710;
+    }
+    else
+    {
+        index_32 = u32(0);
+    }
+    workgroupBarrier();
+    if(_S708)
+    {
+        var count_10 : u32 = atomicLoad(&(appended_0[thread_2]));
+        var before_0 : u32;
+        if(count_10 > u32(0))
+        {
+            if(thread_2 == u32(0))
+            {
+                before_0 = u32(4);
+            }
+            else
+            {
+                before_0 = u32(8);
+            }
+            var _S711 : u32 = atomicAdd(&(cell_keys_0[before_0]), count_10);
+            before_0 = _S711;
+        }
+        else
+        {
+            before_0 = u32(0);
+        }
+        var more_0 : u32 = (before_0 + count_10 + u32(64) - u32(1)) / u32(64) - (before_0 + u32(64) - u32(1)) / u32(64);
+        var _S712 : bool;
+        if(thread_2 == u32(0))
+        {
+            _S712 = more_0 > u32(0);
+        }
+        else
+        {
+            _S712 = false;
+        }
+        if(_S712)
+        {
+            var _S713 : u32 = atomicAdd(&(cell_keys_0[u32(5)]), more_0);
+        }
+        first_appended_0[thread_2] = before_0;
+    }
+    workgroupBarrier();
+    var at_24 : u32 = first_appended_0[list_1] + index_32;
+    if(of_0.traces_0)
+    {
+        if(goes_on_6)
+        {
+            index_32 = at_24;
+        }
+        else
+        {
+            index_32 = real_time_0.slots_0 - u32(1) - at_24;
+        }
+        if(goes_on_6)
+        {
+            index_32 = item_5;
+        }
+        else
+        {
+            index_32 = of_0.slot_1;
+        }
+        rest_0[index_32] = index_32;
+    }
+    return;
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn trace_ends(@builtin(global_invocation_id) id_3 : vec3<u32>, @builtin(local_invocation_index) thread_3 : u32)
+{
+    is_page_missing_0 = false;
+    first_candidates_0 = u32(1);
+    ends_here_0 = false;
+    var _S714 : u32 = id_3.x;
+    var item_6 : Item_0 = item_of_0(_S714);
+    var _S715 : u32 = item_6.slot_1;
+    var slot_15 : Slot_0 = Slot_x24init_0(item_6, _S715, _S715);
+    var goes_on_7 : bool;
+    if(item_6.traces_0)
+    {
+        goes_on_7 = !is_over_0(item_6.slot_1);
+    }
+    else
+    {
+        goes_on_7 = false;
+    }
+    if(goes_on_7)
+    {
+        var _S716 : bool = goes_on_from_second_0(slot_15);
+        goes_on_7 = _S716;
+    }
+    else
+    {
+        goes_on_7 = false;
+    }
+    append_0(thread_3, _S714, item_6, goes_on_7);
+    return;
+}
+
+fn slot_of_rest_0( number_6 : u32,  is_lent_0 : ptr<function, bool>) -> Slot_0
+{
+    var slot_16 : Slot_0;
+    var _S717 : u32 = atomicLoad(&(cell_keys_0[u32(4)]));
+    slot_16.item_2.traces_0 = number_6 < _S717;
+    var _S718 : u32 = atomicLoad(&(cell_keys_0[u32(8)]));
+    (*is_lent_0) = number_6 < _S718;
+    if(slot_16.item_2.traces_0)
+    {
+        var _S719 : Item_0 = item_of_0(rest_0[number_6]);
+        slot_16.item_2 = _S719;
+        slot_16.own_3 = slot_16.item_2.slot_1;
+        slot_16.lent_0 = slot_16.item_2.slot_1;
+        if((*is_lent_0))
+        {
+            slot_16.lent_0 = rest_0[real_time_0.slots_0 - u32(1) - number_6];
+        }
+        slot_16.item_2.traces_0 = !is_over_0(slot_16.own_3);
+    }
+    return slot_16;
+}
+
+fn Slot_keep_later_0( this_81 : Slot_0,  at_25 : Walker_0,  hit_29 : Hit_0,  found_3 : vec3<f32>)
+{
+    var light_17 : vec3<f32>;
+    if(at_25.is_shadow_ray_0)
+    {
+        light_17 = at_25.light_8;
+    }
+    else
+    {
+        light_17 = vec3<f32>(0.0f);
+    }
+    set_scratch_row_0(u32(0), this_81.own_3, (bitcast<vec2<u32>>((found_3.xy))));
+    scratch_0[real_time_0.slots_0 + this_81.own_3][i32(0)] = (bitcast<u32>((found_3.z)));
+    Slot_keep_0(this_81, at_25, hit_29.instance_0, hit_29.face_0);
+    set_scratch_row_0(u32(7), this_81.lent_0, (bitcast<vec2<u32>>((at_25.path_9.beta_0.xy))));
+    set_scratch_row_0(u32(8), this_81.lent_0, (bitcast<vec2<u32>>((vec2<f32>(at_25.path_9.beta_0.z, light_17.x)))));
+    set_scratch_row_0(u32(9), this_81.lent_0, (bitcast<vec2<u32>>((light_17.yz))));
+    return;
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn trace_on(@builtin(global_invocation_id) id_4 : vec3<u32>)
+{
+    is_page_missing_0 = false;
+    first_candidates_0 = u32(1);
+    ends_here_0 = false;
+    var is_lent_1 : bool;
+    var slot_17 : Slot_0 = slot_of_rest_0(id_4.x, &(is_lent_1));
+    var _S720 : bool;
+    if(slot_17.item_2.traces_0)
+    {
+        _S720 = is_lent_1;
+    }
+    else
+    {
+        _S720 = false;
+    }
+    if(_S720)
+    {
+        scatter_of_path_0.wants_light_0 = false;
+        first_candidates_0 = u32(1);
+        var sample_33 : Sample_0;
+        var _S721 : Walker_0 = Slot_walker_1(slot_17, &(sample_33));
+        var at_26 : Walker_0 = _S721;
+        var hit_30 : Hit_0 = hit_in_slot_0(slot_17.own_3, at_26.ray_21);
+        var _S722 : bool = goes_on_from_1(&(at_26), hit_30, u32(4294967295), &(sample_33));
+        if(_S722)
+        {
+            Slot_keep_later_0(slot_17, at_26, hit_30, sample_33.light_9);
+        }
+        else
+        {
+            Slot_end_0(slot_17, sample_33);
+        }
+    }
+    return;
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn trace_on_rays(@builtin(global_invocation_id) id_5 : vec3<u32>)
+{
+    is_page_missing_0 = false;
+    first_candidates_0 = u32(1);
+    ends_here_0 = false;
+    var is_lent_2 : bool;
+    var slot_18 : Slot_0 = slot_of_rest_0(id_5.x, &(is_lent_2));
+    var _S723 : bool;
+    if(slot_18.item_2.traces_0)
+    {
+        _S723 = is_lent_2;
+    }
+    else
+    {
+        _S723 = false;
+    }
+    if(_S723)
+    {
+        Slot_walk_0(slot_18);
+    }
+    return;
+}
+
+fn follow_0( item_7 : Item_0,  start_5 : Walker_0,  first_2 : Hit_0,  walks_0 : bool,  found_4 : Sample_0)
+{
+    var at_27 : Walker_0 = start_5;
+    var sample_34 : Sample_0 = found_4;
+    var _S724 : bool = !walks_0;
+    var is_under_way_0 : bool = true;
+    var is_met_4 : bool = _S724;
+    var hit_31 : Hit_0 = first_2;
+    for(;;)
+    {
+        if(is_under_way_0)
+        {
+        }
+        else
+        {
+            break;
+        }
+        if(!is_met_4)
+        {
+            var _S725 : Ray_0 = at_27.ray_21;
+            var _S726 : Hit_0 = WalkTracer_trace_0(&(_S725), at_27.is_shadow_ray_0);
+            at_27.ray_21 = _S725;
+            hit_31 = _S726;
+        }
+        if(at_27.is_shadow_ray_0)
+        {
+            if(Hit_is_miss_0(hit_31))
+            {
+                sample_34.light_9 = sample_34.light_9 + at_27.light_8;
+            }
+            at_27.is_shadow_ray_0 = false;
+            at_27.ray_21 = ray_from_0(at_27.ray_21.origin_1, at_27.direction_29);
+            is_under_way_0 = (any(((at_27.direction_29) != vec3<f32>(0.0f))));
+        }
+        else
+        {
+            var _S727 : bool = goes_on_from_0(&(at_27), hit_31, u32(4294967295), &(sample_34));
+            is_under_way_0 = _S727;
+        }
+        is_met_4 = false;
+    }
+    Item_end_0(item_7, sample_34);
+    return;
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn trace_rest(@builtin(global_invocation_id) id_6 : vec3<u32>)
+{
+    is_page_missing_0 = false;
+    first_candidates_0 = u32(1);
+    ends_here_0 = false;
+    var is_lent_3 : bool;
+    var slot_19 : Slot_0 = slot_of_rest_0(id_6.x, &(is_lent_3));
+    if(slot_19.item_2.traces_0)
+    {
+        scatter_of_path_0.wants_light_0 = false;
+        first_candidates_0 = u32(1);
+        var sample_35 : Sample_0;
+        var at_28 : Walker_0 = Slot_walker_1(slot_19, &(sample_35));
+        follow_0(slot_19.item_2, at_28, hit_in_slot_0(slot_19.own_3, at_28.ray_21), false, sample_35);
+    }
+    return;
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn trace_again(@builtin(global_invocation_id) id_7 : vec3<u32>)
+{
+    is_page_missing_0 = false;
+    first_candidates_0 = u32(1);
+    ends_here_0 = false;
+    var item_8 : Item_0 = item_of_0(real_time_0.cells_0 + threads_that_trace_0() + real_time_0.squares_0 + id_7.x);
+    if(item_8.traces_0)
+    {
+        scatter_of_path_0.wants_light_0 = false;
+        first_candidates_0 = real_time_0.candidates_0;
+        var _S728 : Walker_0 = Item_start_0(item_8);
+        follow_0(item_8, _S728, miss_0(), true, no_sample_0());
+    }
+    return;
+}
+
