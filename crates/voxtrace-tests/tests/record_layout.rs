@@ -8,9 +8,7 @@ use std::path::Path;
 use voxtrace::film::Pixel;
 use voxtrace::sky::EnvironmentTexel;
 use voxtrace::{Hit, Ray, Transform};
-use voxtrace_core::packed::{
-    Emitter, LightNode, MOST_WAITING, PackedGrid, PackedInstance, PackedMaterial,
-};
+use voxtrace_core::packed::{Emitter, LightNode, MOST_WAITING, PackedGrid, PackedInstance, PackedMaterial};
 use voxtrace_vulkan::PresentParams;
 use voxtrace_vulkan::records::{BlendParams, Dispatch, FrameParams, ProbeAnswer, ProbeRay, RealTimeParams, WaveStep};
 

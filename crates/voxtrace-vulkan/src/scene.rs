@@ -89,8 +89,7 @@ impl SceneBuffers {
             written(device, submitter, transfer, name, bytes).map(|buffer| (binding, buffer))
         };
         let geometry = arrays.iter().map(&mut write).collect::<Result<_, _>>()?;
-        let placement =
-            placement_arrays(scene.placement(), &parts).iter().map(&mut write).collect::<Result<_, _>>()?;
+        let placement = placement_arrays(scene.placement(), &parts).iter().map(&mut write).collect::<Result<_, _>>()?;
         let environment = written(device, submitter, transfer, ENVIRONMENT, texels_of(scene))?;
         let (scene, cells_have_blocks) = (Arc::clone(scene), have_blocks);
         Ok(Self {
@@ -127,8 +126,7 @@ impl SceneBuffers {
             written(device, submitter, transfer, name, bytes).map(|buffer| (binding, buffer))
         };
         let parts = parts_of(scene, true);
-        let placement =
-            placement_arrays(scene.placement(), &parts).iter().map(&mut write).collect::<Result<_, _>>()?;
+        let placement = placement_arrays(scene.placement(), &parts).iter().map(&mut write).collect::<Result<_, _>>()?;
         let environment = written(device, submitter, transfer, ENVIRONMENT, texels_of(scene))?;
         Ok(Self {
             scene: Arc::clone(scene),

@@ -133,7 +133,8 @@ impl Placement {
             built_cost: 0.0,
             light_nodes: Section::default(),
             fingerprint: geometry.fingerprint(),
-            parts: Arc::default(), planned: None,
+            parts: Arc::default(),
+            planned: None,
         };
         read.validate_instances(geometry)?;
         let cost = cost_of(&read.instance_nodes);

@@ -124,7 +124,14 @@ impl Worker {
     }
 
     fn unbind_real_time(&self) {
-        let places = [binding::MEMORY, binding::SCRATCH, binding::CELL_KEYS, binding::CELL_ROWS, binding::MOTIONS, binding::REST];
+        let places = [
+            binding::MEMORY,
+            binding::SCRATCH,
+            binding::CELL_KEYS,
+            binding::CELL_ROWS,
+            binding::MOTIONS,
+            binding::REST,
+        ];
         places.into_iter().for_each(|place| self.bindings.bind(place, &self.nothing));
         self.bindings.bind(binding::REAL_TIME, &self.params);
     }

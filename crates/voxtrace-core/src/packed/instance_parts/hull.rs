@@ -27,7 +27,9 @@ impl Hull {
             // How far the corner of a box reaches along the octant.
             let mut reach: Vec<IVec3> = (boxes.clone())
                 .map(|(min, max)| {
-                    IVec3::from_array(std::array::from_fn(|axis| if is_negative(axis) { -min[axis] } else { max[axis] }))
+                    IVec3::from_array(std::array::from_fn(
+                        |axis| if is_negative(axis) { -min[axis] } else { max[axis] },
+                    ))
                 })
                 .collect();
             // What is beyond another one has a larger sum.

@@ -170,6 +170,8 @@ impl InstanceParts {
 
     /// The tree as devices walk it: see [`device`].
     pub fn device_rows(&self, placement: &Placement) -> &[[u32; 4]] {
-        self.device.get_or_init(|| device::rows_of(&self.planned.plan.nodes(placement), &self.planned.plan, &placement.instances))
+        self.device.get_or_init(|| {
+            device::rows_of(&self.planned.plan.nodes(placement), &self.planned.plan, &placement.instances)
+        })
     }
 }
