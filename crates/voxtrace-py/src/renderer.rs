@@ -48,6 +48,7 @@ impl PyRenderer {
     /// Raises `DeviceError` where the machine lacks what was asked for or the scene does not fit it.
     #[new]
     #[pyo3(signature = (scene, *, device="auto", traversal=None, fast=false, memory=None, placeable=false, film=None))]
+    #[expect(clippy::too_many_arguments, reason = "keywords of Python")]
     fn new(
         py: Python<'_>,
         scene: &Bound<'_, PyAny>,
