@@ -4,19 +4,19 @@ use crate::arguments::transform_of;
 use crate::camera::PyCamera;
 use crate::editor::PyEditor;
 use crate::errors::{argument, of_tracing, other};
+use crate::found::Found;
 use crate::image::PyImage;
 use crate::interrupt::run;
 use crate::scene::PyScene;
-use numpy::ndarray::Array2;
-use numpy::{AllowTypeChange, IntoPyArray, PyArrayLike2, PyArrayLike3, PyArrayLikeDyn};
+use numpy::{AllowTypeChange, PyArrayLike2, PyArrayLike3, PyArrayLikeDyn};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use rayon::prelude::*;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use voxtrace::glam::Vec3;
 use voxtrace::output::SceneStamp;
 use voxtrace::packed::{PackedInstance, Placement};
-use voxtrace::{Camera, Frame, Hit, Integrator, PackedScene, Picture, Progress, Ray, Tracer};
+use voxtrace::{Camera, Frame, Integrator, PackedScene, Picture, Progress, Ray, Tracer};
 use voxtrace_vulkan::{Choice, Request, Traversal, choose_for};
 
 /// Renders pictures of one scene, again and again: the scene is packed and sent to the device once.
@@ -48,6 +48,7 @@ impl PyRenderer {
     /// Raises `DeviceError` where the machine lacks what was asked for or the scene does not fit it.
     #[new]
     #[pyo3(signature = (scene, *, device="auto", traversal=None, fast=false, memory=None, placeable=false, film=None))]
+    #[expect(clippy::too_many_arguments, reason = "keywords of Python")]
     fn new(
         py: Python<'_>,
         scene: &Bound<'_, PyAny>,
@@ -179,15 +180,11 @@ impl PyRenderer {
             }
             ray
         };
-        let rays: Vec<Ray> = py.detach(|| (0..count).into_par_iter().map(ray).collect());
-        if !rays.par_iter().all(|ray| ray.origin.is_finite() && ray.direction.is_finite() && !ray.t_max.is_nan()) {
-            return Err(argument("rays are finite"));
-        }
-        let mut hits = vec![Hit::MISS; count];
         let (tracer, scene) = (exclusive(&mut self.tracer), &self.scene);
-        let found = run(py, || (), |_| Ok(()), || tracer.cast_into(&rays, &mut hits))?;
-        found.map_err(|error| of_tracing(py, &error))?;
-        arrays_of(py, scene, &rays, &hits)
+        let wanted = AtomicBool::new(true);
+        let stop = || wanted.store(false, Ordering::Relaxed);
+        let found = run(py, stop, |_| Ok(()), || Found::by(tracer, scene, count, &ray, &wanted))?;
+        found?.map_err(|error| of_tracing(py, &error))?.into_dict(py)
     }
 
     /// Puts instances elsewhere: `transforms` of shape `(N, 4, 4)`, in the order of the visible instances of the scene. The geometry stays on the device.
@@ -303,28 +300,4 @@ fn request_of(device: &str, traversal: Option<&str>, is_fast: bool, memory_budge
     };
     let device = Some(device).filter(|device| !["auto", "cpu"].contains(device)).map(str::to_owned);
     Ok(Request { traversal, device, memory_budget, is_fast, ..Request::default() })
-}
-
-/// What rays met, as arrays.
-fn arrays_of<'py>(py: Python<'py>, scene: &PackedScene, rays: &[Ray], hits: &[Hit]) -> PyResult<Bound<'py, PyDict>> {
-    let found = PyDict::new(py);
-    let single = |of: &(dyn Fn(&Hit) -> u32 + Sync)| -> Vec<u32> { hits.par_iter().map(of).collect() };
-    let vectors = |of: &(dyn Fn((&Ray, &Hit)) -> Vec3 + Sync)| -> PyResult<Array2<f32>> {
-        let values: Vec<[f32; 3]> = rays.par_iter().zip(hits).map(|pair| of(pair).to_array()).collect();
-        Array2::from_shape_vec((hits.len(), 3), values.into_flattened()).map_err(argument)
-    };
-    found.set_item("hit", hits.iter().map(|hit| !hit.is_miss()).collect::<Vec<bool>>().into_pyarray(py))?;
-    let t: Vec<f32> = hits.iter().map(|hit| if hit.is_miss() { f32::INFINITY } else { hit.t }).collect();
-    found.set_item("t", t.into_pyarray(py))?;
-    let position = |(ray, hit): (&Ray, &Hit)| if hit.is_miss() { Vec3::ZERO } else { ray.at(hit.t) };
-    found.set_item("position", vectors(&position)?.into_pyarray(py))?;
-    let normal = |(_, hit): (&Ray, &Hit)| if hit.is_miss() { Vec3::ZERO } else { scene.normal(hit) };
-    found.set_item("normal", vectors(&normal)?.into_pyarray(py))?;
-    let voxels: Vec<[i32; 3]> = hits.par_iter().map(|hit| hit.voxel.to_array()).collect();
-    let voxels = Array2::from_shape_vec((hits.len(), 3), voxels.into_flattened()).map_err(argument)?;
-    found.set_item("voxel", voxels.into_pyarray(py))?;
-    found.set_item("instance", single(&|hit| hit.instance).into_pyarray(py))?;
-    let material = |hit: &Hit| if hit.is_miss() { u32::MAX } else { scene.material_index(hit) };
-    found.set_item("material", single(&material).into_pyarray(py))?;
-    Ok(found)
 }

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from typing import Any
 
 from .._voxtrace import Camera, Image, Renderer, Scene
-from ._sharing import address_of_worker, elsewhere, gathered, packed_scene, renderer_of
+from ._sharing import address_of_worker, elsewhere, gathered, packed_scene, renderer_of, sent_scene
 
 #: Parts for each worker, so that quick ones take more of them.
 PARTS_A_WORKER = 4
@@ -88,7 +88,7 @@ def _shared(
 
     def submit(missing: list[int], workers: list[str]) -> dict[Any, int]:
         # The scene goes along anew, as whoever had it may be gone or stand still; workers that know it do not unpack it again.
-        sent = client.submit(bytes, data, pure=False, retries=retries, **elsewhere(workers))
+        sent = sent_scene(client, data, retries, workers)
         begun: dict[Any, int] = {}
         for part in missing:
             first, end = bounds[part], bounds[part + 1]

@@ -7,6 +7,7 @@ import os
 import statistics
 import tempfile
 import time
+import warnings
 from collections import deque
 from collections.abc import Callable
 from pathlib import Path
@@ -27,6 +28,14 @@ _renderers: dict[tuple[str, str, str], Renderer] = {}
 def elsewhere(workers: list[str]) -> dict[str, Any]:
     """Options of `submit`, for work that these workers should do: preferred, not demanded, as the others may be all that is left."""
     return {"workers": workers, "allow_other_workers": True} if workers else {}
+
+
+def sent_scene(client: Any, data: bytes, retries: int, workers: list[str]) -> Any:
+    """The bytes of a scene as a result on a worker: unlike what is scattered, it is made anew where that worker is lost."""
+    with warnings.catch_warnings():
+        # A scene is large, and goes along once.
+        warnings.filterwarnings("ignore", message="Sending large graph")
+        return client.submit(bytes, data, pure=False, retries=retries, **elsewhere(workers))
 
 
 def gathered(

@@ -64,8 +64,11 @@ impl Gathered {
             Units::Samples => {
                 self.wait(part.clone(), film);
                 while let Some((end, next)) = self.waiting.remove(&self.joined) {
-                    self.joined = end;
-                    add(&mut self.film, &next);
+                    // The first one takes the place of a film without samples.
+                    match std::mem::replace(&mut self.joined, end) {
+                        0 => self.film.pixels = next.pixels,
+                        _ => add(&mut self.film, &next),
+                    }
                 }
             }
             Units::Rows => self.put_rows(part, &film),

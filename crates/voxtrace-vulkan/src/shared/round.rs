@@ -46,6 +46,16 @@ impl Table {
         self.is_cancelled || self.gathered.is_complete() || self.failure.is_some()
     }
 
+    /// What devices still have to do of the parts that they are busy with, samples of all pixels, as far as it is known how quick they are.
+    fn under_way(&self) -> f64 {
+        let busy = self.running.iter().zip(&self.rates).filter_map(|(running, rate)| Some((running.as_ref()?, rate)));
+        let rest = |(running, rate): (&Running, &f64)| {
+            let done = running.begun.elapsed().as_secs_f64() * rate;
+            f64::max(0.0, self.deal.samples(&running.part) - done)
+        };
+        busy.filter(|(_, rate)| **rate > 0.0).map(rest).sum()
+    }
+
     /// A part that keeps everybody waiting, for another device that does it as well: whichever is there first counts. That is one whose device takes much
     /// longer than it said, and in the end, when there is nothing else to do, than this one would.
     fn overtaken(&mut self, member: &Member) -> Option<Range<u32>> {
@@ -128,12 +138,12 @@ impl<'a> Round<'a> {
         while let Some((part, progress)) = self.next(number, member) {
             let (frame, start) = self.lock().gathered.task(self.frame, &part);
             match trace(member.tracer(), &frame, start, &progress) {
-                Ok((film, traced)) => {
+                Ok((film, traced, reading)) => {
                     let begun = Instant::now();
                     let is_whole = film.sample_range().0 >= frame.samples;
                     let samples = self.hand_over(number, &part, film, is_whole);
                     if is_whole {
-                        member.pace.learn(samples, traced, begun.elapsed());
+                        member.pace.learn(samples, traced, reading + begun.elapsed());
                         self.lock().rates[number] = member.pace.rate;
                     }
                 }
@@ -150,8 +160,8 @@ impl<'a> Round<'a> {
         let mut table = self.lock();
         while !table.is_over() && member.is_ready() {
             let together = table.rates.iter().sum();
-            let overtaken = table.overtaken(member);
-            if let Some(part) = overtaken.or_else(|| table.deal.take(member.pace, together)) {
+            let (overtaken, under_way) = (table.overtaken(member), table.under_way());
+            if let Some(part) = overtaken.or_else(|| table.deal.take(member.pace, together, under_way)) {
                 let progress = Arc::new(Progress::default());
                 let (begun, shared) = (Instant::now(), Arc::clone(&progress));
                 let running = Running { part: part.clone(), begun, progress: shared, is_overtaken: false };
@@ -197,13 +207,13 @@ impl<'a> Round<'a> {
     }
 }
 
-/// Traces a part. Returns its film and how long that took without reading it.
+/// Traces a part. Returns its film, and how long it took to trace it and to read it.
 fn trace(
     tracer: &mut (dyn Tracer + Send),
     frame: &Frame,
     start: Option<Film>,
     progress: &Progress,
-) -> Result<(Film, Duration), TraceError> {
+) -> Result<(Film, Duration, Duration), TraceError> {
     let begun = Instant::now();
     if let Some(start) = start {
         tracer.resume(frame, start)?;
@@ -212,7 +222,7 @@ fn trace(
     let traced = begun.elapsed();
     let mut film = Film::new(0, 0, Region::full(0, 0), 0);
     tracer.read(&mut film)?;
-    Ok((film, traced))
+    Ok((film, traced, begun.elapsed().saturating_sub(traced)))
 }
 
 /// Tells whoever waits how many samples there are; those that are lost are not told again.
