@@ -220,7 +220,8 @@ def clip(program):
             step(window, lambda: tool("mousemove", 300 - 4 * number, 180 - number))
         tool("mouseup", 1)
         window.keys("ctrl+e", "Tab", *["plus"] * 3)
-        time.sleep(2)
+        # The panels came and went: until the picture has its size again, it is a stretched one.
+        time.sleep(15)
         window.move(*STROKE[0])
         tool("mousedown", 1)
         (x, y), (to_x, to_y) = STROKE
