@@ -1,10 +1,11 @@
 //! Maintenance tasks of the repository: `cargo xtask pictures` renders the pictures of the documentation again, or those that are
 //! named, `cargo xtask shaders` compiles the shaders, `cargo xtask shaders --check` says whether the committed ones are up to date,
-//! `cargo xtask dist` packs the program for this machine.
+//! `cargo xtask dist` packs the program for this machine, `cargo xtask web` builds the modules for pages.
 
 mod dist;
 mod pictures;
 mod shaders;
+mod web;
 
 use std::process::ExitCode;
 
@@ -15,8 +16,9 @@ fn main() -> ExitCode {
         ["pictures", ref names @ ..] => pictures::render(names),
         ["shaders"] => shaders::generate(),
         ["shaders", "--check"] => shaders::check(),
+        ["web", ref names @ ..] => web::build(names),
         _ => {
-            eprintln!("usage: cargo xtask dist | pictures [NAME…] | shaders [--check]");
+            eprintln!("usage: cargo xtask dist | pictures [NAME…] | shaders [--check] | web [MODULE…]");
             return ExitCode::from(2);
         }
     };

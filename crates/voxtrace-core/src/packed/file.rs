@@ -92,6 +92,16 @@ impl PackedScene {
             .map_err(|error| FileError { path: path.into(), kind: error.into() })
     }
 
+    /// The bytes of the file that [`Self::save`] writes, for where there are no files.
+    pub fn to_bytes(&self) -> Vec<u8> {
+        if self.geometry.is_edited {
+            return self.compacted().to_bytes();
+        }
+        let mut bytes = Vec::new();
+        self.write(&mut bytes).expect("memory takes all that is written");
+        bytes
+    }
+
     fn write(&self, writer: &mut impl Write) -> io::Result<()> {
         self.write_with(writer, &[])
     }

@@ -7,7 +7,9 @@ use super::avx512;
 use super::counts::WalkCounts;
 use super::groups::Groups;
 use super::instructions::Instructions;
-use super::simd::{LANES, Portable, Simd};
+#[cfg(not(all(target_arch = "wasm32", target_os = "unknown", target_feature = "simd128")))]
+use super::simd::Portable;
+use super::simd::{LANES, Simd};
 use super::{axes, cast_whole, occluded, stream};
 use crate::cuts;
 use crate::packed::{InstanceParts, PackedGrid, PackedScene, WideTree};
@@ -92,6 +94,7 @@ fn first_hits(
     // SAFETY: the processor has the instructions; packing and opening give valid scenes only.
     let packets = unsafe {
         match instructions {
+            #[cfg(not(all(target_arch = "wasm32", target_os = "unknown", target_feature = "simd128")))]
             Instructions::Portable => batch.cast(Portable, hits, Batch::no_packets),
             #[cfg(target_arch = "x86_64")]
             Instructions::Avx2 => by_avx2(&batch, hits),

@@ -71,7 +71,9 @@ impl Instructions {
             Self::Avx512 | Self::Avx2 => false,
             Self::Neon => cfg!(target_arch = "aarch64"),
             Self::Simd128 => cfg!(target_feature = "simd128"),
-            Self::Portable | Self::Scalar => true,
+            // Pages get a small module, without a second copy of the walk.
+            Self::Portable => cfg!(not(all(target_arch = "wasm32", target_os = "unknown", target_feature = "simd128"))),
+            Self::Scalar => true,
         }
     }
 

@@ -14,7 +14,9 @@ use super::emitters::{Chosen, emitter_by_power, emitter_sample, in_grid};
 use super::{LightSample, Lights, Receiver, Technique};
 use crate::packed::{Geometry, LightNode, PackedScene};
 use crate::walk::Instructions;
-use crate::walk::simd::{Portable, Simd, prefetch};
+#[cfg(not(all(target_arch = "wasm32", target_os = "unknown", target_feature = "simd128")))]
+use crate::walk::simd::Portable;
+use crate::walk::simd::{Simd, prefetch};
 use fall::Fall;
 pub use ways::CAPACITY;
 use ways::{CHOICE, COUNT, INDEX, NODE, TOTAL, WEIGHT, WITHIN, Ways};
@@ -76,6 +78,10 @@ pub fn sample_all(
                 Instructions::Neon => task.run(crate::walk::simd::Neon, room, found),
                 #[cfg(target_feature = "simd128")]
                 Instructions::Simd128 => task.run(crate::walk::simd::Simd128, room, found),
+                // Modules for pages have no second copy; there arrays are not available.
+                #[cfg(all(target_arch = "wasm32", target_os = "unknown", target_feature = "simd128"))]
+                _ => return,
+                #[cfg(not(all(target_arch = "wasm32", target_os = "unknown", target_feature = "simd128")))]
                 _ => task.run(Portable, room, found),
             }
         }

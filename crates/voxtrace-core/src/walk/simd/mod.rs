@@ -9,6 +9,8 @@ mod avx2;
 mod avx512;
 #[cfg(target_arch = "aarch64")]
 mod neon;
+// Modules for pages have no second copy of the walk.
+#[cfg(not(all(target_arch = "wasm32", target_os = "unknown", target_feature = "simd128")))]
 mod portable;
 #[cfg(target_feature = "simd128")]
 mod simd128;
@@ -19,6 +21,7 @@ pub use avx2::Avx2;
 pub use avx512::Avx512;
 #[cfg(target_arch = "aarch64")]
 pub use neon::Neon;
+#[cfg(not(all(target_arch = "wasm32", target_os = "unknown", target_feature = "simd128")))]
 pub use portable::Portable;
 #[cfg(target_feature = "simd128")]
 pub use simd128::Simd128;

@@ -1,0 +1,397 @@
+// The element `<voxtrace-viewer>`: attributes and events in model-viewer's words where both have the thing.
+import { Attributes } from "./attributes.js";
+import { listen } from "./gestures.js";
+import { cameraOf, type Orbit, orbitText, orbitWords, panned, parseFieldOfView, parseOrbit, parseTarget, type Vector, type View, viewOf, within } from "./orbit.js";
+import { Pool } from "./pool.js";
+import type { SceneInfo, Source } from "./protocol.js";
+import type { Look, Picture } from "./rendering.js";
+import { builtIn, download, fileName } from "./source.js";
+import { Stage } from "./stage.js";
+import { build, type Parts, showProgress } from "./template.js";
+import { TracerError } from "./tracer.js";
+
+/** What a pixel of a drag turns by, degrees. */
+const DEGREES_PER_PIXEL = 0.35;
+/** Of `auto-rotate`, degrees in a second, and how long a person's own movement holds it up, milliseconds. */
+const TURNS = 12;
+const REST = 3000;
+/** Share of the progress that the download is; reading and packing, and the first picture, are the rest. */
+const DOWNLOADED = 0.6;
+const LOADED = 0.9;
+
+export interface FilmWords {
+  width: number;
+  height: number;
+  samples: number;
+  seed: number;
+  /** 32 bytes a pixel, row by row: the sums of red, green and blue (64-bit integers, units of 2⁻³²), samples, and those that met a voxel. */
+  words: Uint8Array;
+}
+
+export class VoxtraceViewer extends Attributes {
+  #parts!: Parts;
+  #stage!: Stage;
+  readonly #pool = new Pool((tracer) => this.#stage.join(tracer));
+  #info: SceneInfo | undefined;
+  /** The view of the scene's first camera, or one that shows all of it, as the numbers that the scene has. */
+  #start: Float32Array | undefined;
+  /** Width over height of the pictures that it was made for. */
+  #aspect = 1;
+  #view: View | undefined;
+  /** Whether the view is still the scene's own, to the bit. */
+  #isOwnView = true;
+  /** The last load that was asked for; a later one makes it void. */
+  #load: AbortController | undefined;
+  #life: AbortController | undefined;
+  #isVisible = true;
+  #isPosterGone = false;
+  #isTurning = true;
+  #lastMove = 0;
+  #speak: ReturnType<typeof setTimeout> | undefined;
+
+  constructor() {
+    super();
+    this.#parts = build(this.attachShadow({ mode: "open" }));
+    const failed = (error: unknown) => this.#fail(error, "renderfailure");
+    const shown = () => this.#shown();
+    const still = ({ samples, width, height }: Picture) => {
+      this.#say("The picture is finished.");
+      this.#emit("still", { samples, width, height });
+    };
+    this.#stage = new Stage(this.#parts.canvas, this.#pool, { shown, still, failed }, this.#look());
+    this.#parts.poster.addEventListener("click", () => this.dismissPoster());
+    this.#parts.pause.addEventListener("click", () => {
+      this.#isTurning = !this.#isTurning;
+      this.#parts.pause.textContent = this.#isTurning ? "Pause" : "Turn";
+    });
+  }
+
+  connectedCallback() {
+    // Removed and put back at once, as when it is moved, it goes on.
+    if (this.#life && !this.#life.signal.aborted) return;
+    this.#life = new AbortController();
+    const { signal } = this.#life;
+    const moves = {
+      turn: (x: number, y: number) => this.#move((view) => ({ ...view, theta: view.theta - x * DEGREES_PER_PIXEL, phi: view.phi - y * DEGREES_PER_PIXEL })),
+      pan: (x: number, y: number) => this.#move((view) => panned(view, x / this.clientHeight, y / this.clientHeight)),
+      zoom: (factor: number) => this.#move((view) => ({ ...view, radius: view.radius * factor })),
+      home: () => this.#goHome("user-interaction"),
+    };
+    listen(this.#parts.canvas, moves, () => this.cameraControls && !!this.#view, signal);
+    this.#listenToDrops(signal);
+    const size = new ResizeObserver(() => this.#refresh());
+    size.observe(this);
+    const visible = new IntersectionObserver(([entry]) => this.#seen(!!entry?.isIntersecting), { rootMargin: "100px" });
+    visible.observe(this);
+    signal.addEventListener("abort", () => {
+      size.disconnect();
+      visible.disconnect();
+    });
+    this.#describe();
+    this.#turnOn(signal);
+    if (this.loading !== "lazy") this.#reload();
+  }
+
+  disconnectedCallback() {
+    // An element that is moved is out of the page for a moment.
+    queueMicrotask(() => this.isConnected || this.#free());
+  }
+
+  attributeChangedCallback(name: string, before: string | null, after: string | null) {
+    if (before === after || !this.#life || this.#life.signal.aborted) return;
+    if (name === "src") this.#reload();
+    else if (name === "exposure" || name === "tone-mapping") void this.#stage.setLook(this.#look());
+    else if (name.startsWith("camera-o") || name === "camera-target" || name === "field-of-view") this.#goHome("none");
+    else if (["samples", "seed", "max-bounces", "max-pixels"].includes(name)) this.#refresh();
+    else this.#describe();
+  }
+
+  /** Whether a scene is there. */
+  get loaded(): boolean { return this.#info !== undefined; }
+  /** What is known of the scene. */
+  get scene(): SceneInfo | undefined { return this.#info; }
+
+  /** The view: angles in degrees, distance and target in world units. */
+  getCameraOrbit(): Orbit | undefined {
+    return this.#view && { theta: this.#view.theta, phi: this.#view.phi, radius: this.#view.radius };
+  }
+  getCameraTarget(): Vector | undefined { return this.#view && [...this.#view.target]; }
+  getFieldOfView(): number | undefined { return this.#view?.fieldOfView; }
+
+  /** Takes the poster away. */
+  dismissPoster() {
+    this.#isPosterGone = true;
+    this.#describe();
+  }
+  showPoster() {
+    this.#isPosterGone = false;
+    this.#parts.poster.classList.remove("gone");
+  }
+
+  /** The picture as it is on the canvas. */
+  toBlob({ mimeType = "image/png", quality }: { mimeType?: string; quality?: number } = {}): Promise<Blob> {
+    return new Promise((done, failed) => {
+      const made = (blob: Blob | null) => (blob ? done(blob) : failed(new Error("there is no picture")));
+      if (!this.loaded) made(null);
+      else this.#parts.canvas.toBlob(made, mimeType, quality);
+    });
+  }
+
+  /** The film of the view that stands still: the exact sums of each pixel, the same on every machine. `undefined` until each pixel has a sample. */
+  film(): FilmWords | undefined {
+    const rendering = this.#stage.film;
+    const words = rendering?.words();
+    if (!rendering || !words) return undefined;
+    const { width, height, seed } = rendering.picture;
+    return { width, height, seed, samples: rendering.samples, words };
+  }
+
+  /** What rays meet first: eight numbers each (origin, t_min, direction, t_max) to six words each (distance as the bits of a float, instance, voxel, face). */
+  async cast(rays: Float32Array): Promise<Uint32Array> {
+    const [tracer] = this.#pool.ready;
+    if (!tracer) throw new Error("no scene was loaded");
+    return tracer.call("cast", [rays]);
+  }
+
+  /** Checksums of what the functions of the tracer give here, by their names, on a scene of this edge; the example `words` of the crate `voxtrace-web` prints those of a machine. */
+  async selftest(edge = 64): Promise<string[]> {
+    const [tracer] = this.#pool.ready;
+    if (!tracer) throw new Error("no scene was loaded");
+    return tracer.call("selftest", [edge]);
+  }
+
+  /** Shows a file of this machine; its bytes stay here. */
+  async show(file: File): Promise<void> {
+    await this.#begin(file.name, async () => ({ kind: "file", name: file.name, bytes: new Uint8Array(await file.arrayBuffer()) }));
+  }
+
+  #look(): Look {
+    const known = ["agx", "neutral", "reinhard", "linear"];
+    return { toneMapping: known.includes(this.toneMapping) ? this.toneMapping : "agx", exposure: this.exposure };
+  }
+
+  #emit(name: string, detail: unknown) {
+    this.dispatchEvent(new CustomEvent(name, { detail, bubbles: false }));
+  }
+
+  #reload() {
+    const { src } = this;
+    if (!src) return;
+    void this.#begin(src, async (signal) => {
+      const scene = builtIn(src);
+      if (scene) return scene;
+      const url = new URL(src, this.ownerDocument.baseURI);
+      const onProgress = (share: number | undefined) => this.#progress(share === undefined ? undefined : share * DOWNLOADED);
+      return { kind: "file", name: fileName(url), bytes: await download(url, signal, onProgress) };
+    });
+  }
+
+  /** Loads what `source` gives, unless something else is asked for meanwhile. */
+  async #begin(name: string, source: (signal: AbortSignal) => Promise<Source>) {
+    this.#load?.abort();
+    const load = (this.#load = new AbortController());
+    this.#stage.stop();
+    [this.#info, this.#view, this.#start] = [undefined, undefined, undefined];
+    this.#parts.message.hidden = true;
+    this.#progress(0);
+    this.#say(`Loading ${name}`);
+    try {
+      const given = await source(load.signal);
+      if (load.signal.aborted) return;
+      this.#progress(given.kind === "file" ? DOWNLOADED : undefined);
+      const info = await this.#pool.load(given, this.threads);
+      if (load.signal.aborted) return;
+      this.#progress(LOADED);
+      await this.#arrived(info);
+      if (load.signal.aborted) return;
+      this.#emit("load", { url: name, info });
+    } catch (error) {
+      if (!load.signal.aborted) this.#fail(error, "loadfailure");
+    }
+  }
+
+  async #arrived(info: SceneInfo) {
+    this.#info = info;
+    await this.#findStart();
+    this.#goHome("none");
+    this.#describe();
+  }
+
+  /** The scene's own view, for the size that the element has. */
+  async #findStart() {
+    const [tracer] = this.#pool.ready;
+    const { width, height } = this.#size();
+    this.#aspect = width / height;
+    this.#start = await tracer?.call("camera", [0, this.#aspect]);
+  }
+
+  /** The size of pictures: as many pixels as the screen has there, up to the most that are allowed. */
+  #size() {
+    const ratio = globalThis.devicePixelRatio || 1;
+    const [width, height] = [Math.max(1, this.clientWidth * ratio), Math.max(1, this.clientHeight * ratio)];
+    const scale = Math.min(1, Math.sqrt(this.maxPixels / (width * height)));
+    return { width: Math.max(1, Math.round(width * scale)), height: Math.max(1, Math.round(height * scale)) };
+  }
+
+  /** The view that the attributes ask for. */
+  #goHome(source: "none" | "user-interaction") {
+    if (!this.#start) return;
+    const own = viewOf(this.#start);
+    const orbit = parseOrbit(this.cameraOrbit, own);
+    const target = parseTarget(this.cameraTarget, own.target);
+    const fieldOfView = parseFieldOfView(this.fieldOfView, own.fieldOfView);
+    if (!orbit || !target || fieldOfView === undefined) {
+      const which = !orbit ? `camera-orbit="${this.cameraOrbit}"` : !target ? `camera-target="${this.cameraTarget}"` : `field-of-view="${this.fieldOfView}"`;
+      console.warn(`voxtrace-viewer: ${which} is not understood; examples are camera-orbit="30deg 75deg 120%", camera-target="1 2 3", field-of-view="45deg"`);
+    }
+    const view: View = { ...(orbit ?? own), target: target ?? own.target, fieldOfView: fieldOfView ?? own.fieldOfView };
+    this.#isOwnView = JSON.stringify(view) === JSON.stringify(own);
+    this.#view = this.#isOwnView ? own : within(view, this.#diagonal());
+    this.#refresh();
+    this.#changed(source);
+  }
+
+  #diagonal(): number {
+    const bounds = this.#info?.bounds ?? [0, 0, 0, 1, 1, 1];
+    return Math.hypot(...[0, 1, 2].map((axis) => bounds[axis + 3]! - bounds[axis]!)) || 1;
+  }
+
+  #move(change: (view: View) => View, source: "none" | "user-interaction" = "user-interaction") {
+    if (!this.#view) return;
+    if (source === "user-interaction") this.#lastMove = performance.now();
+    this.#view = within(change(this.#view), this.#diagonal());
+    this.#isOwnView = false;
+    this.#refresh();
+    this.#changed(source);
+  }
+
+  #changed(source: "none" | "user-interaction") {
+    this.#emit("camera-change", { source, orbit: this.#view && orbitText(this.#view) });
+    clearTimeout(this.#speak);
+    if (source === "user-interaction") this.#speak = setTimeout(() => this.#view && this.#say(orbitWords(this.#view)), 500);
+  }
+
+  /** Shows the view as it is now. */
+  #refresh() {
+    if (!this.#view || !this.#start || !this.#isVisible || this.clientWidth === 0) return;
+    const size = this.#size();
+    const hasCamera = (this.#info?.cameras.length ?? 0) > 0;
+    if (this.#isOwnView && !hasCamera && size.width / size.height !== this.#aspect) void this.#fit();
+    const camera = this.#isOwnView ? this.#start : cameraOf(this.#view);
+    this.#stage.show({ camera, lensOf: hasCamera ? 0 : -1, ...size, samples: this.samples, seed: this.seed, bounces: this.maxBounces });
+  }
+
+  /** A view that shows the whole scene is another in an element of another shape. */
+  async #fit() {
+    const before = this.#start;
+    await this.#findStart();
+    if (!this.#start || !before || this.#start.every((value, index) => value === before[index])) return;
+    if (this.#isOwnView) this.#goHome("none");
+  }
+
+  #seen(isVisible: boolean) {
+    const wasVisible = this.#isVisible;
+    this.#isVisible = isVisible;
+    if (isVisible && this.loading === "lazy" && !this.#load) this.#reload();
+    // Nobody looks: other pages get the processor.
+    else if (!isVisible) this.#stage.stop();
+    else if (!wasVisible) this.#refresh();
+  }
+
+  #turnOn(signal: AbortSignal) {
+    const calm = matchMedia("(prefers-reduced-motion: reduce)");
+    let last = performance.now();
+    const frame = (now: number) => {
+      if (signal.aborted) return;
+      const seconds = Math.min(0.25, (now - last) / 1000);
+      last = now;
+      const turns = this.autoRotate && !calm.matches && this.#isVisible && !!this.#view;
+      this.#parts.pause.hidden = !turns;
+      if (turns && this.#isTurning && now - this.#lastMove > REST) {
+        this.#move((view) => ({ ...view, theta: view.theta + TURNS * seconds }), "none");
+      }
+      requestAnimationFrame(frame);
+    };
+    requestAnimationFrame(frame);
+  }
+
+  #listenToDrops(signal: AbortSignal) {
+    const root = this.#parts.canvas.parentNode as ShadowRoot;
+    const hover = (isOver: boolean) => (root.host as HTMLElement).toggleAttribute("dropping", isOver);
+    const takes = (event: DragEvent) => !this.hasAttribute("no-drop") && !!event.dataTransfer?.types.includes("Files");
+    this.addEventListener("dragover", (event) => {
+      if (!takes(event)) return;
+      event.preventDefault();
+      hover(true);
+    }, { signal });
+    this.addEventListener("dragleave", () => hover(false), { signal });
+    this.addEventListener("drop", (event) => {
+      hover(false);
+      if (!takes(event)) return;
+      event.preventDefault();
+      const [file] = event.dataTransfer!.files;
+      if (file) void this.show(file);
+    }, { signal });
+  }
+
+  /** The label, the poster and what may be pressed, by the attributes. */
+  #describe() {
+    const { canvas, poster } = this.#parts;
+    canvas.setAttribute("aria-label", this.alt || (this.#info ? `Voxels: ${this.#info.name}` : "Voxels"));
+    if (this.cameraControls) {
+      canvas.tabIndex = 0;
+      canvas.setAttribute("aria-describedby", "keys");
+    } else {
+      canvas.removeAttribute("tabindex");
+      canvas.removeAttribute("aria-describedby");
+    }
+    poster.style.backgroundImage = this.poster ? `url(${JSON.stringify(new URL(this.poster, this.ownerDocument.baseURI).href)})` : "";
+    poster.classList.toggle("gone", this.#isPosterGone);
+  }
+
+  #shown() {
+    if (this.reveal === "auto" && !this.#isPosterGone) this.dismissPoster();
+    if (!this.#parts.bar.hidden) {
+      this.#emit("progress", { totalProgress: 1 });
+      showProgress(this.#parts, null);
+    }
+  }
+
+  #progress(share: number | undefined) {
+    showProgress(this.#parts, share);
+    this.#emit("progress", { totalProgress: share });
+  }
+
+  #say(text: string) {
+    this.#parts.status.textContent = text;
+  }
+
+  #fail(error: unknown, type: "loadfailure" | "renderfailure") {
+    const message = error instanceof Error ? error.message : String(error);
+    if (error instanceof TracerError && error.isFatal) this.#pool.end();
+    this.#stage.stop();
+    showProgress(this.#parts, null);
+    this.#parts.message.textContent = message;
+    this.#parts.message.hidden = false;
+    this.#say("");
+    this.#emit("error", { type, message, sourceError: error });
+  }
+
+  /** Gives all memory back. */
+  #free() {
+    this.#life?.abort();
+    this.#load?.abort();
+    this.#load = undefined;
+    this.#stage.stop();
+    this.#pool.end();
+    [this.#info, this.#view, this.#start] = [undefined, undefined, undefined];
+    clearTimeout(this.#speak);
+    [this.#parts.canvas.width, this.#parts.canvas.height] = [1, 1];
+  }
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    "voxtrace-viewer": VoxtraceViewer;
+  }
+}

@@ -1,0 +1,63 @@
+// What pages ask workers for, and what they answer.
+
+/** Where a scene comes from. */
+export type Source = { kind: "built-in"; name: string; voxels?: number } | { kind: "file"; name: string; bytes: Uint8Array };
+
+/** What is known of a scene. Places are in world units, which are voxels of most scenes; z is up. */
+export interface SceneInfo {
+  name: string;
+  voxels: number;
+  /** What the reader left out or put up with. */
+  notes: string[];
+  cameras: string[];
+  /** The least corner of the box around all voxels, then the largest. */
+  bounds: number[];
+  /** A hash of everything that a picture of the scene depends on. */
+  hash: string;
+}
+
+/** Some rows of a picture, and the samples that each of their pixels has afterwards. */
+export interface PartRequest {
+  /** Eye, target, up (three numbers each) and the vertical field of view in degrees. */
+  camera: Float32Array;
+  /** Number of the scene's camera whose lens it has. */
+  lensOf: number;
+  width: number;
+  height: number;
+  y0: number;
+  y1: number;
+  samples: number;
+  seed: number;
+  bounces: number;
+  /** Words of the film of these rows so far, 32 bytes a pixel; none for a black film. */
+  words?: Uint8Array;
+  toneMapping: string;
+  exposure: number;
+}
+
+/** Rows with their samples: words of the film, and what a screen shows of them. */
+export interface PartAnswer {
+  words: Uint8Array;
+  shown: Uint8ClampedArray<ArrayBuffer>;
+  /** What the samples took. */
+  milliseconds: number;
+}
+
+/** The calls of a worker by their names. */
+export interface Calls {
+  start(module: WebAssembly.Module): void;
+  /** The name of a file's format by its first bytes, length and name, if this module reads it. */
+  formatOf(head: Uint8Array, length: number, name: string): string | undefined;
+  load(source: Source): SceneInfo;
+  /** The scene as bytes of a native file, for other workers. */
+  pack(): Uint8Array;
+  camera(index: number, aspect: number): Float32Array;
+  render(part: PartRequest): PartAnswer;
+  show(words: Uint8Array, toneMapping: string, exposure: number): Uint8ClampedArray<ArrayBuffer>;
+  cast(rays: Float32Array): Uint32Array;
+  selftest(edge: number): string[];
+}
+
+export type Name = keyof Calls;
+export type Request = { id: number; name: Name; given: unknown[] };
+export type Answer = { id: number; made: unknown } | { id: number; error: string; isFatal: boolean };

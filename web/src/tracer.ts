@@ -1,0 +1,65 @@
+// A worker as the page sees it: its calls as promises.
+import type { Answer, Calls, Name } from "./protocol.js";
+
+type Made<N extends Name> = ReturnType<Calls[N]>;
+type Waiting = { done: (made: never) => void; failed: (error: Error) => void };
+
+/** An error of the library: its message is for people. */
+export class TracerError extends Error {
+  constructor(
+    message: string,
+    /** Whether the worker that said so is of no use any more. */
+    readonly isFatal: boolean,
+  ) {
+    super(message);
+    this.name = "TracerError";
+  }
+}
+
+export class Tracer {
+  readonly #worker: Worker;
+  readonly #waiting = new Map<number, Waiting>();
+  #last = 0;
+  /** Pixels times samples in a millisecond, as measured so far. */
+  rate = 60;
+
+  constructor(worker: Worker) {
+    this.#worker = worker;
+    worker.onmessage = ({ data }: MessageEvent<Answer>) => {
+      const waiting = this.#waiting.get(data.id);
+      this.#waiting.delete(data.id);
+      if ("error" in data) waiting?.failed(new TracerError(data.error, data.isFatal));
+      else waiting?.done(data.made as never);
+    };
+    worker.onerror = (event) => this.#fail(event.message || "the script of the worker cannot be loaded");
+  }
+
+  /** Calls the worker; `transfer` goes over to it instead of being copied. */
+  call<N extends Name>(name: N, given: Parameters<Calls[N]>, transfer: Transferable[] = []): Promise<Made<N>> {
+    const id = ++this.#last;
+    return new Promise<Made<N>>((done, failed) => {
+      this.#waiting.set(id, { done: done as Waiting["done"], failed });
+      this.#worker.postMessage({ id, name, given }, transfer);
+    });
+  }
+
+  /** Ends the worker, whatever it does, and frees its memory. */
+  end() {
+    this.#worker.terminate();
+    this.#fail("the viewer was closed");
+  }
+
+  #fail(message: string) {
+    for (const waiting of this.#waiting.values()) waiting.failed(new TracerError(message, true));
+    this.#waiting.clear();
+  }
+}
+
+/** A worker with the script at `url`, also where a page may not start those of other origins by their address. */
+export function startWorker(url: URL): Worker {
+  if (url.origin === location.origin || url.protocol === "blob:") return new Worker(url, { type: "module" });
+  const script = URL.createObjectURL(new Blob([`import ${JSON.stringify(url.href)};`], { type: "text/javascript" }));
+  const worker = new Worker(script, { type: "module" });
+  setTimeout(() => URL.revokeObjectURL(script), 60_000);
+  return worker;
+}
