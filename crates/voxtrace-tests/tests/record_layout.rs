@@ -79,7 +79,7 @@ fn of_host() -> BTreeMap<&'static str, Layout> {
             layout!(
                 RealTimeParams: eye, view_angle, before_eye, number, before_corner, candidates, before_pixel_x, flags, before_pixel_y,
                 most_paths, before_lens_x, before_blades, before_lens_y, cell_samples, before_place, motions, before_rows, before_origin,
-                pixels
+                pixels, slots, cells, squares, again
             ),
         ),
         ("WaveStep", layout!(WaveStep: round, counts, capacity, rounds, samples)),
@@ -151,7 +151,7 @@ fn wrong_stacks(sources: &BTreeMap<String, String>) -> Vec<String> {
     }
     let mut stacks = 0;
     for (name, source) in sources {
-        for line in source.lines().map(str::trim).filter(|line| line.contains(" stack[")) {
+        for line in source.lines().map(str::trim).filter(|line| line.starts_with("uint stack[") || line.starts_with("uint2 stack[")) {
             stacks += 1;
             if !line.ends_with(" stack[MOST_WAITING];") {
                 wrong.push(format!("{name}: {line}"));
