@@ -54,7 +54,7 @@ export async function open(attributes = {}, options = {}) {
       viewer.addEventListener(name, ({ detail }) => window.events.push({ name, at: performance.now(), detail: name === "error" ? { ...detail, sourceError: null } : detail }));
     }
     for (const [name, value] of Object.entries(attributes)) viewer.setAttribute(name, value);
-    document.body.append(viewer);
+    document.querySelector("main").append(viewer);
     window.viewer = viewer;
   }, [attributes, width, height]);
   return page;

@@ -135,7 +135,7 @@ fn film() -> Vec<u32> {
         let [u, v, w, x] = Case(case).u();
         let mut pixel = Pixel { radiance: [u64::from(case) << 30; 3], samples: case, covered: case / 2 };
         let scale = exponential(60.0 * x - 30.0);
-        pixel.add(Vec3::new(u, v, if case % 13 == 0 { f32::NAN } else { w }) * scale, case % 3 == 0);
+        pixel.add(Vec3::new(u, v, if case.is_multiple_of(13) { f32::NAN } else { w }) * scale, case.is_multiple_of(3));
         bytemuck::cast::<Pixel, [u32; 8]>(pixel)
     });
     words.collect()
@@ -147,7 +147,7 @@ fn materials(case: Case) -> Vec<f32> {
     let only = |model: u32, share: f32| if case.0 % 5 == 4 { share } else { f32::from(u8::from(case.0 % 5 == model)) };
     let material = PackedMaterial {
         base_color: Vec3::new(r, g, b),
-        roughness: if case.0 % 4 == 0 { 0.0 } else { rough },
+        roughness: if case.0.is_multiple_of(4) { 0.0 } else { rough },
         emission: Vec3::ZERO,
         metallic: only(0, a),
         transmission: only(1, c),
