@@ -6937,6 +6937,33 @@ fn Memory_add_0( this_62 : ptr<function, Memory_0>,  sample_22 : Sample_0,  most
     return;
 }
 
+fn is_far_5( a_11 : vec3<f32>,  b_10 : vec3<f32>) -> bool
+{
+    return (any(((abs(a_11 - b_10)) > (max(a_11, b_10) * vec3<f32>(0.10000000149011612f) + vec3<f32>(0.00999999977648258f)))));
+}
+
+fn differ_0( a_12 : Sample_0,  b_11 : Sample_0) -> bool
+{
+    var _S490 : bool;
+    if((a_12.is_shown_0) != (b_11.is_shown_0))
+    {
+        _S490 = true;
+    }
+    else
+    {
+        _S490 = is_far_5(a_12.direct_0, b_11.direct_0);
+    }
+    if(_S490)
+    {
+        _S490 = true;
+    }
+    else
+    {
+        _S490 = is_far_5(a_12.albedo_0, b_11.albedo_0);
+    }
+    return _S490;
+}
+
 fn halves_1( low_13 : f32,  high_6 : f32) -> u32
 {
     return pack2x16float(clamp(vec2<f32>(low_13, high_6), vec2<f32>(-65504.0f), vec2<f32>(65504.0f)));
@@ -6945,8 +6972,8 @@ fn halves_1( low_13 : f32,  high_6 : f32) -> u32
 fn Lit_beyond_0( this_63 : Lit_0,  kept_1 : vec3<f32>) -> vec3<f32>
 {
     var products_0 : vec3<f32> = Lit_products_0(this_63, kept_1);
-    var _S490 : vec3<f32> = vec3<f32>(1.00000000317107685e-30f);
-    return select(vec3<f32>(0.0f), this_63.moments_0 / max(products_0, _S490) - vec3<f32>(1.0f), products_0 > _S490);
+    var _S491 : vec3<f32> = vec3<f32>(1.00000000317107685e-30f);
+    return select(vec3<f32>(0.0f), this_63.moments_0 / max(products_0, _S491) - vec3<f32>(1.0f), products_0 > _S491);
 }
 
 fn words_of_0( lit_3 : Lit_0) -> vec3<u32>
@@ -6961,17 +6988,17 @@ fn store_memory_0( index_38 : u32,  memory_2 : Memory_0)
 {
     var pixels_2 : u32 = real_time_0.pixels_0;
     var words_4 : vec3<u32> = words_of_0(memory_2.lit_0);
-    var _S491 : u32 = packed_normal_0(memory_2.normal_11);
-    var _S492 : u32;
+    var _S492 : u32 = packed_normal_0(memory_2.normal_11);
+    var _S493 : u32;
     if((memory_2.coverage_0) > 0.0f)
     {
-        _S492 = u32(1073741824);
+        _S493 = u32(1073741824);
     }
     else
     {
-        _S492 = u32(0);
+        _S493 = u32(0);
     }
-    memory_rows_0[index_38] = vec4<u32>((bitcast<vec3<u32>>((memory_2.place_10))), (_S491 | (_S492)));
+    memory_rows_0[index_38] = vec4<u32>((bitcast<vec3<u32>>((memory_2.place_10))), (_S492 | (_S493)));
     memory_rows_0[pixels_2 + index_38] = vec4<u32>(halves_1(memory_2.lit_0.paths_0, memory_2.looks_0), halves_1(memory_2.coverage_0, memory_2.roughness_1), words_4.x, words_4.y);
     memory_rows_0[u32(2) * pixels_2 + index_38] = vec4<u32>((bitcast<vec3<u32>>((memory_2.lit_0.light_12))), words_4.z);
     memory_rows_0[u32(3) * pixels_2 + index_38] = vec4<u32>(halves_1(memory_2.direct_2.x, memory_2.direct_2.y), halves_1(memory_2.direct_2.z, memory_2.albedo_2.x), halves_1(memory_2.albedo_2.y, memory_2.albedo_2.z), u32(0));
@@ -6990,31 +7017,43 @@ fn remember(@builtin(global_invocation_id) id_1 : vec3<u32>)
     {
         var index_39 : u32 = index_of_0(at_19);
         var memory_3 : Memory_0 = memory_before_0(index_39);
-        Memory_add_0(&(memory_3), load_sample_0(index_39), real_time_0.most_paths_0);
+        var sample_23 : Sample_0 = load_sample_0(index_39);
+        Memory_add_0(&(memory_3), sample_23, real_time_0.most_paths_0);
         var look_0 : Walker_0;
-        var _S493 : Sample_0 = no_sample_0();
-        var seen_1 : Sample_0 = _S493;
+        var _S494 : Sample_0 = no_sample_0();
+        var seen_1 : Sample_0 = _S494;
         var is_under_way_1 : bool = false;
+        var differs_0 : bool = false;
         var looks_2 : u32 = u32(0);
         for(;;)
         {
-            var _S494 : bool;
+            var _S495 : bool;
             if(is_under_way_1)
             {
-                _S494 = true;
+                _S495 = true;
             }
             else
             {
                 if(has_0(u32(2)))
                 {
-                    _S494 = (memory_3.looks_0) < 4.0f;
+                    var _S496 : f32 = memory_3.looks_0;
+                    var _S497 : f32;
+                    if(differs_0)
+                    {
+                        _S497 = 16.0f;
+                    }
+                    else
+                    {
+                        _S497 = 4.0f;
+                    }
+                    _S495 = _S496 < _S497;
                 }
                 else
                 {
-                    _S494 = false;
+                    _S495 = false;
                 }
             }
-            if(_S494)
+            if(_S495)
             {
             }
             else
@@ -7024,14 +7063,24 @@ fn remember(@builtin(global_invocation_id) id_1 : vec3<u32>)
             if(!is_under_way_1)
             {
                 var looks_3 : u32 = looks_2 + u32(1);
-                look_0 = at_camera_0(at_19, FrameParams_camera_0(), Sampler_x24init_0(((params_0.seed_0) ^ (u32(2246822507))), index_39, u32(4) * real_time_0.number_0 + looks_3), false);
-                seen_1 = _S493;
+                look_0 = at_camera_0(at_19, FrameParams_camera_0(), Sampler_x24init_0(((params_0.seed_0) ^ (u32(2246822507))), index_39, u32(16) * real_time_0.number_0 + looks_3), false);
+                seen_1 = _S494;
                 looks_2 = looks_3;
             }
             var is_under_way_2 : bool = goes_on_5(&(look_0), &(seen_1));
             if(!is_under_way_2)
             {
+                var _S498 : bool;
+                if(differs_0)
+                {
+                    _S498 = true;
+                }
+                else
+                {
+                    _S498 = differ_0(seen_1, sample_23);
+                }
                 Memory_look_0(&(memory_3), seen_1);
+                differs_0 = _S498;
             }
             is_under_way_1 = is_under_way_2;
         }

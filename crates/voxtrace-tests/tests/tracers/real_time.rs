@@ -133,7 +133,9 @@ fn paths_of_real_time_light_have_the_bits_of_the_processor() {
 fn paths_of_real_time_light_in_waves_have_the_bits_of_the_processor() {
     let Some(device) = device() else { return };
     let parts = Parts { candidates: true, cache: true, ..Parts::NONE };
-    for (name, turns, most_bounces) in [("one grid", false, 5), ("turned", true, 5), ("one bounce", true, 1), ("none", true, 0)] {
+    for (name, turns, most_bounces) in
+        [("one grid", false, 5), ("turned", true, 5), ("one bounce", true, 1), ("none", true, 0)]
+    {
         let mut both = Both::in_waves(&device, &packed(true, turns), parts);
         let frame = view().max_bounces(most_bounces);
         for number in 0..4 {
