@@ -3,9 +3,12 @@
 import os
 import pickle
 import signal
+import subprocess
+import sys
 import threading
 import time
 
+import numpy
 import pytest
 
 import voxtrace
@@ -67,6 +70,38 @@ def test_a_cluster_gives_the_bytes_of_one_process(client, church):
         dask.render(client, church, "nobody", **options)
 
 
+def test_the_command_line_renders_by_a_cluster(client, tmp_path, command_line, monkeypatch):
+    monkeypatch.setenv("VOXTRACE_PYTHON", sys.executable)
+    monkeypatch.setenv("PYTHONPATH", os.pathsep.join(sys.path))
+    address = client.scheduler.address
+
+    def run(*words: object) -> subprocess.CompletedProcess[str]:
+        words = (command_line, "render", "church", "--voxels", 20_000, "--size", "48x27", "--traversal", "cpu", *words)
+        return subprocess.run([str(word) for word in words], capture_output=True, text=True, timeout=300)
+
+    # What only the command line can say goes along: bounces by kind, light, cuts, lines and a crop.
+    options = ["--spp", 6, "--seed", 2, "--sun", "40,30,2", "--clip-plane=0,0,1,20", "--edges=0.1", "--crop", "3,40,2,20"]
+    options += ["--diffuse-bounces", 3, "--aovs", "--denoise", "-o"]
+    for number, more in enumerate([[], ["--cluster", address]]):
+        outputs = [tmp_path / f"{number}.vxf", "-o", tmp_path / f"{number}.exr"]
+        ended = run(*more, *options, *outputs)
+        assert ended.returncode == 0, ended.stderr
+    for kind in ["vxf", "exr"]:
+        assert (tmp_path / f"0.{kind}").read_bytes() == (tmp_path / f"1.{kind}").read_bytes(), kind
+    assert f"tracing on the workers of {address}" in ended.stderr
+    # What is missing is said in one line.
+    ended = run("--cluster", address, "--spp", 2, "--noise", 0.1, "-o", tmp_path / "a.png")
+    assert ended.returncode == 2 and "--noise" in ended.stderr
+    monkeypatch.setenv("PYTHONPATH", "")
+    monkeypatch.setenv("VOXTRACE_PYTHON", "/usr/bin/python3")
+    ended = run("--cluster", address, "--spp", 2, "-o", tmp_path / "a.png")
+    assert ended.returncode == 1 and "pip install voxtrace[cluster]" in ended.stderr.splitlines()[-1], ended.stderr
+    monkeypatch.setenv("VOXTRACE_PYTHON", str(tmp_path / "nothing"))
+    ended = run("--cluster", address, "--spp", 2, "-o", tmp_path / "a.png")
+    assert ended.returncode == 1 and "VOXTRACE_PYTHON" in ended.stderr.splitlines()[-1], ended.stderr
+    assert not list(tmp_path.glob("*.png"))
+
+
 def test_workers_may_be_lost_and_may_stand_still(client, church):
     from voxtrace import dask
 
@@ -87,3 +122,68 @@ def test_workers_may_be_lost_and_may_stand_still(client, church):
         thread.join()
         os.kill(paused, signal.SIGCONT)
     assert image.to_bytes() == alone.to_bytes()
+
+
+def test_frames_of_an_animation_are_those_of_one_process(client, tmp_path, church):
+    from voxtrace import dask
+
+    first = church.cameras[0]
+    cameras = [voxtrace.Camera((x, 40, 20), first.target, fov=50) for x in [10, 14, 18, 22, 26]]
+    options = {"samples": 2, "size": (32, 18), "device": "cpu"}
+    files = dask.animate(client, church, cameras, tmp_path / "a_###.png", seed=5, **options)
+    assert [file.name for file in files] == [f"a_00{number}.png" for number in range(1, 6)]
+    renderer = voxtrace.Renderer(church, device="cpu")
+    for number, file in enumerate(files):
+        image = renderer.render(cameras[number], samples=2, size=(32, 18), seed=5 + number)
+        image.save(tmp_path / "alone.png")
+        assert file.read_bytes() == (tmp_path / "alone.png").read_bytes()
+    assert files[0].read_bytes() != files[1].read_bytes()
+    # What is there stays, and what is missing comes back.
+    lost = files[2].read_bytes()
+    files[2].unlink()
+    files[3].write_bytes(b"mine")
+    dask.animate(client, church, cameras, tmp_path / "a_###.png", seed=5, **options)
+    assert files[2].read_bytes() == lost and files[3].read_bytes() == b"mine"
+    dask.animate(client, church, cameras, tmp_path / "a_###.png", seed=5, overwrite=True, **options)
+    assert files[3].read_bytes() != b"mine"
+    with pytest.raises(ValueError, match="####"):
+        dask.animate(client, church, cameras, tmp_path / "a.png", **options)
+
+
+def test_things_move_in_an_animation(client, tmp_path):
+    from voxtrace import dask
+
+    scene = voxtrace.Scene(voxtrace.VoxelGrid.from_numpy(numpy.ones((4, 4, 4), bool)))
+    camera = voxtrace.Camera((2, -30, 10), (2, 2, 2), fov=30)
+    places = numpy.tile(numpy.eye(4), (3, 1, 1, 1))
+    places[:, 0, 0, 3] = [0, 2, 4]
+    options = {"samples": 2, "size": (24, 24), "device": "cpu"}
+    files = dask.animate(client, scene, [camera] * 3, tmp_path / "m_##.vxf", transforms=places, **options)
+    renderer = voxtrace.Renderer(scene, device="cpu", placeable=True)
+    for number, file in enumerate(files):
+        renderer.place(places[number])
+        image = renderer.render(camera, samples=2, size=(24, 24), seed=number)
+        assert (voxtrace.Image.from_bytes(file.read_bytes()).sums == image.sums).all()
+    with pytest.raises(ValueError, match="2 cameras"):
+        dask.animate(client, scene, [camera] * 2, tmp_path / "n_##.vxf", transforms=places, **options)
+
+
+def test_thumbnails_of_many_files_and_one_that_is_none(client, tmp_path, church):
+    from voxtrace import dask
+
+    (tmp_path / "in" / "deep").mkdir(parents=True)
+    files = [tmp_path / "in" / f"{number}.vxt" for number in range(6)] + [tmp_path / "in" / "deep" / "0.vxt"]
+    for file in files:
+        church.save(file)
+    broken = tmp_path / "in" / "broken.vox"
+    broken.write_bytes(b"nothing")
+    options = {"size": (24, 24), "samples": 2, "device": "cpu"}
+    made = dask.thumbnails(client, [*files, broken], tmp_path / "out", **options)
+    assert [thumbnail.path for thumbnail in made] == [*files, broken]
+    assert made[-1].picture is None and "broken.vox" in made[-1].error
+    assert made[-2].picture == tmp_path / "out" / "deep" / "0.vxt.png"
+    alone = voxtrace.render(voxtrace.open(files[0]), samples=2, size=(24, 24), device="cpu")
+    alone.save(tmp_path / "alone.png")
+    for thumbnail in made[:-1]:
+        assert thumbnail.error is None and thumbnail.picture.read_bytes() == (tmp_path / "alone.png").read_bytes()
+    assert dask.thumbnails(client, [], tmp_path / "out") == []

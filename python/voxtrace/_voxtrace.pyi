@@ -313,6 +313,7 @@ class Renderer:
         fast: bool = False,
         memory: int | None = None,
         placeable: bool = False,
+        film: Image | None = None,
     ) -> Renderer: ...
     @property
     def device(self) -> str: ...
@@ -328,6 +329,15 @@ class Renderer:
         denoise: bool = True,
         transparent: bool = False,
         aovs: bool = False,
+        first_sample: int = 0,
+        region: tuple[int, int, int, int] | None = None,
+        progress: Callable[[float], object] | None = None,
+    ) -> Image: ...
+    def render_like(
+        self,
+        film: Image,
+        *,
+        samples: int,
         first_sample: int = 0,
         region: tuple[int, int, int, int] | None = None,
         progress: Callable[[float], object] | None = None,

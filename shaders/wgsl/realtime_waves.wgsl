@@ -103,6 +103,12 @@ struct PackedInstance_std430_0
 
 @binding(4) @group(0) var<storage, read> instances_0 : array<PackedInstance_std430_0>;
 
+@binding(21) @group(0) var<storage, read_write> pages_0 : array<u32>;
+
+@binding(0) @group(0) var<storage, read> cells_1 : array<u32>;
+
+@binding(1) @group(0) var<storage, read> bricks_0 : array<u32>;
+
 struct PackedGrid_std430_0
 {
     @align(4) origin_0 : array<i32, i32(3)>,
@@ -117,21 +123,7 @@ struct PackedGrid_std430_0
 
 @binding(3) @group(0) var<storage, read> grids_0 : array<PackedGrid_std430_0>;
 
-@binding(21) @group(0) var<storage, read_write> pages_0 : array<u32>;
-
-@binding(0) @group(0) var<storage, read> cells_1 : array<u32>;
-
-@binding(1) @group(0) var<storage, read> bricks_0 : array<u32>;
-
-struct InstanceNode_std430_0
-{
-    @align(4) min_1 : array<f32, i32(3)>,
-    @align(4) index_0 : u32,
-    @align(4) max_1 : array<f32, i32(3)>,
-    @align(4) is_leaf_0 : u32,
-};
-
-@binding(5) @group(0) var<storage, read> instance_nodes_0 : array<InstanceNode_std430_0>;
+@binding(5) @group(0) var<storage, read> instance_rows_0 : array<vec4<u32>>;
 
 @binding(26) @group(0) var<storage, read_write> scratch_0 : array<vec2<u32>>;
 
@@ -167,6 +159,18 @@ struct Hit_0
      instance_0 : u32,
      voxel_0 : vec3<i32>,
      face_0 : u32,
+};
+
+struct PackedGrid_0
+{
+     origin_0 : array<i32, i32(3)>,
+     top_shift_0 : u32,
+     top_size_0 : array<i32, i32(3)>,
+     top_offset_0 : u32,
+     min_0 : array<i32, i32(3)>,
+     voxels_0 : array<u32, i32(2)>,
+     max_0 : array<i32, i32(3)>,
+     material_bits_0 : u32,
 };
 
 struct Ray_0
@@ -404,38 +408,38 @@ fn LocalRay_t_end_0( this_2 : LocalRay_0) -> f32
     return min(this_2.t_max_1 * 1.00000095367431641f, 3.4028234663852886e+38f);
 }
 
-fn walk_of_0( _S16 : LocalRay_0,  _S17 : u32) -> Walk_0
+fn walk_of_0( ray_1 : LocalRay_0,  grid_1 : PackedGrid_0) -> Walk_0
 {
     var walk_0 : Walk_0;
-    walk_0.ray_0 = _S16;
-    walk_0.grid_origin_0 = cell_of_0(grids_0[_S17].origin_0);
-    var is_negative_0 : vec3<bool> = (_S16.direction_1) < vec3<f32>(0.0f);
-    var _S18 : vec3<i32> = vec3<i32>(i32(0));
-    walk_0.mirror_0 = select(_S18, vec3<i32>(i32(-1)), is_negative_0);
-    var _S19 : vec3<i32>;
+    walk_0.ray_0 = ray_1;
+    walk_0.grid_origin_0 = cell_of_0(grid_1.origin_0);
+    var is_negative_0 : vec3<bool> = (ray_1.direction_1) < vec3<f32>(0.0f);
+    var _S16 : vec3<i32> = vec3<i32>(i32(0));
+    walk_0.mirror_0 = select(_S16, vec3<i32>(i32(-1)), is_negative_0);
+    var _S17 : vec3<i32>;
     if(IS_EXACT_0)
     {
-        _S19 = Walk_mirrored_plane_0(walk_0, walk_0.grid_origin_0);
+        _S17 = Walk_mirrored_plane_0(walk_0, walk_0.grid_origin_0);
     }
     else
     {
-        _S19 = _S18;
+        _S17 = _S16;
     }
-    walk_0.offset_0 = _S19;
+    walk_0.offset_0 = _S17;
     var origin_5 : vec3<f32>;
     if(IS_EXACT_0)
     {
-        origin_5 = _S16.origin_2;
+        origin_5 = ray_1.origin_2;
     }
     else
     {
-        origin_5 = _S16.origin_2 - vec3<f32>(walk_0.grid_origin_0);
+        origin_5 = ray_1.origin_2 - vec3<f32>(walk_0.grid_origin_0);
     }
     walk_0.origin_4 = select(origin_5, (vec3<f32>(0) - origin_5), is_negative_0);
-    walk_0.speed_1 = max(abs(_S16.direction_1), vec3<f32>(min_abs_direction_0()));
+    walk_0.speed_1 = max(abs(ray_1.direction_1), vec3<f32>(min_abs_direction_0()));
     if(IS_EXACT_0)
     {
-        origin_5 = abs(_S16.inverse_0);
+        origin_5 = abs(ray_1.inverse_0);
     }
     else
     {
@@ -449,10 +453,10 @@ fn walk_of_0( _S16 : LocalRay_0,  _S17 : u32) -> Walk_0
     }
     else
     {
-        top_shift_1 = grids_0[_S17].top_shift_0;
+        top_shift_1 = grid_1.top_shift_0;
     }
-    walk_0.tolerance_0 = LocalRay_tolerance_0(_S16, walk_0.grid_origin_0, walk_0.grid_origin_0 + (((cell_of_0(grids_0[_S17].top_size_0)) << (vec3<u32>(top_shift_1)))));
-    walk_0.t_end_0 = LocalRay_t_end_0(_S16);
+    walk_0.tolerance_0 = LocalRay_tolerance_0(ray_1, walk_0.grid_origin_0, walk_0.grid_origin_0 + (((cell_of_0(grid_1.top_size_0)) << (vec3<u32>(top_shift_1)))));
+    walk_0.t_end_0 = LocalRay_t_end_0(ray_1);
     return walk_0;
 }
 
@@ -476,65 +480,65 @@ fn exact_product_0( a_1 : f32,  b_1 : f32) -> vec2<f32>
     }
     var a_parts_0 : vec2<f32> = halves_0(a_1);
     var b_parts_0 : vec2<f32> = halves_0(b_1);
-    var _S20 : f32 = a_parts_0.x;
-    var _S21 : f32 = b_parts_0.x;
-    var _S22 : f32 = b_parts_0.y;
-    var _S23 : f32 = a_parts_0.y;
-    return vec2<f32>(product_0, _S20 * _S21 - product_0 + _S20 * _S22 + _S23 * _S21 + _S23 * _S22);
+    var _S18 : f32 = a_parts_0.x;
+    var _S19 : f32 = b_parts_0.x;
+    var _S20 : f32 = b_parts_0.y;
+    var _S21 : f32 = a_parts_0.y;
+    return vec2<f32>(product_0, _S18 * _S19 - product_0 + _S18 * _S20 + _S21 * _S19 + _S21 * _S20);
 }
 
-fn exact_start_voxel_0( ray_1 : LocalRay_0) -> vec3<i32>
+fn exact_start_voxel_0( ray_2 : LocalRay_0) -> vec3<i32>
 {
-    var way_0 : vec2<f32> = exact_product_0(ray_1.t_min_1, ray_1.direction_1[u32(0)]);
-    var _S24 : f32 = way_0.x;
-    var sum_0 : f32 = ray_1.origin_2[u32(0)] + _S24;
-    var part_0 : f32 = sum_0 - ray_1.origin_2[u32(0)];
-    var low_1 : f32 = ray_1.origin_2[u32(0)] - (sum_0 - part_0) + (_S24 - part_0) + way_0.y;
+    var way_0 : vec2<f32> = exact_product_0(ray_2.t_min_1, ray_2.direction_1[u32(0)]);
+    var _S22 : f32 = way_0.x;
+    var sum_0 : f32 = ray_2.origin_2[u32(0)] + _S22;
+    var part_0 : f32 = sum_0 - ray_2.origin_2[u32(0)];
+    var low_1 : f32 = ray_2.origin_2[u32(0)] - (sum_0 - part_0) + (_S22 - part_0) + way_0.y;
     var whole_0 : f32 = floor(sum_0);
     var voxel_3 : vec3<i32>;
-    var _S25 : i32 = i32(whole_0);
-    var _S26 : bool;
+    var _S23 : i32 = i32(whole_0);
+    var _S24 : bool;
     if(sum_0 == whole_0)
     {
-        _S26 = low_1 < 0.0f;
+        _S24 = low_1 < 0.0f;
     }
     else
     {
-        _S26 = false;
+        _S24 = false;
     }
-    voxel_3[u32(0)] = _S25 - i32(_S26);
-    var way_1 : vec2<f32> = exact_product_0(ray_1.t_min_1, ray_1.direction_1[u32(1)]);
-    var _S27 : f32 = way_1.x;
-    var sum_1 : f32 = ray_1.origin_2[u32(1)] + _S27;
-    var part_1 : f32 = sum_1 - ray_1.origin_2[u32(1)];
-    var low_2 : f32 = ray_1.origin_2[u32(1)] - (sum_1 - part_1) + (_S27 - part_1) + way_1.y;
+    voxel_3[u32(0)] = _S23 - i32(_S24);
+    var way_1 : vec2<f32> = exact_product_0(ray_2.t_min_1, ray_2.direction_1[u32(1)]);
+    var _S25 : f32 = way_1.x;
+    var sum_1 : f32 = ray_2.origin_2[u32(1)] + _S25;
+    var part_1 : f32 = sum_1 - ray_2.origin_2[u32(1)];
+    var low_2 : f32 = ray_2.origin_2[u32(1)] - (sum_1 - part_1) + (_S25 - part_1) + way_1.y;
     var whole_1 : f32 = floor(sum_1);
-    var _S28 : i32 = i32(whole_1);
+    var _S26 : i32 = i32(whole_1);
     if(sum_1 == whole_1)
     {
-        _S26 = low_2 < 0.0f;
+        _S24 = low_2 < 0.0f;
     }
     else
     {
-        _S26 = false;
+        _S24 = false;
     }
-    voxel_3[u32(1)] = _S28 - i32(_S26);
-    var way_2 : vec2<f32> = exact_product_0(ray_1.t_min_1, ray_1.direction_1[u32(2)]);
-    var _S29 : f32 = way_2.x;
-    var sum_2 : f32 = ray_1.origin_2[u32(2)] + _S29;
-    var part_2 : f32 = sum_2 - ray_1.origin_2[u32(2)];
-    var low_3 : f32 = ray_1.origin_2[u32(2)] - (sum_2 - part_2) + (_S29 - part_2) + way_2.y;
+    voxel_3[u32(1)] = _S26 - i32(_S24);
+    var way_2 : vec2<f32> = exact_product_0(ray_2.t_min_1, ray_2.direction_1[u32(2)]);
+    var _S27 : f32 = way_2.x;
+    var sum_2 : f32 = ray_2.origin_2[u32(2)] + _S27;
+    var part_2 : f32 = sum_2 - ray_2.origin_2[u32(2)];
+    var low_3 : f32 = ray_2.origin_2[u32(2)] - (sum_2 - part_2) + (_S27 - part_2) + way_2.y;
     var whole_2 : f32 = floor(sum_2);
-    var _S30 : i32 = i32(whole_2);
+    var _S28 : i32 = i32(whole_2);
     if(sum_2 == whole_2)
     {
-        _S26 = low_3 < 0.0f;
+        _S24 = low_3 < 0.0f;
     }
     else
     {
-        _S26 = false;
+        _S24 = false;
     }
-    voxel_3[u32(2)] = _S30 - i32(_S26);
+    voxel_3[u32(2)] = _S28 - i32(_S24);
     return voxel_3;
 }
 
@@ -547,16 +551,16 @@ fn Walk_start_voxel_0( this_4 : Walk_0) -> vec3<i32>
     }
     var nearest_0 : vec3<f32> = round(start_0);
     var from_nearest_0 : vec3<f32> = start_0 - nearest_0;
-    var _S31 : bool;
+    var _S29 : bool;
     if((this_4.ray_0.t_min_1) > 0.0f)
     {
-        _S31 = (any(((abs(from_nearest_0)) <= (this_4.tolerance_0))));
+        _S29 = (any(((abs(from_nearest_0)) <= (this_4.tolerance_0))));
     }
     else
     {
-        _S31 = false;
+        _S29 = false;
     }
-    if(_S31)
+    if(_S29)
     {
         return Walk_mirrored_0(this_4, exact_start_voxel_0(this_4.ray_0) - this_4.grid_origin_0);
     }
@@ -578,18 +582,18 @@ struct Crossing_0
 
 fn Crossing_x24init_0( distance_1 : f32,  distance_low_1 : f32,  speed_3 : f32,  axis_1 : u32) -> Crossing_0
 {
-    var _S32 : Crossing_0;
-    _S32.distance_0 = distance_1;
-    _S32.distance_low_0 = distance_low_1;
-    _S32.speed_2 = speed_3;
-    _S32.axis_0 = axis_1;
-    return _S32;
+    var _S30 : Crossing_0;
+    _S30.distance_0 = distance_1;
+    _S30.distance_low_0 = distance_low_1;
+    _S30.speed_2 = speed_3;
+    _S30.axis_0 = axis_1;
+    return _S30;
 }
 
-fn crossing_of_0( ray_2 : LocalRay_0,  axis_2 : u32,  plane_1 : i32) -> Crossing_0
+fn crossing_of_0( ray_3 : LocalRay_0,  axis_2 : u32,  plane_1 : i32) -> Crossing_0
 {
     var sign_0 : f32;
-    if((ray_2.direction_1[axis_2]) < 0.0f)
+    if((ray_3.direction_1[axis_2]) < 0.0f)
     {
         sign_0 = -1.0f;
     }
@@ -598,9 +602,9 @@ fn crossing_of_0( ray_2 : LocalRay_0,  axis_2 : u32,  plane_1 : i32) -> Crossing
         sign_0 = 1.0f;
     }
     var at_0 : f32 = f32(plane_1);
-    var difference_0 : f32 = at_0 - ray_2.origin_2[axis_2];
+    var difference_0 : f32 = at_0 - ray_3.origin_2[axis_2];
     var part_3 : f32 = difference_0 - at_0;
-    return Crossing_x24init_0(difference_0 * sign_0, (at_0 - (difference_0 - part_3) - (ray_2.origin_2[axis_2] + part_3)) * sign_0, abs(ray_2.direction_1[axis_2]), axis_2);
+    return Crossing_x24init_0(difference_0 * sign_0, (at_0 - (difference_0 - part_3) - (ray_3.origin_2[axis_2] + part_3)) * sign_0, abs(ray_3.direction_1[axis_2]), axis_2);
 }
 
 fn Crossing_is_before_0( this_6 : Crossing_0,  other_0 : Crossing_0) -> bool
@@ -613,61 +617,61 @@ fn Crossing_is_before_0( this_6 : Crossing_0,  other_0 : Crossing_0) -> bool
         theirs_0[i32(1)] = theirs_0[i32(1)] + other_0.distance_low_0 * this_6.speed_2;
     }
     var difference_1 : f32 = ours_0.x - theirs_0.x + (ours_0.y - theirs_0.y);
-    var _S33 : bool;
+    var _S31 : bool;
     if(difference_1 < 0.0f)
     {
-        _S33 = true;
+        _S31 = true;
     }
     else
     {
         if(difference_1 == 0.0f)
         {
-            _S33 = (this_6.axis_0) < (other_0.axis_0);
+            _S31 = (this_6.axis_0) < (other_0.axis_0);
         }
         else
         {
-            _S33 = false;
+            _S31 = false;
         }
     }
-    return _S33;
+    return _S31;
 }
 
-fn leave_box_0( ray_3 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  nearest_1 : vec3<i32>) -> vec3<i32>
+fn leave_box_0( ray_4 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  nearest_1 : vec3<i32>) -> vec3<i32>
 {
-    var _S34 : vec3<f32>;
-    var _S35 : f32;
-    var _S36 : bool;
+    var _S32 : vec3<f32>;
+    var _S33 : f32;
+    var _S34 : bool;
     var is_crossed_0 : bool;
     var first_0 : Crossing_0;
+    var _S35 : f32;
+    var _S36 : bool;
     var _S37 : f32;
     var _S38 : bool;
-    var _S39 : f32;
-    var _S40 : bool;
     var plane_2 : i32;
-    var _S41 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
+    var _S39 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
     for(;;)
     {
         for(;;)
         {
             for(;;)
             {
-                _S34 = ray_3.direction_1;
-                _S35 = ray_3.direction_1[u32(0)];
-                var _S42 : bool = (ray_3.direction_1[u32(0)]) == 0.0f;
-                _S36 = _S42;
-                if(_S42)
+                _S32 = ray_4.direction_1;
+                _S33 = ray_4.direction_1[u32(0)];
+                var _S40 : bool = (ray_4.direction_1[u32(0)]) == 0.0f;
+                _S34 = _S40;
+                if(_S40)
                 {
-                    first_0 = _S41;
+                    first_0 = _S39;
                     break;
                 }
-                var crossing_0 : Crossing_0 = crossing_of_0(ray_3, u32(0), exit_0[u32(0)]);
-                if((_S41.axis_0) == u32(3))
+                var crossing_0 : Crossing_0 = crossing_of_0(ray_4, u32(0), exit_0[u32(0)]);
+                if((_S39.axis_0) == u32(3))
                 {
                     is_crossed_0 = true;
                 }
                 else
                 {
-                    is_crossed_0 = Crossing_is_before_0(crossing_0, _S41);
+                    is_crossed_0 = Crossing_is_before_0(crossing_0, _S39);
                 }
                 if(is_crossed_0)
                 {
@@ -675,7 +679,7 @@ fn leave_box_0( ray_3 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
                 }
                 else
                 {
-                    first_0 = _S41;
+                    first_0 = _S39;
                 }
                 break;
             }
@@ -685,14 +689,14 @@ fn leave_box_0( ray_3 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                _S37 = _S34[u32(1)];
-                var _S43 : bool = (_S34[u32(1)]) == 0.0f;
-                _S38 = _S43;
-                if(_S43)
+                _S35 = _S32[u32(1)];
+                var _S41 : bool = (_S32[u32(1)]) == 0.0f;
+                _S36 = _S41;
+                if(_S41)
                 {
                     break;
                 }
-                var crossing_1 : Crossing_0 = crossing_of_0(ray_3, u32(1), exit_0[u32(1)]);
+                var crossing_1 : Crossing_0 = crossing_of_0(ray_4, u32(1), exit_0[u32(1)]);
                 if((first_0.axis_0) == u32(3))
                 {
                     is_crossed_0 = true;
@@ -713,14 +717,14 @@ fn leave_box_0( ray_3 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                _S39 = _S34[u32(2)];
-                var _S44 : bool = (_S34[u32(2)]) == 0.0f;
-                _S40 = _S44;
-                if(_S44)
+                _S37 = _S32[u32(2)];
+                var _S42 : bool = (_S32[u32(2)]) == 0.0f;
+                _S38 = _S42;
+                if(_S42)
                 {
                     break;
                 }
-                var crossing_2 : Crossing_0 = crossing_of_0(ray_3, u32(2), exit_0[u32(2)]);
+                var crossing_2 : Crossing_0 = crossing_of_0(ray_4, u32(2), exit_0[u32(2)]);
                 if((first_0.axis_0) == u32(3))
                 {
                     is_crossed_0 = true;
@@ -746,20 +750,20 @@ fn leave_box_0( ray_3 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                if(_S36)
+                if(_S34)
                 {
                     break;
                 }
-                var _S45 : bool = u32(0) == (first_0.axis_0);
-                if(_S45)
+                var _S43 : bool = u32(0) == (first_0.axis_0);
+                if(_S43)
                 {
                     is_crossed_0 = true;
                 }
                 else
                 {
-                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_3, u32(0), nearest_1[u32(0)]), first_0);
+                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_4, u32(0), nearest_1[u32(0)]), first_0);
                 }
-                if(_S45)
+                if(_S43)
                 {
                     plane_2 = exit_0[u32(0)];
                 }
@@ -767,7 +771,37 @@ fn leave_box_0( ray_3 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
                 {
                     plane_2 = nearest_1[u32(0)];
                 }
-                arrival_0[u32(0)] = plane_2 - i32(is_crossed_0 == (_S35 < 0.0f));
+                arrival_0[u32(0)] = plane_2 - i32(is_crossed_0 == (_S33 < 0.0f));
+                break;
+            }
+            break;
+        }
+        for(;;)
+        {
+            for(;;)
+            {
+                if(_S36)
+                {
+                    break;
+                }
+                var _S44 : bool = u32(1) == (first_0.axis_0);
+                if(_S44)
+                {
+                    is_crossed_0 = true;
+                }
+                else
+                {
+                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_4, u32(1), nearest_1[u32(1)]), first_0);
+                }
+                if(_S44)
+                {
+                    plane_2 = exit_0[u32(1)];
+                }
+                else
+                {
+                    plane_2 = nearest_1[u32(1)];
+                }
+                arrival_0[u32(1)] = plane_2 - i32(is_crossed_0 == (_S35 < 0.0f));
                 break;
             }
             break;
@@ -780,46 +814,16 @@ fn leave_box_0( ray_3 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
                 {
                     break;
                 }
-                var _S46 : bool = u32(1) == (first_0.axis_0);
-                if(_S46)
+                var _S45 : bool = u32(2) == (first_0.axis_0);
+                if(_S45)
                 {
                     is_crossed_0 = true;
                 }
                 else
                 {
-                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_3, u32(1), nearest_1[u32(1)]), first_0);
+                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_4, u32(2), nearest_1[u32(2)]), first_0);
                 }
-                if(_S46)
-                {
-                    plane_2 = exit_0[u32(1)];
-                }
-                else
-                {
-                    plane_2 = nearest_1[u32(1)];
-                }
-                arrival_0[u32(1)] = plane_2 - i32(is_crossed_0 == (_S37 < 0.0f));
-                break;
-            }
-            break;
-        }
-        for(;;)
-        {
-            for(;;)
-            {
-                if(_S40)
-                {
-                    break;
-                }
-                var _S47 : bool = u32(2) == (first_0.axis_0);
-                if(_S47)
-                {
-                    is_crossed_0 = true;
-                }
-                else
-                {
-                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_3, u32(2), nearest_1[u32(2)]), first_0);
-                }
-                if(_S47)
+                if(_S45)
                 {
                     plane_2 = exit_0[u32(2)];
                 }
@@ -827,7 +831,7 @@ fn leave_box_0( ray_3 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
                 {
                     plane_2 = nearest_1[u32(2)];
                 }
-                arrival_0[u32(2)] = plane_2 - i32(is_crossed_0 == (_S39 < 0.0f));
+                arrival_0[u32(2)] = plane_2 - i32(is_crossed_0 == (_S37 < 0.0f));
                 break;
             }
             break;
@@ -874,9 +878,9 @@ fn Walk_enter_rounded_0( this_8 : Walk_0,  voxel_6 : ptr<function, vec3<i32>>,  
             return false;
         }
         var is_x_0 : bool = (t_3.x) == t_last_0;
-        var _S48 : bool = !is_x_0;
+        var _S46 : bool = !is_x_0;
         var is_y_0 : bool;
-        if(_S48)
+        if(_S46)
         {
             is_y_0 = (t_3.y) == t_last_0;
         }
@@ -884,16 +888,16 @@ fn Walk_enter_rounded_0( this_8 : Walk_0,  voxel_6 : ptr<function, vec3<i32>>,  
         {
             is_y_0 = false;
         }
-        var _S49 : bool;
-        if(_S48)
+        var _S47 : bool;
+        if(_S46)
         {
-            _S49 = !is_y_0;
+            _S47 = !is_y_0;
         }
         else
         {
-            _S49 = false;
+            _S47 = false;
         }
-        var is_axis_1 : vec3<bool> = vec3<bool>(is_x_0, is_y_0, _S49);
+        var is_axis_1 : vec3<bool> = vec3<bool>(is_x_0, is_y_0, _S47);
         (*voxel_6) = Walk_arrive_0(this_8, (*voxel_6), t_last_0, is_axis_1, select(vec3<i32>(i32(1073741823)), near_0, is_axis_1));
     }
     return (all(((*voxel_6) < far_0)));
@@ -920,8 +924,8 @@ fn Walk_leave_0( this_10 : Walk_0,  voxel_8 : ptr<function, vec3<i32>>,  exit_3 
 {
     if(!IS_EXACT_0)
     {
-        var _S50 : bool = Walk_leave_rounded_0(this_10, &((*voxel_8)), exit_3);
-        return _S50;
+        var _S48 : bool = Walk_leave_rounded_0(this_10, &((*voxel_8)), exit_3);
+        return _S48;
     }
     var t_5 : vec3<f32> = Walk_crossings_0(this_10, exit_3);
     var t_first_1 : f32 = min_element_0(t_5);
@@ -930,9 +934,9 @@ fn Walk_leave_0( this_10 : Walk_0,  voxel_8 : ptr<function, vec3<i32>>,  exit_3 
         return false;
     }
     var is_x_1 : bool = (t_5.x) == t_first_1;
-    var _S51 : bool = !is_x_1;
+    var _S49 : bool = !is_x_1;
     var is_y_1 : bool;
-    if(_S51)
+    if(_S49)
     {
         is_y_1 = (t_5.y) == t_first_1;
     }
@@ -944,25 +948,25 @@ fn Walk_leave_0( this_10 : Walk_0,  voxel_8 : ptr<function, vec3<i32>>,  exit_3 
     var nearest_3 : vec3<f32> = round(back_0);
     var from_nearest_2 : vec3<f32> = back_0 - nearest_3;
     var planes_2 : vec3<i32> = exit_3 - vec3<i32>(min(nearest_3, vec3<f32>(4.194304e+06f)));
-    var _S52 : vec3<i32> = planes_2 - vec3<i32>(from_nearest_2 > vec3<f32>(0.0f));
-    var _S53 : vec3<bool> = (abs(from_nearest_2)) <= (this_10.tolerance_0);
-    var _S54 : bool;
-    if(_S51)
+    var _S50 : vec3<i32> = planes_2 - vec3<i32>(from_nearest_2 > vec3<f32>(0.0f));
+    var _S51 : vec3<bool> = (abs(from_nearest_2)) <= (this_10.tolerance_0);
+    var _S52 : bool;
+    if(_S49)
     {
-        _S54 = !is_y_1;
+        _S52 = !is_y_1;
     }
     else
     {
-        _S54 = false;
+        _S52 = false;
     }
     var arrival_1 : vec3<i32>;
-    if((any((select(vec3<bool>(false), !vec3<bool>(is_x_1, is_y_1, _S54), _S53)))))
+    if((any((select(vec3<bool>(false), !vec3<bool>(is_x_1, is_y_1, _S52), _S51)))))
     {
         arrival_1 = Walk_mirrored_0(this_10, leave_box_0(this_10.ray_0, Walk_mirrored_0(this_10, (*voxel_8)) + this_10.grid_origin_0, Walk_mirrored_plane_0(this_10, exit_3) + this_10.grid_origin_0, Walk_mirrored_plane_0(this_10, planes_2) + this_10.grid_origin_0) - this_10.grid_origin_0);
     }
     else
     {
-        arrival_1 = _S52;
+        arrival_1 = _S50;
     }
     (*voxel_8) = select(max(arrival_1, (*voxel_8)), (*voxel_8), (this_10.speed_1) == vec3<f32>(0.0f));
     return true;
@@ -970,44 +974,44 @@ fn Walk_leave_0( this_10 : Walk_0,  voxel_8 : ptr<function, vec3<i32>>,  exit_3 
 
 fn Walk_enter_0( this_11 : Walk_0,  voxel_9 : ptr<function, vec3<i32>>,  low_4 : vec3<i32>,  high_2 : vec3<i32>) -> bool
 {
-    var _S55 : bool;
+    var _S53 : bool;
     var is_mirrored_0 : vec3<bool> = (this_11.mirror_0) != vec3<i32>(i32(0));
     var near_1 : vec3<i32> = select(low_4, (vec3<i32>(0) - high_2), is_mirrored_0);
     var far_1 : vec3<i32> = select(high_2, (vec3<i32>(0) - low_4), is_mirrored_0);
     if(!IS_EXACT_0)
     {
-        var _S56 : bool = Walk_enter_rounded_0(this_11, &((*voxel_9)), near_1, far_1);
-        return _S56;
+        var _S54 : bool = Walk_enter_rounded_0(this_11, &((*voxel_9)), near_1, far_1);
+        return _S54;
     }
     var axis_3 : u32 = u32(0);
     for(;;)
     {
         if(axis_3 < u32(3))
         {
-            _S55 = (any(((*voxel_9) < near_1)));
+            _S53 = (any(((*voxel_9) < near_1)));
+        }
+        else
+        {
+            _S53 = false;
+        }
+        var _S55 : bool;
+        if(_S53)
+        {
+            _S55 = (all(((*voxel_9) < far_1)));
         }
         else
         {
             _S55 = false;
         }
-        var _S57 : bool;
         if(_S55)
-        {
-            _S57 = (all(((*voxel_9) < far_1)));
-        }
-        else
-        {
-            _S57 = false;
-        }
-        if(_S57)
         {
         }
         else
         {
             break;
         }
-        var _S58 : bool = Walk_leave_0(this_11, &((*voxel_9)), select(far_1, near_1, (*voxel_9) < near_1));
-        if(!_S58)
+        var _S56 : bool = Walk_leave_0(this_11, &((*voxel_9)), select(far_1, near_1, (*voxel_9) < near_1));
+        if(!_S56)
         {
             return false;
         }
@@ -1015,13 +1019,13 @@ fn Walk_enter_0( this_11 : Walk_0,  voxel_9 : ptr<function, vec3<i32>>,  low_4 :
     }
     if((all(((*voxel_9) >= near_1))))
     {
-        _S55 = (all(((*voxel_9) < far_1)));
+        _S53 = (all(((*voxel_9) < far_1)));
     }
     else
     {
-        _S55 = false;
+        _S53 = false;
     }
-    return _S55;
+    return _S53;
 }
 
 fn LocalRay_octant_0( this_12 : LocalRay_0) -> u32
@@ -1049,47 +1053,47 @@ fn ahead_of_0( mirror_1 : vec3<i32>) -> u32
 
 var<private> is_page_missing_0 : bool;
 
-fn word_in_pages_0( index_1 : u32,  first_1 : u32) -> u32
+fn word_in_pages_0( index_0 : u32,  first_1 : u32) -> u32
 {
-    var page_0 : u32 = first_1 + ((index_1 >> (u32(10))));
+    var page_0 : u32 = first_1 + ((index_0 >> (u32(10))));
     var mark_0 : u32 = u32(8) + pages_0[i32(0)] + page_0;
     if(pages_0[mark_0] == u32(0))
     {
         pages_0[mark_0] = u32(1);
     }
     var slot_0 : u32 = pages_0[u32(8) + page_0];
-    var _S59 : bool;
+    var _S57 : bool;
     if(is_page_missing_0)
     {
-        _S59 = true;
+        _S57 = true;
     }
     else
     {
-        _S59 = slot_0 == u32(0);
+        _S57 = slot_0 == u32(0);
     }
-    is_page_missing_0 = _S59;
-    return (((slot_0 << (u32(10)))) | (((index_1 & (u32(1023))))));
+    is_page_missing_0 = _S57;
+    return (((slot_0 << (u32(10)))) | (((index_0 & (u32(1023))))));
 }
 
-fn place_of_cell_0( index_2 : u32) -> u32
+fn place_of_cell_0( index_1 : u32) -> u32
 {
-    var _S60 : u32;
+    var _S58 : u32;
     if(HAS_PAGES_0)
     {
-        var _S61 : u32 = word_in_pages_0(index_2, u32(0));
-        _S60 = _S61;
+        var _S59 : u32 = word_in_pages_0(index_1, u32(0));
+        _S58 = _S59;
     }
     else
     {
-        _S60 = index_2;
+        _S58 = index_1;
     }
-    return _S60;
+    return _S58;
 }
 
-fn cell_word_0( index_3 : u32) -> u32
+fn cell_word_0( index_2 : u32) -> u32
 {
-    var _S62 : u32 = place_of_cell_0(index_3);
-    return cells_1[_S62];
+    var _S60 : u32 = place_of_cell_0(index_2);
+    return cells_1[_S60];
 }
 
 fn cell_in_node_0( relative_0 : vec3<i32>,  shift_0 : u32) -> u32
@@ -1100,16 +1104,16 @@ fn cell_in_node_0( relative_0 : vec3<i32>,  shift_0 : u32) -> u32
 
 fn waits_for_pages_0() -> bool
 {
-    var _S63 : bool;
+    var _S61 : bool;
     if(HAS_PAGES_0)
     {
-        _S63 = is_page_missing_0;
+        _S61 = is_page_missing_0;
     }
     else
     {
-        _S63 = false;
+        _S61 = false;
     }
-    return _S63;
+    return _S61;
 }
 
 @id(11) override CELLS_SKIP_0 : bool = false;
@@ -1117,16 +1121,16 @@ fn waits_for_pages_0() -> bool
 fn skip_distance_0( cell_1 : u32,  octant_1 : u32) -> u32
 {
     var code_0 : u32 = (((cell_1 >> ((u32(3) * octant_1)))) & (u32(7)));
-    var _S64 : u32;
+    var _S62 : u32;
     if(code_0 < u32(2))
     {
-        _S64 = code_0 + u32(1);
+        _S62 = code_0 + u32(1);
     }
     else
     {
-        _S64 = ((u32(3) + ((code_0 & (u32(1))))) << ((((code_0 >> (u32(1)))) - u32(1))));
+        _S62 = ((u32(3) + ((code_0 & (u32(1))))) << ((((code_0 >> (u32(1)))) - u32(1))));
     }
-    return _S64;
+    return _S62;
 }
 
 fn extents_0( cell_2 : u32,  ahead_0 : u32) -> vec3<i32>
@@ -1138,16 +1142,16 @@ fn extents_0( cell_2 : u32,  ahead_0 : u32) -> vec3<i32>
 
 fn record_of_cell_0( cell_3 : u32) -> u32
 {
-    var _S65 : u32;
+    var _S63 : u32;
     if(CELLS_HAVE_BLOCKS_0)
     {
-        _S65 = u32(8388607);
+        _S63 = u32(8388607);
     }
     else
     {
-        _S65 = u32(2147483647);
+        _S63 = u32(2147483647);
     }
-    return ((cell_3 & (_S65))) * u32(2);
+    return ((cell_3 & (_S63))) * u32(2);
 }
 
 fn blocks_of_cell_0( cell_4 : u32) -> u32
@@ -1155,31 +1159,31 @@ fn blocks_of_cell_0( cell_4 : u32) -> u32
     return (((cell_4 >> (u32(23)))) & (u32(255)));
 }
 
-fn place_of_brick_0( index_4 : u32) -> u32
+fn place_of_brick_0( index_3 : u32) -> u32
 {
-    var _S66 : u32;
+    var _S64 : u32;
     if(HAS_PAGES_0)
     {
-        var _S67 : u32 = word_in_pages_0(index_4, pages_0[i32(1)]);
-        _S66 = _S67;
+        var _S65 : u32 = word_in_pages_0(index_3, pages_0[i32(1)]);
+        _S64 = _S65;
     }
     else
     {
-        _S66 = index_4;
+        _S64 = index_3;
     }
-    return _S66;
+    return _S64;
 }
 
-fn brick_word_0( index_5 : u32) -> u32
+fn brick_word_0( index_4 : u32) -> u32
 {
-    var _S68 : u32 = place_of_brick_0(index_5);
-    return bricks_0[_S68];
+    var _S66 : u32 = place_of_brick_0(index_4);
+    return bricks_0[_S66];
 }
 
 fn blocks_of_record_0( record_0 : u32) -> u32
 {
-    var _S69 : u32 = brick_word_0(record_0);
-    return (_S69 & (u32(255)));
+    var _S67 : u32 = brick_word_0(record_0);
+    return (_S67 & (u32(255)));
 }
 
 fn empty_around_0( record_1 : u32,  blocks_0 : u32,  voxel_10 : vec3<i32>,  octant_2 : u32,  flip_0 : u32) -> u32
@@ -1195,16 +1199,16 @@ fn empty_around_0( record_1 : u32,  blocks_0 : u32,  voxel_10 : vec3<i32>,  octa
     {
         return u32(4294967295);
     }
-    var _S70 : i32;
+    var _S68 : i32;
     if(((((half_0 >> (((bit_0 & (u32(10))))))) & (u32(3342387)))) == u32(0))
     {
-        _S70 = i32(1);
+        _S68 = i32(1);
     }
     else
     {
-        _S70 = i32(0);
+        _S68 = i32(0);
     }
-    return u32(_S70);
+    return u32(_S68);
 }
 
 fn Walk_leave_rounded_1( this_13 : Walk_0,  voxel_11 : ptr<function, vec3<i32>>,  exit_4 : vec3<i32>) -> bool
@@ -1223,8 +1227,8 @@ fn Walk_leave_1( this_14 : Walk_0,  voxel_12 : ptr<function, vec3<i32>>,  exit_5
 {
     if(!IS_EXACT_0)
     {
-        var _S71 : bool = Walk_leave_rounded_1(this_14, &((*voxel_12)), exit_5);
-        return _S71;
+        var _S69 : bool = Walk_leave_rounded_1(this_14, &((*voxel_12)), exit_5);
+        return _S69;
     }
     var t_7 : vec3<f32> = Walk_crossings_0(this_14, exit_5);
     var t_first_3 : f32 = min_element_0(t_7);
@@ -1233,9 +1237,9 @@ fn Walk_leave_1( this_14 : Walk_0,  voxel_12 : ptr<function, vec3<i32>>,  exit_5
         return false;
     }
     var is_x_2 : bool = (t_7.x) == t_first_3;
-    var _S72 : bool = !is_x_2;
+    var _S70 : bool = !is_x_2;
     var is_y_2 : bool;
-    if(_S72)
+    if(_S70)
     {
         is_y_2 = (t_7.y) == t_first_3;
     }
@@ -1247,43 +1251,45 @@ fn Walk_leave_1( this_14 : Walk_0,  voxel_12 : ptr<function, vec3<i32>>,  exit_5
     var nearest_4 : vec3<f32> = round(back_1);
     var from_nearest_3 : vec3<f32> = back_1 - nearest_4;
     var planes_3 : vec3<i32> = exit_5 - vec3<i32>(min(nearest_4, vec3<f32>(4.194304e+06f)));
-    var _S73 : vec3<i32> = planes_3 - vec3<i32>(from_nearest_3 > vec3<f32>(0.0f));
-    var _S74 : vec3<bool> = (abs(from_nearest_3)) <= (this_14.tolerance_0);
-    var _S75 : bool;
-    if(_S72)
+    var _S71 : vec3<i32> = planes_3 - vec3<i32>(from_nearest_3 > vec3<f32>(0.0f));
+    var _S72 : vec3<bool> = (abs(from_nearest_3)) <= (this_14.tolerance_0);
+    var _S73 : bool;
+    if(_S70)
     {
-        _S75 = !is_y_2;
+        _S73 = !is_y_2;
     }
     else
     {
-        _S75 = false;
+        _S73 = false;
     }
     var arrival_2 : vec3<i32>;
-    if((any((select(vec3<bool>(false), !vec3<bool>(is_x_2, is_y_2, _S75), _S74)))))
+    if((any((select(vec3<bool>(false), !vec3<bool>(is_x_2, is_y_2, _S73), _S72)))))
     {
         arrival_2 = Walk_mirrored_0(this_14, leave_box_0(this_14.ray_0, Walk_mirrored_0(this_14, (*voxel_12)) + this_14.grid_origin_0, Walk_mirrored_plane_0(this_14, exit_5) + this_14.grid_origin_0, Walk_mirrored_plane_0(this_14, planes_3) + this_14.grid_origin_0) - this_14.grid_origin_0);
     }
     else
     {
-        arrival_2 = _S73;
+        arrival_2 = _S71;
     }
     (*voxel_12) = select(max(arrival_2, (*voxel_12)), (*voxel_12), (this_14.speed_1) == vec3<f32>(0.0f));
     return true;
 }
 
-fn first_voxel_0( _S76 : u32,  _S77 : Walk_0,  _S78 : ptr<function, vec3<i32>>) -> bool
+fn first_voxel_0( grid_2 : PackedGrid_0,  walk_1 : Walk_0,  found_0 : ptr<function, vec3<i32>>) -> bool
 {
-    var _S79 : Walk_0 = _S77;
-    var _S80 : vec3<i32> = vec3<i32>(i32(0));
-    (*_S78) = _S80;
-    var voxel_13 : vec3<i32> = Walk_start_voxel_0(_S77);
-    var _S81 : bool = Walk_enter_0(_S77, &(voxel_13), cell_of_0(grids_0[_S76].min_0) - _S79.grid_origin_0, cell_of_0(grids_0[_S76].max_0) - _S79.grid_origin_0);
-    if(!_S81)
+    var _S74 : Walk_0 = walk_1;
+    var _S75 : vec3<i32> = vec3<i32>(i32(0));
+    (*found_0) = _S75;
+    var voxel_13 : vec3<i32> = Walk_start_voxel_0(walk_1);
+    var _S76 : vec3<i32> = cell_of_0(grid_2.min_0);
+    var _S77 : vec3<i32> = cell_of_0(grid_2.max_0);
+    var _S78 : bool = Walk_enter_0(walk_1, &(voxel_13), _S76 - _S74.grid_origin_0, _S77 - _S74.grid_origin_0);
+    if(!_S78)
     {
         return false;
     }
-    var octant_3 : u32 = LocalRay_octant_0(_S79.ray_0);
-    var _S82 : u32 = flip_of_0(octant_3);
+    var octant_3 : u32 = LocalRay_octant_0(_S74.ray_0);
+    var _S79 : u32 = flip_of_0(octant_3);
     var top_shift_2 : u32;
     if(TOP_SHIFT_0 != u32(0))
     {
@@ -1291,18 +1297,33 @@ fn first_voxel_0( _S76 : u32,  _S77 : Walk_0,  _S78 : ptr<function, vec3<i32>>) 
     }
     else
     {
-        top_shift_2 = grids_0[_S76].top_shift_0;
+        top_shift_2 = grid_2.top_shift_0;
     }
-    var top_size_1 : vec3<i32> = cell_of_0(grids_0[_S76].top_size_0);
-    var _S83 : i32 = top_size_1.x;
-    var stride_0 : vec3<i32> = vec3<i32>(i32(1), _S83, _S83 * top_size_1.y);
-    var _S84 : i32 = i32(grids_0[_S76].top_offset_0) - dot_cells_0((stride_0 & ((_S79.mirror_0))), vec3<i32>(i32(1)));
-    var _S85 : vec3<i32> = Walk_mirrored_plane_0(_S79, stride_0);
-    var _S86 : u32 = ahead_of_0(_S79.mirror_0);
-    var end_0 : vec3<i32> = select((top_size_1 << (vec3<u32>(top_shift_2))), _S80, (_S79.mirror_0) != _S80);
+    var top_size_1 : vec3<i32> = cell_of_0(grid_2.top_size_0);
+    var _S80 : i32 = top_size_1.x;
+    var stride_0 : vec3<i32> = vec3<i32>(i32(1), _S80, _S80 * top_size_1.y);
+    var _S81 : i32 = i32(grid_2.top_offset_0) - dot_cells_0((stride_0 & ((_S74.mirror_0))), vec3<i32>(i32(1)));
+    var _S82 : vec3<i32> = Walk_mirrored_plane_0(_S74, stride_0);
+    var _S83 : u32 = ahead_of_0(_S74.mirror_0);
+    var end_0 : vec3<i32> = select((top_size_1 << (vec3<u32>(top_shift_2))), _S75, (_S74.mirror_0) != _S75);
     if(!IS_EXACT_0)
     {
-        _S79.t_end_0 = min(_S79.t_end_0, min_element_0(Walk_crossings_0(_S79, end_0)));
+        _S74.t_end_0 = min(_S74.t_end_0, min_element_0(Walk_crossings_0(_S74, end_0)));
+    }
+    if(!IS_SINGLE_0)
+    {
+        var _S84 : f32 = _S74.t_end_0;
+        var _S85 : f32 = min_element_0(Walk_crossings_0(_S74, Walk_mirrored_plane_0(_S74, select(_S77, _S76, (_S74.mirror_0) != _S75) - _S74.grid_origin_0)));
+        var _S86 : f32;
+        if(IS_EXACT_0)
+        {
+            _S86 = 1.00000095367431641f;
+        }
+        else
+        {
+            _S86 = 1.0f;
+        }
+        _S74.t_end_0 = min(_S84, _S85 * _S86);
     }
     var is_found_0 : bool = false;
     for(;;)
@@ -1320,7 +1341,7 @@ fn first_voxel_0( _S76 : u32,  _S77 : Walk_0,  _S78 : ptr<function, vec3<i32>>) 
         {
             break;
         }
-        var cell_5 : u32 = cell_word_0(u32(_S84 + dot_cells_0(_S85, (voxel_13 >> (vec3<u32>(top_shift_2))))));
+        var cell_5 : u32 = cell_word_0(u32(_S81 + dot_cells_0(_S82, (voxel_13 >> (vec3<u32>(top_shift_2))))));
         var cell_6 : u32;
         var shift_1 : u32;
         var is_found_1 : bool;
@@ -1328,7 +1349,7 @@ fn first_voxel_0( _S76 : u32,  _S77 : Walk_0,  _S78 : ptr<function, vec3<i32>>) 
         {
             if(((cell_5 & (u32(2147483648)))) != u32(0))
             {
-                var _S88 : u32 = cell_word_0(((cell_5 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_13, u32(3))) ^ (_S82))));
+                var _S88 : u32 = cell_word_0(((cell_5 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_13, u32(3))) ^ (_S79))));
                 cell_6 = _S88;
                 shift_1 = u32(3);
             }
@@ -1369,7 +1390,7 @@ fn first_voxel_0( _S76 : u32,  _S77 : Walk_0,  _S78 : ptr<function, vec3<i32>>) 
                     break;
                 }
                 var shift_2 : u32 = shift_1 - u32(2);
-                var _S90 : u32 = cell_word_0(((cell_6 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_13, shift_2)) ^ (_S82))));
+                var _S90 : u32 = cell_word_0(((cell_6 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_13, shift_2)) ^ (_S79))));
                 cell_6 = _S90;
                 shift_1 = shift_2;
             }
@@ -1387,7 +1408,7 @@ fn first_voxel_0( _S76 : u32,  _S77 : Walk_0,  _S78 : ptr<function, vec3<i32>>) 
             }
             else
             {
-                exit_6 = extents_0(cell_6, _S86);
+                exit_6 = extents_0(cell_6, _S83);
             }
             exit_6 = ((voxel_13 | (vec3<i32>((((i32(1) << (shift_1))) - i32(1)))))) + vec3<i32>(i32(1)) + ((exit_6 << (vec3<u32>(shift_1))));
             is_found_1 = is_found_0;
@@ -1405,7 +1426,7 @@ fn first_voxel_0( _S76 : u32,  _S77 : Walk_0,  _S78 : ptr<function, vec3<i32>>) 
                 var _S91 : u32 = blocks_of_record_0(record_2);
                 blocks_1 = _S91;
             }
-            var low_bits_0 : u32 = empty_around_0(record_2, blocks_1, voxel_13, octant_3, _S82);
+            var low_bits_0 : u32 = empty_around_0(record_2, blocks_1, voxel_13, octant_3, _S79);
             var is_found_2 : bool = low_bits_0 == u32(4294967295);
             if(is_found_2)
             {
@@ -1415,7 +1436,7 @@ fn first_voxel_0( _S76 : u32,  _S77 : Walk_0,  _S78 : ptr<function, vec3<i32>>) 
             exit_6 = ((voxel_13 | (vec3<i32>(i32(low_bits_0))))) + vec3<i32>(i32(1));
             is_found_1 = is_found_2;
         }
-        var _S92 : bool = Walk_leave_1(_S79, &(voxel_13), exit_6);
+        var _S92 : bool = Walk_leave_1(_S74, &(voxel_13), exit_6);
         if(!_S92)
         {
             is_found_0 = is_found_1;
@@ -1423,7 +1444,7 @@ fn first_voxel_0( _S76 : u32,  _S77 : Walk_0,  _S78 : ptr<function, vec3<i32>>) 
         }
         is_found_0 = is_found_1;
     }
-    (*_S78) = Walk_mirrored_0(_S79, voxel_13) + _S79.grid_origin_0;
+    (*found_0) = Walk_mirrored_0(_S74, voxel_13) + _S74.grid_origin_0;
     return is_found_0;
 }
 
@@ -1437,13 +1458,13 @@ fn Ray_x24init_0( origin_6 : vec3<f32>,  t_min_2 : f32,  direction_3 : vec3<f32>
     return _S93;
 }
 
-fn ray_of_walk_0( walk_1 : Walk_0,  ray_4 : Ray_0) -> Ray_0
+fn ray_of_walk_0( walk_2 : Walk_0,  ray_5 : Ray_0) -> Ray_0
 {
-    var is_mirrored_1 : vec3<bool> = (walk_1.mirror_0) != vec3<i32>(i32(0));
-    return Ray_x24init_0(select(walk_1.origin_4, (vec3<f32>(0) - walk_1.origin_4), is_mirrored_1) + vec3<f32>(walk_1.grid_origin_0), ray_4.t_min_0, select(walk_1.speed_1, (vec3<f32>(0) - walk_1.speed_1), is_mirrored_1), ray_4.t_max_0);
+    var is_mirrored_1 : vec3<bool> = (walk_2.mirror_0) != vec3<i32>(i32(0));
+    return Ray_x24init_0(select(walk_2.origin_4, (vec3<f32>(0) - walk_2.origin_4), is_mirrored_1) + vec3<f32>(walk_2.grid_origin_0), ray_5.t_min_0, select(walk_2.speed_1, (vec3<f32>(0) - walk_2.speed_1), is_mirrored_1), ray_5.t_max_0);
 }
 
-fn hit_of_0( ray_5 : LocalRay_0,  voxel_14 : vec3<i32>,  instance_2 : u32) -> Hit_0
+fn hit_of_0( ray_6 : LocalRay_0,  voxel_14 : vec3<i32>,  instance_2 : u32) -> Hit_0
 {
     var _S94 : vec3<f32>;
     var _S95 : bool;
@@ -1455,13 +1476,13 @@ fn hit_of_0( ray_5 : LocalRay_0,  voxel_14 : vec3<i32>,  instance_2 : u32) -> Hi
         {
             for(;;)
             {
-                _S94 = ray_5.direction_1;
-                if((ray_5.direction_1[u32(0)]) == 0.0f)
+                _S94 = ray_6.direction_1;
+                if((ray_6.direction_1[u32(0)]) == 0.0f)
                 {
                     last_0 = _S96;
                     break;
                 }
-                var crossing_3 : Crossing_0 = crossing_of_0(ray_5, u32(0), voxel_14[u32(0)] + i32((ray_5.direction_1[u32(0)]) < 0.0f));
+                var crossing_3 : Crossing_0 = crossing_of_0(ray_6, u32(0), voxel_14[u32(0)] + i32((ray_6.direction_1[u32(0)]) < 0.0f));
                 if((_S96.axis_0) == u32(3))
                 {
                     _S95 = true;
@@ -1491,7 +1512,7 @@ fn hit_of_0( ray_5 : LocalRay_0,  voxel_14 : vec3<i32>,  instance_2 : u32) -> Hi
                 {
                     break;
                 }
-                var crossing_4 : Crossing_0 = crossing_of_0(ray_5, u32(1), voxel_14[u32(1)] + i32((_S97[u32(1)]) < 0.0f));
+                var crossing_4 : Crossing_0 = crossing_of_0(ray_6, u32(1), voxel_14[u32(1)] + i32((_S97[u32(1)]) < 0.0f));
                 if((last_0.axis_0) == u32(3))
                 {
                     _S95 = true;
@@ -1517,7 +1538,7 @@ fn hit_of_0( ray_5 : LocalRay_0,  voxel_14 : vec3<i32>,  instance_2 : u32) -> Hi
                 {
                     break;
                 }
-                var crossing_5 : Crossing_0 = crossing_of_0(ray_5, u32(2), voxel_14[u32(2)] + i32((_S98[u32(2)]) < 0.0f));
+                var crossing_5 : Crossing_0 = crossing_of_0(ray_6, u32(2), voxel_14[u32(2)] + i32((_S98[u32(2)]) < 0.0f));
                 if((last_0.axis_0) == u32(3))
                 {
                     _S95 = true;
@@ -1538,22 +1559,22 @@ fn hit_of_0( ray_5 : LocalRay_0,  voxel_14 : vec3<i32>,  instance_2 : u32) -> Hi
     }
     var _S99 : Crossing_0 = last_0;
     var is_negative_1 : bool = (_S94[last_0.axis_0]) < 0.0f;
-    var t_8 : f32 = (f32(voxel_14[last_0.axis_0] + i32(is_negative_1)) - ray_5.origin_2[last_0.axis_0]) * ray_5.inverse_0[last_0.axis_0];
+    var t_8 : f32 = (f32(voxel_14[last_0.axis_0] + i32(is_negative_1)) - ray_6.origin_2[last_0.axis_0]) * ray_6.inverse_0[last_0.axis_0];
     var _S100 : f32;
-    if(t_8 > (ray_5.t_min_1))
+    if(t_8 > (ray_6.t_min_1))
     {
         _S100 = t_8;
     }
     else
     {
-        _S100 = ray_5.t_min_1;
+        _S100 = ray_6.t_min_1;
     }
     return Hit_x24init_0(_S100, instance_2, voxel_14, u32(2) * _S99.axis_0 + u32(is_negative_1));
 }
 
-fn hit_of_walk_0( walk_2 : Walk_0,  voxel_15 : vec3<i32>,  instance_3 : u32) -> Hit_0
+fn hit_of_walk_0( walk_3 : Walk_0,  voxel_15 : vec3<i32>,  instance_3 : u32) -> Hit_0
 {
-    var t_9 : vec3<f32> = Walk_crossings_0(walk_2, Walk_mirrored_0(walk_2, voxel_15 - walk_2.grid_origin_0));
+    var t_9 : vec3<f32> = Walk_crossings_0(walk_3, Walk_mirrored_0(walk_3, voxel_15 - walk_3.grid_origin_0));
     var last_1 : f32 = max_element_0(t_9);
     var _S101 : i32;
     if((t_9.z) == last_1)
@@ -1572,33 +1593,33 @@ fn hit_of_walk_0( walk_2 : Walk_0,  voxel_15 : vec3<i32>,  instance_3 : u32) -> 
         }
     }
     var axis_4 : u32 = u32(_S101);
-    return Hit_x24init_0(max(last_1, walk_2.ray_0.t_min_1), instance_3, voxel_15, u32(2) * axis_4 + u32((walk_2.mirror_0[axis_4]) != i32(0)));
+    return Hit_x24init_0(max(last_1, walk_3.ray_0.t_min_1), instance_3, voxel_15, u32(2) * axis_4 + u32((walk_3.mirror_0[axis_4]) != i32(0)));
 }
 
-fn hit_in_0( instance_4 : u32,  ray_6 : ptr<function, Ray_0>) -> Hit_0
+fn hit_in_0( instance_4 : u32,  grid_3 : PackedGrid_0,  ray_7 : ptr<function, Ray_0>) -> Hit_0
 {
-    var _S102 : LocalRay_0 = local_ray_0((*ray_6), instance_4);
+    var _S102 : LocalRay_0 = local_ray_0((*ray_7), instance_4);
     if(!_S102.is_valid_0)
     {
         return miss_0();
     }
-    var _S103 : Walk_0 = walk_of_0(_S102, instances_0[instance_4].grid_0);
+    var walk_4 : Walk_0 = walk_of_0(_S102, grid_3);
     var voxel_16 : vec3<i32>;
-    var _S104 : bool = first_voxel_0(instances_0[instance_4].grid_0, _S103, &(voxel_16));
-    var _S105 : bool;
+    var is_found_3 : bool = first_voxel_0(grid_3, walk_4, &(voxel_16));
+    var _S103 : bool;
     if(IS_SINGLE_0)
     {
-        _S105 = !IS_EXACT_0;
+        _S103 = !IS_EXACT_0;
     }
     else
     {
-        _S105 = false;
+        _S103 = false;
     }
-    if(_S105)
+    if(_S103)
     {
-        (*ray_6) = ray_of_walk_0(_S103, (*ray_6));
+        (*ray_7) = ray_of_walk_0(walk_4, (*ray_7));
     }
-    if(!_S104)
+    if(!is_found_3)
     {
         return miss_0();
     }
@@ -1609,9 +1630,9 @@ fn hit_in_0( instance_4 : u32,  ray_6 : ptr<function, Ray_0>) -> Hit_0
     }
     else
     {
-        hit_0 = hit_of_walk_0(_S103, voxel_16, instance_4);
+        hit_0 = hit_of_walk_0(walk_4, voxel_16, instance_4);
     }
-    if((hit_0.t_0) > ((*ray_6).t_max_0))
+    if((hit_0.t_0) > ((*ray_7).t_max_0))
     {
         return miss_0();
     }
@@ -1638,9 +1659,9 @@ fn Walk_enter_rounded_1( this_15 : Walk_0,  voxel_17 : ptr<function, vec3<i32>>,
             return false;
         }
         var is_x_3 : bool = (t_10.x) == t_last_1;
-        var _S106 : bool = !is_x_3;
+        var _S104 : bool = !is_x_3;
         var is_y_3 : bool;
-        if(_S106)
+        if(_S104)
         {
             is_y_3 = (t_10.y) == t_last_1;
         }
@@ -1648,16 +1669,16 @@ fn Walk_enter_rounded_1( this_15 : Walk_0,  voxel_17 : ptr<function, vec3<i32>>,
         {
             is_y_3 = false;
         }
-        var _S107 : bool;
-        if(_S106)
+        var _S105 : bool;
+        if(_S104)
         {
-            _S107 = !is_y_3;
+            _S105 = !is_y_3;
         }
         else
         {
-            _S107 = false;
+            _S105 = false;
         }
-        var is_axis_2 : vec3<bool> = vec3<bool>(is_x_3, is_y_3, _S107);
+        var is_axis_2 : vec3<bool> = vec3<bool>(is_x_3, is_y_3, _S105);
         (*voxel_17) = Walk_arrive_0(this_15, (*voxel_17), t_last_1, is_axis_2, select(vec3<i32>(i32(1073741823)), near_2, is_axis_2));
     }
     return (all(((*voxel_17) < far_2)));
@@ -1667,8 +1688,8 @@ fn Walk_leave_2( this_16 : Walk_0,  voxel_18 : ptr<function, vec3<i32>>,  exit_7
 {
     if(!IS_EXACT_0)
     {
-        var _S108 : bool = Walk_leave_rounded_0(this_16, &((*voxel_18)), exit_7);
-        return _S108;
+        var _S106 : bool = Walk_leave_rounded_0(this_16, &((*voxel_18)), exit_7);
+        return _S106;
     }
     var t_11 : vec3<f32> = Walk_crossings_0(this_16, exit_7);
     var t_first_4 : f32 = min_element_0(t_11);
@@ -1677,9 +1698,9 @@ fn Walk_leave_2( this_16 : Walk_0,  voxel_18 : ptr<function, vec3<i32>>,  exit_7
         return false;
     }
     var is_x_4 : bool = (t_11.x) == t_first_4;
-    var _S109 : bool = !is_x_4;
+    var _S107 : bool = !is_x_4;
     var is_y_4 : bool;
-    if(_S109)
+    if(_S107)
     {
         is_y_4 = (t_11.y) == t_first_4;
     }
@@ -1691,25 +1712,25 @@ fn Walk_leave_2( this_16 : Walk_0,  voxel_18 : ptr<function, vec3<i32>>,  exit_7
     var nearest_5 : vec3<f32> = round(back_2);
     var from_nearest_4 : vec3<f32> = back_2 - nearest_5;
     var planes_4 : vec3<i32> = exit_7 - vec3<i32>(min(nearest_5, vec3<f32>(4.194304e+06f)));
-    var _S110 : vec3<i32> = planes_4 - vec3<i32>(from_nearest_4 > vec3<f32>(0.0f));
-    var _S111 : vec3<bool> = (abs(from_nearest_4)) <= (this_16.tolerance_0);
-    var _S112 : bool;
-    if(_S109)
+    var _S108 : vec3<i32> = planes_4 - vec3<i32>(from_nearest_4 > vec3<f32>(0.0f));
+    var _S109 : vec3<bool> = (abs(from_nearest_4)) <= (this_16.tolerance_0);
+    var _S110 : bool;
+    if(_S107)
     {
-        _S112 = !is_y_4;
+        _S110 = !is_y_4;
     }
     else
     {
-        _S112 = false;
+        _S110 = false;
     }
     var arrival_3 : vec3<i32>;
-    if((any((select(vec3<bool>(false), !vec3<bool>(is_x_4, is_y_4, _S112), _S111)))))
+    if((any((select(vec3<bool>(false), !vec3<bool>(is_x_4, is_y_4, _S110), _S109)))))
     {
         arrival_3 = Walk_mirrored_0(this_16, leave_box_0(this_16.ray_0, Walk_mirrored_0(this_16, (*voxel_18)) + this_16.grid_origin_0, Walk_mirrored_plane_0(this_16, exit_7) + this_16.grid_origin_0, Walk_mirrored_plane_0(this_16, planes_4) + this_16.grid_origin_0) - this_16.grid_origin_0);
     }
     else
     {
-        arrival_3 = _S110;
+        arrival_3 = _S108;
     }
     (*voxel_18) = select(max(arrival_3, (*voxel_18)), (*voxel_18), (this_16.speed_1) == vec3<f32>(0.0f));
     return true;
@@ -1717,44 +1738,44 @@ fn Walk_leave_2( this_16 : Walk_0,  voxel_18 : ptr<function, vec3<i32>>,  exit_7
 
 fn Walk_enter_1( this_17 : Walk_0,  voxel_19 : ptr<function, vec3<i32>>,  low_5 : vec3<i32>,  high_3 : vec3<i32>) -> bool
 {
-    var _S113 : bool;
+    var _S111 : bool;
     var is_mirrored_2 : vec3<bool> = (this_17.mirror_0) != vec3<i32>(i32(0));
     var near_3 : vec3<i32> = select(low_5, (vec3<i32>(0) - high_3), is_mirrored_2);
     var far_3 : vec3<i32> = select(high_3, (vec3<i32>(0) - low_5), is_mirrored_2);
     if(!IS_EXACT_0)
     {
-        var _S114 : bool = Walk_enter_rounded_1(this_17, &((*voxel_19)), near_3, far_3);
-        return _S114;
+        var _S112 : bool = Walk_enter_rounded_1(this_17, &((*voxel_19)), near_3, far_3);
+        return _S112;
     }
     var axis_5 : u32 = u32(0);
     for(;;)
     {
         if(axis_5 < u32(3))
         {
-            _S113 = (any(((*voxel_19) < near_3)));
+            _S111 = (any(((*voxel_19) < near_3)));
+        }
+        else
+        {
+            _S111 = false;
+        }
+        var _S113 : bool;
+        if(_S111)
+        {
+            _S113 = (all(((*voxel_19) < far_3)));
         }
         else
         {
             _S113 = false;
         }
-        var _S115 : bool;
         if(_S113)
-        {
-            _S115 = (all(((*voxel_19) < far_3)));
-        }
-        else
-        {
-            _S115 = false;
-        }
-        if(_S115)
         {
         }
         else
         {
             break;
         }
-        var _S116 : bool = Walk_leave_2(this_17, &((*voxel_19)), select(far_3, near_3, (*voxel_19) < near_3));
-        if(!_S116)
+        var _S114 : bool = Walk_leave_2(this_17, &((*voxel_19)), select(far_3, near_3, (*voxel_19) < near_3));
+        if(!_S114)
         {
             return false;
         }
@@ -1762,28 +1783,30 @@ fn Walk_enter_1( this_17 : Walk_0,  voxel_19 : ptr<function, vec3<i32>>,  low_5 
     }
     if((all(((*voxel_19) >= near_3))))
     {
-        _S113 = (all(((*voxel_19) < far_3)));
+        _S111 = (all(((*voxel_19) < far_3)));
     }
     else
     {
-        _S113 = false;
+        _S111 = false;
     }
-    return _S113;
+    return _S111;
 }
 
-fn first_voxel_1( _S117 : u32,  _S118 : Walk_0,  _S119 : ptr<function, vec3<i32>>) -> bool
+fn first_voxel_1( grid_4 : PackedGrid_0,  walk_5 : Walk_0,  found_1 : ptr<function, vec3<i32>>) -> bool
 {
-    var _S120 : Walk_0 = _S118;
-    var _S121 : vec3<i32> = vec3<i32>(i32(0));
-    (*_S119) = _S121;
-    var voxel_20 : vec3<i32> = Walk_start_voxel_0(_S118);
-    var _S122 : bool = Walk_enter_1(_S118, &(voxel_20), cell_of_0(grids_0[_S117].min_0) - _S120.grid_origin_0, cell_of_0(grids_0[_S117].max_0) - _S120.grid_origin_0);
-    if(!_S122)
+    var _S115 : Walk_0 = walk_5;
+    var _S116 : vec3<i32> = vec3<i32>(i32(0));
+    (*found_1) = _S116;
+    var voxel_20 : vec3<i32> = Walk_start_voxel_0(walk_5);
+    var _S117 : vec3<i32> = cell_of_0(grid_4.min_0);
+    var _S118 : vec3<i32> = cell_of_0(grid_4.max_0);
+    var _S119 : bool = Walk_enter_1(walk_5, &(voxel_20), _S117 - _S115.grid_origin_0, _S118 - _S115.grid_origin_0);
+    if(!_S119)
     {
         return false;
     }
-    var octant_4 : u32 = LocalRay_octant_0(_S120.ray_0);
-    var _S123 : u32 = flip_of_0(octant_4);
+    var octant_4 : u32 = LocalRay_octant_0(_S115.ray_0);
+    var _S120 : u32 = flip_of_0(octant_4);
     var top_shift_3 : u32;
     if(TOP_SHIFT_0 != u32(0))
     {
@@ -1791,20 +1814,35 @@ fn first_voxel_1( _S117 : u32,  _S118 : Walk_0,  _S119 : ptr<function, vec3<i32>
     }
     else
     {
-        top_shift_3 = grids_0[_S117].top_shift_0;
+        top_shift_3 = grid_4.top_shift_0;
     }
-    var top_size_2 : vec3<i32> = cell_of_0(grids_0[_S117].top_size_0);
-    var _S124 : i32 = top_size_2.x;
-    var stride_1 : vec3<i32> = vec3<i32>(i32(1), _S124, _S124 * top_size_2.y);
-    var _S125 : i32 = i32(grids_0[_S117].top_offset_0) - dot_cells_0((stride_1 & ((_S120.mirror_0))), vec3<i32>(i32(1)));
-    var _S126 : vec3<i32> = Walk_mirrored_plane_0(_S120, stride_1);
-    var _S127 : u32 = ahead_of_0(_S120.mirror_0);
-    var end_1 : vec3<i32> = select((top_size_2 << (vec3<u32>(top_shift_3))), _S121, (_S120.mirror_0) != _S121);
+    var top_size_2 : vec3<i32> = cell_of_0(grid_4.top_size_0);
+    var _S121 : i32 = top_size_2.x;
+    var stride_1 : vec3<i32> = vec3<i32>(i32(1), _S121, _S121 * top_size_2.y);
+    var _S122 : i32 = i32(grid_4.top_offset_0) - dot_cells_0((stride_1 & ((_S115.mirror_0))), vec3<i32>(i32(1)));
+    var _S123 : vec3<i32> = Walk_mirrored_plane_0(_S115, stride_1);
+    var _S124 : u32 = ahead_of_0(_S115.mirror_0);
+    var end_1 : vec3<i32> = select((top_size_2 << (vec3<u32>(top_shift_3))), _S116, (_S115.mirror_0) != _S116);
     if(!IS_EXACT_0)
     {
-        _S120.t_end_0 = min(_S120.t_end_0, min_element_0(Walk_crossings_0(_S120, end_1)));
+        _S115.t_end_0 = min(_S115.t_end_0, min_element_0(Walk_crossings_0(_S115, end_1)));
     }
-    var is_found_3 : bool = false;
+    if(!IS_SINGLE_0)
+    {
+        var _S125 : f32 = _S115.t_end_0;
+        var _S126 : f32 = min_element_0(Walk_crossings_0(_S115, Walk_mirrored_plane_0(_S115, select(_S118, _S117, (_S115.mirror_0) != _S116) - _S115.grid_origin_0)));
+        var _S127 : f32;
+        if(IS_EXACT_0)
+        {
+            _S127 = 1.00000095367431641f;
+        }
+        else
+        {
+            _S127 = 1.0f;
+        }
+        _S115.t_end_0 = min(_S125, _S126 * _S127);
+    }
+    var is_found_4 : bool = false;
     for(;;)
     {
         var _S128 : bool;
@@ -1820,15 +1858,15 @@ fn first_voxel_1( _S117 : u32,  _S118 : Walk_0,  _S119 : ptr<function, vec3<i32>
         {
             break;
         }
-        var cell_7 : u32 = cell_word_0(u32(_S125 + dot_cells_0(_S126, (voxel_20 >> (vec3<u32>(top_shift_3))))));
+        var cell_7 : u32 = cell_word_0(u32(_S122 + dot_cells_0(_S123, (voxel_20 >> (vec3<u32>(top_shift_3))))));
         var cell_8 : u32;
         var shift_3 : u32;
-        var is_found_4 : bool;
+        var is_found_5 : bool;
         if(TOP_SHIFT_0 == u32(5))
         {
             if(((cell_7 & (u32(2147483648)))) != u32(0))
             {
-                var _S129 : u32 = cell_word_0(((cell_7 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_20, u32(3))) ^ (_S123))));
+                var _S129 : u32 = cell_word_0(((cell_7 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_20, u32(3))) ^ (_S120))));
                 cell_8 = _S129;
                 shift_3 = u32(3);
             }
@@ -1846,14 +1884,14 @@ fn first_voxel_1( _S117 : u32,  _S118 : Walk_0,  _S119 : ptr<function, vec3<i32>
             {
                 if(TOP_SHIFT_0 != u32(3))
                 {
-                    is_found_4 = shift_3 > u32(3);
+                    is_found_5 = shift_3 > u32(3);
                 }
                 else
                 {
-                    is_found_4 = false;
+                    is_found_5 = false;
                 }
                 var _S130 : bool;
-                if(is_found_4)
+                if(is_found_5)
                 {
                     _S130 = ((cell_8 & (u32(2147483648)))) != u32(0);
                 }
@@ -1869,7 +1907,7 @@ fn first_voxel_1( _S117 : u32,  _S118 : Walk_0,  _S119 : ptr<function, vec3<i32>
                     break;
                 }
                 var shift_4 : u32 = shift_3 - u32(2);
-                var _S131 : u32 = cell_word_0(((cell_8 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_20, shift_4)) ^ (_S123))));
+                var _S131 : u32 = cell_word_0(((cell_8 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_20, shift_4)) ^ (_S120))));
                 cell_8 = _S131;
                 shift_3 = shift_4;
             }
@@ -1887,10 +1925,10 @@ fn first_voxel_1( _S117 : u32,  _S118 : Walk_0,  _S119 : ptr<function, vec3<i32>
             }
             else
             {
-                exit_8 = extents_0(cell_8, _S127);
+                exit_8 = extents_0(cell_8, _S124);
             }
             exit_8 = ((voxel_20 | (vec3<i32>((((i32(1) << (shift_3))) - i32(1)))))) + vec3<i32>(i32(1)) + ((exit_8 << (vec3<u32>(shift_3))));
-            is_found_4 = is_found_3;
+            is_found_5 = is_found_4;
         }
         else
         {
@@ -1905,52 +1943,52 @@ fn first_voxel_1( _S117 : u32,  _S118 : Walk_0,  _S119 : ptr<function, vec3<i32>
                 var _S132 : u32 = blocks_of_record_0(record_3);
                 blocks_2 = _S132;
             }
-            var low_bits_1 : u32 = empty_around_0(record_3, blocks_2, voxel_20, octant_4, _S123);
-            var is_found_5 : bool = low_bits_1 == u32(4294967295);
-            if(is_found_5)
+            var low_bits_1 : u32 = empty_around_0(record_3, blocks_2, voxel_20, octant_4, _S120);
+            var is_found_6 : bool = low_bits_1 == u32(4294967295);
+            if(is_found_6)
             {
-                is_found_3 = is_found_5;
+                is_found_4 = is_found_6;
                 break;
             }
             exit_8 = ((voxel_20 | (vec3<i32>(i32(low_bits_1))))) + vec3<i32>(i32(1));
-            is_found_4 = is_found_5;
+            is_found_5 = is_found_6;
         }
-        var _S133 : bool = Walk_leave_0(_S120, &(voxel_20), exit_8);
+        var _S133 : bool = Walk_leave_0(_S115, &(voxel_20), exit_8);
         if(!_S133)
         {
-            is_found_3 = is_found_4;
+            is_found_4 = is_found_5;
             break;
         }
-        is_found_3 = is_found_4;
+        is_found_4 = is_found_5;
     }
-    (*_S119) = Walk_mirrored_0(_S120, voxel_20) + _S120.grid_origin_0;
-    return is_found_3;
+    (*found_1) = Walk_mirrored_0(_S115, voxel_20) + _S115.grid_origin_0;
+    return is_found_4;
 }
 
-fn hit_in_1( instance_5 : u32,  ray_7 : ptr<function, Ray_0>) -> Hit_0
+fn hit_in_1( instance_5 : u32,  grid_5 : PackedGrid_0,  ray_8 : ptr<function, Ray_0>) -> Hit_0
 {
-    var _S134 : LocalRay_0 = local_ray_0((*ray_7), instance_5);
+    var _S134 : LocalRay_0 = local_ray_0((*ray_8), instance_5);
     if(!_S134.is_valid_0)
     {
         return miss_0();
     }
-    var _S135 : Walk_0 = walk_of_0(_S134, instances_0[instance_5].grid_0);
+    var walk_6 : Walk_0 = walk_of_0(_S134, grid_5);
     var voxel_21 : vec3<i32>;
-    var _S136 : bool = first_voxel_1(instances_0[instance_5].grid_0, _S135, &(voxel_21));
-    var _S137 : bool;
+    var is_found_7 : bool = first_voxel_1(grid_5, walk_6, &(voxel_21));
+    var _S135 : bool;
     if(IS_SINGLE_0)
     {
-        _S137 = !IS_EXACT_0;
+        _S135 = !IS_EXACT_0;
     }
     else
     {
-        _S137 = false;
+        _S135 = false;
     }
-    if(_S137)
+    if(_S135)
     {
-        (*ray_7) = ray_of_walk_0(_S135, (*ray_7));
+        (*ray_8) = ray_of_walk_0(walk_6, (*ray_8));
     }
-    if(!_S136)
+    if(!is_found_7)
     {
         return miss_0();
     }
@@ -1961,9 +1999,9 @@ fn hit_in_1( instance_5 : u32,  ray_7 : ptr<function, Ray_0>) -> Hit_0
     }
     else
     {
-        hit_1 = hit_of_walk_0(_S135, voxel_21, instance_5);
+        hit_1 = hit_of_walk_0(walk_6, voxel_21, instance_5);
     }
-    if((hit_1.t_0) > ((*ray_7).t_max_0))
+    if((hit_1.t_0) > ((*ray_8).t_max_0))
     {
         return miss_0();
     }
@@ -2024,11 +2062,11 @@ struct Path_0
 
 fn Inside_x24init_0( instance_7 : u32,  voxel_23 : vec3<i32>,  material_1 : u32) -> Inside_0
 {
-    var _S138 : Inside_0;
-    _S138.instance_6 = instance_7;
-    _S138.voxel_22 = voxel_23;
-    _S138.material_0 = material_1;
-    return _S138;
+    var _S136 : Inside_0;
+    _S136.instance_6 = instance_7;
+    _S136.voxel_22 = voxel_23;
+    _S136.material_0 = material_1;
+    return _S136;
 }
 
 fn in_air_0() -> Inside_0
@@ -2038,25 +2076,25 @@ fn in_air_0() -> Inside_0
 
 fn NextRays_x24init_0( origin_8 : vec3<f32>,  path_origin_1 : vec3<f32>,  shadow_inside_1 : Inside_0,  relocates_1 : bool,  path_relocates_1 : bool,  direction_5 : vec3<f32>,  has_shadow_ray_1 : bool,  shadow_direction_1 : vec3<f32>,  shadow_t_max_1 : f32,  light_1 : vec3<f32>,  is_same_1 : bool) -> NextRays_0
 {
-    var _S139 : NextRays_0;
-    _S139.origin_7 = origin_8;
-    _S139.path_origin_0 = path_origin_1;
-    _S139.shadow_inside_0 = shadow_inside_1;
-    _S139.relocates_0 = relocates_1;
-    _S139.path_relocates_0 = path_relocates_1;
-    _S139.direction_4 = direction_5;
-    _S139.has_shadow_ray_0 = has_shadow_ray_1;
-    _S139.shadow_direction_0 = shadow_direction_1;
-    _S139.shadow_t_max_0 = shadow_t_max_1;
-    _S139.light_0 = light_1;
-    _S139.is_same_0 = is_same_1;
-    return _S139;
+    var _S137 : NextRays_0;
+    _S137.origin_7 = origin_8;
+    _S137.path_origin_0 = path_origin_1;
+    _S137.shadow_inside_0 = shadow_inside_1;
+    _S137.relocates_0 = relocates_1;
+    _S137.path_relocates_0 = path_relocates_1;
+    _S137.direction_4 = direction_5;
+    _S137.has_shadow_ray_0 = has_shadow_ray_1;
+    _S137.shadow_direction_0 = shadow_direction_1;
+    _S137.shadow_t_max_0 = shadow_t_max_1;
+    _S137.light_0 = light_1;
+    _S137.is_same_0 = is_same_1;
+    return _S137;
 }
 
 fn no_rays_0() -> NextRays_0
 {
-    var _S140 : vec3<f32> = vec3<f32>(0.0f);
-    return NextRays_x24init_0(_S140, _S140, in_air_0(), false, false, _S140, false, _S140, 0.0f, _S140, false);
+    var _S138 : vec3<f32> = vec3<f32>(0.0f);
+    return NextRays_x24init_0(_S138, _S138, in_air_0(), false, false, _S138, false, _S138, 0.0f, _S138, false);
 }
 
 struct Receiver_0
@@ -2108,29 +2146,29 @@ fn weighs_apart_0() -> bool
 
 fn Path_is_counted_0( this_18 : Path_0) -> bool
 {
-    var _S141 : bool;
+    var _S139 : bool;
     if(weighs_apart_0())
     {
-        _S141 = (this_18.pdf_1) < 0.0f;
+        _S139 = (this_18.pdf_1) < 0.0f;
     }
     else
     {
-        _S141 = false;
+        _S139 = false;
     }
-    return _S141;
+    return _S139;
 }
 
 fn Receiver_x24init_0( point_1 : vec3<f32>,  normal_3 : vec3<f32>) -> Receiver_0
 {
-    var _S142 : Receiver_0;
-    _S142.point_0 = point_1;
-    _S142.normal_1 = normal_3;
-    return _S142;
+    var _S140 : Receiver_0;
+    _S140.point_0 = point_1;
+    _S140.normal_1 = normal_3;
+    return _S140;
 }
 
-fn Path_receiver_0( this_19 : Path_0,  ray_8 : Ray_0) -> Receiver_0
+fn Path_receiver_0( this_19 : Path_0,  ray_9 : Ray_0) -> Receiver_0
 {
-    return Receiver_x24init_0(ray_8.origin_1, this_19.normal_0);
+    return Receiver_x24init_0(ray_9.origin_1, this_19.normal_0);
 }
 
 fn Inside_is_in_0( this_20 : Inside_0) -> bool
@@ -2150,15 +2188,15 @@ fn Path_dimension_medium_0( this_22 : Path_0) -> u32
 
 fn pcg4d_0( words_0 : vec4<u32>) -> vec4<u32>
 {
-    var _S143 : vec4<u32> = words_0 * vec4<u32>(u32(1664525)) + vec4<u32>(u32(1013904223));
-    var v_0 : vec4<u32> = _S143;
-    v_0[i32(0)] = v_0[i32(0)] + _S143.y * _S143.w;
+    var _S141 : vec4<u32> = words_0 * vec4<u32>(u32(1664525)) + vec4<u32>(u32(1013904223));
+    var v_0 : vec4<u32> = _S141;
+    v_0[i32(0)] = v_0[i32(0)] + _S141.y * _S141.w;
     v_0[i32(1)] = v_0[i32(1)] + v_0.z * v_0.x;
     v_0[i32(2)] = v_0[i32(2)] + v_0.x * v_0.y;
     v_0[i32(3)] = v_0[i32(3)] + v_0.y * v_0.z;
-    var _S144 : vec4<u32> = (v_0 ^ (((v_0 >> (vec4<u32>(u32(16)))))));
-    v_0 = _S144;
-    v_0[i32(0)] = v_0[i32(0)] + _S144.y * _S144.w;
+    var _S142 : vec4<u32> = (v_0 ^ (((v_0 >> (vec4<u32>(u32(16)))))));
+    v_0 = _S142;
+    v_0[i32(0)] = v_0[i32(0)] + _S142.y * _S142.w;
     v_0[i32(1)] = v_0[i32(1)] + v_0.z * v_0.x;
     v_0[i32(2)] = v_0[i32(2)] + v_0.x * v_0.y;
     v_0[i32(3)] = v_0[i32(3)] + v_0.y * v_0.z;
@@ -2189,29 +2227,29 @@ struct PackedMaterial_0
      scattering_0 : f32,
 };
 
-fn material_of_index_0( index_6 : u32) -> PackedMaterial_0
+fn material_of_index_0( index_5 : u32) -> PackedMaterial_0
 {
-    var _S145 : u32 = u32(4) * index_6;
-    var a_3 : vec4<u32> = material_rows_0[_S145];
-    var b_3 : vec4<u32> = material_rows_0[_S145 + u32(1)];
-    var c_0 : vec4<u32> = material_rows_0[_S145 + u32(2)];
-    var d_0 : vec4<u32> = material_rows_0[_S145 + u32(3)];
+    var _S143 : u32 = u32(4) * index_5;
+    var a_3 : vec4<u32> = material_rows_0[_S143];
+    var b_3 : vec4<u32> = material_rows_0[_S143 + u32(1)];
+    var c_0 : vec4<u32> = material_rows_0[_S143 + u32(2)];
+    var d_0 : vec4<u32> = material_rows_0[_S143 + u32(3)];
     var material_2 : PackedMaterial_0;
-    var _S146 : f32 = (bitcast<f32>((a_3.y)));
-    var _S147 : f32 = (bitcast<f32>((a_3.z)));
+    var _S144 : f32 = (bitcast<f32>((a_3.y)));
+    var _S145 : f32 = (bitcast<f32>((a_3.z)));
     material_2.base_color_0[i32(0)] = (bitcast<f32>((a_3.x)));
-    material_2.base_color_0[i32(1)] = _S146;
-    material_2.base_color_0[i32(2)] = _S147;
-    var _S148 : f32 = (bitcast<f32>((b_3.y)));
-    var _S149 : f32 = (bitcast<f32>((b_3.z)));
+    material_2.base_color_0[i32(1)] = _S144;
+    material_2.base_color_0[i32(2)] = _S145;
+    var _S146 : f32 = (bitcast<f32>((b_3.y)));
+    var _S147 : f32 = (bitcast<f32>((b_3.z)));
     material_2.emission_0[i32(0)] = (bitcast<f32>((b_3.x)));
-    material_2.emission_0[i32(1)] = _S148;
-    material_2.emission_0[i32(2)] = _S149;
-    var _S150 : f32 = (bitcast<f32>((d_0.y)));
-    var _S151 : f32 = (bitcast<f32>((d_0.z)));
+    material_2.emission_0[i32(1)] = _S146;
+    material_2.emission_0[i32(2)] = _S147;
+    var _S148 : f32 = (bitcast<f32>((d_0.y)));
+    var _S149 : f32 = (bitcast<f32>((d_0.z)));
     material_2.absorption_0[i32(0)] = (bitcast<f32>((d_0.x)));
-    material_2.absorption_0[i32(1)] = _S150;
-    material_2.absorption_0[i32(2)] = _S151;
+    material_2.absorption_0[i32(1)] = _S148;
+    material_2.absorption_0[i32(2)] = _S149;
     material_2.roughness_0 = (bitcast<f32>((a_3.w)));
     material_2.metallic_0 = (bitcast<f32>((b_3.w)));
     material_2.transmission_0 = (bitcast<f32>((c_0.x)));
@@ -2225,37 +2263,37 @@ fn material_of_index_0( index_6 : u32) -> PackedMaterial_0
 fn logarithm_0( x_0 : f32) -> f32
 {
     var bits_1 : u32 = (bitcast<u32>((x_0)));
-    var _S152 : u32 = (bits_1 & (u32(8388607)));
-    var is_upper_0 : bool = _S152 > u32(3474675);
+    var _S150 : u32 = (bits_1 & (u32(8388607)));
+    var is_upper_0 : bool = _S150 > u32(3474675);
     var power_0 : i32 = i32((bits_1 >> (u32(23)))) - i32(127) + i32(is_upper_0);
-    var _S153 : u32;
+    var _S151 : u32;
     if(is_upper_0)
     {
-        _S153 = u32(1056964608);
+        _S151 = u32(1056964608);
     }
     else
     {
-        _S153 = u32(1065353216);
+        _S151 = u32(1065353216);
     }
-    var mantissa_0 : f32 = (bitcast<f32>(((_S152 | (_S153)))));
+    var mantissa_0 : f32 = (bitcast<f32>(((_S150 | (_S151)))));
     var s_0 : f32 = divide_0(mantissa_0 - 1.0f, mantissa_0 + 1.0f);
     var ss_0 : f32 = s_0 * s_0;
-    var _S154 : f32 = f32(power_0);
-    return _S154 * 0.693359375f + (_S154 * -0.00021219444170129f + s_0 * (2.0f + ss_0 * (0.66666668653488159f + ss_0 * (0.40000000596046448f + ss_0 * (0.28571429848670959f + ss_0 * 0.2222222238779068f)))));
+    var _S152 : f32 = f32(power_0);
+    return _S152 * 0.693359375f + (_S152 * -0.00021219444170129f + s_0 * (2.0f + ss_0 * (0.66666668653488159f + ss_0 * (0.40000000596046448f + ss_0 * (0.28571429848670959f + ss_0 * 0.2222222238779068f)))));
 }
 
 fn free_path_0( medium_0 : PackedMaterial_0,  u_0 : f32) -> f32
 {
-    var _S155 : f32;
+    var _S153 : f32;
     if((medium_0.scattering_0) > 0.0f)
     {
-        _S155 = divide_0(- logarithm_0(1.0f - u_0), medium_0.scattering_0);
+        _S153 = divide_0(- logarithm_0(1.0f - u_0), medium_0.scattering_0);
     }
     else
     {
-        _S155 = (bitcast<f32>((u32(2139095040))));
+        _S153 = (bitcast<f32>((u32(2139095040))));
     }
-    return _S155;
+    return _S153;
 }
 
 fn grid_direction_0( instance_9 : u32,  direction_6 : vec3<f32>) -> vec3<f32>
@@ -2277,9 +2315,9 @@ fn nearest_root_0( mantissa_1 : u32,  guess_1 : u32) -> u32
 {
     var rest_2 : i32 = i32(((mantissa_1 << (u32(23)))) - guess_1 * guess_1);
     var units_1 : i32 = i32(floor(f32(rest_2) / f32(u32(2) * guess_1) + 0.5f));
-    var _S156 : i32 = i32(guess_1);
-    var root_0 : i32 = _S156 + units_1;
-    var rest_3 : i32 = rest_2 - units_1 * (_S156 + root_0);
+    var _S154 : i32 = i32(guess_1);
+    var root_0 : i32 = _S154 + units_1;
+    var rest_3 : i32 = rest_2 - units_1 * (_S154 + root_0);
     return u32(root_0 + i32(rest_3 > root_0) - i32(rest_3 <= (- root_0)));
 }
 
@@ -2289,24 +2327,24 @@ fn square_root_0( value_1 : f32) -> f32
     {
         return sqrt(value_1);
     }
-    var _S157 : u32 = (bitcast<u32>((value_1)));
-    var exponent_2 : u32 = (_S157 >> (u32(23)));
+    var _S155 : u32 = (bitcast<u32>((value_1)));
+    var exponent_2 : u32 = (_S155 >> (u32(23)));
     if(!is_normal_0(exponent_2))
     {
         return sqrt(value_1);
     }
-    var mantissa_2 : u32 = (((((_S157 & (u32(8388607)))) | (u32(8388608)))) << ((((~exponent_2) & (u32(1))))));
+    var mantissa_2 : u32 = (((((_S155 & (u32(8388607)))) | (u32(8388608)))) << ((((~exponent_2) & (u32(1))))));
     return (bitcast<f32>(((((((exponent_2 + u32(127)) >> (u32(1)))) << (u32(23)))) + (nearest_root_0(mantissa_2, u32(sqrt(f32(mantissa_2) * 1.1920928955078125e-07f) * 8.388608e+06f)) - u32(8388608)))));
 }
 
-fn Inside_voxels_per_t_0( this_24 : Inside_0,  ray_9 : Ray_0) -> f32
+fn Inside_voxels_per_t_0( this_24 : Inside_0,  ray_10 : Ray_0) -> f32
 {
-    return square_root_0(length_squared_0(grid_direction_0(this_24.instance_6, ray_9.direction_0)));
+    return square_root_0(length_squared_0(grid_direction_0(this_24.instance_6, ray_10.direction_0)));
 }
 
-fn scattering_t_0( path_1 : Path_0,  inside_1 : Inside_0,  ray_10 : Ray_0) -> f32
+fn scattering_t_0( path_1 : Path_0,  inside_1 : Inside_0,  ray_11 : Ray_0) -> f32
 {
-    return divide_0(free_path_0(material_of_index_0(inside_1.material_0), Sampler_independent_0(path_1.sampler_0, Path_dimension_medium_0(path_1)).x), Inside_voxels_per_t_0(inside_1, ray_10));
+    return divide_0(free_path_0(material_of_index_0(inside_1.material_0), Sampler_independent_0(path_1.sampler_0, Path_dimension_medium_0(path_1)).x), Inside_voxels_per_t_0(inside_1, ray_11));
 }
 
 fn exponential_0( x_1 : f32) -> f32
@@ -2327,9 +2365,9 @@ fn attenuation_0( medium_1 : PackedMaterial_0,  voxels_1 : f32) -> vec3<f32>
     return vec3<f32>(exponential_0(- (sigma_0.x * voxels_1)), exponential_0(- (sigma_0.y * voxels_1)), exponential_0(- (sigma_0.z * voxels_1)));
 }
 
-fn absorb_0( path_2 : ptr<function, Path_0>,  inside_2 : Inside_0,  ray_11 : Ray_0,  t_12 : f32)
+fn absorb_0( path_2 : ptr<function, Path_0>,  inside_2 : Inside_0,  ray_12 : Ray_0,  t_12 : f32)
 {
-    (*path_2).beta_0 = (*path_2).beta_0 * attenuation_0(material_of_index_0(inside_2.material_0), t_12 * Inside_voxels_per_t_0(inside_2, ray_11));
+    (*path_2).beta_0 = (*path_2).beta_0 * attenuation_0(material_of_index_0(inside_2.material_0), t_12 * Inside_voxels_per_t_0(inside_2, ray_12));
     return;
 }
 
@@ -2337,19 +2375,19 @@ fn Environment_to_map_0( d_1 : vec3<f32>) -> vec3<f32>
 {
     var sin_0 : f32 = params_0.sky_turned_0.x;
     var cos_0 : f32 = params_0.sky_turned_0.y;
-    var _S158 : f32 = d_1.x;
-    var _S159 : f32 = d_1.y;
-    return vec3<f32>(_S158 * cos_0 - _S159 * sin_0, _S158 * sin_0 + _S159 * cos_0, d_1.z);
+    var _S156 : f32 = d_1.x;
+    var _S157 : f32 = d_1.y;
+    return vec3<f32>(_S156 * cos_0 - _S157 * sin_0, _S156 * sin_0 + _S157 * cos_0, d_1.z);
 }
 
 fn quarter_turns_0( x_2 : f32,  y_0 : f32) -> f32
 {
-    var _S160 : f32 = min(x_2, y_0);
-    var _S161 : f32 = max(x_2, y_0);
+    var _S158 : f32 = min(x_2, y_0);
+    var _S159 : f32 = max(x_2, y_0);
     var ratio_0 : f32;
-    if(_S161 > 0.0f)
+    if(_S159 > 0.0f)
     {
-        ratio_0 = divide_0(_S160, _S161);
+        ratio_0 = divide_0(_S158, _S159);
     }
     else
     {
@@ -2371,10 +2409,10 @@ fn quarter_turns_0( x_2 : f32,  y_0 : f32) -> f32
 fn square_of_0( direction_7 : vec3<f32>) -> vec2<f32>
 {
     var size_0 : vec3<f32> = abs(direction_7);
-    var _S162 : f32 = size_0.x;
-    var _S163 : f32 = size_0.y;
-    var radius_0 : f32 = square_root_0(divide_0(_S162 * _S162 + _S163 * _S163, 1.0f + size_0.z));
-    var v_1 : f32 = quarter_turns_0(_S162, _S163) * radius_0;
+    var _S160 : f32 = size_0.x;
+    var _S161 : f32 = size_0.y;
+    var radius_0 : f32 = square_root_0(divide_0(_S160 * _S160 + _S161 * _S161, 1.0f + size_0.z));
+    var v_1 : f32 = quarter_turns_0(_S160, _S161) * radius_0;
     var u_1 : f32 = radius_0 - v_1;
     var is_below_1 : bool = (direction_7.z) < 0.0f;
     var u_2 : f32;
@@ -2423,42 +2461,42 @@ fn Environment_index_of_0( x_3 : i32,  y_1 : i32) -> u32
     {
         is_beside_0 = x_3 > last_2;
     }
-    var _S164 : i32;
+    var _S162 : i32;
     if(is_beside_0)
     {
-        _S164 = last_2 - y_1;
+        _S162 = last_2 - y_1;
     }
     else
     {
-        _S164 = y_1;
+        _S162 = y_1;
     }
-    var _S165 : i32;
+    var _S163 : i32;
     if(is_beside_0)
     {
-        _S165 = clamp(x_3, i32(0), last_2);
+        _S163 = clamp(x_3, i32(0), last_2);
     }
     else
     {
-        _S165 = x_3;
+        _S163 = x_3;
     }
     var is_beyond_0 : bool;
-    if(_S164 < i32(0))
+    if(_S162 < i32(0))
     {
         is_beyond_0 = true;
     }
     else
     {
-        is_beyond_0 = _S164 > last_2;
+        is_beyond_0 = _S162 > last_2;
     }
     if(is_beyond_0)
     {
-        _S165 = last_2 - _S165;
+        _S163 = last_2 - _S163;
     }
     if(is_beyond_0)
     {
-        _S164 = clamp(_S164, i32(0), last_2);
+        _S162 = clamp(_S162, i32(0), last_2);
     }
-    return u32(_S164 * i32(params_0.sky_edge_0) + _S165);
+    return u32(_S162 * i32(params_0.sky_edge_0) + _S163);
 }
 
 fn Environment_texel_radiance_0( x_4 : i32,  y_2 : i32) -> vec3<f32>
@@ -2468,18 +2506,18 @@ fn Environment_texel_radiance_0( x_4 : i32,  y_2 : i32) -> vec3<f32>
 
 fn Environment_radiance_at_0( place_0 : vec2<f32>) -> vec3<f32>
 {
-    var _S166 : vec2<f32> = place_0 - vec2<f32>(0.5f);
-    var corner_1 : vec2<f32> = floor(_S166);
-    var beyond_0 : vec2<f32> = _S166 - corner_1;
+    var _S164 : vec2<f32> = place_0 - vec2<f32>(0.5f);
+    var corner_1 : vec2<f32> = floor(_S164);
+    var beyond_0 : vec2<f32> = _S164 - corner_1;
     var x_5 : i32 = i32(corner_1.x);
     var y_3 : i32 = i32(corner_1.y);
-    var _S167 : f32 = beyond_0.x;
-    var _S168 : vec3<f32> = vec3<f32>((1.0f - _S167));
-    var _S169 : i32 = x_5 + i32(1);
-    var _S170 : vec3<f32> = vec3<f32>(_S167);
-    var _S171 : i32 = y_3 + i32(1);
-    var _S172 : f32 = beyond_0.y;
-    return (Environment_texel_radiance_0(x_5, y_3) * _S168 + Environment_texel_radiance_0(_S169, y_3) * _S170) * vec3<f32>((1.0f - _S172)) + (Environment_texel_radiance_0(x_5, _S171) * _S168 + Environment_texel_radiance_0(_S169, _S171) * _S170) * vec3<f32>(_S172);
+    var _S165 : f32 = beyond_0.x;
+    var _S166 : vec3<f32> = vec3<f32>((1.0f - _S165));
+    var _S167 : i32 = x_5 + i32(1);
+    var _S168 : vec3<f32> = vec3<f32>(_S165);
+    var _S169 : i32 = y_3 + i32(1);
+    var _S170 : f32 = beyond_0.y;
+    return (Environment_texel_radiance_0(x_5, y_3) * _S166 + Environment_texel_radiance_0(_S167, y_3) * _S168) * vec3<f32>((1.0f - _S170)) + (Environment_texel_radiance_0(x_5, _S169) * _S166 + Environment_texel_radiance_0(_S167, _S169) * _S168) * vec3<f32>(_S170);
 }
 
 fn Environment_radiance_0( direction_9 : vec3<f32>) -> vec3<f32>
@@ -2495,10 +2533,10 @@ struct Gradient_0
 
 fn Gradient_x24init_0( nadir_1 : vec3<f32>,  zenith_1 : vec3<f32>) -> Gradient_0
 {
-    var _S173 : Gradient_0;
-    _S173.nadir_0 = nadir_1;
-    _S173.zenith_0 = zenith_1;
-    return _S173;
+    var _S171 : Gradient_0;
+    _S171.nadir_0 = nadir_1;
+    _S171.zenith_0 = zenith_1;
+    return _S171;
 }
 
 fn Gradient_radiance_0( this_25 : Gradient_0,  direction_10 : vec3<f32>) -> vec3<f32>
@@ -2532,9 +2570,9 @@ fn with_slack_0( receiver_1 : Receiver_0,  cos_1 : f32) -> f32
 
 struct LightNode_0
 {
-     min_2 : array<f32, i32(3)>,
-     index_7 : u32,
-     max_2 : array<f32, i32(3)>,
+     min_1 : array<f32, i32(3)>,
+     index_6 : u32,
+     max_1 : array<f32, i32(3)>,
      count_0 : u32,
      power_2 : array<f32, i32(6)>,
      parent_0 : u32,
@@ -2544,38 +2582,38 @@ struct LightNode_0
 fn light_node_of_0( a_5 : vec4<u32>,  b_5 : vec4<u32>,  c_1 : vec4<u32>,  d_2 : vec4<u32>) -> LightNode_0
 {
     var node_0 : LightNode_0;
-    var _S174 : f32 = (bitcast<f32>((a_5.y)));
-    var _S175 : f32 = (bitcast<f32>((a_5.z)));
-    node_0.min_2[i32(0)] = (bitcast<f32>((a_5.x)));
-    node_0.min_2[i32(1)] = _S174;
-    node_0.min_2[i32(2)] = _S175;
-    node_0.index_7 = a_5.w;
-    var _S176 : f32 = (bitcast<f32>((b_5.y)));
-    var _S177 : f32 = (bitcast<f32>((b_5.z)));
-    node_0.max_2[i32(0)] = (bitcast<f32>((b_5.x)));
-    node_0.max_2[i32(1)] = _S176;
-    node_0.max_2[i32(2)] = _S177;
+    var _S172 : f32 = (bitcast<f32>((a_5.y)));
+    var _S173 : f32 = (bitcast<f32>((a_5.z)));
+    node_0.min_1[i32(0)] = (bitcast<f32>((a_5.x)));
+    node_0.min_1[i32(1)] = _S172;
+    node_0.min_1[i32(2)] = _S173;
+    node_0.index_6 = a_5.w;
+    var _S174 : f32 = (bitcast<f32>((b_5.y)));
+    var _S175 : f32 = (bitcast<f32>((b_5.z)));
+    node_0.max_1[i32(0)] = (bitcast<f32>((b_5.x)));
+    node_0.max_1[i32(1)] = _S174;
+    node_0.max_1[i32(2)] = _S175;
     node_0.count_0 = b_5.w;
-    var _S178 : f32 = (bitcast<f32>((c_1.y)));
-    var _S179 : f32 = (bitcast<f32>((c_1.z)));
-    var _S180 : f32 = (bitcast<f32>((c_1.w)));
-    var _S181 : f32 = (bitcast<f32>((d_2.x)));
-    var _S182 : f32 = (bitcast<f32>((d_2.y)));
+    var _S176 : f32 = (bitcast<f32>((c_1.y)));
+    var _S177 : f32 = (bitcast<f32>((c_1.z)));
+    var _S178 : f32 = (bitcast<f32>((c_1.w)));
+    var _S179 : f32 = (bitcast<f32>((d_2.x)));
+    var _S180 : f32 = (bitcast<f32>((d_2.y)));
     node_0.power_2[i32(0)] = (bitcast<f32>((c_1.x)));
-    node_0.power_2[i32(1)] = _S178;
-    node_0.power_2[i32(2)] = _S179;
-    node_0.power_2[i32(3)] = _S180;
-    node_0.power_2[i32(4)] = _S181;
-    node_0.power_2[i32(5)] = _S182;
+    node_0.power_2[i32(1)] = _S176;
+    node_0.power_2[i32(2)] = _S177;
+    node_0.power_2[i32(3)] = _S178;
+    node_0.power_2[i32(4)] = _S179;
+    node_0.power_2[i32(5)] = _S180;
     node_0.parent_0 = d_2.z;
     node_0.root_1 = d_2.w;
     return node_0;
 }
 
-fn top_light_node_0( index_8 : u32) -> LightNode_0
+fn top_light_node_0( index_7 : u32) -> LightNode_0
 {
-    var _S183 : u32 = u32(4) * index_8;
-    return light_node_of_0(top_light_node_rows_0[_S183], top_light_node_rows_0[_S183 + u32(1)], top_light_node_rows_0[_S183 + u32(2)], top_light_node_rows_0[_S183 + u32(3)]);
+    var _S181 : u32 = u32(4) * index_7;
+    return light_node_of_0(top_light_node_rows_0[_S181], top_light_node_rows_0[_S181 + u32(1)], top_light_node_rows_0[_S181 + u32(2)], top_light_node_rows_0[_S181 + u32(3)]);
 }
 
 struct View_0
@@ -2597,17 +2635,17 @@ struct BySide_0
 
 fn BySide_x24init_0( low_7 : vec3<f32>,  high_5 : vec3<f32>) -> BySide_0
 {
-    var _S184 : BySide_0;
-    _S184.low_6 = low_7;
-    _S184.high_4 = high_5;
-    return _S184;
+    var _S182 : BySide_0;
+    _S182.low_6 = low_7;
+    _S182.high_4 = high_5;
+    return _S182;
 }
 
 fn sent_by_side_0( node_1 : LightNode_0,  point_2 : vec3<f32>,  distance_2 : f32) -> BySide_0
 {
-    var _S185 : vec3<f32> = vec3<f32>(0.0f);
-    var _S186 : vec3<f32> = vec3<f32>(distance_2);
-    return BySide_x24init_0(vec3<f32>(node_1.power_2[i32(0)], node_1.power_2[i32(2)], node_1.power_2[i32(4)]) * min(max(vector_of_0(node_1.max_2) - point_2, _S185), _S186), vec3<f32>(node_1.power_2[i32(1)], node_1.power_2[i32(3)], node_1.power_2[i32(5)]) * min(max(point_2 - vector_of_0(node_1.min_2), _S185), _S186));
+    var _S183 : vec3<f32> = vec3<f32>(0.0f);
+    var _S184 : vec3<f32> = vec3<f32>(distance_2);
+    return BySide_x24init_0(vec3<f32>(node_1.power_2[i32(0)], node_1.power_2[i32(2)], node_1.power_2[i32(4)]) * min(max(vector_of_0(node_1.max_1) - point_2, _S183), _S184), vec3<f32>(node_1.power_2[i32(1)], node_1.power_2[i32(3)], node_1.power_2[i32(5)]) * min(max(point_2 - vector_of_0(node_1.min_1), _S183), _S184));
 }
 
 fn BySide_sum_0( this_26 : BySide_0) -> f32
@@ -2624,19 +2662,19 @@ fn reciprocal_guess_0( x_6 : f32) -> f32
 
 fn View_x24init_0( importance_1 : f32,  is_far_1 : bool) -> View_0
 {
-    var _S187 : View_0;
-    _S187.importance_0 = importance_1;
-    _S187.is_far_0 = is_far_1;
-    return _S187;
+    var _S185 : View_0;
+    _S185.importance_0 = importance_1;
+    _S185.is_far_0 = is_far_1;
+    return _S185;
 }
 
 fn view_0( node_2 : LightNode_0,  receiver_2 : Receiver_0) -> View_0
 {
-    var _S188 : vec3<f32> = vector_of_0(node_2.max_2);
-    var _S189 : vec3<f32> = vector_of_0(node_2.min_2);
-    var _S190 : vec3<f32> = vec3<f32>(0.5f);
-    var half_1 : vec3<f32> = (_S188 - _S189) * _S190;
-    var toward_0 : vec3<f32> = (_S189 + _S188) * _S190 - receiver_2.point_0;
+    var _S186 : vec3<f32> = vector_of_0(node_2.max_1);
+    var _S187 : vec3<f32> = vector_of_0(node_2.min_1);
+    var _S188 : vec3<f32> = vec3<f32>(0.5f);
+    var half_1 : vec3<f32> = (_S186 - _S187) * _S188;
+    var toward_0 : vec3<f32> = (_S187 + _S186) * _S188 - receiver_2.point_0;
     var middle_0 : f32 = dot_product_0(toward_0, receiver_2.normal_1);
     var aside_0 : f32 = dot_product_0(half_1, abs(receiver_2.normal_1));
     var above_0 : f32 = with_slack_0(receiver_2, middle_0 + aside_0);
@@ -2654,16 +2692,16 @@ fn view_0( node_2 : LightNode_0,  receiver_2 : Receiver_0) -> View_0
     var distance_3 : f32 = length_bound_0(select(half_1, abs(toward_0), vec3<bool>((far_4 > near_4))));
     var sent_0 : f32 = BySide_sum_0(sent_by_side_0(node_2, receiver_2.point_0, distance_3));
     var falloff_0 : f32 = reciprocal_guess_0(max(far_4, near_4));
-    var _S191 : f32;
+    var _S189 : f32;
     if(above_0 > 0.0f)
     {
-        _S191 = sent_0 * min(above_0, distance_3) * (falloff_0 * falloff_0);
+        _S189 = sent_0 * min(above_0, distance_3) * (falloff_0 * falloff_0);
     }
     else
     {
-        _S191 = 0.0f;
+        _S189 = 0.0f;
     }
-    return View_x24init_0(_S191, is_far_2);
+    return View_x24init_0(_S189, is_far_2);
 }
 
 fn importance_of_all_0( receiver_3 : Receiver_0) -> f32
@@ -2702,25 +2740,25 @@ fn Lights_sun_probability_0( receiver_5 : Receiver_0) -> f32
 
 fn Lights_has_chosen_sky_0() -> bool
 {
-    var _S192 : bool;
+    var _S190 : bool;
     if(SKY_0 == u32(1))
     {
-        _S192 = (params_0.sky_irradiance_0) > 0.0f;
+        _S190 = (params_0.sky_irradiance_0) > 0.0f;
     }
     else
     {
-        _S192 = false;
+        _S190 = false;
     }
-    return _S192;
+    return _S190;
 }
 
 fn Selection_x24init_0( sun_1 : f32,  sky_2 : f32,  emitters_1 : f32) -> Selection_0
 {
-    var _S193 : Selection_0;
-    _S193.sun_0 = sun_1;
-    _S193.sky_1 = sky_2;
-    _S193.emitters_0 = emitters_1;
-    return _S193;
+    var _S191 : Selection_0;
+    _S191.sun_0 = sun_1;
+    _S191.sky_1 = sky_2;
+    _S191.emitters_0 = emitters_1;
+    return _S191;
 }
 
 fn Lights_sky_probability_0( receiver_6 : Receiver_0) -> f32
@@ -2751,8 +2789,8 @@ fn Lights_selection_0( receiver_7 : Receiver_0) -> Selection_0
         return Selection_x24init_0(sun_2, 0.0f, 1.0f - sun_2);
     }
     var sky_3 : f32 = Lights_sky_probability_0(receiver_7);
-    var _S194 : f32 = 1.0f - sky_3;
-    return Selection_x24init_0(sun_2 * _S194, sky_3, (1.0f - sun_2) * _S194);
+    var _S192 : f32 = 1.0f - sky_3;
+    return Selection_x24init_0(sun_2 * _S192, sky_3, (1.0f - sun_2) * _S192);
 }
 
 fn Path_selection_at_0( this_27 : Path_0,  last_3 : Receiver_0) -> Selection_0
@@ -2769,30 +2807,30 @@ fn Environment_pdf_0( direction_13 : vec3<f32>) -> f32
 
 fn Sky_pdf_0( direction_14 : vec3<f32>) -> f32
 {
-    var _S195 : f32;
+    var _S193 : f32;
     if(SKY_0 == u32(1))
     {
-        _S195 = Environment_pdf_0(direction_14);
+        _S193 = Environment_pdf_0(direction_14);
     }
     else
     {
-        _S195 = 0.0f;
+        _S193 = 0.0f;
     }
-    return _S195;
+    return _S193;
 }
 
 fn Lights_sky_pdf_0( selection_1 : Selection_0,  direction_15 : vec3<f32>) -> f32
 {
-    var _S196 : f32;
+    var _S194 : f32;
     if(Lights_has_chosen_sky_0())
     {
-        _S196 = Sky_pdf_0(direction_15) * selection_1.sky_1;
+        _S194 = Sky_pdf_0(direction_15) * selection_1.sky_1;
     }
     else
     {
-        _S196 = 0.0f;
+        _S194 = 0.0f;
     }
-    return _S196;
+    return _S194;
 }
 
 fn power_heuristic_0( own_0 : f32,  other_1 : f32) -> f32
@@ -2803,16 +2841,16 @@ fn power_heuristic_0( own_0 : f32,  other_1 : f32) -> f32
 
 fn mis_weight_0( bounce_pdf_0 : f32,  light_pdf_0 : f32) -> f32
 {
-    var _S197 : bool;
+    var _S195 : bool;
     if(bounce_pdf_0 == 0.0f)
     {
-        _S197 = true;
+        _S195 = true;
     }
     else
     {
-        _S197 = light_pdf_0 == 0.0f;
+        _S195 = light_pdf_0 == 0.0f;
     }
-    if(_S197)
+    if(_S195)
     {
         return 1.0f;
     }
@@ -2826,24 +2864,24 @@ fn SunDisc_is_visible_0() -> bool
 
 fn Path_is_straight_0( this_28 : Path_0) -> bool
 {
-    var _S198 : bool;
+    var _S196 : bool;
     if((this_28.bounce_0) == u32(0))
     {
-        _S198 = (this_28.pdf_1) == 0.0f;
+        _S196 = (this_28.pdf_1) == 0.0f;
     }
     else
     {
-        _S198 = false;
+        _S196 = false;
     }
-    if(_S198)
+    if(_S196)
     {
-        _S198 = (all(((this_28.normal_0) == vec3<f32>(0.0f))));
+        _S196 = (all(((this_28.normal_0) == vec3<f32>(0.0f))));
     }
     else
     {
-        _S198 = false;
+        _S196 = false;
     }
-    return _S198;
+    return _S196;
 }
 
 fn SunDisc_contains_0( direction_16 : vec3<f32>) -> bool
@@ -2853,44 +2891,44 @@ fn SunDisc_contains_0( direction_16 : vec3<f32>) -> bool
 
 fn SunDisc_le_0( direction_17 : vec3<f32>) -> vec3<f32>
 {
-    var _S199 : vec3<f32>;
+    var _S197 : vec3<f32>;
     if(SunDisc_contains_0(direction_17))
     {
-        _S199 = params_0.sun_radiance_0;
+        _S197 = params_0.sun_radiance_0;
     }
     else
     {
-        _S199 = vec3<f32>(0.0f);
+        _S197 = vec3<f32>(0.0f);
     }
-    return _S199;
+    return _S197;
 }
 
 fn SunDisc_pdf_0( direction_18 : vec3<f32>) -> f32
 {
-    var _S200 : f32;
+    var _S198 : f32;
     if(SunDisc_contains_0(direction_18))
     {
-        _S200 = params_0.sun_pdf_0;
+        _S198 = params_0.sun_pdf_0;
     }
     else
     {
-        _S200 = 0.0f;
+        _S198 = 0.0f;
     }
-    return _S200;
+    return _S198;
 }
 
 fn Lights_sun_pdf_0( selection_2 : Selection_0,  direction_19 : vec3<f32>) -> f32
 {
-    var _S201 : f32;
+    var _S199 : f32;
     if(has_sun_0())
     {
-        _S201 = SunDisc_pdf_0(direction_19) * selection_2.sun_0;
+        _S199 = SunDisc_pdf_0(direction_19) * selection_2.sun_0;
     }
     else
     {
-        _S201 = 0.0f;
+        _S199 = 0.0f;
     }
-    return _S201;
+    return _S199;
 }
 
 fn Path_events_0( this_29 : Path_0) -> u32
@@ -2914,12 +2952,12 @@ fn owen_of_reversed_0( reversed_0 : u32,  seed_2 : u32) -> u32
 
 fn scrambled_sobol_0( sample_1 : u32,  order_0 : u32,  seeds_0 : vec2<u32>) -> vec2<u32>
 {
-    var index_9 : u32 = owen_of_reversed_0(reverseBits(sample_1), order_0);
-    var binomial_0 : u32 = (index_9 ^ (((((index_9 >> (u32(1)))) & (u32(1431655765))))));
+    var index_8 : u32 = owen_of_reversed_0(reverseBits(sample_1), order_0);
+    var binomial_0 : u32 = (index_8 ^ (((((index_8 >> (u32(1)))) & (u32(1431655765))))));
     var binomial_1 : u32 = (binomial_0 ^ (((((binomial_0 >> (u32(2)))) & (u32(858993459))))));
     var binomial_2 : u32 = (binomial_1 ^ (((((binomial_1 >> (u32(4)))) & (u32(252645135))))));
     var binomial_3 : u32 = (binomial_2 ^ (((((binomial_2 >> (u32(8)))) & (u32(16711935))))));
-    return vec2<u32>(owen_of_reversed_0(index_9, seeds_0.x), owen_of_reversed_0((binomial_3 ^ (((((binomial_3 >> (u32(16)))) & (u32(65535)))))), seeds_0.y));
+    return vec2<u32>(owen_of_reversed_0(index_8, seeds_0.x), owen_of_reversed_0((binomial_3 ^ (((((binomial_3 >> (u32(16)))) & (u32(65535)))))), seeds_0.y));
 }
 
 fn Sampler_pair_0( this_31 : Sampler_0,  dimension_1 : u32,  which_0 : u32) -> vec2<u32>
@@ -2933,24 +2971,24 @@ fn Sampler_stratified_0( this_32 : Sampler_0,  dimension_2 : u32) -> vec4<f32>
     return unit_float_0(vec4<u32>(Sampler_pair_0(this_32, dimension_2, u32(1)), Sampler_pair_0(this_32, dimension_2, u32(2))));
 }
 
-fn find_brick_0( _S202 : u32,  _S203 : vec3<i32>) -> u32
+fn find_brick_0( _S200 : u32,  _S201 : vec3<i32>) -> u32
 {
-    var top_0 : vec3<i32> = (_S203 >> (vec3<u32>(grids_0[_S202].top_shift_0)));
-    var _S204 : u32 = cell_word_0(grids_0[_S202].top_offset_0 + u32((top_0.z * grids_0[_S202].top_size_0[i32(1)] + top_0.y) * grids_0[_S202].top_size_0[i32(0)] + top_0.x));
-    var cell_9 : u32 = _S204;
-    var shift_5 : u32 = grids_0[_S202].top_shift_0;
+    var top_0 : vec3<i32> = (_S201 >> (vec3<u32>(grids_0[_S200].top_shift_0)));
+    var _S202 : u32 = cell_word_0(grids_0[_S200].top_offset_0 + u32((top_0.z * grids_0[_S200].top_size_0[i32(1)] + top_0.y) * grids_0[_S200].top_size_0[i32(0)] + top_0.x));
+    var cell_9 : u32 = _S202;
+    var shift_5 : u32 = grids_0[_S200].top_shift_0;
     for(;;)
     {
-        var _S205 : bool;
+        var _S203 : bool;
         if(shift_5 > u32(3))
         {
-            _S205 = ((cell_9 & (u32(2147483648)))) != u32(0);
+            _S203 = ((cell_9 & (u32(2147483648)))) != u32(0);
         }
         else
         {
-            _S205 = false;
+            _S203 = false;
         }
-        if(_S205)
+        if(_S203)
         {
         }
         else
@@ -2958,8 +2996,8 @@ fn find_brick_0( _S202 : u32,  _S203 : vec3<i32>) -> u32
             break;
         }
         var shift_6 : u32 = shift_5 - u32(2);
-        var _S206 : u32 = cell_word_0(((cell_9 & (u32(2147483647)))) * u32(64) + cell_in_node_0(_S203, shift_6));
-        cell_9 = _S206;
+        var _S204 : u32 = cell_word_0(((cell_9 & (u32(2147483647)))) * u32(64) + cell_in_node_0(_S201, shift_6));
+        cell_9 = _S204;
         shift_5 = shift_6;
     }
     return record_of_cell_0(cell_9);
@@ -2970,59 +3008,59 @@ fn rank_in_brick_0( record_4 : u32,  relative_1 : vec3<i32>) -> u32
     var header_0 : u32 = brick_word_0(record_4);
     var bit_1 : u32 = cell_in_node_0(relative_1, u32(0));
     var present_before_0 : u32 = countOneBits((header_0 & ((((u32(1) << (((((u32(((((relative_1.x) >> (u32(2)))) & (i32(1)))) | (((u32(((((relative_1.y) >> (u32(2)))) & (i32(1)))) << (u32(1))))))) | (((u32(((((relative_1.z) >> (u32(2)))) & (i32(1)))) << (u32(2)))))))))) - u32(1)))));
-    var index_10 : u32 = u32(0);
+    var index_9 : u32 = u32(0);
     var rank_0 : u32 = u32(0);
     for(;;)
     {
-        if(index_10 < present_before_0)
+        if(index_9 < present_before_0)
         {
         }
         else
         {
             break;
         }
-        var _S207 : u32 = u32(2) * index_10;
-        var _S208 : u32 = brick_word_0(record_4 + u32(2) + _S207);
-        var _S209 : u32 = countOneBits(_S208);
-        var _S210 : u32 = brick_word_0(record_4 + u32(3) + _S207);
-        var rank_1 : u32 = rank_0 + (_S209 + countOneBits(_S210));
-        index_10 = index_10 + u32(1);
+        var _S205 : u32 = u32(2) * index_9;
+        var _S206 : u32 = brick_word_0(record_4 + u32(2) + _S205);
+        var _S207 : u32 = countOneBits(_S206);
+        var _S208 : u32 = brick_word_0(record_4 + u32(3) + _S205);
+        var rank_1 : u32 = rank_0 + (_S207 + countOneBits(_S208));
+        index_9 = index_9 + u32(1);
         rank_0 = rank_1;
     }
-    var _S211 : u32 = u32(2) * present_before_0;
-    var low_8 : u32 = brick_word_0(record_4 + u32(2) + _S211);
+    var _S209 : u32 = u32(2) * present_before_0;
+    var low_8 : u32 = brick_word_0(record_4 + u32(2) + _S209);
     if(bit_1 < u32(32))
     {
         rank_0 = rank_0 + countOneBits((low_8 & ((((u32(1) << (bit_1))) - u32(1)))));
     }
     else
     {
-        var _S212 : u32 = countOneBits(low_8);
-        var _S213 : u32 = brick_word_0(record_4 + u32(3) + _S211);
-        rank_0 = rank_0 + (_S212 + countOneBits((_S213 & ((((u32(1) << ((bit_1 - u32(32))))) - u32(1))))));
+        var _S210 : u32 = countOneBits(low_8);
+        var _S211 : u32 = brick_word_0(record_4 + u32(3) + _S209);
+        rank_0 = rank_0 + (_S210 + countOneBits((_S211 & ((((u32(1) << ((bit_1 - u32(32))))) - u32(1))))));
     }
     return rank_0;
 }
 
-fn place_of_material_0( index_11 : u32) -> u32
+fn place_of_material_0( index_10 : u32) -> u32
 {
-    var _S214 : u32;
+    var _S212 : u32;
     if(HAS_PAGES_0)
     {
-        var _S215 : u32 = word_in_pages_0(index_11, pages_0[i32(2)]);
-        _S214 = _S215;
+        var _S213 : u32 = word_in_pages_0(index_10, pages_0[i32(2)]);
+        _S212 = _S213;
     }
     else
     {
-        _S214 = index_11;
+        _S212 = index_10;
     }
-    return _S214;
+    return _S212;
 }
 
-fn material_word_0( index_12 : u32) -> u32
+fn material_word_0( index_11 : u32) -> u32
 {
-    var _S216 : u32 = place_of_material_0(index_12);
-    return brick_materials_0[_S216];
+    var _S214 : u32 = place_of_material_0(index_11);
+    return brick_materials_0[_S214];
 }
 
 fn read_bits_0( start_1 : u32,  position_2 : u32,  count_1 : u32) -> u32
@@ -3033,13 +3071,13 @@ fn read_bits_0( start_1 : u32,  position_2 : u32,  count_1 : u32) -> u32
     }
     var word_4 : u32 = start_1 + ((position_2 >> (u32(5))));
     var shift_7 : u32 = (position_2 & (u32(31)));
-    var _S217 : u32 = material_word_0(word_4);
-    var bits_2 : u32 = (_S217 >> (shift_7));
+    var _S215 : u32 = material_word_0(word_4);
+    var bits_2 : u32 = (_S215 >> (shift_7));
     var bits_3 : u32;
     if((shift_7 + count_1) > u32(32))
     {
-        var _S218 : u32 = material_word_0(word_4 + u32(1));
-        bits_3 = (bits_2 | (((_S218 << ((u32(32) - shift_7))))));
+        var _S216 : u32 = material_word_0(word_4 + u32(1));
+        bits_3 = (bits_2 | (((_S216 << ((u32(32) - shift_7))))));
     }
     else
     {
@@ -3048,34 +3086,34 @@ fn read_bits_0( start_1 : u32,  position_2 : u32,  count_1 : u32) -> u32
     return (bits_3 & ((((u32(1) << (count_1))) - u32(1))));
 }
 
-fn material_at_0( _S219 : u32,  _S220 : vec3<i32>) -> u32
+fn material_at_0( _S217 : u32,  _S218 : vec3<i32>) -> u32
 {
-    var _S221 : u32 = find_brick_0(_S219, _S220);
-    var header_1 : u32 = brick_word_0(_S221);
-    var rank_2 : u32 = rank_in_brick_0(_S221, _S220);
+    var _S219 : u32 = find_brick_0(_S217, _S218);
+    var header_1 : u32 = brick_word_0(_S219);
+    var rank_2 : u32 = rank_in_brick_0(_S219, _S218);
     var index_bits_0 : u32 = (((header_1 >> (u32(8)))) & (u32(255)));
     var palette_count_0 : u32 = (header_1 >> (u32(16)));
-    var entry_bits_0 : u32 = grids_0[_S219].material_bits_0;
-    var start_2 : u32 = brick_word_0(_S221 + u32(1));
-    var index_13 : u32 = read_bits_0(start_2, palette_count_0 * grids_0[_S219].material_bits_0 + rank_2 * index_bits_0, index_bits_0);
+    var entry_bits_0 : u32 = grids_0[_S217].material_bits_0;
+    var start_2 : u32 = brick_word_0(_S219 + u32(1));
+    var index_12 : u32 = read_bits_0(start_2, palette_count_0 * grids_0[_S217].material_bits_0 + rank_2 * index_bits_0, index_bits_0);
     if(palette_count_0 == u32(0))
     {
-        return index_13;
+        return index_12;
     }
-    var _S222 : u32 = read_bits_0(start_2, index_13 * entry_bits_0, entry_bits_0);
-    return _S222;
+    var _S220 : u32 = read_bits_0(start_2, index_12 * entry_bits_0, entry_bits_0);
+    return _S220;
 }
 
 fn material_of_0( hit_2 : Hit_0) -> PackedMaterial_0
 {
-    var _S223 : u32 = material_at_0(instances_0[hit_2.instance_0].grid_0, hit_2.voxel_0 - cell_of_0(grids_0[instances_0[hit_2.instance_0].grid_0].origin_0));
-    return material_of_index_0(_S223);
+    var _S221 : u32 = material_at_0(instances_0[hit_2.instance_0].grid_0, hit_2.voxel_0 - cell_of_0(grids_0[instances_0[hit_2.instance_0].grid_0].origin_0));
+    return material_of_index_0(_S221);
 }
 
 fn material_met_0( path_3 : Path_0,  hit_3 : Hit_0,  beyond_1 : u32) -> PackedMaterial_0
 {
-    var _S224 : PackedMaterial_0 = material_of_0(hit_3);
-    return _S224;
+    var _S222 : PackedMaterial_0 = material_of_0(hit_3);
+    return _S222;
 }
 
 fn emitted_0( material_3 : PackedMaterial_0) -> vec3<f32>
@@ -3103,36 +3141,36 @@ struct Aim_0
 
 fn Aim_x24init_0( is_met_1 : bool,  direction_21 : vec3<f32>,  hit_5 : Hit_0,  luminance_2 : f32) -> Aim_0
 {
-    var _S225 : Aim_0;
-    _S225.is_met_0 = is_met_1;
-    _S225.direction_20 = direction_21;
-    _S225.hit_4 = hit_5;
-    _S225.luminance_1 = luminance_2;
-    return _S225;
+    var _S223 : Aim_0;
+    _S223.is_met_0 = is_met_1;
+    _S223.direction_20 = direction_21;
+    _S223.hit_4 = hit_5;
+    _S223.luminance_1 = luminance_2;
+    return _S223;
 }
 
 struct LightSample_0
 {
-     ray_12 : Ray_0,
+     ray_13 : Ray_0,
      cos_theta_2 : f32,
      radiance_1 : vec3<f32>,
      pdf_2 : f32,
 };
 
-fn LightSample_x24init_0( ray_13 : Ray_0,  cos_theta_3 : f32,  radiance_2 : vec3<f32>,  pdf_3 : f32) -> LightSample_0
+fn LightSample_x24init_0( ray_14 : Ray_0,  cos_theta_3 : f32,  radiance_2 : vec3<f32>,  pdf_3 : f32) -> LightSample_0
 {
-    var _S226 : LightSample_0;
-    _S226.ray_12 = ray_13;
-    _S226.cos_theta_2 = cos_theta_3;
-    _S226.radiance_1 = radiance_2;
-    _S226.pdf_2 = pdf_3;
-    return _S226;
+    var _S224 : LightSample_0;
+    _S224.ray_13 = ray_14;
+    _S224.cos_theta_2 = cos_theta_3;
+    _S224.radiance_1 = radiance_2;
+    _S224.pdf_2 = pdf_3;
+    return _S224;
 }
 
 fn no_light_0() -> LightSample_0
 {
-    var _S227 : vec3<f32> = vec3<f32>(0.0f);
-    return LightSample_x24init_0(Ray_x24init_0(_S227, 0.0f, _S227, 0.0f), 0.0f, _S227, 0.0f);
+    var _S225 : vec3<f32> = vec3<f32>(0.0f);
+    return LightSample_x24init_0(Ray_x24init_0(_S225, 0.0f, _S225, 0.0f), 0.0f, _S225, 0.0f);
 }
 
 fn sincos_turns_0( turns_1 : f32) -> vec2<f32>
@@ -3188,36 +3226,36 @@ struct ChosenDirection_0
 
 fn ChosenDirection_x24init_0( direction_25 : vec3<f32>,  radiance_4 : vec3<f32>,  pdf_5 : f32) -> ChosenDirection_0
 {
-    var _S228 : ChosenDirection_0;
-    _S228.direction_24 = direction_25;
-    _S228.radiance_3 = radiance_4;
-    _S228.pdf_4 = pdf_5;
-    return _S228;
+    var _S226 : ChosenDirection_0;
+    _S226.direction_24 = direction_25;
+    _S226.radiance_3 = radiance_4;
+    _S226.pdf_4 = pdf_5;
+    return _S226;
 }
 
 fn direction_of_0( square_0 : vec2<f32>) -> vec3<f32>
 {
     var u_4 : f32 = square_0.x * 2.0f - 1.0f;
     var v_3 : f32 = square_0.y * 2.0f - 1.0f;
-    var _S229 : f32 = abs(u_4);
-    var _S230 : f32 = abs(v_3);
-    var height_1 : f32 = 1.0f - (_S229 + _S230);
+    var _S227 : f32 = abs(u_4);
+    var _S228 : f32 = abs(v_3);
+    var height_1 : f32 = 1.0f - (_S227 + _S228);
     var radius_2 : f32 = 1.0f - abs(height_1);
     var turns_2 : f32;
     if(radius_2 > 0.0f)
     {
-        turns_2 = (divide_0(_S230 - _S229, radius_2) + 1.0f) * 0.125f;
+        turns_2 = (divide_0(_S228 - _S227, radius_2) + 1.0f) * 0.125f;
     }
     else
     {
         turns_2 = 0.0f;
     }
     var sin_cos_1 : vec2<f32> = sincos_turns_0(turns_2);
-    var _S231 : f32 = radius_2 * radius_2;
-    var across_0 : f32 = radius_2 * square_root_0(2.0f - _S231);
+    var _S229 : f32 = radius_2 * radius_2;
+    var across_0 : f32 = radius_2 * square_root_0(2.0f - _S229);
     var x_8 : f32 = sin_cos_1.y * across_0;
     var y_4 : f32 = sin_cos_1.x * across_0;
-    var z_0 : f32 = 1.0f - _S231;
+    var z_0 : f32 = 1.0f - _S229;
     if(u_4 < 0.0f)
     {
         turns_2 = - x_8;
@@ -3226,63 +3264,63 @@ fn direction_of_0( square_0 : vec2<f32>) -> vec3<f32>
     {
         turns_2 = x_8;
     }
-    var _S232 : f32;
+    var _S230 : f32;
     if(v_3 < 0.0f)
     {
-        _S232 = - y_4;
+        _S230 = - y_4;
     }
     else
     {
-        _S232 = y_4;
+        _S230 = y_4;
     }
-    var _S233 : f32;
+    var _S231 : f32;
     if(height_1 < 0.0f)
     {
-        _S233 = - z_0;
+        _S231 = - z_0;
     }
     else
     {
-        _S233 = z_0;
+        _S231 = z_0;
     }
-    return vec3<f32>(turns_2, _S232, _S233);
+    return vec3<f32>(turns_2, _S230, _S231);
 }
 
 fn Environment_to_world_0( d_3 : vec3<f32>) -> vec3<f32>
 {
     var sin_2 : f32 = params_0.sky_turned_0.x;
     var cos_3 : f32 = params_0.sky_turned_0.y;
-    var _S234 : f32 = d_3.x;
-    var _S235 : f32 = d_3.y;
-    return vec3<f32>(_S234 * cos_3 + _S235 * sin_2, _S235 * cos_3 - _S234 * sin_2, d_3.z);
+    var _S232 : f32 = d_3.x;
+    var _S233 : f32 = d_3.y;
+    return vec3<f32>(_S232 * cos_3 + _S233 * sin_2, _S233 * cos_3 - _S232 * sin_2, d_3.z);
 }
 
 fn Environment_choose_0( u_5 : vec4<f32>,  chosen_0 : ptr<function, ChosenDirection_0>) -> bool
 {
-    var _S236 : vec3<f32> = vec3<f32>(0.0f);
-    (*chosen_0) = ChosenDirection_x24init_0(_S236, _S236, 0.0f);
+    var _S234 : vec3<f32> = vec3<f32>(0.0f);
+    (*chosen_0) = ChosenDirection_x24init_0(_S234, _S234, 0.0f);
     var edge_0 : f32 = f32(params_0.sky_edge_0);
-    var _S237 : f32 = u_5.x * edge_0;
-    var _S238 : f32 = edge_0 - 1.0f;
-    var _S239 : f32 = min(floor(_S237), _S238);
-    var own_1 : u32 = u32(_S239) * params_0.sky_edge_0 + u32(min(floor(u_5.y * edge_0), _S238));
-    var index_14 : u32;
+    var _S235 : f32 = u_5.x * edge_0;
+    var _S236 : f32 = edge_0 - 1.0f;
+    var _S237 : f32 = min(floor(_S235), _S236);
+    var own_1 : u32 = u32(_S237) * params_0.sky_edge_0 + u32(min(floor(u_5.y * edge_0), _S236));
+    var index_13 : u32;
     if((u_5.z) < (environment_0[own_1].threshold_0))
     {
-        index_14 = own_1;
+        index_13 = own_1;
     }
     else
     {
-        index_14 = environment_0[own_1].alias_0;
+        index_13 = environment_0[own_1].alias_0;
     }
-    var pdf_6 : f32 = environment_0[index_14].pdf_0;
-    if((environment_0[index_14].pdf_0) <= 0.0f)
+    var pdf_6 : f32 = environment_0[index_13].pdf_0;
+    if((environment_0[index_13].pdf_0) <= 0.0f)
     {
         return false;
     }
-    var _S240 : u32 = index_14 % params_0.sky_edge_0;
-    var _S241 : f32 = f32(_S240);
-    var _S242 : u32 = index_14 / params_0.sky_edge_0;
-    var place_2 : vec2<f32> = vec2<f32>(_S241, f32(_S242)) + vec2<f32>(min(_S237 - _S239, 1.0f), u_5.w);
+    var _S238 : u32 = index_13 % params_0.sky_edge_0;
+    var _S239 : f32 = f32(_S238);
+    var _S240 : u32 = index_13 / params_0.sky_edge_0;
+    var place_2 : vec2<f32> = vec2<f32>(_S239, f32(_S240)) + vec2<f32>(min(_S235 - _S237, 1.0f), u_5.w);
     (*chosen_0) = ChosenDirection_x24init_0(Environment_to_world_0(direction_of_0(place_2 * vec2<f32>(divide_0(1.0f, edge_0)))), Environment_radiance_at_0(place_2), pdf_6);
     return true;
 }
@@ -3291,17 +3329,17 @@ fn Sky_sample_0( receiver_9 : Receiver_0,  u_6 : vec4<f32>,  sample_3 : ptr<func
 {
     (*sample_3) = no_light_0();
     var chosen_1 : ChosenDirection_0;
-    var _S243 : bool;
+    var _S241 : bool;
     if(SKY_0 != u32(1))
     {
-        _S243 = true;
+        _S241 = true;
     }
     else
     {
-        var _S244 : bool = Environment_choose_0(u_6, &(chosen_1));
-        _S243 = !_S244;
+        var _S242 : bool = Environment_choose_0(u_6, &(chosen_1));
+        _S241 = !_S242;
     }
-    if(_S243)
+    if(_S241)
     {
         return false;
     }
@@ -3313,7 +3351,7 @@ fn Sky_sample_0( receiver_9 : Receiver_0,  u_6 : vec4<f32>,  sample_3 : ptr<func
 struct Descent_0
 {
      node_3 : u32,
-     index_15 : u32,
+     index_14 : u32,
      count_2 : u32,
      weight_0 : f32,
      total_0 : f32,
@@ -3321,29 +3359,29 @@ struct Descent_0
      is_far_3 : bool,
 };
 
-fn Descent_x24init_0( node_4 : u32,  index_16 : u32,  count_3 : u32,  weight_1 : f32,  total_1 : f32,  choice_1 : f32,  is_far_4 : bool) -> Descent_0
+fn Descent_x24init_0( node_4 : u32,  index_15 : u32,  count_3 : u32,  weight_1 : f32,  total_1 : f32,  choice_1 : f32,  is_far_4 : bool) -> Descent_0
 {
-    var _S245 : Descent_0;
-    _S245.node_3 = node_4;
-    _S245.index_15 = index_16;
-    _S245.count_2 = count_3;
-    _S245.weight_0 = weight_1;
-    _S245.total_0 = total_1;
-    _S245.choice_0 = choice_1;
-    _S245.is_far_3 = is_far_4;
-    return _S245;
+    var _S243 : Descent_0;
+    _S243.node_3 = node_4;
+    _S243.index_14 = index_15;
+    _S243.count_2 = count_3;
+    _S243.weight_0 = weight_1;
+    _S243.total_0 = total_1;
+    _S243.choice_0 = choice_1;
+    _S243.is_far_3 = is_far_4;
+    return _S243;
 }
 
-fn TopLights_node_0( index_17 : u32) -> LightNode_0
+fn TopLights_node_0( index_16 : u32) -> LightNode_0
 {
-    return top_light_node_0(index_17);
+    return top_light_node_0(index_16);
 }
 
 fn Descent_at_0( this_33 : ptr<function, Descent_0>,  root_2 : u32)
 {
     var node_5 : LightNode_0 = TopLights_node_0(root_2);
     (*this_33).node_3 = root_2;
-    (*this_33).index_15 = node_5.index_7;
+    (*this_33).index_14 = node_5.index_6;
     (*this_33).count_2 = node_5.count_0;
     (*this_33).is_far_3 = false;
     return;
@@ -3351,16 +3389,16 @@ fn Descent_at_0( this_33 : ptr<function, Descent_0>,  root_2 : u32)
 
 fn normal_or_zero_0( weight_2 : f32) -> f32
 {
-    var _S246 : f32;
+    var _S244 : f32;
     if(weight_2 < 1.17549435082228751e-38f)
     {
-        _S246 = 0.0f;
+        _S244 = 0.0f;
     }
     else
     {
-        _S246 = weight_2;
+        _S244 = weight_2;
     }
-    return _S246;
+    return _S244;
 }
 
 fn inverse_power_of_two_0( x_9 : f32) -> f32
@@ -3370,10 +3408,10 @@ fn inverse_power_of_two_0( x_9 : f32) -> f32
 
 fn weights_of_0( left_0 : f32,  right_0 : f32) -> vec2<f32>
 {
-    var _S247 : f32 = normal_or_zero_0(left_0);
-    var _S248 : f32 = normal_or_zero_0(right_0);
-    var unit_0 : f32 = inverse_power_of_two_0(_S247 + _S248);
-    return vec2<f32>(normal_or_zero_0(_S247 * unit_0), normal_or_zero_0(_S248 * unit_0));
+    var _S245 : f32 = normal_or_zero_0(left_0);
+    var _S246 : f32 = normal_or_zero_0(right_0);
+    var unit_0 : f32 = inverse_power_of_two_0(_S245 + _S246);
+    return vec2<f32>(normal_or_zero_0(_S245 * unit_0), normal_or_zero_0(_S246 * unit_0));
 }
 
 fn climb_0( receiver_10 : Receiver_0,  start_3 : u32,  descent_0 : ptr<function, Descent_0>) -> bool
@@ -3382,7 +3420,7 @@ fn climb_0( receiver_10 : Receiver_0,  start_3 : u32,  descent_0 : ptr<function,
     var at_1 : u32 = start_3;
     for(;;)
     {
-        var _S249 : LightNode_0 = node_6;
+        var _S247 : LightNode_0 = node_6;
         if((node_6.parent_0) != u32(4294967295))
         {
         }
@@ -3390,59 +3428,59 @@ fn climb_0( receiver_10 : Receiver_0,  start_3 : u32,  descent_0 : ptr<function,
         {
             break;
         }
-        var parent_1 : LightNode_0 = top_light_node_0(_S249.parent_0);
-        var _S250 : u32 = _S249.parent_0 + u32(1);
-        var is_left_0 : bool = at_1 == _S250;
-        var _S251 : u32;
+        var parent_1 : LightNode_0 = top_light_node_0(_S247.parent_0);
+        var _S248 : u32 = _S247.parent_0 + u32(1);
+        var is_left_0 : bool = at_1 == _S248;
+        var _S249 : u32;
         if(is_left_0)
         {
-            _S251 = parent_1.index_7;
+            _S249 = parent_1.index_6;
         }
         else
         {
-            _S251 = _S250;
+            _S249 = _S248;
         }
-        var _S252 : View_0 = view_0(node_6, receiver_10);
-        var _S253 : View_0 = view_0(top_light_node_0(_S251), receiver_10);
-        var _S254 : f32;
+        var _S250 : View_0 = view_0(node_6, receiver_10);
+        var _S251 : View_0 = view_0(top_light_node_0(_S249), receiver_10);
+        var _S252 : f32;
         if(is_left_0)
         {
-            _S254 = _S252.importance_0;
+            _S252 = _S250.importance_0;
         }
         else
         {
-            _S254 = _S253.importance_0;
+            _S252 = _S251.importance_0;
         }
-        var _S255 : f32;
+        var _S253 : f32;
         if(is_left_0)
         {
-            _S255 = _S253.importance_0;
+            _S253 = _S251.importance_0;
         }
         else
         {
-            _S255 = _S252.importance_0;
+            _S253 = _S250.importance_0;
         }
-        var weights_0 : vec2<f32> = weights_of_0(_S254, _S255);
-        var _S256 : f32 = weights_0.x;
-        var _S257 : f32 = weights_0.y;
-        var total_2 : f32 = _S256 + _S257;
+        var weights_0 : vec2<f32> = weights_of_0(_S252, _S253);
+        var _S254 : f32 = weights_0.x;
+        var _S255 : f32 = weights_0.y;
+        var total_2 : f32 = _S254 + _S255;
         if(!(total_2 > 0.0f))
         {
             return false;
         }
-        var _S258 : f32;
+        var _S256 : f32;
         if(is_left_0)
         {
-            _S258 = _S256;
+            _S256 = _S254;
         }
         else
         {
-            _S258 = _S257;
+            _S256 = _S255;
         }
-        (*descent_0).weight_0 = (*descent_0).weight_0 * _S258;
+        (*descent_0).weight_0 = (*descent_0).weight_0 * _S256;
         (*descent_0).total_0 = (*descent_0).total_0 * total_2;
         node_6 = parent_1;
-        at_1 = _S249.parent_0;
+        at_1 = _S247.parent_0;
     }
     return ((*descent_0).weight_0) > 0.0f;
 }
@@ -3456,16 +3494,16 @@ fn descend_0( receiver_11 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<functio
 {
     for(;;)
     {
-        var _S259 : bool;
+        var _S257 : bool;
         if(((*descent_1).count_2) == u32(0))
         {
-            _S259 = !(*descent_1).is_far_3;
+            _S257 = !(*descent_1).is_far_3;
         }
         else
         {
-            _S259 = false;
+            _S257 = false;
         }
-        if(_S259)
+        if(_S257)
         {
         }
         else
@@ -3477,31 +3515,31 @@ fn descend_0( receiver_11 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<functio
             return false;
         }
         var left_1 : LightNode_0 = TopLights_node_0((*descent_1).node_3 + u32(1));
-        var right_1 : LightNode_0 = TopLights_node_0((*descent_1).index_15);
+        var right_1 : LightNode_0 = TopLights_node_0((*descent_1).index_14);
         var weights_1 : vec2<f32> = weights_of_0(view_0(left_1, receiver_11).importance_0, view_0(right_1, receiver_11).importance_0);
-        var _S260 : f32 = weights_1.x;
-        var _S261 : f32 = weights_1.y;
-        var total_3 : f32 = _S260 + _S261;
+        var _S258 : f32 = weights_1.x;
+        var _S259 : f32 = weights_1.y;
+        var total_3 : f32 = _S258 + _S259;
         if(!(total_3 > 0.0f))
         {
             return false;
         }
-        var _S262 : bool;
-        if(_S261 <= 0.0f)
+        var _S260 : bool;
+        if(_S259 <= 0.0f)
         {
-            _S262 = true;
+            _S260 = true;
         }
         else
         {
-            _S262 = ((*descent_1).choice_0 * total_3) < (_S260 * (*descent_1).weight_0);
+            _S260 = ((*descent_1).choice_0 * total_3) < (_S258 * (*descent_1).weight_0);
         }
         var is_left_1 : bool;
         if(aim_0.is_met_0)
         {
-            var _S263 : vec3<f32> = vec3<f32>(aim_0.hit_4.voxel_0);
-            if((all((_S263 >= (vector_of_0(left_1.min_2))))))
+            var _S261 : vec3<f32> = vec3<f32>(aim_0.hit_4.voxel_0);
+            if((all((_S261 >= (vector_of_0(left_1.min_1))))))
             {
-                is_left_1 = (all((_S263 < (vector_of_0(left_1.max_2)))));
+                is_left_1 = (all((_S261 < (vector_of_0(left_1.max_1)))));
             }
             else
             {
@@ -3510,63 +3548,63 @@ fn descend_0( receiver_11 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<functio
         }
         else
         {
-            is_left_1 = _S262;
+            is_left_1 = _S260;
         }
-        var _S264 : f32 = (*descent_1).choice_0 * total_3;
-        var _S265 : f32;
+        var _S262 : f32 = (*descent_1).choice_0 * total_3;
+        var _S263 : f32;
         if(is_left_1)
         {
-            _S265 = 0.0f;
+            _S263 = 0.0f;
         }
         else
         {
-            _S265 = _S260 * (*descent_1).weight_0;
+            _S263 = _S258 * (*descent_1).weight_0;
         }
-        (*descent_1).choice_0 = _S264 - _S265;
+        (*descent_1).choice_0 = _S262 - _S263;
+        var _S264 : u32;
+        if(is_left_1)
+        {
+            _S264 = (*descent_1).node_3 + u32(1);
+        }
+        else
+        {
+            _S264 = (*descent_1).index_14;
+        }
+        (*descent_1).node_3 = _S264;
+        var _S265 : u32;
+        if(is_left_1)
+        {
+            _S265 = left_1.index_6;
+        }
+        else
+        {
+            _S265 = right_1.index_6;
+        }
+        (*descent_1).index_14 = _S265;
         var _S266 : u32;
         if(is_left_1)
         {
-            _S266 = (*descent_1).node_3 + u32(1);
+            _S266 = left_1.count_0;
         }
         else
         {
-            _S266 = (*descent_1).index_15;
+            _S266 = right_1.count_0;
         }
-        (*descent_1).node_3 = _S266;
-        var _S267 : u32;
-        if(is_left_1)
-        {
-            _S267 = left_1.index_7;
-        }
-        else
-        {
-            _S267 = right_1.index_7;
-        }
-        (*descent_1).index_15 = _S267;
-        var _S268 : u32;
-        if(is_left_1)
-        {
-            _S268 = left_1.count_0;
-        }
-        else
-        {
-            _S268 = right_1.count_0;
-        }
-        (*descent_1).count_2 = _S268;
+        (*descent_1).count_2 = _S266;
         (*descent_1).is_far_3 = false;
-        var _S269 : f32;
+        var _S267 : f32;
         if(is_left_1)
         {
-            _S269 = _S260;
+            _S267 = _S258;
         }
         else
         {
-            _S269 = _S261;
+            _S267 = _S259;
         }
-        var _S270 : f32 = (*descent_1).weight_0 * _S269;
-        (*descent_1).weight_0 = _S270;
+        var _S268 : f32 = (*descent_1).weight_0 * _S267;
+        (*descent_1).weight_0 = _S268;
         (*descent_1).total_0 = (*descent_1).total_0 * total_3;
-        if(_S270 <= 0.0f)
+        if(_S268 <= 0.0f)
         {
             return false;
         }
@@ -3590,32 +3628,32 @@ fn in_grid_0( instance_10 : u32,  receiver_12 : Receiver_0) -> Receiver_0
 
 fn lights_in_pages_0() -> bool
 {
-    var _S271 : bool;
+    var _S269 : bool;
     if(HAS_PAGES_0)
     {
-        _S271 = pages_0[u32(5)] != u32(0);
+        _S269 = pages_0[u32(5)] != u32(0);
     }
     else
     {
-        _S271 = false;
+        _S269 = false;
     }
-    return _S271;
+    return _S269;
 }
 
 fn place_in_light_node_0( node_7 : u32,  word_5 : u32) -> u32
 {
-    var _S272 : u32 = word_in_pages_0(node_7 * u32(16) + word_5, pages_0[i32(4)]);
-    return _S272;
+    var _S270 : u32 = word_in_pages_0(node_7 * u32(16) + word_5, pages_0[i32(4)]);
+    return _S270;
 }
 
-fn light_node_at_0( index_18 : u32) -> LightNode_0
+fn light_node_at_0( index_17 : u32) -> LightNode_0
 {
     if(!lights_in_pages_0())
     {
-        var _S273 : u32 = u32(4) * index_18;
-        return light_node_of_0(light_node_rows_0[_S273], light_node_rows_0[_S273 + u32(1)], light_node_rows_0[_S273 + u32(2)], light_node_rows_0[_S273 + u32(3)]);
+        var _S271 : u32 = u32(4) * index_17;
+        return light_node_of_0(light_node_rows_0[_S271], light_node_rows_0[_S271 + u32(1)], light_node_rows_0[_S271 + u32(2)], light_node_rows_0[_S271 + u32(3)]);
     }
-    var at_2 : u32 = place_in_light_node_0(index_18, u32(0));
+    var at_2 : u32 = place_in_light_node_0(index_17, u32(0));
     var node_8 : LightNode_0;
     var i_0 : u32 = u32(0);
     for(;;)
@@ -3627,11 +3665,11 @@ fn light_node_at_0( index_18 : u32) -> LightNode_0
         {
             break;
         }
-        node_8.min_2[i_0] = (bitcast<f32>((cells_1[at_2 + i_0])));
-        node_8.max_2[i_0] = (bitcast<f32>((cells_1[at_2 + u32(4) + i_0])));
+        node_8.min_1[i_0] = (bitcast<f32>((cells_1[at_2 + i_0])));
+        node_8.max_1[i_0] = (bitcast<f32>((cells_1[at_2 + u32(4) + i_0])));
         i_0 = i_0 + u32(1);
     }
-    node_8.index_7 = cells_1[at_2 + u32(3)];
+    node_8.index_6 = cells_1[at_2 + u32(3)];
     node_8.count_0 = cells_1[at_2 + u32(7)];
     i_0 = u32(0);
     for(;;)
@@ -3651,17 +3689,17 @@ fn light_node_at_0( index_18 : u32) -> LightNode_0
     return node_8;
 }
 
-fn GridLights_node_0( index_19 : u32) -> LightNode_0
+fn GridLights_node_0( index_18 : u32) -> LightNode_0
 {
-    var _S274 : LightNode_0 = light_node_at_0(index_19);
-    return _S274;
+    var _S272 : LightNode_0 = light_node_at_0(index_18);
+    return _S272;
 }
 
 fn Descent_at_1( this_34 : ptr<function, Descent_0>,  root_3 : u32)
 {
     var node_9 : LightNode_0 = GridLights_node_0(root_3);
     (*this_34).node_3 = root_3;
-    (*this_34).index_15 = node_9.index_7;
+    (*this_34).index_14 = node_9.index_6;
     (*this_34).count_2 = node_9.count_0;
     (*this_34).is_far_3 = false;
     return;
@@ -3671,16 +3709,16 @@ fn descend_1( receiver_13 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<functio
 {
     for(;;)
     {
-        var _S275 : bool;
+        var _S273 : bool;
         if(((*descent_2).count_2) == u32(0))
         {
-            _S275 = !(*descent_2).is_far_3;
+            _S273 = !(*descent_2).is_far_3;
         }
         else
         {
-            _S275 = false;
+            _S273 = false;
         }
-        if(_S275)
+        if(_S273)
         {
         }
         else
@@ -3692,33 +3730,33 @@ fn descend_1( receiver_13 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<functio
             return false;
         }
         var left_2 : LightNode_0 = GridLights_node_0((*descent_2).node_3 + u32(1));
-        var right_2 : LightNode_0 = GridLights_node_0((*descent_2).index_15);
+        var right_2 : LightNode_0 = GridLights_node_0((*descent_2).index_14);
         var of_left_0 : View_0 = view_0(left_2, receiver_13);
         var of_right_0 : View_0 = view_0(right_2, receiver_13);
         var weights_2 : vec2<f32> = weights_of_0(of_left_0.importance_0, of_right_0.importance_0);
-        var _S276 : f32 = weights_2.x;
-        var _S277 : f32 = weights_2.y;
-        var total_4 : f32 = _S276 + _S277;
+        var _S274 : f32 = weights_2.x;
+        var _S275 : f32 = weights_2.y;
+        var total_4 : f32 = _S274 + _S275;
         if(!(total_4 > 0.0f))
         {
             return false;
         }
-        var _S278 : bool;
-        if(_S277 <= 0.0f)
+        var _S276 : bool;
+        if(_S275 <= 0.0f)
         {
-            _S278 = true;
+            _S276 = true;
         }
         else
         {
-            _S278 = ((*descent_2).choice_0 * total_4) < (_S276 * (*descent_2).weight_0);
+            _S276 = ((*descent_2).choice_0 * total_4) < (_S274 * (*descent_2).weight_0);
         }
         var is_left_2 : bool;
         if(aim_1.is_met_0)
         {
-            var _S279 : vec3<f32> = vec3<f32>(aim_1.hit_4.voxel_0);
-            if((all((_S279 >= (vector_of_0(left_2.min_2))))))
+            var _S277 : vec3<f32> = vec3<f32>(aim_1.hit_4.voxel_0);
+            if((all((_S277 >= (vector_of_0(left_2.min_1))))))
             {
-                is_left_2 = (all((_S279 < (vector_of_0(left_2.max_2)))));
+                is_left_2 = (all((_S277 < (vector_of_0(left_2.max_1)))));
             }
             else
             {
@@ -3727,72 +3765,72 @@ fn descend_1( receiver_13 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<functio
         }
         else
         {
-            is_left_2 = _S278;
+            is_left_2 = _S276;
         }
-        var _S280 : f32 = (*descent_2).choice_0 * total_4;
-        var _S281 : f32;
+        var _S278 : f32 = (*descent_2).choice_0 * total_4;
+        var _S279 : f32;
         if(is_left_2)
         {
-            _S281 = 0.0f;
+            _S279 = 0.0f;
         }
         else
         {
-            _S281 = _S276 * (*descent_2).weight_0;
+            _S279 = _S274 * (*descent_2).weight_0;
         }
-        (*descent_2).choice_0 = _S280 - _S281;
+        (*descent_2).choice_0 = _S278 - _S279;
+        var _S280 : u32;
+        if(is_left_2)
+        {
+            _S280 = (*descent_2).node_3 + u32(1);
+        }
+        else
+        {
+            _S280 = (*descent_2).index_14;
+        }
+        (*descent_2).node_3 = _S280;
+        var _S281 : u32;
+        if(is_left_2)
+        {
+            _S281 = left_2.index_6;
+        }
+        else
+        {
+            _S281 = right_2.index_6;
+        }
+        (*descent_2).index_14 = _S281;
         var _S282 : u32;
         if(is_left_2)
         {
-            _S282 = (*descent_2).node_3 + u32(1);
+            _S282 = left_2.count_0;
         }
         else
         {
-            _S282 = (*descent_2).index_15;
+            _S282 = right_2.count_0;
         }
-        (*descent_2).node_3 = _S282;
-        var _S283 : u32;
+        (*descent_2).count_2 = _S282;
+        var _S283 : bool;
         if(is_left_2)
         {
-            _S283 = left_2.index_7;
+            _S283 = of_left_0.is_far_0;
         }
         else
         {
-            _S283 = right_2.index_7;
+            _S283 = of_right_0.is_far_0;
         }
-        (*descent_2).index_15 = _S283;
-        var _S284 : u32;
+        (*descent_2).is_far_3 = _S283;
+        var _S284 : f32;
         if(is_left_2)
         {
-            _S284 = left_2.count_0;
+            _S284 = _S274;
         }
         else
         {
-            _S284 = right_2.count_0;
+            _S284 = _S275;
         }
-        (*descent_2).count_2 = _S284;
-        var _S285 : bool;
-        if(is_left_2)
-        {
-            _S285 = of_left_0.is_far_0;
-        }
-        else
-        {
-            _S285 = of_right_0.is_far_0;
-        }
-        (*descent_2).is_far_3 = _S285;
-        var _S286 : f32;
-        if(is_left_2)
-        {
-            _S286 = _S276;
-        }
-        else
-        {
-            _S286 = _S277;
-        }
-        var _S287 : f32 = (*descent_2).weight_0 * _S286;
-        (*descent_2).weight_0 = _S287;
+        var _S285 : f32 = (*descent_2).weight_0 * _S284;
+        (*descent_2).weight_0 = _S285;
         (*descent_2).total_0 = (*descent_2).total_0 * total_4;
-        if(_S287 <= 0.0f)
+        if(_S285 <= 0.0f)
         {
             return false;
         }
@@ -3803,29 +3841,29 @@ fn descend_1( receiver_13 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<functio
 fn choose_side_0( point_3 : vec3<f32>,  is_met_2 : bool,  way_3 : Descent_0,  side_0 : ptr<function, u32>,  odds_0 : ptr<function, vec2<f32>>) -> bool
 {
     var node_10 : LightNode_0 = light_node_at_0(way_3.node_3);
-    var _S288 : vec3<f32> = vector_of_0(node_10.max_2);
-    var _S289 : vec3<f32> = vector_of_0(node_10.min_2);
-    var _S290 : vec3<f32> = vec3<f32>(0.5f);
-    var half_2 : vec3<f32> = (_S288 - _S289) * _S290;
-    var toward_1 : vec3<f32> = (_S289 + _S288) * _S290 - point_3;
+    var _S286 : vec3<f32> = vector_of_0(node_10.max_1);
+    var _S287 : vec3<f32> = vector_of_0(node_10.min_1);
+    var _S288 : vec3<f32> = vec3<f32>(0.5f);
+    var half_2 : vec3<f32> = (_S286 - _S287) * _S288;
+    var toward_1 : vec3<f32> = (_S287 + _S286) * _S288 - point_3;
     var sent_1 : BySide_0 = sent_by_side_0(node_10, point_3, length_bound_0(select(half_2, abs(toward_1), vec3<bool>(((length_squared_0(toward_1)) > (length_squared_0(half_2)))))));
     var sum_3 : f32 = normal_or_zero_0(BySide_sum_0(sent_1));
     var unit_1 : f32 = inverse_power_of_two_0(sum_3);
     var total_5 : f32 = sum_3 * unit_1;
-    var _S291 : f32 = way_3.choice_0 * total_5;
-    var _S292 : u32 = (*side_0);
+    var _S289 : f32 = way_3.choice_0 * total_5;
+    var _S290 : u32 = (*side_0);
     var share_0 : f32 = normal_or_zero_0(sent_1.low_6[u32(0)] * unit_1);
-    var _S293 : bool;
+    var _S291 : bool;
     if(is_met_2)
     {
-        _S293 = u32(0) == _S292;
+        _S291 = u32(0) == _S290;
     }
     else
     {
-        _S293 = share_0 > 0.0f;
+        _S291 = share_0 > 0.0f;
     }
     var chosen_2 : f32;
-    if(_S293)
+    if(_S291)
     {
         (*side_0) = u32(0);
         chosen_2 = share_0;
@@ -3834,138 +3872,48 @@ fn choose_side_0( point_3 : vec3<f32>,  is_met_2 : bool,  way_3 : Descent_0,  si
     {
         chosen_2 = 0.0f;
     }
-    var _S294 : bool = _S291 < (share_0 * way_3.weight_0);
+    var _S292 : bool = _S289 < (share_0 * way_3.weight_0);
     var share_1 : f32 = normal_or_zero_0(sent_1.high_4[u32(0)] * unit_1);
     if(is_met_2)
     {
-        _S293 = u32(1) == _S292;
+        _S291 = u32(1) == _S290;
     }
     else
     {
         if(share_1 > 0.0f)
         {
-            _S293 = !_S294;
+            _S291 = !_S292;
         }
         else
         {
-            _S293 = false;
+            _S291 = false;
         }
     }
-    if(_S293)
+    if(_S291)
     {
         (*side_0) = u32(1);
         chosen_2 = share_1;
     }
     var passed_0 : f32 = share_0 + share_1;
-    if(_S294)
+    if(_S292)
     {
-        _S293 = true;
+        _S291 = true;
     }
     else
     {
-        _S293 = _S291 < (passed_0 * way_3.weight_0);
+        _S291 = _S289 < (passed_0 * way_3.weight_0);
     }
     var share_2 : f32 = normal_or_zero_0(sent_1.low_6[u32(1)] * unit_1);
-    var _S295 : bool;
+    var _S293 : bool;
     if(is_met_2)
     {
-        _S295 = u32(2) == _S292;
+        _S293 = u32(2) == _S290;
     }
     else
     {
         if(share_2 > 0.0f)
         {
-            _S295 = !_S293;
-        }
-        else
-        {
-            _S295 = false;
-        }
-    }
-    if(_S295)
-    {
-        (*side_0) = u32(2);
-        chosen_2 = share_2;
-    }
-    var passed_1 : f32 = passed_0 + share_2;
-    if(_S293)
-    {
-        _S293 = true;
-    }
-    else
-    {
-        _S293 = _S291 < (passed_1 * way_3.weight_0);
-    }
-    var share_3 : f32 = normal_or_zero_0(sent_1.high_4[u32(1)] * unit_1);
-    if(is_met_2)
-    {
-        _S295 = u32(3) == _S292;
-    }
-    else
-    {
-        if(share_3 > 0.0f)
-        {
-            _S295 = !_S293;
-        }
-        else
-        {
-            _S295 = false;
-        }
-    }
-    if(_S295)
-    {
-        (*side_0) = u32(3);
-        chosen_2 = share_3;
-    }
-    var passed_2 : f32 = passed_1 + share_3;
-    if(_S293)
-    {
-        _S293 = true;
-    }
-    else
-    {
-        _S293 = _S291 < (passed_2 * way_3.weight_0);
-    }
-    var share_4 : f32 = normal_or_zero_0(sent_1.low_6[u32(2)] * unit_1);
-    if(is_met_2)
-    {
-        _S295 = u32(4) == _S292;
-    }
-    else
-    {
-        if(share_4 > 0.0f)
-        {
-            _S295 = !_S293;
-        }
-        else
-        {
-            _S295 = false;
-        }
-    }
-    if(_S295)
-    {
-        (*side_0) = u32(4);
-        chosen_2 = share_4;
-    }
-    var passed_3 : f32 = passed_2 + share_4;
-    if(_S293)
-    {
-        _S293 = true;
-    }
-    else
-    {
-        _S293 = _S291 < (passed_3 * way_3.weight_0);
-    }
-    var share_5 : f32 = normal_or_zero_0(sent_1.high_4[u32(2)] * unit_1);
-    if(is_met_2)
-    {
-        _S293 = u32(5) == _S292;
-    }
-    else
-    {
-        if(share_5 > 0.0f)
-        {
-            _S293 = !_S293;
+            _S293 = !_S291;
         }
         else
         {
@@ -3973,6 +3921,96 @@ fn choose_side_0( point_3 : vec3<f32>,  is_met_2 : bool,  way_3 : Descent_0,  si
         }
     }
     if(_S293)
+    {
+        (*side_0) = u32(2);
+        chosen_2 = share_2;
+    }
+    var passed_1 : f32 = passed_0 + share_2;
+    if(_S291)
+    {
+        _S291 = true;
+    }
+    else
+    {
+        _S291 = _S289 < (passed_1 * way_3.weight_0);
+    }
+    var share_3 : f32 = normal_or_zero_0(sent_1.high_4[u32(1)] * unit_1);
+    if(is_met_2)
+    {
+        _S293 = u32(3) == _S290;
+    }
+    else
+    {
+        if(share_3 > 0.0f)
+        {
+            _S293 = !_S291;
+        }
+        else
+        {
+            _S293 = false;
+        }
+    }
+    if(_S293)
+    {
+        (*side_0) = u32(3);
+        chosen_2 = share_3;
+    }
+    var passed_2 : f32 = passed_1 + share_3;
+    if(_S291)
+    {
+        _S291 = true;
+    }
+    else
+    {
+        _S291 = _S289 < (passed_2 * way_3.weight_0);
+    }
+    var share_4 : f32 = normal_or_zero_0(sent_1.low_6[u32(2)] * unit_1);
+    if(is_met_2)
+    {
+        _S293 = u32(4) == _S290;
+    }
+    else
+    {
+        if(share_4 > 0.0f)
+        {
+            _S293 = !_S291;
+        }
+        else
+        {
+            _S293 = false;
+        }
+    }
+    if(_S293)
+    {
+        (*side_0) = u32(4);
+        chosen_2 = share_4;
+    }
+    var passed_3 : f32 = passed_2 + share_4;
+    if(_S291)
+    {
+        _S291 = true;
+    }
+    else
+    {
+        _S291 = _S289 < (passed_3 * way_3.weight_0);
+    }
+    var share_5 : f32 = normal_or_zero_0(sent_1.high_4[u32(2)] * unit_1);
+    if(is_met_2)
+    {
+        _S291 = u32(5) == _S290;
+    }
+    else
+    {
+        if(share_5 > 0.0f)
+        {
+            _S291 = !_S291;
+        }
+        else
+        {
+            _S291 = false;
+        }
+    }
+    if(_S291)
     {
         (*side_0) = u32(5);
         chosen_2 = share_5;
@@ -3980,33 +4018,33 @@ fn choose_side_0( point_3 : vec3<f32>,  is_met_2 : bool,  way_3 : Descent_0,  si
     (*odds_0) = vec2<f32>(way_3.weight_0 * chosen_2, way_3.total_0 * total_5);
     if(sum_3 > 0.0f)
     {
-        _S293 = ((*odds_0).x) > 0.0f;
+        _S291 = ((*odds_0).x) > 0.0f;
     }
     else
     {
-        _S293 = false;
+        _S291 = false;
     }
-    return _S293;
+    return _S291;
 }
 
-fn light_node_word_0( index_20 : u32,  word_6 : u32) -> u32
+fn light_node_word_0( index_19 : u32,  word_6 : u32) -> u32
 {
-    return light_node_rows_0[u32(4) * index_20 + ((word_6 >> (u32(2))))][(word_6 & (u32(3)))];
+    return light_node_rows_0[u32(4) * index_19 + ((word_6 >> (u32(2))))][(word_6 & (u32(3)))];
 }
 
-fn light_power_at_0( index_21 : u32,  side_1 : u32) -> f32
+fn light_power_at_0( index_20 : u32,  side_1 : u32) -> f32
 {
-    var _S296 : u32;
+    var _S294 : u32;
     if(lights_in_pages_0())
     {
-        var _S297 : u32 = place_in_light_node_0(index_21, u32(8) + side_1);
-        _S296 = cells_1[_S297];
+        var _S295 : u32 = place_in_light_node_0(index_20, u32(8) + side_1);
+        _S294 = cells_1[_S295];
     }
     else
     {
-        _S296 = light_node_word_0(index_21, u32(8) + side_1);
+        _S294 = light_node_word_0(index_20, u32(8) + side_1);
     }
-    return (bitcast<f32>((_S296)));
+    return (bitcast<f32>((_S294)));
 }
 
 fn component_0( vector_5 : vec3<f32>,  axis_6 : u32) -> f32
@@ -4043,110 +4081,110 @@ fn density_0( odds_1 : vec2<f32>,  luminance_3 : f32,  power_3 : f32,  toward_2 
 struct Emitter_0
 {
      voxel_24 : array<i32, i32(3)>,
-     grid_1 : u32,
+     grid_6 : u32,
      faces_0 : u32,
      material_5 : u32,
      luminance_4 : f32,
      leaf_0 : u32,
 };
 
-fn below_light_node_0( index_22 : u32) -> vec2<u32>
+fn below_light_node_0( index_21 : u32) -> vec2<u32>
 {
     if(!lights_in_pages_0())
     {
-        return vec2<u32>(light_node_word_0(index_22, u32(3)), light_node_word_0(index_22, u32(7)));
+        return vec2<u32>(light_node_word_0(index_21, u32(3)), light_node_word_0(index_21, u32(7)));
     }
-    var at_3 : u32 = place_in_light_node_0(index_22, u32(0));
+    var at_3 : u32 = place_in_light_node_0(index_21, u32(0));
     return vec2<u32>(cells_1[at_3 + u32(3)], cells_1[at_3 + u32(7)]);
 }
 
 fn place_in_emitter_0( emitter_0 : u32,  word_7 : u32) -> u32
 {
-    var _S298 : u32 = word_in_pages_0(emitter_0 * u32(8) + word_7, pages_0[i32(3)]);
-    return _S298;
+    var _S296 : u32 = word_in_pages_0(emitter_0 * u32(8) + word_7, pages_0[i32(3)]);
+    return _S296;
 }
 
-fn emitter_word_0( index_23 : u32,  word_8 : u32) -> u32
+fn emitter_word_0( index_22 : u32,  word_8 : u32) -> u32
 {
-    return emitter_rows_0[u32(2) * index_23 + ((word_8 >> (u32(2))))][(word_8 & (u32(3)))];
+    return emitter_rows_0[u32(2) * index_22 + ((word_8 >> (u32(2))))][(word_8 & (u32(3)))];
 }
 
-fn emitter_faces_at_0( index_24 : u32) -> u32
+fn emitter_faces_at_0( index_23 : u32) -> u32
 {
-    var _S299 : u32;
+    var _S297 : u32;
     if(lights_in_pages_0())
     {
-        var _S300 : u32 = place_in_emitter_0(index_24, u32(4));
-        _S299 = cells_1[_S300];
+        var _S298 : u32 = place_in_emitter_0(index_23, u32(4));
+        _S297 = cells_1[_S298];
     }
     else
     {
-        _S299 = emitter_word_0(index_24, u32(4));
+        _S297 = emitter_word_0(index_23, u32(4));
+    }
+    return _S297;
+}
+
+fn emitter_luminance_at_0( index_24 : u32) -> f32
+{
+    var _S299 : f32;
+    if(lights_in_pages_0())
+    {
+        var _S300 : u32 = place_in_emitter_0(index_24, u32(6));
+        _S299 = (bitcast<f32>((cells_1[_S300])));
+    }
+    else
+    {
+        _S299 = (bitcast<f32>((emitter_word_0(index_24, u32(6)))));
     }
     return _S299;
 }
 
-fn emitter_luminance_at_0( index_25 : u32) -> f32
+fn Emitter_x24init_0( voxel_25 : array<i32, i32(3)>,  grid_7 : u32,  faces_1 : u32,  material_6 : u32,  luminance_5 : f32,  leaf_1 : u32) -> Emitter_0
 {
-    var _S301 : f32;
-    if(lights_in_pages_0())
-    {
-        var _S302 : u32 = place_in_emitter_0(index_25, u32(6));
-        _S301 = (bitcast<f32>((cells_1[_S302])));
-    }
-    else
-    {
-        _S301 = (bitcast<f32>((emitter_word_0(index_25, u32(6)))));
-    }
+    var _S301 : Emitter_0;
+    _S301.voxel_24 = voxel_25;
+    _S301.grid_6 = grid_7;
+    _S301.faces_0 = faces_1;
+    _S301.material_5 = material_6;
+    _S301.luminance_4 = luminance_5;
+    _S301.leaf_0 = leaf_1;
     return _S301;
 }
 
-fn Emitter_x24init_0( voxel_25 : array<i32, i32(3)>,  grid_2 : u32,  faces_1 : u32,  material_6 : u32,  luminance_5 : f32,  leaf_1 : u32) -> Emitter_0
-{
-    var _S303 : Emitter_0;
-    _S303.voxel_24 = voxel_25;
-    _S303.grid_1 = grid_2;
-    _S303.faces_0 = faces_1;
-    _S303.material_5 = material_6;
-    _S303.luminance_4 = luminance_5;
-    _S303.leaf_0 = leaf_1;
-    return _S303;
-}
-
-fn emitter_at_0( index_26 : u32) -> Emitter_0
+fn emitter_at_0( index_25 : u32) -> Emitter_0
 {
     if(!lights_in_pages_0())
     {
-        var _S304 : u32 = u32(2) * index_26;
-        var a_6 : vec4<u32> = emitter_rows_0[_S304];
-        var b_6 : vec4<u32> = emitter_rows_0[_S304 + u32(1)];
-        var _S305 : array<i32, i32(3)> = array<i32, i32(3)>( i32(a_6.x), i32(a_6.y), i32(a_6.z) );
-        return Emitter_x24init_0(_S305, a_6.w, b_6.x, b_6.y, (bitcast<f32>((b_6.z))), b_6.w);
+        var _S302 : u32 = u32(2) * index_25;
+        var a_6 : vec4<u32> = emitter_rows_0[_S302];
+        var b_6 : vec4<u32> = emitter_rows_0[_S302 + u32(1)];
+        var _S303 : array<i32, i32(3)> = array<i32, i32(3)>( i32(a_6.x), i32(a_6.y), i32(a_6.z) );
+        return Emitter_x24init_0(_S303, a_6.w, b_6.x, b_6.y, (bitcast<f32>((b_6.z))), b_6.w);
     }
-    var at_4 : u32 = place_in_emitter_0(index_26, u32(0));
-    var _S306 : array<i32, i32(3)> = array<i32, i32(3)>( i32(cells_1[at_4]), i32(cells_1[at_4 + u32(1)]), i32(cells_1[at_4 + u32(2)]) );
-    return Emitter_x24init_0(_S306, cells_1[at_4 + u32(3)], cells_1[at_4 + u32(4)], cells_1[at_4 + u32(5)], (bitcast<f32>((cells_1[at_4 + u32(6)]))), cells_1[at_4 + u32(7)]);
+    var at_4 : u32 = place_in_emitter_0(index_25, u32(0));
+    var _S304 : array<i32, i32(3)> = array<i32, i32(3)>( i32(cells_1[at_4]), i32(cells_1[at_4 + u32(1)]), i32(cells_1[at_4 + u32(2)]) );
+    return Emitter_x24init_0(_S304, cells_1[at_4 + u32(3)], cells_1[at_4 + u32(4)], cells_1[at_4 + u32(5)], (bitcast<f32>((cells_1[at_4 + u32(6)]))), cells_1[at_4 + u32(7)]);
 }
 
 fn choose_emitter_0( way_4 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Emitter_0
 {
-    var is_found_6 : bool;
+    var is_found_8 : bool;
     var is_left_3 : bool;
     var count_4 : u32 = way_4.count_2;
     var node_11 : u32 = way_4.node_3;
-    var index_27 : u32 = way_4.index_15;
-    var _S307 : f32 = threshold_1;
+    var index_26 : u32 = way_4.index_14;
+    var _S305 : f32 = threshold_1;
     for(;;)
     {
         if(count_4 == u32(0))
         {
-            is_found_6 = !waits_for_pages_0();
+            is_found_8 = !waits_for_pages_0();
         }
         else
         {
-            is_found_6 = false;
+            is_found_8 = false;
         }
-        if(is_found_6)
+        if(is_found_8)
         {
         }
         else
@@ -4155,10 +4193,10 @@ fn choose_emitter_0( way_4 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
         }
         var left_3 : u32 = node_11 + u32(1);
         var power_left_0 : f32 = light_power_at_0(left_3, side_2);
-        var power_right_0 : f32 = light_power_at_0(index_27, side_2);
+        var power_right_0 : f32 = light_power_at_0(index_26, side_2);
         var below_left_0 : vec2<u32> = below_light_node_0(left_3);
-        var below_right_0 : vec2<u32> = below_light_node_0(index_27);
-        if(_S307 < power_left_0)
+        var below_right_0 : vec2<u32> = below_light_node_0(index_26);
+        if(_S305 < power_left_0)
         {
             is_left_3 = true;
         }
@@ -4171,7 +4209,7 @@ fn choose_emitter_0( way_4 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
         }
         else
         {
-            _S307 = _S307 - power_left_0;
+            _S305 = _S305 - power_left_0;
         }
         if(is_left_3)
         {
@@ -4179,15 +4217,15 @@ fn choose_emitter_0( way_4 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
         }
         else
         {
-            node_11 = index_27;
+            node_11 = index_26;
         }
         if(is_left_3)
         {
-            index_27 = below_left_0.x;
+            index_26 = below_left_0.x;
         }
         else
         {
-            index_27 = below_right_0.x;
+            index_26 = below_right_0.x;
         }
         if(is_left_3)
         {
@@ -4198,14 +4236,14 @@ fn choose_emitter_0( way_4 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
             count_4 = below_right_0.y;
         }
     }
-    is_found_6 = false;
-    var chosen_3 : u32 = index_27;
-    var at_5 : u32 = index_27;
+    is_found_8 = false;
+    var chosen_3 : u32 = index_26;
+    var at_5 : u32 = index_26;
     for(;;)
     {
-        if(at_5 < (index_27 + count_4))
+        if(at_5 < (index_26 + count_4))
         {
-            is_left_3 = !is_found_6;
+            is_left_3 = !is_found_8;
         }
         else
         {
@@ -4218,21 +4256,21 @@ fn choose_emitter_0( way_4 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
         {
             break;
         }
-        var _S308 : u32 = emitter_faces_at_0(at_5);
-        if(((((_S308 >> (side_2))) & (u32(1)))) != u32(0))
+        var _S306 : u32 = emitter_faces_at_0(at_5);
+        if(((((_S306 >> (side_2))) & (u32(1)))) != u32(0))
         {
+            var _S307 : f32 = emitter_luminance_at_0(at_5);
+            var _S308 : bool = _S305 < _S307;
             var _S309 : f32 = emitter_luminance_at_0(at_5);
-            var _S310 : bool = _S307 < _S309;
-            var _S311 : f32 = emitter_luminance_at_0(at_5);
-            var _S312 : f32 = _S307 - _S311;
-            is_found_6 = _S310;
+            var _S310 : f32 = _S305 - _S309;
+            is_found_8 = _S308;
             chosen_3 = at_5;
-            _S307 = _S312;
+            _S305 = _S310;
         }
         at_5 = at_5 + u32(1);
     }
-    var _S313 : Emitter_0 = emitter_at_0(chosen_3);
-    return _S313;
+    var _S311 : Emitter_0 = emitter_at_0(chosen_3);
+    return _S311;
 }
 
 fn point_of_face_0( low_9 : vec3<f32>,  face_4 : u32,  u_7 : f32,  v_4 : f32) -> vec3<f32>
@@ -4265,19 +4303,19 @@ fn margin_of_0( translation_1 : vec3<f32>,  low_10 : vec3<f32>) -> f32
 fn offset_ray_origin_0( translation_2 : vec3<f32>,  low_11 : vec3<f32>,  face_5 : u32,  point_4 : vec3<f32>) -> vec3<f32>
 {
     var margin_0 : f32 = margin_of_0(translation_2, low_11);
-    var _S314 : vec3<f32> = vec3<f32>(margin_0);
-    var moved_0 : vec3<f32> = min(max(point_4, low_11 + _S314), low_11 + vec3<f32>((1.0f - margin_0)));
-    var _S315 : bool = face_5 < u32(2);
-    var _S316 : bool;
+    var _S312 : vec3<f32> = vec3<f32>(margin_0);
+    var moved_0 : vec3<f32> = min(max(point_4, low_11 + _S312), low_11 + vec3<f32>((1.0f - margin_0)));
+    var _S313 : bool = face_5 < u32(2);
+    var _S314 : bool;
     if(face_5 >= u32(2))
     {
-        _S316 = face_5 < u32(4);
+        _S314 = face_5 < u32(4);
     }
     else
     {
-        _S316 = false;
+        _S314 = false;
     }
-    var is_axis_3 : vec3<bool> = vec3<bool>(_S315, _S316, face_5 >= u32(4));
+    var is_axis_3 : vec3<bool> = vec3<bool>(_S313, _S314, face_5 >= u32(4));
     var outside_0 : vec3<f32>;
     if(((face_5 & (u32(1)))) == u32(1))
     {
@@ -4285,19 +4323,19 @@ fn offset_ray_origin_0( translation_2 : vec3<f32>,  low_11 : vec3<f32>,  face_5 
     }
     else
     {
-        outside_0 = low_11 - _S314;
+        outside_0 = low_11 - _S312;
     }
     return select(moved_0, outside_0, is_axis_3);
 }
 
-fn Transform_direction_1( _S317 : u32,  _S318 : vec3<f32>) -> vec3<f32>
+fn Transform_direction_1( _S315 : u32,  _S316 : vec3<f32>) -> vec3<f32>
 {
-    return vector_of_0(instances_0[_S317].world_from_grid_0.x_axis_0) * vec3<f32>(_S318.x) + vector_of_0(instances_0[_S317].world_from_grid_0.y_axis_0) * vec3<f32>(_S318.y) + vector_of_0(instances_0[_S317].world_from_grid_0.z_axis_0) * vec3<f32>(_S318.z);
+    return vector_of_0(instances_0[_S315].world_from_grid_0.x_axis_0) * vec3<f32>(_S316.x) + vector_of_0(instances_0[_S315].world_from_grid_0.y_axis_0) * vec3<f32>(_S316.y) + vector_of_0(instances_0[_S315].world_from_grid_0.z_axis_0) * vec3<f32>(_S316.z);
 }
 
-fn Transform_point_1( _S319 : u32,  _S320 : vec3<f32>) -> vec3<f32>
+fn Transform_point_1( _S317 : u32,  _S318 : vec3<f32>) -> vec3<f32>
 {
-    return Transform_direction_1(_S319, _S320) + vector_of_0(instances_0[_S319].world_from_grid_0.translation_0);
+    return Transform_direction_1(_S317, _S318) + vector_of_0(instances_0[_S317].world_from_grid_0.translation_0);
 }
 
 fn sample_emitter_0( receiver_14 : Receiver_0,  u_8 : vec4<f32>,  aim_2 : Aim_0,  sample_4 : ptr<function, LightSample_0>) -> bool
@@ -4309,28 +4347,28 @@ fn sample_emitter_0( receiver_14 : Receiver_0,  u_8 : vec4<f32>,  aim_2 : Aim_0,
     }
     var descent_3 : Descent_0 = Descent_x24init_0(u32(0), u32(0), u32(0), 1.0f, 1.0f, u_8.x, false);
     Descent_at_0(&(descent_3), u32(0));
-    var _S321 : bool;
+    var _S319 : bool;
     if(!IS_SINGLE_0)
     {
-        _S321 = aim_2.is_met_0;
+        _S319 = aim_2.is_met_0;
     }
     else
     {
-        _S321 = false;
+        _S319 = false;
     }
-    if(_S321)
+    if(_S319)
     {
         var leaf_2 : u32 = instances_0[aim_2.hit_4.instance_0].light_leaf_0;
         if((instances_0[aim_2.hit_4.instance_0].light_leaf_0) == u32(4294967295))
         {
-            _S321 = true;
+            _S319 = true;
         }
         else
         {
-            var _S322 : bool = climb_0(receiver_14, leaf_2, &(descent_3));
-            _S321 = !_S322;
+            var _S320 : bool = climb_0(receiver_14, leaf_2, &(descent_3));
+            _S319 = !_S320;
         }
-        if(_S321)
+        if(_S319)
         {
             return false;
         }
@@ -4340,49 +4378,49 @@ fn sample_emitter_0( receiver_14 : Receiver_0,  u_8 : vec4<f32>,  aim_2 : Aim_0,
     {
         if(!IS_SINGLE_0)
         {
-            var _S323 : bool = descend_0(receiver_14, by_chance_0(), &(descent_3));
-            _S321 = !_S323;
+            var _S321 : bool = descend_0(receiver_14, by_chance_0(), &(descent_3));
+            _S319 = !_S321;
         }
         else
         {
-            _S321 = false;
+            _S319 = false;
         }
-        if(_S321)
+        if(_S319)
         {
             return false;
         }
     }
-    var chosen_instance_0 : u32 = descent_3.index_15;
-    var local_1 : Receiver_0 = in_grid_0(descent_3.index_15, receiver_14);
+    var chosen_instance_0 : u32 = descent_3.index_14;
+    var local_1 : Receiver_0 = in_grid_0(descent_3.index_14, receiver_14);
     Descent_at_1(&(descent_3), top_light_node_0(descent_3.node_3).root_1);
-    var _S324 : bool = descend_1(local_1, aim_2, &(descent_3));
-    if(!_S324)
+    var _S322 : bool = descend_1(local_1, aim_2, &(descent_3));
+    if(!_S322)
     {
         return false;
     }
     var side_3 : u32 = aim_2.hit_4.face_0;
     var odds_2 : vec2<f32>;
-    var _S325 : bool = choose_side_0(local_1.point_0, aim_2.is_met_0, descent_3, &(side_3), &(odds_2));
-    if(!_S325)
+    var _S323 : bool = choose_side_0(local_1.point_0, aim_2.is_met_0, descent_3, &(side_3), &(odds_2));
+    if(!_S323)
     {
         return false;
     }
     var power_4 : f32 = light_power_at_0(descent_3.node_3, side_3);
     if(aim_2.is_met_0)
     {
-        var _S326 : f32 = density_0(odds_2, aim_2.luminance_1, power_4, Transform_direction_0(chosen_instance_0, aim_2.direction_20) * vec3<f32>(aim_2.hit_4.t_0), side_3);
-        (*sample_4).pdf_2 = _S326;
-        return _S326 > 0.0f;
+        var _S324 : f32 = density_0(odds_2, aim_2.luminance_1, power_4, Transform_direction_0(chosen_instance_0, aim_2.direction_20) * vec3<f32>(aim_2.hit_4.t_0), side_3);
+        (*sample_4).pdf_2 = _S324;
+        return _S324 > 0.0f;
     }
     var emitter_1 : Emitter_0 = choose_emitter_0(descent_3, side_3, u_8.y * power_4);
-    var _S327 : vec3<f32> = vec3<f32>(cell_of_0(emitter_1.voxel_24));
-    var on_face_0 : vec3<f32> = point_of_face_0(_S327, side_3, u_8.z, u_8.w);
+    var _S325 : vec3<f32> = vec3<f32>(cell_of_0(emitter_1.voxel_24));
+    var on_face_0 : vec3<f32> = point_of_face_0(_S325, side_3, u_8.z, u_8.w);
     var pdf_7 : f32 = density_0(odds_2, emitter_1.luminance_4, power_4, on_face_0 - local_1.point_0, side_3);
     if(pdf_7 < 0.0f)
     {
         return false;
     }
-    var direction_26 : vec3<f32> = Transform_point_1(chosen_instance_0, offset_ray_origin_0(vector_of_0(instances_0[chosen_instance_0].grid_from_world_0.translation_0), _S327, side_3, on_face_0)) - receiver_14.point_0;
+    var direction_26 : vec3<f32> = Transform_point_1(chosen_instance_0, offset_ray_origin_0(vector_of_0(instances_0[chosen_instance_0].grid_from_world_0.translation_0), _S325, side_3, on_face_0)) - receiver_14.point_0;
     var cos_theta_6 : f32 = with_slack_0(receiver_14, divide_0(dot_product_0(receiver_14.normal_1, direction_26), square_root_0(length_squared_0(direction_26))));
     (*sample_4) = LightSample_x24init_0(Ray_x24init_0(receiver_14.point_0, 0.0f, direction_26, 1.0f), cos_theta_6, emitted_0(material_of_index_0(emitter_1.material_5)), pdf_7);
     return cos_theta_6 > 0.0f;
@@ -4390,99 +4428,99 @@ fn sample_emitter_0( receiver_14 : Receiver_0,  u_8 : vec4<f32>,  aim_2 : Aim_0,
 
 fn EmitterTree_sample_0( receiver_15 : Receiver_0,  u_9 : vec4<f32>,  aim_3 : Aim_0,  sample_5 : ptr<function, LightSample_0>) -> bool
 {
-    var _S328 : bool = sample_emitter_0(receiver_15, u_9, aim_3, &((*sample_5)));
-    return _S328;
+    var _S326 : bool = sample_emitter_0(receiver_15, u_9, aim_3, &((*sample_5)));
+    return _S326;
 }
 
 fn Lights_sample_0( receiver_16 : Receiver_0,  selection_3 : Selection_0,  u_10 : vec4<f32>,  aim_4 : Aim_0,  sample_6 : ptr<function, LightSample_0>) -> bool
 {
-    var is_found_7 : bool;
+    var is_found_9 : bool;
     if(has_sun_0())
     {
-        is_found_7 = !aim_4.is_met_0;
+        is_found_9 = !aim_4.is_met_0;
     }
     else
     {
-        is_found_7 = false;
+        is_found_9 = false;
     }
-    if(is_found_7)
+    if(is_found_9)
     {
-        is_found_7 = (u_10.x) < (selection_3.sun_0);
+        is_found_9 = (u_10.x) < (selection_3.sun_0);
     }
     else
     {
-        is_found_7 = false;
+        is_found_9 = false;
     }
-    if(is_found_7)
+    if(is_found_9)
     {
-        var _S329 : bool = SunDisc_sample_0(receiver_16, u_10, &((*sample_6)));
+        var _S327 : bool = SunDisc_sample_0(receiver_16, u_10, &((*sample_6)));
         (*sample_6).pdf_2 = (*sample_6).pdf_2 * selection_3.sun_0;
-        is_found_7 = _S329;
+        is_found_9 = _S327;
     }
     else
     {
         if(Lights_has_chosen_sky_0())
         {
-            is_found_7 = !aim_4.is_met_0;
+            is_found_9 = !aim_4.is_met_0;
         }
         else
         {
-            is_found_7 = false;
+            is_found_9 = false;
         }
-        if(is_found_7)
+        if(is_found_9)
         {
-            is_found_7 = (u_10.x) < (selection_3.sun_0 + selection_3.sky_1);
+            is_found_9 = (u_10.x) < (selection_3.sun_0 + selection_3.sky_1);
         }
         else
         {
-            is_found_7 = false;
+            is_found_9 = false;
         }
-        if(is_found_7)
+        if(is_found_9)
         {
-            var _S330 : bool = Sky_sample_0(receiver_16, vec4<f32>(min(divide_0(u_10.x - selection_3.sun_0, selection_3.sky_1), 0.99999994039535522f), u_10.yzw), &((*sample_6)));
+            var _S328 : bool = Sky_sample_0(receiver_16, vec4<f32>(min(divide_0(u_10.x - selection_3.sun_0, selection_3.sky_1), 0.99999994039535522f), u_10.yzw), &((*sample_6)));
             (*sample_6).pdf_2 = (*sample_6).pdf_2 * selection_3.sky_1;
-            is_found_7 = _S330;
+            is_found_9 = _S328;
         }
         else
         {
-            var _S331 : bool = EmitterTree_sample_0(receiver_16, vec4<f32>(min(divide_0(u_10.x - (selection_3.sun_0 + selection_3.sky_1), selection_3.emitters_0), 0.99999994039535522f), u_10.yzw), aim_4, &((*sample_6)));
+            var _S329 : bool = EmitterTree_sample_0(receiver_16, vec4<f32>(min(divide_0(u_10.x - (selection_3.sun_0 + selection_3.sky_1), selection_3.emitters_0), 0.99999994039535522f), u_10.yzw), aim_4, &((*sample_6)));
             (*sample_6).pdf_2 = (*sample_6).pdf_2 * selection_3.emitters_0;
-            is_found_7 = _S331;
+            is_found_9 = _S329;
         }
     }
-    return is_found_7;
+    return is_found_9;
 }
 
 fn ior_of_0( inside_3 : Inside_0) -> f32
 {
-    var _S332 : f32;
+    var _S330 : f32;
     if(Inside_is_in_0(inside_3))
     {
-        _S332 = material_of_index_0(inside_3.material_0).ior_0;
+        _S330 = material_of_index_0(inside_3.material_0).ior_0;
     }
     else
     {
-        _S332 = 1.0f;
+        _S330 = 1.0f;
     }
-    return _S332;
+    return _S330;
 }
 
 fn Microfacets_x24init_0( alpha_1 : f32) -> Microfacets_0
 {
-    var _S333 : Microfacets_0;
-    _S333.alpha_0 = alpha_1;
-    return _S333;
+    var _S331 : Microfacets_0;
+    _S331.alpha_0 = alpha_1;
+    return _S331;
 }
 
 fn MaterialBsdf_x24init_0( kind_1 : u32,  color_2 : vec3<f32>,  specular_2 : f32,  eta_1 : f32,  facets_1 : Microfacets_0) -> MaterialBsdf_0
 {
-    var _S334 : MaterialBsdf_0;
-    _S334.kind_0 = kind_1;
-    _S334.color_0 = color_2;
-    _S334.specular_0 = specular_2;
-    _S334.eta_0 = eta_1;
-    _S334.facets_0 = facets_1;
-    return _S334;
+    var _S332 : MaterialBsdf_0;
+    _S332.kind_0 = kind_1;
+    _S332.color_0 = color_2;
+    _S332.specular_0 = specular_2;
+    _S332.eta_0 = eta_1;
+    _S332.facets_0 = facets_1;
+    return _S332;
 }
 
 fn bsdf_of_0( material_7 : PackedMaterial_0,  ior_1 : f32,  choice_2 : ptr<function, f32>) -> MaterialBsdf_0
@@ -4503,17 +4541,17 @@ fn roulette_0( event_1 : u32,  scattered_1 : vec3<f32>,  u_11 : f32) -> f32
     {
         return 1.0f;
     }
-    var _S335 : f32 = min(max_element_0(scattered_1), 0.94999998807907104f);
-    var _S336 : f32;
-    if(u_11 < _S335)
+    var _S333 : f32 = min(max_element_0(scattered_1), 0.94999998807907104f);
+    var _S334 : f32;
+    if(u_11 < _S333)
     {
-        _S336 = divide_0(1.0f, _S335);
+        _S334 = divide_0(1.0f, _S333);
     }
     else
     {
-        _S336 = 0.0f;
+        _S334 = 0.0f;
     }
-    return _S336;
+    return _S334;
 }
 
 fn face_normal_0( face_6 : u32) -> vec3<f32>
@@ -4527,32 +4565,32 @@ fn face_normal_0( face_6 : u32) -> vec3<f32>
     {
         away_1 = -1.0f;
     }
-    var _S337 : f32;
+    var _S335 : f32;
     if(face_6 < u32(2))
+    {
+        _S335 = away_1;
+    }
+    else
+    {
+        _S335 = 0.0f;
+    }
+    var _S336 : bool;
+    if(face_6 >= u32(2))
+    {
+        _S336 = face_6 < u32(4);
+    }
+    else
+    {
+        _S336 = false;
+    }
+    var _S337 : f32;
+    if(_S336)
     {
         _S337 = away_1;
     }
     else
     {
         _S337 = 0.0f;
-    }
-    var _S338 : bool;
-    if(face_6 >= u32(2))
-    {
-        _S338 = face_6 < u32(4);
-    }
-    else
-    {
-        _S338 = false;
-    }
-    var _S339 : f32;
-    if(_S338)
-    {
-        _S339 = away_1;
-    }
-    else
-    {
-        _S339 = 0.0f;
     }
     if(face_6 >= u32(4))
     {
@@ -4561,26 +4599,26 @@ fn face_normal_0( face_6 : u32) -> vec3<f32>
     {
         away_1 = 0.0f;
     }
-    return vec3<f32>(_S337, _S339, away_1);
+    return vec3<f32>(_S335, _S337, away_1);
 }
 
-fn world_normal_0( _S340 : u32,  _S341 : u32) -> vec3<f32>
+fn world_normal_0( _S338 : u32,  _S339 : u32) -> vec3<f32>
 {
-    return normalize_vector_0(Transform_direction_1(_S340, face_normal_0(_S341)));
+    return normalize_vector_0(Transform_direction_1(_S338, face_normal_0(_S339)));
 }
 
-fn surface_of_0( ray_14 : Ray_0,  hit_6 : Hit_0) -> Surface_0
+fn surface_of_0( ray_15 : Ray_0,  hit_6 : Hit_0) -> Surface_0
 {
     var surface_1 : Surface_0;
-    var _S342 : vec3<f32> = vec3<f32>(hit_6.voxel_0);
+    var _S340 : vec3<f32> = vec3<f32>(hit_6.voxel_0);
     if(IS_SINGLE_0)
     {
-        surface_1.origin_9 = offset_ray_origin_0(vec3<f32>(0.0f), _S342, hit_6.face_0, ray_14.origin_1 + ray_14.direction_0 * vec3<f32>(hit_6.t_0));
+        surface_1.origin_9 = offset_ray_origin_0(vec3<f32>(0.0f), _S340, hit_6.face_0, ray_15.origin_1 + ray_15.direction_0 * vec3<f32>(hit_6.t_0));
         surface_1.normal_2 = face_normal_0(hit_6.face_0);
     }
     else
     {
-        surface_1.origin_9 = Transform_point_1(hit_6.instance_0, offset_ray_origin_0(vector_of_0(instances_0[hit_6.instance_0].grid_from_world_0.translation_0), _S342, hit_6.face_0, Transform_point_0(hit_6.instance_0, ray_14.origin_1) + Transform_direction_0(hit_6.instance_0, ray_14.direction_0) * vec3<f32>(hit_6.t_0)));
+        surface_1.origin_9 = Transform_point_1(hit_6.instance_0, offset_ray_origin_0(vector_of_0(instances_0[hit_6.instance_0].grid_from_world_0.translation_0), _S340, hit_6.face_0, Transform_point_0(hit_6.instance_0, ray_15.origin_1) + Transform_direction_0(hit_6.instance_0, ray_15.direction_0) * vec3<f32>(hit_6.t_0)));
         surface_1.normal_2 = world_normal_0(hit_6.instance_0, hit_6.face_0);
     }
     surface_1.face_2 = hit_6.face_0;
@@ -4633,9 +4671,9 @@ fn clamp_to_voxel_0( translation_3 : vec3<f32>,  low_12 : vec3<f32>,  point_5 : 
     return min(max(point_5, low_12 + vec3<f32>(margin_1)), low_12 + vec3<f32>((1.0f - margin_1)));
 }
 
-fn Inside_point_0( this_37 : Inside_0,  ray_15 : Ray_0,  t_13 : f32) -> vec3<f32>
+fn Inside_point_0( this_37 : Inside_0,  ray_16 : Ray_0,  t_13 : f32) -> vec3<f32>
 {
-    return Transform_point_1(this_37.instance_6, clamp_to_voxel_0(vector_of_0(instances_0[this_37.instance_6].grid_from_world_0.translation_0), vec3<f32>(this_37.voxel_22), Transform_point_0(this_37.instance_6, ray_15.origin_1) + Transform_direction_0(this_37.instance_6, ray_15.direction_0) * vec3<f32>(t_13)));
+    return Transform_point_1(this_37.instance_6, clamp_to_voxel_0(vector_of_0(instances_0[this_37.instance_6].grid_from_world_0.translation_0), vec3<f32>(this_37.voxel_22), Transform_point_0(this_37.instance_6, ray_16.origin_1) + Transform_direction_0(this_37.instance_6, ray_16.direction_0) * vec3<f32>(t_13)));
 }
 
 fn MaterialBsdf_is_delta_0( this_38 : MaterialBsdf_0) -> bool
@@ -4645,16 +4683,16 @@ fn MaterialBsdf_is_delta_0( this_38 : MaterialBsdf_0) -> bool
 
 fn Scatter_x24init_0( path_4 : Path_0,  receiver_17 : Receiver_0,  surface_2 : Surface_0,  bsdf_1 : MaterialBsdf_0,  wo_1 : vec3<f32>,  compensation_1 : f32,  is_scattered_1 : bool,  wants_light_1 : bool) -> Scatter_0
 {
-    var _S343 : Scatter_0;
-    _S343.path_0 = path_4;
-    _S343.receiver_0 = receiver_17;
-    _S343.surface_0 = surface_2;
-    _S343.bsdf_0 = bsdf_1;
-    _S343.wo_0 = wo_1;
-    _S343.compensation_0 = compensation_1;
-    _S343.is_scattered_0 = is_scattered_1;
-    _S343.wants_light_0 = wants_light_1;
-    return _S343;
+    var _S341 : Scatter_0;
+    _S341.path_0 = path_4;
+    _S341.receiver_0 = receiver_17;
+    _S341.surface_0 = surface_2;
+    _S341.bsdf_0 = bsdf_1;
+    _S341.wo_0 = wo_1;
+    _S341.compensation_0 = compensation_1;
+    _S341.is_scattered_0 = is_scattered_1;
+    _S341.wants_light_0 = wants_light_1;
+    return _S341;
 }
 
 struct BsdfSample_0
@@ -4672,9 +4710,9 @@ struct Diffuse_0
 
 fn Diffuse_x24init_0( reflectance_1 : vec3<f32>) -> Diffuse_0
 {
-    var _S344 : Diffuse_0;
-    _S344.reflectance_0 = reflectance_1;
-    return _S344;
+    var _S342 : Diffuse_0;
+    _S342.reflectance_0 = reflectance_1;
+    return _S342;
 }
 
 fn cosine_hemisphere_0( u_12 : f32,  v_5 : f32) -> vec3<f32>
@@ -4691,12 +4729,12 @@ fn cosine_hemisphere_pdf_0( cos_theta_7 : f32) -> f32
 
 fn BsdfSample_x24init_0( wi_1 : vec3<f32>,  weight_4 : vec3<f32>,  pdf_9 : f32,  is_delta_1 : bool) -> BsdfSample_0
 {
-    var _S345 : BsdfSample_0;
-    _S345.wi_0 = wi_1;
-    _S345.weight_3 = weight_4;
-    _S345.pdf_8 = pdf_9;
-    _S345.is_delta_0 = is_delta_1;
-    return _S345;
+    var _S343 : BsdfSample_0;
+    _S343.wi_0 = wi_1;
+    _S343.weight_3 = weight_4;
+    _S343.pdf_8 = pdf_9;
+    _S343.is_delta_0 = is_delta_1;
+    return _S343;
 }
 
 fn Diffuse_sample_0( this_39 : Diffuse_0,  wo_2 : vec3<f32>,  u_13 : vec3<f32>,  sample_7 : ptr<function, BsdfSample_0>) -> bool
@@ -4708,8 +4746,8 @@ fn Diffuse_sample_0( this_39 : Diffuse_0,  wo_2 : vec3<f32>,  u_13 : vec3<f32>, 
 
 fn MaterialBsdf_sample_0( this_40 : MaterialBsdf_0,  wo_3 : vec3<f32>,  u_14 : vec3<f32>,  sample_8 : ptr<function, BsdfSample_0>) -> bool
 {
-    var _S346 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_40.color_0), wo_3, u_14, &((*sample_8)));
-    return _S346;
+    var _S344 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_40.color_0), wo_3, u_14, &((*sample_8)));
+    return _S344;
 }
 
 fn Surface_world_direction_0( this_41 : Surface_0,  local_3 : vec3<f32>) -> vec3<f32>
@@ -4723,23 +4761,23 @@ fn Surface_world_direction_0( this_41 : Surface_0,  local_3 : vec3<f32>) -> vec3
     {
         away_2 = - local_3.z;
     }
-    var _S347 : f32 = local_3.x;
-    var _S348 : f32 = local_3.y;
-    var _S349 : vec3<f32> = vec3<f32>(_S347, _S348, away_2);
+    var _S345 : f32 = local_3.x;
+    var _S346 : f32 = local_3.y;
+    var _S347 : vec3<f32> = vec3<f32>(_S345, _S346, away_2);
     var in_grid_3 : vec3<f32>;
     if((this_41.face_2) < u32(2))
     {
-        in_grid_3 = vec3<f32>(away_2, _S347, _S348);
+        in_grid_3 = vec3<f32>(away_2, _S345, _S346);
     }
     else
     {
         if((this_41.face_2) < u32(4))
         {
-            in_grid_3 = vec3<f32>(_S348, away_2, _S347);
+            in_grid_3 = vec3<f32>(_S346, away_2, _S345);
         }
         else
         {
-            in_grid_3 = _S349;
+            in_grid_3 = _S347;
         }
     }
     if(!IS_SINGLE_0)
@@ -4749,7 +4787,7 @@ fn Surface_world_direction_0( this_41 : Surface_0,  local_3 : vec3<f32>) -> vec3
     return normalize_vector_0(in_grid_3);
 }
 
-fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_16 : Ray_0,  hit_7 : Hit_0,  beyond_2 : u32,  radiance_5 : ptr<function, vec3<f32>>) -> NextRays_0
+fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_17 : Ray_0,  hit_7 : Hit_0,  beyond_2 : u32,  radiance_5 : ptr<function, vec3<f32>>) -> NextRays_0
 {
     var next_0 : NextRays_0 = no_rays_0();
     scatter_of_path_0.wants_light_0 = false;
@@ -4764,7 +4802,7 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_16 : Ray_0,  hi
         t_14 = (*path_5).pdf_1;
     }
     (*path_5).pdf_1 = t_14;
-    var last_5 : Receiver_0 = Path_receiver_0((*path_5), ray_16);
+    var last_5 : Receiver_0 = Path_receiver_0((*path_5), ray_17);
     var is_scattered_2 : bool;
     if(Inside_is_in_0((*path_5).inside_0))
     {
@@ -4778,7 +4816,7 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_16 : Ray_0,  hi
     {
         if(is_scattered_2)
         {
-            t_14 = scattering_t_0((*path_5), (*path_5).inside_0, ray_16);
+            t_14 = scattering_t_0((*path_5), (*path_5).inside_0, ray_17);
         }
         else
         {
@@ -4786,7 +4824,7 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_16 : Ray_0,  hi
         }
         if(!is_counted_0)
         {
-            absorb_0(&((*path_5)), (*path_5).inside_0, ray_16, t_14);
+            absorb_0(&((*path_5)), (*path_5).inside_0, ray_17, t_14);
         }
     }
     else
@@ -4805,7 +4843,7 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_16 : Ray_0,  hi
     var light_pdf_1 : f32;
     if(is_weighed_0)
     {
-        (*radiance_5) = (*radiance_5) + (*path_5).beta_0 * Sky_le_0(ray_16.direction_0) * vec3<f32>(mis_weight_0((*path_5).pdf_1, Lights_sky_pdf_0(Path_selection_at_0((*path_5), last_5), ray_16.direction_0)));
+        (*radiance_5) = (*radiance_5) + (*path_5).beta_0 * Sky_le_0(ray_17.direction_0) * vec3<f32>(mis_weight_0((*path_5).pdf_1, Lights_sky_pdf_0(Path_selection_at_0((*path_5), last_5), ray_17.direction_0)));
         if(has_sun_0())
         {
             if(SunDisc_is_visible_0())
@@ -4823,7 +4861,7 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_16 : Ray_0,  hi
         }
         if(is_scattered_2)
         {
-            var le_0 : vec3<f32> = SunDisc_le_0(ray_16.direction_0);
+            var le_0 : vec3<f32> = SunDisc_le_0(ray_17.direction_0);
             if((max_element_0(le_0)) > 0.0f)
             {
                 if(((*path_5).pdf_1) == 0.0f)
@@ -4832,7 +4870,7 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_16 : Ray_0,  hi
                 }
                 else
                 {
-                    light_pdf_1 = Lights_sun_pdf_0(Path_selection_at_0((*path_5), last_5), ray_16.direction_0);
+                    light_pdf_1 = Lights_sun_pdf_0(Path_selection_at_0((*path_5), last_5), ray_17.direction_0);
                 }
                 (*radiance_5) = (*radiance_5) + (*path_5).beta_0 * le_0 * vec3<f32>(mis_weight_0((*path_5).pdf_1, light_pdf_1));
             }
@@ -4841,7 +4879,7 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_16 : Ray_0,  hi
     }
     var u_15 : vec4<f32> = Sampler_stratified_0((*path_5).sampler_0, Path_dimension_scatter_0((*path_5)));
     var material_8 : PackedMaterial_0 = material_met_0((*path_5), hit_7, beyond_2);
-    var _S350 : vec3<f32> = vec3<f32>(0.0f);
+    var _S348 : vec3<f32> = vec3<f32>(0.0f);
     var le_1 : vec3<f32>;
     if(!is_counted_0)
     {
@@ -4849,12 +4887,12 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_16 : Ray_0,  hi
     }
     else
     {
-        le_1 = _S350;
+        le_1 = _S348;
     }
     var is_lit_0 : bool = (max_element_0(le_1)) > 0.0f;
-    var met_0 : Aim_0 = Aim_x24init_0(true, ray_16.direction_0, hit_7, luminance_0(vector_of_0(material_8.emission_0)));
-    var _S351 : bool = weighs_apart_0();
-    if(_S351)
+    var met_0 : Aim_0 = Aim_x24init_0(true, ray_17.direction_0, hit_7, luminance_0(vector_of_0(material_8.emission_0)));
+    var _S349 : bool = weighs_apart_0();
+    if(_S349)
     {
         is_weighed_0 = is_lit_0;
     }
@@ -4882,7 +4920,7 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_16 : Ray_0,  hi
     if(is_chosen_0)
     {
         var light_2 : LightSample_0 = no_light_0();
-        if(!_S351)
+        if(!_S349)
         {
             is_chosen_0 = ((*path_5).pdf_1) > 0.0f;
         }
@@ -4892,15 +4930,15 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_16 : Ray_0,  hi
         }
         if(is_chosen_0)
         {
-            var _S352 : bool = Lights_sample_0(last_5, Path_selection_at_0((*path_5), last_5), vec4<f32>(0.0f), met_0, &(light_2));
-            is_chosen_0 = _S352;
+            var _S350 : bool = Lights_sample_0(last_5, Path_selection_at_0((*path_5), last_5), vec4<f32>(0.0f), met_0, &(light_2));
+            is_chosen_0 = _S350;
         }
         else
         {
             is_chosen_0 = false;
         }
-        var _S353 : vec3<f32> = (*path_5).beta_0 * le_1;
-        var _S354 : f32 = (*path_5).pdf_1;
+        var _S351 : vec3<f32> = (*path_5).beta_0 * le_1;
+        var _S352 : f32 = (*path_5).pdf_1;
         if(is_chosen_0)
         {
             light_pdf_1 = light_2.pdf_2;
@@ -4909,13 +4947,13 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_16 : Ray_0,  hi
         {
             light_pdf_1 = 0.0f;
         }
-        (*radiance_5) = (*radiance_5) + _S353 * vec3<f32>(mis_weight_0(_S354, light_pdf_1));
+        (*radiance_5) = (*radiance_5) + _S351 * vec3<f32>(mis_weight_0(_S352, light_pdf_1));
     }
-    var _S355 : f32 = ior_of_0((*path_5).inside_0);
-    var _S356 : f32 = u_15[i32(3)];
-    var _S357 : MaterialBsdf_0 = bsdf_of_0(material_8, _S355, &(_S356));
-    u_15[i32(3)] = _S356;
-    var scattered_2 : vec3<f32> = (*path_5).beta_0 * MaterialBsdf_albedo_0(_S357);
+    var _S353 : f32 = ior_of_0((*path_5).inside_0);
+    var _S354 : f32 = u_15[i32(3)];
+    var _S355 : MaterialBsdf_0 = bsdf_of_0(material_8, _S353, &(_S354));
+    u_15[i32(3)] = _S354;
+    var scattered_2 : vec3<f32> = (*path_5).beta_0 * MaterialBsdf_albedo_0(_S355);
     if(((*path_5).bounce_0) >= (params_0.max_bounces_0))
     {
         is_chosen_0 = true;
@@ -4924,8 +4962,8 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_16 : Ray_0,  hi
     {
         is_chosen_0 = ends_here_0;
     }
-    var _S358 : bool = !is_weighed_0;
-    if(_S358)
+    var _S356 : bool = !is_weighed_0;
+    if(_S356)
     {
         if(is_chosen_0)
         {
@@ -4945,7 +4983,7 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_16 : Ray_0,  hi
         return next_0;
     }
     var compensation_2 : f32 = roulette_0(Path_events_0((*path_5)), scattered_2, u_15.z);
-    if(_S358)
+    if(_S356)
     {
         is_chosen_0 = compensation_2 == 0.0f;
     }
@@ -4966,20 +5004,20 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_16 : Ray_0,  hi
     {
         at_6 = hit_7;
     }
-    var surface_3 : Surface_0 = surface_of_0(ray_16, at_6);
-    var _S359 : Receiver_0 = Receiver_x24init_0(surface_3.origin_9, surface_3.normal_2);
-    var _S360 : vec3<f32> = (vec3<f32>(0) - ray_16.direction_0);
-    var wo_4 : vec3<f32> = Surface_local_direction_0(surface_3, _S360);
+    var surface_3 : Surface_0 = surface_of_0(ray_17, at_6);
+    var _S357 : Receiver_0 = Receiver_x24init_0(surface_3.origin_9, surface_3.normal_2);
+    var _S358 : vec3<f32> = (vec3<f32>(0) - ray_17.direction_0);
+    var wo_4 : vec3<f32> = Surface_local_direction_0(surface_3, _S358);
     var inside_4 : Inside_0 = in_air_0();
     var wo_5 : vec3<f32>;
     var receiver_18 : Receiver_0;
     if(is_scattered_2)
     {
-        var _S361 : Inside_0 = Inside_x24init_0((*path_5).inside_0.instance_6, hit_7.voxel_0, (*path_5).inside_0.material_0);
-        inside_4 = _S361;
-        var _S362 : vec3<f32> = normalize_vector_0(_S360);
-        receiver_18 = Receiver_x24init_0(Inside_point_0(_S361, ray_16, t_14), _S350);
-        wo_5 = _S362;
+        var _S359 : Inside_0 = Inside_x24init_0((*path_5).inside_0.instance_6, hit_7.voxel_0, (*path_5).inside_0.material_0);
+        inside_4 = _S359;
+        var _S360 : vec3<f32> = normalize_vector_0(_S358);
+        receiver_18 = Receiver_x24init_0(Inside_point_0(_S359, ray_17, t_14), _S348);
+        wo_5 = _S360;
     }
     else
     {
@@ -4989,7 +5027,7 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_16 : Ray_0,  hi
             inside_4 = Inside_x24init_0((*path_5).inside_0.instance_6, hit_7.voxel_0, (*path_5).inside_0.material_0);
             inside_4.voxel_22 = hit_7.voxel_0 + vec3<i32>(face_normal_0(hit_7.face_0));
         }
-        receiver_18 = _S359;
+        receiver_18 = _S357;
         wo_5 = wo_4;
     }
     next_0.origin_7 = receiver_18.point_0;
@@ -4998,13 +5036,13 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_16 : Ray_0,  hi
     {
         receiver_18 = last_5;
     }
-    if(_S358)
+    if(_S356)
     {
         (*path_5).selection_0 = Lights_selection_0(receiver_18);
     }
     var light_3 : LightSample_0 = no_light_0();
-    var _S363 : bool = !MaterialBsdf_is_delta_0(_S357);
-    scatter_of_path_0 = Scatter_x24init_0((*path_5), receiver_18, surface_3, _S357, wo_5, compensation_2, is_scattered_2, _S363);
+    var _S361 : bool = !MaterialBsdf_is_delta_0(_S355);
+    scatter_of_path_0 = Scatter_x24init_0((*path_5), receiver_18, surface_3, _S355, wo_5, compensation_2, is_scattered_2, _S361);
     if(is_weighed_0)
     {
         if(next_0.has_shadow_ray_0)
@@ -5021,8 +5059,8 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_16 : Ray_0,  hi
         return next_0;
     }
     var bounce_1 : BsdfSample_0;
-    var _S364 : bool = MaterialBsdf_sample_0(_S357, wo_5, vec3<f32>(u_15.xy, u_15.w), &(bounce_1));
-    if(!_S364)
+    var _S362 : bool = MaterialBsdf_sample_0(_S355, wo_5, vec3<f32>(u_15.xy, u_15.w), &(bounce_1));
+    if(!_S362)
     {
         return next_0;
     }
@@ -5047,9 +5085,9 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_16 : Ray_0,  hi
     return next_0;
 }
 
-fn absorb_1( path_6 : ptr<function, Path_0>,  inside_5 : Inside_0,  ray_17 : Ray_0,  t_15 : f32)
+fn absorb_1( path_6 : ptr<function, Path_0>,  inside_5 : Inside_0,  ray_18 : Ray_0,  t_15 : f32)
 {
-    (*path_6).beta_0 = (*path_6).beta_0 * attenuation_0(material_of_index_0(inside_5.material_0), t_15 * Inside_voxels_per_t_0(inside_5, ray_17));
+    (*path_6).beta_0 = (*path_6).beta_0 * attenuation_0(material_of_index_0(inside_5.material_0), t_15 * Inside_voxels_per_t_0(inside_5, ray_18));
     return;
 }
 
@@ -5066,31 +5104,31 @@ fn SunDisc_sample_1( receiver_19 : Receiver_0,  u_16 : vec4<f32>,  sample_9 : pt
 
 fn Environment_choose_1( u_17 : vec4<f32>,  chosen_4 : ptr<function, ChosenDirection_0>) -> bool
 {
-    var _S365 : vec3<f32> = vec3<f32>(0.0f);
-    (*chosen_4) = ChosenDirection_x24init_0(_S365, _S365, 0.0f);
+    var _S363 : vec3<f32> = vec3<f32>(0.0f);
+    (*chosen_4) = ChosenDirection_x24init_0(_S363, _S363, 0.0f);
     var edge_1 : f32 = f32(params_0.sky_edge_0);
-    var _S366 : f32 = u_17.x * edge_1;
-    var _S367 : f32 = edge_1 - 1.0f;
-    var _S368 : f32 = min(floor(_S366), _S367);
-    var own_2 : u32 = u32(_S368) * params_0.sky_edge_0 + u32(min(floor(u_17.y * edge_1), _S367));
-    var index_28 : u32;
+    var _S364 : f32 = u_17.x * edge_1;
+    var _S365 : f32 = edge_1 - 1.0f;
+    var _S366 : f32 = min(floor(_S364), _S365);
+    var own_2 : u32 = u32(_S366) * params_0.sky_edge_0 + u32(min(floor(u_17.y * edge_1), _S365));
+    var index_27 : u32;
     if((u_17.z) < (environment_0[own_2].threshold_0))
     {
-        index_28 = own_2;
+        index_27 = own_2;
     }
     else
     {
-        index_28 = environment_0[own_2].alias_0;
+        index_27 = environment_0[own_2].alias_0;
     }
-    var pdf_10 : f32 = environment_0[index_28].pdf_0;
-    if((environment_0[index_28].pdf_0) <= 0.0f)
+    var pdf_10 : f32 = environment_0[index_27].pdf_0;
+    if((environment_0[index_27].pdf_0) <= 0.0f)
     {
         return false;
     }
-    var _S369 : u32 = index_28 % params_0.sky_edge_0;
-    var _S370 : f32 = f32(_S369);
-    var _S371 : u32 = index_28 / params_0.sky_edge_0;
-    var place_3 : vec2<f32> = vec2<f32>(_S370, f32(_S371)) + vec2<f32>(min(_S366 - _S368, 1.0f), u_17.w);
+    var _S367 : u32 = index_27 % params_0.sky_edge_0;
+    var _S368 : f32 = f32(_S367);
+    var _S369 : u32 = index_27 / params_0.sky_edge_0;
+    var place_3 : vec2<f32> = vec2<f32>(_S368, f32(_S369)) + vec2<f32>(min(_S364 - _S366, 1.0f), u_17.w);
     (*chosen_4) = ChosenDirection_x24init_0(Environment_to_world_0(direction_of_0(place_3 * vec2<f32>(divide_0(1.0f, edge_1)))), Environment_radiance_at_0(place_3), pdf_10);
     return true;
 }
@@ -5099,17 +5137,17 @@ fn Sky_sample_1( receiver_20 : Receiver_0,  u_18 : vec4<f32>,  sample_10 : ptr<f
 {
     (*sample_10) = no_light_0();
     var chosen_5 : ChosenDirection_0;
-    var _S372 : bool;
+    var _S370 : bool;
     if(SKY_0 != u32(1))
     {
-        _S372 = true;
+        _S370 = true;
     }
     else
     {
-        var _S373 : bool = Environment_choose_1(u_18, &(chosen_5));
-        _S372 = !_S373;
+        var _S371 : bool = Environment_choose_1(u_18, &(chosen_5));
+        _S370 = !_S371;
     }
-    if(_S372)
+    if(_S370)
     {
         return false;
     }
@@ -5122,7 +5160,7 @@ fn Descent_at_2( this_42 : ptr<function, Descent_0>,  root_4 : u32)
 {
     var node_12 : LightNode_0 = TopLights_node_0(root_4);
     (*this_42).node_3 = root_4;
-    (*this_42).index_15 = node_12.index_7;
+    (*this_42).index_14 = node_12.index_6;
     (*this_42).count_2 = node_12.count_0;
     (*this_42).is_far_3 = false;
     return;
@@ -5134,7 +5172,7 @@ fn climb_1( receiver_21 : Receiver_0,  start_4 : u32,  descent_4 : ptr<function,
     var at_7 : u32 = start_4;
     for(;;)
     {
-        var _S374 : LightNode_0 = node_13;
+        var _S372 : LightNode_0 = node_13;
         if((node_13.parent_0) != u32(4294967295))
         {
         }
@@ -5142,59 +5180,59 @@ fn climb_1( receiver_21 : Receiver_0,  start_4 : u32,  descent_4 : ptr<function,
         {
             break;
         }
-        var parent_2 : LightNode_0 = top_light_node_0(_S374.parent_0);
-        var _S375 : u32 = _S374.parent_0 + u32(1);
-        var is_left_4 : bool = at_7 == _S375;
-        var _S376 : u32;
+        var parent_2 : LightNode_0 = top_light_node_0(_S372.parent_0);
+        var _S373 : u32 = _S372.parent_0 + u32(1);
+        var is_left_4 : bool = at_7 == _S373;
+        var _S374 : u32;
         if(is_left_4)
         {
-            _S376 = parent_2.index_7;
+            _S374 = parent_2.index_6;
         }
         else
         {
-            _S376 = _S375;
+            _S374 = _S373;
         }
-        var _S377 : View_0 = view_0(node_13, receiver_21);
-        var _S378 : View_0 = view_0(top_light_node_0(_S376), receiver_21);
-        var _S379 : f32;
+        var _S375 : View_0 = view_0(node_13, receiver_21);
+        var _S376 : View_0 = view_0(top_light_node_0(_S374), receiver_21);
+        var _S377 : f32;
         if(is_left_4)
         {
-            _S379 = _S377.importance_0;
+            _S377 = _S375.importance_0;
         }
         else
         {
-            _S379 = _S378.importance_0;
+            _S377 = _S376.importance_0;
         }
-        var _S380 : f32;
+        var _S378 : f32;
         if(is_left_4)
         {
-            _S380 = _S378.importance_0;
+            _S378 = _S376.importance_0;
         }
         else
         {
-            _S380 = _S377.importance_0;
+            _S378 = _S375.importance_0;
         }
-        var weights_3 : vec2<f32> = weights_of_0(_S379, _S380);
-        var _S381 : f32 = weights_3.x;
-        var _S382 : f32 = weights_3.y;
-        var total_6 : f32 = _S381 + _S382;
+        var weights_3 : vec2<f32> = weights_of_0(_S377, _S378);
+        var _S379 : f32 = weights_3.x;
+        var _S380 : f32 = weights_3.y;
+        var total_6 : f32 = _S379 + _S380;
         if(!(total_6 > 0.0f))
         {
             return false;
         }
-        var _S383 : f32;
+        var _S381 : f32;
         if(is_left_4)
         {
-            _S383 = _S381;
+            _S381 = _S379;
         }
         else
         {
-            _S383 = _S382;
+            _S381 = _S380;
         }
-        (*descent_4).weight_0 = (*descent_4).weight_0 * _S383;
+        (*descent_4).weight_0 = (*descent_4).weight_0 * _S381;
         (*descent_4).total_0 = (*descent_4).total_0 * total_6;
         node_13 = parent_2;
-        at_7 = _S374.parent_0;
+        at_7 = _S372.parent_0;
     }
     return ((*descent_4).weight_0) > 0.0f;
 }
@@ -5203,16 +5241,16 @@ fn descend_2( receiver_22 : Receiver_0,  aim_5 : Aim_0,  descent_5 : ptr<functio
 {
     for(;;)
     {
-        var _S384 : bool;
+        var _S382 : bool;
         if(((*descent_5).count_2) == u32(0))
         {
-            _S384 = !(*descent_5).is_far_3;
+            _S382 = !(*descent_5).is_far_3;
         }
         else
         {
-            _S384 = false;
+            _S382 = false;
         }
-        if(_S384)
+        if(_S382)
         {
         }
         else
@@ -5224,31 +5262,31 @@ fn descend_2( receiver_22 : Receiver_0,  aim_5 : Aim_0,  descent_5 : ptr<functio
             return false;
         }
         var left_4 : LightNode_0 = TopLights_node_0((*descent_5).node_3 + u32(1));
-        var right_3 : LightNode_0 = TopLights_node_0((*descent_5).index_15);
+        var right_3 : LightNode_0 = TopLights_node_0((*descent_5).index_14);
         var weights_4 : vec2<f32> = weights_of_0(view_0(left_4, receiver_22).importance_0, view_0(right_3, receiver_22).importance_0);
-        var _S385 : f32 = weights_4.x;
-        var _S386 : f32 = weights_4.y;
-        var total_7 : f32 = _S385 + _S386;
+        var _S383 : f32 = weights_4.x;
+        var _S384 : f32 = weights_4.y;
+        var total_7 : f32 = _S383 + _S384;
         if(!(total_7 > 0.0f))
         {
             return false;
         }
-        var _S387 : bool;
-        if(_S386 <= 0.0f)
+        var _S385 : bool;
+        if(_S384 <= 0.0f)
         {
-            _S387 = true;
+            _S385 = true;
         }
         else
         {
-            _S387 = ((*descent_5).choice_0 * total_7) < (_S385 * (*descent_5).weight_0);
+            _S385 = ((*descent_5).choice_0 * total_7) < (_S383 * (*descent_5).weight_0);
         }
         var is_left_5 : bool;
         if(aim_5.is_met_0)
         {
-            var _S388 : vec3<f32> = vec3<f32>(aim_5.hit_4.voxel_0);
-            if((all((_S388 >= (vector_of_0(left_4.min_2))))))
+            var _S386 : vec3<f32> = vec3<f32>(aim_5.hit_4.voxel_0);
+            if((all((_S386 >= (vector_of_0(left_4.min_1))))))
             {
-                is_left_5 = (all((_S388 < (vector_of_0(left_4.max_2)))));
+                is_left_5 = (all((_S386 < (vector_of_0(left_4.max_1)))));
             }
             else
             {
@@ -5257,63 +5295,63 @@ fn descend_2( receiver_22 : Receiver_0,  aim_5 : Aim_0,  descent_5 : ptr<functio
         }
         else
         {
-            is_left_5 = _S387;
+            is_left_5 = _S385;
         }
-        var _S389 : f32 = (*descent_5).choice_0 * total_7;
-        var _S390 : f32;
+        var _S387 : f32 = (*descent_5).choice_0 * total_7;
+        var _S388 : f32;
         if(is_left_5)
         {
-            _S390 = 0.0f;
+            _S388 = 0.0f;
         }
         else
         {
-            _S390 = _S385 * (*descent_5).weight_0;
+            _S388 = _S383 * (*descent_5).weight_0;
         }
-        (*descent_5).choice_0 = _S389 - _S390;
+        (*descent_5).choice_0 = _S387 - _S388;
+        var _S389 : u32;
+        if(is_left_5)
+        {
+            _S389 = (*descent_5).node_3 + u32(1);
+        }
+        else
+        {
+            _S389 = (*descent_5).index_14;
+        }
+        (*descent_5).node_3 = _S389;
+        var _S390 : u32;
+        if(is_left_5)
+        {
+            _S390 = left_4.index_6;
+        }
+        else
+        {
+            _S390 = right_3.index_6;
+        }
+        (*descent_5).index_14 = _S390;
         var _S391 : u32;
         if(is_left_5)
         {
-            _S391 = (*descent_5).node_3 + u32(1);
+            _S391 = left_4.count_0;
         }
         else
         {
-            _S391 = (*descent_5).index_15;
+            _S391 = right_3.count_0;
         }
-        (*descent_5).node_3 = _S391;
-        var _S392 : u32;
-        if(is_left_5)
-        {
-            _S392 = left_4.index_7;
-        }
-        else
-        {
-            _S392 = right_3.index_7;
-        }
-        (*descent_5).index_15 = _S392;
-        var _S393 : u32;
-        if(is_left_5)
-        {
-            _S393 = left_4.count_0;
-        }
-        else
-        {
-            _S393 = right_3.count_0;
-        }
-        (*descent_5).count_2 = _S393;
+        (*descent_5).count_2 = _S391;
         (*descent_5).is_far_3 = false;
-        var _S394 : f32;
+        var _S392 : f32;
         if(is_left_5)
         {
-            _S394 = _S385;
+            _S392 = _S383;
         }
         else
         {
-            _S394 = _S386;
+            _S392 = _S384;
         }
-        var _S395 : f32 = (*descent_5).weight_0 * _S394;
-        (*descent_5).weight_0 = _S395;
+        var _S393 : f32 = (*descent_5).weight_0 * _S392;
+        (*descent_5).weight_0 = _S393;
         (*descent_5).total_0 = (*descent_5).total_0 * total_7;
-        if(_S395 <= 0.0f)
+        if(_S393 <= 0.0f)
         {
             return false;
         }
@@ -5325,7 +5363,7 @@ fn Descent_at_3( this_43 : ptr<function, Descent_0>,  root_5 : u32)
 {
     var node_14 : LightNode_0 = GridLights_node_0(root_5);
     (*this_43).node_3 = root_5;
-    (*this_43).index_15 = node_14.index_7;
+    (*this_43).index_14 = node_14.index_6;
     (*this_43).count_2 = node_14.count_0;
     (*this_43).is_far_3 = false;
     return;
@@ -5335,16 +5373,16 @@ fn descend_3( receiver_23 : Receiver_0,  aim_6 : Aim_0,  descent_6 : ptr<functio
 {
     for(;;)
     {
-        var _S396 : bool;
+        var _S394 : bool;
         if(((*descent_6).count_2) == u32(0))
         {
-            _S396 = !(*descent_6).is_far_3;
+            _S394 = !(*descent_6).is_far_3;
         }
         else
         {
-            _S396 = false;
+            _S394 = false;
         }
-        if(_S396)
+        if(_S394)
         {
         }
         else
@@ -5356,33 +5394,33 @@ fn descend_3( receiver_23 : Receiver_0,  aim_6 : Aim_0,  descent_6 : ptr<functio
             return false;
         }
         var left_5 : LightNode_0 = GridLights_node_0((*descent_6).node_3 + u32(1));
-        var right_4 : LightNode_0 = GridLights_node_0((*descent_6).index_15);
+        var right_4 : LightNode_0 = GridLights_node_0((*descent_6).index_14);
         var of_left_1 : View_0 = view_0(left_5, receiver_23);
         var of_right_1 : View_0 = view_0(right_4, receiver_23);
         var weights_5 : vec2<f32> = weights_of_0(of_left_1.importance_0, of_right_1.importance_0);
-        var _S397 : f32 = weights_5.x;
-        var _S398 : f32 = weights_5.y;
-        var total_8 : f32 = _S397 + _S398;
+        var _S395 : f32 = weights_5.x;
+        var _S396 : f32 = weights_5.y;
+        var total_8 : f32 = _S395 + _S396;
         if(!(total_8 > 0.0f))
         {
             return false;
         }
-        var _S399 : bool;
-        if(_S398 <= 0.0f)
+        var _S397 : bool;
+        if(_S396 <= 0.0f)
         {
-            _S399 = true;
+            _S397 = true;
         }
         else
         {
-            _S399 = ((*descent_6).choice_0 * total_8) < (_S397 * (*descent_6).weight_0);
+            _S397 = ((*descent_6).choice_0 * total_8) < (_S395 * (*descent_6).weight_0);
         }
         var is_left_6 : bool;
         if(aim_6.is_met_0)
         {
-            var _S400 : vec3<f32> = vec3<f32>(aim_6.hit_4.voxel_0);
-            if((all((_S400 >= (vector_of_0(left_5.min_2))))))
+            var _S398 : vec3<f32> = vec3<f32>(aim_6.hit_4.voxel_0);
+            if((all((_S398 >= (vector_of_0(left_5.min_1))))))
             {
-                is_left_6 = (all((_S400 < (vector_of_0(left_5.max_2)))));
+                is_left_6 = (all((_S398 < (vector_of_0(left_5.max_1)))));
             }
             else
             {
@@ -5391,72 +5429,72 @@ fn descend_3( receiver_23 : Receiver_0,  aim_6 : Aim_0,  descent_6 : ptr<functio
         }
         else
         {
-            is_left_6 = _S399;
+            is_left_6 = _S397;
         }
-        var _S401 : f32 = (*descent_6).choice_0 * total_8;
-        var _S402 : f32;
+        var _S399 : f32 = (*descent_6).choice_0 * total_8;
+        var _S400 : f32;
         if(is_left_6)
         {
-            _S402 = 0.0f;
+            _S400 = 0.0f;
         }
         else
         {
-            _S402 = _S397 * (*descent_6).weight_0;
+            _S400 = _S395 * (*descent_6).weight_0;
         }
-        (*descent_6).choice_0 = _S401 - _S402;
+        (*descent_6).choice_0 = _S399 - _S400;
+        var _S401 : u32;
+        if(is_left_6)
+        {
+            _S401 = (*descent_6).node_3 + u32(1);
+        }
+        else
+        {
+            _S401 = (*descent_6).index_14;
+        }
+        (*descent_6).node_3 = _S401;
+        var _S402 : u32;
+        if(is_left_6)
+        {
+            _S402 = left_5.index_6;
+        }
+        else
+        {
+            _S402 = right_4.index_6;
+        }
+        (*descent_6).index_14 = _S402;
         var _S403 : u32;
         if(is_left_6)
         {
-            _S403 = (*descent_6).node_3 + u32(1);
+            _S403 = left_5.count_0;
         }
         else
         {
-            _S403 = (*descent_6).index_15;
+            _S403 = right_4.count_0;
         }
-        (*descent_6).node_3 = _S403;
-        var _S404 : u32;
+        (*descent_6).count_2 = _S403;
+        var _S404 : bool;
         if(is_left_6)
         {
-            _S404 = left_5.index_7;
+            _S404 = of_left_1.is_far_0;
         }
         else
         {
-            _S404 = right_4.index_7;
+            _S404 = of_right_1.is_far_0;
         }
-        (*descent_6).index_15 = _S404;
-        var _S405 : u32;
+        (*descent_6).is_far_3 = _S404;
+        var _S405 : f32;
         if(is_left_6)
         {
-            _S405 = left_5.count_0;
+            _S405 = _S395;
         }
         else
         {
-            _S405 = right_4.count_0;
+            _S405 = _S396;
         }
-        (*descent_6).count_2 = _S405;
-        var _S406 : bool;
-        if(is_left_6)
-        {
-            _S406 = of_left_1.is_far_0;
-        }
-        else
-        {
-            _S406 = of_right_1.is_far_0;
-        }
-        (*descent_6).is_far_3 = _S406;
-        var _S407 : f32;
-        if(is_left_6)
-        {
-            _S407 = _S397;
-        }
-        else
-        {
-            _S407 = _S398;
-        }
-        var _S408 : f32 = (*descent_6).weight_0 * _S407;
-        (*descent_6).weight_0 = _S408;
+        var _S406 : f32 = (*descent_6).weight_0 * _S405;
+        (*descent_6).weight_0 = _S406;
         (*descent_6).total_0 = (*descent_6).total_0 * total_8;
-        if(_S408 <= 0.0f)
+        if(_S406 <= 0.0f)
         {
             return false;
         }
@@ -5467,29 +5505,29 @@ fn descend_3( receiver_23 : Receiver_0,  aim_6 : Aim_0,  descent_6 : ptr<functio
 fn choose_side_1( point_6 : vec3<f32>,  is_met_3 : bool,  way_5 : Descent_0,  side_4 : ptr<function, u32>,  odds_3 : ptr<function, vec2<f32>>) -> bool
 {
     var node_15 : LightNode_0 = light_node_at_0(way_5.node_3);
-    var _S409 : vec3<f32> = vector_of_0(node_15.max_2);
-    var _S410 : vec3<f32> = vector_of_0(node_15.min_2);
-    var _S411 : vec3<f32> = vec3<f32>(0.5f);
-    var half_3 : vec3<f32> = (_S409 - _S410) * _S411;
-    var toward_3 : vec3<f32> = (_S410 + _S409) * _S411 - point_6;
+    var _S407 : vec3<f32> = vector_of_0(node_15.max_1);
+    var _S408 : vec3<f32> = vector_of_0(node_15.min_1);
+    var _S409 : vec3<f32> = vec3<f32>(0.5f);
+    var half_3 : vec3<f32> = (_S407 - _S408) * _S409;
+    var toward_3 : vec3<f32> = (_S408 + _S407) * _S409 - point_6;
     var sent_2 : BySide_0 = sent_by_side_0(node_15, point_6, length_bound_0(select(half_3, abs(toward_3), vec3<bool>(((length_squared_0(toward_3)) > (length_squared_0(half_3)))))));
     var sum_4 : f32 = normal_or_zero_0(BySide_sum_0(sent_2));
     var unit_3 : f32 = inverse_power_of_two_0(sum_4);
     var total_9 : f32 = sum_4 * unit_3;
-    var _S412 : f32 = way_5.choice_0 * total_9;
-    var _S413 : u32 = (*side_4);
+    var _S410 : f32 = way_5.choice_0 * total_9;
+    var _S411 : u32 = (*side_4);
     var share_7 : f32 = normal_or_zero_0(sent_2.low_6[u32(0)] * unit_3);
-    var _S414 : bool;
+    var _S412 : bool;
     if(is_met_3)
     {
-        _S414 = u32(0) == _S413;
+        _S412 = u32(0) == _S411;
     }
     else
     {
-        _S414 = share_7 > 0.0f;
+        _S412 = share_7 > 0.0f;
     }
     var chosen_6 : f32;
-    if(_S414)
+    if(_S412)
     {
         (*side_4) = u32(0);
         chosen_6 = share_7;
@@ -5498,138 +5536,48 @@ fn choose_side_1( point_6 : vec3<f32>,  is_met_3 : bool,  way_5 : Descent_0,  si
     {
         chosen_6 = 0.0f;
     }
-    var _S415 : bool = _S412 < (share_7 * way_5.weight_0);
+    var _S413 : bool = _S410 < (share_7 * way_5.weight_0);
     var share_8 : f32 = normal_or_zero_0(sent_2.high_4[u32(0)] * unit_3);
     if(is_met_3)
     {
-        _S414 = u32(1) == _S413;
+        _S412 = u32(1) == _S411;
     }
     else
     {
         if(share_8 > 0.0f)
         {
-            _S414 = !_S415;
+            _S412 = !_S413;
         }
         else
         {
-            _S414 = false;
+            _S412 = false;
         }
     }
-    if(_S414)
+    if(_S412)
     {
         (*side_4) = u32(1);
         chosen_6 = share_8;
     }
     var passed_4 : f32 = share_7 + share_8;
-    if(_S415)
+    if(_S413)
     {
-        _S414 = true;
+        _S412 = true;
     }
     else
     {
-        _S414 = _S412 < (passed_4 * way_5.weight_0);
+        _S412 = _S410 < (passed_4 * way_5.weight_0);
     }
     var share_9 : f32 = normal_or_zero_0(sent_2.low_6[u32(1)] * unit_3);
-    var _S416 : bool;
+    var _S414 : bool;
     if(is_met_3)
     {
-        _S416 = u32(2) == _S413;
+        _S414 = u32(2) == _S411;
     }
     else
     {
         if(share_9 > 0.0f)
         {
-            _S416 = !_S414;
-        }
-        else
-        {
-            _S416 = false;
-        }
-    }
-    if(_S416)
-    {
-        (*side_4) = u32(2);
-        chosen_6 = share_9;
-    }
-    var passed_5 : f32 = passed_4 + share_9;
-    if(_S414)
-    {
-        _S414 = true;
-    }
-    else
-    {
-        _S414 = _S412 < (passed_5 * way_5.weight_0);
-    }
-    var share_10 : f32 = normal_or_zero_0(sent_2.high_4[u32(1)] * unit_3);
-    if(is_met_3)
-    {
-        _S416 = u32(3) == _S413;
-    }
-    else
-    {
-        if(share_10 > 0.0f)
-        {
-            _S416 = !_S414;
-        }
-        else
-        {
-            _S416 = false;
-        }
-    }
-    if(_S416)
-    {
-        (*side_4) = u32(3);
-        chosen_6 = share_10;
-    }
-    var passed_6 : f32 = passed_5 + share_10;
-    if(_S414)
-    {
-        _S414 = true;
-    }
-    else
-    {
-        _S414 = _S412 < (passed_6 * way_5.weight_0);
-    }
-    var share_11 : f32 = normal_or_zero_0(sent_2.low_6[u32(2)] * unit_3);
-    if(is_met_3)
-    {
-        _S416 = u32(4) == _S413;
-    }
-    else
-    {
-        if(share_11 > 0.0f)
-        {
-            _S416 = !_S414;
-        }
-        else
-        {
-            _S416 = false;
-        }
-    }
-    if(_S416)
-    {
-        (*side_4) = u32(4);
-        chosen_6 = share_11;
-    }
-    var passed_7 : f32 = passed_6 + share_11;
-    if(_S414)
-    {
-        _S414 = true;
-    }
-    else
-    {
-        _S414 = _S412 < (passed_7 * way_5.weight_0);
-    }
-    var share_12 : f32 = normal_or_zero_0(sent_2.high_4[u32(2)] * unit_3);
-    if(is_met_3)
-    {
-        _S414 = u32(5) == _S413;
-    }
-    else
-    {
-        if(share_12 > 0.0f)
-        {
-            _S414 = !_S414;
+            _S414 = !_S412;
         }
         else
         {
@@ -5637,6 +5585,96 @@ fn choose_side_1( point_6 : vec3<f32>,  is_met_3 : bool,  way_5 : Descent_0,  si
         }
     }
     if(_S414)
+    {
+        (*side_4) = u32(2);
+        chosen_6 = share_9;
+    }
+    var passed_5 : f32 = passed_4 + share_9;
+    if(_S412)
+    {
+        _S412 = true;
+    }
+    else
+    {
+        _S412 = _S410 < (passed_5 * way_5.weight_0);
+    }
+    var share_10 : f32 = normal_or_zero_0(sent_2.high_4[u32(1)] * unit_3);
+    if(is_met_3)
+    {
+        _S414 = u32(3) == _S411;
+    }
+    else
+    {
+        if(share_10 > 0.0f)
+        {
+            _S414 = !_S412;
+        }
+        else
+        {
+            _S414 = false;
+        }
+    }
+    if(_S414)
+    {
+        (*side_4) = u32(3);
+        chosen_6 = share_10;
+    }
+    var passed_6 : f32 = passed_5 + share_10;
+    if(_S412)
+    {
+        _S412 = true;
+    }
+    else
+    {
+        _S412 = _S410 < (passed_6 * way_5.weight_0);
+    }
+    var share_11 : f32 = normal_or_zero_0(sent_2.low_6[u32(2)] * unit_3);
+    if(is_met_3)
+    {
+        _S414 = u32(4) == _S411;
+    }
+    else
+    {
+        if(share_11 > 0.0f)
+        {
+            _S414 = !_S412;
+        }
+        else
+        {
+            _S414 = false;
+        }
+    }
+    if(_S414)
+    {
+        (*side_4) = u32(4);
+        chosen_6 = share_11;
+    }
+    var passed_7 : f32 = passed_6 + share_11;
+    if(_S412)
+    {
+        _S412 = true;
+    }
+    else
+    {
+        _S412 = _S410 < (passed_7 * way_5.weight_0);
+    }
+    var share_12 : f32 = normal_or_zero_0(sent_2.high_4[u32(2)] * unit_3);
+    if(is_met_3)
+    {
+        _S412 = u32(5) == _S411;
+    }
+    else
+    {
+        if(share_12 > 0.0f)
+        {
+            _S412 = !_S412;
+        }
+        else
+        {
+            _S412 = false;
+        }
+    }
+    if(_S412)
     {
         (*side_4) = u32(5);
         chosen_6 = share_12;
@@ -5644,13 +5682,13 @@ fn choose_side_1( point_6 : vec3<f32>,  is_met_3 : bool,  way_5 : Descent_0,  si
     (*odds_3) = vec2<f32>(way_5.weight_0 * chosen_6, way_5.total_0 * total_9);
     if(sum_4 > 0.0f)
     {
-        _S414 = ((*odds_3).x) > 0.0f;
+        _S412 = ((*odds_3).x) > 0.0f;
     }
     else
     {
-        _S414 = false;
+        _S412 = false;
     }
-    return _S414;
+    return _S412;
 }
 
 fn sample_emitter_1( receiver_24 : Receiver_0,  u_19 : vec4<f32>,  aim_7 : Aim_0,  sample_11 : ptr<function, LightSample_0>) -> bool
@@ -5662,28 +5700,28 @@ fn sample_emitter_1( receiver_24 : Receiver_0,  u_19 : vec4<f32>,  aim_7 : Aim_0
     }
     var descent_7 : Descent_0 = Descent_x24init_0(u32(0), u32(0), u32(0), 1.0f, 1.0f, u_19.x, false);
     Descent_at_2(&(descent_7), u32(0));
-    var _S417 : bool;
+    var _S415 : bool;
     if(!IS_SINGLE_0)
     {
-        _S417 = aim_7.is_met_0;
+        _S415 = aim_7.is_met_0;
     }
     else
     {
-        _S417 = false;
+        _S415 = false;
     }
-    if(_S417)
+    if(_S415)
     {
         var leaf_3 : u32 = instances_0[aim_7.hit_4.instance_0].light_leaf_0;
         if((instances_0[aim_7.hit_4.instance_0].light_leaf_0) == u32(4294967295))
         {
-            _S417 = true;
+            _S415 = true;
         }
         else
         {
-            var _S418 : bool = climb_1(receiver_24, leaf_3, &(descent_7));
-            _S417 = !_S418;
+            var _S416 : bool = climb_1(receiver_24, leaf_3, &(descent_7));
+            _S415 = !_S416;
         }
-        if(_S417)
+        if(_S415)
         {
             return false;
         }
@@ -5693,49 +5731,49 @@ fn sample_emitter_1( receiver_24 : Receiver_0,  u_19 : vec4<f32>,  aim_7 : Aim_0
     {
         if(!IS_SINGLE_0)
         {
-            var _S419 : bool = descend_2(receiver_24, by_chance_0(), &(descent_7));
-            _S417 = !_S419;
+            var _S417 : bool = descend_2(receiver_24, by_chance_0(), &(descent_7));
+            _S415 = !_S417;
         }
         else
         {
-            _S417 = false;
+            _S415 = false;
         }
-        if(_S417)
+        if(_S415)
         {
             return false;
         }
     }
-    var chosen_instance_1 : u32 = descent_7.index_15;
-    var local_4 : Receiver_0 = in_grid_0(descent_7.index_15, receiver_24);
+    var chosen_instance_1 : u32 = descent_7.index_14;
+    var local_4 : Receiver_0 = in_grid_0(descent_7.index_14, receiver_24);
     Descent_at_3(&(descent_7), top_light_node_0(descent_7.node_3).root_1);
-    var _S420 : bool = descend_3(local_4, aim_7, &(descent_7));
-    if(!_S420)
+    var _S418 : bool = descend_3(local_4, aim_7, &(descent_7));
+    if(!_S418)
     {
         return false;
     }
     var side_5 : u32 = aim_7.hit_4.face_0;
     var odds_4 : vec2<f32>;
-    var _S421 : bool = choose_side_1(local_4.point_0, aim_7.is_met_0, descent_7, &(side_5), &(odds_4));
-    if(!_S421)
+    var _S419 : bool = choose_side_1(local_4.point_0, aim_7.is_met_0, descent_7, &(side_5), &(odds_4));
+    if(!_S419)
     {
         return false;
     }
     var power_5 : f32 = light_power_at_0(descent_7.node_3, side_5);
     if(aim_7.is_met_0)
     {
-        var _S422 : f32 = density_0(odds_4, aim_7.luminance_1, power_5, Transform_direction_0(chosen_instance_1, aim_7.direction_20) * vec3<f32>(aim_7.hit_4.t_0), side_5);
-        (*sample_11).pdf_2 = _S422;
-        return _S422 > 0.0f;
+        var _S420 : f32 = density_0(odds_4, aim_7.luminance_1, power_5, Transform_direction_0(chosen_instance_1, aim_7.direction_20) * vec3<f32>(aim_7.hit_4.t_0), side_5);
+        (*sample_11).pdf_2 = _S420;
+        return _S420 > 0.0f;
     }
     var emitter_2 : Emitter_0 = choose_emitter_0(descent_7, side_5, u_19.y * power_5);
-    var _S423 : vec3<f32> = vec3<f32>(cell_of_0(emitter_2.voxel_24));
-    var on_face_1 : vec3<f32> = point_of_face_0(_S423, side_5, u_19.z, u_19.w);
+    var _S421 : vec3<f32> = vec3<f32>(cell_of_0(emitter_2.voxel_24));
+    var on_face_1 : vec3<f32> = point_of_face_0(_S421, side_5, u_19.z, u_19.w);
     var pdf_11 : f32 = density_0(odds_4, emitter_2.luminance_4, power_5, on_face_1 - local_4.point_0, side_5);
     if(pdf_11 < 0.0f)
     {
         return false;
     }
-    var direction_28 : vec3<f32> = Transform_point_1(chosen_instance_1, offset_ray_origin_0(vector_of_0(instances_0[chosen_instance_1].grid_from_world_0.translation_0), _S423, side_5, on_face_1)) - receiver_24.point_0;
+    var direction_28 : vec3<f32> = Transform_point_1(chosen_instance_1, offset_ray_origin_0(vector_of_0(instances_0[chosen_instance_1].grid_from_world_0.translation_0), _S421, side_5, on_face_1)) - receiver_24.point_0;
     var cos_theta_10 : f32 = with_slack_0(receiver_24, divide_0(dot_product_0(receiver_24.normal_1, direction_28), square_root_0(length_squared_0(direction_28))));
     (*sample_11) = LightSample_x24init_0(Ray_x24init_0(receiver_24.point_0, 0.0f, direction_28, 1.0f), cos_theta_10, emitted_0(material_of_index_0(emitter_2.material_5)), pdf_11);
     return cos_theta_10 > 0.0f;
@@ -5743,67 +5781,67 @@ fn sample_emitter_1( receiver_24 : Receiver_0,  u_19 : vec4<f32>,  aim_7 : Aim_0
 
 fn EmitterTree_sample_1( receiver_25 : Receiver_0,  u_20 : vec4<f32>,  aim_8 : Aim_0,  sample_12 : ptr<function, LightSample_0>) -> bool
 {
-    var _S424 : bool = sample_emitter_1(receiver_25, u_20, aim_8, &((*sample_12)));
-    return _S424;
+    var _S422 : bool = sample_emitter_1(receiver_25, u_20, aim_8, &((*sample_12)));
+    return _S422;
 }
 
 fn Lights_sample_1( receiver_26 : Receiver_0,  selection_4 : Selection_0,  u_21 : vec4<f32>,  aim_9 : Aim_0,  sample_13 : ptr<function, LightSample_0>) -> bool
 {
-    var is_found_8 : bool;
+    var is_found_10 : bool;
     if(has_sun_0())
     {
-        is_found_8 = !aim_9.is_met_0;
+        is_found_10 = !aim_9.is_met_0;
     }
     else
     {
-        is_found_8 = false;
+        is_found_10 = false;
     }
-    if(is_found_8)
+    if(is_found_10)
     {
-        is_found_8 = (u_21.x) < (selection_4.sun_0);
+        is_found_10 = (u_21.x) < (selection_4.sun_0);
     }
     else
     {
-        is_found_8 = false;
+        is_found_10 = false;
     }
-    if(is_found_8)
+    if(is_found_10)
     {
-        var _S425 : bool = SunDisc_sample_1(receiver_26, u_21, &((*sample_13)));
+        var _S423 : bool = SunDisc_sample_1(receiver_26, u_21, &((*sample_13)));
         (*sample_13).pdf_2 = (*sample_13).pdf_2 * selection_4.sun_0;
-        is_found_8 = _S425;
+        is_found_10 = _S423;
     }
     else
     {
         if(Lights_has_chosen_sky_0())
         {
-            is_found_8 = !aim_9.is_met_0;
+            is_found_10 = !aim_9.is_met_0;
         }
         else
         {
-            is_found_8 = false;
+            is_found_10 = false;
         }
-        if(is_found_8)
+        if(is_found_10)
         {
-            is_found_8 = (u_21.x) < (selection_4.sun_0 + selection_4.sky_1);
+            is_found_10 = (u_21.x) < (selection_4.sun_0 + selection_4.sky_1);
         }
         else
         {
-            is_found_8 = false;
+            is_found_10 = false;
         }
-        if(is_found_8)
+        if(is_found_10)
         {
-            var _S426 : bool = Sky_sample_1(receiver_26, vec4<f32>(min(divide_0(u_21.x - selection_4.sun_0, selection_4.sky_1), 0.99999994039535522f), u_21.yzw), &((*sample_13)));
+            var _S424 : bool = Sky_sample_1(receiver_26, vec4<f32>(min(divide_0(u_21.x - selection_4.sun_0, selection_4.sky_1), 0.99999994039535522f), u_21.yzw), &((*sample_13)));
             (*sample_13).pdf_2 = (*sample_13).pdf_2 * selection_4.sky_1;
-            is_found_8 = _S426;
+            is_found_10 = _S424;
         }
         else
         {
-            var _S427 : bool = EmitterTree_sample_1(receiver_26, vec4<f32>(min(divide_0(u_21.x - (selection_4.sun_0 + selection_4.sky_1), selection_4.emitters_0), 0.99999994039535522f), u_21.yzw), aim_9, &((*sample_13)));
+            var _S425 : bool = EmitterTree_sample_1(receiver_26, vec4<f32>(min(divide_0(u_21.x - (selection_4.sun_0 + selection_4.sky_1), selection_4.emitters_0), 0.99999994039535522f), u_21.yzw), aim_9, &((*sample_13)));
             (*sample_13).pdf_2 = (*sample_13).pdf_2 * selection_4.emitters_0;
-            is_found_8 = _S427;
+            is_found_10 = _S425;
         }
     }
-    return is_found_8;
+    return is_found_10;
 }
 
 fn bsdf_of_1( material_9 : PackedMaterial_0,  ior_2 : f32,  choice_3 : ptr<function, f32>) -> MaterialBsdf_0
@@ -5820,11 +5858,11 @@ fn Diffuse_sample_1( this_44 : Diffuse_0,  wo_6 : vec3<f32>,  u_22 : vec3<f32>, 
 
 fn MaterialBsdf_sample_1( this_45 : MaterialBsdf_0,  wo_7 : vec3<f32>,  u_23 : vec3<f32>,  sample_15 : ptr<function, BsdfSample_0>) -> bool
 {
-    var _S428 : bool = Diffuse_sample_1(Diffuse_x24init_0(this_45.color_0), wo_7, u_23, &((*sample_15)));
-    return _S428;
+    var _S426 : bool = Diffuse_sample_1(Diffuse_x24init_0(this_45.color_0), wo_7, u_23, &((*sample_15)));
+    return _S426;
 }
 
-fn PathTracingOf_advance_1( path_7 : ptr<function, Path_0>,  ray_18 : Ray_0,  hit_8 : Hit_0,  beyond_3 : u32,  radiance_6 : ptr<function, vec3<f32>>) -> NextRays_0
+fn PathTracingOf_advance_1( path_7 : ptr<function, Path_0>,  ray_19 : Ray_0,  hit_8 : Hit_0,  beyond_3 : u32,  radiance_6 : ptr<function, vec3<f32>>) -> NextRays_0
 {
     var next_1 : NextRays_0 = no_rays_0();
     scatter_of_path_0.wants_light_0 = false;
@@ -5839,7 +5877,7 @@ fn PathTracingOf_advance_1( path_7 : ptr<function, Path_0>,  ray_18 : Ray_0,  hi
         t_16 = (*path_7).pdf_1;
     }
     (*path_7).pdf_1 = t_16;
-    var last_6 : Receiver_0 = Path_receiver_0((*path_7), ray_18);
+    var last_6 : Receiver_0 = Path_receiver_0((*path_7), ray_19);
     var is_scattered_3 : bool;
     if(Inside_is_in_0((*path_7).inside_0))
     {
@@ -5853,7 +5891,7 @@ fn PathTracingOf_advance_1( path_7 : ptr<function, Path_0>,  ray_18 : Ray_0,  hi
     {
         if(is_scattered_3)
         {
-            t_16 = scattering_t_0((*path_7), (*path_7).inside_0, ray_18);
+            t_16 = scattering_t_0((*path_7), (*path_7).inside_0, ray_19);
         }
         else
         {
@@ -5861,7 +5899,7 @@ fn PathTracingOf_advance_1( path_7 : ptr<function, Path_0>,  ray_18 : Ray_0,  hi
         }
         if(!is_counted_1)
         {
-            absorb_1(&((*path_7)), (*path_7).inside_0, ray_18, t_16);
+            absorb_1(&((*path_7)), (*path_7).inside_0, ray_19, t_16);
         }
     }
     else
@@ -5880,7 +5918,7 @@ fn PathTracingOf_advance_1( path_7 : ptr<function, Path_0>,  ray_18 : Ray_0,  hi
     var light_pdf_2 : f32;
     if(is_weighed_1)
     {
-        (*radiance_6) = (*radiance_6) + (*path_7).beta_0 * Sky_le_0(ray_18.direction_0) * vec3<f32>(mis_weight_0((*path_7).pdf_1, Lights_sky_pdf_0(Path_selection_at_0((*path_7), last_6), ray_18.direction_0)));
+        (*radiance_6) = (*radiance_6) + (*path_7).beta_0 * Sky_le_0(ray_19.direction_0) * vec3<f32>(mis_weight_0((*path_7).pdf_1, Lights_sky_pdf_0(Path_selection_at_0((*path_7), last_6), ray_19.direction_0)));
         if(has_sun_0())
         {
             if(SunDisc_is_visible_0())
@@ -5898,7 +5936,7 @@ fn PathTracingOf_advance_1( path_7 : ptr<function, Path_0>,  ray_18 : Ray_0,  hi
         }
         if(is_scattered_3)
         {
-            var le_2 : vec3<f32> = SunDisc_le_0(ray_18.direction_0);
+            var le_2 : vec3<f32> = SunDisc_le_0(ray_19.direction_0);
             if((max_element_0(le_2)) > 0.0f)
             {
                 if(((*path_7).pdf_1) == 0.0f)
@@ -5907,7 +5945,7 @@ fn PathTracingOf_advance_1( path_7 : ptr<function, Path_0>,  ray_18 : Ray_0,  hi
                 }
                 else
                 {
-                    light_pdf_2 = Lights_sun_pdf_0(Path_selection_at_0((*path_7), last_6), ray_18.direction_0);
+                    light_pdf_2 = Lights_sun_pdf_0(Path_selection_at_0((*path_7), last_6), ray_19.direction_0);
                 }
                 (*radiance_6) = (*radiance_6) + (*path_7).beta_0 * le_2 * vec3<f32>(mis_weight_0((*path_7).pdf_1, light_pdf_2));
             }
@@ -5916,7 +5954,7 @@ fn PathTracingOf_advance_1( path_7 : ptr<function, Path_0>,  ray_18 : Ray_0,  hi
     }
     var u_24 : vec4<f32> = Sampler_stratified_0((*path_7).sampler_0, Path_dimension_scatter_0((*path_7)));
     var material_10 : PackedMaterial_0 = material_met_0((*path_7), hit_8, beyond_3);
-    var _S429 : vec3<f32> = vec3<f32>(0.0f);
+    var _S427 : vec3<f32> = vec3<f32>(0.0f);
     var le_3 : vec3<f32>;
     if(!is_counted_1)
     {
@@ -5924,12 +5962,12 @@ fn PathTracingOf_advance_1( path_7 : ptr<function, Path_0>,  ray_18 : Ray_0,  hi
     }
     else
     {
-        le_3 = _S429;
+        le_3 = _S427;
     }
     var is_lit_1 : bool = (max_element_0(le_3)) > 0.0f;
-    var met_1 : Aim_0 = Aim_x24init_0(true, ray_18.direction_0, hit_8, luminance_0(vector_of_0(material_10.emission_0)));
-    var _S430 : bool = weighs_apart_0();
-    if(_S430)
+    var met_1 : Aim_0 = Aim_x24init_0(true, ray_19.direction_0, hit_8, luminance_0(vector_of_0(material_10.emission_0)));
+    var _S428 : bool = weighs_apart_0();
+    if(_S428)
     {
         is_weighed_1 = is_lit_1;
     }
@@ -5957,7 +5995,7 @@ fn PathTracingOf_advance_1( path_7 : ptr<function, Path_0>,  ray_18 : Ray_0,  hi
     if(is_chosen_1)
     {
         var light_4 : LightSample_0 = no_light_0();
-        if(!_S430)
+        if(!_S428)
         {
             is_chosen_1 = ((*path_7).pdf_1) > 0.0f;
         }
@@ -5967,15 +6005,15 @@ fn PathTracingOf_advance_1( path_7 : ptr<function, Path_0>,  ray_18 : Ray_0,  hi
         }
         if(is_chosen_1)
         {
-            var _S431 : bool = Lights_sample_1(last_6, Path_selection_at_0((*path_7), last_6), vec4<f32>(0.0f), met_1, &(light_4));
-            is_chosen_1 = _S431;
+            var _S429 : bool = Lights_sample_1(last_6, Path_selection_at_0((*path_7), last_6), vec4<f32>(0.0f), met_1, &(light_4));
+            is_chosen_1 = _S429;
         }
         else
         {
             is_chosen_1 = false;
         }
-        var _S432 : vec3<f32> = (*path_7).beta_0 * le_3;
-        var _S433 : f32 = (*path_7).pdf_1;
+        var _S430 : vec3<f32> = (*path_7).beta_0 * le_3;
+        var _S431 : f32 = (*path_7).pdf_1;
         if(is_chosen_1)
         {
             light_pdf_2 = light_4.pdf_2;
@@ -5984,13 +6022,13 @@ fn PathTracingOf_advance_1( path_7 : ptr<function, Path_0>,  ray_18 : Ray_0,  hi
         {
             light_pdf_2 = 0.0f;
         }
-        (*radiance_6) = (*radiance_6) + _S432 * vec3<f32>(mis_weight_0(_S433, light_pdf_2));
+        (*radiance_6) = (*radiance_6) + _S430 * vec3<f32>(mis_weight_0(_S431, light_pdf_2));
     }
-    var _S434 : f32 = ior_of_0((*path_7).inside_0);
-    var _S435 : f32 = u_24[i32(3)];
-    var _S436 : MaterialBsdf_0 = bsdf_of_1(material_10, _S434, &(_S435));
-    u_24[i32(3)] = _S435;
-    var scattered_3 : vec3<f32> = (*path_7).beta_0 * MaterialBsdf_albedo_0(_S436);
+    var _S432 : f32 = ior_of_0((*path_7).inside_0);
+    var _S433 : f32 = u_24[i32(3)];
+    var _S434 : MaterialBsdf_0 = bsdf_of_1(material_10, _S432, &(_S433));
+    u_24[i32(3)] = _S433;
+    var scattered_3 : vec3<f32> = (*path_7).beta_0 * MaterialBsdf_albedo_0(_S434);
     if(((*path_7).bounce_0) >= (params_0.max_bounces_0))
     {
         is_chosen_1 = true;
@@ -5999,8 +6037,8 @@ fn PathTracingOf_advance_1( path_7 : ptr<function, Path_0>,  ray_18 : Ray_0,  hi
     {
         is_chosen_1 = ends_here_0;
     }
-    var _S437 : bool = !is_weighed_1;
-    if(_S437)
+    var _S435 : bool = !is_weighed_1;
+    if(_S435)
     {
         if(is_chosen_1)
         {
@@ -6020,7 +6058,7 @@ fn PathTracingOf_advance_1( path_7 : ptr<function, Path_0>,  ray_18 : Ray_0,  hi
         return next_1;
     }
     var compensation_3 : f32 = roulette_0(Path_events_0((*path_7)), scattered_3, u_24.z);
-    if(_S437)
+    if(_S435)
     {
         is_chosen_1 = compensation_3 == 0.0f;
     }
@@ -6041,20 +6079,20 @@ fn PathTracingOf_advance_1( path_7 : ptr<function, Path_0>,  ray_18 : Ray_0,  hi
     {
         at_8 = hit_8;
     }
-    var surface_4 : Surface_0 = surface_of_0(ray_18, at_8);
-    var _S438 : Receiver_0 = Receiver_x24init_0(surface_4.origin_9, surface_4.normal_2);
-    var _S439 : vec3<f32> = (vec3<f32>(0) - ray_18.direction_0);
-    var wo_8 : vec3<f32> = Surface_local_direction_0(surface_4, _S439);
+    var surface_4 : Surface_0 = surface_of_0(ray_19, at_8);
+    var _S436 : Receiver_0 = Receiver_x24init_0(surface_4.origin_9, surface_4.normal_2);
+    var _S437 : vec3<f32> = (vec3<f32>(0) - ray_19.direction_0);
+    var wo_8 : vec3<f32> = Surface_local_direction_0(surface_4, _S437);
     var inside_6 : Inside_0 = in_air_0();
     var wo_9 : vec3<f32>;
     var receiver_27 : Receiver_0;
     if(is_scattered_3)
     {
-        var _S440 : Inside_0 = Inside_x24init_0((*path_7).inside_0.instance_6, hit_8.voxel_0, (*path_7).inside_0.material_0);
-        inside_6 = _S440;
-        var _S441 : vec3<f32> = normalize_vector_0(_S439);
-        receiver_27 = Receiver_x24init_0(Inside_point_0(_S440, ray_18, t_16), _S429);
-        wo_9 = _S441;
+        var _S438 : Inside_0 = Inside_x24init_0((*path_7).inside_0.instance_6, hit_8.voxel_0, (*path_7).inside_0.material_0);
+        inside_6 = _S438;
+        var _S439 : vec3<f32> = normalize_vector_0(_S437);
+        receiver_27 = Receiver_x24init_0(Inside_point_0(_S438, ray_19, t_16), _S427);
+        wo_9 = _S439;
     }
     else
     {
@@ -6064,7 +6102,7 @@ fn PathTracingOf_advance_1( path_7 : ptr<function, Path_0>,  ray_18 : Ray_0,  hi
             inside_6 = Inside_x24init_0((*path_7).inside_0.instance_6, hit_8.voxel_0, (*path_7).inside_0.material_0);
             inside_6.voxel_22 = hit_8.voxel_0 + vec3<i32>(face_normal_0(hit_8.face_0));
         }
-        receiver_27 = _S438;
+        receiver_27 = _S436;
         wo_9 = wo_8;
     }
     next_1.origin_7 = receiver_27.point_0;
@@ -6073,13 +6111,13 @@ fn PathTracingOf_advance_1( path_7 : ptr<function, Path_0>,  ray_18 : Ray_0,  hi
     {
         receiver_27 = last_6;
     }
-    if(_S437)
+    if(_S435)
     {
         (*path_7).selection_0 = Lights_selection_0(receiver_27);
     }
     var light_5 : LightSample_0 = no_light_0();
-    var _S442 : bool = !MaterialBsdf_is_delta_0(_S436);
-    scatter_of_path_0 = Scatter_x24init_0((*path_7), receiver_27, surface_4, _S436, wo_9, compensation_3, is_scattered_3, _S442);
+    var _S440 : bool = !MaterialBsdf_is_delta_0(_S434);
+    scatter_of_path_0 = Scatter_x24init_0((*path_7), receiver_27, surface_4, _S434, wo_9, compensation_3, is_scattered_3, _S440);
     if(is_weighed_1)
     {
         if(next_1.has_shadow_ray_0)
@@ -6096,8 +6134,8 @@ fn PathTracingOf_advance_1( path_7 : ptr<function, Path_0>,  ray_18 : Ray_0,  hi
         return next_1;
     }
     var bounce_2 : BsdfSample_0;
-    var _S443 : bool = MaterialBsdf_sample_1(_S436, wo_9, vec3<f32>(u_24.xy, u_24.w), &(bounce_2));
-    if(!_S443)
+    var _S441 : bool = MaterialBsdf_sample_1(_S434, wo_9, vec3<f32>(u_24.xy, u_24.w), &(bounce_2));
+    if(!_S441)
     {
         return next_1;
     }
@@ -6122,7 +6160,7 @@ fn PathTracingOf_advance_1( path_7 : ptr<function, Path_0>,  ray_18 : Ray_0,  hi
     return next_1;
 }
 
-fn PathTracingOf_advance_2( path_8 : ptr<function, Path_0>,  ray_19 : Ray_0,  hit_9 : Hit_0,  beyond_4 : u32,  radiance_7 : ptr<function, vec3<f32>>) -> NextRays_0
+fn PathTracingOf_advance_2( path_8 : ptr<function, Path_0>,  ray_20 : Ray_0,  hit_9 : Hit_0,  beyond_4 : u32,  radiance_7 : ptr<function, vec3<f32>>) -> NextRays_0
 {
     var next_2 : NextRays_0 = no_rays_0();
     scatter_of_path_0.wants_light_0 = false;
@@ -6137,7 +6175,7 @@ fn PathTracingOf_advance_2( path_8 : ptr<function, Path_0>,  ray_19 : Ray_0,  hi
         t_17 = (*path_8).pdf_1;
     }
     (*path_8).pdf_1 = t_17;
-    var last_7 : Receiver_0 = Path_receiver_0((*path_8), ray_19);
+    var last_7 : Receiver_0 = Path_receiver_0((*path_8), ray_20);
     var is_scattered_4 : bool;
     if(Inside_is_in_0((*path_8).inside_0))
     {
@@ -6151,7 +6189,7 @@ fn PathTracingOf_advance_2( path_8 : ptr<function, Path_0>,  ray_19 : Ray_0,  hi
     {
         if(is_scattered_4)
         {
-            t_17 = scattering_t_0((*path_8), (*path_8).inside_0, ray_19);
+            t_17 = scattering_t_0((*path_8), (*path_8).inside_0, ray_20);
         }
         else
         {
@@ -6159,7 +6197,7 @@ fn PathTracingOf_advance_2( path_8 : ptr<function, Path_0>,  ray_19 : Ray_0,  hi
         }
         if(!is_counted_2)
         {
-            absorb_1(&((*path_8)), (*path_8).inside_0, ray_19, t_17);
+            absorb_1(&((*path_8)), (*path_8).inside_0, ray_20, t_17);
         }
     }
     else
@@ -6178,7 +6216,7 @@ fn PathTracingOf_advance_2( path_8 : ptr<function, Path_0>,  ray_19 : Ray_0,  hi
     var light_pdf_3 : f32;
     if(is_weighed_2)
     {
-        (*radiance_7) = (*radiance_7) + (*path_8).beta_0 * Sky_le_0(ray_19.direction_0) * vec3<f32>(mis_weight_0((*path_8).pdf_1, Lights_sky_pdf_0(Path_selection_at_0((*path_8), last_7), ray_19.direction_0)));
+        (*radiance_7) = (*radiance_7) + (*path_8).beta_0 * Sky_le_0(ray_20.direction_0) * vec3<f32>(mis_weight_0((*path_8).pdf_1, Lights_sky_pdf_0(Path_selection_at_0((*path_8), last_7), ray_20.direction_0)));
         if(has_sun_0())
         {
             if(SunDisc_is_visible_0())
@@ -6196,7 +6234,7 @@ fn PathTracingOf_advance_2( path_8 : ptr<function, Path_0>,  ray_19 : Ray_0,  hi
         }
         if(is_scattered_4)
         {
-            var le_4 : vec3<f32> = SunDisc_le_0(ray_19.direction_0);
+            var le_4 : vec3<f32> = SunDisc_le_0(ray_20.direction_0);
             if((max_element_0(le_4)) > 0.0f)
             {
                 if(((*path_8).pdf_1) == 0.0f)
@@ -6205,7 +6243,7 @@ fn PathTracingOf_advance_2( path_8 : ptr<function, Path_0>,  ray_19 : Ray_0,  hi
                 }
                 else
                 {
-                    light_pdf_3 = Lights_sun_pdf_0(Path_selection_at_0((*path_8), last_7), ray_19.direction_0);
+                    light_pdf_3 = Lights_sun_pdf_0(Path_selection_at_0((*path_8), last_7), ray_20.direction_0);
                 }
                 (*radiance_7) = (*radiance_7) + (*path_8).beta_0 * le_4 * vec3<f32>(mis_weight_0((*path_8).pdf_1, light_pdf_3));
             }
@@ -6214,7 +6252,7 @@ fn PathTracingOf_advance_2( path_8 : ptr<function, Path_0>,  ray_19 : Ray_0,  hi
     }
     var u_25 : vec4<f32> = Sampler_stratified_0((*path_8).sampler_0, Path_dimension_scatter_0((*path_8)));
     var material_11 : PackedMaterial_0 = material_met_0((*path_8), hit_9, beyond_4);
-    var _S444 : vec3<f32> = vec3<f32>(0.0f);
+    var _S442 : vec3<f32> = vec3<f32>(0.0f);
     var le_5 : vec3<f32>;
     if(!is_counted_2)
     {
@@ -6222,12 +6260,12 @@ fn PathTracingOf_advance_2( path_8 : ptr<function, Path_0>,  ray_19 : Ray_0,  hi
     }
     else
     {
-        le_5 = _S444;
+        le_5 = _S442;
     }
     var is_lit_2 : bool = (max_element_0(le_5)) > 0.0f;
-    var met_2 : Aim_0 = Aim_x24init_0(true, ray_19.direction_0, hit_9, luminance_0(vector_of_0(material_11.emission_0)));
-    var _S445 : bool = weighs_apart_0();
-    if(_S445)
+    var met_2 : Aim_0 = Aim_x24init_0(true, ray_20.direction_0, hit_9, luminance_0(vector_of_0(material_11.emission_0)));
+    var _S443 : bool = weighs_apart_0();
+    if(_S443)
     {
         is_weighed_2 = is_lit_2;
     }
@@ -6255,7 +6293,7 @@ fn PathTracingOf_advance_2( path_8 : ptr<function, Path_0>,  ray_19 : Ray_0,  hi
     if(is_chosen_2)
     {
         var light_6 : LightSample_0 = no_light_0();
-        if(!_S445)
+        if(!_S443)
         {
             is_chosen_2 = ((*path_8).pdf_1) > 0.0f;
         }
@@ -6265,15 +6303,15 @@ fn PathTracingOf_advance_2( path_8 : ptr<function, Path_0>,  ray_19 : Ray_0,  hi
         }
         if(is_chosen_2)
         {
-            var _S446 : bool = Lights_sample_1(last_7, Path_selection_at_0((*path_8), last_7), vec4<f32>(0.0f), met_2, &(light_6));
-            is_chosen_2 = _S446;
+            var _S444 : bool = Lights_sample_1(last_7, Path_selection_at_0((*path_8), last_7), vec4<f32>(0.0f), met_2, &(light_6));
+            is_chosen_2 = _S444;
         }
         else
         {
             is_chosen_2 = false;
         }
-        var _S447 : vec3<f32> = (*path_8).beta_0 * le_5;
-        var _S448 : f32 = (*path_8).pdf_1;
+        var _S445 : vec3<f32> = (*path_8).beta_0 * le_5;
+        var _S446 : f32 = (*path_8).pdf_1;
         if(is_chosen_2)
         {
             light_pdf_3 = light_6.pdf_2;
@@ -6282,13 +6320,13 @@ fn PathTracingOf_advance_2( path_8 : ptr<function, Path_0>,  ray_19 : Ray_0,  hi
         {
             light_pdf_3 = 0.0f;
         }
-        (*radiance_7) = (*radiance_7) + _S447 * vec3<f32>(mis_weight_0(_S448, light_pdf_3));
+        (*radiance_7) = (*radiance_7) + _S445 * vec3<f32>(mis_weight_0(_S446, light_pdf_3));
     }
-    var _S449 : f32 = ior_of_0((*path_8).inside_0);
-    var _S450 : f32 = u_25[i32(3)];
-    var _S451 : MaterialBsdf_0 = bsdf_of_1(material_11, _S449, &(_S450));
-    u_25[i32(3)] = _S450;
-    var scattered_4 : vec3<f32> = (*path_8).beta_0 * MaterialBsdf_albedo_0(_S451);
+    var _S447 : f32 = ior_of_0((*path_8).inside_0);
+    var _S448 : f32 = u_25[i32(3)];
+    var _S449 : MaterialBsdf_0 = bsdf_of_1(material_11, _S447, &(_S448));
+    u_25[i32(3)] = _S448;
+    var scattered_4 : vec3<f32> = (*path_8).beta_0 * MaterialBsdf_albedo_0(_S449);
     if(((*path_8).bounce_0) >= (params_0.max_bounces_0))
     {
         is_chosen_2 = true;
@@ -6297,8 +6335,8 @@ fn PathTracingOf_advance_2( path_8 : ptr<function, Path_0>,  ray_19 : Ray_0,  hi
     {
         is_chosen_2 = ends_here_0;
     }
-    var _S452 : bool = !is_weighed_2;
-    if(_S452)
+    var _S450 : bool = !is_weighed_2;
+    if(_S450)
     {
         if(is_chosen_2)
         {
@@ -6318,7 +6356,7 @@ fn PathTracingOf_advance_2( path_8 : ptr<function, Path_0>,  ray_19 : Ray_0,  hi
         return next_2;
     }
     var compensation_4 : f32 = roulette_0(Path_events_0((*path_8)), scattered_4, u_25.z);
-    if(_S452)
+    if(_S450)
     {
         is_chosen_2 = compensation_4 == 0.0f;
     }
@@ -6339,20 +6377,20 @@ fn PathTracingOf_advance_2( path_8 : ptr<function, Path_0>,  ray_19 : Ray_0,  hi
     {
         at_9 = hit_9;
     }
-    var surface_5 : Surface_0 = surface_of_0(ray_19, at_9);
-    var _S453 : Receiver_0 = Receiver_x24init_0(surface_5.origin_9, surface_5.normal_2);
-    var _S454 : vec3<f32> = (vec3<f32>(0) - ray_19.direction_0);
-    var wo_10 : vec3<f32> = Surface_local_direction_0(surface_5, _S454);
+    var surface_5 : Surface_0 = surface_of_0(ray_20, at_9);
+    var _S451 : Receiver_0 = Receiver_x24init_0(surface_5.origin_9, surface_5.normal_2);
+    var _S452 : vec3<f32> = (vec3<f32>(0) - ray_20.direction_0);
+    var wo_10 : vec3<f32> = Surface_local_direction_0(surface_5, _S452);
     var inside_7 : Inside_0 = in_air_0();
     var wo_11 : vec3<f32>;
     var receiver_28 : Receiver_0;
     if(is_scattered_4)
     {
-        var _S455 : Inside_0 = Inside_x24init_0((*path_8).inside_0.instance_6, hit_9.voxel_0, (*path_8).inside_0.material_0);
-        inside_7 = _S455;
-        var _S456 : vec3<f32> = normalize_vector_0(_S454);
-        receiver_28 = Receiver_x24init_0(Inside_point_0(_S455, ray_19, t_17), _S444);
-        wo_11 = _S456;
+        var _S453 : Inside_0 = Inside_x24init_0((*path_8).inside_0.instance_6, hit_9.voxel_0, (*path_8).inside_0.material_0);
+        inside_7 = _S453;
+        var _S454 : vec3<f32> = normalize_vector_0(_S452);
+        receiver_28 = Receiver_x24init_0(Inside_point_0(_S453, ray_20, t_17), _S442);
+        wo_11 = _S454;
     }
     else
     {
@@ -6362,7 +6400,7 @@ fn PathTracingOf_advance_2( path_8 : ptr<function, Path_0>,  ray_19 : Ray_0,  hi
             inside_7 = Inside_x24init_0((*path_8).inside_0.instance_6, hit_9.voxel_0, (*path_8).inside_0.material_0);
             inside_7.voxel_22 = hit_9.voxel_0 + vec3<i32>(face_normal_0(hit_9.face_0));
         }
-        receiver_28 = _S453;
+        receiver_28 = _S451;
         wo_11 = wo_10;
     }
     next_2.origin_7 = receiver_28.point_0;
@@ -6371,13 +6409,13 @@ fn PathTracingOf_advance_2( path_8 : ptr<function, Path_0>,  ray_19 : Ray_0,  hi
     {
         receiver_28 = last_7;
     }
-    if(_S452)
+    if(_S450)
     {
         (*path_8).selection_0 = Lights_selection_0(receiver_28);
     }
     var light_7 : LightSample_0 = no_light_0();
-    var _S457 : bool = !MaterialBsdf_is_delta_0(_S451);
-    scatter_of_path_0 = Scatter_x24init_0((*path_8), receiver_28, surface_5, _S451, wo_11, compensation_4, is_scattered_4, _S457);
+    var _S455 : bool = !MaterialBsdf_is_delta_0(_S449);
+    scatter_of_path_0 = Scatter_x24init_0((*path_8), receiver_28, surface_5, _S449, wo_11, compensation_4, is_scattered_4, _S455);
     if(is_weighed_2)
     {
         if(next_2.has_shadow_ray_0)
@@ -6394,8 +6432,8 @@ fn PathTracingOf_advance_2( path_8 : ptr<function, Path_0>,  ray_19 : Ray_0,  hi
         return next_2;
     }
     var bounce_3 : BsdfSample_0;
-    var _S458 : bool = MaterialBsdf_sample_1(_S451, wo_11, vec3<f32>(u_25.xy, u_25.w), &(bounce_3));
-    if(!_S458)
+    var _S456 : bool = MaterialBsdf_sample_1(_S449, wo_11, vec3<f32>(u_25.xy, u_25.w), &(bounce_3));
+    if(!_S456)
     {
         return next_2;
     }
@@ -6423,7 +6461,7 @@ fn PathTracingOf_advance_2( path_8 : ptr<function, Path_0>,  ray_19 : Ray_0,  hi
 struct Walker_0
 {
      path_9 : Path_0,
-     ray_20 : Ray_0,
+     ray_21 : Ray_0,
      is_shadow_ray_0 : bool,
      light_8 : vec3<f32>,
      direction_29 : vec3<f32>,
@@ -6460,11 +6498,11 @@ struct Key_0
 
 fn Key_x24init_0( instance_13 : u32,  face_and_level_1 : u32,  cube_1 : vec3<i32>) -> Key_0
 {
-    var _S459 : Key_0;
-    _S459.instance_12 = instance_13;
-    _S459.face_and_level_0 = face_and_level_1;
-    _S459.cube_0 = cube_1;
-    return _S459;
+    var _S457 : Key_0;
+    _S457.instance_12 = instance_13;
+    _S457.face_and_level_0 = face_and_level_1;
+    _S457.cube_0 = cube_1;
+    return _S457;
 }
 
 fn scramble_of_0( number_1 : u32) -> u32
@@ -6486,20 +6524,20 @@ fn key_of_0( hit_10 : Hit_0,  size_1 : f32,  u_26 : f32,  code_1 : ptr<function,
 {
     var clamped_0 : f32 = clamp(size_1, 1.0f, 128.0f);
     var power_6 : f32 = f32(((bitcast<u32>((clamped_0))) >> (u32(23)))) - 127.0f;
-    var _S460 : f32;
+    var _S458 : f32;
     if(u_26 < (clamped_0 * inverse_power_of_two_0(clamped_0) - 1.0f))
     {
-        _S460 = 1.0f;
+        _S458 = 1.0f;
     }
     else
     {
-        _S460 = 0.0f;
+        _S458 = 0.0f;
     }
-    var level_0 : u32 = u32(min(power_6 + _S460, 6.0f));
-    var _S461 : vec3<u32> = vec3<u32>(u32(i32(level_0)));
-    var key_0 : Key_0 = Key_x24init_0(hit_10.instance_0, ((hit_10.face_0) | (((level_0 << (u32(3)))))), ((hit_10.voxel_0) >> (_S461)));
-    var _S462 : vec3<u32> = vec3<u32>(hit_10.voxel_0 - (((key_0.cube_0) << (_S461))));
-    (*code_1) = u32(1) + (((((((_S462.x) | ((((_S462.y) << (level_0)))))) | ((((_S462.z) << ((u32(2) * level_0))))))) ^ ((((scramble_of_0(real_time_0.number_0)) & ((Key_mask_0(key_0))))))));
+    var level_0 : u32 = u32(min(power_6 + _S458, 6.0f));
+    var _S459 : vec3<u32> = vec3<u32>(u32(i32(level_0)));
+    var key_0 : Key_0 = Key_x24init_0(hit_10.instance_0, ((hit_10.face_0) | (((level_0 << (u32(3)))))), ((hit_10.voxel_0) >> (_S459)));
+    var _S460 : vec3<u32> = vec3<u32>(hit_10.voxel_0 - (((key_0.cube_0) << (_S459))));
+    (*code_1) = u32(1) + (((((((_S460.x) | ((((_S460.y) << (level_0)))))) | ((((_S460.z) << ((u32(2) * level_0))))))) ^ ((((scramble_of_0(real_time_0.number_0)) & ((Key_mask_0(key_0))))))));
     return key_0;
 }
 
@@ -6526,8 +6564,8 @@ fn find_cell_0( hash_0 : vec2<u32>) -> u32
             break;
         }
         var cell_11 : u32 = ((hash_0.x + probe_0) & (u32(262143)));
-        var _S463 : u32 = atomicLoad(&(cell_keys_0[place_of_check_0(cell_11)]));
-        if(_S463 == (max(hash_0.y, u32(1))))
+        var _S461 : u32 = atomicLoad(&(cell_keys_0[place_of_check_0(cell_11)]));
+        if(_S461 == (max(hash_0.y, u32(1))))
         {
             return cell_11;
         }
@@ -6554,11 +6592,11 @@ fn place_of_asked_0( cell_14 : u32) -> u32
 
 fn ask_cell_0( key_1 : Key_0,  asked_0 : u32) -> vec4<f32>
 {
-    var _S464 : bool;
+    var _S462 : bool;
     var hash_1 : vec2<u32> = Key_hash_0(key_1);
-    var _S465 : u32 = max(hash_1.y, u32(1));
+    var _S463 : u32 = max(hash_1.y, u32(1));
     var cell_15 : u32 = find_cell_0(hash_1);
-    var _S466 : vec4<f32> = vec4<f32>(0.0f);
+    var _S464 : vec4<f32> = vec4<f32>(0.0f);
     var known_0 : vec4<f32>;
     if(cell_15 != u32(262144))
     {
@@ -6566,7 +6604,7 @@ fn ask_cell_0( key_1 : Key_0,  asked_0 : u32) -> vec4<f32>
     }
     else
     {
-        known_0 = _S466;
+        known_0 = _S464;
     }
     var cell_16 : u32 = cell_15;
     var probe_1 : u32 = u32(0);
@@ -6574,13 +6612,13 @@ fn ask_cell_0( key_1 : Key_0,  asked_0 : u32) -> vec4<f32>
     {
         if(probe_1 < u32(8))
         {
-            _S464 = cell_16 == u32(262144);
+            _S462 = cell_16 == u32(262144);
         }
         else
         {
-            _S464 = false;
+            _S462 = false;
         }
-        if(_S464)
+        if(_S462)
         {
         }
         else
@@ -6588,23 +6626,23 @@ fn ask_cell_0( key_1 : Key_0,  asked_0 : u32) -> vec4<f32>
             break;
         }
         var place_5 : u32 = ((hash_1.x + probe_1) & (u32(262143)));
-        var found_0 : u32 = atomicCompareExchangeWeak(&(cell_keys_0[place_of_check_0(place_5)]), u32(0), _S465).old_value;
-        var _S467 : bool = found_0 == u32(0);
-        if(_S467)
+        var found_2 : u32 = atomicCompareExchangeWeak(&(cell_keys_0[place_of_check_0(place_5)]), u32(0), _S463).old_value;
+        var _S465 : bool = found_2 == u32(0);
+        if(_S465)
         {
             set_cell_row_0(u32(1), place_5, vec4<u32>(key_1.instance_12, key_1.face_and_level_0, u32(0), u32(0)));
             set_cell_row_0(u32(2), place_5, vec4<u32>(vec3<u32>(key_1.cube_0), u32(0)));
         }
-        var _S468 : bool;
-        if(_S467)
+        var _S466 : bool;
+        if(_S465)
         {
-            _S468 = true;
+            _S466 = true;
         }
         else
         {
-            _S468 = found_0 == _S465;
+            _S466 = found_2 == _S463;
         }
-        if(_S468)
+        if(_S466)
         {
             cell_16 = place_5;
         }
@@ -6612,61 +6650,61 @@ fn ask_cell_0( key_1 : Key_0,  asked_0 : u32) -> vec4<f32>
     }
     if(cell_16 != u32(262144))
     {
-        var _S469 : u32 = atomicLoad(&(cell_keys_0[place_of_asked_0(cell_16)]));
-        _S464 = _S469 < asked_0;
+        var _S467 : u32 = atomicLoad(&(cell_keys_0[place_of_asked_0(cell_16)]));
+        _S462 = _S467 < asked_0;
     }
     else
     {
-        _S464 = false;
+        _S462 = false;
     }
-    if(_S464)
+    if(_S462)
     {
-        var _S470 : u32 = atomicMax(&(cell_keys_0[place_of_asked_0(cell_16)]), asked_0);
+        var _S468 : u32 = atomicMax(&(cell_keys_0[place_of_asked_0(cell_16)]), asked_0);
     }
     return known_0;
 }
 
-fn asks_0( path_10 : Path_0,  ray_21 : Ray_0,  hit_11 : Hit_0,  beyond_5 : u32,  life_1 : u32,  light_10 : ptr<function, vec3<f32>>) -> bool
+fn asks_0( path_10 : Path_0,  ray_22 : Ray_0,  hit_11 : Hit_0,  beyond_5 : u32,  life_1 : u32,  light_10 : ptr<function, vec3<f32>>) -> bool
 {
     (*light_10) = vec3<f32>(0.0f);
-    var _S471 : bool;
+    var _S469 : bool;
     if(Hit_is_miss_0(hit_11))
     {
-        _S471 = true;
+        _S469 = true;
     }
     else
     {
-        _S471 = Inside_is_in_0(path_10.inside_0);
+        _S469 = Inside_is_in_0(path_10.inside_0);
     }
-    if(_S471)
+    if(_S469)
     {
         return false;
     }
     var material_12 : PackedMaterial_0 = material_met_0(path_10, hit_11, beyond_5);
     if((material_12.metallic_0) > 0.0f)
     {
-        _S471 = true;
+        _S469 = true;
     }
     else
     {
-        _S471 = (material_12.transmission_0) > 0.0f;
+        _S469 = (material_12.transmission_0) > 0.0f;
     }
-    if(_S471)
+    if(_S469)
     {
         return false;
     }
     var code_2 : u32;
-    var key_2 : Key_0 = key_of_0(hit_11, square_root_0(length_squared_0(ray_21.origin_1 + ray_21.direction_0 * vec3<f32>(hit_11.t_0) - real_time_0.eye_0)) * real_time_0.view_angle_0 * 0.05882352963089943f, Sampler_independent_0(path_10.sampler_0, u32(3221225472) + Path_events_0(path_10)).x, &(code_2));
+    var key_2 : Key_0 = key_of_0(hit_11, square_root_0(length_squared_0(ray_22.origin_1 + ray_22.direction_0 * vec3<f32>(hit_11.t_0) - real_time_0.eye_0)) * real_time_0.view_angle_0 * 0.05882352963089943f, Sampler_independent_0(path_10.sampler_0, u32(3221225472) + Path_events_0(path_10)).x, &(code_2));
     var least_0 : f32 = 2.0f * f32((u32(1) << ((Key_level_0(key_2)))));
     if(life_1 == u32(0))
     {
-        _S471 = true;
+        _S469 = true;
     }
     else
     {
-        _S471 = (hit_11.t_0 * square_root_0(length_squared_0(ray_21.direction_0))) < least_0;
+        _S469 = (hit_11.t_0 * square_root_0(length_squared_0(ray_22.direction_0))) < least_0;
     }
-    if(_S471)
+    if(_S469)
     {
         return false;
     }
@@ -6679,7 +6717,7 @@ fn asks_0( path_10 : Path_0,  ray_21 : Ray_0,  hit_11 : Hit_0,  beyond_5 : u32, 
     return true;
 }
 
-fn shading_normal_0( ray_22 : Ray_0,  hit_12 : Hit_0,  material_13 : PackedMaterial_0) -> vec3<f32>
+fn shading_normal_0( ray_23 : Ray_0,  hit_12 : Hit_0,  material_13 : PackedMaterial_0) -> vec3<f32>
 {
     return world_normal_0(hit_12.instance_0, hit_12.face_0);
 }
@@ -6689,36 +6727,36 @@ fn albedo_of_0( material_14 : PackedMaterial_0) -> vec3<f32>
     return vector_of_0(material_14.base_color_0);
 }
 
-fn show_0( path_11 : Path_0,  ray_23 : Ray_0,  hit_13 : Hit_0,  beyond_6 : u32,  sample_16 : ptr<function, Sample_0>)
+fn show_0( path_11 : Path_0,  ray_24 : Ray_0,  hit_13 : Hit_0,  beyond_6 : u32,  sample_16 : ptr<function, Sample_0>)
 {
-    var _S472 : Path_0 = path_11;
+    var _S470 : Path_0 = path_11;
     (*sample_16).is_shown_0 = true;
-    if(Inside_is_in_0(_S472.inside_0))
+    if(Inside_is_in_0(_S470.inside_0))
     {
-        absorb_0(&(_S472), _S472.inside_0, ray_23, hit_13.t_0);
+        absorb_0(&(_S470), _S470.inside_0, ray_24, hit_13.t_0);
     }
-    var material_15 : PackedMaterial_0 = material_met_0(_S472, hit_13, beyond_6);
-    (*sample_16).normal_4 = shading_normal_0(ray_23, hit_13, material_15);
-    (*sample_16).albedo_0 = _S472.beta_0 * albedo_of_0(material_15);
+    var material_15 : PackedMaterial_0 = material_met_0(_S470, hit_13, beyond_6);
+    (*sample_16).normal_4 = shading_normal_0(ray_24, hit_13, material_15);
+    (*sample_16).albedo_0 = _S470.beta_0 * albedo_of_0(material_15);
     return;
 }
 
 fn Walker_see_0( this_49 : ptr<function, Walker_0>,  arrived_0 : Path_0,  hit_14 : Hit_0,  beyond_7 : u32,  emitted_1 : vec3<f32>,  goes_on_0 : bool,  sample_17 : ptr<function, Sample_0>)
 {
     (*sample_17).direct_0 = (*sample_17).direct_0 + emitted_1;
-    var _S473 : bool = ((*this_49).path_9.bounce_0) == u32(0);
-    var _S474 : bool;
+    var _S471 : bool = ((*this_49).path_9.bounce_0) == u32(0);
+    var _S472 : bool;
     if(goes_on_0)
     {
-        _S474 = _S473;
+        _S472 = _S471;
     }
     else
     {
-        _S474 = false;
+        _S472 = false;
     }
-    var _S475 : bool = !_S474;
-    (*this_49).has_shown_0 = _S475;
-    if(!_S475)
+    var _S473 : bool = !_S472;
+    (*this_49).has_shown_0 = _S473;
+    if(!_S473)
     {
         (*this_49).way_6 = (*this_49).way_6 + hit_14.t_0;
     }
@@ -6726,18 +6764,18 @@ fn Walker_see_0( this_49 : ptr<function, Walker_0>,  arrived_0 : Path_0,  hit_14
     {
         if(!Hit_is_miss_0(hit_14))
         {
-            show_0(arrived_0, (*this_49).ray_20, hit_14, beyond_7, &((*sample_17)));
+            show_0(arrived_0, (*this_49).ray_21, hit_14, beyond_7, &((*sample_17)));
             (*sample_17).place_4 = (*this_49).camera_ray_0.origin_1 + (*this_49).camera_ray_0.direction_0 * vec3<f32>(((*this_49).way_6 + hit_14.t_0));
-            var _S476 : u32;
+            var _S474 : u32;
             if(((*this_49).way_6) > 0.0f)
             {
-                _S476 = u32(4294967295);
+                _S474 = u32(4294967295);
             }
             else
             {
-                _S476 = hit_14.instance_0;
+                _S474 = hit_14.instance_0;
             }
-            (*sample_17).instance_11 = _S476;
+            (*sample_17).instance_11 = _S474;
         }
     }
     return;
@@ -6758,10 +6796,10 @@ struct BsdfEval_0
 
 fn BsdfEval_x24init_0( weight_6 : vec3<f32>,  pdf_13 : f32) -> BsdfEval_0
 {
-    var _S477 : BsdfEval_0;
-    _S477.weight_5 = weight_6;
-    _S477.pdf_12 = pdf_13;
-    return _S477;
+    var _S475 : BsdfEval_0;
+    _S475.weight_5 = weight_6;
+    _S475.pdf_12 = pdf_13;
+    return _S475;
 }
 
 fn Diffuse_eval_0( this_51 : Diffuse_0,  wo_12 : vec3<f32>,  wi_4 : vec3<f32>) -> BsdfEval_0
@@ -6808,36 +6846,36 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_3 : ptr<function, NextRays_0>)
             u_27 = Sampler_independent_0(scatter_0.path_0.sampler_0, dimension_3);
         }
         var light_11 : LightSample_0 = no_light_0();
-        var is_found_9 : bool = Lights_sample_0(scatter_0.receiver_0, scatter_0.path_0.selection_0, u_27, by_chance_0(), &(light_11));
-        if(!is_found_9)
+        var is_found_11 : bool = Lights_sample_0(scatter_0.receiver_0, scatter_0.path_0.selection_0, u_27, by_chance_0(), &(light_11));
+        if(!is_found_11)
         {
             candidate_0 = candidate_0 + u32(1);
             continue;
         }
-        var _S478 : vec3<f32> = vec3<f32>(Surface_local_direction_0(scatter_0.surface_0, light_11.ray_12.direction_0).xy, light_11.cos_theta_2);
+        var _S476 : vec3<f32> = vec3<f32>(Surface_local_direction_0(scatter_0.surface_0, light_11.ray_13.direction_0).xy, light_11.cos_theta_2);
         var wi_6 : vec3<f32>;
         if(scatter_0.is_scattered_0)
         {
-            wi_6 = normalize_vector_0(light_11.ray_12.direction_0);
+            wi_6 = normalize_vector_0(light_11.ray_13.direction_0);
         }
         else
         {
-            wi_6 = _S478;
+            wi_6 = _S476;
         }
         var eval_0 : BsdfEval_0 = MaterialBsdf_eval_0(scatter_0.bsdf_0, scatter_0.wo_0, wi_6);
-        var _S479 : vec3<f32> = scatter_0.path_0.beta_0 * eval_0.weight_5 * vec3<f32>(scatter_0.compensation_0) * light_11.radiance_1 * vec3<f32>((divide_0(eval_0.pdf_12, light_11.pdf_2) * power_heuristic_0(light_11.pdf_2, eval_0.pdf_12)));
-        var weight_7 : f32 = luminance_0(_S479);
+        var _S477 : vec3<f32> = scatter_0.path_0.beta_0 * eval_0.weight_5 * vec3<f32>(scatter_0.compensation_0) * light_11.radiance_1 * vec3<f32>((divide_0(eval_0.pdf_12, light_11.pdf_2) * power_heuristic_0(light_11.pdf_2, eval_0.pdf_12)));
+        var weight_7 : f32 = luminance_0(_S477);
         var sum_6 : f32 = sum_5 + weight_7;
-        var _S480 : bool;
+        var _S478 : bool;
         if(count_5 > u32(1))
         {
-            _S480 = (Sampler_independent_0(scatter_0.path_0.sampler_0, dimension_3 + u32(1)).x * sum_6) >= weight_7;
+            _S478 = (Sampler_independent_0(scatter_0.path_0.sampler_0, dimension_3 + u32(1)).x * sum_6) >= weight_7;
         }
         else
         {
-            _S480 = false;
+            _S478 = false;
         }
-        if(_S480)
+        if(_S478)
         {
             sum_5 = sum_6;
             candidate_0 = candidate_0 + u32(1);
@@ -6846,9 +6884,9 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_3 : ptr<function, NextRays_0>)
         var chosen_8 : f32;
         if(weight_7 > 0.0f)
         {
-            (*next_3).shadow_direction_0 = light_11.ray_12.direction_0;
-            (*next_3).shadow_t_max_0 = light_11.ray_12.t_max_0;
-            (*next_3).light_0 = _S479;
+            (*next_3).shadow_direction_0 = light_11.ray_13.direction_0;
+            (*next_3).shadow_t_max_0 = light_11.ray_13.t_max_0;
+            (*next_3).light_0 = _S477;
             chosen_8 = weight_7;
         }
         else
@@ -6859,9 +6897,9 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_3 : ptr<function, NextRays_0>)
         sum_5 = sum_6;
         candidate_0 = candidate_0 + u32(1);
     }
-    var _S481 : bool = chosen_7 > 0.0f;
-    (*next_3).has_shadow_ray_0 = _S481;
-    if(_S481)
+    var _S479 : bool = chosen_7 > 0.0f;
+    (*next_3).has_shadow_ray_0 = _S479;
+    if(_S479)
     {
         (*next_3).light_0 = (*next_3).light_0 * vec3<f32>(divide_0(sum_5, chosen_7 * f32(count_5)));
     }
@@ -6874,15 +6912,15 @@ fn goes_on_from_0( at_10 : ptr<function, Walker_0>,  hit_15 : Hit_0,  beyond_8 :
     var goes_on_1 : bool;
     if((*at_10).is_at_cell_0)
     {
-        next_4.origin_7 = (*at_10).ray_20.origin_1;
-        next_4.path_origin_0 = (*at_10).ray_20.origin_1;
-        next_4.direction_4 = (*at_10).ray_20.direction_0;
+        next_4.origin_7 = (*at_10).ray_21.origin_1;
+        next_4.path_origin_0 = (*at_10).ray_21.origin_1;
+        next_4.direction_4 = (*at_10).ray_21.direction_0;
         goes_on_1 = true;
     }
     else
     {
-        var _S482 : vec3<f32> = vec3<f32>(0.0f);
-        var cached_0 : vec3<f32> = _S482;
+        var _S480 : vec3<f32> = vec3<f32>(0.0f);
+        var cached_0 : vec3<f32> = _S480;
         if((*at_10).has_shown_0)
         {
             goes_on_1 = (*at_10).asks_cache_0;
@@ -6893,8 +6931,8 @@ fn goes_on_from_0( at_10 : ptr<function, Walker_0>,  hit_15 : Hit_0,  beyond_8 :
         }
         if(goes_on_1)
         {
-            var _S483 : bool = asks_0((*at_10).path_9, (*at_10).ray_20, hit_15, beyond_8, (*at_10).life_0, &(cached_0));
-            goes_on_1 = _S483;
+            var _S481 : bool = asks_0((*at_10).path_9, (*at_10).ray_21, hit_15, beyond_8, (*at_10).life_0, &(cached_0));
+            goes_on_1 = _S481;
         }
         else
         {
@@ -6902,12 +6940,12 @@ fn goes_on_from_0( at_10 : ptr<function, Walker_0>,  hit_15 : Hit_0,  beyond_8 :
         }
         ends_here_0 = goes_on_1;
         var arrived_1 : Path_0 = (*at_10).path_9;
-        var emitted_2 : vec3<f32> = _S482;
-        var _S484 : Path_0 = (*at_10).path_9;
-        var _S485 : NextRays_0 = PathTracingOf_advance_0(&(_S484), (*at_10).ray_20, hit_15, beyond_8, &(emitted_2));
-        (*at_10).path_9 = _S484;
-        next_4 = _S485;
-        var goes_on_2 : bool = (any(((next_4.direction_4) != _S482)));
+        var emitted_2 : vec3<f32> = _S480;
+        var _S482 : Path_0 = (*at_10).path_9;
+        var _S483 : NextRays_0 = PathTracingOf_advance_0(&(_S482), (*at_10).ray_21, hit_15, beyond_8, &(emitted_2));
+        (*at_10).path_9 = _S482;
+        next_4 = _S483;
+        var goes_on_2 : bool = (any(((next_4.direction_4) != _S480)));
         if((*at_10).has_shown_0)
         {
             (*sample_18).light_9 = (*sample_18).light_9 + (cached_0 + emitted_2);
@@ -6933,10 +6971,10 @@ fn goes_on_from_0( at_10 : ptr<function, Walker_0>,  hit_15 : Hit_0,  beyond_8 :
     (*at_10).light_8 = next_4.light_0;
     (*at_10).is_shadow_ray_0 = next_4.has_shadow_ray_0;
     (*at_10).path_origin_2 = next_4.path_origin_0;
-    (*at_10).ray_20 = ray_from_0(next_4.origin_7, next_4.direction_4);
+    (*at_10).ray_21 = ray_from_0(next_4.origin_7, next_4.direction_4);
     if((*at_10).is_shadow_ray_0)
     {
-        (*at_10).ray_20 = Ray_x24init_0(next_4.origin_7, 0.0f, next_4.shadow_direction_0, next_4.shadow_t_max_0);
+        (*at_10).ray_21 = Ray_x24init_0(next_4.origin_7, 0.0f, next_4.shadow_direction_0, next_4.shadow_t_max_0);
     }
     if(goes_on_1)
     {
@@ -6953,64 +6991,64 @@ fn key_of_1( hit_16 : Hit_0,  size_2 : f32,  u_28 : f32,  code_3 : ptr<function,
 {
     var clamped_1 : f32 = clamp(size_2, 1.0f, 128.0f);
     var power_7 : f32 = f32(((bitcast<u32>((clamped_1))) >> (u32(23)))) - 127.0f;
-    var _S486 : f32;
+    var _S484 : f32;
     if(u_28 < (clamped_1 * inverse_power_of_two_0(clamped_1) - 1.0f))
     {
-        _S486 = 1.0f;
+        _S484 = 1.0f;
     }
     else
     {
-        _S486 = 0.0f;
+        _S484 = 0.0f;
     }
-    var level_1 : u32 = u32(min(power_7 + _S486, 6.0f));
-    var _S487 : vec3<u32> = vec3<u32>(u32(i32(level_1)));
-    var key_3 : Key_0 = Key_x24init_0(hit_16.instance_0, ((hit_16.face_0) | (((level_1 << (u32(3)))))), ((hit_16.voxel_0) >> (_S487)));
-    var _S488 : vec3<u32> = vec3<u32>(hit_16.voxel_0 - (((key_3.cube_0) << (_S487))));
-    (*code_3) = u32(1) + (((((((_S488.x) | ((((_S488.y) << (level_1)))))) | ((((_S488.z) << ((u32(2) * level_1))))))) ^ ((((scramble_of_0(real_time_0.number_0)) & ((Key_mask_0(key_3))))))));
+    var level_1 : u32 = u32(min(power_7 + _S484, 6.0f));
+    var _S485 : vec3<u32> = vec3<u32>(u32(i32(level_1)));
+    var key_3 : Key_0 = Key_x24init_0(hit_16.instance_0, ((hit_16.face_0) | (((level_1 << (u32(3)))))), ((hit_16.voxel_0) >> (_S485)));
+    var _S486 : vec3<u32> = vec3<u32>(hit_16.voxel_0 - (((key_3.cube_0) << (_S485))));
+    (*code_3) = u32(1) + (((((((_S486.x) | ((((_S486.y) << (level_1)))))) | ((((_S486.z) << ((u32(2) * level_1))))))) ^ ((((scramble_of_0(real_time_0.number_0)) & ((Key_mask_0(key_3))))))));
     return key_3;
 }
 
-fn asks_1( path_12 : Path_0,  ray_24 : Ray_0,  hit_17 : Hit_0,  beyond_9 : u32,  life_2 : u32,  light_12 : ptr<function, vec3<f32>>) -> bool
+fn asks_1( path_12 : Path_0,  ray_25 : Ray_0,  hit_17 : Hit_0,  beyond_9 : u32,  life_2 : u32,  light_12 : ptr<function, vec3<f32>>) -> bool
 {
     (*light_12) = vec3<f32>(0.0f);
-    var _S489 : bool;
+    var _S487 : bool;
     if(Hit_is_miss_0(hit_17))
     {
-        _S489 = true;
+        _S487 = true;
     }
     else
     {
-        _S489 = Inside_is_in_0(path_12.inside_0);
+        _S487 = Inside_is_in_0(path_12.inside_0);
     }
-    if(_S489)
+    if(_S487)
     {
         return false;
     }
     var material_16 : PackedMaterial_0 = material_met_0(path_12, hit_17, beyond_9);
     if((material_16.metallic_0) > 0.0f)
     {
-        _S489 = true;
+        _S487 = true;
     }
     else
     {
-        _S489 = (material_16.transmission_0) > 0.0f;
+        _S487 = (material_16.transmission_0) > 0.0f;
     }
-    if(_S489)
+    if(_S487)
     {
         return false;
     }
     var code_4 : u32;
-    var key_4 : Key_0 = key_of_1(hit_17, square_root_0(length_squared_0(ray_24.origin_1 + ray_24.direction_0 * vec3<f32>(hit_17.t_0) - real_time_0.eye_0)) * real_time_0.view_angle_0 * 0.05882352963089943f, Sampler_independent_0(path_12.sampler_0, u32(3221225472) + Path_events_0(path_12)).x, &(code_4));
+    var key_4 : Key_0 = key_of_1(hit_17, square_root_0(length_squared_0(ray_25.origin_1 + ray_25.direction_0 * vec3<f32>(hit_17.t_0) - real_time_0.eye_0)) * real_time_0.view_angle_0 * 0.05882352963089943f, Sampler_independent_0(path_12.sampler_0, u32(3221225472) + Path_events_0(path_12)).x, &(code_4));
     var least_1 : f32 = 2.0f * f32((u32(1) << ((Key_level_0(key_4)))));
     if(life_2 == u32(0))
     {
-        _S489 = true;
+        _S487 = true;
     }
     else
     {
-        _S489 = (hit_17.t_0 * square_root_0(length_squared_0(ray_24.direction_0))) < least_1;
+        _S487 = (hit_17.t_0 * square_root_0(length_squared_0(ray_25.direction_0))) < least_1;
     }
-    if(_S489)
+    if(_S487)
     {
         return false;
     }
@@ -7023,36 +7061,36 @@ fn asks_1( path_12 : Path_0,  ray_24 : Ray_0,  hit_17 : Hit_0,  beyond_9 : u32, 
     return true;
 }
 
-fn show_1( path_13 : Path_0,  ray_25 : Ray_0,  hit_18 : Hit_0,  beyond_10 : u32,  sample_19 : ptr<function, Sample_0>)
+fn show_1( path_13 : Path_0,  ray_26 : Ray_0,  hit_18 : Hit_0,  beyond_10 : u32,  sample_19 : ptr<function, Sample_0>)
 {
-    var _S490 : Path_0 = path_13;
+    var _S488 : Path_0 = path_13;
     (*sample_19).is_shown_0 = true;
-    if(Inside_is_in_0(_S490.inside_0))
+    if(Inside_is_in_0(_S488.inside_0))
     {
-        absorb_1(&(_S490), _S490.inside_0, ray_25, hit_18.t_0);
+        absorb_1(&(_S488), _S488.inside_0, ray_26, hit_18.t_0);
     }
-    var material_17 : PackedMaterial_0 = material_met_0(_S490, hit_18, beyond_10);
-    (*sample_19).normal_4 = shading_normal_0(ray_25, hit_18, material_17);
-    (*sample_19).albedo_0 = _S490.beta_0 * albedo_of_0(material_17);
+    var material_17 : PackedMaterial_0 = material_met_0(_S488, hit_18, beyond_10);
+    (*sample_19).normal_4 = shading_normal_0(ray_26, hit_18, material_17);
+    (*sample_19).albedo_0 = _S488.beta_0 * albedo_of_0(material_17);
     return;
 }
 
 fn Walker_see_1( this_53 : ptr<function, Walker_0>,  arrived_2 : Path_0,  hit_19 : Hit_0,  beyond_11 : u32,  emitted_3 : vec3<f32>,  goes_on_3 : bool,  sample_20 : ptr<function, Sample_0>)
 {
     (*sample_20).direct_0 = (*sample_20).direct_0 + emitted_3;
-    var _S491 : bool = ((*this_53).path_9.bounce_0) == u32(0);
-    var _S492 : bool;
+    var _S489 : bool = ((*this_53).path_9.bounce_0) == u32(0);
+    var _S490 : bool;
     if(goes_on_3)
     {
-        _S492 = _S491;
+        _S490 = _S489;
     }
     else
     {
-        _S492 = false;
+        _S490 = false;
     }
-    var _S493 : bool = !_S492;
-    (*this_53).has_shown_0 = _S493;
-    if(!_S493)
+    var _S491 : bool = !_S490;
+    (*this_53).has_shown_0 = _S491;
+    if(!_S491)
     {
         (*this_53).way_6 = (*this_53).way_6 + hit_19.t_0;
     }
@@ -7060,18 +7098,18 @@ fn Walker_see_1( this_53 : ptr<function, Walker_0>,  arrived_2 : Path_0,  hit_19
     {
         if(!Hit_is_miss_0(hit_19))
         {
-            show_1(arrived_2, (*this_53).ray_20, hit_19, beyond_11, &((*sample_20)));
+            show_1(arrived_2, (*this_53).ray_21, hit_19, beyond_11, &((*sample_20)));
             (*sample_20).place_4 = (*this_53).camera_ray_0.origin_1 + (*this_53).camera_ray_0.direction_0 * vec3<f32>(((*this_53).way_6 + hit_19.t_0));
-            var _S494 : u32;
+            var _S492 : u32;
             if(((*this_53).way_6) > 0.0f)
             {
-                _S494 = u32(4294967295);
+                _S492 = u32(4294967295);
             }
             else
             {
-                _S494 = hit_19.instance_0;
+                _S492 = hit_19.instance_0;
             }
-            (*sample_20).instance_11 = _S494;
+            (*sample_20).instance_11 = _S492;
         }
     }
     return;
@@ -7111,36 +7149,36 @@ fn choose_light_1( scatter_1 : Scatter_0,  next_5 : ptr<function, NextRays_0>)
             u_29 = Sampler_independent_0(scatter_1.path_0.sampler_0, dimension_4);
         }
         var light_13 : LightSample_0 = no_light_0();
-        var is_found_10 : bool = Lights_sample_1(scatter_1.receiver_0, scatter_1.path_0.selection_0, u_29, by_chance_0(), &(light_13));
-        if(!is_found_10)
+        var is_found_12 : bool = Lights_sample_1(scatter_1.receiver_0, scatter_1.path_0.selection_0, u_29, by_chance_0(), &(light_13));
+        if(!is_found_12)
         {
             candidate_1 = candidate_1 + u32(1);
             continue;
         }
-        var _S495 : vec3<f32> = vec3<f32>(Surface_local_direction_0(scatter_1.surface_0, light_13.ray_12.direction_0).xy, light_13.cos_theta_2);
+        var _S493 : vec3<f32> = vec3<f32>(Surface_local_direction_0(scatter_1.surface_0, light_13.ray_13.direction_0).xy, light_13.cos_theta_2);
         var wi_7 : vec3<f32>;
         if(scatter_1.is_scattered_0)
         {
-            wi_7 = normalize_vector_0(light_13.ray_12.direction_0);
+            wi_7 = normalize_vector_0(light_13.ray_13.direction_0);
         }
         else
         {
-            wi_7 = _S495;
+            wi_7 = _S493;
         }
         var eval_1 : BsdfEval_0 = MaterialBsdf_eval_0(scatter_1.bsdf_0, scatter_1.wo_0, wi_7);
-        var _S496 : vec3<f32> = scatter_1.path_0.beta_0 * eval_1.weight_5 * vec3<f32>(scatter_1.compensation_0) * light_13.radiance_1 * vec3<f32>((divide_0(eval_1.pdf_12, light_13.pdf_2) * power_heuristic_0(light_13.pdf_2, eval_1.pdf_12)));
-        var weight_8 : f32 = luminance_0(_S496);
+        var _S494 : vec3<f32> = scatter_1.path_0.beta_0 * eval_1.weight_5 * vec3<f32>(scatter_1.compensation_0) * light_13.radiance_1 * vec3<f32>((divide_0(eval_1.pdf_12, light_13.pdf_2) * power_heuristic_0(light_13.pdf_2, eval_1.pdf_12)));
+        var weight_8 : f32 = luminance_0(_S494);
         var sum_8 : f32 = sum_7 + weight_8;
-        var _S497 : bool;
+        var _S495 : bool;
         if(count_6 > u32(1))
         {
-            _S497 = (Sampler_independent_0(scatter_1.path_0.sampler_0, dimension_4 + u32(1)).x * sum_8) >= weight_8;
+            _S495 = (Sampler_independent_0(scatter_1.path_0.sampler_0, dimension_4 + u32(1)).x * sum_8) >= weight_8;
         }
         else
         {
-            _S497 = false;
+            _S495 = false;
         }
-        if(_S497)
+        if(_S495)
         {
             sum_7 = sum_8;
             candidate_1 = candidate_1 + u32(1);
@@ -7149,9 +7187,9 @@ fn choose_light_1( scatter_1 : Scatter_0,  next_5 : ptr<function, NextRays_0>)
         var chosen_10 : f32;
         if(weight_8 > 0.0f)
         {
-            (*next_5).shadow_direction_0 = light_13.ray_12.direction_0;
-            (*next_5).shadow_t_max_0 = light_13.ray_12.t_max_0;
-            (*next_5).light_0 = _S496;
+            (*next_5).shadow_direction_0 = light_13.ray_13.direction_0;
+            (*next_5).shadow_t_max_0 = light_13.ray_13.t_max_0;
+            (*next_5).light_0 = _S494;
             chosen_10 = weight_8;
         }
         else
@@ -7162,9 +7200,9 @@ fn choose_light_1( scatter_1 : Scatter_0,  next_5 : ptr<function, NextRays_0>)
         sum_7 = sum_8;
         candidate_1 = candidate_1 + u32(1);
     }
-    var _S498 : bool = chosen_9 > 0.0f;
-    (*next_5).has_shadow_ray_0 = _S498;
-    if(_S498)
+    var _S496 : bool = chosen_9 > 0.0f;
+    (*next_5).has_shadow_ray_0 = _S496;
+    if(_S496)
     {
         (*next_5).light_0 = (*next_5).light_0 * vec3<f32>(divide_0(sum_7, chosen_9 * f32(count_6)));
     }
@@ -7177,15 +7215,15 @@ fn goes_on_from_1( at_11 : ptr<function, Walker_0>,  hit_20 : Hit_0,  beyond_12 
     var goes_on_4 : bool;
     if((*at_11).is_at_cell_0)
     {
-        next_6.origin_7 = (*at_11).ray_20.origin_1;
-        next_6.path_origin_0 = (*at_11).ray_20.origin_1;
-        next_6.direction_4 = (*at_11).ray_20.direction_0;
+        next_6.origin_7 = (*at_11).ray_21.origin_1;
+        next_6.path_origin_0 = (*at_11).ray_21.origin_1;
+        next_6.direction_4 = (*at_11).ray_21.direction_0;
         goes_on_4 = true;
     }
     else
     {
-        var _S499 : vec3<f32> = vec3<f32>(0.0f);
-        var cached_1 : vec3<f32> = _S499;
+        var _S497 : vec3<f32> = vec3<f32>(0.0f);
+        var cached_1 : vec3<f32> = _S497;
         if((*at_11).has_shown_0)
         {
             goes_on_4 = (*at_11).asks_cache_0;
@@ -7196,8 +7234,8 @@ fn goes_on_from_1( at_11 : ptr<function, Walker_0>,  hit_20 : Hit_0,  beyond_12 
         }
         if(goes_on_4)
         {
-            var _S500 : bool = asks_1((*at_11).path_9, (*at_11).ray_20, hit_20, beyond_12, (*at_11).life_0, &(cached_1));
-            goes_on_4 = _S500;
+            var _S498 : bool = asks_1((*at_11).path_9, (*at_11).ray_21, hit_20, beyond_12, (*at_11).life_0, &(cached_1));
+            goes_on_4 = _S498;
         }
         else
         {
@@ -7205,12 +7243,12 @@ fn goes_on_from_1( at_11 : ptr<function, Walker_0>,  hit_20 : Hit_0,  beyond_12 
         }
         ends_here_0 = goes_on_4;
         var arrived_3 : Path_0 = (*at_11).path_9;
-        var emitted_4 : vec3<f32> = _S499;
-        var _S501 : Path_0 = (*at_11).path_9;
-        var _S502 : NextRays_0 = PathTracingOf_advance_2(&(_S501), (*at_11).ray_20, hit_20, beyond_12, &(emitted_4));
-        (*at_11).path_9 = _S501;
-        next_6 = _S502;
-        var goes_on_5 : bool = (any(((next_6.direction_4) != _S499)));
+        var emitted_4 : vec3<f32> = _S497;
+        var _S499 : Path_0 = (*at_11).path_9;
+        var _S500 : NextRays_0 = PathTracingOf_advance_2(&(_S499), (*at_11).ray_21, hit_20, beyond_12, &(emitted_4));
+        (*at_11).path_9 = _S499;
+        next_6 = _S500;
+        var goes_on_5 : bool = (any(((next_6.direction_4) != _S497)));
         if((*at_11).has_shown_0)
         {
             (*sample_21).light_9 = (*sample_21).light_9 + (cached_1 + emitted_4);
@@ -7236,10 +7274,10 @@ fn goes_on_from_1( at_11 : ptr<function, Walker_0>,  hit_20 : Hit_0,  beyond_12 
     (*at_11).light_8 = next_6.light_0;
     (*at_11).is_shadow_ray_0 = next_6.has_shadow_ray_0;
     (*at_11).path_origin_2 = next_6.path_origin_0;
-    (*at_11).ray_20 = ray_from_0(next_6.origin_7, next_6.direction_4);
+    (*at_11).ray_21 = ray_from_0(next_6.origin_7, next_6.direction_4);
     if((*at_11).is_shadow_ray_0)
     {
-        (*at_11).ray_20 = Ray_x24init_0(next_6.origin_7, 0.0f, next_6.shadow_direction_0, next_6.shadow_t_max_0);
+        (*at_11).ray_21 = Ray_x24init_0(next_6.origin_7, 0.0f, next_6.shadow_direction_0, next_6.shadow_t_max_0);
     }
     if(goes_on_4)
     {
@@ -7252,287 +7290,880 @@ fn goes_on_from_1( at_11 : ptr<function, Walker_0>,  hit_20 : Hit_0,  beyond_12 
     return goes_on_4;
 }
 
-fn entry_0( _S503 : u32,  _S504 : Ray_0,  _S505 : vec3<f32>) -> f32
+fn walk_of_1( _S501 : LocalRay_0,  _S502 : u32) -> Walk_0
 {
-    var low_13 : vec3<f32> = (vector_of_0(instance_nodes_0[_S503].min_1) - _S504.origin_1) * _S505;
-    var high_6 : vec3<f32> = (vector_of_0(instance_nodes_0[_S503].max_1) - _S504.origin_1) * _S505;
-    var _S506 : f32 = max(_S504.t_min_0, max_element_0(min(low_13, high_6)));
-    var _S507 : f32;
-    if(_S506 <= (min(_S504.t_max_0, min_element_0(max(low_13, high_6)))))
+    var walk_7 : Walk_0;
+    walk_7.ray_0 = _S501;
+    walk_7.grid_origin_0 = cell_of_0(grids_0[_S502].origin_0);
+    var is_negative_2 : vec3<bool> = (_S501.direction_1) < vec3<f32>(0.0f);
+    var _S503 : vec3<i32> = vec3<i32>(i32(0));
+    walk_7.mirror_0 = select(_S503, vec3<i32>(i32(-1)), is_negative_2);
+    var _S504 : vec3<i32>;
+    if(IS_EXACT_0)
     {
-        _S507 = _S506;
+        _S504 = Walk_mirrored_plane_0(walk_7, walk_7.grid_origin_0);
     }
     else
     {
-        _S507 = (bitcast<f32>((u32(2139095040))));
+        _S504 = _S503;
     }
-    return _S507;
+    walk_7.offset_0 = _S504;
+    var origin_11 : vec3<f32>;
+    if(IS_EXACT_0)
+    {
+        origin_11 = _S501.origin_2;
+    }
+    else
+    {
+        origin_11 = _S501.origin_2 - vec3<f32>(walk_7.grid_origin_0);
+    }
+    walk_7.origin_4 = select(origin_11, (vec3<f32>(0) - origin_11), is_negative_2);
+    walk_7.speed_1 = max(abs(_S501.direction_1), vec3<f32>(min_abs_direction_0()));
+    if(IS_EXACT_0)
+    {
+        origin_11 = abs(_S501.inverse_0);
+    }
+    else
+    {
+        origin_11 = vec3<f32>(1.0f) / walk_7.speed_1;
+    }
+    walk_7.inverse_1 = origin_11;
+    var top_shift_4 : u32;
+    if(TOP_SHIFT_0 != u32(0))
+    {
+        top_shift_4 = TOP_SHIFT_0;
+    }
+    else
+    {
+        top_shift_4 = grids_0[_S502].top_shift_0;
+    }
+    walk_7.tolerance_0 = LocalRay_tolerance_0(_S501, walk_7.grid_origin_0, walk_7.grid_origin_0 + (((cell_of_0(grids_0[_S502].top_size_0)) << (vec3<u32>(top_shift_4)))));
+    walk_7.t_end_0 = LocalRay_t_end_0(_S501);
+    return walk_7;
 }
 
-fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_2 : u32) -> Hit_0
+fn first_voxel_2( _S505 : u32,  _S506 : Walk_0,  _S507 : ptr<function, vec3<i32>>) -> bool
 {
+    var _S508 : Walk_0 = _S506;
+    var _S509 : vec3<i32> = vec3<i32>(i32(0));
+    (*_S507) = _S509;
+    var voxel_26 : vec3<i32> = Walk_start_voxel_0(_S506);
+    var _S510 : vec3<i32> = cell_of_0(grids_0[_S505].min_0);
+    var _S511 : vec3<i32> = cell_of_0(grids_0[_S505].max_0);
+    var _S512 : bool = Walk_enter_0(_S506, &(voxel_26), _S510 - _S508.grid_origin_0, _S511 - _S508.grid_origin_0);
+    if(!_S512)
+    {
+        return false;
+    }
+    var octant_5 : u32 = LocalRay_octant_0(_S508.ray_0);
+    var _S513 : u32 = flip_of_0(octant_5);
+    var top_shift_5 : u32;
+    if(TOP_SHIFT_0 != u32(0))
+    {
+        top_shift_5 = TOP_SHIFT_0;
+    }
+    else
+    {
+        top_shift_5 = grids_0[_S505].top_shift_0;
+    }
+    var top_size_3 : vec3<i32> = cell_of_0(grids_0[_S505].top_size_0);
+    var _S514 : i32 = top_size_3.x;
+    var stride_2 : vec3<i32> = vec3<i32>(i32(1), _S514, _S514 * top_size_3.y);
+    var _S515 : i32 = i32(grids_0[_S505].top_offset_0) - dot_cells_0((stride_2 & ((_S508.mirror_0))), vec3<i32>(i32(1)));
+    var _S516 : vec3<i32> = Walk_mirrored_plane_0(_S508, stride_2);
+    var _S517 : u32 = ahead_of_0(_S508.mirror_0);
+    var end_2 : vec3<i32> = select((top_size_3 << (vec3<u32>(top_shift_5))), _S509, (_S508.mirror_0) != _S509);
+    if(!IS_EXACT_0)
+    {
+        _S508.t_end_0 = min(_S508.t_end_0, min_element_0(Walk_crossings_0(_S508, end_2)));
+    }
+    if(!IS_SINGLE_0)
+    {
+        var _S518 : f32 = _S508.t_end_0;
+        var _S519 : f32 = min_element_0(Walk_crossings_0(_S508, Walk_mirrored_plane_0(_S508, select(_S511, _S510, (_S508.mirror_0) != _S509) - _S508.grid_origin_0)));
+        var _S520 : f32;
+        if(IS_EXACT_0)
+        {
+            _S520 = 1.00000095367431641f;
+        }
+        else
+        {
+            _S520 = 1.0f;
+        }
+        _S508.t_end_0 = min(_S518, _S519 * _S520);
+    }
+    var is_found_13 : bool = false;
+    for(;;)
+    {
+        var _S521 : bool;
+        if(IS_EXACT_0)
+        {
+            _S521 = (any((voxel_26 >= end_2)));
+        }
+        else
+        {
+            _S521 = false;
+        }
+        if(_S521)
+        {
+            break;
+        }
+        var cell_17 : u32 = cell_word_0(u32(_S515 + dot_cells_0(_S516, (voxel_26 >> (vec3<u32>(top_shift_5))))));
+        var cell_18 : u32;
+        var shift_8 : u32;
+        var is_found_14 : bool;
+        if(TOP_SHIFT_0 == u32(5))
+        {
+            if(((cell_17 & (u32(2147483648)))) != u32(0))
+            {
+                var _S522 : u32 = cell_word_0(((cell_17 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_26, u32(3))) ^ (_S513))));
+                cell_18 = _S522;
+                shift_8 = u32(3);
+            }
+            else
+            {
+                cell_18 = cell_17;
+                shift_8 = top_shift_5;
+            }
+        }
+        else
+        {
+            cell_18 = cell_17;
+            shift_8 = top_shift_5;
+            for(;;)
+            {
+                if(TOP_SHIFT_0 != u32(3))
+                {
+                    is_found_14 = shift_8 > u32(3);
+                }
+                else
+                {
+                    is_found_14 = false;
+                }
+                var _S523 : bool;
+                if(is_found_14)
+                {
+                    _S523 = ((cell_18 & (u32(2147483648)))) != u32(0);
+                }
+                else
+                {
+                    _S523 = false;
+                }
+                if(_S523)
+                {
+                }
+                else
+                {
+                    break;
+                }
+                var shift_9 : u32 = shift_8 - u32(2);
+                var _S524 : u32 = cell_word_0(((cell_18 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_26, shift_9)) ^ (_S513))));
+                cell_18 = _S524;
+                shift_8 = shift_9;
+            }
+        }
+        if(waits_for_pages_0())
+        {
+            break;
+        }
+        var exit_9 : vec3<i32>;
+        if(((cell_18 & (u32(2147483648)))) == u32(0))
+        {
+            if(CELLS_SKIP_0)
+            {
+                exit_9 = vec3<i32>((i32(skip_distance_0(cell_18, octant_5)) - i32(1)));
+            }
+            else
+            {
+                exit_9 = extents_0(cell_18, _S517);
+            }
+            exit_9 = ((voxel_26 | (vec3<i32>((((i32(1) << (shift_8))) - i32(1)))))) + vec3<i32>(i32(1)) + ((exit_9 << (vec3<u32>(shift_8))));
+            is_found_14 = is_found_13;
+        }
+        else
+        {
+            var record_5 : u32 = record_of_cell_0(cell_18);
+            var blocks_3 : u32;
+            if(CELLS_HAVE_BLOCKS_0)
+            {
+                blocks_3 = blocks_of_cell_0(cell_18);
+            }
+            else
+            {
+                var _S525 : u32 = blocks_of_record_0(record_5);
+                blocks_3 = _S525;
+            }
+            var low_bits_2 : u32 = empty_around_0(record_5, blocks_3, voxel_26, octant_5, _S513);
+            var is_found_15 : bool = low_bits_2 == u32(4294967295);
+            if(is_found_15)
+            {
+                is_found_13 = is_found_15;
+                break;
+            }
+            exit_9 = ((voxel_26 | (vec3<i32>(i32(low_bits_2))))) + vec3<i32>(i32(1));
+            is_found_14 = is_found_15;
+        }
+        var _S526 : bool = Walk_leave_1(_S508, &(voxel_26), exit_9);
+        if(!_S526)
+        {
+            is_found_13 = is_found_14;
+            break;
+        }
+        is_found_13 = is_found_14;
+    }
+    (*_S507) = Walk_mirrored_0(_S508, voxel_26) + _S508.grid_origin_0;
+    return is_found_13;
+}
+
+fn hit_in_2( _S527 : u32,  _S528 : u32,  _S529 : ptr<function, Ray_0>) -> Hit_0
+{
+    var _S530 : LocalRay_0 = local_ray_0((*_S529), _S527);
+    if(!_S530.is_valid_0)
+    {
+        return miss_0();
+    }
+    var _S531 : Walk_0 = walk_of_1(_S530, _S528);
+    var voxel_27 : vec3<i32>;
+    var _S532 : bool = first_voxel_2(_S528, _S531, &(voxel_27));
+    var _S533 : bool;
     if(IS_SINGLE_0)
     {
-        var _S508 : Hit_0 = hit_in_0(u32(0), &((*given_0)));
-        return _S508;
+        _S533 = !IS_EXACT_0;
     }
-    var ray_26 : Ray_0 = (*given_0);
+    else
+    {
+        _S533 = false;
+    }
+    if(_S533)
+    {
+        (*_S529) = ray_of_walk_0(_S531, (*_S529));
+    }
+    if(!_S532)
+    {
+        return miss_0();
+    }
+    var hit_21 : Hit_0;
+    if(IS_EXACT_0)
+    {
+        hit_21 = hit_of_0(_S530, voxel_27, _S527);
+    }
+    else
+    {
+        hit_21 = hit_of_walk_0(_S531, voxel_27, _S527);
+    }
+    if((hit_21.t_0) > ((*_S529).t_max_0))
+    {
+        return miss_0();
+    }
+    return hit_21;
+}
+
+fn children_of_0( node_16 : u32) -> vec4<u32>
+{
+    return instance_rows_0[node_16 + u32(1)];
+}
+
+fn base_of_0( node_17 : u32) -> vec3<f32>
+{
+    return (bitcast<vec3<f32>>((instance_rows_0[node_17].xyz)));
+}
+
+fn sort_two_0( a_7 : ptr<function, u32>,  b_7 : ptr<function, u32>)
+{
+    var _S534 : u32 = min((*a_7), (*b_7));
+    (*b_7) = max((*a_7), (*b_7));
+    (*a_7) = _S534;
+    return;
+}
+
+fn met_children_0( node_18 : u32,  children_0 : vec4<u32>,  origin_12 : vec3<f32>,  inverse_2 : vec3<f32>,  t_min_3 : f32,  t_max_3 : f32) -> vec4<u32>
+{
+    var _S535 : vec3<f32> = (base_of_0(node_18) - origin_12) * inverse_2;
+    var _S536 : vec4<f32> = vec4<f32>(t_max_3);
+    var enter_0 : vec4<f32> = vec4<f32>(t_min_3);
+    var leave_0 : vec4<f32> = _S536;
+    var axis_7 : u32 = u32(0);
+    for(;;)
+    {
+        if(axis_7 < u32(3))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var sides_0 : vec4<u32> = instance_rows_0[node_18 + u32(2) + axis_7];
+        var _S537 : vec4<f32> = vec4<f32>(inverse_2[axis_7]);
+        var _S538 : vec4<f32> = vec4<f32>(_S535[axis_7]);
+        var low_13 : vec4<f32> = (bitcast<vec4<f32>>(((sides_0 << (vec4<u32>(u32(16))))))) * _S537 + _S538;
+        var high_6 : vec4<f32> = (bitcast<vec4<f32>>(((sides_0 & (vec4<u32>(u32(4294901760))))))) * _S537 + _S538;
+        var _S539 : vec4<f32> = max(enter_0, min(low_13, high_6));
+        var _S540 : vec4<f32> = min(leave_0, max(low_13, high_6));
+        var _S541 : u32 = axis_7 + u32(1);
+        enter_0 = _S539;
+        leave_0 = _S540;
+        axis_7 = _S541;
+    }
+    var _S542 : vec4<u32> = vec4<u32>(u32(4294967295));
+    var keys_0 : vec4<u32> = select(_S542, ((((bitcast<vec4<u32>>((abs(enter_0)))) & (vec4<u32>(u32(4294967292))))) | (vec4<u32>(u32(0), u32(1), u32(2), u32(3)))), select(vec4<bool>(false), children_0 != _S542, enter_0 <= (leave_0 * vec4<f32>(1.00000202655792236f))));
+    var _S543 : u32 = keys_0[i32(0)];
+    var _S544 : u32 = keys_0[i32(1)];
+    sort_two_0(&(_S543), &(_S544));
+    var _S545 : u32 = keys_0[i32(2)];
+    var _S546 : u32 = keys_0[i32(3)];
+    sort_two_0(&(_S545), &(_S546));
+    var _S547 : u32 = _S543;
+    var _S548 : u32 = _S545;
+    sort_two_0(&(_S547), &(_S548));
+    keys_0[i32(0)] = _S547;
+    var _S549 : u32 = _S544;
+    var _S550 : u32 = _S546;
+    sort_two_0(&(_S549), &(_S550));
+    keys_0[i32(3)] = _S550;
+    var _S551 : u32 = _S549;
+    var _S552 : u32 = _S548;
+    sort_two_0(&(_S551), &(_S552));
+    keys_0[i32(1)] = _S551;
+    keys_0[i32(2)] = _S552;
+    return keys_0;
+}
+
+fn child_of_0( children_1 : vec4<u32>,  number_2 : u32) -> u32
+{
+    var half_4 : vec2<u32> = select(children_1.xy, children_1.zw, ((number_2 & (u32(2)))) != u32(0));
+    return select(half_4.x, half_4.y, ((number_2 & (u32(1)))) != u32(0));
+}
+
+fn grid_of_leaf_0( leaf_4 : vec4<u32>) -> PackedGrid_0
+{
+    var _S553 : PackedGrid_std430_0 = grids_0[leaf_4.y];
+    var grid_8 : PackedGrid_0;
+    grid_8.origin_0 = _S553.origin_0;
+    grid_8.top_shift_0 = _S553.top_shift_0;
+    grid_8.top_size_0 = _S553.top_size_0;
+    grid_8.top_offset_0 = _S553.top_offset_0;
+    grid_8.min_0 = _S553.min_0;
+    grid_8.voxels_0 = _S553.voxels_0;
+    grid_8.max_0 = _S553.max_0;
+    grid_8.material_bits_0 = _S553.material_bits_0;
+    var _S554 : u32 = leaf_4.z;
+    if(_S554 != u32(0))
+    {
+        var _S555 : vec4<i32> = vec4<i32>(instance_rows_0[_S554]);
+        var _S556 : vec4<i32> = vec4<i32>(instance_rows_0[_S554 + u32(1)]);
+        var _S557 : i32 = _S555.y;
+        var _S558 : i32 = _S555.z;
+        grid_8.min_0[i32(0)] = _S555.x;
+        grid_8.min_0[i32(1)] = _S557;
+        grid_8.min_0[i32(2)] = _S558;
+        var _S559 : i32 = _S556.y;
+        var _S560 : i32 = _S556.z;
+        grid_8.max_0[i32(0)] = _S556.x;
+        grid_8.max_0[i32(1)] = _S559;
+        grid_8.max_0[i32(2)] = _S560;
+    }
+    return grid_8;
+}
+
+fn is_before_2( hit_22 : Hit_0,  other_2 : Hit_0,  direction_30 : vec3<f32>) -> bool
+{
+    var _S561 : bool;
+    if((hit_22.t_0) != (other_2.t_0))
+    {
+        _S561 = true;
+    }
+    else
+    {
+        _S561 = Hit_is_miss_0(hit_22);
+    }
+    if(_S561)
+    {
+        return (hit_22.t_0) < (other_2.t_0);
+    }
+    if((hit_22.instance_0) != (other_2.instance_0))
+    {
+        return (hit_22.instance_0) < (other_2.instance_0);
+    }
+    var ahead_1 : vec3<i32> = select(hit_22.voxel_0 - other_2.voxel_0, other_2.voxel_0 - hit_22.voxel_0, (Transform_direction_0(hit_22.instance_0, direction_30)) < vec3<f32>(0.0f));
+    return (ahead_1.x + ahead_1.y + ahead_1.z) < i32(0);
+}
+
+fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_3 : u32) -> Hit_0
+{
+    var next_7 : u32;
+    var depth_0 : u32;
+    var _S562 : bool;
+    if(IS_SINGLE_0)
+    {
+        var _S563 : Hit_0 = hit_in_2(u32(0), instances_0[i32(0)].grid_0, &((*given_0)));
+        return _S563;
+    }
+    var ray_27 : Ray_0 = (*given_0);
     var nearest_6 : Hit_0 = miss_0();
     if((params_0.instance_count_0) == u32(0))
     {
         return nearest_6;
     }
-    var is_zero_1 : vec3<bool> = !((abs(ray_26.direction_0)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S509 : vec3<f32> = select(reciprocal_0(select(ray_26.direction_0, vec3<f32>(1.0f), is_zero_1)), vec3<f32>(3.4028234663852886e+38f), is_zero_1);
-    var stack_0 : array<u32, i32(32)>;
-    var index_29 : u32 = u32(0);
+    var is_zero_1 : vec3<bool> = !((abs(ray_27.direction_0)) >= vec3<f32>(1.00000006335638761e-28f));
+    var _S564 : vec3<f32> = select(reciprocal_0(select(ray_27.direction_0, vec3<f32>(1.0f), is_zero_1)), select(vec3<f32>(9.99999944211968977e+27f), vec3<f32>(-9.99999944211968977e+27f), (ray_27.direction_0) < vec3<f32>(0.0f)), is_zero_1);
+    var stack_0 : array<vec2<u32>, i32(64)>;
+    var next_8 : u32 = u32(0);
     var nearest_7 : Hit_0 = nearest_6;
-    var depth_0 : u32 = u32(0);
+    var depth_1 : u32 = u32(0);
     for(;;)
     {
-        var depth_1 : u32;
-        var is_reached_0 : bool;
-        if((instance_nodes_0[index_29].is_leaf_0) != u32(0))
+        var next_9 : u32 = next_8;
+        var depth_2 : u32 = depth_1;
+        for(;;)
         {
-            var _S510 : Hit_0 = hit_in_0(instance_nodes_0[index_29].index_0, &(ray_26));
-            var _S511 : Hit_0 = nearest_7;
-            if((_S510.t_0) < (nearest_7.t_0))
+            next_7 = next_9;
+            depth_0 = depth_2;
+            for(;;)
             {
-                is_reached_0 = true;
-            }
-            else
-            {
-                if((_S510.t_0) == (_S511.t_0))
+                var _S565 : bool = next_7 == u32(4294967295);
+                _S562 = _S565;
+                var _S566 : bool;
+                if(_S565)
                 {
-                    is_reached_0 = (_S510.instance_0) < (nearest_7.instance_0);
+                    _S566 = depth_0 > u32(0);
                 }
                 else
                 {
-                    is_reached_0 = false;
+                    _S566 = false;
                 }
-            }
-            var nearest_8 : Hit_0;
-            if(is_reached_0)
-            {
-                ray_26.t_max_0 = _S510.t_0;
-                if(is_any_enough_0)
+                if(_S566)
                 {
-                    return _S510;
                 }
-                nearest_8 = _S510;
+                else
+                {
+                    break;
+                }
+                var depth_3 : u32 = depth_0 - u32(1);
+                var nearest_waiting_0 : vec2<u32> = stack_0[depth_3];
+                if((bitcast<f32>((((stack_0[depth_3].x) & (u32(4294967292)))))) <= (ray_27.t_max_0))
+                {
+                    next_7 = nearest_waiting_0.y;
+                }
+                depth_0 = depth_3;
             }
-            else
-            {
-                nearest_8 = nearest_7;
-            }
-            nearest_7 = nearest_8;
-            depth_1 = depth_0;
-        }
-        else
-        {
-            var _S512 : u32 = index_29 + u32(1);
-            var _S513 : f32 = entry_0(_S512, ray_26, _S509);
-            var _S514 : u32 = instance_nodes_0[index_29].index_0;
-            var _S515 : f32 = entry_0(instance_nodes_0[index_29].index_0, ray_26, _S509);
-            var _S516 : bool = _S513 <= _S515;
-            if(_S516)
-            {
-                index_29 = _S512;
-            }
-            else
-            {
-                index_29 = _S514;
-            }
-            var far_5 : u32;
-            if(_S516)
-            {
-                far_5 = _S514;
-            }
-            else
-            {
-                far_5 = _S512;
-            }
-            var INFINITY_0 : f32 = (bitcast<f32>((u32(2139095040))));
-            if((max(_S513, _S515)) < INFINITY_0)
-            {
-                var _S517 : u32 = depth_0 + u32(1);
-                stack_0[depth_0] = far_5;
-                depth_1 = _S517;
-            }
-            else
-            {
-                depth_1 = depth_0;
-            }
-            if((min(_S513, _S515)) < INFINITY_0)
-            {
-                depth_0 = depth_1;
-                continue;
-            }
-        }
-        is_reached_0 = false;
-        depth_0 = depth_1;
-        for(;;)
-        {
-            var _S518 : bool;
-            if(depth_0 > u32(0))
-            {
-                _S518 = !is_reached_0;
-            }
-            else
-            {
-                _S518 = false;
-            }
-            if(_S518)
-            {
-            }
-            else
+            if(((next_7 & (u32(2147483648)))) != u32(0))
             {
                 break;
             }
-            var depth_2 : u32 = depth_0 - u32(1);
-            is_reached_0 = (entry_0(stack_0[depth_2], ray_26, _S509)) < (bitcast<f32>((u32(2139095040))));
-            index_29 = stack_0[depth_2];
-            depth_0 = depth_2;
+            var children_2 : vec4<u32> = children_of_0(next_7);
+            var met_3 : vec4<u32> = met_children_0(next_7, children_2, ray_27.origin_1, _S564, ray_27.t_min_0, ray_27.t_max_0);
+            var _S567 : u32 = met_3.w;
+            var depth_4 : u32;
+            if(_S567 != u32(4294967295))
+            {
+                var _S568 : u32 = depth_0 + u32(1);
+                stack_0[depth_0] = vec2<u32>(_S567, child_of_0(children_2, _S567));
+                depth_4 = _S568;
+            }
+            else
+            {
+                depth_4 = depth_0;
+            }
+            var _S569 : u32 = met_3.z;
+            var depth_5 : u32;
+            if(_S569 != u32(4294967295))
+            {
+                var _S570 : u32 = depth_4 + u32(1);
+                stack_0[depth_4] = vec2<u32>(_S569, child_of_0(children_2, _S569));
+                depth_5 = _S570;
+            }
+            else
+            {
+                depth_5 = depth_4;
+            }
+            var _S571 : u32 = met_3.y;
+            if(_S571 != u32(4294967295))
+            {
+                var _S572 : u32 = depth_5 + u32(1);
+                stack_0[depth_5] = vec2<u32>(_S571, child_of_0(children_2, _S571));
+                depth_2 = _S572;
+            }
+            else
+            {
+                depth_2 = depth_5;
+            }
+            var _S573 : u32 = met_3.x;
+            if(_S573 != u32(4294967295))
+            {
+                next_9 = child_of_0(children_2, _S573);
+            }
+            else
+            {
+                next_9 = u32(4294967295);
+            }
         }
-        if(!is_reached_0)
+        if(_S562)
         {
             break;
         }
+        var leaf_5 : vec4<u32> = instance_rows_0[(next_7 & (u32(2147483647)))];
+        var _S574 : Hit_0 = hit_in_0(leaf_5.x, grid_of_leaf_0(leaf_5), &(ray_27));
+        if(is_before_2(_S574, nearest_7, ray_27.direction_0))
+        {
+            ray_27.t_max_0 = _S574.t_0;
+            if(is_any_enough_0)
+            {
+                nearest_7 = _S574;
+                break;
+            }
+            nearest_7 = _S574;
+        }
+        next_8 = u32(4294967295);
+        depth_1 = depth_0;
     }
     return nearest_7;
 }
 
-fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool,  end_3 : u32) -> Hit_0
+fn first_voxel_3( _S575 : u32,  _S576 : Walk_0,  _S577 : ptr<function, vec3<i32>>) -> bool
 {
-    if(IS_SINGLE_0)
+    var _S578 : Walk_0 = _S576;
+    var _S579 : vec3<i32> = vec3<i32>(i32(0));
+    (*_S577) = _S579;
+    var voxel_28 : vec3<i32> = Walk_start_voxel_0(_S576);
+    var _S580 : vec3<i32> = cell_of_0(grids_0[_S575].min_0);
+    var _S581 : vec3<i32> = cell_of_0(grids_0[_S575].max_0);
+    var _S582 : bool = Walk_enter_1(_S576, &(voxel_28), _S580 - _S578.grid_origin_0, _S581 - _S578.grid_origin_0);
+    if(!_S582)
     {
-        var _S519 : Hit_0 = hit_in_1(u32(0), &((*given_1)));
-        return _S519;
+        return false;
     }
-    var ray_27 : Ray_0 = (*given_1);
-    var nearest_9 : Hit_0 = miss_0();
-    if((params_0.instance_count_0) == u32(0))
+    var octant_6 : u32 = LocalRay_octant_0(_S578.ray_0);
+    var _S583 : u32 = flip_of_0(octant_6);
+    var top_shift_6 : u32;
+    if(TOP_SHIFT_0 != u32(0))
     {
-        return nearest_9;
+        top_shift_6 = TOP_SHIFT_0;
     }
-    var is_zero_2 : vec3<bool> = !((abs(ray_27.direction_0)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S520 : vec3<f32> = select(reciprocal_0(select(ray_27.direction_0, vec3<f32>(1.0f), is_zero_2)), vec3<f32>(3.4028234663852886e+38f), is_zero_2);
-    var stack_1 : array<u32, i32(32)>;
-    var index_30 : u32 = u32(0);
-    var nearest_10 : Hit_0 = nearest_9;
-    var depth_3 : u32 = u32(0);
-    for(;;)
+    else
     {
-        var depth_4 : u32;
-        var is_reached_1 : bool;
-        if((instance_nodes_0[index_30].is_leaf_0) != u32(0))
+        top_shift_6 = grids_0[_S575].top_shift_0;
+    }
+    var top_size_4 : vec3<i32> = cell_of_0(grids_0[_S575].top_size_0);
+    var _S584 : i32 = top_size_4.x;
+    var stride_3 : vec3<i32> = vec3<i32>(i32(1), _S584, _S584 * top_size_4.y);
+    var _S585 : i32 = i32(grids_0[_S575].top_offset_0) - dot_cells_0((stride_3 & ((_S578.mirror_0))), vec3<i32>(i32(1)));
+    var _S586 : vec3<i32> = Walk_mirrored_plane_0(_S578, stride_3);
+    var _S587 : u32 = ahead_of_0(_S578.mirror_0);
+    var end_4 : vec3<i32> = select((top_size_4 << (vec3<u32>(top_shift_6))), _S579, (_S578.mirror_0) != _S579);
+    if(!IS_EXACT_0)
+    {
+        _S578.t_end_0 = min(_S578.t_end_0, min_element_0(Walk_crossings_0(_S578, end_4)));
+    }
+    if(!IS_SINGLE_0)
+    {
+        var _S588 : f32 = _S578.t_end_0;
+        var _S589 : f32 = min_element_0(Walk_crossings_0(_S578, Walk_mirrored_plane_0(_S578, select(_S581, _S580, (_S578.mirror_0) != _S579) - _S578.grid_origin_0)));
+        var _S590 : f32;
+        if(IS_EXACT_0)
         {
-            var _S521 : Hit_0 = hit_in_1(instance_nodes_0[index_30].index_0, &(ray_27));
-            var _S522 : Hit_0 = nearest_10;
-            if((_S521.t_0) < (nearest_10.t_0))
-            {
-                is_reached_1 = true;
-            }
-            else
-            {
-                if((_S521.t_0) == (_S522.t_0))
-                {
-                    is_reached_1 = (_S521.instance_0) < (nearest_10.instance_0);
-                }
-                else
-                {
-                    is_reached_1 = false;
-                }
-            }
-            var nearest_11 : Hit_0;
-            if(is_reached_1)
-            {
-                ray_27.t_max_0 = _S521.t_0;
-                if(is_any_enough_1)
-                {
-                    return _S521;
-                }
-                nearest_11 = _S521;
-            }
-            else
-            {
-                nearest_11 = nearest_10;
-            }
-            nearest_10 = nearest_11;
-            depth_4 = depth_3;
+            _S590 = 1.00000095367431641f;
         }
         else
         {
-            var _S523 : u32 = index_30 + u32(1);
-            var _S524 : f32 = entry_0(_S523, ray_27, _S520);
-            var _S525 : u32 = instance_nodes_0[index_30].index_0;
-            var _S526 : f32 = entry_0(instance_nodes_0[index_30].index_0, ray_27, _S520);
-            var _S527 : bool = _S524 <= _S526;
-            if(_S527)
-            {
-                index_30 = _S523;
-            }
-            else
-            {
-                index_30 = _S525;
-            }
-            var far_6 : u32;
-            if(_S527)
-            {
-                far_6 = _S525;
-            }
-            else
-            {
-                far_6 = _S523;
-            }
-            var INFINITY_1 : f32 = (bitcast<f32>((u32(2139095040))));
-            if((max(_S524, _S526)) < INFINITY_1)
-            {
-                var _S528 : u32 = depth_3 + u32(1);
-                stack_1[depth_3] = far_6;
-                depth_4 = _S528;
-            }
-            else
-            {
-                depth_4 = depth_3;
-            }
-            if((min(_S524, _S526)) < INFINITY_1)
-            {
-                depth_3 = depth_4;
-                continue;
-            }
+            _S590 = 1.0f;
         }
-        is_reached_1 = false;
-        depth_3 = depth_4;
-        for(;;)
+        _S578.t_end_0 = min(_S588, _S589 * _S590);
+    }
+    var is_found_16 : bool = false;
+    for(;;)
+    {
+        var _S591 : bool;
+        if(IS_EXACT_0)
         {
-            var _S529 : bool;
-            if(depth_3 > u32(0))
-            {
-                _S529 = !is_reached_1;
-            }
-            else
-            {
-                _S529 = false;
-            }
-            if(_S529)
-            {
-            }
-            else
-            {
-                break;
-            }
-            var depth_5 : u32 = depth_3 - u32(1);
-            is_reached_1 = (entry_0(stack_1[depth_5], ray_27, _S520)) < (bitcast<f32>((u32(2139095040))));
-            index_30 = stack_1[depth_5];
-            depth_3 = depth_5;
+            _S591 = (any((voxel_28 >= end_4)));
         }
-        if(!is_reached_1)
+        else
+        {
+            _S591 = false;
+        }
+        if(_S591)
         {
             break;
         }
+        var cell_19 : u32 = cell_word_0(u32(_S585 + dot_cells_0(_S586, (voxel_28 >> (vec3<u32>(top_shift_6))))));
+        var cell_20 : u32;
+        var shift_10 : u32;
+        var is_found_17 : bool;
+        if(TOP_SHIFT_0 == u32(5))
+        {
+            if(((cell_19 & (u32(2147483648)))) != u32(0))
+            {
+                var _S592 : u32 = cell_word_0(((cell_19 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_28, u32(3))) ^ (_S583))));
+                cell_20 = _S592;
+                shift_10 = u32(3);
+            }
+            else
+            {
+                cell_20 = cell_19;
+                shift_10 = top_shift_6;
+            }
+        }
+        else
+        {
+            cell_20 = cell_19;
+            shift_10 = top_shift_6;
+            for(;;)
+            {
+                if(TOP_SHIFT_0 != u32(3))
+                {
+                    is_found_17 = shift_10 > u32(3);
+                }
+                else
+                {
+                    is_found_17 = false;
+                }
+                var _S593 : bool;
+                if(is_found_17)
+                {
+                    _S593 = ((cell_20 & (u32(2147483648)))) != u32(0);
+                }
+                else
+                {
+                    _S593 = false;
+                }
+                if(_S593)
+                {
+                }
+                else
+                {
+                    break;
+                }
+                var shift_11 : u32 = shift_10 - u32(2);
+                var _S594 : u32 = cell_word_0(((cell_20 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_28, shift_11)) ^ (_S583))));
+                cell_20 = _S594;
+                shift_10 = shift_11;
+            }
+        }
+        if(waits_for_pages_0())
+        {
+            break;
+        }
+        var exit_10 : vec3<i32>;
+        if(((cell_20 & (u32(2147483648)))) == u32(0))
+        {
+            if(CELLS_SKIP_0)
+            {
+                exit_10 = vec3<i32>((i32(skip_distance_0(cell_20, octant_6)) - i32(1)));
+            }
+            else
+            {
+                exit_10 = extents_0(cell_20, _S587);
+            }
+            exit_10 = ((voxel_28 | (vec3<i32>((((i32(1) << (shift_10))) - i32(1)))))) + vec3<i32>(i32(1)) + ((exit_10 << (vec3<u32>(shift_10))));
+            is_found_17 = is_found_16;
+        }
+        else
+        {
+            var record_6 : u32 = record_of_cell_0(cell_20);
+            var blocks_4 : u32;
+            if(CELLS_HAVE_BLOCKS_0)
+            {
+                blocks_4 = blocks_of_cell_0(cell_20);
+            }
+            else
+            {
+                var _S595 : u32 = blocks_of_record_0(record_6);
+                blocks_4 = _S595;
+            }
+            var low_bits_3 : u32 = empty_around_0(record_6, blocks_4, voxel_28, octant_6, _S583);
+            var is_found_18 : bool = low_bits_3 == u32(4294967295);
+            if(is_found_18)
+            {
+                is_found_16 = is_found_18;
+                break;
+            }
+            exit_10 = ((voxel_28 | (vec3<i32>(i32(low_bits_3))))) + vec3<i32>(i32(1));
+            is_found_17 = is_found_18;
+        }
+        var _S596 : bool = Walk_leave_0(_S578, &(voxel_28), exit_10);
+        if(!_S596)
+        {
+            is_found_16 = is_found_17;
+            break;
+        }
+        is_found_16 = is_found_17;
     }
-    return nearest_10;
+    (*_S577) = Walk_mirrored_0(_S578, voxel_28) + _S578.grid_origin_0;
+    return is_found_16;
+}
+
+fn hit_in_3( _S597 : u32,  _S598 : u32,  _S599 : ptr<function, Ray_0>) -> Hit_0
+{
+    var _S600 : LocalRay_0 = local_ray_0((*_S599), _S597);
+    if(!_S600.is_valid_0)
+    {
+        return miss_0();
+    }
+    var _S601 : Walk_0 = walk_of_1(_S600, _S598);
+    var voxel_29 : vec3<i32>;
+    var _S602 : bool = first_voxel_3(_S598, _S601, &(voxel_29));
+    var _S603 : bool;
+    if(IS_SINGLE_0)
+    {
+        _S603 = !IS_EXACT_0;
+    }
+    else
+    {
+        _S603 = false;
+    }
+    if(_S603)
+    {
+        (*_S599) = ray_of_walk_0(_S601, (*_S599));
+    }
+    if(!_S602)
+    {
+        return miss_0();
+    }
+    var hit_23 : Hit_0;
+    if(IS_EXACT_0)
+    {
+        hit_23 = hit_of_0(_S600, voxel_29, _S597);
+    }
+    else
+    {
+        hit_23 = hit_of_walk_0(_S601, voxel_29, _S597);
+    }
+    if((hit_23.t_0) > ((*_S599).t_max_0))
+    {
+        return miss_0();
+    }
+    return hit_23;
+}
+
+fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool,  end_5 : u32) -> Hit_0
+{
+    var next_10 : u32;
+    var depth_6 : u32;
+    var _S604 : bool;
+    if(IS_SINGLE_0)
+    {
+        var _S605 : Hit_0 = hit_in_3(u32(0), instances_0[i32(0)].grid_0, &((*given_1)));
+        return _S605;
+    }
+    var ray_28 : Ray_0 = (*given_1);
+    var nearest_8 : Hit_0 = miss_0();
+    if((params_0.instance_count_0) == u32(0))
+    {
+        return nearest_8;
+    }
+    var is_zero_2 : vec3<bool> = !((abs(ray_28.direction_0)) >= vec3<f32>(1.00000006335638761e-28f));
+    var _S606 : vec3<f32> = select(reciprocal_0(select(ray_28.direction_0, vec3<f32>(1.0f), is_zero_2)), select(vec3<f32>(9.99999944211968977e+27f), vec3<f32>(-9.99999944211968977e+27f), (ray_28.direction_0) < vec3<f32>(0.0f)), is_zero_2);
+    var stack_1 : array<vec2<u32>, i32(64)>;
+    var next_11 : u32 = u32(0);
+    var nearest_9 : Hit_0 = nearest_8;
+    var depth_7 : u32 = u32(0);
+    for(;;)
+    {
+        var next_12 : u32 = next_11;
+        var depth_8 : u32 = depth_7;
+        for(;;)
+        {
+            next_10 = next_12;
+            depth_6 = depth_8;
+            for(;;)
+            {
+                var _S607 : bool = next_10 == u32(4294967295);
+                _S604 = _S607;
+                var _S608 : bool;
+                if(_S607)
+                {
+                    _S608 = depth_6 > u32(0);
+                }
+                else
+                {
+                    _S608 = false;
+                }
+                if(_S608)
+                {
+                }
+                else
+                {
+                    break;
+                }
+                var depth_9 : u32 = depth_6 - u32(1);
+                var nearest_waiting_1 : vec2<u32> = stack_1[depth_9];
+                if((bitcast<f32>((((stack_1[depth_9].x) & (u32(4294967292)))))) <= (ray_28.t_max_0))
+                {
+                    next_10 = nearest_waiting_1.y;
+                }
+                depth_6 = depth_9;
+            }
+            if(((next_10 & (u32(2147483648)))) != u32(0))
+            {
+                break;
+            }
+            var children_3 : vec4<u32> = children_of_0(next_10);
+            var met_4 : vec4<u32> = met_children_0(next_10, children_3, ray_28.origin_1, _S606, ray_28.t_min_0, ray_28.t_max_0);
+            var _S609 : u32 = met_4.w;
+            var depth_10 : u32;
+            if(_S609 != u32(4294967295))
+            {
+                var _S610 : u32 = depth_6 + u32(1);
+                stack_1[depth_6] = vec2<u32>(_S609, child_of_0(children_3, _S609));
+                depth_10 = _S610;
+            }
+            else
+            {
+                depth_10 = depth_6;
+            }
+            var _S611 : u32 = met_4.z;
+            var depth_11 : u32;
+            if(_S611 != u32(4294967295))
+            {
+                var _S612 : u32 = depth_10 + u32(1);
+                stack_1[depth_10] = vec2<u32>(_S611, child_of_0(children_3, _S611));
+                depth_11 = _S612;
+            }
+            else
+            {
+                depth_11 = depth_10;
+            }
+            var _S613 : u32 = met_4.y;
+            if(_S613 != u32(4294967295))
+            {
+                var _S614 : u32 = depth_11 + u32(1);
+                stack_1[depth_11] = vec2<u32>(_S613, child_of_0(children_3, _S613));
+                depth_8 = _S614;
+            }
+            else
+            {
+                depth_8 = depth_11;
+            }
+            var _S615 : u32 = met_4.x;
+            if(_S615 != u32(4294967295))
+            {
+                next_12 = child_of_0(children_3, _S615);
+            }
+            else
+            {
+                next_12 = u32(4294967295);
+            }
+        }
+        if(_S604)
+        {
+            break;
+        }
+        var leaf_6 : vec4<u32> = instance_rows_0[(next_10 & (u32(2147483647)))];
+        var _S616 : Hit_0 = hit_in_1(leaf_6.x, grid_of_leaf_0(leaf_6), &(ray_28));
+        if(is_before_2(_S616, nearest_9, ray_28.direction_0))
+        {
+            ray_28.t_max_0 = _S616.t_0;
+            if(is_any_enough_1)
+            {
+                nearest_9 = _S616;
+                break;
+            }
+            nearest_9 = _S616;
+        }
+        next_11 = u32(4294967295);
+        depth_7 = depth_6;
+    }
+    return nearest_9;
 }
 
 fn PathTracingOf_jitter_0( sampler_1 : Sampler_0) -> vec4<f32>
@@ -7542,11 +8173,11 @@ fn PathTracingOf_jitter_0( sampler_1 : Sampler_0) -> vec4<f32>
 
 fn Sampler_x24init_0( seed_3 : u32,  pixel_1 : u32,  sample_22 : u32) -> Sampler_0
 {
-    var _S530 : Sampler_0;
-    _S530.seed_1 = seed_3;
-    _S530.pixel_0 = pixel_1;
-    _S530.sample_0 = sample_22;
-    return _S530;
+    var _S617 : Sampler_0;
+    _S617.seed_1 = seed_3;
+    _S617.pixel_0 = pixel_1;
+    _S617.sample_0 = sample_22;
+    return _S617;
 }
 
 struct Item_0
@@ -7561,14 +8192,14 @@ struct Item_0
 
 fn Item_x24init_0( traces_1 : bool,  kind_3 : u32,  at_13 : vec2<u32>,  place_7 : u32,  slot_2 : u32,  sampler_3 : Sampler_0) -> Item_0
 {
-    var _S531 : Item_0;
-    _S531.traces_0 = traces_1;
-    _S531.kind_2 = kind_3;
-    _S531.at_12 = at_13;
-    _S531.place_6 = place_7;
-    _S531.slot_1 = slot_2;
-    _S531.sampler_2 = sampler_3;
-    return _S531;
+    var _S618 : Item_0;
+    _S618.traces_0 = traces_1;
+    _S618.kind_2 = kind_3;
+    _S618.at_12 = at_13;
+    _S618.place_6 = place_7;
+    _S618.slot_1 = slot_2;
+    _S618.sampler_2 = sampler_3;
+    return _S618;
 }
 
 fn has_0( flag_0 : u32) -> bool
@@ -7590,9 +8221,9 @@ fn threads_that_trace_0() -> u32
     return columns_0 * ((params_0.height_0 + u32(7)) / u32(8)) * u32(64);
 }
 
-fn place_of_chosen_0( number_2 : u32) -> u32
+fn place_of_chosen_0( number_3 : u32) -> u32
 {
-    return u32(524304) + number_2;
+    return u32(524304) + number_3;
 }
 
 fn Item_key_0( this_54 : Item_0,  rank_3 : ptr<function, u32>) -> Key_0
@@ -7629,58 +8260,58 @@ fn pixel_that_traces_0( thread_1 : u32) -> vec2<u32>
 {
     if(!has_0(u32(128)))
     {
-        var _S532 : vec2<u32> = pixel_of_thread_0(thread_1);
-        return _S532;
+        var _S619 : vec2<u32> = pixel_of_thread_0(thread_1);
+        return _S619;
     }
     var tiles_1 : u32 = (params_0.width_0 + u32(15)) / u32(16);
     var tile_1 : u32 = thread_1 / u32(64);
     var in_tile_1 : u32 = (thread_1 & (u32(63)));
     var row_3 : u32 = tile_1 / tiles_1;
-    var _S533 : u32 = row_3 * u32(8) + ((in_tile_1 >> (u32(3))));
-    var at_14 : vec2<u32> = vec2<u32>((tile_1 - row_3 * tiles_1) * u32(16) + u32(2) * ((in_tile_1 & (u32(7)))), _S533);
-    at_14[i32(0)] = at_14[i32(0)] + (((_S533 + real_time_0.number_0) & (u32(1))));
+    var _S620 : u32 = row_3 * u32(8) + ((in_tile_1 >> (u32(3))));
+    var at_14 : vec2<u32> = vec2<u32>((tile_1 - row_3 * tiles_1) * u32(16) + u32(2) * ((in_tile_1 & (u32(7)))), _S620);
+    at_14[i32(0)] = at_14[i32(0)] + (((_S620 + real_time_0.number_0) & (u32(1))));
     return at_14;
 }
 
 fn squares_1() -> vec2<u32>
 {
-    var _S534 : vec2<u32> = vec2<u32>(u32(5));
-    var _S535 : vec2<u32> = (vec2<u32>(params_0.width_0, params_0.height_0) + _S534 - vec2<u32>(u32(1))) / _S534;
-    return _S535;
+    var _S621 : vec2<u32> = vec2<u32>(u32(5));
+    var _S622 : vec2<u32> = (vec2<u32>(params_0.width_0, params_0.height_0) + _S621 - vec2<u32>(u32(1))) / _S621;
+    return _S622;
 }
 
-fn pixel_of_square_0( square_1 : u32,  number_3 : u32) -> vec2<u32>
+fn pixel_of_square_0( square_1 : u32,  number_4 : u32) -> vec2<u32>
 {
     var columns_1 : u32 = squares_1().x;
-    var _S536 : u32 = square_1 % columns_1;
-    var _S537 : u32 = square_1 / columns_1;
-    var at_15 : vec2<u32> = vec2<u32>(_S536, _S537);
-    var _S538 : vec2<u32> = vec2<u32>(u32(5));
-    var _S539 : vec2<u32> = at_15 * _S538;
-    var _S540 : vec2<u32> = pcg4d_0(vec4<u32>(at_15, number_3, u32(3266489909))).xy % _S538;
-    return min(_S539 + _S540, vec2<u32>(params_0.width_0, params_0.height_0) - vec2<u32>(u32(1)));
+    var _S623 : u32 = square_1 % columns_1;
+    var _S624 : u32 = square_1 / columns_1;
+    var at_15 : vec2<u32> = vec2<u32>(_S623, _S624);
+    var _S625 : vec2<u32> = vec2<u32>(u32(5));
+    var _S626 : vec2<u32> = at_15 * _S625;
+    var _S627 : vec2<u32> = pcg4d_0(vec4<u32>(at_15, number_4, u32(3266489909))).xy % _S625;
+    return min(_S626 + _S627, vec2<u32>(params_0.width_0, params_0.height_0) - vec2<u32>(u32(1)));
 }
 
 fn is_inside_0( at_16 : vec2<i32>) -> bool
 {
-    var _S541 : bool;
+    var _S628 : bool;
     if((all((at_16 >= vec2<i32>(i32(0))))))
     {
-        _S541 = (at_16.x) < i32(params_0.width_0);
+        _S628 = (at_16.x) < i32(params_0.width_0);
     }
     else
     {
-        _S541 = false;
+        _S628 = false;
     }
-    if(_S541)
+    if(_S628)
     {
-        _S541 = (at_16.y) < i32(params_0.height_0);
+        _S628 = (at_16.y) < i32(params_0.height_0);
     }
     else
     {
-        _S541 = false;
+        _S628 = false;
     }
-    return _S541;
+    return _S628;
 }
 
 fn place_of_square_0( list_0 : u32,  square_2 : u32) -> u32
@@ -7694,32 +8325,32 @@ fn index_of_0( at_17 : vec2<u32>) -> u32
     return at_17.y * params_0.width_0 + at_17.x;
 }
 
-fn item_of_0( number_4 : u32) -> Item_0
+fn item_of_0( number_5 : u32) -> Item_0
 {
     var item_0 : Item_0 = Item_x24init_0(false, u32(0), vec2<u32>(vec2<i32>(i32(0))), u32(0), u32(0), Sampler_x24init_0(u32(0), u32(0), u32(0)));
     var cells_2 : u32 = real_time_0.cells_0;
     var pixels_1 : u32 = threads_that_trace_0();
     var count_8 : u32 = real_time_0.squares_0;
-    if(number_4 < (real_time_0.cells_0))
+    if(number_5 < (real_time_0.cells_0))
     {
-        var _S542 : u32 = atomicLoad(&(cell_keys_0[u32(2)]));
-        var _S543 : bool = number_4 < _S542;
-        item_0.traces_0 = _S543;
-        if(_S543)
+        var _S629 : u32 = atomicLoad(&(cell_keys_0[u32(2)]));
+        var _S630 : bool = number_5 < _S629;
+        item_0.traces_0 = _S630;
+        if(_S630)
         {
-            var _S544 : u32 = atomicLoad(&(cell_keys_0[place_of_chosen_0(number_4)]));
-            item_0.place_6 = _S544;
-            item_0.slot_1 = real_time_0.pixels_0 + count_8 + number_4;
+            var _S631 : u32 = atomicLoad(&(cell_keys_0[place_of_chosen_0(number_5)]));
+            item_0.place_6 = _S631;
+            item_0.slot_1 = real_time_0.pixels_0 + count_8 + number_5;
             var rank_6 : u32;
             item_0.sampler_2 = Sampler_x24init_0(((params_0.seed_0) ^ (u32(1540483477))), Key_hash_0(Item_key_0(item_0, &(rank_6))).x, real_time_0.number_0);
         }
         return item_0;
     }
-    var _S545 : u32 = number_4 - cells_2;
-    var _S546 : vec2<u32> = pixel_that_traces_0(_S545);
-    item_0.at_12 = _S546;
-    var square_3 : u32 = _S545 - pixels_1;
-    var is_square_0 : bool = number_4 >= (cells_2 + pixels_1);
+    var _S632 : u32 = number_5 - cells_2;
+    var _S633 : vec2<u32> = pixel_that_traces_0(_S632);
+    item_0.at_12 = _S633;
+    var square_3 : u32 = _S632 - pixels_1;
+    var is_square_0 : bool = number_5 >= (cells_2 + pixels_1);
     var is_again_0 : bool;
     if(is_square_0)
     {
@@ -7747,82 +8378,82 @@ fn item_of_0( number_4 : u32) -> Item_0
     {
         frame_0 = real_time_0.number_0;
     }
-    var _S547 : u32;
+    var _S634 : u32;
     if(is_again_0)
     {
-        _S547 = u32(3);
+        _S634 = u32(3);
     }
     else
     {
         if(is_square_0)
         {
-            _S547 = u32(2);
+            _S634 = u32(2);
         }
         else
         {
-            _S547 = u32(1);
+            _S634 = u32(1);
         }
     }
-    item_0.kind_2 = _S547;
+    item_0.kind_2 = _S634;
     if(is_square_0)
     {
-        var _S548 : vec2<u32> = pixel_of_square_0(square_4, frame_0);
-        item_0.at_12 = _S548;
+        var _S635 : vec2<u32> = pixel_of_square_0(square_4, frame_0);
+        item_0.at_12 = _S635;
     }
-    var _S549 : bool;
+    var _S636 : bool;
     if(is_square_0)
     {
         if(is_again_0)
         {
-            _S547 = real_time_0.again_0;
+            _S634 = real_time_0.again_0;
         }
         else
         {
-            _S547 = count_8;
+            _S634 = count_8;
         }
-        _S549 = square_4 < _S547;
+        _S636 = square_4 < _S634;
     }
     else
     {
-        _S549 = is_inside_0(vec2<i32>(item_0.at_12));
+        _S636 = is_inside_0(vec2<i32>(item_0.at_12));
     }
-    item_0.traces_0 = _S549;
+    item_0.traces_0 = _S636;
     if(is_square_0)
     {
         if(is_again_0)
         {
-            _S547 = u32(2);
+            _S634 = u32(2);
         }
         else
         {
-            _S547 = (frame_0 & (u32(1)));
+            _S634 = (frame_0 & (u32(1)));
         }
-        _S547 = place_of_square_0(_S547, square_4);
+        _S634 = place_of_square_0(_S634, square_4);
     }
     else
     {
-        _S547 = index_of_0(item_0.at_12);
+        _S634 = index_of_0(item_0.at_12);
     }
-    item_0.place_6 = _S547;
+    item_0.place_6 = _S634;
     if(is_square_0)
     {
-        _S547 = real_time_0.pixels_0 + square_4;
+        _S634 = real_time_0.pixels_0 + square_4;
     }
     else
     {
-        _S547 = item_0.place_6;
+        _S634 = item_0.place_6;
     }
-    item_0.slot_1 = _S547;
-    var _S550 : u32 = params_0.seed_0;
+    item_0.slot_1 = _S634;
+    var _S637 : u32 = params_0.seed_0;
     if(is_square_0)
     {
-        _S547 = u32(3266489909);
+        _S634 = u32(3266489909);
     }
     else
     {
-        _S547 = u32(2654435769);
+        _S634 = u32(2654435769);
     }
-    item_0.sampler_2 = Sampler_x24init_0((_S550 ^ (_S547)), index_of_0(item_0.at_12), frame_0);
+    item_0.sampler_2 = Sampler_x24init_0((_S637 ^ (_S634)), index_of_0(item_0.at_12), frame_0);
     return item_0;
 }
 
@@ -7840,16 +8471,16 @@ struct CameraFrame_0
 
 fn CameraFrame_x24init_0( lens_2 : u32,  eye_3 : vec3<f32>,  corner_3 : vec3<f32>,  pixel_x_2 : vec3<f32>,  pixel_y_2 : vec3<f32>,  lens_x_2 : vec3<f32>,  lens_y_2 : vec3<f32>,  blades_2 : u32) -> CameraFrame_0
 {
-    var _S551 : CameraFrame_0;
-    _S551.lens_1 = lens_2;
-    _S551.eye_2 = eye_3;
-    _S551.corner_2 = corner_3;
-    _S551.pixel_x_1 = pixel_x_2;
-    _S551.pixel_y_1 = pixel_y_2;
-    _S551.lens_x_1 = lens_x_2;
-    _S551.lens_y_1 = lens_y_2;
-    _S551.blades_1 = blades_2;
-    return _S551;
+    var _S638 : CameraFrame_0;
+    _S638.lens_1 = lens_2;
+    _S638.eye_2 = eye_3;
+    _S638.corner_2 = corner_3;
+    _S638.pixel_x_1 = pixel_x_2;
+    _S638.pixel_y_1 = pixel_y_2;
+    _S638.lens_x_1 = lens_x_2;
+    _S638.lens_y_1 = lens_y_2;
+    _S638.blades_1 = blades_2;
+    return _S638;
 }
 
 @id(5) override LENS_0 : u32 = u32(0);
@@ -7864,12 +8495,12 @@ struct Perspective_0
 
 fn Perspective_x24init_0( eye_5 : vec3<f32>,  corner_5 : vec3<f32>,  pixel_x_4 : vec3<f32>,  pixel_y_4 : vec3<f32>) -> Perspective_0
 {
-    var _S552 : Perspective_0;
-    _S552.eye_4 = eye_5;
-    _S552.corner_4 = corner_5;
-    _S552.pixel_x_3 = pixel_x_4;
-    _S552.pixel_y_3 = pixel_y_4;
-    return _S552;
+    var _S639 : Perspective_0;
+    _S639.eye_4 = eye_5;
+    _S639.corner_4 = corner_5;
+    _S639.pixel_x_3 = pixel_x_4;
+    _S639.pixel_y_3 = pixel_y_4;
+    return _S639;
 }
 
 struct Axes_0
@@ -7881,11 +8512,11 @@ struct Axes_0
 
 fn Axes_x24init_0( forward_1 : vec3<f32>,  right_6 : vec3<f32>,  up_1 : vec3<f32>) -> Axes_0
 {
-    var _S553 : Axes_0;
-    _S553.forward_0 = forward_1;
-    _S553.right_5 = right_6;
-    _S553.up_0 = up_1;
-    return _S553;
+    var _S640 : Axes_0;
+    _S640.forward_0 = forward_1;
+    _S640.right_5 = right_6;
+    _S640.up_0 = up_1;
+    return _S640;
 }
 
 struct ThinLens_0
@@ -7898,55 +8529,55 @@ struct ThinLens_0
 
 fn ThinLens_x24init_0( perspective_1 : Perspective_0,  lens_x_4 : vec3<f32>,  lens_y_4 : vec3<f32>,  blades_4 : u32) -> ThinLens_0
 {
-    var _S554 : ThinLens_0;
-    _S554.perspective_0 = perspective_1;
-    _S554.lens_x_3 = lens_x_4;
-    _S554.lens_y_3 = lens_y_4;
-    _S554.blades_3 = blades_4;
-    return _S554;
+    var _S641 : ThinLens_0;
+    _S641.perspective_0 = perspective_1;
+    _S641.lens_x_3 = lens_x_4;
+    _S641.lens_y_3 = lens_y_4;
+    _S641.blades_3 = blades_4;
+    return _S641;
 }
 
 fn concentric_0( square_5 : vec2<f32>) -> vec2<f32>
 {
-    var a_7 : f32 = 2.0f * square_5.x - 1.0f;
-    var b_7 : f32 = 2.0f * square_5.y - 1.0f;
-    var _S555 : bool;
-    if(a_7 == 0.0f)
+    var a_8 : f32 = 2.0f * square_5.x - 1.0f;
+    var b_8 : f32 = 2.0f * square_5.y - 1.0f;
+    var _S642 : bool;
+    if(a_8 == 0.0f)
     {
-        _S555 = b_7 == 0.0f;
+        _S642 = b_8 == 0.0f;
     }
     else
     {
-        _S555 = false;
+        _S642 = false;
     }
-    if(_S555)
+    if(_S642)
     {
         return vec2<f32>(0.0f);
     }
-    var is_across_0 : bool = (abs(a_7)) > (abs(b_7));
+    var is_across_0 : bool = (abs(a_8)) > (abs(b_8));
     var radius_5 : f32;
     if(is_across_0)
     {
-        radius_5 = a_7;
+        radius_5 = a_8;
     }
     else
     {
-        radius_5 = b_7;
+        radius_5 = b_8;
     }
     var turns_3 : f32;
     if(is_across_0)
     {
-        turns_3 = divide_0(b_7, a_7) * 0.125f;
+        turns_3 = divide_0(b_8, a_8) * 0.125f;
     }
     else
     {
-        turns_3 = 0.25f - divide_0(a_7, b_7) * 0.125f;
+        turns_3 = 0.25f - divide_0(a_8, b_8) * 0.125f;
     }
     if(radius_5 < 0.0f)
     {
         turns_3 = turns_3 + 0.5f;
     }
-    var _S556 : f32 = abs(radius_5);
+    var _S643 : f32 = abs(radius_5);
     if(turns_3 < 0.0f)
     {
         radius_5 = turns_3 + 1.0f;
@@ -7955,7 +8586,7 @@ fn concentric_0( square_5 : vec2<f32>) -> vec2<f32>
     {
         radius_5 = turns_3;
     }
-    return vec2<f32>(_S556, radius_5);
+    return vec2<f32>(_S643, radius_5);
 }
 
 fn place_in_aperture_0( blades_5 : u32,  lens_3 : vec2<f32>) -> vec2<f32>
@@ -7973,9 +8604,9 @@ fn place_in_aperture_0( blades_5 : u32,  lens_3 : vec2<f32>) -> vec2<f32>
     var share_13 : f32 = scaled_0 - blade_0;
     var from_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0, count_9));
     var to_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0 + 1.0f, count_9));
-    var _S557 : f32 = from_0.y;
-    var _S558 : f32 = from_0.x;
-    return vec2<f32>(_S557 + (to_0.y - _S557) * share_13, _S558 + (to_0.x - _S558) * share_13) * vec2<f32>(radius_6);
+    var _S644 : f32 = from_0.y;
+    var _S645 : f32 = from_0.x;
+    return vec2<f32>(_S644 + (to_0.y - _S644) * share_13, _S645 + (to_0.x - _S645) * share_13) * vec2<f32>(radius_6);
 }
 
 fn ThinLens_ray_0( this_57 : ThinLens_0,  position_3 : vec2<f32>,  lens_4 : vec2<f32>) -> Ray_0
@@ -7995,12 +8626,12 @@ struct Orthographic_0
 
 fn Orthographic_x24init_0( corner_7 : vec3<f32>,  pixel_x_6 : vec3<f32>,  pixel_y_6 : vec3<f32>,  forward_3 : vec3<f32>) -> Orthographic_0
 {
-    var _S559 : Orthographic_0;
-    _S559.corner_6 = corner_7;
-    _S559.pixel_x_5 = pixel_x_6;
-    _S559.pixel_y_5 = pixel_y_6;
-    _S559.forward_2 = forward_3;
-    return _S559;
+    var _S646 : Orthographic_0;
+    _S646.corner_6 = corner_7;
+    _S646.pixel_x_5 = pixel_x_6;
+    _S646.pixel_y_5 = pixel_y_6;
+    _S646.forward_2 = forward_3;
+    return _S646;
 }
 
 fn Orthographic_ray_0( this_58 : Orthographic_0,  position_4 : vec2<f32>,  lens_5 : vec2<f32>) -> Ray_0
@@ -8018,12 +8649,12 @@ struct Panorama_0
 
 fn Panorama_x24init_0( eye_7 : vec3<f32>,  axes_2 : Axes_0,  inverse_size_1 : vec2<f32>,  half_eye_distance_1 : f32) -> Panorama_0
 {
-    var _S560 : Panorama_0;
-    _S560.eye_6 = eye_7;
-    _S560.axes_1 = axes_2;
-    _S560.inverse_size_0 = inverse_size_1;
-    _S560.half_eye_distance_0 = half_eye_distance_1;
-    return _S560;
+    var _S647 : Panorama_0;
+    _S647.eye_6 = eye_7;
+    _S647.axes_1 = axes_2;
+    _S647.inverse_size_0 = inverse_size_1;
+    _S647.half_eye_distance_0 = half_eye_distance_1;
+    return _S647;
 }
 
 fn Panorama_ray_0( this_59 : Panorama_0,  position_5 : vec2<f32>,  lens_6 : vec2<f32>) -> Ray_0
@@ -8050,9 +8681,9 @@ fn Panorama_ray_0( this_59 : Panorama_0,  position_5 : vec2<f32>,  lens_6 : vec2
     }
     var longitude_0 : vec2<f32> = sincos_turns_0(position_5.x * this_59.inverse_size_0.x);
     var height_2 : vec2<f32> = sincos_turns_0(latitude_1 * 0.5f);
-    var _S561 : vec3<f32> = vec3<f32>(longitude_0.y);
-    var _S562 : vec3<f32> = vec3<f32>(longitude_0.x);
-    return ray_from_0(this_59.eye_6 + (this_59.axes_1.forward_0 * _S562 - this_59.axes_1.right_5 * _S561) * vec3<f32>(side_6), normalize_vector_0((vec3<f32>(0) - this_59.axes_1.forward_0 * _S561 + this_59.axes_1.right_5 * _S562) * vec3<f32>(height_2.x) + this_59.axes_1.up_0 * vec3<f32>(height_2.y)));
+    var _S648 : vec3<f32> = vec3<f32>(longitude_0.y);
+    var _S649 : vec3<f32> = vec3<f32>(longitude_0.x);
+    return ray_from_0(this_59.eye_6 + (this_59.axes_1.forward_0 * _S649 - this_59.axes_1.right_5 * _S648) * vec3<f32>(side_6), normalize_vector_0((vec3<f32>(0) - this_59.axes_1.forward_0 * _S648 + this_59.axes_1.right_5 * _S649) * vec3<f32>(height_2.x) + this_59.axes_1.up_0 * vec3<f32>(height_2.y)));
 }
 
 struct Fisheye_0
@@ -8065,12 +8696,12 @@ struct Fisheye_0
 
 fn Fisheye_x24init_0( eye_9 : vec3<f32>,  axes_4 : Axes_0,  middle_2 : vec2<f32>,  turns_per_pixel_1 : f32) -> Fisheye_0
 {
-    var _S563 : Fisheye_0;
-    _S563.eye_8 = eye_9;
-    _S563.axes_3 = axes_4;
-    _S563.middle_1 = middle_2;
-    _S563.turns_per_pixel_0 = turns_per_pixel_1;
-    return _S563;
+    var _S650 : Fisheye_0;
+    _S650.eye_8 = eye_9;
+    _S650.axes_3 = axes_4;
+    _S650.middle_1 = middle_2;
+    _S650.turns_per_pixel_0 = turns_per_pixel_1;
+    return _S650;
 }
 
 fn Fisheye_ray_0( this_60 : Fisheye_0,  position_6 : vec2<f32>,  lens_7 : vec2<f32>) -> Ray_0
@@ -8131,21 +8762,21 @@ fn camera_ray_1( pixel_2 : vec2<u32>,  camera_0 : CameraFrame_0,  sampler_4 : Sa
     return CameraFrame_ray_0(camera_0, vec2<f32>(pixel_2) + jitter_0.xy, jitter_0.zw);
 }
 
-fn WalkTracer_trace_0( ray_28 : ptr<function, Ray_0>,  is_any_enough_2 : bool) -> Hit_0
+fn WalkTracer_trace_0( ray_29 : ptr<function, Ray_0>,  is_any_enough_2 : bool) -> Hit_0
 {
-    var _S564 : Hit_0 = visit_0(&((*ray_28)), is_any_enough_2, u32(0));
-    return _S564;
+    var _S651 : Hit_0 = visit_0(&((*ray_29)), is_any_enough_2, u32(0));
+    return _S651;
 }
 
-fn WalkTracer_trace_1( ray_29 : ptr<function, Ray_0>,  is_any_enough_3 : bool) -> Hit_0
+fn WalkTracer_trace_1( ray_30 : ptr<function, Ray_0>,  is_any_enough_3 : bool) -> Hit_0
 {
-    var _S565 : Hit_0 = visit_1(&((*ray_29)), is_any_enough_3, u32(0));
-    return _S565;
+    var _S652 : Hit_0 = visit_1(&((*ray_30)), is_any_enough_3, u32(0));
+    return _S652;
 }
 
-fn set_scratch_row_0( row_4 : u32,  index_31 : u32,  value_3 : vec2<u32>)
+fn set_scratch_row_0( row_4 : u32,  index_28 : u32,  value_3 : vec2<u32>)
 {
-    scratch_0[row_4 * real_time_0.slots_0 + index_31] = value_3;
+    scratch_0[row_4 * real_time_0.slots_0 + index_28] = value_3;
     return;
 }
 
@@ -8162,10 +8793,10 @@ fn set_end_word_0( slot_4 : u32,  word_9 : u32)
     return;
 }
 
-fn keep_hit_0( slot_5 : u32,  hit_21 : Hit_0)
+fn keep_hit_0( slot_5 : u32,  hit_24 : Hit_0)
 {
-    set_words_0(slot_5, vec3<u32>(hit_21.voxel_0));
-    set_end_word_0(slot_5, hit_21.instance_0);
+    set_words_0(slot_5, vec3<u32>(hit_24.voxel_0));
+    set_end_word_0(slot_5, hit_24.instance_0);
     return;
 }
 
@@ -8184,30 +8815,30 @@ fn trace_camera(@builtin(global_invocation_id) id_0 : vec3<u32>)
     var item_1 : Item_0 = item_of_0(real_time_0.cells_0 + id_0.x);
     if(item_1.traces_0)
     {
-        var ray_30 : Ray_0 = camera_ray_1(item_1.at_12, FrameParams_camera_0(), item_1.sampler_2);
-        var _S566 : Hit_0 = WalkTracer_trace_1(&(ray_30), false);
-        keep_hit_0(item_1.slot_1, _S566);
+        var ray_31 : Ray_0 = camera_ray_1(item_1.at_12, FrameParams_camera_0(), item_1.sampler_2);
+        var _S653 : Hit_0 = WalkTracer_trace_1(&(ray_31), false);
+        keep_hit_0(item_1.slot_1, _S653);
     }
     return;
 }
 
 fn Sample_x24init_0( direct_1 : vec3<f32>,  light_14 : vec3<f32>,  is_shown_1 : bool,  albedo_1 : vec3<f32>,  normal_5 : vec3<f32>,  place_9 : vec3<f32>,  instance_14 : u32) -> Sample_0
 {
-    var _S567 : Sample_0;
-    _S567.direct_0 = direct_1;
-    _S567.light_9 = light_14;
-    _S567.is_shown_0 = is_shown_1;
-    _S567.albedo_0 = albedo_1;
-    _S567.normal_4 = normal_5;
-    _S567.place_4 = place_9;
-    _S567.instance_11 = instance_14;
-    return _S567;
+    var _S654 : Sample_0;
+    _S654.direct_0 = direct_1;
+    _S654.light_9 = light_14;
+    _S654.is_shown_0 = is_shown_1;
+    _S654.albedo_0 = albedo_1;
+    _S654.normal_4 = normal_5;
+    _S654.place_4 = place_9;
+    _S654.instance_11 = instance_14;
+    return _S654;
 }
 
 fn no_sample_0() -> Sample_0
 {
-    var _S568 : vec3<f32> = vec3<f32>(0.0f);
-    return Sample_x24init_0(_S568, _S568, false, _S568, _S568, _S568, u32(4294967295));
+    var _S655 : vec3<f32> = vec3<f32>(0.0f);
+    return Sample_x24init_0(_S655, _S655, false, _S655, _S655, _S655, u32(4294967295));
 }
 
 fn Item_is_cell_0( this_63 : Item_0) -> bool
@@ -8217,28 +8848,28 @@ fn Item_is_cell_0( this_63 : Item_0) -> bool
 
 fn Key_voxel_0( this_64 : Key_0,  code_5 : u32,  scramble_0 : u32) -> vec3<i32>
 {
-    var _S569 : u32 = Key_level_0(this_64);
-    var bits_4 : u32 = ((u32(1) << (_S569))) - u32(1);
+    var _S656 : u32 = Key_level_0(this_64);
+    var bits_4 : u32 = ((u32(1) << (_S656))) - u32(1);
     var place_10 : u32 = ((code_5 - u32(1)) ^ (((scramble_0 & ((Key_mask_0(this_64)))))));
-    return (((this_64.cube_0) << (vec3<u32>(u32(i32(_S569)))))) + vec3<i32>(i32((place_10 & (bits_4))), i32((((place_10 >> (_S569))) & (bits_4))), i32((((place_10 >> ((u32(2) * _S569)))) & (bits_4))));
+    return (((this_64.cube_0) << (vec3<u32>(u32(i32(_S656)))))) + vec3<i32>(i32((place_10 & (bits_4))), i32((((place_10 >> (_S656))) & (bits_4))), i32((((place_10 >> ((u32(2) * _S656)))) & (bits_4))));
 }
 
 fn Path_x24init_0( sampler_5 : Sampler_0,  bounce_4 : u32,  event_2 : u32,  kinds_1 : u32,  scattered_5 : u32,  beta_1 : vec3<f32>,  pdf_14 : f32,  normal_6 : vec3<f32>,  selection_5 : Selection_0,  passed_t_1 : f32,  inside_8 : Inside_0,  is_clipped_1 : bool) -> Path_0
 {
-    var _S570 : Path_0;
-    _S570.sampler_0 = sampler_5;
-    _S570.bounce_0 = bounce_4;
-    _S570.event_0 = event_2;
-    _S570.kinds_0 = kinds_1;
-    _S570.scattered_0 = scattered_5;
-    _S570.beta_0 = beta_1;
-    _S570.pdf_1 = pdf_14;
-    _S570.normal_0 = normal_6;
-    _S570.selection_0 = selection_5;
-    _S570.passed_t_0 = passed_t_1;
-    _S570.inside_0 = inside_8;
-    _S570.is_clipped_0 = is_clipped_1;
-    return _S570;
+    var _S657 : Path_0;
+    _S657.sampler_0 = sampler_5;
+    _S657.bounce_0 = bounce_4;
+    _S657.event_0 = event_2;
+    _S657.kinds_0 = kinds_1;
+    _S657.scattered_0 = scattered_5;
+    _S657.beta_0 = beta_1;
+    _S657.pdf_1 = pdf_14;
+    _S657.normal_0 = normal_6;
+    _S657.selection_0 = selection_5;
+    _S657.passed_t_0 = passed_t_1;
+    _S657.inside_0 = inside_8;
+    _S657.is_clipped_0 = is_clipped_1;
+    return _S657;
 }
 
 fn path_from_0( sampler_6 : Sampler_0) -> Path_0
@@ -8248,9 +8879,9 @@ fn path_from_0( sampler_6 : Sampler_0) -> Path_0
 
 fn orthonormal_pair_0( z_1 : vec3<f32>,  x_11 : ptr<function, vec3<f32>>,  y_6 : ptr<function, vec3<f32>>)
 {
-    var _S571 : f32 = z_1.z;
+    var _S658 : f32 = z_1.z;
     var sign_1 : f32;
-    if(_S571 < 0.0f)
+    if(_S658 < 0.0f)
     {
         sign_1 = -1.0f;
     }
@@ -8258,12 +8889,12 @@ fn orthonormal_pair_0( z_1 : vec3<f32>,  x_11 : ptr<function, vec3<f32>>,  y_6 :
     {
         sign_1 = 1.0f;
     }
-    var a_8 : f32 = divide_0(-1.0f, sign_1 + _S571);
-    var _S572 : f32 = z_1.x;
-    var _S573 : f32 = z_1.y;
-    var b_8 : f32 = _S572 * _S573 * a_8;
-    (*x_11) = vec3<f32>(1.0f + sign_1 * _S572 * _S572 * a_8, sign_1 * b_8, - sign_1 * _S572);
-    (*y_6) = vec3<f32>(b_8, sign_1 + _S573 * _S573 * a_8, - _S573);
+    var a_9 : f32 = divide_0(-1.0f, sign_1 + _S658);
+    var _S659 : f32 = z_1.x;
+    var _S660 : f32 = z_1.y;
+    var b_9 : f32 = _S659 * _S660 * a_9;
+    (*x_11) = vec3<f32>(1.0f + sign_1 * _S659 * _S659 * a_9, sign_1 * b_9, - sign_1 * _S659);
+    (*y_6) = vec3<f32>(b_9, sign_1 + _S660 * _S660 * a_9, - _S660);
     return;
 }
 
@@ -8274,9 +8905,9 @@ fn direction_from_cell_0( sampler_7 : Sampler_0,  normal_7 : vec3<f32>,  pdf_15 
     var y_7 : vec3<f32>;
     orthonormal_pair_0(normal_7, &(x_12), &(y_7));
     var local_5 : vec3<f32> = cosine_hemisphere_0(u_30.z, u_30.w);
-    var _S574 : f32 = local_5.z;
-    (*pdf_15) = cosine_hemisphere_pdf_0(_S574);
-    return x_12 * vec3<f32>(local_5.x) + y_7 * vec3<f32>(local_5.y) + normal_7 * vec3<f32>(_S574);
+    var _S661 : f32 = local_5.z;
+    (*pdf_15) = cosine_hemisphere_pdf_0(_S661);
+    return x_12 * vec3<f32>(local_5.x) + y_7 * vec3<f32>(local_5.y) + normal_7 * vec3<f32>(_S661);
 }
 
 fn direction_from_cell_1( sampler_8 : Sampler_0,  normal_8 : vec3<f32>,  pdf_16 : ptr<function, f32>) -> vec3<f32>
@@ -8286,57 +8917,57 @@ fn direction_from_cell_1( sampler_8 : Sampler_0,  normal_8 : vec3<f32>,  pdf_16 
     var y_8 : vec3<f32>;
     orthonormal_pair_0(normal_8, &(x_13), &(y_8));
     var local_6 : vec3<f32> = cosine_hemisphere_0(u_31.z, u_31.w);
-    var _S575 : f32 = local_6.z;
-    (*pdf_16) = cosine_hemisphere_pdf_0(_S575);
-    return x_13 * vec3<f32>(local_6.x) + y_8 * vec3<f32>(local_6.y) + normal_8 * vec3<f32>(_S575);
+    var _S662 : f32 = local_6.z;
+    (*pdf_16) = cosine_hemisphere_pdf_0(_S662);
+    return x_13 * vec3<f32>(local_6.x) + y_8 * vec3<f32>(local_6.y) + normal_8 * vec3<f32>(_S662);
 }
 
-fn Surface_x24init_0( origin_11 : vec3<f32>,  normal_9 : vec3<f32>,  face_10 : u32,  instance_15 : u32) -> Surface_0
+fn Surface_x24init_0( origin_13 : vec3<f32>,  normal_9 : vec3<f32>,  face_10 : u32,  instance_15 : u32) -> Surface_0
 {
-    var _S576 : Surface_0;
-    _S576.origin_9 = origin_11;
-    _S576.normal_2 = normal_9;
-    _S576.face_2 = face_10;
-    _S576.instance_8 = instance_15;
-    return _S576;
+    var _S663 : Surface_0;
+    _S663.origin_9 = origin_13;
+    _S663.normal_2 = normal_9;
+    _S663.face_2 = face_10;
+    _S663.instance_8 = instance_15;
+    return _S663;
 }
 
-fn Walker_x24init_0( path_14 : Path_0,  ray_31 : Ray_0,  is_shadow_ray_1 : bool,  light_15 : vec3<f32>,  direction_30 : vec3<f32>,  path_origin_3 : vec3<f32>,  shadow_inside_3 : Inside_0,  boundaries_1 : u32,  relocates_3 : bool,  path_relocates_3 : bool,  camera_ray_2 : Ray_0,  way_7 : f32,  has_shown_1 : bool,  asks_cache_1 : bool,  life_3 : u32,  is_at_cell_1 : bool) -> Walker_0
+fn Walker_x24init_0( path_14 : Path_0,  ray_32 : Ray_0,  is_shadow_ray_1 : bool,  light_15 : vec3<f32>,  direction_31 : vec3<f32>,  path_origin_3 : vec3<f32>,  shadow_inside_3 : Inside_0,  boundaries_1 : u32,  relocates_3 : bool,  path_relocates_3 : bool,  camera_ray_2 : Ray_0,  way_7 : f32,  has_shown_1 : bool,  asks_cache_1 : bool,  life_3 : u32,  is_at_cell_1 : bool) -> Walker_0
 {
-    var _S577 : Walker_0;
-    _S577.path_9 = path_14;
-    _S577.ray_20 = ray_31;
-    _S577.is_shadow_ray_0 = is_shadow_ray_1;
-    _S577.light_8 = light_15;
-    _S577.direction_29 = direction_30;
-    _S577.path_origin_2 = path_origin_3;
-    _S577.shadow_inside_2 = shadow_inside_3;
-    _S577.boundaries_0 = boundaries_1;
-    _S577.relocates_2 = relocates_3;
-    _S577.path_relocates_2 = path_relocates_3;
-    _S577.camera_ray_0 = camera_ray_2;
-    _S577.way_6 = way_7;
-    _S577.has_shown_0 = has_shown_1;
-    _S577.asks_cache_0 = asks_cache_1;
-    _S577.life_0 = life_3;
-    _S577.is_at_cell_0 = is_at_cell_1;
-    return _S577;
+    var _S664 : Walker_0;
+    _S664.path_9 = path_14;
+    _S664.ray_21 = ray_32;
+    _S664.is_shadow_ray_0 = is_shadow_ray_1;
+    _S664.light_8 = light_15;
+    _S664.direction_29 = direction_31;
+    _S664.path_origin_2 = path_origin_3;
+    _S664.shadow_inside_2 = shadow_inside_3;
+    _S664.boundaries_0 = boundaries_1;
+    _S664.relocates_2 = relocates_3;
+    _S664.path_relocates_2 = path_relocates_3;
+    _S664.camera_ray_0 = camera_ray_2;
+    _S664.way_6 = way_7;
+    _S664.has_shown_0 = has_shown_1;
+    _S664.asks_cache_0 = asks_cache_1;
+    _S664.life_0 = life_3;
+    _S664.is_at_cell_0 = is_at_cell_1;
+    return _S664;
 }
 
 fn at_cell_0( key_5 : Key_0,  rank_7 : u32,  sampler_9 : Sampler_0) -> Walker_0
 {
     var face_11 : u32 = ((key_5.face_and_level_0) & (u32(7)));
-    var axis_7 : u32 = (face_11 >> (u32(1)));
+    var axis_8 : u32 = (face_11 >> (u32(1)));
     var u_32 : vec4<f32> = Sampler_independent_0(sampler_9, u32(0));
-    var _S578 : vec3<f32> = vec3<f32>(Key_voxel_0(key_5, (rank_7 & (u32(1048575))), scramble_of_0(real_time_0.number_0 - u32(1))));
+    var _S665 : vec3<f32> = vec3<f32>(Key_voxel_0(key_5, (rank_7 & (u32(1048575))), scramble_of_0(real_time_0.number_0 - u32(1))));
     var on_face_2 : vec3<f32>;
-    if(axis_7 == u32(0))
+    if(axis_8 == u32(0))
     {
         on_face_2 = vec3<f32>(0.0f, u_32.x, u_32.y);
     }
     else
     {
-        if(axis_7 == u32(1))
+        if(axis_8 == u32(1))
         {
             on_face_2 = vec3<f32>(u_32.y, 0.0f, u_32.x);
         }
@@ -8345,16 +8976,16 @@ fn at_cell_0( key_5 : Key_0,  rank_7 : u32,  sampler_9 : Sampler_0) -> Walker_0
             on_face_2 = vec3<f32>(u_32.x, u_32.y, 0.0f);
         }
     }
-    var _S579 : vec3<f32> = Transform_point_1(key_5.instance_12, offset_ray_origin_0(vector_of_0(instances_0[key_5.instance_12].grid_from_world_0.translation_0), _S578, face_11, _S578 + on_face_2));
-    var _S580 : vec3<f32> = world_normal_0(key_5.instance_12, face_11);
+    var _S666 : vec3<f32> = Transform_point_1(key_5.instance_12, offset_ray_origin_0(vector_of_0(instances_0[key_5.instance_12].grid_from_world_0.translation_0), _S665, face_11, _S665 + on_face_2));
+    var _S667 : vec3<f32> = world_normal_0(key_5.instance_12, face_11);
     var path_15 : Path_0 = path_from_0(sampler_9);
-    var _S581 : f32 = path_15.pdf_1;
-    var direction_31 : vec3<f32> = direction_from_cell_0(sampler_9, _S580, &(_S581));
-    path_15.pdf_1 = _S581;
-    var receiver_29 : Receiver_0 = Receiver_x24init_0(_S579, _S580);
+    var _S668 : f32 = path_15.pdf_1;
+    var direction_32 : vec3<f32> = direction_from_cell_0(sampler_9, _S667, &(_S668));
+    path_15.pdf_1 = _S668;
+    var receiver_29 : Receiver_0 = Receiver_x24init_0(_S666, _S667);
     path_15.selection_0 = Lights_selection_0(receiver_29);
-    path_15.normal_0 = _S580;
-    var surface_6 : Surface_0 = Surface_x24init_0(_S579, _S580, face_11, key_5.instance_12);
+    path_15.normal_0 = _S667;
+    var surface_6 : Surface_0 = Surface_x24init_0(_S666, _S667, face_11, key_5.instance_12);
     var white_0 : MaterialBsdf_0;
     white_0.kind_0 = u32(0);
     white_0.color_0 = vec3<f32>(1.0f);
@@ -8362,8 +8993,8 @@ fn at_cell_0( key_5 : Key_0,  rank_7 : u32,  sampler_9 : Sampler_0) -> Walker_0
     white_0.eta_0 = 1.0f;
     white_0.facets_0.alpha_0 = 1.0f;
     scatter_of_path_0 = Scatter_x24init_0(path_15, receiver_29, surface_6, white_0, vec3<f32>(0.0f, 0.0f, 1.0f), 1.0f, false, true);
-    var ray_32 : Ray_0 = ray_from_0(_S579, direction_31);
-    return Walker_x24init_0(path_15, ray_32, false, vec3<f32>(0.0f), direction_31, _S579, in_air_0(), u32(0), false, false, ray_32, 0.0f, true, true, max((rank_7 >> (u32(20))), u32(1)) - u32(1), true);
+    var ray_33 : Ray_0 = ray_from_0(_S666, direction_32);
+    return Walker_x24init_0(path_15, ray_33, false, vec3<f32>(0.0f), direction_32, _S666, in_air_0(), u32(0), false, false, ray_33, 0.0f, true, true, max((rank_7 >> (u32(20))), u32(1)) - u32(1), true);
 }
 
 fn camera_before_0() -> CameraFrame_0
@@ -8373,30 +9004,30 @@ fn camera_before_0() -> CameraFrame_0
 
 fn Item_asks_cache_0( this_65 : Item_0) -> bool
 {
-    var _S582 : bool;
+    var _S669 : bool;
     if(Item_is_cell_0(this_65))
     {
-        _S582 = true;
+        _S669 = true;
     }
     else
     {
         if((this_65.kind_2) == u32(1))
         {
-            _S582 = has_0(u32(1));
+            _S669 = has_0(u32(1));
         }
         else
         {
-            _S582 = false;
+            _S669 = false;
         }
     }
-    return _S582;
+    return _S669;
 }
 
 fn at_camera_0( pixel_3 : vec2<u32>,  camera_1 : CameraFrame_0,  sampler_10 : Sampler_0,  asks_cache_2 : bool) -> Walker_0
 {
-    var ray_33 : Ray_0 = camera_ray_1(pixel_3, camera_1, sampler_10);
-    var _S583 : vec3<f32> = vec3<f32>(0.0f);
-    return Walker_x24init_0(path_from_0(sampler_10), ray_33, false, _S583, _S583, _S583, in_air_0(), u32(0), true, true, ray_33, 0.0f, false, asks_cache_2, u32(10), false);
+    var ray_34 : Ray_0 = camera_ray_1(pixel_3, camera_1, sampler_10);
+    var _S670 : vec3<f32> = vec3<f32>(0.0f);
+    return Walker_x24init_0(path_from_0(sampler_10), ray_34, false, _S670, _S670, _S670, in_air_0(), u32(0), true, true, ray_34, 0.0f, false, asks_cache_2, u32(10), false);
 }
 
 fn Item_start_0( this_66 : Item_0) -> Walker_0
@@ -8405,10 +9036,10 @@ fn Item_start_0( this_66 : Item_0) -> Walker_0
     {
         var rank_8 : u32;
         var key_6 : Key_0 = Item_key_1(this_66, &(rank_8));
-        var _S584 : Walker_0 = at_cell_0(key_6, rank_8, this_66.sampler_2);
-        return _S584;
+        var _S671 : Walker_0 = at_cell_0(key_6, rank_8, this_66.sampler_2);
+        return _S671;
     }
-    var _S585 : CameraFrame_0 = FrameParams_camera_0();
+    var _S672 : CameraFrame_0 = FrameParams_camera_0();
     var camera_2 : CameraFrame_0;
     if((this_66.kind_2) == u32(3))
     {
@@ -8416,14 +9047,14 @@ fn Item_start_0( this_66 : Item_0) -> Walker_0
     }
     else
     {
-        camera_2 = _S585;
+        camera_2 = _S672;
     }
     return at_camera_0(this_66.at_12, camera_2, this_66.sampler_2, Item_asks_cache_0(this_66));
 }
 
-fn scratch_row_0( row_5 : u32,  index_32 : u32) -> vec2<u32>
+fn scratch_row_0( row_5 : u32,  index_29 : u32) -> vec2<u32>
 {
-    return scratch_0[row_5 * real_time_0.slots_0 + index_32];
+    return scratch_0[row_5 * real_time_0.slots_0 + index_29];
 }
 
 fn end_word_0( slot_6 : u32) -> u32
@@ -8436,14 +9067,14 @@ fn words_in_0( slot_7 : u32) -> vec3<u32>
     return vec3<u32>(scratch_row_0(u32(8), slot_7).y, scratch_row_0(u32(9), slot_7));
 }
 
-fn hit_in_slot_0( slot_8 : u32,  ray_34 : Ray_0) -> Hit_0
+fn hit_in_slot_0( slot_8 : u32,  ray_35 : Ray_0) -> Hit_0
 {
     var instance_16 : u32 = end_word_0(slot_8);
     if(instance_16 == u32(4294967295))
     {
         return miss_0();
     }
-    return hit_of_0(local_ray_0(ray_34, instance_16), vec3<i32>(words_in_0(slot_8)), instance_16);
+    return hit_of_0(local_ray_0(ray_35, instance_16), vec3<i32>(words_in_0(slot_8)), instance_16);
 }
 
 struct Slot_0
@@ -8455,54 +9086,54 @@ struct Slot_0
 
 fn Slot_x24init_0( item_3 : Item_0,  own_4 : u32,  lent_1 : u32) -> Slot_0
 {
-    var _S586 : Slot_0;
-    _S586.item_2 = item_3;
-    _S586.own_3 = own_4;
-    _S586.lent_0 = lent_1;
-    return _S586;
+    var _S673 : Slot_0;
+    _S673.item_2 = item_3;
+    _S673.own_3 = own_4;
+    _S673.lent_0 = lent_1;
+    return _S673;
 }
 
-fn asks_2( path_16 : Path_0,  ray_35 : Ray_0,  hit_22 : Hit_0,  beyond_13 : u32,  life_4 : u32,  light_16 : ptr<function, vec3<f32>>) -> bool
+fn asks_2( path_16 : Path_0,  ray_36 : Ray_0,  hit_25 : Hit_0,  beyond_13 : u32,  life_4 : u32,  light_16 : ptr<function, vec3<f32>>) -> bool
 {
     (*light_16) = vec3<f32>(0.0f);
-    var _S587 : bool;
-    if(Hit_is_miss_0(hit_22))
+    var _S674 : bool;
+    if(Hit_is_miss_0(hit_25))
     {
-        _S587 = true;
+        _S674 = true;
     }
     else
     {
-        _S587 = Inside_is_in_0(path_16.inside_0);
+        _S674 = Inside_is_in_0(path_16.inside_0);
     }
-    if(_S587)
+    if(_S674)
     {
         return false;
     }
-    var material_18 : PackedMaterial_0 = material_met_0(path_16, hit_22, beyond_13);
+    var material_18 : PackedMaterial_0 = material_met_0(path_16, hit_25, beyond_13);
     if((material_18.metallic_0) > 0.0f)
     {
-        _S587 = true;
+        _S674 = true;
     }
     else
     {
-        _S587 = (material_18.transmission_0) > 0.0f;
+        _S674 = (material_18.transmission_0) > 0.0f;
     }
-    if(_S587)
+    if(_S674)
     {
         return false;
     }
     var code_6 : u32;
-    var key_7 : Key_0 = key_of_1(hit_22, square_root_0(length_squared_0(ray_35.origin_1 + ray_35.direction_0 * vec3<f32>(hit_22.t_0) - real_time_0.eye_0)) * real_time_0.view_angle_0 * 0.05882352963089943f, Sampler_independent_0(path_16.sampler_0, u32(3221225472) + Path_events_0(path_16)).x, &(code_6));
+    var key_7 : Key_0 = key_of_1(hit_25, square_root_0(length_squared_0(ray_36.origin_1 + ray_36.direction_0 * vec3<f32>(hit_25.t_0) - real_time_0.eye_0)) * real_time_0.view_angle_0 * 0.05882352963089943f, Sampler_independent_0(path_16.sampler_0, u32(3221225472) + Path_events_0(path_16)).x, &(code_6));
     var least_2 : f32 = 2.0f * f32((u32(1) << ((Key_level_0(key_7)))));
     if(life_4 == u32(0))
     {
-        _S587 = true;
+        _S674 = true;
     }
     else
     {
-        _S587 = (hit_22.t_0 * square_root_0(length_squared_0(ray_35.direction_0))) < least_2;
+        _S674 = (hit_25.t_0 * square_root_0(length_squared_0(ray_36.direction_0))) < least_2;
     }
-    if(_S587)
+    if(_S674)
     {
         return false;
     }
@@ -8517,67 +9148,67 @@ fn asks_2( path_16 : Path_0,  ray_35 : Ray_0,  hit_22 : Hit_0,  beyond_13 : u32,
 
 fn packed_normal_0( normal_10 : vec3<f32>) -> u32
 {
-    var _S588 : vec3<i32> = vec3<i32>(floor(clamp(normal_10, vec3<f32>(-1.0f), vec3<f32>(1.0f)) * vec3<f32>(511.0f) + vec3<f32>(0.5f)));
-    return (((((u32(_S588.x) & (u32(1023)))) | (((((u32(_S588.y) & (u32(1023)))) << (u32(10))))))) | (((((u32(_S588.z) & (u32(1023)))) << (u32(20))))));
+    var _S675 : vec3<i32> = vec3<i32>(floor(clamp(normal_10, vec3<f32>(-1.0f), vec3<f32>(1.0f)) * vec3<f32>(511.0f) + vec3<f32>(0.5f)));
+    return (((((u32(_S675.x) & (u32(1023)))) | (((((u32(_S675.y) & (u32(1023)))) << (u32(10))))))) | (((((u32(_S675.z) & (u32(1023)))) << (u32(20))))));
 }
 
-fn store_sample_0( index_33 : u32,  sample_23 : Sample_0)
+fn store_sample_0( index_30 : u32,  sample_23 : Sample_0)
 {
-    var _S589 : u32 = packed_normal_0(sample_23.normal_4);
-    var _S590 : u32;
+    var _S676 : u32 = packed_normal_0(sample_23.normal_4);
+    var _S677 : u32;
     if(sample_23.is_shown_0)
     {
-        _S590 = u32(1073741824);
+        _S677 = u32(1073741824);
     }
     else
     {
-        _S590 = u32(0);
+        _S677 = u32(0);
     }
-    var normal_11 : u32 = (_S589 | (_S590));
-    set_scratch_row_0(u32(0), index_33, (bitcast<vec2<u32>>((sample_23.light_9.xy))));
-    set_scratch_row_0(u32(1), index_33, vec2<u32>((bitcast<u32>((sample_23.light_9.z))), sample_23.instance_11));
-    set_scratch_row_0(u32(2), index_33, (bitcast<vec2<u32>>((sample_23.direct_0.xy))));
-    set_scratch_row_0(u32(3), index_33, (bitcast<vec2<u32>>((vec2<f32>(sample_23.direct_0.z, sample_23.place_4.x)))));
-    set_scratch_row_0(u32(4), index_33, (bitcast<vec2<u32>>((sample_23.place_4.yz))));
-    set_scratch_row_0(u32(5), index_33, (bitcast<vec2<u32>>((sample_23.albedo_0.xy))));
-    set_scratch_row_0(u32(6), index_33, vec2<u32>((bitcast<u32>((sample_23.albedo_0.z))), normal_11));
+    var normal_11 : u32 = (_S676 | (_S677));
+    set_scratch_row_0(u32(0), index_30, (bitcast<vec2<u32>>((sample_23.light_9.xy))));
+    set_scratch_row_0(u32(1), index_30, vec2<u32>((bitcast<u32>((sample_23.light_9.z))), sample_23.instance_11));
+    set_scratch_row_0(u32(2), index_30, (bitcast<vec2<u32>>((sample_23.direct_0.xy))));
+    set_scratch_row_0(u32(3), index_30, (bitcast<vec2<u32>>((vec2<f32>(sample_23.direct_0.z, sample_23.place_4.x)))));
+    set_scratch_row_0(u32(4), index_30, (bitcast<vec2<u32>>((sample_23.place_4.yz))));
+    set_scratch_row_0(u32(5), index_30, (bitcast<vec2<u32>>((sample_23.albedo_0.xy))));
+    set_scratch_row_0(u32(6), index_30, vec2<u32>((bitcast<u32>((sample_23.albedo_0.z))), normal_11));
     return;
 }
 
 fn Slot_keep_0( this_67 : Slot_0,  at_18 : Walker_0,  instance_17 : u32,  face_12 : u32)
 {
     var word_10 : u32 = (((((instance_17 << (u32(5)))) | ((((at_18.path_9.bounce_0) << (u32(3))))))) | (face_12));
-    var _S591 : u32;
+    var _S678 : u32;
     if(at_18.is_shadow_ray_0)
     {
-        _S591 = (bitcast<u32>((at_18.ray_20.t_max_0)));
+        _S678 = (bitcast<u32>((at_18.ray_21.t_max_0)));
     }
     else
     {
-        _S591 = u32(0);
+        _S678 = u32(0);
     }
-    set_scratch_row_0(u32(4), this_67.own_3, vec2<u32>(_S591, word_10));
-    set_scratch_row_0(u32(7), this_67.own_3, (bitcast<vec2<u32>>((at_18.ray_20.origin_1.xy))));
-    set_scratch_row_0(u32(8), this_67.own_3, (bitcast<vec2<u32>>((vec2<f32>(at_18.ray_20.origin_1.z, at_18.ray_20.direction_0.x)))));
-    set_scratch_row_0(u32(9), this_67.own_3, (bitcast<vec2<u32>>((at_18.ray_20.direction_0.yz))));
+    set_scratch_row_0(u32(4), this_67.own_3, vec2<u32>(_S678, word_10));
+    set_scratch_row_0(u32(7), this_67.own_3, (bitcast<vec2<u32>>((at_18.ray_21.origin_1.xy))));
+    set_scratch_row_0(u32(8), this_67.own_3, (bitcast<vec2<u32>>((vec2<f32>(at_18.ray_21.origin_1.z, at_18.ray_21.direction_0.x)))));
+    set_scratch_row_0(u32(9), this_67.own_3, (bitcast<vec2<u32>>((at_18.ray_21.direction_0.yz))));
     return;
 }
 
 fn Slot_keep_first_0( this_68 : Slot_0,  at_19 : Walker_0,  instance_18 : u32,  face_13 : u32,  t_18 : f32,  sample_24 : Sample_0)
 {
-    var _S592 : Sample_0 = sample_24;
-    var _S593 : vec3<f32>;
+    var _S679 : Sample_0 = sample_24;
+    var _S680 : vec3<f32>;
     if(at_19.is_shadow_ray_0)
     {
-        _S593 = at_19.light_8;
+        _S680 = at_19.light_8;
     }
     else
     {
-        _S593 = vec3<f32>(0.0f);
+        _S680 = vec3<f32>(0.0f);
     }
-    _S592.light_9 = _S593;
-    _S592.albedo_0 = at_19.path_9.beta_0;
-    store_sample_0(this_68.own_3, _S592);
+    _S679.light_9 = _S680;
+    _S679.albedo_0 = at_19.path_9.beta_0;
+    store_sample_0(this_68.own_3, _S679);
     scratch_0[u32(3) * real_time_0.slots_0 + this_68.own_3][i32(1)] = (bitcast<u32>((t_18)));
     Slot_keep_0(this_68, at_19, instance_18, face_13);
     return;
@@ -8585,16 +9216,16 @@ fn Slot_keep_first_0( this_68 : Slot_0,  at_19 : Walker_0,  instance_18 : u32,  
 
 fn light_on_0( sample_25 : Sample_0) -> f32
 {
-    var _S594 : f32;
+    var _S681 : f32;
     if(sample_25.is_shown_0)
     {
-        _S594 = luminance_0(sample_25.light_9) / (luminance_0(sample_25.albedo_0) + 0.00300000002607703f);
+        _S681 = luminance_0(sample_25.light_9) / (luminance_0(sample_25.albedo_0) + 0.00300000002607703f);
     }
     else
     {
-        _S594 = 0.0f;
+        _S681 = 0.0f;
     }
-    return _S594;
+    return _S681;
 }
 
 fn Item_end_0( this_69 : Item_0,  sample_26 : Sample_0)
@@ -8643,34 +9274,34 @@ fn trace_light(@builtin(global_invocation_id) id_1 : vec3<u32>)
         scatter_of_path_0.wants_light_0 = false;
         first_candidates_0 = real_time_0.candidates_0;
         var sample_28 : Sample_0 = no_sample_0();
-        var _S595 : Walker_0 = Item_start_0(item_4);
-        var at_20 : Walker_0 = _S595;
-        var _S596 : Hit_0 = miss_0();
-        var hit_23 : Hit_0;
+        var _S682 : Walker_0 = Item_start_0(item_4);
+        var at_20 : Walker_0 = _S682;
+        var _S683 : Hit_0 = miss_0();
+        var hit_26 : Hit_0;
         var instance_19 : u32;
         var face_14 : u32;
         if(Item_is_cell_0(item_4))
         {
             var rank_9 : u32;
             var key_8 : Key_0 = Item_key_2(item_4, &(rank_9));
-            var _S597 : u32 = ((key_8.face_and_level_0) & (u32(7)));
-            hit_23 = _S596;
+            var _S684 : u32 = ((key_8.face_and_level_0) & (u32(7)));
+            hit_26 = _S683;
             instance_19 = key_8.instance_12;
-            face_14 = _S597;
+            face_14 = _S684;
         }
         else
         {
-            var hit_24 : Hit_0 = hit_in_slot_0(item_4.slot_1, at_20.ray_20);
-            hit_23 = hit_24;
-            instance_19 = hit_24.instance_0;
-            face_14 = hit_24.face_0;
+            var hit_27 : Hit_0 = hit_in_slot_0(item_4.slot_1, at_20.ray_21);
+            hit_26 = hit_27;
+            instance_19 = hit_27.instance_0;
+            face_14 = hit_27.face_0;
         }
-        var _S598 : u32 = item_4.slot_1;
-        var slot_10 : Slot_0 = Slot_x24init_0(item_4, _S598, _S598);
-        var _S599 : bool = goes_on_from_1(&(at_20), hit_23, u32(4294967295), &(sample_28));
-        if(_S599)
+        var _S685 : u32 = item_4.slot_1;
+        var slot_10 : Slot_0 = Slot_x24init_0(item_4, _S685, _S685);
+        var _S686 : bool = goes_on_from_1(&(at_20), hit_26, u32(4294967295), &(sample_28));
+        if(_S686)
         {
-            Slot_keep_first_0(slot_10, at_20, instance_19, face_14, hit_23.t_0, sample_28);
+            Slot_keep_first_0(slot_10, at_20, instance_19, face_14, hit_26.t_0, sample_28);
         }
         else
         {
@@ -8712,20 +9343,20 @@ fn Slot_face_0( this_74 : Slot_0) -> u32
 
 fn Slot_ray_0( this_75 : Slot_0,  pdf_17 : ptr<function, f32>) -> Ray_0
 {
-    var _S600 : bool;
+    var _S687 : bool;
     if(Item_is_cell_0(this_75.item_2))
     {
-        _S600 = (Slot_bounce_0(this_75)) == u32(1);
+        _S687 = (Slot_bounce_0(this_75)) == u32(1);
     }
     else
     {
-        _S600 = false;
+        _S687 = false;
     }
-    var direction_32 : vec3<f32>;
-    if(_S600)
+    var direction_33 : vec3<f32>;
+    if(_S687)
     {
-        var _S601 : vec3<f32> = direction_from_cell_1(this_75.item_2.sampler_2, world_normal_0(Slot_instance_0(this_75), Slot_face_0(this_75)), &((*pdf_17)));
-        direction_32 = _S601;
+        var _S688 : vec3<f32> = direction_from_cell_1(this_75.item_2.sampler_2, world_normal_0(Slot_instance_0(this_75), Slot_face_0(this_75)), &((*pdf_17)));
+        direction_33 = _S688;
     }
     else
     {
@@ -8735,27 +9366,27 @@ fn Slot_ray_0( this_75 : Slot_0,  pdf_17 : ptr<function, f32>) -> Ray_0
         var u_33 : vec4<f32> = Sampler_stratified_0(this_75.item_2.sampler_2, u32(2) * Slot_bounce_0(this_75) - u32(1));
         var wi_8 : vec3<f32> = cosine_hemisphere_0(u_33.x, u_33.y);
         (*pdf_17) = cosine_hemisphere_pdf_0(wi_8.z);
-        direction_32 = Surface_world_direction_0(surface_7, wi_8);
+        direction_33 = Surface_world_direction_0(surface_7, wi_8);
     }
-    return ray_from_0(origin_in_0(this_75.own_3), direction_32);
+    return ray_from_0(origin_in_0(this_75.own_3), direction_33);
 }
 
 fn Slot_ray_1( this_76 : Slot_0,  pdf_18 : ptr<function, f32>) -> Ray_0
 {
-    var _S602 : bool;
+    var _S689 : bool;
     if(Item_is_cell_0(this_76.item_2))
     {
-        _S602 = (Slot_bounce_0(this_76)) == u32(1);
+        _S689 = (Slot_bounce_0(this_76)) == u32(1);
     }
     else
     {
-        _S602 = false;
+        _S689 = false;
     }
-    var direction_33 : vec3<f32>;
-    if(_S602)
+    var direction_34 : vec3<f32>;
+    if(_S689)
     {
-        var _S603 : vec3<f32> = direction_from_cell_1(this_76.item_2.sampler_2, world_normal_0(Slot_instance_0(this_76), Slot_face_0(this_76)), &((*pdf_18)));
-        direction_33 = _S603;
+        var _S690 : vec3<f32> = direction_from_cell_1(this_76.item_2.sampler_2, world_normal_0(Slot_instance_0(this_76), Slot_face_0(this_76)), &((*pdf_18)));
+        direction_34 = _S690;
     }
     else
     {
@@ -8765,9 +9396,9 @@ fn Slot_ray_1( this_76 : Slot_0,  pdf_18 : ptr<function, f32>) -> Ray_0
         var u_34 : vec4<f32> = Sampler_stratified_0(this_76.item_2.sampler_2, u32(2) * Slot_bounce_0(this_76) - u32(1));
         var wi_9 : vec3<f32> = cosine_hemisphere_0(u_34.x, u_34.y);
         (*pdf_18) = cosine_hemisphere_pdf_0(wi_9.z);
-        direction_33 = Surface_world_direction_0(surface_8, wi_9);
+        direction_34 = Surface_world_direction_0(surface_8, wi_9);
     }
-    return ray_from_0(origin_in_0(this_76.own_3), direction_33);
+    return ray_from_0(origin_in_0(this_76.own_3), direction_34);
 }
 
 fn Slot_darken_0( this_77 : Slot_0)
@@ -8787,19 +9418,19 @@ fn Slot_darken_0( this_77 : Slot_0)
 
 fn Slot_walk_0( this_78 : Slot_0)
 {
-    var end_4 : u32 = end_word_0(this_78.own_3);
+    var end_6 : u32 = end_word_0(this_78.own_3);
     var pdf_19 : f32;
-    var ray_36 : Ray_0 = Ray_x24init_0(origin_in_0(this_78.own_3), 0.0f, (bitcast<vec3<f32>>((words_in_0(this_78.own_3)))), (bitcast<f32>((end_4))));
-    var _S604 : i32;
-    if(end_4 == u32(0))
+    var ray_37 : Ray_0 = Ray_x24init_0(origin_in_0(this_78.own_3), 0.0f, (bitcast<vec3<f32>>((words_in_0(this_78.own_3)))), (bitcast<f32>((end_6))));
+    var _S691 : i32;
+    if(end_6 == u32(0))
     {
-        _S604 = i32(1);
+        _S691 = i32(1);
     }
     else
     {
-        _S604 = i32(0);
+        _S691 = i32(0);
     }
-    var turn_0 : u32 = u32(_S604);
+    var turn_0 : u32 = u32(_S691);
     for(;;)
     {
         if(turn_0 < u32(2))
@@ -8809,19 +9440,19 @@ fn Slot_walk_0( this_78 : Slot_0)
         {
             break;
         }
-        var _S605 : bool = turn_0 == u32(1);
-        if(_S605)
+        var _S692 : bool = turn_0 == u32(1);
+        if(_S692)
         {
-            ray_36 = Slot_ray_0(this_78, &(pdf_19));
+            ray_37 = Slot_ray_0(this_78, &(pdf_19));
         }
-        var _S606 : Hit_0 = WalkTracer_trace_0(&(ray_36), turn_0 == u32(0));
-        if(_S605)
+        var _S693 : Hit_0 = WalkTracer_trace_0(&(ray_37), turn_0 == u32(0));
+        if(_S692)
         {
-            keep_hit_0(this_78.own_3, _S606);
+            keep_hit_0(this_78.own_3, _S693);
         }
         else
         {
-            if(!Hit_is_miss_0(_S606))
+            if(!Hit_is_miss_0(_S693))
             {
                 Slot_darken_0(this_78);
             }
@@ -8839,20 +9470,20 @@ fn trace_rays(@builtin(global_invocation_id) id_2 : vec3<u32>)
     first_candidates_0 = u32(1);
     ends_here_0 = false;
     var slot_13 : Slot_0;
-    var _S607 : Item_0 = item_of_0(id_2.x);
-    slot_13.item_2 = _S607;
+    var _S694 : Item_0 = item_of_0(id_2.x);
+    slot_13.item_2 = _S694;
     slot_13.own_3 = slot_13.item_2.slot_1;
     slot_13.lent_0 = slot_13.item_2.slot_1;
-    var _S608 : bool;
+    var _S695 : bool;
     if(slot_13.item_2.traces_0)
     {
-        _S608 = !is_over_0(slot_13.own_3);
+        _S695 = !is_over_0(slot_13.own_3);
     }
     else
     {
-        _S608 = false;
+        _S695 = false;
     }
-    if(_S608)
+    if(_S695)
     {
         Slot_walk_0(slot_13);
     }
@@ -8864,20 +9495,20 @@ fn normal_in_0( word_11 : u32) -> vec3<f32>
     return vec3<f32>(vec3<i32>((i32((word_11 << (u32(22)))) >> (u32(22))), (i32((word_11 << (u32(12)))) >> (u32(22))), (i32((word_11 << (u32(2)))) >> (u32(22))))) * vec3<f32>(0.00195694714784622f);
 }
 
-fn load_sample_0( index_34 : u32) -> Sample_0
+fn load_sample_0( index_31 : u32) -> Sample_0
 {
-    var b_9 : vec2<u32> = scratch_row_0(u32(1), index_34);
-    var d_4 : vec2<f32> = (bitcast<vec2<f32>>((scratch_row_0(u32(3), index_34))));
-    var g_0 : vec2<u32> = scratch_row_0(u32(6), index_34);
+    var b_10 : vec2<u32> = scratch_row_0(u32(1), index_31);
+    var d_4 : vec2<f32> = (bitcast<vec2<f32>>((scratch_row_0(u32(3), index_31))));
+    var g_0 : vec2<u32> = scratch_row_0(u32(6), index_31);
     var sample_29 : Sample_0;
-    sample_29.light_9 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(0), index_34)))), (bitcast<f32>((b_9.x))));
-    sample_29.instance_11 = b_9.y;
-    sample_29.direct_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(2), index_34)))), d_4.x);
-    sample_29.place_4 = vec3<f32>(d_4.y, (bitcast<vec2<f32>>((scratch_row_0(u32(4), index_34)))));
-    sample_29.albedo_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(5), index_34)))), (bitcast<f32>((g_0.x))));
-    var _S609 : u32 = g_0.y;
-    sample_29.normal_4 = normal_in_0(_S609);
-    sample_29.is_shown_0 = ((_S609 & (u32(1073741824)))) != u32(0);
+    sample_29.light_9 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(0), index_31)))), (bitcast<f32>((b_10.x))));
+    sample_29.instance_11 = b_10.y;
+    sample_29.direct_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(2), index_31)))), d_4.x);
+    sample_29.place_4 = vec3<f32>(d_4.y, (bitcast<vec2<f32>>((scratch_row_0(u32(4), index_31)))));
+    sample_29.albedo_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(5), index_31)))), (bitcast<f32>((g_0.x))));
+    var _S696 : u32 = g_0.y;
+    sample_29.normal_4 = normal_in_0(_S696);
+    sample_29.is_shown_0 = ((_S696 & (u32(1073741824)))) != u32(0);
     return sample_29;
 }
 
@@ -8896,20 +9527,20 @@ fn Slot_walker_0( this_79 : Slot_0,  sample_30 : ptr<function, Sample_0>) -> Wal
         at_21.path_9.beta_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(7), this_79.lent_0)))), (bitcast<f32>((scratch_row_0(u32(8), this_79.lent_0).x))));
         (*sample_30).light_9 = (*sample_30).light_9 + vec3<f32>((bitcast<f32>((scratch_row_0(u32(8), this_79.lent_0).y))), (bitcast<vec2<f32>>((scratch_row_0(u32(9), this_79.lent_0)))));
     }
-    var _S610 : f32 = at_21.path_9.pdf_1;
-    var _S611 : Ray_0 = Slot_ray_1(this_79, &(_S610));
-    at_21.path_9.pdf_1 = _S610;
-    at_21.ray_20 = _S611;
+    var _S697 : f32 = at_21.path_9.pdf_1;
+    var _S698 : Ray_0 = Slot_ray_1(this_79, &(_S697));
+    at_21.path_9.pdf_1 = _S697;
+    at_21.ray_21 = _S698;
     at_21.path_9.normal_0 = world_normal_0(Slot_instance_0(this_79), Slot_face_0(this_79));
     at_21.is_shadow_ray_0 = false;
     at_21.light_8 = vec3<f32>(0.0f);
-    at_21.direction_29 = at_21.ray_20.direction_0;
-    at_21.path_origin_2 = at_21.ray_20.origin_1;
+    at_21.direction_29 = at_21.ray_21.direction_0;
+    at_21.path_origin_2 = at_21.ray_21.origin_1;
     at_21.shadow_inside_2 = in_air_0();
     at_21.boundaries_0 = u32(0);
     at_21.relocates_2 = false;
     at_21.path_relocates_2 = false;
-    at_21.camera_ray_0 = _S611;
+    at_21.camera_ray_0 = _S698;
     at_21.way_6 = 0.0f;
     at_21.has_shown_0 = true;
     at_21.asks_cache_0 = Item_asks_cache_0(this_79.item_2);
@@ -8918,13 +9549,13 @@ fn Slot_walker_0( this_79 : Slot_0,  sample_30 : ptr<function, Sample_0>) -> Wal
     if(Item_is_cell_0(this_79.item_2))
     {
         var rank_10 : u32;
-        var _S612 : Key_0 = Item_key_2(this_79.item_2, &(rank_10));
+        var _S699 : Key_0 = Item_key_2(this_79.item_2, &(rank_10));
         at_21.life_0 = max((rank_10 >> (u32(20))), u32(1)) - u32(1);
     }
     else
     {
-        var ray_37 : Ray_0 = camera_ray_1(this_79.item_2.at_12, FrameParams_camera_0(), this_79.item_2.sampler_2);
-        (*sample_30).place_4 = ray_37.origin_1 + ray_37.direction_0 * vec3<f32>((bitcast<f32>((scratch_row_0(u32(3), this_79.own_3).y))));
+        var ray_38 : Ray_0 = camera_ray_1(this_79.item_2.at_12, FrameParams_camera_0(), this_79.item_2.sampler_2);
+        (*sample_30).place_4 = ray_38.origin_1 + ray_38.direction_0 * vec3<f32>((bitcast<f32>((scratch_row_0(u32(3), this_79.own_3).y))));
     }
     return at_21;
 }
@@ -8944,20 +9575,20 @@ fn Slot_walker_1( this_80 : Slot_0,  sample_31 : ptr<function, Sample_0>) -> Wal
         at_22.path_9.beta_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(7), this_80.lent_0)))), (bitcast<f32>((scratch_row_0(u32(8), this_80.lent_0).x))));
         (*sample_31).light_9 = (*sample_31).light_9 + vec3<f32>((bitcast<f32>((scratch_row_0(u32(8), this_80.lent_0).y))), (bitcast<vec2<f32>>((scratch_row_0(u32(9), this_80.lent_0)))));
     }
-    var _S613 : f32 = at_22.path_9.pdf_1;
-    var _S614 : Ray_0 = Slot_ray_1(this_80, &(_S613));
-    at_22.path_9.pdf_1 = _S613;
-    at_22.ray_20 = _S614;
+    var _S700 : f32 = at_22.path_9.pdf_1;
+    var _S701 : Ray_0 = Slot_ray_1(this_80, &(_S700));
+    at_22.path_9.pdf_1 = _S700;
+    at_22.ray_21 = _S701;
     at_22.path_9.normal_0 = world_normal_0(Slot_instance_0(this_80), Slot_face_0(this_80));
     at_22.is_shadow_ray_0 = false;
     at_22.light_8 = vec3<f32>(0.0f);
-    at_22.direction_29 = at_22.ray_20.direction_0;
-    at_22.path_origin_2 = at_22.ray_20.origin_1;
+    at_22.direction_29 = at_22.ray_21.direction_0;
+    at_22.path_origin_2 = at_22.ray_21.origin_1;
     at_22.shadow_inside_2 = in_air_0();
     at_22.boundaries_0 = u32(0);
     at_22.relocates_2 = false;
     at_22.path_relocates_2 = false;
-    at_22.camera_ray_0 = _S614;
+    at_22.camera_ray_0 = _S701;
     at_22.way_6 = 0.0f;
     at_22.has_shown_0 = true;
     at_22.asks_cache_0 = Item_asks_cache_0(this_80.item_2);
@@ -8966,13 +9597,13 @@ fn Slot_walker_1( this_80 : Slot_0,  sample_31 : ptr<function, Sample_0>) -> Wal
     if(Item_is_cell_0(this_80.item_2))
     {
         var rank_11 : u32;
-        var _S615 : Key_0 = Item_key_2(this_80.item_2, &(rank_11));
+        var _S702 : Key_0 = Item_key_2(this_80.item_2, &(rank_11));
         at_22.life_0 = max((rank_11 >> (u32(20))), u32(1)) - u32(1);
     }
     else
     {
-        var ray_38 : Ray_0 = camera_ray_1(this_80.item_2.at_12, FrameParams_camera_0(), this_80.item_2.sampler_2);
-        (*sample_31).place_4 = ray_38.origin_1 + ray_38.direction_0 * vec3<f32>((bitcast<f32>((scratch_row_0(u32(3), this_80.own_3).y))));
+        var ray_39 : Ray_0 = camera_ray_1(this_80.item_2.at_12, FrameParams_camera_0(), this_80.item_2.sampler_2);
+        (*sample_31).place_4 = ray_39.origin_1 + ray_39.direction_0 * vec3<f32>((bitcast<f32>((scratch_row_0(u32(3), this_80.own_3).y))));
     }
     return at_22;
 }
@@ -8980,16 +9611,16 @@ fn Slot_walker_1( this_80 : Slot_0,  sample_31 : ptr<function, Sample_0>) -> Wal
 fn goes_on_from_second_0( slot_14 : Slot_0) -> bool
 {
     var sample_32 : Sample_0;
-    var _S616 : Walker_0 = Slot_walker_0(slot_14, &(sample_32));
-    var at_23 : Walker_0 = _S616;
-    var hit_25 : Hit_0 = hit_in_slot_0(slot_14.own_3, at_23.ray_20);
-    var _S617 : vec3<f32> = vec3<f32>(0.0f);
-    var cached_2 : vec3<f32> = _S617;
+    var _S703 : Walker_0 = Slot_walker_0(slot_14, &(sample_32));
+    var at_23 : Walker_0 = _S703;
+    var hit_28 : Hit_0 = hit_in_slot_0(slot_14.own_3, at_23.ray_21);
+    var _S704 : vec3<f32> = vec3<f32>(0.0f);
+    var cached_2 : vec3<f32> = _S704;
     var is_known_0 : bool;
     if(at_23.asks_cache_0)
     {
-        var _S618 : bool = asks_2(at_23.path_9, at_23.ray_20, hit_25, u32(4294967295), at_23.life_0, &(cached_2));
-        is_known_0 = _S618;
+        var _S705 : bool = asks_2(at_23.path_9, at_23.ray_21, hit_28, u32(4294967295), at_23.life_0, &(cached_2));
+        is_known_0 = _S705;
     }
     else
     {
@@ -8997,7 +9628,7 @@ fn goes_on_from_second_0( slot_14 : Slot_0) -> bool
     }
     if(!is_known_0)
     {
-        is_known_0 = !Hit_is_miss_0(hit_25);
+        is_known_0 = !Hit_is_miss_0(hit_28);
     }
     else
     {
@@ -9016,10 +9647,10 @@ fn goes_on_from_second_0( slot_14 : Slot_0) -> bool
         return true;
     }
     ends_here_0 = true;
-    var emitted_5 : vec3<f32> = _S617;
-    var _S619 : Path_0 = at_23.path_9;
-    var _S620 : NextRays_0 = PathTracingOf_advance_1(&(_S619), at_23.ray_20, hit_25, u32(4294967295), &(emitted_5));
-    at_23.path_9 = _S619;
+    var emitted_5 : vec3<f32> = _S704;
+    var _S706 : Path_0 = at_23.path_9;
+    var _S707 : NextRays_0 = PathTracingOf_advance_1(&(_S706), at_23.ray_21, hit_28, u32(4294967295), &(emitted_5));
+    at_23.path_9 = _S706;
     sample_32.light_9 = sample_32.light_9 + (cached_2 + emitted_5);
     Slot_end_0(slot_14, sample_32);
     return false;
@@ -9031,34 +9662,34 @@ var<workgroup> first_appended_0 : array<u32, i32(2)>;
 
 fn append_0( thread_2 : u32,  item_5 : u32,  of_0 : Item_0,  goes_on_6 : bool)
 {
-    var _S621 : bool = thread_2 < u32(2);
-    if(_S621)
+    var _S708 : bool = thread_2 < u32(2);
+    if(_S708)
     {
         atomicStore(&(appended_0[thread_2]), u32(0));
     }
     workgroupBarrier();
-    var _S622 : i32;
+    var _S709 : i32;
     if(goes_on_6)
     {
-        _S622 = i32(0);
+        _S709 = i32(0);
     }
     else
     {
-        _S622 = i32(1);
+        _S709 = i32(1);
     }
-    var list_1 : u32 = u32(_S622);
-    var index_35 : u32;
+    var list_1 : u32 = u32(_S709);
+    var index_32 : u32;
     if(of_0.traces_0)
     {
-        var _S623 : u32 = atomicAdd(&(appended_0[list_1]), u32(1));
-        index_35 = _S623;
+        var _S710 : u32 = atomicAdd(&(appended_0[list_1]), u32(1));
+        index_32 = _S710;
     }
     else
     {
-        index_35 = u32(0);
+        index_32 = u32(0);
     }
     workgroupBarrier();
-    if(_S621)
+    if(_S708)
     {
         var count_10 : u32 = atomicLoad(&(appended_0[thread_2]));
         var before_0 : u32;
@@ -9072,50 +9703,50 @@ fn append_0( thread_2 : u32,  item_5 : u32,  of_0 : Item_0,  goes_on_6 : bool)
             {
                 before_0 = u32(8);
             }
-            var _S624 : u32 = atomicAdd(&(cell_keys_0[before_0]), count_10);
-            before_0 = _S624;
+            var _S711 : u32 = atomicAdd(&(cell_keys_0[before_0]), count_10);
+            before_0 = _S711;
         }
         else
         {
             before_0 = u32(0);
         }
         var more_0 : u32 = (before_0 + count_10 + u32(64) - u32(1)) / u32(64) - (before_0 + u32(64) - u32(1)) / u32(64);
-        var _S625 : bool;
+        var _S712 : bool;
         if(thread_2 == u32(0))
         {
-            _S625 = more_0 > u32(0);
+            _S712 = more_0 > u32(0);
         }
         else
         {
-            _S625 = false;
+            _S712 = false;
         }
-        if(_S625)
+        if(_S712)
         {
-            var _S626 : u32 = atomicAdd(&(cell_keys_0[u32(5)]), more_0);
+            var _S713 : u32 = atomicAdd(&(cell_keys_0[u32(5)]), more_0);
         }
         first_appended_0[thread_2] = before_0;
     }
     workgroupBarrier();
-    var at_24 : u32 = first_appended_0[list_1] + index_35;
+    var at_24 : u32 = first_appended_0[list_1] + index_32;
     if(of_0.traces_0)
     {
         if(goes_on_6)
         {
-            index_35 = at_24;
+            index_32 = at_24;
         }
         else
         {
-            index_35 = real_time_0.slots_0 - u32(1) - at_24;
+            index_32 = real_time_0.slots_0 - u32(1) - at_24;
         }
         if(goes_on_6)
         {
-            index_35 = item_5;
+            index_32 = item_5;
         }
         else
         {
-            index_35 = of_0.slot_1;
+            index_32 = of_0.slot_1;
         }
-        rest_0[index_35] = index_35;
+        rest_0[index_32] = index_32;
     }
     return;
 }
@@ -9127,10 +9758,10 @@ fn trace_ends(@builtin(global_invocation_id) id_3 : vec3<u32>, @builtin(local_in
     is_page_missing_0 = false;
     first_candidates_0 = u32(1);
     ends_here_0 = false;
-    var _S627 : u32 = id_3.x;
-    var item_6 : Item_0 = item_of_0(_S627);
-    var _S628 : u32 = item_6.slot_1;
-    var slot_15 : Slot_0 = Slot_x24init_0(item_6, _S628, _S628);
+    var _S714 : u32 = id_3.x;
+    var item_6 : Item_0 = item_of_0(_S714);
+    var _S715 : u32 = item_6.slot_1;
+    var slot_15 : Slot_0 = Slot_x24init_0(item_6, _S715, _S715);
     var goes_on_7 : bool;
     if(item_6.traces_0)
     {
@@ -9142,40 +9773,40 @@ fn trace_ends(@builtin(global_invocation_id) id_3 : vec3<u32>, @builtin(local_in
     }
     if(goes_on_7)
     {
-        var _S629 : bool = goes_on_from_second_0(slot_15);
-        goes_on_7 = _S629;
+        var _S716 : bool = goes_on_from_second_0(slot_15);
+        goes_on_7 = _S716;
     }
     else
     {
         goes_on_7 = false;
     }
-    append_0(thread_3, _S627, item_6, goes_on_7);
+    append_0(thread_3, _S714, item_6, goes_on_7);
     return;
 }
 
-fn slot_of_rest_0( number_5 : u32,  is_lent_0 : ptr<function, bool>) -> Slot_0
+fn slot_of_rest_0( number_6 : u32,  is_lent_0 : ptr<function, bool>) -> Slot_0
 {
     var slot_16 : Slot_0;
-    var _S630 : u32 = atomicLoad(&(cell_keys_0[u32(4)]));
-    slot_16.item_2.traces_0 = number_5 < _S630;
-    var _S631 : u32 = atomicLoad(&(cell_keys_0[u32(8)]));
-    (*is_lent_0) = number_5 < _S631;
+    var _S717 : u32 = atomicLoad(&(cell_keys_0[u32(4)]));
+    slot_16.item_2.traces_0 = number_6 < _S717;
+    var _S718 : u32 = atomicLoad(&(cell_keys_0[u32(8)]));
+    (*is_lent_0) = number_6 < _S718;
     if(slot_16.item_2.traces_0)
     {
-        var _S632 : Item_0 = item_of_0(rest_0[number_5]);
-        slot_16.item_2 = _S632;
+        var _S719 : Item_0 = item_of_0(rest_0[number_6]);
+        slot_16.item_2 = _S719;
         slot_16.own_3 = slot_16.item_2.slot_1;
         slot_16.lent_0 = slot_16.item_2.slot_1;
         if((*is_lent_0))
         {
-            slot_16.lent_0 = rest_0[real_time_0.slots_0 - u32(1) - number_5];
+            slot_16.lent_0 = rest_0[real_time_0.slots_0 - u32(1) - number_6];
         }
         slot_16.item_2.traces_0 = !is_over_0(slot_16.own_3);
     }
     return slot_16;
 }
 
-fn Slot_keep_later_0( this_81 : Slot_0,  at_25 : Walker_0,  hit_26 : Hit_0,  found_1 : vec3<f32>)
+fn Slot_keep_later_0( this_81 : Slot_0,  at_25 : Walker_0,  hit_29 : Hit_0,  found_3 : vec3<f32>)
 {
     var light_17 : vec3<f32>;
     if(at_25.is_shadow_ray_0)
@@ -9186,9 +9817,9 @@ fn Slot_keep_later_0( this_81 : Slot_0,  at_25 : Walker_0,  hit_26 : Hit_0,  fou
     {
         light_17 = vec3<f32>(0.0f);
     }
-    set_scratch_row_0(u32(0), this_81.own_3, (bitcast<vec2<u32>>((found_1.xy))));
-    scratch_0[real_time_0.slots_0 + this_81.own_3][i32(0)] = (bitcast<u32>((found_1.z)));
-    Slot_keep_0(this_81, at_25, hit_26.instance_0, hit_26.face_0);
+    set_scratch_row_0(u32(0), this_81.own_3, (bitcast<vec2<u32>>((found_3.xy))));
+    scratch_0[real_time_0.slots_0 + this_81.own_3][i32(0)] = (bitcast<u32>((found_3.z)));
+    Slot_keep_0(this_81, at_25, hit_29.instance_0, hit_29.face_0);
     set_scratch_row_0(u32(7), this_81.lent_0, (bitcast<vec2<u32>>((at_25.path_9.beta_0.xy))));
     set_scratch_row_0(u32(8), this_81.lent_0, (bitcast<vec2<u32>>((vec2<f32>(at_25.path_9.beta_0.z, light_17.x)))));
     set_scratch_row_0(u32(9), this_81.lent_0, (bitcast<vec2<u32>>((light_17.yz))));
@@ -9204,27 +9835,27 @@ fn trace_on(@builtin(global_invocation_id) id_4 : vec3<u32>)
     ends_here_0 = false;
     var is_lent_1 : bool;
     var slot_17 : Slot_0 = slot_of_rest_0(id_4.x, &(is_lent_1));
-    var _S633 : bool;
+    var _S720 : bool;
     if(slot_17.item_2.traces_0)
     {
-        _S633 = is_lent_1;
+        _S720 = is_lent_1;
     }
     else
     {
-        _S633 = false;
+        _S720 = false;
     }
-    if(_S633)
+    if(_S720)
     {
         scatter_of_path_0.wants_light_0 = false;
         first_candidates_0 = u32(1);
         var sample_33 : Sample_0;
-        var _S634 : Walker_0 = Slot_walker_1(slot_17, &(sample_33));
-        var at_26 : Walker_0 = _S634;
-        var hit_27 : Hit_0 = hit_in_slot_0(slot_17.own_3, at_26.ray_20);
-        var _S635 : bool = goes_on_from_1(&(at_26), hit_27, u32(4294967295), &(sample_33));
-        if(_S635)
+        var _S721 : Walker_0 = Slot_walker_1(slot_17, &(sample_33));
+        var at_26 : Walker_0 = _S721;
+        var hit_30 : Hit_0 = hit_in_slot_0(slot_17.own_3, at_26.ray_21);
+        var _S722 : bool = goes_on_from_1(&(at_26), hit_30, u32(4294967295), &(sample_33));
+        if(_S722)
         {
-            Slot_keep_later_0(slot_17, at_26, hit_27, sample_33.light_9);
+            Slot_keep_later_0(slot_17, at_26, hit_30, sample_33.light_9);
         }
         else
         {
@@ -9243,30 +9874,30 @@ fn trace_on_rays(@builtin(global_invocation_id) id_5 : vec3<u32>)
     ends_here_0 = false;
     var is_lent_2 : bool;
     var slot_18 : Slot_0 = slot_of_rest_0(id_5.x, &(is_lent_2));
-    var _S636 : bool;
+    var _S723 : bool;
     if(slot_18.item_2.traces_0)
     {
-        _S636 = is_lent_2;
+        _S723 = is_lent_2;
     }
     else
     {
-        _S636 = false;
+        _S723 = false;
     }
-    if(_S636)
+    if(_S723)
     {
         Slot_walk_0(slot_18);
     }
     return;
 }
 
-fn follow_0( item_7 : Item_0,  start_5 : Walker_0,  first_2 : Hit_0,  walks_0 : bool,  found_2 : Sample_0)
+fn follow_0( item_7 : Item_0,  start_5 : Walker_0,  first_2 : Hit_0,  walks_0 : bool,  found_4 : Sample_0)
 {
     var at_27 : Walker_0 = start_5;
-    var sample_34 : Sample_0 = found_2;
-    var _S637 : bool = !walks_0;
+    var sample_34 : Sample_0 = found_4;
+    var _S724 : bool = !walks_0;
     var is_under_way_0 : bool = true;
-    var is_met_4 : bool = _S637;
-    var hit_28 : Hit_0 = first_2;
+    var is_met_4 : bool = _S724;
+    var hit_31 : Hit_0 = first_2;
     for(;;)
     {
         if(is_under_way_0)
@@ -9278,25 +9909,25 @@ fn follow_0( item_7 : Item_0,  start_5 : Walker_0,  first_2 : Hit_0,  walks_0 : 
         }
         if(!is_met_4)
         {
-            var _S638 : Ray_0 = at_27.ray_20;
-            var _S639 : Hit_0 = WalkTracer_trace_0(&(_S638), at_27.is_shadow_ray_0);
-            at_27.ray_20 = _S638;
-            hit_28 = _S639;
+            var _S725 : Ray_0 = at_27.ray_21;
+            var _S726 : Hit_0 = WalkTracer_trace_0(&(_S725), at_27.is_shadow_ray_0);
+            at_27.ray_21 = _S725;
+            hit_31 = _S726;
         }
         if(at_27.is_shadow_ray_0)
         {
-            if(Hit_is_miss_0(hit_28))
+            if(Hit_is_miss_0(hit_31))
             {
                 sample_34.light_9 = sample_34.light_9 + at_27.light_8;
             }
             at_27.is_shadow_ray_0 = false;
-            at_27.ray_20 = ray_from_0(at_27.ray_20.origin_1, at_27.direction_29);
+            at_27.ray_21 = ray_from_0(at_27.ray_21.origin_1, at_27.direction_29);
             is_under_way_0 = (any(((at_27.direction_29) != vec3<f32>(0.0f))));
         }
         else
         {
-            var _S640 : bool = goes_on_from_0(&(at_27), hit_28, u32(4294967295), &(sample_34));
-            is_under_way_0 = _S640;
+            var _S727 : bool = goes_on_from_0(&(at_27), hit_31, u32(4294967295), &(sample_34));
+            is_under_way_0 = _S727;
         }
         is_met_4 = false;
     }
@@ -9319,7 +9950,7 @@ fn trace_rest(@builtin(global_invocation_id) id_6 : vec3<u32>)
         first_candidates_0 = u32(1);
         var sample_35 : Sample_0;
         var at_28 : Walker_0 = Slot_walker_1(slot_19, &(sample_35));
-        follow_0(slot_19.item_2, at_28, hit_in_slot_0(slot_19.own_3, at_28.ray_20), false, sample_35);
+        follow_0(slot_19.item_2, at_28, hit_in_slot_0(slot_19.own_3, at_28.ray_21), false, sample_35);
     }
     return;
 }
@@ -9336,8 +9967,8 @@ fn trace_again(@builtin(global_invocation_id) id_7 : vec3<u32>)
     {
         scatter_of_path_0.wants_light_0 = false;
         first_candidates_0 = real_time_0.candidates_0;
-        var _S641 : Walker_0 = Item_start_0(item_8);
-        follow_0(item_8, _S641, miss_0(), true, no_sample_0());
+        var _S728 : Walker_0 = Item_start_0(item_8);
+        follow_0(item_8, _S728, miss_0(), true, no_sample_0());
     }
     return;
 }

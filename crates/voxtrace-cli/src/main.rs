@@ -8,6 +8,7 @@ mod blocks;
 mod camera_file;
 mod changes;
 mod clip;
+mod cluster;
 mod cuts;
 mod edits;
 mod failure;
@@ -42,6 +43,7 @@ mod transfer_text;
 mod verbs;
 mod views;
 mod volume;
+mod words;
 
 use clap::{CommandFactory, Parser, Subcommand};
 use failure::Failure;
@@ -92,6 +94,7 @@ enum Verb {
     Info(verbs::info::InfoArgs),
     Convert(verbs::convert::ConvertArgs),
     Voxelize(verbs::voxelize::VoxelizeArgs),
+    Plan(Box<verbs::plan::PlanArgs>),
     Merge(verbs::merge::MergeArgs),
     Scenes(verbs::scenes::ScenesArgs),
     Formats(verbs::formats::FormatsArgs),
@@ -148,6 +151,7 @@ fn run(cli: Cli) -> Result<(), Failure> {
         Verb::Info(args) => args.run(report),
         Verb::Convert(args) => args.run(report),
         Verb::Voxelize(args) => args.run(report),
+        Verb::Plan(args) => args.run(report),
         Verb::Merge(args) => args.run(report),
         Verb::Scenes(args) => args.run(),
         Verb::Formats(args) => args.run(),

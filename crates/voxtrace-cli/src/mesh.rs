@@ -148,6 +148,9 @@ impl MeshArgs {
             self.classes = Some(classes.parse()?);
         }
         self.min_points = choice.min_points.unwrap_or(self.min_points);
+        if let Some(resolution) = choice.resolution {
+            (self.resolution, self.voxel_size) = (Some(resolution), None);
+        }
         Ok(())
     }
 

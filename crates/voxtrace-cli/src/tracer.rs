@@ -1,5 +1,6 @@
 //! Options that choose the tracer.
 
+use crate::cluster::ClusterTracer;
 use crate::failure::Failure;
 use crate::parse;
 use crate::report::Report;
@@ -27,6 +28,9 @@ pub struct TracerArgs {
     /// Limit on GPU memory, for example 2GB; with --traversal walk larger scenes are traced page by page
     #[arg(long, value_name = "BYTES", value_parser = parse::bytes)]
     memory_budget: Option<u64>,
+    /// Trace on the workers of a Dask cluster, for example tcp://scheduler:8786, by the Python package voxtrace[cluster] (docs/cluster.md)
+    #[arg(long, value_name = "ADDRESS", conflicts_with_all = ["primitive", "fast", "memory_budget"])]
+    cluster: Option<String>,
 }
 
 /// [`Traversal`] as an option.
@@ -72,12 +76,28 @@ impl TracerArgs {
     /// Opens the tracer with a scene, and says which one it is and why. Where the choice is ours and the scene is too large
     /// for the device, the CPU traces.
     pub fn open(&self, scene: &Arc<PackedScene>, report: &mut Report) -> Result<Box<dyn Tracer + Send>, Failure> {
+        if let Some(address) = &self.cluster {
+            let device = match self.traversal {
+                Some(TraversalArg::Cpu) => "cpu",
+                Some(_) => return Err(Failure::usage("with --cluster the only --traversal to choose is cpu")),
+                None => self.device.as_deref().unwrap_or("auto"),
+            };
+            report.remark(&format!("tracing on the workers of {address}"));
+            let mut tracer = ClusterTracer::new(address, device).map_err(trace_failure)?;
+            tracer.set_scene(scene).map_err(trace_failure)?;
+            return Ok(Box::new(tracer));
+        }
         let choice = choose_for(&self.request(), scene).map_err(trace_failure)?;
         match &choice.warning {
             Some(warning) => report.warn(warning),
             None => report.remark(&choice.reason),
         }
         Ok(choice.tracer)
+    }
+
+    /// Whether a cluster traces: it is not stopped half way.
+    pub fn has_cluster(&self) -> bool {
+        self.cluster.is_some()
     }
 
     fn request(&self) -> Request {

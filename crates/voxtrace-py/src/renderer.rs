@@ -14,6 +14,7 @@ use pyo3::types::PyDict;
 use rayon::prelude::*;
 use std::sync::{Arc, Mutex, PoisonError};
 use voxtrace::glam::Vec3;
+use voxtrace::output::SceneStamp;
 use voxtrace::packed::{PackedInstance, Placement};
 use voxtrace::{Camera, Frame, Hit, Integrator, PackedScene, Picture, Progress, Ray, Tracer};
 use voxtrace_vulkan::{Choice, Request, Traversal, choose_for};
@@ -42,11 +43,11 @@ impl PyRenderer {
     /// `device`: `"auto"` (a GPU, or the processor where there is none), `"cpu"`, the number or a part of the name of a device as `voxtrace devices`
     /// lists them, `"all"` (every GPU; they share the work, and the picture is the same), or numbers of several (`"0,1"`). `traversal`: `"walk"`, `"query"` or `"pipeline"`. `fast`: GPUs may round as they like; pictures are no longer the processor's bit for bit.
     /// `memory`: limit on GPU memory, bytes. `placeable`: instances are kept apart, so that `place` can move them; else those that stand on the lattice of voxels
-    /// become one grid, which is faster.
+    /// become one grid, which is faster. `film`: sky, sun and cuts are those of this picture, not the scene's.
     ///
     /// Raises `DeviceError` where the machine lacks what was asked for or the scene does not fit it.
     #[new]
-    #[pyo3(signature = (scene, *, device="auto", traversal=None, fast=false, memory=None, placeable=false))]
+    #[pyo3(signature = (scene, *, device="auto", traversal=None, fast=false, memory=None, placeable=false, film=None))]
     fn new(
         py: Python<'_>,
         scene: &Bound<'_, PyAny>,
@@ -55,10 +56,15 @@ impl PyRenderer {
         fast: bool,
         memory: Option<u64>,
         placeable: bool,
+        film: Option<PyRef<'_, PyImage>>,
     ) -> PyResult<Self> {
         let packed = match scene.cast::<PyEditor>() {
             Ok(editor) => editor.borrow_mut().begin_anew(),
             Err(_) => scene.cast::<PyScene>()?.borrow_mut().packed(py, placeable)?,
+        };
+        let packed = match film {
+            Some(image) => lit_as(&packed, &image.picture.film_file().scene),
+            None => packed,
         };
         let request = request_of(device, traversal, fast, memory)?;
         let opened = run(py, || (), |_| Ok(()), || choose_for(&request, &packed))?;
@@ -117,20 +123,29 @@ impl PyRenderer {
             }
             frame = frame.region(voxtrace::Region { x0, y0, x1, y1 });
         }
-        let all = frame.region.pixels() as u64 * u64::from(samples);
-        let (done, scene, tracer) = (Progress::default(), &self.scene, exclusive(&mut self.tracer));
-        let tell = |py: Python<'_>| match &progress {
-            Some(progress) => progress.call1(py, (done.samples_done() as f64 / all.max(1) as f64,)).map(drop),
-            None => Ok(()),
-        };
-        let work = || Picture::trace(tracer, scene, frame, denoise, &done);
-        let picture = run(py, || done.cancel(), tell, work)?.map_err(|error| of_tracing(py, &error))?;
-        if let Some(progress) = &progress {
-            progress.call1(py, (1.0,))?;
+        self.traced(py, frame, denoise, progress)
+    }
+
+    /// Renders samples of the picture that a film shows, with everything that the film was rendered with: `samples` of each pixel from `first_sample` on, of all of its pixels
+    /// or those of `region`, `(x0, y0, x1, y1)`. They can be merged with films of other samples.
+    ///
+    /// Raises as `render` does.
+    #[pyo3(signature = (film, *, samples, first_sample=0, region=None, progress=None))]
+    fn render_like(
+        &mut self,
+        py: Python<'_>,
+        film: PyRef<'_, PyImage>,
+        samples: u32,
+        first_sample: u32,
+        region: Option<[u32; 4]>,
+        progress: Option<Py<PyAny>>,
+    ) -> PyResult<PyImage> {
+        let mut frame = film.picture.film_file().frame.clone().samples(samples).first_sample(first_sample);
+        if let Some([x0, y0, x1, y1]) = region {
+            frame = frame.region(voxtrace::Region { x0, y0, x1, y1 });
         }
-        let picture = picture.ok_or_else(|| other(py, "stopped"))?;
-        let remarks = exclusive(&mut self.tracer).take_notes().into_iter().map(|note| format!("; {note}"));
-        Ok(PyImage::new(picture, self.device.clone() + &remarks.collect::<String>()))
+        drop(film);
+        self.traced(py, frame, false, progress)
     }
 
     /// Finds for each ray the first voxel that it meets.
@@ -234,6 +249,29 @@ where
 }
 
 impl PyRenderer {
+    fn traced(
+        &mut self,
+        py: Python<'_>,
+        frame: Frame,
+        denoise: bool,
+        progress: Option<Py<PyAny>>,
+    ) -> PyResult<PyImage> {
+        let all = frame.region.pixels() as u64 * u64::from(frame.samples);
+        let (done, scene, tracer) = (Progress::default(), &self.scene, exclusive(&mut self.tracer));
+        let tell = |py: Python<'_>| match &progress {
+            Some(progress) => progress.call1(py, (done.samples_done() as f64 / all.max(1) as f64,)).map(drop),
+            None => Ok(()),
+        };
+        let work = || Picture::trace(tracer, scene, frame, denoise, &done);
+        let picture = run(py, || done.cancel(), tell, work)?.map_err(|error| of_tracing(py, &error))?;
+        if let Some(progress) = &progress {
+            progress.call1(py, (1.0,))?;
+        }
+        let picture = picture.ok_or_else(|| other(py, "stopped"))?;
+        let remarks = exclusive(&mut self.tracer).take_notes().into_iter().map(|note| format!("; {note}"));
+        Ok(PyImage::new(picture, self.device.clone() + &remarks.collect::<String>()))
+    }
+
     fn camera(&self, camera: Option<&Bound<'_, PyAny>>, size: (u32, u32)) -> PyResult<Camera> {
         let Some(camera) = camera else { return Ok(self.default_camera(size).0) };
         if let Ok(camera) = camera.extract::<PyCamera>() {
@@ -244,6 +282,13 @@ impl PyRenderer {
         let there_are = || self.scene.cameras.iter().map(|camera| camera.name.as_str()).collect::<Vec<_>>().join(", ");
         found.cloned().ok_or_else(|| argument(format!("the scene has no camera {name:?}; there are: {}", there_are())))
     }
+}
+
+/// The scene in the light of a film, and cut as it is there.
+fn lit_as(scene: &PackedScene, film: &SceneStamp) -> Arc<PackedScene> {
+    let mut scene = scene.clone();
+    (scene.sky, scene.light_intensity, scene.cuts) = (film.sky.clone(), film.light_intensity, film.cuts.clone());
+    Arc::new(scene)
 }
 
 fn request_of(device: &str, traversal: Option<&str>, is_fast: bool, memory_budget: Option<u64>) -> PyResult<Request> {

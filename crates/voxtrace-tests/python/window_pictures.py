@@ -7,6 +7,7 @@ Vulkan device (Mesa's in software will do), and a Python with mss, numpy and pil
 is not yet clean says so in its panel.
 """
 
+import contextlib
 import os
 import pathlib
 import subprocess
@@ -19,10 +20,14 @@ import numpy as np
 from PIL import Image
 
 # Pixels of the window, and of that of the clip.
-SIZE, CLIP = (1280, 800), (900, 560)
+SIZE, CLIP = (1280, 800), (480, 300)
 DISPLAY = ":97"
 # Seconds until a picture is clean, and frames a second of the clip.
-CLEAN, RATE = 30, 8
+CLEAN, RATE = 30, 12
+# The stroke of the brush in the clip.
+STROKE = ((150, 185), (250, 200))
+# Seconds between pictures of the window that stands, and how many of them are kept.
+STEP, STANDS = 6, 14
 
 
 def tool(*words):
@@ -81,15 +86,13 @@ class Window:
             tool("click", 4 if notches > 0 else 5)
             time.sleep(0.05)
 
-    def drag(self, points, button=1, steps=12, records=False):
+    def drag(self, points, button=1, steps=12):
         self.move(*points[0])
         tool("mousedown", button)
         for (x, y), (to_x, to_y) in zip(points, points[1:]):
             for step in range(1, steps + 1):
                 tool("mousemove", round(x + (to_x - x) * step / steps), round(y + (to_y - y) * step / steps))
-                time.sleep(1 / RATE if records else 0.03)
-                if records:
-                    self.record()
+                time.sleep(0.03)
         tool("mouseup", button)
         time.sleep(0.3)
 
@@ -98,14 +101,10 @@ class Window:
             shot = screen.grab({"left": 0, "top": 0, "width": self.size[0], "height": self.size[1]})
         return Image.frombytes("RGB", shot.size, shot.rgb)
 
-    def record(self, seconds=0.0):
-        """Keeps what is seen for the clip, for some time."""
-        end = time.monotonic() + seconds
-        while True:
-            self.frames.append(self.seen())
-            if time.monotonic() >= end:
-                return
-            time.sleep(1 / RATE)
+    def picture(self):
+        """What is seen without the lower edge, where messages come and go."""
+        seen = self.seen()
+        return seen.crop((0, 0, seen.width, seen.height - 120)).tobytes()
 
 
 def gyroid(path, size=96):
@@ -194,20 +193,55 @@ def building(program):
         return window.seen()
 
 
+def step(window, do, most=20.0):
+    """Does something and waits until another picture is there, which is kept: so the clip shows what a device shows that draws each frame in time."""
+    before = window.picture()
+    do()
+    end = time.monotonic() + most
+    while window.picture() == before and time.monotonic() < end:
+        time.sleep(0.02)
+    window.frames.append(window.seen())
+
+
 def clip(program):
-    """Going around in real-time light, standing still until the film is there, and an edit. A small city, which a device in software traces soon."""
-    with Window(program, "city", "--voxels", "1000000", "--traversal", "walk", size=CLIP) as window:
-        window.keys("r")
-        window.record(1)
-        window.drag([(420, 300), (240, 330)], steps=24, records=True)
-        window.record(8)
-        window.keys("ctrl+e")
-        window.keys(*["plus"] * 8)
-        window.drag([(230, 330), (340, 320)], steps=14, records=True)
-        window.record(6)
-        window.keys("ctrl+z")
-        window.record(4)
-        return window.frames
+    """Going around in real-time light, an edit, and standing still until the film alone is seen. A small city, which a device in software traces soon."""
+    # Frames as fine as on a device that has the time for them.
+    os.environ["VOXTRACE_VIEW_FRAME_MS"] = "60000"
+    with (
+        tempfile.TemporaryDirectory() as folder,
+        contextlib.chdir(folder),
+        Window(program, "city", "--voxels", "300000", "--traversal", "walk", size=CLIP) as window,
+    ):
+        window.keys("o", "Tab", "r")
+        time.sleep(6)
+        window.move(300, 180)
+        tool("mousedown", 1)
+        for number in range(1, 25):
+            step(window, lambda: tool("mousemove", 300 - 4 * number, 180 - number))
+        tool("mouseup", 1)
+        window.keys("ctrl+e", "Tab", *["plus"] * 3)
+        time.sleep(2)
+        window.move(*STROKE[0])
+        tool("mousedown", 1)
+        (x, y), (to_x, to_y) = STROKE
+        for number in range(1, 13):
+            step(window, lambda: tool("mousemove", round(x + (to_x - x) * number / 12), round(y + (to_y - y) * number / 12)))
+        tool("mouseup", 1)
+        window.keys("Escape")
+        window.move(5, 5)
+        # The picture is written when the film alone is seen.
+        window.keys("F12")
+        stands, end = [window.seen()], time.monotonic() + 600
+        while not list(pathlib.Path(folder).glob("*.png")) and time.monotonic() < end:
+            time.sleep(STEP)
+            stands.append(window.seen())
+        kept = [stands[round(number * (len(stands) - 1) / (STANDS - 1))] for number in range(STANDS)]
+        return window.frames + kept
+
+
+def durations(count):
+    """Milliseconds of each picture of the clip: where the window stands, longer; the last one stays."""
+    return [1000 // RATE] * (count - STANDS) + [250] * (STANDS - 1) + [2500]
 
 
 PLACES = {
@@ -223,7 +257,7 @@ PICTURES = [clipping, values, timeline, parts, comparing, building]
 
 def main():
     program, folder, *names = sys.argv[1:]
-    folder = pathlib.Path(folder)
+    program, folder = os.path.abspath(program), pathlib.Path(folder).absolute()
     screen = subprocess.Popen(["Xvfb", DISPLAY, "-screen", "0", "1280x800x24"], stderr=subprocess.DEVNULL)
     os.environ["DISPLAY"] = DISPLAY
     time.sleep(1)
@@ -233,7 +267,7 @@ def main():
                 make(program).save(folder / f"window-{make.__name__}.webp", quality=82, method=6)
         if not names or "clip" in names:
             first, *rest = clip(program)
-            options = {"duration": 1000 // RATE, "loop": 0, "quality": 50, "method": 4}
+            options = {"duration": durations(len(rest) + 1), "loop": 0, "quality": 60, "method": 4}
             first.save(folder / "window.webp", save_all=True, append_images=rest, **options)
     finally:
         screen.terminate()

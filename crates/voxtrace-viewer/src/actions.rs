@@ -80,7 +80,7 @@ impl Session {
             Action::PrintCamera => {
                 let text = camera_toml(self.navigator.camera());
                 self.ask(Command::Print(text.clone()));
-                self.copy(text, "the camera, as TOML");
+                self.copy(text, tr!("said.camera_toml"));
             }
             Action::CopyCommand => self.copy_command(),
             Action::ExposureUp => self.expose(self.exposure_step),
@@ -215,7 +215,7 @@ impl Session {
             (here, _) => (here.unwrap_or(0) as isize + step).rem_euclid(cameras.len() as isize) as usize,
         };
         let camera = cameras[next].clone();
-        self.say(format!("camera {}", camera.name), false);
+        self.say(tr!("said.camera", name = camera.name), false);
         self.move_by(Motion::GoTo(camera));
     }
 
@@ -238,14 +238,14 @@ impl Session {
         let here = all.iter().position(|&traversal| traversal == self.render_settings.traversal).unwrap_or(0);
         let next = all[(here + 1) % all.len()];
         self.change(|settings| settings.traversal = next);
-        self.say_unseen("traversal", next.name());
+        self.say_unseen(tr!("said.traversal"), next.name());
     }
 
     fn next_integrator(&mut self) {
         let is_path = self.render_settings.integrator == Integrator::Path;
         let next = if is_path { Integrator::Essay } else { Integrator::Path };
         self.change(|settings| settings.take_integrator(next));
-        self.say_unseen("integrator", next.name());
+        self.say_unseen(tr!("said.integrator"), next.name());
     }
 
     /// Says what a key has chosen where no panel shows it.
@@ -263,7 +263,7 @@ impl Session {
 
     fn copy_command(&mut self) {
         let command = if self.has_motion() { self.frame_command() } else { self.render_command() };
-        self.copy_command_of(command, "the command that renders this picture");
+        self.copy_command_of(command, tr!("said.command_of_picture"));
     }
 
     /// Copies the command that renders the picture of the tracer that is compared with.
@@ -272,14 +272,14 @@ impl Session {
         let settings = self.render_settings.clone();
         let Comparison { traversal, primitive, fast, .. } = other;
         let command = self.command_with(&RenderSettings { traversal, primitive, fast, ..settings });
-        self.copy_command_of(command, "the command that renders the other picture");
+        self.copy_command_of(command, tr!("said.command_of_other"));
     }
 
     /// Copies the command that measures the view.
     fn copy_bench_command(&mut self) {
         let cells = self.bench_cells();
         let line = self.render_command().map(|command| command.bench_line(&cells, FRAMES, WARM_UP));
-        self.copy_line(line, "the command that measures this view");
+        self.copy_line(line, tr!("said.command_of_bench"));
     }
 
     /// Copies a command, or says why there is none.

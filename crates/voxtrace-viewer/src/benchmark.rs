@@ -50,7 +50,7 @@ impl Benchmark {
         let mut request = subject.request;
         std::thread::spawn(move || {
             let measured =
-                tempfile::tempdir().map_err(|error| format!("no folder for the report: {error}")).and_then(|folder| {
+                tempfile::tempdir().map_err(|error| tr!("benchmark.no_folder", error = error)).and_then(|folder| {
                     request.output = folder.path().to_path_buf();
                     let results = voxtrace_bench::run(&request, &mut window);
                     results.map(|results| results.measurements()).map_err(|error: BenchError| error.to_string())
@@ -74,7 +74,7 @@ impl Benchmark {
                 Ok(Answer::Done(measured)) => return Some(measured),
                 Err(TryRecvError::Empty) => return None,
                 Err(TryRecvError::Disconnected) => {
-                    return Some(Err("measuring failed; the terminal says where".into()));
+                    return Some(Err(tr!("benchmark.failed").into()));
                 }
             }
         }

@@ -2,6 +2,7 @@
 //! all of it.
 
 use crate::session::{Command, Session};
+use crate::tr;
 use voxtrace::changes::MaterialChange;
 use voxtrace::packed::PackedMaterial;
 
@@ -56,10 +57,7 @@ impl Session {
         match open.lacks_objects() {
             true if self.editing.as_ref().is_some_and(crate::editing::Editing::has_edits) => {
                 open.hide_unread();
-                self.say(
-                    "what the file hides cannot be read into a scene that was edited: show it before the first edit",
-                    true,
-                );
+                self.say(tr!("edit.show_first"), true);
             }
             true => self.ask(Command::LoadAgain),
             false => self.update_scene(),

@@ -2,6 +2,7 @@
 //! file is read again with it, and the view stays in its place on the map.
 
 use crate::session::{Command, Session};
+use crate::{text_key, tr};
 use std::sync::Arc;
 use voxtrace::points::Attributes;
 
@@ -18,11 +19,11 @@ pub struct PointsSeen {
 
 /// The attributes that colour points, by the words of `--color-by`, with what they need and a line about each.
 pub const COLORS: [(&str, &str); 5] = [
-    ("auto", "their own colours, else heights"),
-    ("rgb", "their own colours"),
-    ("height", "height"),
-    ("intensity", "return intensity"),
-    ("classification", "class"),
+    ("auto", text_key!("points.auto")),
+    ("rgb", text_key!("points.rgb")),
+    ("height", text_key!("points.height")),
+    ("intensity", text_key!("points.intensity")),
+    ("classification", text_key!("points.classification")),
 ];
 
 /// What was chosen about points.
@@ -34,6 +35,8 @@ pub struct PointsChoice {
     pub classes: Option<Vec<u8>>,
     /// `--min-points`; `None`: as the command line says.
     pub min_points: Option<u32>,
+    /// `--resolution`; `None`: as the command line says, or by how dense the points are.
+    pub resolution: Option<u32>,
 }
 
 impl PointsChoice {
@@ -49,6 +52,7 @@ impl PointsChoice {
             ("--color-by", self.color_by.map(str::to_owned)),
             ("--classes", self.classes_word()),
             ("--min-points", self.min_points.map(|points| points.to_string())),
+            ("--resolution", self.resolution.map(|voxels| voxels.to_string())),
         ];
         options.into_iter().filter_map(|(option, word)| Some((option, word?))).collect()
     }
@@ -60,7 +64,10 @@ impl PointsChoice {
         let mut options = options.iter();
         while let Some(option) = options.next() {
             let is_ours = |(name, _): &(&str, String)| option == name || option.starts_with(&format!("{name}="));
-            if !words.iter().any(is_ours) {
+            // The size of a voxel says the same as the number of voxels.
+            let is_size =
+                self.resolution.is_some() && (option == "--voxel-size" || option.starts_with("--voxel-size="));
+            if !is_size && !words.iter().any(is_ours) {
                 kept.push(option.clone());
             } else if !option.contains('=') {
                 options.next();
@@ -130,7 +137,7 @@ impl Session {
     pub fn set_points(&mut self, choice: PointsChoice) {
         let Some(points) = &mut self.points else { return };
         if choice.classes.as_ref().is_some_and(Vec::is_empty) {
-            self.say("no class would be left to be seen", false);
+            self.say(tr!("points.no_class_left"), false);
         } else if choice != points.choice {
             points.choice = choice;
             self.ask(Command::LoadAgain);
@@ -145,10 +152,15 @@ mod tests {
     #[test]
     fn what_is_chosen_takes_the_place_of_what_was_given() {
         let words = |text: &str| text.split(' ').map(str::to_owned).collect::<Vec<_>>();
-        let choice = PointsChoice { color_by: Some("height"), classes: Some(vec![2, 6]), min_points: None };
+        let (color_by, classes) = (Some("height"), Some(vec![2, 6]));
+        let choice = PointsChoice { color_by, classes, ..PointsChoice::default() };
         let given = words("--classes=ground --voxel-size 1m --color-by rgb --min-points 2");
         assert_eq!(choice.over(&given), words("--voxel-size 1m --min-points 2 --color-by height --classes 2,6"));
         assert_eq!(PointsChoice::default().over(&given), given);
+        let fewer = PointsChoice { resolution: Some(90), ..PointsChoice::default() };
+        let sized = words("--classes=ground --color-by rgb --min-points 2 --resolution 90");
+        assert_eq!(fewer.over(&given), sized, "the size of a voxel would say the same otherwise");
+        assert_eq!(fewer.over(&words("--resolution=7 --voxel-size=2m")), words("--resolution 90"));
     }
 
     #[test]

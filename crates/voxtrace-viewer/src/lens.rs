@@ -41,12 +41,12 @@ impl LensChoice {
     /// What it is, for people.
     pub fn name(self) -> &'static str {
         match self {
-            Self::Pinhole => "pinhole",
-            Self::ThinLens => "thin lens",
-            Self::Orthographic => "orthographic",
-            Self::Isometric => "isometric",
-            Self::Panorama => "panorama",
-            Self::Fisheye => "fisheye",
+            Self::Pinhole => tr!("lens.pinhole"),
+            Self::ThinLens => tr!("lens.thin"),
+            Self::Orthographic => tr!("lens.orthographic"),
+            Self::Isometric => tr!("lens.isometric"),
+            Self::Panorama => tr!("lens.panorama"),
+            Self::Fisheye => tr!("lens.fisheye"),
         }
     }
 
@@ -131,7 +131,7 @@ impl Session {
         }
         let camera = self.navigator.camera();
         let Lens::Thin { aperture, blades, blade_rotation, .. } = camera.lens else {
-            return self.say(format!("a lens of the kind {} has no focus", camera.lens.name()), false);
+            return self.say(tr!("lens.no_focus", name = camera.lens.name()), false);
         };
         let lens = Lens::Thin { focus: camera.focus_on(point), aperture, blades, blade_rotation };
         match lens.check() {

@@ -3,6 +3,7 @@
 use crate::cloud::{PointsChoice, PointsSeen};
 use crate::motion::Motion;
 use crate::threads;
+use crate::tr;
 use crate::transfer::ValuesSeen;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
@@ -198,7 +199,7 @@ impl Loading {
                 told_wake();
             };
             let read = catch_unwind(AssertUnwindSafe(|| loader.load(&name, &reading, Box::new(tell), &of_thread)));
-            let result = read.unwrap_or_else(|_| Err(format!("{name}: reading it failed; the terminal says where")));
+            let result = read.unwrap_or_else(|_| Err(tr!("said.reading_failed", name = name)));
             let _ = sender.send(Answer::Done(result.map(Box::new)));
             wake();
         });

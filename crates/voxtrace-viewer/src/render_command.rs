@@ -9,6 +9,7 @@ pub use parts::{SceneArgument, Sequence, SkySetting};
 
 use crate::cutting::{Cutting, Slice};
 use crate::surroundings::Surroundings;
+use crate::tr;
 use std::path::{Path, PathBuf};
 use voxtrace::camera::Lens;
 pub use voxtrace::changes::SunSetting;
@@ -225,10 +226,10 @@ impl RenderCommand {
     pub fn bench_line(&self, cells: &[String], frames: u32, warm_up: u32) -> Result<String, CommandError> {
         self.check()?;
         if self.cutting.is_cut() {
-            return Err(CommandError::Refused("`bench` measures whole scenes, and this one is cut open"));
+            return Err(CommandError::Refused(tr!("command.bench_cut")));
         }
         if !self.surroundings.is_none() {
-            return Err(CommandError::Refused("`bench` measures scenes alone, without ground and fog"));
+            return Err(CommandError::Refused(tr!("command.bench_alone")));
         }
         let mut words = self.begin("bench")?;
         self.say_view(&mut words);

@@ -4,6 +4,7 @@
 use crate::load::{Loader, Told, Wanted};
 use crate::session::{Command, Session};
 use crate::threads;
+use crate::tr;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -63,11 +64,12 @@ impl Running {
                 told_wake();
             };
             let made = own.folders.iter().try_for_each(|folder| {
-                std::fs::create_dir_all(folder).map_err(|error| format!("cannot make {}: {error}", folder.display()))
+                std::fs::create_dir_all(folder)
+                    .map_err(|error| tr!("running.no_folder", folder = folder.display(), error = error))
             });
             let run = || made.and_then(|()| loader.run(&own.words, Box::new(tell), &of_thread));
             let done = catch_unwind(AssertUnwindSafe(run));
-            let done = done.unwrap_or_else(|_| Err(format!("{}: it failed; the terminal says where", own.name)));
+            let done = done.unwrap_or_else(|_| Err(tr!("running.failed", name = own.name)));
             let _ = sender.send(Answer::Done(done));
             wake();
         });
@@ -95,7 +97,7 @@ impl Running {
                 Ok(Answer::Told(_)) => {}
                 Ok(Answer::Done(done)) => return (notes, Some(done)),
                 Err(TryRecvError::Empty) => return (notes, None),
-                Err(TryRecvError::Disconnected) => return (notes, Some(Err("it ended without a word".into()))),
+                Err(TryRecvError::Disconnected) => return (notes, Some(Err(tr!("running.no_word").into()))),
             }
         }
     }
@@ -115,7 +117,7 @@ impl Session {
     /// Runs a command beside the window, unless one runs.
     pub fn run_command(&mut self, request: RunRequest) {
         if self.running.is_some() || self.exporting.is_some() {
-            self.say("something else is being made; wait for it, or stop it", true);
+            self.say(tr!("running.busy"), true);
             return;
         }
         self.dialog = None;
@@ -139,11 +141,11 @@ impl Session {
         }
         match done {
             Ok(()) => {
-                self.say(format!("written: {}", running.request.name), false);
+                self.say(tr!("said.written", name = running.request.name, kept = ""), false);
                 Some(running.request.clone())
             }
             Err(_) if running.is_stopping => {
-                self.say(format!("stopped: {}; the same again goes on", running.request.name), false);
+                self.say(tr!("running.stopped", name = running.request.name), false);
                 None
             }
             Err(error) => {

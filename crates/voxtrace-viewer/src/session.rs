@@ -1,11 +1,13 @@
 //! The state of the window without the window: what happens goes in, what is to be done comes out.
 
+mod carrying;
 mod command;
 mod editing;
 mod keeping;
 mod messages;
 mod opening;
 
+pub use carrying::{Means, News, Waker};
 pub use command::Command;
 pub(crate) use keeping::is_built_in;
 pub use messages::Message;
@@ -64,8 +66,8 @@ pub struct Session {
     pub loading: Option<Loading>,
     /// The pictures that are being rendered to files.
     pub exporting: Option<Exporting>,
-    /// The file that the scene is being written to.
-    pub saving_scene: Option<std::path::PathBuf>,
+    /// A thread that writes the scene to a file.
+    pub(crate) writing: Option<carrying::Writing>,
     /// The command that runs beside the window.
     pub running: Option<Running>,
     /// The values of the volume that is open, and what of them is shown.
@@ -174,7 +176,7 @@ impl Session {
             panorama: None,
             loading: None,
             exporting: None,
-            saving_scene: None,
+            writing: None,
             running: None,
             values: None,
             points: None,

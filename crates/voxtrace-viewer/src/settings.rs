@@ -2,6 +2,7 @@
 //! or what the system has instead), or the file that `VOXTRACE_SETTINGS` names.
 
 use crate::engine::RealTimeChoice;
+use crate::tr;
 use etcetera::BaseStrategy;
 use serde::{Deserialize, Serialize};
 use std::ffi::OsString;
@@ -202,7 +203,7 @@ fn read(path: &Path) -> (Settings, Option<String>, bool) {
     let reason = match std::fs::read(path) {
         Err(error) if error.kind() == io::ErrorKind::NotFound => return (Settings::default(), None, true),
         Err(error) => {
-            let warning = format!("the settings {name} cannot be read ({error}); the defaults hold");
+            let warning = tr!("said.settings_unread", name = name, error = error);
             return (Settings::default(), Some(warning), false);
         }
         Ok(bytes) => match toml::from_slice::<Settings>(&bytes) {
@@ -217,11 +218,11 @@ fn read(path: &Path) -> (Settings, Option<String>, bool) {
     match std::fs::rename(path, &kept) {
         Ok(()) => {
             let kept = kept.display();
-            let warning = format!("the settings {name} are damaged ({reason}) and kept as {kept}; the defaults hold");
+            let warning = tr!("said.settings_kept", name = name, reason = reason, kept = kept);
             (Settings::default(), Some(warning), true)
         }
         Err(error) => {
-            let warning = format!("the settings {name} are damaged ({reason}) and cannot be set aside ({error})");
+            let warning = tr!("said.settings_stuck", name = name, reason = reason, error = error);
             (Settings::default(), Some(warning), false)
         }
     }

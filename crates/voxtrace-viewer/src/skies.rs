@@ -3,6 +3,7 @@
 use crate::render_command::{SkySetting, SunSetting};
 use crate::session::{Command, Picked, Session};
 use crate::threads;
+use crate::tr;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -40,9 +41,7 @@ impl MadeSky {
                 let map = read_environment(&path, &Limits::default()).map_err(|error| error.to_string())?;
                 Ok(Self::Panorama(path, map.into()))
             }
-            SkySource::Air(sun) => {
-                sun.physical_sky().map(|sky| Self::Air(sun, sky)).ok_or("a physical sky needs a sun that shines".into())
-            }
+            SkySource::Air(sun) => sun.physical_sky().map(|sky| Self::Air(sun, sky)).ok_or(tr!("sky.needs_sun").into()),
         }
     }
 
@@ -121,7 +120,7 @@ impl Session {
             threads::yield_to_window();
             let made = catch_unwind(AssertUnwindSafe(|| MadeSky::of(source)));
             // The window may be closed.
-            let _ = sender.send(made.unwrap_or_else(|_| Err("the sky could not be made".into())));
+            let _ = sender.send(made.unwrap_or_else(|_| Err(tr!("sky.not_made").into())));
             wake();
         });
     }
@@ -131,7 +130,7 @@ impl Session {
         let Some(making) = &self.skies.making else { return };
         let result = match making.try_recv() {
             Err(TryRecvError::Empty) => return,
-            Err(TryRecvError::Disconnected) => Err("the sky could not be made".into()),
+            Err(TryRecvError::Disconnected) => Err(tr!("sky.not_made").into()),
             Ok(result) => result,
         };
         self.skies.making = None;

@@ -4,6 +4,7 @@
 
 use crate::session::{Command, Session};
 use crate::threads;
+use crate::tr;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
@@ -73,7 +74,7 @@ impl Session {
             threads::yield_to_window();
             let made = catch_unwind(AssertUnwindSafe(|| threads::aside(|| surroundings.around(&alone))));
             // The window may be closed.
-            let _ = sender.send(made.unwrap_or_else(|_| Err("ground and fog could not be made".into())));
+            let _ = sender.send(made.unwrap_or_else(|_| Err(tr!("surroundings.not_made").into())));
             wake();
         });
     }
@@ -84,7 +85,7 @@ impl Session {
         let Some(making) = &self.surrounding else { return };
         let result = match making.result.try_recv() {
             Err(TryRecvError::Empty) => return,
-            Err(TryRecvError::Disconnected) => Err("ground and fog could not be made".into()),
+            Err(TryRecvError::Disconnected) => Err(tr!("surroundings.not_made").into()),
             Ok(result) => result,
         };
         let Some(Making { alone, surroundings, .. }) = self.surrounding.take() else { return };

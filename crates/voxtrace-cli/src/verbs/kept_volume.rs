@@ -173,7 +173,12 @@ mod tests {
         };
         assert_eq!(seen.classes.iter().map(|(_, count)| count).sum::<u64>(), seen.count);
         let class = seen.classes[0].0;
-        let choice = PointsChoice { color_by: Some("height"), classes: Some(vec![class]), min_points: Some(1) };
+        let choice = PointsChoice {
+            color_by: Some("height"),
+            classes: Some(vec![class]),
+            min_points: Some(1),
+            ..PointsChoice::default()
+        };
         let reading = Reading { is_again: true, points: Some(choice), ..Reading::default() };
         let (again, _) = loaded(&own, &name, &reading);
         let options = format!("--voxel-size 1m --color-by height --classes {class} --min-points 1");

@@ -18,6 +18,7 @@ pub mod man;
 pub mod merge;
 #[cfg(feature = "view")]
 mod motion;
+pub mod plan;
 pub mod render;
 pub mod scenes;
 #[cfg(feature = "view")]

@@ -7,6 +7,7 @@ mod jobs;
 mod limits;
 mod moving;
 mod resume;
+mod shared;
 
 use crate::adaptive::run_adaptively;
 use crate::animation::{Director, Stage};
@@ -151,6 +152,10 @@ impl RenderArgs {
         report: &mut Report,
     ) -> Result<(), Failure> {
         self.scene.refuse_pictures()?;
+        let is_stopped = self.quality.time_limit.is_some() || self.quality.noise.is_some() || self.film.checkpoint.is_some();
+        if self.tracer.has_cluster() && is_stopped {
+            return Err(Failure::usage("a cluster traces all samples at once: --cluster goes with none of --time-limit, --noise and --checkpoint"));
+        }
         let is_default = self.picture.output.is_empty() && self.film.checkpoint.is_none();
         if is_default {
             self.picture.output.push(format!("{}.png", self.scene.stem()).into());

@@ -24,6 +24,7 @@ mod noise;
 mod normals;
 mod not_shown;
 mod outputs;
+mod plan;
 mod render;
 mod surroundings;
 mod tiles;
@@ -34,4 +35,5 @@ mod voxels;
 mod window_edits;
 #[cfg(feature = "view")]
 mod window_exports;
+mod window_real_time;
 mod writing;

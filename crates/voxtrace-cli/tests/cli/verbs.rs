@@ -113,7 +113,7 @@ fn every_verb_has_a_manual_page_with_its_options() {
     let folder = Folder::new();
     folder.succeed(&["man", "pages"]);
     let page = |name: &str| std::fs::read_to_string(folder.path("pages").join(name)).unwrap();
-    for verb in ["render", "info", "convert", "voxelize", "merge", "scenes", "formats", "devices", "doctor", "bench"] {
+    for verb in ["render", "info", "convert", "voxelize", "plan", "merge", "scenes", "formats", "devices", "doctor", "bench"] {
         assert!(page("voxtrace.1").contains(&format!("voxtrace\\-{verb}(1)")), "{verb} in the list of verbs");
         assert!(page(&format!("voxtrace-{verb}.1")).contains(".SH SYNOPSIS"), "{verb}");
     }
@@ -129,6 +129,7 @@ fn help_documents_every_verb_and_exit_code() {
         "render",
         "info",
         "convert",
+        "plan",
         "merge",
         "scenes",
         "formats",
@@ -146,7 +147,7 @@ fn help_documents_every_verb_and_exit_code() {
     // The page lists every option of every verb.
     let page = include_str!("../../../../docs/command-line.md");
     for verb in
-        ["render", "info", "convert", "merge", "scenes", "formats", "devices", "doctor", "bench", "completions", "man"]
+        ["render", "info", "convert", "plan", "merge", "scenes", "formats", "devices", "doctor", "bench", "completions", "man"]
     {
         let help = folder.succeed(&[verb, "--help"]);
         for option in help.split(|c: char| !(c.is_ascii_lowercase() || c == '-')).filter(|word| word.starts_with("--"))

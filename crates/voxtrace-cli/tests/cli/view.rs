@@ -64,9 +64,15 @@ pub struct View<'a> {
 impl<'a> View<'a> {
     /// Starts the program and waits for its window to have the keyboard.
     pub fn open(folder: &Folder, screen: &'a Screen, arguments: &[&str]) -> Self {
+        Self::open_with(folder, screen, arguments, &[])
+    }
+
+    /// The same with further variables of the environment.
+    pub fn open_with(folder: &Folder, screen: &'a Screen, arguments: &[&str], variables: &[(&str, &str)]) -> Self {
         let mut command = folder.command(&[&["view"], arguments].concat());
         command.env("DISPLAY", &screen.display).env_remove("WAYLAND_DISPLAY").env_remove("WAYLAND_SOCKET");
         command.env("VOXTRACE_VALIDATION", "1").env("VOXTRACE_SETTINGS", folder.path("settings/viewer.toml"));
+        command.envs(variables.iter().copied());
         let mut child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
         let read = |mut from: Box<dyn Read + Send>| {
             std::thread::spawn(move || {

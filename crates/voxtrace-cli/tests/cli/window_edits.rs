@@ -7,7 +7,7 @@ use std::time::Duration;
 use voxtrace_test_support::{Need, skip_without};
 
 /// The words of the last command that was copied, for as many samples as a picture has, into another file.
-fn words_of(stdout: &str, picture: &Picture, out: &str) -> Vec<String> {
+pub fn words_of(stdout: &str, picture: &Picture, out: &str) -> Vec<String> {
     let line = stdout.lines().rfind(|line| line.starts_with("voxtrace render ")).expect(stdout);
     let words: Vec<String> = line.split(' ').skip(1).map(str::to_owned).collect();
     let spp = words.iter().position(|word| word == "--spp").unwrap();
@@ -15,7 +15,7 @@ fn words_of(stdout: &str, picture: &Picture, out: &str) -> Vec<String> {
     [&words[..=spp], &[samples], &words[spp + 2..], &["-o".to_owned(), out.to_owned()]].concat()
 }
 
-fn pixels(picture: &Picture) -> Vec<Vec<u16>> {
+pub fn pixels(picture: &Picture) -> Vec<Vec<u16>> {
     (0..picture.height).flat_map(|y| (0..picture.width).map(move |x| picture.pixel(x, y).to_vec())).collect()
 }
 

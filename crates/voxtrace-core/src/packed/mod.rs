@@ -19,6 +19,7 @@ mod extent;
 mod file;
 mod file_error;
 mod geometry;
+mod instance_parts;
 mod instance_record;
 mod instances;
 mod levels;
@@ -60,6 +61,9 @@ pub use file_error::{FileError, FileErrorKind};
 pub use geometry::Geometry;
 pub use levels::{LevelCount, LevelSummary, Levels, MAX_LEVELS, add_levels};
 pub(crate) use lights::{append_lights, covers, deciding_axis, leaf_of};
+#[doc(hidden)]
+pub use instance_parts::{DEVICE_LEAF, DEVICE_MISSING, InstanceParts, MOST_WAITING};
+pub(crate) use instance_parts::InstancePart;
 pub(crate) use lookup::cell_in_node;
 #[doc(hidden)]
 pub use merge::{Lattice, Scatter};

@@ -126,9 +126,25 @@ fn hit_in(scene: &PackedScene, instance: u32, ray: &Ray) -> Option<Hit> {
     (hit.t <= ray.t_max).then_some(hit)
 }
 
+/// Whether a hit counts before another one: it is nearer, or at the same t that of a lower instance, or in the same instance the first on the ray's
+/// path, which runs in `direction` in the space of the grid.
+#[inline(always)]
+pub(super) fn is_before(hit: &Hit, other: &Hit, direction: impl FnOnce() -> Vec3) -> bool {
+    if hit.t != other.t || hit.is_miss() {
+        return hit.t < other.t;
+    }
+    if hit.instance != other.instance {
+        return hit.instance < other.instance;
+    }
+    // Along no axis does a ray go back.
+    let ahead = hit.voxel - other.voxel;
+    let direction = direction();
+    (0..3).map(|axis| if direction[axis] < 0.0 { -ahead[axis] } else { ahead[axis] }).sum::<i32>() < 0
+}
+
 /// Where the segment enters a node's box (with the margin that the box has), `None` where it misses it.
 #[inline(always)]
-pub(super) fn entry(node: &InstanceNode, ray: &Ray, inverse: Vec3) -> Option<f32> {
+fn entry(node: &InstanceNode, ray: &Ray, inverse: Vec3) -> Option<f32> {
     let (low, high) = ((node.min - ray.origin) * inverse, (node.max - ray.origin) * inverse);
     // 0 × ∞ where the origin lies on a side of the box that the ray runs along: f32::min and max drop the NaN.
     let (mut enter, mut leave) = (ray.t_min, ray.t_max);

@@ -2,9 +2,8 @@
 
 use super::App;
 use super::saving::Saving;
-use super::wake::Wake;
-use crate::benchmark::Benchmark;
-use crate::session::{Command, Leaving};
+use super::wake::wake_by;
+use crate::session::{Command, Leaving, Means};
 use crate::tr;
 use std::sync::Arc;
 use winit::event_loop::ActiveEventLoop;
@@ -16,67 +15,16 @@ impl App {
         self.stopwatch.lap("events");
         for command in self.session.take_commands() {
             let (Some(graphics), Some(engine)) = (&mut self.graphics, &self.engine) else { return };
+            self.may_quit &= !matches!(command, Command::Run(_) | Command::Export(_) | Command::SaveScene(_));
+            let proxy = self.proxy.clone();
+            let wake = move |news| wake_by(&proxy, news);
+            let (loader, device) = (&self.loader, &Arc::clone(graphics.device()));
+            let mut means = Means { engine, loader, status: &mut self.status, device, wake: &wake };
+            let Some(command) = self.session.carry_out(command, &mut means) else { continue };
             match command {
-                Command::Load(source) => {
-                    if self.session.may_leave(Leaving::Load(source.clone())) {
-                        self.load(&source);
-                    }
-                }
-                Command::New(size) => {
-                    if self.session.may_leave(Leaving::New(size)) {
-                        self.session.show_new(size);
-                    }
-                }
-                Command::Edit => {
-                    let wake = self.wake_by(|| Wake::Edited);
-                    self.session.start_editor(wake);
-                }
-                Command::Follow(followed) => engine.follow(followed.0),
-                Command::LoadAgain => self.load_again(),
-                Command::Reshape => {
-                    let (wake, loader) = (self.wake(), Arc::clone(&self.loader));
-                    self.session.reshape(&loader, wake);
-                }
-                Command::CompareWith(other) => {
-                    engine.compare_with(other);
-                    (self.status.other, self.status.differences) = (None, None);
-                }
-                Command::SetContrast(contrast) => {
-                    engine.set_contrast(contrast);
-                    self.status.differences = None;
-                }
-                Command::SetLight(light) => engine.set_light(light),
-                Command::Benchmark => self.measure(),
-                Command::ReadValues => self.read_values(),
-                Command::SetScene => {
-                    self.session.settle_edits();
-                    let lit = self.session.open.as_ref().map(|open| Arc::clone(&open.lit));
-                    match lit {
-                        Some(lit) if self.session.has_motion() => engine.move_scene(lit),
-                        lit => engine.set_scene(lit),
-                    }
-                    self.status.times.clear();
-                }
-                Command::MakeSky => {
-                    let wake = self.wake_by(|| Wake::Sky);
-                    self.session.make_sky(wake);
-                }
-                Command::Surround => {
-                    let wake = self.wake_by(|| Wake::Surroundings);
-                    self.session.make_surroundings(wake);
-                }
-                Command::SetBackend(backend) => {
-                    engine.set_backend(backend);
-                    self.status.times.clear();
-                }
-                Command::SetView => engine.set_view(self.session.view(), self.session.is_moving()),
-                Command::Pause(is_paused) => engine.pause(is_paused),
                 Command::Copy(text) => graphics.egui.set_clipboard_text(text),
                 Command::Print(text) => println!("{}", text.trim_end()),
                 Command::Save(path) => self.saving = Some(Saving::new(path)),
-                Command::Export(request) => self.export(*request),
-                Command::Run(request) => self.run_beside(*request),
-                Command::SaveScene(path) => self.save_scene(path),
                 Command::SetDevice(name) => self.set_device(name),
                 Command::AskForFile => self.ask_for_file(),
                 Command::AskForPath => self.ask_for_path(),
@@ -91,6 +39,8 @@ impl App {
                     graphics.egui.egui_ctx().set_zoom_factor(scale);
                 }
                 Command::Quit => self.quit(event_loop),
+                // The state did it.
+                _ => {}
             }
         }
         if let Some(graphics) = &self.graphics {
@@ -99,17 +49,10 @@ impl App {
         self.stopwatch.lap("commands");
     }
 
-    /// Begins to measure the view.
-    fn measure(&mut self) {
-        let device = self.graphics.as_ref().map(|graphics| graphics.device().info().name.clone());
-        let Some(subject) = self.session.bench_subject(device) else { return };
-        self.session.benchmark = Some(Benchmark::start(subject, self.wake()));
-    }
-
     /// Closes the window. Where that would end work under way, only when asked twice.
     pub(super) fn quit(&mut self, event_loop: &ActiveEventLoop) {
         let is_busy =
-            self.session.exporting.is_some() || self.session.saving_scene.is_some() || self.session.running.is_some();
+            self.session.exporting.is_some() || self.session.writing.is_some() || self.session.running.is_some();
         if !self.session.may_leave(Leaving::Quit) {
             return;
         }

@@ -23,7 +23,7 @@ impl App {
         if !self.is_traversal_chosen || !self.session.traversals.contains(now) {
             *now = usual;
         }
-        self.status.device = format!("window on {}", info.name);
+        self.status.device = tr!("tracing.window_on", name = info.name);
         self.status.device_index = info.index;
         let proxy = self.proxy.clone();
         self.session.has_hardware = is_hardware;

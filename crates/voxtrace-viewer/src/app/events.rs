@@ -7,6 +7,7 @@ use crate::dialogs::Dialog;
 use crate::engine::Event;
 use crate::input::Button;
 use crate::keys::Key;
+use crate::session::News;
 use crate::touch::Phase;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -41,15 +42,15 @@ impl ApplicationHandler<Wake> for App {
                 // Frames follow each other where one is due, and not else.
                 return self.carry_out_without_redraw(event_loop);
             }
-            Wake::Loading => self.take_loaded(),
-            Wake::Edited => self.session.take_edited(),
+            Wake::News(News::Loading) => self.take_loaded(),
+            Wake::News(News::Edited) => self.session.take_edited(),
+            Wake::News(News::Sky) => self.session.take_sky(),
+            Wake::News(News::Surroundings) => self.session.take_surroundings(),
+            Wake::News(News::Exported) => self.session.take_exported(),
+            Wake::News(News::Written) => self.session.take_written(),
             Wake::Unkept(reason) => self.session.say(reason, true),
-            Wake::Sky => self.session.take_sky(),
-            Wake::Surroundings => self.session.take_surroundings(),
             Wake::Chosen { path, is_quick } => self.take_chosen(path, is_quick),
             Wake::ChosenPath { path, is_quick } => self.take_chosen_path(path, is_quick),
-            Wake::Exported => self.session.take_exported(),
-            Wake::Written(result) => self.take_written(result),
             Wake::Pad(event) => self.gamepad.take(event, &mut self.session),
             Wake::Devices(devices) => self.status.devices = devices,
             Wake::Accessibility(event) => {
@@ -183,10 +184,7 @@ impl ApplicationHandler<Wake> for App {
         self.stopwatch.report(self.graphics.as_ref().map(Graphics::phases).as_ref());
         // What is being written is whole or not there.
         (self.session.exporting, self.session.running) = (None, None);
-        if let Some(writing) = self.writing.take() {
-            // A panic was printed when it happened.
-            let _ = writing.join();
-        }
+        self.session.finish_writing();
         // What traces ends before what shows it.
         self.engine = None;
         self.status.forget_pictures();

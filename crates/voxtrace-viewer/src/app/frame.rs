@@ -75,7 +75,7 @@ impl App {
         let compared = comparison.and_then(|comparison| self.status.compared(comparison));
         graphics.draw(frame, shown, compared, (width, height), self.session.render_settings.tone_map);
         if let Some(shown) = shown {
-            self.stopwatch.picture(shown.scale == 1);
+            self.stopwatch.picture(shown.scale == 1, shown.lit.is_some());
         }
         self.note_layout();
         self.stopwatch.lap("handing over");

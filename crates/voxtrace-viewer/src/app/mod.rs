@@ -29,7 +29,6 @@ use graphics::Graphics;
 use saving::Saving;
 use std::path::Path;
 use std::sync::Arc;
-use std::thread::JoinHandle;
 use std::time::Instant;
 use stopwatch::Stopwatch;
 use voxtrace::TraceError;
@@ -112,8 +111,6 @@ struct App {
     engine: Option<Engine>,
     /// A film that will be written when it comes.
     saving: Option<Saving>,
-    /// The thread that writes a scene.
-    writing: Option<JoinHandle<()>>,
     /// The file that keeps edits that no other holds.
     recovering: Recovering,
     title: String,
@@ -170,7 +167,6 @@ impl App {
             graphics: None,
             engine: None,
             saving: None,
-            writing: None,
             recovering: Recovering::default(),
             title: String::new(),
             may_quit: false,

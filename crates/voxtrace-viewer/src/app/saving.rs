@@ -71,8 +71,8 @@ impl App {
                     scene.cuts = lit.cuts.clone();
                     let file = FilmFile { frame, scene, film };
                     let text = match write(&path, &file, &PictureOptions { tone_map, ..PictureOptions::default() }) {
-                        Ok(path) => format!("{} holds {samples} samples", path.display()),
-                        Err(error) => format!("cannot write {}: {error}", path.display()),
+                        Ok(path) => tr!("said.holds_samples", path = path.display(), samples = samples),
+                        Err(error) => tr!("said.cannot_write", path = path.display(), error = error),
                     };
                     let _ = proxy.send_event(Wake::Engine(WakeEngine(EngineEvent::Notice(text))));
                 });

@@ -9,6 +9,8 @@ pub struct Stopwatch {
     start: Instant,
     first_picture: Option<Duration>,
     first_whole: Option<Duration>,
+    /// Pictures that were drawn, of the film alone and with real-time light.
+    pictures: [u64; 2],
     opening: Duration,
     /// The turns of the event loop.
     turns: Phases,
@@ -31,7 +33,7 @@ impl Stopwatch {
     pub fn start() -> Self {
         let (first_picture, first_whole, own) = (None, None, (None, Duration::ZERO, 0));
         let (opening, turns) = (Duration::ZERO, Phases::default());
-        Self { start: Instant::now(), first_picture, first_whole, opening, turns, own }
+        Self { start: Instant::now(), first_picture, first_whole, pictures: [0; 2], opening, turns, own }
     }
 
     /// The window is open: what that took is no turn that anybody waits for.
@@ -60,8 +62,9 @@ impl Stopwatch {
         self.own.2 += u64::from(own > FELT);
     }
 
-    /// A picture of the scene was drawn, at full resolution or coarser.
-    pub fn picture(&mut self, is_whole: bool) {
+    /// A picture of the scene was drawn, at full resolution or coarser, with real-time light in it or without.
+    pub fn picture(&mut self, is_whole: bool, is_lit: bool) {
+        self.pictures[usize::from(is_lit)] += 1;
         self.first_picture.get_or_insert_with(|| self.start.elapsed());
         if is_whole {
             self.first_whole.get_or_insert_with(|| self.start.elapsed());
@@ -81,6 +84,8 @@ impl Stopwatch {
         if let Some(whole) = self.first_whole {
             eprintln!("first picture at full resolution after {:.0} ms", ms(whole));
         }
+        let [film, lit] = self.pictures;
+        eprintln!("pictures drawn: {film} of the film alone, {lit} with real-time light");
         eprintln!("{} turns of the window, {}", self.turns.summary().0, self.turns);
         if own_time().is_some() {
             let (_, longest, felt) = self.own;

@@ -4,18 +4,18 @@ use crate::engine::Event as EngineEvent;
 use crate::gamepad::PadEvent;
 use crate::gpu::Drawing;
 use crate::panels::DeviceChoice;
+use crate::session::{News, Waker};
 use std::path::PathBuf;
+use std::sync::Arc;
+use winit::event_loop::EventLoopProxy;
 
 /// What wakes the event loop.
 #[derive(Debug)]
 pub enum Wake {
     Engine(WakeEngine),
     Drawing(WakeDrawing),
-    Loading,
-    /// A sky was made.
-    Sky,
-    /// A scene was put on a ground, or into fog.
-    Surroundings,
+    /// A thread of the state has something to tell.
+    News(News),
     /// The system's dialog for a scene to open was answered, so soon that it cannot have been shown if `is_quick`.
     Chosen {
         path: Option<PathBuf>,
@@ -26,14 +26,8 @@ pub enum Wake {
         path: Option<PathBuf>,
         is_quick: bool,
     },
-    /// The thread that owns the edited scene tells something.
-    Edited,
     /// Edits cannot be kept, and why.
     Unkept(String),
-    /// Pictures were rendered to files.
-    Exported,
-    /// A scene was written, with what is to be said about it.
-    Written(Result<Vec<String>, String>),
     /// What a gamepad tells.
     Pad(PadEvent),
     /// The devices of this machine.
@@ -63,4 +57,13 @@ impl From<egui_winit::accesskit_winit::Event> for Wake {
     fn from(event: egui_winit::accesskit_winit::Event) -> Self {
         Self::Accessibility(event)
     }
+}
+
+/// Wakes the window from another thread with what it has to tell.
+pub fn wake_by(proxy: &EventLoopProxy<Wake>, news: News) -> Waker {
+    let proxy = proxy.clone();
+    Arc::new(move || {
+        // The window may be closed.
+        let _ = proxy.send_event(Wake::News(news));
+    })
 }

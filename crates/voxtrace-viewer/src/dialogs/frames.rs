@@ -5,6 +5,7 @@ use crate::bookmarks::Bookmarks;
 use crate::export::{Existing, ExportRequest, Job, frame_path};
 use crate::render_command::{RenderCommand, Sequence, quoted};
 use crate::session::Session;
+use crate::tr;
 use std::path::PathBuf;
 use voxtrace::Camera;
 use voxtrace::camera::Flight;
@@ -30,9 +31,9 @@ impl Route {
     /// Its name.
     pub fn name(self) -> &'static str {
         match self {
-            Self::AroundMiddle => "turntable around what is in the middle",
-            Self::AroundScene => "turntable around the scene",
-            Self::Flight => "flight through the bookmarks",
+            Self::AroundMiddle => tr!("dialogs_frames.around_middle"),
+            Self::AroundScene => tr!("dialogs_frames.around_scene"),
+            Self::Flight => tr!("dialogs_frames.flight"),
         }
     }
 }
@@ -119,21 +120,21 @@ impl FramesDialog {
     /// # Errors
     /// One line: what is missing yet.
     pub fn check(&mut self, session: &Session) -> Result<PathBuf, String> {
-        let folder = self.folder.path().ok_or("name a folder")?;
+        let folder = self.folder.path().ok_or(tr!("dialogs.name_a_folder"))?;
         let folder = std::path::absolute(&folder).unwrap_or(folder);
         let is_name = |c: char| !matches!(c, '/' | '\\' | '#');
         if self.name.trim().is_empty() || !self.name.chars().all(is_name) {
-            return Err("frames have a name, without slashes and #".into());
+            return Err(tr!("dialogs_frames.need_name").into());
         }
         if folder.exists() && !folder.is_dir() {
-            return Err("the folder is a file".into());
+            return Err(tr!("dialogs.folder_is_file").into());
         }
         self.quality.check(session.navigator.camera())?;
         if self.route == Route::Flight {
             self.flight.as_ref().map_err(Clone::clone)?;
         }
         if self.there() > 0 && self.existing == Existing::Refuse {
-            return Err("some frames are there already".into());
+            return Err(tr!("dialogs_frames.some_there").into());
         }
         Ok(folder)
     }
@@ -218,11 +219,11 @@ impl Session {
     /// # Errors
     /// One line: why there is none.
     pub fn flight(&self) -> Result<(PathBuf, Flight), String> {
-        let path = self.bookmark_path().ok_or("there is no scene with bookmarks")?;
+        let path = self.bookmark_path().ok_or(tr!("dialogs_frames.no_bookmarks"))?;
         let bookmarks = Bookmarks::open(&path).map_err(|error| error.to_string())?;
         let cameras: Vec<Camera> = bookmarks.iter().map(|(_, camera)| camera.clone()).collect();
         if cameras.len() < 2 {
-            return Err("a flight leads through two bookmarks or more; Shift and a digit keep one".into());
+            return Err(tr!("dialogs_frames.two_bookmarks").into());
         }
         Ok((path, Flight::through(&cameras)?))
     }

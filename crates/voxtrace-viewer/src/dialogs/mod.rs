@@ -101,7 +101,7 @@ impl Session {
         self.exporting = None;
         let Outcome { written, kept, notes, end } = outcome;
         notes.into_iter().for_each(|note| self.say(note, false));
-        let kept = if kept > 0 { format!("; {kept} were there and stay") } else { String::new() };
+        let kept = if kept > 0 { tr!("dialogs.kept", kept = kept) } else { String::new() };
         match end {
             End::Done => self.say(tr!("said.written", name = name, kept = kept), false),
             End::Cancelled => {

@@ -2,6 +2,7 @@
 
 use super::PathField;
 use crate::session::Session;
+use crate::{text_key, tr};
 use std::path::{Path, PathBuf};
 
 /// Opening a scene.
@@ -22,8 +23,8 @@ impl OpenDialog {
     /// # Errors
     /// One line: what is missing yet.
     pub fn request(&self) -> Result<PathBuf, String> {
-        let path = self.path.path().ok_or("name a file")?;
-        if path.exists() { Ok(path) } else { Err("there is no such file".into()) }
+        let path = self.path.path().ok_or(tr!("dialogs.name_a_file"))?;
+        if path.exists() { Ok(path) } else { Err(tr!("dialogs.no_such_file").into()) }
     }
 }
 
@@ -39,7 +40,7 @@ pub struct SaveDialog {
 
 /// Endings of the files that scenes are written to, and what these hold.
 pub const SCENE_KINDS: [(&str, &str); 2] =
-    [("vxt", "voxtrace's own: everything, opened at once"), ("vox", "MagicaVoxel: up to 255 colours")];
+    [("vxt", text_key!("dialogs_scene.vxt")), ("vox", text_key!("dialogs_scene.vox"))];
 
 impl SaveDialog {
     /// Begins with a free name beside the scene.
@@ -75,12 +76,12 @@ impl SaveDialog {
     /// # Errors
     /// One line: what is missing yet.
     pub fn request(&mut self) -> Result<PathBuf, String> {
-        let path = self.path.path().ok_or("name a file")?;
+        let path = self.path.path().ok_or(tr!("dialogs.name_a_file"))?;
         if !SCENE_KINDS.iter().any(|(ending, _)| *ending == self.ending()) {
-            return Err("the file's name ends in .vxt or .vox".into());
+            return Err(tr!("dialogs_scene.endings").into());
         }
         if self.is_there() && !self.replaces {
-            return Err("the file is there already".into());
+            return Err(tr!("dialogs.file_there").into());
         }
         Ok(std::path::absolute(&path).unwrap_or(path))
     }

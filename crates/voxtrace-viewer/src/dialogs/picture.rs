@@ -4,6 +4,7 @@ use super::{PathField, Quality};
 use crate::export::{Existing, ExportRequest, Job, free_name};
 use crate::render_command::RenderCommand;
 use crate::session::Session;
+use crate::tr;
 use std::path::{Path, PathBuf};
 use voxtrace::output::PictureFormat;
 
@@ -102,12 +103,12 @@ impl PictureDialog {
     /// # Errors
     /// One line: what is missing yet, or a size that `render` refuses too.
     pub fn check(&mut self, session: &Session) -> Result<PathBuf, String> {
-        let path = self.path.path().ok_or("name a file")?;
+        let path = self.path.path().ok_or(tr!("dialogs.name_a_file"))?;
         if self.kind().is_none() {
-            return Err("the file's name ends in .png or .exr".into());
+            return Err(tr!("dialogs_picture.endings").into());
         }
         if self.is_there() && !self.replaces {
-            return Err("the file is there already".into());
+            return Err(tr!("dialogs.file_there").into());
         }
         self.quality.check(session.navigator.camera())?;
         Ok(std::path::absolute(&path).unwrap_or(path))

@@ -3,6 +3,7 @@
 use super::PathField;
 use crate::running::RunRequest;
 use crate::session::Session;
+use crate::tr;
 use std::path::PathBuf;
 
 /// What somebody has chosen.
@@ -48,15 +49,15 @@ impl PlanDialog {
     /// One line: what is missing yet.
     pub fn request(&self) -> Result<RunRequest, String> {
         let absolute = |path: PathBuf| std::path::absolute(&path).unwrap_or(path);
-        let plan = self.plan.path().map(absolute).ok_or("name a plan")?;
+        let plan = self.plan.path().map(absolute).ok_or(tr!("dialogs_plan.name_plan"))?;
         if !plan.is_file() {
-            return Err("there is no such plan".into());
+            return Err(tr!("dialogs_plan.no_plan").into());
         }
-        let folder = self.folder.path().map(absolute).ok_or("name a folder for the report")?;
+        let folder = self.folder.path().map(absolute).ok_or(tr!("dialogs_plan.name_folder"))?;
         if folder.is_file() {
-            return Err("the folder is a file".into());
+            return Err(tr!("dialogs.folder_is_file").into());
         }
-        let text = |path: &PathBuf| path.to_str().map(str::to_owned).ok_or("the path is no Unicode text");
+        let text = |path: &PathBuf| path.to_str().map(str::to_owned).ok_or(tr!("dialogs_plan.no_unicode"));
         let mut words = ["voxtrace", "bench", "--plan"].map(str::to_owned).to_vec();
         words.extend([text(&plan)?, "--output".into(), text(&folder)?]);
         words.extend(self.quick.then(|| "--quick".to_owned()));
@@ -75,7 +76,7 @@ mod tests {
         let plan = folder.path().join("work.toml");
         let mut dialog = PlanDialog::new(&Session::new(voxtrace_vulkan::Traversal::Cpu));
         dialog.plan = PathField::new(&plan);
-        assert_eq!(dialog.request().unwrap_err(), "there is no such plan");
+        assert_eq!(dialog.request().unwrap_err(), tr!("dialogs_plan.no_plan"));
         std::fs::write(&plan, "").unwrap();
         dialog.name_folder();
         let request = dialog.request().unwrap();

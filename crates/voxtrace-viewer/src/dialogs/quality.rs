@@ -1,6 +1,7 @@
 //! What all rendered pictures have: size, samples, background.
 
 use crate::session::Session;
+use crate::tr;
 use voxtrace::{Camera, Frame};
 
 /// Sizes to choose from.
@@ -44,13 +45,13 @@ impl Quality {
     pub fn check(&self, camera: &Camera) -> Result<(), String> {
         let [width, height] = self.size;
         if !self.size.iter().all(|side| (1..=LARGEST_EDGE).contains(side)) {
-            return Err("a picture has 1 to 65,536 pixels along an edge".into());
+            return Err(tr!("dialogs.edge").into());
         }
         if u64::from(width) * u64::from(height) > MOST_PIXELS {
-            return Err("a picture has at most 16,384 × 16,384 pixels".into());
+            return Err(tr!("dialogs.area").into());
         }
         if !(1..=MOST_SAMPLES).contains(&self.samples) {
-            return Err("a picture has 1 to 1,048,576 samples".into());
+            return Err(tr!("dialogs.samples_range").into());
         }
         Ok(camera.check()?)
     }

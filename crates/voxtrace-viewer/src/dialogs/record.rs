@@ -4,6 +4,7 @@ use super::{PathField, Quality};
 use crate::render_command::{RenderCommand, Sequence};
 use crate::running::RunRequest;
 use crate::session::Session;
+use crate::tr;
 use std::path::{Path, PathBuf};
 
 /// What is recorded.
@@ -30,9 +31,9 @@ impl RecordKind {
         match self {
             Self::Mp4 => "MP4",
             Self::Gif => "GIF",
-            Self::Apng => "animated PNG",
-            Self::PngFrames => "PNG frames",
-            Self::ExrFrames => "EXR frames",
+            Self::Apng => tr!("dialogs_record.apng"),
+            Self::PngFrames => tr!("dialogs_record.png"),
+            Self::ExrFrames => tr!("dialogs_record.exr"),
         }
     }
 
@@ -123,17 +124,17 @@ impl RecordDialog {
     /// # Errors
     /// One line: what is missing yet.
     pub fn check(&mut self, session: &Session) -> Result<PathBuf, String> {
-        let path = self.path().ok_or("name a file")?;
+        let path = self.path().ok_or(tr!("dialogs.name_a_file"))?;
         let course = &session.timeline.course;
         if course.track().is_none() && !session.has_motion() {
-            return Err("a camera's way has two keys or more: K sets one at the playhead of the timeline".into());
+            return Err(tr!("timeline.two_keys").into());
         }
         if self.kind().is_none() {
-            return Err("the name ends in .mp4, .gif or .png; frames are NAME_####.png or .exr".into());
+            return Err(tr!("dialogs_record.endings").into());
         }
         self.quality.check(session.navigator.camera())?;
         if self.there(course.frames()) > 0 && !self.replaces && !self.keeps {
-            return Err("it is there already".into());
+            return Err(tr!("dialogs_record.there").into());
         }
         Ok(path)
     }
@@ -144,7 +145,7 @@ impl RecordDialog {
     /// One line: what is missing yet, or why there is no such command.
     pub fn request(&mut self, session: &Session, file: PathBuf) -> Result<RunRequest, String> {
         let path = self.check(session)?;
-        let command = self.command(session, file).ok_or("there is no scene")?;
+        let command = self.command(session, file).ok_or(tr!("dialogs_record.no_scene"))?;
         let folders = path.parent().map(Path::to_path_buf).into_iter().collect();
         let words = command.words().map_err(|error| error.to_string())?;
         Ok(RunRequest { words, name: path.display().to_string(), folders, measures: false })

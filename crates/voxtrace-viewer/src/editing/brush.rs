@@ -1,5 +1,6 @@
 //! From places in a grid to edits: brushes, lines and boxes, with what they do to the voxels that they touch.
 
+use crate::tr;
 use voxtrace::Shape;
 use voxtrace::dynamic::Edit;
 use voxtrace::glam::IVec3;
@@ -28,9 +29,9 @@ impl Act {
     /// Its name.
     pub fn name(self) -> &'static str {
         match self {
-            Self::Place => "place",
-            Self::Erase => "erase",
-            Self::Paint => "paint",
+            Self::Place => tr!("edit.act_place"),
+            Self::Erase => tr!("edit.act_erase"),
+            Self::Paint => tr!("edit.act_paint"),
         }
     }
 

@@ -2,6 +2,7 @@
 
 use super::job::{Done, Job, Step, Steps, Told};
 use crate::threads;
+use crate::tr;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, Sender, TryRecvError, channel};
@@ -54,7 +55,7 @@ impl Editor {
             };
             let end = catch_unwind(AssertUnwindSafe(|| run(&of_window, &tell)));
             if end.is_err() {
-                tell(Told::Failed("a fault of the program; save the scene (Ctrl+S)".into()));
+                tell(Told::Failed(tr!("edit.fault").into()));
             }
         });
         Self { jobs, told }
@@ -83,8 +84,7 @@ fn run(scene: &Arc<PackedScene>, materials: Vec<MaterialChange>, jobs: &Receiver
     let own = match threads::aside(|| DynamicScene::new((*base).clone())) {
         Ok(dynamic) => Work::new(dynamic),
         Err(EditError::SmoothNormals) => {
-            let hint = "open it with --normals faces to edit it";
-            tell(Told::Failed(format!("edits do not follow smooth normals: {hint}")));
+            tell(Told::Failed(tr!("edit.smooth_normals").into()));
             return;
         }
         Err(error) => {
@@ -270,7 +270,7 @@ impl Work {
         let changes = SceneChanges { materials, hidden: Vec::new() };
         let compact = self.scene.compact();
         if compact.grids().len() < self.scene.scene().grids().len() {
-            return Err("what glows cannot be changed while a model is empty: place a voxel first".into());
+            return Err(tr!("edit.glow_of_nothing").into());
         }
         let scene = changes.apply(&compact).map_err(|error| error.to_string())?;
         let mut dynamic = DynamicScene::new(scene).map_err(|error| error.to_string())?;

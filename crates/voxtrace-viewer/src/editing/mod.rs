@@ -15,6 +15,7 @@ pub use editor::{Editor, UNDO_BYTES};
 pub use job::{Done, Job, Step, Steps, Told};
 pub use symmetry::Symmetry;
 
+use crate::tr;
 use face_region::FaceRegion;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -59,26 +60,26 @@ impl Tool {
     /// Its name.
     pub fn name(self) -> &'static str {
         match self {
-            Self::Brush => "brush",
-            Self::Line => "line",
-            Self::Box => "box",
-            Self::Extrude => "push and pull",
-            Self::Fill => "fill",
-            Self::Replace => "replace",
-            Self::Select => "select",
+            Self::Brush => tr!("edit.brush"),
+            Self::Line => tr!("edit.line"),
+            Self::Box => tr!("edit.box"),
+            Self::Extrude => tr!("edit.extrude"),
+            Self::Fill => tr!("edit.fill"),
+            Self::Replace => tr!("edit.replace"),
+            Self::Select => tr!("edit.select"),
         }
     }
 
     /// What it does, for people.
     pub fn about(self) -> &'static str {
         match self {
-            Self::Brush => "drag over voxels",
-            Self::Line => "drag from one end to the other; as thick as the brush",
-            Self::Box => "drag from corner to corner; the wheel makes it deeper meanwhile",
-            Self::Extrude => "drag a face of one material out of the surface, or into it",
-            Self::Fill => "click: all connected voxels of the same material become the current one, or are erased",
-            Self::Replace => "click: all voxels of the same material become the current one, or are erased",
-            Self::Select => "drag a box, then copy, cut, move or clear it; fill and replace stay inside",
+            Self::Brush => tr!("edit.brush_about"),
+            Self::Line => tr!("edit.line_about"),
+            Self::Box => tr!("edit.box_about"),
+            Self::Extrude => tr!("edit.extrude_about"),
+            Self::Fill => tr!("edit.fill_about"),
+            Self::Replace => tr!("edit.replace_about"),
+            Self::Select => tr!("edit.select_about"),
         }
     }
 

@@ -1,6 +1,7 @@
 //! Edits that outlive a window that was killed: a scene and a note about it, beside the settings, written while there are edits that no file
 //! holds. While a window lives it has the lock of its note, so that others leave it alone.
 
+use crate::tr;
 use serde::{Deserialize, Serialize};
 use std::fs::File;
 use std::io::{self, Write};
@@ -66,7 +67,7 @@ impl Recovery {
     /// One line: why it cannot be written.
     pub fn write(&mut self, scene: &PackedScene, note: &Note) -> Result<(), String> {
         let folder = self.folder.clone();
-        let text = |error: &dyn std::fmt::Display| format!("edits cannot be kept in {}: {error}", folder.display());
+        let text = |error: &dyn std::fmt::Display| tr!("edit.not_kept", folder = folder.display(), error = error);
         let stem = match &self.stem {
             Some(stem) => stem.clone(),
             None => self.begin().map_err(|error| text(&error))?,

@@ -2,6 +2,7 @@
 //! benchmark counts as wrong ones. Both are shown black in the first one's picture, as in the study's Figure 7.
 
 use super::View;
+use crate::tr;
 use voxtrace::glam::{Vec2, Vec3};
 use voxtrace::{Film, Hit, Ray};
 use voxtrace_bench::is_same_voxel;
@@ -25,9 +26,9 @@ impl Contrast {
     /// What it is, for people.
     pub fn name(self) -> &'static str {
         match self {
-            Self::Beside => "beside each other",
-            Self::Films => "films that differ",
-            Self::Voxels => "voxels that differ",
+            Self::Beside => tr!("comparison.beside"),
+            Self::Films => tr!("comparison.films"),
+            Self::Voxels => tr!("comparison.voxels"),
         }
     }
 }

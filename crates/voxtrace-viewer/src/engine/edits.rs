@@ -2,6 +2,7 @@
 
 use super::Event;
 use super::worker::Worker;
+use crate::tr;
 use std::sync::Arc;
 use voxtrace::{PackedScene, Patch};
 
@@ -23,7 +24,7 @@ impl Worker {
             drop(kept);
             for side in &mut self.sides {
                 if let Err(error) = side.follow(patch) {
-                    (self.tell)(Event::Notice(format!("{error}: the scene is set anew")));
+                    (self.tell)(Event::Notice(tr!("said.set_anew", error = error)));
                     is_stale = true;
                 }
             }

@@ -37,7 +37,7 @@ pub struct Pace {
 impl Pace {
     /// A pace of pictures that take `budget_ms` each.
     pub fn new(budget_ms: f64) -> Self {
-        Self { budget_ms, rate: None, shown: None, quality: QualityPace::new(budget_ms) }
+        Self { budget_ms, rate: None, shown: None, quality: QualityPace::new(quality::frame_ms().unwrap_or(budget_ms)) }
     }
 
     /// The view changed: what is shown is of no use.

@@ -9,6 +9,7 @@ pub use names::{free_name, place};
 pub use request::{Existing, ExportRequest, Job, frame_path};
 pub use run::{End, Outcome, Source, export};
 
+use crate::tr;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
@@ -80,8 +81,7 @@ impl Exporting {
         let watched = Arc::clone(&watch);
         let thread = std::thread::spawn(move || {
             let outcome = catch_unwind(AssertUnwindSafe(|| export(&request, source, &watched)));
-            let outcome =
-                outcome.unwrap_or_else(|_| Outcome::failed("rendering failed; the terminal says where".into()));
+            let outcome = outcome.unwrap_or_else(|_| Outcome::failed(tr!("said.rendering_failed").into()));
             // The window may be closed.
             let _ = sender.send(outcome);
             wake();
@@ -120,7 +120,7 @@ impl Exporting {
         match self.answer.try_recv() {
             Ok(outcome) => Some(outcome),
             Err(TryRecvError::Empty) => None,
-            Err(TryRecvError::Disconnected) => Some(Outcome::failed("rendering ended without a word".into())),
+            Err(TryRecvError::Disconnected) => Some(Outcome::failed(tr!("said.rendering_no_word").into())),
         }
     }
 }

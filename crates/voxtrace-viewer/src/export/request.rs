@@ -1,5 +1,6 @@
 //! What is to be exported: frames with their files.
 
+use crate::tr;
 use std::path::{Path, PathBuf};
 use voxtrace::Frame;
 use voxtrace::output::{PictureOptions, ToneMap};
@@ -49,12 +50,12 @@ impl ExportRequest {
     /// What is written, for people.
     pub fn name(&self) -> String {
         match &self.jobs[..] {
-            [] => "nothing".into(),
+            [] => tr!("said.nothing").into(),
             [job] => job.path.display().to_string(),
             [first, .., last] => {
                 let file = |path: &Path| path.file_name().unwrap_or_default().to_string_lossy().into_owned();
                 let folder = first.path.parent().unwrap_or(Path::new(""));
-                format!("{}, {} to {}", folder.display(), file(&first.path), file(&last.path))
+                tr!("said.files_to", folder = folder.display(), first = file(&first.path), last = file(&last.path))
             }
         }
     }

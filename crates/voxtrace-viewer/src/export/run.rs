@@ -2,6 +2,7 @@
 
 use super::{Existing, ExportRequest, Job, Watch};
 use crate::engine::Backend;
+use crate::tr;
 use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
@@ -71,13 +72,14 @@ fn work(request: &ExportRequest, source: Source, watch: &Watch, outcome: &mut Ou
     let inputs = Inputs::now();
     for job in &request.jobs {
         let path = job.path.display();
-        inputs.refuse(&job.path).map_err(|error| format!("cannot write {path}: {error}"))?;
+        inputs.refuse(&job.path).map_err(|error| tr!("said.cannot_write", path = path, error = error))?;
         if request.existing == Existing::Refuse && job.path.exists() {
-            return Err(format!("{path} is there already"));
+            return Err(tr!("said.is_there", path = path));
         }
     }
     let folder = request.jobs.first().and_then(|job| job.path.parent()).unwrap_or(Path::new(""));
-    std::fs::create_dir_all(folder).map_err(|error| format!("cannot make {}: {error}", folder.display()))?;
+    std::fs::create_dir_all(folder)
+        .map_err(|error| tr!("running.no_folder", folder = folder.display(), error = error))?;
     let mut tracer = open_tracer(&source, &mut outcome.notes).map_err(|error| error.to_string())?;
     // The light that was chosen is the picture's; the hash is that of the scene itself.
     let mut stamp = SceneStamp::of(&source.changed);
@@ -115,7 +117,7 @@ fn open_tracer(source: &Source, notes: &mut Vec<String>) -> Result<Box<dyn Trace
         match tracer.set_scene(&source.lit) {
             Ok(()) => return Ok(Box::new(tracer)),
             Err(error @ TraceError::OutOfMemory { .. }) => {
-                notes.push(format!("the picture is traced on the CPU: {error}"));
+                notes.push(tr!("said.traced_on_cpu", error = error));
             }
             Err(error) => return Err(error),
         }
@@ -131,8 +133,9 @@ fn write(job: &Job, tracer: &mut dyn Tracer, stamp: &SceneStamp, request: &Expor
     let path = job.path.display();
     // Another program may have made it meanwhile.
     if request.existing == Existing::Refuse && job.path.exists() {
-        return Err(format!("{path} is there already"));
+        return Err(tr!("said.is_there", path = path));
     }
     let file = FilmFile { frame: job.frame.clone(), scene: stamp.clone(), film };
-    file.save_picture(&job.path, &request.options()).map_err(|error| format!("cannot write {path}: {error}"))
+    file.save_picture(&job.path, &request.options())
+        .map_err(|error| tr!("said.cannot_write", path = path, error = error))
 }

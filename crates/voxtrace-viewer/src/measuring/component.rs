@@ -4,6 +4,7 @@
 use super::values::Value;
 use crate::scale::Quantity;
 use crate::threads;
+use crate::tr;
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -88,7 +89,7 @@ impl Flood {
             threads::yield_to_window();
             let counted = catch_unwind(AssertUnwindSafe(|| component_of(&scene, &hit, by_material, &of_thread, &over)));
             // The window may be closed.
-            let _ = sender.send(counted.unwrap_or_else(|_| Err("the voxels could not be counted".into())));
+            let _ = sender.send(counted.unwrap_or_else(|_| Err(tr!("said.voxels_not_counted").into())));
         });
         Self { point, found, is_over, result }
     }
@@ -103,7 +104,7 @@ impl Flood {
         match self.result.try_recv() {
             Ok(result) => Some(result),
             Err(TryRecvError::Empty) => None,
-            Err(TryRecvError::Disconnected) => Some(Err("the voxels could not be counted".into())),
+            Err(TryRecvError::Disconnected) => Some(Err(tr!("said.voxels_not_counted").into())),
         }
     }
 }
@@ -122,7 +123,7 @@ pub fn component_of(
     // Of the clicked object alone, also where objects were merged.
     let apart = scene.is_merged().then(|| threads::aside(|| scene.split()));
     let whole = apart.as_ref().unwrap_or(scene);
-    let instance = *whole.instances().get(hit.instance as usize).ok_or("the object is not there any more")?;
+    let instance = *whole.instances().get(hit.instance as usize).ok_or(tr!("measure.gone"))?;
     let grid = whole.grids()[instance.grid as usize];
     let material = by_material.then(|| scene.material_index(hit));
     let mut search = Search { scene: whole, cuts: scene, grid, instance, material, cells: HashMap::new() };
@@ -163,13 +164,11 @@ impl Search<'_> {
         let mut queue = vec![brick];
         while let Some(brick) = queue.pop() {
             if is_over.load(Ordering::Relaxed) {
-                return Err("counting was stopped".into());
+                return Err(tr!("measure.stopped").into());
             }
             if self.cells.len() > MOST_BRICKS {
                 let most = crate::scale::grouped(found.load(Ordering::Relaxed) as f64, 0);
-                return Err(format!(
-                    "this hangs together with more than {most} voxels; cut the scene open around it first"
-                ));
+                return Err(tr!("measure.too_many", most = most));
             }
             let cell = self.cell(brick);
             let new = spread(std::mem::take(&mut cell.pending), &cell.allowed, &cell.reached);

@@ -1,9 +1,9 @@
 //! The panel of the benchmark: measuring the view, and what it gave.
 
 use super::statistics::mebibytes;
-use super::{counted, heading};
+use super::{Noun, counted, heading};
 use crate::benchmark::FRAMES;
-use crate::keys::Action;
+use crate::keys::{Action, key_of};
 use crate::session::Session;
 use crate::tr;
 use egui::{Button, Grid, ProgressBar, RichText, Ui};
@@ -13,15 +13,12 @@ pub fn benchmark(ui: &mut Ui, session: &mut Session) {
     heading(ui, tr!("benchmark.benchmark"));
     let has_scene = session.open.is_some();
     ui.horizontal_wrapped(|ui| {
-        let label = if session.benchmark.is_some() { "Stop measuring" } else { "Measure this view" };
-        let about = format!(
-            "{FRAMES} frames of one sample by the study's path tracing, of what traces and what it is compared with; \
-             nothing else is traced meanwhile"
-        );
+        let label = if session.benchmark.is_some() { tr!("benchmark.stop") } else { tr!("benchmark.start") };
+        let about = tr!("benchmark.about", frames = FRAMES);
         if ui.add_enabled(has_scene, Button::new(label)).on_hover_text(about).clicked() {
             session.act(Action::Benchmark, None);
         }
-        if ui.button("Play a plan…").on_hover_text("F10").clicked() {
+        if ui.button(tr!("benchmark.plan")).on_hover_text(key_of(Action::Plan)).clicked() {
             session.act(Action::Plan, None);
         }
         if ui.add_enabled(has_scene, Button::new(tr!("benchmark.copy_bench_command"))).clicked() {
@@ -62,18 +59,18 @@ fn scene(row: &Measurement, all: &[Measurement]) -> String {
 fn lines(row: &Measurement) -> Vec<(&'static str, String)> {
     let mut lines = Vec::new();
     if let Some(times) = row.times {
-        lines.push(("frames", times.frames.to_string()));
-        lines.push(("median", format!("{:.3} ms", times.median_ms)));
+        lines.push((tr!("benchmark.frames"), times.frames.to_string()));
+        lines.push((tr!("benchmark.median"), format!("{:.3} ms", times.median_ms)));
         lines.push(("99 %", format!("{:.3} ms", times.p99_ms)));
         let rays = times.rays_per_second.map(|rays| format!("{:.4} G/s", rays / 1e9));
-        lines.push(("rays", rays.unwrap_or("not counted on the CPU".into())));
+        lines.push((tr!("benchmark.rays"), rays.unwrap_or(tr!("benchmark.not_counted").into())));
     }
-    lines.push(("traced", format!("{:.1} MiB", mebibytes(row.traced_bytes))));
+    lines.push((tr!("benchmark.traced"), format!("{:.1} MiB", mebibytes(row.traced_bytes))));
     if let Some(peak) = row.peak_bytes {
-        lines.push(("memory, peak", format!("{:.1} MiB", mebibytes(peak))));
+        lines.push((tr!("benchmark.peak"), format!("{:.1} MiB", mebibytes(peak))));
     }
     if let Some((wrong, rays)) = row.wrong_voxels {
-        lines.push(("wrong voxels", format!("{wrong} of {}", counted(rays, "ray"))));
+        lines.push((tr!("benchmark.wrong"), tr!("benchmark.wrong_of", wrong = wrong, rays = counted(rays, Noun::Ray))));
     }
     lines
 }

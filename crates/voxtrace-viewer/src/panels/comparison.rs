@@ -1,7 +1,7 @@
 //! The panel of two tracers on one view, and the divider between their pictures.
 
 use super::status::Status;
-use super::{counted, heading};
+use super::{Noun, counted, grouped, heading};
 use crate::comparison::{Comparison, tracer_name};
 use crate::engine::Contrast;
 use crate::keys::Action;
@@ -38,7 +38,7 @@ pub fn comparison(ui: &mut Ui, session: &mut Session, status: &Status) {
         }
     });
     let samples = status.other.as_ref().map_or(0, |other| other.samples);
-    ui.label(format!("{} of {} samples of the other", samples, session.render_settings.samples));
+    ui.label(tr!("comparison.samples", samples = samples, all = session.render_settings.samples));
     ui.label(verdict(&own, status));
     let is_changed = session.comparison.as_ref() != Some(&own);
     if is_changed {
@@ -51,19 +51,20 @@ pub fn comparison(ui: &mut Ui, session: &mut Session, status: &Status) {
 
 /// How many pixels differ, for people.
 fn verdict(own: &Comparison, status: &Status) -> String {
-    let what = match own.contrast {
-        Contrast::Beside => return "drag the divider, or press J and K".into(),
-        Contrast::Films => "films",
-        Contrast::Voxels => "voxels",
+    let (is_films, none) = match own.contrast {
+        Contrast::Beside => return tr!("comparison.drag").into(),
+        Contrast::Films => (true, tr!("comparison.no_films")),
+        Contrast::Voxels => (false, tr!("comparison.no_voxels")),
     };
-    let Some(differences) = &status.differences else { return format!("no {what} to compare yet") };
-    let share = differences.count as f64 / differences.pixels.max(1) as f64 * 100.0;
-    let of = match own.contrast {
-        Contrast::Films => format!(", after {}", counted(differences.samples.into(), "sample")),
-        _ => ", by the rays through their middles".into(),
-    };
-    let (count, pixels) = (counted(differences.count, "pixel"), counted(differences.pixels, ""));
-    format!("{count} of {} differ ({share:.3} %){of}", pixels.trim_end_matches([' ', 's']))
+    let Some(differences) = &status.differences else { return none.into() };
+    let share = format!("{:.3}", differences.count as f64 / differences.pixels.max(1) as f64 * 100.0);
+    let (count, pixels) = (grouped(differences.count), counted(differences.pixels, Noun::Pixel));
+    if is_films {
+        let samples = counted(differences.samples.into(), Noun::Sample);
+        tr!("comparison.films_differ", count = count, pixels = pixels, share = share, samples = samples)
+    } else {
+        tr!("comparison.voxels_differ", count = count, pixels = pixels, share = share)
+    }
 }
 
 /// The divider over the picture, which is as wide as the window without the panel of `side` points. What drags it is the mouse over the

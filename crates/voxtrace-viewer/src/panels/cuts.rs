@@ -4,7 +4,7 @@ use super::{section, slider};
 use crate::cutting::{Cutting, LEAST, MOST_PLANES, Slice};
 use crate::session::Session;
 use crate::tr;
-use egui::Ui;
+use egui::{RichText, Ui};
 use std::ops::RangeInclusive;
 use voxtrace::glam::Vec3;
 
@@ -16,7 +16,7 @@ pub fn cuts(ui: &mut Ui, session: &mut Session) {
     let mut cutting = old.clone();
     // A further plane cuts away the half that is nearer.
     let towards_eye = along_axis(session.navigator.camera().eye - 0.5 * (min + max));
-    section(ui, if old.is_cut() { "Cuts (cut open)" } else { "Cuts" }, "cuts", |ui| {
+    section(ui, if old.is_cut() { tr!("cuts.title_cut") } else { tr!("cuts.title") }, "cuts", |ui| {
         let mut has_box = cutting.clip_box.is_some();
         if ui.checkbox(&mut has_box, tr!("cuts.box")).changed() {
             cutting.clip_box = has_box.then_some([min, max]);
@@ -24,10 +24,10 @@ pub fn cuts(ui: &mut Ui, session: &mut Session) {
         if let Some([from, to]) = &mut cutting.clip_box {
             for (axis, name) in AXES.into_iter().enumerate() {
                 let range = min[axis]..=max[axis];
-                side(ui, &mut from[axis], &range, &format!("{name} from"));
+                side(ui, &mut from[axis], &range, &tr!("cuts.from", name = name));
                 // Whichever side is moved pushes the other.
                 to[axis] = to[axis].max(from[axis] + LEAST);
-                side(ui, &mut to[axis], &range, &format!("{name} to"));
+                side(ui, &mut to[axis], &range, &tr!("cuts.to", name = name));
                 from[axis] = from[axis].min(to[axis] - LEAST);
             }
         }
@@ -63,6 +63,7 @@ pub fn cuts(ui: &mut Ui, session: &mut Session) {
                 ui.checkbox(&mut session.clipping.has_handles, tr!("clip.handles"));
             }
             ui.checkbox(&mut cutting.shadows, tr!("cuts.light_of_the_whole_scene"));
+            ui.label(RichText::new(tr!("cuts.convex")).weak());
             if ui.button(tr!("cuts.show_all_of_it")).clicked() {
                 cutting = Cutting::default();
             }
@@ -83,8 +84,8 @@ fn planes(ui: &mut Ui, planes: &mut Vec<(Vec3, f32)>, bounds: (Vec3, Vec3), towa
     for (index, (normal, offset)) in planes.iter_mut().enumerate() {
         let number = index + 1;
         let [mut bearing, mut height] = direction_of(*normal);
-        let mut is_turned = ui.add(slider(&mut bearing, 0.0..=360.0, &format!("bearing {number} °"))).changed();
-        is_turned |= ui.add(slider(&mut height, -90.0..=90.0, &format!("height {number} °"))).changed();
+        let mut is_turned = ui.add(slider(&mut bearing, 0.0..=360.0, &tr!("cuts.bearing", number = number))).changed();
+        is_turned |= ui.add(slider(&mut height, -90.0..=90.0, &tr!("cuts.height", number = number))).changed();
         if is_turned {
             // It turns around the middle of what it cuts.
             let length = normal.length();
@@ -95,11 +96,11 @@ fn planes(ui: &mut Ui, planes: &mut Vec<(Vec3, f32)>, bounds: (Vec3, Vec3), towa
             *offset = from + share * (to - from);
         }
         let (from, to) = span(*normal, bounds);
-        ui.add(slider(offset, from..=to, &format!("plane {number} at")).max_decimals(1));
+        ui.add(slider(offset, from..=to, &tr!("cuts.plane_at", number = number)).max_decimals(1));
         if ui.button(tr!("clip.invert", number = number)).clicked() {
             (*normal, *offset) = (-*normal, -*offset);
         }
-        if ui.button(format!("without plane {number}")).clicked() {
+        if ui.button(tr!("cuts.without_plane", number = number)).clicked() {
             gone = Some(index);
         }
     }

@@ -1,9 +1,10 @@
 //! The panel of editing: tools, brush, palette, symmetry, what is selected, and what can be undone.
 
-use super::{counted, heading, name_node, slider};
+use super::{Noun, counted, heading, name_node, slider};
 use crate::editing::{Act, Brush, Editing, Tool, UNDO_BYTES};
 use crate::keys::{Action, EditAction, EditAxis, key_of};
 use crate::session::{Session, extent};
+use crate::tr;
 use egui::{Button, Color32, DragValue, RichText, ScrollArea, Sense, Stroke, StrokeKind, Ui, vec2};
 use voxtrace::Material;
 use voxtrace::material::srgb_from_linear;
@@ -17,7 +18,7 @@ const AXES: [&str; 3] = ["x", "y", "z"];
 
 /// The button that begins to edit.
 pub fn begin(ui: &mut Ui, session: &mut Session) {
-    let text = if session.is_editing() { "End editing" } else { "Edit the voxels" };
+    let text = if session.is_editing() { tr!("edit.end") } else { tr!("edit.begin") };
     if ui.button(text).on_hover_text(key_of(Action::ToggleEditing)).clicked() {
         session.act(Action::ToggleEditing, None);
     }
@@ -26,9 +27,9 @@ pub fn begin(ui: &mut Ui, session: &mut Session) {
 /// The whole panel.
 pub fn editing(ui: &mut Ui, session: &mut Session) {
     let Some(editing) = session.editing.as_ref().filter(|editing| editing.is_on) else { return };
-    heading(ui, "Edit");
+    heading(ui, tr!("edit.title"));
     if !editing.is_ready {
-        ui.horizontal(|ui| (ui.spinner(), ui.label("making the scene ready for edits …")));
+        ui.horizontal(|ui| (ui.spinner(), ui.label(tr!("edit.preparing"))));
     }
     tools(ui, session);
     brush(ui, session);
@@ -46,14 +47,14 @@ fn told(session: &Session) -> String {
         return text;
     }
     if editing.picks_middle {
-        return "click the voxel through whose middle the planes go".into();
+        return tr!("edit.pick_middle").into();
     }
     if editing.pasting.is_some() {
-        return "click where it is put down; R turns, M mirrors, Esc ends".into();
+        return tr!("edit.put_down").into();
     }
     let spot = session.hover.and_then(|cursor| session.edit_spot(cursor));
     match spot.map(|spot| (spot.grid, session.copies_of(spot.grid))) {
-        Some((_, copies)) if copies > 1 => format!("this model stands {copies} times: all change together"),
+        Some((_, copies)) if copies > 1 => tr!("edit.copies", copies = copies),
         _ => editing.tool.about().into(),
     }
 }
@@ -96,10 +97,10 @@ fn brush(ui: &mut Ui, session: &mut Session) {
         return;
     }
     let Brush { mut size, mut is_round } = editing.brush;
-    ui.add(slider(&mut size, 1..=64, "size of the brush").logarithmic(true));
+    ui.add(slider(&mut size, 1..=64, tr!("edit.brush_size")).logarithmic(true));
     ui.horizontal(|ui| {
-        ui.radio_value(&mut is_round, true, "ball");
-        ui.radio_value(&mut is_round, false, "cube");
+        ui.radio_value(&mut is_round, true, tr!("edit.ball"));
+        ui.radio_value(&mut is_round, false, tr!("edit.cube"));
     });
     editing.brush = Brush { is_round, ..editing.brush }.resized(size);
 }
@@ -107,11 +108,12 @@ fn brush(ui: &mut Ui, session: &mut Session) {
 /// What a material is, in a few words.
 fn about(number: usize, material: &PackedMaterial) -> String {
     let [red, green, blue] = material.base_color.to_array().map(srgb_from_linear);
-    let mut text = format!("material {number}, #{red:02x}{green:02x}{blue:02x}");
+    let color = format!("#{red:02x}{green:02x}{blue:02x}");
+    let mut text = tr!("edit.material", number = number, color = color);
     for (is_so, word) in [
-        (material.emission.max_element() > 0.0, "glows"),
-        (material.transmission > 0.0, "glass"),
-        (material.metallic > 0.0, "metal"),
+        (material.emission.max_element() > 0.0, tr!("edit.glows")),
+        (material.transmission > 0.0, tr!("edit.glass")),
+        (material.metallic > 0.0, tr!("edit.metal")),
     ] {
         if is_so {
             text.push_str(", ");
@@ -155,7 +157,7 @@ fn palette(ui: &mut Ui, session: &mut Session) {
     if let Some(material) = session.material(current) {
         ui.horizontal(|ui| {
             swatch(ui, session, current, true);
-            ui.label(about(current, &material)).on_hover_text("Alt+click or I takes the material under the cursor");
+            ui.label(about(current, &material)).on_hover_text(tr!("edit.take_hint"));
         });
     }
     let spacing = vec2(2.0, 2.0);
@@ -179,7 +181,7 @@ fn palette(ui: &mut Ui, session: &mut Session) {
     );
     if recent.len() > 1 {
         ui.horizontal(|ui| {
-            ui.label("recent");
+            ui.label(tr!("edit.recent"));
             ui.spacing_mut().item_spacing = spacing;
             for number in recent.into_iter().map(usize::from).filter(|&number| number < count) {
                 if swatch(ui, session, number, number == current) {
@@ -203,14 +205,14 @@ fn new_material(ui: &mut Ui, session: &mut Session, current: usize) {
     (own.ior, own.specular, own.anisotropy) = (now.ior, now.specular, now.anisotropy);
     (own.absorption, own.scattering, own.emission) = (now.absorption, now.scattering, now.emission);
     let kinds = [
-        ("like it", own),
-        ("matt", Material::diffuse(now.base_color)),
-        ("metal", Material::metal(now.base_color, 0.2)),
-        ("plastic", Material::plastic(now.base_color, 0.1)),
-        ("lamp", Material::diffuse(now.base_color).glowing(4.0)),
+        (tr!("edit.like_it"), own),
+        (tr!("edit.matt"), Material::diffuse(now.base_color)),
+        (tr!("edit.metal"), Material::metal(now.base_color, 0.2)),
+        (tr!("edit.plastic"), Material::plastic(now.base_color, 0.1)),
+        (tr!("edit.lamp"), Material::diffuse(now.base_color).glowing(4.0)),
     ];
     ui.horizontal_wrapped(|ui| {
-        ui.label("new").on_hover_text("a further material in this colour, to be changed above");
+        ui.label(tr!("edit.new")).on_hover_text(tr!("edit.new_about"));
         for (name, material) in kinds {
             if ui.button(name).clicked() {
                 session.add_material(material);
@@ -222,7 +224,7 @@ fn new_material(ui: &mut Ui, session: &mut Session, current: usize) {
 fn symmetry(ui: &mut Ui, session: &mut Session) {
     let Some(editing) = &mut session.editing else { return };
     ui.horizontal(|ui| {
-        ui.label("symmetry across");
+        ui.label(tr!("edit.symmetry"));
         for (axis, name) in AXES.into_iter().enumerate() {
             ui.checkbox(&mut editing.symmetry.axes[axis], name);
         }
@@ -232,10 +234,14 @@ fn symmetry(ui: &mut Ui, session: &mut Session) {
     }
     ui.horizontal(|ui| {
         let is_middle = editing.symmetry_of.is_none();
-        if ui.radio(is_middle, "middle of the model").clicked() {
+        if ui.radio(is_middle, tr!("edit.middle")).clicked() {
             (editing.symmetry_of, editing.picks_middle) = (None, false);
         }
-        if ui.radio(!is_middle || editing.picks_middle, "a voxel").on_hover_text("then click the voxel").clicked() {
+        if ui
+            .radio(!is_middle || editing.picks_middle, tr!("edit.a_voxel"))
+            .on_hover_text(tr!("edit.then_click"))
+            .clicked()
+        {
             editing.picks_middle = true;
         }
     });
@@ -254,7 +260,7 @@ fn selection(ui: &mut Ui, session: &mut Session) {
     let Some(Editing { tool, selection, pasting, clip, .. }) = &mut session.editing else { return };
     if let Some(selection) = selection {
         let region = &mut selection.region;
-        for (name, corner) in [("from", &mut region.min), ("to", &mut region.max)] {
+        for (name, corner) in [(tr!("edit.from"), &mut region.min), (tr!("edit.to"), &mut region.max)] {
             ui.horizontal(|ui| {
                 ui.label(name);
                 for axis in 0..3 {
@@ -264,7 +270,7 @@ fn selection(ui: &mut Ui, session: &mut Session) {
         }
         region.max = region.max.max(region.min + 1);
         let size = region.size();
-        ui.label(format!("{} × {} × {} selected", size.x, size.y, size.z));
+        ui.label(tr!("edit.selected", x = size.x, y = size.y, z = size.z));
     }
     let (has_selection, has_clip, is_pasting) = (selection.is_some(), clip.is_some(), pasting.is_some());
     if !has_selection && !has_clip && *tool != Tool::Select {
@@ -278,18 +284,20 @@ fn selection(ui: &mut Ui, session: &mut Session) {
                 asked = Some(action);
             }
         };
-        button("copy", has_selection, EditAction::Copy);
-        button("cut", has_selection, EditAction::Cut);
-        button("move", has_selection, EditAction::Move);
-        button("clear", has_selection, EditAction::Clear);
-        button("paste", has_clip, EditAction::Paste);
+        button(tr!("edit.copy"), has_selection, EditAction::Copy);
+        button(tr!("edit.cut"), has_selection, EditAction::Cut);
+        button(tr!("edit.move"), has_selection, EditAction::Move);
+        button(tr!("edit.clear"), has_selection, EditAction::Clear);
+        button(tr!("edit.paste"), has_clip, EditAction::Paste);
     });
     if is_pasting {
         ui.horizontal_wrapped(|ui| {
             let axes = [EditAxis::X, EditAxis::Y, EditAxis::Z];
             for (name, axis) in AXES.into_iter().zip(axes) {
-                for (what, action) in [("turn", EditAction::Turn(axis)), ("mirror", EditAction::Mirror(axis))] {
-                    let button = ui.button(format!("{what} {name}"));
+                let (turn, mirror) = (EditAction::Turn(axis), EditAction::Mirror(axis));
+                for (text, action) in [(tr!("edit.turn", name = name), turn), (tr!("edit.mirror", name = name), mirror)]
+                {
+                    let button = ui.button(text);
                     if button.on_hover_text(key_of(Action::Edit(action))).clicked() {
                         asked = Some(action);
                     }
@@ -297,7 +305,7 @@ fn selection(ui: &mut Ui, session: &mut Session) {
             }
         });
     }
-    if has_selection && ui.button("fill the box with the material").clicked() {
+    if has_selection && ui.button(tr!("edit.fill_box")).clicked() {
         session.fill_selection();
     }
     if let Some(action) = asked {
@@ -316,15 +324,15 @@ fn steps(ui: &mut Ui, session: &mut Session) {
     let (done, undone) = (steps.done.len(), steps.undone.len());
     let mut asked = None;
     ui.horizontal(|ui| {
-        for (name, count, is_back) in [("undo", done, true), ("redo", undone, false)] {
+        for (name, count, is_back) in [(tr!("edit.undo"), done, true), (tr!("edit.redo"), undone, false)] {
             let action = if is_back { EditAction::Undo } else { EditAction::Redo };
             let button = ui.add_enabled(count > 0, Button::new(name));
             if button.on_hover_text(key_of(Action::Edit(action))).clicked() {
                 asked = Some((1, is_back));
             }
         }
-        ui.label(RichText::new(format!("{} of {}", megabytes(steps.bytes), megabytes(UNDO_BYTES))).weak())
-            .on_hover_text("what undo keeps; beyond that the oldest steps are forgotten");
+        ui.label(RichText::new(tr!("edit.bytes", bytes = megabytes(steps.bytes), most = megabytes(UNDO_BYTES))).weak())
+            .on_hover_text(tr!("edit.bytes_about"));
     });
     let height = ui.text_style_height(&egui::TextStyle::Body) + 2.0;
     let rows = done + undone + 1;
@@ -335,8 +343,8 @@ fn steps(ui: &mut Ui, session: &mut Session) {
         |ui, rows| {
             for row in rows {
                 let (text, is_undone) = match row.checked_sub(1) {
-                    None if steps.has_forgotten => ("earlier edits, which stay".to_owned(), false),
-                    None => ("as it was opened".to_owned(), false),
+                    None if steps.has_forgotten => (tr!("edit.forgotten").to_owned(), false),
+                    None => (tr!("edit.as_opened").to_owned(), false),
                     Some(index) => {
                         let is_undone = index >= done;
                         let step =
@@ -346,7 +354,7 @@ fn steps(ui: &mut Ui, session: &mut Session) {
                             voxels => format!(
                                 " {}{}",
                                 if voxels > 0 { "+" } else { "−" },
-                                counted(voxels.unsigned_abs(), "voxel")
+                                counted(voxels.unsigned_abs(), Noun::Voxel)
                             ),
                         };
                         (format!("{row}. {}{voxels}", step.name), is_undone)
@@ -363,11 +371,11 @@ fn steps(ui: &mut Ui, session: &mut Session) {
         session.travel(count, is_back);
     }
     ui.horizontal(|ui| {
-        if ui.button("Save edits").on_hover_text(key_of(Action::SaveEdits)).clicked() {
+        if ui.button(tr!("edit.save")).on_hover_text(key_of(Action::SaveEdits)).clicked() {
             session.save_edits();
         }
         if session.has_unsaved_edits() {
-            ui.label(RichText::new("not saved yet").weak());
+            ui.label(RichText::new(tr!("edit.not_saved")).weak());
         }
     });
 }

@@ -33,11 +33,11 @@ pub fn lens(ui: &mut Ui, session: &mut Session) {
     }
     match &mut lens {
         Lens::Thin { aperture, focus, blades, blade_rotation } => {
-            length(ui, aperture, size * 0.05, "aperture, voxels");
-            length(ui, focus, size * 2.0, "focus, voxels");
+            length(ui, aperture, size * 0.05, tr!("lens.aperture"));
+            length(ui, focus, size * 2.0, tr!("lens.focus"));
             diaphragm(ui, blades, blade_rotation);
         }
-        Lens::Orthographic { view_height } => length(ui, view_height, size * 4.0, "height, voxels"),
+        Lens::Orthographic { view_height } => length(ui, view_height, size * 4.0, tr!("lens.height")),
         Lens::Panorama { eye_distance } => {
             let range = 0.0..=(size * 0.05).max(1.0);
             let slider = slider(eye_distance, range, tr!("lens.eyes_apart_voxels")).logarithmic(true);
@@ -62,7 +62,8 @@ fn length(ui: &mut Ui, value: &mut f32, most: f32, name: &str) {
 }
 
 fn diaphragm(ui: &mut Ui, blades: &mut u32, rotation: &mut f32) {
-    let name = |blades: u32| if blades == 0 { "round".to_owned() } else { format!("{blades} blades") };
+    let name =
+        |blades: u32| if blades == 0 { tr!("lens.round").to_owned() } else { tr!("lens.blades", blades = blades) };
     ComboBox::from_label(tr!("lens.diaphragm")).selected_text(name(*blades)).show_ui(ui, |ui| {
         for choice in std::iter::once(0).chain(3..=MOST_BLADES) {
             ui.selectable_value(blades, choice, name(choice));
@@ -75,7 +76,7 @@ fn diaphragm(ui: &mut Ui, blades: &mut u32, rotation: &mut f32) {
 
 fn focus(ui: &mut Ui, session: &mut Session) {
     let picked = session.picked.as_ref().map(|picked| picked.point);
-    let text = if picked.is_some() { "focus on the picked voxel" } else { "focus on the middle" };
+    let text = if picked.is_some() { tr!("lens.focus_picked") } else { tr!("lens.focus_middle") };
     if ui.add_enabled(session.open.is_some(), Button::new(text)).clicked() {
         let point = picked.unwrap_or_else(|| session.middle());
         session.focus_on(point);

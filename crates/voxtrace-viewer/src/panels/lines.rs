@@ -22,10 +22,10 @@ pub fn lines(ui: &mut Ui, session: &mut Session) {
         return;
     }
     let title = match (settings.lines.edges.is_some(), settings.lines.grid.is_some()) {
-        (false, false) => "Lines",
-        (true, false) => "Lines (edges)",
-        (false, true) => "Lines (grid)",
-        (true, true) => "Lines (edges, grid)",
+        (false, false) => tr!("lines.title"),
+        (true, false) => tr!("lines.title_edges"),
+        (false, true) => tr!("lines.title_grid"),
+        (true, true) => tr!("lines.title_both"),
     };
     section(ui, title, "lines", |ui| {
         let edges = &mut settings.lines.edges;
@@ -35,7 +35,7 @@ pub fn lines(ui: &mut Ui, session: &mut Session) {
         }
         if let Some(Line { width, color }) = edges {
             ui.add(slider(width, NARROWEST..=1.0, tr!("lines.width_of_edges")).max_decimals(2));
-            pick_color(ui, color, "colour of edges");
+            pick_color(ui, color, tr!("lines.edge_colour"));
         }
         let grid = &mut settings.lines.grid;
         let mut has_grid = grid.is_some();
@@ -44,7 +44,7 @@ pub fn lines(ui: &mut Ui, session: &mut Session) {
         }
         if let Some(GridLines { line: Line { width, color }, spacing }) = grid {
             ui.add(slider(width, NARROWEST..=1.0, tr!("lines.width_of_the_grid")).max_decimals(2));
-            pick_color(ui, color, "colour of the grid");
+            pick_color(ui, color, tr!("lines.grid_colour"));
             ui.add(slider(spacing, 1..=MOST_SPACING, tr!("lines.voxels_apart")).logarithmic(true));
         }
     });

@@ -1,6 +1,6 @@
 //! The panel of materials: those that a voxel has, each with its colour and what it emits, to be changed.
 
-use super::{counted, name_node};
+use super::{Noun, counted, name_node};
 use crate::session::Session;
 use crate::tr;
 use egui::{CollapsingHeader, DragValue, ScrollArea, Ui};
@@ -18,14 +18,15 @@ pub fn materials(ui: &mut Ui, session: &mut Session) {
     let Some(open) = &session.open else { return };
     let count = open.original.materials().len() as u64;
     let changed = open.materials.len();
-    let title = if changed > 0 { format!("Materials ({changed} changed)") } else { "Materials".into() };
+    let title =
+        if changed > 0 { tr!("materials.title_changed", changed = changed) } else { tr!("materials.title").into() };
     CollapsingHeader::new(title).id_salt("materials").show(ui, |ui| {
         let Some(used) = session.open.as_ref().and_then(|open| open.used_materials().map(<[usize]>::to_vec)) else {
             ui.label(tr!("materials.looking_which_are_in_use"));
             ui.ctx().request_repaint_after(SOON);
             return;
         };
-        ui.label(format!("{} of {} in use", used.len(), counted(count, "material")));
+        ui.label(tr!("materials.in_use", used = used.len(), all = counted(count, Noun::Material)));
         let height = ui.spacing().interact_size.y;
         ScrollArea::vertical().id_salt("materials").max_height(HEIGHT).show_rows(ui, height, used.len(), |ui, rows| {
             for &number in &used[rows] {
@@ -41,9 +42,10 @@ pub fn material(ui: &mut Ui, session: &mut Session, number: usize) {
     ui.horizontal(|ui| {
         let mut srgb = now.base_color.to_array().map(srgb_from_linear);
         let picker = ui.color_edit_button_srgb(&mut srgb);
-        name_node(ui, &picker, &format!("colour of material {number}"));
+        name_node(ui, &picker, &tr!("materials.colour", number = number));
         let label = ui.monospace(format!("{number:>4}"));
-        label.on_hover_text(format!("material {number}, #{:02x}{:02x}{:02x}", srgb[0], srgb[1], srgb[2]));
+        let color = format!("#{:02x}{:02x}{:02x}", srgb[0], srgb[1], srgb[2]);
+        label.on_hover_text(tr!("edit.material", number = number, color = color));
         let change = MaterialChange { number, base_color: now.base_color, emission: emission_of(session, number) };
         if picker.changed() {
             session.set_material(MaterialChange { base_color: linear_color(srgb), ..change });
@@ -54,7 +56,7 @@ pub fn material(ui: &mut Ui, session: &mut Session, number: usize) {
         let drag =
             DragValue::new(&mut wanted).range(0.0..=1e6).speed(speed).prefix(tr!("materials.glows")).max_decimals(2);
         let drag = ui.add(drag);
-        name_node(ui, &drag, &format!("emission of material {number}"));
+        name_node(ui, &drag, &tr!("materials.emission", number = number));
         if drag.changed() {
             let emission = glowing(now.emission, now.base_color, wanted);
             session.set_material(MaterialChange { emission: Some(emission), ..change });
@@ -62,14 +64,14 @@ pub fn material(ui: &mut Ui, session: &mut Session, number: usize) {
         if strength > 0.0 {
             let mut srgb = (now.emission / strength).to_array().map(srgb_from_linear);
             let picker = ui.color_edit_button_srgb(&mut srgb);
-            name_node(ui, &picker, &format!("colour of the emission of material {number}"));
+            name_node(ui, &picker, &tr!("materials.emission_colour", number = number));
             if picker.changed() {
                 let emission = glowing(linear_color(srgb), now.base_color, strength);
                 session.set_material(MaterialChange { emission: Some(emission), ..change });
             }
         }
         let is_changed = session.open.as_ref().is_some_and(|open| open.materials.contains_key(&number));
-        if is_changed && ui.small_button("↺").on_hover_text(format!("as the scene has material {number}")).clicked() {
+        if is_changed && ui.small_button("↺").on_hover_text(tr!("materials.reset", number = number)).clicked() {
             session.reset_material(number);
         }
     });

@@ -1,7 +1,7 @@
 //! The panel of measurements, and what is drawn of them over the picture.
 
 use super::over::{Over, over};
-use super::{counted, name_node};
+use super::{Noun, counted, name_node};
 use crate::measuring::{Kind, Measure, Snap, Snapped, Value, kind_name};
 use crate::scale::Scale;
 use crate::session::Session;
@@ -30,7 +30,7 @@ pub fn measuring(ui: &mut Ui, session: &mut Session) {
     CollapsingHeader::new(title).id_salt("measurements").open(opens).show(ui, |ui| {
         tools(ui, session);
         if let Some(flood) = &session.measuring.flood {
-            let found = counted(flood.found(), "voxel");
+            let found = counted(flood.found(), Noun::Voxel);
             let mut is_stopped = false;
             // Panels that became wider would make the picture another one.
             ui.horizontal_wrapped(|ui| {
@@ -232,7 +232,7 @@ pub fn drawn(ui: &Ui, session: &mut Session, side: f32) {
             shape(over, measure, &scale, color);
         }
         if let Some(flood) = &session.measuring.flood {
-            over.label(flood.point.as_vec3(), &counted(flood.found(), "voxel"), UNDER_WAY);
+            over.label(flood.point.as_vec3(), &counted(flood.found(), Noun::Voxel), UNDER_WAY);
         }
         if let Some(kind) = session.measuring.tool {
             under_way(over, kind, &session.measuring.points, under, &scale);

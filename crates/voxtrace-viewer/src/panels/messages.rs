@@ -14,7 +14,7 @@ const MARGIN: f32 = 10.0;
 pub fn loading(ui: &Ui, session: &mut Session, side: f32) {
     let Some(loading) = &session.loading else { return };
     let text = match loading.seconds_left {
-        Some(seconds) if seconds >= 1.0 => format!("{}, {seconds:.0} s left", loading.work),
+        Some(seconds) if seconds >= 1.0 => tr!("messages.left", work = loading.work, seconds = format!("{seconds:.0}")),
         _ => loading.work.clone(),
     };
     let (source, share) = (loading.source.clone(), loading.share);

@@ -150,14 +150,53 @@ fn heading(ui: &mut Ui, text: &str) {
     ui.label(RichText::new(text).strong());
 }
 
-/// A number with its noun, as people write both: "1 object", "13,600,000 voxels".
-pub(crate) fn counted(number: u64, noun: &str) -> String {
+/// What is counted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Noun {
+    Voxel,
+    Object,
+    Model,
+    Material,
+    Ray,
+    Sample,
+    Pixel,
+    Point,
+    Label,
+}
+
+impl Noun {
+    /// The word of one, and that of several.
+    fn words(self) -> [&'static str; 2] {
+        match self {
+            Self::Voxel => [tr!("count.voxel"), tr!("count.voxels")],
+            Self::Object => [tr!("count.object"), tr!("count.objects")],
+            Self::Model => [tr!("count.model"), tr!("count.models")],
+            Self::Material => [tr!("count.material"), tr!("count.materials")],
+            Self::Ray => [tr!("count.ray"), tr!("count.rays")],
+            Self::Sample => [tr!("count.sample"), tr!("count.samples")],
+            Self::Pixel => [tr!("count.pixel"), tr!("count.pixels")],
+            Self::Point => [tr!("count.point"), tr!("count.points")],
+            Self::Label => [tr!("count.label"), tr!("count.labels")],
+        }
+    }
+}
+
+/// A number in groups of three digits, as people write it.
+pub(crate) fn grouped(number: u64) -> String {
     let digits = number.to_string();
     let starts_group = |index: usize| index > 0 && (digits.len() - index).is_multiple_of(3);
     let mut text = String::new();
     for (index, digit) in digits.chars().enumerate() {
-        text.extend(starts_group(index).then_some(','));
+        if starts_group(index) {
+            text.push_str(tr!("count.thousands"));
+        }
         text.push(digit);
     }
-    format!("{text} {noun}{}", if number == 1 { "" } else { "s" })
+    text
+}
+
+/// A number with its noun: "1 object", "13,600,000 voxels".
+pub(crate) fn counted(number: u64, noun: Noun) -> String {
+    let [one, several] = noun.words();
+    format!("{} {}", grouped(number), if number == 1 { one } else { several })
 }

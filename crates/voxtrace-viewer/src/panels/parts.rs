@@ -1,6 +1,6 @@
 //! The panel of parts: a tree of layers, groups, models and objects, each shown, hidden, isolated or flown to.
 
-use super::{counted, name_node};
+use super::{Noun, counted, name_node};
 use crate::keys::Action;
 use crate::outliner::{Order, Part, Row, name_of};
 use crate::scale::grouped;
@@ -32,7 +32,7 @@ pub fn parts(ui: &mut Ui, session: &mut Session) {
         tr!("outliner.title").to_owned()
     };
     CollapsingHeader::new(title).id_salt("parts").show(ui, |ui| {
-        ui.label(counted(outline.objects.len() as u64, "object"));
+        ui.label(counted(outline.objects.len() as u64, Noun::Object));
         top(ui, session);
         list(ui, session);
         selected(ui, session);

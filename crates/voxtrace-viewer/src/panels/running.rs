@@ -10,7 +10,7 @@ const ABOVE: f32 = 24.0;
 pub fn running(ui: &Ui, session: &mut Session, side: f32) {
     let Some(running) = &mut session.running else { return };
     let left = running.seconds_left.filter(|&seconds| seconds >= 1.0);
-    let left = left.map_or(String::new(), |seconds| format!(", {} left", super::dialogs::duration(seconds)));
+    let left = left.map_or(String::new(), |seconds| tr!("running.left", time = super::dialogs::duration(seconds)));
     let percent = running.share.map_or(String::new(), |share| format!(" {:.0} %", share * 100.0));
     let text = format!("{}{percent}{left}", running.work);
     let title = if running.request.measures { tr!("running.measuring") } else { tr!("running.recording") };

@@ -1,6 +1,6 @@
 //! The panel of the scene: what is open, and what can be done with it.
 
-use super::{counted, heading};
+use super::{Noun, counted, heading};
 use crate::keys::Action;
 use crate::session::Session;
 use crate::tr;
@@ -12,7 +12,7 @@ pub fn scene(ui: &mut Ui, session: &mut Session) {
         ui.label(&open.original.name);
         let voxels = open.voxels;
         let objects = open.original.instance_count();
-        ui.label(format!("{}, {}", counted(voxels, "voxel"), counted(objects as u64, "object")));
+        ui.label(format!("{}, {}", counted(voxels, Noun::Voxel), counted(objects as u64, Noun::Object)));
     }
     ui.horizontal_wrapped(|ui| {
         if ui.button(tr!("scene.new")).clicked() {

@@ -5,17 +5,18 @@ use crate::dialogs::PathField;
 use crate::render_command::SkySetting;
 use crate::render_settings::RenderSettings;
 use crate::session::Session;
-use crate::tr;
+use crate::strings::text;
+use crate::{text_key, tr};
 use egui::{ComboBox, Key, TextEdit, Ui};
 use std::path::PathBuf;
 use voxtrace::Sky;
 use voxtrace::glam::Vec3;
 
 /// The choices, with what each says to whoever chooses.
-const OWN: &str = "the scene's own sky";
-const COLOR: &str = "one colour";
-const PHYSICAL: &str = "physical sky";
-const PANORAMA: &str = "panorama";
+const OWN: &str = text_key!("sky.own");
+const COLOR: &str = text_key!("sky.one_colour");
+const PHYSICAL: &str = text_key!("sky.physical");
+const PANORAMA: &str = text_key!("sky.panorama");
 
 /// Shows what the sky is and takes another; `lit` is the one that is seen.
 pub fn sky(ui: &mut Ui, session: &mut Session, settings: &mut RenderSettings, lit: &Sky) {
@@ -28,9 +29,9 @@ pub fn sky(ui: &mut Ui, session: &mut Session, settings: &mut RenderSettings, li
         Some(_) => PHYSICAL,
     };
     let mut chosen = shown;
-    ComboBox::from_label(tr!("sky.sky")).selected_text(shown).show_ui(ui, |ui| {
+    ComboBox::from_label(tr!("sky.sky")).selected_text(text(shown)).show_ui(ui, |ui| {
         for choice in [OWN, COLOR, PHYSICAL, PANORAMA] {
-            ui.selectable_value(&mut chosen, choice, choice);
+            ui.selectable_value(&mut chosen, choice, text(choice));
         }
     });
     if chosen != shown {

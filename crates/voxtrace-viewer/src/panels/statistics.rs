@@ -12,22 +12,28 @@ pub fn statistics(ui: &mut Ui, session: &Session, status: &Status) {
     let Some(shown) = &status.shown else { return };
     heading(ui, tr!("statistics.measured"));
     let (width, height) = session.size();
-    let scale = if shown.scale > 1 { format!(", at 1/{} of the resolution", shown.scale) } else { String::new() };
-    ui.label(format!("{width} × {height}, {} of {} samples{scale}", shown.samples, session.render_settings.samples));
+    let scale = if shown.scale > 1 { tr!("statistics.scale", scale = shown.scale) } else { String::new() };
+    let (samples, all) = (shown.samples, session.render_settings.samples);
+    ui.label(tr!("statistics.samples", width = width, height = height, samples = samples, all = all, scale = scale));
     // There as long as passes are long, so that what stands below does not jump.
     if shown.step_ms > 500.0 {
         ui.add(ProgressBar::new(status.step_share.fract()).text(tr!("statistics.next_pass")));
     }
     if let (Some(median), Some(p99)) = (status.percentile(0.5), status.percentile(0.99)) {
-        ui.label(format!("{median:.2} ms a sample; 99 %: {p99:.2} ms"));
+        ui.label(tr!("times.sample", median = format!("{median:.2}"), p99 = format!("{p99:.2}")));
         graph(ui, &status.times);
     }
     if let Some((statistics, memory)) = &shown.device {
         let rays = statistics.camera_rays + statistics.bounce_rays + statistics.shadow_rays;
         if statistics.gpu_ms > 0.0 {
-            ui.label(format!("{:.1} million rays a second", rays as f64 / statistics.gpu_ms / 1e3));
+            let rays = format!("{:.1}", rays as f64 / statistics.gpu_ms / 1e3);
+            ui.label(tr!("statistics.rays", rays = rays));
         }
-        egui::CollapsingHeader::new(format!("memory: {:.1} MiB", mebibytes(memory.total_bytes()))).show(ui, |ui| {
+        egui::CollapsingHeader::new(tr!(
+            "statistics.memory",
+            total = format!("{:.1}", mebibytes(memory.total_bytes()))
+        ))
+        .show(ui, |ui| {
             memory_grid(ui, memory, "memory");
         });
     }

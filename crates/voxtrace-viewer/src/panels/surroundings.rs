@@ -20,10 +20,10 @@ pub fn surroundings(ui: &mut Ui, session: &mut Session) {
     let Some((min, max)) = session.open.as_ref().and_then(|open| open.alone.bounds()) else { return };
     let mut settings = session.render_settings.clone();
     let title = match (settings.surroundings.ground.is_some(), settings.surroundings.fog.is_some()) {
-        (false, false) => "Surroundings",
-        (true, false) => "Surroundings (ground)",
-        (false, true) => "Surroundings (fog)",
-        (true, true) => "Surroundings (ground, fog)",
+        (false, false) => tr!("surroundings.title"),
+        (true, false) => tr!("surroundings.title_ground"),
+        (false, true) => tr!("surroundings.title_fog"),
+        (true, true) => tr!("surroundings.title_both"),
     };
     let diagonal = (max - min).length().max(1.0);
     section(ui, title, "surroundings", |ui| {
@@ -33,7 +33,7 @@ pub fn surroundings(ui: &mut Ui, session: &mut Session) {
             *ground = has_ground.then(|| Ground { height: None, color: linear_color(GREY) });
         }
         if let Some(Ground { height, color }) = ground {
-            pick_color(ui, color, "colour of the ground");
+            pick_color(ui, color, tr!("surroundings.ground_colour"));
             let mut shown = height.unwrap_or(min.z);
             let range = min.z - 0.5 * diagonal..=max.z;
             if ui.add(slider(&mut shown, range, tr!("surroundings.ground_s_height")).max_decimals(1)).changed() {
@@ -52,11 +52,9 @@ pub fn surroundings(ui: &mut Ui, session: &mut Session) {
         if let Some(Fog { density, color, anisotropy }) = fog {
             let range = two_digits(0.01 / diagonal)..=two_digits(MOST_SCATTERED / diagonal);
             ui.add(slider(density, range, tr!("surroundings.fog_s_density")).logarithmic(true));
-            pick_color(ui, color, "colour of the fog");
+            pick_color(ui, color, tr!("surroundings.fog_colour"));
             ui.add(slider(anisotropy, -MOST_G..=MOST_G, tr!("surroundings.light_goes_on")).max_decimals(2))
-                .on_hover_text(
-                    "the mean cosine of the angle by which the fog scatters light: above 0 it goes on forwards",
-                );
+                .on_hover_text(tr!("surroundings.on_about"));
         }
         if session.is_surrounding() {
             ui.label(tr!("surroundings.the_surroundings_are_being_made"));

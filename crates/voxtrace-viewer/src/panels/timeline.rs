@@ -1,9 +1,10 @@
 //! The timeline below the picture: an axis of time with the camera's keys and the playhead, and what can be done with them.
 
 use super::{name_node, slider};
-use crate::keys::Action;
+use crate::keys::{Action, key_of};
 use crate::session::Session;
 use crate::timeline::{Course, MOST_FRAMES, Timeline};
+use crate::tr;
 use egui::{Align2, Button, Color32, ComboBox, DragValue, FontId, Pos2, Rect, Sense, Shape, Stroke, Ui, Vec2};
 use voxtrace::animation::Ease;
 
@@ -32,58 +33,66 @@ pub fn timeline(ui: &mut Ui, session: &mut Session) -> f32 {
 
 fn buttons(ui: &mut Ui, session: &mut Session) {
     let is_playing = session.timeline.is_playing();
-    if ui.button(if is_playing { "Stop playing" } else { "Play" }).on_hover_text("Space").clicked() {
+    if ui
+        .button(if is_playing { tr!("timeline.stop") } else { tr!("timeline.play") })
+        .on_hover_text(tr!("timeline.space"))
+        .clicked()
+    {
         session.act(Action::Play, None);
     }
     let mut repeats = session.timeline.repeats;
-    if ui.checkbox(&mut repeats, "loop").changed() {
+    if ui.checkbox(&mut repeats, tr!("timeline.loop")).changed() {
         session.timeline.repeats = repeats;
     }
     let course = &session.timeline.course;
     let (mut frame, frames, fps) = (session.timeline.frame(), course.frames(), course.fps);
-    let label = ui.label("frame");
+    let label = ui.label(tr!("timeline.frame"));
     if ui.add(DragValue::new(&mut frame).range(1..=frames)).labelled_by(label.id).changed() {
         session.set_time_frame(frame);
     }
-    ui.label(format!("of {frames}, {:.2} s", f64::from(frame - 1) / fps));
+    ui.label(tr!("timeline.of", frames = frames, seconds = format!("{:.2}", f64::from(frame - 1) / fps)));
     ui.separator();
-    if ui.button("Set key").on_hover_text("K: the camera as it is, at the playhead").clicked() {
+    if ui.button(tr!("timeline.set")).on_hover_text(tr!("timeline.set_about")).clicked() {
         session.add_time_key();
     }
     let has_key = session.timeline.selected.is_some_and(|index| index < session.timeline.course.keys.len());
-    let about = "the key that was clicked gets the camera as it is";
-    if ui.add_enabled(has_key, Button::new("Replace key")).on_hover_text(about).clicked() {
+    let about = tr!("timeline.replace_about");
+    if ui.add_enabled(has_key, Button::new(tr!("timeline.replace"))).on_hover_text(about).clicked() {
         session.replace_time_key();
     }
-    if ui.add_enabled(has_key, Button::new("Delete key")).on_hover_text("Del, over the timeline").clicked() {
+    if ui
+        .add_enabled(has_key, Button::new(tr!("timeline.delete")))
+        .on_hover_text(tr!("timeline.delete_about"))
+        .clicked()
+    {
         session.delete_time_key();
     }
-    let about = "the bookmarks 1 to 9, evenly over the clip, in place of all keys";
-    if ui.button("Keys from bookmarks").on_hover_text(about).clicked() {
+    let about = tr!("timeline.bookmarks_about");
+    if ui.button(tr!("timeline.bookmarks")).on_hover_text(about).clicked() {
         session.take_bookmarks();
     }
-    if ui.add_enabled(session.timeline.can_undo(), Button::new("Undo")).clicked() {
+    if ui.add_enabled(session.timeline.can_undo(), Button::new(tr!("timeline.undo"))).clicked() {
         session.undo_time();
     }
     ui.separator();
     let path = session.timeline_path().map_or(String::new(), |path| path.display().to_string());
-    let name = if session.timeline.is_changed { "Save *" } else { "Save" };
+    let name = if session.timeline.is_changed { tr!("timeline.save_changed") } else { tr!("timeline.save") };
     if ui.button(name).on_hover_text(path).clicked()
         && let Some(path) = session.save_timeline()
     {
-        session.say(format!("kept: {}", path.display()), false);
+        session.say(tr!("timeline.kept", path = path.display()), false);
     }
-    if ui.button("Record…").on_hover_text("Shift+F8").clicked() {
+    if ui.button(tr!("timeline.record")).on_hover_text(key_of(Action::Record)).clicked() {
         session.act(Action::Record, None);
     }
-    if ui.button("Close").on_hover_text("F8").clicked() {
+    if ui.button(tr!("timeline.close")).on_hover_text(key_of(Action::Timeline)).clicked() {
         session.toggle_timeline();
     }
 }
 
 fn settings(ui: &mut Ui, session: &mut Session) {
     let mut course = session.timeline.course.clone();
-    let label = ui.label("seconds");
+    let label = ui.label(tr!("timeline.seconds"));
     let most = f64::from(MOST_FRAMES) / course.fps;
     ui.add(
         DragValue::new(&mut course.seconds)
@@ -93,30 +102,30 @@ fn settings(ui: &mut Ui, session: &mut Session) {
             .max_decimals(3),
     )
     .labelled_by(label.id);
-    let label = ui.label("frames a second");
+    let label = ui.label(tr!("timeline.rate"));
     let fps = DragValue::new(&mut course.fps).range(1.0..=1000.0).clamp_existing_to_range(false);
     ui.add(fps.speed(0.5).max_decimals(3)).labelled_by(label.id);
     let word = |ease: Ease| match ease {
-        Ease::None => "one pace",
-        Ease::In => "slow at first",
-        Ease::Out => "slow at last",
-        Ease::InOut => "slow at both ends",
+        Ease::None => tr!("timeline.ease_none"),
+        Ease::In => tr!("timeline.ease_in"),
+        Ease::Out => tr!("timeline.ease_out"),
+        Ease::InOut => tr!("timeline.ease_both"),
     };
-    ComboBox::from_label("ease").selected_text(word(course.ease)).show_ui(ui, |ui| {
+    ComboBox::from_label(tr!("timeline.ease")).selected_text(word(course.ease)).show_ui(ui, |ui| {
         for (_, ease) in Timeline::EASES {
             ui.selectable_value(&mut course.ease, ease, word(ease));
         }
     });
     let mut shutter = course.shutter as f32;
     ui.spacing_mut().slider_width = 60.0;
-    if ui.add(slider(&mut shutter, 0.0..=1.0, "motion blur").max_decimals(2)).changed() {
+    if ui.add(slider(&mut shutter, 0.0..=1.0, tr!("timeline.blur")).max_decimals(2)).changed() {
         // Two decimals, so that the file has no 0.30000001.
         course.shutter = (f64::from(shutter) * 100.0).round() / 100.0;
     }
-    ui.checkbox(&mut course.focuses_on_target, "focus on the target");
+    ui.checkbox(&mut course.focuses_on_target, tr!("timeline.focus"));
     let mut has_target = course.look_at.is_some();
-    let about = "the camera looks at the voxel that was clicked, else at what is in the middle, wherever it is";
-    let is_asked = ui.checkbox(&mut has_target, "look at a point").on_hover_text(about).changed();
+    let about = tr!("timeline.look_at_about");
+    let is_asked = ui.checkbox(&mut has_target, tr!("timeline.look_at")).on_hover_text(about).changed();
     if course != session.timeline.course {
         session.edit_time(|own| *own = course);
     }
@@ -147,7 +156,7 @@ impl Scale {
 fn axis(ui: &mut Ui, session: &mut Session) {
     let size = Vec2::new(ui.available_width(), AXIS);
     let (rect, response) = ui.allocate_exact_size(size, Sense::click_and_drag());
-    name_node(ui, &response, "time");
+    name_node(ui, &response, tr!("timeline.time"));
     // The last key may lie behind the end of the clip.
     let course = &session.timeline.course;
     let seconds = course.keys.last().map_or(course.seconds, |key| key.at.max(course.seconds)).max(1e-3);
@@ -207,7 +216,7 @@ fn keys(ui: &mut Ui, session: &mut Session, rect: Rect, scale: Scale) {
         let middle = Pos2::new(scale.x(at), y);
         let place = Rect::from_center_size(middle, Vec2::splat(2.0 * KEY));
         let response = ui.interact(place, ui.id().with(("key", index)), Sense::click_and_drag());
-        name_node(ui, &response, &format!("key {} at {at:.2} s", index + 1));
+        name_node(ui, &response, &tr!("timeline.key_at", number = index + 1, at = format!("{at:.2}")));
         let is_selected = session.timeline.selected == Some(index);
         let color = match (is_selected, response.hovered()) {
             (true, _) => SELECTED,

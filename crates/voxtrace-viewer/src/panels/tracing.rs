@@ -86,14 +86,14 @@ fn light(ui: &mut Ui, session: &mut Session) {
 fn limits(ui: &mut Ui, settings: &mut RenderSettings) {
     let is_limited = settings.bounce_limits != BounceLimits::default() || settings.clamp_indirect.is_some();
     let is_limited = is_limited || settings.clear_shadows;
-    let title = if is_limited { "Limits (some)" } else { "Limits" };
+    let title = if is_limited { tr!("tracing.limits_some") } else { tr!("tracing.limits") };
     section(ui, title, "limits", |ui| {
         let BounceLimits { diffuse, glossy, transmitted, volume } = &mut settings.bounce_limits;
         let kinds = [
-            (diffuse, "bounces, matte"),
-            (glossy, "bounces, glossy"),
-            (transmitted, "bounces, glass"),
-            (volume, "bounces, media"),
+            (diffuse, tr!("tracing.bounces_matte")),
+            (glossy, tr!("tracing.bounces_glossy")),
+            (transmitted, tr!("tracing.bounces_glass")),
+            (volume, tr!("tracing.bounces_media")),
         ];
         for (limit, name) in kinds {
             bounces(ui, limit, name);
@@ -113,8 +113,9 @@ fn limits(ui: &mut Ui, settings: &mut RenderSettings) {
 fn bounces(ui: &mut Ui, limit: &mut u8, name: &str) {
     const END: u8 = 33;
     let mut shown = if *limit == BounceLimits::UNLIMITED { END } else { *limit };
-    let text = |value: f64, _| if value >= f64::from(END) { "all".to_owned() } else { format!("{value:.0}") };
-    let read = |text: &str| if text.trim() == "all" { Some(END.into()) } else { text.trim().parse().ok() };
+    let text =
+        |value: f64, _| if value >= f64::from(END) { tr!("tracing.all").to_owned() } else { format!("{value:.0}") };
+    let read = |text: &str| if text.trim() == tr!("tracing.all") { Some(END.into()) } else { text.trim().parse().ok() };
     let slider = Slider::new(&mut shown, 0..=END).text(name).custom_formatter(text).custom_parser(read);
     if ui.add(slider).changed() {
         *limit = if shown >= END { BounceLimits::UNLIMITED } else { shown };

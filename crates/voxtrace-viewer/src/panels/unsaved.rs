@@ -1,6 +1,7 @@
 //! The questions about edits: what becomes of those that no file holds, and of those that a window left behind.
 
 use crate::session::{Leaving, Session};
+use crate::tr;
 use egui::{Align2, Ui};
 use std::time::SystemTime;
 
@@ -11,30 +12,31 @@ pub fn show(ui: &Ui, session: &mut Session, side: f32) {
 }
 
 fn leaving(ui: &Ui, session: &mut Session, side: f32) {
-    let Some(leaving) = session.leaving.clone().filter(|_| session.dialog.is_none() && session.saving_scene.is_none())
+    let Some(leaving) =
+        session.leaving.clone().filter(|_| session.dialog.is_none() && session.written_file().is_none())
     else {
         return;
     };
     let name = session.open.as_ref().map_or(String::new(), |open| open.original.name.clone());
     let (discard, next) = match &leaving {
-        Leaving::Quit => ("Close without saving", "closing the window".to_owned()),
-        Leaving::New(_) => ("Begin without saving", "beginning a new scene".to_owned()),
-        Leaving::Load(source) => ("Open without saving", format!("opening {source}")),
+        Leaving::Quit => (tr!("unsaved.close"), tr!("unsaved.closing", name = name)),
+        Leaving::New(_) => (tr!("unsaved.begin"), tr!("unsaved.beginning", name = name)),
+        Leaving::Load(source) => (tr!("unsaved.open"), tr!("unsaved.opening", name = name, source = source)),
     };
-    egui::Window::new("Edits are not saved")
+    egui::Window::new(tr!("unsaved.title"))
         .anchor(Align2::CENTER_CENTER, [-side / 2.0, 0.0])
         .collapsible(false)
         .resizable(false)
         .show(ui.ctx(), |ui| {
-            ui.label(format!("{name} has edits that no file holds; {next} would lose them."));
+            ui.label(next);
             ui.horizontal(|ui| {
-                if ui.button("Save").clicked() {
+                if ui.button(tr!("unsaved.save")).clicked() {
                     session.save_and_leave();
                 }
                 if ui.button(discard).clicked() {
                     session.discard_and_leave();
                 }
-                if ui.button("Cancel").clicked() {
+                if ui.button(tr!("unsaved.cancel")).clicked() {
                     session.stay();
                 }
             });
@@ -50,27 +52,27 @@ fn left_behind(ui: &Ui, session: &mut Session, side: f32) {
     let since = since.map_or(String::new(), |since| {
         let minutes = since.as_secs() / 60;
         match minutes {
-            0..120 => format!(", {minutes} minutes ago"),
-            120..2880 => format!(", {} hours ago", minutes / 60),
-            _ => format!(", {} days ago", minutes / 1440),
+            0..120 => tr!("unsaved.minutes", minutes = minutes),
+            120..2880 => tr!("unsaved.hours", hours = minutes / 60),
+            _ => tr!("unsaved.days", days = minutes / 1440),
         }
     });
-    egui::Window::new("Edits that were not saved")
+    egui::Window::new(tr!("unsaved.left_title"))
         .anchor(Align2::CENTER_CENTER, [-side / 2.0, 0.0])
         .collapsible(false)
         .resizable(false)
         .show(ui.ctx(), |ui| {
-            ui.label(format!("A window ended before its edits of {} were saved{since}.", left.note.name));
-            ui.label(format!("They were made on {}.", left.note.source));
+            ui.label(tr!("unsaved.left_of", name = left.note.name, since = since));
+            ui.label(tr!("unsaved.left_on", source = left.note.source));
             ui.horizontal(|ui| {
-                if ui.button("Open them").clicked() {
+                if ui.button(tr!("unsaved.open_them")).clicked() {
                     session.left_behind.remove(0);
                     session.recover(left.clone());
                 }
-                if ui.button("Delete them").clicked() {
+                if ui.button(tr!("unsaved.delete_them")).clicked() {
                     session.left_behind.remove(0).discard();
                 }
-                if ui.button("Later").on_hover_text("they are offered at the next start").clicked() {
+                if ui.button(tr!("unsaved.later")).on_hover_text(tr!("unsaved.later_about")).clicked() {
                     session.left_behind.clear();
                 }
             });

@@ -1,6 +1,6 @@
 //! The panel of a volume's values: how often each occurs, which are shown in which colours, presets, and the window that is dragged in the picture.
 
-use super::{counted, name_node, section};
+use super::{Noun, counted, name_node, section};
 use crate::keys::Action;
 use crate::session::{Command, Session};
 use crate::tr;
@@ -21,12 +21,12 @@ const SELECTED: Color32 = Color32::from_rgb(255, 196, 84);
 pub fn values(ui: &mut Ui, session: &mut Session) {
     let Some(values) = &session.values else { return };
     let seen = std::sync::Arc::clone(&values.seen);
-    let title = if values.chosen.is_some() { "Values (changed)" } else { "Values" };
+    let title = if values.chosen.is_some() { tr!("values.title_changed") } else { tr!("values.title") };
     section(ui, title, "values", |ui| match session.values.as_ref().and_then(|values| values.curve()) {
         Some(curve) => edit(ui, session, &seen, curve),
         None => {
             let labels = seen.statistics.labels.as_ref().map_or(0, Vec::len) as u64;
-            ui.label(format!("{}, each in a colour of its own", counted(labels, "label")));
+            ui.label(tr!("values.labels", labels = counted(labels, Noun::Label)));
             presets(ui, session, &seen);
         }
     });
@@ -41,30 +41,30 @@ fn edit(ui: &mut Ui, session: &mut Session, seen: &ValuesSeen, old: ValueCurve) 
     ui.horizontal(|ui| {
         let (from, to) = curve.window();
         let (mut window, mut level) = (to - from, (from + to) / 2.0);
-        let label = ui.label("window");
+        let label = ui.label(tr!("values.window"));
         let mut is_changed = ui.add(number(&mut window, speed)).labelled_by(label.id).changed();
-        let label = ui.label("level");
+        let label = ui.label(tr!("values.level"));
         is_changed |= ui.add(number(&mut level, speed)).labelled_by(label.id).changed();
         if is_changed {
             curve.set_window((level - window / 2.0, level + window / 2.0), (least, most));
         }
     });
     ui.horizontal(|ui| {
-        let label = ui.label("shown from");
+        let label = ui.label(tr!("values.shown_from"));
         ui.add(number(&mut curve.low, speed)).labelled_by(label.id);
         let mut has_end = curve.high.is_some();
-        if ui.checkbox(&mut has_end, "to").changed() {
+        if ui.checkbox(&mut has_end, tr!("values.to")).changed() {
             curve.high = has_end.then_some(most);
         }
         if let Some(high) = &mut curve.high {
             ui.add(number(high, speed));
         }
     });
-    ui.add(super::slider(&mut curve.opacity, 0.0..=1.0, "opacity").max_decimals(2));
+    ui.add(super::slider(&mut curve.opacity, 0.0..=1.0, tr!("values.opacity")).max_decimals(2));
     stop(ui, session, &mut curve, speed);
     let mut is_dragged = session.drags_values();
-    let about = "left and right: how wide the window is; up and down: its level";
-    if ui.checkbox(&mut is_dragged, "drag in the picture (F9)").on_hover_text(about).changed() {
+    let about = tr!("values.drag_about");
+    if ui.checkbox(&mut is_dragged, tr!("values.drag")).on_hover_text(about).changed() {
         session.act(Action::Values, None);
     }
     told(ui, session, seen, &curve);
@@ -80,7 +80,7 @@ fn number(value: &mut f32, speed: f64) -> DragValue<'_> {
 /// Curves that are chosen at once.
 fn presets(ui: &mut Ui, session: &mut Session, seen: &ValuesSeen) {
     ui.horizontal_wrapped(|ui| {
-        ComboBox::from_label("preset").selected_text("choose").show_ui(ui, |ui| {
+        ComboBox::from_label(tr!("values.preset")).selected_text(tr!("values.choose")).show_ui(ui, |ui| {
             for preset in Preset::ALL {
                 if let Some(curve) = seen.preset(preset)
                     && ui.selectable_label(false, preset.name()).clicked()
@@ -89,11 +89,11 @@ fn presets(ui: &mut Ui, session: &mut Session, seen: &ValuesSeen) {
                 }
             }
         });
-        let about = "grey from the value below which 1 % lies to that below which 99 % do";
-        if ui.button("Automatic").on_hover_text(about).clicked() {
+        let about = tr!("values.automatic_about");
+        if ui.button(tr!("values.automatic")).on_hover_text(about).clicked() {
             session.set_curve(Some(seen.automatic()));
         }
-        if ui.button("Reset").on_hover_text("as the file was opened").clicked() {
+        if ui.button(tr!("values.reset")).on_hover_text(tr!("values.reset_about")).clicked() {
             if let Some(values) = &mut session.values {
                 values.selected = None;
             }
@@ -106,19 +106,19 @@ fn presets(ui: &mut Ui, session: &mut Session, seen: &ValuesSeen) {
 fn stop(ui: &mut Ui, session: &mut Session, curve: &mut ValueCurve, speed: f64) {
     let Some(values) = &mut session.values else { return };
     let Some(index) = values.selected.filter(|&index| index < curve.stops.len()) else {
-        ui.label(RichText::new("click a stop for its colour; a double click sets one").weak());
+        ui.label(RichText::new(tr!("values.stop_hint")).weak());
         return;
     };
     ui.horizontal(|ui| {
         let (mut value, mut color) = curve.stops[index];
-        let label = ui.label("stop");
+        let label = ui.label(tr!("values.stop"));
         if ui.add(number(&mut value, speed)).labelled_by(label.id).changed() {
             curve.move_stop(index, value);
         }
         let response = ui.color_edit_button_srgb(&mut color);
-        name_node(ui, &response, "colour of the stop");
+        name_node(ui, &response, tr!("values.stop_colour"));
         curve.stops[index].1 = color;
-        if curve.stops.len() > 1 && ui.button("delete stop").clicked() {
+        if curve.stops.len() > 1 && ui.button(tr!("values.delete_stop")).clicked() {
             curve.stops.remove(index);
             values.selected = None;
         }
@@ -129,9 +129,7 @@ fn stop(ui: &mut Ui, session: &mut Session, curve: &mut ValueCurve, speed: f64) 
 fn told(ui: &mut Ui, session: &mut Session, seen: &ValuesSeen, curve: &ValueCurve) {
     let Some(values) = &session.values else { return };
     if !curve.shows(seen.range()) {
-        ui.label(
-            RichText::new("no value is shown: Automatic or Reset bring them back").color(super::look::error_color(ui)),
-        );
+        ui.label(RichText::new(tr!("values.none_shown")).color(super::look::error_color(ui)));
     } else if let Some(error) = &values.error {
         ui.label(RichText::new(error).color(super::look::error_color(ui)));
     }
@@ -143,7 +141,9 @@ fn told(ui: &mut Ui, session: &mut Session, seen: &ValuesSeen, curve: &ValueCurv
             }
             return;
         }
-        (false, [Some(coarse), Some(all)]) => format!("coarse voxels after {coarse:.2} s, all after {all:.2} s more"),
+        (false, [Some(coarse), Some(all)]) => {
+            tr!("values.took", coarse = format!("{coarse:.2}"), all = format!("{all:.2}"))
+        }
         _ => return,
     };
     ui.label(RichText::new(text).weak());
@@ -171,7 +171,7 @@ impl Scale {
 fn plot(ui: &mut Ui, session: &mut Session, seen: &ValuesSeen, curve: &mut ValueCurve) {
     let size = Vec2::new(ui.available_width().min(super::WIDTH - 24.0), HEIGHT + STRIP);
     let (rect, response) = ui.allocate_exact_size(size, Sense::click());
-    name_node(ui, &response, "values");
+    name_node(ui, &response, tr!("values.values"));
     // A few far values must not press all others into one bar; what is shown is seen in any case.
     let (least, most) = seen.range();
     let (first, last) = (curve.window().0.min(curve.low), curve.window().1.max(curve.high.unwrap_or(f32::MIN)));
@@ -184,10 +184,10 @@ fn plot(ui: &mut Ui, session: &mut Session, seen: &ValuesSeen, curve: &mut Value
         let index = curve.add_stop(scale.value(place.x));
         select(session, Some(index));
     }
-    let low = end(ui, scale, "least value that is shown", curve.low);
+    let low = end(ui, scale, tr!("values.least"), curve.low);
     curve.low = low.unwrap_or(curve.low);
     if let Some(high) = curve.high {
-        curve.high = Some(end(ui, scale, "greatest value that is shown", high).unwrap_or(high));
+        curve.high = Some(end(ui, scale, tr!("values.greatest"), high).unwrap_or(high));
     }
     stops(ui, session, scale, curve);
 }
@@ -255,7 +255,7 @@ fn stops(ui: &Ui, session: &mut Session, scale: Scale, curve: &mut ValueCurve) {
             ui.id().with(("stop", index)),
             Sense::click_and_drag(),
         );
-        name_node(ui, &response, &format!("stop {} at {}", index + 1, rounded(value)));
+        name_node(ui, &response, &tr!("values.stop_at", number = index + 1, value = rounded(value)));
         let is_selected = session.values.as_ref().is_some_and(|values| values.selected == Some(index));
         let edge = if is_selected || response.hovered() { SELECTED } else { Color32::WHITE };
         ui.painter().add(Shape::circle_filled(middle, HANDLE, Color32::from_rgb(r, g, b)));

@@ -7,6 +7,7 @@ mod saving;
 use super::{Command, Session};
 use crate::editing::{Act, Done, Editing, Editor, Job, Spot, Symmetry, Told, Tool};
 use crate::keys::{Action, EditAction};
+use crate::tr;
 use std::sync::Arc;
 use voxtrace::changes::MaterialChange;
 use voxtrace::dynamic::Patch;
@@ -37,7 +38,7 @@ impl Session {
     /// Begins to edit, or ends it: what was edited stays.
     pub fn toggle_editing(&mut self) {
         if self.open.is_none() {
-            return self.say("there is no scene yet", false);
+            return self.say(tr!("said.there_is_no_scene_yet"), false);
         }
         match &mut self.editing {
             Some(editing) => {
@@ -87,7 +88,7 @@ impl Session {
                         Some(editing) => (editing.editor, editing.is_on, editing.is_ready) = (None, false, false),
                         None => self.editing = None,
                     }
-                    self.say(format!("the scene cannot be edited: {reason}"), true);
+                    self.say(tr!("edit.cannot", reason = reason), true);
                 }
                 Told::Done(done) => self.take_done(*done),
                 Told::Copied { clip, count, grid, region, is_move } => {
@@ -106,7 +107,7 @@ impl Session {
                     let had_steps = !editing.steps.done.is_empty() || !editing.steps.undone.is_empty();
                     self.replace_scene(base);
                     if had_steps {
-                        self.say("what glows was changed: edits before that cannot be taken back any more", false);
+                        self.say(tr!("edit.glow_changed"), false);
                     }
                 }
                 (false, Some(open), _) => open.take_base(base),
@@ -197,7 +198,7 @@ impl Session {
         let Some(editing) = &self.editing else { return };
         let most = if is_back { editing.steps.done.len() } else { editing.steps.undone.len() };
         if most == 0 {
-            let text = if is_back { "there is nothing to take back" } else { "there is nothing to do again" };
+            let text = if is_back { tr!("edit.nothing_back") } else { tr!("edit.nothing_again") };
             return self.say(text, false);
         }
         self.end_stroke();
@@ -228,11 +229,11 @@ impl Session {
             EditAction::Copy => self.copy_selection(false),
             EditAction::Cut => {
                 self.copy_selection(false);
-                self.clear_selection("cut");
+                self.clear_selection(tr!("edit.cut"));
             }
             EditAction::Paste => self.paste(),
             EditAction::Move => self.copy_selection(true),
-            EditAction::Clear => self.clear_selection("clear"),
+            EditAction::Clear => self.clear_selection(tr!("edit.clear")),
             EditAction::Turn(axis) => self.turn_pasting(axis.into()),
             EditAction::Mirror(axis) => self.mirror_pasting(axis.into()),
         }
@@ -339,7 +340,7 @@ impl Session {
             // That was it.
         } else if editing.selection.take().is_none() {
             editing.is_on = false;
-            self.say(format!("editing ended; {} edits again", crate::keys::key_of(Action::ToggleEditing)), false);
+            self.say(tr!("edit.ended", key = crate::keys::key_of(Action::ToggleEditing)), false);
         }
         true
     }

@@ -64,7 +64,7 @@ impl Session {
         let stored = Bookmarks::open(&path).and_then(|mut bookmarks| bookmarks.store(number, &camera));
         match stored {
             Ok(()) => {
-                self.say(format!("bookmark {number} is kept in {}", path.display()), false);
+                self.say(tr!("said.bookmark_kept", number = number, path = path.display()), false);
                 if let Some(Dialog::Frames(mut dialog)) = self.dialog.take() {
                     dialog.refresh(self);
                     self.dialog = Some(Dialog::Frames(dialog));

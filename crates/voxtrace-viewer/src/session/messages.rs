@@ -1,6 +1,7 @@
 //! Lines for people: what is said, how long it stays, and what takes it away.
 
 use super::Session;
+use crate::tr;
 use std::time::{Duration, Instant};
 
 /// How long a message stays. What went wrong stays until Esc, or until another scene is there.
@@ -54,8 +55,10 @@ impl Session {
 
     /// Says how quickly one flies.
     pub fn say_speed(&mut self) {
-        let text = format!("{:.0} voxels a second", self.navigator.speed());
-        self.messages.retain(|message| !message.text.ends_with("voxels a second"));
+        let text = tr!("said.speed", speed = format!("{:.0}", self.navigator.speed()));
+        // It takes the place of the last one, whose number alone is another.
+        let ending = tr!("said.speed", speed = "");
+        self.messages.retain(|message| !message.text.ends_with(&ending));
         self.say(text, false);
     }
 }

@@ -2,6 +2,8 @@
 //! said in English. A text may have places `{name}` that are filled in.
 
 #[cfg(test)]
+mod literals;
+#[cfg(test)]
 mod tests;
 
 use std::collections::HashMap;

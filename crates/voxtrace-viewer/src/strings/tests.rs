@@ -2,7 +2,7 @@
 
 use super::*;
 use std::collections::BTreeSet;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Keys that the code asks for: the first words in quotes behind `tr!(`, and those of tables of keys (`key = "…"` in comments of ours none).
 fn asked_for(code: &str) -> Vec<String> {
@@ -14,15 +14,22 @@ fn asked_for(code: &str) -> Vec<String> {
     calls.map(str::to_owned).collect()
 }
 
-fn all_code(folder: &Path, code: &mut String) {
+/// All files of code below a folder, without the tests of texts.
+pub fn files_of_code(folder: &Path) -> Vec<PathBuf> {
+    let mut files = Vec::new();
     for file in std::fs::read_dir(folder).unwrap() {
         let path = file.unwrap().path();
         if path.is_dir() {
-            all_code(&path, code);
-        } else if path.extension().is_some_and(|ending| ending == "rs") && !path.ends_with("strings/tests.rs") {
-            code.push_str(&std::fs::read_to_string(path).unwrap());
+            files.extend(files_of_code(&path));
+        } else if path.extension().is_some_and(|ending| ending == "rs") && !is_of_texts(&path) {
+            files.push(path);
         }
     }
+    files
+}
+
+fn is_of_texts(path: &Path) -> bool {
+    ["strings/tests.rs", "strings/literals.rs"].iter().any(|name| path.ends_with(name))
 }
 
 fn placeholders(text: &str) -> BTreeSet<&str> {
@@ -41,8 +48,8 @@ fn faults(english: &Texts, other: &Texts) -> Vec<String> {
 
 #[test]
 fn every_text_that_the_code_asks_for_is_written_and_every_text_is_asked_for() {
-    let mut code = String::new();
-    all_code(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src"), &mut code);
+    let files = files_of_code(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src"));
+    let code: String = files.iter().map(|path| std::fs::read_to_string(path).unwrap()).collect();
     let asked: BTreeSet<String> = asked_for(&code).into_iter().filter(|key| !key.contains('…')).collect();
     let english = texts_of(include_str!("en.toml")).unwrap();
     let missing: Vec<_> = asked.iter().filter(|key| !english.contains_key(*key)).collect();

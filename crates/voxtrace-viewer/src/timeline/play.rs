@@ -4,6 +4,7 @@ use super::file::{Cameras, EASES};
 use super::{Course, Timeline, TimelineError};
 use crate::bookmarks::Bookmarks;
 use crate::session::Session;
+use crate::tr;
 use std::path::{Path, PathBuf};
 use voxtrace::animation::Ease;
 use voxtrace::{Camera, scenes};
@@ -20,7 +21,7 @@ impl Session {
     /// Shows the timeline or hides it.
     pub fn toggle_timeline(&mut self) {
         if self.open.is_none() {
-            self.say("there is no scene yet", false);
+            self.say(tr!("said.there_is_no_scene_yet"), false);
             return;
         }
         self.timeline.is_shown = !self.timeline.is_shown;
@@ -40,7 +41,7 @@ impl Session {
             if self.ask_for_motion() {
                 return;
             }
-            self.say("a camera's way has two keys or more: K sets one at the playhead", false);
+            self.say(tr!("timeline.two_keys"), false);
             return;
         }
         let frame = self.timeline.frame();
@@ -111,7 +112,8 @@ impl Session {
         let before = self.timeline.course.clone();
         self.timeline.selected = Some(self.timeline.course.put(at, camera));
         self.timeline.note(before);
-        self.say(format!("a key at {at:.2} s, the {} of the way", ordinal(self.timeline.selected)), false);
+        let number = self.timeline.selected.unwrap_or(0) + 1;
+        self.say(tr!("timeline.said_key", at = format!("{at:.2}"), number = number), false);
     }
 
     /// Whether a key is selected and the cursor is not over the picture: then Del is for the key.
@@ -152,7 +154,7 @@ impl Session {
             None => Vec::new(),
         };
         if cameras.len() < 2 {
-            return self.say("there are fewer than two bookmarks; Shift and a digit keep one", false);
+            return self.say(tr!("timeline.two_bookmarks"), false);
         }
         self.timeline.selected = None;
         self.timeline.edit(|course| course.spread(cameras));
@@ -167,7 +169,7 @@ impl Session {
         match (has_target, point) {
             (false, _) => self.timeline.edit(|course| course.look_at = None),
             (true, Some(point)) => self.timeline.edit(|course| course.look_at = Some(point)),
-            (true, None) => self.say("click the voxel that the camera is to look at", false),
+            (true, None) => self.say(tr!("timeline.click_target"), false),
         }
     }
 
@@ -237,7 +239,7 @@ impl Session {
             let of_scene = self.time_cameras();
             let cameras = Cameras { of_scene: &of_scene, bookmarks: self.bookmark_path() };
             if let Err(error) = Timeline::default().open(&path, &cameras) {
-                self.say(format!("not written over: {error}"), true);
+                self.say(tr!("timeline.not_over", error = error), true);
                 return None;
             }
         }
@@ -260,7 +262,7 @@ impl Session {
         if keyframes > 0 && !self.has_motion() {
             // Most of them are loops: a walk, a flame.
             self.timeline.repeats = true;
-            self.say(format!("the file has {keyframes} key frames: F8 and Space play them"), false);
+            self.say(tr!("timeline.keyframes", keyframes = keyframes), false);
         }
         if self.has_motion() {
             self.change_light();
@@ -281,16 +283,4 @@ impl Session {
             }
         }
     }
-}
-
-fn ordinal(index: Option<usize>) -> String {
-    let number = index.unwrap_or(0) + 1;
-    let ending = match (number % 10, number % 100) {
-        (_, 11..=13) => "th",
-        (1, _) => "st",
-        (2, _) => "nd",
-        (3, _) => "rd",
-        _ => "th",
-    };
-    format!("{number}{ending}")
 }

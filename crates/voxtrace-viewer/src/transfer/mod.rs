@@ -93,6 +93,18 @@ impl ValueCurve {
         format!("stops:{}", parts.join(","))
     }
 
+    /// The same with values of no more digits than matter: those of a hundred-thousandth of the range.
+    pub fn rounded(mut self, (least, most): (f32, f32)) -> Self {
+        let range = f64::from(most) - f64::from(least);
+        if range > 0.0 && range.is_finite() {
+            let scale = 10f64.powi(5 - range.log10().floor() as i32);
+            let rounded = |value: f32| ((f64::from(value) * scale).round() / scale) as f32;
+            self.stops.iter_mut().for_each(|stop| stop.0 = rounded(stop.0));
+            (self.low, self.high) = (rounded(self.low), self.high.map(rounded));
+        }
+        self
+    }
+
     /// From where to where colours change: the window of the values.
     pub fn window(&self) -> (f32, f32) {
         (self.stops[0].0, self.stops[self.stops.len() - 1].0)
@@ -207,6 +219,17 @@ mod tests {
         }
         let (from, to) = curve.window();
         assert!(to > from && to <= 3001.0 && curve.stops.iter().all(|stop| stop.0.is_finite()));
+    }
+
+    #[test]
+    fn values_have_as_many_digits_as_matter() {
+        let curve =
+            ValueCurve { low: 649.208_86, high: Some(0.000_012_3), stops: vec![(1.0 / 3.0, [9; 3])], opacity: 1.0 };
+        let rounded = |range| curve.clone().rounded(range).word();
+        assert_eq!(rounded((0.0, 3000.0)), "stops:0.33=#090909,threshold=649.21,upper=0");
+        assert_eq!(rounded((-1e5, 9e5)), "stops:0=#090909,threshold=650,upper=0");
+        assert_eq!(rounded((0.0, 0.02)), "stops:0.3333333=#090909,threshold=649.20886,upper=0.0000123");
+        assert_eq!(rounded((5.0, 5.0)), curve.word(), "of one value nothing is known");
     }
 
     #[test]

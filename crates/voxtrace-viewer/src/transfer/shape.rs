@@ -3,6 +3,7 @@
 use super::{ValueCurve, ValuesSeen};
 use crate::load::{Came, Loader, Loading, Reading};
 use crate::session::{Command, Session};
+use crate::tr;
 use std::sync::Arc;
 use std::time::Instant;
 use voxtrace::glam::Vec2;
@@ -92,6 +93,7 @@ impl Session {
     /// Shows the volume by another curve; `None`: as it was opened.
     pub fn set_curve(&mut self, curve: Option<ValueCurve>) {
         let Some(values) = &mut self.values else { return };
+        let curve = curve.map(|curve| curve.rounded(values.seen.range()));
         if values.chosen == curve {
             return;
         }
@@ -190,13 +192,13 @@ impl Session {
             Some(values) if values.curve().is_some() => {
                 values.is_dragged = !values.is_dragged;
                 let text = match values.is_dragged {
-                    true => "drag: left and right the window of values, up and down its level; F9 or Esc ends it",
-                    false => "drag moves the camera again",
+                    true => tr!("values.said_drag"),
+                    false => tr!("values.said_camera"),
                 };
                 self.say(text, false);
             }
-            Some(_) => self.say("the values are labels, each with a colour of its own", false),
-            None => self.say("the scene is no volume: it has no values", false),
+            Some(_) => self.say(tr!("values.are_labels"), false),
+            None => self.say(tr!("values.no_volume"), false),
         }
     }
 

@@ -6,20 +6,17 @@ use super::turn::{Longest, Turn};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
+use voxtrace::Integrator;
 use voxtrace::glam::Vec2;
 use voxtrace::output::{FilmFile, PictureOptions, SceneStamp};
-use voxtrace_viewer::benchmark::Benchmark;
+use voxtrace_viewer::Loader;
 use voxtrace_viewer::dialogs::{Dialog, OpenDialog};
-use voxtrace_viewer::engine::{Backend, FilmAnswer};
-use voxtrace_viewer::export::{Exporting, Source};
+use voxtrace_viewer::engine::{FilmAnswer, Light, RealTimeChoice};
 use voxtrace_viewer::gpu::{Beside, Layer, Panels};
 use voxtrace_viewer::input::Input;
-use voxtrace_viewer::inspector::{Sampling, Values};
-use voxtrace_viewer::load::Loading;
+use voxtrace_viewer::keys::Action;
 use voxtrace_viewer::panels::{self, Compared, Status};
-use voxtrace_viewer::running::Running;
-use voxtrace_viewer::session::{Command, Leaving, Session};
-use voxtrace_viewer::{Loader, Reading};
+use voxtrace_viewer::session::{Command, Leaving, Means, Session};
 use voxtrace_vulkan::Traversal;
 
 /// Nothing to be woken: each turn looks.
@@ -39,25 +36,31 @@ pub struct App {
     loader: Arc<dyn Loader>,
     pub size: (u32, u32),
     saving: Option<(PathBuf, FilmAnswer)>,
-    writing: Option<std::thread::JoinHandle<Result<Vec<String>, String>>>,
     pub files: Vec<String>,
     folder: PathBuf,
     start: Instant,
     last: Instant,
     pub saved: u64,
+    /// Pictures in real-time light.
+    pub lit: u64,
     /// The turn of the thread that took longest by itself.
     pub longest: Longest,
 }
 
 impl App {
-    pub fn open(folder: &Path) -> Option<Self> {
+    /// In real-time light, or by the processor first.
+    pub fn open(folder: &Path, in_real_time: bool) -> Option<Self> {
         let size = (640, 420);
-        let window = Headless::open(Backend::Cpu, size)?;
-        let mut session = Session::new(Traversal::Cpu);
+        let traversal = if in_real_time { Traversal::Walk } else { Traversal::Cpu };
+        let mut session = Session::new(traversal);
+        let window = Headless::open(session.backend(), size)?;
         session.traversals = vec![Traversal::Cpu, Traversal::Walk, Traversal::Query];
         session.settings_folder = Some(folder.to_path_buf());
         // Its device is software, on which the key alone turns real-time light on.
         session.has_hardware = false;
+        if in_real_time {
+            session.toggle_real_time();
+        }
         let loader: Arc<dyn Loader> = Arc::new(Files);
         let status = Status { built_in: loader.built_in(), ..Status::default() };
         let (files, folder) = (files(folder), folder.to_path_buf());
@@ -72,12 +75,12 @@ impl App {
             loader,
             size,
             saving: None,
-            writing: None,
             files,
             folder,
             start: now,
             last: now,
             saved: 0,
+            lit: 0,
             longest: Longest::default(),
         })
     }
@@ -85,99 +88,17 @@ impl App {
     fn carry_out(&mut self) {
         for command in self.session.take_commands() {
             self.window.is_due = true;
-            let engine = &self.window.engine;
-            match command {
-                Command::Load(source) if self.session.may_leave(Leaving::Load(source.clone())) => {
-                    self.load(&source, Reading::default(), false);
-                }
-                Command::New(size) if self.session.may_leave(Leaving::New(size)) => self.session.show_new(size),
-                Command::LoadAgain => self.load_again(),
-                Command::Reshape => self.session.reshape(&self.loader, nobody()),
-                Command::SetScene => {
-                    self.session.settle_edits();
-                    let lit = self.session.open.as_ref().map(|open| Arc::clone(&open.lit));
-                    match lit {
-                        Some(lit) if self.session.has_motion() => engine.move_scene(lit),
-                        lit => engine.set_scene(lit),
-                    }
-                    self.status.times.clear();
-                }
-                Command::Edit => self.session.start_editor(nobody()),
-                Command::Follow(followed) => engine.follow(followed.0),
-                Command::CompareWith(other) => {
-                    engine.compare_with(other);
-                    (self.status.other, self.status.differences) = (None, None);
-                }
-                Command::SetContrast(contrast) => {
-                    engine.set_contrast(contrast);
-                    self.status.differences = None;
-                }
-                Command::MakeSky => self.session.make_sky(nobody()),
-                Command::Surround => self.session.make_surroundings(nobody()),
-                Command::ReadValues => self.read_values(),
-                Command::Benchmark => {
-                    if let Some(subject) = self.session.bench_subject(None) {
-                        self.session.benchmark = Some(Benchmark::start(subject, nobody()));
-                    }
-                }
-                Command::Run(request) => self.session.running = Some(Running::start(&self.loader, *request, nobody())),
-                Command::Export(request) => self.export(*request),
-                Command::SaveScene(path) => self.save_scene(path),
-                Command::SetBackend(backend) => engine.set_backend(backend),
-                Command::SetLight(light) => engine.set_light(light),
-                Command::SetView => engine.set_view(self.session.view(), self.session.is_moving()),
-                Command::Pause(is_paused) => engine.pause(is_paused),
-                Command::Save(_) => self.saving = Some((self.folder.join("picture.png"), engine.film())),
-                Command::AskForFile => self.session.dialog = Some(Dialog::Open(OpenDialog::new(&self.session))),
+            let device = Arc::clone(self.window.screen.device());
+            let (engine, loader, status) = (&self.window.engine, &self.loader, &mut self.status);
+            let mut means = Means { engine, loader, status, device: &device, wake: &|_| nobody() };
+            match self.session.carry_out(command, &mut means) {
+                Some(Command::Save(_)) => self.saving = Some((self.folder.join("picture.png"), engine.film())),
+                Some(Command::AskForFile) => self.session.dialog = Some(Dialog::Open(OpenDialog::new(&self.session))),
                 // It stays open, but not with edits that somebody is asked about.
-                Command::Quit => _ = self.session.may_leave(Leaving::Quit),
+                Some(Command::Quit) => _ = self.session.may_leave(Leaving::Quit),
                 _ => {}
             }
         }
-    }
-
-    fn load(&mut self, source: &str, reading: Reading, is_again: bool) {
-        self.session.loading = Some(Loading::start(&self.loader, source, reading, is_again, nobody()));
-    }
-
-    fn load_again(&mut self) {
-        let Some(open) = &self.session.open else { return };
-        let is_cut = self.session.render_settings.cutting.is_cut();
-        let (transfer, points) = (self.session.chosen_transfer(), self.session.chosen_points());
-        let reading =
-            Reading { shown: open.changes().1, is_cut, is_again: true, points, transfer, ..Reading::default() };
-        let source = open.source.clone();
-        self.load(&source, reading, true);
-    }
-
-    fn read_values(&mut self) {
-        let Some(open) = &self.session.open else { return };
-        let (loader, source) = (Arc::clone(&self.loader), open.source.clone());
-        let world = voxtrace::glam::DAffine3::IDENTITY;
-        self.session.sampling =
-            Sampling::start(move |wanted| Ok(loader.volume(&source, wanted)?.map(|volume| Values::new(volume, world))));
-    }
-
-    fn export(&mut self, request: voxtrace_viewer::export::ExportRequest) {
-        let Some(open) = &self.session.open else { return };
-        let source = Source {
-            changed: Arc::clone(&open.changed),
-            lit: Arc::clone(&open.lit),
-            backend: self.session.backend(),
-            device: Some(Arc::clone(self.window.screen.device())),
-        };
-        self.session.exporting = Some(Exporting::start(request, source, || {}));
-    }
-
-    fn save_scene(&mut self, path: PathBuf) {
-        if self.writing.is_some() {
-            return;
-        }
-        self.session.begin_saving(&path);
-        let Some(open) = &self.session.open else { return };
-        let (scene, loader) = (Arc::clone(&open.pickable), Arc::clone(&self.loader));
-        self.session.saving_scene = Some(path.clone());
-        self.writing = Some(std::thread::spawn(move || loader.save(&scene, &path)));
     }
 
     /// Takes what threads have told.
@@ -191,12 +112,7 @@ impl App {
         session.take_edited();
         session.take_sky();
         session.take_surroundings();
-        if let Some(writing) = self.writing.take_if(|writing| writing.is_finished()) {
-            let written = writing.join().expect("writing ends");
-            session.saving_scene = None;
-            session.end_saving(written.is_ok());
-            written.err().into_iter().for_each(|error| session.say(error, true));
-        }
+        session.take_written();
     }
 
     /// Writes a film that has come.
@@ -217,28 +133,36 @@ impl App {
     }
 
     pub fn turn(&mut self) {
-        let turn = Turn::begin();
         let seconds = self.last.elapsed().as_secs_f32();
         self.last = Instant::now();
-        self.session.advance(seconds);
-        self.listen();
-        self.carry_out();
-        self.save();
+        self.timed("advancing", |app| _ = app.session.advance(seconds));
+        self.timed("listening", Self::listen);
+        self.timed("carrying out", Self::carry_out);
+        self.timed("saving", Self::save);
         if let Some(shown) = self.window.engine.shown().filter(|_| self.window.is_due) {
+            self.lit += u64::from(shown.lit.is_some());
             self.status.take(shown);
             self.status.other = self.window.engine.other_shown();
             self.status.differences = self.window.engine.differences();
         }
         if self.size.0 > 0 {
-            self.draw();
+            self.timed("drawing", Self::draw);
         }
-        self.note(&turn, self.start.elapsed(), "the turn");
-        self.window.pump(Duration::from_millis(4));
+        if let Some(told) = self.window.wait(Duration::from_millis(4)) {
+            self.timed("taking what is told", |app| app.window.take_all(told));
+        }
         let device = self.window.screen.device();
         let is_here = |picture: &Arc<voxtrace_vulkan::Picture>| Arc::ptr_eq(picture.device(), device);
         self.status.shown = self.status.shown.take().filter(|shown| is_here(&shown.picture));
         self.status.other = self.status.other.take().filter(|shown| is_here(&shown.picture));
         self.status.differences = self.status.differences.take().filter(|shown| is_here(&shown.picture));
+    }
+
+    /// Does a part of a turn, and notes how long it takes by itself.
+    fn timed(&mut self, what: &str, part: impl FnOnce(&mut Self)) {
+        let turn = Turn::begin();
+        part(self);
+        self.note(&turn, self.start.elapsed(), what);
     }
 
     fn draw(&mut self) {
@@ -270,6 +194,21 @@ impl App {
             let primitives = context.tessellate(output.shapes, output.pixels_per_point);
             Panels { textures: output.textures_delta, primitives, pixels_per_point: output.pixels_per_point }
         });
+    }
+
+    /// Turns real-time light on again, and all that stands in its way off.
+    pub fn light_again(&mut self) {
+        let session = &mut self.session;
+        let mut settings = session.render_settings.clone();
+        (settings.traversal, settings.integrator) = (Traversal::Walk, Integrator::Path);
+        session.set_render_settings(settings);
+        if session.comparison.is_some() {
+            session.act(Action::Compare, None);
+        }
+        session.set_light(Light { real_time: RealTimeChoice::On, ..session.light });
+        // Also where the device had no memory for it.
+        session.ask(Command::SetLight(session.light));
+        session.set_paused(false);
     }
 
     /// Takes down how long the thread was busy.

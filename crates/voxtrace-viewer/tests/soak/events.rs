@@ -48,12 +48,14 @@ pub struct Hands {
     lost: Instant,
     /// Button that is held over the panels.
     holds_panels: bool,
+    /// Whether real-time light is turned on again and again.
+    lights: bool,
 }
 
 impl Hands {
-    pub fn new(seed: u64) -> Self {
+    pub fn new(seed: u64, lights: bool) -> Self {
         let now = Instant::now();
-        Self { random: Random(seed), rests: now, lost: now, holds_panels: false }
+        Self { random: Random(seed), rests: now, lost: now, holds_panels: false, lights }
     }
 
     /// Does something.
@@ -138,6 +140,12 @@ impl Hands {
                 "answering".into()
             }
             66..92 => self.key(app),
+            92 if self.lights => {
+                app.light_again();
+                // On a slow machine a frame takes its time.
+                self.rests = Instant::now() + Duration::from_millis(self.random.below(2500));
+                "real-time light".into()
+            }
             _ => "nothing".into(),
         }
     }

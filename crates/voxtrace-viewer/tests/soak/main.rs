@@ -1,6 +1,6 @@
 //! Random events for the window, on a device of software with the validation layer: nothing is said by the layer, nothing hangs, and
-//! memory does not grow. `VOXTRACE_SOAK_MINUTES` sets how long, `VOXTRACE_SOAK_SEED` which events; `VOXTRACE_SOAK_CURVE` names a
-//! file for the curve of memory.
+//! memory does not grow. `VOXTRACE_SOAK_MINUTES` sets how long, `VOXTRACE_SOAK_SEED` which events; `VOXTRACE_SOAK_LIGHT=1`
+//! keeps real-time light on; `VOXTRACE_SOAK_CURVE` names a file for the curve of memory.
 
 #[path = "../window/common/mod.rs"]
 mod common;
@@ -17,12 +17,14 @@ use meter::Memory;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::time::{Duration, Instant};
-use turn::Longest;
+use turn::{Longest, Others};
 
 /// A turn that takes longer hangs for good.
 const HANG: Duration = Duration::from_secs(20);
 /// A turn of the window's thread that takes longer by itself is felt as one that hangs.
 const FELT: Duration = Duration::from_millis(250);
+/// The share of all processors from which on other programs hold turns up.
+const BUSY: f64 = 0.15;
 
 /// Time between two looks at the memory.
 const BETWEEN_LOOKS: Duration = Duration::from_secs(1);
@@ -49,13 +51,15 @@ struct Counts {
     frames: u64,
     moves: u64,
     saved: u64,
+    /// Pictures in real-time light.
+    lit: u64,
     devices: usize,
     /// The turn of the window's thread that took longest by itself.
     longest: Longest,
 }
 
 /// Runs for some time; `Err` says what went wrong. `slack` bytes of growth are nothing.
-fn soak(seed: u64, time: Duration, slack: u64, plant: Plant) -> Option<Result<Counts, String>> {
+fn soak(seed: u64, time: Duration, slack: u64, lights: bool, plant: Plant) -> Option<Result<Counts, String>> {
     let beats = Arc::new(AtomicU64::new(0));
     let stops = Arc::new(AtomicBool::new(false));
     let (beat, stop) = (Arc::clone(&beats), Arc::clone(&stops));
@@ -63,8 +67,8 @@ fn soak(seed: u64, time: Duration, slack: u64, plant: Plant) -> Option<Result<Co
         let folder = tempfile::tempdir().unwrap();
         // Where files go that nobody named: hands click and type what they like.
         std::env::set_current_dir(folder.path()).unwrap();
-        let mut app = App::open(folder.path())?;
-        let mut hands = Hands::new(seed);
+        let mut app = App::open(folder.path(), lights)?;
+        let mut hands = Hands::new(seed, lights);
         let start = Instant::now();
         let mut counts = Counts::default();
         let mut messages = Vec::new();
@@ -85,17 +89,18 @@ fn soak(seed: u64, time: Duration, slack: u64, plant: Plant) -> Option<Result<Co
             beat.fetch_add(1, Ordering::Relaxed);
         }
         (counts.frames, counts.moves, counts.saved) = (app.window.shown, app.window.moves, app.saved);
+        counts.lit = app.lit;
         (counts.devices, counts.longest) = (app.window.devices(), app.longest.clone());
         messages.dedup();
         Some((counts, without_lost_textures(messages)))
     });
-    let start = Instant::now();
+    let (start, others) = (Instant::now(), Others::watch());
     let (mut last, mut changed) = (0, Instant::now());
     let mut curve = Vec::new();
     while start.elapsed() < time && !run.is_finished() {
         std::thread::sleep(Duration::from_millis(250));
         if start.elapsed() >= BETWEEN_LOOKS * curve.len() as u32 {
-            curve.push(Memory::now());
+            curve.push(turn::between(Memory::now));
         }
         let now = beats.load(Ordering::Relaxed);
         if now != last {
@@ -116,8 +121,12 @@ fn soak(seed: u64, time: Duration, slack: u64, plant: Plant) -> Option<Result<Co
     if plant == Plant::Nothing {
         report(seed, &counts, &curve);
     }
-    let longest = &counts.longest;
-    if longest.took > FELT {
+    let (longest, others) = (&counts.longest, others.share());
+    let is_ours = others < BUSY;
+    if !is_ours {
+        println!("other programs had {:.0} % of the processors: only what turns worked is judged", others * 100.0);
+    }
+    if longest.worked > FELT || is_ours && longest.took > FELT {
         return Some(Err(format!(
             "seed {seed}: a turn takes {:?} at {:?}: {}",
             longest.took, longest.at, longest.what
@@ -170,12 +179,14 @@ fn random_events_find_no_fault_and_planted_faults_are_found() {
     let time = Duration::from_secs_f64(minutes.map_or(20.0, |minutes| 60.0 * minutes));
     // Within seconds caches of the driver still fill, and a quarter of them may have one large scene.
     let slack = if minutes.is_some() { 24 << 20 } else { 128 << 20 };
-    let Some(result) = soak(seed, time, slack, Plant::Nothing) else { return };
+    let lights = setting("VOXTRACE_SOAK_LIGHT").is_some_and(|on| on > 0.0);
+    let Some(result) = soak(seed, time, slack, lights, Plant::Nothing) else { return };
     let counts = result.unwrap();
     assert!(counts.events > 10 && counts.frames > 1, "{counts:?}");
+    assert!(!lights || counts.lit > 1, "no picture in real-time light: {counts:?}");
 
-    let found = soak(seed, Duration::from_secs(20), slack, Plant::Leak(128e6)).unwrap();
+    let found = soak(seed, Duration::from_secs(20), slack, false, Plant::Leak(128e6)).unwrap();
     assert!(found.as_ref().is_err_and(|error| error.contains("memory grows")), "{found:?}");
-    let found = soak(seed, 3 * HANG, slack, Plant::Hang).unwrap();
+    let found = soak(seed, 3 * HANG, slack, false, Plant::Hang).unwrap();
     assert!(found.as_ref().is_err_and(|error| error.contains("hangs")), "{found:?}");
 }

@@ -189,8 +189,8 @@ impl Transfer {
     /// Which values are shown, for people.
     pub fn shown(&self) -> String {
         match &self.ramp {
-            Ramp::Absolute { low, high, .. } if *high == f32::MAX => format!("what is {low} or more"),
-            Ramp::Absolute { low, high, .. } => format!("what is from {low} to {high}"),
+            Ramp::Absolute { low, high, .. } if *high == f32::MAX => format!("what is {} or more", five_digits(*low)),
+            Ramp::Absolute { low, high, .. } => format!("what is from {} to {}", five_digits(*low), five_digits(*high)),
             Ramp::Relative { .. } => "what is above the volume's threshold".into(),
             Ramp::Labels(colors) => format!("{} labels", colors.len()),
             Ramp::EveryLabel => "every whole number but 0".into(),
@@ -329,9 +329,28 @@ fn color_at(stops: &[(f32, Vec3)], value: f32) -> Vec3 {
     }
 }
 
+/// A value of five digits that matter, for people: thresholds that follow from the values have more.
+fn five_digits(value: f32) -> f32 {
+    let size = f64::from(value.abs()).log10().floor();
+    if !size.is_finite() {
+        return value;
+    }
+    let scale = 10f64.powi(4 - size as i32);
+    ((f64::from(value) * scale).round() / scale) as f32
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_is_shown_is_said_with_few_digits() {
+        let of =
+            |low, high| Transfer { ramp: Ramp::Absolute { low, high, stops: Vec::new() }, ..Preset::Fog.transfer() };
+        assert_eq!(of(649.208_86, f32::MAX).shown(), "what is 649.21 or more");
+        assert_eq!(of(-0.001_234_567, 250.0).shown(), "what is from -0.0012346 to 250");
+        assert_eq!(of(0.0, 3e9).shown(), "what is from 0 to 3000000000");
+    }
 
     #[test]
     fn a_ramp_shows_what_is_between_its_ends_and_nothing_that_is_no_number() {

@@ -56,6 +56,12 @@ pub struct QualityPace {
     tried: Option<u32>,
 }
 
+/// Milliseconds of a frame that `VOXTRACE_VIEW_FRAME_MS` asks for: with many of them frames are as fine as they can be, also on a slow device, for pictures
+/// of the window.
+pub fn frame_ms() -> Option<f64> {
+    std::env::var("VOXTRACE_VIEW_FRAME_MS").ok()?.parse().ok().filter(|ms: &f64| *ms > 0.0)
+}
+
 impl QualityPace {
     /// Frames that take `budget_ms` each.
     pub fn new(budget_ms: f64) -> Self {
@@ -79,6 +85,7 @@ impl QualityPace {
     /// The quality of the next frame of a view that stands, which may take `ms`: nobody waits for it, so all pixels have their paths, and
     /// they are as small as can be.
     pub fn still(&self, ms: f64) -> Quality {
+        let ms = ms.max(self.budget_ms);
         let mut full = (0..self.now).filter(|&index| ALL[index].1 == Rate::Full);
         quality(full.find(|&index| self.expected(index).is_none_or(|expected| expected <= ms)).unwrap_or(self.now))
     }

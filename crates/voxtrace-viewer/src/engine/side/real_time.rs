@@ -76,6 +76,8 @@ impl Side {
     /// Shows views in this light from now on.
     pub fn set_light(&mut self, light: Light) {
         self.real_time.light = light;
+        // Whoever turns it on wants it tried, also where there was no memory for it.
+        self.real_time.is_refused = false;
         self.real_time.begin();
         if light.real_time == RealTimeChoice::Off {
             self.give_back();

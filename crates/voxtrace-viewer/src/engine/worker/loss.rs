@@ -4,6 +4,7 @@
 use super::Worker;
 use crate::engine::Event;
 use crate::memory;
+use crate::tr;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 use voxtrace::TraceError;
@@ -27,7 +28,7 @@ impl Worker {
             return;
         }
         side.stand_in();
-        (self.tell)(Event::Notice(format!("{error}: the processor traces instead")));
+        (self.tell)(Event::Notice(tr!("said.processor_instead", error = error)));
         self.forget_differences();
     }
 
@@ -58,7 +59,7 @@ impl Worker {
         let device = match reopened {
             Some(device) => device,
             None => {
-                (self.tell)(Event::Notice(format!("{} was lost, and opened anew", lost.info().name)));
+                (self.tell)(Event::Notice(tr!("said.lost", name = lost.info().name)));
                 lost.reopened()?
             }
         };

@@ -13,31 +13,31 @@ pub fn show(ui: &mut Ui, session: &mut Session, dialog: &mut FramesDialog, statu
             dialog.refresh(session);
         }
     }
-    let clicked = path::show(ui, "folder", &mut dialog.folder, false);
+    let clicked = path::show(ui, tr!("dialogs.folder"), &mut dialog.folder, false);
     ui.horizontal(|ui| {
         let label = ui.label(tr!("dialogs_frames.name"));
         ui.add(TextEdit::singleline(&mut dialog.name).desired_width(160.0)).labelled_by(label.id);
-        ui.label(RichText::new(format!("{}_0001.png and on", dialog.name)).weak());
+        ui.label(RichText::new(tr!("dialogs_frames.name_and_on", name = dialog.name)).weak());
     });
     ui.horizontal(|ui| {
         let label = ui.label(tr!("dialogs_frames.seconds"));
         ui.add(DragValue::new(&mut dialog.seconds).range(0.1..=3600.0).speed(0.1)).labelled_by(label.id);
         let label = ui.label(tr!("dialogs_frames.frames_a_second"));
         ui.add(DragValue::new(&mut dialog.rate).range(1..=240)).labelled_by(label.id);
-        ui.label(format!("{} frames", dialog.frames()));
+        ui.label(tr!("dialogs_frames.frames", frames = dialog.frames()));
     });
     quality(ui, session, &mut dialog.quality);
     let there = dialog.there();
     if there > 0 {
         ui.horizontal(|ui| {
-            ui.label(format!("{there} frames are there:"));
+            ui.label(tr!("dialogs.frames_there", there = there));
             ui.radio_value(&mut dialog.existing, Existing::Keep, tr!("dialogs_frames.keep_them_render_the_others"));
             ui.radio_value(&mut dialog.existing, Existing::Replace, tr!("dialogs_frames.write_over_them"));
         });
     }
     estimate(ui, session, &dialog.quality, status, dialog.frames() as usize);
     let missing = match session.exporting {
-        Some(_) => Some("another picture is being rendered".to_owned()),
+        Some(_) => Some(tr!("dialogs.busy").to_owned()),
         None => dialog.check(session).err(),
     };
     let ffmpeg = dialog.ffmpeg();
@@ -47,14 +47,14 @@ pub fn show(ui: &mut Ui, session: &mut Session, dialog: &mut FramesDialog, statu
         is_ffmpeg = ui.button(tr!("dialogs_frames.copy_ffmpeg")).on_hover_text(&ffmpeg).clicked();
     });
     ui.add(egui::Label::new(RichText::new(&ffmpeg).monospace().small()).truncate());
-    let pressed = buttons(ui, "Render", missing.as_deref(), |ui| {
+    let pressed = buttons(ui, tr!("dialogs.render"), missing.as_deref(), |ui| {
         is_command = ui.button(tr!("dialogs_frames.copy_its_command")).clicked()
     });
     if is_command {
-        session.copy_command_of(dialog.command(session), "the command that renders these frames");
+        session.copy_command_of(dialog.command(session), tr!("dialogs_frames.copied"));
     }
     if is_ffmpeg {
-        session.copy(ffmpeg, "the command that makes a film of the frames");
+        session.copy(ffmpeg, tr!("dialogs_frames.ffmpeg_copied"));
     }
     pressed.or(clicked)
 }

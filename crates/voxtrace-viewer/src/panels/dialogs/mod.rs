@@ -28,12 +28,12 @@ pub fn show(ui: &Ui, session: &mut Session, status: &Status, side: f32) {
     exporting(ui, session, side);
     let Some(mut dialog) = session.dialog.take() else { return };
     let title = match &dialog {
-        Dialog::Picture(_) => "Render a picture",
-        Dialog::Frames(_) => "Render frames",
-        Dialog::Plan(_) => "Play a benchmark plan",
-        Dialog::Record(_) => "Record the timeline",
-        Dialog::Save(_) => "Write the scene",
-        Dialog::Open(_) => "Open a scene",
+        Dialog::Picture(_) => tr!("dialogs.picture"),
+        Dialog::Frames(_) => tr!("dialogs.frames"),
+        Dialog::Plan(_) => tr!("dialogs.plan"),
+        Dialog::Record(_) => tr!("dialogs.record"),
+        Dialog::Save(_) => tr!("dialogs.save"),
+        Dialog::Open(_) => tr!("dialogs.open"),
         Dialog::New(_) => tr!("dialogs_new.title"),
     };
     let mut is_open = true;
@@ -92,7 +92,7 @@ fn go(session: &mut Session, mut dialog: Dialog) {
 /// Records the timeline, which is kept in its file first.
 fn record_to(session: &mut Session, dialog: &mut RecordDialog) -> Result<(), String> {
     dialog.check(session)?;
-    let file = session.save_timeline().ok_or("the timeline could not be kept")?;
+    let file = session.save_timeline().ok_or(tr!("timeline.not_kept"))?;
     dialog.request(session, file).map(|request| session.run_command(request))
 }
 
@@ -105,9 +105,13 @@ fn quality(ui: &mut Ui, session: &Session, quality: &mut Quality) {
         let label = ui.label("×");
         ui.add(DragValue::new(&mut quality.size[1]).range(1..=65_536)).labelled_by(label.id);
         let here = PRESETS.iter().find(|(_, size)| *size == quality.size).map(|(name, _)| *name);
-        let here = here.unwrap_or(if quality.size == window { "the window's" } else { "another" });
+        let here = here.unwrap_or(if quality.size == window {
+            tr!("dialogs.size_of_window")
+        } else {
+            tr!("dialogs.another_size")
+        });
         ComboBox::from_label(tr!("dialogs.preset")).selected_text(here).show_ui(ui, |ui| {
-            for (name, size) in [("the window's", window)].into_iter().chain(PRESETS) {
+            for (name, size) in [(tr!("dialogs.size_of_window"), window)].into_iter().chain(PRESETS) {
                 if ui.selectable_label(quality.size == size, name).clicked() {
                     quality.size = size;
                 }
@@ -125,14 +129,14 @@ fn quality(ui: &mut Ui, session: &Session, quality: &mut Quality) {
 fn estimate(ui: &mut Ui, session: &Session, quality: &Quality, status: &Status, pictures: usize) {
     if let Some(ms) = status.percentile(0.5) {
         let seconds = quality.estimate(session, ms, pictures);
-        ui.label(RichText::new(format!("takes about {}", duration(seconds))).weak());
+        ui.label(RichText::new(tr!("dialogs.takes", time = duration(seconds))).weak());
     }
 }
 
 /// A time as people say it.
 pub fn duration(seconds: f64) -> String {
     match seconds {
-        seconds if seconds < 1.0 => "a second".into(),
+        seconds if seconds < 1.0 => tr!("dialogs.a_second").into(),
         seconds if seconds < 120.0 => format!("{seconds:.0} s"),
         seconds if seconds < 7200.0 => format!("{:.0} min", seconds / 60.0),
         seconds => format!("{:.1} h", seconds / 3600.0),
@@ -161,8 +165,8 @@ fn buttons(ui: &mut Ui, name: &str, missing: Option<&str>, others: impl FnOnce(&
 /// How far an export is, with a button that stops it.
 fn exporting(ui: &Ui, session: &mut Session, side: f32) {
     let Some(export) = &session.exporting else {
-        if let Some(path) = &session.saving_scene {
-            let text = format!("writing {}", path.display());
+        if let Some(path) = session.written_file() {
+            let text = tr!("dialogs.writing_path", path = path.display());
             egui::Window::new(tr!("dialogs.writing"))
                 .anchor(Align2::CENTER_BOTTOM, [-side / 2.0, -24.0 - session.below])
                 .collapsible(false)
@@ -172,10 +176,10 @@ fn exporting(ui: &Ui, session: &mut Session, side: f32) {
         return;
     };
     let share = export.share();
-    let left = export.seconds_left().map_or(String::new(), |seconds| format!(", {} left", duration(seconds)));
+    let left = export.seconds_left().map_or(String::new(), |seconds| tr!("running.left", time = duration(seconds)));
     let pictures = match export.pictures {
         1 => String::new(),
-        pictures => format!("{} of {pictures} frames, ", export.done()),
+        pictures => tr!("dialogs.of_frames", done = export.done(), pictures = pictures) + " ",
     };
     let text = format!("{pictures}{:.0} %{left}", share * 100.0);
     let name = export.name.clone();

@@ -7,7 +7,7 @@ use crate::tr;
 use egui::Ui;
 
 pub fn show(ui: &mut Ui, session: &mut Session, dialog: &mut PictureDialog, status: &Status) -> Option<Click> {
-    let clicked = path::show(ui, "file", &mut dialog.path, false);
+    let clicked = path::show(ui, tr!("dialogs.file"), &mut dialog.path, false);
     dialog.take_kind_of_path();
     let kind = dialog.kind();
     ui.horizontal(|ui| {
@@ -27,16 +27,16 @@ pub fn show(ui: &mut Ui, session: &mut Session, dialog: &mut PictureDialog, stat
     }
     estimate(ui, session, &dialog.quality, status, 1);
     let missing = match session.exporting {
-        Some(_) => Err("another picture is being rendered".into()),
+        Some(_) => Err(tr!("dialogs.busy").into()),
         None => dialog.check(session),
     };
     let missing = missing.err();
     let mut is_copied = false;
-    let pressed = buttons(ui, "Render", missing.as_deref(), |ui| {
+    let pressed = buttons(ui, tr!("dialogs.render"), missing.as_deref(), |ui| {
         is_copied = ui.button(tr!("dialogs_picture.copy_its_command")).clicked()
     });
     if is_copied {
-        session.copy_command_of(dialog.command(session), "the command that renders this file");
+        session.copy_command_of(dialog.command(session), tr!("dialogs_picture.copied"));
     }
     pressed.or(clicked)
 }

@@ -3,25 +3,26 @@
 use super::{Click, buttons, path};
 use crate::canvas::LARGEST;
 use crate::dialogs::{OpenDialog, SCENE_KINDS, SaveDialog};
+use crate::strings::text;
 use crate::tr;
 use egui::{DragValue, RichText, Ui};
 
 pub fn show_save(ui: &mut Ui, dialog: &mut SaveDialog) -> Option<Click> {
-    let clicked = path::show(ui, "file", &mut dialog.path, false);
+    let clicked = path::show(ui, tr!("dialogs.file"), &mut dialog.path, false);
     let ending = dialog.ending();
     for (own, about) in SCENE_KINDS {
         ui.horizontal(|ui| {
             if ui.radio(ending == own, format!(".{own}")).clicked() {
                 dialog.set_ending(own);
             }
-            ui.label(RichText::new(about).weak());
+            ui.label(RichText::new(text(about)).weak());
         });
     }
     if dialog.is_there() {
         ui.checkbox(&mut dialog.replaces, tr!("dialogs_scene.write_over_the_file_that"));
     }
     let missing = dialog.request().err();
-    buttons(ui, "Write", missing.as_deref(), |_| {}).or(clicked)
+    buttons(ui, tr!("dialogs.write"), missing.as_deref(), |_| {}).or(clicked)
 }
 
 pub fn show_new(ui: &mut Ui, size: &mut [u32; 3]) -> Option<Click> {
@@ -37,7 +38,7 @@ pub fn show_new(ui: &mut Ui, size: &mut [u32; 3]) -> Option<Click> {
 }
 
 pub fn show_open(ui: &mut Ui, dialog: &mut OpenDialog) -> Option<Click> {
-    let clicked = path::show(ui, "path", &mut dialog.path, true);
+    let clicked = path::show(ui, tr!("dialogs.path"), &mut dialog.path, true);
     let missing = dialog.request().err();
-    buttons(ui, "Open", missing.as_deref(), |_| {}).or(clicked)
+    buttons(ui, tr!("dialogs.do_open"), missing.as_deref(), |_| {}).or(clicked)
 }

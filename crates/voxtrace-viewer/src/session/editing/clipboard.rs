@@ -1,7 +1,9 @@
 //! What is selected, copied and put down.
 
 use crate::editing::{Act, Job, Pasting, Selection, Spot};
+use crate::panels::{Noun, counted};
 use crate::session::Session;
+use crate::tr;
 use std::sync::Arc;
 use voxtrace::dynamic::{Clip, Edit};
 use voxtrace::grid::VoxelBox;
@@ -11,7 +13,7 @@ impl Session {
     fn selection(&mut self) -> Option<Selection> {
         let selection = self.editing.as_ref()?.selection;
         if selection.is_none() {
-            self.say("nothing is selected: drag a box with the tool “select” (0)", false);
+            self.say(tr!("edit.nothing_selected"), false);
         }
         selection
     }
@@ -29,7 +31,7 @@ impl Session {
         editing.clip = Some(Arc::clone(&clip));
         match from {
             Some(_) => editing.pasting = Some(Pasting { clip, from }),
-            None => self.say(format!("copied: {}", crate::panels::counted(count, "voxel")), false),
+            None => self.say(tr!("edit.copied", what = counted(count, Noun::Voxel)), false),
         }
     }
 
@@ -55,7 +57,7 @@ impl Session {
         let Some(Selection { grid, region, .. }) = self.selection() else { return };
         let Some(editing) = &self.editing else { return };
         let edits = vec![Edit::Fill { shape: Shape::Box(region), material: Some(editing.material) }];
-        self.send_job(Job::Edit { grid, edits, name: "fill the box", joins: false });
+        self.send_job(Job::Edit { grid, edits, name: tr!("edit.fill_box"), joins: false });
     }
 
     /// What was copied last is under the cursor, to be put down.
@@ -63,7 +65,7 @@ impl Session {
         let Some(editing) = &mut self.editing else { return };
         match editing.clip.clone() {
             Some(clip) => editing.pasting = Some(Pasting { clip, from: None }),
-            None => self.say("nothing was copied yet", false),
+            None => self.say(tr!("edit.nothing_copied"), false),
         }
     }
 
@@ -86,7 +88,7 @@ impl Session {
     fn change_pasting(&mut self, axis: Axis, is_mirror: bool) {
         match self.editing.as_ref().is_some_and(|editing| editing.pasting.is_some()) {
             true => self.send_job(Job::Turn { axis, is_mirror }),
-            false => self.say("nothing is being pasted: copy and paste, or move, first", false),
+            false => self.say(tr!("edit.nothing_pasted"), false),
         }
     }
 
@@ -98,10 +100,10 @@ impl Session {
         let put = Edit::Paste { clip: Arc::clone(&clip), at, with_empty: false };
         let (edits, name) = match from {
             Some((grid, _)) if grid != spot.grid => {
-                return self.say("what is moved stays in its model: copy and paste it into another", false);
+                return self.say(tr!("edit.stays_in_model"), false);
             }
-            Some((_, region)) => (vec![Act::Erase.edit(Shape::Box(region), 0), put], "move"),
-            None => (vec![put], "paste"),
+            Some((_, region)) => (vec![Act::Erase.edit(Shape::Box(region), 0), put], tr!("edit.move")),
+            None => (vec![put], tr!("edit.paste")),
         };
         if from.is_some() {
             editing.pasting = None;

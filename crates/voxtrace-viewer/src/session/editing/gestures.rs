@@ -5,6 +5,7 @@ use crate::editing::face_region::{FaceRegion, MOST};
 use crate::editing::{Act, Job, MOST_FILLED, Selection, Spot, Stroke, Symmetry, Tool};
 use crate::keys::EditAction;
 use crate::session::Session;
+use crate::tr;
 use std::sync::Arc;
 use voxtrace::Shape;
 use voxtrace::dynamic::Edit;
@@ -22,7 +23,7 @@ impl Session {
         let Some(spot) = self.edit_spot(cursor) else { return false };
         let Some(editing) = self.editing.as_mut().filter(|editing| editing.is_on) else { return false };
         if !editing.is_ready {
-            self.say("the scene is being made ready for edits; one moment", false);
+            self.say(tr!("edit.one_moment"), false);
             return true;
         }
         (editing.stroke, editing.last_spot) = (Some(Stroke::Nothing), Some(spot));
@@ -86,7 +87,7 @@ impl Session {
                     editing.stroke = Some(Stroke::Extrude { spot, region: Arc::new(region), distance: 0 });
                 }
             }
-            None => self.say(format!("this face has more than {MOST} voxels; use a box for a part of it"), false),
+            None => self.say(tr!("edit.large_face", most = MOST), false),
         }
     }
 
@@ -214,15 +215,15 @@ impl Session {
             }
             Stroke::Span { tool: Tool::Line, act, spot, from, to, .. } => {
                 let shapes = self.editing.as_ref().map_or(Vec::new(), |editing| editing.brush.line(*from, *to));
-                self.send_shapes(spot, *act, &shapes, "line", false);
+                self.send_shapes(spot, *act, &shapes, tr!("edit.line"), false);
             }
             Stroke::Span { act, spot, .. } => {
                 let shapes: Vec<Shape> = stroke.region().into_iter().map(Shape::Box).collect();
-                self.send_shapes(spot, *act, &shapes, "box", false);
+                self.send_shapes(spot, *act, &shapes, tr!("edit.box"), false);
             }
             Stroke::Extrude { spot, region, distance } if *distance != 0 => {
                 let edits = self.symmetry_at(spot).edits(&region.edits(*distance));
-                let name = if *distance > 0 { "pull" } else { "push" };
+                let name = if *distance > 0 { tr!("edit.pull") } else { tr!("edit.push") };
                 self.send_job(Job::Edit { grid: spot.grid, edits, name, joins: false });
             }
             Stroke::Brush { .. } | Stroke::Extrude { .. } | Stroke::Nothing => {}
@@ -261,23 +262,23 @@ impl Session {
         let (Some(editing), Some(within)) = (&self.editing, self.fillable(spot)) else { return };
         let material = (act != Act::Erase).then_some(editing.material);
         if material == Some(spot.material) {
-            return self.say("what is under the cursor has this material already", false);
+            return self.say(tr!("edit.same_material"), false);
         }
         let edit = Edit::Flood { start: spot.voxel, material, within, most: MOST_FILLED };
         let edits = self.symmetry_at(spot).edits(&[edit]);
-        self.send_job(Job::Edit { grid: spot.grid, edits, name: "fill", joins: false });
+        self.send_job(Job::Edit { grid: spot.grid, edits, name: tr!("edit.fill"), joins: false });
     }
 
     fn replace(&mut self, spot: &Spot, act: Act) {
         let Some(editing) = &self.editing else { return };
         let to = (act != Act::Erase).then_some(editing.material);
         if to == Some(spot.material) {
-            return self.say("what is under the cursor has this material already", false);
+            return self.say(tr!("edit.same_material"), false);
         }
         let within = editing.selection.filter(|selection| selection.grid == spot.grid);
         let within = within.map(|selection| selection.region);
         let edits = vec![Edit::Replace { within, from: spot.material, to }];
-        self.send_job(Job::Edit { grid: spot.grid, edits, name: "replace", joins: false });
+        self.send_job(Job::Edit { grid: spot.grid, edits, name: tr!("edit.replace"), joins: false });
     }
 }
 
@@ -289,7 +290,9 @@ pub fn extent(stroke: &Stroke) -> Option<String> {
             let size = stroke.region().unwrap_or(box_between(IVec3::ZERO, IVec3::ZERO)).size();
             Some(format!("{} × {} × {}", size.x, size.y, size.z))
         }
-        Stroke::Extrude { region, distance, .. } => Some(format!("{} voxels by {distance:+}", region.count())),
+        Stroke::Extrude { region, distance, .. } => {
+            Some(tr!("edit.extent", count = region.count(), distance = format!("{distance:+}")))
+        }
         Stroke::Brush { .. } | Stroke::Nothing => None,
     }
 }

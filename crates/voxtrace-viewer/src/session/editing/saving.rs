@@ -3,7 +3,9 @@
 use crate::dialogs::{Dialog, SaveDialog};
 use crate::editing::Saved;
 use crate::editing::recovery::{Left, Note};
+use crate::panels::{Noun, counted};
 use crate::session::{Command, Session};
+use crate::tr;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -77,9 +79,9 @@ impl Session {
         let saved = self.editing.as_ref().and_then(|editing| editing.saved.clone());
         match (saved, self.has_unsaved_edits()) {
             (_, false) if self.editing.as_ref().is_none_or(|editing| !editing.has_edits()) => {
-                self.say("nothing was edited; Ctrl+Shift+S writes the scene to another file", false);
+                self.say(tr!("edit.nothing_edited"), false);
             }
-            (Some(saved), false) => self.say(format!("{} holds all edits", saved.path.display()), false),
+            (Some(saved), false) => self.say(tr!("edit.all_saved", path = saved.path.display()), false),
             (Some(saved), true) => self.ask(Command::SaveScene(saved.path)),
             (None, _) => {
                 self.leaving_dialog();
@@ -101,15 +103,13 @@ impl Session {
         let mut lines = Vec::new();
         let materials = open.used_materials().map_or(open.original.materials().len(), <[usize]>::len);
         if materials > MOST_COLORS {
-            lines.push(format!("a .vox file has {MOST_COLORS} colours: {materials} materials become as many"));
+            lines.push(tr!("edit.vox_colours", most = MOST_COLORS, materials = materials));
         }
         let is_large = |grid: &PackedGrid| (grid.max - grid.min).max_element() > MOST_ACROSS;
         let large = open.original.grids().iter().filter(|grid| is_large(grid)).count() as u64;
         if large > 0 {
-            let what = crate::panels::counted(large, "model");
-            lines.push(format!(
-                "models of a .vox file have at most {MOST_ACROSS} voxels across: {what} will be in parts"
-            ));
+            let what = counted(large, Noun::Model);
+            lines.push(tr!("edit.vox_size", most = MOST_ACROSS, what = what));
         }
         lines
     }
@@ -128,8 +128,8 @@ impl Session {
             let (path, is_visible) = (path.to_owned(), open.is_visible.clone());
             editing.saving = Some(Saved { path, state: editing.state(), is_visible });
             if hidden > 0 && editing.is_unsaved() {
-                let what = crate::panels::counted(hidden, "object");
-                self.say(format!("what is hidden is not written: {what}"), false);
+                let what = counted(hidden, Noun::Object);
+                self.say(tr!("edit.hidden_not_written", what = what), false);
             }
         }
     }
@@ -161,19 +161,19 @@ impl Session {
     pub(crate) fn edited_file(&self) -> Result<Option<PathBuf>, &'static str> {
         let (Some(editing), Some(open)) = (&self.editing, &self.open) else { return Ok(None) };
         if self.is_untitled() {
-            return Err("no file holds the scene: save it first (Ctrl+S)");
+            return Err(tr!("edit.no_file"));
         }
         if !editing.has_edits() && !editing.is_recovered {
             return Ok(None);
         }
         let saved = editing.saved.as_ref().filter(|saved| saved.state == editing.state());
-        let saved = saved.ok_or("the scene has edits that no file holds: save it first (Ctrl+S)")?;
+        let saved = saved.ok_or(tr!("edit.unsaved"))?;
         if saved.is_visible != open.is_visible {
-            return Err("what is hidden is not in the file that the edits were saved to: save it again (Ctrl+S)");
+            return Err(tr!("edit.hidden_not_in_file"));
         }
         let is_native = saved.path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("vxt"));
         if !is_native {
-            return Err("a .vox file keeps colours and light in its own way: save the edits as .vxt first");
+            return Err(tr!("edit.vox_keeps"));
         }
         Ok(Some(saved.path.clone()))
     }
@@ -222,7 +222,7 @@ impl Session {
         open.source = left.note.source.clone();
         self.editing = Some(crate::editing::Editing { is_recovered: true, ..Default::default() });
         self.ask(Command::Edit);
-        self.say("these are the edits that were not saved; Ctrl+S saves them", false);
+        self.say(tr!("edit.recovered"), false);
         self.recovered = Some(left);
     }
 }

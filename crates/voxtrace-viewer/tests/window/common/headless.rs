@@ -86,7 +86,18 @@ impl Headless {
 
     /// Takes what was told; waits for it for at most `patience`.
     pub fn pump(&mut self, patience: Duration) {
-        let Ok(told) = self.told.recv_timeout(patience) else { return };
+        if let Some(told) = self.wait(patience) {
+            self.take_all(told);
+        }
+    }
+
+    /// Waits for what is told, for at most `patience`.
+    pub fn wait(&self, patience: Duration) -> Option<Told> {
+        self.told.recv_timeout(patience).ok()
+    }
+
+    /// Takes what was told, and all else that is there.
+    pub fn take_all(&mut self, told: Told) {
         self.take(told);
         while let Ok(told) = self.told.try_recv() {
             self.take(told);

@@ -1,0 +1,12 @@
+"""Work for many machines, by the workers of a Dask cluster: pictures whose films add up to the bytes of one run, animations, thumbnails.
+
+>>> from dask.distributed import Client            # doctest: +SKIP
+>>> client = Client("tcp://scheduler:8786")        # doctest: +SKIP
+>>> voxtrace.dask.render(client, scene, samples=4096).save("church.png")  # doctest: +SKIP
+"""
+
+from ._animation import animate
+from ._picture import render, render_like
+from ._thumbnails import Thumbnail, thumbnails
+
+__all__ = ["Thumbnail", "animate", "render", "render_like", "thumbnails"]

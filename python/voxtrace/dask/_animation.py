@@ -1,0 +1,107 @@
+"""Animations by many machines: each worker renders whole frames."""
+
+from __future__ import annotations
+
+import os
+import re
+import tempfile
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy
+
+from .._voxtrace import Camera, Scene
+from ._sharing import address_of_worker, elsewhere, gathered, packed_scene, renderer_of
+
+
+def animate(
+    client: Any,
+    scene: Scene,
+    cameras: Sequence[Camera],
+    output: str | os.PathLike[str],
+    *,
+    transforms: Any = None,
+    samples: int = 64,
+    size: tuple[int, int] = (1280, 720),
+    seed: int = 0,
+    device: str = "auto",
+    denoise: bool = True,
+    exposure: float = 0.0,
+    tone_map: str = "agx",
+    overwrite: bool = False,
+    retries: int = 5,
+    progress: Callable[[float], object] | None = None,
+    **options: Any,
+) -> list[Path]:
+    """Render a frame for each camera by the workers of `client`, and write them as they come.
+
+    `output`: where frames go, with `####` for their number, from 1 on: `.png`, `.exr` or `.vxf`. `transforms`: where the visible instances are, of shape
+    `(frames, N, 4, 4)`, as `Renderer.place` takes them. The frame with the number *n* has the seed `seed + n - 1`. Files are those that `Renderer.render` and
+    `Image.save` give, byte for byte, whatever the workers. Frames that are there already are left alone, unless `overwrite`: the same call goes on after an
+    interruption. Everything else is as in `voxtrace.render`.
+
+    Returns the files. Raises what `voxtrace.render` raises, and `ValueError` for other numbers of cameras and transforms.
+    """
+    paths = [_numbered(Path(output), number) for number in range(1, len(cameras) + 1)]
+    places = None if transforms is None else numpy.asarray(transforms, dtype=float)
+    if places is not None and len(places) != len(cameras):
+        raise ValueError(f"{len(cameras)} cameras and transforms of {len(places)} frames")
+    missing = [number for number, path in enumerate(paths) if overwrite or not path.exists()]
+    if not missing:
+        return paths
+    data, key = packed_scene(scene)
+    frame = {"samples": samples, "size": size, "denoise": denoise, **options}
+    look = {"exposure": exposure, "tone_map": tone_map}
+
+    def submit(numbers: list[int], workers: list[str]) -> dict[Any, int]:
+        sent = client.submit(bytes, data, pure=False, retries=retries, **elsewhere(workers))
+        begun: dict[Any, int] = {}
+        for number in numbers:
+            place = None if places is None else places[number]
+            arguments = sent, key, device, cameras[number], place, {**frame, "seed": seed + number}, look, paths[number].suffix
+            begun[client.submit(_render_frame, *arguments, pure=False, retries=retries, **elsewhere(workers))] = number
+        return begun
+
+    gathered(client, submit, missing, lambda number, file: write_whole(paths[number], file), progress)
+    return paths
+
+
+def _numbered(output: Path, number: int) -> Path:
+    name, count = re.subn("#+", lambda marks: str(number).zfill(len(marks[0])), output.name)
+    if count != 1:
+        raise ValueError(f"{output}: write #### where the number of the frame goes")
+    return output.with_name(name)
+
+
+def write_whole(path: Path, content: bytes) -> None:
+    """Writes a file that is there whole or not at all."""
+    part = path.with_name(f".{path.name}.{os.getpid()}")
+    part.write_bytes(content)
+    part.replace(path)
+
+
+def picture_file(image: Any, suffix: str, look: dict[str, Any]) -> bytes:
+    """The bytes of the file of a picture."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / f"picture{suffix}"
+        image.save(path, **look)
+        return path.read_bytes()
+
+
+def _render_frame(
+    data: bytes,
+    key: str,
+    device: str,
+    camera: Camera,
+    place: Any,
+    frame: dict[str, Any],
+    look: dict[str, Any],
+    suffix: str,
+) -> tuple[str, bytes]:
+    """The worker, and the file of a frame."""
+    kind = "still" if place is None else "placeable"
+    renderer = renderer_of(data, key, device, kind, placeable=place is not None)
+    if place is not None:
+        renderer.place(place)
+    return address_of_worker(), picture_file(renderer.render(camera, **frame), suffix, look)

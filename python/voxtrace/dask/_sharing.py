@@ -1,0 +1,118 @@
+"""What everything that a cluster makes has in common: parts that go to workers and come back, and scenes that they keep."""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import statistics
+import tempfile
+import time
+from collections import deque
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from .. import _voxtrace
+from .._voxtrace import Renderer, Scene
+
+#: A part that takes so many times as long as others is given to another worker as well.
+PATIENCE = 3.0
+#: The same, in seconds, before the first part is there.
+FIRST_PATIENCE = 30.0
+
+#: Renderers of a worker's process, by the scene, the device and what else they are made with: scenes are sent, unpacked and put on the device once.
+_renderers: dict[tuple[str, str, str], Renderer] = {}
+
+
+def elsewhere(workers: list[str]) -> dict[str, Any]:
+    """Options of `submit`, for work that these workers should do: preferred, not demanded, as the others may be all that is left."""
+    return {"workers": workers, "allow_other_workers": True} if workers else {}
+
+
+def gathered(
+    client: Any,
+    submit: Callable[[list[int], list[str]], dict[Any, int]],
+    parts: list[int],
+    take: Callable[[int, Any], object],
+    progress: Callable[[float], object] | None,
+) -> None:
+    """Has parts made by the workers, and gives what they are to `take` as they come, each once.
+
+    `submit(parts, workers)` begins parts, preferably on these workers; their results are pairs of the worker's address and what the part is.
+    Parts that keep everybody waiting are begun a second time elsewhere, and whichever is there first counts.
+    """
+    from dask import distributed
+
+    # It has no types.
+    wait: Any = distributed.wait
+    waiting = submit(parts, []) if parts else {}
+    there: set[int] = set()
+    alive: set[str] = set()
+    took: deque[float] = deque(maxlen=64)
+    last = time.monotonic()
+    while len(there) < len(parts):
+        try:
+            done = wait(list(waiting), timeout=1.0, return_when="FIRST_COMPLETED").done
+        except TimeoutError:
+            done = set()
+        for future in done:
+            part = waiting.pop(future)
+            if part not in there:
+                worker, made = future.result()
+                take(part, made)
+                there.add(part)
+                alive.add(worker)
+                now = time.monotonic()
+                took.append(now - last)
+                last = now
+        if progress:
+            progress(len(there) / len(parts))
+        rest = [part for part in parts if part not in there]
+        patience = max(2.0, PATIENCE * statistics.median(took)) if took else FIRST_PATIENCE
+        is_late = time.monotonic() - last > patience
+        # Once for each silence: nobody is asked for the same again and again.
+        if rest and is_late:
+            waiting |= submit(rest, sorted(alive))
+            alive.clear()
+            last = time.monotonic()
+    client.cancel(list(waiting), force=True)
+
+
+def packed_scene(scene: Scene) -> tuple[bytes, str]:
+    """The scene as the bytes of a file, and their hash."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "scene.vxt"
+        scene.save(path)
+        data = path.read_bytes()
+    return data, hashlib.sha256(data).hexdigest()
+
+
+def renderer_of(data: bytes, key: str, device: str, kind: str, **options: Any) -> Renderer:
+    """The renderer of this process for the scene of a file's bytes with the hash `key`; `kind` tells apart those of other options."""
+    renderer = _renderers.get((key, device, kind))
+    if renderer is None:
+        # One scene at a time lies on a device.
+        _renderers.clear()
+        renderer = Renderer(_unpacked(data, key), device=device, **options)
+        _renderers[key, device, kind] = renderer
+    return renderer
+
+
+def address_of_worker() -> str:
+    """The address of the worker that this runs on."""
+    from dask import distributed
+
+    worker: Any = distributed.get_worker()  # type: ignore[no-untyped-call, unused-ignore]
+    return str(worker.address)
+
+
+def _unpacked(data: bytes, key: str) -> Scene:
+    """The scene of a file's bytes, which stays on the worker's disk for the next process that wants it."""
+    folder = Path(tempfile.gettempdir()) / f"voxtrace-{os.getuid() if hasattr(os, 'getuid') else 0}"
+    folder.mkdir(mode=0o700, exist_ok=True)
+    path = folder / f"{key}.vxt"
+    if not path.exists():
+        part = path.with_suffix(f".{os.getpid()}")
+        part.write_bytes(data)
+        part.replace(path)
+    return _voxtrace.open(path)
