@@ -7337,6 +7337,33 @@ fn Memory_add_0( this_62 : ptr<function, Memory_0>,  sample_22 : Sample_0,  most
     return;
 }
 
+fn is_far_5( a_12 : vec3<f32>,  b_11 : vec3<f32>) -> bool
+{
+    return (any(((abs(a_12 - b_11)) > (max(a_12, b_11) * vec3<f32>(0.10000000149011612f) + vec3<f32>(0.00999999977648258f)))));
+}
+
+fn differ_0( a_13 : Sample_0,  b_12 : Sample_0) -> bool
+{
+    var _S546 : bool;
+    if((a_13.is_shown_0) != (b_12.is_shown_0))
+    {
+        _S546 = true;
+    }
+    else
+    {
+        _S546 = is_far_5(a_13.direct_0, b_12.direct_0);
+    }
+    if(_S546)
+    {
+        _S546 = true;
+    }
+    else
+    {
+        _S546 = is_far_5(a_13.albedo_0, b_12.albedo_0);
+    }
+    return _S546;
+}
+
 fn halves_1( low_13 : f32,  high_6 : f32) -> u32
 {
     return pack2x16float(clamp(vec2<f32>(low_13, high_6), vec2<f32>(-65504.0f), vec2<f32>(65504.0f)));
@@ -7345,8 +7372,8 @@ fn halves_1( low_13 : f32,  high_6 : f32) -> u32
 fn Lit_beyond_0( this_63 : Lit_0,  kept_1 : vec3<f32>) -> vec3<f32>
 {
     var products_0 : vec3<f32> = Lit_products_0(this_63, kept_1);
-    var _S546 : vec3<f32> = vec3<f32>(1.00000000317107685e-30f);
-    return select(vec3<f32>(0.0f), this_63.moments_0 / max(products_0, _S546) - vec3<f32>(1.0f), products_0 > _S546);
+    var _S547 : vec3<f32> = vec3<f32>(1.00000000317107685e-30f);
+    return select(vec3<f32>(0.0f), this_63.moments_0 / max(products_0, _S547) - vec3<f32>(1.0f), products_0 > _S547);
 }
 
 fn words_of_0( lit_3 : Lit_0) -> vec3<u32>
@@ -7361,17 +7388,17 @@ fn store_memory_0( index_36 : u32,  memory_2 : Memory_0)
 {
     var pixels_2 : u32 = real_time_0.pixels_0;
     var words_4 : vec3<u32> = words_of_0(memory_2.lit_0);
-    var _S547 : u32 = packed_normal_0(memory_2.normal_11);
-    var _S548 : u32;
+    var _S548 : u32 = packed_normal_0(memory_2.normal_11);
+    var _S549 : u32;
     if((memory_2.coverage_0) > 0.0f)
     {
-        _S548 = u32(1073741824);
+        _S549 = u32(1073741824);
     }
     else
     {
-        _S548 = u32(0);
+        _S549 = u32(0);
     }
-    memory_rows_0[index_36] = vec4<u32>((bitcast<vec3<u32>>((memory_2.place_10))), (_S547 | (_S548)));
+    memory_rows_0[index_36] = vec4<u32>((bitcast<vec3<u32>>((memory_2.place_10))), (_S548 | (_S549)));
     memory_rows_0[pixels_2 + index_36] = vec4<u32>(halves_1(memory_2.lit_0.paths_0, memory_2.looks_0), halves_1(memory_2.coverage_0, memory_2.roughness_1), words_4.x, words_4.y);
     memory_rows_0[u32(2) * pixels_2 + index_36] = vec4<u32>((bitcast<vec3<u32>>((memory_2.lit_0.light_12))), words_4.z);
     memory_rows_0[u32(3) * pixels_2 + index_36] = vec4<u32>(halves_1(memory_2.direct_2.x, memory_2.direct_2.y), halves_1(memory_2.direct_2.z, memory_2.albedo_2.x), halves_1(memory_2.albedo_2.y, memory_2.albedo_2.z), u32(0));
@@ -7390,31 +7417,43 @@ fn remember(@builtin(global_invocation_id) id_1 : vec3<u32>)
     {
         var index_37 : u32 = index_of_0(at_19);
         var memory_3 : Memory_0 = memory_before_0(index_37);
-        Memory_add_0(&(memory_3), load_sample_0(index_37), real_time_0.most_paths_0);
+        var sample_23 : Sample_0 = load_sample_0(index_37);
+        Memory_add_0(&(memory_3), sample_23, real_time_0.most_paths_0);
         var look_0 : Walker_0;
-        var _S549 : Sample_0 = no_sample_0();
-        var seen_1 : Sample_0 = _S549;
+        var _S550 : Sample_0 = no_sample_0();
+        var seen_1 : Sample_0 = _S550;
         var is_under_way_1 : bool = false;
+        var differs_0 : bool = false;
         var looks_2 : u32 = u32(0);
         for(;;)
         {
-            var _S550 : bool;
+            var _S551 : bool;
             if(is_under_way_1)
             {
-                _S550 = true;
+                _S551 = true;
             }
             else
             {
                 if(has_0(u32(2)))
                 {
-                    _S550 = (memory_3.looks_0) < 4.0f;
+                    var _S552 : f32 = memory_3.looks_0;
+                    var _S553 : f32;
+                    if(differs_0)
+                    {
+                        _S553 = 16.0f;
+                    }
+                    else
+                    {
+                        _S553 = 4.0f;
+                    }
+                    _S551 = _S552 < _S553;
                 }
                 else
                 {
-                    _S550 = false;
+                    _S551 = false;
                 }
             }
-            if(_S550)
+            if(_S551)
             {
             }
             else
@@ -7424,14 +7463,24 @@ fn remember(@builtin(global_invocation_id) id_1 : vec3<u32>)
             if(!is_under_way_1)
             {
                 var looks_3 : u32 = looks_2 + u32(1);
-                look_0 = at_camera_0(at_19, FrameParams_camera_0(), Sampler_x24init_0(((params_0.seed_0) ^ (u32(2246822507))), index_37, u32(4) * real_time_0.number_0 + looks_3), false);
-                seen_1 = _S549;
+                look_0 = at_camera_0(at_19, FrameParams_camera_0(), Sampler_x24init_0(((params_0.seed_0) ^ (u32(2246822507))), index_37, u32(16) * real_time_0.number_0 + looks_3), false);
+                seen_1 = _S550;
                 looks_2 = looks_3;
             }
             var is_under_way_2 : bool = goes_on_5(&(look_0), &(seen_1));
             if(!is_under_way_2)
             {
+                var _S554 : bool;
+                if(differs_0)
+                {
+                    _S554 = true;
+                }
+                else
+                {
+                    _S554 = differ_0(seen_1, sample_23);
+                }
                 Memory_look_0(&(memory_3), seen_1);
+                differs_0 = _S554;
             }
             is_under_way_1 = is_under_way_2;
         }

@@ -21,6 +21,9 @@ const DIMENSION_CANDIDATES: u32 = 1 << 30;
 /// First dimension of the sampler for levels of the light cache.
 const DIMENSION_LEVEL: u32 = 3 << 30;
 
+/// How far albedos, and what is seen directly, of two rays of a pixel may be apart to be the same: a share of the larger one, and so much more.
+const LOOK_TOLERANCE: [f32; 2] = [0.1, 0.01];
+
 /// What the paths of a frame share.
 pub struct View<'a> {
     /// The scene.
@@ -67,6 +70,18 @@ pub struct Sample {
     pub light: Vec3,
     /// The shown surface.
     pub shown: Option<Shown>,
+}
+
+impl Sample {
+    /// Whether what another ray of the pixel shows is not the same: then more of them look.
+    pub(crate) fn differs(&self, other: &Self) -> bool {
+        let [share, least] = LOOK_TOLERANCE;
+        let is_far = |a: Vec3, b: Vec3| (a - b).abs().cmpgt(a.max(b) * share + least).any();
+        let albedo = |sample: &Self| sample.shown.map_or(Vec3::ZERO, |shown| shown.albedo);
+        self.shown.is_some() != other.shown.is_some()
+            || is_far(self.direct, other.direct)
+            || is_far(albedo(self), albedo(other))
+    }
 }
 
 impl View<'_> {

@@ -6,7 +6,7 @@ use crate::half_rate::{Rate, Samples};
 use crate::light_cache::{LightCache, Request};
 use crate::memory::Memory;
 use crate::path::{Sample, View};
-use crate::reprojection::Before;
+use crate::reprojection::{Before, is_cut};
 use glam::{Vec2, Vec3};
 use rayon::prelude::*;
 use voxtrace_core::Frame;
@@ -30,6 +30,10 @@ pub const SAMPLES_WHILE_MOVING: f32 = 8.0;
 pub const CANDIDATES: u32 = 8;
 /// Rays of the camera that a pixel has seen at least since the view moved: those beyond its paths find no light.
 const LEAST_LOOKS: f32 = 4.0;
+/// The same where they do not see the same.
+const MOST_LOOKS: f32 = 16.0;
+/// Frames whose paths are in the first picture of a view of which nothing is known.
+pub const FRAMES_AT_A_CUT: u32 = 4;
 /// Paths that a pixel remembers while something moves, and while nothing does.
 pub const MOST_PATHS: [f32; 2] = [32.0, 1e6];
 
@@ -44,13 +48,24 @@ pub struct Parts {
     pub filter: bool,
     /// More than one candidate for the first light, and rays that only look.
     pub candidates: bool,
+    /// The paths of several frames in the first picture of a view.
+    pub cuts: bool,
 }
 
 impl Parts {
     /// All.
-    pub const ALL: Self = Self { memory: true, cache: true, filter: true, candidates: true };
+    pub const ALL: Self = Self { memory: true, cache: true, filter: true, candidates: true, cuts: true };
     /// One path a pixel, as the integrator's.
-    pub const NONE: Self = Self { memory: false, cache: false, filter: false, candidates: false };
+    pub const NONE: Self = Self { memory: false, cache: false, filter: false, candidates: false, cuts: false };
+}
+
+impl Parts {
+    /// How many frames' paths the next picture has, after one of `before`.
+    #[doc(hidden)]
+    pub fn frames_of_picture(&self, before: Option<&Frame>, frame: &Frame) -> u32 {
+        let is_first = before.is_none_or(|before| is_cut(before, frame));
+        if self.memory && self.cuts && is_first { FRAMES_AT_A_CUT } else { 1 }
+    }
 }
 
 /// Real-time light of a view: what it knows from frame to frame.
@@ -130,6 +145,17 @@ impl RealTime {
 
     /// The radiance of each pixel of the next frame, row by row; of `frame`, the camera, size, seed and the settings of light count.
     pub fn frame(&mut self, scene: &PackedScene, frame: &Frame) -> Vec<Vec3> {
+        for _ in 0..self.parts.frames_of_picture(self.before.as_ref().map(|before| &before.frame), frame) {
+            self.follow(scene, frame);
+        }
+        match self.parts.filter {
+            true => filter(&self.memory, frame.width as usize),
+            false => self.memory.par_iter().map(|memory| memory.radiance(memory.irradiance())).collect(),
+        }
+    }
+
+    /// Follows the paths of a frame.
+    fn follow(&mut self, scene: &PackedScene, frame: &Frame) {
         let (width, height) = (frame.width, frame.height);
         let view = self.view(scene, frame);
         let (light, mut requests) = match self.parts.cache {
@@ -148,10 +174,6 @@ impl RealTime {
         (self.memory, self.samples) = (memory, samples);
         (self.transforms, self.has_changed) = (None, false);
         self.number += 1;
-        match self.parts.filter {
-            true => filter(&self.memory, width as usize),
-            false => self.memory.par_iter().map(|memory| memory.radiance(memory.irradiance())).collect(),
-        }
     }
 
     fn view<'a>(&'a self, scene: &'a PackedScene, frame: &Frame) -> View<'a> {
@@ -227,12 +249,14 @@ impl RealTime {
                 return known;
             }
             known.add(&sample, most);
-            let mut looks = 0;
-            while self.parts.candidates && known.looks < LEAST_LOOKS {
+            let (mut looks, mut differs) = (0, false);
+            while self.parts.candidates && known.looks < if differs { MOST_LOOKS } else { LEAST_LOOKS } {
                 looks += 1;
-                let sampler =
-                    Sampler { seed: frame.seed ^ LOOK_SEED, pixel: index as u32, sample: 4 * self.number + looks };
-                known.look(&view.look(x, y, sampler));
+                let sample_number = MOST_LOOKS as u32 * self.number + looks;
+                let sampler = Sampler { seed: frame.seed ^ LOOK_SEED, pixel: index as u32, sample: sample_number };
+                let seen = view.look(x, y, sampler);
+                differs |= seen.differs(&sample);
+                known.look(&seen);
             }
             known
         };

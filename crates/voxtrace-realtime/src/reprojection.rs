@@ -3,7 +3,8 @@
 use crate::memory::Memory;
 use crate::path::Sample;
 use glam::{Mat3, Vec2, Vec3};
-use voxtrace_scene::camera::{CameraFrame, Orthographic, Perspective};
+use voxtrace_core::Frame;
+use voxtrace_scene::camera::{CameraFrame, Orthographic, Perspective, Projection};
 use voxtrace_scene::ray::{Hit, Ray};
 use voxtrace_scene::transform::Transform;
 
@@ -102,6 +103,27 @@ pub fn position(camera: &CameraFrame, place: Vec3) -> Option<Vec2> {
     }
 }
 
+/// Whether a frame shows nothing that the one before did, as far as the cameras tell: places as far away as the camera looks. Of another size it may show the same.
+pub fn is_cut(before: &Frame, now: &Frame) -> bool {
+    let of = |frame: &Frame| (frame.seed, std::mem::discriminant(&frame.camera.lens));
+    if of(before) != of(now) {
+        return true;
+    }
+    let (then, camera) = (before.camera.frame(now.width, now.height), now.camera.frame(now.width, now.height));
+    if before.camera == now.camera || matches!(camera, CameraFrame::Panorama(_) | CameraFrame::Fisheye(_)) {
+        return false;
+    }
+    let distance = (now.camera.target - now.camera.eye).length();
+    let size = Vec2::new(now.width as f32, now.height as f32);
+    let is_seen = |at: Vec2| {
+        let place = camera.ray(at, Vec2::splat(0.5));
+        let found = position(&then, place.at(distance / place.direction.length()));
+        found.is_some_and(|found| found.cmpge(Vec2::ZERO).all() && found.cmplt(size).all())
+    };
+    let mut places = (0..9).map(|number| Vec2::new((number % 3) as f32, (number / 3) as f32));
+    (now.camera.eye - before.camera.eye).length() > distance || !places.any(|place| is_seen((place + 0.5) / 3.0 * size))
+}
+
 fn position_of_perspective(camera: &Perspective, place: Vec3) -> Option<Vec2> {
     let Perspective { eye, corner, pixel_x, pixel_y } = *camera;
     // The place is on the line of x pixels to the right and y down: corner + x · pixel_x + y · pixel_y.
@@ -163,7 +185,23 @@ impl Sum {
 mod tests {
     use super::*;
     use voxtrace_scene::Camera;
-    use voxtrace_scene::camera::{Lens, Projection};
+    use voxtrace_scene::camera::Lens;
+
+    #[test]
+    fn a_camera_that_looks_elsewhere_or_stands_far_away_begins_anew() {
+        let camera = Camera::look_at(Vec3::new(30.0, -50.0, 20.0), Vec3::new(3.0, 4.0, 5.0));
+        let frame = |camera: &Camera| Frame::new(camera.clone(), 320, 180);
+        let before = frame(&camera);
+        let with = |eye: Vec3, target: Vec3| frame(&Camera { eye, target, ..camera.clone() });
+        assert!(!is_cut(&before, &before));
+        let aside = Vec3::new(2.0, 1.0, 0.0);
+        assert!(!is_cut(&before, &with(camera.eye + aside, camera.target + aside)), "a step");
+        assert!(is_cut(&before, &with(camera.eye, 2.0 * camera.eye - camera.target)), "it turned around");
+        let far = Vec3::new(0.0, 300.0, 0.0);
+        assert!(is_cut(&before, &with(camera.eye + far, camera.target + far)), "it is elsewhere");
+        assert!(!is_cut(&before, &Frame::new(camera.clone(), 160, 90)), "another size");
+        assert!(is_cut(&before, &before.clone().seed(5)), "other random numbers");
+    }
 
     #[test]
     fn places_are_found_where_the_camera_sees_them() {

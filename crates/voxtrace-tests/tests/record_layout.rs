@@ -151,7 +151,11 @@ fn wrong_stacks(sources: &BTreeMap<String, String>) -> Vec<String> {
     }
     let mut stacks = 0;
     for (name, source) in sources {
-        for line in source.lines().map(str::trim).filter(|line| line.starts_with("uint stack[") || line.starts_with("uint2 stack[")) {
+        for line in source
+            .lines()
+            .map(str::trim)
+            .filter(|line| line.starts_with("uint stack[") || line.starts_with("uint2 stack["))
+        {
             stacks += 1;
             if !line.ends_with(" stack[MOST_WAITING];") {
                 wrong.push(format!("{name}: {line}"));

@@ -39,10 +39,27 @@ const MOST_STEPS: u32 = 40;
 pub struct RealTimeFrame {
     /// Time on the device, milliseconds.
     pub gpu_ms: f64,
+    /// Frames whose paths that is for: several where the picture is the first one of a view.
+    pub frames: u32,
     /// That of each step, by its name, in order; empty where the device has no clock.
     pub passes: Vec<(&'static str, f64)>,
     /// Bytes on the device that real-time light takes beside the scene and the picture.
     pub bytes: u64,
+}
+
+impl RealTimeFrame {
+    /// With what one before took whose picture is not shown.
+    pub(crate) fn after(mut self, before: Self) -> Self {
+        self.gpu_ms += before.gpu_ms;
+        self.frames += before.frames;
+        for (name, ms) in before.passes {
+            match self.passes.iter_mut().find(|(other, _)| *other == name) {
+                Some((_, sum)) => *sum += ms,
+                None => self.passes.push((name, ms)),
+            }
+        }
+        self
+    }
 }
 
 /// What is kept of the last frame.

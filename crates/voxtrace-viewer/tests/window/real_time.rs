@@ -340,6 +340,7 @@ fn times_of_passes_rays_and_memory_are_one_key_away_with_panels_or_without() {
     let picture = Arc::new(Picture::new(&device, 8, 8, false).unwrap());
     let frame = RealTimeFrame {
         gpu_ms: 3.5,
+        frames: 1,
         passes: vec![("paths", 1.25), ("filter", 0.5), ("filter", 0.25)],
         bytes: 300 << 20,
     };

@@ -43,10 +43,25 @@ impl Worker {
             Some(state) => state,
             None => RealTime::new(&self.device, self.real_time_parts)?,
         };
-        let result = self.real_time_frame(&mut state, &scene, frame, rate, picture);
+        let parts = state.parts;
+        let frames = parts.frames_of_picture(state.before.as_ref().map(|before| &before.frame), frame);
+        let mut result = Err(TraceError::NoScene);
+        for number in 1..=frames {
+            // Of frames that are not shown nothing is filtered.
+            state.parts.filter = parts.filter && number == frames;
+            let next = self.real_time_frame(&mut state, &scene, frame, rate, picture);
+            state.parts = parts;
+            result = next.map(|next| match result {
+                Ok(before) => next.after(before),
+                Err(_) => next,
+            });
+            if result.is_err() {
+                break;
+            }
+            state.end(frame);
+        }
         self.stop_showing();
         if result.is_ok() {
-            state.end(frame);
             self.real_time = Some(state);
         } else {
             self.unbind_real_time();
@@ -83,7 +98,7 @@ impl Worker {
         let step = "real-time light";
         let job = Job { step, work: 0, dispatch, workgroups: Some(tiles), record: &record, then: None };
         let gpu_ms = self.submitter.run(&job)?.gpu_ms;
-        Ok(RealTimeFrame { gpu_ms, passes: state.milliseconds(&steps)?, bytes: state.bytes() })
+        Ok(RealTimeFrame { gpu_ms, frames: 1, passes: state.milliseconds(&steps)?, bytes: state.bytes() })
     }
 
     /// The variant of steps that trace, and whether paths are traced in waves.

@@ -186,7 +186,7 @@ impl Side {
         }
         let Some(frame) = frame else { return Ok(Stepped::Lost) };
         let step_ms = if frame.gpu_ms > 0.0 { frame.gpu_ms } else { ms };
-        self.pace.quality.update(quality, step_ms);
+        self.pace.quality.update(quality, step_ms / f64::from(frame.frames));
         self.pace.lit();
         self.real_time.beside += u32::from(!is_moving);
         self.real_time.picture = Some((picture, quality.scale));

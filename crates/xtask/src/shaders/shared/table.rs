@@ -172,10 +172,19 @@ pub const TABLE: &[Source] = &[
         file: "voxtrace-core/src/denoise/filter.rs",
         items: &[named("MOST_STEP", "TRUST_MOST_STEP"), same("TRUST_REACH")],
     },
-    Source { file: "voxtrace-realtime/src/path.rs", items: &[same("DIMENSION_CANDIDATES"), same("DIMENSION_LEVEL")] },
+    Source {
+        file: "voxtrace-realtime/src/path.rs",
+        items: &[same("DIMENSION_CANDIDATES"), same("DIMENSION_LEVEL"), same("LOOK_TOLERANCE")],
+    },
     Source {
         file: "voxtrace-realtime/src/real_time.rs",
-        items: &[named("SEED", "PATH_SEED"), same("LOOK_SEED"), same("CACHE_SEED"), same("LEAST_LOOKS")],
+        items: &[
+            named("SEED", "PATH_SEED"),
+            same("LOOK_SEED"),
+            same("CACHE_SEED"),
+            same("LEAST_LOOKS"),
+            same("MOST_LOOKS"),
+        ],
     },
     Source { file: "voxtrace-realtime/src/memory.rs", items: &[same("LEAST_ALBEDO")] },
     Source {
