@@ -2,7 +2,7 @@
 import type { DetailedHTMLProps, HTMLAttributes } from "react";
 import type { VoxtraceViewer } from "./dist/index.js";
 
-interface Attributes extends HTMLAttributes<VoxtraceViewer> {
+interface ViewerAttributes extends HTMLAttributes<VoxtraceViewer> {
   src?: string;
   alt?: string;
   poster?: string;
@@ -31,7 +31,7 @@ interface Attributes extends HTMLAttributes<VoxtraceViewer> {
 declare module "react" {
   namespace JSX {
     interface IntrinsicElements {
-      "voxtrace-viewer": DetailedHTMLProps<Attributes, VoxtraceViewer>;
+      "voxtrace-viewer": DetailedHTMLProps<ViewerAttributes, VoxtraceViewer>;
     }
   }
 }
