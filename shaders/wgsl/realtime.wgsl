@@ -7419,18 +7419,35 @@ fn remember(@builtin(global_invocation_id) id_1 : vec3<u32>)
         var memory_3 : Memory_0 = memory_before_0(index_37);
         var sample_23 : Sample_0 = load_sample_0(index_37);
         Memory_add_0(&(memory_3), sample_23, real_time_0.most_paths_0);
+        var is_in_motion_0 : bool;
+        if(has_0(u32(4)))
+        {
+            is_in_motion_0 = !has_0(u32(16));
+        }
+        else
+        {
+            is_in_motion_0 = false;
+        }
+        var _S550 : f32;
+        if(is_in_motion_0)
+        {
+            _S550 = 4.0f;
+        }
+        else
+        {
+            _S550 = 16.0f;
+        }
         var look_0 : Walker_0;
-        var _S550 : Sample_0 = no_sample_0();
-        var seen_1 : Sample_0 = _S550;
+        var _S551 : Sample_0 = no_sample_0();
+        var seen_1 : Sample_0 = _S551;
         var is_under_way_1 : bool = false;
         var differs_0 : bool = false;
         var looks_2 : u32 = u32(0);
         for(;;)
         {
-            var _S551 : bool;
             if(is_under_way_1)
             {
-                _S551 = true;
+                is_in_motion_0 = true;
             }
             else
             {
@@ -7440,20 +7457,20 @@ fn remember(@builtin(global_invocation_id) id_1 : vec3<u32>)
                     var _S553 : f32;
                     if(differs_0)
                     {
-                        _S553 = 16.0f;
+                        _S553 = _S550;
                     }
                     else
                     {
                         _S553 = 4.0f;
                     }
-                    _S551 = _S552 < _S553;
+                    is_in_motion_0 = _S552 < _S553;
                 }
                 else
                 {
-                    _S551 = false;
+                    is_in_motion_0 = false;
                 }
             }
-            if(_S551)
+            if(is_in_motion_0)
             {
             }
             else
@@ -7464,7 +7481,7 @@ fn remember(@builtin(global_invocation_id) id_1 : vec3<u32>)
             {
                 var looks_3 : u32 = looks_2 + u32(1);
                 look_0 = at_camera_0(at_19, FrameParams_camera_0(), Sampler_x24init_0(((params_0.seed_0) ^ (u32(2246822507))), index_37, u32(16) * real_time_0.number_0 + looks_3), false);
-                seen_1 = _S550;
+                seen_1 = _S551;
                 looks_2 = looks_3;
             }
             var is_under_way_2 : bool = goes_on_5(&(look_0), &(seen_1));

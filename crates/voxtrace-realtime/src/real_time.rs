@@ -30,7 +30,7 @@ pub const SAMPLES_WHILE_MOVING: f32 = 8.0;
 pub const CANDIDATES: u32 = 8;
 /// Rays of the camera that a pixel has seen at least since the view moved: those beyond its paths find no light.
 const LEAST_LOOKS: f32 = 4.0;
-/// The same where they do not see the same.
+/// The same where they do not see the same, while nothing moves.
 const MOST_LOOKS: f32 = 16.0;
 /// Frames whose paths are in the first picture of a view of which nothing is known.
 pub const FRAMES_AT_A_CUT: u32 = 4;
@@ -220,6 +220,9 @@ impl RealTime {
             _ => self.memory.clone(),
         };
         let motions = self.motions(view.scene);
+        // In motion each frame would look anew, at everything.
+        let is_in_motion = before.is_some() && !(is_same_view && motions.is_empty());
+        let most_looks = if is_in_motion { LEAST_LOOKS } else { MOST_LOOKS };
         let pixel_width = view.view_angle / frame.height as f32;
         let size = [frame.width, frame.height];
         let samples = Samples { samples, size, rate: self.rate, number: self.number };
@@ -250,7 +253,7 @@ impl RealTime {
             }
             known.add(&sample, most);
             let (mut looks, mut differs) = (0, false);
-            while self.parts.candidates && known.looks < if differs { MOST_LOOKS } else { LEAST_LOOKS } {
+            while self.parts.candidates && known.looks < if differs { most_looks } else { LEAST_LOOKS } {
                 looks += 1;
                 let sample_number = MOST_LOOKS as u32 * self.number + looks;
                 let sampler = Sampler { seed: frame.seed ^ LOOK_SEED, pixel: index as u32, sample: sample_number };
