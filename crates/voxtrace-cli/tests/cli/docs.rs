@@ -130,7 +130,8 @@ impl Help {
                 Some(options) => options.contains(*option),
                 None => self.verbs.values().any(|options| options.contains(*option)),
             };
-            if !known && *option != "--version" && !OF_OTHERS.contains(option) {
+            // Variables of the element in style sheets are no options.
+            if !known && *option != "--version" && !option.starts_with("--voxtrace-") && !OF_OTHERS.contains(option) {
                 faults.push(format!("{} {option}", verb.unwrap_or(&"")));
             }
         }
@@ -141,11 +142,12 @@ impl Help {
 /// Stems of the files and names of the folders below `crates`, `shaders` and `fuzz`.
 fn names_of_files() -> BTreeSet<String> {
     let mut names = BTreeSet::from(["crates".to_owned()]);
-    let mut open: Vec<PathBuf> = ["crates", "shaders", "fuzz", "docs"].map(|folder| root().join(folder)).into();
+    let mut open: Vec<PathBuf> = ["crates", "shaders", "fuzz", "docs", "web"].map(|folder| root().join(folder)).into();
     while let Some(folder) = open.pop() {
         for entry in std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()) {
             names.insert(entry.file_stem().unwrap().to_string_lossy().into_owned());
-            if entry.is_dir() && !entry.ends_with("corpus") && !entry.ends_with("target") {
+            if entry.is_dir() && !["corpus", "target", "node_modules", "dist"].iter().any(|name| entry.ends_with(name))
+            {
                 open.push(entry);
             }
         }

@@ -127,7 +127,11 @@ mod tests {
             ("voxtrace-core/src/packed/mod.rs", "pub top_size: IVec3", "pub top_size: Vec3"),
             ("voxtrace-core/src/packed/mod.rs", "pub leaf: u32", "pub branch: u32"),
             ("voxtrace-core/src/packed/mod.rs", "power: [f32; 6]", "power: [f32; 5]"),
-            ("voxtrace-core/src/packed/mod.rs", "/// Lowest corner.", "/// Highest corner."),
+            (
+                "voxtrace-core/src/packed/mod.rs",
+                "/// Voxel at the lowest corner of the top array.",
+                "/// Highest corner.",
+            ),
             ("voxtrace-core/src/walk/local_ray.rs", "6.0 * 0.5 * f32::EPSILON", "5.0 * 0.5 * f32::EPSILON"),
             ("voxtrace-vulkan/src/records.rs", "GRIDS: u32 = 3", "GRIDS: u32 = 4"),
             ("voxtrace-vulkan/src/records.rs", "CameraRays = 1", "CameraRays = 2"),
