@@ -143,7 +143,15 @@ struct PackedGrid_std430_0
 
 @binding(7) @group(0) var<storage, read> emitter_rows_0 : array<vec4<u32>>;
 
-@binding(5) @group(0) var<storage, read> instance_rows_0 : array<vec4<u32>>;
+struct InstanceNode_std430_0
+{
+    @align(4) min_1 : array<f32, i32(3)>,
+    @align(4) index_0 : u32,
+    @align(4) max_1 : array<f32, i32(3)>,
+    @align(4) is_leaf_0 : u32,
+};
+
+@binding(5) @group(0) var<storage, read> instance_nodes_0 : array<InstanceNode_std430_0>;
 
 @binding(26) @group(0) var<storage, read_write> scratch_0 : array<vec2<u32>>;
 
@@ -386,9 +394,9 @@ struct PackedMaterial_0
      scattering_0 : f32,
 };
 
-fn material_of_index_0( index_0 : u32) -> PackedMaterial_0
+fn material_of_index_0( index_1 : u32) -> PackedMaterial_0
 {
-    var _S8 : u32 = u32(4) * index_0;
+    var _S8 : u32 = u32(4) * index_1;
     var a_0 : vec4<u32> = material_rows_0[_S8];
     var b_0 : vec4<u32> = material_rows_0[_S8 + u32(1)];
     var c_0 : vec4<u32> = material_rows_0[_S8 + u32(2)];
@@ -794,9 +802,9 @@ fn with_slack_0( receiver_1 : Receiver_0,  cos_1 : f32) -> f32
 
 struct LightNode_0
 {
-     min_1 : array<f32, i32(3)>,
-     index_1 : u32,
-     max_1 : array<f32, i32(3)>,
+     min_2 : array<f32, i32(3)>,
+     index_2 : u32,
+     max_2 : array<f32, i32(3)>,
      count_0 : u32,
      power_2 : array<f32, i32(6)>,
      parent_0 : u32,
@@ -808,15 +816,15 @@ fn light_node_of_0( a_3 : vec4<u32>,  b_3 : vec4<u32>,  c_1 : vec4<u32>,  d_2 : 
     var node_0 : LightNode_0;
     var _S44 : f32 = (bitcast<f32>((a_3.y)));
     var _S45 : f32 = (bitcast<f32>((a_3.z)));
-    node_0.min_1[i32(0)] = (bitcast<f32>((a_3.x)));
-    node_0.min_1[i32(1)] = _S44;
-    node_0.min_1[i32(2)] = _S45;
-    node_0.index_1 = a_3.w;
+    node_0.min_2[i32(0)] = (bitcast<f32>((a_3.x)));
+    node_0.min_2[i32(1)] = _S44;
+    node_0.min_2[i32(2)] = _S45;
+    node_0.index_2 = a_3.w;
     var _S46 : f32 = (bitcast<f32>((b_3.y)));
     var _S47 : f32 = (bitcast<f32>((b_3.z)));
-    node_0.max_1[i32(0)] = (bitcast<f32>((b_3.x)));
-    node_0.max_1[i32(1)] = _S46;
-    node_0.max_1[i32(2)] = _S47;
+    node_0.max_2[i32(0)] = (bitcast<f32>((b_3.x)));
+    node_0.max_2[i32(1)] = _S46;
+    node_0.max_2[i32(2)] = _S47;
     node_0.count_0 = b_3.w;
     var _S48 : f32 = (bitcast<f32>((c_1.y)));
     var _S49 : f32 = (bitcast<f32>((c_1.z)));
@@ -834,9 +842,9 @@ fn light_node_of_0( a_3 : vec4<u32>,  b_3 : vec4<u32>,  c_1 : vec4<u32>,  d_2 : 
     return node_0;
 }
 
-fn top_light_node_0( index_2 : u32) -> LightNode_0
+fn top_light_node_0( index_3 : u32) -> LightNode_0
 {
-    var _S53 : u32 = u32(4) * index_2;
+    var _S53 : u32 = u32(4) * index_3;
     return light_node_of_0(top_light_node_rows_0[_S53], top_light_node_rows_0[_S53 + u32(1)], top_light_node_rows_0[_S53 + u32(2)], top_light_node_rows_0[_S53 + u32(3)]);
 }
 
@@ -874,7 +882,7 @@ fn sent_by_side_0( node_1 : LightNode_0,  point_2 : vec3<f32>,  distance_0 : f32
 {
     var _S55 : vec3<f32> = vec3<f32>(0.0f);
     var _S56 : vec3<f32> = vec3<f32>(distance_0);
-    return BySide_x24init_0(vec3<f32>(node_1.power_2[i32(0)], node_1.power_2[i32(2)], node_1.power_2[i32(4)]) * min(max(vector_of_0(node_1.max_1) - point_2, _S55), _S56), vec3<f32>(node_1.power_2[i32(1)], node_1.power_2[i32(3)], node_1.power_2[i32(5)]) * min(max(point_2 - vector_of_0(node_1.min_1), _S55), _S56));
+    return BySide_x24init_0(vec3<f32>(node_1.power_2[i32(0)], node_1.power_2[i32(2)], node_1.power_2[i32(4)]) * min(max(vector_of_0(node_1.max_2) - point_2, _S55), _S56), vec3<f32>(node_1.power_2[i32(1)], node_1.power_2[i32(3)], node_1.power_2[i32(5)]) * min(max(point_2 - vector_of_0(node_1.min_2), _S55), _S56));
 }
 
 fn BySide_sum_0( this_8 : BySide_0) -> f32
@@ -899,8 +907,8 @@ fn View_x24init_0( importance_1 : f32,  is_far_1 : bool) -> View_0
 
 fn view_0( node_2 : LightNode_0,  receiver_2 : Receiver_0) -> View_0
 {
-    var _S58 : vec3<f32> = vector_of_0(node_2.max_1);
-    var _S59 : vec3<f32> = vector_of_0(node_2.min_1);
+    var _S58 : vec3<f32> = vector_of_0(node_2.max_2);
+    var _S59 : vec3<f32> = vector_of_0(node_2.min_2);
     var _S60 : vec3<f32> = vec3<f32>(0.5f);
     var half_0 : vec3<f32> = (_S58 - _S59) * _S60;
     var toward_0 : vec3<f32> = (_S59 + _S58) * _S60 - receiver_2.point_0;
@@ -1181,12 +1189,12 @@ fn owen_of_reversed_0( reversed_0 : u32,  seed_2 : u32) -> u32
 
 fn scrambled_sobol_0( sample_1 : u32,  order_0 : u32,  seeds_0 : vec2<u32>) -> vec2<u32>
 {
-    var index_3 : u32 = owen_of_reversed_0(reverseBits(sample_1), order_0);
-    var binomial_0 : u32 = (index_3 ^ (((((index_3 >> (u32(1)))) & (u32(1431655765))))));
+    var index_4 : u32 = owen_of_reversed_0(reverseBits(sample_1), order_0);
+    var binomial_0 : u32 = (index_4 ^ (((((index_4 >> (u32(1)))) & (u32(1431655765))))));
     var binomial_1 : u32 = (binomial_0 ^ (((((binomial_0 >> (u32(2)))) & (u32(858993459))))));
     var binomial_2 : u32 = (binomial_1 ^ (((((binomial_1 >> (u32(4)))) & (u32(252645135))))));
     var binomial_3 : u32 = (binomial_2 ^ (((((binomial_2 >> (u32(8)))) & (u32(16711935))))));
-    return vec2<u32>(owen_of_reversed_0(index_3, seeds_0.x), owen_of_reversed_0((binomial_3 ^ (((((binomial_3 >> (u32(16)))) & (u32(65535)))))), seeds_0.y));
+    return vec2<u32>(owen_of_reversed_0(index_4, seeds_0.x), owen_of_reversed_0((binomial_3 ^ (((((binomial_3 >> (u32(16)))) & (u32(65535)))))), seeds_0.y));
 }
 
 fn Sampler_pair_0( this_13 : Sampler_0,  dimension_1 : u32,  which_0 : u32) -> vec2<u32>
@@ -1209,9 +1217,9 @@ fn cell_of_0( values_1 : array<i32, i32(3)>) -> vec3<i32>
 
 var<private> is_page_missing_0 : bool;
 
-fn word_in_pages_0( index_4 : u32,  first_0 : u32) -> u32
+fn word_in_pages_0( index_5 : u32,  first_0 : u32) -> u32
 {
-    var page_0 : u32 = first_0 + ((index_4 >> (u32(10))));
+    var page_0 : u32 = first_0 + ((index_5 >> (u32(10))));
     var mark_0 : u32 = u32(8) + pages_0[i32(0)] + page_0;
     if(pages_0[mark_0] == u32(0))
     {
@@ -1228,27 +1236,27 @@ fn word_in_pages_0( index_4 : u32,  first_0 : u32) -> u32
         _S72 = slot_0 == u32(0);
     }
     is_page_missing_0 = _S72;
-    return (((slot_0 << (u32(10)))) | (((index_4 & (u32(1023))))));
+    return (((slot_0 << (u32(10)))) | (((index_5 & (u32(1023))))));
 }
 
-fn place_of_cell_0( index_5 : u32) -> u32
+fn place_of_cell_0( index_6 : u32) -> u32
 {
     var _S73 : u32;
     if(HAS_PAGES_0)
     {
-        var _S74 : u32 = word_in_pages_0(index_5, u32(0));
+        var _S74 : u32 = word_in_pages_0(index_6, u32(0));
         _S73 = _S74;
     }
     else
     {
-        _S73 = index_5;
+        _S73 = index_6;
     }
     return _S73;
 }
 
-fn cell_word_0( index_6 : u32) -> u32
+fn cell_word_0( index_7 : u32) -> u32
 {
-    var _S75 : u32 = place_of_cell_0(index_6);
+    var _S75 : u32 = place_of_cell_0(index_7);
     return cells_1[_S75];
 }
 
@@ -1306,24 +1314,24 @@ fn find_brick_0( _S77 : u32,  _S78 : vec3<i32>) -> u32
     return record_of_cell_0(cell_2);
 }
 
-fn place_of_brick_0( index_7 : u32) -> u32
+fn place_of_brick_0( index_8 : u32) -> u32
 {
     var _S82 : u32;
     if(HAS_PAGES_0)
     {
-        var _S83 : u32 = word_in_pages_0(index_7, pages_0[i32(1)]);
+        var _S83 : u32 = word_in_pages_0(index_8, pages_0[i32(1)]);
         _S82 = _S83;
     }
     else
     {
-        _S82 = index_7;
+        _S82 = index_8;
     }
     return _S82;
 }
 
-fn brick_word_0( index_8 : u32) -> u32
+fn brick_word_0( index_9 : u32) -> u32
 {
-    var _S84 : u32 = place_of_brick_0(index_8);
+    var _S84 : u32 = place_of_brick_0(index_9);
     return bricks_0[_S84];
 }
 
@@ -1332,23 +1340,23 @@ fn rank_in_brick_0( record_0 : u32,  relative_1 : vec3<i32>) -> u32
     var header_0 : u32 = brick_word_0(record_0);
     var bit_0 : u32 = cell_in_node_0(relative_1, u32(0));
     var present_before_0 : u32 = countOneBits((header_0 & ((((u32(1) << (((((u32(((((relative_1.x) >> (u32(2)))) & (i32(1)))) | (((u32(((((relative_1.y) >> (u32(2)))) & (i32(1)))) << (u32(1))))))) | (((u32(((((relative_1.z) >> (u32(2)))) & (i32(1)))) << (u32(2)))))))))) - u32(1)))));
-    var index_9 : u32 = u32(0);
+    var index_10 : u32 = u32(0);
     var rank_0 : u32 = u32(0);
     for(;;)
     {
-        if(index_9 < present_before_0)
+        if(index_10 < present_before_0)
         {
         }
         else
         {
             break;
         }
-        var _S85 : u32 = u32(2) * index_9;
+        var _S85 : u32 = u32(2) * index_10;
         var _S86 : u32 = brick_word_0(record_0 + u32(2) + _S85);
         var _S87 : u32 = countOneBits(_S86);
         var _S88 : u32 = brick_word_0(record_0 + u32(3) + _S85);
         var rank_1 : u32 = rank_0 + (_S87 + countOneBits(_S88));
-        index_9 = index_9 + u32(1);
+        index_10 = index_10 + u32(1);
         rank_0 = rank_1;
     }
     var _S89 : u32 = u32(2) * present_before_0;
@@ -1366,24 +1374,24 @@ fn rank_in_brick_0( record_0 : u32,  relative_1 : vec3<i32>) -> u32
     return rank_0;
 }
 
-fn place_of_material_0( index_10 : u32) -> u32
+fn place_of_material_0( index_11 : u32) -> u32
 {
     var _S92 : u32;
     if(HAS_PAGES_0)
     {
-        var _S93 : u32 = word_in_pages_0(index_10, pages_0[i32(2)]);
+        var _S93 : u32 = word_in_pages_0(index_11, pages_0[i32(2)]);
         _S92 = _S93;
     }
     else
     {
-        _S92 = index_10;
+        _S92 = index_11;
     }
     return _S92;
 }
 
-fn material_word_0( index_11 : u32) -> u32
+fn material_word_0( index_12 : u32) -> u32
 {
-    var _S94 : u32 = place_of_material_0(index_11);
+    var _S94 : u32 = place_of_material_0(index_12);
     return brick_materials_0[_S94];
 }
 
@@ -1419,12 +1427,12 @@ fn material_at_0( _S97 : u32,  _S98 : vec3<i32>) -> u32
     var palette_count_0 : u32 = (header_1 >> (u32(16)));
     var entry_bits_0 : u32 = grids_0[_S97].material_bits_0;
     var start_1 : u32 = brick_word_0(_S99 + u32(1));
-    var index_12 : u32 = read_bits_0(start_1, palette_count_0 * grids_0[_S97].material_bits_0 + rank_2 * index_bits_0, index_bits_0);
+    var index_13 : u32 = read_bits_0(start_1, palette_count_0 * grids_0[_S97].material_bits_0 + rank_2 * index_bits_0, index_bits_0);
     if(palette_count_0 == u32(0))
     {
-        return index_12;
+        return index_13;
     }
-    var _S100 : u32 = read_bits_0(start_1, index_12 * entry_bits_0, entry_bits_0);
+    var _S100 : u32 = read_bits_0(start_1, index_13 * entry_bits_0, entry_bits_0);
     return _S100;
 }
 
@@ -2256,23 +2264,23 @@ fn Environment_choose_0( u_10 : vec4<f32>,  chosen_0 : ptr<function, ChosenDirec
     var _S156 : f32 = edge_0 - 1.0f;
     var _S157 : f32 = min(floor(_S155), _S156);
     var own_1 : u32 = u32(_S157) * params_0.sky_edge_0 + u32(min(floor(u_10.y * edge_0), _S156));
-    var index_13 : u32;
+    var index_14 : u32;
     if((u_10.z) < (environment_0[own_1].threshold_0))
     {
-        index_13 = own_1;
+        index_14 = own_1;
     }
     else
     {
-        index_13 = environment_0[own_1].alias_0;
+        index_14 = environment_0[own_1].alias_0;
     }
-    var pdf_8 : f32 = environment_0[index_13].pdf_0;
-    if((environment_0[index_13].pdf_0) <= 0.0f)
+    var pdf_8 : f32 = environment_0[index_14].pdf_0;
+    if((environment_0[index_14].pdf_0) <= 0.0f)
     {
         return false;
     }
-    var _S158 : u32 = index_13 % params_0.sky_edge_0;
+    var _S158 : u32 = index_14 % params_0.sky_edge_0;
     var _S159 : f32 = f32(_S158);
-    var _S160 : u32 = index_13 / params_0.sky_edge_0;
+    var _S160 : u32 = index_14 / params_0.sky_edge_0;
     var place_2 : vec2<f32> = vec2<f32>(_S159, f32(_S160)) + vec2<f32>(min(_S155 - _S157, 1.0f), u_10.w);
     (*chosen_0) = ChosenDirection_x24init_0(Environment_to_world_0(direction_of_0(place_2 * vec2<f32>(divide_0(1.0f, edge_0)))), Environment_radiance_at_0(place_2), pdf_8);
     return true;
@@ -2304,7 +2312,7 @@ fn Sky_sample_0( receiver_11 : Receiver_0,  u_11 : vec4<f32>,  sample_5 : ptr<fu
 struct Descent_0
 {
      node_3 : u32,
-     index_14 : u32,
+     index_15 : u32,
      count_2 : u32,
      weight_2 : f32,
      total_0 : f32,
@@ -2312,11 +2320,11 @@ struct Descent_0
      is_far_3 : bool,
 };
 
-fn Descent_x24init_0( node_4 : u32,  index_15 : u32,  count_3 : u32,  weight_3 : f32,  total_1 : f32,  choice_2 : f32,  is_far_4 : bool) -> Descent_0
+fn Descent_x24init_0( node_4 : u32,  index_16 : u32,  count_3 : u32,  weight_3 : f32,  total_1 : f32,  choice_2 : f32,  is_far_4 : bool) -> Descent_0
 {
     var _S163 : Descent_0;
     _S163.node_3 = node_4;
-    _S163.index_14 = index_15;
+    _S163.index_15 = index_16;
     _S163.count_2 = count_3;
     _S163.weight_2 = weight_3;
     _S163.total_0 = total_1;
@@ -2325,16 +2333,16 @@ fn Descent_x24init_0( node_4 : u32,  index_15 : u32,  count_3 : u32,  weight_3 :
     return _S163;
 }
 
-fn TopLights_node_0( index_16 : u32) -> LightNode_0
+fn TopLights_node_0( index_17 : u32) -> LightNode_0
 {
-    return top_light_node_0(index_16);
+    return top_light_node_0(index_17);
 }
 
 fn Descent_at_0( this_21 : ptr<function, Descent_0>,  root_2 : u32)
 {
     var node_5 : LightNode_0 = TopLights_node_0(root_2);
     (*this_21).node_3 = root_2;
-    (*this_21).index_14 = node_5.index_1;
+    (*this_21).index_15 = node_5.index_2;
     (*this_21).count_2 = node_5.count_0;
     (*this_21).is_far_3 = false;
     return;
@@ -2387,7 +2395,7 @@ fn climb_0( receiver_12 : Receiver_0,  start_2 : u32,  descent_0 : ptr<function,
         var _S169 : u32;
         if(is_left_0)
         {
-            _S169 = parent_1.index_1;
+            _S169 = parent_1.index_2;
         }
         else
         {
@@ -2487,7 +2495,7 @@ fn descend_0( receiver_13 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<functio
             return false;
         }
         var left_1 : LightNode_0 = TopLights_node_0((*descent_1).node_3 + u32(1));
-        var right_1 : LightNode_0 = TopLights_node_0((*descent_1).index_14);
+        var right_1 : LightNode_0 = TopLights_node_0((*descent_1).index_15);
         var weights_1 : vec2<f32> = weights_of_0(view_0(left_1, receiver_13).importance_0, view_0(right_1, receiver_13).importance_0);
         var _S179 : f32 = weights_1.x;
         var _S180 : f32 = weights_1.y;
@@ -2509,9 +2517,9 @@ fn descend_0( receiver_13 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<functio
         if(aim_0.is_met_0)
         {
             var _S182 : vec3<f32> = vec3<f32>(aim_0.hit_4.voxel_1);
-            if((all((_S182 >= (vector_of_0(left_1.min_1))))))
+            if((all((_S182 >= (vector_of_0(left_1.min_2))))))
             {
-                is_left_1 = (all((_S182 < (vector_of_0(left_1.max_1)))));
+                is_left_1 = (all((_S182 < (vector_of_0(left_1.max_2)))));
             }
             else
             {
@@ -2540,19 +2548,19 @@ fn descend_0( receiver_13 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<functio
         }
         else
         {
-            _S185 = (*descent_1).index_14;
+            _S185 = (*descent_1).index_15;
         }
         (*descent_1).node_3 = _S185;
         var _S186 : u32;
         if(is_left_1)
         {
-            _S186 = left_1.index_1;
+            _S186 = left_1.index_2;
         }
         else
         {
-            _S186 = right_1.index_1;
+            _S186 = right_1.index_2;
         }
-        (*descent_1).index_14 = _S186;
+        (*descent_1).index_15 = _S186;
         var _S187 : u32;
         if(is_left_1)
         {
@@ -2613,14 +2621,14 @@ fn place_in_light_node_0( node_7 : u32,  word_5 : u32) -> u32
     return _S191;
 }
 
-fn light_node_at_0( index_17 : u32) -> LightNode_0
+fn light_node_at_0( index_18 : u32) -> LightNode_0
 {
     if(!lights_in_pages_0())
     {
-        var _S192 : u32 = u32(4) * index_17;
+        var _S192 : u32 = u32(4) * index_18;
         return light_node_of_0(light_node_rows_0[_S192], light_node_rows_0[_S192 + u32(1)], light_node_rows_0[_S192 + u32(2)], light_node_rows_0[_S192 + u32(3)]);
     }
-    var at_2 : u32 = place_in_light_node_0(index_17, u32(0));
+    var at_2 : u32 = place_in_light_node_0(index_18, u32(0));
     var node_8 : LightNode_0;
     var i_0 : u32 = u32(0);
     for(;;)
@@ -2632,11 +2640,11 @@ fn light_node_at_0( index_17 : u32) -> LightNode_0
         {
             break;
         }
-        node_8.min_1[i_0] = (bitcast<f32>((cells_1[at_2 + i_0])));
-        node_8.max_1[i_0] = (bitcast<f32>((cells_1[at_2 + u32(4) + i_0])));
+        node_8.min_2[i_0] = (bitcast<f32>((cells_1[at_2 + i_0])));
+        node_8.max_2[i_0] = (bitcast<f32>((cells_1[at_2 + u32(4) + i_0])));
         i_0 = i_0 + u32(1);
     }
-    node_8.index_1 = cells_1[at_2 + u32(3)];
+    node_8.index_2 = cells_1[at_2 + u32(3)];
     node_8.count_0 = cells_1[at_2 + u32(7)];
     i_0 = u32(0);
     for(;;)
@@ -2656,9 +2664,9 @@ fn light_node_at_0( index_17 : u32) -> LightNode_0
     return node_8;
 }
 
-fn GridLights_node_0( index_18 : u32) -> LightNode_0
+fn GridLights_node_0( index_19 : u32) -> LightNode_0
 {
-    var _S193 : LightNode_0 = light_node_at_0(index_18);
+    var _S193 : LightNode_0 = light_node_at_0(index_19);
     return _S193;
 }
 
@@ -2666,7 +2674,7 @@ fn Descent_at_1( this_22 : ptr<function, Descent_0>,  root_3 : u32)
 {
     var node_9 : LightNode_0 = GridLights_node_0(root_3);
     (*this_22).node_3 = root_3;
-    (*this_22).index_14 = node_9.index_1;
+    (*this_22).index_15 = node_9.index_2;
     (*this_22).count_2 = node_9.count_0;
     (*this_22).is_far_3 = false;
     return;
@@ -2697,7 +2705,7 @@ fn descend_1( receiver_15 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<functio
             return false;
         }
         var left_2 : LightNode_0 = GridLights_node_0((*descent_2).node_3 + u32(1));
-        var right_2 : LightNode_0 = GridLights_node_0((*descent_2).index_14);
+        var right_2 : LightNode_0 = GridLights_node_0((*descent_2).index_15);
         var of_left_0 : View_0 = view_0(left_2, receiver_15);
         var of_right_0 : View_0 = view_0(right_2, receiver_15);
         var weights_2 : vec2<f32> = weights_of_0(of_left_0.importance_0, of_right_0.importance_0);
@@ -2721,9 +2729,9 @@ fn descend_1( receiver_15 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<functio
         if(aim_1.is_met_0)
         {
             var _S198 : vec3<f32> = vec3<f32>(aim_1.hit_4.voxel_1);
-            if((all((_S198 >= (vector_of_0(left_2.min_1))))))
+            if((all((_S198 >= (vector_of_0(left_2.min_2))))))
             {
-                is_left_2 = (all((_S198 < (vector_of_0(left_2.max_1)))));
+                is_left_2 = (all((_S198 < (vector_of_0(left_2.max_2)))));
             }
             else
             {
@@ -2752,19 +2760,19 @@ fn descend_1( receiver_15 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<functio
         }
         else
         {
-            _S201 = (*descent_2).index_14;
+            _S201 = (*descent_2).index_15;
         }
         (*descent_2).node_3 = _S201;
         var _S202 : u32;
         if(is_left_2)
         {
-            _S202 = left_2.index_1;
+            _S202 = left_2.index_2;
         }
         else
         {
-            _S202 = right_2.index_1;
+            _S202 = right_2.index_2;
         }
-        (*descent_2).index_14 = _S202;
+        (*descent_2).index_15 = _S202;
         var _S203 : u32;
         if(is_left_2)
         {
@@ -2808,8 +2816,8 @@ fn descend_1( receiver_15 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<functio
 fn choose_side_0( point_5 : vec3<f32>,  is_met_2 : bool,  way_0 : Descent_0,  side_0 : ptr<function, u32>,  odds_0 : ptr<function, vec2<f32>>) -> bool
 {
     var node_10 : LightNode_0 = light_node_at_0(way_0.node_3);
-    var _S207 : vec3<f32> = vector_of_0(node_10.max_1);
-    var _S208 : vec3<f32> = vector_of_0(node_10.min_1);
+    var _S207 : vec3<f32> = vector_of_0(node_10.max_2);
+    var _S208 : vec3<f32> = vector_of_0(node_10.min_2);
     var _S209 : vec3<f32> = vec3<f32>(0.5f);
     var half_1 : vec3<f32> = (_S207 - _S208) * _S209;
     var toward_1 : vec3<f32> = (_S208 + _S207) * _S209 - point_5;
@@ -2994,22 +3002,22 @@ fn choose_side_0( point_5 : vec3<f32>,  is_met_2 : bool,  way_0 : Descent_0,  si
     return _S212;
 }
 
-fn light_node_word_0( index_19 : u32,  word_6 : u32) -> u32
+fn light_node_word_0( index_20 : u32,  word_6 : u32) -> u32
 {
-    return light_node_rows_0[u32(4) * index_19 + ((word_6 >> (u32(2))))][(word_6 & (u32(3)))];
+    return light_node_rows_0[u32(4) * index_20 + ((word_6 >> (u32(2))))][(word_6 & (u32(3)))];
 }
 
-fn light_power_at_0( index_20 : u32,  side_1 : u32) -> f32
+fn light_power_at_0( index_21 : u32,  side_1 : u32) -> f32
 {
     var _S215 : u32;
     if(lights_in_pages_0())
     {
-        var _S216 : u32 = place_in_light_node_0(index_20, u32(8) + side_1);
+        var _S216 : u32 = place_in_light_node_0(index_21, u32(8) + side_1);
         _S215 = cells_1[_S216];
     }
     else
     {
-        _S215 = light_node_word_0(index_20, u32(8) + side_1);
+        _S215 = light_node_word_0(index_21, u32(8) + side_1);
     }
     return (bitcast<f32>((_S215)));
 }
@@ -3055,13 +3063,13 @@ struct Emitter_0
      leaf_0 : u32,
 };
 
-fn below_light_node_0( index_21 : u32) -> vec2<u32>
+fn below_light_node_0( index_22 : u32) -> vec2<u32>
 {
     if(!lights_in_pages_0())
     {
-        return vec2<u32>(light_node_word_0(index_21, u32(3)), light_node_word_0(index_21, u32(7)));
+        return vec2<u32>(light_node_word_0(index_22, u32(3)), light_node_word_0(index_22, u32(7)));
     }
-    var at_3 : u32 = place_in_light_node_0(index_21, u32(0));
+    var at_3 : u32 = place_in_light_node_0(index_22, u32(0));
     return vec2<u32>(cells_1[at_3 + u32(3)], cells_1[at_3 + u32(7)]);
 }
 
@@ -3071,37 +3079,37 @@ fn place_in_emitter_0( emitter_0 : u32,  word_7 : u32) -> u32
     return _S217;
 }
 
-fn emitter_word_0( index_22 : u32,  word_8 : u32) -> u32
+fn emitter_word_0( index_23 : u32,  word_8 : u32) -> u32
 {
-    return emitter_rows_0[u32(2) * index_22 + ((word_8 >> (u32(2))))][(word_8 & (u32(3)))];
+    return emitter_rows_0[u32(2) * index_23 + ((word_8 >> (u32(2))))][(word_8 & (u32(3)))];
 }
 
-fn emitter_faces_at_0( index_23 : u32) -> u32
+fn emitter_faces_at_0( index_24 : u32) -> u32
 {
     var _S218 : u32;
     if(lights_in_pages_0())
     {
-        var _S219 : u32 = place_in_emitter_0(index_23, u32(4));
+        var _S219 : u32 = place_in_emitter_0(index_24, u32(4));
         _S218 = cells_1[_S219];
     }
     else
     {
-        _S218 = emitter_word_0(index_23, u32(4));
+        _S218 = emitter_word_0(index_24, u32(4));
     }
     return _S218;
 }
 
-fn emitter_luminance_at_0( index_24 : u32) -> f32
+fn emitter_luminance_at_0( index_25 : u32) -> f32
 {
     var _S220 : f32;
     if(lights_in_pages_0())
     {
-        var _S221 : u32 = place_in_emitter_0(index_24, u32(6));
+        var _S221 : u32 = place_in_emitter_0(index_25, u32(6));
         _S220 = (bitcast<f32>((cells_1[_S221])));
     }
     else
     {
-        _S220 = (bitcast<f32>((emitter_word_0(index_24, u32(6)))));
+        _S220 = (bitcast<f32>((emitter_word_0(index_25, u32(6)))));
     }
     return _S220;
 }
@@ -3118,17 +3126,17 @@ fn Emitter_x24init_0( voxel_5 : array<i32, i32(3)>,  grid_2 : u32,  faces_1 : u3
     return _S222;
 }
 
-fn emitter_at_0( index_25 : u32) -> Emitter_0
+fn emitter_at_0( index_26 : u32) -> Emitter_0
 {
     if(!lights_in_pages_0())
     {
-        var _S223 : u32 = u32(2) * index_25;
+        var _S223 : u32 = u32(2) * index_26;
         var a_4 : vec4<u32> = emitter_rows_0[_S223];
         var b_4 : vec4<u32> = emitter_rows_0[_S223 + u32(1)];
         var _S224 : array<i32, i32(3)> = array<i32, i32(3)>( i32(a_4.x), i32(a_4.y), i32(a_4.z) );
         return Emitter_x24init_0(_S224, a_4.w, b_4.x, b_4.y, (bitcast<f32>((b_4.z))), b_4.w);
     }
-    var at_4 : u32 = place_in_emitter_0(index_25, u32(0));
+    var at_4 : u32 = place_in_emitter_0(index_26, u32(0));
     var _S225 : array<i32, i32(3)> = array<i32, i32(3)>( i32(cells_1[at_4]), i32(cells_1[at_4 + u32(1)]), i32(cells_1[at_4 + u32(2)]) );
     return Emitter_x24init_0(_S225, cells_1[at_4 + u32(3)], cells_1[at_4 + u32(4)], cells_1[at_4 + u32(5)], (bitcast<f32>((cells_1[at_4 + u32(6)]))), cells_1[at_4 + u32(7)]);
 }
@@ -3139,7 +3147,7 @@ fn choose_emitter_0( way_1 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
     var is_left_3 : bool;
     var count_4 : u32 = way_1.count_2;
     var node_11 : u32 = way_1.node_3;
-    var index_26 : u32 = way_1.index_14;
+    var index_27 : u32 = way_1.index_15;
     var _S226 : f32 = threshold_1;
     for(;;)
     {
@@ -3160,9 +3168,9 @@ fn choose_emitter_0( way_1 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
         }
         var left_3 : u32 = node_11 + u32(1);
         var power_left_0 : f32 = light_power_at_0(left_3, side_2);
-        var power_right_0 : f32 = light_power_at_0(index_26, side_2);
+        var power_right_0 : f32 = light_power_at_0(index_27, side_2);
         var below_left_0 : vec2<u32> = below_light_node_0(left_3);
-        var below_right_0 : vec2<u32> = below_light_node_0(index_26);
+        var below_right_0 : vec2<u32> = below_light_node_0(index_27);
         if(_S226 < power_left_0)
         {
             is_left_3 = true;
@@ -3184,15 +3192,15 @@ fn choose_emitter_0( way_1 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
         }
         else
         {
-            node_11 = index_26;
+            node_11 = index_27;
         }
         if(is_left_3)
         {
-            index_26 = below_left_0.x;
+            index_27 = below_left_0.x;
         }
         else
         {
-            index_26 = below_right_0.x;
+            index_27 = below_right_0.x;
         }
         if(is_left_3)
         {
@@ -3204,11 +3212,11 @@ fn choose_emitter_0( way_1 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
         }
     }
     is_found_0 = false;
-    var chosen_3 : u32 = index_26;
-    var at_5 : u32 = index_26;
+    var chosen_3 : u32 = index_27;
+    var at_5 : u32 = index_27;
     for(;;)
     {
-        if(at_5 < (index_26 + count_4))
+        if(at_5 < (index_27 + count_4))
         {
             is_left_3 = !is_found_0;
         }
@@ -3314,8 +3322,8 @@ fn sample_emitter_0( receiver_16 : Receiver_0,  u_13 : vec4<f32>,  aim_2 : Aim_0
             return false;
         }
     }
-    var chosen_instance_0 : u32 = descent_3.index_14;
-    var local_2 : Receiver_0 = in_grid_3(descent_3.index_14, receiver_16);
+    var chosen_instance_0 : u32 = descent_3.index_15;
+    var local_2 : Receiver_0 = in_grid_3(descent_3.index_15, receiver_16);
     Descent_at_1(&(descent_3), top_light_node_0(descent_3.node_3).root_1);
     var _S236 : bool = descend_1(local_2, aim_2, &(descent_3));
     if(!_S236)
@@ -4310,18 +4318,6 @@ fn goes_on_from_1( at_8 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_8 : 
     return goes_on_3;
 }
 
-struct PackedGrid_0
-{
-     origin_0 : array<i32, i32(3)>,
-     top_shift_0 : u32,
-     top_size_0 : array<i32, i32(3)>,
-     top_offset_0 : u32,
-     min_0 : array<i32, i32(3)>,
-     voxels_0 : array<u32, i32(2)>,
-     max_0 : array<i32, i32(3)>,
-     material_bits_0 : u32,
-};
-
 struct LocalRay_0
 {
      origin_7 : vec3<f32>,
@@ -4452,38 +4448,38 @@ fn LocalRay_t_end_0( this_33 : LocalRay_0) -> f32
     return min(this_33.t_max_2 * 1.00000095367431641f, 3.4028234663852886e+38f);
 }
 
-fn walk_of_0( ray_15 : LocalRay_0,  grid_3 : PackedGrid_0) -> Walk_0
+fn walk_of_0( _S293 : LocalRay_0,  _S294 : u32) -> Walk_0
 {
     var walk_0 : Walk_0;
-    walk_0.ray_14 = ray_15;
-    walk_0.grid_origin_0 = cell_of_0(grid_3.origin_0);
-    var is_negative_0 : vec3<bool> = (ray_15.direction_26) < vec3<f32>(0.0f);
-    var _S293 : vec3<i32> = vec3<i32>(i32(0));
-    walk_0.mirror_0 = select(_S293, vec3<i32>(i32(-1)), is_negative_0);
-    var _S294 : vec3<i32>;
+    walk_0.ray_14 = _S293;
+    walk_0.grid_origin_0 = cell_of_0(grids_0[_S294].origin_0);
+    var is_negative_0 : vec3<bool> = (_S293.direction_26) < vec3<f32>(0.0f);
+    var _S295 : vec3<i32> = vec3<i32>(i32(0));
+    walk_0.mirror_0 = select(_S295, vec3<i32>(i32(-1)), is_negative_0);
+    var _S296 : vec3<i32>;
     if(IS_EXACT_0)
     {
-        _S294 = Walk_mirrored_plane_0(walk_0, walk_0.grid_origin_0);
+        _S296 = Walk_mirrored_plane_0(walk_0, walk_0.grid_origin_0);
     }
     else
     {
-        _S294 = _S293;
+        _S296 = _S295;
     }
-    walk_0.offset_0 = _S294;
+    walk_0.offset_0 = _S296;
     var origin_10 : vec3<f32>;
     if(IS_EXACT_0)
     {
-        origin_10 = ray_15.origin_7;
+        origin_10 = _S293.origin_7;
     }
     else
     {
-        origin_10 = ray_15.origin_7 - vec3<f32>(walk_0.grid_origin_0);
+        origin_10 = _S293.origin_7 - vec3<f32>(walk_0.grid_origin_0);
     }
     walk_0.origin_9 = select(origin_10, (vec3<f32>(0) - origin_10), is_negative_0);
-    walk_0.speed_1 = max(abs(ray_15.direction_26), vec3<f32>(min_abs_direction_0()));
+    walk_0.speed_1 = max(abs(_S293.direction_26), vec3<f32>(min_abs_direction_0()));
     if(IS_EXACT_0)
     {
-        origin_10 = abs(ray_15.inverse_0);
+        origin_10 = abs(_S293.inverse_0);
     }
     else
     {
@@ -4497,10 +4493,10 @@ fn walk_of_0( ray_15 : LocalRay_0,  grid_3 : PackedGrid_0) -> Walk_0
     }
     else
     {
-        top_shift_1 = grid_3.top_shift_0;
+        top_shift_1 = grids_0[_S294].top_shift_0;
     }
-    walk_0.tolerance_0 = LocalRay_tolerance_0(ray_15, walk_0.grid_origin_0, walk_0.grid_origin_0 + (((cell_of_0(grid_3.top_size_0)) << (vec3<u32>(top_shift_1)))));
-    walk_0.t_end_0 = LocalRay_t_end_0(ray_15);
+    walk_0.tolerance_0 = LocalRay_tolerance_0(_S293, walk_0.grid_origin_0, walk_0.grid_origin_0 + (((cell_of_0(grids_0[_S294].top_size_0)) << (vec3<u32>(top_shift_1)))));
+    walk_0.t_end_0 = LocalRay_t_end_0(_S293);
     return walk_0;
 }
 
@@ -4524,65 +4520,65 @@ fn exact_product_0( a_5 : f32,  b_5 : f32) -> vec2<f32>
     }
     var a_parts_0 : vec2<f32> = halves_0(a_5);
     var b_parts_0 : vec2<f32> = halves_0(b_5);
-    var _S295 : f32 = a_parts_0.x;
-    var _S296 : f32 = b_parts_0.x;
-    var _S297 : f32 = b_parts_0.y;
-    var _S298 : f32 = a_parts_0.y;
-    return vec2<f32>(product_0, _S295 * _S296 - product_0 + _S295 * _S297 + _S298 * _S296 + _S298 * _S297);
+    var _S297 : f32 = a_parts_0.x;
+    var _S298 : f32 = b_parts_0.x;
+    var _S299 : f32 = b_parts_0.y;
+    var _S300 : f32 = a_parts_0.y;
+    return vec2<f32>(product_0, _S297 * _S298 - product_0 + _S297 * _S299 + _S300 * _S298 + _S300 * _S299);
 }
 
-fn exact_start_voxel_0( ray_16 : LocalRay_0) -> vec3<i32>
+fn exact_start_voxel_0( ray_15 : LocalRay_0) -> vec3<i32>
 {
-    var way_3 : vec2<f32> = exact_product_0(ray_16.t_min_2, ray_16.direction_26[u32(0)]);
-    var _S299 : f32 = way_3.x;
-    var sum_3 : f32 = ray_16.origin_7[u32(0)] + _S299;
-    var part_0 : f32 = sum_3 - ray_16.origin_7[u32(0)];
-    var low_8 : f32 = ray_16.origin_7[u32(0)] - (sum_3 - part_0) + (_S299 - part_0) + way_3.y;
+    var way_3 : vec2<f32> = exact_product_0(ray_15.t_min_2, ray_15.direction_26[u32(0)]);
+    var _S301 : f32 = way_3.x;
+    var sum_3 : f32 = ray_15.origin_7[u32(0)] + _S301;
+    var part_0 : f32 = sum_3 - ray_15.origin_7[u32(0)];
+    var low_8 : f32 = ray_15.origin_7[u32(0)] - (sum_3 - part_0) + (_S301 - part_0) + way_3.y;
     var whole_0 : f32 = floor(sum_3);
     var voxel_7 : vec3<i32>;
-    var _S300 : i32 = i32(whole_0);
-    var _S301 : bool;
+    var _S302 : i32 = i32(whole_0);
+    var _S303 : bool;
     if(sum_3 == whole_0)
     {
-        _S301 = low_8 < 0.0f;
+        _S303 = low_8 < 0.0f;
     }
     else
     {
-        _S301 = false;
+        _S303 = false;
     }
-    voxel_7[u32(0)] = _S300 - i32(_S301);
-    var way_4 : vec2<f32> = exact_product_0(ray_16.t_min_2, ray_16.direction_26[u32(1)]);
-    var _S302 : f32 = way_4.x;
-    var sum_4 : f32 = ray_16.origin_7[u32(1)] + _S302;
-    var part_1 : f32 = sum_4 - ray_16.origin_7[u32(1)];
-    var low_9 : f32 = ray_16.origin_7[u32(1)] - (sum_4 - part_1) + (_S302 - part_1) + way_4.y;
+    voxel_7[u32(0)] = _S302 - i32(_S303);
+    var way_4 : vec2<f32> = exact_product_0(ray_15.t_min_2, ray_15.direction_26[u32(1)]);
+    var _S304 : f32 = way_4.x;
+    var sum_4 : f32 = ray_15.origin_7[u32(1)] + _S304;
+    var part_1 : f32 = sum_4 - ray_15.origin_7[u32(1)];
+    var low_9 : f32 = ray_15.origin_7[u32(1)] - (sum_4 - part_1) + (_S304 - part_1) + way_4.y;
     var whole_1 : f32 = floor(sum_4);
-    var _S303 : i32 = i32(whole_1);
+    var _S305 : i32 = i32(whole_1);
     if(sum_4 == whole_1)
     {
-        _S301 = low_9 < 0.0f;
+        _S303 = low_9 < 0.0f;
     }
     else
     {
-        _S301 = false;
+        _S303 = false;
     }
-    voxel_7[u32(1)] = _S303 - i32(_S301);
-    var way_5 : vec2<f32> = exact_product_0(ray_16.t_min_2, ray_16.direction_26[u32(2)]);
-    var _S304 : f32 = way_5.x;
-    var sum_5 : f32 = ray_16.origin_7[u32(2)] + _S304;
-    var part_2 : f32 = sum_5 - ray_16.origin_7[u32(2)];
-    var low_10 : f32 = ray_16.origin_7[u32(2)] - (sum_5 - part_2) + (_S304 - part_2) + way_5.y;
+    voxel_7[u32(1)] = _S305 - i32(_S303);
+    var way_5 : vec2<f32> = exact_product_0(ray_15.t_min_2, ray_15.direction_26[u32(2)]);
+    var _S306 : f32 = way_5.x;
+    var sum_5 : f32 = ray_15.origin_7[u32(2)] + _S306;
+    var part_2 : f32 = sum_5 - ray_15.origin_7[u32(2)];
+    var low_10 : f32 = ray_15.origin_7[u32(2)] - (sum_5 - part_2) + (_S306 - part_2) + way_5.y;
     var whole_2 : f32 = floor(sum_5);
-    var _S305 : i32 = i32(whole_2);
+    var _S307 : i32 = i32(whole_2);
     if(sum_5 == whole_2)
     {
-        _S301 = low_10 < 0.0f;
+        _S303 = low_10 < 0.0f;
     }
     else
     {
-        _S301 = false;
+        _S303 = false;
     }
-    voxel_7[u32(2)] = _S305 - i32(_S301);
+    voxel_7[u32(2)] = _S307 - i32(_S303);
     return voxel_7;
 }
 
@@ -4595,16 +4591,16 @@ fn Walk_start_voxel_0( this_35 : Walk_0) -> vec3<i32>
     }
     var nearest_0 : vec3<f32> = round(start_3);
     var from_nearest_0 : vec3<f32> = start_3 - nearest_0;
-    var _S306 : bool;
+    var _S308 : bool;
     if((this_35.ray_14.t_min_2) > 0.0f)
     {
-        _S306 = (any(((abs(from_nearest_0)) <= (this_35.tolerance_0))));
+        _S308 = (any(((abs(from_nearest_0)) <= (this_35.tolerance_0))));
     }
     else
     {
-        _S306 = false;
+        _S308 = false;
     }
-    if(_S306)
+    if(_S308)
     {
         return Walk_mirrored_0(this_35, exact_start_voxel_0(this_35.ray_14) - this_35.grid_origin_0);
     }
@@ -4626,18 +4622,18 @@ struct Crossing_0
 
 fn Crossing_x24init_0( distance_3 : f32,  distance_low_1 : f32,  speed_3 : f32,  axis_2 : u32) -> Crossing_0
 {
-    var _S307 : Crossing_0;
-    _S307.distance_2 = distance_3;
-    _S307.distance_low_0 = distance_low_1;
-    _S307.speed_2 = speed_3;
-    _S307.axis_1 = axis_2;
-    return _S307;
+    var _S309 : Crossing_0;
+    _S309.distance_2 = distance_3;
+    _S309.distance_low_0 = distance_low_1;
+    _S309.speed_2 = speed_3;
+    _S309.axis_1 = axis_2;
+    return _S309;
 }
 
-fn crossing_of_0( ray_17 : LocalRay_0,  axis_3 : u32,  plane_1 : i32) -> Crossing_0
+fn crossing_of_0( ray_16 : LocalRay_0,  axis_3 : u32,  plane_1 : i32) -> Crossing_0
 {
     var sign_0 : f32;
-    if((ray_17.direction_26[axis_3]) < 0.0f)
+    if((ray_16.direction_26[axis_3]) < 0.0f)
     {
         sign_0 = -1.0f;
     }
@@ -4646,9 +4642,9 @@ fn crossing_of_0( ray_17 : LocalRay_0,  axis_3 : u32,  plane_1 : i32) -> Crossin
         sign_0 = 1.0f;
     }
     var at_9 : f32 = f32(plane_1);
-    var difference_0 : f32 = at_9 - ray_17.origin_7[axis_3];
+    var difference_0 : f32 = at_9 - ray_16.origin_7[axis_3];
     var part_3 : f32 = difference_0 - at_9;
-    return Crossing_x24init_0(difference_0 * sign_0, (at_9 - (difference_0 - part_3) - (ray_17.origin_7[axis_3] + part_3)) * sign_0, abs(ray_17.direction_26[axis_3]), axis_3);
+    return Crossing_x24init_0(difference_0 * sign_0, (at_9 - (difference_0 - part_3) - (ray_16.origin_7[axis_3] + part_3)) * sign_0, abs(ray_16.direction_26[axis_3]), axis_3);
 }
 
 fn Crossing_is_before_0( this_37 : Crossing_0,  other_1 : Crossing_0) -> bool
@@ -4661,61 +4657,61 @@ fn Crossing_is_before_0( this_37 : Crossing_0,  other_1 : Crossing_0) -> bool
         theirs_0[i32(1)] = theirs_0[i32(1)] + other_1.distance_low_0 * this_37.speed_2;
     }
     var difference_1 : f32 = ours_0.x - theirs_0.x + (ours_0.y - theirs_0.y);
-    var _S308 : bool;
+    var _S310 : bool;
     if(difference_1 < 0.0f)
     {
-        _S308 = true;
+        _S310 = true;
     }
     else
     {
         if(difference_1 == 0.0f)
         {
-            _S308 = (this_37.axis_1) < (other_1.axis_1);
+            _S310 = (this_37.axis_1) < (other_1.axis_1);
         }
         else
         {
-            _S308 = false;
+            _S310 = false;
         }
     }
-    return _S308;
+    return _S310;
 }
 
-fn leave_box_0( ray_18 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>,  nearest_1 : vec3<i32>) -> vec3<i32>
+fn leave_box_0( ray_17 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>,  nearest_1 : vec3<i32>) -> vec3<i32>
 {
-    var _S309 : vec3<f32>;
-    var _S310 : f32;
-    var _S311 : bool;
-    var is_crossed_0 : bool;
-    var first_1 : Crossing_0;
+    var _S311 : vec3<f32>;
     var _S312 : f32;
     var _S313 : bool;
+    var is_crossed_0 : bool;
+    var first_1 : Crossing_0;
     var _S314 : f32;
     var _S315 : bool;
+    var _S316 : f32;
+    var _S317 : bool;
     var plane_2 : i32;
-    var _S316 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
+    var _S318 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
     for(;;)
     {
         for(;;)
         {
             for(;;)
             {
-                _S309 = ray_18.direction_26;
-                _S310 = ray_18.direction_26[u32(0)];
-                var _S317 : bool = (ray_18.direction_26[u32(0)]) == 0.0f;
-                _S311 = _S317;
-                if(_S317)
+                _S311 = ray_17.direction_26;
+                _S312 = ray_17.direction_26[u32(0)];
+                var _S319 : bool = (ray_17.direction_26[u32(0)]) == 0.0f;
+                _S313 = _S319;
+                if(_S319)
                 {
-                    first_1 = _S316;
+                    first_1 = _S318;
                     break;
                 }
-                var crossing_0 : Crossing_0 = crossing_of_0(ray_18, u32(0), exit_0[u32(0)]);
-                if((_S316.axis_1) == u32(3))
+                var crossing_0 : Crossing_0 = crossing_of_0(ray_17, u32(0), exit_0[u32(0)]);
+                if((_S318.axis_1) == u32(3))
                 {
                     is_crossed_0 = true;
                 }
                 else
                 {
-                    is_crossed_0 = Crossing_is_before_0(crossing_0, _S316);
+                    is_crossed_0 = Crossing_is_before_0(crossing_0, _S318);
                 }
                 if(is_crossed_0)
                 {
@@ -4723,7 +4719,7 @@ fn leave_box_0( ray_18 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>, 
                 }
                 else
                 {
-                    first_1 = _S316;
+                    first_1 = _S318;
                 }
                 break;
             }
@@ -4733,14 +4729,14 @@ fn leave_box_0( ray_18 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>, 
         {
             for(;;)
             {
-                _S312 = _S309[u32(1)];
-                var _S318 : bool = (_S309[u32(1)]) == 0.0f;
-                _S313 = _S318;
-                if(_S318)
+                _S314 = _S311[u32(1)];
+                var _S320 : bool = (_S311[u32(1)]) == 0.0f;
+                _S315 = _S320;
+                if(_S320)
                 {
                     break;
                 }
-                var crossing_1 : Crossing_0 = crossing_of_0(ray_18, u32(1), exit_0[u32(1)]);
+                var crossing_1 : Crossing_0 = crossing_of_0(ray_17, u32(1), exit_0[u32(1)]);
                 if((first_1.axis_1) == u32(3))
                 {
                     is_crossed_0 = true;
@@ -4761,14 +4757,14 @@ fn leave_box_0( ray_18 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>, 
         {
             for(;;)
             {
-                _S314 = _S309[u32(2)];
-                var _S319 : bool = (_S309[u32(2)]) == 0.0f;
-                _S315 = _S319;
-                if(_S319)
+                _S316 = _S311[u32(2)];
+                var _S321 : bool = (_S311[u32(2)]) == 0.0f;
+                _S317 = _S321;
+                if(_S321)
                 {
                     break;
                 }
-                var crossing_2 : Crossing_0 = crossing_of_0(ray_18, u32(2), exit_0[u32(2)]);
+                var crossing_2 : Crossing_0 = crossing_of_0(ray_17, u32(2), exit_0[u32(2)]);
                 if((first_1.axis_1) == u32(3))
                 {
                     is_crossed_0 = true;
@@ -4794,20 +4790,20 @@ fn leave_box_0( ray_18 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>, 
         {
             for(;;)
             {
-                if(_S311)
+                if(_S313)
                 {
                     break;
                 }
-                var _S320 : bool = u32(0) == (first_1.axis_1);
-                if(_S320)
+                var _S322 : bool = u32(0) == (first_1.axis_1);
+                if(_S322)
                 {
                     is_crossed_0 = true;
                 }
                 else
                 {
-                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_18, u32(0), nearest_1[u32(0)]), first_1);
+                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_17, u32(0), nearest_1[u32(0)]), first_1);
                 }
-                if(_S320)
+                if(_S322)
                 {
                     plane_2 = exit_0[u32(0)];
                 }
@@ -4815,37 +4811,7 @@ fn leave_box_0( ray_18 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>, 
                 {
                     plane_2 = nearest_1[u32(0)];
                 }
-                arrival_0[u32(0)] = plane_2 - i32(is_crossed_0 == (_S310 < 0.0f));
-                break;
-            }
-            break;
-        }
-        for(;;)
-        {
-            for(;;)
-            {
-                if(_S313)
-                {
-                    break;
-                }
-                var _S321 : bool = u32(1) == (first_1.axis_1);
-                if(_S321)
-                {
-                    is_crossed_0 = true;
-                }
-                else
-                {
-                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_18, u32(1), nearest_1[u32(1)]), first_1);
-                }
-                if(_S321)
-                {
-                    plane_2 = exit_0[u32(1)];
-                }
-                else
-                {
-                    plane_2 = nearest_1[u32(1)];
-                }
-                arrival_0[u32(1)] = plane_2 - i32(is_crossed_0 == (_S312 < 0.0f));
+                arrival_0[u32(0)] = plane_2 - i32(is_crossed_0 == (_S312 < 0.0f));
                 break;
             }
             break;
@@ -4858,16 +4824,46 @@ fn leave_box_0( ray_18 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>, 
                 {
                     break;
                 }
-                var _S322 : bool = u32(2) == (first_1.axis_1);
-                if(_S322)
+                var _S323 : bool = u32(1) == (first_1.axis_1);
+                if(_S323)
                 {
                     is_crossed_0 = true;
                 }
                 else
                 {
-                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_18, u32(2), nearest_1[u32(2)]), first_1);
+                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_17, u32(1), nearest_1[u32(1)]), first_1);
                 }
-                if(_S322)
+                if(_S323)
+                {
+                    plane_2 = exit_0[u32(1)];
+                }
+                else
+                {
+                    plane_2 = nearest_1[u32(1)];
+                }
+                arrival_0[u32(1)] = plane_2 - i32(is_crossed_0 == (_S314 < 0.0f));
+                break;
+            }
+            break;
+        }
+        for(;;)
+        {
+            for(;;)
+            {
+                if(_S317)
+                {
+                    break;
+                }
+                var _S324 : bool = u32(2) == (first_1.axis_1);
+                if(_S324)
+                {
+                    is_crossed_0 = true;
+                }
+                else
+                {
+                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_17, u32(2), nearest_1[u32(2)]), first_1);
+                }
+                if(_S324)
                 {
                     plane_2 = exit_0[u32(2)];
                 }
@@ -4875,7 +4871,7 @@ fn leave_box_0( ray_18 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>, 
                 {
                     plane_2 = nearest_1[u32(2)];
                 }
-                arrival_0[u32(2)] = plane_2 - i32(is_crossed_0 == (_S314 < 0.0f));
+                arrival_0[u32(2)] = plane_2 - i32(is_crossed_0 == (_S316 < 0.0f));
                 break;
             }
             break;
@@ -4922,9 +4918,9 @@ fn Walk_enter_rounded_0( this_39 : Walk_0,  voxel_10 : ptr<function, vec3<i32>>,
             return false;
         }
         var is_x_0 : bool = (t_7.x) == t_last_0;
-        var _S323 : bool = !is_x_0;
+        var _S325 : bool = !is_x_0;
         var is_y_0 : bool;
-        if(_S323)
+        if(_S325)
         {
             is_y_0 = (t_7.y) == t_last_0;
         }
@@ -4932,16 +4928,16 @@ fn Walk_enter_rounded_0( this_39 : Walk_0,  voxel_10 : ptr<function, vec3<i32>>,
         {
             is_y_0 = false;
         }
-        var _S324 : bool;
-        if(_S323)
+        var _S326 : bool;
+        if(_S325)
         {
-            _S324 = !is_y_0;
+            _S326 = !is_y_0;
         }
         else
         {
-            _S324 = false;
+            _S326 = false;
         }
-        var is_axis_2 : vec3<bool> = vec3<bool>(is_x_0, is_y_0, _S324);
+        var is_axis_2 : vec3<bool> = vec3<bool>(is_x_0, is_y_0, _S326);
         (*voxel_10) = Walk_arrive_0(this_39, (*voxel_10), t_last_0, is_axis_2, select(vec3<i32>(i32(1073741823)), near_1, is_axis_2));
     }
     return (all(((*voxel_10) < far_1)));
@@ -4968,8 +4964,8 @@ fn Walk_leave_0( this_41 : Walk_0,  voxel_12 : ptr<function, vec3<i32>>,  exit_3
 {
     if(!IS_EXACT_0)
     {
-        var _S325 : bool = Walk_leave_rounded_0(this_41, &((*voxel_12)), exit_3);
-        return _S325;
+        var _S327 : bool = Walk_leave_rounded_0(this_41, &((*voxel_12)), exit_3);
+        return _S327;
     }
     var t_9 : vec3<f32> = Walk_crossings_0(this_41, exit_3);
     var t_first_1 : f32 = min_element_0(t_9);
@@ -4978,9 +4974,9 @@ fn Walk_leave_0( this_41 : Walk_0,  voxel_12 : ptr<function, vec3<i32>>,  exit_3
         return false;
     }
     var is_x_1 : bool = (t_9.x) == t_first_1;
-    var _S326 : bool = !is_x_1;
+    var _S328 : bool = !is_x_1;
     var is_y_1 : bool;
-    if(_S326)
+    if(_S328)
     {
         is_y_1 = (t_9.y) == t_first_1;
     }
@@ -4992,25 +4988,25 @@ fn Walk_leave_0( this_41 : Walk_0,  voxel_12 : ptr<function, vec3<i32>>,  exit_3
     var nearest_3 : vec3<f32> = round(back_0);
     var from_nearest_2 : vec3<f32> = back_0 - nearest_3;
     var planes_2 : vec3<i32> = exit_3 - vec3<i32>(min(nearest_3, vec3<f32>(4.194304e+06f)));
-    var _S327 : vec3<i32> = planes_2 - vec3<i32>(from_nearest_2 > vec3<f32>(0.0f));
-    var _S328 : vec3<bool> = (abs(from_nearest_2)) <= (this_41.tolerance_0);
-    var _S329 : bool;
-    if(_S326)
+    var _S329 : vec3<i32> = planes_2 - vec3<i32>(from_nearest_2 > vec3<f32>(0.0f));
+    var _S330 : vec3<bool> = (abs(from_nearest_2)) <= (this_41.tolerance_0);
+    var _S331 : bool;
+    if(_S328)
     {
-        _S329 = !is_y_1;
+        _S331 = !is_y_1;
     }
     else
     {
-        _S329 = false;
+        _S331 = false;
     }
     var arrival_1 : vec3<i32>;
-    if((any((select(vec3<bool>(false), !vec3<bool>(is_x_1, is_y_1, _S329), _S328)))))
+    if((any((select(vec3<bool>(false), !vec3<bool>(is_x_1, is_y_1, _S331), _S330)))))
     {
         arrival_1 = Walk_mirrored_0(this_41, leave_box_0(this_41.ray_14, Walk_mirrored_0(this_41, (*voxel_12)) + this_41.grid_origin_0, Walk_mirrored_plane_0(this_41, exit_3) + this_41.grid_origin_0, Walk_mirrored_plane_0(this_41, planes_2) + this_41.grid_origin_0) - this_41.grid_origin_0);
     }
     else
     {
-        arrival_1 = _S327;
+        arrival_1 = _S329;
     }
     (*voxel_12) = select(max(arrival_1, (*voxel_12)), (*voxel_12), (this_41.speed_1) == vec3<f32>(0.0f));
     return true;
@@ -5018,44 +5014,44 @@ fn Walk_leave_0( this_41 : Walk_0,  voxel_12 : ptr<function, vec3<i32>>,  exit_3
 
 fn Walk_enter_0( this_42 : Walk_0,  voxel_13 : ptr<function, vec3<i32>>,  low_11 : vec3<i32>,  high_4 : vec3<i32>) -> bool
 {
-    var _S330 : bool;
+    var _S332 : bool;
     var is_mirrored_0 : vec3<bool> = (this_42.mirror_0) != vec3<i32>(i32(0));
     var near_2 : vec3<i32> = select(low_11, (vec3<i32>(0) - high_4), is_mirrored_0);
     var far_2 : vec3<i32> = select(high_4, (vec3<i32>(0) - low_11), is_mirrored_0);
     if(!IS_EXACT_0)
     {
-        var _S331 : bool = Walk_enter_rounded_0(this_42, &((*voxel_13)), near_2, far_2);
-        return _S331;
+        var _S333 : bool = Walk_enter_rounded_0(this_42, &((*voxel_13)), near_2, far_2);
+        return _S333;
     }
     var axis_4 : u32 = u32(0);
     for(;;)
     {
         if(axis_4 < u32(3))
         {
-            _S330 = (any(((*voxel_13) < near_2)));
-        }
-        else
-        {
-            _S330 = false;
-        }
-        var _S332 : bool;
-        if(_S330)
-        {
-            _S332 = (all(((*voxel_13) < far_2)));
+            _S332 = (any(((*voxel_13) < near_2)));
         }
         else
         {
             _S332 = false;
         }
+        var _S334 : bool;
         if(_S332)
+        {
+            _S334 = (all(((*voxel_13) < far_2)));
+        }
+        else
+        {
+            _S334 = false;
+        }
+        if(_S334)
         {
         }
         else
         {
             break;
         }
-        var _S333 : bool = Walk_leave_0(this_42, &((*voxel_13)), select(far_2, near_2, (*voxel_13) < near_2));
-        if(!_S333)
+        var _S335 : bool = Walk_leave_0(this_42, &((*voxel_13)), select(far_2, near_2, (*voxel_13) < near_2));
+        if(!_S335)
         {
             return false;
         }
@@ -5063,13 +5059,13 @@ fn Walk_enter_0( this_42 : Walk_0,  voxel_13 : ptr<function, vec3<i32>>,  low_11
     }
     if((all(((*voxel_13) >= near_2))))
     {
-        _S330 = (all(((*voxel_13) < far_2)));
+        _S332 = (all(((*voxel_13) < far_2)));
     }
     else
     {
-        _S330 = false;
+        _S332 = false;
     }
-    return _S330;
+    return _S332;
 }
 
 fn LocalRay_octant_0( this_43 : LocalRay_0) -> u32
@@ -5098,16 +5094,16 @@ fn ahead_of_0( mirror_1 : vec3<i32>) -> u32
 fn skip_distance_0( cell_10 : u32,  octant_1 : u32) -> u32
 {
     var code_2 : u32 = (((cell_10 >> ((u32(3) * octant_1)))) & (u32(7)));
-    var _S334 : u32;
+    var _S336 : u32;
     if(code_2 < u32(2))
     {
-        _S334 = code_2 + u32(1);
+        _S336 = code_2 + u32(1);
     }
     else
     {
-        _S334 = ((u32(3) + ((code_2 & (u32(1))))) << ((((code_2 >> (u32(1)))) - u32(1))));
+        _S336 = ((u32(3) + ((code_2 & (u32(1))))) << ((((code_2 >> (u32(1)))) - u32(1))));
     }
-    return _S334;
+    return _S336;
 }
 
 fn extents_0( cell_11 : u32,  ahead_0 : u32) -> vec3<i32>
@@ -5122,8 +5118,8 @@ fn blocks_of_cell_0( cell_12 : u32) -> u32
 
 fn blocks_of_record_0( record_1 : u32) -> u32
 {
-    var _S335 : u32 = brick_word_0(record_1);
-    return (_S335 & (u32(255)));
+    var _S337 : u32 = brick_word_0(record_1);
+    return (_S337 & (u32(255)));
 }
 
 fn empty_around_0( record_2 : u32,  blocks_0 : u32,  voxel_14 : vec3<i32>,  octant_2 : u32,  flip_0 : u32) -> u32
@@ -5139,24 +5135,24 @@ fn empty_around_0( record_2 : u32,  blocks_0 : u32,  voxel_14 : vec3<i32>,  octa
     {
         return u32(4294967295);
     }
-    var _S336 : i32;
+    var _S338 : i32;
     if(((((half_2 >> (((bit_1 & (u32(10))))))) & (u32(3342387)))) == u32(0))
     {
-        _S336 = i32(1);
+        _S338 = i32(1);
     }
     else
     {
-        _S336 = i32(0);
+        _S338 = i32(0);
     }
-    return u32(_S336);
+    return u32(_S338);
 }
 
 fn Walk_leave_1( this_44 : Walk_0,  voxel_15 : ptr<function, vec3<i32>>,  exit_4 : vec3<i32>) -> bool
 {
     if(!IS_EXACT_0)
     {
-        var _S337 : bool = Walk_leave_rounded_0(this_44, &((*voxel_15)), exit_4);
-        return _S337;
+        var _S339 : bool = Walk_leave_rounded_0(this_44, &((*voxel_15)), exit_4);
+        return _S339;
     }
     var t_10 : vec3<f32> = Walk_crossings_0(this_44, exit_4);
     var t_first_2 : f32 = min_element_0(t_10);
@@ -5165,9 +5161,9 @@ fn Walk_leave_1( this_44 : Walk_0,  voxel_15 : ptr<function, vec3<i32>>,  exit_4
         return false;
     }
     var is_x_2 : bool = (t_10.x) == t_first_2;
-    var _S338 : bool = !is_x_2;
+    var _S340 : bool = !is_x_2;
     var is_y_2 : bool;
-    if(_S338)
+    if(_S340)
     {
         is_y_2 = (t_10.y) == t_first_2;
     }
@@ -5179,45 +5175,43 @@ fn Walk_leave_1( this_44 : Walk_0,  voxel_15 : ptr<function, vec3<i32>>,  exit_4
     var nearest_4 : vec3<f32> = round(back_1);
     var from_nearest_3 : vec3<f32> = back_1 - nearest_4;
     var planes_3 : vec3<i32> = exit_4 - vec3<i32>(min(nearest_4, vec3<f32>(4.194304e+06f)));
-    var _S339 : vec3<i32> = planes_3 - vec3<i32>(from_nearest_3 > vec3<f32>(0.0f));
-    var _S340 : vec3<bool> = (abs(from_nearest_3)) <= (this_44.tolerance_0);
-    var _S341 : bool;
-    if(_S338)
+    var _S341 : vec3<i32> = planes_3 - vec3<i32>(from_nearest_3 > vec3<f32>(0.0f));
+    var _S342 : vec3<bool> = (abs(from_nearest_3)) <= (this_44.tolerance_0);
+    var _S343 : bool;
+    if(_S340)
     {
-        _S341 = !is_y_2;
+        _S343 = !is_y_2;
     }
     else
     {
-        _S341 = false;
+        _S343 = false;
     }
     var arrival_2 : vec3<i32>;
-    if((any((select(vec3<bool>(false), !vec3<bool>(is_x_2, is_y_2, _S341), _S340)))))
+    if((any((select(vec3<bool>(false), !vec3<bool>(is_x_2, is_y_2, _S343), _S342)))))
     {
         arrival_2 = Walk_mirrored_0(this_44, leave_box_0(this_44.ray_14, Walk_mirrored_0(this_44, (*voxel_15)) + this_44.grid_origin_0, Walk_mirrored_plane_0(this_44, exit_4) + this_44.grid_origin_0, Walk_mirrored_plane_0(this_44, planes_3) + this_44.grid_origin_0) - this_44.grid_origin_0);
     }
     else
     {
-        arrival_2 = _S339;
+        arrival_2 = _S341;
     }
     (*voxel_15) = select(max(arrival_2, (*voxel_15)), (*voxel_15), (this_44.speed_1) == vec3<f32>(0.0f));
     return true;
 }
 
-fn first_voxel_0( grid_4 : PackedGrid_0,  walk_1 : Walk_0,  found_1 : ptr<function, vec3<i32>>) -> bool
+fn first_voxel_0( _S344 : u32,  _S345 : Walk_0,  _S346 : ptr<function, vec3<i32>>) -> bool
 {
-    var _S342 : Walk_0 = walk_1;
-    var _S343 : vec3<i32> = vec3<i32>(i32(0));
-    (*found_1) = _S343;
-    var voxel_16 : vec3<i32> = Walk_start_voxel_0(walk_1);
-    var _S344 : vec3<i32> = cell_of_0(grid_4.min_0);
-    var _S345 : vec3<i32> = cell_of_0(grid_4.max_0);
-    var _S346 : bool = Walk_enter_0(walk_1, &(voxel_16), _S344 - _S342.grid_origin_0, _S345 - _S342.grid_origin_0);
-    if(!_S346)
+    var _S347 : Walk_0 = _S345;
+    var _S348 : vec3<i32> = vec3<i32>(i32(0));
+    (*_S346) = _S348;
+    var voxel_16 : vec3<i32> = Walk_start_voxel_0(_S345);
+    var _S349 : bool = Walk_enter_0(_S345, &(voxel_16), cell_of_0(grids_0[_S344].min_0) - _S347.grid_origin_0, cell_of_0(grids_0[_S344].max_0) - _S347.grid_origin_0);
+    if(!_S349)
     {
         return false;
     }
-    var octant_3 : u32 = LocalRay_octant_0(_S342.ray_14);
-    var _S347 : u32 = flip_of_0(octant_3);
+    var octant_3 : u32 = LocalRay_octant_0(_S347.ray_14);
+    var _S350 : u32 = flip_of_0(octant_3);
     var top_shift_2 : u32;
     if(TOP_SHIFT_0 != u32(0))
     {
@@ -5225,33 +5219,18 @@ fn first_voxel_0( grid_4 : PackedGrid_0,  walk_1 : Walk_0,  found_1 : ptr<functi
     }
     else
     {
-        top_shift_2 = grid_4.top_shift_0;
+        top_shift_2 = grids_0[_S344].top_shift_0;
     }
-    var top_size_1 : vec3<i32> = cell_of_0(grid_4.top_size_0);
-    var _S348 : i32 = top_size_1.x;
-    var stride_0 : vec3<i32> = vec3<i32>(i32(1), _S348, _S348 * top_size_1.y);
-    var _S349 : i32 = i32(grid_4.top_offset_0) - dot_cells_0((stride_0 & ((_S342.mirror_0))), vec3<i32>(i32(1)));
-    var _S350 : vec3<i32> = Walk_mirrored_plane_0(_S342, stride_0);
-    var _S351 : u32 = ahead_of_0(_S342.mirror_0);
-    var end_0 : vec3<i32> = select((top_size_1 << (vec3<u32>(top_shift_2))), _S343, (_S342.mirror_0) != _S343);
+    var top_size_1 : vec3<i32> = cell_of_0(grids_0[_S344].top_size_0);
+    var _S351 : i32 = top_size_1.x;
+    var stride_0 : vec3<i32> = vec3<i32>(i32(1), _S351, _S351 * top_size_1.y);
+    var _S352 : i32 = i32(grids_0[_S344].top_offset_0) - dot_cells_0((stride_0 & ((_S347.mirror_0))), vec3<i32>(i32(1)));
+    var _S353 : vec3<i32> = Walk_mirrored_plane_0(_S347, stride_0);
+    var _S354 : u32 = ahead_of_0(_S347.mirror_0);
+    var end_0 : vec3<i32> = select((top_size_1 << (vec3<u32>(top_shift_2))), _S348, (_S347.mirror_0) != _S348);
     if(!IS_EXACT_0)
     {
-        _S342.t_end_0 = min(_S342.t_end_0, min_element_0(Walk_crossings_0(_S342, end_0)));
-    }
-    if(!IS_SINGLE_0)
-    {
-        var _S352 : f32 = _S342.t_end_0;
-        var _S353 : f32 = min_element_0(Walk_crossings_0(_S342, Walk_mirrored_plane_0(_S342, select(_S345, _S344, (_S342.mirror_0) != _S343) - _S342.grid_origin_0)));
-        var _S354 : f32;
-        if(IS_EXACT_0)
-        {
-            _S354 = 1.00000095367431641f;
-        }
-        else
-        {
-            _S354 = 1.0f;
-        }
-        _S342.t_end_0 = min(_S352, _S353 * _S354);
+        _S347.t_end_0 = min(_S347.t_end_0, min_element_0(Walk_crossings_0(_S347, end_0)));
     }
     var is_found_3 : bool = false;
     for(;;)
@@ -5269,7 +5248,7 @@ fn first_voxel_0( grid_4 : PackedGrid_0,  walk_1 : Walk_0,  found_1 : ptr<functi
         {
             break;
         }
-        var cell_13 : u32 = cell_word_0(u32(_S349 + dot_cells_0(_S350, (voxel_16 >> (vec3<u32>(top_shift_2))))));
+        var cell_13 : u32 = cell_word_0(u32(_S352 + dot_cells_0(_S353, (voxel_16 >> (vec3<u32>(top_shift_2))))));
         var cell_14 : u32;
         var shift_4 : u32;
         var is_found_4 : bool;
@@ -5277,7 +5256,7 @@ fn first_voxel_0( grid_4 : PackedGrid_0,  walk_1 : Walk_0,  found_1 : ptr<functi
         {
             if(((cell_13 & (u32(2147483648)))) != u32(0))
             {
-                var _S356 : u32 = cell_word_0(((cell_13 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_16, u32(3))) ^ (_S347))));
+                var _S356 : u32 = cell_word_0(((cell_13 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_16, u32(3))) ^ (_S350))));
                 cell_14 = _S356;
                 shift_4 = u32(3);
             }
@@ -5318,7 +5297,7 @@ fn first_voxel_0( grid_4 : PackedGrid_0,  walk_1 : Walk_0,  found_1 : ptr<functi
                     break;
                 }
                 var shift_5 : u32 = shift_4 - u32(2);
-                var _S358 : u32 = cell_word_0(((cell_14 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_16, shift_5)) ^ (_S347))));
+                var _S358 : u32 = cell_word_0(((cell_14 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_16, shift_5)) ^ (_S350))));
                 cell_14 = _S358;
                 shift_4 = shift_5;
             }
@@ -5336,7 +5315,7 @@ fn first_voxel_0( grid_4 : PackedGrid_0,  walk_1 : Walk_0,  found_1 : ptr<functi
             }
             else
             {
-                exit_5 = extents_0(cell_14, _S351);
+                exit_5 = extents_0(cell_14, _S354);
             }
             exit_5 = ((voxel_16 | (vec3<i32>((((i32(1) << (shift_4))) - i32(1)))))) + vec3<i32>(i32(1)) + ((exit_5 << (vec3<u32>(shift_4))));
             is_found_4 = is_found_3;
@@ -5354,7 +5333,7 @@ fn first_voxel_0( grid_4 : PackedGrid_0,  walk_1 : Walk_0,  found_1 : ptr<functi
                 var _S359 : u32 = blocks_of_record_0(record_3);
                 blocks_1 = _S359;
             }
-            var low_bits_0 : u32 = empty_around_0(record_3, blocks_1, voxel_16, octant_3, _S347);
+            var low_bits_0 : u32 = empty_around_0(record_3, blocks_1, voxel_16, octant_3, _S350);
             var is_found_5 : bool = low_bits_0 == u32(4294967295);
             if(is_found_5)
             {
@@ -5364,7 +5343,7 @@ fn first_voxel_0( grid_4 : PackedGrid_0,  walk_1 : Walk_0,  found_1 : ptr<functi
             exit_5 = ((voxel_16 | (vec3<i32>(i32(low_bits_0))))) + vec3<i32>(i32(1));
             is_found_4 = is_found_5;
         }
-        var _S360 : bool = Walk_leave_1(_S342, &(voxel_16), exit_5);
+        var _S360 : bool = Walk_leave_1(_S347, &(voxel_16), exit_5);
         if(!_S360)
         {
             is_found_3 = is_found_4;
@@ -5372,17 +5351,17 @@ fn first_voxel_0( grid_4 : PackedGrid_0,  walk_1 : Walk_0,  found_1 : ptr<functi
         }
         is_found_3 = is_found_4;
     }
-    (*found_1) = Walk_mirrored_0(_S342, voxel_16) + _S342.grid_origin_0;
+    (*_S346) = Walk_mirrored_0(_S347, voxel_16) + _S347.grid_origin_0;
     return is_found_3;
 }
 
-fn ray_of_walk_0( walk_2 : Walk_0,  ray_19 : Ray_0) -> Ray_0
+fn ray_of_walk_0( walk_1 : Walk_0,  ray_18 : Ray_0) -> Ray_0
 {
-    var is_mirrored_1 : vec3<bool> = (walk_2.mirror_0) != vec3<i32>(i32(0));
-    return Ray_x24init_0(select(walk_2.origin_9, (vec3<f32>(0) - walk_2.origin_9), is_mirrored_1) + vec3<f32>(walk_2.grid_origin_0), ray_19.t_min_0, select(walk_2.speed_1, (vec3<f32>(0) - walk_2.speed_1), is_mirrored_1), ray_19.t_max_0);
+    var is_mirrored_1 : vec3<bool> = (walk_1.mirror_0) != vec3<i32>(i32(0));
+    return Ray_x24init_0(select(walk_1.origin_9, (vec3<f32>(0) - walk_1.origin_9), is_mirrored_1) + vec3<f32>(walk_1.grid_origin_0), ray_18.t_min_0, select(walk_1.speed_1, (vec3<f32>(0) - walk_1.speed_1), is_mirrored_1), ray_18.t_max_0);
 }
 
-fn hit_of_0( ray_20 : LocalRay_0,  voxel_17 : vec3<i32>,  instance_10 : u32) -> Hit_0
+fn hit_of_0( ray_19 : LocalRay_0,  voxel_17 : vec3<i32>,  instance_10 : u32) -> Hit_0
 {
     var _S361 : vec3<f32>;
     var _S362 : bool;
@@ -5394,13 +5373,13 @@ fn hit_of_0( ray_20 : LocalRay_0,  voxel_17 : vec3<i32>,  instance_10 : u32) -> 
         {
             for(;;)
             {
-                _S361 = ray_20.direction_26;
-                if((ray_20.direction_26[u32(0)]) == 0.0f)
+                _S361 = ray_19.direction_26;
+                if((ray_19.direction_26[u32(0)]) == 0.0f)
                 {
                     last_5 = _S363;
                     break;
                 }
-                var crossing_3 : Crossing_0 = crossing_of_0(ray_20, u32(0), voxel_17[u32(0)] + i32((ray_20.direction_26[u32(0)]) < 0.0f));
+                var crossing_3 : Crossing_0 = crossing_of_0(ray_19, u32(0), voxel_17[u32(0)] + i32((ray_19.direction_26[u32(0)]) < 0.0f));
                 if((_S363.axis_1) == u32(3))
                 {
                     _S362 = true;
@@ -5430,7 +5409,7 @@ fn hit_of_0( ray_20 : LocalRay_0,  voxel_17 : vec3<i32>,  instance_10 : u32) -> 
                 {
                     break;
                 }
-                var crossing_4 : Crossing_0 = crossing_of_0(ray_20, u32(1), voxel_17[u32(1)] + i32((_S364[u32(1)]) < 0.0f));
+                var crossing_4 : Crossing_0 = crossing_of_0(ray_19, u32(1), voxel_17[u32(1)] + i32((_S364[u32(1)]) < 0.0f));
                 if((last_5.axis_1) == u32(3))
                 {
                     _S362 = true;
@@ -5456,7 +5435,7 @@ fn hit_of_0( ray_20 : LocalRay_0,  voxel_17 : vec3<i32>,  instance_10 : u32) -> 
                 {
                     break;
                 }
-                var crossing_5 : Crossing_0 = crossing_of_0(ray_20, u32(2), voxel_17[u32(2)] + i32((_S365[u32(2)]) < 0.0f));
+                var crossing_5 : Crossing_0 = crossing_of_0(ray_19, u32(2), voxel_17[u32(2)] + i32((_S365[u32(2)]) < 0.0f));
                 if((last_5.axis_1) == u32(3))
                 {
                     _S362 = true;
@@ -5477,22 +5456,22 @@ fn hit_of_0( ray_20 : LocalRay_0,  voxel_17 : vec3<i32>,  instance_10 : u32) -> 
     }
     var _S366 : Crossing_0 = last_5;
     var is_negative_1 : bool = (_S361[last_5.axis_1]) < 0.0f;
-    var t_11 : f32 = (f32(voxel_17[last_5.axis_1] + i32(is_negative_1)) - ray_20.origin_7[last_5.axis_1]) * ray_20.inverse_0[last_5.axis_1];
+    var t_11 : f32 = (f32(voxel_17[last_5.axis_1] + i32(is_negative_1)) - ray_19.origin_7[last_5.axis_1]) * ray_19.inverse_0[last_5.axis_1];
     var _S367 : f32;
-    if(t_11 > (ray_20.t_min_2))
+    if(t_11 > (ray_19.t_min_2))
     {
         _S367 = t_11;
     }
     else
     {
-        _S367 = ray_20.t_min_2;
+        _S367 = ray_19.t_min_2;
     }
     return Hit_x24init_0(_S367, instance_10, voxel_17, u32(2) * _S366.axis_1 + u32(is_negative_1));
 }
 
-fn hit_of_walk_0( walk_3 : Walk_0,  voxel_18 : vec3<i32>,  instance_11 : u32) -> Hit_0
+fn hit_of_walk_0( walk_2 : Walk_0,  voxel_18 : vec3<i32>,  instance_11 : u32) -> Hit_0
 {
-    var t_12 : vec3<f32> = Walk_crossings_0(walk_3, Walk_mirrored_0(walk_3, voxel_18 - walk_3.grid_origin_0));
+    var t_12 : vec3<f32> = Walk_crossings_0(walk_2, Walk_mirrored_0(walk_2, voxel_18 - walk_2.grid_origin_0));
     var last_6 : f32 = max_element_0(t_12);
     var _S368 : i32;
     if((t_12.z) == last_6)
@@ -5511,33 +5490,33 @@ fn hit_of_walk_0( walk_3 : Walk_0,  voxel_18 : vec3<i32>,  instance_11 : u32) ->
         }
     }
     var axis_5 : u32 = u32(_S368);
-    return Hit_x24init_0(max(last_6, walk_3.ray_14.t_min_2), instance_11, voxel_18, u32(2) * axis_5 + u32((walk_3.mirror_0[axis_5]) != i32(0)));
+    return Hit_x24init_0(max(last_6, walk_2.ray_14.t_min_2), instance_11, voxel_18, u32(2) * axis_5 + u32((walk_2.mirror_0[axis_5]) != i32(0)));
 }
 
-fn hit_in_0( instance_12 : u32,  grid_5 : PackedGrid_0,  ray_21 : ptr<function, Ray_0>) -> Hit_0
+fn hit_in_0( instance_12 : u32,  ray_20 : ptr<function, Ray_0>) -> Hit_0
 {
-    var _S369 : LocalRay_0 = local_ray_0((*ray_21), instance_12);
+    var _S369 : LocalRay_0 = local_ray_0((*ray_20), instance_12);
     if(!_S369.is_valid_0)
     {
         return miss_0();
     }
-    var walk_4 : Walk_0 = walk_of_0(_S369, grid_5);
+    var _S370 : Walk_0 = walk_of_0(_S369, instances_0[instance_12].grid_0);
     var voxel_19 : vec3<i32>;
-    var is_found_6 : bool = first_voxel_0(grid_5, walk_4, &(voxel_19));
-    var _S370 : bool;
+    var _S371 : bool = first_voxel_0(instances_0[instance_12].grid_0, _S370, &(voxel_19));
+    var _S372 : bool;
     if(IS_SINGLE_0)
     {
-        _S370 = !IS_EXACT_0;
+        _S372 = !IS_EXACT_0;
     }
     else
     {
-        _S370 = false;
+        _S372 = false;
     }
-    if(_S370)
+    if(_S372)
     {
-        (*ray_21) = ray_of_walk_0(walk_4, (*ray_21));
+        (*ray_20) = ray_of_walk_0(_S370, (*ray_20));
     }
-    if(!is_found_6)
+    if(!_S371)
     {
         return miss_0();
     }
@@ -5548,560 +5527,181 @@ fn hit_in_0( instance_12 : u32,  grid_5 : PackedGrid_0,  ray_21 : ptr<function, 
     }
     else
     {
-        hit_14 = hit_of_walk_0(walk_4, voxel_19, instance_12);
+        hit_14 = hit_of_walk_0(_S370, voxel_19, instance_12);
     }
-    if((hit_14.t_0) > ((*ray_21).t_max_0))
+    if((hit_14.t_0) > ((*ray_20).t_max_0))
     {
         return miss_0();
     }
     return hit_14;
 }
 
-fn walk_of_1( _S371 : LocalRay_0,  _S372 : u32) -> Walk_0
+fn entry_0( _S373 : u32,  _S374 : Ray_0,  _S375 : vec3<f32>) -> f32
 {
-    var walk_5 : Walk_0;
-    walk_5.ray_14 = _S371;
-    walk_5.grid_origin_0 = cell_of_0(grids_0[_S372].origin_0);
-    var is_negative_2 : vec3<bool> = (_S371.direction_26) < vec3<f32>(0.0f);
-    var _S373 : vec3<i32> = vec3<i32>(i32(0));
-    walk_5.mirror_0 = select(_S373, vec3<i32>(i32(-1)), is_negative_2);
-    var _S374 : vec3<i32>;
-    if(IS_EXACT_0)
+    var low_12 : vec3<f32> = (vector_of_0(instance_nodes_0[_S373].min_1) - _S374.origin_2) * _S375;
+    var high_5 : vec3<f32> = (vector_of_0(instance_nodes_0[_S373].max_1) - _S374.origin_2) * _S375;
+    var _S376 : f32 = max(_S374.t_min_0, max_element_0(min(low_12, high_5)));
+    var _S377 : f32;
+    if(_S376 <= (min(_S374.t_max_0, min_element_0(max(low_12, high_5)))))
     {
-        _S374 = Walk_mirrored_plane_0(walk_5, walk_5.grid_origin_0);
+        _S377 = _S376;
     }
     else
     {
-        _S374 = _S373;
+        _S377 = (bitcast<f32>((u32(2139095040))));
     }
-    walk_5.offset_0 = _S374;
-    var origin_11 : vec3<f32>;
-    if(IS_EXACT_0)
-    {
-        origin_11 = _S371.origin_7;
-    }
-    else
-    {
-        origin_11 = _S371.origin_7 - vec3<f32>(walk_5.grid_origin_0);
-    }
-    walk_5.origin_9 = select(origin_11, (vec3<f32>(0) - origin_11), is_negative_2);
-    walk_5.speed_1 = max(abs(_S371.direction_26), vec3<f32>(min_abs_direction_0()));
-    if(IS_EXACT_0)
-    {
-        origin_11 = abs(_S371.inverse_0);
-    }
-    else
-    {
-        origin_11 = vec3<f32>(1.0f) / walk_5.speed_1;
-    }
-    walk_5.inverse_1 = origin_11;
-    var top_shift_3 : u32;
-    if(TOP_SHIFT_0 != u32(0))
-    {
-        top_shift_3 = TOP_SHIFT_0;
-    }
-    else
-    {
-        top_shift_3 = grids_0[_S372].top_shift_0;
-    }
-    walk_5.tolerance_0 = LocalRay_tolerance_0(_S371, walk_5.grid_origin_0, walk_5.grid_origin_0 + (((cell_of_0(grids_0[_S372].top_size_0)) << (vec3<u32>(top_shift_3)))));
-    walk_5.t_end_0 = LocalRay_t_end_0(_S371);
-    return walk_5;
+    return _S377;
 }
 
-fn first_voxel_1( _S375 : u32,  _S376 : Walk_0,  _S377 : ptr<function, vec3<i32>>) -> bool
+fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_1 : u32) -> Hit_0
 {
-    var _S378 : Walk_0 = _S376;
-    var _S379 : vec3<i32> = vec3<i32>(i32(0));
-    (*_S377) = _S379;
-    var voxel_20 : vec3<i32> = Walk_start_voxel_0(_S376);
-    var _S380 : vec3<i32> = cell_of_0(grids_0[_S375].min_0);
-    var _S381 : vec3<i32> = cell_of_0(grids_0[_S375].max_0);
-    var _S382 : bool = Walk_enter_0(_S376, &(voxel_20), _S380 - _S378.grid_origin_0, _S381 - _S378.grid_origin_0);
-    if(!_S382)
-    {
-        return false;
-    }
-    var octant_4 : u32 = LocalRay_octant_0(_S378.ray_14);
-    var _S383 : u32 = flip_of_0(octant_4);
-    var top_shift_4 : u32;
-    if(TOP_SHIFT_0 != u32(0))
-    {
-        top_shift_4 = TOP_SHIFT_0;
-    }
-    else
-    {
-        top_shift_4 = grids_0[_S375].top_shift_0;
-    }
-    var top_size_2 : vec3<i32> = cell_of_0(grids_0[_S375].top_size_0);
-    var _S384 : i32 = top_size_2.x;
-    var stride_1 : vec3<i32> = vec3<i32>(i32(1), _S384, _S384 * top_size_2.y);
-    var _S385 : i32 = i32(grids_0[_S375].top_offset_0) - dot_cells_0((stride_1 & ((_S378.mirror_0))), vec3<i32>(i32(1)));
-    var _S386 : vec3<i32> = Walk_mirrored_plane_0(_S378, stride_1);
-    var _S387 : u32 = ahead_of_0(_S378.mirror_0);
-    var end_1 : vec3<i32> = select((top_size_2 << (vec3<u32>(top_shift_4))), _S379, (_S378.mirror_0) != _S379);
-    if(!IS_EXACT_0)
-    {
-        _S378.t_end_0 = min(_S378.t_end_0, min_element_0(Walk_crossings_0(_S378, end_1)));
-    }
-    if(!IS_SINGLE_0)
-    {
-        var _S388 : f32 = _S378.t_end_0;
-        var _S389 : f32 = min_element_0(Walk_crossings_0(_S378, Walk_mirrored_plane_0(_S378, select(_S381, _S380, (_S378.mirror_0) != _S379) - _S378.grid_origin_0)));
-        var _S390 : f32;
-        if(IS_EXACT_0)
-        {
-            _S390 = 1.00000095367431641f;
-        }
-        else
-        {
-            _S390 = 1.0f;
-        }
-        _S378.t_end_0 = min(_S388, _S389 * _S390);
-    }
-    var is_found_7 : bool = false;
-    for(;;)
-    {
-        var _S391 : bool;
-        if(IS_EXACT_0)
-        {
-            _S391 = (any((voxel_20 >= end_1)));
-        }
-        else
-        {
-            _S391 = false;
-        }
-        if(_S391)
-        {
-            break;
-        }
-        var cell_15 : u32 = cell_word_0(u32(_S385 + dot_cells_0(_S386, (voxel_20 >> (vec3<u32>(top_shift_4))))));
-        var cell_16 : u32;
-        var shift_6 : u32;
-        var is_found_8 : bool;
-        if(TOP_SHIFT_0 == u32(5))
-        {
-            if(((cell_15 & (u32(2147483648)))) != u32(0))
-            {
-                var _S392 : u32 = cell_word_0(((cell_15 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_20, u32(3))) ^ (_S383))));
-                cell_16 = _S392;
-                shift_6 = u32(3);
-            }
-            else
-            {
-                cell_16 = cell_15;
-                shift_6 = top_shift_4;
-            }
-        }
-        else
-        {
-            cell_16 = cell_15;
-            shift_6 = top_shift_4;
-            for(;;)
-            {
-                if(TOP_SHIFT_0 != u32(3))
-                {
-                    is_found_8 = shift_6 > u32(3);
-                }
-                else
-                {
-                    is_found_8 = false;
-                }
-                var _S393 : bool;
-                if(is_found_8)
-                {
-                    _S393 = ((cell_16 & (u32(2147483648)))) != u32(0);
-                }
-                else
-                {
-                    _S393 = false;
-                }
-                if(_S393)
-                {
-                }
-                else
-                {
-                    break;
-                }
-                var shift_7 : u32 = shift_6 - u32(2);
-                var _S394 : u32 = cell_word_0(((cell_16 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_20, shift_7)) ^ (_S383))));
-                cell_16 = _S394;
-                shift_6 = shift_7;
-            }
-        }
-        if(waits_for_pages_0())
-        {
-            break;
-        }
-        var exit_6 : vec3<i32>;
-        if(((cell_16 & (u32(2147483648)))) == u32(0))
-        {
-            if(CELLS_SKIP_0)
-            {
-                exit_6 = vec3<i32>((i32(skip_distance_0(cell_16, octant_4)) - i32(1)));
-            }
-            else
-            {
-                exit_6 = extents_0(cell_16, _S387);
-            }
-            exit_6 = ((voxel_20 | (vec3<i32>((((i32(1) << (shift_6))) - i32(1)))))) + vec3<i32>(i32(1)) + ((exit_6 << (vec3<u32>(shift_6))));
-            is_found_8 = is_found_7;
-        }
-        else
-        {
-            var record_4 : u32 = record_of_cell_0(cell_16);
-            var blocks_2 : u32;
-            if(CELLS_HAVE_BLOCKS_0)
-            {
-                blocks_2 = blocks_of_cell_0(cell_16);
-            }
-            else
-            {
-                var _S395 : u32 = blocks_of_record_0(record_4);
-                blocks_2 = _S395;
-            }
-            var low_bits_1 : u32 = empty_around_0(record_4, blocks_2, voxel_20, octant_4, _S383);
-            var is_found_9 : bool = low_bits_1 == u32(4294967295);
-            if(is_found_9)
-            {
-                is_found_7 = is_found_9;
-                break;
-            }
-            exit_6 = ((voxel_20 | (vec3<i32>(i32(low_bits_1))))) + vec3<i32>(i32(1));
-            is_found_8 = is_found_9;
-        }
-        var _S396 : bool = Walk_leave_1(_S378, &(voxel_20), exit_6);
-        if(!_S396)
-        {
-            is_found_7 = is_found_8;
-            break;
-        }
-        is_found_7 = is_found_8;
-    }
-    (*_S377) = Walk_mirrored_0(_S378, voxel_20) + _S378.grid_origin_0;
-    return is_found_7;
-}
-
-fn hit_in_1( _S397 : u32,  _S398 : u32,  _S399 : ptr<function, Ray_0>) -> Hit_0
-{
-    var _S400 : LocalRay_0 = local_ray_0((*_S399), _S397);
-    if(!_S400.is_valid_0)
-    {
-        return miss_0();
-    }
-    var _S401 : Walk_0 = walk_of_1(_S400, _S398);
-    var voxel_21 : vec3<i32>;
-    var _S402 : bool = first_voxel_1(_S398, _S401, &(voxel_21));
-    var _S403 : bool;
     if(IS_SINGLE_0)
     {
-        _S403 = !IS_EXACT_0;
+        var _S378 : Hit_0 = hit_in_0(u32(0), &((*given_0)));
+        return _S378;
     }
-    else
-    {
-        _S403 = false;
-    }
-    if(_S403)
-    {
-        (*_S399) = ray_of_walk_0(_S401, (*_S399));
-    }
-    if(!_S402)
-    {
-        return miss_0();
-    }
-    var hit_15 : Hit_0;
-    if(IS_EXACT_0)
-    {
-        hit_15 = hit_of_0(_S400, voxel_21, _S397);
-    }
-    else
-    {
-        hit_15 = hit_of_walk_0(_S401, voxel_21, _S397);
-    }
-    if((hit_15.t_0) > ((*_S399).t_max_0))
-    {
-        return miss_0();
-    }
-    return hit_15;
-}
-
-fn children_of_0( node_12 : u32) -> vec4<u32>
-{
-    return instance_rows_0[node_12 + u32(1)];
-}
-
-fn base_of_0( node_13 : u32) -> vec3<f32>
-{
-    return (bitcast<vec3<f32>>((instance_rows_0[node_13].xyz)));
-}
-
-fn sort_two_0( a_7 : ptr<function, u32>,  b_7 : ptr<function, u32>)
-{
-    var _S404 : u32 = min((*a_7), (*b_7));
-    (*b_7) = max((*a_7), (*b_7));
-    (*a_7) = _S404;
-    return;
-}
-
-fn met_children_0( node_14 : u32,  children_0 : vec4<u32>,  origin_12 : vec3<f32>,  inverse_2 : vec3<f32>,  t_min_3 : f32,  t_max_3 : f32) -> vec4<u32>
-{
-    var _S405 : vec3<f32> = (base_of_0(node_14) - origin_12) * inverse_2;
-    var _S406 : vec4<f32> = vec4<f32>(t_max_3);
-    var enter_0 : vec4<f32> = vec4<f32>(t_min_3);
-    var leave_0 : vec4<f32> = _S406;
-    var axis_6 : u32 = u32(0);
-    for(;;)
-    {
-        if(axis_6 < u32(3))
-        {
-        }
-        else
-        {
-            break;
-        }
-        var sides_0 : vec4<u32> = instance_rows_0[node_14 + u32(2) + axis_6];
-        var _S407 : vec4<f32> = vec4<f32>(inverse_2[axis_6]);
-        var _S408 : vec4<f32> = vec4<f32>(_S405[axis_6]);
-        var low_12 : vec4<f32> = (bitcast<vec4<f32>>(((sides_0 << (vec4<u32>(u32(16))))))) * _S407 + _S408;
-        var high_5 : vec4<f32> = (bitcast<vec4<f32>>(((sides_0 & (vec4<u32>(u32(4294901760))))))) * _S407 + _S408;
-        var _S409 : vec4<f32> = max(enter_0, min(low_12, high_5));
-        var _S410 : vec4<f32> = min(leave_0, max(low_12, high_5));
-        var _S411 : u32 = axis_6 + u32(1);
-        enter_0 = _S409;
-        leave_0 = _S410;
-        axis_6 = _S411;
-    }
-    var _S412 : vec4<u32> = vec4<u32>(u32(4294967295));
-    var keys_0 : vec4<u32> = select(_S412, ((((bitcast<vec4<u32>>((abs(enter_0)))) & (vec4<u32>(u32(4294967292))))) | (vec4<u32>(u32(0), u32(1), u32(2), u32(3)))), select(vec4<bool>(false), children_0 != _S412, enter_0 <= (leave_0 * vec4<f32>(1.00000202655792236f))));
-    var _S413 : u32 = keys_0[i32(0)];
-    var _S414 : u32 = keys_0[i32(1)];
-    sort_two_0(&(_S413), &(_S414));
-    var _S415 : u32 = keys_0[i32(2)];
-    var _S416 : u32 = keys_0[i32(3)];
-    sort_two_0(&(_S415), &(_S416));
-    var _S417 : u32 = _S413;
-    var _S418 : u32 = _S415;
-    sort_two_0(&(_S417), &(_S418));
-    keys_0[i32(0)] = _S417;
-    var _S419 : u32 = _S414;
-    var _S420 : u32 = _S416;
-    sort_two_0(&(_S419), &(_S420));
-    keys_0[i32(3)] = _S420;
-    var _S421 : u32 = _S419;
-    var _S422 : u32 = _S418;
-    sort_two_0(&(_S421), &(_S422));
-    keys_0[i32(1)] = _S421;
-    keys_0[i32(2)] = _S422;
-    return keys_0;
-}
-
-fn child_of_0( children_1 : vec4<u32>,  number_2 : u32) -> u32
-{
-    var half_3 : vec2<u32> = select(children_1.xy, children_1.zw, ((number_2 & (u32(2)))) != u32(0));
-    return select(half_3.x, half_3.y, ((number_2 & (u32(1)))) != u32(0));
-}
-
-fn grid_of_leaf_0( leaf_3 : vec4<u32>) -> PackedGrid_0
-{
-    var _S423 : PackedGrid_std430_0 = grids_0[leaf_3.y];
-    var grid_6 : PackedGrid_0;
-    grid_6.origin_0 = _S423.origin_0;
-    grid_6.top_shift_0 = _S423.top_shift_0;
-    grid_6.top_size_0 = _S423.top_size_0;
-    grid_6.top_offset_0 = _S423.top_offset_0;
-    grid_6.min_0 = _S423.min_0;
-    grid_6.voxels_0 = _S423.voxels_0;
-    grid_6.max_0 = _S423.max_0;
-    grid_6.material_bits_0 = _S423.material_bits_0;
-    var _S424 : u32 = leaf_3.z;
-    if(_S424 != u32(0))
-    {
-        var _S425 : vec4<i32> = vec4<i32>(instance_rows_0[_S424]);
-        var _S426 : vec4<i32> = vec4<i32>(instance_rows_0[_S424 + u32(1)]);
-        var _S427 : i32 = _S425.y;
-        var _S428 : i32 = _S425.z;
-        grid_6.min_0[i32(0)] = _S425.x;
-        grid_6.min_0[i32(1)] = _S427;
-        grid_6.min_0[i32(2)] = _S428;
-        var _S429 : i32 = _S426.y;
-        var _S430 : i32 = _S426.z;
-        grid_6.max_0[i32(0)] = _S426.x;
-        grid_6.max_0[i32(1)] = _S429;
-        grid_6.max_0[i32(2)] = _S430;
-    }
-    return grid_6;
-}
-
-fn is_before_1( hit_16 : Hit_0,  other_2 : Hit_0,  direction_28 : vec3<f32>) -> bool
-{
-    var _S431 : bool;
-    if((hit_16.t_0) != (other_2.t_0))
-    {
-        _S431 = true;
-    }
-    else
-    {
-        _S431 = Hit_is_miss_0(hit_16);
-    }
-    if(_S431)
-    {
-        return (hit_16.t_0) < (other_2.t_0);
-    }
-    if((hit_16.instance_1) != (other_2.instance_1))
-    {
-        return (hit_16.instance_1) < (other_2.instance_1);
-    }
-    var ahead_1 : vec3<i32> = select(hit_16.voxel_1 - other_2.voxel_1, other_2.voxel_1 - hit_16.voxel_1, (Transform_direction_0(hit_16.instance_1, direction_28)) < vec3<f32>(0.0f));
-    return (ahead_1.x + ahead_1.y + ahead_1.z) < i32(0);
-}
-
-fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_2 : u32) -> Hit_0
-{
-    var next_5 : u32;
-    var depth_0 : u32;
-    var _S432 : bool;
-    if(IS_SINGLE_0)
-    {
-        var _S433 : Hit_0 = hit_in_1(u32(0), instances_0[i32(0)].grid_0, &((*given_0)));
-        return _S433;
-    }
-    var ray_22 : Ray_0 = (*given_0);
+    var ray_21 : Ray_0 = (*given_0);
     var nearest_5 : Hit_0 = miss_0();
     if((params_0.instance_count_0) == u32(0))
     {
         return nearest_5;
     }
-    var is_zero_1 : vec3<bool> = !((abs(ray_22.direction_1)) >= vec3<f32>(1.00000006335638761e-28f));
-    var _S434 : vec3<f32> = select(reciprocal_0(select(ray_22.direction_1, vec3<f32>(1.0f), is_zero_1)), select(vec3<f32>(9.99999944211968977e+27f), vec3<f32>(-9.99999944211968977e+27f), (ray_22.direction_1) < vec3<f32>(0.0f)), is_zero_1);
-    var stack_0 : array<vec2<u32>, i32(64)>;
-    var next_6 : u32 = u32(0);
+    var is_zero_1 : vec3<bool> = !((abs(ray_21.direction_1)) >= vec3<f32>(1.17549435082228751e-38f));
+    var _S379 : vec3<f32> = select(reciprocal_0(select(ray_21.direction_1, vec3<f32>(1.0f), is_zero_1)), vec3<f32>(3.4028234663852886e+38f), is_zero_1);
+    var stack_0 : array<u32, i32(32)>;
+    var index_28 : u32 = u32(0);
     var nearest_6 : Hit_0 = nearest_5;
-    var depth_1 : u32 = u32(0);
+    var depth_0 : u32 = u32(0);
     for(;;)
     {
-        var next_7 : u32 = next_6;
-        var depth_2 : u32 = depth_1;
+        var depth_1 : u32;
+        var is_reached_0 : bool;
+        if((instance_nodes_0[index_28].is_leaf_0) != u32(0))
+        {
+            var _S380 : Hit_0 = hit_in_0(instance_nodes_0[index_28].index_0, &(ray_21));
+            var _S381 : Hit_0 = nearest_6;
+            if((_S380.t_0) < (nearest_6.t_0))
+            {
+                is_reached_0 = true;
+            }
+            else
+            {
+                if((_S380.t_0) == (_S381.t_0))
+                {
+                    is_reached_0 = (_S380.instance_1) < (nearest_6.instance_1);
+                }
+                else
+                {
+                    is_reached_0 = false;
+                }
+            }
+            var nearest_7 : Hit_0;
+            if(is_reached_0)
+            {
+                ray_21.t_max_0 = _S380.t_0;
+                if(is_any_enough_0)
+                {
+                    return _S380;
+                }
+                nearest_7 = _S380;
+            }
+            else
+            {
+                nearest_7 = nearest_6;
+            }
+            nearest_6 = nearest_7;
+            depth_1 = depth_0;
+        }
+        else
+        {
+            var _S382 : u32 = index_28 + u32(1);
+            var _S383 : f32 = entry_0(_S382, ray_21, _S379);
+            var _S384 : u32 = instance_nodes_0[index_28].index_0;
+            var _S385 : f32 = entry_0(instance_nodes_0[index_28].index_0, ray_21, _S379);
+            var _S386 : bool = _S383 <= _S385;
+            if(_S386)
+            {
+                index_28 = _S382;
+            }
+            else
+            {
+                index_28 = _S384;
+            }
+            var far_3 : u32;
+            if(_S386)
+            {
+                far_3 = _S384;
+            }
+            else
+            {
+                far_3 = _S382;
+            }
+            var INFINITY_0 : f32 = (bitcast<f32>((u32(2139095040))));
+            if((max(_S383, _S385)) < INFINITY_0)
+            {
+                var _S387 : u32 = depth_0 + u32(1);
+                stack_0[depth_0] = far_3;
+                depth_1 = _S387;
+            }
+            else
+            {
+                depth_1 = depth_0;
+            }
+            if((min(_S383, _S385)) < INFINITY_0)
+            {
+                depth_0 = depth_1;
+                continue;
+            }
+        }
+        is_reached_0 = false;
+        depth_0 = depth_1;
         for(;;)
         {
-            next_5 = next_7;
-            depth_0 = depth_2;
-            for(;;)
+            var _S388 : bool;
+            if(depth_0 > u32(0))
             {
-                var _S435 : bool = next_5 == u32(4294967295);
-                _S432 = _S435;
-                var _S436 : bool;
-                if(_S435)
-                {
-                    _S436 = depth_0 > u32(0);
-                }
-                else
-                {
-                    _S436 = false;
-                }
-                if(_S436)
-                {
-                }
-                else
-                {
-                    break;
-                }
-                var depth_3 : u32 = depth_0 - u32(1);
-                var nearest_waiting_0 : vec2<u32> = stack_0[depth_3];
-                if((bitcast<f32>((((stack_0[depth_3].x) & (u32(4294967292)))))) <= (ray_22.t_max_0))
-                {
-                    next_5 = nearest_waiting_0.y;
-                }
-                depth_0 = depth_3;
+                _S388 = !is_reached_0;
             }
-            if(((next_5 & (u32(2147483648)))) != u32(0))
+            else
+            {
+                _S388 = false;
+            }
+            if(_S388)
+            {
+            }
+            else
             {
                 break;
             }
-            var children_2 : vec4<u32> = children_of_0(next_5);
-            var met_1 : vec4<u32> = met_children_0(next_5, children_2, ray_22.origin_2, _S434, ray_22.t_min_0, ray_22.t_max_0);
-            var _S437 : u32 = met_1.w;
-            var depth_4 : u32;
-            if(_S437 != u32(4294967295))
-            {
-                var _S438 : u32 = depth_0 + u32(1);
-                stack_0[depth_0] = vec2<u32>(_S437, child_of_0(children_2, _S437));
-                depth_4 = _S438;
-            }
-            else
-            {
-                depth_4 = depth_0;
-            }
-            var _S439 : u32 = met_1.z;
-            var depth_5 : u32;
-            if(_S439 != u32(4294967295))
-            {
-                var _S440 : u32 = depth_4 + u32(1);
-                stack_0[depth_4] = vec2<u32>(_S439, child_of_0(children_2, _S439));
-                depth_5 = _S440;
-            }
-            else
-            {
-                depth_5 = depth_4;
-            }
-            var _S441 : u32 = met_1.y;
-            if(_S441 != u32(4294967295))
-            {
-                var _S442 : u32 = depth_5 + u32(1);
-                stack_0[depth_5] = vec2<u32>(_S441, child_of_0(children_2, _S441));
-                depth_2 = _S442;
-            }
-            else
-            {
-                depth_2 = depth_5;
-            }
-            var _S443 : u32 = met_1.x;
-            if(_S443 != u32(4294967295))
-            {
-                next_7 = child_of_0(children_2, _S443);
-            }
-            else
-            {
-                next_7 = u32(4294967295);
-            }
+            var depth_2 : u32 = depth_0 - u32(1);
+            is_reached_0 = (entry_0(stack_0[depth_2], ray_21, _S379)) < (bitcast<f32>((u32(2139095040))));
+            index_28 = stack_0[depth_2];
+            depth_0 = depth_2;
         }
-        if(_S432)
+        if(!is_reached_0)
         {
             break;
         }
-        var leaf_4 : vec4<u32> = instance_rows_0[(next_5 & (u32(2147483647)))];
-        var _S444 : Hit_0 = hit_in_0(leaf_4.x, grid_of_leaf_0(leaf_4), &(ray_22));
-        if(is_before_1(_S444, nearest_6, ray_22.direction_1))
-        {
-            ray_22.t_max_0 = _S444.t_0;
-            if(is_any_enough_0)
-            {
-                nearest_6 = _S444;
-                break;
-            }
-            nearest_6 = _S444;
-        }
-        next_6 = u32(4294967295);
-        depth_1 = depth_0;
     }
     return nearest_6;
 }
 
-fn WalkTracer_trace_0( ray_23 : ptr<function, Ray_0>,  is_any_enough_1 : bool) -> Hit_0
+fn WalkTracer_trace_0( ray_22 : ptr<function, Ray_0>,  is_any_enough_1 : bool) -> Hit_0
 {
-    var _S445 : Hit_0 = visit_0(&((*ray_23)), is_any_enough_1, u32(0));
-    return _S445;
+    var _S389 : Hit_0 = visit_0(&((*ray_22)), is_any_enough_1, u32(0));
+    return _S389;
 }
 
-fn hit_of_ray_0( sampler_1 : Sampler_0,  ray_24 : ptr<function, Ray_0>,  is_shadow_ray_1 : bool,  path_10 : ptr<function, Path_0>,  shadow_inside_3 : ptr<function, Inside_0>,  relocates_3 : ptr<function, bool>,  path_relocates_3 : ptr<function, bool>,  beyond_9 : ptr<function, u32>) -> Hit_0
+fn hit_of_ray_0( sampler_1 : Sampler_0,  ray_23 : ptr<function, Ray_0>,  is_shadow_ray_1 : bool,  path_10 : ptr<function, Path_0>,  shadow_inside_3 : ptr<function, Inside_0>,  relocates_3 : ptr<function, bool>,  path_relocates_3 : ptr<function, bool>,  beyond_9 : ptr<function, u32>) -> Hit_0
 {
     (*beyond_9) = u32(4294967295);
-    var _S446 : Hit_0 = WalkTracer_trace_0(&((*ray_24)), is_shadow_ray_1);
-    return _S446;
+    var _S390 : Hit_0 = WalkTracer_trace_0(&((*ray_23)), is_shadow_ray_1);
+    return _S390;
 }
 
-fn Walker_arrives_0( this_45 : ptr<function, Walker_0>,  hit_17 : Hit_0,  beyond_10 : u32,  light_9 : ptr<function, vec3<f32>>) -> bool
+fn Walker_arrives_0( this_45 : ptr<function, Walker_0>,  hit_15 : Hit_0,  beyond_10 : u32,  light_9 : ptr<function, vec3<f32>>) -> bool
 {
-    if(Hit_is_miss_0(hit_17))
+    if(Hit_is_miss_0(hit_15))
     {
         (*light_9) = (*light_9) + (*this_45).light_5;
     }
@@ -6110,84 +5710,84 @@ fn Walker_arrives_0( this_45 : ptr<function, Walker_0>,  hit_17 : Hit_0,  beyond
 
 fn goes_on_5( at_10 : ptr<function, Walker_0>,  sample_13 : ptr<function, Sample_0>) -> bool
 {
-    var _S447 : Hit_0 = miss_0();
+    var _S391 : Hit_0 = miss_0();
     var beyond_11 : u32 = u32(4294967295);
-    var hit_18 : Hit_0;
+    var hit_16 : Hit_0;
     if(!(*at_10).is_at_cell_0)
     {
-        var _S448 : Ray_0 = (*at_10).ray_10;
-        var _S449 : Path_0 = (*at_10).path_7;
-        var _S450 : Inside_0 = (*at_10).shadow_inside_2;
-        var _S451 : bool = (*at_10).relocates_2;
-        var _S452 : bool = (*at_10).path_relocates_2;
-        var _S453 : Hit_0 = hit_of_ray_0((*at_10).path_7.sampler_0, &(_S448), (*at_10).is_shadow_ray_0, &(_S449), &(_S450), &(_S451), &(_S452), &(beyond_11));
-        (*at_10).ray_10 = _S448;
-        (*at_10).path_7 = _S449;
-        (*at_10).shadow_inside_2 = _S450;
-        (*at_10).relocates_2 = _S451;
-        (*at_10).path_relocates_2 = _S452;
+        var _S392 : Ray_0 = (*at_10).ray_10;
+        var _S393 : Path_0 = (*at_10).path_7;
+        var _S394 : Inside_0 = (*at_10).shadow_inside_2;
+        var _S395 : bool = (*at_10).relocates_2;
+        var _S396 : bool = (*at_10).path_relocates_2;
+        var _S397 : Hit_0 = hit_of_ray_0((*at_10).path_7.sampler_0, &(_S392), (*at_10).is_shadow_ray_0, &(_S393), &(_S394), &(_S395), &(_S396), &(beyond_11));
+        (*at_10).ray_10 = _S392;
+        (*at_10).path_7 = _S393;
+        (*at_10).shadow_inside_2 = _S394;
+        (*at_10).relocates_2 = _S395;
+        (*at_10).path_relocates_2 = _S396;
         if((*at_10).is_shadow_ray_0)
         {
-            var _S454 : vec3<f32> = (*sample_13).light_6;
-            var _S455 : bool = Walker_arrives_0(&((*at_10)), _S453, beyond_11, &(_S454));
-            (*sample_13).light_6 = _S454;
-            (*at_10).is_shadow_ray_0 = _S455;
-            if(_S455)
+            var _S398 : vec3<f32> = (*sample_13).light_6;
+            var _S399 : bool = Walker_arrives_0(&((*at_10)), _S397, beyond_11, &(_S398));
+            (*sample_13).light_6 = _S398;
+            (*at_10).is_shadow_ray_0 = _S399;
+            if(_S399)
             {
                 return true;
             }
             (*at_10).ray_10 = ray_from_0((*at_10).ray_10.origin_2, (*at_10).direction_25);
             return (any((((*at_10).direction_25) != vec3<f32>(0.0f))));
         }
-        hit_18 = _S453;
+        hit_16 = _S397;
     }
     else
     {
-        hit_18 = _S447;
+        hit_16 = _S391;
     }
-    var _S456 : bool = goes_on_from_0(&((*at_10)), hit_18, beyond_11, &((*sample_13)));
-    return _S456;
+    var _S400 : bool = goes_on_from_0(&((*at_10)), hit_16, beyond_11, &((*sample_13)));
+    return _S400;
 }
 
 fn goes_on_6( at_11 : ptr<function, Walker_0>,  sample_14 : ptr<function, Sample_0>) -> bool
 {
-    var _S457 : Hit_0 = miss_0();
+    var _S401 : Hit_0 = miss_0();
     var beyond_12 : u32 = u32(4294967295);
-    var hit_19 : Hit_0;
+    var hit_17 : Hit_0;
     if(!(*at_11).is_at_cell_0)
     {
-        var _S458 : Ray_0 = (*at_11).ray_10;
-        var _S459 : Path_0 = (*at_11).path_7;
-        var _S460 : Inside_0 = (*at_11).shadow_inside_2;
-        var _S461 : bool = (*at_11).relocates_2;
-        var _S462 : bool = (*at_11).path_relocates_2;
-        var _S463 : Hit_0 = hit_of_ray_0((*at_11).path_7.sampler_0, &(_S458), (*at_11).is_shadow_ray_0, &(_S459), &(_S460), &(_S461), &(_S462), &(beyond_12));
-        (*at_11).ray_10 = _S458;
-        (*at_11).path_7 = _S459;
-        (*at_11).shadow_inside_2 = _S460;
-        (*at_11).relocates_2 = _S461;
-        (*at_11).path_relocates_2 = _S462;
+        var _S402 : Ray_0 = (*at_11).ray_10;
+        var _S403 : Path_0 = (*at_11).path_7;
+        var _S404 : Inside_0 = (*at_11).shadow_inside_2;
+        var _S405 : bool = (*at_11).relocates_2;
+        var _S406 : bool = (*at_11).path_relocates_2;
+        var _S407 : Hit_0 = hit_of_ray_0((*at_11).path_7.sampler_0, &(_S402), (*at_11).is_shadow_ray_0, &(_S403), &(_S404), &(_S405), &(_S406), &(beyond_12));
+        (*at_11).ray_10 = _S402;
+        (*at_11).path_7 = _S403;
+        (*at_11).shadow_inside_2 = _S404;
+        (*at_11).relocates_2 = _S405;
+        (*at_11).path_relocates_2 = _S406;
         if((*at_11).is_shadow_ray_0)
         {
-            var _S464 : vec3<f32> = (*sample_14).light_6;
-            var _S465 : bool = Walker_arrives_0(&((*at_11)), _S463, beyond_12, &(_S464));
-            (*sample_14).light_6 = _S464;
-            (*at_11).is_shadow_ray_0 = _S465;
-            if(_S465)
+            var _S408 : vec3<f32> = (*sample_14).light_6;
+            var _S409 : bool = Walker_arrives_0(&((*at_11)), _S407, beyond_12, &(_S408));
+            (*sample_14).light_6 = _S408;
+            (*at_11).is_shadow_ray_0 = _S409;
+            if(_S409)
             {
                 return true;
             }
             (*at_11).ray_10 = ray_from_0((*at_11).ray_10.origin_2, (*at_11).direction_25);
             return (any((((*at_11).direction_25) != vec3<f32>(0.0f))));
         }
-        hit_19 = _S463;
+        hit_17 = _S407;
     }
     else
     {
-        hit_19 = _S457;
+        hit_17 = _S401;
     }
-    var _S466 : bool = goes_on_from_1(&((*at_11)), hit_19, beyond_12, &((*sample_14)));
-    return _S466;
+    var _S410 : bool = goes_on_from_1(&((*at_11)), hit_17, beyond_12, &((*sample_14)));
+    return _S410;
 }
 
 fn PathTracingOf_jitter_0( sampler_2 : Sampler_0) -> vec4<f32>
@@ -6197,30 +5797,30 @@ fn PathTracingOf_jitter_0( sampler_2 : Sampler_0) -> vec4<f32>
 
 fn Sample_x24init_0( direct_1 : vec3<f32>,  light_10 : vec3<f32>,  is_shown_1 : bool,  albedo_1 : vec3<f32>,  normal_5 : vec3<f32>,  place_5 : vec3<f32>,  instance_13 : u32) -> Sample_0
 {
-    var _S467 : Sample_0;
-    _S467.direct_0 = direct_1;
-    _S467.light_6 = light_10;
-    _S467.is_shown_0 = is_shown_1;
-    _S467.albedo_0 = albedo_1;
-    _S467.normal_4 = normal_5;
-    _S467.place_3 = place_5;
-    _S467.instance_7 = instance_13;
-    return _S467;
+    var _S411 : Sample_0;
+    _S411.direct_0 = direct_1;
+    _S411.light_6 = light_10;
+    _S411.is_shown_0 = is_shown_1;
+    _S411.albedo_0 = albedo_1;
+    _S411.normal_4 = normal_5;
+    _S411.place_3 = place_5;
+    _S411.instance_7 = instance_13;
+    return _S411;
 }
 
 fn no_sample_0() -> Sample_0
 {
-    var _S468 : vec3<f32> = vec3<f32>(0.0f);
-    return Sample_x24init_0(_S468, _S468, false, _S468, _S468, _S468, u32(4294967295));
+    var _S412 : vec3<f32> = vec3<f32>(0.0f);
+    return Sample_x24init_0(_S412, _S412, false, _S412, _S412, _S412, u32(4294967295));
 }
 
 fn Sampler_x24init_0( seed_3 : u32,  pixel_1 : u32,  sample_15 : u32) -> Sampler_0
 {
-    var _S469 : Sampler_0;
-    _S469.seed_1 = seed_3;
-    _S469.pixel_0 = pixel_1;
-    _S469.sample_0 = sample_15;
-    return _S469;
+    var _S413 : Sampler_0;
+    _S413.seed_1 = seed_3;
+    _S413.pixel_0 = pixel_1;
+    _S413.sample_0 = sample_15;
+    return _S413;
 }
 
 struct Item_0
@@ -6235,14 +5835,14 @@ struct Item_0
 
 fn Item_x24init_0( traces_1 : bool,  kind_3 : u32,  at_13 : vec2<u32>,  place_7 : u32,  slot_2 : u32,  sampler_4 : Sampler_0) -> Item_0
 {
-    var _S470 : Item_0;
-    _S470.traces_0 = traces_1;
-    _S470.kind_2 = kind_3;
-    _S470.at_12 = at_13;
-    _S470.place_6 = place_7;
-    _S470.slot_1 = slot_2;
-    _S470.sampler_3 = sampler_4;
-    return _S470;
+    var _S414 : Item_0;
+    _S414.traces_0 = traces_1;
+    _S414.kind_2 = kind_3;
+    _S414.at_12 = at_13;
+    _S414.place_6 = place_7;
+    _S414.slot_1 = slot_2;
+    _S414.sampler_3 = sampler_4;
+    return _S414;
 }
 
 fn has_0( flag_0 : u32) -> bool
@@ -6264,9 +5864,9 @@ fn threads_that_trace_0() -> u32
     return columns_0 * ((params_0.height_0 + u32(7)) / u32(8)) * u32(64);
 }
 
-fn place_of_chosen_0( number_3 : u32) -> u32
+fn place_of_chosen_0( number_2 : u32) -> u32
 {
-    return u32(524304) + number_3;
+    return u32(524304) + number_2;
 }
 
 fn Item_key_0( this_46 : Item_0,  rank_3 : ptr<function, u32>) -> Key_0
@@ -6289,58 +5889,58 @@ fn pixel_that_traces_0( thread_1 : u32) -> vec2<u32>
 {
     if(!has_0(u32(128)))
     {
-        var _S471 : vec2<u32> = pixel_of_thread_0(thread_1);
-        return _S471;
+        var _S415 : vec2<u32> = pixel_of_thread_0(thread_1);
+        return _S415;
     }
     var tiles_1 : u32 = (params_0.width_0 + u32(15)) / u32(16);
     var tile_1 : u32 = thread_1 / u32(64);
     var in_tile_1 : u32 = (thread_1 & (u32(63)));
     var row_3 : u32 = tile_1 / tiles_1;
-    var _S472 : u32 = row_3 * u32(8) + ((in_tile_1 >> (u32(3))));
-    var at_14 : vec2<u32> = vec2<u32>((tile_1 - row_3 * tiles_1) * u32(16) + u32(2) * ((in_tile_1 & (u32(7)))), _S472);
-    at_14[i32(0)] = at_14[i32(0)] + (((_S472 + real_time_0.number_0) & (u32(1))));
+    var _S416 : u32 = row_3 * u32(8) + ((in_tile_1 >> (u32(3))));
+    var at_14 : vec2<u32> = vec2<u32>((tile_1 - row_3 * tiles_1) * u32(16) + u32(2) * ((in_tile_1 & (u32(7)))), _S416);
+    at_14[i32(0)] = at_14[i32(0)] + (((_S416 + real_time_0.number_0) & (u32(1))));
     return at_14;
 }
 
 fn squares_1() -> vec2<u32>
 {
-    var _S473 : vec2<u32> = vec2<u32>(u32(5));
-    var _S474 : vec2<u32> = (vec2<u32>(params_0.width_0, params_0.height_0) + _S473 - vec2<u32>(u32(1))) / _S473;
-    return _S474;
+    var _S417 : vec2<u32> = vec2<u32>(u32(5));
+    var _S418 : vec2<u32> = (vec2<u32>(params_0.width_0, params_0.height_0) + _S417 - vec2<u32>(u32(1))) / _S417;
+    return _S418;
 }
 
-fn pixel_of_square_0( square_1 : u32,  number_4 : u32) -> vec2<u32>
+fn pixel_of_square_0( square_1 : u32,  number_3 : u32) -> vec2<u32>
 {
     var columns_1 : u32 = squares_1().x;
-    var _S475 : u32 = square_1 % columns_1;
-    var _S476 : u32 = square_1 / columns_1;
-    var at_15 : vec2<u32> = vec2<u32>(_S475, _S476);
-    var _S477 : vec2<u32> = vec2<u32>(u32(5));
-    var _S478 : vec2<u32> = at_15 * _S477;
-    var _S479 : vec2<u32> = pcg4d_0(vec4<u32>(at_15, number_4, u32(3266489909))).xy % _S477;
-    return min(_S478 + _S479, vec2<u32>(params_0.width_0, params_0.height_0) - vec2<u32>(u32(1)));
+    var _S419 : u32 = square_1 % columns_1;
+    var _S420 : u32 = square_1 / columns_1;
+    var at_15 : vec2<u32> = vec2<u32>(_S419, _S420);
+    var _S421 : vec2<u32> = vec2<u32>(u32(5));
+    var _S422 : vec2<u32> = at_15 * _S421;
+    var _S423 : vec2<u32> = pcg4d_0(vec4<u32>(at_15, number_3, u32(3266489909))).xy % _S421;
+    return min(_S422 + _S423, vec2<u32>(params_0.width_0, params_0.height_0) - vec2<u32>(u32(1)));
 }
 
 fn is_inside_0( at_16 : vec2<i32>) -> bool
 {
-    var _S480 : bool;
+    var _S424 : bool;
     if((all((at_16 >= vec2<i32>(i32(0))))))
     {
-        _S480 = (at_16.x) < i32(params_0.width_0);
+        _S424 = (at_16.x) < i32(params_0.width_0);
     }
     else
     {
-        _S480 = false;
+        _S424 = false;
     }
-    if(_S480)
+    if(_S424)
     {
-        _S480 = (at_16.y) < i32(params_0.height_0);
+        _S424 = (at_16.y) < i32(params_0.height_0);
     }
     else
     {
-        _S480 = false;
+        _S424 = false;
     }
-    return _S480;
+    return _S424;
 }
 
 fn place_of_square_0( list_0 : u32,  square_2 : u32) -> u32
@@ -6354,32 +5954,32 @@ fn index_of_0( at_17 : vec2<u32>) -> u32
     return at_17.y * params_0.width_0 + at_17.x;
 }
 
-fn item_of_0( number_5 : u32) -> Item_0
+fn item_of_0( number_4 : u32) -> Item_0
 {
     var item_0 : Item_0 = Item_x24init_0(false, u32(0), vec2<u32>(vec2<i32>(i32(0))), u32(0), u32(0), Sampler_x24init_0(u32(0), u32(0), u32(0)));
     var cells_2 : u32 = real_time_0.cells_0;
     var pixels_1 : u32 = threads_that_trace_0();
     var count_7 : u32 = real_time_0.squares_0;
-    if(number_5 < (real_time_0.cells_0))
+    if(number_4 < (real_time_0.cells_0))
     {
-        var _S481 : u32 = atomicLoad(&(cell_keys_0[u32(2)]));
-        var _S482 : bool = number_5 < _S481;
-        item_0.traces_0 = _S482;
-        if(_S482)
+        var _S425 : u32 = atomicLoad(&(cell_keys_0[u32(2)]));
+        var _S426 : bool = number_4 < _S425;
+        item_0.traces_0 = _S426;
+        if(_S426)
         {
-            var _S483 : u32 = atomicLoad(&(cell_keys_0[place_of_chosen_0(number_5)]));
-            item_0.place_6 = _S483;
-            item_0.slot_1 = real_time_0.pixels_0 + count_7 + number_5;
+            var _S427 : u32 = atomicLoad(&(cell_keys_0[place_of_chosen_0(number_4)]));
+            item_0.place_6 = _S427;
+            item_0.slot_1 = real_time_0.pixels_0 + count_7 + number_4;
             var rank_4 : u32;
             item_0.sampler_3 = Sampler_x24init_0(((params_0.seed_0) ^ (u32(1540483477))), Key_hash_0(Item_key_0(item_0, &(rank_4))).x, real_time_0.number_0);
         }
         return item_0;
     }
-    var _S484 : u32 = number_5 - cells_2;
-    var _S485 : vec2<u32> = pixel_that_traces_0(_S484);
-    item_0.at_12 = _S485;
-    var square_3 : u32 = _S484 - pixels_1;
-    var is_square_0 : bool = number_5 >= (cells_2 + pixels_1);
+    var _S428 : u32 = number_4 - cells_2;
+    var _S429 : vec2<u32> = pixel_that_traces_0(_S428);
+    item_0.at_12 = _S429;
+    var square_3 : u32 = _S428 - pixels_1;
+    var is_square_0 : bool = number_4 >= (cells_2 + pixels_1);
     var is_again_0 : bool;
     if(is_square_0)
     {
@@ -6407,82 +6007,82 @@ fn item_of_0( number_5 : u32) -> Item_0
     {
         frame_0 = real_time_0.number_0;
     }
-    var _S486 : u32;
+    var _S430 : u32;
     if(is_again_0)
     {
-        _S486 = u32(3);
+        _S430 = u32(3);
     }
     else
     {
         if(is_square_0)
         {
-            _S486 = u32(2);
+            _S430 = u32(2);
         }
         else
         {
-            _S486 = u32(1);
+            _S430 = u32(1);
         }
     }
-    item_0.kind_2 = _S486;
+    item_0.kind_2 = _S430;
     if(is_square_0)
     {
-        var _S487 : vec2<u32> = pixel_of_square_0(square_4, frame_0);
-        item_0.at_12 = _S487;
+        var _S431 : vec2<u32> = pixel_of_square_0(square_4, frame_0);
+        item_0.at_12 = _S431;
     }
-    var _S488 : bool;
+    var _S432 : bool;
     if(is_square_0)
     {
         if(is_again_0)
         {
-            _S486 = real_time_0.again_0;
+            _S430 = real_time_0.again_0;
         }
         else
         {
-            _S486 = count_7;
+            _S430 = count_7;
         }
-        _S488 = square_4 < _S486;
+        _S432 = square_4 < _S430;
     }
     else
     {
-        _S488 = is_inside_0(vec2<i32>(item_0.at_12));
+        _S432 = is_inside_0(vec2<i32>(item_0.at_12));
     }
-    item_0.traces_0 = _S488;
+    item_0.traces_0 = _S432;
     if(is_square_0)
     {
         if(is_again_0)
         {
-            _S486 = u32(2);
+            _S430 = u32(2);
         }
         else
         {
-            _S486 = (frame_0 & (u32(1)));
+            _S430 = (frame_0 & (u32(1)));
         }
-        _S486 = place_of_square_0(_S486, square_4);
+        _S430 = place_of_square_0(_S430, square_4);
     }
     else
     {
-        _S486 = index_of_0(item_0.at_12);
+        _S430 = index_of_0(item_0.at_12);
     }
-    item_0.place_6 = _S486;
+    item_0.place_6 = _S430;
     if(is_square_0)
     {
-        _S486 = real_time_0.pixels_0 + square_4;
+        _S430 = real_time_0.pixels_0 + square_4;
     }
     else
     {
-        _S486 = item_0.place_6;
+        _S430 = item_0.place_6;
     }
-    item_0.slot_1 = _S486;
-    var _S489 : u32 = params_0.seed_0;
+    item_0.slot_1 = _S430;
+    var _S433 : u32 = params_0.seed_0;
     if(is_square_0)
     {
-        _S486 = u32(3266489909);
+        _S430 = u32(3266489909);
     }
     else
     {
-        _S486 = u32(2654435769);
+        _S430 = u32(2654435769);
     }
-    item_0.sampler_3 = Sampler_x24init_0((_S489 ^ (_S486)), index_of_0(item_0.at_12), frame_0);
+    item_0.sampler_3 = Sampler_x24init_0((_S433 ^ (_S430)), index_of_0(item_0.at_12), frame_0);
     return item_0;
 }
 
@@ -6493,28 +6093,28 @@ fn Item_is_cell_0( this_47 : Item_0) -> bool
 
 fn Key_voxel_0( this_48 : Key_0,  code_3 : u32,  scramble_0 : u32) -> vec3<i32>
 {
-    var _S490 : u32 = Key_level_0(this_48);
-    var bits_4 : u32 = ((u32(1) << (_S490))) - u32(1);
+    var _S434 : u32 = Key_level_0(this_48);
+    var bits_4 : u32 = ((u32(1) << (_S434))) - u32(1);
     var place_8 : u32 = ((code_3 - u32(1)) ^ (((scramble_0 & ((Key_mask_0(this_48)))))));
-    return (((this_48.cube_0) << (vec3<u32>(u32(i32(_S490)))))) + vec3<i32>(i32((place_8 & (bits_4))), i32((((place_8 >> (_S490))) & (bits_4))), i32((((place_8 >> ((u32(2) * _S490)))) & (bits_4))));
+    return (((this_48.cube_0) << (vec3<u32>(u32(i32(_S434)))))) + vec3<i32>(i32((place_8 & (bits_4))), i32((((place_8 >> (_S434))) & (bits_4))), i32((((place_8 >> ((u32(2) * _S434)))) & (bits_4))));
 }
 
 fn Path_x24init_0( sampler_5 : Sampler_0,  bounce_3 : u32,  event_2 : u32,  kinds_1 : u32,  scattered_4 : u32,  beta_1 : vec3<f32>,  pdf_12 : f32,  normal_6 : vec3<f32>,  selection_4 : Selection_0,  passed_t_1 : f32,  inside_6 : Inside_0,  is_clipped_1 : bool) -> Path_0
 {
-    var _S491 : Path_0;
-    _S491.sampler_0 = sampler_5;
-    _S491.bounce_0 = bounce_3;
-    _S491.event_0 = event_2;
-    _S491.kinds_0 = kinds_1;
-    _S491.scattered_0 = scattered_4;
-    _S491.beta_0 = beta_1;
-    _S491.pdf_1 = pdf_12;
-    _S491.normal_0 = normal_6;
-    _S491.selection_0 = selection_4;
-    _S491.passed_t_0 = passed_t_1;
-    _S491.inside_0 = inside_6;
-    _S491.is_clipped_0 = is_clipped_1;
-    return _S491;
+    var _S435 : Path_0;
+    _S435.sampler_0 = sampler_5;
+    _S435.bounce_0 = bounce_3;
+    _S435.event_0 = event_2;
+    _S435.kinds_0 = kinds_1;
+    _S435.scattered_0 = scattered_4;
+    _S435.beta_0 = beta_1;
+    _S435.pdf_1 = pdf_12;
+    _S435.normal_0 = normal_6;
+    _S435.selection_0 = selection_4;
+    _S435.passed_t_0 = passed_t_1;
+    _S435.inside_0 = inside_6;
+    _S435.is_clipped_0 = is_clipped_1;
+    return _S435;
 }
 
 fn path_from_0( sampler_6 : Sampler_0) -> Path_0
@@ -6524,9 +6124,9 @@ fn path_from_0( sampler_6 : Sampler_0) -> Path_0
 
 fn orthonormal_pair_0( z_1 : vec3<f32>,  x_10 : ptr<function, vec3<f32>>,  y_5 : ptr<function, vec3<f32>>)
 {
-    var _S492 : f32 = z_1.z;
+    var _S436 : f32 = z_1.z;
     var sign_1 : f32;
-    if(_S492 < 0.0f)
+    if(_S436 < 0.0f)
     {
         sign_1 = -1.0f;
     }
@@ -6534,12 +6134,12 @@ fn orthonormal_pair_0( z_1 : vec3<f32>,  x_10 : ptr<function, vec3<f32>>,  y_5 :
     {
         sign_1 = 1.0f;
     }
-    var a_8 : f32 = divide_0(-1.0f, sign_1 + _S492);
-    var _S493 : f32 = z_1.x;
-    var _S494 : f32 = z_1.y;
-    var b_8 : f32 = _S493 * _S494 * a_8;
-    (*x_10) = vec3<f32>(1.0f + sign_1 * _S493 * _S493 * a_8, sign_1 * b_8, - sign_1 * _S493);
-    (*y_5) = vec3<f32>(b_8, sign_1 + _S494 * _S494 * a_8, - _S494);
+    var a_7 : f32 = divide_0(-1.0f, sign_1 + _S436);
+    var _S437 : f32 = z_1.x;
+    var _S438 : f32 = z_1.y;
+    var b_7 : f32 = _S437 * _S438 * a_7;
+    (*x_10) = vec3<f32>(1.0f + sign_1 * _S437 * _S437 * a_7, sign_1 * b_7, - sign_1 * _S437);
+    (*y_5) = vec3<f32>(b_7, sign_1 + _S438 * _S438 * a_7, - _S438);
     return;
 }
 
@@ -6550,57 +6150,57 @@ fn direction_from_cell_0( sampler_7 : Sampler_0,  normal_7 : vec3<f32>,  pdf_13 
     var y_6 : vec3<f32>;
     orthonormal_pair_0(normal_7, &(x_11), &(y_6));
     var local_4 : vec3<f32> = cosine_hemisphere_0(u_19.z, u_19.w);
-    var _S495 : f32 = local_4.z;
-    (*pdf_13) = cosine_hemisphere_pdf_0(_S495);
-    return x_11 * vec3<f32>(local_4.x) + y_6 * vec3<f32>(local_4.y) + normal_7 * vec3<f32>(_S495);
+    var _S439 : f32 = local_4.z;
+    (*pdf_13) = cosine_hemisphere_pdf_0(_S439);
+    return x_11 * vec3<f32>(local_4.x) + y_6 * vec3<f32>(local_4.y) + normal_7 * vec3<f32>(_S439);
 }
 
-fn Surface_x24init_0( origin_13 : vec3<f32>,  normal_8 : vec3<f32>,  face_8 : u32,  instance_14 : u32) -> Surface_0
+fn Surface_x24init_0( origin_11 : vec3<f32>,  normal_8 : vec3<f32>,  face_8 : u32,  instance_14 : u32) -> Surface_0
 {
-    var _S496 : Surface_0;
-    _S496.origin_4 = origin_13;
-    _S496.normal_2 = normal_8;
-    _S496.face_1 = face_8;
-    _S496.instance_3 = instance_14;
-    return _S496;
+    var _S440 : Surface_0;
+    _S440.origin_4 = origin_11;
+    _S440.normal_2 = normal_8;
+    _S440.face_1 = face_8;
+    _S440.instance_3 = instance_14;
+    return _S440;
 }
 
-fn Walker_x24init_0( path_11 : Path_0,  ray_25 : Ray_0,  is_shadow_ray_2 : bool,  light_11 : vec3<f32>,  direction_29 : vec3<f32>,  path_origin_3 : vec3<f32>,  shadow_inside_4 : Inside_0,  boundaries_1 : u32,  relocates_4 : bool,  path_relocates_4 : bool,  camera_ray_1 : Ray_0,  way_6 : f32,  has_shown_1 : bool,  asks_cache_1 : bool,  life_2 : u32,  is_at_cell_1 : bool) -> Walker_0
+fn Walker_x24init_0( path_11 : Path_0,  ray_24 : Ray_0,  is_shadow_ray_2 : bool,  light_11 : vec3<f32>,  direction_28 : vec3<f32>,  path_origin_3 : vec3<f32>,  shadow_inside_4 : Inside_0,  boundaries_1 : u32,  relocates_4 : bool,  path_relocates_4 : bool,  camera_ray_1 : Ray_0,  way_6 : f32,  has_shown_1 : bool,  asks_cache_1 : bool,  life_2 : u32,  is_at_cell_1 : bool) -> Walker_0
 {
-    var _S497 : Walker_0;
-    _S497.path_7 = path_11;
-    _S497.ray_10 = ray_25;
-    _S497.is_shadow_ray_0 = is_shadow_ray_2;
-    _S497.light_5 = light_11;
-    _S497.direction_25 = direction_29;
-    _S497.path_origin_2 = path_origin_3;
-    _S497.shadow_inside_2 = shadow_inside_4;
-    _S497.boundaries_0 = boundaries_1;
-    _S497.relocates_2 = relocates_4;
-    _S497.path_relocates_2 = path_relocates_4;
-    _S497.camera_ray_0 = camera_ray_1;
-    _S497.way_2 = way_6;
-    _S497.has_shown_0 = has_shown_1;
-    _S497.asks_cache_0 = asks_cache_1;
-    _S497.life_0 = life_2;
-    _S497.is_at_cell_0 = is_at_cell_1;
-    return _S497;
+    var _S441 : Walker_0;
+    _S441.path_7 = path_11;
+    _S441.ray_10 = ray_24;
+    _S441.is_shadow_ray_0 = is_shadow_ray_2;
+    _S441.light_5 = light_11;
+    _S441.direction_25 = direction_28;
+    _S441.path_origin_2 = path_origin_3;
+    _S441.shadow_inside_2 = shadow_inside_4;
+    _S441.boundaries_0 = boundaries_1;
+    _S441.relocates_2 = relocates_4;
+    _S441.path_relocates_2 = path_relocates_4;
+    _S441.camera_ray_0 = camera_ray_1;
+    _S441.way_2 = way_6;
+    _S441.has_shown_0 = has_shown_1;
+    _S441.asks_cache_0 = asks_cache_1;
+    _S441.life_0 = life_2;
+    _S441.is_at_cell_0 = is_at_cell_1;
+    return _S441;
 }
 
 fn at_cell_0( key_3 : Key_0,  rank_5 : u32,  sampler_8 : Sampler_0) -> Walker_0
 {
     var face_9 : u32 = ((key_3.face_and_level_0) & (u32(7)));
-    var axis_7 : u32 = (face_9 >> (u32(1)));
+    var axis_6 : u32 = (face_9 >> (u32(1)));
     var u_20 : vec4<f32> = Sampler_independent_0(sampler_8, u32(0));
-    var _S498 : vec3<f32> = vec3<f32>(Key_voxel_0(key_3, (rank_5 & (u32(1048575))), scramble_of_0(real_time_0.number_0 - u32(1))));
+    var _S442 : vec3<f32> = vec3<f32>(Key_voxel_0(key_3, (rank_5 & (u32(1048575))), scramble_of_0(real_time_0.number_0 - u32(1))));
     var on_face_1 : vec3<f32>;
-    if(axis_7 == u32(0))
+    if(axis_6 == u32(0))
     {
         on_face_1 = vec3<f32>(0.0f, u_20.x, u_20.y);
     }
     else
     {
-        if(axis_7 == u32(1))
+        if(axis_6 == u32(1))
         {
             on_face_1 = vec3<f32>(u_20.y, 0.0f, u_20.x);
         }
@@ -6609,16 +6209,16 @@ fn at_cell_0( key_3 : Key_0,  rank_5 : u32,  sampler_8 : Sampler_0) -> Walker_0
             on_face_1 = vec3<f32>(u_20.x, u_20.y, 0.0f);
         }
     }
-    var _S499 : vec3<f32> = Transform_point_1(key_3.instance_8, offset_ray_origin_0(vector_of_0(instances_0[key_3.instance_8].grid_from_world_0.translation_0), _S498, face_9, _S498 + on_face_1));
-    var _S500 : vec3<f32> = world_normal_0(key_3.instance_8, face_9);
+    var _S443 : vec3<f32> = Transform_point_1(key_3.instance_8, offset_ray_origin_0(vector_of_0(instances_0[key_3.instance_8].grid_from_world_0.translation_0), _S442, face_9, _S442 + on_face_1));
+    var _S444 : vec3<f32> = world_normal_0(key_3.instance_8, face_9);
     var path_12 : Path_0 = path_from_0(sampler_8);
-    var _S501 : f32 = path_12.pdf_1;
-    var direction_30 : vec3<f32> = direction_from_cell_0(sampler_8, _S500, &(_S501));
-    path_12.pdf_1 = _S501;
-    var receiver_20 : Receiver_0 = Receiver_x24init_0(_S499, _S500);
+    var _S445 : f32 = path_12.pdf_1;
+    var direction_29 : vec3<f32> = direction_from_cell_0(sampler_8, _S444, &(_S445));
+    path_12.pdf_1 = _S445;
+    var receiver_20 : Receiver_0 = Receiver_x24init_0(_S443, _S444);
     path_12.selection_0 = Lights_selection_0(receiver_20);
-    path_12.normal_0 = _S500;
-    var surface_5 : Surface_0 = Surface_x24init_0(_S499, _S500, face_9, key_3.instance_8);
+    path_12.normal_0 = _S444;
+    var surface_5 : Surface_0 = Surface_x24init_0(_S443, _S444, face_9, key_3.instance_8);
     var white_0 : MaterialBsdf_0;
     white_0.kind_0 = u32(0);
     white_0.color_0 = vec3<f32>(1.0f);
@@ -6626,8 +6226,8 @@ fn at_cell_0( key_3 : Key_0,  rank_5 : u32,  sampler_8 : Sampler_0) -> Walker_0
     white_0.eta_0 = 1.0f;
     white_0.facets_0.alpha_0 = 1.0f;
     scatter_of_path_0 = Scatter_x24init_0(path_12, receiver_20, surface_5, white_0, vec3<f32>(0.0f, 0.0f, 1.0f), 1.0f, false, true);
-    var ray_26 : Ray_0 = ray_from_0(_S499, direction_30);
-    return Walker_x24init_0(path_12, ray_26, false, vec3<f32>(0.0f), direction_30, _S499, in_air_0(), u32(0), false, false, ray_26, 0.0f, true, true, max((rank_5 >> (u32(20))), u32(1)) - u32(1), true);
+    var ray_25 : Ray_0 = ray_from_0(_S443, direction_29);
+    return Walker_x24init_0(path_12, ray_25, false, vec3<f32>(0.0f), direction_29, _S443, in_air_0(), u32(0), false, false, ray_25, 0.0f, true, true, max((rank_5 >> (u32(20))), u32(1)) - u32(1), true);
 }
 
 struct CameraFrame_0
@@ -6644,16 +6244,16 @@ struct CameraFrame_0
 
 fn CameraFrame_x24init_0( lens_2 : u32,  eye_3 : vec3<f32>,  corner_3 : vec3<f32>,  pixel_x_2 : vec3<f32>,  pixel_y_2 : vec3<f32>,  lens_x_2 : vec3<f32>,  lens_y_2 : vec3<f32>,  blades_2 : u32) -> CameraFrame_0
 {
-    var _S502 : CameraFrame_0;
-    _S502.lens_1 = lens_2;
-    _S502.eye_2 = eye_3;
-    _S502.corner_2 = corner_3;
-    _S502.pixel_x_1 = pixel_x_2;
-    _S502.pixel_y_1 = pixel_y_2;
-    _S502.lens_x_1 = lens_x_2;
-    _S502.lens_y_1 = lens_y_2;
-    _S502.blades_1 = blades_2;
-    return _S502;
+    var _S446 : CameraFrame_0;
+    _S446.lens_1 = lens_2;
+    _S446.eye_2 = eye_3;
+    _S446.corner_2 = corner_3;
+    _S446.pixel_x_1 = pixel_x_2;
+    _S446.pixel_y_1 = pixel_y_2;
+    _S446.lens_x_1 = lens_x_2;
+    _S446.lens_y_1 = lens_y_2;
+    _S446.blades_1 = blades_2;
+    return _S446;
 }
 
 @id(5) override LENS_0 : u32 = u32(0);
@@ -6665,23 +6265,23 @@ fn camera_before_0() -> CameraFrame_0
 
 fn Item_asks_cache_0( this_49 : Item_0) -> bool
 {
-    var _S503 : bool;
+    var _S447 : bool;
     if(Item_is_cell_0(this_49))
     {
-        _S503 = true;
+        _S447 = true;
     }
     else
     {
         if((this_49.kind_2) == u32(1))
         {
-            _S503 = has_0(u32(1));
+            _S447 = has_0(u32(1));
         }
         else
         {
-            _S503 = false;
+            _S447 = false;
         }
     }
-    return _S503;
+    return _S447;
 }
 
 struct Perspective_0
@@ -6694,12 +6294,12 @@ struct Perspective_0
 
 fn Perspective_x24init_0( eye_5 : vec3<f32>,  corner_5 : vec3<f32>,  pixel_x_4 : vec3<f32>,  pixel_y_4 : vec3<f32>) -> Perspective_0
 {
-    var _S504 : Perspective_0;
-    _S504.eye_4 = eye_5;
-    _S504.corner_4 = corner_5;
-    _S504.pixel_x_3 = pixel_x_4;
-    _S504.pixel_y_3 = pixel_y_4;
-    return _S504;
+    var _S448 : Perspective_0;
+    _S448.eye_4 = eye_5;
+    _S448.corner_4 = corner_5;
+    _S448.pixel_x_3 = pixel_x_4;
+    _S448.pixel_y_3 = pixel_y_4;
+    return _S448;
 }
 
 struct Axes_0
@@ -6711,11 +6311,11 @@ struct Axes_0
 
 fn Axes_x24init_0( forward_1 : vec3<f32>,  right_4 : vec3<f32>,  up_1 : vec3<f32>) -> Axes_0
 {
-    var _S505 : Axes_0;
-    _S505.forward_0 = forward_1;
-    _S505.right_3 = right_4;
-    _S505.up_0 = up_1;
-    return _S505;
+    var _S449 : Axes_0;
+    _S449.forward_0 = forward_1;
+    _S449.right_3 = right_4;
+    _S449.up_0 = up_1;
+    return _S449;
 }
 
 struct ThinLens_0
@@ -6728,55 +6328,55 @@ struct ThinLens_0
 
 fn ThinLens_x24init_0( perspective_1 : Perspective_0,  lens_x_4 : vec3<f32>,  lens_y_4 : vec3<f32>,  blades_4 : u32) -> ThinLens_0
 {
-    var _S506 : ThinLens_0;
-    _S506.perspective_0 = perspective_1;
-    _S506.lens_x_3 = lens_x_4;
-    _S506.lens_y_3 = lens_y_4;
-    _S506.blades_3 = blades_4;
-    return _S506;
+    var _S450 : ThinLens_0;
+    _S450.perspective_0 = perspective_1;
+    _S450.lens_x_3 = lens_x_4;
+    _S450.lens_y_3 = lens_y_4;
+    _S450.blades_3 = blades_4;
+    return _S450;
 }
 
 fn concentric_0( square_5 : vec2<f32>) -> vec2<f32>
 {
-    var a_9 : f32 = 2.0f * square_5.x - 1.0f;
-    var b_9 : f32 = 2.0f * square_5.y - 1.0f;
-    var _S507 : bool;
-    if(a_9 == 0.0f)
+    var a_8 : f32 = 2.0f * square_5.x - 1.0f;
+    var b_8 : f32 = 2.0f * square_5.y - 1.0f;
+    var _S451 : bool;
+    if(a_8 == 0.0f)
     {
-        _S507 = b_9 == 0.0f;
+        _S451 = b_8 == 0.0f;
     }
     else
     {
-        _S507 = false;
+        _S451 = false;
     }
-    if(_S507)
+    if(_S451)
     {
         return vec2<f32>(0.0f);
     }
-    var is_across_0 : bool = (abs(a_9)) > (abs(b_9));
+    var is_across_0 : bool = (abs(a_8)) > (abs(b_8));
     var radius_4 : f32;
     if(is_across_0)
     {
-        radius_4 = a_9;
+        radius_4 = a_8;
     }
     else
     {
-        radius_4 = b_9;
+        radius_4 = b_8;
     }
     var turns_3 : f32;
     if(is_across_0)
     {
-        turns_3 = divide_0(b_9, a_9) * 0.125f;
+        turns_3 = divide_0(b_8, a_8) * 0.125f;
     }
     else
     {
-        turns_3 = 0.25f - divide_0(a_9, b_9) * 0.125f;
+        turns_3 = 0.25f - divide_0(a_8, b_8) * 0.125f;
     }
     if(radius_4 < 0.0f)
     {
         turns_3 = turns_3 + 0.5f;
     }
-    var _S508 : f32 = abs(radius_4);
+    var _S452 : f32 = abs(radius_4);
     if(turns_3 < 0.0f)
     {
         radius_4 = turns_3 + 1.0f;
@@ -6785,7 +6385,7 @@ fn concentric_0( square_5 : vec2<f32>) -> vec2<f32>
     {
         radius_4 = turns_3;
     }
-    return vec2<f32>(_S508, radius_4);
+    return vec2<f32>(_S452, radius_4);
 }
 
 fn place_in_aperture_0( blades_5 : u32,  lens_3 : vec2<f32>) -> vec2<f32>
@@ -6803,9 +6403,9 @@ fn place_in_aperture_0( blades_5 : u32,  lens_3 : vec2<f32>) -> vec2<f32>
     var share_7 : f32 = scaled_0 - blade_0;
     var from_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0, count_8));
     var to_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0 + 1.0f, count_8));
-    var _S509 : f32 = from_0.y;
-    var _S510 : f32 = from_0.x;
-    return vec2<f32>(_S509 + (to_0.y - _S509) * share_7, _S510 + (to_0.x - _S510) * share_7) * vec2<f32>(radius_5);
+    var _S453 : f32 = from_0.y;
+    var _S454 : f32 = from_0.x;
+    return vec2<f32>(_S453 + (to_0.y - _S453) * share_7, _S454 + (to_0.x - _S454) * share_7) * vec2<f32>(radius_5);
 }
 
 fn ThinLens_ray_0( this_50 : ThinLens_0,  position_3 : vec2<f32>,  lens_4 : vec2<f32>) -> Ray_0
@@ -6825,12 +6425,12 @@ struct Orthographic_0
 
 fn Orthographic_x24init_0( corner_7 : vec3<f32>,  pixel_x_6 : vec3<f32>,  pixel_y_6 : vec3<f32>,  forward_3 : vec3<f32>) -> Orthographic_0
 {
-    var _S511 : Orthographic_0;
-    _S511.corner_6 = corner_7;
-    _S511.pixel_x_5 = pixel_x_6;
-    _S511.pixel_y_5 = pixel_y_6;
-    _S511.forward_2 = forward_3;
-    return _S511;
+    var _S455 : Orthographic_0;
+    _S455.corner_6 = corner_7;
+    _S455.pixel_x_5 = pixel_x_6;
+    _S455.pixel_y_5 = pixel_y_6;
+    _S455.forward_2 = forward_3;
+    return _S455;
 }
 
 fn Orthographic_ray_0( this_51 : Orthographic_0,  position_4 : vec2<f32>,  lens_5 : vec2<f32>) -> Ray_0
@@ -6848,12 +6448,12 @@ struct Panorama_0
 
 fn Panorama_x24init_0( eye_7 : vec3<f32>,  axes_2 : Axes_0,  inverse_size_1 : vec2<f32>,  half_eye_distance_1 : f32) -> Panorama_0
 {
-    var _S512 : Panorama_0;
-    _S512.eye_6 = eye_7;
-    _S512.axes_1 = axes_2;
-    _S512.inverse_size_0 = inverse_size_1;
-    _S512.half_eye_distance_0 = half_eye_distance_1;
-    return _S512;
+    var _S456 : Panorama_0;
+    _S456.eye_6 = eye_7;
+    _S456.axes_1 = axes_2;
+    _S456.inverse_size_0 = inverse_size_1;
+    _S456.half_eye_distance_0 = half_eye_distance_1;
+    return _S456;
 }
 
 fn Panorama_ray_0( this_52 : Panorama_0,  position_5 : vec2<f32>,  lens_6 : vec2<f32>) -> Ray_0
@@ -6880,9 +6480,9 @@ fn Panorama_ray_0( this_52 : Panorama_0,  position_5 : vec2<f32>,  lens_6 : vec2
     }
     var longitude_0 : vec2<f32> = sincos_turns_0(position_5.x * this_52.inverse_size_0.x);
     var height_2 : vec2<f32> = sincos_turns_0(latitude_1 * 0.5f);
-    var _S513 : vec3<f32> = vec3<f32>(longitude_0.y);
-    var _S514 : vec3<f32> = vec3<f32>(longitude_0.x);
-    return ray_from_0(this_52.eye_6 + (this_52.axes_1.forward_0 * _S514 - this_52.axes_1.right_3 * _S513) * vec3<f32>(side_4), normalize_vector_0((vec3<f32>(0) - this_52.axes_1.forward_0 * _S513 + this_52.axes_1.right_3 * _S514) * vec3<f32>(height_2.x) + this_52.axes_1.up_0 * vec3<f32>(height_2.y)));
+    var _S457 : vec3<f32> = vec3<f32>(longitude_0.y);
+    var _S458 : vec3<f32> = vec3<f32>(longitude_0.x);
+    return ray_from_0(this_52.eye_6 + (this_52.axes_1.forward_0 * _S458 - this_52.axes_1.right_3 * _S457) * vec3<f32>(side_4), normalize_vector_0((vec3<f32>(0) - this_52.axes_1.forward_0 * _S457 + this_52.axes_1.right_3 * _S458) * vec3<f32>(height_2.x) + this_52.axes_1.up_0 * vec3<f32>(height_2.y)));
 }
 
 struct Fisheye_0
@@ -6895,12 +6495,12 @@ struct Fisheye_0
 
 fn Fisheye_x24init_0( eye_9 : vec3<f32>,  axes_4 : Axes_0,  middle_2 : vec2<f32>,  turns_per_pixel_1 : f32) -> Fisheye_0
 {
-    var _S515 : Fisheye_0;
-    _S515.eye_8 = eye_9;
-    _S515.axes_3 = axes_4;
-    _S515.middle_1 = middle_2;
-    _S515.turns_per_pixel_0 = turns_per_pixel_1;
-    return _S515;
+    var _S459 : Fisheye_0;
+    _S459.eye_8 = eye_9;
+    _S459.axes_3 = axes_4;
+    _S459.middle_1 = middle_2;
+    _S459.turns_per_pixel_0 = turns_per_pixel_1;
+    return _S459;
 }
 
 fn Fisheye_ray_0( this_53 : Fisheye_0,  position_6 : vec2<f32>,  lens_7 : vec2<f32>) -> Ray_0
@@ -6963,9 +6563,9 @@ fn camera_ray_2( pixel_2 : vec2<u32>,  camera_0 : CameraFrame_0,  sampler_9 : Sa
 
 fn at_camera_0( pixel_3 : vec2<u32>,  camera_1 : CameraFrame_0,  sampler_10 : Sampler_0,  asks_cache_2 : bool) -> Walker_0
 {
-    var ray_27 : Ray_0 = camera_ray_2(pixel_3, camera_1, sampler_10);
-    var _S516 : vec3<f32> = vec3<f32>(0.0f);
-    return Walker_x24init_0(path_from_0(sampler_10), ray_27, false, _S516, _S516, _S516, in_air_0(), u32(0), true, true, ray_27, 0.0f, false, asks_cache_2, u32(10), false);
+    var ray_26 : Ray_0 = camera_ray_2(pixel_3, camera_1, sampler_10);
+    var _S460 : vec3<f32> = vec3<f32>(0.0f);
+    return Walker_x24init_0(path_from_0(sampler_10), ray_26, false, _S460, _S460, _S460, in_air_0(), u32(0), true, true, ray_26, 0.0f, false, asks_cache_2, u32(10), false);
 }
 
 fn FrameParams_camera_0() -> CameraFrame_0
@@ -6979,10 +6579,10 @@ fn Item_start_0( this_56 : Item_0) -> Walker_0
     {
         var rank_6 : u32;
         var key_4 : Key_0 = Item_key_0(this_56, &(rank_6));
-        var _S517 : Walker_0 = at_cell_0(key_4, rank_6, this_56.sampler_3);
-        return _S517;
+        var _S461 : Walker_0 = at_cell_0(key_4, rank_6, this_56.sampler_3);
+        return _S461;
     }
-    var _S518 : CameraFrame_0 = FrameParams_camera_0();
+    var _S462 : CameraFrame_0 = FrameParams_camera_0();
     var camera_2 : CameraFrame_0;
     if((this_56.kind_2) == u32(3))
     {
@@ -6990,58 +6590,58 @@ fn Item_start_0( this_56 : Item_0) -> Walker_0
     }
     else
     {
-        camera_2 = _S518;
+        camera_2 = _S462;
     }
     return at_camera_0(this_56.at_12, camera_2, this_56.sampler_3, Item_asks_cache_0(this_56));
 }
 
 fn packed_normal_0( normal_9 : vec3<f32>) -> u32
 {
-    var _S519 : vec3<i32> = vec3<i32>(floor(clamp(normal_9, vec3<f32>(-1.0f), vec3<f32>(1.0f)) * vec3<f32>(511.0f) + vec3<f32>(0.5f)));
-    return (((((u32(_S519.x) & (u32(1023)))) | (((((u32(_S519.y) & (u32(1023)))) << (u32(10))))))) | (((((u32(_S519.z) & (u32(1023)))) << (u32(20))))));
+    var _S463 : vec3<i32> = vec3<i32>(floor(clamp(normal_9, vec3<f32>(-1.0f), vec3<f32>(1.0f)) * vec3<f32>(511.0f) + vec3<f32>(0.5f)));
+    return (((((u32(_S463.x) & (u32(1023)))) | (((((u32(_S463.y) & (u32(1023)))) << (u32(10))))))) | (((((u32(_S463.z) & (u32(1023)))) << (u32(20))))));
 }
 
-fn set_scratch_row_0( row_4 : u32,  index_27 : u32,  value_3 : vec2<u32>)
+fn set_scratch_row_0( row_4 : u32,  index_29 : u32,  value_3 : vec2<u32>)
 {
-    scratch_0[row_4 * real_time_0.slots_0 + index_27] = value_3;
+    scratch_0[row_4 * real_time_0.slots_0 + index_29] = value_3;
     return;
 }
 
-fn store_sample_0( index_28 : u32,  sample_16 : Sample_0)
+fn store_sample_0( index_30 : u32,  sample_16 : Sample_0)
 {
-    var _S520 : u32 = packed_normal_0(sample_16.normal_4);
-    var _S521 : u32;
+    var _S464 : u32 = packed_normal_0(sample_16.normal_4);
+    var _S465 : u32;
     if(sample_16.is_shown_0)
     {
-        _S521 = u32(1073741824);
+        _S465 = u32(1073741824);
     }
     else
     {
-        _S521 = u32(0);
+        _S465 = u32(0);
     }
-    var normal_10 : u32 = (_S520 | (_S521));
-    set_scratch_row_0(u32(0), index_28, (bitcast<vec2<u32>>((sample_16.light_6.xy))));
-    set_scratch_row_0(u32(1), index_28, vec2<u32>((bitcast<u32>((sample_16.light_6.z))), sample_16.instance_7));
-    set_scratch_row_0(u32(2), index_28, (bitcast<vec2<u32>>((sample_16.direct_0.xy))));
-    set_scratch_row_0(u32(3), index_28, (bitcast<vec2<u32>>((vec2<f32>(sample_16.direct_0.z, sample_16.place_3.x)))));
-    set_scratch_row_0(u32(4), index_28, (bitcast<vec2<u32>>((sample_16.place_3.yz))));
-    set_scratch_row_0(u32(5), index_28, (bitcast<vec2<u32>>((sample_16.albedo_0.xy))));
-    set_scratch_row_0(u32(6), index_28, vec2<u32>((bitcast<u32>((sample_16.albedo_0.z))), normal_10));
+    var normal_10 : u32 = (_S464 | (_S465));
+    set_scratch_row_0(u32(0), index_30, (bitcast<vec2<u32>>((sample_16.light_6.xy))));
+    set_scratch_row_0(u32(1), index_30, vec2<u32>((bitcast<u32>((sample_16.light_6.z))), sample_16.instance_7));
+    set_scratch_row_0(u32(2), index_30, (bitcast<vec2<u32>>((sample_16.direct_0.xy))));
+    set_scratch_row_0(u32(3), index_30, (bitcast<vec2<u32>>((vec2<f32>(sample_16.direct_0.z, sample_16.place_3.x)))));
+    set_scratch_row_0(u32(4), index_30, (bitcast<vec2<u32>>((sample_16.place_3.yz))));
+    set_scratch_row_0(u32(5), index_30, (bitcast<vec2<u32>>((sample_16.albedo_0.xy))));
+    set_scratch_row_0(u32(6), index_30, vec2<u32>((bitcast<u32>((sample_16.albedo_0.z))), normal_10));
     return;
 }
 
 fn light_on_0( sample_17 : Sample_0) -> f32
 {
-    var _S522 : f32;
+    var _S466 : f32;
     if(sample_17.is_shown_0)
     {
-        _S522 = luminance_0(sample_17.light_6) / (luminance_0(sample_17.albedo_0) + 0.00300000002607703f);
+        _S466 = luminance_0(sample_17.light_6) / (luminance_0(sample_17.albedo_0) + 0.00300000002607703f);
     }
     else
     {
-        _S522 = 0.0f;
+        _S466 = 0.0f;
     }
-    return _S522;
+    return _S466;
 }
 
 fn Item_end_0( this_57 : Item_0,  sample_18 : Sample_0)
@@ -7078,8 +6678,8 @@ fn trace(@builtin(global_invocation_id) id_0 : vec3<u32>)
     var at_18 : Walker_0;
     if(item_1.traces_0)
     {
-        var _S523 : Walker_0 = Item_start_0(item_1);
-        at_18 = _S523;
+        var _S467 : Walker_0 = Item_start_0(item_1);
+        at_18 = _S467;
     }
     var is_under_way_0 : bool = item_1.traces_0;
     var is_shadow_turn_0 : bool = true;
@@ -7095,8 +6695,8 @@ fn trace(@builtin(global_invocation_id) id_0 : vec3<u32>)
         var is_shadow_turn_1 : bool = !is_shadow_turn_0;
         if((at_18.is_shadow_ray_0) == is_shadow_turn_1)
         {
-            var _S524 : bool = goes_on_6(&(at_18), &(sample_19));
-            is_under_way_0 = _S524;
+            var _S468 : bool = goes_on_6(&(at_18), &(sample_19));
+            is_under_way_0 = _S468;
         }
         is_shadow_turn_0 = is_shadow_turn_1;
     }
@@ -7117,18 +6717,18 @@ struct Lit_0
 
 fn Lit_x24init_0( paths_1 : f32,  light_13 : vec3<f32>,  shaded_1 : vec3<f32>,  moments_1 : vec3<f32>) -> Lit_0
 {
-    var _S525 : Lit_0;
-    _S525.paths_0 = paths_1;
-    _S525.light_12 = light_13;
-    _S525.shaded_0 = shaded_1;
-    _S525.moments_0 = moments_1;
-    return _S525;
+    var _S469 : Lit_0;
+    _S469.paths_0 = paths_1;
+    _S469.light_12 = light_13;
+    _S469.shaded_0 = shaded_1;
+    _S469.moments_0 = moments_1;
+    return _S469;
 }
 
 fn not_lit_0() -> Lit_0
 {
-    var _S526 : vec3<f32> = vec3<f32>(0.0f);
-    return Lit_x24init_0(0.0f, _S526, _S526, _S526);
+    var _S470 : vec3<f32> = vec3<f32>(0.0f);
+    return Lit_x24init_0(0.0f, _S470, _S470, _S470);
 }
 
 struct Memory_0
@@ -7145,27 +6745,27 @@ struct Memory_0
 
 fn Memory_x24init_0( lit_1 : Lit_0,  looks_1 : f32,  direct_3 : vec3<f32>,  albedo_3 : vec3<f32>,  normal_12 : vec3<f32>,  place_11 : vec3<f32>,  roughness_2 : f32,  coverage_1 : f32) -> Memory_0
 {
-    var _S527 : Memory_0;
-    _S527.lit_0 = lit_1;
-    _S527.looks_0 = looks_1;
-    _S527.direct_2 = direct_3;
-    _S527.albedo_2 = albedo_3;
-    _S527.normal_11 = normal_12;
-    _S527.place_10 = place_11;
-    _S527.roughness_1 = roughness_2;
-    _S527.coverage_0 = coverage_1;
-    return _S527;
+    var _S471 : Memory_0;
+    _S471.lit_0 = lit_1;
+    _S471.looks_0 = looks_1;
+    _S471.direct_2 = direct_3;
+    _S471.albedo_2 = albedo_3;
+    _S471.normal_11 = normal_12;
+    _S471.place_10 = place_11;
+    _S471.roughness_1 = roughness_2;
+    _S471.coverage_0 = coverage_1;
+    return _S471;
 }
 
 fn nothing_known_0() -> Memory_0
 {
-    var _S528 : vec3<f32> = vec3<f32>(0.0f);
-    return Memory_x24init_0(not_lit_0(), 0.0f, _S528, _S528, _S528, _S528, 0.0f, 0.0f);
+    var _S472 : vec3<f32> = vec3<f32>(0.0f);
+    return Memory_x24init_0(not_lit_0(), 0.0f, _S472, _S472, _S472, _S472, 0.0f, 0.0f);
 }
 
-fn memory_row_0( row_5 : u32,  index_29 : u32) -> vec4<u32>
+fn memory_row_0( row_5 : u32,  index_31 : u32) -> vec4<u32>
 {
-    return memory_rows_0[row_5 * real_time_0.pixels_0 + index_29];
+    return memory_rows_0[row_5 * real_time_0.pixels_0 + index_31];
 }
 
 fn low_half_0( word_9 : u32) -> f32
@@ -7181,25 +6781,25 @@ fn high_half_0( word_10 : u32) -> f32
 fn Lit_products_0( this_58 : Lit_0,  kept_0 : vec3<f32>) -> vec3<f32>
 {
     var l_0 : f32 = luminance_0(this_58.light_12);
-    var a_10 : f32 = luminance_0(kept_0);
-    return vec3<f32>(l_0 * l_0, l_0 * a_10, a_10 * a_10);
+    var a_9 : f32 = luminance_0(kept_0);
+    return vec3<f32>(l_0 * l_0, l_0 * a_9, a_9 * a_9);
 }
 
 fn lit_of_0( paths_2 : f32,  light_14 : vec3<f32>,  words_3 : vec3<u32>) -> Lit_0
 {
-    var _S529 : u32 = words_3.x;
-    var _S530 : u32 = words_3.y;
-    var _S531 : Lit_0 = Lit_x24init_0(paths_2, light_14, vec3<f32>(low_half_0(_S529), high_half_0(_S529), low_half_0(_S530)), vec3<f32>(0.0f));
-    var lit_2 : Lit_0 = _S531;
-    var _S532 : u32 = words_3.z;
-    lit_2.moments_0 = Lit_products_0(_S531, lit_2.shaded_0) * (vec3<f32>(1.0f) + vec3<f32>(high_half_0(_S530), low_half_0(_S532), high_half_0(_S532)));
+    var _S473 : u32 = words_3.x;
+    var _S474 : u32 = words_3.y;
+    var _S475 : Lit_0 = Lit_x24init_0(paths_2, light_14, vec3<f32>(low_half_0(_S473), high_half_0(_S473), low_half_0(_S474)), vec3<f32>(0.0f));
+    var lit_2 : Lit_0 = _S475;
+    var _S476 : u32 = words_3.z;
+    lit_2.moments_0 = Lit_products_0(_S475, lit_2.shaded_0) * (vec3<f32>(1.0f) + vec3<f32>(high_half_0(_S474), low_half_0(_S476), high_half_0(_S476)));
     return lit_2;
 }
 
-fn load_lit_0( index_30 : u32) -> Lit_0
+fn load_lit_0( index_32 : u32) -> Lit_0
 {
-    var shaded_2 : vec4<u32> = memory_row_0(u32(1), index_30);
-    var light_15 : vec4<u32> = memory_row_0(u32(2), index_30);
+    var shaded_2 : vec4<u32> = memory_row_0(u32(1), index_32);
+    var light_15 : vec4<u32> = memory_row_0(u32(2), index_32);
     return lit_of_0(low_half_0(shaded_2.x), (bitcast<vec3<f32>>((light_15.xyz))), vec3<u32>(shaded_2.z, shaded_2.w, light_15.w));
 }
 
@@ -7208,24 +6808,24 @@ fn normal_in_0( word_11 : u32) -> vec3<f32>
     return vec3<f32>(vec3<i32>((i32((word_11 << (u32(22)))) >> (u32(22))), (i32((word_11 << (u32(12)))) >> (u32(22))), (i32((word_11 << (u32(2)))) >> (u32(22))))) * vec3<f32>(0.00195694714784622f);
 }
 
-fn load_memory_0( index_31 : u32) -> Memory_0
+fn load_memory_0( index_33 : u32) -> Memory_0
 {
-    var surface_6 : vec4<u32> = memory_row_0(u32(0), index_31);
-    var shaded_3 : vec4<u32> = memory_row_0(u32(1), index_31);
-    var seen_0 : vec4<u32> = memory_row_0(u32(3), index_31);
+    var surface_6 : vec4<u32> = memory_row_0(u32(0), index_33);
+    var shaded_3 : vec4<u32> = memory_row_0(u32(1), index_33);
+    var seen_0 : vec4<u32> = memory_row_0(u32(3), index_33);
     var memory_0 : Memory_0;
-    memory_0.lit_0 = load_lit_0(index_31);
+    memory_0.lit_0 = load_lit_0(index_33);
     memory_0.looks_0 = high_half_0(shaded_3.x);
-    var _S533 : u32 = seen_0.x;
-    var _S534 : u32 = seen_0.y;
-    memory_0.direct_2 = vec3<f32>(low_half_0(_S533), high_half_0(_S533), low_half_0(_S534));
-    var _S535 : u32 = seen_0.z;
-    memory_0.albedo_2 = vec3<f32>(high_half_0(_S534), low_half_0(_S535), high_half_0(_S535));
+    var _S477 : u32 = seen_0.x;
+    var _S478 : u32 = seen_0.y;
+    memory_0.direct_2 = vec3<f32>(low_half_0(_S477), high_half_0(_S477), low_half_0(_S478));
+    var _S479 : u32 = seen_0.z;
+    memory_0.albedo_2 = vec3<f32>(high_half_0(_S478), low_half_0(_S479), high_half_0(_S479));
     memory_0.normal_11 = normal_in_0(surface_6.w);
     memory_0.place_10 = (bitcast<vec3<f32>>((surface_6.xyz)));
-    var _S536 : u32 = shaded_3.y;
-    memory_0.roughness_1 = high_half_0(_S536);
-    memory_0.coverage_0 = low_half_0(_S536);
+    var _S480 : u32 = shaded_3.y;
+    memory_0.roughness_1 = high_half_0(_S480);
+    memory_0.coverage_0 = low_half_0(_S480);
     return memory_0;
 }
 
@@ -7237,20 +6837,20 @@ fn Memory_look_anew_0( this_59 : ptr<function, Memory_0>)
     return;
 }
 
-fn scratch_row_0( row_6 : u32,  index_32 : u32) -> vec2<u32>
+fn scratch_row_0( row_6 : u32,  index_34 : u32) -> vec2<u32>
 {
-    return scratch_0[row_6 * real_time_0.slots_0 + index_32];
+    return scratch_0[row_6 * real_time_0.slots_0 + index_34];
 }
 
-fn load_known_0( index_33 : u32) -> Lit_0
+fn load_known_0( index_35 : u32) -> Lit_0
 {
-    var light_16 : vec2<u32> = scratch_row_0(u32(7), index_33);
-    var _S537 : u32 = light_16.y;
-    var _S538 : u32 = light_16.x;
-    return lit_of_0(high_half_0(_S537), vec3<f32>(low_half_0(_S538), high_half_0(_S538), low_half_0(_S537)), vec3<u32>(scratch_row_0(u32(8), index_33), scratch_row_0(u32(9), index_33).x));
+    var light_16 : vec2<u32> = scratch_row_0(u32(7), index_35);
+    var _S481 : u32 = light_16.y;
+    var _S482 : u32 = light_16.x;
+    return lit_of_0(high_half_0(_S481), vec3<f32>(low_half_0(_S482), high_half_0(_S482), low_half_0(_S481)), vec3<u32>(scratch_row_0(u32(8), index_35), scratch_row_0(u32(9), index_35).x));
 }
 
-fn memory_before_0( index_34 : u32) -> Memory_0
+fn memory_before_0( index_36 : u32) -> Memory_0
 {
     var memory_1 : Memory_0 = nothing_known_0();
     if(!has_0(u32(4)))
@@ -7259,42 +6859,42 @@ fn memory_before_0( index_34 : u32) -> Memory_0
     }
     if(has_0(u32(16)))
     {
-        memory_1 = load_memory_0(index_34);
+        memory_1 = load_memory_0(index_36);
         if(!has_0(u32(8)))
         {
             Memory_look_anew_0(&(memory_1));
         }
         return memory_1;
     }
-    memory_1.lit_0 = load_known_0(index_34);
+    memory_1.lit_0 = load_known_0(index_36);
     return memory_1;
 }
 
-fn load_sample_0( index_35 : u32) -> Sample_0
+fn load_sample_0( index_37 : u32) -> Sample_0
 {
-    var b_10 : vec2<u32> = scratch_row_0(u32(1), index_35);
-    var d_4 : vec2<f32> = (bitcast<vec2<f32>>((scratch_row_0(u32(3), index_35))));
-    var g_0 : vec2<u32> = scratch_row_0(u32(6), index_35);
+    var b_9 : vec2<u32> = scratch_row_0(u32(1), index_37);
+    var d_4 : vec2<f32> = (bitcast<vec2<f32>>((scratch_row_0(u32(3), index_37))));
+    var g_0 : vec2<u32> = scratch_row_0(u32(6), index_37);
     var sample_20 : Sample_0;
-    sample_20.light_6 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(0), index_35)))), (bitcast<f32>((b_10.x))));
-    sample_20.instance_7 = b_10.y;
-    sample_20.direct_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(2), index_35)))), d_4.x);
-    sample_20.place_3 = vec3<f32>(d_4.y, (bitcast<vec2<f32>>((scratch_row_0(u32(4), index_35)))));
-    sample_20.albedo_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(5), index_35)))), (bitcast<f32>((g_0.x))));
-    var _S539 : u32 = g_0.y;
-    sample_20.normal_4 = normal_in_0(_S539);
-    sample_20.is_shown_0 = ((_S539 & (u32(1073741824)))) != u32(0);
+    sample_20.light_6 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(0), index_37)))), (bitcast<f32>((b_9.x))));
+    sample_20.instance_7 = b_9.y;
+    sample_20.direct_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(2), index_37)))), d_4.x);
+    sample_20.place_3 = vec3<f32>(d_4.y, (bitcast<vec2<f32>>((scratch_row_0(u32(4), index_37)))));
+    sample_20.albedo_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(5), index_37)))), (bitcast<f32>((g_0.x))));
+    var _S483 : u32 = g_0.y;
+    sample_20.normal_4 = normal_in_0(_S483);
+    sample_20.is_shown_0 = ((_S483 & (u32(1073741824)))) != u32(0);
     return sample_20;
 }
 
 fn Memory_look_0( this_60 : ptr<function, Memory_0>,  sample_21 : Sample_0)
 {
-    var _S540 : f32 = (*this_60).looks_0 + 1.0f;
-    (*this_60).looks_0 = _S540;
-    var share_8 : f32 = 1.0f / _S540;
-    var _S541 : vec3<f32> = vec3<f32>(share_8);
-    (*this_60).direct_2 = (*this_60).direct_2 + (sample_21.direct_0 - (*this_60).direct_2) * _S541;
-    (*this_60).albedo_2 = (*this_60).albedo_2 + (sample_21.albedo_0 - (*this_60).albedo_2) * _S541;
+    var _S484 : f32 = (*this_60).looks_0 + 1.0f;
+    (*this_60).looks_0 = _S484;
+    var share_8 : f32 = 1.0f / _S484;
+    var _S485 : vec3<f32> = vec3<f32>(share_8);
+    (*this_60).direct_2 = (*this_60).direct_2 + (sample_21.direct_0 - (*this_60).direct_2) * _S485;
+    (*this_60).albedo_2 = (*this_60).albedo_2 + (sample_21.albedo_0 - (*this_60).albedo_2) * _S485;
     if(!sample_21.is_shown_0)
     {
         (*this_60).coverage_0 = (*this_60).coverage_0 - (*this_60).coverage_0 * share_8;
@@ -7304,9 +6904,9 @@ fn Memory_look_0( this_60 : ptr<function, Memory_0>,  sample_21 : Sample_0)
     (*this_60).coverage_0 = covered_0 * share_8;
     var of_covered_0 : f32 = 1.0f / covered_0;
     var before_0 : vec3<f32> = (*this_60).place_10;
-    var _S542 : vec3<f32> = vec3<f32>(of_covered_0);
-    (*this_60).normal_11 = (*this_60).normal_11 + (sample_21.normal_4 - (*this_60).normal_11) * _S542;
-    (*this_60).place_10 = (*this_60).place_10 + (sample_21.place_3 - (*this_60).place_10) * _S542;
+    var _S486 : vec3<f32> = vec3<f32>(of_covered_0);
+    (*this_60).normal_11 = (*this_60).normal_11 + (sample_21.normal_4 - (*this_60).normal_11) * _S486;
+    (*this_60).place_10 = (*this_60).place_10 + (sample_21.place_3 - (*this_60).place_10) * _S486;
     if(covered_0 > 1.0f)
     {
         var along_1 : f32 = dot_product_0((*this_60).normal_11, sample_21.place_3 - before_0);
@@ -7315,53 +6915,53 @@ fn Memory_look_0( this_60 : ptr<function, Memory_0>,  sample_21 : Sample_0)
     return;
 }
 
-fn Lit_add_0( this_61 : ptr<function, Lit_0>,  found_2 : vec3<f32>,  albedo_4 : vec3<f32>,  most_0 : f32)
+fn Lit_add_0( this_61 : ptr<function, Lit_0>,  found_1 : vec3<f32>,  albedo_4 : vec3<f32>,  most_0 : f32)
 {
-    var _S543 : f32 = min((*this_61).paths_0 + 1.0f, most_0);
-    (*this_61).paths_0 = _S543;
-    var l_1 : f32 = luminance_0(found_2);
-    var a_11 : f32 = luminance_0(albedo_4);
-    var _S544 : vec3<f32> = vec3<f32>((1.0f / _S543));
-    (*this_61).light_12 = (*this_61).light_12 + (found_2 - (*this_61).light_12) * _S544;
-    (*this_61).shaded_0 = (*this_61).shaded_0 + (albedo_4 - (*this_61).shaded_0) * _S544;
-    (*this_61).moments_0 = (*this_61).moments_0 + (vec3<f32>(l_1 * l_1, l_1 * a_11, a_11 * a_11) - (*this_61).moments_0) * _S544;
+    var _S487 : f32 = min((*this_61).paths_0 + 1.0f, most_0);
+    (*this_61).paths_0 = _S487;
+    var l_1 : f32 = luminance_0(found_1);
+    var a_10 : f32 = luminance_0(albedo_4);
+    var _S488 : vec3<f32> = vec3<f32>((1.0f / _S487));
+    (*this_61).light_12 = (*this_61).light_12 + (found_1 - (*this_61).light_12) * _S488;
+    (*this_61).shaded_0 = (*this_61).shaded_0 + (albedo_4 - (*this_61).shaded_0) * _S488;
+    (*this_61).moments_0 = (*this_61).moments_0 + (vec3<f32>(l_1 * l_1, l_1 * a_10, a_10 * a_10) - (*this_61).moments_0) * _S488;
     return;
 }
 
 fn Memory_add_0( this_62 : ptr<function, Memory_0>,  sample_22 : Sample_0,  most_1 : f32)
 {
     Memory_look_0(&((*this_62)), sample_22);
-    var _S545 : Lit_0 = (*this_62).lit_0;
-    Lit_add_0(&(_S545), sample_22.light_6, sample_22.albedo_0, most_1);
-    (*this_62).lit_0 = _S545;
+    var _S489 : Lit_0 = (*this_62).lit_0;
+    Lit_add_0(&(_S489), sample_22.light_6, sample_22.albedo_0, most_1);
+    (*this_62).lit_0 = _S489;
     return;
 }
 
-fn is_far_5( a_12 : vec3<f32>,  b_11 : vec3<f32>) -> bool
+fn is_far_5( a_11 : vec3<f32>,  b_10 : vec3<f32>) -> bool
 {
-    return (any(((abs(a_12 - b_11)) > (max(a_12, b_11) * vec3<f32>(0.10000000149011612f) + vec3<f32>(0.00999999977648258f)))));
+    return (any(((abs(a_11 - b_10)) > (max(a_11, b_10) * vec3<f32>(0.10000000149011612f) + vec3<f32>(0.00999999977648258f)))));
 }
 
-fn differ_0( a_13 : Sample_0,  b_12 : Sample_0) -> bool
+fn differ_0( a_12 : Sample_0,  b_11 : Sample_0) -> bool
 {
-    var _S546 : bool;
-    if((a_13.is_shown_0) != (b_12.is_shown_0))
+    var _S490 : bool;
+    if((a_12.is_shown_0) != (b_11.is_shown_0))
     {
-        _S546 = true;
+        _S490 = true;
     }
     else
     {
-        _S546 = is_far_5(a_13.direct_0, b_12.direct_0);
+        _S490 = is_far_5(a_12.direct_0, b_11.direct_0);
     }
-    if(_S546)
+    if(_S490)
     {
-        _S546 = true;
+        _S490 = true;
     }
     else
     {
-        _S546 = is_far_5(a_13.albedo_0, b_12.albedo_0);
+        _S490 = is_far_5(a_12.albedo_0, b_11.albedo_0);
     }
-    return _S546;
+    return _S490;
 }
 
 fn halves_1( low_13 : f32,  high_6 : f32) -> u32
@@ -7372,8 +6972,8 @@ fn halves_1( low_13 : f32,  high_6 : f32) -> u32
 fn Lit_beyond_0( this_63 : Lit_0,  kept_1 : vec3<f32>) -> vec3<f32>
 {
     var products_0 : vec3<f32> = Lit_products_0(this_63, kept_1);
-    var _S547 : vec3<f32> = vec3<f32>(1.00000000317107685e-30f);
-    return select(vec3<f32>(0.0f), this_63.moments_0 / max(products_0, _S547) - vec3<f32>(1.0f), products_0 > _S547);
+    var _S491 : vec3<f32> = vec3<f32>(1.00000000317107685e-30f);
+    return select(vec3<f32>(0.0f), this_63.moments_0 / max(products_0, _S491) - vec3<f32>(1.0f), products_0 > _S491);
 }
 
 fn words_of_0( lit_3 : Lit_0) -> vec3<u32>
@@ -7384,24 +6984,24 @@ fn words_of_0( lit_3 : Lit_0) -> vec3<u32>
     return vec3<u32>(first_2, halves_1(last_7, beyond_13.x), halves_1(beyond_13.y, beyond_13.z));
 }
 
-fn store_memory_0( index_36 : u32,  memory_2 : Memory_0)
+fn store_memory_0( index_38 : u32,  memory_2 : Memory_0)
 {
     var pixels_2 : u32 = real_time_0.pixels_0;
     var words_4 : vec3<u32> = words_of_0(memory_2.lit_0);
-    var _S548 : u32 = packed_normal_0(memory_2.normal_11);
-    var _S549 : u32;
+    var _S492 : u32 = packed_normal_0(memory_2.normal_11);
+    var _S493 : u32;
     if((memory_2.coverage_0) > 0.0f)
     {
-        _S549 = u32(1073741824);
+        _S493 = u32(1073741824);
     }
     else
     {
-        _S549 = u32(0);
+        _S493 = u32(0);
     }
-    memory_rows_0[index_36] = vec4<u32>((bitcast<vec3<u32>>((memory_2.place_10))), (_S548 | (_S549)));
-    memory_rows_0[pixels_2 + index_36] = vec4<u32>(halves_1(memory_2.lit_0.paths_0, memory_2.looks_0), halves_1(memory_2.coverage_0, memory_2.roughness_1), words_4.x, words_4.y);
-    memory_rows_0[u32(2) * pixels_2 + index_36] = vec4<u32>((bitcast<vec3<u32>>((memory_2.lit_0.light_12))), words_4.z);
-    memory_rows_0[u32(3) * pixels_2 + index_36] = vec4<u32>(halves_1(memory_2.direct_2.x, memory_2.direct_2.y), halves_1(memory_2.direct_2.z, memory_2.albedo_2.x), halves_1(memory_2.albedo_2.y, memory_2.albedo_2.z), u32(0));
+    memory_rows_0[index_38] = vec4<u32>((bitcast<vec3<u32>>((memory_2.place_10))), (_S492 | (_S493)));
+    memory_rows_0[pixels_2 + index_38] = vec4<u32>(halves_1(memory_2.lit_0.paths_0, memory_2.looks_0), halves_1(memory_2.coverage_0, memory_2.roughness_1), words_4.x, words_4.y);
+    memory_rows_0[u32(2) * pixels_2 + index_38] = vec4<u32>((bitcast<vec3<u32>>((memory_2.lit_0.light_12))), words_4.z);
+    memory_rows_0[u32(3) * pixels_2 + index_38] = vec4<u32>(halves_1(memory_2.direct_2.x, memory_2.direct_2.y), halves_1(memory_2.direct_2.z, memory_2.albedo_2.x), halves_1(memory_2.albedo_2.y, memory_2.albedo_2.z), u32(0));
     return;
 }
 
@@ -7415,9 +7015,9 @@ fn remember(@builtin(global_invocation_id) id_1 : vec3<u32>)
     var at_19 : vec2<u32> = pixel_that_traces_0(id_1.x);
     if(is_inside_0(vec2<i32>(at_19)))
     {
-        var index_37 : u32 = index_of_0(at_19);
-        var memory_3 : Memory_0 = memory_before_0(index_37);
-        var sample_23 : Sample_0 = load_sample_0(index_37);
+        var index_39 : u32 = index_of_0(at_19);
+        var memory_3 : Memory_0 = memory_before_0(index_39);
+        var sample_23 : Sample_0 = load_sample_0(index_39);
         Memory_add_0(&(memory_3), sample_23, real_time_0.most_paths_0);
         var is_in_motion_0 : bool;
         if(has_0(u32(4)))
@@ -7428,18 +7028,18 @@ fn remember(@builtin(global_invocation_id) id_1 : vec3<u32>)
         {
             is_in_motion_0 = false;
         }
-        var _S550 : f32;
+        var _S494 : f32;
         if(is_in_motion_0)
         {
-            _S550 = 4.0f;
+            _S494 = 4.0f;
         }
         else
         {
-            _S550 = 16.0f;
+            _S494 = 16.0f;
         }
         var look_0 : Walker_0;
-        var _S551 : Sample_0 = no_sample_0();
-        var seen_1 : Sample_0 = _S551;
+        var _S495 : Sample_0 = no_sample_0();
+        var seen_1 : Sample_0 = _S495;
         var is_under_way_1 : bool = false;
         var differs_0 : bool = false;
         var looks_2 : u32 = u32(0);
@@ -7453,17 +7053,17 @@ fn remember(@builtin(global_invocation_id) id_1 : vec3<u32>)
             {
                 if(has_0(u32(2)))
                 {
-                    var _S552 : f32 = memory_3.looks_0;
-                    var _S553 : f32;
+                    var _S496 : f32 = memory_3.looks_0;
+                    var _S497 : f32;
                     if(differs_0)
                     {
-                        _S553 = _S550;
+                        _S497 = _S494;
                     }
                     else
                     {
-                        _S553 = 4.0f;
+                        _S497 = 4.0f;
                     }
-                    is_in_motion_0 = _S552 < _S553;
+                    is_in_motion_0 = _S496 < _S497;
                 }
                 else
                 {
@@ -7480,28 +7080,28 @@ fn remember(@builtin(global_invocation_id) id_1 : vec3<u32>)
             if(!is_under_way_1)
             {
                 var looks_3 : u32 = looks_2 + u32(1);
-                look_0 = at_camera_0(at_19, FrameParams_camera_0(), Sampler_x24init_0(((params_0.seed_0) ^ (u32(2246822507))), index_37, u32(16) * real_time_0.number_0 + looks_3), false);
-                seen_1 = _S551;
+                look_0 = at_camera_0(at_19, FrameParams_camera_0(), Sampler_x24init_0(((params_0.seed_0) ^ (u32(2246822507))), index_39, u32(16) * real_time_0.number_0 + looks_3), false);
+                seen_1 = _S495;
                 looks_2 = looks_3;
             }
             var is_under_way_2 : bool = goes_on_5(&(look_0), &(seen_1));
             if(!is_under_way_2)
             {
-                var _S554 : bool;
+                var _S498 : bool;
                 if(differs_0)
                 {
-                    _S554 = true;
+                    _S498 = true;
                 }
                 else
                 {
-                    _S554 = differ_0(seen_1, sample_23);
+                    _S498 = differ_0(seen_1, sample_23);
                 }
                 Memory_look_0(&(memory_3), seen_1);
-                differs_0 = _S554;
+                differs_0 = _S498;
             }
             is_under_way_1 = is_under_way_2;
         }
-        store_memory_0(index_37, memory_3);
+        store_memory_0(index_39, memory_3);
     }
     return;
 }

@@ -103,12 +103,6 @@ struct PackedInstance_std430_0
 
 @binding(4) @group(0) var<storage, read> instances_0 : array<PackedInstance_std430_0>;
 
-@binding(21) @group(0) var<storage, read_write> pages_0 : array<u32>;
-
-@binding(0) @group(0) var<storage, read> cells_1 : array<u32>;
-
-@binding(1) @group(0) var<storage, read> bricks_0 : array<u32>;
-
 struct PackedGrid_std430_0
 {
     @align(4) origin_0 : array<i32, i32(3)>,
@@ -123,7 +117,21 @@ struct PackedGrid_std430_0
 
 @binding(3) @group(0) var<storage, read> grids_0 : array<PackedGrid_std430_0>;
 
-@binding(5) @group(0) var<storage, read> instance_rows_0 : array<vec4<u32>>;
+@binding(21) @group(0) var<storage, read_write> pages_0 : array<u32>;
+
+@binding(0) @group(0) var<storage, read> cells_1 : array<u32>;
+
+@binding(1) @group(0) var<storage, read> bricks_0 : array<u32>;
+
+struct InstanceNode_std430_0
+{
+    @align(4) min_1 : array<f32, i32(3)>,
+    @align(4) index_0 : u32,
+    @align(4) max_1 : array<f32, i32(3)>,
+    @align(4) is_leaf_0 : u32,
+};
+
+@binding(5) @group(0) var<storage, read> instance_nodes_0 : array<InstanceNode_std430_0>;
 
 @binding(26) @group(0) var<storage, read_write> scratch_0 : array<vec2<u32>>;
 
@@ -159,18 +167,6 @@ struct Hit_0
      instance_0 : u32,
      voxel_0 : vec3<i32>,
      face_0 : u32,
-};
-
-struct PackedGrid_0
-{
-     origin_0 : array<i32, i32(3)>,
-     top_shift_0 : u32,
-     top_size_0 : array<i32, i32(3)>,
-     top_offset_0 : u32,
-     min_0 : array<i32, i32(3)>,
-     voxels_0 : array<u32, i32(2)>,
-     max_0 : array<i32, i32(3)>,
-     material_bits_0 : u32,
 };
 
 struct Ray_0
@@ -408,38 +404,38 @@ fn LocalRay_t_end_0( this_2 : LocalRay_0) -> f32
     return min(this_2.t_max_1 * 1.00000095367431641f, 3.4028234663852886e+38f);
 }
 
-fn walk_of_0( ray_1 : LocalRay_0,  grid_1 : PackedGrid_0) -> Walk_0
+fn walk_of_0( _S16 : LocalRay_0,  _S17 : u32) -> Walk_0
 {
     var walk_0 : Walk_0;
-    walk_0.ray_0 = ray_1;
-    walk_0.grid_origin_0 = cell_of_0(grid_1.origin_0);
-    var is_negative_0 : vec3<bool> = (ray_1.direction_1) < vec3<f32>(0.0f);
-    var _S16 : vec3<i32> = vec3<i32>(i32(0));
-    walk_0.mirror_0 = select(_S16, vec3<i32>(i32(-1)), is_negative_0);
-    var _S17 : vec3<i32>;
+    walk_0.ray_0 = _S16;
+    walk_0.grid_origin_0 = cell_of_0(grids_0[_S17].origin_0);
+    var is_negative_0 : vec3<bool> = (_S16.direction_1) < vec3<f32>(0.0f);
+    var _S18 : vec3<i32> = vec3<i32>(i32(0));
+    walk_0.mirror_0 = select(_S18, vec3<i32>(i32(-1)), is_negative_0);
+    var _S19 : vec3<i32>;
     if(IS_EXACT_0)
     {
-        _S17 = Walk_mirrored_plane_0(walk_0, walk_0.grid_origin_0);
+        _S19 = Walk_mirrored_plane_0(walk_0, walk_0.grid_origin_0);
     }
     else
     {
-        _S17 = _S16;
+        _S19 = _S18;
     }
-    walk_0.offset_0 = _S17;
+    walk_0.offset_0 = _S19;
     var origin_5 : vec3<f32>;
     if(IS_EXACT_0)
     {
-        origin_5 = ray_1.origin_2;
+        origin_5 = _S16.origin_2;
     }
     else
     {
-        origin_5 = ray_1.origin_2 - vec3<f32>(walk_0.grid_origin_0);
+        origin_5 = _S16.origin_2 - vec3<f32>(walk_0.grid_origin_0);
     }
     walk_0.origin_4 = select(origin_5, (vec3<f32>(0) - origin_5), is_negative_0);
-    walk_0.speed_1 = max(abs(ray_1.direction_1), vec3<f32>(min_abs_direction_0()));
+    walk_0.speed_1 = max(abs(_S16.direction_1), vec3<f32>(min_abs_direction_0()));
     if(IS_EXACT_0)
     {
-        origin_5 = abs(ray_1.inverse_0);
+        origin_5 = abs(_S16.inverse_0);
     }
     else
     {
@@ -453,10 +449,10 @@ fn walk_of_0( ray_1 : LocalRay_0,  grid_1 : PackedGrid_0) -> Walk_0
     }
     else
     {
-        top_shift_1 = grid_1.top_shift_0;
+        top_shift_1 = grids_0[_S17].top_shift_0;
     }
-    walk_0.tolerance_0 = LocalRay_tolerance_0(ray_1, walk_0.grid_origin_0, walk_0.grid_origin_0 + (((cell_of_0(grid_1.top_size_0)) << (vec3<u32>(top_shift_1)))));
-    walk_0.t_end_0 = LocalRay_t_end_0(ray_1);
+    walk_0.tolerance_0 = LocalRay_tolerance_0(_S16, walk_0.grid_origin_0, walk_0.grid_origin_0 + (((cell_of_0(grids_0[_S17].top_size_0)) << (vec3<u32>(top_shift_1)))));
+    walk_0.t_end_0 = LocalRay_t_end_0(_S16);
     return walk_0;
 }
 
@@ -480,65 +476,65 @@ fn exact_product_0( a_1 : f32,  b_1 : f32) -> vec2<f32>
     }
     var a_parts_0 : vec2<f32> = halves_0(a_1);
     var b_parts_0 : vec2<f32> = halves_0(b_1);
-    var _S18 : f32 = a_parts_0.x;
-    var _S19 : f32 = b_parts_0.x;
-    var _S20 : f32 = b_parts_0.y;
-    var _S21 : f32 = a_parts_0.y;
-    return vec2<f32>(product_0, _S18 * _S19 - product_0 + _S18 * _S20 + _S21 * _S19 + _S21 * _S20);
+    var _S20 : f32 = a_parts_0.x;
+    var _S21 : f32 = b_parts_0.x;
+    var _S22 : f32 = b_parts_0.y;
+    var _S23 : f32 = a_parts_0.y;
+    return vec2<f32>(product_0, _S20 * _S21 - product_0 + _S20 * _S22 + _S23 * _S21 + _S23 * _S22);
 }
 
-fn exact_start_voxel_0( ray_2 : LocalRay_0) -> vec3<i32>
+fn exact_start_voxel_0( ray_1 : LocalRay_0) -> vec3<i32>
 {
-    var way_0 : vec2<f32> = exact_product_0(ray_2.t_min_1, ray_2.direction_1[u32(0)]);
-    var _S22 : f32 = way_0.x;
-    var sum_0 : f32 = ray_2.origin_2[u32(0)] + _S22;
-    var part_0 : f32 = sum_0 - ray_2.origin_2[u32(0)];
-    var low_1 : f32 = ray_2.origin_2[u32(0)] - (sum_0 - part_0) + (_S22 - part_0) + way_0.y;
+    var way_0 : vec2<f32> = exact_product_0(ray_1.t_min_1, ray_1.direction_1[u32(0)]);
+    var _S24 : f32 = way_0.x;
+    var sum_0 : f32 = ray_1.origin_2[u32(0)] + _S24;
+    var part_0 : f32 = sum_0 - ray_1.origin_2[u32(0)];
+    var low_1 : f32 = ray_1.origin_2[u32(0)] - (sum_0 - part_0) + (_S24 - part_0) + way_0.y;
     var whole_0 : f32 = floor(sum_0);
     var voxel_3 : vec3<i32>;
-    var _S23 : i32 = i32(whole_0);
-    var _S24 : bool;
+    var _S25 : i32 = i32(whole_0);
+    var _S26 : bool;
     if(sum_0 == whole_0)
     {
-        _S24 = low_1 < 0.0f;
+        _S26 = low_1 < 0.0f;
     }
     else
     {
-        _S24 = false;
+        _S26 = false;
     }
-    voxel_3[u32(0)] = _S23 - i32(_S24);
-    var way_1 : vec2<f32> = exact_product_0(ray_2.t_min_1, ray_2.direction_1[u32(1)]);
-    var _S25 : f32 = way_1.x;
-    var sum_1 : f32 = ray_2.origin_2[u32(1)] + _S25;
-    var part_1 : f32 = sum_1 - ray_2.origin_2[u32(1)];
-    var low_2 : f32 = ray_2.origin_2[u32(1)] - (sum_1 - part_1) + (_S25 - part_1) + way_1.y;
+    voxel_3[u32(0)] = _S25 - i32(_S26);
+    var way_1 : vec2<f32> = exact_product_0(ray_1.t_min_1, ray_1.direction_1[u32(1)]);
+    var _S27 : f32 = way_1.x;
+    var sum_1 : f32 = ray_1.origin_2[u32(1)] + _S27;
+    var part_1 : f32 = sum_1 - ray_1.origin_2[u32(1)];
+    var low_2 : f32 = ray_1.origin_2[u32(1)] - (sum_1 - part_1) + (_S27 - part_1) + way_1.y;
     var whole_1 : f32 = floor(sum_1);
-    var _S26 : i32 = i32(whole_1);
+    var _S28 : i32 = i32(whole_1);
     if(sum_1 == whole_1)
     {
-        _S24 = low_2 < 0.0f;
+        _S26 = low_2 < 0.0f;
     }
     else
     {
-        _S24 = false;
+        _S26 = false;
     }
-    voxel_3[u32(1)] = _S26 - i32(_S24);
-    var way_2 : vec2<f32> = exact_product_0(ray_2.t_min_1, ray_2.direction_1[u32(2)]);
-    var _S27 : f32 = way_2.x;
-    var sum_2 : f32 = ray_2.origin_2[u32(2)] + _S27;
-    var part_2 : f32 = sum_2 - ray_2.origin_2[u32(2)];
-    var low_3 : f32 = ray_2.origin_2[u32(2)] - (sum_2 - part_2) + (_S27 - part_2) + way_2.y;
+    voxel_3[u32(1)] = _S28 - i32(_S26);
+    var way_2 : vec2<f32> = exact_product_0(ray_1.t_min_1, ray_1.direction_1[u32(2)]);
+    var _S29 : f32 = way_2.x;
+    var sum_2 : f32 = ray_1.origin_2[u32(2)] + _S29;
+    var part_2 : f32 = sum_2 - ray_1.origin_2[u32(2)];
+    var low_3 : f32 = ray_1.origin_2[u32(2)] - (sum_2 - part_2) + (_S29 - part_2) + way_2.y;
     var whole_2 : f32 = floor(sum_2);
-    var _S28 : i32 = i32(whole_2);
+    var _S30 : i32 = i32(whole_2);
     if(sum_2 == whole_2)
     {
-        _S24 = low_3 < 0.0f;
+        _S26 = low_3 < 0.0f;
     }
     else
     {
-        _S24 = false;
+        _S26 = false;
     }
-    voxel_3[u32(2)] = _S28 - i32(_S24);
+    voxel_3[u32(2)] = _S30 - i32(_S26);
     return voxel_3;
 }
 
@@ -551,16 +547,16 @@ fn Walk_start_voxel_0( this_4 : Walk_0) -> vec3<i32>
     }
     var nearest_0 : vec3<f32> = round(start_0);
     var from_nearest_0 : vec3<f32> = start_0 - nearest_0;
-    var _S29 : bool;
+    var _S31 : bool;
     if((this_4.ray_0.t_min_1) > 0.0f)
     {
-        _S29 = (any(((abs(from_nearest_0)) <= (this_4.tolerance_0))));
+        _S31 = (any(((abs(from_nearest_0)) <= (this_4.tolerance_0))));
     }
     else
     {
-        _S29 = false;
+        _S31 = false;
     }
-    if(_S29)
+    if(_S31)
     {
         return Walk_mirrored_0(this_4, exact_start_voxel_0(this_4.ray_0) - this_4.grid_origin_0);
     }
@@ -582,18 +578,18 @@ struct Crossing_0
 
 fn Crossing_x24init_0( distance_1 : f32,  distance_low_1 : f32,  speed_3 : f32,  axis_1 : u32) -> Crossing_0
 {
-    var _S30 : Crossing_0;
-    _S30.distance_0 = distance_1;
-    _S30.distance_low_0 = distance_low_1;
-    _S30.speed_2 = speed_3;
-    _S30.axis_0 = axis_1;
-    return _S30;
+    var _S32 : Crossing_0;
+    _S32.distance_0 = distance_1;
+    _S32.distance_low_0 = distance_low_1;
+    _S32.speed_2 = speed_3;
+    _S32.axis_0 = axis_1;
+    return _S32;
 }
 
-fn crossing_of_0( ray_3 : LocalRay_0,  axis_2 : u32,  plane_1 : i32) -> Crossing_0
+fn crossing_of_0( ray_2 : LocalRay_0,  axis_2 : u32,  plane_1 : i32) -> Crossing_0
 {
     var sign_0 : f32;
-    if((ray_3.direction_1[axis_2]) < 0.0f)
+    if((ray_2.direction_1[axis_2]) < 0.0f)
     {
         sign_0 = -1.0f;
     }
@@ -602,9 +598,9 @@ fn crossing_of_0( ray_3 : LocalRay_0,  axis_2 : u32,  plane_1 : i32) -> Crossing
         sign_0 = 1.0f;
     }
     var at_0 : f32 = f32(plane_1);
-    var difference_0 : f32 = at_0 - ray_3.origin_2[axis_2];
+    var difference_0 : f32 = at_0 - ray_2.origin_2[axis_2];
     var part_3 : f32 = difference_0 - at_0;
-    return Crossing_x24init_0(difference_0 * sign_0, (at_0 - (difference_0 - part_3) - (ray_3.origin_2[axis_2] + part_3)) * sign_0, abs(ray_3.direction_1[axis_2]), axis_2);
+    return Crossing_x24init_0(difference_0 * sign_0, (at_0 - (difference_0 - part_3) - (ray_2.origin_2[axis_2] + part_3)) * sign_0, abs(ray_2.direction_1[axis_2]), axis_2);
 }
 
 fn Crossing_is_before_0( this_6 : Crossing_0,  other_0 : Crossing_0) -> bool
@@ -617,61 +613,61 @@ fn Crossing_is_before_0( this_6 : Crossing_0,  other_0 : Crossing_0) -> bool
         theirs_0[i32(1)] = theirs_0[i32(1)] + other_0.distance_low_0 * this_6.speed_2;
     }
     var difference_1 : f32 = ours_0.x - theirs_0.x + (ours_0.y - theirs_0.y);
-    var _S31 : bool;
+    var _S33 : bool;
     if(difference_1 < 0.0f)
     {
-        _S31 = true;
+        _S33 = true;
     }
     else
     {
         if(difference_1 == 0.0f)
         {
-            _S31 = (this_6.axis_0) < (other_0.axis_0);
+            _S33 = (this_6.axis_0) < (other_0.axis_0);
         }
         else
         {
-            _S31 = false;
+            _S33 = false;
         }
     }
-    return _S31;
+    return _S33;
 }
 
-fn leave_box_0( ray_4 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  nearest_1 : vec3<i32>) -> vec3<i32>
+fn leave_box_0( ray_3 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  nearest_1 : vec3<i32>) -> vec3<i32>
 {
-    var _S32 : vec3<f32>;
-    var _S33 : f32;
-    var _S34 : bool;
-    var is_crossed_0 : bool;
-    var first_0 : Crossing_0;
+    var _S34 : vec3<f32>;
     var _S35 : f32;
     var _S36 : bool;
+    var is_crossed_0 : bool;
+    var first_0 : Crossing_0;
     var _S37 : f32;
     var _S38 : bool;
+    var _S39 : f32;
+    var _S40 : bool;
     var plane_2 : i32;
-    var _S39 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
+    var _S41 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
     for(;;)
     {
         for(;;)
         {
             for(;;)
             {
-                _S32 = ray_4.direction_1;
-                _S33 = ray_4.direction_1[u32(0)];
-                var _S40 : bool = (ray_4.direction_1[u32(0)]) == 0.0f;
-                _S34 = _S40;
-                if(_S40)
+                _S34 = ray_3.direction_1;
+                _S35 = ray_3.direction_1[u32(0)];
+                var _S42 : bool = (ray_3.direction_1[u32(0)]) == 0.0f;
+                _S36 = _S42;
+                if(_S42)
                 {
-                    first_0 = _S39;
+                    first_0 = _S41;
                     break;
                 }
-                var crossing_0 : Crossing_0 = crossing_of_0(ray_4, u32(0), exit_0[u32(0)]);
-                if((_S39.axis_0) == u32(3))
+                var crossing_0 : Crossing_0 = crossing_of_0(ray_3, u32(0), exit_0[u32(0)]);
+                if((_S41.axis_0) == u32(3))
                 {
                     is_crossed_0 = true;
                 }
                 else
                 {
-                    is_crossed_0 = Crossing_is_before_0(crossing_0, _S39);
+                    is_crossed_0 = Crossing_is_before_0(crossing_0, _S41);
                 }
                 if(is_crossed_0)
                 {
@@ -679,7 +675,7 @@ fn leave_box_0( ray_4 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
                 }
                 else
                 {
-                    first_0 = _S39;
+                    first_0 = _S41;
                 }
                 break;
             }
@@ -689,14 +685,14 @@ fn leave_box_0( ray_4 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                _S35 = _S32[u32(1)];
-                var _S41 : bool = (_S32[u32(1)]) == 0.0f;
-                _S36 = _S41;
-                if(_S41)
+                _S37 = _S34[u32(1)];
+                var _S43 : bool = (_S34[u32(1)]) == 0.0f;
+                _S38 = _S43;
+                if(_S43)
                 {
                     break;
                 }
-                var crossing_1 : Crossing_0 = crossing_of_0(ray_4, u32(1), exit_0[u32(1)]);
+                var crossing_1 : Crossing_0 = crossing_of_0(ray_3, u32(1), exit_0[u32(1)]);
                 if((first_0.axis_0) == u32(3))
                 {
                     is_crossed_0 = true;
@@ -717,14 +713,14 @@ fn leave_box_0( ray_4 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                _S37 = _S32[u32(2)];
-                var _S42 : bool = (_S32[u32(2)]) == 0.0f;
-                _S38 = _S42;
-                if(_S42)
+                _S39 = _S34[u32(2)];
+                var _S44 : bool = (_S34[u32(2)]) == 0.0f;
+                _S40 = _S44;
+                if(_S44)
                 {
                     break;
                 }
-                var crossing_2 : Crossing_0 = crossing_of_0(ray_4, u32(2), exit_0[u32(2)]);
+                var crossing_2 : Crossing_0 = crossing_of_0(ray_3, u32(2), exit_0[u32(2)]);
                 if((first_0.axis_0) == u32(3))
                 {
                     is_crossed_0 = true;
@@ -750,20 +746,20 @@ fn leave_box_0( ray_4 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                if(_S34)
+                if(_S36)
                 {
                     break;
                 }
-                var _S43 : bool = u32(0) == (first_0.axis_0);
-                if(_S43)
+                var _S45 : bool = u32(0) == (first_0.axis_0);
+                if(_S45)
                 {
                     is_crossed_0 = true;
                 }
                 else
                 {
-                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_4, u32(0), nearest_1[u32(0)]), first_0);
+                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_3, u32(0), nearest_1[u32(0)]), first_0);
                 }
-                if(_S43)
+                if(_S45)
                 {
                     plane_2 = exit_0[u32(0)];
                 }
@@ -771,37 +767,7 @@ fn leave_box_0( ray_4 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
                 {
                     plane_2 = nearest_1[u32(0)];
                 }
-                arrival_0[u32(0)] = plane_2 - i32(is_crossed_0 == (_S33 < 0.0f));
-                break;
-            }
-            break;
-        }
-        for(;;)
-        {
-            for(;;)
-            {
-                if(_S36)
-                {
-                    break;
-                }
-                var _S44 : bool = u32(1) == (first_0.axis_0);
-                if(_S44)
-                {
-                    is_crossed_0 = true;
-                }
-                else
-                {
-                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_4, u32(1), nearest_1[u32(1)]), first_0);
-                }
-                if(_S44)
-                {
-                    plane_2 = exit_0[u32(1)];
-                }
-                else
-                {
-                    plane_2 = nearest_1[u32(1)];
-                }
-                arrival_0[u32(1)] = plane_2 - i32(is_crossed_0 == (_S35 < 0.0f));
+                arrival_0[u32(0)] = plane_2 - i32(is_crossed_0 == (_S35 < 0.0f));
                 break;
             }
             break;
@@ -814,16 +780,46 @@ fn leave_box_0( ray_4 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
                 {
                     break;
                 }
-                var _S45 : bool = u32(2) == (first_0.axis_0);
-                if(_S45)
+                var _S46 : bool = u32(1) == (first_0.axis_0);
+                if(_S46)
                 {
                     is_crossed_0 = true;
                 }
                 else
                 {
-                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_4, u32(2), nearest_1[u32(2)]), first_0);
+                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_3, u32(1), nearest_1[u32(1)]), first_0);
                 }
-                if(_S45)
+                if(_S46)
+                {
+                    plane_2 = exit_0[u32(1)];
+                }
+                else
+                {
+                    plane_2 = nearest_1[u32(1)];
+                }
+                arrival_0[u32(1)] = plane_2 - i32(is_crossed_0 == (_S37 < 0.0f));
+                break;
+            }
+            break;
+        }
+        for(;;)
+        {
+            for(;;)
+            {
+                if(_S40)
+                {
+                    break;
+                }
+                var _S47 : bool = u32(2) == (first_0.axis_0);
+                if(_S47)
+                {
+                    is_crossed_0 = true;
+                }
+                else
+                {
+                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_3, u32(2), nearest_1[u32(2)]), first_0);
+                }
+                if(_S47)
                 {
                     plane_2 = exit_0[u32(2)];
                 }
@@ -831,7 +827,7 @@ fn leave_box_0( ray_4 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
                 {
                     plane_2 = nearest_1[u32(2)];
                 }
-                arrival_0[u32(2)] = plane_2 - i32(is_crossed_0 == (_S37 < 0.0f));
+                arrival_0[u32(2)] = plane_2 - i32(is_crossed_0 == (_S39 < 0.0f));
                 break;
             }
             break;
@@ -878,9 +874,9 @@ fn Walk_enter_rounded_0( this_8 : Walk_0,  voxel_6 : ptr<function, vec3<i32>>,  
             return false;
         }
         var is_x_0 : bool = (t_3.x) == t_last_0;
-        var _S46 : bool = !is_x_0;
+        var _S48 : bool = !is_x_0;
         var is_y_0 : bool;
-        if(_S46)
+        if(_S48)
         {
             is_y_0 = (t_3.y) == t_last_0;
         }
@@ -888,16 +884,16 @@ fn Walk_enter_rounded_0( this_8 : Walk_0,  voxel_6 : ptr<function, vec3<i32>>,  
         {
             is_y_0 = false;
         }
-        var _S47 : bool;
-        if(_S46)
+        var _S49 : bool;
+        if(_S48)
         {
-            _S47 = !is_y_0;
+            _S49 = !is_y_0;
         }
         else
         {
-            _S47 = false;
+            _S49 = false;
         }
-        var is_axis_1 : vec3<bool> = vec3<bool>(is_x_0, is_y_0, _S47);
+        var is_axis_1 : vec3<bool> = vec3<bool>(is_x_0, is_y_0, _S49);
         (*voxel_6) = Walk_arrive_0(this_8, (*voxel_6), t_last_0, is_axis_1, select(vec3<i32>(i32(1073741823)), near_0, is_axis_1));
     }
     return (all(((*voxel_6) < far_0)));
@@ -924,8 +920,8 @@ fn Walk_leave_0( this_10 : Walk_0,  voxel_8 : ptr<function, vec3<i32>>,  exit_3 
 {
     if(!IS_EXACT_0)
     {
-        var _S48 : bool = Walk_leave_rounded_0(this_10, &((*voxel_8)), exit_3);
-        return _S48;
+        var _S50 : bool = Walk_leave_rounded_0(this_10, &((*voxel_8)), exit_3);
+        return _S50;
     }
     var t_5 : vec3<f32> = Walk_crossings_0(this_10, exit_3);
     var t_first_1 : f32 = min_element_0(t_5);
@@ -934,9 +930,9 @@ fn Walk_leave_0( this_10 : Walk_0,  voxel_8 : ptr<function, vec3<i32>>,  exit_3 
         return false;
     }
     var is_x_1 : bool = (t_5.x) == t_first_1;
-    var _S49 : bool = !is_x_1;
+    var _S51 : bool = !is_x_1;
     var is_y_1 : bool;
-    if(_S49)
+    if(_S51)
     {
         is_y_1 = (t_5.y) == t_first_1;
     }
@@ -948,25 +944,25 @@ fn Walk_leave_0( this_10 : Walk_0,  voxel_8 : ptr<function, vec3<i32>>,  exit_3 
     var nearest_3 : vec3<f32> = round(back_0);
     var from_nearest_2 : vec3<f32> = back_0 - nearest_3;
     var planes_2 : vec3<i32> = exit_3 - vec3<i32>(min(nearest_3, vec3<f32>(4.194304e+06f)));
-    var _S50 : vec3<i32> = planes_2 - vec3<i32>(from_nearest_2 > vec3<f32>(0.0f));
-    var _S51 : vec3<bool> = (abs(from_nearest_2)) <= (this_10.tolerance_0);
-    var _S52 : bool;
-    if(_S49)
+    var _S52 : vec3<i32> = planes_2 - vec3<i32>(from_nearest_2 > vec3<f32>(0.0f));
+    var _S53 : vec3<bool> = (abs(from_nearest_2)) <= (this_10.tolerance_0);
+    var _S54 : bool;
+    if(_S51)
     {
-        _S52 = !is_y_1;
+        _S54 = !is_y_1;
     }
     else
     {
-        _S52 = false;
+        _S54 = false;
     }
     var arrival_1 : vec3<i32>;
-    if((any((select(vec3<bool>(false), !vec3<bool>(is_x_1, is_y_1, _S52), _S51)))))
+    if((any((select(vec3<bool>(false), !vec3<bool>(is_x_1, is_y_1, _S54), _S53)))))
     {
         arrival_1 = Walk_mirrored_0(this_10, leave_box_0(this_10.ray_0, Walk_mirrored_0(this_10, (*voxel_8)) + this_10.grid_origin_0, Walk_mirrored_plane_0(this_10, exit_3) + this_10.grid_origin_0, Walk_mirrored_plane_0(this_10, planes_2) + this_10.grid_origin_0) - this_10.grid_origin_0);
     }
     else
     {
-        arrival_1 = _S50;
+        arrival_1 = _S52;
     }
     (*voxel_8) = select(max(arrival_1, (*voxel_8)), (*voxel_8), (this_10.speed_1) == vec3<f32>(0.0f));
     return true;
@@ -974,44 +970,44 @@ fn Walk_leave_0( this_10 : Walk_0,  voxel_8 : ptr<function, vec3<i32>>,  exit_3 
 
 fn Walk_enter_0( this_11 : Walk_0,  voxel_9 : ptr<function, vec3<i32>>,  low_4 : vec3<i32>,  high_2 : vec3<i32>) -> bool
 {
-    var _S53 : bool;
+    var _S55 : bool;
     var is_mirrored_0 : vec3<bool> = (this_11.mirror_0) != vec3<i32>(i32(0));
     var near_1 : vec3<i32> = select(low_4, (vec3<i32>(0) - high_2), is_mirrored_0);
     var far_1 : vec3<i32> = select(high_2, (vec3<i32>(0) - low_4), is_mirrored_0);
     if(!IS_EXACT_0)
     {
-        var _S54 : bool = Walk_enter_rounded_0(this_11, &((*voxel_9)), near_1, far_1);
-        return _S54;
+        var _S56 : bool = Walk_enter_rounded_0(this_11, &((*voxel_9)), near_1, far_1);
+        return _S56;
     }
     var axis_3 : u32 = u32(0);
     for(;;)
     {
         if(axis_3 < u32(3))
         {
-            _S53 = (any(((*voxel_9) < near_1)));
-        }
-        else
-        {
-            _S53 = false;
-        }
-        var _S55 : bool;
-        if(_S53)
-        {
-            _S55 = (all(((*voxel_9) < far_1)));
+            _S55 = (any(((*voxel_9) < near_1)));
         }
         else
         {
             _S55 = false;
         }
+        var _S57 : bool;
         if(_S55)
+        {
+            _S57 = (all(((*voxel_9) < far_1)));
+        }
+        else
+        {
+            _S57 = false;
+        }
+        if(_S57)
         {
         }
         else
         {
             break;
         }
-        var _S56 : bool = Walk_leave_0(this_11, &((*voxel_9)), select(far_1, near_1, (*voxel_9) < near_1));
-        if(!_S56)
+        var _S58 : bool = Walk_leave_0(this_11, &((*voxel_9)), select(far_1, near_1, (*voxel_9) < near_1));
+        if(!_S58)
         {
             return false;
         }
@@ -1019,13 +1015,13 @@ fn Walk_enter_0( this_11 : Walk_0,  voxel_9 : ptr<function, vec3<i32>>,  low_4 :
     }
     if((all(((*voxel_9) >= near_1))))
     {
-        _S53 = (all(((*voxel_9) < far_1)));
+        _S55 = (all(((*voxel_9) < far_1)));
     }
     else
     {
-        _S53 = false;
+        _S55 = false;
     }
-    return _S53;
+    return _S55;
 }
 
 fn LocalRay_octant_0( this_12 : LocalRay_0) -> u32
@@ -1053,47 +1049,47 @@ fn ahead_of_0( mirror_1 : vec3<i32>) -> u32
 
 var<private> is_page_missing_0 : bool;
 
-fn word_in_pages_0( index_0 : u32,  first_1 : u32) -> u32
+fn word_in_pages_0( index_1 : u32,  first_1 : u32) -> u32
 {
-    var page_0 : u32 = first_1 + ((index_0 >> (u32(10))));
+    var page_0 : u32 = first_1 + ((index_1 >> (u32(10))));
     var mark_0 : u32 = u32(8) + pages_0[i32(0)] + page_0;
     if(pages_0[mark_0] == u32(0))
     {
         pages_0[mark_0] = u32(1);
     }
     var slot_0 : u32 = pages_0[u32(8) + page_0];
-    var _S57 : bool;
+    var _S59 : bool;
     if(is_page_missing_0)
     {
-        _S57 = true;
+        _S59 = true;
     }
     else
     {
-        _S57 = slot_0 == u32(0);
+        _S59 = slot_0 == u32(0);
     }
-    is_page_missing_0 = _S57;
-    return (((slot_0 << (u32(10)))) | (((index_0 & (u32(1023))))));
+    is_page_missing_0 = _S59;
+    return (((slot_0 << (u32(10)))) | (((index_1 & (u32(1023))))));
 }
 
-fn place_of_cell_0( index_1 : u32) -> u32
+fn place_of_cell_0( index_2 : u32) -> u32
 {
-    var _S58 : u32;
+    var _S60 : u32;
     if(HAS_PAGES_0)
     {
-        var _S59 : u32 = word_in_pages_0(index_1, u32(0));
-        _S58 = _S59;
+        var _S61 : u32 = word_in_pages_0(index_2, u32(0));
+        _S60 = _S61;
     }
     else
     {
-        _S58 = index_1;
+        _S60 = index_2;
     }
-    return _S58;
+    return _S60;
 }
 
-fn cell_word_0( index_2 : u32) -> u32
+fn cell_word_0( index_3 : u32) -> u32
 {
-    var _S60 : u32 = place_of_cell_0(index_2);
-    return cells_1[_S60];
+    var _S62 : u32 = place_of_cell_0(index_3);
+    return cells_1[_S62];
 }
 
 fn cell_in_node_0( relative_0 : vec3<i32>,  shift_0 : u32) -> u32
@@ -1104,16 +1100,16 @@ fn cell_in_node_0( relative_0 : vec3<i32>,  shift_0 : u32) -> u32
 
 fn waits_for_pages_0() -> bool
 {
-    var _S61 : bool;
+    var _S63 : bool;
     if(HAS_PAGES_0)
     {
-        _S61 = is_page_missing_0;
+        _S63 = is_page_missing_0;
     }
     else
     {
-        _S61 = false;
+        _S63 = false;
     }
-    return _S61;
+    return _S63;
 }
 
 @id(11) override CELLS_SKIP_0 : bool = false;
@@ -1121,16 +1117,16 @@ fn waits_for_pages_0() -> bool
 fn skip_distance_0( cell_1 : u32,  octant_1 : u32) -> u32
 {
     var code_0 : u32 = (((cell_1 >> ((u32(3) * octant_1)))) & (u32(7)));
-    var _S62 : u32;
+    var _S64 : u32;
     if(code_0 < u32(2))
     {
-        _S62 = code_0 + u32(1);
+        _S64 = code_0 + u32(1);
     }
     else
     {
-        _S62 = ((u32(3) + ((code_0 & (u32(1))))) << ((((code_0 >> (u32(1)))) - u32(1))));
+        _S64 = ((u32(3) + ((code_0 & (u32(1))))) << ((((code_0 >> (u32(1)))) - u32(1))));
     }
-    return _S62;
+    return _S64;
 }
 
 fn extents_0( cell_2 : u32,  ahead_0 : u32) -> vec3<i32>
@@ -1142,16 +1138,16 @@ fn extents_0( cell_2 : u32,  ahead_0 : u32) -> vec3<i32>
 
 fn record_of_cell_0( cell_3 : u32) -> u32
 {
-    var _S63 : u32;
+    var _S65 : u32;
     if(CELLS_HAVE_BLOCKS_0)
     {
-        _S63 = u32(8388607);
+        _S65 = u32(8388607);
     }
     else
     {
-        _S63 = u32(2147483647);
+        _S65 = u32(2147483647);
     }
-    return ((cell_3 & (_S63))) * u32(2);
+    return ((cell_3 & (_S65))) * u32(2);
 }
 
 fn blocks_of_cell_0( cell_4 : u32) -> u32
@@ -1159,31 +1155,31 @@ fn blocks_of_cell_0( cell_4 : u32) -> u32
     return (((cell_4 >> (u32(23)))) & (u32(255)));
 }
 
-fn place_of_brick_0( index_3 : u32) -> u32
+fn place_of_brick_0( index_4 : u32) -> u32
 {
-    var _S64 : u32;
+    var _S66 : u32;
     if(HAS_PAGES_0)
     {
-        var _S65 : u32 = word_in_pages_0(index_3, pages_0[i32(1)]);
-        _S64 = _S65;
+        var _S67 : u32 = word_in_pages_0(index_4, pages_0[i32(1)]);
+        _S66 = _S67;
     }
     else
     {
-        _S64 = index_3;
+        _S66 = index_4;
     }
-    return _S64;
+    return _S66;
 }
 
-fn brick_word_0( index_4 : u32) -> u32
+fn brick_word_0( index_5 : u32) -> u32
 {
-    var _S66 : u32 = place_of_brick_0(index_4);
-    return bricks_0[_S66];
+    var _S68 : u32 = place_of_brick_0(index_5);
+    return bricks_0[_S68];
 }
 
 fn blocks_of_record_0( record_0 : u32) -> u32
 {
-    var _S67 : u32 = brick_word_0(record_0);
-    return (_S67 & (u32(255)));
+    var _S69 : u32 = brick_word_0(record_0);
+    return (_S69 & (u32(255)));
 }
 
 fn empty_around_0( record_1 : u32,  blocks_0 : u32,  voxel_10 : vec3<i32>,  octant_2 : u32,  flip_0 : u32) -> u32
@@ -1199,16 +1195,16 @@ fn empty_around_0( record_1 : u32,  blocks_0 : u32,  voxel_10 : vec3<i32>,  octa
     {
         return u32(4294967295);
     }
-    var _S68 : i32;
+    var _S70 : i32;
     if(((((half_0 >> (((bit_0 & (u32(10))))))) & (u32(3342387)))) == u32(0))
     {
-        _S68 = i32(1);
+        _S70 = i32(1);
     }
     else
     {
-        _S68 = i32(0);
+        _S70 = i32(0);
     }
-    return u32(_S68);
+    return u32(_S70);
 }
 
 fn Walk_leave_rounded_1( this_13 : Walk_0,  voxel_11 : ptr<function, vec3<i32>>,  exit_4 : vec3<i32>) -> bool
@@ -1227,8 +1223,8 @@ fn Walk_leave_1( this_14 : Walk_0,  voxel_12 : ptr<function, vec3<i32>>,  exit_5
 {
     if(!IS_EXACT_0)
     {
-        var _S69 : bool = Walk_leave_rounded_1(this_14, &((*voxel_12)), exit_5);
-        return _S69;
+        var _S71 : bool = Walk_leave_rounded_1(this_14, &((*voxel_12)), exit_5);
+        return _S71;
     }
     var t_7 : vec3<f32> = Walk_crossings_0(this_14, exit_5);
     var t_first_3 : f32 = min_element_0(t_7);
@@ -1237,9 +1233,9 @@ fn Walk_leave_1( this_14 : Walk_0,  voxel_12 : ptr<function, vec3<i32>>,  exit_5
         return false;
     }
     var is_x_2 : bool = (t_7.x) == t_first_3;
-    var _S70 : bool = !is_x_2;
+    var _S72 : bool = !is_x_2;
     var is_y_2 : bool;
-    if(_S70)
+    if(_S72)
     {
         is_y_2 = (t_7.y) == t_first_3;
     }
@@ -1251,45 +1247,43 @@ fn Walk_leave_1( this_14 : Walk_0,  voxel_12 : ptr<function, vec3<i32>>,  exit_5
     var nearest_4 : vec3<f32> = round(back_1);
     var from_nearest_3 : vec3<f32> = back_1 - nearest_4;
     var planes_3 : vec3<i32> = exit_5 - vec3<i32>(min(nearest_4, vec3<f32>(4.194304e+06f)));
-    var _S71 : vec3<i32> = planes_3 - vec3<i32>(from_nearest_3 > vec3<f32>(0.0f));
-    var _S72 : vec3<bool> = (abs(from_nearest_3)) <= (this_14.tolerance_0);
-    var _S73 : bool;
-    if(_S70)
+    var _S73 : vec3<i32> = planes_3 - vec3<i32>(from_nearest_3 > vec3<f32>(0.0f));
+    var _S74 : vec3<bool> = (abs(from_nearest_3)) <= (this_14.tolerance_0);
+    var _S75 : bool;
+    if(_S72)
     {
-        _S73 = !is_y_2;
+        _S75 = !is_y_2;
     }
     else
     {
-        _S73 = false;
+        _S75 = false;
     }
     var arrival_2 : vec3<i32>;
-    if((any((select(vec3<bool>(false), !vec3<bool>(is_x_2, is_y_2, _S73), _S72)))))
+    if((any((select(vec3<bool>(false), !vec3<bool>(is_x_2, is_y_2, _S75), _S74)))))
     {
         arrival_2 = Walk_mirrored_0(this_14, leave_box_0(this_14.ray_0, Walk_mirrored_0(this_14, (*voxel_12)) + this_14.grid_origin_0, Walk_mirrored_plane_0(this_14, exit_5) + this_14.grid_origin_0, Walk_mirrored_plane_0(this_14, planes_3) + this_14.grid_origin_0) - this_14.grid_origin_0);
     }
     else
     {
-        arrival_2 = _S71;
+        arrival_2 = _S73;
     }
     (*voxel_12) = select(max(arrival_2, (*voxel_12)), (*voxel_12), (this_14.speed_1) == vec3<f32>(0.0f));
     return true;
 }
 
-fn first_voxel_0( grid_2 : PackedGrid_0,  walk_1 : Walk_0,  found_0 : ptr<function, vec3<i32>>) -> bool
+fn first_voxel_0( _S76 : u32,  _S77 : Walk_0,  _S78 : ptr<function, vec3<i32>>) -> bool
 {
-    var _S74 : Walk_0 = walk_1;
-    var _S75 : vec3<i32> = vec3<i32>(i32(0));
-    (*found_0) = _S75;
-    var voxel_13 : vec3<i32> = Walk_start_voxel_0(walk_1);
-    var _S76 : vec3<i32> = cell_of_0(grid_2.min_0);
-    var _S77 : vec3<i32> = cell_of_0(grid_2.max_0);
-    var _S78 : bool = Walk_enter_0(walk_1, &(voxel_13), _S76 - _S74.grid_origin_0, _S77 - _S74.grid_origin_0);
-    if(!_S78)
+    var _S79 : Walk_0 = _S77;
+    var _S80 : vec3<i32> = vec3<i32>(i32(0));
+    (*_S78) = _S80;
+    var voxel_13 : vec3<i32> = Walk_start_voxel_0(_S77);
+    var _S81 : bool = Walk_enter_0(_S77, &(voxel_13), cell_of_0(grids_0[_S76].min_0) - _S79.grid_origin_0, cell_of_0(grids_0[_S76].max_0) - _S79.grid_origin_0);
+    if(!_S81)
     {
         return false;
     }
-    var octant_3 : u32 = LocalRay_octant_0(_S74.ray_0);
-    var _S79 : u32 = flip_of_0(octant_3);
+    var octant_3 : u32 = LocalRay_octant_0(_S79.ray_0);
+    var _S82 : u32 = flip_of_0(octant_3);
     var top_shift_2 : u32;
     if(TOP_SHIFT_0 != u32(0))
     {
@@ -1297,33 +1291,18 @@ fn first_voxel_0( grid_2 : PackedGrid_0,  walk_1 : Walk_0,  found_0 : ptr<functi
     }
     else
     {
-        top_shift_2 = grid_2.top_shift_0;
+        top_shift_2 = grids_0[_S76].top_shift_0;
     }
-    var top_size_1 : vec3<i32> = cell_of_0(grid_2.top_size_0);
-    var _S80 : i32 = top_size_1.x;
-    var stride_0 : vec3<i32> = vec3<i32>(i32(1), _S80, _S80 * top_size_1.y);
-    var _S81 : i32 = i32(grid_2.top_offset_0) - dot_cells_0((stride_0 & ((_S74.mirror_0))), vec3<i32>(i32(1)));
-    var _S82 : vec3<i32> = Walk_mirrored_plane_0(_S74, stride_0);
-    var _S83 : u32 = ahead_of_0(_S74.mirror_0);
-    var end_0 : vec3<i32> = select((top_size_1 << (vec3<u32>(top_shift_2))), _S75, (_S74.mirror_0) != _S75);
+    var top_size_1 : vec3<i32> = cell_of_0(grids_0[_S76].top_size_0);
+    var _S83 : i32 = top_size_1.x;
+    var stride_0 : vec3<i32> = vec3<i32>(i32(1), _S83, _S83 * top_size_1.y);
+    var _S84 : i32 = i32(grids_0[_S76].top_offset_0) - dot_cells_0((stride_0 & ((_S79.mirror_0))), vec3<i32>(i32(1)));
+    var _S85 : vec3<i32> = Walk_mirrored_plane_0(_S79, stride_0);
+    var _S86 : u32 = ahead_of_0(_S79.mirror_0);
+    var end_0 : vec3<i32> = select((top_size_1 << (vec3<u32>(top_shift_2))), _S80, (_S79.mirror_0) != _S80);
     if(!IS_EXACT_0)
     {
-        _S74.t_end_0 = min(_S74.t_end_0, min_element_0(Walk_crossings_0(_S74, end_0)));
-    }
-    if(!IS_SINGLE_0)
-    {
-        var _S84 : f32 = _S74.t_end_0;
-        var _S85 : f32 = min_element_0(Walk_crossings_0(_S74, Walk_mirrored_plane_0(_S74, select(_S77, _S76, (_S74.mirror_0) != _S75) - _S74.grid_origin_0)));
-        var _S86 : f32;
-        if(IS_EXACT_0)
-        {
-            _S86 = 1.00000095367431641f;
-        }
-        else
-        {
-            _S86 = 1.0f;
-        }
-        _S74.t_end_0 = min(_S84, _S85 * _S86);
+        _S79.t_end_0 = min(_S79.t_end_0, min_element_0(Walk_crossings_0(_S79, end_0)));
     }
     var is_found_0 : bool = false;
     for(;;)
@@ -1341,7 +1320,7 @@ fn first_voxel_0( grid_2 : PackedGrid_0,  walk_1 : Walk_0,  found_0 : ptr<functi
         {
             break;
         }
-        var cell_5 : u32 = cell_word_0(u32(_S81 + dot_cells_0(_S82, (voxel_13 >> (vec3<u32>(top_shift_2))))));
+        var cell_5 : u32 = cell_word_0(u32(_S84 + dot_cells_0(_S85, (voxel_13 >> (vec3<u32>(top_shift_2))))));
         var cell_6 : u32;
         var shift_1 : u32;
         var is_found_1 : bool;
@@ -1349,7 +1328,7 @@ fn first_voxel_0( grid_2 : PackedGrid_0,  walk_1 : Walk_0,  found_0 : ptr<functi
         {
             if(((cell_5 & (u32(2147483648)))) != u32(0))
             {
-                var _S88 : u32 = cell_word_0(((cell_5 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_13, u32(3))) ^ (_S79))));
+                var _S88 : u32 = cell_word_0(((cell_5 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_13, u32(3))) ^ (_S82))));
                 cell_6 = _S88;
                 shift_1 = u32(3);
             }
@@ -1390,7 +1369,7 @@ fn first_voxel_0( grid_2 : PackedGrid_0,  walk_1 : Walk_0,  found_0 : ptr<functi
                     break;
                 }
                 var shift_2 : u32 = shift_1 - u32(2);
-                var _S90 : u32 = cell_word_0(((cell_6 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_13, shift_2)) ^ (_S79))));
+                var _S90 : u32 = cell_word_0(((cell_6 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_13, shift_2)) ^ (_S82))));
                 cell_6 = _S90;
                 shift_1 = shift_2;
             }
@@ -1408,7 +1387,7 @@ fn first_voxel_0( grid_2 : PackedGrid_0,  walk_1 : Walk_0,  found_0 : ptr<functi
             }
             else
             {
-                exit_6 = extents_0(cell_6, _S83);
+                exit_6 = extents_0(cell_6, _S86);
             }
             exit_6 = ((voxel_13 | (vec3<i32>((((i32(1) << (shift_1))) - i32(1)))))) + vec3<i32>(i32(1)) + ((exit_6 << (vec3<u32>(shift_1))));
             is_found_1 = is_found_0;
@@ -1426,7 +1405,7 @@ fn first_voxel_0( grid_2 : PackedGrid_0,  walk_1 : Walk_0,  found_0 : ptr<functi
                 var _S91 : u32 = blocks_of_record_0(record_2);
                 blocks_1 = _S91;
             }
-            var low_bits_0 : u32 = empty_around_0(record_2, blocks_1, voxel_13, octant_3, _S79);
+            var low_bits_0 : u32 = empty_around_0(record_2, blocks_1, voxel_13, octant_3, _S82);
             var is_found_2 : bool = low_bits_0 == u32(4294967295);
             if(is_found_2)
             {
@@ -1436,7 +1415,7 @@ fn first_voxel_0( grid_2 : PackedGrid_0,  walk_1 : Walk_0,  found_0 : ptr<functi
             exit_6 = ((voxel_13 | (vec3<i32>(i32(low_bits_0))))) + vec3<i32>(i32(1));
             is_found_1 = is_found_2;
         }
-        var _S92 : bool = Walk_leave_1(_S74, &(voxel_13), exit_6);
+        var _S92 : bool = Walk_leave_1(_S79, &(voxel_13), exit_6);
         if(!_S92)
         {
             is_found_0 = is_found_1;
@@ -1444,7 +1423,7 @@ fn first_voxel_0( grid_2 : PackedGrid_0,  walk_1 : Walk_0,  found_0 : ptr<functi
         }
         is_found_0 = is_found_1;
     }
-    (*found_0) = Walk_mirrored_0(_S74, voxel_13) + _S74.grid_origin_0;
+    (*_S78) = Walk_mirrored_0(_S79, voxel_13) + _S79.grid_origin_0;
     return is_found_0;
 }
 
@@ -1458,13 +1437,13 @@ fn Ray_x24init_0( origin_6 : vec3<f32>,  t_min_2 : f32,  direction_3 : vec3<f32>
     return _S93;
 }
 
-fn ray_of_walk_0( walk_2 : Walk_0,  ray_5 : Ray_0) -> Ray_0
+fn ray_of_walk_0( walk_1 : Walk_0,  ray_4 : Ray_0) -> Ray_0
 {
-    var is_mirrored_1 : vec3<bool> = (walk_2.mirror_0) != vec3<i32>(i32(0));
-    return Ray_x24init_0(select(walk_2.origin_4, (vec3<f32>(0) - walk_2.origin_4), is_mirrored_1) + vec3<f32>(walk_2.grid_origin_0), ray_5.t_min_0, select(walk_2.speed_1, (vec3<f32>(0) - walk_2.speed_1), is_mirrored_1), ray_5.t_max_0);
+    var is_mirrored_1 : vec3<bool> = (walk_1.mirror_0) != vec3<i32>(i32(0));
+    return Ray_x24init_0(select(walk_1.origin_4, (vec3<f32>(0) - walk_1.origin_4), is_mirrored_1) + vec3<f32>(walk_1.grid_origin_0), ray_4.t_min_0, select(walk_1.speed_1, (vec3<f32>(0) - walk_1.speed_1), is_mirrored_1), ray_4.t_max_0);
 }
 
-fn hit_of_0( ray_6 : LocalRay_0,  voxel_14 : vec3<i32>,  instance_2 : u32) -> Hit_0
+fn hit_of_0( ray_5 : LocalRay_0,  voxel_14 : vec3<i32>,  instance_2 : u32) -> Hit_0
 {
     var _S94 : vec3<f32>;
     var _S95 : bool;
@@ -1476,13 +1455,13 @@ fn hit_of_0( ray_6 : LocalRay_0,  voxel_14 : vec3<i32>,  instance_2 : u32) -> Hi
         {
             for(;;)
             {
-                _S94 = ray_6.direction_1;
-                if((ray_6.direction_1[u32(0)]) == 0.0f)
+                _S94 = ray_5.direction_1;
+                if((ray_5.direction_1[u32(0)]) == 0.0f)
                 {
                     last_0 = _S96;
                     break;
                 }
-                var crossing_3 : Crossing_0 = crossing_of_0(ray_6, u32(0), voxel_14[u32(0)] + i32((ray_6.direction_1[u32(0)]) < 0.0f));
+                var crossing_3 : Crossing_0 = crossing_of_0(ray_5, u32(0), voxel_14[u32(0)] + i32((ray_5.direction_1[u32(0)]) < 0.0f));
                 if((_S96.axis_0) == u32(3))
                 {
                     _S95 = true;
@@ -1512,7 +1491,7 @@ fn hit_of_0( ray_6 : LocalRay_0,  voxel_14 : vec3<i32>,  instance_2 : u32) -> Hi
                 {
                     break;
                 }
-                var crossing_4 : Crossing_0 = crossing_of_0(ray_6, u32(1), voxel_14[u32(1)] + i32((_S97[u32(1)]) < 0.0f));
+                var crossing_4 : Crossing_0 = crossing_of_0(ray_5, u32(1), voxel_14[u32(1)] + i32((_S97[u32(1)]) < 0.0f));
                 if((last_0.axis_0) == u32(3))
                 {
                     _S95 = true;
@@ -1538,7 +1517,7 @@ fn hit_of_0( ray_6 : LocalRay_0,  voxel_14 : vec3<i32>,  instance_2 : u32) -> Hi
                 {
                     break;
                 }
-                var crossing_5 : Crossing_0 = crossing_of_0(ray_6, u32(2), voxel_14[u32(2)] + i32((_S98[u32(2)]) < 0.0f));
+                var crossing_5 : Crossing_0 = crossing_of_0(ray_5, u32(2), voxel_14[u32(2)] + i32((_S98[u32(2)]) < 0.0f));
                 if((last_0.axis_0) == u32(3))
                 {
                     _S95 = true;
@@ -1559,22 +1538,22 @@ fn hit_of_0( ray_6 : LocalRay_0,  voxel_14 : vec3<i32>,  instance_2 : u32) -> Hi
     }
     var _S99 : Crossing_0 = last_0;
     var is_negative_1 : bool = (_S94[last_0.axis_0]) < 0.0f;
-    var t_8 : f32 = (f32(voxel_14[last_0.axis_0] + i32(is_negative_1)) - ray_6.origin_2[last_0.axis_0]) * ray_6.inverse_0[last_0.axis_0];
+    var t_8 : f32 = (f32(voxel_14[last_0.axis_0] + i32(is_negative_1)) - ray_5.origin_2[last_0.axis_0]) * ray_5.inverse_0[last_0.axis_0];
     var _S100 : f32;
-    if(t_8 > (ray_6.t_min_1))
+    if(t_8 > (ray_5.t_min_1))
     {
         _S100 = t_8;
     }
     else
     {
-        _S100 = ray_6.t_min_1;
+        _S100 = ray_5.t_min_1;
     }
     return Hit_x24init_0(_S100, instance_2, voxel_14, u32(2) * _S99.axis_0 + u32(is_negative_1));
 }
 
-fn hit_of_walk_0( walk_3 : Walk_0,  voxel_15 : vec3<i32>,  instance_3 : u32) -> Hit_0
+fn hit_of_walk_0( walk_2 : Walk_0,  voxel_15 : vec3<i32>,  instance_3 : u32) -> Hit_0
 {
-    var t_9 : vec3<f32> = Walk_crossings_0(walk_3, Walk_mirrored_0(walk_3, voxel_15 - walk_3.grid_origin_0));
+    var t_9 : vec3<f32> = Walk_crossings_0(walk_2, Walk_mirrored_0(walk_2, voxel_15 - walk_2.grid_origin_0));
     var last_1 : f32 = max_element_0(t_9);
     var _S101 : i32;
     if((t_9.z) == last_1)
@@ -1593,33 +1572,33 @@ fn hit_of_walk_0( walk_3 : Walk_0,  voxel_15 : vec3<i32>,  instance_3 : u32) -> 
         }
     }
     var axis_4 : u32 = u32(_S101);
-    return Hit_x24init_0(max(last_1, walk_3.ray_0.t_min_1), instance_3, voxel_15, u32(2) * axis_4 + u32((walk_3.mirror_0[axis_4]) != i32(0)));
+    return Hit_x24init_0(max(last_1, walk_2.ray_0.t_min_1), instance_3, voxel_15, u32(2) * axis_4 + u32((walk_2.mirror_0[axis_4]) != i32(0)));
 }
 
-fn hit_in_0( instance_4 : u32,  grid_3 : PackedGrid_0,  ray_7 : ptr<function, Ray_0>) -> Hit_0
+fn hit_in_0( instance_4 : u32,  ray_6 : ptr<function, Ray_0>) -> Hit_0
 {
-    var _S102 : LocalRay_0 = local_ray_0((*ray_7), instance_4);
+    var _S102 : LocalRay_0 = local_ray_0((*ray_6), instance_4);
     if(!_S102.is_valid_0)
     {
         return miss_0();
     }
-    var walk_4 : Walk_0 = walk_of_0(_S102, grid_3);
+    var _S103 : Walk_0 = walk_of_0(_S102, instances_0[instance_4].grid_0);
     var voxel_16 : vec3<i32>;
-    var is_found_3 : bool = first_voxel_0(grid_3, walk_4, &(voxel_16));
-    var _S103 : bool;
+    var _S104 : bool = first_voxel_0(instances_0[instance_4].grid_0, _S103, &(voxel_16));
+    var _S105 : bool;
     if(IS_SINGLE_0)
     {
-        _S103 = !IS_EXACT_0;
+        _S105 = !IS_EXACT_0;
     }
     else
     {
-        _S103 = false;
+        _S105 = false;
     }
-    if(_S103)
+    if(_S105)
     {
-        (*ray_7) = ray_of_walk_0(walk_4, (*ray_7));
+        (*ray_6) = ray_of_walk_0(_S103, (*ray_6));
     }
-    if(!is_found_3)
+    if(!_S104)
     {
         return miss_0();
     }
@@ -1630,9 +1609,9 @@ fn hit_in_0( instance_4 : u32,  grid_3 : PackedGrid_0,  ray_7 : ptr<function, Ra
     }
     else
     {
-        hit_0 = hit_of_walk_0(walk_4, voxel_16, instance_4);
+        hit_0 = hit_of_walk_0(_S103, voxel_16, instance_4);
     }
-    if((hit_0.t_0) > ((*ray_7).t_max_0))
+    if((hit_0.t_0) > ((*ray_6).t_max_0))
     {
         return miss_0();
     }
@@ -1659,9 +1638,9 @@ fn Walk_enter_rounded_1( this_15 : Walk_0,  voxel_17 : ptr<function, vec3<i32>>,
             return false;
         }
         var is_x_3 : bool = (t_10.x) == t_last_1;
-        var _S104 : bool = !is_x_3;
+        var _S106 : bool = !is_x_3;
         var is_y_3 : bool;
-        if(_S104)
+        if(_S106)
         {
             is_y_3 = (t_10.y) == t_last_1;
         }
@@ -1669,16 +1648,16 @@ fn Walk_enter_rounded_1( this_15 : Walk_0,  voxel_17 : ptr<function, vec3<i32>>,
         {
             is_y_3 = false;
         }
-        var _S105 : bool;
-        if(_S104)
+        var _S107 : bool;
+        if(_S106)
         {
-            _S105 = !is_y_3;
+            _S107 = !is_y_3;
         }
         else
         {
-            _S105 = false;
+            _S107 = false;
         }
-        var is_axis_2 : vec3<bool> = vec3<bool>(is_x_3, is_y_3, _S105);
+        var is_axis_2 : vec3<bool> = vec3<bool>(is_x_3, is_y_3, _S107);
         (*voxel_17) = Walk_arrive_0(this_15, (*voxel_17), t_last_1, is_axis_2, select(vec3<i32>(i32(1073741823)), near_2, is_axis_2));
     }
     return (all(((*voxel_17) < far_2)));
@@ -1688,8 +1667,8 @@ fn Walk_leave_2( this_16 : Walk_0,  voxel_18 : ptr<function, vec3<i32>>,  exit_7
 {
     if(!IS_EXACT_0)
     {
-        var _S106 : bool = Walk_leave_rounded_0(this_16, &((*voxel_18)), exit_7);
-        return _S106;
+        var _S108 : bool = Walk_leave_rounded_0(this_16, &((*voxel_18)), exit_7);
+        return _S108;
     }
     var t_11 : vec3<f32> = Walk_crossings_0(this_16, exit_7);
     var t_first_4 : f32 = min_element_0(t_11);
@@ -1698,9 +1677,9 @@ fn Walk_leave_2( this_16 : Walk_0,  voxel_18 : ptr<function, vec3<i32>>,  exit_7
         return false;
     }
     var is_x_4 : bool = (t_11.x) == t_first_4;
-    var _S107 : bool = !is_x_4;
+    var _S109 : bool = !is_x_4;
     var is_y_4 : bool;
-    if(_S107)
+    if(_S109)
     {
         is_y_4 = (t_11.y) == t_first_4;
     }
@@ -1712,25 +1691,25 @@ fn Walk_leave_2( this_16 : Walk_0,  voxel_18 : ptr<function, vec3<i32>>,  exit_7
     var nearest_5 : vec3<f32> = round(back_2);
     var from_nearest_4 : vec3<f32> = back_2 - nearest_5;
     var planes_4 : vec3<i32> = exit_7 - vec3<i32>(min(nearest_5, vec3<f32>(4.194304e+06f)));
-    var _S108 : vec3<i32> = planes_4 - vec3<i32>(from_nearest_4 > vec3<f32>(0.0f));
-    var _S109 : vec3<bool> = (abs(from_nearest_4)) <= (this_16.tolerance_0);
-    var _S110 : bool;
-    if(_S107)
+    var _S110 : vec3<i32> = planes_4 - vec3<i32>(from_nearest_4 > vec3<f32>(0.0f));
+    var _S111 : vec3<bool> = (abs(from_nearest_4)) <= (this_16.tolerance_0);
+    var _S112 : bool;
+    if(_S109)
     {
-        _S110 = !is_y_4;
+        _S112 = !is_y_4;
     }
     else
     {
-        _S110 = false;
+        _S112 = false;
     }
     var arrival_3 : vec3<i32>;
-    if((any((select(vec3<bool>(false), !vec3<bool>(is_x_4, is_y_4, _S110), _S109)))))
+    if((any((select(vec3<bool>(false), !vec3<bool>(is_x_4, is_y_4, _S112), _S111)))))
     {
         arrival_3 = Walk_mirrored_0(this_16, leave_box_0(this_16.ray_0, Walk_mirrored_0(this_16, (*voxel_18)) + this_16.grid_origin_0, Walk_mirrored_plane_0(this_16, exit_7) + this_16.grid_origin_0, Walk_mirrored_plane_0(this_16, planes_4) + this_16.grid_origin_0) - this_16.grid_origin_0);
     }
     else
     {
-        arrival_3 = _S108;
+        arrival_3 = _S110;
     }
     (*voxel_18) = select(max(arrival_3, (*voxel_18)), (*voxel_18), (this_16.speed_1) == vec3<f32>(0.0f));
     return true;
@@ -1738,44 +1717,44 @@ fn Walk_leave_2( this_16 : Walk_0,  voxel_18 : ptr<function, vec3<i32>>,  exit_7
 
 fn Walk_enter_1( this_17 : Walk_0,  voxel_19 : ptr<function, vec3<i32>>,  low_5 : vec3<i32>,  high_3 : vec3<i32>) -> bool
 {
-    var _S111 : bool;
+    var _S113 : bool;
     var is_mirrored_2 : vec3<bool> = (this_17.mirror_0) != vec3<i32>(i32(0));
     var near_3 : vec3<i32> = select(low_5, (vec3<i32>(0) - high_3), is_mirrored_2);
     var far_3 : vec3<i32> = select(high_3, (vec3<i32>(0) - low_5), is_mirrored_2);
     if(!IS_EXACT_0)
     {
-        var _S112 : bool = Walk_enter_rounded_1(this_17, &((*voxel_19)), near_3, far_3);
-        return _S112;
+        var _S114 : bool = Walk_enter_rounded_1(this_17, &((*voxel_19)), near_3, far_3);
+        return _S114;
     }
     var axis_5 : u32 = u32(0);
     for(;;)
     {
         if(axis_5 < u32(3))
         {
-            _S111 = (any(((*voxel_19) < near_3)));
-        }
-        else
-        {
-            _S111 = false;
-        }
-        var _S113 : bool;
-        if(_S111)
-        {
-            _S113 = (all(((*voxel_19) < far_3)));
+            _S113 = (any(((*voxel_19) < near_3)));
         }
         else
         {
             _S113 = false;
         }
+        var _S115 : bool;
         if(_S113)
+        {
+            _S115 = (all(((*voxel_19) < far_3)));
+        }
+        else
+        {
+            _S115 = false;
+        }
+        if(_S115)
         {
         }
         else
         {
             break;
         }
-        var _S114 : bool = Walk_leave_2(this_17, &((*voxel_19)), select(far_3, near_3, (*voxel_19) < near_3));
-        if(!_S114)
+        var _S116 : bool = Walk_leave_2(this_17, &((*voxel_19)), select(far_3, near_3, (*voxel_19) < near_3));
+        if(!_S116)
         {
             return false;
         }
@@ -1783,30 +1762,28 @@ fn Walk_enter_1( this_17 : Walk_0,  voxel_19 : ptr<function, vec3<i32>>,  low_5 
     }
     if((all(((*voxel_19) >= near_3))))
     {
-        _S111 = (all(((*voxel_19) < far_3)));
+        _S113 = (all(((*voxel_19) < far_3)));
     }
     else
     {
-        _S111 = false;
+        _S113 = false;
     }
-    return _S111;
+    return _S113;
 }
 
-fn first_voxel_1( grid_4 : PackedGrid_0,  walk_5 : Walk_0,  found_1 : ptr<function, vec3<i32>>) -> bool
+fn first_voxel_1( _S117 : u32,  _S118 : Walk_0,  _S119 : ptr<function, vec3<i32>>) -> bool
 {
-    var _S115 : Walk_0 = walk_5;
-    var _S116 : vec3<i32> = vec3<i32>(i32(0));
-    (*found_1) = _S116;
-    var voxel_20 : vec3<i32> = Walk_start_voxel_0(walk_5);
-    var _S117 : vec3<i32> = cell_of_0(grid_4.min_0);
-    var _S118 : vec3<i32> = cell_of_0(grid_4.max_0);
-    var _S119 : bool = Walk_enter_1(walk_5, &(voxel_20), _S117 - _S115.grid_origin_0, _S118 - _S115.grid_origin_0);
-    if(!_S119)
+    var _S120 : Walk_0 = _S118;
+    var _S121 : vec3<i32> = vec3<i32>(i32(0));
+    (*_S119) = _S121;
+    var voxel_20 : vec3<i32> = Walk_start_voxel_0(_S118);
+    var _S122 : bool = Walk_enter_1(_S118, &(voxel_20), cell_of_0(grids_0[_S117].min_0) - _S120.grid_origin_0, cell_of_0(grids_0[_S117].max_0) - _S120.grid_origin_0);
+    if(!_S122)
     {
         return false;
     }
-    var octant_4 : u32 = LocalRay_octant_0(_S115.ray_0);
-    var _S120 : u32 = flip_of_0(octant_4);
+    var octant_4 : u32 = LocalRay_octant_0(_S120.ray_0);
+    var _S123 : u32 = flip_of_0(octant_4);
     var top_shift_3 : u32;
     if(TOP_SHIFT_0 != u32(0))
     {
@@ -1814,35 +1791,20 @@ fn first_voxel_1( grid_4 : PackedGrid_0,  walk_5 : Walk_0,  found_1 : ptr<functi
     }
     else
     {
-        top_shift_3 = grid_4.top_shift_0;
+        top_shift_3 = grids_0[_S117].top_shift_0;
     }
-    var top_size_2 : vec3<i32> = cell_of_0(grid_4.top_size_0);
-    var _S121 : i32 = top_size_2.x;
-    var stride_1 : vec3<i32> = vec3<i32>(i32(1), _S121, _S121 * top_size_2.y);
-    var _S122 : i32 = i32(grid_4.top_offset_0) - dot_cells_0((stride_1 & ((_S115.mirror_0))), vec3<i32>(i32(1)));
-    var _S123 : vec3<i32> = Walk_mirrored_plane_0(_S115, stride_1);
-    var _S124 : u32 = ahead_of_0(_S115.mirror_0);
-    var end_1 : vec3<i32> = select((top_size_2 << (vec3<u32>(top_shift_3))), _S116, (_S115.mirror_0) != _S116);
+    var top_size_2 : vec3<i32> = cell_of_0(grids_0[_S117].top_size_0);
+    var _S124 : i32 = top_size_2.x;
+    var stride_1 : vec3<i32> = vec3<i32>(i32(1), _S124, _S124 * top_size_2.y);
+    var _S125 : i32 = i32(grids_0[_S117].top_offset_0) - dot_cells_0((stride_1 & ((_S120.mirror_0))), vec3<i32>(i32(1)));
+    var _S126 : vec3<i32> = Walk_mirrored_plane_0(_S120, stride_1);
+    var _S127 : u32 = ahead_of_0(_S120.mirror_0);
+    var end_1 : vec3<i32> = select((top_size_2 << (vec3<u32>(top_shift_3))), _S121, (_S120.mirror_0) != _S121);
     if(!IS_EXACT_0)
     {
-        _S115.t_end_0 = min(_S115.t_end_0, min_element_0(Walk_crossings_0(_S115, end_1)));
+        _S120.t_end_0 = min(_S120.t_end_0, min_element_0(Walk_crossings_0(_S120, end_1)));
     }
-    if(!IS_SINGLE_0)
-    {
-        var _S125 : f32 = _S115.t_end_0;
-        var _S126 : f32 = min_element_0(Walk_crossings_0(_S115, Walk_mirrored_plane_0(_S115, select(_S118, _S117, (_S115.mirror_0) != _S116) - _S115.grid_origin_0)));
-        var _S127 : f32;
-        if(IS_EXACT_0)
-        {
-            _S127 = 1.00000095367431641f;
-        }
-        else
-        {
-            _S127 = 1.0f;
-        }
-        _S115.t_end_0 = min(_S125, _S126 * _S127);
-    }
-    var is_found_4 : bool = false;
+    var is_found_3 : bool = false;
     for(;;)
     {
         var _S128 : bool;
@@ -1858,15 +1820,15 @@ fn first_voxel_1( grid_4 : PackedGrid_0,  walk_5 : Walk_0,  found_1 : ptr<functi
         {
             break;
         }
-        var cell_7 : u32 = cell_word_0(u32(_S122 + dot_cells_0(_S123, (voxel_20 >> (vec3<u32>(top_shift_3))))));
+        var cell_7 : u32 = cell_word_0(u32(_S125 + dot_cells_0(_S126, (voxel_20 >> (vec3<u32>(top_shift_3))))));
         var cell_8 : u32;
         var shift_3 : u32;
-        var is_found_5 : bool;
+        var is_found_4 : bool;
         if(TOP_SHIFT_0 == u32(5))
         {
             if(((cell_7 & (u32(2147483648)))) != u32(0))
             {
-                var _S129 : u32 = cell_word_0(((cell_7 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_20, u32(3))) ^ (_S120))));
+                var _S129 : u32 = cell_word_0(((cell_7 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_20, u32(3))) ^ (_S123))));
                 cell_8 = _S129;
                 shift_3 = u32(3);
             }
@@ -1884,14 +1846,14 @@ fn first_voxel_1( grid_4 : PackedGrid_0,  walk_5 : Walk_0,  found_1 : ptr<functi
             {
                 if(TOP_SHIFT_0 != u32(3))
                 {
-                    is_found_5 = shift_3 > u32(3);
+                    is_found_4 = shift_3 > u32(3);
                 }
                 else
                 {
-                    is_found_5 = false;
+                    is_found_4 = false;
                 }
                 var _S130 : bool;
-                if(is_found_5)
+                if(is_found_4)
                 {
                     _S130 = ((cell_8 & (u32(2147483648)))) != u32(0);
                 }
@@ -1907,7 +1869,7 @@ fn first_voxel_1( grid_4 : PackedGrid_0,  walk_5 : Walk_0,  found_1 : ptr<functi
                     break;
                 }
                 var shift_4 : u32 = shift_3 - u32(2);
-                var _S131 : u32 = cell_word_0(((cell_8 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_20, shift_4)) ^ (_S120))));
+                var _S131 : u32 = cell_word_0(((cell_8 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_20, shift_4)) ^ (_S123))));
                 cell_8 = _S131;
                 shift_3 = shift_4;
             }
@@ -1925,10 +1887,10 @@ fn first_voxel_1( grid_4 : PackedGrid_0,  walk_5 : Walk_0,  found_1 : ptr<functi
             }
             else
             {
-                exit_8 = extents_0(cell_8, _S124);
+                exit_8 = extents_0(cell_8, _S127);
             }
             exit_8 = ((voxel_20 | (vec3<i32>((((i32(1) << (shift_3))) - i32(1)))))) + vec3<i32>(i32(1)) + ((exit_8 << (vec3<u32>(shift_3))));
-            is_found_5 = is_found_4;
+            is_found_4 = is_found_3;
         }
         else
         {
@@ -1943,52 +1905,52 @@ fn first_voxel_1( grid_4 : PackedGrid_0,  walk_5 : Walk_0,  found_1 : ptr<functi
                 var _S132 : u32 = blocks_of_record_0(record_3);
                 blocks_2 = _S132;
             }
-            var low_bits_1 : u32 = empty_around_0(record_3, blocks_2, voxel_20, octant_4, _S120);
-            var is_found_6 : bool = low_bits_1 == u32(4294967295);
-            if(is_found_6)
+            var low_bits_1 : u32 = empty_around_0(record_3, blocks_2, voxel_20, octant_4, _S123);
+            var is_found_5 : bool = low_bits_1 == u32(4294967295);
+            if(is_found_5)
             {
-                is_found_4 = is_found_6;
+                is_found_3 = is_found_5;
                 break;
             }
             exit_8 = ((voxel_20 | (vec3<i32>(i32(low_bits_1))))) + vec3<i32>(i32(1));
-            is_found_5 = is_found_6;
+            is_found_4 = is_found_5;
         }
-        var _S133 : bool = Walk_leave_0(_S115, &(voxel_20), exit_8);
+        var _S133 : bool = Walk_leave_0(_S120, &(voxel_20), exit_8);
         if(!_S133)
         {
-            is_found_4 = is_found_5;
+            is_found_3 = is_found_4;
             break;
         }
-        is_found_4 = is_found_5;
+        is_found_3 = is_found_4;
     }
-    (*found_1) = Walk_mirrored_0(_S115, voxel_20) + _S115.grid_origin_0;
-    return is_found_4;
+    (*_S119) = Walk_mirrored_0(_S120, voxel_20) + _S120.grid_origin_0;
+    return is_found_3;
 }
 
-fn hit_in_1( instance_5 : u32,  grid_5 : PackedGrid_0,  ray_8 : ptr<function, Ray_0>) -> Hit_0
+fn hit_in_1( instance_5 : u32,  ray_7 : ptr<function, Ray_0>) -> Hit_0
 {
-    var _S134 : LocalRay_0 = local_ray_0((*ray_8), instance_5);
+    var _S134 : LocalRay_0 = local_ray_0((*ray_7), instance_5);
     if(!_S134.is_valid_0)
     {
         return miss_0();
     }
-    var walk_6 : Walk_0 = walk_of_0(_S134, grid_5);
+    var _S135 : Walk_0 = walk_of_0(_S134, instances_0[instance_5].grid_0);
     var voxel_21 : vec3<i32>;
-    var is_found_7 : bool = first_voxel_1(grid_5, walk_6, &(voxel_21));
-    var _S135 : bool;
+    var _S136 : bool = first_voxel_1(instances_0[instance_5].grid_0, _S135, &(voxel_21));
+    var _S137 : bool;
     if(IS_SINGLE_0)
     {
-        _S135 = !IS_EXACT_0;
+        _S137 = !IS_EXACT_0;
     }
     else
     {
-        _S135 = false;
+        _S137 = false;
     }
-    if(_S135)
+    if(_S137)
     {
-        (*ray_8) = ray_of_walk_0(walk_6, (*ray_8));
+        (*ray_7) = ray_of_walk_0(_S135, (*ray_7));
     }
-    if(!is_found_7)
+    if(!_S136)
     {
         return miss_0();
     }
@@ -1999,9 +1961,9 @@ fn hit_in_1( instance_5 : u32,  grid_5 : PackedGrid_0,  ray_8 : ptr<function, Ra
     }
     else
     {
-        hit_1 = hit_of_walk_0(walk_6, voxel_21, instance_5);
+        hit_1 = hit_of_walk_0(_S135, voxel_21, instance_5);
     }
-    if((hit_1.t_0) > ((*ray_8).t_max_0))
+    if((hit_1.t_0) > ((*ray_7).t_max_0))
     {
         return miss_0();
     }
@@ -2048,7 +2010,7 @@ struct Path_0
 struct Walker_0
 {
      path_0 : Path_0,
-     ray_9 : Ray_0,
+     ray_8 : Ray_0,
      is_shadow_ray_0 : bool,
      light_0 : vec3<f32>,
      direction_4 : vec3<f32>,
@@ -2093,11 +2055,11 @@ struct NextRays_0
 
 fn Inside_x24init_0( instance_8 : u32,  voxel_23 : vec3<i32>,  material_1 : u32) -> Inside_0
 {
-    var _S136 : Inside_0;
-    _S136.instance_6 = instance_8;
-    _S136.voxel_22 = voxel_23;
-    _S136.material_0 = material_1;
-    return _S136;
+    var _S138 : Inside_0;
+    _S138.instance_6 = instance_8;
+    _S138.voxel_22 = voxel_23;
+    _S138.material_0 = material_1;
+    return _S138;
 }
 
 fn in_air_0() -> Inside_0
@@ -2107,25 +2069,25 @@ fn in_air_0() -> Inside_0
 
 fn NextRays_x24init_0( origin_8 : vec3<f32>,  path_origin_2 : vec3<f32>,  shadow_inside_2 : Inside_0,  relocates_2 : bool,  path_relocates_2 : bool,  direction_6 : vec3<f32>,  has_shadow_ray_1 : bool,  shadow_direction_1 : vec3<f32>,  shadow_t_max_1 : f32,  light_3 : vec3<f32>,  is_same_1 : bool) -> NextRays_0
 {
-    var _S137 : NextRays_0;
-    _S137.origin_7 = origin_8;
-    _S137.path_origin_1 = path_origin_2;
-    _S137.shadow_inside_1 = shadow_inside_2;
-    _S137.relocates_1 = relocates_2;
-    _S137.path_relocates_1 = path_relocates_2;
-    _S137.direction_5 = direction_6;
-    _S137.has_shadow_ray_0 = has_shadow_ray_1;
-    _S137.shadow_direction_0 = shadow_direction_1;
-    _S137.shadow_t_max_0 = shadow_t_max_1;
-    _S137.light_2 = light_3;
-    _S137.is_same_0 = is_same_1;
-    return _S137;
+    var _S139 : NextRays_0;
+    _S139.origin_7 = origin_8;
+    _S139.path_origin_1 = path_origin_2;
+    _S139.shadow_inside_1 = shadow_inside_2;
+    _S139.relocates_1 = relocates_2;
+    _S139.path_relocates_1 = path_relocates_2;
+    _S139.direction_5 = direction_6;
+    _S139.has_shadow_ray_0 = has_shadow_ray_1;
+    _S139.shadow_direction_0 = shadow_direction_1;
+    _S139.shadow_t_max_0 = shadow_t_max_1;
+    _S139.light_2 = light_3;
+    _S139.is_same_0 = is_same_1;
+    return _S139;
 }
 
 fn no_rays_0() -> NextRays_0
 {
-    var _S138 : vec3<f32> = vec3<f32>(0.0f);
-    return NextRays_x24init_0(_S138, _S138, in_air_0(), false, false, _S138, false, _S138, 0.0f, _S138, false);
+    var _S140 : vec3<f32> = vec3<f32>(0.0f);
+    return NextRays_x24init_0(_S140, _S140, in_air_0(), false, false, _S140, false, _S140, 0.0f, _S140, false);
 }
 
 fn Hit_is_miss_0( this_18 : Hit_0) -> bool
@@ -2152,24 +2114,24 @@ struct PackedMaterial_0
      scattering_0 : f32,
 };
 
-fn find_brick_0( _S139 : u32,  _S140 : vec3<i32>) -> u32
+fn find_brick_0( _S141 : u32,  _S142 : vec3<i32>) -> u32
 {
-    var top_0 : vec3<i32> = (_S140 >> (vec3<u32>(grids_0[_S139].top_shift_0)));
-    var _S141 : u32 = cell_word_0(grids_0[_S139].top_offset_0 + u32((top_0.z * grids_0[_S139].top_size_0[i32(1)] + top_0.y) * grids_0[_S139].top_size_0[i32(0)] + top_0.x));
-    var cell_9 : u32 = _S141;
-    var shift_5 : u32 = grids_0[_S139].top_shift_0;
+    var top_0 : vec3<i32> = (_S142 >> (vec3<u32>(grids_0[_S141].top_shift_0)));
+    var _S143 : u32 = cell_word_0(grids_0[_S141].top_offset_0 + u32((top_0.z * grids_0[_S141].top_size_0[i32(1)] + top_0.y) * grids_0[_S141].top_size_0[i32(0)] + top_0.x));
+    var cell_9 : u32 = _S143;
+    var shift_5 : u32 = grids_0[_S141].top_shift_0;
     for(;;)
     {
-        var _S142 : bool;
+        var _S144 : bool;
         if(shift_5 > u32(3))
         {
-            _S142 = ((cell_9 & (u32(2147483648)))) != u32(0);
+            _S144 = ((cell_9 & (u32(2147483648)))) != u32(0);
         }
         else
         {
-            _S142 = false;
+            _S144 = false;
         }
-        if(_S142)
+        if(_S144)
         {
         }
         else
@@ -2177,8 +2139,8 @@ fn find_brick_0( _S139 : u32,  _S140 : vec3<i32>) -> u32
             break;
         }
         var shift_6 : u32 = shift_5 - u32(2);
-        var _S143 : u32 = cell_word_0(((cell_9 & (u32(2147483647)))) * u32(64) + cell_in_node_0(_S140, shift_6));
-        cell_9 = _S143;
+        var _S145 : u32 = cell_word_0(((cell_9 & (u32(2147483647)))) * u32(64) + cell_in_node_0(_S142, shift_6));
+        cell_9 = _S145;
         shift_5 = shift_6;
     }
     return record_of_cell_0(cell_9);
@@ -2189,59 +2151,59 @@ fn rank_in_brick_0( record_4 : u32,  relative_1 : vec3<i32>) -> u32
     var header_0 : u32 = brick_word_0(record_4);
     var bit_1 : u32 = cell_in_node_0(relative_1, u32(0));
     var present_before_0 : u32 = countOneBits((header_0 & ((((u32(1) << (((((u32(((((relative_1.x) >> (u32(2)))) & (i32(1)))) | (((u32(((((relative_1.y) >> (u32(2)))) & (i32(1)))) << (u32(1))))))) | (((u32(((((relative_1.z) >> (u32(2)))) & (i32(1)))) << (u32(2)))))))))) - u32(1)))));
-    var index_5 : u32 = u32(0);
+    var index_6 : u32 = u32(0);
     var rank_0 : u32 = u32(0);
     for(;;)
     {
-        if(index_5 < present_before_0)
+        if(index_6 < present_before_0)
         {
         }
         else
         {
             break;
         }
-        var _S144 : u32 = u32(2) * index_5;
-        var _S145 : u32 = brick_word_0(record_4 + u32(2) + _S144);
-        var _S146 : u32 = countOneBits(_S145);
-        var _S147 : u32 = brick_word_0(record_4 + u32(3) + _S144);
-        var rank_1 : u32 = rank_0 + (_S146 + countOneBits(_S147));
-        index_5 = index_5 + u32(1);
+        var _S146 : u32 = u32(2) * index_6;
+        var _S147 : u32 = brick_word_0(record_4 + u32(2) + _S146);
+        var _S148 : u32 = countOneBits(_S147);
+        var _S149 : u32 = brick_word_0(record_4 + u32(3) + _S146);
+        var rank_1 : u32 = rank_0 + (_S148 + countOneBits(_S149));
+        index_6 = index_6 + u32(1);
         rank_0 = rank_1;
     }
-    var _S148 : u32 = u32(2) * present_before_0;
-    var low_6 : u32 = brick_word_0(record_4 + u32(2) + _S148);
+    var _S150 : u32 = u32(2) * present_before_0;
+    var low_6 : u32 = brick_word_0(record_4 + u32(2) + _S150);
     if(bit_1 < u32(32))
     {
         rank_0 = rank_0 + countOneBits((low_6 & ((((u32(1) << (bit_1))) - u32(1)))));
     }
     else
     {
-        var _S149 : u32 = countOneBits(low_6);
-        var _S150 : u32 = brick_word_0(record_4 + u32(3) + _S148);
-        rank_0 = rank_0 + (_S149 + countOneBits((_S150 & ((((u32(1) << ((bit_1 - u32(32))))) - u32(1))))));
+        var _S151 : u32 = countOneBits(low_6);
+        var _S152 : u32 = brick_word_0(record_4 + u32(3) + _S150);
+        rank_0 = rank_0 + (_S151 + countOneBits((_S152 & ((((u32(1) << ((bit_1 - u32(32))))) - u32(1))))));
     }
     return rank_0;
 }
 
-fn place_of_material_0( index_6 : u32) -> u32
+fn place_of_material_0( index_7 : u32) -> u32
 {
-    var _S151 : u32;
+    var _S153 : u32;
     if(HAS_PAGES_0)
     {
-        var _S152 : u32 = word_in_pages_0(index_6, pages_0[i32(2)]);
-        _S151 = _S152;
+        var _S154 : u32 = word_in_pages_0(index_7, pages_0[i32(2)]);
+        _S153 = _S154;
     }
     else
     {
-        _S151 = index_6;
+        _S153 = index_7;
     }
-    return _S151;
+    return _S153;
 }
 
-fn material_word_0( index_7 : u32) -> u32
+fn material_word_0( index_8 : u32) -> u32
 {
-    var _S153 : u32 = place_of_material_0(index_7);
-    return brick_materials_0[_S153];
+    var _S155 : u32 = place_of_material_0(index_8);
+    return brick_materials_0[_S155];
 }
 
 fn read_bits_0( start_1 : u32,  position_2 : u32,  count_0 : u32) -> u32
@@ -2252,13 +2214,13 @@ fn read_bits_0( start_1 : u32,  position_2 : u32,  count_0 : u32) -> u32
     }
     var word_0 : u32 = start_1 + ((position_2 >> (u32(5))));
     var shift_7 : u32 = (position_2 & (u32(31)));
-    var _S154 : u32 = material_word_0(word_0);
-    var bits_1 : u32 = (_S154 >> (shift_7));
+    var _S156 : u32 = material_word_0(word_0);
+    var bits_1 : u32 = (_S156 >> (shift_7));
     var bits_2 : u32;
     if((shift_7 + count_0) > u32(32))
     {
-        var _S155 : u32 = material_word_0(word_0 + u32(1));
-        bits_2 = (bits_1 | (((_S155 << ((u32(32) - shift_7))))));
+        var _S157 : u32 = material_word_0(word_0 + u32(1));
+        bits_2 = (bits_1 | (((_S157 << ((u32(32) - shift_7))))));
     }
     else
     {
@@ -2267,47 +2229,47 @@ fn read_bits_0( start_1 : u32,  position_2 : u32,  count_0 : u32) -> u32
     return (bits_2 & ((((u32(1) << (count_0))) - u32(1))));
 }
 
-fn material_at_0( _S156 : u32,  _S157 : vec3<i32>) -> u32
+fn material_at_0( _S158 : u32,  _S159 : vec3<i32>) -> u32
 {
-    var _S158 : u32 = find_brick_0(_S156, _S157);
-    var header_1 : u32 = brick_word_0(_S158);
-    var rank_2 : u32 = rank_in_brick_0(_S158, _S157);
+    var _S160 : u32 = find_brick_0(_S158, _S159);
+    var header_1 : u32 = brick_word_0(_S160);
+    var rank_2 : u32 = rank_in_brick_0(_S160, _S159);
     var index_bits_0 : u32 = (((header_1 >> (u32(8)))) & (u32(255)));
     var palette_count_0 : u32 = (header_1 >> (u32(16)));
-    var entry_bits_0 : u32 = grids_0[_S156].material_bits_0;
-    var start_2 : u32 = brick_word_0(_S158 + u32(1));
-    var index_8 : u32 = read_bits_0(start_2, palette_count_0 * grids_0[_S156].material_bits_0 + rank_2 * index_bits_0, index_bits_0);
+    var entry_bits_0 : u32 = grids_0[_S158].material_bits_0;
+    var start_2 : u32 = brick_word_0(_S160 + u32(1));
+    var index_9 : u32 = read_bits_0(start_2, palette_count_0 * grids_0[_S158].material_bits_0 + rank_2 * index_bits_0, index_bits_0);
     if(palette_count_0 == u32(0))
     {
-        return index_8;
+        return index_9;
     }
-    var _S159 : u32 = read_bits_0(start_2, index_8 * entry_bits_0, entry_bits_0);
-    return _S159;
+    var _S161 : u32 = read_bits_0(start_2, index_9 * entry_bits_0, entry_bits_0);
+    return _S161;
 }
 
-fn material_of_index_0( index_9 : u32) -> PackedMaterial_0
+fn material_of_index_0( index_10 : u32) -> PackedMaterial_0
 {
-    var _S160 : u32 = u32(4) * index_9;
-    var a_3 : vec4<u32> = material_rows_0[_S160];
-    var b_3 : vec4<u32> = material_rows_0[_S160 + u32(1)];
-    var c_0 : vec4<u32> = material_rows_0[_S160 + u32(2)];
-    var d_0 : vec4<u32> = material_rows_0[_S160 + u32(3)];
+    var _S162 : u32 = u32(4) * index_10;
+    var a_3 : vec4<u32> = material_rows_0[_S162];
+    var b_3 : vec4<u32> = material_rows_0[_S162 + u32(1)];
+    var c_0 : vec4<u32> = material_rows_0[_S162 + u32(2)];
+    var d_0 : vec4<u32> = material_rows_0[_S162 + u32(3)];
     var material_2 : PackedMaterial_0;
-    var _S161 : f32 = (bitcast<f32>((a_3.y)));
-    var _S162 : f32 = (bitcast<f32>((a_3.z)));
+    var _S163 : f32 = (bitcast<f32>((a_3.y)));
+    var _S164 : f32 = (bitcast<f32>((a_3.z)));
     material_2.base_color_0[i32(0)] = (bitcast<f32>((a_3.x)));
-    material_2.base_color_0[i32(1)] = _S161;
-    material_2.base_color_0[i32(2)] = _S162;
-    var _S163 : f32 = (bitcast<f32>((b_3.y)));
-    var _S164 : f32 = (bitcast<f32>((b_3.z)));
+    material_2.base_color_0[i32(1)] = _S163;
+    material_2.base_color_0[i32(2)] = _S164;
+    var _S165 : f32 = (bitcast<f32>((b_3.y)));
+    var _S166 : f32 = (bitcast<f32>((b_3.z)));
     material_2.emission_0[i32(0)] = (bitcast<f32>((b_3.x)));
-    material_2.emission_0[i32(1)] = _S163;
-    material_2.emission_0[i32(2)] = _S164;
-    var _S165 : f32 = (bitcast<f32>((d_0.y)));
-    var _S166 : f32 = (bitcast<f32>((d_0.z)));
+    material_2.emission_0[i32(1)] = _S165;
+    material_2.emission_0[i32(2)] = _S166;
+    var _S167 : f32 = (bitcast<f32>((d_0.y)));
+    var _S168 : f32 = (bitcast<f32>((d_0.z)));
     material_2.absorption_0[i32(0)] = (bitcast<f32>((d_0.x)));
-    material_2.absorption_0[i32(1)] = _S165;
-    material_2.absorption_0[i32(2)] = _S166;
+    material_2.absorption_0[i32(1)] = _S167;
+    material_2.absorption_0[i32(2)] = _S168;
     material_2.roughness_0 = (bitcast<f32>((a_3.w)));
     material_2.metallic_0 = (bitcast<f32>((b_3.w)));
     material_2.transmission_0 = (bitcast<f32>((c_0.x)));
@@ -2320,14 +2282,14 @@ fn material_of_index_0( index_9 : u32) -> PackedMaterial_0
 
 fn material_of_0( hit_2 : Hit_0) -> PackedMaterial_0
 {
-    var _S167 : u32 = material_at_0(instances_0[hit_2.instance_0].grid_0, hit_2.voxel_0 - cell_of_0(grids_0[instances_0[hit_2.instance_0].grid_0].origin_0));
-    return material_of_index_0(_S167);
+    var _S169 : u32 = material_at_0(instances_0[hit_2.instance_0].grid_0, hit_2.voxel_0 - cell_of_0(grids_0[instances_0[hit_2.instance_0].grid_0].origin_0));
+    return material_of_index_0(_S169);
 }
 
 fn material_met_0( path_1 : Path_0,  hit_3 : Hit_0,  beyond_0 : u32) -> PackedMaterial_0
 {
-    var _S168 : PackedMaterial_0 = material_of_0(hit_3);
-    return _S168;
+    var _S170 : PackedMaterial_0 = material_of_0(hit_3);
+    return _S170;
 }
 
 fn dot_product_0( a_4 : vec3<f32>,  b_4 : vec3<f32>) -> f32
@@ -2344,9 +2306,9 @@ fn nearest_root_0( mantissa_0 : u32,  guess_1 : u32) -> u32
 {
     var rest_2 : i32 = i32(((mantissa_0 << (u32(23)))) - guess_1 * guess_1);
     var units_1 : i32 = i32(floor(f32(rest_2) / f32(u32(2) * guess_1) + 0.5f));
-    var _S169 : i32 = i32(guess_1);
-    var root_0 : i32 = _S169 + units_1;
-    var rest_3 : i32 = rest_2 - units_1 * (_S169 + root_0);
+    var _S171 : i32 = i32(guess_1);
+    var root_0 : i32 = _S171 + units_1;
+    var rest_3 : i32 = rest_2 - units_1 * (_S171 + root_0);
     return u32(root_0 + i32(rest_3 > root_0) - i32(rest_3 <= (- root_0)));
 }
 
@@ -2356,13 +2318,13 @@ fn square_root_0( value_1 : f32) -> f32
     {
         return sqrt(value_1);
     }
-    var _S170 : u32 = (bitcast<u32>((value_1)));
-    var exponent_2 : u32 = (_S170 >> (u32(23)));
+    var _S172 : u32 = (bitcast<u32>((value_1)));
+    var exponent_2 : u32 = (_S172 >> (u32(23)));
     if(!is_normal_0(exponent_2))
     {
         return sqrt(value_1);
     }
-    var mantissa_1 : u32 = (((((_S170 & (u32(8388607)))) | (u32(8388608)))) << ((((~exponent_2) & (u32(1))))));
+    var mantissa_1 : u32 = (((((_S172 & (u32(8388607)))) | (u32(8388608)))) << ((((~exponent_2) & (u32(1))))));
     return (bitcast<f32>(((((((exponent_2 + u32(127)) >> (u32(1)))) << (u32(23)))) + (nearest_root_0(mantissa_1, u32(sqrt(f32(mantissa_1) * 1.1920928955078125e-07f) * 8.388608e+06f)) - u32(8388608)))));
 }
 
@@ -2373,15 +2335,15 @@ fn Path_events_0( this_20 : Path_0) -> u32
 
 fn pcg4d_0( words_0 : vec4<u32>) -> vec4<u32>
 {
-    var _S171 : vec4<u32> = words_0 * vec4<u32>(u32(1664525)) + vec4<u32>(u32(1013904223));
-    var v_0 : vec4<u32> = _S171;
-    v_0[i32(0)] = v_0[i32(0)] + _S171.y * _S171.w;
+    var _S173 : vec4<u32> = words_0 * vec4<u32>(u32(1664525)) + vec4<u32>(u32(1013904223));
+    var v_0 : vec4<u32> = _S173;
+    v_0[i32(0)] = v_0[i32(0)] + _S173.y * _S173.w;
     v_0[i32(1)] = v_0[i32(1)] + v_0.z * v_0.x;
     v_0[i32(2)] = v_0[i32(2)] + v_0.x * v_0.y;
     v_0[i32(3)] = v_0[i32(3)] + v_0.y * v_0.z;
-    var _S172 : vec4<u32> = (v_0 ^ (((v_0 >> (vec4<u32>(u32(16)))))));
-    v_0 = _S172;
-    v_0[i32(0)] = v_0[i32(0)] + _S172.y * _S172.w;
+    var _S174 : vec4<u32> = (v_0 ^ (((v_0 >> (vec4<u32>(u32(16)))))));
+    v_0 = _S174;
+    v_0[i32(0)] = v_0[i32(0)] + _S174.y * _S174.w;
     v_0[i32(1)] = v_0[i32(1)] + v_0.z * v_0.x;
     v_0[i32(2)] = v_0[i32(2)] + v_0.x * v_0.y;
     v_0[i32(3)] = v_0[i32(3)] + v_0.y * v_0.z;
@@ -2412,11 +2374,11 @@ fn inverse_power_of_two_0( x_0 : f32) -> f32
 
 fn Key_x24init_0( instance_10 : u32,  face_and_level_1 : u32,  cube_1 : vec3<i32>) -> Key_0
 {
-    var _S173 : Key_0;
-    _S173.instance_9 = instance_10;
-    _S173.face_and_level_0 = face_and_level_1;
-    _S173.cube_0 = cube_1;
-    return _S173;
+    var _S175 : Key_0;
+    _S175.instance_9 = instance_10;
+    _S175.face_and_level_0 = face_and_level_1;
+    _S175.cube_0 = cube_1;
+    return _S175;
 }
 
 fn scramble_of_0( number_1 : u32) -> u32
@@ -2438,20 +2400,20 @@ fn key_of_0( hit_4 : Hit_0,  size_0 : f32,  u_0 : f32,  code_1 : ptr<function, u
 {
     var clamped_0 : f32 = clamp(size_0, 1.0f, 128.0f);
     var power_0 : f32 = f32(((bitcast<u32>((clamped_0))) >> (u32(23)))) - 127.0f;
-    var _S174 : f32;
+    var _S176 : f32;
     if(u_0 < (clamped_0 * inverse_power_of_two_0(clamped_0) - 1.0f))
     {
-        _S174 = 1.0f;
+        _S176 = 1.0f;
     }
     else
     {
-        _S174 = 0.0f;
+        _S176 = 0.0f;
     }
-    var level_0 : u32 = u32(min(power_0 + _S174, 6.0f));
-    var _S175 : vec3<u32> = vec3<u32>(u32(i32(level_0)));
-    var key_0 : Key_0 = Key_x24init_0(hit_4.instance_0, ((hit_4.face_0) | (((level_0 << (u32(3)))))), ((hit_4.voxel_0) >> (_S175)));
-    var _S176 : vec3<u32> = vec3<u32>(hit_4.voxel_0 - (((key_0.cube_0) << (_S175))));
-    (*code_1) = u32(1) + (((((((_S176.x) | ((((_S176.y) << (level_0)))))) | ((((_S176.z) << ((u32(2) * level_0))))))) ^ ((((scramble_of_0(real_time_0.number_0)) & ((Key_mask_0(key_0))))))));
+    var level_0 : u32 = u32(min(power_0 + _S176, 6.0f));
+    var _S177 : vec3<u32> = vec3<u32>(u32(i32(level_0)));
+    var key_0 : Key_0 = Key_x24init_0(hit_4.instance_0, ((hit_4.face_0) | (((level_0 << (u32(3)))))), ((hit_4.voxel_0) >> (_S177)));
+    var _S178 : vec3<u32> = vec3<u32>(hit_4.voxel_0 - (((key_0.cube_0) << (_S177))));
+    (*code_1) = u32(1) + (((((((_S178.x) | ((((_S178.y) << (level_0)))))) | ((((_S178.z) << ((u32(2) * level_0))))))) ^ ((((scramble_of_0(real_time_0.number_0)) & ((Key_mask_0(key_0))))))));
     return key_0;
 }
 
@@ -2478,8 +2440,8 @@ fn find_cell_0( hash_0 : vec2<u32>) -> u32
             break;
         }
         var cell_11 : u32 = ((hash_0.x + probe_0) & (u32(262143)));
-        var _S177 : u32 = atomicLoad(&(cell_keys_0[place_of_check_0(cell_11)]));
-        if(_S177 == (max(hash_0.y, u32(1))))
+        var _S179 : u32 = atomicLoad(&(cell_keys_0[place_of_check_0(cell_11)]));
+        if(_S179 == (max(hash_0.y, u32(1))))
         {
             return cell_11;
         }
@@ -2506,11 +2468,11 @@ fn place_of_asked_0( cell_14 : u32) -> u32
 
 fn ask_cell_0( key_1 : Key_0,  asked_0 : u32) -> vec4<f32>
 {
-    var _S178 : bool;
+    var _S180 : bool;
     var hash_1 : vec2<u32> = Key_hash_0(key_1);
-    var _S179 : u32 = max(hash_1.y, u32(1));
+    var _S181 : u32 = max(hash_1.y, u32(1));
     var cell_15 : u32 = find_cell_0(hash_1);
-    var _S180 : vec4<f32> = vec4<f32>(0.0f);
+    var _S182 : vec4<f32> = vec4<f32>(0.0f);
     var known_0 : vec4<f32>;
     if(cell_15 != u32(262144))
     {
@@ -2518,7 +2480,7 @@ fn ask_cell_0( key_1 : Key_0,  asked_0 : u32) -> vec4<f32>
     }
     else
     {
-        known_0 = _S180;
+        known_0 = _S182;
     }
     var cell_16 : u32 = cell_15;
     var probe_1 : u32 = u32(0);
@@ -2526,13 +2488,13 @@ fn ask_cell_0( key_1 : Key_0,  asked_0 : u32) -> vec4<f32>
     {
         if(probe_1 < u32(8))
         {
-            _S178 = cell_16 == u32(262144);
+            _S180 = cell_16 == u32(262144);
         }
         else
         {
-            _S178 = false;
+            _S180 = false;
         }
-        if(_S178)
+        if(_S180)
         {
         }
         else
@@ -2540,23 +2502,23 @@ fn ask_cell_0( key_1 : Key_0,  asked_0 : u32) -> vec4<f32>
             break;
         }
         var place_1 : u32 = ((hash_1.x + probe_1) & (u32(262143)));
-        var found_2 : u32 = atomicCompareExchangeWeak(&(cell_keys_0[place_of_check_0(place_1)]), u32(0), _S179).old_value;
-        var _S181 : bool = found_2 == u32(0);
-        if(_S181)
+        var found_0 : u32 = atomicCompareExchangeWeak(&(cell_keys_0[place_of_check_0(place_1)]), u32(0), _S181).old_value;
+        var _S183 : bool = found_0 == u32(0);
+        if(_S183)
         {
             set_cell_row_0(u32(1), place_1, vec4<u32>(key_1.instance_9, key_1.face_and_level_0, u32(0), u32(0)));
             set_cell_row_0(u32(2), place_1, vec4<u32>(vec3<u32>(key_1.cube_0), u32(0)));
         }
-        var _S182 : bool;
-        if(_S181)
+        var _S184 : bool;
+        if(_S183)
         {
-            _S182 = true;
+            _S184 = true;
         }
         else
         {
-            _S182 = found_2 == _S179;
+            _S184 = found_0 == _S181;
         }
-        if(_S182)
+        if(_S184)
         {
             cell_16 = place_1;
         }
@@ -2564,61 +2526,61 @@ fn ask_cell_0( key_1 : Key_0,  asked_0 : u32) -> vec4<f32>
     }
     if(cell_16 != u32(262144))
     {
-        var _S183 : u32 = atomicLoad(&(cell_keys_0[place_of_asked_0(cell_16)]));
-        _S178 = _S183 < asked_0;
+        var _S185 : u32 = atomicLoad(&(cell_keys_0[place_of_asked_0(cell_16)]));
+        _S180 = _S185 < asked_0;
     }
     else
     {
-        _S178 = false;
+        _S180 = false;
     }
-    if(_S178)
+    if(_S180)
     {
-        var _S184 : u32 = atomicMax(&(cell_keys_0[place_of_asked_0(cell_16)]), asked_0);
+        var _S186 : u32 = atomicMax(&(cell_keys_0[place_of_asked_0(cell_16)]), asked_0);
     }
     return known_0;
 }
 
-fn asks_0( path_2 : Path_0,  ray_10 : Ray_0,  hit_5 : Hit_0,  beyond_1 : u32,  life_1 : u32,  light_4 : ptr<function, vec3<f32>>) -> bool
+fn asks_0( path_2 : Path_0,  ray_9 : Ray_0,  hit_5 : Hit_0,  beyond_1 : u32,  life_1 : u32,  light_4 : ptr<function, vec3<f32>>) -> bool
 {
     (*light_4) = vec3<f32>(0.0f);
-    var _S185 : bool;
+    var _S187 : bool;
     if(Hit_is_miss_0(hit_5))
     {
-        _S185 = true;
+        _S187 = true;
     }
     else
     {
-        _S185 = Inside_is_in_0(path_2.inside_0);
+        _S187 = Inside_is_in_0(path_2.inside_0);
     }
-    if(_S185)
+    if(_S187)
     {
         return false;
     }
     var material_3 : PackedMaterial_0 = material_met_0(path_2, hit_5, beyond_1);
     if((material_3.metallic_0) > 0.0f)
     {
-        _S185 = true;
+        _S187 = true;
     }
     else
     {
-        _S185 = (material_3.transmission_0) > 0.0f;
+        _S187 = (material_3.transmission_0) > 0.0f;
     }
-    if(_S185)
+    if(_S187)
     {
         return false;
     }
     var code_2 : u32;
-    var key_2 : Key_0 = key_of_0(hit_5, square_root_0(length_squared_0(ray_10.origin_1 + ray_10.direction_0 * vec3<f32>(hit_5.t_0) - real_time_0.eye_0)) * real_time_0.view_angle_0 * 0.05882352963089943f, Sampler_independent_0(path_2.sampler_0, u32(3221225472) + Path_events_0(path_2)).x, &(code_2));
+    var key_2 : Key_0 = key_of_0(hit_5, square_root_0(length_squared_0(ray_9.origin_1 + ray_9.direction_0 * vec3<f32>(hit_5.t_0) - real_time_0.eye_0)) * real_time_0.view_angle_0 * 0.05882352963089943f, Sampler_independent_0(path_2.sampler_0, u32(3221225472) + Path_events_0(path_2)).x, &(code_2));
     var least_0 : f32 = 2.0f * f32((u32(1) << ((Key_level_0(key_2)))));
     if(life_1 == u32(0))
     {
-        _S185 = true;
+        _S187 = true;
     }
     else
     {
-        _S185 = (hit_5.t_0 * square_root_0(length_squared_0(ray_10.direction_0))) < least_0;
+        _S187 = (hit_5.t_0 * square_root_0(length_squared_0(ray_9.direction_0))) < least_0;
     }
-    if(_S185)
+    if(_S187)
     {
         return false;
     }
@@ -2682,29 +2644,29 @@ fn weighs_apart_0() -> bool
 
 fn Path_is_counted_0( this_25 : Path_0) -> bool
 {
-    var _S186 : bool;
+    var _S188 : bool;
     if(weighs_apart_0())
     {
-        _S186 = (this_25.pdf_1) < 0.0f;
+        _S188 = (this_25.pdf_1) < 0.0f;
     }
     else
     {
-        _S186 = false;
+        _S188 = false;
     }
-    return _S186;
+    return _S188;
 }
 
 fn Receiver_x24init_0( point_1 : vec3<f32>,  normal_4 : vec3<f32>) -> Receiver_0
 {
-    var _S187 : Receiver_0;
-    _S187.point_0 = point_1;
-    _S187.normal_2 = normal_4;
-    return _S187;
+    var _S189 : Receiver_0;
+    _S189.point_0 = point_1;
+    _S189.normal_2 = normal_4;
+    return _S189;
 }
 
-fn Path_receiver_0( this_26 : Path_0,  ray_11 : Ray_0) -> Receiver_0
+fn Path_receiver_0( this_26 : Path_0,  ray_10 : Ray_0) -> Receiver_0
 {
-    return Receiver_x24init_0(ray_11.origin_1, this_26.normal_0);
+    return Receiver_x24init_0(ray_10.origin_1, this_26.normal_0);
 }
 
 fn Path_dimension_medium_0( this_27 : Path_0) -> u32
@@ -2715,37 +2677,37 @@ fn Path_dimension_medium_0( this_27 : Path_0) -> u32
 fn logarithm_0( x_1 : f32) -> f32
 {
     var bits_3 : u32 = (bitcast<u32>((x_1)));
-    var _S188 : u32 = (bits_3 & (u32(8388607)));
-    var is_upper_0 : bool = _S188 > u32(3474675);
+    var _S190 : u32 = (bits_3 & (u32(8388607)));
+    var is_upper_0 : bool = _S190 > u32(3474675);
     var power_1 : i32 = i32((bits_3 >> (u32(23)))) - i32(127) + i32(is_upper_0);
-    var _S189 : u32;
+    var _S191 : u32;
     if(is_upper_0)
     {
-        _S189 = u32(1056964608);
+        _S191 = u32(1056964608);
     }
     else
     {
-        _S189 = u32(1065353216);
+        _S191 = u32(1065353216);
     }
-    var mantissa_2 : f32 = (bitcast<f32>(((_S188 | (_S189)))));
+    var mantissa_2 : f32 = (bitcast<f32>(((_S190 | (_S191)))));
     var s_0 : f32 = divide_0(mantissa_2 - 1.0f, mantissa_2 + 1.0f);
     var ss_0 : f32 = s_0 * s_0;
-    var _S190 : f32 = f32(power_1);
-    return _S190 * 0.693359375f + (_S190 * -0.00021219444170129f + s_0 * (2.0f + ss_0 * (0.66666668653488159f + ss_0 * (0.40000000596046448f + ss_0 * (0.28571429848670959f + ss_0 * 0.2222222238779068f)))));
+    var _S192 : f32 = f32(power_1);
+    return _S192 * 0.693359375f + (_S192 * -0.00021219444170129f + s_0 * (2.0f + ss_0 * (0.66666668653488159f + ss_0 * (0.40000000596046448f + ss_0 * (0.28571429848670959f + ss_0 * 0.2222222238779068f)))));
 }
 
 fn free_path_0( medium_0 : PackedMaterial_0,  u_1 : f32) -> f32
 {
-    var _S191 : f32;
+    var _S193 : f32;
     if((medium_0.scattering_0) > 0.0f)
     {
-        _S191 = divide_0(- logarithm_0(1.0f - u_1), medium_0.scattering_0);
+        _S193 = divide_0(- logarithm_0(1.0f - u_1), medium_0.scattering_0);
     }
     else
     {
-        _S191 = (bitcast<f32>((u32(2139095040))));
+        _S193 = (bitcast<f32>((u32(2139095040))));
     }
-    return _S191;
+    return _S193;
 }
 
 fn grid_direction_0( instance_12 : u32,  direction_7 : vec3<f32>) -> vec3<f32>
@@ -2753,14 +2715,14 @@ fn grid_direction_0( instance_12 : u32,  direction_7 : vec3<f32>) -> vec3<f32>
     return Transform_direction_0(instance_12, direction_7);
 }
 
-fn Inside_voxels_per_t_0( this_28 : Inside_0,  ray_12 : Ray_0) -> f32
+fn Inside_voxels_per_t_0( this_28 : Inside_0,  ray_11 : Ray_0) -> f32
 {
-    return square_root_0(length_squared_0(grid_direction_0(this_28.instance_6, ray_12.direction_0)));
+    return square_root_0(length_squared_0(grid_direction_0(this_28.instance_6, ray_11.direction_0)));
 }
 
-fn scattering_t_0( path_4 : Path_0,  inside_1 : Inside_0,  ray_13 : Ray_0) -> f32
+fn scattering_t_0( path_4 : Path_0,  inside_1 : Inside_0,  ray_12 : Ray_0) -> f32
 {
-    return divide_0(free_path_0(material_of_index_0(inside_1.material_0), Sampler_independent_0(path_4.sampler_0, Path_dimension_medium_0(path_4)).x), Inside_voxels_per_t_0(inside_1, ray_13));
+    return divide_0(free_path_0(material_of_index_0(inside_1.material_0), Sampler_independent_0(path_4.sampler_0, Path_dimension_medium_0(path_4)).x), Inside_voxels_per_t_0(inside_1, ray_12));
 }
 
 fn exponential_0( x_2 : f32) -> f32
@@ -2781,9 +2743,9 @@ fn attenuation_0( medium_1 : PackedMaterial_0,  voxels_1 : f32) -> vec3<f32>
     return vec3<f32>(exponential_0(- (sigma_0.x * voxels_1)), exponential_0(- (sigma_0.y * voxels_1)), exponential_0(- (sigma_0.z * voxels_1)));
 }
 
-fn absorb_0( path_5 : ptr<function, Path_0>,  inside_2 : Inside_0,  ray_14 : Ray_0,  t_12 : f32)
+fn absorb_0( path_5 : ptr<function, Path_0>,  inside_2 : Inside_0,  ray_13 : Ray_0,  t_12 : f32)
 {
-    (*path_5).beta_0 = (*path_5).beta_0 * attenuation_0(material_of_index_0(inside_2.material_0), t_12 * Inside_voxels_per_t_0(inside_2, ray_14));
+    (*path_5).beta_0 = (*path_5).beta_0 * attenuation_0(material_of_index_0(inside_2.material_0), t_12 * Inside_voxels_per_t_0(inside_2, ray_13));
     return;
 }
 
@@ -2791,19 +2753,19 @@ fn Environment_to_map_0( d_1 : vec3<f32>) -> vec3<f32>
 {
     var sin_0 : f32 = params_0.sky_turned_0.x;
     var cos_0 : f32 = params_0.sky_turned_0.y;
-    var _S192 : f32 = d_1.x;
-    var _S193 : f32 = d_1.y;
-    return vec3<f32>(_S192 * cos_0 - _S193 * sin_0, _S192 * sin_0 + _S193 * cos_0, d_1.z);
+    var _S194 : f32 = d_1.x;
+    var _S195 : f32 = d_1.y;
+    return vec3<f32>(_S194 * cos_0 - _S195 * sin_0, _S194 * sin_0 + _S195 * cos_0, d_1.z);
 }
 
 fn quarter_turns_0( x_3 : f32,  y_0 : f32) -> f32
 {
-    var _S194 : f32 = min(x_3, y_0);
-    var _S195 : f32 = max(x_3, y_0);
+    var _S196 : f32 = min(x_3, y_0);
+    var _S197 : f32 = max(x_3, y_0);
     var ratio_0 : f32;
-    if(_S195 > 0.0f)
+    if(_S197 > 0.0f)
     {
-        ratio_0 = divide_0(_S194, _S195);
+        ratio_0 = divide_0(_S196, _S197);
     }
     else
     {
@@ -2825,10 +2787,10 @@ fn quarter_turns_0( x_3 : f32,  y_0 : f32) -> f32
 fn square_of_0( direction_8 : vec3<f32>) -> vec2<f32>
 {
     var size_1 : vec3<f32> = abs(direction_8);
-    var _S196 : f32 = size_1.x;
-    var _S197 : f32 = size_1.y;
-    var radius_0 : f32 = square_root_0(divide_0(_S196 * _S196 + _S197 * _S197, 1.0f + size_1.z));
-    var v_1 : f32 = quarter_turns_0(_S196, _S197) * radius_0;
+    var _S198 : f32 = size_1.x;
+    var _S199 : f32 = size_1.y;
+    var radius_0 : f32 = square_root_0(divide_0(_S198 * _S198 + _S199 * _S199, 1.0f + size_1.z));
+    var v_1 : f32 = quarter_turns_0(_S198, _S199) * radius_0;
     var u_2 : f32 = radius_0 - v_1;
     var is_below_1 : bool = (direction_8.z) < 0.0f;
     var u_3 : f32;
@@ -2877,42 +2839,42 @@ fn Environment_index_of_0( x_4 : i32,  y_1 : i32) -> u32
     {
         is_beside_0 = x_4 > last_2;
     }
-    var _S198 : i32;
+    var _S200 : i32;
     if(is_beside_0)
     {
-        _S198 = last_2 - y_1;
+        _S200 = last_2 - y_1;
     }
     else
     {
-        _S198 = y_1;
+        _S200 = y_1;
     }
-    var _S199 : i32;
+    var _S201 : i32;
     if(is_beside_0)
     {
-        _S199 = clamp(x_4, i32(0), last_2);
+        _S201 = clamp(x_4, i32(0), last_2);
     }
     else
     {
-        _S199 = x_4;
+        _S201 = x_4;
     }
     var is_beyond_0 : bool;
-    if(_S198 < i32(0))
+    if(_S200 < i32(0))
     {
         is_beyond_0 = true;
     }
     else
     {
-        is_beyond_0 = _S198 > last_2;
+        is_beyond_0 = _S200 > last_2;
     }
     if(is_beyond_0)
     {
-        _S199 = last_2 - _S199;
+        _S201 = last_2 - _S201;
     }
     if(is_beyond_0)
     {
-        _S198 = clamp(_S198, i32(0), last_2);
+        _S200 = clamp(_S200, i32(0), last_2);
     }
-    return u32(_S198 * i32(params_0.sky_edge_0) + _S199);
+    return u32(_S200 * i32(params_0.sky_edge_0) + _S201);
 }
 
 fn Environment_texel_radiance_0( x_5 : i32,  y_2 : i32) -> vec3<f32>
@@ -2922,18 +2884,18 @@ fn Environment_texel_radiance_0( x_5 : i32,  y_2 : i32) -> vec3<f32>
 
 fn Environment_radiance_at_0( place_2 : vec2<f32>) -> vec3<f32>
 {
-    var _S200 : vec2<f32> = place_2 - vec2<f32>(0.5f);
-    var corner_1 : vec2<f32> = floor(_S200);
-    var beyond_2 : vec2<f32> = _S200 - corner_1;
+    var _S202 : vec2<f32> = place_2 - vec2<f32>(0.5f);
+    var corner_1 : vec2<f32> = floor(_S202);
+    var beyond_2 : vec2<f32> = _S202 - corner_1;
     var x_6 : i32 = i32(corner_1.x);
     var y_3 : i32 = i32(corner_1.y);
-    var _S201 : f32 = beyond_2.x;
-    var _S202 : vec3<f32> = vec3<f32>((1.0f - _S201));
-    var _S203 : i32 = x_6 + i32(1);
-    var _S204 : vec3<f32> = vec3<f32>(_S201);
-    var _S205 : i32 = y_3 + i32(1);
-    var _S206 : f32 = beyond_2.y;
-    return (Environment_texel_radiance_0(x_6, y_3) * _S202 + Environment_texel_radiance_0(_S203, y_3) * _S204) * vec3<f32>((1.0f - _S206)) + (Environment_texel_radiance_0(x_6, _S205) * _S202 + Environment_texel_radiance_0(_S203, _S205) * _S204) * vec3<f32>(_S206);
+    var _S203 : f32 = beyond_2.x;
+    var _S204 : vec3<f32> = vec3<f32>((1.0f - _S203));
+    var _S205 : i32 = x_6 + i32(1);
+    var _S206 : vec3<f32> = vec3<f32>(_S203);
+    var _S207 : i32 = y_3 + i32(1);
+    var _S208 : f32 = beyond_2.y;
+    return (Environment_texel_radiance_0(x_6, y_3) * _S204 + Environment_texel_radiance_0(_S205, y_3) * _S206) * vec3<f32>((1.0f - _S208)) + (Environment_texel_radiance_0(x_6, _S207) * _S204 + Environment_texel_radiance_0(_S205, _S207) * _S206) * vec3<f32>(_S208);
 }
 
 fn Environment_radiance_0( direction_10 : vec3<f32>) -> vec3<f32>
@@ -2949,10 +2911,10 @@ struct Gradient_0
 
 fn Gradient_x24init_0( nadir_1 : vec3<f32>,  zenith_1 : vec3<f32>) -> Gradient_0
 {
-    var _S207 : Gradient_0;
-    _S207.nadir_0 = nadir_1;
-    _S207.zenith_0 = zenith_1;
-    return _S207;
+    var _S209 : Gradient_0;
+    _S209.nadir_0 = nadir_1;
+    _S209.zenith_0 = zenith_1;
+    return _S209;
 }
 
 fn Gradient_radiance_0( this_29 : Gradient_0,  direction_11 : vec3<f32>) -> vec3<f32>
@@ -2986,9 +2948,9 @@ fn with_slack_0( receiver_1 : Receiver_0,  cos_1 : f32) -> f32
 
 struct LightNode_0
 {
-     min_1 : array<f32, i32(3)>,
-     index_10 : u32,
-     max_1 : array<f32, i32(3)>,
+     min_2 : array<f32, i32(3)>,
+     index_11 : u32,
+     max_2 : array<f32, i32(3)>,
      count_1 : u32,
      power_3 : array<f32, i32(6)>,
      parent_0 : u32,
@@ -2998,38 +2960,38 @@ struct LightNode_0
 fn light_node_of_0( a_5 : vec4<u32>,  b_5 : vec4<u32>,  c_1 : vec4<u32>,  d_2 : vec4<u32>) -> LightNode_0
 {
     var node_0 : LightNode_0;
-    var _S208 : f32 = (bitcast<f32>((a_5.y)));
-    var _S209 : f32 = (bitcast<f32>((a_5.z)));
-    node_0.min_1[i32(0)] = (bitcast<f32>((a_5.x)));
-    node_0.min_1[i32(1)] = _S208;
-    node_0.min_1[i32(2)] = _S209;
-    node_0.index_10 = a_5.w;
-    var _S210 : f32 = (bitcast<f32>((b_5.y)));
-    var _S211 : f32 = (bitcast<f32>((b_5.z)));
-    node_0.max_1[i32(0)] = (bitcast<f32>((b_5.x)));
-    node_0.max_1[i32(1)] = _S210;
-    node_0.max_1[i32(2)] = _S211;
+    var _S210 : f32 = (bitcast<f32>((a_5.y)));
+    var _S211 : f32 = (bitcast<f32>((a_5.z)));
+    node_0.min_2[i32(0)] = (bitcast<f32>((a_5.x)));
+    node_0.min_2[i32(1)] = _S210;
+    node_0.min_2[i32(2)] = _S211;
+    node_0.index_11 = a_5.w;
+    var _S212 : f32 = (bitcast<f32>((b_5.y)));
+    var _S213 : f32 = (bitcast<f32>((b_5.z)));
+    node_0.max_2[i32(0)] = (bitcast<f32>((b_5.x)));
+    node_0.max_2[i32(1)] = _S212;
+    node_0.max_2[i32(2)] = _S213;
     node_0.count_1 = b_5.w;
-    var _S212 : f32 = (bitcast<f32>((c_1.y)));
-    var _S213 : f32 = (bitcast<f32>((c_1.z)));
-    var _S214 : f32 = (bitcast<f32>((c_1.w)));
-    var _S215 : f32 = (bitcast<f32>((d_2.x)));
-    var _S216 : f32 = (bitcast<f32>((d_2.y)));
+    var _S214 : f32 = (bitcast<f32>((c_1.y)));
+    var _S215 : f32 = (bitcast<f32>((c_1.z)));
+    var _S216 : f32 = (bitcast<f32>((c_1.w)));
+    var _S217 : f32 = (bitcast<f32>((d_2.x)));
+    var _S218 : f32 = (bitcast<f32>((d_2.y)));
     node_0.power_3[i32(0)] = (bitcast<f32>((c_1.x)));
-    node_0.power_3[i32(1)] = _S212;
-    node_0.power_3[i32(2)] = _S213;
-    node_0.power_3[i32(3)] = _S214;
-    node_0.power_3[i32(4)] = _S215;
-    node_0.power_3[i32(5)] = _S216;
+    node_0.power_3[i32(1)] = _S214;
+    node_0.power_3[i32(2)] = _S215;
+    node_0.power_3[i32(3)] = _S216;
+    node_0.power_3[i32(4)] = _S217;
+    node_0.power_3[i32(5)] = _S218;
     node_0.parent_0 = d_2.z;
     node_0.root_1 = d_2.w;
     return node_0;
 }
 
-fn top_light_node_0( index_11 : u32) -> LightNode_0
+fn top_light_node_0( index_12 : u32) -> LightNode_0
 {
-    var _S217 : u32 = u32(4) * index_11;
-    return light_node_of_0(top_light_node_rows_0[_S217], top_light_node_rows_0[_S217 + u32(1)], top_light_node_rows_0[_S217 + u32(2)], top_light_node_rows_0[_S217 + u32(3)]);
+    var _S219 : u32 = u32(4) * index_12;
+    return light_node_of_0(top_light_node_rows_0[_S219], top_light_node_rows_0[_S219 + u32(1)], top_light_node_rows_0[_S219 + u32(2)], top_light_node_rows_0[_S219 + u32(3)]);
 }
 
 struct View_0
@@ -3051,17 +3013,17 @@ struct BySide_0
 
 fn BySide_x24init_0( low_8 : vec3<f32>,  high_5 : vec3<f32>) -> BySide_0
 {
-    var _S218 : BySide_0;
-    _S218.low_7 = low_8;
-    _S218.high_4 = high_5;
-    return _S218;
+    var _S220 : BySide_0;
+    _S220.low_7 = low_8;
+    _S220.high_4 = high_5;
+    return _S220;
 }
 
 fn sent_by_side_0( node_1 : LightNode_0,  point_2 : vec3<f32>,  distance_2 : f32) -> BySide_0
 {
-    var _S219 : vec3<f32> = vec3<f32>(0.0f);
-    var _S220 : vec3<f32> = vec3<f32>(distance_2);
-    return BySide_x24init_0(vec3<f32>(node_1.power_3[i32(0)], node_1.power_3[i32(2)], node_1.power_3[i32(4)]) * min(max(vector_of_0(node_1.max_1) - point_2, _S219), _S220), vec3<f32>(node_1.power_3[i32(1)], node_1.power_3[i32(3)], node_1.power_3[i32(5)]) * min(max(point_2 - vector_of_0(node_1.min_1), _S219), _S220));
+    var _S221 : vec3<f32> = vec3<f32>(0.0f);
+    var _S222 : vec3<f32> = vec3<f32>(distance_2);
+    return BySide_x24init_0(vec3<f32>(node_1.power_3[i32(0)], node_1.power_3[i32(2)], node_1.power_3[i32(4)]) * min(max(vector_of_0(node_1.max_2) - point_2, _S221), _S222), vec3<f32>(node_1.power_3[i32(1)], node_1.power_3[i32(3)], node_1.power_3[i32(5)]) * min(max(point_2 - vector_of_0(node_1.min_2), _S221), _S222));
 }
 
 fn BySide_sum_0( this_30 : BySide_0) -> f32
@@ -3078,19 +3040,19 @@ fn reciprocal_guess_0( x_7 : f32) -> f32
 
 fn View_x24init_0( importance_1 : f32,  is_far_1 : bool) -> View_0
 {
-    var _S221 : View_0;
-    _S221.importance_0 = importance_1;
-    _S221.is_far_0 = is_far_1;
-    return _S221;
+    var _S223 : View_0;
+    _S223.importance_0 = importance_1;
+    _S223.is_far_0 = is_far_1;
+    return _S223;
 }
 
 fn view_0( node_2 : LightNode_0,  receiver_2 : Receiver_0) -> View_0
 {
-    var _S222 : vec3<f32> = vector_of_0(node_2.max_1);
-    var _S223 : vec3<f32> = vector_of_0(node_2.min_1);
-    var _S224 : vec3<f32> = vec3<f32>(0.5f);
-    var half_1 : vec3<f32> = (_S222 - _S223) * _S224;
-    var toward_0 : vec3<f32> = (_S223 + _S222) * _S224 - receiver_2.point_0;
+    var _S224 : vec3<f32> = vector_of_0(node_2.max_2);
+    var _S225 : vec3<f32> = vector_of_0(node_2.min_2);
+    var _S226 : vec3<f32> = vec3<f32>(0.5f);
+    var half_1 : vec3<f32> = (_S224 - _S225) * _S226;
+    var toward_0 : vec3<f32> = (_S225 + _S224) * _S226 - receiver_2.point_0;
     var middle_0 : f32 = dot_product_0(toward_0, receiver_2.normal_2);
     var aside_0 : f32 = dot_product_0(half_1, abs(receiver_2.normal_2));
     var above_0 : f32 = with_slack_0(receiver_2, middle_0 + aside_0);
@@ -3108,16 +3070,16 @@ fn view_0( node_2 : LightNode_0,  receiver_2 : Receiver_0) -> View_0
     var distance_3 : f32 = length_bound_0(select(half_1, abs(toward_0), vec3<bool>((far_4 > near_4))));
     var sent_0 : f32 = BySide_sum_0(sent_by_side_0(node_2, receiver_2.point_0, distance_3));
     var falloff_0 : f32 = reciprocal_guess_0(max(far_4, near_4));
-    var _S225 : f32;
+    var _S227 : f32;
     if(above_0 > 0.0f)
     {
-        _S225 = sent_0 * min(above_0, distance_3) * (falloff_0 * falloff_0);
+        _S227 = sent_0 * min(above_0, distance_3) * (falloff_0 * falloff_0);
     }
     else
     {
-        _S225 = 0.0f;
+        _S227 = 0.0f;
     }
-    return View_x24init_0(_S225, is_far_2);
+    return View_x24init_0(_S227, is_far_2);
 }
 
 fn importance_of_all_0( receiver_3 : Receiver_0) -> f32
@@ -3156,25 +3118,25 @@ fn Lights_sun_probability_0( receiver_5 : Receiver_0) -> f32
 
 fn Lights_has_chosen_sky_0() -> bool
 {
-    var _S226 : bool;
+    var _S228 : bool;
     if(SKY_0 == u32(1))
     {
-        _S226 = (params_0.sky_irradiance_0) > 0.0f;
+        _S228 = (params_0.sky_irradiance_0) > 0.0f;
     }
     else
     {
-        _S226 = false;
+        _S228 = false;
     }
-    return _S226;
+    return _S228;
 }
 
 fn Selection_x24init_0( sun_1 : f32,  sky_2 : f32,  emitters_1 : f32) -> Selection_0
 {
-    var _S227 : Selection_0;
-    _S227.sun_0 = sun_1;
-    _S227.sky_1 = sky_2;
-    _S227.emitters_0 = emitters_1;
-    return _S227;
+    var _S229 : Selection_0;
+    _S229.sun_0 = sun_1;
+    _S229.sky_1 = sky_2;
+    _S229.emitters_0 = emitters_1;
+    return _S229;
 }
 
 fn Lights_sky_probability_0( receiver_6 : Receiver_0) -> f32
@@ -3205,8 +3167,8 @@ fn Lights_selection_0( receiver_7 : Receiver_0) -> Selection_0
         return Selection_x24init_0(sun_2, 0.0f, 1.0f - sun_2);
     }
     var sky_3 : f32 = Lights_sky_probability_0(receiver_7);
-    var _S228 : f32 = 1.0f - sky_3;
-    return Selection_x24init_0(sun_2 * _S228, sky_3, (1.0f - sun_2) * _S228);
+    var _S230 : f32 = 1.0f - sky_3;
+    return Selection_x24init_0(sun_2 * _S230, sky_3, (1.0f - sun_2) * _S230);
 }
 
 fn Path_selection_at_0( this_31 : Path_0,  last_3 : Receiver_0) -> Selection_0
@@ -3223,30 +3185,30 @@ fn Environment_pdf_0( direction_14 : vec3<f32>) -> f32
 
 fn Sky_pdf_0( direction_15 : vec3<f32>) -> f32
 {
-    var _S229 : f32;
+    var _S231 : f32;
     if(SKY_0 == u32(1))
     {
-        _S229 = Environment_pdf_0(direction_15);
+        _S231 = Environment_pdf_0(direction_15);
     }
     else
     {
-        _S229 = 0.0f;
+        _S231 = 0.0f;
     }
-    return _S229;
+    return _S231;
 }
 
 fn Lights_sky_pdf_0( selection_1 : Selection_0,  direction_16 : vec3<f32>) -> f32
 {
-    var _S230 : f32;
+    var _S232 : f32;
     if(Lights_has_chosen_sky_0())
     {
-        _S230 = Sky_pdf_0(direction_16) * selection_1.sky_1;
+        _S232 = Sky_pdf_0(direction_16) * selection_1.sky_1;
     }
     else
     {
-        _S230 = 0.0f;
+        _S232 = 0.0f;
     }
-    return _S230;
+    return _S232;
 }
 
 fn power_heuristic_0( own_0 : f32,  other_1 : f32) -> f32
@@ -3257,16 +3219,16 @@ fn power_heuristic_0( own_0 : f32,  other_1 : f32) -> f32
 
 fn mis_weight_0( bounce_pdf_0 : f32,  light_pdf_0 : f32) -> f32
 {
-    var _S231 : bool;
+    var _S233 : bool;
     if(bounce_pdf_0 == 0.0f)
     {
-        _S231 = true;
+        _S233 = true;
     }
     else
     {
-        _S231 = light_pdf_0 == 0.0f;
+        _S233 = light_pdf_0 == 0.0f;
     }
-    if(_S231)
+    if(_S233)
     {
         return 1.0f;
     }
@@ -3280,24 +3242,24 @@ fn SunDisc_is_visible_0() -> bool
 
 fn Path_is_straight_0( this_32 : Path_0) -> bool
 {
-    var _S232 : bool;
+    var _S234 : bool;
     if((this_32.bounce_0) == u32(0))
     {
-        _S232 = (this_32.pdf_1) == 0.0f;
+        _S234 = (this_32.pdf_1) == 0.0f;
     }
     else
     {
-        _S232 = false;
+        _S234 = false;
     }
-    if(_S232)
+    if(_S234)
     {
-        _S232 = (all(((this_32.normal_0) == vec3<f32>(0.0f))));
+        _S234 = (all(((this_32.normal_0) == vec3<f32>(0.0f))));
     }
     else
     {
-        _S232 = false;
+        _S234 = false;
     }
-    return _S232;
+    return _S234;
 }
 
 fn SunDisc_contains_0( direction_17 : vec3<f32>) -> bool
@@ -3307,44 +3269,44 @@ fn SunDisc_contains_0( direction_17 : vec3<f32>) -> bool
 
 fn SunDisc_le_0( direction_18 : vec3<f32>) -> vec3<f32>
 {
-    var _S233 : vec3<f32>;
+    var _S235 : vec3<f32>;
     if(SunDisc_contains_0(direction_18))
     {
-        _S233 = params_0.sun_radiance_0;
+        _S235 = params_0.sun_radiance_0;
     }
     else
     {
-        _S233 = vec3<f32>(0.0f);
+        _S235 = vec3<f32>(0.0f);
     }
-    return _S233;
+    return _S235;
 }
 
 fn SunDisc_pdf_0( direction_19 : vec3<f32>) -> f32
 {
-    var _S234 : f32;
+    var _S236 : f32;
     if(SunDisc_contains_0(direction_19))
     {
-        _S234 = params_0.sun_pdf_0;
+        _S236 = params_0.sun_pdf_0;
     }
     else
     {
-        _S234 = 0.0f;
+        _S236 = 0.0f;
     }
-    return _S234;
+    return _S236;
 }
 
 fn Lights_sun_pdf_0( selection_2 : Selection_0,  direction_20 : vec3<f32>) -> f32
 {
-    var _S235 : f32;
+    var _S237 : f32;
     if(has_sun_0())
     {
-        _S235 = SunDisc_pdf_0(direction_20) * selection_2.sun_0;
+        _S237 = SunDisc_pdf_0(direction_20) * selection_2.sun_0;
     }
     else
     {
-        _S235 = 0.0f;
+        _S237 = 0.0f;
     }
-    return _S235;
+    return _S237;
 }
 
 fn Path_dimension_scatter_0( this_33 : Path_0) -> u32
@@ -3363,12 +3325,12 @@ fn owen_of_reversed_0( reversed_0 : u32,  seed_2 : u32) -> u32
 
 fn scrambled_sobol_0( sample_1 : u32,  order_0 : u32,  seeds_0 : vec2<u32>) -> vec2<u32>
 {
-    var index_12 : u32 = owen_of_reversed_0(reverseBits(sample_1), order_0);
-    var binomial_0 : u32 = (index_12 ^ (((((index_12 >> (u32(1)))) & (u32(1431655765))))));
+    var index_13 : u32 = owen_of_reversed_0(reverseBits(sample_1), order_0);
+    var binomial_0 : u32 = (index_13 ^ (((((index_13 >> (u32(1)))) & (u32(1431655765))))));
     var binomial_1 : u32 = (binomial_0 ^ (((((binomial_0 >> (u32(2)))) & (u32(858993459))))));
     var binomial_2 : u32 = (binomial_1 ^ (((((binomial_1 >> (u32(4)))) & (u32(252645135))))));
     var binomial_3 : u32 = (binomial_2 ^ (((((binomial_2 >> (u32(8)))) & (u32(16711935))))));
-    return vec2<u32>(owen_of_reversed_0(index_12, seeds_0.x), owen_of_reversed_0((binomial_3 ^ (((((binomial_3 >> (u32(16)))) & (u32(65535)))))), seeds_0.y));
+    return vec2<u32>(owen_of_reversed_0(index_13, seeds_0.x), owen_of_reversed_0((binomial_3 ^ (((((binomial_3 >> (u32(16)))) & (u32(65535)))))), seeds_0.y));
 }
 
 fn Sampler_pair_0( this_34 : Sampler_0,  dimension_1 : u32,  which_0 : u32) -> vec2<u32>
@@ -3407,36 +3369,36 @@ struct Aim_0
 
 fn Aim_x24init_0( is_met_1 : bool,  direction_22 : vec3<f32>,  hit_7 : Hit_0,  luminance_2 : f32) -> Aim_0
 {
-    var _S236 : Aim_0;
-    _S236.is_met_0 = is_met_1;
-    _S236.direction_21 = direction_22;
-    _S236.hit_6 = hit_7;
-    _S236.luminance_1 = luminance_2;
-    return _S236;
+    var _S238 : Aim_0;
+    _S238.is_met_0 = is_met_1;
+    _S238.direction_21 = direction_22;
+    _S238.hit_6 = hit_7;
+    _S238.luminance_1 = luminance_2;
+    return _S238;
 }
 
 struct LightSample_0
 {
-     ray_15 : Ray_0,
+     ray_14 : Ray_0,
      cos_theta_2 : f32,
      radiance_1 : vec3<f32>,
      pdf_2 : f32,
 };
 
-fn LightSample_x24init_0( ray_16 : Ray_0,  cos_theta_3 : f32,  radiance_2 : vec3<f32>,  pdf_3 : f32) -> LightSample_0
+fn LightSample_x24init_0( ray_15 : Ray_0,  cos_theta_3 : f32,  radiance_2 : vec3<f32>,  pdf_3 : f32) -> LightSample_0
 {
-    var _S237 : LightSample_0;
-    _S237.ray_15 = ray_16;
-    _S237.cos_theta_2 = cos_theta_3;
-    _S237.radiance_1 = radiance_2;
-    _S237.pdf_2 = pdf_3;
-    return _S237;
+    var _S239 : LightSample_0;
+    _S239.ray_14 = ray_15;
+    _S239.cos_theta_2 = cos_theta_3;
+    _S239.radiance_1 = radiance_2;
+    _S239.pdf_2 = pdf_3;
+    return _S239;
 }
 
 fn no_light_0() -> LightSample_0
 {
-    var _S238 : vec3<f32> = vec3<f32>(0.0f);
-    return LightSample_x24init_0(Ray_x24init_0(_S238, 0.0f, _S238, 0.0f), 0.0f, _S238, 0.0f);
+    var _S240 : vec3<f32> = vec3<f32>(0.0f);
+    return LightSample_x24init_0(Ray_x24init_0(_S240, 0.0f, _S240, 0.0f), 0.0f, _S240, 0.0f);
 }
 
 fn sincos_turns_0( turns_1 : f32) -> vec2<f32>
@@ -3492,36 +3454,36 @@ struct ChosenDirection_0
 
 fn ChosenDirection_x24init_0( direction_26 : vec3<f32>,  radiance_4 : vec3<f32>,  pdf_5 : f32) -> ChosenDirection_0
 {
-    var _S239 : ChosenDirection_0;
-    _S239.direction_25 = direction_26;
-    _S239.radiance_3 = radiance_4;
-    _S239.pdf_4 = pdf_5;
-    return _S239;
+    var _S241 : ChosenDirection_0;
+    _S241.direction_25 = direction_26;
+    _S241.radiance_3 = radiance_4;
+    _S241.pdf_4 = pdf_5;
+    return _S241;
 }
 
 fn direction_of_0( square_0 : vec2<f32>) -> vec3<f32>
 {
     var u_5 : f32 = square_0.x * 2.0f - 1.0f;
     var v_3 : f32 = square_0.y * 2.0f - 1.0f;
-    var _S240 : f32 = abs(u_5);
-    var _S241 : f32 = abs(v_3);
-    var height_1 : f32 = 1.0f - (_S240 + _S241);
+    var _S242 : f32 = abs(u_5);
+    var _S243 : f32 = abs(v_3);
+    var height_1 : f32 = 1.0f - (_S242 + _S243);
     var radius_2 : f32 = 1.0f - abs(height_1);
     var turns_2 : f32;
     if(radius_2 > 0.0f)
     {
-        turns_2 = (divide_0(_S241 - _S240, radius_2) + 1.0f) * 0.125f;
+        turns_2 = (divide_0(_S243 - _S242, radius_2) + 1.0f) * 0.125f;
     }
     else
     {
         turns_2 = 0.0f;
     }
     var sin_cos_1 : vec2<f32> = sincos_turns_0(turns_2);
-    var _S242 : f32 = radius_2 * radius_2;
-    var across_0 : f32 = radius_2 * square_root_0(2.0f - _S242);
+    var _S244 : f32 = radius_2 * radius_2;
+    var across_0 : f32 = radius_2 * square_root_0(2.0f - _S244);
     var x_9 : f32 = sin_cos_1.y * across_0;
     var y_4 : f32 = sin_cos_1.x * across_0;
-    var z_0 : f32 = 1.0f - _S242;
+    var z_0 : f32 = 1.0f - _S244;
     if(u_5 < 0.0f)
     {
         turns_2 = - x_9;
@@ -3530,63 +3492,63 @@ fn direction_of_0( square_0 : vec2<f32>) -> vec3<f32>
     {
         turns_2 = x_9;
     }
-    var _S243 : f32;
+    var _S245 : f32;
     if(v_3 < 0.0f)
     {
-        _S243 = - y_4;
+        _S245 = - y_4;
     }
     else
     {
-        _S243 = y_4;
+        _S245 = y_4;
     }
-    var _S244 : f32;
+    var _S246 : f32;
     if(height_1 < 0.0f)
     {
-        _S244 = - z_0;
+        _S246 = - z_0;
     }
     else
     {
-        _S244 = z_0;
+        _S246 = z_0;
     }
-    return vec3<f32>(turns_2, _S243, _S244);
+    return vec3<f32>(turns_2, _S245, _S246);
 }
 
 fn Environment_to_world_0( d_3 : vec3<f32>) -> vec3<f32>
 {
     var sin_2 : f32 = params_0.sky_turned_0.x;
     var cos_3 : f32 = params_0.sky_turned_0.y;
-    var _S245 : f32 = d_3.x;
-    var _S246 : f32 = d_3.y;
-    return vec3<f32>(_S245 * cos_3 + _S246 * sin_2, _S246 * cos_3 - _S245 * sin_2, d_3.z);
+    var _S247 : f32 = d_3.x;
+    var _S248 : f32 = d_3.y;
+    return vec3<f32>(_S247 * cos_3 + _S248 * sin_2, _S248 * cos_3 - _S247 * sin_2, d_3.z);
 }
 
 fn Environment_choose_0( u_6 : vec4<f32>,  chosen_0 : ptr<function, ChosenDirection_0>) -> bool
 {
-    var _S247 : vec3<f32> = vec3<f32>(0.0f);
-    (*chosen_0) = ChosenDirection_x24init_0(_S247, _S247, 0.0f);
+    var _S249 : vec3<f32> = vec3<f32>(0.0f);
+    (*chosen_0) = ChosenDirection_x24init_0(_S249, _S249, 0.0f);
     var edge_0 : f32 = f32(params_0.sky_edge_0);
-    var _S248 : f32 = u_6.x * edge_0;
-    var _S249 : f32 = edge_0 - 1.0f;
-    var _S250 : f32 = min(floor(_S248), _S249);
-    var own_1 : u32 = u32(_S250) * params_0.sky_edge_0 + u32(min(floor(u_6.y * edge_0), _S249));
-    var index_13 : u32;
+    var _S250 : f32 = u_6.x * edge_0;
+    var _S251 : f32 = edge_0 - 1.0f;
+    var _S252 : f32 = min(floor(_S250), _S251);
+    var own_1 : u32 = u32(_S252) * params_0.sky_edge_0 + u32(min(floor(u_6.y * edge_0), _S251));
+    var index_14 : u32;
     if((u_6.z) < (environment_0[own_1].threshold_0))
     {
-        index_13 = own_1;
+        index_14 = own_1;
     }
     else
     {
-        index_13 = environment_0[own_1].alias_0;
+        index_14 = environment_0[own_1].alias_0;
     }
-    var pdf_6 : f32 = environment_0[index_13].pdf_0;
-    if((environment_0[index_13].pdf_0) <= 0.0f)
+    var pdf_6 : f32 = environment_0[index_14].pdf_0;
+    if((environment_0[index_14].pdf_0) <= 0.0f)
     {
         return false;
     }
-    var _S251 : u32 = index_13 % params_0.sky_edge_0;
-    var _S252 : f32 = f32(_S251);
-    var _S253 : u32 = index_13 / params_0.sky_edge_0;
-    var place_4 : vec2<f32> = vec2<f32>(_S252, f32(_S253)) + vec2<f32>(min(_S248 - _S250, 1.0f), u_6.w);
+    var _S253 : u32 = index_14 % params_0.sky_edge_0;
+    var _S254 : f32 = f32(_S253);
+    var _S255 : u32 = index_14 / params_0.sky_edge_0;
+    var place_4 : vec2<f32> = vec2<f32>(_S254, f32(_S255)) + vec2<f32>(min(_S250 - _S252, 1.0f), u_6.w);
     (*chosen_0) = ChosenDirection_x24init_0(Environment_to_world_0(direction_of_0(place_4 * vec2<f32>(divide_0(1.0f, edge_0)))), Environment_radiance_at_0(place_4), pdf_6);
     return true;
 }
@@ -3595,17 +3557,17 @@ fn Sky_sample_0( receiver_9 : Receiver_0,  u_7 : vec4<f32>,  sample_3 : ptr<func
 {
     (*sample_3) = no_light_0();
     var chosen_1 : ChosenDirection_0;
-    var _S254 : bool;
+    var _S256 : bool;
     if(SKY_0 != u32(1))
     {
-        _S254 = true;
+        _S256 = true;
     }
     else
     {
-        var _S255 : bool = Environment_choose_0(u_7, &(chosen_1));
-        _S254 = !_S255;
+        var _S257 : bool = Environment_choose_0(u_7, &(chosen_1));
+        _S256 = !_S257;
     }
-    if(_S254)
+    if(_S256)
     {
         return false;
     }
@@ -3617,7 +3579,7 @@ fn Sky_sample_0( receiver_9 : Receiver_0,  u_7 : vec4<f32>,  sample_3 : ptr<func
 struct Descent_0
 {
      node_3 : u32,
-     index_14 : u32,
+     index_15 : u32,
      count_2 : u32,
      weight_0 : f32,
      total_0 : f32,
@@ -3625,29 +3587,29 @@ struct Descent_0
      is_far_3 : bool,
 };
 
-fn Descent_x24init_0( node_4 : u32,  index_15 : u32,  count_3 : u32,  weight_1 : f32,  total_1 : f32,  choice_1 : f32,  is_far_4 : bool) -> Descent_0
+fn Descent_x24init_0( node_4 : u32,  index_16 : u32,  count_3 : u32,  weight_1 : f32,  total_1 : f32,  choice_1 : f32,  is_far_4 : bool) -> Descent_0
 {
-    var _S256 : Descent_0;
-    _S256.node_3 = node_4;
-    _S256.index_14 = index_15;
-    _S256.count_2 = count_3;
-    _S256.weight_0 = weight_1;
-    _S256.total_0 = total_1;
-    _S256.choice_0 = choice_1;
-    _S256.is_far_3 = is_far_4;
-    return _S256;
+    var _S258 : Descent_0;
+    _S258.node_3 = node_4;
+    _S258.index_15 = index_16;
+    _S258.count_2 = count_3;
+    _S258.weight_0 = weight_1;
+    _S258.total_0 = total_1;
+    _S258.choice_0 = choice_1;
+    _S258.is_far_3 = is_far_4;
+    return _S258;
 }
 
-fn TopLights_node_0( index_16 : u32) -> LightNode_0
+fn TopLights_node_0( index_17 : u32) -> LightNode_0
 {
-    return top_light_node_0(index_16);
+    return top_light_node_0(index_17);
 }
 
 fn Descent_at_0( this_36 : ptr<function, Descent_0>,  root_2 : u32)
 {
     var node_5 : LightNode_0 = TopLights_node_0(root_2);
     (*this_36).node_3 = root_2;
-    (*this_36).index_14 = node_5.index_10;
+    (*this_36).index_15 = node_5.index_11;
     (*this_36).count_2 = node_5.count_1;
     (*this_36).is_far_3 = false;
     return;
@@ -3655,24 +3617,24 @@ fn Descent_at_0( this_36 : ptr<function, Descent_0>,  root_2 : u32)
 
 fn normal_or_zero_0( weight_2 : f32) -> f32
 {
-    var _S257 : f32;
+    var _S259 : f32;
     if(weight_2 < 1.17549435082228751e-38f)
     {
-        _S257 = 0.0f;
+        _S259 = 0.0f;
     }
     else
     {
-        _S257 = weight_2;
+        _S259 = weight_2;
     }
-    return _S257;
+    return _S259;
 }
 
 fn weights_of_0( left_0 : f32,  right_0 : f32) -> vec2<f32>
 {
-    var _S258 : f32 = normal_or_zero_0(left_0);
-    var _S259 : f32 = normal_or_zero_0(right_0);
-    var unit_0 : f32 = inverse_power_of_two_0(_S258 + _S259);
-    return vec2<f32>(normal_or_zero_0(_S258 * unit_0), normal_or_zero_0(_S259 * unit_0));
+    var _S260 : f32 = normal_or_zero_0(left_0);
+    var _S261 : f32 = normal_or_zero_0(right_0);
+    var unit_0 : f32 = inverse_power_of_two_0(_S260 + _S261);
+    return vec2<f32>(normal_or_zero_0(_S260 * unit_0), normal_or_zero_0(_S261 * unit_0));
 }
 
 fn climb_0( receiver_10 : Receiver_0,  start_3 : u32,  descent_0 : ptr<function, Descent_0>) -> bool
@@ -3681,7 +3643,7 @@ fn climb_0( receiver_10 : Receiver_0,  start_3 : u32,  descent_0 : ptr<function,
     var at_1 : u32 = start_3;
     for(;;)
     {
-        var _S260 : LightNode_0 = node_6;
+        var _S262 : LightNode_0 = node_6;
         if((node_6.parent_0) != u32(4294967295))
         {
         }
@@ -3689,59 +3651,59 @@ fn climb_0( receiver_10 : Receiver_0,  start_3 : u32,  descent_0 : ptr<function,
         {
             break;
         }
-        var parent_1 : LightNode_0 = top_light_node_0(_S260.parent_0);
-        var _S261 : u32 = _S260.parent_0 + u32(1);
-        var is_left_0 : bool = at_1 == _S261;
-        var _S262 : u32;
+        var parent_1 : LightNode_0 = top_light_node_0(_S262.parent_0);
+        var _S263 : u32 = _S262.parent_0 + u32(1);
+        var is_left_0 : bool = at_1 == _S263;
+        var _S264 : u32;
         if(is_left_0)
         {
-            _S262 = parent_1.index_10;
+            _S264 = parent_1.index_11;
         }
         else
         {
-            _S262 = _S261;
+            _S264 = _S263;
         }
-        var _S263 : View_0 = view_0(node_6, receiver_10);
-        var _S264 : View_0 = view_0(top_light_node_0(_S262), receiver_10);
-        var _S265 : f32;
+        var _S265 : View_0 = view_0(node_6, receiver_10);
+        var _S266 : View_0 = view_0(top_light_node_0(_S264), receiver_10);
+        var _S267 : f32;
         if(is_left_0)
         {
-            _S265 = _S263.importance_0;
+            _S267 = _S265.importance_0;
         }
         else
         {
-            _S265 = _S264.importance_0;
+            _S267 = _S266.importance_0;
         }
-        var _S266 : f32;
+        var _S268 : f32;
         if(is_left_0)
         {
-            _S266 = _S264.importance_0;
+            _S268 = _S266.importance_0;
         }
         else
         {
-            _S266 = _S263.importance_0;
+            _S268 = _S265.importance_0;
         }
-        var weights_0 : vec2<f32> = weights_of_0(_S265, _S266);
-        var _S267 : f32 = weights_0.x;
-        var _S268 : f32 = weights_0.y;
-        var total_2 : f32 = _S267 + _S268;
+        var weights_0 : vec2<f32> = weights_of_0(_S267, _S268);
+        var _S269 : f32 = weights_0.x;
+        var _S270 : f32 = weights_0.y;
+        var total_2 : f32 = _S269 + _S270;
         if(!(total_2 > 0.0f))
         {
             return false;
         }
-        var _S269 : f32;
+        var _S271 : f32;
         if(is_left_0)
         {
-            _S269 = _S267;
+            _S271 = _S269;
         }
         else
         {
-            _S269 = _S268;
+            _S271 = _S270;
         }
-        (*descent_0).weight_0 = (*descent_0).weight_0 * _S269;
+        (*descent_0).weight_0 = (*descent_0).weight_0 * _S271;
         (*descent_0).total_0 = (*descent_0).total_0 * total_2;
         node_6 = parent_1;
-        at_1 = _S260.parent_0;
+        at_1 = _S262.parent_0;
     }
     return ((*descent_0).weight_0) > 0.0f;
 }
@@ -3755,16 +3717,16 @@ fn descend_0( receiver_11 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<functio
 {
     for(;;)
     {
-        var _S270 : bool;
+        var _S272 : bool;
         if(((*descent_1).count_2) == u32(0))
         {
-            _S270 = !(*descent_1).is_far_3;
+            _S272 = !(*descent_1).is_far_3;
         }
         else
         {
-            _S270 = false;
+            _S272 = false;
         }
-        if(_S270)
+        if(_S272)
         {
         }
         else
@@ -3776,31 +3738,31 @@ fn descend_0( receiver_11 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<functio
             return false;
         }
         var left_1 : LightNode_0 = TopLights_node_0((*descent_1).node_3 + u32(1));
-        var right_1 : LightNode_0 = TopLights_node_0((*descent_1).index_14);
+        var right_1 : LightNode_0 = TopLights_node_0((*descent_1).index_15);
         var weights_1 : vec2<f32> = weights_of_0(view_0(left_1, receiver_11).importance_0, view_0(right_1, receiver_11).importance_0);
-        var _S271 : f32 = weights_1.x;
-        var _S272 : f32 = weights_1.y;
-        var total_3 : f32 = _S271 + _S272;
+        var _S273 : f32 = weights_1.x;
+        var _S274 : f32 = weights_1.y;
+        var total_3 : f32 = _S273 + _S274;
         if(!(total_3 > 0.0f))
         {
             return false;
         }
-        var _S273 : bool;
-        if(_S272 <= 0.0f)
+        var _S275 : bool;
+        if(_S274 <= 0.0f)
         {
-            _S273 = true;
+            _S275 = true;
         }
         else
         {
-            _S273 = ((*descent_1).choice_0 * total_3) < (_S271 * (*descent_1).weight_0);
+            _S275 = ((*descent_1).choice_0 * total_3) < (_S273 * (*descent_1).weight_0);
         }
         var is_left_1 : bool;
         if(aim_0.is_met_0)
         {
-            var _S274 : vec3<f32> = vec3<f32>(aim_0.hit_6.voxel_0);
-            if((all((_S274 >= (vector_of_0(left_1.min_1))))))
+            var _S276 : vec3<f32> = vec3<f32>(aim_0.hit_6.voxel_0);
+            if((all((_S276 >= (vector_of_0(left_1.min_2))))))
             {
-                is_left_1 = (all((_S274 < (vector_of_0(left_1.max_1)))));
+                is_left_1 = (all((_S276 < (vector_of_0(left_1.max_2)))));
             }
             else
             {
@@ -3809,63 +3771,63 @@ fn descend_0( receiver_11 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<functio
         }
         else
         {
-            is_left_1 = _S273;
+            is_left_1 = _S275;
         }
-        var _S275 : f32 = (*descent_1).choice_0 * total_3;
-        var _S276 : f32;
+        var _S277 : f32 = (*descent_1).choice_0 * total_3;
+        var _S278 : f32;
         if(is_left_1)
         {
-            _S276 = 0.0f;
+            _S278 = 0.0f;
         }
         else
         {
-            _S276 = _S271 * (*descent_1).weight_0;
+            _S278 = _S273 * (*descent_1).weight_0;
         }
-        (*descent_1).choice_0 = _S275 - _S276;
-        var _S277 : u32;
-        if(is_left_1)
-        {
-            _S277 = (*descent_1).node_3 + u32(1);
-        }
-        else
-        {
-            _S277 = (*descent_1).index_14;
-        }
-        (*descent_1).node_3 = _S277;
-        var _S278 : u32;
-        if(is_left_1)
-        {
-            _S278 = left_1.index_10;
-        }
-        else
-        {
-            _S278 = right_1.index_10;
-        }
-        (*descent_1).index_14 = _S278;
+        (*descent_1).choice_0 = _S277 - _S278;
         var _S279 : u32;
         if(is_left_1)
         {
-            _S279 = left_1.count_1;
+            _S279 = (*descent_1).node_3 + u32(1);
         }
         else
         {
-            _S279 = right_1.count_1;
+            _S279 = (*descent_1).index_15;
         }
-        (*descent_1).count_2 = _S279;
-        (*descent_1).is_far_3 = false;
-        var _S280 : f32;
+        (*descent_1).node_3 = _S279;
+        var _S280 : u32;
         if(is_left_1)
         {
-            _S280 = _S271;
+            _S280 = left_1.index_11;
         }
         else
         {
-            _S280 = _S272;
+            _S280 = right_1.index_11;
         }
-        var _S281 : f32 = (*descent_1).weight_0 * _S280;
-        (*descent_1).weight_0 = _S281;
+        (*descent_1).index_15 = _S280;
+        var _S281 : u32;
+        if(is_left_1)
+        {
+            _S281 = left_1.count_1;
+        }
+        else
+        {
+            _S281 = right_1.count_1;
+        }
+        (*descent_1).count_2 = _S281;
+        (*descent_1).is_far_3 = false;
+        var _S282 : f32;
+        if(is_left_1)
+        {
+            _S282 = _S273;
+        }
+        else
+        {
+            _S282 = _S274;
+        }
+        var _S283 : f32 = (*descent_1).weight_0 * _S282;
+        (*descent_1).weight_0 = _S283;
         (*descent_1).total_0 = (*descent_1).total_0 * total_3;
-        if(_S281 <= 0.0f)
+        if(_S283 <= 0.0f)
         {
             return false;
         }
@@ -3889,32 +3851,32 @@ fn in_grid_0( instance_13 : u32,  receiver_12 : Receiver_0) -> Receiver_0
 
 fn lights_in_pages_0() -> bool
 {
-    var _S282 : bool;
+    var _S284 : bool;
     if(HAS_PAGES_0)
     {
-        _S282 = pages_0[u32(5)] != u32(0);
+        _S284 = pages_0[u32(5)] != u32(0);
     }
     else
     {
-        _S282 = false;
+        _S284 = false;
     }
-    return _S282;
+    return _S284;
 }
 
 fn place_in_light_node_0( node_7 : u32,  word_5 : u32) -> u32
 {
-    var _S283 : u32 = word_in_pages_0(node_7 * u32(16) + word_5, pages_0[i32(4)]);
-    return _S283;
+    var _S285 : u32 = word_in_pages_0(node_7 * u32(16) + word_5, pages_0[i32(4)]);
+    return _S285;
 }
 
-fn light_node_at_0( index_17 : u32) -> LightNode_0
+fn light_node_at_0( index_18 : u32) -> LightNode_0
 {
     if(!lights_in_pages_0())
     {
-        var _S284 : u32 = u32(4) * index_17;
-        return light_node_of_0(light_node_rows_0[_S284], light_node_rows_0[_S284 + u32(1)], light_node_rows_0[_S284 + u32(2)], light_node_rows_0[_S284 + u32(3)]);
+        var _S286 : u32 = u32(4) * index_18;
+        return light_node_of_0(light_node_rows_0[_S286], light_node_rows_0[_S286 + u32(1)], light_node_rows_0[_S286 + u32(2)], light_node_rows_0[_S286 + u32(3)]);
     }
-    var at_2 : u32 = place_in_light_node_0(index_17, u32(0));
+    var at_2 : u32 = place_in_light_node_0(index_18, u32(0));
     var node_8 : LightNode_0;
     var i_0 : u32 = u32(0);
     for(;;)
@@ -3926,11 +3888,11 @@ fn light_node_at_0( index_17 : u32) -> LightNode_0
         {
             break;
         }
-        node_8.min_1[i_0] = (bitcast<f32>((cells_1[at_2 + i_0])));
-        node_8.max_1[i_0] = (bitcast<f32>((cells_1[at_2 + u32(4) + i_0])));
+        node_8.min_2[i_0] = (bitcast<f32>((cells_1[at_2 + i_0])));
+        node_8.max_2[i_0] = (bitcast<f32>((cells_1[at_2 + u32(4) + i_0])));
         i_0 = i_0 + u32(1);
     }
-    node_8.index_10 = cells_1[at_2 + u32(3)];
+    node_8.index_11 = cells_1[at_2 + u32(3)];
     node_8.count_1 = cells_1[at_2 + u32(7)];
     i_0 = u32(0);
     for(;;)
@@ -3950,17 +3912,17 @@ fn light_node_at_0( index_17 : u32) -> LightNode_0
     return node_8;
 }
 
-fn GridLights_node_0( index_18 : u32) -> LightNode_0
+fn GridLights_node_0( index_19 : u32) -> LightNode_0
 {
-    var _S285 : LightNode_0 = light_node_at_0(index_18);
-    return _S285;
+    var _S287 : LightNode_0 = light_node_at_0(index_19);
+    return _S287;
 }
 
 fn Descent_at_1( this_37 : ptr<function, Descent_0>,  root_3 : u32)
 {
     var node_9 : LightNode_0 = GridLights_node_0(root_3);
     (*this_37).node_3 = root_3;
-    (*this_37).index_14 = node_9.index_10;
+    (*this_37).index_15 = node_9.index_11;
     (*this_37).count_2 = node_9.count_1;
     (*this_37).is_far_3 = false;
     return;
@@ -3970,16 +3932,16 @@ fn descend_1( receiver_13 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<functio
 {
     for(;;)
     {
-        var _S286 : bool;
+        var _S288 : bool;
         if(((*descent_2).count_2) == u32(0))
         {
-            _S286 = !(*descent_2).is_far_3;
+            _S288 = !(*descent_2).is_far_3;
         }
         else
         {
-            _S286 = false;
+            _S288 = false;
         }
-        if(_S286)
+        if(_S288)
         {
         }
         else
@@ -3991,33 +3953,33 @@ fn descend_1( receiver_13 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<functio
             return false;
         }
         var left_2 : LightNode_0 = GridLights_node_0((*descent_2).node_3 + u32(1));
-        var right_2 : LightNode_0 = GridLights_node_0((*descent_2).index_14);
+        var right_2 : LightNode_0 = GridLights_node_0((*descent_2).index_15);
         var of_left_0 : View_0 = view_0(left_2, receiver_13);
         var of_right_0 : View_0 = view_0(right_2, receiver_13);
         var weights_2 : vec2<f32> = weights_of_0(of_left_0.importance_0, of_right_0.importance_0);
-        var _S287 : f32 = weights_2.x;
-        var _S288 : f32 = weights_2.y;
-        var total_4 : f32 = _S287 + _S288;
+        var _S289 : f32 = weights_2.x;
+        var _S290 : f32 = weights_2.y;
+        var total_4 : f32 = _S289 + _S290;
         if(!(total_4 > 0.0f))
         {
             return false;
         }
-        var _S289 : bool;
-        if(_S288 <= 0.0f)
+        var _S291 : bool;
+        if(_S290 <= 0.0f)
         {
-            _S289 = true;
+            _S291 = true;
         }
         else
         {
-            _S289 = ((*descent_2).choice_0 * total_4) < (_S287 * (*descent_2).weight_0);
+            _S291 = ((*descent_2).choice_0 * total_4) < (_S289 * (*descent_2).weight_0);
         }
         var is_left_2 : bool;
         if(aim_1.is_met_0)
         {
-            var _S290 : vec3<f32> = vec3<f32>(aim_1.hit_6.voxel_0);
-            if((all((_S290 >= (vector_of_0(left_2.min_1))))))
+            var _S292 : vec3<f32> = vec3<f32>(aim_1.hit_6.voxel_0);
+            if((all((_S292 >= (vector_of_0(left_2.min_2))))))
             {
-                is_left_2 = (all((_S290 < (vector_of_0(left_2.max_1)))));
+                is_left_2 = (all((_S292 < (vector_of_0(left_2.max_2)))));
             }
             else
             {
@@ -4026,72 +3988,72 @@ fn descend_1( receiver_13 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<functio
         }
         else
         {
-            is_left_2 = _S289;
+            is_left_2 = _S291;
         }
-        var _S291 : f32 = (*descent_2).choice_0 * total_4;
-        var _S292 : f32;
+        var _S293 : f32 = (*descent_2).choice_0 * total_4;
+        var _S294 : f32;
         if(is_left_2)
         {
-            _S292 = 0.0f;
+            _S294 = 0.0f;
         }
         else
         {
-            _S292 = _S287 * (*descent_2).weight_0;
+            _S294 = _S289 * (*descent_2).weight_0;
         }
-        (*descent_2).choice_0 = _S291 - _S292;
-        var _S293 : u32;
-        if(is_left_2)
-        {
-            _S293 = (*descent_2).node_3 + u32(1);
-        }
-        else
-        {
-            _S293 = (*descent_2).index_14;
-        }
-        (*descent_2).node_3 = _S293;
-        var _S294 : u32;
-        if(is_left_2)
-        {
-            _S294 = left_2.index_10;
-        }
-        else
-        {
-            _S294 = right_2.index_10;
-        }
-        (*descent_2).index_14 = _S294;
+        (*descent_2).choice_0 = _S293 - _S294;
         var _S295 : u32;
         if(is_left_2)
         {
-            _S295 = left_2.count_1;
+            _S295 = (*descent_2).node_3 + u32(1);
         }
         else
         {
-            _S295 = right_2.count_1;
+            _S295 = (*descent_2).index_15;
         }
-        (*descent_2).count_2 = _S295;
-        var _S296 : bool;
+        (*descent_2).node_3 = _S295;
+        var _S296 : u32;
         if(is_left_2)
         {
-            _S296 = of_left_0.is_far_0;
+            _S296 = left_2.index_11;
         }
         else
         {
-            _S296 = of_right_0.is_far_0;
+            _S296 = right_2.index_11;
         }
-        (*descent_2).is_far_3 = _S296;
-        var _S297 : f32;
+        (*descent_2).index_15 = _S296;
+        var _S297 : u32;
         if(is_left_2)
         {
-            _S297 = _S287;
+            _S297 = left_2.count_1;
         }
         else
         {
-            _S297 = _S288;
+            _S297 = right_2.count_1;
         }
-        var _S298 : f32 = (*descent_2).weight_0 * _S297;
-        (*descent_2).weight_0 = _S298;
+        (*descent_2).count_2 = _S297;
+        var _S298 : bool;
+        if(is_left_2)
+        {
+            _S298 = of_left_0.is_far_0;
+        }
+        else
+        {
+            _S298 = of_right_0.is_far_0;
+        }
+        (*descent_2).is_far_3 = _S298;
+        var _S299 : f32;
+        if(is_left_2)
+        {
+            _S299 = _S289;
+        }
+        else
+        {
+            _S299 = _S290;
+        }
+        var _S300 : f32 = (*descent_2).weight_0 * _S299;
+        (*descent_2).weight_0 = _S300;
         (*descent_2).total_0 = (*descent_2).total_0 * total_4;
-        if(_S298 <= 0.0f)
+        if(_S300 <= 0.0f)
         {
             return false;
         }
@@ -4102,29 +4064,29 @@ fn descend_1( receiver_13 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<functio
 fn choose_side_0( point_3 : vec3<f32>,  is_met_2 : bool,  way_4 : Descent_0,  side_0 : ptr<function, u32>,  odds_0 : ptr<function, vec2<f32>>) -> bool
 {
     var node_10 : LightNode_0 = light_node_at_0(way_4.node_3);
-    var _S299 : vec3<f32> = vector_of_0(node_10.max_1);
-    var _S300 : vec3<f32> = vector_of_0(node_10.min_1);
-    var _S301 : vec3<f32> = vec3<f32>(0.5f);
-    var half_2 : vec3<f32> = (_S299 - _S300) * _S301;
-    var toward_1 : vec3<f32> = (_S300 + _S299) * _S301 - point_3;
+    var _S301 : vec3<f32> = vector_of_0(node_10.max_2);
+    var _S302 : vec3<f32> = vector_of_0(node_10.min_2);
+    var _S303 : vec3<f32> = vec3<f32>(0.5f);
+    var half_2 : vec3<f32> = (_S301 - _S302) * _S303;
+    var toward_1 : vec3<f32> = (_S302 + _S301) * _S303 - point_3;
     var sent_1 : BySide_0 = sent_by_side_0(node_10, point_3, length_bound_0(select(half_2, abs(toward_1), vec3<bool>(((length_squared_0(toward_1)) > (length_squared_0(half_2)))))));
     var sum_3 : f32 = normal_or_zero_0(BySide_sum_0(sent_1));
     var unit_1 : f32 = inverse_power_of_two_0(sum_3);
     var total_5 : f32 = sum_3 * unit_1;
-    var _S302 : f32 = way_4.choice_0 * total_5;
-    var _S303 : u32 = (*side_0);
+    var _S304 : f32 = way_4.choice_0 * total_5;
+    var _S305 : u32 = (*side_0);
     var share_0 : f32 = normal_or_zero_0(sent_1.low_7[u32(0)] * unit_1);
-    var _S304 : bool;
+    var _S306 : bool;
     if(is_met_2)
     {
-        _S304 = u32(0) == _S303;
+        _S306 = u32(0) == _S305;
     }
     else
     {
-        _S304 = share_0 > 0.0f;
+        _S306 = share_0 > 0.0f;
     }
     var chosen_2 : f32;
-    if(_S304)
+    if(_S306)
     {
         (*side_0) = u32(0);
         chosen_2 = share_0;
@@ -4133,108 +4095,138 @@ fn choose_side_0( point_3 : vec3<f32>,  is_met_2 : bool,  way_4 : Descent_0,  si
     {
         chosen_2 = 0.0f;
     }
-    var _S305 : bool = _S302 < (share_0 * way_4.weight_0);
+    var _S307 : bool = _S304 < (share_0 * way_4.weight_0);
     var share_1 : f32 = normal_or_zero_0(sent_1.high_4[u32(0)] * unit_1);
     if(is_met_2)
     {
-        _S304 = u32(1) == _S303;
+        _S306 = u32(1) == _S305;
     }
     else
     {
         if(share_1 > 0.0f)
         {
-            _S304 = !_S305;
+            _S306 = !_S307;
         }
         else
         {
-            _S304 = false;
+            _S306 = false;
         }
     }
-    if(_S304)
+    if(_S306)
     {
         (*side_0) = u32(1);
         chosen_2 = share_1;
     }
     var passed_0 : f32 = share_0 + share_1;
-    if(_S305)
+    if(_S307)
     {
-        _S304 = true;
+        _S306 = true;
     }
     else
     {
-        _S304 = _S302 < (passed_0 * way_4.weight_0);
+        _S306 = _S304 < (passed_0 * way_4.weight_0);
     }
     var share_2 : f32 = normal_or_zero_0(sent_1.low_7[u32(1)] * unit_1);
-    var _S306 : bool;
+    var _S308 : bool;
     if(is_met_2)
     {
-        _S306 = u32(2) == _S303;
+        _S308 = u32(2) == _S305;
     }
     else
     {
         if(share_2 > 0.0f)
         {
-            _S306 = !_S304;
+            _S308 = !_S306;
         }
         else
         {
-            _S306 = false;
+            _S308 = false;
         }
     }
-    if(_S306)
+    if(_S308)
     {
         (*side_0) = u32(2);
         chosen_2 = share_2;
     }
     var passed_1 : f32 = passed_0 + share_2;
-    if(_S304)
+    if(_S306)
     {
-        _S304 = true;
+        _S306 = true;
     }
     else
     {
-        _S304 = _S302 < (passed_1 * way_4.weight_0);
+        _S306 = _S304 < (passed_1 * way_4.weight_0);
     }
     var share_3 : f32 = normal_or_zero_0(sent_1.high_4[u32(1)] * unit_1);
     if(is_met_2)
     {
-        _S306 = u32(3) == _S303;
+        _S308 = u32(3) == _S305;
     }
     else
     {
         if(share_3 > 0.0f)
         {
-            _S306 = !_S304;
+            _S308 = !_S306;
         }
         else
         {
-            _S306 = false;
+            _S308 = false;
         }
     }
-    if(_S306)
+    if(_S308)
     {
         (*side_0) = u32(3);
         chosen_2 = share_3;
     }
     var passed_2 : f32 = passed_1 + share_3;
-    if(_S304)
+    if(_S306)
     {
-        _S304 = true;
+        _S306 = true;
     }
     else
     {
-        _S304 = _S302 < (passed_2 * way_4.weight_0);
+        _S306 = _S304 < (passed_2 * way_4.weight_0);
     }
     var share_4 : f32 = normal_or_zero_0(sent_1.low_7[u32(2)] * unit_1);
     if(is_met_2)
     {
-        _S306 = u32(4) == _S303;
+        _S308 = u32(4) == _S305;
     }
     else
     {
         if(share_4 > 0.0f)
         {
-            _S306 = !_S304;
+            _S308 = !_S306;
+        }
+        else
+        {
+            _S308 = false;
+        }
+    }
+    if(_S308)
+    {
+        (*side_0) = u32(4);
+        chosen_2 = share_4;
+    }
+    var passed_3 : f32 = passed_2 + share_4;
+    if(_S306)
+    {
+        _S306 = true;
+    }
+    else
+    {
+        _S306 = _S304 < (passed_3 * way_4.weight_0);
+    }
+    var share_5 : f32 = normal_or_zero_0(sent_1.high_4[u32(2)] * unit_1);
+    if(is_met_2)
+    {
+        _S306 = u32(5) == _S305;
+    }
+    else
+    {
+        if(share_5 > 0.0f)
+        {
+            _S306 = !_S306;
         }
         else
         {
@@ -4242,36 +4234,6 @@ fn choose_side_0( point_3 : vec3<f32>,  is_met_2 : bool,  way_4 : Descent_0,  si
         }
     }
     if(_S306)
-    {
-        (*side_0) = u32(4);
-        chosen_2 = share_4;
-    }
-    var passed_3 : f32 = passed_2 + share_4;
-    if(_S304)
-    {
-        _S304 = true;
-    }
-    else
-    {
-        _S304 = _S302 < (passed_3 * way_4.weight_0);
-    }
-    var share_5 : f32 = normal_or_zero_0(sent_1.high_4[u32(2)] * unit_1);
-    if(is_met_2)
-    {
-        _S304 = u32(5) == _S303;
-    }
-    else
-    {
-        if(share_5 > 0.0f)
-        {
-            _S304 = !_S304;
-        }
-        else
-        {
-            _S304 = false;
-        }
-    }
-    if(_S304)
     {
         (*side_0) = u32(5);
         chosen_2 = share_5;
@@ -4279,33 +4241,33 @@ fn choose_side_0( point_3 : vec3<f32>,  is_met_2 : bool,  way_4 : Descent_0,  si
     (*odds_0) = vec2<f32>(way_4.weight_0 * chosen_2, way_4.total_0 * total_5);
     if(sum_3 > 0.0f)
     {
-        _S304 = ((*odds_0).x) > 0.0f;
+        _S306 = ((*odds_0).x) > 0.0f;
     }
     else
     {
-        _S304 = false;
+        _S306 = false;
     }
-    return _S304;
+    return _S306;
 }
 
-fn light_node_word_0( index_19 : u32,  word_6 : u32) -> u32
+fn light_node_word_0( index_20 : u32,  word_6 : u32) -> u32
 {
-    return light_node_rows_0[u32(4) * index_19 + ((word_6 >> (u32(2))))][(word_6 & (u32(3)))];
+    return light_node_rows_0[u32(4) * index_20 + ((word_6 >> (u32(2))))][(word_6 & (u32(3)))];
 }
 
-fn light_power_at_0( index_20 : u32,  side_1 : u32) -> f32
+fn light_power_at_0( index_21 : u32,  side_1 : u32) -> f32
 {
-    var _S307 : u32;
+    var _S309 : u32;
     if(lights_in_pages_0())
     {
-        var _S308 : u32 = place_in_light_node_0(index_20, u32(8) + side_1);
-        _S307 = cells_1[_S308];
+        var _S310 : u32 = place_in_light_node_0(index_21, u32(8) + side_1);
+        _S309 = cells_1[_S310];
     }
     else
     {
-        _S307 = light_node_word_0(index_20, u32(8) + side_1);
+        _S309 = light_node_word_0(index_21, u32(8) + side_1);
     }
-    return (bitcast<f32>((_S307)));
+    return (bitcast<f32>((_S309)));
 }
 
 fn component_0( vector_5 : vec3<f32>,  axis_6 : u32) -> f32
@@ -4342,110 +4304,110 @@ fn density_0( odds_1 : vec2<f32>,  luminance_3 : f32,  power_4 : f32,  toward_2 
 struct Emitter_0
 {
      voxel_24 : array<i32, i32(3)>,
-     grid_6 : u32,
+     grid_1 : u32,
      faces_0 : u32,
      material_6 : u32,
      luminance_4 : f32,
      leaf_0 : u32,
 };
 
-fn below_light_node_0( index_21 : u32) -> vec2<u32>
+fn below_light_node_0( index_22 : u32) -> vec2<u32>
 {
     if(!lights_in_pages_0())
     {
-        return vec2<u32>(light_node_word_0(index_21, u32(3)), light_node_word_0(index_21, u32(7)));
+        return vec2<u32>(light_node_word_0(index_22, u32(3)), light_node_word_0(index_22, u32(7)));
     }
-    var at_3 : u32 = place_in_light_node_0(index_21, u32(0));
+    var at_3 : u32 = place_in_light_node_0(index_22, u32(0));
     return vec2<u32>(cells_1[at_3 + u32(3)], cells_1[at_3 + u32(7)]);
 }
 
 fn place_in_emitter_0( emitter_0 : u32,  word_7 : u32) -> u32
 {
-    var _S309 : u32 = word_in_pages_0(emitter_0 * u32(8) + word_7, pages_0[i32(3)]);
-    return _S309;
+    var _S311 : u32 = word_in_pages_0(emitter_0 * u32(8) + word_7, pages_0[i32(3)]);
+    return _S311;
 }
 
-fn emitter_word_0( index_22 : u32,  word_8 : u32) -> u32
+fn emitter_word_0( index_23 : u32,  word_8 : u32) -> u32
 {
-    return emitter_rows_0[u32(2) * index_22 + ((word_8 >> (u32(2))))][(word_8 & (u32(3)))];
+    return emitter_rows_0[u32(2) * index_23 + ((word_8 >> (u32(2))))][(word_8 & (u32(3)))];
 }
 
-fn emitter_faces_at_0( index_23 : u32) -> u32
+fn emitter_faces_at_0( index_24 : u32) -> u32
 {
-    var _S310 : u32;
+    var _S312 : u32;
     if(lights_in_pages_0())
     {
-        var _S311 : u32 = place_in_emitter_0(index_23, u32(4));
-        _S310 = cells_1[_S311];
+        var _S313 : u32 = place_in_emitter_0(index_24, u32(4));
+        _S312 = cells_1[_S313];
     }
     else
     {
-        _S310 = emitter_word_0(index_23, u32(4));
-    }
-    return _S310;
-}
-
-fn emitter_luminance_at_0( index_24 : u32) -> f32
-{
-    var _S312 : f32;
-    if(lights_in_pages_0())
-    {
-        var _S313 : u32 = place_in_emitter_0(index_24, u32(6));
-        _S312 = (bitcast<f32>((cells_1[_S313])));
-    }
-    else
-    {
-        _S312 = (bitcast<f32>((emitter_word_0(index_24, u32(6)))));
+        _S312 = emitter_word_0(index_24, u32(4));
     }
     return _S312;
 }
 
-fn Emitter_x24init_0( voxel_25 : array<i32, i32(3)>,  grid_7 : u32,  faces_1 : u32,  material_7 : u32,  luminance_5 : f32,  leaf_1 : u32) -> Emitter_0
+fn emitter_luminance_at_0( index_25 : u32) -> f32
 {
-    var _S314 : Emitter_0;
-    _S314.voxel_24 = voxel_25;
-    _S314.grid_6 = grid_7;
-    _S314.faces_0 = faces_1;
-    _S314.material_6 = material_7;
-    _S314.luminance_4 = luminance_5;
-    _S314.leaf_0 = leaf_1;
+    var _S314 : f32;
+    if(lights_in_pages_0())
+    {
+        var _S315 : u32 = place_in_emitter_0(index_25, u32(6));
+        _S314 = (bitcast<f32>((cells_1[_S315])));
+    }
+    else
+    {
+        _S314 = (bitcast<f32>((emitter_word_0(index_25, u32(6)))));
+    }
     return _S314;
 }
 
-fn emitter_at_0( index_25 : u32) -> Emitter_0
+fn Emitter_x24init_0( voxel_25 : array<i32, i32(3)>,  grid_2 : u32,  faces_1 : u32,  material_7 : u32,  luminance_5 : f32,  leaf_1 : u32) -> Emitter_0
+{
+    var _S316 : Emitter_0;
+    _S316.voxel_24 = voxel_25;
+    _S316.grid_1 = grid_2;
+    _S316.faces_0 = faces_1;
+    _S316.material_6 = material_7;
+    _S316.luminance_4 = luminance_5;
+    _S316.leaf_0 = leaf_1;
+    return _S316;
+}
+
+fn emitter_at_0( index_26 : u32) -> Emitter_0
 {
     if(!lights_in_pages_0())
     {
-        var _S315 : u32 = u32(2) * index_25;
-        var a_6 : vec4<u32> = emitter_rows_0[_S315];
-        var b_6 : vec4<u32> = emitter_rows_0[_S315 + u32(1)];
-        var _S316 : array<i32, i32(3)> = array<i32, i32(3)>( i32(a_6.x), i32(a_6.y), i32(a_6.z) );
-        return Emitter_x24init_0(_S316, a_6.w, b_6.x, b_6.y, (bitcast<f32>((b_6.z))), b_6.w);
+        var _S317 : u32 = u32(2) * index_26;
+        var a_6 : vec4<u32> = emitter_rows_0[_S317];
+        var b_6 : vec4<u32> = emitter_rows_0[_S317 + u32(1)];
+        var _S318 : array<i32, i32(3)> = array<i32, i32(3)>( i32(a_6.x), i32(a_6.y), i32(a_6.z) );
+        return Emitter_x24init_0(_S318, a_6.w, b_6.x, b_6.y, (bitcast<f32>((b_6.z))), b_6.w);
     }
-    var at_4 : u32 = place_in_emitter_0(index_25, u32(0));
-    var _S317 : array<i32, i32(3)> = array<i32, i32(3)>( i32(cells_1[at_4]), i32(cells_1[at_4 + u32(1)]), i32(cells_1[at_4 + u32(2)]) );
-    return Emitter_x24init_0(_S317, cells_1[at_4 + u32(3)], cells_1[at_4 + u32(4)], cells_1[at_4 + u32(5)], (bitcast<f32>((cells_1[at_4 + u32(6)]))), cells_1[at_4 + u32(7)]);
+    var at_4 : u32 = place_in_emitter_0(index_26, u32(0));
+    var _S319 : array<i32, i32(3)> = array<i32, i32(3)>( i32(cells_1[at_4]), i32(cells_1[at_4 + u32(1)]), i32(cells_1[at_4 + u32(2)]) );
+    return Emitter_x24init_0(_S319, cells_1[at_4 + u32(3)], cells_1[at_4 + u32(4)], cells_1[at_4 + u32(5)], (bitcast<f32>((cells_1[at_4 + u32(6)]))), cells_1[at_4 + u32(7)]);
 }
 
 fn choose_emitter_0( way_5 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Emitter_0
 {
-    var is_found_8 : bool;
+    var is_found_6 : bool;
     var is_left_3 : bool;
     var count_4 : u32 = way_5.count_2;
     var node_11 : u32 = way_5.node_3;
-    var index_26 : u32 = way_5.index_14;
-    var _S318 : f32 = threshold_1;
+    var index_27 : u32 = way_5.index_15;
+    var _S320 : f32 = threshold_1;
     for(;;)
     {
         if(count_4 == u32(0))
         {
-            is_found_8 = !waits_for_pages_0();
+            is_found_6 = !waits_for_pages_0();
         }
         else
         {
-            is_found_8 = false;
+            is_found_6 = false;
         }
-        if(is_found_8)
+        if(is_found_6)
         {
         }
         else
@@ -4454,10 +4416,10 @@ fn choose_emitter_0( way_5 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
         }
         var left_3 : u32 = node_11 + u32(1);
         var power_left_0 : f32 = light_power_at_0(left_3, side_2);
-        var power_right_0 : f32 = light_power_at_0(index_26, side_2);
+        var power_right_0 : f32 = light_power_at_0(index_27, side_2);
         var below_left_0 : vec2<u32> = below_light_node_0(left_3);
-        var below_right_0 : vec2<u32> = below_light_node_0(index_26);
-        if(_S318 < power_left_0)
+        var below_right_0 : vec2<u32> = below_light_node_0(index_27);
+        if(_S320 < power_left_0)
         {
             is_left_3 = true;
         }
@@ -4470,7 +4432,7 @@ fn choose_emitter_0( way_5 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
         }
         else
         {
-            _S318 = _S318 - power_left_0;
+            _S320 = _S320 - power_left_0;
         }
         if(is_left_3)
         {
@@ -4478,15 +4440,15 @@ fn choose_emitter_0( way_5 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
         }
         else
         {
-            node_11 = index_26;
+            node_11 = index_27;
         }
         if(is_left_3)
         {
-            index_26 = below_left_0.x;
+            index_27 = below_left_0.x;
         }
         else
         {
-            index_26 = below_right_0.x;
+            index_27 = below_right_0.x;
         }
         if(is_left_3)
         {
@@ -4497,14 +4459,14 @@ fn choose_emitter_0( way_5 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
             count_4 = below_right_0.y;
         }
     }
-    is_found_8 = false;
-    var chosen_3 : u32 = index_26;
-    var at_5 : u32 = index_26;
+    is_found_6 = false;
+    var chosen_3 : u32 = index_27;
+    var at_5 : u32 = index_27;
     for(;;)
     {
-        if(at_5 < (index_26 + count_4))
+        if(at_5 < (index_27 + count_4))
         {
-            is_left_3 = !is_found_8;
+            is_left_3 = !is_found_6;
         }
         else
         {
@@ -4517,21 +4479,21 @@ fn choose_emitter_0( way_5 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
         {
             break;
         }
-        var _S319 : u32 = emitter_faces_at_0(at_5);
-        if(((((_S319 >> (side_2))) & (u32(1)))) != u32(0))
+        var _S321 : u32 = emitter_faces_at_0(at_5);
+        if(((((_S321 >> (side_2))) & (u32(1)))) != u32(0))
         {
-            var _S320 : f32 = emitter_luminance_at_0(at_5);
-            var _S321 : bool = _S318 < _S320;
             var _S322 : f32 = emitter_luminance_at_0(at_5);
-            var _S323 : f32 = _S318 - _S322;
-            is_found_8 = _S321;
+            var _S323 : bool = _S320 < _S322;
+            var _S324 : f32 = emitter_luminance_at_0(at_5);
+            var _S325 : f32 = _S320 - _S324;
+            is_found_6 = _S323;
             chosen_3 = at_5;
-            _S318 = _S323;
+            _S320 = _S325;
         }
         at_5 = at_5 + u32(1);
     }
-    var _S324 : Emitter_0 = emitter_at_0(chosen_3);
-    return _S324;
+    var _S326 : Emitter_0 = emitter_at_0(chosen_3);
+    return _S326;
 }
 
 fn point_of_face_0( low_9 : vec3<f32>,  face_4 : u32,  u_8 : f32,  v_4 : f32) -> vec3<f32>
@@ -4564,19 +4526,19 @@ fn margin_of_0( translation_1 : vec3<f32>,  low_10 : vec3<f32>) -> f32
 fn offset_ray_origin_0( translation_2 : vec3<f32>,  low_11 : vec3<f32>,  face_5 : u32,  point_4 : vec3<f32>) -> vec3<f32>
 {
     var margin_0 : f32 = margin_of_0(translation_2, low_11);
-    var _S325 : vec3<f32> = vec3<f32>(margin_0);
-    var moved_0 : vec3<f32> = min(max(point_4, low_11 + _S325), low_11 + vec3<f32>((1.0f - margin_0)));
-    var _S326 : bool = face_5 < u32(2);
-    var _S327 : bool;
+    var _S327 : vec3<f32> = vec3<f32>(margin_0);
+    var moved_0 : vec3<f32> = min(max(point_4, low_11 + _S327), low_11 + vec3<f32>((1.0f - margin_0)));
+    var _S328 : bool = face_5 < u32(2);
+    var _S329 : bool;
     if(face_5 >= u32(2))
     {
-        _S327 = face_5 < u32(4);
+        _S329 = face_5 < u32(4);
     }
     else
     {
-        _S327 = false;
+        _S329 = false;
     }
-    var is_axis_3 : vec3<bool> = vec3<bool>(_S326, _S327, face_5 >= u32(4));
+    var is_axis_3 : vec3<bool> = vec3<bool>(_S328, _S329, face_5 >= u32(4));
     var outside_0 : vec3<f32>;
     if(((face_5 & (u32(1)))) == u32(1))
     {
@@ -4584,19 +4546,19 @@ fn offset_ray_origin_0( translation_2 : vec3<f32>,  low_11 : vec3<f32>,  face_5 
     }
     else
     {
-        outside_0 = low_11 - _S325;
+        outside_0 = low_11 - _S327;
     }
     return select(moved_0, outside_0, is_axis_3);
 }
 
-fn Transform_direction_1( _S328 : u32,  _S329 : vec3<f32>) -> vec3<f32>
+fn Transform_direction_1( _S330 : u32,  _S331 : vec3<f32>) -> vec3<f32>
 {
-    return vector_of_0(instances_0[_S328].world_from_grid_0.x_axis_0) * vec3<f32>(_S329.x) + vector_of_0(instances_0[_S328].world_from_grid_0.y_axis_0) * vec3<f32>(_S329.y) + vector_of_0(instances_0[_S328].world_from_grid_0.z_axis_0) * vec3<f32>(_S329.z);
+    return vector_of_0(instances_0[_S330].world_from_grid_0.x_axis_0) * vec3<f32>(_S331.x) + vector_of_0(instances_0[_S330].world_from_grid_0.y_axis_0) * vec3<f32>(_S331.y) + vector_of_0(instances_0[_S330].world_from_grid_0.z_axis_0) * vec3<f32>(_S331.z);
 }
 
-fn Transform_point_1( _S330 : u32,  _S331 : vec3<f32>) -> vec3<f32>
+fn Transform_point_1( _S332 : u32,  _S333 : vec3<f32>) -> vec3<f32>
 {
-    return Transform_direction_1(_S330, _S331) + vector_of_0(instances_0[_S330].world_from_grid_0.translation_0);
+    return Transform_direction_1(_S332, _S333) + vector_of_0(instances_0[_S332].world_from_grid_0.translation_0);
 }
 
 fn sample_emitter_0( receiver_14 : Receiver_0,  u_9 : vec4<f32>,  aim_2 : Aim_0,  sample_4 : ptr<function, LightSample_0>) -> bool
@@ -4608,28 +4570,28 @@ fn sample_emitter_0( receiver_14 : Receiver_0,  u_9 : vec4<f32>,  aim_2 : Aim_0,
     }
     var descent_3 : Descent_0 = Descent_x24init_0(u32(0), u32(0), u32(0), 1.0f, 1.0f, u_9.x, false);
     Descent_at_0(&(descent_3), u32(0));
-    var _S332 : bool;
+    var _S334 : bool;
     if(!IS_SINGLE_0)
     {
-        _S332 = aim_2.is_met_0;
+        _S334 = aim_2.is_met_0;
     }
     else
     {
-        _S332 = false;
+        _S334 = false;
     }
-    if(_S332)
+    if(_S334)
     {
         var leaf_2 : u32 = instances_0[aim_2.hit_6.instance_0].light_leaf_0;
         if((instances_0[aim_2.hit_6.instance_0].light_leaf_0) == u32(4294967295))
         {
-            _S332 = true;
+            _S334 = true;
         }
         else
         {
-            var _S333 : bool = climb_0(receiver_14, leaf_2, &(descent_3));
-            _S332 = !_S333;
+            var _S335 : bool = climb_0(receiver_14, leaf_2, &(descent_3));
+            _S334 = !_S335;
         }
-        if(_S332)
+        if(_S334)
         {
             return false;
         }
@@ -4639,49 +4601,49 @@ fn sample_emitter_0( receiver_14 : Receiver_0,  u_9 : vec4<f32>,  aim_2 : Aim_0,
     {
         if(!IS_SINGLE_0)
         {
-            var _S334 : bool = descend_0(receiver_14, by_chance_0(), &(descent_3));
-            _S332 = !_S334;
+            var _S336 : bool = descend_0(receiver_14, by_chance_0(), &(descent_3));
+            _S334 = !_S336;
         }
         else
         {
-            _S332 = false;
+            _S334 = false;
         }
-        if(_S332)
+        if(_S334)
         {
             return false;
         }
     }
-    var chosen_instance_0 : u32 = descent_3.index_14;
-    var local_1 : Receiver_0 = in_grid_0(descent_3.index_14, receiver_14);
+    var chosen_instance_0 : u32 = descent_3.index_15;
+    var local_1 : Receiver_0 = in_grid_0(descent_3.index_15, receiver_14);
     Descent_at_1(&(descent_3), top_light_node_0(descent_3.node_3).root_1);
-    var _S335 : bool = descend_1(local_1, aim_2, &(descent_3));
-    if(!_S335)
+    var _S337 : bool = descend_1(local_1, aim_2, &(descent_3));
+    if(!_S337)
     {
         return false;
     }
     var side_3 : u32 = aim_2.hit_6.face_0;
     var odds_2 : vec2<f32>;
-    var _S336 : bool = choose_side_0(local_1.point_0, aim_2.is_met_0, descent_3, &(side_3), &(odds_2));
-    if(!_S336)
+    var _S338 : bool = choose_side_0(local_1.point_0, aim_2.is_met_0, descent_3, &(side_3), &(odds_2));
+    if(!_S338)
     {
         return false;
     }
     var power_5 : f32 = light_power_at_0(descent_3.node_3, side_3);
     if(aim_2.is_met_0)
     {
-        var _S337 : f32 = density_0(odds_2, aim_2.luminance_1, power_5, Transform_direction_0(chosen_instance_0, aim_2.direction_21) * vec3<f32>(aim_2.hit_6.t_0), side_3);
-        (*sample_4).pdf_2 = _S337;
-        return _S337 > 0.0f;
+        var _S339 : f32 = density_0(odds_2, aim_2.luminance_1, power_5, Transform_direction_0(chosen_instance_0, aim_2.direction_21) * vec3<f32>(aim_2.hit_6.t_0), side_3);
+        (*sample_4).pdf_2 = _S339;
+        return _S339 > 0.0f;
     }
     var emitter_1 : Emitter_0 = choose_emitter_0(descent_3, side_3, u_9.y * power_5);
-    var _S338 : vec3<f32> = vec3<f32>(cell_of_0(emitter_1.voxel_24));
-    var on_face_0 : vec3<f32> = point_of_face_0(_S338, side_3, u_9.z, u_9.w);
+    var _S340 : vec3<f32> = vec3<f32>(cell_of_0(emitter_1.voxel_24));
+    var on_face_0 : vec3<f32> = point_of_face_0(_S340, side_3, u_9.z, u_9.w);
     var pdf_7 : f32 = density_0(odds_2, emitter_1.luminance_4, power_5, on_face_0 - local_1.point_0, side_3);
     if(pdf_7 < 0.0f)
     {
         return false;
     }
-    var direction_27 : vec3<f32> = Transform_point_1(chosen_instance_0, offset_ray_origin_0(vector_of_0(instances_0[chosen_instance_0].grid_from_world_0.translation_0), _S338, side_3, on_face_0)) - receiver_14.point_0;
+    var direction_27 : vec3<f32> = Transform_point_1(chosen_instance_0, offset_ray_origin_0(vector_of_0(instances_0[chosen_instance_0].grid_from_world_0.translation_0), _S340, side_3, on_face_0)) - receiver_14.point_0;
     var cos_theta_6 : f32 = with_slack_0(receiver_14, divide_0(dot_product_0(receiver_14.normal_2, direction_27), square_root_0(length_squared_0(direction_27))));
     (*sample_4) = LightSample_x24init_0(Ray_x24init_0(receiver_14.point_0, 0.0f, direction_27, 1.0f), cos_theta_6, emitted_0(material_of_index_0(emitter_1.material_6)), pdf_7);
     return cos_theta_6 > 0.0f;
@@ -4689,99 +4651,99 @@ fn sample_emitter_0( receiver_14 : Receiver_0,  u_9 : vec4<f32>,  aim_2 : Aim_0,
 
 fn EmitterTree_sample_0( receiver_15 : Receiver_0,  u_10 : vec4<f32>,  aim_3 : Aim_0,  sample_5 : ptr<function, LightSample_0>) -> bool
 {
-    var _S339 : bool = sample_emitter_0(receiver_15, u_10, aim_3, &((*sample_5)));
-    return _S339;
+    var _S341 : bool = sample_emitter_0(receiver_15, u_10, aim_3, &((*sample_5)));
+    return _S341;
 }
 
 fn Lights_sample_0( receiver_16 : Receiver_0,  selection_3 : Selection_0,  u_11 : vec4<f32>,  aim_4 : Aim_0,  sample_6 : ptr<function, LightSample_0>) -> bool
 {
-    var is_found_9 : bool;
+    var is_found_7 : bool;
     if(has_sun_0())
     {
-        is_found_9 = !aim_4.is_met_0;
+        is_found_7 = !aim_4.is_met_0;
     }
     else
     {
-        is_found_9 = false;
+        is_found_7 = false;
     }
-    if(is_found_9)
+    if(is_found_7)
     {
-        is_found_9 = (u_11.x) < (selection_3.sun_0);
+        is_found_7 = (u_11.x) < (selection_3.sun_0);
     }
     else
     {
-        is_found_9 = false;
+        is_found_7 = false;
     }
-    if(is_found_9)
+    if(is_found_7)
     {
-        var _S340 : bool = SunDisc_sample_0(receiver_16, u_11, &((*sample_6)));
+        var _S342 : bool = SunDisc_sample_0(receiver_16, u_11, &((*sample_6)));
         (*sample_6).pdf_2 = (*sample_6).pdf_2 * selection_3.sun_0;
-        is_found_9 = _S340;
+        is_found_7 = _S342;
     }
     else
     {
         if(Lights_has_chosen_sky_0())
         {
-            is_found_9 = !aim_4.is_met_0;
+            is_found_7 = !aim_4.is_met_0;
         }
         else
         {
-            is_found_9 = false;
+            is_found_7 = false;
         }
-        if(is_found_9)
+        if(is_found_7)
         {
-            is_found_9 = (u_11.x) < (selection_3.sun_0 + selection_3.sky_1);
+            is_found_7 = (u_11.x) < (selection_3.sun_0 + selection_3.sky_1);
         }
         else
         {
-            is_found_9 = false;
+            is_found_7 = false;
         }
-        if(is_found_9)
+        if(is_found_7)
         {
-            var _S341 : bool = Sky_sample_0(receiver_16, vec4<f32>(min(divide_0(u_11.x - selection_3.sun_0, selection_3.sky_1), 0.99999994039535522f), u_11.yzw), &((*sample_6)));
+            var _S343 : bool = Sky_sample_0(receiver_16, vec4<f32>(min(divide_0(u_11.x - selection_3.sun_0, selection_3.sky_1), 0.99999994039535522f), u_11.yzw), &((*sample_6)));
             (*sample_6).pdf_2 = (*sample_6).pdf_2 * selection_3.sky_1;
-            is_found_9 = _S341;
+            is_found_7 = _S343;
         }
         else
         {
-            var _S342 : bool = EmitterTree_sample_0(receiver_16, vec4<f32>(min(divide_0(u_11.x - (selection_3.sun_0 + selection_3.sky_1), selection_3.emitters_0), 0.99999994039535522f), u_11.yzw), aim_4, &((*sample_6)));
+            var _S344 : bool = EmitterTree_sample_0(receiver_16, vec4<f32>(min(divide_0(u_11.x - (selection_3.sun_0 + selection_3.sky_1), selection_3.emitters_0), 0.99999994039535522f), u_11.yzw), aim_4, &((*sample_6)));
             (*sample_6).pdf_2 = (*sample_6).pdf_2 * selection_3.emitters_0;
-            is_found_9 = _S342;
+            is_found_7 = _S344;
         }
     }
-    return is_found_9;
+    return is_found_7;
 }
 
 fn ior_of_0( inside_3 : Inside_0) -> f32
 {
-    var _S343 : f32;
+    var _S345 : f32;
     if(Inside_is_in_0(inside_3))
     {
-        _S343 = material_of_index_0(inside_3.material_0).ior_0;
+        _S345 = material_of_index_0(inside_3.material_0).ior_0;
     }
     else
     {
-        _S343 = 1.0f;
+        _S345 = 1.0f;
     }
-    return _S343;
+    return _S345;
 }
 
 fn Microfacets_x24init_0( alpha_1 : f32) -> Microfacets_0
 {
-    var _S344 : Microfacets_0;
-    _S344.alpha_0 = alpha_1;
-    return _S344;
+    var _S346 : Microfacets_0;
+    _S346.alpha_0 = alpha_1;
+    return _S346;
 }
 
 fn MaterialBsdf_x24init_0( kind_1 : u32,  color_2 : vec3<f32>,  specular_2 : f32,  eta_1 : f32,  facets_1 : Microfacets_0) -> MaterialBsdf_0
 {
-    var _S345 : MaterialBsdf_0;
-    _S345.kind_0 = kind_1;
-    _S345.color_0 = color_2;
-    _S345.specular_1 = specular_2;
-    _S345.eta_0 = eta_1;
-    _S345.facets_0 = facets_1;
-    return _S345;
+    var _S347 : MaterialBsdf_0;
+    _S347.kind_0 = kind_1;
+    _S347.color_0 = color_2;
+    _S347.specular_1 = specular_2;
+    _S347.eta_0 = eta_1;
+    _S347.facets_0 = facets_1;
+    return _S347;
 }
 
 fn bsdf_of_0( material_8 : PackedMaterial_0,  ior_1 : f32,  choice_2 : ptr<function, f32>) -> MaterialBsdf_0
@@ -4800,17 +4762,17 @@ fn roulette_0( event_1 : u32,  scattered_1 : vec3<f32>,  u_12 : f32) -> f32
     {
         return 1.0f;
     }
-    var _S346 : f32 = min(max_element_0(scattered_1), 0.94999998807907104f);
-    var _S347 : f32;
-    if(u_12 < _S346)
+    var _S348 : f32 = min(max_element_0(scattered_1), 0.94999998807907104f);
+    var _S349 : f32;
+    if(u_12 < _S348)
     {
-        _S347 = divide_0(1.0f, _S346);
+        _S349 = divide_0(1.0f, _S348);
     }
     else
     {
-        _S347 = 0.0f;
+        _S349 = 0.0f;
     }
-    return _S347;
+    return _S349;
 }
 
 fn face_normal_0( face_6 : u32) -> vec3<f32>
@@ -4824,32 +4786,32 @@ fn face_normal_0( face_6 : u32) -> vec3<f32>
     {
         away_1 = -1.0f;
     }
-    var _S348 : f32;
-    if(face_6 < u32(2))
-    {
-        _S348 = away_1;
-    }
-    else
-    {
-        _S348 = 0.0f;
-    }
-    var _S349 : bool;
-    if(face_6 >= u32(2))
-    {
-        _S349 = face_6 < u32(4);
-    }
-    else
-    {
-        _S349 = false;
-    }
     var _S350 : f32;
-    if(_S349)
+    if(face_6 < u32(2))
     {
         _S350 = away_1;
     }
     else
     {
         _S350 = 0.0f;
+    }
+    var _S351 : bool;
+    if(face_6 >= u32(2))
+    {
+        _S351 = face_6 < u32(4);
+    }
+    else
+    {
+        _S351 = false;
+    }
+    var _S352 : f32;
+    if(_S351)
+    {
+        _S352 = away_1;
+    }
+    else
+    {
+        _S352 = 0.0f;
     }
     if(face_6 >= u32(4))
     {
@@ -4858,26 +4820,26 @@ fn face_normal_0( face_6 : u32) -> vec3<f32>
     {
         away_1 = 0.0f;
     }
-    return vec3<f32>(_S348, _S350, away_1);
+    return vec3<f32>(_S350, _S352, away_1);
 }
 
-fn world_normal_0( _S351 : u32,  _S352 : u32) -> vec3<f32>
+fn world_normal_0( _S353 : u32,  _S354 : u32) -> vec3<f32>
 {
-    return normalize_vector_0(Transform_direction_1(_S351, face_normal_0(_S352)));
+    return normalize_vector_0(Transform_direction_1(_S353, face_normal_0(_S354)));
 }
 
-fn surface_of_0( ray_17 : Ray_0,  hit_8 : Hit_0) -> Surface_0
+fn surface_of_0( ray_16 : Ray_0,  hit_8 : Hit_0) -> Surface_0
 {
     var surface_1 : Surface_0;
-    var _S353 : vec3<f32> = vec3<f32>(hit_8.voxel_0);
+    var _S355 : vec3<f32> = vec3<f32>(hit_8.voxel_0);
     if(IS_SINGLE_0)
     {
-        surface_1.origin_9 = offset_ray_origin_0(vec3<f32>(0.0f), _S353, hit_8.face_0, ray_17.origin_1 + ray_17.direction_0 * vec3<f32>(hit_8.t_0));
+        surface_1.origin_9 = offset_ray_origin_0(vec3<f32>(0.0f), _S355, hit_8.face_0, ray_16.origin_1 + ray_16.direction_0 * vec3<f32>(hit_8.t_0));
         surface_1.normal_3 = face_normal_0(hit_8.face_0);
     }
     else
     {
-        surface_1.origin_9 = Transform_point_1(hit_8.instance_0, offset_ray_origin_0(vector_of_0(instances_0[hit_8.instance_0].grid_from_world_0.translation_0), _S353, hit_8.face_0, Transform_point_0(hit_8.instance_0, ray_17.origin_1) + Transform_direction_0(hit_8.instance_0, ray_17.direction_0) * vec3<f32>(hit_8.t_0)));
+        surface_1.origin_9 = Transform_point_1(hit_8.instance_0, offset_ray_origin_0(vector_of_0(instances_0[hit_8.instance_0].grid_from_world_0.translation_0), _S355, hit_8.face_0, Transform_point_0(hit_8.instance_0, ray_16.origin_1) + Transform_direction_0(hit_8.instance_0, ray_16.direction_0) * vec3<f32>(hit_8.t_0)));
         surface_1.normal_3 = world_normal_0(hit_8.instance_0, hit_8.face_0);
     }
     surface_1.face_2 = hit_8.face_0;
@@ -4930,9 +4892,9 @@ fn clamp_to_voxel_0( translation_3 : vec3<f32>,  low_12 : vec3<f32>,  point_5 : 
     return min(max(point_5, low_12 + vec3<f32>(margin_1)), low_12 + vec3<f32>((1.0f - margin_1)));
 }
 
-fn Inside_point_0( this_40 : Inside_0,  ray_18 : Ray_0,  t_13 : f32) -> vec3<f32>
+fn Inside_point_0( this_40 : Inside_0,  ray_17 : Ray_0,  t_13 : f32) -> vec3<f32>
 {
-    return Transform_point_1(this_40.instance_6, clamp_to_voxel_0(vector_of_0(instances_0[this_40.instance_6].grid_from_world_0.translation_0), vec3<f32>(this_40.voxel_22), Transform_point_0(this_40.instance_6, ray_18.origin_1) + Transform_direction_0(this_40.instance_6, ray_18.direction_0) * vec3<f32>(t_13)));
+    return Transform_point_1(this_40.instance_6, clamp_to_voxel_0(vector_of_0(instances_0[this_40.instance_6].grid_from_world_0.translation_0), vec3<f32>(this_40.voxel_22), Transform_point_0(this_40.instance_6, ray_17.origin_1) + Transform_direction_0(this_40.instance_6, ray_17.direction_0) * vec3<f32>(t_13)));
 }
 
 fn MaterialBsdf_is_delta_0( this_41 : MaterialBsdf_0) -> bool
@@ -4942,16 +4904,16 @@ fn MaterialBsdf_is_delta_0( this_41 : MaterialBsdf_0) -> bool
 
 fn Scatter_x24init_0( path_6 : Path_0,  receiver_17 : Receiver_0,  surface_2 : Surface_0,  bsdf_1 : MaterialBsdf_0,  wo_1 : vec3<f32>,  compensation_1 : f32,  is_scattered_1 : bool,  wants_light_1 : bool) -> Scatter_0
 {
-    var _S354 : Scatter_0;
-    _S354.path_3 = path_6;
-    _S354.receiver_0 = receiver_17;
-    _S354.surface_0 = surface_2;
-    _S354.bsdf_0 = bsdf_1;
-    _S354.wo_0 = wo_1;
-    _S354.compensation_0 = compensation_1;
-    _S354.is_scattered_0 = is_scattered_1;
-    _S354.wants_light_0 = wants_light_1;
-    return _S354;
+    var _S356 : Scatter_0;
+    _S356.path_3 = path_6;
+    _S356.receiver_0 = receiver_17;
+    _S356.surface_0 = surface_2;
+    _S356.bsdf_0 = bsdf_1;
+    _S356.wo_0 = wo_1;
+    _S356.compensation_0 = compensation_1;
+    _S356.is_scattered_0 = is_scattered_1;
+    _S356.wants_light_0 = wants_light_1;
+    return _S356;
 }
 
 struct BsdfSample_0
@@ -4969,9 +4931,9 @@ struct Diffuse_0
 
 fn Diffuse_x24init_0( reflectance_1 : vec3<f32>) -> Diffuse_0
 {
-    var _S355 : Diffuse_0;
-    _S355.reflectance_0 = reflectance_1;
-    return _S355;
+    var _S357 : Diffuse_0;
+    _S357.reflectance_0 = reflectance_1;
+    return _S357;
 }
 
 fn cosine_hemisphere_0( u_13 : f32,  v_5 : f32) -> vec3<f32>
@@ -4988,12 +4950,12 @@ fn cosine_hemisphere_pdf_0( cos_theta_7 : f32) -> f32
 
 fn BsdfSample_x24init_0( wi_1 : vec3<f32>,  weight_4 : vec3<f32>,  pdf_9 : f32,  is_delta_1 : bool) -> BsdfSample_0
 {
-    var _S356 : BsdfSample_0;
-    _S356.wi_0 = wi_1;
-    _S356.weight_3 = weight_4;
-    _S356.pdf_8 = pdf_9;
-    _S356.is_delta_0 = is_delta_1;
-    return _S356;
+    var _S358 : BsdfSample_0;
+    _S358.wi_0 = wi_1;
+    _S358.weight_3 = weight_4;
+    _S358.pdf_8 = pdf_9;
+    _S358.is_delta_0 = is_delta_1;
+    return _S358;
 }
 
 fn Diffuse_sample_0( this_42 : Diffuse_0,  wo_2 : vec3<f32>,  u_14 : vec3<f32>,  sample_7 : ptr<function, BsdfSample_0>) -> bool
@@ -5005,8 +4967,8 @@ fn Diffuse_sample_0( this_42 : Diffuse_0,  wo_2 : vec3<f32>,  u_14 : vec3<f32>, 
 
 fn MaterialBsdf_sample_0( this_43 : MaterialBsdf_0,  wo_3 : vec3<f32>,  u_15 : vec3<f32>,  sample_8 : ptr<function, BsdfSample_0>) -> bool
 {
-    var _S357 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_43.color_0), wo_3, u_15, &((*sample_8)));
-    return _S357;
+    var _S359 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_43.color_0), wo_3, u_15, &((*sample_8)));
+    return _S359;
 }
 
 fn Surface_world_direction_0( this_44 : Surface_0,  local_3 : vec3<f32>) -> vec3<f32>
@@ -5020,23 +4982,23 @@ fn Surface_world_direction_0( this_44 : Surface_0,  local_3 : vec3<f32>) -> vec3
     {
         away_2 = - local_3.z;
     }
-    var _S358 : f32 = local_3.x;
-    var _S359 : f32 = local_3.y;
-    var _S360 : vec3<f32> = vec3<f32>(_S358, _S359, away_2);
+    var _S360 : f32 = local_3.x;
+    var _S361 : f32 = local_3.y;
+    var _S362 : vec3<f32> = vec3<f32>(_S360, _S361, away_2);
     var in_grid_3 : vec3<f32>;
     if((this_44.face_2) < u32(2))
     {
-        in_grid_3 = vec3<f32>(away_2, _S358, _S359);
+        in_grid_3 = vec3<f32>(away_2, _S360, _S361);
     }
     else
     {
         if((this_44.face_2) < u32(4))
         {
-            in_grid_3 = vec3<f32>(_S359, away_2, _S358);
+            in_grid_3 = vec3<f32>(_S361, away_2, _S360);
         }
         else
         {
-            in_grid_3 = _S360;
+            in_grid_3 = _S362;
         }
     }
     if(!IS_SINGLE_0)
@@ -5046,7 +5008,7 @@ fn Surface_world_direction_0( this_44 : Surface_0,  local_3 : vec3<f32>) -> vec3
     return normalize_vector_0(in_grid_3);
 }
 
-fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_19 : Ray_0,  hit_9 : Hit_0,  beyond_3 : u32,  radiance_5 : ptr<function, vec3<f32>>) -> NextRays_0
+fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_18 : Ray_0,  hit_9 : Hit_0,  beyond_3 : u32,  radiance_5 : ptr<function, vec3<f32>>) -> NextRays_0
 {
     var next_0 : NextRays_0 = no_rays_0();
     scatter_of_path_0.wants_light_0 = false;
@@ -5061,7 +5023,7 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_19 : Ray_0,  hi
         t_14 = (*path_7).pdf_1;
     }
     (*path_7).pdf_1 = t_14;
-    var last_5 : Receiver_0 = Path_receiver_0((*path_7), ray_19);
+    var last_5 : Receiver_0 = Path_receiver_0((*path_7), ray_18);
     var is_scattered_2 : bool;
     if(Inside_is_in_0((*path_7).inside_0))
     {
@@ -5075,7 +5037,7 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_19 : Ray_0,  hi
     {
         if(is_scattered_2)
         {
-            t_14 = scattering_t_0((*path_7), (*path_7).inside_0, ray_19);
+            t_14 = scattering_t_0((*path_7), (*path_7).inside_0, ray_18);
         }
         else
         {
@@ -5083,7 +5045,7 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_19 : Ray_0,  hi
         }
         if(!is_counted_0)
         {
-            absorb_0(&((*path_7)), (*path_7).inside_0, ray_19, t_14);
+            absorb_0(&((*path_7)), (*path_7).inside_0, ray_18, t_14);
         }
     }
     else
@@ -5102,7 +5064,7 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_19 : Ray_0,  hi
     var light_pdf_1 : f32;
     if(is_weighed_0)
     {
-        (*radiance_5) = (*radiance_5) + (*path_7).beta_0 * Sky_le_0(ray_19.direction_0) * vec3<f32>(mis_weight_0((*path_7).pdf_1, Lights_sky_pdf_0(Path_selection_at_0((*path_7), last_5), ray_19.direction_0)));
+        (*radiance_5) = (*radiance_5) + (*path_7).beta_0 * Sky_le_0(ray_18.direction_0) * vec3<f32>(mis_weight_0((*path_7).pdf_1, Lights_sky_pdf_0(Path_selection_at_0((*path_7), last_5), ray_18.direction_0)));
         if(has_sun_0())
         {
             if(SunDisc_is_visible_0())
@@ -5120,7 +5082,7 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_19 : Ray_0,  hi
         }
         if(is_scattered_2)
         {
-            var le_0 : vec3<f32> = SunDisc_le_0(ray_19.direction_0);
+            var le_0 : vec3<f32> = SunDisc_le_0(ray_18.direction_0);
             if((max_element_0(le_0)) > 0.0f)
             {
                 if(((*path_7).pdf_1) == 0.0f)
@@ -5129,7 +5091,7 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_19 : Ray_0,  hi
                 }
                 else
                 {
-                    light_pdf_1 = Lights_sun_pdf_0(Path_selection_at_0((*path_7), last_5), ray_19.direction_0);
+                    light_pdf_1 = Lights_sun_pdf_0(Path_selection_at_0((*path_7), last_5), ray_18.direction_0);
                 }
                 (*radiance_5) = (*radiance_5) + (*path_7).beta_0 * le_0 * vec3<f32>(mis_weight_0((*path_7).pdf_1, light_pdf_1));
             }
@@ -5138,7 +5100,7 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_19 : Ray_0,  hi
     }
     var u_16 : vec4<f32> = Sampler_stratified_0((*path_7).sampler_0, Path_dimension_scatter_0((*path_7)));
     var material_9 : PackedMaterial_0 = material_met_0((*path_7), hit_9, beyond_3);
-    var _S361 : vec3<f32> = vec3<f32>(0.0f);
+    var _S363 : vec3<f32> = vec3<f32>(0.0f);
     var le_1 : vec3<f32>;
     if(!is_counted_0)
     {
@@ -5146,12 +5108,12 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_19 : Ray_0,  hi
     }
     else
     {
-        le_1 = _S361;
+        le_1 = _S363;
     }
     var is_lit_0 : bool = (max_element_0(le_1)) > 0.0f;
-    var met_0 : Aim_0 = Aim_x24init_0(true, ray_19.direction_0, hit_9, luminance_0(vector_of_0(material_9.emission_0)));
-    var _S362 : bool = weighs_apart_0();
-    if(_S362)
+    var met_0 : Aim_0 = Aim_x24init_0(true, ray_18.direction_0, hit_9, luminance_0(vector_of_0(material_9.emission_0)));
+    var _S364 : bool = weighs_apart_0();
+    if(_S364)
     {
         is_weighed_0 = is_lit_0;
     }
@@ -5179,7 +5141,7 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_19 : Ray_0,  hi
     if(is_chosen_0)
     {
         var light_5 : LightSample_0 = no_light_0();
-        if(!_S362)
+        if(!_S364)
         {
             is_chosen_0 = ((*path_7).pdf_1) > 0.0f;
         }
@@ -5189,15 +5151,15 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_19 : Ray_0,  hi
         }
         if(is_chosen_0)
         {
-            var _S363 : bool = Lights_sample_0(last_5, Path_selection_at_0((*path_7), last_5), vec4<f32>(0.0f), met_0, &(light_5));
-            is_chosen_0 = _S363;
+            var _S365 : bool = Lights_sample_0(last_5, Path_selection_at_0((*path_7), last_5), vec4<f32>(0.0f), met_0, &(light_5));
+            is_chosen_0 = _S365;
         }
         else
         {
             is_chosen_0 = false;
         }
-        var _S364 : vec3<f32> = (*path_7).beta_0 * le_1;
-        var _S365 : f32 = (*path_7).pdf_1;
+        var _S366 : vec3<f32> = (*path_7).beta_0 * le_1;
+        var _S367 : f32 = (*path_7).pdf_1;
         if(is_chosen_0)
         {
             light_pdf_1 = light_5.pdf_2;
@@ -5206,13 +5168,13 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_19 : Ray_0,  hi
         {
             light_pdf_1 = 0.0f;
         }
-        (*radiance_5) = (*radiance_5) + _S364 * vec3<f32>(mis_weight_0(_S365, light_pdf_1));
+        (*radiance_5) = (*radiance_5) + _S366 * vec3<f32>(mis_weight_0(_S367, light_pdf_1));
     }
-    var _S366 : f32 = ior_of_0((*path_7).inside_0);
-    var _S367 : f32 = u_16[i32(3)];
-    var _S368 : MaterialBsdf_0 = bsdf_of_0(material_9, _S366, &(_S367));
-    u_16[i32(3)] = _S367;
-    var scattered_2 : vec3<f32> = (*path_7).beta_0 * MaterialBsdf_albedo_0(_S368);
+    var _S368 : f32 = ior_of_0((*path_7).inside_0);
+    var _S369 : f32 = u_16[i32(3)];
+    var _S370 : MaterialBsdf_0 = bsdf_of_0(material_9, _S368, &(_S369));
+    u_16[i32(3)] = _S369;
+    var scattered_2 : vec3<f32> = (*path_7).beta_0 * MaterialBsdf_albedo_0(_S370);
     if(((*path_7).bounce_0) >= (params_0.max_bounces_0))
     {
         is_chosen_0 = true;
@@ -5221,8 +5183,8 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_19 : Ray_0,  hi
     {
         is_chosen_0 = ends_here_0;
     }
-    var _S369 : bool = !is_weighed_0;
-    if(_S369)
+    var _S371 : bool = !is_weighed_0;
+    if(_S371)
     {
         if(is_chosen_0)
         {
@@ -5242,7 +5204,7 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_19 : Ray_0,  hi
         return next_0;
     }
     var compensation_2 : f32 = roulette_0(Path_events_0((*path_7)), scattered_2, u_16.z);
-    if(_S369)
+    if(_S371)
     {
         is_chosen_0 = compensation_2 == 0.0f;
     }
@@ -5263,20 +5225,20 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_19 : Ray_0,  hi
     {
         at_6 = hit_9;
     }
-    var surface_3 : Surface_0 = surface_of_0(ray_19, at_6);
-    var _S370 : Receiver_0 = Receiver_x24init_0(surface_3.origin_9, surface_3.normal_3);
-    var _S371 : vec3<f32> = (vec3<f32>(0) - ray_19.direction_0);
-    var wo_4 : vec3<f32> = Surface_local_direction_0(surface_3, _S371);
+    var surface_3 : Surface_0 = surface_of_0(ray_18, at_6);
+    var _S372 : Receiver_0 = Receiver_x24init_0(surface_3.origin_9, surface_3.normal_3);
+    var _S373 : vec3<f32> = (vec3<f32>(0) - ray_18.direction_0);
+    var wo_4 : vec3<f32> = Surface_local_direction_0(surface_3, _S373);
     var inside_4 : Inside_0 = in_air_0();
     var wo_5 : vec3<f32>;
     var receiver_18 : Receiver_0;
     if(is_scattered_2)
     {
-        var _S372 : Inside_0 = Inside_x24init_0((*path_7).inside_0.instance_6, hit_9.voxel_0, (*path_7).inside_0.material_0);
-        inside_4 = _S372;
-        var _S373 : vec3<f32> = normalize_vector_0(_S371);
-        receiver_18 = Receiver_x24init_0(Inside_point_0(_S372, ray_19, t_14), _S361);
-        wo_5 = _S373;
+        var _S374 : Inside_0 = Inside_x24init_0((*path_7).inside_0.instance_6, hit_9.voxel_0, (*path_7).inside_0.material_0);
+        inside_4 = _S374;
+        var _S375 : vec3<f32> = normalize_vector_0(_S373);
+        receiver_18 = Receiver_x24init_0(Inside_point_0(_S374, ray_18, t_14), _S363);
+        wo_5 = _S375;
     }
     else
     {
@@ -5286,7 +5248,7 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_19 : Ray_0,  hi
             inside_4 = Inside_x24init_0((*path_7).inside_0.instance_6, hit_9.voxel_0, (*path_7).inside_0.material_0);
             inside_4.voxel_22 = hit_9.voxel_0 + vec3<i32>(face_normal_0(hit_9.face_0));
         }
-        receiver_18 = _S370;
+        receiver_18 = _S372;
         wo_5 = wo_4;
     }
     next_0.origin_7 = receiver_18.point_0;
@@ -5295,13 +5257,13 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_19 : Ray_0,  hi
     {
         receiver_18 = last_5;
     }
-    if(_S369)
+    if(_S371)
     {
         (*path_7).selection_0 = Lights_selection_0(receiver_18);
     }
     var light_6 : LightSample_0 = no_light_0();
-    var _S374 : bool = !MaterialBsdf_is_delta_0(_S368);
-    scatter_of_path_0 = Scatter_x24init_0((*path_7), receiver_18, surface_3, _S368, wo_5, compensation_2, is_scattered_2, _S374);
+    var _S376 : bool = !MaterialBsdf_is_delta_0(_S370);
+    scatter_of_path_0 = Scatter_x24init_0((*path_7), receiver_18, surface_3, _S370, wo_5, compensation_2, is_scattered_2, _S376);
     if(is_weighed_0)
     {
         if(next_0.has_shadow_ray_0)
@@ -5318,8 +5280,8 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_19 : Ray_0,  hi
         return next_0;
     }
     var bounce_1 : BsdfSample_0;
-    var _S375 : bool = MaterialBsdf_sample_0(_S368, wo_5, vec3<f32>(u_16.xy, u_16.w), &(bounce_1));
-    if(!_S375)
+    var _S377 : bool = MaterialBsdf_sample_0(_S370, wo_5, vec3<f32>(u_16.xy, u_16.w), &(bounce_1));
+    if(!_S377)
     {
         return next_0;
     }
@@ -5344,7 +5306,7 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_19 : Ray_0,  hi
     return next_0;
 }
 
-fn shading_normal_0( ray_20 : Ray_0,  hit_10 : Hit_0,  material_10 : PackedMaterial_0) -> vec3<f32>
+fn shading_normal_0( ray_19 : Ray_0,  hit_10 : Hit_0,  material_10 : PackedMaterial_0) -> vec3<f32>
 {
     return world_normal_0(hit_10.instance_0, hit_10.face_0);
 }
@@ -5354,36 +5316,36 @@ fn albedo_of_0( material_11 : PackedMaterial_0) -> vec3<f32>
     return vector_of_0(material_11.base_color_0);
 }
 
-fn show_0( path_8 : Path_0,  ray_21 : Ray_0,  hit_11 : Hit_0,  beyond_4 : u32,  sample_9 : ptr<function, Sample_0>)
+fn show_0( path_8 : Path_0,  ray_20 : Ray_0,  hit_11 : Hit_0,  beyond_4 : u32,  sample_9 : ptr<function, Sample_0>)
 {
-    var _S376 : Path_0 = path_8;
+    var _S378 : Path_0 = path_8;
     (*sample_9).is_shown_0 = true;
-    if(Inside_is_in_0(_S376.inside_0))
+    if(Inside_is_in_0(_S378.inside_0))
     {
-        absorb_0(&(_S376), _S376.inside_0, ray_21, hit_11.t_0);
+        absorb_0(&(_S378), _S378.inside_0, ray_20, hit_11.t_0);
     }
-    var material_12 : PackedMaterial_0 = material_met_0(_S376, hit_11, beyond_4);
-    (*sample_9).normal_1 = shading_normal_0(ray_21, hit_11, material_12);
-    (*sample_9).albedo_0 = _S376.beta_0 * albedo_of_0(material_12);
+    var material_12 : PackedMaterial_0 = material_met_0(_S378, hit_11, beyond_4);
+    (*sample_9).normal_1 = shading_normal_0(ray_20, hit_11, material_12);
+    (*sample_9).albedo_0 = _S378.beta_0 * albedo_of_0(material_12);
     return;
 }
 
 fn Walker_see_0( this_45 : ptr<function, Walker_0>,  arrived_0 : Path_0,  hit_12 : Hit_0,  beyond_5 : u32,  emitted_1 : vec3<f32>,  goes_on_0 : bool,  sample_10 : ptr<function, Sample_0>)
 {
     (*sample_10).direct_0 = (*sample_10).direct_0 + emitted_1;
-    var _S377 : bool = ((*this_45).path_0.bounce_0) == u32(0);
-    var _S378 : bool;
+    var _S379 : bool = ((*this_45).path_0.bounce_0) == u32(0);
+    var _S380 : bool;
     if(goes_on_0)
     {
-        _S378 = _S377;
+        _S380 = _S379;
     }
     else
     {
-        _S378 = false;
+        _S380 = false;
     }
-    var _S379 : bool = !_S378;
-    (*this_45).has_shown_0 = _S379;
-    if(!_S379)
+    var _S381 : bool = !_S380;
+    (*this_45).has_shown_0 = _S381;
+    if(!_S381)
     {
         (*this_45).way_3 = (*this_45).way_3 + hit_12.t_0;
     }
@@ -5391,18 +5353,18 @@ fn Walker_see_0( this_45 : ptr<function, Walker_0>,  arrived_0 : Path_0,  hit_12
     {
         if(!Hit_is_miss_0(hit_12))
         {
-            show_0(arrived_0, (*this_45).ray_9, hit_12, beyond_5, &((*sample_10)));
+            show_0(arrived_0, (*this_45).ray_8, hit_12, beyond_5, &((*sample_10)));
             (*sample_10).place_0 = (*this_45).camera_ray_0.origin_1 + (*this_45).camera_ray_0.direction_0 * vec3<f32>(((*this_45).way_3 + hit_12.t_0));
-            var _S380 : u32;
+            var _S382 : u32;
             if(((*this_45).way_3) > 0.0f)
             {
-                _S380 = u32(4294967295);
+                _S382 = u32(4294967295);
             }
             else
             {
-                _S380 = hit_12.instance_0;
+                _S382 = hit_12.instance_0;
             }
-            (*sample_10).instance_7 = _S380;
+            (*sample_10).instance_7 = _S382;
         }
     }
     return;
@@ -5423,10 +5385,10 @@ struct BsdfEval_0
 
 fn BsdfEval_x24init_0( weight_6 : vec3<f32>,  pdf_11 : f32) -> BsdfEval_0
 {
-    var _S381 : BsdfEval_0;
-    _S381.weight_5 = weight_6;
-    _S381.pdf_10 = pdf_11;
-    return _S381;
+    var _S383 : BsdfEval_0;
+    _S383.weight_5 = weight_6;
+    _S383.pdf_10 = pdf_11;
+    return _S383;
 }
 
 fn Diffuse_eval_0( this_47 : Diffuse_0,  wo_6 : vec3<f32>,  wi_3 : vec3<f32>) -> BsdfEval_0
@@ -5473,36 +5435,36 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_1 : ptr<function, NextRays_0>)
             u_17 = Sampler_independent_0(scatter_0.path_3.sampler_0, dimension_3);
         }
         var light_7 : LightSample_0 = no_light_0();
-        var is_found_10 : bool = Lights_sample_0(scatter_0.receiver_0, scatter_0.path_3.selection_0, u_17, by_chance_0(), &(light_7));
-        if(!is_found_10)
+        var is_found_8 : bool = Lights_sample_0(scatter_0.receiver_0, scatter_0.path_3.selection_0, u_17, by_chance_0(), &(light_7));
+        if(!is_found_8)
         {
             candidate_0 = candidate_0 + u32(1);
             continue;
         }
-        var _S382 : vec3<f32> = vec3<f32>(Surface_local_direction_0(scatter_0.surface_0, light_7.ray_15.direction_0).xy, light_7.cos_theta_2);
+        var _S384 : vec3<f32> = vec3<f32>(Surface_local_direction_0(scatter_0.surface_0, light_7.ray_14.direction_0).xy, light_7.cos_theta_2);
         var wi_5 : vec3<f32>;
         if(scatter_0.is_scattered_0)
         {
-            wi_5 = normalize_vector_0(light_7.ray_15.direction_0);
+            wi_5 = normalize_vector_0(light_7.ray_14.direction_0);
         }
         else
         {
-            wi_5 = _S382;
+            wi_5 = _S384;
         }
         var eval_0 : BsdfEval_0 = MaterialBsdf_eval_0(scatter_0.bsdf_0, scatter_0.wo_0, wi_5);
-        var _S383 : vec3<f32> = scatter_0.path_3.beta_0 * eval_0.weight_5 * vec3<f32>(scatter_0.compensation_0) * light_7.radiance_1 * vec3<f32>((divide_0(eval_0.pdf_10, light_7.pdf_2) * power_heuristic_0(light_7.pdf_2, eval_0.pdf_10)));
-        var weight_7 : f32 = luminance_0(_S383);
+        var _S385 : vec3<f32> = scatter_0.path_3.beta_0 * eval_0.weight_5 * vec3<f32>(scatter_0.compensation_0) * light_7.radiance_1 * vec3<f32>((divide_0(eval_0.pdf_10, light_7.pdf_2) * power_heuristic_0(light_7.pdf_2, eval_0.pdf_10)));
+        var weight_7 : f32 = luminance_0(_S385);
         var sum_5 : f32 = sum_4 + weight_7;
-        var _S384 : bool;
+        var _S386 : bool;
         if(count_5 > u32(1))
         {
-            _S384 = (Sampler_independent_0(scatter_0.path_3.sampler_0, dimension_3 + u32(1)).x * sum_5) >= weight_7;
+            _S386 = (Sampler_independent_0(scatter_0.path_3.sampler_0, dimension_3 + u32(1)).x * sum_5) >= weight_7;
         }
         else
         {
-            _S384 = false;
+            _S386 = false;
         }
-        if(_S384)
+        if(_S386)
         {
             sum_4 = sum_5;
             candidate_0 = candidate_0 + u32(1);
@@ -5511,9 +5473,9 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_1 : ptr<function, NextRays_0>)
         var chosen_5 : f32;
         if(weight_7 > 0.0f)
         {
-            (*next_1).shadow_direction_0 = light_7.ray_15.direction_0;
-            (*next_1).shadow_t_max_0 = light_7.ray_15.t_max_0;
-            (*next_1).light_2 = _S383;
+            (*next_1).shadow_direction_0 = light_7.ray_14.direction_0;
+            (*next_1).shadow_t_max_0 = light_7.ray_14.t_max_0;
+            (*next_1).light_2 = _S385;
             chosen_5 = weight_7;
         }
         else
@@ -5524,9 +5486,9 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_1 : ptr<function, NextRays_0>)
         sum_4 = sum_5;
         candidate_0 = candidate_0 + u32(1);
     }
-    var _S385 : bool = chosen_4 > 0.0f;
-    (*next_1).has_shadow_ray_0 = _S385;
-    if(_S385)
+    var _S387 : bool = chosen_4 > 0.0f;
+    (*next_1).has_shadow_ray_0 = _S387;
+    if(_S387)
     {
         (*next_1).light_2 = (*next_1).light_2 * vec3<f32>(divide_0(sum_4, chosen_4 * f32(count_5)));
     }
@@ -5539,15 +5501,15 @@ fn goes_on_from_0( at_7 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_6 : 
     var goes_on_1 : bool;
     if((*at_7).is_at_cell_0)
     {
-        next_2.origin_7 = (*at_7).ray_9.origin_1;
-        next_2.path_origin_1 = (*at_7).ray_9.origin_1;
-        next_2.direction_5 = (*at_7).ray_9.direction_0;
+        next_2.origin_7 = (*at_7).ray_8.origin_1;
+        next_2.path_origin_1 = (*at_7).ray_8.origin_1;
+        next_2.direction_5 = (*at_7).ray_8.direction_0;
         goes_on_1 = true;
     }
     else
     {
-        var _S386 : vec3<f32> = vec3<f32>(0.0f);
-        var cached_0 : vec3<f32> = _S386;
+        var _S388 : vec3<f32> = vec3<f32>(0.0f);
+        var cached_0 : vec3<f32> = _S388;
         if((*at_7).has_shown_0)
         {
             goes_on_1 = (*at_7).asks_cache_0;
@@ -5558,8 +5520,8 @@ fn goes_on_from_0( at_7 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_6 : 
         }
         if(goes_on_1)
         {
-            var _S387 : bool = asks_0((*at_7).path_0, (*at_7).ray_9, hit_13, beyond_6, (*at_7).life_0, &(cached_0));
-            goes_on_1 = _S387;
+            var _S389 : bool = asks_0((*at_7).path_0, (*at_7).ray_8, hit_13, beyond_6, (*at_7).life_0, &(cached_0));
+            goes_on_1 = _S389;
         }
         else
         {
@@ -5567,12 +5529,12 @@ fn goes_on_from_0( at_7 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_6 : 
         }
         ends_here_0 = goes_on_1;
         var arrived_1 : Path_0 = (*at_7).path_0;
-        var emitted_2 : vec3<f32> = _S386;
-        var _S388 : Path_0 = (*at_7).path_0;
-        var _S389 : NextRays_0 = PathTracingOf_advance_0(&(_S388), (*at_7).ray_9, hit_13, beyond_6, &(emitted_2));
-        (*at_7).path_0 = _S388;
-        next_2 = _S389;
-        var goes_on_2 : bool = (any(((next_2.direction_5) != _S386)));
+        var emitted_2 : vec3<f32> = _S388;
+        var _S390 : Path_0 = (*at_7).path_0;
+        var _S391 : NextRays_0 = PathTracingOf_advance_0(&(_S390), (*at_7).ray_8, hit_13, beyond_6, &(emitted_2));
+        (*at_7).path_0 = _S390;
+        next_2 = _S391;
+        var goes_on_2 : bool = (any(((next_2.direction_5) != _S388)));
         if((*at_7).has_shown_0)
         {
             (*sample_11).light_1 = (*sample_11).light_1 + (cached_0 + emitted_2);
@@ -5598,10 +5560,10 @@ fn goes_on_from_0( at_7 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_6 : 
     (*at_7).light_0 = next_2.light_2;
     (*at_7).is_shadow_ray_0 = next_2.has_shadow_ray_0;
     (*at_7).path_origin_0 = next_2.path_origin_1;
-    (*at_7).ray_9 = ray_from_0(next_2.origin_7, next_2.direction_5);
+    (*at_7).ray_8 = ray_from_0(next_2.origin_7, next_2.direction_5);
     if((*at_7).is_shadow_ray_0)
     {
-        (*at_7).ray_9 = Ray_x24init_0(next_2.origin_7, 0.0f, next_2.shadow_direction_0, next_2.shadow_t_max_0);
+        (*at_7).ray_8 = Ray_x24init_0(next_2.origin_7, 0.0f, next_2.shadow_direction_0, next_2.shadow_t_max_0);
     }
     if(goes_on_1)
     {
@@ -5618,64 +5580,64 @@ fn key_of_1( hit_14 : Hit_0,  size_2 : f32,  u_18 : f32,  code_3 : ptr<function,
 {
     var clamped_1 : f32 = clamp(size_2, 1.0f, 128.0f);
     var power_6 : f32 = f32(((bitcast<u32>((clamped_1))) >> (u32(23)))) - 127.0f;
-    var _S390 : f32;
+    var _S392 : f32;
     if(u_18 < (clamped_1 * inverse_power_of_two_0(clamped_1) - 1.0f))
     {
-        _S390 = 1.0f;
+        _S392 = 1.0f;
     }
     else
     {
-        _S390 = 0.0f;
+        _S392 = 0.0f;
     }
-    var level_1 : u32 = u32(min(power_6 + _S390, 6.0f));
-    var _S391 : vec3<u32> = vec3<u32>(u32(i32(level_1)));
-    var key_3 : Key_0 = Key_x24init_0(hit_14.instance_0, ((hit_14.face_0) | (((level_1 << (u32(3)))))), ((hit_14.voxel_0) >> (_S391)));
-    var _S392 : vec3<u32> = vec3<u32>(hit_14.voxel_0 - (((key_3.cube_0) << (_S391))));
-    (*code_3) = u32(1) + (((((((_S392.x) | ((((_S392.y) << (level_1)))))) | ((((_S392.z) << ((u32(2) * level_1))))))) ^ ((((scramble_of_0(real_time_0.number_0)) & ((Key_mask_0(key_3))))))));
+    var level_1 : u32 = u32(min(power_6 + _S392, 6.0f));
+    var _S393 : vec3<u32> = vec3<u32>(u32(i32(level_1)));
+    var key_3 : Key_0 = Key_x24init_0(hit_14.instance_0, ((hit_14.face_0) | (((level_1 << (u32(3)))))), ((hit_14.voxel_0) >> (_S393)));
+    var _S394 : vec3<u32> = vec3<u32>(hit_14.voxel_0 - (((key_3.cube_0) << (_S393))));
+    (*code_3) = u32(1) + (((((((_S394.x) | ((((_S394.y) << (level_1)))))) | ((((_S394.z) << ((u32(2) * level_1))))))) ^ ((((scramble_of_0(real_time_0.number_0)) & ((Key_mask_0(key_3))))))));
     return key_3;
 }
 
-fn asks_1( path_9 : Path_0,  ray_22 : Ray_0,  hit_15 : Hit_0,  beyond_7 : u32,  life_2 : u32,  light_8 : ptr<function, vec3<f32>>) -> bool
+fn asks_1( path_9 : Path_0,  ray_21 : Ray_0,  hit_15 : Hit_0,  beyond_7 : u32,  life_2 : u32,  light_8 : ptr<function, vec3<f32>>) -> bool
 {
     (*light_8) = vec3<f32>(0.0f);
-    var _S393 : bool;
+    var _S395 : bool;
     if(Hit_is_miss_0(hit_15))
     {
-        _S393 = true;
+        _S395 = true;
     }
     else
     {
-        _S393 = Inside_is_in_0(path_9.inside_0);
+        _S395 = Inside_is_in_0(path_9.inside_0);
     }
-    if(_S393)
+    if(_S395)
     {
         return false;
     }
     var material_13 : PackedMaterial_0 = material_met_0(path_9, hit_15, beyond_7);
     if((material_13.metallic_0) > 0.0f)
     {
-        _S393 = true;
+        _S395 = true;
     }
     else
     {
-        _S393 = (material_13.transmission_0) > 0.0f;
+        _S395 = (material_13.transmission_0) > 0.0f;
     }
-    if(_S393)
+    if(_S395)
     {
         return false;
     }
     var code_4 : u32;
-    var key_4 : Key_0 = key_of_1(hit_15, square_root_0(length_squared_0(ray_22.origin_1 + ray_22.direction_0 * vec3<f32>(hit_15.t_0) - real_time_0.eye_0)) * real_time_0.view_angle_0 * 0.05882352963089943f, Sampler_independent_0(path_9.sampler_0, u32(3221225472) + Path_events_0(path_9)).x, &(code_4));
+    var key_4 : Key_0 = key_of_1(hit_15, square_root_0(length_squared_0(ray_21.origin_1 + ray_21.direction_0 * vec3<f32>(hit_15.t_0) - real_time_0.eye_0)) * real_time_0.view_angle_0 * 0.05882352963089943f, Sampler_independent_0(path_9.sampler_0, u32(3221225472) + Path_events_0(path_9)).x, &(code_4));
     var least_1 : f32 = 2.0f * f32((u32(1) << ((Key_level_0(key_4)))));
     if(life_2 == u32(0))
     {
-        _S393 = true;
+        _S395 = true;
     }
     else
     {
-        _S393 = (hit_15.t_0 * square_root_0(length_squared_0(ray_22.direction_0))) < least_1;
+        _S395 = (hit_15.t_0 * square_root_0(length_squared_0(ray_21.direction_0))) < least_1;
     }
-    if(_S393)
+    if(_S395)
     {
         return false;
     }
@@ -5688,9 +5650,9 @@ fn asks_1( path_9 : Path_0,  ray_22 : Ray_0,  hit_15 : Hit_0,  beyond_7 : u32,  
     return true;
 }
 
-fn absorb_1( path_10 : ptr<function, Path_0>,  inside_5 : Inside_0,  ray_23 : Ray_0,  t_15 : f32)
+fn absorb_1( path_10 : ptr<function, Path_0>,  inside_5 : Inside_0,  ray_22 : Ray_0,  t_15 : f32)
 {
-    (*path_10).beta_0 = (*path_10).beta_0 * attenuation_0(material_of_index_0(inside_5.material_0), t_15 * Inside_voxels_per_t_0(inside_5, ray_23));
+    (*path_10).beta_0 = (*path_10).beta_0 * attenuation_0(material_of_index_0(inside_5.material_0), t_15 * Inside_voxels_per_t_0(inside_5, ray_22));
     return;
 }
 
@@ -5707,31 +5669,31 @@ fn SunDisc_sample_1( receiver_19 : Receiver_0,  u_19 : vec4<f32>,  sample_12 : p
 
 fn Environment_choose_1( u_20 : vec4<f32>,  chosen_6 : ptr<function, ChosenDirection_0>) -> bool
 {
-    var _S394 : vec3<f32> = vec3<f32>(0.0f);
-    (*chosen_6) = ChosenDirection_x24init_0(_S394, _S394, 0.0f);
+    var _S396 : vec3<f32> = vec3<f32>(0.0f);
+    (*chosen_6) = ChosenDirection_x24init_0(_S396, _S396, 0.0f);
     var edge_1 : f32 = f32(params_0.sky_edge_0);
-    var _S395 : f32 = u_20.x * edge_1;
-    var _S396 : f32 = edge_1 - 1.0f;
-    var _S397 : f32 = min(floor(_S395), _S396);
-    var own_2 : u32 = u32(_S397) * params_0.sky_edge_0 + u32(min(floor(u_20.y * edge_1), _S396));
-    var index_27 : u32;
+    var _S397 : f32 = u_20.x * edge_1;
+    var _S398 : f32 = edge_1 - 1.0f;
+    var _S399 : f32 = min(floor(_S397), _S398);
+    var own_2 : u32 = u32(_S399) * params_0.sky_edge_0 + u32(min(floor(u_20.y * edge_1), _S398));
+    var index_28 : u32;
     if((u_20.z) < (environment_0[own_2].threshold_0))
     {
-        index_27 = own_2;
+        index_28 = own_2;
     }
     else
     {
-        index_27 = environment_0[own_2].alias_0;
+        index_28 = environment_0[own_2].alias_0;
     }
-    var pdf_12 : f32 = environment_0[index_27].pdf_0;
-    if((environment_0[index_27].pdf_0) <= 0.0f)
+    var pdf_12 : f32 = environment_0[index_28].pdf_0;
+    if((environment_0[index_28].pdf_0) <= 0.0f)
     {
         return false;
     }
-    var _S398 : u32 = index_27 % params_0.sky_edge_0;
-    var _S399 : f32 = f32(_S398);
-    var _S400 : u32 = index_27 / params_0.sky_edge_0;
-    var place_5 : vec2<f32> = vec2<f32>(_S399, f32(_S400)) + vec2<f32>(min(_S395 - _S397, 1.0f), u_20.w);
+    var _S400 : u32 = index_28 % params_0.sky_edge_0;
+    var _S401 : f32 = f32(_S400);
+    var _S402 : u32 = index_28 / params_0.sky_edge_0;
+    var place_5 : vec2<f32> = vec2<f32>(_S401, f32(_S402)) + vec2<f32>(min(_S397 - _S399, 1.0f), u_20.w);
     (*chosen_6) = ChosenDirection_x24init_0(Environment_to_world_0(direction_of_0(place_5 * vec2<f32>(divide_0(1.0f, edge_1)))), Environment_radiance_at_0(place_5), pdf_12);
     return true;
 }
@@ -5740,17 +5702,17 @@ fn Sky_sample_1( receiver_20 : Receiver_0,  u_21 : vec4<f32>,  sample_13 : ptr<f
 {
     (*sample_13) = no_light_0();
     var chosen_7 : ChosenDirection_0;
-    var _S401 : bool;
+    var _S403 : bool;
     if(SKY_0 != u32(1))
     {
-        _S401 = true;
+        _S403 = true;
     }
     else
     {
-        var _S402 : bool = Environment_choose_1(u_21, &(chosen_7));
-        _S401 = !_S402;
+        var _S404 : bool = Environment_choose_1(u_21, &(chosen_7));
+        _S403 = !_S404;
     }
-    if(_S401)
+    if(_S403)
     {
         return false;
     }
@@ -5763,7 +5725,7 @@ fn Descent_at_2( this_49 : ptr<function, Descent_0>,  root_4 : u32)
 {
     var node_12 : LightNode_0 = TopLights_node_0(root_4);
     (*this_49).node_3 = root_4;
-    (*this_49).index_14 = node_12.index_10;
+    (*this_49).index_15 = node_12.index_11;
     (*this_49).count_2 = node_12.count_1;
     (*this_49).is_far_3 = false;
     return;
@@ -5775,7 +5737,7 @@ fn climb_1( receiver_21 : Receiver_0,  start_4 : u32,  descent_4 : ptr<function,
     var at_8 : u32 = start_4;
     for(;;)
     {
-        var _S403 : LightNode_0 = node_13;
+        var _S405 : LightNode_0 = node_13;
         if((node_13.parent_0) != u32(4294967295))
         {
         }
@@ -5783,59 +5745,59 @@ fn climb_1( receiver_21 : Receiver_0,  start_4 : u32,  descent_4 : ptr<function,
         {
             break;
         }
-        var parent_2 : LightNode_0 = top_light_node_0(_S403.parent_0);
-        var _S404 : u32 = _S403.parent_0 + u32(1);
-        var is_left_4 : bool = at_8 == _S404;
-        var _S405 : u32;
+        var parent_2 : LightNode_0 = top_light_node_0(_S405.parent_0);
+        var _S406 : u32 = _S405.parent_0 + u32(1);
+        var is_left_4 : bool = at_8 == _S406;
+        var _S407 : u32;
         if(is_left_4)
         {
-            _S405 = parent_2.index_10;
+            _S407 = parent_2.index_11;
         }
         else
         {
-            _S405 = _S404;
+            _S407 = _S406;
         }
-        var _S406 : View_0 = view_0(node_13, receiver_21);
-        var _S407 : View_0 = view_0(top_light_node_0(_S405), receiver_21);
-        var _S408 : f32;
+        var _S408 : View_0 = view_0(node_13, receiver_21);
+        var _S409 : View_0 = view_0(top_light_node_0(_S407), receiver_21);
+        var _S410 : f32;
         if(is_left_4)
         {
-            _S408 = _S406.importance_0;
+            _S410 = _S408.importance_0;
         }
         else
         {
-            _S408 = _S407.importance_0;
+            _S410 = _S409.importance_0;
         }
-        var _S409 : f32;
+        var _S411 : f32;
         if(is_left_4)
         {
-            _S409 = _S407.importance_0;
+            _S411 = _S409.importance_0;
         }
         else
         {
-            _S409 = _S406.importance_0;
+            _S411 = _S408.importance_0;
         }
-        var weights_3 : vec2<f32> = weights_of_0(_S408, _S409);
-        var _S410 : f32 = weights_3.x;
-        var _S411 : f32 = weights_3.y;
-        var total_6 : f32 = _S410 + _S411;
+        var weights_3 : vec2<f32> = weights_of_0(_S410, _S411);
+        var _S412 : f32 = weights_3.x;
+        var _S413 : f32 = weights_3.y;
+        var total_6 : f32 = _S412 + _S413;
         if(!(total_6 > 0.0f))
         {
             return false;
         }
-        var _S412 : f32;
+        var _S414 : f32;
         if(is_left_4)
         {
-            _S412 = _S410;
+            _S414 = _S412;
         }
         else
         {
-            _S412 = _S411;
+            _S414 = _S413;
         }
-        (*descent_4).weight_0 = (*descent_4).weight_0 * _S412;
+        (*descent_4).weight_0 = (*descent_4).weight_0 * _S414;
         (*descent_4).total_0 = (*descent_4).total_0 * total_6;
         node_13 = parent_2;
-        at_8 = _S403.parent_0;
+        at_8 = _S405.parent_0;
     }
     return ((*descent_4).weight_0) > 0.0f;
 }
@@ -5844,16 +5806,16 @@ fn descend_2( receiver_22 : Receiver_0,  aim_5 : Aim_0,  descent_5 : ptr<functio
 {
     for(;;)
     {
-        var _S413 : bool;
+        var _S415 : bool;
         if(((*descent_5).count_2) == u32(0))
         {
-            _S413 = !(*descent_5).is_far_3;
+            _S415 = !(*descent_5).is_far_3;
         }
         else
         {
-            _S413 = false;
+            _S415 = false;
         }
-        if(_S413)
+        if(_S415)
         {
         }
         else
@@ -5865,31 +5827,31 @@ fn descend_2( receiver_22 : Receiver_0,  aim_5 : Aim_0,  descent_5 : ptr<functio
             return false;
         }
         var left_4 : LightNode_0 = TopLights_node_0((*descent_5).node_3 + u32(1));
-        var right_3 : LightNode_0 = TopLights_node_0((*descent_5).index_14);
+        var right_3 : LightNode_0 = TopLights_node_0((*descent_5).index_15);
         var weights_4 : vec2<f32> = weights_of_0(view_0(left_4, receiver_22).importance_0, view_0(right_3, receiver_22).importance_0);
-        var _S414 : f32 = weights_4.x;
-        var _S415 : f32 = weights_4.y;
-        var total_7 : f32 = _S414 + _S415;
+        var _S416 : f32 = weights_4.x;
+        var _S417 : f32 = weights_4.y;
+        var total_7 : f32 = _S416 + _S417;
         if(!(total_7 > 0.0f))
         {
             return false;
         }
-        var _S416 : bool;
-        if(_S415 <= 0.0f)
+        var _S418 : bool;
+        if(_S417 <= 0.0f)
         {
-            _S416 = true;
+            _S418 = true;
         }
         else
         {
-            _S416 = ((*descent_5).choice_0 * total_7) < (_S414 * (*descent_5).weight_0);
+            _S418 = ((*descent_5).choice_0 * total_7) < (_S416 * (*descent_5).weight_0);
         }
         var is_left_5 : bool;
         if(aim_5.is_met_0)
         {
-            var _S417 : vec3<f32> = vec3<f32>(aim_5.hit_6.voxel_0);
-            if((all((_S417 >= (vector_of_0(left_4.min_1))))))
+            var _S419 : vec3<f32> = vec3<f32>(aim_5.hit_6.voxel_0);
+            if((all((_S419 >= (vector_of_0(left_4.min_2))))))
             {
-                is_left_5 = (all((_S417 < (vector_of_0(left_4.max_1)))));
+                is_left_5 = (all((_S419 < (vector_of_0(left_4.max_2)))));
             }
             else
             {
@@ -5898,63 +5860,63 @@ fn descend_2( receiver_22 : Receiver_0,  aim_5 : Aim_0,  descent_5 : ptr<functio
         }
         else
         {
-            is_left_5 = _S416;
+            is_left_5 = _S418;
         }
-        var _S418 : f32 = (*descent_5).choice_0 * total_7;
-        var _S419 : f32;
+        var _S420 : f32 = (*descent_5).choice_0 * total_7;
+        var _S421 : f32;
         if(is_left_5)
         {
-            _S419 = 0.0f;
+            _S421 = 0.0f;
         }
         else
         {
-            _S419 = _S414 * (*descent_5).weight_0;
+            _S421 = _S416 * (*descent_5).weight_0;
         }
-        (*descent_5).choice_0 = _S418 - _S419;
-        var _S420 : u32;
-        if(is_left_5)
-        {
-            _S420 = (*descent_5).node_3 + u32(1);
-        }
-        else
-        {
-            _S420 = (*descent_5).index_14;
-        }
-        (*descent_5).node_3 = _S420;
-        var _S421 : u32;
-        if(is_left_5)
-        {
-            _S421 = left_4.index_10;
-        }
-        else
-        {
-            _S421 = right_3.index_10;
-        }
-        (*descent_5).index_14 = _S421;
+        (*descent_5).choice_0 = _S420 - _S421;
         var _S422 : u32;
         if(is_left_5)
         {
-            _S422 = left_4.count_1;
+            _S422 = (*descent_5).node_3 + u32(1);
         }
         else
         {
-            _S422 = right_3.count_1;
+            _S422 = (*descent_5).index_15;
         }
-        (*descent_5).count_2 = _S422;
-        (*descent_5).is_far_3 = false;
-        var _S423 : f32;
+        (*descent_5).node_3 = _S422;
+        var _S423 : u32;
         if(is_left_5)
         {
-            _S423 = _S414;
+            _S423 = left_4.index_11;
         }
         else
         {
-            _S423 = _S415;
+            _S423 = right_3.index_11;
         }
-        var _S424 : f32 = (*descent_5).weight_0 * _S423;
-        (*descent_5).weight_0 = _S424;
+        (*descent_5).index_15 = _S423;
+        var _S424 : u32;
+        if(is_left_5)
+        {
+            _S424 = left_4.count_1;
+        }
+        else
+        {
+            _S424 = right_3.count_1;
+        }
+        (*descent_5).count_2 = _S424;
+        (*descent_5).is_far_3 = false;
+        var _S425 : f32;
+        if(is_left_5)
+        {
+            _S425 = _S416;
+        }
+        else
+        {
+            _S425 = _S417;
+        }
+        var _S426 : f32 = (*descent_5).weight_0 * _S425;
+        (*descent_5).weight_0 = _S426;
         (*descent_5).total_0 = (*descent_5).total_0 * total_7;
-        if(_S424 <= 0.0f)
+        if(_S426 <= 0.0f)
         {
             return false;
         }
@@ -5966,7 +5928,7 @@ fn Descent_at_3( this_50 : ptr<function, Descent_0>,  root_5 : u32)
 {
     var node_14 : LightNode_0 = GridLights_node_0(root_5);
     (*this_50).node_3 = root_5;
-    (*this_50).index_14 = node_14.index_10;
+    (*this_50).index_15 = node_14.index_11;
     (*this_50).count_2 = node_14.count_1;
     (*this_50).is_far_3 = false;
     return;
@@ -5976,16 +5938,16 @@ fn descend_3( receiver_23 : Receiver_0,  aim_6 : Aim_0,  descent_6 : ptr<functio
 {
     for(;;)
     {
-        var _S425 : bool;
+        var _S427 : bool;
         if(((*descent_6).count_2) == u32(0))
         {
-            _S425 = !(*descent_6).is_far_3;
+            _S427 = !(*descent_6).is_far_3;
         }
         else
         {
-            _S425 = false;
+            _S427 = false;
         }
-        if(_S425)
+        if(_S427)
         {
         }
         else
@@ -5997,33 +5959,33 @@ fn descend_3( receiver_23 : Receiver_0,  aim_6 : Aim_0,  descent_6 : ptr<functio
             return false;
         }
         var left_5 : LightNode_0 = GridLights_node_0((*descent_6).node_3 + u32(1));
-        var right_4 : LightNode_0 = GridLights_node_0((*descent_6).index_14);
+        var right_4 : LightNode_0 = GridLights_node_0((*descent_6).index_15);
         var of_left_1 : View_0 = view_0(left_5, receiver_23);
         var of_right_1 : View_0 = view_0(right_4, receiver_23);
         var weights_5 : vec2<f32> = weights_of_0(of_left_1.importance_0, of_right_1.importance_0);
-        var _S426 : f32 = weights_5.x;
-        var _S427 : f32 = weights_5.y;
-        var total_8 : f32 = _S426 + _S427;
+        var _S428 : f32 = weights_5.x;
+        var _S429 : f32 = weights_5.y;
+        var total_8 : f32 = _S428 + _S429;
         if(!(total_8 > 0.0f))
         {
             return false;
         }
-        var _S428 : bool;
-        if(_S427 <= 0.0f)
+        var _S430 : bool;
+        if(_S429 <= 0.0f)
         {
-            _S428 = true;
+            _S430 = true;
         }
         else
         {
-            _S428 = ((*descent_6).choice_0 * total_8) < (_S426 * (*descent_6).weight_0);
+            _S430 = ((*descent_6).choice_0 * total_8) < (_S428 * (*descent_6).weight_0);
         }
         var is_left_6 : bool;
         if(aim_6.is_met_0)
         {
-            var _S429 : vec3<f32> = vec3<f32>(aim_6.hit_6.voxel_0);
-            if((all((_S429 >= (vector_of_0(left_5.min_1))))))
+            var _S431 : vec3<f32> = vec3<f32>(aim_6.hit_6.voxel_0);
+            if((all((_S431 >= (vector_of_0(left_5.min_2))))))
             {
-                is_left_6 = (all((_S429 < (vector_of_0(left_5.max_1)))));
+                is_left_6 = (all((_S431 < (vector_of_0(left_5.max_2)))));
             }
             else
             {
@@ -6032,72 +5994,72 @@ fn descend_3( receiver_23 : Receiver_0,  aim_6 : Aim_0,  descent_6 : ptr<functio
         }
         else
         {
-            is_left_6 = _S428;
+            is_left_6 = _S430;
         }
-        var _S430 : f32 = (*descent_6).choice_0 * total_8;
-        var _S431 : f32;
+        var _S432 : f32 = (*descent_6).choice_0 * total_8;
+        var _S433 : f32;
         if(is_left_6)
         {
-            _S431 = 0.0f;
+            _S433 = 0.0f;
         }
         else
         {
-            _S431 = _S426 * (*descent_6).weight_0;
+            _S433 = _S428 * (*descent_6).weight_0;
         }
-        (*descent_6).choice_0 = _S430 - _S431;
-        var _S432 : u32;
-        if(is_left_6)
-        {
-            _S432 = (*descent_6).node_3 + u32(1);
-        }
-        else
-        {
-            _S432 = (*descent_6).index_14;
-        }
-        (*descent_6).node_3 = _S432;
-        var _S433 : u32;
-        if(is_left_6)
-        {
-            _S433 = left_5.index_10;
-        }
-        else
-        {
-            _S433 = right_4.index_10;
-        }
-        (*descent_6).index_14 = _S433;
+        (*descent_6).choice_0 = _S432 - _S433;
         var _S434 : u32;
         if(is_left_6)
         {
-            _S434 = left_5.count_1;
+            _S434 = (*descent_6).node_3 + u32(1);
         }
         else
         {
-            _S434 = right_4.count_1;
+            _S434 = (*descent_6).index_15;
         }
-        (*descent_6).count_2 = _S434;
-        var _S435 : bool;
+        (*descent_6).node_3 = _S434;
+        var _S435 : u32;
         if(is_left_6)
         {
-            _S435 = of_left_1.is_far_0;
+            _S435 = left_5.index_11;
         }
         else
         {
-            _S435 = of_right_1.is_far_0;
+            _S435 = right_4.index_11;
         }
-        (*descent_6).is_far_3 = _S435;
-        var _S436 : f32;
+        (*descent_6).index_15 = _S435;
+        var _S436 : u32;
         if(is_left_6)
         {
-            _S436 = _S426;
+            _S436 = left_5.count_1;
         }
         else
         {
-            _S436 = _S427;
+            _S436 = right_4.count_1;
         }
-        var _S437 : f32 = (*descent_6).weight_0 * _S436;
-        (*descent_6).weight_0 = _S437;
+        (*descent_6).count_2 = _S436;
+        var _S437 : bool;
+        if(is_left_6)
+        {
+            _S437 = of_left_1.is_far_0;
+        }
+        else
+        {
+            _S437 = of_right_1.is_far_0;
+        }
+        (*descent_6).is_far_3 = _S437;
+        var _S438 : f32;
+        if(is_left_6)
+        {
+            _S438 = _S428;
+        }
+        else
+        {
+            _S438 = _S429;
+        }
+        var _S439 : f32 = (*descent_6).weight_0 * _S438;
+        (*descent_6).weight_0 = _S439;
         (*descent_6).total_0 = (*descent_6).total_0 * total_8;
-        if(_S437 <= 0.0f)
+        if(_S439 <= 0.0f)
         {
             return false;
         }
@@ -6108,29 +6070,29 @@ fn descend_3( receiver_23 : Receiver_0,  aim_6 : Aim_0,  descent_6 : ptr<functio
 fn choose_side_1( point_6 : vec3<f32>,  is_met_3 : bool,  way_6 : Descent_0,  side_4 : ptr<function, u32>,  odds_3 : ptr<function, vec2<f32>>) -> bool
 {
     var node_15 : LightNode_0 = light_node_at_0(way_6.node_3);
-    var _S438 : vec3<f32> = vector_of_0(node_15.max_1);
-    var _S439 : vec3<f32> = vector_of_0(node_15.min_1);
-    var _S440 : vec3<f32> = vec3<f32>(0.5f);
-    var half_3 : vec3<f32> = (_S438 - _S439) * _S440;
-    var toward_3 : vec3<f32> = (_S439 + _S438) * _S440 - point_6;
+    var _S440 : vec3<f32> = vector_of_0(node_15.max_2);
+    var _S441 : vec3<f32> = vector_of_0(node_15.min_2);
+    var _S442 : vec3<f32> = vec3<f32>(0.5f);
+    var half_3 : vec3<f32> = (_S440 - _S441) * _S442;
+    var toward_3 : vec3<f32> = (_S441 + _S440) * _S442 - point_6;
     var sent_2 : BySide_0 = sent_by_side_0(node_15, point_6, length_bound_0(select(half_3, abs(toward_3), vec3<bool>(((length_squared_0(toward_3)) > (length_squared_0(half_3)))))));
     var sum_6 : f32 = normal_or_zero_0(BySide_sum_0(sent_2));
     var unit_3 : f32 = inverse_power_of_two_0(sum_6);
     var total_9 : f32 = sum_6 * unit_3;
-    var _S441 : f32 = way_6.choice_0 * total_9;
-    var _S442 : u32 = (*side_4);
+    var _S443 : f32 = way_6.choice_0 * total_9;
+    var _S444 : u32 = (*side_4);
     var share_7 : f32 = normal_or_zero_0(sent_2.low_7[u32(0)] * unit_3);
-    var _S443 : bool;
+    var _S445 : bool;
     if(is_met_3)
     {
-        _S443 = u32(0) == _S442;
+        _S445 = u32(0) == _S444;
     }
     else
     {
-        _S443 = share_7 > 0.0f;
+        _S445 = share_7 > 0.0f;
     }
     var chosen_8 : f32;
-    if(_S443)
+    if(_S445)
     {
         (*side_4) = u32(0);
         chosen_8 = share_7;
@@ -6139,108 +6101,138 @@ fn choose_side_1( point_6 : vec3<f32>,  is_met_3 : bool,  way_6 : Descent_0,  si
     {
         chosen_8 = 0.0f;
     }
-    var _S444 : bool = _S441 < (share_7 * way_6.weight_0);
+    var _S446 : bool = _S443 < (share_7 * way_6.weight_0);
     var share_8 : f32 = normal_or_zero_0(sent_2.high_4[u32(0)] * unit_3);
     if(is_met_3)
     {
-        _S443 = u32(1) == _S442;
+        _S445 = u32(1) == _S444;
     }
     else
     {
         if(share_8 > 0.0f)
         {
-            _S443 = !_S444;
+            _S445 = !_S446;
         }
         else
         {
-            _S443 = false;
+            _S445 = false;
         }
     }
-    if(_S443)
+    if(_S445)
     {
         (*side_4) = u32(1);
         chosen_8 = share_8;
     }
     var passed_4 : f32 = share_7 + share_8;
-    if(_S444)
+    if(_S446)
     {
-        _S443 = true;
+        _S445 = true;
     }
     else
     {
-        _S443 = _S441 < (passed_4 * way_6.weight_0);
+        _S445 = _S443 < (passed_4 * way_6.weight_0);
     }
     var share_9 : f32 = normal_or_zero_0(sent_2.low_7[u32(1)] * unit_3);
-    var _S445 : bool;
+    var _S447 : bool;
     if(is_met_3)
     {
-        _S445 = u32(2) == _S442;
+        _S447 = u32(2) == _S444;
     }
     else
     {
         if(share_9 > 0.0f)
         {
-            _S445 = !_S443;
+            _S447 = !_S445;
         }
         else
         {
-            _S445 = false;
+            _S447 = false;
         }
     }
-    if(_S445)
+    if(_S447)
     {
         (*side_4) = u32(2);
         chosen_8 = share_9;
     }
     var passed_5 : f32 = passed_4 + share_9;
-    if(_S443)
+    if(_S445)
     {
-        _S443 = true;
+        _S445 = true;
     }
     else
     {
-        _S443 = _S441 < (passed_5 * way_6.weight_0);
+        _S445 = _S443 < (passed_5 * way_6.weight_0);
     }
     var share_10 : f32 = normal_or_zero_0(sent_2.high_4[u32(1)] * unit_3);
     if(is_met_3)
     {
-        _S445 = u32(3) == _S442;
+        _S447 = u32(3) == _S444;
     }
     else
     {
         if(share_10 > 0.0f)
         {
-            _S445 = !_S443;
+            _S447 = !_S445;
         }
         else
         {
-            _S445 = false;
+            _S447 = false;
         }
     }
-    if(_S445)
+    if(_S447)
     {
         (*side_4) = u32(3);
         chosen_8 = share_10;
     }
     var passed_6 : f32 = passed_5 + share_10;
-    if(_S443)
+    if(_S445)
     {
-        _S443 = true;
+        _S445 = true;
     }
     else
     {
-        _S443 = _S441 < (passed_6 * way_6.weight_0);
+        _S445 = _S443 < (passed_6 * way_6.weight_0);
     }
     var share_11 : f32 = normal_or_zero_0(sent_2.low_7[u32(2)] * unit_3);
     if(is_met_3)
     {
-        _S445 = u32(4) == _S442;
+        _S447 = u32(4) == _S444;
     }
     else
     {
         if(share_11 > 0.0f)
         {
-            _S445 = !_S443;
+            _S447 = !_S445;
+        }
+        else
+        {
+            _S447 = false;
+        }
+    }
+    if(_S447)
+    {
+        (*side_4) = u32(4);
+        chosen_8 = share_11;
+    }
+    var passed_7 : f32 = passed_6 + share_11;
+    if(_S445)
+    {
+        _S445 = true;
+    }
+    else
+    {
+        _S445 = _S443 < (passed_7 * way_6.weight_0);
+    }
+    var share_12 : f32 = normal_or_zero_0(sent_2.high_4[u32(2)] * unit_3);
+    if(is_met_3)
+    {
+        _S445 = u32(5) == _S444;
+    }
+    else
+    {
+        if(share_12 > 0.0f)
+        {
+            _S445 = !_S445;
         }
         else
         {
@@ -6248,36 +6240,6 @@ fn choose_side_1( point_6 : vec3<f32>,  is_met_3 : bool,  way_6 : Descent_0,  si
         }
     }
     if(_S445)
-    {
-        (*side_4) = u32(4);
-        chosen_8 = share_11;
-    }
-    var passed_7 : f32 = passed_6 + share_11;
-    if(_S443)
-    {
-        _S443 = true;
-    }
-    else
-    {
-        _S443 = _S441 < (passed_7 * way_6.weight_0);
-    }
-    var share_12 : f32 = normal_or_zero_0(sent_2.high_4[u32(2)] * unit_3);
-    if(is_met_3)
-    {
-        _S443 = u32(5) == _S442;
-    }
-    else
-    {
-        if(share_12 > 0.0f)
-        {
-            _S443 = !_S443;
-        }
-        else
-        {
-            _S443 = false;
-        }
-    }
-    if(_S443)
     {
         (*side_4) = u32(5);
         chosen_8 = share_12;
@@ -6285,13 +6247,13 @@ fn choose_side_1( point_6 : vec3<f32>,  is_met_3 : bool,  way_6 : Descent_0,  si
     (*odds_3) = vec2<f32>(way_6.weight_0 * chosen_8, way_6.total_0 * total_9);
     if(sum_6 > 0.0f)
     {
-        _S443 = ((*odds_3).x) > 0.0f;
+        _S445 = ((*odds_3).x) > 0.0f;
     }
     else
     {
-        _S443 = false;
+        _S445 = false;
     }
-    return _S443;
+    return _S445;
 }
 
 fn sample_emitter_1( receiver_24 : Receiver_0,  u_22 : vec4<f32>,  aim_7 : Aim_0,  sample_14 : ptr<function, LightSample_0>) -> bool
@@ -6303,28 +6265,28 @@ fn sample_emitter_1( receiver_24 : Receiver_0,  u_22 : vec4<f32>,  aim_7 : Aim_0
     }
     var descent_7 : Descent_0 = Descent_x24init_0(u32(0), u32(0), u32(0), 1.0f, 1.0f, u_22.x, false);
     Descent_at_2(&(descent_7), u32(0));
-    var _S446 : bool;
+    var _S448 : bool;
     if(!IS_SINGLE_0)
     {
-        _S446 = aim_7.is_met_0;
+        _S448 = aim_7.is_met_0;
     }
     else
     {
-        _S446 = false;
+        _S448 = false;
     }
-    if(_S446)
+    if(_S448)
     {
         var leaf_3 : u32 = instances_0[aim_7.hit_6.instance_0].light_leaf_0;
         if((instances_0[aim_7.hit_6.instance_0].light_leaf_0) == u32(4294967295))
         {
-            _S446 = true;
+            _S448 = true;
         }
         else
         {
-            var _S447 : bool = climb_1(receiver_24, leaf_3, &(descent_7));
-            _S446 = !_S447;
+            var _S449 : bool = climb_1(receiver_24, leaf_3, &(descent_7));
+            _S448 = !_S449;
         }
-        if(_S446)
+        if(_S448)
         {
             return false;
         }
@@ -6334,49 +6296,49 @@ fn sample_emitter_1( receiver_24 : Receiver_0,  u_22 : vec4<f32>,  aim_7 : Aim_0
     {
         if(!IS_SINGLE_0)
         {
-            var _S448 : bool = descend_2(receiver_24, by_chance_0(), &(descent_7));
-            _S446 = !_S448;
+            var _S450 : bool = descend_2(receiver_24, by_chance_0(), &(descent_7));
+            _S448 = !_S450;
         }
         else
         {
-            _S446 = false;
+            _S448 = false;
         }
-        if(_S446)
+        if(_S448)
         {
             return false;
         }
     }
-    var chosen_instance_1 : u32 = descent_7.index_14;
-    var local_4 : Receiver_0 = in_grid_0(descent_7.index_14, receiver_24);
+    var chosen_instance_1 : u32 = descent_7.index_15;
+    var local_4 : Receiver_0 = in_grid_0(descent_7.index_15, receiver_24);
     Descent_at_3(&(descent_7), top_light_node_0(descent_7.node_3).root_1);
-    var _S449 : bool = descend_3(local_4, aim_7, &(descent_7));
-    if(!_S449)
+    var _S451 : bool = descend_3(local_4, aim_7, &(descent_7));
+    if(!_S451)
     {
         return false;
     }
     var side_5 : u32 = aim_7.hit_6.face_0;
     var odds_4 : vec2<f32>;
-    var _S450 : bool = choose_side_1(local_4.point_0, aim_7.is_met_0, descent_7, &(side_5), &(odds_4));
-    if(!_S450)
+    var _S452 : bool = choose_side_1(local_4.point_0, aim_7.is_met_0, descent_7, &(side_5), &(odds_4));
+    if(!_S452)
     {
         return false;
     }
     var power_7 : f32 = light_power_at_0(descent_7.node_3, side_5);
     if(aim_7.is_met_0)
     {
-        var _S451 : f32 = density_0(odds_4, aim_7.luminance_1, power_7, Transform_direction_0(chosen_instance_1, aim_7.direction_21) * vec3<f32>(aim_7.hit_6.t_0), side_5);
-        (*sample_14).pdf_2 = _S451;
-        return _S451 > 0.0f;
+        var _S453 : f32 = density_0(odds_4, aim_7.luminance_1, power_7, Transform_direction_0(chosen_instance_1, aim_7.direction_21) * vec3<f32>(aim_7.hit_6.t_0), side_5);
+        (*sample_14).pdf_2 = _S453;
+        return _S453 > 0.0f;
     }
     var emitter_2 : Emitter_0 = choose_emitter_0(descent_7, side_5, u_22.y * power_7);
-    var _S452 : vec3<f32> = vec3<f32>(cell_of_0(emitter_2.voxel_24));
-    var on_face_1 : vec3<f32> = point_of_face_0(_S452, side_5, u_22.z, u_22.w);
+    var _S454 : vec3<f32> = vec3<f32>(cell_of_0(emitter_2.voxel_24));
+    var on_face_1 : vec3<f32> = point_of_face_0(_S454, side_5, u_22.z, u_22.w);
     var pdf_13 : f32 = density_0(odds_4, emitter_2.luminance_4, power_7, on_face_1 - local_4.point_0, side_5);
     if(pdf_13 < 0.0f)
     {
         return false;
     }
-    var direction_29 : vec3<f32> = Transform_point_1(chosen_instance_1, offset_ray_origin_0(vector_of_0(instances_0[chosen_instance_1].grid_from_world_0.translation_0), _S452, side_5, on_face_1)) - receiver_24.point_0;
+    var direction_29 : vec3<f32> = Transform_point_1(chosen_instance_1, offset_ray_origin_0(vector_of_0(instances_0[chosen_instance_1].grid_from_world_0.translation_0), _S454, side_5, on_face_1)) - receiver_24.point_0;
     var cos_theta_10 : f32 = with_slack_0(receiver_24, divide_0(dot_product_0(receiver_24.normal_2, direction_29), square_root_0(length_squared_0(direction_29))));
     (*sample_14) = LightSample_x24init_0(Ray_x24init_0(receiver_24.point_0, 0.0f, direction_29, 1.0f), cos_theta_10, emitted_0(material_of_index_0(emitter_2.material_6)), pdf_13);
     return cos_theta_10 > 0.0f;
@@ -6384,67 +6346,67 @@ fn sample_emitter_1( receiver_24 : Receiver_0,  u_22 : vec4<f32>,  aim_7 : Aim_0
 
 fn EmitterTree_sample_1( receiver_25 : Receiver_0,  u_23 : vec4<f32>,  aim_8 : Aim_0,  sample_15 : ptr<function, LightSample_0>) -> bool
 {
-    var _S453 : bool = sample_emitter_1(receiver_25, u_23, aim_8, &((*sample_15)));
-    return _S453;
+    var _S455 : bool = sample_emitter_1(receiver_25, u_23, aim_8, &((*sample_15)));
+    return _S455;
 }
 
 fn Lights_sample_1( receiver_26 : Receiver_0,  selection_4 : Selection_0,  u_24 : vec4<f32>,  aim_9 : Aim_0,  sample_16 : ptr<function, LightSample_0>) -> bool
 {
-    var is_found_11 : bool;
+    var is_found_9 : bool;
     if(has_sun_0())
     {
-        is_found_11 = !aim_9.is_met_0;
+        is_found_9 = !aim_9.is_met_0;
     }
     else
     {
-        is_found_11 = false;
+        is_found_9 = false;
     }
-    if(is_found_11)
+    if(is_found_9)
     {
-        is_found_11 = (u_24.x) < (selection_4.sun_0);
+        is_found_9 = (u_24.x) < (selection_4.sun_0);
     }
     else
     {
-        is_found_11 = false;
+        is_found_9 = false;
     }
-    if(is_found_11)
+    if(is_found_9)
     {
-        var _S454 : bool = SunDisc_sample_1(receiver_26, u_24, &((*sample_16)));
+        var _S456 : bool = SunDisc_sample_1(receiver_26, u_24, &((*sample_16)));
         (*sample_16).pdf_2 = (*sample_16).pdf_2 * selection_4.sun_0;
-        is_found_11 = _S454;
+        is_found_9 = _S456;
     }
     else
     {
         if(Lights_has_chosen_sky_0())
         {
-            is_found_11 = !aim_9.is_met_0;
+            is_found_9 = !aim_9.is_met_0;
         }
         else
         {
-            is_found_11 = false;
+            is_found_9 = false;
         }
-        if(is_found_11)
+        if(is_found_9)
         {
-            is_found_11 = (u_24.x) < (selection_4.sun_0 + selection_4.sky_1);
+            is_found_9 = (u_24.x) < (selection_4.sun_0 + selection_4.sky_1);
         }
         else
         {
-            is_found_11 = false;
+            is_found_9 = false;
         }
-        if(is_found_11)
+        if(is_found_9)
         {
-            var _S455 : bool = Sky_sample_1(receiver_26, vec4<f32>(min(divide_0(u_24.x - selection_4.sun_0, selection_4.sky_1), 0.99999994039535522f), u_24.yzw), &((*sample_16)));
+            var _S457 : bool = Sky_sample_1(receiver_26, vec4<f32>(min(divide_0(u_24.x - selection_4.sun_0, selection_4.sky_1), 0.99999994039535522f), u_24.yzw), &((*sample_16)));
             (*sample_16).pdf_2 = (*sample_16).pdf_2 * selection_4.sky_1;
-            is_found_11 = _S455;
+            is_found_9 = _S457;
         }
         else
         {
-            var _S456 : bool = EmitterTree_sample_1(receiver_26, vec4<f32>(min(divide_0(u_24.x - (selection_4.sun_0 + selection_4.sky_1), selection_4.emitters_0), 0.99999994039535522f), u_24.yzw), aim_9, &((*sample_16)));
+            var _S458 : bool = EmitterTree_sample_1(receiver_26, vec4<f32>(min(divide_0(u_24.x - (selection_4.sun_0 + selection_4.sky_1), selection_4.emitters_0), 0.99999994039535522f), u_24.yzw), aim_9, &((*sample_16)));
             (*sample_16).pdf_2 = (*sample_16).pdf_2 * selection_4.emitters_0;
-            is_found_11 = _S456;
+            is_found_9 = _S458;
         }
     }
-    return is_found_11;
+    return is_found_9;
 }
 
 fn bsdf_of_1( material_14 : PackedMaterial_0,  ior_2 : f32,  choice_3 : ptr<function, f32>) -> MaterialBsdf_0
@@ -6461,11 +6423,11 @@ fn Diffuse_sample_1( this_51 : Diffuse_0,  wo_8 : vec3<f32>,  u_25 : vec3<f32>, 
 
 fn MaterialBsdf_sample_1( this_52 : MaterialBsdf_0,  wo_9 : vec3<f32>,  u_26 : vec3<f32>,  sample_18 : ptr<function, BsdfSample_0>) -> bool
 {
-    var _S457 : bool = Diffuse_sample_1(Diffuse_x24init_0(this_52.color_0), wo_9, u_26, &((*sample_18)));
-    return _S457;
+    var _S459 : bool = Diffuse_sample_1(Diffuse_x24init_0(this_52.color_0), wo_9, u_26, &((*sample_18)));
+    return _S459;
 }
 
-fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_24 : Ray_0,  hit_16 : Hit_0,  beyond_8 : u32,  radiance_6 : ptr<function, vec3<f32>>) -> NextRays_0
+fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_23 : Ray_0,  hit_16 : Hit_0,  beyond_8 : u32,  radiance_6 : ptr<function, vec3<f32>>) -> NextRays_0
 {
     var next_3 : NextRays_0 = no_rays_0();
     scatter_of_path_0.wants_light_0 = false;
@@ -6480,7 +6442,7 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
         t_16 = (*path_11).pdf_1;
     }
     (*path_11).pdf_1 = t_16;
-    var last_6 : Receiver_0 = Path_receiver_0((*path_11), ray_24);
+    var last_6 : Receiver_0 = Path_receiver_0((*path_11), ray_23);
     var is_scattered_3 : bool;
     if(Inside_is_in_0((*path_11).inside_0))
     {
@@ -6494,7 +6456,7 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
     {
         if(is_scattered_3)
         {
-            t_16 = scattering_t_0((*path_11), (*path_11).inside_0, ray_24);
+            t_16 = scattering_t_0((*path_11), (*path_11).inside_0, ray_23);
         }
         else
         {
@@ -6502,7 +6464,7 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
         }
         if(!is_counted_1)
         {
-            absorb_1(&((*path_11)), (*path_11).inside_0, ray_24, t_16);
+            absorb_1(&((*path_11)), (*path_11).inside_0, ray_23, t_16);
         }
     }
     else
@@ -6521,7 +6483,7 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
     var light_pdf_2 : f32;
     if(is_weighed_1)
     {
-        (*radiance_6) = (*radiance_6) + (*path_11).beta_0 * Sky_le_0(ray_24.direction_0) * vec3<f32>(mis_weight_0((*path_11).pdf_1, Lights_sky_pdf_0(Path_selection_at_0((*path_11), last_6), ray_24.direction_0)));
+        (*radiance_6) = (*radiance_6) + (*path_11).beta_0 * Sky_le_0(ray_23.direction_0) * vec3<f32>(mis_weight_0((*path_11).pdf_1, Lights_sky_pdf_0(Path_selection_at_0((*path_11), last_6), ray_23.direction_0)));
         if(has_sun_0())
         {
             if(SunDisc_is_visible_0())
@@ -6539,7 +6501,7 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
         }
         if(is_scattered_3)
         {
-            var le_2 : vec3<f32> = SunDisc_le_0(ray_24.direction_0);
+            var le_2 : vec3<f32> = SunDisc_le_0(ray_23.direction_0);
             if((max_element_0(le_2)) > 0.0f)
             {
                 if(((*path_11).pdf_1) == 0.0f)
@@ -6548,7 +6510,7 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
                 }
                 else
                 {
-                    light_pdf_2 = Lights_sun_pdf_0(Path_selection_at_0((*path_11), last_6), ray_24.direction_0);
+                    light_pdf_2 = Lights_sun_pdf_0(Path_selection_at_0((*path_11), last_6), ray_23.direction_0);
                 }
                 (*radiance_6) = (*radiance_6) + (*path_11).beta_0 * le_2 * vec3<f32>(mis_weight_0((*path_11).pdf_1, light_pdf_2));
             }
@@ -6557,7 +6519,7 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
     }
     var u_27 : vec4<f32> = Sampler_stratified_0((*path_11).sampler_0, Path_dimension_scatter_0((*path_11)));
     var material_15 : PackedMaterial_0 = material_met_0((*path_11), hit_16, beyond_8);
-    var _S458 : vec3<f32> = vec3<f32>(0.0f);
+    var _S460 : vec3<f32> = vec3<f32>(0.0f);
     var le_3 : vec3<f32>;
     if(!is_counted_1)
     {
@@ -6565,12 +6527,12 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
     }
     else
     {
-        le_3 = _S458;
+        le_3 = _S460;
     }
     var is_lit_1 : bool = (max_element_0(le_3)) > 0.0f;
-    var met_1 : Aim_0 = Aim_x24init_0(true, ray_24.direction_0, hit_16, luminance_0(vector_of_0(material_15.emission_0)));
-    var _S459 : bool = weighs_apart_0();
-    if(_S459)
+    var met_1 : Aim_0 = Aim_x24init_0(true, ray_23.direction_0, hit_16, luminance_0(vector_of_0(material_15.emission_0)));
+    var _S461 : bool = weighs_apart_0();
+    if(_S461)
     {
         is_weighed_1 = is_lit_1;
     }
@@ -6598,7 +6560,7 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
     if(is_chosen_1)
     {
         var light_9 : LightSample_0 = no_light_0();
-        if(!_S459)
+        if(!_S461)
         {
             is_chosen_1 = ((*path_11).pdf_1) > 0.0f;
         }
@@ -6608,15 +6570,15 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
         }
         if(is_chosen_1)
         {
-            var _S460 : bool = Lights_sample_1(last_6, Path_selection_at_0((*path_11), last_6), vec4<f32>(0.0f), met_1, &(light_9));
-            is_chosen_1 = _S460;
+            var _S462 : bool = Lights_sample_1(last_6, Path_selection_at_0((*path_11), last_6), vec4<f32>(0.0f), met_1, &(light_9));
+            is_chosen_1 = _S462;
         }
         else
         {
             is_chosen_1 = false;
         }
-        var _S461 : vec3<f32> = (*path_11).beta_0 * le_3;
-        var _S462 : f32 = (*path_11).pdf_1;
+        var _S463 : vec3<f32> = (*path_11).beta_0 * le_3;
+        var _S464 : f32 = (*path_11).pdf_1;
         if(is_chosen_1)
         {
             light_pdf_2 = light_9.pdf_2;
@@ -6625,13 +6587,13 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
         {
             light_pdf_2 = 0.0f;
         }
-        (*radiance_6) = (*radiance_6) + _S461 * vec3<f32>(mis_weight_0(_S462, light_pdf_2));
+        (*radiance_6) = (*radiance_6) + _S463 * vec3<f32>(mis_weight_0(_S464, light_pdf_2));
     }
-    var _S463 : f32 = ior_of_0((*path_11).inside_0);
-    var _S464 : f32 = u_27[i32(3)];
-    var _S465 : MaterialBsdf_0 = bsdf_of_1(material_15, _S463, &(_S464));
-    u_27[i32(3)] = _S464;
-    var scattered_3 : vec3<f32> = (*path_11).beta_0 * MaterialBsdf_albedo_0(_S465);
+    var _S465 : f32 = ior_of_0((*path_11).inside_0);
+    var _S466 : f32 = u_27[i32(3)];
+    var _S467 : MaterialBsdf_0 = bsdf_of_1(material_15, _S465, &(_S466));
+    u_27[i32(3)] = _S466;
+    var scattered_3 : vec3<f32> = (*path_11).beta_0 * MaterialBsdf_albedo_0(_S467);
     if(((*path_11).bounce_0) >= (params_0.max_bounces_0))
     {
         is_chosen_1 = true;
@@ -6640,8 +6602,8 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
     {
         is_chosen_1 = ends_here_0;
     }
-    var _S466 : bool = !is_weighed_1;
-    if(_S466)
+    var _S468 : bool = !is_weighed_1;
+    if(_S468)
     {
         if(is_chosen_1)
         {
@@ -6661,7 +6623,7 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
         return next_3;
     }
     var compensation_3 : f32 = roulette_0(Path_events_0((*path_11)), scattered_3, u_27.z);
-    if(_S466)
+    if(_S468)
     {
         is_chosen_1 = compensation_3 == 0.0f;
     }
@@ -6682,20 +6644,20 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
     {
         at_9 = hit_16;
     }
-    var surface_4 : Surface_0 = surface_of_0(ray_24, at_9);
-    var _S467 : Receiver_0 = Receiver_x24init_0(surface_4.origin_9, surface_4.normal_3);
-    var _S468 : vec3<f32> = (vec3<f32>(0) - ray_24.direction_0);
-    var wo_10 : vec3<f32> = Surface_local_direction_0(surface_4, _S468);
+    var surface_4 : Surface_0 = surface_of_0(ray_23, at_9);
+    var _S469 : Receiver_0 = Receiver_x24init_0(surface_4.origin_9, surface_4.normal_3);
+    var _S470 : vec3<f32> = (vec3<f32>(0) - ray_23.direction_0);
+    var wo_10 : vec3<f32> = Surface_local_direction_0(surface_4, _S470);
     var inside_6 : Inside_0 = in_air_0();
     var wo_11 : vec3<f32>;
     var receiver_27 : Receiver_0;
     if(is_scattered_3)
     {
-        var _S469 : Inside_0 = Inside_x24init_0((*path_11).inside_0.instance_6, hit_16.voxel_0, (*path_11).inside_0.material_0);
-        inside_6 = _S469;
-        var _S470 : vec3<f32> = normalize_vector_0(_S468);
-        receiver_27 = Receiver_x24init_0(Inside_point_0(_S469, ray_24, t_16), _S458);
-        wo_11 = _S470;
+        var _S471 : Inside_0 = Inside_x24init_0((*path_11).inside_0.instance_6, hit_16.voxel_0, (*path_11).inside_0.material_0);
+        inside_6 = _S471;
+        var _S472 : vec3<f32> = normalize_vector_0(_S470);
+        receiver_27 = Receiver_x24init_0(Inside_point_0(_S471, ray_23, t_16), _S460);
+        wo_11 = _S472;
     }
     else
     {
@@ -6705,7 +6667,7 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
             inside_6 = Inside_x24init_0((*path_11).inside_0.instance_6, hit_16.voxel_0, (*path_11).inside_0.material_0);
             inside_6.voxel_22 = hit_16.voxel_0 + vec3<i32>(face_normal_0(hit_16.face_0));
         }
-        receiver_27 = _S467;
+        receiver_27 = _S469;
         wo_11 = wo_10;
     }
     next_3.origin_7 = receiver_27.point_0;
@@ -6714,13 +6676,13 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
     {
         receiver_27 = last_6;
     }
-    if(_S466)
+    if(_S468)
     {
         (*path_11).selection_0 = Lights_selection_0(receiver_27);
     }
     var light_10 : LightSample_0 = no_light_0();
-    var _S471 : bool = !MaterialBsdf_is_delta_0(_S465);
-    scatter_of_path_0 = Scatter_x24init_0((*path_11), receiver_27, surface_4, _S465, wo_11, compensation_3, is_scattered_3, _S471);
+    var _S473 : bool = !MaterialBsdf_is_delta_0(_S467);
+    scatter_of_path_0 = Scatter_x24init_0((*path_11), receiver_27, surface_4, _S467, wo_11, compensation_3, is_scattered_3, _S473);
     if(is_weighed_1)
     {
         if(next_3.has_shadow_ray_0)
@@ -6737,8 +6699,8 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
         return next_3;
     }
     var bounce_2 : BsdfSample_0;
-    var _S472 : bool = MaterialBsdf_sample_1(_S465, wo_11, vec3<f32>(u_27.xy, u_27.w), &(bounce_2));
-    if(!_S472)
+    var _S474 : bool = MaterialBsdf_sample_1(_S467, wo_11, vec3<f32>(u_27.xy, u_27.w), &(bounce_2));
+    if(!_S474)
     {
         return next_3;
     }
@@ -6763,36 +6725,36 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
     return next_3;
 }
 
-fn show_1( path_12 : Path_0,  ray_25 : Ray_0,  hit_17 : Hit_0,  beyond_9 : u32,  sample_19 : ptr<function, Sample_0>)
+fn show_1( path_12 : Path_0,  ray_24 : Ray_0,  hit_17 : Hit_0,  beyond_9 : u32,  sample_19 : ptr<function, Sample_0>)
 {
-    var _S473 : Path_0 = path_12;
+    var _S475 : Path_0 = path_12;
     (*sample_19).is_shown_0 = true;
-    if(Inside_is_in_0(_S473.inside_0))
+    if(Inside_is_in_0(_S475.inside_0))
     {
-        absorb_1(&(_S473), _S473.inside_0, ray_25, hit_17.t_0);
+        absorb_1(&(_S475), _S475.inside_0, ray_24, hit_17.t_0);
     }
-    var material_16 : PackedMaterial_0 = material_met_0(_S473, hit_17, beyond_9);
-    (*sample_19).normal_1 = shading_normal_0(ray_25, hit_17, material_16);
-    (*sample_19).albedo_0 = _S473.beta_0 * albedo_of_0(material_16);
+    var material_16 : PackedMaterial_0 = material_met_0(_S475, hit_17, beyond_9);
+    (*sample_19).normal_1 = shading_normal_0(ray_24, hit_17, material_16);
+    (*sample_19).albedo_0 = _S475.beta_0 * albedo_of_0(material_16);
     return;
 }
 
 fn Walker_see_1( this_53 : ptr<function, Walker_0>,  arrived_2 : Path_0,  hit_18 : Hit_0,  beyond_10 : u32,  emitted_3 : vec3<f32>,  goes_on_3 : bool,  sample_20 : ptr<function, Sample_0>)
 {
     (*sample_20).direct_0 = (*sample_20).direct_0 + emitted_3;
-    var _S474 : bool = ((*this_53).path_0.bounce_0) == u32(0);
-    var _S475 : bool;
+    var _S476 : bool = ((*this_53).path_0.bounce_0) == u32(0);
+    var _S477 : bool;
     if(goes_on_3)
     {
-        _S475 = _S474;
+        _S477 = _S476;
     }
     else
     {
-        _S475 = false;
+        _S477 = false;
     }
-    var _S476 : bool = !_S475;
-    (*this_53).has_shown_0 = _S476;
-    if(!_S476)
+    var _S478 : bool = !_S477;
+    (*this_53).has_shown_0 = _S478;
+    if(!_S478)
     {
         (*this_53).way_3 = (*this_53).way_3 + hit_18.t_0;
     }
@@ -6800,18 +6762,18 @@ fn Walker_see_1( this_53 : ptr<function, Walker_0>,  arrived_2 : Path_0,  hit_18
     {
         if(!Hit_is_miss_0(hit_18))
         {
-            show_1(arrived_2, (*this_53).ray_9, hit_18, beyond_10, &((*sample_20)));
+            show_1(arrived_2, (*this_53).ray_8, hit_18, beyond_10, &((*sample_20)));
             (*sample_20).place_0 = (*this_53).camera_ray_0.origin_1 + (*this_53).camera_ray_0.direction_0 * vec3<f32>(((*this_53).way_3 + hit_18.t_0));
-            var _S477 : u32;
+            var _S479 : u32;
             if(((*this_53).way_3) > 0.0f)
             {
-                _S477 = u32(4294967295);
+                _S479 = u32(4294967295);
             }
             else
             {
-                _S477 = hit_18.instance_0;
+                _S479 = hit_18.instance_0;
             }
-            (*sample_20).instance_7 = _S477;
+            (*sample_20).instance_7 = _S479;
         }
     }
     return;
@@ -6851,36 +6813,36 @@ fn choose_light_1( scatter_1 : Scatter_0,  next_4 : ptr<function, NextRays_0>)
             u_28 = Sampler_independent_0(scatter_1.path_3.sampler_0, dimension_4);
         }
         var light_11 : LightSample_0 = no_light_0();
-        var is_found_12 : bool = Lights_sample_1(scatter_1.receiver_0, scatter_1.path_3.selection_0, u_28, by_chance_0(), &(light_11));
-        if(!is_found_12)
+        var is_found_10 : bool = Lights_sample_1(scatter_1.receiver_0, scatter_1.path_3.selection_0, u_28, by_chance_0(), &(light_11));
+        if(!is_found_10)
         {
             candidate_1 = candidate_1 + u32(1);
             continue;
         }
-        var _S478 : vec3<f32> = vec3<f32>(Surface_local_direction_0(scatter_1.surface_0, light_11.ray_15.direction_0).xy, light_11.cos_theta_2);
+        var _S480 : vec3<f32> = vec3<f32>(Surface_local_direction_0(scatter_1.surface_0, light_11.ray_14.direction_0).xy, light_11.cos_theta_2);
         var wi_7 : vec3<f32>;
         if(scatter_1.is_scattered_0)
         {
-            wi_7 = normalize_vector_0(light_11.ray_15.direction_0);
+            wi_7 = normalize_vector_0(light_11.ray_14.direction_0);
         }
         else
         {
-            wi_7 = _S478;
+            wi_7 = _S480;
         }
         var eval_1 : BsdfEval_0 = MaterialBsdf_eval_0(scatter_1.bsdf_0, scatter_1.wo_0, wi_7);
-        var _S479 : vec3<f32> = scatter_1.path_3.beta_0 * eval_1.weight_5 * vec3<f32>(scatter_1.compensation_0) * light_11.radiance_1 * vec3<f32>((divide_0(eval_1.pdf_10, light_11.pdf_2) * power_heuristic_0(light_11.pdf_2, eval_1.pdf_10)));
-        var weight_8 : f32 = luminance_0(_S479);
+        var _S481 : vec3<f32> = scatter_1.path_3.beta_0 * eval_1.weight_5 * vec3<f32>(scatter_1.compensation_0) * light_11.radiance_1 * vec3<f32>((divide_0(eval_1.pdf_10, light_11.pdf_2) * power_heuristic_0(light_11.pdf_2, eval_1.pdf_10)));
+        var weight_8 : f32 = luminance_0(_S481);
         var sum_8 : f32 = sum_7 + weight_8;
-        var _S480 : bool;
+        var _S482 : bool;
         if(count_6 > u32(1))
         {
-            _S480 = (Sampler_independent_0(scatter_1.path_3.sampler_0, dimension_4 + u32(1)).x * sum_8) >= weight_8;
+            _S482 = (Sampler_independent_0(scatter_1.path_3.sampler_0, dimension_4 + u32(1)).x * sum_8) >= weight_8;
         }
         else
         {
-            _S480 = false;
+            _S482 = false;
         }
-        if(_S480)
+        if(_S482)
         {
             sum_7 = sum_8;
             candidate_1 = candidate_1 + u32(1);
@@ -6889,9 +6851,9 @@ fn choose_light_1( scatter_1 : Scatter_0,  next_4 : ptr<function, NextRays_0>)
         var chosen_10 : f32;
         if(weight_8 > 0.0f)
         {
-            (*next_4).shadow_direction_0 = light_11.ray_15.direction_0;
-            (*next_4).shadow_t_max_0 = light_11.ray_15.t_max_0;
-            (*next_4).light_2 = _S479;
+            (*next_4).shadow_direction_0 = light_11.ray_14.direction_0;
+            (*next_4).shadow_t_max_0 = light_11.ray_14.t_max_0;
+            (*next_4).light_2 = _S481;
             chosen_10 = weight_8;
         }
         else
@@ -6902,9 +6864,9 @@ fn choose_light_1( scatter_1 : Scatter_0,  next_4 : ptr<function, NextRays_0>)
         sum_7 = sum_8;
         candidate_1 = candidate_1 + u32(1);
     }
-    var _S481 : bool = chosen_9 > 0.0f;
-    (*next_4).has_shadow_ray_0 = _S481;
-    if(_S481)
+    var _S483 : bool = chosen_9 > 0.0f;
+    (*next_4).has_shadow_ray_0 = _S483;
+    if(_S483)
     {
         (*next_4).light_2 = (*next_4).light_2 * vec3<f32>(divide_0(sum_7, chosen_9 * f32(count_6)));
     }
@@ -6917,15 +6879,15 @@ fn goes_on_from_1( at_10 : ptr<function, Walker_0>,  hit_19 : Hit_0,  beyond_11 
     var goes_on_4 : bool;
     if((*at_10).is_at_cell_0)
     {
-        next_5.origin_7 = (*at_10).ray_9.origin_1;
-        next_5.path_origin_1 = (*at_10).ray_9.origin_1;
-        next_5.direction_5 = (*at_10).ray_9.direction_0;
+        next_5.origin_7 = (*at_10).ray_8.origin_1;
+        next_5.path_origin_1 = (*at_10).ray_8.origin_1;
+        next_5.direction_5 = (*at_10).ray_8.direction_0;
         goes_on_4 = true;
     }
     else
     {
-        var _S482 : vec3<f32> = vec3<f32>(0.0f);
-        var cached_1 : vec3<f32> = _S482;
+        var _S484 : vec3<f32> = vec3<f32>(0.0f);
+        var cached_1 : vec3<f32> = _S484;
         if((*at_10).has_shown_0)
         {
             goes_on_4 = (*at_10).asks_cache_0;
@@ -6936,8 +6898,8 @@ fn goes_on_from_1( at_10 : ptr<function, Walker_0>,  hit_19 : Hit_0,  beyond_11 
         }
         if(goes_on_4)
         {
-            var _S483 : bool = asks_1((*at_10).path_0, (*at_10).ray_9, hit_19, beyond_11, (*at_10).life_0, &(cached_1));
-            goes_on_4 = _S483;
+            var _S485 : bool = asks_1((*at_10).path_0, (*at_10).ray_8, hit_19, beyond_11, (*at_10).life_0, &(cached_1));
+            goes_on_4 = _S485;
         }
         else
         {
@@ -6945,12 +6907,12 @@ fn goes_on_from_1( at_10 : ptr<function, Walker_0>,  hit_19 : Hit_0,  beyond_11 
         }
         ends_here_0 = goes_on_4;
         var arrived_3 : Path_0 = (*at_10).path_0;
-        var emitted_4 : vec3<f32> = _S482;
-        var _S484 : Path_0 = (*at_10).path_0;
-        var _S485 : NextRays_0 = PathTracingOf_advance_1(&(_S484), (*at_10).ray_9, hit_19, beyond_11, &(emitted_4));
-        (*at_10).path_0 = _S484;
-        next_5 = _S485;
-        var goes_on_5 : bool = (any(((next_5.direction_5) != _S482)));
+        var emitted_4 : vec3<f32> = _S484;
+        var _S486 : Path_0 = (*at_10).path_0;
+        var _S487 : NextRays_0 = PathTracingOf_advance_1(&(_S486), (*at_10).ray_8, hit_19, beyond_11, &(emitted_4));
+        (*at_10).path_0 = _S486;
+        next_5 = _S487;
+        var goes_on_5 : bool = (any(((next_5.direction_5) != _S484)));
         if((*at_10).has_shown_0)
         {
             (*sample_21).light_1 = (*sample_21).light_1 + (cached_1 + emitted_4);
@@ -6976,10 +6938,10 @@ fn goes_on_from_1( at_10 : ptr<function, Walker_0>,  hit_19 : Hit_0,  beyond_11 
     (*at_10).light_0 = next_5.light_2;
     (*at_10).is_shadow_ray_0 = next_5.has_shadow_ray_0;
     (*at_10).path_origin_0 = next_5.path_origin_1;
-    (*at_10).ray_9 = ray_from_0(next_5.origin_7, next_5.direction_5);
+    (*at_10).ray_8 = ray_from_0(next_5.origin_7, next_5.direction_5);
     if((*at_10).is_shadow_ray_0)
     {
-        (*at_10).ray_9 = Ray_x24init_0(next_5.origin_7, 0.0f, next_5.shadow_direction_0, next_5.shadow_t_max_0);
+        (*at_10).ray_8 = Ray_x24init_0(next_5.origin_7, 0.0f, next_5.shadow_direction_0, next_5.shadow_t_max_0);
     }
     if(goes_on_4)
     {
@@ -6992,7 +6954,7 @@ fn goes_on_from_1( at_10 : ptr<function, Walker_0>,  hit_19 : Hit_0,  beyond_11 
     return goes_on_4;
 }
 
-fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_26 : Ray_0,  hit_20 : Hit_0,  beyond_12 : u32,  radiance_7 : ptr<function, vec3<f32>>) -> NextRays_0
+fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_25 : Ray_0,  hit_20 : Hit_0,  beyond_12 : u32,  radiance_7 : ptr<function, vec3<f32>>) -> NextRays_0
 {
     var next_6 : NextRays_0 = no_rays_0();
     scatter_of_path_0.wants_light_0 = false;
@@ -7007,7 +6969,7 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_26 : Ray_0,  h
         t_17 = (*path_13).pdf_1;
     }
     (*path_13).pdf_1 = t_17;
-    var last_7 : Receiver_0 = Path_receiver_0((*path_13), ray_26);
+    var last_7 : Receiver_0 = Path_receiver_0((*path_13), ray_25);
     var is_scattered_4 : bool;
     if(Inside_is_in_0((*path_13).inside_0))
     {
@@ -7021,7 +6983,7 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_26 : Ray_0,  h
     {
         if(is_scattered_4)
         {
-            t_17 = scattering_t_0((*path_13), (*path_13).inside_0, ray_26);
+            t_17 = scattering_t_0((*path_13), (*path_13).inside_0, ray_25);
         }
         else
         {
@@ -7029,7 +6991,7 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_26 : Ray_0,  h
         }
         if(!is_counted_2)
         {
-            absorb_1(&((*path_13)), (*path_13).inside_0, ray_26, t_17);
+            absorb_1(&((*path_13)), (*path_13).inside_0, ray_25, t_17);
         }
     }
     else
@@ -7048,7 +7010,7 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_26 : Ray_0,  h
     var light_pdf_3 : f32;
     if(is_weighed_2)
     {
-        (*radiance_7) = (*radiance_7) + (*path_13).beta_0 * Sky_le_0(ray_26.direction_0) * vec3<f32>(mis_weight_0((*path_13).pdf_1, Lights_sky_pdf_0(Path_selection_at_0((*path_13), last_7), ray_26.direction_0)));
+        (*radiance_7) = (*radiance_7) + (*path_13).beta_0 * Sky_le_0(ray_25.direction_0) * vec3<f32>(mis_weight_0((*path_13).pdf_1, Lights_sky_pdf_0(Path_selection_at_0((*path_13), last_7), ray_25.direction_0)));
         if(has_sun_0())
         {
             if(SunDisc_is_visible_0())
@@ -7066,7 +7028,7 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_26 : Ray_0,  h
         }
         if(is_scattered_4)
         {
-            var le_4 : vec3<f32> = SunDisc_le_0(ray_26.direction_0);
+            var le_4 : vec3<f32> = SunDisc_le_0(ray_25.direction_0);
             if((max_element_0(le_4)) > 0.0f)
             {
                 if(((*path_13).pdf_1) == 0.0f)
@@ -7075,7 +7037,7 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_26 : Ray_0,  h
                 }
                 else
                 {
-                    light_pdf_3 = Lights_sun_pdf_0(Path_selection_at_0((*path_13), last_7), ray_26.direction_0);
+                    light_pdf_3 = Lights_sun_pdf_0(Path_selection_at_0((*path_13), last_7), ray_25.direction_0);
                 }
                 (*radiance_7) = (*radiance_7) + (*path_13).beta_0 * le_4 * vec3<f32>(mis_weight_0((*path_13).pdf_1, light_pdf_3));
             }
@@ -7084,7 +7046,7 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_26 : Ray_0,  h
     }
     var u_29 : vec4<f32> = Sampler_stratified_0((*path_13).sampler_0, Path_dimension_scatter_0((*path_13)));
     var material_17 : PackedMaterial_0 = material_met_0((*path_13), hit_20, beyond_12);
-    var _S486 : vec3<f32> = vec3<f32>(0.0f);
+    var _S488 : vec3<f32> = vec3<f32>(0.0f);
     var le_5 : vec3<f32>;
     if(!is_counted_2)
     {
@@ -7092,12 +7054,12 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_26 : Ray_0,  h
     }
     else
     {
-        le_5 = _S486;
+        le_5 = _S488;
     }
     var is_lit_2 : bool = (max_element_0(le_5)) > 0.0f;
-    var met_2 : Aim_0 = Aim_x24init_0(true, ray_26.direction_0, hit_20, luminance_0(vector_of_0(material_17.emission_0)));
-    var _S487 : bool = weighs_apart_0();
-    if(_S487)
+    var met_2 : Aim_0 = Aim_x24init_0(true, ray_25.direction_0, hit_20, luminance_0(vector_of_0(material_17.emission_0)));
+    var _S489 : bool = weighs_apart_0();
+    if(_S489)
     {
         is_weighed_2 = is_lit_2;
     }
@@ -7125,7 +7087,7 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_26 : Ray_0,  h
     if(is_chosen_2)
     {
         var light_12 : LightSample_0 = no_light_0();
-        if(!_S487)
+        if(!_S489)
         {
             is_chosen_2 = ((*path_13).pdf_1) > 0.0f;
         }
@@ -7135,15 +7097,15 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_26 : Ray_0,  h
         }
         if(is_chosen_2)
         {
-            var _S488 : bool = Lights_sample_1(last_7, Path_selection_at_0((*path_13), last_7), vec4<f32>(0.0f), met_2, &(light_12));
-            is_chosen_2 = _S488;
+            var _S490 : bool = Lights_sample_1(last_7, Path_selection_at_0((*path_13), last_7), vec4<f32>(0.0f), met_2, &(light_12));
+            is_chosen_2 = _S490;
         }
         else
         {
             is_chosen_2 = false;
         }
-        var _S489 : vec3<f32> = (*path_13).beta_0 * le_5;
-        var _S490 : f32 = (*path_13).pdf_1;
+        var _S491 : vec3<f32> = (*path_13).beta_0 * le_5;
+        var _S492 : f32 = (*path_13).pdf_1;
         if(is_chosen_2)
         {
             light_pdf_3 = light_12.pdf_2;
@@ -7152,13 +7114,13 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_26 : Ray_0,  h
         {
             light_pdf_3 = 0.0f;
         }
-        (*radiance_7) = (*radiance_7) + _S489 * vec3<f32>(mis_weight_0(_S490, light_pdf_3));
+        (*radiance_7) = (*radiance_7) + _S491 * vec3<f32>(mis_weight_0(_S492, light_pdf_3));
     }
-    var _S491 : f32 = ior_of_0((*path_13).inside_0);
-    var _S492 : f32 = u_29[i32(3)];
-    var _S493 : MaterialBsdf_0 = bsdf_of_1(material_17, _S491, &(_S492));
-    u_29[i32(3)] = _S492;
-    var scattered_4 : vec3<f32> = (*path_13).beta_0 * MaterialBsdf_albedo_0(_S493);
+    var _S493 : f32 = ior_of_0((*path_13).inside_0);
+    var _S494 : f32 = u_29[i32(3)];
+    var _S495 : MaterialBsdf_0 = bsdf_of_1(material_17, _S493, &(_S494));
+    u_29[i32(3)] = _S494;
+    var scattered_4 : vec3<f32> = (*path_13).beta_0 * MaterialBsdf_albedo_0(_S495);
     if(((*path_13).bounce_0) >= (params_0.max_bounces_0))
     {
         is_chosen_2 = true;
@@ -7167,8 +7129,8 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_26 : Ray_0,  h
     {
         is_chosen_2 = ends_here_0;
     }
-    var _S494 : bool = !is_weighed_2;
-    if(_S494)
+    var _S496 : bool = !is_weighed_2;
+    if(_S496)
     {
         if(is_chosen_2)
         {
@@ -7188,7 +7150,7 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_26 : Ray_0,  h
         return next_6;
     }
     var compensation_4 : f32 = roulette_0(Path_events_0((*path_13)), scattered_4, u_29.z);
-    if(_S494)
+    if(_S496)
     {
         is_chosen_2 = compensation_4 == 0.0f;
     }
@@ -7209,20 +7171,20 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_26 : Ray_0,  h
     {
         at_11 = hit_20;
     }
-    var surface_5 : Surface_0 = surface_of_0(ray_26, at_11);
-    var _S495 : Receiver_0 = Receiver_x24init_0(surface_5.origin_9, surface_5.normal_3);
-    var _S496 : vec3<f32> = (vec3<f32>(0) - ray_26.direction_0);
-    var wo_12 : vec3<f32> = Surface_local_direction_0(surface_5, _S496);
+    var surface_5 : Surface_0 = surface_of_0(ray_25, at_11);
+    var _S497 : Receiver_0 = Receiver_x24init_0(surface_5.origin_9, surface_5.normal_3);
+    var _S498 : vec3<f32> = (vec3<f32>(0) - ray_25.direction_0);
+    var wo_12 : vec3<f32> = Surface_local_direction_0(surface_5, _S498);
     var inside_7 : Inside_0 = in_air_0();
     var wo_13 : vec3<f32>;
     var receiver_28 : Receiver_0;
     if(is_scattered_4)
     {
-        var _S497 : Inside_0 = Inside_x24init_0((*path_13).inside_0.instance_6, hit_20.voxel_0, (*path_13).inside_0.material_0);
-        inside_7 = _S497;
-        var _S498 : vec3<f32> = normalize_vector_0(_S496);
-        receiver_28 = Receiver_x24init_0(Inside_point_0(_S497, ray_26, t_17), _S486);
-        wo_13 = _S498;
+        var _S499 : Inside_0 = Inside_x24init_0((*path_13).inside_0.instance_6, hit_20.voxel_0, (*path_13).inside_0.material_0);
+        inside_7 = _S499;
+        var _S500 : vec3<f32> = normalize_vector_0(_S498);
+        receiver_28 = Receiver_x24init_0(Inside_point_0(_S499, ray_25, t_17), _S488);
+        wo_13 = _S500;
     }
     else
     {
@@ -7232,7 +7194,7 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_26 : Ray_0,  h
             inside_7 = Inside_x24init_0((*path_13).inside_0.instance_6, hit_20.voxel_0, (*path_13).inside_0.material_0);
             inside_7.voxel_22 = hit_20.voxel_0 + vec3<i32>(face_normal_0(hit_20.face_0));
         }
-        receiver_28 = _S495;
+        receiver_28 = _S497;
         wo_13 = wo_12;
     }
     next_6.origin_7 = receiver_28.point_0;
@@ -7241,13 +7203,13 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_26 : Ray_0,  h
     {
         receiver_28 = last_7;
     }
-    if(_S494)
+    if(_S496)
     {
         (*path_13).selection_0 = Lights_selection_0(receiver_28);
     }
     var light_13 : LightSample_0 = no_light_0();
-    var _S499 : bool = !MaterialBsdf_is_delta_0(_S493);
-    scatter_of_path_0 = Scatter_x24init_0((*path_13), receiver_28, surface_5, _S493, wo_13, compensation_4, is_scattered_4, _S499);
+    var _S501 : bool = !MaterialBsdf_is_delta_0(_S495);
+    scatter_of_path_0 = Scatter_x24init_0((*path_13), receiver_28, surface_5, _S495, wo_13, compensation_4, is_scattered_4, _S501);
     if(is_weighed_2)
     {
         if(next_6.has_shadow_ray_0)
@@ -7264,8 +7226,8 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_26 : Ray_0,  h
         return next_6;
     }
     var bounce_3 : BsdfSample_0;
-    var _S500 : bool = MaterialBsdf_sample_1(_S493, wo_13, vec3<f32>(u_29.xy, u_29.w), &(bounce_3));
-    if(!_S500)
+    var _S502 : bool = MaterialBsdf_sample_1(_S495, wo_13, vec3<f32>(u_29.xy, u_29.w), &(bounce_3));
+    if(!_S502)
     {
         return next_6;
     }
@@ -7296,15 +7258,15 @@ fn goes_on_from_2( at_12 : ptr<function, Walker_0>,  hit_21 : Hit_0,  beyond_13 
     var goes_on_6 : bool;
     if((*at_12).is_at_cell_0)
     {
-        next_7.origin_7 = (*at_12).ray_9.origin_1;
-        next_7.path_origin_1 = (*at_12).ray_9.origin_1;
-        next_7.direction_5 = (*at_12).ray_9.direction_0;
+        next_7.origin_7 = (*at_12).ray_8.origin_1;
+        next_7.path_origin_1 = (*at_12).ray_8.origin_1;
+        next_7.direction_5 = (*at_12).ray_8.direction_0;
         goes_on_6 = true;
     }
     else
     {
-        var _S501 : vec3<f32> = vec3<f32>(0.0f);
-        var cached_2 : vec3<f32> = _S501;
+        var _S503 : vec3<f32> = vec3<f32>(0.0f);
+        var cached_2 : vec3<f32> = _S503;
         if((*at_12).has_shown_0)
         {
             goes_on_6 = (*at_12).asks_cache_0;
@@ -7315,8 +7277,8 @@ fn goes_on_from_2( at_12 : ptr<function, Walker_0>,  hit_21 : Hit_0,  beyond_13 
         }
         if(goes_on_6)
         {
-            var _S502 : bool = asks_1((*at_12).path_0, (*at_12).ray_9, hit_21, beyond_13, (*at_12).life_0, &(cached_2));
-            goes_on_6 = _S502;
+            var _S504 : bool = asks_1((*at_12).path_0, (*at_12).ray_8, hit_21, beyond_13, (*at_12).life_0, &(cached_2));
+            goes_on_6 = _S504;
         }
         else
         {
@@ -7324,12 +7286,12 @@ fn goes_on_from_2( at_12 : ptr<function, Walker_0>,  hit_21 : Hit_0,  beyond_13 
         }
         ends_here_0 = goes_on_6;
         var arrived_4 : Path_0 = (*at_12).path_0;
-        var emitted_5 : vec3<f32> = _S501;
-        var _S503 : Path_0 = (*at_12).path_0;
-        var _S504 : NextRays_0 = PathTracingOf_advance_1(&(_S503), (*at_12).ray_9, hit_21, beyond_13, &(emitted_5));
-        (*at_12).path_0 = _S503;
-        next_7 = _S504;
-        var goes_on_7 : bool = (any(((next_7.direction_5) != _S501)));
+        var emitted_5 : vec3<f32> = _S503;
+        var _S505 : Path_0 = (*at_12).path_0;
+        var _S506 : NextRays_0 = PathTracingOf_advance_1(&(_S505), (*at_12).ray_8, hit_21, beyond_13, &(emitted_5));
+        (*at_12).path_0 = _S505;
+        next_7 = _S506;
+        var goes_on_7 : bool = (any(((next_7.direction_5) != _S503)));
         if((*at_12).has_shown_0)
         {
             (*sample_22).light_1 = (*sample_22).light_1 + (cached_2 + emitted_5);
@@ -7351,10 +7313,10 @@ fn goes_on_from_2( at_12 : ptr<function, Walker_0>,  hit_21 : Hit_0,  beyond_13 
     (*at_12).light_0 = next_7.light_2;
     (*at_12).is_shadow_ray_0 = next_7.has_shadow_ray_0;
     (*at_12).path_origin_0 = next_7.path_origin_1;
-    (*at_12).ray_9 = ray_from_0(next_7.origin_7, next_7.direction_5);
+    (*at_12).ray_8 = ray_from_0(next_7.origin_7, next_7.direction_5);
     if((*at_12).is_shadow_ray_0)
     {
-        (*at_12).ray_9 = Ray_x24init_0(next_7.origin_7, 0.0f, next_7.shadow_direction_0, next_7.shadow_t_max_0);
+        (*at_12).ray_8 = Ray_x24init_0(next_7.origin_7, 0.0f, next_7.shadow_direction_0, next_7.shadow_t_max_0);
     }
     if(goes_on_6)
     {
@@ -7367,880 +7329,287 @@ fn goes_on_from_2( at_12 : ptr<function, Walker_0>,  hit_21 : Hit_0,  beyond_13 
     return goes_on_6;
 }
 
-fn walk_of_1( _S505 : LocalRay_0,  _S506 : u32) -> Walk_0
+fn entry_0( _S507 : u32,  _S508 : Ray_0,  _S509 : vec3<f32>) -> f32
 {
-    var walk_7 : Walk_0;
-    walk_7.ray_0 = _S505;
-    walk_7.grid_origin_0 = cell_of_0(grids_0[_S506].origin_0);
-    var is_negative_2 : vec3<bool> = (_S505.direction_1) < vec3<f32>(0.0f);
-    var _S507 : vec3<i32> = vec3<i32>(i32(0));
-    walk_7.mirror_0 = select(_S507, vec3<i32>(i32(-1)), is_negative_2);
-    var _S508 : vec3<i32>;
-    if(IS_EXACT_0)
+    var low_13 : vec3<f32> = (vector_of_0(instance_nodes_0[_S507].min_1) - _S508.origin_1) * _S509;
+    var high_6 : vec3<f32> = (vector_of_0(instance_nodes_0[_S507].max_1) - _S508.origin_1) * _S509;
+    var _S510 : f32 = max(_S508.t_min_0, max_element_0(min(low_13, high_6)));
+    var _S511 : f32;
+    if(_S510 <= (min(_S508.t_max_0, min_element_0(max(low_13, high_6)))))
     {
-        _S508 = Walk_mirrored_plane_0(walk_7, walk_7.grid_origin_0);
+        _S511 = _S510;
     }
     else
     {
-        _S508 = _S507;
+        _S511 = (bitcast<f32>((u32(2139095040))));
     }
-    walk_7.offset_0 = _S508;
-    var origin_11 : vec3<f32>;
-    if(IS_EXACT_0)
-    {
-        origin_11 = _S505.origin_2;
-    }
-    else
-    {
-        origin_11 = _S505.origin_2 - vec3<f32>(walk_7.grid_origin_0);
-    }
-    walk_7.origin_4 = select(origin_11, (vec3<f32>(0) - origin_11), is_negative_2);
-    walk_7.speed_1 = max(abs(_S505.direction_1), vec3<f32>(min_abs_direction_0()));
-    if(IS_EXACT_0)
-    {
-        origin_11 = abs(_S505.inverse_0);
-    }
-    else
-    {
-        origin_11 = vec3<f32>(1.0f) / walk_7.speed_1;
-    }
-    walk_7.inverse_1 = origin_11;
-    var top_shift_4 : u32;
-    if(TOP_SHIFT_0 != u32(0))
-    {
-        top_shift_4 = TOP_SHIFT_0;
-    }
-    else
-    {
-        top_shift_4 = grids_0[_S506].top_shift_0;
-    }
-    walk_7.tolerance_0 = LocalRay_tolerance_0(_S505, walk_7.grid_origin_0, walk_7.grid_origin_0 + (((cell_of_0(grids_0[_S506].top_size_0)) << (vec3<u32>(top_shift_4)))));
-    walk_7.t_end_0 = LocalRay_t_end_0(_S505);
-    return walk_7;
+    return _S511;
 }
 
-fn first_voxel_2( _S509 : u32,  _S510 : Walk_0,  _S511 : ptr<function, vec3<i32>>) -> bool
+fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_2 : u32) -> Hit_0
 {
-    var _S512 : Walk_0 = _S510;
-    var _S513 : vec3<i32> = vec3<i32>(i32(0));
-    (*_S511) = _S513;
-    var voxel_26 : vec3<i32> = Walk_start_voxel_0(_S510);
-    var _S514 : vec3<i32> = cell_of_0(grids_0[_S509].min_0);
-    var _S515 : vec3<i32> = cell_of_0(grids_0[_S509].max_0);
-    var _S516 : bool = Walk_enter_0(_S510, &(voxel_26), _S514 - _S512.grid_origin_0, _S515 - _S512.grid_origin_0);
-    if(!_S516)
-    {
-        return false;
-    }
-    var octant_5 : u32 = LocalRay_octant_0(_S512.ray_0);
-    var _S517 : u32 = flip_of_0(octant_5);
-    var top_shift_5 : u32;
-    if(TOP_SHIFT_0 != u32(0))
-    {
-        top_shift_5 = TOP_SHIFT_0;
-    }
-    else
-    {
-        top_shift_5 = grids_0[_S509].top_shift_0;
-    }
-    var top_size_3 : vec3<i32> = cell_of_0(grids_0[_S509].top_size_0);
-    var _S518 : i32 = top_size_3.x;
-    var stride_2 : vec3<i32> = vec3<i32>(i32(1), _S518, _S518 * top_size_3.y);
-    var _S519 : i32 = i32(grids_0[_S509].top_offset_0) - dot_cells_0((stride_2 & ((_S512.mirror_0))), vec3<i32>(i32(1)));
-    var _S520 : vec3<i32> = Walk_mirrored_plane_0(_S512, stride_2);
-    var _S521 : u32 = ahead_of_0(_S512.mirror_0);
-    var end_2 : vec3<i32> = select((top_size_3 << (vec3<u32>(top_shift_5))), _S513, (_S512.mirror_0) != _S513);
-    if(!IS_EXACT_0)
-    {
-        _S512.t_end_0 = min(_S512.t_end_0, min_element_0(Walk_crossings_0(_S512, end_2)));
-    }
-    if(!IS_SINGLE_0)
-    {
-        var _S522 : f32 = _S512.t_end_0;
-        var _S523 : f32 = min_element_0(Walk_crossings_0(_S512, Walk_mirrored_plane_0(_S512, select(_S515, _S514, (_S512.mirror_0) != _S513) - _S512.grid_origin_0)));
-        var _S524 : f32;
-        if(IS_EXACT_0)
-        {
-            _S524 = 1.00000095367431641f;
-        }
-        else
-        {
-            _S524 = 1.0f;
-        }
-        _S512.t_end_0 = min(_S522, _S523 * _S524);
-    }
-    var is_found_13 : bool = false;
-    for(;;)
-    {
-        var _S525 : bool;
-        if(IS_EXACT_0)
-        {
-            _S525 = (any((voxel_26 >= end_2)));
-        }
-        else
-        {
-            _S525 = false;
-        }
-        if(_S525)
-        {
-            break;
-        }
-        var cell_17 : u32 = cell_word_0(u32(_S519 + dot_cells_0(_S520, (voxel_26 >> (vec3<u32>(top_shift_5))))));
-        var cell_18 : u32;
-        var shift_8 : u32;
-        var is_found_14 : bool;
-        if(TOP_SHIFT_0 == u32(5))
-        {
-            if(((cell_17 & (u32(2147483648)))) != u32(0))
-            {
-                var _S526 : u32 = cell_word_0(((cell_17 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_26, u32(3))) ^ (_S517))));
-                cell_18 = _S526;
-                shift_8 = u32(3);
-            }
-            else
-            {
-                cell_18 = cell_17;
-                shift_8 = top_shift_5;
-            }
-        }
-        else
-        {
-            cell_18 = cell_17;
-            shift_8 = top_shift_5;
-            for(;;)
-            {
-                if(TOP_SHIFT_0 != u32(3))
-                {
-                    is_found_14 = shift_8 > u32(3);
-                }
-                else
-                {
-                    is_found_14 = false;
-                }
-                var _S527 : bool;
-                if(is_found_14)
-                {
-                    _S527 = ((cell_18 & (u32(2147483648)))) != u32(0);
-                }
-                else
-                {
-                    _S527 = false;
-                }
-                if(_S527)
-                {
-                }
-                else
-                {
-                    break;
-                }
-                var shift_9 : u32 = shift_8 - u32(2);
-                var _S528 : u32 = cell_word_0(((cell_18 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_26, shift_9)) ^ (_S517))));
-                cell_18 = _S528;
-                shift_8 = shift_9;
-            }
-        }
-        if(waits_for_pages_0())
-        {
-            break;
-        }
-        var exit_9 : vec3<i32>;
-        if(((cell_18 & (u32(2147483648)))) == u32(0))
-        {
-            if(CELLS_SKIP_0)
-            {
-                exit_9 = vec3<i32>((i32(skip_distance_0(cell_18, octant_5)) - i32(1)));
-            }
-            else
-            {
-                exit_9 = extents_0(cell_18, _S521);
-            }
-            exit_9 = ((voxel_26 | (vec3<i32>((((i32(1) << (shift_8))) - i32(1)))))) + vec3<i32>(i32(1)) + ((exit_9 << (vec3<u32>(shift_8))));
-            is_found_14 = is_found_13;
-        }
-        else
-        {
-            var record_5 : u32 = record_of_cell_0(cell_18);
-            var blocks_3 : u32;
-            if(CELLS_HAVE_BLOCKS_0)
-            {
-                blocks_3 = blocks_of_cell_0(cell_18);
-            }
-            else
-            {
-                var _S529 : u32 = blocks_of_record_0(record_5);
-                blocks_3 = _S529;
-            }
-            var low_bits_2 : u32 = empty_around_0(record_5, blocks_3, voxel_26, octant_5, _S517);
-            var is_found_15 : bool = low_bits_2 == u32(4294967295);
-            if(is_found_15)
-            {
-                is_found_13 = is_found_15;
-                break;
-            }
-            exit_9 = ((voxel_26 | (vec3<i32>(i32(low_bits_2))))) + vec3<i32>(i32(1));
-            is_found_14 = is_found_15;
-        }
-        var _S530 : bool = Walk_leave_1(_S512, &(voxel_26), exit_9);
-        if(!_S530)
-        {
-            is_found_13 = is_found_14;
-            break;
-        }
-        is_found_13 = is_found_14;
-    }
-    (*_S511) = Walk_mirrored_0(_S512, voxel_26) + _S512.grid_origin_0;
-    return is_found_13;
-}
-
-fn hit_in_2( _S531 : u32,  _S532 : u32,  _S533 : ptr<function, Ray_0>) -> Hit_0
-{
-    var _S534 : LocalRay_0 = local_ray_0((*_S533), _S531);
-    if(!_S534.is_valid_0)
-    {
-        return miss_0();
-    }
-    var _S535 : Walk_0 = walk_of_1(_S534, _S532);
-    var voxel_27 : vec3<i32>;
-    var _S536 : bool = first_voxel_2(_S532, _S535, &(voxel_27));
-    var _S537 : bool;
     if(IS_SINGLE_0)
     {
-        _S537 = !IS_EXACT_0;
+        var _S512 : Hit_0 = hit_in_0(u32(0), &((*given_0)));
+        return _S512;
     }
-    else
-    {
-        _S537 = false;
-    }
-    if(_S537)
-    {
-        (*_S533) = ray_of_walk_0(_S535, (*_S533));
-    }
-    if(!_S536)
-    {
-        return miss_0();
-    }
-    var hit_22 : Hit_0;
-    if(IS_EXACT_0)
-    {
-        hit_22 = hit_of_0(_S534, voxel_27, _S531);
-    }
-    else
-    {
-        hit_22 = hit_of_walk_0(_S535, voxel_27, _S531);
-    }
-    if((hit_22.t_0) > ((*_S533).t_max_0))
-    {
-        return miss_0();
-    }
-    return hit_22;
-}
-
-fn children_of_0( node_16 : u32) -> vec4<u32>
-{
-    return instance_rows_0[node_16 + u32(1)];
-}
-
-fn base_of_0( node_17 : u32) -> vec3<f32>
-{
-    return (bitcast<vec3<f32>>((instance_rows_0[node_17].xyz)));
-}
-
-fn sort_two_0( a_7 : ptr<function, u32>,  b_7 : ptr<function, u32>)
-{
-    var _S538 : u32 = min((*a_7), (*b_7));
-    (*b_7) = max((*a_7), (*b_7));
-    (*a_7) = _S538;
-    return;
-}
-
-fn met_children_0( node_18 : u32,  children_0 : vec4<u32>,  origin_12 : vec3<f32>,  inverse_2 : vec3<f32>,  t_min_3 : f32,  t_max_3 : f32) -> vec4<u32>
-{
-    var _S539 : vec3<f32> = (base_of_0(node_18) - origin_12) * inverse_2;
-    var _S540 : vec4<f32> = vec4<f32>(t_max_3);
-    var enter_0 : vec4<f32> = vec4<f32>(t_min_3);
-    var leave_0 : vec4<f32> = _S540;
-    var axis_7 : u32 = u32(0);
-    for(;;)
-    {
-        if(axis_7 < u32(3))
-        {
-        }
-        else
-        {
-            break;
-        }
-        var sides_0 : vec4<u32> = instance_rows_0[node_18 + u32(2) + axis_7];
-        var _S541 : vec4<f32> = vec4<f32>(inverse_2[axis_7]);
-        var _S542 : vec4<f32> = vec4<f32>(_S539[axis_7]);
-        var low_13 : vec4<f32> = (bitcast<vec4<f32>>(((sides_0 << (vec4<u32>(u32(16))))))) * _S541 + _S542;
-        var high_6 : vec4<f32> = (bitcast<vec4<f32>>(((sides_0 & (vec4<u32>(u32(4294901760))))))) * _S541 + _S542;
-        var _S543 : vec4<f32> = max(enter_0, min(low_13, high_6));
-        var _S544 : vec4<f32> = min(leave_0, max(low_13, high_6));
-        var _S545 : u32 = axis_7 + u32(1);
-        enter_0 = _S543;
-        leave_0 = _S544;
-        axis_7 = _S545;
-    }
-    var _S546 : vec4<u32> = vec4<u32>(u32(4294967295));
-    var keys_0 : vec4<u32> = select(_S546, ((((bitcast<vec4<u32>>((abs(enter_0)))) & (vec4<u32>(u32(4294967292))))) | (vec4<u32>(u32(0), u32(1), u32(2), u32(3)))), select(vec4<bool>(false), children_0 != _S546, enter_0 <= (leave_0 * vec4<f32>(1.00000202655792236f))));
-    var _S547 : u32 = keys_0[i32(0)];
-    var _S548 : u32 = keys_0[i32(1)];
-    sort_two_0(&(_S547), &(_S548));
-    var _S549 : u32 = keys_0[i32(2)];
-    var _S550 : u32 = keys_0[i32(3)];
-    sort_two_0(&(_S549), &(_S550));
-    var _S551 : u32 = _S547;
-    var _S552 : u32 = _S549;
-    sort_two_0(&(_S551), &(_S552));
-    keys_0[i32(0)] = _S551;
-    var _S553 : u32 = _S548;
-    var _S554 : u32 = _S550;
-    sort_two_0(&(_S553), &(_S554));
-    keys_0[i32(3)] = _S554;
-    var _S555 : u32 = _S553;
-    var _S556 : u32 = _S552;
-    sort_two_0(&(_S555), &(_S556));
-    keys_0[i32(1)] = _S555;
-    keys_0[i32(2)] = _S556;
-    return keys_0;
-}
-
-fn child_of_0( children_1 : vec4<u32>,  number_2 : u32) -> u32
-{
-    var half_4 : vec2<u32> = select(children_1.xy, children_1.zw, ((number_2 & (u32(2)))) != u32(0));
-    return select(half_4.x, half_4.y, ((number_2 & (u32(1)))) != u32(0));
-}
-
-fn grid_of_leaf_0( leaf_4 : vec4<u32>) -> PackedGrid_0
-{
-    var _S557 : PackedGrid_std430_0 = grids_0[leaf_4.y];
-    var grid_8 : PackedGrid_0;
-    grid_8.origin_0 = _S557.origin_0;
-    grid_8.top_shift_0 = _S557.top_shift_0;
-    grid_8.top_size_0 = _S557.top_size_0;
-    grid_8.top_offset_0 = _S557.top_offset_0;
-    grid_8.min_0 = _S557.min_0;
-    grid_8.voxels_0 = _S557.voxels_0;
-    grid_8.max_0 = _S557.max_0;
-    grid_8.material_bits_0 = _S557.material_bits_0;
-    var _S558 : u32 = leaf_4.z;
-    if(_S558 != u32(0))
-    {
-        var _S559 : vec4<i32> = vec4<i32>(instance_rows_0[_S558]);
-        var _S560 : vec4<i32> = vec4<i32>(instance_rows_0[_S558 + u32(1)]);
-        var _S561 : i32 = _S559.y;
-        var _S562 : i32 = _S559.z;
-        grid_8.min_0[i32(0)] = _S559.x;
-        grid_8.min_0[i32(1)] = _S561;
-        grid_8.min_0[i32(2)] = _S562;
-        var _S563 : i32 = _S560.y;
-        var _S564 : i32 = _S560.z;
-        grid_8.max_0[i32(0)] = _S560.x;
-        grid_8.max_0[i32(1)] = _S563;
-        grid_8.max_0[i32(2)] = _S564;
-    }
-    return grid_8;
-}
-
-fn is_before_2( hit_23 : Hit_0,  other_2 : Hit_0,  direction_30 : vec3<f32>) -> bool
-{
-    var _S565 : bool;
-    if((hit_23.t_0) != (other_2.t_0))
-    {
-        _S565 = true;
-    }
-    else
-    {
-        _S565 = Hit_is_miss_0(hit_23);
-    }
-    if(_S565)
-    {
-        return (hit_23.t_0) < (other_2.t_0);
-    }
-    if((hit_23.instance_0) != (other_2.instance_0))
-    {
-        return (hit_23.instance_0) < (other_2.instance_0);
-    }
-    var ahead_1 : vec3<i32> = select(hit_23.voxel_0 - other_2.voxel_0, other_2.voxel_0 - hit_23.voxel_0, (Transform_direction_0(hit_23.instance_0, direction_30)) < vec3<f32>(0.0f));
-    return (ahead_1.x + ahead_1.y + ahead_1.z) < i32(0);
-}
-
-fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_3 : u32) -> Hit_0
-{
-    var next_8 : u32;
-    var depth_0 : u32;
-    var _S566 : bool;
-    if(IS_SINGLE_0)
-    {
-        var _S567 : Hit_0 = hit_in_2(u32(0), instances_0[i32(0)].grid_0, &((*given_0)));
-        return _S567;
-    }
-    var ray_27 : Ray_0 = (*given_0);
+    var ray_26 : Ray_0 = (*given_0);
     var nearest_6 : Hit_0 = miss_0();
     if((params_0.instance_count_0) == u32(0))
     {
         return nearest_6;
     }
-    var is_zero_1 : vec3<bool> = !((abs(ray_27.direction_0)) >= vec3<f32>(1.00000006335638761e-28f));
-    var _S568 : vec3<f32> = select(reciprocal_0(select(ray_27.direction_0, vec3<f32>(1.0f), is_zero_1)), select(vec3<f32>(9.99999944211968977e+27f), vec3<f32>(-9.99999944211968977e+27f), (ray_27.direction_0) < vec3<f32>(0.0f)), is_zero_1);
-    var stack_0 : array<vec2<u32>, i32(64)>;
-    var next_9 : u32 = u32(0);
+    var is_zero_1 : vec3<bool> = !((abs(ray_26.direction_0)) >= vec3<f32>(1.17549435082228751e-38f));
+    var _S513 : vec3<f32> = select(reciprocal_0(select(ray_26.direction_0, vec3<f32>(1.0f), is_zero_1)), vec3<f32>(3.4028234663852886e+38f), is_zero_1);
+    var stack_0 : array<u32, i32(32)>;
+    var index_29 : u32 = u32(0);
     var nearest_7 : Hit_0 = nearest_6;
-    var depth_1 : u32 = u32(0);
+    var depth_0 : u32 = u32(0);
     for(;;)
     {
-        var next_10 : u32 = next_9;
-        var depth_2 : u32 = depth_1;
+        var depth_1 : u32;
+        var is_reached_0 : bool;
+        if((instance_nodes_0[index_29].is_leaf_0) != u32(0))
+        {
+            var _S514 : Hit_0 = hit_in_0(instance_nodes_0[index_29].index_0, &(ray_26));
+            var _S515 : Hit_0 = nearest_7;
+            if((_S514.t_0) < (nearest_7.t_0))
+            {
+                is_reached_0 = true;
+            }
+            else
+            {
+                if((_S514.t_0) == (_S515.t_0))
+                {
+                    is_reached_0 = (_S514.instance_0) < (nearest_7.instance_0);
+                }
+                else
+                {
+                    is_reached_0 = false;
+                }
+            }
+            var nearest_8 : Hit_0;
+            if(is_reached_0)
+            {
+                ray_26.t_max_0 = _S514.t_0;
+                if(is_any_enough_0)
+                {
+                    return _S514;
+                }
+                nearest_8 = _S514;
+            }
+            else
+            {
+                nearest_8 = nearest_7;
+            }
+            nearest_7 = nearest_8;
+            depth_1 = depth_0;
+        }
+        else
+        {
+            var _S516 : u32 = index_29 + u32(1);
+            var _S517 : f32 = entry_0(_S516, ray_26, _S513);
+            var _S518 : u32 = instance_nodes_0[index_29].index_0;
+            var _S519 : f32 = entry_0(instance_nodes_0[index_29].index_0, ray_26, _S513);
+            var _S520 : bool = _S517 <= _S519;
+            if(_S520)
+            {
+                index_29 = _S516;
+            }
+            else
+            {
+                index_29 = _S518;
+            }
+            var far_5 : u32;
+            if(_S520)
+            {
+                far_5 = _S518;
+            }
+            else
+            {
+                far_5 = _S516;
+            }
+            var INFINITY_0 : f32 = (bitcast<f32>((u32(2139095040))));
+            if((max(_S517, _S519)) < INFINITY_0)
+            {
+                var _S521 : u32 = depth_0 + u32(1);
+                stack_0[depth_0] = far_5;
+                depth_1 = _S521;
+            }
+            else
+            {
+                depth_1 = depth_0;
+            }
+            if((min(_S517, _S519)) < INFINITY_0)
+            {
+                depth_0 = depth_1;
+                continue;
+            }
+        }
+        is_reached_0 = false;
+        depth_0 = depth_1;
         for(;;)
         {
-            next_8 = next_10;
-            depth_0 = depth_2;
-            for(;;)
+            var _S522 : bool;
+            if(depth_0 > u32(0))
             {
-                var _S569 : bool = next_8 == u32(4294967295);
-                _S566 = _S569;
-                var _S570 : bool;
-                if(_S569)
-                {
-                    _S570 = depth_0 > u32(0);
-                }
-                else
-                {
-                    _S570 = false;
-                }
-                if(_S570)
-                {
-                }
-                else
-                {
-                    break;
-                }
-                var depth_3 : u32 = depth_0 - u32(1);
-                var nearest_waiting_0 : vec2<u32> = stack_0[depth_3];
-                if((bitcast<f32>((((stack_0[depth_3].x) & (u32(4294967292)))))) <= (ray_27.t_max_0))
-                {
-                    next_8 = nearest_waiting_0.y;
-                }
-                depth_0 = depth_3;
+                _S522 = !is_reached_0;
             }
-            if(((next_8 & (u32(2147483648)))) != u32(0))
+            else
+            {
+                _S522 = false;
+            }
+            if(_S522)
+            {
+            }
+            else
             {
                 break;
             }
-            var children_2 : vec4<u32> = children_of_0(next_8);
-            var met_3 : vec4<u32> = met_children_0(next_8, children_2, ray_27.origin_1, _S568, ray_27.t_min_0, ray_27.t_max_0);
-            var _S571 : u32 = met_3.w;
-            var depth_4 : u32;
-            if(_S571 != u32(4294967295))
-            {
-                var _S572 : u32 = depth_0 + u32(1);
-                stack_0[depth_0] = vec2<u32>(_S571, child_of_0(children_2, _S571));
-                depth_4 = _S572;
-            }
-            else
-            {
-                depth_4 = depth_0;
-            }
-            var _S573 : u32 = met_3.z;
-            var depth_5 : u32;
-            if(_S573 != u32(4294967295))
-            {
-                var _S574 : u32 = depth_4 + u32(1);
-                stack_0[depth_4] = vec2<u32>(_S573, child_of_0(children_2, _S573));
-                depth_5 = _S574;
-            }
-            else
-            {
-                depth_5 = depth_4;
-            }
-            var _S575 : u32 = met_3.y;
-            if(_S575 != u32(4294967295))
-            {
-                var _S576 : u32 = depth_5 + u32(1);
-                stack_0[depth_5] = vec2<u32>(_S575, child_of_0(children_2, _S575));
-                depth_2 = _S576;
-            }
-            else
-            {
-                depth_2 = depth_5;
-            }
-            var _S577 : u32 = met_3.x;
-            if(_S577 != u32(4294967295))
-            {
-                next_10 = child_of_0(children_2, _S577);
-            }
-            else
-            {
-                next_10 = u32(4294967295);
-            }
+            var depth_2 : u32 = depth_0 - u32(1);
+            is_reached_0 = (entry_0(stack_0[depth_2], ray_26, _S513)) < (bitcast<f32>((u32(2139095040))));
+            index_29 = stack_0[depth_2];
+            depth_0 = depth_2;
         }
-        if(_S566)
+        if(!is_reached_0)
         {
             break;
         }
-        var leaf_5 : vec4<u32> = instance_rows_0[(next_8 & (u32(2147483647)))];
-        var _S578 : Hit_0 = hit_in_0(leaf_5.x, grid_of_leaf_0(leaf_5), &(ray_27));
-        if(is_before_2(_S578, nearest_7, ray_27.direction_0))
-        {
-            ray_27.t_max_0 = _S578.t_0;
-            if(is_any_enough_0)
-            {
-                nearest_7 = _S578;
-                break;
-            }
-            nearest_7 = _S578;
-        }
-        next_9 = u32(4294967295);
-        depth_1 = depth_0;
     }
     return nearest_7;
 }
 
-fn first_voxel_3( _S579 : u32,  _S580 : Walk_0,  _S581 : ptr<function, vec3<i32>>) -> bool
+fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool,  end_3 : u32) -> Hit_0
 {
-    var _S582 : Walk_0 = _S580;
-    var _S583 : vec3<i32> = vec3<i32>(i32(0));
-    (*_S581) = _S583;
-    var voxel_28 : vec3<i32> = Walk_start_voxel_0(_S580);
-    var _S584 : vec3<i32> = cell_of_0(grids_0[_S579].min_0);
-    var _S585 : vec3<i32> = cell_of_0(grids_0[_S579].max_0);
-    var _S586 : bool = Walk_enter_1(_S580, &(voxel_28), _S584 - _S582.grid_origin_0, _S585 - _S582.grid_origin_0);
-    if(!_S586)
-    {
-        return false;
-    }
-    var octant_6 : u32 = LocalRay_octant_0(_S582.ray_0);
-    var _S587 : u32 = flip_of_0(octant_6);
-    var top_shift_6 : u32;
-    if(TOP_SHIFT_0 != u32(0))
-    {
-        top_shift_6 = TOP_SHIFT_0;
-    }
-    else
-    {
-        top_shift_6 = grids_0[_S579].top_shift_0;
-    }
-    var top_size_4 : vec3<i32> = cell_of_0(grids_0[_S579].top_size_0);
-    var _S588 : i32 = top_size_4.x;
-    var stride_3 : vec3<i32> = vec3<i32>(i32(1), _S588, _S588 * top_size_4.y);
-    var _S589 : i32 = i32(grids_0[_S579].top_offset_0) - dot_cells_0((stride_3 & ((_S582.mirror_0))), vec3<i32>(i32(1)));
-    var _S590 : vec3<i32> = Walk_mirrored_plane_0(_S582, stride_3);
-    var _S591 : u32 = ahead_of_0(_S582.mirror_0);
-    var end_4 : vec3<i32> = select((top_size_4 << (vec3<u32>(top_shift_6))), _S583, (_S582.mirror_0) != _S583);
-    if(!IS_EXACT_0)
-    {
-        _S582.t_end_0 = min(_S582.t_end_0, min_element_0(Walk_crossings_0(_S582, end_4)));
-    }
-    if(!IS_SINGLE_0)
-    {
-        var _S592 : f32 = _S582.t_end_0;
-        var _S593 : f32 = min_element_0(Walk_crossings_0(_S582, Walk_mirrored_plane_0(_S582, select(_S585, _S584, (_S582.mirror_0) != _S583) - _S582.grid_origin_0)));
-        var _S594 : f32;
-        if(IS_EXACT_0)
-        {
-            _S594 = 1.00000095367431641f;
-        }
-        else
-        {
-            _S594 = 1.0f;
-        }
-        _S582.t_end_0 = min(_S592, _S593 * _S594);
-    }
-    var is_found_16 : bool = false;
-    for(;;)
-    {
-        var _S595 : bool;
-        if(IS_EXACT_0)
-        {
-            _S595 = (any((voxel_28 >= end_4)));
-        }
-        else
-        {
-            _S595 = false;
-        }
-        if(_S595)
-        {
-            break;
-        }
-        var cell_19 : u32 = cell_word_0(u32(_S589 + dot_cells_0(_S590, (voxel_28 >> (vec3<u32>(top_shift_6))))));
-        var cell_20 : u32;
-        var shift_10 : u32;
-        var is_found_17 : bool;
-        if(TOP_SHIFT_0 == u32(5))
-        {
-            if(((cell_19 & (u32(2147483648)))) != u32(0))
-            {
-                var _S596 : u32 = cell_word_0(((cell_19 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_28, u32(3))) ^ (_S587))));
-                cell_20 = _S596;
-                shift_10 = u32(3);
-            }
-            else
-            {
-                cell_20 = cell_19;
-                shift_10 = top_shift_6;
-            }
-        }
-        else
-        {
-            cell_20 = cell_19;
-            shift_10 = top_shift_6;
-            for(;;)
-            {
-                if(TOP_SHIFT_0 != u32(3))
-                {
-                    is_found_17 = shift_10 > u32(3);
-                }
-                else
-                {
-                    is_found_17 = false;
-                }
-                var _S597 : bool;
-                if(is_found_17)
-                {
-                    _S597 = ((cell_20 & (u32(2147483648)))) != u32(0);
-                }
-                else
-                {
-                    _S597 = false;
-                }
-                if(_S597)
-                {
-                }
-                else
-                {
-                    break;
-                }
-                var shift_11 : u32 = shift_10 - u32(2);
-                var _S598 : u32 = cell_word_0(((cell_20 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_28, shift_11)) ^ (_S587))));
-                cell_20 = _S598;
-                shift_10 = shift_11;
-            }
-        }
-        if(waits_for_pages_0())
-        {
-            break;
-        }
-        var exit_10 : vec3<i32>;
-        if(((cell_20 & (u32(2147483648)))) == u32(0))
-        {
-            if(CELLS_SKIP_0)
-            {
-                exit_10 = vec3<i32>((i32(skip_distance_0(cell_20, octant_6)) - i32(1)));
-            }
-            else
-            {
-                exit_10 = extents_0(cell_20, _S591);
-            }
-            exit_10 = ((voxel_28 | (vec3<i32>((((i32(1) << (shift_10))) - i32(1)))))) + vec3<i32>(i32(1)) + ((exit_10 << (vec3<u32>(shift_10))));
-            is_found_17 = is_found_16;
-        }
-        else
-        {
-            var record_6 : u32 = record_of_cell_0(cell_20);
-            var blocks_4 : u32;
-            if(CELLS_HAVE_BLOCKS_0)
-            {
-                blocks_4 = blocks_of_cell_0(cell_20);
-            }
-            else
-            {
-                var _S599 : u32 = blocks_of_record_0(record_6);
-                blocks_4 = _S599;
-            }
-            var low_bits_3 : u32 = empty_around_0(record_6, blocks_4, voxel_28, octant_6, _S587);
-            var is_found_18 : bool = low_bits_3 == u32(4294967295);
-            if(is_found_18)
-            {
-                is_found_16 = is_found_18;
-                break;
-            }
-            exit_10 = ((voxel_28 | (vec3<i32>(i32(low_bits_3))))) + vec3<i32>(i32(1));
-            is_found_17 = is_found_18;
-        }
-        var _S600 : bool = Walk_leave_0(_S582, &(voxel_28), exit_10);
-        if(!_S600)
-        {
-            is_found_16 = is_found_17;
-            break;
-        }
-        is_found_16 = is_found_17;
-    }
-    (*_S581) = Walk_mirrored_0(_S582, voxel_28) + _S582.grid_origin_0;
-    return is_found_16;
-}
-
-fn hit_in_3( _S601 : u32,  _S602 : u32,  _S603 : ptr<function, Ray_0>) -> Hit_0
-{
-    var _S604 : LocalRay_0 = local_ray_0((*_S603), _S601);
-    if(!_S604.is_valid_0)
-    {
-        return miss_0();
-    }
-    var _S605 : Walk_0 = walk_of_1(_S604, _S602);
-    var voxel_29 : vec3<i32>;
-    var _S606 : bool = first_voxel_3(_S602, _S605, &(voxel_29));
-    var _S607 : bool;
     if(IS_SINGLE_0)
     {
-        _S607 = !IS_EXACT_0;
+        var _S523 : Hit_0 = hit_in_1(u32(0), &((*given_1)));
+        return _S523;
     }
-    else
-    {
-        _S607 = false;
-    }
-    if(_S607)
-    {
-        (*_S603) = ray_of_walk_0(_S605, (*_S603));
-    }
-    if(!_S606)
-    {
-        return miss_0();
-    }
-    var hit_24 : Hit_0;
-    if(IS_EXACT_0)
-    {
-        hit_24 = hit_of_0(_S604, voxel_29, _S601);
-    }
-    else
-    {
-        hit_24 = hit_of_walk_0(_S605, voxel_29, _S601);
-    }
-    if((hit_24.t_0) > ((*_S603).t_max_0))
-    {
-        return miss_0();
-    }
-    return hit_24;
-}
-
-fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool,  end_5 : u32) -> Hit_0
-{
-    var next_11 : u32;
-    var depth_6 : u32;
-    var _S608 : bool;
-    if(IS_SINGLE_0)
-    {
-        var _S609 : Hit_0 = hit_in_3(u32(0), instances_0[i32(0)].grid_0, &((*given_1)));
-        return _S609;
-    }
-    var ray_28 : Ray_0 = (*given_1);
-    var nearest_8 : Hit_0 = miss_0();
+    var ray_27 : Ray_0 = (*given_1);
+    var nearest_9 : Hit_0 = miss_0();
     if((params_0.instance_count_0) == u32(0))
     {
-        return nearest_8;
+        return nearest_9;
     }
-    var is_zero_2 : vec3<bool> = !((abs(ray_28.direction_0)) >= vec3<f32>(1.00000006335638761e-28f));
-    var _S610 : vec3<f32> = select(reciprocal_0(select(ray_28.direction_0, vec3<f32>(1.0f), is_zero_2)), select(vec3<f32>(9.99999944211968977e+27f), vec3<f32>(-9.99999944211968977e+27f), (ray_28.direction_0) < vec3<f32>(0.0f)), is_zero_2);
-    var stack_1 : array<vec2<u32>, i32(64)>;
-    var next_12 : u32 = u32(0);
-    var nearest_9 : Hit_0 = nearest_8;
-    var depth_7 : u32 = u32(0);
+    var is_zero_2 : vec3<bool> = !((abs(ray_27.direction_0)) >= vec3<f32>(1.17549435082228751e-38f));
+    var _S524 : vec3<f32> = select(reciprocal_0(select(ray_27.direction_0, vec3<f32>(1.0f), is_zero_2)), vec3<f32>(3.4028234663852886e+38f), is_zero_2);
+    var stack_1 : array<u32, i32(32)>;
+    var index_30 : u32 = u32(0);
+    var nearest_10 : Hit_0 = nearest_9;
+    var depth_3 : u32 = u32(0);
     for(;;)
     {
-        var next_13 : u32 = next_12;
-        var depth_8 : u32 = depth_7;
+        var depth_4 : u32;
+        var is_reached_1 : bool;
+        if((instance_nodes_0[index_30].is_leaf_0) != u32(0))
+        {
+            var _S525 : Hit_0 = hit_in_1(instance_nodes_0[index_30].index_0, &(ray_27));
+            var _S526 : Hit_0 = nearest_10;
+            if((_S525.t_0) < (nearest_10.t_0))
+            {
+                is_reached_1 = true;
+            }
+            else
+            {
+                if((_S525.t_0) == (_S526.t_0))
+                {
+                    is_reached_1 = (_S525.instance_0) < (nearest_10.instance_0);
+                }
+                else
+                {
+                    is_reached_1 = false;
+                }
+            }
+            var nearest_11 : Hit_0;
+            if(is_reached_1)
+            {
+                ray_27.t_max_0 = _S525.t_0;
+                if(is_any_enough_1)
+                {
+                    return _S525;
+                }
+                nearest_11 = _S525;
+            }
+            else
+            {
+                nearest_11 = nearest_10;
+            }
+            nearest_10 = nearest_11;
+            depth_4 = depth_3;
+        }
+        else
+        {
+            var _S527 : u32 = index_30 + u32(1);
+            var _S528 : f32 = entry_0(_S527, ray_27, _S524);
+            var _S529 : u32 = instance_nodes_0[index_30].index_0;
+            var _S530 : f32 = entry_0(instance_nodes_0[index_30].index_0, ray_27, _S524);
+            var _S531 : bool = _S528 <= _S530;
+            if(_S531)
+            {
+                index_30 = _S527;
+            }
+            else
+            {
+                index_30 = _S529;
+            }
+            var far_6 : u32;
+            if(_S531)
+            {
+                far_6 = _S529;
+            }
+            else
+            {
+                far_6 = _S527;
+            }
+            var INFINITY_1 : f32 = (bitcast<f32>((u32(2139095040))));
+            if((max(_S528, _S530)) < INFINITY_1)
+            {
+                var _S532 : u32 = depth_3 + u32(1);
+                stack_1[depth_3] = far_6;
+                depth_4 = _S532;
+            }
+            else
+            {
+                depth_4 = depth_3;
+            }
+            if((min(_S528, _S530)) < INFINITY_1)
+            {
+                depth_3 = depth_4;
+                continue;
+            }
+        }
+        is_reached_1 = false;
+        depth_3 = depth_4;
         for(;;)
         {
-            next_11 = next_13;
-            depth_6 = depth_8;
-            for(;;)
+            var _S533 : bool;
+            if(depth_3 > u32(0))
             {
-                var _S611 : bool = next_11 == u32(4294967295);
-                _S608 = _S611;
-                var _S612 : bool;
-                if(_S611)
-                {
-                    _S612 = depth_6 > u32(0);
-                }
-                else
-                {
-                    _S612 = false;
-                }
-                if(_S612)
-                {
-                }
-                else
-                {
-                    break;
-                }
-                var depth_9 : u32 = depth_6 - u32(1);
-                var nearest_waiting_1 : vec2<u32> = stack_1[depth_9];
-                if((bitcast<f32>((((stack_1[depth_9].x) & (u32(4294967292)))))) <= (ray_28.t_max_0))
-                {
-                    next_11 = nearest_waiting_1.y;
-                }
-                depth_6 = depth_9;
+                _S533 = !is_reached_1;
             }
-            if(((next_11 & (u32(2147483648)))) != u32(0))
+            else
+            {
+                _S533 = false;
+            }
+            if(_S533)
+            {
+            }
+            else
             {
                 break;
             }
-            var children_3 : vec4<u32> = children_of_0(next_11);
-            var met_4 : vec4<u32> = met_children_0(next_11, children_3, ray_28.origin_1, _S610, ray_28.t_min_0, ray_28.t_max_0);
-            var _S613 : u32 = met_4.w;
-            var depth_10 : u32;
-            if(_S613 != u32(4294967295))
-            {
-                var _S614 : u32 = depth_6 + u32(1);
-                stack_1[depth_6] = vec2<u32>(_S613, child_of_0(children_3, _S613));
-                depth_10 = _S614;
-            }
-            else
-            {
-                depth_10 = depth_6;
-            }
-            var _S615 : u32 = met_4.z;
-            var depth_11 : u32;
-            if(_S615 != u32(4294967295))
-            {
-                var _S616 : u32 = depth_10 + u32(1);
-                stack_1[depth_10] = vec2<u32>(_S615, child_of_0(children_3, _S615));
-                depth_11 = _S616;
-            }
-            else
-            {
-                depth_11 = depth_10;
-            }
-            var _S617 : u32 = met_4.y;
-            if(_S617 != u32(4294967295))
-            {
-                var _S618 : u32 = depth_11 + u32(1);
-                stack_1[depth_11] = vec2<u32>(_S617, child_of_0(children_3, _S617));
-                depth_8 = _S618;
-            }
-            else
-            {
-                depth_8 = depth_11;
-            }
-            var _S619 : u32 = met_4.x;
-            if(_S619 != u32(4294967295))
-            {
-                next_13 = child_of_0(children_3, _S619);
-            }
-            else
-            {
-                next_13 = u32(4294967295);
-            }
+            var depth_5 : u32 = depth_3 - u32(1);
+            is_reached_1 = (entry_0(stack_1[depth_5], ray_27, _S524)) < (bitcast<f32>((u32(2139095040))));
+            index_30 = stack_1[depth_5];
+            depth_3 = depth_5;
         }
-        if(_S608)
+        if(!is_reached_1)
         {
             break;
         }
-        var leaf_6 : vec4<u32> = instance_rows_0[(next_11 & (u32(2147483647)))];
-        var _S620 : Hit_0 = hit_in_1(leaf_6.x, grid_of_leaf_0(leaf_6), &(ray_28));
-        if(is_before_2(_S620, nearest_9, ray_28.direction_0))
-        {
-            ray_28.t_max_0 = _S620.t_0;
-            if(is_any_enough_1)
-            {
-                nearest_9 = _S620;
-                break;
-            }
-            nearest_9 = _S620;
-        }
-        next_12 = u32(4294967295);
-        depth_7 = depth_6;
     }
-    return nearest_9;
+    return nearest_10;
 }
 
 fn PathTracingOf_jitter_0( sampler_1 : Sampler_0) -> vec4<f32>
@@ -8250,11 +7619,11 @@ fn PathTracingOf_jitter_0( sampler_1 : Sampler_0) -> vec4<f32>
 
 fn Sampler_x24init_0( seed_3 : u32,  pixel_1 : u32,  sample_23 : u32) -> Sampler_0
 {
-    var _S621 : Sampler_0;
-    _S621.seed_1 = seed_3;
-    _S621.pixel_0 = pixel_1;
-    _S621.sample_0 = sample_23;
-    return _S621;
+    var _S534 : Sampler_0;
+    _S534.seed_1 = seed_3;
+    _S534.pixel_0 = pixel_1;
+    _S534.sample_0 = sample_23;
+    return _S534;
 }
 
 struct Item_0
@@ -8269,14 +7638,14 @@ struct Item_0
 
 fn Item_x24init_0( traces_1 : bool,  kind_3 : u32,  at_14 : vec2<u32>,  place_7 : u32,  slot_2 : u32,  sampler_3 : Sampler_0) -> Item_0
 {
-    var _S622 : Item_0;
-    _S622.traces_0 = traces_1;
-    _S622.kind_2 = kind_3;
-    _S622.at_13 = at_14;
-    _S622.place_6 = place_7;
-    _S622.slot_1 = slot_2;
-    _S622.sampler_2 = sampler_3;
-    return _S622;
+    var _S535 : Item_0;
+    _S535.traces_0 = traces_1;
+    _S535.kind_2 = kind_3;
+    _S535.at_13 = at_14;
+    _S535.place_6 = place_7;
+    _S535.slot_1 = slot_2;
+    _S535.sampler_2 = sampler_3;
+    return _S535;
 }
 
 fn has_0( flag_0 : u32) -> bool
@@ -8298,9 +7667,9 @@ fn threads_that_trace_0() -> u32
     return columns_0 * ((params_0.height_0 + u32(7)) / u32(8)) * u32(64);
 }
 
-fn place_of_chosen_0( number_3 : u32) -> u32
+fn place_of_chosen_0( number_2 : u32) -> u32
 {
-    return u32(524304) + number_3;
+    return u32(524304) + number_2;
 }
 
 fn Item_key_0( this_54 : Item_0,  rank_3 : ptr<function, u32>) -> Key_0
@@ -8337,58 +7706,58 @@ fn pixel_that_traces_0( thread_1 : u32) -> vec2<u32>
 {
     if(!has_0(u32(128)))
     {
-        var _S623 : vec2<u32> = pixel_of_thread_0(thread_1);
-        return _S623;
+        var _S536 : vec2<u32> = pixel_of_thread_0(thread_1);
+        return _S536;
     }
     var tiles_1 : u32 = (params_0.width_0 + u32(15)) / u32(16);
     var tile_1 : u32 = thread_1 / u32(64);
     var in_tile_1 : u32 = (thread_1 & (u32(63)));
     var row_3 : u32 = tile_1 / tiles_1;
-    var _S624 : u32 = row_3 * u32(8) + ((in_tile_1 >> (u32(3))));
-    var at_15 : vec2<u32> = vec2<u32>((tile_1 - row_3 * tiles_1) * u32(16) + u32(2) * ((in_tile_1 & (u32(7)))), _S624);
-    at_15[i32(0)] = at_15[i32(0)] + (((_S624 + real_time_0.number_0) & (u32(1))));
+    var _S537 : u32 = row_3 * u32(8) + ((in_tile_1 >> (u32(3))));
+    var at_15 : vec2<u32> = vec2<u32>((tile_1 - row_3 * tiles_1) * u32(16) + u32(2) * ((in_tile_1 & (u32(7)))), _S537);
+    at_15[i32(0)] = at_15[i32(0)] + (((_S537 + real_time_0.number_0) & (u32(1))));
     return at_15;
 }
 
 fn squares_1() -> vec2<u32>
 {
-    var _S625 : vec2<u32> = vec2<u32>(u32(5));
-    var _S626 : vec2<u32> = (vec2<u32>(params_0.width_0, params_0.height_0) + _S625 - vec2<u32>(u32(1))) / _S625;
-    return _S626;
+    var _S538 : vec2<u32> = vec2<u32>(u32(5));
+    var _S539 : vec2<u32> = (vec2<u32>(params_0.width_0, params_0.height_0) + _S538 - vec2<u32>(u32(1))) / _S538;
+    return _S539;
 }
 
-fn pixel_of_square_0( square_1 : u32,  number_4 : u32) -> vec2<u32>
+fn pixel_of_square_0( square_1 : u32,  number_3 : u32) -> vec2<u32>
 {
     var columns_1 : u32 = squares_1().x;
-    var _S627 : u32 = square_1 % columns_1;
-    var _S628 : u32 = square_1 / columns_1;
-    var at_16 : vec2<u32> = vec2<u32>(_S627, _S628);
-    var _S629 : vec2<u32> = vec2<u32>(u32(5));
-    var _S630 : vec2<u32> = at_16 * _S629;
-    var _S631 : vec2<u32> = pcg4d_0(vec4<u32>(at_16, number_4, u32(3266489909))).xy % _S629;
-    return min(_S630 + _S631, vec2<u32>(params_0.width_0, params_0.height_0) - vec2<u32>(u32(1)));
+    var _S540 : u32 = square_1 % columns_1;
+    var _S541 : u32 = square_1 / columns_1;
+    var at_16 : vec2<u32> = vec2<u32>(_S540, _S541);
+    var _S542 : vec2<u32> = vec2<u32>(u32(5));
+    var _S543 : vec2<u32> = at_16 * _S542;
+    var _S544 : vec2<u32> = pcg4d_0(vec4<u32>(at_16, number_3, u32(3266489909))).xy % _S542;
+    return min(_S543 + _S544, vec2<u32>(params_0.width_0, params_0.height_0) - vec2<u32>(u32(1)));
 }
 
 fn is_inside_0( at_17 : vec2<i32>) -> bool
 {
-    var _S632 : bool;
+    var _S545 : bool;
     if((all((at_17 >= vec2<i32>(i32(0))))))
     {
-        _S632 = (at_17.x) < i32(params_0.width_0);
+        _S545 = (at_17.x) < i32(params_0.width_0);
     }
     else
     {
-        _S632 = false;
+        _S545 = false;
     }
-    if(_S632)
+    if(_S545)
     {
-        _S632 = (at_17.y) < i32(params_0.height_0);
+        _S545 = (at_17.y) < i32(params_0.height_0);
     }
     else
     {
-        _S632 = false;
+        _S545 = false;
     }
-    return _S632;
+    return _S545;
 }
 
 fn place_of_square_0( list_0 : u32,  square_2 : u32) -> u32
@@ -8402,32 +7771,32 @@ fn index_of_0( at_18 : vec2<u32>) -> u32
     return at_18.y * params_0.width_0 + at_18.x;
 }
 
-fn item_of_0( number_5 : u32) -> Item_0
+fn item_of_0( number_4 : u32) -> Item_0
 {
     var item_0 : Item_0 = Item_x24init_0(false, u32(0), vec2<u32>(vec2<i32>(i32(0))), u32(0), u32(0), Sampler_x24init_0(u32(0), u32(0), u32(0)));
     var cells_2 : u32 = real_time_0.cells_0;
     var pixels_1 : u32 = threads_that_trace_0();
     var count_8 : u32 = real_time_0.squares_0;
-    if(number_5 < (real_time_0.cells_0))
+    if(number_4 < (real_time_0.cells_0))
     {
-        var _S633 : u32 = atomicLoad(&(cell_keys_0[u32(2)]));
-        var _S634 : bool = number_5 < _S633;
-        item_0.traces_0 = _S634;
-        if(_S634)
+        var _S546 : u32 = atomicLoad(&(cell_keys_0[u32(2)]));
+        var _S547 : bool = number_4 < _S546;
+        item_0.traces_0 = _S547;
+        if(_S547)
         {
-            var _S635 : u32 = atomicLoad(&(cell_keys_0[place_of_chosen_0(number_5)]));
-            item_0.place_6 = _S635;
-            item_0.slot_1 = real_time_0.pixels_0 + count_8 + number_5;
+            var _S548 : u32 = atomicLoad(&(cell_keys_0[place_of_chosen_0(number_4)]));
+            item_0.place_6 = _S548;
+            item_0.slot_1 = real_time_0.pixels_0 + count_8 + number_4;
             var rank_6 : u32;
             item_0.sampler_2 = Sampler_x24init_0(((params_0.seed_0) ^ (u32(1540483477))), Key_hash_0(Item_key_0(item_0, &(rank_6))).x, real_time_0.number_0);
         }
         return item_0;
     }
-    var _S636 : u32 = number_5 - cells_2;
-    var _S637 : vec2<u32> = pixel_that_traces_0(_S636);
-    item_0.at_13 = _S637;
-    var square_3 : u32 = _S636 - pixels_1;
-    var is_square_0 : bool = number_5 >= (cells_2 + pixels_1);
+    var _S549 : u32 = number_4 - cells_2;
+    var _S550 : vec2<u32> = pixel_that_traces_0(_S549);
+    item_0.at_13 = _S550;
+    var square_3 : u32 = _S549 - pixels_1;
+    var is_square_0 : bool = number_4 >= (cells_2 + pixels_1);
     var is_again_0 : bool;
     if(is_square_0)
     {
@@ -8455,82 +7824,82 @@ fn item_of_0( number_5 : u32) -> Item_0
     {
         frame_0 = real_time_0.number_0;
     }
-    var _S638 : u32;
+    var _S551 : u32;
     if(is_again_0)
     {
-        _S638 = u32(3);
+        _S551 = u32(3);
     }
     else
     {
         if(is_square_0)
         {
-            _S638 = u32(2);
+            _S551 = u32(2);
         }
         else
         {
-            _S638 = u32(1);
+            _S551 = u32(1);
         }
     }
-    item_0.kind_2 = _S638;
+    item_0.kind_2 = _S551;
     if(is_square_0)
     {
-        var _S639 : vec2<u32> = pixel_of_square_0(square_4, frame_0);
-        item_0.at_13 = _S639;
+        var _S552 : vec2<u32> = pixel_of_square_0(square_4, frame_0);
+        item_0.at_13 = _S552;
     }
-    var _S640 : bool;
+    var _S553 : bool;
     if(is_square_0)
     {
         if(is_again_0)
         {
-            _S638 = real_time_0.again_0;
+            _S551 = real_time_0.again_0;
         }
         else
         {
-            _S638 = count_8;
+            _S551 = count_8;
         }
-        _S640 = square_4 < _S638;
+        _S553 = square_4 < _S551;
     }
     else
     {
-        _S640 = is_inside_0(vec2<i32>(item_0.at_13));
+        _S553 = is_inside_0(vec2<i32>(item_0.at_13));
     }
-    item_0.traces_0 = _S640;
+    item_0.traces_0 = _S553;
     if(is_square_0)
     {
         if(is_again_0)
         {
-            _S638 = u32(2);
+            _S551 = u32(2);
         }
         else
         {
-            _S638 = (frame_0 & (u32(1)));
+            _S551 = (frame_0 & (u32(1)));
         }
-        _S638 = place_of_square_0(_S638, square_4);
+        _S551 = place_of_square_0(_S551, square_4);
     }
     else
     {
-        _S638 = index_of_0(item_0.at_13);
+        _S551 = index_of_0(item_0.at_13);
     }
-    item_0.place_6 = _S638;
+    item_0.place_6 = _S551;
     if(is_square_0)
     {
-        _S638 = real_time_0.pixels_0 + square_4;
+        _S551 = real_time_0.pixels_0 + square_4;
     }
     else
     {
-        _S638 = item_0.place_6;
+        _S551 = item_0.place_6;
     }
-    item_0.slot_1 = _S638;
-    var _S641 : u32 = params_0.seed_0;
+    item_0.slot_1 = _S551;
+    var _S554 : u32 = params_0.seed_0;
     if(is_square_0)
     {
-        _S638 = u32(3266489909);
+        _S551 = u32(3266489909);
     }
     else
     {
-        _S638 = u32(2654435769);
+        _S551 = u32(2654435769);
     }
-    item_0.sampler_2 = Sampler_x24init_0((_S641 ^ (_S638)), index_of_0(item_0.at_13), frame_0);
+    item_0.sampler_2 = Sampler_x24init_0((_S554 ^ (_S551)), index_of_0(item_0.at_13), frame_0);
     return item_0;
 }
 
@@ -8548,16 +7917,16 @@ struct CameraFrame_0
 
 fn CameraFrame_x24init_0( lens_2 : u32,  eye_3 : vec3<f32>,  corner_3 : vec3<f32>,  pixel_x_2 : vec3<f32>,  pixel_y_2 : vec3<f32>,  lens_x_2 : vec3<f32>,  lens_y_2 : vec3<f32>,  blades_2 : u32) -> CameraFrame_0
 {
-    var _S642 : CameraFrame_0;
-    _S642.lens_1 = lens_2;
-    _S642.eye_2 = eye_3;
-    _S642.corner_2 = corner_3;
-    _S642.pixel_x_1 = pixel_x_2;
-    _S642.pixel_y_1 = pixel_y_2;
-    _S642.lens_x_1 = lens_x_2;
-    _S642.lens_y_1 = lens_y_2;
-    _S642.blades_1 = blades_2;
-    return _S642;
+    var _S555 : CameraFrame_0;
+    _S555.lens_1 = lens_2;
+    _S555.eye_2 = eye_3;
+    _S555.corner_2 = corner_3;
+    _S555.pixel_x_1 = pixel_x_2;
+    _S555.pixel_y_1 = pixel_y_2;
+    _S555.lens_x_1 = lens_x_2;
+    _S555.lens_y_1 = lens_y_2;
+    _S555.blades_1 = blades_2;
+    return _S555;
 }
 
 @id(5) override LENS_0 : u32 = u32(0);
@@ -8572,12 +7941,12 @@ struct Perspective_0
 
 fn Perspective_x24init_0( eye_5 : vec3<f32>,  corner_5 : vec3<f32>,  pixel_x_4 : vec3<f32>,  pixel_y_4 : vec3<f32>) -> Perspective_0
 {
-    var _S643 : Perspective_0;
-    _S643.eye_4 = eye_5;
-    _S643.corner_4 = corner_5;
-    _S643.pixel_x_3 = pixel_x_4;
-    _S643.pixel_y_3 = pixel_y_4;
-    return _S643;
+    var _S556 : Perspective_0;
+    _S556.eye_4 = eye_5;
+    _S556.corner_4 = corner_5;
+    _S556.pixel_x_3 = pixel_x_4;
+    _S556.pixel_y_3 = pixel_y_4;
+    return _S556;
 }
 
 struct Axes_0
@@ -8589,11 +7958,11 @@ struct Axes_0
 
 fn Axes_x24init_0( forward_1 : vec3<f32>,  right_6 : vec3<f32>,  up_1 : vec3<f32>) -> Axes_0
 {
-    var _S644 : Axes_0;
-    _S644.forward_0 = forward_1;
-    _S644.right_5 = right_6;
-    _S644.up_0 = up_1;
-    return _S644;
+    var _S557 : Axes_0;
+    _S557.forward_0 = forward_1;
+    _S557.right_5 = right_6;
+    _S557.up_0 = up_1;
+    return _S557;
 }
 
 struct ThinLens_0
@@ -8606,55 +7975,55 @@ struct ThinLens_0
 
 fn ThinLens_x24init_0( perspective_1 : Perspective_0,  lens_x_4 : vec3<f32>,  lens_y_4 : vec3<f32>,  blades_4 : u32) -> ThinLens_0
 {
-    var _S645 : ThinLens_0;
-    _S645.perspective_0 = perspective_1;
-    _S645.lens_x_3 = lens_x_4;
-    _S645.lens_y_3 = lens_y_4;
-    _S645.blades_3 = blades_4;
-    return _S645;
+    var _S558 : ThinLens_0;
+    _S558.perspective_0 = perspective_1;
+    _S558.lens_x_3 = lens_x_4;
+    _S558.lens_y_3 = lens_y_4;
+    _S558.blades_3 = blades_4;
+    return _S558;
 }
 
 fn concentric_0( square_5 : vec2<f32>) -> vec2<f32>
 {
-    var a_8 : f32 = 2.0f * square_5.x - 1.0f;
-    var b_8 : f32 = 2.0f * square_5.y - 1.0f;
-    var _S646 : bool;
-    if(a_8 == 0.0f)
+    var a_7 : f32 = 2.0f * square_5.x - 1.0f;
+    var b_7 : f32 = 2.0f * square_5.y - 1.0f;
+    var _S559 : bool;
+    if(a_7 == 0.0f)
     {
-        _S646 = b_8 == 0.0f;
+        _S559 = b_7 == 0.0f;
     }
     else
     {
-        _S646 = false;
+        _S559 = false;
     }
-    if(_S646)
+    if(_S559)
     {
         return vec2<f32>(0.0f);
     }
-    var is_across_0 : bool = (abs(a_8)) > (abs(b_8));
+    var is_across_0 : bool = (abs(a_7)) > (abs(b_7));
     var radius_5 : f32;
     if(is_across_0)
     {
-        radius_5 = a_8;
+        radius_5 = a_7;
     }
     else
     {
-        radius_5 = b_8;
+        radius_5 = b_7;
     }
     var turns_3 : f32;
     if(is_across_0)
     {
-        turns_3 = divide_0(b_8, a_8) * 0.125f;
+        turns_3 = divide_0(b_7, a_7) * 0.125f;
     }
     else
     {
-        turns_3 = 0.25f - divide_0(a_8, b_8) * 0.125f;
+        turns_3 = 0.25f - divide_0(a_7, b_7) * 0.125f;
     }
     if(radius_5 < 0.0f)
     {
         turns_3 = turns_3 + 0.5f;
     }
-    var _S647 : f32 = abs(radius_5);
+    var _S560 : f32 = abs(radius_5);
     if(turns_3 < 0.0f)
     {
         radius_5 = turns_3 + 1.0f;
@@ -8663,7 +8032,7 @@ fn concentric_0( square_5 : vec2<f32>) -> vec2<f32>
     {
         radius_5 = turns_3;
     }
-    return vec2<f32>(_S647, radius_5);
+    return vec2<f32>(_S560, radius_5);
 }
 
 fn place_in_aperture_0( blades_5 : u32,  lens_3 : vec2<f32>) -> vec2<f32>
@@ -8681,9 +8050,9 @@ fn place_in_aperture_0( blades_5 : u32,  lens_3 : vec2<f32>) -> vec2<f32>
     var share_13 : f32 = scaled_0 - blade_0;
     var from_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0, count_9));
     var to_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0 + 1.0f, count_9));
-    var _S648 : f32 = from_0.y;
-    var _S649 : f32 = from_0.x;
-    return vec2<f32>(_S648 + (to_0.y - _S648) * share_13, _S649 + (to_0.x - _S649) * share_13) * vec2<f32>(radius_6);
+    var _S561 : f32 = from_0.y;
+    var _S562 : f32 = from_0.x;
+    return vec2<f32>(_S561 + (to_0.y - _S561) * share_13, _S562 + (to_0.x - _S562) * share_13) * vec2<f32>(radius_6);
 }
 
 fn ThinLens_ray_0( this_57 : ThinLens_0,  position_3 : vec2<f32>,  lens_4 : vec2<f32>) -> Ray_0
@@ -8703,12 +8072,12 @@ struct Orthographic_0
 
 fn Orthographic_x24init_0( corner_7 : vec3<f32>,  pixel_x_6 : vec3<f32>,  pixel_y_6 : vec3<f32>,  forward_3 : vec3<f32>) -> Orthographic_0
 {
-    var _S650 : Orthographic_0;
-    _S650.corner_6 = corner_7;
-    _S650.pixel_x_5 = pixel_x_6;
-    _S650.pixel_y_5 = pixel_y_6;
-    _S650.forward_2 = forward_3;
-    return _S650;
+    var _S563 : Orthographic_0;
+    _S563.corner_6 = corner_7;
+    _S563.pixel_x_5 = pixel_x_6;
+    _S563.pixel_y_5 = pixel_y_6;
+    _S563.forward_2 = forward_3;
+    return _S563;
 }
 
 fn Orthographic_ray_0( this_58 : Orthographic_0,  position_4 : vec2<f32>,  lens_5 : vec2<f32>) -> Ray_0
@@ -8726,12 +8095,12 @@ struct Panorama_0
 
 fn Panorama_x24init_0( eye_7 : vec3<f32>,  axes_2 : Axes_0,  inverse_size_1 : vec2<f32>,  half_eye_distance_1 : f32) -> Panorama_0
 {
-    var _S651 : Panorama_0;
-    _S651.eye_6 = eye_7;
-    _S651.axes_1 = axes_2;
-    _S651.inverse_size_0 = inverse_size_1;
-    _S651.half_eye_distance_0 = half_eye_distance_1;
-    return _S651;
+    var _S564 : Panorama_0;
+    _S564.eye_6 = eye_7;
+    _S564.axes_1 = axes_2;
+    _S564.inverse_size_0 = inverse_size_1;
+    _S564.half_eye_distance_0 = half_eye_distance_1;
+    return _S564;
 }
 
 fn Panorama_ray_0( this_59 : Panorama_0,  position_5 : vec2<f32>,  lens_6 : vec2<f32>) -> Ray_0
@@ -8758,9 +8127,9 @@ fn Panorama_ray_0( this_59 : Panorama_0,  position_5 : vec2<f32>,  lens_6 : vec2
     }
     var longitude_0 : vec2<f32> = sincos_turns_0(position_5.x * this_59.inverse_size_0.x);
     var height_2 : vec2<f32> = sincos_turns_0(latitude_1 * 0.5f);
-    var _S652 : vec3<f32> = vec3<f32>(longitude_0.y);
-    var _S653 : vec3<f32> = vec3<f32>(longitude_0.x);
-    return ray_from_0(this_59.eye_6 + (this_59.axes_1.forward_0 * _S653 - this_59.axes_1.right_5 * _S652) * vec3<f32>(side_6), normalize_vector_0((vec3<f32>(0) - this_59.axes_1.forward_0 * _S652 + this_59.axes_1.right_5 * _S653) * vec3<f32>(height_2.x) + this_59.axes_1.up_0 * vec3<f32>(height_2.y)));
+    var _S565 : vec3<f32> = vec3<f32>(longitude_0.y);
+    var _S566 : vec3<f32> = vec3<f32>(longitude_0.x);
+    return ray_from_0(this_59.eye_6 + (this_59.axes_1.forward_0 * _S566 - this_59.axes_1.right_5 * _S565) * vec3<f32>(side_6), normalize_vector_0((vec3<f32>(0) - this_59.axes_1.forward_0 * _S565 + this_59.axes_1.right_5 * _S566) * vec3<f32>(height_2.x) + this_59.axes_1.up_0 * vec3<f32>(height_2.y)));
 }
 
 struct Fisheye_0
@@ -8773,12 +8142,12 @@ struct Fisheye_0
 
 fn Fisheye_x24init_0( eye_9 : vec3<f32>,  axes_4 : Axes_0,  middle_2 : vec2<f32>,  turns_per_pixel_1 : f32) -> Fisheye_0
 {
-    var _S654 : Fisheye_0;
-    _S654.eye_8 = eye_9;
-    _S654.axes_3 = axes_4;
-    _S654.middle_1 = middle_2;
-    _S654.turns_per_pixel_0 = turns_per_pixel_1;
-    return _S654;
+    var _S567 : Fisheye_0;
+    _S567.eye_8 = eye_9;
+    _S567.axes_3 = axes_4;
+    _S567.middle_1 = middle_2;
+    _S567.turns_per_pixel_0 = turns_per_pixel_1;
+    return _S567;
 }
 
 fn Fisheye_ray_0( this_60 : Fisheye_0,  position_6 : vec2<f32>,  lens_7 : vec2<f32>) -> Ray_0
@@ -8839,21 +8208,21 @@ fn camera_ray_1( pixel_2 : vec2<u32>,  camera_0 : CameraFrame_0,  sampler_4 : Sa
     return CameraFrame_ray_0(camera_0, vec2<f32>(pixel_2) + jitter_0.xy, jitter_0.zw);
 }
 
-fn WalkTracer_trace_0( ray_29 : ptr<function, Ray_0>,  is_any_enough_2 : bool) -> Hit_0
+fn WalkTracer_trace_0( ray_28 : ptr<function, Ray_0>,  is_any_enough_2 : bool) -> Hit_0
 {
-    var _S655 : Hit_0 = visit_0(&((*ray_29)), is_any_enough_2, u32(0));
-    return _S655;
+    var _S568 : Hit_0 = visit_0(&((*ray_28)), is_any_enough_2, u32(0));
+    return _S568;
 }
 
-fn WalkTracer_trace_1( ray_30 : ptr<function, Ray_0>,  is_any_enough_3 : bool) -> Hit_0
+fn WalkTracer_trace_1( ray_29 : ptr<function, Ray_0>,  is_any_enough_3 : bool) -> Hit_0
 {
-    var _S656 : Hit_0 = visit_1(&((*ray_30)), is_any_enough_3, u32(0));
-    return _S656;
+    var _S569 : Hit_0 = visit_1(&((*ray_29)), is_any_enough_3, u32(0));
+    return _S569;
 }
 
-fn set_scratch_row_0( row_4 : u32,  index_28 : u32,  value_3 : vec2<u32>)
+fn set_scratch_row_0( row_4 : u32,  index_31 : u32,  value_3 : vec2<u32>)
 {
-    scratch_0[row_4 * real_time_0.slots_0 + index_28] = value_3;
+    scratch_0[row_4 * real_time_0.slots_0 + index_31] = value_3;
     return;
 }
 
@@ -8870,10 +8239,10 @@ fn set_end_word_0( slot_4 : u32,  word_9 : u32)
     return;
 }
 
-fn keep_hit_0( slot_5 : u32,  hit_25 : Hit_0)
+fn keep_hit_0( slot_5 : u32,  hit_22 : Hit_0)
 {
-    set_words_0(slot_5, vec3<u32>(hit_25.voxel_0));
-    set_end_word_0(slot_5, hit_25.instance_0);
+    set_words_0(slot_5, vec3<u32>(hit_22.voxel_0));
+    set_end_word_0(slot_5, hit_22.instance_0);
     return;
 }
 
@@ -8892,30 +8261,30 @@ fn trace_camera(@builtin(global_invocation_id) id_0 : vec3<u32>)
     var item_1 : Item_0 = item_of_0(real_time_0.cells_0 + id_0.x);
     if(item_1.traces_0)
     {
-        var ray_31 : Ray_0 = camera_ray_1(item_1.at_13, FrameParams_camera_0(), item_1.sampler_2);
-        var _S657 : Hit_0 = WalkTracer_trace_1(&(ray_31), false);
-        keep_hit_0(item_1.slot_1, _S657);
+        var ray_30 : Ray_0 = camera_ray_1(item_1.at_13, FrameParams_camera_0(), item_1.sampler_2);
+        var _S570 : Hit_0 = WalkTracer_trace_1(&(ray_30), false);
+        keep_hit_0(item_1.slot_1, _S570);
     }
     return;
 }
 
 fn Sample_x24init_0( direct_1 : vec3<f32>,  light_14 : vec3<f32>,  is_shown_1 : bool,  albedo_1 : vec3<f32>,  normal_5 : vec3<f32>,  place_9 : vec3<f32>,  instance_14 : u32) -> Sample_0
 {
-    var _S658 : Sample_0;
-    _S658.direct_0 = direct_1;
-    _S658.light_1 = light_14;
-    _S658.is_shown_0 = is_shown_1;
-    _S658.albedo_0 = albedo_1;
-    _S658.normal_1 = normal_5;
-    _S658.place_0 = place_9;
-    _S658.instance_7 = instance_14;
-    return _S658;
+    var _S571 : Sample_0;
+    _S571.direct_0 = direct_1;
+    _S571.light_1 = light_14;
+    _S571.is_shown_0 = is_shown_1;
+    _S571.albedo_0 = albedo_1;
+    _S571.normal_1 = normal_5;
+    _S571.place_0 = place_9;
+    _S571.instance_7 = instance_14;
+    return _S571;
 }
 
 fn no_sample_0() -> Sample_0
 {
-    var _S659 : vec3<f32> = vec3<f32>(0.0f);
-    return Sample_x24init_0(_S659, _S659, false, _S659, _S659, _S659, u32(4294967295));
+    var _S572 : vec3<f32> = vec3<f32>(0.0f);
+    return Sample_x24init_0(_S572, _S572, false, _S572, _S572, _S572, u32(4294967295));
 }
 
 fn Item_is_cell_0( this_63 : Item_0) -> bool
@@ -8925,28 +8294,28 @@ fn Item_is_cell_0( this_63 : Item_0) -> bool
 
 fn Key_voxel_0( this_64 : Key_0,  code_5 : u32,  scramble_0 : u32) -> vec3<i32>
 {
-    var _S660 : u32 = Key_level_0(this_64);
-    var bits_4 : u32 = ((u32(1) << (_S660))) - u32(1);
+    var _S573 : u32 = Key_level_0(this_64);
+    var bits_4 : u32 = ((u32(1) << (_S573))) - u32(1);
     var place_10 : u32 = ((code_5 - u32(1)) ^ (((scramble_0 & ((Key_mask_0(this_64)))))));
-    return (((this_64.cube_0) << (vec3<u32>(u32(i32(_S660)))))) + vec3<i32>(i32((place_10 & (bits_4))), i32((((place_10 >> (_S660))) & (bits_4))), i32((((place_10 >> ((u32(2) * _S660)))) & (bits_4))));
+    return (((this_64.cube_0) << (vec3<u32>(u32(i32(_S573)))))) + vec3<i32>(i32((place_10 & (bits_4))), i32((((place_10 >> (_S573))) & (bits_4))), i32((((place_10 >> ((u32(2) * _S573)))) & (bits_4))));
 }
 
 fn Path_x24init_0( sampler_5 : Sampler_0,  bounce_4 : u32,  event_2 : u32,  kinds_1 : u32,  scattered_5 : u32,  beta_1 : vec3<f32>,  pdf_14 : f32,  normal_6 : vec3<f32>,  selection_5 : Selection_0,  passed_t_1 : f32,  inside_8 : Inside_0,  is_clipped_1 : bool) -> Path_0
 {
-    var _S661 : Path_0;
-    _S661.sampler_0 = sampler_5;
-    _S661.bounce_0 = bounce_4;
-    _S661.event_0 = event_2;
-    _S661.kinds_0 = kinds_1;
-    _S661.scattered_0 = scattered_5;
-    _S661.beta_0 = beta_1;
-    _S661.pdf_1 = pdf_14;
-    _S661.normal_0 = normal_6;
-    _S661.selection_0 = selection_5;
-    _S661.passed_t_0 = passed_t_1;
-    _S661.inside_0 = inside_8;
-    _S661.is_clipped_0 = is_clipped_1;
-    return _S661;
+    var _S574 : Path_0;
+    _S574.sampler_0 = sampler_5;
+    _S574.bounce_0 = bounce_4;
+    _S574.event_0 = event_2;
+    _S574.kinds_0 = kinds_1;
+    _S574.scattered_0 = scattered_5;
+    _S574.beta_0 = beta_1;
+    _S574.pdf_1 = pdf_14;
+    _S574.normal_0 = normal_6;
+    _S574.selection_0 = selection_5;
+    _S574.passed_t_0 = passed_t_1;
+    _S574.inside_0 = inside_8;
+    _S574.is_clipped_0 = is_clipped_1;
+    return _S574;
 }
 
 fn path_from_0( sampler_6 : Sampler_0) -> Path_0
@@ -8956,9 +8325,9 @@ fn path_from_0( sampler_6 : Sampler_0) -> Path_0
 
 fn orthonormal_pair_0( z_1 : vec3<f32>,  x_11 : ptr<function, vec3<f32>>,  y_6 : ptr<function, vec3<f32>>)
 {
-    var _S662 : f32 = z_1.z;
+    var _S575 : f32 = z_1.z;
     var sign_1 : f32;
-    if(_S662 < 0.0f)
+    if(_S575 < 0.0f)
     {
         sign_1 = -1.0f;
     }
@@ -8966,12 +8335,12 @@ fn orthonormal_pair_0( z_1 : vec3<f32>,  x_11 : ptr<function, vec3<f32>>,  y_6 :
     {
         sign_1 = 1.0f;
     }
-    var a_9 : f32 = divide_0(-1.0f, sign_1 + _S662);
-    var _S663 : f32 = z_1.x;
-    var _S664 : f32 = z_1.y;
-    var b_9 : f32 = _S663 * _S664 * a_9;
-    (*x_11) = vec3<f32>(1.0f + sign_1 * _S663 * _S663 * a_9, sign_1 * b_9, - sign_1 * _S663);
-    (*y_6) = vec3<f32>(b_9, sign_1 + _S664 * _S664 * a_9, - _S664);
+    var a_8 : f32 = divide_0(-1.0f, sign_1 + _S575);
+    var _S576 : f32 = z_1.x;
+    var _S577 : f32 = z_1.y;
+    var b_8 : f32 = _S576 * _S577 * a_8;
+    (*x_11) = vec3<f32>(1.0f + sign_1 * _S576 * _S576 * a_8, sign_1 * b_8, - sign_1 * _S576);
+    (*y_6) = vec3<f32>(b_8, sign_1 + _S577 * _S577 * a_8, - _S577);
     return;
 }
 
@@ -8982,9 +8351,9 @@ fn direction_from_cell_0( sampler_7 : Sampler_0,  normal_7 : vec3<f32>,  pdf_15 
     var y_7 : vec3<f32>;
     orthonormal_pair_0(normal_7, &(x_12), &(y_7));
     var local_5 : vec3<f32> = cosine_hemisphere_0(u_30.z, u_30.w);
-    var _S665 : f32 = local_5.z;
-    (*pdf_15) = cosine_hemisphere_pdf_0(_S665);
-    return x_12 * vec3<f32>(local_5.x) + y_7 * vec3<f32>(local_5.y) + normal_7 * vec3<f32>(_S665);
+    var _S578 : f32 = local_5.z;
+    (*pdf_15) = cosine_hemisphere_pdf_0(_S578);
+    return x_12 * vec3<f32>(local_5.x) + y_7 * vec3<f32>(local_5.y) + normal_7 * vec3<f32>(_S578);
 }
 
 fn direction_from_cell_1( sampler_8 : Sampler_0,  normal_8 : vec3<f32>,  pdf_16 : ptr<function, f32>) -> vec3<f32>
@@ -8994,57 +8363,57 @@ fn direction_from_cell_1( sampler_8 : Sampler_0,  normal_8 : vec3<f32>,  pdf_16 
     var y_8 : vec3<f32>;
     orthonormal_pair_0(normal_8, &(x_13), &(y_8));
     var local_6 : vec3<f32> = cosine_hemisphere_0(u_31.z, u_31.w);
-    var _S666 : f32 = local_6.z;
-    (*pdf_16) = cosine_hemisphere_pdf_0(_S666);
-    return x_13 * vec3<f32>(local_6.x) + y_8 * vec3<f32>(local_6.y) + normal_8 * vec3<f32>(_S666);
+    var _S579 : f32 = local_6.z;
+    (*pdf_16) = cosine_hemisphere_pdf_0(_S579);
+    return x_13 * vec3<f32>(local_6.x) + y_8 * vec3<f32>(local_6.y) + normal_8 * vec3<f32>(_S579);
 }
 
-fn Surface_x24init_0( origin_13 : vec3<f32>,  normal_9 : vec3<f32>,  face_10 : u32,  instance_15 : u32) -> Surface_0
+fn Surface_x24init_0( origin_11 : vec3<f32>,  normal_9 : vec3<f32>,  face_10 : u32,  instance_15 : u32) -> Surface_0
 {
-    var _S667 : Surface_0;
-    _S667.origin_9 = origin_13;
-    _S667.normal_3 = normal_9;
-    _S667.face_2 = face_10;
-    _S667.instance_11 = instance_15;
-    return _S667;
+    var _S580 : Surface_0;
+    _S580.origin_9 = origin_11;
+    _S580.normal_3 = normal_9;
+    _S580.face_2 = face_10;
+    _S580.instance_11 = instance_15;
+    return _S580;
 }
 
-fn Walker_x24init_0( path_14 : Path_0,  ray_32 : Ray_0,  is_shadow_ray_1 : bool,  light_15 : vec3<f32>,  direction_31 : vec3<f32>,  path_origin_3 : vec3<f32>,  shadow_inside_3 : Inside_0,  boundaries_1 : u32,  relocates_3 : bool,  path_relocates_3 : bool,  camera_ray_2 : Ray_0,  way_7 : f32,  has_shown_1 : bool,  asks_cache_1 : bool,  life_3 : u32,  is_at_cell_1 : bool) -> Walker_0
+fn Walker_x24init_0( path_14 : Path_0,  ray_31 : Ray_0,  is_shadow_ray_1 : bool,  light_15 : vec3<f32>,  direction_30 : vec3<f32>,  path_origin_3 : vec3<f32>,  shadow_inside_3 : Inside_0,  boundaries_1 : u32,  relocates_3 : bool,  path_relocates_3 : bool,  camera_ray_2 : Ray_0,  way_7 : f32,  has_shown_1 : bool,  asks_cache_1 : bool,  life_3 : u32,  is_at_cell_1 : bool) -> Walker_0
 {
-    var _S668 : Walker_0;
-    _S668.path_0 = path_14;
-    _S668.ray_9 = ray_32;
-    _S668.is_shadow_ray_0 = is_shadow_ray_1;
-    _S668.light_0 = light_15;
-    _S668.direction_4 = direction_31;
-    _S668.path_origin_0 = path_origin_3;
-    _S668.shadow_inside_0 = shadow_inside_3;
-    _S668.boundaries_0 = boundaries_1;
-    _S668.relocates_0 = relocates_3;
-    _S668.path_relocates_0 = path_relocates_3;
-    _S668.camera_ray_0 = camera_ray_2;
-    _S668.way_3 = way_7;
-    _S668.has_shown_0 = has_shown_1;
-    _S668.asks_cache_0 = asks_cache_1;
-    _S668.life_0 = life_3;
-    _S668.is_at_cell_0 = is_at_cell_1;
-    return _S668;
+    var _S581 : Walker_0;
+    _S581.path_0 = path_14;
+    _S581.ray_8 = ray_31;
+    _S581.is_shadow_ray_0 = is_shadow_ray_1;
+    _S581.light_0 = light_15;
+    _S581.direction_4 = direction_30;
+    _S581.path_origin_0 = path_origin_3;
+    _S581.shadow_inside_0 = shadow_inside_3;
+    _S581.boundaries_0 = boundaries_1;
+    _S581.relocates_0 = relocates_3;
+    _S581.path_relocates_0 = path_relocates_3;
+    _S581.camera_ray_0 = camera_ray_2;
+    _S581.way_3 = way_7;
+    _S581.has_shown_0 = has_shown_1;
+    _S581.asks_cache_0 = asks_cache_1;
+    _S581.life_0 = life_3;
+    _S581.is_at_cell_0 = is_at_cell_1;
+    return _S581;
 }
 
 fn at_cell_0( key_5 : Key_0,  rank_7 : u32,  sampler_9 : Sampler_0) -> Walker_0
 {
     var face_11 : u32 = ((key_5.face_and_level_0) & (u32(7)));
-    var axis_8 : u32 = (face_11 >> (u32(1)));
+    var axis_7 : u32 = (face_11 >> (u32(1)));
     var u_32 : vec4<f32> = Sampler_independent_0(sampler_9, u32(0));
-    var _S669 : vec3<f32> = vec3<f32>(Key_voxel_0(key_5, (rank_7 & (u32(1048575))), scramble_of_0(real_time_0.number_0 - u32(1))));
+    var _S582 : vec3<f32> = vec3<f32>(Key_voxel_0(key_5, (rank_7 & (u32(1048575))), scramble_of_0(real_time_0.number_0 - u32(1))));
     var on_face_2 : vec3<f32>;
-    if(axis_8 == u32(0))
+    if(axis_7 == u32(0))
     {
         on_face_2 = vec3<f32>(0.0f, u_32.x, u_32.y);
     }
     else
     {
-        if(axis_8 == u32(1))
+        if(axis_7 == u32(1))
         {
             on_face_2 = vec3<f32>(u_32.y, 0.0f, u_32.x);
         }
@@ -9053,16 +8422,16 @@ fn at_cell_0( key_5 : Key_0,  rank_7 : u32,  sampler_9 : Sampler_0) -> Walker_0
             on_face_2 = vec3<f32>(u_32.x, u_32.y, 0.0f);
         }
     }
-    var _S670 : vec3<f32> = Transform_point_1(key_5.instance_9, offset_ray_origin_0(vector_of_0(instances_0[key_5.instance_9].grid_from_world_0.translation_0), _S669, face_11, _S669 + on_face_2));
-    var _S671 : vec3<f32> = world_normal_0(key_5.instance_9, face_11);
+    var _S583 : vec3<f32> = Transform_point_1(key_5.instance_9, offset_ray_origin_0(vector_of_0(instances_0[key_5.instance_9].grid_from_world_0.translation_0), _S582, face_11, _S582 + on_face_2));
+    var _S584 : vec3<f32> = world_normal_0(key_5.instance_9, face_11);
     var path_15 : Path_0 = path_from_0(sampler_9);
-    var _S672 : f32 = path_15.pdf_1;
-    var direction_32 : vec3<f32> = direction_from_cell_0(sampler_9, _S671, &(_S672));
-    path_15.pdf_1 = _S672;
-    var receiver_29 : Receiver_0 = Receiver_x24init_0(_S670, _S671);
+    var _S585 : f32 = path_15.pdf_1;
+    var direction_31 : vec3<f32> = direction_from_cell_0(sampler_9, _S584, &(_S585));
+    path_15.pdf_1 = _S585;
+    var receiver_29 : Receiver_0 = Receiver_x24init_0(_S583, _S584);
     path_15.selection_0 = Lights_selection_0(receiver_29);
-    path_15.normal_0 = _S671;
-    var surface_6 : Surface_0 = Surface_x24init_0(_S670, _S671, face_11, key_5.instance_9);
+    path_15.normal_0 = _S584;
+    var surface_6 : Surface_0 = Surface_x24init_0(_S583, _S584, face_11, key_5.instance_9);
     var white_0 : MaterialBsdf_0;
     white_0.kind_0 = u32(0);
     white_0.color_0 = vec3<f32>(1.0f);
@@ -9070,8 +8439,8 @@ fn at_cell_0( key_5 : Key_0,  rank_7 : u32,  sampler_9 : Sampler_0) -> Walker_0
     white_0.eta_0 = 1.0f;
     white_0.facets_0.alpha_0 = 1.0f;
     scatter_of_path_0 = Scatter_x24init_0(path_15, receiver_29, surface_6, white_0, vec3<f32>(0.0f, 0.0f, 1.0f), 1.0f, false, true);
-    var ray_33 : Ray_0 = ray_from_0(_S670, direction_32);
-    return Walker_x24init_0(path_15, ray_33, false, vec3<f32>(0.0f), direction_32, _S670, in_air_0(), u32(0), false, false, ray_33, 0.0f, true, true, max((rank_7 >> (u32(20))), u32(1)) - u32(1), true);
+    var ray_32 : Ray_0 = ray_from_0(_S583, direction_31);
+    return Walker_x24init_0(path_15, ray_32, false, vec3<f32>(0.0f), direction_31, _S583, in_air_0(), u32(0), false, false, ray_32, 0.0f, true, true, max((rank_7 >> (u32(20))), u32(1)) - u32(1), true);
 }
 
 fn camera_before_0() -> CameraFrame_0
@@ -9081,30 +8450,30 @@ fn camera_before_0() -> CameraFrame_0
 
 fn Item_asks_cache_0( this_65 : Item_0) -> bool
 {
-    var _S673 : bool;
+    var _S586 : bool;
     if(Item_is_cell_0(this_65))
     {
-        _S673 = true;
+        _S586 = true;
     }
     else
     {
         if((this_65.kind_2) == u32(1))
         {
-            _S673 = has_0(u32(1));
+            _S586 = has_0(u32(1));
         }
         else
         {
-            _S673 = false;
+            _S586 = false;
         }
     }
-    return _S673;
+    return _S586;
 }
 
 fn at_camera_0( pixel_3 : vec2<u32>,  camera_1 : CameraFrame_0,  sampler_10 : Sampler_0,  asks_cache_2 : bool) -> Walker_0
 {
-    var ray_34 : Ray_0 = camera_ray_1(pixel_3, camera_1, sampler_10);
-    var _S674 : vec3<f32> = vec3<f32>(0.0f);
-    return Walker_x24init_0(path_from_0(sampler_10), ray_34, false, _S674, _S674, _S674, in_air_0(), u32(0), true, true, ray_34, 0.0f, false, asks_cache_2, u32(10), false);
+    var ray_33 : Ray_0 = camera_ray_1(pixel_3, camera_1, sampler_10);
+    var _S587 : vec3<f32> = vec3<f32>(0.0f);
+    return Walker_x24init_0(path_from_0(sampler_10), ray_33, false, _S587, _S587, _S587, in_air_0(), u32(0), true, true, ray_33, 0.0f, false, asks_cache_2, u32(10), false);
 }
 
 fn Item_start_0( this_66 : Item_0) -> Walker_0
@@ -9113,10 +8482,10 @@ fn Item_start_0( this_66 : Item_0) -> Walker_0
     {
         var rank_8 : u32;
         var key_6 : Key_0 = Item_key_1(this_66, &(rank_8));
-        var _S675 : Walker_0 = at_cell_0(key_6, rank_8, this_66.sampler_2);
-        return _S675;
+        var _S588 : Walker_0 = at_cell_0(key_6, rank_8, this_66.sampler_2);
+        return _S588;
     }
-    var _S676 : CameraFrame_0 = FrameParams_camera_0();
+    var _S589 : CameraFrame_0 = FrameParams_camera_0();
     var camera_2 : CameraFrame_0;
     if((this_66.kind_2) == u32(3))
     {
@@ -9124,14 +8493,14 @@ fn Item_start_0( this_66 : Item_0) -> Walker_0
     }
     else
     {
-        camera_2 = _S676;
+        camera_2 = _S589;
     }
     return at_camera_0(this_66.at_13, camera_2, this_66.sampler_2, Item_asks_cache_0(this_66));
 }
 
-fn scratch_row_0( row_5 : u32,  index_29 : u32) -> vec2<u32>
+fn scratch_row_0( row_5 : u32,  index_32 : u32) -> vec2<u32>
 {
-    return scratch_0[row_5 * real_time_0.slots_0 + index_29];
+    return scratch_0[row_5 * real_time_0.slots_0 + index_32];
 }
 
 fn end_word_0( slot_6 : u32) -> u32
@@ -9144,14 +8513,14 @@ fn words_in_0( slot_7 : u32) -> vec3<u32>
     return vec3<u32>(scratch_row_0(u32(8), slot_7).y, scratch_row_0(u32(9), slot_7));
 }
 
-fn hit_in_slot_0( slot_8 : u32,  ray_35 : Ray_0) -> Hit_0
+fn hit_in_slot_0( slot_8 : u32,  ray_34 : Ray_0) -> Hit_0
 {
     var instance_16 : u32 = end_word_0(slot_8);
     if(instance_16 == u32(4294967295))
     {
         return miss_0();
     }
-    return hit_of_0(local_ray_0(ray_35, instance_16), vec3<i32>(words_in_0(slot_8)), instance_16);
+    return hit_of_0(local_ray_0(ray_34, instance_16), vec3<i32>(words_in_0(slot_8)), instance_16);
 }
 
 struct Slot_0
@@ -9163,54 +8532,54 @@ struct Slot_0
 
 fn Slot_x24init_0( item_3 : Item_0,  own_4 : u32,  lent_1 : u32) -> Slot_0
 {
-    var _S677 : Slot_0;
-    _S677.item_2 = item_3;
-    _S677.own_3 = own_4;
-    _S677.lent_0 = lent_1;
-    return _S677;
+    var _S590 : Slot_0;
+    _S590.item_2 = item_3;
+    _S590.own_3 = own_4;
+    _S590.lent_0 = lent_1;
+    return _S590;
 }
 
-fn asks_2( path_16 : Path_0,  ray_36 : Ray_0,  hit_26 : Hit_0,  beyond_14 : u32,  life_4 : u32,  light_16 : ptr<function, vec3<f32>>) -> bool
+fn asks_2( path_16 : Path_0,  ray_35 : Ray_0,  hit_23 : Hit_0,  beyond_14 : u32,  life_4 : u32,  light_16 : ptr<function, vec3<f32>>) -> bool
 {
     (*light_16) = vec3<f32>(0.0f);
-    var _S678 : bool;
-    if(Hit_is_miss_0(hit_26))
+    var _S591 : bool;
+    if(Hit_is_miss_0(hit_23))
     {
-        _S678 = true;
+        _S591 = true;
     }
     else
     {
-        _S678 = Inside_is_in_0(path_16.inside_0);
+        _S591 = Inside_is_in_0(path_16.inside_0);
     }
-    if(_S678)
+    if(_S591)
     {
         return false;
     }
-    var material_18 : PackedMaterial_0 = material_met_0(path_16, hit_26, beyond_14);
+    var material_18 : PackedMaterial_0 = material_met_0(path_16, hit_23, beyond_14);
     if((material_18.metallic_0) > 0.0f)
     {
-        _S678 = true;
+        _S591 = true;
     }
     else
     {
-        _S678 = (material_18.transmission_0) > 0.0f;
+        _S591 = (material_18.transmission_0) > 0.0f;
     }
-    if(_S678)
+    if(_S591)
     {
         return false;
     }
     var code_6 : u32;
-    var key_7 : Key_0 = key_of_1(hit_26, square_root_0(length_squared_0(ray_36.origin_1 + ray_36.direction_0 * vec3<f32>(hit_26.t_0) - real_time_0.eye_0)) * real_time_0.view_angle_0 * 0.05882352963089943f, Sampler_independent_0(path_16.sampler_0, u32(3221225472) + Path_events_0(path_16)).x, &(code_6));
+    var key_7 : Key_0 = key_of_1(hit_23, square_root_0(length_squared_0(ray_35.origin_1 + ray_35.direction_0 * vec3<f32>(hit_23.t_0) - real_time_0.eye_0)) * real_time_0.view_angle_0 * 0.05882352963089943f, Sampler_independent_0(path_16.sampler_0, u32(3221225472) + Path_events_0(path_16)).x, &(code_6));
     var least_2 : f32 = 2.0f * f32((u32(1) << ((Key_level_0(key_7)))));
     if(life_4 == u32(0))
     {
-        _S678 = true;
+        _S591 = true;
     }
     else
     {
-        _S678 = (hit_26.t_0 * square_root_0(length_squared_0(ray_36.direction_0))) < least_2;
+        _S591 = (hit_23.t_0 * square_root_0(length_squared_0(ray_35.direction_0))) < least_2;
     }
-    if(_S678)
+    if(_S591)
     {
         return false;
     }
@@ -9225,58 +8594,58 @@ fn asks_2( path_16 : Path_0,  ray_36 : Ray_0,  hit_26 : Hit_0,  beyond_14 : u32,
 
 fn packed_normal_0( normal_10 : vec3<f32>) -> u32
 {
-    var _S679 : vec3<i32> = vec3<i32>(floor(clamp(normal_10, vec3<f32>(-1.0f), vec3<f32>(1.0f)) * vec3<f32>(511.0f) + vec3<f32>(0.5f)));
-    return (((((u32(_S679.x) & (u32(1023)))) | (((((u32(_S679.y) & (u32(1023)))) << (u32(10))))))) | (((((u32(_S679.z) & (u32(1023)))) << (u32(20))))));
+    var _S592 : vec3<i32> = vec3<i32>(floor(clamp(normal_10, vec3<f32>(-1.0f), vec3<f32>(1.0f)) * vec3<f32>(511.0f) + vec3<f32>(0.5f)));
+    return (((((u32(_S592.x) & (u32(1023)))) | (((((u32(_S592.y) & (u32(1023)))) << (u32(10))))))) | (((((u32(_S592.z) & (u32(1023)))) << (u32(20))))));
 }
 
-fn store_sample_0( index_30 : u32,  sample_24 : Sample_0)
+fn store_sample_0( index_33 : u32,  sample_24 : Sample_0)
 {
-    var _S680 : u32 = packed_normal_0(sample_24.normal_1);
-    var _S681 : u32;
+    var _S593 : u32 = packed_normal_0(sample_24.normal_1);
+    var _S594 : u32;
     if(sample_24.is_shown_0)
     {
-        _S681 = u32(1073741824);
+        _S594 = u32(1073741824);
     }
     else
     {
-        _S681 = u32(0);
+        _S594 = u32(0);
     }
-    var normal_11 : u32 = (_S680 | (_S681));
-    set_scratch_row_0(u32(0), index_30, (bitcast<vec2<u32>>((sample_24.light_1.xy))));
-    set_scratch_row_0(u32(1), index_30, vec2<u32>((bitcast<u32>((sample_24.light_1.z))), sample_24.instance_7));
-    set_scratch_row_0(u32(2), index_30, (bitcast<vec2<u32>>((sample_24.direct_0.xy))));
-    set_scratch_row_0(u32(3), index_30, (bitcast<vec2<u32>>((vec2<f32>(sample_24.direct_0.z, sample_24.place_0.x)))));
-    set_scratch_row_0(u32(4), index_30, (bitcast<vec2<u32>>((sample_24.place_0.yz))));
-    set_scratch_row_0(u32(5), index_30, (bitcast<vec2<u32>>((sample_24.albedo_0.xy))));
-    set_scratch_row_0(u32(6), index_30, vec2<u32>((bitcast<u32>((sample_24.albedo_0.z))), normal_11));
+    var normal_11 : u32 = (_S593 | (_S594));
+    set_scratch_row_0(u32(0), index_33, (bitcast<vec2<u32>>((sample_24.light_1.xy))));
+    set_scratch_row_0(u32(1), index_33, vec2<u32>((bitcast<u32>((sample_24.light_1.z))), sample_24.instance_7));
+    set_scratch_row_0(u32(2), index_33, (bitcast<vec2<u32>>((sample_24.direct_0.xy))));
+    set_scratch_row_0(u32(3), index_33, (bitcast<vec2<u32>>((vec2<f32>(sample_24.direct_0.z, sample_24.place_0.x)))));
+    set_scratch_row_0(u32(4), index_33, (bitcast<vec2<u32>>((sample_24.place_0.yz))));
+    set_scratch_row_0(u32(5), index_33, (bitcast<vec2<u32>>((sample_24.albedo_0.xy))));
+    set_scratch_row_0(u32(6), index_33, vec2<u32>((bitcast<u32>((sample_24.albedo_0.z))), normal_11));
     return;
 }
 
 fn Slot_keep_0( this_67 : Slot_0,  at_19 : Walker_0,  instance_17 : u32,  face_12 : u32)
 {
     var word_10 : u32 = (((((instance_17 << (u32(5)))) | ((((at_19.path_0.bounce_0) << (u32(3))))))) | (face_12));
-    var _S682 : u32;
+    var _S595 : u32;
     if(at_19.is_shadow_ray_0)
     {
-        _S682 = (bitcast<u32>((at_19.ray_9.t_max_0)));
+        _S595 = (bitcast<u32>((at_19.ray_8.t_max_0)));
     }
     else
     {
-        _S682 = u32(0);
+        _S595 = u32(0);
     }
-    set_scratch_row_0(u32(4), this_67.own_3, vec2<u32>(_S682, word_10));
-    set_scratch_row_0(u32(7), this_67.own_3, (bitcast<vec2<u32>>((at_19.ray_9.origin_1.xy))));
-    set_scratch_row_0(u32(8), this_67.own_3, (bitcast<vec2<u32>>((vec2<f32>(at_19.ray_9.origin_1.z, at_19.ray_9.direction_0.x)))));
-    set_scratch_row_0(u32(9), this_67.own_3, (bitcast<vec2<u32>>((at_19.ray_9.direction_0.yz))));
+    set_scratch_row_0(u32(4), this_67.own_3, vec2<u32>(_S595, word_10));
+    set_scratch_row_0(u32(7), this_67.own_3, (bitcast<vec2<u32>>((at_19.ray_8.origin_1.xy))));
+    set_scratch_row_0(u32(8), this_67.own_3, (bitcast<vec2<u32>>((vec2<f32>(at_19.ray_8.origin_1.z, at_19.ray_8.direction_0.x)))));
+    set_scratch_row_0(u32(9), this_67.own_3, (bitcast<vec2<u32>>((at_19.ray_8.direction_0.yz))));
     return;
 }
 
 fn Slot_keep_first_0( this_68 : Slot_0,  at_20 : Walker_0,  instance_18 : u32,  face_13 : u32,  t_18 : f32,  sample_25 : Sample_0)
 {
-    var _S683 : Sample_0 = sample_25;
-    _S683.light_1 = vec3<f32>(0.0f);
-    _S683.albedo_0 = at_20.path_0.beta_0;
-    store_sample_0(this_68.own_3, _S683);
+    var _S596 : Sample_0 = sample_25;
+    _S596.light_1 = vec3<f32>(0.0f);
+    _S596.albedo_0 = at_20.path_0.beta_0;
+    store_sample_0(this_68.own_3, _S596);
     scratch_0[u32(3) * real_time_0.slots_0 + this_68.own_3][i32(1)] = (bitcast<u32>((t_18)));
     Slot_keep_0(this_68, at_20, instance_18, face_13);
     return;
@@ -9284,16 +8653,16 @@ fn Slot_keep_first_0( this_68 : Slot_0,  at_20 : Walker_0,  instance_18 : u32,  
 
 fn light_on_0( sample_26 : Sample_0) -> f32
 {
-    var _S684 : f32;
+    var _S597 : f32;
     if(sample_26.is_shown_0)
     {
-        _S684 = luminance_0(sample_26.light_1) / (luminance_0(sample_26.albedo_0) + 0.00300000002607703f);
+        _S597 = luminance_0(sample_26.light_1) / (luminance_0(sample_26.albedo_0) + 0.00300000002607703f);
     }
     else
     {
-        _S684 = 0.0f;
+        _S597 = 0.0f;
     }
-    return _S684;
+    return _S597;
 }
 
 fn Item_end_0( this_69 : Item_0,  sample_27 : Sample_0)
@@ -9341,34 +8710,34 @@ fn trace_first(@builtin(global_invocation_id) id_1 : vec3<u32>)
     {
         scatter_of_path_0.wants_light_0 = false;
         var sample_29 : Sample_0 = no_sample_0();
-        var _S685 : Walker_0 = Item_start_0(item_4);
-        var at_21 : Walker_0 = _S685;
-        var _S686 : Hit_0 = miss_0();
-        var hit_27 : Hit_0;
+        var _S598 : Walker_0 = Item_start_0(item_4);
+        var at_21 : Walker_0 = _S598;
+        var _S599 : Hit_0 = miss_0();
+        var hit_24 : Hit_0;
         var instance_19 : u32;
         var face_14 : u32;
         if(Item_is_cell_0(item_4))
         {
             var rank_9 : u32;
             var key_8 : Key_0 = Item_key_2(item_4, &(rank_9));
-            var _S687 : u32 = ((key_8.face_and_level_0) & (u32(7)));
-            hit_27 = _S686;
+            var _S600 : u32 = ((key_8.face_and_level_0) & (u32(7)));
+            hit_24 = _S599;
             instance_19 = key_8.instance_9;
-            face_14 = _S687;
+            face_14 = _S600;
         }
         else
         {
-            var hit_28 : Hit_0 = hit_in_slot_0(item_4.slot_1, at_21.ray_9);
-            hit_27 = hit_28;
-            instance_19 = hit_28.instance_0;
-            face_14 = hit_28.face_0;
+            var hit_25 : Hit_0 = hit_in_slot_0(item_4.slot_1, at_21.ray_8);
+            hit_24 = hit_25;
+            instance_19 = hit_25.instance_0;
+            face_14 = hit_25.face_0;
         }
-        var _S688 : u32 = item_4.slot_1;
-        var slot_10 : Slot_0 = Slot_x24init_0(item_4, _S688, _S688);
-        var _S689 : bool = goes_on_from_2(&(at_21), hit_27, u32(4294967295), &(sample_29));
-        if(_S689)
+        var _S601 : u32 = item_4.slot_1;
+        var slot_10 : Slot_0 = Slot_x24init_0(item_4, _S601, _S601);
+        var _S602 : bool = goes_on_from_2(&(at_21), hit_24, u32(4294967295), &(sample_29));
+        if(_S602)
         {
-            Slot_keep_first_0(slot_10, at_21, instance_19, face_14, hit_27.t_0, sample_29);
+            Slot_keep_first_0(slot_10, at_21, instance_19, face_14, hit_24.t_0, sample_29);
         }
         else
         {
@@ -9406,15 +8775,15 @@ fn Slot_instance_0( this_73 : Slot_0) -> u32
 fn Slot_scatter_0( this_74 : Slot_0) -> Scatter_0
 {
     var surface_7 : Surface_0;
-    var _S690 : vec3<f32> = origin_in_0(this_74.own_3);
-    surface_7.origin_9 = _S690;
-    var _S691 : u32 = Slot_face_0(this_74);
-    surface_7.face_2 = _S691;
-    var _S692 : u32 = Slot_instance_0(this_74);
-    surface_7.instance_11 = _S692;
-    var _S693 : vec3<f32> = world_normal_0(_S692, _S691);
-    surface_7.normal_3 = _S693;
-    var receiver_30 : Receiver_0 = Receiver_x24init_0(_S690, _S693);
+    var _S603 : vec3<f32> = origin_in_0(this_74.own_3);
+    surface_7.origin_9 = _S603;
+    var _S604 : u32 = Slot_face_0(this_74);
+    surface_7.face_2 = _S604;
+    var _S605 : u32 = Slot_instance_0(this_74);
+    surface_7.instance_11 = _S605;
+    var _S606 : vec3<f32> = world_normal_0(_S605, _S604);
+    surface_7.normal_3 = _S606;
+    var receiver_30 : Receiver_0 = Receiver_x24init_0(_S603, _S606);
     var path_17 : Path_0 = path_from_0(this_74.item_2.sampler_2);
     path_17.selection_0 = Lights_selection_0(receiver_30);
     var bsdf_2 : MaterialBsdf_0;
@@ -9426,14 +8795,14 @@ fn Slot_scatter_0( this_74 : Slot_0) -> Scatter_0
     return Scatter_x24init_0(path_17, receiver_30, surface_7, bsdf_2, vec3<f32>(0.0f, 0.0f, 1.0f), 1.0f, false, true);
 }
 
-fn Slot_keep_light_0( this_75 : Slot_0,  next_14 : NextRays_0)
+fn Slot_keep_light_0( this_75 : Slot_0,  next_8 : NextRays_0)
 {
-    if(next_14.has_shadow_ray_0)
+    if(next_8.has_shadow_ray_0)
     {
-        set_scratch_row_0(u32(0), this_75.own_3, (bitcast<vec2<u32>>((next_14.light_2.xy))));
-        scratch_0[real_time_0.slots_0 + this_75.own_3][i32(0)] = (bitcast<u32>((next_14.light_2.z)));
-        set_end_word_0(this_75.own_3, (bitcast<u32>((next_14.shadow_t_max_0))));
-        set_words_0(this_75.own_3, (bitcast<vec3<u32>>((next_14.shadow_direction_0))));
+        set_scratch_row_0(u32(0), this_75.own_3, (bitcast<vec2<u32>>((next_8.light_2.xy))));
+        scratch_0[real_time_0.slots_0 + this_75.own_3][i32(0)] = (bitcast<u32>((next_8.light_2.z)));
+        set_end_word_0(this_75.own_3, (bitcast<u32>((next_8.shadow_t_max_0))));
+        set_words_0(this_75.own_3, (bitcast<vec3<u32>>((next_8.shadow_direction_0))));
     }
     return;
 }
@@ -9446,23 +8815,23 @@ fn trace_light(@builtin(global_invocation_id) id_2 : vec3<u32>)
     ends_here_0 = false;
     first_candidates_0 = u32(1);
     var item_5 : Item_0 = item_of_0(id_2.x);
-    var _S694 : u32 = item_5.slot_1;
-    var slot_13 : Slot_0 = Slot_x24init_0(item_5, _S694, _S694);
-    var _S695 : bool;
+    var _S607 : u32 = item_5.slot_1;
+    var slot_13 : Slot_0 = Slot_x24init_0(item_5, _S607, _S607);
+    var _S608 : bool;
     if(item_5.traces_0)
     {
-        _S695 = !is_over_0(item_5.slot_1);
+        _S608 = !is_over_0(item_5.slot_1);
     }
     else
     {
-        _S695 = false;
+        _S608 = false;
     }
-    if(_S695)
+    if(_S608)
     {
         first_candidates_0 = real_time_0.candidates_0;
-        var next_15 : NextRays_0 = no_rays_0();
-        choose_light_1(Slot_scatter_0(slot_13), &(next_15));
-        Slot_keep_light_0(slot_13, next_15);
+        var next_9 : NextRays_0 = no_rays_0();
+        choose_light_1(Slot_scatter_0(slot_13), &(next_9));
+        Slot_keep_light_0(slot_13, next_9);
     }
     return;
 }
@@ -9474,20 +8843,20 @@ fn Slot_bounce_0( this_76 : Slot_0) -> u32
 
 fn Slot_ray_0( this_77 : Slot_0,  pdf_17 : ptr<function, f32>) -> Ray_0
 {
-    var _S696 : bool;
+    var _S609 : bool;
     if(Item_is_cell_0(this_77.item_2))
     {
-        _S696 = (Slot_bounce_0(this_77)) == u32(1);
+        _S609 = (Slot_bounce_0(this_77)) == u32(1);
     }
     else
     {
-        _S696 = false;
+        _S609 = false;
     }
-    var direction_33 : vec3<f32>;
-    if(_S696)
+    var direction_32 : vec3<f32>;
+    if(_S609)
     {
-        var _S697 : vec3<f32> = direction_from_cell_1(this_77.item_2.sampler_2, world_normal_0(Slot_instance_0(this_77), Slot_face_0(this_77)), &((*pdf_17)));
-        direction_33 = _S697;
+        var _S610 : vec3<f32> = direction_from_cell_1(this_77.item_2.sampler_2, world_normal_0(Slot_instance_0(this_77), Slot_face_0(this_77)), &((*pdf_17)));
+        direction_32 = _S610;
     }
     else
     {
@@ -9497,27 +8866,27 @@ fn Slot_ray_0( this_77 : Slot_0,  pdf_17 : ptr<function, f32>) -> Ray_0
         var u_33 : vec4<f32> = Sampler_stratified_0(this_77.item_2.sampler_2, u32(2) * Slot_bounce_0(this_77) - u32(1));
         var wi_8 : vec3<f32> = cosine_hemisphere_0(u_33.x, u_33.y);
         (*pdf_17) = cosine_hemisphere_pdf_0(wi_8.z);
-        direction_33 = Surface_world_direction_0(surface_8, wi_8);
+        direction_32 = Surface_world_direction_0(surface_8, wi_8);
     }
-    return ray_from_0(origin_in_0(this_77.own_3), direction_33);
+    return ray_from_0(origin_in_0(this_77.own_3), direction_32);
 }
 
 fn Slot_ray_1( this_78 : Slot_0,  pdf_18 : ptr<function, f32>) -> Ray_0
 {
-    var _S698 : bool;
+    var _S611 : bool;
     if(Item_is_cell_0(this_78.item_2))
     {
-        _S698 = (Slot_bounce_0(this_78)) == u32(1);
+        _S611 = (Slot_bounce_0(this_78)) == u32(1);
     }
     else
     {
-        _S698 = false;
+        _S611 = false;
     }
-    var direction_34 : vec3<f32>;
-    if(_S698)
+    var direction_33 : vec3<f32>;
+    if(_S611)
     {
-        var _S699 : vec3<f32> = direction_from_cell_1(this_78.item_2.sampler_2, world_normal_0(Slot_instance_0(this_78), Slot_face_0(this_78)), &((*pdf_18)));
-        direction_34 = _S699;
+        var _S612 : vec3<f32> = direction_from_cell_1(this_78.item_2.sampler_2, world_normal_0(Slot_instance_0(this_78), Slot_face_0(this_78)), &((*pdf_18)));
+        direction_33 = _S612;
     }
     else
     {
@@ -9527,9 +8896,9 @@ fn Slot_ray_1( this_78 : Slot_0,  pdf_18 : ptr<function, f32>) -> Ray_0
         var u_34 : vec4<f32> = Sampler_stratified_0(this_78.item_2.sampler_2, u32(2) * Slot_bounce_0(this_78) - u32(1));
         var wi_9 : vec3<f32> = cosine_hemisphere_0(u_34.x, u_34.y);
         (*pdf_18) = cosine_hemisphere_pdf_0(wi_9.z);
-        direction_34 = Surface_world_direction_0(surface_9, wi_9);
+        direction_33 = Surface_world_direction_0(surface_9, wi_9);
     }
-    return ray_from_0(origin_in_0(this_78.own_3), direction_34);
+    return ray_from_0(origin_in_0(this_78.own_3), direction_33);
 }
 
 fn Slot_darken_0( this_79 : Slot_0)
@@ -9549,19 +8918,19 @@ fn Slot_darken_0( this_79 : Slot_0)
 
 fn Slot_walk_0( this_80 : Slot_0)
 {
-    var end_6 : u32 = end_word_0(this_80.own_3);
+    var end_4 : u32 = end_word_0(this_80.own_3);
     var pdf_19 : f32;
-    var ray_37 : Ray_0 = Ray_x24init_0(origin_in_0(this_80.own_3), 0.0f, (bitcast<vec3<f32>>((words_in_0(this_80.own_3)))), (bitcast<f32>((end_6))));
-    var _S700 : i32;
-    if(end_6 == u32(0))
+    var ray_36 : Ray_0 = Ray_x24init_0(origin_in_0(this_80.own_3), 0.0f, (bitcast<vec3<f32>>((words_in_0(this_80.own_3)))), (bitcast<f32>((end_4))));
+    var _S613 : i32;
+    if(end_4 == u32(0))
     {
-        _S700 = i32(1);
+        _S613 = i32(1);
     }
     else
     {
-        _S700 = i32(0);
+        _S613 = i32(0);
     }
-    var turn_0 : u32 = u32(_S700);
+    var turn_0 : u32 = u32(_S613);
     for(;;)
     {
         if(turn_0 < u32(2))
@@ -9571,19 +8940,19 @@ fn Slot_walk_0( this_80 : Slot_0)
         {
             break;
         }
-        var _S701 : bool = turn_0 == u32(1);
-        if(_S701)
+        var _S614 : bool = turn_0 == u32(1);
+        if(_S614)
         {
-            ray_37 = Slot_ray_0(this_80, &(pdf_19));
+            ray_36 = Slot_ray_0(this_80, &(pdf_19));
         }
-        var _S702 : Hit_0 = WalkTracer_trace_0(&(ray_37), turn_0 == u32(0));
-        if(_S701)
+        var _S615 : Hit_0 = WalkTracer_trace_0(&(ray_36), turn_0 == u32(0));
+        if(_S614)
         {
-            keep_hit_0(this_80.own_3, _S702);
+            keep_hit_0(this_80.own_3, _S615);
         }
         else
         {
-            if(!Hit_is_miss_0(_S702))
+            if(!Hit_is_miss_0(_S615))
             {
                 Slot_darken_0(this_80);
             }
@@ -9601,20 +8970,20 @@ fn trace_rays(@builtin(global_invocation_id) id_3 : vec3<u32>)
     ends_here_0 = false;
     first_candidates_0 = u32(1);
     var slot_14 : Slot_0;
-    var _S703 : Item_0 = item_of_0(id_3.x);
-    slot_14.item_2 = _S703;
+    var _S616 : Item_0 = item_of_0(id_3.x);
+    slot_14.item_2 = _S616;
     slot_14.own_3 = slot_14.item_2.slot_1;
     slot_14.lent_0 = slot_14.item_2.slot_1;
-    var _S704 : bool;
+    var _S617 : bool;
     if(slot_14.item_2.traces_0)
     {
-        _S704 = !is_over_0(slot_14.own_3);
+        _S617 = !is_over_0(slot_14.own_3);
     }
     else
     {
-        _S704 = false;
+        _S617 = false;
     }
-    if(_S704)
+    if(_S617)
     {
         Slot_walk_0(slot_14);
     }
@@ -9626,20 +8995,20 @@ fn normal_in_0( word_11 : u32) -> vec3<f32>
     return vec3<f32>(vec3<i32>((i32((word_11 << (u32(22)))) >> (u32(22))), (i32((word_11 << (u32(12)))) >> (u32(22))), (i32((word_11 << (u32(2)))) >> (u32(22))))) * vec3<f32>(0.00195694714784622f);
 }
 
-fn load_sample_0( index_31 : u32) -> Sample_0
+fn load_sample_0( index_34 : u32) -> Sample_0
 {
-    var b_10 : vec2<u32> = scratch_row_0(u32(1), index_31);
-    var d_4 : vec2<f32> = (bitcast<vec2<f32>>((scratch_row_0(u32(3), index_31))));
-    var g_0 : vec2<u32> = scratch_row_0(u32(6), index_31);
+    var b_9 : vec2<u32> = scratch_row_0(u32(1), index_34);
+    var d_4 : vec2<f32> = (bitcast<vec2<f32>>((scratch_row_0(u32(3), index_34))));
+    var g_0 : vec2<u32> = scratch_row_0(u32(6), index_34);
     var sample_30 : Sample_0;
-    sample_30.light_1 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(0), index_31)))), (bitcast<f32>((b_10.x))));
-    sample_30.instance_7 = b_10.y;
-    sample_30.direct_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(2), index_31)))), d_4.x);
-    sample_30.place_0 = vec3<f32>(d_4.y, (bitcast<vec2<f32>>((scratch_row_0(u32(4), index_31)))));
-    sample_30.albedo_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(5), index_31)))), (bitcast<f32>((g_0.x))));
-    var _S705 : u32 = g_0.y;
-    sample_30.normal_1 = normal_in_0(_S705);
-    sample_30.is_shown_0 = ((_S705 & (u32(1073741824)))) != u32(0);
+    sample_30.light_1 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(0), index_34)))), (bitcast<f32>((b_9.x))));
+    sample_30.instance_7 = b_9.y;
+    sample_30.direct_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(2), index_34)))), d_4.x);
+    sample_30.place_0 = vec3<f32>(d_4.y, (bitcast<vec2<f32>>((scratch_row_0(u32(4), index_34)))));
+    sample_30.albedo_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(5), index_34)))), (bitcast<f32>((g_0.x))));
+    var _S618 : u32 = g_0.y;
+    sample_30.normal_1 = normal_in_0(_S618);
+    sample_30.is_shown_0 = ((_S618 & (u32(1073741824)))) != u32(0);
     return sample_30;
 }
 
@@ -9658,20 +9027,20 @@ fn Slot_walker_0( this_81 : Slot_0,  sample_31 : ptr<function, Sample_0>) -> Wal
         at_22.path_0.beta_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(7), this_81.lent_0)))), (bitcast<f32>((scratch_row_0(u32(8), this_81.lent_0).x))));
         (*sample_31).light_1 = (*sample_31).light_1 + vec3<f32>((bitcast<f32>((scratch_row_0(u32(8), this_81.lent_0).y))), (bitcast<vec2<f32>>((scratch_row_0(u32(9), this_81.lent_0)))));
     }
-    var _S706 : f32 = at_22.path_0.pdf_1;
-    var _S707 : Ray_0 = Slot_ray_1(this_81, &(_S706));
-    at_22.path_0.pdf_1 = _S706;
-    at_22.ray_9 = _S707;
+    var _S619 : f32 = at_22.path_0.pdf_1;
+    var _S620 : Ray_0 = Slot_ray_1(this_81, &(_S619));
+    at_22.path_0.pdf_1 = _S619;
+    at_22.ray_8 = _S620;
     at_22.path_0.normal_0 = world_normal_0(Slot_instance_0(this_81), Slot_face_0(this_81));
     at_22.is_shadow_ray_0 = false;
     at_22.light_0 = vec3<f32>(0.0f);
-    at_22.direction_4 = at_22.ray_9.direction_0;
-    at_22.path_origin_0 = at_22.ray_9.origin_1;
+    at_22.direction_4 = at_22.ray_8.direction_0;
+    at_22.path_origin_0 = at_22.ray_8.origin_1;
     at_22.shadow_inside_0 = in_air_0();
     at_22.boundaries_0 = u32(0);
     at_22.relocates_0 = false;
     at_22.path_relocates_0 = false;
-    at_22.camera_ray_0 = _S707;
+    at_22.camera_ray_0 = _S620;
     at_22.way_3 = 0.0f;
     at_22.has_shown_0 = true;
     at_22.asks_cache_0 = Item_asks_cache_0(this_81.item_2);
@@ -9680,13 +9049,13 @@ fn Slot_walker_0( this_81 : Slot_0,  sample_31 : ptr<function, Sample_0>) -> Wal
     if(Item_is_cell_0(this_81.item_2))
     {
         var rank_10 : u32;
-        var _S708 : Key_0 = Item_key_2(this_81.item_2, &(rank_10));
+        var _S621 : Key_0 = Item_key_2(this_81.item_2, &(rank_10));
         at_22.life_0 = max((rank_10 >> (u32(20))), u32(1)) - u32(1);
     }
     else
     {
-        var ray_38 : Ray_0 = camera_ray_1(this_81.item_2.at_13, FrameParams_camera_0(), this_81.item_2.sampler_2);
-        (*sample_31).place_0 = ray_38.origin_1 + ray_38.direction_0 * vec3<f32>((bitcast<f32>((scratch_row_0(u32(3), this_81.own_3).y))));
+        var ray_37 : Ray_0 = camera_ray_1(this_81.item_2.at_13, FrameParams_camera_0(), this_81.item_2.sampler_2);
+        (*sample_31).place_0 = ray_37.origin_1 + ray_37.direction_0 * vec3<f32>((bitcast<f32>((scratch_row_0(u32(3), this_81.own_3).y))));
     }
     return at_22;
 }
@@ -9706,20 +9075,20 @@ fn Slot_walker_1( this_82 : Slot_0,  sample_32 : ptr<function, Sample_0>) -> Wal
         at_23.path_0.beta_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(7), this_82.lent_0)))), (bitcast<f32>((scratch_row_0(u32(8), this_82.lent_0).x))));
         (*sample_32).light_1 = (*sample_32).light_1 + vec3<f32>((bitcast<f32>((scratch_row_0(u32(8), this_82.lent_0).y))), (bitcast<vec2<f32>>((scratch_row_0(u32(9), this_82.lent_0)))));
     }
-    var _S709 : f32 = at_23.path_0.pdf_1;
-    var _S710 : Ray_0 = Slot_ray_1(this_82, &(_S709));
-    at_23.path_0.pdf_1 = _S709;
-    at_23.ray_9 = _S710;
+    var _S622 : f32 = at_23.path_0.pdf_1;
+    var _S623 : Ray_0 = Slot_ray_1(this_82, &(_S622));
+    at_23.path_0.pdf_1 = _S622;
+    at_23.ray_8 = _S623;
     at_23.path_0.normal_0 = world_normal_0(Slot_instance_0(this_82), Slot_face_0(this_82));
     at_23.is_shadow_ray_0 = false;
     at_23.light_0 = vec3<f32>(0.0f);
-    at_23.direction_4 = at_23.ray_9.direction_0;
-    at_23.path_origin_0 = at_23.ray_9.origin_1;
+    at_23.direction_4 = at_23.ray_8.direction_0;
+    at_23.path_origin_0 = at_23.ray_8.origin_1;
     at_23.shadow_inside_0 = in_air_0();
     at_23.boundaries_0 = u32(0);
     at_23.relocates_0 = false;
     at_23.path_relocates_0 = false;
-    at_23.camera_ray_0 = _S710;
+    at_23.camera_ray_0 = _S623;
     at_23.way_3 = 0.0f;
     at_23.has_shown_0 = true;
     at_23.asks_cache_0 = Item_asks_cache_0(this_82.item_2);
@@ -9728,13 +9097,13 @@ fn Slot_walker_1( this_82 : Slot_0,  sample_32 : ptr<function, Sample_0>) -> Wal
     if(Item_is_cell_0(this_82.item_2))
     {
         var rank_11 : u32;
-        var _S711 : Key_0 = Item_key_2(this_82.item_2, &(rank_11));
+        var _S624 : Key_0 = Item_key_2(this_82.item_2, &(rank_11));
         at_23.life_0 = max((rank_11 >> (u32(20))), u32(1)) - u32(1);
     }
     else
     {
-        var ray_39 : Ray_0 = camera_ray_1(this_82.item_2.at_13, FrameParams_camera_0(), this_82.item_2.sampler_2);
-        (*sample_32).place_0 = ray_39.origin_1 + ray_39.direction_0 * vec3<f32>((bitcast<f32>((scratch_row_0(u32(3), this_82.own_3).y))));
+        var ray_38 : Ray_0 = camera_ray_1(this_82.item_2.at_13, FrameParams_camera_0(), this_82.item_2.sampler_2);
+        (*sample_32).place_0 = ray_38.origin_1 + ray_38.direction_0 * vec3<f32>((bitcast<f32>((scratch_row_0(u32(3), this_82.own_3).y))));
     }
     return at_23;
 }
@@ -9742,16 +9111,16 @@ fn Slot_walker_1( this_82 : Slot_0,  sample_32 : ptr<function, Sample_0>) -> Wal
 fn goes_on_from_second_0( slot_15 : Slot_0) -> bool
 {
     var sample_33 : Sample_0;
-    var _S712 : Walker_0 = Slot_walker_0(slot_15, &(sample_33));
-    var at_24 : Walker_0 = _S712;
-    var hit_29 : Hit_0 = hit_in_slot_0(slot_15.own_3, at_24.ray_9);
-    var _S713 : vec3<f32> = vec3<f32>(0.0f);
-    var cached_3 : vec3<f32> = _S713;
+    var _S625 : Walker_0 = Slot_walker_0(slot_15, &(sample_33));
+    var at_24 : Walker_0 = _S625;
+    var hit_26 : Hit_0 = hit_in_slot_0(slot_15.own_3, at_24.ray_8);
+    var _S626 : vec3<f32> = vec3<f32>(0.0f);
+    var cached_3 : vec3<f32> = _S626;
     var is_known_0 : bool;
     if(at_24.asks_cache_0)
     {
-        var _S714 : bool = asks_2(at_24.path_0, at_24.ray_9, hit_29, u32(4294967295), at_24.life_0, &(cached_3));
-        is_known_0 = _S714;
+        var _S627 : bool = asks_2(at_24.path_0, at_24.ray_8, hit_26, u32(4294967295), at_24.life_0, &(cached_3));
+        is_known_0 = _S627;
     }
     else
     {
@@ -9759,7 +9128,7 @@ fn goes_on_from_second_0( slot_15 : Slot_0) -> bool
     }
     if(!is_known_0)
     {
-        is_known_0 = !Hit_is_miss_0(hit_29);
+        is_known_0 = !Hit_is_miss_0(hit_26);
     }
     else
     {
@@ -9778,10 +9147,10 @@ fn goes_on_from_second_0( slot_15 : Slot_0) -> bool
         return true;
     }
     ends_here_0 = true;
-    var emitted_6 : vec3<f32> = _S713;
-    var _S715 : Path_0 = at_24.path_0;
-    var _S716 : NextRays_0 = PathTracingOf_advance_2(&(_S715), at_24.ray_9, hit_29, u32(4294967295), &(emitted_6));
-    at_24.path_0 = _S715;
+    var emitted_6 : vec3<f32> = _S626;
+    var _S628 : Path_0 = at_24.path_0;
+    var _S629 : NextRays_0 = PathTracingOf_advance_2(&(_S628), at_24.ray_8, hit_26, u32(4294967295), &(emitted_6));
+    at_24.path_0 = _S628;
     sample_33.light_1 = sample_33.light_1 + (cached_3 + emitted_6);
     Slot_end_0(slot_15, sample_33);
     return false;
@@ -9793,34 +9162,34 @@ var<workgroup> first_appended_0 : array<u32, i32(2)>;
 
 fn append_0( thread_2 : u32,  item_6 : u32,  of_0 : Item_0,  goes_on_8 : bool)
 {
-    var _S717 : bool = thread_2 < u32(2);
-    if(_S717)
+    var _S630 : bool = thread_2 < u32(2);
+    if(_S630)
     {
         atomicStore(&(appended_0[thread_2]), u32(0));
     }
     workgroupBarrier();
-    var _S718 : i32;
+    var _S631 : i32;
     if(goes_on_8)
     {
-        _S718 = i32(0);
+        _S631 = i32(0);
     }
     else
     {
-        _S718 = i32(1);
+        _S631 = i32(1);
     }
-    var list_1 : u32 = u32(_S718);
-    var index_32 : u32;
+    var list_1 : u32 = u32(_S631);
+    var index_35 : u32;
     if(of_0.traces_0)
     {
-        var _S719 : u32 = atomicAdd(&(appended_0[list_1]), u32(1));
-        index_32 = _S719;
+        var _S632 : u32 = atomicAdd(&(appended_0[list_1]), u32(1));
+        index_35 = _S632;
     }
     else
     {
-        index_32 = u32(0);
+        index_35 = u32(0);
     }
     workgroupBarrier();
-    if(_S717)
+    if(_S630)
     {
         var count_10 : u32 = atomicLoad(&(appended_0[thread_2]));
         var before_0 : u32;
@@ -9834,50 +9203,50 @@ fn append_0( thread_2 : u32,  item_6 : u32,  of_0 : Item_0,  goes_on_8 : bool)
             {
                 before_0 = u32(8);
             }
-            var _S720 : u32 = atomicAdd(&(cell_keys_0[before_0]), count_10);
-            before_0 = _S720;
+            var _S633 : u32 = atomicAdd(&(cell_keys_0[before_0]), count_10);
+            before_0 = _S633;
         }
         else
         {
             before_0 = u32(0);
         }
         var more_0 : u32 = (before_0 + count_10 + u32(64) - u32(1)) / u32(64) - (before_0 + u32(64) - u32(1)) / u32(64);
-        var _S721 : bool;
+        var _S634 : bool;
         if(thread_2 == u32(0))
         {
-            _S721 = more_0 > u32(0);
+            _S634 = more_0 > u32(0);
         }
         else
         {
-            _S721 = false;
+            _S634 = false;
         }
-        if(_S721)
+        if(_S634)
         {
-            var _S722 : u32 = atomicAdd(&(cell_keys_0[u32(5)]), more_0);
+            var _S635 : u32 = atomicAdd(&(cell_keys_0[u32(5)]), more_0);
         }
         first_appended_0[thread_2] = before_0;
     }
     workgroupBarrier();
-    var at_25 : u32 = first_appended_0[list_1] + index_32;
+    var at_25 : u32 = first_appended_0[list_1] + index_35;
     if(of_0.traces_0)
     {
         if(goes_on_8)
         {
-            index_32 = at_25;
+            index_35 = at_25;
         }
         else
         {
-            index_32 = real_time_0.slots_0 - u32(1) - at_25;
+            index_35 = real_time_0.slots_0 - u32(1) - at_25;
         }
         if(goes_on_8)
         {
-            index_32 = item_6;
+            index_35 = item_6;
         }
         else
         {
-            index_32 = of_0.slot_1;
+            index_35 = of_0.slot_1;
         }
-        rest_0[index_32] = index_32;
+        rest_0[index_35] = index_35;
     }
     return;
 }
@@ -9889,10 +9258,10 @@ fn trace_ends(@builtin(global_invocation_id) id_4 : vec3<u32>, @builtin(local_in
     is_page_missing_0 = false;
     ends_here_0 = false;
     first_candidates_0 = u32(1);
-    var _S723 : u32 = id_4.x;
-    var item_7 : Item_0 = item_of_0(_S723);
-    var _S724 : u32 = item_7.slot_1;
-    var slot_16 : Slot_0 = Slot_x24init_0(item_7, _S724, _S724);
+    var _S636 : u32 = id_4.x;
+    var item_7 : Item_0 = item_of_0(_S636);
+    var _S637 : u32 = item_7.slot_1;
+    var slot_16 : Slot_0 = Slot_x24init_0(item_7, _S637, _S637);
     var goes_on_9 : bool;
     if(item_7.traces_0)
     {
@@ -9904,40 +9273,40 @@ fn trace_ends(@builtin(global_invocation_id) id_4 : vec3<u32>, @builtin(local_in
     }
     if(goes_on_9)
     {
-        var _S725 : bool = goes_on_from_second_0(slot_16);
-        goes_on_9 = _S725;
+        var _S638 : bool = goes_on_from_second_0(slot_16);
+        goes_on_9 = _S638;
     }
     else
     {
         goes_on_9 = false;
     }
-    append_0(thread_3, _S723, item_7, goes_on_9);
+    append_0(thread_3, _S636, item_7, goes_on_9);
     return;
 }
 
-fn slot_of_rest_0( number_6 : u32,  is_lent_0 : ptr<function, bool>) -> Slot_0
+fn slot_of_rest_0( number_5 : u32,  is_lent_0 : ptr<function, bool>) -> Slot_0
 {
     var slot_17 : Slot_0;
-    var _S726 : u32 = atomicLoad(&(cell_keys_0[u32(4)]));
-    slot_17.item_2.traces_0 = number_6 < _S726;
-    var _S727 : u32 = atomicLoad(&(cell_keys_0[u32(8)]));
-    (*is_lent_0) = number_6 < _S727;
+    var _S639 : u32 = atomicLoad(&(cell_keys_0[u32(4)]));
+    slot_17.item_2.traces_0 = number_5 < _S639;
+    var _S640 : u32 = atomicLoad(&(cell_keys_0[u32(8)]));
+    (*is_lent_0) = number_5 < _S640;
     if(slot_17.item_2.traces_0)
     {
-        var _S728 : Item_0 = item_of_0(rest_0[number_6]);
-        slot_17.item_2 = _S728;
+        var _S641 : Item_0 = item_of_0(rest_0[number_5]);
+        slot_17.item_2 = _S641;
         slot_17.own_3 = slot_17.item_2.slot_1;
         slot_17.lent_0 = slot_17.item_2.slot_1;
         if((*is_lent_0))
         {
-            slot_17.lent_0 = rest_0[real_time_0.slots_0 - u32(1) - number_6];
+            slot_17.lent_0 = rest_0[real_time_0.slots_0 - u32(1) - number_5];
         }
         slot_17.item_2.traces_0 = !is_over_0(slot_17.own_3);
     }
     return slot_17;
 }
 
-fn Slot_keep_later_0( this_83 : Slot_0,  at_26 : Walker_0,  hit_30 : Hit_0,  found_3 : vec3<f32>)
+fn Slot_keep_later_0( this_83 : Slot_0,  at_26 : Walker_0,  hit_27 : Hit_0,  found_1 : vec3<f32>)
 {
     var light_17 : vec3<f32>;
     if(at_26.is_shadow_ray_0)
@@ -9948,9 +9317,9 @@ fn Slot_keep_later_0( this_83 : Slot_0,  at_26 : Walker_0,  hit_30 : Hit_0,  fou
     {
         light_17 = vec3<f32>(0.0f);
     }
-    set_scratch_row_0(u32(0), this_83.own_3, (bitcast<vec2<u32>>((found_3.xy))));
-    scratch_0[real_time_0.slots_0 + this_83.own_3][i32(0)] = (bitcast<u32>((found_3.z)));
-    Slot_keep_0(this_83, at_26, hit_30.instance_0, hit_30.face_0);
+    set_scratch_row_0(u32(0), this_83.own_3, (bitcast<vec2<u32>>((found_1.xy))));
+    scratch_0[real_time_0.slots_0 + this_83.own_3][i32(0)] = (bitcast<u32>((found_1.z)));
+    Slot_keep_0(this_83, at_26, hit_27.instance_0, hit_27.face_0);
     set_scratch_row_0(u32(7), this_83.lent_0, (bitcast<vec2<u32>>((at_26.path_0.beta_0.xy))));
     set_scratch_row_0(u32(8), this_83.lent_0, (bitcast<vec2<u32>>((vec2<f32>(at_26.path_0.beta_0.z, light_17.x)))));
     set_scratch_row_0(u32(9), this_83.lent_0, (bitcast<vec2<u32>>((light_17.yz))));
@@ -9966,27 +9335,27 @@ fn trace_on(@builtin(global_invocation_id) id_5 : vec3<u32>)
     first_candidates_0 = u32(1);
     var is_lent_1 : bool;
     var slot_18 : Slot_0 = slot_of_rest_0(id_5.x, &(is_lent_1));
-    var _S729 : bool;
+    var _S642 : bool;
     if(slot_18.item_2.traces_0)
     {
-        _S729 = is_lent_1;
+        _S642 = is_lent_1;
     }
     else
     {
-        _S729 = false;
+        _S642 = false;
     }
-    if(_S729)
+    if(_S642)
     {
         scatter_of_path_0.wants_light_0 = false;
         first_candidates_0 = u32(1);
         var sample_34 : Sample_0;
-        var _S730 : Walker_0 = Slot_walker_1(slot_18, &(sample_34));
-        var at_27 : Walker_0 = _S730;
-        var hit_31 : Hit_0 = hit_in_slot_0(slot_18.own_3, at_27.ray_9);
-        var _S731 : bool = goes_on_from_1(&(at_27), hit_31, u32(4294967295), &(sample_34));
-        if(_S731)
+        var _S643 : Walker_0 = Slot_walker_1(slot_18, &(sample_34));
+        var at_27 : Walker_0 = _S643;
+        var hit_28 : Hit_0 = hit_in_slot_0(slot_18.own_3, at_27.ray_8);
+        var _S644 : bool = goes_on_from_1(&(at_27), hit_28, u32(4294967295), &(sample_34));
+        if(_S644)
         {
-            Slot_keep_later_0(slot_18, at_27, hit_31, sample_34.light_1);
+            Slot_keep_later_0(slot_18, at_27, hit_28, sample_34.light_1);
         }
         else
         {
@@ -10005,30 +9374,30 @@ fn trace_on_rays(@builtin(global_invocation_id) id_6 : vec3<u32>)
     first_candidates_0 = u32(1);
     var is_lent_2 : bool;
     var slot_19 : Slot_0 = slot_of_rest_0(id_6.x, &(is_lent_2));
-    var _S732 : bool;
+    var _S645 : bool;
     if(slot_19.item_2.traces_0)
     {
-        _S732 = is_lent_2;
+        _S645 = is_lent_2;
     }
     else
     {
-        _S732 = false;
+        _S645 = false;
     }
-    if(_S732)
+    if(_S645)
     {
         Slot_walk_0(slot_19);
     }
     return;
 }
 
-fn follow_0( item_8 : Item_0,  start_5 : Walker_0,  first_2 : Hit_0,  walks_0 : bool,  found_4 : Sample_0)
+fn follow_0( item_8 : Item_0,  start_5 : Walker_0,  first_2 : Hit_0,  walks_0 : bool,  found_2 : Sample_0)
 {
     var at_28 : Walker_0 = start_5;
-    var sample_35 : Sample_0 = found_4;
-    var _S733 : bool = !walks_0;
+    var sample_35 : Sample_0 = found_2;
+    var _S646 : bool = !walks_0;
     var is_under_way_0 : bool = true;
-    var is_met_4 : bool = _S733;
-    var hit_32 : Hit_0 = first_2;
+    var is_met_4 : bool = _S646;
+    var hit_29 : Hit_0 = first_2;
     for(;;)
     {
         if(is_under_way_0)
@@ -10040,25 +9409,25 @@ fn follow_0( item_8 : Item_0,  start_5 : Walker_0,  first_2 : Hit_0,  walks_0 : 
         }
         if(!is_met_4)
         {
-            var _S734 : Ray_0 = at_28.ray_9;
-            var _S735 : Hit_0 = WalkTracer_trace_0(&(_S734), at_28.is_shadow_ray_0);
-            at_28.ray_9 = _S734;
-            hit_32 = _S735;
+            var _S647 : Ray_0 = at_28.ray_8;
+            var _S648 : Hit_0 = WalkTracer_trace_0(&(_S647), at_28.is_shadow_ray_0);
+            at_28.ray_8 = _S647;
+            hit_29 = _S648;
         }
         if(at_28.is_shadow_ray_0)
         {
-            if(Hit_is_miss_0(hit_32))
+            if(Hit_is_miss_0(hit_29))
             {
                 sample_35.light_1 = sample_35.light_1 + at_28.light_0;
             }
             at_28.is_shadow_ray_0 = false;
-            at_28.ray_9 = ray_from_0(at_28.ray_9.origin_1, at_28.direction_4);
+            at_28.ray_8 = ray_from_0(at_28.ray_8.origin_1, at_28.direction_4);
             is_under_way_0 = (any(((at_28.direction_4) != vec3<f32>(0.0f))));
         }
         else
         {
-            var _S736 : bool = goes_on_from_0(&(at_28), hit_32, u32(4294967295), &(sample_35));
-            is_under_way_0 = _S736;
+            var _S649 : bool = goes_on_from_0(&(at_28), hit_29, u32(4294967295), &(sample_35));
+            is_under_way_0 = _S649;
         }
         is_met_4 = false;
     }
@@ -10081,7 +9450,7 @@ fn trace_rest(@builtin(global_invocation_id) id_7 : vec3<u32>)
         first_candidates_0 = u32(1);
         var sample_36 : Sample_0;
         var at_29 : Walker_0 = Slot_walker_1(slot_20, &(sample_36));
-        follow_0(slot_20.item_2, at_29, hit_in_slot_0(slot_20.own_3, at_29.ray_9), false, sample_36);
+        follow_0(slot_20.item_2, at_29, hit_in_slot_0(slot_20.own_3, at_29.ray_8), false, sample_36);
     }
     return;
 }
@@ -10098,8 +9467,8 @@ fn trace_again(@builtin(global_invocation_id) id_8 : vec3<u32>)
     {
         scatter_of_path_0.wants_light_0 = false;
         first_candidates_0 = real_time_0.candidates_0;
-        var _S737 : Walker_0 = Item_start_0(item_9);
-        follow_0(item_9, _S737, miss_0(), true, no_sample_0());
+        var _S650 : Walker_0 = Item_start_0(item_9);
+        follow_0(item_9, _S650, miss_0(), true, no_sample_0());
     }
     return;
 }

@@ -52,7 +52,15 @@ struct FrameParams_std140_0
 };
 
 @binding(9) @group(0) var<uniform> params_0 : FrameParams_std140_0;
-@binding(5) @group(0) var<storage, read> instance_rows_0 : array<vec4<u32>>;
+struct InstanceNode_std430_0
+{
+    @align(4) min_0 : array<f32, i32(3)>,
+    @align(4) index_0 : u32,
+    @align(4) max_0 : array<f32, i32(3)>,
+    @align(4) is_leaf_0 : u32,
+};
+
+@binding(5) @group(0) var<storage, read> instance_nodes_0 : array<InstanceNode_std430_0>;
 
 struct Transform_std430_0
 {
@@ -79,9 +87,9 @@ struct PackedGrid_std430_0
     @align(4) top_shift_0 : u32,
     @align(4) top_size_0 : array<i32, i32(3)>,
     @align(4) top_offset_0 : u32,
-    @align(4) min_0 : array<i32, i32(3)>,
+    @align(4) min_1 : array<i32, i32(3)>,
     @align(4) voxels_0 : array<u32, i32(2)>,
-    @align(4) max_0 : array<i32, i32(3)>,
+    @align(4) max_1 : array<i32, i32(3)>,
     @align(4) material_bits_0 : u32,
 };
 
@@ -1082,9 +1090,9 @@ fn ahead_of_0( mirror_1 : vec3<i32>) -> u32
 
 var<private> is_page_missing_0 : bool;
 
-fn word_in_pages_0( index_0 : u32,  first_2 : u32) -> u32
+fn word_in_pages_0( index_1 : u32,  first_2 : u32) -> u32
 {
-    var page_0 : u32 = first_2 + ((index_0 >> (u32(10))));
+    var page_0 : u32 = first_2 + ((index_1 >> (u32(10))));
     var mark_0 : u32 = u32(8) + pages_0[i32(0)] + page_0;
     if(pages_0[mark_0] == u32(0))
     {
@@ -1101,27 +1109,27 @@ fn word_in_pages_0( index_0 : u32,  first_2 : u32) -> u32
         _S59 = slot_0 == u32(0);
     }
     is_page_missing_0 = _S59;
-    return (((slot_0 << (u32(10)))) | (((index_0 & (u32(1023))))));
+    return (((slot_0 << (u32(10)))) | (((index_1 & (u32(1023))))));
 }
 
-fn place_of_cell_0( index_1 : u32) -> u32
+fn place_of_cell_0( index_2 : u32) -> u32
 {
     var _S60 : u32;
     if(HAS_PAGES_0)
     {
-        var _S61 : u32 = word_in_pages_0(index_1, u32(0));
+        var _S61 : u32 = word_in_pages_0(index_2, u32(0));
         _S60 = _S61;
     }
     else
     {
-        _S60 = index_1;
+        _S60 = index_2;
     }
     return _S60;
 }
 
-fn cell_word_0( index_2 : u32) -> u32
+fn cell_word_0( index_3 : u32) -> u32
 {
-    var _S62 : u32 = place_of_cell_0(index_2);
+    var _S62 : u32 = place_of_cell_0(index_3);
     return cells_0[_S62];
 }
 
@@ -1188,24 +1196,24 @@ fn blocks_of_cell_0( cell_4 : u32) -> u32
     return (((cell_4 >> (u32(23)))) & (u32(255)));
 }
 
-fn place_of_brick_0( index_3 : u32) -> u32
+fn place_of_brick_0( index_4 : u32) -> u32
 {
     var _S66 : u32;
     if(HAS_PAGES_0)
     {
-        var _S67 : u32 = word_in_pages_0(index_3, pages_0[i32(1)]);
+        var _S67 : u32 = word_in_pages_0(index_4, pages_0[i32(1)]);
         _S66 = _S67;
     }
     else
     {
-        _S66 = index_3;
+        _S66 = index_4;
     }
     return _S66;
 }
 
-fn brick_word_0( index_4 : u32) -> u32
+fn brick_word_0( index_5 : u32) -> u32
 {
-    var _S68 : u32 = place_of_brick_0(index_4);
+    var _S68 : u32 = place_of_brick_0(index_5);
     return bricks_0[_S68];
 }
 
@@ -1298,15 +1306,13 @@ fn first_voxel_0( _S76 : u32,  _S77 : Walk_0,  _S78 : ptr<function, vec3<i32>>) 
     var _S80 : vec3<i32> = vec3<i32>(i32(0));
     (*_S78) = _S80;
     var voxel_14 : vec3<i32> = Walk_start_voxel_0(_S77);
-    var _S81 : vec3<i32> = cell_of_0(grids_0[_S76].min_0);
-    var _S82 : vec3<i32> = cell_of_0(grids_0[_S76].max_0);
-    var _S83 : bool = Walk_enter_0(_S77, &(voxel_14), _S81 - _S79.grid_origin_0, _S82 - _S79.grid_origin_0);
-    if(!_S83)
+    var _S81 : bool = Walk_enter_0(_S77, &(voxel_14), cell_of_0(grids_0[_S76].min_1) - _S79.grid_origin_0, cell_of_0(grids_0[_S76].max_1) - _S79.grid_origin_0);
+    if(!_S81)
     {
         return false;
     }
     var octant_3 : u32 = LocalRay_octant_0(_S79.ray_0);
-    var _S84 : u32 = flip_of_0(octant_3);
+    var _S82 : u32 = flip_of_0(octant_3);
     var top_shift_2 : u32;
     if(TOP_SHIFT_0 != u32(0))
     {
@@ -1317,48 +1323,33 @@ fn first_voxel_0( _S76 : u32,  _S77 : Walk_0,  _S78 : ptr<function, vec3<i32>>) 
         top_shift_2 = grids_0[_S76].top_shift_0;
     }
     var top_size_1 : vec3<i32> = cell_of_0(grids_0[_S76].top_size_0);
-    var _S85 : i32 = top_size_1.x;
-    var stride_0 : vec3<i32> = vec3<i32>(i32(1), _S85, _S85 * top_size_1.y);
-    var _S86 : i32 = i32(grids_0[_S76].top_offset_0) - dot_cells_0((stride_0 & ((_S79.mirror_0))), vec3<i32>(i32(1)));
-    var _S87 : vec3<i32> = Walk_mirrored_plane_0(_S79, stride_0);
-    var _S88 : u32 = ahead_of_0(_S79.mirror_0);
+    var _S83 : i32 = top_size_1.x;
+    var stride_0 : vec3<i32> = vec3<i32>(i32(1), _S83, _S83 * top_size_1.y);
+    var _S84 : i32 = i32(grids_0[_S76].top_offset_0) - dot_cells_0((stride_0 & ((_S79.mirror_0))), vec3<i32>(i32(1)));
+    var _S85 : vec3<i32> = Walk_mirrored_plane_0(_S79, stride_0);
+    var _S86 : u32 = ahead_of_0(_S79.mirror_0);
     var end_0 : vec3<i32> = select((top_size_1 << (vec3<u32>(top_shift_2))), _S80, (_S79.mirror_0) != _S80);
     if(!IS_EXACT_0)
     {
         _S79.t_end_0 = min(_S79.t_end_0, min_element_0(Walk_crossings_0(_S79, end_0)));
     }
-    if(!IS_SINGLE_0)
-    {
-        var _S89 : f32 = _S79.t_end_0;
-        var _S90 : f32 = min_element_0(Walk_crossings_0(_S79, Walk_mirrored_plane_0(_S79, select(_S82, _S81, (_S79.mirror_0) != _S80) - _S79.grid_origin_0)));
-        var _S91 : f32;
-        if(IS_EXACT_0)
-        {
-            _S91 = 1.00000095367431641f;
-        }
-        else
-        {
-            _S91 = 1.0f;
-        }
-        _S79.t_end_0 = min(_S89, _S90 * _S91);
-    }
     var is_found_0 : bool = false;
     for(;;)
     {
-        var _S92 : bool;
+        var _S87 : bool;
         if(IS_EXACT_0)
         {
-            _S92 = (any((voxel_14 >= end_0)));
+            _S87 = (any((voxel_14 >= end_0)));
         }
         else
         {
-            _S92 = false;
+            _S87 = false;
         }
-        if(_S92)
+        if(_S87)
         {
             break;
         }
-        var cell_5 : u32 = cell_word_0(u32(_S86 + dot_cells_0(_S87, (voxel_14 >> (vec3<u32>(top_shift_2))))));
+        var cell_5 : u32 = cell_word_0(u32(_S84 + dot_cells_0(_S85, (voxel_14 >> (vec3<u32>(top_shift_2))))));
         var cell_6 : u32;
         var shift_1 : u32;
         var is_found_1 : bool;
@@ -1366,8 +1357,8 @@ fn first_voxel_0( _S76 : u32,  _S77 : Walk_0,  _S78 : ptr<function, vec3<i32>>) 
         {
             if(((cell_5 & (u32(2147483648)))) != u32(0))
             {
-                var _S93 : u32 = cell_word_0(((cell_5 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_14, u32(3))) ^ (_S84))));
-                cell_6 = _S93;
+                var _S88 : u32 = cell_word_0(((cell_5 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_14, u32(3))) ^ (_S82))));
+                cell_6 = _S88;
                 shift_1 = u32(3);
             }
             else
@@ -1390,16 +1381,16 @@ fn first_voxel_0( _S76 : u32,  _S77 : Walk_0,  _S78 : ptr<function, vec3<i32>>) 
                 {
                     is_found_1 = false;
                 }
-                var _S94 : bool;
+                var _S89 : bool;
                 if(is_found_1)
                 {
-                    _S94 = ((cell_6 & (u32(2147483648)))) != u32(0);
+                    _S89 = ((cell_6 & (u32(2147483648)))) != u32(0);
                 }
                 else
                 {
-                    _S94 = false;
+                    _S89 = false;
                 }
-                if(_S94)
+                if(_S89)
                 {
                 }
                 else
@@ -1407,8 +1398,8 @@ fn first_voxel_0( _S76 : u32,  _S77 : Walk_0,  _S78 : ptr<function, vec3<i32>>) 
                     break;
                 }
                 var shift_2 : u32 = shift_1 - u32(2);
-                var _S95 : u32 = cell_word_0(((cell_6 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_14, shift_2)) ^ (_S84))));
-                cell_6 = _S95;
+                var _S90 : u32 = cell_word_0(((cell_6 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_14, shift_2)) ^ (_S82))));
+                cell_6 = _S90;
                 shift_1 = shift_2;
             }
         }
@@ -1425,7 +1416,7 @@ fn first_voxel_0( _S76 : u32,  _S77 : Walk_0,  _S78 : ptr<function, vec3<i32>>) 
             }
             else
             {
-                exit_5 = extents_0(cell_6, _S88);
+                exit_5 = extents_0(cell_6, _S86);
             }
             exit_5 = ((voxel_14 | (vec3<i32>((((i32(1) << (shift_1))) - i32(1)))))) + vec3<i32>(i32(1)) + ((exit_5 << (vec3<u32>(shift_1))));
             is_found_1 = is_found_0;
@@ -1440,10 +1431,10 @@ fn first_voxel_0( _S76 : u32,  _S77 : Walk_0,  _S78 : ptr<function, vec3<i32>>) 
             }
             else
             {
-                var _S96 : u32 = blocks_of_record_0(record_2);
-                blocks_1 = _S96;
+                var _S91 : u32 = blocks_of_record_0(record_2);
+                blocks_1 = _S91;
             }
-            var low_bits_0 : u32 = empty_around_0(record_2, blocks_1, voxel_14, octant_3, _S84);
+            var low_bits_0 : u32 = empty_around_0(record_2, blocks_1, voxel_14, octant_3, _S82);
             var is_found_2 : bool = low_bits_0 == u32(4294967295);
             if(is_found_2)
             {
@@ -1453,8 +1444,8 @@ fn first_voxel_0( _S76 : u32,  _S77 : Walk_0,  _S78 : ptr<function, vec3<i32>>) 
             exit_5 = ((voxel_14 | (vec3<i32>(i32(low_bits_0))))) + vec3<i32>(i32(1));
             is_found_1 = is_found_2;
         }
-        var _S97 : bool = Walk_leave_1(_S79, &(voxel_14), exit_5);
-        if(!_S97)
+        var _S92 : bool = Walk_leave_1(_S79, &(voxel_14), exit_5);
+        if(!_S92)
         {
             is_found_0 = is_found_1;
             break;
@@ -1467,12 +1458,12 @@ fn first_voxel_0( _S76 : u32,  _S77 : Walk_0,  _S78 : ptr<function, vec3<i32>>) 
 
 fn Ray_x24init_0( origin_7 : vec3<f32>,  t_min_3 : f32,  direction_4 : vec3<f32>,  t_max_3 : f32) -> Ray_0
 {
-    var _S98 : Ray_0;
-    _S98.origin_2 = origin_7;
-    _S98.t_min_1 = t_min_3;
-    _S98.direction_1 = direction_4;
-    _S98.t_max_1 = t_max_3;
-    return _S98;
+    var _S93 : Ray_0;
+    _S93.origin_2 = origin_7;
+    _S93.t_min_1 = t_min_3;
+    _S93.direction_1 = direction_4;
+    _S93.t_max_1 = t_max_3;
+    return _S93;
 }
 
 fn ray_of_walk_0( walk_1 : Walk_0,  ray_4 : Ray_0) -> Ray_0
@@ -1483,38 +1474,38 @@ fn ray_of_walk_0( walk_1 : Walk_0,  ray_4 : Ray_0) -> Ray_0
 
 fn hit_of_0( ray_5 : LocalRay_0,  voxel_15 : vec3<i32>,  instance_4 : u32) -> Hit_0
 {
-    var _S99 : vec3<f32>;
-    var _S100 : bool;
+    var _S94 : vec3<f32>;
+    var _S95 : bool;
     var last_0 : Crossing_0;
-    var _S101 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
+    var _S96 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
     for(;;)
     {
         for(;;)
         {
             for(;;)
             {
-                _S99 = ray_5.direction_2;
+                _S94 = ray_5.direction_2;
                 if((ray_5.direction_2[u32(0)]) == 0.0f)
                 {
-                    last_0 = _S101;
+                    last_0 = _S96;
                     break;
                 }
                 var crossing_3 : Crossing_0 = crossing_of_0(ray_5, u32(0), voxel_15[u32(0)] + i32((ray_5.direction_2[u32(0)]) < 0.0f));
-                if((_S101.axis_0) == u32(3))
+                if((_S96.axis_0) == u32(3))
                 {
-                    _S100 = true;
+                    _S95 = true;
                 }
                 else
                 {
-                    _S100 = !Crossing_is_before_0(crossing_3, _S101);
+                    _S95 = !Crossing_is_before_0(crossing_3, _S96);
                 }
-                if(_S100)
+                if(_S95)
                 {
                     last_0 = crossing_3;
                 }
                 else
                 {
-                    last_0 = _S101;
+                    last_0 = _S96;
                 }
                 break;
             }
@@ -1524,21 +1515,21 @@ fn hit_of_0( ray_5 : LocalRay_0,  voxel_15 : vec3<i32>,  instance_4 : u32) -> Hi
         {
             for(;;)
             {
-                var _S102 : vec3<f32> = _S99;
-                if((_S99[u32(1)]) == 0.0f)
+                var _S97 : vec3<f32> = _S94;
+                if((_S94[u32(1)]) == 0.0f)
                 {
                     break;
                 }
-                var crossing_4 : Crossing_0 = crossing_of_0(ray_5, u32(1), voxel_15[u32(1)] + i32((_S102[u32(1)]) < 0.0f));
+                var crossing_4 : Crossing_0 = crossing_of_0(ray_5, u32(1), voxel_15[u32(1)] + i32((_S97[u32(1)]) < 0.0f));
                 if((last_0.axis_0) == u32(3))
                 {
-                    _S100 = true;
+                    _S95 = true;
                 }
                 else
                 {
-                    _S100 = !Crossing_is_before_0(crossing_4, last_0);
+                    _S95 = !Crossing_is_before_0(crossing_4, last_0);
                 }
-                if(_S100)
+                if(_S95)
                 {
                     last_0 = crossing_4;
                 }
@@ -1550,21 +1541,21 @@ fn hit_of_0( ray_5 : LocalRay_0,  voxel_15 : vec3<i32>,  instance_4 : u32) -> Hi
         {
             for(;;)
             {
-                var _S103 : vec3<f32> = _S99;
-                if((_S99[u32(2)]) == 0.0f)
+                var _S98 : vec3<f32> = _S94;
+                if((_S94[u32(2)]) == 0.0f)
                 {
                     break;
                 }
-                var crossing_5 : Crossing_0 = crossing_of_0(ray_5, u32(2), voxel_15[u32(2)] + i32((_S103[u32(2)]) < 0.0f));
+                var crossing_5 : Crossing_0 = crossing_of_0(ray_5, u32(2), voxel_15[u32(2)] + i32((_S98[u32(2)]) < 0.0f));
                 if((last_0.axis_0) == u32(3))
                 {
-                    _S100 = true;
+                    _S95 = true;
                 }
                 else
                 {
-                    _S100 = !Crossing_is_before_0(crossing_5, last_0);
+                    _S95 = !Crossing_is_before_0(crossing_5, last_0);
                 }
-                if(_S100)
+                if(_S95)
                 {
                     last_0 = crossing_5;
                 }
@@ -1574,654 +1565,258 @@ fn hit_of_0( ray_5 : LocalRay_0,  voxel_15 : vec3<i32>,  instance_4 : u32) -> Hi
         }
         break;
     }
-    var _S104 : Crossing_0 = last_0;
-    var is_negative_1 : bool = (_S99[last_0.axis_0]) < 0.0f;
+    var _S99 : Crossing_0 = last_0;
+    var is_negative_1 : bool = (_S94[last_0.axis_0]) < 0.0f;
     var t_8 : f32 = (f32(voxel_15[last_0.axis_0] + i32(is_negative_1)) - ray_5.origin_3[last_0.axis_0]) * ray_5.inverse_0[last_0.axis_0];
-    var _S105 : f32;
+    var _S100 : f32;
     if(t_8 > (ray_5.t_min_2))
     {
-        _S105 = t_8;
+        _S100 = t_8;
     }
     else
     {
-        _S105 = ray_5.t_min_2;
+        _S100 = ray_5.t_min_2;
     }
-    return Hit_x24init_0(_S105, instance_4, voxel_15, u32(2) * _S104.axis_0 + u32(is_negative_1));
+    return Hit_x24init_0(_S100, instance_4, voxel_15, u32(2) * _S99.axis_0 + u32(is_negative_1));
 }
 
 fn hit_of_walk_0( walk_2 : Walk_0,  voxel_16 : vec3<i32>,  instance_5 : u32) -> Hit_0
 {
     var t_9 : vec3<f32> = Walk_crossings_0(walk_2, Walk_mirrored_0(walk_2, voxel_16 - walk_2.grid_origin_0));
     var last_1 : f32 = max_element_0(t_9);
-    var _S106 : i32;
+    var _S101 : i32;
     if((t_9.z) == last_1)
     {
-        _S106 = i32(2);
+        _S101 = i32(2);
     }
     else
     {
         if((t_9.y) == last_1)
         {
-            _S106 = i32(1);
+            _S101 = i32(1);
         }
         else
         {
-            _S106 = i32(0);
+            _S101 = i32(0);
         }
     }
-    var axis_4 : u32 = u32(_S106);
+    var axis_4 : u32 = u32(_S101);
     return Hit_x24init_0(max(last_1, walk_2.ray_0.t_min_2), instance_5, voxel_16, u32(2) * axis_4 + u32((walk_2.mirror_0[axis_4]) != i32(0)));
 }
 
-fn hit_in_0( _S107 : u32,  _S108 : u32,  _S109 : ptr<function, Ray_0>) -> Hit_0
+fn hit_in_0( instance_6 : u32,  ray_6 : ptr<function, Ray_0>) -> Hit_0
 {
-    var _S110 : LocalRay_0 = local_ray_0((*_S109), _S107);
-    if(!_S110.is_valid_0)
+    var _S102 : LocalRay_0 = local_ray_0((*ray_6), instance_6);
+    if(!_S102.is_valid_0)
     {
         return miss_0();
     }
-    var _S111 : Walk_0 = walk_of_0(_S110, _S108);
+    var _S103 : Walk_0 = walk_of_0(_S102, instances_0[instance_6].grid_0);
     var voxel_17 : vec3<i32>;
-    var _S112 : bool = first_voxel_0(_S108, _S111, &(voxel_17));
-    var _S113 : bool;
+    var _S104 : bool = first_voxel_0(instances_0[instance_6].grid_0, _S103, &(voxel_17));
+    var _S105 : bool;
     if(IS_SINGLE_0)
     {
-        _S113 = !IS_EXACT_0;
+        _S105 = !IS_EXACT_0;
     }
     else
     {
-        _S113 = false;
+        _S105 = false;
     }
-    if(_S113)
+    if(_S105)
     {
-        (*_S109) = ray_of_walk_0(_S111, (*_S109));
+        (*ray_6) = ray_of_walk_0(_S103, (*ray_6));
     }
-    if(!_S112)
+    if(!_S104)
     {
         return miss_0();
     }
     var hit_0 : Hit_0;
     if(IS_EXACT_0)
     {
-        hit_0 = hit_of_0(_S110, voxel_17, _S107);
+        hit_0 = hit_of_0(_S102, voxel_17, instance_6);
     }
     else
     {
-        hit_0 = hit_of_walk_0(_S111, voxel_17, _S107);
+        hit_0 = hit_of_walk_0(_S103, voxel_17, instance_6);
     }
-    if((hit_0.t_1) > ((*_S109).t_max_1))
+    if((hit_0.t_1) > ((*ray_6).t_max_1))
     {
         return miss_0();
     }
     return hit_0;
 }
 
-fn children_of_0( node_0 : u32) -> vec4<u32>
+fn entry_0( _S106 : u32,  _S107 : Ray_0,  _S108 : vec3<f32>) -> f32
 {
-    return instance_rows_0[node_0 + u32(1)];
-}
-
-fn base_of_0( node_1 : u32) -> vec3<f32>
-{
-    return (bitcast<vec3<f32>>((instance_rows_0[node_1].xyz)));
-}
-
-fn sort_two_0( a_3 : ptr<function, u32>,  b_3 : ptr<function, u32>)
-{
-    var _S114 : u32 = min((*a_3), (*b_3));
-    (*b_3) = max((*a_3), (*b_3));
-    (*a_3) = _S114;
-    return;
-}
-
-fn met_children_0( node_2 : u32,  children_0 : vec4<u32>,  origin_8 : vec3<f32>,  inverse_2 : vec3<f32>,  t_min_4 : f32,  t_max_4 : f32) -> vec4<u32>
-{
-    var _S115 : vec3<f32> = (base_of_0(node_2) - origin_8) * inverse_2;
-    var _S116 : vec4<f32> = vec4<f32>(t_max_4);
-    var enter_0 : vec4<f32> = vec4<f32>(t_min_4);
-    var leave_0 : vec4<f32> = _S116;
-    var axis_5 : u32 = u32(0);
-    for(;;)
+    var low_5 : vec3<f32> = (vector_of_0(instance_nodes_0[_S106].min_0) - _S107.origin_2) * _S108;
+    var high_3 : vec3<f32> = (vector_of_0(instance_nodes_0[_S106].max_0) - _S107.origin_2) * _S108;
+    var _S109 : f32 = max(_S107.t_min_1, max_element_0(min(low_5, high_3)));
+    var _S110 : f32;
+    if(_S109 <= (min(_S107.t_max_1, min_element_0(max(low_5, high_3)))))
     {
-        if(axis_5 < u32(3))
-        {
-        }
-        else
-        {
-            break;
-        }
-        var sides_0 : vec4<u32> = instance_rows_0[node_2 + u32(2) + axis_5];
-        var _S117 : vec4<f32> = vec4<f32>(inverse_2[axis_5]);
-        var _S118 : vec4<f32> = vec4<f32>(_S115[axis_5]);
-        var low_5 : vec4<f32> = (bitcast<vec4<f32>>(((sides_0 << (vec4<u32>(u32(16))))))) * _S117 + _S118;
-        var high_3 : vec4<f32> = (bitcast<vec4<f32>>(((sides_0 & (vec4<u32>(u32(4294901760))))))) * _S117 + _S118;
-        var _S119 : vec4<f32> = max(enter_0, min(low_5, high_3));
-        var _S120 : vec4<f32> = min(leave_0, max(low_5, high_3));
-        var _S121 : u32 = axis_5 + u32(1);
-        enter_0 = _S119;
-        leave_0 = _S120;
-        axis_5 = _S121;
-    }
-    var _S122 : vec4<u32> = vec4<u32>(u32(4294967295));
-    var keys_0 : vec4<u32> = select(_S122, ((((bitcast<vec4<u32>>((abs(enter_0)))) & (vec4<u32>(u32(4294967292))))) | (vec4<u32>(u32(0), u32(1), u32(2), u32(3)))), select(vec4<bool>(false), children_0 != _S122, enter_0 <= (leave_0 * vec4<f32>(1.00000202655792236f))));
-    var _S123 : u32 = keys_0[i32(0)];
-    var _S124 : u32 = keys_0[i32(1)];
-    sort_two_0(&(_S123), &(_S124));
-    var _S125 : u32 = keys_0[i32(2)];
-    var _S126 : u32 = keys_0[i32(3)];
-    sort_two_0(&(_S125), &(_S126));
-    var _S127 : u32 = _S123;
-    var _S128 : u32 = _S125;
-    sort_two_0(&(_S127), &(_S128));
-    keys_0[i32(0)] = _S127;
-    var _S129 : u32 = _S124;
-    var _S130 : u32 = _S126;
-    sort_two_0(&(_S129), &(_S130));
-    keys_0[i32(3)] = _S130;
-    var _S131 : u32 = _S129;
-    var _S132 : u32 = _S128;
-    sort_two_0(&(_S131), &(_S132));
-    keys_0[i32(1)] = _S131;
-    keys_0[i32(2)] = _S132;
-    return keys_0;
-}
-
-fn child_of_0( children_1 : vec4<u32>,  number_0 : u32) -> u32
-{
-    var half_1 : vec2<u32> = select(children_1.xy, children_1.zw, ((number_0 & (u32(2)))) != u32(0));
-    return select(half_1.x, half_1.y, ((number_0 & (u32(1)))) != u32(0));
-}
-
-struct PackedGrid_0
-{
-     origin_0 : array<i32, i32(3)>,
-     top_shift_0 : u32,
-     top_size_0 : array<i32, i32(3)>,
-     top_offset_0 : u32,
-     min_0 : array<i32, i32(3)>,
-     voxels_0 : array<u32, i32(2)>,
-     max_0 : array<i32, i32(3)>,
-     material_bits_0 : u32,
-};
-
-fn grid_of_leaf_0( leaf_0 : vec4<u32>) -> PackedGrid_0
-{
-    var _S133 : PackedGrid_std430_0 = grids_0[leaf_0.y];
-    var grid_1 : PackedGrid_0;
-    grid_1.origin_0 = _S133.origin_0;
-    grid_1.top_shift_0 = _S133.top_shift_0;
-    grid_1.top_size_0 = _S133.top_size_0;
-    grid_1.top_offset_0 = _S133.top_offset_0;
-    grid_1.min_0 = _S133.min_0;
-    grid_1.voxels_0 = _S133.voxels_0;
-    grid_1.max_0 = _S133.max_0;
-    grid_1.material_bits_0 = _S133.material_bits_0;
-    var _S134 : u32 = leaf_0.z;
-    if(_S134 != u32(0))
-    {
-        var _S135 : vec4<i32> = vec4<i32>(instance_rows_0[_S134]);
-        var _S136 : vec4<i32> = vec4<i32>(instance_rows_0[_S134 + u32(1)]);
-        var _S137 : i32 = _S135.y;
-        var _S138 : i32 = _S135.z;
-        grid_1.min_0[i32(0)] = _S135.x;
-        grid_1.min_0[i32(1)] = _S137;
-        grid_1.min_0[i32(2)] = _S138;
-        var _S139 : i32 = _S136.y;
-        var _S140 : i32 = _S136.z;
-        grid_1.max_0[i32(0)] = _S136.x;
-        grid_1.max_0[i32(1)] = _S139;
-        grid_1.max_0[i32(2)] = _S140;
-    }
-    return grid_1;
-}
-
-fn walk_of_1( ray_6 : LocalRay_0,  grid_2 : PackedGrid_0) -> Walk_0
-{
-    var walk_3 : Walk_0;
-    walk_3.ray_0 = ray_6;
-    walk_3.grid_origin_0 = cell_of_0(grid_2.origin_0);
-    var is_negative_2 : vec3<bool> = (ray_6.direction_2) < vec3<f32>(0.0f);
-    var _S141 : vec3<i32> = vec3<i32>(i32(0));
-    walk_3.mirror_0 = select(_S141, vec3<i32>(i32(-1)), is_negative_2);
-    var _S142 : vec3<i32>;
-    if(IS_EXACT_0)
-    {
-        _S142 = Walk_mirrored_plane_0(walk_3, walk_3.grid_origin_0);
+        _S110 = _S109;
     }
     else
     {
-        _S142 = _S141;
+        _S110 = (bitcast<f32>((u32(2139095040))));
     }
-    walk_3.offset_0 = _S142;
-    var origin_9 : vec3<f32>;
-    if(IS_EXACT_0)
-    {
-        origin_9 = ray_6.origin_3;
-    }
-    else
-    {
-        origin_9 = ray_6.origin_3 - vec3<f32>(walk_3.grid_origin_0);
-    }
-    walk_3.origin_5 = select(origin_9, (vec3<f32>(0) - origin_9), is_negative_2);
-    walk_3.speed_1 = max(abs(ray_6.direction_2), vec3<f32>(min_abs_direction_0()));
-    if(IS_EXACT_0)
-    {
-        origin_9 = abs(ray_6.inverse_0);
-    }
-    else
-    {
-        origin_9 = vec3<f32>(1.0f) / walk_3.speed_1;
-    }
-    walk_3.inverse_1 = origin_9;
-    var top_shift_3 : u32;
-    if(TOP_SHIFT_0 != u32(0))
-    {
-        top_shift_3 = TOP_SHIFT_0;
-    }
-    else
-    {
-        top_shift_3 = grid_2.top_shift_0;
-    }
-    walk_3.tolerance_0 = LocalRay_tolerance_0(ray_6, walk_3.grid_origin_0, walk_3.grid_origin_0 + (((cell_of_0(grid_2.top_size_0)) << (vec3<u32>(top_shift_3)))));
-    walk_3.t_end_0 = LocalRay_t_end_0(ray_6);
-    return walk_3;
+    return _S110;
 }
 
-fn first_voxel_1( grid_3 : PackedGrid_0,  walk_4 : Walk_0,  found_0 : ptr<function, vec3<i32>>) -> bool
+fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_1 : u32) -> Hit_0
 {
-    var _S143 : Walk_0 = walk_4;
-    var _S144 : vec3<i32> = vec3<i32>(i32(0));
-    (*found_0) = _S144;
-    var voxel_18 : vec3<i32> = Walk_start_voxel_0(walk_4);
-    var _S145 : vec3<i32> = cell_of_0(grid_3.min_0);
-    var _S146 : vec3<i32> = cell_of_0(grid_3.max_0);
-    var _S147 : bool = Walk_enter_0(walk_4, &(voxel_18), _S145 - _S143.grid_origin_0, _S146 - _S143.grid_origin_0);
-    if(!_S147)
-    {
-        return false;
-    }
-    var octant_4 : u32 = LocalRay_octant_0(_S143.ray_0);
-    var _S148 : u32 = flip_of_0(octant_4);
-    var top_shift_4 : u32;
-    if(TOP_SHIFT_0 != u32(0))
-    {
-        top_shift_4 = TOP_SHIFT_0;
-    }
-    else
-    {
-        top_shift_4 = grid_3.top_shift_0;
-    }
-    var top_size_2 : vec3<i32> = cell_of_0(grid_3.top_size_0);
-    var _S149 : i32 = top_size_2.x;
-    var stride_1 : vec3<i32> = vec3<i32>(i32(1), _S149, _S149 * top_size_2.y);
-    var _S150 : i32 = i32(grid_3.top_offset_0) - dot_cells_0((stride_1 & ((_S143.mirror_0))), vec3<i32>(i32(1)));
-    var _S151 : vec3<i32> = Walk_mirrored_plane_0(_S143, stride_1);
-    var _S152 : u32 = ahead_of_0(_S143.mirror_0);
-    var end_1 : vec3<i32> = select((top_size_2 << (vec3<u32>(top_shift_4))), _S144, (_S143.mirror_0) != _S144);
-    if(!IS_EXACT_0)
-    {
-        _S143.t_end_0 = min(_S143.t_end_0, min_element_0(Walk_crossings_0(_S143, end_1)));
-    }
-    if(!IS_SINGLE_0)
-    {
-        var _S153 : f32 = _S143.t_end_0;
-        var _S154 : f32 = min_element_0(Walk_crossings_0(_S143, Walk_mirrored_plane_0(_S143, select(_S146, _S145, (_S143.mirror_0) != _S144) - _S143.grid_origin_0)));
-        var _S155 : f32;
-        if(IS_EXACT_0)
-        {
-            _S155 = 1.00000095367431641f;
-        }
-        else
-        {
-            _S155 = 1.0f;
-        }
-        _S143.t_end_0 = min(_S153, _S154 * _S155);
-    }
-    var is_found_3 : bool = false;
-    for(;;)
-    {
-        var _S156 : bool;
-        if(IS_EXACT_0)
-        {
-            _S156 = (any((voxel_18 >= end_1)));
-        }
-        else
-        {
-            _S156 = false;
-        }
-        if(_S156)
-        {
-            break;
-        }
-        var cell_7 : u32 = cell_word_0(u32(_S150 + dot_cells_0(_S151, (voxel_18 >> (vec3<u32>(top_shift_4))))));
-        var cell_8 : u32;
-        var shift_3 : u32;
-        var is_found_4 : bool;
-        if(TOP_SHIFT_0 == u32(5))
-        {
-            if(((cell_7 & (u32(2147483648)))) != u32(0))
-            {
-                var _S157 : u32 = cell_word_0(((cell_7 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_18, u32(3))) ^ (_S148))));
-                cell_8 = _S157;
-                shift_3 = u32(3);
-            }
-            else
-            {
-                cell_8 = cell_7;
-                shift_3 = top_shift_4;
-            }
-        }
-        else
-        {
-            cell_8 = cell_7;
-            shift_3 = top_shift_4;
-            for(;;)
-            {
-                if(TOP_SHIFT_0 != u32(3))
-                {
-                    is_found_4 = shift_3 > u32(3);
-                }
-                else
-                {
-                    is_found_4 = false;
-                }
-                var _S158 : bool;
-                if(is_found_4)
-                {
-                    _S158 = ((cell_8 & (u32(2147483648)))) != u32(0);
-                }
-                else
-                {
-                    _S158 = false;
-                }
-                if(_S158)
-                {
-                }
-                else
-                {
-                    break;
-                }
-                var shift_4 : u32 = shift_3 - u32(2);
-                var _S159 : u32 = cell_word_0(((cell_8 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_18, shift_4)) ^ (_S148))));
-                cell_8 = _S159;
-                shift_3 = shift_4;
-            }
-        }
-        if(waits_for_pages_0())
-        {
-            break;
-        }
-        var exit_6 : vec3<i32>;
-        if(((cell_8 & (u32(2147483648)))) == u32(0))
-        {
-            if(CELLS_SKIP_0)
-            {
-                exit_6 = vec3<i32>((i32(skip_distance_0(cell_8, octant_4)) - i32(1)));
-            }
-            else
-            {
-                exit_6 = extents_0(cell_8, _S152);
-            }
-            exit_6 = ((voxel_18 | (vec3<i32>((((i32(1) << (shift_3))) - i32(1)))))) + vec3<i32>(i32(1)) + ((exit_6 << (vec3<u32>(shift_3))));
-            is_found_4 = is_found_3;
-        }
-        else
-        {
-            var record_3 : u32 = record_of_cell_0(cell_8);
-            var blocks_2 : u32;
-            if(CELLS_HAVE_BLOCKS_0)
-            {
-                blocks_2 = blocks_of_cell_0(cell_8);
-            }
-            else
-            {
-                var _S160 : u32 = blocks_of_record_0(record_3);
-                blocks_2 = _S160;
-            }
-            var low_bits_1 : u32 = empty_around_0(record_3, blocks_2, voxel_18, octant_4, _S148);
-            var is_found_5 : bool = low_bits_1 == u32(4294967295);
-            if(is_found_5)
-            {
-                is_found_3 = is_found_5;
-                break;
-            }
-            exit_6 = ((voxel_18 | (vec3<i32>(i32(low_bits_1))))) + vec3<i32>(i32(1));
-            is_found_4 = is_found_5;
-        }
-        var _S161 : bool = Walk_leave_1(_S143, &(voxel_18), exit_6);
-        if(!_S161)
-        {
-            is_found_3 = is_found_4;
-            break;
-        }
-        is_found_3 = is_found_4;
-    }
-    (*found_0) = Walk_mirrored_0(_S143, voxel_18) + _S143.grid_origin_0;
-    return is_found_3;
-}
-
-fn hit_in_1( instance_6 : u32,  grid_4 : PackedGrid_0,  ray_7 : ptr<function, Ray_0>) -> Hit_0
-{
-    var _S162 : LocalRay_0 = local_ray_0((*ray_7), instance_6);
-    if(!_S162.is_valid_0)
-    {
-        return miss_0();
-    }
-    var walk_5 : Walk_0 = walk_of_1(_S162, grid_4);
-    var voxel_19 : vec3<i32>;
-    var is_found_6 : bool = first_voxel_1(grid_4, walk_5, &(voxel_19));
-    var _S163 : bool;
     if(IS_SINGLE_0)
     {
-        _S163 = !IS_EXACT_0;
+        var _S111 : Hit_0 = hit_in_0(u32(0), &((*given_0)));
+        return _S111;
     }
-    else
-    {
-        _S163 = false;
-    }
-    if(_S163)
-    {
-        (*ray_7) = ray_of_walk_0(walk_5, (*ray_7));
-    }
-    if(!is_found_6)
-    {
-        return miss_0();
-    }
-    var hit_1 : Hit_0;
-    if(IS_EXACT_0)
-    {
-        hit_1 = hit_of_0(_S162, voxel_19, instance_6);
-    }
-    else
-    {
-        hit_1 = hit_of_walk_0(walk_5, voxel_19, instance_6);
-    }
-    if((hit_1.t_1) > ((*ray_7).t_max_1))
-    {
-        return miss_0();
-    }
-    return hit_1;
-}
-
-fn Hit_is_miss_0( this_14 : Hit_0) -> bool
-{
-    return (this_14.instance_1) == u32(4294967295);
-}
-
-fn is_before_1( hit_2 : Hit_0,  other_1 : Hit_0,  direction_5 : vec3<f32>) -> bool
-{
-    var _S164 : bool;
-    if((hit_2.t_1) != (other_1.t_1))
-    {
-        _S164 = true;
-    }
-    else
-    {
-        _S164 = Hit_is_miss_0(hit_2);
-    }
-    if(_S164)
-    {
-        return (hit_2.t_1) < (other_1.t_1);
-    }
-    if((hit_2.instance_1) != (other_1.instance_1))
-    {
-        return (hit_2.instance_1) < (other_1.instance_1);
-    }
-    var ahead_1 : vec3<i32> = select(hit_2.voxel_1 - other_1.voxel_1, other_1.voxel_1 - hit_2.voxel_1, (Transform_direction_0(hit_2.instance_1, direction_5)) < vec3<f32>(0.0f));
-    return (ahead_1.x + ahead_1.y + ahead_1.z) < i32(0);
-}
-
-fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_2 : u32) -> Hit_0
-{
-    var next_0 : u32;
-    var depth_0 : u32;
-    var _S165 : bool;
-    if(IS_SINGLE_0)
-    {
-        var _S166 : Hit_0 = hit_in_0(u32(0), instances_0[i32(0)].grid_0, &((*given_0)));
-        return _S166;
-    }
-    var ray_8 : Ray_0 = (*given_0);
+    var ray_7 : Ray_0 = (*given_0);
     var nearest_5 : Hit_0 = miss_0();
     if((params_0.instance_count_0) == u32(0))
     {
         return nearest_5;
     }
-    var is_zero_1 : vec3<bool> = !((abs(ray_8.direction_1)) >= vec3<f32>(1.00000006335638761e-28f));
-    var _S167 : vec3<f32> = select(reciprocal_0(select(ray_8.direction_1, vec3<f32>(1.0f), is_zero_1)), select(vec3<f32>(9.99999944211968977e+27f), vec3<f32>(-9.99999944211968977e+27f), (ray_8.direction_1) < vec3<f32>(0.0f)), is_zero_1);
-    var stack_0 : array<vec2<u32>, i32(64)>;
-    var next_1 : u32 = u32(0);
+    var is_zero_1 : vec3<bool> = !((abs(ray_7.direction_1)) >= vec3<f32>(1.17549435082228751e-38f));
+    var _S112 : vec3<f32> = select(reciprocal_0(select(ray_7.direction_1, vec3<f32>(1.0f), is_zero_1)), vec3<f32>(3.4028234663852886e+38f), is_zero_1);
+    var stack_0 : array<u32, i32(32)>;
+    var index_6 : u32 = u32(0);
     var nearest_6 : Hit_0 = nearest_5;
-    var depth_1 : u32 = u32(0);
+    var depth_0 : u32 = u32(0);
     for(;;)
     {
-        var next_2 : u32 = next_1;
-        var depth_2 : u32 = depth_1;
+        var depth_1 : u32;
+        var is_reached_0 : bool;
+        if((instance_nodes_0[index_6].is_leaf_0) != u32(0))
+        {
+            var _S113 : Hit_0 = hit_in_0(instance_nodes_0[index_6].index_0, &(ray_7));
+            var _S114 : Hit_0 = nearest_6;
+            if((_S113.t_1) < (nearest_6.t_1))
+            {
+                is_reached_0 = true;
+            }
+            else
+            {
+                if((_S113.t_1) == (_S114.t_1))
+                {
+                    is_reached_0 = (_S113.instance_1) < (nearest_6.instance_1);
+                }
+                else
+                {
+                    is_reached_0 = false;
+                }
+            }
+            var nearest_7 : Hit_0;
+            if(is_reached_0)
+            {
+                ray_7.t_max_1 = _S113.t_1;
+                if(is_any_enough_0)
+                {
+                    return _S113;
+                }
+                nearest_7 = _S113;
+            }
+            else
+            {
+                nearest_7 = nearest_6;
+            }
+            nearest_6 = nearest_7;
+            depth_1 = depth_0;
+        }
+        else
+        {
+            var _S115 : u32 = index_6 + u32(1);
+            var _S116 : f32 = entry_0(_S115, ray_7, _S112);
+            var _S117 : u32 = instance_nodes_0[index_6].index_0;
+            var _S118 : f32 = entry_0(instance_nodes_0[index_6].index_0, ray_7, _S112);
+            var _S119 : bool = _S116 <= _S118;
+            if(_S119)
+            {
+                index_6 = _S115;
+            }
+            else
+            {
+                index_6 = _S117;
+            }
+            var far_2 : u32;
+            if(_S119)
+            {
+                far_2 = _S117;
+            }
+            else
+            {
+                far_2 = _S115;
+            }
+            var INFINITY_0 : f32 = (bitcast<f32>((u32(2139095040))));
+            if((max(_S116, _S118)) < INFINITY_0)
+            {
+                var _S120 : u32 = depth_0 + u32(1);
+                stack_0[depth_0] = far_2;
+                depth_1 = _S120;
+            }
+            else
+            {
+                depth_1 = depth_0;
+            }
+            if((min(_S116, _S118)) < INFINITY_0)
+            {
+                depth_0 = depth_1;
+                continue;
+            }
+        }
+        is_reached_0 = false;
+        depth_0 = depth_1;
         for(;;)
         {
-            next_0 = next_2;
-            depth_0 = depth_2;
-            for(;;)
+            var _S121 : bool;
+            if(depth_0 > u32(0))
             {
-                var _S168 : bool = next_0 == u32(4294967295);
-                _S165 = _S168;
-                var _S169 : bool;
-                if(_S168)
-                {
-                    _S169 = depth_0 > u32(0);
-                }
-                else
-                {
-                    _S169 = false;
-                }
-                if(_S169)
-                {
-                }
-                else
-                {
-                    break;
-                }
-                var depth_3 : u32 = depth_0 - u32(1);
-                var nearest_waiting_0 : vec2<u32> = stack_0[depth_3];
-                if((bitcast<f32>((((stack_0[depth_3].x) & (u32(4294967292)))))) <= (ray_8.t_max_1))
-                {
-                    next_0 = nearest_waiting_0.y;
-                }
-                depth_0 = depth_3;
+                _S121 = !is_reached_0;
             }
-            if(((next_0 & (u32(2147483648)))) != u32(0))
+            else
+            {
+                _S121 = false;
+            }
+            if(_S121)
+            {
+            }
+            else
             {
                 break;
             }
-            var children_2 : vec4<u32> = children_of_0(next_0);
-            var met_0 : vec4<u32> = met_children_0(next_0, children_2, ray_8.origin_2, _S167, ray_8.t_min_1, ray_8.t_max_1);
-            var _S170 : u32 = met_0.w;
-            var depth_4 : u32;
-            if(_S170 != u32(4294967295))
-            {
-                var _S171 : u32 = depth_0 + u32(1);
-                stack_0[depth_0] = vec2<u32>(_S170, child_of_0(children_2, _S170));
-                depth_4 = _S171;
-            }
-            else
-            {
-                depth_4 = depth_0;
-            }
-            var _S172 : u32 = met_0.z;
-            var depth_5 : u32;
-            if(_S172 != u32(4294967295))
-            {
-                var _S173 : u32 = depth_4 + u32(1);
-                stack_0[depth_4] = vec2<u32>(_S172, child_of_0(children_2, _S172));
-                depth_5 = _S173;
-            }
-            else
-            {
-                depth_5 = depth_4;
-            }
-            var _S174 : u32 = met_0.y;
-            if(_S174 != u32(4294967295))
-            {
-                var _S175 : u32 = depth_5 + u32(1);
-                stack_0[depth_5] = vec2<u32>(_S174, child_of_0(children_2, _S174));
-                depth_2 = _S175;
-            }
-            else
-            {
-                depth_2 = depth_5;
-            }
-            var _S176 : u32 = met_0.x;
-            if(_S176 != u32(4294967295))
-            {
-                next_2 = child_of_0(children_2, _S176);
-            }
-            else
-            {
-                next_2 = u32(4294967295);
-            }
+            var depth_2 : u32 = depth_0 - u32(1);
+            is_reached_0 = (entry_0(stack_0[depth_2], ray_7, _S112)) < (bitcast<f32>((u32(2139095040))));
+            index_6 = stack_0[depth_2];
+            depth_0 = depth_2;
         }
-        if(_S165)
+        if(!is_reached_0)
         {
             break;
         }
-        var leaf_1 : vec4<u32> = instance_rows_0[(next_0 & (u32(2147483647)))];
-        var _S177 : Hit_0 = hit_in_1(leaf_1.x, grid_of_leaf_0(leaf_1), &(ray_8));
-        if(is_before_1(_S177, nearest_6, ray_8.direction_1))
-        {
-            ray_8.t_max_1 = _S177.t_1;
-            if(is_any_enough_0)
-            {
-                nearest_6 = _S177;
-                break;
-            }
-            nearest_6 = _S177;
-        }
-        next_1 = u32(4294967295);
-        depth_1 = depth_0;
     }
     return nearest_6;
 }
 
-fn WalkTracer_trace_0( ray_9 : ptr<function, Ray_0>,  is_any_enough_1 : bool) -> Hit_0
+fn WalkTracer_trace_0( ray_8 : ptr<function, Ray_0>,  is_any_enough_1 : bool) -> Hit_0
 {
-    var _S178 : Hit_0 = visit_0(&((*ray_9)), is_any_enough_1, u32(0));
-    return _S178;
+    var _S122 : Hit_0 = visit_0(&((*ray_8)), is_any_enough_1, u32(0));
+    return _S122;
 }
 
-fn hit_of_ray_0( sampler_1 : Sampler_0,  ray_10 : ptr<function, Ray_0>,  is_shadow_ray_0 : bool,  path_0 : ptr<function, Path_0>,  shadow_inside_0 : ptr<function, Inside_0>,  relocates_0 : ptr<function, bool>,  path_relocates_0 : ptr<function, bool>,  beyond_0 : ptr<function, u32>) -> Hit_0
+fn hit_of_ray_0( sampler_1 : Sampler_0,  ray_9 : ptr<function, Ray_0>,  is_shadow_ray_0 : bool,  path_0 : ptr<function, Path_0>,  shadow_inside_0 : ptr<function, Inside_0>,  relocates_0 : ptr<function, bool>,  path_relocates_0 : ptr<function, bool>,  beyond_0 : ptr<function, u32>) -> Hit_0
 {
     (*beyond_0) = u32(4294967295);
-    var _S179 : Hit_0 = WalkTracer_trace_0(&((*ray_10)), is_shadow_ray_0);
-    return _S179;
+    var _S123 : Hit_0 = WalkTracer_trace_0(&((*ray_9)), is_shadow_ray_0);
+    return _S123;
 }
 
 fn Sampler_x24init_0( seed_2 : u32,  pixel_1 : u32,  sample_1 : u32) -> Sampler_0
 {
-    var _S180 : Sampler_0;
-    _S180.seed_1 = seed_2;
-    _S180.pixel_0 = pixel_1;
-    _S180.sample_0 = sample_1;
-    return _S180;
+    var _S124 : Sampler_0;
+    _S124.seed_1 = seed_2;
+    _S124.pixel_0 = pixel_1;
+    _S124.sample_0 = sample_1;
+    return _S124;
 }
 
 fn sampler_of_0( pixel_2 : u32,  sample_2 : u32) -> Sampler_0
@@ -2231,20 +1826,20 @@ fn sampler_of_0( pixel_2 : u32,  sample_2 : u32) -> Sampler_0
 
 fn Selection_x24init_0( sun_1 : f32,  sky_2 : f32,  emitters_1 : f32) -> Selection_0
 {
-    var _S181 : Selection_0;
-    _S181.sun_0 = sun_1;
-    _S181.sky_1 = sky_2;
-    _S181.emitters_0 = emitters_1;
-    return _S181;
+    var _S125 : Selection_0;
+    _S125.sun_0 = sun_1;
+    _S125.sky_1 = sky_2;
+    _S125.emitters_0 = emitters_1;
+    return _S125;
 }
 
-fn Inside_x24init_0( instance_7 : u32,  voxel_20 : vec3<i32>,  material_1 : u32) -> Inside_0
+fn Inside_x24init_0( instance_7 : u32,  voxel_18 : vec3<i32>,  material_1 : u32) -> Inside_0
 {
-    var _S182 : Inside_0;
-    _S182.instance_2 = instance_7;
-    _S182.voxel_2 = voxel_20;
-    _S182.material_0 = material_1;
-    return _S182;
+    var _S126 : Inside_0;
+    _S126.instance_2 = instance_7;
+    _S126.voxel_2 = voxel_18;
+    _S126.material_0 = material_1;
+    return _S126;
 }
 
 fn in_air_0() -> Inside_0
@@ -2254,33 +1849,33 @@ fn in_air_0() -> Inside_0
 
 fn Path_x24init_0( sampler_2 : Sampler_0,  bounce_1 : u32,  event_1 : u32,  kinds_1 : u32,  scattered_1 : u32,  beta_1 : vec3<f32>,  pdf_2 : f32,  normal_1 : vec3<f32>,  selection_1 : Selection_0,  passed_t_1 : f32,  inside_1 : Inside_0,  is_clipped_1 : bool) -> Path_0
 {
-    var _S183 : Path_0;
-    _S183.sampler_0 = sampler_2;
-    _S183.bounce_0 = bounce_1;
-    _S183.event_0 = event_1;
-    _S183.kinds_0 = kinds_1;
-    _S183.scattered_0 = scattered_1;
-    _S183.beta_0 = beta_1;
-    _S183.pdf_1 = pdf_2;
-    _S183.normal_0 = normal_1;
-    _S183.selection_0 = selection_1;
-    _S183.passed_t_0 = passed_t_1;
-    _S183.inside_0 = inside_1;
-    _S183.is_clipped_0 = is_clipped_1;
-    return _S183;
+    var _S127 : Path_0;
+    _S127.sampler_0 = sampler_2;
+    _S127.bounce_0 = bounce_1;
+    _S127.event_0 = event_1;
+    _S127.kinds_0 = kinds_1;
+    _S127.scattered_0 = scattered_1;
+    _S127.beta_0 = beta_1;
+    _S127.pdf_1 = pdf_2;
+    _S127.normal_0 = normal_1;
+    _S127.selection_0 = selection_1;
+    _S127.passed_t_0 = passed_t_1;
+    _S127.inside_0 = inside_1;
+    _S127.is_clipped_0 = is_clipped_1;
+    return _S127;
 }
 
 fn pcg4d_0( words_0 : vec4<u32>) -> vec4<u32>
 {
-    var _S184 : vec4<u32> = words_0 * vec4<u32>(u32(1664525)) + vec4<u32>(u32(1013904223));
-    var v_0 : vec4<u32> = _S184;
-    v_0[i32(0)] = v_0[i32(0)] + _S184.y * _S184.w;
+    var _S128 : vec4<u32> = words_0 * vec4<u32>(u32(1664525)) + vec4<u32>(u32(1013904223));
+    var v_0 : vec4<u32> = _S128;
+    v_0[i32(0)] = v_0[i32(0)] + _S128.y * _S128.w;
     v_0[i32(1)] = v_0[i32(1)] + v_0.z * v_0.x;
     v_0[i32(2)] = v_0[i32(2)] + v_0.x * v_0.y;
     v_0[i32(3)] = v_0[i32(3)] + v_0.y * v_0.z;
-    var _S185 : vec4<u32> = (v_0 ^ (((v_0 >> (vec4<u32>(u32(16)))))));
-    v_0 = _S185;
-    v_0[i32(0)] = v_0[i32(0)] + _S185.y * _S185.w;
+    var _S129 : vec4<u32> = (v_0 ^ (((v_0 >> (vec4<u32>(u32(16)))))));
+    v_0 = _S129;
+    v_0[i32(0)] = v_0[i32(0)] + _S129.y * _S129.w;
     v_0[i32(1)] = v_0[i32(1)] + v_0.z * v_0.x;
     v_0[i32(2)] = v_0[i32(2)] + v_0.x * v_0.y;
     v_0[i32(3)] = v_0[i32(3)] + v_0.y * v_0.z;
@@ -2298,18 +1893,18 @@ fn owen_of_reversed_0( reversed_0 : u32,  seed_3 : u32) -> u32
 
 fn scrambled_sobol_0( sample_3 : u32,  order_0 : u32,  seeds_0 : vec2<u32>) -> vec2<u32>
 {
-    var index_5 : u32 = owen_of_reversed_0(reverseBits(sample_3), order_0);
-    var binomial_0 : u32 = (index_5 ^ (((((index_5 >> (u32(1)))) & (u32(1431655765))))));
+    var index_7 : u32 = owen_of_reversed_0(reverseBits(sample_3), order_0);
+    var binomial_0 : u32 = (index_7 ^ (((((index_7 >> (u32(1)))) & (u32(1431655765))))));
     var binomial_1 : u32 = (binomial_0 ^ (((((binomial_0 >> (u32(2)))) & (u32(858993459))))));
     var binomial_2 : u32 = (binomial_1 ^ (((((binomial_1 >> (u32(4)))) & (u32(252645135))))));
     var binomial_3 : u32 = (binomial_2 ^ (((((binomial_2 >> (u32(8)))) & (u32(16711935))))));
-    return vec2<u32>(owen_of_reversed_0(index_5, seeds_0.x), owen_of_reversed_0((binomial_3 ^ (((((binomial_3 >> (u32(16)))) & (u32(65535)))))), seeds_0.y));
+    return vec2<u32>(owen_of_reversed_0(index_7, seeds_0.x), owen_of_reversed_0((binomial_3 ^ (((((binomial_3 >> (u32(16)))) & (u32(65535)))))), seeds_0.y));
 }
 
-fn Sampler_pair_0( this_15 : Sampler_0,  dimension_0 : u32,  which_0 : u32) -> vec2<u32>
+fn Sampler_pair_0( this_14 : Sampler_0,  dimension_0 : u32,  which_0 : u32) -> vec2<u32>
 {
-    var words_1 : vec4<u32> = pcg4d_0(vec4<u32>(this_15.pixel_0, dimension_0, this_15.seed_1, which_0));
-    return scrambled_sobol_0(this_15.sample_0, words_1.x, words_1.yz);
+    var words_1 : vec4<u32> = pcg4d_0(vec4<u32>(this_14.pixel_0, dimension_0, this_14.seed_1, which_0));
+    return scrambled_sobol_0(this_14.sample_0, words_1.x, words_1.yz);
 }
 
 fn unit_float_0( words_2 : vec4<u32>) -> vec4<f32>
@@ -2317,9 +1912,9 @@ fn unit_float_0( words_2 : vec4<u32>) -> vec4<f32>
     return vec4<f32>((words_2 >> (vec4<u32>(u32(8))))) * vec4<f32>(5.9604644775390625e-08f);
 }
 
-fn Sampler_stratified_0( this_16 : Sampler_0,  dimension_1 : u32) -> vec4<f32>
+fn Sampler_stratified_0( this_15 : Sampler_0,  dimension_1 : u32) -> vec4<f32>
 {
-    return unit_float_0(vec4<u32>(Sampler_pair_0(this_16, dimension_1, u32(1)), Sampler_pair_0(this_16, dimension_1, u32(2))));
+    return unit_float_0(vec4<u32>(Sampler_pair_0(this_15, dimension_1, u32(1)), Sampler_pair_0(this_15, dimension_1, u32(2))));
 }
 
 fn PathTracingOf_jitter_0( sampler_3 : Sampler_0) -> vec4<f32>
@@ -2341,16 +1936,16 @@ struct CameraFrame_0
 
 fn CameraFrame_x24init_0( lens_2 : u32,  eye_2 : vec3<f32>,  corner_2 : vec3<f32>,  pixel_x_2 : vec3<f32>,  pixel_y_2 : vec3<f32>,  lens_x_2 : vec3<f32>,  lens_y_2 : vec3<f32>,  blades_2 : u32) -> CameraFrame_0
 {
-    var _S186 : CameraFrame_0;
-    _S186.lens_1 = lens_2;
-    _S186.eye_1 = eye_2;
-    _S186.corner_1 = corner_2;
-    _S186.pixel_x_1 = pixel_x_2;
-    _S186.pixel_y_1 = pixel_y_2;
-    _S186.lens_x_1 = lens_x_2;
-    _S186.lens_y_1 = lens_y_2;
-    _S186.blades_1 = blades_2;
-    return _S186;
+    var _S130 : CameraFrame_0;
+    _S130.lens_1 = lens_2;
+    _S130.eye_1 = eye_2;
+    _S130.corner_1 = corner_2;
+    _S130.pixel_x_1 = pixel_x_2;
+    _S130.pixel_y_1 = pixel_y_2;
+    _S130.lens_x_1 = lens_x_2;
+    _S130.lens_y_1 = lens_y_2;
+    _S130.blades_1 = blades_2;
+    return _S130;
 }
 
 @id(5) override LENS_0 : u32 = u32(0);
@@ -2376,12 +1971,12 @@ struct Perspective_0
 
 fn Perspective_x24init_0( eye_4 : vec3<f32>,  corner_4 : vec3<f32>,  pixel_x_4 : vec3<f32>,  pixel_y_4 : vec3<f32>) -> Perspective_0
 {
-    var _S187 : Perspective_0;
-    _S187.eye_3 = eye_4;
-    _S187.corner_3 = corner_4;
-    _S187.pixel_x_3 = pixel_x_4;
-    _S187.pixel_y_3 = pixel_y_4;
-    return _S187;
+    var _S131 : Perspective_0;
+    _S131.eye_3 = eye_4;
+    _S131.corner_3 = corner_4;
+    _S131.pixel_x_3 = pixel_x_4;
+    _S131.pixel_y_3 = pixel_y_4;
+    return _S131;
 }
 
 struct Axes_0
@@ -2393,11 +1988,11 @@ struct Axes_0
 
 fn Axes_x24init_0( forward_1 : vec3<f32>,  right_1 : vec3<f32>,  up_1 : vec3<f32>) -> Axes_0
 {
-    var _S188 : Axes_0;
-    _S188.forward_0 = forward_1;
-    _S188.right_0 = right_1;
-    _S188.up_0 = up_1;
-    return _S188;
+    var _S132 : Axes_0;
+    _S132.forward_0 = forward_1;
+    _S132.right_0 = right_1;
+    _S132.up_0 = up_1;
+    return _S132;
 }
 
 struct ThinLens_0
@@ -2410,55 +2005,55 @@ struct ThinLens_0
 
 fn ThinLens_x24init_0( perspective_1 : Perspective_0,  lens_x_4 : vec3<f32>,  lens_y_4 : vec3<f32>,  blades_4 : u32) -> ThinLens_0
 {
-    var _S189 : ThinLens_0;
-    _S189.perspective_0 = perspective_1;
-    _S189.lens_x_3 = lens_x_4;
-    _S189.lens_y_3 = lens_y_4;
-    _S189.blades_3 = blades_4;
-    return _S189;
+    var _S133 : ThinLens_0;
+    _S133.perspective_0 = perspective_1;
+    _S133.lens_x_3 = lens_x_4;
+    _S133.lens_y_3 = lens_y_4;
+    _S133.blades_3 = blades_4;
+    return _S133;
 }
 
 fn concentric_0( square_0 : vec2<f32>) -> vec2<f32>
 {
-    var a_4 : f32 = 2.0f * square_0.x - 1.0f;
-    var b_4 : f32 = 2.0f * square_0.y - 1.0f;
-    var _S190 : bool;
-    if(a_4 == 0.0f)
+    var a_3 : f32 = 2.0f * square_0.x - 1.0f;
+    var b_3 : f32 = 2.0f * square_0.y - 1.0f;
+    var _S134 : bool;
+    if(a_3 == 0.0f)
     {
-        _S190 = b_4 == 0.0f;
+        _S134 = b_3 == 0.0f;
     }
     else
     {
-        _S190 = false;
+        _S134 = false;
     }
-    if(_S190)
+    if(_S134)
     {
         return vec2<f32>(0.0f);
     }
-    var is_across_0 : bool = (abs(a_4)) > (abs(b_4));
+    var is_across_0 : bool = (abs(a_3)) > (abs(b_3));
     var radius_0 : f32;
     if(is_across_0)
     {
-        radius_0 = a_4;
+        radius_0 = a_3;
     }
     else
     {
-        radius_0 = b_4;
+        radius_0 = b_3;
     }
     var turns_0 : f32;
     if(is_across_0)
     {
-        turns_0 = divide_0(b_4, a_4) * 0.125f;
+        turns_0 = divide_0(b_3, a_3) * 0.125f;
     }
     else
     {
-        turns_0 = 0.25f - divide_0(a_4, b_4) * 0.125f;
+        turns_0 = 0.25f - divide_0(a_3, b_3) * 0.125f;
     }
     if(radius_0 < 0.0f)
     {
         turns_0 = turns_0 + 0.5f;
     }
-    var _S191 : f32 = abs(radius_0);
+    var _S135 : f32 = abs(radius_0);
     if(turns_0 < 0.0f)
     {
         radius_0 = turns_0 + 1.0f;
@@ -2467,7 +2062,7 @@ fn concentric_0( square_0 : vec2<f32>) -> vec2<f32>
     {
         radius_0 = turns_0;
     }
-    return vec2<f32>(_S191, radius_0);
+    return vec2<f32>(_S135, radius_0);
 }
 
 fn sincos_turns_0( turns_1 : f32) -> vec2<f32>
@@ -2513,14 +2108,14 @@ fn place_in_aperture_0( blades_5 : u32,  lens_3 : vec2<f32>) -> vec2<f32>
     var share_0 : f32 = scaled_0 - blade_0;
     var from_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0, count_1));
     var to_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0 + 1.0f, count_1));
-    var _S192 : f32 = from_0.y;
-    var _S193 : f32 = from_0.x;
-    return vec2<f32>(_S192 + (to_0.y - _S192) * share_0, _S193 + (to_0.x - _S193) * share_0) * vec2<f32>(radius_1);
+    var _S136 : f32 = from_0.y;
+    var _S137 : f32 = from_0.x;
+    return vec2<f32>(_S136 + (to_0.y - _S136) * share_0, _S137 + (to_0.x - _S137) * share_0) * vec2<f32>(radius_1);
 }
 
-fn dot_product_0( a_5 : vec3<f32>,  b_5 : vec3<f32>) -> f32
+fn dot_product_0( a_4 : vec3<f32>,  b_4 : vec3<f32>) -> f32
 {
-    return a_5.x * b_5.x + a_5.y * b_5.y + a_5.z * b_5.z;
+    return a_4.x * b_4.x + a_4.y * b_4.y + a_4.z * b_4.z;
 }
 
 fn length_squared_0( vector_3 : vec3<f32>) -> f32
@@ -2532,9 +2127,9 @@ fn nearest_root_0( mantissa_0 : u32,  guess_1 : u32) -> u32
 {
     var rest_1 : i32 = i32(((mantissa_0 << (u32(23)))) - guess_1 * guess_1);
     var units_1 : i32 = i32(floor(f32(rest_1) / f32(u32(2) * guess_1) + 0.5f));
-    var _S194 : i32 = i32(guess_1);
-    var root_0 : i32 = _S194 + units_1;
-    var rest_2 : i32 = rest_1 - units_1 * (_S194 + root_0);
+    var _S138 : i32 = i32(guess_1);
+    var root_0 : i32 = _S138 + units_1;
+    var rest_2 : i32 = rest_1 - units_1 * (_S138 + root_0);
     return u32(root_0 + i32(rest_2 > root_0) - i32(rest_2 <= (- root_0)));
 }
 
@@ -2544,13 +2139,13 @@ fn square_root_0( value_1 : f32) -> f32
     {
         return sqrt(value_1);
     }
-    var _S195 : u32 = (bitcast<u32>((value_1)));
-    var exponent_2 : u32 = (_S195 >> (u32(23)));
+    var _S139 : u32 = (bitcast<u32>((value_1)));
+    var exponent_2 : u32 = (_S139 >> (u32(23)));
     if(!is_normal_0(exponent_2))
     {
         return sqrt(value_1);
     }
-    var mantissa_1 : u32 = (((((_S195 & (u32(8388607)))) | (u32(8388608)))) << ((((~exponent_2) & (u32(1))))));
+    var mantissa_1 : u32 = (((((_S139 & (u32(8388607)))) | (u32(8388608)))) << ((((~exponent_2) & (u32(1))))));
     return (bitcast<f32>(((((((exponent_2 + u32(127)) >> (u32(1)))) << (u32(23)))) + (nearest_root_0(mantissa_1, u32(sqrt(f32(mantissa_1) * 1.1920928955078125e-07f) * 8.388608e+06f)) - u32(8388608)))));
 }
 
@@ -2559,16 +2154,16 @@ fn normalize_vector_0( vector_4 : vec3<f32>) -> vec3<f32>
     return vector_4 * vec3<f32>(divide_0(1.0f, square_root_0(length_squared_0(vector_4))));
 }
 
-fn ray_from_0( origin_10 : vec3<f32>,  direction_6 : vec3<f32>) -> Ray_0
+fn ray_from_0( origin_8 : vec3<f32>,  direction_5 : vec3<f32>) -> Ray_0
 {
-    return Ray_x24init_0(origin_10, 0.0f, direction_6, (bitcast<f32>((u32(2139095040)))));
+    return Ray_x24init_0(origin_8, 0.0f, direction_5, (bitcast<f32>((u32(2139095040)))));
 }
 
-fn ThinLens_ray_0( this_17 : ThinLens_0,  position_2 : vec2<f32>,  lens_4 : vec2<f32>) -> Ray_0
+fn ThinLens_ray_0( this_16 : ThinLens_0,  position_2 : vec2<f32>,  lens_4 : vec2<f32>) -> Ray_0
 {
-    var place_0 : vec2<f32> = place_in_aperture_0(this_17.blades_3, lens_4);
-    var offset_1 : vec3<f32> = this_17.lens_x_3 * vec3<f32>(place_0.x) + this_17.lens_y_3 * vec3<f32>(place_0.y);
-    return ray_from_0(this_17.perspective_0.eye_3 + offset_1, normalize_vector_0(this_17.perspective_0.corner_3 + this_17.perspective_0.pixel_x_3 * vec3<f32>(position_2.x) + this_17.perspective_0.pixel_y_3 * vec3<f32>(position_2.y) - offset_1));
+    var place_0 : vec2<f32> = place_in_aperture_0(this_16.blades_3, lens_4);
+    var offset_1 : vec3<f32> = this_16.lens_x_3 * vec3<f32>(place_0.x) + this_16.lens_y_3 * vec3<f32>(place_0.y);
+    return ray_from_0(this_16.perspective_0.eye_3 + offset_1, normalize_vector_0(this_16.perspective_0.corner_3 + this_16.perspective_0.pixel_x_3 * vec3<f32>(position_2.x) + this_16.perspective_0.pixel_y_3 * vec3<f32>(position_2.y) - offset_1));
 }
 
 struct Orthographic_0
@@ -2581,17 +2176,17 @@ struct Orthographic_0
 
 fn Orthographic_x24init_0( corner_6 : vec3<f32>,  pixel_x_6 : vec3<f32>,  pixel_y_6 : vec3<f32>,  forward_3 : vec3<f32>) -> Orthographic_0
 {
-    var _S196 : Orthographic_0;
-    _S196.corner_5 = corner_6;
-    _S196.pixel_x_5 = pixel_x_6;
-    _S196.pixel_y_5 = pixel_y_6;
-    _S196.forward_2 = forward_3;
-    return _S196;
+    var _S140 : Orthographic_0;
+    _S140.corner_5 = corner_6;
+    _S140.pixel_x_5 = pixel_x_6;
+    _S140.pixel_y_5 = pixel_y_6;
+    _S140.forward_2 = forward_3;
+    return _S140;
 }
 
-fn Orthographic_ray_0( this_18 : Orthographic_0,  position_3 : vec2<f32>,  lens_5 : vec2<f32>) -> Ray_0
+fn Orthographic_ray_0( this_17 : Orthographic_0,  position_3 : vec2<f32>,  lens_5 : vec2<f32>) -> Ray_0
 {
-    return ray_from_0(this_18.corner_5 + this_18.pixel_x_5 * vec3<f32>(position_3.x) + this_18.pixel_y_5 * vec3<f32>(position_3.y), this_18.forward_2);
+    return ray_from_0(this_17.corner_5 + this_17.pixel_x_5 * vec3<f32>(position_3.x) + this_17.pixel_y_5 * vec3<f32>(position_3.y), this_17.forward_2);
 }
 
 struct Panorama_0
@@ -2604,26 +2199,26 @@ struct Panorama_0
 
 fn Panorama_x24init_0( eye_6 : vec3<f32>,  axes_1 : Axes_0,  inverse_size_1 : vec2<f32>,  half_eye_distance_1 : f32) -> Panorama_0
 {
-    var _S197 : Panorama_0;
-    _S197.eye_5 = eye_6;
-    _S197.axes_0 = axes_1;
-    _S197.inverse_size_0 = inverse_size_1;
-    _S197.half_eye_distance_0 = half_eye_distance_1;
-    return _S197;
+    var _S141 : Panorama_0;
+    _S141.eye_5 = eye_6;
+    _S141.axes_0 = axes_1;
+    _S141.inverse_size_0 = inverse_size_1;
+    _S141.half_eye_distance_0 = half_eye_distance_1;
+    return _S141;
 }
 
-fn Panorama_ray_0( this_19 : Panorama_0,  position_4 : vec2<f32>,  lens_6 : vec2<f32>) -> Ray_0
+fn Panorama_ray_0( this_18 : Panorama_0,  position_4 : vec2<f32>,  lens_6 : vec2<f32>) -> Ray_0
 {
-    var latitude_0 : f32 = position_4.y * this_19.inverse_size_0.y;
+    var latitude_0 : f32 = position_4.y * this_18.inverse_size_0.y;
     var is_right_eye_0 : bool = latitude_0 >= 1.0f;
     var side_0 : f32;
     if(is_right_eye_0)
     {
-        side_0 = this_19.half_eye_distance_0;
+        side_0 = this_18.half_eye_distance_0;
     }
     else
     {
-        side_0 = - this_19.half_eye_distance_0;
+        side_0 = - this_18.half_eye_distance_0;
     }
     var latitude_1 : f32;
     if(is_right_eye_0)
@@ -2634,11 +2229,11 @@ fn Panorama_ray_0( this_19 : Panorama_0,  position_4 : vec2<f32>,  lens_6 : vec2
     {
         latitude_1 = latitude_0;
     }
-    var longitude_0 : vec2<f32> = sincos_turns_0(position_4.x * this_19.inverse_size_0.x);
+    var longitude_0 : vec2<f32> = sincos_turns_0(position_4.x * this_18.inverse_size_0.x);
     var height_1 : vec2<f32> = sincos_turns_0(latitude_1 * 0.5f);
-    var _S198 : vec3<f32> = vec3<f32>(longitude_0.y);
-    var _S199 : vec3<f32> = vec3<f32>(longitude_0.x);
-    return ray_from_0(this_19.eye_5 + (this_19.axes_0.forward_0 * _S199 - this_19.axes_0.right_0 * _S198) * vec3<f32>(side_0), normalize_vector_0((vec3<f32>(0) - this_19.axes_0.forward_0 * _S198 + this_19.axes_0.right_0 * _S199) * vec3<f32>(height_1.x) + this_19.axes_0.up_0 * vec3<f32>(height_1.y)));
+    var _S142 : vec3<f32> = vec3<f32>(longitude_0.y);
+    var _S143 : vec3<f32> = vec3<f32>(longitude_0.x);
+    return ray_from_0(this_18.eye_5 + (this_18.axes_0.forward_0 * _S143 - this_18.axes_0.right_0 * _S142) * vec3<f32>(side_0), normalize_vector_0((vec3<f32>(0) - this_18.axes_0.forward_0 * _S142 + this_18.axes_0.right_0 * _S143) * vec3<f32>(height_1.x) + this_18.axes_0.up_0 * vec3<f32>(height_1.y)));
 }
 
 struct Fisheye_0
@@ -2651,20 +2246,20 @@ struct Fisheye_0
 
 fn Fisheye_x24init_0( eye_8 : vec3<f32>,  axes_3 : Axes_0,  middle_1 : vec2<f32>,  turns_per_pixel_1 : f32) -> Fisheye_0
 {
-    var _S200 : Fisheye_0;
-    _S200.eye_7 = eye_8;
-    _S200.axes_2 = axes_3;
-    _S200.middle_0 = middle_1;
-    _S200.turns_per_pixel_0 = turns_per_pixel_1;
-    return _S200;
+    var _S144 : Fisheye_0;
+    _S144.eye_7 = eye_8;
+    _S144.axes_2 = axes_3;
+    _S144.middle_0 = middle_1;
+    _S144.turns_per_pixel_0 = turns_per_pixel_1;
+    return _S144;
 }
 
-fn Fisheye_ray_0( this_20 : Fisheye_0,  position_5 : vec2<f32>,  lens_7 : vec2<f32>) -> Ray_0
+fn Fisheye_ray_0( this_19 : Fisheye_0,  position_5 : vec2<f32>,  lens_7 : vec2<f32>) -> Ray_0
 {
-    var x_1 : f32 = position_5.x - this_20.middle_0.x;
-    var y_1 : f32 = position_5.y - this_20.middle_0.y;
+    var x_1 : f32 = position_5.x - this_19.middle_0.x;
+    var y_1 : f32 = position_5.y - this_19.middle_0.y;
     var radius_2 : f32 = square_root_0(x_1 * x_1 + y_1 * y_1);
-    var sin_cos_1 : vec2<f32> = sincos_turns_0(min(radius_2 * this_20.turns_per_pixel_0, 1.0f));
+    var sin_cos_1 : vec2<f32> = sincos_turns_0(min(radius_2 * this_19.turns_per_pixel_0, 1.0f));
     var scale_0 : f32;
     if(radius_2 > 0.0f)
     {
@@ -2674,35 +2269,35 @@ fn Fisheye_ray_0( this_20 : Fisheye_0,  position_5 : vec2<f32>,  lens_7 : vec2<f
     {
         scale_0 = 0.0f;
     }
-    return ray_from_0(this_20.eye_7, normalize_vector_0(this_20.axes_2.forward_0 * vec3<f32>(sin_cos_1.y) + this_20.axes_2.right_0 * vec3<f32>((x_1 * scale_0)) - this_20.axes_2.up_0 * vec3<f32>((y_1 * scale_0))));
+    return ray_from_0(this_19.eye_7, normalize_vector_0(this_19.axes_2.forward_0 * vec3<f32>(sin_cos_1.y) + this_19.axes_2.right_0 * vec3<f32>((x_1 * scale_0)) - this_19.axes_2.up_0 * vec3<f32>((y_1 * scale_0))));
 }
 
-fn Perspective_ray_0( this_21 : Perspective_0,  position_6 : vec2<f32>,  lens_8 : vec2<f32>) -> Ray_0
+fn Perspective_ray_0( this_20 : Perspective_0,  position_6 : vec2<f32>,  lens_8 : vec2<f32>) -> Ray_0
 {
-    return ray_from_0(this_21.eye_3, normalize_vector_0(this_21.corner_3 + this_21.pixel_x_3 * vec3<f32>(position_6.x) + this_21.pixel_y_3 * vec3<f32>(position_6.y)));
+    return ray_from_0(this_20.eye_3, normalize_vector_0(this_20.corner_3 + this_20.pixel_x_3 * vec3<f32>(position_6.x) + this_20.pixel_y_3 * vec3<f32>(position_6.y)));
 }
 
-fn CameraFrame_ray_0( this_22 : CameraFrame_0,  position_7 : vec2<f32>,  lens_sample_0 : vec2<f32>) -> Ray_0
+fn CameraFrame_ray_0( this_21 : CameraFrame_0,  position_7 : vec2<f32>,  lens_sample_0 : vec2<f32>) -> Ray_0
 {
-    var perspective_2 : Perspective_0 = Perspective_x24init_0(this_22.eye_1, this_22.corner_1, this_22.pixel_x_1, this_22.pixel_y_1);
-    var axes_4 : Axes_0 = Axes_x24init_0(this_22.corner_1, this_22.pixel_x_1, this_22.pixel_y_1);
-    switch(this_22.lens_1)
+    var perspective_2 : Perspective_0 = Perspective_x24init_0(this_21.eye_1, this_21.corner_1, this_21.pixel_x_1, this_21.pixel_y_1);
+    var axes_4 : Axes_0 = Axes_x24init_0(this_21.corner_1, this_21.pixel_x_1, this_21.pixel_y_1);
+    switch(this_21.lens_1)
     {
     case u32(1):
         {
-            return ThinLens_ray_0(ThinLens_x24init_0(perspective_2, this_22.lens_x_1, this_22.lens_y_1, this_22.blades_1), position_7, lens_sample_0);
+            return ThinLens_ray_0(ThinLens_x24init_0(perspective_2, this_21.lens_x_1, this_21.lens_y_1, this_21.blades_1), position_7, lens_sample_0);
         }
     case u32(2):
         {
-            return Orthographic_ray_0(Orthographic_x24init_0(this_22.corner_1, this_22.pixel_x_1, this_22.pixel_y_1, this_22.lens_x_1), position_7, lens_sample_0);
+            return Orthographic_ray_0(Orthographic_x24init_0(this_21.corner_1, this_21.pixel_x_1, this_21.pixel_y_1, this_21.lens_x_1), position_7, lens_sample_0);
         }
     case u32(3):
         {
-            return Panorama_ray_0(Panorama_x24init_0(this_22.eye_1, axes_4, this_22.lens_x_1.xy, this_22.lens_x_1.z), position_7, lens_sample_0);
+            return Panorama_ray_0(Panorama_x24init_0(this_21.eye_1, axes_4, this_21.lens_x_1.xy, this_21.lens_x_1.z), position_7, lens_sample_0);
         }
     case u32(4):
         {
-            return Fisheye_ray_0(Fisheye_x24init_0(this_22.eye_1, axes_4, this_22.lens_x_1.xy, this_22.lens_x_1.z), position_7, lens_sample_0);
+            return Fisheye_ray_0(Fisheye_x24init_0(this_21.eye_1, axes_4, this_21.lens_x_1.xy, this_21.lens_x_1.z), position_7, lens_sample_0);
         }
     default :
         {
@@ -2711,18 +2306,18 @@ fn CameraFrame_ray_0( this_22 : CameraFrame_0,  position_7 : vec2<f32>,  lens_sa
     }
 }
 
-fn PathTracingOf_clip_0( ray_11 : Ray_0) -> Ray_0
+fn PathTracingOf_clip_0( ray_10 : Ray_0) -> Ray_0
 {
-    return ray_11;
+    return ray_10;
 }
 
 fn camera_path_0( pixel_4 : u32,  sample_4 : u32,  path_1 : ptr<function, Path_0>) -> Ray_0
 {
     (*path_1) = Path_x24init_0(sampler_of_0(pixel_4, sample_4), u32(0), u32(0), u32(0), u32(0), vec3<f32>(1.0f), 0.0f, vec3<f32>(0.0f), Selection_x24init_0(0.0f, 0.0f, 0.0f), 0.0f, in_air_0(), true);
     var jitter_0 : vec4<f32> = PathTracingOf_jitter_0((*path_1).sampler_0);
-    var _S201 : CameraFrame_0 = FrameParams_camera_0();
-    var _S202 : vec2<u32> = position_of_0(pixel_4);
-    return PathTracingOf_clip_0(CameraFrame_ray_0(_S201, vec2<f32>(_S202) + jitter_0.xy, jitter_0.zw));
+    var _S145 : CameraFrame_0 = FrameParams_camera_0();
+    var _S146 : vec2<u32> = position_of_0(pixel_4);
+    return PathTracingOf_clip_0(CameraFrame_ray_0(_S145, vec2<f32>(_S146) + jitter_0.xy, jitter_0.zw));
 }
 
 struct RayCounts_0
@@ -2740,10 +2335,15 @@ struct Work_0
 
 fn RayCounts_x24init_0( bounce_3 : u32,  shadow_1 : u32) -> RayCounts_0
 {
-    var _S203 : RayCounts_0;
-    _S203.bounce_2 = bounce_3;
-    _S203.shadow_0 = shadow_1;
-    return _S203;
+    var _S147 : RayCounts_0;
+    _S147.bounce_2 = bounce_3;
+    _S147.shadow_0 = shadow_1;
+    return _S147;
+}
+
+fn Hit_is_miss_0( this_22 : Hit_0) -> bool
+{
+    return (this_22.instance_1) == u32(4294967295);
 }
 
 fn Path_events_0( this_23 : Path_0) -> u32
@@ -2758,40 +2358,40 @@ fn Inside_is_in_0( this_24 : Inside_0) -> bool
 
 fn weighs_apart_0() -> bool
 {
-    var _S204 : bool;
+    var _S148 : bool;
     if(IS_EXACT_0)
     {
-        _S204 = IS_SINGLE_0;
+        _S148 = IS_SINGLE_0;
     }
     else
     {
-        _S204 = false;
+        _S148 = false;
     }
-    return _S204;
+    return _S148;
 }
 
 fn Path_is_counted_0( this_25 : Path_0) -> bool
 {
-    var _S205 : bool;
+    var _S149 : bool;
     if(weighs_apart_0())
     {
-        _S205 = (this_25.pdf_1) < 0.0f;
+        _S149 = (this_25.pdf_1) < 0.0f;
     }
     else
     {
-        _S205 = false;
+        _S149 = false;
     }
-    return _S205;
+    return _S149;
 }
 
 struct NextRays_0
 {
-     origin_11 : vec3<f32>,
+     origin_9 : vec3<f32>,
      path_origin_0 : vec3<f32>,
      shadow_inside_1 : Inside_0,
      relocates_1 : bool,
      path_relocates_1 : bool,
-     direction_7 : vec3<f32>,
+     direction_6 : vec3<f32>,
      has_shadow_ray_0 : bool,
      shadow_direction_0 : vec3<f32>,
      shadow_t_max_0 : f32,
@@ -2799,27 +2399,27 @@ struct NextRays_0
      is_same_0 : bool,
 };
 
-fn NextRays_x24init_0( origin_12 : vec3<f32>,  path_origin_1 : vec3<f32>,  shadow_inside_2 : Inside_0,  relocates_2 : bool,  path_relocates_2 : bool,  direction_8 : vec3<f32>,  has_shadow_ray_1 : bool,  shadow_direction_1 : vec3<f32>,  shadow_t_max_1 : f32,  light_1 : vec3<f32>,  is_same_1 : bool) -> NextRays_0
+fn NextRays_x24init_0( origin_10 : vec3<f32>,  path_origin_1 : vec3<f32>,  shadow_inside_2 : Inside_0,  relocates_2 : bool,  path_relocates_2 : bool,  direction_7 : vec3<f32>,  has_shadow_ray_1 : bool,  shadow_direction_1 : vec3<f32>,  shadow_t_max_1 : f32,  light_1 : vec3<f32>,  is_same_1 : bool) -> NextRays_0
 {
-    var _S206 : NextRays_0;
-    _S206.origin_11 = origin_12;
-    _S206.path_origin_0 = path_origin_1;
-    _S206.shadow_inside_1 = shadow_inside_2;
-    _S206.relocates_1 = relocates_2;
-    _S206.path_relocates_1 = path_relocates_2;
-    _S206.direction_7 = direction_8;
-    _S206.has_shadow_ray_0 = has_shadow_ray_1;
-    _S206.shadow_direction_0 = shadow_direction_1;
-    _S206.shadow_t_max_0 = shadow_t_max_1;
-    _S206.light_0 = light_1;
-    _S206.is_same_0 = is_same_1;
-    return _S206;
+    var _S150 : NextRays_0;
+    _S150.origin_9 = origin_10;
+    _S150.path_origin_0 = path_origin_1;
+    _S150.shadow_inside_1 = shadow_inside_2;
+    _S150.relocates_1 = relocates_2;
+    _S150.path_relocates_1 = path_relocates_2;
+    _S150.direction_6 = direction_7;
+    _S150.has_shadow_ray_0 = has_shadow_ray_1;
+    _S150.shadow_direction_0 = shadow_direction_1;
+    _S150.shadow_t_max_0 = shadow_t_max_1;
+    _S150.light_0 = light_1;
+    _S150.is_same_0 = is_same_1;
+    return _S150;
 }
 
 fn no_rays_0() -> NextRays_0
 {
-    var _S207 : vec3<f32> = vec3<f32>(0.0f);
-    return NextRays_x24init_0(_S207, _S207, in_air_0(), false, false, _S207, false, _S207, 0.0f, _S207, false);
+    var _S151 : vec3<f32> = vec3<f32>(0.0f);
+    return NextRays_x24init_0(_S151, _S151, in_air_0(), false, false, _S151, false, _S151, 0.0f, _S151, false);
 }
 
 struct Receiver_0
@@ -2830,15 +2430,15 @@ struct Receiver_0
 
 fn Receiver_x24init_0( point_1 : vec3<f32>,  normal_3 : vec3<f32>) -> Receiver_0
 {
-    var _S208 : Receiver_0;
-    _S208.point_0 = point_1;
-    _S208.normal_2 = normal_3;
-    return _S208;
+    var _S152 : Receiver_0;
+    _S152.point_0 = point_1;
+    _S152.normal_2 = normal_3;
+    return _S152;
 }
 
-fn Path_receiver_0( this_26 : Path_0,  ray_12 : Ray_0) -> Receiver_0
+fn Path_receiver_0( this_26 : Path_0,  ray_11 : Ray_0) -> Receiver_0
 {
-    return Receiver_x24init_0(ray_12.origin_2, this_26.normal_0);
+    return Receiver_x24init_0(ray_11.origin_2, this_26.normal_0);
 }
 
 fn Path_dimension_medium_0( this_27 : Path_0) -> u32
@@ -2865,31 +2465,31 @@ struct PackedMaterial_0
      scattering_0 : f32,
 };
 
-fn material_of_index_0( index_6 : u32) -> PackedMaterial_0
+fn material_of_index_0( index_8 : u32) -> PackedMaterial_0
 {
-    var _S209 : u32 = u32(4) * index_6;
-    var a_6 : vec4<u32> = material_rows_0[_S209];
-    var b_6 : vec4<u32> = material_rows_0[_S209 + u32(1)];
-    var c_0 : vec4<u32> = material_rows_0[_S209 + u32(2)];
-    var d_0 : vec4<u32> = material_rows_0[_S209 + u32(3)];
+    var _S153 : u32 = u32(4) * index_8;
+    var a_5 : vec4<u32> = material_rows_0[_S153];
+    var b_5 : vec4<u32> = material_rows_0[_S153 + u32(1)];
+    var c_0 : vec4<u32> = material_rows_0[_S153 + u32(2)];
+    var d_0 : vec4<u32> = material_rows_0[_S153 + u32(3)];
     var material_2 : PackedMaterial_0;
-    var _S210 : f32 = (bitcast<f32>((a_6.y)));
-    var _S211 : f32 = (bitcast<f32>((a_6.z)));
-    material_2.base_color_0[i32(0)] = (bitcast<f32>((a_6.x)));
-    material_2.base_color_0[i32(1)] = _S210;
-    material_2.base_color_0[i32(2)] = _S211;
-    var _S212 : f32 = (bitcast<f32>((b_6.y)));
-    var _S213 : f32 = (bitcast<f32>((b_6.z)));
-    material_2.emission_0[i32(0)] = (bitcast<f32>((b_6.x)));
-    material_2.emission_0[i32(1)] = _S212;
-    material_2.emission_0[i32(2)] = _S213;
-    var _S214 : f32 = (bitcast<f32>((d_0.y)));
-    var _S215 : f32 = (bitcast<f32>((d_0.z)));
+    var _S154 : f32 = (bitcast<f32>((a_5.y)));
+    var _S155 : f32 = (bitcast<f32>((a_5.z)));
+    material_2.base_color_0[i32(0)] = (bitcast<f32>((a_5.x)));
+    material_2.base_color_0[i32(1)] = _S154;
+    material_2.base_color_0[i32(2)] = _S155;
+    var _S156 : f32 = (bitcast<f32>((b_5.y)));
+    var _S157 : f32 = (bitcast<f32>((b_5.z)));
+    material_2.emission_0[i32(0)] = (bitcast<f32>((b_5.x)));
+    material_2.emission_0[i32(1)] = _S156;
+    material_2.emission_0[i32(2)] = _S157;
+    var _S158 : f32 = (bitcast<f32>((d_0.y)));
+    var _S159 : f32 = (bitcast<f32>((d_0.z)));
     material_2.absorption_0[i32(0)] = (bitcast<f32>((d_0.x)));
-    material_2.absorption_0[i32(1)] = _S214;
-    material_2.absorption_0[i32(2)] = _S215;
-    material_2.roughness_0 = (bitcast<f32>((a_6.w)));
-    material_2.metallic_0 = (bitcast<f32>((b_6.w)));
+    material_2.absorption_0[i32(1)] = _S158;
+    material_2.absorption_0[i32(2)] = _S159;
+    material_2.roughness_0 = (bitcast<f32>((a_5.w)));
+    material_2.metallic_0 = (bitcast<f32>((b_5.w)));
     material_2.transmission_0 = (bitcast<f32>((c_0.x)));
     material_2.ior_0 = (bitcast<f32>((c_0.y)));
     material_2.specular_0 = (bitcast<f32>((c_0.z)));
@@ -2901,52 +2501,52 @@ fn material_of_index_0( index_6 : u32) -> PackedMaterial_0
 fn logarithm_0( x_2 : f32) -> f32
 {
     var bits_1 : u32 = (bitcast<u32>((x_2)));
-    var _S216 : u32 = (bits_1 & (u32(8388607)));
-    var is_upper_0 : bool = _S216 > u32(3474675);
+    var _S160 : u32 = (bits_1 & (u32(8388607)));
+    var is_upper_0 : bool = _S160 > u32(3474675);
     var power_0 : i32 = i32((bits_1 >> (u32(23)))) - i32(127) + i32(is_upper_0);
-    var _S217 : u32;
+    var _S161 : u32;
     if(is_upper_0)
     {
-        _S217 = u32(1056964608);
+        _S161 = u32(1056964608);
     }
     else
     {
-        _S217 = u32(1065353216);
+        _S161 = u32(1065353216);
     }
-    var mantissa_2 : f32 = (bitcast<f32>(((_S216 | (_S217)))));
+    var mantissa_2 : f32 = (bitcast<f32>(((_S160 | (_S161)))));
     var s_0 : f32 = divide_0(mantissa_2 - 1.0f, mantissa_2 + 1.0f);
     var ss_0 : f32 = s_0 * s_0;
-    var _S218 : f32 = f32(power_0);
-    return _S218 * 0.693359375f + (_S218 * -0.00021219444170129f + s_0 * (2.0f + ss_0 * (0.66666668653488159f + ss_0 * (0.40000000596046448f + ss_0 * (0.28571429848670959f + ss_0 * 0.2222222238779068f)))));
+    var _S162 : f32 = f32(power_0);
+    return _S162 * 0.693359375f + (_S162 * -0.00021219444170129f + s_0 * (2.0f + ss_0 * (0.66666668653488159f + ss_0 * (0.40000000596046448f + ss_0 * (0.28571429848670959f + ss_0 * 0.2222222238779068f)))));
 }
 
 fn free_path_0( medium_0 : PackedMaterial_0,  u_0 : f32) -> f32
 {
-    var _S219 : f32;
+    var _S163 : f32;
     if((medium_0.scattering_0) > 0.0f)
     {
-        _S219 = divide_0(- logarithm_0(1.0f - u_0), medium_0.scattering_0);
+        _S163 = divide_0(- logarithm_0(1.0f - u_0), medium_0.scattering_0);
     }
     else
     {
-        _S219 = (bitcast<f32>((u32(2139095040))));
+        _S163 = (bitcast<f32>((u32(2139095040))));
     }
-    return _S219;
+    return _S163;
 }
 
-fn grid_direction_0( instance_8 : u32,  direction_9 : vec3<f32>) -> vec3<f32>
+fn grid_direction_0( instance_8 : u32,  direction_8 : vec3<f32>) -> vec3<f32>
 {
-    return Transform_direction_0(instance_8, direction_9);
+    return Transform_direction_0(instance_8, direction_8);
 }
 
-fn Inside_voxels_per_t_0( this_29 : Inside_0,  ray_13 : Ray_0) -> f32
+fn Inside_voxels_per_t_0( this_29 : Inside_0,  ray_12 : Ray_0) -> f32
 {
-    return square_root_0(length_squared_0(grid_direction_0(this_29.instance_2, ray_13.direction_1)));
+    return square_root_0(length_squared_0(grid_direction_0(this_29.instance_2, ray_12.direction_1)));
 }
 
-fn scattering_t_0( path_2 : Path_0,  inside_2 : Inside_0,  ray_14 : Ray_0) -> f32
+fn scattering_t_0( path_2 : Path_0,  inside_2 : Inside_0,  ray_13 : Ray_0) -> f32
 {
-    return divide_0(free_path_0(material_of_index_0(inside_2.material_0), Sampler_independent_0(path_2.sampler_0, Path_dimension_medium_0(path_2)).x), Inside_voxels_per_t_0(inside_2, ray_14));
+    return divide_0(free_path_0(material_of_index_0(inside_2.material_0), Sampler_independent_0(path_2.sampler_0, Path_dimension_medium_0(path_2)).x), Inside_voxels_per_t_0(inside_2, ray_13));
 }
 
 fn exponential_0( x_3 : f32) -> f32
@@ -2967,9 +2567,9 @@ fn attenuation_0( medium_1 : PackedMaterial_0,  voxels_1 : f32) -> vec3<f32>
     return vec3<f32>(exponential_0(- (sigma_0.x * voxels_1)), exponential_0(- (sigma_0.y * voxels_1)), exponential_0(- (sigma_0.z * voxels_1)));
 }
 
-fn absorb_0( path_3 : ptr<function, Path_0>,  inside_3 : Inside_0,  ray_15 : Ray_0,  t_10 : f32)
+fn absorb_0( path_3 : ptr<function, Path_0>,  inside_3 : Inside_0,  ray_14 : Ray_0,  t_10 : f32)
 {
-    (*path_3).beta_0 = (*path_3).beta_0 * attenuation_0(material_of_index_0(inside_3.material_0), t_10 * Inside_voxels_per_t_0(inside_3, ray_15));
+    (*path_3).beta_0 = (*path_3).beta_0 * attenuation_0(material_of_index_0(inside_3.material_0), t_10 * Inside_voxels_per_t_0(inside_3, ray_14));
     return;
 }
 
@@ -2977,19 +2577,19 @@ fn Environment_to_map_0( d_1 : vec3<f32>) -> vec3<f32>
 {
     var sin_1 : f32 = params_0.sky_turned_0.x;
     var cos_1 : f32 = params_0.sky_turned_0.y;
-    var _S220 : f32 = d_1.x;
-    var _S221 : f32 = d_1.y;
-    return vec3<f32>(_S220 * cos_1 - _S221 * sin_1, _S220 * sin_1 + _S221 * cos_1, d_1.z);
+    var _S164 : f32 = d_1.x;
+    var _S165 : f32 = d_1.y;
+    return vec3<f32>(_S164 * cos_1 - _S165 * sin_1, _S164 * sin_1 + _S165 * cos_1, d_1.z);
 }
 
 fn quarter_turns_0( x_4 : f32,  y_2 : f32) -> f32
 {
-    var _S222 : f32 = min(x_4, y_2);
-    var _S223 : f32 = max(x_4, y_2);
+    var _S166 : f32 = min(x_4, y_2);
+    var _S167 : f32 = max(x_4, y_2);
     var ratio_0 : f32;
-    if(_S223 > 0.0f)
+    if(_S167 > 0.0f)
     {
-        ratio_0 = divide_0(_S222, _S223);
+        ratio_0 = divide_0(_S166, _S167);
     }
     else
     {
@@ -3008,15 +2608,15 @@ fn quarter_turns_0( x_4 : f32,  y_2 : f32) -> f32
     return ratio_0;
 }
 
-fn square_of_0( direction_10 : vec3<f32>) -> vec2<f32>
+fn square_of_0( direction_9 : vec3<f32>) -> vec2<f32>
 {
-    var size_0 : vec3<f32> = abs(direction_10);
-    var _S224 : f32 = size_0.x;
-    var _S225 : f32 = size_0.y;
-    var radius_3 : f32 = square_root_0(divide_0(_S224 * _S224 + _S225 * _S225, 1.0f + size_0.z));
-    var v_1 : f32 = quarter_turns_0(_S224, _S225) * radius_3;
+    var size_0 : vec3<f32> = abs(direction_9);
+    var _S168 : f32 = size_0.x;
+    var _S169 : f32 = size_0.y;
+    var radius_3 : f32 = square_root_0(divide_0(_S168 * _S168 + _S169 * _S169, 1.0f + size_0.z));
+    var v_1 : f32 = quarter_turns_0(_S168, _S169) * radius_3;
     var u_1 : f32 = radius_3 - v_1;
-    var is_below_1 : bool = (direction_10.z) < 0.0f;
+    var is_below_1 : bool = (direction_9.z) < 0.0f;
     var u_2 : f32;
     if(is_below_1)
     {
@@ -3035,20 +2635,20 @@ fn square_of_0( direction_10 : vec3<f32>) -> vec2<f32>
     {
         v_2 = v_1;
     }
-    if((direction_10.x) < 0.0f)
+    if((direction_9.x) < 0.0f)
     {
         u_2 = - u_2;
     }
-    if((direction_10.y) < 0.0f)
+    if((direction_9.y) < 0.0f)
     {
         v_2 = - v_2;
     }
     return vec2<f32>(u_2 * 0.5f + 0.5f, v_2 * 0.5f + 0.5f);
 }
 
-fn Environment_place_of_0( direction_11 : vec3<f32>) -> vec2<f32>
+fn Environment_place_of_0( direction_10 : vec3<f32>) -> vec2<f32>
 {
-    return square_of_0(Environment_to_map_0(direction_11)) * vec2<f32>(f32(params_0.sky_edge_0));
+    return square_of_0(Environment_to_map_0(direction_10)) * vec2<f32>(f32(params_0.sky_edge_0));
 }
 
 fn Environment_index_of_0( x_5 : i32,  y_3 : i32) -> u32
@@ -3063,42 +2663,42 @@ fn Environment_index_of_0( x_5 : i32,  y_3 : i32) -> u32
     {
         is_beside_0 = x_5 > last_3;
     }
-    var _S226 : i32;
+    var _S170 : i32;
     if(is_beside_0)
     {
-        _S226 = last_3 - y_3;
+        _S170 = last_3 - y_3;
     }
     else
     {
-        _S226 = y_3;
+        _S170 = y_3;
     }
-    var _S227 : i32;
+    var _S171 : i32;
     if(is_beside_0)
     {
-        _S227 = clamp(x_5, i32(0), last_3);
+        _S171 = clamp(x_5, i32(0), last_3);
     }
     else
     {
-        _S227 = x_5;
+        _S171 = x_5;
     }
     var is_beyond_0 : bool;
-    if(_S226 < i32(0))
+    if(_S170 < i32(0))
     {
         is_beyond_0 = true;
     }
     else
     {
-        is_beyond_0 = _S226 > last_3;
+        is_beyond_0 = _S170 > last_3;
     }
     if(is_beyond_0)
     {
-        _S227 = last_3 - _S227;
+        _S171 = last_3 - _S171;
     }
     if(is_beyond_0)
     {
-        _S226 = clamp(_S226, i32(0), last_3);
+        _S170 = clamp(_S170, i32(0), last_3);
     }
-    return u32(_S226 * i32(params_0.sky_edge_0) + _S227);
+    return u32(_S170 * i32(params_0.sky_edge_0) + _S171);
 }
 
 fn Environment_texel_radiance_0( x_6 : i32,  y_4 : i32) -> vec3<f32>
@@ -3108,23 +2708,23 @@ fn Environment_texel_radiance_0( x_6 : i32,  y_4 : i32) -> vec3<f32>
 
 fn Environment_radiance_at_0( place_1 : vec2<f32>) -> vec3<f32>
 {
-    var _S228 : vec2<f32> = place_1 - vec2<f32>(0.5f);
-    var corner_7 : vec2<f32> = floor(_S228);
-    var beyond_1 : vec2<f32> = _S228 - corner_7;
+    var _S172 : vec2<f32> = place_1 - vec2<f32>(0.5f);
+    var corner_7 : vec2<f32> = floor(_S172);
+    var beyond_1 : vec2<f32> = _S172 - corner_7;
     var x_7 : i32 = i32(corner_7.x);
     var y_5 : i32 = i32(corner_7.y);
-    var _S229 : f32 = beyond_1.x;
-    var _S230 : vec3<f32> = vec3<f32>((1.0f - _S229));
-    var _S231 : i32 = x_7 + i32(1);
-    var _S232 : vec3<f32> = vec3<f32>(_S229);
-    var _S233 : i32 = y_5 + i32(1);
-    var _S234 : f32 = beyond_1.y;
-    return (Environment_texel_radiance_0(x_7, y_5) * _S230 + Environment_texel_radiance_0(_S231, y_5) * _S232) * vec3<f32>((1.0f - _S234)) + (Environment_texel_radiance_0(x_7, _S233) * _S230 + Environment_texel_radiance_0(_S231, _S233) * _S232) * vec3<f32>(_S234);
+    var _S173 : f32 = beyond_1.x;
+    var _S174 : vec3<f32> = vec3<f32>((1.0f - _S173));
+    var _S175 : i32 = x_7 + i32(1);
+    var _S176 : vec3<f32> = vec3<f32>(_S173);
+    var _S177 : i32 = y_5 + i32(1);
+    var _S178 : f32 = beyond_1.y;
+    return (Environment_texel_radiance_0(x_7, y_5) * _S174 + Environment_texel_radiance_0(_S175, y_5) * _S176) * vec3<f32>((1.0f - _S178)) + (Environment_texel_radiance_0(x_7, _S177) * _S174 + Environment_texel_radiance_0(_S175, _S177) * _S176) * vec3<f32>(_S178);
 }
 
-fn Environment_radiance_0( direction_12 : vec3<f32>) -> vec3<f32>
+fn Environment_radiance_0( direction_11 : vec3<f32>) -> vec3<f32>
 {
-    return Environment_radiance_at_0(Environment_place_of_0(direction_12));
+    return Environment_radiance_at_0(Environment_place_of_0(direction_11));
 }
 
 struct Gradient_0
@@ -3135,29 +2735,29 @@ struct Gradient_0
 
 fn Gradient_x24init_0( nadir_1 : vec3<f32>,  zenith_1 : vec3<f32>) -> Gradient_0
 {
-    var _S235 : Gradient_0;
-    _S235.nadir_0 = nadir_1;
-    _S235.zenith_0 = zenith_1;
-    return _S235;
+    var _S179 : Gradient_0;
+    _S179.nadir_0 = nadir_1;
+    _S179.zenith_0 = zenith_1;
+    return _S179;
 }
 
-fn Gradient_radiance_0( this_30 : Gradient_0,  direction_13 : vec3<f32>) -> vec3<f32>
+fn Gradient_radiance_0( this_30 : Gradient_0,  direction_12 : vec3<f32>) -> vec3<f32>
 {
-    return this_30.nadir_0 + (this_30.zenith_0 - this_30.nadir_0) * vec3<f32>((0.5f * (direction_13.z + 1.0f)));
+    return this_30.nadir_0 + (this_30.zenith_0 - this_30.nadir_0) * vec3<f32>((0.5f * (direction_12.z + 1.0f)));
 }
 
-fn Sky_radiance_0( direction_14 : vec3<f32>) -> vec3<f32>
+fn Sky_radiance_0( direction_13 : vec3<f32>) -> vec3<f32>
 {
     if(SKY_0 == u32(1))
     {
-        return Environment_radiance_0(direction_14) * vec3<f32>(params_0.sky_brightness_0);
+        return Environment_radiance_0(direction_13) * vec3<f32>(params_0.sky_brightness_0);
     }
-    return Gradient_radiance_0(Gradient_x24init_0(params_0.sky_nadir_0, params_0.sky_zenith_0), direction_14) * vec3<f32>(params_0.sky_brightness_0);
+    return Gradient_radiance_0(Gradient_x24init_0(params_0.sky_nadir_0, params_0.sky_zenith_0), direction_13) * vec3<f32>(params_0.sky_brightness_0);
 }
 
-fn Sky_le_0( direction_15 : vec3<f32>) -> vec3<f32>
+fn Sky_le_0( direction_14 : vec3<f32>) -> vec3<f32>
 {
-    return Sky_radiance_0(direction_15);
+    return Sky_radiance_0(direction_14);
 }
 
 fn Path_selection_at_0( this_31 : Path_0,  last_4 : Receiver_0) -> Selection_0
@@ -3167,71 +2767,71 @@ fn Path_selection_at_0( this_31 : Path_0,  last_4 : Receiver_0) -> Selection_0
 
 fn Lights_has_chosen_sky_0() -> bool
 {
-    var _S236 : bool;
+    var _S180 : bool;
     if(SKY_0 == u32(1))
     {
-        _S236 = (params_0.sky_irradiance_0) > 0.0f;
+        _S180 = (params_0.sky_irradiance_0) > 0.0f;
     }
     else
     {
-        _S236 = false;
+        _S180 = false;
     }
-    return _S236;
+    return _S180;
 }
 
-fn Environment_pdf_0( direction_16 : vec3<f32>) -> f32
+fn Environment_pdf_0( direction_15 : vec3<f32>) -> f32
 {
-    var place_2 : vec2<f32> = Environment_place_of_0(direction_16);
+    var place_2 : vec2<f32> = Environment_place_of_0(direction_15);
     var last_5 : i32 = i32(params_0.sky_edge_0) - i32(1);
     return environment_0[Environment_index_of_0(min(i32(place_2.x), last_5), min(i32(place_2.y), last_5))].pdf_0;
 }
 
-fn Sky_pdf_0( direction_17 : vec3<f32>) -> f32
+fn Sky_pdf_0( direction_16 : vec3<f32>) -> f32
 {
-    var _S237 : f32;
+    var _S181 : f32;
     if(SKY_0 == u32(1))
     {
-        _S237 = Environment_pdf_0(direction_17);
+        _S181 = Environment_pdf_0(direction_16);
     }
     else
     {
-        _S237 = 0.0f;
+        _S181 = 0.0f;
     }
-    return _S237;
+    return _S181;
 }
 
-fn Lights_sky_pdf_0( selection_2 : Selection_0,  direction_18 : vec3<f32>) -> f32
+fn Lights_sky_pdf_0( selection_2 : Selection_0,  direction_17 : vec3<f32>) -> f32
 {
-    var _S238 : f32;
+    var _S182 : f32;
     if(Lights_has_chosen_sky_0())
     {
-        _S238 = Sky_pdf_0(direction_18) * selection_2.sky_1;
+        _S182 = Sky_pdf_0(direction_17) * selection_2.sky_1;
     }
     else
     {
-        _S238 = 0.0f;
+        _S182 = 0.0f;
     }
-    return _S238;
+    return _S182;
 }
 
-fn power_heuristic_0( own_0 : f32,  other_2 : f32) -> f32
+fn power_heuristic_0( own_0 : f32,  other_1 : f32) -> f32
 {
-    var ratio_1 : f32 = divide_0(other_2, own_0);
+    var ratio_1 : f32 = divide_0(other_1, own_0);
     return divide_0(1.0f, 1.0f + ratio_1 * ratio_1);
 }
 
 fn mis_weight_0( bounce_pdf_0 : f32,  light_pdf_0 : f32) -> f32
 {
-    var _S239 : bool;
+    var _S183 : bool;
     if(bounce_pdf_0 == 0.0f)
     {
-        _S239 = true;
+        _S183 = true;
     }
     else
     {
-        _S239 = light_pdf_0 == 0.0f;
+        _S183 = light_pdf_0 == 0.0f;
     }
-    if(_S239)
+    if(_S183)
     {
         return 1.0f;
     }
@@ -3250,71 +2850,71 @@ fn SunDisc_is_visible_0() -> bool
 
 fn Path_is_straight_0( this_32 : Path_0) -> bool
 {
-    var _S240 : bool;
+    var _S184 : bool;
     if((this_32.bounce_0) == u32(0))
     {
-        _S240 = (this_32.pdf_1) == 0.0f;
+        _S184 = (this_32.pdf_1) == 0.0f;
     }
     else
     {
-        _S240 = false;
+        _S184 = false;
     }
-    if(_S240)
+    if(_S184)
     {
-        _S240 = (all(((this_32.normal_0) == vec3<f32>(0.0f))));
+        _S184 = (all(((this_32.normal_0) == vec3<f32>(0.0f))));
     }
     else
     {
-        _S240 = false;
+        _S184 = false;
     }
-    return _S240;
+    return _S184;
 }
 
-fn SunDisc_contains_0( direction_19 : vec3<f32>) -> bool
+fn SunDisc_contains_0( direction_18 : vec3<f32>) -> bool
 {
-    return (length_squared_0(direction_19 - params_0.sun_direction_0)) <= (2.0f * params_0.sun_one_minus_cos_theta_max_0);
+    return (length_squared_0(direction_18 - params_0.sun_direction_0)) <= (2.0f * params_0.sun_one_minus_cos_theta_max_0);
 }
 
-fn SunDisc_le_0( direction_20 : vec3<f32>) -> vec3<f32>
+fn SunDisc_le_0( direction_19 : vec3<f32>) -> vec3<f32>
 {
-    var _S241 : vec3<f32>;
+    var _S185 : vec3<f32>;
+    if(SunDisc_contains_0(direction_19))
+    {
+        _S185 = params_0.sun_radiance_0;
+    }
+    else
+    {
+        _S185 = vec3<f32>(0.0f);
+    }
+    return _S185;
+}
+
+fn SunDisc_pdf_0( direction_20 : vec3<f32>) -> f32
+{
+    var _S186 : f32;
     if(SunDisc_contains_0(direction_20))
     {
-        _S241 = params_0.sun_radiance_0;
+        _S186 = params_0.sun_pdf_0;
     }
     else
     {
-        _S241 = vec3<f32>(0.0f);
+        _S186 = 0.0f;
     }
-    return _S241;
+    return _S186;
 }
 
-fn SunDisc_pdf_0( direction_21 : vec3<f32>) -> f32
+fn Lights_sun_pdf_0( selection_3 : Selection_0,  direction_21 : vec3<f32>) -> f32
 {
-    var _S242 : f32;
-    if(SunDisc_contains_0(direction_21))
-    {
-        _S242 = params_0.sun_pdf_0;
-    }
-    else
-    {
-        _S242 = 0.0f;
-    }
-    return _S242;
-}
-
-fn Lights_sun_pdf_0( selection_3 : Selection_0,  direction_22 : vec3<f32>) -> f32
-{
-    var _S243 : f32;
+    var _S187 : f32;
     if(has_sun_0())
     {
-        _S243 = SunDisc_pdf_0(direction_22) * selection_3.sun_0;
+        _S187 = SunDisc_pdf_0(direction_21) * selection_3.sun_0;
     }
     else
     {
-        _S243 = 0.0f;
+        _S187 = 0.0f;
     }
-    return _S243;
+    return _S187;
 }
 
 fn Path_dimension_scatter_0( this_33 : Path_0) -> u32
@@ -3322,96 +2922,96 @@ fn Path_dimension_scatter_0( this_33 : Path_0) -> u32
     return u32(1) + u32(2) * Path_events_0(this_33);
 }
 
-fn find_brick_0( _S244 : u32,  _S245 : vec3<i32>) -> u32
+fn find_brick_0( _S188 : u32,  _S189 : vec3<i32>) -> u32
 {
-    var top_0 : vec3<i32> = (_S245 >> (vec3<u32>(grids_0[_S244].top_shift_0)));
-    var _S246 : u32 = cell_word_0(grids_0[_S244].top_offset_0 + u32((top_0.z * grids_0[_S244].top_size_0[i32(1)] + top_0.y) * grids_0[_S244].top_size_0[i32(0)] + top_0.x));
-    var cell_9 : u32 = _S246;
-    var shift_5 : u32 = grids_0[_S244].top_shift_0;
+    var top_0 : vec3<i32> = (_S189 >> (vec3<u32>(grids_0[_S188].top_shift_0)));
+    var _S190 : u32 = cell_word_0(grids_0[_S188].top_offset_0 + u32((top_0.z * grids_0[_S188].top_size_0[i32(1)] + top_0.y) * grids_0[_S188].top_size_0[i32(0)] + top_0.x));
+    var cell_7 : u32 = _S190;
+    var shift_3 : u32 = grids_0[_S188].top_shift_0;
     for(;;)
     {
-        var _S247 : bool;
-        if(shift_5 > u32(3))
+        var _S191 : bool;
+        if(shift_3 > u32(3))
         {
-            _S247 = ((cell_9 & (u32(2147483648)))) != u32(0);
+            _S191 = ((cell_7 & (u32(2147483648)))) != u32(0);
         }
         else
         {
-            _S247 = false;
+            _S191 = false;
         }
-        if(_S247)
+        if(_S191)
         {
         }
         else
         {
             break;
         }
-        var shift_6 : u32 = shift_5 - u32(2);
-        var _S248 : u32 = cell_word_0(((cell_9 & (u32(2147483647)))) * u32(64) + cell_in_node_0(_S245, shift_6));
-        cell_9 = _S248;
-        shift_5 = shift_6;
+        var shift_4 : u32 = shift_3 - u32(2);
+        var _S192 : u32 = cell_word_0(((cell_7 & (u32(2147483647)))) * u32(64) + cell_in_node_0(_S189, shift_4));
+        cell_7 = _S192;
+        shift_3 = shift_4;
     }
-    return record_of_cell_0(cell_9);
+    return record_of_cell_0(cell_7);
 }
 
-fn rank_in_brick_0( record_4 : u32,  relative_1 : vec3<i32>) -> u32
+fn rank_in_brick_0( record_3 : u32,  relative_1 : vec3<i32>) -> u32
 {
-    var header_0 : u32 = brick_word_0(record_4);
+    var header_0 : u32 = brick_word_0(record_3);
     var bit_1 : u32 = cell_in_node_0(relative_1, u32(0));
     var present_before_0 : u32 = countOneBits((header_0 & ((((u32(1) << (((((u32(((((relative_1.x) >> (u32(2)))) & (i32(1)))) | (((u32(((((relative_1.y) >> (u32(2)))) & (i32(1)))) << (u32(1))))))) | (((u32(((((relative_1.z) >> (u32(2)))) & (i32(1)))) << (u32(2)))))))))) - u32(1)))));
-    var index_7 : u32 = u32(0);
+    var index_9 : u32 = u32(0);
     var rank_0 : u32 = u32(0);
     for(;;)
     {
-        if(index_7 < present_before_0)
+        if(index_9 < present_before_0)
         {
         }
         else
         {
             break;
         }
-        var _S249 : u32 = u32(2) * index_7;
-        var _S250 : u32 = brick_word_0(record_4 + u32(2) + _S249);
-        var _S251 : u32 = countOneBits(_S250);
-        var _S252 : u32 = brick_word_0(record_4 + u32(3) + _S249);
-        var rank_1 : u32 = rank_0 + (_S251 + countOneBits(_S252));
-        index_7 = index_7 + u32(1);
+        var _S193 : u32 = u32(2) * index_9;
+        var _S194 : u32 = brick_word_0(record_3 + u32(2) + _S193);
+        var _S195 : u32 = countOneBits(_S194);
+        var _S196 : u32 = brick_word_0(record_3 + u32(3) + _S193);
+        var rank_1 : u32 = rank_0 + (_S195 + countOneBits(_S196));
+        index_9 = index_9 + u32(1);
         rank_0 = rank_1;
     }
-    var _S253 : u32 = u32(2) * present_before_0;
-    var low_6 : u32 = brick_word_0(record_4 + u32(2) + _S253);
+    var _S197 : u32 = u32(2) * present_before_0;
+    var low_6 : u32 = brick_word_0(record_3 + u32(2) + _S197);
     if(bit_1 < u32(32))
     {
         rank_0 = rank_0 + countOneBits((low_6 & ((((u32(1) << (bit_1))) - u32(1)))));
     }
     else
     {
-        var _S254 : u32 = countOneBits(low_6);
-        var _S255 : u32 = brick_word_0(record_4 + u32(3) + _S253);
-        rank_0 = rank_0 + (_S254 + countOneBits((_S255 & ((((u32(1) << ((bit_1 - u32(32))))) - u32(1))))));
+        var _S198 : u32 = countOneBits(low_6);
+        var _S199 : u32 = brick_word_0(record_3 + u32(3) + _S197);
+        rank_0 = rank_0 + (_S198 + countOneBits((_S199 & ((((u32(1) << ((bit_1 - u32(32))))) - u32(1))))));
     }
     return rank_0;
 }
 
-fn place_of_material_0( index_8 : u32) -> u32
+fn place_of_material_0( index_10 : u32) -> u32
 {
-    var _S256 : u32;
+    var _S200 : u32;
     if(HAS_PAGES_0)
     {
-        var _S257 : u32 = word_in_pages_0(index_8, pages_0[i32(2)]);
-        _S256 = _S257;
+        var _S201 : u32 = word_in_pages_0(index_10, pages_0[i32(2)]);
+        _S200 = _S201;
     }
     else
     {
-        _S256 = index_8;
+        _S200 = index_10;
     }
-    return _S256;
+    return _S200;
 }
 
-fn material_word_0( index_9 : u32) -> u32
+fn material_word_0( index_11 : u32) -> u32
 {
-    var _S258 : u32 = place_of_material_0(index_9);
-    return brick_materials_0[_S258];
+    var _S202 : u32 = place_of_material_0(index_11);
+    return brick_materials_0[_S202];
 }
 
 fn read_bits_0( start_1 : u32,  position_8 : u32,  count_2 : u32) -> u32
@@ -3421,14 +3021,14 @@ fn read_bits_0( start_1 : u32,  position_8 : u32,  count_2 : u32) -> u32
         return u32(0);
     }
     var word_4 : u32 = start_1 + ((position_8 >> (u32(5))));
-    var shift_7 : u32 = (position_8 & (u32(31)));
-    var _S259 : u32 = material_word_0(word_4);
-    var bits_2 : u32 = (_S259 >> (shift_7));
+    var shift_5 : u32 = (position_8 & (u32(31)));
+    var _S203 : u32 = material_word_0(word_4);
+    var bits_2 : u32 = (_S203 >> (shift_5));
     var bits_3 : u32;
-    if((shift_7 + count_2) > u32(32))
+    if((shift_5 + count_2) > u32(32))
     {
-        var _S260 : u32 = material_word_0(word_4 + u32(1));
-        bits_3 = (bits_2 | (((_S260 << ((u32(32) - shift_7))))));
+        var _S204 : u32 = material_word_0(word_4 + u32(1));
+        bits_3 = (bits_2 | (((_S204 << ((u32(32) - shift_5))))));
     }
     else
     {
@@ -3437,34 +3037,34 @@ fn read_bits_0( start_1 : u32,  position_8 : u32,  count_2 : u32) -> u32
     return (bits_3 & ((((u32(1) << (count_2))) - u32(1))));
 }
 
-fn material_at_0( _S261 : u32,  _S262 : vec3<i32>) -> u32
+fn material_at_0( _S205 : u32,  _S206 : vec3<i32>) -> u32
 {
-    var _S263 : u32 = find_brick_0(_S261, _S262);
-    var header_1 : u32 = brick_word_0(_S263);
-    var rank_2 : u32 = rank_in_brick_0(_S263, _S262);
+    var _S207 : u32 = find_brick_0(_S205, _S206);
+    var header_1 : u32 = brick_word_0(_S207);
+    var rank_2 : u32 = rank_in_brick_0(_S207, _S206);
     var index_bits_0 : u32 = (((header_1 >> (u32(8)))) & (u32(255)));
     var palette_count_0 : u32 = (header_1 >> (u32(16)));
-    var entry_bits_0 : u32 = grids_0[_S261].material_bits_0;
-    var start_2 : u32 = brick_word_0(_S263 + u32(1));
-    var index_10 : u32 = read_bits_0(start_2, palette_count_0 * grids_0[_S261].material_bits_0 + rank_2 * index_bits_0, index_bits_0);
+    var entry_bits_0 : u32 = grids_0[_S205].material_bits_0;
+    var start_2 : u32 = brick_word_0(_S207 + u32(1));
+    var index_12 : u32 = read_bits_0(start_2, palette_count_0 * grids_0[_S205].material_bits_0 + rank_2 * index_bits_0, index_bits_0);
     if(palette_count_0 == u32(0))
     {
-        return index_10;
+        return index_12;
     }
-    var _S264 : u32 = read_bits_0(start_2, index_10 * entry_bits_0, entry_bits_0);
-    return _S264;
+    var _S208 : u32 = read_bits_0(start_2, index_12 * entry_bits_0, entry_bits_0);
+    return _S208;
 }
 
-fn material_of_0( hit_3 : Hit_0) -> PackedMaterial_0
+fn material_of_0( hit_1 : Hit_0) -> PackedMaterial_0
 {
-    var _S265 : u32 = material_at_0(instances_0[hit_3.instance_1].grid_0, hit_3.voxel_1 - cell_of_0(grids_0[instances_0[hit_3.instance_1].grid_0].origin_0));
-    return material_of_index_0(_S265);
+    var _S209 : u32 = material_at_0(instances_0[hit_1.instance_1].grid_0, hit_1.voxel_1 - cell_of_0(grids_0[instances_0[hit_1.instance_1].grid_0].origin_0));
+    return material_of_index_0(_S209);
 }
 
-fn material_met_0( path_4 : Path_0,  hit_4 : Hit_0,  beyond_2 : u32) -> PackedMaterial_0
+fn material_met_0( path_4 : Path_0,  hit_2 : Hit_0,  beyond_2 : u32) -> PackedMaterial_0
 {
-    var _S266 : PackedMaterial_0 = material_of_0(hit_4);
-    return _S266;
+    var _S210 : PackedMaterial_0 = material_of_0(hit_2);
+    return _S210;
 }
 
 fn emitted_0( material_3 : PackedMaterial_0) -> vec3<f32>
@@ -3485,43 +3085,43 @@ fn luminance_0( color_0 : vec3<f32>) -> f32
 struct Aim_0
 {
      is_met_0 : bool,
-     direction_23 : vec3<f32>,
-     hit_5 : Hit_0,
+     direction_22 : vec3<f32>,
+     hit_3 : Hit_0,
      luminance_1 : f32,
 };
 
-fn Aim_x24init_0( is_met_1 : bool,  direction_24 : vec3<f32>,  hit_6 : Hit_0,  luminance_2 : f32) -> Aim_0
+fn Aim_x24init_0( is_met_1 : bool,  direction_23 : vec3<f32>,  hit_4 : Hit_0,  luminance_2 : f32) -> Aim_0
 {
-    var _S267 : Aim_0;
-    _S267.is_met_0 = is_met_1;
-    _S267.direction_23 = direction_24;
-    _S267.hit_5 = hit_6;
-    _S267.luminance_1 = luminance_2;
-    return _S267;
+    var _S211 : Aim_0;
+    _S211.is_met_0 = is_met_1;
+    _S211.direction_22 = direction_23;
+    _S211.hit_3 = hit_4;
+    _S211.luminance_1 = luminance_2;
+    return _S211;
 }
 
 struct LightSample_0
 {
-     ray_16 : Ray_0,
+     ray_15 : Ray_0,
      cos_theta_0 : f32,
      radiance_2 : vec3<f32>,
      pdf_3 : f32,
 };
 
-fn LightSample_x24init_0( ray_17 : Ray_0,  cos_theta_1 : f32,  radiance_3 : vec3<f32>,  pdf_4 : f32) -> LightSample_0
+fn LightSample_x24init_0( ray_16 : Ray_0,  cos_theta_1 : f32,  radiance_3 : vec3<f32>,  pdf_4 : f32) -> LightSample_0
 {
-    var _S268 : LightSample_0;
-    _S268.ray_16 = ray_17;
-    _S268.cos_theta_0 = cos_theta_1;
-    _S268.radiance_2 = radiance_3;
-    _S268.pdf_3 = pdf_4;
-    return _S268;
+    var _S212 : LightSample_0;
+    _S212.ray_15 = ray_16;
+    _S212.cos_theta_0 = cos_theta_1;
+    _S212.radiance_2 = radiance_3;
+    _S212.pdf_3 = pdf_4;
+    return _S212;
 }
 
 fn no_light_0() -> LightSample_0
 {
-    var _S269 : vec3<f32> = vec3<f32>(0.0f);
-    return LightSample_x24init_0(Ray_x24init_0(_S269, 0.0f, _S269, 0.0f), 0.0f, _S269, 0.0f);
+    var _S213 : vec3<f32> = vec3<f32>(0.0f);
+    return LightSample_x24init_0(Ray_x24init_0(_S213, 0.0f, _S213, 0.0f), 0.0f, _S213, 0.0f);
 }
 
 fn with_slack_0( receiver_0 : Receiver_0,  cos_2 : f32) -> f32
@@ -3534,51 +3134,51 @@ fn SunDisc_sample_0( receiver_1 : Receiver_0,  u_3 : vec4<f32>,  sample_6 : ptr<
     var one_minus_cos_theta_0 : f32 = u_3.z * params_0.sun_one_minus_cos_theta_max_0;
     var radius_4 : f32 = square_root_0(one_minus_cos_theta_0 * (2.0f - one_minus_cos_theta_0));
     var sin_cos_2 : vec2<f32> = sincos_turns_0(u_3.w);
-    var direction_25 : vec3<f32> = params_0.sun_direction_0 * vec3<f32>((1.0f - one_minus_cos_theta_0)) + (params_0.sun_tangent_0 * vec3<f32>((radius_4 * sin_cos_2.y)) + params_0.sun_bitangent_0 * vec3<f32>((radius_4 * sin_cos_2.x)));
-    var cos_theta_2 : f32 = with_slack_0(receiver_1, dot_product_0(receiver_1.normal_2, direction_25));
-    (*sample_6) = LightSample_x24init_0(ray_from_0(receiver_1.point_0, direction_25), cos_theta_2, params_0.sun_radiance_0, params_0.sun_pdf_0);
+    var direction_24 : vec3<f32> = params_0.sun_direction_0 * vec3<f32>((1.0f - one_minus_cos_theta_0)) + (params_0.sun_tangent_0 * vec3<f32>((radius_4 * sin_cos_2.y)) + params_0.sun_bitangent_0 * vec3<f32>((radius_4 * sin_cos_2.x)));
+    var cos_theta_2 : f32 = with_slack_0(receiver_1, dot_product_0(receiver_1.normal_2, direction_24));
+    (*sample_6) = LightSample_x24init_0(ray_from_0(receiver_1.point_0, direction_24), cos_theta_2, params_0.sun_radiance_0, params_0.sun_pdf_0);
     return cos_theta_2 > 0.0f;
 }
 
 struct ChosenDirection_0
 {
-     direction_26 : vec3<f32>,
+     direction_25 : vec3<f32>,
      radiance_4 : vec3<f32>,
      pdf_5 : f32,
 };
 
-fn ChosenDirection_x24init_0( direction_27 : vec3<f32>,  radiance_5 : vec3<f32>,  pdf_6 : f32) -> ChosenDirection_0
+fn ChosenDirection_x24init_0( direction_26 : vec3<f32>,  radiance_5 : vec3<f32>,  pdf_6 : f32) -> ChosenDirection_0
 {
-    var _S270 : ChosenDirection_0;
-    _S270.direction_26 = direction_27;
-    _S270.radiance_4 = radiance_5;
-    _S270.pdf_5 = pdf_6;
-    return _S270;
+    var _S214 : ChosenDirection_0;
+    _S214.direction_25 = direction_26;
+    _S214.radiance_4 = radiance_5;
+    _S214.pdf_5 = pdf_6;
+    return _S214;
 }
 
 fn direction_of_0( square_1 : vec2<f32>) -> vec3<f32>
 {
     var u_4 : f32 = square_1.x * 2.0f - 1.0f;
     var v_3 : f32 = square_1.y * 2.0f - 1.0f;
-    var _S271 : f32 = abs(u_4);
-    var _S272 : f32 = abs(v_3);
-    var height_2 : f32 = 1.0f - (_S271 + _S272);
+    var _S215 : f32 = abs(u_4);
+    var _S216 : f32 = abs(v_3);
+    var height_2 : f32 = 1.0f - (_S215 + _S216);
     var radius_5 : f32 = 1.0f - abs(height_2);
     var turns_3 : f32;
     if(radius_5 > 0.0f)
     {
-        turns_3 = (divide_0(_S272 - _S271, radius_5) + 1.0f) * 0.125f;
+        turns_3 = (divide_0(_S216 - _S215, radius_5) + 1.0f) * 0.125f;
     }
     else
     {
         turns_3 = 0.0f;
     }
     var sin_cos_3 : vec2<f32> = sincos_turns_0(turns_3);
-    var _S273 : f32 = radius_5 * radius_5;
-    var across_0 : f32 = radius_5 * square_root_0(2.0f - _S273);
+    var _S217 : f32 = radius_5 * radius_5;
+    var across_0 : f32 = radius_5 * square_root_0(2.0f - _S217);
     var x_8 : f32 = sin_cos_3.y * across_0;
     var y_6 : f32 = sin_cos_3.x * across_0;
-    var z_0 : f32 = 1.0f - _S273;
+    var z_0 : f32 = 1.0f - _S217;
     if(u_4 < 0.0f)
     {
         turns_3 = - x_8;
@@ -3587,63 +3187,63 @@ fn direction_of_0( square_1 : vec2<f32>) -> vec3<f32>
     {
         turns_3 = x_8;
     }
-    var _S274 : f32;
+    var _S218 : f32;
     if(v_3 < 0.0f)
     {
-        _S274 = - y_6;
+        _S218 = - y_6;
     }
     else
     {
-        _S274 = y_6;
+        _S218 = y_6;
     }
-    var _S275 : f32;
+    var _S219 : f32;
     if(height_2 < 0.0f)
     {
-        _S275 = - z_0;
+        _S219 = - z_0;
     }
     else
     {
-        _S275 = z_0;
+        _S219 = z_0;
     }
-    return vec3<f32>(turns_3, _S274, _S275);
+    return vec3<f32>(turns_3, _S218, _S219);
 }
 
 fn Environment_to_world_0( d_2 : vec3<f32>) -> vec3<f32>
 {
     var sin_2 : f32 = params_0.sky_turned_0.x;
     var cos_3 : f32 = params_0.sky_turned_0.y;
-    var _S276 : f32 = d_2.x;
-    var _S277 : f32 = d_2.y;
-    return vec3<f32>(_S276 * cos_3 + _S277 * sin_2, _S277 * cos_3 - _S276 * sin_2, d_2.z);
+    var _S220 : f32 = d_2.x;
+    var _S221 : f32 = d_2.y;
+    return vec3<f32>(_S220 * cos_3 + _S221 * sin_2, _S221 * cos_3 - _S220 * sin_2, d_2.z);
 }
 
 fn Environment_choose_0( u_5 : vec4<f32>,  chosen_0 : ptr<function, ChosenDirection_0>) -> bool
 {
-    var _S278 : vec3<f32> = vec3<f32>(0.0f);
-    (*chosen_0) = ChosenDirection_x24init_0(_S278, _S278, 0.0f);
+    var _S222 : vec3<f32> = vec3<f32>(0.0f);
+    (*chosen_0) = ChosenDirection_x24init_0(_S222, _S222, 0.0f);
     var edge_0 : f32 = f32(params_0.sky_edge_0);
-    var _S279 : f32 = u_5.x * edge_0;
-    var _S280 : f32 = edge_0 - 1.0f;
-    var _S281 : f32 = min(floor(_S279), _S280);
-    var own_1 : u32 = u32(_S281) * params_0.sky_edge_0 + u32(min(floor(u_5.y * edge_0), _S280));
-    var index_11 : u32;
+    var _S223 : f32 = u_5.x * edge_0;
+    var _S224 : f32 = edge_0 - 1.0f;
+    var _S225 : f32 = min(floor(_S223), _S224);
+    var own_1 : u32 = u32(_S225) * params_0.sky_edge_0 + u32(min(floor(u_5.y * edge_0), _S224));
+    var index_13 : u32;
     if((u_5.z) < (environment_0[own_1].threshold_0))
     {
-        index_11 = own_1;
+        index_13 = own_1;
     }
     else
     {
-        index_11 = environment_0[own_1].alias_0;
+        index_13 = environment_0[own_1].alias_0;
     }
-    var pdf_7 : f32 = environment_0[index_11].pdf_0;
-    if((environment_0[index_11].pdf_0) <= 0.0f)
+    var pdf_7 : f32 = environment_0[index_13].pdf_0;
+    if((environment_0[index_13].pdf_0) <= 0.0f)
     {
         return false;
     }
-    var _S282 : u32 = index_11 % params_0.sky_edge_0;
-    var _S283 : f32 = f32(_S282);
-    var _S284 : u32 = index_11 / params_0.sky_edge_0;
-    var place_3 : vec2<f32> = vec2<f32>(_S283, f32(_S284)) + vec2<f32>(min(_S279 - _S281, 1.0f), u_5.w);
+    var _S226 : u32 = index_13 % params_0.sky_edge_0;
+    var _S227 : f32 = f32(_S226);
+    var _S228 : u32 = index_13 / params_0.sky_edge_0;
+    var place_3 : vec2<f32> = vec2<f32>(_S227, f32(_S228)) + vec2<f32>(min(_S223 - _S225, 1.0f), u_5.w);
     (*chosen_0) = ChosenDirection_x24init_0(Environment_to_world_0(direction_of_0(place_3 * vec2<f32>(divide_0(1.0f, edge_0)))), Environment_radiance_at_0(place_3), pdf_7);
     return true;
 }
@@ -3652,29 +3252,29 @@ fn Sky_sample_0( receiver_2 : Receiver_0,  u_6 : vec4<f32>,  sample_7 : ptr<func
 {
     (*sample_7) = no_light_0();
     var chosen_1 : ChosenDirection_0;
-    var _S285 : bool;
+    var _S229 : bool;
     if(SKY_0 != u32(1))
     {
-        _S285 = true;
+        _S229 = true;
     }
     else
     {
-        var _S286 : bool = Environment_choose_0(u_6, &(chosen_1));
-        _S285 = !_S286;
+        var _S230 : bool = Environment_choose_0(u_6, &(chosen_1));
+        _S229 = !_S230;
     }
-    if(_S285)
+    if(_S229)
     {
         return false;
     }
-    var cos_theta_3 : f32 = dot_product_0(receiver_2.normal_2, chosen_1.direction_26);
-    (*sample_7) = LightSample_x24init_0(ray_from_0(receiver_2.point_0, chosen_1.direction_26), cos_theta_3, chosen_1.radiance_4 * vec3<f32>(params_0.sky_brightness_0), chosen_1.pdf_5);
+    var cos_theta_3 : f32 = dot_product_0(receiver_2.normal_2, chosen_1.direction_25);
+    (*sample_7) = LightSample_x24init_0(ray_from_0(receiver_2.point_0, chosen_1.direction_25), cos_theta_3, chosen_1.radiance_4 * vec3<f32>(params_0.sky_brightness_0), chosen_1.pdf_5);
     return cos_theta_3 > 0.0f;
 }
 
 struct Descent_0
 {
-     node_3 : u32,
-     index_12 : u32,
+     node_0 : u32,
+     index_14 : u32,
      count_3 : u32,
      weight_0 : f32,
      total_0 : f32,
@@ -3682,78 +3282,78 @@ struct Descent_0
      is_far_0 : bool,
 };
 
-fn Descent_x24init_0( node_4 : u32,  index_13 : u32,  count_4 : u32,  weight_1 : f32,  total_1 : f32,  choice_1 : f32,  is_far_1 : bool) -> Descent_0
+fn Descent_x24init_0( node_1 : u32,  index_15 : u32,  count_4 : u32,  weight_1 : f32,  total_1 : f32,  choice_1 : f32,  is_far_1 : bool) -> Descent_0
 {
-    var _S287 : Descent_0;
-    _S287.node_3 = node_4;
-    _S287.index_12 = index_13;
-    _S287.count_3 = count_4;
-    _S287.weight_0 = weight_1;
-    _S287.total_0 = total_1;
-    _S287.choice_0 = choice_1;
-    _S287.is_far_0 = is_far_1;
-    return _S287;
+    var _S231 : Descent_0;
+    _S231.node_0 = node_1;
+    _S231.index_14 = index_15;
+    _S231.count_3 = count_4;
+    _S231.weight_0 = weight_1;
+    _S231.total_0 = total_1;
+    _S231.choice_0 = choice_1;
+    _S231.is_far_0 = is_far_1;
+    return _S231;
 }
 
 struct LightNode_0
 {
-     min_1 : array<f32, i32(3)>,
-     index_14 : u32,
-     max_1 : array<f32, i32(3)>,
+     min_2 : array<f32, i32(3)>,
+     index_16 : u32,
+     max_2 : array<f32, i32(3)>,
      count_5 : u32,
      power_2 : array<f32, i32(6)>,
      parent_0 : u32,
      root_1 : u32,
 };
 
-fn light_node_of_0( a_7 : vec4<u32>,  b_7 : vec4<u32>,  c_1 : vec4<u32>,  d_3 : vec4<u32>) -> LightNode_0
+fn light_node_of_0( a_6 : vec4<u32>,  b_6 : vec4<u32>,  c_1 : vec4<u32>,  d_3 : vec4<u32>) -> LightNode_0
 {
-    var node_5 : LightNode_0;
-    var _S288 : f32 = (bitcast<f32>((a_7.y)));
-    var _S289 : f32 = (bitcast<f32>((a_7.z)));
-    node_5.min_1[i32(0)] = (bitcast<f32>((a_7.x)));
-    node_5.min_1[i32(1)] = _S288;
-    node_5.min_1[i32(2)] = _S289;
-    node_5.index_14 = a_7.w;
-    var _S290 : f32 = (bitcast<f32>((b_7.y)));
-    var _S291 : f32 = (bitcast<f32>((b_7.z)));
-    node_5.max_1[i32(0)] = (bitcast<f32>((b_7.x)));
-    node_5.max_1[i32(1)] = _S290;
-    node_5.max_1[i32(2)] = _S291;
-    node_5.count_5 = b_7.w;
-    var _S292 : f32 = (bitcast<f32>((c_1.y)));
-    var _S293 : f32 = (bitcast<f32>((c_1.z)));
-    var _S294 : f32 = (bitcast<f32>((c_1.w)));
-    var _S295 : f32 = (bitcast<f32>((d_3.x)));
-    var _S296 : f32 = (bitcast<f32>((d_3.y)));
-    node_5.power_2[i32(0)] = (bitcast<f32>((c_1.x)));
-    node_5.power_2[i32(1)] = _S292;
-    node_5.power_2[i32(2)] = _S293;
-    node_5.power_2[i32(3)] = _S294;
-    node_5.power_2[i32(4)] = _S295;
-    node_5.power_2[i32(5)] = _S296;
-    node_5.parent_0 = d_3.z;
-    node_5.root_1 = d_3.w;
-    return node_5;
+    var node_2 : LightNode_0;
+    var _S232 : f32 = (bitcast<f32>((a_6.y)));
+    var _S233 : f32 = (bitcast<f32>((a_6.z)));
+    node_2.min_2[i32(0)] = (bitcast<f32>((a_6.x)));
+    node_2.min_2[i32(1)] = _S232;
+    node_2.min_2[i32(2)] = _S233;
+    node_2.index_16 = a_6.w;
+    var _S234 : f32 = (bitcast<f32>((b_6.y)));
+    var _S235 : f32 = (bitcast<f32>((b_6.z)));
+    node_2.max_2[i32(0)] = (bitcast<f32>((b_6.x)));
+    node_2.max_2[i32(1)] = _S234;
+    node_2.max_2[i32(2)] = _S235;
+    node_2.count_5 = b_6.w;
+    var _S236 : f32 = (bitcast<f32>((c_1.y)));
+    var _S237 : f32 = (bitcast<f32>((c_1.z)));
+    var _S238 : f32 = (bitcast<f32>((c_1.w)));
+    var _S239 : f32 = (bitcast<f32>((d_3.x)));
+    var _S240 : f32 = (bitcast<f32>((d_3.y)));
+    node_2.power_2[i32(0)] = (bitcast<f32>((c_1.x)));
+    node_2.power_2[i32(1)] = _S236;
+    node_2.power_2[i32(2)] = _S237;
+    node_2.power_2[i32(3)] = _S238;
+    node_2.power_2[i32(4)] = _S239;
+    node_2.power_2[i32(5)] = _S240;
+    node_2.parent_0 = d_3.z;
+    node_2.root_1 = d_3.w;
+    return node_2;
 }
 
-fn top_light_node_0( index_15 : u32) -> LightNode_0
+fn top_light_node_0( index_17 : u32) -> LightNode_0
 {
-    var _S297 : u32 = u32(4) * index_15;
-    return light_node_of_0(top_light_node_rows_0[_S297], top_light_node_rows_0[_S297 + u32(1)], top_light_node_rows_0[_S297 + u32(2)], top_light_node_rows_0[_S297 + u32(3)]);
+    var _S241 : u32 = u32(4) * index_17;
+    return light_node_of_0(top_light_node_rows_0[_S241], top_light_node_rows_0[_S241 + u32(1)], top_light_node_rows_0[_S241 + u32(2)], top_light_node_rows_0[_S241 + u32(3)]);
 }
 
-fn TopLights_node_0( index_16 : u32) -> LightNode_0
+fn TopLights_node_0( index_18 : u32) -> LightNode_0
 {
-    return top_light_node_0(index_16);
+    return top_light_node_0(index_18);
 }
 
 fn Descent_at_0( this_34 : ptr<function, Descent_0>,  root_2 : u32)
 {
-    var node_6 : LightNode_0 = TopLights_node_0(root_2);
-    (*this_34).node_3 = root_2;
-    (*this_34).index_12 = node_6.index_14;
-    (*this_34).count_3 = node_6.count_5;
+    var node_3 : LightNode_0 = TopLights_node_0(root_2);
+    (*this_34).node_0 = root_2;
+    (*this_34).index_14 = node_3.index_16;
+    (*this_34).count_3 = node_3.count_5;
     (*this_34).is_far_0 = false;
     return;
 }
@@ -3777,17 +3377,17 @@ struct BySide_0
 
 fn BySide_x24init_0( low_8 : vec3<f32>,  high_5 : vec3<f32>) -> BySide_0
 {
-    var _S298 : BySide_0;
-    _S298.low_7 = low_8;
-    _S298.high_4 = high_5;
-    return _S298;
+    var _S242 : BySide_0;
+    _S242.low_7 = low_8;
+    _S242.high_4 = high_5;
+    return _S242;
 }
 
-fn sent_by_side_0( node_7 : LightNode_0,  point_2 : vec3<f32>,  distance_2 : f32) -> BySide_0
+fn sent_by_side_0( node_4 : LightNode_0,  point_2 : vec3<f32>,  distance_2 : f32) -> BySide_0
 {
-    var _S299 : vec3<f32> = vec3<f32>(0.0f);
-    var _S300 : vec3<f32> = vec3<f32>(distance_2);
-    return BySide_x24init_0(vec3<f32>(node_7.power_2[i32(0)], node_7.power_2[i32(2)], node_7.power_2[i32(4)]) * min(max(vector_of_0(node_7.max_1) - point_2, _S299), _S300), vec3<f32>(node_7.power_2[i32(1)], node_7.power_2[i32(3)], node_7.power_2[i32(5)]) * min(max(point_2 - vector_of_0(node_7.min_1), _S299), _S300));
+    var _S243 : vec3<f32> = vec3<f32>(0.0f);
+    var _S244 : vec3<f32> = vec3<f32>(distance_2);
+    return BySide_x24init_0(vec3<f32>(node_4.power_2[i32(0)], node_4.power_2[i32(2)], node_4.power_2[i32(4)]) * min(max(vector_of_0(node_4.max_2) - point_2, _S243), _S244), vec3<f32>(node_4.power_2[i32(1)], node_4.power_2[i32(3)], node_4.power_2[i32(5)]) * min(max(point_2 - vector_of_0(node_4.min_2), _S243), _S244));
 }
 
 fn BySide_sum_0( this_35 : BySide_0) -> f32
@@ -3804,60 +3404,60 @@ fn reciprocal_guess_0( x_9 : f32) -> f32
 
 fn View_x24init_0( importance_1 : f32,  is_far_3 : bool) -> View_0
 {
-    var _S301 : View_0;
-    _S301.importance_0 = importance_1;
-    _S301.is_far_2 = is_far_3;
-    return _S301;
+    var _S245 : View_0;
+    _S245.importance_0 = importance_1;
+    _S245.is_far_2 = is_far_3;
+    return _S245;
 }
 
-fn view_0( node_8 : LightNode_0,  receiver_3 : Receiver_0) -> View_0
+fn view_0( node_5 : LightNode_0,  receiver_3 : Receiver_0) -> View_0
 {
-    var _S302 : vec3<f32> = vector_of_0(node_8.max_1);
-    var _S303 : vec3<f32> = vector_of_0(node_8.min_1);
-    var _S304 : vec3<f32> = vec3<f32>(0.5f);
-    var half_2 : vec3<f32> = (_S302 - _S303) * _S304;
-    var toward_0 : vec3<f32> = (_S303 + _S302) * _S304 - receiver_3.point_0;
+    var _S246 : vec3<f32> = vector_of_0(node_5.max_2);
+    var _S247 : vec3<f32> = vector_of_0(node_5.min_2);
+    var _S248 : vec3<f32> = vec3<f32>(0.5f);
+    var half_1 : vec3<f32> = (_S246 - _S247) * _S248;
+    var toward_0 : vec3<f32> = (_S247 + _S246) * _S248 - receiver_3.point_0;
     var middle_2 : f32 = dot_product_0(toward_0, receiver_3.normal_2);
-    var aside_0 : f32 = dot_product_0(half_2, abs(receiver_3.normal_2));
+    var aside_0 : f32 = dot_product_0(half_1, abs(receiver_3.normal_2));
     var above_0 : f32 = with_slack_0(receiver_3, middle_2 + aside_0);
-    var far_2 : f32 = length_squared_0(toward_0);
-    var near_2 : f32 = length_squared_0(half_2);
+    var far_3 : f32 = length_squared_0(toward_0);
+    var near_2 : f32 = length_squared_0(half_1);
     var is_far_4 : bool;
     if((with_slack_0(receiver_3, middle_2 - aside_0)) > 0.0f)
     {
-        is_far_4 = far_2 > (near_2 * 36.0f);
+        is_far_4 = far_3 > (near_2 * 36.0f);
     }
     else
     {
         is_far_4 = false;
     }
-    var distance_3 : f32 = length_bound_0(select(half_2, abs(toward_0), vec3<bool>((far_2 > near_2))));
-    var sent_0 : f32 = BySide_sum_0(sent_by_side_0(node_8, receiver_3.point_0, distance_3));
-    var falloff_0 : f32 = reciprocal_guess_0(max(far_2, near_2));
-    var _S305 : f32;
+    var distance_3 : f32 = length_bound_0(select(half_1, abs(toward_0), vec3<bool>((far_3 > near_2))));
+    var sent_0 : f32 = BySide_sum_0(sent_by_side_0(node_5, receiver_3.point_0, distance_3));
+    var falloff_0 : f32 = reciprocal_guess_0(max(far_3, near_2));
+    var _S249 : f32;
     if(above_0 > 0.0f)
     {
-        _S305 = sent_0 * min(above_0, distance_3) * (falloff_0 * falloff_0);
+        _S249 = sent_0 * min(above_0, distance_3) * (falloff_0 * falloff_0);
     }
     else
     {
-        _S305 = 0.0f;
+        _S249 = 0.0f;
     }
-    return View_x24init_0(_S305, is_far_4);
+    return View_x24init_0(_S249, is_far_4);
 }
 
 fn normal_or_zero_0( weight_2 : f32) -> f32
 {
-    var _S306 : f32;
+    var _S250 : f32;
     if(weight_2 < 1.17549435082228751e-38f)
     {
-        _S306 = 0.0f;
+        _S250 = 0.0f;
     }
     else
     {
-        _S306 = weight_2;
+        _S250 = weight_2;
     }
-    return _S306;
+    return _S250;
 }
 
 fn inverse_power_of_two_0( x_10 : f32) -> f32
@@ -3867,79 +3467,79 @@ fn inverse_power_of_two_0( x_10 : f32) -> f32
 
 fn weights_of_0( left_0 : f32,  right_2 : f32) -> vec2<f32>
 {
-    var _S307 : f32 = normal_or_zero_0(left_0);
-    var _S308 : f32 = normal_or_zero_0(right_2);
-    var unit_0 : f32 = inverse_power_of_two_0(_S307 + _S308);
-    return vec2<f32>(normal_or_zero_0(_S307 * unit_0), normal_or_zero_0(_S308 * unit_0));
+    var _S251 : f32 = normal_or_zero_0(left_0);
+    var _S252 : f32 = normal_or_zero_0(right_2);
+    var unit_0 : f32 = inverse_power_of_two_0(_S251 + _S252);
+    return vec2<f32>(normal_or_zero_0(_S251 * unit_0), normal_or_zero_0(_S252 * unit_0));
 }
 
 fn climb_0( receiver_4 : Receiver_0,  start_3 : u32,  descent_0 : ptr<function, Descent_0>) -> bool
 {
-    var node_9 : LightNode_0 = top_light_node_0(start_3);
+    var node_6 : LightNode_0 = top_light_node_0(start_3);
     var at_1 : u32 = start_3;
     for(;;)
     {
-        var _S309 : LightNode_0 = node_9;
-        if((node_9.parent_0) != u32(4294967295))
+        var _S253 : LightNode_0 = node_6;
+        if((node_6.parent_0) != u32(4294967295))
         {
         }
         else
         {
             break;
         }
-        var parent_1 : LightNode_0 = top_light_node_0(_S309.parent_0);
-        var _S310 : u32 = _S309.parent_0 + u32(1);
-        var is_left_0 : bool = at_1 == _S310;
-        var _S311 : u32;
+        var parent_1 : LightNode_0 = top_light_node_0(_S253.parent_0);
+        var _S254 : u32 = _S253.parent_0 + u32(1);
+        var is_left_0 : bool = at_1 == _S254;
+        var _S255 : u32;
         if(is_left_0)
         {
-            _S311 = parent_1.index_14;
+            _S255 = parent_1.index_16;
         }
         else
         {
-            _S311 = _S310;
+            _S255 = _S254;
         }
-        var _S312 : View_0 = view_0(node_9, receiver_4);
-        var _S313 : View_0 = view_0(top_light_node_0(_S311), receiver_4);
-        var _S314 : f32;
+        var _S256 : View_0 = view_0(node_6, receiver_4);
+        var _S257 : View_0 = view_0(top_light_node_0(_S255), receiver_4);
+        var _S258 : f32;
         if(is_left_0)
         {
-            _S314 = _S312.importance_0;
+            _S258 = _S256.importance_0;
         }
         else
         {
-            _S314 = _S313.importance_0;
+            _S258 = _S257.importance_0;
         }
-        var _S315 : f32;
+        var _S259 : f32;
         if(is_left_0)
         {
-            _S315 = _S313.importance_0;
+            _S259 = _S257.importance_0;
         }
         else
         {
-            _S315 = _S312.importance_0;
+            _S259 = _S256.importance_0;
         }
-        var weights_0 : vec2<f32> = weights_of_0(_S314, _S315);
-        var _S316 : f32 = weights_0.x;
-        var _S317 : f32 = weights_0.y;
-        var total_2 : f32 = _S316 + _S317;
+        var weights_0 : vec2<f32> = weights_of_0(_S258, _S259);
+        var _S260 : f32 = weights_0.x;
+        var _S261 : f32 = weights_0.y;
+        var total_2 : f32 = _S260 + _S261;
         if(!(total_2 > 0.0f))
         {
             return false;
         }
-        var _S318 : f32;
+        var _S262 : f32;
         if(is_left_0)
         {
-            _S318 = _S316;
+            _S262 = _S260;
         }
         else
         {
-            _S318 = _S317;
+            _S262 = _S261;
         }
-        (*descent_0).weight_0 = (*descent_0).weight_0 * _S318;
+        (*descent_0).weight_0 = (*descent_0).weight_0 * _S262;
         (*descent_0).total_0 = (*descent_0).total_0 * total_2;
-        node_9 = parent_1;
-        at_1 = _S309.parent_0;
+        node_6 = parent_1;
+        at_1 = _S253.parent_0;
     }
     return ((*descent_0).weight_0) > 0.0f;
 }
@@ -3953,16 +3553,16 @@ fn descend_0( receiver_5 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<function
 {
     for(;;)
     {
-        var _S319 : bool;
+        var _S263 : bool;
         if(((*descent_1).count_3) == u32(0))
         {
-            _S319 = !(*descent_1).is_far_0;
+            _S263 = !(*descent_1).is_far_0;
         }
         else
         {
-            _S319 = false;
+            _S263 = false;
         }
-        if(_S319)
+        if(_S263)
         {
         }
         else
@@ -3973,32 +3573,32 @@ fn descend_0( receiver_5 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<function
         {
             return false;
         }
-        var left_1 : LightNode_0 = TopLights_node_0((*descent_1).node_3 + u32(1));
-        var right_3 : LightNode_0 = TopLights_node_0((*descent_1).index_12);
+        var left_1 : LightNode_0 = TopLights_node_0((*descent_1).node_0 + u32(1));
+        var right_3 : LightNode_0 = TopLights_node_0((*descent_1).index_14);
         var weights_1 : vec2<f32> = weights_of_0(view_0(left_1, receiver_5).importance_0, view_0(right_3, receiver_5).importance_0);
-        var _S320 : f32 = weights_1.x;
-        var _S321 : f32 = weights_1.y;
-        var total_3 : f32 = _S320 + _S321;
+        var _S264 : f32 = weights_1.x;
+        var _S265 : f32 = weights_1.y;
+        var total_3 : f32 = _S264 + _S265;
         if(!(total_3 > 0.0f))
         {
             return false;
         }
-        var _S322 : bool;
-        if(_S321 <= 0.0f)
+        var _S266 : bool;
+        if(_S265 <= 0.0f)
         {
-            _S322 = true;
+            _S266 = true;
         }
         else
         {
-            _S322 = ((*descent_1).choice_0 * total_3) < (_S320 * (*descent_1).weight_0);
+            _S266 = ((*descent_1).choice_0 * total_3) < (_S264 * (*descent_1).weight_0);
         }
         var is_left_1 : bool;
         if(aim_0.is_met_0)
         {
-            var _S323 : vec3<f32> = vec3<f32>(aim_0.hit_5.voxel_1);
-            if((all((_S323 >= (vector_of_0(left_1.min_1))))))
+            var _S267 : vec3<f32> = vec3<f32>(aim_0.hit_3.voxel_1);
+            if((all((_S267 >= (vector_of_0(left_1.min_2))))))
             {
-                is_left_1 = (all((_S323 < (vector_of_0(left_1.max_1)))));
+                is_left_1 = (all((_S267 < (vector_of_0(left_1.max_2)))));
             }
             else
             {
@@ -4007,63 +3607,63 @@ fn descend_0( receiver_5 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<function
         }
         else
         {
-            is_left_1 = _S322;
+            is_left_1 = _S266;
         }
-        var _S324 : f32 = (*descent_1).choice_0 * total_3;
-        var _S325 : f32;
+        var _S268 : f32 = (*descent_1).choice_0 * total_3;
+        var _S269 : f32;
         if(is_left_1)
         {
-            _S325 = 0.0f;
+            _S269 = 0.0f;
         }
         else
         {
-            _S325 = _S320 * (*descent_1).weight_0;
+            _S269 = _S264 * (*descent_1).weight_0;
         }
-        (*descent_1).choice_0 = _S324 - _S325;
-        var _S326 : u32;
+        (*descent_1).choice_0 = _S268 - _S269;
+        var _S270 : u32;
         if(is_left_1)
         {
-            _S326 = (*descent_1).node_3 + u32(1);
+            _S270 = (*descent_1).node_0 + u32(1);
         }
         else
         {
-            _S326 = (*descent_1).index_12;
+            _S270 = (*descent_1).index_14;
         }
-        (*descent_1).node_3 = _S326;
-        var _S327 : u32;
+        (*descent_1).node_0 = _S270;
+        var _S271 : u32;
         if(is_left_1)
         {
-            _S327 = left_1.index_14;
+            _S271 = left_1.index_16;
         }
         else
         {
-            _S327 = right_3.index_14;
+            _S271 = right_3.index_16;
         }
-        (*descent_1).index_12 = _S327;
-        var _S328 : u32;
+        (*descent_1).index_14 = _S271;
+        var _S272 : u32;
         if(is_left_1)
         {
-            _S328 = left_1.count_5;
+            _S272 = left_1.count_5;
         }
         else
         {
-            _S328 = right_3.count_5;
+            _S272 = right_3.count_5;
         }
-        (*descent_1).count_3 = _S328;
+        (*descent_1).count_3 = _S272;
         (*descent_1).is_far_0 = false;
-        var _S329 : f32;
+        var _S273 : f32;
         if(is_left_1)
         {
-            _S329 = _S320;
+            _S273 = _S264;
         }
         else
         {
-            _S329 = _S321;
+            _S273 = _S265;
         }
-        var _S330 : f32 = (*descent_1).weight_0 * _S329;
-        (*descent_1).weight_0 = _S330;
+        var _S274 : f32 = (*descent_1).weight_0 * _S273;
+        (*descent_1).weight_0 = _S274;
         (*descent_1).total_0 = (*descent_1).total_0 * total_3;
-        if(_S330 <= 0.0f)
+        if(_S274 <= 0.0f)
         {
             return false;
         }
@@ -4082,33 +3682,33 @@ fn in_grid_0( instance_9 : u32,  receiver_6 : Receiver_0) -> Receiver_0
 
 fn lights_in_pages_0() -> bool
 {
-    var _S331 : bool;
+    var _S275 : bool;
     if(HAS_PAGES_0)
     {
-        _S331 = pages_0[u32(5)] != u32(0);
+        _S275 = pages_0[u32(5)] != u32(0);
     }
     else
     {
-        _S331 = false;
+        _S275 = false;
     }
-    return _S331;
+    return _S275;
 }
 
-fn place_in_light_node_0( node_10 : u32,  word_5 : u32) -> u32
+fn place_in_light_node_0( node_7 : u32,  word_5 : u32) -> u32
 {
-    var _S332 : u32 = word_in_pages_0(node_10 * u32(16) + word_5, pages_0[i32(4)]);
-    return _S332;
+    var _S276 : u32 = word_in_pages_0(node_7 * u32(16) + word_5, pages_0[i32(4)]);
+    return _S276;
 }
 
-fn light_node_at_0( index_17 : u32) -> LightNode_0
+fn light_node_at_0( index_19 : u32) -> LightNode_0
 {
     if(!lights_in_pages_0())
     {
-        var _S333 : u32 = u32(4) * index_17;
-        return light_node_of_0(light_node_rows_0[_S333], light_node_rows_0[_S333 + u32(1)], light_node_rows_0[_S333 + u32(2)], light_node_rows_0[_S333 + u32(3)]);
+        var _S277 : u32 = u32(4) * index_19;
+        return light_node_of_0(light_node_rows_0[_S277], light_node_rows_0[_S277 + u32(1)], light_node_rows_0[_S277 + u32(2)], light_node_rows_0[_S277 + u32(3)]);
     }
-    var at_2 : u32 = place_in_light_node_0(index_17, u32(0));
-    var node_11 : LightNode_0;
+    var at_2 : u32 = place_in_light_node_0(index_19, u32(0));
+    var node_8 : LightNode_0;
     var i_0 : u32 = u32(0);
     for(;;)
     {
@@ -4119,12 +3719,12 @@ fn light_node_at_0( index_17 : u32) -> LightNode_0
         {
             break;
         }
-        node_11.min_1[i_0] = (bitcast<f32>((cells_0[at_2 + i_0])));
-        node_11.max_1[i_0] = (bitcast<f32>((cells_0[at_2 + u32(4) + i_0])));
+        node_8.min_2[i_0] = (bitcast<f32>((cells_0[at_2 + i_0])));
+        node_8.max_2[i_0] = (bitcast<f32>((cells_0[at_2 + u32(4) + i_0])));
         i_0 = i_0 + u32(1);
     }
-    node_11.index_14 = cells_0[at_2 + u32(3)];
-    node_11.count_5 = cells_0[at_2 + u32(7)];
+    node_8.index_16 = cells_0[at_2 + u32(3)];
+    node_8.count_5 = cells_0[at_2 + u32(7)];
     i_0 = u32(0);
     for(;;)
     {
@@ -4135,26 +3735,26 @@ fn light_node_at_0( index_17 : u32) -> LightNode_0
         {
             break;
         }
-        node_11.power_2[i_0] = (bitcast<f32>((cells_0[at_2 + u32(8) + i_0])));
+        node_8.power_2[i_0] = (bitcast<f32>((cells_0[at_2 + u32(8) + i_0])));
         i_0 = i_0 + u32(1);
     }
-    node_11.parent_0 = cells_0[at_2 + u32(14)];
-    node_11.root_1 = cells_0[at_2 + u32(15)];
-    return node_11;
+    node_8.parent_0 = cells_0[at_2 + u32(14)];
+    node_8.root_1 = cells_0[at_2 + u32(15)];
+    return node_8;
 }
 
-fn GridLights_node_0( index_18 : u32) -> LightNode_0
+fn GridLights_node_0( index_20 : u32) -> LightNode_0
 {
-    var _S334 : LightNode_0 = light_node_at_0(index_18);
-    return _S334;
+    var _S278 : LightNode_0 = light_node_at_0(index_20);
+    return _S278;
 }
 
 fn Descent_at_1( this_36 : ptr<function, Descent_0>,  root_3 : u32)
 {
-    var node_12 : LightNode_0 = GridLights_node_0(root_3);
-    (*this_36).node_3 = root_3;
-    (*this_36).index_12 = node_12.index_14;
-    (*this_36).count_3 = node_12.count_5;
+    var node_9 : LightNode_0 = GridLights_node_0(root_3);
+    (*this_36).node_0 = root_3;
+    (*this_36).index_14 = node_9.index_16;
+    (*this_36).count_3 = node_9.count_5;
     (*this_36).is_far_0 = false;
     return;
 }
@@ -4163,16 +3763,16 @@ fn descend_1( receiver_7 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<function
 {
     for(;;)
     {
-        var _S335 : bool;
+        var _S279 : bool;
         if(((*descent_2).count_3) == u32(0))
         {
-            _S335 = !(*descent_2).is_far_0;
+            _S279 = !(*descent_2).is_far_0;
         }
         else
         {
-            _S335 = false;
+            _S279 = false;
         }
-        if(_S335)
+        if(_S279)
         {
         }
         else
@@ -4183,34 +3783,34 @@ fn descend_1( receiver_7 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<function
         {
             return false;
         }
-        var left_2 : LightNode_0 = GridLights_node_0((*descent_2).node_3 + u32(1));
-        var right_4 : LightNode_0 = GridLights_node_0((*descent_2).index_12);
+        var left_2 : LightNode_0 = GridLights_node_0((*descent_2).node_0 + u32(1));
+        var right_4 : LightNode_0 = GridLights_node_0((*descent_2).index_14);
         var of_left_0 : View_0 = view_0(left_2, receiver_7);
         var of_right_0 : View_0 = view_0(right_4, receiver_7);
         var weights_2 : vec2<f32> = weights_of_0(of_left_0.importance_0, of_right_0.importance_0);
-        var _S336 : f32 = weights_2.x;
-        var _S337 : f32 = weights_2.y;
-        var total_4 : f32 = _S336 + _S337;
+        var _S280 : f32 = weights_2.x;
+        var _S281 : f32 = weights_2.y;
+        var total_4 : f32 = _S280 + _S281;
         if(!(total_4 > 0.0f))
         {
             return false;
         }
-        var _S338 : bool;
-        if(_S337 <= 0.0f)
+        var _S282 : bool;
+        if(_S281 <= 0.0f)
         {
-            _S338 = true;
+            _S282 = true;
         }
         else
         {
-            _S338 = ((*descent_2).choice_0 * total_4) < (_S336 * (*descent_2).weight_0);
+            _S282 = ((*descent_2).choice_0 * total_4) < (_S280 * (*descent_2).weight_0);
         }
         var is_left_2 : bool;
         if(aim_1.is_met_0)
         {
-            var _S339 : vec3<f32> = vec3<f32>(aim_1.hit_5.voxel_1);
-            if((all((_S339 >= (vector_of_0(left_2.min_1))))))
+            var _S283 : vec3<f32> = vec3<f32>(aim_1.hit_3.voxel_1);
+            if((all((_S283 >= (vector_of_0(left_2.min_2))))))
             {
-                is_left_2 = (all((_S339 < (vector_of_0(left_2.max_1)))));
+                is_left_2 = (all((_S283 < (vector_of_0(left_2.max_2)))));
             }
             else
             {
@@ -4219,72 +3819,72 @@ fn descend_1( receiver_7 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<function
         }
         else
         {
-            is_left_2 = _S338;
+            is_left_2 = _S282;
         }
-        var _S340 : f32 = (*descent_2).choice_0 * total_4;
-        var _S341 : f32;
+        var _S284 : f32 = (*descent_2).choice_0 * total_4;
+        var _S285 : f32;
         if(is_left_2)
         {
-            _S341 = 0.0f;
+            _S285 = 0.0f;
         }
         else
         {
-            _S341 = _S336 * (*descent_2).weight_0;
+            _S285 = _S280 * (*descent_2).weight_0;
         }
-        (*descent_2).choice_0 = _S340 - _S341;
-        var _S342 : u32;
+        (*descent_2).choice_0 = _S284 - _S285;
+        var _S286 : u32;
         if(is_left_2)
         {
-            _S342 = (*descent_2).node_3 + u32(1);
+            _S286 = (*descent_2).node_0 + u32(1);
         }
         else
         {
-            _S342 = (*descent_2).index_12;
+            _S286 = (*descent_2).index_14;
         }
-        (*descent_2).node_3 = _S342;
-        var _S343 : u32;
+        (*descent_2).node_0 = _S286;
+        var _S287 : u32;
         if(is_left_2)
         {
-            _S343 = left_2.index_14;
+            _S287 = left_2.index_16;
         }
         else
         {
-            _S343 = right_4.index_14;
+            _S287 = right_4.index_16;
         }
-        (*descent_2).index_12 = _S343;
-        var _S344 : u32;
+        (*descent_2).index_14 = _S287;
+        var _S288 : u32;
         if(is_left_2)
         {
-            _S344 = left_2.count_5;
+            _S288 = left_2.count_5;
         }
         else
         {
-            _S344 = right_4.count_5;
+            _S288 = right_4.count_5;
         }
-        (*descent_2).count_3 = _S344;
-        var _S345 : bool;
+        (*descent_2).count_3 = _S288;
+        var _S289 : bool;
         if(is_left_2)
         {
-            _S345 = of_left_0.is_far_2;
+            _S289 = of_left_0.is_far_2;
         }
         else
         {
-            _S345 = of_right_0.is_far_2;
+            _S289 = of_right_0.is_far_2;
         }
-        (*descent_2).is_far_0 = _S345;
-        var _S346 : f32;
+        (*descent_2).is_far_0 = _S289;
+        var _S290 : f32;
         if(is_left_2)
         {
-            _S346 = _S336;
+            _S290 = _S280;
         }
         else
         {
-            _S346 = _S337;
+            _S290 = _S281;
         }
-        var _S347 : f32 = (*descent_2).weight_0 * _S346;
-        (*descent_2).weight_0 = _S347;
+        var _S291 : f32 = (*descent_2).weight_0 * _S290;
+        (*descent_2).weight_0 = _S291;
         (*descent_2).total_0 = (*descent_2).total_0 * total_4;
-        if(_S347 <= 0.0f)
+        if(_S291 <= 0.0f)
         {
             return false;
         }
@@ -4294,30 +3894,30 @@ fn descend_1( receiver_7 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<function
 
 fn choose_side_0( point_3 : vec3<f32>,  is_met_2 : bool,  way_3 : Descent_0,  side_1 : ptr<function, u32>,  odds_0 : ptr<function, vec2<f32>>) -> bool
 {
-    var node_13 : LightNode_0 = light_node_at_0(way_3.node_3);
-    var _S348 : vec3<f32> = vector_of_0(node_13.max_1);
-    var _S349 : vec3<f32> = vector_of_0(node_13.min_1);
-    var _S350 : vec3<f32> = vec3<f32>(0.5f);
-    var half_3 : vec3<f32> = (_S348 - _S349) * _S350;
-    var toward_1 : vec3<f32> = (_S349 + _S348) * _S350 - point_3;
-    var sent_1 : BySide_0 = sent_by_side_0(node_13, point_3, length_bound_0(select(half_3, abs(toward_1), vec3<bool>(((length_squared_0(toward_1)) > (length_squared_0(half_3)))))));
+    var node_10 : LightNode_0 = light_node_at_0(way_3.node_0);
+    var _S292 : vec3<f32> = vector_of_0(node_10.max_2);
+    var _S293 : vec3<f32> = vector_of_0(node_10.min_2);
+    var _S294 : vec3<f32> = vec3<f32>(0.5f);
+    var half_2 : vec3<f32> = (_S292 - _S293) * _S294;
+    var toward_1 : vec3<f32> = (_S293 + _S292) * _S294 - point_3;
+    var sent_1 : BySide_0 = sent_by_side_0(node_10, point_3, length_bound_0(select(half_2, abs(toward_1), vec3<bool>(((length_squared_0(toward_1)) > (length_squared_0(half_2)))))));
     var sum_3 : f32 = normal_or_zero_0(BySide_sum_0(sent_1));
     var unit_1 : f32 = inverse_power_of_two_0(sum_3);
     var total_5 : f32 = sum_3 * unit_1;
-    var _S351 : f32 = way_3.choice_0 * total_5;
-    var _S352 : u32 = (*side_1);
+    var _S295 : f32 = way_3.choice_0 * total_5;
+    var _S296 : u32 = (*side_1);
     var share_1 : f32 = normal_or_zero_0(sent_1.low_7[u32(0)] * unit_1);
-    var _S353 : bool;
+    var _S297 : bool;
     if(is_met_2)
     {
-        _S353 = u32(0) == _S352;
+        _S297 = u32(0) == _S296;
     }
     else
     {
-        _S353 = share_1 > 0.0f;
+        _S297 = share_1 > 0.0f;
     }
     var chosen_2 : f32;
-    if(_S353)
+    if(_S297)
     {
         (*side_1) = u32(0);
         chosen_2 = share_1;
@@ -4326,145 +3926,145 @@ fn choose_side_0( point_3 : vec3<f32>,  is_met_2 : bool,  way_3 : Descent_0,  si
     {
         chosen_2 = 0.0f;
     }
-    var _S354 : bool = _S351 < (share_1 * way_3.weight_0);
+    var _S298 : bool = _S295 < (share_1 * way_3.weight_0);
     var share_2 : f32 = normal_or_zero_0(sent_1.high_4[u32(0)] * unit_1);
     if(is_met_2)
     {
-        _S353 = u32(1) == _S352;
+        _S297 = u32(1) == _S296;
     }
     else
     {
         if(share_2 > 0.0f)
         {
-            _S353 = !_S354;
+            _S297 = !_S298;
         }
         else
         {
-            _S353 = false;
+            _S297 = false;
         }
     }
-    if(_S353)
+    if(_S297)
     {
         (*side_1) = u32(1);
         chosen_2 = share_2;
     }
     var passed_0 : f32 = share_1 + share_2;
-    if(_S354)
+    if(_S298)
     {
-        _S353 = true;
+        _S297 = true;
     }
     else
     {
-        _S353 = _S351 < (passed_0 * way_3.weight_0);
+        _S297 = _S295 < (passed_0 * way_3.weight_0);
     }
     var share_3 : f32 = normal_or_zero_0(sent_1.low_7[u32(1)] * unit_1);
-    var _S355 : bool;
+    var _S299 : bool;
     if(is_met_2)
     {
-        _S355 = u32(2) == _S352;
+        _S299 = u32(2) == _S296;
     }
     else
     {
         if(share_3 > 0.0f)
         {
-            _S355 = !_S353;
+            _S299 = !_S297;
         }
         else
         {
-            _S355 = false;
+            _S299 = false;
         }
     }
-    if(_S355)
+    if(_S299)
     {
         (*side_1) = u32(2);
         chosen_2 = share_3;
     }
     var passed_1 : f32 = passed_0 + share_3;
-    if(_S353)
+    if(_S297)
     {
-        _S353 = true;
+        _S297 = true;
     }
     else
     {
-        _S353 = _S351 < (passed_1 * way_3.weight_0);
+        _S297 = _S295 < (passed_1 * way_3.weight_0);
     }
     var share_4 : f32 = normal_or_zero_0(sent_1.high_4[u32(1)] * unit_1);
     if(is_met_2)
     {
-        _S355 = u32(3) == _S352;
+        _S299 = u32(3) == _S296;
     }
     else
     {
         if(share_4 > 0.0f)
         {
-            _S355 = !_S353;
+            _S299 = !_S297;
         }
         else
         {
-            _S355 = false;
+            _S299 = false;
         }
     }
-    if(_S355)
+    if(_S299)
     {
         (*side_1) = u32(3);
         chosen_2 = share_4;
     }
     var passed_2 : f32 = passed_1 + share_4;
-    if(_S353)
+    if(_S297)
     {
-        _S353 = true;
+        _S297 = true;
     }
     else
     {
-        _S353 = _S351 < (passed_2 * way_3.weight_0);
+        _S297 = _S295 < (passed_2 * way_3.weight_0);
     }
     var share_5 : f32 = normal_or_zero_0(sent_1.low_7[u32(2)] * unit_1);
     if(is_met_2)
     {
-        _S355 = u32(4) == _S352;
+        _S299 = u32(4) == _S296;
     }
     else
     {
         if(share_5 > 0.0f)
         {
-            _S355 = !_S353;
+            _S299 = !_S297;
         }
         else
         {
-            _S355 = false;
+            _S299 = false;
         }
     }
-    if(_S355)
+    if(_S299)
     {
         (*side_1) = u32(4);
         chosen_2 = share_5;
     }
     var passed_3 : f32 = passed_2 + share_5;
-    if(_S353)
+    if(_S297)
     {
-        _S353 = true;
+        _S297 = true;
     }
     else
     {
-        _S353 = _S351 < (passed_3 * way_3.weight_0);
+        _S297 = _S295 < (passed_3 * way_3.weight_0);
     }
     var share_6 : f32 = normal_or_zero_0(sent_1.high_4[u32(2)] * unit_1);
     if(is_met_2)
     {
-        _S353 = u32(5) == _S352;
+        _S297 = u32(5) == _S296;
     }
     else
     {
         if(share_6 > 0.0f)
         {
-            _S353 = !_S353;
+            _S297 = !_S297;
         }
         else
         {
-            _S353 = false;
+            _S297 = false;
         }
     }
-    if(_S353)
+    if(_S297)
     {
         (*side_1) = u32(5);
         chosen_2 = share_6;
@@ -4472,38 +4072,38 @@ fn choose_side_0( point_3 : vec3<f32>,  is_met_2 : bool,  way_3 : Descent_0,  si
     (*odds_0) = vec2<f32>(way_3.weight_0 * chosen_2, way_3.total_0 * total_5);
     if(sum_3 > 0.0f)
     {
-        _S353 = ((*odds_0).x) > 0.0f;
+        _S297 = ((*odds_0).x) > 0.0f;
     }
     else
     {
-        _S353 = false;
+        _S297 = false;
     }
-    return _S353;
+    return _S297;
 }
 
-fn light_node_word_0( index_19 : u32,  word_6 : u32) -> u32
+fn light_node_word_0( index_21 : u32,  word_6 : u32) -> u32
 {
-    return light_node_rows_0[u32(4) * index_19 + ((word_6 >> (u32(2))))][(word_6 & (u32(3)))];
+    return light_node_rows_0[u32(4) * index_21 + ((word_6 >> (u32(2))))][(word_6 & (u32(3)))];
 }
 
-fn light_power_at_0( index_20 : u32,  side_2 : u32) -> f32
+fn light_power_at_0( index_22 : u32,  side_2 : u32) -> f32
 {
-    var _S356 : u32;
+    var _S300 : u32;
     if(lights_in_pages_0())
     {
-        var _S357 : u32 = place_in_light_node_0(index_20, u32(8) + side_2);
-        _S356 = cells_0[_S357];
+        var _S301 : u32 = place_in_light_node_0(index_22, u32(8) + side_2);
+        _S300 = cells_0[_S301];
     }
     else
     {
-        _S356 = light_node_word_0(index_20, u32(8) + side_2);
+        _S300 = light_node_word_0(index_22, u32(8) + side_2);
     }
-    return (bitcast<f32>((_S356)));
+    return (bitcast<f32>((_S300)));
 }
 
-fn component_0( vector_5 : vec3<f32>,  axis_6 : u32) -> f32
+fn component_0( vector_5 : vec3<f32>,  axis_5 : u32) -> f32
 {
-    return select(select(vector_5.z, vector_5.y, axis_6 == u32(1)), vector_5.x, axis_6 == u32(0));
+    return select(select(vector_5.z, vector_5.y, axis_5 == u32(1)), vector_5.x, axis_5 == u32(0));
 }
 
 fn density_0( odds_1 : vec2<f32>,  luminance_3 : f32,  power_3 : f32,  toward_2 : vec3<f32>,  face_3 : u32) -> f32
@@ -4534,123 +4134,123 @@ fn density_0( odds_1 : vec2<f32>,  luminance_3 : f32,  power_3 : f32,  toward_2 
 
 struct Emitter_0
 {
-     voxel_21 : array<i32, i32(3)>,
-     grid_5 : u32,
+     voxel_19 : array<i32, i32(3)>,
+     grid_1 : u32,
      faces_0 : u32,
      material_5 : u32,
      luminance_4 : f32,
-     leaf_2 : u32,
+     leaf_0 : u32,
 };
 
-fn below_light_node_0( index_21 : u32) -> vec2<u32>
+fn below_light_node_0( index_23 : u32) -> vec2<u32>
 {
     if(!lights_in_pages_0())
     {
-        return vec2<u32>(light_node_word_0(index_21, u32(3)), light_node_word_0(index_21, u32(7)));
+        return vec2<u32>(light_node_word_0(index_23, u32(3)), light_node_word_0(index_23, u32(7)));
     }
-    var at_3 : u32 = place_in_light_node_0(index_21, u32(0));
+    var at_3 : u32 = place_in_light_node_0(index_23, u32(0));
     return vec2<u32>(cells_0[at_3 + u32(3)], cells_0[at_3 + u32(7)]);
 }
 
 fn place_in_emitter_0( emitter_0 : u32,  word_7 : u32) -> u32
 {
-    var _S358 : u32 = word_in_pages_0(emitter_0 * u32(8) + word_7, pages_0[i32(3)]);
-    return _S358;
+    var _S302 : u32 = word_in_pages_0(emitter_0 * u32(8) + word_7, pages_0[i32(3)]);
+    return _S302;
 }
 
-fn emitter_word_0( index_22 : u32,  word_8 : u32) -> u32
+fn emitter_word_0( index_24 : u32,  word_8 : u32) -> u32
 {
-    return emitter_rows_0[u32(2) * index_22 + ((word_8 >> (u32(2))))][(word_8 & (u32(3)))];
+    return emitter_rows_0[u32(2) * index_24 + ((word_8 >> (u32(2))))][(word_8 & (u32(3)))];
 }
 
-fn emitter_faces_at_0( index_23 : u32) -> u32
+fn emitter_faces_at_0( index_25 : u32) -> u32
 {
-    var _S359 : u32;
+    var _S303 : u32;
     if(lights_in_pages_0())
     {
-        var _S360 : u32 = place_in_emitter_0(index_23, u32(4));
-        _S359 = cells_0[_S360];
+        var _S304 : u32 = place_in_emitter_0(index_25, u32(4));
+        _S303 = cells_0[_S304];
     }
     else
     {
-        _S359 = emitter_word_0(index_23, u32(4));
+        _S303 = emitter_word_0(index_25, u32(4));
     }
-    return _S359;
+    return _S303;
 }
 
-fn emitter_luminance_at_0( index_24 : u32) -> f32
+fn emitter_luminance_at_0( index_26 : u32) -> f32
 {
-    var _S361 : f32;
+    var _S305 : f32;
     if(lights_in_pages_0())
     {
-        var _S362 : u32 = place_in_emitter_0(index_24, u32(6));
-        _S361 = (bitcast<f32>((cells_0[_S362])));
+        var _S306 : u32 = place_in_emitter_0(index_26, u32(6));
+        _S305 = (bitcast<f32>((cells_0[_S306])));
     }
     else
     {
-        _S361 = (bitcast<f32>((emitter_word_0(index_24, u32(6)))));
+        _S305 = (bitcast<f32>((emitter_word_0(index_26, u32(6)))));
     }
-    return _S361;
+    return _S305;
 }
 
-fn Emitter_x24init_0( voxel_22 : array<i32, i32(3)>,  grid_6 : u32,  faces_1 : u32,  material_6 : u32,  luminance_5 : f32,  leaf_3 : u32) -> Emitter_0
+fn Emitter_x24init_0( voxel_20 : array<i32, i32(3)>,  grid_2 : u32,  faces_1 : u32,  material_6 : u32,  luminance_5 : f32,  leaf_1 : u32) -> Emitter_0
 {
-    var _S363 : Emitter_0;
-    _S363.voxel_21 = voxel_22;
-    _S363.grid_5 = grid_6;
-    _S363.faces_0 = faces_1;
-    _S363.material_5 = material_6;
-    _S363.luminance_4 = luminance_5;
-    _S363.leaf_2 = leaf_3;
-    return _S363;
+    var _S307 : Emitter_0;
+    _S307.voxel_19 = voxel_20;
+    _S307.grid_1 = grid_2;
+    _S307.faces_0 = faces_1;
+    _S307.material_5 = material_6;
+    _S307.luminance_4 = luminance_5;
+    _S307.leaf_0 = leaf_1;
+    return _S307;
 }
 
-fn emitter_at_0( index_25 : u32) -> Emitter_0
+fn emitter_at_0( index_27 : u32) -> Emitter_0
 {
     if(!lights_in_pages_0())
     {
-        var _S364 : u32 = u32(2) * index_25;
-        var a_8 : vec4<u32> = emitter_rows_0[_S364];
-        var b_8 : vec4<u32> = emitter_rows_0[_S364 + u32(1)];
-        var _S365 : array<i32, i32(3)> = array<i32, i32(3)>( i32(a_8.x), i32(a_8.y), i32(a_8.z) );
-        return Emitter_x24init_0(_S365, a_8.w, b_8.x, b_8.y, (bitcast<f32>((b_8.z))), b_8.w);
+        var _S308 : u32 = u32(2) * index_27;
+        var a_7 : vec4<u32> = emitter_rows_0[_S308];
+        var b_7 : vec4<u32> = emitter_rows_0[_S308 + u32(1)];
+        var _S309 : array<i32, i32(3)> = array<i32, i32(3)>( i32(a_7.x), i32(a_7.y), i32(a_7.z) );
+        return Emitter_x24init_0(_S309, a_7.w, b_7.x, b_7.y, (bitcast<f32>((b_7.z))), b_7.w);
     }
-    var at_4 : u32 = place_in_emitter_0(index_25, u32(0));
-    var _S366 : array<i32, i32(3)> = array<i32, i32(3)>( i32(cells_0[at_4]), i32(cells_0[at_4 + u32(1)]), i32(cells_0[at_4 + u32(2)]) );
-    return Emitter_x24init_0(_S366, cells_0[at_4 + u32(3)], cells_0[at_4 + u32(4)], cells_0[at_4 + u32(5)], (bitcast<f32>((cells_0[at_4 + u32(6)]))), cells_0[at_4 + u32(7)]);
+    var at_4 : u32 = place_in_emitter_0(index_27, u32(0));
+    var _S310 : array<i32, i32(3)> = array<i32, i32(3)>( i32(cells_0[at_4]), i32(cells_0[at_4 + u32(1)]), i32(cells_0[at_4 + u32(2)]) );
+    return Emitter_x24init_0(_S310, cells_0[at_4 + u32(3)], cells_0[at_4 + u32(4)], cells_0[at_4 + u32(5)], (bitcast<f32>((cells_0[at_4 + u32(6)]))), cells_0[at_4 + u32(7)]);
 }
 
 fn choose_emitter_0( way_4 : Descent_0,  side_3 : u32,  threshold_1 : f32) -> Emitter_0
 {
-    var is_found_7 : bool;
+    var is_found_3 : bool;
     var is_left_3 : bool;
     var count_6 : u32 = way_4.count_3;
-    var node_14 : u32 = way_4.node_3;
-    var index_26 : u32 = way_4.index_12;
-    var _S367 : f32 = threshold_1;
+    var node_11 : u32 = way_4.node_0;
+    var index_28 : u32 = way_4.index_14;
+    var _S311 : f32 = threshold_1;
     for(;;)
     {
         if(count_6 == u32(0))
         {
-            is_found_7 = !waits_for_pages_0();
+            is_found_3 = !waits_for_pages_0();
         }
         else
         {
-            is_found_7 = false;
+            is_found_3 = false;
         }
-        if(is_found_7)
+        if(is_found_3)
         {
         }
         else
         {
             break;
         }
-        var left_3 : u32 = node_14 + u32(1);
+        var left_3 : u32 = node_11 + u32(1);
         var power_left_0 : f32 = light_power_at_0(left_3, side_3);
-        var power_right_0 : f32 = light_power_at_0(index_26, side_3);
+        var power_right_0 : f32 = light_power_at_0(index_28, side_3);
         var below_left_0 : vec2<u32> = below_light_node_0(left_3);
-        var below_right_0 : vec2<u32> = below_light_node_0(index_26);
-        if(_S367 < power_left_0)
+        var below_right_0 : vec2<u32> = below_light_node_0(index_28);
+        if(_S311 < power_left_0)
         {
             is_left_3 = true;
         }
@@ -4663,23 +4263,23 @@ fn choose_emitter_0( way_4 : Descent_0,  side_3 : u32,  threshold_1 : f32) -> Em
         }
         else
         {
-            _S367 = _S367 - power_left_0;
+            _S311 = _S311 - power_left_0;
         }
         if(is_left_3)
         {
-            node_14 = left_3;
+            node_11 = left_3;
         }
         else
         {
-            node_14 = index_26;
+            node_11 = index_28;
         }
         if(is_left_3)
         {
-            index_26 = below_left_0.x;
+            index_28 = below_left_0.x;
         }
         else
         {
-            index_26 = below_right_0.x;
+            index_28 = below_right_0.x;
         }
         if(is_left_3)
         {
@@ -4690,14 +4290,14 @@ fn choose_emitter_0( way_4 : Descent_0,  side_3 : u32,  threshold_1 : f32) -> Em
             count_6 = below_right_0.y;
         }
     }
-    is_found_7 = false;
-    var chosen_3 : u32 = index_26;
-    var at_5 : u32 = index_26;
+    is_found_3 = false;
+    var chosen_3 : u32 = index_28;
+    var at_5 : u32 = index_28;
     for(;;)
     {
-        if(at_5 < (index_26 + count_6))
+        if(at_5 < (index_28 + count_6))
         {
-            is_left_3 = !is_found_7;
+            is_left_3 = !is_found_3;
         }
         else
         {
@@ -4710,21 +4310,21 @@ fn choose_emitter_0( way_4 : Descent_0,  side_3 : u32,  threshold_1 : f32) -> Em
         {
             break;
         }
-        var _S368 : u32 = emitter_faces_at_0(at_5);
-        if(((((_S368 >> (side_3))) & (u32(1)))) != u32(0))
+        var _S312 : u32 = emitter_faces_at_0(at_5);
+        if(((((_S312 >> (side_3))) & (u32(1)))) != u32(0))
         {
-            var _S369 : f32 = emitter_luminance_at_0(at_5);
-            var _S370 : bool = _S367 < _S369;
-            var _S371 : f32 = emitter_luminance_at_0(at_5);
-            var _S372 : f32 = _S367 - _S371;
-            is_found_7 = _S370;
+            var _S313 : f32 = emitter_luminance_at_0(at_5);
+            var _S314 : bool = _S311 < _S313;
+            var _S315 : f32 = emitter_luminance_at_0(at_5);
+            var _S316 : f32 = _S311 - _S315;
+            is_found_3 = _S314;
             chosen_3 = at_5;
-            _S367 = _S372;
+            _S311 = _S316;
         }
         at_5 = at_5 + u32(1);
     }
-    var _S373 : Emitter_0 = emitter_at_0(chosen_3);
-    return _S373;
+    var _S317 : Emitter_0 = emitter_at_0(chosen_3);
+    return _S317;
 }
 
 fn point_of_face_0( low_9 : vec3<f32>,  face_4 : u32,  u_7 : f32,  v_4 : f32) -> vec3<f32>
@@ -4757,19 +4357,19 @@ fn margin_of_0( translation_1 : vec3<f32>,  low_10 : vec3<f32>) -> f32
 fn offset_ray_origin_0( translation_2 : vec3<f32>,  low_11 : vec3<f32>,  face_5 : u32,  point_4 : vec3<f32>) -> vec3<f32>
 {
     var margin_0 : f32 = margin_of_0(translation_2, low_11);
-    var _S374 : vec3<f32> = vec3<f32>(margin_0);
-    var moved_0 : vec3<f32> = min(max(point_4, low_11 + _S374), low_11 + vec3<f32>((1.0f - margin_0)));
-    var _S375 : bool = face_5 < u32(2);
-    var _S376 : bool;
+    var _S318 : vec3<f32> = vec3<f32>(margin_0);
+    var moved_0 : vec3<f32> = min(max(point_4, low_11 + _S318), low_11 + vec3<f32>((1.0f - margin_0)));
+    var _S319 : bool = face_5 < u32(2);
+    var _S320 : bool;
     if(face_5 >= u32(2))
     {
-        _S376 = face_5 < u32(4);
+        _S320 = face_5 < u32(4);
     }
     else
     {
-        _S376 = false;
+        _S320 = false;
     }
-    var is_axis_2 : vec3<bool> = vec3<bool>(_S375, _S376, face_5 >= u32(4));
+    var is_axis_2 : vec3<bool> = vec3<bool>(_S319, _S320, face_5 >= u32(4));
     var outside_0 : vec3<f32>;
     if(((face_5 & (u32(1)))) == u32(1))
     {
@@ -4777,19 +4377,19 @@ fn offset_ray_origin_0( translation_2 : vec3<f32>,  low_11 : vec3<f32>,  face_5 
     }
     else
     {
-        outside_0 = low_11 - _S374;
+        outside_0 = low_11 - _S318;
     }
     return select(moved_0, outside_0, is_axis_2);
 }
 
-fn Transform_direction_1( _S377 : u32,  _S378 : vec3<f32>) -> vec3<f32>
+fn Transform_direction_1( _S321 : u32,  _S322 : vec3<f32>) -> vec3<f32>
 {
-    return vector_of_0(instances_0[_S377].world_from_grid_0.x_axis_0) * vec3<f32>(_S378.x) + vector_of_0(instances_0[_S377].world_from_grid_0.y_axis_0) * vec3<f32>(_S378.y) + vector_of_0(instances_0[_S377].world_from_grid_0.z_axis_0) * vec3<f32>(_S378.z);
+    return vector_of_0(instances_0[_S321].world_from_grid_0.x_axis_0) * vec3<f32>(_S322.x) + vector_of_0(instances_0[_S321].world_from_grid_0.y_axis_0) * vec3<f32>(_S322.y) + vector_of_0(instances_0[_S321].world_from_grid_0.z_axis_0) * vec3<f32>(_S322.z);
 }
 
-fn Transform_point_1( _S379 : u32,  _S380 : vec3<f32>) -> vec3<f32>
+fn Transform_point_1( _S323 : u32,  _S324 : vec3<f32>) -> vec3<f32>
 {
-    return Transform_direction_1(_S379, _S380) + vector_of_0(instances_0[_S379].world_from_grid_0.translation_0);
+    return Transform_direction_1(_S323, _S324) + vector_of_0(instances_0[_S323].world_from_grid_0.translation_0);
 }
 
 fn sample_emitter_0( receiver_8 : Receiver_0,  u_8 : vec4<f32>,  aim_2 : Aim_0,  sample_8 : ptr<function, LightSample_0>) -> bool
@@ -4801,162 +4401,162 @@ fn sample_emitter_0( receiver_8 : Receiver_0,  u_8 : vec4<f32>,  aim_2 : Aim_0, 
     }
     var descent_3 : Descent_0 = Descent_x24init_0(u32(0), u32(0), u32(0), 1.0f, 1.0f, u_8.x, false);
     Descent_at_0(&(descent_3), u32(0));
-    var _S381 : bool;
+    var _S325 : bool;
     if(!IS_SINGLE_0)
     {
-        _S381 = aim_2.is_met_0;
+        _S325 = aim_2.is_met_0;
     }
     else
     {
-        _S381 = false;
+        _S325 = false;
     }
-    if(_S381)
+    if(_S325)
     {
-        var leaf_4 : u32 = instances_0[aim_2.hit_5.instance_1].light_leaf_0;
-        if((instances_0[aim_2.hit_5.instance_1].light_leaf_0) == u32(4294967295))
+        var leaf_2 : u32 = instances_0[aim_2.hit_3.instance_1].light_leaf_0;
+        if((instances_0[aim_2.hit_3.instance_1].light_leaf_0) == u32(4294967295))
         {
-            _S381 = true;
+            _S325 = true;
         }
         else
         {
-            var _S382 : bool = climb_0(receiver_8, leaf_4, &(descent_3));
-            _S381 = !_S382;
+            var _S326 : bool = climb_0(receiver_8, leaf_2, &(descent_3));
+            _S325 = !_S326;
         }
-        if(_S381)
+        if(_S325)
         {
             return false;
         }
-        Descent_at_0(&(descent_3), leaf_4);
+        Descent_at_0(&(descent_3), leaf_2);
     }
     else
     {
         if(!IS_SINGLE_0)
         {
-            var _S383 : bool = descend_0(receiver_8, by_chance_0(), &(descent_3));
-            _S381 = !_S383;
+            var _S327 : bool = descend_0(receiver_8, by_chance_0(), &(descent_3));
+            _S325 = !_S327;
         }
         else
         {
-            _S381 = false;
+            _S325 = false;
         }
-        if(_S381)
+        if(_S325)
         {
             return false;
         }
     }
-    var chosen_instance_0 : u32 = descent_3.index_12;
-    var local_1 : Receiver_0 = in_grid_0(descent_3.index_12, receiver_8);
-    Descent_at_1(&(descent_3), top_light_node_0(descent_3.node_3).root_1);
-    var _S384 : bool = descend_1(local_1, aim_2, &(descent_3));
-    if(!_S384)
+    var chosen_instance_0 : u32 = descent_3.index_14;
+    var local_1 : Receiver_0 = in_grid_0(descent_3.index_14, receiver_8);
+    Descent_at_1(&(descent_3), top_light_node_0(descent_3.node_0).root_1);
+    var _S328 : bool = descend_1(local_1, aim_2, &(descent_3));
+    if(!_S328)
     {
         return false;
     }
-    var side_4 : u32 = aim_2.hit_5.face_1;
+    var side_4 : u32 = aim_2.hit_3.face_1;
     var odds_2 : vec2<f32>;
-    var _S385 : bool = choose_side_0(local_1.point_0, aim_2.is_met_0, descent_3, &(side_4), &(odds_2));
-    if(!_S385)
+    var _S329 : bool = choose_side_0(local_1.point_0, aim_2.is_met_0, descent_3, &(side_4), &(odds_2));
+    if(!_S329)
     {
         return false;
     }
-    var power_4 : f32 = light_power_at_0(descent_3.node_3, side_4);
+    var power_4 : f32 = light_power_at_0(descent_3.node_0, side_4);
     if(aim_2.is_met_0)
     {
-        var _S386 : f32 = density_0(odds_2, aim_2.luminance_1, power_4, Transform_direction_0(chosen_instance_0, aim_2.direction_23) * vec3<f32>(aim_2.hit_5.t_1), side_4);
-        (*sample_8).pdf_3 = _S386;
-        return _S386 > 0.0f;
+        var _S330 : f32 = density_0(odds_2, aim_2.luminance_1, power_4, Transform_direction_0(chosen_instance_0, aim_2.direction_22) * vec3<f32>(aim_2.hit_3.t_1), side_4);
+        (*sample_8).pdf_3 = _S330;
+        return _S330 > 0.0f;
     }
     var emitter_1 : Emitter_0 = choose_emitter_0(descent_3, side_4, u_8.y * power_4);
-    var _S387 : vec3<f32> = vec3<f32>(cell_of_0(emitter_1.voxel_21));
-    var on_face_0 : vec3<f32> = point_of_face_0(_S387, side_4, u_8.z, u_8.w);
+    var _S331 : vec3<f32> = vec3<f32>(cell_of_0(emitter_1.voxel_19));
+    var on_face_0 : vec3<f32> = point_of_face_0(_S331, side_4, u_8.z, u_8.w);
     var pdf_8 : f32 = density_0(odds_2, emitter_1.luminance_4, power_4, on_face_0 - local_1.point_0, side_4);
     if(pdf_8 < 0.0f)
     {
         return false;
     }
-    var direction_28 : vec3<f32> = Transform_point_1(chosen_instance_0, offset_ray_origin_0(vector_of_0(instances_0[chosen_instance_0].grid_from_world_0.translation_0), _S387, side_4, on_face_0)) - receiver_8.point_0;
-    var cos_theta_4 : f32 = with_slack_0(receiver_8, divide_0(dot_product_0(receiver_8.normal_2, direction_28), square_root_0(length_squared_0(direction_28))));
-    (*sample_8) = LightSample_x24init_0(Ray_x24init_0(receiver_8.point_0, 0.0f, direction_28, 1.0f), cos_theta_4, emitted_0(material_of_index_0(emitter_1.material_5)), pdf_8);
+    var direction_27 : vec3<f32> = Transform_point_1(chosen_instance_0, offset_ray_origin_0(vector_of_0(instances_0[chosen_instance_0].grid_from_world_0.translation_0), _S331, side_4, on_face_0)) - receiver_8.point_0;
+    var cos_theta_4 : f32 = with_slack_0(receiver_8, divide_0(dot_product_0(receiver_8.normal_2, direction_27), square_root_0(length_squared_0(direction_27))));
+    (*sample_8) = LightSample_x24init_0(Ray_x24init_0(receiver_8.point_0, 0.0f, direction_27, 1.0f), cos_theta_4, emitted_0(material_of_index_0(emitter_1.material_5)), pdf_8);
     return cos_theta_4 > 0.0f;
 }
 
 fn EmitterTree_sample_0( receiver_9 : Receiver_0,  u_9 : vec4<f32>,  aim_3 : Aim_0,  sample_9 : ptr<function, LightSample_0>) -> bool
 {
-    var _S388 : bool = sample_emitter_0(receiver_9, u_9, aim_3, &((*sample_9)));
-    return _S388;
+    var _S332 : bool = sample_emitter_0(receiver_9, u_9, aim_3, &((*sample_9)));
+    return _S332;
 }
 
 fn Lights_sample_0( receiver_10 : Receiver_0,  selection_4 : Selection_0,  u_10 : vec4<f32>,  aim_4 : Aim_0,  sample_10 : ptr<function, LightSample_0>) -> bool
 {
-    var is_found_8 : bool;
+    var is_found_4 : bool;
     if(has_sun_0())
     {
-        is_found_8 = !aim_4.is_met_0;
+        is_found_4 = !aim_4.is_met_0;
     }
     else
     {
-        is_found_8 = false;
+        is_found_4 = false;
     }
-    if(is_found_8)
+    if(is_found_4)
     {
-        is_found_8 = (u_10.x) < (selection_4.sun_0);
+        is_found_4 = (u_10.x) < (selection_4.sun_0);
     }
     else
     {
-        is_found_8 = false;
+        is_found_4 = false;
     }
-    if(is_found_8)
+    if(is_found_4)
     {
-        var _S389 : bool = SunDisc_sample_0(receiver_10, u_10, &((*sample_10)));
+        var _S333 : bool = SunDisc_sample_0(receiver_10, u_10, &((*sample_10)));
         (*sample_10).pdf_3 = (*sample_10).pdf_3 * selection_4.sun_0;
-        is_found_8 = _S389;
+        is_found_4 = _S333;
     }
     else
     {
         if(Lights_has_chosen_sky_0())
         {
-            is_found_8 = !aim_4.is_met_0;
+            is_found_4 = !aim_4.is_met_0;
         }
         else
         {
-            is_found_8 = false;
+            is_found_4 = false;
         }
-        if(is_found_8)
+        if(is_found_4)
         {
-            is_found_8 = (u_10.x) < (selection_4.sun_0 + selection_4.sky_1);
+            is_found_4 = (u_10.x) < (selection_4.sun_0 + selection_4.sky_1);
         }
         else
         {
-            is_found_8 = false;
+            is_found_4 = false;
         }
-        if(is_found_8)
+        if(is_found_4)
         {
-            var _S390 : bool = Sky_sample_0(receiver_10, vec4<f32>(min(divide_0(u_10.x - selection_4.sun_0, selection_4.sky_1), 0.99999994039535522f), u_10.yzw), &((*sample_10)));
+            var _S334 : bool = Sky_sample_0(receiver_10, vec4<f32>(min(divide_0(u_10.x - selection_4.sun_0, selection_4.sky_1), 0.99999994039535522f), u_10.yzw), &((*sample_10)));
             (*sample_10).pdf_3 = (*sample_10).pdf_3 * selection_4.sky_1;
-            is_found_8 = _S390;
+            is_found_4 = _S334;
         }
         else
         {
-            var _S391 : bool = EmitterTree_sample_0(receiver_10, vec4<f32>(min(divide_0(u_10.x - (selection_4.sun_0 + selection_4.sky_1), selection_4.emitters_0), 0.99999994039535522f), u_10.yzw), aim_4, &((*sample_10)));
+            var _S335 : bool = EmitterTree_sample_0(receiver_10, vec4<f32>(min(divide_0(u_10.x - (selection_4.sun_0 + selection_4.sky_1), selection_4.emitters_0), 0.99999994039535522f), u_10.yzw), aim_4, &((*sample_10)));
             (*sample_10).pdf_3 = (*sample_10).pdf_3 * selection_4.emitters_0;
-            is_found_8 = _S391;
+            is_found_4 = _S335;
         }
     }
-    return is_found_8;
+    return is_found_4;
 }
 
 fn ior_of_0( inside_4 : Inside_0) -> f32
 {
-    var _S392 : f32;
+    var _S336 : f32;
     if(Inside_is_in_0(inside_4))
     {
-        _S392 = material_of_index_0(inside_4.material_0).ior_0;
+        _S336 = material_of_index_0(inside_4.material_0).ior_0;
     }
     else
     {
-        _S392 = 1.0f;
+        _S336 = 1.0f;
     }
-    return _S392;
+    return _S336;
 }
 
 struct Microfacets_0
@@ -4975,20 +4575,20 @@ struct MaterialBsdf_0
 
 fn Microfacets_x24init_0( alpha_1 : f32) -> Microfacets_0
 {
-    var _S393 : Microfacets_0;
-    _S393.alpha_0 = alpha_1;
-    return _S393;
+    var _S337 : Microfacets_0;
+    _S337.alpha_0 = alpha_1;
+    return _S337;
 }
 
 fn MaterialBsdf_x24init_0( kind_1 : u32,  color_2 : vec3<f32>,  specular_2 : f32,  eta_1 : f32,  facets_1 : Microfacets_0) -> MaterialBsdf_0
 {
-    var _S394 : MaterialBsdf_0;
-    _S394.kind_0 = kind_1;
-    _S394.color_1 = color_2;
-    _S394.specular_1 = specular_2;
-    _S394.eta_0 = eta_1;
-    _S394.facets_0 = facets_1;
-    return _S394;
+    var _S338 : MaterialBsdf_0;
+    _S338.kind_0 = kind_1;
+    _S338.color_1 = color_2;
+    _S338.specular_1 = specular_2;
+    _S338.eta_0 = eta_1;
+    _S338.facets_0 = facets_1;
+    return _S338;
 }
 
 fn bsdf_of_0( material_7 : PackedMaterial_0,  ior_1 : f32,  choice_2 : ptr<function, f32>) -> MaterialBsdf_0
@@ -5007,22 +4607,22 @@ fn roulette_0( event_2 : u32,  scattered_2 : vec3<f32>,  u_11 : f32) -> f32
     {
         return 1.0f;
     }
-    var _S395 : f32 = min(max_element_0(scattered_2), 0.94999998807907104f);
-    var _S396 : f32;
-    if(u_11 < _S395)
+    var _S339 : f32 = min(max_element_0(scattered_2), 0.94999998807907104f);
+    var _S340 : f32;
+    if(u_11 < _S339)
     {
-        _S396 = divide_0(1.0f, _S395);
+        _S340 = divide_0(1.0f, _S339);
     }
     else
     {
-        _S396 = 0.0f;
+        _S340 = 0.0f;
     }
-    return _S396;
+    return _S340;
 }
 
 struct Surface_0
 {
-     origin_13 : vec3<f32>,
+     origin_11 : vec3<f32>,
      normal_4 : vec3<f32>,
      face_6 : u32,
      instance_10 : u32,
@@ -5039,32 +4639,32 @@ fn face_normal_0( face_7 : u32) -> vec3<f32>
     {
         away_1 = -1.0f;
     }
-    var _S397 : f32;
+    var _S341 : f32;
     if(face_7 < u32(2))
     {
-        _S397 = away_1;
+        _S341 = away_1;
     }
     else
     {
-        _S397 = 0.0f;
+        _S341 = 0.0f;
     }
-    var _S398 : bool;
+    var _S342 : bool;
     if(face_7 >= u32(2))
     {
-        _S398 = face_7 < u32(4);
+        _S342 = face_7 < u32(4);
     }
     else
     {
-        _S398 = false;
+        _S342 = false;
     }
-    var _S399 : f32;
-    if(_S398)
+    var _S343 : f32;
+    if(_S342)
     {
-        _S399 = away_1;
+        _S343 = away_1;
     }
     else
     {
-        _S399 = 0.0f;
+        _S343 = 0.0f;
     }
     if(face_7 >= u32(4))
     {
@@ -5073,30 +4673,30 @@ fn face_normal_0( face_7 : u32) -> vec3<f32>
     {
         away_1 = 0.0f;
     }
-    return vec3<f32>(_S397, _S399, away_1);
+    return vec3<f32>(_S341, _S343, away_1);
 }
 
-fn world_normal_0( _S400 : u32,  _S401 : u32) -> vec3<f32>
+fn world_normal_0( _S344 : u32,  _S345 : u32) -> vec3<f32>
 {
-    return normalize_vector_0(Transform_direction_1(_S400, face_normal_0(_S401)));
+    return normalize_vector_0(Transform_direction_1(_S344, face_normal_0(_S345)));
 }
 
-fn surface_of_0( ray_18 : Ray_0,  hit_7 : Hit_0) -> Surface_0
+fn surface_of_0( ray_17 : Ray_0,  hit_5 : Hit_0) -> Surface_0
 {
     var surface_0 : Surface_0;
-    var _S402 : vec3<f32> = vec3<f32>(hit_7.voxel_1);
+    var _S346 : vec3<f32> = vec3<f32>(hit_5.voxel_1);
     if(IS_SINGLE_0)
     {
-        surface_0.origin_13 = offset_ray_origin_0(vec3<f32>(0.0f), _S402, hit_7.face_1, ray_18.origin_2 + ray_18.direction_1 * vec3<f32>(hit_7.t_1));
-        surface_0.normal_4 = face_normal_0(hit_7.face_1);
+        surface_0.origin_11 = offset_ray_origin_0(vec3<f32>(0.0f), _S346, hit_5.face_1, ray_17.origin_2 + ray_17.direction_1 * vec3<f32>(hit_5.t_1));
+        surface_0.normal_4 = face_normal_0(hit_5.face_1);
     }
     else
     {
-        surface_0.origin_13 = Transform_point_1(hit_7.instance_1, offset_ray_origin_0(vector_of_0(instances_0[hit_7.instance_1].grid_from_world_0.translation_0), _S402, hit_7.face_1, Transform_point_0(hit_7.instance_1, ray_18.origin_2) + Transform_direction_0(hit_7.instance_1, ray_18.direction_1) * vec3<f32>(hit_7.t_1)));
-        surface_0.normal_4 = world_normal_0(hit_7.instance_1, hit_7.face_1);
+        surface_0.origin_11 = Transform_point_1(hit_5.instance_1, offset_ray_origin_0(vector_of_0(instances_0[hit_5.instance_1].grid_from_world_0.translation_0), _S346, hit_5.face_1, Transform_point_0(hit_5.instance_1, ray_17.origin_2) + Transform_direction_0(hit_5.instance_1, ray_17.direction_1) * vec3<f32>(hit_5.t_1)));
+        surface_0.normal_4 = world_normal_0(hit_5.instance_1, hit_5.face_1);
     }
-    surface_0.face_6 = hit_7.face_1;
-    surface_0.instance_10 = hit_7.instance_1;
+    surface_0.face_6 = hit_5.face_1;
+    surface_0.instance_10 = hit_5.instance_1;
     return surface_0;
 }
 
@@ -5145,9 +4745,9 @@ fn clamp_to_voxel_0( translation_3 : vec3<f32>,  low_12 : vec3<f32>,  point_5 : 
     return min(max(point_5, low_12 + vec3<f32>(margin_1)), low_12 + vec3<f32>((1.0f - margin_1)));
 }
 
-fn Inside_point_0( this_39 : Inside_0,  ray_19 : Ray_0,  t_11 : f32) -> vec3<f32>
+fn Inside_point_0( this_39 : Inside_0,  ray_18 : Ray_0,  t_11 : f32) -> vec3<f32>
 {
-    return Transform_point_1(this_39.instance_2, clamp_to_voxel_0(vector_of_0(instances_0[this_39.instance_2].grid_from_world_0.translation_0), vec3<f32>(this_39.voxel_2), Transform_point_0(this_39.instance_2, ray_19.origin_2) + Transform_direction_0(this_39.instance_2, ray_19.direction_1) * vec3<f32>(t_11)));
+    return Transform_point_1(this_39.instance_2, clamp_to_voxel_0(vector_of_0(instances_0[this_39.instance_2].grid_from_world_0.translation_0), vec3<f32>(this_39.voxel_2), Transform_point_0(this_39.instance_2, ray_18.origin_2) + Transform_direction_0(this_39.instance_2, ray_18.direction_1) * vec3<f32>(t_11)));
 }
 
 fn importance_of_all_0( receiver_11 : Receiver_0) -> f32
@@ -5212,8 +4812,8 @@ fn Lights_selection_0( receiver_15 : Receiver_0) -> Selection_0
         return Selection_x24init_0(sun_2, 0.0f, 1.0f - sun_2);
     }
     var sky_3 : f32 = Lights_sky_probability_0(receiver_15);
-    var _S403 : f32 = 1.0f - sky_3;
-    return Selection_x24init_0(sun_2 * _S403, sky_3, (1.0f - sun_2) * _S403);
+    var _S347 : f32 = 1.0f - sky_3;
+    return Selection_x24init_0(sun_2 * _S347, sky_3, (1.0f - sun_2) * _S347);
 }
 
 fn MaterialBsdf_is_delta_0( this_40 : MaterialBsdf_0) -> bool
@@ -5239,9 +4839,9 @@ struct Diffuse_0
 
 fn Diffuse_x24init_0( reflectance_1 : vec3<f32>) -> Diffuse_0
 {
-    var _S404 : Diffuse_0;
-    _S404.reflectance_0 = reflectance_1;
-    return _S404;
+    var _S348 : Diffuse_0;
+    _S348.reflectance_0 = reflectance_1;
+    return _S348;
 }
 
 fn cosine_hemisphere_pdf_0( cos_theta_7 : f32) -> f32
@@ -5251,10 +4851,10 @@ fn cosine_hemisphere_pdf_0( cos_theta_7 : f32) -> f32
 
 fn BsdfEval_x24init_0( weight_4 : vec3<f32>,  pdf_10 : f32) -> BsdfEval_0
 {
-    var _S405 : BsdfEval_0;
-    _S405.weight_3 = weight_4;
-    _S405.pdf_9 = pdf_10;
-    return _S405;
+    var _S349 : BsdfEval_0;
+    _S349.weight_3 = weight_4;
+    _S349.pdf_9 = pdf_10;
+    return _S349;
 }
 
 fn Diffuse_eval_0( this_42 : Diffuse_0,  wo_0 : vec3<f32>,  wi_0 : vec3<f32>) -> BsdfEval_0
@@ -5284,12 +4884,12 @@ fn cosine_hemisphere_0( u_12 : f32,  v_5 : f32) -> vec3<f32>
 
 fn BsdfSample_x24init_0( wi_3 : vec3<f32>,  weight_6 : vec3<f32>,  pdf_12 : f32,  is_delta_1 : bool) -> BsdfSample_0
 {
-    var _S406 : BsdfSample_0;
-    _S406.wi_2 = wi_3;
-    _S406.weight_5 = weight_6;
-    _S406.pdf_11 = pdf_12;
-    _S406.is_delta_0 = is_delta_1;
-    return _S406;
+    var _S350 : BsdfSample_0;
+    _S350.wi_2 = wi_3;
+    _S350.weight_5 = weight_6;
+    _S350.pdf_11 = pdf_12;
+    _S350.is_delta_0 = is_delta_1;
+    return _S350;
 }
 
 fn Diffuse_sample_0( this_44 : Diffuse_0,  wo_2 : vec3<f32>,  u_13 : vec3<f32>,  sample_11 : ptr<function, BsdfSample_0>) -> bool
@@ -5301,8 +4901,8 @@ fn Diffuse_sample_0( this_44 : Diffuse_0,  wo_2 : vec3<f32>,  u_13 : vec3<f32>, 
 
 fn MaterialBsdf_sample_0( this_45 : MaterialBsdf_0,  wo_3 : vec3<f32>,  u_14 : vec3<f32>,  sample_12 : ptr<function, BsdfSample_0>) -> bool
 {
-    var _S407 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_45.color_1), wo_3, u_14, &((*sample_12)));
-    return _S407;
+    var _S351 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_45.color_1), wo_3, u_14, &((*sample_12)));
+    return _S351;
 }
 
 fn Surface_world_direction_0( this_46 : Surface_0,  local_3 : vec3<f32>) -> vec3<f32>
@@ -5316,23 +4916,23 @@ fn Surface_world_direction_0( this_46 : Surface_0,  local_3 : vec3<f32>) -> vec3
     {
         away_2 = - local_3.z;
     }
-    var _S408 : f32 = local_3.x;
-    var _S409 : f32 = local_3.y;
-    var _S410 : vec3<f32> = vec3<f32>(_S408, _S409, away_2);
+    var _S352 : f32 = local_3.x;
+    var _S353 : f32 = local_3.y;
+    var _S354 : vec3<f32> = vec3<f32>(_S352, _S353, away_2);
     var in_grid_3 : vec3<f32>;
     if((this_46.face_6) < u32(2))
     {
-        in_grid_3 = vec3<f32>(away_2, _S408, _S409);
+        in_grid_3 = vec3<f32>(away_2, _S352, _S353);
     }
     else
     {
         if((this_46.face_6) < u32(4))
         {
-            in_grid_3 = vec3<f32>(_S409, away_2, _S408);
+            in_grid_3 = vec3<f32>(_S353, away_2, _S352);
         }
         else
         {
-            in_grid_3 = _S410;
+            in_grid_3 = _S354;
         }
     }
     if(!IS_SINGLE_0)
@@ -5342,9 +4942,9 @@ fn Surface_world_direction_0( this_46 : Surface_0,  local_3 : vec3<f32>) -> vec3
     return normalize_vector_0(in_grid_3);
 }
 
-fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_20 : Ray_0,  hit_8 : Hit_0,  beyond_3 : u32,  radiance_6 : ptr<function, vec3<f32>>) -> NextRays_0
+fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_19 : Ray_0,  hit_6 : Hit_0,  beyond_3 : u32,  radiance_6 : ptr<function, vec3<f32>>) -> NextRays_0
 {
-    var next_3 : NextRays_0 = no_rays_0();
+    var next_0 : NextRays_0 = no_rays_0();
     var is_counted_0 : bool = Path_is_counted_0((*path_5));
     var t_12 : f32;
     if(is_counted_0)
@@ -5356,11 +4956,11 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_20 : Ray_0,  hi
         t_12 = (*path_5).pdf_1;
     }
     (*path_5).pdf_1 = t_12;
-    var last_6 : Receiver_0 = Path_receiver_0((*path_5), ray_20);
+    var last_6 : Receiver_0 = Path_receiver_0((*path_5), ray_19);
     var is_scattered_0 : bool;
     if(Inside_is_in_0((*path_5).inside_0))
     {
-        is_scattered_0 = Hit_is_miss_0(hit_8);
+        is_scattered_0 = Hit_is_miss_0(hit_6);
     }
     else
     {
@@ -5370,23 +4970,23 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_20 : Ray_0,  hi
     {
         if(is_scattered_0)
         {
-            t_12 = scattering_t_0((*path_5), (*path_5).inside_0, ray_20);
+            t_12 = scattering_t_0((*path_5), (*path_5).inside_0, ray_19);
         }
         else
         {
-            t_12 = hit_8.t_1;
+            t_12 = hit_6.t_1;
         }
         if(!is_counted_0)
         {
-            absorb_0(&((*path_5)), (*path_5).inside_0, ray_20, t_12);
+            absorb_0(&((*path_5)), (*path_5).inside_0, ray_19, t_12);
         }
     }
     else
     {
-        t_12 = hit_8.t_1;
+        t_12 = hit_6.t_1;
     }
     var is_weighed_0 : bool;
-    if(Hit_is_miss_0(hit_8))
+    if(Hit_is_miss_0(hit_6))
     {
         is_weighed_0 = !is_scattered_0;
     }
@@ -5397,7 +4997,7 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_20 : Ray_0,  hi
     var light_pdf_1 : f32;
     if(is_weighed_0)
     {
-        (*radiance_6) = (*radiance_6) + (*path_5).beta_0 * Sky_le_0(ray_20.direction_1) * vec3<f32>(mis_weight_0((*path_5).pdf_1, Lights_sky_pdf_0(Path_selection_at_0((*path_5), last_6), ray_20.direction_1)));
+        (*radiance_6) = (*radiance_6) + (*path_5).beta_0 * Sky_le_0(ray_19.direction_1) * vec3<f32>(mis_weight_0((*path_5).pdf_1, Lights_sky_pdf_0(Path_selection_at_0((*path_5), last_6), ray_19.direction_1)));
         if(has_sun_0())
         {
             if(SunDisc_is_visible_0())
@@ -5415,7 +5015,7 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_20 : Ray_0,  hi
         }
         if(is_scattered_0)
         {
-            var le_0 : vec3<f32> = SunDisc_le_0(ray_20.direction_1);
+            var le_0 : vec3<f32> = SunDisc_le_0(ray_19.direction_1);
             if((max_element_0(le_0)) > 0.0f)
             {
                 if(((*path_5).pdf_1) == 0.0f)
@@ -5424,16 +5024,16 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_20 : Ray_0,  hi
                 }
                 else
                 {
-                    light_pdf_1 = Lights_sun_pdf_0(Path_selection_at_0((*path_5), last_6), ray_20.direction_1);
+                    light_pdf_1 = Lights_sun_pdf_0(Path_selection_at_0((*path_5), last_6), ray_19.direction_1);
                 }
                 (*radiance_6) = (*radiance_6) + (*path_5).beta_0 * le_0 * vec3<f32>(mis_weight_0((*path_5).pdf_1, light_pdf_1));
             }
         }
-        return next_3;
+        return next_0;
     }
     var u_15 : vec4<f32> = Sampler_stratified_0((*path_5).sampler_0, Path_dimension_scatter_0((*path_5)));
-    var material_8 : PackedMaterial_0 = material_met_0((*path_5), hit_8, beyond_3);
-    var _S411 : vec3<f32> = vec3<f32>(0.0f);
+    var material_8 : PackedMaterial_0 = material_met_0((*path_5), hit_6, beyond_3);
+    var _S355 : vec3<f32> = vec3<f32>(0.0f);
     var le_1 : vec3<f32>;
     if(!is_counted_0)
     {
@@ -5441,12 +5041,12 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_20 : Ray_0,  hi
     }
     else
     {
-        le_1 = _S411;
+        le_1 = _S355;
     }
     var is_lit_0 : bool = (max_element_0(le_1)) > 0.0f;
-    var met_1 : Aim_0 = Aim_x24init_0(true, ray_20.direction_1, hit_8, luminance_0(vector_of_0(material_8.emission_0)));
-    var _S412 : bool = weighs_apart_0();
-    if(_S412)
+    var met_0 : Aim_0 = Aim_x24init_0(true, ray_19.direction_1, hit_6, luminance_0(vector_of_0(material_8.emission_0)));
+    var _S356 : bool = weighs_apart_0();
+    if(_S356)
     {
         is_weighed_0 = is_lit_0;
     }
@@ -5474,7 +5074,7 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_20 : Ray_0,  hi
     if(is_chosen_0)
     {
         var light_2 : LightSample_0 = no_light_0();
-        if(!_S412)
+        if(!_S356)
         {
             is_chosen_0 = ((*path_5).pdf_1) > 0.0f;
         }
@@ -5484,15 +5084,15 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_20 : Ray_0,  hi
         }
         if(is_chosen_0)
         {
-            var _S413 : bool = Lights_sample_0(last_6, Path_selection_at_0((*path_5), last_6), vec4<f32>(0.0f), met_1, &(light_2));
-            is_chosen_0 = _S413;
+            var _S357 : bool = Lights_sample_0(last_6, Path_selection_at_0((*path_5), last_6), vec4<f32>(0.0f), met_0, &(light_2));
+            is_chosen_0 = _S357;
         }
         else
         {
             is_chosen_0 = false;
         }
-        var _S414 : vec3<f32> = (*path_5).beta_0 * le_1;
-        var _S415 : f32 = (*path_5).pdf_1;
+        var _S358 : vec3<f32> = (*path_5).beta_0 * le_1;
+        var _S359 : f32 = (*path_5).pdf_1;
         if(is_chosen_0)
         {
             light_pdf_1 = light_2.pdf_3;
@@ -5501,18 +5101,18 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_20 : Ray_0,  hi
         {
             light_pdf_1 = 0.0f;
         }
-        (*radiance_6) = (*radiance_6) + _S414 * vec3<f32>(mis_weight_0(_S415, light_pdf_1));
+        (*radiance_6) = (*radiance_6) + _S358 * vec3<f32>(mis_weight_0(_S359, light_pdf_1));
     }
-    var _S416 : f32 = ior_of_0((*path_5).inside_0);
-    var _S417 : f32 = u_15[i32(3)];
-    var _S418 : MaterialBsdf_0 = bsdf_of_0(material_8, _S416, &(_S417));
-    u_15[i32(3)] = _S417;
-    var scattered_3 : vec3<f32> = (*path_5).beta_0 * MaterialBsdf_albedo_0(_S418);
-    var _S419 : bool = ((*path_5).bounce_0) >= (params_0.max_bounces_0);
-    var _S420 : bool = !is_weighed_0;
-    if(_S420)
+    var _S360 : f32 = ior_of_0((*path_5).inside_0);
+    var _S361 : f32 = u_15[i32(3)];
+    var _S362 : MaterialBsdf_0 = bsdf_of_0(material_8, _S360, &(_S361));
+    u_15[i32(3)] = _S361;
+    var scattered_3 : vec3<f32> = (*path_5).beta_0 * MaterialBsdf_albedo_0(_S362);
+    var _S363 : bool = ((*path_5).bounce_0) >= (params_0.max_bounces_0);
+    var _S364 : bool = !is_weighed_0;
+    if(_S364)
     {
-        if(_S419)
+        if(_S363)
         {
             is_chosen_0 = true;
         }
@@ -5527,10 +5127,10 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_20 : Ray_0,  hi
     }
     if(is_chosen_0)
     {
-        return next_3;
+        return next_0;
     }
     var compensation_0 : f32 = roulette_0(Path_events_0((*path_5)), scattered_3, u_15.z);
-    if(_S420)
+    if(_S364)
     {
         is_chosen_0 = compensation_0 == 0.0f;
     }
@@ -5540,78 +5140,78 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_20 : Ray_0,  hi
     }
     if(is_chosen_0)
     {
-        return next_3;
+        return next_0;
     }
     var at_6 : Hit_0;
     if(is_scattered_0)
     {
-        at_6 = Hit_x24init_0(t_12, (*path_5).inside_0.instance_2, hit_8.voxel_1, u32(0));
+        at_6 = Hit_x24init_0(t_12, (*path_5).inside_0.instance_2, hit_6.voxel_1, u32(0));
     }
     else
     {
-        at_6 = hit_8;
+        at_6 = hit_6;
     }
-    var surface_1 : Surface_0 = surface_of_0(ray_20, at_6);
-    var _S421 : Receiver_0 = Receiver_x24init_0(surface_1.origin_13, surface_1.normal_4);
-    var _S422 : vec3<f32> = (vec3<f32>(0) - ray_20.direction_1);
-    var wo_4 : vec3<f32> = Surface_local_direction_0(surface_1, _S422);
+    var surface_1 : Surface_0 = surface_of_0(ray_19, at_6);
+    var _S365 : Receiver_0 = Receiver_x24init_0(surface_1.origin_11, surface_1.normal_4);
+    var _S366 : vec3<f32> = (vec3<f32>(0) - ray_19.direction_1);
+    var wo_4 : vec3<f32> = Surface_local_direction_0(surface_1, _S366);
     var inside_5 : Inside_0 = in_air_0();
     var wo_5 : vec3<f32>;
     var receiver_16 : Receiver_0;
     if(is_scattered_0)
     {
-        var _S423 : Inside_0 = Inside_x24init_0((*path_5).inside_0.instance_2, hit_8.voxel_1, (*path_5).inside_0.material_0);
-        inside_5 = _S423;
-        var _S424 : vec3<f32> = normalize_vector_0(_S422);
-        receiver_16 = Receiver_x24init_0(Inside_point_0(_S423, ray_20, t_12), _S411);
-        wo_5 = _S424;
+        var _S367 : Inside_0 = Inside_x24init_0((*path_5).inside_0.instance_2, hit_6.voxel_1, (*path_5).inside_0.material_0);
+        inside_5 = _S367;
+        var _S368 : vec3<f32> = normalize_vector_0(_S366);
+        receiver_16 = Receiver_x24init_0(Inside_point_0(_S367, ray_19, t_12), _S355);
+        wo_5 = _S368;
     }
     else
     {
         if(Inside_is_in_0((*path_5).inside_0))
         {
-            next_3.relocates_1 = (hit_8.instance_1) != ((*path_5).inside_0.instance_2);
-            inside_5 = Inside_x24init_0((*path_5).inside_0.instance_2, hit_8.voxel_1, (*path_5).inside_0.material_0);
-            inside_5.voxel_2 = hit_8.voxel_1 + vec3<i32>(face_normal_0(hit_8.face_1));
+            next_0.relocates_1 = (hit_6.instance_1) != ((*path_5).inside_0.instance_2);
+            inside_5 = Inside_x24init_0((*path_5).inside_0.instance_2, hit_6.voxel_1, (*path_5).inside_0.material_0);
+            inside_5.voxel_2 = hit_6.voxel_1 + vec3<i32>(face_normal_0(hit_6.face_1));
         }
-        receiver_16 = _S421;
+        receiver_16 = _S365;
         wo_5 = wo_4;
     }
-    next_3.origin_11 = receiver_16.point_0;
-    next_3.shadow_inside_1 = inside_5;
-    var _S425 : Aim_0 = by_chance_0();
+    next_0.origin_9 = receiver_16.point_0;
+    next_0.shadow_inside_1 = inside_5;
+    var _S369 : Aim_0 = by_chance_0();
     var aim_5 : Aim_0;
     if(is_weighed_0)
     {
         receiver_16 = last_6;
-        aim_5 = met_1;
+        aim_5 = met_0;
     }
     else
     {
-        aim_5 = _S425;
+        aim_5 = _S369;
     }
-    if(_S420)
+    if(_S364)
     {
         (*path_5).selection_0 = Lights_selection_0(receiver_16);
     }
     var light_3 : LightSample_0 = no_light_0();
-    var _S426 : bool = !MaterialBsdf_is_delta_0(_S418);
+    var _S370 : bool = !MaterialBsdf_is_delta_0(_S362);
     if(is_weighed_0)
     {
         is_chosen_0 = true;
     }
     else
     {
-        is_chosen_0 = _S426;
+        is_chosen_0 = _S370;
     }
     if(is_chosen_0)
     {
-        var _S427 : bool = Lights_sample_0(receiver_16, (*path_5).selection_0, Sampler_stratified_0((*path_5).sampler_0, Path_dimension_light_0((*path_5))), aim_5, &(light_3));
-        next_3.has_shadow_ray_0 = _S427;
+        var _S371 : bool = Lights_sample_0(receiver_16, (*path_5).selection_0, Sampler_stratified_0((*path_5).sampler_0, Path_dimension_light_0((*path_5))), aim_5, &(light_3));
+        next_0.has_shadow_ray_0 = _S371;
     }
     if(is_weighed_0)
     {
-        if(next_3.has_shadow_ray_0)
+        if(next_0.has_shadow_ray_0)
         {
             light_pdf_1 = light_3.pdf_3;
         }
@@ -5621,32 +5221,32 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_20 : Ray_0,  hi
         }
         (*radiance_6) = (*radiance_6) + (*path_5).beta_0 * le_1 * vec3<f32>(mis_weight_0((*path_5).pdf_1, light_pdf_1));
         (*path_5).pdf_1 = - (*path_5).pdf_1;
-        next_3.is_same_0 = true;
-        return next_3;
+        next_0.is_same_0 = true;
+        return next_0;
     }
-    if(next_3.has_shadow_ray_0)
+    if(next_0.has_shadow_ray_0)
     {
-        var _S428 : vec3<f32> = vec3<f32>(Surface_local_direction_0(surface_1, light_3.ray_16.direction_1).xy, light_3.cos_theta_0);
+        var _S372 : vec3<f32> = vec3<f32>(Surface_local_direction_0(surface_1, light_3.ray_15.direction_1).xy, light_3.cos_theta_0);
         var wi_5 : vec3<f32>;
         if(is_scattered_0)
         {
-            wi_5 = normalize_vector_0(light_3.ray_16.direction_1);
+            wi_5 = normalize_vector_0(light_3.ray_15.direction_1);
         }
         else
         {
-            wi_5 = _S428;
+            wi_5 = _S372;
         }
-        var eval_0 : BsdfEval_0 = MaterialBsdf_eval_0(_S418, wo_5, wi_5);
+        var eval_0 : BsdfEval_0 = MaterialBsdf_eval_0(_S362, wo_5, wi_5);
         var share_8 : f32 = divide_0(eval_0.pdf_9, light_3.pdf_3) * power_heuristic_0(light_3.pdf_3, eval_0.pdf_9);
-        next_3.shadow_direction_0 = light_3.ray_16.direction_1;
-        next_3.shadow_t_max_0 = light_3.ray_16.t_max_1;
-        next_3.light_0 = (*path_5).beta_0 * eval_0.weight_3 * vec3<f32>(compensation_0) * light_3.radiance_2 * vec3<f32>(share_8);
+        next_0.shadow_direction_0 = light_3.ray_15.direction_1;
+        next_0.shadow_t_max_0 = light_3.ray_15.t_max_1;
+        next_0.light_0 = (*path_5).beta_0 * eval_0.weight_3 * vec3<f32>(compensation_0) * light_3.radiance_2 * vec3<f32>(share_8);
     }
     var bounce_4 : BsdfSample_0;
-    var _S429 : bool = MaterialBsdf_sample_0(_S418, wo_5, vec3<f32>(u_15.xy, u_15.w), &(bounce_4));
-    if(!_S429)
+    var _S373 : bool = MaterialBsdf_sample_0(_S362, wo_5, vec3<f32>(u_15.xy, u_15.w), &(bounce_4));
+    if(!_S373)
     {
-        return next_3;
+        return next_0;
     }
     (*path_5).beta_0 = (*path_5).beta_0 * bounce_4.weight_5 * vec3<f32>(compensation_0);
     if(bounce_4.is_delta_0)
@@ -5659,14 +5259,14 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_20 : Ray_0,  hi
     }
     (*path_5).pdf_1 = t_12;
     (*path_5).normal_0 = receiver_16.normal_2;
-    next_3.direction_7 = bounce_4.wi_2;
+    next_0.direction_6 = bounce_4.wi_2;
     if(!is_scattered_0)
     {
-        next_3.direction_7 = Surface_world_direction_0(surface_1, bounce_4.wi_2);
+        next_0.direction_6 = Surface_world_direction_0(surface_1, bounce_4.wi_2);
     }
-    next_3.path_relocates_1 = next_3.relocates_1;
+    next_0.path_relocates_1 = next_0.relocates_1;
     (*path_5).bounce_0 = (*path_5).bounce_0 + u32(1);
-    return next_3;
+    return next_0;
 }
 
 fn place_of_0( at_7 : vec2<u32>) -> u32
@@ -5689,140 +5289,140 @@ fn fixed_point_0( value_2 : f32) -> vec2<u32>
         return vec2<u32>(vec2<i32>(i32(0)));
     }
     var bits_4 : u32 = (bitcast<u32>((min(value_2, 1.048576e+06f))));
-    var shift_8 : i32 = i32((bits_4 >> (u32(23)))) - i32(118);
+    var shift_6 : i32 = i32((bits_4 >> (u32(23)))) - i32(118);
     var mantissa_3 : u32 = (((bits_4 & (u32(8388607)))) | (u32(8388608)));
-    if(shift_8 <= i32(-24))
+    if(shift_6 <= i32(-24))
     {
         return vec2<u32>(vec2<i32>(i32(0)));
     }
-    if(shift_8 < i32(0))
+    if(shift_6 < i32(0))
     {
-        return vec2<u32>((mantissa_3 >> (u32(- shift_8))), u32(0));
+        return vec2<u32>((mantissa_3 >> (u32(- shift_6))), u32(0));
     }
-    if(shift_8 < i32(32))
+    if(shift_6 < i32(32))
     {
-        var _S430 : u32 = (mantissa_3 << (u32(shift_8)));
-        var _S431 : u32;
-        if(shift_8 == i32(0))
+        var _S374 : u32 = (mantissa_3 << (u32(shift_6)));
+        var _S375 : u32;
+        if(shift_6 == i32(0))
         {
-            _S431 = u32(0);
+            _S375 = u32(0);
         }
         else
         {
-            _S431 = (mantissa_3 >> (u32(i32(32) - shift_8)));
+            _S375 = (mantissa_3 >> (u32(i32(32) - shift_6)));
         }
-        return vec2<u32>(_S430, _S431);
+        return vec2<u32>(_S374, _S375);
     }
-    return vec2<u32>(u32(0), (mantissa_3 << (u32(shift_8 - i32(32)))));
+    return vec2<u32>(u32(0), (mantissa_3 << (u32(shift_6 - i32(32)))));
 }
 
 fn PixelRecord_add_0( this_47 : ptr<function, PixelRecord_0>,  value_3 : vec3<f32>,  is_covered_0 : bool)
 {
     var addend_0 : vec2<u32> = fixed_point_0(value_3[u32(0)]);
-    var _S432 : u32 = addend_0.x;
-    var low_13 : u32 = (*this_47).radiance_1[u32(0)] + _S432;
-    var high_6 : u32 = (*this_47).radiance_1[u32(1)] + addend_0.y + u32(low_13 < _S432);
+    var _S376 : u32 = addend_0.x;
+    var low_13 : u32 = (*this_47).radiance_1[u32(0)] + _S376;
+    var high_6 : u32 = (*this_47).radiance_1[u32(1)] + addend_0.y + u32(low_13 < _S376);
     var is_full_0 : bool = high_6 < ((*this_47).radiance_1[u32(1)]);
-    var _S433 : u32;
+    var _S377 : u32;
     if(is_full_0)
     {
-        _S433 = u32(4294967295);
+        _S377 = u32(4294967295);
     }
     else
     {
-        _S433 = low_13;
+        _S377 = low_13;
     }
-    (*this_47).radiance_1[u32(0)] = _S433;
+    (*this_47).radiance_1[u32(0)] = _S377;
     if(is_full_0)
     {
-        _S433 = u32(4294967295);
+        _S377 = u32(4294967295);
     }
     else
     {
-        _S433 = high_6;
+        _S377 = high_6;
     }
-    (*this_47).radiance_1[u32(1)] = _S433;
+    (*this_47).radiance_1[u32(1)] = _S377;
     var addend_1 : vec2<u32> = fixed_point_0(value_3[u32(1)]);
-    var _S434 : u32 = addend_1.x;
-    var low_14 : u32 = (*this_47).radiance_1[u32(2)] + _S434;
-    var high_7 : u32 = (*this_47).radiance_1[u32(3)] + addend_1.y + u32(low_14 < _S434);
+    var _S378 : u32 = addend_1.x;
+    var low_14 : u32 = (*this_47).radiance_1[u32(2)] + _S378;
+    var high_7 : u32 = (*this_47).radiance_1[u32(3)] + addend_1.y + u32(low_14 < _S378);
     var is_full_1 : bool = high_7 < ((*this_47).radiance_1[u32(3)]);
     if(is_full_1)
     {
-        _S433 = u32(4294967295);
+        _S377 = u32(4294967295);
     }
     else
     {
-        _S433 = low_14;
+        _S377 = low_14;
     }
-    (*this_47).radiance_1[u32(2)] = _S433;
+    (*this_47).radiance_1[u32(2)] = _S377;
     if(is_full_1)
     {
-        _S433 = u32(4294967295);
+        _S377 = u32(4294967295);
     }
     else
     {
-        _S433 = high_7;
+        _S377 = high_7;
     }
-    (*this_47).radiance_1[u32(3)] = _S433;
+    (*this_47).radiance_1[u32(3)] = _S377;
     var addend_2 : vec2<u32> = fixed_point_0(value_3[u32(2)]);
-    var _S435 : u32 = addend_2.x;
-    var low_15 : u32 = (*this_47).radiance_1[u32(4)] + _S435;
-    var high_8 : u32 = (*this_47).radiance_1[u32(5)] + addend_2.y + u32(low_15 < _S435);
+    var _S379 : u32 = addend_2.x;
+    var low_15 : u32 = (*this_47).radiance_1[u32(4)] + _S379;
+    var high_8 : u32 = (*this_47).radiance_1[u32(5)] + addend_2.y + u32(low_15 < _S379);
     var is_full_2 : bool = high_8 < ((*this_47).radiance_1[u32(5)]);
     if(is_full_2)
     {
-        _S433 = u32(4294967295);
+        _S377 = u32(4294967295);
     }
     else
     {
-        _S433 = low_15;
+        _S377 = low_15;
     }
-    (*this_47).radiance_1[u32(4)] = _S433;
+    (*this_47).radiance_1[u32(4)] = _S377;
     if(is_full_2)
     {
-        _S433 = u32(4294967295);
+        _S377 = u32(4294967295);
     }
     else
     {
-        _S433 = high_8;
+        _S377 = high_8;
     }
-    (*this_47).radiance_1[u32(5)] = _S433;
+    (*this_47).radiance_1[u32(5)] = _S377;
     (*this_47).samples_0 = (*this_47).samples_0 + u32(1);
     (*this_47).covered_0 = (*this_47).covered_0 + u32(is_covered_0);
     return;
 }
 
-fn add_sample_0( index_27 : u32,  radiance_7 : vec3<f32>,  is_covered_1 : bool)
+fn add_sample_0( index_29 : u32,  radiance_7 : vec3<f32>,  is_covered_1 : bool)
 {
     var pixel_6 : PixelRecord_0;
-    pixel_6.radiance_1 = pixels_0[index_27].radiance_1;
-    pixel_6.samples_0 = pixels_0[index_27].samples_0;
-    pixel_6.covered_0 = pixels_0[index_27].covered_0;
+    pixel_6.radiance_1 = pixels_0[index_29].radiance_1;
+    pixel_6.samples_0 = pixels_0[index_29].samples_0;
+    pixel_6.covered_0 = pixels_0[index_29].covered_0;
     PixelRecord_add_0(&(pixel_6), radiance_7, is_covered_1);
-    pixels_0[index_27].radiance_1 = pixel_6.radiance_1;
-    pixels_0[index_27].samples_0 = pixel_6.samples_0;
-    pixels_0[index_27].covered_0 = pixel_6.covered_0;
+    pixels_0[index_29].radiance_1 = pixel_6.radiance_1;
+    pixels_0[index_29].samples_0 = pixel_6.samples_0;
+    pixels_0[index_29].covered_0 = pixel_6.covered_0;
     return;
 }
 
 fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
 {
     var counts_0 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
-    var _S436 : vec3<f32> = vec3<f32>(0.0f);
-    var radiance_8 : vec3<f32> = _S436;
+    var _S380 : vec3<f32> = vec3<f32>(0.0f);
+    var radiance_8 : vec3<f32> = _S380;
     var path_6 : Path_0;
-    var _S437 : Ray_0 = camera_path_0(work_0.pixel_5, work_0.sample_5, &(path_6));
-    var ray_21 : Ray_0 = _S437;
+    var _S381 : Ray_0 = camera_path_0(work_0.pixel_5, work_0.sample_5, &(path_6));
+    var ray_20 : Ray_0 = _S381;
     var shadow_inside_3 : Inside_0 = in_air_0();
     var relocates_3 : bool = true;
     var path_relocates_3 : bool = true;
     var is_shadow_turn_0 : bool = true;
     var is_shadow_ray_1 : bool = false;
-    var direction_29 : vec3<f32> = _S436;
+    var direction_28 : vec3<f32> = _S380;
     var is_covered_2 : bool = false;
     var sample_13 : u32 = work_0.sample_5;
-    var light_4 : vec3<f32> = _S436;
+    var light_4 : vec3<f32> = _S380;
     for(;;)
     {
         if(sample_13 < (work_0.last_2))
@@ -5838,9 +5438,9 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
             is_shadow_turn_0 = is_shadow_turn_1;
             continue;
         }
-        var _S438 : Sampler_0 = sampler_of_0(work_0.pixel_5, sample_13);
+        var _S382 : Sampler_0 = sampler_of_0(work_0.pixel_5, sample_13);
         var beyond_4 : u32;
-        var _S439 : Hit_0 = hit_of_ray_0(_S438, &(ray_21), is_shadow_ray_1, &(path_6), &(shadow_inside_3), &(relocates_3), &(path_relocates_3), &(beyond_4));
+        var _S383 : Hit_0 = hit_of_ray_0(_S382, &(ray_20), is_shadow_ray_1, &(path_6), &(shadow_inside_3), &(relocates_3), &(path_relocates_3), &(beyond_4));
         if(waits_for_pages_0())
         {
             break;
@@ -5849,18 +5449,18 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
         if(is_shadow_ray_1)
         {
             counts_0.shadow_0 = counts_0.shadow_0 + u32(1);
-            if(Hit_is_miss_0(_S439))
+            if(Hit_is_miss_0(_S383))
             {
                 radiance_8 = radiance_8 + light_4;
             }
-            ray_21 = PathTracingOf_clip_0(ray_from_0(ray_21.origin_2, direction_29));
+            ray_20 = PathTracingOf_clip_0(ray_from_0(ray_20.origin_2, direction_28));
             is_shadow_ray_1 = false;
         }
         else
         {
             if((Path_events_0(path_6)) == u32(0))
             {
-                if(!Hit_is_miss_0(_S439))
+                if(!Hit_is_miss_0(_S383))
                 {
                     is_covered_3 = true;
                 }
@@ -5877,55 +5477,55 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
                 }
                 is_covered_3 = is_covered_2;
             }
-            var _S440 : NextRays_0 = no_rays_0();
-            path_6.sampler_0 = _S438;
-            var _S441 : bool;
+            var _S384 : NextRays_0 = no_rays_0();
+            path_6.sampler_0 = _S382;
+            var _S385 : bool;
             if(is_covered_3)
             {
-                _S441 = true;
+                _S385 = true;
             }
             else
             {
-                _S441 = (params_0.is_transparent_0) == u32(0);
+                _S385 = (params_0.is_transparent_0) == u32(0);
             }
-            var next_4 : NextRays_0;
-            if(_S441)
+            var next_1 : NextRays_0;
+            if(_S385)
             {
-                var _S442 : NextRays_0 = PathTracingOf_advance_0(&(path_6), ray_21, _S439, beyond_4, &(radiance_8));
-                next_4 = _S442;
+                var _S386 : NextRays_0 = PathTracingOf_advance_0(&(path_6), ray_20, _S383, beyond_4, &(radiance_8));
+                next_1 = _S386;
             }
             else
             {
-                next_4 = _S440;
+                next_1 = _S384;
             }
-            var _S443 : bool;
+            var _S387 : bool;
             if(weighs_apart_0())
             {
-                _S443 = next_4.is_same_0;
+                _S387 = next_1.is_same_0;
             }
             else
             {
-                _S443 = false;
+                _S387 = false;
             }
-            if(_S443)
+            if(_S387)
             {
                 is_shadow_turn_0 = is_shadow_turn_1;
                 is_covered_2 = is_covered_3;
                 continue;
             }
-            var _S444 : NextRays_0 = next_4;
-            var _S445 : NextRays_0 = next_4;
-            var _S446 : NextRays_0 = next_4;
-            var _S447 : NextRays_0 = next_4;
-            ray_21 = PathTracingOf_clip_0(ray_from_0(next_4.origin_11, next_4.direction_7));
-            if(_S446.has_shadow_ray_0)
+            var _S388 : NextRays_0 = next_1;
+            var _S389 : NextRays_0 = next_1;
+            var _S390 : NextRays_0 = next_1;
+            var _S391 : NextRays_0 = next_1;
+            ray_20 = PathTracingOf_clip_0(ray_from_0(next_1.origin_9, next_1.direction_6));
+            if(_S390.has_shadow_ray_0)
             {
-                ray_21 = Ray_x24init_0(_S447.origin_11, 0.0f, next_4.shadow_direction_0, next_4.shadow_t_max_0);
+                ray_20 = Ray_x24init_0(_S391.origin_9, 0.0f, next_1.shadow_direction_0, next_1.shadow_t_max_0);
             }
-            is_shadow_ray_1 = _S446.has_shadow_ray_0;
-            direction_29 = _S444.direction_7;
+            is_shadow_ray_1 = _S390.has_shadow_ray_0;
+            direction_28 = _S388.direction_6;
             is_covered_2 = is_covered_3;
-            light_4 = _S445.light_0;
+            light_4 = _S389.light_0;
         }
         if(waits_for_pages_0())
         {
@@ -5933,7 +5533,7 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
         }
         if(!is_shadow_ray_1)
         {
-            is_covered_3 = (all((direction_29 == _S436)));
+            is_covered_3 = (all((direction_28 == _S380)));
         }
         else
         {
@@ -5941,16 +5541,16 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
         }
         if(is_covered_3)
         {
-            var _S448 : vec2<u32> = position_of_0(work_0.pixel_5);
-            add_sample_0(place_of_0(_S448), radiance_8, is_covered_2);
-            radiance_8 = _S436;
+            var _S392 : vec2<u32> = position_of_0(work_0.pixel_5);
+            add_sample_0(place_of_0(_S392), radiance_8, is_covered_2);
+            radiance_8 = _S380;
             var sample_14 : u32 = sample_13 + u32(1);
             if(sample_14 == (work_0.last_2))
             {
                 break;
             }
-            var _S449 : Ray_0 = camera_path_0(work_0.pixel_5, sample_14, &(path_6));
-            ray_21 = _S449;
+            var _S393 : Ray_0 = camera_path_0(work_0.pixel_5, sample_14, &(path_6));
+            ray_20 = _S393;
             relocates_3 = true;
             path_relocates_3 = true;
             sample_13 = sample_14;
@@ -5960,11 +5560,11 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
     return counts_0;
 }
 
-fn hit_of_ray_1( sampler_4 : Sampler_0,  ray_22 : ptr<function, Ray_0>,  is_shadow_ray_2 : bool,  path_7 : ptr<function, Path_0>,  shadow_inside_4 : ptr<function, Inside_0>,  relocates_4 : ptr<function, bool>,  path_relocates_4 : ptr<function, bool>,  beyond_5 : ptr<function, u32>) -> Hit_0
+fn hit_of_ray_1( sampler_4 : Sampler_0,  ray_21 : ptr<function, Ray_0>,  is_shadow_ray_2 : bool,  path_7 : ptr<function, Path_0>,  shadow_inside_4 : ptr<function, Inside_0>,  relocates_4 : ptr<function, bool>,  path_relocates_4 : ptr<function, bool>,  beyond_5 : ptr<function, u32>) -> Hit_0
 {
     (*beyond_5) = u32(4294967295);
-    var _S450 : Hit_0 = WalkTracer_trace_0(&((*ray_22)), is_shadow_ray_2);
-    return _S450;
+    var _S394 : Hit_0 = WalkTracer_trace_0(&((*ray_21)), is_shadow_ray_2);
+    return _S394;
 }
 
 fn Essay_jitter_0( sampler_5 : Sampler_0) -> vec4<f32>
@@ -5972,63 +5572,63 @@ fn Essay_jitter_0( sampler_5 : Sampler_0) -> vec4<f32>
     return Sampler_independent_0(sampler_5, u32(0));
 }
 
-fn Essay_clip_0( ray_23 : Ray_0) -> Ray_0
+fn Essay_clip_0( ray_22 : Ray_0) -> Ray_0
 {
-    return Ray_x24init_0(ray_23.origin_2, 0.10000000149011612f, ray_23.direction_1, 10000.0f);
+    return Ray_x24init_0(ray_22.origin_2, 0.10000000149011612f, ray_22.direction_1, 10000.0f);
 }
 
 fn camera_path_1( pixel_7 : u32,  sample_15 : u32,  path_8 : ptr<function, Path_0>) -> Ray_0
 {
     (*path_8) = Path_x24init_0(sampler_of_0(pixel_7, sample_15), u32(0), u32(0), u32(0), u32(0), vec3<f32>(1.0f), 0.0f, vec3<f32>(0.0f), Selection_x24init_0(0.0f, 0.0f, 0.0f), 0.0f, in_air_0(), true);
     var jitter_1 : vec4<f32> = Essay_jitter_0((*path_8).sampler_0);
-    var _S451 : CameraFrame_0 = FrameParams_camera_0();
-    var _S452 : vec2<u32> = position_of_0(pixel_7);
-    return Essay_clip_0(CameraFrame_ray_0(_S451, vec2<f32>(_S452) + jitter_1.xy, jitter_1.zw));
+    var _S395 : CameraFrame_0 = FrameParams_camera_0();
+    var _S396 : vec2<u32> = position_of_0(pixel_7);
+    return Essay_clip_0(CameraFrame_ray_0(_S395, vec2<f32>(_S396) + jitter_1.xy, jitter_1.zw));
 }
 
-fn Essay_advance_0( path_9 : ptr<function, Path_0>,  ray_24 : Ray_0,  hit_9 : Hit_0,  beyond_6 : u32,  radiance_9 : ptr<function, vec3<f32>>) -> NextRays_0
+fn Essay_advance_0( path_9 : ptr<function, Path_0>,  ray_23 : Ray_0,  hit_7 : Hit_0,  beyond_6 : u32,  radiance_9 : ptr<function, vec3<f32>>) -> NextRays_0
 {
-    var next_5 : NextRays_0 = no_rays_0();
-    if(Hit_is_miss_0(hit_9))
+    var next_2 : NextRays_0 = no_rays_0();
+    if(Hit_is_miss_0(hit_7))
     {
-        (*radiance_9) = (*radiance_9) + (*path_9).beta_0 * Sky_radiance_0(ray_24.direction_1);
-        return next_5;
+        (*radiance_9) = (*radiance_9) + (*path_9).beta_0 * Sky_radiance_0(ray_23.direction_1);
+        return next_2;
     }
-    var material_9 : PackedMaterial_0 = material_of_0(hit_9);
+    var material_9 : PackedMaterial_0 = material_of_0(hit_7);
     if((max_element_0(vector_of_0(material_9.emission_0))) > 0.0f)
     {
         (*radiance_9) = (*radiance_9) + (*path_9).beta_0 * emitted_0(material_9);
-        return next_5;
+        return next_2;
     }
     if(((*path_9).bounce_0) == (params_0.max_bounces_0))
     {
-        return next_5;
+        return next_2;
     }
     var u_16 : vec4<f32> = Sampler_independent_0((*path_9).sampler_0, Path_dimension_scatter_0((*path_9)));
-    var surface_2 : Surface_0 = surface_of_0(ray_24, hit_9);
+    var surface_2 : Surface_0 = surface_of_0(ray_23, hit_7);
     (*path_9).beta_0 = (*path_9).beta_0 * vector_of_0(material_9.base_color_0);
     (*path_9).bounce_0 = (*path_9).bounce_0 + u32(1);
-    next_5.origin_11 = surface_2.origin_13;
-    next_5.direction_7 = Surface_world_direction_0(surface_2, cosine_hemisphere_0(u_16.x, u_16.y));
-    return next_5;
+    next_2.origin_9 = surface_2.origin_11;
+    next_2.direction_6 = Surface_world_direction_0(surface_2, cosine_hemisphere_0(u_16.x, u_16.y));
+    return next_2;
 }
 
 fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
 {
     var counts_1 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
-    var _S453 : vec3<f32> = vec3<f32>(0.0f);
-    var radiance_10 : vec3<f32> = _S453;
+    var _S397 : vec3<f32> = vec3<f32>(0.0f);
+    var radiance_10 : vec3<f32> = _S397;
     var path_10 : Path_0;
-    var _S454 : Ray_0 = camera_path_1(work_1.pixel_5, work_1.sample_5, &(path_10));
-    var ray_25 : Ray_0 = _S454;
+    var _S398 : Ray_0 = camera_path_1(work_1.pixel_5, work_1.sample_5, &(path_10));
+    var ray_24 : Ray_0 = _S398;
     var shadow_inside_5 : Inside_0 = in_air_0();
     var relocates_5 : bool = true;
     var path_relocates_5 : bool = true;
     var is_shadow_ray_3 : bool = false;
-    var direction_30 : vec3<f32> = _S453;
+    var direction_29 : vec3<f32> = _S397;
     var is_covered_4 : bool = false;
     var sample_16 : u32 = work_1.sample_5;
-    var light_5 : vec3<f32> = _S453;
+    var light_5 : vec3<f32> = _S397;
     for(;;)
     {
         if(sample_16 < (work_1.last_2))
@@ -6038,9 +5638,9 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
         {
             break;
         }
-        var _S455 : Sampler_0 = sampler_of_0(work_1.pixel_5, sample_16);
+        var _S399 : Sampler_0 = sampler_of_0(work_1.pixel_5, sample_16);
         var beyond_7 : u32;
-        var _S456 : Hit_0 = hit_of_ray_1(_S455, &(ray_25), is_shadow_ray_3, &(path_10), &(shadow_inside_5), &(relocates_5), &(path_relocates_5), &(beyond_7));
+        var _S400 : Hit_0 = hit_of_ray_1(_S399, &(ray_24), is_shadow_ray_3, &(path_10), &(shadow_inside_5), &(relocates_5), &(path_relocates_5), &(beyond_7));
         if(waits_for_pages_0())
         {
             break;
@@ -6049,18 +5649,18 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
         if(is_shadow_ray_3)
         {
             counts_1.shadow_0 = counts_1.shadow_0 + u32(1);
-            if(Hit_is_miss_0(_S456))
+            if(Hit_is_miss_0(_S400))
             {
                 radiance_10 = radiance_10 + light_5;
             }
-            ray_25 = Essay_clip_0(ray_from_0(ray_25.origin_2, direction_30));
+            ray_24 = Essay_clip_0(ray_from_0(ray_24.origin_2, direction_29));
             is_shadow_ray_3 = false;
         }
         else
         {
             if((Path_events_0(path_10)) == u32(0))
             {
-                if(!Hit_is_miss_0(_S456))
+                if(!Hit_is_miss_0(_S400))
                 {
                     is_covered_5 = true;
                 }
@@ -6077,54 +5677,54 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
                 }
                 is_covered_5 = is_covered_4;
             }
-            var _S457 : NextRays_0 = no_rays_0();
-            path_10.sampler_0 = _S455;
-            var _S458 : bool;
+            var _S401 : NextRays_0 = no_rays_0();
+            path_10.sampler_0 = _S399;
+            var _S402 : bool;
             if(is_covered_5)
             {
-                _S458 = true;
+                _S402 = true;
             }
             else
             {
-                _S458 = (params_0.is_transparent_0) == u32(0);
+                _S402 = (params_0.is_transparent_0) == u32(0);
             }
-            var next_6 : NextRays_0;
-            if(_S458)
+            var next_3 : NextRays_0;
+            if(_S402)
             {
-                var _S459 : NextRays_0 = Essay_advance_0(&(path_10), ray_25, _S456, beyond_7, &(radiance_10));
-                next_6 = _S459;
+                var _S403 : NextRays_0 = Essay_advance_0(&(path_10), ray_24, _S400, beyond_7, &(radiance_10));
+                next_3 = _S403;
             }
             else
             {
-                next_6 = _S457;
+                next_3 = _S401;
             }
-            var _S460 : bool;
+            var _S404 : bool;
             if(weighs_apart_0())
             {
-                _S460 = next_6.is_same_0;
+                _S404 = next_3.is_same_0;
             }
             else
             {
-                _S460 = false;
+                _S404 = false;
             }
-            if(_S460)
+            if(_S404)
             {
                 is_covered_4 = is_covered_5;
                 continue;
             }
-            var _S461 : NextRays_0 = next_6;
-            var _S462 : NextRays_0 = next_6;
-            var _S463 : NextRays_0 = next_6;
-            var _S464 : NextRays_0 = next_6;
-            ray_25 = Essay_clip_0(ray_from_0(next_6.origin_11, next_6.direction_7));
-            if(_S463.has_shadow_ray_0)
+            var _S405 : NextRays_0 = next_3;
+            var _S406 : NextRays_0 = next_3;
+            var _S407 : NextRays_0 = next_3;
+            var _S408 : NextRays_0 = next_3;
+            ray_24 = Essay_clip_0(ray_from_0(next_3.origin_9, next_3.direction_6));
+            if(_S407.has_shadow_ray_0)
             {
-                ray_25 = Ray_x24init_0(_S464.origin_11, 0.0f, next_6.shadow_direction_0, next_6.shadow_t_max_0);
+                ray_24 = Ray_x24init_0(_S408.origin_9, 0.0f, next_3.shadow_direction_0, next_3.shadow_t_max_0);
             }
-            is_shadow_ray_3 = _S463.has_shadow_ray_0;
-            direction_30 = _S461.direction_7;
+            is_shadow_ray_3 = _S407.has_shadow_ray_0;
+            direction_29 = _S405.direction_6;
             is_covered_4 = is_covered_5;
-            light_5 = _S462.light_0;
+            light_5 = _S406.light_0;
         }
         if(waits_for_pages_0())
         {
@@ -6132,7 +5732,7 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
         }
         if(!is_shadow_ray_3)
         {
-            is_covered_5 = (all((direction_30 == _S453)));
+            is_covered_5 = (all((direction_29 == _S397)));
         }
         else
         {
@@ -6140,16 +5740,16 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
         }
         if(is_covered_5)
         {
-            var _S465 : vec2<u32> = position_of_0(work_1.pixel_5);
-            add_sample_0(place_of_0(_S465), radiance_10, is_covered_4);
-            radiance_10 = _S453;
+            var _S409 : vec2<u32> = position_of_0(work_1.pixel_5);
+            add_sample_0(place_of_0(_S409), radiance_10, is_covered_4);
+            radiance_10 = _S397;
             var sample_17 : u32 = sample_16 + u32(1);
             if(sample_17 == (work_1.last_2))
             {
                 break;
             }
-            var _S466 : Ray_0 = camera_path_1(work_1.pixel_5, sample_17, &(path_10));
-            ray_25 = _S466;
+            var _S410 : Ray_0 = camera_path_1(work_1.pixel_5, sample_17, &(path_10));
+            ray_24 = _S410;
             relocates_5 = true;
             path_relocates_5 = true;
             sample_16 = sample_17;
@@ -6172,31 +5772,31 @@ fn begin_tally_0( thread_0 : u32)
 
 fn Work_x24init_0( pixel_8 : u32,  sample_18 : u32,  last_7 : u32) -> Work_0
 {
-    var _S467 : Work_0;
-    _S467.pixel_5 = pixel_8;
-    _S467.sample_5 = sample_18;
-    _S467.last_2 = last_7;
-    return _S467;
+    var _S411 : Work_0;
+    _S411.pixel_5 = pixel_8;
+    _S411.sample_5 = sample_18;
+    _S411.last_2 = last_7;
+    return _S411;
 }
 
-fn work_of_0( index_28 : u32) -> Work_0
+fn work_of_0( index_30 : u32) -> Work_0
 {
     var size_1 : vec2<u32> = params_0.region_0.zw - params_0.region_0.xy;
-    var _S468 : u32 = size_1.x;
-    var _S469 : u32 = u32(8) * _S468;
-    var band_0 : u32 = index_28 / _S469;
-    var _S470 : u32 = u32(8) * band_0;
-    var in_band_0 : u32 = index_28 - _S469 * band_0;
-    var _S471 : u32 = u32(8) * min(u32(8), size_1.y - _S470);
-    var tile_0 : u32 = in_band_0 / _S471;
-    var _S472 : u32 = u32(8) * tile_0;
-    var _S473 : u32 = min(u32(8), _S468 - _S472);
-    var in_tile_0 : u32 = in_band_0 - _S471 * tile_0;
-    var _S474 : vec2<u32> = params_0.region_0.xy;
-    var _S475 : u32 = in_tile_0 % _S473;
-    var _S476 : u32 = _S472 + _S475;
-    var _S477 : u32 = in_tile_0 / _S473;
-    var at_8 : vec2<u32> = _S474 + vec2<u32>(_S476, _S470 + _S477);
+    var _S412 : u32 = size_1.x;
+    var _S413 : u32 = u32(8) * _S412;
+    var band_0 : u32 = index_30 / _S413;
+    var _S414 : u32 = u32(8) * band_0;
+    var in_band_0 : u32 = index_30 - _S413 * band_0;
+    var _S415 : u32 = u32(8) * min(u32(8), size_1.y - _S414);
+    var tile_0 : u32 = in_band_0 / _S415;
+    var _S416 : u32 = u32(8) * tile_0;
+    var _S417 : u32 = min(u32(8), _S412 - _S416);
+    var in_tile_0 : u32 = in_band_0 - _S415 * tile_0;
+    var _S418 : vec2<u32> = params_0.region_0.xy;
+    var _S419 : u32 = in_tile_0 % _S417;
+    var _S420 : u32 = _S416 + _S419;
+    var _S421 : u32 = in_tile_0 / _S417;
+    var at_8 : vec2<u32> = _S418 + vec2<u32>(_S420, _S414 + _S421);
     return Work_x24init_0(at_8.y * params_0.width_0 + at_8.x, pixels_0[place_of_0(at_8)].samples_0, min(dispatch_0.samples_target_0, pixels_0[place_of_0(at_8)].samples_0 + dispatch_0.samples_1));
 }
 
@@ -6207,63 +5807,63 @@ fn Work_camera_rays_0( this_48 : Work_0) -> u32
 
 fn tally_camera_rays_0( count_7 : u32)
 {
-    var _S478 : u32 = atomicAdd(&(group_counts_0[i32(0)]), count_7);
+    var _S422 : u32 = atomicAdd(&(group_counts_0[i32(0)]), count_7);
     return;
 }
 
 fn end_tally_0( counts_2 : RayCounts_0,  thread_1 : u32)
 {
-    var _S479 : u32 = atomicAdd(&(group_counts_0[i32(1)]), counts_2.bounce_2);
-    var _S480 : u32 = atomicAdd(&(group_counts_0[i32(2)]), counts_2.shadow_0);
+    var _S423 : u32 = atomicAdd(&(group_counts_0[i32(1)]), counts_2.bounce_2);
+    var _S424 : u32 = atomicAdd(&(group_counts_0[i32(2)]), counts_2.shadow_0);
     workgroupBarrier();
     if(thread_1 < u32(3))
     {
-        var _S481 : u32 = atomicLoad(&(group_counts_0[thread_1]));
-        var _S482 : u32 = atomicAdd(&(counters_0[u32(1) + thread_1]), _S481);
+        var _S425 : u32 = atomicLoad(&(group_counts_0[thread_1]));
+        var _S426 : u32 = atomicAdd(&(counters_0[u32(1) + thread_1]), _S425);
     }
     if(thread_1 == u32(0))
     {
         atomicStore(&(counters_0[u32(0)]), dispatch_0.sequence_0);
-        var _S483 : u32 = atomicAdd(&(counters_0[u32(4)]), u32(1));
+        var _S427 : u32 = atomicAdd(&(counters_0[u32(4)]), u32(1));
     }
     return;
 }
 
-fn render_0( index_29 : u32,  thread_2 : u32)
+fn render_0( index_31 : u32,  thread_2 : u32)
 {
     begin_tally_0(thread_2);
-    var _S484 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
+    var _S428 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
     var counts_3 : RayCounts_0;
-    if(index_29 < (dispatch_0.count_0))
+    if(index_31 < (dispatch_0.count_0))
     {
-        var work_2 : Work_0 = work_of_0(dispatch_0.first_0 + index_29);
+        var work_2 : Work_0 = work_of_0(dispatch_0.first_0 + index_31);
         tally_camera_rays_0(Work_camera_rays_0(work_2));
-        var _S485 : RayCounts_0 = trace_pixel_0(work_2);
-        counts_3 = _S485;
+        var _S429 : RayCounts_0 = trace_pixel_0(work_2);
+        counts_3 = _S429;
     }
     else
     {
-        counts_3 = _S484;
+        counts_3 = _S428;
     }
     end_tally_0(counts_3, thread_2);
     return;
 }
 
-fn render_1( index_30 : u32,  thread_3 : u32)
+fn render_1( index_32 : u32,  thread_3 : u32)
 {
     begin_tally_0(thread_3);
-    var _S486 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
+    var _S430 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
     var counts_4 : RayCounts_0;
-    if(index_30 < (dispatch_0.count_0))
+    if(index_32 < (dispatch_0.count_0))
     {
-        var work_3 : Work_0 = work_of_0(dispatch_0.first_0 + index_30);
+        var work_3 : Work_0 = work_of_0(dispatch_0.first_0 + index_32);
         tally_camera_rays_0(Work_camera_rays_0(work_3));
-        var _S487 : RayCounts_0 = trace_pixel_1(work_3);
-        counts_4 = _S487;
+        var _S431 : RayCounts_0 = trace_pixel_1(work_3);
+        counts_4 = _S431;
     }
     else
     {
-        counts_4 = _S486;
+        counts_4 = _S430;
     }
     end_tally_0(counts_4, thread_3);
     return;
@@ -6287,10 +5887,10 @@ fn render_path(@builtin(global_invocation_id) id_1 : vec3<u32>, @builtin(local_i
     return;
 }
 
-fn WalkTracer_trace_1( ray_26 : ptr<function, Ray_0>,  is_any_enough_2 : bool) -> Hit_0
+fn WalkTracer_trace_1( ray_25 : ptr<function, Ray_0>,  is_any_enough_2 : bool) -> Hit_0
 {
-    var _S488 : Hit_0 = visit_0(&((*ray_26)), is_any_enough_2, u32(0));
-    return _S488;
+    var _S432 : Hit_0 = visit_0(&((*ray_25)), is_any_enough_2, u32(0));
+    return _S432;
 }
 
 struct HitRecord_0
@@ -6301,59 +5901,59 @@ struct HitRecord_0
      face_0 : u32,
 };
 
-fn HitRecord_x24init_0( t_13 : f32,  instance_11 : u32,  voxel_23 : array<i32, i32(3)>,  face_8 : u32) -> HitRecord_0
+fn HitRecord_x24init_0( t_13 : f32,  instance_11 : u32,  voxel_21 : array<i32, i32(3)>,  face_8 : u32) -> HitRecord_0
 {
-    var _S489 : HitRecord_0;
-    _S489.t_0 = t_13;
-    _S489.instance_0 = instance_11;
-    _S489.voxel_0 = voxel_23;
-    _S489.face_0 = face_8;
-    return _S489;
+    var _S433 : HitRecord_0;
+    _S433.t_0 = t_13;
+    _S433.instance_0 = instance_11;
+    _S433.voxel_0 = voxel_21;
+    _S433.face_0 = face_8;
+    return _S433;
 }
 
-fn record_of_0( hit_10 : Hit_0) -> HitRecord_0
+fn record_of_0( hit_8 : Hit_0) -> HitRecord_0
 {
-    var _S490 : array<i32, i32(3)> = array<i32, i32(3)>( hit_10.voxel_1.x, hit_10.voxel_1.y, hit_10.voxel_1.z );
-    return HitRecord_x24init_0(hit_10.t_1, hit_10.instance_1, _S490, hit_10.face_1);
+    var _S434 : array<i32, i32(3)> = array<i32, i32(3)>( hit_8.voxel_1.x, hit_8.voxel_1.y, hit_8.voxel_1.z );
+    return HitRecord_x24init_0(hit_8.t_1, hit_8.instance_1, _S434, hit_8.face_1);
 }
 
-fn ray_of_0( _S491 : u32) -> Ray_0
+fn ray_of_0( _S435 : u32) -> Ray_0
 {
-    return Ray_x24init_0(vector_of_0(rays_0[_S491].origin_1), rays_0[_S491].t_min_0, vector_of_0(rays_0[_S491].direction_0), rays_0[_S491].t_max_0);
+    return Ray_x24init_0(vector_of_0(rays_0[_S435].origin_1), rays_0[_S435].t_min_0, vector_of_0(rays_0[_S435].direction_0), rays_0[_S435].t_max_0);
 }
 
-fn Transform_direction_2( _S492 : i32,  _S493 : vec3<f32>) -> vec3<f32>
+fn Transform_direction_2( _S436 : i32,  _S437 : vec3<f32>) -> vec3<f32>
 {
-    return vector_of_0(instances_0[_S492].grid_from_world_0.x_axis_0) * vec3<f32>(_S493.x) + vector_of_0(instances_0[_S492].grid_from_world_0.y_axis_0) * vec3<f32>(_S493.y) + vector_of_0(instances_0[_S492].grid_from_world_0.z_axis_0) * vec3<f32>(_S493.z);
+    return vector_of_0(instances_0[_S436].grid_from_world_0.x_axis_0) * vec3<f32>(_S437.x) + vector_of_0(instances_0[_S436].grid_from_world_0.y_axis_0) * vec3<f32>(_S437.y) + vector_of_0(instances_0[_S436].grid_from_world_0.z_axis_0) * vec3<f32>(_S437.z);
 }
 
-fn Transform_point_2( _S494 : i32,  _S495 : vec3<f32>) -> vec3<f32>
+fn Transform_point_2( _S438 : i32,  _S439 : vec3<f32>) -> vec3<f32>
 {
-    return Transform_direction_2(_S494, _S495) + vector_of_0(instances_0[_S494].grid_from_world_0.translation_0);
+    return Transform_direction_2(_S438, _S439) + vector_of_0(instances_0[_S438].grid_from_world_0.translation_0);
 }
 
-fn local_ray_1( _S496 : Ray_0,  _S497 : i32) -> LocalRay_0
+fn local_ray_1( _S440 : Ray_0,  _S441 : i32) -> LocalRay_0
 {
     var local_4 : LocalRay_0;
-    var direction_31 : vec3<f32>;
-    var origin_14 : vec3<f32>;
+    var direction_30 : vec3<f32>;
+    var origin_12 : vec3<f32>;
     if(!IS_SINGLE_0)
     {
-        var _S498 : vec3<f32> = Transform_point_2(_S497, _S496.origin_2);
-        direction_31 = Transform_direction_2(_S497, _S496.direction_1);
-        origin_14 = _S498;
+        var _S442 : vec3<f32> = Transform_point_2(_S441, _S440.origin_2);
+        direction_30 = Transform_direction_2(_S441, _S440.direction_1);
+        origin_12 = _S442;
     }
     else
     {
-        direction_31 = _S496.direction_1;
-        origin_14 = _S496.origin_2;
+        direction_30 = _S440.direction_1;
+        origin_12 = _S440.origin_2;
     }
-    var is_zero_2 : vec3<bool> = !((abs(direction_31)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S499 : vec3<f32> = select(direction_31, vec3<f32>(0.0f), is_zero_2);
-    local_4.direction_2 = _S499;
-    local_4.inverse_0 = select(reciprocal_0(select(direction_31, vec3<f32>(1.0f), is_zero_2)), vec3<f32>(3.4028234663852886e+38f), is_zero_2);
-    local_4.origin_3 = select(origin_14, floor(origin_14) + vec3<f32>(0.5f), is_zero_2);
-    var speed_4 : f32 = max_element_0(abs(_S499));
+    var is_zero_2 : vec3<bool> = !((abs(direction_30)) >= vec3<f32>(1.17549435082228751e-38f));
+    var _S443 : vec3<f32> = select(direction_30, vec3<f32>(0.0f), is_zero_2);
+    local_4.direction_2 = _S443;
+    local_4.inverse_0 = select(reciprocal_0(select(direction_30, vec3<f32>(1.0f), is_zero_2)), vec3<f32>(3.4028234663852886e+38f), is_zero_2);
+    local_4.origin_3 = select(origin_12, floor(origin_12) + vec3<f32>(0.5f), is_zero_2);
+    var speed_4 : f32 = max_element_0(abs(_S443));
     var moves_1 : bool;
     if(speed_4 >= 1.00000004581370497e-18f)
     {
@@ -6365,9 +5965,9 @@ fn local_ray_1( _S496 : Ray_0,  _S497 : i32) -> LocalRay_0
     }
     var is_near_1 : bool = (all(((abs(local_4.origin_3)) <= vec3<f32>(2.097152e+06f))));
     var is_segment_1 : bool;
-    if((_S496.t_min_1) >= 0.0f)
+    if((_S440.t_min_1) >= 0.0f)
     {
-        is_segment_1 = (_S496.t_min_1) <= 3.4028234663852886e+38f;
+        is_segment_1 = (_S440.t_min_1) <= 3.4028234663852886e+38f;
     }
     else
     {
@@ -6375,14 +5975,14 @@ fn local_ray_1( _S496 : Ray_0,  _S497 : i32) -> LocalRay_0
     }
     if(is_segment_1)
     {
-        is_segment_1 = (_S496.t_min_1) <= (_S496.t_max_1);
+        is_segment_1 = (_S440.t_min_1) <= (_S440.t_max_1);
     }
     else
     {
         is_segment_1 = false;
     }
-    local_4.t_min_2 = _S496.t_min_1;
-    local_4.t_max_2 = _S496.t_max_1;
+    local_4.t_min_2 = _S440.t_min_1;
+    local_4.t_max_2 = _S440.t_max_1;
     if(moves_1)
     {
         moves_1 = is_near_1;
@@ -6409,44 +6009,44 @@ fn cast_rays(@builtin(global_invocation_id) id_2 : vec3<u32>, @builtin(local_inv
 {
     is_page_missing_0 = false;
     begin_tally_0(thread_6);
-    var _S500 : u32 = id_2.x;
-    if(_S500 < (dispatch_0.count_0))
+    var _S444 : u32 = id_2.x;
+    if(_S444 < (dispatch_0.count_0))
     {
         tally_camera_rays_0(u32(1));
-        var _S501 : Ray_0 = ray_of_0(dispatch_0.first_0 + _S500);
-        var ray_27 : Ray_0 = _S501;
-        var _S502 : Hit_0 = WalkTracer_trace_1(&(ray_27), false);
-        var _S503 : bool;
+        var _S445 : Ray_0 = ray_of_0(dispatch_0.first_0 + _S444);
+        var ray_26 : Ray_0 = _S445;
+        var _S446 : Hit_0 = WalkTracer_trace_1(&(ray_26), false);
+        var _S447 : bool;
         if(IS_SINGLE_0)
         {
-            _S503 = !IS_EXACT_0;
+            _S447 = !IS_EXACT_0;
         }
         else
         {
-            _S503 = false;
+            _S447 = false;
         }
-        if(_S503)
+        if(_S447)
         {
-            _S503 = !Hit_is_miss_0(_S502);
+            _S447 = !Hit_is_miss_0(_S446);
         }
         else
         {
-            _S503 = false;
+            _S447 = false;
         }
-        var hit_11 : Hit_0;
-        if(_S503)
+        var hit_9 : Hit_0;
+        if(_S447)
         {
-            hit_11 = hit_of_0(local_ray_1(_S501, i32(0)), _S502.voxel_1, _S502.instance_1);
+            hit_9 = hit_of_0(local_ray_1(_S445, i32(0)), _S446.voxel_1, _S446.instance_1);
         }
         else
         {
-            hit_11 = _S502;
+            hit_9 = _S446;
         }
-        var _S504 : HitRecord_0 = record_of_0(hit_11);
-        hits_0[dispatch_0.first_0 + _S500].t_0 = _S504.t_0;
-        hits_0[dispatch_0.first_0 + _S500].instance_0 = _S504.instance_0;
-        hits_0[dispatch_0.first_0 + _S500].voxel_0 = _S504.voxel_0;
-        hits_0[dispatch_0.first_0 + _S500].face_0 = _S504.face_0;
+        var _S448 : HitRecord_0 = record_of_0(hit_9);
+        hits_0[dispatch_0.first_0 + _S444].t_0 = _S448.t_0;
+        hits_0[dispatch_0.first_0 + _S444].instance_0 = _S448.instance_0;
+        hits_0[dispatch_0.first_0 + _S444].voxel_0 = _S448.voxel_0;
+        hits_0[dispatch_0.first_0 + _S444].face_0 = _S448.face_0;
     }
     end_tally_0(RayCounts_x24init_0(u32(0), u32(0)), thread_6);
     return;

@@ -8,7 +8,9 @@ use std::path::Path;
 use voxtrace::film::Pixel;
 use voxtrace::sky::EnvironmentTexel;
 use voxtrace::{Hit, Ray, Transform};
-use voxtrace_core::packed::{Emitter, LightNode, MOST_WAITING, PackedGrid, PackedInstance, PackedMaterial};
+use voxtrace_core::packed::{
+    Emitter, InstanceNode, LightNode, MAX_INSTANCE_DEPTH, PackedGrid, PackedInstance, PackedMaterial,
+};
 use voxtrace_vulkan::PresentParams;
 use voxtrace_vulkan::records::{BlendParams, Dispatch, FrameParams, ProbeAnswer, ProbeRay, RealTimeParams, WaveStep};
 
@@ -57,6 +59,7 @@ fn of_host() -> BTreeMap<&'static str, Layout> {
         ("EnvironmentTexel", layout!(EnvironmentTexel: radiance, pdf, threshold, alias)),
         ("PackedGrid", layout!(PackedGrid: origin, top_shift, top_size, top_offset, min, voxels, max, material_bits)),
         ("PackedInstance", layout!(PackedInstance: grid_from_world, world_from_grid, grid, scene_instance, light_leaf)),
+        ("InstanceNode", layout!(InstanceNode: min, index, max, is_leaf)),
         ("RayRecord", layout!(Ray: origin, t_min, direction, t_max)),
         ("HitRecord", layout!(Hit: t, instance, voxel, face)),
         (
@@ -116,8 +119,8 @@ fn host_and_shaders_agree_on_every_offset() {
     assert_eq!(differences(&of_shaders(&padded)), ["PixelRecord"]);
     let forgotten = format!("{text}Unheard 4\n  of 0 4\n");
     assert_eq!(differences(&of_shaders(&forgotten)), ["Unheard"]);
-    let renamed = text.replacen("  light_leaf 104 4", "  leaf 104 4", 1);
-    assert_eq!(differences(&of_shaders(&renamed)), ["PackedInstance"]);
+    let renamed = text.replacen("  is_leaf 28 4", "  leaf 28 4", 1);
+    assert_eq!(differences(&of_shaders(&renamed)), ["InstanceNode"]);
 }
 
 /// The words of records that shaders read by rows of four words, as `shaders/scene.slang` reads them: first members of rows, and what follows them.
@@ -142,22 +145,19 @@ fn records_that_shaders_read_by_rows_have_their_words_there() {
     assert_eq!(offsets(layout!(LightNode: min, index, max, count, power, parent, root)), [0, 3, 4, 7, 8, 14, 15]);
 }
 
-/// Where shaders keep a stack of another size than the tree over instances is made for, or say another size than the host does. Takes the shaders' sources by their names.
+/// Where shaders keep a stack of another size than the host's walk over instances has, or say another depth than the one up to
+/// which files are opened. Takes the shaders' sources by their names.
 fn wrong_stacks(sources: &BTreeMap<String, String>) -> Vec<String> {
     let mut wrong = Vec::new();
-    let constant = format!("static const uint MOST_WAITING = {MOST_WAITING};");
+    let constant = format!("static const uint MAX_INSTANCE_DEPTH = {MAX_INSTANCE_DEPTH};");
     if !sources["shared.slang"].lines().any(|line| line == constant) {
         wrong.push("shared.slang".to_string());
     }
     let mut stacks = 0;
     for (name, source) in sources {
-        for line in source
-            .lines()
-            .map(str::trim)
-            .filter(|line| line.starts_with("uint stack[") || line.starts_with("uint2 stack["))
-        {
+        for line in source.lines().map(str::trim).filter(|line| line.starts_with("uint stack[")) {
             stacks += 1;
-            if !line.ends_with(" stack[MOST_WAITING];") {
+            if line != "uint stack[MAX_INSTANCE_DEPTH];" {
                 wrong.push(format!("{name}: {line}"));
             }
         }
@@ -187,7 +187,7 @@ fn stacks_of_shaders_are_as_deep_as_the_hierarchy_over_instances_may_be() {
         *source = source.replacen(from, to, 1);
         wrong_stacks(&changed)
     };
-    assert_eq!(with("shared.slang", "MOST_WAITING = 64", "MOST_WAITING = 63"), ["shared.slang"]);
-    assert_eq!(with("instances.slang", "stack[MOST_WAITING]", "stack[24]"), ["instances.slang: uint2 stack[24];"]);
+    assert_eq!(with("shared.slang", "MAX_INSTANCE_DEPTH = 32", "MAX_INSTANCE_DEPTH = 31"), ["shared.slang"]);
+    assert_eq!(with("instances.slang", "stack[MAX_INSTANCE_DEPTH]", "stack[24]"), ["instances.slang: uint stack[24];"]);
     assert_eq!(with("primitive.slang", "uint stack", "uint heap"), ["2 stacks"]);
 }

@@ -476,8 +476,8 @@ pub mod binding {
     pub const GRIDS: u32 = 3;
     /// Instances.
     pub const INSTANCES: u32 = 4;
-    /// The tree over parts of instances.
-    pub const INSTANCE_ROWS: u32 = 5;
+    /// Hierarchy over the instances.
+    pub const INSTANCE_NODES: u32 = 5;
     /// Materials.
     pub const MATERIALS: u32 = 6;
     /// Emitters.

@@ -12,7 +12,7 @@ use bytemuck::{Pod, cast_slice};
 use std::ops::Range;
 use std::sync::Arc;
 use voxtrace_core::dynamic::{ArrayPatch, Patch};
-use voxtrace_core::packed::{DeviceCells, Geometry, InstanceParts, Placement};
+use voxtrace_core::packed::{DeviceCells, Geometry, Placement};
 use voxtrace_core::{PackedScene, TraceError};
 
 /// Where an array is bound, its name in the memory report, and its bytes.
@@ -31,8 +31,6 @@ pub struct SceneBuffers {
     pub is_edited: bool,
     geometry: Vec<(u32, Buffer)>,
     placement: Vec<(u32, Buffer)>,
-    /// What the placement's tree is made of.
-    parts: Arc<InstanceParts>,
     environment: Buffer,
     /// Behind the texels of the environment map are the columns of its light from above.
     has_light_from_above: bool,
@@ -48,11 +46,10 @@ impl SceneBuffers {
         room: Option<u64>,
     ) -> Result<Self, TraceError> {
         let geometry = scene.geometry();
-        let parts = parts_of(scene, false);
         let materials: Array = (binding::MATERIALS, "materials", cast_slice(geometry.materials()));
         let pages = match room {
             Some(room) => {
-                let placement = placement_arrays(scene.placement(), &parts);
+                let placement = placement_arrays(scene.placement());
                 let whole: u64 = placement.iter().map(|(.., bytes)| bytes.len() as u64).sum();
                 let whole = whole + (materials.2.len() + size_of_val(geometry.grids())) as u64 + ROUNDED;
                 let budget = room.saturating_sub(whole);
@@ -89,7 +86,7 @@ impl SceneBuffers {
             written(device, submitter, transfer, name, bytes).map(|buffer| (binding, buffer))
         };
         let geometry = arrays.iter().map(&mut write).collect::<Result<_, _>>()?;
-        let placement = placement_arrays(scene.placement(), &parts).iter().map(&mut write).collect::<Result<_, _>>()?;
+        let placement = placement_arrays(scene.placement()).iter().map(&mut write).collect::<Result<_, _>>()?;
         let environment = written(device, submitter, transfer, ENVIRONMENT, texels_of(scene))?;
         let (scene, cells_have_blocks) = (Arc::clone(scene), have_blocks);
         Ok(Self {
@@ -100,7 +97,6 @@ impl SceneBuffers {
             is_edited: false,
             geometry,
             placement,
-            parts,
             environment,
             has_light_from_above: false,
         })
@@ -125,8 +121,7 @@ impl SceneBuffers {
             let (binding, name, bytes) = *array;
             written(device, submitter, transfer, name, bytes).map(|buffer| (binding, buffer))
         };
-        let parts = parts_of(scene, true);
-        let placement = placement_arrays(scene.placement(), &parts).iter().map(&mut write).collect::<Result<_, _>>()?;
+        let placement = placement_arrays(scene.placement()).iter().map(&mut write).collect::<Result<_, _>>()?;
         let environment = written(device, submitter, transfer, ENVIRONMENT, texels_of(scene))?;
         Ok(Self {
             scene: Arc::clone(scene),
@@ -136,7 +131,6 @@ impl SceneBuffers {
             is_edited: true,
             geometry: buffers,
             placement,
-            parts,
             environment,
             has_light_from_above: false,
         })
@@ -190,18 +184,16 @@ impl SceneBuffers {
 
     /// The same geometry with memory for the placement of `scene`, whose geometry it is; [`Self::placement_writes`] must be written.
     pub fn placed(self, device: &Arc<Device>, scene: &Arc<PackedScene>) -> Result<Self, TraceError> {
-        let parts = parts_of(scene, self.is_edited);
         let mut placement = Vec::with_capacity(self.placement.len());
-        let arrays = placement_arrays(scene.placement(), &parts);
-        for ((binding, name, bytes), (_, kept)) in arrays.into_iter().zip(self.placement) {
+        for ((binding, name, bytes), (_, kept)) in placement_arrays(scene.placement()).into_iter().zip(self.placement) {
             placement.push((binding, buffer_for(device, name, bytes, Some(kept))?));
         }
-        Ok(Self { scene: Arc::clone(scene), placement, parts, ..self })
+        Ok(Self { scene: Arc::clone(scene), placement, ..self })
     }
 
     /// The arrays of the placement, where they go.
     pub fn placement_writes(&self) -> Vec<Write<'_>> {
-        let arrays = placement_arrays(self.scene.placement(), &self.parts).into_iter().zip(&self.placement);
+        let arrays = placement_arrays(self.scene.placement()).into_iter().zip(&self.placement);
         arrays.map(|((_, _, bytes), (_, buffer))| Write { buffer, at: 0, bytes }).collect()
     }
 
@@ -242,10 +234,8 @@ impl SceneBuffers {
     /// Whether a scene has the same arrays: then it differs in its light from outside, in the strength of its emission or in its
     /// cameras, which devices are told with each frame ([`crate::records::FrameParams`]).
     pub fn holds(&self, scene: &PackedScene) -> bool {
-        let (ours, theirs) = (self.scene.placement(), scene.placement());
-        Arc::ptr_eq(self.scene.geometry(), scene.geometry())
-            && cast_slice::<_, u8>(ours.instances()) == cast_slice::<_, u8>(theirs.instances())
-            && ours.light_nodes() == theirs.light_nodes()
+        let (ours, theirs) = (placement_arrays(self.scene.placement()), placement_arrays(scene.placement()));
+        Arc::ptr_eq(self.scene.geometry(), scene.geometry()) && ours == theirs
     }
 
     /// Binds all arrays.
@@ -269,8 +259,7 @@ impl SceneBuffers {
     /// Bytes of the scene where it lies there whole.
     pub fn bytes_of(scene: &PackedScene) -> u64 {
         let geometry = scene.geometry();
-        let parts = parts_of(scene, false);
-        let placement = placement_arrays(scene.placement(), &parts);
+        let placement = placement_arrays(scene.placement());
         Pages::bytes_of(geometry) + placement.iter().map(|(.., bytes)| bytes.len() as u64).sum::<u64>()
     }
 }
@@ -325,18 +314,10 @@ fn texels_of(scene: &PackedScene) -> &[u8] {
     scene.sky.background().environment().map_or(&[], |environment| cast_slice(environment.map().texels()))
 }
 
-/// The parts of a scene's instances; of one that is going to be edited the instances as they are, since edits reach beyond parts.
-fn parts_of(scene: &PackedScene, is_edited: bool) -> Arc<InstanceParts> {
-    match is_edited {
-        true => Arc::new(InstanceParts::whole(scene.placement())),
-        false => scene.placement().parts(scene.geometry()),
-    }
-}
-
-fn placement_arrays<'a>(placement: &'a Placement, parts: &'a InstanceParts) -> [Array<'a>; 3] {
+fn placement_arrays(placement: &Placement) -> [Array<'_>; 3] {
     [
         (binding::INSTANCES, "instances", cast_slice(placement.instances())),
-        (binding::INSTANCE_ROWS, "tree over instances", cast_slice(parts.device_rows(placement))),
+        (binding::INSTANCE_NODES, "instance nodes", cast_slice(placement.instance_nodes())),
         (binding::TOP_LIGHT_NODES, "top light nodes", cast_slice(placement.light_nodes())),
     ]
 }

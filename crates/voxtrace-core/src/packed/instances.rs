@@ -62,7 +62,7 @@ fn boxes_of(instances: &[PackedInstance], grids: &[PackedGrid]) -> Vec<(Vec3, Ve
 }
 
 /// Gives each node the box around what is below it.
-pub(super) fn refit(nodes: &mut [InstanceNode], boxes: &[(Vec3, Vec3)]) {
+fn refit(nodes: &mut [InstanceNode], boxes: &[(Vec3, Vec3)]) {
     // Children come after their parents.
     for at in (0..nodes.len()).rev() {
         let index = nodes[at].index as usize;
@@ -79,13 +79,8 @@ pub(super) fn refit(nodes: &mut [InstanceNode], boxes: &[(Vec3, Vec3)]) {
 /// The box in world space around a box of voxels, a little larger than exact, so that rounding cannot cut a hit off.
 pub fn world_box(instance: &PackedInstance, min: IVec3, max: IVec3) -> (Vec3, Vec3) {
     let (low, high) = corners_of(instance, min, max);
-    let margin = margin_of(instance, low, high);
+    let margin = (low.abs().max(high.abs()).max_element() + instance.world_from_grid.scale()) * 1e-5;
     (low - margin, high + margin)
-}
-
-/// How much larger than exact such a box is.
-pub(super) fn margin_of(instance: &PackedInstance, low: Vec3, high: Vec3) -> f32 {
-    (low.abs().max(high.abs()).max_element() + instance.world_from_grid.scale()) * 1e-5
 }
 
 /// The box in world space around the corners of a box of voxels.

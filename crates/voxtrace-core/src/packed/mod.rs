@@ -19,7 +19,6 @@ mod extent;
 mod file;
 mod file_error;
 mod geometry;
-mod instance_parts;
 mod instance_record;
 mod instances;
 mod levels;
@@ -59,9 +58,6 @@ pub use device_cells::DeviceCells;
 pub use file::MAGIC;
 pub use file_error::{FileError, FileErrorKind};
 pub use geometry::Geometry;
-pub(crate) use instance_parts::InstancePart;
-#[doc(hidden)]
-pub use instance_parts::{DEVICE_LEAF, DEVICE_MISSING, InstanceParts, MOST_WAITING};
 pub use levels::{LevelCount, LevelSummary, Levels, MAX_LEVELS, add_levels};
 pub(crate) use lights::{append_lights, covers, deciding_axis, leaf_of};
 pub(crate) use lookup::cell_in_node;

@@ -1,13 +1,12 @@
 //! The part of a packed scene that says where things are: instances, the hierarchy over them, and the top of the light tree.
 //! Some hundred bytes for each instance: a frame in which things only move makes it anew and keeps the geometry.
 
-use super::instance_parts::{InstanceParts, Planned};
 use super::instances::{cost_of, hierarchy_of, refitted};
 use super::top_lights::top_lights_of;
-
+use super::wide_tree::WideTree;
 use super::{Geometry, InstanceNode, LightNode, PackedInstance, PlacementError, Section};
 use rayon::prelude::*;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, OnceLock};
 use voxtrace_scene::Invalid;
 use voxtrace_scene::scene::{Instance, Scene};
 
@@ -24,10 +23,8 @@ pub struct Placement {
     pub(crate) light_nodes: Section<LightNode>,
     /// Of the geometry that it was made for.
     fingerprint: u64,
-    /// The instances as walks look for them, once they do.
-    parts: Arc<Mutex<Option<Arc<InstanceParts>>>>,
-    /// What stays of them, where they have moved.
-    planned: Option<Planned>,
+    /// The hierarchy as processors walk it, once they do.
+    wide_tree: Arc<OnceLock<Option<WideTree>>>,
 }
 
 impl Placement {
@@ -109,13 +106,10 @@ impl Placement {
     }
 
     fn moved_sound(&self, geometry: &Geometry, instances: Vec<PackedInstance>) -> Self {
-        let Some(nodes) = refitted(&self.instance_nodes, self.built_cost, &instances, &geometry.grids) else {
-            return Self::of_sound(geometry, instances);
-        };
-        let show_the_same = self.instances.iter().zip(&instances).all(|(own, other)| own.grid == other.grid);
-        let known = self.parts.lock().unwrap_or_else(PoisonError::into_inner).as_deref().map(InstanceParts::planned);
-        let planned = known.or_else(|| self.planned.clone()).filter(|_| show_the_same);
-        Self { planned, ..Self::with_hierarchy(geometry, instances, nodes.into(), self.built_cost) }
+        match refitted(&self.instance_nodes, self.built_cost, &instances, &geometry.grids) {
+            Some(nodes) => Self::with_hierarchy(geometry, instances, nodes.into(), self.built_cost),
+            None => Self::of_sound(geometry, instances),
+        }
     }
 
     /// Places the instances of a file with the hierarchy over them that it has.
@@ -133,8 +127,7 @@ impl Placement {
             built_cost: 0.0,
             light_nodes: Section::default(),
             fingerprint: geometry.fingerprint(),
-            parts: Arc::default(),
-            planned: None,
+            wide_tree: Arc::default(),
         };
         read.validate_instances(geometry)?;
         let cost = cost_of(&read.instance_nodes);
@@ -149,7 +142,7 @@ impl Placement {
     ) -> Self {
         let light_nodes = top_lights_of(geometry, &mut instances).into();
         let (instances, fingerprint) = (instances.into(), geometry.fingerprint());
-        Self { instances, instance_nodes, built_cost, light_nodes, fingerprint, parts: Arc::default(), planned: None }
+        Self { instances, instance_nodes, built_cost, light_nodes, fingerprint, wide_tree: Arc::default() }
     }
 
     /// Whether it was made for this geometry, or one with the same grids and lights.
@@ -174,15 +167,9 @@ impl Placement {
         &self.instance_nodes
     }
 
-    /// The instances in parts, as walks look for them, in a geometry that the placement suits.
-    #[doc(hidden)]
-    pub fn parts(&self, geometry: &Geometry) -> Arc<InstanceParts> {
-        let mut known = self.parts.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(parts) = known.as_ref().filter(|parts| parts.are_of(geometry)) {
-            return Arc::clone(parts);
-        }
-        let parts = Arc::new(InstanceParts::new(geometry, &self.instances, self.planned.as_ref()));
-        Arc::clone(known.insert(parts))
+    /// The hierarchy over the instances as processors walk it; `None` where the binary tree has to do.
+    pub(crate) fn wide_tree(&self) -> Option<&WideTree> {
+        self.wide_tree.get_or_init(|| WideTree::new(&self.instance_nodes)).as_ref()
     }
 
     /// Tree over the instances that emit, world space; the root comes first.

@@ -112,7 +112,7 @@ impl PackedScene {
 }
 
 /// The voxels of the brick with a record at word `record`, all of one material.
-pub(super) fn occupancy(geometry: &Geometry, record: usize) -> Brick {
+fn occupancy(geometry: &Geometry, record: usize) -> Brick {
     let words = geometry.bricks();
     let (mut masks, mut at) = ([0u64; 8], record + 2);
     for (block, mask) in masks.iter_mut().enumerate() {

@@ -12,7 +12,7 @@ use super::simd::Portable;
 use super::simd::{LANES, Simd};
 use super::{axes, cast_whole, occluded, stream};
 use crate::cuts;
-use crate::packed::{InstanceParts, PackedGrid, PackedScene, WideTree};
+use crate::packed::{PackedGrid, PackedScene, WideTree};
 use voxtrace_scene::ray::{Hit, Ray};
 use voxtrace_scene::transform::Transform;
 
@@ -85,10 +85,9 @@ fn first_hits(
     {
         return None;
     }
-    let parts = (scene.placement.instances.len() != 1).then(|| scene.placement.parts(&scene.geometry));
-    let tree = match &parts {
-        None => None,
-        Some(parts) => Some((&**parts, parts.wide_tree(&scene.placement)?)),
+    let tree = match scene.placement.instances.len() {
+        1 => None,
+        _ => Some(scene.placement.wide_tree()?),
     };
     let batch = Batch { scene, tree, rays, any };
     // SAFETY: the processor has the instructions; packing and opening give valid scenes only.
@@ -116,7 +115,7 @@ fn first_hits(
 struct Batch<'a> {
     scene: &'a PackedScene,
     /// Over its instances, where it has not one alone.
-    tree: Option<(&'a InstanceParts, &'a WideTree)>,
+    tree: Option<&'a WideTree>,
     rays: &'a [Ray],
     /// Whether any hit will do.
     any: bool,
@@ -138,7 +137,7 @@ impl Batch<'_> {
         let (scene, rays) = (self.scene, self.rays);
         if let Some(tree) = self.tree {
             // SAFETY: the caller's duty.
-            unsafe { stream::first_hits(simd, scene, tree, rays, self.any, hits) };
+            unsafe { stream::first_hits(simd, (scene, tree), rays, self.any, hits) };
             return 0;
         }
         let instance = &scene.placement.instances[0];

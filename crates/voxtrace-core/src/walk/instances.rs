@@ -126,25 +126,9 @@ fn hit_in(scene: &PackedScene, instance: u32, ray: &Ray) -> Option<Hit> {
     (hit.t <= ray.t_max).then_some(hit)
 }
 
-/// Whether a hit counts before another one: it is nearer, or at the same t that of a lower instance, or in the same instance the first on the ray's
-/// path, which runs in `direction` in the space of the grid.
-#[inline(always)]
-pub(super) fn is_before(hit: &Hit, other: &Hit, direction: impl FnOnce() -> Vec3) -> bool {
-    if hit.t != other.t || hit.is_miss() {
-        return hit.t < other.t;
-    }
-    if hit.instance != other.instance {
-        return hit.instance < other.instance;
-    }
-    // Along no axis does a ray go back.
-    let ahead = hit.voxel - other.voxel;
-    let direction = direction();
-    (0..3).map(|axis| if direction[axis] < 0.0 { -ahead[axis] } else { ahead[axis] }).sum::<i32>() < 0
-}
-
 /// Where the segment enters a node's box (with the margin that the box has), `None` where it misses it.
 #[inline(always)]
-fn entry(node: &InstanceNode, ray: &Ray, inverse: Vec3) -> Option<f32> {
+pub(super) fn entry(node: &InstanceNode, ray: &Ray, inverse: Vec3) -> Option<f32> {
     let (low, high) = ((node.min - ray.origin) * inverse, (node.max - ray.origin) * inverse);
     // 0 × ∞ where the origin lies on a side of the box that the ray runs along: f32::min and max drop the NaN.
     let (mut enter, mut leave) = (ray.t_min, ray.t_max);
@@ -153,22 +137,4 @@ fn entry(node: &InstanceNode, ray: &Ray, inverse: Vec3) -> Option<f32> {
         leave = leave.min(low[axis].max(high[axis]));
     }
     (enter <= leave).then_some(enter)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use glam::IVec3;
-
-    #[test]
-    fn at_the_same_t_the_lowest_instance_counts_and_in_one_the_first_on_the_path() {
-        let hit = |t, instance, x| Hit { t, instance, voxel: IVec3::new(x, 4, 4), face: 0 };
-        let backwards = || Vec3::new(-1.0, 1.0, 0.0);
-        assert!(is_before(&hit(1.0, 9, 0), &hit(2.0, 3, 0), backwards));
-        assert!(is_before(&hit(1.0, 3, 0), &hit(1.0, 9, 0), backwards));
-        assert!(is_before(&hit(1.0, 3, 6), &hit(1.0, 3, 5), backwards));
-        assert!(!is_before(&hit(1.0, 3, 5), &hit(1.0, 3, 6), backwards));
-        assert!(is_before(&hit(1.0, 3, 5), &hit(1.0, 3, 6), || Vec3::X));
-        assert!(!is_before(&Hit::MISS, &Hit::MISS, backwards));
-    }
 }

@@ -5,7 +5,7 @@
 
 use super::beams::Entry;
 use super::exact;
-use super::local_ray::{LocalRay, MAX_ORIGIN, T_END_SCALE};
+use super::local_ray::{LocalRay, MAX_ORIGIN};
 use crate::packed::{CELL_OCCUPIED, Geometry, PackedGrid, SKIP_DISTANCES, cell_in_node};
 use glam::{IVec3, Vec3};
 
@@ -276,13 +276,6 @@ impl<'a> Walk<'a> {
             let (t, axis, plane) = farthest?;
             voxel = self.arrive_at_plane(voxel, t, axis, plane)?;
         }
-    }
-
-    /// The last t that can matter within the grid's bounds.
-    pub(super) fn last(&self, grid: &PackedGrid) -> f32 {
-        let plane = |axis: usize| if self.is_negative[axis] == 1 { grid.min[axis] } else { grid.max[axis] };
-        let moving = (0..3).filter(|&axis| self.ray.direction[axis] != 0.0);
-        moving.fold(self.t_end, |last, axis| last.min(self.crossing(axis, plane(axis)) * T_END_SCALE))
     }
 
     /// The first voxel inside the grid's bounds, where nothing is met before it: from the start voxel or behind a plane ahead of it.

@@ -129,7 +129,7 @@ fn check_moves_on_device(traversal: Traversal, primitive: Primitive) {
         return;
     }
     let mut tracer = VulkanTracer::new(Arc::clone(&device), Settings { traversal, primitive, is_exact: true }).unwrap();
-    let mut allowed = BTreeSet::from(["instances", "tree over instances", "top light nodes"].map(String::from));
+    let mut allowed = BTreeSet::from(["instances", "instance nodes", "top light nodes"].map(String::from));
     if traversal != Traversal::Walk {
         allowed.insert("top level input".into());
     }

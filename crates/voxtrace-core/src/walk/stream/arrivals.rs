@@ -6,7 +6,6 @@ use super::waiting::{floor_of, window, window_mut};
 use super::{
     DIRECTION, FLOATS, INTEGERS, INVERSE, Lanes, ORIGIN, RAY, SIGN_INDEX, SKIP_SHIFT, T_END, TOLERANCE, VOXEL,
 };
-use crate::packed::PackedGrid;
 use crate::walk::beams::Entry;
 use crate::walk::local_ray::{LocalRay, MAX_ORIGIN, SPEED_MAX, SPEED_MIN, T_END_SCALE, TOLERANCE_SCALE};
 use crate::walk::scalar::Walk;
@@ -17,8 +16,8 @@ pub const CHUNK: usize = 64;
 
 /// What lanes need of a grid: its origin, the cells of its top array along each axis, where that begins and log₂ of the size of its cells.
 pub const GRID: usize = 8;
-/// Places of these among the words of a `PackedGrid`.
-const GRID_WORDS: [usize; GRID] = [0, 1, 2, 4, 5, 6, 7, 3];
+/// Places of these, and of the lowest voxel and the one past the highest, among the words of a `PackedGrid`.
+const GRID_WORDS: [usize; GRID + 6] = [0, 1, 2, 4, 5, 6, 7, 3, 8, 9, 10, 13, 14, 15];
 
 /// Rays that are ready to be put into lanes.
 pub struct Arrivals {
@@ -36,7 +35,6 @@ struct Given {
     numbers: [i32; LANES],
     rays: [[f32; LANES]; 8],
     transforms: [[f32; LANES]; 12],
-    /// And the lowest voxel of the part, and the one past the highest.
     grids: [[i32; LANES]; GRID + 6],
 }
 
@@ -129,15 +127,14 @@ impl Arrivals {
     #[cold]
     fn prepare_one(&mut self, journeys: &mut Journeys, number: usize) {
         let journey = journeys.of(number);
-        let placed = &journeys.instances[journey.part.instance as usize];
-        let (whole, (min, max)) = journeys.grid_of(journey.part);
-        let grid = &PackedGrid { min, max, ..*whole };
+        let placed = &journeys.instances[journey.instance as usize];
+        let grid = &journeys.grids[placed.grid as usize];
         let entered = LocalRay::new(&journey.ray, &placed.grid_from_world).and_then(|local| {
             let walk = Walk::new(&local, grid);
             let voxel = walk.begin(grid, Entry::Start)?;
-            Some((local, walk.tolerance, voxel, walk.last(grid)))
+            Some((local, walk.tolerance, voxel))
         });
-        let Some((local, tolerance, voxel, t_end)) = entered else {
+        let Some((local, tolerance, voxel)) = entered else {
             journeys.wait(number);
             return;
         };
@@ -150,7 +147,7 @@ impl Arrivals {
             self.integers[VOXEL + axis][at] = relative[axis];
             self.integers[SIGN_INDEX + axis][at] = 4 * (octant as i32 >> axis & 1);
         }
-        self.floats[T_END][at] = t_end;
+        self.floats[T_END][at] = local.t_end();
         self.integers[SKIP_SHIFT][at] = 3 * octant as i32;
         self.integers[RAY][at] = number as i32;
         let words: &[i32; 17] = bytemuck::cast_ref(grid);
@@ -175,11 +172,10 @@ impl Given {
     #[inline(always)]
     fn put(&mut self, lane: usize, number: usize, journeys: &Journeys) {
         let journey = journeys.of(number);
-        let placed = &journeys.instances[journey.part.instance as usize];
-        let (grid, (min, max)) = journeys.grid_of(journey.part);
+        let placed = &journeys.instances[journey.instance as usize];
         let ray: &[f32; 8] = bytemuck::cast_ref(&journey.ray);
         let transform: &[f32; 12] = bytemuck::cast_ref(&placed.grid_from_world);
-        let grid: &[i32; 17] = bytemuck::cast_ref(grid);
+        let grid: &[i32; 17] = bytemuck::cast_ref(&journeys.grids[placed.grid as usize]);
         self.numbers[lane] = number as i32;
         for word in 0..8 {
             self.rays[word][lane] = ray[word];
@@ -187,12 +183,8 @@ impl Given {
         for word in 0..12 {
             self.transforms[word][lane] = transform[word];
         }
-        for (own, word) in self.grids.iter_mut().zip(GRID_WORDS) {
-            own[lane] = grid[word];
-        }
-        for axis in 0..3 {
-            self.grids[GRID + axis][lane] = min[axis];
-            self.grids[GRID + 3 + axis][lane] = max[axis];
+        for word in 0..GRID + 6 {
+            self.grids[word][lane] = grid[GRID_WORDS[word]];
         }
     }
 }
@@ -235,7 +227,7 @@ impl<S: Simd> Turned<S> {
             plain: s.mask(all),
             missed: none,
         };
-        let (mut fastest, mut t_exit) = (zero, s.floats(f32::MAX));
+        let mut fastest = zero;
         for axis in 0..3 {
             let direction = given.turned(s, 4, axis);
             let origin = s.add_floats(given.turned(s, 0, axis), s.load_floats(&given.transforms[9 + axis]));
@@ -264,14 +256,10 @@ impl<S: Simd> Turned<S> {
             turned.integers[SIGN_INDEX + axis] = s.select(is_negative, s.ints(4), s.ints(0));
             let skip_shift = s.select(is_negative, s.ints(3 << axis), s.ints(0));
             turned.integers[SKIP_SHIFT] = s.add(turned.integers[SKIP_SHIFT], skip_shift);
-            let exit = s.select_floats(is_negative, planes[0], planes[1]);
-            let exit = s.mul_floats(s.sub_floats(exit, origin), turned.floats[INVERSE + axis]);
-            t_exit = s.min(exit, t_exit);
             turned.cross(s, axis, planes);
         }
         turned.plain = s.both(turned.plain, s.le_floats(s.floats(SPEED_MIN), fastest));
-        // Behind the part there is nothing to look for.
-        let t_end = s.min(s.mul_floats(s.min(t_exit, t_max), s.floats(T_END_SCALE)), s.floats(f32::MAX));
+        let t_end = s.min(s.mul_floats(t_max, s.floats(T_END_SCALE)), s.floats(f32::MAX));
         turned.floats[T_END] = t_end;
         turned.integers[RAY] = s.load(&given.numbers);
         turned.missed = s.either(turned.missed, s.both(turned.is_outside, s.lt_floats(t_end, turned.t_enter)));

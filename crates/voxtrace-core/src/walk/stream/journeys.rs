@@ -2,11 +2,11 @@
 
 use super::kernel::Met;
 use super::of_scene::GROUPS;
-use super::{DIRECTION, Lanes, RAY};
-use crate::packed::{InstancePart, InstanceParts, LEAF, PackedGrid, PackedInstance, PackedScene, WideNode, WideTree};
-use crate::walk::instances::{cast_whole, is_before};
+use super::{Lanes, RAY};
+use crate::packed::{InstanceNode, LEAF, PackedGrid, PackedInstance, PackedScene, WideNode, WideTree};
+use crate::walk::instances::{cast_whole, entry};
 use crate::walk::simd::{Bits, LANES, Simd, lanes_of, prefetch};
-use glam::{IVec3, Vec3, Vec4};
+use glam::{Vec3, Vec4};
 use voxtrace_scene::ray::{Hit, Ray};
 
 /// Rays that are under way: those in lanes, and as many as are prepared at a time.
@@ -25,12 +25,13 @@ const MARGIN: f32 = 8.0 * f32::EPSILON;
 pub struct Journey {
     /// The ray, up to the nearest hit so far.
     pub ray: Ray,
+    inverse: Vec3,
     /// The origin, and the inverse direction kept within bounds.
     origin: Vec4,
     inverse_bound: Vec4,
     is_negative: [bool; 3],
-    /// The part of an instance that it was taken to last.
-    pub part: InstancePart,
+    /// The instance that it was taken to last.
+    pub instance: u32,
     /// Which of the rays.
     index: usize,
     /// Children that wait on its stack.
@@ -42,7 +43,7 @@ pub struct Journey {
 pub struct Journeys<'a> {
     scene: &'a PackedScene,
     tree: &'a WideTree,
-    parts: &'a InstanceParts,
+    leaves: &'a [InstanceNode],
     pub instances: &'a [PackedInstance],
     pub grids: &'a [PackedGrid],
     rays: &'a [Ray],
@@ -64,10 +65,11 @@ impl Journey {
         let inverse = Vec3::ONE / ray.direction;
         Self {
             ray,
+            inverse,
             origin: ray.origin.extend(0.0),
             inverse_bound: inverse.clamp(Vec3::splat(-INVERSE_MAX), Vec3::splat(INVERSE_MAX)).extend(0.0),
             is_negative: [inverse.x < 0.0, inverse.y < 0.0, inverse.z < 0.0],
-            part: InstancePart { instance: 0, part: 0 },
+            instance: 0,
             index,
             depth: 1,
             nearest: Hit::MISS,
@@ -77,8 +79,7 @@ impl Journey {
 
 impl<'a> Journeys<'a> {
     pub fn new(
-        scene: &'a PackedScene,
-        (parts, tree): (&'a InstanceParts, &'a WideTree),
+        (scene, tree): (&'a PackedScene, &'a WideTree),
         rays: &'a [Ray],
         any: bool,
         hits: &'a mut [Hit],
@@ -86,7 +87,7 @@ impl<'a> Journeys<'a> {
         let mut journeys = Self {
             scene,
             tree,
-            parts,
+            leaves: &scene.placement.instance_nodes,
             instances: &scene.placement.instances,
             grids: &scene.geometry.grids,
             rays,
@@ -109,13 +110,6 @@ impl<'a> Journeys<'a> {
 
     pub fn of(&self, number: usize) -> &Journey {
         &self.all[number]
-    }
-
-    /// The grid of the part of an instance that one was taken to, and the part's bounds.
-    #[inline(always)]
-    pub fn grid_of(&self, part: InstancePart) -> (&PackedGrid, (IVec3, IVec3)) {
-        let grid = &self.grids[self.instances[part.instance as usize].grid as usize];
-        (grid, self.parts.bounds(part.part).unwrap_or((grid.min, grid.max)))
     }
 
     /// Takes back one that is done with its instance.
@@ -201,9 +195,12 @@ impl<'a> Journeys<'a> {
                 if child & LEAF == 0 {
                     return Next::Node(child);
                 }
-                journey.part = self.parts.leaves()[(child & !LEAF) as usize];
-                prefetch_instance(&self.instances[journey.part.instance as usize]);
-                return Next::Instance;
+                let leaf = &self.leaves[(child & !LEAF) as usize];
+                if entry(leaf, &journey.ray, journey.inverse).is_some() {
+                    journey.instance = leaf.index;
+                    prefetch_instance(&self.instances[leaf.index as usize]);
+                    return Next::Instance;
+                }
             }
             self.hits[journey.index] = journey.nearest;
             let Some(next) = self.next_ray() else { return Next::Nothing };
@@ -225,7 +222,7 @@ impl<'a> Journeys<'a> {
             // What is looked at next is fetched meanwhile.
             match child & LEAF {
                 0 => prefetch_node(&self.tree.nodes, child),
-                _ => prefetch(self.parts.leaves().as_ptr().wrapping_add((child & !LEAF) as usize)),
+                _ => prefetch(self.leaves.as_ptr().wrapping_add((child & !LEAF) as usize)),
             }
             let key = u64::from(times[lane].to_bits()) << 32 | u64::from(child);
             let mut at = depth;
@@ -244,8 +241,9 @@ impl<'a> Journeys<'a> {
     pub fn take_hit(&mut self, met: &Met, lanes: &Lanes, lane: usize) {
         let journey = &mut self.all[lanes.integers[RAY][lane] as usize];
         let voxel = lanes.voxel_of(lane) + lanes.grids.origin_of(lane);
-        let hit = met.hit(lanes, lane, voxel, journey.ray.t_min, journey.part.instance);
-        let is_nearer = is_before(&hit, &journey.nearest, || lanes.vector(DIRECTION, lane));
+        let hit = met.hit(lanes, lane, voxel, journey.ray.t_min, journey.instance);
+        let is_nearer =
+            hit.t < journey.nearest.t || (hit.t == journey.nearest.t && hit.instance < journey.nearest.instance);
         if hit.t <= journey.ray.t_max && is_nearer {
             journey.nearest = hit;
             journey.ray.t_max = hit.t;

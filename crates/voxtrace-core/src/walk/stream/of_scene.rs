@@ -6,7 +6,7 @@ use super::grids::OwnGrids;
 use super::journeys::Journeys;
 use super::kernel::Kernel;
 use super::{Lanes, RAY, REFILL_AT};
-use crate::packed::{InstanceParts, PackedScene, WideTree};
+use crate::packed::{PackedScene, WideTree};
 use crate::walk::simd::{Simd, lanes_of};
 use voxtrace_scene::ray::{Hit, Ray};
 
@@ -16,18 +16,17 @@ pub const GROUPS: usize = 4;
 /// Finds for each ray its first hit in a scene, or where `any` hit will do one that need not be the first.
 ///
 /// # Safety
-/// The scene must be valid, and parts and tree its own.
+/// The scene must be valid, and `tree` its own.
 #[inline(always)]
 pub unsafe fn first_hits<S: Simd>(
     simd: S,
-    scene: &PackedScene,
-    tree: (&InstanceParts, &WideTree),
+    (scene, tree): (&PackedScene, &WideTree),
     rays: &[Ray],
     any: bool,
     hits: &mut [Hit],
 ) {
     let kernel = Kernel::new(simd, &scene.geometry, OwnGrids);
-    let mut journeys = Journeys::new(scene, tree, rays, any, hits);
+    let mut journeys = Journeys::new((scene, tree), rays, any, hits);
     let mut arrivals = Arrivals::new();
     let mut groups = [Lanes::empty(); GROUPS];
     let mut is_under_way = true;
