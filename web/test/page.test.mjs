@@ -18,7 +18,7 @@ after(() => rmSync(folder, { recursive: true, force: true }));
 const MOST = {
   "voxtrace.js": 12_000,
   "voxtrace-worker.js": 4_000,
-  "voxtrace.wasm": 375_000,
+  "voxtrace.wasm": 360_000,
   "scenes-worker.js": 4_000,
   "scenes.wasm": 370_000,
   "readers-worker.js": 4_000,
