@@ -9,6 +9,7 @@ use crate::aov;
 use crate::dynamic::Patch;
 use crate::film::{AovPixel, Film};
 use crate::frame::{Frame, Integrator};
+use crate::held_film::HeldFilm;
 use crate::light::Lights;
 use crate::packed::{PackedScene, Placement};
 use crate::shadow_catcher::ShadowCatcher;
@@ -34,7 +35,7 @@ pub struct CpuTracer {
     tile_size: u32,
     has_whole_tiles: Option<bool>,
     scene: Option<Arc<PackedScene>>,
-    film: Option<(Frame, Film)>,
+    film: HeldFilm,
     rays: RayCounts,
 }
 
@@ -42,7 +43,14 @@ impl CpuTracer {
     /// A tracer of `threads` threads; `None`, or where the system gives no threads, uses rayon's global pool.
     pub fn new(threads: Option<usize>) -> Self {
         let pool = threads.and_then(|count| rayon::ThreadPoolBuilder::new().num_threads(count).build().ok());
-        Self { pool, tile_size: 32, has_whole_tiles: None, scene: None, film: None, rays: RayCounts::default() }
+        Self {
+            pool,
+            tile_size: 32,
+            has_whole_tiles: None,
+            scene: None,
+            film: HeldFilm::default(),
+            rays: RayCounts::default(),
+        }
     }
 
     /// The same tracer with square tiles of `tile_size` pixels, at least 1.
@@ -87,13 +95,13 @@ impl CpuTracer {
 impl Tracer for CpuTracer {
     fn set_scene(&mut self, scene: &Arc<PackedScene>) -> Result<(), TraceError> {
         self.scene = Some(Arc::clone(scene));
-        self.film = None;
+        self.film.forget();
         Ok(())
     }
 
     fn set_placement(&mut self, placement: &Placement) -> Result<(), TraceError> {
         self.scene = Some(Arc::new(self.scene()?.with_placement(placement)?));
-        self.film = None;
+        self.film.forget();
         Ok(())
     }
 
@@ -101,7 +109,7 @@ impl Tracer for CpuTracer {
         let scene = self.scene.as_mut().ok_or(TraceError::NoScene)?;
         if !patch.is_empty() {
             Arc::make_mut(scene).apply_patch(patch)?;
-            self.film = None;
+            self.film.forget();
         }
         Ok(())
     }
@@ -123,10 +131,7 @@ impl Tracer for CpuTracer {
         frame.check()?;
         let scene = self.scene()?;
         frame.check_in(&scene)?;
-        let mut film = match self.film.take() {
-            Some((last, film)) if frame.continues(&last) => film,
-            _ => Film::new(frame.width, frame.height, frame.region, frame.first_sample),
-        };
+        let mut film = self.film.begin(frame);
         let camera = frame.camera.frame(frame.width, frame.height);
         let has_whole_tiles = self.has_whole_tiles.unwrap_or_else(|| scene.is_larger_than_memory());
         self.rays = self.install(|| {
@@ -151,30 +156,24 @@ impl Tracer for CpuTracer {
             }
             rays
         });
-        self.film = Some((frame.clone(), film));
+        self.film.hold(frame, film);
         Ok(())
     }
 
     fn read(&mut self, film: &mut Film) -> Result<(), TraceError> {
-        film.clone_from(&self.film.as_ref().ok_or(TraceError::NoFilm)?.1);
-        Ok(())
+        self.film.read(film)
     }
 
     fn resume(&mut self, frame: &Frame, film: Film) -> Result<(), TraceError> {
-        frame.check()?;
-        frame.check_film(&film)?;
-        self.film = Some((frame.clone(), film));
-        Ok(())
+        self.film.resume(frame, film)
     }
 
     fn set_moment(&mut self, placement: Option<&Placement>, frame: &Frame) -> Result<(), TraceError> {
-        frame.check()?;
-        let (_, film) = self.film.take().ok_or(TraceError::NoFilm)?;
-        frame.check_film(&film)?;
+        let film = self.film.take_for(frame)?;
         if let Some(placement) = placement {
             self.set_placement(placement)?;
         }
-        self.film = Some((frame.clone(), film));
+        self.film.hold(frame, film);
         Ok(())
     }
 }

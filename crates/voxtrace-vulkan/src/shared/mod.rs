@@ -13,6 +13,7 @@ use member::{Member, State};
 use rayon::prelude::*;
 use round::Round;
 use std::sync::Arc;
+use voxtrace_core::held_film::HeldFilm;
 use voxtrace_core::packed::Placement;
 use voxtrace_core::{Film, Frame, PackedScene, Patch, Progress, TraceError, Tracer};
 use voxtrace_scene::{Hit, Ray};
@@ -25,7 +26,7 @@ const FIRST_BANDS: u32 = 8;
 /// Traces on several devices at once.
 pub struct SharedTracer {
     members: Vec<Member>,
-    film: Option<(Frame, Film)>,
+    film: HeldFilm,
     notes: Vec<String>,
 }
 
@@ -35,7 +36,7 @@ impl SharedTracer {
     pub fn new(devices: Vec<VulkanTracer>, with_processor: bool) -> Self {
         let processor = (with_processor || devices.is_empty()).then(Member::processor);
         let members = devices.into_iter().map(Member::device).chain(processor).collect();
-        Self { members, film: None, notes: Vec::new() }
+        Self { members, film: HeldFilm::default(), notes: Vec::new() }
     }
 
     /// The names of those that trace.
@@ -118,7 +119,7 @@ impl SharedTracer {
 
 impl Tracer for SharedTracer {
     fn set_scene(&mut self, scene: &Arc<PackedScene>) -> Result<(), TraceError> {
-        self.film = None;
+        self.film.forget();
         let too_small = self.members.iter_mut().filter(|member| member.state == State::TooSmall);
         too_small.for_each(|member| member.state = State::Ready);
         self.all(|member| member.tracer().set_scene(scene))
@@ -126,14 +127,14 @@ impl Tracer for SharedTracer {
 
     fn set_placement(&mut self, placement: &Placement) -> Result<(), TraceError> {
         self.scene()?;
-        self.film = None;
+        self.film.forget();
         self.all(|member| member.tracer().set_placement(placement))
     }
 
     fn patch(&mut self, patch: &Patch) -> Result<(), TraceError> {
         self.scene()?;
         if !patch.is_empty() {
-            self.film = None;
+            self.film.forget();
         }
         self.all(|member| member.tracer().patch(patch))
     }
@@ -153,10 +154,7 @@ impl Tracer for SharedTracer {
     fn render(&mut self, frame: &Frame, progress: &Progress) -> Result<(), TraceError> {
         frame.check()?;
         frame.check_in(&*self.scene()?)?;
-        let mut film = match self.film.take() {
-            Some((last, film)) if frame.continues(&last) => film,
-            _ => Film::new(frame.width, frame.height, frame.region, frame.first_sample),
-        };
+        let mut film = self.film.begin(frame);
         if frame.aovs && film.aovs.is_none() {
             self.add_aovs(frame, &mut film)?;
         }
@@ -170,31 +168,25 @@ impl Tracer for SharedTracer {
             let next = if least == most { frame.samples } else { most.min(frame.samples) };
             film = self.round(&plain.clone().samples(next), film, progress)?;
         }
-        self.film = Some((frame.clone(), film));
+        self.film.hold(frame, film);
         Ok(())
     }
 
     fn read(&mut self, film: &mut Film) -> Result<(), TraceError> {
-        film.clone_from(&self.film.as_ref().ok_or(TraceError::NoFilm)?.1);
-        Ok(())
+        self.film.read(film)
     }
 
     fn resume(&mut self, frame: &Frame, film: Film) -> Result<(), TraceError> {
-        frame.check()?;
-        frame.check_film(&film)?;
-        self.film = Some((frame.clone(), film));
-        Ok(())
+        self.film.resume(frame, film)
     }
 
     /// The film is here, not on the devices: it stays what it is when they are lost.
     fn set_moment(&mut self, placement: Option<&Placement>, frame: &Frame) -> Result<(), TraceError> {
-        frame.check()?;
-        let (_, film) = self.film.take().ok_or(TraceError::NoFilm)?;
-        frame.check_film(&film)?;
+        let film = self.film.take_for(frame)?;
         if let Some(placement) = placement {
             self.set_placement(placement)?;
         }
-        self.film = Some((frame.clone(), film));
+        self.film.hold(frame, film);
         Ok(())
     }
 
