@@ -135,19 +135,13 @@ impl App {
     pub fn turn(&mut self) {
         let seconds = self.last.elapsed().as_secs_f32();
         self.last = Instant::now();
-        self.timed("advancing", |app| _ = app.session.advance(seconds));
-        self.timed("listening", Self::listen);
-        self.timed("carrying out", Self::carry_out);
-        self.timed("saving", Self::save);
-        if let Some(shown) = self.window.engine.shown().filter(|_| self.window.is_due) {
-            self.lit += u64::from(shown.lit.is_some());
-            self.status.take(shown);
-            self.status.other = self.window.engine.other_shown();
-            self.status.differences = self.window.engine.differences();
-        }
-        if self.size.0 > 0 {
-            self.timed("drawing", Self::draw);
-        }
+        self.timed("the turn", |app| {
+            app.session.advance(seconds);
+            app.listen();
+            app.carry_out();
+            app.save();
+            app.show();
+        });
         if let Some(told) = self.window.wait(Duration::from_millis(4)) {
             self.timed("taking what is told", |app| app.window.take_all(told));
         }
@@ -158,7 +152,20 @@ impl App {
         self.status.differences = self.status.differences.take().filter(|shown| is_here(&shown.picture));
     }
 
-    /// Does a part of a turn, and notes how long it takes by itself.
+    /// Takes the newest picture, and draws.
+    fn show(&mut self) {
+        if let Some(shown) = self.window.engine.shown().filter(|_| self.window.is_due) {
+            self.lit += u64::from(shown.lit.is_some());
+            self.status.take(shown);
+            self.status.other = self.window.engine.other_shown();
+            self.status.differences = self.window.engine.differences();
+        }
+        if self.size.0 > 0 {
+            self.draw();
+        }
+    }
+
+    /// Does something, and notes how long it takes by itself.
     fn timed(&mut self, what: &str, part: impl FnOnce(&mut Self)) {
         let turn = Turn::begin();
         part(self);

@@ -17,14 +17,12 @@ use meter::Memory;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::time::{Duration, Instant};
-use turn::{Longest, Others};
+use turn::Longest;
 
 /// A turn that takes longer hangs for good.
 const HANG: Duration = Duration::from_secs(20);
 /// A turn of the window's thread that takes longer by itself is felt as one that hangs.
 const FELT: Duration = Duration::from_millis(250);
-/// The share of all processors from which on other programs hold turns up.
-const BUSY: f64 = 0.15;
 
 /// Time between two looks at the memory.
 const BETWEEN_LOOKS: Duration = Duration::from_secs(1);
@@ -94,7 +92,7 @@ fn soak(seed: u64, time: Duration, slack: u64, lights: bool, plant: Plant) -> Op
         messages.dedup();
         Some((counts, without_lost_textures(messages)))
     });
-    let (start, others) = (Instant::now(), Others::watch());
+    let start = Instant::now();
     let (mut last, mut changed) = (0, Instant::now());
     let mut curve = Vec::new();
     while start.elapsed() < time && !run.is_finished() {
@@ -121,12 +119,8 @@ fn soak(seed: u64, time: Duration, slack: u64, lights: bool, plant: Plant) -> Op
     if plant == Plant::Nothing {
         report(seed, &counts, &curve);
     }
-    let (longest, others) = (&counts.longest, others.share());
-    let is_ours = others < BUSY;
-    if !is_ours {
-        println!("other programs had {:.0} % of the processors: only what turns worked is judged", others * 100.0);
-    }
-    if longest.worked > FELT || is_ours && longest.took > FELT {
+    let longest = &counts.longest;
+    if longest.took > FELT {
         return Some(Err(format!(
             "seed {seed}: a turn takes {:?} at {:?}: {}",
             longest.took, longest.at, longest.what

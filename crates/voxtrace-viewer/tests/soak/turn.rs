@@ -45,41 +45,10 @@ impl Turn {
     }
 }
 
-/// Time of all processors, that in which they were idle, and that which this process worked, in ticks of the kernel.
-fn ticks() -> Option<[u64; 3]> {
-    let text = std::fs::read_to_string("/proc/stat").ok()?;
-    let all: Vec<u64> =
-        text.lines().next()?.split_whitespace().skip(1).filter_map(|ticks| ticks.parse().ok()).collect();
-    let own = std::fs::read_to_string("/proc/self/stat").ok()?;
-    let own: Vec<u64> = own.rsplit(')').next()?.split_whitespace().map(|ticks| ticks.parse().unwrap_or(0)).collect();
-    // Idle, and waiting for disks, are no work; of the process its times in its own code and in the kernel are counted.
-    let idle = all.get(3)? + all.get(4)?;
-    Some([all.iter().take(8).sum::<u64>(), idle, own.get(11)? + own.get(12)?])
-}
-
-/// How much of the machine other programs take. Where they take much, a thread also waits for locks that are held by threads of its own process which get no
-/// processor, in the heap and in the kernel: no fault of the window.
-pub struct Others(Option<[u64; 3]>);
-
-impl Others {
-    pub fn watch() -> Self {
-        Self(ticks())
-    }
-
-    /// Their share of all processors since then, from 0 to 1.
-    pub fn share(&self) -> f64 {
-        let (Some(before), Some(now)) = (self.0, ticks()) else { return 0.0 };
-        let [all, idle, own] = [0, 1, 2].map(|part| now[part].saturating_sub(before[part]));
-        all.saturating_sub(idle + own) as f64 / all.max(1) as f64
-    }
-}
-
 /// The longest turn.
 #[derive(Clone, Debug, Default)]
 pub struct Longest {
     pub took: Duration,
-    /// The most that the thread worked in one.
-    pub worked: Duration,
     /// What was done.
     pub what: String,
     /// When, since the beginning.
@@ -90,7 +59,6 @@ impl Longest {
     /// Takes a turn that is over.
     pub fn take(&mut self, turn: &Turn, at: Duration, what: impl FnOnce() -> String) {
         let (took, worked) = turn.took();
-        self.worked = self.worked.max(worked);
         if took <= self.took.min(TOLD) {
             return;
         }
@@ -100,7 +68,7 @@ impl Longest {
             println!("after {:.1} s, {took:.0} ms, of which it worked {worked:.0} ms: {what}", at.as_secs_f64());
         }
         if took > self.took {
-            *self = Self { took, worked: self.worked, what, at };
+            *self = Self { took, what, at };
         }
     }
 }
