@@ -336,11 +336,12 @@ fn steps(ui: &mut Ui, session: &mut Session) {
     });
     let height = ui.text_style_height(&egui::TextStyle::Body) + 2.0;
     let rows = done + undone + 1;
-    ScrollArea::vertical().id_salt("steps").max_height(HEIGHT).min_scrolled_height(HEIGHT).stick_to_bottom(true).show_rows(
-        ui,
-        height,
-        rows,
-        |ui, rows| {
+    ScrollArea::vertical()
+        .id_salt("steps")
+        .max_height(HEIGHT)
+        .min_scrolled_height(HEIGHT)
+        .stick_to_bottom(true)
+        .show_rows(ui, height, rows, |ui, rows| {
             for row in rows {
                 let (text, is_undone) = match row.checked_sub(1) {
                     None if steps.has_forgotten => (tr!("edit.forgotten").to_owned(), false),
@@ -365,8 +366,7 @@ fn steps(ui: &mut Ui, session: &mut Session) {
                     asked = Some((row.abs_diff(done), row < done));
                 }
             }
-        },
-    );
+        });
     if let Some((count, is_back)) = asked {
         session.travel(count, is_back);
     }
