@@ -79,7 +79,10 @@ fn main() {
     let after = process.now();
     after.say("15 s later");
     let thumbnails = get(address, "/api/thumbnail/scene-0.vxt").status;
-    println!("a thumbnail afterwards: {thumbnails}; files more than before: {}", after.files as i64 - before.files as i64);
+    println!(
+        "a thumbnail afterwards: {thumbnails}; files more than before: {}",
+        after.files as i64 - before.files as i64
+    );
     end(&mut child);
 }
 

@@ -177,7 +177,15 @@ mod tests {
         for host in ["localhost:8080", "LOCALHOST", "127.0.0.1:8080", "[::1]:8080", "127.3.4.5", "scans.example:80"] {
             assert!(local.is_ours(host), "{host}");
         }
-        for host in ["evil.example", "localhost.evil.example", "10.0.0.5:8080", "", "[", "127.0.0.1.evil.example", "user@localhost"] {
+        for host in [
+            "evil.example",
+            "localhost.evil.example",
+            "10.0.0.5:8080",
+            "",
+            "[",
+            "127.0.0.1.evil.example",
+            "user@localhost",
+        ] {
             assert!(!local.is_ours(host), "{host}");
         }
         let open = access("0.0.0.0:8080", None);

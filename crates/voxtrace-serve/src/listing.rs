@@ -43,7 +43,9 @@ impl Listing {
         let mut listing = Self { path: place.name.clone(), folders: Vec::new(), scenes: Vec::new(), is_cut: false };
         for entry in fs::read_dir(&place.path).map_err(failed)? {
             let Ok(entry) = entry else { continue };
-            let Some(name) = entry.file_name().to_str().filter(|name| is_plain(name)).map(str::to_owned) else { continue };
+            let Some(name) = entry.file_name().to_str().filter(|name| is_plain(name)).map(str::to_owned) else {
+                continue;
+            };
             // Where links lead is looked at when they are followed.
             let Ok(metadata) = fs::metadata(entry.path()) else { continue };
             if listing.folders.len() + listing.scenes.len() >= MOST_ENTRIES {

@@ -54,9 +54,9 @@ impl Root {
         }
         let metadata = path.metadata().map_err(|_| nothing())?;
         // What is hidden stays hidden behind a link, and nothing else than files and folders is ever opened: others may block.
-        let is_hidden = path.strip_prefix(&self.0).is_ok_and(|below| {
-            below.components().any(|part| part.as_os_str().as_encoded_bytes().starts_with(b"."))
-        });
+        let is_hidden = path
+            .strip_prefix(&self.0)
+            .is_ok_and(|below| below.components().any(|part| part.as_os_str().as_encoded_bytes().starts_with(b".")));
         if is_hidden || !(metadata.is_file() || metadata.is_dir()) {
             return Err(nothing());
         }
@@ -123,12 +123,13 @@ mod tests {
 
     #[test]
     fn names_that_lead_elsewhere_are_hidden_or_devices_are_not_plain() {
-        for name in ["castle.vox", "a b.vxt", "Größe.vox", "com.vox", "console.vox", "a..b", "日本.vox", "lpt10.vox"] {
+        for name in ["castle.vox", "a b.vxt", "Größe.vox", "com.vox", "console.vox", "a..b", "日本.vox", "lpt10.vox"]
+        {
             assert!(is_plain(name), "{name}");
         }
         for name in [
-            "", ".", "..", ".ssh", "a/b", "a\\b", "c:", "a:b", "nul", "NUL.vox", "Com1.vox", "lpt9", "aux .vox", "a.", "a ",
-            "a\0b", "a\nb", "a*", "con.a.b",
+            "", ".", "..", ".ssh", "a/b", "a\\b", "c:", "a:b", "nul", "NUL.vox", "Com1.vox", "lpt9", "aux .vox", "a.",
+            "a ", "a\0b", "a\nb", "a*", "con.a.b",
         ] {
             assert!(!is_plain(name), "{name:?}");
         }

@@ -105,7 +105,9 @@ impl Scenes {
         while bytes > self.memory || entries.len() > MOST_FAILURES {
             let oldest = entries.iter().filter(|(_, entry)| entry.read.initialized());
             let oldest = oldest.filter(|(_, entry)| entries.len() > MOST_FAILURES || bytes_of(entry) > 0);
-            let Some(path) = oldest.min_by_key(|(_, entry)| entry.last_use).map(|(path, _)| path.clone()) else { break };
+            let Some(path) = oldest.min_by_key(|(_, entry)| entry.last_use).map(|(path, _)| path.clone()) else {
+                break;
+            };
             bytes -= entries.remove(&path).map_or(0, |entry| bytes_of(&entry));
         }
     }
@@ -134,7 +136,8 @@ pub fn read_file(path: &Path, name: &str, options: &ImportOptions, wanted: Arc<A
     let of_readers = Arc::clone(&wanted);
     let loaded = import::read_while(move || of_readers.load(Ordering::Relaxed), || import::load(path, options));
     // Errors name the file as the system does, which is nobody's business.
-    let loaded = loaded.map_err(|error| Refusal::unreadable(error.to_string().replace(&*path.to_string_lossy(), name)))?;
+    let loaded =
+        loaded.map_err(|error| Refusal::unreadable(error.to_string().replace(&*path.to_string_lossy(), name)))?;
     let scene = match loaded.content {
         Content::Packed(packed) => *packed,
         Content::Scene(scene) => PackedScene::pack_merged_while(&scene, &|| wanted.load(Ordering::Relaxed))

@@ -103,8 +103,8 @@ impl Server {
     /// # Errors
     /// If the folder is none, or the address is not to be had.
     pub fn bind(mut settings: Settings) -> Result<Self, ServeError> {
-        let root = Root::new(&settings.folder)
-            .map_err(|error| ServeError::Folder { path: settings.folder.clone(), error })?;
+        let root =
+            Root::new(&settings.folder).map_err(|error| ServeError::Folder { path: settings.folder.clone(), error })?;
         if let Some(folder) = &settings.element {
             let found = folder.join("voxtrace.js").metadata();
             found.map_err(|error| ServeError::Folder { path: folder.join("voxtrace.js"), error })?;
@@ -138,7 +138,11 @@ impl Server {
     pub fn url(&self) -> String {
         let mut address = self.address;
         if address.ip().is_unspecified() {
-            address.set_ip(if address.is_ipv4() { [127, 0, 0, 1].into() } else { std::net::Ipv6Addr::LOCALHOST.into() });
+            address.set_ip(if address.is_ipv4() {
+                [127, 0, 0, 1].into()
+            } else {
+                std::net::Ipv6Addr::LOCALHOST.into()
+            });
         }
         match self.app.access.token() {
             Some(token) => format!("http://{address}/?token={token}"),

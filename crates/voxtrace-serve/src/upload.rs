@@ -99,7 +99,7 @@ impl Upload {
             return Err(Refusal::failed("nobody waits for it any more"));
         }
         let target = self.folder.path.join(&name);
-        let written = TempPath::from_path(written);
+        let written = TempPath::try_from_path(written).map_err(|error| cannot_write(&name, &error))?;
         let put = match self.replace {
             true => written.persist(&target),
             false => written.persist_noclobber(&target),

@@ -95,7 +95,9 @@ fn failure(error: ServeError) -> Failure {
         ServeError::Listen { error: reason, .. } => {
             let hint = match reason.kind() {
                 ErrorKind::AddrInUse => "another program has that port; --listen 127.0.0.1:0 takes one that is free",
-                ErrorKind::PermissionDenied => "ports below 1024 are the system's; --listen 127.0.0.1:8080 needs no rights",
+                ErrorKind::PermissionDenied => {
+                    "ports below 1024 are the system's; --listen 127.0.0.1:8080 needs no rights"
+                }
                 _ => "--listen takes an address of this machine, or 0.0.0.0 for all of them",
             };
             Failure::other(&error).hint(hint)

@@ -139,7 +139,9 @@ mod tests {
         let scene = PackedScene::empty();
         assert_eq!(view.frame(&scene, 16).unwrap().samples, 16);
         assert!(matches!(serde_json::from_str(r#"{"type":"ack","frame":1}"#), Ok(Said::Ack { frame: 1 })));
-        for text in ["", "{}", r#"{"type":"run"}"#, r#"{"type":"ack","frame":-1}"#, r#"{"type":"view","id":1}"#, "[1e999]"] {
+        for text in
+            ["", "{}", r#"{"type":"run"}"#, r#"{"type":"ack","frame":-1}"#, r#"{"type":"view","id":1}"#, "[1e999]"]
+        {
             assert!(serde_json::from_str::<Said>(text).is_err(), "{text}");
         }
         let wrong = [

@@ -81,7 +81,8 @@ type Closing = Option<(u16, &'static str)>;
 async fn talk(socket: &mut WebSocket, app: &App, client: &Client, made: &mut mpsc::Receiver<Made>) -> Closing {
     let limits = &app.settings.limits;
     let mut stop = app.stop.clone();
-    let mut asking = tokio::time::interval(limits.silence / 4);
+    let every = limits.silence / 4;
+    let mut asking = tokio::time::interval_at(tokio::time::Instant::now() + every, every);
     let (mut heard, mut rate) = (Instant::now(), Rate::new(limits.messages));
     loop {
         tokio::select! {

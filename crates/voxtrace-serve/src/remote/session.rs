@@ -317,7 +317,8 @@ mod tests {
                 let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
                 reader.next_frame(&mut pixels).unwrap();
                 // Those of the same picture, rendered here.
-                let scene = Arc::new(PackedScene::pack(&voxtrace::scenes::generate("city", Some(20_000)).unwrap()).unwrap());
+                let scene =
+                    Arc::new(PackedScene::pack(&voxtrace::scenes::generate("city", Some(20_000)).unwrap()).unwrap());
                 let frame = view(7, 4).frame(&scene, 1).unwrap();
                 let mut tracer = CpuTracer::new(None);
                 tracer.set_scene(&scene).unwrap();

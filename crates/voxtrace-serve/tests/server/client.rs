@@ -5,15 +5,15 @@ use std::net::{SocketAddr, TcpStream};
 use std::time::Duration;
 
 /// What lies outside of the folder that is served, or is hidden in it.
-pub const SECRET: &str = "TOP-SECRET-4711";
+pub(crate) const SECRET: &str = "TOP-SECRET-4711";
 
 /// An answer.
-pub struct Answer {
+pub(crate) struct Answer {
     /// 0 where the server hung up.
-    pub status: u16,
+    pub(crate) status: u16,
     /// Lower case.
-    pub head: String,
-    pub body: Vec<u8>,
+    pub(crate) head: String,
+    pub(crate) body: Vec<u8>,
 }
 
 impl Answer {
@@ -24,16 +24,16 @@ impl Answer {
         Self { status, head, body: bytes[end..].to_vec() }
     }
 
-    pub fn header(&self, name: &str) -> Option<&str> {
+    pub(crate) fn header(&self, name: &str) -> Option<&str> {
         self.head.lines().find_map(|line| line.strip_prefix(name)?.strip_prefix(": "))
     }
 
-    pub fn text(&self) -> String {
+    pub(crate) fn text(&self) -> String {
         String::from_utf8_lossy(&self.body).into_owned()
     }
 }
 
-pub fn connect(address: SocketAddr) -> TcpStream {
+pub(crate) fn connect(address: SocketAddr) -> TcpStream {
     let stream = TcpStream::connect(address).unwrap();
     let time = Some(Duration::from_secs(120));
     stream.set_read_timeout(time).unwrap();
@@ -42,7 +42,7 @@ pub fn connect(address: SocketAddr) -> TcpStream {
 }
 
 /// Sends bytes and reads all that comes until the server hangs up.
-pub fn exchange(address: SocketAddr, bytes: &[u8]) -> Answer {
+pub(crate) fn exchange(address: SocketAddr, bytes: &[u8]) -> Answer {
     let mut stream = connect(address);
     // A server that has seen enough hangs up before all was sent.
     let _ = stream.write_all(bytes);
@@ -52,21 +52,21 @@ pub fn exchange(address: SocketAddr, bytes: &[u8]) -> Answer {
 }
 
 /// Asks for a path, with further headers, each `name: value`.
-pub fn get_with(address: SocketAddr, path: &str, headers: &[&str]) -> Answer {
+pub(crate) fn get_with(address: SocketAddr, path: &str, headers: &[&str]) -> Answer {
     exchange(address, head("GET", path, address, headers).as_bytes())
 }
 
-pub fn get(address: SocketAddr, path: &str) -> Answer {
+pub(crate) fn get(address: SocketAddr, path: &str) -> Answer {
     get_with(address, path, &[])
 }
 
-pub fn put(address: SocketAddr, path: &str, body: &[u8]) -> Answer {
+pub(crate) fn put(address: SocketAddr, path: &str, body: &[u8]) -> Answer {
     let length = format!("content-length: {}", body.len());
     exchange(address, &[head("PUT", path, address, &[&length]).as_bytes(), body].concat())
 }
 
 /// The head of a request under the server's own name, unless the headers have another.
-pub fn head(method: &str, path: &str, address: SocketAddr, headers: &[&str]) -> String {
+pub(crate) fn head(method: &str, path: &str, address: SocketAddr, headers: &[&str]) -> String {
     let mut text = format!("{method} {path} HTTP/1.1\r\nconnection: close\r\n");
     if !headers.iter().any(|header| header.starts_with("host:")) {
         text += &format!("host: {address}\r\n");
@@ -76,24 +76,56 @@ pub fn head(method: &str, path: &str, address: SocketAddr, headers: &[&str]) -> 
 }
 
 /// Kinds of hostile requests.
-pub const KINDS: usize = 9;
+pub(crate) const KINDS: usize = 9;
 
 /// Ways to a file outside; `{}` is the way up.
 const WAYS: [&str; 9] = [
-    "/files/{}secret.vox", "/api/info/{}secret.vox", "/api/thumbnail/{}secret.vox", "/api/packed/{}secret.vox", "/api/list/{}",
-    "/files/inner/{}{}secret.vox", "/api/remote/{}secret.vox", "/element/{}secret.vox", "/page/{}secret.vox",
+    "/files/{}secret.vox",
+    "/api/info/{}secret.vox",
+    "/api/thumbnail/{}secret.vox",
+    "/api/packed/{}secret.vox",
+    "/api/list/{}",
+    "/files/inner/{}{}secret.vox",
+    "/api/remote/{}secret.vox",
+    "/element/{}secret.vox",
+    "/page/{}secret.vox",
 ];
 const UPS: [&str; 20] = [
-    "../", "..%2f", "%2e%2e/", "%2e%2e%2f", "..%5c", "..\\", "%252e%252e%252f", "....//", "..;/", "..%00/", "%c0%ae%c0%ae/", "/../", "//",
-    "%2f", "c:%5c", "c:/", "~/", ".hidden/", "out/", "..%ff/",
+    "../",
+    "..%2f",
+    "%2e%2e/",
+    "%2e%2e%2f",
+    "..%5c",
+    "..\\",
+    "%252e%252e%252f",
+    "....//",
+    "..;/",
+    "..%00/",
+    "%c0%ae%c0%ae/",
+    "/../",
+    "//",
+    "%2f",
+    "c:%5c",
+    "c:/",
+    "~/",
+    ".hidden/",
+    "out/",
+    "..%ff/",
 ];
 const FILES: [&str; 9] = [
-    "/files/link.vox", "/files/out/secret.vox", "/files/.hidden/secret.vox", "/files/nul", "/files/con.vox", "/files/com1.vox", "/files/pipe.vox",
-    "/files/zero.vox", "/files//etc/passwd",
+    "/files/link.vox",
+    "/files/out/secret.vox",
+    "/files/.hidden/secret.vox",
+    "/files/nul",
+    "/files/con.vox",
+    "/files/com1.vox",
+    "/files/pipe.vox",
+    "/files/zero.vox",
+    "/files//etc/passwd",
 ];
 
 /// The hostile request of a number: its bytes, which kind it is, and whether an answer with status 200 would be a fault.
-pub fn hostile(number: usize, address: SocketAddr) -> (Vec<u8>, &'static str) {
+pub(crate) fn hostile(number: usize, address: SocketAddr) -> (Vec<u8>, &'static str) {
     let pick = |from: &[&'static str]| from[(number / KINDS) % from.len()];
     let plain = |method: &str, path: &str, headers: &[&str]| head(method, path, address, headers).into_bytes();
     match number % KINDS {
@@ -103,13 +135,33 @@ pub fn hostile(number: usize, address: SocketAddr) -> (Vec<u8>, &'static str) {
         }
         1 => (plain("GET", pick(&FILES), &[]), "links, devices, hidden files"),
         2 => {
-            let hosts = ["evil.example", "localhost.evil.example", "169.254.169.254", "user@evil.example", "", "[::ffff:8.8.8.8]", "127.0.0.1.nip.io"];
+            let hosts = [
+                "evil.example",
+                "localhost.evil.example",
+                "169.254.169.254",
+                "user@evil.example",
+                "",
+                "[::ffff:8.8.8.8]",
+                "127.0.0.1.nip.io",
+            ];
             (plain("GET", "/api/list", &[&format!("host: {}", hosts[(number / KINDS) % hosts.len()])]), "another host")
         }
         3 => {
-            let origins = ["http://evil.example", "null", "http://localhost:1", "https://evil.example", "file://", "http://127.0.0.1"];
+            let origins = [
+                "http://evil.example",
+                "null",
+                "http://localhost:1",
+                "https://evil.example",
+                "file://",
+                "http://127.0.0.1",
+            ];
             let origin = format!("origin: {}", origins[(number / KINDS) % origins.len()]);
-            let socket = ["upgrade: websocket", "sec-websocket-version: 13", "sec-websocket-key: dGhlIHNhbXBsZSBub25jZQ==", &*origin];
+            let socket = [
+                "upgrade: websocket",
+                "sec-websocket-version: 13",
+                "sec-websocket-key: dGhlIHNhbXBsZSBub25jZQ==",
+                &*origin,
+            ];
             match number / KINDS % 2 {
                 0 => (plain("GET", "/api/remote/scene.vxt", &socket).to_vec(), "cross-origin web sockets"),
                 _ => (plain("PUT", "/api/upload/new.vox", &[&origin, "content-length: 0"]), "cross-origin writes"),
@@ -136,7 +188,14 @@ pub fn hostile(number: usize, address: SocketAddr) -> (Vec<u8>, &'static str) {
             (plain(methods[(number / KINDS) % methods.len()], "/files/scene.vxt", &[]), "other methods")
         }
         7 => {
-            let names = ["/api/upload/../new.vox", "/api/upload/.hidden.vox", "/api/upload/a%2f..%2f..%2fnew.vox", "/api/upload/new.exe", "/api/upload/nul.vox", "/api/upload/new.vox"];
+            let names = [
+                "/api/upload/../new.vox",
+                "/api/upload/.hidden.vox",
+                "/api/upload/a%2f..%2f..%2fnew.vox",
+                "/api/upload/new.exe",
+                "/api/upload/nul.vox",
+                "/api/upload/new.vox",
+            ];
             let body = "content-length: 9\r\n\r\nno scene!";
             let request = format!("PUT {} HTTP/1.1\r\nhost: {address}\r\nconnection: close\r\n{body}", pick(&names));
             (request.into_bytes(), "uploads")

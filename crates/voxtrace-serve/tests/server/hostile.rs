@@ -16,7 +16,12 @@ fn hostile_requests_get_nothing_and_leave_nothing() {
     for number in 0..REQUESTS {
         let (bytes, kind) = hostile(number, running.address);
         let answer = exchange(running.address, &bytes);
-        assert!(answer.status == 0 || (400..500).contains(&answer.status), "{kind}: {} to {}", answer.status, String::from_utf8_lossy(&bytes[..bytes.len().min(200)]));
+        assert!(
+            answer.status == 0 || (400..500).contains(&answer.status),
+            "{kind}: {} to {}",
+            answer.status,
+            String::from_utf8_lossy(&bytes[..bytes.len().min(200)])
+        );
         assert!(!answer.text().contains(SECRET), "{kind}");
         *answers.entry(kind).or_insert(0) += 1;
     }
@@ -38,7 +43,11 @@ fn every_answer_has_the_headers_of_safety() {
         let answer = get(running.address, path);
         let policy = answer.header("content-security-policy").unwrap_or_else(|| panic!("{path}"));
         assert!(policy.contains("default-src 'none'") && !policy.contains("unsafe-inline"), "{policy}");
-        for (name, value) in [("x-content-type-options", "nosniff"), ("x-frame-options", "deny"), ("cross-origin-resource-policy", "same-origin")] {
+        for (name, value) in [
+            ("x-content-type-options", "nosniff"),
+            ("x-frame-options", "deny"),
+            ("cross-origin-resource-policy", "same-origin"),
+        ] {
             assert_eq!(answer.header(name), Some(value), "{path}");
         }
     }
@@ -52,11 +61,23 @@ fn whoever_does_not_know_the_token_gets_nothing() {
     let running = Running::start(|settings| settings.token = Some(token.into()));
     assert!(running.url.ends_with(&format!("/?token={token}")));
     let address = running.address;
-    for path in ["/", "/api/list", "/files/scene.vxt", "/page/page.js", "/?token=0123456789abcdee", "/?token=", "/?token=0123456789abcdef0"] {
+    for path in [
+        "/",
+        "/api/list",
+        "/files/scene.vxt",
+        "/page/page.js",
+        "/?token=0123456789abcdee",
+        "/?token=",
+        "/?token=0123456789abcdef0",
+    ] {
         assert_eq!(get(address, path).status, 401, "{path}");
     }
     let port = address.port();
-    for header in [format!("cookie: voxtrace-{port}=wrong"), "authorization: Bearer wrong".into(), format!("cookie: other={token}")] {
+    for header in [
+        format!("cookie: voxtrace-{port}=wrong"),
+        "authorization: Bearer wrong".into(),
+        format!("cookie: other={token}"),
+    ] {
         assert_eq!(get_with(address, "/api/list", &[&header]).status, 401, "{header}");
     }
     let welcome = get(address, &format!("/?token={token}"));
@@ -78,16 +99,18 @@ fn slow_clients_are_hung_up_on_and_others_are_answered_meanwhile() {
     let address = running.address;
     let before = files_below(&running.folder());
     // Heads that never end, bodies that stop, and connections that say nothing, on all connections but a few.
-    let mut slow: Vec<_> = (0..36).map(|number| {
-        let mut stream = connect(address);
-        let text = match number % 3 {
-            0 => format!("GET / HTTP/1.1\r\nhost: {address}\r\nx-slow: "),
-            1 => head("PUT", "/api/upload/slow.vox", address, &["content-length: 1000000"]) + "some",
-            _ => String::new(),
-        };
-        stream.write_all(text.as_bytes()).unwrap();
-        stream
-    }).collect();
+    let mut slow: Vec<_> = (0..36)
+        .map(|number| {
+            let mut stream = connect(address);
+            let text = match number % 3 {
+                0 => format!("GET / HTTP/1.1\r\nhost: {address}\r\nx-slow: "),
+                1 => head("PUT", "/api/upload/slow.vox", address, &["content-length: 1000000"]) + "some",
+                _ => String::new(),
+            };
+            stream.write_all(text.as_bytes()).unwrap();
+            stream
+        })
+        .collect();
     assert_eq!(get(address, "/api/list").status, 200);
     for stream in &mut slow {
         let mut answer = Vec::new();

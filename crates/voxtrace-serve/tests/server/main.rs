@@ -18,17 +18,17 @@ use voxtrace::{PackedScene, scenes};
 use voxtrace_serve::{Server, Settings, Viewers};
 
 /// A server of a folder of its own, beside which lies what nobody may see.
-pub struct Running {
-    pub address: SocketAddr,
-    pub url: String,
-    pub viewers: Viewers,
+pub(crate) struct Running {
+    pub(crate) address: SocketAddr,
+    pub(crate) url: String,
+    pub(crate) viewers: Viewers,
     parent: tempfile::TempDir,
     is_over: Arc<AtomicBool>,
     thread: Option<JoinHandle<()>>,
 }
 
 impl Running {
-    pub fn start(change: impl FnOnce(&mut Settings)) -> Self {
+    pub(crate) fn start(change: impl FnOnce(&mut Settings)) -> Self {
         let parent = tempfile::tempdir().unwrap();
         let folder = parent.path().join("folder");
         fs::create_dir_all(folder.join("inner")).unwrap();
@@ -58,16 +58,16 @@ impl Running {
         Self { address, url, viewers, parent, is_over, thread: Some(std::thread::spawn(run)) }
     }
 
-    pub fn folder(&self) -> PathBuf {
+    pub(crate) fn folder(&self) -> PathBuf {
         self.parent.path().join("folder")
     }
 
-    pub fn cache(&self) -> PathBuf {
+    pub(crate) fn cache(&self) -> PathBuf {
         self.parent.path().join("cache")
     }
 
     /// Asks it to stop and waits until it has.
-    pub fn stop(&mut self) -> Duration {
+    pub(crate) fn stop(&mut self) -> Duration {
         let start = Instant::now();
         self.is_over.store(true, Ordering::Relaxed);
         if let Some(thread) = self.thread.take() {
@@ -89,12 +89,12 @@ impl Drop for Running {
 }
 
 /// A packed scene of so many voxels.
-pub fn city(voxels: u64) -> PackedScene {
+pub(crate) fn city(voxels: u64) -> PackedScene {
     PackedScene::pack(&scenes::generate("city", Some(voxels)).unwrap()).unwrap()
 }
 
 /// The files below a folder, hidden ones too.
-pub fn files_below(folder: &Path) -> Vec<PathBuf> {
+pub(crate) fn files_below(folder: &Path) -> Vec<PathBuf> {
     let mut found = Vec::new();
     for entry in fs::read_dir(folder).unwrap() {
         let entry = entry.unwrap();
@@ -108,7 +108,7 @@ pub fn files_below(folder: &Path) -> Vec<PathBuf> {
 }
 
 /// Waits until something is so.
-pub fn until(what: &str, is_so: impl Fn() -> bool) {
+pub(crate) fn until(what: &str, is_so: impl Fn() -> bool) {
     let start = Instant::now();
     while !is_so() {
         assert!(start.elapsed() < Duration::from_secs(60), "{what}");

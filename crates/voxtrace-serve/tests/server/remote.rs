@@ -29,7 +29,11 @@ fn open(running: &Running) -> Socket {
 
 /// The greeting's camera.
 fn greeted(socket: &mut Socket) -> Vec<f64> {
-    let text = socket.read().unwrap().into_text().unwrap();
+    let text = loop {
+        if let Message::Text(text) = socket.read().unwrap() {
+            break text;
+        }
+    };
     let said: serde_json::Value = serde_json::from_str(&text).unwrap();
     assert_eq!((said["type"].as_str(), said["name"].as_str()), (Some("scene"), Some("city")));
     said["camera"].as_array().unwrap().iter().map(|number| number.as_f64().unwrap()).collect()

@@ -11,7 +11,8 @@ fn a_folder_is_listed_with_its_scenes_and_nothing_else() {
     let running = Running::start(|_| ());
     let list: serde_json::Value = serde_json::from_slice(&get(running.address, "/api/list").body).unwrap();
     let names = |of: &str| {
-        let mut names: Vec<&str> = list[of].as_array().unwrap().iter().map(|entry| entry["name"].as_str().unwrap()).collect();
+        let mut names: Vec<&str> =
+            list[of].as_array().unwrap().iter().map(|entry| entry["name"].as_str().unwrap()).collect();
         names.sort_unstable();
         names
     };

@@ -11,7 +11,9 @@ fn vox(voxels: u8) -> Vec<u8> {
     let mut xyzi = u32::from(voxels).to_le_bytes().to_vec();
     (0..voxels).for_each(|at| xyzi.extend([at, 0, 0, 1]));
     let size = [voxels.max(1), 1, 1].map(u32::from).map(u32::to_le_bytes).concat();
-    let chunk = |name: &[u8], content: &[u8]| [name, &(content.len() as u32).to_le_bytes(), &0u32.to_le_bytes(), content].concat();
+    let chunk = |name: &[u8], content: &[u8]| {
+        [name, &(content.len() as u32).to_le_bytes(), &0u32.to_le_bytes(), content].concat()
+    };
     let inside = [chunk(b"SIZE", &size), chunk(b"XYZI", &xyzi)].concat();
     let main = [b"MAIN".as_slice(), &0u32.to_le_bytes(), &(inside.len() as u32).to_le_bytes(), &inside].concat();
     [b"VOX ".as_slice(), &150u32.to_le_bytes(), &main].concat()
