@@ -3,6 +3,7 @@
 //!
 //! `cargo run --release -p voxtrace-serve --example load -- target/release/voxtrace [CLIENTS SECONDS HOSTILE]`
 
+#[allow(dead_code, reason = "the tests use all of it")]
 #[path = "../tests/server/client.rs"]
 mod client;
 
@@ -138,7 +139,7 @@ fn say_answers(answers: &Answers) {
 /// What a person does: looks at the list, at a scene's facts, takes a part of its file, and looks at it.
 fn visit(address: SocketAddr, client: usize, answers: &Answers) {
     let scene = format!("scene-{}.vxt", client % 3);
-    let mut said = |what: &str, status: u16| count(answers, &format!("{what}: {status}"));
+    let said = |what: &str, status: u16| count(answers, &format!("{what}: {status}"));
     said("page", get(address, "/").status);
     said("list", get(address, "/api/list").status);
     said("thumbnail", get(address, &format!("/api/thumbnail/{scene}")).status);
@@ -155,7 +156,7 @@ fn look(address: SocketAddr, scene: &str, pictures: u32) -> Result<u16, u16> {
         tungstenite::HandshakeError::Failure(Error::Http(answer)) => answer.status().as_u16(),
         _ => 0,
     })?;
-    let lost = |_| 0;
+    let lost = |_: Error| 0u16;
     let greeting = socket.read().map_err(lost)?.into_text().map_err(lost)?;
     let greeting: serde_json::Value = serde_json::from_str(&greeting).map_err(|_| 0u16)?;
     for id in 1..=pictures {
