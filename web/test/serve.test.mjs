@@ -12,7 +12,7 @@ let folder;
 
 /** Starts the program with a folder; gives its address, and how to end it and see how it ended. */
 async function start(...options) {
-  const child = spawn(program, ["serve", folder, "--listen", "127.0.0.1:0", "--traversal", "cpu", "--samples", "8", ...options], {
+  const child = spawn(program, ["serve", folder, "--listen", "127.0.0.1:0", "--traversal", "cpu", "--samples", "4", ...options], {
     env: { ...process.env, VOXTRACE_CACHE: join(context.files, "cache") },
     stdio: ["ignore", "pipe", "inherit"],
   });
@@ -106,17 +106,17 @@ const picture = (page, kind, after = 0) =>
   }, [kind, after]).then((found) => found.jsonValue());
 
 test("the server traces: soon while the view moves, and the pixels of render when it stands", async () => {
-  const page = await visit("#/scene/church.vxt", { viewport: { width: 900, height: 600 } });
+  const page = await visit("#/scene/city.vxt", { viewport: { width: 800, height: 480 } });
   await page.getByLabel("The server").check();
   const first = await picture(page, "png");
-  assert.equal(first.samples, "8");
+  assert.equal(first.samples, "4");
   const shown = await page.evaluate(() => {
     const canvas = document.querySelector(".stage canvas");
     return { width: canvas.width, height: canvas.height, png: canvas.toDataURL("image/png").split(",")[1] };
   });
   await page.screenshot({ path: join(pictures, "serve-remote-still.png") });
   const size = `${shown.width}x${shown.height}`;
-  run("render", join(folder, "church.vxt"), "--size", size, "--spp", "8", "--traversal", "cpu", "-o", join(context.files, "still.png"), "--quiet");
+  run("render", join(folder, "city.vxt"), "--size", size, "--spp", "4", "--traversal", "cpu", "-o", join(context.files, "still.png"), "--quiet");
   const bytes = readFileSync(join(context.files, "still.png")).toString("base64");
   // Both as pixels, by the same browser.
   const worst = (a, b) => page.evaluate(async ([a, b]) => {

@@ -85,7 +85,8 @@ async function showFolder(folder, number) {
     parts.push(make("p", { className: "quiet", textContent: `The folder is empty. ${how}` }));
   }
   if (listing.is_cut) parts.push(make("p", { className: "quiet", textContent: "There is more in this folder than is shown." }));
-  main.replaceChildren(...parts);
+  const title = make("h1", { className: "spoken", textContent: `Scenes in ${folder || server.folder || "the folder"}` });
+  main.replaceChildren(title, ...parts);
   showThumbnails(number);
 }
 

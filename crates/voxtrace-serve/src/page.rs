@@ -10,8 +10,9 @@ use axum::response::{IntoResponse, Response};
 use std::sync::Arc;
 
 /// The page's files: name, type and content.
-const FILES: [(&str, &str, &str); 6] = [
+const FILES: [(&str, &str, &str); 7] = [
     ("index.html", "text/html; charset=utf-8", include_str!("../page/index.html")),
+    ("icon.svg", "image/svg+xml", include_str!("../page/icon.svg")),
     ("page.css", "text/css; charset=utf-8", include_str!("../page/page.css")),
     ("page.js", "text/javascript; charset=utf-8", include_str!("../page/page.js")),
     ("view.js", "text/javascript; charset=utf-8", include_str!("../page/view.js")),

@@ -52,12 +52,14 @@ impl Thumbnails {
         let of_file = place.clone();
         let key = while_waited_for(move |_| key_of(&of_file)).await?;
         let kept = key.ok().and_then(|key| Some(self.cache.as_ref()?.join(format!("{key:032x}.jpg"))));
-        if let Some(kept) = &kept
-            && let Ok(bytes) = tokio::fs::read(kept).await
-        {
-            return Ok(bytes.into());
+        if let Some(bytes) = read_kept(kept.as_deref()).await {
+            return Ok(bytes);
         }
         let _turn = self.turn.acquire().await.map_err(|_| Refusal::busy("the server stops"))?;
+        // Those who waited for the same one find it made.
+        if let Some(bytes) = read_kept(kept.as_deref()).await {
+            return Ok(bytes);
+        }
         let opened = scenes.open(place, For::Thumbnail).await?;
         let scene = Arc::clone(&opened.scene);
         drop(opened);
@@ -68,6 +70,11 @@ impl Thumbnails {
         }
         Ok(jpeg.into())
     }
+}
+
+/// A thumbnail that was kept.
+async fn read_kept(path: Option<&Path>) -> Option<Bytes> {
+    tokio::fs::read(path?).await.ok().map(Into::into)
 }
 
 /// One of those who wait.

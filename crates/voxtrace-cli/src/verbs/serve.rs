@@ -1,6 +1,6 @@
 //! `voxtrace serve`: a page for the scenes of a folder.
 
-use crate::failure::Failure;
+use crate::failure::{Failure, reason};
 use crate::interrupt;
 use crate::parse;
 use crate::probes;
@@ -91,7 +91,7 @@ fn beside_program() -> Option<PathBuf> {
 
 fn failure(error: ServeError) -> Failure {
     match &error {
-        ServeError::Folder { .. } => Failure::input(error),
+        ServeError::Folder { path, error } => Failure::input(format!("{}: {}", path.display(), reason(error))),
         ServeError::Listen { error: reason, .. } => {
             let hint = match reason.kind() {
                 ErrorKind::AddrInUse => "another program has that port; --listen 127.0.0.1:0 takes one that is free",
