@@ -1,7 +1,6 @@
 // What is inside of the element, and how it looks.
 
-export const TEMPLATE = `
-<style>
+const STYLE = `
 :host {
   display: block; position: relative; width: 300px; height: 200px; overflow: hidden; contain: content;
   --back: var(--voxtrace-background, #f2f3f5); --ink: var(--voxtrace-color, #1c1f24); --panel: #ffffffee; --accent: var(--voxtrace-accent, #1659c7); --alarm: #8c1d18;
@@ -29,7 +28,9 @@ canvas:focus-visible ~ .ring, :host([dropping]) .ring { border-color: var(--acce
 .turn:focus-visible { outline: 3px solid var(--accent); }
 .spoken { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); white-space: nowrap; }
 @media (prefers-reduced-motion: reduce) { .poster, .poster.gone { transition: none; } .bar.endless > div { animation: none; width: 100%; opacity: .5; } }
-</style>
+`;
+
+const MARKUP = `
 <canvas part="canvas" role="img" aria-label="Voxels" width="1" height="1"></canvas>
 <div class="poster" part="poster"><slot name="poster"></slot></div>
 <div class="ring"></div>
@@ -51,7 +52,11 @@ export interface Parts {
 
 /** Fills the element's own tree. */
 export function build(root: ShadowRoot): Parts {
-  root.innerHTML = TEMPLATE;
+  // Not an element of its own: strict content security policies refuse those.
+  const style = new CSSStyleSheet();
+  style.replaceSync(STYLE);
+  root.adoptedStyleSheets = [style];
+  root.innerHTML = MARKUP;
   const find = <E extends HTMLElement>(query: string) => root.querySelector<E>(query)!;
   return {
     canvas: find("canvas"),

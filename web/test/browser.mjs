@@ -108,6 +108,12 @@ export function run(...given) {
   return execFileSync(program, given, { encoding: "utf8", maxBuffer: 1 << 28, stdio: ["ignore", "pipe", "pipe"] });
 }
 
+/** What axe finds on a page, also on one that lets no further scripts in. */
+export async function violations(page) {
+  await page.evaluate(readFileSync(join(web, "node_modules/axe-core/axe.min.js"), "utf8"));
+  return page.evaluate(async () => (await window.axe.run()).violations.map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.html).join(" ")}`));
+}
+
 /** The path of a real file, or undefined where it is not. */
 export function real(path) {
   const file = join(data, path);

@@ -6,7 +6,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { build } from "esbuild";
-import { context, event, open, pictures, run, setUp, web } from "./browser.mjs";
+import { context, event, open, pictures, run, setUp, violations, web } from "./browser.mjs";
 import { serve } from "./server.mjs";
 
 setUp();
@@ -97,13 +97,6 @@ test("the example of React shows a picture and hears of it", async () => {
   await page.close();
   server.end();
 });
-
-/** What axe finds on a page. */
-async function violations(page) {
-  await page.addScriptTag({ path: join(web, "node_modules/axe-core/axe.min.js") });
-  const found = await page.evaluate(async () => (await window.axe.run()).violations.map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.html).join(" ")}`));
-  return found;
-}
 
 for (const colorScheme of ["light", "dark"]) {
   test(`everybody can use it, by axe, on a ${colorScheme} page`, async () => {

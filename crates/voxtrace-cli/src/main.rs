@@ -91,6 +91,8 @@ enum Verb {
     Animate(Box<verbs::animate::AnimateArgs>),
     #[cfg(feature = "view")]
     View(Box<verbs::view::ViewerArgs>),
+    #[cfg(feature = "serve")]
+    Serve(Box<verbs::serve::ServeArgs>),
     Info(verbs::info::InfoArgs),
     Convert(verbs::convert::ConvertArgs),
     Voxelize(verbs::voxelize::VoxelizeArgs),
@@ -148,6 +150,8 @@ fn run(cli: Cli) -> Result<(), Failure> {
         Verb::Animate(args) => args.run(report),
         #[cfg(feature = "view")]
         Verb::View(args) => args.run(),
+        #[cfg(feature = "serve")]
+        Verb::Serve(args) => args.run(report),
         Verb::Info(args) => args.run(report),
         Verb::Convert(args) => args.run(report),
         Verb::Voxelize(args) => args.run(report),

@@ -100,6 +100,15 @@ impl TracerArgs {
         self.cluster.is_some()
     }
 
+    /// What is asked for, where no cluster can trace.
+    #[cfg(feature = "serve")]
+    pub fn request_of_one_machine(&self) -> Result<Request, Failure> {
+        match &self.cluster {
+            Some(_) => Err(Failure::usage("--cluster is for `voxtrace render` and `voxtrace animate`")),
+            None => Ok(self.request()),
+        }
+    }
+
     fn request(&self) -> Request {
         Request {
             traversal: self.traversal.map(Into::into),

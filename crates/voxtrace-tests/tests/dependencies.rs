@@ -9,7 +9,7 @@ const LAYERS: &[&[&str]] = &[
     &["voxtrace-voxelize", "voxtrace-scenes", "voxtrace-realtime"],
     &["voxtrace-io", "voxtrace-vulkan"],
     &["voxtrace"],
-    &["voxtrace-bench", "voxtrace-py", "voxtrace-web"],
+    &["voxtrace-bench", "voxtrace-py", "voxtrace-serve", "voxtrace-web"],
     &["voxtrace-viewer"],
     &["voxtrace-cli"],
     &["voxtrace-tests", "xtask"],

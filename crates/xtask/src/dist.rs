@@ -43,11 +43,27 @@ pub fn pack() -> Result<(), String> {
         write(&stage.join("completions").join(file), &output.stdout)?;
     }
 
+    if !copy_element(&stage.join("web"))? {
+        println!("web/dist is not built: without it `voxtrace serve` traces all pictures itself");
+    }
+
     let packed = folder.join(format!("{name}.tar.gz"));
     archive::write(&stage, &name, &packed).map_err(|error| format!("{}: {error}", packed.display()))?;
     let size = |path: &Path| fs::metadata(path).map_or(0, |metadata| metadata.len()) as f64 / 1e6;
     println!("{}: {:.1} MB, the program {:.1} MB", packed.display(), size(&packed), size(&program));
     Ok(())
+}
+
+/// Copies the viewer for pages, which `voxtrace serve` looks for beside the program; whether it was built.
+fn copy_element(folder: &Path) -> Result<bool, String> {
+    let Ok(files) = fs::read_dir(root().join("web/dist")) else { return Ok(false) };
+    make_folder(folder)?;
+    for file in files.flatten().map(|file| file.path()) {
+        if file.extension().is_some_and(|extension| extension == "js" || extension == "wasm") {
+            copy(&file, folder)?;
+        }
+    }
+    Ok(true)
 }
 
 fn root() -> &'static Path {

@@ -21,6 +21,8 @@ mod motion;
 pub mod plan;
 pub mod render;
 pub mod scenes;
+#[cfg(feature = "serve")]
+pub mod serve;
 #[cfg(feature = "view")]
 pub mod view;
 pub mod voxelize;

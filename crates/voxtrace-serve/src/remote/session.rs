@@ -1,0 +1,363 @@
+//! Tracing for one client, on a thread of its own: a picture of each view soon, as fine as there is time for, and where the view stands, all its samples.
+//! Nothing is traced while the client has pictures that it has not shown, and nothing once it is gone.
+
+use super::messages::{Head, Packing, View, packed};
+use crate::picture::Shown;
+use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
+use std::time::{Duration, Instant};
+use voxtrace::{Film, Frame, PackedScene, Progress, TraceError, Tracer};
+
+/// Pictures that a client may have before it shows them: one that travels, one that is shown.
+const MOST_UNSHOWN: u32 = 2;
+/// What tracing a picture of a view that moves may take.
+const MOVING: Duration = Duration::from_millis(25);
+/// What is traced of a view that stands before it is shown again.
+const STANDING: Duration = Duration::from_millis(500);
+/// A view stands when no other came for so long.
+const SETTLED: Duration = Duration::from_millis(200);
+/// Most samples of a picture of a view that moves, and how much smaller than asked for it may be.
+const MOST_MOVING_SAMPLES: u32 = 8;
+const COARSEST: f64 = 10.0;
+/// Quality of pictures of views that move, and of those that gather light.
+const MOVING_QUALITY: u8 = 78;
+const STANDING_QUALITY: u8 = 90;
+
+/// What the client wants, as far as it is known.
+#[derive(Default)]
+struct Wants {
+    view: Option<(View, Instant)>,
+    /// Pictures that it has not shown yet.
+    unshown: u32,
+    is_over: bool,
+    /// The render that is going on, and whether another view cancels it.
+    render: Option<(Arc<Progress>, Work)>,
+}
+
+/// What is rendered.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Work {
+    /// A quick picture, which is finished even where the view has moved on: else a view that moves all the time would never be seen.
+    Quick,
+    /// Samples of a view that stands.
+    Standing,
+}
+
+/// The client as the thread that traces sees it.
+#[derive(Default)]
+pub struct Client {
+    wants: Mutex<Wants>,
+    changed: Condvar,
+}
+
+impl Client {
+    fn lock(&self) -> MutexGuard<'_, Wants> {
+        self.wants.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    fn change(&self, change: impl FnOnce(&mut Wants)) {
+        change(&mut self.lock());
+        self.changed.notify_all();
+    }
+
+    /// Wants another view; what is traced of the one before ends.
+    pub fn show(&self, view: View) {
+        self.change(|wants| {
+            if wants.view.as_ref().is_some_and(|(before, _)| *before == view) {
+                return;
+            }
+            wants.view = Some((view, Instant::now()));
+            if let Some((progress, Work::Standing)) = &wants.render {
+                progress.cancel();
+            }
+        });
+    }
+
+    /// Has shown a picture.
+    pub fn acknowledge(&self) {
+        self.change(|wants| wants.unshown = wants.unshown.saturating_sub(1));
+    }
+
+    /// Wants nothing any more.
+    pub fn leave(&self) {
+        self.change(|wants| {
+            wants.is_over = true;
+            if let Some((progress, _)) = &wants.render {
+                progress.cancel();
+            }
+        });
+    }
+}
+
+/// Why tracing for a client ends by itself.
+#[derive(Debug, thiserror::Error)]
+pub enum SessionError {
+    #[error(transparent)]
+    Trace(#[from] TraceError),
+    #[error("a picture cannot be packed: {0}")]
+    Packing(#[from] std::io::Error),
+}
+
+/// A tracer that works for a client.
+pub struct Session<'a> {
+    pub scene: &'a PackedScene,
+    pub tracer: &'a mut dyn Tracer,
+    pub client: &'a Client,
+    /// Of each pixel, where the client says nothing about it.
+    pub samples: u32,
+    /// Takes messages with pictures; whether the client is still there.
+    pub send: &'a mut dyn FnMut(Vec<u8>) -> bool,
+}
+
+/// How far the pictures of a view are.
+struct Standing {
+    view: View,
+    frame: Frame,
+    /// Samples of each pixel of the film; 0 before it has begun.
+    samples: u32,
+}
+
+/// What to do next.
+enum Step {
+    /// A quick picture of another view.
+    Move(View),
+    /// More samples of the view that stands.
+    Gather,
+    Leave,
+}
+
+impl Session<'_> {
+    /// Works until the client has left.
+    pub fn run(mut self) -> Result<(), SessionError> {
+        let (mut standing, mut sent, mut speed) = (None, 0, Speed::default());
+        loop {
+            match self.next(standing.as_ref()) {
+                Step::Leave => return Ok(()),
+                Step::Move(view) => {
+                    let frame = view.frame(self.scene, self.samples)?;
+                    let quick = speed.quick(&frame);
+                    if !self.trace(&quick, Work::Quick, &view, &mut speed)? {
+                        continue;
+                    }
+                    sent += 1;
+                    let head = Head { frame: sent, view: view.id, samples: quick.samples, of: frame.samples };
+                    if !self.send(head, &quick, Packing::Lossy(MOVING_QUALITY))? {
+                        return Ok(());
+                    }
+                    standing = Some(Standing { view, frame, samples: 0 });
+                }
+                Step::Gather => {
+                    let Some(standing) = standing.as_mut() else { continue };
+                    let samples = speed.more(&standing.frame, standing.samples);
+                    let part = standing.frame.clone().samples(samples);
+                    if !self.trace(&part, Work::Standing, &standing.view, &mut speed)? {
+                        continue;
+                    }
+                    standing.samples = samples;
+                    let is_whole = samples == standing.frame.samples;
+                    sent += 1;
+                    let head = Head { frame: sent, view: standing.view.id, samples, of: standing.frame.samples };
+                    let packing = if is_whole { Packing::Lossless } else { Packing::Lossy(STANDING_QUALITY) };
+                    if !self.send(head, &part, packing)? {
+                        return Ok(());
+                    }
+                }
+            }
+        }
+    }
+
+    /// Waits until there is something to do, and room for a picture at the client.
+    fn next(&self, standing: Option<&Standing>) -> Step {
+        let mut wants = self.client.lock();
+        loop {
+            if wants.is_over {
+                return Step::Leave;
+            }
+            let mut wait = None;
+            if wants.unshown < MOST_UNSHOWN
+                && let Some((view, since)) = &wants.view
+            {
+                match standing.filter(|standing| standing.view == *view) {
+                    None => return Step::Move(view.clone()),
+                    Some(standing) if standing.samples < standing.frame.samples => {
+                        match SETTLED.checked_sub(since.elapsed()) {
+                            None => return Step::Gather,
+                            left => wait = left,
+                        }
+                    }
+                    Some(_) => {}
+                }
+            }
+            let changed = &self.client.changed;
+            wants = match wait {
+                Some(wait) => changed.wait_timeout(wants, wait).unwrap_or_else(PoisonError::into_inner).0,
+                None => changed.wait(wants).unwrap_or_else(PoisonError::into_inner),
+            };
+        }
+    }
+
+    /// Renders a frame, unless the client wants something else meanwhile; whether it is whole.
+    fn trace(&mut self, frame: &Frame, work: Work, view: &View, speed: &mut Speed) -> Result<bool, TraceError> {
+        let progress = Arc::new(Progress::default());
+        {
+            let mut wants = self.client.lock();
+            let is_old = wants.view.as_ref().is_none_or(|(wanted, _)| wanted != view);
+            if wants.is_over || work == Work::Standing && is_old {
+                return Ok(false);
+            }
+            wants.render = Some((Arc::clone(&progress), work));
+        }
+        let start = Instant::now();
+        let rendered = self.tracer.render(frame, &progress);
+        self.client.lock().render = None;
+        rendered?;
+        speed.learn(progress.samples_done(), start.elapsed());
+        Ok(!progress.is_cancelled())
+    }
+
+    /// Sends the tracer's film; whether the client is still there.
+    fn send(&mut self, head: Head, frame: &Frame, packing: Packing) -> Result<bool, SessionError> {
+        let mut film = Film::new(frame.width, frame.height, frame.region, frame.first_sample);
+        self.tracer.read(&mut film)?;
+        let shown = Shown::new(frame.width, frame.height, |index| film.pixels[index].mean());
+        drop(film);
+        let message = packed(head, &shown, packing)?;
+        self.client.lock().unshown += 1;
+        Ok((self.send)(message))
+    }
+}
+
+/// Samples of pixels that the tracer makes in a second, as measured.
+struct Speed(f64);
+
+impl Default for Speed {
+    fn default() -> Self {
+        Self(1e6)
+    }
+}
+
+impl Speed {
+    fn learn(&mut self, samples: u64, time: Duration) {
+        // Of short renders most is not tracing.
+        if samples > 1000 {
+            let seen = samples as f64 / time.as_secs_f64().max(1e-4);
+            self.0 = 0.5 * self.0 + 0.5 * seen;
+        }
+    }
+
+    /// The frame as fine as there is time for while the view moves.
+    fn quick(&self, frame: &Frame) -> Frame {
+        let pixels = f64::from(frame.width) * f64::from(frame.height);
+        let most = self.0 * MOVING.as_secs_f64();
+        let scale = (pixels / most).sqrt().clamp(1.0, COARSEST);
+        let length = |length: u32| ((f64::from(length) / scale).round() as u32).max(1);
+        let samples = ((most / pixels) as u32).clamp(1, MOST_MOVING_SAMPLES.min(frame.samples));
+        frame.clone().size(length(frame.width), length(frame.height)).samples(samples)
+    }
+
+    /// Samples that the film of a view that stands has next: at most twice as many.
+    fn more(&self, frame: &Frame, samples: u32) -> u32 {
+        let pixels = f64::from(frame.width) * f64::from(frame.height);
+        let more = (self.0 * STANDING.as_secs_f64() / pixels) as u32;
+        (samples + more.clamp(1, samples.max(1))).min(frame.samples)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::sync::mpsc::channel;
+    use voxtrace::CpuTracer;
+
+    fn view(id: u32, samples: u32) -> View {
+        let camera = [20.0, -60.0, 30.0, 10.0, 10.0, 5.0, 0.0, 0.0, 1.0, 45.0];
+        View { id, camera, width: 96, height: 64, samples: Some(samples) }
+    }
+
+    fn head(message: &[u8]) -> (Head, u32) {
+        let number = |at: usize| u32::from_le_bytes(message[at * 4..at * 4 + 4].try_into().unwrap());
+        (Head { frame: number(0), view: number(1), samples: number(2), of: number(3) }, number(4))
+    }
+
+    /// Runs a session while `client_does` is done with its pictures.
+    fn with_session(client_does: impl FnOnce(&Client, &std::sync::mpsc::Receiver<Vec<u8>>)) {
+        let scene = Arc::new(PackedScene::pack(&voxtrace::scenes::generate("city", Some(20_000)).unwrap()).unwrap());
+        let (client, (sender, pictures)) = (Client::default(), channel());
+        std::thread::scope(|scope| {
+            let (of_session, scene) = (&client, &scene);
+            let session = scope.spawn(move || {
+                let mut tracer = CpuTracer::new(None);
+                tracer.set_scene(scene).unwrap();
+                let mut send = |message| sender.send(message).is_ok();
+                Session { scene, tracer: &mut tracer, client: of_session, samples: 4, send: &mut send }.run()
+            });
+            client_does(&client, &pictures);
+            client.leave();
+            session.join().unwrap().unwrap();
+        });
+    }
+
+    #[test]
+    fn a_view_is_shown_soon_and_without_loss_when_it_has_all_samples() {
+        with_session(|client, pictures| {
+            client.show(view(7, 4));
+            let mut last = 0;
+            loop {
+                let message = pictures.recv().unwrap();
+                client.acknowledge();
+                let (head, kind) = head(&message);
+                assert_eq!((head.view, head.of), (7, 4));
+                assert!(head.frame == last + 1 && head.samples <= 4);
+                last = head.frame;
+                if kind == 0 {
+                    assert_eq!(message[20..22], [0xFF, 0xD8], "a JPEG");
+                    continue;
+                }
+                assert!(message[20..].starts_with(b"\x89PNG") && head.samples == 4);
+                let mut reader = png::Decoder::new(std::io::Cursor::new(&message[20..])).read_info().unwrap();
+                let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
+                reader.next_frame(&mut pixels).unwrap();
+                // Those of the same picture, rendered here.
+                let scene =
+                    Arc::new(PackedScene::pack(&voxtrace::scenes::generate("city", Some(20_000)).unwrap()).unwrap());
+                let frame = view(7, 4).frame(&scene, 1).unwrap();
+                let mut tracer = CpuTracer::new(None);
+                tracer.set_scene(&scene).unwrap();
+                tracer.render(&frame, &Progress::default()).unwrap();
+                let mut film = Film::new(96, 64, frame.region, 0);
+                tracer.read(&mut film).unwrap();
+                assert!(pixels == Shown::new(96, 64, |index| film.pixels[index].mean()).samples);
+                film.pixels[40].add(voxtrace::glam::Vec3::splat(9.0), true);
+                assert!(pixels != Shown::new(96, 64, |index| film.pixels[index].mean()).samples);
+                break;
+            }
+            assert!(pictures.recv_timeout(2 * SETTLED).is_err(), "a picture that is whole is not sent again");
+        });
+    }
+
+    #[test]
+    fn a_client_that_shows_nothing_gets_two_pictures_however_much_it_moves() {
+        with_session(|client, pictures| {
+            for id in 0..50 {
+                client.show(view(id, 4));
+                std::thread::sleep(Duration::from_millis(5));
+            }
+            let count = |pictures: &std::sync::mpsc::Receiver<Vec<u8>>| {
+                std::iter::from_fn(|| pictures.recv_timeout(2 * SETTLED).ok()).count()
+            };
+            assert_eq!(count(pictures), 2);
+            client.acknowledge();
+            assert_eq!(count(pictures), 1);
+        });
+    }
+
+    #[test]
+    fn a_client_that_left_stops_what_is_traced() {
+        with_session(|client, pictures| {
+            // Hours of work, of which the first picture comes soon.
+            client.show(View { width: 1920, height: 1080, ..view(1, 4096) });
+            pictures.recv().unwrap();
+            client.acknowledge();
+            std::thread::sleep(2 * SETTLED);
+        });
+    }
+}
