@@ -21,6 +21,7 @@ mod motion;
 pub mod plan;
 pub mod render;
 pub mod scenes;
+pub mod tiles;
 #[cfg(feature = "view")]
 pub mod view;
 pub mod voxelize;
