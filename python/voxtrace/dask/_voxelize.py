@@ -54,8 +54,8 @@ def voxelize(
     Returns `output`. Raises `ReadError` with the path of a file that cannot be read, `OSError`, `ValueError` for options that cannot be, `VoxtraceError` for what a limit or a
     damaged part forbids, and what Dask does where no worker is left.
     """
-    files = [paths] if isinstance(paths, (str, os.PathLike)) else list(paths)
-    files = [os.path.abspath(file) for file in files]
+    named = [paths] if isinstance(paths, (str, os.PathLike)) else list(paths)
+    files = [os.path.abspath(file) for file in named]
     out = Path(os.path.abspath(output))
     if out.suffix.lower() != ".vxt":
         raise ValueError(f"{out}: a scan becomes a .vxt file")
