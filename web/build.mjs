@@ -4,7 +4,7 @@ import { copyFileSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "no
 import { brotliCompressSync, constants } from "node:zlib";
 import { build } from "esbuild";
 
-const MODULES = ["voxtrace", "scenes", "readers"];
+const MODULES = ["voxtrace", "stream", "scenes", "readers"];
 const here = (path) => new URL(path, import.meta.url).pathname;
 process.chdir(here("."));
 rmSync("dist", { recursive: true, force: true });
@@ -12,7 +12,7 @@ mkdirSync("dist");
 
 const shared = { bundle: true, format: "esm", target: "es2022", minify: true, outdir: "dist", logLevel: "warning" };
 await build({ ...shared, entryPoints: { voxtrace: "src/index.ts" } });
-await build({ ...shared, entryPoints: { "voxtrace-worker": "src/worker.ts", "scenes-worker": "src/maker.ts" } });
+await build({ ...shared, entryPoints: { "voxtrace-worker": "src/worker.ts", "stream-worker": "src/streamer.ts", "scenes-worker": "src/maker.ts" } });
 const readers = { name: "readers", setup: (build) => build.onResolve({ filter: /wasm\/scenes\.js$/ }, () => ({ path: here("wasm/readers.js") })) };
 await build({ ...shared, entryPoints: { "readers-worker": "src/maker.ts" }, plugins: [readers] });
 execFileSync("node", ["node_modules/typescript/bin/tsc", "--emitDeclarationOnly", "--declaration"], { stdio: "inherit" });

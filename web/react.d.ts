@@ -19,13 +19,15 @@ interface ViewerAttributes extends HTMLAttributes<VoxtraceViewer> {
   seed?: number;
   "max-bounces"?: number;
   "max-pixels"?: number;
+  "max-memory"?: number;
   threads?: number;
   "no-drop"?: boolean;
   onload?: (event: CustomEvent) => void;
   onprogress?: (event: CustomEvent<{ totalProgress: number | undefined }>) => void;
   onerror?: (event: CustomEvent<{ type: string; message: string }>) => void;
   "oncamera-change"?: (event: CustomEvent<{ source: "none" | "user-interaction"; orbit: string }>) => void;
-  onstill?: (event: CustomEvent<{ samples: number; width: number; height: number }>) => void;
+  "ondetail-change"?: (event: CustomEvent<{ finest: number; coarsest: number; isExact: boolean }>) => void;
+  onstill?: (event: CustomEvent<{ samples: number; width: number; height: number; isExact: boolean }>) => void;
 }
 
 declare module "react" {

@@ -58,6 +58,9 @@ export abstract class Attributes extends Base {
   /** Workers, each with its own copy of the scene. */
   get threads() { return Math.round(this.number("threads", defaultThreads(), 1, 64)); }
   set threads(value: number) { this.setAttribute("threads", String(value)); }
+  /** Megabytes that a file for streaming may take, all workers together. */
+  get maxMemory() { return this.number("max-memory", 1024, 4, 65_536); }
+  set maxMemory(value: number) { this.setAttribute("max-memory", String(value)); }
   /** Most pixels of a picture; larger elements show it scaled. */
   get maxPixels() { return this.number("max-pixels", 1280 * 720, 1, 2 ** 26); }
   set maxPixels(value: number) { this.setAttribute("max-pixels", String(value)); }

@@ -1,12 +1,14 @@
 // The element `<voxtrace-viewer>`: attributes and events in model-viewer's words where both have the thing.
 import { Attributes } from "./attributes.js";
 import { listen } from "./gestures.js";
-import { cameraOf, type Orbit, orbitText, orbitWords, panned, parseFieldOfView, parseOrbit, parseTarget, type Vector, type View, viewOf, within } from "./orbit.js";
+import { cameraOf, lookOf, type Orbit, orbitText, orbitWords, panned, parseFieldOfView, parseOrbit, parseTarget, type Vector, type View, viewOf, within } from "./orbit.js";
 import { Pool } from "./pool.js";
 import type { SceneInfo, Source } from "./protocol.js";
 import type { Look, Picture } from "./rendering.js";
+import { isStreamed } from "./layout.js";
 import { builtIn, download, fileName } from "./source.js";
 import { Stage } from "./stage.js";
+import { type FromStreamer, Streaming } from "./streaming.js";
 import { build, type Parts, showProgress } from "./template.js";
 import { TracerError } from "./tracer.js";
 
@@ -28,6 +30,13 @@ export interface FilmWords {
   words: Uint8Array;
 }
 
+/** A file that may be one for streaming: on a server, or of this machine. */
+interface Followed {
+  name: string;
+  url?: string;
+  blob?: Blob;
+}
+
 export class VoxtraceViewer extends Attributes {
   #parts!: Parts;
   #stage!: Stage;
@@ -40,8 +49,13 @@ export class VoxtraceViewer extends Attributes {
   #view: View | undefined;
   /** Whether the view is still the scene's own, to the bit. */
   #isOwnView = true;
+  /** Whether the view is the one that the attributes ask for. */
+  #isHome = true;
   /** The last load that was asked for; a later one makes it void. */
   #load: AbortController | undefined;
+  /** The file for streaming that is followed, and whether finer parts of it are on their way. */
+  #streaming: Streaming | undefined;
+  #isArriving = false;
   #life: AbortController | undefined;
   #isVisible = true;
   #isPosterGone = false;
@@ -54,10 +68,7 @@ export class VoxtraceViewer extends Attributes {
     this.#parts = build(this.attachShadow({ mode: "open" }));
     const failed = (error: unknown) => this.#fail(error, "renderfailure");
     const shown = () => this.#shown();
-    const still = ({ samples, width, height }: Picture) => {
-      this.#say("The picture is finished.");
-      this.#emit("still", { samples, width, height });
-    };
+    const still = (picture: Picture) => this.#still(picture);
     this.#stage = new Stage(this.#parts.canvas, this.#pool, { shown, still, failed }, this.#look());
     this.#parts.poster.addEventListener("click", () => this.dismissPoster());
     this.#parts.pause.addEventListener("click", () => {
@@ -162,7 +173,10 @@ export class VoxtraceViewer extends Attributes {
 
   /** Shows a file of this machine; its bytes stay here. */
   async show(file: File): Promise<void> {
-    await this.#begin(file.name, async () => ({ kind: "file", name: file.name, bytes: new Uint8Array(await file.arrayBuffer()) }));
+    await this.#begin(file.name, async () => {
+      if (isStreamed(new Uint8Array(await file.slice(0, 64).arrayBuffer()))) return { name: file.name, blob: file };
+      return { kind: "file", name: file.name, bytes: new Uint8Array(await file.arrayBuffer()) };
+    });
   }
 
   #look(): Look {
@@ -181,15 +195,19 @@ export class VoxtraceViewer extends Attributes {
       const scene = builtIn(src);
       if (scene) return scene;
       const url = new URL(src, this.ownerDocument.baseURI);
+      if (/\.vxt$/i.test(url.pathname)) return { name: fileName(url), url: url.href };
       const onProgress = (share: number | undefined) => this.#progress(share === undefined ? undefined : share * DOWNLOADED);
-      return { kind: "file", name: fileName(url), bytes: await download(url, signal, onProgress) };
+      const bytes = await download(url, signal, onProgress);
+      if (isStreamed(bytes)) return { name: fileName(url), blob: new Blob([bytes as Uint8Array<ArrayBuffer>]) };
+      return { kind: "file", name: fileName(url), bytes };
     });
   }
 
-  /** Loads what `source` gives, unless something else is asked for meanwhile. */
-  async #begin(name: string, source: (signal: AbortSignal) => Promise<Source>) {
+  /** Loads what `source` gives, unless something else is asked for meanwhile; what has no kind may be a file for streaming. */
+  async #begin(name: string, source: (signal: AbortSignal) => Promise<Source | Followed>) {
     this.#load?.abort();
     const load = (this.#load = new AbortController());
+    this.#isArriving = false;
     this.#stage.stop();
     [this.#info, this.#view, this.#start] = [undefined, undefined, undefined];
     this.#parts.message.hidden = true;
@@ -198,16 +216,88 @@ export class VoxtraceViewer extends Attributes {
     try {
       const given = await source(load.signal);
       if (load.signal.aborted) return;
-      this.#progress(given.kind === "file" ? DOWNLOADED : undefined);
-      const info = await this.#pool.load(given, this.threads);
-      if (load.signal.aborted) return;
-      this.#progress(LOADED);
-      await this.#arrived(info);
-      if (load.signal.aborted) return;
-      this.#emit("load", { url: name, info });
+      if ("kind" in given) await this.#take(given, name, load.signal);
+      else this.#follow(given, name, load.signal);
     } catch (error) {
       if (!load.signal.aborted) this.#fail(error, "loadfailure");
     }
+  }
+
+  /** Shows a scene that is there whole. */
+  async #take(given: Source, name: string, signal: AbortSignal) {
+    this.#progress(given.kind === "file" ? DOWNLOADED : undefined);
+    const info = await this.#pool.load(given, this.threads);
+    if (signal.aborted) return;
+    this.#progress(LOADED);
+    await this.#arrived(info);
+    if (signal.aborted) return;
+    this.#emit("load", { url: name, info });
+  }
+
+  /** Shows a file for streaming as its parts arrive. */
+  #follow(given: Followed, name: string, signal: AbortSignal) {
+    const memory = this.maxMemory * 2 ** 20;
+    const failed = (error: unknown) => {
+      if (signal.aborted) return;
+      end();
+      this.#fail(error, "loadfailure");
+    };
+    const end = () => {
+      streaming.end();
+      if (this.#streaming !== streaming) return;
+      this.#streaming = undefined;
+      this.#isArriving = false;
+    };
+    const streaming = new Streaming({ ...given, memory, threads: this.threads }, {
+      plain: async (bytes) => {
+        if (signal.aborted) return;
+        end();
+        await this.#take({ kind: "file", name: given.name, bytes }, name, signal);
+      },
+      scene: async (scene) => {
+        if (!signal.aborted) await this.#refine(scene, name, signal);
+      },
+      progress: (share) => {
+        if (!signal.aborted) this.#progress(this.#info || share === undefined ? share : share * DOWNLOADED);
+      },
+      settled: () => {
+        if (signal.aborted) return;
+        this.#isArriving = false;
+        this.#endProgress();
+        const film = this.#stage.film;
+        if (film && film.samples >= film.picture.samples) this.#still(film.picture);
+      },
+      failed,
+    });
+    this.#streaming = streaming;
+    streaming.pause(!this.#isVisible);
+    signal.addEventListener("abort", end);
+  }
+
+  /** Shows a finer scene of the file that is followed, from where one looks. */
+  async #refine({ bytes, voxels, hash, detail }: Extract<FromStreamer, { kind: "scene" }>, name: string, signal: AbortSignal) {
+    this.#isArriving = true;
+    this.#stage.stop();
+    const isFirst = !this.#info;
+    // Each worker has a copy: of what is large there are fewer.
+    const threads = Math.max(1, Math.min(this.threads, Math.floor((this.maxMemory * 2 ** 20) / bytes.length) - 2));
+    const isSame = !isFirst && threads >= this.#pool.size;
+    const made = isSame ? await this.#pool.replace(bytes) : await this.#pool.load({ kind: "file", name: "scene.vxt", bytes }, threads);
+    if (signal.aborted) return;
+    const info = { ...made, voxels, hash, detail };
+    if (isFirst) {
+      await this.#arrived(info);
+      if (signal.aborted) return;
+      this.#emit("load", { url: name, info });
+    } else {
+      this.#info = info;
+      await this.#findStart();
+      if (signal.aborted) return;
+      // Coarse voxels reach farther, and a view of all of the scene with them.
+      if (this.#isHome) this.#goHome("none");
+      else this.#refresh();
+    }
+    this.#emit("detail-change", detail);
   }
 
   async #arrived(info: SceneInfo) {
@@ -245,6 +335,7 @@ export class VoxtraceViewer extends Attributes {
       console.warn(`voxtrace-viewer: ${which} is not understood; examples are camera-orbit="30deg 75deg 120%", camera-target="1 2 3", field-of-view="45deg"`);
     }
     const view: View = { ...(orbit ?? own), target: target ?? own.target, fieldOfView: fieldOfView ?? own.fieldOfView };
+    this.#isHome = true;
     this.#isOwnView = JSON.stringify(view) === JSON.stringify(own);
     this.#view = this.#isOwnView ? own : within(view, this.#diagonal());
     this.#refresh();
@@ -260,7 +351,7 @@ export class VoxtraceViewer extends Attributes {
     if (!this.#view) return;
     if (source === "user-interaction") this.#lastMove = performance.now();
     this.#view = within(change(this.#view), this.#diagonal());
-    this.#isOwnView = false;
+    this.#isOwnView = this.#isHome = false;
     this.#refresh();
     this.#changed(source);
   }
@@ -279,6 +370,10 @@ export class VoxtraceViewer extends Attributes {
     if (this.#isOwnView && !hasCamera && size.width / size.height !== this.#aspect) void this.#fit();
     const camera = this.#isOwnView ? this.#start : cameraOf(this.#view);
     this.#stage.show({ camera, lensOf: hasCamera ? 0 : -1, ...size, samples: this.samples, seed: this.seed, bounces: this.maxBounces });
+    if (!this.#streaming) return;
+    // Until it is known that nothing finer comes for it.
+    if (!this.#info?.detail?.isExact) this.#isArriving = true;
+    this.#streaming.look(lookOf(camera, size));
   }
 
   /** A view that shows the whole scene is another in an element of another shape. */
@@ -292,6 +387,7 @@ export class VoxtraceViewer extends Attributes {
   #seen(isVisible: boolean) {
     const wasVisible = this.#isVisible;
     this.#isVisible = isVisible;
+    if (isVisible !== wasVisible) this.#streaming?.pause(!isVisible);
     if (isVisible && this.loading === "lazy" && !this.#load) this.#reload();
     // Nobody looks: other pages get the processor.
     else if (!isVisible) this.#stage.stop();
@@ -351,10 +447,20 @@ export class VoxtraceViewer extends Attributes {
 
   #shown() {
     if (this.reveal === "auto" && !this.#isPosterGone) this.dismissPoster();
-    if (!this.#parts.bar.hidden) {
-      this.#emit("progress", { totalProgress: 1 });
-      showProgress(this.#parts, null);
-    }
+    if (!this.#isArriving) this.#endProgress();
+  }
+
+  #endProgress() {
+    if (this.#parts.bar.hidden) return;
+    this.#emit("progress", { totalProgress: 1 });
+    showProgress(this.#parts, null);
+  }
+
+  /** The film has all its samples. Where finer parts are on their way, another one follows. */
+  #still({ samples, width, height }: Picture) {
+    if (this.#isArriving) return;
+    this.#say("The picture is finished.");
+    this.#emit("still", { samples, width, height, isExact: this.#info?.detail?.isExact ?? true });
   }
 
   #progress(share: number | undefined) {
@@ -369,7 +475,8 @@ export class VoxtraceViewer extends Attributes {
   #fail(error: unknown, type: "loadfailure" | "renderfailure") {
     const message = error instanceof Error ? error.message : String(error);
     if (error instanceof TracerError && error.isFatal) this.#pool.end();
-    this.#stage.stop();
+    // What is shown of a file whose further parts do not come stays.
+    if (type === "renderfailure" || !this.#info) this.#stage.stop();
     showProgress(this.#parts, null);
     this.#parts.message.textContent = message;
     this.#parts.message.hidden = false;

@@ -7,3 +7,4 @@ export { VoxtraceViewer };
 export type { FilmWords } from "./element.js";
 export type { Orbit, Vector } from "./orbit.js";
 export type { SceneInfo } from "./protocol.js";
+export type { Detail } from "./streaming.js";

@@ -1,5 +1,7 @@
 // A camera that turns around a point: angles as in model-viewer, in a world whose z is up and whose front is -y. Attributes are read here.
 
+import type { Look } from "./detail.js";
+
 export type Vector = [number, number, number];
 
 const RADIANS = Math.PI / 180;
@@ -40,6 +42,12 @@ export function cameraOf(view: View): Float32Array {
   const towards = towardsEye(view);
   const eye = view.target.map((value, axis) => value + view.radius * towards[axis]!);
   return new Float32Array([...eye, ...view.target, 0, 0, 1, view.fieldOfView]);
+}
+
+/** What a camera's numbers mean for what it needs of a scene. */
+export function lookOf(camera: ArrayLike<number>, { width, height }: { width: number; height: number }): Look {
+  const at = (index: number): Vector => [camera[index]!, camera[index + 1]!, camera[index + 2]!];
+  return { eye: at(0), target: at(3), field: camera[9]! * RADIANS, aspect: width / height, height };
 }
 
 /** A view within what can be looked at; `size` is the diagonal of the scene. */

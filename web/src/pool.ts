@@ -1,15 +1,15 @@
 // The workers of one viewer: one for each core, each with the scene. The first reads or makes it, and can trace at once; the others get it packed.
 import type { SceneInfo, Source } from "./protocol.js";
-import { startWorker, Tracer } from "./tracer.js";
+import { startWorker, Tracer, TracerError } from "./tracer.js";
 
-/** The modules: one traces, and reads the simplest formats; the others make scenes for it, and are loaded where they are needed. */
-type ModuleName = "voxtrace" | "scenes" | "readers";
+/** The modules: one traces, and reads the simplest formats; the others make scenes for it, `stream` of the parts of a file, and are loaded where they are needed. */
+type ModuleName = "voxtrace" | "scenes" | "readers" | "stream";
 
-const addressOf = (file: string) => new URL(`./${file}`, import.meta.url);
+export const addressOf = (file: string) => new URL(`./${file}`, import.meta.url);
 const compiled = new Map<ModuleName, Promise<WebAssembly.Module>>();
 
 /** A module, compiled once for all viewers of a page. */
-function moduleOf(name: ModuleName): Promise<WebAssembly.Module> {
+export function moduleOf(name: ModuleName): Promise<WebAssembly.Module> {
   let module = compiled.get(name);
   if (!module) {
     module = compile(addressOf(`${name}.wasm`));
@@ -39,6 +39,8 @@ export class Pool {
   ready: Tracer[] = [];
   #all: Tracer[] = [];
   readonly #onReady: (tracer: Tracer) => void;
+  /** The workers after the first get the scene. */
+  #others: Promise<void> = Promise.resolve();
 
   /** `onReady` is told of each worker that has the scene. */
   constructor(onReady: (tracer: Tracer) => void) {
@@ -59,8 +61,32 @@ export class Pool {
       await hand(packed.slice(), first);
     }
     this.#join(first);
-    if (threads > 1) void this.#startOthers(first, packed, threads - 1);
+    if (threads > 1) this.#others = this.#startOthers(first, packed, threads - 1);
     return info;
+  }
+
+  /** Gives all workers another scene, packed, in the place of theirs: ready as soon as the first one has it. */
+  async replace(packed: Uint8Array): Promise<SceneInfo> {
+    this.ready = [];
+    await this.#others;
+    const [first, ...others] = this.#all;
+    if (!first) throw new TracerError("the viewer was closed", true);
+    const info = await hand(others.length > 0 ? packed.slice() : packed, first);
+    this.#join(first);
+    this.#others = (async () => {
+      for (const [index, tracer] of others.entries()) {
+        await hand(index === others.length - 1 ? packed : packed.slice(), tracer);
+        this.#join(tracer);
+      }
+    })().catch(() => {
+      // As where they start.
+    });
+    return info;
+  }
+
+  /** How many workers there are. */
+  get size(): number {
+    return this.#all.length;
   }
 
   /** Who makes the scene: the first worker itself, or one with the module that can. */

@@ -1,5 +1,7 @@
 // What pages ask workers for, and what they answer.
 
+import type { Detail } from "./streaming.js";
+
 /** Where a scene comes from. */
 export type Source = { kind: "built-in"; name: string; voxels?: number } | { kind: "file"; name: string; bytes: Uint8Array };
 
@@ -14,6 +16,8 @@ export interface SceneInfo {
   bounds: number[];
   /** A hash of everything that a picture of the scene depends on. */
   hash: string;
+  /** Of a file for streaming: how fine what is shown is. */
+  detail?: Detail;
 }
 
 /** Some rows of a picture, and the samples that each of their pixels has afterwards. */

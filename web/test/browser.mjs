@@ -40,8 +40,8 @@ export function setUp() {
 
 /** A page with an element of these attributes, and what it wrote to its console. */
 export async function open(attributes = {}, options = {}) {
-  const { width = 320, height = 180, ...rest } = options;
-  const page = await context.browser.newPage({ viewport: { width: 640, height: 480 }, ...rest });
+  const { width = 320, height = 180, browser = context.browser, ...rest } = options;
+  const page = browser === context.browser ? await browser.newPage({ viewport: { width: 640, height: 480 }, ...rest }) : await browser.newPage();
   page.errors = [];
   page.on("pageerror", (error) => page.errors.push(error.message));
   page.setDefaultTimeout(60_000);
@@ -50,7 +50,7 @@ export async function open(attributes = {}, options = {}) {
     const viewer = document.createElement("voxtrace-viewer");
     Object.assign(viewer.style, { width: `${width}px`, height: `${height}px` });
     window.events = [];
-    for (const name of ["load", "progress", "error", "camera-change", "still"]) {
+    for (const name of ["load", "progress", "error", "camera-change", "detail-change", "still"]) {
       viewer.addEventListener(name, ({ detail }) => window.events.push({ name, at: performance.now(), detail: name === "error" ? { ...detail, sourceError: null } : detail }));
     }
     for (const [name, value] of Object.entries(attributes)) viewer.setAttribute(name, value);

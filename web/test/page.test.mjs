@@ -19,6 +19,8 @@ const MOST = {
   "voxtrace.js": 12_000,
   "voxtrace-worker.js": 4_000,
   "voxtrace.wasm": 360_000,
+  "stream-worker.js": 8_000,
+  "stream.wasm": 180_000,
   "scenes-worker.js": 4_000,
   "scenes.wasm": 370_000,
   "readers-worker.js": 4_000,

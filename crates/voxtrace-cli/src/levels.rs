@@ -1,4 +1,4 @@
-//! Levels of detail on the command line: which are written into a native file, and which one is opened.
+//! Levels of detail on the command line: which are written into a native file, whether it is one for streaming, and which one is opened.
 
 use crate::failure::Failure;
 use crate::interrupt;
@@ -7,7 +7,7 @@ use crate::report::Report;
 use crate::verbs::convert::save_failure;
 use std::path::Path;
 use voxtrace::PackedScene;
-use voxtrace::packed::{FileErrorKind, LevelCount, Levels, MAX_LEVELS, add_levels};
+use voxtrace::packed::{FileErrorKind, LevelCount, Levels, MAX_LEVELS, add_levels, rewrite_for_streaming};
 
 /// Levels of detail to write.
 #[derive(clap::Args, Clone, Copy, Debug, Default)]
@@ -15,6 +15,9 @@ pub struct LevelsArg {
     /// Levels of detail to write into the .vxt file, each of voxels twice as wide as those of the one before: a number, or `all`, until the scene is a few voxels wide
     #[arg(long, value_name = "N|all", value_parser = count)]
     levels: Option<LevelCount>,
+    /// Write the .vxt file for streaming: all levels of detail in compressed chunks, the coarsest first, so that the viewer for pages shows it while it arrives
+    #[arg(long, conflicts_with = "levels")]
+    stream: bool,
 }
 
 fn count(text: &str) -> Result<LevelCount, String> {
@@ -28,8 +31,12 @@ fn count(text: &str) -> Result<LevelCount, String> {
 impl LevelsArg {
     /// Refuses files that have no place for levels.
     pub fn check(self, out: &Path) -> Result<(), Failure> {
-        if self.levels.is_none() || is_native(out) {
+        if self.levels.is_none() && !self.stream || is_native(out) {
             return Ok(());
+        }
+        if self.stream {
+            let failure = Failure::usage(format!("{}: only .vxt files can be streamed", out.display()));
+            return Err(failure.hint("leave out --stream, or name the file .vxt"));
         }
         let failure = Failure::usage(format!("{}: only .vxt files have levels of detail", out.display()));
         Err(failure.hint("leave out --levels, or name the file .vxt"))
@@ -38,6 +45,7 @@ impl LevelsArg {
     /// Saves a scene, with the levels that are asked for.
     pub fn save(self, out: &Path, packed: &PackedScene, report: &Report) -> Result<(), Failure> {
         let saved = match self.levels {
+            None if self.stream => packed.save_for_streaming(out, &mut |level| told(level, report)),
             None => packed.save(out),
             Some(count) => packed.save_with_levels(out, count, &mut |level| told(level, report)),
         };
@@ -46,14 +54,21 @@ impl LevelsArg {
 
     /// Adds the levels that are asked for to a file that was written.
     pub fn add(self, out: &Path, report: &Report) -> Result<(), Failure> {
-        let Some(count) = self.levels else { return Ok(()) };
-        let added = add_levels(out, count, &mut |level| told(level, report));
+        let added = match self.levels {
+            None if self.stream => rewrite_for_streaming(out, &mut |level| told(level, report)),
+            None => return Ok(()),
+            Some(count) => add_levels(out, count, &mut |level| told(level, report)),
+        };
         added.map_err(|error| if interrupt::is_requested() { interrupt::failure() } else { save_failure(out, &error) })
     }
 
     /// Says that the levels of a file that is read do not come with it.
     pub fn remark_lost(self, input: &Path, report: &Report) {
-        if self.levels.is_none() && is_native(input) && Levels::open(input).is_ok_and(|levels| levels.count() > 0) {
+        if self.levels.is_none()
+            && !self.stream
+            && is_native(input)
+            && Levels::open(input).is_ok_and(|levels| levels.count() > 0)
+        {
             report.remark("levels of detail are left out; --levels makes them anew");
         }
     }

@@ -8,17 +8,23 @@
 mod film_words;
 #[cfg(feature = "tracer")]
 mod render;
+#[cfg(any(feature = "tracer", feature = "scenes", feature = "readers"))]
 mod scene;
 #[cfg(feature = "tracer")]
 mod selftest;
+#[cfg(feature = "stream")]
+mod stream;
 
 #[cfg(feature = "tracer")]
 pub use film_words::{film_from_words, film_words, shown};
 #[cfg(feature = "tracer")]
 pub use render::{Part, render_part};
+#[cfg(any(feature = "tracer", feature = "scenes", feature = "readers"))]
 pub use scene::{WebScene, format_of};
 #[cfg(feature = "tracer")]
 pub use selftest::selftest;
+#[cfg(feature = "stream")]
+pub use stream::{Stream, checksum};
 
 use wasm_bindgen::prelude::*;
 

@@ -32,7 +32,7 @@ pub mod packed {
     pub use voxtrace_core::packed::{
         BrickSource, FileError, FileErrorKind, Geometry, LevelCount, LevelSummary, Levels, MAGIC, MAX_LEVELS, Object,
         Outline, PackError, PackedGrid, PackedInstance, PackedMaterial, PackedScene, Placement, PlacementError,
-        Statistics, StreamError, add_levels, save_streamed,
+        Statistics, StreamError, add_levels, rewrite_for_streaming, save_streamed,
     };
 }
 

@@ -7,8 +7,9 @@ use std::process::Command;
 use wasm_bindgen_cli_support::Bindgen;
 
 const TARGET: &str = "wasm32-unknown-unknown";
-/// The modules, and the features of `voxtrace-web` that each has: one traces, the others make scenes for it.
-const MODULES: [(&str, &str); 3] = [("voxtrace", "tracer"), ("scenes", "scenes"), ("readers", "readers")];
+/// The modules, and the features of `voxtrace-web` that each has: one traces, the others make scenes for it, `stream` of the parts of a file as they arrive.
+const MODULES: [(&str, &str); 4] =
+    [("voxtrace", "tracer"), ("stream", "stream"), ("scenes", "scenes"), ("readers", "readers")];
 
 /// Builds all modules, or those that are named, and writes what binds them.
 pub fn build(names: &[&str]) -> Result<(), String> {

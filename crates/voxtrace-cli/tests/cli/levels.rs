@@ -42,6 +42,36 @@ fn levels_are_written_listed_and_shown() {
 }
 
 #[test]
+fn a_file_for_streaming_is_the_scene_with_all_levels_for_every_verb() {
+    let folder = Folder::new();
+    city(&folder);
+    folder.succeed(&["convert", "plain.vxt", "streamed.vxt", "--stream"]);
+    assert!(folder.bytes("streamed.vxt").len() < folder.bytes("city.vxt").len());
+    let info =
+        |name: &str| -> serde_json::Value { serde_json::from_str(&folder.succeed(&["info", name, "--json"])).unwrap() };
+    let (streamed, levels) = (info("streamed.vxt"), info("city.vxt"));
+    assert_eq!(streamed["content_hash"], levels["content_hash"]);
+    let voxels = |value: &serde_json::Value| -> Vec<u64> {
+        value["levels"].as_array().unwrap().iter().map(|level| level["voxels"].as_u64().unwrap()).collect()
+    };
+    assert!(voxels(&streamed).len() >= 4);
+    assert_eq!(voxels(&streamed), voxels(&levels));
+    for level in ["0", "2"] {
+        let of = |name: &str, out: &str| {
+            folder.succeed(&[&["render", name, "--level", level, "-o", out], &SMALL[..]].concat());
+            folder.bytes(out)
+        };
+        assert_eq!(of("streamed.vxt", "a.png"), of("city.vxt", "b.png"), "level {level}");
+    }
+    // Back to a plain file, and from the voxelizer.
+    folder.succeed(&["convert", "streamed.vxt", "again.vxt"]);
+    assert_eq!(folder.bytes("again.vxt"), folder.bytes("plain.vxt"));
+    let said = folder.fail(&["convert", "plain.vxt", "out.vox", "--stream"], 2);
+    assert!(said.contains("only .vxt files can be streamed"), "{said}");
+    folder.fail(&["convert", "plain.vxt", "out.vxt", "--stream", "--levels", "2"], 2);
+}
+
+#[test]
 fn levels_that_are_not_there_or_have_no_place_are_refused_with_what_to_do() {
     let folder = Folder::new();
     folder.succeed(&["convert", "room.vox", "two.vxt", "--levels", "2"]);

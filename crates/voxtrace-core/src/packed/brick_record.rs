@@ -7,6 +7,7 @@ use rayon::prelude::*;
 use voxtrace_scene::brick::Brick;
 
 /// Encoded bricks.
+#[derive(Clone)]
 pub(super) struct BrickWords {
     /// Brick records, each an even number of words.
     pub records: Vec<u32>,

@@ -11,6 +11,7 @@ use super::{
     bytes::Bytes,
     levels,
     settings::{EnvironmentSections, LensRecord, Settings},
+    streamed,
 };
 use crate::atomic_file::write_atomically;
 use bytemuck::{Pod, Zeroable};
@@ -25,6 +26,8 @@ use xxhash_rust::xxh3::{Xxh3, xxh3_64};
 pub const MAGIC: [u8; 8] = *b"VOXTRACE";
 /// Version of the format that is written; all up to it are read.
 pub const VERSION: u32 = 2;
+/// Version of files for streaming, which have the scene and its levels in compressed chunks: see [`super::streamed`].
+pub const STREAMED_VERSION: u32 = 3;
 /// Sections start at multiples of this many bytes.
 pub(super) const ALIGNMENT: usize = 64;
 
@@ -52,31 +55,70 @@ pub(super) struct TableEntry {
     pub checksum: u64,
 }
 
+/// A section to write: its tag, the bytes of one record, and all bytes.
+pub(super) type SectionBytes<'a> = ([u8; 4], u32, &'a [u8]);
+
+/// The section of some records.
+pub(super) fn section_of<'a, T: Pod>(tag: &[u8; 4], records: &'a [T]) -> SectionBytes<'a> {
+    (*tag, size_of::<T>() as u32, bytemuck::cast_slice(records))
+}
+
 /// Tags and record sizes in the order in which they are written.
 fn sections<'a>(
     scene: &'a PackedScene,
     settings: &'a Settings,
     instances: &'a [InstanceRecord],
     materials: &'a MaterialRecords,
-) -> [([u8; 4], u32, &'a [u8]); 12] {
-    fn section<'a, T: Pod>(tag: &[u8; 4], records: &'a [T]) -> ([u8; 4], u32, &'a [u8]) {
-        (*tag, size_of::<T>() as u32, bytemuck::cast_slice(records))
-    }
+) -> [SectionBytes<'a>; 12] {
     let (geometry, placement) = (&scene.geometry, &scene.placement);
     [
-        section(b"SETT", std::slice::from_ref(&settings.record)),
-        section(b"CAMS", &settings.cameras),
-        section(b"TEXT", &settings.text),
-        section(b"GRID", &geometry.grids),
-        section(b"INST", instances),
-        section(b"INOD", &placement.instance_nodes),
-        section(b"MATS", &materials.surfaces),
-        section(b"EMIT", &geometry.emitters),
-        section(b"LNOD", &geometry.light_nodes),
-        section(b"CELL", &geometry.cells),
-        section(b"BRIK", &geometry.bricks),
-        section(b"BMAT", &geometry.brick_materials),
+        section_of(b"SETT", std::slice::from_ref(&settings.record)),
+        section_of(b"CAMS", &settings.cameras),
+        section_of(b"TEXT", &settings.text),
+        section_of(b"GRID", &geometry.grids),
+        section_of(b"INST", instances),
+        section_of(b"INOD", &placement.instance_nodes),
+        section_of(b"MATS", &materials.surfaces),
+        section_of(b"EMIT", &geometry.emitters),
+        section_of(b"LNOD", &geometry.light_nodes),
+        section_of(b"CELL", &geometry.cells),
+        section_of(b"BRIK", &geometry.bricks),
+        section_of(b"BMAT", &geometry.brick_materials),
     ]
+}
+
+/// Writes sections as a file of their own, or as one within another.
+pub(super) fn write_sections(writer: &mut impl Write, sections: &[SectionBytes]) -> io::Result<()> {
+    let mut offset = size_of::<Header>() + sections.len() * size_of::<TableEntry>();
+    let mut table = Vec::new();
+    for (tag, record_size, bytes) in sections {
+        offset = offset.next_multiple_of(ALIGNMENT);
+        table.push(TableEntry {
+            tag: *tag,
+            record_size: *record_size,
+            offset: offset as u64,
+            size: bytes.len() as u64,
+            checksum: xxh3_64(bytes),
+        });
+        offset += bytes.len();
+    }
+    let table_bytes = bytemuck::cast_slice(&table);
+    let header = Header {
+        magic: MAGIC,
+        version: VERSION,
+        section_count: table.len() as u32,
+        table_checksum: xxh3_64(table_bytes),
+        reserved: [0; 5],
+    };
+    writer.write_all(bytemuck::bytes_of(&header))?;
+    writer.write_all(table_bytes)?;
+    let mut written = size_of::<Header>() + table_bytes.len();
+    for (entry, (.., bytes)) in table.iter().zip(sections) {
+        writer.write_all(&[0; ALIGNMENT][..entry.offset as usize - written])?;
+        writer.write_all(bytes)?;
+        written = entry.offset as usize + bytes.len();
+    }
+    Ok(())
 }
 
 impl PackedScene {
@@ -127,36 +169,7 @@ impl PackedScene {
         sections.extend(self.geometry.coverage_section());
         sections.extend((1..).zip(levels).map(|(level, bytes)| (levels::tag_of(level), 1, &***bytes)));
         sections.extend(self.geometry.parts.iter().flat_map(|parts| parts.sections()));
-        let mut offset = size_of::<Header>() + sections.len() * size_of::<TableEntry>();
-        let mut table = Vec::new();
-        for (tag, record_size, bytes) in &sections {
-            offset = offset.next_multiple_of(ALIGNMENT);
-            table.push(TableEntry {
-                tag: *tag,
-                record_size: *record_size,
-                offset: offset as u64,
-                size: bytes.len() as u64,
-                checksum: xxh3_64(bytes),
-            });
-            offset += bytes.len();
-        }
-        let table_bytes = bytemuck::cast_slice(&table);
-        let header = Header {
-            magic: MAGIC,
-            version: VERSION,
-            section_count: table.len() as u32,
-            table_checksum: xxh3_64(table_bytes),
-            reserved: [0; 5],
-        };
-        writer.write_all(bytemuck::bytes_of(&header))?;
-        writer.write_all(table_bytes)?;
-        let mut written = size_of::<Header>() + table_bytes.len();
-        for (entry, (.., bytes)) in table.iter().zip(&sections) {
-            writer.write_all(&[0; ALIGNMENT][..entry.offset as usize - written])?;
-            writer.write_all(bytes)?;
-            written = entry.offset as usize + bytes.len();
-        }
-        Ok(())
+        write_sections(writer, &sections)
     }
 
     /// Opens a scene by mapping its file into memory. Checksums and the scene's structure are verified, so tracing it
@@ -226,6 +239,9 @@ impl PackedScene {
     pub(super) fn of_shared(bytes: Arc<Bytes>) -> Result<Self, FileErrorKind> {
         let length = bytes.len();
         let reader = Reader::new(bytes, 0..length)?;
+        if reader.is_streamed() {
+            return streamed::scene_of(&reader, 0);
+        }
         // What is in levels is looked at when they are asked for; a file that is cut off is refused.
         levels::ranges_of(&reader)?;
         let settings = Self::settings_of(&reader)?;

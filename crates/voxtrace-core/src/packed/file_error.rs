@@ -1,6 +1,6 @@
 //! What can be wrong with a native file.
 
-use super::file::VERSION;
+use super::file::STREAMED_VERSION;
 use std::io;
 use std::path::PathBuf;
 
@@ -26,7 +26,9 @@ pub enum FileErrorKind {
     #[error("not a voxtrace scene (at byte 0)")]
     NotVoxtrace,
     /// Written by another version of the format.
-    #[error("format version {0}, but this voxtrace reads versions 1 to {VERSION} (at byte 8); a newer one reads it")]
+    #[error(
+        "format version {0}, but this voxtrace reads versions 1 to {STREAMED_VERSION} (at byte 8); a newer one reads it"
+    )]
     Version(u32),
     /// The file is shorter than it says, or its table is wrong.
     #[error("truncated or damaged: {what} (at byte {offset})")]

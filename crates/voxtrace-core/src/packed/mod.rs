@@ -46,6 +46,7 @@ mod sharing;
 mod skip_distances;
 mod statistics;
 mod stream;
+mod streamed;
 mod top_lights;
 mod unpack;
 mod validate;
@@ -74,6 +75,10 @@ pub use section::Section;
 pub use skip_distances::SKIP_DISTANCES;
 pub use statistics::Statistics;
 pub use stream::{BrickSource, StreamError, save_streamed};
+#[cfg(not(target_arch = "wasm32"))]
+pub use streamed::rewrite_for_streaming;
+#[doc(hidden)]
+pub use streamed::{StreamHead, StreamedLevels, WholeLevel};
 pub(crate) use wide_tree::{LEAF, WideNode, WideTree};
 #[doc(hidden)]
 pub use {instances::MAX_INSTANCE_DEPTH, lights::morton_order};

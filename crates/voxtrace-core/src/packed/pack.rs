@@ -177,6 +177,7 @@ pub(super) fn check(scene: &Scene) -> Result<(), PackError> {
 }
 
 /// A grid packed on its own; positions count from the start of its own arrays until it is appended.
+#[derive(Clone)]
 pub(crate) struct GridPart {
     grid: PackedGrid,
     /// The top cells, padded to a multiple of 64, then the nodes of the finer levels, coarse to fine.

@@ -1,7 +1,7 @@
 //! Reading the sections of a native file, or of a level in it: found by their tags, with their checksums and sizes checked; and the voxels that they make up, checked whole.
 
 use super::bytes::{Access, Bytes};
-use super::file::{ALIGNMENT, Header, MAGIC, TableEntry, VERSION};
+use super::file::{ALIGNMENT, Header, MAGIC, STREAMED_VERSION, TableEntry};
 use super::file_error::{FileErrorKind, damaged};
 use super::instance_record::InstanceRecord;
 use super::material_records::{MaterialRecords, MediumRecord};
@@ -62,7 +62,7 @@ fn read_table(bytes: &[u8]) -> Result<(u32, Vec<TableEntry>), FileErrorKind> {
     if header.magic != MAGIC {
         return Err(FileErrorKind::NotVoxtrace);
     }
-    if !(1..=VERSION).contains(&header.version) {
+    if !(1..=STREAMED_VERSION).contains(&header.version) {
         return Err(FileErrorKind::Version(header.version));
     }
     let table = (header.section_count as usize)
@@ -111,6 +111,17 @@ impl Reader {
         Ok(Some((start..end, entry.checksum)))
     }
 
+    /// Whether it is a file for streaming, whose sections are others.
+    pub fn is_streamed(&self) -> bool {
+        self.version == STREAMED_VERSION
+    }
+
+    /// Some of its bytes.
+    #[cfg(not(target_arch = "wasm32"))]
+    pub fn bytes(&self, range: Range<usize>) -> &[u8] {
+        &self.bytes[range]
+    }
+
     /// Whether there is a section that files may do without.
     pub fn has(&self, tag: &[u8; 4]) -> bool {
         self.table.iter().any(|entry| entry.tag == *tag)
@@ -139,7 +150,7 @@ impl Reader {
     }
 
     /// What a merged grid was made of, which still has to be checked.
-    fn parts(&self, placement: &Placement) -> Result<Option<Arc<Parts>>, FileErrorKind> {
+    pub fn parts(&self, placement: &Placement) -> Result<Option<Arc<Parts>>, FileErrorKind> {
         if !self.has(b"PART") {
             return Ok(None);
         }

@@ -1,7 +1,7 @@
 //! Writing the sections of a native file one after the other, without knowing beforehand how long they will be: the header
 //! and the table, which come first in the file, are written last.
 
-use super::file::{ALIGNMENT, Header, MAGIC, TableEntry, VERSION};
+use super::file::{ALIGNMENT, Header, MAGIC, TableEntry};
 use bytemuck::Pod;
 use std::fs::File;
 use std::io::{self, BufWriter, Seek, SeekFrom, Write};
@@ -63,13 +63,13 @@ impl SectionWriter {
         Ok(entry.map(|entry| (entry.offset as usize, (entry.offset + entry.size) as usize)))
     }
 
-    /// Writes header and table.
-    pub fn finish(mut self) -> io::Result<()> {
+    /// Writes header and table of a version.
+    pub fn finish(mut self, version: u32) -> io::Result<()> {
         assert!(self.table.len() <= self.sections, "room was left for fewer sections");
         let table = bytemuck::cast_slice(&self.table);
         let header = Header {
             magic: MAGIC,
-            version: VERSION,
+            version,
             section_count: self.table.len() as u32,
             table_checksum: xxh3_64(table),
             reserved: [0; 5],

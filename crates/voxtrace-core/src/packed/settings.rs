@@ -51,7 +51,7 @@ impl EnvironmentSections {
         [(*b"ENVI", size_of::<EnvironmentRecord>() as u32, record), (*b"ENVT", size_of::<[f32; 3]>() as u32, texels)]
     }
 
-    fn environment(&self) -> Result<Environment, Invalid> {
+    pub(super) fn environment(&self) -> Result<Environment, Invalid> {
         let texels: Vec<Vec3> = self.texels.iter().copied().map(Vec3::from_array).collect();
         let map = EnvironmentMap::new(self.record.edge, &texels)?;
         Ok(Environment::new(map.into(), self.record.rotation))

@@ -4,6 +4,7 @@
 
 use super::brick_record::encode_bricks;
 use super::bytes::Bytes;
+use super::file::VERSION;
 use super::instance_record::InstanceRecord;
 use super::lights::{append_lights_of_grid, surface_luminance};
 use super::material_records::MaterialRecords;
@@ -131,7 +132,7 @@ pub fn save_streamed(path: &Path, scene: &Scene, source: &mut impl BrickSource) 
         unit: scene.unit,
     };
     write_rest(&packed, &mut writer)?;
-    writer.finish()?;
+    writer.finish(VERSION)?;
     drop(packed);
     Ok(temporary.replace(path)?)
 }

@@ -7,7 +7,7 @@ use super::instances::{MAX_INSTANCE_DEPTH, corners_of};
 use super::lights::{finds_root, validate_lights};
 use super::lookup::{HEADER_INDEX_BITS, HEADER_PALETTE};
 use super::normals::normal_words;
-use super::{CELL_OCCUPIED, Geometry, LightNode, PackedGrid, Placement};
+use super::{CELL_OCCUPIED, Geometry, LightNode, PackedGrid, PackedInstance, Placement};
 use glam::{IVec3, Vec3};
 use std::ops::Range;
 use voxtrace_scene::Invalid;
@@ -51,17 +51,7 @@ impl Placement {
 
     /// Checks the instances and the hierarchy over them.
     pub(super) fn validate_instances(&self, geometry: &Geometry) -> Result<(), Invalid> {
-        for (index, instance) in self.instances.iter().enumerate() {
-            if instance.grid as usize >= geometry.grids.len() {
-                return Err(format!("instance {index} shows grid {}, which is missing", instance.grid).into());
-            }
-            if !instance.world_from_grid.is_similarity() || !instance.grid_from_world.is_similarity() {
-                return Err(format!("instance {index} has a transform that is no similarity").into());
-            }
-            if !is_inverse(&instance.grid_from_world, &instance.world_from_grid) {
-                return Err(format!("the two transforms of instance {index} are not each other's inverse").into());
-            }
-        }
+        validate_each(&self.instances, geometry.grids.len())?;
         self.validate_instance_nodes(geometry)
     }
 
@@ -146,6 +136,22 @@ impl Placement {
         }
         Ok(())
     }
+}
+
+/// Checks instances of so many grids, each for itself.
+pub(super) fn validate_each(instances: &[PackedInstance], grids: usize) -> Result<(), Invalid> {
+    for (index, instance) in instances.iter().enumerate() {
+        if instance.grid as usize >= grids {
+            return Err(format!("instance {index} shows grid {}, which is missing", instance.grid).into());
+        }
+        if !instance.world_from_grid.is_similarity() || !instance.grid_from_world.is_similarity() {
+            return Err(format!("instance {index} has a transform that is no similarity").into());
+        }
+        if !is_inverse(&instance.grid_from_world, &instance.world_from_grid) {
+            return Err(format!("the two transforms of instance {index} are not each other's inverse").into());
+        }
+    }
+    Ok(())
 }
 
 /// Whether one transform undoes the other, but for rounding: it is some builds' own.

@@ -162,7 +162,7 @@ fn palette(ui: &mut Ui, session: &mut Session) {
     }
     let spacing = vec2(2.0, 2.0);
     let across = ((ui.available_width() / (SWATCH + spacing.x)).floor() as usize).max(1);
-    ScrollArea::vertical().id_salt("palette").max_height(HEIGHT).show_rows(
+    ScrollArea::vertical().id_salt("palette").max_height(HEIGHT).min_scrolled_height(HEIGHT).show_rows(
         ui,
         SWATCH,
         count.div_ceil(across),
@@ -336,7 +336,7 @@ fn steps(ui: &mut Ui, session: &mut Session) {
     });
     let height = ui.text_style_height(&egui::TextStyle::Body) + 2.0;
     let rows = done + undone + 1;
-    ScrollArea::vertical().id_salt("steps").max_height(HEIGHT).stick_to_bottom(true).show_rows(
+    ScrollArea::vertical().id_salt("steps").max_height(HEIGHT).min_scrolled_height(HEIGHT).stick_to_bottom(true).show_rows(
         ui,
         height,
         rows,

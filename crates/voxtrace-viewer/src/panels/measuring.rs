@@ -88,7 +88,7 @@ fn list(ui: &mut Ui, session: &mut Session) {
     let Some(scale) = session.open.as_ref().map(|open| Scale::of(&open.original)) else { return };
     let numbers: Vec<u32> = session.measuring.list.keys().copied().collect();
     let height = ui.spacing().interact_size.y;
-    ScrollArea::vertical().id_salt("measures").max_height(HEIGHT).show_rows(ui, height, numbers.len(), |ui, rows| {
+    ScrollArea::vertical().id_salt("measures").max_height(HEIGHT).min_scrolled_height(HEIGHT).show_rows(ui, height, numbers.len(), |ui, rows| {
         for &number in &numbers[rows] {
             row(ui, session, number, &scale);
         }

@@ -74,7 +74,7 @@ fn order_name(order: Order) -> &'static str {
 fn list(ui: &mut Ui, session: &mut Session) {
     let Some(tree) = session.outline_rows() else { return };
     let height = ui.spacing().interact_size.y;
-    let mut area = ScrollArea::vertical().id_salt("objects").max_height(HEIGHT).auto_shrink([false, true]);
+    let mut area = ScrollArea::vertical().id_salt("objects").max_height(HEIGHT).min_scrolled_height(HEIGHT).auto_shrink([false, true]);
     let selected = session.outliner.selected;
     if std::mem::take(&mut session.outliner.scrolls)
         && let Some(index) = tree.rows.iter().position(|row| Some(row.part) == selected)

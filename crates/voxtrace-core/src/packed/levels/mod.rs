@@ -7,8 +7,8 @@ mod stored;
 mod window;
 mod write;
 
-pub(super) use stored::ranges_of;
 pub use stored::{LevelSummary, Levels};
+pub(super) use stored::{ranges_of, scene_of};
 
 use super::bytes::Bytes;
 use super::{FileError, FileErrorKind, PackedScene, StreamError};
@@ -66,7 +66,7 @@ impl PackedScene {
     }
 
     /// The levels as bytes of files without names beside `path`.
-    fn levels_beside(
+    pub(super) fn levels_beside(
         &self,
         path: &Path,
         count: LevelCount,
@@ -90,7 +90,7 @@ impl PackedScene {
                 StreamError::Pack(error) => FileErrorKind::Invalid(error.to_string().into()),
             })?;
             let bytes = Arc::new(Bytes::map(&file)?);
-            below = Some(stored::scene_of(Arc::clone(&bytes), 0..bytes.len(), self)?);
+            below = Some(scene_of(Arc::clone(&bytes), 0..bytes.len(), self)?);
             made.push(bytes);
             if !progress(made.len() as u32) {
                 return Err(std::io::Error::from(std::io::ErrorKind::Interrupted).into());

@@ -4,6 +4,7 @@ use super::{MAX_LEVELS, tag_of};
 use crate::packed::bytes::{Access, Bytes};
 use crate::packed::file_error::damaged;
 use crate::packed::section_reader::{Reader, geometry_and_placement};
+use crate::packed::streamed;
 use crate::packed::{FileError, FileErrorKind, Outline, PackedGrid, PackedScene};
 use std::fs::File;
 use std::ops::Range;
@@ -60,7 +61,14 @@ impl Levels {
     fn of(bytes: Bytes) -> Result<Self, FileErrorKind> {
         let bytes = Arc::new(bytes);
         let reader = Reader::new(Arc::clone(&bytes), 0..bytes.len())?;
-        Ok(Self { ranges: ranges_of(&reader)?, bytes })
+        let ranges = if reader.is_streamed() { streamed::ranges_of(&reader) } else { ranges_of(&reader) }?;
+        Ok(Self { ranges, bytes })
+    }
+
+    /// The sections of the file, where it is one for streaming.
+    fn streamed(&self) -> Result<Option<Reader>, FileErrorKind> {
+        let reader = Reader::new(Arc::clone(&self.bytes), 0..self.bytes.len())?;
+        Ok(reader.is_streamed().then_some(reader))
     }
 
     /// How many there are beside the scene itself.
@@ -74,6 +82,9 @@ impl Levels {
     /// [`FileErrorKind`] where it is damaged, or where there is none.
     pub fn summary(&self, level: u32) -> Result<LevelSummary, FileErrorKind> {
         let (range, _) = self.range(level)?;
+        if let Some(streamed) = self.streamed()? {
+            return Ok(LevelSummary { voxels: streamed::summary_of(&streamed, level)?, bytes: range.len() as u64 });
+        }
         let grids = Reader::new(Arc::clone(&self.bytes), range.clone())?.section::<PackedGrid>(b"GRID")?;
         let voxels = |grid: &PackedGrid| u64::from(grid.voxels[0]) | u64::from(grid.voxels[1]) << 32;
         Ok(LevelSummary { voxels: grids.iter().map(voxels).sum(), bytes: range.len() as u64 })
@@ -88,6 +99,9 @@ impl Levels {
             return PackedScene::of_shared(Arc::clone(&self.bytes));
         }
         let (range, checksum) = self.range(level)?;
+        if let Some(streamed) = self.streamed()? {
+            return streamed::scene_of(&streamed, level);
+        }
         self.bytes.expect(Access::FromStartToEnd);
         if xxh3_64(&self.bytes[range.clone()]) != *checksum {
             return Err(damaged(format!("level {level} has a wrong checksum"), range.start as u64));
@@ -109,7 +123,7 @@ pub(in crate::packed) fn ranges_of(reader: &Reader) -> Result<Vec<(Range<usize>,
 }
 
 /// The scene of a level, with all that is no voxel from `settings`.
-pub(super) fn scene_of(
+pub(in crate::packed) fn scene_of(
     bytes: Arc<Bytes>,
     range: Range<usize>,
     settings: &PackedScene,

@@ -6,6 +6,7 @@ use super::window::{Traits, Window};
 use crate::atomic_file::TemporaryFile;
 use crate::packed::brick_record::encode_brick;
 use crate::packed::coverage::{coverage_words, words_of};
+use crate::packed::file::VERSION;
 use crate::packed::instance_record::InstanceRecord;
 use crate::packed::lights::append_lights_of_grid;
 use crate::packed::material_records::MaterialRecords;
@@ -267,5 +268,5 @@ fn write_rest(level: &Geometry, below: &Placement, mut writer: SectionWriter) ->
     writer.section(b"EMIT", &level.emitters)?;
     writer.section(b"LNOD", &level.light_nodes)?;
     writer.section(b"COVR", &[4u32])?;
-    Ok(writer.finish()?)
+    Ok(writer.finish(VERSION)?)
 }
