@@ -19,12 +19,14 @@ __all__ = [
     "Renderer",
     "Scene",
     "Sky",
+    "TiledCloud",
     "TransferFunction",
     "Volume",
     "VoxelGrid",
     "VoxtraceError",
     "__version__",
     "builtin",
+    "join_surveys",
     "open",
     "open_volume",
 ]
@@ -371,6 +373,33 @@ class Editor:
     def voxels(self) -> int: ...
     def scene(self) -> Scene: ...
 
+@final
+class TiledCloud:
+    def __new__(
+        cls,
+        paths: Sequence[_Path],
+        *,
+        resolution: int | None = None,
+        voxel_size: float | None = None,
+        color_by: str = "auto",
+        min_points: int = 1,
+        classes: str | None = None,
+        bounds: Sequence[float] | None = None,
+        palette: int | None = None,
+        dither: bool = False,
+        memory: int | None = None,
+        trusted: bool = False,
+    ) -> TiledCloud: ...
+    def shares(self, parts: int) -> list[tuple[int, int]]: ...
+    def survey(self, first: int, end: int) -> bytes: ...
+    def check(self, survey: bytes) -> bool: ...
+    def measure(self, survey: bytes, first: int, end: int) -> bytes: ...
+    def voxelize(self, survey: bytes, first: int, end: int, path: _Path) -> int: ...
+    def merge(self, survey: bytes, parts: Sequence[_Path], path: _Path, levels: int = 0) -> int: ...
+    @property
+    def notes(self) -> list[str]: ...
+
+def join_surveys(found: Sequence[bytes]) -> bytes: ...
 def open(
     path: _Path,
     *,

@@ -14,6 +14,7 @@ mod open;
 mod renderer;
 mod scene;
 mod sky;
+mod tiles;
 mod transfer;
 mod volume;
 
@@ -43,6 +44,8 @@ mod _voxtrace {
     use super::scene::{PyInstance, PyScene};
     #[pymodule_export]
     use super::sky::PySky;
+    #[pymodule_export]
+    use super::tiles::{PyTiledCloud, join_surveys};
     #[pymodule_export]
     use super::transfer::PyTransfer;
     #[pymodule_export]

@@ -5,6 +5,7 @@
 pub mod bake;
 pub mod close;
 pub mod cull_hidden;
+mod fields;
 mod import_error;
 mod limits;
 pub mod mesh;

@@ -12,7 +12,7 @@ from typing import Any
 import numpy
 
 from .._voxtrace import Camera, Scene
-from ._sharing import address_of_worker, elsewhere, gathered, packed_scene, renderer_of, sent_scene
+from ._sharing import address_of_worker, elsewhere, gathered, packed_scene, renderer_of, sent_bytes
 
 
 def animate(
@@ -55,7 +55,7 @@ def animate(
     look = {"exposure": exposure, "tone_map": tone_map}
 
     def submit(numbers: list[int], workers: list[str]) -> dict[Any, int]:
-        sent = sent_scene(client, data, retries, workers)
+        sent = sent_bytes(client, data, retries, workers)
         begun: dict[Any, int] = {}
         for number in numbers:
             place = None if places is None else places[number]

@@ -7,10 +7,7 @@ from collections.abc import Callable
 from typing import Any
 
 from .._voxtrace import Camera, Image, Renderer, Scene
-from ._sharing import address_of_worker, elsewhere, gathered, packed_scene, renderer_of, sent_scene
-
-#: Parts for each worker, so that quick ones take more of them.
-PARTS_A_WORKER = 4
+from ._sharing import address_of_worker, elsewhere, gathered, packed_scene, renderer_of, sent_bytes, usual_parts
 
 
 def render(
@@ -37,7 +34,7 @@ def render(
     """
     if samples < 1:
         raise ValueError("a picture has at least one sample")
-    count = min(samples, parts or _usual_parts(client))
+    count = min(samples, parts or usual_parts(client))
     # The filter compares what there is after half of the samples.
     bounds = sorted({samples * part // count for part in range(count + 1)} | ({samples // 2} if denoise else set()))
     # The camera is chosen once, for all.
@@ -63,14 +60,10 @@ def render_like(
     """Samples of the picture that a film shows, as `Renderer.render_like` makes them, by the workers of `client`: see `render`."""
     if samples < 1:
         raise ValueError("a picture has at least one sample")
-    count = min(samples, parts or _usual_parts(client))
+    count = min(samples, parts or usual_parts(client))
     bounds = [first_sample + samples * part // count for part in range(count + 1)]
     films = _shared(client, packed_scene(scene), device, film.to_bytes(), {"region": region}, bounds, retries, progress)
     return Image.merge(films)
-
-
-def _usual_parts(client: Any) -> int:
-    return PARTS_A_WORKER * max(1, len(client.scheduler_info(n_workers=-1)["workers"]))
 
 
 def _shared(
@@ -88,7 +81,7 @@ def _shared(
 
     def submit(missing: list[int], workers: list[str]) -> dict[Any, int]:
         # The scene goes along anew, as whoever had it may be gone or stand still; workers that know it do not unpack it again.
-        sent = sent_scene(client, data, retries, workers)
+        sent = sent_bytes(client, data, retries, workers)
         begun: dict[Any, int] = {}
         for part in missing:
             first, end = bounds[part], bounds[part + 1]

@@ -21,8 +21,16 @@ PATIENCE = 3.0
 #: The same, in seconds, before the first part is there.
 FIRST_PATIENCE = 30.0
 
+#: Parts for each worker, so that quick ones take more of them.
+PARTS_A_WORKER = 4
+
 #: Renderers of a worker's process, by the scene, the device and what else they are made with: scenes are sent, unpacked and put on the device once.
 _renderers: dict[tuple[str, str, str], Renderer] = {}
+
+
+def usual_parts(client: Any) -> int:
+    """How many parts there are for the workers that there are now."""
+    return PARTS_A_WORKER * max(1, len(client.scheduler_info(n_workers=-1)["workers"]))
 
 
 def elsewhere(workers: list[str]) -> dict[str, Any]:
@@ -30,10 +38,10 @@ def elsewhere(workers: list[str]) -> dict[str, Any]:
     return {"workers": workers, "allow_other_workers": True} if workers else {}
 
 
-def sent_scene(client: Any, data: bytes, retries: int, workers: list[str]) -> Any:
-    """The bytes of a scene as a result on a worker: unlike what is scattered, it is made anew where that worker is lost."""
+def sent_bytes(client: Any, data: bytes, retries: int, workers: list[str]) -> Any:
+    """Bytes that many parts need, a scene's, as a result on a worker: unlike what is scattered, it is made anew where that worker is lost."""
     with warnings.catch_warnings():
-        # A scene is large, and goes along once.
+        # They may be many, and go along once.
         warnings.filterwarnings("ignore", message="Sending large graph")
         return client.submit(bytes, data, pure=False, retries=retries, **elsewhere(workers))
 
@@ -44,11 +52,12 @@ def gathered(
     parts: list[int],
     take: Callable[[int, Any], object],
     progress: Callable[[float], object] | None,
+    least_patience: float = 2.0,
 ) -> None:
     """Has parts made by the workers, and gives what they are to `take` as they come, each once.
 
     `submit(parts, workers)` begins parts, preferably on these workers; their results are pairs of the worker's address and what the part is.
-    Parts that keep everybody waiting are begun a second time elsewhere, and whichever is there first counts.
+    Parts that keep everybody waiting, for `least_patience` seconds at least, are begun a second time elsewhere, and whichever is there first counts.
     """
     from dask import distributed
 
@@ -59,32 +68,35 @@ def gathered(
     alive: set[str] = set()
     took: deque[float] = deque(maxlen=64)
     last = time.monotonic()
-    while len(there) < len(parts):
-        try:
-            done = wait(list(waiting), timeout=1.0, return_when="FIRST_COMPLETED").done
-        except TimeoutError:
-            done = set()
-        for future in done:
-            part = waiting.pop(future)
-            if part not in there:
-                worker, made = future.result()
-                take(part, made)
-                there.add(part)
-                alive.add(worker)
-                now = time.monotonic()
-                took.append(now - last)
-                last = now
-        if progress:
-            progress(len(there) / len(parts))
-        rest = [part for part in parts if part not in there]
-        patience = max(2.0, PATIENCE * statistics.median(took)) if took else FIRST_PATIENCE
-        is_late = time.monotonic() - last > patience
-        # Once for each silence: nobody is asked for the same again and again.
-        if rest and is_late:
-            waiting |= submit(rest, sorted(alive))
-            alive.clear()
-            last = time.monotonic()
-    client.cancel(list(waiting), force=True)
+    try:
+        while len(there) < len(parts):
+            try:
+                done = wait(list(waiting), timeout=1.0, return_when="FIRST_COMPLETED").done
+            except TimeoutError:
+                done = set()
+            for future in done:
+                part = waiting.pop(future)
+                if part not in there:
+                    worker, made = future.result()
+                    take(part, made)
+                    there.add(part)
+                    alive.add(worker)
+                    now = time.monotonic()
+                    took.append(now - last)
+                    last = now
+            if progress:
+                progress(len(there) / len(parts))
+            rest = [part for part in parts if part not in there]
+            patience = max(least_patience, PATIENCE * statistics.median(took) if took else FIRST_PATIENCE)
+            is_late = time.monotonic() - last > patience
+            # Once for each silence: nobody is asked for the same again and again.
+            if rest and is_late:
+                waiting |= submit(rest, sorted(alive))
+                alive.clear()
+                last = time.monotonic()
+    finally:
+        # What nobody waits for any more, or after a failure.
+        client.cancel(list(waiting), force=True)
 
 
 def packed_scene(scene: Scene) -> tuple[bytes, str]:

@@ -23,6 +23,7 @@ pub mod render;
 pub mod scenes;
 #[cfg(feature = "serve")]
 pub mod serve;
+pub mod tiles;
 #[cfg(feature = "view")]
 pub mod view;
 pub mod voxelize;

@@ -102,3 +102,42 @@ fn what_cannot_be_chosen_or_joined_is_one_line_that_says_why() {
         assert!(error.contains(wanted) && error.trim().lines().count() <= 3, "{arguments:?}: {error}");
     }
 }
+
+#[test]
+fn the_commands_of_a_plan_voxelize_tiles_to_the_bytes_of_one_process() {
+    let folder = folder();
+    for (name, place) in [("tiles/north.las", [102, 56]), ("tiles/over.las", [104, 52])] {
+        std::fs::write(folder.path(name), las_tile(place)).unwrap();
+    }
+    let options = ["--voxel-size=2m", "--min-points", "2", "--classes", "1,2,3,4"];
+    folder.succeed(&[&["voxelize", "tiles", "-o", "alone.vxt", "--levels", "1"], &options[..]].concat());
+    let plan = [&["tiles", "plan", "tiles", "--parts", "3", "-o", "out.vxt", "--levels", "1"], &options[..]].concat();
+    let plan = folder.succeed(&plan);
+    let lines: Vec<Value> = plan.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+    let commands: Vec<Vec<&str>> = lines
+        .iter()
+        .map(|line| line["command"].as_array().unwrap().iter().map(|word| word.as_str().unwrap()).collect())
+        .collect();
+    // Points have no colours, so that heights may colour them, for which all are looked through a second time.
+    let kinds: Vec<&str> = lines.iter().map(|line| line["kind"].as_str().unwrap()).collect();
+    let expected = ["survey", "join", "survey", "join", "voxelize", "merge"];
+    assert_eq!(kinds.chunk_by(|a, b| a == b).map(|run| run[0]).collect::<Vec<_>>(), expected);
+    assert_eq!(lines.iter().filter(|line| line["stage"] == 4).count(), 3);
+    for (command, line) in commands.iter().zip(&lines) {
+        assert_eq!(command[0], "voxtrace");
+        if line["kind"] == "merge" {
+            // One part is missing.
+            let at = command.iter().position(|word| word.ends_with("out.1.part")).unwrap();
+            let missing = [&command[1..at - 1], &command[at + 1..]].concat();
+            let missing: Vec<&str> = missing.into_iter().filter(|word| *word != "--").collect();
+            assert!(folder.fail(&missing, 3).contains("are in no part"));
+        }
+        folder.succeed(&command[1..]);
+        assert!(folder.exists(line["output"].as_str().unwrap()));
+    }
+    assert_eq!(folder.bytes("out.vxt"), folder.bytes("alone.vxt"));
+    let wrong = ["tiles", "survey", "tiles", "-o", "a.found"];
+    assert!(folder.fail(&wrong, 2).contains("--files"));
+    folder.fail(&[&wrong[..], &["--files", "3..9"]].concat(), 3);
+    folder.fail(&[&wrong[..], &["--files", "3"]].concat(), 2);
+}

@@ -2,7 +2,7 @@
 //! extension.
 
 use super::reader::clues::{FileClues, FolderClues, HEAD, Recognition};
-use super::reader::{Data, ImportOptions, Kind, LargeGeometry, LargeVolume, Reader};
+use super::reader::{Data, ImportOptions, Kind, LargeGeometry, LargeVolume, Reader, TiledCloud};
 use super::readers::Readers;
 use super::source::Source;
 use super::source::guard::guarded;
@@ -166,6 +166,25 @@ impl<'t> Opened<'t, '_> {
         let files = tiles.unwrap_or_else(|| vec![path.into()]);
         found.map(|found| LargeGeometry::new(found, path, &files, self.reader, options)).transpose()
     }
+
+    /// Opens files of points that several processes are to voxelize: those of a folder, several that were named, or one. LAS and LAZ are
+    /// such.
+    ///
+    /// # Errors
+    /// If they cannot be read, are not what they say, or have no points or another format.
+    pub fn open_tiled(&mut self) -> Result<TiledCloud, ImportError> {
+        let (path, options) = (self.source.path(), self.options);
+        let tiles =
+            if self.reader.takes_tiles { self.source.tiles(self.reader.extensions, &options.limits)? } else { None };
+        let files = tiles.unwrap_or_else(|| vec![path.into()]);
+        let points = self.open_large(0)?.and_then(LargeGeometry::into_points);
+        let cloud = points.map(|points| TiledCloud::new(points, &files, options)).transpose()?.flatten();
+        cloud.ok_or_else(|| {
+            let what = "several processes voxelize only points of LAS and LAZ files, and there are none";
+            ImportError::of_file(path, ImportErrorKind::OtherTiles(what.into()))
+        })
+    }
+
     /// Opens a volume without reading its samples into memory, if they would take more than a third of `budget` there and lie in a format for
     /// which that is possible: raw, NRRD, MetaImage, NumPy and NIfTI of one number at each place, pages of a TIFF, Zarr and N5. `None` where not.
     ///

@@ -76,6 +76,29 @@ impl Sample {
         self.seen += 1;
     }
 
+    /// Adds a sample of other points.
+    pub fn join(&mut self, other: &Self) {
+        self.thin(other.stride);
+        self.points.extend(other.points.iter().step_by((self.stride / other.stride) as usize));
+        self.seen += other.seen;
+        if self.points.len() > Self::MOST {
+            self.thin(2 * self.stride);
+        }
+    }
+
+    /// Leaves as many points as a stride of at least this, a power of two, has.
+    pub fn thin(&mut self, stride: u64) {
+        if stride > self.stride {
+            self.points = self.points.iter().copied().step_by((stride / self.stride) as usize).collect();
+            self.stride = stride;
+        }
+    }
+
+    /// A sample that was taken apart. `None` where a stride is no power of two.
+    pub(crate) fn of_parts(points: Vec<Vec3>, stride: u64, seen: u64) -> Option<Self> {
+        stride.is_power_of_two().then_some(Self { points, stride, seen })
+    }
+
     fn is_next(&self) -> bool {
         // The stride is a power of two.
         self.seen & (self.stride - 1) == 0
@@ -109,5 +132,10 @@ mod tests {
         assert_eq!((sample.stride(), sample.seen()), (8, count));
         assert_eq!(sample.points().len() as u64, count.div_ceil(8));
         assert!(sample.points().iter().enumerate().all(|(at, point)| point.x == 8.0 * at as f32));
+        let mut few = Sample::default();
+        (0..100).for_each(|at| few.add(|| Vec3::splat(at as f32)));
+        sample.join(&few);
+        assert_eq!((sample.stride(), sample.seen()), (8, count + 100));
+        assert_eq!(sample.points().len() as u64, count.div_ceil(8) + 100u64.div_ceil(8));
     }
 }

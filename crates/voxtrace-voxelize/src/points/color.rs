@@ -191,6 +191,7 @@ fn ramp(share: f32) -> [u8; 3] {
 }
 
 /// Histogram of scalar values between two bounds.
+#[derive(Clone, Debug)]
 pub struct ValueHistogram {
     low: f32,
     high: f32,
@@ -252,7 +253,24 @@ impl ValueHistogram {
         runs().fold(histogram, add).reduce(histogram, Self::joined).percentile_range()
     }
 
-    fn joined(mut self, other: Self) -> Self {
+    /// The bounds.
+    pub(crate) fn ends(&self) -> (f32, f32) {
+        (self.low, self.high)
+    }
+
+    /// The counts of its bins, from the lowest on.
+    pub(crate) fn counts(&self) -> &[u64] {
+        &self.counts
+    }
+
+    /// A histogram with counts. `None` where there are not as many as bins.
+    pub(crate) fn of_counts(low: f32, high: f32, counts: Vec<u64>) -> Option<Self> {
+        let all = counts.iter().sum();
+        (counts.len() == Self::BINS).then_some(Self { low, high, counts, all })
+    }
+
+    /// With the values of another histogram between the same bounds.
+    pub(crate) fn joined(mut self, other: Self) -> Self {
         self.counts.iter_mut().zip(other.counts).for_each(|(own, other)| *own += other);
         self.all += other.all;
         self

@@ -4,6 +4,7 @@
 //! weigh as much as they have points.
 
 use super::{PointCloud, bounds};
+use crate::fields::{FieldReader, FieldWriter};
 use glam::{DVec3, UVec3, Vec3};
 use rayon::prelude::*;
 
@@ -34,6 +35,7 @@ pub fn suited_resolution(cloud: &PointCloud) -> u32 {
 }
 
 /// A sample of points to measure their density, filled in any number of steps.
+#[derive(Clone, Debug)]
 pub struct Density {
     bounds: (Vec3, Vec3),
     count: u64,
@@ -65,6 +67,40 @@ impl Density {
         if self.codes.len() > self.sorted + MAX_CODES {
             self.sort();
         }
+    }
+
+    /// Adds the points of another sample that was created for the same bounds and number of points. What comes of several does not
+    /// depend on their order.
+    pub fn join(&mut self, mut other: Self) {
+        let (Some(own), Some(theirs)) = (&mut self.lattice, &mut other.lattice) else { return };
+        while own.most > theirs.most {
+            own.halve_sample();
+        }
+        self.codes.extend(other.codes);
+        self.codes.retain(|&code| own.is_chosen(code));
+        self.sort();
+    }
+
+    /// Adds the sample to what is written.
+    pub(crate) fn write(&mut self, out: &mut FieldWriter) {
+        self.sort();
+        out.value(self.bounds.0);
+        out.value(self.bounds.1);
+        out.value(self.count);
+        out.value(self.lattice.as_ref().map_or(0, |lattice| lattice.most));
+        out.values(&self.codes);
+    }
+
+    /// The sample that was written.
+    pub(crate) fn read(from: &mut FieldReader) -> Option<Self> {
+        let (low, high, count, most) = (from.value()?, from.value()?, from.value()?, from.value::<u64>()?);
+        let mut own = Self::over(low, high, count);
+        while let Some(lattice) = own.lattice.as_mut().filter(|lattice| lattice.most > most) {
+            lattice.halve_sample();
+        }
+        own.codes = from.values()?;
+        own.sorted = own.codes.len();
+        Some(own)
     }
 
     /// Sorts the codes. Where there are too many, half of the coarse cells are dropped; which ones depends on their hashes alone,
@@ -105,6 +141,7 @@ impl Density {
 }
 
 /// The finest and the coarse grid over a cloud, and which coarse cells are sampled.
+#[derive(Clone, Debug)]
 struct Lattice {
     min: DVec3,
     /// Finest cells per unit of length.
@@ -234,6 +271,36 @@ mod tests {
         let (large, small) = (suited_resolution(&cloud(sphere(4 << 20))), suited_resolution(&cloud(sphere(1 << 20))));
         let factor = f64::from(large) / f64::from(small);
         assert!((1.8..2.2).contains(&factor), "{large} {small}");
+    }
+
+    #[test]
+    fn samples_of_parts_join_to_the_sample_of_all_in_any_order() {
+        // So many that cells are dropped, in some parts earlier than in others.
+        let random = |at: u32| hash(at.wrapping_mul(2_654_435_761)) as f32 / u32::MAX as f32;
+        let points: Vec<Vec3> =
+            (0..9_000_000).map(|at| Vec3::new(random(3 * at), random(3 * at + 1), random(3 * at + 2))).collect();
+        let sample = |points: &[Vec3]| {
+            // Created for few points, it takes all.
+            let mut density = Density::over(Vec3::ZERO, Vec3::ONE, 1000);
+            points.chunks(1 << 20).for_each(|points| density.add(points));
+            density
+        };
+        let mut all = sample(&points);
+        all.sort();
+        let (head, rest) = points.split_at(5_500_000);
+        let (body, tail) = rest.split_at(10);
+        for order in [[head, body, tail], [tail, body, head], [body, head, tail]] {
+            let mut joined = sample(&[]);
+            for part in order {
+                let mut out = FieldWriter::new(b"density\0");
+                sample(part).write(&mut out);
+                let bytes = out.finish();
+                joined.join(Density::read(&mut FieldReader::open(&bytes, b"density\0").unwrap()).unwrap());
+            }
+            assert_eq!(joined.lattice.as_ref().unwrap().most, all.lattice.as_ref().unwrap().most);
+            assert!(joined.lattice.as_ref().unwrap().most < 1 << 32 && joined.codes == all.codes);
+        }
+        assert!(all.codes.len() > 1_000_000);
     }
 
     #[test]

@@ -11,7 +11,7 @@ const MAGIC: &[u8; 8] = b"voxpart\0";
 const VERSION: u64 = 1;
 /// Bytes of the header: magic, version, fingerprint of the work.
 const HEADER: u64 = 32;
-/// Bytes of a frame's header: step (8), unused (8), bytes of entries (8) and of content (8).
+/// Bytes of a frame's header: step (8), kind (8), bytes of entries (8) and of content (8).
 const FRAME: usize = 32;
 /// Bytes of the checksum at the end of a frame.
 const CHECKSUM: u64 = 8;
@@ -24,9 +24,25 @@ pub(crate) struct Step {
     pub batch: u32,
 }
 
+/// What a frame holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum FrameKind {
+    /// Finished bricks.
+    Bricks,
+    /// Bricks that other parts of the work reach into: sums of their voxels.
+    Sums,
+    /// The last frame of a log that is whole.
+    End,
+}
+
+impl FrameKind {
+    const ALL: [Self; 3] = [Self::Bricks, Self::Sums, Self::End];
+}
+
 /// A frame of the log: one batch of finished tiles.
 pub(super) struct Frame {
     pub step: Step,
+    pub kind: FrameKind,
     pub entries: Vec<u8>,
     pub content: Vec<u8>,
     /// Where the content begins in the file.
@@ -55,6 +71,7 @@ pub(super) struct CheckpointFile {
 impl CheckpointFile {
     /// Opens or creates the checkpoint file beside an output. `key` is the fingerprint of the work.
     pub fn open(output: &Path, key: u128) -> io::Result<(Self, Existing)> {
+        let header = header_of(key);
         let output = follow_link(output);
         let mut name = output.file_name().ok_or(io::ErrorKind::InvalidFilename)?.to_owned();
         name.push(".part");
@@ -64,10 +81,6 @@ impl CheckpointFile {
         if let Err(TryLockError::WouldBlock) = file.try_lock() {
             return Err(io::Error::new(io::ErrorKind::ResourceBusy, "another process is at work on this file"));
         }
-        let mut header = [0; HEADER as usize];
-        header[..8].copy_from_slice(MAGIC);
-        header[8..16].copy_from_slice(&VERSION.to_le_bytes());
-        header[16..].copy_from_slice(&key.to_le_bytes());
         let length = file.metadata()?.len();
         let mut there = [0; HEADER as usize];
         let is_own = length >= HEADER && file.read_exact(&mut there).is_ok() && there == header;
@@ -82,6 +95,43 @@ impl CheckpointFile {
             file.write_all(&header)?;
         }
         Ok((Self { file: Some(file), path, end: HEADER, is_kept: false }, found))
+    }
+
+    /// Begins a log in an empty file, which somebody else names and removes.
+    pub fn begin(mut file: File, key: u128) -> io::Result<Self> {
+        file.write_all(&header_of(key))?;
+        Ok(Self { file: Some(file), path: PathBuf::new(), end: HEADER, is_kept: true })
+    }
+
+    /// Opens a log that is to be read; `None` where it is of other work, or none.
+    pub fn open_to_read(path: &Path, key: u128) -> io::Result<Option<Self>> {
+        let mut file = File::open(path)?;
+        let mut there = [0; HEADER as usize];
+        let is_own = match file.read_exact(&mut there) {
+            Err(error) if error.kind() != io::ErrorKind::UnexpectedEof => return Err(error),
+            read => read.is_ok() && there == header_of(key),
+        };
+        Ok(is_own.then(|| Self { file: Some(file), path: path.into(), end: HEADER, is_kept: true }))
+    }
+
+    /// The next frame of a log that is to be whole; `None` at its end.
+    ///
+    /// # Errors
+    /// Where it begins, if the frame is damaged or not whole.
+    pub fn next_whole(&mut self) -> io::Result<Result<Option<Frame>, u64>> {
+        let start = self.end;
+        let length = self.file()?.metadata()?.len();
+        if start == length {
+            return Ok(Ok(None));
+        }
+        let Some(frame) = self.read(start, length)? else { return Ok(Err(start)) };
+        self.end = frame.content_at + frame.content.len() as u64 + CHECKSUM;
+        Ok(Ok(Some(frame)))
+    }
+
+    /// The open file, for whoever knows where its contents lie.
+    pub fn into_file(mut self) -> Option<File> {
+        self.file.take()
     }
 
     /// Where the file is.
@@ -135,6 +185,7 @@ impl CheckpointFile {
         let word = |at: usize| u32::from_le_bytes([head[at], head[at + 1], head[at + 2], head[at + 3]]);
         let size = |at: usize| u64::from(word(at)) | u64::from(word(at + 4)) << 32;
         let step = Step { part: word(0), batch: word(4) };
+        let Some(&kind) = FrameKind::ALL.get(word(8) as usize) else { return Ok(None) };
         let (entry_bytes, content_bytes) = (size(16), size(24));
         let needed = entry_bytes.checked_add(content_bytes).and_then(|size| size.checked_add(CHECKSUM));
         if needed.is_none_or(|needed| needed > length - start - FRAME as u64) {
@@ -147,15 +198,16 @@ impl CheckpointFile {
         file.read_exact(&mut found)?;
         let is_whole = checksum(start, &head, &entries, &content) == u64::from_le_bytes(found);
         let content_at = start + FRAME as u64 + entry_bytes;
-        Ok(is_whole.then_some(Frame { step, entries, content, content_at }))
+        Ok(is_whole.then_some(Frame { step, kind, entries, content, content_at }))
     }
 
     /// Appends a frame and returns where its content begins. All frames must have been read before.
-    pub fn append(&mut self, step: Step, entries: &[u8], content: &[u8]) -> io::Result<u64> {
+    pub fn append(&mut self, step: Step, kind: FrameKind, entries: &[u8], content: &[u8]) -> io::Result<u64> {
         let start = self.end;
         let mut head = [0; FRAME];
         head[..4].copy_from_slice(&step.part.to_le_bytes());
         head[4..8].copy_from_slice(&step.batch.to_le_bytes());
+        head[8] = kind as u8;
         head[16..24].copy_from_slice(&(entries.len() as u64).to_le_bytes());
         head[24..].copy_from_slice(&(content.len() as u64).to_le_bytes());
         let checksum = checksum(start, &head, entries, content).to_le_bytes();
@@ -181,6 +233,15 @@ impl Drop for CheckpointFile {
     }
 }
 
+/// The header of the log of work with this fingerprint.
+fn header_of(key: u128) -> [u8; HEADER as usize] {
+    let mut header = [0; HEADER as usize];
+    header[..8].copy_from_slice(MAGIC);
+    header[8..16].copy_from_slice(&VERSION.to_le_bytes());
+    header[16..].copy_from_slice(&key.to_le_bytes());
+    header
+}
+
 /// Checksum of a frame, seeded with its offset so that a frame moved elsewhere is invalid.
 fn checksum(start: u64, head: &[u8], entries: &[u8], content: &[u8]) -> u64 {
     let mut hash = Xxh3::with_seed(start);
@@ -201,7 +262,7 @@ mod tests {
         let (mut part, found) = CheckpointFile::open(output, 7).unwrap();
         assert_eq!((found, part.next().unwrap().is_none()), (Existing::Nothing, true));
         for batch in 0..3 {
-            part.append(step(batch), &[batch as u8; 5], &vec![batch as u8; 1000]).unwrap();
+            part.append(step(batch), FrameKind::Bricks, &[batch as u8; 5], &vec![batch as u8; 1000]).unwrap();
         }
         part.keep();
         part.path().to_owned()
@@ -242,7 +303,7 @@ mod tests {
             bytes[at] ^= 0x10;
             fs::write(&path, bytes).unwrap();
             let intact = at.saturating_sub(HEADER as usize) / size;
-            // The unused word of a frame is under the checksum too.
+            // All of a frame is under the checksum, its kind too.
             assert_eq!(frames(&output, 7).1.len(), if at < HEADER as usize { 0 } else { intact }, "{at}");
             fs::write(&path, &whole[..at]).unwrap();
             assert_eq!(frames(&output, 7).1.len(), intact, "{at}");

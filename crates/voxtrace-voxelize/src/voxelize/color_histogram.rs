@@ -11,11 +11,14 @@ const COLORS: usize = 1 << 24;
 /// Number of histogram bins: 7 bits a channel.
 pub(super) const BINS: usize = 1 << 21;
 
+/// Most voxels that a bin counts.
+const MOST_IN_BIN: u32 = u32::MAX / 2;
+
 /// Histogram of the colours of one BSDF class.
 struct ClassHistogram {
     /// Bitmap: one bit for each 24-bit colour that occurs.
     seen: Vec<AtomicU64>,
-    /// Number of voxels in each bin; saturates before `u32::MAX`.
+    /// Number of voxels in each bin; not counted further from [`MOST_IN_BIN`] on.
     bins: Vec<AtomicU32>,
 }
 
@@ -63,7 +66,7 @@ impl ColorHistogram {
                 last = Some(key);
             }
             let bin = &histogram.bins[bin_of(rgb)];
-            if bin.load(Relaxed) < u32::MAX / 2 {
+            if bin.load(Relaxed) < MOST_IN_BIN {
                 bin.fetch_add(times.min(u32::MAX / 4), Relaxed);
             }
         }
@@ -93,7 +96,9 @@ impl ColorHistogram {
     /// The bins of a class that are not empty, ascending, with their numbers of voxels.
     pub fn bins(&self, class: usize) -> Vec<(usize, u32)> {
         let bins = self.classes[class].get().map_or(&[][..], |histogram| &histogram.bins);
-        bins.iter().enumerate().map(|(bin, count)| (bin, count.load(Relaxed))).filter(|&(_, count)| count > 0).collect()
+        // Who counted the last ones, several threads at once, does not matter.
+        let count = |bin: &AtomicU32| bin.load(Relaxed).min(MOST_IN_BIN);
+        bins.iter().map(count).enumerate().filter(|&(_, count)| count > 0).collect()
     }
 
     /// The emissive appearances, ascending, with their numbers of voxels.

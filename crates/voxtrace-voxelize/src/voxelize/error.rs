@@ -54,6 +54,9 @@ pub enum VoxelizeError {
     /// There is no grid for a volume, or nothing of it is to be seen.
     #[error("{0}")]
     Volume(#[from] VolumeError),
+    /// What several processes have made of some files each does not belong together, or is damaged.
+    #[error("{0}")]
+    Parts(String),
     /// A file that is read while it is voxelized is damaged.
     #[error("{0}")]
     Import(#[from] ImportError),

@@ -33,6 +33,16 @@ impl HyperLogLog {
         self.registers.iter_mut().zip(&other.registers).for_each(|(own, other)| *own = (*own).max(*other));
     }
 
+    /// The sketch as bytes.
+    pub fn registers(&self) -> &[u8] {
+        &self.registers
+    }
+
+    /// The sketch of such bytes, `None` where there are not as many.
+    pub fn of_registers(registers: Vec<u8>) -> Option<Self> {
+        (registers.len() == REGISTERS).then_some(Self { registers })
+    }
+
     /// Estimated number of distinct voxels.
     pub fn count(&self) -> f64 {
         let m = REGISTERS as f64;

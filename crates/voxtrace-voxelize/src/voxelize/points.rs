@@ -5,6 +5,7 @@ use super::appearance::{AppearanceKey, BsdfClass, appearance_key, rgb_bits};
 use super::binning::{TILE, TileGrid};
 use super::checkpoint::Step;
 use super::color_histogram::ColorHistogram;
+use super::large_points::Seams;
 use super::palette::Palette;
 use super::point_sort::PointsByTile;
 use super::spill::{SpillBuffer, TileRecords};
@@ -69,7 +70,7 @@ impl Grid {
 }
 
 /// Bits of a voxel's index in its brick.
-const VOXEL_BITS: u32 = 9;
+pub(super) const VOXEL_BITS: u32 = 9;
 const VOXEL_MASK: usize = (1 << VOXEL_BITS) - 1;
 /// Bricks in a tile.
 const BRICKS: usize = 64;
@@ -80,14 +81,19 @@ pub(super) struct PointAccumulator<'a> {
     pub color_map: &'a ColorMap,
     pub min_points: u32,
     pub histogram: &'a ColorHistogram,
+    /// Where there are points that somebody else voxelizes: bricks that those reach into are left as sums.
+    pub seams: Option<&'a Seams>,
 }
+
+/// Sums of a voxel's points: red, green and blue in fixed point, and their number.
+pub(super) type VoxelSums = [u64; 4];
 
 /// Buffers that a thread reuses from tile to tile.
 #[derive(Default)]
 pub(super) struct Scratch {
     by_brick: Vec<u64>,
-    /// For each voxel of a brick: sums of red, green and blue, and number of points. All 0 between two bricks.
-    sums: Vec<[u64; 4]>,
+    /// For each voxel of a brick. All 0 between two bricks.
+    sums: Vec<VoxelSums>,
     keys: Vec<AppearanceKey>,
 }
 
@@ -107,25 +113,41 @@ impl PointAccumulator<'_> {
                 *sum = [sum[0] + u64::from(r), sum[1] + u64::from(g), sum[2] + u64::from(b), sum[3] + 1];
                 occupancy[voxel >> 6] |= 1 << (voxel & 63);
             }
-            keys.clear();
-            for (block, mask) in occupancy.iter_mut().enumerate() {
-                for bit in bits(*mask) {
-                    let [r, g, b, count] = std::mem::take(&mut sums[block << 6 | bit as usize]);
-                    if count < self.min_points.into() {
-                        *mask &= !(1 << bit);
-                    } else {
-                        keys.push(appearance_key(rgb_bits(ColorMap::mean([r, g, b], count)), 0, 0));
-                    }
-                }
+            let inner = brick as i32;
+            let at = low / BRICK_SIZE + IVec3::new(inner & 3, inner >> 2 & 3, inner >> 4);
+            if self.seams.is_some_and(|seams| seams.reach(at)) {
+                records.push_sums(at, &occupancy, sums);
+                sums.fill([0; 4]);
+                continue;
             }
+            finish_brick(&mut occupancy, sums, self.min_points, keys);
             if !keys.is_empty() {
                 self.histogram.add(keys, 1);
-                let brick = brick as i32;
-                let at = low / BRICK_SIZE + IVec3::new(brick & 3, brick >> 2 & 3, brick >> 4);
                 records.push(at, &occupancy, keys);
             }
         }
         records
+    }
+}
+
+/// The appearances of a brick's voxels in rank order, by the sums of all their points; voxels that have too few are left out. Leaves
+/// no sums behind.
+pub(super) fn finish_brick(
+    occupancy: &mut [u64; 8],
+    sums: &mut [VoxelSums],
+    min_points: u32,
+    keys: &mut Vec<AppearanceKey>,
+) {
+    keys.clear();
+    for (block, mask) in occupancy.iter_mut().enumerate() {
+        for bit in bits(*mask) {
+            let [r, g, b, count] = std::mem::take(&mut sums[block << 6 | bit as usize]);
+            if count < min_points.into() {
+                *mask &= !(1 << bit);
+            } else {
+                keys.push(appearance_key(rgb_bits(ColorMap::mean([r, g, b], count)), 0, 0));
+            }
+        }
     }
 }
 
@@ -172,7 +194,7 @@ pub(super) fn run(
     let grid = Grid::of(Placement::of_points(cloud, options.scale)?, options.scale)?;
     let color_map = ColorMap::of(cloud, options.points.color_by).map_err(VoxelizeError::Missing)?;
     let (tiles, min_points, histogram) = (&grid.tiles, options.points.min_points, ColorHistogram::default());
-    let accumulator = PointAccumulator { tiles, color_map: &color_map, min_points, histogram: &histogram };
+    let accumulator = PointAccumulator { tiles, color_map: &color_map, min_points, histogram: &histogram, seams: None };
     progress.begin(cloud.positions.len() as u64);
     let all = 0..grid.tiles.layers();
     let layers = match options.memory_budget {

@@ -26,6 +26,7 @@ mod point_samples;
 mod points;
 mod points_damage;
 mod points_streamed;
+mod shared_tiles;
 mod slices;
 mod tiff_segments;
 mod tiles;

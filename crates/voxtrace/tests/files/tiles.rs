@@ -22,7 +22,7 @@ fn tiles(folder: &Path) -> Vec<PathBuf> {
 }
 
 /// A LAS or LAZ file whose header has the bounds of its points.
-fn with_bounds(mut bytes: Vec<u8>) -> Vec<u8> {
+pub fn with_bounds(mut bytes: Vec<u8>) -> Vec<u8> {
     let cloud = cloud_of(import::geometry_from_bytes(&bytes, Path::new("a.las"), &ImportOptions::default()).unwrap());
     let (low, high) = cloud.bounds().unwrap();
     for axis in 0..3 {

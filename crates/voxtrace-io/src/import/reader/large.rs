@@ -7,6 +7,7 @@ use super::options::ImportOptions;
 use std::path::{Path, PathBuf};
 use voxtrace_scene::scene::LengthUnit;
 use voxtrace_voxelize::mesh::UpAxis;
+use voxtrace_voxelize::points::source::PointSource;
 use voxtrace_voxelize::voxelize::{Estimate, VoxelizeError, VoxelizeOptions, VoxelizeProgress, Written};
 use voxtrace_voxelize::{ImportError, Limits};
 
@@ -54,6 +55,11 @@ pub(super) fn stamp_of(path: &Path) -> Result<String, ImportError> {
 }
 
 impl LargeGeometry {
+    /// The points, where it is points.
+    pub(crate) fn into_points(self) -> Option<Box<dyn PointSource>> {
+        self.content.into_points()
+    }
+
     /// What the reader left out or put up with; all of it is known after a survey.
     pub fn notes(&mut self) -> &[String] {
         self.content.about().notes

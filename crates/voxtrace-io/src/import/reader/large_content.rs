@@ -40,6 +40,8 @@ pub(crate) trait Content: Send {
     /// Those points alone that are asked for; of a mesh all. `path` names it in errors.
     fn filtered(self: Box<Self>, path: &Path, filter: PointFilter) -> Box<dyn Content>;
     fn is_points(&self) -> bool;
+    /// The source of points, where it is one.
+    fn into_points(self: Box<Self>) -> Option<Box<dyn PointSource>>;
     /// Triangles or points, known once there was a survey.
     fn count(&self) -> Option<u64>;
     fn survey(&mut self, options: &VoxelizeOptions, progress: &VoxelizeProgress) -> Result<(), VoxelizeError>;
@@ -89,6 +91,10 @@ impl Content for Triangles {
 
     fn is_points(&self) -> bool {
         false
+    }
+
+    fn into_points(self: Box<Self>) -> Option<Box<dyn PointSource>> {
+        None
     }
 
     fn count(&self) -> Option<u64> {
@@ -145,6 +151,10 @@ impl Content for Points {
 
     fn is_points(&self) -> bool {
         true
+    }
+
+    fn into_points(self: Box<Self>) -> Option<Box<dyn PointSource>> {
+        Some(self.source)
     }
 
     fn count(&self) -> Option<u64> {

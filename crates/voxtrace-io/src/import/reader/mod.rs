@@ -17,6 +17,7 @@ mod point_filter;
 mod raw_shape;
 #[cfg(feature = "points")]
 pub(crate) mod same_system;
+mod tiled_cloud;
 mod up_axis;
 mod wkt;
 
@@ -29,6 +30,7 @@ pub use not_shown::parts_not_shown;
 pub use options::{BlockOptions, BlockSize, ClipChoice, Height, HeightOptions, ImportOptions};
 pub use point_filter::{ClassSet, MapBounds, PointFilter};
 pub use raw_shape::RawShape;
+pub use tiled_cloud::TiledCloud;
 
 pub(crate) use large_content::LargeContent;
 pub(crate) use not_shown::NotShown;

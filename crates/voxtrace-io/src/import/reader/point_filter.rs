@@ -75,6 +75,18 @@ impl ClassSet {
         self.0 == [0; 4]
     }
 
+    /// The set as bits.
+    #[cfg(feature = "points")]
+    pub(crate) fn words(self) -> [u64; 4] {
+        self.0
+    }
+
+    /// The set of such bits.
+    #[cfg(feature = "points")]
+    pub(crate) fn of_words(words: [u64; 4]) -> Self {
+        Self(words)
+    }
+
     /// Adds those of another set.
     pub(crate) fn join(&mut self, other: Self) {
         self.0.iter_mut().zip(other.0).for_each(|(own, other)| *own |= other);

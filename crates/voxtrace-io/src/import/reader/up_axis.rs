@@ -1,10 +1,12 @@
 //! Triangles and points of a file in which another axis is up.
 
 use glam::DVec3;
+use std::ops::Range;
+use std::path::Path;
 use voxtrace_voxelize::ImportError;
 use voxtrace_voxelize::mesh::source::{SourceColors, TriangleSource};
 use voxtrace_voxelize::mesh::{Mesh, UpAxis};
-use voxtrace_voxelize::points::source::PointSource;
+use voxtrace_voxelize::points::source::{PointSource, TileFacts, TiledPoints};
 use voxtrace_voxelize::points::{Attributes, PointCloud};
 
 /// Triangles turned so that what was along an axis points up.
@@ -101,10 +103,62 @@ impl PointSource for ZUpPoints {
             turned.make_z_up(up);
             each(&turned)
         })?;
-        // The offset and what there is to be said are known now.
-        let found = self.source.frame();
-        self.frame.offset = DVec3::from_array(up.to_z_up_array(found.offset.to_array()));
-        self.frame.notes.clone_from(&found.notes);
+        self.follow();
         Ok(())
+    }
+
+    fn tiled(&mut self) -> Option<&mut dyn TiledPoints> {
+        self.source.tiled().is_some().then_some(self as &mut dyn TiledPoints)
+    }
+}
+
+impl ZUpPoints {
+    /// Takes over the offset and what there is to be said, once they are known.
+    fn follow(&mut self) {
+        let found = self.source.frame();
+        self.frame.offset = DVec3::from_array(self.up.to_z_up_array(found.offset.to_array()));
+        self.frame.notes.clone_from(&found.notes);
+    }
+
+    /// The files of the source, which has some where anybody asks.
+    fn files(&mut self) -> Result<&mut dyn TiledPoints, ImportError> {
+        self.source.tiled().ok_or_else(|| ImportError::io(Path::new(""), std::io::ErrorKind::Unsupported.into()))
+    }
+}
+
+/// What is found out file by file is of the source's own axes, but for the points that are handed out.
+impl TiledPoints for ZUpPoints {
+    fn points_of_tiles(&mut self) -> Vec<u64> {
+        self.files().map(|files| files.points_of_tiles()).unwrap_or_default()
+    }
+
+    fn origin(&mut self) -> Result<Option<DVec3>, ImportError> {
+        self.files()?.origin()
+    }
+
+    fn survey_tile(
+        &mut self,
+        tile: usize,
+        origin: Option<DVec3>,
+        each: &mut dyn FnMut(&PointCloud) -> bool,
+    ) -> Result<TileFacts, ImportError> {
+        let up = self.up;
+        self.files()?.survey_tile(tile, origin, &mut |piece| {
+            let mut turned = piece.clone();
+            turned.make_z_up(up);
+            each(&turned)
+        })
+    }
+
+    fn learn(&mut self, origin: Option<DVec3>, facts: &[TileFacts]) -> Result<(), ImportError> {
+        self.files()?.learn(origin, facts)?;
+        self.follow();
+        Ok(())
+    }
+
+    fn choose(&mut self, tiles: Range<usize>) {
+        if let Ok(files) = self.files() {
+            files.choose(tiles);
+        }
     }
 }

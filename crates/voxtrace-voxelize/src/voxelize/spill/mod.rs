@@ -1,16 +1,18 @@
 //! The spill buffer: encoded bricks of finished tiles, until the last tile is done and the materials can be chosen. They are
 //! kept in memory, or spilled to a checkpoint file beside the output, from which interrupted work resumes.
 
+mod parts;
 mod record;
 
 pub use record::TileRecords;
 
 use super::VoxelizeProgress;
 use super::appearance::AppearanceKey;
-use super::checkpoint::{CheckpointFile, Existing, Frame, Step};
+use super::checkpoint::{CheckpointFile, Existing, Frame, FrameKind, Step};
 use super::color_histogram::ColorHistogram;
 use glam::IVec3;
 use record::{appearances_of, decoded_brick, packed_coordinates, unpacked_coordinates};
+use std::fs::File;
 use std::io::{self, Read, Seek, SeekFrom};
 use std::path::Path;
 use voxtrace_scene::brick::Brick;
@@ -22,6 +24,8 @@ struct Entry {
     at: u64,
     offset: u64,
     size: u32,
+    /// Which of several files it is in.
+    file: u32,
 }
 
 /// The bricks of all tiles so far.
@@ -38,6 +42,8 @@ enum Storage {
     /// Byte strings, each with its offset in their concatenation.
     Memory(Vec<(u64, Vec<u8>)>),
     File(CheckpointFile, Existing),
+    /// Files that others have written.
+    Parts(Vec<File>),
 }
 
 impl SpillBuffer {
@@ -81,7 +87,8 @@ impl SpillBuffer {
         let mut taken = 0;
         while let Some(frame) = file.next()? {
             let count = self.entries.len();
-            let Some(voxels) = take_frame(&frame, histogram, &mut self.entries) else {
+            let taken_frame = take_frame(&frame, histogram, &mut self.entries);
+            let Some(voxels) = taken_frame.filter(|_| frame.kind == FrameKind::Bricks) else {
                 self.entries.truncate(count);
                 file.reject(&frame);
                 file.cut()?;
@@ -134,6 +141,7 @@ impl SpillBuffer {
     pub fn push(&mut self, step: Step, batch: Vec<TileRecords>) -> io::Result<()> {
         let (mut entries, mut bytes) = (Vec::new(), Vec::new());
         let first = self.entries.len();
+        self.push_sums(step, &batch)?;
         for records in batch {
             let (mut start, base) = (0, self.size + bytes.len() as u64);
             for &(at, end) in &records.bricks {
@@ -141,6 +149,7 @@ impl SpillBuffer {
                     at: packed_coordinates(at),
                     offset: base + u64::from(start),
                     size: end - start,
+                    file: 0,
                 });
                 start = end;
             }
@@ -154,6 +163,7 @@ impl SpillBuffer {
                     }
                 }
                 Storage::File(..) => bytes.extend_from_slice(&records.bytes),
+                Storage::Parts(_) => return Err(io::ErrorKind::Unsupported.into()),
             }
         }
         if let Storage::File(file, _) = &mut self.storage {
@@ -161,7 +171,7 @@ impl SpillBuffer {
                 entries.extend(entry.at.to_le_bytes());
                 entries.extend(entry.size.to_le_bytes());
             }
-            let content_at = file.append(step, &entries, &bytes)?;
+            let content_at = file.append(step, FrameKind::Bricks, &entries, &bytes)?;
             self.entries[first..].iter_mut().for_each(|entry| entry.offset += content_at);
         }
         Ok(())
@@ -200,8 +210,13 @@ impl SpillBuffer {
                         (unpacked_coordinates(entry.at), decoded_brick(bytes, unpacked_coordinates(entry.at), material))
                     })
                     .collect(),
-                Storage::File(file, _) => {
-                    let starts = read_entries(file, entries, &mut bytes)?;
+                storage => {
+                    let files = match storage {
+                        Storage::File(file, _) => std::slice::from_mut(file.file()?),
+                        Storage::Parts(files) => files,
+                        Storage::Memory(_) => unreachable!("has its own arm"),
+                    };
+                    let starts = read_entries(files, entries, &mut bytes)?;
                     let parts = entries.par_iter().zip(&starts);
                     let decode = |(entry, &start): (&Entry, &usize)| {
                         let bytes = &bytes[start..start + entry.size as usize];
@@ -217,21 +232,21 @@ impl SpillBuffer {
 }
 
 /// Reads the records of entries one after the other into `bytes`, adjacent ones in one read; returns where each begins.
-fn read_entries(checkpoint: &mut CheckpointFile, entries: &[Entry], bytes: &mut Vec<u8>) -> io::Result<Vec<usize>> {
-    let file = checkpoint.file()?;
+fn read_entries(files: &mut [File], entries: &[Entry], bytes: &mut Vec<u8>) -> io::Result<Vec<usize>> {
     bytes.clear();
     let mut starts = Vec::with_capacity(entries.len());
     let mut at = 0;
     while at < entries.len() {
         let first = entries[at];
         let mut end = first.offset;
-        while at < entries.len() && entries[at].offset == end {
+        while at < entries.len() && entries[at].offset == end && entries[at].file == first.file {
             starts.push(bytes.len() + (end - first.offset) as usize);
             end += u64::from(entries[at].size);
             at += 1;
         }
         let start = bytes.len();
         bytes.resize(start + (end - first.offset) as usize, 0);
+        let mut file = files.get(first.file as usize).ok_or(io::ErrorKind::NotFound)?;
         file.seek(SeekFrom::Start(first.offset))?;
         file.read_exact(&mut bytes[start..])?;
     }
@@ -244,24 +259,34 @@ const ENTRY: usize = 12;
 /// Appends the bricks of a frame to `entries` and counts their appearances; returns the number of voxels, or `None` if a record is
 /// not valid.
 fn take_frame(frame: &Frame, histogram: &ColorHistogram, entries: &mut Vec<Entry>) -> Option<u64> {
-    let (listed, rest) = frame.entries.as_chunks::<ENTRY>();
-    let (mut at, mut voxels, mut appearances) = (0usize, 0, Vec::new());
-    for &[a, b, c, d, e, f, g, h, sizes @ ..] in listed {
-        let size = u32::from_le_bytes(sizes);
-        let record = frame.content.get(at..at.checked_add(size as usize)?)?;
-        appearances.push(appearances_of(record)?);
-        let place = u64::from_le_bytes([a, b, c, d, e, f, g, h]);
-        entries.push(Entry { at: place, offset: frame.content_at + at as u64, size });
-        at += size as usize;
-    }
-    if !rest.is_empty() || at != frame.content.len() {
-        return None;
+    let (mut voxels, mut appearances) = (0, Vec::new());
+    for entry in listed(frame)? {
+        appearances.push(appearances_of(record_of(frame, &entry))?);
+        entries.push(entry);
     }
     for (keys, times) in appearances {
         voxels += keys.len() as u64 * u64::from(times);
         histogram.add(&keys, times);
     }
     Some(voxels)
+}
+
+/// The entries of a frame; `None` where they are not those of its content.
+fn listed(frame: &Frame) -> Option<Vec<Entry>> {
+    let (listed, rest) = frame.entries.as_chunks::<ENTRY>();
+    let mut at = 0usize;
+    let mut entries = Vec::with_capacity(listed.len());
+    for &[a, b, c, d, e, f, g, h, sizes @ ..] in listed {
+        let (place, size) = (u64::from_le_bytes([a, b, c, d, e, f, g, h]), u32::from_le_bytes(sizes));
+        entries.push(Entry { at: place, offset: frame.content_at + at as u64, size, file: 0 });
+        at = at.checked_add(size as usize).filter(|&end| end <= frame.content.len())?;
+    }
+    (rest.is_empty() && at == frame.content.len()).then_some(entries)
+}
+
+/// The record of a frame's own entry.
+fn record_of<'a>(frame: &'a Frame, entry: &Entry) -> &'a [u8] {
+    &frame.content[(entry.offset - frame.content_at) as usize..][..entry.size as usize]
 }
 
 #[cfg(test)]

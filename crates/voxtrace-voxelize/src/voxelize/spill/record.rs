@@ -1,7 +1,9 @@
 //! The record of a brick in the spill buffer: a byte of flags, a byte that says which 4³ blocks have voxels, the masks of these
-//! blocks (8 bytes each), then one appearance key for each voxel in rank order, or a single one for all.
+//! blocks (8 bytes each), then one appearance key for each voxel in rank order, or a single one for all. A brick that is not finished
+//! has the same blocks and masks without flags, and then the sums of each voxel.
 
 use crate::voxelize::appearance::{AppearanceKey, MAX_BSDF_CLASSES};
+use crate::voxelize::points::VoxelSums;
 use glam::IVec3;
 use voxtrace_scene::brick::{BRICK_SIZE, Brick, bits, voxel_of};
 
@@ -20,6 +22,8 @@ pub struct TileRecords {
     pub bricks: Vec<(IVec3, u32)>,
     /// Number of voxels in all of them.
     pub voxels: u64,
+    /// The same of bricks that are not finished: their coordinates and where each ends in the bytes.
+    pub sums: (Vec<u8>, Vec<(IVec3, u32)>),
 }
 
 impl TileRecords {
@@ -40,6 +44,46 @@ impl TileRecords {
         }
         self.bricks.push((at, self.bytes.len() as u32));
     }
+}
+
+impl TileRecords {
+    /// Appends a brick that is not finished, with the sums of its voxels by their index in the brick.
+    pub fn push_sums(&mut self, at: IVec3, occupancy: &[u64; 8], sums: &[VoxelSums]) {
+        let (bytes, bricks) = &mut self.sums;
+        bytes.push((0..8).filter(|&block| occupancy[block] != 0).fold(0, |blocks, block| blocks | 1 << block));
+        for &mask in occupancy.iter().filter(|&&mask| mask != 0) {
+            bytes.extend(mask.to_le_bytes());
+        }
+        for (block, &mask) in occupancy.iter().enumerate() {
+            for bit in bits(mask) {
+                sums[block << 6 | bit as usize].iter().for_each(|sum| bytes.extend(sum.to_le_bytes()));
+            }
+        }
+        bricks.push((at, bytes.len() as u32));
+    }
+}
+
+/// Adds the sums in a record to those of a brick. `None` if the bytes are not a valid record.
+pub fn add_sums(record: &[u8], occupancy: &mut [u64; 8], sums: &mut [VoxelSums]) -> Option<()> {
+    let (&blocks, rest) = record.split_first()?;
+    let (masks, rest) = rest.split_at_checked(8 * blocks.count_ones() as usize)?;
+    let (masks, (values, after)) = (masks.as_chunks::<8>().0, rest.as_chunks::<8>());
+    let mut values = values.as_chunks::<4>().0.iter();
+    if rest.len() % size_of::<VoxelSums>() != 0 || !after.is_empty() {
+        return None;
+    }
+    for (block, mask) in bits(u64::from(blocks)).zip(masks) {
+        let mask = u64::from_le_bytes(*mask);
+        occupancy[block as usize] |= mask;
+        for bit in bits(mask) {
+            let voxel = &mut sums[(block as usize) << 6 | bit as usize];
+            let added = values.next()?;
+            for (sum, bytes) in voxel.iter_mut().zip(added) {
+                *sum = sum.checked_add(u64::from_le_bytes(*bytes))?;
+            }
+        }
+    }
+    values.next().is_none().then_some(())
 }
 
 /// The appearances in a record and how many voxels have each; `None` if the bytes are not a valid record.
@@ -95,6 +139,27 @@ pub fn decoded_brick(bytes: &[u8], at: IVec3, material: &impl Fn(AppearanceKey, 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn sums_of_one_brick_add_up_and_invalid_ones_are_refused() {
+        let (mut a, mut b) = (TileRecords::default(), TileRecords::default());
+        let mut sums = vec![[0; 4]; 512];
+        (sums[0], sums[63], sums[511]) = ([1, 2, 3, 1], [4, 5, 6, 2], [1 << 40, 0, 7, 9]);
+        a.push_sums(IVec3::ONE, &[1 | 1 << 63, 0, 0, 0, 0, 0, 0, 1 << 63], &sums);
+        b.push_sums(IVec3::ONE, &[1, 0, 0, 0, 0, 0, 0, 0], &sums);
+        let (mut occupancy, mut found) = ([0; 8], vec![[0; 4]; 512]);
+        for records in [&a, &b] {
+            add_sums(&records.sums.0, &mut occupancy, &mut found).unwrap();
+        }
+        sums[0] = [2, 4, 6, 2];
+        assert_eq!((occupancy, &found), ([1 | 1 << 63, 0, 0, 0, 0, 0, 0, 1 << 63], &sums));
+        assert_eq!((a.bricks.len(), a.voxels, a.sums.1[0].1 as usize), (0, 0, a.sums.0.len()));
+        for end in 0..a.sums.0.len() {
+            assert!(add_sums(&a.sums.0[..end], &mut occupancy, &mut found).is_none(), "{end}");
+        }
+        found[0][2] = u64::MAX;
+        assert!(add_sums(&a.sums.0, &mut occupancy, &mut found).is_none(), "beyond 64 bits");
+    }
 
     #[test]
     fn an_invalid_record_is_refused() {

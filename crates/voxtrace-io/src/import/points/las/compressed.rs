@@ -150,7 +150,7 @@ impl Decompressor {
     }
 
     /// Looks for the first point that is kept: chunks begin with one that is not compressed.
-    fn look_for_offset(&mut self, records: &mut Records) -> Result<(), ImportError> {
+    pub fn look_for_offset(&mut self, records: &mut Records) -> Result<(), ImportError> {
         let Some(description) = &self.description else { return Ok(()) };
         let mut at = self.at;
         for &chunk in &self.chunks[self.done..] {

@@ -1,7 +1,7 @@
 //! LAS and LAZ files larger than memory: points are read, or decompressed, some at a time, of one file after the other.
 
 use super::compressed::Decompressor;
-use super::records::{LeftOut, Records, Seen};
+use super::records::{LeftOut, Records, Seen, facts_of, found_by};
 use super::tiles::{Tile, Tiles, complete, either, joint, uncolored_note};
 use super::{BATCH, check_length};
 use crate::import::reader::ImportOptions;
@@ -9,8 +9,9 @@ use crate::import::source::input::Input;
 use glam::DVec3;
 use std::fs::File;
 use std::io::BufReader;
+use std::ops::Range;
 use std::path::{Path, PathBuf};
-use voxtrace_voxelize::points::source::PointSource;
+use voxtrace_voxelize::points::source::{PointSource, TileFacts, TiledPoints};
 use voxtrace_voxelize::points::{Attributes, PointCloud};
 use voxtrace_voxelize::{ImportError, Limits};
 
@@ -27,6 +28,8 @@ pub(crate) struct LasPoints {
     seen: Vec<Seen>,
     /// What positions are relative to, once a point has decided.
     origin: Option<DVec3>,
+    /// The files that passes are over.
+    chosen: Range<usize>,
 }
 
 /// What a pass over the points has found.
@@ -42,7 +45,8 @@ impl LasPoints {
     pub fn open(path: &Path, files: &[PathBuf], options: &ImportOptions) -> Result<Self, ImportError> {
         let limits = Limits { bytes: u64::MAX, points: u64::MAX, ..options.limits };
         let all = Tiles::open(path, files, options)?;
-        let own = Self { path: path.into(), limits, all, seen: Vec::new(), origin: None };
+        let chosen = 0..all.tiles.len();
+        let own = Self { path: path.into(), limits, all, seen: Vec::new(), origin: None, chosen };
         for tile in &own.all.tiles {
             if tile.header.is_compressed {
                 own.decompressor(tile).map(drop)?;
@@ -110,8 +114,11 @@ impl LasPoints {
         Ok(true)
     }
 
-    /// Keeps what the first pass has found.
-    fn learn(&mut self, pass: Pass, uncolored: u64) {
+    /// Keeps what the first pass has found; so many points are kept of each file.
+    fn keep(&mut self, pass: Pass, chosen_of: &[u64]) {
+        let has_colors = pass.seen.iter().any(|seen| seen.attributes().colors);
+        let bare = pass.seen.iter().zip(chosen_of).filter(|(seen, _)| !seen.attributes().colors);
+        let uncolored = if has_colors { bare.map(|(_, chosen)| chosen).sum() } else { 0 };
         let frame = &mut self.all.frame;
         frame.offset = self.origin.filter(|offset| offset.is_finite()).unwrap_or(DVec3::ZERO);
         frame.notes.extend(pass.left_out.notes());
@@ -142,10 +149,15 @@ impl PointSource for LasPoints {
         low.cmple(high).all().then_some((low, high))
     }
 
+    fn tiled(&mut self) -> Option<&mut dyn TiledPoints> {
+        Some(self)
+    }
+
     fn for_each(&mut self, each: &mut dyn FnMut(&PointCloud) -> bool) -> Result<(), ImportError> {
         let mut pass = Pass::default();
         let mut chosen_of = Vec::new();
-        for (at, tile) in self.all.tiles.iter().enumerate() {
+        for at in self.chosen.clone() {
+            let tile = &self.all.tiles[at];
             let mut records = Records::new(&tile.header, self.seen.get(at).copied(), self.origin);
             let goes_on = self.read(tile, &mut records, each)?;
             pass.seen.push(records.seen());
@@ -157,15 +169,68 @@ impl PointSource for LasPoints {
                 return Ok(());
             }
         }
-        if pass.chosen == 0 && pass.left_out.not_chosen > 0 {
+        if pass.chosen == 0 && pass.left_out.not_chosen > 0 && self.chosen.len() == self.all.tiles.len() {
             return Err(self.all.none_left(&self.path, &pass.left_out));
         }
         if self.seen.is_empty() {
-            let has_colors = pass.seen.iter().any(|seen| seen.attributes().colors);
-            let bare = pass.seen.iter().zip(chosen_of).filter(|(seen, _)| !seen.attributes().colors);
-            let uncolored = if has_colors { bare.map(|(_, chosen)| chosen).sum() } else { 0 };
-            self.learn(pass, uncolored);
+            self.keep(pass, &chosen_of);
         }
         Ok(())
+    }
+}
+
+impl TiledPoints for LasPoints {
+    fn points_of_tiles(&mut self) -> Vec<u64> {
+        self.all.tiles.iter().map(|tile| tile.header.points).collect()
+    }
+
+    fn origin(&mut self) -> Result<Option<DVec3>, ImportError> {
+        for tile in &self.all.tiles {
+            if self.origin.is_some() {
+                break;
+            }
+            let mut records = Records::new(&tile.header, None, None);
+            if tile.header.is_compressed {
+                self.decompressor(tile)?.look_for_offset(&mut records)?;
+            } else {
+                self.read(tile, &mut records, &mut |piece| piece.positions.is_empty())?;
+            }
+            self.origin = records.origin();
+        }
+        Ok(self.origin)
+    }
+
+    fn survey_tile(
+        &mut self,
+        tile: usize,
+        origin: Option<DVec3>,
+        each: &mut dyn FnMut(&PointCloud) -> bool,
+    ) -> Result<TileFacts, ImportError> {
+        let tile = &self.all.tiles[tile];
+        let mut records = Records::new(&tile.header, None, origin);
+        self.read(tile, &mut records, each)?;
+        Ok(facts_of(records.seen(), records.left_out(), records.chosen()))
+    }
+
+    fn learn(&mut self, origin: Option<DVec3>, facts: &[TileFacts]) -> Result<(), ImportError> {
+        let mut pass = Pass::default();
+        for (seen, left_out) in facts.iter().map(found_by) {
+            pass.seen.push(seen);
+            pass.left_out.join(left_out);
+        }
+        let chosen_of: Vec<u64> = facts.iter().map(|facts| facts.chosen).collect();
+        pass.chosen = chosen_of.iter().sum();
+        if pass.chosen == 0 && pass.left_out.not_chosen > 0 {
+            return Err(self.all.none_left(&self.path, &pass.left_out));
+        }
+        self.origin = origin;
+        if self.seen.is_empty() {
+            self.keep(pass, &chosen_of);
+        }
+        Ok(())
+    }
+
+    fn choose(&mut self, tiles: Range<usize>) {
+        self.chosen = tiles;
     }
 }

@@ -7,6 +7,7 @@ use crate::import::reader::local_origin::LocalOrigin;
 use glam::{DVec3, IVec3, Vec3};
 use rayon::prelude::*;
 use std::ops::Range;
+use voxtrace_voxelize::points::source::TileFacts;
 use voxtrace_voxelize::points::{Attributes, PointCloud};
 
 /// Points converted by one task.
@@ -98,6 +99,39 @@ impl LeftOut {
         notes.extend(parts.note());
         notes
     }
+}
+
+/// What was found in a file, for whoever has not read it.
+pub(super) fn facts_of(seen: Seen, left_out: LeftOut, chosen: u64) -> TileFacts {
+    TileFacts {
+        chosen,
+        withheld: left_out.withheld,
+        infinite: left_out.infinite,
+        not_chosen: left_out.not_chosen,
+        classes_not_chosen: left_out.classes.words(),
+        largest_color: seen.largest_color,
+        has_intensities: seen.intensities.into(),
+        has_classes: seen.classes.into(),
+        has_waveforms: left_out.has_waveforms.into(),
+        unused: [0; 3],
+    }
+}
+
+/// What was found in a file that somebody else has read.
+pub(super) fn found_by(facts: &TileFacts) -> (Seen, LeftOut) {
+    let seen = Seen {
+        largest_color: facts.largest_color,
+        intensities: facts.has_intensities > 0,
+        classes: facts.has_classes > 0,
+    };
+    let left_out = LeftOut {
+        withheld: facts.withheld,
+        infinite: facts.infinite,
+        not_chosen: facts.not_chosen,
+        classes: ClassSet::of_words(facts.classes_not_chosen),
+        has_waveforms: facts.has_waveforms > 0,
+    };
+    (seen, left_out)
 }
 
 /// Places for a run of points.

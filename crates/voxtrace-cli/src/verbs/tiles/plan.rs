@@ -1,0 +1,112 @@
+//! The plan of `tiles`: what each stage runs, as lines of JSON.
+
+use crate::failure::Failure;
+use crate::words::{Word, split};
+use crate::{Cli, stdout};
+use clap::CommandFactory;
+use serde_json::json;
+use std::ops::Range;
+use std::path::Path;
+use voxtrace::points::ColorBy;
+use voxtrace::voxelize::{Scale, VoxelizeOptions};
+
+/// Options that belong to one command alone.
+const REPLACED: [&str; 7] = ["parts", "output", "files", "survey", "part", "levels", "out"];
+
+/// The commands of a plan, which have the options of the one that makes it.
+struct Plan<'a> {
+    words: Vec<Word>,
+    shares: &'a [Range<usize>],
+    /// The file to write, without its extension.
+    stem: String,
+    stages: u32,
+}
+
+/// Prints the commands that voxelize so many files each into `out`.
+pub fn print(shares: &[Range<usize>], options: &VoxelizeOptions, out: &Path) -> Result<(), Failure> {
+    let words = std::env::args_os().skip(1).map(|word| word.into_string()).collect::<Result<Vec<String>, _>>();
+    let words = words.map_err(|word| Failure::usage(format!("{} is not Unicode, and JSON is", word.display())))?;
+    let mut program = Cli::command();
+    program.build();
+    let verb = program.find_subcommand("tiles").ok_or_else(|| Failure::other("the verb is missing"))?;
+    let stem = out.with_extension("").to_string_lossy().into_owned();
+    let mut plan = Plan { words: split(&words, verb), shares, stem, stages: 0 };
+    let mut survey = plan.name("survey");
+    plan.share("survey", "found", None);
+    plan.join(&plan.names("found"), &survey);
+    // Whether it is wanted is known only when all files were looked through; where it is not, it takes no time.
+    let by = options.points.color_by;
+    if options.scale == Scale::Automatic || matches!(by, ColorBy::Auto | ColorBy::Height) {
+        plan.share("survey", "measures", Some(&survey));
+        let measured = plan.name("measured.survey");
+        plan.join(&[vec![survey], plan.names("measures")].concat(), &measured);
+        survey = measured;
+    }
+    plan.share("voxelize", "part", Some(&survey));
+    plan.merge(&survey, &out.to_string_lossy());
+    Ok(())
+}
+
+impl Plan<'_> {
+    /// A file beside the output.
+    fn name(&self, kind: &str) -> String {
+        format!("{}.{kind}", self.stem)
+    }
+
+    /// Those of all parts.
+    fn names(&self, kind: &str) -> Vec<String> {
+        let digits = (self.shares.len() - 1).to_string().len();
+        (0..self.shares.len()).map(|part| self.name(&format!("{part:0digits$}.{kind}"))).collect()
+    }
+
+    /// A stage whose commands are for some files each.
+    fn share(&mut self, stage: &str, kind: &str, survey: Option<&str>) {
+        for (files, output) in self.shares.iter().zip(self.names(kind)) {
+            let mut options = vec!["--files".to_owned(), format!("{}..{}", files.start, files.end)];
+            options.extend(survey.into_iter().flat_map(|survey| ["--survey".to_owned(), survey.to_owned()]));
+            let command = self.command(stage, &options, &output, &[]);
+            let line = json!({
+                "stage": self.stages, "kind": stage, "files": [files.start, files.end], "output": output, "command": command,
+            });
+            stdout::print(&format!("{line}\n"));
+        }
+        self.stages += 1;
+    }
+
+    /// A stage of one command, which reads what others have found and no scan.
+    fn join(&mut self, found: &[String], output: &str) {
+        let mut command = ["voxtrace", "tiles", "join"].map(str::to_owned).to_vec();
+        command.extend(["-o".to_owned(), output.to_owned(), "--".to_owned()]);
+        command.extend_from_slice(found);
+        let line = json!({ "stage": self.stages, "kind": "join", "output": output, "command": command });
+        stdout::print(&format!("{line}\n"));
+        self.stages += 1;
+    }
+
+    fn merge(&mut self, survey: &str, output: &str) {
+        let mut options = vec!["--survey".to_owned(), survey.to_owned()];
+        options.extend(self.names("part").into_iter().flat_map(|part| ["--part".to_owned(), part]));
+        let command = self.command("merge", &options, output, &["levels"]);
+        let line = json!({ "stage": self.stages, "kind": "merge", "output": output, "command": command });
+        stdout::print(&format!("{line}\n"));
+    }
+
+    /// The same command for another stage, with further options; `kept` are those of the plan that otherwise belong to none.
+    fn command(&self, stage: &str, options: &[String], output: &str, kept: &[&str]) -> Vec<String> {
+        let mut command = ["voxtrace", "tiles", stage].map(str::to_owned).to_vec();
+        let (mut own, mut inputs) = (Vec::new(), Vec::new());
+        for word in &self.words {
+            match word.id.as_deref() {
+                Some(id) if REPLACED.contains(&id) && !kept.contains(&id) => {}
+                Some(_) => own.extend(word.text.iter().cloned()),
+                None => inputs.extend(word.text.iter().cloned()),
+            }
+        }
+        command.extend(own);
+        command.extend_from_slice(options);
+        command.extend(["-o".to_owned(), output.to_owned(), "--".to_owned()]);
+        // The verb and the stage come first.
+        command.extend(inputs.into_iter().skip(2));
+        command
+    }
+}

@@ -1,0 +1,198 @@
+//! `TiledCloud`: a scan of many files, of which many processes voxelize some each. `voxtrace.dask` shares it out.
+
+use crate::errors::{argument, of_reading, of_writing, other};
+use crate::interrupt::run;
+use crate::volume::scale_of;
+use pyo3::exceptions::PyKeyboardInterrupt;
+use pyo3::prelude::*;
+use pyo3::types::PyBytes;
+use std::path::{Path, PathBuf};
+use std::sync::Mutex;
+use voxtrace::import::{ImportOptions, Limits, MapBounds, PointFilter, READERS};
+use voxtrace::packed::{LevelCount, add_levels};
+use voxtrace::points::ColorBy;
+use voxtrace::voxelize::large_points::{TileSurvey, joined_bytes};
+use voxtrace::voxelize::{PointOptions, Scale, VoxelizeError, VoxelizeOptions, VoxelizeProgress};
+
+/// A scan of LAS or LAZ files, and how it becomes voxels. Files are told by their numbers; ranges of them are a first number and an end.
+#[pyclass(name = "TiledCloud", module = "voxtrace._voxtrace", frozen)]
+pub struct PyTiledCloud {
+    cloud: Mutex<voxtrace::import::TiledCloud>,
+    options: VoxelizeOptions,
+    limits: Limits,
+}
+
+#[pymethods]
+impl PyTiledCloud {
+    /// Opens the files, or those of a folder, and reads their headers.
+    #[new]
+    #[pyo3(signature = (paths, *, resolution=None, voxel_size=None, color_by="auto", min_points=1, classes=None, bounds=None, palette=None, dither=false, memory=None, trusted=false))]
+    #[expect(clippy::too_many_arguments, reason = "keywords of Python")]
+    fn new(
+        py: Python<'_>,
+        paths: Vec<PathBuf>,
+        resolution: Option<u32>,
+        voxel_size: Option<f64>,
+        color_by: &str,
+        min_points: u32,
+        classes: Option<&str>,
+        bounds: Option<Vec<f64>>,
+        palette: Option<usize>,
+        dither: bool,
+        memory: Option<u64>,
+        trusted: bool,
+    ) -> PyResult<Self> {
+        let color_by = match color_by {
+            "auto" => ColorBy::Auto,
+            "rgb" => ColorBy::Rgb,
+            "intensity" => ColorBy::Intensity,
+            "classification" => ColorBy::Classification,
+            "height" => ColorBy::Height,
+            other => {
+                return Err(argument(format!(
+                    "color_by is auto, rgb, intensity, classification or height, not {other:?}"
+                )));
+            }
+        };
+        let bounds = bounds.map(|numbers| numbers.iter().map(f64::to_string).collect::<Vec<_>>().join(","));
+        let points = PointFilter {
+            classes: classes.map(|classes| classes.parse().map_err(argument)).transpose()?,
+            bounds: bounds.map(|bounds| bounds.parse::<MapBounds>().map_err(argument)).transpose()?,
+        };
+        let most = u64::MAX;
+        let unlimited =
+            Limits { bytes: most, voxels: most, points: most, items: most, ratio: most, ..Limits::default() };
+        let limits = if trusted { unlimited } else { Limits::default() };
+        let usual = VoxelizeOptions::default();
+        let options = VoxelizeOptions {
+            scale: scale_of(resolution, voxel_size)?.unwrap_or(Scale::Automatic),
+            points: PointOptions { color_by, min_points: min_points.max(1) },
+            max_materials: palette.unwrap_or(usual.max_materials),
+            dither,
+            memory_budget: memory,
+            ..usual
+        };
+        let import = ImportOptions { limits, points, ..ImportOptions::default() };
+        let opened = py.detach(|| READERS.open_all(&paths, &import).and_then(|mut opened| opened.open_tiled()));
+        let cloud = opened.map_err(|error| of_reading(py, &error))?;
+        Ok(Self { cloud: Mutex::new(cloud), options, limits })
+    }
+
+    /// Shares the files among at most so many parts, by their points.
+    fn shares(&self, py: Python<'_>, parts: usize) -> PyResult<Vec<(usize, usize)>> {
+        let shares = self.with(py, |cloud, _| Ok(cloud.shares(parts)))?;
+        Ok(shares.into_iter().map(|share| (share.start, share.end)).collect())
+    }
+
+    /// Looks through some files.
+    fn survey<'py>(&self, py: Python<'py>, first: usize, end: usize) -> PyResult<Bound<'py, PyBytes>> {
+        let found = self.with(py, |cloud, progress| {
+            cloud.survey(first..end, &self.options, progress).map(|mut survey| survey.to_bytes())
+        });
+        found.map(|found| PyBytes::new(py, &found))
+    }
+
+    /// Whether a survey is of all files, and with these options; what else it wants is a second pass, if that is the second answer.
+    fn check(&self, py: Python<'_>, survey: &[u8]) -> PyResult<bool> {
+        self.with(py, |cloud, _| {
+            let survey = TileSurvey::from_bytes(survey)?;
+            cloud.check(&survey, &self.options)?;
+            survey.wants_measures(&self.options)
+        })
+    }
+
+    /// Makes the second pass over some files.
+    fn measure<'py>(&self, py: Python<'py>, survey: &[u8], first: usize, end: usize) -> PyResult<Bound<'py, PyBytes>> {
+        let found = self.with(py, |cloud, progress| {
+            cloud.measure(&TileSurvey::from_bytes(survey)?, first..end, &self.options, progress)
+        });
+        found.map(|found| PyBytes::new(py, &found))
+    }
+
+    /// Voxelizes some files into a part; returns the number of their points.
+    fn voxelize(&self, py: Python<'_>, survey: &[u8], first: usize, end: usize, path: PathBuf) -> PyResult<u64> {
+        self.writing(py, &path, |cloud, progress| {
+            let survey = TileSurvey::from_bytes(survey)?;
+            cloud.voxelize(&survey, first..end, &self.options, &self.limits, &path, progress)
+        })
+    }
+
+    /// Makes the file of all parts, with so many levels of detail, or with -1 all; returns the number of voxels.
+    #[pyo3(signature = (survey, parts, path, levels=0))]
+    fn merge(&self, py: Python<'_>, survey: &[u8], parts: Vec<PathBuf>, path: PathBuf, levels: i32) -> PyResult<u64> {
+        let written = self.writing(py, &path, |cloud, progress| {
+            let survey = TileSurvey::from_bytes(survey)?;
+            cloud.merge(&survey, &parts, &self.options, &self.limits, &path, progress)
+        })?;
+        let count = u32::try_from(levels).map_or(LevelCount::All, LevelCount::Some);
+        if count != LevelCount::Some(0) {
+            py.detach(|| add_levels(&path, count, &mut |_| true)).map_err(|error| other(py, error))?;
+        }
+        Ok(written.voxels)
+    }
+
+    /// What was left out or put up with, once a survey of all files was checked.
+    #[getter]
+    fn notes(&self, py: Python<'_>) -> PyResult<Vec<String>> {
+        self.with(py, |cloud, _| Ok(cloud.notes().to_vec()))
+    }
+}
+
+impl PyTiledCloud {
+    /// Does work with the files that Ctrl-C ends.
+    fn work<T: Send>(
+        &self,
+        py: Python<'_>,
+        work: impl FnOnce(&mut voxtrace::import::TiledCloud, &VoxelizeProgress) -> Result<T, VoxelizeError> + Send,
+    ) -> PyResult<Result<T, VoxelizeError>> {
+        let progress = VoxelizeProgress::default();
+        run(
+            py,
+            || progress.cancel(),
+            |_| Ok(()),
+            || {
+                // Whoever panicked while holding it has left nothing half done that is read.
+                let mut cloud = self.cloud.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+                work(&mut cloud, &progress)
+            },
+        )
+    }
+
+    fn with<T: Send>(
+        &self,
+        py: Python<'_>,
+        work: impl FnOnce(&mut voxtrace::import::TiledCloud, &VoxelizeProgress) -> Result<T, VoxelizeError> + Send,
+    ) -> PyResult<T> {
+        self.work(py, work)?.map_err(|error| raised(py, error))
+    }
+
+    /// As [`Self::with`], for work that writes `path`.
+    fn writing<T: Send>(
+        &self,
+        py: Python<'_>,
+        path: &Path,
+        work: impl FnOnce(&mut voxtrace::import::TiledCloud, &VoxelizeProgress) -> Result<T, VoxelizeError> + Send,
+    ) -> PyResult<T> {
+        self.work(py, work)?.map_err(|error| match error {
+            VoxelizeError::Io(error) => of_writing(path, &error),
+            error => raised(py, error),
+        })
+    }
+}
+
+/// What voxelizing could not do.
+fn raised(py: Python<'_>, error: VoxelizeError) -> PyErr {
+    match error {
+        VoxelizeError::Import(error) => of_reading(py, &error),
+        VoxelizeError::Cancelled => PyKeyboardInterrupt::new_err(()),
+        VoxelizeError::BadScale(_) | VoxelizeError::Missing(_) | VoxelizeError::TooThin(_) => argument(error),
+        error => other(py, error),
+    }
+}
+
+/// Brings together what several processes have found in files.
+#[pyfunction]
+pub fn join_surveys<'py>(py: Python<'py>, found: Vec<Vec<u8>>) -> PyResult<Bound<'py, PyBytes>> {
+    let joined = py.detach(|| joined_bytes(found.iter().map(Vec::as_slice)));
+    joined.map(|joined| PyBytes::new(py, &joined)).map_err(|error| raised(py, error))
+}

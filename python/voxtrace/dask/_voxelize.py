@@ -1,0 +1,173 @@
+"""Scans of many files by many machines: each worker voxelizes some of them, and the scene is that of one process, byte for byte."""
+
+from __future__ import annotations
+
+import contextlib
+import hashlib
+import os
+from collections.abc import Callable, Iterable
+from pathlib import Path
+from typing import Any
+
+from .._voxtrace import TiledCloud, VoxtraceError, join_surveys
+from ._animation import write_whole
+from ._sharing import address_of_worker, elsewhere, gathered, sent_bytes, usual_parts
+
+#: Memory of a worker that points and their sorting take, in bytes.
+MEMORY = 512 << 20
+#: A worker from which nothing has come for so many seconds is no longer waited for. Dask itself sees sooner that one is gone.
+PATIENCE = 120.0
+
+
+def voxelize(
+    client: Any,
+    paths: str | os.PathLike[str] | Iterable[str | os.PathLike[str]],
+    output: str | os.PathLike[str],
+    *,
+    resolution: int | None = None,
+    voxel_size: float | None = None,
+    color_by: str = "auto",
+    min_points: int = 1,
+    classes: str | None = None,
+    bounds: tuple[float, ...] | None = None,
+    palette: int | None = None,
+    dither: bool = False,
+    trusted: bool = False,
+    levels: int | str | None = None,
+    parts: int | None = None,
+    memory: int = MEMORY,
+    folder: str | os.PathLike[str] | None = None,
+    retries: int = 5,
+    progress: Callable[[float], object] | None = None,
+) -> Path:
+    """Voxelize the LAS and LAZ files (COPC too) of a scan, or of a folder, by the workers of `client` into the `.vxt` file `output`.
+
+    The file is the one that `voxtrace voxelize` makes with the same options, byte for byte, whatever the workers and whichever of them are lost on the way: one
+    that is lost costs the part that it had. Workers read the files themselves, and write what they make into `folder`, by default `output` with `.tiles`: both are
+    where all of them and the client see them. The same call goes on after an interruption; what they wrote is removed in the end.
+
+    `resolution`: voxels along the longest side; `voxel_size`: their edge in units of the files; by default the density of the points decides. `color_by`: `"auto"`,
+    `"rgb"`, `"intensity"`, `"classification"` or `"height"`. `min_points`: least points of a voxel. `classes`: `"2,building"`; `bounds`: `(x0, y0, x1, y1)` or with z, on
+    the map. `palette`: most colours. `trusted`: lifts the limits that protect from hostile files. `levels`: levels of detail, a number or `"all"`. `parts`: how many parts
+    there are, by default four a worker, no more than files. `memory`: bytes that a worker sorts points in; it takes about as much again to read files.
+
+    Returns `output`. Raises `ReadError` with the path of a file that cannot be read, `OSError`, `ValueError` for options that cannot be, `VoxtraceError` for what a limit or a
+    damaged part forbids, and what Dask does where no worker is left.
+    """
+    named = [paths] if isinstance(paths, (str, os.PathLike)) else list(paths)
+    files = [os.path.abspath(file) for file in named]
+    out = Path(os.path.abspath(output))
+    if out.suffix.lower() != ".vxt":
+        raise ValueError(f"{out}: a scan becomes a .vxt file")
+    depth = -1 if levels == "all" else int(levels or 0)
+    options: dict[str, Any] = {
+        "resolution": resolution,
+        "voxel_size": voxel_size,
+        "color_by": color_by,
+        "min_points": min_points,
+        "classes": classes,
+        "bounds": bounds,
+        "palette": palette,
+        "dither": dither,
+        "memory": memory,
+        "trusted": trusted,
+    }
+    cloud = TiledCloud(files, **options)
+    shares = cloud.shares(min(512, parts or usual_parts(client)))
+    place = Path(os.path.abspath(folder)) if folder else out.with_name(f"{out.name}.tiles")
+
+    def by_workers(work: Callable[..., Any], arguments: list[tuple[Any, ...]], survey: bytes | None, span: tuple[float, float]) -> list[Any]:
+        """What `work` makes of each of the arguments on the workers; `span`: the share of all work that it is."""
+
+        def submit(missing: list[int], workers: list[str]) -> dict[Any, int]:
+            sent = None if survey is None else sent_bytes(client, survey, retries, workers)
+            begun: dict[Any, int] = {}
+            for number in missing:
+                future = client.submit(work, files, options, sent, *arguments[number], pure=False, retries=retries, **elsewhere(workers))
+                begun[future] = number
+            return begun
+
+        made: dict[int, Any] = {}
+
+        def take(number: int, found: Any) -> None:
+            if isinstance(found, Exception):
+                raise found
+            made[number] = found
+
+        tell = progress and (lambda share: progress(span[0] + share * (span[1] - span[0])))
+        gathered(client, submit, list(range(len(arguments))), take, tell, PATIENCE)
+        return [made[number] for number in range(len(arguments))]
+
+    # Files that have changed are other work, even where they look the same.
+    stamp = _stamp(files)
+    kept = place / f"{stamp}.survey"
+    survey = _kept(cloud, kept)
+    if survey is None:
+        survey = join_surveys(by_workers(_survey, shares, None, (0.0, 0.4)))
+        if cloud.check(survey):
+            survey = join_surveys([survey, *by_workers(_measure, shares, survey, (0.4, 0.5))])
+        place.mkdir(parents=True, exist_ok=True)
+        write_whole(kept, survey)
+    key = hashlib.sha256(stamp.encode() + survey).hexdigest()[:16]
+    made = [place / f"{key}-{first}-{end}.part" for first, end in shares]
+    missing = [(first, end, str(part)) for (first, end), part in zip(shares, made, strict=True) if not part.exists()]
+    by_workers(_voxelize, missing, survey, (0.5, 0.95))
+    sent = sent_bytes(client, survey, retries, [])
+    names = [str(part) for part in made]
+    _, voxels = client.submit(_merge, files, options, sent, names, str(out), depth, pure=False, retries=retries).result()
+    if isinstance(voxels, Exception):
+        raise voxels
+    if progress:
+        progress(1.0)
+    _remove(place, [kept, *made], key)
+    return out
+
+
+def _remove(place: Path, made: list[Path], key: str) -> None:
+    """Removes what was made on the way, what workers that were killed have left too, and nothing else."""
+    for file in [*made, *place.glob(f".{key}-*.tmp")]:
+        file.unlink(missing_ok=True)
+    with contextlib.suppress(OSError):
+        place.rmdir()
+
+
+def _stamp(files: list[str]) -> str:
+    """What changes with the files, or with those of folders."""
+    tiles: list[Path] = []
+    for file in map(Path, files):
+        tiles += sorted(tile for tile in file.iterdir() if tile.suffix.lower() in {".las", ".laz"}) if file.is_dir() else [file]
+    states = [(str(tile), tile.stat().st_size, tile.stat().st_mtime_ns) for tile in tiles]
+    return hashlib.sha256(repr(states).encode()).hexdigest()[:16]
+
+
+def _kept(cloud: TiledCloud, path: Path) -> bytes | None:
+    """The survey that an earlier call has left, if it is of the same files and options."""
+    try:
+        survey = path.read_bytes()
+        return None if cloud.check(survey) else survey
+    except (OSError, VoxtraceError):
+        return None
+
+
+def _answer(work: Callable[[TiledCloud], Any], files: list[str], options: dict[str, Any]) -> tuple[str, Any]:
+    """The worker, and what `work` makes of the files, or the exception that would come again if somebody tried anew."""
+    try:
+        return address_of_worker(), work(TiledCloud(files, **options))
+    except (VoxtraceError, ValueError) as error:
+        return address_of_worker(), error
+
+
+def _survey(files: list[str], options: dict[str, Any], _: None, first: int, end: int) -> tuple[str, Any]:
+    return _answer(lambda cloud: cloud.survey(first, end), files, options)
+
+
+def _measure(files: list[str], options: dict[str, Any], survey: bytes, first: int, end: int) -> tuple[str, Any]:
+    return _answer(lambda cloud: cloud.measure(survey, first, end), files, options)
+
+
+def _voxelize(files: list[str], options: dict[str, Any], survey: bytes, first: int, end: int, part: str) -> tuple[str, Any]:
+    return _answer(lambda cloud: cloud.voxelize(survey, first, end, part), files, options)
+
+
+def _merge(files: list[str], options: dict[str, Any], survey: bytes, parts: list[str], output: str, levels: int) -> tuple[str, Any]:
+    return _answer(lambda cloud: cloud.merge(survey, parts, output, levels), files, options)
