@@ -86,6 +86,7 @@ def test_a_page_that_asks_for_frames_gets_pictures_and_the_camera(church):
 
 def test_what_is_picked_in_a_picture_is_what_a_ray_meets(church):
     view = voxtrace.view(church, device="cpu")
+    assert view.picked is None
     page = Page(view)
     renderer = voxtrace.Renderer(church, device="cpu")
     camera = renderer.default_camera((160, 90))

@@ -41,7 +41,18 @@ impl Part {
     /// All rows of a picture: one sample a pixel, seed 0, up to 8 bounces. `camera` has the numbers of [`WebScene::camera`].
     #[wasm_bindgen(constructor)]
     pub fn new(camera: Vec<f32>, width: u32, height: u32) -> Self {
-        Self { camera, clip: Vec::new(), lens_of: usize::MAX, width, height, y0: 0, y1: height, samples: 1, seed: 0, max_bounces: 8 }
+        Self {
+            camera,
+            clip: Vec::new(),
+            lens_of: usize::MAX,
+            width,
+            height,
+            y0: 0,
+            y1: height,
+            samples: 1,
+            seed: 0,
+            max_bounces: 8,
+        }
     }
 
     /// Shows only what is within a box, world units: its lowest corner, then its highest one. Without numbers all is shown.
@@ -186,7 +197,11 @@ mod tests {
         let cut = render_part(&scene, &clipped, &[]).unwrap();
         assert!(cut != whole);
         let picked = scene.pick(&clipped, 12.0, 12.0).unwrap().unwrap();
-        assert!(picked.position[2] <= 4.0 && picked.normal == [0.0, 0.0, 1.0], "the face of the cut: {:?}", picked.position);
+        assert!(
+            picked.position[2] <= 4.0 && picked.normal == [0.0, 0.0, 1.0],
+            "the face of the cut: {:?}",
+            picked.position
+        );
         assert!(scene.pick(&part(0, 16, 4), 0.0, 0.0).unwrap().is_none(), "the sky");
         // What travels to another worker gives the same picture there.
         let copy = WebScene::read(scene.to_bytes(), "copy.vxt").unwrap();

@@ -53,7 +53,7 @@ class View(anywidget.AnyWidget):  # type: ignore[misc, unused-ignore]
     clip = traitlets.Any(None).tag(sync=True)
     threshold = traitlets.Float(None, allow_none=True).tag(sync=True)
     preset = traitlets.Unicode("").tag(sync=True)
-    picked = traitlets.Dict(None, allow_none=True).tag(sync=True)
+    picked = traitlets.Any(None).tag(sync=True)
     tracer = traitlets.Unicode("").tag(sync=True)
     problem = traitlets.Unicode("").tag(sync=True)
     samples_shown = traitlets.Int(0).tag(sync=True)
