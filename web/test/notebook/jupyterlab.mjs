@@ -168,6 +168,13 @@ async function drag(page, locator, x, y) {
   await page.mouse.up();
 }
 
+/** What a ray down through the middle of the scene meets, in the page. */
+async function castDown() {
+  const viewer = document.querySelector("voxtrace-viewer");
+  const [x0, y0, , x1, y1, z1] = viewer.scene.bounds;
+  return [...(await viewer.cast(new Float32Array([(x0 + x1) / 2, (y0 + y1) / 2, z1 + 10, 0, 0, 0, -1, 1e9])))];
+}
+
 const eyeOf = (text) => text.split(" ").slice(1, 4).map(Number);
 const apart = (a, b) => Math.hypot(...a.map((value, axis) => value - b[axis]));
 
@@ -211,10 +218,10 @@ testPage("a scene is traced in the page, dragged, looked at from Python, cut, an
   const target = await page.evaluate(() => document.querySelector("voxtrace-viewer").getCameraTarget());
   assert.deepEqual(target.map(Math.round), [60, 20, 20]);
   await page.waitForFunction(() => document.querySelector("voxtrace-viewer").film()?.samples === 4);
-  const whole = await page.evaluate(async () => [...(await document.querySelector("voxtrace-viewer").cast(new Float32Array([64, 40, 1000, 0, 0, 0, -1, 1e9])))]);
+  const whole = await page.evaluate(castDown);
   await runCell(page, 4, "CLIPPED");
   await page.waitForFunction(() => document.querySelector("voxtrace-viewer").clipBox !== "auto");
-  const cut = await page.evaluate(async () => [...(await document.querySelector("voxtrace-viewer").cast(new Float32Array([64, 40, 1000, 0, 0, 0, -1, 1e9])))]);
+  const cut = await page.evaluate(castDown);
   assert.notDeepEqual(cut, whole);
   await page.waitForFunction(() => document.querySelector("voxtrace-viewer").film()?.samples === 4);
   await page.screenshot({ path: join(pictures, "jupyterlab-clipped.png") });
