@@ -23,6 +23,13 @@ for (const module of MODULES) {
 }
 for (const name of ["LICENSE-MIT", "LICENSE-APACHE"]) copyFileSync(`../${name}`, name);
 
+// What notebooks show scenes with: packed into the Python package, whose kernel sends it to the page.
+const notebook = here("../python/voxtrace/notebook/static");
+rmSync(notebook, { recursive: true, force: true });
+await build({ ...shared, outdir: notebook, entryPoints: { widget: "src/notebook/index.ts" } });
+copyFileSync("src/notebook/style.css", `${notebook}/widget.css`);
+for (const file of ["voxtrace-worker.js", "voxtrace.wasm"]) copyFileSync(`dist/${file}`, `${notebook}/${file}`);
+
 // What servers send.
 const quality = { params: { [constants.BROTLI_PARAM_QUALITY]: 11, [constants.BROTLI_PARAM_LGWIN]: 22 } };
 const sizes = {};

@@ -17,3 +17,8 @@ scene = volume.voxelize("ct-bone", threshold=300)
 editor = voxtrace.Editor(scene)
 change: int = editor.sphere((1, 2, 3), 4, None)
 camera = voxtrace.Camera((1, 2, 3), (0, 0, 0), lens="thin-lens", aperture=0.5, focus=3.0)
+view = voxtrace.view(scene, clip=((0, 0, 0), (1, 1, 1)), renderer="kernel")
+scene.clip = ((0, 0, 0), numpy.ones(3))
+figure: voxtrace.Image = view.render(size=(640, 360), samples=16)
+place: tuple[list[float], list[float]] = camera.ray((10, 20), (640, 360))
+value: float = volume[0, 1, 2]

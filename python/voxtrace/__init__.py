@@ -6,7 +6,7 @@
 (54, 96, 3)
 """
 
-from ._rendering import render
+from ._rendering import render, view
 from ._volumes import _add_from_array
 from ._voxtrace import (
     BUILTIN_SCENES,
@@ -53,4 +53,5 @@ __all__ = [
     "open",
     "open_volume",
     "render",
+    "view",
 ]

@@ -1,11 +1,14 @@
-"""One picture of one scene, with a bar of progress where there is somebody to see it."""
+"""One picture of one scene, with a bar of progress where there is somebody to see it, and the same in a notebook, to be turned."""
 
 from __future__ import annotations
 
 from contextlib import AbstractContextManager, nullcontext
-from typing import Any, Callable
+from typing import TYPE_CHECKING, Any, Callable, Literal
 
-from ._voxtrace import Camera, Image, Renderer, Scene
+from ._voxtrace import Camera, Image, Renderer, Scene, TransferFunction, Volume
+
+if TYPE_CHECKING:
+    from .notebook import View
 
 
 def render(
@@ -31,6 +34,49 @@ def render(
         return renderer.render(
             camera, samples=samples, size=size, seed=seed, denoise=denoise, progress=told, **options
         )
+
+
+def view(
+    scene: Scene | Volume,
+    *,
+    camera: Camera | None = None,
+    clip: tuple[tuple[float, float, float], tuple[float, float, float]] | None = None,
+    transfer: TransferFunction | str | None = None,
+    threshold: float | None = None,
+    samples: int = 64,
+    exposure: float = 0.0,
+    tone_map: Literal["agx", "neutral", "reinhard", "linear"] = "agx",
+    seed: int = 0,
+    max_bounces: int = 8,
+    height: int = 420,
+    renderer: Literal["auto", "browser", "kernel"] = "auto",
+    device: str = "auto",
+) -> View:
+    """Show a scene in a notebook, to be turned, cut open and picked in; `voxtrace.notebook.View` says what can be set and observed.
+
+    `clip`: the lowest and the highest corner of the box that is shown, world units. `transfer`, `threshold`: of a `Volume`, as in `Volume.voxelize`.
+    `height`: of the picture in the page, CSS pixels. `renderer`: `"browser"` traces in the page (WebAssembly; the scene is sent there), `"kernel"` sends pictures;
+    `"auto"` chooses the browser where it can and the scene has at most 64 MiB. `device`: what the kernel traces with, as in `Renderer`.
+
+    Raises `ImportError` without `pip install voxtrace[notebook]`.
+    """
+    from .notebook import View
+
+    return View(
+        scene,
+        camera=camera,
+        clip=clip,
+        transfer=transfer,
+        threshold=threshold,
+        samples=samples,
+        exposure=exposure,
+        tone_map=tone_map,
+        seed=seed,
+        max_bounces=max_bounces,
+        height=height,
+        renderer=renderer,
+        device=device,
+    )
 
 
 def _bar(progress: bool | Callable[[float], object] | None) -> AbstractContextManager[Callable[[float], object] | None]:

@@ -6,7 +6,7 @@ const Base = (globalThis.HTMLElement ?? class {}) as typeof HTMLElement;
 
 export abstract class Attributes extends Base {
   static readonly observedAttributes = [
-    "src", "alt", "poster", "loading", "reveal", "camera-controls", "camera-orbit", "camera-target", "field-of-view",
+    "src", "alt", "poster", "loading", "reveal", "camera-controls", "camera-orbit", "camera-target", "field-of-view", "clip-box",
     "auto-rotate", "exposure", "tone-mapping", "samples", "seed", "max-bounces", "max-pixels",
   ];
 
@@ -37,6 +37,9 @@ export abstract class Attributes extends Base {
   /** Vertical field of view, for example `45deg`; `auto` for the scene's own. */
   get fieldOfView() { return this.getAttribute("field-of-view") ?? "auto"; }
   set fieldOfView(value: string) { this.setAttribute("field-of-view", value); }
+  /** The box within which the scene is shown: `X Y Z X Y Z` in world units, its lowest corner and its highest one; `auto` for all of it. */
+  get clipBox() { return this.getAttribute("clip-box") ?? "auto"; }
+  set clipBox(value: string) { this.setAttribute("clip-box", value); }
   /** Whether the camera goes around by itself; never where a person prefers less motion. */
   get autoRotate() { return this.hasAttribute("auto-rotate"); }
   set autoRotate(value: boolean) { this.toggleAttribute("auto-rotate", value); }

@@ -1,9 +1,9 @@
 // The element `<voxtrace-viewer>`: attributes and events in model-viewer's words where both have the thing.
 import { Attributes } from "./attributes.js";
-import { listen } from "./gestures.js";
-import { cameraOf, lookOf, type Orbit, orbitText, orbitWords, panned, parseFieldOfView, parseOrbit, parseTarget, type Vector, type View, viewOf, within } from "./orbit.js";
-import { Pool } from "./pool.js";
-import type { SceneInfo, Source } from "./protocol.js";
+import { listen, listenToPresses } from "./gestures.js";
+import { cameraOf, lookOf, type Orbit, orbitText, orbitWords, panned, parseBox, parseFieldOfView, parseOrbit, parseTarget, type Vector, type View, viewOf, within } from "./orbit.js";
+import { type Files, Pool } from "./pool.js";
+import type { Picked, SceneInfo, Source } from "./protocol.js";
 import type { Look, Picture } from "./rendering.js";
 import { isStreamed } from "./layout.js";
 import { builtIn, download, fileName } from "./source.js";
@@ -89,6 +89,7 @@ export class VoxtraceViewer extends Attributes {
       home: () => this.#goHome("user-interaction"),
     };
     listen(this.#parts.canvas, moves, () => this.cameraControls && !!this.#view, signal);
+    listenToPresses(this.#parts.canvas, (x, y) => void this.#press(x, y), signal);
     this.#listenToDrops(signal);
     const size = new ResizeObserver(() => this.#refresh());
     size.observe(this);
@@ -113,7 +114,7 @@ export class VoxtraceViewer extends Attributes {
     if (name === "src") this.#reload();
     else if (name === "exposure" || name === "tone-mapping") void this.#stage.setLook(this.#look());
     else if (name.startsWith("camera-o") || name === "camera-target" || name === "field-of-view") this.#goHome("none");
-    else if (["samples", "seed", "max-bounces", "max-pixels"].includes(name)) this.#refresh();
+    else if (["samples", "seed", "max-bounces", "max-pixels", "clip-box"].includes(name)) this.#refresh();
     else this.#describe();
   }
 
@@ -157,11 +158,21 @@ export class VoxtraceViewer extends Attributes {
     return { width, height, seed, samples: rendering.samples, words };
   }
 
-  /** What rays meet first: eight numbers each (origin, t_min, direction, t_max) to six words each (distance as the bits of a float, instance, voxel, face). */
+  /** What rays meet first, within the clip box: eight numbers each (origin, t_min, direction, t_max) to six words each (distance as the bits of a float, instance, voxel, face). */
   async cast(rays: Float32Array): Promise<Uint32Array> {
     const [tracer] = this.#pool.ready;
     if (!tracer) throw new Error("no scene was loaded");
-    return tracer.call("cast", [rays]);
+    return tracer.call("cast", [rays, parseBox(this.clipBox)]);
+  }
+
+  /** The voxel that the view shows at a place, in CSS pixels from the element's upper left corner; `undefined` for the sky. */
+  async pick(x: number, y: number): Promise<Picked | undefined> {
+    const [tracer] = this.#pool.ready;
+    const picture = this.#picture();
+    if (!tracer || !picture) throw new Error("no scene was loaded");
+    const { width, height } = picture;
+    const look = { toneMapping: this.toneMapping, exposure: this.exposure };
+    return tracer.call("pick", [{ ...picture, ...look, y0: 0, y1: height }, (x / this.clientWidth) * width, (y / this.clientHeight) * height]);
   }
 
   /** Checksums of what the functions of the tracer give here, by their names, on a scene of this edge; the example `words` of the crate `voxtrace-web` prints those of a machine. */
@@ -170,6 +181,10 @@ export class VoxtraceViewer extends Attributes {
     if (!tracer) throw new Error("no scene was loaded");
     return tracer.call("selftest", [edge]);
   }
+
+  /** Gives the bytes of the package's own files by their names, where a page has no addresses for them; undefined where they lie beside its script. */
+  get files(): Files | undefined { return this.#pool.files; }
+  set files(files: Files | undefined) { this.#pool.files = files; }
 
   /** Shows a file of this machine; its bytes stay here. */
   async show(file: File): Promise<void> {
@@ -248,7 +263,7 @@ export class VoxtraceViewer extends Attributes {
       this.#streaming = undefined;
       this.#isArriving = false;
     };
-    const streaming = new Streaming({ ...given, memory, threads: this.threads }, {
+    const streaming = new Streaming(this.#pool, { ...given, memory, threads: this.threads }, {
       plain: async (bytes) => {
         if (signal.aborted) return;
         end();
@@ -365,15 +380,34 @@ export class VoxtraceViewer extends Attributes {
   /** Shows the view as it is now. */
   #refresh() {
     if (!this.#view || !this.#start || !this.#isVisible || this.clientWidth === 0) return;
-    const size = this.#size();
-    const hasCamera = (this.#info?.cameras.length ?? 0) > 0;
-    if (this.#isOwnView && !hasCamera && size.width / size.height !== this.#aspect) void this.#fit();
-    const camera = this.#isOwnView ? this.#start : cameraOf(this.#view);
-    this.#stage.show({ camera, lensOf: hasCamera ? 0 : -1, ...size, samples: this.samples, seed: this.seed, bounces: this.maxBounces });
+    const picture = this.#picture()!;
+    if (this.#isOwnView && picture.lensOf < 0 && picture.width / picture.height !== this.#aspect) void this.#fit();
+    this.#stage.show(picture);
     if (!this.#streaming) return;
     // Until it is known that nothing finer comes for it.
     if (!this.#info?.detail?.isExact) this.#isArriving = true;
-    this.#streaming.look(lookOf(camera, size));
+    this.#streaming.look(lookOf(picture.camera, picture));
+  }
+
+  /** The picture of the view, where there is one. */
+  #picture(): Picture | undefined {
+    if (!this.#view || !this.#start) return undefined;
+    const camera = this.#isOwnView ? this.#start : cameraOf(this.#view);
+    const lensOf = (this.#info?.cameras.length ?? 0) > 0 ? 0 : -1;
+    const clip = parseBox(this.clipBox);
+    if (!clip) console.warn(`voxtrace-viewer: clip-box="${this.clipBox}" is not understood; an example is clip-box="0 0 0 64 64 32"`);
+    const box = clip?.length ? { clip } : {};
+    return { camera, lensOf, ...this.#size(), samples: this.samples, seed: this.seed, bounces: this.maxBounces, ...box };
+  }
+
+  /** Tells what is where somebody pressed. */
+  async #press(x: number, y: number) {
+    if (!this.#view) return;
+    try {
+      this.#emit("voxel-pick", (await this.pick(x, y)) ?? null);
+    } catch (error) {
+      if (this.#view) this.#fail(error, "renderfailure");
+    }
   }
 
   /** A view that shows the whole scene is another in an element of another shape. */

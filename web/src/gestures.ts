@@ -83,6 +83,23 @@ export function listen(element: HTMLElement, moves: Moves, isOn: () => boolean, 
   );
 }
 
+/** How far a press may go and still be no drag, pixels. */
+const STILL = 4;
+
+/** Tells where an element is pressed without dragging, from its upper left corner, until `signal` ends it; Enter is a press in the middle. */
+export function listenToPresses(element: HTMLElement, pressed: (x: number, y: number) => void, signal: AbortSignal) {
+  let start = { x: 0, y: 0 };
+  element.addEventListener("pointerdown", ({ clientX: x, clientY: y }) => (start = { x, y }), { signal });
+  element.addEventListener("click", (event) => {
+    if (Math.hypot(event.clientX - start.x, event.clientY - start.y) > STILL) return;
+    const box = element.getBoundingClientRect();
+    pressed(event.clientX - box.x, event.clientY - box.y);
+  }, { signal });
+  element.addEventListener("keydown", (event) => {
+    if (event.key === "Enter") pressed(element.clientWidth / 2, element.clientHeight / 2);
+  }, { signal });
+}
+
 /** What a key does; false for other keys. */
 function press({ key, shiftKey }: KeyboardEvent, moves: Moves): boolean {
   const arrow = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }[key];

@@ -6,5 +6,6 @@ if (globalThis.customElements && !customElements.get("voxtrace-viewer")) customE
 export { VoxtraceViewer };
 export type { FilmWords } from "./element.js";
 export type { Orbit, Vector } from "./orbit.js";
-export type { SceneInfo } from "./protocol.js";
+export type { Files } from "./pool.js";
+export type { Picked, SceneInfo } from "./protocol.js";
 export type { Detail } from "./streaming.js";

@@ -113,6 +113,14 @@ export function parseTarget(text: string, start: Vector): Vector | undefined {
   return target.length === 3 && target.every(Number.isFinite) ? (target as Vector) : undefined;
 }
 
+/** A box as text, `X Y Z X Y Z`: its lowest corner, and its highest one, which is above it along every axis; no numbers for `auto`. `undefined` for other text. */
+export function parseBox(text: string): Float32Array | undefined {
+  if (text.trim() === "auto" || text.trim() === "") return new Float32Array();
+  const box = new Float32Array(text.trim().split(/[\s,]+/).map(Number));
+  const isSound = box.length === 6 && box.every(Number.isFinite) && [0, 1, 2].every((axis) => box[axis]! < box[axis + 3]!);
+  return isSound ? box : undefined;
+}
+
 /** A field of view as text, degrees up and down. */
 export function parseFieldOfView(text: string, start: number): number | undefined {
   return text.trim() === "auto" || text.trim() === "" ? start : angle(text.trim());

@@ -5,14 +5,18 @@ import { startWorker, Tracer, TracerError } from "./tracer.js";
 /** The modules: one traces, and reads the simplest formats; the others make scenes for it, `stream` of the parts of a file, and are loaded where they are needed. */
 type ModuleName = "voxtrace" | "scenes" | "readers" | "stream";
 
-export const addressOf = (file: string) => new URL(`./${file}`, import.meta.url);
+const addressOf = (file: string) => new URL(`./${file}`, import.meta.url);
 const compiled = new Map<ModuleName, Promise<WebAssembly.Module>>();
 
+/** Gives the bytes of the package's own files, by their names, where a page has no addresses for them. */
+export type Files = (name: string) => Promise<Uint8Array<ArrayBuffer>>;
+
 /** A module, compiled once for all viewers of a page. */
-export function moduleOf(name: ModuleName): Promise<WebAssembly.Module> {
+function moduleOf(name: ModuleName, files: Files | undefined): Promise<WebAssembly.Module> {
   let module = compiled.get(name);
   if (!module) {
-    module = compile(addressOf(`${name}.wasm`));
+    const file = `${name}.wasm`;
+    module = files ? files(file).then((bytes) => WebAssembly.compile(bytes)) : compile(addressOf(file));
     compiled.set(name, module);
     // The next viewer tries again.
     module.catch(() => compiled.delete(name));
@@ -38,9 +42,12 @@ export class Pool {
   /** Those that have the scene. */
   ready: Tracer[] = [];
   #all: Tracer[] = [];
+  readonly #scripts = new Map<ModuleName, Promise<URL>>();
   readonly #onReady: (tracer: Tracer) => void;
   /** The workers after the first get the scene. */
   #others: Promise<void> = Promise.resolve();
+  /** Where the package's files come from, if not from beside it. */
+  files: Files | undefined;
 
   /** `onReady` is told of each worker that has the scene. */
   constructor(onReady: (tracer: Tracer) => void) {
@@ -104,11 +111,30 @@ export class Pool {
   }
 
   async #start(name: ModuleName): Promise<Tracer> {
-    const module = await moduleOf(name);
-    const tracer = new Tracer(startWorker(addressOf(`${name}-worker.js`)));
+    const module = await this.module(name);
+    const tracer = new Tracer(await this.worker(name));
     this.#all.push(tracer);
     await tracer.call("start", [module]);
     return tracer;
+  }
+
+  /** One of the package's modules. */
+  module(name: ModuleName): Promise<WebAssembly.Module> {
+    return moduleOf(name, this.files);
+  }
+
+  /** A worker that runs the script of a module. */
+  async worker(name: ModuleName): Promise<Worker> {
+    return startWorker(await this.#scriptOf(name));
+  }
+
+  /** The address of a worker's script; of bytes it is made once. */
+  #scriptOf(name: ModuleName): URL | Promise<URL> {
+    const file = `${name}-worker.js`;
+    if (!this.files) return addressOf(file);
+    const made = this.#scripts.get(name) ?? this.files(file).then((bytes) => new URL(URL.createObjectURL(new Blob([bytes], { type: "text/javascript" }))));
+    this.#scripts.set(name, made);
+    return made;
   }
 
   async #startOthers(first: Tracer, given: Uint8Array | undefined, count: number) {

@@ -1,4 +1,5 @@
 // What pages ask workers for, and what they answer.
+import type { Vector } from "./orbit.js";
 
 import type { Detail } from "./streaming.js";
 
@@ -33,6 +34,8 @@ export interface PartRequest {
   samples: number;
   seed: number;
   bounces: number;
+  /** Only what is within this box is shown, world units: its lowest corner, then its highest one. */
+  clip?: Float32Array;
   /** Words of the film of these rows so far, 32 bytes a pixel; none for a black film. */
   words?: Uint8Array;
   toneMapping: string;
@@ -47,6 +50,21 @@ export interface PartAnswer {
   milliseconds: number;
 }
 
+/** A voxel that a picture shows at some place. */
+export interface Picked {
+  /** Number of the instance in the scene. */
+  instance: number;
+  /** Number of its material in the scene. */
+  material: number;
+  /** Where it is in the grid of the instance. */
+  voxel: Vector;
+  /** The place on its face, and the normal there: world units. */
+  position: Vector;
+  normal: Vector;
+  /** From the camera, world units. */
+  distance: number;
+}
+
 /** The calls of a worker by their names. */
 export interface Calls {
   start(module: WebAssembly.Module): void;
@@ -58,7 +76,9 @@ export interface Calls {
   camera(index: number, aspect: number): Float32Array;
   render(part: PartRequest): PartAnswer;
   show(words: Uint8Array, toneMapping: string, exposure: number): Uint8ClampedArray<ArrayBuffer>;
-  cast(rays: Float32Array): Uint32Array;
+  cast(rays: Float32Array, clip?: Float32Array): Uint32Array;
+  /** What a picture shows at a place, in its pixels from the upper left corner. */
+  pick(part: PartRequest, x: number, y: number): Picked | undefined;
   selftest(edge: number): string[];
 }
 

@@ -12,6 +12,8 @@ export interface Picture {
   samples: number;
   seed: number;
   bounces: number;
+  /** The box within which something is shown, as six numbers. */
+  clip?: Float32Array;
 }
 
 /** How a film is shown. */
@@ -100,12 +102,13 @@ export class Rendering {
   }
 
   async #render(tracer: Tracer, band: Band) {
-    const { camera, lensOf, width, height, samples, seed, bounces } = this.picture;
+    const { samples, ...view } = this.picture;
+    const { width } = view;
     const pixels = width * (band.y1 - band.y0);
     const more = Math.max(1, Math.min(band.samples, Math.floor((PATIENCE * tracer.rate) / pixels)));
     const target = Math.min(samples, band.samples === 0 ? 1 : band.samples + more);
     const { y0, y1, words } = band;
-    const part: PartRequest = { camera, lensOf, width, height, y0, y1, samples: target, seed, bounces, ...this.look };
+    const part: PartRequest = { ...view, y0, y1, samples: target, ...this.look };
     band.isBusy = true;
     try {
       // Copied, not given away: where the worker fails, another goes on from here.

@@ -1,7 +1,6 @@
 // The page's end of a file for streaming: what its worker is told, and what becomes of what it sends.
 import type { Look } from "./detail.js";
-import { addressOf, moduleOf } from "./pool.js";
-import { startWorker } from "./tracer.js";
+import type { Pool } from "./pool.js";
 
 /** How fine what is shown is: levels of detail, 0 the finest. */
 export interface Detail {
@@ -51,14 +50,15 @@ export class Streaming {
   #look: Look | undefined;
   #id = 0;
 
-  constructor(given: Given, events: Events) {
-    void this.#start(given, events).catch((error) => this.#isEnded || events.failed(error));
+  /** `pool` has the module and the script. */
+  constructor(pool: Pool, given: Given, events: Events) {
+    void this.#start(pool, given, events).catch((error) => this.#isEnded || events.failed(error));
   }
 
-  async #start(given: Given, events: Events) {
-    const module = await moduleOf("stream");
-    if (this.#isEnded) return;
-    const worker = (this.#worker = startWorker(addressOf("stream-worker.js")));
+  async #start(pool: Pool, given: Given, events: Events) {
+    const [module, worker] = await Promise.all([pool.module("stream"), pool.worker("stream")]);
+    if (this.#isEnded) return worker.terminate();
+    this.#worker = worker;
     worker.onerror = (event) => events.failed(new Error(event.message || "the script of the worker cannot be loaded"));
     worker.onmessage = async ({ data }: MessageEvent<FromStreamer>) => {
       try {

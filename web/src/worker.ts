@@ -1,6 +1,7 @@
 // A worker that traces: one scene, one call at a time.
 import { format_of, initSync, Part, render_part, selftest, shown, WebScene } from "../wasm/voxtrace.js";
-import type { PartRequest } from "./protocol.js";
+import type { Vector } from "./orbit.js";
+import type { PartRequest, Picked } from "./protocol.js";
 import { infoOf, read } from "./scene.js";
 import { serveCalls } from "./serve.js";
 
@@ -16,19 +17,37 @@ function clamped(bytes: Uint8Array): Uint8ClampedArray<ArrayBuffer> {
   return new Uint8ClampedArray(bytes.buffer as ArrayBuffer, bytes.byteOffset, bytes.length);
 }
 
+/** The part that is asked for; who calls frees it. */
+function partOf(request: PartRequest): Part {
+  const part = new Part(request.camera, request.width, request.height);
+  for (const key of ["y0", "y1", "samples", "seed"] as const) part[key] = request[key];
+  part.max_bounces = request.bounces;
+  part.lens_of = request.lensOf;
+  if (request.clip) part.set_clip(request.clip);
+  return part;
+}
+
 function render(request: PartRequest) {
   const start = performance.now();
-  const part = new Part(request.camera, request.width, request.height);
+  const part = partOf(request);
   try {
-    for (const key of ["y0", "y1", "samples", "seed"] as const) part[key] = request[key];
-    part.max_bounces = request.bounces;
-    part.lens_of = request.lensOf;
     const words = render_part(loaded(), part, request.words ?? new Uint8Array());
     const milliseconds = performance.now() - start;
     return { words, shown: clamped(shown(words, request.toneMapping, request.exposure)), milliseconds };
   } finally {
     part.free();
   }
+}
+
+function pick(request: PartRequest, x: number, y: number): Picked | undefined {
+  const part = partOf(request);
+  const picked = loaded().pick(part, x, y);
+  part.free();
+  if (!picked) return undefined;
+  const { instance, material, t } = picked;
+  const [voxel, position, normal] = [picked.voxel, picked.position, picked.normal].map((three) => [...three] as Vector);
+  picked.free();
+  return { instance, material, voxel: voxel!, position: position!, normal: normal!, distance: t };
 }
 
 serveCalls({
@@ -47,6 +66,7 @@ serveCalls({
   camera: (index, aspect) => loaded().camera(index, aspect),
   render,
   show: (words, toneMapping, exposure) => clamped(shown(words, toneMapping, exposure)),
-  cast: (rays) => loaded().cast(rays),
+  cast: (rays, clip) => loaded().cast(rays, clip ?? new Float32Array()),
+  pick,
   selftest,
 });

@@ -50,7 +50,7 @@ export async function open(attributes = {}, options = {}) {
     const viewer = document.createElement("voxtrace-viewer");
     Object.assign(viewer.style, { width: `${width}px`, height: `${height}px` });
     window.events = [];
-    for (const name of ["load", "progress", "error", "camera-change", "detail-change", "still"]) {
+    for (const name of ["load", "progress", "error", "camera-change", "detail-change", "still", "voxel-pick"]) {
       viewer.addEventListener(name, ({ detail }) => window.events.push({ name, at: performance.now(), detail: name === "error" ? { ...detail, sourceError: null } : detail }));
     }
     for (const [name, value] of Object.entries(attributes)) viewer.setAttribute(name, value);

@@ -76,6 +76,17 @@ impl PyCamera {
         self.0.fov_y
     }
 
+    /// The ray through a place of the picture, in pixels from its upper left corner: origin and direction of unit length, world units. What `Renderer.cast` finds by
+    /// it is what the picture shows there. `size`: width and height of the picture.
+    #[pyo3(signature = (place, size))]
+    fn ray(&self, place: (f32, f32), size: (u32, u32)) -> PyResult<([f32; 3], [f32; 3])> {
+        if size.0 == 0 || size.1 == 0 {
+            return Err(argument("size is at least 1 × 1"));
+        }
+        let ray = self.0.frame(size.0, size.1).central_ray(place.into());
+        Ok((ray.origin.to_array(), ray.direction.to_array()))
+    }
+
     /// Name of the camera, empty where it has none.
     #[getter]
     fn name(&self) -> &str {

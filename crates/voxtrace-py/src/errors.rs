@@ -54,6 +54,11 @@ pub fn of_film(py: Python<'_>, error: impl Display) -> PyErr {
     exception::<ReadError>(py, error.to_string(), None, None, None)
 }
 
+/// Bytes that are no scene.
+pub fn of_packed(py: Python<'_>, error: impl Display) -> PyErr {
+    exception::<ReadError>(py, error.to_string(), None, None, Some("they are those of a .vxt file"))
+}
+
 /// What a tracer could not do.
 pub fn of_tracing(py: Python<'_>, error: &TraceError) -> PyErr {
     match error {

@@ -1,8 +1,8 @@
 //! `Scene` and `Instance`.
 
-use crate::arguments::{Matrix, rows_of};
+use crate::arguments::{Matrix, Three, rows_of};
 use crate::camera::PyCamera;
-use crate::errors::{argument, of_writing, other};
+use crate::errors::{argument, of_packed, of_writing, other};
 use crate::grid::PyVoxelGrid;
 use crate::interrupt::run;
 use crate::material::PyMaterial;
@@ -10,11 +10,13 @@ use crate::sky::PySky;
 use crate::volume::unit_name;
 use pyo3::exceptions::PyIndexError;
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::{PyBytes, PyDict};
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use voxtrace::cuts::Cuts;
 use voxtrace::export::{ExportError, writer_of};
+use voxtrace::glam::DAffine3;
 use voxtrace::material::MAX_MATERIALS;
 use voxtrace::packed::{FileErrorKind, PackError};
 use voxtrace::{Instance, PackedScene, Scene, Transform};
@@ -30,10 +32,15 @@ pub struct PyScene {
     content: Held,
     /// As it is traced: with instances merged, and with instances kept apart.
     packed: [Option<Arc<PackedScene>>; 2],
+    /// What of it is shown, the lowest and the highest corner; all of it where there is none.
+    clip: Option<Corners>,
     /// What the reader left out or put up with.
     #[pyo3(get)]
     pub notes: Vec<String>,
 }
+
+/// Two corners of a box, world units.
+type Corners = ([f32; 3], [f32; 3]);
 
 /// What a scene is made of.
 enum Held {
@@ -67,11 +74,11 @@ impl PyInstance {
 
 impl PyScene {
     pub fn of(scene: Scene) -> Self {
-        Self { content: Held::Scene(Box::new(scene)), packed: [None, None], notes: Vec::new() }
+        Self { content: Held::Scene(Box::new(scene)), packed: [None, None], clip: None, notes: Vec::new() }
     }
 
     pub fn of_packed(packed: Arc<PackedScene>) -> Self {
-        Self { content: Held::Packed(packed), packed: [None, None], notes: Vec::new() }
+        Self { content: Held::Packed(packed), packed: [None, None], clip: None, notes: Vec::new() }
     }
 
     /// The scene to be changed; what was packed is packed anew when it is next needed.
@@ -109,7 +116,11 @@ impl PyScene {
             Held::Scene(scene) => PackedScene::pack_merged_while(scene, &goes_on).map(Arc::new),
         };
         let packed: Result<_, PackError> = run(py, || wanted.store(false, Ordering::Relaxed), |_| Ok(()), work)?;
-        let packed = packed.map_err(|error| other(py, error))?;
+        let mut packed = packed.map_err(|error| other(py, error))?;
+        let cuts = cuts_of(self.clip)?;
+        if packed.cuts != cuts {
+            Arc::make_mut(&mut packed).cuts = cuts;
+        }
         self.packed[usize::from(keeps_instances)] = Some(Arc::clone(&packed));
         Ok(packed)
     }
@@ -271,6 +282,36 @@ impl PyScene {
         self.changing().cameras = cameras.into_iter().map(|camera| camera.0).collect();
     }
 
+    /// What of it is shown: the lowest and the highest corner of a box, world units; `None` where it is all. What the box cuts open is shown filled, and what is
+    /// outside of it neither shines nor casts shadows. Files do not hold it.
+    #[getter]
+    fn clip(&self) -> Option<Corners> {
+        self.clip
+    }
+
+    #[setter]
+    fn set_clip(&mut self, clip: Option<(Three, Three)>) -> PyResult<()> {
+        let clip = clip.map(|(low, high)| (low.single().to_array(), high.single().to_array()));
+        let cuts = cuts_of(clip)?;
+        for packed in self.packed.iter_mut().flatten() {
+            Arc::make_mut(packed).cuts = cuts.clone();
+        }
+        self.clip = clip;
+        Ok(())
+    }
+
+    /// From the scene's world units to the coordinates of what it was made of, 4 × 4: those of a map, a patient, or a volume's own; `None` where it has none.
+    #[getter]
+    fn affine(&self) -> Option<[[f64; 4]; 4]> {
+        let georeference = match &self.content {
+            Held::Scene(scene) => scene.georeference.as_ref(),
+            Held::Packed(packed) => packed.georeference.as_ref(),
+        };
+        let DAffine3 { matrix3, translation } = georeference?.coordinates_from_world;
+        let row = |at: usize| [matrix3.x_axis[at], matrix3.y_axis[at], matrix3.z_axis[at], translation[at]];
+        Some([row(0), row(1), row(2), [0.0, 0.0, 0.0, 1.0]])
+    }
+
     /// Name for people.
     #[getter]
     fn name(&self) -> String {
@@ -349,6 +390,21 @@ impl PyScene {
         })
     }
 
+    /// The scene as the bytes of a `.vxt` file: to send it, and to keep it elsewhere than in a file.
+    fn to_bytes<'py>(&mut self, py: Python<'py>) -> PyResult<Bound<'py, PyBytes>> {
+        let packed = self.packed(py, false)?;
+        Ok(PyBytes::new(py, &py.detach(|| packed.to_bytes())))
+    }
+
+    /// The scene of the bytes of a `.vxt` file.
+    ///
+    /// Raises `ReadError` where they are none.
+    #[staticmethod]
+    fn from_bytes(py: Python<'_>, scene: &[u8]) -> PyResult<Self> {
+        let packed = py.detach(|| PackedScene::from_bytes(scene)).map_err(|error| of_packed(py, error))?;
+        Ok(Self::of_packed(Arc::new(packed)))
+    }
+
     fn __repr__(&mut self, py: Python<'_>) -> PyResult<String> {
         let voxels = self.voxels(py)?;
         Ok(format!("<Scene {:?}: {voxels} voxels>", self.name()))
@@ -357,4 +413,10 @@ impl PyScene {
 
 fn no_instance(instance: usize, count: usize) -> PyErr {
     PyIndexError::new_err(format!("there is no instance {instance}: the scene has {count}"))
+}
+
+/// The cuts of a box.
+fn cuts_of(clip: Option<Corners>) -> PyResult<Cuts> {
+    let Some((low, high)) = clip else { return Ok(Cuts::default()) };
+    Cuts::default().clip_box(low.into(), high.into()).map_err(argument)
 }

@@ -5,7 +5,8 @@ use crate::errors::{argument, other};
 use crate::scene::PyScene;
 use crate::transfer::AnyTransfer;
 use numpy::ndarray::{ArrayView3, Axis};
-use numpy::{AllowTypeChange, IntoPyArray, PyArrayLike3, PyArrayMethods};
+use numpy::{AllowTypeChange, IntoPyArray, PyArray1, PyArrayLike3, PyArrayMethods};
+use pyo3::exceptions::PyIndexError;
 use pyo3::prelude::*;
 use rayon::prelude::*;
 use voxtrace::Volume;
@@ -108,6 +109,44 @@ impl PyVolume {
     #[getter]
     fn name(&self) -> &str {
         &self.0.name
+    }
+
+    fn __getitem__(&self, sample: (usize, usize, usize)) -> PyResult<f32> {
+        let (x, y, z) = sample;
+        let [width, depth, height] = self.0.size;
+        if x >= width || y >= depth || z >= height {
+            return Err(PyIndexError::new_err(format!("sample ({x}, {y}, {z}) of {width} × {depth} × {height}")));
+        }
+        Ok(self.0.values[(z * depth + y) * width + x])
+    }
+
+    /// How often values occur: the edges of 1,024 even steps from `low` to `high`, float64, and how many samples are in each, uint64. By default they reach from the
+    /// least value to the 99.9th percentile; what is higher is in the last one.
+    #[pyo3(signature = (low=None, high=None))]
+    fn histogram<'py>(
+        &self,
+        py: Python<'py>,
+        low: Option<f32>,
+        high: Option<f32>,
+    ) -> PyResult<(Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<u64>>)> {
+        let (low, high, counts) = py.detach(|| {
+            let values = (low.is_none() || high.is_none()).then(|| self.0.statistics());
+            let low = low.or(values.as_ref().map(|values| values.lowest)).unwrap_or(0.0);
+            let high = high.or(values.as_ref().map(|values| values.bright)).unwrap_or(0.0);
+            (low, high, if low < high { self.0.histogram(low, high) } else { Vec::new() })
+        });
+        if counts.is_empty() && low != high {
+            return Err(argument("low is below high"));
+        }
+        let step = f64::from(high - low) / counts.len().max(1) as f64;
+        let edges: Vec<f64> = (0..=counts.len()).map(|edge| f64::from(low) + edge as f64 * step).collect();
+        Ok((edges.into_pyarray(py), counts.into_pyarray(py)))
+    }
+
+    /// The value between background and object (Otsu's), from which `voxelize` shows values where nothing else is said.
+    #[getter]
+    fn threshold(&self, py: Python<'_>) -> f32 {
+        py.detach(|| self.0.statistics().threshold)
     }
 
     /// Makes voxels of what `transfer`, a `TransferFunction` or the name of a preset, shows; without it one is chosen by the values.

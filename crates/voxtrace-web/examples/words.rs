@@ -11,7 +11,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             let rays = std::fs::read(rays)?;
             let rays: Vec<f32> = rays.chunks_exact(4).map(bytemuck::pod_read_unaligned).collect();
             let scene = WebScene::read(std::fs::read(scene)?, scene).map_err(|_| "the scene cannot be read")?;
-            let words = scene.cast(&rays).map_err(|_| "the rays are not whole")?;
+            let words = scene.cast(&rays, &[]).map_err(|_| "the rays are not whole")?;
             for hit in words.chunks_exact(6) {
                 println!("{}", hit.iter().map(|word| format!("{word:08x}")).collect::<Vec<_>>().join(" "));
             }

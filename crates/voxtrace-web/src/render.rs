@@ -3,8 +3,10 @@
 use crate::error_of;
 use crate::film_words::{film_from_words, film_words};
 use crate::scene::{CAMERA_NUMBERS, WebScene};
+use std::sync::Arc;
+use voxtrace_core::cuts::Cuts;
 use voxtrace_core::{CpuTracer, Film, Frame, Progress, Region, Tracer};
-use voxtrace_scene::{Camera, Hit, Ray, camera::Lens, glam::Vec3};
+use voxtrace_scene::{Camera, Hit, Ray, camera::Lens, glam::Vec2, glam::Vec3};
 use wasm_bindgen::prelude::*;
 
 /// Numbers of a ray: origin, t_min, direction, t_max.
@@ -15,6 +17,7 @@ const RAY_NUMBERS: usize = 8;
 #[derive(Clone, Debug)]
 pub struct Part {
     camera: Vec<f32>,
+    clip: Vec<f32>,
     /// Number of the scene's camera whose lens it has; a pinhole where there is none.
     pub lens_of: usize,
     /// Width of the whole picture, pixels.
@@ -38,7 +41,23 @@ impl Part {
     /// All rows of a picture: one sample a pixel, seed 0, up to 8 bounces. `camera` has the numbers of [`WebScene::camera`].
     #[wasm_bindgen(constructor)]
     pub fn new(camera: Vec<f32>, width: u32, height: u32) -> Self {
-        Self { camera, lens_of: usize::MAX, width, height, y0: 0, y1: height, samples: 1, seed: 0, max_bounces: 8 }
+        Self {
+            camera,
+            clip: Vec::new(),
+            lens_of: usize::MAX,
+            width,
+            height,
+            y0: 0,
+            y1: height,
+            samples: 1,
+            seed: 0,
+            max_bounces: 8,
+        }
+    }
+
+    /// Shows only what is within a box, world units: its lowest corner, then its highest one. Without numbers all is shown.
+    pub fn set_clip(&mut self, corners: Vec<f32>) {
+        self.clip = corners;
     }
 }
 
@@ -63,7 +82,7 @@ pub fn render_part(scene: &WebScene, part: &Part, words: &[u8]) -> Result<Vec<u8
     let frame = part.frame(scene).ok_or_else(|| JsError::new("a camera has ten numbers"))?;
     frame.check().map_err(error_of)?;
     let film = film_from_words(&frame, words).ok_or_else(|| JsError::new("the film's words are of other rows"))?;
-    let mut tracer = scene.tracer()?;
+    let mut tracer = scene.tracer(&part.clip)?;
     tracer.resume(&frame, film).map_err(error_of)?;
     tracer.render(&frame, &Progress::default()).map_err(error_of)?;
     let mut film = Film::new(frame.width, frame.height, frame.region, 0);
@@ -73,12 +92,12 @@ pub fn render_part(scene: &WebScene, part: &Part, words: &[u8]) -> Result<Vec<u8
 
 #[wasm_bindgen]
 impl WebScene {
-    /// What rays meet first. A ray is origin, t_min, direction, t_max; a hit six words: distance (the bits of a float), instance, voxel (three signed
+    /// What rays meet first, of what is within a box as of [`Part::set_clip`]. A ray is origin, t_min, direction, t_max; a hit six words: distance (the bits of a float), instance, voxel (three signed
     /// integers) and face.
     ///
     /// # Errors
-    /// Where the numbers are not those of whole rays.
-    pub fn cast(&self, rays: &[f32]) -> Result<Vec<u32>, JsError> {
+    /// Where the numbers are not those of whole rays, or of a box.
+    pub fn cast(&self, rays: &[f32], clip: &[f32]) -> Result<Vec<u32>, JsError> {
         if !rays.len().is_multiple_of(RAY_NUMBERS) {
             return Err(JsError::new("a ray has eight numbers"));
         }
@@ -92,20 +111,65 @@ impl WebScene {
             })
             .collect();
         let mut hits = vec![Hit::MISS; rays.len()];
-        self.tracer()?.cast_into(&rays, &mut hits).map_err(error_of)?;
+        self.tracer(clip)?.cast_into(&rays, &mut hits).map_err(error_of)?;
         let words = hits.iter().flat_map(|hit| {
             let [x, y, z] = hit.voxel.to_array().map(|value| value as u32);
             [hit.t.to_bits(), hit.instance, x, y, z, hit.face]
         });
         Ok(words.collect())
     }
+
+    /// What a part's picture shows at a place, in pixels from its upper left corner; nothing where that is the sky.
+    ///
+    /// # Errors
+    /// Where the part has no camera, or no box.
+    pub fn pick(&self, part: &Part, x: f32, y: f32) -> Result<Option<Picked>, JsError> {
+        let frame = part.frame(self).ok_or_else(|| JsError::new("a camera has ten numbers"))?;
+        frame.check().map_err(error_of)?;
+        let ray = frame.camera.frame(frame.width, frame.height).central_ray(Vec2::new(x, y));
+        let mut hits = [Hit::MISS];
+        self.tracer(&part.clip)?.cast_into(&[ray], &mut hits).map_err(error_of)?;
+        let [hit] = hits;
+        let scene = self.packed();
+        Ok((!hit.is_miss()).then(|| Picked {
+            instance: hit.instance,
+            t: hit.t,
+            material: scene.material_index(&hit),
+            voxel: hit.voxel.to_array().to_vec(),
+            position: ray.at(hit.t).to_array().to_vec(),
+            normal: scene.normal(&hit).to_array().to_vec(),
+        }))
+    }
+}
+
+/// A voxel that was picked.
+#[wasm_bindgen(getter_with_clone)]
+pub struct Picked {
+    /// Number of the instance.
+    pub instance: u32,
+    /// Number of the material.
+    pub material: u32,
+    /// Distance from the camera, world units.
+    pub t: f32,
+    /// Where the voxel is in its grid: three numbers.
+    pub voxel: Vec<i32>,
+    /// Where on its face, world units.
+    pub position: Vec<f32>,
+    /// The normal there, world space.
+    pub normal: Vec<f32>,
 }
 
 impl WebScene {
-    /// A tracer that has it.
-    fn tracer(&self) -> Result<CpuTracer, JsError> {
+    /// A tracer that has it, or what of it is within a box.
+    fn tracer(&self, clip: &[f32]) -> Result<CpuTracer, JsError> {
+        let mut scene = Arc::clone(self.packed());
+        if !clip.is_empty() {
+            let [low, high] = clip.as_chunks::<3>().0 else { return Err(JsError::new("a box has six numbers")) };
+            let cuts = Cuts::default().clip_box(Vec3::from_array(*low), Vec3::from_array(*high)).map_err(error_of)?;
+            Arc::make_mut(&mut scene).cuts = cuts;
+        }
         let mut tracer = CpuTracer::new(None);
-        tracer.set_scene(self.packed()).map_err(error_of)?;
+        tracer.set_scene(&scene).map_err(error_of)?;
         Ok(tracer)
     }
 }
@@ -127,6 +191,18 @@ mod tests {
         // The samples of another seed are others.
         let other = render_part(&scene, &Part { seed: 4, ..part(0, 16, 4) }, &[]).unwrap();
         assert!(other != whole);
+        // What a box keeps is another picture, and a ray meets what it shows.
+        let mut clipped = part(0, 16, 4);
+        clipped.set_clip(vec![-1e3, -1e3, -1e3, 1e3, 1e3, 4.0]);
+        let cut = render_part(&scene, &clipped, &[]).unwrap();
+        assert!(cut != whole);
+        let picked = scene.pick(&clipped, 12.0, 12.0).unwrap().unwrap();
+        assert!(
+            picked.position[2] <= 4.0 && picked.normal == [0.0, 0.0, 1.0],
+            "the face of the cut: {:?}",
+            picked.position
+        );
+        assert!(scene.pick(&part(0, 16, 4), 0.0, 0.0).unwrap().is_none(), "the sky");
         // What travels to another worker gives the same picture there.
         let copy = WebScene::read(scene.to_bytes(), "copy.vxt").unwrap();
         assert!(render_part(&copy, &part(0, 16, 4), &[]).unwrap() == whole);

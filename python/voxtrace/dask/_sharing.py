@@ -101,10 +101,7 @@ def gathered(
 
 def packed_scene(scene: Scene) -> tuple[bytes, str]:
     """The scene as the bytes of a file, and their hash."""
-    with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder) / "scene.vxt"
-        scene.save(path)
-        data = path.read_bytes()
+    data = scene.to_bytes()
     return data, hashlib.sha256(data).hexdigest()
 
 

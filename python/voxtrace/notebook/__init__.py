@@ -1,0 +1,8 @@
+"""Scenes in notebooks: a widget that is turned, cut open and picked in, in the page and in Python alike (`docs/notebooks.md`).
+
+It needs `pip install voxtrace[notebook]`.
+"""
+
+from ._widget import View
+
+__all__ = ["View"]
