@@ -391,7 +391,8 @@ impl PyScene {
     }
 
     /// The scene as the bytes of a `.vxt` file: to send it, and to keep it elsewhere than in a file.
-    fn to_bytes<'py>(&mut self, py: Python<'py>) -> PyResult<Bound<'py, PyBytes>> {
+    #[pyo3(name = "to_bytes")]
+    fn packed_bytes<'py>(&mut self, py: Python<'py>) -> PyResult<Bound<'py, PyBytes>> {
         let packed = self.packed(py, false)?;
         Ok(PyBytes::new(py, &py.detach(|| packed.to_bytes())))
     }

@@ -15,6 +15,9 @@ use voxtrace::scene::Unit;
 use voxtrace::volume::{self, VolumeOptions};
 use voxtrace::voxelize::Scale;
 
+/// The edges of the steps, and how many samples are in each.
+type Histogram<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<u64>>);
+
 /// Scalar samples on a regular lattice, as scanners and simulations make them.
 ///
 /// >>> import numpy, voxtrace
@@ -123,12 +126,7 @@ impl PyVolume {
     /// How often values occur: the edges of 1,024 even steps from `low` to `high`, float64, and how many samples are in each, uint64. By default they reach from the
     /// least value to the 99.9th percentile; what is higher is in the last one.
     #[pyo3(signature = (low=None, high=None))]
-    fn histogram<'py>(
-        &self,
-        py: Python<'py>,
-        low: Option<f32>,
-        high: Option<f32>,
-    ) -> PyResult<(Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<u64>>)> {
+    fn histogram<'py>(&self, py: Python<'py>, low: Option<f32>, high: Option<f32>) -> PyResult<Histogram<'py>> {
         let (low, high, counts) = py.detach(|| {
             let values = (low.is_none() || high.is_none()).then(|| self.0.statistics());
             let low = low.or(values.as_ref().map(|values| values.lowest)).unwrap_or(0.0);

@@ -46,7 +46,7 @@ impl Info {
         Self {
             name: scene.name.clone(),
             format: format_of(&place.path).unwrap_or("folder"),
-            file_bytes: place.metadata.is_file().then(|| place.metadata.len()),
+            file_bytes: place.metadata.is_file().then_some(place.metadata.len()),
             bytes: *bytes,
             voxels: statistics.voxels,
             models: statistics.models,

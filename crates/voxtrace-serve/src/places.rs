@@ -113,7 +113,7 @@ pub fn is_plain(part: &str) -> bool {
 pub fn format_of(path: &Path) -> Option<&'static str> {
     let name = path.file_name()?.to_str()?.to_ascii_lowercase();
     let has = |extension: &&str| *extension != "png" && name.ends_with(&format!(".{extension}"));
-    let reader = READERS.iter().find(|reader| reader.extensions.iter().any(|extension| has(extension)))?;
+    let reader = READERS.iter().find(|reader| reader.extensions.iter().any(has))?;
     Some(reader.name)
 }
 

@@ -146,7 +146,7 @@ fn a_file_for_streaming_is_the_scene_and_its_levels() {
         assert_eq!(found.instances(), expected.instances());
         assert_eq!(
             levels.summary(level).unwrap().voxels,
-            found.grids().iter().map(|grid| u64::from(grid.voxels[0])).sum()
+            found.grids().iter().map(|grid| u64::from(grid.voxels[0])).sum::<u64>()
         );
     }
     assert!(levels.scene(levels.count() + 1).is_err());

@@ -235,7 +235,7 @@ impl TileSurvey {
         let tiles = files.map(|file| file as u32).collect();
         let source: &mut dyn PointSource = source;
         Ok(TileMeasures { key: self.later_key(), tiles, measures: self.survey.measure(source, wants, progress)? }
-            .to_bytes())
+            .into_bytes())
     }
 
     pub(super) fn survey(&self) -> &Survey {
@@ -292,7 +292,7 @@ impl TileMeasures {
         }
     }
 
-    fn to_bytes(&mut self) -> Vec<u8> {
+    fn into_bytes(mut self) -> Vec<u8> {
         let mut out = FieldWriter::new(MAGICS[1]);
         out.value(self.key);
         out.values(&self.tiles);
@@ -320,7 +320,7 @@ pub fn joined_bytes<'a>(found: impl IntoIterator<Item = &'a [u8]>) -> Result<Vec
     }
     let measures = TileMeasures::join(measures)?;
     match measures {
-        Some(mut measures) if surveys.is_empty() => Ok(measures.to_bytes()),
+        Some(measures) if surveys.is_empty() => Ok(measures.into_bytes()),
         measures => Ok(TileSurvey::join(surveys, measures)?.to_bytes()),
     }
 }
