@@ -101,7 +101,7 @@ class Streamer {
     if (this.#batches.length > 0 && !this.#isFinishing && performance.now() - this.#compared > COMPARED) {
       this.#compared = performance.now();
       const wanted = new Set(this.#missing(this.#cut()));
-      for (const { chunks, abort } of this.#batches) if (!chunks.some((chunk) => wanted.has(chunk))) abort.abort();
+      for (const { chunks, abort } of this.#batches) if (chunks.length > 0 && !chunks.some((chunk) => wanted.has(chunk))) abort.abort();
     }
     this.#tell();
   }
@@ -172,9 +172,26 @@ class Streamer {
     return bytes;
   }
 
+  /** As `#read`, but given up where nobody looks, and begun again when somebody does. */
+  async #readWhileSeen(start: number, end: number): Promise<Uint8Array> {
+    for (;;) {
+      while (this.#isPaused) await this.#news();
+      const abort = new AbortController();
+      this.#batches = [{ chunks: [], abort }];
+      try {
+        return await this.#read(start, end, abort.signal);
+      } catch (error) {
+        if (!abort.signal.aborted) throw error;
+      } finally {
+        this.#batches = [];
+      }
+    }
+  }
+
+  /** A section, checked and inflated. Once there is a picture it is fetched while somebody looks. */
   async #section({ start, end, checksum: sum }: Place): Promise<Uint8Array> {
-    const isThere = end <= this.#parts.head.length;
-    const bytes = isThere ? this.#parts.head.slice(start, end) : await this.#read(start, end, this.#life.signal);
+    const fetch = () => (this.#shown.key === "" ? this.#read(start, end, this.#life.signal) : this.#readWhileSeen(start, end));
+    const bytes = end <= this.#parts.head.length ? this.#parts.head.slice(start, end) : await fetch();
     if (checksum(bytes) !== sum) throw new Damaged(`truncated or damaged: the section at byte ${start} has a wrong checksum`);
     return inflated(bytes, `the section at byte ${start}`);
   }

@@ -43,11 +43,10 @@ function pick(request: PartRequest, x: number, y: number): Picked | undefined {
   const part = partOf(request);
   const picked = loaded().pick(part, x, y);
   part.free();
-  if (!picked) return undefined;
-  const { instance, material, t } = picked;
-  const [voxel, position, normal] = [picked.voxel, picked.position, picked.normal].map((three) => [...three] as Vector);
-  picked.free();
-  return { instance, material, voxel: voxel!, position: position!, normal: normal!, distance: t };
+  const [instance, material, distance, ...places] = picked;
+  if (instance === undefined) return undefined;
+  const three = (first: number) => places.slice(first, first + 3) as Vector;
+  return { instance, material: material!, distance: distance!, voxel: three(0), position: three(3), normal: three(6) };
 }
 
 serveCalls({

@@ -89,8 +89,14 @@ struct Upload {
 
 impl Upload {
     fn convert(self, wanted: &Arc<AtomicBool>) -> Result<Uploaded, Refusal> {
-        let opened = read_file(&self.received, &self.file_name, &self.options, Arc::clone(wanted))?;
         let name = format!("{}.vxt", stem(&self.file_name));
+        let target = self.folder.path.join(&name);
+        let is_there = || Refusal::new(StatusCode::CONFLICT, format!("{name} is there already"));
+        // Before a long conversion; what comes meanwhile is seen in the end.
+        if !self.replace && target.symlink_metadata().is_ok() {
+            return Err(is_there());
+        }
+        let opened = read_file(&self.received, &self.file_name, &self.options, Arc::clone(wanted))?;
         let written = self.hidden.path().join(".written.vxt");
         opened.scene.save(&written).map_err(|error| {
             Refusal::new(StatusCode::INSUFFICIENT_STORAGE, format!("{name} cannot be written: {}", error.kind))
@@ -98,14 +104,13 @@ impl Upload {
         if !wanted.load(Ordering::Relaxed) {
             return Err(Refusal::failed("nobody waits for it any more"));
         }
-        let target = self.folder.path.join(&name);
         let written = TempPath::try_from_path(written).map_err(|error| cannot_write(&name, &error))?;
         let put = match self.replace {
             true => written.persist(&target),
             false => written.persist_noclobber(&target),
         };
         put.map_err(|error| match error.error.kind() {
-            io::ErrorKind::AlreadyExists => Refusal::new(StatusCode::CONFLICT, format!("{name} is there already")),
+            io::ErrorKind::AlreadyExists => is_there(),
             _ => cannot_write(&name, &error.error),
         })?;
         let name = if self.folder.name.is_empty() { name } else { format!("{}/{name}", self.folder.name) };

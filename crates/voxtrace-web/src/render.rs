@@ -119,44 +119,28 @@ impl WebScene {
         Ok(words.collect())
     }
 
-    /// What a part's picture shows at a place, in pixels from its upper left corner; nothing where that is the sky.
+    /// What a part's picture shows at a place, in pixels from its upper left corner: its instance, its material, the distance from the camera (world
+    /// units), where the voxel is in its grid, where on its face that is (world units), and the normal there, three numbers each. Nothing where that is
+    /// the sky.
     ///
     /// # Errors
     /// Where the part has no camera, or no box.
-    pub fn pick(&self, part: &Part, x: f32, y: f32) -> Result<Option<Picked>, JsError> {
+    pub fn pick(&self, part: &Part, x: f32, y: f32) -> Result<Vec<f64>, JsError> {
         let frame = part.frame(self).ok_or_else(|| JsError::new("a camera has ten numbers"))?;
         frame.check().map_err(error_of)?;
         let ray = frame.camera.frame(frame.width, frame.height).central_ray(Vec2::new(x, y));
         let mut hits = [Hit::MISS];
         self.tracer(&part.clip)?.cast_into(&[ray], &mut hits).map_err(error_of)?;
         let [hit] = hits;
+        if hit.is_miss() {
+            return Ok(Vec::new());
+        }
         let scene = self.packed();
-        Ok((!hit.is_miss()).then(|| Picked {
-            instance: hit.instance,
-            t: hit.t,
-            material: scene.material_index(&hit),
-            voxel: hit.voxel.to_array().to_vec(),
-            position: ray.at(hit.t).to_array().to_vec(),
-            normal: scene.normal(&hit).to_array().to_vec(),
-        }))
+        let [voxel, position, normal] = [hit.voxel.as_dvec3(), ray.at(hit.t).as_dvec3(), scene.normal(&hit).as_dvec3()];
+        let threes = [voxel, position, normal].map(|three| three.to_array());
+        let numbers = [hit.instance.into(), scene.material_index(&hit).into(), hit.t.into()];
+        Ok([&numbers, threes.as_flattened()].concat())
     }
-}
-
-/// A voxel that was picked.
-#[wasm_bindgen(getter_with_clone)]
-pub struct Picked {
-    /// Number of the instance.
-    pub instance: u32,
-    /// Number of the material.
-    pub material: u32,
-    /// Distance from the camera, world units.
-    pub t: f32,
-    /// Where the voxel is in its grid: three numbers.
-    pub voxel: Vec<i32>,
-    /// Where on its face, world units.
-    pub position: Vec<f32>,
-    /// The normal there, world space.
-    pub normal: Vec<f32>,
 }
 
 impl WebScene {
@@ -196,13 +180,9 @@ mod tests {
         clipped.set_clip(vec![-1e3, -1e3, -1e3, 1e3, 1e3, 4.0]);
         let cut = render_part(&scene, &clipped, &[]).unwrap();
         assert!(cut != whole);
-        let picked = scene.pick(&clipped, 12.0, 12.0).unwrap().unwrap();
-        assert!(
-            picked.position[2] <= 4.0 && picked.normal == [0.0, 0.0, 1.0],
-            "the face of the cut: {:?}",
-            picked.position
-        );
-        assert!(scene.pick(&part(0, 16, 4), 0.0, 0.0).unwrap().is_none(), "the sky");
+        let picked = scene.pick(&clipped, 12.0, 12.0).unwrap();
+        assert!(picked[8] <= 4.0 && picked[9..] == [0.0, 0.0, 1.0], "the face of the cut: {picked:?}");
+        assert!(scene.pick(&part(0, 16, 4), 0.0, 0.0).unwrap().is_empty(), "the sky");
         // What travels to another worker gives the same picture there.
         let copy = WebScene::read(scene.to_bytes(), "copy.vxt").unwrap();
         assert!(render_part(&copy, &part(0, 16, 4), &[]).unwrap() == whole);

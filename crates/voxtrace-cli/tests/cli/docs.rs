@@ -139,10 +139,11 @@ impl Help {
     }
 }
 
-/// Stems of the files and names of the folders below `crates`, `shaders` and `fuzz`.
+/// Stems of the files and names of the folders below those that the map is about.
 fn names_of_files() -> BTreeSet<String> {
     let mut names = BTreeSet::from(["crates".to_owned()]);
-    let mut open: Vec<PathBuf> = ["crates", "shaders", "fuzz", "docs", "web"].map(|folder| root().join(folder)).into();
+    let mut open: Vec<PathBuf> =
+        ["crates", "shaders", "fuzz", "docs", "python", "web"].map(|folder| root().join(folder)).into();
     while let Some(folder) = open.pop() {
         for entry in std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()) {
             names.insert(entry.file_stem().unwrap().to_string_lossy().into_owned());

@@ -59,9 +59,9 @@ fn a_file_for_streaming_is_the_scene_with_all_levels_for_every_verb() {
     for level in ["0", "2"] {
         let of = |name: &str, out: &str| {
             folder.succeed(&[&["render", name, "--level", level, "-o", out], &SMALL[..]].concat());
-            folder.bytes(out)
+            folder.png(out).samples
         };
-        assert_eq!(of("streamed.vxt", "a.png"), of("city.vxt", "b.png"), "level {level}");
+        assert!(of("streamed.vxt", "a.png") == of("city.vxt", "b.png"), "level {level}");
     }
     // Back to a plain file, and from the voxelizer.
     folder.succeed(&["convert", "streamed.vxt", "again.vxt"]);

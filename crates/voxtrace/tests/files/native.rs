@@ -133,7 +133,10 @@ fn a_file_of_version_1_opens_as_the_scene_packed_anew() {
     opened.save(&path).unwrap();
     assert!(is_same(&PackedScene::open(&path).unwrap()));
     assert_eq!(std::fs::read(&path).unwrap()[8], 2, "it is saved as version 2");
-    for version in [0, 3] {
+    // Files for streaming, version 3, have other sections.
+    forged[8] = 3;
+    assert!(matches!(PackedScene::from_bytes(&forged), Err(FileErrorKind::Damaged { .. })));
+    for version in [0, 4] {
         forged[8] = version;
         assert!(
             matches!(PackedScene::from_bytes(&forged), Err(FileErrorKind::Version(found)) if found == u32::from(version))
