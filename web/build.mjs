@@ -5,6 +5,7 @@ import { brotliCompressSync, constants } from "node:zlib";
 import { build } from "esbuild";
 
 const MODULES = ["voxtrace", "scenes", "readers"];
+const SHADERS = ["matte.wgsl", "materials.wgsl"];
 const here = (path) => new URL(path, import.meta.url).pathname;
 process.chdir(here("."));
 rmSync("dist", { recursive: true, force: true });
@@ -21,12 +22,13 @@ for (const module of MODULES) {
   const given = [`wasm/${module}_bg.wasm`, "-o", `dist/${module}.wasm`];
   execFileSync("node", ["node_modules/binaryen/bin/wasm-opt", ...features, "-O2", "--strip-debug", "--strip-producers", ...given], { stdio: "inherit" });
 }
+for (const shader of SHADERS) copyFileSync(`wasm/${shader}`, `dist/${shader}`);
 for (const name of ["LICENSE-MIT", "LICENSE-APACHE"]) copyFileSync(`../${name}`, name);
 
 // What servers send.
 const quality = { params: { [constants.BROTLI_PARAM_QUALITY]: 11, [constants.BROTLI_PARAM_LGWIN]: 22 } };
 const sizes = {};
-for (const file of ["voxtrace.js", ...MODULES.flatMap((module) => [`${module}-worker.js`, `${module}.wasm`])]) {
+for (const file of ["voxtrace.js", ...SHADERS, ...MODULES.flatMap((module) => [`${module}-worker.js`, `${module}.wasm`])]) {
   const bytes = readFileSync(`dist/${file}`);
   sizes[file] = { bytes: bytes.length, brotli: brotliCompressSync(bytes, quality).length };
   console.log(`${file}: ${sizes[file].bytes} bytes, ${sizes[file].brotli} by Brotli`);

@@ -19,6 +19,7 @@ interface ViewerAttributes extends HTMLAttributes<VoxtraceViewer> {
   seed?: number;
   "max-bounces"?: number;
   "max-pixels"?: number;
+  tracer?: "auto" | "gpu" | "cpu";
   threads?: number;
   "no-drop"?: boolean;
   onload?: (event: CustomEvent) => void;

@@ -99,7 +99,7 @@ export class VoxtraceViewer extends Attributes {
 
   attributeChangedCallback(name: string, before: string | null, after: string | null) {
     if (before === after || !this.#life || this.#life.signal.aborted) return;
-    if (name === "src") this.#reload();
+    if (name === "src" || name === "tracer") this.#reload();
     else if (name === "exposure" || name === "tone-mapping") void this.#stage.setLook(this.#look());
     else if (name.startsWith("camera-o") || name === "camera-target" || name === "field-of-view") this.#goHome("none");
     else if (["samples", "seed", "max-bounces", "max-pixels"].includes(name)) this.#refresh();
@@ -108,6 +108,8 @@ export class VoxtraceViewer extends Attributes {
 
   /** Whether a scene is there. */
   get loaded(): boolean { return this.#info !== undefined; }
+  /** Who traces now: `gpu` or `cpu`; `undefined` before a scene is there. */
+  get activeTracer(): "gpu" | "cpu" | undefined { return this.#pool.tier; }
   /** What is known of the scene. */
   get scene(): SceneInfo | undefined { return this.#info; }
 
@@ -199,7 +201,7 @@ export class VoxtraceViewer extends Attributes {
       const given = await source(load.signal);
       if (load.signal.aborted) return;
       this.#progress(given.kind === "file" ? DOWNLOADED : undefined);
-      const info = await this.#pool.load(given, this.threads);
+      const info = await this.#pool.load(given, this.threads, this.tracer);
       if (load.signal.aborted) return;
       this.#progress(LOADED);
       await this.#arrived(info);

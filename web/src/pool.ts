@@ -1,6 +1,7 @@
 // The workers of one viewer: one for each core, each with the scene. The first reads or makes it, and can trace at once; the others get it packed.
+import { GpuTracer } from "./gpu.js";
 import type { SceneInfo, Source } from "./protocol.js";
-import { startWorker, Tracer } from "./tracer.js";
+import { type Caller, startWorker, Tracer } from "./tracer.js";
 
 /** The modules: one traces, and reads the simplest formats; the others make scenes for it, and are loaded where they are needed. */
 type ModuleName = "voxtrace" | "scenes" | "readers";
@@ -34,19 +35,29 @@ export function defaultThreads(): number {
   return Math.max(1, Math.min(cores > 4 ? cores - 1 : cores, 16));
 }
 
+/** Who is to trace: the GPU where there is one that is not software, the GPU whatever it is, or workers alone. */
+export type Tier = "auto" | "gpu" | "cpu";
+
 export class Pool {
   /** Those that have the scene. */
-  ready: Tracer[] = [];
+  ready: Caller[] = [];
   #all: Tracer[] = [];
-  readonly #onReady: (tracer: Tracer) => void;
+  #gpu: GpuTracer | undefined;
+  readonly #onReady: (tracer: Caller) => void;
 
-  /** `onReady` is told of each worker that has the scene. */
-  constructor(onReady: (tracer: Tracer) => void) {
+  /** `onReady` is told of each that has the scene. */
+  constructor(onReady: (tracer: Caller) => void) {
     this.#onReady = onReady;
   }
 
-  /** Loads a scene: ready as soon as the first worker has it. */
-  async load(source: Source, threads: number): Promise<SceneInfo> {
+  /** Who traces now. */
+  get tier(): "gpu" | "cpu" | undefined {
+    if (this.ready.length === 0) return undefined;
+    return this.#gpu?.isActive ? "gpu" : "cpu";
+  }
+
+  /** Loads a scene: ready as soon as the first worker has it, and the GPU where it traces. */
+  async load(source: Source, threads: number, tier: Tier): Promise<SceneInfo> {
     this.end();
     const first = await this.#start("voxtrace");
     const maker = await this.#makerOf(source, first);
@@ -58,8 +69,19 @@ export class Pool {
       this.#leave(maker);
       await hand(packed.slice(), first);
     }
+    const others = () => void (threads > 1 && this.#startOthers(first, packed, threads - 1));
+    const gpu = tier === "cpu" ? undefined : await GpuTracer.of(first, tier === "gpu", others);
+    if (!this.#all.includes(first)) gpu?.end();
+    else if (gpu) {
+      // One worker beside it is enough, as long as it lasts.
+      packed = undefined;
+      this.#gpu = gpu;
+      this.ready.push(gpu);
+      this.#onReady(gpu);
+      return info;
+    }
     this.#join(first);
-    if (threads > 1) void this.#startOthers(first, packed, threads - 1);
+    others();
     return info;
   }
 
@@ -73,6 +95,8 @@ export class Pool {
 
   end() {
     for (const tracer of this.#all) tracer.end();
+    this.#gpu?.end();
+    this.#gpu = undefined;
     this.#all = [];
     this.ready = [];
   }

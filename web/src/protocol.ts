@@ -1,4 +1,5 @@
 // What pages ask workers for, and what they answer.
+import type { GpuScene } from "./gpu.js";
 
 /** Where a scene comes from. */
 export type Source = { kind: "built-in"; name: string; voxels?: number } | { kind: "file"; name: string; bytes: Uint8Array };
@@ -55,6 +56,10 @@ export interface Calls {
   render(part: PartRequest): PartAnswer;
   show(words: Uint8Array, toneMapping: string, exposure: number): Uint8ClampedArray<ArrayBuffer>;
   cast(rays: Float32Array): Uint32Array;
+  /** The scene as the GPU reads it. */
+  gpuScene(): GpuScene;
+  /** What the GPU is told of a part of a picture, and behind it the numbers of its lens and its sky. */
+  gpuFrame(part: PartRequest): Uint32Array;
   selftest(edge: number): string[];
 }
 

@@ -22,14 +22,17 @@ mkdirSync(pictures, { recursive: true });
 
 export const context = { browser: undefined, server: undefined, files: undefined };
 
+/** What lets Chromium have WebGPU without a GPU. */
+export const WEBGPU = ["--enable-unsafe-webgpu", "--use-webgpu-adapter=swiftshader", "--enable-unsafe-swiftshader"];
+
 /** Starts what the tests of a file need, and ends it. */
-export function setUp() {
+export function setUp(more = []) {
   before(async () => {
     context.files = mkdtempSync(join(tmpdir(), "voxtrace-web-"));
     context.server = await serve({ "/package/": join(web, "dist"), "/test/": here, "/files/": context.files, "/examples/": join(web, "examples") });
     const executablePath = process.env.CHROMIUM ?? ["/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"].find(existsSync);
     assert.ok(executablePath, "no Chromium: install it, or name it by CHROMIUM");
-    context.browser = await chromium.launch({ executablePath, args: ["--no-sandbox", "--disable-dev-shm-usage"] });
+    context.browser = await chromium.launch({ executablePath, args: ["--no-sandbox", "--disable-dev-shm-usage", ...more] });
   });
   after(async () => {
     await context.browser?.close();

@@ -16,7 +16,9 @@ after(() => rmSync(folder, { recursive: true, force: true }));
 
 /** Most bytes that a server sends compressed by Brotli; `docs/decisions/0210-viewer-for-pages.md` says what fills them. */
 const MOST = {
-  "voxtrace.js": 12_000,
+  "voxtrace.js": 15_000,
+  "matte.wgsl": 23_000,
+  "materials.wgsl": 33_000,
   "voxtrace-worker.js": 4_000,
   "voxtrace.wasm": 360_000,
   "scenes-worker.js": 4_000,

@@ -3,6 +3,7 @@
 use crate::method::Primitive;
 use ash::vk;
 use voxtrace_core::Integrator;
+use voxtrace_core::frame_params::constant;
 
 /// What a pass does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -77,36 +78,6 @@ pub struct Variant {
     pub has_pages: bool,
     /// The sky, one of `SKY_`: choosing it while the shader runs would cost scenes under a gradient.
     pub sky: u32,
-}
-
-/// Numbers of the specialization constants.
-mod constant {
-    /// [`super::Variant::is_exact`].
-    pub const IS_EXACT: u32 = 0;
-    /// [`super::Variant::is_single`].
-    pub const IS_SINGLE: u32 = 1;
-    /// [`super::Variant::primitive`].
-    pub const PRIMITIVE: u32 = 2;
-    /// [`super::Variant::top_shift`].
-    pub const TOP_SHIFT: u32 = 3;
-    /// [`super::Variant::cells_have_blocks`].
-    pub const CELLS_HAVE_BLOCKS: u32 = 4;
-    /// [`super::Variant::lens`].
-    pub const LENS: u32 = 5;
-    /// [`super::Variant::sky`].
-    pub const SKY: u32 = 6;
-    /// [`super::Variant::has_cuts`].
-    pub const CUTS: u32 = 7;
-    /// [`super::Variant::has_catcher`].
-    pub const CATCHER: u32 = 8;
-    /// [`super::Variant::has_lines`].
-    pub const LINES: u32 = 9;
-    /// [`super::Variant::has_normals`].
-    pub const NORMALS: u32 = 10;
-    /// [`super::Variant::cells_skip`].
-    pub const CELLS_SKIP: u32 = 11;
-    /// [`super::Variant::has_pages`].
-    pub const PAGES: u32 = 12;
 }
 
 /// Number of specialization constants.

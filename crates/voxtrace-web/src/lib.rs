@@ -7,6 +7,8 @@
 #[cfg(feature = "tracer")]
 mod film_words;
 #[cfg(feature = "tracer")]
+mod gpu;
+#[cfg(feature = "tracer")]
 mod render;
 mod scene;
 #[cfg(feature = "tracer")]
@@ -14,6 +16,8 @@ mod selftest;
 
 #[cfg(feature = "tracer")]
 pub use film_words::{film_from_words, film_words, shown};
+#[cfg(feature = "tracer")]
+pub use gpu::GpuScene;
 #[cfg(feature = "tracer")]
 pub use render::{Part, render_part};
 pub use scene::{WebScene, format_of};

@@ -43,7 +43,7 @@ impl Part {
 }
 
 impl Part {
-    fn frame(&self, scene: &WebScene) -> Option<Frame> {
+    pub(crate) fn frame(&self, scene: &WebScene) -> Option<Frame> {
         let numbers = <&[f32; CAMERA_NUMBERS]>::try_from(self.camera.as_slice()).ok()?;
         let vector = |at: usize| Vec3::from_slice(&numbers[at..]);
         let lens = scene.packed().cameras.get(self.lens_of).map_or(Lens::Pinhole, |camera| camera.lens);
