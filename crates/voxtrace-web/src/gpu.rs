@@ -6,10 +6,10 @@ use crate::render::Part;
 use crate::scene::WebScene;
 use bytemuck::{NoUninit, bytes_of, cast_slice};
 use voxtrace_core::frame_params::{FrameParams, constant};
+use voxtrace_core::normals::Normals;
 use voxtrace_core::packed::DeviceCells;
 use voxtrace_core::{Frame, PackedScene};
 use voxtrace_scene::Transform;
-use voxtrace_core::normals::Normals;
 use wasm_bindgen::prelude::*;
 
 /// Words of a row.

@@ -15,7 +15,8 @@ const SHADERS: &str = "shaders";
 
 /// Builds all modules and the shaders, or those that are named, and writes what binds them.
 pub fn build(names: &[&str]) -> Result<(), String> {
-    if let Some(name) = names.iter().find(|name| **name != SHADERS && !MODULES.iter().any(|(known, _)| known == *name)) {
+    if let Some(name) = names.iter().find(|name| **name != SHADERS && !MODULES.iter().any(|(known, _)| known == *name))
+    {
         let known = MODULES.map(|(name, _)| name).join(", ");
         return Err(format!("there is no module {name:?}; there are {known}, {SHADERS}"));
     }

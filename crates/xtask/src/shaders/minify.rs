@@ -19,7 +19,8 @@ pub fn minify(text: &str) -> String {
         !taken.contains(name.as_str()) && !["as", "do", "fn", "if", "of", "for", "let", "var"].contains(&name.as_str())
     };
     let mut free = (0..).map(name_of).filter(is_free);
-    let names: HashMap<&str, String> = by_count.into_iter().filter_map(|(token, _)| Some((token, free.next()?))).collect();
+    let names: HashMap<&str, String> =
+        by_count.into_iter().filter_map(|(token, _)| Some((token, free.next()?))).collect();
     let mut out = String::with_capacity(text.len() / 2);
     for token in tokens {
         let token = names.get(token).map_or(token, String::as_str);
@@ -49,7 +50,11 @@ fn is_made_up(token: &str) -> bool {
     let is_name = token.starts_with(|letter: char| letter.is_ascii_alphabetic() || letter == '_');
     let last = token.rsplit('_').next().unwrap_or_default();
     let last = last.strip_prefix('S').unwrap_or(last);
-    is_name && !number.is_empty() && token.contains('_') && !last.is_empty() && last.bytes().all(|byte| byte.is_ascii_digit())
+    is_name
+        && !number.is_empty()
+        && token.contains('_')
+        && !last.is_empty()
+        && last.bytes().all(|byte| byte.is_ascii_digit())
 }
 
 /// Words and numbers whole, every other character by itself.
@@ -95,7 +100,10 @@ mod tests {
         let short = minify(text);
         assert!(short.contains("fn walk_all(@builtin(global_invocation_id)"), "{short}");
         assert!(short.contains("1.5e-07f-f32("), "{short}");
-        assert!(!short.contains("words") && !short.contains("_S12") && !short.contains("comment") && !short.contains('\n'), "{short}");
+        assert!(
+            !short.contains("words") && !short.contains("_S12") && !short.contains("comment") && !short.contains('\n'),
+            "{short}"
+        );
         assert!(short.contains("vec3<u32>") && short.contains("@id(3)override "), "{short}");
         let names: BTreeSet<String> = (0..3000).map(name_of).collect();
         assert_eq!(names.len(), 3000);
