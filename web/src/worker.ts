@@ -43,10 +43,11 @@ function pick(request: PartRequest, x: number, y: number): Picked | undefined {
   const part = partOf(request);
   const picked = loaded().pick(part, x, y);
   part.free();
-  const [instance, material, distance, ...places] = picked;
+  const [instance, material] = picked;
   if (instance === undefined) return undefined;
-  const three = (first: number) => places.slice(first, first + 3) as Vector;
-  return { instance, material: material!, distance: distance!, voxel: three(0), position: three(3), normal: three(6) };
+  const [voxel, floats] = [new Int32Array(picked.buffer, picked.byteOffset + 8, 3), new Float32Array(picked.buffer, picked.byteOffset + 20, 7)];
+  const three = (first: number) => [...floats.slice(first, first + 3)] as Vector;
+  return { instance, material: material!, distance: floats[0]!, voxel: [...voxel] as Vector, position: three(1), normal: three(4) };
 }
 
 serveCalls({

@@ -62,14 +62,17 @@ impl Part {
 }
 
 impl Part {
-    fn frame(&self, scene: &WebScene) -> Option<Frame> {
-        let numbers = <&[f32; CAMERA_NUMBERS]>::try_from(self.camera.as_slice()).ok()?;
+    fn frame(&self, scene: &WebScene) -> Result<Frame, JsError> {
+        let numbers = <&[f32; CAMERA_NUMBERS]>::try_from(self.camera.as_slice());
+        let numbers = numbers.map_err(|_| JsError::new("a camera has ten numbers"))?;
         let vector = |at: usize| Vec3::from_slice(&numbers[at..]);
         let lens = scene.packed().cameras.get(self.lens_of).map_or(Lens::Pinhole, |camera| camera.lens);
         let camera = Camera { up: vector(6), fov_y: numbers[9], lens, ..Camera::look_at(vector(0), vector(3)) };
         let frame = Frame::new(camera, self.width, self.height).samples(self.samples).seed(self.seed);
         let rows = Region { x0: 0, y0: self.y0, x1: self.width, y1: self.y1 };
-        Some(frame.max_bounces(self.max_bounces).region(rows))
+        let frame = frame.max_bounces(self.max_bounces).region(rows);
+        frame.check().map_err(error_of)?;
+        Ok(frame)
     }
 }
 
@@ -79,8 +82,7 @@ impl Part {
 /// Where there is no such part of a picture, or the words are of another.
 #[wasm_bindgen]
 pub fn render_part(scene: &WebScene, part: &Part, words: &[u8]) -> Result<Vec<u8>, JsError> {
-    let frame = part.frame(scene).ok_or_else(|| JsError::new("a camera has ten numbers"))?;
-    frame.check().map_err(error_of)?;
+    let frame = part.frame(scene)?;
     let film = film_from_words(&frame, words).ok_or_else(|| JsError::new("the film's words are of other rows"))?;
     let mut tracer = scene.tracer(&part.clip)?;
     tracer.resume(&frame, film).map_err(error_of)?;
@@ -119,15 +121,14 @@ impl WebScene {
         Ok(words.collect())
     }
 
-    /// What a part's picture shows at a place, in pixels from its upper left corner: its instance, its material, the distance from the camera (world
-    /// units), where the voxel is in its grid, where on its face that is (world units), and the normal there, three numbers each. Nothing where that is
-    /// the sky.
+    /// What a part's picture shows at a place, in pixels from its upper left corner, in twelve words: its instance, its material, where the voxel is in its
+    /// grid (three signed integers), and as the bits of floats the distance from the camera, where on the voxel's face that is (world units) and the
+    /// normal there. Nothing where that is the sky.
     ///
     /// # Errors
     /// Where the part has no camera, or no box.
-    pub fn pick(&self, part: &Part, x: f32, y: f32) -> Result<Vec<f64>, JsError> {
-        let frame = part.frame(self).ok_or_else(|| JsError::new("a camera has ten numbers"))?;
-        frame.check().map_err(error_of)?;
+    pub fn pick(&self, part: &Part, x: f32, y: f32) -> Result<Vec<u32>, JsError> {
+        let frame = part.frame(self)?;
         let ray = frame.camera.frame(frame.width, frame.height).central_ray(Vec2::new(x, y));
         let mut hits = [Hit::MISS];
         self.tracer(&part.clip)?.cast_into(&[ray], &mut hits).map_err(error_of)?;
@@ -136,11 +137,16 @@ impl WebScene {
             return Ok(Vec::new());
         }
         let scene = self.packed();
-        let [voxel, position, normal] = [hit.voxel.as_dvec3(), ray.at(hit.t).as_dvec3(), scene.normal(&hit).as_dvec3()];
-        let threes = [voxel, position, normal].map(|three| three.to_array());
-        let numbers = [hit.instance.into(), scene.material_index(&hit).into(), hit.t.into()];
-        Ok([&numbers, threes.as_flattened()].concat())
+        let [[i, j, k], at, normal] =
+            [hit.voxel.to_array().map(|value| value as u32), bits(ray.at(hit.t)), bits(scene.normal(&hit))];
+        let [[px, py, pz], [nx, ny, nz]] = [at, normal];
+        Ok(vec![hit.instance, scene.material_index(&hit), i, j, k, hit.t.to_bits(), px, py, pz, nx, ny, nz])
     }
+}
+
+/// The bits of three floats.
+fn bits(three: Vec3) -> [u32; 3] {
+    three.to_array().map(f32::to_bits)
 }
 
 impl WebScene {
@@ -181,7 +187,8 @@ mod tests {
         let cut = render_part(&scene, &clipped, &[]).unwrap();
         assert!(cut != whole);
         let picked = scene.pick(&clipped, 12.0, 12.0).unwrap();
-        assert!(picked[8] <= 4.0 && picked[9..] == [0.0, 0.0, 1.0], "the face of the cut: {picked:?}");
+        let floats: Vec<f32> = picked[5..].iter().map(|&word| f32::from_bits(word)).collect();
+        assert!(floats[3] <= 4.0 && floats[4..] == [0.0, 0.0, 1.0], "the face of the cut: {floats:?}");
         assert!(scene.pick(&part(0, 16, 4), 0.0, 0.0).unwrap().is_empty(), "the sky");
         // What travels to another worker gives the same picture there.
         let copy = WebScene::read(scene.to_bytes(), "copy.vxt").unwrap();
