@@ -154,8 +154,11 @@ impl WebScene {
     fn tracer(&self, clip: &[f32]) -> Result<CpuTracer, JsError> {
         let mut scene = Arc::clone(self.packed());
         if !clip.is_empty() {
-            let [low, high] = clip.as_chunks::<3>().0 else { return Err(JsError::new("a box has six numbers")) };
-            let cuts = Cuts::default().clip_box(Vec3::from_array(*low), Vec3::from_array(*high)).map_err(error_of)?;
+            let cuts = match clip {
+                &[a, b, c, d, e, f] => Cuts::default().clip_box(Vec3::new(a, b, c), Vec3::new(d, e, f)).ok(),
+                _ => None,
+            };
+            let cuts = cuts.ok_or_else(|| JsError::new("a box has six numbers, its lowest corner first"))?;
             Arc::make_mut(&mut scene).cuts = cuts;
         }
         let mut tracer = CpuTracer::new(None);
