@@ -18,7 +18,7 @@ after(() => rmSync(folder, { recursive: true, force: true }));
 const MOST = {
   "voxtrace.js": 12_000,
   "voxtrace-worker.js": 4_000,
-  "voxtrace.wasm": 360_000,
+  "voxtrace.wasm": 361_000,
   "stream-worker.js": 8_000,
   "stream.wasm": 140_000,
   "scenes-worker.js": 4_000,
