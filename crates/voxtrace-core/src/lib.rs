@@ -1,5 +1,9 @@
 //! What traces: the packed scene that every tracer reads, the exact walk, light transport, the film, and the CPU tracer.
 
+// One thread has no work to divide.
+#[cfg(target_arch = "wasm32")]
+extern crate voxtrace_serial as rayon;
+
 mod bounce_limits;
 pub mod changes;
 mod cpu;

@@ -43,13 +43,15 @@ impl PackedScene {
 /// Where a camera that looks along z sees all points within the tangents `tan` of the middle, as near as can be, and in the middle both ways.
 fn fitted(points: &[DVec3], tan: [f64; 2]) -> DVec3 {
     // Along an axis a point at (p, z) is inside where |p − e| ≤ tan (z − e_z): two half planes of (e, e_z) for each point.
-    let most = |axis: usize, sign: f64| {
-        let reach = |point: &DVec3| sign * point[axis] - tan[axis] * point.z;
-        points.par_iter().map(reach).reduce(|| f64::NEG_INFINITY, f64::max)
-    };
-    let depth = |axis: usize| -(most(axis, 1.0) + most(axis, -1.0)) / (2.0 * tan[axis]);
-    let z = depth(0).min(depth(1));
-    DVec3::new(centred(points, 0, z), centred(points, 1, z), z)
+    let reach = |axis: usize, sign: f64, point: &DVec3| sign * point[axis] - tan[axis] * point.z;
+    let [z_across, z_upward] = [0, 1].map(|axis| {
+        let reaches = points.par_iter().map(|point| (reach(axis, -1.0, point), reach(axis, 1.0, point)));
+        let (low, high) = reaches.reduce(|| (f64::NEG_INFINITY, f64::NEG_INFINITY), |a, b| (a.0.max(b.0), a.1.max(b.1)));
+        -(low + high) / (2.0 * tan[axis])
+    });
+    let z = z_across.min(z_upward);
+    let [x, y] = [0, 1].map(|axis| centred(points, axis, z));
+    DVec3::new(x, y, z)
 }
 
 /// The place along an axis from which points span as far to both sides, as seen from the depth `z`.

@@ -16,6 +16,10 @@
 )]
 #![forbid(unsafe_code)]
 
+// One thread has no work to divide.
+#[cfg(target_arch = "wasm32")]
+extern crate voxtrace_serial as rayon;
+
 #[cfg(feature = "pictures")]
 pub mod difference;
 pub mod export;

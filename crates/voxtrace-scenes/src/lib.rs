@@ -58,6 +58,10 @@
 
 #![forbid(unsafe_code)]
 
+// One thread has no work to divide.
+#[cfg(target_arch = "wasm32")]
+extern crate voxtrace_serial as rayon;
+
 mod church;
 mod city;
 mod forest;

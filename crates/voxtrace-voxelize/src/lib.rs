@@ -2,6 +2,10 @@
 
 #![forbid(unsafe_code)]
 
+// One thread has no work to divide.
+#[cfg(target_arch = "wasm32")]
+extern crate voxtrace_serial as rayon;
+
 pub mod bake;
 pub mod close;
 pub mod cull_hidden;

@@ -5,7 +5,7 @@ use crate::film_words::{film_from_words, film_words};
 use crate::scene::{CAMERA_NUMBERS, WebScene};
 use std::sync::Arc;
 use voxtrace_core::cuts::Cuts;
-use voxtrace_core::{CpuTracer, Film, Frame, Progress, Region, Tracer};
+use voxtrace_core::{CpuTracer, Film, Frame, PackedScene, Progress, Region, Tracer};
 use voxtrace_scene::{Camera, Hit, Ray, camera::Lens, glam::Vec2, glam::Vec3};
 use wasm_bindgen::prelude::*;
 
@@ -84,7 +84,7 @@ impl Part {
 pub fn render_part(scene: &WebScene, part: &Part, words: &[u8]) -> Result<Vec<u8>, JsError> {
     let frame = part.frame(scene)?;
     let film = film_from_words(&frame, words).ok_or_else(|| JsError::new("the film's words are of other rows"))?;
-    let mut tracer = scene.tracer(&part.clip)?;
+    let mut tracer = tracer_of(&scene.clipped(&part.clip)?)?;
     tracer.resume(&frame, film).map_err(error_of)?;
     tracer.render(&frame, &Progress::default()).map_err(error_of)?;
     let mut film = Film::new(frame.width, frame.height, frame.region, 0);
@@ -113,7 +113,7 @@ impl WebScene {
             })
             .collect();
         let mut hits = vec![Hit::MISS; rays.len()];
-        self.tracer(clip)?.cast_into(&rays, &mut hits).map_err(error_of)?;
+        tracer_of(&self.clipped(clip)?)?.cast_into(&rays, &mut hits).map_err(error_of)?;
         let words = hits.iter().flat_map(|hit| {
             let [x, y, z] = hit.voxel.to_array().map(|value| value as u32);
             [hit.t.to_bits(), hit.instance, x, y, z, hit.face]
@@ -131,12 +131,13 @@ impl WebScene {
         let frame = part.frame(self)?;
         let ray = frame.camera.frame(frame.width, frame.height).central_ray(Vec2::new(x, y));
         let mut hits = [Hit::MISS];
-        self.tracer(&part.clip)?.cast_into(&[ray], &mut hits).map_err(error_of)?;
+        // The face of a cut has its normal in the scene that is cut alone.
+        let scene = self.clipped(&part.clip)?;
+        tracer_of(&scene)?.cast_into(&[ray], &mut hits).map_err(error_of)?;
         let [hit] = hits;
         if hit.is_miss() {
             return Ok(Vec::new());
         }
-        let scene = self.packed();
         let [[i, j, k], at, normal] =
             [hit.voxel.to_array().map(|value| value as u32), bits(ray.at(hit.t)), bits(scene.normal(&hit))];
         let [[px, py, pz], [nx, ny, nz]] = [at, normal];
@@ -150,8 +151,8 @@ fn bits(three: Vec3) -> [u32; 3] {
 }
 
 impl WebScene {
-    /// A tracer that has it, or what of it is within a box.
-    fn tracer(&self, clip: &[f32]) -> Result<CpuTracer, JsError> {
+    /// The scene, or what of it is within a box.
+    fn clipped(&self, clip: &[f32]) -> Result<Arc<PackedScene>, JsError> {
         let mut scene = Arc::clone(self.packed());
         if !clip.is_empty() {
             let cuts = match clip {
@@ -161,10 +162,14 @@ impl WebScene {
             let cuts = cuts.ok_or_else(|| JsError::new("a box has six numbers, its lowest corner first"))?;
             Arc::make_mut(&mut scene).cuts = cuts;
         }
-        let mut tracer = CpuTracer::new(None);
-        tracer.set_scene(&scene).map_err(error_of)?;
-        Ok(tracer)
+        Ok(scene)
     }
+}
+
+fn tracer_of(scene: &Arc<PackedScene>) -> Result<CpuTracer, JsError> {
+    let mut tracer = CpuTracer::new(None);
+    tracer.set_scene(scene).map_err(error_of)?;
+    Ok(tracer)
 }
 
 #[cfg(test)]

@@ -160,18 +160,27 @@ impl Reader {
     }
 
     pub fn section<T: Pod>(&self, tag: &[u8; 4]) -> Result<Section<T>, FileErrorKind> {
-        let name = String::from_utf8_lossy(tag);
-        let entry = (self.table.iter())
-            .find(|entry| entry.tag == *tag)
-            .ok_or_else(|| damaged(format!("section {name} is missing"), size_of::<Header>() as u64))?;
-        let fault = |what: &str| damaged(format!("section {name} {what}"), entry.offset);
-        if entry.record_size as usize != size_of::<T>() {
+        let Range { start, end } = self.sound_range(tag, size_of::<T>())?;
+        let section = Section::from_shared(self.bytes.clone(), start, end);
+        section.ok_or_else(|| section_fault(tag, "is misaligned", start as u64))
+    }
+
+    /// Where the records of a section lie, which have this size and the section's checksum.
+    fn sound_range(&self, tag: &[u8; 4], record_size: usize) -> Result<Range<usize>, FileErrorKind> {
+        let missing = || section_fault(tag, "is missing", size_of::<Header>() as u64);
+        let entry = self.table.iter().find(|entry| entry.tag == *tag).ok_or_else(missing)?;
+        let fault = |what: &str| section_fault(tag, what, entry.offset);
+        if entry.record_size as usize != record_size {
             return Err(fault("has records of another size"));
         }
-        let (Range { start, end }, _) = self.unchecked_range(tag)?.ok_or_else(|| fault("is missing"))?;
-        if xxh3_64(&self.bytes[start..end]) != entry.checksum {
+        let (range, _) = self.unchecked_range(tag)?.ok_or_else(|| fault("is missing"))?;
+        if xxh3_64(&self.bytes[range.clone()]) != entry.checksum {
             return Err(fault("has a wrong checksum"));
         }
-        Section::from_shared(self.bytes.clone(), start, end).ok_or_else(|| fault("is misaligned"))
+        Ok(range)
     }
+}
+
+fn section_fault(tag: &[u8; 4], what: &str, offset: u64) -> FileErrorKind {
+    damaged(format!("section {} {what}", String::from_utf8_lossy(tag)), offset)
 }

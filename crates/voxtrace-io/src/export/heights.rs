@@ -11,6 +11,7 @@ use voxtrace_scene::scene::Scene;
 use voxtrace_voxelize::bake::flattened;
 
 const ASC: &str = ".asc";
+#[cfg(feature = "pictures")]
 const PNG: &str = ".png";
 /// What grids say where there is no height, unless heights reach as low.
 const HOLE: f64 = -9999.0;

@@ -109,12 +109,13 @@ pub(super) fn pairs_by_layer(mesh: &Mesh, placement: &Placement, tiles: &TileGri
         a.iter_mut().zip(b).for_each(|(a, b)| *a += b);
         a
     };
-    chunks(mesh).map(count).reduce(|| vec![0; layers], add)
+    chunks(mesh).into_par_iter().map(count).reduce(|| vec![0; layers], add)
 }
 
 /// The sorted pairs of a subset of tiles: the tile's number in the high 32 bits, the triangle's in the low ones.
 pub(super) fn pairs_of(mesh: &Mesh, placement: &Placement, tiles: &TileGrid, filter: &impl TileFilter) -> Vec<u64> {
     let parts: Vec<Vec<u64>> = chunks(mesh)
+        .into_par_iter()
         .map(|chunk| {
             let (mut pairs, mut pieces) = (Vec::with_capacity(chunk.len()), Pieces::new());
             for index in chunk {
@@ -175,7 +176,7 @@ fn tile_ranges(triangle: &Triangle) -> [(i32, i32); 3] {
     [range(0), range(1), range(2)]
 }
 
-fn chunks(mesh: &Mesh) -> impl IndexedParallelIterator<Item = Range<usize>> {
+fn chunks(mesh: &Mesh) -> Vec<Range<usize>> {
     let count = mesh.triangle_count();
-    (0..count.div_ceil(CHUNK)).into_par_iter().map(move |chunk| chunk * CHUNK..((chunk + 1) * CHUNK).min(count))
+    (0..count).step_by(CHUNK).map(|first| first..(first + CHUNK).min(count)).collect()
 }
