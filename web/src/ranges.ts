@@ -1,4 +1,5 @@
 // A file whose parts are asked for: from a server by range requests, from one that knows none as far as it has arrived, or of this machine.
+import { joined } from "./bytes.js";
 import type { Cache } from "./cache.js";
 
 /** Bytes of the first request: the head of a file for streaming, and most of what its first picture needs. */
@@ -17,16 +18,6 @@ export interface Parts {
   readonly cache: Cache | undefined;
   /** All of it, and what share of it is there. */
   all(signal: AbortSignal, onShare: (share: number | undefined) => void): Promise<Uint8Array>;
-}
-
-function joined(chunks: Uint8Array[], length: number): Uint8Array {
-  const bytes = new Uint8Array(length);
-  let at = 0;
-  for (const chunk of chunks) {
-    bytes.set(chunk, at);
-    at += chunk.length;
-  }
-  return bytes;
 }
 
 /** A file of this machine. */

@@ -1,4 +1,5 @@
 // What `src` names: a built-in scene, `scene:church?voxels=1M`, or the address of a file.
+import { joined } from "./bytes.js";
 import type { Source } from "./protocol.js";
 
 /** A number as the command line takes it: `1M`, `200k`, `5000`. */
@@ -46,11 +47,5 @@ export async function download(url: URL, signal: AbortSignal, onProgress: (share
     length += value.length;
     onProgress(total > 0 ? Math.min(1, length / total) : undefined);
   }
-  const bytes = new Uint8Array(length);
-  let at = 0;
-  for (const chunk of chunks) {
-    bytes.set(chunk, at);
-    at += chunk.length;
-  }
-  return bytes;
+  return joined(chunks, length);
 }
