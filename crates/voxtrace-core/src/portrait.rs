@@ -46,7 +46,8 @@ fn fitted(points: &[DVec3], tan: [f64; 2]) -> DVec3 {
     let reach = |axis: usize, sign: f64, point: &DVec3| sign * point[axis] - tan[axis] * point.z;
     let [z_across, z_upward] = [0, 1].map(|axis| {
         let reaches = points.par_iter().map(|point| (reach(axis, -1.0, point), reach(axis, 1.0, point)));
-        let (low, high) = reaches.reduce(|| (f64::NEG_INFINITY, f64::NEG_INFINITY), |a, b| (a.0.max(b.0), a.1.max(b.1)));
+        let (low, high) =
+            reaches.reduce(|| (f64::NEG_INFINITY, f64::NEG_INFINITY), |a, b| (a.0.max(b.0), a.1.max(b.1)));
         -(low + high) / (2.0 * tan[axis])
     });
     let z = z_across.min(z_upward);

@@ -32,8 +32,11 @@ pub mod packed {
     pub use voxtrace_core::packed::{
         BrickSource, FileError, FileErrorKind, Geometry, LevelCount, LevelSummary, Levels, MAGIC, MAX_LEVELS, Object,
         Outline, PackError, PackedGrid, PackedInstance, PackedMaterial, PackedScene, Placement, PlacementError,
-        Statistics, StreamError, add_levels, rewrite_for_streaming, save_streamed,
+        Statistics, StreamError, add_levels, save_streamed,
     };
+    // Nothing compresses in pages.
+    #[cfg(not(target_arch = "wasm32"))]
+    pub use voxtrace_core::packed::rewrite_for_streaming;
 }
 
 /// The example of the crate's page, tested.
