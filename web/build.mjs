@@ -19,7 +19,7 @@ execFileSync("node", ["node_modules/typescript/bin/tsc", "--emitDeclarationOnly"
 const features = ["--enable-simd", "--enable-bulk-memory", "--enable-nontrapping-float-to-int", "--enable-sign-ext", "--enable-mutable-globals", "--enable-reference-types", "--enable-multivalue"];
 for (const module of MODULES) {
   const given = [`wasm/${module}_bg.wasm`, "-o", `dist/${module}.wasm`];
-  execFileSync("node", ["node_modules/binaryen/bin/wasm-opt", ...features, "-O2", "--strip-debug", "--strip-producers", "--strip-target-features", ...given], { stdio: "inherit" });
+  execFileSync("node", ["node_modules/binaryen/bin/wasm-opt", ...features, "-Os", "--strip-debug", "--strip-producers", "--strip-target-features", ...given], { stdio: "inherit" });
 }
 for (const name of ["LICENSE-MIT", "LICENSE-APACHE"]) copyFileSync(`../${name}`, name);
 

@@ -18,13 +18,13 @@ after(() => rmSync(folder, { recursive: true, force: true }));
 const MOST = {
   "voxtrace.js": 12_000,
   "voxtrace-worker.js": 4_000,
-  "voxtrace.wasm": 361_000,
+  "voxtrace.wasm": 300_000,
   "stream-worker.js": 8_000,
-  "stream.wasm": 140_000,
+  "stream.wasm": 110_000,
   "scenes-worker.js": 4_000,
-  "scenes.wasm": 370_000,
+  "scenes.wasm": 330_000,
   "readers-worker.js": 4_000,
-  "readers.wasm": 1_200_000,
+  "readers.wasm": 1_100_000,
 };
 const tooLarge = (sizes, most) => Object.entries(sizes).filter(([file, { brotli }]) => brotli > most[file]).map(([file]) => file);
 

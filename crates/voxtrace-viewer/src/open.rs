@@ -7,7 +7,7 @@ use std::cell::Cell;
 use std::collections::BTreeMap;
 use std::sync::{Arc, OnceLock};
 use voxtrace::changes::{ChangeError, MaterialChange, PartName, SceneChanges, visible_parts};
-use voxtrace::packed::Outline;
+use voxtrace::packed::{Outline, PackedGrid};
 use voxtrace::{Hit, PackedScene};
 
 /// The scene that is shown.
@@ -49,7 +49,7 @@ pub struct Open {
 impl Open {
     /// A scene as it was read.
     pub fn new(source: String, scene: Arc<PackedScene>) -> Self {
-        let voxels = scene.grids().iter().map(|grid| u64::from(grid.voxels[0]) | u64::from(grid.voxels[1]) << 32).sum();
+        let voxels = scene.grids().iter().map(PackedGrid::voxel_count).sum();
         let outline = Arc::clone(&scene.outline);
         Self {
             source,

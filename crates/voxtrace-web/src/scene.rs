@@ -90,10 +90,10 @@ impl WebScene {
         self.notes.clone()
     }
 
-    /// Number of voxels, those of instances counted once for each.
+    /// Number of voxels, those of a model with several instances once.
     #[wasm_bindgen(getter)]
     pub fn voxels(&self) -> f64 {
-        self.scene.statistics().voxels as f64
+        self.scene.voxel_count() as f64
     }
 
     /// Names of its cameras.

@@ -166,8 +166,7 @@ impl DynamicScene {
         let (low, high) = (corner.max(packed.min), (corner + BRICK_SIZE).min(packed.max));
         let is_inside = low == corner && high == corner + BRICK_SIZE;
         let was_empty = packed.voxels == [0, 0];
-        let total = u64::from(packed.voxels[0]) | u64::from(packed.voxels[1]) << 32;
-        let total = total.wrapping_add_signed(voxels);
+        let total = packed.voxel_count().wrapping_add_signed(voxels);
         packed.voxels = [total as u32, (total >> 32) as u32];
         if let Some(now) = now.filter(|_| !is_inside || was_empty) {
             let (min, max) = extent(now);

@@ -53,7 +53,7 @@ impl DynamicScene {
                     (bricks, voxels) = (bricks + 1, voxels + u64::from(count));
                 }
             }
-            if bricks != self.bricks[index] || voxels != u64::from(grid.voxels[0]) | u64::from(grid.voxels[1]) << 32 {
+            if bricks != self.bricks[index] || voxels != grid.voxel_count() {
                 return Err(format!("grid {index}: its voxels are not those that were counted").into());
             }
         }

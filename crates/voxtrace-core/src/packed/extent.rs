@@ -50,7 +50,7 @@ impl Extent {
     /// # Errors
     /// One sentence that says both.
     pub fn check(&self, grid: &PackedGrid, is_edited: bool) -> Result<(), Invalid> {
-        let said = u64::from(grid.voxels[0]) | u64::from(grid.voxels[1]) << 32;
+        let said = grid.voxel_count();
         if self.voxels != said {
             return Err(format!("it says that it has {said} voxels, and has {}", self.voxels).into());
         }

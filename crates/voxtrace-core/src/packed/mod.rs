@@ -152,6 +152,14 @@ pub struct PackedGrid {
     pub material_bits: u32,
 }
 
+impl PackedGrid {
+    /// Voxels stored.
+    pub fn voxel_count(&self) -> u64 {
+        let [low, high] = self.voxels;
+        u64::from(low) | u64::from(high) << 32
+    }
+}
+
 /// One placed grid.
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
 #[repr(C)]

@@ -64,14 +64,8 @@ impl PackedScene {
     /// Counts and bytes of what is packed: the visible instances and their grids.
     pub fn statistics(&self) -> Statistics {
         let (geometry, placement) = (&*self.geometry, &self.placement);
-        let voxels_of = |grid: usize| {
-            let [low, high] = geometry.grids[grid].voxels;
-            u64::from(low) | u64::from(high) << 32
-        };
-        // What others cover is stored too.
         let parts = geometry.parts.as_deref();
-        let covered = parts.map_or(0, |parts| parts.covered.len() as u64);
-        let voxels = (0..geometry.grids.len()).map(voxels_of).sum::<u64>() + covered;
+        let voxels = self.voxel_count();
         let normals = geometry.normal_bytes();
         let bytes = [
             ("tree", geometry.cells.size_bytes()),
@@ -96,8 +90,12 @@ impl PackedScene {
             // A turned grid's corners may miss whole numbers by rounding.
             size: self.bounds().map_or([0; 3], |(min, max)| (max - min - 1e-3).ceil().to_array().map(|v| v as u64)),
             voxels,
-            voxels_placed: (placement.instances.iter().map(|instance| voxels_of(instance.grid as usize))).sum::<u64>()
-                + covered,
+            voxels_placed: (placement
+                .instances
+                .iter()
+                .map(|instance| self.grids()[instance.grid as usize].voxel_count()))
+            .sum::<u64>()
+                + parts.map_or(0, |parts| parts.covered.len() as u64),
             models: (geometry.grids.len() + parts.map_or(0, |parts| parts.records.len() - 1)) as u64,
             instances: self.instance_count() as u64,
             merged_instances: parts.map_or(0, |parts| parts.records.len() as u64),
@@ -106,6 +104,12 @@ impl PackedScene {
             bytes,
             bytes_per_voxel: of_voxels as f64 / voxels.max(1) as f64,
         }
+    }
+
+    /// Voxels that are stored: those of each grid once, also where others cover them.
+    pub fn voxel_count(&self) -> u64 {
+        let covered = self.geometry.parts.as_deref().map_or(0, |parts| parts.covered.len() as u64);
+        self.grids().iter().map(PackedGrid::voxel_count).sum::<u64>() + covered
     }
 
     /// The box around everything visible, world space; `None` where there is nothing.

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use voxtrace::PackedScene;
 use voxtrace::changes::SceneChanges;
 use voxtrace::dynamic::{OutOfStep, Patch};
+use voxtrace::packed::PackedGrid;
 
 impl Open {
     /// Takes the scene that is edited in the place of the one that was read: with its instances apart, and with the materials as they were changed.
@@ -86,5 +87,5 @@ impl Open {
 
 /// Voxels of the grids of a scene, each once.
 fn voxels_of(scene: &PackedScene) -> u64 {
-    scene.grids().iter().map(|grid| u64::from(grid.voxels[0]) | u64::from(grid.voxels[1]) << 32).sum()
+    scene.grids().iter().map(PackedGrid::voxel_count).sum()
 }

@@ -86,8 +86,7 @@ impl Levels {
             return Ok(LevelSummary { voxels: streamed::summary_of(&streamed, level)?, bytes: range.len() as u64 });
         }
         let grids = Reader::new(Arc::clone(&self.bytes), range.clone())?.section::<PackedGrid>(b"GRID")?;
-        let voxels = |grid: &PackedGrid| u64::from(grid.voxels[0]) | u64::from(grid.voxels[1]) << 32;
-        Ok(LevelSummary { voxels: grids.iter().map(voxels).sum(), bytes: range.len() as u64 })
+        Ok(LevelSummary { voxels: grids.iter().map(PackedGrid::voxel_count).sum(), bytes: range.len() as u64 })
     }
 
     /// Opens a level: 0 is the scene, each further one has voxels of twice the edge. All have the same world, light and cameras.

@@ -107,7 +107,7 @@ fn head_of(scene: &PackedScene) -> io::Result<Vec<u8>> {
     let words = geometry.cells.size_bytes() + geometry.bricks.size_bytes() + geometry.brick_materials.size_bytes();
     let record = SceneRecord {
         hash: scene.content_hash(),
-        voxels: scene.statistics().voxels,
+        voxels: scene.voxel_count(),
         bytes: words + geometry.emitters.size_bytes() + geometry.light_nodes.size_bytes(),
         grids: geometry.grids.len() as u64,
     };
