@@ -14,7 +14,7 @@ macro_rules! same {
             use rayon::prelude::*;
             $what
         };
-        assert_eq!(ours, theirs, stringify!($what));
+        assert_eq!(ours, theirs, "{}", stringify!($what));
     })+};
 }
 
@@ -25,7 +25,7 @@ fn adaptors_are_those_of_rayon() {
     same!(
         NUMBERS.par_iter().map(|n| n * 2).collect::<Vec<_>>(),
         NUMBERS.into_par_iter().filter(|n| n % 2 == 1).collect::<Vec<_>>(),
-        NUMBERS.par_iter().filter_map(|n| n.checked_sub(10)).with_min_len(2).collect::<Vec<_>>(),
+        NUMBERS.par_iter().with_min_len(2).filter_map(|n| n.checked_sub(10)).collect::<Vec<_>>(),
         NUMBERS.par_iter().enumerate().map(|(i, n)| i as u32 * n).with_max_len(2).sum::<u32>(),
         NUMBERS.par_iter().zip(&NUMBERS[3..]).map(|(a, b)| a * b).collect::<Vec<_>>(),
         NUMBERS.par_iter().zip(NUMBERS.par_iter()).map(|(a, b)| a * b).max(),
