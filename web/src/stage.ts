@@ -20,7 +20,10 @@ export class Stage {
   readonly #context: CanvasRenderingContext2D;
   #coarse: Rendering | undefined;
   #still: Rendering | undefined;
+  /** What is shown next while the view moves. */
   #next: Picture | undefined;
+  /** What is shown in the end. */
+  #wanted: Picture | undefined;
   #timer: ReturnType<typeof setTimeout> | undefined;
   #repaints = 0;
 
@@ -37,7 +40,7 @@ export class Stage {
   show(picture: Picture) {
     this.#still?.stop();
     this.#still = undefined;
-    this.#next = picture;
+    this.#next = this.#wanted = picture;
     clearTimeout(this.#timer);
     this.#timer = setTimeout(() => this.#settle(picture), SETTLED);
     if (!this.#coarse) this.#renderCoarse();
@@ -74,7 +77,7 @@ export class Stage {
     clearTimeout(this.#timer);
     this.#coarse?.stop();
     this.#still?.stop();
-    this.#coarse = this.#still = this.#next = undefined;
+    this.#coarse = this.#still = this.#next = this.#wanted = undefined;
   }
 
   /** What a worker does in a millisecond, in the mean, and how many there are. */
@@ -101,8 +104,7 @@ export class Stage {
     };
     rendering.finished.then(
       () => {
-        // A film that has begun covers it.
-        if (!this.#still?.bands.some((band) => band.shown)) this.#drawScaled(rendering, picture);
+        this.#drawScaled(rendering, picture);
         end();
       },
       (error) => {
@@ -114,6 +116,11 @@ export class Stage {
   }
 
   #settle(picture: Picture) {
+    if (this.#coarse) {
+      // Bands of a film beside nothing are no picture: the coarse one comes first, however long it takes.
+      this.#coarse.finished.then(() => this.#wanted === picture && this.#settle(picture), () => {});
+      return;
+    }
     this.#next = undefined;
     const rendering = new Rendering(picture, this.look, this.#power, (band) => this.#draw(band, rendering));
     this.#still = rendering;
