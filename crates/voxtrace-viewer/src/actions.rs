@@ -5,6 +5,7 @@ use crate::camera_toml::camera_toml;
 use crate::canvas::USUAL;
 use crate::comparison::{Comparison, DIVIDER_STEP};
 use crate::dialogs::{Dialog, FramesDialog, OpenDialog, PictureDialog, PlanDialog, RecordDialog, SaveDialog};
+use crate::engine::Pause;
 use crate::export::free_name;
 use crate::keys::Action;
 use crate::navigation::{Mode, Motion};
@@ -131,9 +132,19 @@ impl Session {
     /// Stops adding samples, or goes on.
     pub fn set_paused(&mut self, is_paused: bool) {
         self.is_paused = is_paused;
-        // While the view is measured nothing is traced.
-        if self.benchmark.is_none() {
-            self.ask(Command::Pause(is_paused));
+        // While something is measured nothing is traced.
+        if self.pause() != Pause::Everything {
+            self.ask(Command::Pause(self.pause()));
+        }
+    }
+
+    /// What tracing leaves out.
+    pub(crate) fn pause(&self) -> Pause {
+        let plays_plan = self.running.as_ref().is_some_and(|running| running.request.measures);
+        match self.is_paused {
+            _ if self.benchmark.is_some() || plays_plan => Pause::Everything,
+            true => Pause::Samples,
+            false => Pause::Nothing,
         }
     }
 

@@ -1,5 +1,6 @@
 //! A quick benchmark of the view, on a thread of its own: the project's benchmark on the scene, camera and size that are shown.
 
+use crate::engine::Pause;
 use crate::session::{Command, Session};
 use crate::tr;
 use std::sync::Arc;
@@ -168,7 +169,7 @@ impl Session {
             None if self.open.is_some() => {
                 self.measured = None;
                 // What traces would share the device, or the cores, with what is measured.
-                self.ask(Command::Pause(true));
+                self.ask(Command::Pause(Pause::Everything));
                 self.ask(Command::Benchmark);
             }
             None => self.say(tr!("said.there_is_no_scene_to_measure"), false),
@@ -179,7 +180,7 @@ impl Session {
     pub fn take_measured(&mut self) {
         let Some(done) = self.benchmark.as_mut().and_then(Benchmark::take) else { return };
         self.benchmark = None;
-        self.ask(Command::Pause(self.is_paused));
+        self.ask(Command::Pause(self.pause()));
         match done {
             Ok(measured) => self.measured = Some(measured),
             Err(error) => self.say(tr!("said.no_benchmark", error = error), true),

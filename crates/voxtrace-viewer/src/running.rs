@@ -137,7 +137,7 @@ impl Session {
             self.measured = Some(measured);
         }
         if running.request.measures {
-            self.ask(Command::Pause(self.is_paused));
+            self.ask(Command::Pause(self.pause()));
         }
         match done {
             Ok(()) => {

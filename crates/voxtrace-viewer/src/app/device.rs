@@ -72,7 +72,7 @@ impl App {
         self.session.ask(Command::SetScene);
         self.session.ask(Command::SetView);
         self.session.ask_for_comparison();
-        self.session.ask(Command::Pause(self.session.is_paused));
+        self.session.ask(Command::Pause(self.session.pause()));
     }
 }
 

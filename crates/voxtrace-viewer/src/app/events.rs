@@ -3,7 +3,7 @@
 use super::graphics::Graphics;
 use super::wake::{Wake, WakeDrawing, WakeEngine};
 use super::{App, keyboard};
-use crate::dialogs::Dialog;
+use crate::dialogs::TabUse;
 use crate::engine::Event;
 use crate::input::Button;
 use crate::keys::Key;
@@ -67,10 +67,15 @@ impl ApplicationHandler<Wake> for App {
     fn window_event(&mut self, event_loop: &ActiveEventLoop, _: WindowId, event: WindowEvent) {
         let Some(graphics) = &mut self.graphics else { return };
         let window = Arc::clone(&graphics.window);
-        // Tab shows and hides the panels; among them it would take the focus, and with it the arrows.
-        let is_tab =
-            matches!(&event, WindowEvent::KeyboardInput { event, .. } if keyboard::key_of(event) == Some(Key::Tab));
-        let repaints = !is_tab && graphics.egui.on_window_event(&window, &event).repaint;
+        // Tab shows and hides the panels; among them it would take the focus, and with it the arrows. In a dialog it leads on.
+        let tab = match &event {
+            WindowEvent::KeyboardInput { event, .. } if keyboard::key_of(event) == Some(Key::Tab) => {
+                Some(if event.state == ElementState::Pressed { self.session.take_tab() } else { TabUse::Window })
+            }
+            _ => None,
+        };
+        let is_for_egui = matches!(tab, None | Some(TabUse::NextField));
+        let repaints = is_for_egui && graphics.egui.on_window_event(&window, &event).repaint;
         match event {
             WindowEvent::CloseRequested => self.quit(event_loop),
             WindowEvent::RedrawRequested => {
@@ -92,13 +97,10 @@ impl ApplicationHandler<Wake> for App {
             WindowEvent::KeyboardInput { event, .. } => {
                 let is_pressed = event.state == ElementState::Pressed;
                 let key = keyboard::key_of(&event);
-                let completes = key == Some(Key::Tab) && is_pressed && !self.has_keyboard();
-                if let Some(field) = self.session.dialog.as_mut().filter(|_| completes).and_then(Dialog::path_field) {
-                    field.complete();
-                }
                 // Esc closes a dialog also while its fields are typed in.
                 let is_escape = key == Some(Key::Escape) && self.session.dialog.is_some();
                 if let Some(key) = key
+                    && matches!(tab, None | Some(TabUse::Window))
                     && (self.has_keyboard() || !is_pressed || is_escape)
                 {
                     self.input.key(key, is_pressed, event.repeat, &mut self.session);
@@ -225,9 +227,13 @@ impl App {
             || layer.is_some_and(|layer| layer.order != egui::Order::Background)
     }
 
-    /// Whether keys are those of the table: all but what is typed into a field of the panels.
+    /// Whether keys are those of the table: all but what is typed into a field of the panels, or is for what has the focus of a dialog.
     fn has_keyboard(&self) -> bool {
-        !self.graphics.as_ref().is_some_and(|graphics| graphics.egui.egui_ctx().text_edit_focused())
+        let in_dialog = self.session.dialog.is_some();
+        let takes = |context: &egui::Context| {
+            context.text_edit_focused() || (in_dialog && context.memory(|memory| memory.focused().is_some()))
+        };
+        !self.graphics.as_ref().is_some_and(|graphics| takes(graphics.egui.egui_ctx()))
     }
 
     fn mouse_button(&mut self, button: MouseButton, state: ElementState) {

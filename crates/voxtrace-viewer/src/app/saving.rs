@@ -77,8 +77,8 @@ impl App {
                     let _ = proxy.send_event(Wake::Engine(WakeEngine(EngineEvent::Notice(text))));
                 });
             }
-            // A picture of the new size has no samples yet: it is asked for again, unless none will come.
-            Ok(_) if !self.session.is_paused && self.session.open.is_some() => saving.answer = None,
+            // A picture of the new size has no samples yet: it is asked for again.
+            Ok(_) if self.session.open.is_some() => saving.answer = None,
             Ok(_) | Err(TryRecvError::Disconnected) => {
                 self.saving = None;
                 self.session.say(tr!("said.there_is_no_whole_picture_yet"), true);

@@ -65,7 +65,25 @@ impl Dialog {
     }
 }
 
+/// What a Tab is for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TabUse {
+    /// It completes the path that is typed.
+    Completion,
+    /// It leads to the next field of the dialog.
+    NextField,
+    /// It is a key of the window.
+    Window,
+}
+
 impl Session {
+    /// Takes a Tab that is pressed. Says what it is for.
+    pub fn take_tab(&mut self) -> TabUse {
+        let Some(dialog) = &mut self.dialog else { return TabUse::Window };
+        let path = dialog.path_field().filter(|path| path.is_focused);
+        if path.is_some_and(PathField::take_tab) { TabUse::Completion } else { TabUse::NextField }
+    }
+
     /// Where files go whose folder nobody named: beside the scene that was opened from a file, else where the program was started.
     pub fn usual_folder(&self) -> PathBuf {
         let of_scene = self.open.as_ref().map(|open| Path::new(&open.source)).and_then(Path::parent);

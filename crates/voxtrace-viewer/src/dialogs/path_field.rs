@@ -17,6 +17,8 @@ pub struct PathField {
     offers: Vec<Offer>,
     /// Whether the field was shown since the program changed its text: before, the keyboard goes to its end.
     pub is_settled: bool,
+    /// Whether it has the keyboard.
+    pub is_focused: bool,
 }
 
 /// Something in the folder.
@@ -81,6 +83,12 @@ impl PathField {
             self.set(&common);
         }
         grows
+    }
+
+    /// Takes a Tab. Returns whether the keyboard stays: where the path grew, or something else could still follow.
+    pub fn take_tab(&mut self) -> bool {
+        let text = self.text.clone();
+        self.complete() || self.offers().iter().any(|offer| offer.text != text)
     }
 
     fn read(&self) -> Vec<Offer> {

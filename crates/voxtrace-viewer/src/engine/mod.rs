@@ -30,6 +30,18 @@ pub enum Backend {
     Device(Settings),
 }
 
+/// What tracing leaves out.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Pause {
+    /// Nothing: samples are added until there are as many as were asked for.
+    #[default]
+    Nothing,
+    /// All samples but the first: a view that changes is still shown.
+    Samples,
+    /// Everything: device and cores are for something else.
+    Everything,
+}
+
 /// Whether views are shown in real-time light while they move.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum RealTimeChoice {
@@ -204,7 +216,7 @@ enum Request {
     Contrast(Contrast),
     Light(Light),
     Film(usize, Sender<Option<(Frame, Film)>>),
-    Pause(bool),
+    Pause(Pause),
     Lost(Arc<Device>),
     Quit,
 }
@@ -284,9 +296,9 @@ impl Engine {
         self.send(Request::Light(light), false);
     }
 
-    /// Stops adding samples, or goes on.
-    pub fn pause(&self, is_paused: bool) {
-        self.send(Request::Pause(is_paused), is_paused);
+    /// Leaves something out from now on, or nothing any more.
+    pub fn pause(&self, pause: Pause) {
+        self.send(Request::Pause(pause), pause != Pause::Nothing);
     }
 
     /// Whoever shows pictures found that their device is lost: it is opened anew, and the film goes on from where it was, as far as

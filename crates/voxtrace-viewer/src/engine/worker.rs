@@ -6,7 +6,7 @@ mod loss;
 use super::contrast::{Contrast, blacken, central_rays, differing_pixels, differing_voxels};
 use super::pictures::Pictures;
 use super::side::{Side, Stepped, Turn};
-use super::{Backend, Differences, Event, Light, Request, Shared, View, locked};
+use super::{Backend, Differences, Event, Light, Pause, Request, Shared, View, locked};
 use crate::memory;
 use std::collections::VecDeque;
 use std::sync::Arc;
@@ -30,7 +30,7 @@ pub(super) struct Worker {
     pub(super) scene: Option<Arc<PackedScene>>,
     view: Option<View>,
     is_moving: bool,
-    is_paused: bool,
+    pause: Pause,
     has_failed: bool,
     /// When the device was lost, the last times.
     losses: VecDeque<Instant>,
@@ -61,7 +61,7 @@ impl Worker {
             scene: None,
             view: None,
             is_moving: false,
-            is_paused: false,
+            pause: Pause::default(),
             has_failed: false,
             losses: VecDeque::new(),
             contrast: Contrast::default(),
@@ -89,8 +89,8 @@ impl Worker {
     /// The side whose turn it is, and how many samples it may take; `None` where there is nothing to do.
     fn turn(&self) -> Option<(usize, u32)> {
         let view = self.view.as_ref()?;
-        let samples = view.samples;
-        if self.scene.is_none() || self.is_paused || self.has_failed {
+        let samples = if self.pause == Pause::Samples { view.samples.min(1) } else { view.samples };
+        if self.scene.is_none() || self.pause == Pause::Everything || self.has_failed {
             return None;
         }
         // Frames of real-time light come as long as the view moves on.
@@ -102,7 +102,7 @@ impl Worker {
         let index = open.min_by_key(|&index| (self.sides[index].place(), index))?;
         let leader = self.sides[0].done;
         let most = if index > 0 && leader > 0 { leader.max(self.sides[index].done + 1) } else { samples };
-        Some((index, most - self.sides[index].done))
+        Some((index, most.min(samples) - self.sides[index].done))
     }
 
     /// Whether films or voxels are to be compared now.
@@ -156,7 +156,7 @@ impl Worker {
     fn take(&mut self, request: Request) -> bool {
         match request {
             Request::Quit => return false,
-            Request::Pause(is_paused) => self.is_paused = is_paused,
+            Request::Pause(pause) => self.pause = pause,
             Request::Film(index, answer) => {
                 let view = self.view.as_ref();
                 let film = self.sides.get_mut(index).zip(view).and_then(|(side, view)| side.whole_film(view));

@@ -32,7 +32,7 @@ pub fn benchmark(ui: &mut Ui, session: &mut Session) {
     }
     let Some(measured) = session.measured.clone() else { return };
     for row in &measured {
-        ui.label(RichText::new(format!("{}{}, {}", scene(row, &measured), row.cell, row.rounding)).strong());
+        ui.label(RichText::new(format!("{}{}", scene(row, &measured), cell(row))).strong());
         Grid::new(("measured", &row.scene, &row.cell)).num_columns(2).show(ui, |ui| {
             for (name, value) in lines(row) {
                 ui.label(name);
@@ -55,6 +55,14 @@ fn scene(row: &Measurement, all: &[Measurement]) -> String {
     if is_one { String::new() } else { format!("{}, ", row.scene) }
 }
 
+/// A row's cell with its rounding, which the names of some have already.
+fn cell(row: &Measurement) -> String {
+    match row.cell.split(':').any(|word| word == row.rounding) {
+        true => row.cell.clone(),
+        false => format!("{}, {}", row.cell, row.rounding),
+    }
+}
+
 /// What is told of a cell.
 fn lines(row: &Measurement) -> Vec<(&'static str, String)> {
     let mut lines = Vec::new();
@@ -73,4 +81,25 @@ fn lines(row: &Measurement) -> Vec<(&'static str, String)> {
         lines.push((tr!("benchmark.wrong"), tr!("benchmark.wrong_of", wrong = wrong, rays = counted(rays, Noun::Ray))));
     }
     lines
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_rounding_is_told_once() {
+        let row = |cell: &str, rounding| Measurement {
+            scene: "city".into(),
+            cell: cell.into(),
+            rounding,
+            times: None,
+            traced_bytes: 0,
+            peak_bytes: None,
+            wrong_voxels: None,
+            failure: None,
+        };
+        assert_eq!(cell(&row("cpu:avx2", "precise")), "cpu:avx2, precise");
+        assert_eq!(cell(&row("query:brick:fast", "fast")), "query:brick:fast");
+    }
 }

@@ -74,8 +74,8 @@ pub fn divider(ui: &Ui, session: &Session, side: f32) {
     if comparison.contrast != Contrast::Beside {
         return;
     }
-    let window = ui.ctx().content_rect();
-    let x = window.left() + comparison.split * (window.width() - side).max(1.0);
+    let picture = super::picture(ui, session, side);
+    let x = picture.left() + comparison.split * picture.width();
     let is_held = session.hover.is_some_and(|cursor| session.is_on_divider(cursor));
     if is_held {
         ui.ctx().set_cursor_icon(CursorIcon::ResizeHorizontal);
@@ -83,13 +83,13 @@ pub fn divider(ui: &Ui, session: &Session, side: f32) {
     let painter = ui.ctx().layer_painter(LayerId::new(Order::Background, "divider".into()));
     let line = Stroke::new(if is_held { 3.0 } else { 1.5 }, Color32::from_white_alpha(220));
     // A dark line around a bright one is seen on any picture.
-    painter.vline(x, window.y_range(), Stroke::new(line.width + 2.0, Color32::from_black_alpha(120)));
-    painter.vline(x, window.y_range(), line);
-    painter.circle(pos2(x, window.center().y), 7.0, Color32::from_black_alpha(160), line);
+    painter.vline(x, picture.y_range(), Stroke::new(line.width + 2.0, Color32::from_black_alpha(120)));
+    painter.vline(x, picture.y_range(), line);
+    painter.circle(pos2(x, picture.center().y), 7.0, Color32::from_black_alpha(160), line);
     let (left, right) = (tracer_name(session.backend()), tracer_name(comparison.backend()));
     for (text, align, dx) in [(left, Align2::RIGHT_TOP, -10.0), (right, Align2::LEFT_TOP, 10.0)] {
         let galley = painter.layout_no_wrap(text, FontId::proportional(13.0), Color32::WHITE);
-        let place = align.anchor_size(pos2(x + dx, window.top() + 8.0), galley.size());
+        let place = align.anchor_size(pos2(x + dx, picture.top() + 8.0), galley.size());
         painter.rect_filled(place.expand(4.0), 3.0, Color32::from_black_alpha(170));
         painter.galley(place.min, galley, Color32::WHITE);
     }

@@ -27,14 +27,14 @@ fn stroke(look: Look) -> Stroke {
     }
 }
 
-/// Draws it over the picture, which is as wide as the window without the panel of `side` points.
+/// Draws it over the picture, beside the panel of `side` points.
 pub fn preview(ui: &Ui, session: &Session, side: f32) {
     if !session.is_editing() || session.open.is_none() {
         return;
     }
     let lines = outlines(session);
     let window = ui.ctx().content_rect();
-    let picture = window.with_max_x(window.right() - side);
+    let picture = super::picture(ui, session, side);
     let scale = ui.ctx().pixels_per_point();
     let painter =
         ui.ctx().layer_painter(LayerId::new(Order::Background, "edit preview".into())).with_clip_rect(picture);

@@ -161,24 +161,23 @@ fn palette(ui: &mut Ui, session: &mut Session) {
         });
     }
     let spacing = vec2(2.0, 2.0);
-    let across = ((ui.available_width() / (SWATCH + spacing.x)).floor() as usize).max(1);
-    ScrollArea::vertical().id_salt("palette").max_height(HEIGHT).min_scrolled_height(HEIGHT).show_rows(
-        ui,
-        SWATCH,
-        count.div_ceil(across),
-        |ui, rows| {
-            ui.spacing_mut().item_spacing = spacing;
-            for row in rows {
-                ui.horizontal(|ui| {
-                    for number in row * across..((row + 1) * across).min(count) {
-                        if swatch(ui, session, number, number == current) {
-                            chosen = Some(number);
-                        }
+    // Beside the bar that scrolls: it would take the clicks on the last column.
+    let width = ui.available_width() - ui.spacing().scroll.bar_width;
+    let across = ((width / (SWATCH + spacing.x)).floor() as usize).max(1);
+    // As wide as there is room, or its bar would lie on the last column all the same.
+    let area = ScrollArea::vertical().id_salt("palette").max_height(HEIGHT).min_scrolled_height(HEIGHT);
+    area.auto_shrink([false, true]).show_rows(ui, SWATCH, count.div_ceil(across), |ui, rows| {
+        ui.spacing_mut().item_spacing = spacing;
+        for row in rows {
+            ui.horizontal(|ui| {
+                for number in row * across..((row + 1) * across).min(count) {
+                    if swatch(ui, session, number, number == current) {
+                        chosen = Some(number);
                     }
-                });
-            }
-        },
-    );
+                }
+            });
+        }
+    });
     if recent.len() > 1 {
         ui.horizontal(|ui| {
             ui.label(tr!("edit.recent"));
@@ -340,6 +339,7 @@ fn steps(ui: &mut Ui, session: &mut Session) {
         .id_salt("steps")
         .max_height(HEIGHT)
         .min_scrolled_height(HEIGHT)
+        .auto_shrink([false, true])
         .stick_to_bottom(true)
         .show_rows(ui, height, rows, |ui, rows| {
             for row in rows {

@@ -8,6 +8,8 @@ use egui::{Grid, RichText, ScrollArea, Ui};
 
 /// The font of keys: the proportional one has no arrows.
 const KEYS: egui::FontId = egui::FontId::monospace(11.0);
+/// Points between the columns.
+const BETWEEN: f32 = 16.0;
 
 pub fn help(ui: &Ui, session: &mut Session) {
     let mut is_open = true;
@@ -16,9 +18,11 @@ pub fn help(ui: &Ui, session: &mut Session) {
         .default_pos([24.0, 24.0])
         .default_size([920.0, 560.0])
         .show(ui.ctx(), |ui| {
-            ScrollArea::both().auto_shrink(false).show(ui, |ui| {
+            ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+                // Two columns that wrap what does not fit: nothing lies beyond the edge of a small window.
+                let column = (ui.available_width() - BETWEEN) / 2.0;
                 // One grid for all groups: their columns stand one below the other.
-                Grid::new("keys").striped(true).spacing([16.0, 4.0]).show(ui, |ui| {
+                Grid::new("keys").striped(true).spacing([BETWEEN, 4.0]).max_col_width(column).show(ui, |ui| {
                     for group in Group::ALL {
                         heading(ui, group.name());
                         ui.end_row();

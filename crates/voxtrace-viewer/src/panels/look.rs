@@ -44,8 +44,18 @@ impl Theme {
     }
 }
 
-/// Takes the theme that was chosen.
+/// Opacity of the bars of lists that nobody scrolls.
+const BAR: f32 = 0.4;
+
+/// Takes the theme that was chosen, and how lists scroll.
 pub fn apply(ui: &Ui, session: &Session) {
+    // Bars say that there is more. egui's fade at the ends of lists would: but colours are interpolated linearly here, which makes it a block.
+    let mut scroll = ui.spacing().scroll;
+    (scroll.fade.strength, scroll.dormant_handle_opacity) = (0.0, BAR);
+    if ui.spacing().scroll != scroll {
+        ui.ctx().all_styles_mut(|style| style.spacing.scroll = scroll);
+        ui.ctx().request_repaint();
+    }
     let wanted = session.theme.preference();
     if ui.ctx().options(|options| options.theme_preference) != wanted {
         ui.ctx().set_theme(wanted);

@@ -28,16 +28,13 @@ pub fn materials(ui: &mut Ui, session: &mut Session) {
         };
         ui.label(tr!("materials.in_use", used = used.len(), all = counted(count, Noun::Material)));
         let height = ui.spacing().interact_size.y;
-        ScrollArea::vertical().id_salt("materials").max_height(HEIGHT).min_scrolled_height(HEIGHT).show_rows(
-            ui,
-            height,
-            used.len(),
-            |ui, rows| {
-                for &number in &used[rows] {
-                    material(ui, session, number);
-                }
-            },
-        );
+        let area = ScrollArea::vertical().id_salt("materials").max_height(HEIGHT).min_scrolled_height(HEIGHT);
+        // As wide as there is room: its bar would lie on the rows.
+        area.auto_shrink([false, true]).show_rows(ui, height, used.len(), |ui, rows| {
+            for &number in &used[rows] {
+                material(ui, session, number);
+            }
+        });
     });
 }
 

@@ -88,16 +88,13 @@ fn list(ui: &mut Ui, session: &mut Session) {
     let Some(scale) = session.open.as_ref().map(|open| Scale::of(&open.original)) else { return };
     let numbers: Vec<u32> = session.measuring.list.keys().copied().collect();
     let height = ui.spacing().interact_size.y;
-    ScrollArea::vertical().id_salt("measures").max_height(HEIGHT).min_scrolled_height(HEIGHT).show_rows(
-        ui,
-        height,
-        numbers.len(),
-        |ui, rows| {
-            for &number in &numbers[rows] {
-                row(ui, session, number, &scale);
-            }
-        },
-    );
+    let area = ScrollArea::vertical().id_salt("measures").max_height(HEIGHT).min_scrolled_height(HEIGHT);
+    // As wide as there is room: its bar would lie on the rows.
+    area.auto_shrink([false, true]).show_rows(ui, height, numbers.len(), |ui, rows| {
+        for &number in &numbers[rows] {
+            row(ui, session, number, &scale);
+        }
+    });
     if !numbers.is_empty() && ui.button(tr!("measure.export")).clicked() {
         session.export_measures();
     }

@@ -38,11 +38,16 @@ pub use status::{Compared, DeviceChoice, Status};
 
 use crate::session::Session;
 use crate::tr;
-use egui::{CollapsingHeader, Frame, Margin, RichText, ScrollArea, Slider, SliderClamping, Ui};
+use egui::{
+    Align2, CollapsingHeader, Color32, Frame, Margin, Rect, RichText, ScrollArea, Slider, SliderClamping, TextStyle,
+    Ui, vec2,
+};
 
 /// Points of the side panel, as long as nobody drags it.
 const WIDTH: f32 = 290.0;
-/// Points beside its scroll bar.
+/// Points below windows about what is under way.
+const GAP: f32 = 24.0;
+/// Points beside the scroll bar of the side panel.
 const BESIDE_BAR: i8 = 8;
 
 /// Shows everything. Returns the width of the side panel, points: the picture lies beside it.
@@ -77,14 +82,23 @@ pub fn show(ui: &mut Ui, session: &mut Session, status: &Status) -> f32 {
     }
     dialogs::show(ui, session, status, width);
     unsaved::show(ui, session, width);
-    messages::loading(ui, session, width);
-    running::running(ui, session, width);
-    messages::messages(ui, session);
+    // One above the other, and what is said above all of them.
+    let mut below = session.below;
+    below += dialogs::exporting(ui, session, width, below);
+    below += messages::loading(ui, session, width, below);
+    below += running::running(ui, session, width, below);
+    messages::messages(ui, session, width, below);
     times::times(ui, session, status);
     if session.has_help {
         help::help(ui, session);
     }
     width
+}
+
+/// Where the picture lies: beside the side panel, of `side` points, and above the timeline.
+fn picture(ui: &Ui, session: &Session, side: f32) -> Rect {
+    let window = ui.ctx().content_rect();
+    Rect::from_min_size(window.min, (window.size() - vec2(side, session.below)).max(vec2(1.0, 1.0)))
 }
 
 /// All sections of the side panel.
@@ -132,6 +146,26 @@ fn section(ui: &mut Ui, title: impl Into<egui::WidgetText>, id: &str, add: impl 
         ui.spacing_mut().slider_width -= ui.spacing().indent;
         add(ui);
     });
+}
+
+/// A window about something that is under way, in the middle of what the side panel leaves of the width, so many points above the lower edge. Returns how
+/// high it is with the gap below it, points.
+fn under_way(ui: &Ui, title: &str, side: f32, below: f32, add: impl FnOnce(&mut Ui)) -> f32 {
+    let window = egui::Window::new(title)
+        .anchor(Align2::CENTER_BOTTOM, [-side / 2.0, -GAP - below])
+        .collapsible(false)
+        .resizable(false)
+        .show(ui.ctx(), add);
+    window.map_or(0.0, |window| GAP + window.response.rect.height())
+}
+
+/// Begins another line of a row that wraps where so many points and a text do not fit into this one: what is a row in itself does not wrap.
+fn fit(ui: &mut Ui, points: f32, text: &str) {
+    let font = TextStyle::Body.resolve(ui.style());
+    let text = ui.painter().layout_no_wrap(text.to_owned(), font, Color32::WHITE).size().x;
+    if ui.available_size_before_wrap().x < points + text + 2.0 * ui.spacing().item_spacing.x {
+        ui.end_row();
+    }
 }
 
 /// A button that stops something, and the key that does. Returns whether it was clicked.

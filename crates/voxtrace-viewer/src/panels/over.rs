@@ -20,15 +20,14 @@ pub struct Over<'a> {
     scale: f32,
 }
 
-/// Draws over the picture, which is as wide as the window without the panel of `side` points. Nothing where there is no scene.
+/// Draws over the picture, beside the panel of `side` points. Nothing where there is no scene.
 pub fn over<T>(ui: &Ui, session: &mut Session, side: f32, draw: impl FnOnce(&Session, &mut Over) -> T) -> Option<T> {
     let scene = std::sync::Arc::clone(&session.open.as_ref()?.pickable);
     let projection = session.projection();
     // It is put back below: what draws reads the session.
     let mut sight = std::mem::take(&mut session.sight);
     sight.begin(&projection, &scene);
-    let window = ui.ctx().content_rect();
-    let picture = Rect::from_min_size(window.min, Points::new((window.width() - side).max(1.0), window.height()));
+    let picture = super::picture(ui, session, side);
     let painter = ui.ctx().layer_painter(LayerId::new(Order::Background, "over".into())).with_clip_rect(picture);
     let mut over = Over { painter, projection, sight: &mut sight, scale: ui.ctx().pixels_per_point() };
     let drawn = draw(session, &mut over);

@@ -1,6 +1,6 @@
 //! The timeline below the picture: an axis of time with the camera's keys and the playhead, and what can be done with them.
 
-use super::{name_node, slider};
+use super::{fit, name_node, slider};
 use crate::keys::{Action, key_of};
 use crate::session::Session;
 use crate::timeline::{Course, MOST_FRAMES, Timeline};
@@ -11,6 +11,11 @@ use voxtrace::animation::Ease;
 /// Points of the axis, and between it and the panel's sides.
 const AXIS: f32 = 46.0;
 const MARGIN: f32 = 12.0;
+/// Points of the slider.
+const SLIDER: f32 = 60.0;
+/// Points of the numbers on the axis, and from there to the tip of the playhead.
+const NUMBERS: f32 = 13.0;
+const TIP: f32 = 7.0;
 /// Half of a key, points.
 const KEY: f32 = 7.0;
 /// Least points between two numbers on the axis.
@@ -47,7 +52,8 @@ fn buttons(ui: &mut Ui, session: &mut Session) {
     let course = &session.timeline.course;
     let (mut frame, frames, fps) = (session.timeline.frame(), course.frames(), course.fps);
     let label = ui.label(tr!("timeline.frame"));
-    if ui.add(DragValue::new(&mut frame).range(1..=frames)).labelled_by(label.id).changed() {
+    if ui.add(DragValue::new(&mut frame).range(1..=frames).update_while_editing(false)).labelled_by(label.id).changed()
+    {
         session.set_time_frame(frame);
     }
     ui.label(tr!("timeline.of", frames = frames, seconds = format!("{:.2}", f64::from(frame - 1) / fps)));
@@ -99,25 +105,29 @@ fn settings(ui: &mut Ui, session: &mut Session) {
             .range(1.0 / course.fps..=most)
             .clamp_existing_to_range(false)
             .speed(0.05)
-            .max_decimals(3),
+            .max_decimals(3)
+            // On the way to 0.5 there is 0: a clip of one frame.
+            .update_while_editing(false),
     )
     .labelled_by(label.id);
     let label = ui.label(tr!("timeline.rate"));
     let fps = DragValue::new(&mut course.fps).range(1.0..=1000.0).clamp_existing_to_range(false);
-    ui.add(fps.speed(0.5).max_decimals(3)).labelled_by(label.id);
+    ui.add(fps.speed(0.5).max_decimals(3).update_while_editing(false)).labelled_by(label.id);
     let word = |ease: Ease| match ease {
         Ease::None => tr!("timeline.ease_none"),
         Ease::In => tr!("timeline.ease_in"),
         Ease::Out => tr!("timeline.ease_out"),
         Ease::InOut => tr!("timeline.ease_both"),
     };
+    fit(ui, ui.spacing().combo_width, tr!("timeline.ease"));
     ComboBox::from_label(tr!("timeline.ease")).selected_text(word(course.ease)).show_ui(ui, |ui| {
         for (_, ease) in Timeline::EASES {
             ui.selectable_value(&mut course.ease, ease, word(ease));
         }
     });
     let mut shutter = course.shutter as f32;
-    ui.spacing_mut().slider_width = 60.0;
+    ui.spacing_mut().slider_width = SLIDER;
+    fit(ui, SLIDER + ui.spacing().interact_size.x, tr!("timeline.blur"));
     if ui.add(slider(&mut shutter, 0.0..=1.0, tr!("timeline.blur")).max_decimals(2)).changed() {
         // Two decimals, so that the file has no 0.30000001.
         course.shutter = (f64::from(shutter) * 100.0).round() / 100.0;
@@ -175,9 +185,9 @@ fn axis(ui: &mut Ui, session: &mut Session) {
     }
     let x = scale.x(session.timeline.course.time_of(session.timeline.frame()));
     let painter = ui.painter();
-    painter.line_segment([Pos2::new(x, rect.top()), Pos2::new(x, rect.bottom())], Stroke::new(1.5, PLAYHEAD));
-    let top = rect.top();
-    let head = vec![Pos2::new(x - 5.0, top), Pos2::new(x + 5.0, top), Pos2::new(x, top + 7.0)];
+    let top = rect.top() + NUMBERS;
+    painter.line_segment([Pos2::new(x, top), Pos2::new(x, rect.bottom())], Stroke::new(1.5, PLAYHEAD));
+    let head = vec![Pos2::new(x - 5.0, top), Pos2::new(x + 5.0, top), Pos2::new(x, top + TIP)];
     painter.add(Shape::convex_polygon(head, PLAYHEAD, Stroke::NONE));
 }
 
@@ -194,7 +204,8 @@ fn paint(ui: &Ui, rect: Rect, scale: Scale, course: &Course) {
     while f64::from(tick) * step <= scale.seconds * 1.0001 {
         let time = f64::from(tick) * step;
         let x = scale.x(time);
-        painter.line_segment([Pos2::new(x, rect.top() + 13.0), Pos2::new(x, rect.bottom())], Stroke::new(0.5, weak));
+        let (from, to) = (rect.top() + NUMBERS, rect.bottom());
+        painter.line_segment([Pos2::new(x, from), Pos2::new(x, to)], Stroke::new(0.5, weak));
         let text = format!("{} s", (time * 1000.0).round() / 1000.0);
         painter.text(Pos2::new(x, rect.top() + 6.0), Align2::CENTER_CENTER, text, FontId::proportional(10.0), weak);
         tick += 1;

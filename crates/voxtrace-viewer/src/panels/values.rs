@@ -79,11 +79,16 @@ fn number(value: &mut f32, speed: f64) -> DragValue<'_> {
 
 /// Curves that are chosen at once.
 fn presets(ui: &mut Ui, session: &mut Session, seen: &ValuesSeen) {
+    // Curves that are chosen are rounded.
+    let rounded = |curve: ValueCurve| curve.rounded(seen.range());
+    let now = session.values.as_ref().and_then(|values| values.curve()).map(rounded);
+    let shown = Preset::ALL.into_iter().find(|&preset| now.is_some() && seen.preset(preset).map(rounded) == now);
+    let name = shown.map_or(tr!("values.choose"), Preset::name);
     ui.horizontal_wrapped(|ui| {
-        ComboBox::from_label(tr!("values.preset")).selected_text(tr!("values.choose")).show_ui(ui, |ui| {
+        ComboBox::from_label(tr!("values.preset")).selected_text(name).show_ui(ui, |ui| {
             for preset in Preset::ALL {
                 if let Some(curve) = seen.preset(preset)
-                    && ui.selectable_label(false, preset.name()).clicked()
+                    && ui.selectable_label(shown == Some(preset), preset.name()).clicked()
                 {
                     session.set_curve(Some(curve));
                 }

@@ -2,7 +2,7 @@
 
 use super::{Command, Leaving, Session};
 use crate::benchmark::Benchmark;
-use crate::engine::Engine;
+use crate::engine::{Engine, Pause};
 use crate::export::{ExportRequest, Exporting, Source};
 use crate::inspector::{Sampling, Values};
 use crate::load::{Loader, Loading, Reading};
@@ -87,7 +87,7 @@ impl Session {
             }
             Command::SetView => engine.set_view(self.view(), self.is_moving()),
             Command::SetLight(light) => engine.set_light(light),
-            Command::Pause(is_paused) => engine.pause(is_paused),
+            Command::Pause(pause) => engine.pause(pause),
             Command::CompareWith(other) => {
                 engine.compare_with(other);
                 (means.status.other, means.status.differences) = (None, None);
@@ -176,7 +176,7 @@ impl Session {
     /// Runs a command beside the window.
     fn run_beside(&mut self, request: RunRequest, means: &Means) {
         if request.measures {
-            means.engine.pause(true);
+            means.engine.pause(Pause::Everything);
         } else {
             self.say(tr!("said.recording_beside_the_window"), false);
         }

@@ -1,7 +1,7 @@
 //! What the state asks for: things to be done outside of it.
 
 use super::editing::Followed;
-use crate::engine::{Backend, Contrast, Light};
+use crate::engine::{Backend, Contrast, Light, Pause};
 use crate::export::ExportRequest;
 use crate::running::RunRequest;
 use std::path::PathBuf;
@@ -55,8 +55,8 @@ pub enum Command {
     SaveScene(PathBuf),
     /// Trace and draw with another device: its number, or its name.
     SetDevice(String),
-    /// Add no samples, or go on.
-    Pause(bool),
+    /// Leave out samples, or all tracing, or nothing any more.
+    Pause(Pause),
     /// Fill the screen, or no more.
     ToggleFullscreen,
     /// Fill the screen no more.

@@ -1,6 +1,7 @@
 //! Another transfer function for the volume that is open: coarse voxels come first, all of them after, on threads; what was asked for last counts.
 
 use super::{ValueCurve, ValuesSeen};
+use crate::engine::Pause;
 use crate::load::{Came, Loader, Loading, Reading};
 use crate::session::{Command, Session};
 use crate::tr;
@@ -108,7 +109,7 @@ impl Session {
         if !values.shaping.as_ref().is_some_and(|shaping| shaping.is_coarse) {
             values.shaping = None;
             // The cores are for the voxels until there are new ones.
-            self.ask(Command::Pause(true));
+            self.ask(Command::Pause(Pause::Everything));
             self.ask(Command::Reshape);
         }
     }
@@ -138,7 +139,6 @@ impl Session {
         let (made, curve, is_coarse) = (shaping.word.clone(), shaping.curve.take(), shaping.is_coarse);
         let seconds = shaping.since.elapsed().as_secs_f32();
         values.shaping = None;
-        let is_paused = self.is_paused || self.benchmark.is_some();
         values.took[usize::from(!is_coarse)] = Some(seconds);
         match result {
             Ok(scene) => {
@@ -160,13 +160,12 @@ impl Session {
                 }
             }
         }
-        self.ask(Command::Pause(is_paused));
+        self.ask(Command::Pause(self.pause()));
     }
 
     /// Stops making voxels. What is shown stays, and what is chosen is what it is made of; coarse voxels stay coarse. Returns whether some were being
     /// made.
     pub(crate) fn stop_shaping(&mut self) -> bool {
-        let is_paused = self.is_paused || self.benchmark.is_some();
         let Some(values) = &mut self.values else { return false };
         let Some(shaping) = values.shaping.take() else { return false };
         values.is_left_coarse = !shaping.is_coarse;
@@ -175,7 +174,7 @@ impl Session {
         if is_as_opened {
             (values.shown, values.is_left_coarse) = (None, false);
         }
-        self.ask(Command::Pause(is_paused));
+        self.ask(Command::Pause(self.pause()));
         true
     }
 

@@ -4,7 +4,7 @@ use crate::common::{SIZE, in_room, said};
 use std::sync::{Arc, mpsc};
 use voxtrace::glam::Vec2;
 use voxtrace_viewer::benchmark::Benchmark;
-use voxtrace_viewer::engine::{Backend, Contrast};
+use voxtrace_viewer::engine::{Backend, Contrast, Pause};
 use voxtrace_viewer::input::{Button, Input};
 use voxtrace_viewer::keys::{Action, Key, Modifiers};
 use voxtrace_viewer::session::{Command, Session};
@@ -112,7 +112,7 @@ fn a_benchmark_measures_the_view_while_nothing_is_traced() {
     session.resize(48, 32);
     session.take_commands();
     session.act(Action::Benchmark, None);
-    assert_eq!(session.take_commands(), [Command::Pause(true), Command::Benchmark]);
+    assert_eq!(session.take_commands(), [Command::Pause(Pause::Everything), Command::Benchmark]);
     let subject = session.bench_subject(None).unwrap();
     assert_eq!((subject.request.cells.clone(), subject.request.size), (vec!["cpu".to_owned()], Some((48, 32))));
     assert_eq!(&subject.scene.cameras[0], session.navigator.camera());
@@ -126,7 +126,7 @@ fn a_benchmark_measures_the_view_while_nothing_is_traced() {
         session.take_measured();
         most = most.max(session.benchmark.as_ref().map_or(0, |benchmark| benchmark.frames.0));
     }
-    assert_eq!(session.take_commands(), [Command::Pause(false)]);
+    assert_eq!(session.take_commands(), [Command::Pause(Pause::Nothing)]);
     let measured = session.measured.clone().unwrap();
     let times = measured[0].times.expect("frames were proved");
     assert_eq!((measured.len(), measured[0].cell.as_str(), measured[0].failure.clone()), (1, "cpu", None));
@@ -147,7 +147,7 @@ fn a_benchmark_that_is_stopped_ends_and_tracing_goes_on() {
         receiver.recv().expect("the benchmark ended without an answer");
         session.take_measured();
     }
-    assert_eq!(session.take_commands(), [Command::Pause(false)]);
+    assert_eq!(session.take_commands(), [Command::Pause(Pause::Nothing)]);
     assert!(session.measured.is_some());
     let mut empty = Session::new(Traversal::Cpu);
     input.set_modifiers(Modifiers::CTRL, &mut empty);

@@ -4,7 +4,7 @@ use crate::common::{SIZE, in_room, said};
 use egui::accesskit::Role;
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
-use voxtrace_viewer::dialogs::{Dialog, PathField};
+use voxtrace_viewer::dialogs::{Dialog, PathField, TabUse};
 use voxtrace_viewer::export::Existing;
 use voxtrace_viewer::keys::Action;
 use voxtrace_viewer::navigation::Motion;
@@ -160,4 +160,34 @@ fn another_device_is_asked_for_by_its_name() {
     harness.run_steps(3);
     assert_eq!(harness.state_mut().take_commands(), [Command::SetDevice("large".into())]);
     assert_eq!(said(harness.state_mut()), Vec::<String>::new());
+}
+
+#[test]
+fn tab_completes_the_path_that_is_typed_and_leads_on_where_nothing_can_follow() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::create_dir(folder.path().join("scans")).unwrap();
+    for name in ["scans/head-1.vxt", "scans/head-2.vxt"] {
+        std::fs::write(folder.path().join(name), "").unwrap();
+    }
+    let mut harness = panels(in_folder(&folder), Status::default());
+    assert_eq!(harness.state_mut().take_tab(), TabUse::Window);
+    harness.state_mut().act(Action::OpenByPath, None);
+    harness.run_steps(3);
+    let typed = |text: &str, harness: &mut Harness<Session>| {
+        let Some(Dialog::Open(dialog)) = &mut harness.state_mut().dialog else { panic!("it is open") };
+        dialog.path.text.push_str(text);
+        harness.run_steps(3);
+        let used = harness.state_mut().take_tab();
+        let path = harness.state_mut().dialog.as_mut().and_then(Dialog::path_field).unwrap();
+        (used, path.text[folder.path().display().to_string().len()..].to_owned())
+    };
+    assert_eq!(typed("", &mut harness), (TabUse::Completion, "/scans/".into()));
+    assert_eq!(typed("", &mut harness), (TabUse::Completion, "/scans/head-".into()));
+    assert_eq!(typed("", &mut harness), (TabUse::Completion, "/scans/head-".into()), "either could follow");
+    assert_eq!(typed("2", &mut harness), (TabUse::Completion, "/scans/head-2.vxt".into()));
+    assert_eq!(typed("", &mut harness), (TabUse::NextField, "/scans/head-2.vxt".into()));
+    harness.state_mut().dialog = None;
+    harness.state_mut().act(Action::New, None);
+    harness.run_steps(3);
+    assert_eq!(harness.state_mut().take_tab(), TabUse::NextField, "there is no path");
 }

@@ -1,13 +1,15 @@
 //! The panel of editing, its questions, and what is drawn over the picture.
 
 use crate::common::hand::{Hand, floor};
-use crate::common::in_room;
 use crate::common::panel::{click, panels, set};
+use crate::common::{in_room, room};
 use egui::accesskit::Role;
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
+use std::sync::Arc;
 use std::time::{Duration, Instant};
-use voxtrace::glam::{IVec3, Vec2};
+use voxtrace::glam::{IVec3, Vec2, Vec3};
+use voxtrace::{Material, PackedScene};
 use voxtrace_viewer::editing::outline::{Look, outlines};
 use voxtrace_viewer::editing::{Act, Tool};
 use voxtrace_viewer::panels::Status;
@@ -155,5 +157,20 @@ fn the_preview_lies_where_the_picture_shows_the_voxel_whatever_the_scale_of_the_
         }
         assert!(outlines(session).iter().any(|outline| outline.look == Look::Plane(0)));
         assert!(outlines(session).iter().any(|outline| outline.look == Look::Face));
+    }
+}
+
+#[test]
+fn each_colour_of_the_palette_is_taken_by_a_click_also_beside_the_bar_that_scrolls() {
+    let mut scene = room();
+    scene.materials.extend((0..200).map(|grey| Material::diffuse(Vec3::splat(grey as f32 / 255.0))));
+    let mut session = in_room("room.vxt");
+    session.show("room.vxt".into(), Arc::new(PackedScene::pack(&scene).unwrap()));
+    let mut harness = panels(Hand::on(session).session, Status::default());
+    // More than a row.
+    for number in 1..=13 {
+        harness.get_by_label_contains(&format!("material {number}, #")).click();
+        harness.run_steps(3);
+        assert_eq!(harness.state().editing.as_ref().unwrap().material, number);
     }
 }

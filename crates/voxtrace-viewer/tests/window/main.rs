@@ -21,6 +21,7 @@ mod measuring;
 mod opening;
 mod panels;
 mod parts;
+mod pausing;
 mod real_time;
 mod scripts;
 mod showing;

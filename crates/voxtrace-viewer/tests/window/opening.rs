@@ -1,7 +1,9 @@
 //! Scripts of opening scenes: what is shown, from where, and what is left where nothing comes.
 
 use crate::common;
+use crate::common::panel::small_panels;
 use crate::common::{in_room, packed, said};
+use egui_kittest::kittest::Queryable;
 use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, mpsc};
@@ -135,4 +137,18 @@ fn escape_stops_loading_then_closes_the_list_then_drops_the_pick_then_leaves_ful
     assert_eq!(session.take_commands(), [Command::LeaveFullscreen]);
     session.take_loaded();
     assert_eq!(session.open.as_ref().unwrap().source, "room.vxt", "what was stopped does not come");
+}
+
+#[test]
+fn what_is_said_stands_above_what_is_opened_and_beside_the_side_panel_in_a_small_window_too() {
+    let mut session = in_room("room.vxt");
+    let loader: Arc<dyn Loader> = Arc::new(Words(AtomicUsize::new(0)));
+    session.loading = Some(Loading::start(&loader, "good.vxt", Reading::default(), false, Arc::new(|| {})));
+    let text = "a line that is longer than what the side panel leaves of a window of 600 points";
+    session.say(text, false);
+    let mut harness = small_panels(session);
+    harness.run_steps(3);
+    let [line, opened, side] = [text, "good.vxt", "New…"].map(|name| harness.get_by_label(name).rect());
+    assert!(line.bottom() < opened.top() && line.left() >= 0.0, "{line} {opened}");
+    assert!(line.right() < side.left(), "{line} {side}");
 }

@@ -11,7 +11,7 @@ use voxtrace::surroundings::{Fog, Ground};
 use voxtrace::{Integrator, PackedScene, Sun};
 use voxtrace_bench::{Measurement, Times};
 use voxtrace_viewer::cutting::Slice;
-use voxtrace_viewer::engine::{Backend, Contrast};
+use voxtrace_viewer::engine::{Backend, Contrast, Pause};
 use voxtrace_viewer::keys::{self, Action, Group};
 use voxtrace_viewer::measuring::{Kind, Measure};
 use voxtrace_viewer::navigation::Mode;
@@ -82,9 +82,9 @@ fn tracing_is_paused_by_its_box_and_an_integrator_takes_its_bounces() {
     let mut harness = panels(in_room("room.vxt"), Status::default());
     let is_checked =
         |harness: &Harness<Session>| harness.get_by_label("paused").accesskit_node().toggled() == Some(Toggled::True);
-    for expected in [true, false] {
+    for (pause, expected) in [(Pause::Samples, true), (Pause::Nothing, false)] {
         click(&mut harness, "paused");
-        assert_eq!((commands(&mut harness), is_checked(&harness)), (vec![Command::Pause(expected)], expected));
+        assert_eq!((commands(&mut harness), is_checked(&harness)), (vec![Command::Pause(pause)], expected));
     }
     click(&mut harness, Integrator::Essay.name());
     assert_eq!(commands(&mut harness), [Command::SetView]);
@@ -297,7 +297,7 @@ fn a_comparison_is_begun_set_and_ended_in_its_panel() {
 fn what_was_measured_stands_in_the_panel_of_the_benchmark() {
     let mut harness = panels(in_room("room.vxt"), Status::default());
     click(&mut harness, "Measure this view");
-    assert_eq!(commands(&mut harness), [Command::Pause(true), Command::Benchmark]);
+    assert_eq!(commands(&mut harness), [Command::Pause(Pause::Everything), Command::Benchmark]);
     let times = Times { frames: 64, median_ms: 1.2345, p99_ms: 2.5, rays_per_second: Some(3.25e9) };
     harness.state_mut().measured = Some(vec![Measurement {
         scene: "room".into(),

@@ -63,7 +63,7 @@ fn the_panel_searches_opens_isolates_and_finds_the_picked_one() {
     let before = harness.state().navigator.camera().clone();
     click(&mut harness, "fly there");
     assert_ne!(harness.state().navigator.camera(), &before);
-    choose(&mut harness, "begin with", "models");
+    choose(&mut harness, "in the list", "models");
     assert_eq!(harness.state().outliner.order, Order::Models);
     harness.state_mut().act(Action::Pick, Some(MIDDLE));
     assert!(harness.state().picked.is_some());

@@ -3,7 +3,7 @@
 use crate::common::{SIZE, in_room, packed, said};
 use voxtrace::Integrator;
 use voxtrace::glam::{Vec2, Vec3};
-use voxtrace_viewer::engine::Backend;
+use voxtrace_viewer::engine::{Backend, Pause};
 use voxtrace_viewer::input::{Button, Input};
 use voxtrace_viewer::keys::{Action, Key, Modifiers};
 use voxtrace_viewer::navigation::Mode;
@@ -227,7 +227,7 @@ fn of_commands_that_set_the_same_thing_the_last_one_counts_and_steps_are_all_don
     for is_paused in [true, false, true] {
         session.set_paused(is_paused);
     }
-    assert_eq!((session.take_commands(), session.is_paused), (vec![Command::Pause(true)], true));
+    assert_eq!((session.take_commands(), session.is_paused), (vec![Command::Pause(Pause::Samples)], true));
     // Three traversals: four steps are one.
     for _ in 0..4 {
         session.act(Action::NextTraversal, None);

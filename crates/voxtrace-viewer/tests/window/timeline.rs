@@ -1,7 +1,8 @@
 //! The timeline: keys are set and moved by hand, the playhead moves the view, and what is recorded is asked for.
 
-use crate::common::panel::{click, panels};
+use crate::common::panel::{click, panels, small_panels};
 use crate::common::{in_room, said};
+use egui::accesskit::Role;
 use egui::{Event, Modifiers as Held, PointerButton, Pos2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
@@ -197,4 +198,31 @@ fn bookmarks_become_keys_over_the_whole_clip() {
     session.take_bookmarks();
     let course = &session.timeline.course;
     assert_eq!((course.keys.len(), course.camera_of(course.frames())), (3, Some(last)));
+}
+
+#[test]
+fn all_of_the_timeline_is_there_in_a_small_window() {
+    let harness = small_panels(with_two_keys("room.vxt"));
+    let side = harness.get_by_label("New…").rect().left();
+    for (role, name) in [(Role::ComboBox, "ease"), (Role::Slider, "motion blur"), (Role::Button, "Close")] {
+        let rect = harness.get_by_role_and_label(role, name).rect();
+        assert!(rect.right() < side && rect.bottom() < 400.0, "{name}: {rect}");
+    }
+}
+
+#[test]
+fn a_length_counts_once_it_is_typed() {
+    let mut harness = panels(with_two_keys("room.vxt"), Status::default());
+    harness.state_mut().set_time_frame(12);
+    harness.run_steps(3);
+    harness.get_by_role_and_label(Role::SpinButton, "seconds").click();
+    harness.run_steps(3);
+    for text in ["0", ".", "5"] {
+        harness.event(Event::Text(text.into()));
+        harness.run_steps(3);
+    }
+    assert_eq!(harness.state().timeline.course.seconds, 5.0, "on the way to 0.5 there is a clip of one frame");
+    harness.key_press(egui::Key::Enter);
+    harness.run_steps(3);
+    assert_eq!((harness.state().timeline.course.seconds, harness.state().timeline.frame()), (0.5, 12));
 }

@@ -2,7 +2,9 @@
 
 use crate::common::panel::{choose, click, panels};
 use crate::common::{in_room, packed, room, said, words};
-use egui_kittest::kittest::Queryable;
+use egui::accesskit::Role;
+use egui_kittest::Harness;
+use egui_kittest::kittest::{NodeT, Queryable};
 use std::path::Path;
 use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
@@ -10,6 +12,7 @@ use voxtrace::glam::{Vec2, Vec3};
 use voxtrace::points::Attributes;
 use voxtrace::{PackedScene, Transform, Volume};
 use voxtrace_viewer::dialogs::{Dialog, PathField};
+use voxtrace_viewer::engine::Pause;
 use voxtrace_viewer::input::{Button, Input};
 use voxtrace_viewer::keys::{Action, Key};
 use voxtrace_viewer::load::{Loader, Loading, Reading, Told, Wanted};
@@ -125,8 +128,11 @@ fn a_drag_in_the_picture_is_window_and_level_with_coarse_voxels_first() {
     assert!(higher.window().0 > wider.window().0 && higher.low > wider.low, "upwards its level is higher");
     input.release(Button::Left, &mut session);
     let commands = settle(&mut session, &loader);
-    assert!(commands.contains(&Command::Pause(true)) && commands.contains(&Command::SetScene));
-    assert_eq!(commands.iter().rfind(|command| matches!(command, Command::Pause(_))), Some(&Command::Pause(false)));
+    assert!(commands.contains(&Command::Pause(Pause::Everything)) && commands.contains(&Command::SetScene));
+    assert_eq!(
+        commands.iter().rfind(|command| matches!(command, Command::Pause(_))),
+        Some(&Command::Pause(Pause::Nothing))
+    );
     let word = Some(higher.word());
     assert_eq!(asked(&scanner), [(Some(96), word.clone()), (None, word)], "the last one alone, coarse and whole");
     assert_eq!(*session.navigator.camera(), camera, "the view stays");
@@ -149,12 +155,18 @@ fn the_panel_has_presets_an_automatic_ramp_and_a_way_back_from_nothing() {
     choose(&mut harness, "preset", "hot");
     let hot = harness.state().values.as_ref().unwrap().chosen.clone().unwrap();
     assert!(hot.word().starts_with("stops:") && hot.word().contains("=#6e0800"), "{}", hot.word());
+    let named = |harness: &Harness<Session>| {
+        harness.get_by_role_and_label(Role::ComboBox, "preset").accesskit_node().value().unwrap_or_default()
+    };
+    assert_eq!(named(&harness), "hot");
     settle(harness.state_mut(), &loader);
     harness.get_by_label_contains("stop 2 at ").click();
     harness.run_steps(3);
     assert_eq!(harness.state().values.as_ref().unwrap().selected, Some(1));
     click(&mut harness, "delete stop");
     assert_eq!(harness.state().values.as_ref().unwrap().chosen.as_ref().unwrap().stops.len(), 3);
+    harness.run_steps(3);
+    assert_eq!(named(&harness), "choose", "it is none any more");
     // Nothing is as high as that.
     let mut nothing = hot.clone();
     nothing.low = 999.0;

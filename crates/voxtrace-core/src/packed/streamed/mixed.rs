@@ -9,8 +9,9 @@ use super::super::pack::{GridPart, pack_grid};
 use super::super::{Geometry, Outline, PackedInstance, PackedMaterial, PackedScene, Placement};
 use super::chunk::ChunkRecord;
 use super::head::{Front, StreamHead, invalid};
+use super::nearest_material::NearestMaterial;
 use super::whole::scaled;
-use glam::{IVec3, Vec3};
+use glam::IVec3;
 use rustc_hash::FxHashMap;
 use std::sync::Arc;
 use voxtrace_scene::brick::BRICK_SIZE;
@@ -26,6 +27,8 @@ pub struct StreamedLevels {
     levels: FxHashMap<u32, LevelSoFar>,
     materials: Vec<PackedMaterial>,
     number_of: FxHashMap<[u32; 16], u16>,
+    /// Of a full list.
+    nearest: Option<NearestMaterial>,
     parts: FxHashMap<(u32, u32), Part>,
 }
 
@@ -49,6 +52,7 @@ impl StreamedLevels {
             levels: FxHashMap::default(),
             materials: Vec::new(),
             number_of: FxHashMap::default(),
+            nearest: None,
             parts: FxHashMap::default(),
         }
     }
@@ -59,10 +63,26 @@ impl StreamedLevels {
     /// Where it is damaged.
     pub fn add_front(&mut self, level: u32, front: &[u8]) -> Result<(), FileErrorKind> {
         let front = Front::read(front, level, &self.head)?;
-        let mut number = |material| number_in(&mut self.materials, &mut self.number_of, material);
-        let numbers = front.materials.iter().map(&mut number).collect();
+        let numbers = front.materials.iter().map(|material| self.number_of(material)).collect();
         self.levels.insert(level, LevelSoFar { front, numbers });
         Ok(())
+    }
+
+    /// The number of a material in the list of all.
+    fn number_of(&mut self, material: &PackedMaterial) -> u16 {
+        let key: [u32; 16] = bytemuck::cast(*material);
+        if let Some(&number) = self.number_of.get(&key) {
+            return number;
+        }
+        let number = if self.materials.len() < MAX_MATERIALS {
+            self.materials.push(*material);
+            (self.materials.len() - 1) as u16
+        } else {
+            let nearest = self.nearest.get_or_insert_with(|| NearestMaterial::new(&self.materials));
+            nearest.find(&self.materials, material)
+        };
+        self.number_of.insert(key, number);
+        number
     }
 
     /// The chunks of a level whose front is there.
@@ -141,31 +161,4 @@ impl StreamedLevels {
         let outline = Arc::new(Outline::of_instances(placement.instances()));
         Ok(PackedScene { geometry: Arc::new(geometry), placement, outline, ..self.head.settings.clone() })
     }
-}
-
-/// The number of a material in the list of all.
-fn number_in(
-    all: &mut Vec<PackedMaterial>,
-    number_of: &mut FxHashMap<[u32; 16], u16>,
-    material: &PackedMaterial,
-) -> u16 {
-    let key: [u32; 16] = bytemuck::cast(*material);
-    if let Some(&number) = number_of.get(&key) {
-        return number;
-    }
-    let number = if all.len() < MAX_MATERIALS {
-        all.push(*material);
-        all.len() - 1
-    } else {
-        let distance = |other: &PackedMaterial| {
-            let kind = |m: &PackedMaterial| Vec3::new(m.transmission, m.metallic, m.roughness) * 4.0;
-            (other.base_color - material.base_color).length_squared()
-                + (kind(other) - kind(material)).length_squared()
-                + (other.emission - material.emission).length_squared()
-        };
-        let nearest = all.iter().map(distance).enumerate().min_by(|a, b| a.1.total_cmp(&b.1));
-        nearest.map_or(0, |(index, _)| index)
-    };
-    number_of.insert(key, number as u16);
-    number as u16
 }

@@ -1,12 +1,13 @@
 //! Files for streaming: a scene and all its levels of detail in compressed chunks, the coarsest level first, so that a picture can be made of the first bytes and
 //! refined by those parts that it needs. `docs/format.md` has the layout, `docs/decisions/0214-files-for-streaming.md` says why it is so.
 //!
-//! `chunk` is a chunk and its bytes, `head` what stands before the chunks. `whole` makes the scene of all chunks of a level, `mixed` one of chunks of several levels.
+//! `chunk` is a chunk and its bytes, `head` what stands before the chunks. `whole` makes the scene of all chunks of a level, `mixed` one of chunks of several levels, with the `nearest_material` where there are too many.
 //! Where there are files, `read` opens one and `write` writes one; in pages a worker fetches and inflates the parts itself.
 
 mod chunk;
 mod head;
 mod mixed;
+mod nearest_material;
 #[cfg(not(target_arch = "wasm32"))]
 mod read;
 mod whole;

@@ -7,7 +7,7 @@ mod plan;
 mod record;
 mod scene;
 
-use super::Status;
+use super::{Status, under_way};
 use crate::dialogs::{Dialog, PRESETS, Quality, RecordDialog};
 use crate::session::{Command, Session};
 use crate::tr;
@@ -23,9 +23,8 @@ enum Click {
     Go,
 }
 
-/// Shows the dialog that is open, and the export under way.
+/// Shows the dialog that is open.
 pub fn show(ui: &Ui, session: &mut Session, status: &Status, side: f32) {
-    exporting(ui, session, side);
     let Some(mut dialog) = session.dialog.take() else { return };
     let title = match &dialog {
         Dialog::Picture(_) => tr!("dialogs.picture"),
@@ -162,18 +161,14 @@ fn buttons(ui: &mut Ui, name: &str, missing: Option<&str>, others: impl FnOnce(&
     clicked
 }
 
-/// How far an export is, with a button that stops it.
-fn exporting(ui: &Ui, session: &mut Session, side: f32) {
+/// How far an export is, with a button that stops it, beside the side panel, of `side` points, and `below` above the lower edge. Returns how high it is.
+pub fn exporting(ui: &Ui, session: &mut Session, side: f32, below: f32) -> f32 {
     let Some(export) = &session.exporting else {
-        if let Some(path) = session.written_file() {
-            let text = tr!("dialogs.writing_path", path = path.display());
-            egui::Window::new(tr!("dialogs.writing"))
-                .anchor(Align2::CENTER_BOTTOM, [-side / 2.0, -24.0 - session.below])
-                .collapsible(false)
-                .resizable(false)
-                .show(ui.ctx(), |ui| ui.horizontal(|ui| (ui.spinner(), ui.label(text))));
-        }
-        return;
+        let Some(path) = session.written_file() else { return 0.0 };
+        let text = tr!("dialogs.writing_path", path = path.display());
+        return under_way(ui, tr!("dialogs.writing"), side, below, |ui| {
+            ui.horizontal(|ui| (ui.spinner(), ui.label(text)));
+        });
     };
     let share = export.share();
     let left = export.seconds_left().map_or(String::new(), |seconds| tr!("running.left", time = duration(seconds)));
@@ -184,18 +179,14 @@ fn exporting(ui: &Ui, session: &mut Session, side: f32) {
     let text = format!("{pictures}{:.0} %{left}", share * 100.0);
     let name = export.name.clone();
     let mut is_cancelled = false;
-    let above = 24.0 + session.below;
-    egui::Window::new(tr!("dialogs.rendering"))
-        .anchor(Align2::CENTER_BOTTOM, [-side / 2.0, -above])
-        .collapsible(false)
-        .resizable(false)
-        .show(ui.ctx(), |ui| {
-            ui.label(name);
-            ui.add(ProgressBar::new(share).desired_width(320.0).text(text));
-            is_cancelled = super::stop_button(ui, tr!("dialogs.stop_rendering"));
-        });
+    let height = under_way(ui, tr!("dialogs.rendering"), side, below, |ui| {
+        ui.label(name);
+        ui.add(ProgressBar::new(share).desired_width(320.0).text(text));
+        is_cancelled = super::stop_button(ui, tr!("dialogs.stop_rendering"));
+    });
     ui.ctx().request_repaint_after(std::time::Duration::from_millis(250));
     if is_cancelled && let Some(export) = &session.exporting {
         export.cancel();
     }
+    height
 }

@@ -12,7 +12,6 @@ const WIDTH: f32 = 420.0;
 /// Shows the field. Enter is the dialog's own button. `lists_files` says whether files of the folder are offered, too.
 pub fn show(ui: &mut Ui, name: &str, field: &mut PathField, lists_files: bool) -> Option<Click> {
     let mut clicked = None;
-    let mut is_focused = false;
     ui.horizontal(|ui| {
         let label = ui.label(name);
         let edit = ui.add(TextEdit::singleline(&mut field.text).desired_width(WIDTH)).labelled_by(label.id);
@@ -23,7 +22,7 @@ pub fn show(ui: &mut Ui, name: &str, field: &mut PathField, lists_files: bool) -
             state.cursor.set_char_range(Some(end));
             state.store(ui.ctx(), edit.id);
         }
-        is_focused = edit.has_focus();
+        field.is_focused = edit.has_focus();
         if edit.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter)) {
             clicked = Some(Click::Go);
         }
@@ -31,7 +30,7 @@ pub fn show(ui: &mut Ui, name: &str, field: &mut PathField, lists_files: bool) -
             clicked = Some(Click::Browse);
         }
     });
-    if is_focused || lists_files {
+    if field.is_focused || lists_files {
         offers(ui, field, lists_files);
     }
     clicked

@@ -16,6 +16,16 @@ pub fn panels<'a>(session: Session, status: Status) -> Harness<'a, Session> {
     harness
 }
 
+/// Panels of a window of 600 × 400 points.
+pub fn small_panels<'a>(session: Session) -> Harness<'a, Session> {
+    let show = |ui: &mut egui::Ui, session: &mut Session| {
+        panels::show(ui, session, &Status::default());
+    };
+    let mut harness = Harness::builder().with_size([600.0, 400.0]).build_ui_state(show, session);
+    harness.run_steps(3);
+    harness
+}
+
 pub fn click(harness: &mut Harness<Session>, name: &str) {
     harness.get_by_label(name).click();
     harness.run_steps(3);
