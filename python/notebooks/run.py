@@ -1,12 +1,13 @@
 """Runs the notebooks of this folder, each in a kernel of its own, and fails with the first one that does.
 
-python run.py [NAME …]         runs all of them, or those named; nothing is written
-python run.py --save [NAME …]  keeps what they put out, pictures made small, so that the repository stays small and GitHub shows them
+python run.py [NAME …]         runs all of them, or those named, two at a time; nothing is written
+python run.py --save [NAME …]  one at a time, keeps what they put out but for measurements, pictures made small, so that the repository stays small and GitHub shows them
 """
 
 from __future__ import annotations
 
 import argparse
+import asyncio
 import base64
 import io
 import sys
@@ -21,6 +22,8 @@ from PIL import Image
 FOLDER = Path(__file__).parent
 #: Of pictures that are kept, pixels.
 WIDTH = 640
+#: Numbers of one machine say nothing about another.
+KEPT_WITHOUT_RESULTS = {"benchmark"}
 
 
 def small(picture: bytes) -> tuple[str, bytes]:
@@ -56,13 +59,14 @@ def kept(output: Any) -> Any:
     return output
 
 
-def run(path: Path, saves: bool) -> None:
+async def run(path: Path, saves: bool, turns: asyncio.Semaphore) -> None:
     notebook = nbformat.read(path, as_version=4)
-    start = time.perf_counter()
-    client = NotebookClient(notebook, timeout=300, kernel_name="python3", store_widget_state=False, resources={"metadata": {"path": str(FOLDER)}})
-    client.execute()
-    print(f"{path.stem}: {time.perf_counter() - start:.1f} s", flush=True)
-    if not saves:
+    async with turns:
+        start = time.perf_counter()
+        client = NotebookClient(notebook, timeout=300, kernel_name="python3", store_widget_state=False, resources={"metadata": {"path": str(FOLDER)}})
+        await client.async_execute()
+        print(f"{path.stem}: {time.perf_counter() - start:.1f} s", flush=True)
+    if not saves or path.stem in KEPT_WITHOUT_RESULTS:
         return
     for cell in notebook.cells:
         cell.metadata.pop("execution", None)
@@ -74,6 +78,11 @@ def run(path: Path, saves: bool) -> None:
     nbformat.write(notebook, path)
 
 
+async def run_all(paths: list[Path], saves: bool, at_a_time: int) -> None:
+    turns = asyncio.Semaphore(at_a_time)
+    await asyncio.gather(*(run(path, saves, turns) for path in paths))
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("names", nargs="*")
@@ -82,8 +91,8 @@ def main() -> None:
     paths = [FOLDER / f"{name.removesuffix('.ipynb')}.ipynb" for name in given.names] or sorted(FOLDER.glob("*.ipynb"))
     if not paths:
         sys.exit("there are no notebooks")
-    for path in paths:
-        run(path, given.save)
+    # What is measured while something else runs is wrong.
+    asyncio.run(run_all(paths, given.save, 1 if given.save else 2))
 
 
 if __name__ == "__main__":

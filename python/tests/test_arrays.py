@@ -18,6 +18,21 @@ def test_labels_come_back_exactly(random, dtype, shape):
         assert (grid.to_numpy("occupancy") == (labels != 0)).all()
 
 
+def test_bricks_of_one_material_come_back_exactly_and_change_alone():
+    labels = numpy.zeros((40, 30, 33), "uint16")
+    labels[3:35, 2:28, 1:30] = 4
+    labels[16:24, 8:20, 8:24] = 900
+    labels[17, 9, 9] = 0
+    grid = voxtrace.VoxelGrid.from_numpy(labels, origin=(-3, 4, 5))
+    assert (grid.to_numpy() == labels).all() and len(grid) == numpy.count_nonzero(labels)
+    editor = voxtrace.Editor(voxtrace.Scene(grid))
+    editor.set([[-3 + 20, 4 + 12, 5 + 12]], None)
+    changed = labels.copy()
+    changed[20, 12, 12] = 0
+    assert (editor.scene().grid(0).to_numpy("occupancy") == (changed[3:35, 2:28, 1:30] != 0)).all()
+    assert (grid.to_numpy() == labels).all()
+
+
 def test_arrays_are_read_where_they_lie(random):
     labels = random.integers(0, 1000, (20, 30, 40)).astype("uint16")
     for view in [labels.T, labels[::-1, ::2, 3:], numpy.asfortranarray(labels), labels[5:6]]:

@@ -157,3 +157,22 @@ def test_what_cannot_be_rendered_is_said(church, options, says):
 def test_devices_that_are_not_there_are_said(church):
     with pytest.raises(voxtrace.DeviceError, match="no such card"):
         voxtrace.Renderer(church, device="no such card")
+
+
+def test_open_image_denoise_of_the_extra_takes_noise_away(church):
+    pytest.importorskip("pyoidn")
+    options = {"size": (96, 54), "device": "cpu", "denoise": False}
+    noisy = voxtrace.render(church, samples=4, **options)
+    truth = voxtrace.render(church, samples=256, seed=1, **options).to_srgb().astype(float)
+    clean = noisy.denoise(church, "oidn")
+    error = lambda image: numpy.sqrt(numpy.mean((image.to_srgb() - truth) ** 2))
+    assert error(clean) < 0.7 * error(noisy)
+    assert (clean.sums == noisy.sums).all() and (clean.radiance != noisy.denoise(church).radiance).any()
+    with pytest.raises(ValueError, match="neither"):
+        noisy.denoise(church, "median")
+
+
+def test_without_open_image_denoise_one_is_told_how_to_get_it(church, monkeypatch, tmp_path):
+    monkeypatch.setenv("VOXTRACE_OIDN", str(tmp_path))
+    with pytest.raises(voxtrace.VoxtraceError, match=r"voxtrace\[denoise\]"):
+        voxtrace.render(church, samples=1, size=(8, 8), device="cpu").denoise(church, "oidn")

@@ -77,7 +77,15 @@ impl Oidn {
     /// # Errors
     /// [`OidnError::NotFound`], [`OidnError::Version`].
     pub fn open() -> Result<Self, OidnError> {
-        let places = places::places();
+        Self::open_of(&[])
+    }
+
+    /// As [`Self::open`], and looks first into `packages`, the `site-packages` of the Python that asks.
+    ///
+    /// # Errors
+    /// As [`Self::open`].
+    pub fn open_of(packages: &[PathBuf]) -> Result<Self, OidnError> {
+        let places = places::places(packages);
         let mut reasons = Vec::new();
         for path in &places {
             // SAFETY: loading runs the library's initializers; it is the one that the user named or installed.

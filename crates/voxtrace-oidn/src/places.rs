@@ -21,12 +21,13 @@ pub fn is_named() -> bool {
     std::env::var_os(VARIABLE).is_some_and(|value| !value.is_empty())
 }
 
-/// Files to try, in this order. A bare name stands for the places where the system looks for libraries.
-pub fn places() -> Vec<PathBuf> {
+/// Files to try, in this order, those in the `site-packages` of `packages` before others. A bare name stands for the places where the system looks for libraries.
+pub fn places(packages: &[PathBuf]) -> Vec<PathBuf> {
     if let Some(named) = std::env::var_os(VARIABLE).filter(|value| !value.is_empty()) {
         return below(Path::new(&named));
     }
-    let mut places: Vec<PathBuf> = NAMES.map(PathBuf::from).into();
+    let mut places: Vec<PathBuf> = packages.iter().flat_map(|folder| in_site_packages(folder)).collect();
+    places.extend(NAMES.map(PathBuf::from));
     let folder = |variable: &str| std::env::var_os(variable).map(PathBuf::from);
     let own = std::env::current_exe().ok().and_then(|path| Some(path.parent()?.to_owned()));
     places.extend(own.into_iter().flat_map(|folder| NAMES.map(|name| folder.join(name))));

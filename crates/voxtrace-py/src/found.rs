@@ -7,6 +7,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicBool, Ordering};
+use voxtrace::glam::Vec3;
 use voxtrace::{Hit, PackedScene, Ray, TraceError, Tracer};
 
 /// Rays that are cast at a time: enough for a device, 64 bytes each with their hits.
@@ -31,7 +32,7 @@ impl Found {
         tracer: &mut (dyn Tracer + Send),
         scene: &PackedScene,
         count: usize,
-        ray: &(dyn Fn(usize) -> Ray + Sync),
+        ray: &(impl Fn(usize) -> Ray + Sync),
         wanted: &AtomicBool,
     ) -> PyResult<Result<Self, TraceError>> {
         let mut found = Self {
@@ -43,41 +44,54 @@ impl Found {
             instance: vec![0; count],
             material: vec![0; count],
         };
-        let (mut rays, mut hits) = (Vec::new(), Vec::new());
+        let length = count.min(AT_A_TIME);
+        let (mut rays, mut hits) = (vec![Ray::new(Vec3::ZERO, Vec3::ZERO); length], vec![Hit::MISS; length]);
         for first in (0..count).step_by(AT_A_TIME) {
             if !wanted.load(Ordering::Relaxed) {
                 break;
             }
             let end = (first + AT_A_TIME).min(count);
-            (first..end).into_par_iter().with_min_len(CHUNK).map(ray).collect_into_vec(&mut rays);
-            let is_sound = |ray: &Ray| ray.origin.is_finite() && ray.direction.is_finite() && !ray.t_max.is_nan();
-            if !rays.par_iter().with_min_len(CHUNK).all(is_sound) {
+            let (rays, hits) = (&mut rays[..end - first], &mut hits[..end - first]);
+            let are_sound = rays.par_chunks_mut(CHUNK).enumerate().map(|(chunk, rays)| {
+                let mut are_sound = true;
+                for (index, place) in rays.iter_mut().enumerate() {
+                    *place = ray(first + chunk * CHUNK + index);
+                    are_sound &= place.origin.is_finite() & place.direction.is_finite() & !place.t_max.is_nan();
+                }
+                are_sound
+            });
+            if !are_sound.reduce(|| true, |a, b| a & b) {
                 return Err(argument("rays are finite"));
             }
-            hits.resize(rays.len(), Hit::MISS);
-            if let Err(error) = tracer.cast_into(&rays, &mut hits) {
+            if let Err(error) = tracer.cast_into(rays, hits) {
                 return Ok(Err(error));
             }
-            found.put(first..end, scene, &rays, &hits);
+            found.put(first..end, scene, rays, hits);
         }
         Ok(Ok(found))
     }
 
     fn put(&mut self, range: std::ops::Range<usize>, scene: &PackedScene, rays: &[Ray], hits: &[Hit]) {
-        let places = (self.hit[range.clone()].par_iter_mut(), self.t[range.clone()].par_iter_mut());
-        let vectors = (self.position[range.clone()].par_iter_mut(), self.normal[range.clone()].par_iter_mut());
-        let names = (self.instance[range.clone()].par_iter_mut(), self.material[range.clone()].par_iter_mut());
-        let voxels = self.voxel[range].par_iter_mut();
-        let all = (places.0, places.1, vectors.0, vectors.1, voxels, names.0, names.1, rays, hits).into_par_iter();
-        all.with_min_len(CHUNK).for_each(|(is_hit, t, position, normal, voxel, instance, material, ray, hit)| {
-            *instance = hit.instance;
-            if hit.is_miss() {
-                (*t, *material) = (f32::INFINITY, u32::MAX);
-                return;
+        let distances = (self.hit[range.clone()].par_chunks_mut(CHUNK), self.t[range.clone()].par_chunks_mut(CHUNK));
+        let vectors =
+            (self.position[range.clone()].par_chunks_mut(CHUNK), self.normal[range.clone()].par_chunks_mut(CHUNK));
+        let names =
+            (self.instance[range.clone()].par_chunks_mut(CHUNK), self.material[range.clone()].par_chunks_mut(CHUNK));
+        let voxels = self.voxel[range].par_chunks_mut(CHUNK);
+        let given = (rays.par_chunks(CHUNK), hits.par_chunks(CHUNK));
+        let all = (distances.0, distances.1, vectors.0, vectors.1, voxels, names.0, names.1, given.0, given.1);
+        all.into_par_iter().for_each(|(is_hit, t, position, normal, voxel, instance, material, rays, hits)| {
+            material.fill(u32::MAX);
+            scene.material_indices(hits, material);
+            for (index, (ray, hit)) in rays.iter().zip(hits).enumerate() {
+                instance[index] = hit.instance;
+                if hit.is_miss() {
+                    t[index] = f32::INFINITY;
+                    continue;
+                }
+                (is_hit[index], t[index], voxel[index]) = (true, hit.t, hit.voxel.to_array());
+                (position[index], normal[index]) = (ray.at(hit.t).to_array(), scene.normal(hit).to_array());
             }
-            (*is_hit, *t, *voxel) = (true, hit.t, hit.voxel.to_array());
-            (*position, *normal) = (ray.at(hit.t).to_array(), scene.normal(hit).to_array());
-            *material = scene.material_index(hit);
         });
     }
 

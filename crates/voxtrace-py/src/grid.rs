@@ -10,7 +10,7 @@ use numpy::{
 };
 use pyo3::prelude::*;
 use rayon::prelude::*;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 use voxtrace::brick::voxel_of;
 use voxtrace::glam::IVec3;
 use voxtrace::grid::{VoxelBox, brick_of};
@@ -20,6 +20,10 @@ use voxtrace::{Brick, Material, VoxelGrid};
 
 /// Voxels along an edge of a brick.
 const EDGE: i32 = 8;
+/// Voxels of a brick.
+const BRICK_VOXELS: usize = 512;
+/// Bricks that are made at a time: enough for many threads, 70 MB at most.
+const BRICKS_AT_A_TIME: i64 = 1 << 16;
 
 /// A sparse grid of voxels with materials. Voxel `(x, y, z)` is element `[x, y, z]` of an array; z points up.
 ///
@@ -181,18 +185,28 @@ impl PyVoxelGrid {
         values.resize(length, T::default());
         let plane = size[1] * size[2] * N;
         py.detach(|| {
-            let bricks = self.grid.sorted_bricks();
-            // Slabs of an array with x first: those that a row of bricks along x has share no element with those of another.
-            values.par_chunks_mut(plane.max(1)).enumerate().for_each(|(x, slab)| {
-                let x = extent.min.x + x as i32;
+            let mut bricks = self.grid.sorted_bricks();
+            bricks.par_sort_unstable_by_key(|(coordinates, _)| coordinates.x);
+            // Slabs of an array with x first: those that a layer of bricks along x has share no element with those of another.
+            let mut slabs = Vec::new();
+            let (mut left, mut x) = (&mut values[..], extent.min.x);
+            while !left.is_empty() {
                 let row = x.div_euclid(EDGE);
-                for (coordinates, brick) in bricks.iter().filter(|(coordinates, _)| coordinates.x == row) {
+                let end = ((row + 1) * EDGE).min(extent.max.x);
+                let (slab, rest) = left.split_at_mut((end - x) as usize * plane);
+                slabs.push((row, x, slab));
+                (left, x) = (rest, end);
+            }
+            slabs.into_par_iter().for_each(|(row, start, slab)| {
+                let first = bricks.partition_point(|(coordinates, _)| coordinates.x < row);
+                let in_row = bricks[first..].iter().take_while(|(coordinates, _)| coordinates.x == row);
+                for (coordinates, brick) in in_row {
                     for (local, material) in brick.voxels() {
                         let voxel = *coordinates * EDGE + local;
-                        if voxel.x == x && extent.contains(voxel) {
-                            let place = voxel - extent.min;
-                            let at = (place.y as usize * size[2] + place.z as usize) * N;
-                            slab[at..at + N].copy_from_slice(&value(material));
+                        if extent.contains(voxel) {
+                            let place = voxel - IVec3::new(start, extent.min.y, extent.min.z);
+                            let at = (place.x as usize * size[1] + place.y as usize) * size[2] + place.z as usize;
+                            slab[at * N..(at + 1) * N].copy_from_slice(&value(material));
                         }
                     }
                 }
@@ -340,20 +354,21 @@ fn of_colors(view: &ArrayViewD<u8>, extent: VoxelBox) -> PyResult<(VoxelGrid, Ve
     Ok((grid, colors.iter().map(material).collect()))
 }
 
-/// A grid whose voxels have the materials that `at` says, by their places in the extent.
+/// A grid whose voxels have the materials that `at` says, by their places in the extent. Bricks of one material share it; some bricks at a time, so that they are
+/// in memory once.
 fn build(extent: VoxelBox, at: impl Fn([usize; 3]) -> Option<u16> + Sync) -> VoxelGrid {
     if extent.size().min_element() <= 0 {
         return VoxelGrid::new();
     }
     let (low, high) = (brick_of(extent.min), brick_of(extent.max - 1));
     let count = high - low + 1;
-    let brick = |index: usize| {
-        let index = index as i64;
-        let (width, depth) = (i64::from(count.x), i64::from(count.y));
+    let uniform: Vec<OnceLock<Arc<[u16]>>> = (0..MAX_MATERIALS).map(|_| OnceLock::new()).collect();
+    let (width, depth, height) = (i64::from(count.x), i64::from(count.y), i64::from(count.z));
+    let brick = |index: i64| {
         let place = IVec3::new((index % width) as i32, (index / width % depth) as i32, (index / width / depth) as i32);
         let coordinates = low + place;
         let mut occupancy = [0u64; 8];
-        let mut materials = Vec::new();
+        let (mut materials, mut length) = ([0; BRICK_VOXELS], 0);
         for (block, mask) in occupancy.iter_mut().enumerate() {
             for bit in 0..64 {
                 let voxel = coordinates * EDGE + voxel_of(block, bit);
@@ -363,14 +378,27 @@ fn build(extent: VoxelBox, at: impl Fn([usize; 3]) -> Option<u16> + Sync) -> Vox
                 let place = (voxel - extent.min).to_array().map(|part| part as usize);
                 if let Some(material) = at(place) {
                     *mask |= 1 << bit;
-                    materials.push(material);
+                    materials[length] = material;
+                    length += 1;
                 }
             }
         }
-        materials.shrink_to_fit();
-        (!materials.is_empty()).then(|| (coordinates, Brick::new(occupancy, materials)))
+        let materials = &materials[..length];
+        let &first = materials.first()?;
+        let of_one = materials.iter().all(|&material| material == first);
+        let made = match uniform.get(usize::from(first)).filter(|_| of_one) {
+            Some(shared) => {
+                let shared = shared.get_or_init(|| Arc::from([first; BRICK_VOXELS]));
+                Brick::sharing(occupancy, shared.clone())
+            }
+            None => Brick::new(occupancy, materials.to_vec()),
+        };
+        Some((coordinates, made))
     };
-    let total = count.as_i64vec3().element_product() as usize;
-    let bricks: Vec<_> = (0..total).into_par_iter().filter_map(brick).collect();
-    VoxelGrid::from_bricks(bricks)
+    let total = width * depth * height;
+    let some = |part: i64| {
+        let end = total.min((part + 1) * BRICKS_AT_A_TIME);
+        (part * BRICKS_AT_A_TIME..end).into_par_iter().filter_map(brick).collect::<Vec<_>>()
+    };
+    VoxelGrid::from_bricks((0..(total + BRICKS_AT_A_TIME - 1) / BRICKS_AT_A_TIME).flat_map(some))
 }

@@ -1,16 +1,18 @@
 //! `Image`: a rendered picture as arrays and files.
 
-use crate::errors::{argument, of_film, of_writing};
+use crate::errors::{argument, of_film, of_writing, other};
 use crate::scene::PyScene;
 use numpy::ndarray::Array;
 use numpy::{IntoPyArray, PyArray2, PyArray3};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 use std::path::PathBuf;
+use voxtrace::denoise::Features;
 use voxtrace::film::{AovPixel, Pixel};
 use voxtrace::glam::Vec3;
-use voxtrace::output::{FilmFile, Operator, SceneStamp, ToneMap};
+use voxtrace::output::{Denoised, FilmFile, Operator, SceneStamp, ToneMap};
 use voxtrace::{Film, Picture, RenderError};
+use voxtrace_oidn::{Oidn, OidnError};
 
 /// A rendered picture. In a notebook it shows itself.
 #[pyclass(name = "Image", module = "voxtrace", frozen)]
@@ -193,16 +195,35 @@ impl PyImage {
         Ok(py.detach(|| Self::new(Picture::of_film(first), device)))
     }
 
-    /// The same picture without its noise; `scene` is that which was rendered.
+    /// The same picture without its noise; `scene` is that which was rendered. `filter`: `"voxtrace"`, as `render` does it, or `"oidn"`, Intel's Open Image Denoise,
+    /// which `pip install voxtrace[denoise]` brings; its last bits may differ from machine to machine.
     ///
-    /// Raises `ValueError` where it is another.
-    fn denoise(&self, py: Python<'_>, scene: &mut PyScene) -> PyResult<Self> {
+    /// Raises `ValueError` where the scene is another, and `VoxtraceError` where Open Image Denoise is not installed or fails.
+    #[pyo3(signature = (scene, filter="voxtrace"))]
+    fn denoise(&self, py: Python<'_>, scene: &mut PyScene, filter: &str) -> PyResult<Self> {
+        if !["voxtrace", "oidn"].contains(&filter) {
+            return Err(argument(format!("{filter:?} is neither \"voxtrace\" nor \"oidn\"")));
+        }
         let packed = scene.packed(py, false)?;
         let file = self.picture.film_file().clone();
         if SceneStamp::of(&packed).content_hash != file.scene.content_hash {
             return Err(argument("the picture is of another scene"));
         }
-        let picture = py.detach(|| Picture::of_film(file).without_noise(&packed));
+        if filter == "voxtrace" {
+            let picture = py.detach(|| Picture::of_film(file).without_noise(&packed));
+            return Ok(Self::new(picture, self.device.clone()));
+        }
+        let oidn = open_oidn(py)?;
+        let made = py.detach(|| {
+            let features = Features::of(&packed, &file.frame, &file.film).pixels;
+            let color: Vec<Vec3> = file.film.pixels.iter().map(Pixel::mean).collect();
+            let albedo: Vec<Vec3> = features.iter().map(|pixel| pixel.albedo).collect();
+            let normal: Vec<Vec3> = features.iter().map(|pixel| pixel.normal).collect();
+            let (height, width) = self.size();
+            let radiance = oidn.denoise(width, height, &color, &albedo, &normal)?;
+            Ok(Picture::of_film(file).denoised_as(Denoised { radiance, filter: "oidn" }))
+        });
+        let picture = made.map_err(|error: OidnError| other(py, error))?;
         Ok(Self::new(picture, self.device.clone()))
     }
 
@@ -214,6 +235,20 @@ impl PyImage {
         let (height, width) = self.size();
         format!("<Image: {width} × {height}, {} samples>", self.film().sample_range().1)
     }
+}
+
+/// Open Image Denoise, of the package `pyoidn` where this Python has it.
+fn open_oidn(py: Python<'_>) -> PyResult<Oidn> {
+    let spec = py.import("importlib.util")?.call_method1("find_spec", ("pyoidn",))?;
+    let mut packages = Vec::new();
+    if !spec.is_none() {
+        let folders: Vec<PathBuf> = spec.getattr("submodule_search_locations")?.extract()?;
+        packages.extend(folders.iter().filter_map(|folder| folder.parent()).map(PathBuf::from));
+    }
+    Oidn::open_of(&packages).map_err(|error| match error {
+        OidnError::NotFound(_) => other(py, format!("{error}; pip install voxtrace[denoise] brings it")),
+        _ => other(py, error),
+    })
 }
 
 /// A tone map by its name.

@@ -171,10 +171,14 @@ impl PyRenderer {
         if !is_sound || t_max.as_ref().is_some_and(|t_max| t_max.len() != count && t_max.len() != 1) {
             return Err(argument("origins and directions have shape (N, 3), t_max has length N or 1"));
         }
+        // Row by row, copied where they lie otherwise.
+        let (origins, directions) = (origins.as_standard_layout(), directions.as_standard_layout());
+        let (Some(origins), Some(directions)) = (origins.as_slice(), directions.as_slice()) else {
+            return Err(argument("arrays are of rows"));
+        };
+        let rows = (origins.as_chunks::<3>().0, directions.as_chunks::<3>().0);
         let ray = |index: usize| {
-            let vector =
-                |of: &numpy::ndarray::ArrayView2<f32>| Vec3::new(of[[index, 0]], of[[index, 1]], of[[index, 2]]);
-            let mut ray = Ray::new(vector(&origins), vector(&directions));
+            let mut ray = Ray::new(Vec3::from_array(rows.0[index]), Vec3::from_array(rows.1[index]));
             if let Some(t_max) = &t_max {
                 ray.t_max = t_max[if t_max.len() == 1 { 0 } else { index }];
             }

@@ -2,6 +2,7 @@
 //! occupied voxel, in rank order. Empty voxels cost one bit, occupied ones a bit and a material.
 
 use glam::IVec3;
+use std::sync::Arc;
 
 /// Voxels along one edge of a brick.
 pub const BRICK_SIZE: i32 = 8;
@@ -29,11 +30,33 @@ pub fn voxel_of(block: usize, bit: u32) -> IVec3 {
 
 /// 8×8×8 voxels, editable. The rank of a voxel is the number of occupied voxels before it, block by block and
 /// within a block bit by bit; `materials[rank]` is its material.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug)]
 pub struct Brick {
     occupancy: [u64; 8],
-    materials: Vec<u16>,
+    materials: Materials,
 }
+
+/// Materials in rank order.
+#[derive(Clone, Debug)]
+enum Materials {
+    Own(Vec<u16>),
+    /// The first of those that several bricks share, as many as there are voxels.
+    Shared(Arc<[u16]>),
+}
+
+impl Default for Brick {
+    fn default() -> Self {
+        Self { occupancy: [0; 8], materials: Materials::Own(Vec::new()) }
+    }
+}
+
+impl PartialEq for Brick {
+    fn eq(&self, other: &Self) -> bool {
+        self.occupancy == other.occupancy && self.materials() == other.materials()
+    }
+}
+
+impl Eq for Brick {}
 
 impl Brick {
     /// A brick from its occupancy and the materials of the occupied voxels in rank order.
@@ -41,8 +64,21 @@ impl Brick {
     /// # Panics
     /// If the number of materials is not the number of occupied voxels.
     pub fn new(occupancy: [u64; 8], materials: Vec<u16>) -> Self {
-        let brick = Self { occupancy, materials };
-        assert_eq!(brick.count(), brick.materials.len(), "one material for each occupied voxel");
+        let count = materials.len();
+        let brick = Self { occupancy, materials: Materials::Own(materials) };
+        assert_eq!(brick.count(), count, "one material for each occupied voxel");
+        brick
+    }
+
+    /// A brick from its occupancy and materials in rank order that it shares with other bricks until it is changed; those beyond its last voxel do not count. Large
+    /// grids have many bricks of one material.
+    ///
+    /// # Panics
+    /// If there are fewer materials than occupied voxels.
+    pub fn sharing(occupancy: [u64; 8], materials: Arc<[u16]>) -> Self {
+        let length = materials.len();
+        let brick = Self { occupancy, materials: Materials::Shared(materials) };
+        assert!(brick.count() <= length, "a material for each occupied voxel");
         brick
     }
 
@@ -53,7 +89,21 @@ impl Brick {
 
     /// Materials of the occupied voxels in rank order.
     pub fn materials(&self) -> &[u16] {
-        &self.materials
+        match &self.materials {
+            Materials::Own(materials) => materials,
+            Materials::Shared(materials) => &materials[..self.count()],
+        }
+    }
+
+    /// Materials of its own, to be changed.
+    fn own_materials(&mut self) -> &mut Vec<u16> {
+        if let Materials::Shared(materials) = &self.materials {
+            self.materials = Materials::Own(materials[..self.count()].to_vec());
+        }
+        match &mut self.materials {
+            Materials::Own(materials) => materials,
+            Materials::Shared(_) => unreachable!("they are its own now"),
+        }
     }
 
     /// Number of occupied voxels.
@@ -63,7 +113,7 @@ impl Brick {
 
     /// Whether no voxel is occupied.
     pub fn is_empty(&self) -> bool {
-        self.materials.is_empty()
+        self.occupancy == [0; 8]
     }
 
     /// Number of occupied voxels before `local`.
@@ -77,7 +127,11 @@ impl Brick {
     /// The material of the voxel `local`, `None` where it is empty.
     pub fn get(&self, local: IVec3) -> Option<u16> {
         let occupied = self.occupancy[block_index(local)] >> block_bit(local) & 1 != 0;
-        occupied.then(|| self.materials[self.rank(local)])
+        let rank = || self.rank(local);
+        occupied.then(|| match &self.materials {
+            Materials::Own(materials) => materials[rank()],
+            Materials::Shared(materials) => materials[rank()],
+        })
     }
 
     /// Occupies the voxel `local` with `material`, or empties it with `None`. Returns what was there.
@@ -86,14 +140,15 @@ impl Brick {
         let rank = self.rank(local);
         let was_occupied = self.occupancy[block] & bit != 0;
         match (was_occupied, material) {
-            (true, Some(material)) => Some(std::mem::replace(&mut self.materials[rank], material)),
+            (true, Some(material)) => Some(std::mem::replace(&mut self.own_materials()[rank], material)),
             (true, None) => {
+                let was = self.own_materials().remove(rank);
                 self.occupancy[block] &= !bit;
-                Some(self.materials.remove(rank))
+                Some(was)
             }
             (false, Some(material)) => {
+                self.own_materials().insert(rank, material);
                 self.occupancy[block] |= bit;
-                self.materials.insert(rank, material);
                 None
             }
             (false, None) => None,
@@ -137,11 +192,11 @@ impl Brick {
 
     /// The occupied voxels in rank order: coordinates in 0..8 and material.
     pub fn voxels(&self) -> impl Iterator<Item = (IVec3, u16)> + '_ {
-        let mut rank = 0;
+        let (mut rank, materials) = (0, self.materials());
         (0..8).flat_map(move |block| bits(self.occupancy[block]).map(move |bit| voxel_of(block, bit))).map(
             move |local| {
                 rank += 1;
-                (local, self.materials[rank - 1])
+                (local, materials[rank - 1])
             },
         )
     }
@@ -154,4 +209,30 @@ pub fn bits(mut mask: u64) -> impl Iterator<Item = u32> {
         mask &= mask.wrapping_sub(1);
         (bit < 64).then_some(bit)
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn bricks_that_share_materials_are_like_others_and_change_alone() {
+        let shared: Arc<[u16]> = Arc::from([7; 512]);
+        let occupancy = [u64::MAX, 0x0f, 0, 0, 0, 0, 0, 1 << 63];
+        let own = Brick::new(occupancy, vec![7; 64 + 4 + 1]);
+        let first = Brick::sharing(occupancy, shared.clone());
+        assert_eq!(first, own);
+        assert_eq!(first.materials(), own.materials());
+        assert!(first.voxels().eq(own.voxels()));
+        let mut changed = [first.clone(), own.clone()];
+        for brick in &mut changed {
+            assert_eq!(brick.set(IVec3::new(4, 0, 0), None), Some(7));
+            assert_eq!(brick.set(IVec3::new(0, 0, 0), Some(3)), Some(7));
+            assert_eq!(brick.set(IVec3::new(0, 7, 7), Some(4)), None);
+        }
+        assert_eq!(changed[0], changed[1]);
+        assert_eq!((first.get(IVec3::ZERO), changed[0].get(IVec3::ZERO)), (Some(7), Some(3)));
+        assert_ne!(first, changed[0]);
+        assert_eq!(Brick::sharing(occupancy, shared), own, "what it shared is as it was");
+    }
 }

@@ -308,7 +308,13 @@ impl Picture {
     pub fn without_noise(self, scene: &PackedScene) -> Self {
         let features = Features::of(scene, &self.file.frame, &self.file.film);
         let radiance = denoise(&self.file.film, &features);
-        Self { denoised: Some(Denoised { radiance, filter: "voxtrace" }), ..self }
+        self.denoised_as(Denoised { radiance, filter: "voxtrace" })
+    }
+
+    /// The same picture as another filter made it: `denoised` has the radiance of each of its pixels.
+    #[must_use]
+    pub fn denoised_as(self, denoised: Denoised) -> Self {
+        Self { denoised: Some(denoised), ..self }
     }
 
     /// The film with the frame and the scene that it is of.

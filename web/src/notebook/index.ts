@@ -32,6 +32,8 @@ class WidgetView {
   ) {
     this.#kernel = new Kernel(model);
     place.classList.add("voxtrace");
+    // Else JupyterLab takes keys of sliders and of the picture for its cells; it asks the element that has the focus alone.
+    place.addEventListener("focusin", ({ target }) => (target as HTMLElement).setAttribute("data-lm-suppress-shortcuts", "true"));
     this.#stage.className = "voxtrace-stage";
     this.#stage.style.height = `${model.get("height")}px`;
     const line = document.createElement("div");

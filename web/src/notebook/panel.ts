@@ -119,8 +119,10 @@ export class Panel {
       const { values } = this.model.get("_about");
       if (!values) return;
       Object.assign(slider, { min: String(values.low), max: String(values.high), step: String((values.high - values.low) / 500) });
-      slider.value = String(this.model.get("threshold") ?? values.threshold);
-      shown.textContent = short(slider.valueAsNumber);
+      const threshold = this.model.get("threshold") ?? values.threshold;
+      slider.value = String(threshold);
+      // The slider has steps, the threshold none.
+      shown.textContent = short(threshold);
       if (over.childElementCount === 0) over.append(histogram(values.counts), slider);
     });
     slider.addEventListener("input", () => (shown.textContent = short(slider.valueAsNumber)));

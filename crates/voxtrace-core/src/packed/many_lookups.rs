@@ -32,6 +32,21 @@ struct Place {
 }
 
 impl PackedScene {
+    /// Writes the indices of the materials of `hits`, as [`Self::material_index`] gives them, and leaves alone those of misses.
+    ///
+    /// # Panics
+    /// If a hit is not one of this scene, or there are fewer indices than hits.
+    pub fn material_indices(&self, hits: &[Hit], indices: &mut [u32]) {
+        let mut packed = [Hit::MISS; AT_A_TIME];
+        for (hits, indices) in hits.chunks(AT_A_TIME).zip(indices.chunks_mut(AT_A_TIME)) {
+            let packed = &mut packed[..hits.len()];
+            for (packed, hit) in packed.iter_mut().zip(hits) {
+                *packed = self.hit_of_packed(hit);
+            }
+            self.packed_material_indices(packed, |index| !hits[index].is_miss(), indices);
+        }
+    }
+
     /// Writes the indices of the materials of hits as tracers find them, for those that `wants` asks for; they must be no misses.
     pub(crate) fn packed_material_indices(&self, hits: &[Hit], wants: impl Fn(usize) -> bool, indices: &mut [u32]) {
         let (geometry, instances, grids) = (&*self.geometry, &*self.placement.instances, &*self.geometry.grids);
