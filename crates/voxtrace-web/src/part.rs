@@ -12,8 +12,8 @@ const CAMERA_NUMBERS: usize = 10;
 #[wasm_bindgen]
 #[derive(Clone, Debug)]
 pub struct Part {
-    camera: Vec<f32>,
-    clip: Vec<f32>,
+    pub(crate) camera: Vec<f32>,
+    pub(crate) clip: Vec<f32>,
     /// Number of the scene's camera whose lens it has; a pinhole where there is none.
     pub lens_of: usize,
     /// Width of the whole picture, pixels.
@@ -58,12 +58,6 @@ impl Part {
 }
 
 impl Part {
-    /// The box within which something is shown, or no numbers.
-    #[cfg(feature = "tracer")]
-    pub(crate) fn clip(&self) -> &[f32] {
-        &self.clip
-    }
-
     /// The frame of a scene that it is.
     ///
     /// # Errors

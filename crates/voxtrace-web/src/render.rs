@@ -21,7 +21,7 @@ const RAY_NUMBERS: usize = 8;
 pub fn render_part(scene: &WebScene, part: &Part, words: &[u8]) -> Result<Vec<u8>, JsError> {
     let frame = part.frame(scene.packed())?;
     let film = film_from_words(&frame, words).ok_or_else(|| JsError::new("the film's words are of other rows"))?;
-    let mut tracer = tracer_of(&scene.clipped(part.clip())?)?;
+    let mut tracer = tracer_of(&scene.clipped(&part.clip)?)?;
     tracer.resume(&frame, film).map_err(error_of)?;
     tracer.render(&frame, &Progress::default()).map_err(error_of)?;
     let mut film = Film::new(frame.width, frame.height, frame.region, 0);
@@ -69,7 +69,7 @@ impl WebScene {
         let ray = frame.camera.frame(frame.width, frame.height).central_ray(Vec2::new(x, y));
         let mut hits = [Hit::MISS];
         // The face of a cut has its normal in the scene that is cut alone.
-        let scene = self.clipped(part.clip())?;
+        let scene = self.clipped(&part.clip)?;
         tracer_of(&scene)?.cast_into(&[ray], &mut hits).map_err(error_of)?;
         let [hit] = hits;
         if hit.is_miss() {
