@@ -1,10 +1,11 @@
-// The package in `dist/` of the module in `wasm/`, which `cargo xtask web` builds: the element, its worker, the module made smaller, and types.
+// The package in `dist/` of the module in `wasm/`, which `cargo xtask web` builds: the element, its workers, the modules made smaller, the shaders, and types.
 import { execFileSync } from "node:child_process";
 import { copyFileSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { brotliCompressSync, constants } from "node:zlib";
 import { build } from "esbuild";
 
-const MODULES = ["voxtrace", "stream", "scenes", "readers"];
+const MODULES = ["voxtrace", "gpu", "stream", "scenes", "readers"];
+const SHADERS = "shaders.wgsl";
 const here = (path) => new URL(path, import.meta.url).pathname;
 process.chdir(here("."));
 rmSync("dist", { recursive: true, force: true });
@@ -12,7 +13,7 @@ mkdirSync("dist");
 
 const shared = { bundle: true, format: "esm", target: "es2022", minify: true, outdir: "dist", logLevel: "warning" };
 await build({ ...shared, entryPoints: { voxtrace: "src/index.ts" } });
-await build({ ...shared, entryPoints: { "voxtrace-worker": "src/worker.ts", "stream-worker": "src/streamer.ts", "scenes-worker": "src/maker.ts" } });
+await build({ ...shared, entryPoints: { "voxtrace-worker": "src/worker.ts", "gpu-worker": "src/gpu-worker.ts", "stream-worker": "src/streamer.ts", "scenes-worker": "src/maker.ts" } });
 const readers = { name: "readers", setup: (build) => build.onResolve({ filter: /wasm\/scenes\.js$/ }, () => ({ path: here("wasm/readers.js") })) };
 await build({ ...shared, entryPoints: { "readers-worker": "src/maker.ts" }, plugins: [readers] });
 execFileSync("node", ["node_modules/typescript/bin/tsc", "--emitDeclarationOnly", "--declaration"], { stdio: "inherit" });
@@ -21,6 +22,7 @@ for (const module of MODULES) {
   const given = [`wasm/${module}_bg.wasm`, "-o", `dist/${module}.wasm`];
   execFileSync("node", ["node_modules/binaryen/bin/wasm-opt", ...features, "-Os", "--strip-debug", "--strip-producers", "--strip-target-features", ...given], { stdio: "inherit" });
 }
+copyFileSync(`wasm/${SHADERS}`, `dist/${SHADERS}`);
 for (const name of ["LICENSE-MIT", "LICENSE-APACHE"]) copyFileSync(`../${name}`, name);
 
 // What notebooks show scenes with: packed into the Python package, whose kernel sends it to the page.
@@ -33,7 +35,7 @@ for (const file of ["voxtrace-worker.js", "voxtrace.wasm"]) copyFileSync(`dist/$
 // What servers send.
 const quality = { params: { [constants.BROTLI_PARAM_QUALITY]: 11, [constants.BROTLI_PARAM_LGWIN]: 22 } };
 const sizes = {};
-for (const file of ["voxtrace.js", ...MODULES.flatMap((module) => [`${module}-worker.js`, `${module}.wasm`])]) {
+for (const file of ["voxtrace.js", SHADERS, ...MODULES.flatMap((module) => [`${module}-worker.js`, `${module}.wasm`])]) {
   const bytes = readFileSync(`dist/${file}`);
   sizes[file] = { bytes: bytes.length, brotli: brotliCompressSync(bytes, quality).length };
   console.log(`${file}: ${sizes[file].bytes} bytes, ${sizes[file].brotli} by Brotli`);

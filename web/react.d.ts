@@ -20,6 +20,7 @@ interface ViewerAttributes extends HTMLAttributes<VoxtraceViewer> {
   "max-bounces"?: number;
   "max-pixels"?: number;
   "max-memory"?: number;
+  tracer?: "auto" | "gpu" | "cpu";
   threads?: number;
   "no-drop"?: boolean;
   onload?: (event: CustomEvent) => void;

@@ -1,3 +1,4 @@
+var<private> infinity_bits_0 : u32 = 2139095040u;
 struct RealTimeParams_std140_0
 {
     @align(16) eye_0 : vec3<f32>,
@@ -84,28 +85,7 @@ struct FrameParams_std140_0
 
 @binding(28) @group(0) var<storage, read_write> cell_rows_0 : array<vec4<u32>>;
 
-struct Transform_std430_0
-{
-    @align(4) x_axis_0 : array<f32, i32(3)>,
-    @align(4) y_axis_0 : array<f32, i32(3)>,
-    @align(4) z_axis_0 : array<f32, i32(3)>,
-    @align(4) translation_0 : array<f32, i32(3)>,
-};
-
-struct PackedInstance_std430_0
-{
-    @align(4) grid_from_world_0 : Transform_std430_0,
-    @align(4) world_from_grid_0 : Transform_std430_0,
-    @align(4) grid_0 : u32,
-    @align(4) scene_instance_0 : u32,
-    @align(4) light_leaf_0 : u32,
-};
-
-@binding(4) @group(0) var<storage, read> instances_0 : array<PackedInstance_std430_0>;
-
-@binding(17) @group(0) var<storage, read> top_light_node_rows_0 : array<vec4<u32>>;
-
-@binding(6) @group(0) var<storage, read> material_rows_0 : array<vec4<u32>>;
+@binding(3) @group(0) var<storage, read> records_0 : array<vec4<u32>>;
 
 struct EnvironmentTexel_std430_0
 {
@@ -117,41 +97,11 @@ struct EnvironmentTexel_std430_0
 
 @binding(19) @group(0) var<storage, read> environment_0 : array<EnvironmentTexel_std430_0>;
 
-struct PackedGrid_std430_0
-{
-    @align(4) origin_0 : array<i32, i32(3)>,
-    @align(4) top_shift_0 : u32,
-    @align(4) top_size_0 : array<i32, i32(3)>,
-    @align(4) top_offset_0 : u32,
-    @align(4) min_0 : array<i32, i32(3)>,
-    @align(4) voxels_0 : array<u32, i32(2)>,
-    @align(4) max_0 : array<i32, i32(3)>,
-    @align(4) material_bits_0 : u32,
-};
-
-@binding(3) @group(0) var<storage, read> grids_0 : array<PackedGrid_std430_0>;
-
-@binding(21) @group(0) var<storage, read_write> pages_0 : array<u32>;
-
 @binding(0) @group(0) var<storage, read> cells_1 : array<u32>;
 
 @binding(1) @group(0) var<storage, read> bricks_0 : array<u32>;
 
 @binding(2) @group(0) var<storage, read> brick_materials_0 : array<u32>;
-
-@binding(8) @group(0) var<storage, read> light_node_rows_0 : array<vec4<u32>>;
-
-@binding(7) @group(0) var<storage, read> emitter_rows_0 : array<vec4<u32>>;
-
-struct InstanceNode_std430_0
-{
-    @align(4) min_1 : array<f32, i32(3)>,
-    @align(4) index_0 : u32,
-    @align(4) max_1 : array<f32, i32(3)>,
-    @align(4) is_leaf_0 : u32,
-};
-
-@binding(5) @group(0) var<storage, read> instance_nodes_0 : array<InstanceNode_std430_0>;
 
 @binding(26) @group(0) var<storage, read_write> scratch_0 : array<vec2<u32>>;
 
@@ -168,7 +118,7 @@ struct Inside_0
 
 struct NextRays_0
 {
-     origin_1 : vec3<f32>,
+     origin_0 : vec3<f32>,
      path_origin_0 : vec3<f32>,
      shadow_inside_0 : Inside_0,
      relocates_0 : bool,
@@ -213,7 +163,7 @@ struct Path_0
 
 struct Ray_0
 {
-     origin_2 : vec3<f32>,
+     origin_1 : vec3<f32>,
      t_min_0 : f32,
      direction_1 : vec3<f32>,
      t_max_0 : f32,
@@ -241,10 +191,10 @@ fn in_air_0() -> Inside_0
     return Inside_x24init_0(u32(4294967295), vec3<i32>(i32(0)), u32(0));
 }
 
-fn NextRays_x24init_0( origin_3 : vec3<f32>,  path_origin_1 : vec3<f32>,  shadow_inside_1 : Inside_0,  relocates_1 : bool,  path_relocates_1 : bool,  direction_2 : vec3<f32>,  has_shadow_ray_1 : bool,  shadow_direction_1 : vec3<f32>,  shadow_t_max_1 : f32,  light_1 : vec3<f32>,  is_same_1 : bool) -> NextRays_0
+fn NextRays_x24init_0( origin_2 : vec3<f32>,  path_origin_1 : vec3<f32>,  shadow_inside_1 : Inside_0,  relocates_1 : bool,  path_relocates_1 : bool,  direction_2 : vec3<f32>,  has_shadow_ray_1 : bool,  shadow_direction_1 : vec3<f32>,  shadow_t_max_1 : f32,  light_1 : vec3<f32>,  is_same_1 : bool) -> NextRays_0
 {
     var _S2 : NextRays_0;
-    _S2.origin_1 = origin_3;
+    _S2.origin_0 = origin_2;
     _S2.path_origin_0 = path_origin_1;
     _S2.shadow_inside_0 = shadow_inside_1;
     _S2.relocates_0 = relocates_1;
@@ -272,7 +222,7 @@ struct Receiver_0
 
 struct Surface_0
 {
-     origin_4 : vec3<f32>,
+     origin_3 : vec3<f32>,
      normal_2 : vec3<f32>,
      face_1 : u32,
      instance_3 : u32,
@@ -335,7 +285,7 @@ fn Receiver_x24init_0( point_1 : vec3<f32>,  normal_3 : vec3<f32>) -> Receiver_0
 
 fn Path_receiver_0( this_1 : Path_0,  ray_0 : Ray_0) -> Receiver_0
 {
-    return Receiver_x24init_0(ray_0.origin_2, this_1.normal_0);
+    return Receiver_x24init_0(ray_0.origin_1, this_1.normal_0);
 }
 
 fn Inside_is_in_0( this_2 : Inside_0) -> bool
@@ -394,36 +344,46 @@ struct PackedMaterial_0
      scattering_0 : f32,
 };
 
-fn material_of_index_0( index_1 : u32) -> PackedMaterial_0
+fn first_row_0( array_0 : u32) -> u32
 {
-    var _S8 : u32 = u32(4) * index_1;
-    var a_0 : vec4<u32> = material_rows_0[_S8];
-    var b_0 : vec4<u32> = material_rows_0[_S8 + u32(1)];
-    var c_0 : vec4<u32> = material_rows_0[_S8 + u32(2)];
-    var d_0 : vec4<u32> = material_rows_0[_S8 + u32(3)];
+    return records_0[(array_0 >> (u32(2)))][(array_0 & (u32(3)))];
+}
+
+fn Rows_operatorx5Bx5D_get_0( row_0 : u32) -> vec4<u32>
+{
+    return records_0[first_row_0(u32(3)) + row_0];
+}
+
+fn material_of_index_0( index_0 : u32) -> PackedMaterial_0
+{
+    var _S8 : u32 = u32(4) * index_0;
+    var _S9 : vec4<u32> = Rows_operatorx5Bx5D_get_0(_S8);
+    var _S10 : vec4<u32> = Rows_operatorx5Bx5D_get_0(_S8 + u32(1));
+    var _S11 : vec4<u32> = Rows_operatorx5Bx5D_get_0(_S8 + u32(2));
+    var _S12 : vec4<u32> = Rows_operatorx5Bx5D_get_0(_S8 + u32(3));
     var material_2 : PackedMaterial_0;
-    var _S9 : f32 = (bitcast<f32>((a_0.y)));
-    var _S10 : f32 = (bitcast<f32>((a_0.z)));
-    material_2.base_color_0[i32(0)] = (bitcast<f32>((a_0.x)));
-    material_2.base_color_0[i32(1)] = _S9;
-    material_2.base_color_0[i32(2)] = _S10;
-    var _S11 : f32 = (bitcast<f32>((b_0.y)));
-    var _S12 : f32 = (bitcast<f32>((b_0.z)));
-    material_2.emission_0[i32(0)] = (bitcast<f32>((b_0.x)));
-    material_2.emission_0[i32(1)] = _S11;
-    material_2.emission_0[i32(2)] = _S12;
-    var _S13 : f32 = (bitcast<f32>((d_0.y)));
-    var _S14 : f32 = (bitcast<f32>((d_0.z)));
-    material_2.absorption_0[i32(0)] = (bitcast<f32>((d_0.x)));
-    material_2.absorption_0[i32(1)] = _S13;
-    material_2.absorption_0[i32(2)] = _S14;
-    material_2.roughness_0 = (bitcast<f32>((a_0.w)));
-    material_2.metallic_0 = (bitcast<f32>((b_0.w)));
-    material_2.transmission_0 = (bitcast<f32>((c_0.x)));
-    material_2.ior_0 = (bitcast<f32>((c_0.y)));
-    material_2.specular_1 = (bitcast<f32>((c_0.z)));
-    material_2.anisotropy_0 = (bitcast<f32>((c_0.w)));
-    material_2.scattering_0 = (bitcast<f32>((d_0.w)));
+    var _S13 : f32 = (bitcast<f32>((_S9.y)));
+    var _S14 : f32 = (bitcast<f32>((_S9.z)));
+    material_2.base_color_0[i32(0)] = (bitcast<f32>((_S9.x)));
+    material_2.base_color_0[i32(1)] = _S13;
+    material_2.base_color_0[i32(2)] = _S14;
+    var _S15 : f32 = (bitcast<f32>((_S10.y)));
+    var _S16 : f32 = (bitcast<f32>((_S10.z)));
+    material_2.emission_0[i32(0)] = (bitcast<f32>((_S10.x)));
+    material_2.emission_0[i32(1)] = _S15;
+    material_2.emission_0[i32(2)] = _S16;
+    var _S17 : f32 = (bitcast<f32>((_S12.y)));
+    var _S18 : f32 = (bitcast<f32>((_S12.z)));
+    material_2.absorption_0[i32(0)] = (bitcast<f32>((_S12.x)));
+    material_2.absorption_0[i32(1)] = _S17;
+    material_2.absorption_0[i32(2)] = _S18;
+    material_2.roughness_0 = (bitcast<f32>((_S9.w)));
+    material_2.metallic_0 = (bitcast<f32>((_S10.w)));
+    material_2.transmission_0 = (bitcast<f32>((_S11.x)));
+    material_2.ior_0 = (bitcast<f32>((_S11.y)));
+    material_2.specular_1 = (bitcast<f32>((_S11.z)));
+    material_2.anisotropy_0 = (bitcast<f32>((_S11.w)));
+    material_2.scattering_0 = (bitcast<f32>((_S12.w)));
     return material_2;
 }
 
@@ -438,84 +398,148 @@ fn nearest_quotient_0( dividend_0 : u32,  divisor_0 : u32,  guess_0 : u32) -> u3
 {
     var rest_0 : i32 = i32(((dividend_0 << (u32(23)))) - guess_0 * divisor_0);
     var units_0 : i32 = i32(floor(f32(rest_0) * (1.0f / f32(divisor_0)) + 0.5f));
-    var _S15 : i32 = i32(divisor_0);
-    var _S16 : i32 = i32(2) * (rest_0 - units_0 * _S15);
-    return guess_0 + u32(units_0 + (i32(_S16 > _S15) - i32(_S16 < (- _S15))));
+    var _S19 : i32 = i32(divisor_0);
+    var _S20 : i32 = i32(2) * (rest_0 - units_0 * _S19);
+    return guess_0 + u32(units_0 + (i32(_S20 > _S19) - i32(_S20 < (- _S19))));
 }
 
-fn divide_0( a_1 : f32,  b_1 : f32) -> f32
+fn divide_0( a_0 : f32,  b_0 : f32) -> f32
 {
     if(!IS_EXACT_0)
     {
-        return a_1 / b_1;
+        return a_0 / b_0;
     }
-    var _S17 : u32 = (bitcast<u32>((a_1)));
-    var exponent_a_0 : u32 = (((_S17 >> (u32(23)))) & (u32(255)));
-    var _S18 : u32 = (bitcast<u32>((b_1)));
-    var exponent_b_0 : u32 = (((_S18 >> (u32(23)))) & (u32(255)));
-    var dividend_1 : u32 = (((_S17 & (u32(8388607)))) | (u32(8388608)));
-    var divisor_1 : u32 = (((_S18 & (u32(8388607)))) | (u32(8388608)));
+    var _S21 : u32 = (bitcast<u32>((a_0)));
+    var exponent_a_0 : u32 = (((_S21 >> (u32(23)))) & (u32(255)));
+    var _S22 : u32 = (bitcast<u32>((b_0)));
+    var exponent_b_0 : u32 = (((_S22 >> (u32(23)))) & (u32(255)));
+    var dividend_1 : u32 = (((_S21 & (u32(8388607)))) | (u32(8388608)));
+    var divisor_1 : u32 = (((_S22 & (u32(8388607)))) | (u32(8388608)));
     var is_below_0 : u32 = u32(dividend_1 < divisor_1);
     var dividend_2 : u32 = (dividend_1 << (is_below_0));
     var exponent_1 : u32 = exponent_a_0 + u32(127) - exponent_b_0 - is_below_0;
-    var _S19 : bool;
+    var _S23 : bool;
     if(!is_normal_0(exponent_a_0))
     {
-        _S19 = true;
+        _S23 = true;
     }
     else
     {
-        _S19 = !is_normal_0(exponent_b_0);
+        _S23 = !is_normal_0(exponent_b_0);
     }
-    if(_S19)
+    if(_S23)
     {
-        _S19 = true;
+        _S23 = true;
     }
     else
     {
-        _S19 = !is_normal_0(exponent_1);
+        _S23 = !is_normal_0(exponent_1);
     }
-    if(_S19)
+    if(_S23)
     {
-        return a_1 / b_1;
+        return a_0 / b_0;
     }
-    return (bitcast<f32>(((((((_S17 ^ (_S18))) & (u32(2147483648)))) | ((((exponent_1 << (u32(23)))) + (nearest_quotient_0(dividend_2, divisor_1, u32(f32(dividend_2) * (1.0f / f32(divisor_1)) * 8.388608e+06f)) - u32(8388608))))))));
+    return (bitcast<f32>(((((((_S21 ^ (_S22))) & (u32(2147483648)))) | ((((exponent_1 << (u32(23)))) + (nearest_quotient_0(dividend_2, divisor_1, u32(f32(dividend_2) * (1.0f / f32(divisor_1)) * 8.388608e+06f)) - u32(8388608))))))));
 }
 
 fn logarithm_0( x_0 : f32) -> f32
 {
     var bits_0 : u32 = (bitcast<u32>((x_0)));
-    var _S20 : u32 = (bits_0 & (u32(8388607)));
-    var is_upper_0 : bool = _S20 > u32(3474675);
+    var _S24 : u32 = (bits_0 & (u32(8388607)));
+    var is_upper_0 : bool = _S24 > u32(3474675);
     var power_0 : i32 = i32((bits_0 >> (u32(23)))) - i32(127) + i32(is_upper_0);
-    var _S21 : u32;
+    var _S25 : u32;
     if(is_upper_0)
     {
-        _S21 = u32(1056964608);
+        _S25 = u32(1056964608);
     }
     else
     {
-        _S21 = u32(1065353216);
+        _S25 = u32(1065353216);
     }
-    var mantissa_0 : f32 = (bitcast<f32>(((_S20 | (_S21)))));
+    var mantissa_0 : f32 = (bitcast<f32>(((_S24 | (_S25)))));
     var s_0 : f32 = divide_0(mantissa_0 - 1.0f, mantissa_0 + 1.0f);
     var ss_0 : f32 = s_0 * s_0;
-    var _S22 : f32 = f32(power_0);
-    return _S22 * 0.693359375f + (_S22 * -0.00021219444170129f + s_0 * (2.0f + ss_0 * (0.66666668653488159f + ss_0 * (0.40000000596046448f + ss_0 * (0.28571429848670959f + ss_0 * 0.2222222238779068f)))));
+    var _S26 : f32 = f32(power_0);
+    return _S26 * 0.693359375f + (_S26 * -0.00021219444170129f + s_0 * (2.0f + ss_0 * (0.66666668653488159f + ss_0 * (0.40000000596046448f + ss_0 * (0.28571429848670959f + ss_0 * 0.2222222238779068f)))));
 }
 
 fn free_path_0( medium_0 : PackedMaterial_0,  u_0 : f32) -> f32
 {
-    var _S23 : f32;
+    var _S27 : f32;
     if((medium_0.scattering_0) > 0.0f)
     {
-        _S23 = divide_0(- logarithm_0(1.0f - u_0), medium_0.scattering_0);
+        _S27 = divide_0(- logarithm_0(1.0f - u_0), medium_0.scattering_0);
     }
     else
     {
-        _S23 = (bitcast<f32>((u32(2139095040))));
+        _S27 = (bitcast<f32>(infinity_bits_0));
     }
-    return _S23;
+    return _S27;
+}
+
+struct Transform_0
+{
+     x_axis_0 : array<f32, i32(3)>,
+     y_axis_0 : array<f32, i32(3)>,
+     z_axis_0 : array<f32, i32(3)>,
+     translation_0 : array<f32, i32(3)>,
+};
+
+struct PackedInstance_0
+{
+     grid_from_world_0 : Transform_0,
+     world_from_grid_0 : Transform_0,
+     grid_0 : u32,
+     scene_instance_0 : u32,
+     light_leaf_0 : u32,
+};
+
+fn transform_in_0( row_1 : u32) -> Transform_0
+{
+    var a_1 : vec4<u32> = records_0[row_1];
+    var b_1 : vec4<u32> = records_0[row_1 + u32(1)];
+    var c_0 : vec4<u32> = records_0[row_1 + u32(2)];
+    var transform_0 : Transform_0;
+    var _S28 : f32 = (bitcast<f32>((a_1.y)));
+    var _S29 : f32 = (bitcast<f32>((a_1.z)));
+    transform_0.x_axis_0[i32(0)] = (bitcast<f32>((a_1.x)));
+    transform_0.x_axis_0[i32(1)] = _S28;
+    transform_0.x_axis_0[i32(2)] = _S29;
+    var _S30 : f32 = (bitcast<f32>((b_1.x)));
+    var _S31 : f32 = (bitcast<f32>((b_1.y)));
+    transform_0.y_axis_0[i32(0)] = (bitcast<f32>((a_1.w)));
+    transform_0.y_axis_0[i32(1)] = _S30;
+    transform_0.y_axis_0[i32(2)] = _S31;
+    var _S32 : f32 = (bitcast<f32>((b_1.w)));
+    var _S33 : f32 = (bitcast<f32>((c_0.x)));
+    transform_0.z_axis_0[i32(0)] = (bitcast<f32>((b_1.z)));
+    transform_0.z_axis_0[i32(1)] = _S32;
+    transform_0.z_axis_0[i32(2)] = _S33;
+    var _S34 : f32 = (bitcast<f32>((c_0.z)));
+    var _S35 : f32 = (bitcast<f32>((c_0.w)));
+    transform_0.translation_0[i32(0)] = (bitcast<f32>((c_0.y)));
+    transform_0.translation_0[i32(1)] = _S34;
+    transform_0.translation_0[i32(2)] = _S35;
+    return transform_0;
+}
+
+fn PackedInstance_x24init_0( grid_from_world_1 : Transform_0,  world_from_grid_1 : Transform_0,  grid_1 : u32,  scene_instance_1 : u32,  light_leaf_1 : u32) -> PackedInstance_0
+{
+    var _S36 : PackedInstance_0;
+    _S36.grid_from_world_0 = grid_from_world_1;
+    _S36.world_from_grid_0 = world_from_grid_1;
+    _S36.grid_0 = grid_1;
+    _S36.scene_instance_0 = scene_instance_1;
+    _S36.light_leaf_0 = light_leaf_1;
+    return _S36;
+}
+
+fn Instances_operatorx5Bx5D_get_0( index_1 : u32) -> PackedInstance_0
+{
+    var row_2 : u32 = first_row_0(u32(1)) + u32(7) * index_1;
+    var last_0 : vec4<u32> = records_0[row_2 + u32(6)];
+    return PackedInstance_x24init_0(transform_in_0(row_2), transform_in_0(row_2 + u32(3)), last_0.x, last_0.y, last_0.z);
 }
 
 fn vector_of_0( values_0 : array<f32, i32(3)>) -> vec3<f32>
@@ -523,14 +547,14 @@ fn vector_of_0( values_0 : array<f32, i32(3)>) -> vec3<f32>
     return vec3<f32>(values_0[i32(0)], values_0[i32(1)], values_0[i32(2)]);
 }
 
-fn Transform_direction_0( _S24 : u32,  _S25 : vec3<f32>) -> vec3<f32>
+fn Transform_direction_0( this_6 : Transform_0,  v_1 : vec3<f32>) -> vec3<f32>
 {
-    return vector_of_0(instances_0[_S24].grid_from_world_0.x_axis_0) * vec3<f32>(_S25.x) + vector_of_0(instances_0[_S24].grid_from_world_0.y_axis_0) * vec3<f32>(_S25.y) + vector_of_0(instances_0[_S24].grid_from_world_0.z_axis_0) * vec3<f32>(_S25.z);
+    return vector_of_0(this_6.x_axis_0) * vec3<f32>(v_1.x) + vector_of_0(this_6.y_axis_0) * vec3<f32>(v_1.y) + vector_of_0(this_6.z_axis_0) * vec3<f32>(v_1.z);
 }
 
 fn grid_direction_0( instance_4 : u32,  direction_3 : vec3<f32>) -> vec3<f32>
 {
-    return Transform_direction_0(instance_4, direction_3);
+    return Transform_direction_0(Instances_operatorx5Bx5D_get_0(instance_4).grid_from_world_0, direction_3);
 }
 
 fn dot_product_0( a_2 : vec3<f32>,  b_2 : vec3<f32>) -> f32
@@ -547,9 +571,9 @@ fn nearest_root_0( mantissa_1 : u32,  guess_1 : u32) -> u32
 {
     var rest_1 : i32 = i32(((mantissa_1 << (u32(23)))) - guess_1 * guess_1);
     var units_1 : i32 = i32(floor(f32(rest_1) / f32(u32(2) * guess_1) + 0.5f));
-    var _S26 : i32 = i32(guess_1);
-    var root_0 : i32 = _S26 + units_1;
-    var rest_2 : i32 = rest_1 - units_1 * (_S26 + root_0);
+    var _S37 : i32 = i32(guess_1);
+    var root_0 : i32 = _S37 + units_1;
+    var rest_2 : i32 = rest_1 - units_1 * (_S37 + root_0);
     return u32(root_0 + i32(rest_2 > root_0) - i32(rest_2 <= (- root_0)));
 }
 
@@ -559,19 +583,19 @@ fn square_root_0( value_0 : f32) -> f32
     {
         return sqrt(value_0);
     }
-    var _S27 : u32 = (bitcast<u32>((value_0)));
-    var exponent_2 : u32 = (_S27 >> (u32(23)));
+    var _S38 : u32 = (bitcast<u32>((value_0)));
+    var exponent_2 : u32 = (_S38 >> (u32(23)));
     if(!is_normal_0(exponent_2))
     {
         return sqrt(value_0);
     }
-    var mantissa_2 : u32 = (((((_S27 & (u32(8388607)))) | (u32(8388608)))) << ((((~exponent_2) & (u32(1))))));
+    var mantissa_2 : u32 = (((((_S38 & (u32(8388607)))) | (u32(8388608)))) << ((((~exponent_2) & (u32(1))))));
     return (bitcast<f32>(((((((exponent_2 + u32(127)) >> (u32(1)))) << (u32(23)))) + (nearest_root_0(mantissa_2, u32(sqrt(f32(mantissa_2) * 1.1920928955078125e-07f) * 8.388608e+06f)) - u32(8388608)))));
 }
 
-fn Inside_voxels_per_t_0( this_6 : Inside_0,  ray_1 : Ray_0) -> f32
+fn Inside_voxels_per_t_0( this_7 : Inside_0,  ray_1 : Ray_0) -> f32
 {
-    return square_root_0(length_squared_0(grid_direction_0(this_6.instance_0, ray_1.direction_1)));
+    return square_root_0(length_squared_0(grid_direction_0(this_7.instance_0, ray_1.direction_1)));
 }
 
 fn scattering_t_0( path_1 : Path_0,  inside_1 : Inside_0,  ray_2 : Ray_0) -> f32
@@ -591,10 +615,10 @@ fn exponential_0( x_1 : f32) -> f32
     return (1.0f + r_0 * (1.0f + r_0 * (0.5f + r_0 * (0.1666666716337204f + r_0 * (0.0416666679084301f + r_0 * (0.00833333376795053f + r_0 * (0.00138888892251998f + r_0 * 0.0001984127011383f))))))) * (bitcast<f32>(((u32(i32(127) + power_1) << (u32(23))))));
 }
 
-fn attenuation_0( medium_1 : PackedMaterial_0,  voxels_1 : f32) -> vec3<f32>
+fn attenuation_0( medium_1 : PackedMaterial_0,  voxels_0 : f32) -> vec3<f32>
 {
     var sigma_0 : vec3<f32> = vector_of_0(medium_1.absorption_0);
-    return vec3<f32>(exponential_0(- (sigma_0.x * voxels_1)), exponential_0(- (sigma_0.y * voxels_1)), exponential_0(- (sigma_0.z * voxels_1)));
+    return vec3<f32>(exponential_0(- (sigma_0.x * voxels_0)), exponential_0(- (sigma_0.y * voxels_0)), exponential_0(- (sigma_0.z * voxels_0)));
 }
 
 fn absorb_0( path_2 : ptr<function, Path_0>,  inside_2 : Inside_0,  ray_3 : Ray_0,  t_1 : f32)
@@ -603,23 +627,23 @@ fn absorb_0( path_2 : ptr<function, Path_0>,  inside_2 : Inside_0,  ray_3 : Ray_
     return;
 }
 
-fn Environment_to_map_0( d_1 : vec3<f32>) -> vec3<f32>
+fn Environment_to_map_0( d_0 : vec3<f32>) -> vec3<f32>
 {
     var sin_0 : f32 = params_0.sky_turned_0.x;
     var cos_0 : f32 = params_0.sky_turned_0.y;
-    var _S28 : f32 = d_1.x;
-    var _S29 : f32 = d_1.y;
-    return vec3<f32>(_S28 * cos_0 - _S29 * sin_0, _S28 * sin_0 + _S29 * cos_0, d_1.z);
+    var _S39 : f32 = d_0.x;
+    var _S40 : f32 = d_0.y;
+    return vec3<f32>(_S39 * cos_0 - _S40 * sin_0, _S39 * sin_0 + _S40 * cos_0, d_0.z);
 }
 
 fn quarter_turns_0( x_2 : f32,  y_0 : f32) -> f32
 {
-    var _S30 : f32 = min(x_2, y_0);
-    var _S31 : f32 = max(x_2, y_0);
+    var _S41 : f32 = min(x_2, y_0);
+    var _S42 : f32 = max(x_2, y_0);
     var ratio_0 : f32;
-    if(_S31 > 0.0f)
+    if(_S42 > 0.0f)
     {
-        ratio_0 = divide_0(_S30, _S31);
+        ratio_0 = divide_0(_S41, _S42);
     }
     else
     {
@@ -641,29 +665,29 @@ fn quarter_turns_0( x_2 : f32,  y_0 : f32) -> f32
 fn square_of_0( direction_4 : vec3<f32>) -> vec2<f32>
 {
     var size_0 : vec3<f32> = abs(direction_4);
-    var _S32 : f32 = size_0.x;
-    var _S33 : f32 = size_0.y;
-    var radius_0 : f32 = square_root_0(divide_0(_S32 * _S32 + _S33 * _S33, 1.0f + size_0.z));
-    var v_1 : f32 = quarter_turns_0(_S32, _S33) * radius_0;
-    var u_1 : f32 = radius_0 - v_1;
+    var _S43 : f32 = size_0.x;
+    var _S44 : f32 = size_0.y;
+    var radius_0 : f32 = square_root_0(divide_0(_S43 * _S43 + _S44 * _S44, 1.0f + size_0.z));
+    var v_2 : f32 = quarter_turns_0(_S43, _S44) * radius_0;
+    var u_1 : f32 = radius_0 - v_2;
     var is_below_1 : bool = (direction_4.z) < 0.0f;
     var u_2 : f32;
     if(is_below_1)
     {
-        u_2 = 1.0f - v_1;
+        u_2 = 1.0f - v_2;
     }
     else
     {
         u_2 = u_1;
     }
-    var v_2 : f32;
+    var v_3 : f32;
     if(is_below_1)
     {
-        v_2 = 1.0f - u_1;
+        v_3 = 1.0f - u_1;
     }
     else
     {
-        v_2 = v_1;
+        v_3 = v_2;
     }
     if((direction_4.x) < 0.0f)
     {
@@ -671,9 +695,9 @@ fn square_of_0( direction_4 : vec3<f32>) -> vec2<f32>
     }
     if((direction_4.y) < 0.0f)
     {
-        v_2 = - v_2;
+        v_3 = - v_3;
     }
-    return vec2<f32>(u_2 * 0.5f + 0.5f, v_2 * 0.5f + 0.5f);
+    return vec2<f32>(u_2 * 0.5f + 0.5f, v_3 * 0.5f + 0.5f);
 }
 
 fn Environment_place_of_0( direction_5 : vec3<f32>) -> vec2<f32>
@@ -683,7 +707,7 @@ fn Environment_place_of_0( direction_5 : vec3<f32>) -> vec2<f32>
 
 fn Environment_index_of_0( x_3 : i32,  y_1 : i32) -> u32
 {
-    var last_0 : i32 = i32(params_0.sky_edge_0) - i32(1);
+    var last_1 : i32 = i32(params_0.sky_edge_0) - i32(1);
     var is_beside_0 : bool;
     if(x_3 < i32(0))
     {
@@ -691,44 +715,44 @@ fn Environment_index_of_0( x_3 : i32,  y_1 : i32) -> u32
     }
     else
     {
-        is_beside_0 = x_3 > last_0;
+        is_beside_0 = x_3 > last_1;
     }
-    var _S34 : i32;
+    var _S45 : i32;
     if(is_beside_0)
     {
-        _S34 = last_0 - y_1;
+        _S45 = last_1 - y_1;
     }
     else
     {
-        _S34 = y_1;
+        _S45 = y_1;
     }
-    var _S35 : i32;
+    var _S46 : i32;
     if(is_beside_0)
     {
-        _S35 = clamp(x_3, i32(0), last_0);
+        _S46 = clamp(x_3, i32(0), last_1);
     }
     else
     {
-        _S35 = x_3;
+        _S46 = x_3;
     }
     var is_beyond_0 : bool;
-    if(_S34 < i32(0))
+    if(_S45 < i32(0))
     {
         is_beyond_0 = true;
     }
     else
     {
-        is_beyond_0 = _S34 > last_0;
+        is_beyond_0 = _S45 > last_1;
     }
     if(is_beyond_0)
     {
-        _S35 = last_0 - _S35;
+        _S46 = last_1 - _S46;
     }
     if(is_beyond_0)
     {
-        _S34 = clamp(_S34, i32(0), last_0);
+        _S45 = clamp(_S45, i32(0), last_1);
     }
-    return u32(_S34 * i32(params_0.sky_edge_0) + _S35);
+    return u32(_S45 * i32(params_0.sky_edge_0) + _S46);
 }
 
 fn Environment_texel_radiance_0( x_4 : i32,  y_2 : i32) -> vec3<f32>
@@ -738,18 +762,18 @@ fn Environment_texel_radiance_0( x_4 : i32,  y_2 : i32) -> vec3<f32>
 
 fn Environment_radiance_at_0( place_0 : vec2<f32>) -> vec3<f32>
 {
-    var _S36 : vec2<f32> = place_0 - vec2<f32>(0.5f);
-    var corner_1 : vec2<f32> = floor(_S36);
-    var beyond_0 : vec2<f32> = _S36 - corner_1;
+    var _S47 : vec2<f32> = place_0 - vec2<f32>(0.5f);
+    var corner_1 : vec2<f32> = floor(_S47);
+    var beyond_0 : vec2<f32> = _S47 - corner_1;
     var x_5 : i32 = i32(corner_1.x);
     var y_3 : i32 = i32(corner_1.y);
-    var _S37 : f32 = beyond_0.x;
-    var _S38 : vec3<f32> = vec3<f32>((1.0f - _S37));
-    var _S39 : i32 = x_5 + i32(1);
-    var _S40 : vec3<f32> = vec3<f32>(_S37);
-    var _S41 : i32 = y_3 + i32(1);
-    var _S42 : f32 = beyond_0.y;
-    return (Environment_texel_radiance_0(x_5, y_3) * _S38 + Environment_texel_radiance_0(_S39, y_3) * _S40) * vec3<f32>((1.0f - _S42)) + (Environment_texel_radiance_0(x_5, _S41) * _S38 + Environment_texel_radiance_0(_S39, _S41) * _S40) * vec3<f32>(_S42);
+    var _S48 : f32 = beyond_0.x;
+    var _S49 : vec3<f32> = vec3<f32>((1.0f - _S48));
+    var _S50 : i32 = x_5 + i32(1);
+    var _S51 : vec3<f32> = vec3<f32>(_S48);
+    var _S52 : i32 = y_3 + i32(1);
+    var _S53 : f32 = beyond_0.y;
+    return (Environment_texel_radiance_0(x_5, y_3) * _S49 + Environment_texel_radiance_0(_S50, y_3) * _S51) * vec3<f32>((1.0f - _S53)) + (Environment_texel_radiance_0(x_5, _S52) * _S49 + Environment_texel_radiance_0(_S50, _S52) * _S51) * vec3<f32>(_S53);
 }
 
 fn Environment_radiance_0( direction_6 : vec3<f32>) -> vec3<f32>
@@ -765,15 +789,15 @@ struct Gradient_0
 
 fn Gradient_x24init_0( nadir_1 : vec3<f32>,  zenith_1 : vec3<f32>) -> Gradient_0
 {
-    var _S43 : Gradient_0;
-    _S43.nadir_0 = nadir_1;
-    _S43.zenith_0 = zenith_1;
-    return _S43;
+    var _S54 : Gradient_0;
+    _S54.nadir_0 = nadir_1;
+    _S54.zenith_0 = zenith_1;
+    return _S54;
 }
 
-fn Gradient_radiance_0( this_7 : Gradient_0,  direction_7 : vec3<f32>) -> vec3<f32>
+fn Gradient_radiance_0( this_8 : Gradient_0,  direction_7 : vec3<f32>) -> vec3<f32>
 {
-    return this_7.nadir_0 + (this_7.zenith_0 - this_7.nadir_0) * vec3<f32>((0.5f * (direction_7.z + 1.0f)));
+    return this_8.nadir_0 + (this_8.zenith_0 - this_8.nadir_0) * vec3<f32>((0.5f * (direction_7.z + 1.0f)));
 }
 
 fn Sky_radiance_0( direction_8 : vec3<f32>) -> vec3<f32>
@@ -802,50 +826,55 @@ fn with_slack_0( receiver_1 : Receiver_0,  cos_1 : f32) -> f32
 
 struct LightNode_0
 {
-     min_2 : array<f32, i32(3)>,
+     min_0 : array<f32, i32(3)>,
      index_2 : u32,
-     max_2 : array<f32, i32(3)>,
+     max_0 : array<f32, i32(3)>,
      count_0 : u32,
      power_2 : array<f32, i32(6)>,
      parent_0 : u32,
      root_1 : u32,
 };
 
-fn light_node_of_0( a_3 : vec4<u32>,  b_3 : vec4<u32>,  c_1 : vec4<u32>,  d_2 : vec4<u32>) -> LightNode_0
+fn Rows_operatorx5Bx5D_get_1( row_3 : u32) -> vec4<u32>
+{
+    return records_0[first_row_0(u32(6)) + row_3];
+}
+
+fn light_node_of_0( a_3 : vec4<u32>,  b_3 : vec4<u32>,  c_1 : vec4<u32>,  d_1 : vec4<u32>) -> LightNode_0
 {
     var node_0 : LightNode_0;
-    var _S44 : f32 = (bitcast<f32>((a_3.y)));
-    var _S45 : f32 = (bitcast<f32>((a_3.z)));
-    node_0.min_2[i32(0)] = (bitcast<f32>((a_3.x)));
-    node_0.min_2[i32(1)] = _S44;
-    node_0.min_2[i32(2)] = _S45;
+    var _S55 : f32 = (bitcast<f32>((a_3.y)));
+    var _S56 : f32 = (bitcast<f32>((a_3.z)));
+    node_0.min_0[i32(0)] = (bitcast<f32>((a_3.x)));
+    node_0.min_0[i32(1)] = _S55;
+    node_0.min_0[i32(2)] = _S56;
     node_0.index_2 = a_3.w;
-    var _S46 : f32 = (bitcast<f32>((b_3.y)));
-    var _S47 : f32 = (bitcast<f32>((b_3.z)));
-    node_0.max_2[i32(0)] = (bitcast<f32>((b_3.x)));
-    node_0.max_2[i32(1)] = _S46;
-    node_0.max_2[i32(2)] = _S47;
+    var _S57 : f32 = (bitcast<f32>((b_3.y)));
+    var _S58 : f32 = (bitcast<f32>((b_3.z)));
+    node_0.max_0[i32(0)] = (bitcast<f32>((b_3.x)));
+    node_0.max_0[i32(1)] = _S57;
+    node_0.max_0[i32(2)] = _S58;
     node_0.count_0 = b_3.w;
-    var _S48 : f32 = (bitcast<f32>((c_1.y)));
-    var _S49 : f32 = (bitcast<f32>((c_1.z)));
-    var _S50 : f32 = (bitcast<f32>((c_1.w)));
-    var _S51 : f32 = (bitcast<f32>((d_2.x)));
-    var _S52 : f32 = (bitcast<f32>((d_2.y)));
+    var _S59 : f32 = (bitcast<f32>((c_1.y)));
+    var _S60 : f32 = (bitcast<f32>((c_1.z)));
+    var _S61 : f32 = (bitcast<f32>((c_1.w)));
+    var _S62 : f32 = (bitcast<f32>((d_1.x)));
+    var _S63 : f32 = (bitcast<f32>((d_1.y)));
     node_0.power_2[i32(0)] = (bitcast<f32>((c_1.x)));
-    node_0.power_2[i32(1)] = _S48;
-    node_0.power_2[i32(2)] = _S49;
-    node_0.power_2[i32(3)] = _S50;
-    node_0.power_2[i32(4)] = _S51;
-    node_0.power_2[i32(5)] = _S52;
-    node_0.parent_0 = d_2.z;
-    node_0.root_1 = d_2.w;
+    node_0.power_2[i32(1)] = _S59;
+    node_0.power_2[i32(2)] = _S60;
+    node_0.power_2[i32(3)] = _S61;
+    node_0.power_2[i32(4)] = _S62;
+    node_0.power_2[i32(5)] = _S63;
+    node_0.parent_0 = d_1.z;
+    node_0.root_1 = d_1.w;
     return node_0;
 }
 
 fn top_light_node_0( index_3 : u32) -> LightNode_0
 {
-    var _S53 : u32 = u32(4) * index_3;
-    return light_node_of_0(top_light_node_rows_0[_S53], top_light_node_rows_0[_S53 + u32(1)], top_light_node_rows_0[_S53 + u32(2)], top_light_node_rows_0[_S53 + u32(3)]);
+    var _S64 : u32 = u32(4) * index_3;
+    return light_node_of_0(Rows_operatorx5Bx5D_get_1(_S64), Rows_operatorx5Bx5D_get_1(_S64 + u32(1)), Rows_operatorx5Bx5D_get_1(_S64 + u32(2)), Rows_operatorx5Bx5D_get_1(_S64 + u32(3)));
 }
 
 struct View_0
@@ -872,22 +901,22 @@ struct BySide_0
 
 fn BySide_x24init_0( low_1 : vec3<f32>,  high_1 : vec3<f32>) -> BySide_0
 {
-    var _S54 : BySide_0;
-    _S54.low_0 = low_1;
-    _S54.high_0 = high_1;
-    return _S54;
+    var _S65 : BySide_0;
+    _S65.low_0 = low_1;
+    _S65.high_0 = high_1;
+    return _S65;
 }
 
 fn sent_by_side_0( node_1 : LightNode_0,  point_2 : vec3<f32>,  distance_0 : f32) -> BySide_0
 {
-    var _S55 : vec3<f32> = vec3<f32>(0.0f);
-    var _S56 : vec3<f32> = vec3<f32>(distance_0);
-    return BySide_x24init_0(vec3<f32>(node_1.power_2[i32(0)], node_1.power_2[i32(2)], node_1.power_2[i32(4)]) * min(max(vector_of_0(node_1.max_2) - point_2, _S55), _S56), vec3<f32>(node_1.power_2[i32(1)], node_1.power_2[i32(3)], node_1.power_2[i32(5)]) * min(max(point_2 - vector_of_0(node_1.min_2), _S55), _S56));
+    var _S66 : vec3<f32> = vec3<f32>(0.0f);
+    var _S67 : vec3<f32> = vec3<f32>(distance_0);
+    return BySide_x24init_0(vec3<f32>(node_1.power_2[i32(0)], node_1.power_2[i32(2)], node_1.power_2[i32(4)]) * min(max(vector_of_0(node_1.max_0) - point_2, _S66), _S67), vec3<f32>(node_1.power_2[i32(1)], node_1.power_2[i32(3)], node_1.power_2[i32(5)]) * min(max(point_2 - vector_of_0(node_1.min_0), _S66), _S67));
 }
 
-fn BySide_sum_0( this_8 : BySide_0) -> f32
+fn BySide_sum_0( this_9 : BySide_0) -> f32
 {
-    var axes_0 : vec3<f32> = this_8.low_0 + this_8.high_0;
+    var axes_0 : vec3<f32> = this_9.low_0 + this_9.high_0;
     return axes_0.x + axes_0.y + axes_0.z;
 }
 
@@ -899,19 +928,19 @@ fn reciprocal_guess_0( x_6 : f32) -> f32
 
 fn View_x24init_0( importance_1 : f32,  is_far_1 : bool) -> View_0
 {
-    var _S57 : View_0;
-    _S57.importance_0 = importance_1;
-    _S57.is_far_0 = is_far_1;
-    return _S57;
+    var _S68 : View_0;
+    _S68.importance_0 = importance_1;
+    _S68.is_far_0 = is_far_1;
+    return _S68;
 }
 
 fn view_0( node_2 : LightNode_0,  receiver_2 : Receiver_0) -> View_0
 {
-    var _S58 : vec3<f32> = vector_of_0(node_2.max_2);
-    var _S59 : vec3<f32> = vector_of_0(node_2.min_2);
-    var _S60 : vec3<f32> = vec3<f32>(0.5f);
-    var half_0 : vec3<f32> = (_S58 - _S59) * _S60;
-    var toward_0 : vec3<f32> = (_S59 + _S58) * _S60 - receiver_2.point_0;
+    var _S69 : vec3<f32> = vector_of_0(node_2.max_0);
+    var _S70 : vec3<f32> = vector_of_0(node_2.min_0);
+    var _S71 : vec3<f32> = vec3<f32>(0.5f);
+    var half_0 : vec3<f32> = (_S69 - _S70) * _S71;
+    var toward_0 : vec3<f32> = (_S70 + _S69) * _S71 - receiver_2.point_0;
     var middle_0 : f32 = dot_product_0(toward_0, receiver_2.normal_1);
     var aside_0 : f32 = dot_product_0(half_0, abs(receiver_2.normal_1));
     var above_0 : f32 = with_slack_0(receiver_2, middle_0 + aside_0);
@@ -929,16 +958,16 @@ fn view_0( node_2 : LightNode_0,  receiver_2 : Receiver_0) -> View_0
     var distance_1 : f32 = length_bound_0(select(half_0, abs(toward_0), vec3<bool>((far_0 > near_0))));
     var sent_0 : f32 = BySide_sum_0(sent_by_side_0(node_2, receiver_2.point_0, distance_1));
     var falloff_0 : f32 = reciprocal_guess_0(max(far_0, near_0));
-    var _S61 : f32;
+    var _S72 : f32;
     if(above_0 > 0.0f)
     {
-        _S61 = sent_0 * min(above_0, distance_1) * (falloff_0 * falloff_0);
+        _S72 = sent_0 * min(above_0, distance_1) * (falloff_0 * falloff_0);
     }
     else
     {
-        _S61 = 0.0f;
+        _S72 = 0.0f;
     }
-    return View_x24init_0(_S61, is_far_2);
+    return View_x24init_0(_S72, is_far_2);
 }
 
 fn importance_of_all_0( receiver_3 : Receiver_0) -> f32
@@ -977,25 +1006,25 @@ fn Lights_sun_probability_0( receiver_5 : Receiver_0) -> f32
 
 fn Lights_has_chosen_sky_0() -> bool
 {
-    var _S62 : bool;
+    var _S73 : bool;
     if(SKY_0 == u32(1))
     {
-        _S62 = (params_0.sky_irradiance_0) > 0.0f;
+        _S73 = (params_0.sky_irradiance_0) > 0.0f;
     }
     else
     {
-        _S62 = false;
+        _S73 = false;
     }
-    return _S62;
+    return _S73;
 }
 
 fn Selection_x24init_0( sun_1 : f32,  sky_2 : f32,  emitters_1 : f32) -> Selection_0
 {
-    var _S63 : Selection_0;
-    _S63.sun_0 = sun_1;
-    _S63.sky_1 = sky_2;
-    _S63.emitters_0 = emitters_1;
-    return _S63;
+    var _S74 : Selection_0;
+    _S74.sun_0 = sun_1;
+    _S74.sky_1 = sky_2;
+    _S74.emitters_0 = emitters_1;
+    return _S74;
 }
 
 fn Lights_sky_probability_0( receiver_6 : Receiver_0) -> f32
@@ -1026,48 +1055,48 @@ fn Lights_selection_0( receiver_7 : Receiver_0) -> Selection_0
         return Selection_x24init_0(sun_2, 0.0f, 1.0f - sun_2);
     }
     var sky_3 : f32 = Lights_sky_probability_0(receiver_7);
-    var _S64 : f32 = 1.0f - sky_3;
-    return Selection_x24init_0(sun_2 * _S64, sky_3, (1.0f - sun_2) * _S64);
+    var _S75 : f32 = 1.0f - sky_3;
+    return Selection_x24init_0(sun_2 * _S75, sky_3, (1.0f - sun_2) * _S75);
 }
 
-fn Path_selection_at_0( this_9 : Path_0,  last_1 : Receiver_0) -> Selection_0
+fn Path_selection_at_0( this_10 : Path_0,  last_2 : Receiver_0) -> Selection_0
 {
-    return Lights_selection_0(last_1);
+    return Lights_selection_0(last_2);
 }
 
 fn Environment_pdf_0( direction_10 : vec3<f32>) -> f32
 {
     var place_1 : vec2<f32> = Environment_place_of_0(direction_10);
-    var last_2 : i32 = i32(params_0.sky_edge_0) - i32(1);
-    return environment_0[Environment_index_of_0(min(i32(place_1.x), last_2), min(i32(place_1.y), last_2))].pdf_0;
+    var last_3 : i32 = i32(params_0.sky_edge_0) - i32(1);
+    return environment_0[Environment_index_of_0(min(i32(place_1.x), last_3), min(i32(place_1.y), last_3))].pdf_0;
 }
 
 fn Sky_pdf_0( direction_11 : vec3<f32>) -> f32
 {
-    var _S65 : f32;
+    var _S76 : f32;
     if(SKY_0 == u32(1))
     {
-        _S65 = Environment_pdf_0(direction_11);
+        _S76 = Environment_pdf_0(direction_11);
     }
     else
     {
-        _S65 = 0.0f;
+        _S76 = 0.0f;
     }
-    return _S65;
+    return _S76;
 }
 
 fn Lights_sky_pdf_0( selection_1 : Selection_0,  direction_12 : vec3<f32>) -> f32
 {
-    var _S66 : f32;
+    var _S77 : f32;
     if(Lights_has_chosen_sky_0())
     {
-        _S66 = Sky_pdf_0(direction_12) * selection_1.sky_1;
+        _S77 = Sky_pdf_0(direction_12) * selection_1.sky_1;
     }
     else
     {
-        _S66 = 0.0f;
+        _S77 = 0.0f;
     }
-    return _S66;
+    return _S77;
 }
 
 fn power_heuristic_0( own_0 : f32,  other_0 : f32) -> f32
@@ -1078,16 +1107,16 @@ fn power_heuristic_0( own_0 : f32,  other_0 : f32) -> f32
 
 fn mis_weight_0( bounce_pdf_0 : f32,  light_pdf_0 : f32) -> f32
 {
-    var _S67 : bool;
+    var _S78 : bool;
     if(bounce_pdf_0 == 0.0f)
     {
-        _S67 = true;
+        _S78 = true;
     }
     else
     {
-        _S67 = light_pdf_0 == 0.0f;
+        _S78 = light_pdf_0 == 0.0f;
     }
-    if(_S67)
+    if(_S78)
     {
         return 1.0f;
     }
@@ -1099,26 +1128,26 @@ fn SunDisc_is_visible_0() -> bool
     return (params_0.hides_sun_disc_0) == u32(0);
 }
 
-fn Path_is_straight_0( this_10 : Path_0) -> bool
+fn Path_is_straight_0( this_11 : Path_0) -> bool
 {
-    var _S68 : bool;
-    if((this_10.bounce_0) == u32(0))
+    var _S79 : bool;
+    if((this_11.bounce_0) == u32(0))
     {
-        _S68 = (this_10.pdf_1) == 0.0f;
+        _S79 = (this_11.pdf_1) == 0.0f;
     }
     else
     {
-        _S68 = false;
+        _S79 = false;
     }
-    if(_S68)
+    if(_S79)
     {
-        _S68 = (all(((this_10.normal_0) == vec3<f32>(0.0f))));
+        _S79 = (all(((this_11.normal_0) == vec3<f32>(0.0f))));
     }
     else
     {
-        _S68 = false;
+        _S79 = false;
     }
-    return _S68;
+    return _S79;
 }
 
 fn SunDisc_contains_0( direction_13 : vec3<f32>) -> bool
@@ -1128,54 +1157,54 @@ fn SunDisc_contains_0( direction_13 : vec3<f32>) -> bool
 
 fn SunDisc_le_0( direction_14 : vec3<f32>) -> vec3<f32>
 {
-    var _S69 : vec3<f32>;
+    var _S80 : vec3<f32>;
     if(SunDisc_contains_0(direction_14))
     {
-        _S69 = params_0.sun_radiance_0;
+        _S80 = params_0.sun_radiance_0;
     }
     else
     {
-        _S69 = vec3<f32>(0.0f);
+        _S80 = vec3<f32>(0.0f);
     }
-    return _S69;
+    return _S80;
 }
 
 fn SunDisc_pdf_0( direction_15 : vec3<f32>) -> f32
 {
-    var _S70 : f32;
+    var _S81 : f32;
     if(SunDisc_contains_0(direction_15))
     {
-        _S70 = params_0.sun_pdf_0;
+        _S81 = params_0.sun_pdf_0;
     }
     else
     {
-        _S70 = 0.0f;
+        _S81 = 0.0f;
     }
-    return _S70;
+    return _S81;
 }
 
 fn Lights_sun_pdf_0( selection_2 : Selection_0,  direction_16 : vec3<f32>) -> f32
 {
-    var _S71 : f32;
+    var _S82 : f32;
     if(has_sun_0())
     {
-        _S71 = SunDisc_pdf_0(direction_16) * selection_2.sun_0;
+        _S82 = SunDisc_pdf_0(direction_16) * selection_2.sun_0;
     }
     else
     {
-        _S71 = 0.0f;
+        _S82 = 0.0f;
     }
-    return _S71;
+    return _S82;
 }
 
-fn Path_events_0( this_11 : Path_0) -> u32
+fn Path_events_0( this_12 : Path_0) -> u32
 {
-    return this_11.bounce_0;
+    return this_12.bounce_0;
 }
 
-fn Path_dimension_scatter_0( this_12 : Path_0) -> u32
+fn Path_dimension_scatter_0( this_13 : Path_0) -> u32
 {
-    return u32(1) + u32(2) * Path_events_0(this_12);
+    return u32(1) + u32(2) * Path_events_0(this_13);
 }
 
 fn owen_of_reversed_0( reversed_0 : u32,  seed_2 : u32) -> u32
@@ -1197,15 +1226,64 @@ fn scrambled_sobol_0( sample_1 : u32,  order_0 : u32,  seeds_0 : vec2<u32>) -> v
     return vec2<u32>(owen_of_reversed_0(index_4, seeds_0.x), owen_of_reversed_0((binomial_3 ^ (((((binomial_3 >> (u32(16)))) & (u32(65535)))))), seeds_0.y));
 }
 
-fn Sampler_pair_0( this_13 : Sampler_0,  dimension_1 : u32,  which_0 : u32) -> vec2<u32>
+fn Sampler_pair_0( this_14 : Sampler_0,  dimension_1 : u32,  which_0 : u32) -> vec2<u32>
 {
-    var words_2 : vec4<u32> = pcg4d_0(vec4<u32>(this_13.pixel_0, dimension_1, this_13.seed_1, which_0));
-    return scrambled_sobol_0(this_13.sample_0, words_2.x, words_2.yz);
+    var words_2 : vec4<u32> = pcg4d_0(vec4<u32>(this_14.pixel_0, dimension_1, this_14.seed_1, which_0));
+    return scrambled_sobol_0(this_14.sample_0, words_2.x, words_2.yz);
 }
 
-fn Sampler_stratified_0( this_14 : Sampler_0,  dimension_2 : u32) -> vec4<f32>
+fn Sampler_stratified_0( this_15 : Sampler_0,  dimension_2 : u32) -> vec4<f32>
 {
-    return unit_float_0(vec4<u32>(Sampler_pair_0(this_14, dimension_2, u32(1)), Sampler_pair_0(this_14, dimension_2, u32(2))));
+    return unit_float_0(vec4<u32>(Sampler_pair_0(this_15, dimension_2, u32(1)), Sampler_pair_0(this_15, dimension_2, u32(2))));
+}
+
+struct PackedGrid_0
+{
+     origin_4 : array<i32, i32(3)>,
+     top_shift_0 : u32,
+     top_size_0 : array<i32, i32(3)>,
+     top_offset_0 : u32,
+     min_1 : array<i32, i32(3)>,
+     voxels_1 : array<u32, i32(2)>,
+     max_1 : array<i32, i32(3)>,
+     material_bits_0 : u32,
+};
+
+fn Grids_operatorx5Bx5D_get_0( index_5 : u32) -> PackedGrid_0
+{
+    var row_4 : u32 = first_row_0(u32(0)) + u32(5) * index_5;
+    var a_4 : vec4<u32> = records_0[row_4];
+    var b_4 : vec4<u32> = records_0[row_4 + u32(1)];
+    var c_2 : vec4<u32> = records_0[row_4 + u32(2)];
+    var d_2 : vec4<u32> = records_0[row_4 + u32(3)];
+    var grid_2 : PackedGrid_0;
+    var _S83 : i32 = i32(a_4.y);
+    var _S84 : i32 = i32(a_4.z);
+    grid_2.origin_4[i32(0)] = i32(a_4.x);
+    grid_2.origin_4[i32(1)] = _S83;
+    grid_2.origin_4[i32(2)] = _S84;
+    grid_2.top_shift_0 = a_4.w;
+    var _S85 : i32 = i32(b_4.y);
+    var _S86 : i32 = i32(b_4.z);
+    grid_2.top_size_0[i32(0)] = i32(b_4.x);
+    grid_2.top_size_0[i32(1)] = _S85;
+    grid_2.top_size_0[i32(2)] = _S86;
+    grid_2.top_offset_0 = b_4.w;
+    var _S87 : i32 = i32(c_2.y);
+    var _S88 : i32 = i32(c_2.z);
+    grid_2.min_1[i32(0)] = i32(c_2.x);
+    grid_2.min_1[i32(1)] = _S87;
+    grid_2.min_1[i32(2)] = _S88;
+    var _S89 : u32 = d_2.x;
+    grid_2.voxels_1[i32(0)] = c_2.w;
+    grid_2.voxels_1[i32(1)] = _S89;
+    var _S90 : i32 = i32(d_2.z);
+    var _S91 : i32 = i32(d_2.w);
+    grid_2.max_1[i32(0)] = i32(d_2.y);
+    grid_2.max_1[i32(1)] = _S90;
+    grid_2.max_1[i32(2)] = _S91;
+    grid_2.material_bits_0 = records_0[row_4 + u32(4)].x;
+    return grid_2;
 }
 
 fn cell_of_0( values_1 : array<i32, i32(3)>) -> vec3<i32>
@@ -1213,51 +1291,14 @@ fn cell_of_0( values_1 : array<i32, i32(3)>) -> vec3<i32>
     return vec3<i32>(values_1[i32(0)], values_1[i32(1)], values_1[i32(2)]);
 }
 
-@id(12) override HAS_PAGES_0 : bool = false;
-
-var<private> is_page_missing_0 : bool;
-
-fn word_in_pages_0( index_5 : u32,  first_0 : u32) -> u32
-{
-    var page_0 : u32 = first_0 + ((index_5 >> (u32(10))));
-    var mark_0 : u32 = u32(8) + pages_0[i32(0)] + page_0;
-    if(pages_0[mark_0] == u32(0))
-    {
-        pages_0[mark_0] = u32(1);
-    }
-    var slot_0 : u32 = pages_0[u32(8) + page_0];
-    var _S72 : bool;
-    if(is_page_missing_0)
-    {
-        _S72 = true;
-    }
-    else
-    {
-        _S72 = slot_0 == u32(0);
-    }
-    is_page_missing_0 = _S72;
-    return (((slot_0 << (u32(10)))) | (((index_5 & (u32(1023))))));
-}
-
 fn place_of_cell_0( index_6 : u32) -> u32
 {
-    var _S73 : u32;
-    if(HAS_PAGES_0)
-    {
-        var _S74 : u32 = word_in_pages_0(index_6, u32(0));
-        _S73 = _S74;
-    }
-    else
-    {
-        _S73 = index_6;
-    }
-    return _S73;
+    return index_6;
 }
 
 fn cell_word_0( index_7 : u32) -> u32
 {
-    var _S75 : u32 = place_of_cell_0(index_7);
-    return cells_1[_S75];
+    return cells_1[place_of_cell_0(index_7)];
 }
 
 fn cell_in_node_0( relative_0 : vec3<i32>,  shift_0 : u32) -> u32
@@ -1270,36 +1311,35 @@ fn cell_in_node_0( relative_0 : vec3<i32>,  shift_0 : u32) -> u32
 
 fn record_of_cell_0( cell_1 : u32) -> u32
 {
-    var _S76 : u32;
+    var _S92 : u32;
     if(CELLS_HAVE_BLOCKS_0)
     {
-        _S76 = u32(8388607);
+        _S92 = u32(8388607);
     }
     else
     {
-        _S76 = u32(2147483647);
+        _S92 = u32(2147483647);
     }
-    return ((cell_1 & (_S76))) * u32(2);
+    return ((cell_1 & (_S92))) * u32(2);
 }
 
-fn find_brick_0( _S77 : u32,  _S78 : vec3<i32>) -> u32
+fn find_brick_0( grid_3 : PackedGrid_0,  relative_1 : vec3<i32>) -> u32
 {
-    var top_0 : vec3<i32> = (_S78 >> (vec3<u32>(grids_0[_S77].top_shift_0)));
-    var _S79 : u32 = cell_word_0(grids_0[_S77].top_offset_0 + u32((top_0.z * grids_0[_S77].top_size_0[i32(1)] + top_0.y) * grids_0[_S77].top_size_0[i32(0)] + top_0.x));
-    var cell_2 : u32 = _S79;
-    var shift_1 : u32 = grids_0[_S77].top_shift_0;
+    var top_0 : vec3<i32> = (relative_1 >> (vec3<u32>(grid_3.top_shift_0)));
+    var cell_2 : u32 = cell_word_0(grid_3.top_offset_0 + u32((top_0.z * grid_3.top_size_0[i32(1)] + top_0.y) * grid_3.top_size_0[i32(0)] + top_0.x));
+    var shift_1 : u32 = grid_3.top_shift_0;
     for(;;)
     {
-        var _S80 : bool;
+        var _S93 : bool;
         if(shift_1 > u32(3))
         {
-            _S80 = ((cell_2 & (u32(2147483648)))) != u32(0);
+            _S93 = ((cell_2 & (u32(2147483648)))) != u32(0);
         }
         else
         {
-            _S80 = false;
+            _S93 = false;
         }
-        if(_S80)
+        if(_S93)
         {
         }
         else
@@ -1307,8 +1347,7 @@ fn find_brick_0( _S77 : u32,  _S78 : vec3<i32>) -> u32
             break;
         }
         var shift_2 : u32 = shift_1 - u32(2);
-        var _S81 : u32 = cell_word_0(((cell_2 & (u32(2147483647)))) * u32(64) + cell_in_node_0(_S78, shift_2));
-        cell_2 = _S81;
+        cell_2 = cell_word_0(((cell_2 & (u32(2147483647)))) * u32(64) + cell_in_node_0(relative_1, shift_2));
         shift_1 = shift_2;
     }
     return record_of_cell_0(cell_2);
@@ -1316,30 +1355,18 @@ fn find_brick_0( _S77 : u32,  _S78 : vec3<i32>) -> u32
 
 fn place_of_brick_0( index_8 : u32) -> u32
 {
-    var _S82 : u32;
-    if(HAS_PAGES_0)
-    {
-        var _S83 : u32 = word_in_pages_0(index_8, pages_0[i32(1)]);
-        _S82 = _S83;
-    }
-    else
-    {
-        _S82 = index_8;
-    }
-    return _S82;
+    return index_8;
 }
 
 fn brick_word_0( index_9 : u32) -> u32
 {
-    var _S84 : u32 = place_of_brick_0(index_9);
-    return bricks_0[_S84];
+    return bricks_0[place_of_brick_0(index_9)];
 }
 
-fn rank_in_brick_0( record_0 : u32,  relative_1 : vec3<i32>) -> u32
+fn rank_in_brick_0( record_0 : u32,  relative_2 : vec3<i32>) -> u32
 {
-    var header_0 : u32 = brick_word_0(record_0);
-    var bit_0 : u32 = cell_in_node_0(relative_1, u32(0));
-    var present_before_0 : u32 = countOneBits((header_0 & ((((u32(1) << (((((u32(((((relative_1.x) >> (u32(2)))) & (i32(1)))) | (((u32(((((relative_1.y) >> (u32(2)))) & (i32(1)))) << (u32(1))))))) | (((u32(((((relative_1.z) >> (u32(2)))) & (i32(1)))) << (u32(2)))))))))) - u32(1)))));
+    var bit_0 : u32 = cell_in_node_0(relative_2, u32(0));
+    var present_before_0 : u32 = countOneBits(((brick_word_0(record_0)) & ((((u32(1) << (((((u32(((((relative_2.x) >> (u32(2)))) & (i32(1)))) | (((u32(((((relative_2.y) >> (u32(2)))) & (i32(1)))) << (u32(1))))))) | (((u32(((((relative_2.z) >> (u32(2)))) & (i32(1)))) << (u32(2)))))))))) - u32(1)))));
     var index_10 : u32 = u32(0);
     var rank_0 : u32 = u32(0);
     for(;;)
@@ -1351,48 +1378,32 @@ fn rank_in_brick_0( record_0 : u32,  relative_1 : vec3<i32>) -> u32
         {
             break;
         }
-        var _S85 : u32 = u32(2) * index_10;
-        var _S86 : u32 = brick_word_0(record_0 + u32(2) + _S85);
-        var _S87 : u32 = countOneBits(_S86);
-        var _S88 : u32 = brick_word_0(record_0 + u32(3) + _S85);
-        var rank_1 : u32 = rank_0 + (_S87 + countOneBits(_S88));
+        var _S94 : u32 = u32(2) * index_10;
+        var rank_1 : u32 = rank_0 + (countOneBits(brick_word_0(record_0 + u32(2) + _S94)) + countOneBits(brick_word_0(record_0 + u32(3) + _S94)));
         index_10 = index_10 + u32(1);
         rank_0 = rank_1;
     }
-    var _S89 : u32 = u32(2) * present_before_0;
-    var low_2 : u32 = brick_word_0(record_0 + u32(2) + _S89);
+    var _S95 : u32 = u32(2) * present_before_0;
+    var low_2 : u32 = brick_word_0(record_0 + u32(2) + _S95);
     if(bit_0 < u32(32))
     {
         rank_0 = rank_0 + countOneBits((low_2 & ((((u32(1) << (bit_0))) - u32(1)))));
     }
     else
     {
-        var _S90 : u32 = countOneBits(low_2);
-        var _S91 : u32 = brick_word_0(record_0 + u32(3) + _S89);
-        rank_0 = rank_0 + (_S90 + countOneBits((_S91 & ((((u32(1) << ((bit_0 - u32(32))))) - u32(1))))));
+        rank_0 = rank_0 + (countOneBits(low_2) + countOneBits(((brick_word_0(record_0 + u32(3) + _S95)) & ((((u32(1) << ((bit_0 - u32(32))))) - u32(1))))));
     }
     return rank_0;
 }
 
 fn place_of_material_0( index_11 : u32) -> u32
 {
-    var _S92 : u32;
-    if(HAS_PAGES_0)
-    {
-        var _S93 : u32 = word_in_pages_0(index_11, pages_0[i32(2)]);
-        _S92 = _S93;
-    }
-    else
-    {
-        _S92 = index_11;
-    }
-    return _S92;
+    return index_11;
 }
 
 fn material_word_0( index_12 : u32) -> u32
 {
-    var _S94 : u32 = place_of_material_0(index_12);
-    return brick_materials_0[_S94];
+    return brick_materials_0[place_of_material_0(index_12)];
 }
 
 fn read_bits_0( start_0 : u32,  position_0 : u32,  count_1 : u32) -> u32
@@ -1403,13 +1414,11 @@ fn read_bits_0( start_0 : u32,  position_0 : u32,  count_1 : u32) -> u32
     }
     var word_4 : u32 = start_0 + ((position_0 >> (u32(5))));
     var shift_3 : u32 = (position_0 & (u32(31)));
-    var _S95 : u32 = material_word_0(word_4);
-    var bits_1 : u32 = (_S95 >> (shift_3));
+    var bits_1 : u32 = ((material_word_0(word_4)) >> (shift_3));
     var bits_2 : u32;
     if((shift_3 + count_1) > u32(32))
     {
-        var _S96 : u32 = material_word_0(word_4 + u32(1));
-        bits_2 = (bits_1 | (((_S96 << ((u32(32) - shift_3))))));
+        bits_2 = (bits_1 | ((((material_word_0(word_4 + u32(1))) << ((u32(32) - shift_3))))));
     }
     else
     {
@@ -1418,34 +1427,30 @@ fn read_bits_0( start_0 : u32,  position_0 : u32,  count_1 : u32) -> u32
     return (bits_2 & ((((u32(1) << (count_1))) - u32(1))));
 }
 
-fn material_at_0( _S97 : u32,  _S98 : vec3<i32>) -> u32
+fn material_at_0( grid_4 : PackedGrid_0,  relative_3 : vec3<i32>) -> u32
 {
-    var _S99 : u32 = find_brick_0(_S97, _S98);
-    var header_1 : u32 = brick_word_0(_S99);
-    var rank_2 : u32 = rank_in_brick_0(_S99, _S98);
-    var index_bits_0 : u32 = (((header_1 >> (u32(8)))) & (u32(255)));
-    var palette_count_0 : u32 = (header_1 >> (u32(16)));
-    var entry_bits_0 : u32 = grids_0[_S97].material_bits_0;
-    var start_1 : u32 = brick_word_0(_S99 + u32(1));
-    var index_13 : u32 = read_bits_0(start_1, palette_count_0 * grids_0[_S97].material_bits_0 + rank_2 * index_bits_0, index_bits_0);
+    var record_1 : u32 = find_brick_0(grid_4, relative_3);
+    var header_0 : u32 = brick_word_0(record_1);
+    var index_bits_0 : u32 = (((header_0 >> (u32(8)))) & (u32(255)));
+    var palette_count_0 : u32 = (header_0 >> (u32(16)));
+    var start_1 : u32 = brick_word_0(record_1 + u32(1));
+    var index_13 : u32 = read_bits_0(start_1, palette_count_0 * grid_4.material_bits_0 + rank_in_brick_0(record_1, relative_3) * index_bits_0, index_bits_0);
     if(palette_count_0 == u32(0))
     {
         return index_13;
     }
-    var _S100 : u32 = read_bits_0(start_1, index_13 * entry_bits_0, entry_bits_0);
-    return _S100;
+    return read_bits_0(start_1, index_13 * grid_4.material_bits_0, grid_4.material_bits_0);
 }
 
 fn material_of_0( hit_0 : Hit_0) -> PackedMaterial_0
 {
-    var _S101 : u32 = material_at_0(instances_0[hit_0.instance_1].grid_0, hit_0.voxel_1 - cell_of_0(grids_0[instances_0[hit_0.instance_1].grid_0].origin_0));
-    return material_of_index_0(_S101);
+    var _S96 : PackedGrid_0 = Grids_operatorx5Bx5D_get_0(Instances_operatorx5Bx5D_get_0(hit_0.instance_1).grid_0);
+    return material_of_index_0(material_at_0(_S96, hit_0.voxel_1 - cell_of_0(_S96.origin_4)));
 }
 
 fn material_met_0( path_3 : Path_0,  hit_1 : Hit_0,  beyond_1 : u32) -> PackedMaterial_0
 {
-    var _S102 : PackedMaterial_0 = material_of_0(hit_1);
-    return _S102;
+    return material_of_0(hit_1);
 }
 
 fn emitted_0( material_3 : PackedMaterial_0) -> vec3<f32>
@@ -1460,34 +1465,34 @@ fn EmitterTree_le_0( material_4 : PackedMaterial_0) -> vec3<f32>
 
 fn ior_of_0( inside_3 : Inside_0) -> f32
 {
-    var _S103 : f32;
+    var _S97 : f32;
     if(Inside_is_in_0(inside_3))
     {
-        _S103 = material_of_index_0(inside_3.material_0).ior_0;
+        _S97 = material_of_index_0(inside_3.material_0).ior_0;
     }
     else
     {
-        _S103 = 1.0f;
+        _S97 = 1.0f;
     }
-    return _S103;
+    return _S97;
 }
 
 fn Microfacets_x24init_0( alpha_1 : f32) -> Microfacets_0
 {
-    var _S104 : Microfacets_0;
-    _S104.alpha_0 = alpha_1;
-    return _S104;
+    var _S98 : Microfacets_0;
+    _S98.alpha_0 = alpha_1;
+    return _S98;
 }
 
 fn MaterialBsdf_x24init_0( kind_1 : u32,  color_1 : vec3<f32>,  specular_2 : f32,  eta_1 : f32,  facets_1 : Microfacets_0) -> MaterialBsdf_0
 {
-    var _S105 : MaterialBsdf_0;
-    _S105.kind_0 = kind_1;
-    _S105.color_0 = color_1;
-    _S105.specular_0 = specular_2;
-    _S105.eta_0 = eta_1;
-    _S105.facets_0 = facets_1;
-    return _S105;
+    var _S99 : MaterialBsdf_0;
+    _S99.kind_0 = kind_1;
+    _S99.color_0 = color_1;
+    _S99.specular_0 = specular_2;
+    _S99.eta_0 = eta_1;
+    _S99.facets_0 = facets_1;
+    return _S99;
 }
 
 fn bsdf_of_0( material_5 : PackedMaterial_0,  ior_1 : f32,  choice_0 : ptr<function, f32>) -> MaterialBsdf_0
@@ -1495,9 +1500,9 @@ fn bsdf_of_0( material_5 : PackedMaterial_0,  ior_1 : f32,  choice_0 : ptr<funct
     return MaterialBsdf_x24init_0(u32(0), vector_of_0(material_5.base_color_0), 0.0f, 1.0f, Microfacets_x24init_0(1.0f));
 }
 
-fn MaterialBsdf_albedo_0( this_15 : MaterialBsdf_0) -> vec3<f32>
+fn MaterialBsdf_albedo_0( this_16 : MaterialBsdf_0) -> vec3<f32>
 {
-    return this_15.color_0;
+    return this_16.color_0;
 }
 
 var<private> ends_here_0 : bool;
@@ -1508,27 +1513,27 @@ fn roulette_0( event_1 : u32,  scattered_1 : vec3<f32>,  u_3 : f32) -> f32
     {
         return 1.0f;
     }
-    var _S106 : f32 = min(max_element_0(scattered_1), 0.94999998807907104f);
-    var _S107 : f32;
-    if(u_3 < _S106)
+    var _S100 : f32 = min(max_element_0(scattered_1), 0.94999998807907104f);
+    var _S101 : f32;
+    if(u_3 < _S100)
     {
-        _S107 = divide_0(1.0f, _S106);
+        _S101 = divide_0(1.0f, _S100);
     }
     else
     {
-        _S107 = 0.0f;
+        _S101 = 0.0f;
     }
-    return _S107;
+    return _S101;
 }
 
 fn Hit_x24init_0( t_2 : f32,  instance_5 : u32,  voxel_3 : vec3<i32>,  face_2 : u32) -> Hit_0
 {
-    var _S108 : Hit_0;
-    _S108.t_0 = t_2;
-    _S108.instance_1 = instance_5;
-    _S108.voxel_1 = voxel_3;
-    _S108.face_0 = face_2;
-    return _S108;
+    var _S102 : Hit_0;
+    _S102.t_0 = t_2;
+    _S102.instance_1 = instance_5;
+    _S102.voxel_1 = voxel_3;
+    _S102.face_0 = face_2;
+    return _S102;
 }
 
 @id(1) override IS_SINGLE_0 : bool = false;
@@ -1541,19 +1546,19 @@ fn margin_of_0( translation_1 : vec3<f32>,  low_3 : vec3<f32>) -> f32
 fn offset_ray_origin_0( translation_2 : vec3<f32>,  low_4 : vec3<f32>,  face_3 : u32,  point_3 : vec3<f32>) -> vec3<f32>
 {
     var margin_0 : f32 = margin_of_0(translation_2, low_4);
-    var _S109 : vec3<f32> = vec3<f32>(margin_0);
-    var moved_0 : vec3<f32> = min(max(point_3, low_4 + _S109), low_4 + vec3<f32>((1.0f - margin_0)));
-    var _S110 : bool = face_3 < u32(2);
-    var _S111 : bool;
+    var _S103 : vec3<f32> = vec3<f32>(margin_0);
+    var moved_0 : vec3<f32> = min(max(point_3, low_4 + _S103), low_4 + vec3<f32>((1.0f - margin_0)));
+    var _S104 : bool = face_3 < u32(2);
+    var _S105 : bool;
     if(face_3 >= u32(2))
     {
-        _S111 = face_3 < u32(4);
+        _S105 = face_3 < u32(4);
     }
     else
     {
-        _S111 = false;
+        _S105 = false;
     }
-    var is_axis_0 : vec3<bool> = vec3<bool>(_S110, _S111, face_3 >= u32(4));
+    var is_axis_0 : vec3<bool> = vec3<bool>(_S104, _S105, face_3 >= u32(4));
     var outside_0 : vec3<f32>;
     if(((face_3 & (u32(1)))) == u32(1))
     {
@@ -1561,7 +1566,7 @@ fn offset_ray_origin_0( translation_2 : vec3<f32>,  low_4 : vec3<f32>,  face_3 :
     }
     else
     {
-        outside_0 = low_4 - _S109;
+        outside_0 = low_4 - _S103;
     }
     return select(moved_0, outside_0, is_axis_0);
 }
@@ -1577,32 +1582,32 @@ fn face_normal_0( face_4 : u32) -> vec3<f32>
     {
         away_0 = -1.0f;
     }
-    var _S112 : f32;
+    var _S106 : f32;
     if(face_4 < u32(2))
     {
-        _S112 = away_0;
+        _S106 = away_0;
     }
     else
     {
-        _S112 = 0.0f;
+        _S106 = 0.0f;
     }
-    var _S113 : bool;
+    var _S107 : bool;
     if(face_4 >= u32(2))
     {
-        _S113 = face_4 < u32(4);
+        _S107 = face_4 < u32(4);
     }
     else
     {
-        _S113 = false;
+        _S107 = false;
     }
-    var _S114 : f32;
-    if(_S113)
+    var _S108 : f32;
+    if(_S107)
     {
-        _S114 = away_0;
+        _S108 = away_0;
     }
     else
     {
-        _S114 = 0.0f;
+        _S108 = 0.0f;
     }
     if(face_4 >= u32(4))
     {
@@ -1611,22 +1616,12 @@ fn face_normal_0( face_4 : u32) -> vec3<f32>
     {
         away_0 = 0.0f;
     }
-    return vec3<f32>(_S112, _S114, away_0);
+    return vec3<f32>(_S106, _S108, away_0);
 }
 
-fn Transform_point_0( _S115 : u32,  _S116 : vec3<f32>) -> vec3<f32>
+fn Transform_point_0( this_17 : Transform_0,  v_4 : vec3<f32>) -> vec3<f32>
 {
-    return Transform_direction_0(_S115, _S116) + vector_of_0(instances_0[_S115].grid_from_world_0.translation_0);
-}
-
-fn Transform_direction_1( _S117 : u32,  _S118 : vec3<f32>) -> vec3<f32>
-{
-    return vector_of_0(instances_0[_S117].world_from_grid_0.x_axis_0) * vec3<f32>(_S118.x) + vector_of_0(instances_0[_S117].world_from_grid_0.y_axis_0) * vec3<f32>(_S118.y) + vector_of_0(instances_0[_S117].world_from_grid_0.z_axis_0) * vec3<f32>(_S118.z);
-}
-
-fn Transform_point_1( _S119 : u32,  _S120 : vec3<f32>) -> vec3<f32>
-{
-    return Transform_direction_1(_S119, _S120) + vector_of_0(instances_0[_S119].world_from_grid_0.translation_0);
+    return Transform_direction_0(this_17, v_4) + vector_of_0(this_17.translation_0);
 }
 
 fn normalize_vector_0( vector_2 : vec3<f32>) -> vec3<f32>
@@ -1634,36 +1629,37 @@ fn normalize_vector_0( vector_2 : vec3<f32>) -> vec3<f32>
     return vector_2 * vec3<f32>(divide_0(1.0f, square_root_0(length_squared_0(vector_2))));
 }
 
-fn world_normal_0( _S121 : u32,  _S122 : u32) -> vec3<f32>
+fn world_normal_0( instance_6 : PackedInstance_0,  face_5 : u32) -> vec3<f32>
 {
-    return normalize_vector_0(Transform_direction_1(_S121, face_normal_0(_S122)));
+    return normalize_vector_0(Transform_direction_0(instance_6.world_from_grid_0, face_normal_0(face_5)));
 }
 
 fn surface_of_0( ray_4 : Ray_0,  hit_2 : Hit_0) -> Surface_0
 {
     var surface_1 : Surface_0;
-    var _S123 : vec3<f32> = vec3<f32>(hit_2.voxel_1);
+    var _S109 : vec3<f32> = vec3<f32>(hit_2.voxel_1);
     if(IS_SINGLE_0)
     {
-        surface_1.origin_4 = offset_ray_origin_0(vec3<f32>(0.0f), _S123, hit_2.face_0, ray_4.origin_2 + ray_4.direction_1 * vec3<f32>(hit_2.t_0));
+        surface_1.origin_3 = offset_ray_origin_0(vec3<f32>(0.0f), _S109, hit_2.face_0, ray_4.origin_1 + ray_4.direction_1 * vec3<f32>(hit_2.t_0));
         surface_1.normal_2 = face_normal_0(hit_2.face_0);
     }
     else
     {
-        surface_1.origin_4 = Transform_point_1(hit_2.instance_1, offset_ray_origin_0(vector_of_0(instances_0[hit_2.instance_1].grid_from_world_0.translation_0), _S123, hit_2.face_0, Transform_point_0(hit_2.instance_1, ray_4.origin_2) + Transform_direction_0(hit_2.instance_1, ray_4.direction_1) * vec3<f32>(hit_2.t_0)));
-        surface_1.normal_2 = world_normal_0(hit_2.instance_1, hit_2.face_0);
+        var _S110 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(hit_2.instance_1);
+        surface_1.origin_3 = Transform_point_0(_S110.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S110.grid_from_world_0.translation_0), _S109, hit_2.face_0, Transform_point_0(_S110.grid_from_world_0, ray_4.origin_1) + Transform_direction_0(_S110.grid_from_world_0, ray_4.direction_1) * vec3<f32>(hit_2.t_0)));
+        surface_1.normal_2 = world_normal_0(_S110, hit_2.face_0);
     }
     surface_1.face_1 = hit_2.face_0;
     surface_1.instance_3 = hit_2.instance_1;
     return surface_1;
 }
 
-fn Surface_local_direction_0( this_16 : Surface_0,  world_0 : vec3<f32>) -> vec3<f32>
+fn Surface_local_direction_0( this_18 : Surface_0,  world_0 : vec3<f32>) -> vec3<f32>
 {
     var in_grid_0 : vec3<f32>;
     if(!IS_SINGLE_0)
     {
-        in_grid_0 = Transform_direction_0(this_16.instance_3, world_0);
+        in_grid_0 = Transform_direction_0(Instances_operatorx5Bx5D_get_0(this_18.instance_3).grid_from_world_0, world_0);
     }
     else
     {
@@ -1671,13 +1667,13 @@ fn Surface_local_direction_0( this_16 : Surface_0,  world_0 : vec3<f32>) -> vec3
     }
     var in_grid_1 : vec3<f32> = normalize_vector_0(in_grid_0);
     var local_0 : vec3<f32>;
-    if((this_16.face_1) < u32(2))
+    if((this_18.face_1) < u32(2))
     {
         local_0 = in_grid_1.yzx;
     }
     else
     {
-        if((this_16.face_1) < u32(4))
+        if((this_18.face_1) < u32(4))
         {
             local_0 = in_grid_1.zxy;
         }
@@ -1686,7 +1682,7 @@ fn Surface_local_direction_0( this_16 : Surface_0,  world_0 : vec3<f32>) -> vec3
             local_0 = in_grid_1;
         }
     }
-    if((((this_16.face_1) & (u32(1)))) == u32(1))
+    if((((this_18.face_1) & (u32(1)))) == u32(1))
     {
         in_grid_0 = local_0;
     }
@@ -1703,9 +1699,10 @@ fn clamp_to_voxel_0( translation_3 : vec3<f32>,  low_5 : vec3<f32>,  point_4 : v
     return min(max(point_4, low_5 + vec3<f32>(margin_1)), low_5 + vec3<f32>((1.0f - margin_1)));
 }
 
-fn Inside_point_0( this_17 : Inside_0,  ray_5 : Ray_0,  t_3 : f32) -> vec3<f32>
+fn Inside_point_0( this_19 : Inside_0,  ray_5 : Ray_0,  t_3 : f32) -> vec3<f32>
 {
-    return Transform_point_1(this_17.instance_0, clamp_to_voxel_0(vector_of_0(instances_0[this_17.instance_0].grid_from_world_0.translation_0), vec3<f32>(this_17.voxel_0), Transform_point_0(this_17.instance_0, ray_5.origin_2) + Transform_direction_0(this_17.instance_0, ray_5.direction_1) * vec3<f32>(t_3)));
+    var _S111 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(this_19.instance_0);
+    return Transform_point_0(_S111.world_from_grid_0, clamp_to_voxel_0(vector_of_0(_S111.grid_from_world_0.translation_0), vec3<f32>(this_19.voxel_0), Transform_point_0(_S111.grid_from_world_0, ray_5.origin_1) + Transform_direction_0(_S111.grid_from_world_0, ray_5.direction_1) * vec3<f32>(t_3)));
 }
 
 struct LightSample_0
@@ -1718,42 +1715,42 @@ struct LightSample_0
 
 fn Ray_x24init_0( origin_5 : vec3<f32>,  t_min_1 : f32,  direction_17 : vec3<f32>,  t_max_1 : f32) -> Ray_0
 {
-    var _S124 : Ray_0;
-    _S124.origin_2 = origin_5;
-    _S124.t_min_0 = t_min_1;
-    _S124.direction_1 = direction_17;
-    _S124.t_max_0 = t_max_1;
-    return _S124;
+    var _S112 : Ray_0;
+    _S112.origin_1 = origin_5;
+    _S112.t_min_0 = t_min_1;
+    _S112.direction_1 = direction_17;
+    _S112.t_max_0 = t_max_1;
+    return _S112;
 }
 
 fn LightSample_x24init_0( ray_7 : Ray_0,  cos_theta_3 : f32,  radiance_2 : vec3<f32>,  pdf_3 : f32) -> LightSample_0
 {
-    var _S125 : LightSample_0;
-    _S125.ray_6 = ray_7;
-    _S125.cos_theta_2 = cos_theta_3;
-    _S125.radiance_1 = radiance_2;
-    _S125.pdf_2 = pdf_3;
-    return _S125;
+    var _S113 : LightSample_0;
+    _S113.ray_6 = ray_7;
+    _S113.cos_theta_2 = cos_theta_3;
+    _S113.radiance_1 = radiance_2;
+    _S113.pdf_2 = pdf_3;
+    return _S113;
 }
 
 fn no_light_0() -> LightSample_0
 {
-    var _S126 : vec3<f32> = vec3<f32>(0.0f);
-    return LightSample_x24init_0(Ray_x24init_0(_S126, 0.0f, _S126, 0.0f), 0.0f, _S126, 0.0f);
+    var _S114 : vec3<f32> = vec3<f32>(0.0f);
+    return LightSample_x24init_0(Ray_x24init_0(_S114, 0.0f, _S114, 0.0f), 0.0f, _S114, 0.0f);
 }
 
 fn Scatter_x24init_0( path_4 : Path_0,  receiver_8 : Receiver_0,  surface_2 : Surface_0,  bsdf_1 : MaterialBsdf_0,  wo_1 : vec3<f32>,  compensation_1 : f32,  is_scattered_1 : bool,  wants_light_1 : bool) -> Scatter_0
 {
-    var _S127 : Scatter_0;
-    _S127.path_0 = path_4;
-    _S127.receiver_0 = receiver_8;
-    _S127.surface_0 = surface_2;
-    _S127.bsdf_0 = bsdf_1;
-    _S127.wo_0 = wo_1;
-    _S127.compensation_0 = compensation_1;
-    _S127.is_scattered_0 = is_scattered_1;
-    _S127.wants_light_0 = wants_light_1;
-    return _S127;
+    var _S115 : Scatter_0;
+    _S115.path_0 = path_4;
+    _S115.receiver_0 = receiver_8;
+    _S115.surface_0 = surface_2;
+    _S115.bsdf_0 = bsdf_1;
+    _S115.wo_0 = wo_1;
+    _S115.compensation_0 = compensation_1;
+    _S115.is_scattered_0 = is_scattered_1;
+    _S115.wants_light_0 = wants_light_1;
+    return _S115;
 }
 
 struct BsdfSample_0
@@ -1771,9 +1768,9 @@ struct Diffuse_0
 
 fn Diffuse_x24init_0( reflectance_1 : vec3<f32>) -> Diffuse_0
 {
-    var _S128 : Diffuse_0;
-    _S128.reflectance_0 = reflectance_1;
-    return _S128;
+    var _S116 : Diffuse_0;
+    _S116.reflectance_0 = reflectance_1;
+    return _S116;
 }
 
 fn sincos_turns_0( turns_1 : f32) -> vec2<f32>
@@ -1804,10 +1801,10 @@ fn sincos_turns_0( turns_1 : f32) -> vec2<f32>
     }
 }
 
-fn cosine_hemisphere_0( u_4 : f32,  v_3 : f32) -> vec3<f32>
+fn cosine_hemisphere_0( u_4 : f32,  v_5 : f32) -> vec3<f32>
 {
     var radius_1 : f32 = square_root_0(u_4);
-    var sin_cos_0 : vec2<f32> = sincos_turns_0(v_3);
+    var sin_cos_0 : vec2<f32> = sincos_turns_0(v_5);
     return vec3<f32>(radius_1 * sin_cos_0.y, radius_1 * sin_cos_0.x, square_root_0(1.0f - u_4));
 }
 
@@ -1818,31 +1815,31 @@ fn cosine_hemisphere_pdf_0( cos_theta_4 : f32) -> f32
 
 fn BsdfSample_x24init_0( wi_1 : vec3<f32>,  weight_1 : vec3<f32>,  pdf_5 : f32,  is_delta_1 : bool) -> BsdfSample_0
 {
-    var _S129 : BsdfSample_0;
-    _S129.wi_0 = wi_1;
-    _S129.weight_0 = weight_1;
-    _S129.pdf_4 = pdf_5;
-    _S129.is_delta_0 = is_delta_1;
-    return _S129;
+    var _S117 : BsdfSample_0;
+    _S117.wi_0 = wi_1;
+    _S117.weight_0 = weight_1;
+    _S117.pdf_4 = pdf_5;
+    _S117.is_delta_0 = is_delta_1;
+    return _S117;
 }
 
-fn Diffuse_sample_0( this_18 : Diffuse_0,  wo_2 : vec3<f32>,  u_5 : vec3<f32>,  sample_2 : ptr<function, BsdfSample_0>) -> bool
+fn Diffuse_sample_0( this_20 : Diffuse_0,  wo_2 : vec3<f32>,  u_5 : vec3<f32>,  sample_2 : ptr<function, BsdfSample_0>) -> bool
 {
     var wi_2 : vec3<f32> = cosine_hemisphere_0(u_5.x, u_5.y);
-    (*sample_2) = BsdfSample_x24init_0(wi_2, this_18.reflectance_0, cosine_hemisphere_pdf_0(wi_2.z), false);
+    (*sample_2) = BsdfSample_x24init_0(wi_2, this_20.reflectance_0, cosine_hemisphere_pdf_0(wi_2.z), false);
     return true;
 }
 
-fn MaterialBsdf_sample_0( this_19 : MaterialBsdf_0,  wo_3 : vec3<f32>,  u_6 : vec3<f32>,  sample_3 : ptr<function, BsdfSample_0>) -> bool
+fn MaterialBsdf_sample_0( this_21 : MaterialBsdf_0,  wo_3 : vec3<f32>,  u_6 : vec3<f32>,  sample_3 : ptr<function, BsdfSample_0>) -> bool
 {
-    var _S130 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_19.color_0), wo_3, u_6, &((*sample_3)));
-    return _S130;
+    var _S118 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_21.color_0), wo_3, u_6, &((*sample_3)));
+    return _S118;
 }
 
-fn Surface_world_direction_0( this_20 : Surface_0,  local_1 : vec3<f32>) -> vec3<f32>
+fn Surface_world_direction_0( this_22 : Surface_0,  local_1 : vec3<f32>) -> vec3<f32>
 {
     var away_1 : f32;
-    if((((this_20.face_1) & (u32(1)))) == u32(1))
+    if((((this_22.face_1) & (u32(1)))) == u32(1))
     {
         away_1 = local_1.z;
     }
@@ -1850,28 +1847,28 @@ fn Surface_world_direction_0( this_20 : Surface_0,  local_1 : vec3<f32>) -> vec3
     {
         away_1 = - local_1.z;
     }
-    var _S131 : f32 = local_1.x;
-    var _S132 : f32 = local_1.y;
-    var _S133 : vec3<f32> = vec3<f32>(_S131, _S132, away_1);
+    var _S119 : f32 = local_1.x;
+    var _S120 : f32 = local_1.y;
+    var _S121 : vec3<f32> = vec3<f32>(_S119, _S120, away_1);
     var in_grid_2 : vec3<f32>;
-    if((this_20.face_1) < u32(2))
+    if((this_22.face_1) < u32(2))
     {
-        in_grid_2 = vec3<f32>(away_1, _S131, _S132);
+        in_grid_2 = vec3<f32>(away_1, _S119, _S120);
     }
     else
     {
-        if((this_20.face_1) < u32(4))
+        if((this_22.face_1) < u32(4))
         {
-            in_grid_2 = vec3<f32>(_S132, away_1, _S131);
+            in_grid_2 = vec3<f32>(_S120, away_1, _S119);
         }
         else
         {
-            in_grid_2 = _S133;
+            in_grid_2 = _S121;
         }
     }
     if(!IS_SINGLE_0)
     {
-        in_grid_2 = Transform_direction_1(this_20.instance_3, in_grid_2);
+        in_grid_2 = Transform_direction_0(Instances_operatorx5Bx5D_get_0(this_22.instance_3).world_from_grid_0, in_grid_2);
     }
     return normalize_vector_0(in_grid_2);
 }
@@ -1891,7 +1888,7 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_8 : Ray_0,  hit
         t_4 = (*path_5).pdf_1;
     }
     (*path_5).pdf_1 = t_4;
-    var last_3 : Receiver_0 = Path_receiver_0((*path_5), ray_8);
+    var last_4 : Receiver_0 = Path_receiver_0((*path_5), ray_8);
     var is_scattered_2 : bool;
     if(Inside_is_in_0((*path_5).inside_0))
     {
@@ -1932,7 +1929,7 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_8 : Ray_0,  hit
     var light_pdf_1 : f32;
     if(is_weighed_0)
     {
-        (*radiance_3) = (*radiance_3) + (*path_5).beta_0 * Sky_le_0(ray_8.direction_1) * vec3<f32>(mis_weight_0((*path_5).pdf_1, Lights_sky_pdf_0(Path_selection_at_0((*path_5), last_3), ray_8.direction_1)));
+        (*radiance_3) = (*radiance_3) + (*path_5).beta_0 * Sky_le_0(ray_8.direction_1) * vec3<f32>(mis_weight_0((*path_5).pdf_1, Lights_sky_pdf_0(Path_selection_at_0((*path_5), last_4), ray_8.direction_1)));
         if(has_sun_0())
         {
             if(SunDisc_is_visible_0())
@@ -1959,7 +1956,7 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_8 : Ray_0,  hit
                 }
                 else
                 {
-                    light_pdf_1 = Lights_sun_pdf_0(Path_selection_at_0((*path_5), last_3), ray_8.direction_1);
+                    light_pdf_1 = Lights_sun_pdf_0(Path_selection_at_0((*path_5), last_4), ray_8.direction_1);
                 }
                 (*radiance_3) = (*radiance_3) + (*path_5).beta_0 * le_0 * vec3<f32>(mis_weight_0((*path_5).pdf_1, light_pdf_1));
             }
@@ -1968,7 +1965,7 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_8 : Ray_0,  hit
     }
     var u_7 : vec4<f32> = Sampler_stratified_0((*path_5).sampler_0, Path_dimension_scatter_0((*path_5)));
     var material_6 : PackedMaterial_0 = material_met_0((*path_5), hit_3, beyond_2);
-    var _S134 : vec3<f32> = vec3<f32>(0.0f);
+    var _S122 : vec3<f32> = vec3<f32>(0.0f);
     var le_1 : vec3<f32>;
     if(!is_counted_0)
     {
@@ -1976,7 +1973,7 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_8 : Ray_0,  hit
     }
     else
     {
-        le_1 = _S134;
+        le_1 = _S122;
     }
     var is_lit_0 : bool = (max_element_0(le_1)) > 0.0f;
     if(weighs_apart_0())
@@ -1995,62 +1992,62 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_8 : Ray_0,  hit
     {
         is_weighed_0 = false;
     }
-    var _S135 : bool;
+    var _S123 : bool;
     if(is_lit_0)
     {
-        _S135 = !is_weighed_0;
+        _S123 = !is_weighed_0;
     }
     else
     {
-        _S135 = false;
+        _S123 = false;
     }
-    if(_S135)
+    if(_S123)
     {
         (*radiance_3) = (*radiance_3) + (*path_5).beta_0 * le_1 * vec3<f32>(mis_weight_0((*path_5).pdf_1, 0.0f));
     }
-    var _S136 : f32 = ior_of_0((*path_5).inside_0);
-    var _S137 : f32 = u_7[i32(3)];
-    var _S138 : MaterialBsdf_0 = bsdf_of_0(material_6, _S136, &(_S137));
-    u_7[i32(3)] = _S137;
-    var scattered_2 : vec3<f32> = (*path_5).beta_0 * MaterialBsdf_albedo_0(_S138);
+    var _S124 : f32 = ior_of_0((*path_5).inside_0);
+    var _S125 : f32 = u_7[i32(3)];
+    var _S126 : MaterialBsdf_0 = bsdf_of_0(material_6, _S124, &(_S125));
+    u_7[i32(3)] = _S125;
+    var scattered_2 : vec3<f32> = (*path_5).beta_0 * MaterialBsdf_albedo_0(_S126);
     if(((*path_5).bounce_0) >= (params_0.max_bounces_0))
     {
-        _S135 = true;
+        _S123 = true;
     }
     else
     {
-        _S135 = ends_here_0;
+        _S123 = ends_here_0;
     }
-    var _S139 : bool = !is_weighed_0;
-    if(_S139)
+    var _S127 : bool = !is_weighed_0;
+    if(_S127)
     {
-        if(_S135)
+        if(_S123)
         {
-            _S135 = true;
+            _S123 = true;
         }
         else
         {
-            _S135 = (max_element_0(scattered_2)) <= 0.0f;
+            _S123 = (max_element_0(scattered_2)) <= 0.0f;
         }
     }
     else
     {
-        _S135 = false;
+        _S123 = false;
     }
-    if(_S135)
+    if(_S123)
     {
         return next_0;
     }
     var compensation_2 : f32 = roulette_0(Path_events_0((*path_5)), scattered_2, u_7.z);
-    if(_S139)
+    if(_S127)
     {
-        _S135 = compensation_2 == 0.0f;
+        _S123 = compensation_2 == 0.0f;
     }
     else
     {
-        _S135 = false;
+        _S123 = false;
     }
-    if(_S135)
+    if(_S123)
     {
         return next_0;
     }
@@ -2064,19 +2061,19 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_8 : Ray_0,  hit
         at_0 = hit_3;
     }
     var surface_3 : Surface_0 = surface_of_0(ray_8, at_0);
-    var _S140 : Receiver_0 = Receiver_x24init_0(surface_3.origin_4, surface_3.normal_2);
-    var _S141 : vec3<f32> = (vec3<f32>(0) - ray_8.direction_1);
-    var wo_4 : vec3<f32> = Surface_local_direction_0(surface_3, _S141);
+    var _S128 : Receiver_0 = Receiver_x24init_0(surface_3.origin_3, surface_3.normal_2);
+    var _S129 : vec3<f32> = (vec3<f32>(0) - ray_8.direction_1);
+    var wo_4 : vec3<f32> = Surface_local_direction_0(surface_3, _S129);
     var inside_4 : Inside_0 = in_air_0();
     var wo_5 : vec3<f32>;
     var receiver_9 : Receiver_0;
     if(is_scattered_2)
     {
-        var _S142 : Inside_0 = Inside_x24init_0((*path_5).inside_0.instance_0, hit_3.voxel_1, (*path_5).inside_0.material_0);
-        inside_4 = _S142;
-        var _S143 : vec3<f32> = normalize_vector_0(_S141);
-        receiver_9 = Receiver_x24init_0(Inside_point_0(_S142, ray_8, t_4), _S134);
-        wo_5 = _S143;
+        var _S130 : Inside_0 = Inside_x24init_0((*path_5).inside_0.instance_0, hit_3.voxel_1, (*path_5).inside_0.material_0);
+        inside_4 = _S130;
+        var _S131 : vec3<f32> = normalize_vector_0(_S129);
+        receiver_9 = Receiver_x24init_0(Inside_point_0(_S130, ray_8, t_4), _S122);
+        wo_5 = _S131;
     }
     else
     {
@@ -2086,17 +2083,17 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_8 : Ray_0,  hit
             inside_4 = Inside_x24init_0((*path_5).inside_0.instance_0, hit_3.voxel_1, (*path_5).inside_0.material_0);
             inside_4.voxel_0 = hit_3.voxel_1 + vec3<i32>(face_normal_0(hit_3.face_0));
         }
-        receiver_9 = _S140;
+        receiver_9 = _S128;
         wo_5 = wo_4;
     }
-    next_0.origin_1 = receiver_9.point_0;
+    next_0.origin_0 = receiver_9.point_0;
     next_0.shadow_inside_0 = inside_4;
     if(is_weighed_0)
     {
-        receiver_9 = last_3;
+        receiver_9 = last_4;
     }
     var light_2 : LightSample_0 = no_light_0();
-    scatter_of_path_0 = Scatter_x24init_0((*path_5), receiver_9, surface_3, _S138, wo_5, compensation_2, is_scattered_2, false);
+    scatter_of_path_0 = Scatter_x24init_0((*path_5), receiver_9, surface_3, _S126, wo_5, compensation_2, is_scattered_2, false);
     if(is_weighed_0)
     {
         if(next_0.has_shadow_ray_0)
@@ -2113,8 +2110,8 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_8 : Ray_0,  hit
         return next_0;
     }
     var bounce_1 : BsdfSample_0;
-    var _S144 : bool = MaterialBsdf_sample_0(_S138, wo_5, vec3<f32>(u_7.xy, u_7.w), &(bounce_1));
-    if(!_S144)
+    var _S132 : bool = MaterialBsdf_sample_0(_S126, wo_5, vec3<f32>(u_7.xy, u_7.w), &(bounce_1));
+    if(!_S132)
     {
         return next_0;
     }
@@ -2154,17 +2151,17 @@ struct Aim_0
 
 fn Aim_x24init_0( is_met_1 : bool,  direction_19 : vec3<f32>,  hit_5 : Hit_0,  luminance_2 : f32) -> Aim_0
 {
-    var _S145 : Aim_0;
-    _S145.is_met_0 = is_met_1;
-    _S145.direction_18 = direction_19;
-    _S145.hit_4 = hit_5;
-    _S145.luminance_1 = luminance_2;
-    return _S145;
+    var _S133 : Aim_0;
+    _S133.is_met_0 = is_met_1;
+    _S133.direction_18 = direction_19;
+    _S133.hit_4 = hit_5;
+    _S133.luminance_1 = luminance_2;
+    return _S133;
 }
 
 fn ray_from_0( origin_6 : vec3<f32>,  direction_20 : vec3<f32>) -> Ray_0
 {
-    return Ray_x24init_0(origin_6, 0.0f, direction_20, (bitcast<f32>((u32(2139095040)))));
+    return Ray_x24init_0(origin_6, 0.0f, direction_20, (bitcast<f32>(infinity_bits_0)));
 }
 
 fn SunDisc_sample_0( receiver_10 : Receiver_0,  u_8 : vec4<f32>,  sample_4 : ptr<function, LightSample_0>) -> bool
@@ -2187,36 +2184,36 @@ struct ChosenDirection_0
 
 fn ChosenDirection_x24init_0( direction_23 : vec3<f32>,  radiance_5 : vec3<f32>,  pdf_7 : f32) -> ChosenDirection_0
 {
-    var _S146 : ChosenDirection_0;
-    _S146.direction_22 = direction_23;
-    _S146.radiance_4 = radiance_5;
-    _S146.pdf_6 = pdf_7;
-    return _S146;
+    var _S134 : ChosenDirection_0;
+    _S134.direction_22 = direction_23;
+    _S134.radiance_4 = radiance_5;
+    _S134.pdf_6 = pdf_7;
+    return _S134;
 }
 
 fn direction_of_0( square_0 : vec2<f32>) -> vec3<f32>
 {
     var u_9 : f32 = square_0.x * 2.0f - 1.0f;
-    var v_4 : f32 = square_0.y * 2.0f - 1.0f;
-    var _S147 : f32 = abs(u_9);
-    var _S148 : f32 = abs(v_4);
-    var height_1 : f32 = 1.0f - (_S147 + _S148);
+    var v_6 : f32 = square_0.y * 2.0f - 1.0f;
+    var _S135 : f32 = abs(u_9);
+    var _S136 : f32 = abs(v_6);
+    var height_1 : f32 = 1.0f - (_S135 + _S136);
     var radius_3 : f32 = 1.0f - abs(height_1);
     var turns_2 : f32;
     if(radius_3 > 0.0f)
     {
-        turns_2 = (divide_0(_S148 - _S147, radius_3) + 1.0f) * 0.125f;
+        turns_2 = (divide_0(_S136 - _S135, radius_3) + 1.0f) * 0.125f;
     }
     else
     {
         turns_2 = 0.0f;
     }
     var sin_cos_2 : vec2<f32> = sincos_turns_0(turns_2);
-    var _S149 : f32 = radius_3 * radius_3;
-    var across_0 : f32 = radius_3 * square_root_0(2.0f - _S149);
+    var _S137 : f32 = radius_3 * radius_3;
+    var across_0 : f32 = radius_3 * square_root_0(2.0f - _S137);
     var x_8 : f32 = sin_cos_2.y * across_0;
     var y_4 : f32 = sin_cos_2.x * across_0;
-    var z_0 : f32 = 1.0f - _S149;
+    var z_0 : f32 = 1.0f - _S137;
     if(u_9 < 0.0f)
     {
         turns_2 = - x_8;
@@ -2225,45 +2222,45 @@ fn direction_of_0( square_0 : vec2<f32>) -> vec3<f32>
     {
         turns_2 = x_8;
     }
-    var _S150 : f32;
-    if(v_4 < 0.0f)
+    var _S138 : f32;
+    if(v_6 < 0.0f)
     {
-        _S150 = - y_4;
+        _S138 = - y_4;
     }
     else
     {
-        _S150 = y_4;
+        _S138 = y_4;
     }
-    var _S151 : f32;
+    var _S139 : f32;
     if(height_1 < 0.0f)
     {
-        _S151 = - z_0;
+        _S139 = - z_0;
     }
     else
     {
-        _S151 = z_0;
+        _S139 = z_0;
     }
-    return vec3<f32>(turns_2, _S150, _S151);
+    return vec3<f32>(turns_2, _S138, _S139);
 }
 
 fn Environment_to_world_0( d_3 : vec3<f32>) -> vec3<f32>
 {
     var sin_2 : f32 = params_0.sky_turned_0.x;
     var cos_3 : f32 = params_0.sky_turned_0.y;
-    var _S152 : f32 = d_3.x;
-    var _S153 : f32 = d_3.y;
-    return vec3<f32>(_S152 * cos_3 + _S153 * sin_2, _S153 * cos_3 - _S152 * sin_2, d_3.z);
+    var _S140 : f32 = d_3.x;
+    var _S141 : f32 = d_3.y;
+    return vec3<f32>(_S140 * cos_3 + _S141 * sin_2, _S141 * cos_3 - _S140 * sin_2, d_3.z);
 }
 
 fn Environment_choose_0( u_10 : vec4<f32>,  chosen_0 : ptr<function, ChosenDirection_0>) -> bool
 {
-    var _S154 : vec3<f32> = vec3<f32>(0.0f);
-    (*chosen_0) = ChosenDirection_x24init_0(_S154, _S154, 0.0f);
+    var _S142 : vec3<f32> = vec3<f32>(0.0f);
+    (*chosen_0) = ChosenDirection_x24init_0(_S142, _S142, 0.0f);
     var edge_0 : f32 = f32(params_0.sky_edge_0);
-    var _S155 : f32 = u_10.x * edge_0;
-    var _S156 : f32 = edge_0 - 1.0f;
-    var _S157 : f32 = min(floor(_S155), _S156);
-    var own_1 : u32 = u32(_S157) * params_0.sky_edge_0 + u32(min(floor(u_10.y * edge_0), _S156));
+    var _S143 : f32 = u_10.x * edge_0;
+    var _S144 : f32 = edge_0 - 1.0f;
+    var _S145 : f32 = min(floor(_S143), _S144);
+    var own_1 : u32 = u32(_S145) * params_0.sky_edge_0 + u32(min(floor(u_10.y * edge_0), _S144));
     var index_14 : u32;
     if((u_10.z) < (environment_0[own_1].threshold_0))
     {
@@ -2278,10 +2275,10 @@ fn Environment_choose_0( u_10 : vec4<f32>,  chosen_0 : ptr<function, ChosenDirec
     {
         return false;
     }
-    var _S158 : u32 = index_14 % params_0.sky_edge_0;
-    var _S159 : f32 = f32(_S158);
-    var _S160 : u32 = index_14 / params_0.sky_edge_0;
-    var place_2 : vec2<f32> = vec2<f32>(_S159, f32(_S160)) + vec2<f32>(min(_S155 - _S157, 1.0f), u_10.w);
+    var _S146 : u32 = index_14 % params_0.sky_edge_0;
+    var _S147 : f32 = f32(_S146);
+    var _S148 : u32 = index_14 / params_0.sky_edge_0;
+    var place_2 : vec2<f32> = vec2<f32>(_S147, f32(_S148)) + vec2<f32>(min(_S143 - _S145, 1.0f), u_10.w);
     (*chosen_0) = ChosenDirection_x24init_0(Environment_to_world_0(direction_of_0(place_2 * vec2<f32>(divide_0(1.0f, edge_0)))), Environment_radiance_at_0(place_2), pdf_8);
     return true;
 }
@@ -2290,17 +2287,17 @@ fn Sky_sample_0( receiver_11 : Receiver_0,  u_11 : vec4<f32>,  sample_5 : ptr<fu
 {
     (*sample_5) = no_light_0();
     var chosen_1 : ChosenDirection_0;
-    var _S161 : bool;
+    var _S149 : bool;
     if(SKY_0 != u32(1))
     {
-        _S161 = true;
+        _S149 = true;
     }
     else
     {
-        var _S162 : bool = Environment_choose_0(u_11, &(chosen_1));
-        _S161 = !_S162;
+        var _S150 : bool = Environment_choose_0(u_11, &(chosen_1));
+        _S149 = !_S150;
     }
-    if(_S161)
+    if(_S149)
     {
         return false;
     }
@@ -2322,15 +2319,15 @@ struct Descent_0
 
 fn Descent_x24init_0( node_4 : u32,  index_16 : u32,  count_3 : u32,  weight_3 : f32,  total_1 : f32,  choice_2 : f32,  is_far_4 : bool) -> Descent_0
 {
-    var _S163 : Descent_0;
-    _S163.node_3 = node_4;
-    _S163.index_15 = index_16;
-    _S163.count_2 = count_3;
-    _S163.weight_2 = weight_3;
-    _S163.total_0 = total_1;
-    _S163.choice_1 = choice_2;
-    _S163.is_far_3 = is_far_4;
-    return _S163;
+    var _S151 : Descent_0;
+    _S151.node_3 = node_4;
+    _S151.index_15 = index_16;
+    _S151.count_2 = count_3;
+    _S151.weight_2 = weight_3;
+    _S151.total_0 = total_1;
+    _S151.choice_1 = choice_2;
+    _S151.is_far_3 = is_far_4;
+    return _S151;
 }
 
 fn TopLights_node_0( index_17 : u32) -> LightNode_0
@@ -2338,28 +2335,28 @@ fn TopLights_node_0( index_17 : u32) -> LightNode_0
     return top_light_node_0(index_17);
 }
 
-fn Descent_at_0( this_21 : ptr<function, Descent_0>,  root_2 : u32)
+fn Descent_at_0( this_23 : ptr<function, Descent_0>,  root_2 : u32)
 {
     var node_5 : LightNode_0 = TopLights_node_0(root_2);
-    (*this_21).node_3 = root_2;
-    (*this_21).index_15 = node_5.index_2;
-    (*this_21).count_2 = node_5.count_0;
-    (*this_21).is_far_3 = false;
+    (*this_23).node_3 = root_2;
+    (*this_23).index_15 = node_5.index_2;
+    (*this_23).count_2 = node_5.count_0;
+    (*this_23).is_far_3 = false;
     return;
 }
 
 fn normal_or_zero_0( weight_4 : f32) -> f32
 {
-    var _S164 : f32;
+    var _S152 : f32;
     if(weight_4 < 1.17549435082228751e-38f)
     {
-        _S164 = 0.0f;
+        _S152 = 0.0f;
     }
     else
     {
-        _S164 = weight_4;
+        _S152 = weight_4;
     }
-    return _S164;
+    return _S152;
 }
 
 fn inverse_power_of_two_0( x_9 : f32) -> f32
@@ -2369,10 +2366,10 @@ fn inverse_power_of_two_0( x_9 : f32) -> f32
 
 fn weights_of_0( left_0 : f32,  right_0 : f32) -> vec2<f32>
 {
-    var _S165 : f32 = normal_or_zero_0(left_0);
-    var _S166 : f32 = normal_or_zero_0(right_0);
-    var unit_0 : f32 = inverse_power_of_two_0(_S165 + _S166);
-    return vec2<f32>(normal_or_zero_0(_S165 * unit_0), normal_or_zero_0(_S166 * unit_0));
+    var _S153 : f32 = normal_or_zero_0(left_0);
+    var _S154 : f32 = normal_or_zero_0(right_0);
+    var unit_0 : f32 = inverse_power_of_two_0(_S153 + _S154);
+    return vec2<f32>(normal_or_zero_0(_S153 * unit_0), normal_or_zero_0(_S154 * unit_0));
 }
 
 fn climb_0( receiver_12 : Receiver_0,  start_2 : u32,  descent_0 : ptr<function, Descent_0>) -> bool
@@ -2381,7 +2378,7 @@ fn climb_0( receiver_12 : Receiver_0,  start_2 : u32,  descent_0 : ptr<function,
     var at_1 : u32 = start_2;
     for(;;)
     {
-        var _S167 : LightNode_0 = node_6;
+        var _S155 : LightNode_0 = node_6;
         if((node_6.parent_0) != u32(4294967295))
         {
         }
@@ -2389,66 +2386,66 @@ fn climb_0( receiver_12 : Receiver_0,  start_2 : u32,  descent_0 : ptr<function,
         {
             break;
         }
-        var parent_1 : LightNode_0 = top_light_node_0(_S167.parent_0);
-        var _S168 : u32 = _S167.parent_0 + u32(1);
-        var is_left_0 : bool = at_1 == _S168;
-        var _S169 : u32;
+        var parent_1 : LightNode_0 = top_light_node_0(_S155.parent_0);
+        var _S156 : u32 = _S155.parent_0 + u32(1);
+        var is_left_0 : bool = at_1 == _S156;
+        var _S157 : u32;
         if(is_left_0)
         {
-            _S169 = parent_1.index_2;
+            _S157 = parent_1.index_2;
         }
         else
         {
-            _S169 = _S168;
+            _S157 = _S156;
         }
-        var _S170 : View_0 = view_0(node_6, receiver_12);
-        var _S171 : View_0 = view_0(top_light_node_0(_S169), receiver_12);
-        var _S172 : f32;
+        var _S158 : View_0 = view_0(node_6, receiver_12);
+        var _S159 : View_0 = view_0(top_light_node_0(_S157), receiver_12);
+        var _S160 : f32;
         if(is_left_0)
         {
-            _S172 = _S170.importance_0;
+            _S160 = _S158.importance_0;
         }
         else
         {
-            _S172 = _S171.importance_0;
+            _S160 = _S159.importance_0;
         }
-        var _S173 : f32;
+        var _S161 : f32;
         if(is_left_0)
         {
-            _S173 = _S171.importance_0;
+            _S161 = _S159.importance_0;
         }
         else
         {
-            _S173 = _S170.importance_0;
+            _S161 = _S158.importance_0;
         }
-        var weights_0 : vec2<f32> = weights_of_0(_S172, _S173);
-        var _S174 : f32 = weights_0.x;
-        var _S175 : f32 = weights_0.y;
-        var total_2 : f32 = _S174 + _S175;
+        var weights_0 : vec2<f32> = weights_of_0(_S160, _S161);
+        var _S162 : f32 = weights_0.x;
+        var _S163 : f32 = weights_0.y;
+        var total_2 : f32 = _S162 + _S163;
         if(!(total_2 > 0.0f))
         {
             return false;
         }
-        var _S176 : f32;
+        var _S164 : f32;
         if(is_left_0)
         {
-            _S176 = _S174;
+            _S164 = _S162;
         }
         else
         {
-            _S176 = _S175;
+            _S164 = _S163;
         }
-        (*descent_0).weight_2 = (*descent_0).weight_2 * _S176;
+        (*descent_0).weight_2 = (*descent_0).weight_2 * _S164;
         (*descent_0).total_0 = (*descent_0).total_0 * total_2;
         node_6 = parent_1;
-        at_1 = _S167.parent_0;
+        at_1 = _S155.parent_0;
     }
     return ((*descent_0).weight_2) > 0.0f;
 }
 
 fn miss_0() -> Hit_0
 {
-    return Hit_x24init_0((bitcast<f32>((u32(2139095040)))), u32(4294967295), vec3<i32>(i32(0)), u32(0));
+    return Hit_x24init_0((bitcast<f32>(infinity_bits_0)), u32(4294967295), vec3<i32>(i32(0)), u32(0));
 }
 
 fn by_chance_0() -> Aim_0
@@ -2458,32 +2455,23 @@ fn by_chance_0() -> Aim_0
 
 fn waits_for_pages_0() -> bool
 {
-    var _S177 : bool;
-    if(HAS_PAGES_0)
-    {
-        _S177 = is_page_missing_0;
-    }
-    else
-    {
-        _S177 = false;
-    }
-    return _S177;
+    return false;
 }
 
 fn descend_0( receiver_13 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<function, Descent_0>) -> bool
 {
     for(;;)
     {
-        var _S178 : bool;
+        var _S165 : bool;
         if(((*descent_1).count_2) == u32(0))
         {
-            _S178 = !(*descent_1).is_far_3;
+            _S165 = !(*descent_1).is_far_3;
         }
         else
         {
-            _S178 = false;
+            _S165 = false;
         }
-        if(_S178)
+        if(_S165)
         {
         }
         else
@@ -2497,29 +2485,29 @@ fn descend_0( receiver_13 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<functio
         var left_1 : LightNode_0 = TopLights_node_0((*descent_1).node_3 + u32(1));
         var right_1 : LightNode_0 = TopLights_node_0((*descent_1).index_15);
         var weights_1 : vec2<f32> = weights_of_0(view_0(left_1, receiver_13).importance_0, view_0(right_1, receiver_13).importance_0);
-        var _S179 : f32 = weights_1.x;
-        var _S180 : f32 = weights_1.y;
-        var total_3 : f32 = _S179 + _S180;
+        var _S166 : f32 = weights_1.x;
+        var _S167 : f32 = weights_1.y;
+        var total_3 : f32 = _S166 + _S167;
         if(!(total_3 > 0.0f))
         {
             return false;
         }
-        var _S181 : bool;
-        if(_S180 <= 0.0f)
+        var _S168 : bool;
+        if(_S167 <= 0.0f)
         {
-            _S181 = true;
+            _S168 = true;
         }
         else
         {
-            _S181 = ((*descent_1).choice_1 * total_3) < (_S179 * (*descent_1).weight_2);
+            _S168 = ((*descent_1).choice_1 * total_3) < (_S166 * (*descent_1).weight_2);
         }
         var is_left_1 : bool;
         if(aim_0.is_met_0)
         {
-            var _S182 : vec3<f32> = vec3<f32>(aim_0.hit_4.voxel_1);
-            if((all((_S182 >= (vector_of_0(left_1.min_2))))))
+            var _S169 : vec3<f32> = vec3<f32>(aim_0.hit_4.voxel_1);
+            if((all((_S169 >= (vector_of_0(left_1.min_0))))))
             {
-                is_left_1 = (all((_S182 < (vector_of_0(left_1.max_2)))));
+                is_left_1 = (all((_S169 < (vector_of_0(left_1.max_0)))));
             }
             else
             {
@@ -2528,63 +2516,63 @@ fn descend_0( receiver_13 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<functio
         }
         else
         {
-            is_left_1 = _S181;
+            is_left_1 = _S168;
         }
-        var _S183 : f32 = (*descent_1).choice_1 * total_3;
-        var _S184 : f32;
+        var _S170 : f32 = (*descent_1).choice_1 * total_3;
+        var _S171 : f32;
         if(is_left_1)
         {
-            _S184 = 0.0f;
+            _S171 = 0.0f;
         }
         else
         {
-            _S184 = _S179 * (*descent_1).weight_2;
+            _S171 = _S166 * (*descent_1).weight_2;
         }
-        (*descent_1).choice_1 = _S183 - _S184;
-        var _S185 : u32;
+        (*descent_1).choice_1 = _S170 - _S171;
+        var _S172 : u32;
         if(is_left_1)
         {
-            _S185 = (*descent_1).node_3 + u32(1);
+            _S172 = (*descent_1).node_3 + u32(1);
         }
         else
         {
-            _S185 = (*descent_1).index_15;
+            _S172 = (*descent_1).index_15;
         }
-        (*descent_1).node_3 = _S185;
-        var _S186 : u32;
+        (*descent_1).node_3 = _S172;
+        var _S173 : u32;
         if(is_left_1)
         {
-            _S186 = left_1.index_2;
+            _S173 = left_1.index_2;
         }
         else
         {
-            _S186 = right_1.index_2;
+            _S173 = right_1.index_2;
         }
-        (*descent_1).index_15 = _S186;
-        var _S187 : u32;
+        (*descent_1).index_15 = _S173;
+        var _S174 : u32;
         if(is_left_1)
         {
-            _S187 = left_1.count_0;
+            _S174 = left_1.count_0;
         }
         else
         {
-            _S187 = right_1.count_0;
+            _S174 = right_1.count_0;
         }
-        (*descent_1).count_2 = _S187;
+        (*descent_1).count_2 = _S174;
         (*descent_1).is_far_3 = false;
-        var _S188 : f32;
+        var _S175 : f32;
         if(is_left_1)
         {
-            _S188 = _S179;
+            _S175 = _S166;
         }
         else
         {
-            _S188 = _S180;
+            _S175 = _S167;
         }
-        var _S189 : f32 = (*descent_1).weight_2 * _S188;
-        (*descent_1).weight_2 = _S189;
+        var _S176 : f32 = (*descent_1).weight_2 * _S175;
+        (*descent_1).weight_2 = _S176;
         (*descent_1).total_0 = (*descent_1).total_0 * total_3;
-        if(_S189 <= 0.0f)
+        if(_S176 <= 0.0f)
         {
             return false;
         }
@@ -2592,41 +2580,37 @@ fn descend_0( receiver_13 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<functio
     return true;
 }
 
-fn in_grid_3( instance_6 : u32,  receiver_14 : Receiver_0) -> Receiver_0
+fn in_grid_3( instance_7 : u32,  receiver_14 : Receiver_0) -> Receiver_0
 {
     if(IS_SINGLE_0)
     {
         return receiver_14;
     }
-    return Receiver_x24init_0(Transform_point_0(instance_6, receiver_14.point_0), normalize_vector_0(Transform_direction_0(instance_6, receiver_14.normal_1)));
+    var _S177 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(instance_7);
+    return Receiver_x24init_0(Transform_point_0(_S177.grid_from_world_0, receiver_14.point_0), normalize_vector_0(Transform_direction_0(_S177.grid_from_world_0, receiver_14.normal_1)));
 }
 
 fn lights_in_pages_0() -> bool
 {
-    var _S190 : bool;
-    if(HAS_PAGES_0)
-    {
-        _S190 = pages_0[u32(5)] != u32(0);
-    }
-    else
-    {
-        _S190 = false;
-    }
-    return _S190;
+    return false;
+}
+
+fn Rows_operatorx5Bx5D_get_2( row_5 : u32) -> vec4<u32>
+{
+    return records_0[first_row_0(u32(5)) + row_5];
 }
 
 fn place_in_light_node_0( node_7 : u32,  word_5 : u32) -> u32
 {
-    var _S191 : u32 = word_in_pages_0(node_7 * u32(16) + word_5, pages_0[i32(4)]);
-    return _S191;
+    return u32(0);
 }
 
 fn light_node_at_0( index_18 : u32) -> LightNode_0
 {
     if(!lights_in_pages_0())
     {
-        var _S192 : u32 = u32(4) * index_18;
-        return light_node_of_0(light_node_rows_0[_S192], light_node_rows_0[_S192 + u32(1)], light_node_rows_0[_S192 + u32(2)], light_node_rows_0[_S192 + u32(3)]);
+        var _S178 : u32 = u32(4) * index_18;
+        return light_node_of_0(Rows_operatorx5Bx5D_get_2(_S178), Rows_operatorx5Bx5D_get_2(_S178 + u32(1)), Rows_operatorx5Bx5D_get_2(_S178 + u32(2)), Rows_operatorx5Bx5D_get_2(_S178 + u32(3)));
     }
     var at_2 : u32 = place_in_light_node_0(index_18, u32(0));
     var node_8 : LightNode_0;
@@ -2640,8 +2624,8 @@ fn light_node_at_0( index_18 : u32) -> LightNode_0
         {
             break;
         }
-        node_8.min_2[i_0] = (bitcast<f32>((cells_1[at_2 + i_0])));
-        node_8.max_2[i_0] = (bitcast<f32>((cells_1[at_2 + u32(4) + i_0])));
+        node_8.min_0[i_0] = (bitcast<f32>((cells_1[at_2 + i_0])));
+        node_8.max_0[i_0] = (bitcast<f32>((cells_1[at_2 + u32(4) + i_0])));
         i_0 = i_0 + u32(1);
     }
     node_8.index_2 = cells_1[at_2 + u32(3)];
@@ -2666,17 +2650,16 @@ fn light_node_at_0( index_18 : u32) -> LightNode_0
 
 fn GridLights_node_0( index_19 : u32) -> LightNode_0
 {
-    var _S193 : LightNode_0 = light_node_at_0(index_19);
-    return _S193;
+    return light_node_at_0(index_19);
 }
 
-fn Descent_at_1( this_22 : ptr<function, Descent_0>,  root_3 : u32)
+fn Descent_at_1( this_24 : ptr<function, Descent_0>,  root_3 : u32)
 {
     var node_9 : LightNode_0 = GridLights_node_0(root_3);
-    (*this_22).node_3 = root_3;
-    (*this_22).index_15 = node_9.index_2;
-    (*this_22).count_2 = node_9.count_0;
-    (*this_22).is_far_3 = false;
+    (*this_24).node_3 = root_3;
+    (*this_24).index_15 = node_9.index_2;
+    (*this_24).count_2 = node_9.count_0;
+    (*this_24).is_far_3 = false;
     return;
 }
 
@@ -2684,16 +2667,16 @@ fn descend_1( receiver_15 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<functio
 {
     for(;;)
     {
-        var _S194 : bool;
+        var _S179 : bool;
         if(((*descent_2).count_2) == u32(0))
         {
-            _S194 = !(*descent_2).is_far_3;
+            _S179 = !(*descent_2).is_far_3;
         }
         else
         {
-            _S194 = false;
+            _S179 = false;
         }
-        if(_S194)
+        if(_S179)
         {
         }
         else
@@ -2709,29 +2692,29 @@ fn descend_1( receiver_15 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<functio
         var of_left_0 : View_0 = view_0(left_2, receiver_15);
         var of_right_0 : View_0 = view_0(right_2, receiver_15);
         var weights_2 : vec2<f32> = weights_of_0(of_left_0.importance_0, of_right_0.importance_0);
-        var _S195 : f32 = weights_2.x;
-        var _S196 : f32 = weights_2.y;
-        var total_4 : f32 = _S195 + _S196;
+        var _S180 : f32 = weights_2.x;
+        var _S181 : f32 = weights_2.y;
+        var total_4 : f32 = _S180 + _S181;
         if(!(total_4 > 0.0f))
         {
             return false;
         }
-        var _S197 : bool;
-        if(_S196 <= 0.0f)
+        var _S182 : bool;
+        if(_S181 <= 0.0f)
         {
-            _S197 = true;
+            _S182 = true;
         }
         else
         {
-            _S197 = ((*descent_2).choice_1 * total_4) < (_S195 * (*descent_2).weight_2);
+            _S182 = ((*descent_2).choice_1 * total_4) < (_S180 * (*descent_2).weight_2);
         }
         var is_left_2 : bool;
         if(aim_1.is_met_0)
         {
-            var _S198 : vec3<f32> = vec3<f32>(aim_1.hit_4.voxel_1);
-            if((all((_S198 >= (vector_of_0(left_2.min_2))))))
+            var _S183 : vec3<f32> = vec3<f32>(aim_1.hit_4.voxel_1);
+            if((all((_S183 >= (vector_of_0(left_2.min_0))))))
             {
-                is_left_2 = (all((_S198 < (vector_of_0(left_2.max_2)))));
+                is_left_2 = (all((_S183 < (vector_of_0(left_2.max_0)))));
             }
             else
             {
@@ -2740,72 +2723,72 @@ fn descend_1( receiver_15 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<functio
         }
         else
         {
-            is_left_2 = _S197;
+            is_left_2 = _S182;
         }
-        var _S199 : f32 = (*descent_2).choice_1 * total_4;
-        var _S200 : f32;
+        var _S184 : f32 = (*descent_2).choice_1 * total_4;
+        var _S185 : f32;
         if(is_left_2)
         {
-            _S200 = 0.0f;
+            _S185 = 0.0f;
         }
         else
         {
-            _S200 = _S195 * (*descent_2).weight_2;
+            _S185 = _S180 * (*descent_2).weight_2;
         }
-        (*descent_2).choice_1 = _S199 - _S200;
-        var _S201 : u32;
+        (*descent_2).choice_1 = _S184 - _S185;
+        var _S186 : u32;
         if(is_left_2)
         {
-            _S201 = (*descent_2).node_3 + u32(1);
+            _S186 = (*descent_2).node_3 + u32(1);
         }
         else
         {
-            _S201 = (*descent_2).index_15;
+            _S186 = (*descent_2).index_15;
         }
-        (*descent_2).node_3 = _S201;
-        var _S202 : u32;
+        (*descent_2).node_3 = _S186;
+        var _S187 : u32;
         if(is_left_2)
         {
-            _S202 = left_2.index_2;
+            _S187 = left_2.index_2;
         }
         else
         {
-            _S202 = right_2.index_2;
+            _S187 = right_2.index_2;
         }
-        (*descent_2).index_15 = _S202;
-        var _S203 : u32;
+        (*descent_2).index_15 = _S187;
+        var _S188 : u32;
         if(is_left_2)
         {
-            _S203 = left_2.count_0;
+            _S188 = left_2.count_0;
         }
         else
         {
-            _S203 = right_2.count_0;
+            _S188 = right_2.count_0;
         }
-        (*descent_2).count_2 = _S203;
-        var _S204 : bool;
+        (*descent_2).count_2 = _S188;
+        var _S189 : bool;
         if(is_left_2)
         {
-            _S204 = of_left_0.is_far_0;
+            _S189 = of_left_0.is_far_0;
         }
         else
         {
-            _S204 = of_right_0.is_far_0;
+            _S189 = of_right_0.is_far_0;
         }
-        (*descent_2).is_far_3 = _S204;
-        var _S205 : f32;
+        (*descent_2).is_far_3 = _S189;
+        var _S190 : f32;
         if(is_left_2)
         {
-            _S205 = _S195;
+            _S190 = _S180;
         }
         else
         {
-            _S205 = _S196;
+            _S190 = _S181;
         }
-        var _S206 : f32 = (*descent_2).weight_2 * _S205;
-        (*descent_2).weight_2 = _S206;
+        var _S191 : f32 = (*descent_2).weight_2 * _S190;
+        (*descent_2).weight_2 = _S191;
         (*descent_2).total_0 = (*descent_2).total_0 * total_4;
-        if(_S206 <= 0.0f)
+        if(_S191 <= 0.0f)
         {
             return false;
         }
@@ -2816,29 +2799,29 @@ fn descend_1( receiver_15 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<functio
 fn choose_side_0( point_5 : vec3<f32>,  is_met_2 : bool,  way_0 : Descent_0,  side_0 : ptr<function, u32>,  odds_0 : ptr<function, vec2<f32>>) -> bool
 {
     var node_10 : LightNode_0 = light_node_at_0(way_0.node_3);
-    var _S207 : vec3<f32> = vector_of_0(node_10.max_2);
-    var _S208 : vec3<f32> = vector_of_0(node_10.min_2);
-    var _S209 : vec3<f32> = vec3<f32>(0.5f);
-    var half_1 : vec3<f32> = (_S207 - _S208) * _S209;
-    var toward_1 : vec3<f32> = (_S208 + _S207) * _S209 - point_5;
+    var _S192 : vec3<f32> = vector_of_0(node_10.max_0);
+    var _S193 : vec3<f32> = vector_of_0(node_10.min_0);
+    var _S194 : vec3<f32> = vec3<f32>(0.5f);
+    var half_1 : vec3<f32> = (_S192 - _S193) * _S194;
+    var toward_1 : vec3<f32> = (_S193 + _S192) * _S194 - point_5;
     var sent_1 : BySide_0 = sent_by_side_0(node_10, point_5, length_bound_0(select(half_1, abs(toward_1), vec3<bool>(((length_squared_0(toward_1)) > (length_squared_0(half_1)))))));
     var sum_0 : f32 = normal_or_zero_0(BySide_sum_0(sent_1));
     var unit_1 : f32 = inverse_power_of_two_0(sum_0);
     var total_5 : f32 = sum_0 * unit_1;
-    var _S210 : f32 = way_0.choice_1 * total_5;
-    var _S211 : u32 = (*side_0);
+    var _S195 : f32 = way_0.choice_1 * total_5;
+    var _S196 : u32 = (*side_0);
     var share_0 : f32 = normal_or_zero_0(sent_1.low_0[u32(0)] * unit_1);
-    var _S212 : bool;
+    var _S197 : bool;
     if(is_met_2)
     {
-        _S212 = u32(0) == _S211;
+        _S197 = u32(0) == _S196;
     }
     else
     {
-        _S212 = share_0 > 0.0f;
+        _S197 = share_0 > 0.0f;
     }
     var chosen_2 : f32;
-    if(_S212)
+    if(_S197)
     {
         (*side_0) = u32(0);
         chosen_2 = share_0;
@@ -2847,145 +2830,145 @@ fn choose_side_0( point_5 : vec3<f32>,  is_met_2 : bool,  way_0 : Descent_0,  si
     {
         chosen_2 = 0.0f;
     }
-    var _S213 : bool = _S210 < (share_0 * way_0.weight_2);
+    var _S198 : bool = _S195 < (share_0 * way_0.weight_2);
     var share_1 : f32 = normal_or_zero_0(sent_1.high_0[u32(0)] * unit_1);
     if(is_met_2)
     {
-        _S212 = u32(1) == _S211;
+        _S197 = u32(1) == _S196;
     }
     else
     {
         if(share_1 > 0.0f)
         {
-            _S212 = !_S213;
+            _S197 = !_S198;
         }
         else
         {
-            _S212 = false;
+            _S197 = false;
         }
     }
-    if(_S212)
+    if(_S197)
     {
         (*side_0) = u32(1);
         chosen_2 = share_1;
     }
     var passed_0 : f32 = share_0 + share_1;
-    if(_S213)
+    if(_S198)
     {
-        _S212 = true;
+        _S197 = true;
     }
     else
     {
-        _S212 = _S210 < (passed_0 * way_0.weight_2);
+        _S197 = _S195 < (passed_0 * way_0.weight_2);
     }
     var share_2 : f32 = normal_or_zero_0(sent_1.low_0[u32(1)] * unit_1);
-    var _S214 : bool;
+    var _S199 : bool;
     if(is_met_2)
     {
-        _S214 = u32(2) == _S211;
+        _S199 = u32(2) == _S196;
     }
     else
     {
         if(share_2 > 0.0f)
         {
-            _S214 = !_S212;
+            _S199 = !_S197;
         }
         else
         {
-            _S214 = false;
+            _S199 = false;
         }
     }
-    if(_S214)
+    if(_S199)
     {
         (*side_0) = u32(2);
         chosen_2 = share_2;
     }
     var passed_1 : f32 = passed_0 + share_2;
-    if(_S212)
+    if(_S197)
     {
-        _S212 = true;
+        _S197 = true;
     }
     else
     {
-        _S212 = _S210 < (passed_1 * way_0.weight_2);
+        _S197 = _S195 < (passed_1 * way_0.weight_2);
     }
     var share_3 : f32 = normal_or_zero_0(sent_1.high_0[u32(1)] * unit_1);
     if(is_met_2)
     {
-        _S214 = u32(3) == _S211;
+        _S199 = u32(3) == _S196;
     }
     else
     {
         if(share_3 > 0.0f)
         {
-            _S214 = !_S212;
+            _S199 = !_S197;
         }
         else
         {
-            _S214 = false;
+            _S199 = false;
         }
     }
-    if(_S214)
+    if(_S199)
     {
         (*side_0) = u32(3);
         chosen_2 = share_3;
     }
     var passed_2 : f32 = passed_1 + share_3;
-    if(_S212)
+    if(_S197)
     {
-        _S212 = true;
+        _S197 = true;
     }
     else
     {
-        _S212 = _S210 < (passed_2 * way_0.weight_2);
+        _S197 = _S195 < (passed_2 * way_0.weight_2);
     }
     var share_4 : f32 = normal_or_zero_0(sent_1.low_0[u32(2)] * unit_1);
     if(is_met_2)
     {
-        _S214 = u32(4) == _S211;
+        _S199 = u32(4) == _S196;
     }
     else
     {
         if(share_4 > 0.0f)
         {
-            _S214 = !_S212;
+            _S199 = !_S197;
         }
         else
         {
-            _S214 = false;
+            _S199 = false;
         }
     }
-    if(_S214)
+    if(_S199)
     {
         (*side_0) = u32(4);
         chosen_2 = share_4;
     }
     var passed_3 : f32 = passed_2 + share_4;
-    if(_S212)
+    if(_S197)
     {
-        _S212 = true;
+        _S197 = true;
     }
     else
     {
-        _S212 = _S210 < (passed_3 * way_0.weight_2);
+        _S197 = _S195 < (passed_3 * way_0.weight_2);
     }
     var share_5 : f32 = normal_or_zero_0(sent_1.high_0[u32(2)] * unit_1);
     if(is_met_2)
     {
-        _S212 = u32(5) == _S211;
+        _S197 = u32(5) == _S196;
     }
     else
     {
         if(share_5 > 0.0f)
         {
-            _S212 = !_S212;
+            _S197 = !_S197;
         }
         else
         {
-            _S212 = false;
+            _S197 = false;
         }
     }
-    if(_S212)
+    if(_S197)
     {
         (*side_0) = u32(5);
         chosen_2 = share_5;
@@ -2993,33 +2976,32 @@ fn choose_side_0( point_5 : vec3<f32>,  is_met_2 : bool,  way_0 : Descent_0,  si
     (*odds_0) = vec2<f32>(way_0.weight_2 * chosen_2, way_0.total_0 * total_5);
     if(sum_0 > 0.0f)
     {
-        _S212 = ((*odds_0).x) > 0.0f;
+        _S197 = ((*odds_0).x) > 0.0f;
     }
     else
     {
-        _S212 = false;
+        _S197 = false;
     }
-    return _S212;
+    return _S197;
 }
 
 fn light_node_word_0( index_20 : u32,  word_6 : u32) -> u32
 {
-    return light_node_rows_0[u32(4) * index_20 + ((word_6 >> (u32(2))))][(word_6 & (u32(3)))];
+    return Rows_operatorx5Bx5D_get_2(u32(4) * index_20 + ((word_6 >> (u32(2)))))[(word_6 & (u32(3)))];
 }
 
 fn light_power_at_0( index_21 : u32,  side_1 : u32) -> f32
 {
-    var _S215 : u32;
+    var _S200 : u32;
     if(lights_in_pages_0())
     {
-        var _S216 : u32 = place_in_light_node_0(index_21, u32(8) + side_1);
-        _S215 = cells_1[_S216];
+        _S200 = cells_1[place_in_light_node_0(index_21, u32(8) + side_1)];
     }
     else
     {
-        _S215 = light_node_word_0(index_21, u32(8) + side_1);
+        _S200 = light_node_word_0(index_21, u32(8) + side_1);
     }
-    return (bitcast<f32>((_S215)));
+    return (bitcast<f32>((_S200)));
 }
 
 fn component_0( vector_3 : vec3<f32>,  axis_0 : u32) -> f32
@@ -3027,11 +3009,11 @@ fn component_0( vector_3 : vec3<f32>,  axis_0 : u32) -> f32
     return select(select(vector_3.z, vector_3.y, axis_0 == u32(1)), vector_3.x, axis_0 == u32(0));
 }
 
-fn density_0( odds_1 : vec2<f32>,  luminance_3 : f32,  power_3 : f32,  toward_2 : vec3<f32>,  face_5 : u32) -> f32
+fn density_0( odds_1 : vec2<f32>,  luminance_3 : f32,  power_3 : f32,  toward_2 : vec3<f32>,  face_6 : u32) -> f32
 {
-    var along_0 : f32 = component_0(toward_2, (face_5 >> (u32(1))));
+    var along_0 : f32 = component_0(toward_2, (face_6 >> (u32(1))));
     var in_front_0 : f32;
-    if(((face_5 & (u32(1)))) == u32(1))
+    if(((face_6 & (u32(1)))) == u32(1))
     {
         in_front_0 = - along_0;
     }
@@ -3056,7 +3038,7 @@ fn density_0( odds_1 : vec2<f32>,  luminance_3 : f32,  power_3 : f32,  toward_2 
 struct Emitter_0
 {
      voxel_4 : array<i32, i32(3)>,
-     grid_1 : u32,
+     grid_5 : u32,
      faces_0 : u32,
      material_7 : u32,
      luminance_4 : f32,
@@ -3075,70 +3057,72 @@ fn below_light_node_0( index_22 : u32) -> vec2<u32>
 
 fn place_in_emitter_0( emitter_0 : u32,  word_7 : u32) -> u32
 {
-    var _S217 : u32 = word_in_pages_0(emitter_0 * u32(8) + word_7, pages_0[i32(3)]);
-    return _S217;
+    return u32(0);
+}
+
+fn Rows_operatorx5Bx5D_get_3( row_6 : u32) -> vec4<u32>
+{
+    return records_0[first_row_0(u32(4)) + row_6];
 }
 
 fn emitter_word_0( index_23 : u32,  word_8 : u32) -> u32
 {
-    return emitter_rows_0[u32(2) * index_23 + ((word_8 >> (u32(2))))][(word_8 & (u32(3)))];
+    return Rows_operatorx5Bx5D_get_3(u32(2) * index_23 + ((word_8 >> (u32(2)))))[(word_8 & (u32(3)))];
 }
 
 fn emitter_faces_at_0( index_24 : u32) -> u32
 {
-    var _S218 : u32;
+    var _S201 : u32;
     if(lights_in_pages_0())
     {
-        var _S219 : u32 = place_in_emitter_0(index_24, u32(4));
-        _S218 = cells_1[_S219];
+        _S201 = cells_1[place_in_emitter_0(index_24, u32(4))];
     }
     else
     {
-        _S218 = emitter_word_0(index_24, u32(4));
+        _S201 = emitter_word_0(index_24, u32(4));
     }
-    return _S218;
+    return _S201;
 }
 
 fn emitter_luminance_at_0( index_25 : u32) -> f32
 {
-    var _S220 : f32;
+    var _S202 : f32;
     if(lights_in_pages_0())
     {
-        var _S221 : u32 = place_in_emitter_0(index_25, u32(6));
-        _S220 = (bitcast<f32>((cells_1[_S221])));
+        _S202 = (bitcast<f32>((cells_1[place_in_emitter_0(index_25, u32(6))])));
     }
     else
     {
-        _S220 = (bitcast<f32>((emitter_word_0(index_25, u32(6)))));
+        _S202 = (bitcast<f32>((emitter_word_0(index_25, u32(6)))));
     }
-    return _S220;
+    return _S202;
 }
 
-fn Emitter_x24init_0( voxel_5 : array<i32, i32(3)>,  grid_2 : u32,  faces_1 : u32,  material_8 : u32,  luminance_5 : f32,  leaf_1 : u32) -> Emitter_0
+fn Emitter_x24init_0( voxel_5 : array<i32, i32(3)>,  grid_6 : u32,  faces_1 : u32,  material_8 : u32,  luminance_5 : f32,  leaf_1 : u32) -> Emitter_0
 {
-    var _S222 : Emitter_0;
-    _S222.voxel_4 = voxel_5;
-    _S222.grid_1 = grid_2;
-    _S222.faces_0 = faces_1;
-    _S222.material_7 = material_8;
-    _S222.luminance_4 = luminance_5;
-    _S222.leaf_0 = leaf_1;
-    return _S222;
+    var _S203 : Emitter_0;
+    _S203.voxel_4 = voxel_5;
+    _S203.grid_5 = grid_6;
+    _S203.faces_0 = faces_1;
+    _S203.material_7 = material_8;
+    _S203.luminance_4 = luminance_5;
+    _S203.leaf_0 = leaf_1;
+    return _S203;
 }
 
 fn emitter_at_0( index_26 : u32) -> Emitter_0
 {
     if(!lights_in_pages_0())
     {
-        var _S223 : u32 = u32(2) * index_26;
-        var a_4 : vec4<u32> = emitter_rows_0[_S223];
-        var b_4 : vec4<u32> = emitter_rows_0[_S223 + u32(1)];
-        var _S224 : array<i32, i32(3)> = array<i32, i32(3)>( i32(a_4.x), i32(a_4.y), i32(a_4.z) );
-        return Emitter_x24init_0(_S224, a_4.w, b_4.x, b_4.y, (bitcast<f32>((b_4.z))), b_4.w);
+        var _S204 : u32 = u32(2) * index_26;
+        var _S205 : vec4<u32> = Rows_operatorx5Bx5D_get_3(_S204);
+        var _S206 : vec4<u32> = Rows_operatorx5Bx5D_get_3(_S204 + u32(1));
+        var _S207 : array<i32, i32(3)> = array<i32, i32(3)>( i32(_S205.x), i32(_S205.y), i32(_S205.z) );
+        return Emitter_x24init_0(_S207, _S205.w, _S206.x, _S206.y, (bitcast<f32>((_S206.z))), _S206.w);
     }
     var at_4 : u32 = place_in_emitter_0(index_26, u32(0));
-    var _S225 : array<i32, i32(3)> = array<i32, i32(3)>( i32(cells_1[at_4]), i32(cells_1[at_4 + u32(1)]), i32(cells_1[at_4 + u32(2)]) );
-    return Emitter_x24init_0(_S225, cells_1[at_4 + u32(3)], cells_1[at_4 + u32(4)], cells_1[at_4 + u32(5)], (bitcast<f32>((cells_1[at_4 + u32(6)]))), cells_1[at_4 + u32(7)]);
+    var _S208 : array<i32, i32(3)> = array<i32, i32(3)>( i32(cells_1[at_4]), i32(cells_1[at_4 + u32(1)]), i32(cells_1[at_4 + u32(2)]) );
+    return Emitter_x24init_0(_S208, cells_1[at_4 + u32(3)], cells_1[at_4 + u32(4)], cells_1[at_4 + u32(5)], (bitcast<f32>((cells_1[at_4 + u32(6)]))), cells_1[at_4 + u32(7)]);
 }
 
 fn choose_emitter_0( way_1 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Emitter_0
@@ -3148,7 +3132,7 @@ fn choose_emitter_0( way_1 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
     var count_4 : u32 = way_1.count_2;
     var node_11 : u32 = way_1.node_3;
     var index_27 : u32 = way_1.index_15;
-    var _S226 : f32 = threshold_1;
+    var _S209 : f32 = threshold_1;
     for(;;)
     {
         if(count_4 == u32(0))
@@ -3171,7 +3155,7 @@ fn choose_emitter_0( way_1 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
         var power_right_0 : f32 = light_power_at_0(index_27, side_2);
         var below_left_0 : vec2<u32> = below_light_node_0(left_3);
         var below_right_0 : vec2<u32> = below_light_node_0(index_27);
-        if(_S226 < power_left_0)
+        if(_S209 < power_left_0)
         {
             is_left_3 = true;
         }
@@ -3184,7 +3168,7 @@ fn choose_emitter_0( way_1 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
         }
         else
         {
-            _S226 = _S226 - power_left_0;
+            _S209 = _S209 - power_left_0;
         }
         if(is_left_3)
         {
@@ -3231,27 +3215,22 @@ fn choose_emitter_0( way_1 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
         {
             break;
         }
-        var _S227 : u32 = emitter_faces_at_0(at_5);
-        if(((((_S227 >> (side_2))) & (u32(1)))) != u32(0))
+        if((((((emitter_faces_at_0(at_5)) >> (side_2))) & (u32(1)))) != u32(0))
         {
-            var _S228 : f32 = emitter_luminance_at_0(at_5);
-            var _S229 : bool = _S226 < _S228;
-            var _S230 : f32 = emitter_luminance_at_0(at_5);
-            var _S231 : f32 = _S226 - _S230;
-            is_found_0 = _S229;
+            var _S210 : f32 = _S209 - emitter_luminance_at_0(at_5);
+            is_found_0 = _S209 < (emitter_luminance_at_0(at_5));
             chosen_3 = at_5;
-            _S226 = _S231;
+            _S209 = _S210;
         }
         at_5 = at_5 + u32(1);
     }
-    var _S232 : Emitter_0 = emitter_at_0(chosen_3);
-    return _S232;
+    return emitter_at_0(chosen_3);
 }
 
-fn point_of_face_0( low_6 : vec3<f32>,  face_6 : u32,  u_12 : f32,  v_5 : f32) -> vec3<f32>
+fn point_of_face_0( low_6 : vec3<f32>,  face_7 : u32,  u_12 : f32,  v_7 : f32) -> vec3<f32>
 {
     var away_2 : f32;
-    if(((face_6 & (u32(1)))) == u32(1))
+    if(((face_7 & (u32(1)))) == u32(1))
     {
         away_2 = 1.0f;
     }
@@ -3259,15 +3238,15 @@ fn point_of_face_0( low_6 : vec3<f32>,  face_6 : u32,  u_12 : f32,  v_5 : f32) -
     {
         away_2 = 0.0f;
     }
-    if(face_6 < u32(2))
+    if(face_7 < u32(2))
     {
-        return low_6 + vec3<f32>(away_2, u_12, v_5);
+        return low_6 + vec3<f32>(away_2, u_12, v_7);
     }
-    if(face_6 < u32(4))
+    if(face_7 < u32(4))
     {
-        return low_6 + vec3<f32>(u_12, away_2, v_5);
+        return low_6 + vec3<f32>(u_12, away_2, v_7);
     }
-    return low_6 + vec3<f32>(u_12, v_5, away_2);
+    return low_6 + vec3<f32>(u_12, v_7, away_2);
 }
 
 fn sample_emitter_0( receiver_16 : Receiver_0,  u_13 : vec4<f32>,  aim_2 : Aim_0,  sample_6 : ptr<function, LightSample_0>) -> bool
@@ -3279,45 +3258,45 @@ fn sample_emitter_0( receiver_16 : Receiver_0,  u_13 : vec4<f32>,  aim_2 : Aim_0
     }
     var descent_3 : Descent_0 = Descent_x24init_0(u32(0), u32(0), u32(0), 1.0f, 1.0f, u_13.x, false);
     Descent_at_0(&(descent_3), u32(0));
-    var _S233 : bool;
+    var _S211 : bool;
     if(!IS_SINGLE_0)
     {
-        _S233 = aim_2.is_met_0;
+        _S211 = aim_2.is_met_0;
     }
     else
     {
-        _S233 = false;
+        _S211 = false;
     }
-    if(_S233)
+    if(_S211)
     {
-        var leaf_2 : u32 = instances_0[aim_2.hit_4.instance_1].light_leaf_0;
-        if((instances_0[aim_2.hit_4.instance_1].light_leaf_0) == u32(4294967295))
+        var _S212 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(aim_2.hit_4.instance_1);
+        if((_S212.light_leaf_0) == u32(4294967295))
         {
-            _S233 = true;
+            _S211 = true;
         }
         else
         {
-            var _S234 : bool = climb_0(receiver_16, leaf_2, &(descent_3));
-            _S233 = !_S234;
+            var _S213 : bool = climb_0(receiver_16, _S212.light_leaf_0, &(descent_3));
+            _S211 = !_S213;
         }
-        if(_S233)
+        if(_S211)
         {
             return false;
         }
-        Descent_at_0(&(descent_3), leaf_2);
+        Descent_at_0(&(descent_3), _S212.light_leaf_0);
     }
     else
     {
         if(!IS_SINGLE_0)
         {
-            var _S235 : bool = descend_0(receiver_16, by_chance_0(), &(descent_3));
-            _S233 = !_S235;
+            var _S214 : bool = descend_0(receiver_16, by_chance_0(), &(descent_3));
+            _S211 = !_S214;
         }
         else
         {
-            _S233 = false;
+            _S211 = false;
         }
-        if(_S233)
+        if(_S211)
         {
             return false;
         }
@@ -3325,34 +3304,35 @@ fn sample_emitter_0( receiver_16 : Receiver_0,  u_13 : vec4<f32>,  aim_2 : Aim_0
     var chosen_instance_0 : u32 = descent_3.index_15;
     var local_2 : Receiver_0 = in_grid_3(descent_3.index_15, receiver_16);
     Descent_at_1(&(descent_3), top_light_node_0(descent_3.node_3).root_1);
-    var _S236 : bool = descend_1(local_2, aim_2, &(descent_3));
-    if(!_S236)
+    var _S215 : bool = descend_1(local_2, aim_2, &(descent_3));
+    if(!_S215)
     {
         return false;
     }
     var side_3 : u32 = aim_2.hit_4.face_0;
     var odds_2 : vec2<f32>;
-    var _S237 : bool = choose_side_0(local_2.point_0, aim_2.is_met_0, descent_3, &(side_3), &(odds_2));
-    if(!_S237)
+    var _S216 : bool = choose_side_0(local_2.point_0, aim_2.is_met_0, descent_3, &(side_3), &(odds_2));
+    if(!_S216)
     {
         return false;
     }
     var power_4 : f32 = light_power_at_0(descent_3.node_3, side_3);
+    var _S217 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(chosen_instance_0);
     if(aim_2.is_met_0)
     {
-        var _S238 : f32 = density_0(odds_2, aim_2.luminance_1, power_4, Transform_direction_0(chosen_instance_0, aim_2.direction_18) * vec3<f32>(aim_2.hit_4.t_0), side_3);
-        (*sample_6).pdf_2 = _S238;
-        return _S238 > 0.0f;
+        var _S218 : f32 = density_0(odds_2, aim_2.luminance_1, power_4, Transform_direction_0(_S217.grid_from_world_0, aim_2.direction_18) * vec3<f32>(aim_2.hit_4.t_0), side_3);
+        (*sample_6).pdf_2 = _S218;
+        return _S218 > 0.0f;
     }
     var emitter_1 : Emitter_0 = choose_emitter_0(descent_3, side_3, u_13.y * power_4);
-    var _S239 : vec3<f32> = vec3<f32>(cell_of_0(emitter_1.voxel_4));
-    var on_face_0 : vec3<f32> = point_of_face_0(_S239, side_3, u_13.z, u_13.w);
+    var _S219 : vec3<f32> = vec3<f32>(cell_of_0(emitter_1.voxel_4));
+    var on_face_0 : vec3<f32> = point_of_face_0(_S219, side_3, u_13.z, u_13.w);
     var pdf_9 : f32 = density_0(odds_2, emitter_1.luminance_4, power_4, on_face_0 - local_2.point_0, side_3);
     if(pdf_9 < 0.0f)
     {
         return false;
     }
-    var direction_24 : vec3<f32> = Transform_point_1(chosen_instance_0, offset_ray_origin_0(vector_of_0(instances_0[chosen_instance_0].grid_from_world_0.translation_0), _S239, side_3, on_face_0)) - receiver_16.point_0;
+    var direction_24 : vec3<f32> = Transform_point_0(_S217.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S217.grid_from_world_0.translation_0), _S219, side_3, on_face_0)) - receiver_16.point_0;
     var cos_theta_7 : f32 = with_slack_0(receiver_16, divide_0(dot_product_0(receiver_16.normal_1, direction_24), square_root_0(length_squared_0(direction_24))));
     (*sample_6) = LightSample_x24init_0(Ray_x24init_0(receiver_16.point_0, 0.0f, direction_24, 1.0f), cos_theta_7, emitted_0(material_of_index_0(emitter_1.material_7)), pdf_9);
     return cos_theta_7 > 0.0f;
@@ -3360,8 +3340,8 @@ fn sample_emitter_0( receiver_16 : Receiver_0,  u_13 : vec4<f32>,  aim_2 : Aim_0
 
 fn EmitterTree_sample_0( receiver_17 : Receiver_0,  u_14 : vec4<f32>,  aim_3 : Aim_0,  sample_7 : ptr<function, LightSample_0>) -> bool
 {
-    var _S240 : bool = sample_emitter_0(receiver_17, u_14, aim_3, &((*sample_7)));
-    return _S240;
+    var _S220 : bool = sample_emitter_0(receiver_17, u_14, aim_3, &((*sample_7)));
+    return _S220;
 }
 
 fn Lights_sample_0( receiver_18 : Receiver_0,  selection_3 : Selection_0,  u_15 : vec4<f32>,  aim_4 : Aim_0,  sample_8 : ptr<function, LightSample_0>) -> bool
@@ -3385,9 +3365,9 @@ fn Lights_sample_0( receiver_18 : Receiver_0,  selection_3 : Selection_0,  u_15 
     }
     if(is_found_1)
     {
-        var _S241 : bool = SunDisc_sample_0(receiver_18, u_15, &((*sample_8)));
+        var _S221 : bool = SunDisc_sample_0(receiver_18, u_15, &((*sample_8)));
         (*sample_8).pdf_2 = (*sample_8).pdf_2 * selection_3.sun_0;
-        is_found_1 = _S241;
+        is_found_1 = _S221;
     }
     else
     {
@@ -3409,21 +3389,21 @@ fn Lights_sample_0( receiver_18 : Receiver_0,  selection_3 : Selection_0,  u_15 
         }
         if(is_found_1)
         {
-            var _S242 : bool = Sky_sample_0(receiver_18, vec4<f32>(min(divide_0(u_15.x - selection_3.sun_0, selection_3.sky_1), 0.99999994039535522f), u_15.yzw), &((*sample_8)));
+            var _S222 : bool = Sky_sample_0(receiver_18, vec4<f32>(min(divide_0(u_15.x - selection_3.sun_0, selection_3.sky_1), 0.99999994039535522f), u_15.yzw), &((*sample_8)));
             (*sample_8).pdf_2 = (*sample_8).pdf_2 * selection_3.sky_1;
-            is_found_1 = _S242;
+            is_found_1 = _S222;
         }
         else
         {
-            var _S243 : bool = EmitterTree_sample_0(receiver_18, vec4<f32>(min(divide_0(u_15.x - (selection_3.sun_0 + selection_3.sky_1), selection_3.emitters_0), 0.99999994039535522f), u_15.yzw), aim_4, &((*sample_8)));
+            var _S223 : bool = EmitterTree_sample_0(receiver_18, vec4<f32>(min(divide_0(u_15.x - (selection_3.sun_0 + selection_3.sky_1), selection_3.emitters_0), 0.99999994039535522f), u_15.yzw), aim_4, &((*sample_8)));
             (*sample_8).pdf_2 = (*sample_8).pdf_2 * selection_3.emitters_0;
-            is_found_1 = _S243;
+            is_found_1 = _S223;
         }
     }
     return is_found_1;
 }
 
-fn MaterialBsdf_is_delta_0( this_23 : MaterialBsdf_0) -> bool
+fn MaterialBsdf_is_delta_0( this_25 : MaterialBsdf_0) -> bool
 {
     return false;
 }
@@ -3443,7 +3423,7 @@ fn PathTracingOf_advance_1( path_6 : ptr<function, Path_0>,  ray_9 : Ray_0,  hit
         t_5 = (*path_6).pdf_1;
     }
     (*path_6).pdf_1 = t_5;
-    var last_4 : Receiver_0 = Path_receiver_0((*path_6), ray_9);
+    var last_5 : Receiver_0 = Path_receiver_0((*path_6), ray_9);
     var is_scattered_3 : bool;
     if(Inside_is_in_0((*path_6).inside_0))
     {
@@ -3484,7 +3464,7 @@ fn PathTracingOf_advance_1( path_6 : ptr<function, Path_0>,  ray_9 : Ray_0,  hit
     var light_pdf_2 : f32;
     if(is_weighed_1)
     {
-        (*radiance_6) = (*radiance_6) + (*path_6).beta_0 * Sky_le_0(ray_9.direction_1) * vec3<f32>(mis_weight_0((*path_6).pdf_1, Lights_sky_pdf_0(Path_selection_at_0((*path_6), last_4), ray_9.direction_1)));
+        (*radiance_6) = (*radiance_6) + (*path_6).beta_0 * Sky_le_0(ray_9.direction_1) * vec3<f32>(mis_weight_0((*path_6).pdf_1, Lights_sky_pdf_0(Path_selection_at_0((*path_6), last_5), ray_9.direction_1)));
         if(has_sun_0())
         {
             if(SunDisc_is_visible_0())
@@ -3511,7 +3491,7 @@ fn PathTracingOf_advance_1( path_6 : ptr<function, Path_0>,  ray_9 : Ray_0,  hit
                 }
                 else
                 {
-                    light_pdf_2 = Lights_sun_pdf_0(Path_selection_at_0((*path_6), last_4), ray_9.direction_1);
+                    light_pdf_2 = Lights_sun_pdf_0(Path_selection_at_0((*path_6), last_5), ray_9.direction_1);
                 }
                 (*radiance_6) = (*radiance_6) + (*path_6).beta_0 * le_2 * vec3<f32>(mis_weight_0((*path_6).pdf_1, light_pdf_2));
             }
@@ -3520,7 +3500,7 @@ fn PathTracingOf_advance_1( path_6 : ptr<function, Path_0>,  ray_9 : Ray_0,  hit
     }
     var u_16 : vec4<f32> = Sampler_stratified_0((*path_6).sampler_0, Path_dimension_scatter_0((*path_6)));
     var material_9 : PackedMaterial_0 = material_met_0((*path_6), hit_6, beyond_3);
-    var _S244 : vec3<f32> = vec3<f32>(0.0f);
+    var _S224 : vec3<f32> = vec3<f32>(0.0f);
     var le_3 : vec3<f32>;
     if(!is_counted_1)
     {
@@ -3528,12 +3508,12 @@ fn PathTracingOf_advance_1( path_6 : ptr<function, Path_0>,  ray_9 : Ray_0,  hit
     }
     else
     {
-        le_3 = _S244;
+        le_3 = _S224;
     }
     var is_lit_1 : bool = (max_element_0(le_3)) > 0.0f;
     var met_0 : Aim_0 = Aim_x24init_0(true, ray_9.direction_1, hit_6, luminance_0(vector_of_0(material_9.emission_0)));
-    var _S245 : bool = weighs_apart_0();
-    if(_S245)
+    var _S225 : bool = weighs_apart_0();
+    if(_S225)
     {
         is_weighed_1 = is_lit_1;
     }
@@ -3561,7 +3541,7 @@ fn PathTracingOf_advance_1( path_6 : ptr<function, Path_0>,  ray_9 : Ray_0,  hit
     if(is_chosen_0)
     {
         var light_3 : LightSample_0 = no_light_0();
-        if(!_S245)
+        if(!_S225)
         {
             is_chosen_0 = ((*path_6).pdf_1) > 0.0f;
         }
@@ -3571,15 +3551,15 @@ fn PathTracingOf_advance_1( path_6 : ptr<function, Path_0>,  ray_9 : Ray_0,  hit
         }
         if(is_chosen_0)
         {
-            var _S246 : bool = Lights_sample_0(last_4, Path_selection_at_0((*path_6), last_4), vec4<f32>(0.0f), met_0, &(light_3));
-            is_chosen_0 = _S246;
+            var _S226 : bool = Lights_sample_0(last_5, Path_selection_at_0((*path_6), last_5), vec4<f32>(0.0f), met_0, &(light_3));
+            is_chosen_0 = _S226;
         }
         else
         {
             is_chosen_0 = false;
         }
-        var _S247 : vec3<f32> = (*path_6).beta_0 * le_3;
-        var _S248 : f32 = (*path_6).pdf_1;
+        var _S227 : vec3<f32> = (*path_6).beta_0 * le_3;
+        var _S228 : f32 = (*path_6).pdf_1;
         if(is_chosen_0)
         {
             light_pdf_2 = light_3.pdf_2;
@@ -3588,13 +3568,13 @@ fn PathTracingOf_advance_1( path_6 : ptr<function, Path_0>,  ray_9 : Ray_0,  hit
         {
             light_pdf_2 = 0.0f;
         }
-        (*radiance_6) = (*radiance_6) + _S247 * vec3<f32>(mis_weight_0(_S248, light_pdf_2));
+        (*radiance_6) = (*radiance_6) + _S227 * vec3<f32>(mis_weight_0(_S228, light_pdf_2));
     }
-    var _S249 : f32 = ior_of_0((*path_6).inside_0);
-    var _S250 : f32 = u_16[i32(3)];
-    var _S251 : MaterialBsdf_0 = bsdf_of_0(material_9, _S249, &(_S250));
-    u_16[i32(3)] = _S250;
-    var scattered_3 : vec3<f32> = (*path_6).beta_0 * MaterialBsdf_albedo_0(_S251);
+    var _S229 : f32 = ior_of_0((*path_6).inside_0);
+    var _S230 : f32 = u_16[i32(3)];
+    var _S231 : MaterialBsdf_0 = bsdf_of_0(material_9, _S229, &(_S230));
+    u_16[i32(3)] = _S230;
+    var scattered_3 : vec3<f32> = (*path_6).beta_0 * MaterialBsdf_albedo_0(_S231);
     if(((*path_6).bounce_0) >= (params_0.max_bounces_0))
     {
         is_chosen_0 = true;
@@ -3603,8 +3583,8 @@ fn PathTracingOf_advance_1( path_6 : ptr<function, Path_0>,  ray_9 : Ray_0,  hit
     {
         is_chosen_0 = ends_here_0;
     }
-    var _S252 : bool = !is_weighed_1;
-    if(_S252)
+    var _S232 : bool = !is_weighed_1;
+    if(_S232)
     {
         if(is_chosen_0)
         {
@@ -3624,7 +3604,7 @@ fn PathTracingOf_advance_1( path_6 : ptr<function, Path_0>,  ray_9 : Ray_0,  hit
         return next_1;
     }
     var compensation_3 : f32 = roulette_0(Path_events_0((*path_6)), scattered_3, u_16.z);
-    if(_S252)
+    if(_S232)
     {
         is_chosen_0 = compensation_3 == 0.0f;
     }
@@ -3646,19 +3626,19 @@ fn PathTracingOf_advance_1( path_6 : ptr<function, Path_0>,  ray_9 : Ray_0,  hit
         at_6 = hit_6;
     }
     var surface_4 : Surface_0 = surface_of_0(ray_9, at_6);
-    var _S253 : Receiver_0 = Receiver_x24init_0(surface_4.origin_4, surface_4.normal_2);
-    var _S254 : vec3<f32> = (vec3<f32>(0) - ray_9.direction_1);
-    var wo_6 : vec3<f32> = Surface_local_direction_0(surface_4, _S254);
+    var _S233 : Receiver_0 = Receiver_x24init_0(surface_4.origin_3, surface_4.normal_2);
+    var _S234 : vec3<f32> = (vec3<f32>(0) - ray_9.direction_1);
+    var wo_6 : vec3<f32> = Surface_local_direction_0(surface_4, _S234);
     var inside_5 : Inside_0 = in_air_0();
     var wo_7 : vec3<f32>;
     var receiver_19 : Receiver_0;
     if(is_scattered_3)
     {
-        var _S255 : Inside_0 = Inside_x24init_0((*path_6).inside_0.instance_0, hit_6.voxel_1, (*path_6).inside_0.material_0);
-        inside_5 = _S255;
-        var _S256 : vec3<f32> = normalize_vector_0(_S254);
-        receiver_19 = Receiver_x24init_0(Inside_point_0(_S255, ray_9, t_5), _S244);
-        wo_7 = _S256;
+        var _S235 : Inside_0 = Inside_x24init_0((*path_6).inside_0.instance_0, hit_6.voxel_1, (*path_6).inside_0.material_0);
+        inside_5 = _S235;
+        var _S236 : vec3<f32> = normalize_vector_0(_S234);
+        receiver_19 = Receiver_x24init_0(Inside_point_0(_S235, ray_9, t_5), _S224);
+        wo_7 = _S236;
     }
     else
     {
@@ -3668,22 +3648,22 @@ fn PathTracingOf_advance_1( path_6 : ptr<function, Path_0>,  ray_9 : Ray_0,  hit
             inside_5 = Inside_x24init_0((*path_6).inside_0.instance_0, hit_6.voxel_1, (*path_6).inside_0.material_0);
             inside_5.voxel_0 = hit_6.voxel_1 + vec3<i32>(face_normal_0(hit_6.face_0));
         }
-        receiver_19 = _S253;
+        receiver_19 = _S233;
         wo_7 = wo_6;
     }
-    next_1.origin_1 = receiver_19.point_0;
+    next_1.origin_0 = receiver_19.point_0;
     next_1.shadow_inside_0 = inside_5;
     if(is_weighed_1)
     {
-        receiver_19 = last_4;
+        receiver_19 = last_5;
     }
-    if(_S252)
+    if(_S232)
     {
         (*path_6).selection_0 = Lights_selection_0(receiver_19);
     }
     var light_4 : LightSample_0 = no_light_0();
-    var _S257 : bool = !MaterialBsdf_is_delta_0(_S251);
-    scatter_of_path_0 = Scatter_x24init_0((*path_6), receiver_19, surface_4, _S251, wo_7, compensation_3, is_scattered_3, _S257);
+    var _S237 : bool = !MaterialBsdf_is_delta_0(_S231);
+    scatter_of_path_0 = Scatter_x24init_0((*path_6), receiver_19, surface_4, _S231, wo_7, compensation_3, is_scattered_3, _S237);
     if(is_weighed_1)
     {
         if(next_1.has_shadow_ray_0)
@@ -3700,8 +3680,8 @@ fn PathTracingOf_advance_1( path_6 : ptr<function, Path_0>,  ray_9 : Ray_0,  hit
         return next_1;
     }
     var bounce_2 : BsdfSample_0;
-    var _S258 : bool = MaterialBsdf_sample_0(_S251, wo_7, vec3<f32>(u_16.xy, u_16.w), &(bounce_2));
-    if(!_S258)
+    var _S238 : bool = MaterialBsdf_sample_0(_S231, wo_7, vec3<f32>(u_16.xy, u_16.w), &(bounce_2));
+    if(!_S238)
     {
         return next_1;
     }
@@ -3754,12 +3734,12 @@ struct Sample_0
      albedo_0 : vec3<f32>,
      normal_4 : vec3<f32>,
      place_3 : vec3<f32>,
-     instance_7 : u32,
+     instance_8 : u32,
 };
 
 fn shading_normal_0( ray_11 : Ray_0,  hit_7 : Hit_0,  material_10 : PackedMaterial_0) -> vec3<f32>
 {
-    return world_normal_0(hit_7.instance_1, hit_7.face_0);
+    return world_normal_0(Instances_operatorx5Bx5D_get_0(hit_7.instance_1), hit_7.face_0);
 }
 
 fn albedo_of_0( material_11 : PackedMaterial_0) -> vec3<f32>
@@ -3769,53 +3749,53 @@ fn albedo_of_0( material_11 : PackedMaterial_0) -> vec3<f32>
 
 fn show_0( path_8 : Path_0,  ray_12 : Ray_0,  hit_8 : Hit_0,  beyond_4 : u32,  sample_9 : ptr<function, Sample_0>)
 {
-    var _S259 : Path_0 = path_8;
+    var _S239 : Path_0 = path_8;
     (*sample_9).is_shown_0 = true;
-    if(Inside_is_in_0(_S259.inside_0))
+    if(Inside_is_in_0(_S239.inside_0))
     {
-        absorb_0(&(_S259), _S259.inside_0, ray_12, hit_8.t_0);
+        absorb_0(&(_S239), _S239.inside_0, ray_12, hit_8.t_0);
     }
-    var material_12 : PackedMaterial_0 = material_met_0(_S259, hit_8, beyond_4);
+    var material_12 : PackedMaterial_0 = material_met_0(_S239, hit_8, beyond_4);
     (*sample_9).normal_4 = shading_normal_0(ray_12, hit_8, material_12);
-    (*sample_9).albedo_0 = _S259.beta_0 * albedo_of_0(material_12);
+    (*sample_9).albedo_0 = _S239.beta_0 * albedo_of_0(material_12);
     return;
 }
 
-fn Walker_see_0( this_24 : ptr<function, Walker_0>,  arrived_0 : Path_0,  hit_9 : Hit_0,  beyond_5 : u32,  emitted_1 : vec3<f32>,  goes_on_0 : bool,  sample_10 : ptr<function, Sample_0>)
+fn Walker_see_0( this_26 : ptr<function, Walker_0>,  arrived_0 : Path_0,  hit_9 : Hit_0,  beyond_5 : u32,  emitted_1 : vec3<f32>,  goes_on_0 : bool,  sample_10 : ptr<function, Sample_0>)
 {
     (*sample_10).direct_0 = (*sample_10).direct_0 + emitted_1;
-    var _S260 : bool = ((*this_24).path_7.bounce_0) == u32(0);
-    var _S261 : bool;
+    var _S240 : bool = ((*this_26).path_7.bounce_0) == u32(0);
+    var _S241 : bool;
     if(goes_on_0)
     {
-        _S261 = _S260;
+        _S241 = _S240;
     }
     else
     {
-        _S261 = false;
+        _S241 = false;
     }
-    var _S262 : bool = !_S261;
-    (*this_24).has_shown_0 = _S262;
-    if(!_S262)
+    var _S242 : bool = !_S241;
+    (*this_26).has_shown_0 = _S242;
+    if(!_S242)
     {
-        (*this_24).way_2 = (*this_24).way_2 + hit_9.t_0;
+        (*this_26).way_2 = (*this_26).way_2 + hit_9.t_0;
     }
     else
     {
         if(!Hit_is_miss_0(hit_9))
         {
-            show_0(arrived_0, (*this_24).ray_10, hit_9, beyond_5, &((*sample_10)));
-            (*sample_10).place_3 = (*this_24).camera_ray_0.origin_2 + (*this_24).camera_ray_0.direction_1 * vec3<f32>(((*this_24).way_2 + hit_9.t_0));
-            var _S263 : u32;
-            if(((*this_24).way_2) > 0.0f)
+            show_0(arrived_0, (*this_26).ray_10, hit_9, beyond_5, &((*sample_10)));
+            (*sample_10).place_3 = (*this_26).camera_ray_0.origin_1 + (*this_26).camera_ray_0.direction_1 * vec3<f32>(((*this_26).way_2 + hit_9.t_0));
+            var _S243 : u32;
+            if(((*this_26).way_2) > 0.0f)
             {
-                _S263 = u32(4294967295);
+                _S243 = u32(4294967295);
             }
             else
             {
-                _S263 = hit_9.instance_1;
+                _S243 = hit_9.instance_1;
             }
-            (*sample_10).instance_7 = _S263;
+            (*sample_10).instance_8 = _S243;
         }
     }
     return;
@@ -3827,8 +3807,8 @@ fn goes_on_from_0( at_7 : ptr<function, Walker_0>,  hit_10 : Hit_0,  beyond_6 : 
     var goes_on_1 : bool;
     if((*at_7).is_at_cell_0)
     {
-        next_2.origin_1 = (*at_7).ray_10.origin_2;
-        next_2.path_origin_0 = (*at_7).ray_10.origin_2;
+        next_2.origin_0 = (*at_7).ray_10.origin_1;
+        next_2.path_origin_0 = (*at_7).ray_10.origin_1;
         next_2.direction_0 = (*at_7).ray_10.direction_1;
         goes_on_1 = true;
     }
@@ -3838,10 +3818,10 @@ fn goes_on_from_0( at_7 : ptr<function, Walker_0>,  hit_10 : Hit_0,  beyond_6 : 
         ends_here_0 = false;
         var arrived_1 : Path_0 = (*at_7).path_7;
         var emitted_2 : vec3<f32> = cached_0;
-        var _S264 : Path_0 = (*at_7).path_7;
-        var _S265 : NextRays_0 = PathTracingOf_advance_0(&(_S264), (*at_7).ray_10, hit_10, beyond_6, &(emitted_2));
-        (*at_7).path_7 = _S264;
-        next_2 = _S265;
+        var _S244 : Path_0 = (*at_7).path_7;
+        var _S245 : NextRays_0 = PathTracingOf_advance_0(&(_S244), (*at_7).ray_10, hit_10, beyond_6, &(emitted_2));
+        (*at_7).path_7 = _S244;
+        next_2 = _S245;
         var goes_on_2 : bool = (any(((next_2.direction_0) != cached_0)));
         if((*at_7).has_shown_0)
         {
@@ -3868,10 +3848,10 @@ fn goes_on_from_0( at_7 : ptr<function, Walker_0>,  hit_10 : Hit_0,  beyond_6 : 
     (*at_7).light_5 = next_2.light_0;
     (*at_7).is_shadow_ray_0 = next_2.has_shadow_ray_0;
     (*at_7).path_origin_2 = next_2.path_origin_0;
-    (*at_7).ray_10 = ray_from_0(next_2.origin_1, next_2.direction_0);
+    (*at_7).ray_10 = ray_from_0(next_2.origin_0, next_2.direction_0);
     if((*at_7).is_shadow_ray_0)
     {
-        (*at_7).ray_10 = Ray_x24init_0(next_2.origin_1, 0.0f, next_2.shadow_direction_0, next_2.shadow_t_max_0);
+        (*at_7).ray_10 = Ray_x24init_0(next_2.origin_0, 0.0f, next_2.shadow_direction_0, next_2.shadow_t_max_0);
     }
     if(goes_on_1)
     {
@@ -3886,18 +3866,18 @@ fn goes_on_from_0( at_7 : ptr<function, Walker_0>,  hit_10 : Hit_0,  beyond_6 : 
 
 struct Key_0
 {
-     instance_8 : u32,
+     instance_9 : u32,
      face_and_level_0 : u32,
      cube_0 : vec3<i32>,
 };
 
-fn Key_x24init_0( instance_9 : u32,  face_and_level_1 : u32,  cube_1 : vec3<i32>) -> Key_0
+fn Key_x24init_0( instance_10 : u32,  face_and_level_1 : u32,  cube_1 : vec3<i32>) -> Key_0
 {
-    var _S266 : Key_0;
-    _S266.instance_8 = instance_9;
-    _S266.face_and_level_0 = face_and_level_1;
-    _S266.cube_0 = cube_1;
-    return _S266;
+    var _S246 : Key_0;
+    _S246.instance_9 = instance_10;
+    _S246.face_and_level_0 = face_and_level_1;
+    _S246.cube_0 = cube_1;
+    return _S246;
 }
 
 fn scramble_of_0( number_1 : u32) -> u32
@@ -3905,40 +3885,40 @@ fn scramble_of_0( number_1 : u32) -> u32
     return pcg4d_0(vec4<u32>(number_1, u32(0), u32(0), u32(2654435769))).x;
 }
 
-fn Key_level_0( this_25 : Key_0) -> u32
+fn Key_level_0( this_27 : Key_0) -> u32
 {
-    return ((this_25.face_and_level_0) >> (u32(3)));
+    return ((this_27.face_and_level_0) >> (u32(3)));
 }
 
-fn Key_mask_0( this_26 : Key_0) -> u32
+fn Key_mask_0( this_28 : Key_0) -> u32
 {
-    return ((u32(1) << ((u32(3) * Key_level_0(this_26))))) - u32(1);
+    return ((u32(1) << ((u32(3) * Key_level_0(this_28))))) - u32(1);
 }
 
 fn key_of_0( hit_11 : Hit_0,  size_1 : f32,  u_17 : f32,  code_0 : ptr<function, u32>) -> Key_0
 {
     var clamped_0 : f32 = clamp(size_1, 1.0f, 128.0f);
     var power_5 : f32 = f32(((bitcast<u32>((clamped_0))) >> (u32(23)))) - 127.0f;
-    var _S267 : f32;
+    var _S247 : f32;
     if(u_17 < (clamped_0 * inverse_power_of_two_0(clamped_0) - 1.0f))
     {
-        _S267 = 1.0f;
+        _S247 = 1.0f;
     }
     else
     {
-        _S267 = 0.0f;
+        _S247 = 0.0f;
     }
-    var level_0 : u32 = u32(min(power_5 + _S267, 6.0f));
-    var _S268 : vec3<u32> = vec3<u32>(u32(i32(level_0)));
-    var key_0 : Key_0 = Key_x24init_0(hit_11.instance_1, ((hit_11.face_0) | (((level_0 << (u32(3)))))), ((hit_11.voxel_1) >> (_S268)));
-    var _S269 : vec3<u32> = vec3<u32>(hit_11.voxel_1 - (((key_0.cube_0) << (_S268))));
-    (*code_0) = u32(1) + (((((((_S269.x) | ((((_S269.y) << (level_0)))))) | ((((_S269.z) << ((u32(2) * level_0))))))) ^ ((((scramble_of_0(real_time_0.number_0)) & ((Key_mask_0(key_0))))))));
+    var level_0 : u32 = u32(min(power_5 + _S247, 6.0f));
+    var _S248 : vec3<u32> = vec3<u32>(u32(i32(level_0)));
+    var key_0 : Key_0 = Key_x24init_0(hit_11.instance_1, ((hit_11.face_0) | (((level_0 << (u32(3)))))), ((hit_11.voxel_1) >> (_S248)));
+    var _S249 : vec3<u32> = vec3<u32>(hit_11.voxel_1 - (((key_0.cube_0) << (_S248))));
+    (*code_0) = u32(1) + (((((((_S249.x) | ((((_S249.y) << (level_0)))))) | ((((_S249.z) << ((u32(2) * level_0))))))) ^ ((((scramble_of_0(real_time_0.number_0)) & ((Key_mask_0(key_0))))))));
     return key_0;
 }
 
-fn Key_hash_0( this_27 : Key_0) -> vec2<u32>
+fn Key_hash_0( this_29 : Key_0) -> vec2<u32>
 {
-    return pcg4d_0(vec4<u32>(vec3<u32>(this_27.cube_0), this_27.instance_8 * u32(61) + this_27.face_and_level_0)).xy;
+    return pcg4d_0(vec4<u32>(vec3<u32>(this_29.cube_0), this_29.instance_9 * u32(61) + this_29.face_and_level_0)).xy;
 }
 
 fn place_of_check_0( cell_3 : u32) -> u32
@@ -3959,8 +3939,8 @@ fn find_cell_0( hash_0 : vec2<u32>) -> u32
             break;
         }
         var cell_4 : u32 = ((hash_0.x + probe_0) & (u32(262143)));
-        var _S270 : u32 = atomicLoad(&(cell_keys_0[place_of_check_0(cell_4)]));
-        if(_S270 == (max(hash_0.y, u32(1))))
+        var _S250 : u32 = atomicLoad(&(cell_keys_0[place_of_check_0(cell_4)]));
+        if(_S250 == (max(hash_0.y, u32(1))))
         {
             return cell_4;
         }
@@ -3969,14 +3949,14 @@ fn find_cell_0( hash_0 : vec2<u32>) -> u32
     return u32(262144);
 }
 
-fn cell_row_0( row_0 : u32,  cell_5 : u32) -> vec4<u32>
+fn cell_row_0( row_7 : u32,  cell_5 : u32) -> vec4<u32>
 {
-    return cell_rows_0[row_0 * u32(262144) + cell_5];
+    return cell_rows_0[row_7 * u32(262144) + cell_5];
 }
 
-fn set_cell_row_0( row_1 : u32,  cell_6 : u32,  value_1 : vec4<u32>)
+fn set_cell_row_0( row_8 : u32,  cell_6 : u32,  value_1 : vec4<u32>)
 {
-    cell_rows_0[row_1 * u32(262144) + cell_6] = value_1;
+    cell_rows_0[row_8 * u32(262144) + cell_6] = value_1;
     return;
 }
 
@@ -3987,11 +3967,11 @@ fn place_of_asked_0( cell_7 : u32) -> u32
 
 fn ask_cell_0( key_1 : Key_0,  asked_0 : u32) -> vec4<f32>
 {
-    var _S271 : bool;
+    var _S251 : bool;
     var hash_1 : vec2<u32> = Key_hash_0(key_1);
-    var _S272 : u32 = max(hash_1.y, u32(1));
+    var _S252 : u32 = max(hash_1.y, u32(1));
     var cell_8 : u32 = find_cell_0(hash_1);
-    var _S273 : vec4<f32> = vec4<f32>(0.0f);
+    var _S253 : vec4<f32> = vec4<f32>(0.0f);
     var known_0 : vec4<f32>;
     if(cell_8 != u32(262144))
     {
@@ -3999,7 +3979,7 @@ fn ask_cell_0( key_1 : Key_0,  asked_0 : u32) -> vec4<f32>
     }
     else
     {
-        known_0 = _S273;
+        known_0 = _S253;
     }
     var cell_9 : u32 = cell_8;
     var probe_1 : u32 = u32(0);
@@ -4007,13 +3987,13 @@ fn ask_cell_0( key_1 : Key_0,  asked_0 : u32) -> vec4<f32>
     {
         if(probe_1 < u32(8))
         {
-            _S271 = cell_9 == u32(262144);
+            _S251 = cell_9 == u32(262144);
         }
         else
         {
-            _S271 = false;
+            _S251 = false;
         }
-        if(_S271)
+        if(_S251)
         {
         }
         else
@@ -4021,23 +4001,23 @@ fn ask_cell_0( key_1 : Key_0,  asked_0 : u32) -> vec4<f32>
             break;
         }
         var place_4 : u32 = ((hash_1.x + probe_1) & (u32(262143)));
-        var found_0 : u32 = atomicCompareExchangeWeak(&(cell_keys_0[place_of_check_0(place_4)]), u32(0), _S272).old_value;
-        var _S274 : bool = found_0 == u32(0);
-        if(_S274)
+        var found_0 : u32 = atomicCompareExchangeWeak(&(cell_keys_0[place_of_check_0(place_4)]), u32(0), _S252).old_value;
+        var _S254 : bool = found_0 == u32(0);
+        if(_S254)
         {
-            set_cell_row_0(u32(1), place_4, vec4<u32>(key_1.instance_8, key_1.face_and_level_0, u32(0), u32(0)));
+            set_cell_row_0(u32(1), place_4, vec4<u32>(key_1.instance_9, key_1.face_and_level_0, u32(0), u32(0)));
             set_cell_row_0(u32(2), place_4, vec4<u32>(vec3<u32>(key_1.cube_0), u32(0)));
         }
-        var _S275 : bool;
-        if(_S274)
+        var _S255 : bool;
+        if(_S254)
         {
-            _S275 = true;
+            _S255 = true;
         }
         else
         {
-            _S275 = found_0 == _S272;
+            _S255 = found_0 == _S252;
         }
-        if(_S275)
+        if(_S255)
         {
             cell_9 = place_4;
         }
@@ -4045,16 +4025,16 @@ fn ask_cell_0( key_1 : Key_0,  asked_0 : u32) -> vec4<f32>
     }
     if(cell_9 != u32(262144))
     {
-        var _S276 : u32 = atomicLoad(&(cell_keys_0[place_of_asked_0(cell_9)]));
-        _S271 = _S276 < asked_0;
+        var _S256 : u32 = atomicLoad(&(cell_keys_0[place_of_asked_0(cell_9)]));
+        _S251 = _S256 < asked_0;
     }
     else
     {
-        _S271 = false;
+        _S251 = false;
     }
-    if(_S271)
+    if(_S251)
     {
-        var _S277 : u32 = atomicMax(&(cell_keys_0[place_of_asked_0(cell_9)]), asked_0);
+        var _S257 : u32 = atomicMax(&(cell_keys_0[place_of_asked_0(cell_9)]), asked_0);
     }
     return known_0;
 }
@@ -4062,44 +4042,44 @@ fn ask_cell_0( key_1 : Key_0,  asked_0 : u32) -> vec4<f32>
 fn asks_0( path_9 : Path_0,  ray_13 : Ray_0,  hit_12 : Hit_0,  beyond_7 : u32,  life_1 : u32,  light_7 : ptr<function, vec3<f32>>) -> bool
 {
     (*light_7) = vec3<f32>(0.0f);
-    var _S278 : bool;
+    var _S258 : bool;
     if(Hit_is_miss_0(hit_12))
     {
-        _S278 = true;
+        _S258 = true;
     }
     else
     {
-        _S278 = Inside_is_in_0(path_9.inside_0);
+        _S258 = Inside_is_in_0(path_9.inside_0);
     }
-    if(_S278)
+    if(_S258)
     {
         return false;
     }
     var material_13 : PackedMaterial_0 = material_met_0(path_9, hit_12, beyond_7);
     if((material_13.metallic_0) > 0.0f)
     {
-        _S278 = true;
+        _S258 = true;
     }
     else
     {
-        _S278 = (material_13.transmission_0) > 0.0f;
+        _S258 = (material_13.transmission_0) > 0.0f;
     }
-    if(_S278)
+    if(_S258)
     {
         return false;
     }
     var code_1 : u32;
-    var key_2 : Key_0 = key_of_0(hit_12, square_root_0(length_squared_0(ray_13.origin_2 + ray_13.direction_1 * vec3<f32>(hit_12.t_0) - real_time_0.eye_0)) * real_time_0.view_angle_0 * 0.05882352963089943f, Sampler_independent_0(path_9.sampler_0, u32(3221225472) + Path_events_0(path_9)).x, &(code_1));
+    var key_2 : Key_0 = key_of_0(hit_12, square_root_0(length_squared_0(ray_13.origin_1 + ray_13.direction_1 * vec3<f32>(hit_12.t_0) - real_time_0.eye_0)) * real_time_0.view_angle_0 * 0.05882352963089943f, Sampler_independent_0(path_9.sampler_0, u32(3221225472) + Path_events_0(path_9)).x, &(code_1));
     var least_0 : f32 = 2.0f * f32((u32(1) << ((Key_level_0(key_2)))));
     if(life_1 == u32(0))
     {
-        _S278 = true;
+        _S258 = true;
     }
     else
     {
-        _S278 = (hit_12.t_0 * square_root_0(length_squared_0(ray_13.direction_1))) < least_0;
+        _S258 = (hit_12.t_0 * square_root_0(length_squared_0(ray_13.direction_1))) < least_0;
     }
-    if(_S278)
+    if(_S258)
     {
         return false;
     }
@@ -4114,9 +4094,9 @@ fn asks_0( path_9 : Path_0,  ray_13 : Ray_0,  hit_12 : Hit_0,  beyond_7 : u32,  
 
 var<private> first_candidates_0 : u32;
 
-fn Path_dimension_light_0( this_28 : Path_0) -> u32
+fn Path_dimension_light_0( this_30 : Path_0) -> u32
 {
-    return u32(2) + u32(2) * Path_events_0(this_28);
+    return u32(2) + u32(2) * Path_events_0(this_30);
 }
 
 struct BsdfEval_0
@@ -4127,20 +4107,20 @@ struct BsdfEval_0
 
 fn BsdfEval_x24init_0( weight_6 : vec3<f32>,  pdf_11 : f32) -> BsdfEval_0
 {
-    var _S279 : BsdfEval_0;
-    _S279.weight_5 = weight_6;
-    _S279.pdf_10 = pdf_11;
-    return _S279;
+    var _S259 : BsdfEval_0;
+    _S259.weight_5 = weight_6;
+    _S259.pdf_10 = pdf_11;
+    return _S259;
 }
 
-fn Diffuse_eval_0( this_29 : Diffuse_0,  wo_8 : vec3<f32>,  wi_3 : vec3<f32>) -> BsdfEval_0
+fn Diffuse_eval_0( this_31 : Diffuse_0,  wo_8 : vec3<f32>,  wi_3 : vec3<f32>) -> BsdfEval_0
 {
-    return BsdfEval_x24init_0(this_29.reflectance_0, cosine_hemisphere_pdf_0(wi_3.z));
+    return BsdfEval_x24init_0(this_31.reflectance_0, cosine_hemisphere_pdf_0(wi_3.z));
 }
 
-fn MaterialBsdf_eval_0( this_30 : MaterialBsdf_0,  wo_9 : vec3<f32>,  wi_4 : vec3<f32>) -> BsdfEval_0
+fn MaterialBsdf_eval_0( this_32 : MaterialBsdf_0,  wo_9 : vec3<f32>,  wi_4 : vec3<f32>) -> BsdfEval_0
 {
-    return Diffuse_eval_0(Diffuse_x24init_0(this_30.color_0), wo_9, wi_4);
+    return Diffuse_eval_0(Diffuse_x24init_0(this_32.color_0), wo_9, wi_4);
 }
 
 fn choose_light_0( scatter_0 : Scatter_0,  next_3 : ptr<function, NextRays_0>)
@@ -4183,7 +4163,7 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_3 : ptr<function, NextRays_0>)
             candidate_0 = candidate_0 + u32(1);
             continue;
         }
-        var _S280 : vec3<f32> = vec3<f32>(Surface_local_direction_0(scatter_0.surface_0, light_8.ray_6.direction_1).xy, light_8.cos_theta_2);
+        var _S260 : vec3<f32> = vec3<f32>(Surface_local_direction_0(scatter_0.surface_0, light_8.ray_6.direction_1).xy, light_8.cos_theta_2);
         var wi_5 : vec3<f32>;
         if(scatter_0.is_scattered_0)
         {
@@ -4191,22 +4171,22 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_3 : ptr<function, NextRays_0>)
         }
         else
         {
-            wi_5 = _S280;
+            wi_5 = _S260;
         }
         var eval_0 : BsdfEval_0 = MaterialBsdf_eval_0(scatter_0.bsdf_0, scatter_0.wo_0, wi_5);
-        var _S281 : vec3<f32> = scatter_0.path_0.beta_0 * eval_0.weight_5 * vec3<f32>(scatter_0.compensation_0) * light_8.radiance_1 * vec3<f32>((divide_0(eval_0.pdf_10, light_8.pdf_2) * power_heuristic_0(light_8.pdf_2, eval_0.pdf_10)));
-        var weight_7 : f32 = luminance_0(_S281);
+        var _S261 : vec3<f32> = scatter_0.path_0.beta_0 * eval_0.weight_5 * vec3<f32>(scatter_0.compensation_0) * light_8.radiance_1 * vec3<f32>((divide_0(eval_0.pdf_10, light_8.pdf_2) * power_heuristic_0(light_8.pdf_2, eval_0.pdf_10)));
+        var weight_7 : f32 = luminance_0(_S261);
         var sum_2 : f32 = sum_1 + weight_7;
-        var _S282 : bool;
+        var _S262 : bool;
         if(count_5 > u32(1))
         {
-            _S282 = (Sampler_independent_0(scatter_0.path_0.sampler_0, dimension_3 + u32(1)).x * sum_2) >= weight_7;
+            _S262 = (Sampler_independent_0(scatter_0.path_0.sampler_0, dimension_3 + u32(1)).x * sum_2) >= weight_7;
         }
         else
         {
-            _S282 = false;
+            _S262 = false;
         }
-        if(_S282)
+        if(_S262)
         {
             sum_1 = sum_2;
             candidate_0 = candidate_0 + u32(1);
@@ -4217,7 +4197,7 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_3 : ptr<function, NextRays_0>)
         {
             (*next_3).shadow_direction_0 = light_8.ray_6.direction_1;
             (*next_3).shadow_t_max_0 = light_8.ray_6.t_max_0;
-            (*next_3).light_0 = _S281;
+            (*next_3).light_0 = _S261;
             chosen_5 = weight_7;
         }
         else
@@ -4228,9 +4208,9 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_3 : ptr<function, NextRays_0>)
         sum_1 = sum_2;
         candidate_0 = candidate_0 + u32(1);
     }
-    var _S283 : bool = chosen_4 > 0.0f;
-    (*next_3).has_shadow_ray_0 = _S283;
-    if(_S283)
+    var _S263 : bool = chosen_4 > 0.0f;
+    (*next_3).has_shadow_ray_0 = _S263;
+    if(_S263)
     {
         (*next_3).light_0 = (*next_3).light_0 * vec3<f32>(divide_0(sum_1, chosen_4 * f32(count_5)));
     }
@@ -4243,15 +4223,15 @@ fn goes_on_from_1( at_8 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_8 : 
     var goes_on_3 : bool;
     if((*at_8).is_at_cell_0)
     {
-        next_4.origin_1 = (*at_8).ray_10.origin_2;
-        next_4.path_origin_0 = (*at_8).ray_10.origin_2;
+        next_4.origin_0 = (*at_8).ray_10.origin_1;
+        next_4.path_origin_0 = (*at_8).ray_10.origin_1;
         next_4.direction_0 = (*at_8).ray_10.direction_1;
         goes_on_3 = true;
     }
     else
     {
-        var _S284 : vec3<f32> = vec3<f32>(0.0f);
-        var cached_1 : vec3<f32> = _S284;
+        var _S264 : vec3<f32> = vec3<f32>(0.0f);
+        var cached_1 : vec3<f32> = _S264;
         if((*at_8).has_shown_0)
         {
             goes_on_3 = (*at_8).asks_cache_0;
@@ -4262,8 +4242,8 @@ fn goes_on_from_1( at_8 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_8 : 
         }
         if(goes_on_3)
         {
-            var _S285 : bool = asks_0((*at_8).path_7, (*at_8).ray_10, hit_13, beyond_8, (*at_8).life_0, &(cached_1));
-            goes_on_3 = _S285;
+            var _S265 : bool = asks_0((*at_8).path_7, (*at_8).ray_10, hit_13, beyond_8, (*at_8).life_0, &(cached_1));
+            goes_on_3 = _S265;
         }
         else
         {
@@ -4271,12 +4251,12 @@ fn goes_on_from_1( at_8 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_8 : 
         }
         ends_here_0 = goes_on_3;
         var arrived_2 : Path_0 = (*at_8).path_7;
-        var emitted_3 : vec3<f32> = _S284;
-        var _S286 : Path_0 = (*at_8).path_7;
-        var _S287 : NextRays_0 = PathTracingOf_advance_1(&(_S286), (*at_8).ray_10, hit_13, beyond_8, &(emitted_3));
-        (*at_8).path_7 = _S286;
-        next_4 = _S287;
-        var goes_on_4 : bool = (any(((next_4.direction_0) != _S284)));
+        var emitted_3 : vec3<f32> = _S264;
+        var _S266 : Path_0 = (*at_8).path_7;
+        var _S267 : NextRays_0 = PathTracingOf_advance_1(&(_S266), (*at_8).ray_10, hit_13, beyond_8, &(emitted_3));
+        (*at_8).path_7 = _S266;
+        next_4 = _S267;
+        var goes_on_4 : bool = (any(((next_4.direction_0) != _S264)));
         if((*at_8).has_shown_0)
         {
             (*sample_12).light_6 = (*sample_12).light_6 + (cached_1 + emitted_3);
@@ -4302,10 +4282,10 @@ fn goes_on_from_1( at_8 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_8 : 
     (*at_8).light_5 = next_4.light_0;
     (*at_8).is_shadow_ray_0 = next_4.has_shadow_ray_0;
     (*at_8).path_origin_2 = next_4.path_origin_0;
-    (*at_8).ray_10 = ray_from_0(next_4.origin_1, next_4.direction_0);
+    (*at_8).ray_10 = ray_from_0(next_4.origin_0, next_4.direction_0);
     if((*at_8).is_shadow_ray_0)
     {
-        (*at_8).ray_10 = Ray_x24init_0(next_4.origin_1, 0.0f, next_4.shadow_direction_0, next_4.shadow_t_max_0);
+        (*at_8).ray_10 = Ray_x24init_0(next_4.origin_0, 0.0f, next_4.shadow_direction_0, next_4.shadow_t_max_0);
     }
     if(goes_on_3)
     {
@@ -4333,28 +4313,28 @@ fn reciprocal_0( vector_4 : vec3<f32>) -> vec3<f32>
     return vec3<f32>(divide_0(1.0f, vector_4.x), divide_0(1.0f, vector_4.y), divide_0(1.0f, vector_4.z));
 }
 
-fn local_ray_0( _S288 : Ray_0,  _S289 : u32) -> LocalRay_0
+fn local_ray_0( ray_14 : Ray_0,  grid_from_world_2 : Transform_0) -> LocalRay_0
 {
     var local_3 : LocalRay_0;
     var direction_27 : vec3<f32>;
     var origin_8 : vec3<f32>;
     if(!IS_SINGLE_0)
     {
-        var _S290 : vec3<f32> = Transform_point_0(_S289, _S288.origin_2);
-        direction_27 = Transform_direction_0(_S289, _S288.direction_1);
-        origin_8 = _S290;
+        var _S268 : vec3<f32> = Transform_point_0(grid_from_world_2, ray_14.origin_1);
+        direction_27 = Transform_direction_0(grid_from_world_2, ray_14.direction_1);
+        origin_8 = _S268;
     }
     else
     {
-        direction_27 = _S288.direction_1;
-        origin_8 = _S288.origin_2;
+        direction_27 = ray_14.direction_1;
+        origin_8 = ray_14.origin_1;
     }
     var is_zero_0 : vec3<bool> = !((abs(direction_27)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S291 : vec3<f32> = select(direction_27, vec3<f32>(0.0f), is_zero_0);
-    local_3.direction_26 = _S291;
+    var _S269 : vec3<f32> = select(direction_27, vec3<f32>(0.0f), is_zero_0);
+    local_3.direction_26 = _S269;
     local_3.inverse_0 = select(reciprocal_0(select(direction_27, vec3<f32>(1.0f), is_zero_0)), vec3<f32>(3.4028234663852886e+38f), is_zero_0);
     local_3.origin_7 = select(origin_8, floor(origin_8) + vec3<f32>(0.5f), is_zero_0);
-    var speed_0 : f32 = max_element_0(abs(_S291));
+    var speed_0 : f32 = max_element_0(abs(_S269));
     var moves_0 : bool;
     if(speed_0 >= 1.00000004581370497e-18f)
     {
@@ -4366,9 +4346,9 @@ fn local_ray_0( _S288 : Ray_0,  _S289 : u32) -> LocalRay_0
     }
     var is_near_0 : bool = (all(((abs(local_3.origin_7)) <= vec3<f32>(2.097152e+06f))));
     var is_segment_0 : bool;
-    if((_S288.t_min_0) >= 0.0f)
+    if((ray_14.t_min_0) >= 0.0f)
     {
-        is_segment_0 = (_S288.t_min_0) <= 3.4028234663852886e+38f;
+        is_segment_0 = (ray_14.t_min_0) <= 3.4028234663852886e+38f;
     }
     else
     {
@@ -4376,14 +4356,14 @@ fn local_ray_0( _S288 : Ray_0,  _S289 : u32) -> LocalRay_0
     }
     if(is_segment_0)
     {
-        is_segment_0 = (_S288.t_min_0) <= (_S288.t_max_0);
+        is_segment_0 = (ray_14.t_min_0) <= (ray_14.t_max_0);
     }
     else
     {
         is_segment_0 = false;
     }
-    local_3.t_min_2 = _S288.t_min_0;
-    local_3.t_max_2 = _S288.t_max_0;
+    local_3.t_min_2 = ray_14.t_min_0;
+    local_3.t_max_2 = ray_14.t_max_0;
     if(moves_0)
     {
         moves_0 = is_near_0;
@@ -4406,7 +4386,7 @@ fn local_ray_0( _S288 : Ray_0,  _S289 : u32) -> LocalRay_0
 
 struct Walk_0
 {
-     ray_14 : LocalRay_0,
+     ray_15 : LocalRay_0,
      origin_9 : vec3<f32>,
      offset_0 : vec3<i32>,
      speed_1 : vec3<f32>,
@@ -4417,69 +4397,69 @@ struct Walk_0
      t_end_0 : f32,
 };
 
-fn Walk_mirrored_plane_0( this_31 : Walk_0,  plane_0 : vec3<i32>) -> vec3<i32>
+fn Walk_mirrored_plane_0( this_33 : Walk_0,  plane_0 : vec3<i32>) -> vec3<i32>
 {
-    return ((plane_0 ^ ((this_31.mirror_0)))) - this_31.mirror_0;
+    return ((plane_0 ^ ((this_33.mirror_0)))) - this_33.mirror_0;
 }
 
 fn min_abs_direction_0() -> f32
 {
-    var _S292 : f32;
+    var _S270 : f32;
     if(IS_EXACT_0)
     {
-        _S292 = 0.0f;
+        _S270 = 0.0f;
     }
     else
     {
-        _S292 = 1.00000004581370497e-18f;
+        _S270 = 1.00000004581370497e-18f;
     }
-    return _S292;
+    return _S270;
 }
 
 @id(3) override TOP_SHIFT_0 : u32 = u32(0);
 
-fn LocalRay_tolerance_0( this_32 : LocalRay_0,  low_7 : vec3<i32>,  high_2 : vec3<i32>) -> vec3<f32>
+fn LocalRay_tolerance_0( this_34 : LocalRay_0,  low_7 : vec3<i32>,  high_2 : vec3<i32>) -> vec3<f32>
 {
-    return select((abs(this_32.origin_7) + (vec3<f32>(max(abs(low_7), abs(high_2))) + vec3<f32>(1.0f))) * vec3<f32>(5.36441802978515625e-07f), vec3<f32>(-1.0f), (this_32.direction_26) == vec3<f32>(0.0f));
+    return select((abs(this_34.origin_7) + (vec3<f32>(max(abs(low_7), abs(high_2))) + vec3<f32>(1.0f))) * vec3<f32>(5.36441802978515625e-07f), vec3<f32>(-1.0f), (this_34.direction_26) == vec3<f32>(0.0f));
 }
 
-fn LocalRay_t_end_0( this_33 : LocalRay_0) -> f32
+fn LocalRay_t_end_0( this_35 : LocalRay_0) -> f32
 {
-    return min(this_33.t_max_2 * 1.00000095367431641f, 3.4028234663852886e+38f);
+    return min(this_35.t_max_2 * 1.00000095367431641f, 3.4028234663852886e+38f);
 }
 
-fn walk_of_0( _S293 : LocalRay_0,  _S294 : u32) -> Walk_0
+fn walk_of_0( ray_16 : LocalRay_0,  grid_7 : PackedGrid_0) -> Walk_0
 {
     var walk_0 : Walk_0;
-    walk_0.ray_14 = _S293;
-    walk_0.grid_origin_0 = cell_of_0(grids_0[_S294].origin_0);
-    var is_negative_0 : vec3<bool> = (_S293.direction_26) < vec3<f32>(0.0f);
-    var _S295 : vec3<i32> = vec3<i32>(i32(0));
-    walk_0.mirror_0 = select(_S295, vec3<i32>(i32(-1)), is_negative_0);
-    var _S296 : vec3<i32>;
+    walk_0.ray_15 = ray_16;
+    walk_0.grid_origin_0 = cell_of_0(grid_7.origin_4);
+    var is_negative_0 : vec3<bool> = (ray_16.direction_26) < vec3<f32>(0.0f);
+    var _S271 : vec3<i32> = vec3<i32>(i32(0));
+    walk_0.mirror_0 = select(_S271, vec3<i32>(i32(-1)), is_negative_0);
+    var _S272 : vec3<i32>;
     if(IS_EXACT_0)
     {
-        _S296 = Walk_mirrored_plane_0(walk_0, walk_0.grid_origin_0);
+        _S272 = Walk_mirrored_plane_0(walk_0, walk_0.grid_origin_0);
     }
     else
     {
-        _S296 = _S295;
+        _S272 = _S271;
     }
-    walk_0.offset_0 = _S296;
+    walk_0.offset_0 = _S272;
     var origin_10 : vec3<f32>;
     if(IS_EXACT_0)
     {
-        origin_10 = _S293.origin_7;
+        origin_10 = ray_16.origin_7;
     }
     else
     {
-        origin_10 = _S293.origin_7 - vec3<f32>(walk_0.grid_origin_0);
+        origin_10 = ray_16.origin_7 - vec3<f32>(walk_0.grid_origin_0);
     }
     walk_0.origin_9 = select(origin_10, (vec3<f32>(0) - origin_10), is_negative_0);
-    walk_0.speed_1 = max(abs(_S293.direction_26), vec3<f32>(min_abs_direction_0()));
+    walk_0.speed_1 = max(abs(ray_16.direction_26), vec3<f32>(min_abs_direction_0()));
     if(IS_EXACT_0)
     {
-        origin_10 = abs(_S293.inverse_0);
+        origin_10 = abs(ray_16.inverse_0);
     }
     else
     {
@@ -4493,16 +4473,16 @@ fn walk_of_0( _S293 : LocalRay_0,  _S294 : u32) -> Walk_0
     }
     else
     {
-        top_shift_1 = grids_0[_S294].top_shift_0;
+        top_shift_1 = grid_7.top_shift_0;
     }
-    walk_0.tolerance_0 = LocalRay_tolerance_0(_S293, walk_0.grid_origin_0, walk_0.grid_origin_0 + (((cell_of_0(grids_0[_S294].top_size_0)) << (vec3<u32>(top_shift_1)))));
-    walk_0.t_end_0 = LocalRay_t_end_0(_S293);
+    walk_0.tolerance_0 = LocalRay_tolerance_0(ray_16, walk_0.grid_origin_0, walk_0.grid_origin_0 + (((cell_of_0(grid_7.top_size_0)) << (vec3<u32>(top_shift_1)))));
+    walk_0.t_end_0 = LocalRay_t_end_0(ray_16);
     return walk_0;
 }
 
-fn Walk_mirrored_0( this_34 : Walk_0,  voxel_6 : vec3<i32>) -> vec3<i32>
+fn Walk_mirrored_0( this_36 : Walk_0,  voxel_6 : vec3<i32>) -> vec3<i32>
 {
-    return (voxel_6 ^ ((this_34.mirror_0)));
+    return (voxel_6 ^ ((this_36.mirror_0)));
 }
 
 fn halves_0( value_2 : f32) -> vec2<f32>
@@ -4520,96 +4500,96 @@ fn exact_product_0( a_5 : f32,  b_5 : f32) -> vec2<f32>
     }
     var a_parts_0 : vec2<f32> = halves_0(a_5);
     var b_parts_0 : vec2<f32> = halves_0(b_5);
-    var _S297 : f32 = a_parts_0.x;
-    var _S298 : f32 = b_parts_0.x;
-    var _S299 : f32 = b_parts_0.y;
-    var _S300 : f32 = a_parts_0.y;
-    return vec2<f32>(product_0, _S297 * _S298 - product_0 + _S297 * _S299 + _S300 * _S298 + _S300 * _S299);
+    var _S273 : f32 = a_parts_0.x;
+    var _S274 : f32 = b_parts_0.x;
+    var _S275 : f32 = b_parts_0.y;
+    var _S276 : f32 = a_parts_0.y;
+    return vec2<f32>(product_0, _S273 * _S274 - product_0 + _S273 * _S275 + _S276 * _S274 + _S276 * _S275);
 }
 
-fn exact_start_voxel_0( ray_15 : LocalRay_0) -> vec3<i32>
+fn exact_start_voxel_0( ray_17 : LocalRay_0) -> vec3<i32>
 {
-    var way_3 : vec2<f32> = exact_product_0(ray_15.t_min_2, ray_15.direction_26[u32(0)]);
-    var _S301 : f32 = way_3.x;
-    var sum_3 : f32 = ray_15.origin_7[u32(0)] + _S301;
-    var part_0 : f32 = sum_3 - ray_15.origin_7[u32(0)];
-    var low_8 : f32 = ray_15.origin_7[u32(0)] - (sum_3 - part_0) + (_S301 - part_0) + way_3.y;
+    var way_3 : vec2<f32> = exact_product_0(ray_17.t_min_2, ray_17.direction_26[u32(0)]);
+    var _S277 : f32 = way_3.x;
+    var sum_3 : f32 = ray_17.origin_7[u32(0)] + _S277;
+    var part_0 : f32 = sum_3 - ray_17.origin_7[u32(0)];
+    var low_8 : f32 = ray_17.origin_7[u32(0)] - (sum_3 - part_0) + (_S277 - part_0) + way_3.y;
     var whole_0 : f32 = floor(sum_3);
     var voxel_7 : vec3<i32>;
-    var _S302 : i32 = i32(whole_0);
-    var _S303 : bool;
+    var _S278 : i32 = i32(whole_0);
+    var _S279 : bool;
     if(sum_3 == whole_0)
     {
-        _S303 = low_8 < 0.0f;
+        _S279 = low_8 < 0.0f;
     }
     else
     {
-        _S303 = false;
+        _S279 = false;
     }
-    voxel_7[u32(0)] = _S302 - i32(_S303);
-    var way_4 : vec2<f32> = exact_product_0(ray_15.t_min_2, ray_15.direction_26[u32(1)]);
-    var _S304 : f32 = way_4.x;
-    var sum_4 : f32 = ray_15.origin_7[u32(1)] + _S304;
-    var part_1 : f32 = sum_4 - ray_15.origin_7[u32(1)];
-    var low_9 : f32 = ray_15.origin_7[u32(1)] - (sum_4 - part_1) + (_S304 - part_1) + way_4.y;
+    voxel_7[u32(0)] = _S278 - i32(_S279);
+    var way_4 : vec2<f32> = exact_product_0(ray_17.t_min_2, ray_17.direction_26[u32(1)]);
+    var _S280 : f32 = way_4.x;
+    var sum_4 : f32 = ray_17.origin_7[u32(1)] + _S280;
+    var part_1 : f32 = sum_4 - ray_17.origin_7[u32(1)];
+    var low_9 : f32 = ray_17.origin_7[u32(1)] - (sum_4 - part_1) + (_S280 - part_1) + way_4.y;
     var whole_1 : f32 = floor(sum_4);
-    var _S305 : i32 = i32(whole_1);
+    var _S281 : i32 = i32(whole_1);
     if(sum_4 == whole_1)
     {
-        _S303 = low_9 < 0.0f;
+        _S279 = low_9 < 0.0f;
     }
     else
     {
-        _S303 = false;
+        _S279 = false;
     }
-    voxel_7[u32(1)] = _S305 - i32(_S303);
-    var way_5 : vec2<f32> = exact_product_0(ray_15.t_min_2, ray_15.direction_26[u32(2)]);
-    var _S306 : f32 = way_5.x;
-    var sum_5 : f32 = ray_15.origin_7[u32(2)] + _S306;
-    var part_2 : f32 = sum_5 - ray_15.origin_7[u32(2)];
-    var low_10 : f32 = ray_15.origin_7[u32(2)] - (sum_5 - part_2) + (_S306 - part_2) + way_5.y;
+    voxel_7[u32(1)] = _S281 - i32(_S279);
+    var way_5 : vec2<f32> = exact_product_0(ray_17.t_min_2, ray_17.direction_26[u32(2)]);
+    var _S282 : f32 = way_5.x;
+    var sum_5 : f32 = ray_17.origin_7[u32(2)] + _S282;
+    var part_2 : f32 = sum_5 - ray_17.origin_7[u32(2)];
+    var low_10 : f32 = ray_17.origin_7[u32(2)] - (sum_5 - part_2) + (_S282 - part_2) + way_5.y;
     var whole_2 : f32 = floor(sum_5);
-    var _S307 : i32 = i32(whole_2);
+    var _S283 : i32 = i32(whole_2);
     if(sum_5 == whole_2)
     {
-        _S303 = low_10 < 0.0f;
+        _S279 = low_10 < 0.0f;
     }
     else
     {
-        _S303 = false;
+        _S279 = false;
     }
-    voxel_7[u32(2)] = _S307 - i32(_S303);
+    voxel_7[u32(2)] = _S283 - i32(_S279);
     return voxel_7;
 }
 
-fn Walk_start_voxel_0( this_35 : Walk_0) -> vec3<i32>
+fn Walk_start_voxel_0( this_37 : Walk_0) -> vec3<i32>
 {
-    var start_3 : vec3<f32> = clamp(this_35.ray_14.origin_7 + this_35.ray_14.direction_26 * vec3<f32>(this_35.ray_14.t_min_2), vec3<f32>(-2.097152e+06f), vec3<f32>(2.097152e+06f));
+    var start_3 : vec3<f32> = clamp(this_37.ray_15.origin_7 + this_37.ray_15.direction_26 * vec3<f32>(this_37.ray_15.t_min_2), vec3<f32>(-2.097152e+06f), vec3<f32>(2.097152e+06f));
     if(!IS_EXACT_0)
     {
-        return Walk_mirrored_0(this_35, vec3<i32>(floor(start_3)) - this_35.grid_origin_0);
+        return Walk_mirrored_0(this_37, vec3<i32>(floor(start_3)) - this_37.grid_origin_0);
     }
     var nearest_0 : vec3<f32> = round(start_3);
     var from_nearest_0 : vec3<f32> = start_3 - nearest_0;
-    var _S308 : bool;
-    if((this_35.ray_14.t_min_2) > 0.0f)
+    var _S284 : bool;
+    if((this_37.ray_15.t_min_2) > 0.0f)
     {
-        _S308 = (any(((abs(from_nearest_0)) <= (this_35.tolerance_0))));
+        _S284 = (any(((abs(from_nearest_0)) <= (this_37.tolerance_0))));
     }
     else
     {
-        _S308 = false;
+        _S284 = false;
     }
-    if(_S308)
+    if(_S284)
     {
-        return Walk_mirrored_0(this_35, exact_start_voxel_0(this_35.ray_14) - this_35.grid_origin_0);
+        return Walk_mirrored_0(this_37, exact_start_voxel_0(this_37.ray_15) - this_37.grid_origin_0);
     }
-    return Walk_mirrored_0(this_35, vec3<i32>(nearest_0) - vec3<i32>(from_nearest_0 < vec3<f32>(0.0f)) - this_35.grid_origin_0);
+    return Walk_mirrored_0(this_37, vec3<i32>(nearest_0) - vec3<i32>(from_nearest_0 < vec3<f32>(0.0f)) - this_37.grid_origin_0);
 }
 
-fn Walk_crossings_0( this_36 : Walk_0,  planes_1 : vec3<i32>) -> vec3<f32>
+fn Walk_crossings_0( this_38 : Walk_0,  planes_1 : vec3<i32>) -> vec3<f32>
 {
-    return (vec3<f32>(planes_1 + this_36.offset_0) - this_36.origin_9) * this_36.inverse_1;
+    return (vec3<f32>(planes_1 + this_38.offset_0) - this_38.origin_9) * this_38.inverse_1;
 }
 
 struct Crossing_0
@@ -4622,18 +4602,18 @@ struct Crossing_0
 
 fn Crossing_x24init_0( distance_3 : f32,  distance_low_1 : f32,  speed_3 : f32,  axis_2 : u32) -> Crossing_0
 {
-    var _S309 : Crossing_0;
-    _S309.distance_2 = distance_3;
-    _S309.distance_low_0 = distance_low_1;
-    _S309.speed_2 = speed_3;
-    _S309.axis_1 = axis_2;
-    return _S309;
+    var _S285 : Crossing_0;
+    _S285.distance_2 = distance_3;
+    _S285.distance_low_0 = distance_low_1;
+    _S285.speed_2 = speed_3;
+    _S285.axis_1 = axis_2;
+    return _S285;
 }
 
-fn crossing_of_0( ray_16 : LocalRay_0,  axis_3 : u32,  plane_1 : i32) -> Crossing_0
+fn crossing_of_0( ray_18 : LocalRay_0,  axis_3 : u32,  plane_1 : i32) -> Crossing_0
 {
     var sign_0 : f32;
-    if((ray_16.direction_26[axis_3]) < 0.0f)
+    if((ray_18.direction_26[axis_3]) < 0.0f)
     {
         sign_0 = -1.0f;
     }
@@ -4642,84 +4622,84 @@ fn crossing_of_0( ray_16 : LocalRay_0,  axis_3 : u32,  plane_1 : i32) -> Crossin
         sign_0 = 1.0f;
     }
     var at_9 : f32 = f32(plane_1);
-    var difference_0 : f32 = at_9 - ray_16.origin_7[axis_3];
+    var difference_0 : f32 = at_9 - ray_18.origin_7[axis_3];
     var part_3 : f32 = difference_0 - at_9;
-    return Crossing_x24init_0(difference_0 * sign_0, (at_9 - (difference_0 - part_3) - (ray_16.origin_7[axis_3] + part_3)) * sign_0, abs(ray_16.direction_26[axis_3]), axis_3);
+    return Crossing_x24init_0(difference_0 * sign_0, (at_9 - (difference_0 - part_3) - (ray_18.origin_7[axis_3] + part_3)) * sign_0, abs(ray_18.direction_26[axis_3]), axis_3);
 }
 
-fn Crossing_is_before_0( this_37 : Crossing_0,  other_1 : Crossing_0) -> bool
+fn Crossing_is_before_0( this_39 : Crossing_0,  other_1 : Crossing_0) -> bool
 {
-    var ours_0 : vec2<f32> = exact_product_0(this_37.distance_2, other_1.speed_2);
-    var theirs_0 : vec2<f32> = exact_product_0(other_1.distance_2, this_37.speed_2);
+    var ours_0 : vec2<f32> = exact_product_0(this_39.distance_2, other_1.speed_2);
+    var theirs_0 : vec2<f32> = exact_product_0(other_1.distance_2, this_39.speed_2);
     if(IS_EXACT_0)
     {
-        ours_0[i32(1)] = ours_0[i32(1)] + this_37.distance_low_0 * other_1.speed_2;
-        theirs_0[i32(1)] = theirs_0[i32(1)] + other_1.distance_low_0 * this_37.speed_2;
+        ours_0[i32(1)] = ours_0[i32(1)] + this_39.distance_low_0 * other_1.speed_2;
+        theirs_0[i32(1)] = theirs_0[i32(1)] + other_1.distance_low_0 * this_39.speed_2;
     }
     var difference_1 : f32 = ours_0.x - theirs_0.x + (ours_0.y - theirs_0.y);
-    var _S310 : bool;
+    var _S286 : bool;
     if(difference_1 < 0.0f)
     {
-        _S310 = true;
+        _S286 = true;
     }
     else
     {
         if(difference_1 == 0.0f)
         {
-            _S310 = (this_37.axis_1) < (other_1.axis_1);
+            _S286 = (this_39.axis_1) < (other_1.axis_1);
         }
         else
         {
-            _S310 = false;
+            _S286 = false;
         }
     }
-    return _S310;
+    return _S286;
 }
 
-fn leave_box_0( ray_17 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>,  nearest_1 : vec3<i32>) -> vec3<i32>
+fn leave_box_0( ray_19 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>,  nearest_1 : vec3<i32>) -> vec3<i32>
 {
-    var _S311 : vec3<f32>;
-    var _S312 : f32;
-    var _S313 : bool;
+    var _S287 : vec3<f32>;
+    var _S288 : f32;
+    var _S289 : bool;
     var is_crossed_0 : bool;
-    var first_1 : Crossing_0;
-    var _S314 : f32;
-    var _S315 : bool;
-    var _S316 : f32;
-    var _S317 : bool;
+    var first_0 : Crossing_0;
+    var _S290 : f32;
+    var _S291 : bool;
+    var _S292 : f32;
+    var _S293 : bool;
     var plane_2 : i32;
-    var _S318 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
+    var _S294 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
     for(;;)
     {
         for(;;)
         {
             for(;;)
             {
-                _S311 = ray_17.direction_26;
-                _S312 = ray_17.direction_26[u32(0)];
-                var _S319 : bool = (ray_17.direction_26[u32(0)]) == 0.0f;
-                _S313 = _S319;
-                if(_S319)
+                _S287 = ray_19.direction_26;
+                _S288 = ray_19.direction_26[u32(0)];
+                var _S295 : bool = (ray_19.direction_26[u32(0)]) == 0.0f;
+                _S289 = _S295;
+                if(_S295)
                 {
-                    first_1 = _S318;
+                    first_0 = _S294;
                     break;
                 }
-                var crossing_0 : Crossing_0 = crossing_of_0(ray_17, u32(0), exit_0[u32(0)]);
-                if((_S318.axis_1) == u32(3))
+                var crossing_0 : Crossing_0 = crossing_of_0(ray_19, u32(0), exit_0[u32(0)]);
+                if((_S294.axis_1) == u32(3))
                 {
                     is_crossed_0 = true;
                 }
                 else
                 {
-                    is_crossed_0 = Crossing_is_before_0(crossing_0, _S318);
+                    is_crossed_0 = Crossing_is_before_0(crossing_0, _S294);
                 }
                 if(is_crossed_0)
                 {
-                    first_1 = crossing_0;
+                    first_0 = crossing_0;
                 }
                 else
                 {
-                    first_1 = _S318;
+                    first_0 = _S294;
                 }
                 break;
             }
@@ -4729,25 +4709,25 @@ fn leave_box_0( ray_17 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>, 
         {
             for(;;)
             {
-                _S314 = _S311[u32(1)];
-                var _S320 : bool = (_S311[u32(1)]) == 0.0f;
-                _S315 = _S320;
-                if(_S320)
+                _S290 = _S287[u32(1)];
+                var _S296 : bool = (_S287[u32(1)]) == 0.0f;
+                _S291 = _S296;
+                if(_S296)
                 {
                     break;
                 }
-                var crossing_1 : Crossing_0 = crossing_of_0(ray_17, u32(1), exit_0[u32(1)]);
-                if((first_1.axis_1) == u32(3))
+                var crossing_1 : Crossing_0 = crossing_of_0(ray_19, u32(1), exit_0[u32(1)]);
+                if((first_0.axis_1) == u32(3))
                 {
                     is_crossed_0 = true;
                 }
                 else
                 {
-                    is_crossed_0 = Crossing_is_before_0(crossing_1, first_1);
+                    is_crossed_0 = Crossing_is_before_0(crossing_1, first_0);
                 }
                 if(is_crossed_0)
                 {
-                    first_1 = crossing_1;
+                    first_0 = crossing_1;
                 }
                 break;
             }
@@ -4757,25 +4737,25 @@ fn leave_box_0( ray_17 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>, 
         {
             for(;;)
             {
-                _S316 = _S311[u32(2)];
-                var _S321 : bool = (_S311[u32(2)]) == 0.0f;
-                _S317 = _S321;
-                if(_S321)
+                _S292 = _S287[u32(2)];
+                var _S297 : bool = (_S287[u32(2)]) == 0.0f;
+                _S293 = _S297;
+                if(_S297)
                 {
                     break;
                 }
-                var crossing_2 : Crossing_0 = crossing_of_0(ray_17, u32(2), exit_0[u32(2)]);
-                if((first_1.axis_1) == u32(3))
+                var crossing_2 : Crossing_0 = crossing_of_0(ray_19, u32(2), exit_0[u32(2)]);
+                if((first_0.axis_1) == u32(3))
                 {
                     is_crossed_0 = true;
                 }
                 else
                 {
-                    is_crossed_0 = Crossing_is_before_0(crossing_2, first_1);
+                    is_crossed_0 = Crossing_is_before_0(crossing_2, first_0);
                 }
                 if(is_crossed_0)
                 {
-                    first_1 = crossing_2;
+                    first_0 = crossing_2;
                 }
                 break;
             }
@@ -4790,20 +4770,20 @@ fn leave_box_0( ray_17 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>, 
         {
             for(;;)
             {
-                if(_S313)
+                if(_S289)
                 {
                     break;
                 }
-                var _S322 : bool = u32(0) == (first_1.axis_1);
-                if(_S322)
+                var _S298 : bool = u32(0) == (first_0.axis_1);
+                if(_S298)
                 {
                     is_crossed_0 = true;
                 }
                 else
                 {
-                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_17, u32(0), nearest_1[u32(0)]), first_1);
+                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_19, u32(0), nearest_1[u32(0)]), first_0);
                 }
-                if(_S322)
+                if(_S298)
                 {
                     plane_2 = exit_0[u32(0)];
                 }
@@ -4811,7 +4791,7 @@ fn leave_box_0( ray_17 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>, 
                 {
                     plane_2 = nearest_1[u32(0)];
                 }
-                arrival_0[u32(0)] = plane_2 - i32(is_crossed_0 == (_S312 < 0.0f));
+                arrival_0[u32(0)] = plane_2 - i32(is_crossed_0 == (_S288 < 0.0f));
                 break;
             }
             break;
@@ -4820,20 +4800,20 @@ fn leave_box_0( ray_17 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>, 
         {
             for(;;)
             {
-                if(_S315)
+                if(_S291)
                 {
                     break;
                 }
-                var _S323 : bool = u32(1) == (first_1.axis_1);
-                if(_S323)
+                var _S299 : bool = u32(1) == (first_0.axis_1);
+                if(_S299)
                 {
                     is_crossed_0 = true;
                 }
                 else
                 {
-                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_17, u32(1), nearest_1[u32(1)]), first_1);
+                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_19, u32(1), nearest_1[u32(1)]), first_0);
                 }
-                if(_S323)
+                if(_S299)
                 {
                     plane_2 = exit_0[u32(1)];
                 }
@@ -4841,7 +4821,7 @@ fn leave_box_0( ray_17 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>, 
                 {
                     plane_2 = nearest_1[u32(1)];
                 }
-                arrival_0[u32(1)] = plane_2 - i32(is_crossed_0 == (_S314 < 0.0f));
+                arrival_0[u32(1)] = plane_2 - i32(is_crossed_0 == (_S290 < 0.0f));
                 break;
             }
             break;
@@ -4850,20 +4830,20 @@ fn leave_box_0( ray_17 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>, 
         {
             for(;;)
             {
-                if(_S317)
+                if(_S293)
                 {
                     break;
                 }
-                var _S324 : bool = u32(2) == (first_1.axis_1);
-                if(_S324)
+                var _S300 : bool = u32(2) == (first_0.axis_1);
+                if(_S300)
                 {
                     is_crossed_0 = true;
                 }
                 else
                 {
-                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_17, u32(2), nearest_1[u32(2)]), first_1);
+                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_19, u32(2), nearest_1[u32(2)]), first_0);
                 }
-                if(_S324)
+                if(_S300)
                 {
                     plane_2 = exit_0[u32(2)];
                 }
@@ -4871,7 +4851,7 @@ fn leave_box_0( ray_17 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>, 
                 {
                     plane_2 = nearest_1[u32(2)];
                 }
-                arrival_0[u32(2)] = plane_2 - i32(is_crossed_0 == (_S316 < 0.0f));
+                arrival_0[u32(2)] = plane_2 - i32(is_crossed_0 == (_S292 < 0.0f));
                 break;
             }
             break;
@@ -4881,24 +4861,24 @@ fn leave_box_0( ray_17 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>, 
     return arrival_0;
 }
 
-fn Walk_arrive_0( this_38 : Walk_0,  voxel_9 : vec3<i32>,  t_6 : f32,  is_axis_1 : vec3<bool>,  exit_1 : vec3<i32>) -> vec3<i32>
+fn Walk_arrive_0( this_40 : Walk_0,  voxel_9 : vec3<i32>,  t_6 : f32,  is_axis_1 : vec3<bool>,  exit_1 : vec3<i32>) -> vec3<i32>
 {
-    var position_1 : vec3<f32> = this_38.origin_9 + this_38.speed_1 * vec3<f32>(t_6);
+    var position_1 : vec3<f32> = this_40.origin_9 + this_40.speed_1 * vec3<f32>(t_6);
     if(IS_EXACT_0)
     {
         var position_2 : vec3<f32> = clamp(position_1, vec3<f32>(-2.097152e+06f), vec3<f32>(2.097152e+06f));
         var nearest_2 : vec3<f32> = round(position_2);
         var from_nearest_1 : vec3<f32> = position_2 - nearest_2;
-        if((any((select(vec3<bool>(false), (abs(position_2)) < vec3<f32>(2.097152e+06f), select(vec3<bool>(false), !is_axis_1, (abs(from_nearest_1)) <= (this_38.tolerance_0)))))))
+        if((any((select(vec3<bool>(false), (abs(position_2)) < vec3<f32>(2.097152e+06f), select(vec3<bool>(false), !is_axis_1, (abs(from_nearest_1)) <= (this_40.tolerance_0)))))))
         {
-            return max(Walk_mirrored_0(this_38, leave_box_0(this_38.ray_14, Walk_mirrored_0(this_38, voxel_9) + this_38.grid_origin_0, Walk_mirrored_plane_0(this_38, exit_1) + this_38.grid_origin_0, Walk_mirrored_plane_0(this_38, vec3<i32>(nearest_2))) - this_38.grid_origin_0), voxel_9);
+            return max(Walk_mirrored_0(this_40, leave_box_0(this_40.ray_15, Walk_mirrored_0(this_40, voxel_9) + this_40.grid_origin_0, Walk_mirrored_plane_0(this_40, exit_1) + this_40.grid_origin_0, Walk_mirrored_plane_0(this_40, vec3<i32>(nearest_2))) - this_40.grid_origin_0), voxel_9);
         }
-        return select(vec3<i32>(nearest_2) - vec3<i32>(from_nearest_1 < vec3<f32>(0.0f)) - this_38.offset_0, exit_1, is_axis_1);
+        return select(vec3<i32>(nearest_2) - vec3<i32>(from_nearest_1 < vec3<f32>(0.0f)) - this_40.offset_0, exit_1, is_axis_1);
     }
     return max(vec3<i32>(floor(position_1)), select(voxel_9, exit_1, is_axis_1));
 }
 
-fn Walk_enter_rounded_0( this_39 : Walk_0,  voxel_10 : ptr<function, vec3<i32>>,  near_1 : vec3<i32>,  far_1 : vec3<i32>) -> bool
+fn Walk_enter_rounded_0( this_41 : Walk_0,  voxel_10 : ptr<function, vec3<i32>>,  near_1 : vec3<i32>,  far_1 : vec3<i32>) -> bool
 {
     for(;;)
     {
@@ -4907,20 +4887,20 @@ fn Walk_enter_rounded_0( this_39 : Walk_0,  voxel_10 : ptr<function, vec3<i32>>,
         {
             break;
         }
-        if((any((select(vec3<bool>(false), (this_39.speed_1) <= vec3<f32>(min_abs_direction_0()), is_before_0)))))
+        if((any((select(vec3<bool>(false), (this_41.speed_1) <= vec3<f32>(min_abs_direction_0()), is_before_0)))))
         {
             return false;
         }
-        var t_7 : vec3<f32> = select(vec3<f32>(-1.0f), Walk_crossings_0(this_39, near_1), is_before_0);
+        var t_7 : vec3<f32> = select(vec3<f32>(-1.0f), Walk_crossings_0(this_41, near_1), is_before_0);
         var t_last_0 : f32 = max_element_0(t_7);
-        if(t_last_0 > (this_39.t_end_0))
+        if(t_last_0 > (this_41.t_end_0))
         {
             return false;
         }
         var is_x_0 : bool = (t_7.x) == t_last_0;
-        var _S325 : bool = !is_x_0;
+        var _S301 : bool = !is_x_0;
         var is_y_0 : bool;
-        if(_S325)
+        if(_S301)
         {
             is_y_0 = (t_7.y) == t_last_0;
         }
@@ -4928,17 +4908,17 @@ fn Walk_enter_rounded_0( this_39 : Walk_0,  voxel_10 : ptr<function, vec3<i32>>,
         {
             is_y_0 = false;
         }
-        var _S326 : bool;
-        if(_S325)
+        var _S302 : bool;
+        if(_S301)
         {
-            _S326 = !is_y_0;
+            _S302 = !is_y_0;
         }
         else
         {
-            _S326 = false;
+            _S302 = false;
         }
-        var is_axis_2 : vec3<bool> = vec3<bool>(is_x_0, is_y_0, _S326);
-        (*voxel_10) = Walk_arrive_0(this_39, (*voxel_10), t_last_0, is_axis_2, select(vec3<i32>(i32(1073741823)), near_1, is_axis_2));
+        var is_axis_2 : vec3<bool> = vec3<bool>(is_x_0, is_y_0, _S302);
+        (*voxel_10) = Walk_arrive_0(this_41, (*voxel_10), t_last_0, is_axis_2, select(vec3<i32>(i32(1073741823)), near_1, is_axis_2));
     }
     return (all(((*voxel_10) < far_1)));
 }
@@ -4948,35 +4928,35 @@ fn min_element_0( vector_5 : vec3<f32>) -> f32
     return min(min(vector_5.x, vector_5.y), vector_5.z);
 }
 
-fn Walk_leave_rounded_0( this_40 : Walk_0,  voxel_11 : ptr<function, vec3<i32>>,  exit_2 : vec3<i32>) -> bool
+fn Walk_leave_rounded_0( this_42 : Walk_0,  voxel_11 : ptr<function, vec3<i32>>,  exit_2 : vec3<i32>) -> bool
 {
-    var t_8 : vec3<f32> = Walk_crossings_0(this_40, exit_2);
+    var t_8 : vec3<f32> = Walk_crossings_0(this_42, exit_2);
     var t_first_0 : f32 = min_element_0(t_8);
-    if(t_first_0 >= (this_40.t_end_0))
+    if(t_first_0 >= (this_42.t_end_0))
     {
         return false;
     }
-    (*voxel_11) = max(exit_2 - vec3<i32>(ceil((t_8 - vec3<f32>(t_first_0)) * this_40.speed_1)), (*voxel_11));
+    (*voxel_11) = max(exit_2 - vec3<i32>(ceil((t_8 - vec3<f32>(t_first_0)) * this_42.speed_1)), (*voxel_11));
     return true;
 }
 
-fn Walk_leave_0( this_41 : Walk_0,  voxel_12 : ptr<function, vec3<i32>>,  exit_3 : vec3<i32>) -> bool
+fn Walk_leave_0( this_43 : Walk_0,  voxel_12 : ptr<function, vec3<i32>>,  exit_3 : vec3<i32>) -> bool
 {
     if(!IS_EXACT_0)
     {
-        var _S327 : bool = Walk_leave_rounded_0(this_41, &((*voxel_12)), exit_3);
-        return _S327;
+        var _S303 : bool = Walk_leave_rounded_0(this_43, &((*voxel_12)), exit_3);
+        return _S303;
     }
-    var t_9 : vec3<f32> = Walk_crossings_0(this_41, exit_3);
+    var t_9 : vec3<f32> = Walk_crossings_0(this_43, exit_3);
     var t_first_1 : f32 = min_element_0(t_9);
-    if(t_first_1 > (this_41.t_end_0))
+    if(t_first_1 > (this_43.t_end_0))
     {
         return false;
     }
     var is_x_1 : bool = (t_9.x) == t_first_1;
-    var _S328 : bool = !is_x_1;
+    var _S304 : bool = !is_x_1;
     var is_y_1 : bool;
-    if(_S328)
+    if(_S304)
     {
         is_y_1 = (t_9.y) == t_first_1;
     }
@@ -4984,74 +4964,74 @@ fn Walk_leave_0( this_41 : Walk_0,  voxel_12 : ptr<function, vec3<i32>>,  exit_3
     {
         is_y_1 = false;
     }
-    var back_0 : vec3<f32> = (t_9 - vec3<f32>(t_first_1)) * this_41.speed_1;
+    var back_0 : vec3<f32> = (t_9 - vec3<f32>(t_first_1)) * this_43.speed_1;
     var nearest_3 : vec3<f32> = round(back_0);
     var from_nearest_2 : vec3<f32> = back_0 - nearest_3;
     var planes_2 : vec3<i32> = exit_3 - vec3<i32>(min(nearest_3, vec3<f32>(4.194304e+06f)));
-    var _S329 : vec3<i32> = planes_2 - vec3<i32>(from_nearest_2 > vec3<f32>(0.0f));
-    var _S330 : vec3<bool> = (abs(from_nearest_2)) <= (this_41.tolerance_0);
-    var _S331 : bool;
-    if(_S328)
+    var _S305 : vec3<i32> = planes_2 - vec3<i32>(from_nearest_2 > vec3<f32>(0.0f));
+    var _S306 : vec3<bool> = (abs(from_nearest_2)) <= (this_43.tolerance_0);
+    var _S307 : bool;
+    if(_S304)
     {
-        _S331 = !is_y_1;
+        _S307 = !is_y_1;
     }
     else
     {
-        _S331 = false;
+        _S307 = false;
     }
     var arrival_1 : vec3<i32>;
-    if((any((select(vec3<bool>(false), !vec3<bool>(is_x_1, is_y_1, _S331), _S330)))))
+    if((any((select(vec3<bool>(false), !vec3<bool>(is_x_1, is_y_1, _S307), _S306)))))
     {
-        arrival_1 = Walk_mirrored_0(this_41, leave_box_0(this_41.ray_14, Walk_mirrored_0(this_41, (*voxel_12)) + this_41.grid_origin_0, Walk_mirrored_plane_0(this_41, exit_3) + this_41.grid_origin_0, Walk_mirrored_plane_0(this_41, planes_2) + this_41.grid_origin_0) - this_41.grid_origin_0);
+        arrival_1 = Walk_mirrored_0(this_43, leave_box_0(this_43.ray_15, Walk_mirrored_0(this_43, (*voxel_12)) + this_43.grid_origin_0, Walk_mirrored_plane_0(this_43, exit_3) + this_43.grid_origin_0, Walk_mirrored_plane_0(this_43, planes_2) + this_43.grid_origin_0) - this_43.grid_origin_0);
     }
     else
     {
-        arrival_1 = _S329;
+        arrival_1 = _S305;
     }
-    (*voxel_12) = select(max(arrival_1, (*voxel_12)), (*voxel_12), (this_41.speed_1) == vec3<f32>(0.0f));
+    (*voxel_12) = select(max(arrival_1, (*voxel_12)), (*voxel_12), (this_43.speed_1) == vec3<f32>(0.0f));
     return true;
 }
 
-fn Walk_enter_0( this_42 : Walk_0,  voxel_13 : ptr<function, vec3<i32>>,  low_11 : vec3<i32>,  high_4 : vec3<i32>) -> bool
+fn Walk_enter_0( this_44 : Walk_0,  voxel_13 : ptr<function, vec3<i32>>,  low_11 : vec3<i32>,  high_4 : vec3<i32>) -> bool
 {
-    var _S332 : bool;
-    var is_mirrored_0 : vec3<bool> = (this_42.mirror_0) != vec3<i32>(i32(0));
+    var _S308 : bool;
+    var is_mirrored_0 : vec3<bool> = (this_44.mirror_0) != vec3<i32>(i32(0));
     var near_2 : vec3<i32> = select(low_11, (vec3<i32>(0) - high_4), is_mirrored_0);
     var far_2 : vec3<i32> = select(high_4, (vec3<i32>(0) - low_11), is_mirrored_0);
     if(!IS_EXACT_0)
     {
-        var _S333 : bool = Walk_enter_rounded_0(this_42, &((*voxel_13)), near_2, far_2);
-        return _S333;
+        var _S309 : bool = Walk_enter_rounded_0(this_44, &((*voxel_13)), near_2, far_2);
+        return _S309;
     }
     var axis_4 : u32 = u32(0);
     for(;;)
     {
         if(axis_4 < u32(3))
         {
-            _S332 = (any(((*voxel_13) < near_2)));
+            _S308 = (any(((*voxel_13) < near_2)));
         }
         else
         {
-            _S332 = false;
+            _S308 = false;
         }
-        var _S334 : bool;
-        if(_S332)
+        var _S310 : bool;
+        if(_S308)
         {
-            _S334 = (all(((*voxel_13) < far_2)));
+            _S310 = (all(((*voxel_13) < far_2)));
         }
         else
         {
-            _S334 = false;
+            _S310 = false;
         }
-        if(_S334)
+        if(_S310)
         {
         }
         else
         {
             break;
         }
-        var _S335 : bool = Walk_leave_0(this_42, &((*voxel_13)), select(far_2, near_2, (*voxel_13) < near_2));
-        if(!_S335)
+        var _S311 : bool = Walk_leave_0(this_44, &((*voxel_13)), select(far_2, near_2, (*voxel_13) < near_2));
+        if(!_S311)
         {
             return false;
         }
@@ -5059,18 +5039,18 @@ fn Walk_enter_0( this_42 : Walk_0,  voxel_13 : ptr<function, vec3<i32>>,  low_11
     }
     if((all(((*voxel_13) >= near_2))))
     {
-        _S332 = (all(((*voxel_13) < far_2)));
+        _S308 = (all(((*voxel_13) < far_2)));
     }
     else
     {
-        _S332 = false;
+        _S308 = false;
     }
-    return _S332;
+    return _S308;
 }
 
-fn LocalRay_octant_0( this_43 : LocalRay_0) -> u32
+fn LocalRay_octant_0( this_45 : LocalRay_0) -> u32
 {
-    return (((u32((this_43.direction_26.x) < 0.0f) | (((u32((this_43.direction_26.y) < 0.0f) << (u32(1))))))) | (((u32((this_43.direction_26.z) < 0.0f) << (u32(2))))));
+    return (((u32((this_45.direction_26.x) < 0.0f) | (((u32((this_45.direction_26.y) < 0.0f) << (u32(1))))))) | (((u32((this_45.direction_26.z) < 0.0f) << (u32(2))))));
 }
 
 fn flip_of_0( octant_0 : u32) -> u32
@@ -5094,16 +5074,16 @@ fn ahead_of_0( mirror_1 : vec3<i32>) -> u32
 fn skip_distance_0( cell_10 : u32,  octant_1 : u32) -> u32
 {
     var code_2 : u32 = (((cell_10 >> ((u32(3) * octant_1)))) & (u32(7)));
-    var _S336 : u32;
+    var _S312 : u32;
     if(code_2 < u32(2))
     {
-        _S336 = code_2 + u32(1);
+        _S312 = code_2 + u32(1);
     }
     else
     {
-        _S336 = ((u32(3) + ((code_2 & (u32(1))))) << ((((code_2 >> (u32(1)))) - u32(1))));
+        _S312 = ((u32(3) + ((code_2 & (u32(1))))) << ((((code_2 >> (u32(1)))) - u32(1))));
     }
-    return _S336;
+    return _S312;
 }
 
 fn extents_0( cell_11 : u32,  ahead_0 : u32) -> vec3<i32>
@@ -5116,13 +5096,12 @@ fn blocks_of_cell_0( cell_12 : u32) -> u32
     return (((cell_12 >> (u32(23)))) & (u32(255)));
 }
 
-fn blocks_of_record_0( record_1 : u32) -> u32
+fn blocks_of_record_0( record_2 : u32) -> u32
 {
-    var _S337 : u32 = brick_word_0(record_1);
-    return (_S337 & (u32(255)));
+    return ((brick_word_0(record_2)) & (u32(255)));
 }
 
-fn empty_around_0( record_2 : u32,  blocks_0 : u32,  voxel_14 : vec3<i32>,  octant_2 : u32,  flip_0 : u32) -> u32
+fn empty_around_0( record_3 : u32,  blocks_0 : u32,  voxel_14 : vec3<i32>,  octant_2 : u32,  flip_0 : u32) -> u32
 {
     var block_0 : u32 = (((((u32(((((voxel_14.x) >> (u32(2)))) & (i32(1)))) | (u32(((((voxel_14.y) >> (u32(1)))) & (i32(2))))))) | (u32(((voxel_14.z) & (i32(4))))))) ^ (octant_2));
     if(((((blocks_0 >> (block_0))) & (u32(1)))) == u32(0))
@@ -5130,40 +5109,40 @@ fn empty_around_0( record_2 : u32,  blocks_0 : u32,  voxel_14 : vec3<i32>,  octa
         return u32(3);
     }
     var bit_1 : u32 = ((cell_in_node_0(voxel_14, u32(0))) ^ (flip_0));
-    var half_2 : u32 = brick_word_0(record_2 + u32(2) + u32(2) * countOneBits((blocks_0 & ((((u32(1) << (block_0))) - u32(1))))) + ((bit_1 >> (u32(5)))));
+    var half_2 : u32 = brick_word_0(record_3 + u32(2) + u32(2) * countOneBits((blocks_0 & ((((u32(1) << (block_0))) - u32(1))))) + ((bit_1 >> (u32(5)))));
     if(((((half_2 >> (((bit_1 & (u32(31))))))) & (u32(1)))) != u32(0))
     {
         return u32(4294967295);
     }
-    var _S338 : i32;
+    var _S313 : i32;
     if(((((half_2 >> (((bit_1 & (u32(10))))))) & (u32(3342387)))) == u32(0))
     {
-        _S338 = i32(1);
+        _S313 = i32(1);
     }
     else
     {
-        _S338 = i32(0);
+        _S313 = i32(0);
     }
-    return u32(_S338);
+    return u32(_S313);
 }
 
-fn Walk_leave_1( this_44 : Walk_0,  voxel_15 : ptr<function, vec3<i32>>,  exit_4 : vec3<i32>) -> bool
+fn Walk_leave_1( this_46 : Walk_0,  voxel_15 : ptr<function, vec3<i32>>,  exit_4 : vec3<i32>) -> bool
 {
     if(!IS_EXACT_0)
     {
-        var _S339 : bool = Walk_leave_rounded_0(this_44, &((*voxel_15)), exit_4);
-        return _S339;
+        var _S314 : bool = Walk_leave_rounded_0(this_46, &((*voxel_15)), exit_4);
+        return _S314;
     }
-    var t_10 : vec3<f32> = Walk_crossings_0(this_44, exit_4);
+    var t_10 : vec3<f32> = Walk_crossings_0(this_46, exit_4);
     var t_first_2 : f32 = min_element_0(t_10);
-    if(t_first_2 > (this_44.t_end_0))
+    if(t_first_2 > (this_46.t_end_0))
     {
         return false;
     }
     var is_x_2 : bool = (t_10.x) == t_first_2;
-    var _S340 : bool = !is_x_2;
+    var _S315 : bool = !is_x_2;
     var is_y_2 : bool;
-    if(_S340)
+    if(_S315)
     {
         is_y_2 = (t_10.y) == t_first_2;
     }
@@ -5171,47 +5150,47 @@ fn Walk_leave_1( this_44 : Walk_0,  voxel_15 : ptr<function, vec3<i32>>,  exit_4
     {
         is_y_2 = false;
     }
-    var back_1 : vec3<f32> = (t_10 - vec3<f32>(t_first_2)) * this_44.speed_1;
+    var back_1 : vec3<f32> = (t_10 - vec3<f32>(t_first_2)) * this_46.speed_1;
     var nearest_4 : vec3<f32> = round(back_1);
     var from_nearest_3 : vec3<f32> = back_1 - nearest_4;
     var planes_3 : vec3<i32> = exit_4 - vec3<i32>(min(nearest_4, vec3<f32>(4.194304e+06f)));
-    var _S341 : vec3<i32> = planes_3 - vec3<i32>(from_nearest_3 > vec3<f32>(0.0f));
-    var _S342 : vec3<bool> = (abs(from_nearest_3)) <= (this_44.tolerance_0);
-    var _S343 : bool;
-    if(_S340)
+    var _S316 : vec3<i32> = planes_3 - vec3<i32>(from_nearest_3 > vec3<f32>(0.0f));
+    var _S317 : vec3<bool> = (abs(from_nearest_3)) <= (this_46.tolerance_0);
+    var _S318 : bool;
+    if(_S315)
     {
-        _S343 = !is_y_2;
+        _S318 = !is_y_2;
     }
     else
     {
-        _S343 = false;
+        _S318 = false;
     }
     var arrival_2 : vec3<i32>;
-    if((any((select(vec3<bool>(false), !vec3<bool>(is_x_2, is_y_2, _S343), _S342)))))
+    if((any((select(vec3<bool>(false), !vec3<bool>(is_x_2, is_y_2, _S318), _S317)))))
     {
-        arrival_2 = Walk_mirrored_0(this_44, leave_box_0(this_44.ray_14, Walk_mirrored_0(this_44, (*voxel_15)) + this_44.grid_origin_0, Walk_mirrored_plane_0(this_44, exit_4) + this_44.grid_origin_0, Walk_mirrored_plane_0(this_44, planes_3) + this_44.grid_origin_0) - this_44.grid_origin_0);
+        arrival_2 = Walk_mirrored_0(this_46, leave_box_0(this_46.ray_15, Walk_mirrored_0(this_46, (*voxel_15)) + this_46.grid_origin_0, Walk_mirrored_plane_0(this_46, exit_4) + this_46.grid_origin_0, Walk_mirrored_plane_0(this_46, planes_3) + this_46.grid_origin_0) - this_46.grid_origin_0);
     }
     else
     {
-        arrival_2 = _S341;
+        arrival_2 = _S316;
     }
-    (*voxel_15) = select(max(arrival_2, (*voxel_15)), (*voxel_15), (this_44.speed_1) == vec3<f32>(0.0f));
+    (*voxel_15) = select(max(arrival_2, (*voxel_15)), (*voxel_15), (this_46.speed_1) == vec3<f32>(0.0f));
     return true;
 }
 
-fn first_voxel_0( _S344 : u32,  _S345 : Walk_0,  _S346 : ptr<function, vec3<i32>>) -> bool
+fn first_voxel_0( grid_8 : PackedGrid_0,  walk_1 : Walk_0,  found_1 : ptr<function, vec3<i32>>) -> bool
 {
-    var _S347 : Walk_0 = _S345;
-    var _S348 : vec3<i32> = vec3<i32>(i32(0));
-    (*_S346) = _S348;
-    var voxel_16 : vec3<i32> = Walk_start_voxel_0(_S345);
-    var _S349 : bool = Walk_enter_0(_S345, &(voxel_16), cell_of_0(grids_0[_S344].min_0) - _S347.grid_origin_0, cell_of_0(grids_0[_S344].max_0) - _S347.grid_origin_0);
-    if(!_S349)
+    var _S319 : Walk_0 = walk_1;
+    var _S320 : vec3<i32> = vec3<i32>(i32(0));
+    (*found_1) = _S320;
+    var voxel_16 : vec3<i32> = Walk_start_voxel_0(walk_1);
+    var _S321 : bool = Walk_enter_0(walk_1, &(voxel_16), cell_of_0(grid_8.min_1) - _S319.grid_origin_0, cell_of_0(grid_8.max_1) - _S319.grid_origin_0);
+    if(!_S321)
     {
         return false;
     }
-    var octant_3 : u32 = LocalRay_octant_0(_S347.ray_14);
-    var _S350 : u32 = flip_of_0(octant_3);
+    var octant_3 : u32 = LocalRay_octant_0(_S319.ray_15);
+    var _S322 : u32 = flip_of_0(octant_3);
     var top_shift_2 : u32;
     if(TOP_SHIFT_0 != u32(0))
     {
@@ -5219,36 +5198,36 @@ fn first_voxel_0( _S344 : u32,  _S345 : Walk_0,  _S346 : ptr<function, vec3<i32>
     }
     else
     {
-        top_shift_2 = grids_0[_S344].top_shift_0;
+        top_shift_2 = grid_8.top_shift_0;
     }
-    var top_size_1 : vec3<i32> = cell_of_0(grids_0[_S344].top_size_0);
-    var _S351 : i32 = top_size_1.x;
-    var stride_0 : vec3<i32> = vec3<i32>(i32(1), _S351, _S351 * top_size_1.y);
-    var _S352 : i32 = i32(grids_0[_S344].top_offset_0) - dot_cells_0((stride_0 & ((_S347.mirror_0))), vec3<i32>(i32(1)));
-    var _S353 : vec3<i32> = Walk_mirrored_plane_0(_S347, stride_0);
-    var _S354 : u32 = ahead_of_0(_S347.mirror_0);
-    var end_0 : vec3<i32> = select((top_size_1 << (vec3<u32>(top_shift_2))), _S348, (_S347.mirror_0) != _S348);
+    var top_size_1 : vec3<i32> = cell_of_0(grid_8.top_size_0);
+    var _S323 : i32 = top_size_1.x;
+    var stride_0 : vec3<i32> = vec3<i32>(i32(1), _S323, _S323 * top_size_1.y);
+    var _S324 : i32 = i32(grid_8.top_offset_0) - dot_cells_0((stride_0 & ((_S319.mirror_0))), vec3<i32>(i32(1)));
+    var _S325 : vec3<i32> = Walk_mirrored_plane_0(_S319, stride_0);
+    var _S326 : u32 = ahead_of_0(_S319.mirror_0);
+    var end_0 : vec3<i32> = select((top_size_1 << (vec3<u32>(top_shift_2))), _S320, (_S319.mirror_0) != _S320);
     if(!IS_EXACT_0)
     {
-        _S347.t_end_0 = min(_S347.t_end_0, min_element_0(Walk_crossings_0(_S347, end_0)));
+        _S319.t_end_0 = min(_S319.t_end_0, min_element_0(Walk_crossings_0(_S319, end_0)));
     }
     var is_found_3 : bool = false;
     for(;;)
     {
-        var _S355 : bool;
+        var _S327 : bool;
         if(IS_EXACT_0)
         {
-            _S355 = (any((voxel_16 >= end_0)));
+            _S327 = (any((voxel_16 >= end_0)));
         }
         else
         {
-            _S355 = false;
+            _S327 = false;
         }
-        if(_S355)
+        if(_S327)
         {
             break;
         }
-        var cell_13 : u32 = cell_word_0(u32(_S352 + dot_cells_0(_S353, (voxel_16 >> (vec3<u32>(top_shift_2))))));
+        var cell_13 : u32 = cell_word_0(u32(_S324 + dot_cells_0(_S325, (voxel_16 >> (vec3<u32>(top_shift_2))))));
         var cell_14 : u32;
         var shift_4 : u32;
         var is_found_4 : bool;
@@ -5256,8 +5235,7 @@ fn first_voxel_0( _S344 : u32,  _S345 : Walk_0,  _S346 : ptr<function, vec3<i32>
         {
             if(((cell_13 & (u32(2147483648)))) != u32(0))
             {
-                var _S356 : u32 = cell_word_0(((cell_13 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_16, u32(3))) ^ (_S350))));
-                cell_14 = _S356;
+                cell_14 = cell_word_0(((cell_13 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_16, u32(3))) ^ (_S322))));
                 shift_4 = u32(3);
             }
             else
@@ -5280,16 +5258,16 @@ fn first_voxel_0( _S344 : u32,  _S345 : Walk_0,  _S346 : ptr<function, vec3<i32>
                 {
                     is_found_4 = false;
                 }
-                var _S357 : bool;
+                var _S328 : bool;
                 if(is_found_4)
                 {
-                    _S357 = ((cell_14 & (u32(2147483648)))) != u32(0);
+                    _S328 = ((cell_14 & (u32(2147483648)))) != u32(0);
                 }
                 else
                 {
-                    _S357 = false;
+                    _S328 = false;
                 }
-                if(_S357)
+                if(_S328)
                 {
                 }
                 else
@@ -5297,8 +5275,7 @@ fn first_voxel_0( _S344 : u32,  _S345 : Walk_0,  _S346 : ptr<function, vec3<i32>
                     break;
                 }
                 var shift_5 : u32 = shift_4 - u32(2);
-                var _S358 : u32 = cell_word_0(((cell_14 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_16, shift_5)) ^ (_S350))));
-                cell_14 = _S358;
+                cell_14 = cell_word_0(((cell_14 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_16, shift_5)) ^ (_S322))));
                 shift_4 = shift_5;
             }
         }
@@ -5315,14 +5292,14 @@ fn first_voxel_0( _S344 : u32,  _S345 : Walk_0,  _S346 : ptr<function, vec3<i32>
             }
             else
             {
-                exit_5 = extents_0(cell_14, _S354);
+                exit_5 = extents_0(cell_14, _S326);
             }
             exit_5 = ((voxel_16 | (vec3<i32>((((i32(1) << (shift_4))) - i32(1)))))) + vec3<i32>(i32(1)) + ((exit_5 << (vec3<u32>(shift_4))));
             is_found_4 = is_found_3;
         }
         else
         {
-            var record_3 : u32 = record_of_cell_0(cell_14);
+            var record_4 : u32 = record_of_cell_0(cell_14);
             var blocks_1 : u32;
             if(CELLS_HAVE_BLOCKS_0)
             {
@@ -5330,10 +5307,9 @@ fn first_voxel_0( _S344 : u32,  _S345 : Walk_0,  _S346 : ptr<function, vec3<i32>
             }
             else
             {
-                var _S359 : u32 = blocks_of_record_0(record_3);
-                blocks_1 = _S359;
+                blocks_1 = blocks_of_record_0(record_4);
             }
-            var low_bits_0 : u32 = empty_around_0(record_3, blocks_1, voxel_16, octant_3, _S350);
+            var low_bits_0 : u32 = empty_around_0(record_4, blocks_1, voxel_16, octant_3, _S322);
             var is_found_5 : bool = low_bits_0 == u32(4294967295);
             if(is_found_5)
             {
@@ -5343,58 +5319,58 @@ fn first_voxel_0( _S344 : u32,  _S345 : Walk_0,  _S346 : ptr<function, vec3<i32>
             exit_5 = ((voxel_16 | (vec3<i32>(i32(low_bits_0))))) + vec3<i32>(i32(1));
             is_found_4 = is_found_5;
         }
-        var _S360 : bool = Walk_leave_1(_S347, &(voxel_16), exit_5);
-        if(!_S360)
+        var _S329 : bool = Walk_leave_1(_S319, &(voxel_16), exit_5);
+        if(!_S329)
         {
             is_found_3 = is_found_4;
             break;
         }
         is_found_3 = is_found_4;
     }
-    (*_S346) = Walk_mirrored_0(_S347, voxel_16) + _S347.grid_origin_0;
+    (*found_1) = Walk_mirrored_0(_S319, voxel_16) + _S319.grid_origin_0;
     return is_found_3;
 }
 
-fn ray_of_walk_0( walk_1 : Walk_0,  ray_18 : Ray_0) -> Ray_0
+fn ray_of_walk_0( walk_2 : Walk_0,  ray_20 : Ray_0) -> Ray_0
 {
-    var is_mirrored_1 : vec3<bool> = (walk_1.mirror_0) != vec3<i32>(i32(0));
-    return Ray_x24init_0(select(walk_1.origin_9, (vec3<f32>(0) - walk_1.origin_9), is_mirrored_1) + vec3<f32>(walk_1.grid_origin_0), ray_18.t_min_0, select(walk_1.speed_1, (vec3<f32>(0) - walk_1.speed_1), is_mirrored_1), ray_18.t_max_0);
+    var is_mirrored_1 : vec3<bool> = (walk_2.mirror_0) != vec3<i32>(i32(0));
+    return Ray_x24init_0(select(walk_2.origin_9, (vec3<f32>(0) - walk_2.origin_9), is_mirrored_1) + vec3<f32>(walk_2.grid_origin_0), ray_20.t_min_0, select(walk_2.speed_1, (vec3<f32>(0) - walk_2.speed_1), is_mirrored_1), ray_20.t_max_0);
 }
 
-fn hit_of_0( ray_19 : LocalRay_0,  voxel_17 : vec3<i32>,  instance_10 : u32) -> Hit_0
+fn hit_of_0( ray_21 : LocalRay_0,  voxel_17 : vec3<i32>,  instance_11 : u32) -> Hit_0
 {
-    var _S361 : vec3<f32>;
-    var _S362 : bool;
-    var last_5 : Crossing_0;
-    var _S363 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
+    var _S330 : vec3<f32>;
+    var _S331 : bool;
+    var last_6 : Crossing_0;
+    var _S332 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
     for(;;)
     {
         for(;;)
         {
             for(;;)
             {
-                _S361 = ray_19.direction_26;
-                if((ray_19.direction_26[u32(0)]) == 0.0f)
+                _S330 = ray_21.direction_26;
+                if((ray_21.direction_26[u32(0)]) == 0.0f)
                 {
-                    last_5 = _S363;
+                    last_6 = _S332;
                     break;
                 }
-                var crossing_3 : Crossing_0 = crossing_of_0(ray_19, u32(0), voxel_17[u32(0)] + i32((ray_19.direction_26[u32(0)]) < 0.0f));
-                if((_S363.axis_1) == u32(3))
+                var crossing_3 : Crossing_0 = crossing_of_0(ray_21, u32(0), voxel_17[u32(0)] + i32((ray_21.direction_26[u32(0)]) < 0.0f));
+                if((_S332.axis_1) == u32(3))
                 {
-                    _S362 = true;
+                    _S331 = true;
                 }
                 else
                 {
-                    _S362 = !Crossing_is_before_0(crossing_3, _S363);
+                    _S331 = !Crossing_is_before_0(crossing_3, _S332);
                 }
-                if(_S362)
+                if(_S331)
                 {
-                    last_5 = crossing_3;
+                    last_6 = crossing_3;
                 }
                 else
                 {
-                    last_5 = _S363;
+                    last_6 = _S332;
                 }
                 break;
             }
@@ -5404,23 +5380,23 @@ fn hit_of_0( ray_19 : LocalRay_0,  voxel_17 : vec3<i32>,  instance_10 : u32) -> 
         {
             for(;;)
             {
-                var _S364 : vec3<f32> = _S361;
-                if((_S361[u32(1)]) == 0.0f)
+                var _S333 : vec3<f32> = _S330;
+                if((_S330[u32(1)]) == 0.0f)
                 {
                     break;
                 }
-                var crossing_4 : Crossing_0 = crossing_of_0(ray_19, u32(1), voxel_17[u32(1)] + i32((_S364[u32(1)]) < 0.0f));
-                if((last_5.axis_1) == u32(3))
+                var crossing_4 : Crossing_0 = crossing_of_0(ray_21, u32(1), voxel_17[u32(1)] + i32((_S333[u32(1)]) < 0.0f));
+                if((last_6.axis_1) == u32(3))
                 {
-                    _S362 = true;
+                    _S331 = true;
                 }
                 else
                 {
-                    _S362 = !Crossing_is_before_0(crossing_4, last_5);
+                    _S331 = !Crossing_is_before_0(crossing_4, last_6);
                 }
-                if(_S362)
+                if(_S331)
                 {
-                    last_5 = crossing_4;
+                    last_6 = crossing_4;
                 }
                 break;
             }
@@ -5430,23 +5406,23 @@ fn hit_of_0( ray_19 : LocalRay_0,  voxel_17 : vec3<i32>,  instance_10 : u32) -> 
         {
             for(;;)
             {
-                var _S365 : vec3<f32> = _S361;
-                if((_S361[u32(2)]) == 0.0f)
+                var _S334 : vec3<f32> = _S330;
+                if((_S330[u32(2)]) == 0.0f)
                 {
                     break;
                 }
-                var crossing_5 : Crossing_0 = crossing_of_0(ray_19, u32(2), voxel_17[u32(2)] + i32((_S365[u32(2)]) < 0.0f));
-                if((last_5.axis_1) == u32(3))
+                var crossing_5 : Crossing_0 = crossing_of_0(ray_21, u32(2), voxel_17[u32(2)] + i32((_S334[u32(2)]) < 0.0f));
+                if((last_6.axis_1) == u32(3))
                 {
-                    _S362 = true;
+                    _S331 = true;
                 }
                 else
                 {
-                    _S362 = !Crossing_is_before_0(crossing_5, last_5);
+                    _S331 = !Crossing_is_before_0(crossing_5, last_6);
                 }
-                if(_S362)
+                if(_S331)
                 {
-                    last_5 = crossing_5;
+                    last_6 = crossing_5;
                 }
                 break;
             }
@@ -5454,141 +5430,172 @@ fn hit_of_0( ray_19 : LocalRay_0,  voxel_17 : vec3<i32>,  instance_10 : u32) -> 
         }
         break;
     }
-    var _S366 : Crossing_0 = last_5;
-    var is_negative_1 : bool = (_S361[last_5.axis_1]) < 0.0f;
-    var t_11 : f32 = (f32(voxel_17[last_5.axis_1] + i32(is_negative_1)) - ray_19.origin_7[last_5.axis_1]) * ray_19.inverse_0[last_5.axis_1];
-    var _S367 : f32;
-    if(t_11 > (ray_19.t_min_2))
+    var _S335 : Crossing_0 = last_6;
+    var is_negative_1 : bool = (_S330[last_6.axis_1]) < 0.0f;
+    var t_11 : f32 = (f32(voxel_17[last_6.axis_1] + i32(is_negative_1)) - ray_21.origin_7[last_6.axis_1]) * ray_21.inverse_0[last_6.axis_1];
+    var _S336 : f32;
+    if(t_11 > (ray_21.t_min_2))
     {
-        _S367 = t_11;
+        _S336 = t_11;
     }
     else
     {
-        _S367 = ray_19.t_min_2;
+        _S336 = ray_21.t_min_2;
     }
-    return Hit_x24init_0(_S367, instance_10, voxel_17, u32(2) * _S366.axis_1 + u32(is_negative_1));
+    return Hit_x24init_0(_S336, instance_11, voxel_17, u32(2) * _S335.axis_1 + u32(is_negative_1));
 }
 
-fn hit_of_walk_0( walk_2 : Walk_0,  voxel_18 : vec3<i32>,  instance_11 : u32) -> Hit_0
+fn hit_of_walk_0( walk_3 : Walk_0,  voxel_18 : vec3<i32>,  instance_12 : u32) -> Hit_0
 {
-    var t_12 : vec3<f32> = Walk_crossings_0(walk_2, Walk_mirrored_0(walk_2, voxel_18 - walk_2.grid_origin_0));
-    var last_6 : f32 = max_element_0(t_12);
-    var _S368 : i32;
-    if((t_12.z) == last_6)
+    var t_12 : vec3<f32> = Walk_crossings_0(walk_3, Walk_mirrored_0(walk_3, voxel_18 - walk_3.grid_origin_0));
+    var last_7 : f32 = max_element_0(t_12);
+    var _S337 : i32;
+    if((t_12.z) == last_7)
     {
-        _S368 = i32(2);
+        _S337 = i32(2);
     }
     else
     {
-        if((t_12.y) == last_6)
+        if((t_12.y) == last_7)
         {
-            _S368 = i32(1);
+            _S337 = i32(1);
         }
         else
         {
-            _S368 = i32(0);
+            _S337 = i32(0);
         }
     }
-    var axis_5 : u32 = u32(_S368);
-    return Hit_x24init_0(max(last_6, walk_2.ray_14.t_min_2), instance_11, voxel_18, u32(2) * axis_5 + u32((walk_2.mirror_0[axis_5]) != i32(0)));
+    var axis_5 : u32 = u32(_S337);
+    return Hit_x24init_0(max(last_7, walk_3.ray_15.t_min_2), instance_12, voxel_18, u32(2) * axis_5 + u32((walk_3.mirror_0[axis_5]) != i32(0)));
 }
 
-fn hit_in_0( instance_12 : u32,  ray_20 : ptr<function, Ray_0>) -> Hit_0
+fn hit_in_0( instance_13 : u32,  ray_22 : ptr<function, Ray_0>) -> Hit_0
 {
-    var _S369 : LocalRay_0 = local_ray_0((*ray_20), instance_12);
-    if(!_S369.is_valid_0)
+    var local_4 : LocalRay_0 = local_ray_0((*ray_22), Instances_operatorx5Bx5D_get_0(instance_13).grid_from_world_0);
+    if(!local_4.is_valid_0)
     {
         return miss_0();
     }
-    var _S370 : Walk_0 = walk_of_0(_S369, instances_0[instance_12].grid_0);
+    var _S338 : PackedGrid_0 = Grids_operatorx5Bx5D_get_0(Instances_operatorx5Bx5D_get_0(instance_13).grid_0);
+    var walk_4 : Walk_0 = walk_of_0(local_4, _S338);
     var voxel_19 : vec3<i32>;
-    var _S371 : bool = first_voxel_0(instances_0[instance_12].grid_0, _S370, &(voxel_19));
-    var _S372 : bool;
+    var is_found_6 : bool = first_voxel_0(_S338, walk_4, &(voxel_19));
+    var _S339 : bool;
     if(IS_SINGLE_0)
     {
-        _S372 = !IS_EXACT_0;
+        _S339 = !IS_EXACT_0;
     }
     else
     {
-        _S372 = false;
+        _S339 = false;
     }
-    if(_S372)
+    if(_S339)
     {
-        (*ray_20) = ray_of_walk_0(_S370, (*ray_20));
+        (*ray_22) = ray_of_walk_0(walk_4, (*ray_22));
     }
-    if(!_S371)
+    if(!is_found_6)
     {
         return miss_0();
     }
     var hit_14 : Hit_0;
     if(IS_EXACT_0)
     {
-        hit_14 = hit_of_0(_S369, voxel_19, instance_12);
+        hit_14 = hit_of_0(local_4, voxel_19, instance_13);
     }
     else
     {
-        hit_14 = hit_of_walk_0(_S370, voxel_19, instance_12);
+        hit_14 = hit_of_walk_0(walk_4, voxel_19, instance_13);
     }
-    if((hit_14.t_0) > ((*ray_20).t_max_0))
+    if((hit_14.t_0) > ((*ray_22).t_max_0))
     {
         return miss_0();
     }
     return hit_14;
 }
 
-fn entry_0( _S373 : u32,  _S374 : Ray_0,  _S375 : vec3<f32>) -> f32
+struct InstanceNode_0
 {
-    var low_12 : vec3<f32> = (vector_of_0(instance_nodes_0[_S373].min_1) - _S374.origin_2) * _S375;
-    var high_5 : vec3<f32> = (vector_of_0(instance_nodes_0[_S373].max_1) - _S374.origin_2) * _S375;
-    var _S376 : f32 = max(_S374.t_min_0, max_element_0(min(low_12, high_5)));
-    var _S377 : f32;
-    if(_S376 <= (min(_S374.t_max_0, min_element_0(max(low_12, high_5)))))
+     min_2 : array<f32, i32(3)>,
+     index_28 : u32,
+     max_2 : array<f32, i32(3)>,
+     is_leaf_0 : u32,
+};
+
+fn InstanceNodes_operatorx5Bx5D_get_0( index_29 : u32) -> InstanceNode_0
+{
+    var row_9 : u32 = first_row_0(u32(2)) + u32(2) * index_29;
+    var a_7 : vec4<u32> = records_0[row_9];
+    var b_7 : vec4<u32> = records_0[row_9 + u32(1)];
+    var node_12 : InstanceNode_0;
+    var _S340 : f32 = (bitcast<f32>((a_7.y)));
+    var _S341 : f32 = (bitcast<f32>((a_7.z)));
+    node_12.min_2[i32(0)] = (bitcast<f32>((a_7.x)));
+    node_12.min_2[i32(1)] = _S340;
+    node_12.min_2[i32(2)] = _S341;
+    node_12.index_28 = a_7.w;
+    var _S342 : f32 = (bitcast<f32>((b_7.y)));
+    var _S343 : f32 = (bitcast<f32>((b_7.z)));
+    node_12.max_2[i32(0)] = (bitcast<f32>((b_7.x)));
+    node_12.max_2[i32(1)] = _S342;
+    node_12.max_2[i32(2)] = _S343;
+    node_12.is_leaf_0 = b_7.w;
+    return node_12;
+}
+
+fn entry_0( node_13 : InstanceNode_0,  ray_23 : Ray_0,  inverse_2 : vec3<f32>) -> f32
+{
+    var low_12 : vec3<f32> = (vector_of_0(node_13.min_2) - ray_23.origin_1) * inverse_2;
+    var high_5 : vec3<f32> = (vector_of_0(node_13.max_2) - ray_23.origin_1) * inverse_2;
+    var _S344 : f32 = max(ray_23.t_min_0, max_element_0(min(low_12, high_5)));
+    var _S345 : f32;
+    if(_S344 <= (min(ray_23.t_max_0, min_element_0(max(low_12, high_5)))))
     {
-        _S377 = _S376;
+        _S345 = _S344;
     }
     else
     {
-        _S377 = (bitcast<f32>((u32(2139095040))));
+        _S345 = (bitcast<f32>(infinity_bits_0));
     }
-    return _S377;
+    return _S345;
 }
 
 fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_1 : u32) -> Hit_0
 {
     if(IS_SINGLE_0)
     {
-        var _S378 : Hit_0 = hit_in_0(u32(0), &((*given_0)));
-        return _S378;
+        var _S346 : Hit_0 = hit_in_0(u32(0), &((*given_0)));
+        return _S346;
     }
-    var ray_21 : Ray_0 = (*given_0);
+    var ray_24 : Ray_0 = (*given_0);
     var nearest_5 : Hit_0 = miss_0();
     if((params_0.instance_count_0) == u32(0))
     {
         return nearest_5;
     }
-    var is_zero_1 : vec3<bool> = !((abs(ray_21.direction_1)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S379 : vec3<f32> = select(reciprocal_0(select(ray_21.direction_1, vec3<f32>(1.0f), is_zero_1)), vec3<f32>(3.4028234663852886e+38f), is_zero_1);
+    var is_zero_1 : vec3<bool> = !((abs(ray_24.direction_1)) >= vec3<f32>(1.17549435082228751e-38f));
+    var _S347 : vec3<f32> = select(reciprocal_0(select(ray_24.direction_1, vec3<f32>(1.0f), is_zero_1)), vec3<f32>(3.4028234663852886e+38f), is_zero_1);
     var stack_0 : array<u32, i32(32)>;
-    var index_28 : u32 = u32(0);
+    var index_30 : u32 = u32(0);
     var nearest_6 : Hit_0 = nearest_5;
     var depth_0 : u32 = u32(0);
     for(;;)
     {
+        var _S348 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(index_30);
         var depth_1 : u32;
         var is_reached_0 : bool;
-        if((instance_nodes_0[index_28].is_leaf_0) != u32(0))
+        if((_S348.is_leaf_0) != u32(0))
         {
-            var _S380 : Hit_0 = hit_in_0(instance_nodes_0[index_28].index_0, &(ray_21));
-            var _S381 : Hit_0 = nearest_6;
-            if((_S380.t_0) < (nearest_6.t_0))
+            var _S349 : Hit_0 = hit_in_0(_S348.index_28, &(ray_24));
+            var _S350 : Hit_0 = nearest_6;
+            if((_S349.t_0) < (nearest_6.t_0))
             {
                 is_reached_0 = true;
             }
             else
             {
-                if((_S380.t_0) == (_S381.t_0))
+                if((_S349.t_0) == (_S350.t_0))
                 {
-                    is_reached_0 = (_S380.instance_1) < (nearest_6.instance_1);
+                    is_reached_0 = (_S349.instance_1) < (nearest_6.instance_1);
                 }
                 else
                 {
@@ -5598,12 +5605,12 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_1 : u3
             var nearest_7 : Hit_0;
             if(is_reached_0)
             {
-                ray_21.t_max_0 = _S380.t_0;
+                ray_24.t_max_0 = _S349.t_0;
                 if(is_any_enough_0)
                 {
-                    return _S380;
+                    return _S349;
                 }
-                nearest_7 = _S380;
+                nearest_7 = _S349;
             }
             else
             {
@@ -5614,40 +5621,39 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_1 : u3
         }
         else
         {
-            var _S382 : u32 = index_28 + u32(1);
-            var _S383 : f32 = entry_0(_S382, ray_21, _S379);
-            var _S384 : u32 = instance_nodes_0[index_28].index_0;
-            var _S385 : f32 = entry_0(instance_nodes_0[index_28].index_0, ray_21, _S379);
-            var _S386 : bool = _S383 <= _S385;
-            if(_S386)
+            var _S351 : u32 = index_30 + u32(1);
+            var left_4 : f32 = entry_0(InstanceNodes_operatorx5Bx5D_get_0(_S351), ray_24, _S347);
+            var right_3 : f32 = entry_0(InstanceNodes_operatorx5Bx5D_get_0(_S348.index_28), ray_24, _S347);
+            var _S352 : bool = left_4 <= right_3;
+            if(_S352)
             {
-                index_28 = _S382;
+                index_30 = _S351;
             }
             else
             {
-                index_28 = _S384;
+                index_30 = _S348.index_28;
             }
             var far_3 : u32;
-            if(_S386)
+            if(_S352)
             {
-                far_3 = _S384;
+                far_3 = _S348.index_28;
             }
             else
             {
-                far_3 = _S382;
+                far_3 = _S351;
             }
-            var INFINITY_0 : f32 = (bitcast<f32>((u32(2139095040))));
-            if((max(_S383, _S385)) < INFINITY_0)
+            var INFINITY_0 : f32 = (bitcast<f32>(infinity_bits_0));
+            if((max(left_4, right_3)) < INFINITY_0)
             {
-                var _S387 : u32 = depth_0 + u32(1);
+                var _S353 : u32 = depth_0 + u32(1);
                 stack_0[depth_0] = far_3;
-                depth_1 = _S387;
+                depth_1 = _S353;
             }
             else
             {
                 depth_1 = depth_0;
             }
-            if((min(_S383, _S385)) < INFINITY_0)
+            if((min(left_4, right_3)) < INFINITY_0)
             {
                 depth_0 = depth_1;
                 continue;
@@ -5657,16 +5663,16 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_1 : u3
         depth_0 = depth_1;
         for(;;)
         {
-            var _S388 : bool;
+            var _S354 : bool;
             if(depth_0 > u32(0))
             {
-                _S388 = !is_reached_0;
+                _S354 = !is_reached_0;
             }
             else
             {
-                _S388 = false;
+                _S354 = false;
             }
-            if(_S388)
+            if(_S354)
             {
             }
             else
@@ -5674,8 +5680,8 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_1 : u3
                 break;
             }
             var depth_2 : u32 = depth_0 - u32(1);
-            is_reached_0 = (entry_0(stack_0[depth_2], ray_21, _S379)) < (bitcast<f32>((u32(2139095040))));
-            index_28 = stack_0[depth_2];
+            is_reached_0 = (entry_0(InstanceNodes_operatorx5Bx5D_get_0(stack_0[depth_2]), ray_24, _S347)) < (bitcast<f32>(infinity_bits_0));
+            index_30 = stack_0[depth_2];
             depth_0 = depth_2;
         }
         if(!is_reached_0)
@@ -5686,108 +5692,108 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_1 : u3
     return nearest_6;
 }
 
-fn WalkTracer_trace_0( ray_22 : ptr<function, Ray_0>,  is_any_enough_1 : bool) -> Hit_0
+fn WalkTracer_trace_0( ray_25 : ptr<function, Ray_0>,  is_any_enough_1 : bool) -> Hit_0
 {
-    var _S389 : Hit_0 = visit_0(&((*ray_22)), is_any_enough_1, u32(0));
-    return _S389;
+    var _S355 : Hit_0 = visit_0(&((*ray_25)), is_any_enough_1, u32(0));
+    return _S355;
 }
 
-fn hit_of_ray_0( sampler_1 : Sampler_0,  ray_23 : ptr<function, Ray_0>,  is_shadow_ray_1 : bool,  path_10 : ptr<function, Path_0>,  shadow_inside_3 : ptr<function, Inside_0>,  relocates_3 : ptr<function, bool>,  path_relocates_3 : ptr<function, bool>,  beyond_9 : ptr<function, u32>) -> Hit_0
+fn hit_of_ray_0( sampler_1 : Sampler_0,  ray_26 : ptr<function, Ray_0>,  is_shadow_ray_1 : bool,  path_10 : ptr<function, Path_0>,  shadow_inside_3 : ptr<function, Inside_0>,  relocates_3 : ptr<function, bool>,  path_relocates_3 : ptr<function, bool>,  beyond_9 : ptr<function, u32>) -> Hit_0
 {
     (*beyond_9) = u32(4294967295);
-    var _S390 : Hit_0 = WalkTracer_trace_0(&((*ray_23)), is_shadow_ray_1);
-    return _S390;
+    var _S356 : Hit_0 = WalkTracer_trace_0(&((*ray_26)), is_shadow_ray_1);
+    return _S356;
 }
 
-fn Walker_arrives_0( this_45 : ptr<function, Walker_0>,  hit_15 : Hit_0,  beyond_10 : u32,  light_9 : ptr<function, vec3<f32>>) -> bool
+fn Walker_arrives_0( this_47 : ptr<function, Walker_0>,  hit_15 : Hit_0,  beyond_10 : u32,  light_9 : ptr<function, vec3<f32>>) -> bool
 {
     if(Hit_is_miss_0(hit_15))
     {
-        (*light_9) = (*light_9) + (*this_45).light_5;
+        (*light_9) = (*light_9) + (*this_47).light_5;
     }
     return false;
 }
 
 fn goes_on_5( at_10 : ptr<function, Walker_0>,  sample_13 : ptr<function, Sample_0>) -> bool
 {
-    var _S391 : Hit_0 = miss_0();
+    var _S357 : Hit_0 = miss_0();
     var beyond_11 : u32 = u32(4294967295);
     var hit_16 : Hit_0;
     if(!(*at_10).is_at_cell_0)
     {
-        var _S392 : Ray_0 = (*at_10).ray_10;
-        var _S393 : Path_0 = (*at_10).path_7;
-        var _S394 : Inside_0 = (*at_10).shadow_inside_2;
-        var _S395 : bool = (*at_10).relocates_2;
-        var _S396 : bool = (*at_10).path_relocates_2;
-        var _S397 : Hit_0 = hit_of_ray_0((*at_10).path_7.sampler_0, &(_S392), (*at_10).is_shadow_ray_0, &(_S393), &(_S394), &(_S395), &(_S396), &(beyond_11));
-        (*at_10).ray_10 = _S392;
-        (*at_10).path_7 = _S393;
-        (*at_10).shadow_inside_2 = _S394;
-        (*at_10).relocates_2 = _S395;
-        (*at_10).path_relocates_2 = _S396;
+        var _S358 : Ray_0 = (*at_10).ray_10;
+        var _S359 : Path_0 = (*at_10).path_7;
+        var _S360 : Inside_0 = (*at_10).shadow_inside_2;
+        var _S361 : bool = (*at_10).relocates_2;
+        var _S362 : bool = (*at_10).path_relocates_2;
+        var _S363 : Hit_0 = hit_of_ray_0((*at_10).path_7.sampler_0, &(_S358), (*at_10).is_shadow_ray_0, &(_S359), &(_S360), &(_S361), &(_S362), &(beyond_11));
+        (*at_10).ray_10 = _S358;
+        (*at_10).path_7 = _S359;
+        (*at_10).shadow_inside_2 = _S360;
+        (*at_10).relocates_2 = _S361;
+        (*at_10).path_relocates_2 = _S362;
         if((*at_10).is_shadow_ray_0)
         {
-            var _S398 : vec3<f32> = (*sample_13).light_6;
-            var _S399 : bool = Walker_arrives_0(&((*at_10)), _S397, beyond_11, &(_S398));
-            (*sample_13).light_6 = _S398;
-            (*at_10).is_shadow_ray_0 = _S399;
-            if(_S399)
+            var _S364 : vec3<f32> = (*sample_13).light_6;
+            var _S365 : bool = Walker_arrives_0(&((*at_10)), _S363, beyond_11, &(_S364));
+            (*sample_13).light_6 = _S364;
+            (*at_10).is_shadow_ray_0 = _S365;
+            if(_S365)
             {
                 return true;
             }
-            (*at_10).ray_10 = ray_from_0((*at_10).ray_10.origin_2, (*at_10).direction_25);
+            (*at_10).ray_10 = ray_from_0((*at_10).ray_10.origin_1, (*at_10).direction_25);
             return (any((((*at_10).direction_25) != vec3<f32>(0.0f))));
         }
-        hit_16 = _S397;
+        hit_16 = _S363;
     }
     else
     {
-        hit_16 = _S391;
+        hit_16 = _S357;
     }
-    var _S400 : bool = goes_on_from_0(&((*at_10)), hit_16, beyond_11, &((*sample_13)));
-    return _S400;
+    var _S366 : bool = goes_on_from_0(&((*at_10)), hit_16, beyond_11, &((*sample_13)));
+    return _S366;
 }
 
 fn goes_on_6( at_11 : ptr<function, Walker_0>,  sample_14 : ptr<function, Sample_0>) -> bool
 {
-    var _S401 : Hit_0 = miss_0();
+    var _S367 : Hit_0 = miss_0();
     var beyond_12 : u32 = u32(4294967295);
     var hit_17 : Hit_0;
     if(!(*at_11).is_at_cell_0)
     {
-        var _S402 : Ray_0 = (*at_11).ray_10;
-        var _S403 : Path_0 = (*at_11).path_7;
-        var _S404 : Inside_0 = (*at_11).shadow_inside_2;
-        var _S405 : bool = (*at_11).relocates_2;
-        var _S406 : bool = (*at_11).path_relocates_2;
-        var _S407 : Hit_0 = hit_of_ray_0((*at_11).path_7.sampler_0, &(_S402), (*at_11).is_shadow_ray_0, &(_S403), &(_S404), &(_S405), &(_S406), &(beyond_12));
-        (*at_11).ray_10 = _S402;
-        (*at_11).path_7 = _S403;
-        (*at_11).shadow_inside_2 = _S404;
-        (*at_11).relocates_2 = _S405;
-        (*at_11).path_relocates_2 = _S406;
+        var _S368 : Ray_0 = (*at_11).ray_10;
+        var _S369 : Path_0 = (*at_11).path_7;
+        var _S370 : Inside_0 = (*at_11).shadow_inside_2;
+        var _S371 : bool = (*at_11).relocates_2;
+        var _S372 : bool = (*at_11).path_relocates_2;
+        var _S373 : Hit_0 = hit_of_ray_0((*at_11).path_7.sampler_0, &(_S368), (*at_11).is_shadow_ray_0, &(_S369), &(_S370), &(_S371), &(_S372), &(beyond_12));
+        (*at_11).ray_10 = _S368;
+        (*at_11).path_7 = _S369;
+        (*at_11).shadow_inside_2 = _S370;
+        (*at_11).relocates_2 = _S371;
+        (*at_11).path_relocates_2 = _S372;
         if((*at_11).is_shadow_ray_0)
         {
-            var _S408 : vec3<f32> = (*sample_14).light_6;
-            var _S409 : bool = Walker_arrives_0(&((*at_11)), _S407, beyond_12, &(_S408));
-            (*sample_14).light_6 = _S408;
-            (*at_11).is_shadow_ray_0 = _S409;
-            if(_S409)
+            var _S374 : vec3<f32> = (*sample_14).light_6;
+            var _S375 : bool = Walker_arrives_0(&((*at_11)), _S373, beyond_12, &(_S374));
+            (*sample_14).light_6 = _S374;
+            (*at_11).is_shadow_ray_0 = _S375;
+            if(_S375)
             {
                 return true;
             }
-            (*at_11).ray_10 = ray_from_0((*at_11).ray_10.origin_2, (*at_11).direction_25);
+            (*at_11).ray_10 = ray_from_0((*at_11).ray_10.origin_1, (*at_11).direction_25);
             return (any((((*at_11).direction_25) != vec3<f32>(0.0f))));
         }
-        hit_17 = _S407;
+        hit_17 = _S373;
     }
     else
     {
-        hit_17 = _S401;
+        hit_17 = _S367;
     }
-    var _S410 : bool = goes_on_from_1(&((*at_11)), hit_17, beyond_12, &((*sample_14)));
-    return _S410;
+    var _S376 : bool = goes_on_from_1(&((*at_11)), hit_17, beyond_12, &((*sample_14)));
+    return _S376;
 }
 
 fn PathTracingOf_jitter_0( sampler_2 : Sampler_0) -> vec4<f32>
@@ -5795,32 +5801,32 @@ fn PathTracingOf_jitter_0( sampler_2 : Sampler_0) -> vec4<f32>
     return Sampler_stratified_0(sampler_2, u32(0));
 }
 
-fn Sample_x24init_0( direct_1 : vec3<f32>,  light_10 : vec3<f32>,  is_shown_1 : bool,  albedo_1 : vec3<f32>,  normal_5 : vec3<f32>,  place_5 : vec3<f32>,  instance_13 : u32) -> Sample_0
+fn Sample_x24init_0( direct_1 : vec3<f32>,  light_10 : vec3<f32>,  is_shown_1 : bool,  albedo_1 : vec3<f32>,  normal_5 : vec3<f32>,  place_5 : vec3<f32>,  instance_14 : u32) -> Sample_0
 {
-    var _S411 : Sample_0;
-    _S411.direct_0 = direct_1;
-    _S411.light_6 = light_10;
-    _S411.is_shown_0 = is_shown_1;
-    _S411.albedo_0 = albedo_1;
-    _S411.normal_4 = normal_5;
-    _S411.place_3 = place_5;
-    _S411.instance_7 = instance_13;
-    return _S411;
+    var _S377 : Sample_0;
+    _S377.direct_0 = direct_1;
+    _S377.light_6 = light_10;
+    _S377.is_shown_0 = is_shown_1;
+    _S377.albedo_0 = albedo_1;
+    _S377.normal_4 = normal_5;
+    _S377.place_3 = place_5;
+    _S377.instance_8 = instance_14;
+    return _S377;
 }
 
 fn no_sample_0() -> Sample_0
 {
-    var _S412 : vec3<f32> = vec3<f32>(0.0f);
-    return Sample_x24init_0(_S412, _S412, false, _S412, _S412, _S412, u32(4294967295));
+    var _S378 : vec3<f32> = vec3<f32>(0.0f);
+    return Sample_x24init_0(_S378, _S378, false, _S378, _S378, _S378, u32(4294967295));
 }
 
 fn Sampler_x24init_0( seed_3 : u32,  pixel_1 : u32,  sample_15 : u32) -> Sampler_0
 {
-    var _S413 : Sampler_0;
-    _S413.seed_1 = seed_3;
-    _S413.pixel_0 = pixel_1;
-    _S413.sample_0 = sample_15;
-    return _S413;
+    var _S379 : Sampler_0;
+    _S379.seed_1 = seed_3;
+    _S379.pixel_0 = pixel_1;
+    _S379.sample_0 = sample_15;
+    return _S379;
 }
 
 struct Item_0
@@ -5829,20 +5835,20 @@ struct Item_0
      kind_2 : u32,
      at_12 : vec2<u32>,
      place_6 : u32,
-     slot_1 : u32,
+     slot_0 : u32,
      sampler_3 : Sampler_0,
 };
 
-fn Item_x24init_0( traces_1 : bool,  kind_3 : u32,  at_13 : vec2<u32>,  place_7 : u32,  slot_2 : u32,  sampler_4 : Sampler_0) -> Item_0
+fn Item_x24init_0( traces_1 : bool,  kind_3 : u32,  at_13 : vec2<u32>,  place_7 : u32,  slot_1 : u32,  sampler_4 : Sampler_0) -> Item_0
 {
-    var _S414 : Item_0;
-    _S414.traces_0 = traces_1;
-    _S414.kind_2 = kind_3;
-    _S414.at_12 = at_13;
-    _S414.place_6 = place_7;
-    _S414.slot_1 = slot_2;
-    _S414.sampler_3 = sampler_4;
-    return _S414;
+    var _S380 : Item_0;
+    _S380.traces_0 = traces_1;
+    _S380.kind_2 = kind_3;
+    _S380.at_12 = at_13;
+    _S380.place_6 = place_7;
+    _S380.slot_0 = slot_1;
+    _S380.sampler_3 = sampler_4;
+    return _S380;
 }
 
 fn has_0( flag_0 : u32) -> bool
@@ -5869,11 +5875,11 @@ fn place_of_chosen_0( number_2 : u32) -> u32
     return u32(524304) + number_2;
 }
 
-fn Item_key_0( this_46 : Item_0,  rank_3 : ptr<function, u32>) -> Key_0
+fn Item_key_0( this_48 : Item_0,  rank_2 : ptr<function, u32>) -> Key_0
 {
-    var face_7 : vec4<u32> = cell_row_0(u32(1), this_46.place_6);
-    (*rank_3) = face_7.z;
-    return Key_x24init_0(face_7.x, face_7.y, vec3<i32>(cell_row_0(u32(2), this_46.place_6).xyz));
+    var face_8 : vec4<u32> = cell_row_0(u32(1), this_48.place_6);
+    (*rank_2) = face_8.z;
+    return Key_x24init_0(face_8.x, face_8.y, vec3<i32>(cell_row_0(u32(2), this_48.place_6).xyz));
 }
 
 fn pixel_of_thread_0( thread_0 : u32) -> vec2<u32>
@@ -5881,66 +5887,66 @@ fn pixel_of_thread_0( thread_0 : u32) -> vec2<u32>
     var tiles_0 : u32 = (params_0.width_0 + u32(7)) / u32(8);
     var tile_0 : u32 = thread_0 / u32(64);
     var in_tile_0 : u32 = (thread_0 & (u32(63)));
-    var row_2 : u32 = tile_0 / tiles_0;
-    return vec2<u32>((tile_0 - row_2 * tiles_0) * u32(8) + ((in_tile_0 & (u32(7)))), row_2 * u32(8) + ((in_tile_0 >> (u32(3)))));
+    var row_10 : u32 = tile_0 / tiles_0;
+    return vec2<u32>((tile_0 - row_10 * tiles_0) * u32(8) + ((in_tile_0 & (u32(7)))), row_10 * u32(8) + ((in_tile_0 >> (u32(3)))));
 }
 
 fn pixel_that_traces_0( thread_1 : u32) -> vec2<u32>
 {
     if(!has_0(u32(128)))
     {
-        var _S415 : vec2<u32> = pixel_of_thread_0(thread_1);
-        return _S415;
+        var _S381 : vec2<u32> = pixel_of_thread_0(thread_1);
+        return _S381;
     }
     var tiles_1 : u32 = (params_0.width_0 + u32(15)) / u32(16);
     var tile_1 : u32 = thread_1 / u32(64);
     var in_tile_1 : u32 = (thread_1 & (u32(63)));
-    var row_3 : u32 = tile_1 / tiles_1;
-    var _S416 : u32 = row_3 * u32(8) + ((in_tile_1 >> (u32(3))));
-    var at_14 : vec2<u32> = vec2<u32>((tile_1 - row_3 * tiles_1) * u32(16) + u32(2) * ((in_tile_1 & (u32(7)))), _S416);
-    at_14[i32(0)] = at_14[i32(0)] + (((_S416 + real_time_0.number_0) & (u32(1))));
+    var row_11 : u32 = tile_1 / tiles_1;
+    var _S382 : u32 = row_11 * u32(8) + ((in_tile_1 >> (u32(3))));
+    var at_14 : vec2<u32> = vec2<u32>((tile_1 - row_11 * tiles_1) * u32(16) + u32(2) * ((in_tile_1 & (u32(7)))), _S382);
+    at_14[i32(0)] = at_14[i32(0)] + (((_S382 + real_time_0.number_0) & (u32(1))));
     return at_14;
 }
 
 fn squares_1() -> vec2<u32>
 {
-    var _S417 : vec2<u32> = vec2<u32>(u32(5));
-    var _S418 : vec2<u32> = (vec2<u32>(params_0.width_0, params_0.height_0) + _S417 - vec2<u32>(u32(1))) / _S417;
-    return _S418;
+    var _S383 : vec2<u32> = vec2<u32>(u32(5));
+    var _S384 : vec2<u32> = (vec2<u32>(params_0.width_0, params_0.height_0) + _S383 - vec2<u32>(u32(1))) / _S383;
+    return _S384;
 }
 
 fn pixel_of_square_0( square_1 : u32,  number_3 : u32) -> vec2<u32>
 {
     var columns_1 : u32 = squares_1().x;
-    var _S419 : u32 = square_1 % columns_1;
-    var _S420 : u32 = square_1 / columns_1;
-    var at_15 : vec2<u32> = vec2<u32>(_S419, _S420);
-    var _S421 : vec2<u32> = vec2<u32>(u32(5));
-    var _S422 : vec2<u32> = at_15 * _S421;
-    var _S423 : vec2<u32> = pcg4d_0(vec4<u32>(at_15, number_3, u32(3266489909))).xy % _S421;
-    return min(_S422 + _S423, vec2<u32>(params_0.width_0, params_0.height_0) - vec2<u32>(u32(1)));
+    var _S385 : u32 = square_1 % columns_1;
+    var _S386 : u32 = square_1 / columns_1;
+    var at_15 : vec2<u32> = vec2<u32>(_S385, _S386);
+    var _S387 : vec2<u32> = vec2<u32>(u32(5));
+    var _S388 : vec2<u32> = at_15 * _S387;
+    var _S389 : vec2<u32> = pcg4d_0(vec4<u32>(at_15, number_3, u32(3266489909))).xy % _S387;
+    return min(_S388 + _S389, vec2<u32>(params_0.width_0, params_0.height_0) - vec2<u32>(u32(1)));
 }
 
 fn is_inside_0( at_16 : vec2<i32>) -> bool
 {
-    var _S424 : bool;
+    var _S390 : bool;
     if((all((at_16 >= vec2<i32>(i32(0))))))
     {
-        _S424 = (at_16.x) < i32(params_0.width_0);
+        _S390 = (at_16.x) < i32(params_0.width_0);
     }
     else
     {
-        _S424 = false;
+        _S390 = false;
     }
-    if(_S424)
+    if(_S390)
     {
-        _S424 = (at_16.y) < i32(params_0.height_0);
+        _S390 = (at_16.y) < i32(params_0.height_0);
     }
     else
     {
-        _S424 = false;
+        _S390 = false;
     }
-    return _S424;
+    return _S390;
 }
 
 fn place_of_square_0( list_0 : u32,  square_2 : u32) -> u32
@@ -5962,23 +5968,23 @@ fn item_of_0( number_4 : u32) -> Item_0
     var count_7 : u32 = real_time_0.squares_0;
     if(number_4 < (real_time_0.cells_0))
     {
-        var _S425 : u32 = atomicLoad(&(cell_keys_0[u32(2)]));
-        var _S426 : bool = number_4 < _S425;
-        item_0.traces_0 = _S426;
-        if(_S426)
+        var _S391 : u32 = atomicLoad(&(cell_keys_0[u32(2)]));
+        var _S392 : bool = number_4 < _S391;
+        item_0.traces_0 = _S392;
+        if(_S392)
         {
-            var _S427 : u32 = atomicLoad(&(cell_keys_0[place_of_chosen_0(number_4)]));
-            item_0.place_6 = _S427;
-            item_0.slot_1 = real_time_0.pixels_0 + count_7 + number_4;
-            var rank_4 : u32;
-            item_0.sampler_3 = Sampler_x24init_0(((params_0.seed_0) ^ (u32(1540483477))), Key_hash_0(Item_key_0(item_0, &(rank_4))).x, real_time_0.number_0);
+            var _S393 : u32 = atomicLoad(&(cell_keys_0[place_of_chosen_0(number_4)]));
+            item_0.place_6 = _S393;
+            item_0.slot_0 = real_time_0.pixels_0 + count_7 + number_4;
+            var rank_3 : u32;
+            item_0.sampler_3 = Sampler_x24init_0(((params_0.seed_0) ^ (u32(1540483477))), Key_hash_0(Item_key_0(item_0, &(rank_3))).x, real_time_0.number_0);
         }
         return item_0;
     }
-    var _S428 : u32 = number_4 - cells_2;
-    var _S429 : vec2<u32> = pixel_that_traces_0(_S428);
-    item_0.at_12 = _S429;
-    var square_3 : u32 = _S428 - pixels_1;
+    var _S394 : u32 = number_4 - cells_2;
+    var _S395 : vec2<u32> = pixel_that_traces_0(_S394);
+    item_0.at_12 = _S395;
+    var square_3 : u32 = _S394 - pixels_1;
     var is_square_0 : bool = number_4 >= (cells_2 + pixels_1);
     var is_again_0 : bool;
     if(is_square_0)
@@ -6007,114 +6013,114 @@ fn item_of_0( number_4 : u32) -> Item_0
     {
         frame_0 = real_time_0.number_0;
     }
-    var _S430 : u32;
+    var _S396 : u32;
     if(is_again_0)
     {
-        _S430 = u32(3);
+        _S396 = u32(3);
     }
     else
     {
         if(is_square_0)
         {
-            _S430 = u32(2);
+            _S396 = u32(2);
         }
         else
         {
-            _S430 = u32(1);
+            _S396 = u32(1);
         }
     }
-    item_0.kind_2 = _S430;
+    item_0.kind_2 = _S396;
     if(is_square_0)
     {
-        var _S431 : vec2<u32> = pixel_of_square_0(square_4, frame_0);
-        item_0.at_12 = _S431;
+        var _S397 : vec2<u32> = pixel_of_square_0(square_4, frame_0);
+        item_0.at_12 = _S397;
     }
-    var _S432 : bool;
+    var _S398 : bool;
     if(is_square_0)
     {
         if(is_again_0)
         {
-            _S430 = real_time_0.again_0;
+            _S396 = real_time_0.again_0;
         }
         else
         {
-            _S430 = count_7;
+            _S396 = count_7;
         }
-        _S432 = square_4 < _S430;
+        _S398 = square_4 < _S396;
     }
     else
     {
-        _S432 = is_inside_0(vec2<i32>(item_0.at_12));
+        _S398 = is_inside_0(vec2<i32>(item_0.at_12));
     }
-    item_0.traces_0 = _S432;
+    item_0.traces_0 = _S398;
     if(is_square_0)
     {
         if(is_again_0)
         {
-            _S430 = u32(2);
+            _S396 = u32(2);
         }
         else
         {
-            _S430 = (frame_0 & (u32(1)));
+            _S396 = (frame_0 & (u32(1)));
         }
-        _S430 = place_of_square_0(_S430, square_4);
+        _S396 = place_of_square_0(_S396, square_4);
     }
     else
     {
-        _S430 = index_of_0(item_0.at_12);
+        _S396 = index_of_0(item_0.at_12);
     }
-    item_0.place_6 = _S430;
+    item_0.place_6 = _S396;
     if(is_square_0)
     {
-        _S430 = real_time_0.pixels_0 + square_4;
+        _S396 = real_time_0.pixels_0 + square_4;
     }
     else
     {
-        _S430 = item_0.place_6;
+        _S396 = item_0.place_6;
     }
-    item_0.slot_1 = _S430;
-    var _S433 : u32 = params_0.seed_0;
+    item_0.slot_0 = _S396;
+    var _S399 : u32 = params_0.seed_0;
     if(is_square_0)
     {
-        _S430 = u32(3266489909);
+        _S396 = u32(3266489909);
     }
     else
     {
-        _S430 = u32(2654435769);
+        _S396 = u32(2654435769);
     }
-    item_0.sampler_3 = Sampler_x24init_0((_S433 ^ (_S430)), index_of_0(item_0.at_12), frame_0);
+    item_0.sampler_3 = Sampler_x24init_0((_S399 ^ (_S396)), index_of_0(item_0.at_12), frame_0);
     return item_0;
 }
 
-fn Item_is_cell_0( this_47 : Item_0) -> bool
+fn Item_is_cell_0( this_49 : Item_0) -> bool
 {
-    return (this_47.kind_2) == u32(0);
+    return (this_49.kind_2) == u32(0);
 }
 
-fn Key_voxel_0( this_48 : Key_0,  code_3 : u32,  scramble_0 : u32) -> vec3<i32>
+fn Key_voxel_0( this_50 : Key_0,  code_3 : u32,  scramble_0 : u32) -> vec3<i32>
 {
-    var _S434 : u32 = Key_level_0(this_48);
-    var bits_4 : u32 = ((u32(1) << (_S434))) - u32(1);
-    var place_8 : u32 = ((code_3 - u32(1)) ^ (((scramble_0 & ((Key_mask_0(this_48)))))));
-    return (((this_48.cube_0) << (vec3<u32>(u32(i32(_S434)))))) + vec3<i32>(i32((place_8 & (bits_4))), i32((((place_8 >> (_S434))) & (bits_4))), i32((((place_8 >> ((u32(2) * _S434)))) & (bits_4))));
+    var _S400 : u32 = Key_level_0(this_50);
+    var bits_4 : u32 = ((u32(1) << (_S400))) - u32(1);
+    var place_8 : u32 = ((code_3 - u32(1)) ^ (((scramble_0 & ((Key_mask_0(this_50)))))));
+    return (((this_50.cube_0) << (vec3<u32>(u32(i32(_S400)))))) + vec3<i32>(i32((place_8 & (bits_4))), i32((((place_8 >> (_S400))) & (bits_4))), i32((((place_8 >> ((u32(2) * _S400)))) & (bits_4))));
 }
 
 fn Path_x24init_0( sampler_5 : Sampler_0,  bounce_3 : u32,  event_2 : u32,  kinds_1 : u32,  scattered_4 : u32,  beta_1 : vec3<f32>,  pdf_12 : f32,  normal_6 : vec3<f32>,  selection_4 : Selection_0,  passed_t_1 : f32,  inside_6 : Inside_0,  is_clipped_1 : bool) -> Path_0
 {
-    var _S435 : Path_0;
-    _S435.sampler_0 = sampler_5;
-    _S435.bounce_0 = bounce_3;
-    _S435.event_0 = event_2;
-    _S435.kinds_0 = kinds_1;
-    _S435.scattered_0 = scattered_4;
-    _S435.beta_0 = beta_1;
-    _S435.pdf_1 = pdf_12;
-    _S435.normal_0 = normal_6;
-    _S435.selection_0 = selection_4;
-    _S435.passed_t_0 = passed_t_1;
-    _S435.inside_0 = inside_6;
-    _S435.is_clipped_0 = is_clipped_1;
-    return _S435;
+    var _S401 : Path_0;
+    _S401.sampler_0 = sampler_5;
+    _S401.bounce_0 = bounce_3;
+    _S401.event_0 = event_2;
+    _S401.kinds_0 = kinds_1;
+    _S401.scattered_0 = scattered_4;
+    _S401.beta_0 = beta_1;
+    _S401.pdf_1 = pdf_12;
+    _S401.normal_0 = normal_6;
+    _S401.selection_0 = selection_4;
+    _S401.passed_t_0 = passed_t_1;
+    _S401.inside_0 = inside_6;
+    _S401.is_clipped_0 = is_clipped_1;
+    return _S401;
 }
 
 fn path_from_0( sampler_6 : Sampler_0) -> Path_0
@@ -6124,9 +6130,9 @@ fn path_from_0( sampler_6 : Sampler_0) -> Path_0
 
 fn orthonormal_pair_0( z_1 : vec3<f32>,  x_10 : ptr<function, vec3<f32>>,  y_5 : ptr<function, vec3<f32>>)
 {
-    var _S436 : f32 = z_1.z;
+    var _S402 : f32 = z_1.z;
     var sign_1 : f32;
-    if(_S436 < 0.0f)
+    if(_S402 < 0.0f)
     {
         sign_1 = -1.0f;
     }
@@ -6134,12 +6140,12 @@ fn orthonormal_pair_0( z_1 : vec3<f32>,  x_10 : ptr<function, vec3<f32>>,  y_5 :
     {
         sign_1 = 1.0f;
     }
-    var a_7 : f32 = divide_0(-1.0f, sign_1 + _S436);
-    var _S437 : f32 = z_1.x;
-    var _S438 : f32 = z_1.y;
-    var b_7 : f32 = _S437 * _S438 * a_7;
-    (*x_10) = vec3<f32>(1.0f + sign_1 * _S437 * _S437 * a_7, sign_1 * b_7, - sign_1 * _S437);
-    (*y_5) = vec3<f32>(b_7, sign_1 + _S438 * _S438 * a_7, - _S438);
+    var a_8 : f32 = divide_0(-1.0f, sign_1 + _S402);
+    var _S403 : f32 = z_1.x;
+    var _S404 : f32 = z_1.y;
+    var b_8 : f32 = _S403 * _S404 * a_8;
+    (*x_10) = vec3<f32>(1.0f + sign_1 * _S403 * _S403 * a_8, sign_1 * b_8, - sign_1 * _S403);
+    (*y_5) = vec3<f32>(b_8, sign_1 + _S404 * _S404 * a_8, - _S404);
     return;
 }
 
@@ -6149,50 +6155,50 @@ fn direction_from_cell_0( sampler_7 : Sampler_0,  normal_7 : vec3<f32>,  pdf_13 
     var x_11 : vec3<f32>;
     var y_6 : vec3<f32>;
     orthonormal_pair_0(normal_7, &(x_11), &(y_6));
-    var local_4 : vec3<f32> = cosine_hemisphere_0(u_19.z, u_19.w);
-    var _S439 : f32 = local_4.z;
-    (*pdf_13) = cosine_hemisphere_pdf_0(_S439);
-    return x_11 * vec3<f32>(local_4.x) + y_6 * vec3<f32>(local_4.y) + normal_7 * vec3<f32>(_S439);
+    var local_5 : vec3<f32> = cosine_hemisphere_0(u_19.z, u_19.w);
+    var _S405 : f32 = local_5.z;
+    (*pdf_13) = cosine_hemisphere_pdf_0(_S405);
+    return x_11 * vec3<f32>(local_5.x) + y_6 * vec3<f32>(local_5.y) + normal_7 * vec3<f32>(_S405);
 }
 
-fn Surface_x24init_0( origin_11 : vec3<f32>,  normal_8 : vec3<f32>,  face_8 : u32,  instance_14 : u32) -> Surface_0
+fn Surface_x24init_0( origin_11 : vec3<f32>,  normal_8 : vec3<f32>,  face_9 : u32,  instance_15 : u32) -> Surface_0
 {
-    var _S440 : Surface_0;
-    _S440.origin_4 = origin_11;
-    _S440.normal_2 = normal_8;
-    _S440.face_1 = face_8;
-    _S440.instance_3 = instance_14;
-    return _S440;
+    var _S406 : Surface_0;
+    _S406.origin_3 = origin_11;
+    _S406.normal_2 = normal_8;
+    _S406.face_1 = face_9;
+    _S406.instance_3 = instance_15;
+    return _S406;
 }
 
-fn Walker_x24init_0( path_11 : Path_0,  ray_24 : Ray_0,  is_shadow_ray_2 : bool,  light_11 : vec3<f32>,  direction_28 : vec3<f32>,  path_origin_3 : vec3<f32>,  shadow_inside_4 : Inside_0,  boundaries_1 : u32,  relocates_4 : bool,  path_relocates_4 : bool,  camera_ray_1 : Ray_0,  way_6 : f32,  has_shown_1 : bool,  asks_cache_1 : bool,  life_2 : u32,  is_at_cell_1 : bool) -> Walker_0
+fn Walker_x24init_0( path_11 : Path_0,  ray_27 : Ray_0,  is_shadow_ray_2 : bool,  light_11 : vec3<f32>,  direction_28 : vec3<f32>,  path_origin_3 : vec3<f32>,  shadow_inside_4 : Inside_0,  boundaries_1 : u32,  relocates_4 : bool,  path_relocates_4 : bool,  camera_ray_1 : Ray_0,  way_6 : f32,  has_shown_1 : bool,  asks_cache_1 : bool,  life_2 : u32,  is_at_cell_1 : bool) -> Walker_0
 {
-    var _S441 : Walker_0;
-    _S441.path_7 = path_11;
-    _S441.ray_10 = ray_24;
-    _S441.is_shadow_ray_0 = is_shadow_ray_2;
-    _S441.light_5 = light_11;
-    _S441.direction_25 = direction_28;
-    _S441.path_origin_2 = path_origin_3;
-    _S441.shadow_inside_2 = shadow_inside_4;
-    _S441.boundaries_0 = boundaries_1;
-    _S441.relocates_2 = relocates_4;
-    _S441.path_relocates_2 = path_relocates_4;
-    _S441.camera_ray_0 = camera_ray_1;
-    _S441.way_2 = way_6;
-    _S441.has_shown_0 = has_shown_1;
-    _S441.asks_cache_0 = asks_cache_1;
-    _S441.life_0 = life_2;
-    _S441.is_at_cell_0 = is_at_cell_1;
-    return _S441;
+    var _S407 : Walker_0;
+    _S407.path_7 = path_11;
+    _S407.ray_10 = ray_27;
+    _S407.is_shadow_ray_0 = is_shadow_ray_2;
+    _S407.light_5 = light_11;
+    _S407.direction_25 = direction_28;
+    _S407.path_origin_2 = path_origin_3;
+    _S407.shadow_inside_2 = shadow_inside_4;
+    _S407.boundaries_0 = boundaries_1;
+    _S407.relocates_2 = relocates_4;
+    _S407.path_relocates_2 = path_relocates_4;
+    _S407.camera_ray_0 = camera_ray_1;
+    _S407.way_2 = way_6;
+    _S407.has_shown_0 = has_shown_1;
+    _S407.asks_cache_0 = asks_cache_1;
+    _S407.life_0 = life_2;
+    _S407.is_at_cell_0 = is_at_cell_1;
+    return _S407;
 }
 
-fn at_cell_0( key_3 : Key_0,  rank_5 : u32,  sampler_8 : Sampler_0) -> Walker_0
+fn at_cell_0( key_3 : Key_0,  rank_4 : u32,  sampler_8 : Sampler_0) -> Walker_0
 {
-    var face_9 : u32 = ((key_3.face_and_level_0) & (u32(7)));
-    var axis_6 : u32 = (face_9 >> (u32(1)));
+    var face_10 : u32 = ((key_3.face_and_level_0) & (u32(7)));
+    var axis_6 : u32 = (face_10 >> (u32(1)));
     var u_20 : vec4<f32> = Sampler_independent_0(sampler_8, u32(0));
-    var _S442 : vec3<f32> = vec3<f32>(Key_voxel_0(key_3, (rank_5 & (u32(1048575))), scramble_of_0(real_time_0.number_0 - u32(1))));
+    var _S408 : vec3<f32> = vec3<f32>(Key_voxel_0(key_3, (rank_4 & (u32(1048575))), scramble_of_0(real_time_0.number_0 - u32(1))));
     var on_face_1 : vec3<f32>;
     if(axis_6 == u32(0))
     {
@@ -6209,16 +6215,17 @@ fn at_cell_0( key_3 : Key_0,  rank_5 : u32,  sampler_8 : Sampler_0) -> Walker_0
             on_face_1 = vec3<f32>(u_20.x, u_20.y, 0.0f);
         }
     }
-    var _S443 : vec3<f32> = Transform_point_1(key_3.instance_8, offset_ray_origin_0(vector_of_0(instances_0[key_3.instance_8].grid_from_world_0.translation_0), _S442, face_9, _S442 + on_face_1));
-    var _S444 : vec3<f32> = world_normal_0(key_3.instance_8, face_9);
+    var _S409 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(key_3.instance_9);
+    var origin_12 : vec3<f32> = Transform_point_0(_S409.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S409.grid_from_world_0.translation_0), _S408, face_10, _S408 + on_face_1));
+    var normal_9 : vec3<f32> = world_normal_0(_S409, face_10);
     var path_12 : Path_0 = path_from_0(sampler_8);
-    var _S445 : f32 = path_12.pdf_1;
-    var direction_29 : vec3<f32> = direction_from_cell_0(sampler_8, _S444, &(_S445));
-    path_12.pdf_1 = _S445;
-    var receiver_20 : Receiver_0 = Receiver_x24init_0(_S443, _S444);
+    var _S410 : f32 = path_12.pdf_1;
+    var direction_29 : vec3<f32> = direction_from_cell_0(sampler_8, normal_9, &(_S410));
+    path_12.pdf_1 = _S410;
+    var receiver_20 : Receiver_0 = Receiver_x24init_0(origin_12, normal_9);
     path_12.selection_0 = Lights_selection_0(receiver_20);
-    path_12.normal_0 = _S444;
-    var surface_5 : Surface_0 = Surface_x24init_0(_S443, _S444, face_9, key_3.instance_8);
+    path_12.normal_0 = normal_9;
+    var surface_5 : Surface_0 = Surface_x24init_0(origin_12, normal_9, face_10, key_3.instance_9);
     var white_0 : MaterialBsdf_0;
     white_0.kind_0 = u32(0);
     white_0.color_0 = vec3<f32>(1.0f);
@@ -6226,8 +6233,8 @@ fn at_cell_0( key_3 : Key_0,  rank_5 : u32,  sampler_8 : Sampler_0) -> Walker_0
     white_0.eta_0 = 1.0f;
     white_0.facets_0.alpha_0 = 1.0f;
     scatter_of_path_0 = Scatter_x24init_0(path_12, receiver_20, surface_5, white_0, vec3<f32>(0.0f, 0.0f, 1.0f), 1.0f, false, true);
-    var ray_25 : Ray_0 = ray_from_0(_S443, direction_29);
-    return Walker_x24init_0(path_12, ray_25, false, vec3<f32>(0.0f), direction_29, _S443, in_air_0(), u32(0), false, false, ray_25, 0.0f, true, true, max((rank_5 >> (u32(20))), u32(1)) - u32(1), true);
+    var ray_28 : Ray_0 = ray_from_0(origin_12, direction_29);
+    return Walker_x24init_0(path_12, ray_28, false, vec3<f32>(0.0f), direction_29, origin_12, in_air_0(), u32(0), false, false, ray_28, 0.0f, true, true, max((rank_4 >> (u32(20))), u32(1)) - u32(1), true);
 }
 
 struct CameraFrame_0
@@ -6244,16 +6251,16 @@ struct CameraFrame_0
 
 fn CameraFrame_x24init_0( lens_2 : u32,  eye_3 : vec3<f32>,  corner_3 : vec3<f32>,  pixel_x_2 : vec3<f32>,  pixel_y_2 : vec3<f32>,  lens_x_2 : vec3<f32>,  lens_y_2 : vec3<f32>,  blades_2 : u32) -> CameraFrame_0
 {
-    var _S446 : CameraFrame_0;
-    _S446.lens_1 = lens_2;
-    _S446.eye_2 = eye_3;
-    _S446.corner_2 = corner_3;
-    _S446.pixel_x_1 = pixel_x_2;
-    _S446.pixel_y_1 = pixel_y_2;
-    _S446.lens_x_1 = lens_x_2;
-    _S446.lens_y_1 = lens_y_2;
-    _S446.blades_1 = blades_2;
-    return _S446;
+    var _S411 : CameraFrame_0;
+    _S411.lens_1 = lens_2;
+    _S411.eye_2 = eye_3;
+    _S411.corner_2 = corner_3;
+    _S411.pixel_x_1 = pixel_x_2;
+    _S411.pixel_y_1 = pixel_y_2;
+    _S411.lens_x_1 = lens_x_2;
+    _S411.lens_y_1 = lens_y_2;
+    _S411.blades_1 = blades_2;
+    return _S411;
 }
 
 @id(5) override LENS_0 : u32 = u32(0);
@@ -6263,25 +6270,25 @@ fn camera_before_0() -> CameraFrame_0
     return CameraFrame_x24init_0(LENS_0, real_time_0.before_eye_0, real_time_0.before_corner_0, real_time_0.before_pixel_x_0, real_time_0.before_pixel_y_0, real_time_0.before_lens_x_0, real_time_0.before_lens_y_0, real_time_0.before_blades_0);
 }
 
-fn Item_asks_cache_0( this_49 : Item_0) -> bool
+fn Item_asks_cache_0( this_51 : Item_0) -> bool
 {
-    var _S447 : bool;
-    if(Item_is_cell_0(this_49))
+    var _S412 : bool;
+    if(Item_is_cell_0(this_51))
     {
-        _S447 = true;
+        _S412 = true;
     }
     else
     {
-        if((this_49.kind_2) == u32(1))
+        if((this_51.kind_2) == u32(1))
         {
-            _S447 = has_0(u32(1));
+            _S412 = has_0(u32(1));
         }
         else
         {
-            _S447 = false;
+            _S412 = false;
         }
     }
-    return _S447;
+    return _S412;
 }
 
 struct Perspective_0
@@ -6294,28 +6301,28 @@ struct Perspective_0
 
 fn Perspective_x24init_0( eye_5 : vec3<f32>,  corner_5 : vec3<f32>,  pixel_x_4 : vec3<f32>,  pixel_y_4 : vec3<f32>) -> Perspective_0
 {
-    var _S448 : Perspective_0;
-    _S448.eye_4 = eye_5;
-    _S448.corner_4 = corner_5;
-    _S448.pixel_x_3 = pixel_x_4;
-    _S448.pixel_y_3 = pixel_y_4;
-    return _S448;
+    var _S413 : Perspective_0;
+    _S413.eye_4 = eye_5;
+    _S413.corner_4 = corner_5;
+    _S413.pixel_x_3 = pixel_x_4;
+    _S413.pixel_y_3 = pixel_y_4;
+    return _S413;
 }
 
 struct Axes_0
 {
      forward_0 : vec3<f32>,
-     right_3 : vec3<f32>,
+     right_4 : vec3<f32>,
      up_0 : vec3<f32>,
 };
 
-fn Axes_x24init_0( forward_1 : vec3<f32>,  right_4 : vec3<f32>,  up_1 : vec3<f32>) -> Axes_0
+fn Axes_x24init_0( forward_1 : vec3<f32>,  right_5 : vec3<f32>,  up_1 : vec3<f32>) -> Axes_0
 {
-    var _S449 : Axes_0;
-    _S449.forward_0 = forward_1;
-    _S449.right_3 = right_4;
-    _S449.up_0 = up_1;
-    return _S449;
+    var _S414 : Axes_0;
+    _S414.forward_0 = forward_1;
+    _S414.right_4 = right_5;
+    _S414.up_0 = up_1;
+    return _S414;
 }
 
 struct ThinLens_0
@@ -6328,55 +6335,55 @@ struct ThinLens_0
 
 fn ThinLens_x24init_0( perspective_1 : Perspective_0,  lens_x_4 : vec3<f32>,  lens_y_4 : vec3<f32>,  blades_4 : u32) -> ThinLens_0
 {
-    var _S450 : ThinLens_0;
-    _S450.perspective_0 = perspective_1;
-    _S450.lens_x_3 = lens_x_4;
-    _S450.lens_y_3 = lens_y_4;
-    _S450.blades_3 = blades_4;
-    return _S450;
+    var _S415 : ThinLens_0;
+    _S415.perspective_0 = perspective_1;
+    _S415.lens_x_3 = lens_x_4;
+    _S415.lens_y_3 = lens_y_4;
+    _S415.blades_3 = blades_4;
+    return _S415;
 }
 
 fn concentric_0( square_5 : vec2<f32>) -> vec2<f32>
 {
-    var a_8 : f32 = 2.0f * square_5.x - 1.0f;
-    var b_8 : f32 = 2.0f * square_5.y - 1.0f;
-    var _S451 : bool;
-    if(a_8 == 0.0f)
+    var a_9 : f32 = 2.0f * square_5.x - 1.0f;
+    var b_9 : f32 = 2.0f * square_5.y - 1.0f;
+    var _S416 : bool;
+    if(a_9 == 0.0f)
     {
-        _S451 = b_8 == 0.0f;
+        _S416 = b_9 == 0.0f;
     }
     else
     {
-        _S451 = false;
+        _S416 = false;
     }
-    if(_S451)
+    if(_S416)
     {
         return vec2<f32>(0.0f);
     }
-    var is_across_0 : bool = (abs(a_8)) > (abs(b_8));
+    var is_across_0 : bool = (abs(a_9)) > (abs(b_9));
     var radius_4 : f32;
     if(is_across_0)
     {
-        radius_4 = a_8;
+        radius_4 = a_9;
     }
     else
     {
-        radius_4 = b_8;
+        radius_4 = b_9;
     }
     var turns_3 : f32;
     if(is_across_0)
     {
-        turns_3 = divide_0(b_8, a_8) * 0.125f;
+        turns_3 = divide_0(b_9, a_9) * 0.125f;
     }
     else
     {
-        turns_3 = 0.25f - divide_0(a_8, b_8) * 0.125f;
+        turns_3 = 0.25f - divide_0(a_9, b_9) * 0.125f;
     }
     if(radius_4 < 0.0f)
     {
         turns_3 = turns_3 + 0.5f;
     }
-    var _S452 : f32 = abs(radius_4);
+    var _S417 : f32 = abs(radius_4);
     if(turns_3 < 0.0f)
     {
         radius_4 = turns_3 + 1.0f;
@@ -6385,7 +6392,7 @@ fn concentric_0( square_5 : vec2<f32>) -> vec2<f32>
     {
         radius_4 = turns_3;
     }
-    return vec2<f32>(_S452, radius_4);
+    return vec2<f32>(_S417, radius_4);
 }
 
 fn place_in_aperture_0( blades_5 : u32,  lens_3 : vec2<f32>) -> vec2<f32>
@@ -6403,16 +6410,16 @@ fn place_in_aperture_0( blades_5 : u32,  lens_3 : vec2<f32>) -> vec2<f32>
     var share_7 : f32 = scaled_0 - blade_0;
     var from_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0, count_8));
     var to_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0 + 1.0f, count_8));
-    var _S453 : f32 = from_0.y;
-    var _S454 : f32 = from_0.x;
-    return vec2<f32>(_S453 + (to_0.y - _S453) * share_7, _S454 + (to_0.x - _S454) * share_7) * vec2<f32>(radius_5);
+    var _S418 : f32 = from_0.y;
+    var _S419 : f32 = from_0.x;
+    return vec2<f32>(_S418 + (to_0.y - _S418) * share_7, _S419 + (to_0.x - _S419) * share_7) * vec2<f32>(radius_5);
 }
 
-fn ThinLens_ray_0( this_50 : ThinLens_0,  position_3 : vec2<f32>,  lens_4 : vec2<f32>) -> Ray_0
+fn ThinLens_ray_0( this_52 : ThinLens_0,  position_3 : vec2<f32>,  lens_4 : vec2<f32>) -> Ray_0
 {
-    var place_9 : vec2<f32> = place_in_aperture_0(this_50.blades_3, lens_4);
-    var offset_1 : vec3<f32> = this_50.lens_x_3 * vec3<f32>(place_9.x) + this_50.lens_y_3 * vec3<f32>(place_9.y);
-    return ray_from_0(this_50.perspective_0.eye_4 + offset_1, normalize_vector_0(this_50.perspective_0.corner_4 + this_50.perspective_0.pixel_x_3 * vec3<f32>(position_3.x) + this_50.perspective_0.pixel_y_3 * vec3<f32>(position_3.y) - offset_1));
+    var place_9 : vec2<f32> = place_in_aperture_0(this_52.blades_3, lens_4);
+    var offset_1 : vec3<f32> = this_52.lens_x_3 * vec3<f32>(place_9.x) + this_52.lens_y_3 * vec3<f32>(place_9.y);
+    return ray_from_0(this_52.perspective_0.eye_4 + offset_1, normalize_vector_0(this_52.perspective_0.corner_4 + this_52.perspective_0.pixel_x_3 * vec3<f32>(position_3.x) + this_52.perspective_0.pixel_y_3 * vec3<f32>(position_3.y) - offset_1));
 }
 
 struct Orthographic_0
@@ -6425,17 +6432,17 @@ struct Orthographic_0
 
 fn Orthographic_x24init_0( corner_7 : vec3<f32>,  pixel_x_6 : vec3<f32>,  pixel_y_6 : vec3<f32>,  forward_3 : vec3<f32>) -> Orthographic_0
 {
-    var _S455 : Orthographic_0;
-    _S455.corner_6 = corner_7;
-    _S455.pixel_x_5 = pixel_x_6;
-    _S455.pixel_y_5 = pixel_y_6;
-    _S455.forward_2 = forward_3;
-    return _S455;
+    var _S420 : Orthographic_0;
+    _S420.corner_6 = corner_7;
+    _S420.pixel_x_5 = pixel_x_6;
+    _S420.pixel_y_5 = pixel_y_6;
+    _S420.forward_2 = forward_3;
+    return _S420;
 }
 
-fn Orthographic_ray_0( this_51 : Orthographic_0,  position_4 : vec2<f32>,  lens_5 : vec2<f32>) -> Ray_0
+fn Orthographic_ray_0( this_53 : Orthographic_0,  position_4 : vec2<f32>,  lens_5 : vec2<f32>) -> Ray_0
 {
-    return ray_from_0(this_51.corner_6 + this_51.pixel_x_5 * vec3<f32>(position_4.x) + this_51.pixel_y_5 * vec3<f32>(position_4.y), this_51.forward_2);
+    return ray_from_0(this_53.corner_6 + this_53.pixel_x_5 * vec3<f32>(position_4.x) + this_53.pixel_y_5 * vec3<f32>(position_4.y), this_53.forward_2);
 }
 
 struct Panorama_0
@@ -6448,26 +6455,26 @@ struct Panorama_0
 
 fn Panorama_x24init_0( eye_7 : vec3<f32>,  axes_2 : Axes_0,  inverse_size_1 : vec2<f32>,  half_eye_distance_1 : f32) -> Panorama_0
 {
-    var _S456 : Panorama_0;
-    _S456.eye_6 = eye_7;
-    _S456.axes_1 = axes_2;
-    _S456.inverse_size_0 = inverse_size_1;
-    _S456.half_eye_distance_0 = half_eye_distance_1;
-    return _S456;
+    var _S421 : Panorama_0;
+    _S421.eye_6 = eye_7;
+    _S421.axes_1 = axes_2;
+    _S421.inverse_size_0 = inverse_size_1;
+    _S421.half_eye_distance_0 = half_eye_distance_1;
+    return _S421;
 }
 
-fn Panorama_ray_0( this_52 : Panorama_0,  position_5 : vec2<f32>,  lens_6 : vec2<f32>) -> Ray_0
+fn Panorama_ray_0( this_54 : Panorama_0,  position_5 : vec2<f32>,  lens_6 : vec2<f32>) -> Ray_0
 {
-    var latitude_0 : f32 = position_5.y * this_52.inverse_size_0.y;
+    var latitude_0 : f32 = position_5.y * this_54.inverse_size_0.y;
     var is_right_eye_0 : bool = latitude_0 >= 1.0f;
     var side_4 : f32;
     if(is_right_eye_0)
     {
-        side_4 = this_52.half_eye_distance_0;
+        side_4 = this_54.half_eye_distance_0;
     }
     else
     {
-        side_4 = - this_52.half_eye_distance_0;
+        side_4 = - this_54.half_eye_distance_0;
     }
     var latitude_1 : f32;
     if(is_right_eye_0)
@@ -6478,11 +6485,11 @@ fn Panorama_ray_0( this_52 : Panorama_0,  position_5 : vec2<f32>,  lens_6 : vec2
     {
         latitude_1 = latitude_0;
     }
-    var longitude_0 : vec2<f32> = sincos_turns_0(position_5.x * this_52.inverse_size_0.x);
+    var longitude_0 : vec2<f32> = sincos_turns_0(position_5.x * this_54.inverse_size_0.x);
     var height_2 : vec2<f32> = sincos_turns_0(latitude_1 * 0.5f);
-    var _S457 : vec3<f32> = vec3<f32>(longitude_0.y);
-    var _S458 : vec3<f32> = vec3<f32>(longitude_0.x);
-    return ray_from_0(this_52.eye_6 + (this_52.axes_1.forward_0 * _S458 - this_52.axes_1.right_3 * _S457) * vec3<f32>(side_4), normalize_vector_0((vec3<f32>(0) - this_52.axes_1.forward_0 * _S457 + this_52.axes_1.right_3 * _S458) * vec3<f32>(height_2.x) + this_52.axes_1.up_0 * vec3<f32>(height_2.y)));
+    var _S422 : vec3<f32> = vec3<f32>(longitude_0.y);
+    var _S423 : vec3<f32> = vec3<f32>(longitude_0.x);
+    return ray_from_0(this_54.eye_6 + (this_54.axes_1.forward_0 * _S423 - this_54.axes_1.right_4 * _S422) * vec3<f32>(side_4), normalize_vector_0((vec3<f32>(0) - this_54.axes_1.forward_0 * _S422 + this_54.axes_1.right_4 * _S423) * vec3<f32>(height_2.x) + this_54.axes_1.up_0 * vec3<f32>(height_2.y)));
 }
 
 struct Fisheye_0
@@ -6495,20 +6502,20 @@ struct Fisheye_0
 
 fn Fisheye_x24init_0( eye_9 : vec3<f32>,  axes_4 : Axes_0,  middle_2 : vec2<f32>,  turns_per_pixel_1 : f32) -> Fisheye_0
 {
-    var _S459 : Fisheye_0;
-    _S459.eye_8 = eye_9;
-    _S459.axes_3 = axes_4;
-    _S459.middle_1 = middle_2;
-    _S459.turns_per_pixel_0 = turns_per_pixel_1;
-    return _S459;
+    var _S424 : Fisheye_0;
+    _S424.eye_8 = eye_9;
+    _S424.axes_3 = axes_4;
+    _S424.middle_1 = middle_2;
+    _S424.turns_per_pixel_0 = turns_per_pixel_1;
+    return _S424;
 }
 
-fn Fisheye_ray_0( this_53 : Fisheye_0,  position_6 : vec2<f32>,  lens_7 : vec2<f32>) -> Ray_0
+fn Fisheye_ray_0( this_55 : Fisheye_0,  position_6 : vec2<f32>,  lens_7 : vec2<f32>) -> Ray_0
 {
-    var x_12 : f32 = position_6.x - this_53.middle_1.x;
-    var y_7 : f32 = position_6.y - this_53.middle_1.y;
+    var x_12 : f32 = position_6.x - this_55.middle_1.x;
+    var y_7 : f32 = position_6.y - this_55.middle_1.y;
     var radius_6 : f32 = square_root_0(x_12 * x_12 + y_7 * y_7);
-    var sin_cos_4 : vec2<f32> = sincos_turns_0(min(radius_6 * this_53.turns_per_pixel_0, 1.0f));
+    var sin_cos_4 : vec2<f32> = sincos_turns_0(min(radius_6 * this_55.turns_per_pixel_0, 1.0f));
     var scale_0 : f32;
     if(radius_6 > 0.0f)
     {
@@ -6518,35 +6525,35 @@ fn Fisheye_ray_0( this_53 : Fisheye_0,  position_6 : vec2<f32>,  lens_7 : vec2<f
     {
         scale_0 = 0.0f;
     }
-    return ray_from_0(this_53.eye_8, normalize_vector_0(this_53.axes_3.forward_0 * vec3<f32>(sin_cos_4.y) + this_53.axes_3.right_3 * vec3<f32>((x_12 * scale_0)) - this_53.axes_3.up_0 * vec3<f32>((y_7 * scale_0))));
+    return ray_from_0(this_55.eye_8, normalize_vector_0(this_55.axes_3.forward_0 * vec3<f32>(sin_cos_4.y) + this_55.axes_3.right_4 * vec3<f32>((x_12 * scale_0)) - this_55.axes_3.up_0 * vec3<f32>((y_7 * scale_0))));
 }
 
-fn Perspective_ray_0( this_54 : Perspective_0,  position_7 : vec2<f32>,  lens_8 : vec2<f32>) -> Ray_0
+fn Perspective_ray_0( this_56 : Perspective_0,  position_7 : vec2<f32>,  lens_8 : vec2<f32>) -> Ray_0
 {
-    return ray_from_0(this_54.eye_4, normalize_vector_0(this_54.corner_4 + this_54.pixel_x_3 * vec3<f32>(position_7.x) + this_54.pixel_y_3 * vec3<f32>(position_7.y)));
+    return ray_from_0(this_56.eye_4, normalize_vector_0(this_56.corner_4 + this_56.pixel_x_3 * vec3<f32>(position_7.x) + this_56.pixel_y_3 * vec3<f32>(position_7.y)));
 }
 
-fn CameraFrame_ray_0( this_55 : CameraFrame_0,  position_8 : vec2<f32>,  lens_sample_0 : vec2<f32>) -> Ray_0
+fn CameraFrame_ray_0( this_57 : CameraFrame_0,  position_8 : vec2<f32>,  lens_sample_0 : vec2<f32>) -> Ray_0
 {
-    var perspective_2 : Perspective_0 = Perspective_x24init_0(this_55.eye_2, this_55.corner_2, this_55.pixel_x_1, this_55.pixel_y_1);
-    var axes_5 : Axes_0 = Axes_x24init_0(this_55.corner_2, this_55.pixel_x_1, this_55.pixel_y_1);
-    switch(this_55.lens_1)
+    var perspective_2 : Perspective_0 = Perspective_x24init_0(this_57.eye_2, this_57.corner_2, this_57.pixel_x_1, this_57.pixel_y_1);
+    var axes_5 : Axes_0 = Axes_x24init_0(this_57.corner_2, this_57.pixel_x_1, this_57.pixel_y_1);
+    switch(this_57.lens_1)
     {
     case u32(1):
         {
-            return ThinLens_ray_0(ThinLens_x24init_0(perspective_2, this_55.lens_x_1, this_55.lens_y_1, this_55.blades_1), position_8, lens_sample_0);
+            return ThinLens_ray_0(ThinLens_x24init_0(perspective_2, this_57.lens_x_1, this_57.lens_y_1, this_57.blades_1), position_8, lens_sample_0);
         }
     case u32(2):
         {
-            return Orthographic_ray_0(Orthographic_x24init_0(this_55.corner_2, this_55.pixel_x_1, this_55.pixel_y_1, this_55.lens_x_1), position_8, lens_sample_0);
+            return Orthographic_ray_0(Orthographic_x24init_0(this_57.corner_2, this_57.pixel_x_1, this_57.pixel_y_1, this_57.lens_x_1), position_8, lens_sample_0);
         }
     case u32(3):
         {
-            return Panorama_ray_0(Panorama_x24init_0(this_55.eye_2, axes_5, this_55.lens_x_1.xy, this_55.lens_x_1.z), position_8, lens_sample_0);
+            return Panorama_ray_0(Panorama_x24init_0(this_57.eye_2, axes_5, this_57.lens_x_1.xy, this_57.lens_x_1.z), position_8, lens_sample_0);
         }
     case u32(4):
         {
-            return Fisheye_ray_0(Fisheye_x24init_0(this_55.eye_2, axes_5, this_55.lens_x_1.xy, this_55.lens_x_1.z), position_8, lens_sample_0);
+            return Fisheye_ray_0(Fisheye_x24init_0(this_57.eye_2, axes_5, this_57.lens_x_1.xy, this_57.lens_x_1.z), position_8, lens_sample_0);
         }
     default :
         {
@@ -6563,9 +6570,9 @@ fn camera_ray_2( pixel_2 : vec2<u32>,  camera_0 : CameraFrame_0,  sampler_9 : Sa
 
 fn at_camera_0( pixel_3 : vec2<u32>,  camera_1 : CameraFrame_0,  sampler_10 : Sampler_0,  asks_cache_2 : bool) -> Walker_0
 {
-    var ray_26 : Ray_0 = camera_ray_2(pixel_3, camera_1, sampler_10);
-    var _S460 : vec3<f32> = vec3<f32>(0.0f);
-    return Walker_x24init_0(path_from_0(sampler_10), ray_26, false, _S460, _S460, _S460, in_air_0(), u32(0), true, true, ray_26, 0.0f, false, asks_cache_2, u32(10), false);
+    var ray_29 : Ray_0 = camera_ray_2(pixel_3, camera_1, sampler_10);
+    var _S425 : vec3<f32> = vec3<f32>(0.0f);
+    return Walker_x24init_0(path_from_0(sampler_10), ray_29, false, _S425, _S425, _S425, in_air_0(), u32(0), true, true, ray_29, 0.0f, false, asks_cache_2, u32(10), false);
 }
 
 fn FrameParams_camera_0() -> CameraFrame_0
@@ -6573,92 +6580,92 @@ fn FrameParams_camera_0() -> CameraFrame_0
     return CameraFrame_x24init_0(LENS_0, params_0.eye_1, params_0.corner_0, params_0.pixel_x_0, params_0.pixel_y_0, params_0.lens_x_0, params_0.lens_y_0, params_0.blades_0);
 }
 
-fn Item_start_0( this_56 : Item_0) -> Walker_0
+fn Item_start_0( this_58 : Item_0) -> Walker_0
 {
-    if(Item_is_cell_0(this_56))
+    if(Item_is_cell_0(this_58))
     {
-        var rank_6 : u32;
-        var key_4 : Key_0 = Item_key_0(this_56, &(rank_6));
-        var _S461 : Walker_0 = at_cell_0(key_4, rank_6, this_56.sampler_3);
-        return _S461;
+        var rank_5 : u32;
+        var key_4 : Key_0 = Item_key_0(this_58, &(rank_5));
+        var _S426 : Walker_0 = at_cell_0(key_4, rank_5, this_58.sampler_3);
+        return _S426;
     }
-    var _S462 : CameraFrame_0 = FrameParams_camera_0();
+    var _S427 : CameraFrame_0 = FrameParams_camera_0();
     var camera_2 : CameraFrame_0;
-    if((this_56.kind_2) == u32(3))
+    if((this_58.kind_2) == u32(3))
     {
         camera_2 = camera_before_0();
     }
     else
     {
-        camera_2 = _S462;
+        camera_2 = _S427;
     }
-    return at_camera_0(this_56.at_12, camera_2, this_56.sampler_3, Item_asks_cache_0(this_56));
+    return at_camera_0(this_58.at_12, camera_2, this_58.sampler_3, Item_asks_cache_0(this_58));
 }
 
-fn packed_normal_0( normal_9 : vec3<f32>) -> u32
+fn packed_normal_0( normal_10 : vec3<f32>) -> u32
 {
-    var _S463 : vec3<i32> = vec3<i32>(floor(clamp(normal_9, vec3<f32>(-1.0f), vec3<f32>(1.0f)) * vec3<f32>(511.0f) + vec3<f32>(0.5f)));
-    return (((((u32(_S463.x) & (u32(1023)))) | (((((u32(_S463.y) & (u32(1023)))) << (u32(10))))))) | (((((u32(_S463.z) & (u32(1023)))) << (u32(20))))));
+    var _S428 : vec3<i32> = vec3<i32>(floor(clamp(normal_10, vec3<f32>(-1.0f), vec3<f32>(1.0f)) * vec3<f32>(511.0f) + vec3<f32>(0.5f)));
+    return (((((u32(_S428.x) & (u32(1023)))) | (((((u32(_S428.y) & (u32(1023)))) << (u32(10))))))) | (((((u32(_S428.z) & (u32(1023)))) << (u32(20))))));
 }
 
-fn set_scratch_row_0( row_4 : u32,  index_29 : u32,  value_3 : vec2<u32>)
+fn set_scratch_row_0( row_12 : u32,  index_31 : u32,  value_3 : vec2<u32>)
 {
-    scratch_0[row_4 * real_time_0.slots_0 + index_29] = value_3;
+    scratch_0[row_12 * real_time_0.slots_0 + index_31] = value_3;
     return;
 }
 
-fn store_sample_0( index_30 : u32,  sample_16 : Sample_0)
+fn store_sample_0( index_32 : u32,  sample_16 : Sample_0)
 {
-    var _S464 : u32 = packed_normal_0(sample_16.normal_4);
-    var _S465 : u32;
+    var _S429 : u32 = packed_normal_0(sample_16.normal_4);
+    var _S430 : u32;
     if(sample_16.is_shown_0)
     {
-        _S465 = u32(1073741824);
+        _S430 = u32(1073741824);
     }
     else
     {
-        _S465 = u32(0);
+        _S430 = u32(0);
     }
-    var normal_10 : u32 = (_S464 | (_S465));
-    set_scratch_row_0(u32(0), index_30, (bitcast<vec2<u32>>((sample_16.light_6.xy))));
-    set_scratch_row_0(u32(1), index_30, vec2<u32>((bitcast<u32>((sample_16.light_6.z))), sample_16.instance_7));
-    set_scratch_row_0(u32(2), index_30, (bitcast<vec2<u32>>((sample_16.direct_0.xy))));
-    set_scratch_row_0(u32(3), index_30, (bitcast<vec2<u32>>((vec2<f32>(sample_16.direct_0.z, sample_16.place_3.x)))));
-    set_scratch_row_0(u32(4), index_30, (bitcast<vec2<u32>>((sample_16.place_3.yz))));
-    set_scratch_row_0(u32(5), index_30, (bitcast<vec2<u32>>((sample_16.albedo_0.xy))));
-    set_scratch_row_0(u32(6), index_30, vec2<u32>((bitcast<u32>((sample_16.albedo_0.z))), normal_10));
+    var normal_11 : u32 = (_S429 | (_S430));
+    set_scratch_row_0(u32(0), index_32, (bitcast<vec2<u32>>((sample_16.light_6.xy))));
+    set_scratch_row_0(u32(1), index_32, vec2<u32>((bitcast<u32>((sample_16.light_6.z))), sample_16.instance_8));
+    set_scratch_row_0(u32(2), index_32, (bitcast<vec2<u32>>((sample_16.direct_0.xy))));
+    set_scratch_row_0(u32(3), index_32, (bitcast<vec2<u32>>((vec2<f32>(sample_16.direct_0.z, sample_16.place_3.x)))));
+    set_scratch_row_0(u32(4), index_32, (bitcast<vec2<u32>>((sample_16.place_3.yz))));
+    set_scratch_row_0(u32(5), index_32, (bitcast<vec2<u32>>((sample_16.albedo_0.xy))));
+    set_scratch_row_0(u32(6), index_32, vec2<u32>((bitcast<u32>((sample_16.albedo_0.z))), normal_11));
     return;
 }
 
 fn light_on_0( sample_17 : Sample_0) -> f32
 {
-    var _S466 : f32;
+    var _S431 : f32;
     if(sample_17.is_shown_0)
     {
-        _S466 = luminance_0(sample_17.light_6) / (luminance_0(sample_17.albedo_0) + 0.00300000002607703f);
+        _S431 = luminance_0(sample_17.light_6) / (luminance_0(sample_17.albedo_0) + 0.00300000002607703f);
     }
     else
     {
-        _S466 = 0.0f;
+        _S431 = 0.0f;
     }
-    return _S466;
+    return _S431;
 }
 
-fn Item_end_0( this_57 : Item_0,  sample_18 : Sample_0)
+fn Item_end_0( this_59 : Item_0,  sample_18 : Sample_0)
 {
-    if(Item_is_cell_0(this_57))
+    if(Item_is_cell_0(this_59))
     {
-        set_cell_row_0(u32(3), this_57.place_6, vec4<u32>((bitcast<vec3<u32>>((sample_18.light_6))), u32(1)));
+        set_cell_row_0(u32(3), this_59.place_6, vec4<u32>((bitcast<vec3<u32>>((sample_18.light_6))), u32(1)));
     }
     else
     {
-        if((this_57.kind_2) == u32(1))
+        if((this_59.kind_2) == u32(1))
         {
-            store_sample_0(this_57.place_6, sample_18);
+            store_sample_0(this_59.place_6, sample_18);
         }
         else
         {
-            memory_rows_0[this_57.place_6] = vec4<u32>((bitcast<vec3<u32>>((sample_18.place_3))), (bitcast<u32>((light_on_0(sample_18)))));
+            memory_rows_0[this_59.place_6] = vec4<u32>((bitcast<vec3<u32>>((sample_18.place_3))), (bitcast<u32>((light_on_0(sample_18)))));
         }
     }
     return;
@@ -6669,7 +6676,6 @@ fn Item_end_0( this_57 : Item_0,  sample_18 : Sample_0)
 fn trace(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
     first_candidates_0 = u32(1);
-    is_page_missing_0 = false;
     ends_here_0 = false;
     scatter_of_path_0.wants_light_0 = false;
     first_candidates_0 = real_time_0.candidates_0;
@@ -6678,8 +6684,8 @@ fn trace(@builtin(global_invocation_id) id_0 : vec3<u32>)
     var at_18 : Walker_0;
     if(item_1.traces_0)
     {
-        var _S467 : Walker_0 = Item_start_0(item_1);
-        at_18 = _S467;
+        var _S432 : Walker_0 = Item_start_0(item_1);
+        at_18 = _S432;
     }
     var is_under_way_0 : bool = item_1.traces_0;
     var is_shadow_turn_0 : bool = true;
@@ -6695,8 +6701,8 @@ fn trace(@builtin(global_invocation_id) id_0 : vec3<u32>)
         var is_shadow_turn_1 : bool = !is_shadow_turn_0;
         if((at_18.is_shadow_ray_0) == is_shadow_turn_1)
         {
-            var _S468 : bool = goes_on_6(&(at_18), &(sample_19));
-            is_under_way_0 = _S468;
+            var _S433 : bool = goes_on_6(&(at_18), &(sample_19));
+            is_under_way_0 = _S433;
         }
         is_shadow_turn_0 = is_shadow_turn_1;
     }
@@ -6717,18 +6723,18 @@ struct Lit_0
 
 fn Lit_x24init_0( paths_1 : f32,  light_13 : vec3<f32>,  shaded_1 : vec3<f32>,  moments_1 : vec3<f32>) -> Lit_0
 {
-    var _S469 : Lit_0;
-    _S469.paths_0 = paths_1;
-    _S469.light_12 = light_13;
-    _S469.shaded_0 = shaded_1;
-    _S469.moments_0 = moments_1;
-    return _S469;
+    var _S434 : Lit_0;
+    _S434.paths_0 = paths_1;
+    _S434.light_12 = light_13;
+    _S434.shaded_0 = shaded_1;
+    _S434.moments_0 = moments_1;
+    return _S434;
 }
 
 fn not_lit_0() -> Lit_0
 {
-    var _S470 : vec3<f32> = vec3<f32>(0.0f);
-    return Lit_x24init_0(0.0f, _S470, _S470, _S470);
+    var _S435 : vec3<f32> = vec3<f32>(0.0f);
+    return Lit_x24init_0(0.0f, _S435, _S435, _S435);
 }
 
 struct Memory_0
@@ -6737,35 +6743,35 @@ struct Memory_0
      looks_0 : f32,
      direct_2 : vec3<f32>,
      albedo_2 : vec3<f32>,
-     normal_11 : vec3<f32>,
+     normal_12 : vec3<f32>,
      place_10 : vec3<f32>,
      roughness_1 : f32,
      coverage_0 : f32,
 };
 
-fn Memory_x24init_0( lit_1 : Lit_0,  looks_1 : f32,  direct_3 : vec3<f32>,  albedo_3 : vec3<f32>,  normal_12 : vec3<f32>,  place_11 : vec3<f32>,  roughness_2 : f32,  coverage_1 : f32) -> Memory_0
+fn Memory_x24init_0( lit_1 : Lit_0,  looks_1 : f32,  direct_3 : vec3<f32>,  albedo_3 : vec3<f32>,  normal_13 : vec3<f32>,  place_11 : vec3<f32>,  roughness_2 : f32,  coverage_1 : f32) -> Memory_0
 {
-    var _S471 : Memory_0;
-    _S471.lit_0 = lit_1;
-    _S471.looks_0 = looks_1;
-    _S471.direct_2 = direct_3;
-    _S471.albedo_2 = albedo_3;
-    _S471.normal_11 = normal_12;
-    _S471.place_10 = place_11;
-    _S471.roughness_1 = roughness_2;
-    _S471.coverage_0 = coverage_1;
-    return _S471;
+    var _S436 : Memory_0;
+    _S436.lit_0 = lit_1;
+    _S436.looks_0 = looks_1;
+    _S436.direct_2 = direct_3;
+    _S436.albedo_2 = albedo_3;
+    _S436.normal_12 = normal_13;
+    _S436.place_10 = place_11;
+    _S436.roughness_1 = roughness_2;
+    _S436.coverage_0 = coverage_1;
+    return _S436;
 }
 
 fn nothing_known_0() -> Memory_0
 {
-    var _S472 : vec3<f32> = vec3<f32>(0.0f);
-    return Memory_x24init_0(not_lit_0(), 0.0f, _S472, _S472, _S472, _S472, 0.0f, 0.0f);
+    var _S437 : vec3<f32> = vec3<f32>(0.0f);
+    return Memory_x24init_0(not_lit_0(), 0.0f, _S437, _S437, _S437, _S437, 0.0f, 0.0f);
 }
 
-fn memory_row_0( row_5 : u32,  index_31 : u32) -> vec4<u32>
+fn memory_row_0( row_13 : u32,  index_33 : u32) -> vec4<u32>
 {
-    return memory_rows_0[row_5 * real_time_0.pixels_0 + index_31];
+    return memory_rows_0[row_13 * real_time_0.pixels_0 + index_33];
 }
 
 fn low_half_0( word_9 : u32) -> f32
@@ -6778,28 +6784,28 @@ fn high_half_0( word_10 : u32) -> f32
     return unpack2x16float(word_10).y;
 }
 
-fn Lit_products_0( this_58 : Lit_0,  kept_0 : vec3<f32>) -> vec3<f32>
+fn Lit_products_0( this_60 : Lit_0,  kept_0 : vec3<f32>) -> vec3<f32>
 {
-    var l_0 : f32 = luminance_0(this_58.light_12);
-    var a_9 : f32 = luminance_0(kept_0);
-    return vec3<f32>(l_0 * l_0, l_0 * a_9, a_9 * a_9);
+    var l_0 : f32 = luminance_0(this_60.light_12);
+    var a_10 : f32 = luminance_0(kept_0);
+    return vec3<f32>(l_0 * l_0, l_0 * a_10, a_10 * a_10);
 }
 
 fn lit_of_0( paths_2 : f32,  light_14 : vec3<f32>,  words_3 : vec3<u32>) -> Lit_0
 {
-    var _S473 : u32 = words_3.x;
-    var _S474 : u32 = words_3.y;
-    var _S475 : Lit_0 = Lit_x24init_0(paths_2, light_14, vec3<f32>(low_half_0(_S473), high_half_0(_S473), low_half_0(_S474)), vec3<f32>(0.0f));
-    var lit_2 : Lit_0 = _S475;
-    var _S476 : u32 = words_3.z;
-    lit_2.moments_0 = Lit_products_0(_S475, lit_2.shaded_0) * (vec3<f32>(1.0f) + vec3<f32>(high_half_0(_S474), low_half_0(_S476), high_half_0(_S476)));
+    var _S438 : u32 = words_3.x;
+    var _S439 : u32 = words_3.y;
+    var _S440 : Lit_0 = Lit_x24init_0(paths_2, light_14, vec3<f32>(low_half_0(_S438), high_half_0(_S438), low_half_0(_S439)), vec3<f32>(0.0f));
+    var lit_2 : Lit_0 = _S440;
+    var _S441 : u32 = words_3.z;
+    lit_2.moments_0 = Lit_products_0(_S440, lit_2.shaded_0) * (vec3<f32>(1.0f) + vec3<f32>(high_half_0(_S439), low_half_0(_S441), high_half_0(_S441)));
     return lit_2;
 }
 
-fn load_lit_0( index_32 : u32) -> Lit_0
+fn load_lit_0( index_34 : u32) -> Lit_0
 {
-    var shaded_2 : vec4<u32> = memory_row_0(u32(1), index_32);
-    var light_15 : vec4<u32> = memory_row_0(u32(2), index_32);
+    var shaded_2 : vec4<u32> = memory_row_0(u32(1), index_34);
+    var light_15 : vec4<u32> = memory_row_0(u32(2), index_34);
     return lit_of_0(low_half_0(shaded_2.x), (bitcast<vec3<f32>>((light_15.xyz))), vec3<u32>(shaded_2.z, shaded_2.w, light_15.w));
 }
 
@@ -6808,49 +6814,49 @@ fn normal_in_0( word_11 : u32) -> vec3<f32>
     return vec3<f32>(vec3<i32>((i32((word_11 << (u32(22)))) >> (u32(22))), (i32((word_11 << (u32(12)))) >> (u32(22))), (i32((word_11 << (u32(2)))) >> (u32(22))))) * vec3<f32>(0.00195694714784622f);
 }
 
-fn load_memory_0( index_33 : u32) -> Memory_0
+fn load_memory_0( index_35 : u32) -> Memory_0
 {
-    var surface_6 : vec4<u32> = memory_row_0(u32(0), index_33);
-    var shaded_3 : vec4<u32> = memory_row_0(u32(1), index_33);
-    var seen_0 : vec4<u32> = memory_row_0(u32(3), index_33);
+    var surface_6 : vec4<u32> = memory_row_0(u32(0), index_35);
+    var shaded_3 : vec4<u32> = memory_row_0(u32(1), index_35);
+    var seen_0 : vec4<u32> = memory_row_0(u32(3), index_35);
     var memory_0 : Memory_0;
-    memory_0.lit_0 = load_lit_0(index_33);
+    memory_0.lit_0 = load_lit_0(index_35);
     memory_0.looks_0 = high_half_0(shaded_3.x);
-    var _S477 : u32 = seen_0.x;
-    var _S478 : u32 = seen_0.y;
-    memory_0.direct_2 = vec3<f32>(low_half_0(_S477), high_half_0(_S477), low_half_0(_S478));
-    var _S479 : u32 = seen_0.z;
-    memory_0.albedo_2 = vec3<f32>(high_half_0(_S478), low_half_0(_S479), high_half_0(_S479));
-    memory_0.normal_11 = normal_in_0(surface_6.w);
+    var _S442 : u32 = seen_0.x;
+    var _S443 : u32 = seen_0.y;
+    memory_0.direct_2 = vec3<f32>(low_half_0(_S442), high_half_0(_S442), low_half_0(_S443));
+    var _S444 : u32 = seen_0.z;
+    memory_0.albedo_2 = vec3<f32>(high_half_0(_S443), low_half_0(_S444), high_half_0(_S444));
+    memory_0.normal_12 = normal_in_0(surface_6.w);
     memory_0.place_10 = (bitcast<vec3<f32>>((surface_6.xyz)));
-    var _S480 : u32 = shaded_3.y;
-    memory_0.roughness_1 = high_half_0(_S480);
-    memory_0.coverage_0 = low_half_0(_S480);
+    var _S445 : u32 = shaded_3.y;
+    memory_0.roughness_1 = high_half_0(_S445);
+    memory_0.coverage_0 = low_half_0(_S445);
     return memory_0;
 }
 
-fn Memory_look_anew_0( this_59 : ptr<function, Memory_0>)
+fn Memory_look_anew_0( this_61 : ptr<function, Memory_0>)
 {
-    (*this_59).looks_0 = 0.0f;
-    (*this_59).coverage_0 = 0.0f;
-    (*this_59).roughness_1 = 0.0f;
+    (*this_61).looks_0 = 0.0f;
+    (*this_61).coverage_0 = 0.0f;
+    (*this_61).roughness_1 = 0.0f;
     return;
 }
 
-fn scratch_row_0( row_6 : u32,  index_34 : u32) -> vec2<u32>
+fn scratch_row_0( row_14 : u32,  index_36 : u32) -> vec2<u32>
 {
-    return scratch_0[row_6 * real_time_0.slots_0 + index_34];
+    return scratch_0[row_14 * real_time_0.slots_0 + index_36];
 }
 
-fn load_known_0( index_35 : u32) -> Lit_0
+fn load_known_0( index_37 : u32) -> Lit_0
 {
-    var light_16 : vec2<u32> = scratch_row_0(u32(7), index_35);
-    var _S481 : u32 = light_16.y;
-    var _S482 : u32 = light_16.x;
-    return lit_of_0(high_half_0(_S481), vec3<f32>(low_half_0(_S482), high_half_0(_S482), low_half_0(_S481)), vec3<u32>(scratch_row_0(u32(8), index_35), scratch_row_0(u32(9), index_35).x));
+    var light_16 : vec2<u32> = scratch_row_0(u32(7), index_37);
+    var _S446 : u32 = light_16.y;
+    var _S447 : u32 = light_16.x;
+    return lit_of_0(high_half_0(_S446), vec3<f32>(low_half_0(_S447), high_half_0(_S447), low_half_0(_S446)), vec3<u32>(scratch_row_0(u32(8), index_37), scratch_row_0(u32(9), index_37).x));
 }
 
-fn memory_before_0( index_36 : u32) -> Memory_0
+fn memory_before_0( index_38 : u32) -> Memory_0
 {
     var memory_1 : Memory_0 = nothing_known_0();
     if(!has_0(u32(4)))
@@ -6859,109 +6865,109 @@ fn memory_before_0( index_36 : u32) -> Memory_0
     }
     if(has_0(u32(16)))
     {
-        memory_1 = load_memory_0(index_36);
+        memory_1 = load_memory_0(index_38);
         if(!has_0(u32(8)))
         {
             Memory_look_anew_0(&(memory_1));
         }
         return memory_1;
     }
-    memory_1.lit_0 = load_known_0(index_36);
+    memory_1.lit_0 = load_known_0(index_38);
     return memory_1;
 }
 
-fn load_sample_0( index_37 : u32) -> Sample_0
+fn load_sample_0( index_39 : u32) -> Sample_0
 {
-    var b_9 : vec2<u32> = scratch_row_0(u32(1), index_37);
-    var d_4 : vec2<f32> = (bitcast<vec2<f32>>((scratch_row_0(u32(3), index_37))));
-    var g_0 : vec2<u32> = scratch_row_0(u32(6), index_37);
+    var b_10 : vec2<u32> = scratch_row_0(u32(1), index_39);
+    var d_4 : vec2<f32> = (bitcast<vec2<f32>>((scratch_row_0(u32(3), index_39))));
+    var g_0 : vec2<u32> = scratch_row_0(u32(6), index_39);
     var sample_20 : Sample_0;
-    sample_20.light_6 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(0), index_37)))), (bitcast<f32>((b_9.x))));
-    sample_20.instance_7 = b_9.y;
-    sample_20.direct_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(2), index_37)))), d_4.x);
-    sample_20.place_3 = vec3<f32>(d_4.y, (bitcast<vec2<f32>>((scratch_row_0(u32(4), index_37)))));
-    sample_20.albedo_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(5), index_37)))), (bitcast<f32>((g_0.x))));
-    var _S483 : u32 = g_0.y;
-    sample_20.normal_4 = normal_in_0(_S483);
-    sample_20.is_shown_0 = ((_S483 & (u32(1073741824)))) != u32(0);
+    sample_20.light_6 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(0), index_39)))), (bitcast<f32>((b_10.x))));
+    sample_20.instance_8 = b_10.y;
+    sample_20.direct_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(2), index_39)))), d_4.x);
+    sample_20.place_3 = vec3<f32>(d_4.y, (bitcast<vec2<f32>>((scratch_row_0(u32(4), index_39)))));
+    sample_20.albedo_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(5), index_39)))), (bitcast<f32>((g_0.x))));
+    var _S448 : u32 = g_0.y;
+    sample_20.normal_4 = normal_in_0(_S448);
+    sample_20.is_shown_0 = ((_S448 & (u32(1073741824)))) != u32(0);
     return sample_20;
 }
 
-fn Memory_look_0( this_60 : ptr<function, Memory_0>,  sample_21 : Sample_0)
+fn Memory_look_0( this_62 : ptr<function, Memory_0>,  sample_21 : Sample_0)
 {
-    var _S484 : f32 = (*this_60).looks_0 + 1.0f;
-    (*this_60).looks_0 = _S484;
-    var share_8 : f32 = 1.0f / _S484;
-    var _S485 : vec3<f32> = vec3<f32>(share_8);
-    (*this_60).direct_2 = (*this_60).direct_2 + (sample_21.direct_0 - (*this_60).direct_2) * _S485;
-    (*this_60).albedo_2 = (*this_60).albedo_2 + (sample_21.albedo_0 - (*this_60).albedo_2) * _S485;
+    var _S449 : f32 = (*this_62).looks_0 + 1.0f;
+    (*this_62).looks_0 = _S449;
+    var share_8 : f32 = 1.0f / _S449;
+    var _S450 : vec3<f32> = vec3<f32>(share_8);
+    (*this_62).direct_2 = (*this_62).direct_2 + (sample_21.direct_0 - (*this_62).direct_2) * _S450;
+    (*this_62).albedo_2 = (*this_62).albedo_2 + (sample_21.albedo_0 - (*this_62).albedo_2) * _S450;
     if(!sample_21.is_shown_0)
     {
-        (*this_60).coverage_0 = (*this_60).coverage_0 - (*this_60).coverage_0 * share_8;
+        (*this_62).coverage_0 = (*this_62).coverage_0 - (*this_62).coverage_0 * share_8;
         return;
     }
-    var covered_0 : f32 = (*this_60).coverage_0 * ((*this_60).looks_0 - 1.0f) + 1.0f;
-    (*this_60).coverage_0 = covered_0 * share_8;
+    var covered_0 : f32 = (*this_62).coverage_0 * ((*this_62).looks_0 - 1.0f) + 1.0f;
+    (*this_62).coverage_0 = covered_0 * share_8;
     var of_covered_0 : f32 = 1.0f / covered_0;
-    var before_0 : vec3<f32> = (*this_60).place_10;
-    var _S486 : vec3<f32> = vec3<f32>(of_covered_0);
-    (*this_60).normal_11 = (*this_60).normal_11 + (sample_21.normal_4 - (*this_60).normal_11) * _S486;
-    (*this_60).place_10 = (*this_60).place_10 + (sample_21.place_3 - (*this_60).place_10) * _S486;
+    var before_0 : vec3<f32> = (*this_62).place_10;
+    var _S451 : vec3<f32> = vec3<f32>(of_covered_0);
+    (*this_62).normal_12 = (*this_62).normal_12 + (sample_21.normal_4 - (*this_62).normal_12) * _S451;
+    (*this_62).place_10 = (*this_62).place_10 + (sample_21.place_3 - (*this_62).place_10) * _S451;
     if(covered_0 > 1.0f)
     {
-        var along_1 : f32 = dot_product_0((*this_60).normal_11, sample_21.place_3 - before_0);
-        (*this_60).roughness_1 = (*this_60).roughness_1 + (along_1 * along_1 / max(length_squared_0((*this_60).normal_11), 9.99999997475242708e-07f) * (1.0f - of_covered_0) - (*this_60).roughness_1) * of_covered_0;
+        var along_1 : f32 = dot_product_0((*this_62).normal_12, sample_21.place_3 - before_0);
+        (*this_62).roughness_1 = (*this_62).roughness_1 + (along_1 * along_1 / max(length_squared_0((*this_62).normal_12), 9.99999997475242708e-07f) * (1.0f - of_covered_0) - (*this_62).roughness_1) * of_covered_0;
     }
     return;
 }
 
-fn Lit_add_0( this_61 : ptr<function, Lit_0>,  found_1 : vec3<f32>,  albedo_4 : vec3<f32>,  most_0 : f32)
+fn Lit_add_0( this_63 : ptr<function, Lit_0>,  found_2 : vec3<f32>,  albedo_4 : vec3<f32>,  most_0 : f32)
 {
-    var _S487 : f32 = min((*this_61).paths_0 + 1.0f, most_0);
-    (*this_61).paths_0 = _S487;
-    var l_1 : f32 = luminance_0(found_1);
-    var a_10 : f32 = luminance_0(albedo_4);
-    var _S488 : vec3<f32> = vec3<f32>((1.0f / _S487));
-    (*this_61).light_12 = (*this_61).light_12 + (found_1 - (*this_61).light_12) * _S488;
-    (*this_61).shaded_0 = (*this_61).shaded_0 + (albedo_4 - (*this_61).shaded_0) * _S488;
-    (*this_61).moments_0 = (*this_61).moments_0 + (vec3<f32>(l_1 * l_1, l_1 * a_10, a_10 * a_10) - (*this_61).moments_0) * _S488;
+    var _S452 : f32 = min((*this_63).paths_0 + 1.0f, most_0);
+    (*this_63).paths_0 = _S452;
+    var l_1 : f32 = luminance_0(found_2);
+    var a_11 : f32 = luminance_0(albedo_4);
+    var _S453 : vec3<f32> = vec3<f32>((1.0f / _S452));
+    (*this_63).light_12 = (*this_63).light_12 + (found_2 - (*this_63).light_12) * _S453;
+    (*this_63).shaded_0 = (*this_63).shaded_0 + (albedo_4 - (*this_63).shaded_0) * _S453;
+    (*this_63).moments_0 = (*this_63).moments_0 + (vec3<f32>(l_1 * l_1, l_1 * a_11, a_11 * a_11) - (*this_63).moments_0) * _S453;
     return;
 }
 
-fn Memory_add_0( this_62 : ptr<function, Memory_0>,  sample_22 : Sample_0,  most_1 : f32)
+fn Memory_add_0( this_64 : ptr<function, Memory_0>,  sample_22 : Sample_0,  most_1 : f32)
 {
-    Memory_look_0(&((*this_62)), sample_22);
-    var _S489 : Lit_0 = (*this_62).lit_0;
-    Lit_add_0(&(_S489), sample_22.light_6, sample_22.albedo_0, most_1);
-    (*this_62).lit_0 = _S489;
+    Memory_look_0(&((*this_64)), sample_22);
+    var _S454 : Lit_0 = (*this_64).lit_0;
+    Lit_add_0(&(_S454), sample_22.light_6, sample_22.albedo_0, most_1);
+    (*this_64).lit_0 = _S454;
     return;
 }
 
-fn is_far_5( a_11 : vec3<f32>,  b_10 : vec3<f32>) -> bool
+fn is_far_5( a_12 : vec3<f32>,  b_11 : vec3<f32>) -> bool
 {
-    return (any(((abs(a_11 - b_10)) > (max(a_11, b_10) * vec3<f32>(0.10000000149011612f) + vec3<f32>(0.00999999977648258f)))));
+    return (any(((abs(a_12 - b_11)) > (max(a_12, b_11) * vec3<f32>(0.10000000149011612f) + vec3<f32>(0.00999999977648258f)))));
 }
 
-fn differ_0( a_12 : Sample_0,  b_11 : Sample_0) -> bool
+fn differ_0( a_13 : Sample_0,  b_12 : Sample_0) -> bool
 {
-    var _S490 : bool;
-    if((a_12.is_shown_0) != (b_11.is_shown_0))
+    var _S455 : bool;
+    if((a_13.is_shown_0) != (b_12.is_shown_0))
     {
-        _S490 = true;
+        _S455 = true;
     }
     else
     {
-        _S490 = is_far_5(a_12.direct_0, b_11.direct_0);
+        _S455 = is_far_5(a_13.direct_0, b_12.direct_0);
     }
-    if(_S490)
+    if(_S455)
     {
-        _S490 = true;
+        _S455 = true;
     }
     else
     {
-        _S490 = is_far_5(a_12.albedo_0, b_11.albedo_0);
+        _S455 = is_far_5(a_13.albedo_0, b_12.albedo_0);
     }
-    return _S490;
+    return _S455;
 }
 
 fn halves_1( low_13 : f32,  high_6 : f32) -> u32
@@ -6969,39 +6975,39 @@ fn halves_1( low_13 : f32,  high_6 : f32) -> u32
     return pack2x16float(clamp(vec2<f32>(low_13, high_6), vec2<f32>(-65504.0f), vec2<f32>(65504.0f)));
 }
 
-fn Lit_beyond_0( this_63 : Lit_0,  kept_1 : vec3<f32>) -> vec3<f32>
+fn Lit_beyond_0( this_65 : Lit_0,  kept_1 : vec3<f32>) -> vec3<f32>
 {
-    var products_0 : vec3<f32> = Lit_products_0(this_63, kept_1);
-    var _S491 : vec3<f32> = vec3<f32>(1.00000000317107685e-30f);
-    return select(vec3<f32>(0.0f), this_63.moments_0 / max(products_0, _S491) - vec3<f32>(1.0f), products_0 > _S491);
+    var products_0 : vec3<f32> = Lit_products_0(this_65, kept_1);
+    var _S456 : vec3<f32> = vec3<f32>(1.00000000317107685e-30f);
+    return select(vec3<f32>(0.0f), this_65.moments_0 / max(products_0, _S456) - vec3<f32>(1.0f), products_0 > _S456);
 }
 
 fn words_of_0( lit_3 : Lit_0) -> vec3<u32>
 {
-    var first_2 : u32 = halves_1(lit_3.shaded_0.x, lit_3.shaded_0.y);
-    var last_7 : f32 = low_half_0(halves_1(lit_3.shaded_0.z, 0.0f));
-    var beyond_13 : vec3<f32> = Lit_beyond_0(lit_3, vec3<f32>(low_half_0(first_2), high_half_0(first_2), last_7));
-    return vec3<u32>(first_2, halves_1(last_7, beyond_13.x), halves_1(beyond_13.y, beyond_13.z));
+    var first_1 : u32 = halves_1(lit_3.shaded_0.x, lit_3.shaded_0.y);
+    var last_8 : f32 = low_half_0(halves_1(lit_3.shaded_0.z, 0.0f));
+    var beyond_13 : vec3<f32> = Lit_beyond_0(lit_3, vec3<f32>(low_half_0(first_1), high_half_0(first_1), last_8));
+    return vec3<u32>(first_1, halves_1(last_8, beyond_13.x), halves_1(beyond_13.y, beyond_13.z));
 }
 
-fn store_memory_0( index_38 : u32,  memory_2 : Memory_0)
+fn store_memory_0( index_40 : u32,  memory_2 : Memory_0)
 {
     var pixels_2 : u32 = real_time_0.pixels_0;
     var words_4 : vec3<u32> = words_of_0(memory_2.lit_0);
-    var _S492 : u32 = packed_normal_0(memory_2.normal_11);
-    var _S493 : u32;
+    var _S457 : u32 = packed_normal_0(memory_2.normal_12);
+    var _S458 : u32;
     if((memory_2.coverage_0) > 0.0f)
     {
-        _S493 = u32(1073741824);
+        _S458 = u32(1073741824);
     }
     else
     {
-        _S493 = u32(0);
+        _S458 = u32(0);
     }
-    memory_rows_0[index_38] = vec4<u32>((bitcast<vec3<u32>>((memory_2.place_10))), (_S492 | (_S493)));
-    memory_rows_0[pixels_2 + index_38] = vec4<u32>(halves_1(memory_2.lit_0.paths_0, memory_2.looks_0), halves_1(memory_2.coverage_0, memory_2.roughness_1), words_4.x, words_4.y);
-    memory_rows_0[u32(2) * pixels_2 + index_38] = vec4<u32>((bitcast<vec3<u32>>((memory_2.lit_0.light_12))), words_4.z);
-    memory_rows_0[u32(3) * pixels_2 + index_38] = vec4<u32>(halves_1(memory_2.direct_2.x, memory_2.direct_2.y), halves_1(memory_2.direct_2.z, memory_2.albedo_2.x), halves_1(memory_2.albedo_2.y, memory_2.albedo_2.z), u32(0));
+    memory_rows_0[index_40] = vec4<u32>((bitcast<vec3<u32>>((memory_2.place_10))), (_S457 | (_S458)));
+    memory_rows_0[pixels_2 + index_40] = vec4<u32>(halves_1(memory_2.lit_0.paths_0, memory_2.looks_0), halves_1(memory_2.coverage_0, memory_2.roughness_1), words_4.x, words_4.y);
+    memory_rows_0[u32(2) * pixels_2 + index_40] = vec4<u32>((bitcast<vec3<u32>>((memory_2.lit_0.light_12))), words_4.z);
+    memory_rows_0[u32(3) * pixels_2 + index_40] = vec4<u32>(halves_1(memory_2.direct_2.x, memory_2.direct_2.y), halves_1(memory_2.direct_2.z, memory_2.albedo_2.x), halves_1(memory_2.albedo_2.y, memory_2.albedo_2.z), u32(0));
     return;
 }
 
@@ -7010,14 +7016,13 @@ fn store_memory_0( index_38 : u32,  memory_2 : Memory_0)
 fn remember(@builtin(global_invocation_id) id_1 : vec3<u32>)
 {
     first_candidates_0 = u32(1);
-    is_page_missing_0 = false;
     ends_here_0 = false;
     var at_19 : vec2<u32> = pixel_that_traces_0(id_1.x);
     if(is_inside_0(vec2<i32>(at_19)))
     {
-        var index_39 : u32 = index_of_0(at_19);
-        var memory_3 : Memory_0 = memory_before_0(index_39);
-        var sample_23 : Sample_0 = load_sample_0(index_39);
+        var index_41 : u32 = index_of_0(at_19);
+        var memory_3 : Memory_0 = memory_before_0(index_41);
+        var sample_23 : Sample_0 = load_sample_0(index_41);
         Memory_add_0(&(memory_3), sample_23, real_time_0.most_paths_0);
         var is_in_motion_0 : bool;
         if(has_0(u32(4)))
@@ -7028,18 +7033,18 @@ fn remember(@builtin(global_invocation_id) id_1 : vec3<u32>)
         {
             is_in_motion_0 = false;
         }
-        var _S494 : f32;
+        var _S459 : f32;
         if(is_in_motion_0)
         {
-            _S494 = 4.0f;
+            _S459 = 4.0f;
         }
         else
         {
-            _S494 = 16.0f;
+            _S459 = 16.0f;
         }
         var look_0 : Walker_0;
-        var _S495 : Sample_0 = no_sample_0();
-        var seen_1 : Sample_0 = _S495;
+        var _S460 : Sample_0 = no_sample_0();
+        var seen_1 : Sample_0 = _S460;
         var is_under_way_1 : bool = false;
         var differs_0 : bool = false;
         var looks_2 : u32 = u32(0);
@@ -7053,17 +7058,17 @@ fn remember(@builtin(global_invocation_id) id_1 : vec3<u32>)
             {
                 if(has_0(u32(2)))
                 {
-                    var _S496 : f32 = memory_3.looks_0;
-                    var _S497 : f32;
+                    var _S461 : f32 = memory_3.looks_0;
+                    var _S462 : f32;
                     if(differs_0)
                     {
-                        _S497 = _S494;
+                        _S462 = _S459;
                     }
                     else
                     {
-                        _S497 = 4.0f;
+                        _S462 = 4.0f;
                     }
-                    is_in_motion_0 = _S496 < _S497;
+                    is_in_motion_0 = _S461 < _S462;
                 }
                 else
                 {
@@ -7080,28 +7085,28 @@ fn remember(@builtin(global_invocation_id) id_1 : vec3<u32>)
             if(!is_under_way_1)
             {
                 var looks_3 : u32 = looks_2 + u32(1);
-                look_0 = at_camera_0(at_19, FrameParams_camera_0(), Sampler_x24init_0(((params_0.seed_0) ^ (u32(2246822507))), index_39, u32(16) * real_time_0.number_0 + looks_3), false);
-                seen_1 = _S495;
+                look_0 = at_camera_0(at_19, FrameParams_camera_0(), Sampler_x24init_0(((params_0.seed_0) ^ (u32(2246822507))), index_41, u32(16) * real_time_0.number_0 + looks_3), false);
+                seen_1 = _S460;
                 looks_2 = looks_3;
             }
             var is_under_way_2 : bool = goes_on_5(&(look_0), &(seen_1));
             if(!is_under_way_2)
             {
-                var _S498 : bool;
+                var _S463 : bool;
                 if(differs_0)
                 {
-                    _S498 = true;
+                    _S463 = true;
                 }
                 else
                 {
-                    _S498 = differ_0(seen_1, sample_23);
+                    _S463 = differ_0(seen_1, sample_23);
                 }
                 Memory_look_0(&(memory_3), seen_1);
-                differs_0 = _S498;
+                differs_0 = _S463;
             }
             is_under_way_1 = is_under_way_2;
         }
-        store_memory_0(index_39, memory_3);
+        store_memory_0(index_41, memory_3);
     }
     return;
 }

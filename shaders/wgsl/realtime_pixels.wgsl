@@ -1,3 +1,4 @@
+var<private> infinity_bits_0 : u32 = 2139095040u;
 @binding(27) @group(0) var<storage, read_write> cell_keys_0 : array<atomic<u32>>;
 
 @binding(28) @group(0) var<storage, read_write> cell_rows_0 : array<vec4<u32>>;
@@ -1678,7 +1679,7 @@ fn Ray_x24init_0( origin_1 : vec3<f32>,  t_min_1 : f32,  direction_1 : vec3<f32>
 
 fn ray_from_0( origin_2 : vec3<f32>,  direction_2 : vec3<f32>) -> Ray_0
 {
-    return Ray_x24init_0(origin_2, 0.0f, direction_2, (bitcast<f32>((u32(2139095040)))));
+    return Ray_x24init_0(origin_2, 0.0f, direction_2, (bitcast<f32>(infinity_bits_0)));
 }
 
 fn ThinLens_ray_0( this_2 : ThinLens_0,  position_0 : vec2<f32>,  lens_4 : vec2<f32>) -> Ray_0
@@ -1957,7 +1958,7 @@ fn cubic_0( wanted_2 : Wanted_0,  corner_7 : vec2<i32>,  share_3 : vec2<f32>,  l
     (*lit_2) = not_lit_0();
     var _S157 : vec4<f32> = cubic_weights_0(share_3.x);
     var _S158 : vec4<f32> = cubic_weights_0(share_3.y);
-    var INFINITY_0 : f32 = (bitcast<f32>((u32(2139095040))));
+    var INFINITY_0 : f32 = (bitcast<f32>(infinity_bits_0));
     var is_whole_0 : bool = true;
     var least_1 : f32 = INFINITY_0;
     var place_6 : i32 = i32(0);
@@ -2060,7 +2061,7 @@ fn linear_mean_0( wanted_3 : Wanted_0,  corner_8 : vec2<i32>,  share_4 : vec2<f3
 
 fn nearest_0( wanted_4 : Wanted_0,  at_18 : vec2<f32>) -> Lit_0
 {
-    var least_2 : f32 = (bitcast<f32>((u32(2139095040))));
+    var least_2 : f32 = (bitcast<f32>(infinity_bits_0));
     var best_0 : u32 = real_time_0.pixels_0;
     var place_8 : i32 = i32(0);
     for(;;)

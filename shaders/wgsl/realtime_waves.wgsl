@@ -1,3 +1,4 @@
+var<private> infinity_bits_0 : u32 = 2139095040u;
 struct RealTimeParams_std140_0
 {
     @align(16) eye_0 : vec3<f32>,
@@ -84,60 +85,13 @@ struct FrameParams_std140_0
 
 @binding(28) @group(0) var<storage, read_write> cell_rows_0 : array<vec4<u32>>;
 
-struct Transform_std430_0
-{
-    @align(4) x_axis_0 : array<f32, i32(3)>,
-    @align(4) y_axis_0 : array<f32, i32(3)>,
-    @align(4) z_axis_0 : array<f32, i32(3)>,
-    @align(4) translation_0 : array<f32, i32(3)>,
-};
-
-struct PackedInstance_std430_0
-{
-    @align(4) grid_from_world_0 : Transform_std430_0,
-    @align(4) world_from_grid_0 : Transform_std430_0,
-    @align(4) grid_0 : u32,
-    @align(4) scene_instance_0 : u32,
-    @align(4) light_leaf_0 : u32,
-};
-
-@binding(4) @group(0) var<storage, read> instances_0 : array<PackedInstance_std430_0>;
-
-struct PackedGrid_std430_0
-{
-    @align(4) origin_0 : array<i32, i32(3)>,
-    @align(4) top_shift_0 : u32,
-    @align(4) top_size_0 : array<i32, i32(3)>,
-    @align(4) top_offset_0 : u32,
-    @align(4) min_0 : array<i32, i32(3)>,
-    @align(4) voxels_0 : array<u32, i32(2)>,
-    @align(4) max_0 : array<i32, i32(3)>,
-    @align(4) material_bits_0 : u32,
-};
-
-@binding(3) @group(0) var<storage, read> grids_0 : array<PackedGrid_std430_0>;
-
-@binding(21) @group(0) var<storage, read_write> pages_0 : array<u32>;
+@binding(3) @group(0) var<storage, read> records_0 : array<vec4<u32>>;
 
 @binding(0) @group(0) var<storage, read> cells_1 : array<u32>;
 
 @binding(1) @group(0) var<storage, read> bricks_0 : array<u32>;
 
-struct InstanceNode_std430_0
-{
-    @align(4) min_1 : array<f32, i32(3)>,
-    @align(4) index_0 : u32,
-    @align(4) max_1 : array<f32, i32(3)>,
-    @align(4) is_leaf_0 : u32,
-};
-
-@binding(5) @group(0) var<storage, read> instance_nodes_0 : array<InstanceNode_std430_0>;
-
 @binding(26) @group(0) var<storage, read_write> scratch_0 : array<vec2<u32>>;
-
-@binding(17) @group(0) var<storage, read> top_light_node_rows_0 : array<vec4<u32>>;
-
-@binding(6) @group(0) var<storage, read> material_rows_0 : array<vec4<u32>>;
 
 struct EnvironmentTexel_std430_0
 {
@@ -150,10 +104,6 @@ struct EnvironmentTexel_std430_0
 @binding(19) @group(0) var<storage, read> environment_0 : array<EnvironmentTexel_std430_0>;
 
 @binding(2) @group(0) var<storage, read> brick_materials_0 : array<u32>;
-
-@binding(8) @group(0) var<storage, read> light_node_rows_0 : array<vec4<u32>>;
-
-@binding(7) @group(0) var<storage, read> emitter_rows_0 : array<vec4<u32>>;
 
 @binding(25) @group(0) var<storage, read_write> memory_rows_0 : array<vec4<u32>>;
 
@@ -171,15 +121,84 @@ struct Hit_0
 
 struct Ray_0
 {
-     origin_1 : vec3<f32>,
+     origin_0 : vec3<f32>,
      t_min_0 : f32,
      direction_0 : vec3<f32>,
      t_max_0 : f32,
 };
 
+struct Transform_0
+{
+     x_axis_0 : array<f32, i32(3)>,
+     y_axis_0 : array<f32, i32(3)>,
+     z_axis_0 : array<f32, i32(3)>,
+     translation_0 : array<f32, i32(3)>,
+};
+
+struct PackedInstance_0
+{
+     grid_from_world_0 : Transform_0,
+     world_from_grid_0 : Transform_0,
+     grid_0 : u32,
+     scene_instance_0 : u32,
+     light_leaf_0 : u32,
+};
+
+fn first_row_0( array_0 : u32) -> u32
+{
+    return records_0[(array_0 >> (u32(2)))][(array_0 & (u32(3)))];
+}
+
+fn transform_in_0( row_0 : u32) -> Transform_0
+{
+    var a_0 : vec4<u32> = records_0[row_0];
+    var b_0 : vec4<u32> = records_0[row_0 + u32(1)];
+    var c_0 : vec4<u32> = records_0[row_0 + u32(2)];
+    var transform_0 : Transform_0;
+    var _S1 : f32 = (bitcast<f32>((a_0.y)));
+    var _S2 : f32 = (bitcast<f32>((a_0.z)));
+    transform_0.x_axis_0[i32(0)] = (bitcast<f32>((a_0.x)));
+    transform_0.x_axis_0[i32(1)] = _S1;
+    transform_0.x_axis_0[i32(2)] = _S2;
+    var _S3 : f32 = (bitcast<f32>((b_0.x)));
+    var _S4 : f32 = (bitcast<f32>((b_0.y)));
+    transform_0.y_axis_0[i32(0)] = (bitcast<f32>((a_0.w)));
+    transform_0.y_axis_0[i32(1)] = _S3;
+    transform_0.y_axis_0[i32(2)] = _S4;
+    var _S5 : f32 = (bitcast<f32>((b_0.w)));
+    var _S6 : f32 = (bitcast<f32>((c_0.x)));
+    transform_0.z_axis_0[i32(0)] = (bitcast<f32>((b_0.z)));
+    transform_0.z_axis_0[i32(1)] = _S5;
+    transform_0.z_axis_0[i32(2)] = _S6;
+    var _S7 : f32 = (bitcast<f32>((c_0.z)));
+    var _S8 : f32 = (bitcast<f32>((c_0.w)));
+    transform_0.translation_0[i32(0)] = (bitcast<f32>((c_0.y)));
+    transform_0.translation_0[i32(1)] = _S7;
+    transform_0.translation_0[i32(2)] = _S8;
+    return transform_0;
+}
+
+fn PackedInstance_x24init_0( grid_from_world_1 : Transform_0,  world_from_grid_1 : Transform_0,  grid_1 : u32,  scene_instance_1 : u32,  light_leaf_1 : u32) -> PackedInstance_0
+{
+    var _S9 : PackedInstance_0;
+    _S9.grid_from_world_0 = grid_from_world_1;
+    _S9.world_from_grid_0 = world_from_grid_1;
+    _S9.grid_0 = grid_1;
+    _S9.scene_instance_0 = scene_instance_1;
+    _S9.light_leaf_0 = light_leaf_1;
+    return _S9;
+}
+
+fn Instances_operatorx5Bx5D_get_0( index_0 : u32) -> PackedInstance_0
+{
+    var row_1 : u32 = first_row_0(u32(1)) + u32(7) * index_0;
+    var last_0 : vec4<u32> = records_0[row_1 + u32(6)];
+    return PackedInstance_x24init_0(transform_in_0(row_1), transform_in_0(row_1 + u32(3)), last_0.x, last_0.y, last_0.z);
+}
+
 struct LocalRay_0
 {
-     origin_2 : vec3<f32>,
+     origin_1 : vec3<f32>,
      direction_1 : vec3<f32>,
      inverse_0 : vec3<f32>,
      t_min_1 : f32,
@@ -194,14 +213,14 @@ fn vector_of_0( values_0 : array<f32, i32(3)>) -> vec3<f32>
     return vec3<f32>(values_0[i32(0)], values_0[i32(1)], values_0[i32(2)]);
 }
 
-fn Transform_direction_0( _S1 : u32,  _S2 : vec3<f32>) -> vec3<f32>
+fn Transform_direction_0( this_0 : Transform_0,  v_0 : vec3<f32>) -> vec3<f32>
 {
-    return vector_of_0(instances_0[_S1].grid_from_world_0.x_axis_0) * vec3<f32>(_S2.x) + vector_of_0(instances_0[_S1].grid_from_world_0.y_axis_0) * vec3<f32>(_S2.y) + vector_of_0(instances_0[_S1].grid_from_world_0.z_axis_0) * vec3<f32>(_S2.z);
+    return vector_of_0(this_0.x_axis_0) * vec3<f32>(v_0.x) + vector_of_0(this_0.y_axis_0) * vec3<f32>(v_0.y) + vector_of_0(this_0.z_axis_0) * vec3<f32>(v_0.z);
 }
 
-fn Transform_point_0( _S3 : u32,  _S4 : vec3<f32>) -> vec3<f32>
+fn Transform_point_0( this_1 : Transform_0,  v_1 : vec3<f32>) -> vec3<f32>
 {
-    return Transform_direction_0(_S3, _S4) + vector_of_0(instances_0[_S3].grid_from_world_0.translation_0);
+    return Transform_direction_0(this_1, v_1) + vector_of_0(this_1.translation_0);
 }
 
 @id(0) override IS_EXACT_0 : bool = true;
@@ -215,48 +234,48 @@ fn nearest_quotient_0( dividend_0 : u32,  divisor_0 : u32,  guess_0 : u32) -> u3
 {
     var rest_1 : i32 = i32(((dividend_0 << (u32(23)))) - guess_0 * divisor_0);
     var units_0 : i32 = i32(floor(f32(rest_1) * (1.0f / f32(divisor_0)) + 0.5f));
-    var _S5 : i32 = i32(divisor_0);
-    var _S6 : i32 = i32(2) * (rest_1 - units_0 * _S5);
-    return guess_0 + u32(units_0 + (i32(_S6 > _S5) - i32(_S6 < (- _S5))));
+    var _S10 : i32 = i32(divisor_0);
+    var _S11 : i32 = i32(2) * (rest_1 - units_0 * _S10);
+    return guess_0 + u32(units_0 + (i32(_S11 > _S10) - i32(_S11 < (- _S10))));
 }
 
-fn divide_0( a_0 : f32,  b_0 : f32) -> f32
+fn divide_0( a_1 : f32,  b_1 : f32) -> f32
 {
     if(!IS_EXACT_0)
     {
-        return a_0 / b_0;
+        return a_1 / b_1;
     }
-    var _S7 : u32 = (bitcast<u32>((a_0)));
-    var exponent_a_0 : u32 = (((_S7 >> (u32(23)))) & (u32(255)));
-    var _S8 : u32 = (bitcast<u32>((b_0)));
-    var exponent_b_0 : u32 = (((_S8 >> (u32(23)))) & (u32(255)));
-    var dividend_1 : u32 = (((_S7 & (u32(8388607)))) | (u32(8388608)));
-    var divisor_1 : u32 = (((_S8 & (u32(8388607)))) | (u32(8388608)));
+    var _S12 : u32 = (bitcast<u32>((a_1)));
+    var exponent_a_0 : u32 = (((_S12 >> (u32(23)))) & (u32(255)));
+    var _S13 : u32 = (bitcast<u32>((b_1)));
+    var exponent_b_0 : u32 = (((_S13 >> (u32(23)))) & (u32(255)));
+    var dividend_1 : u32 = (((_S12 & (u32(8388607)))) | (u32(8388608)));
+    var divisor_1 : u32 = (((_S13 & (u32(8388607)))) | (u32(8388608)));
     var is_below_0 : u32 = u32(dividend_1 < divisor_1);
     var dividend_2 : u32 = (dividend_1 << (is_below_0));
     var exponent_1 : u32 = exponent_a_0 + u32(127) - exponent_b_0 - is_below_0;
-    var _S9 : bool;
+    var _S14 : bool;
     if(!is_normal_0(exponent_a_0))
     {
-        _S9 = true;
+        _S14 = true;
     }
     else
     {
-        _S9 = !is_normal_0(exponent_b_0);
+        _S14 = !is_normal_0(exponent_b_0);
     }
-    if(_S9)
+    if(_S14)
     {
-        _S9 = true;
+        _S14 = true;
     }
     else
     {
-        _S9 = !is_normal_0(exponent_1);
+        _S14 = !is_normal_0(exponent_1);
     }
-    if(_S9)
+    if(_S14)
     {
-        return a_0 / b_0;
+        return a_1 / b_1;
     }
-    return (bitcast<f32>(((((((_S7 ^ (_S8))) & (u32(2147483648)))) | ((((exponent_1 << (u32(23)))) + (nearest_quotient_0(dividend_2, divisor_1, u32(f32(dividend_2) * (1.0f / f32(divisor_1)) * 8.388608e+06f)) - u32(8388608))))))));
+    return (bitcast<f32>(((((((_S12 ^ (_S13))) & (u32(2147483648)))) | ((((exponent_1 << (u32(23)))) + (nearest_quotient_0(dividend_2, divisor_1, u32(f32(dividend_2) * (1.0f / f32(divisor_1)) * 8.388608e+06f)) - u32(8388608))))))));
 }
 
 fn reciprocal_0( vector_0 : vec3<f32>) -> vec3<f32>
@@ -269,28 +288,28 @@ fn max_element_0( vector_1 : vec3<f32>) -> f32
     return max(max(vector_1.x, vector_1.y), vector_1.z);
 }
 
-fn local_ray_0( _S10 : Ray_0,  _S11 : u32) -> LocalRay_0
+fn local_ray_0( ray_0 : Ray_0,  grid_from_world_2 : Transform_0) -> LocalRay_0
 {
     var local_0 : LocalRay_0;
     var direction_2 : vec3<f32>;
-    var origin_3 : vec3<f32>;
+    var origin_2 : vec3<f32>;
     if(!IS_SINGLE_0)
     {
-        var _S12 : vec3<f32> = Transform_point_0(_S11, _S10.origin_1);
-        direction_2 = Transform_direction_0(_S11, _S10.direction_0);
-        origin_3 = _S12;
+        var _S15 : vec3<f32> = Transform_point_0(grid_from_world_2, ray_0.origin_0);
+        direction_2 = Transform_direction_0(grid_from_world_2, ray_0.direction_0);
+        origin_2 = _S15;
     }
     else
     {
-        direction_2 = _S10.direction_0;
-        origin_3 = _S10.origin_1;
+        direction_2 = ray_0.direction_0;
+        origin_2 = ray_0.origin_0;
     }
     var is_zero_0 : vec3<bool> = !((abs(direction_2)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S13 : vec3<f32> = select(direction_2, vec3<f32>(0.0f), is_zero_0);
-    local_0.direction_1 = _S13;
+    var _S16 : vec3<f32> = select(direction_2, vec3<f32>(0.0f), is_zero_0);
+    local_0.direction_1 = _S16;
     local_0.inverse_0 = select(reciprocal_0(select(direction_2, vec3<f32>(1.0f), is_zero_0)), vec3<f32>(3.4028234663852886e+38f), is_zero_0);
-    local_0.origin_2 = select(origin_3, floor(origin_3) + vec3<f32>(0.5f), is_zero_0);
-    var speed_0 : f32 = max_element_0(abs(_S13));
+    local_0.origin_1 = select(origin_2, floor(origin_2) + vec3<f32>(0.5f), is_zero_0);
+    var speed_0 : f32 = max_element_0(abs(_S16));
     var moves_0 : bool;
     if(speed_0 >= 1.00000004581370497e-18f)
     {
@@ -300,11 +319,11 @@ fn local_ray_0( _S10 : Ray_0,  _S11 : u32) -> LocalRay_0
     {
         moves_0 = false;
     }
-    var is_near_0 : bool = (all(((abs(local_0.origin_2)) <= vec3<f32>(2.097152e+06f))));
+    var is_near_0 : bool = (all(((abs(local_0.origin_1)) <= vec3<f32>(2.097152e+06f))));
     var is_segment_0 : bool;
-    if((_S10.t_min_0) >= 0.0f)
+    if((ray_0.t_min_0) >= 0.0f)
     {
-        is_segment_0 = (_S10.t_min_0) <= 3.4028234663852886e+38f;
+        is_segment_0 = (ray_0.t_min_0) <= 3.4028234663852886e+38f;
     }
     else
     {
@@ -312,14 +331,14 @@ fn local_ray_0( _S10 : Ray_0,  _S11 : u32) -> LocalRay_0
     }
     if(is_segment_0)
     {
-        is_segment_0 = (_S10.t_min_0) <= (_S10.t_max_0);
+        is_segment_0 = (ray_0.t_min_0) <= (ray_0.t_max_0);
     }
     else
     {
         is_segment_0 = false;
     }
-    local_0.t_min_1 = _S10.t_min_0;
-    local_0.t_max_1 = _S10.t_max_0;
+    local_0.t_min_1 = ray_0.t_min_0;
+    local_0.t_max_1 = ray_0.t_max_0;
     if(moves_0)
     {
         moves_0 = is_near_0;
@@ -342,22 +361,71 @@ fn local_ray_0( _S10 : Ray_0,  _S11 : u32) -> LocalRay_0
 
 fn Hit_x24init_0( t_1 : f32,  instance_1 : u32,  voxel_1 : vec3<i32>,  face_1 : u32) -> Hit_0
 {
-    var _S14 : Hit_0;
-    _S14.t_0 = t_1;
-    _S14.instance_0 = instance_1;
-    _S14.voxel_0 = voxel_1;
-    _S14.face_0 = face_1;
-    return _S14;
+    var _S17 : Hit_0;
+    _S17.t_0 = t_1;
+    _S17.instance_0 = instance_1;
+    _S17.voxel_0 = voxel_1;
+    _S17.face_0 = face_1;
+    return _S17;
 }
 
 fn miss_0() -> Hit_0
 {
-    return Hit_x24init_0((bitcast<f32>((u32(2139095040)))), u32(4294967295), vec3<i32>(i32(0)), u32(0));
+    return Hit_x24init_0((bitcast<f32>(infinity_bits_0)), u32(4294967295), vec3<i32>(i32(0)), u32(0));
+}
+
+struct PackedGrid_0
+{
+     origin_3 : array<i32, i32(3)>,
+     top_shift_0 : u32,
+     top_size_0 : array<i32, i32(3)>,
+     top_offset_0 : u32,
+     min_0 : array<i32, i32(3)>,
+     voxels_0 : array<u32, i32(2)>,
+     max_0 : array<i32, i32(3)>,
+     material_bits_0 : u32,
+};
+
+fn Grids_operatorx5Bx5D_get_0( index_1 : u32) -> PackedGrid_0
+{
+    var row_2 : u32 = first_row_0(u32(0)) + u32(5) * index_1;
+    var a_2 : vec4<u32> = records_0[row_2];
+    var b_2 : vec4<u32> = records_0[row_2 + u32(1)];
+    var c_1 : vec4<u32> = records_0[row_2 + u32(2)];
+    var d_0 : vec4<u32> = records_0[row_2 + u32(3)];
+    var grid_2 : PackedGrid_0;
+    var _S18 : i32 = i32(a_2.y);
+    var _S19 : i32 = i32(a_2.z);
+    grid_2.origin_3[i32(0)] = i32(a_2.x);
+    grid_2.origin_3[i32(1)] = _S18;
+    grid_2.origin_3[i32(2)] = _S19;
+    grid_2.top_shift_0 = a_2.w;
+    var _S20 : i32 = i32(b_2.y);
+    var _S21 : i32 = i32(b_2.z);
+    grid_2.top_size_0[i32(0)] = i32(b_2.x);
+    grid_2.top_size_0[i32(1)] = _S20;
+    grid_2.top_size_0[i32(2)] = _S21;
+    grid_2.top_offset_0 = b_2.w;
+    var _S22 : i32 = i32(c_1.y);
+    var _S23 : i32 = i32(c_1.z);
+    grid_2.min_0[i32(0)] = i32(c_1.x);
+    grid_2.min_0[i32(1)] = _S22;
+    grid_2.min_0[i32(2)] = _S23;
+    var _S24 : u32 = d_0.x;
+    grid_2.voxels_0[i32(0)] = c_1.w;
+    grid_2.voxels_0[i32(1)] = _S24;
+    var _S25 : i32 = i32(d_0.z);
+    var _S26 : i32 = i32(d_0.w);
+    grid_2.max_0[i32(0)] = i32(d_0.y);
+    grid_2.max_0[i32(1)] = _S25;
+    grid_2.max_0[i32(2)] = _S26;
+    grid_2.material_bits_0 = records_0[row_2 + u32(4)].x;
+    return grid_2;
 }
 
 struct Walk_0
 {
-     ray_0 : LocalRay_0,
+     ray_1 : LocalRay_0,
      origin_4 : vec3<f32>,
      offset_0 : vec3<i32>,
      speed_1 : vec3<f32>,
@@ -373,69 +441,69 @@ fn cell_of_0( values_1 : array<i32, i32(3)>) -> vec3<i32>
     return vec3<i32>(values_1[i32(0)], values_1[i32(1)], values_1[i32(2)]);
 }
 
-fn Walk_mirrored_plane_0( this_0 : Walk_0,  plane_0 : vec3<i32>) -> vec3<i32>
+fn Walk_mirrored_plane_0( this_2 : Walk_0,  plane_0 : vec3<i32>) -> vec3<i32>
 {
-    return ((plane_0 ^ ((this_0.mirror_0)))) - this_0.mirror_0;
+    return ((plane_0 ^ ((this_2.mirror_0)))) - this_2.mirror_0;
 }
 
 fn min_abs_direction_0() -> f32
 {
-    var _S15 : f32;
+    var _S27 : f32;
     if(IS_EXACT_0)
     {
-        _S15 = 0.0f;
+        _S27 = 0.0f;
     }
     else
     {
-        _S15 = 1.00000004581370497e-18f;
+        _S27 = 1.00000004581370497e-18f;
     }
-    return _S15;
+    return _S27;
 }
 
 @id(3) override TOP_SHIFT_0 : u32 = u32(0);
 
-fn LocalRay_tolerance_0( this_1 : LocalRay_0,  low_0 : vec3<i32>,  high_0 : vec3<i32>) -> vec3<f32>
+fn LocalRay_tolerance_0( this_3 : LocalRay_0,  low_0 : vec3<i32>,  high_0 : vec3<i32>) -> vec3<f32>
 {
-    return select((abs(this_1.origin_2) + (vec3<f32>(max(abs(low_0), abs(high_0))) + vec3<f32>(1.0f))) * vec3<f32>(5.36441802978515625e-07f), vec3<f32>(-1.0f), (this_1.direction_1) == vec3<f32>(0.0f));
+    return select((abs(this_3.origin_1) + (vec3<f32>(max(abs(low_0), abs(high_0))) + vec3<f32>(1.0f))) * vec3<f32>(5.36441802978515625e-07f), vec3<f32>(-1.0f), (this_3.direction_1) == vec3<f32>(0.0f));
 }
 
-fn LocalRay_t_end_0( this_2 : LocalRay_0) -> f32
+fn LocalRay_t_end_0( this_4 : LocalRay_0) -> f32
 {
-    return min(this_2.t_max_1 * 1.00000095367431641f, 3.4028234663852886e+38f);
+    return min(this_4.t_max_1 * 1.00000095367431641f, 3.4028234663852886e+38f);
 }
 
-fn walk_of_0( _S16 : LocalRay_0,  _S17 : u32) -> Walk_0
+fn walk_of_0( ray_2 : LocalRay_0,  grid_3 : PackedGrid_0) -> Walk_0
 {
     var walk_0 : Walk_0;
-    walk_0.ray_0 = _S16;
-    walk_0.grid_origin_0 = cell_of_0(grids_0[_S17].origin_0);
-    var is_negative_0 : vec3<bool> = (_S16.direction_1) < vec3<f32>(0.0f);
-    var _S18 : vec3<i32> = vec3<i32>(i32(0));
-    walk_0.mirror_0 = select(_S18, vec3<i32>(i32(-1)), is_negative_0);
-    var _S19 : vec3<i32>;
+    walk_0.ray_1 = ray_2;
+    walk_0.grid_origin_0 = cell_of_0(grid_3.origin_3);
+    var is_negative_0 : vec3<bool> = (ray_2.direction_1) < vec3<f32>(0.0f);
+    var _S28 : vec3<i32> = vec3<i32>(i32(0));
+    walk_0.mirror_0 = select(_S28, vec3<i32>(i32(-1)), is_negative_0);
+    var _S29 : vec3<i32>;
     if(IS_EXACT_0)
     {
-        _S19 = Walk_mirrored_plane_0(walk_0, walk_0.grid_origin_0);
+        _S29 = Walk_mirrored_plane_0(walk_0, walk_0.grid_origin_0);
     }
     else
     {
-        _S19 = _S18;
+        _S29 = _S28;
     }
-    walk_0.offset_0 = _S19;
+    walk_0.offset_0 = _S29;
     var origin_5 : vec3<f32>;
     if(IS_EXACT_0)
     {
-        origin_5 = _S16.origin_2;
+        origin_5 = ray_2.origin_1;
     }
     else
     {
-        origin_5 = _S16.origin_2 - vec3<f32>(walk_0.grid_origin_0);
+        origin_5 = ray_2.origin_1 - vec3<f32>(walk_0.grid_origin_0);
     }
     walk_0.origin_4 = select(origin_5, (vec3<f32>(0) - origin_5), is_negative_0);
-    walk_0.speed_1 = max(abs(_S16.direction_1), vec3<f32>(min_abs_direction_0()));
+    walk_0.speed_1 = max(abs(ray_2.direction_1), vec3<f32>(min_abs_direction_0()));
     if(IS_EXACT_0)
     {
-        origin_5 = abs(_S16.inverse_0);
+        origin_5 = abs(ray_2.inverse_0);
     }
     else
     {
@@ -449,16 +517,16 @@ fn walk_of_0( _S16 : LocalRay_0,  _S17 : u32) -> Walk_0
     }
     else
     {
-        top_shift_1 = grids_0[_S17].top_shift_0;
+        top_shift_1 = grid_3.top_shift_0;
     }
-    walk_0.tolerance_0 = LocalRay_tolerance_0(_S16, walk_0.grid_origin_0, walk_0.grid_origin_0 + (((cell_of_0(grids_0[_S17].top_size_0)) << (vec3<u32>(top_shift_1)))));
-    walk_0.t_end_0 = LocalRay_t_end_0(_S16);
+    walk_0.tolerance_0 = LocalRay_tolerance_0(ray_2, walk_0.grid_origin_0, walk_0.grid_origin_0 + (((cell_of_0(grid_3.top_size_0)) << (vec3<u32>(top_shift_1)))));
+    walk_0.t_end_0 = LocalRay_t_end_0(ray_2);
     return walk_0;
 }
 
-fn Walk_mirrored_0( this_3 : Walk_0,  voxel_2 : vec3<i32>) -> vec3<i32>
+fn Walk_mirrored_0( this_5 : Walk_0,  voxel_2 : vec3<i32>) -> vec3<i32>
 {
-    return (voxel_2 ^ ((this_3.mirror_0)));
+    return (voxel_2 ^ ((this_5.mirror_0)));
 }
 
 fn halves_0( value_0 : f32) -> vec2<f32>
@@ -467,105 +535,105 @@ fn halves_0( value_0 : f32) -> vec2<f32>
     return vec2<f32>(high_1, value_0 - high_1);
 }
 
-fn exact_product_0( a_1 : f32,  b_1 : f32) -> vec2<f32>
+fn exact_product_0( a_3 : f32,  b_3 : f32) -> vec2<f32>
 {
-    var product_0 : f32 = a_1 * b_1;
+    var product_0 : f32 = a_3 * b_3;
     if(!IS_EXACT_0)
     {
         return vec2<f32>(product_0, 0.0f);
     }
-    var a_parts_0 : vec2<f32> = halves_0(a_1);
-    var b_parts_0 : vec2<f32> = halves_0(b_1);
-    var _S20 : f32 = a_parts_0.x;
-    var _S21 : f32 = b_parts_0.x;
-    var _S22 : f32 = b_parts_0.y;
-    var _S23 : f32 = a_parts_0.y;
-    return vec2<f32>(product_0, _S20 * _S21 - product_0 + _S20 * _S22 + _S23 * _S21 + _S23 * _S22);
+    var a_parts_0 : vec2<f32> = halves_0(a_3);
+    var b_parts_0 : vec2<f32> = halves_0(b_3);
+    var _S30 : f32 = a_parts_0.x;
+    var _S31 : f32 = b_parts_0.x;
+    var _S32 : f32 = b_parts_0.y;
+    var _S33 : f32 = a_parts_0.y;
+    return vec2<f32>(product_0, _S30 * _S31 - product_0 + _S30 * _S32 + _S33 * _S31 + _S33 * _S32);
 }
 
-fn exact_start_voxel_0( ray_1 : LocalRay_0) -> vec3<i32>
+fn exact_start_voxel_0( ray_3 : LocalRay_0) -> vec3<i32>
 {
-    var way_0 : vec2<f32> = exact_product_0(ray_1.t_min_1, ray_1.direction_1[u32(0)]);
-    var _S24 : f32 = way_0.x;
-    var sum_0 : f32 = ray_1.origin_2[u32(0)] + _S24;
-    var part_0 : f32 = sum_0 - ray_1.origin_2[u32(0)];
-    var low_1 : f32 = ray_1.origin_2[u32(0)] - (sum_0 - part_0) + (_S24 - part_0) + way_0.y;
+    var way_0 : vec2<f32> = exact_product_0(ray_3.t_min_1, ray_3.direction_1[u32(0)]);
+    var _S34 : f32 = way_0.x;
+    var sum_0 : f32 = ray_3.origin_1[u32(0)] + _S34;
+    var part_0 : f32 = sum_0 - ray_3.origin_1[u32(0)];
+    var low_1 : f32 = ray_3.origin_1[u32(0)] - (sum_0 - part_0) + (_S34 - part_0) + way_0.y;
     var whole_0 : f32 = floor(sum_0);
     var voxel_3 : vec3<i32>;
-    var _S25 : i32 = i32(whole_0);
-    var _S26 : bool;
+    var _S35 : i32 = i32(whole_0);
+    var _S36 : bool;
     if(sum_0 == whole_0)
     {
-        _S26 = low_1 < 0.0f;
+        _S36 = low_1 < 0.0f;
     }
     else
     {
-        _S26 = false;
+        _S36 = false;
     }
-    voxel_3[u32(0)] = _S25 - i32(_S26);
-    var way_1 : vec2<f32> = exact_product_0(ray_1.t_min_1, ray_1.direction_1[u32(1)]);
-    var _S27 : f32 = way_1.x;
-    var sum_1 : f32 = ray_1.origin_2[u32(1)] + _S27;
-    var part_1 : f32 = sum_1 - ray_1.origin_2[u32(1)];
-    var low_2 : f32 = ray_1.origin_2[u32(1)] - (sum_1 - part_1) + (_S27 - part_1) + way_1.y;
+    voxel_3[u32(0)] = _S35 - i32(_S36);
+    var way_1 : vec2<f32> = exact_product_0(ray_3.t_min_1, ray_3.direction_1[u32(1)]);
+    var _S37 : f32 = way_1.x;
+    var sum_1 : f32 = ray_3.origin_1[u32(1)] + _S37;
+    var part_1 : f32 = sum_1 - ray_3.origin_1[u32(1)];
+    var low_2 : f32 = ray_3.origin_1[u32(1)] - (sum_1 - part_1) + (_S37 - part_1) + way_1.y;
     var whole_1 : f32 = floor(sum_1);
-    var _S28 : i32 = i32(whole_1);
+    var _S38 : i32 = i32(whole_1);
     if(sum_1 == whole_1)
     {
-        _S26 = low_2 < 0.0f;
+        _S36 = low_2 < 0.0f;
     }
     else
     {
-        _S26 = false;
+        _S36 = false;
     }
-    voxel_3[u32(1)] = _S28 - i32(_S26);
-    var way_2 : vec2<f32> = exact_product_0(ray_1.t_min_1, ray_1.direction_1[u32(2)]);
-    var _S29 : f32 = way_2.x;
-    var sum_2 : f32 = ray_1.origin_2[u32(2)] + _S29;
-    var part_2 : f32 = sum_2 - ray_1.origin_2[u32(2)];
-    var low_3 : f32 = ray_1.origin_2[u32(2)] - (sum_2 - part_2) + (_S29 - part_2) + way_2.y;
+    voxel_3[u32(1)] = _S38 - i32(_S36);
+    var way_2 : vec2<f32> = exact_product_0(ray_3.t_min_1, ray_3.direction_1[u32(2)]);
+    var _S39 : f32 = way_2.x;
+    var sum_2 : f32 = ray_3.origin_1[u32(2)] + _S39;
+    var part_2 : f32 = sum_2 - ray_3.origin_1[u32(2)];
+    var low_3 : f32 = ray_3.origin_1[u32(2)] - (sum_2 - part_2) + (_S39 - part_2) + way_2.y;
     var whole_2 : f32 = floor(sum_2);
-    var _S30 : i32 = i32(whole_2);
+    var _S40 : i32 = i32(whole_2);
     if(sum_2 == whole_2)
     {
-        _S26 = low_3 < 0.0f;
+        _S36 = low_3 < 0.0f;
     }
     else
     {
-        _S26 = false;
+        _S36 = false;
     }
-    voxel_3[u32(2)] = _S30 - i32(_S26);
+    voxel_3[u32(2)] = _S40 - i32(_S36);
     return voxel_3;
 }
 
-fn Walk_start_voxel_0( this_4 : Walk_0) -> vec3<i32>
+fn Walk_start_voxel_0( this_6 : Walk_0) -> vec3<i32>
 {
-    var start_0 : vec3<f32> = clamp(this_4.ray_0.origin_2 + this_4.ray_0.direction_1 * vec3<f32>(this_4.ray_0.t_min_1), vec3<f32>(-2.097152e+06f), vec3<f32>(2.097152e+06f));
+    var start_0 : vec3<f32> = clamp(this_6.ray_1.origin_1 + this_6.ray_1.direction_1 * vec3<f32>(this_6.ray_1.t_min_1), vec3<f32>(-2.097152e+06f), vec3<f32>(2.097152e+06f));
     if(!IS_EXACT_0)
     {
-        return Walk_mirrored_0(this_4, vec3<i32>(floor(start_0)) - this_4.grid_origin_0);
+        return Walk_mirrored_0(this_6, vec3<i32>(floor(start_0)) - this_6.grid_origin_0);
     }
     var nearest_0 : vec3<f32> = round(start_0);
     var from_nearest_0 : vec3<f32> = start_0 - nearest_0;
-    var _S31 : bool;
-    if((this_4.ray_0.t_min_1) > 0.0f)
+    var _S41 : bool;
+    if((this_6.ray_1.t_min_1) > 0.0f)
     {
-        _S31 = (any(((abs(from_nearest_0)) <= (this_4.tolerance_0))));
+        _S41 = (any(((abs(from_nearest_0)) <= (this_6.tolerance_0))));
     }
     else
     {
-        _S31 = false;
+        _S41 = false;
     }
-    if(_S31)
+    if(_S41)
     {
-        return Walk_mirrored_0(this_4, exact_start_voxel_0(this_4.ray_0) - this_4.grid_origin_0);
+        return Walk_mirrored_0(this_6, exact_start_voxel_0(this_6.ray_1) - this_6.grid_origin_0);
     }
-    return Walk_mirrored_0(this_4, vec3<i32>(nearest_0) - vec3<i32>(from_nearest_0 < vec3<f32>(0.0f)) - this_4.grid_origin_0);
+    return Walk_mirrored_0(this_6, vec3<i32>(nearest_0) - vec3<i32>(from_nearest_0 < vec3<f32>(0.0f)) - this_6.grid_origin_0);
 }
 
-fn Walk_crossings_0( this_5 : Walk_0,  planes_1 : vec3<i32>) -> vec3<f32>
+fn Walk_crossings_0( this_7 : Walk_0,  planes_1 : vec3<i32>) -> vec3<f32>
 {
-    return (vec3<f32>(planes_1 + this_5.offset_0) - this_5.origin_4) * this_5.inverse_1;
+    return (vec3<f32>(planes_1 + this_7.offset_0) - this_7.origin_4) * this_7.inverse_1;
 }
 
 struct Crossing_0
@@ -578,18 +646,18 @@ struct Crossing_0
 
 fn Crossing_x24init_0( distance_1 : f32,  distance_low_1 : f32,  speed_3 : f32,  axis_1 : u32) -> Crossing_0
 {
-    var _S32 : Crossing_0;
-    _S32.distance_0 = distance_1;
-    _S32.distance_low_0 = distance_low_1;
-    _S32.speed_2 = speed_3;
-    _S32.axis_0 = axis_1;
-    return _S32;
+    var _S42 : Crossing_0;
+    _S42.distance_0 = distance_1;
+    _S42.distance_low_0 = distance_low_1;
+    _S42.speed_2 = speed_3;
+    _S42.axis_0 = axis_1;
+    return _S42;
 }
 
-fn crossing_of_0( ray_2 : LocalRay_0,  axis_2 : u32,  plane_1 : i32) -> Crossing_0
+fn crossing_of_0( ray_4 : LocalRay_0,  axis_2 : u32,  plane_1 : i32) -> Crossing_0
 {
     var sign_0 : f32;
-    if((ray_2.direction_1[axis_2]) < 0.0f)
+    if((ray_4.direction_1[axis_2]) < 0.0f)
     {
         sign_0 = -1.0f;
     }
@@ -598,76 +666,76 @@ fn crossing_of_0( ray_2 : LocalRay_0,  axis_2 : u32,  plane_1 : i32) -> Crossing
         sign_0 = 1.0f;
     }
     var at_0 : f32 = f32(plane_1);
-    var difference_0 : f32 = at_0 - ray_2.origin_2[axis_2];
+    var difference_0 : f32 = at_0 - ray_4.origin_1[axis_2];
     var part_3 : f32 = difference_0 - at_0;
-    return Crossing_x24init_0(difference_0 * sign_0, (at_0 - (difference_0 - part_3) - (ray_2.origin_2[axis_2] + part_3)) * sign_0, abs(ray_2.direction_1[axis_2]), axis_2);
+    return Crossing_x24init_0(difference_0 * sign_0, (at_0 - (difference_0 - part_3) - (ray_4.origin_1[axis_2] + part_3)) * sign_0, abs(ray_4.direction_1[axis_2]), axis_2);
 }
 
-fn Crossing_is_before_0( this_6 : Crossing_0,  other_0 : Crossing_0) -> bool
+fn Crossing_is_before_0( this_8 : Crossing_0,  other_0 : Crossing_0) -> bool
 {
-    var ours_0 : vec2<f32> = exact_product_0(this_6.distance_0, other_0.speed_2);
-    var theirs_0 : vec2<f32> = exact_product_0(other_0.distance_0, this_6.speed_2);
+    var ours_0 : vec2<f32> = exact_product_0(this_8.distance_0, other_0.speed_2);
+    var theirs_0 : vec2<f32> = exact_product_0(other_0.distance_0, this_8.speed_2);
     if(IS_EXACT_0)
     {
-        ours_0[i32(1)] = ours_0[i32(1)] + this_6.distance_low_0 * other_0.speed_2;
-        theirs_0[i32(1)] = theirs_0[i32(1)] + other_0.distance_low_0 * this_6.speed_2;
+        ours_0[i32(1)] = ours_0[i32(1)] + this_8.distance_low_0 * other_0.speed_2;
+        theirs_0[i32(1)] = theirs_0[i32(1)] + other_0.distance_low_0 * this_8.speed_2;
     }
     var difference_1 : f32 = ours_0.x - theirs_0.x + (ours_0.y - theirs_0.y);
-    var _S33 : bool;
+    var _S43 : bool;
     if(difference_1 < 0.0f)
     {
-        _S33 = true;
+        _S43 = true;
     }
     else
     {
         if(difference_1 == 0.0f)
         {
-            _S33 = (this_6.axis_0) < (other_0.axis_0);
+            _S43 = (this_8.axis_0) < (other_0.axis_0);
         }
         else
         {
-            _S33 = false;
+            _S43 = false;
         }
     }
-    return _S33;
+    return _S43;
 }
 
-fn leave_box_0( ray_3 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  nearest_1 : vec3<i32>) -> vec3<i32>
+fn leave_box_0( ray_5 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  nearest_1 : vec3<i32>) -> vec3<i32>
 {
-    var _S34 : vec3<f32>;
-    var _S35 : f32;
-    var _S36 : bool;
+    var _S44 : vec3<f32>;
+    var _S45 : f32;
+    var _S46 : bool;
     var is_crossed_0 : bool;
     var first_0 : Crossing_0;
-    var _S37 : f32;
-    var _S38 : bool;
-    var _S39 : f32;
-    var _S40 : bool;
+    var _S47 : f32;
+    var _S48 : bool;
+    var _S49 : f32;
+    var _S50 : bool;
     var plane_2 : i32;
-    var _S41 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
+    var _S51 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
     for(;;)
     {
         for(;;)
         {
             for(;;)
             {
-                _S34 = ray_3.direction_1;
-                _S35 = ray_3.direction_1[u32(0)];
-                var _S42 : bool = (ray_3.direction_1[u32(0)]) == 0.0f;
-                _S36 = _S42;
-                if(_S42)
+                _S44 = ray_5.direction_1;
+                _S45 = ray_5.direction_1[u32(0)];
+                var _S52 : bool = (ray_5.direction_1[u32(0)]) == 0.0f;
+                _S46 = _S52;
+                if(_S52)
                 {
-                    first_0 = _S41;
+                    first_0 = _S51;
                     break;
                 }
-                var crossing_0 : Crossing_0 = crossing_of_0(ray_3, u32(0), exit_0[u32(0)]);
-                if((_S41.axis_0) == u32(3))
+                var crossing_0 : Crossing_0 = crossing_of_0(ray_5, u32(0), exit_0[u32(0)]);
+                if((_S51.axis_0) == u32(3))
                 {
                     is_crossed_0 = true;
                 }
                 else
                 {
-                    is_crossed_0 = Crossing_is_before_0(crossing_0, _S41);
+                    is_crossed_0 = Crossing_is_before_0(crossing_0, _S51);
                 }
                 if(is_crossed_0)
                 {
@@ -675,7 +743,7 @@ fn leave_box_0( ray_3 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
                 }
                 else
                 {
-                    first_0 = _S41;
+                    first_0 = _S51;
                 }
                 break;
             }
@@ -685,14 +753,14 @@ fn leave_box_0( ray_3 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                _S37 = _S34[u32(1)];
-                var _S43 : bool = (_S34[u32(1)]) == 0.0f;
-                _S38 = _S43;
-                if(_S43)
+                _S47 = _S44[u32(1)];
+                var _S53 : bool = (_S44[u32(1)]) == 0.0f;
+                _S48 = _S53;
+                if(_S53)
                 {
                     break;
                 }
-                var crossing_1 : Crossing_0 = crossing_of_0(ray_3, u32(1), exit_0[u32(1)]);
+                var crossing_1 : Crossing_0 = crossing_of_0(ray_5, u32(1), exit_0[u32(1)]);
                 if((first_0.axis_0) == u32(3))
                 {
                     is_crossed_0 = true;
@@ -713,14 +781,14 @@ fn leave_box_0( ray_3 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                _S39 = _S34[u32(2)];
-                var _S44 : bool = (_S34[u32(2)]) == 0.0f;
-                _S40 = _S44;
-                if(_S44)
+                _S49 = _S44[u32(2)];
+                var _S54 : bool = (_S44[u32(2)]) == 0.0f;
+                _S50 = _S54;
+                if(_S54)
                 {
                     break;
                 }
-                var crossing_2 : Crossing_0 = crossing_of_0(ray_3, u32(2), exit_0[u32(2)]);
+                var crossing_2 : Crossing_0 = crossing_of_0(ray_5, u32(2), exit_0[u32(2)]);
                 if((first_0.axis_0) == u32(3))
                 {
                     is_crossed_0 = true;
@@ -746,20 +814,20 @@ fn leave_box_0( ray_3 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                if(_S36)
+                if(_S46)
                 {
                     break;
                 }
-                var _S45 : bool = u32(0) == (first_0.axis_0);
-                if(_S45)
+                var _S55 : bool = u32(0) == (first_0.axis_0);
+                if(_S55)
                 {
                     is_crossed_0 = true;
                 }
                 else
                 {
-                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_3, u32(0), nearest_1[u32(0)]), first_0);
+                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_5, u32(0), nearest_1[u32(0)]), first_0);
                 }
-                if(_S45)
+                if(_S55)
                 {
                     plane_2 = exit_0[u32(0)];
                 }
@@ -767,7 +835,7 @@ fn leave_box_0( ray_3 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
                 {
                     plane_2 = nearest_1[u32(0)];
                 }
-                arrival_0[u32(0)] = plane_2 - i32(is_crossed_0 == (_S35 < 0.0f));
+                arrival_0[u32(0)] = plane_2 - i32(is_crossed_0 == (_S45 < 0.0f));
                 break;
             }
             break;
@@ -776,20 +844,20 @@ fn leave_box_0( ray_3 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                if(_S38)
+                if(_S48)
                 {
                     break;
                 }
-                var _S46 : bool = u32(1) == (first_0.axis_0);
-                if(_S46)
+                var _S56 : bool = u32(1) == (first_0.axis_0);
+                if(_S56)
                 {
                     is_crossed_0 = true;
                 }
                 else
                 {
-                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_3, u32(1), nearest_1[u32(1)]), first_0);
+                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_5, u32(1), nearest_1[u32(1)]), first_0);
                 }
-                if(_S46)
+                if(_S56)
                 {
                     plane_2 = exit_0[u32(1)];
                 }
@@ -797,7 +865,7 @@ fn leave_box_0( ray_3 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
                 {
                     plane_2 = nearest_1[u32(1)];
                 }
-                arrival_0[u32(1)] = plane_2 - i32(is_crossed_0 == (_S37 < 0.0f));
+                arrival_0[u32(1)] = plane_2 - i32(is_crossed_0 == (_S47 < 0.0f));
                 break;
             }
             break;
@@ -806,20 +874,20 @@ fn leave_box_0( ray_3 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                if(_S40)
+                if(_S50)
                 {
                     break;
                 }
-                var _S47 : bool = u32(2) == (first_0.axis_0);
-                if(_S47)
+                var _S57 : bool = u32(2) == (first_0.axis_0);
+                if(_S57)
                 {
                     is_crossed_0 = true;
                 }
                 else
                 {
-                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_3, u32(2), nearest_1[u32(2)]), first_0);
+                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_5, u32(2), nearest_1[u32(2)]), first_0);
                 }
-                if(_S47)
+                if(_S57)
                 {
                     plane_2 = exit_0[u32(2)];
                 }
@@ -827,7 +895,7 @@ fn leave_box_0( ray_3 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
                 {
                     plane_2 = nearest_1[u32(2)];
                 }
-                arrival_0[u32(2)] = plane_2 - i32(is_crossed_0 == (_S39 < 0.0f));
+                arrival_0[u32(2)] = plane_2 - i32(is_crossed_0 == (_S49 < 0.0f));
                 break;
             }
             break;
@@ -837,24 +905,24 @@ fn leave_box_0( ray_3 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
     return arrival_0;
 }
 
-fn Walk_arrive_0( this_7 : Walk_0,  voxel_5 : vec3<i32>,  t_2 : f32,  is_axis_0 : vec3<bool>,  exit_1 : vec3<i32>) -> vec3<i32>
+fn Walk_arrive_0( this_9 : Walk_0,  voxel_5 : vec3<i32>,  t_2 : f32,  is_axis_0 : vec3<bool>,  exit_1 : vec3<i32>) -> vec3<i32>
 {
-    var position_0 : vec3<f32> = this_7.origin_4 + this_7.speed_1 * vec3<f32>(t_2);
+    var position_0 : vec3<f32> = this_9.origin_4 + this_9.speed_1 * vec3<f32>(t_2);
     if(IS_EXACT_0)
     {
         var position_1 : vec3<f32> = clamp(position_0, vec3<f32>(-2.097152e+06f), vec3<f32>(2.097152e+06f));
         var nearest_2 : vec3<f32> = round(position_1);
         var from_nearest_1 : vec3<f32> = position_1 - nearest_2;
-        if((any((select(vec3<bool>(false), (abs(position_1)) < vec3<f32>(2.097152e+06f), select(vec3<bool>(false), !is_axis_0, (abs(from_nearest_1)) <= (this_7.tolerance_0)))))))
+        if((any((select(vec3<bool>(false), (abs(position_1)) < vec3<f32>(2.097152e+06f), select(vec3<bool>(false), !is_axis_0, (abs(from_nearest_1)) <= (this_9.tolerance_0)))))))
         {
-            return max(Walk_mirrored_0(this_7, leave_box_0(this_7.ray_0, Walk_mirrored_0(this_7, voxel_5) + this_7.grid_origin_0, Walk_mirrored_plane_0(this_7, exit_1) + this_7.grid_origin_0, Walk_mirrored_plane_0(this_7, vec3<i32>(nearest_2))) - this_7.grid_origin_0), voxel_5);
+            return max(Walk_mirrored_0(this_9, leave_box_0(this_9.ray_1, Walk_mirrored_0(this_9, voxel_5) + this_9.grid_origin_0, Walk_mirrored_plane_0(this_9, exit_1) + this_9.grid_origin_0, Walk_mirrored_plane_0(this_9, vec3<i32>(nearest_2))) - this_9.grid_origin_0), voxel_5);
         }
-        return select(vec3<i32>(nearest_2) - vec3<i32>(from_nearest_1 < vec3<f32>(0.0f)) - this_7.offset_0, exit_1, is_axis_0);
+        return select(vec3<i32>(nearest_2) - vec3<i32>(from_nearest_1 < vec3<f32>(0.0f)) - this_9.offset_0, exit_1, is_axis_0);
     }
     return max(vec3<i32>(floor(position_0)), select(voxel_5, exit_1, is_axis_0));
 }
 
-fn Walk_enter_rounded_0( this_8 : Walk_0,  voxel_6 : ptr<function, vec3<i32>>,  near_0 : vec3<i32>,  far_0 : vec3<i32>) -> bool
+fn Walk_enter_rounded_0( this_10 : Walk_0,  voxel_6 : ptr<function, vec3<i32>>,  near_0 : vec3<i32>,  far_0 : vec3<i32>) -> bool
 {
     for(;;)
     {
@@ -863,20 +931,20 @@ fn Walk_enter_rounded_0( this_8 : Walk_0,  voxel_6 : ptr<function, vec3<i32>>,  
         {
             break;
         }
-        if((any((select(vec3<bool>(false), (this_8.speed_1) <= vec3<f32>(min_abs_direction_0()), is_before_0)))))
+        if((any((select(vec3<bool>(false), (this_10.speed_1) <= vec3<f32>(min_abs_direction_0()), is_before_0)))))
         {
             return false;
         }
-        var t_3 : vec3<f32> = select(vec3<f32>(-1.0f), Walk_crossings_0(this_8, near_0), is_before_0);
+        var t_3 : vec3<f32> = select(vec3<f32>(-1.0f), Walk_crossings_0(this_10, near_0), is_before_0);
         var t_last_0 : f32 = max_element_0(t_3);
-        if(t_last_0 > (this_8.t_end_0))
+        if(t_last_0 > (this_10.t_end_0))
         {
             return false;
         }
         var is_x_0 : bool = (t_3.x) == t_last_0;
-        var _S48 : bool = !is_x_0;
+        var _S58 : bool = !is_x_0;
         var is_y_0 : bool;
-        if(_S48)
+        if(_S58)
         {
             is_y_0 = (t_3.y) == t_last_0;
         }
@@ -884,17 +952,17 @@ fn Walk_enter_rounded_0( this_8 : Walk_0,  voxel_6 : ptr<function, vec3<i32>>,  
         {
             is_y_0 = false;
         }
-        var _S49 : bool;
-        if(_S48)
+        var _S59 : bool;
+        if(_S58)
         {
-            _S49 = !is_y_0;
+            _S59 = !is_y_0;
         }
         else
         {
-            _S49 = false;
+            _S59 = false;
         }
-        var is_axis_1 : vec3<bool> = vec3<bool>(is_x_0, is_y_0, _S49);
-        (*voxel_6) = Walk_arrive_0(this_8, (*voxel_6), t_last_0, is_axis_1, select(vec3<i32>(i32(1073741823)), near_0, is_axis_1));
+        var is_axis_1 : vec3<bool> = vec3<bool>(is_x_0, is_y_0, _S59);
+        (*voxel_6) = Walk_arrive_0(this_10, (*voxel_6), t_last_0, is_axis_1, select(vec3<i32>(i32(1073741823)), near_0, is_axis_1));
     }
     return (all(((*voxel_6) < far_0)));
 }
@@ -904,35 +972,35 @@ fn min_element_0( vector_2 : vec3<f32>) -> f32
     return min(min(vector_2.x, vector_2.y), vector_2.z);
 }
 
-fn Walk_leave_rounded_0( this_9 : Walk_0,  voxel_7 : ptr<function, vec3<i32>>,  exit_2 : vec3<i32>) -> bool
+fn Walk_leave_rounded_0( this_11 : Walk_0,  voxel_7 : ptr<function, vec3<i32>>,  exit_2 : vec3<i32>) -> bool
 {
-    var t_4 : vec3<f32> = Walk_crossings_0(this_9, exit_2);
+    var t_4 : vec3<f32> = Walk_crossings_0(this_11, exit_2);
     var t_first_0 : f32 = min_element_0(t_4);
-    if(t_first_0 >= (this_9.t_end_0))
+    if(t_first_0 >= (this_11.t_end_0))
     {
         return false;
     }
-    (*voxel_7) = max(exit_2 - vec3<i32>(ceil((t_4 - vec3<f32>(t_first_0)) * this_9.speed_1)), (*voxel_7));
+    (*voxel_7) = max(exit_2 - vec3<i32>(ceil((t_4 - vec3<f32>(t_first_0)) * this_11.speed_1)), (*voxel_7));
     return true;
 }
 
-fn Walk_leave_0( this_10 : Walk_0,  voxel_8 : ptr<function, vec3<i32>>,  exit_3 : vec3<i32>) -> bool
+fn Walk_leave_0( this_12 : Walk_0,  voxel_8 : ptr<function, vec3<i32>>,  exit_3 : vec3<i32>) -> bool
 {
     if(!IS_EXACT_0)
     {
-        var _S50 : bool = Walk_leave_rounded_0(this_10, &((*voxel_8)), exit_3);
-        return _S50;
+        var _S60 : bool = Walk_leave_rounded_0(this_12, &((*voxel_8)), exit_3);
+        return _S60;
     }
-    var t_5 : vec3<f32> = Walk_crossings_0(this_10, exit_3);
+    var t_5 : vec3<f32> = Walk_crossings_0(this_12, exit_3);
     var t_first_1 : f32 = min_element_0(t_5);
-    if(t_first_1 > (this_10.t_end_0))
+    if(t_first_1 > (this_12.t_end_0))
     {
         return false;
     }
     var is_x_1 : bool = (t_5.x) == t_first_1;
-    var _S51 : bool = !is_x_1;
+    var _S61 : bool = !is_x_1;
     var is_y_1 : bool;
-    if(_S51)
+    if(_S61)
     {
         is_y_1 = (t_5.y) == t_first_1;
     }
@@ -940,74 +1008,74 @@ fn Walk_leave_0( this_10 : Walk_0,  voxel_8 : ptr<function, vec3<i32>>,  exit_3 
     {
         is_y_1 = false;
     }
-    var back_0 : vec3<f32> = (t_5 - vec3<f32>(t_first_1)) * this_10.speed_1;
+    var back_0 : vec3<f32> = (t_5 - vec3<f32>(t_first_1)) * this_12.speed_1;
     var nearest_3 : vec3<f32> = round(back_0);
     var from_nearest_2 : vec3<f32> = back_0 - nearest_3;
     var planes_2 : vec3<i32> = exit_3 - vec3<i32>(min(nearest_3, vec3<f32>(4.194304e+06f)));
-    var _S52 : vec3<i32> = planes_2 - vec3<i32>(from_nearest_2 > vec3<f32>(0.0f));
-    var _S53 : vec3<bool> = (abs(from_nearest_2)) <= (this_10.tolerance_0);
-    var _S54 : bool;
-    if(_S51)
+    var _S62 : vec3<i32> = planes_2 - vec3<i32>(from_nearest_2 > vec3<f32>(0.0f));
+    var _S63 : vec3<bool> = (abs(from_nearest_2)) <= (this_12.tolerance_0);
+    var _S64 : bool;
+    if(_S61)
     {
-        _S54 = !is_y_1;
+        _S64 = !is_y_1;
     }
     else
     {
-        _S54 = false;
+        _S64 = false;
     }
     var arrival_1 : vec3<i32>;
-    if((any((select(vec3<bool>(false), !vec3<bool>(is_x_1, is_y_1, _S54), _S53)))))
+    if((any((select(vec3<bool>(false), !vec3<bool>(is_x_1, is_y_1, _S64), _S63)))))
     {
-        arrival_1 = Walk_mirrored_0(this_10, leave_box_0(this_10.ray_0, Walk_mirrored_0(this_10, (*voxel_8)) + this_10.grid_origin_0, Walk_mirrored_plane_0(this_10, exit_3) + this_10.grid_origin_0, Walk_mirrored_plane_0(this_10, planes_2) + this_10.grid_origin_0) - this_10.grid_origin_0);
+        arrival_1 = Walk_mirrored_0(this_12, leave_box_0(this_12.ray_1, Walk_mirrored_0(this_12, (*voxel_8)) + this_12.grid_origin_0, Walk_mirrored_plane_0(this_12, exit_3) + this_12.grid_origin_0, Walk_mirrored_plane_0(this_12, planes_2) + this_12.grid_origin_0) - this_12.grid_origin_0);
     }
     else
     {
-        arrival_1 = _S52;
+        arrival_1 = _S62;
     }
-    (*voxel_8) = select(max(arrival_1, (*voxel_8)), (*voxel_8), (this_10.speed_1) == vec3<f32>(0.0f));
+    (*voxel_8) = select(max(arrival_1, (*voxel_8)), (*voxel_8), (this_12.speed_1) == vec3<f32>(0.0f));
     return true;
 }
 
-fn Walk_enter_0( this_11 : Walk_0,  voxel_9 : ptr<function, vec3<i32>>,  low_4 : vec3<i32>,  high_2 : vec3<i32>) -> bool
+fn Walk_enter_0( this_13 : Walk_0,  voxel_9 : ptr<function, vec3<i32>>,  low_4 : vec3<i32>,  high_2 : vec3<i32>) -> bool
 {
-    var _S55 : bool;
-    var is_mirrored_0 : vec3<bool> = (this_11.mirror_0) != vec3<i32>(i32(0));
+    var _S65 : bool;
+    var is_mirrored_0 : vec3<bool> = (this_13.mirror_0) != vec3<i32>(i32(0));
     var near_1 : vec3<i32> = select(low_4, (vec3<i32>(0) - high_2), is_mirrored_0);
     var far_1 : vec3<i32> = select(high_2, (vec3<i32>(0) - low_4), is_mirrored_0);
     if(!IS_EXACT_0)
     {
-        var _S56 : bool = Walk_enter_rounded_0(this_11, &((*voxel_9)), near_1, far_1);
-        return _S56;
+        var _S66 : bool = Walk_enter_rounded_0(this_13, &((*voxel_9)), near_1, far_1);
+        return _S66;
     }
     var axis_3 : u32 = u32(0);
     for(;;)
     {
         if(axis_3 < u32(3))
         {
-            _S55 = (any(((*voxel_9) < near_1)));
+            _S65 = (any(((*voxel_9) < near_1)));
         }
         else
         {
-            _S55 = false;
+            _S65 = false;
         }
-        var _S57 : bool;
-        if(_S55)
+        var _S67 : bool;
+        if(_S65)
         {
-            _S57 = (all(((*voxel_9) < far_1)));
+            _S67 = (all(((*voxel_9) < far_1)));
         }
         else
         {
-            _S57 = false;
+            _S67 = false;
         }
-        if(_S57)
+        if(_S67)
         {
         }
         else
         {
             break;
         }
-        var _S58 : bool = Walk_leave_0(this_11, &((*voxel_9)), select(far_1, near_1, (*voxel_9) < near_1));
-        if(!_S58)
+        var _S68 : bool = Walk_leave_0(this_13, &((*voxel_9)), select(far_1, near_1, (*voxel_9) < near_1));
+        if(!_S68)
         {
             return false;
         }
@@ -1015,18 +1083,18 @@ fn Walk_enter_0( this_11 : Walk_0,  voxel_9 : ptr<function, vec3<i32>>,  low_4 :
     }
     if((all(((*voxel_9) >= near_1))))
     {
-        _S55 = (all(((*voxel_9) < far_1)));
+        _S65 = (all(((*voxel_9) < far_1)));
     }
     else
     {
-        _S55 = false;
+        _S65 = false;
     }
-    return _S55;
+    return _S65;
 }
 
-fn LocalRay_octant_0( this_12 : LocalRay_0) -> u32
+fn LocalRay_octant_0( this_14 : LocalRay_0) -> u32
 {
-    return (((u32((this_12.direction_1.x) < 0.0f) | (((u32((this_12.direction_1.y) < 0.0f) << (u32(1))))))) | (((u32((this_12.direction_1.z) < 0.0f) << (u32(2))))));
+    return (((u32((this_14.direction_1.x) < 0.0f) | (((u32((this_14.direction_1.y) < 0.0f) << (u32(1))))))) | (((u32((this_14.direction_1.z) < 0.0f) << (u32(2))))));
 }
 
 fn flip_of_0( octant_0 : u32) -> u32
@@ -1034,9 +1102,9 @@ fn flip_of_0( octant_0 : u32) -> u32
     return ((((((octant_0 & (u32(1)))) | (((((octant_0 & (u32(2)))) << (u32(1))))))) | (((((octant_0 & (u32(4)))) << (u32(2))))))) * u32(3);
 }
 
-fn dot_cells_0( a_2 : vec3<i32>,  b_2 : vec3<i32>) -> i32
+fn dot_cells_0( a_4 : vec3<i32>,  b_4 : vec3<i32>) -> i32
 {
-    return a_2.x * b_2.x + a_2.y * b_2.y + a_2.z * b_2.z;
+    return a_4.x * b_4.x + a_4.y * b_4.y + a_4.z * b_4.z;
 }
 
 fn ahead_of_0( mirror_1 : vec3<i32>) -> u32
@@ -1045,51 +1113,14 @@ fn ahead_of_0( mirror_1 : vec3<i32>) -> u32
     return ((((bits_0.x) | ((bits_0.y)))) | ((bits_0.z)));
 }
 
-@id(12) override HAS_PAGES_0 : bool = false;
-
-var<private> is_page_missing_0 : bool;
-
-fn word_in_pages_0( index_1 : u32,  first_1 : u32) -> u32
-{
-    var page_0 : u32 = first_1 + ((index_1 >> (u32(10))));
-    var mark_0 : u32 = u32(8) + pages_0[i32(0)] + page_0;
-    if(pages_0[mark_0] == u32(0))
-    {
-        pages_0[mark_0] = u32(1);
-    }
-    var slot_0 : u32 = pages_0[u32(8) + page_0];
-    var _S59 : bool;
-    if(is_page_missing_0)
-    {
-        _S59 = true;
-    }
-    else
-    {
-        _S59 = slot_0 == u32(0);
-    }
-    is_page_missing_0 = _S59;
-    return (((slot_0 << (u32(10)))) | (((index_1 & (u32(1023))))));
-}
-
 fn place_of_cell_0( index_2 : u32) -> u32
 {
-    var _S60 : u32;
-    if(HAS_PAGES_0)
-    {
-        var _S61 : u32 = word_in_pages_0(index_2, u32(0));
-        _S60 = _S61;
-    }
-    else
-    {
-        _S60 = index_2;
-    }
-    return _S60;
+    return index_2;
 }
 
 fn cell_word_0( index_3 : u32) -> u32
 {
-    var _S62 : u32 = place_of_cell_0(index_3);
-    return cells_1[_S62];
+    return cells_1[place_of_cell_0(index_3)];
 }
 
 fn cell_in_node_0( relative_0 : vec3<i32>,  shift_0 : u32) -> u32
@@ -1100,16 +1131,7 @@ fn cell_in_node_0( relative_0 : vec3<i32>,  shift_0 : u32) -> u32
 
 fn waits_for_pages_0() -> bool
 {
-    var _S63 : bool;
-    if(HAS_PAGES_0)
-    {
-        _S63 = is_page_missing_0;
-    }
-    else
-    {
-        _S63 = false;
-    }
-    return _S63;
+    return false;
 }
 
 @id(11) override CELLS_SKIP_0 : bool = false;
@@ -1117,16 +1139,16 @@ fn waits_for_pages_0() -> bool
 fn skip_distance_0( cell_1 : u32,  octant_1 : u32) -> u32
 {
     var code_0 : u32 = (((cell_1 >> ((u32(3) * octant_1)))) & (u32(7)));
-    var _S64 : u32;
+    var _S69 : u32;
     if(code_0 < u32(2))
     {
-        _S64 = code_0 + u32(1);
+        _S69 = code_0 + u32(1);
     }
     else
     {
-        _S64 = ((u32(3) + ((code_0 & (u32(1))))) << ((((code_0 >> (u32(1)))) - u32(1))));
+        _S69 = ((u32(3) + ((code_0 & (u32(1))))) << ((((code_0 >> (u32(1)))) - u32(1))));
     }
-    return _S64;
+    return _S69;
 }
 
 fn extents_0( cell_2 : u32,  ahead_0 : u32) -> vec3<i32>
@@ -1138,16 +1160,16 @@ fn extents_0( cell_2 : u32,  ahead_0 : u32) -> vec3<i32>
 
 fn record_of_cell_0( cell_3 : u32) -> u32
 {
-    var _S65 : u32;
+    var _S70 : u32;
     if(CELLS_HAVE_BLOCKS_0)
     {
-        _S65 = u32(8388607);
+        _S70 = u32(8388607);
     }
     else
     {
-        _S65 = u32(2147483647);
+        _S70 = u32(2147483647);
     }
-    return ((cell_3 & (_S65))) * u32(2);
+    return ((cell_3 & (_S70))) * u32(2);
 }
 
 fn blocks_of_cell_0( cell_4 : u32) -> u32
@@ -1157,29 +1179,17 @@ fn blocks_of_cell_0( cell_4 : u32) -> u32
 
 fn place_of_brick_0( index_4 : u32) -> u32
 {
-    var _S66 : u32;
-    if(HAS_PAGES_0)
-    {
-        var _S67 : u32 = word_in_pages_0(index_4, pages_0[i32(1)]);
-        _S66 = _S67;
-    }
-    else
-    {
-        _S66 = index_4;
-    }
-    return _S66;
+    return index_4;
 }
 
 fn brick_word_0( index_5 : u32) -> u32
 {
-    var _S68 : u32 = place_of_brick_0(index_5);
-    return bricks_0[_S68];
+    return bricks_0[place_of_brick_0(index_5)];
 }
 
 fn blocks_of_record_0( record_0 : u32) -> u32
 {
-    var _S69 : u32 = brick_word_0(record_0);
-    return (_S69 & (u32(255)));
+    return ((brick_word_0(record_0)) & (u32(255)));
 }
 
 fn empty_around_0( record_1 : u32,  blocks_0 : u32,  voxel_10 : vec3<i32>,  octant_2 : u32,  flip_0 : u32) -> u32
@@ -1195,47 +1205,47 @@ fn empty_around_0( record_1 : u32,  blocks_0 : u32,  voxel_10 : vec3<i32>,  octa
     {
         return u32(4294967295);
     }
-    var _S70 : i32;
+    var _S71 : i32;
     if(((((half_0 >> (((bit_0 & (u32(10))))))) & (u32(3342387)))) == u32(0))
     {
-        _S70 = i32(1);
+        _S71 = i32(1);
     }
     else
     {
-        _S70 = i32(0);
+        _S71 = i32(0);
     }
-    return u32(_S70);
+    return u32(_S71);
 }
 
-fn Walk_leave_rounded_1( this_13 : Walk_0,  voxel_11 : ptr<function, vec3<i32>>,  exit_4 : vec3<i32>) -> bool
+fn Walk_leave_rounded_1( this_15 : Walk_0,  voxel_11 : ptr<function, vec3<i32>>,  exit_4 : vec3<i32>) -> bool
 {
-    var t_6 : vec3<f32> = Walk_crossings_0(this_13, exit_4);
+    var t_6 : vec3<f32> = Walk_crossings_0(this_15, exit_4);
     var t_first_2 : f32 = min_element_0(t_6);
-    if(t_first_2 >= (this_13.t_end_0))
+    if(t_first_2 >= (this_15.t_end_0))
     {
         return false;
     }
-    (*voxel_11) = max(exit_4 - vec3<i32>(ceil((t_6 - vec3<f32>(t_first_2)) * this_13.speed_1)), (*voxel_11));
+    (*voxel_11) = max(exit_4 - vec3<i32>(ceil((t_6 - vec3<f32>(t_first_2)) * this_15.speed_1)), (*voxel_11));
     return true;
 }
 
-fn Walk_leave_1( this_14 : Walk_0,  voxel_12 : ptr<function, vec3<i32>>,  exit_5 : vec3<i32>) -> bool
+fn Walk_leave_1( this_16 : Walk_0,  voxel_12 : ptr<function, vec3<i32>>,  exit_5 : vec3<i32>) -> bool
 {
     if(!IS_EXACT_0)
     {
-        var _S71 : bool = Walk_leave_rounded_1(this_14, &((*voxel_12)), exit_5);
-        return _S71;
+        var _S72 : bool = Walk_leave_rounded_1(this_16, &((*voxel_12)), exit_5);
+        return _S72;
     }
-    var t_7 : vec3<f32> = Walk_crossings_0(this_14, exit_5);
+    var t_7 : vec3<f32> = Walk_crossings_0(this_16, exit_5);
     var t_first_3 : f32 = min_element_0(t_7);
-    if(t_first_3 > (this_14.t_end_0))
+    if(t_first_3 > (this_16.t_end_0))
     {
         return false;
     }
     var is_x_2 : bool = (t_7.x) == t_first_3;
-    var _S72 : bool = !is_x_2;
+    var _S73 : bool = !is_x_2;
     var is_y_2 : bool;
-    if(_S72)
+    if(_S73)
     {
         is_y_2 = (t_7.y) == t_first_3;
     }
@@ -1243,47 +1253,47 @@ fn Walk_leave_1( this_14 : Walk_0,  voxel_12 : ptr<function, vec3<i32>>,  exit_5
     {
         is_y_2 = false;
     }
-    var back_1 : vec3<f32> = (t_7 - vec3<f32>(t_first_3)) * this_14.speed_1;
+    var back_1 : vec3<f32> = (t_7 - vec3<f32>(t_first_3)) * this_16.speed_1;
     var nearest_4 : vec3<f32> = round(back_1);
     var from_nearest_3 : vec3<f32> = back_1 - nearest_4;
     var planes_3 : vec3<i32> = exit_5 - vec3<i32>(min(nearest_4, vec3<f32>(4.194304e+06f)));
-    var _S73 : vec3<i32> = planes_3 - vec3<i32>(from_nearest_3 > vec3<f32>(0.0f));
-    var _S74 : vec3<bool> = (abs(from_nearest_3)) <= (this_14.tolerance_0);
-    var _S75 : bool;
-    if(_S72)
+    var _S74 : vec3<i32> = planes_3 - vec3<i32>(from_nearest_3 > vec3<f32>(0.0f));
+    var _S75 : vec3<bool> = (abs(from_nearest_3)) <= (this_16.tolerance_0);
+    var _S76 : bool;
+    if(_S73)
     {
-        _S75 = !is_y_2;
+        _S76 = !is_y_2;
     }
     else
     {
-        _S75 = false;
+        _S76 = false;
     }
     var arrival_2 : vec3<i32>;
-    if((any((select(vec3<bool>(false), !vec3<bool>(is_x_2, is_y_2, _S75), _S74)))))
+    if((any((select(vec3<bool>(false), !vec3<bool>(is_x_2, is_y_2, _S76), _S75)))))
     {
-        arrival_2 = Walk_mirrored_0(this_14, leave_box_0(this_14.ray_0, Walk_mirrored_0(this_14, (*voxel_12)) + this_14.grid_origin_0, Walk_mirrored_plane_0(this_14, exit_5) + this_14.grid_origin_0, Walk_mirrored_plane_0(this_14, planes_3) + this_14.grid_origin_0) - this_14.grid_origin_0);
+        arrival_2 = Walk_mirrored_0(this_16, leave_box_0(this_16.ray_1, Walk_mirrored_0(this_16, (*voxel_12)) + this_16.grid_origin_0, Walk_mirrored_plane_0(this_16, exit_5) + this_16.grid_origin_0, Walk_mirrored_plane_0(this_16, planes_3) + this_16.grid_origin_0) - this_16.grid_origin_0);
     }
     else
     {
-        arrival_2 = _S73;
+        arrival_2 = _S74;
     }
-    (*voxel_12) = select(max(arrival_2, (*voxel_12)), (*voxel_12), (this_14.speed_1) == vec3<f32>(0.0f));
+    (*voxel_12) = select(max(arrival_2, (*voxel_12)), (*voxel_12), (this_16.speed_1) == vec3<f32>(0.0f));
     return true;
 }
 
-fn first_voxel_0( _S76 : u32,  _S77 : Walk_0,  _S78 : ptr<function, vec3<i32>>) -> bool
+fn first_voxel_0( grid_4 : PackedGrid_0,  walk_1 : Walk_0,  found_0 : ptr<function, vec3<i32>>) -> bool
 {
-    var _S79 : Walk_0 = _S77;
-    var _S80 : vec3<i32> = vec3<i32>(i32(0));
-    (*_S78) = _S80;
-    var voxel_13 : vec3<i32> = Walk_start_voxel_0(_S77);
-    var _S81 : bool = Walk_enter_0(_S77, &(voxel_13), cell_of_0(grids_0[_S76].min_0) - _S79.grid_origin_0, cell_of_0(grids_0[_S76].max_0) - _S79.grid_origin_0);
-    if(!_S81)
+    var _S77 : Walk_0 = walk_1;
+    var _S78 : vec3<i32> = vec3<i32>(i32(0));
+    (*found_0) = _S78;
+    var voxel_13 : vec3<i32> = Walk_start_voxel_0(walk_1);
+    var _S79 : bool = Walk_enter_0(walk_1, &(voxel_13), cell_of_0(grid_4.min_0) - _S77.grid_origin_0, cell_of_0(grid_4.max_0) - _S77.grid_origin_0);
+    if(!_S79)
     {
         return false;
     }
-    var octant_3 : u32 = LocalRay_octant_0(_S79.ray_0);
-    var _S82 : u32 = flip_of_0(octant_3);
+    var octant_3 : u32 = LocalRay_octant_0(_S77.ray_1);
+    var _S80 : u32 = flip_of_0(octant_3);
     var top_shift_2 : u32;
     if(TOP_SHIFT_0 != u32(0))
     {
@@ -1291,36 +1301,36 @@ fn first_voxel_0( _S76 : u32,  _S77 : Walk_0,  _S78 : ptr<function, vec3<i32>>) 
     }
     else
     {
-        top_shift_2 = grids_0[_S76].top_shift_0;
+        top_shift_2 = grid_4.top_shift_0;
     }
-    var top_size_1 : vec3<i32> = cell_of_0(grids_0[_S76].top_size_0);
-    var _S83 : i32 = top_size_1.x;
-    var stride_0 : vec3<i32> = vec3<i32>(i32(1), _S83, _S83 * top_size_1.y);
-    var _S84 : i32 = i32(grids_0[_S76].top_offset_0) - dot_cells_0((stride_0 & ((_S79.mirror_0))), vec3<i32>(i32(1)));
-    var _S85 : vec3<i32> = Walk_mirrored_plane_0(_S79, stride_0);
-    var _S86 : u32 = ahead_of_0(_S79.mirror_0);
-    var end_0 : vec3<i32> = select((top_size_1 << (vec3<u32>(top_shift_2))), _S80, (_S79.mirror_0) != _S80);
+    var top_size_1 : vec3<i32> = cell_of_0(grid_4.top_size_0);
+    var _S81 : i32 = top_size_1.x;
+    var stride_0 : vec3<i32> = vec3<i32>(i32(1), _S81, _S81 * top_size_1.y);
+    var _S82 : i32 = i32(grid_4.top_offset_0) - dot_cells_0((stride_0 & ((_S77.mirror_0))), vec3<i32>(i32(1)));
+    var _S83 : vec3<i32> = Walk_mirrored_plane_0(_S77, stride_0);
+    var _S84 : u32 = ahead_of_0(_S77.mirror_0);
+    var end_0 : vec3<i32> = select((top_size_1 << (vec3<u32>(top_shift_2))), _S78, (_S77.mirror_0) != _S78);
     if(!IS_EXACT_0)
     {
-        _S79.t_end_0 = min(_S79.t_end_0, min_element_0(Walk_crossings_0(_S79, end_0)));
+        _S77.t_end_0 = min(_S77.t_end_0, min_element_0(Walk_crossings_0(_S77, end_0)));
     }
     var is_found_0 : bool = false;
     for(;;)
     {
-        var _S87 : bool;
+        var _S85 : bool;
         if(IS_EXACT_0)
         {
-            _S87 = (any((voxel_13 >= end_0)));
+            _S85 = (any((voxel_13 >= end_0)));
         }
         else
         {
-            _S87 = false;
+            _S85 = false;
         }
-        if(_S87)
+        if(_S85)
         {
             break;
         }
-        var cell_5 : u32 = cell_word_0(u32(_S84 + dot_cells_0(_S85, (voxel_13 >> (vec3<u32>(top_shift_2))))));
+        var cell_5 : u32 = cell_word_0(u32(_S82 + dot_cells_0(_S83, (voxel_13 >> (vec3<u32>(top_shift_2))))));
         var cell_6 : u32;
         var shift_1 : u32;
         var is_found_1 : bool;
@@ -1328,8 +1338,7 @@ fn first_voxel_0( _S76 : u32,  _S77 : Walk_0,  _S78 : ptr<function, vec3<i32>>) 
         {
             if(((cell_5 & (u32(2147483648)))) != u32(0))
             {
-                var _S88 : u32 = cell_word_0(((cell_5 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_13, u32(3))) ^ (_S82))));
-                cell_6 = _S88;
+                cell_6 = cell_word_0(((cell_5 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_13, u32(3))) ^ (_S80))));
                 shift_1 = u32(3);
             }
             else
@@ -1352,16 +1361,16 @@ fn first_voxel_0( _S76 : u32,  _S77 : Walk_0,  _S78 : ptr<function, vec3<i32>>) 
                 {
                     is_found_1 = false;
                 }
-                var _S89 : bool;
+                var _S86 : bool;
                 if(is_found_1)
                 {
-                    _S89 = ((cell_6 & (u32(2147483648)))) != u32(0);
+                    _S86 = ((cell_6 & (u32(2147483648)))) != u32(0);
                 }
                 else
                 {
-                    _S89 = false;
+                    _S86 = false;
                 }
-                if(_S89)
+                if(_S86)
                 {
                 }
                 else
@@ -1369,8 +1378,7 @@ fn first_voxel_0( _S76 : u32,  _S77 : Walk_0,  _S78 : ptr<function, vec3<i32>>) 
                     break;
                 }
                 var shift_2 : u32 = shift_1 - u32(2);
-                var _S90 : u32 = cell_word_0(((cell_6 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_13, shift_2)) ^ (_S82))));
-                cell_6 = _S90;
+                cell_6 = cell_word_0(((cell_6 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_13, shift_2)) ^ (_S80))));
                 shift_1 = shift_2;
             }
         }
@@ -1387,7 +1395,7 @@ fn first_voxel_0( _S76 : u32,  _S77 : Walk_0,  _S78 : ptr<function, vec3<i32>>) 
             }
             else
             {
-                exit_6 = extents_0(cell_6, _S86);
+                exit_6 = extents_0(cell_6, _S84);
             }
             exit_6 = ((voxel_13 | (vec3<i32>((((i32(1) << (shift_1))) - i32(1)))))) + vec3<i32>(i32(1)) + ((exit_6 << (vec3<u32>(shift_1))));
             is_found_1 = is_found_0;
@@ -1402,10 +1410,9 @@ fn first_voxel_0( _S76 : u32,  _S77 : Walk_0,  _S78 : ptr<function, vec3<i32>>) 
             }
             else
             {
-                var _S91 : u32 = blocks_of_record_0(record_2);
-                blocks_1 = _S91;
+                blocks_1 = blocks_of_record_0(record_2);
             }
-            var low_bits_0 : u32 = empty_around_0(record_2, blocks_1, voxel_13, octant_3, _S82);
+            var low_bits_0 : u32 = empty_around_0(record_2, blocks_1, voxel_13, octant_3, _S80);
             var is_found_2 : bool = low_bits_0 == u32(4294967295);
             if(is_found_2)
             {
@@ -1415,68 +1422,68 @@ fn first_voxel_0( _S76 : u32,  _S77 : Walk_0,  _S78 : ptr<function, vec3<i32>>) 
             exit_6 = ((voxel_13 | (vec3<i32>(i32(low_bits_0))))) + vec3<i32>(i32(1));
             is_found_1 = is_found_2;
         }
-        var _S92 : bool = Walk_leave_1(_S79, &(voxel_13), exit_6);
-        if(!_S92)
+        var _S87 : bool = Walk_leave_1(_S77, &(voxel_13), exit_6);
+        if(!_S87)
         {
             is_found_0 = is_found_1;
             break;
         }
         is_found_0 = is_found_1;
     }
-    (*_S78) = Walk_mirrored_0(_S79, voxel_13) + _S79.grid_origin_0;
+    (*found_0) = Walk_mirrored_0(_S77, voxel_13) + _S77.grid_origin_0;
     return is_found_0;
 }
 
 fn Ray_x24init_0( origin_6 : vec3<f32>,  t_min_2 : f32,  direction_3 : vec3<f32>,  t_max_2 : f32) -> Ray_0
 {
-    var _S93 : Ray_0;
-    _S93.origin_1 = origin_6;
-    _S93.t_min_0 = t_min_2;
-    _S93.direction_0 = direction_3;
-    _S93.t_max_0 = t_max_2;
-    return _S93;
+    var _S88 : Ray_0;
+    _S88.origin_0 = origin_6;
+    _S88.t_min_0 = t_min_2;
+    _S88.direction_0 = direction_3;
+    _S88.t_max_0 = t_max_2;
+    return _S88;
 }
 
-fn ray_of_walk_0( walk_1 : Walk_0,  ray_4 : Ray_0) -> Ray_0
+fn ray_of_walk_0( walk_2 : Walk_0,  ray_6 : Ray_0) -> Ray_0
 {
-    var is_mirrored_1 : vec3<bool> = (walk_1.mirror_0) != vec3<i32>(i32(0));
-    return Ray_x24init_0(select(walk_1.origin_4, (vec3<f32>(0) - walk_1.origin_4), is_mirrored_1) + vec3<f32>(walk_1.grid_origin_0), ray_4.t_min_0, select(walk_1.speed_1, (vec3<f32>(0) - walk_1.speed_1), is_mirrored_1), ray_4.t_max_0);
+    var is_mirrored_1 : vec3<bool> = (walk_2.mirror_0) != vec3<i32>(i32(0));
+    return Ray_x24init_0(select(walk_2.origin_4, (vec3<f32>(0) - walk_2.origin_4), is_mirrored_1) + vec3<f32>(walk_2.grid_origin_0), ray_6.t_min_0, select(walk_2.speed_1, (vec3<f32>(0) - walk_2.speed_1), is_mirrored_1), ray_6.t_max_0);
 }
 
-fn hit_of_0( ray_5 : LocalRay_0,  voxel_14 : vec3<i32>,  instance_2 : u32) -> Hit_0
+fn hit_of_0( ray_7 : LocalRay_0,  voxel_14 : vec3<i32>,  instance_2 : u32) -> Hit_0
 {
-    var _S94 : vec3<f32>;
-    var _S95 : bool;
-    var last_0 : Crossing_0;
-    var _S96 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
+    var _S89 : vec3<f32>;
+    var _S90 : bool;
+    var last_1 : Crossing_0;
+    var _S91 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
     for(;;)
     {
         for(;;)
         {
             for(;;)
             {
-                _S94 = ray_5.direction_1;
-                if((ray_5.direction_1[u32(0)]) == 0.0f)
+                _S89 = ray_7.direction_1;
+                if((ray_7.direction_1[u32(0)]) == 0.0f)
                 {
-                    last_0 = _S96;
+                    last_1 = _S91;
                     break;
                 }
-                var crossing_3 : Crossing_0 = crossing_of_0(ray_5, u32(0), voxel_14[u32(0)] + i32((ray_5.direction_1[u32(0)]) < 0.0f));
-                if((_S96.axis_0) == u32(3))
+                var crossing_3 : Crossing_0 = crossing_of_0(ray_7, u32(0), voxel_14[u32(0)] + i32((ray_7.direction_1[u32(0)]) < 0.0f));
+                if((_S91.axis_0) == u32(3))
                 {
-                    _S95 = true;
+                    _S90 = true;
                 }
                 else
                 {
-                    _S95 = !Crossing_is_before_0(crossing_3, _S96);
+                    _S90 = !Crossing_is_before_0(crossing_3, _S91);
                 }
-                if(_S95)
+                if(_S90)
                 {
-                    last_0 = crossing_3;
+                    last_1 = crossing_3;
                 }
                 else
                 {
-                    last_0 = _S96;
+                    last_1 = _S91;
                 }
                 break;
             }
@@ -1486,23 +1493,23 @@ fn hit_of_0( ray_5 : LocalRay_0,  voxel_14 : vec3<i32>,  instance_2 : u32) -> Hi
         {
             for(;;)
             {
-                var _S97 : vec3<f32> = _S94;
-                if((_S94[u32(1)]) == 0.0f)
+                var _S92 : vec3<f32> = _S89;
+                if((_S89[u32(1)]) == 0.0f)
                 {
                     break;
                 }
-                var crossing_4 : Crossing_0 = crossing_of_0(ray_5, u32(1), voxel_14[u32(1)] + i32((_S97[u32(1)]) < 0.0f));
-                if((last_0.axis_0) == u32(3))
+                var crossing_4 : Crossing_0 = crossing_of_0(ray_7, u32(1), voxel_14[u32(1)] + i32((_S92[u32(1)]) < 0.0f));
+                if((last_1.axis_0) == u32(3))
                 {
-                    _S95 = true;
+                    _S90 = true;
                 }
                 else
                 {
-                    _S95 = !Crossing_is_before_0(crossing_4, last_0);
+                    _S90 = !Crossing_is_before_0(crossing_4, last_1);
                 }
-                if(_S95)
+                if(_S90)
                 {
-                    last_0 = crossing_4;
+                    last_1 = crossing_4;
                 }
                 break;
             }
@@ -1512,23 +1519,23 @@ fn hit_of_0( ray_5 : LocalRay_0,  voxel_14 : vec3<i32>,  instance_2 : u32) -> Hi
         {
             for(;;)
             {
-                var _S98 : vec3<f32> = _S94;
-                if((_S94[u32(2)]) == 0.0f)
+                var _S93 : vec3<f32> = _S89;
+                if((_S89[u32(2)]) == 0.0f)
                 {
                     break;
                 }
-                var crossing_5 : Crossing_0 = crossing_of_0(ray_5, u32(2), voxel_14[u32(2)] + i32((_S98[u32(2)]) < 0.0f));
-                if((last_0.axis_0) == u32(3))
+                var crossing_5 : Crossing_0 = crossing_of_0(ray_7, u32(2), voxel_14[u32(2)] + i32((_S93[u32(2)]) < 0.0f));
+                if((last_1.axis_0) == u32(3))
                 {
-                    _S95 = true;
+                    _S90 = true;
                 }
                 else
                 {
-                    _S95 = !Crossing_is_before_0(crossing_5, last_0);
+                    _S90 = !Crossing_is_before_0(crossing_5, last_1);
                 }
-                if(_S95)
+                if(_S90)
                 {
-                    last_0 = crossing_5;
+                    last_1 = crossing_5;
                 }
                 break;
             }
@@ -1536,89 +1543,90 @@ fn hit_of_0( ray_5 : LocalRay_0,  voxel_14 : vec3<i32>,  instance_2 : u32) -> Hi
         }
         break;
     }
-    var _S99 : Crossing_0 = last_0;
-    var is_negative_1 : bool = (_S94[last_0.axis_0]) < 0.0f;
-    var t_8 : f32 = (f32(voxel_14[last_0.axis_0] + i32(is_negative_1)) - ray_5.origin_2[last_0.axis_0]) * ray_5.inverse_0[last_0.axis_0];
-    var _S100 : f32;
-    if(t_8 > (ray_5.t_min_1))
+    var _S94 : Crossing_0 = last_1;
+    var is_negative_1 : bool = (_S89[last_1.axis_0]) < 0.0f;
+    var t_8 : f32 = (f32(voxel_14[last_1.axis_0] + i32(is_negative_1)) - ray_7.origin_1[last_1.axis_0]) * ray_7.inverse_0[last_1.axis_0];
+    var _S95 : f32;
+    if(t_8 > (ray_7.t_min_1))
     {
-        _S100 = t_8;
+        _S95 = t_8;
     }
     else
     {
-        _S100 = ray_5.t_min_1;
+        _S95 = ray_7.t_min_1;
     }
-    return Hit_x24init_0(_S100, instance_2, voxel_14, u32(2) * _S99.axis_0 + u32(is_negative_1));
+    return Hit_x24init_0(_S95, instance_2, voxel_14, u32(2) * _S94.axis_0 + u32(is_negative_1));
 }
 
-fn hit_of_walk_0( walk_2 : Walk_0,  voxel_15 : vec3<i32>,  instance_3 : u32) -> Hit_0
+fn hit_of_walk_0( walk_3 : Walk_0,  voxel_15 : vec3<i32>,  instance_3 : u32) -> Hit_0
 {
-    var t_9 : vec3<f32> = Walk_crossings_0(walk_2, Walk_mirrored_0(walk_2, voxel_15 - walk_2.grid_origin_0));
-    var last_1 : f32 = max_element_0(t_9);
-    var _S101 : i32;
-    if((t_9.z) == last_1)
+    var t_9 : vec3<f32> = Walk_crossings_0(walk_3, Walk_mirrored_0(walk_3, voxel_15 - walk_3.grid_origin_0));
+    var last_2 : f32 = max_element_0(t_9);
+    var _S96 : i32;
+    if((t_9.z) == last_2)
     {
-        _S101 = i32(2);
+        _S96 = i32(2);
     }
     else
     {
-        if((t_9.y) == last_1)
+        if((t_9.y) == last_2)
         {
-            _S101 = i32(1);
+            _S96 = i32(1);
         }
         else
         {
-            _S101 = i32(0);
+            _S96 = i32(0);
         }
     }
-    var axis_4 : u32 = u32(_S101);
-    return Hit_x24init_0(max(last_1, walk_2.ray_0.t_min_1), instance_3, voxel_15, u32(2) * axis_4 + u32((walk_2.mirror_0[axis_4]) != i32(0)));
+    var axis_4 : u32 = u32(_S96);
+    return Hit_x24init_0(max(last_2, walk_3.ray_1.t_min_1), instance_3, voxel_15, u32(2) * axis_4 + u32((walk_3.mirror_0[axis_4]) != i32(0)));
 }
 
-fn hit_in_0( instance_4 : u32,  ray_6 : ptr<function, Ray_0>) -> Hit_0
+fn hit_in_0( instance_4 : u32,  ray_8 : ptr<function, Ray_0>) -> Hit_0
 {
-    var _S102 : LocalRay_0 = local_ray_0((*ray_6), instance_4);
-    if(!_S102.is_valid_0)
+    var local_1 : LocalRay_0 = local_ray_0((*ray_8), Instances_operatorx5Bx5D_get_0(instance_4).grid_from_world_0);
+    if(!local_1.is_valid_0)
     {
         return miss_0();
     }
-    var _S103 : Walk_0 = walk_of_0(_S102, instances_0[instance_4].grid_0);
+    var _S97 : PackedGrid_0 = Grids_operatorx5Bx5D_get_0(Instances_operatorx5Bx5D_get_0(instance_4).grid_0);
+    var walk_4 : Walk_0 = walk_of_0(local_1, _S97);
     var voxel_16 : vec3<i32>;
-    var _S104 : bool = first_voxel_0(instances_0[instance_4].grid_0, _S103, &(voxel_16));
-    var _S105 : bool;
+    var is_found_3 : bool = first_voxel_0(_S97, walk_4, &(voxel_16));
+    var _S98 : bool;
     if(IS_SINGLE_0)
     {
-        _S105 = !IS_EXACT_0;
+        _S98 = !IS_EXACT_0;
     }
     else
     {
-        _S105 = false;
+        _S98 = false;
     }
-    if(_S105)
+    if(_S98)
     {
-        (*ray_6) = ray_of_walk_0(_S103, (*ray_6));
+        (*ray_8) = ray_of_walk_0(walk_4, (*ray_8));
     }
-    if(!_S104)
+    if(!is_found_3)
     {
         return miss_0();
     }
     var hit_0 : Hit_0;
     if(IS_EXACT_0)
     {
-        hit_0 = hit_of_0(_S102, voxel_16, instance_4);
+        hit_0 = hit_of_0(local_1, voxel_16, instance_4);
     }
     else
     {
-        hit_0 = hit_of_walk_0(_S103, voxel_16, instance_4);
+        hit_0 = hit_of_walk_0(walk_4, voxel_16, instance_4);
     }
-    if((hit_0.t_0) > ((*ray_6).t_max_0))
+    if((hit_0.t_0) > ((*ray_8).t_max_0))
     {
         return miss_0();
     }
     return hit_0;
 }
 
-fn Walk_enter_rounded_1( this_15 : Walk_0,  voxel_17 : ptr<function, vec3<i32>>,  near_2 : vec3<i32>,  far_2 : vec3<i32>) -> bool
+fn Walk_enter_rounded_1( this_17 : Walk_0,  voxel_17 : ptr<function, vec3<i32>>,  near_2 : vec3<i32>,  far_2 : vec3<i32>) -> bool
 {
     for(;;)
     {
@@ -1627,20 +1635,20 @@ fn Walk_enter_rounded_1( this_15 : Walk_0,  voxel_17 : ptr<function, vec3<i32>>,
         {
             break;
         }
-        if((any((select(vec3<bool>(false), (this_15.speed_1) <= vec3<f32>(min_abs_direction_0()), is_before_1)))))
+        if((any((select(vec3<bool>(false), (this_17.speed_1) <= vec3<f32>(min_abs_direction_0()), is_before_1)))))
         {
             return false;
         }
-        var t_10 : vec3<f32> = select(vec3<f32>(-1.0f), Walk_crossings_0(this_15, near_2), is_before_1);
+        var t_10 : vec3<f32> = select(vec3<f32>(-1.0f), Walk_crossings_0(this_17, near_2), is_before_1);
         var t_last_1 : f32 = max_element_0(t_10);
-        if(t_last_1 > (this_15.t_end_0))
+        if(t_last_1 > (this_17.t_end_0))
         {
             return false;
         }
         var is_x_3 : bool = (t_10.x) == t_last_1;
-        var _S106 : bool = !is_x_3;
+        var _S99 : bool = !is_x_3;
         var is_y_3 : bool;
-        if(_S106)
+        if(_S99)
         {
             is_y_3 = (t_10.y) == t_last_1;
         }
@@ -1648,38 +1656,38 @@ fn Walk_enter_rounded_1( this_15 : Walk_0,  voxel_17 : ptr<function, vec3<i32>>,
         {
             is_y_3 = false;
         }
-        var _S107 : bool;
-        if(_S106)
+        var _S100 : bool;
+        if(_S99)
         {
-            _S107 = !is_y_3;
+            _S100 = !is_y_3;
         }
         else
         {
-            _S107 = false;
+            _S100 = false;
         }
-        var is_axis_2 : vec3<bool> = vec3<bool>(is_x_3, is_y_3, _S107);
-        (*voxel_17) = Walk_arrive_0(this_15, (*voxel_17), t_last_1, is_axis_2, select(vec3<i32>(i32(1073741823)), near_2, is_axis_2));
+        var is_axis_2 : vec3<bool> = vec3<bool>(is_x_3, is_y_3, _S100);
+        (*voxel_17) = Walk_arrive_0(this_17, (*voxel_17), t_last_1, is_axis_2, select(vec3<i32>(i32(1073741823)), near_2, is_axis_2));
     }
     return (all(((*voxel_17) < far_2)));
 }
 
-fn Walk_leave_2( this_16 : Walk_0,  voxel_18 : ptr<function, vec3<i32>>,  exit_7 : vec3<i32>) -> bool
+fn Walk_leave_2( this_18 : Walk_0,  voxel_18 : ptr<function, vec3<i32>>,  exit_7 : vec3<i32>) -> bool
 {
     if(!IS_EXACT_0)
     {
-        var _S108 : bool = Walk_leave_rounded_0(this_16, &((*voxel_18)), exit_7);
-        return _S108;
+        var _S101 : bool = Walk_leave_rounded_0(this_18, &((*voxel_18)), exit_7);
+        return _S101;
     }
-    var t_11 : vec3<f32> = Walk_crossings_0(this_16, exit_7);
+    var t_11 : vec3<f32> = Walk_crossings_0(this_18, exit_7);
     var t_first_4 : f32 = min_element_0(t_11);
-    if(t_first_4 > (this_16.t_end_0))
+    if(t_first_4 > (this_18.t_end_0))
     {
         return false;
     }
     var is_x_4 : bool = (t_11.x) == t_first_4;
-    var _S109 : bool = !is_x_4;
+    var _S102 : bool = !is_x_4;
     var is_y_4 : bool;
-    if(_S109)
+    if(_S102)
     {
         is_y_4 = (t_11.y) == t_first_4;
     }
@@ -1687,74 +1695,74 @@ fn Walk_leave_2( this_16 : Walk_0,  voxel_18 : ptr<function, vec3<i32>>,  exit_7
     {
         is_y_4 = false;
     }
-    var back_2 : vec3<f32> = (t_11 - vec3<f32>(t_first_4)) * this_16.speed_1;
+    var back_2 : vec3<f32> = (t_11 - vec3<f32>(t_first_4)) * this_18.speed_1;
     var nearest_5 : vec3<f32> = round(back_2);
     var from_nearest_4 : vec3<f32> = back_2 - nearest_5;
     var planes_4 : vec3<i32> = exit_7 - vec3<i32>(min(nearest_5, vec3<f32>(4.194304e+06f)));
-    var _S110 : vec3<i32> = planes_4 - vec3<i32>(from_nearest_4 > vec3<f32>(0.0f));
-    var _S111 : vec3<bool> = (abs(from_nearest_4)) <= (this_16.tolerance_0);
-    var _S112 : bool;
-    if(_S109)
+    var _S103 : vec3<i32> = planes_4 - vec3<i32>(from_nearest_4 > vec3<f32>(0.0f));
+    var _S104 : vec3<bool> = (abs(from_nearest_4)) <= (this_18.tolerance_0);
+    var _S105 : bool;
+    if(_S102)
     {
-        _S112 = !is_y_4;
+        _S105 = !is_y_4;
     }
     else
     {
-        _S112 = false;
+        _S105 = false;
     }
     var arrival_3 : vec3<i32>;
-    if((any((select(vec3<bool>(false), !vec3<bool>(is_x_4, is_y_4, _S112), _S111)))))
+    if((any((select(vec3<bool>(false), !vec3<bool>(is_x_4, is_y_4, _S105), _S104)))))
     {
-        arrival_3 = Walk_mirrored_0(this_16, leave_box_0(this_16.ray_0, Walk_mirrored_0(this_16, (*voxel_18)) + this_16.grid_origin_0, Walk_mirrored_plane_0(this_16, exit_7) + this_16.grid_origin_0, Walk_mirrored_plane_0(this_16, planes_4) + this_16.grid_origin_0) - this_16.grid_origin_0);
+        arrival_3 = Walk_mirrored_0(this_18, leave_box_0(this_18.ray_1, Walk_mirrored_0(this_18, (*voxel_18)) + this_18.grid_origin_0, Walk_mirrored_plane_0(this_18, exit_7) + this_18.grid_origin_0, Walk_mirrored_plane_0(this_18, planes_4) + this_18.grid_origin_0) - this_18.grid_origin_0);
     }
     else
     {
-        arrival_3 = _S110;
+        arrival_3 = _S103;
     }
-    (*voxel_18) = select(max(arrival_3, (*voxel_18)), (*voxel_18), (this_16.speed_1) == vec3<f32>(0.0f));
+    (*voxel_18) = select(max(arrival_3, (*voxel_18)), (*voxel_18), (this_18.speed_1) == vec3<f32>(0.0f));
     return true;
 }
 
-fn Walk_enter_1( this_17 : Walk_0,  voxel_19 : ptr<function, vec3<i32>>,  low_5 : vec3<i32>,  high_3 : vec3<i32>) -> bool
+fn Walk_enter_1( this_19 : Walk_0,  voxel_19 : ptr<function, vec3<i32>>,  low_5 : vec3<i32>,  high_3 : vec3<i32>) -> bool
 {
-    var _S113 : bool;
-    var is_mirrored_2 : vec3<bool> = (this_17.mirror_0) != vec3<i32>(i32(0));
+    var _S106 : bool;
+    var is_mirrored_2 : vec3<bool> = (this_19.mirror_0) != vec3<i32>(i32(0));
     var near_3 : vec3<i32> = select(low_5, (vec3<i32>(0) - high_3), is_mirrored_2);
     var far_3 : vec3<i32> = select(high_3, (vec3<i32>(0) - low_5), is_mirrored_2);
     if(!IS_EXACT_0)
     {
-        var _S114 : bool = Walk_enter_rounded_1(this_17, &((*voxel_19)), near_3, far_3);
-        return _S114;
+        var _S107 : bool = Walk_enter_rounded_1(this_19, &((*voxel_19)), near_3, far_3);
+        return _S107;
     }
     var axis_5 : u32 = u32(0);
     for(;;)
     {
         if(axis_5 < u32(3))
         {
-            _S113 = (any(((*voxel_19) < near_3)));
+            _S106 = (any(((*voxel_19) < near_3)));
         }
         else
         {
-            _S113 = false;
+            _S106 = false;
         }
-        var _S115 : bool;
-        if(_S113)
+        var _S108 : bool;
+        if(_S106)
         {
-            _S115 = (all(((*voxel_19) < far_3)));
+            _S108 = (all(((*voxel_19) < far_3)));
         }
         else
         {
-            _S115 = false;
+            _S108 = false;
         }
-        if(_S115)
+        if(_S108)
         {
         }
         else
         {
             break;
         }
-        var _S116 : bool = Walk_leave_2(this_17, &((*voxel_19)), select(far_3, near_3, (*voxel_19) < near_3));
-        if(!_S116)
+        var _S109 : bool = Walk_leave_2(this_19, &((*voxel_19)), select(far_3, near_3, (*voxel_19) < near_3));
+        if(!_S109)
         {
             return false;
         }
@@ -1762,28 +1770,28 @@ fn Walk_enter_1( this_17 : Walk_0,  voxel_19 : ptr<function, vec3<i32>>,  low_5 
     }
     if((all(((*voxel_19) >= near_3))))
     {
-        _S113 = (all(((*voxel_19) < far_3)));
+        _S106 = (all(((*voxel_19) < far_3)));
     }
     else
     {
-        _S113 = false;
+        _S106 = false;
     }
-    return _S113;
+    return _S106;
 }
 
-fn first_voxel_1( _S117 : u32,  _S118 : Walk_0,  _S119 : ptr<function, vec3<i32>>) -> bool
+fn first_voxel_1( grid_5 : PackedGrid_0,  walk_5 : Walk_0,  found_1 : ptr<function, vec3<i32>>) -> bool
 {
-    var _S120 : Walk_0 = _S118;
-    var _S121 : vec3<i32> = vec3<i32>(i32(0));
-    (*_S119) = _S121;
-    var voxel_20 : vec3<i32> = Walk_start_voxel_0(_S118);
-    var _S122 : bool = Walk_enter_1(_S118, &(voxel_20), cell_of_0(grids_0[_S117].min_0) - _S120.grid_origin_0, cell_of_0(grids_0[_S117].max_0) - _S120.grid_origin_0);
-    if(!_S122)
+    var _S110 : Walk_0 = walk_5;
+    var _S111 : vec3<i32> = vec3<i32>(i32(0));
+    (*found_1) = _S111;
+    var voxel_20 : vec3<i32> = Walk_start_voxel_0(walk_5);
+    var _S112 : bool = Walk_enter_1(walk_5, &(voxel_20), cell_of_0(grid_5.min_0) - _S110.grid_origin_0, cell_of_0(grid_5.max_0) - _S110.grid_origin_0);
+    if(!_S112)
     {
         return false;
     }
-    var octant_4 : u32 = LocalRay_octant_0(_S120.ray_0);
-    var _S123 : u32 = flip_of_0(octant_4);
+    var octant_4 : u32 = LocalRay_octant_0(_S110.ray_1);
+    var _S113 : u32 = flip_of_0(octant_4);
     var top_shift_3 : u32;
     if(TOP_SHIFT_0 != u32(0))
     {
@@ -1791,45 +1799,44 @@ fn first_voxel_1( _S117 : u32,  _S118 : Walk_0,  _S119 : ptr<function, vec3<i32>
     }
     else
     {
-        top_shift_3 = grids_0[_S117].top_shift_0;
+        top_shift_3 = grid_5.top_shift_0;
     }
-    var top_size_2 : vec3<i32> = cell_of_0(grids_0[_S117].top_size_0);
-    var _S124 : i32 = top_size_2.x;
-    var stride_1 : vec3<i32> = vec3<i32>(i32(1), _S124, _S124 * top_size_2.y);
-    var _S125 : i32 = i32(grids_0[_S117].top_offset_0) - dot_cells_0((stride_1 & ((_S120.mirror_0))), vec3<i32>(i32(1)));
-    var _S126 : vec3<i32> = Walk_mirrored_plane_0(_S120, stride_1);
-    var _S127 : u32 = ahead_of_0(_S120.mirror_0);
-    var end_1 : vec3<i32> = select((top_size_2 << (vec3<u32>(top_shift_3))), _S121, (_S120.mirror_0) != _S121);
+    var top_size_2 : vec3<i32> = cell_of_0(grid_5.top_size_0);
+    var _S114 : i32 = top_size_2.x;
+    var stride_1 : vec3<i32> = vec3<i32>(i32(1), _S114, _S114 * top_size_2.y);
+    var _S115 : i32 = i32(grid_5.top_offset_0) - dot_cells_0((stride_1 & ((_S110.mirror_0))), vec3<i32>(i32(1)));
+    var _S116 : vec3<i32> = Walk_mirrored_plane_0(_S110, stride_1);
+    var _S117 : u32 = ahead_of_0(_S110.mirror_0);
+    var end_1 : vec3<i32> = select((top_size_2 << (vec3<u32>(top_shift_3))), _S111, (_S110.mirror_0) != _S111);
     if(!IS_EXACT_0)
     {
-        _S120.t_end_0 = min(_S120.t_end_0, min_element_0(Walk_crossings_0(_S120, end_1)));
+        _S110.t_end_0 = min(_S110.t_end_0, min_element_0(Walk_crossings_0(_S110, end_1)));
     }
-    var is_found_3 : bool = false;
+    var is_found_4 : bool = false;
     for(;;)
     {
-        var _S128 : bool;
+        var _S118 : bool;
         if(IS_EXACT_0)
         {
-            _S128 = (any((voxel_20 >= end_1)));
+            _S118 = (any((voxel_20 >= end_1)));
         }
         else
         {
-            _S128 = false;
+            _S118 = false;
         }
-        if(_S128)
+        if(_S118)
         {
             break;
         }
-        var cell_7 : u32 = cell_word_0(u32(_S125 + dot_cells_0(_S126, (voxel_20 >> (vec3<u32>(top_shift_3))))));
+        var cell_7 : u32 = cell_word_0(u32(_S115 + dot_cells_0(_S116, (voxel_20 >> (vec3<u32>(top_shift_3))))));
         var cell_8 : u32;
         var shift_3 : u32;
-        var is_found_4 : bool;
+        var is_found_5 : bool;
         if(TOP_SHIFT_0 == u32(5))
         {
             if(((cell_7 & (u32(2147483648)))) != u32(0))
             {
-                var _S129 : u32 = cell_word_0(((cell_7 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_20, u32(3))) ^ (_S123))));
-                cell_8 = _S129;
+                cell_8 = cell_word_0(((cell_7 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_20, u32(3))) ^ (_S113))));
                 shift_3 = u32(3);
             }
             else
@@ -1846,22 +1853,22 @@ fn first_voxel_1( _S117 : u32,  _S118 : Walk_0,  _S119 : ptr<function, vec3<i32>
             {
                 if(TOP_SHIFT_0 != u32(3))
                 {
-                    is_found_4 = shift_3 > u32(3);
+                    is_found_5 = shift_3 > u32(3);
                 }
                 else
                 {
-                    is_found_4 = false;
+                    is_found_5 = false;
                 }
-                var _S130 : bool;
-                if(is_found_4)
+                var _S119 : bool;
+                if(is_found_5)
                 {
-                    _S130 = ((cell_8 & (u32(2147483648)))) != u32(0);
+                    _S119 = ((cell_8 & (u32(2147483648)))) != u32(0);
                 }
                 else
                 {
-                    _S130 = false;
+                    _S119 = false;
                 }
-                if(_S130)
+                if(_S119)
                 {
                 }
                 else
@@ -1869,8 +1876,7 @@ fn first_voxel_1( _S117 : u32,  _S118 : Walk_0,  _S119 : ptr<function, vec3<i32>
                     break;
                 }
                 var shift_4 : u32 = shift_3 - u32(2);
-                var _S131 : u32 = cell_word_0(((cell_8 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_20, shift_4)) ^ (_S123))));
-                cell_8 = _S131;
+                cell_8 = cell_word_0(((cell_8 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_20, shift_4)) ^ (_S113))));
                 shift_3 = shift_4;
             }
         }
@@ -1887,10 +1893,10 @@ fn first_voxel_1( _S117 : u32,  _S118 : Walk_0,  _S119 : ptr<function, vec3<i32>
             }
             else
             {
-                exit_8 = extents_0(cell_8, _S127);
+                exit_8 = extents_0(cell_8, _S117);
             }
             exit_8 = ((voxel_20 | (vec3<i32>((((i32(1) << (shift_3))) - i32(1)))))) + vec3<i32>(i32(1)) + ((exit_8 << (vec3<u32>(shift_3))));
-            is_found_4 = is_found_3;
+            is_found_5 = is_found_4;
         }
         else
         {
@@ -1902,68 +1908,68 @@ fn first_voxel_1( _S117 : u32,  _S118 : Walk_0,  _S119 : ptr<function, vec3<i32>
             }
             else
             {
-                var _S132 : u32 = blocks_of_record_0(record_3);
-                blocks_2 = _S132;
+                blocks_2 = blocks_of_record_0(record_3);
             }
-            var low_bits_1 : u32 = empty_around_0(record_3, blocks_2, voxel_20, octant_4, _S123);
-            var is_found_5 : bool = low_bits_1 == u32(4294967295);
-            if(is_found_5)
+            var low_bits_1 : u32 = empty_around_0(record_3, blocks_2, voxel_20, octant_4, _S113);
+            var is_found_6 : bool = low_bits_1 == u32(4294967295);
+            if(is_found_6)
             {
-                is_found_3 = is_found_5;
+                is_found_4 = is_found_6;
                 break;
             }
             exit_8 = ((voxel_20 | (vec3<i32>(i32(low_bits_1))))) + vec3<i32>(i32(1));
-            is_found_4 = is_found_5;
+            is_found_5 = is_found_6;
         }
-        var _S133 : bool = Walk_leave_0(_S120, &(voxel_20), exit_8);
-        if(!_S133)
+        var _S120 : bool = Walk_leave_0(_S110, &(voxel_20), exit_8);
+        if(!_S120)
         {
-            is_found_3 = is_found_4;
+            is_found_4 = is_found_5;
             break;
         }
-        is_found_3 = is_found_4;
+        is_found_4 = is_found_5;
     }
-    (*_S119) = Walk_mirrored_0(_S120, voxel_20) + _S120.grid_origin_0;
-    return is_found_3;
+    (*found_1) = Walk_mirrored_0(_S110, voxel_20) + _S110.grid_origin_0;
+    return is_found_4;
 }
 
-fn hit_in_1( instance_5 : u32,  ray_7 : ptr<function, Ray_0>) -> Hit_0
+fn hit_in_1( instance_5 : u32,  ray_9 : ptr<function, Ray_0>) -> Hit_0
 {
-    var _S134 : LocalRay_0 = local_ray_0((*ray_7), instance_5);
-    if(!_S134.is_valid_0)
+    var local_2 : LocalRay_0 = local_ray_0((*ray_9), Instances_operatorx5Bx5D_get_0(instance_5).grid_from_world_0);
+    if(!local_2.is_valid_0)
     {
         return miss_0();
     }
-    var _S135 : Walk_0 = walk_of_0(_S134, instances_0[instance_5].grid_0);
+    var _S121 : PackedGrid_0 = Grids_operatorx5Bx5D_get_0(Instances_operatorx5Bx5D_get_0(instance_5).grid_0);
+    var walk_6 : Walk_0 = walk_of_0(local_2, _S121);
     var voxel_21 : vec3<i32>;
-    var _S136 : bool = first_voxel_1(instances_0[instance_5].grid_0, _S135, &(voxel_21));
-    var _S137 : bool;
+    var is_found_7 : bool = first_voxel_1(_S121, walk_6, &(voxel_21));
+    var _S122 : bool;
     if(IS_SINGLE_0)
     {
-        _S137 = !IS_EXACT_0;
+        _S122 = !IS_EXACT_0;
     }
     else
     {
-        _S137 = false;
+        _S122 = false;
     }
-    if(_S137)
+    if(_S122)
     {
-        (*ray_7) = ray_of_walk_0(_S135, (*ray_7));
+        (*ray_9) = ray_of_walk_0(walk_6, (*ray_9));
     }
-    if(!_S136)
+    if(!is_found_7)
     {
         return miss_0();
     }
     var hit_1 : Hit_0;
     if(IS_EXACT_0)
     {
-        hit_1 = hit_of_0(_S134, voxel_21, instance_5);
+        hit_1 = hit_of_0(local_2, voxel_21, instance_5);
     }
     else
     {
-        hit_1 = hit_of_walk_0(_S135, voxel_21, instance_5);
+        hit_1 = hit_of_walk_0(walk_6, voxel_21, instance_5);
     }
-    if((hit_1.t_0) > ((*ray_7).t_max_0))
+    if((hit_1.t_0) > ((*ray_9).t_max_0))
     {
         return miss_0();
     }
@@ -2010,7 +2016,7 @@ struct Path_0
 struct Walker_0
 {
      path_0 : Path_0,
-     ray_8 : Ray_0,
+     ray_10 : Ray_0,
      is_shadow_ray_0 : bool,
      light_0 : vec3<f32>,
      direction_4 : vec3<f32>,
@@ -2055,11 +2061,11 @@ struct NextRays_0
 
 fn Inside_x24init_0( instance_8 : u32,  voxel_23 : vec3<i32>,  material_1 : u32) -> Inside_0
 {
-    var _S138 : Inside_0;
-    _S138.instance_6 = instance_8;
-    _S138.voxel_22 = voxel_23;
-    _S138.material_0 = material_1;
-    return _S138;
+    var _S123 : Inside_0;
+    _S123.instance_6 = instance_8;
+    _S123.voxel_22 = voxel_23;
+    _S123.material_0 = material_1;
+    return _S123;
 }
 
 fn in_air_0() -> Inside_0
@@ -2069,33 +2075,33 @@ fn in_air_0() -> Inside_0
 
 fn NextRays_x24init_0( origin_8 : vec3<f32>,  path_origin_2 : vec3<f32>,  shadow_inside_2 : Inside_0,  relocates_2 : bool,  path_relocates_2 : bool,  direction_6 : vec3<f32>,  has_shadow_ray_1 : bool,  shadow_direction_1 : vec3<f32>,  shadow_t_max_1 : f32,  light_3 : vec3<f32>,  is_same_1 : bool) -> NextRays_0
 {
-    var _S139 : NextRays_0;
-    _S139.origin_7 = origin_8;
-    _S139.path_origin_1 = path_origin_2;
-    _S139.shadow_inside_1 = shadow_inside_2;
-    _S139.relocates_1 = relocates_2;
-    _S139.path_relocates_1 = path_relocates_2;
-    _S139.direction_5 = direction_6;
-    _S139.has_shadow_ray_0 = has_shadow_ray_1;
-    _S139.shadow_direction_0 = shadow_direction_1;
-    _S139.shadow_t_max_0 = shadow_t_max_1;
-    _S139.light_2 = light_3;
-    _S139.is_same_0 = is_same_1;
-    return _S139;
+    var _S124 : NextRays_0;
+    _S124.origin_7 = origin_8;
+    _S124.path_origin_1 = path_origin_2;
+    _S124.shadow_inside_1 = shadow_inside_2;
+    _S124.relocates_1 = relocates_2;
+    _S124.path_relocates_1 = path_relocates_2;
+    _S124.direction_5 = direction_6;
+    _S124.has_shadow_ray_0 = has_shadow_ray_1;
+    _S124.shadow_direction_0 = shadow_direction_1;
+    _S124.shadow_t_max_0 = shadow_t_max_1;
+    _S124.light_2 = light_3;
+    _S124.is_same_0 = is_same_1;
+    return _S124;
 }
 
 fn no_rays_0() -> NextRays_0
 {
-    var _S140 : vec3<f32> = vec3<f32>(0.0f);
-    return NextRays_x24init_0(_S140, _S140, in_air_0(), false, false, _S140, false, _S140, 0.0f, _S140, false);
+    var _S125 : vec3<f32> = vec3<f32>(0.0f);
+    return NextRays_x24init_0(_S125, _S125, in_air_0(), false, false, _S125, false, _S125, 0.0f, _S125, false);
 }
 
-fn Hit_is_miss_0( this_18 : Hit_0) -> bool
+fn Hit_is_miss_0( this_20 : Hit_0) -> bool
 {
-    return (this_18.instance_0) == u32(4294967295);
+    return (this_20.instance_0) == u32(4294967295);
 }
 
-fn Inside_is_in_0( this_19 : Inside_0) -> bool
+fn Inside_is_in_0( this_21 : Inside_0) -> bool
 {
     return false;
 }
@@ -2114,24 +2120,23 @@ struct PackedMaterial_0
      scattering_0 : f32,
 };
 
-fn find_brick_0( _S141 : u32,  _S142 : vec3<i32>) -> u32
+fn find_brick_0( grid_6 : PackedGrid_0,  relative_1 : vec3<i32>) -> u32
 {
-    var top_0 : vec3<i32> = (_S142 >> (vec3<u32>(grids_0[_S141].top_shift_0)));
-    var _S143 : u32 = cell_word_0(grids_0[_S141].top_offset_0 + u32((top_0.z * grids_0[_S141].top_size_0[i32(1)] + top_0.y) * grids_0[_S141].top_size_0[i32(0)] + top_0.x));
-    var cell_9 : u32 = _S143;
-    var shift_5 : u32 = grids_0[_S141].top_shift_0;
+    var top_0 : vec3<i32> = (relative_1 >> (vec3<u32>(grid_6.top_shift_0)));
+    var cell_9 : u32 = cell_word_0(grid_6.top_offset_0 + u32((top_0.z * grid_6.top_size_0[i32(1)] + top_0.y) * grid_6.top_size_0[i32(0)] + top_0.x));
+    var shift_5 : u32 = grid_6.top_shift_0;
     for(;;)
     {
-        var _S144 : bool;
+        var _S126 : bool;
         if(shift_5 > u32(3))
         {
-            _S144 = ((cell_9 & (u32(2147483648)))) != u32(0);
+            _S126 = ((cell_9 & (u32(2147483648)))) != u32(0);
         }
         else
         {
-            _S144 = false;
+            _S126 = false;
         }
-        if(_S144)
+        if(_S126)
         {
         }
         else
@@ -2139,18 +2144,16 @@ fn find_brick_0( _S141 : u32,  _S142 : vec3<i32>) -> u32
             break;
         }
         var shift_6 : u32 = shift_5 - u32(2);
-        var _S145 : u32 = cell_word_0(((cell_9 & (u32(2147483647)))) * u32(64) + cell_in_node_0(_S142, shift_6));
-        cell_9 = _S145;
+        cell_9 = cell_word_0(((cell_9 & (u32(2147483647)))) * u32(64) + cell_in_node_0(relative_1, shift_6));
         shift_5 = shift_6;
     }
     return record_of_cell_0(cell_9);
 }
 
-fn rank_in_brick_0( record_4 : u32,  relative_1 : vec3<i32>) -> u32
+fn rank_in_brick_0( record_4 : u32,  relative_2 : vec3<i32>) -> u32
 {
-    var header_0 : u32 = brick_word_0(record_4);
-    var bit_1 : u32 = cell_in_node_0(relative_1, u32(0));
-    var present_before_0 : u32 = countOneBits((header_0 & ((((u32(1) << (((((u32(((((relative_1.x) >> (u32(2)))) & (i32(1)))) | (((u32(((((relative_1.y) >> (u32(2)))) & (i32(1)))) << (u32(1))))))) | (((u32(((((relative_1.z) >> (u32(2)))) & (i32(1)))) << (u32(2)))))))))) - u32(1)))));
+    var bit_1 : u32 = cell_in_node_0(relative_2, u32(0));
+    var present_before_0 : u32 = countOneBits(((brick_word_0(record_4)) & ((((u32(1) << (((((u32(((((relative_2.x) >> (u32(2)))) & (i32(1)))) | (((u32(((((relative_2.y) >> (u32(2)))) & (i32(1)))) << (u32(1))))))) | (((u32(((((relative_2.z) >> (u32(2)))) & (i32(1)))) << (u32(2)))))))))) - u32(1)))));
     var index_6 : u32 = u32(0);
     var rank_0 : u32 = u32(0);
     for(;;)
@@ -2162,48 +2165,32 @@ fn rank_in_brick_0( record_4 : u32,  relative_1 : vec3<i32>) -> u32
         {
             break;
         }
-        var _S146 : u32 = u32(2) * index_6;
-        var _S147 : u32 = brick_word_0(record_4 + u32(2) + _S146);
-        var _S148 : u32 = countOneBits(_S147);
-        var _S149 : u32 = brick_word_0(record_4 + u32(3) + _S146);
-        var rank_1 : u32 = rank_0 + (_S148 + countOneBits(_S149));
+        var _S127 : u32 = u32(2) * index_6;
+        var rank_1 : u32 = rank_0 + (countOneBits(brick_word_0(record_4 + u32(2) + _S127)) + countOneBits(brick_word_0(record_4 + u32(3) + _S127)));
         index_6 = index_6 + u32(1);
         rank_0 = rank_1;
     }
-    var _S150 : u32 = u32(2) * present_before_0;
-    var low_6 : u32 = brick_word_0(record_4 + u32(2) + _S150);
+    var _S128 : u32 = u32(2) * present_before_0;
+    var low_6 : u32 = brick_word_0(record_4 + u32(2) + _S128);
     if(bit_1 < u32(32))
     {
         rank_0 = rank_0 + countOneBits((low_6 & ((((u32(1) << (bit_1))) - u32(1)))));
     }
     else
     {
-        var _S151 : u32 = countOneBits(low_6);
-        var _S152 : u32 = brick_word_0(record_4 + u32(3) + _S150);
-        rank_0 = rank_0 + (_S151 + countOneBits((_S152 & ((((u32(1) << ((bit_1 - u32(32))))) - u32(1))))));
+        rank_0 = rank_0 + (countOneBits(low_6) + countOneBits(((brick_word_0(record_4 + u32(3) + _S128)) & ((((u32(1) << ((bit_1 - u32(32))))) - u32(1))))));
     }
     return rank_0;
 }
 
 fn place_of_material_0( index_7 : u32) -> u32
 {
-    var _S153 : u32;
-    if(HAS_PAGES_0)
-    {
-        var _S154 : u32 = word_in_pages_0(index_7, pages_0[i32(2)]);
-        _S153 = _S154;
-    }
-    else
-    {
-        _S153 = index_7;
-    }
-    return _S153;
+    return index_7;
 }
 
 fn material_word_0( index_8 : u32) -> u32
 {
-    var _S155 : u32 = place_of_material_0(index_8);
-    return brick_materials_0[_S155];
+    return brick_materials_0[place_of_material_0(index_8)];
 }
 
 fn read_bits_0( start_1 : u32,  position_2 : u32,  count_0 : u32) -> u32
@@ -2214,13 +2201,11 @@ fn read_bits_0( start_1 : u32,  position_2 : u32,  count_0 : u32) -> u32
     }
     var word_0 : u32 = start_1 + ((position_2 >> (u32(5))));
     var shift_7 : u32 = (position_2 & (u32(31)));
-    var _S156 : u32 = material_word_0(word_0);
-    var bits_1 : u32 = (_S156 >> (shift_7));
+    var bits_1 : u32 = ((material_word_0(word_0)) >> (shift_7));
     var bits_2 : u32;
     if((shift_7 + count_0) > u32(32))
     {
-        var _S157 : u32 = material_word_0(word_0 + u32(1));
-        bits_2 = (bits_1 | (((_S157 << ((u32(32) - shift_7))))));
+        bits_2 = (bits_1 | ((((material_word_0(word_0 + u32(1))) << ((u32(32) - shift_7))))));
     }
     else
     {
@@ -2229,72 +2214,73 @@ fn read_bits_0( start_1 : u32,  position_2 : u32,  count_0 : u32) -> u32
     return (bits_2 & ((((u32(1) << (count_0))) - u32(1))));
 }
 
-fn material_at_0( _S158 : u32,  _S159 : vec3<i32>) -> u32
+fn material_at_0( grid_7 : PackedGrid_0,  relative_3 : vec3<i32>) -> u32
 {
-    var _S160 : u32 = find_brick_0(_S158, _S159);
-    var header_1 : u32 = brick_word_0(_S160);
-    var rank_2 : u32 = rank_in_brick_0(_S160, _S159);
-    var index_bits_0 : u32 = (((header_1 >> (u32(8)))) & (u32(255)));
-    var palette_count_0 : u32 = (header_1 >> (u32(16)));
-    var entry_bits_0 : u32 = grids_0[_S158].material_bits_0;
-    var start_2 : u32 = brick_word_0(_S160 + u32(1));
-    var index_9 : u32 = read_bits_0(start_2, palette_count_0 * grids_0[_S158].material_bits_0 + rank_2 * index_bits_0, index_bits_0);
+    var record_5 : u32 = find_brick_0(grid_7, relative_3);
+    var header_0 : u32 = brick_word_0(record_5);
+    var index_bits_0 : u32 = (((header_0 >> (u32(8)))) & (u32(255)));
+    var palette_count_0 : u32 = (header_0 >> (u32(16)));
+    var start_2 : u32 = brick_word_0(record_5 + u32(1));
+    var index_9 : u32 = read_bits_0(start_2, palette_count_0 * grid_7.material_bits_0 + rank_in_brick_0(record_5, relative_3) * index_bits_0, index_bits_0);
     if(palette_count_0 == u32(0))
     {
         return index_9;
     }
-    var _S161 : u32 = read_bits_0(start_2, index_9 * entry_bits_0, entry_bits_0);
-    return _S161;
+    return read_bits_0(start_2, index_9 * grid_7.material_bits_0, grid_7.material_bits_0);
+}
+
+fn Rows_operatorx5Bx5D_get_0( row_3 : u32) -> vec4<u32>
+{
+    return records_0[first_row_0(u32(3)) + row_3];
 }
 
 fn material_of_index_0( index_10 : u32) -> PackedMaterial_0
 {
-    var _S162 : u32 = u32(4) * index_10;
-    var a_3 : vec4<u32> = material_rows_0[_S162];
-    var b_3 : vec4<u32> = material_rows_0[_S162 + u32(1)];
-    var c_0 : vec4<u32> = material_rows_0[_S162 + u32(2)];
-    var d_0 : vec4<u32> = material_rows_0[_S162 + u32(3)];
+    var _S129 : u32 = u32(4) * index_10;
+    var _S130 : vec4<u32> = Rows_operatorx5Bx5D_get_0(_S129);
+    var _S131 : vec4<u32> = Rows_operatorx5Bx5D_get_0(_S129 + u32(1));
+    var _S132 : vec4<u32> = Rows_operatorx5Bx5D_get_0(_S129 + u32(2));
+    var _S133 : vec4<u32> = Rows_operatorx5Bx5D_get_0(_S129 + u32(3));
     var material_2 : PackedMaterial_0;
-    var _S163 : f32 = (bitcast<f32>((a_3.y)));
-    var _S164 : f32 = (bitcast<f32>((a_3.z)));
-    material_2.base_color_0[i32(0)] = (bitcast<f32>((a_3.x)));
-    material_2.base_color_0[i32(1)] = _S163;
-    material_2.base_color_0[i32(2)] = _S164;
-    var _S165 : f32 = (bitcast<f32>((b_3.y)));
-    var _S166 : f32 = (bitcast<f32>((b_3.z)));
-    material_2.emission_0[i32(0)] = (bitcast<f32>((b_3.x)));
-    material_2.emission_0[i32(1)] = _S165;
-    material_2.emission_0[i32(2)] = _S166;
-    var _S167 : f32 = (bitcast<f32>((d_0.y)));
-    var _S168 : f32 = (bitcast<f32>((d_0.z)));
-    material_2.absorption_0[i32(0)] = (bitcast<f32>((d_0.x)));
-    material_2.absorption_0[i32(1)] = _S167;
-    material_2.absorption_0[i32(2)] = _S168;
-    material_2.roughness_0 = (bitcast<f32>((a_3.w)));
-    material_2.metallic_0 = (bitcast<f32>((b_3.w)));
-    material_2.transmission_0 = (bitcast<f32>((c_0.x)));
-    material_2.ior_0 = (bitcast<f32>((c_0.y)));
-    material_2.specular_0 = (bitcast<f32>((c_0.z)));
-    material_2.anisotropy_0 = (bitcast<f32>((c_0.w)));
-    material_2.scattering_0 = (bitcast<f32>((d_0.w)));
+    var _S134 : f32 = (bitcast<f32>((_S130.y)));
+    var _S135 : f32 = (bitcast<f32>((_S130.z)));
+    material_2.base_color_0[i32(0)] = (bitcast<f32>((_S130.x)));
+    material_2.base_color_0[i32(1)] = _S134;
+    material_2.base_color_0[i32(2)] = _S135;
+    var _S136 : f32 = (bitcast<f32>((_S131.y)));
+    var _S137 : f32 = (bitcast<f32>((_S131.z)));
+    material_2.emission_0[i32(0)] = (bitcast<f32>((_S131.x)));
+    material_2.emission_0[i32(1)] = _S136;
+    material_2.emission_0[i32(2)] = _S137;
+    var _S138 : f32 = (bitcast<f32>((_S133.y)));
+    var _S139 : f32 = (bitcast<f32>((_S133.z)));
+    material_2.absorption_0[i32(0)] = (bitcast<f32>((_S133.x)));
+    material_2.absorption_0[i32(1)] = _S138;
+    material_2.absorption_0[i32(2)] = _S139;
+    material_2.roughness_0 = (bitcast<f32>((_S130.w)));
+    material_2.metallic_0 = (bitcast<f32>((_S131.w)));
+    material_2.transmission_0 = (bitcast<f32>((_S132.x)));
+    material_2.ior_0 = (bitcast<f32>((_S132.y)));
+    material_2.specular_0 = (bitcast<f32>((_S132.z)));
+    material_2.anisotropy_0 = (bitcast<f32>((_S132.w)));
+    material_2.scattering_0 = (bitcast<f32>((_S133.w)));
     return material_2;
 }
 
 fn material_of_0( hit_2 : Hit_0) -> PackedMaterial_0
 {
-    var _S169 : u32 = material_at_0(instances_0[hit_2.instance_0].grid_0, hit_2.voxel_0 - cell_of_0(grids_0[instances_0[hit_2.instance_0].grid_0].origin_0));
-    return material_of_index_0(_S169);
+    var _S140 : PackedGrid_0 = Grids_operatorx5Bx5D_get_0(Instances_operatorx5Bx5D_get_0(hit_2.instance_0).grid_0);
+    return material_of_index_0(material_at_0(_S140, hit_2.voxel_0 - cell_of_0(_S140.origin_3)));
 }
 
 fn material_met_0( path_1 : Path_0,  hit_3 : Hit_0,  beyond_0 : u32) -> PackedMaterial_0
 {
-    var _S170 : PackedMaterial_0 = material_of_0(hit_3);
-    return _S170;
+    return material_of_0(hit_3);
 }
 
-fn dot_product_0( a_4 : vec3<f32>,  b_4 : vec3<f32>) -> f32
+fn dot_product_0( a_5 : vec3<f32>,  b_5 : vec3<f32>) -> f32
 {
-    return a_4.x * b_4.x + a_4.y * b_4.y + a_4.z * b_4.z;
+    return a_5.x * b_5.x + a_5.y * b_5.y + a_5.z * b_5.z;
 }
 
 fn length_squared_0( vector_3 : vec3<f32>) -> f32
@@ -2306,9 +2292,9 @@ fn nearest_root_0( mantissa_0 : u32,  guess_1 : u32) -> u32
 {
     var rest_2 : i32 = i32(((mantissa_0 << (u32(23)))) - guess_1 * guess_1);
     var units_1 : i32 = i32(floor(f32(rest_2) / f32(u32(2) * guess_1) + 0.5f));
-    var _S171 : i32 = i32(guess_1);
-    var root_0 : i32 = _S171 + units_1;
-    var rest_3 : i32 = rest_2 - units_1 * (_S171 + root_0);
+    var _S141 : i32 = i32(guess_1);
+    var root_0 : i32 = _S141 + units_1;
+    var rest_3 : i32 = rest_2 - units_1 * (_S141 + root_0);
     return u32(root_0 + i32(rest_3 > root_0) - i32(rest_3 <= (- root_0)));
 }
 
@@ -2318,36 +2304,36 @@ fn square_root_0( value_1 : f32) -> f32
     {
         return sqrt(value_1);
     }
-    var _S172 : u32 = (bitcast<u32>((value_1)));
-    var exponent_2 : u32 = (_S172 >> (u32(23)));
+    var _S142 : u32 = (bitcast<u32>((value_1)));
+    var exponent_2 : u32 = (_S142 >> (u32(23)));
     if(!is_normal_0(exponent_2))
     {
         return sqrt(value_1);
     }
-    var mantissa_1 : u32 = (((((_S172 & (u32(8388607)))) | (u32(8388608)))) << ((((~exponent_2) & (u32(1))))));
+    var mantissa_1 : u32 = (((((_S142 & (u32(8388607)))) | (u32(8388608)))) << ((((~exponent_2) & (u32(1))))));
     return (bitcast<f32>(((((((exponent_2 + u32(127)) >> (u32(1)))) << (u32(23)))) + (nearest_root_0(mantissa_1, u32(sqrt(f32(mantissa_1) * 1.1920928955078125e-07f) * 8.388608e+06f)) - u32(8388608)))));
 }
 
-fn Path_events_0( this_20 : Path_0) -> u32
+fn Path_events_0( this_22 : Path_0) -> u32
 {
-    return this_20.bounce_0;
+    return this_22.bounce_0;
 }
 
 fn pcg4d_0( words_0 : vec4<u32>) -> vec4<u32>
 {
-    var _S173 : vec4<u32> = words_0 * vec4<u32>(u32(1664525)) + vec4<u32>(u32(1013904223));
-    var v_0 : vec4<u32> = _S173;
-    v_0[i32(0)] = v_0[i32(0)] + _S173.y * _S173.w;
-    v_0[i32(1)] = v_0[i32(1)] + v_0.z * v_0.x;
-    v_0[i32(2)] = v_0[i32(2)] + v_0.x * v_0.y;
-    v_0[i32(3)] = v_0[i32(3)] + v_0.y * v_0.z;
-    var _S174 : vec4<u32> = (v_0 ^ (((v_0 >> (vec4<u32>(u32(16)))))));
-    v_0 = _S174;
-    v_0[i32(0)] = v_0[i32(0)] + _S174.y * _S174.w;
-    v_0[i32(1)] = v_0[i32(1)] + v_0.z * v_0.x;
-    v_0[i32(2)] = v_0[i32(2)] + v_0.x * v_0.y;
-    v_0[i32(3)] = v_0[i32(3)] + v_0.y * v_0.z;
-    return v_0;
+    var _S143 : vec4<u32> = words_0 * vec4<u32>(u32(1664525)) + vec4<u32>(u32(1013904223));
+    var v_2 : vec4<u32> = _S143;
+    v_2[i32(0)] = v_2[i32(0)] + _S143.y * _S143.w;
+    v_2[i32(1)] = v_2[i32(1)] + v_2.z * v_2.x;
+    v_2[i32(2)] = v_2[i32(2)] + v_2.x * v_2.y;
+    v_2[i32(3)] = v_2[i32(3)] + v_2.y * v_2.z;
+    var _S144 : vec4<u32> = (v_2 ^ (((v_2 >> (vec4<u32>(u32(16)))))));
+    v_2 = _S144;
+    v_2[i32(0)] = v_2[i32(0)] + _S144.y * _S144.w;
+    v_2[i32(1)] = v_2[i32(1)] + v_2.z * v_2.x;
+    v_2[i32(2)] = v_2[i32(2)] + v_2.x * v_2.y;
+    v_2[i32(3)] = v_2[i32(3)] + v_2.y * v_2.z;
+    return v_2;
 }
 
 fn unit_float_0( words_1 : vec4<u32>) -> vec4<f32>
@@ -2355,9 +2341,9 @@ fn unit_float_0( words_1 : vec4<u32>) -> vec4<f32>
     return vec4<f32>((words_1 >> (vec4<u32>(u32(8))))) * vec4<f32>(5.9604644775390625e-08f);
 }
 
-fn Sampler_independent_0( this_21 : Sampler_0,  dimension_0 : u32) -> vec4<f32>
+fn Sampler_independent_0( this_23 : Sampler_0,  dimension_0 : u32) -> vec4<f32>
 {
-    return unit_float_0(pcg4d_0(vec4<u32>(this_21.pixel_0, this_21.sample_0, dimension_0, this_21.seed_1)));
+    return unit_float_0(pcg4d_0(vec4<u32>(this_23.pixel_0, this_23.sample_0, dimension_0, this_23.seed_1)));
 }
 
 struct Key_0
@@ -2374,11 +2360,11 @@ fn inverse_power_of_two_0( x_0 : f32) -> f32
 
 fn Key_x24init_0( instance_10 : u32,  face_and_level_1 : u32,  cube_1 : vec3<i32>) -> Key_0
 {
-    var _S175 : Key_0;
-    _S175.instance_9 = instance_10;
-    _S175.face_and_level_0 = face_and_level_1;
-    _S175.cube_0 = cube_1;
-    return _S175;
+    var _S145 : Key_0;
+    _S145.instance_9 = instance_10;
+    _S145.face_and_level_0 = face_and_level_1;
+    _S145.cube_0 = cube_1;
+    return _S145;
 }
 
 fn scramble_of_0( number_1 : u32) -> u32
@@ -2386,40 +2372,40 @@ fn scramble_of_0( number_1 : u32) -> u32
     return pcg4d_0(vec4<u32>(number_1, u32(0), u32(0), u32(2654435769))).x;
 }
 
-fn Key_level_0( this_22 : Key_0) -> u32
+fn Key_level_0( this_24 : Key_0) -> u32
 {
-    return ((this_22.face_and_level_0) >> (u32(3)));
+    return ((this_24.face_and_level_0) >> (u32(3)));
 }
 
-fn Key_mask_0( this_23 : Key_0) -> u32
+fn Key_mask_0( this_25 : Key_0) -> u32
 {
-    return ((u32(1) << ((u32(3) * Key_level_0(this_23))))) - u32(1);
+    return ((u32(1) << ((u32(3) * Key_level_0(this_25))))) - u32(1);
 }
 
 fn key_of_0( hit_4 : Hit_0,  size_0 : f32,  u_0 : f32,  code_1 : ptr<function, u32>) -> Key_0
 {
     var clamped_0 : f32 = clamp(size_0, 1.0f, 128.0f);
     var power_0 : f32 = f32(((bitcast<u32>((clamped_0))) >> (u32(23)))) - 127.0f;
-    var _S176 : f32;
+    var _S146 : f32;
     if(u_0 < (clamped_0 * inverse_power_of_two_0(clamped_0) - 1.0f))
     {
-        _S176 = 1.0f;
+        _S146 = 1.0f;
     }
     else
     {
-        _S176 = 0.0f;
+        _S146 = 0.0f;
     }
-    var level_0 : u32 = u32(min(power_0 + _S176, 6.0f));
-    var _S177 : vec3<u32> = vec3<u32>(u32(i32(level_0)));
-    var key_0 : Key_0 = Key_x24init_0(hit_4.instance_0, ((hit_4.face_0) | (((level_0 << (u32(3)))))), ((hit_4.voxel_0) >> (_S177)));
-    var _S178 : vec3<u32> = vec3<u32>(hit_4.voxel_0 - (((key_0.cube_0) << (_S177))));
-    (*code_1) = u32(1) + (((((((_S178.x) | ((((_S178.y) << (level_0)))))) | ((((_S178.z) << ((u32(2) * level_0))))))) ^ ((((scramble_of_0(real_time_0.number_0)) & ((Key_mask_0(key_0))))))));
+    var level_0 : u32 = u32(min(power_0 + _S146, 6.0f));
+    var _S147 : vec3<u32> = vec3<u32>(u32(i32(level_0)));
+    var key_0 : Key_0 = Key_x24init_0(hit_4.instance_0, ((hit_4.face_0) | (((level_0 << (u32(3)))))), ((hit_4.voxel_0) >> (_S147)));
+    var _S148 : vec3<u32> = vec3<u32>(hit_4.voxel_0 - (((key_0.cube_0) << (_S147))));
+    (*code_1) = u32(1) + (((((((_S148.x) | ((((_S148.y) << (level_0)))))) | ((((_S148.z) << ((u32(2) * level_0))))))) ^ ((((scramble_of_0(real_time_0.number_0)) & ((Key_mask_0(key_0))))))));
     return key_0;
 }
 
-fn Key_hash_0( this_24 : Key_0) -> vec2<u32>
+fn Key_hash_0( this_26 : Key_0) -> vec2<u32>
 {
-    return pcg4d_0(vec4<u32>(vec3<u32>(this_24.cube_0), this_24.instance_9 * u32(61) + this_24.face_and_level_0)).xy;
+    return pcg4d_0(vec4<u32>(vec3<u32>(this_26.cube_0), this_26.instance_9 * u32(61) + this_26.face_and_level_0)).xy;
 }
 
 fn place_of_check_0( cell_10 : u32) -> u32
@@ -2440,8 +2426,8 @@ fn find_cell_0( hash_0 : vec2<u32>) -> u32
             break;
         }
         var cell_11 : u32 = ((hash_0.x + probe_0) & (u32(262143)));
-        var _S179 : u32 = atomicLoad(&(cell_keys_0[place_of_check_0(cell_11)]));
-        if(_S179 == (max(hash_0.y, u32(1))))
+        var _S149 : u32 = atomicLoad(&(cell_keys_0[place_of_check_0(cell_11)]));
+        if(_S149 == (max(hash_0.y, u32(1))))
         {
             return cell_11;
         }
@@ -2450,14 +2436,14 @@ fn find_cell_0( hash_0 : vec2<u32>) -> u32
     return u32(262144);
 }
 
-fn cell_row_0( row_0 : u32,  cell_12 : u32) -> vec4<u32>
+fn cell_row_0( row_4 : u32,  cell_12 : u32) -> vec4<u32>
 {
-    return cell_rows_0[row_0 * u32(262144) + cell_12];
+    return cell_rows_0[row_4 * u32(262144) + cell_12];
 }
 
-fn set_cell_row_0( row_1 : u32,  cell_13 : u32,  value_2 : vec4<u32>)
+fn set_cell_row_0( row_5 : u32,  cell_13 : u32,  value_2 : vec4<u32>)
 {
-    cell_rows_0[row_1 * u32(262144) + cell_13] = value_2;
+    cell_rows_0[row_5 * u32(262144) + cell_13] = value_2;
     return;
 }
 
@@ -2468,11 +2454,11 @@ fn place_of_asked_0( cell_14 : u32) -> u32
 
 fn ask_cell_0( key_1 : Key_0,  asked_0 : u32) -> vec4<f32>
 {
-    var _S180 : bool;
+    var _S150 : bool;
     var hash_1 : vec2<u32> = Key_hash_0(key_1);
-    var _S181 : u32 = max(hash_1.y, u32(1));
+    var _S151 : u32 = max(hash_1.y, u32(1));
     var cell_15 : u32 = find_cell_0(hash_1);
-    var _S182 : vec4<f32> = vec4<f32>(0.0f);
+    var _S152 : vec4<f32> = vec4<f32>(0.0f);
     var known_0 : vec4<f32>;
     if(cell_15 != u32(262144))
     {
@@ -2480,7 +2466,7 @@ fn ask_cell_0( key_1 : Key_0,  asked_0 : u32) -> vec4<f32>
     }
     else
     {
-        known_0 = _S182;
+        known_0 = _S152;
     }
     var cell_16 : u32 = cell_15;
     var probe_1 : u32 = u32(0);
@@ -2488,13 +2474,13 @@ fn ask_cell_0( key_1 : Key_0,  asked_0 : u32) -> vec4<f32>
     {
         if(probe_1 < u32(8))
         {
-            _S180 = cell_16 == u32(262144);
+            _S150 = cell_16 == u32(262144);
         }
         else
         {
-            _S180 = false;
+            _S150 = false;
         }
-        if(_S180)
+        if(_S150)
         {
         }
         else
@@ -2502,23 +2488,23 @@ fn ask_cell_0( key_1 : Key_0,  asked_0 : u32) -> vec4<f32>
             break;
         }
         var place_1 : u32 = ((hash_1.x + probe_1) & (u32(262143)));
-        var found_0 : u32 = atomicCompareExchangeWeak(&(cell_keys_0[place_of_check_0(place_1)]), u32(0), _S181).old_value;
-        var _S183 : bool = found_0 == u32(0);
-        if(_S183)
+        var found_2 : u32 = atomicCompareExchangeWeak(&(cell_keys_0[place_of_check_0(place_1)]), u32(0), _S151).old_value;
+        var _S153 : bool = found_2 == u32(0);
+        if(_S153)
         {
             set_cell_row_0(u32(1), place_1, vec4<u32>(key_1.instance_9, key_1.face_and_level_0, u32(0), u32(0)));
             set_cell_row_0(u32(2), place_1, vec4<u32>(vec3<u32>(key_1.cube_0), u32(0)));
         }
-        var _S184 : bool;
-        if(_S183)
+        var _S154 : bool;
+        if(_S153)
         {
-            _S184 = true;
+            _S154 = true;
         }
         else
         {
-            _S184 = found_0 == _S181;
+            _S154 = found_2 == _S151;
         }
-        if(_S184)
+        if(_S154)
         {
             cell_16 = place_1;
         }
@@ -2526,61 +2512,61 @@ fn ask_cell_0( key_1 : Key_0,  asked_0 : u32) -> vec4<f32>
     }
     if(cell_16 != u32(262144))
     {
-        var _S185 : u32 = atomicLoad(&(cell_keys_0[place_of_asked_0(cell_16)]));
-        _S180 = _S185 < asked_0;
+        var _S155 : u32 = atomicLoad(&(cell_keys_0[place_of_asked_0(cell_16)]));
+        _S150 = _S155 < asked_0;
     }
     else
     {
-        _S180 = false;
+        _S150 = false;
     }
-    if(_S180)
+    if(_S150)
     {
-        var _S186 : u32 = atomicMax(&(cell_keys_0[place_of_asked_0(cell_16)]), asked_0);
+        var _S156 : u32 = atomicMax(&(cell_keys_0[place_of_asked_0(cell_16)]), asked_0);
     }
     return known_0;
 }
 
-fn asks_0( path_2 : Path_0,  ray_9 : Ray_0,  hit_5 : Hit_0,  beyond_1 : u32,  life_1 : u32,  light_4 : ptr<function, vec3<f32>>) -> bool
+fn asks_0( path_2 : Path_0,  ray_11 : Ray_0,  hit_5 : Hit_0,  beyond_1 : u32,  life_1 : u32,  light_4 : ptr<function, vec3<f32>>) -> bool
 {
     (*light_4) = vec3<f32>(0.0f);
-    var _S187 : bool;
+    var _S157 : bool;
     if(Hit_is_miss_0(hit_5))
     {
-        _S187 = true;
+        _S157 = true;
     }
     else
     {
-        _S187 = Inside_is_in_0(path_2.inside_0);
+        _S157 = Inside_is_in_0(path_2.inside_0);
     }
-    if(_S187)
+    if(_S157)
     {
         return false;
     }
     var material_3 : PackedMaterial_0 = material_met_0(path_2, hit_5, beyond_1);
     if((material_3.metallic_0) > 0.0f)
     {
-        _S187 = true;
+        _S157 = true;
     }
     else
     {
-        _S187 = (material_3.transmission_0) > 0.0f;
+        _S157 = (material_3.transmission_0) > 0.0f;
     }
-    if(_S187)
+    if(_S157)
     {
         return false;
     }
     var code_2 : u32;
-    var key_2 : Key_0 = key_of_0(hit_5, square_root_0(length_squared_0(ray_9.origin_1 + ray_9.direction_0 * vec3<f32>(hit_5.t_0) - real_time_0.eye_0)) * real_time_0.view_angle_0 * 0.05882352963089943f, Sampler_independent_0(path_2.sampler_0, u32(3221225472) + Path_events_0(path_2)).x, &(code_2));
+    var key_2 : Key_0 = key_of_0(hit_5, square_root_0(length_squared_0(ray_11.origin_0 + ray_11.direction_0 * vec3<f32>(hit_5.t_0) - real_time_0.eye_0)) * real_time_0.view_angle_0 * 0.05882352963089943f, Sampler_independent_0(path_2.sampler_0, u32(3221225472) + Path_events_0(path_2)).x, &(code_2));
     var least_0 : f32 = 2.0f * f32((u32(1) << ((Key_level_0(key_2)))));
     if(life_1 == u32(0))
     {
-        _S187 = true;
+        _S157 = true;
     }
     else
     {
-        _S187 = (hit_5.t_0 * square_root_0(length_squared_0(ray_9.direction_0))) < least_0;
+        _S157 = (hit_5.t_0 * square_root_0(length_squared_0(ray_11.direction_0))) < least_0;
     }
-    if(_S187)
+    if(_S157)
     {
         return false;
     }
@@ -2642,87 +2628,87 @@ fn weighs_apart_0() -> bool
     return false;
 }
 
-fn Path_is_counted_0( this_25 : Path_0) -> bool
+fn Path_is_counted_0( this_27 : Path_0) -> bool
 {
-    var _S188 : bool;
+    var _S158 : bool;
     if(weighs_apart_0())
     {
-        _S188 = (this_25.pdf_1) < 0.0f;
+        _S158 = (this_27.pdf_1) < 0.0f;
     }
     else
     {
-        _S188 = false;
+        _S158 = false;
     }
-    return _S188;
+    return _S158;
 }
 
 fn Receiver_x24init_0( point_1 : vec3<f32>,  normal_4 : vec3<f32>) -> Receiver_0
 {
-    var _S189 : Receiver_0;
-    _S189.point_0 = point_1;
-    _S189.normal_2 = normal_4;
-    return _S189;
+    var _S159 : Receiver_0;
+    _S159.point_0 = point_1;
+    _S159.normal_2 = normal_4;
+    return _S159;
 }
 
-fn Path_receiver_0( this_26 : Path_0,  ray_10 : Ray_0) -> Receiver_0
+fn Path_receiver_0( this_28 : Path_0,  ray_12 : Ray_0) -> Receiver_0
 {
-    return Receiver_x24init_0(ray_10.origin_1, this_26.normal_0);
+    return Receiver_x24init_0(ray_12.origin_0, this_28.normal_0);
 }
 
-fn Path_dimension_medium_0( this_27 : Path_0) -> u32
+fn Path_dimension_medium_0( this_29 : Path_0) -> u32
 {
-    return u32(2147483648) + this_27.event_0;
+    return u32(2147483648) + this_29.event_0;
 }
 
 fn logarithm_0( x_1 : f32) -> f32
 {
     var bits_3 : u32 = (bitcast<u32>((x_1)));
-    var _S190 : u32 = (bits_3 & (u32(8388607)));
-    var is_upper_0 : bool = _S190 > u32(3474675);
+    var _S160 : u32 = (bits_3 & (u32(8388607)));
+    var is_upper_0 : bool = _S160 > u32(3474675);
     var power_1 : i32 = i32((bits_3 >> (u32(23)))) - i32(127) + i32(is_upper_0);
-    var _S191 : u32;
+    var _S161 : u32;
     if(is_upper_0)
     {
-        _S191 = u32(1056964608);
+        _S161 = u32(1056964608);
     }
     else
     {
-        _S191 = u32(1065353216);
+        _S161 = u32(1065353216);
     }
-    var mantissa_2 : f32 = (bitcast<f32>(((_S190 | (_S191)))));
+    var mantissa_2 : f32 = (bitcast<f32>(((_S160 | (_S161)))));
     var s_0 : f32 = divide_0(mantissa_2 - 1.0f, mantissa_2 + 1.0f);
     var ss_0 : f32 = s_0 * s_0;
-    var _S192 : f32 = f32(power_1);
-    return _S192 * 0.693359375f + (_S192 * -0.00021219444170129f + s_0 * (2.0f + ss_0 * (0.66666668653488159f + ss_0 * (0.40000000596046448f + ss_0 * (0.28571429848670959f + ss_0 * 0.2222222238779068f)))));
+    var _S162 : f32 = f32(power_1);
+    return _S162 * 0.693359375f + (_S162 * -0.00021219444170129f + s_0 * (2.0f + ss_0 * (0.66666668653488159f + ss_0 * (0.40000000596046448f + ss_0 * (0.28571429848670959f + ss_0 * 0.2222222238779068f)))));
 }
 
 fn free_path_0( medium_0 : PackedMaterial_0,  u_1 : f32) -> f32
 {
-    var _S193 : f32;
+    var _S163 : f32;
     if((medium_0.scattering_0) > 0.0f)
     {
-        _S193 = divide_0(- logarithm_0(1.0f - u_1), medium_0.scattering_0);
+        _S163 = divide_0(- logarithm_0(1.0f - u_1), medium_0.scattering_0);
     }
     else
     {
-        _S193 = (bitcast<f32>((u32(2139095040))));
+        _S163 = (bitcast<f32>(infinity_bits_0));
     }
-    return _S193;
+    return _S163;
 }
 
 fn grid_direction_0( instance_12 : u32,  direction_7 : vec3<f32>) -> vec3<f32>
 {
-    return Transform_direction_0(instance_12, direction_7);
+    return Transform_direction_0(Instances_operatorx5Bx5D_get_0(instance_12).grid_from_world_0, direction_7);
 }
 
-fn Inside_voxels_per_t_0( this_28 : Inside_0,  ray_11 : Ray_0) -> f32
+fn Inside_voxels_per_t_0( this_30 : Inside_0,  ray_13 : Ray_0) -> f32
 {
-    return square_root_0(length_squared_0(grid_direction_0(this_28.instance_6, ray_11.direction_0)));
+    return square_root_0(length_squared_0(grid_direction_0(this_30.instance_6, ray_13.direction_0)));
 }
 
-fn scattering_t_0( path_4 : Path_0,  inside_1 : Inside_0,  ray_12 : Ray_0) -> f32
+fn scattering_t_0( path_4 : Path_0,  inside_1 : Inside_0,  ray_14 : Ray_0) -> f32
 {
-    return divide_0(free_path_0(material_of_index_0(inside_1.material_0), Sampler_independent_0(path_4.sampler_0, Path_dimension_medium_0(path_4)).x), Inside_voxels_per_t_0(inside_1, ray_12));
+    return divide_0(free_path_0(material_of_index_0(inside_1.material_0), Sampler_independent_0(path_4.sampler_0, Path_dimension_medium_0(path_4)).x), Inside_voxels_per_t_0(inside_1, ray_14));
 }
 
 fn exponential_0( x_2 : f32) -> f32
@@ -2743,9 +2729,9 @@ fn attenuation_0( medium_1 : PackedMaterial_0,  voxels_1 : f32) -> vec3<f32>
     return vec3<f32>(exponential_0(- (sigma_0.x * voxels_1)), exponential_0(- (sigma_0.y * voxels_1)), exponential_0(- (sigma_0.z * voxels_1)));
 }
 
-fn absorb_0( path_5 : ptr<function, Path_0>,  inside_2 : Inside_0,  ray_13 : Ray_0,  t_12 : f32)
+fn absorb_0( path_5 : ptr<function, Path_0>,  inside_2 : Inside_0,  ray_15 : Ray_0,  t_12 : f32)
 {
-    (*path_5).beta_0 = (*path_5).beta_0 * attenuation_0(material_of_index_0(inside_2.material_0), t_12 * Inside_voxels_per_t_0(inside_2, ray_13));
+    (*path_5).beta_0 = (*path_5).beta_0 * attenuation_0(material_of_index_0(inside_2.material_0), t_12 * Inside_voxels_per_t_0(inside_2, ray_15));
     return;
 }
 
@@ -2753,19 +2739,19 @@ fn Environment_to_map_0( d_1 : vec3<f32>) -> vec3<f32>
 {
     var sin_0 : f32 = params_0.sky_turned_0.x;
     var cos_0 : f32 = params_0.sky_turned_0.y;
-    var _S194 : f32 = d_1.x;
-    var _S195 : f32 = d_1.y;
-    return vec3<f32>(_S194 * cos_0 - _S195 * sin_0, _S194 * sin_0 + _S195 * cos_0, d_1.z);
+    var _S164 : f32 = d_1.x;
+    var _S165 : f32 = d_1.y;
+    return vec3<f32>(_S164 * cos_0 - _S165 * sin_0, _S164 * sin_0 + _S165 * cos_0, d_1.z);
 }
 
 fn quarter_turns_0( x_3 : f32,  y_0 : f32) -> f32
 {
-    var _S196 : f32 = min(x_3, y_0);
-    var _S197 : f32 = max(x_3, y_0);
+    var _S166 : f32 = min(x_3, y_0);
+    var _S167 : f32 = max(x_3, y_0);
     var ratio_0 : f32;
-    if(_S197 > 0.0f)
+    if(_S167 > 0.0f)
     {
-        ratio_0 = divide_0(_S196, _S197);
+        ratio_0 = divide_0(_S166, _S167);
     }
     else
     {
@@ -2787,29 +2773,29 @@ fn quarter_turns_0( x_3 : f32,  y_0 : f32) -> f32
 fn square_of_0( direction_8 : vec3<f32>) -> vec2<f32>
 {
     var size_1 : vec3<f32> = abs(direction_8);
-    var _S198 : f32 = size_1.x;
-    var _S199 : f32 = size_1.y;
-    var radius_0 : f32 = square_root_0(divide_0(_S198 * _S198 + _S199 * _S199, 1.0f + size_1.z));
-    var v_1 : f32 = quarter_turns_0(_S198, _S199) * radius_0;
-    var u_2 : f32 = radius_0 - v_1;
+    var _S168 : f32 = size_1.x;
+    var _S169 : f32 = size_1.y;
+    var radius_0 : f32 = square_root_0(divide_0(_S168 * _S168 + _S169 * _S169, 1.0f + size_1.z));
+    var v_3 : f32 = quarter_turns_0(_S168, _S169) * radius_0;
+    var u_2 : f32 = radius_0 - v_3;
     var is_below_1 : bool = (direction_8.z) < 0.0f;
     var u_3 : f32;
     if(is_below_1)
     {
-        u_3 = 1.0f - v_1;
+        u_3 = 1.0f - v_3;
     }
     else
     {
         u_3 = u_2;
     }
-    var v_2 : f32;
+    var v_4 : f32;
     if(is_below_1)
     {
-        v_2 = 1.0f - u_2;
+        v_4 = 1.0f - u_2;
     }
     else
     {
-        v_2 = v_1;
+        v_4 = v_3;
     }
     if((direction_8.x) < 0.0f)
     {
@@ -2817,9 +2803,9 @@ fn square_of_0( direction_8 : vec3<f32>) -> vec2<f32>
     }
     if((direction_8.y) < 0.0f)
     {
-        v_2 = - v_2;
+        v_4 = - v_4;
     }
-    return vec2<f32>(u_3 * 0.5f + 0.5f, v_2 * 0.5f + 0.5f);
+    return vec2<f32>(u_3 * 0.5f + 0.5f, v_4 * 0.5f + 0.5f);
 }
 
 fn Environment_place_of_0( direction_9 : vec3<f32>) -> vec2<f32>
@@ -2829,7 +2815,7 @@ fn Environment_place_of_0( direction_9 : vec3<f32>) -> vec2<f32>
 
 fn Environment_index_of_0( x_4 : i32,  y_1 : i32) -> u32
 {
-    var last_2 : i32 = i32(params_0.sky_edge_0) - i32(1);
+    var last_3 : i32 = i32(params_0.sky_edge_0) - i32(1);
     var is_beside_0 : bool;
     if(x_4 < i32(0))
     {
@@ -2837,44 +2823,44 @@ fn Environment_index_of_0( x_4 : i32,  y_1 : i32) -> u32
     }
     else
     {
-        is_beside_0 = x_4 > last_2;
+        is_beside_0 = x_4 > last_3;
     }
-    var _S200 : i32;
+    var _S170 : i32;
     if(is_beside_0)
     {
-        _S200 = last_2 - y_1;
+        _S170 = last_3 - y_1;
     }
     else
     {
-        _S200 = y_1;
+        _S170 = y_1;
     }
-    var _S201 : i32;
+    var _S171 : i32;
     if(is_beside_0)
     {
-        _S201 = clamp(x_4, i32(0), last_2);
+        _S171 = clamp(x_4, i32(0), last_3);
     }
     else
     {
-        _S201 = x_4;
+        _S171 = x_4;
     }
     var is_beyond_0 : bool;
-    if(_S200 < i32(0))
+    if(_S170 < i32(0))
     {
         is_beyond_0 = true;
     }
     else
     {
-        is_beyond_0 = _S200 > last_2;
+        is_beyond_0 = _S170 > last_3;
     }
     if(is_beyond_0)
     {
-        _S201 = last_2 - _S201;
+        _S171 = last_3 - _S171;
     }
     if(is_beyond_0)
     {
-        _S200 = clamp(_S200, i32(0), last_2);
+        _S170 = clamp(_S170, i32(0), last_3);
     }
-    return u32(_S200 * i32(params_0.sky_edge_0) + _S201);
+    return u32(_S170 * i32(params_0.sky_edge_0) + _S171);
 }
 
 fn Environment_texel_radiance_0( x_5 : i32,  y_2 : i32) -> vec3<f32>
@@ -2884,18 +2870,18 @@ fn Environment_texel_radiance_0( x_5 : i32,  y_2 : i32) -> vec3<f32>
 
 fn Environment_radiance_at_0( place_2 : vec2<f32>) -> vec3<f32>
 {
-    var _S202 : vec2<f32> = place_2 - vec2<f32>(0.5f);
-    var corner_1 : vec2<f32> = floor(_S202);
-    var beyond_2 : vec2<f32> = _S202 - corner_1;
+    var _S172 : vec2<f32> = place_2 - vec2<f32>(0.5f);
+    var corner_1 : vec2<f32> = floor(_S172);
+    var beyond_2 : vec2<f32> = _S172 - corner_1;
     var x_6 : i32 = i32(corner_1.x);
     var y_3 : i32 = i32(corner_1.y);
-    var _S203 : f32 = beyond_2.x;
-    var _S204 : vec3<f32> = vec3<f32>((1.0f - _S203));
-    var _S205 : i32 = x_6 + i32(1);
-    var _S206 : vec3<f32> = vec3<f32>(_S203);
-    var _S207 : i32 = y_3 + i32(1);
-    var _S208 : f32 = beyond_2.y;
-    return (Environment_texel_radiance_0(x_6, y_3) * _S204 + Environment_texel_radiance_0(_S205, y_3) * _S206) * vec3<f32>((1.0f - _S208)) + (Environment_texel_radiance_0(x_6, _S207) * _S204 + Environment_texel_radiance_0(_S205, _S207) * _S206) * vec3<f32>(_S208);
+    var _S173 : f32 = beyond_2.x;
+    var _S174 : vec3<f32> = vec3<f32>((1.0f - _S173));
+    var _S175 : i32 = x_6 + i32(1);
+    var _S176 : vec3<f32> = vec3<f32>(_S173);
+    var _S177 : i32 = y_3 + i32(1);
+    var _S178 : f32 = beyond_2.y;
+    return (Environment_texel_radiance_0(x_6, y_3) * _S174 + Environment_texel_radiance_0(_S175, y_3) * _S176) * vec3<f32>((1.0f - _S178)) + (Environment_texel_radiance_0(x_6, _S177) * _S174 + Environment_texel_radiance_0(_S175, _S177) * _S176) * vec3<f32>(_S178);
 }
 
 fn Environment_radiance_0( direction_10 : vec3<f32>) -> vec3<f32>
@@ -2911,15 +2897,15 @@ struct Gradient_0
 
 fn Gradient_x24init_0( nadir_1 : vec3<f32>,  zenith_1 : vec3<f32>) -> Gradient_0
 {
-    var _S209 : Gradient_0;
-    _S209.nadir_0 = nadir_1;
-    _S209.zenith_0 = zenith_1;
-    return _S209;
+    var _S179 : Gradient_0;
+    _S179.nadir_0 = nadir_1;
+    _S179.zenith_0 = zenith_1;
+    return _S179;
 }
 
-fn Gradient_radiance_0( this_29 : Gradient_0,  direction_11 : vec3<f32>) -> vec3<f32>
+fn Gradient_radiance_0( this_31 : Gradient_0,  direction_11 : vec3<f32>) -> vec3<f32>
 {
-    return this_29.nadir_0 + (this_29.zenith_0 - this_29.nadir_0) * vec3<f32>((0.5f * (direction_11.z + 1.0f)));
+    return this_31.nadir_0 + (this_31.zenith_0 - this_31.nadir_0) * vec3<f32>((0.5f * (direction_11.z + 1.0f)));
 }
 
 fn Sky_radiance_0( direction_12 : vec3<f32>) -> vec3<f32>
@@ -2948,41 +2934,46 @@ fn with_slack_0( receiver_1 : Receiver_0,  cos_1 : f32) -> f32
 
 struct LightNode_0
 {
-     min_2 : array<f32, i32(3)>,
+     min_1 : array<f32, i32(3)>,
      index_11 : u32,
-     max_2 : array<f32, i32(3)>,
+     max_1 : array<f32, i32(3)>,
      count_1 : u32,
      power_3 : array<f32, i32(6)>,
      parent_0 : u32,
      root_1 : u32,
 };
 
-fn light_node_of_0( a_5 : vec4<u32>,  b_5 : vec4<u32>,  c_1 : vec4<u32>,  d_2 : vec4<u32>) -> LightNode_0
+fn Rows_operatorx5Bx5D_get_1( row_6 : u32) -> vec4<u32>
+{
+    return records_0[first_row_0(u32(6)) + row_6];
+}
+
+fn light_node_of_0( a_6 : vec4<u32>,  b_6 : vec4<u32>,  c_2 : vec4<u32>,  d_2 : vec4<u32>) -> LightNode_0
 {
     var node_0 : LightNode_0;
-    var _S210 : f32 = (bitcast<f32>((a_5.y)));
-    var _S211 : f32 = (bitcast<f32>((a_5.z)));
-    node_0.min_2[i32(0)] = (bitcast<f32>((a_5.x)));
-    node_0.min_2[i32(1)] = _S210;
-    node_0.min_2[i32(2)] = _S211;
-    node_0.index_11 = a_5.w;
-    var _S212 : f32 = (bitcast<f32>((b_5.y)));
-    var _S213 : f32 = (bitcast<f32>((b_5.z)));
-    node_0.max_2[i32(0)] = (bitcast<f32>((b_5.x)));
-    node_0.max_2[i32(1)] = _S212;
-    node_0.max_2[i32(2)] = _S213;
-    node_0.count_1 = b_5.w;
-    var _S214 : f32 = (bitcast<f32>((c_1.y)));
-    var _S215 : f32 = (bitcast<f32>((c_1.z)));
-    var _S216 : f32 = (bitcast<f32>((c_1.w)));
-    var _S217 : f32 = (bitcast<f32>((d_2.x)));
-    var _S218 : f32 = (bitcast<f32>((d_2.y)));
-    node_0.power_3[i32(0)] = (bitcast<f32>((c_1.x)));
-    node_0.power_3[i32(1)] = _S214;
-    node_0.power_3[i32(2)] = _S215;
-    node_0.power_3[i32(3)] = _S216;
-    node_0.power_3[i32(4)] = _S217;
-    node_0.power_3[i32(5)] = _S218;
+    var _S180 : f32 = (bitcast<f32>((a_6.y)));
+    var _S181 : f32 = (bitcast<f32>((a_6.z)));
+    node_0.min_1[i32(0)] = (bitcast<f32>((a_6.x)));
+    node_0.min_1[i32(1)] = _S180;
+    node_0.min_1[i32(2)] = _S181;
+    node_0.index_11 = a_6.w;
+    var _S182 : f32 = (bitcast<f32>((b_6.y)));
+    var _S183 : f32 = (bitcast<f32>((b_6.z)));
+    node_0.max_1[i32(0)] = (bitcast<f32>((b_6.x)));
+    node_0.max_1[i32(1)] = _S182;
+    node_0.max_1[i32(2)] = _S183;
+    node_0.count_1 = b_6.w;
+    var _S184 : f32 = (bitcast<f32>((c_2.y)));
+    var _S185 : f32 = (bitcast<f32>((c_2.z)));
+    var _S186 : f32 = (bitcast<f32>((c_2.w)));
+    var _S187 : f32 = (bitcast<f32>((d_2.x)));
+    var _S188 : f32 = (bitcast<f32>((d_2.y)));
+    node_0.power_3[i32(0)] = (bitcast<f32>((c_2.x)));
+    node_0.power_3[i32(1)] = _S184;
+    node_0.power_3[i32(2)] = _S185;
+    node_0.power_3[i32(3)] = _S186;
+    node_0.power_3[i32(4)] = _S187;
+    node_0.power_3[i32(5)] = _S188;
     node_0.parent_0 = d_2.z;
     node_0.root_1 = d_2.w;
     return node_0;
@@ -2990,8 +2981,8 @@ fn light_node_of_0( a_5 : vec4<u32>,  b_5 : vec4<u32>,  c_1 : vec4<u32>,  d_2 : 
 
 fn top_light_node_0( index_12 : u32) -> LightNode_0
 {
-    var _S219 : u32 = u32(4) * index_12;
-    return light_node_of_0(top_light_node_rows_0[_S219], top_light_node_rows_0[_S219 + u32(1)], top_light_node_rows_0[_S219 + u32(2)], top_light_node_rows_0[_S219 + u32(3)]);
+    var _S189 : u32 = u32(4) * index_12;
+    return light_node_of_0(Rows_operatorx5Bx5D_get_1(_S189), Rows_operatorx5Bx5D_get_1(_S189 + u32(1)), Rows_operatorx5Bx5D_get_1(_S189 + u32(2)), Rows_operatorx5Bx5D_get_1(_S189 + u32(3)));
 }
 
 struct View_0
@@ -3013,22 +3004,22 @@ struct BySide_0
 
 fn BySide_x24init_0( low_8 : vec3<f32>,  high_5 : vec3<f32>) -> BySide_0
 {
-    var _S220 : BySide_0;
-    _S220.low_7 = low_8;
-    _S220.high_4 = high_5;
-    return _S220;
+    var _S190 : BySide_0;
+    _S190.low_7 = low_8;
+    _S190.high_4 = high_5;
+    return _S190;
 }
 
 fn sent_by_side_0( node_1 : LightNode_0,  point_2 : vec3<f32>,  distance_2 : f32) -> BySide_0
 {
-    var _S221 : vec3<f32> = vec3<f32>(0.0f);
-    var _S222 : vec3<f32> = vec3<f32>(distance_2);
-    return BySide_x24init_0(vec3<f32>(node_1.power_3[i32(0)], node_1.power_3[i32(2)], node_1.power_3[i32(4)]) * min(max(vector_of_0(node_1.max_2) - point_2, _S221), _S222), vec3<f32>(node_1.power_3[i32(1)], node_1.power_3[i32(3)], node_1.power_3[i32(5)]) * min(max(point_2 - vector_of_0(node_1.min_2), _S221), _S222));
+    var _S191 : vec3<f32> = vec3<f32>(0.0f);
+    var _S192 : vec3<f32> = vec3<f32>(distance_2);
+    return BySide_x24init_0(vec3<f32>(node_1.power_3[i32(0)], node_1.power_3[i32(2)], node_1.power_3[i32(4)]) * min(max(vector_of_0(node_1.max_1) - point_2, _S191), _S192), vec3<f32>(node_1.power_3[i32(1)], node_1.power_3[i32(3)], node_1.power_3[i32(5)]) * min(max(point_2 - vector_of_0(node_1.min_1), _S191), _S192));
 }
 
-fn BySide_sum_0( this_30 : BySide_0) -> f32
+fn BySide_sum_0( this_32 : BySide_0) -> f32
 {
-    var axes_0 : vec3<f32> = this_30.low_7 + this_30.high_4;
+    var axes_0 : vec3<f32> = this_32.low_7 + this_32.high_4;
     return axes_0.x + axes_0.y + axes_0.z;
 }
 
@@ -3040,19 +3031,19 @@ fn reciprocal_guess_0( x_7 : f32) -> f32
 
 fn View_x24init_0( importance_1 : f32,  is_far_1 : bool) -> View_0
 {
-    var _S223 : View_0;
-    _S223.importance_0 = importance_1;
-    _S223.is_far_0 = is_far_1;
-    return _S223;
+    var _S193 : View_0;
+    _S193.importance_0 = importance_1;
+    _S193.is_far_0 = is_far_1;
+    return _S193;
 }
 
 fn view_0( node_2 : LightNode_0,  receiver_2 : Receiver_0) -> View_0
 {
-    var _S224 : vec3<f32> = vector_of_0(node_2.max_2);
-    var _S225 : vec3<f32> = vector_of_0(node_2.min_2);
-    var _S226 : vec3<f32> = vec3<f32>(0.5f);
-    var half_1 : vec3<f32> = (_S224 - _S225) * _S226;
-    var toward_0 : vec3<f32> = (_S225 + _S224) * _S226 - receiver_2.point_0;
+    var _S194 : vec3<f32> = vector_of_0(node_2.max_1);
+    var _S195 : vec3<f32> = vector_of_0(node_2.min_1);
+    var _S196 : vec3<f32> = vec3<f32>(0.5f);
+    var half_1 : vec3<f32> = (_S194 - _S195) * _S196;
+    var toward_0 : vec3<f32> = (_S195 + _S194) * _S196 - receiver_2.point_0;
     var middle_0 : f32 = dot_product_0(toward_0, receiver_2.normal_2);
     var aside_0 : f32 = dot_product_0(half_1, abs(receiver_2.normal_2));
     var above_0 : f32 = with_slack_0(receiver_2, middle_0 + aside_0);
@@ -3070,16 +3061,16 @@ fn view_0( node_2 : LightNode_0,  receiver_2 : Receiver_0) -> View_0
     var distance_3 : f32 = length_bound_0(select(half_1, abs(toward_0), vec3<bool>((far_4 > near_4))));
     var sent_0 : f32 = BySide_sum_0(sent_by_side_0(node_2, receiver_2.point_0, distance_3));
     var falloff_0 : f32 = reciprocal_guess_0(max(far_4, near_4));
-    var _S227 : f32;
+    var _S197 : f32;
     if(above_0 > 0.0f)
     {
-        _S227 = sent_0 * min(above_0, distance_3) * (falloff_0 * falloff_0);
+        _S197 = sent_0 * min(above_0, distance_3) * (falloff_0 * falloff_0);
     }
     else
     {
-        _S227 = 0.0f;
+        _S197 = 0.0f;
     }
-    return View_x24init_0(_S227, is_far_2);
+    return View_x24init_0(_S197, is_far_2);
 }
 
 fn importance_of_all_0( receiver_3 : Receiver_0) -> f32
@@ -3118,25 +3109,25 @@ fn Lights_sun_probability_0( receiver_5 : Receiver_0) -> f32
 
 fn Lights_has_chosen_sky_0() -> bool
 {
-    var _S228 : bool;
+    var _S198 : bool;
     if(SKY_0 == u32(1))
     {
-        _S228 = (params_0.sky_irradiance_0) > 0.0f;
+        _S198 = (params_0.sky_irradiance_0) > 0.0f;
     }
     else
     {
-        _S228 = false;
+        _S198 = false;
     }
-    return _S228;
+    return _S198;
 }
 
 fn Selection_x24init_0( sun_1 : f32,  sky_2 : f32,  emitters_1 : f32) -> Selection_0
 {
-    var _S229 : Selection_0;
-    _S229.sun_0 = sun_1;
-    _S229.sky_1 = sky_2;
-    _S229.emitters_0 = emitters_1;
-    return _S229;
+    var _S199 : Selection_0;
+    _S199.sun_0 = sun_1;
+    _S199.sky_1 = sky_2;
+    _S199.emitters_0 = emitters_1;
+    return _S199;
 }
 
 fn Lights_sky_probability_0( receiver_6 : Receiver_0) -> f32
@@ -3167,48 +3158,48 @@ fn Lights_selection_0( receiver_7 : Receiver_0) -> Selection_0
         return Selection_x24init_0(sun_2, 0.0f, 1.0f - sun_2);
     }
     var sky_3 : f32 = Lights_sky_probability_0(receiver_7);
-    var _S230 : f32 = 1.0f - sky_3;
-    return Selection_x24init_0(sun_2 * _S230, sky_3, (1.0f - sun_2) * _S230);
+    var _S200 : f32 = 1.0f - sky_3;
+    return Selection_x24init_0(sun_2 * _S200, sky_3, (1.0f - sun_2) * _S200);
 }
 
-fn Path_selection_at_0( this_31 : Path_0,  last_3 : Receiver_0) -> Selection_0
+fn Path_selection_at_0( this_33 : Path_0,  last_4 : Receiver_0) -> Selection_0
 {
-    return Lights_selection_0(last_3);
+    return Lights_selection_0(last_4);
 }
 
 fn Environment_pdf_0( direction_14 : vec3<f32>) -> f32
 {
     var place_3 : vec2<f32> = Environment_place_of_0(direction_14);
-    var last_4 : i32 = i32(params_0.sky_edge_0) - i32(1);
-    return environment_0[Environment_index_of_0(min(i32(place_3.x), last_4), min(i32(place_3.y), last_4))].pdf_0;
+    var last_5 : i32 = i32(params_0.sky_edge_0) - i32(1);
+    return environment_0[Environment_index_of_0(min(i32(place_3.x), last_5), min(i32(place_3.y), last_5))].pdf_0;
 }
 
 fn Sky_pdf_0( direction_15 : vec3<f32>) -> f32
 {
-    var _S231 : f32;
+    var _S201 : f32;
     if(SKY_0 == u32(1))
     {
-        _S231 = Environment_pdf_0(direction_15);
+        _S201 = Environment_pdf_0(direction_15);
     }
     else
     {
-        _S231 = 0.0f;
+        _S201 = 0.0f;
     }
-    return _S231;
+    return _S201;
 }
 
 fn Lights_sky_pdf_0( selection_1 : Selection_0,  direction_16 : vec3<f32>) -> f32
 {
-    var _S232 : f32;
+    var _S202 : f32;
     if(Lights_has_chosen_sky_0())
     {
-        _S232 = Sky_pdf_0(direction_16) * selection_1.sky_1;
+        _S202 = Sky_pdf_0(direction_16) * selection_1.sky_1;
     }
     else
     {
-        _S232 = 0.0f;
+        _S202 = 0.0f;
     }
-    return _S232;
+    return _S202;
 }
 
 fn power_heuristic_0( own_0 : f32,  other_1 : f32) -> f32
@@ -3219,16 +3210,16 @@ fn power_heuristic_0( own_0 : f32,  other_1 : f32) -> f32
 
 fn mis_weight_0( bounce_pdf_0 : f32,  light_pdf_0 : f32) -> f32
 {
-    var _S233 : bool;
+    var _S203 : bool;
     if(bounce_pdf_0 == 0.0f)
     {
-        _S233 = true;
+        _S203 = true;
     }
     else
     {
-        _S233 = light_pdf_0 == 0.0f;
+        _S203 = light_pdf_0 == 0.0f;
     }
-    if(_S233)
+    if(_S203)
     {
         return 1.0f;
     }
@@ -3240,26 +3231,26 @@ fn SunDisc_is_visible_0() -> bool
     return (params_0.hides_sun_disc_0) == u32(0);
 }
 
-fn Path_is_straight_0( this_32 : Path_0) -> bool
+fn Path_is_straight_0( this_34 : Path_0) -> bool
 {
-    var _S234 : bool;
-    if((this_32.bounce_0) == u32(0))
+    var _S204 : bool;
+    if((this_34.bounce_0) == u32(0))
     {
-        _S234 = (this_32.pdf_1) == 0.0f;
+        _S204 = (this_34.pdf_1) == 0.0f;
     }
     else
     {
-        _S234 = false;
+        _S204 = false;
     }
-    if(_S234)
+    if(_S204)
     {
-        _S234 = (all(((this_32.normal_0) == vec3<f32>(0.0f))));
+        _S204 = (all(((this_34.normal_0) == vec3<f32>(0.0f))));
     }
     else
     {
-        _S234 = false;
+        _S204 = false;
     }
-    return _S234;
+    return _S204;
 }
 
 fn SunDisc_contains_0( direction_17 : vec3<f32>) -> bool
@@ -3269,49 +3260,49 @@ fn SunDisc_contains_0( direction_17 : vec3<f32>) -> bool
 
 fn SunDisc_le_0( direction_18 : vec3<f32>) -> vec3<f32>
 {
-    var _S235 : vec3<f32>;
+    var _S205 : vec3<f32>;
     if(SunDisc_contains_0(direction_18))
     {
-        _S235 = params_0.sun_radiance_0;
+        _S205 = params_0.sun_radiance_0;
     }
     else
     {
-        _S235 = vec3<f32>(0.0f);
+        _S205 = vec3<f32>(0.0f);
     }
-    return _S235;
+    return _S205;
 }
 
 fn SunDisc_pdf_0( direction_19 : vec3<f32>) -> f32
 {
-    var _S236 : f32;
+    var _S206 : f32;
     if(SunDisc_contains_0(direction_19))
     {
-        _S236 = params_0.sun_pdf_0;
+        _S206 = params_0.sun_pdf_0;
     }
     else
     {
-        _S236 = 0.0f;
+        _S206 = 0.0f;
     }
-    return _S236;
+    return _S206;
 }
 
 fn Lights_sun_pdf_0( selection_2 : Selection_0,  direction_20 : vec3<f32>) -> f32
 {
-    var _S237 : f32;
+    var _S207 : f32;
     if(has_sun_0())
     {
-        _S237 = SunDisc_pdf_0(direction_20) * selection_2.sun_0;
+        _S207 = SunDisc_pdf_0(direction_20) * selection_2.sun_0;
     }
     else
     {
-        _S237 = 0.0f;
+        _S207 = 0.0f;
     }
-    return _S237;
+    return _S207;
 }
 
-fn Path_dimension_scatter_0( this_33 : Path_0) -> u32
+fn Path_dimension_scatter_0( this_35 : Path_0) -> u32
 {
-    return u32(1) + u32(2) * Path_events_0(this_33);
+    return u32(1) + u32(2) * Path_events_0(this_35);
 }
 
 fn owen_of_reversed_0( reversed_0 : u32,  seed_2 : u32) -> u32
@@ -3333,15 +3324,15 @@ fn scrambled_sobol_0( sample_1 : u32,  order_0 : u32,  seeds_0 : vec2<u32>) -> v
     return vec2<u32>(owen_of_reversed_0(index_13, seeds_0.x), owen_of_reversed_0((binomial_3 ^ (((((binomial_3 >> (u32(16)))) & (u32(65535)))))), seeds_0.y));
 }
 
-fn Sampler_pair_0( this_34 : Sampler_0,  dimension_1 : u32,  which_0 : u32) -> vec2<u32>
+fn Sampler_pair_0( this_36 : Sampler_0,  dimension_1 : u32,  which_0 : u32) -> vec2<u32>
 {
-    var words_2 : vec4<u32> = pcg4d_0(vec4<u32>(this_34.pixel_0, dimension_1, this_34.seed_1, which_0));
-    return scrambled_sobol_0(this_34.sample_0, words_2.x, words_2.yz);
+    var words_2 : vec4<u32> = pcg4d_0(vec4<u32>(this_36.pixel_0, dimension_1, this_36.seed_1, which_0));
+    return scrambled_sobol_0(this_36.sample_0, words_2.x, words_2.yz);
 }
 
-fn Sampler_stratified_0( this_35 : Sampler_0,  dimension_2 : u32) -> vec4<f32>
+fn Sampler_stratified_0( this_37 : Sampler_0,  dimension_2 : u32) -> vec4<f32>
 {
-    return unit_float_0(vec4<u32>(Sampler_pair_0(this_35, dimension_2, u32(1)), Sampler_pair_0(this_35, dimension_2, u32(2))));
+    return unit_float_0(vec4<u32>(Sampler_pair_0(this_37, dimension_2, u32(1)), Sampler_pair_0(this_37, dimension_2, u32(2))));
 }
 
 fn emitted_0( material_4 : PackedMaterial_0) -> vec3<f32>
@@ -3369,36 +3360,36 @@ struct Aim_0
 
 fn Aim_x24init_0( is_met_1 : bool,  direction_22 : vec3<f32>,  hit_7 : Hit_0,  luminance_2 : f32) -> Aim_0
 {
-    var _S238 : Aim_0;
-    _S238.is_met_0 = is_met_1;
-    _S238.direction_21 = direction_22;
-    _S238.hit_6 = hit_7;
-    _S238.luminance_1 = luminance_2;
-    return _S238;
+    var _S208 : Aim_0;
+    _S208.is_met_0 = is_met_1;
+    _S208.direction_21 = direction_22;
+    _S208.hit_6 = hit_7;
+    _S208.luminance_1 = luminance_2;
+    return _S208;
 }
 
 struct LightSample_0
 {
-     ray_14 : Ray_0,
+     ray_16 : Ray_0,
      cos_theta_2 : f32,
      radiance_1 : vec3<f32>,
      pdf_2 : f32,
 };
 
-fn LightSample_x24init_0( ray_15 : Ray_0,  cos_theta_3 : f32,  radiance_2 : vec3<f32>,  pdf_3 : f32) -> LightSample_0
+fn LightSample_x24init_0( ray_17 : Ray_0,  cos_theta_3 : f32,  radiance_2 : vec3<f32>,  pdf_3 : f32) -> LightSample_0
 {
-    var _S239 : LightSample_0;
-    _S239.ray_14 = ray_15;
-    _S239.cos_theta_2 = cos_theta_3;
-    _S239.radiance_1 = radiance_2;
-    _S239.pdf_2 = pdf_3;
-    return _S239;
+    var _S209 : LightSample_0;
+    _S209.ray_16 = ray_17;
+    _S209.cos_theta_2 = cos_theta_3;
+    _S209.radiance_1 = radiance_2;
+    _S209.pdf_2 = pdf_3;
+    return _S209;
 }
 
 fn no_light_0() -> LightSample_0
 {
-    var _S240 : vec3<f32> = vec3<f32>(0.0f);
-    return LightSample_x24init_0(Ray_x24init_0(_S240, 0.0f, _S240, 0.0f), 0.0f, _S240, 0.0f);
+    var _S210 : vec3<f32> = vec3<f32>(0.0f);
+    return LightSample_x24init_0(Ray_x24init_0(_S210, 0.0f, _S210, 0.0f), 0.0f, _S210, 0.0f);
 }
 
 fn sincos_turns_0( turns_1 : f32) -> vec2<f32>
@@ -3431,7 +3422,7 @@ fn sincos_turns_0( turns_1 : f32) -> vec2<f32>
 
 fn ray_from_0( origin_10 : vec3<f32>,  direction_23 : vec3<f32>) -> Ray_0
 {
-    return Ray_x24init_0(origin_10, 0.0f, direction_23, (bitcast<f32>((u32(2139095040)))));
+    return Ray_x24init_0(origin_10, 0.0f, direction_23, (bitcast<f32>(infinity_bits_0)));
 }
 
 fn SunDisc_sample_0( receiver_8 : Receiver_0,  u_4 : vec4<f32>,  sample_2 : ptr<function, LightSample_0>) -> bool
@@ -3454,36 +3445,36 @@ struct ChosenDirection_0
 
 fn ChosenDirection_x24init_0( direction_26 : vec3<f32>,  radiance_4 : vec3<f32>,  pdf_5 : f32) -> ChosenDirection_0
 {
-    var _S241 : ChosenDirection_0;
-    _S241.direction_25 = direction_26;
-    _S241.radiance_3 = radiance_4;
-    _S241.pdf_4 = pdf_5;
-    return _S241;
+    var _S211 : ChosenDirection_0;
+    _S211.direction_25 = direction_26;
+    _S211.radiance_3 = radiance_4;
+    _S211.pdf_4 = pdf_5;
+    return _S211;
 }
 
 fn direction_of_0( square_0 : vec2<f32>) -> vec3<f32>
 {
     var u_5 : f32 = square_0.x * 2.0f - 1.0f;
-    var v_3 : f32 = square_0.y * 2.0f - 1.0f;
-    var _S242 : f32 = abs(u_5);
-    var _S243 : f32 = abs(v_3);
-    var height_1 : f32 = 1.0f - (_S242 + _S243);
+    var v_5 : f32 = square_0.y * 2.0f - 1.0f;
+    var _S212 : f32 = abs(u_5);
+    var _S213 : f32 = abs(v_5);
+    var height_1 : f32 = 1.0f - (_S212 + _S213);
     var radius_2 : f32 = 1.0f - abs(height_1);
     var turns_2 : f32;
     if(radius_2 > 0.0f)
     {
-        turns_2 = (divide_0(_S243 - _S242, radius_2) + 1.0f) * 0.125f;
+        turns_2 = (divide_0(_S213 - _S212, radius_2) + 1.0f) * 0.125f;
     }
     else
     {
         turns_2 = 0.0f;
     }
     var sin_cos_1 : vec2<f32> = sincos_turns_0(turns_2);
-    var _S244 : f32 = radius_2 * radius_2;
-    var across_0 : f32 = radius_2 * square_root_0(2.0f - _S244);
+    var _S214 : f32 = radius_2 * radius_2;
+    var across_0 : f32 = radius_2 * square_root_0(2.0f - _S214);
     var x_9 : f32 = sin_cos_1.y * across_0;
     var y_4 : f32 = sin_cos_1.x * across_0;
-    var z_0 : f32 = 1.0f - _S244;
+    var z_0 : f32 = 1.0f - _S214;
     if(u_5 < 0.0f)
     {
         turns_2 = - x_9;
@@ -3492,45 +3483,45 @@ fn direction_of_0( square_0 : vec2<f32>) -> vec3<f32>
     {
         turns_2 = x_9;
     }
-    var _S245 : f32;
-    if(v_3 < 0.0f)
+    var _S215 : f32;
+    if(v_5 < 0.0f)
     {
-        _S245 = - y_4;
+        _S215 = - y_4;
     }
     else
     {
-        _S245 = y_4;
+        _S215 = y_4;
     }
-    var _S246 : f32;
+    var _S216 : f32;
     if(height_1 < 0.0f)
     {
-        _S246 = - z_0;
+        _S216 = - z_0;
     }
     else
     {
-        _S246 = z_0;
+        _S216 = z_0;
     }
-    return vec3<f32>(turns_2, _S245, _S246);
+    return vec3<f32>(turns_2, _S215, _S216);
 }
 
 fn Environment_to_world_0( d_3 : vec3<f32>) -> vec3<f32>
 {
     var sin_2 : f32 = params_0.sky_turned_0.x;
     var cos_3 : f32 = params_0.sky_turned_0.y;
-    var _S247 : f32 = d_3.x;
-    var _S248 : f32 = d_3.y;
-    return vec3<f32>(_S247 * cos_3 + _S248 * sin_2, _S248 * cos_3 - _S247 * sin_2, d_3.z);
+    var _S217 : f32 = d_3.x;
+    var _S218 : f32 = d_3.y;
+    return vec3<f32>(_S217 * cos_3 + _S218 * sin_2, _S218 * cos_3 - _S217 * sin_2, d_3.z);
 }
 
 fn Environment_choose_0( u_6 : vec4<f32>,  chosen_0 : ptr<function, ChosenDirection_0>) -> bool
 {
-    var _S249 : vec3<f32> = vec3<f32>(0.0f);
-    (*chosen_0) = ChosenDirection_x24init_0(_S249, _S249, 0.0f);
+    var _S219 : vec3<f32> = vec3<f32>(0.0f);
+    (*chosen_0) = ChosenDirection_x24init_0(_S219, _S219, 0.0f);
     var edge_0 : f32 = f32(params_0.sky_edge_0);
-    var _S250 : f32 = u_6.x * edge_0;
-    var _S251 : f32 = edge_0 - 1.0f;
-    var _S252 : f32 = min(floor(_S250), _S251);
-    var own_1 : u32 = u32(_S252) * params_0.sky_edge_0 + u32(min(floor(u_6.y * edge_0), _S251));
+    var _S220 : f32 = u_6.x * edge_0;
+    var _S221 : f32 = edge_0 - 1.0f;
+    var _S222 : f32 = min(floor(_S220), _S221);
+    var own_1 : u32 = u32(_S222) * params_0.sky_edge_0 + u32(min(floor(u_6.y * edge_0), _S221));
     var index_14 : u32;
     if((u_6.z) < (environment_0[own_1].threshold_0))
     {
@@ -3545,10 +3536,10 @@ fn Environment_choose_0( u_6 : vec4<f32>,  chosen_0 : ptr<function, ChosenDirect
     {
         return false;
     }
-    var _S253 : u32 = index_14 % params_0.sky_edge_0;
-    var _S254 : f32 = f32(_S253);
-    var _S255 : u32 = index_14 / params_0.sky_edge_0;
-    var place_4 : vec2<f32> = vec2<f32>(_S254, f32(_S255)) + vec2<f32>(min(_S250 - _S252, 1.0f), u_6.w);
+    var _S223 : u32 = index_14 % params_0.sky_edge_0;
+    var _S224 : f32 = f32(_S223);
+    var _S225 : u32 = index_14 / params_0.sky_edge_0;
+    var place_4 : vec2<f32> = vec2<f32>(_S224, f32(_S225)) + vec2<f32>(min(_S220 - _S222, 1.0f), u_6.w);
     (*chosen_0) = ChosenDirection_x24init_0(Environment_to_world_0(direction_of_0(place_4 * vec2<f32>(divide_0(1.0f, edge_0)))), Environment_radiance_at_0(place_4), pdf_6);
     return true;
 }
@@ -3557,17 +3548,17 @@ fn Sky_sample_0( receiver_9 : Receiver_0,  u_7 : vec4<f32>,  sample_3 : ptr<func
 {
     (*sample_3) = no_light_0();
     var chosen_1 : ChosenDirection_0;
-    var _S256 : bool;
+    var _S226 : bool;
     if(SKY_0 != u32(1))
     {
-        _S256 = true;
+        _S226 = true;
     }
     else
     {
-        var _S257 : bool = Environment_choose_0(u_7, &(chosen_1));
-        _S256 = !_S257;
+        var _S227 : bool = Environment_choose_0(u_7, &(chosen_1));
+        _S226 = !_S227;
     }
-    if(_S256)
+    if(_S226)
     {
         return false;
     }
@@ -3589,15 +3580,15 @@ struct Descent_0
 
 fn Descent_x24init_0( node_4 : u32,  index_16 : u32,  count_3 : u32,  weight_1 : f32,  total_1 : f32,  choice_1 : f32,  is_far_4 : bool) -> Descent_0
 {
-    var _S258 : Descent_0;
-    _S258.node_3 = node_4;
-    _S258.index_15 = index_16;
-    _S258.count_2 = count_3;
-    _S258.weight_0 = weight_1;
-    _S258.total_0 = total_1;
-    _S258.choice_0 = choice_1;
-    _S258.is_far_3 = is_far_4;
-    return _S258;
+    var _S228 : Descent_0;
+    _S228.node_3 = node_4;
+    _S228.index_15 = index_16;
+    _S228.count_2 = count_3;
+    _S228.weight_0 = weight_1;
+    _S228.total_0 = total_1;
+    _S228.choice_0 = choice_1;
+    _S228.is_far_3 = is_far_4;
+    return _S228;
 }
 
 fn TopLights_node_0( index_17 : u32) -> LightNode_0
@@ -3605,36 +3596,36 @@ fn TopLights_node_0( index_17 : u32) -> LightNode_0
     return top_light_node_0(index_17);
 }
 
-fn Descent_at_0( this_36 : ptr<function, Descent_0>,  root_2 : u32)
+fn Descent_at_0( this_38 : ptr<function, Descent_0>,  root_2 : u32)
 {
     var node_5 : LightNode_0 = TopLights_node_0(root_2);
-    (*this_36).node_3 = root_2;
-    (*this_36).index_15 = node_5.index_11;
-    (*this_36).count_2 = node_5.count_1;
-    (*this_36).is_far_3 = false;
+    (*this_38).node_3 = root_2;
+    (*this_38).index_15 = node_5.index_11;
+    (*this_38).count_2 = node_5.count_1;
+    (*this_38).is_far_3 = false;
     return;
 }
 
 fn normal_or_zero_0( weight_2 : f32) -> f32
 {
-    var _S259 : f32;
+    var _S229 : f32;
     if(weight_2 < 1.17549435082228751e-38f)
     {
-        _S259 = 0.0f;
+        _S229 = 0.0f;
     }
     else
     {
-        _S259 = weight_2;
+        _S229 = weight_2;
     }
-    return _S259;
+    return _S229;
 }
 
 fn weights_of_0( left_0 : f32,  right_0 : f32) -> vec2<f32>
 {
-    var _S260 : f32 = normal_or_zero_0(left_0);
-    var _S261 : f32 = normal_or_zero_0(right_0);
-    var unit_0 : f32 = inverse_power_of_two_0(_S260 + _S261);
-    return vec2<f32>(normal_or_zero_0(_S260 * unit_0), normal_or_zero_0(_S261 * unit_0));
+    var _S230 : f32 = normal_or_zero_0(left_0);
+    var _S231 : f32 = normal_or_zero_0(right_0);
+    var unit_0 : f32 = inverse_power_of_two_0(_S230 + _S231);
+    return vec2<f32>(normal_or_zero_0(_S230 * unit_0), normal_or_zero_0(_S231 * unit_0));
 }
 
 fn climb_0( receiver_10 : Receiver_0,  start_3 : u32,  descent_0 : ptr<function, Descent_0>) -> bool
@@ -3643,7 +3634,7 @@ fn climb_0( receiver_10 : Receiver_0,  start_3 : u32,  descent_0 : ptr<function,
     var at_1 : u32 = start_3;
     for(;;)
     {
-        var _S262 : LightNode_0 = node_6;
+        var _S232 : LightNode_0 = node_6;
         if((node_6.parent_0) != u32(4294967295))
         {
         }
@@ -3651,59 +3642,59 @@ fn climb_0( receiver_10 : Receiver_0,  start_3 : u32,  descent_0 : ptr<function,
         {
             break;
         }
-        var parent_1 : LightNode_0 = top_light_node_0(_S262.parent_0);
-        var _S263 : u32 = _S262.parent_0 + u32(1);
-        var is_left_0 : bool = at_1 == _S263;
-        var _S264 : u32;
+        var parent_1 : LightNode_0 = top_light_node_0(_S232.parent_0);
+        var _S233 : u32 = _S232.parent_0 + u32(1);
+        var is_left_0 : bool = at_1 == _S233;
+        var _S234 : u32;
         if(is_left_0)
         {
-            _S264 = parent_1.index_11;
+            _S234 = parent_1.index_11;
         }
         else
         {
-            _S264 = _S263;
+            _S234 = _S233;
         }
-        var _S265 : View_0 = view_0(node_6, receiver_10);
-        var _S266 : View_0 = view_0(top_light_node_0(_S264), receiver_10);
-        var _S267 : f32;
+        var _S235 : View_0 = view_0(node_6, receiver_10);
+        var _S236 : View_0 = view_0(top_light_node_0(_S234), receiver_10);
+        var _S237 : f32;
         if(is_left_0)
         {
-            _S267 = _S265.importance_0;
+            _S237 = _S235.importance_0;
         }
         else
         {
-            _S267 = _S266.importance_0;
+            _S237 = _S236.importance_0;
         }
-        var _S268 : f32;
+        var _S238 : f32;
         if(is_left_0)
         {
-            _S268 = _S266.importance_0;
+            _S238 = _S236.importance_0;
         }
         else
         {
-            _S268 = _S265.importance_0;
+            _S238 = _S235.importance_0;
         }
-        var weights_0 : vec2<f32> = weights_of_0(_S267, _S268);
-        var _S269 : f32 = weights_0.x;
-        var _S270 : f32 = weights_0.y;
-        var total_2 : f32 = _S269 + _S270;
+        var weights_0 : vec2<f32> = weights_of_0(_S237, _S238);
+        var _S239 : f32 = weights_0.x;
+        var _S240 : f32 = weights_0.y;
+        var total_2 : f32 = _S239 + _S240;
         if(!(total_2 > 0.0f))
         {
             return false;
         }
-        var _S271 : f32;
+        var _S241 : f32;
         if(is_left_0)
         {
-            _S271 = _S269;
+            _S241 = _S239;
         }
         else
         {
-            _S271 = _S270;
+            _S241 = _S240;
         }
-        (*descent_0).weight_0 = (*descent_0).weight_0 * _S271;
+        (*descent_0).weight_0 = (*descent_0).weight_0 * _S241;
         (*descent_0).total_0 = (*descent_0).total_0 * total_2;
         node_6 = parent_1;
-        at_1 = _S262.parent_0;
+        at_1 = _S232.parent_0;
     }
     return ((*descent_0).weight_0) > 0.0f;
 }
@@ -3717,16 +3708,16 @@ fn descend_0( receiver_11 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<functio
 {
     for(;;)
     {
-        var _S272 : bool;
+        var _S242 : bool;
         if(((*descent_1).count_2) == u32(0))
         {
-            _S272 = !(*descent_1).is_far_3;
+            _S242 = !(*descent_1).is_far_3;
         }
         else
         {
-            _S272 = false;
+            _S242 = false;
         }
-        if(_S272)
+        if(_S242)
         {
         }
         else
@@ -3740,29 +3731,29 @@ fn descend_0( receiver_11 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<functio
         var left_1 : LightNode_0 = TopLights_node_0((*descent_1).node_3 + u32(1));
         var right_1 : LightNode_0 = TopLights_node_0((*descent_1).index_15);
         var weights_1 : vec2<f32> = weights_of_0(view_0(left_1, receiver_11).importance_0, view_0(right_1, receiver_11).importance_0);
-        var _S273 : f32 = weights_1.x;
-        var _S274 : f32 = weights_1.y;
-        var total_3 : f32 = _S273 + _S274;
+        var _S243 : f32 = weights_1.x;
+        var _S244 : f32 = weights_1.y;
+        var total_3 : f32 = _S243 + _S244;
         if(!(total_3 > 0.0f))
         {
             return false;
         }
-        var _S275 : bool;
-        if(_S274 <= 0.0f)
+        var _S245 : bool;
+        if(_S244 <= 0.0f)
         {
-            _S275 = true;
+            _S245 = true;
         }
         else
         {
-            _S275 = ((*descent_1).choice_0 * total_3) < (_S273 * (*descent_1).weight_0);
+            _S245 = ((*descent_1).choice_0 * total_3) < (_S243 * (*descent_1).weight_0);
         }
         var is_left_1 : bool;
         if(aim_0.is_met_0)
         {
-            var _S276 : vec3<f32> = vec3<f32>(aim_0.hit_6.voxel_0);
-            if((all((_S276 >= (vector_of_0(left_1.min_2))))))
+            var _S246 : vec3<f32> = vec3<f32>(aim_0.hit_6.voxel_0);
+            if((all((_S246 >= (vector_of_0(left_1.min_1))))))
             {
-                is_left_1 = (all((_S276 < (vector_of_0(left_1.max_2)))));
+                is_left_1 = (all((_S246 < (vector_of_0(left_1.max_1)))));
             }
             else
             {
@@ -3771,63 +3762,63 @@ fn descend_0( receiver_11 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<functio
         }
         else
         {
-            is_left_1 = _S275;
+            is_left_1 = _S245;
         }
-        var _S277 : f32 = (*descent_1).choice_0 * total_3;
-        var _S278 : f32;
+        var _S247 : f32 = (*descent_1).choice_0 * total_3;
+        var _S248 : f32;
         if(is_left_1)
         {
-            _S278 = 0.0f;
+            _S248 = 0.0f;
         }
         else
         {
-            _S278 = _S273 * (*descent_1).weight_0;
+            _S248 = _S243 * (*descent_1).weight_0;
         }
-        (*descent_1).choice_0 = _S277 - _S278;
-        var _S279 : u32;
+        (*descent_1).choice_0 = _S247 - _S248;
+        var _S249 : u32;
         if(is_left_1)
         {
-            _S279 = (*descent_1).node_3 + u32(1);
+            _S249 = (*descent_1).node_3 + u32(1);
         }
         else
         {
-            _S279 = (*descent_1).index_15;
+            _S249 = (*descent_1).index_15;
         }
-        (*descent_1).node_3 = _S279;
-        var _S280 : u32;
+        (*descent_1).node_3 = _S249;
+        var _S250 : u32;
         if(is_left_1)
         {
-            _S280 = left_1.index_11;
+            _S250 = left_1.index_11;
         }
         else
         {
-            _S280 = right_1.index_11;
+            _S250 = right_1.index_11;
         }
-        (*descent_1).index_15 = _S280;
-        var _S281 : u32;
+        (*descent_1).index_15 = _S250;
+        var _S251 : u32;
         if(is_left_1)
         {
-            _S281 = left_1.count_1;
+            _S251 = left_1.count_1;
         }
         else
         {
-            _S281 = right_1.count_1;
+            _S251 = right_1.count_1;
         }
-        (*descent_1).count_2 = _S281;
+        (*descent_1).count_2 = _S251;
         (*descent_1).is_far_3 = false;
-        var _S282 : f32;
+        var _S252 : f32;
         if(is_left_1)
         {
-            _S282 = _S273;
+            _S252 = _S243;
         }
         else
         {
-            _S282 = _S274;
+            _S252 = _S244;
         }
-        var _S283 : f32 = (*descent_1).weight_0 * _S282;
-        (*descent_1).weight_0 = _S283;
+        var _S253 : f32 = (*descent_1).weight_0 * _S252;
+        (*descent_1).weight_0 = _S253;
         (*descent_1).total_0 = (*descent_1).total_0 * total_3;
-        if(_S283 <= 0.0f)
+        if(_S253 <= 0.0f)
         {
             return false;
         }
@@ -3846,35 +3837,31 @@ fn in_grid_0( instance_13 : u32,  receiver_12 : Receiver_0) -> Receiver_0
     {
         return receiver_12;
     }
-    return Receiver_x24init_0(Transform_point_0(instance_13, receiver_12.point_0), normalize_vector_0(Transform_direction_0(instance_13, receiver_12.normal_2)));
+    var _S254 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(instance_13);
+    return Receiver_x24init_0(Transform_point_0(_S254.grid_from_world_0, receiver_12.point_0), normalize_vector_0(Transform_direction_0(_S254.grid_from_world_0, receiver_12.normal_2)));
 }
 
 fn lights_in_pages_0() -> bool
 {
-    var _S284 : bool;
-    if(HAS_PAGES_0)
-    {
-        _S284 = pages_0[u32(5)] != u32(0);
-    }
-    else
-    {
-        _S284 = false;
-    }
-    return _S284;
+    return false;
+}
+
+fn Rows_operatorx5Bx5D_get_2( row_7 : u32) -> vec4<u32>
+{
+    return records_0[first_row_0(u32(5)) + row_7];
 }
 
 fn place_in_light_node_0( node_7 : u32,  word_5 : u32) -> u32
 {
-    var _S285 : u32 = word_in_pages_0(node_7 * u32(16) + word_5, pages_0[i32(4)]);
-    return _S285;
+    return u32(0);
 }
 
 fn light_node_at_0( index_18 : u32) -> LightNode_0
 {
     if(!lights_in_pages_0())
     {
-        var _S286 : u32 = u32(4) * index_18;
-        return light_node_of_0(light_node_rows_0[_S286], light_node_rows_0[_S286 + u32(1)], light_node_rows_0[_S286 + u32(2)], light_node_rows_0[_S286 + u32(3)]);
+        var _S255 : u32 = u32(4) * index_18;
+        return light_node_of_0(Rows_operatorx5Bx5D_get_2(_S255), Rows_operatorx5Bx5D_get_2(_S255 + u32(1)), Rows_operatorx5Bx5D_get_2(_S255 + u32(2)), Rows_operatorx5Bx5D_get_2(_S255 + u32(3)));
     }
     var at_2 : u32 = place_in_light_node_0(index_18, u32(0));
     var node_8 : LightNode_0;
@@ -3888,8 +3875,8 @@ fn light_node_at_0( index_18 : u32) -> LightNode_0
         {
             break;
         }
-        node_8.min_2[i_0] = (bitcast<f32>((cells_1[at_2 + i_0])));
-        node_8.max_2[i_0] = (bitcast<f32>((cells_1[at_2 + u32(4) + i_0])));
+        node_8.min_1[i_0] = (bitcast<f32>((cells_1[at_2 + i_0])));
+        node_8.max_1[i_0] = (bitcast<f32>((cells_1[at_2 + u32(4) + i_0])));
         i_0 = i_0 + u32(1);
     }
     node_8.index_11 = cells_1[at_2 + u32(3)];
@@ -3914,17 +3901,16 @@ fn light_node_at_0( index_18 : u32) -> LightNode_0
 
 fn GridLights_node_0( index_19 : u32) -> LightNode_0
 {
-    var _S287 : LightNode_0 = light_node_at_0(index_19);
-    return _S287;
+    return light_node_at_0(index_19);
 }
 
-fn Descent_at_1( this_37 : ptr<function, Descent_0>,  root_3 : u32)
+fn Descent_at_1( this_39 : ptr<function, Descent_0>,  root_3 : u32)
 {
     var node_9 : LightNode_0 = GridLights_node_0(root_3);
-    (*this_37).node_3 = root_3;
-    (*this_37).index_15 = node_9.index_11;
-    (*this_37).count_2 = node_9.count_1;
-    (*this_37).is_far_3 = false;
+    (*this_39).node_3 = root_3;
+    (*this_39).index_15 = node_9.index_11;
+    (*this_39).count_2 = node_9.count_1;
+    (*this_39).is_far_3 = false;
     return;
 }
 
@@ -3932,16 +3918,16 @@ fn descend_1( receiver_13 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<functio
 {
     for(;;)
     {
-        var _S288 : bool;
+        var _S256 : bool;
         if(((*descent_2).count_2) == u32(0))
         {
-            _S288 = !(*descent_2).is_far_3;
+            _S256 = !(*descent_2).is_far_3;
         }
         else
         {
-            _S288 = false;
+            _S256 = false;
         }
-        if(_S288)
+        if(_S256)
         {
         }
         else
@@ -3957,29 +3943,29 @@ fn descend_1( receiver_13 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<functio
         var of_left_0 : View_0 = view_0(left_2, receiver_13);
         var of_right_0 : View_0 = view_0(right_2, receiver_13);
         var weights_2 : vec2<f32> = weights_of_0(of_left_0.importance_0, of_right_0.importance_0);
-        var _S289 : f32 = weights_2.x;
-        var _S290 : f32 = weights_2.y;
-        var total_4 : f32 = _S289 + _S290;
+        var _S257 : f32 = weights_2.x;
+        var _S258 : f32 = weights_2.y;
+        var total_4 : f32 = _S257 + _S258;
         if(!(total_4 > 0.0f))
         {
             return false;
         }
-        var _S291 : bool;
-        if(_S290 <= 0.0f)
+        var _S259 : bool;
+        if(_S258 <= 0.0f)
         {
-            _S291 = true;
+            _S259 = true;
         }
         else
         {
-            _S291 = ((*descent_2).choice_0 * total_4) < (_S289 * (*descent_2).weight_0);
+            _S259 = ((*descent_2).choice_0 * total_4) < (_S257 * (*descent_2).weight_0);
         }
         var is_left_2 : bool;
         if(aim_1.is_met_0)
         {
-            var _S292 : vec3<f32> = vec3<f32>(aim_1.hit_6.voxel_0);
-            if((all((_S292 >= (vector_of_0(left_2.min_2))))))
+            var _S260 : vec3<f32> = vec3<f32>(aim_1.hit_6.voxel_0);
+            if((all((_S260 >= (vector_of_0(left_2.min_1))))))
             {
-                is_left_2 = (all((_S292 < (vector_of_0(left_2.max_2)))));
+                is_left_2 = (all((_S260 < (vector_of_0(left_2.max_1)))));
             }
             else
             {
@@ -3988,72 +3974,72 @@ fn descend_1( receiver_13 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<functio
         }
         else
         {
-            is_left_2 = _S291;
+            is_left_2 = _S259;
         }
-        var _S293 : f32 = (*descent_2).choice_0 * total_4;
-        var _S294 : f32;
+        var _S261 : f32 = (*descent_2).choice_0 * total_4;
+        var _S262 : f32;
         if(is_left_2)
         {
-            _S294 = 0.0f;
+            _S262 = 0.0f;
         }
         else
         {
-            _S294 = _S289 * (*descent_2).weight_0;
+            _S262 = _S257 * (*descent_2).weight_0;
         }
-        (*descent_2).choice_0 = _S293 - _S294;
-        var _S295 : u32;
+        (*descent_2).choice_0 = _S261 - _S262;
+        var _S263 : u32;
         if(is_left_2)
         {
-            _S295 = (*descent_2).node_3 + u32(1);
+            _S263 = (*descent_2).node_3 + u32(1);
         }
         else
         {
-            _S295 = (*descent_2).index_15;
+            _S263 = (*descent_2).index_15;
         }
-        (*descent_2).node_3 = _S295;
-        var _S296 : u32;
+        (*descent_2).node_3 = _S263;
+        var _S264 : u32;
         if(is_left_2)
         {
-            _S296 = left_2.index_11;
+            _S264 = left_2.index_11;
         }
         else
         {
-            _S296 = right_2.index_11;
+            _S264 = right_2.index_11;
         }
-        (*descent_2).index_15 = _S296;
-        var _S297 : u32;
+        (*descent_2).index_15 = _S264;
+        var _S265 : u32;
         if(is_left_2)
         {
-            _S297 = left_2.count_1;
+            _S265 = left_2.count_1;
         }
         else
         {
-            _S297 = right_2.count_1;
+            _S265 = right_2.count_1;
         }
-        (*descent_2).count_2 = _S297;
-        var _S298 : bool;
+        (*descent_2).count_2 = _S265;
+        var _S266 : bool;
         if(is_left_2)
         {
-            _S298 = of_left_0.is_far_0;
+            _S266 = of_left_0.is_far_0;
         }
         else
         {
-            _S298 = of_right_0.is_far_0;
+            _S266 = of_right_0.is_far_0;
         }
-        (*descent_2).is_far_3 = _S298;
-        var _S299 : f32;
+        (*descent_2).is_far_3 = _S266;
+        var _S267 : f32;
         if(is_left_2)
         {
-            _S299 = _S289;
+            _S267 = _S257;
         }
         else
         {
-            _S299 = _S290;
+            _S267 = _S258;
         }
-        var _S300 : f32 = (*descent_2).weight_0 * _S299;
-        (*descent_2).weight_0 = _S300;
+        var _S268 : f32 = (*descent_2).weight_0 * _S267;
+        (*descent_2).weight_0 = _S268;
         (*descent_2).total_0 = (*descent_2).total_0 * total_4;
-        if(_S300 <= 0.0f)
+        if(_S268 <= 0.0f)
         {
             return false;
         }
@@ -4064,29 +4050,29 @@ fn descend_1( receiver_13 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<functio
 fn choose_side_0( point_3 : vec3<f32>,  is_met_2 : bool,  way_4 : Descent_0,  side_0 : ptr<function, u32>,  odds_0 : ptr<function, vec2<f32>>) -> bool
 {
     var node_10 : LightNode_0 = light_node_at_0(way_4.node_3);
-    var _S301 : vec3<f32> = vector_of_0(node_10.max_2);
-    var _S302 : vec3<f32> = vector_of_0(node_10.min_2);
-    var _S303 : vec3<f32> = vec3<f32>(0.5f);
-    var half_2 : vec3<f32> = (_S301 - _S302) * _S303;
-    var toward_1 : vec3<f32> = (_S302 + _S301) * _S303 - point_3;
+    var _S269 : vec3<f32> = vector_of_0(node_10.max_1);
+    var _S270 : vec3<f32> = vector_of_0(node_10.min_1);
+    var _S271 : vec3<f32> = vec3<f32>(0.5f);
+    var half_2 : vec3<f32> = (_S269 - _S270) * _S271;
+    var toward_1 : vec3<f32> = (_S270 + _S269) * _S271 - point_3;
     var sent_1 : BySide_0 = sent_by_side_0(node_10, point_3, length_bound_0(select(half_2, abs(toward_1), vec3<bool>(((length_squared_0(toward_1)) > (length_squared_0(half_2)))))));
     var sum_3 : f32 = normal_or_zero_0(BySide_sum_0(sent_1));
     var unit_1 : f32 = inverse_power_of_two_0(sum_3);
     var total_5 : f32 = sum_3 * unit_1;
-    var _S304 : f32 = way_4.choice_0 * total_5;
-    var _S305 : u32 = (*side_0);
+    var _S272 : f32 = way_4.choice_0 * total_5;
+    var _S273 : u32 = (*side_0);
     var share_0 : f32 = normal_or_zero_0(sent_1.low_7[u32(0)] * unit_1);
-    var _S306 : bool;
+    var _S274 : bool;
     if(is_met_2)
     {
-        _S306 = u32(0) == _S305;
+        _S274 = u32(0) == _S273;
     }
     else
     {
-        _S306 = share_0 > 0.0f;
+        _S274 = share_0 > 0.0f;
     }
     var chosen_2 : f32;
-    if(_S306)
+    if(_S274)
     {
         (*side_0) = u32(0);
         chosen_2 = share_0;
@@ -4095,145 +4081,145 @@ fn choose_side_0( point_3 : vec3<f32>,  is_met_2 : bool,  way_4 : Descent_0,  si
     {
         chosen_2 = 0.0f;
     }
-    var _S307 : bool = _S304 < (share_0 * way_4.weight_0);
+    var _S275 : bool = _S272 < (share_0 * way_4.weight_0);
     var share_1 : f32 = normal_or_zero_0(sent_1.high_4[u32(0)] * unit_1);
     if(is_met_2)
     {
-        _S306 = u32(1) == _S305;
+        _S274 = u32(1) == _S273;
     }
     else
     {
         if(share_1 > 0.0f)
         {
-            _S306 = !_S307;
+            _S274 = !_S275;
         }
         else
         {
-            _S306 = false;
+            _S274 = false;
         }
     }
-    if(_S306)
+    if(_S274)
     {
         (*side_0) = u32(1);
         chosen_2 = share_1;
     }
     var passed_0 : f32 = share_0 + share_1;
-    if(_S307)
+    if(_S275)
     {
-        _S306 = true;
+        _S274 = true;
     }
     else
     {
-        _S306 = _S304 < (passed_0 * way_4.weight_0);
+        _S274 = _S272 < (passed_0 * way_4.weight_0);
     }
     var share_2 : f32 = normal_or_zero_0(sent_1.low_7[u32(1)] * unit_1);
-    var _S308 : bool;
+    var _S276 : bool;
     if(is_met_2)
     {
-        _S308 = u32(2) == _S305;
+        _S276 = u32(2) == _S273;
     }
     else
     {
         if(share_2 > 0.0f)
         {
-            _S308 = !_S306;
+            _S276 = !_S274;
         }
         else
         {
-            _S308 = false;
+            _S276 = false;
         }
     }
-    if(_S308)
+    if(_S276)
     {
         (*side_0) = u32(2);
         chosen_2 = share_2;
     }
     var passed_1 : f32 = passed_0 + share_2;
-    if(_S306)
+    if(_S274)
     {
-        _S306 = true;
+        _S274 = true;
     }
     else
     {
-        _S306 = _S304 < (passed_1 * way_4.weight_0);
+        _S274 = _S272 < (passed_1 * way_4.weight_0);
     }
     var share_3 : f32 = normal_or_zero_0(sent_1.high_4[u32(1)] * unit_1);
     if(is_met_2)
     {
-        _S308 = u32(3) == _S305;
+        _S276 = u32(3) == _S273;
     }
     else
     {
         if(share_3 > 0.0f)
         {
-            _S308 = !_S306;
+            _S276 = !_S274;
         }
         else
         {
-            _S308 = false;
+            _S276 = false;
         }
     }
-    if(_S308)
+    if(_S276)
     {
         (*side_0) = u32(3);
         chosen_2 = share_3;
     }
     var passed_2 : f32 = passed_1 + share_3;
-    if(_S306)
+    if(_S274)
     {
-        _S306 = true;
+        _S274 = true;
     }
     else
     {
-        _S306 = _S304 < (passed_2 * way_4.weight_0);
+        _S274 = _S272 < (passed_2 * way_4.weight_0);
     }
     var share_4 : f32 = normal_or_zero_0(sent_1.low_7[u32(2)] * unit_1);
     if(is_met_2)
     {
-        _S308 = u32(4) == _S305;
+        _S276 = u32(4) == _S273;
     }
     else
     {
         if(share_4 > 0.0f)
         {
-            _S308 = !_S306;
+            _S276 = !_S274;
         }
         else
         {
-            _S308 = false;
+            _S276 = false;
         }
     }
-    if(_S308)
+    if(_S276)
     {
         (*side_0) = u32(4);
         chosen_2 = share_4;
     }
     var passed_3 : f32 = passed_2 + share_4;
-    if(_S306)
+    if(_S274)
     {
-        _S306 = true;
+        _S274 = true;
     }
     else
     {
-        _S306 = _S304 < (passed_3 * way_4.weight_0);
+        _S274 = _S272 < (passed_3 * way_4.weight_0);
     }
     var share_5 : f32 = normal_or_zero_0(sent_1.high_4[u32(2)] * unit_1);
     if(is_met_2)
     {
-        _S306 = u32(5) == _S305;
+        _S274 = u32(5) == _S273;
     }
     else
     {
         if(share_5 > 0.0f)
         {
-            _S306 = !_S306;
+            _S274 = !_S274;
         }
         else
         {
-            _S306 = false;
+            _S274 = false;
         }
     }
-    if(_S306)
+    if(_S274)
     {
         (*side_0) = u32(5);
         chosen_2 = share_5;
@@ -4241,33 +4227,32 @@ fn choose_side_0( point_3 : vec3<f32>,  is_met_2 : bool,  way_4 : Descent_0,  si
     (*odds_0) = vec2<f32>(way_4.weight_0 * chosen_2, way_4.total_0 * total_5);
     if(sum_3 > 0.0f)
     {
-        _S306 = ((*odds_0).x) > 0.0f;
+        _S274 = ((*odds_0).x) > 0.0f;
     }
     else
     {
-        _S306 = false;
+        _S274 = false;
     }
-    return _S306;
+    return _S274;
 }
 
 fn light_node_word_0( index_20 : u32,  word_6 : u32) -> u32
 {
-    return light_node_rows_0[u32(4) * index_20 + ((word_6 >> (u32(2))))][(word_6 & (u32(3)))];
+    return Rows_operatorx5Bx5D_get_2(u32(4) * index_20 + ((word_6 >> (u32(2)))))[(word_6 & (u32(3)))];
 }
 
 fn light_power_at_0( index_21 : u32,  side_1 : u32) -> f32
 {
-    var _S309 : u32;
+    var _S277 : u32;
     if(lights_in_pages_0())
     {
-        var _S310 : u32 = place_in_light_node_0(index_21, u32(8) + side_1);
-        _S309 = cells_1[_S310];
+        _S277 = cells_1[place_in_light_node_0(index_21, u32(8) + side_1)];
     }
     else
     {
-        _S309 = light_node_word_0(index_21, u32(8) + side_1);
+        _S277 = light_node_word_0(index_21, u32(8) + side_1);
     }
-    return (bitcast<f32>((_S309)));
+    return (bitcast<f32>((_S277)));
 }
 
 fn component_0( vector_5 : vec3<f32>,  axis_6 : u32) -> f32
@@ -4304,7 +4289,7 @@ fn density_0( odds_1 : vec2<f32>,  luminance_3 : f32,  power_4 : f32,  toward_2 
 struct Emitter_0
 {
      voxel_24 : array<i32, i32(3)>,
-     grid_1 : u32,
+     grid_8 : u32,
      faces_0 : u32,
      material_6 : u32,
      luminance_4 : f32,
@@ -4323,91 +4308,93 @@ fn below_light_node_0( index_22 : u32) -> vec2<u32>
 
 fn place_in_emitter_0( emitter_0 : u32,  word_7 : u32) -> u32
 {
-    var _S311 : u32 = word_in_pages_0(emitter_0 * u32(8) + word_7, pages_0[i32(3)]);
-    return _S311;
+    return u32(0);
+}
+
+fn Rows_operatorx5Bx5D_get_3( row_8 : u32) -> vec4<u32>
+{
+    return records_0[first_row_0(u32(4)) + row_8];
 }
 
 fn emitter_word_0( index_23 : u32,  word_8 : u32) -> u32
 {
-    return emitter_rows_0[u32(2) * index_23 + ((word_8 >> (u32(2))))][(word_8 & (u32(3)))];
+    return Rows_operatorx5Bx5D_get_3(u32(2) * index_23 + ((word_8 >> (u32(2)))))[(word_8 & (u32(3)))];
 }
 
 fn emitter_faces_at_0( index_24 : u32) -> u32
 {
-    var _S312 : u32;
+    var _S278 : u32;
     if(lights_in_pages_0())
     {
-        var _S313 : u32 = place_in_emitter_0(index_24, u32(4));
-        _S312 = cells_1[_S313];
+        _S278 = cells_1[place_in_emitter_0(index_24, u32(4))];
     }
     else
     {
-        _S312 = emitter_word_0(index_24, u32(4));
+        _S278 = emitter_word_0(index_24, u32(4));
     }
-    return _S312;
+    return _S278;
 }
 
 fn emitter_luminance_at_0( index_25 : u32) -> f32
 {
-    var _S314 : f32;
+    var _S279 : f32;
     if(lights_in_pages_0())
     {
-        var _S315 : u32 = place_in_emitter_0(index_25, u32(6));
-        _S314 = (bitcast<f32>((cells_1[_S315])));
+        _S279 = (bitcast<f32>((cells_1[place_in_emitter_0(index_25, u32(6))])));
     }
     else
     {
-        _S314 = (bitcast<f32>((emitter_word_0(index_25, u32(6)))));
+        _S279 = (bitcast<f32>((emitter_word_0(index_25, u32(6)))));
     }
-    return _S314;
+    return _S279;
 }
 
-fn Emitter_x24init_0( voxel_25 : array<i32, i32(3)>,  grid_2 : u32,  faces_1 : u32,  material_7 : u32,  luminance_5 : f32,  leaf_1 : u32) -> Emitter_0
+fn Emitter_x24init_0( voxel_25 : array<i32, i32(3)>,  grid_9 : u32,  faces_1 : u32,  material_7 : u32,  luminance_5 : f32,  leaf_1 : u32) -> Emitter_0
 {
-    var _S316 : Emitter_0;
-    _S316.voxel_24 = voxel_25;
-    _S316.grid_1 = grid_2;
-    _S316.faces_0 = faces_1;
-    _S316.material_6 = material_7;
-    _S316.luminance_4 = luminance_5;
-    _S316.leaf_0 = leaf_1;
-    return _S316;
+    var _S280 : Emitter_0;
+    _S280.voxel_24 = voxel_25;
+    _S280.grid_8 = grid_9;
+    _S280.faces_0 = faces_1;
+    _S280.material_6 = material_7;
+    _S280.luminance_4 = luminance_5;
+    _S280.leaf_0 = leaf_1;
+    return _S280;
 }
 
 fn emitter_at_0( index_26 : u32) -> Emitter_0
 {
     if(!lights_in_pages_0())
     {
-        var _S317 : u32 = u32(2) * index_26;
-        var a_6 : vec4<u32> = emitter_rows_0[_S317];
-        var b_6 : vec4<u32> = emitter_rows_0[_S317 + u32(1)];
-        var _S318 : array<i32, i32(3)> = array<i32, i32(3)>( i32(a_6.x), i32(a_6.y), i32(a_6.z) );
-        return Emitter_x24init_0(_S318, a_6.w, b_6.x, b_6.y, (bitcast<f32>((b_6.z))), b_6.w);
+        var _S281 : u32 = u32(2) * index_26;
+        var _S282 : vec4<u32> = Rows_operatorx5Bx5D_get_3(_S281);
+        var _S283 : vec4<u32> = Rows_operatorx5Bx5D_get_3(_S281 + u32(1));
+        var _S284 : array<i32, i32(3)> = array<i32, i32(3)>( i32(_S282.x), i32(_S282.y), i32(_S282.z) );
+        return Emitter_x24init_0(_S284, _S282.w, _S283.x, _S283.y, (bitcast<f32>((_S283.z))), _S283.w);
     }
     var at_4 : u32 = place_in_emitter_0(index_26, u32(0));
-    var _S319 : array<i32, i32(3)> = array<i32, i32(3)>( i32(cells_1[at_4]), i32(cells_1[at_4 + u32(1)]), i32(cells_1[at_4 + u32(2)]) );
-    return Emitter_x24init_0(_S319, cells_1[at_4 + u32(3)], cells_1[at_4 + u32(4)], cells_1[at_4 + u32(5)], (bitcast<f32>((cells_1[at_4 + u32(6)]))), cells_1[at_4 + u32(7)]);
+    var _S285 : array<i32, i32(3)> = array<i32, i32(3)>( i32(cells_1[at_4]), i32(cells_1[at_4 + u32(1)]), i32(cells_1[at_4 + u32(2)]) );
+    return Emitter_x24init_0(_S285, cells_1[at_4 + u32(3)], cells_1[at_4 + u32(4)], cells_1[at_4 + u32(5)], (bitcast<f32>((cells_1[at_4 + u32(6)]))), cells_1[at_4 + u32(7)]);
 }
 
 fn choose_emitter_0( way_5 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Emitter_0
 {
-    var is_found_6 : bool;
+    var is_found_8 : bool;
     var is_left_3 : bool;
     var count_4 : u32 = way_5.count_2;
     var node_11 : u32 = way_5.node_3;
     var index_27 : u32 = way_5.index_15;
-    var _S320 : f32 = threshold_1;
+    var _S286 : f32 = threshold_1;
     for(;;)
     {
         if(count_4 == u32(0))
         {
-            is_found_6 = !waits_for_pages_0();
+            is_found_8 = !waits_for_pages_0();
         }
         else
         {
-            is_found_6 = false;
+            is_found_8 = false;
         }
-        if(is_found_6)
+        if(is_found_8)
         {
         }
         else
@@ -4419,7 +4406,7 @@ fn choose_emitter_0( way_5 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
         var power_right_0 : f32 = light_power_at_0(index_27, side_2);
         var below_left_0 : vec2<u32> = below_light_node_0(left_3);
         var below_right_0 : vec2<u32> = below_light_node_0(index_27);
-        if(_S320 < power_left_0)
+        if(_S286 < power_left_0)
         {
             is_left_3 = true;
         }
@@ -4432,7 +4419,7 @@ fn choose_emitter_0( way_5 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
         }
         else
         {
-            _S320 = _S320 - power_left_0;
+            _S286 = _S286 - power_left_0;
         }
         if(is_left_3)
         {
@@ -4459,14 +4446,14 @@ fn choose_emitter_0( way_5 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
             count_4 = below_right_0.y;
         }
     }
-    is_found_6 = false;
+    is_found_8 = false;
     var chosen_3 : u32 = index_27;
     var at_5 : u32 = index_27;
     for(;;)
     {
         if(at_5 < (index_27 + count_4))
         {
-            is_left_3 = !is_found_6;
+            is_left_3 = !is_found_8;
         }
         else
         {
@@ -4479,24 +4466,19 @@ fn choose_emitter_0( way_5 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
         {
             break;
         }
-        var _S321 : u32 = emitter_faces_at_0(at_5);
-        if(((((_S321 >> (side_2))) & (u32(1)))) != u32(0))
+        if((((((emitter_faces_at_0(at_5)) >> (side_2))) & (u32(1)))) != u32(0))
         {
-            var _S322 : f32 = emitter_luminance_at_0(at_5);
-            var _S323 : bool = _S320 < _S322;
-            var _S324 : f32 = emitter_luminance_at_0(at_5);
-            var _S325 : f32 = _S320 - _S324;
-            is_found_6 = _S323;
+            var _S287 : f32 = _S286 - emitter_luminance_at_0(at_5);
+            is_found_8 = _S286 < (emitter_luminance_at_0(at_5));
             chosen_3 = at_5;
-            _S320 = _S325;
+            _S286 = _S287;
         }
         at_5 = at_5 + u32(1);
     }
-    var _S326 : Emitter_0 = emitter_at_0(chosen_3);
-    return _S326;
+    return emitter_at_0(chosen_3);
 }
 
-fn point_of_face_0( low_9 : vec3<f32>,  face_4 : u32,  u_8 : f32,  v_4 : f32) -> vec3<f32>
+fn point_of_face_0( low_9 : vec3<f32>,  face_4 : u32,  u_8 : f32,  v_6 : f32) -> vec3<f32>
 {
     var away_0 : f32;
     if(((face_4 & (u32(1)))) == u32(1))
@@ -4509,13 +4491,13 @@ fn point_of_face_0( low_9 : vec3<f32>,  face_4 : u32,  u_8 : f32,  v_4 : f32) ->
     }
     if(face_4 < u32(2))
     {
-        return low_9 + vec3<f32>(away_0, u_8, v_4);
+        return low_9 + vec3<f32>(away_0, u_8, v_6);
     }
     if(face_4 < u32(4))
     {
-        return low_9 + vec3<f32>(u_8, away_0, v_4);
+        return low_9 + vec3<f32>(u_8, away_0, v_6);
     }
-    return low_9 + vec3<f32>(u_8, v_4, away_0);
+    return low_9 + vec3<f32>(u_8, v_6, away_0);
 }
 
 fn margin_of_0( translation_1 : vec3<f32>,  low_10 : vec3<f32>) -> f32
@@ -4526,19 +4508,19 @@ fn margin_of_0( translation_1 : vec3<f32>,  low_10 : vec3<f32>) -> f32
 fn offset_ray_origin_0( translation_2 : vec3<f32>,  low_11 : vec3<f32>,  face_5 : u32,  point_4 : vec3<f32>) -> vec3<f32>
 {
     var margin_0 : f32 = margin_of_0(translation_2, low_11);
-    var _S327 : vec3<f32> = vec3<f32>(margin_0);
-    var moved_0 : vec3<f32> = min(max(point_4, low_11 + _S327), low_11 + vec3<f32>((1.0f - margin_0)));
-    var _S328 : bool = face_5 < u32(2);
-    var _S329 : bool;
+    var _S288 : vec3<f32> = vec3<f32>(margin_0);
+    var moved_0 : vec3<f32> = min(max(point_4, low_11 + _S288), low_11 + vec3<f32>((1.0f - margin_0)));
+    var _S289 : bool = face_5 < u32(2);
+    var _S290 : bool;
     if(face_5 >= u32(2))
     {
-        _S329 = face_5 < u32(4);
+        _S290 = face_5 < u32(4);
     }
     else
     {
-        _S329 = false;
+        _S290 = false;
     }
-    var is_axis_3 : vec3<bool> = vec3<bool>(_S328, _S329, face_5 >= u32(4));
+    var is_axis_3 : vec3<bool> = vec3<bool>(_S289, _S290, face_5 >= u32(4));
     var outside_0 : vec3<f32>;
     if(((face_5 & (u32(1)))) == u32(1))
     {
@@ -4546,19 +4528,9 @@ fn offset_ray_origin_0( translation_2 : vec3<f32>,  low_11 : vec3<f32>,  face_5 
     }
     else
     {
-        outside_0 = low_11 - _S327;
+        outside_0 = low_11 - _S288;
     }
     return select(moved_0, outside_0, is_axis_3);
-}
-
-fn Transform_direction_1( _S330 : u32,  _S331 : vec3<f32>) -> vec3<f32>
-{
-    return vector_of_0(instances_0[_S330].world_from_grid_0.x_axis_0) * vec3<f32>(_S331.x) + vector_of_0(instances_0[_S330].world_from_grid_0.y_axis_0) * vec3<f32>(_S331.y) + vector_of_0(instances_0[_S330].world_from_grid_0.z_axis_0) * vec3<f32>(_S331.z);
-}
-
-fn Transform_point_1( _S332 : u32,  _S333 : vec3<f32>) -> vec3<f32>
-{
-    return Transform_direction_1(_S332, _S333) + vector_of_0(instances_0[_S332].world_from_grid_0.translation_0);
 }
 
 fn sample_emitter_0( receiver_14 : Receiver_0,  u_9 : vec4<f32>,  aim_2 : Aim_0,  sample_4 : ptr<function, LightSample_0>) -> bool
@@ -4570,80 +4542,81 @@ fn sample_emitter_0( receiver_14 : Receiver_0,  u_9 : vec4<f32>,  aim_2 : Aim_0,
     }
     var descent_3 : Descent_0 = Descent_x24init_0(u32(0), u32(0), u32(0), 1.0f, 1.0f, u_9.x, false);
     Descent_at_0(&(descent_3), u32(0));
-    var _S334 : bool;
+    var _S291 : bool;
     if(!IS_SINGLE_0)
     {
-        _S334 = aim_2.is_met_0;
+        _S291 = aim_2.is_met_0;
     }
     else
     {
-        _S334 = false;
+        _S291 = false;
     }
-    if(_S334)
+    if(_S291)
     {
-        var leaf_2 : u32 = instances_0[aim_2.hit_6.instance_0].light_leaf_0;
-        if((instances_0[aim_2.hit_6.instance_0].light_leaf_0) == u32(4294967295))
+        var _S292 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(aim_2.hit_6.instance_0);
+        if((_S292.light_leaf_0) == u32(4294967295))
         {
-            _S334 = true;
+            _S291 = true;
         }
         else
         {
-            var _S335 : bool = climb_0(receiver_14, leaf_2, &(descent_3));
-            _S334 = !_S335;
+            var _S293 : bool = climb_0(receiver_14, _S292.light_leaf_0, &(descent_3));
+            _S291 = !_S293;
         }
-        if(_S334)
+        if(_S291)
         {
             return false;
         }
-        Descent_at_0(&(descent_3), leaf_2);
+        Descent_at_0(&(descent_3), _S292.light_leaf_0);
     }
     else
     {
         if(!IS_SINGLE_0)
         {
-            var _S336 : bool = descend_0(receiver_14, by_chance_0(), &(descent_3));
-            _S334 = !_S336;
+            var _S294 : bool = descend_0(receiver_14, by_chance_0(), &(descent_3));
+            _S291 = !_S294;
         }
         else
         {
-            _S334 = false;
+            _S291 = false;
         }
-        if(_S334)
+        if(_S291)
         {
             return false;
         }
     }
     var chosen_instance_0 : u32 = descent_3.index_15;
-    var local_1 : Receiver_0 = in_grid_0(descent_3.index_15, receiver_14);
+    var local_3 : Receiver_0 = in_grid_0(descent_3.index_15, receiver_14);
     Descent_at_1(&(descent_3), top_light_node_0(descent_3.node_3).root_1);
-    var _S337 : bool = descend_1(local_1, aim_2, &(descent_3));
-    if(!_S337)
+    var _S295 : bool = descend_1(local_3, aim_2, &(descent_3));
+    if(!_S295)
     {
         return false;
     }
     var side_3 : u32 = aim_2.hit_6.face_0;
     var odds_2 : vec2<f32>;
-    var _S338 : bool = choose_side_0(local_1.point_0, aim_2.is_met_0, descent_3, &(side_3), &(odds_2));
-    if(!_S338)
+    var _S296 : bool = choose_side_0(local_3.point_0, aim_2.is_met_0, descent_3, &(side_3), &(odds_2));
+    if(!_S296)
     {
         return false;
     }
     var power_5 : f32 = light_power_at_0(descent_3.node_3, side_3);
+    var _S297 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(chosen_instance_0);
     if(aim_2.is_met_0)
     {
-        var _S339 : f32 = density_0(odds_2, aim_2.luminance_1, power_5, Transform_direction_0(chosen_instance_0, aim_2.direction_21) * vec3<f32>(aim_2.hit_6.t_0), side_3);
-        (*sample_4).pdf_2 = _S339;
-        return _S339 > 0.0f;
+        var _S298 : f32 = density_0(odds_2, aim_2.luminance_1, power_5, Transform_direction_0(_S297.grid_from_world_0, aim_2.direction_21) * vec3<f32>(aim_2.hit_6.t_0), side_3);
+        (*sample_4).pdf_2 = _S298;
+        return _S298 > 0.0f;
     }
     var emitter_1 : Emitter_0 = choose_emitter_0(descent_3, side_3, u_9.y * power_5);
-    var _S340 : vec3<f32> = vec3<f32>(cell_of_0(emitter_1.voxel_24));
-    var on_face_0 : vec3<f32> = point_of_face_0(_S340, side_3, u_9.z, u_9.w);
-    var pdf_7 : f32 = density_0(odds_2, emitter_1.luminance_4, power_5, on_face_0 - local_1.point_0, side_3);
+    var _S299 : vec3<f32> = vec3<f32>(cell_of_0(emitter_1.voxel_24));
+    var on_face_0 : vec3<f32> = point_of_face_0(_S299, side_3, u_9.z, u_9.w);
+    var pdf_7 : f32 = density_0(odds_2, emitter_1.luminance_4, power_5, on_face_0 - local_3.point_0, side_3);
     if(pdf_7 < 0.0f)
     {
         return false;
     }
-    var direction_27 : vec3<f32> = Transform_point_1(chosen_instance_0, offset_ray_origin_0(vector_of_0(instances_0[chosen_instance_0].grid_from_world_0.translation_0), _S340, side_3, on_face_0)) - receiver_14.point_0;
+    var direction_27 : vec3<f32> = Transform_point_0(_S297.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S297.grid_from_world_0.translation_0), _S299, side_3, on_face_0)) - receiver_14.point_0;
     var cos_theta_6 : f32 = with_slack_0(receiver_14, divide_0(dot_product_0(receiver_14.normal_2, direction_27), square_root_0(length_squared_0(direction_27))));
     (*sample_4) = LightSample_x24init_0(Ray_x24init_0(receiver_14.point_0, 0.0f, direction_27, 1.0f), cos_theta_6, emitted_0(material_of_index_0(emitter_1.material_6)), pdf_7);
     return cos_theta_6 > 0.0f;
@@ -4651,99 +4624,99 @@ fn sample_emitter_0( receiver_14 : Receiver_0,  u_9 : vec4<f32>,  aim_2 : Aim_0,
 
 fn EmitterTree_sample_0( receiver_15 : Receiver_0,  u_10 : vec4<f32>,  aim_3 : Aim_0,  sample_5 : ptr<function, LightSample_0>) -> bool
 {
-    var _S341 : bool = sample_emitter_0(receiver_15, u_10, aim_3, &((*sample_5)));
-    return _S341;
+    var _S300 : bool = sample_emitter_0(receiver_15, u_10, aim_3, &((*sample_5)));
+    return _S300;
 }
 
 fn Lights_sample_0( receiver_16 : Receiver_0,  selection_3 : Selection_0,  u_11 : vec4<f32>,  aim_4 : Aim_0,  sample_6 : ptr<function, LightSample_0>) -> bool
 {
-    var is_found_7 : bool;
+    var is_found_9 : bool;
     if(has_sun_0())
     {
-        is_found_7 = !aim_4.is_met_0;
+        is_found_9 = !aim_4.is_met_0;
     }
     else
     {
-        is_found_7 = false;
+        is_found_9 = false;
     }
-    if(is_found_7)
+    if(is_found_9)
     {
-        is_found_7 = (u_11.x) < (selection_3.sun_0);
+        is_found_9 = (u_11.x) < (selection_3.sun_0);
     }
     else
     {
-        is_found_7 = false;
+        is_found_9 = false;
     }
-    if(is_found_7)
+    if(is_found_9)
     {
-        var _S342 : bool = SunDisc_sample_0(receiver_16, u_11, &((*sample_6)));
+        var _S301 : bool = SunDisc_sample_0(receiver_16, u_11, &((*sample_6)));
         (*sample_6).pdf_2 = (*sample_6).pdf_2 * selection_3.sun_0;
-        is_found_7 = _S342;
+        is_found_9 = _S301;
     }
     else
     {
         if(Lights_has_chosen_sky_0())
         {
-            is_found_7 = !aim_4.is_met_0;
+            is_found_9 = !aim_4.is_met_0;
         }
         else
         {
-            is_found_7 = false;
+            is_found_9 = false;
         }
-        if(is_found_7)
+        if(is_found_9)
         {
-            is_found_7 = (u_11.x) < (selection_3.sun_0 + selection_3.sky_1);
+            is_found_9 = (u_11.x) < (selection_3.sun_0 + selection_3.sky_1);
         }
         else
         {
-            is_found_7 = false;
+            is_found_9 = false;
         }
-        if(is_found_7)
+        if(is_found_9)
         {
-            var _S343 : bool = Sky_sample_0(receiver_16, vec4<f32>(min(divide_0(u_11.x - selection_3.sun_0, selection_3.sky_1), 0.99999994039535522f), u_11.yzw), &((*sample_6)));
+            var _S302 : bool = Sky_sample_0(receiver_16, vec4<f32>(min(divide_0(u_11.x - selection_3.sun_0, selection_3.sky_1), 0.99999994039535522f), u_11.yzw), &((*sample_6)));
             (*sample_6).pdf_2 = (*sample_6).pdf_2 * selection_3.sky_1;
-            is_found_7 = _S343;
+            is_found_9 = _S302;
         }
         else
         {
-            var _S344 : bool = EmitterTree_sample_0(receiver_16, vec4<f32>(min(divide_0(u_11.x - (selection_3.sun_0 + selection_3.sky_1), selection_3.emitters_0), 0.99999994039535522f), u_11.yzw), aim_4, &((*sample_6)));
+            var _S303 : bool = EmitterTree_sample_0(receiver_16, vec4<f32>(min(divide_0(u_11.x - (selection_3.sun_0 + selection_3.sky_1), selection_3.emitters_0), 0.99999994039535522f), u_11.yzw), aim_4, &((*sample_6)));
             (*sample_6).pdf_2 = (*sample_6).pdf_2 * selection_3.emitters_0;
-            is_found_7 = _S344;
+            is_found_9 = _S303;
         }
     }
-    return is_found_7;
+    return is_found_9;
 }
 
 fn ior_of_0( inside_3 : Inside_0) -> f32
 {
-    var _S345 : f32;
+    var _S304 : f32;
     if(Inside_is_in_0(inside_3))
     {
-        _S345 = material_of_index_0(inside_3.material_0).ior_0;
+        _S304 = material_of_index_0(inside_3.material_0).ior_0;
     }
     else
     {
-        _S345 = 1.0f;
+        _S304 = 1.0f;
     }
-    return _S345;
+    return _S304;
 }
 
 fn Microfacets_x24init_0( alpha_1 : f32) -> Microfacets_0
 {
-    var _S346 : Microfacets_0;
-    _S346.alpha_0 = alpha_1;
-    return _S346;
+    var _S305 : Microfacets_0;
+    _S305.alpha_0 = alpha_1;
+    return _S305;
 }
 
 fn MaterialBsdf_x24init_0( kind_1 : u32,  color_2 : vec3<f32>,  specular_2 : f32,  eta_1 : f32,  facets_1 : Microfacets_0) -> MaterialBsdf_0
 {
-    var _S347 : MaterialBsdf_0;
-    _S347.kind_0 = kind_1;
-    _S347.color_0 = color_2;
-    _S347.specular_1 = specular_2;
-    _S347.eta_0 = eta_1;
-    _S347.facets_0 = facets_1;
-    return _S347;
+    var _S306 : MaterialBsdf_0;
+    _S306.kind_0 = kind_1;
+    _S306.color_0 = color_2;
+    _S306.specular_1 = specular_2;
+    _S306.eta_0 = eta_1;
+    _S306.facets_0 = facets_1;
+    return _S306;
 }
 
 fn bsdf_of_0( material_8 : PackedMaterial_0,  ior_1 : f32,  choice_2 : ptr<function, f32>) -> MaterialBsdf_0
@@ -4751,9 +4724,9 @@ fn bsdf_of_0( material_8 : PackedMaterial_0,  ior_1 : f32,  choice_2 : ptr<funct
     return MaterialBsdf_x24init_0(u32(0), vector_of_0(material_8.base_color_0), 0.0f, 1.0f, Microfacets_x24init_0(1.0f));
 }
 
-fn MaterialBsdf_albedo_0( this_38 : MaterialBsdf_0) -> vec3<f32>
+fn MaterialBsdf_albedo_0( this_40 : MaterialBsdf_0) -> vec3<f32>
 {
-    return this_38.color_0;
+    return this_40.color_0;
 }
 
 fn roulette_0( event_1 : u32,  scattered_1 : vec3<f32>,  u_12 : f32) -> f32
@@ -4762,17 +4735,17 @@ fn roulette_0( event_1 : u32,  scattered_1 : vec3<f32>,  u_12 : f32) -> f32
     {
         return 1.0f;
     }
-    var _S348 : f32 = min(max_element_0(scattered_1), 0.94999998807907104f);
-    var _S349 : f32;
-    if(u_12 < _S348)
+    var _S307 : f32 = min(max_element_0(scattered_1), 0.94999998807907104f);
+    var _S308 : f32;
+    if(u_12 < _S307)
     {
-        _S349 = divide_0(1.0f, _S348);
+        _S308 = divide_0(1.0f, _S307);
     }
     else
     {
-        _S349 = 0.0f;
+        _S308 = 0.0f;
     }
-    return _S349;
+    return _S308;
 }
 
 fn face_normal_0( face_6 : u32) -> vec3<f32>
@@ -4786,32 +4759,32 @@ fn face_normal_0( face_6 : u32) -> vec3<f32>
     {
         away_1 = -1.0f;
     }
-    var _S350 : f32;
+    var _S309 : f32;
     if(face_6 < u32(2))
     {
-        _S350 = away_1;
+        _S309 = away_1;
     }
     else
     {
-        _S350 = 0.0f;
+        _S309 = 0.0f;
     }
-    var _S351 : bool;
+    var _S310 : bool;
     if(face_6 >= u32(2))
     {
-        _S351 = face_6 < u32(4);
+        _S310 = face_6 < u32(4);
     }
     else
     {
-        _S351 = false;
+        _S310 = false;
     }
-    var _S352 : f32;
-    if(_S351)
+    var _S311 : f32;
+    if(_S310)
     {
-        _S352 = away_1;
+        _S311 = away_1;
     }
     else
     {
-        _S352 = 0.0f;
+        _S311 = 0.0f;
     }
     if(face_6 >= u32(4))
     {
@@ -4820,68 +4793,69 @@ fn face_normal_0( face_6 : u32) -> vec3<f32>
     {
         away_1 = 0.0f;
     }
-    return vec3<f32>(_S350, _S352, away_1);
+    return vec3<f32>(_S309, _S311, away_1);
 }
 
-fn world_normal_0( _S353 : u32,  _S354 : u32) -> vec3<f32>
+fn world_normal_0( instance_14 : PackedInstance_0,  face_7 : u32) -> vec3<f32>
 {
-    return normalize_vector_0(Transform_direction_1(_S353, face_normal_0(_S354)));
+    return normalize_vector_0(Transform_direction_0(instance_14.world_from_grid_0, face_normal_0(face_7)));
 }
 
-fn surface_of_0( ray_16 : Ray_0,  hit_8 : Hit_0) -> Surface_0
+fn surface_of_0( ray_18 : Ray_0,  hit_8 : Hit_0) -> Surface_0
 {
     var surface_1 : Surface_0;
-    var _S355 : vec3<f32> = vec3<f32>(hit_8.voxel_0);
+    var _S312 : vec3<f32> = vec3<f32>(hit_8.voxel_0);
     if(IS_SINGLE_0)
     {
-        surface_1.origin_9 = offset_ray_origin_0(vec3<f32>(0.0f), _S355, hit_8.face_0, ray_16.origin_1 + ray_16.direction_0 * vec3<f32>(hit_8.t_0));
+        surface_1.origin_9 = offset_ray_origin_0(vec3<f32>(0.0f), _S312, hit_8.face_0, ray_18.origin_0 + ray_18.direction_0 * vec3<f32>(hit_8.t_0));
         surface_1.normal_3 = face_normal_0(hit_8.face_0);
     }
     else
     {
-        surface_1.origin_9 = Transform_point_1(hit_8.instance_0, offset_ray_origin_0(vector_of_0(instances_0[hit_8.instance_0].grid_from_world_0.translation_0), _S355, hit_8.face_0, Transform_point_0(hit_8.instance_0, ray_16.origin_1) + Transform_direction_0(hit_8.instance_0, ray_16.direction_0) * vec3<f32>(hit_8.t_0)));
-        surface_1.normal_3 = world_normal_0(hit_8.instance_0, hit_8.face_0);
+        var _S313 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(hit_8.instance_0);
+        surface_1.origin_9 = Transform_point_0(_S313.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S313.grid_from_world_0.translation_0), _S312, hit_8.face_0, Transform_point_0(_S313.grid_from_world_0, ray_18.origin_0) + Transform_direction_0(_S313.grid_from_world_0, ray_18.direction_0) * vec3<f32>(hit_8.t_0)));
+        surface_1.normal_3 = world_normal_0(_S313, hit_8.face_0);
     }
     surface_1.face_2 = hit_8.face_0;
     surface_1.instance_11 = hit_8.instance_0;
     return surface_1;
 }
 
-fn Surface_local_direction_0( this_39 : Surface_0,  world_0 : vec3<f32>) -> vec3<f32>
+fn Surface_local_direction_0( this_41 : Surface_0,  world_0 : vec3<f32>) -> vec3<f32>
 {
     var in_grid_1 : vec3<f32>;
     if(!IS_SINGLE_0)
     {
-        in_grid_1 = Transform_direction_0(this_39.instance_11, world_0);
+        in_grid_1 = Transform_direction_0(Instances_operatorx5Bx5D_get_0(this_41.instance_11).grid_from_world_0, world_0);
     }
     else
     {
         in_grid_1 = world_0;
     }
     var in_grid_2 : vec3<f32> = normalize_vector_0(in_grid_1);
-    var local_2 : vec3<f32>;
-    if((this_39.face_2) < u32(2))
+    var local_4 : vec3<f32>;
+    if((this_41.face_2) < u32(2))
     {
-        local_2 = in_grid_2.yzx;
+        local_4 = in_grid_2.yzx;
     }
     else
     {
-        if((this_39.face_2) < u32(4))
+        if((this_41.face_2) < u32(4))
         {
-            local_2 = in_grid_2.zxy;
+            local_4 = in_grid_2.zxy;
         }
         else
         {
-            local_2 = in_grid_2;
+            local_4 = in_grid_2;
         }
     }
-    if((((this_39.face_2) & (u32(1)))) == u32(1))
+    if((((this_41.face_2) & (u32(1)))) == u32(1))
     {
-        in_grid_1 = local_2;
+        in_grid_1 = local_4;
     }
     else
     {
-        in_grid_1 = vec3<f32>(local_2.xy, - local_2.z);
+        in_grid_1 = vec3<f32>(local_4.xy, - local_4.z);
     }
     return in_grid_1;
 }
@@ -4892,28 +4866,29 @@ fn clamp_to_voxel_0( translation_3 : vec3<f32>,  low_12 : vec3<f32>,  point_5 : 
     return min(max(point_5, low_12 + vec3<f32>(margin_1)), low_12 + vec3<f32>((1.0f - margin_1)));
 }
 
-fn Inside_point_0( this_40 : Inside_0,  ray_17 : Ray_0,  t_13 : f32) -> vec3<f32>
+fn Inside_point_0( this_42 : Inside_0,  ray_19 : Ray_0,  t_13 : f32) -> vec3<f32>
 {
-    return Transform_point_1(this_40.instance_6, clamp_to_voxel_0(vector_of_0(instances_0[this_40.instance_6].grid_from_world_0.translation_0), vec3<f32>(this_40.voxel_22), Transform_point_0(this_40.instance_6, ray_17.origin_1) + Transform_direction_0(this_40.instance_6, ray_17.direction_0) * vec3<f32>(t_13)));
+    var _S314 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(this_42.instance_6);
+    return Transform_point_0(_S314.world_from_grid_0, clamp_to_voxel_0(vector_of_0(_S314.grid_from_world_0.translation_0), vec3<f32>(this_42.voxel_22), Transform_point_0(_S314.grid_from_world_0, ray_19.origin_0) + Transform_direction_0(_S314.grid_from_world_0, ray_19.direction_0) * vec3<f32>(t_13)));
 }
 
-fn MaterialBsdf_is_delta_0( this_41 : MaterialBsdf_0) -> bool
+fn MaterialBsdf_is_delta_0( this_43 : MaterialBsdf_0) -> bool
 {
     return false;
 }
 
 fn Scatter_x24init_0( path_6 : Path_0,  receiver_17 : Receiver_0,  surface_2 : Surface_0,  bsdf_1 : MaterialBsdf_0,  wo_1 : vec3<f32>,  compensation_1 : f32,  is_scattered_1 : bool,  wants_light_1 : bool) -> Scatter_0
 {
-    var _S356 : Scatter_0;
-    _S356.path_3 = path_6;
-    _S356.receiver_0 = receiver_17;
-    _S356.surface_0 = surface_2;
-    _S356.bsdf_0 = bsdf_1;
-    _S356.wo_0 = wo_1;
-    _S356.compensation_0 = compensation_1;
-    _S356.is_scattered_0 = is_scattered_1;
-    _S356.wants_light_0 = wants_light_1;
-    return _S356;
+    var _S315 : Scatter_0;
+    _S315.path_3 = path_6;
+    _S315.receiver_0 = receiver_17;
+    _S315.surface_0 = surface_2;
+    _S315.bsdf_0 = bsdf_1;
+    _S315.wo_0 = wo_1;
+    _S315.compensation_0 = compensation_1;
+    _S315.is_scattered_0 = is_scattered_1;
+    _S315.wants_light_0 = wants_light_1;
+    return _S315;
 }
 
 struct BsdfSample_0
@@ -4931,15 +4906,15 @@ struct Diffuse_0
 
 fn Diffuse_x24init_0( reflectance_1 : vec3<f32>) -> Diffuse_0
 {
-    var _S357 : Diffuse_0;
-    _S357.reflectance_0 = reflectance_1;
-    return _S357;
+    var _S316 : Diffuse_0;
+    _S316.reflectance_0 = reflectance_1;
+    return _S316;
 }
 
-fn cosine_hemisphere_0( u_13 : f32,  v_5 : f32) -> vec3<f32>
+fn cosine_hemisphere_0( u_13 : f32,  v_7 : f32) -> vec3<f32>
 {
     var radius_3 : f32 = square_root_0(u_13);
-    var sin_cos_2 : vec2<f32> = sincos_turns_0(v_5);
+    var sin_cos_2 : vec2<f32> = sincos_turns_0(v_7);
     return vec3<f32>(radius_3 * sin_cos_2.y, radius_3 * sin_cos_2.x, square_root_0(1.0f - u_13));
 }
 
@@ -4950,65 +4925,65 @@ fn cosine_hemisphere_pdf_0( cos_theta_7 : f32) -> f32
 
 fn BsdfSample_x24init_0( wi_1 : vec3<f32>,  weight_4 : vec3<f32>,  pdf_9 : f32,  is_delta_1 : bool) -> BsdfSample_0
 {
-    var _S358 : BsdfSample_0;
-    _S358.wi_0 = wi_1;
-    _S358.weight_3 = weight_4;
-    _S358.pdf_8 = pdf_9;
-    _S358.is_delta_0 = is_delta_1;
-    return _S358;
+    var _S317 : BsdfSample_0;
+    _S317.wi_0 = wi_1;
+    _S317.weight_3 = weight_4;
+    _S317.pdf_8 = pdf_9;
+    _S317.is_delta_0 = is_delta_1;
+    return _S317;
 }
 
-fn Diffuse_sample_0( this_42 : Diffuse_0,  wo_2 : vec3<f32>,  u_14 : vec3<f32>,  sample_7 : ptr<function, BsdfSample_0>) -> bool
+fn Diffuse_sample_0( this_44 : Diffuse_0,  wo_2 : vec3<f32>,  u_14 : vec3<f32>,  sample_7 : ptr<function, BsdfSample_0>) -> bool
 {
     var wi_2 : vec3<f32> = cosine_hemisphere_0(u_14.x, u_14.y);
-    (*sample_7) = BsdfSample_x24init_0(wi_2, this_42.reflectance_0, cosine_hemisphere_pdf_0(wi_2.z), false);
+    (*sample_7) = BsdfSample_x24init_0(wi_2, this_44.reflectance_0, cosine_hemisphere_pdf_0(wi_2.z), false);
     return true;
 }
 
-fn MaterialBsdf_sample_0( this_43 : MaterialBsdf_0,  wo_3 : vec3<f32>,  u_15 : vec3<f32>,  sample_8 : ptr<function, BsdfSample_0>) -> bool
+fn MaterialBsdf_sample_0( this_45 : MaterialBsdf_0,  wo_3 : vec3<f32>,  u_15 : vec3<f32>,  sample_8 : ptr<function, BsdfSample_0>) -> bool
 {
-    var _S359 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_43.color_0), wo_3, u_15, &((*sample_8)));
-    return _S359;
+    var _S318 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_45.color_0), wo_3, u_15, &((*sample_8)));
+    return _S318;
 }
 
-fn Surface_world_direction_0( this_44 : Surface_0,  local_3 : vec3<f32>) -> vec3<f32>
+fn Surface_world_direction_0( this_46 : Surface_0,  local_5 : vec3<f32>) -> vec3<f32>
 {
     var away_2 : f32;
-    if((((this_44.face_2) & (u32(1)))) == u32(1))
+    if((((this_46.face_2) & (u32(1)))) == u32(1))
     {
-        away_2 = local_3.z;
+        away_2 = local_5.z;
     }
     else
     {
-        away_2 = - local_3.z;
+        away_2 = - local_5.z;
     }
-    var _S360 : f32 = local_3.x;
-    var _S361 : f32 = local_3.y;
-    var _S362 : vec3<f32> = vec3<f32>(_S360, _S361, away_2);
+    var _S319 : f32 = local_5.x;
+    var _S320 : f32 = local_5.y;
+    var _S321 : vec3<f32> = vec3<f32>(_S319, _S320, away_2);
     var in_grid_3 : vec3<f32>;
-    if((this_44.face_2) < u32(2))
+    if((this_46.face_2) < u32(2))
     {
-        in_grid_3 = vec3<f32>(away_2, _S360, _S361);
+        in_grid_3 = vec3<f32>(away_2, _S319, _S320);
     }
     else
     {
-        if((this_44.face_2) < u32(4))
+        if((this_46.face_2) < u32(4))
         {
-            in_grid_3 = vec3<f32>(_S361, away_2, _S360);
+            in_grid_3 = vec3<f32>(_S320, away_2, _S319);
         }
         else
         {
-            in_grid_3 = _S362;
+            in_grid_3 = _S321;
         }
     }
     if(!IS_SINGLE_0)
     {
-        in_grid_3 = Transform_direction_1(this_44.instance_11, in_grid_3);
+        in_grid_3 = Transform_direction_0(Instances_operatorx5Bx5D_get_0(this_46.instance_11).world_from_grid_0, in_grid_3);
     }
     return normalize_vector_0(in_grid_3);
 }
 
-fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_18 : Ray_0,  hit_9 : Hit_0,  beyond_3 : u32,  radiance_5 : ptr<function, vec3<f32>>) -> NextRays_0
+fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_20 : Ray_0,  hit_9 : Hit_0,  beyond_3 : u32,  radiance_5 : ptr<function, vec3<f32>>) -> NextRays_0
 {
     var next_0 : NextRays_0 = no_rays_0();
     scatter_of_path_0.wants_light_0 = false;
@@ -5023,7 +4998,7 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_18 : Ray_0,  hi
         t_14 = (*path_7).pdf_1;
     }
     (*path_7).pdf_1 = t_14;
-    var last_5 : Receiver_0 = Path_receiver_0((*path_7), ray_18);
+    var last_6 : Receiver_0 = Path_receiver_0((*path_7), ray_20);
     var is_scattered_2 : bool;
     if(Inside_is_in_0((*path_7).inside_0))
     {
@@ -5037,7 +5012,7 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_18 : Ray_0,  hi
     {
         if(is_scattered_2)
         {
-            t_14 = scattering_t_0((*path_7), (*path_7).inside_0, ray_18);
+            t_14 = scattering_t_0((*path_7), (*path_7).inside_0, ray_20);
         }
         else
         {
@@ -5045,7 +5020,7 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_18 : Ray_0,  hi
         }
         if(!is_counted_0)
         {
-            absorb_0(&((*path_7)), (*path_7).inside_0, ray_18, t_14);
+            absorb_0(&((*path_7)), (*path_7).inside_0, ray_20, t_14);
         }
     }
     else
@@ -5064,7 +5039,7 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_18 : Ray_0,  hi
     var light_pdf_1 : f32;
     if(is_weighed_0)
     {
-        (*radiance_5) = (*radiance_5) + (*path_7).beta_0 * Sky_le_0(ray_18.direction_0) * vec3<f32>(mis_weight_0((*path_7).pdf_1, Lights_sky_pdf_0(Path_selection_at_0((*path_7), last_5), ray_18.direction_0)));
+        (*radiance_5) = (*radiance_5) + (*path_7).beta_0 * Sky_le_0(ray_20.direction_0) * vec3<f32>(mis_weight_0((*path_7).pdf_1, Lights_sky_pdf_0(Path_selection_at_0((*path_7), last_6), ray_20.direction_0)));
         if(has_sun_0())
         {
             if(SunDisc_is_visible_0())
@@ -5082,7 +5057,7 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_18 : Ray_0,  hi
         }
         if(is_scattered_2)
         {
-            var le_0 : vec3<f32> = SunDisc_le_0(ray_18.direction_0);
+            var le_0 : vec3<f32> = SunDisc_le_0(ray_20.direction_0);
             if((max_element_0(le_0)) > 0.0f)
             {
                 if(((*path_7).pdf_1) == 0.0f)
@@ -5091,7 +5066,7 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_18 : Ray_0,  hi
                 }
                 else
                 {
-                    light_pdf_1 = Lights_sun_pdf_0(Path_selection_at_0((*path_7), last_5), ray_18.direction_0);
+                    light_pdf_1 = Lights_sun_pdf_0(Path_selection_at_0((*path_7), last_6), ray_20.direction_0);
                 }
                 (*radiance_5) = (*radiance_5) + (*path_7).beta_0 * le_0 * vec3<f32>(mis_weight_0((*path_7).pdf_1, light_pdf_1));
             }
@@ -5100,7 +5075,7 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_18 : Ray_0,  hi
     }
     var u_16 : vec4<f32> = Sampler_stratified_0((*path_7).sampler_0, Path_dimension_scatter_0((*path_7)));
     var material_9 : PackedMaterial_0 = material_met_0((*path_7), hit_9, beyond_3);
-    var _S363 : vec3<f32> = vec3<f32>(0.0f);
+    var _S322 : vec3<f32> = vec3<f32>(0.0f);
     var le_1 : vec3<f32>;
     if(!is_counted_0)
     {
@@ -5108,12 +5083,12 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_18 : Ray_0,  hi
     }
     else
     {
-        le_1 = _S363;
+        le_1 = _S322;
     }
     var is_lit_0 : bool = (max_element_0(le_1)) > 0.0f;
-    var met_0 : Aim_0 = Aim_x24init_0(true, ray_18.direction_0, hit_9, luminance_0(vector_of_0(material_9.emission_0)));
-    var _S364 : bool = weighs_apart_0();
-    if(_S364)
+    var met_0 : Aim_0 = Aim_x24init_0(true, ray_20.direction_0, hit_9, luminance_0(vector_of_0(material_9.emission_0)));
+    var _S323 : bool = weighs_apart_0();
+    if(_S323)
     {
         is_weighed_0 = is_lit_0;
     }
@@ -5141,7 +5116,7 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_18 : Ray_0,  hi
     if(is_chosen_0)
     {
         var light_5 : LightSample_0 = no_light_0();
-        if(!_S364)
+        if(!_S323)
         {
             is_chosen_0 = ((*path_7).pdf_1) > 0.0f;
         }
@@ -5151,15 +5126,15 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_18 : Ray_0,  hi
         }
         if(is_chosen_0)
         {
-            var _S365 : bool = Lights_sample_0(last_5, Path_selection_at_0((*path_7), last_5), vec4<f32>(0.0f), met_0, &(light_5));
-            is_chosen_0 = _S365;
+            var _S324 : bool = Lights_sample_0(last_6, Path_selection_at_0((*path_7), last_6), vec4<f32>(0.0f), met_0, &(light_5));
+            is_chosen_0 = _S324;
         }
         else
         {
             is_chosen_0 = false;
         }
-        var _S366 : vec3<f32> = (*path_7).beta_0 * le_1;
-        var _S367 : f32 = (*path_7).pdf_1;
+        var _S325 : vec3<f32> = (*path_7).beta_0 * le_1;
+        var _S326 : f32 = (*path_7).pdf_1;
         if(is_chosen_0)
         {
             light_pdf_1 = light_5.pdf_2;
@@ -5168,13 +5143,13 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_18 : Ray_0,  hi
         {
             light_pdf_1 = 0.0f;
         }
-        (*radiance_5) = (*radiance_5) + _S366 * vec3<f32>(mis_weight_0(_S367, light_pdf_1));
+        (*radiance_5) = (*radiance_5) + _S325 * vec3<f32>(mis_weight_0(_S326, light_pdf_1));
     }
-    var _S368 : f32 = ior_of_0((*path_7).inside_0);
-    var _S369 : f32 = u_16[i32(3)];
-    var _S370 : MaterialBsdf_0 = bsdf_of_0(material_9, _S368, &(_S369));
-    u_16[i32(3)] = _S369;
-    var scattered_2 : vec3<f32> = (*path_7).beta_0 * MaterialBsdf_albedo_0(_S370);
+    var _S327 : f32 = ior_of_0((*path_7).inside_0);
+    var _S328 : f32 = u_16[i32(3)];
+    var _S329 : MaterialBsdf_0 = bsdf_of_0(material_9, _S327, &(_S328));
+    u_16[i32(3)] = _S328;
+    var scattered_2 : vec3<f32> = (*path_7).beta_0 * MaterialBsdf_albedo_0(_S329);
     if(((*path_7).bounce_0) >= (params_0.max_bounces_0))
     {
         is_chosen_0 = true;
@@ -5183,8 +5158,8 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_18 : Ray_0,  hi
     {
         is_chosen_0 = ends_here_0;
     }
-    var _S371 : bool = !is_weighed_0;
-    if(_S371)
+    var _S330 : bool = !is_weighed_0;
+    if(_S330)
     {
         if(is_chosen_0)
         {
@@ -5204,7 +5179,7 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_18 : Ray_0,  hi
         return next_0;
     }
     var compensation_2 : f32 = roulette_0(Path_events_0((*path_7)), scattered_2, u_16.z);
-    if(_S371)
+    if(_S330)
     {
         is_chosen_0 = compensation_2 == 0.0f;
     }
@@ -5225,20 +5200,20 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_18 : Ray_0,  hi
     {
         at_6 = hit_9;
     }
-    var surface_3 : Surface_0 = surface_of_0(ray_18, at_6);
-    var _S372 : Receiver_0 = Receiver_x24init_0(surface_3.origin_9, surface_3.normal_3);
-    var _S373 : vec3<f32> = (vec3<f32>(0) - ray_18.direction_0);
-    var wo_4 : vec3<f32> = Surface_local_direction_0(surface_3, _S373);
+    var surface_3 : Surface_0 = surface_of_0(ray_20, at_6);
+    var _S331 : Receiver_0 = Receiver_x24init_0(surface_3.origin_9, surface_3.normal_3);
+    var _S332 : vec3<f32> = (vec3<f32>(0) - ray_20.direction_0);
+    var wo_4 : vec3<f32> = Surface_local_direction_0(surface_3, _S332);
     var inside_4 : Inside_0 = in_air_0();
     var wo_5 : vec3<f32>;
     var receiver_18 : Receiver_0;
     if(is_scattered_2)
     {
-        var _S374 : Inside_0 = Inside_x24init_0((*path_7).inside_0.instance_6, hit_9.voxel_0, (*path_7).inside_0.material_0);
-        inside_4 = _S374;
-        var _S375 : vec3<f32> = normalize_vector_0(_S373);
-        receiver_18 = Receiver_x24init_0(Inside_point_0(_S374, ray_18, t_14), _S363);
-        wo_5 = _S375;
+        var _S333 : Inside_0 = Inside_x24init_0((*path_7).inside_0.instance_6, hit_9.voxel_0, (*path_7).inside_0.material_0);
+        inside_4 = _S333;
+        var _S334 : vec3<f32> = normalize_vector_0(_S332);
+        receiver_18 = Receiver_x24init_0(Inside_point_0(_S333, ray_20, t_14), _S322);
+        wo_5 = _S334;
     }
     else
     {
@@ -5248,22 +5223,22 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_18 : Ray_0,  hi
             inside_4 = Inside_x24init_0((*path_7).inside_0.instance_6, hit_9.voxel_0, (*path_7).inside_0.material_0);
             inside_4.voxel_22 = hit_9.voxel_0 + vec3<i32>(face_normal_0(hit_9.face_0));
         }
-        receiver_18 = _S372;
+        receiver_18 = _S331;
         wo_5 = wo_4;
     }
     next_0.origin_7 = receiver_18.point_0;
     next_0.shadow_inside_1 = inside_4;
     if(is_weighed_0)
     {
-        receiver_18 = last_5;
+        receiver_18 = last_6;
     }
-    if(_S371)
+    if(_S330)
     {
         (*path_7).selection_0 = Lights_selection_0(receiver_18);
     }
     var light_6 : LightSample_0 = no_light_0();
-    var _S376 : bool = !MaterialBsdf_is_delta_0(_S370);
-    scatter_of_path_0 = Scatter_x24init_0((*path_7), receiver_18, surface_3, _S370, wo_5, compensation_2, is_scattered_2, _S376);
+    var _S335 : bool = !MaterialBsdf_is_delta_0(_S329);
+    scatter_of_path_0 = Scatter_x24init_0((*path_7), receiver_18, surface_3, _S329, wo_5, compensation_2, is_scattered_2, _S335);
     if(is_weighed_0)
     {
         if(next_0.has_shadow_ray_0)
@@ -5280,8 +5255,8 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_18 : Ray_0,  hi
         return next_0;
     }
     var bounce_1 : BsdfSample_0;
-    var _S377 : bool = MaterialBsdf_sample_0(_S370, wo_5, vec3<f32>(u_16.xy, u_16.w), &(bounce_1));
-    if(!_S377)
+    var _S336 : bool = MaterialBsdf_sample_0(_S329, wo_5, vec3<f32>(u_16.xy, u_16.w), &(bounce_1));
+    if(!_S336)
     {
         return next_0;
     }
@@ -5306,9 +5281,9 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_18 : Ray_0,  hi
     return next_0;
 }
 
-fn shading_normal_0( ray_19 : Ray_0,  hit_10 : Hit_0,  material_10 : PackedMaterial_0) -> vec3<f32>
+fn shading_normal_0( ray_21 : Ray_0,  hit_10 : Hit_0,  material_10 : PackedMaterial_0) -> vec3<f32>
 {
-    return world_normal_0(hit_10.instance_0, hit_10.face_0);
+    return world_normal_0(Instances_operatorx5Bx5D_get_0(hit_10.instance_0), hit_10.face_0);
 }
 
 fn albedo_of_0( material_11 : PackedMaterial_0) -> vec3<f32>
@@ -5316,55 +5291,55 @@ fn albedo_of_0( material_11 : PackedMaterial_0) -> vec3<f32>
     return vector_of_0(material_11.base_color_0);
 }
 
-fn show_0( path_8 : Path_0,  ray_20 : Ray_0,  hit_11 : Hit_0,  beyond_4 : u32,  sample_9 : ptr<function, Sample_0>)
+fn show_0( path_8 : Path_0,  ray_22 : Ray_0,  hit_11 : Hit_0,  beyond_4 : u32,  sample_9 : ptr<function, Sample_0>)
 {
-    var _S378 : Path_0 = path_8;
+    var _S337 : Path_0 = path_8;
     (*sample_9).is_shown_0 = true;
-    if(Inside_is_in_0(_S378.inside_0))
+    if(Inside_is_in_0(_S337.inside_0))
     {
-        absorb_0(&(_S378), _S378.inside_0, ray_20, hit_11.t_0);
+        absorb_0(&(_S337), _S337.inside_0, ray_22, hit_11.t_0);
     }
-    var material_12 : PackedMaterial_0 = material_met_0(_S378, hit_11, beyond_4);
-    (*sample_9).normal_1 = shading_normal_0(ray_20, hit_11, material_12);
-    (*sample_9).albedo_0 = _S378.beta_0 * albedo_of_0(material_12);
+    var material_12 : PackedMaterial_0 = material_met_0(_S337, hit_11, beyond_4);
+    (*sample_9).normal_1 = shading_normal_0(ray_22, hit_11, material_12);
+    (*sample_9).albedo_0 = _S337.beta_0 * albedo_of_0(material_12);
     return;
 }
 
-fn Walker_see_0( this_45 : ptr<function, Walker_0>,  arrived_0 : Path_0,  hit_12 : Hit_0,  beyond_5 : u32,  emitted_1 : vec3<f32>,  goes_on_0 : bool,  sample_10 : ptr<function, Sample_0>)
+fn Walker_see_0( this_47 : ptr<function, Walker_0>,  arrived_0 : Path_0,  hit_12 : Hit_0,  beyond_5 : u32,  emitted_1 : vec3<f32>,  goes_on_0 : bool,  sample_10 : ptr<function, Sample_0>)
 {
     (*sample_10).direct_0 = (*sample_10).direct_0 + emitted_1;
-    var _S379 : bool = ((*this_45).path_0.bounce_0) == u32(0);
-    var _S380 : bool;
+    var _S338 : bool = ((*this_47).path_0.bounce_0) == u32(0);
+    var _S339 : bool;
     if(goes_on_0)
     {
-        _S380 = _S379;
+        _S339 = _S338;
     }
     else
     {
-        _S380 = false;
+        _S339 = false;
     }
-    var _S381 : bool = !_S380;
-    (*this_45).has_shown_0 = _S381;
-    if(!_S381)
+    var _S340 : bool = !_S339;
+    (*this_47).has_shown_0 = _S340;
+    if(!_S340)
     {
-        (*this_45).way_3 = (*this_45).way_3 + hit_12.t_0;
+        (*this_47).way_3 = (*this_47).way_3 + hit_12.t_0;
     }
     else
     {
         if(!Hit_is_miss_0(hit_12))
         {
-            show_0(arrived_0, (*this_45).ray_8, hit_12, beyond_5, &((*sample_10)));
-            (*sample_10).place_0 = (*this_45).camera_ray_0.origin_1 + (*this_45).camera_ray_0.direction_0 * vec3<f32>(((*this_45).way_3 + hit_12.t_0));
-            var _S382 : u32;
-            if(((*this_45).way_3) > 0.0f)
+            show_0(arrived_0, (*this_47).ray_10, hit_12, beyond_5, &((*sample_10)));
+            (*sample_10).place_0 = (*this_47).camera_ray_0.origin_0 + (*this_47).camera_ray_0.direction_0 * vec3<f32>(((*this_47).way_3 + hit_12.t_0));
+            var _S341 : u32;
+            if(((*this_47).way_3) > 0.0f)
             {
-                _S382 = u32(4294967295);
+                _S341 = u32(4294967295);
             }
             else
             {
-                _S382 = hit_12.instance_0;
+                _S341 = hit_12.instance_0;
             }
-            (*sample_10).instance_7 = _S382;
+            (*sample_10).instance_7 = _S341;
         }
     }
     return;
@@ -5372,9 +5347,9 @@ fn Walker_see_0( this_45 : ptr<function, Walker_0>,  arrived_0 : Path_0,  hit_12
 
 var<private> first_candidates_0 : u32;
 
-fn Path_dimension_light_0( this_46 : Path_0) -> u32
+fn Path_dimension_light_0( this_48 : Path_0) -> u32
 {
-    return u32(2) + u32(2) * Path_events_0(this_46);
+    return u32(2) + u32(2) * Path_events_0(this_48);
 }
 
 struct BsdfEval_0
@@ -5385,20 +5360,20 @@ struct BsdfEval_0
 
 fn BsdfEval_x24init_0( weight_6 : vec3<f32>,  pdf_11 : f32) -> BsdfEval_0
 {
-    var _S383 : BsdfEval_0;
-    _S383.weight_5 = weight_6;
-    _S383.pdf_10 = pdf_11;
-    return _S383;
+    var _S342 : BsdfEval_0;
+    _S342.weight_5 = weight_6;
+    _S342.pdf_10 = pdf_11;
+    return _S342;
 }
 
-fn Diffuse_eval_0( this_47 : Diffuse_0,  wo_6 : vec3<f32>,  wi_3 : vec3<f32>) -> BsdfEval_0
+fn Diffuse_eval_0( this_49 : Diffuse_0,  wo_6 : vec3<f32>,  wi_3 : vec3<f32>) -> BsdfEval_0
 {
-    return BsdfEval_x24init_0(this_47.reflectance_0, cosine_hemisphere_pdf_0(wi_3.z));
+    return BsdfEval_x24init_0(this_49.reflectance_0, cosine_hemisphere_pdf_0(wi_3.z));
 }
 
-fn MaterialBsdf_eval_0( this_48 : MaterialBsdf_0,  wo_7 : vec3<f32>,  wi_4 : vec3<f32>) -> BsdfEval_0
+fn MaterialBsdf_eval_0( this_50 : MaterialBsdf_0,  wo_7 : vec3<f32>,  wi_4 : vec3<f32>) -> BsdfEval_0
 {
-    return Diffuse_eval_0(Diffuse_x24init_0(this_48.color_0), wo_7, wi_4);
+    return Diffuse_eval_0(Diffuse_x24init_0(this_50.color_0), wo_7, wi_4);
 }
 
 fn choose_light_0( scatter_0 : Scatter_0,  next_1 : ptr<function, NextRays_0>)
@@ -5435,36 +5410,36 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_1 : ptr<function, NextRays_0>)
             u_17 = Sampler_independent_0(scatter_0.path_3.sampler_0, dimension_3);
         }
         var light_7 : LightSample_0 = no_light_0();
-        var is_found_8 : bool = Lights_sample_0(scatter_0.receiver_0, scatter_0.path_3.selection_0, u_17, by_chance_0(), &(light_7));
-        if(!is_found_8)
+        var is_found_10 : bool = Lights_sample_0(scatter_0.receiver_0, scatter_0.path_3.selection_0, u_17, by_chance_0(), &(light_7));
+        if(!is_found_10)
         {
             candidate_0 = candidate_0 + u32(1);
             continue;
         }
-        var _S384 : vec3<f32> = vec3<f32>(Surface_local_direction_0(scatter_0.surface_0, light_7.ray_14.direction_0).xy, light_7.cos_theta_2);
+        var _S343 : vec3<f32> = vec3<f32>(Surface_local_direction_0(scatter_0.surface_0, light_7.ray_16.direction_0).xy, light_7.cos_theta_2);
         var wi_5 : vec3<f32>;
         if(scatter_0.is_scattered_0)
         {
-            wi_5 = normalize_vector_0(light_7.ray_14.direction_0);
+            wi_5 = normalize_vector_0(light_7.ray_16.direction_0);
         }
         else
         {
-            wi_5 = _S384;
+            wi_5 = _S343;
         }
         var eval_0 : BsdfEval_0 = MaterialBsdf_eval_0(scatter_0.bsdf_0, scatter_0.wo_0, wi_5);
-        var _S385 : vec3<f32> = scatter_0.path_3.beta_0 * eval_0.weight_5 * vec3<f32>(scatter_0.compensation_0) * light_7.radiance_1 * vec3<f32>((divide_0(eval_0.pdf_10, light_7.pdf_2) * power_heuristic_0(light_7.pdf_2, eval_0.pdf_10)));
-        var weight_7 : f32 = luminance_0(_S385);
+        var _S344 : vec3<f32> = scatter_0.path_3.beta_0 * eval_0.weight_5 * vec3<f32>(scatter_0.compensation_0) * light_7.radiance_1 * vec3<f32>((divide_0(eval_0.pdf_10, light_7.pdf_2) * power_heuristic_0(light_7.pdf_2, eval_0.pdf_10)));
+        var weight_7 : f32 = luminance_0(_S344);
         var sum_5 : f32 = sum_4 + weight_7;
-        var _S386 : bool;
+        var _S345 : bool;
         if(count_5 > u32(1))
         {
-            _S386 = (Sampler_independent_0(scatter_0.path_3.sampler_0, dimension_3 + u32(1)).x * sum_5) >= weight_7;
+            _S345 = (Sampler_independent_0(scatter_0.path_3.sampler_0, dimension_3 + u32(1)).x * sum_5) >= weight_7;
         }
         else
         {
-            _S386 = false;
+            _S345 = false;
         }
-        if(_S386)
+        if(_S345)
         {
             sum_4 = sum_5;
             candidate_0 = candidate_0 + u32(1);
@@ -5473,9 +5448,9 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_1 : ptr<function, NextRays_0>)
         var chosen_5 : f32;
         if(weight_7 > 0.0f)
         {
-            (*next_1).shadow_direction_0 = light_7.ray_14.direction_0;
-            (*next_1).shadow_t_max_0 = light_7.ray_14.t_max_0;
-            (*next_1).light_2 = _S385;
+            (*next_1).shadow_direction_0 = light_7.ray_16.direction_0;
+            (*next_1).shadow_t_max_0 = light_7.ray_16.t_max_0;
+            (*next_1).light_2 = _S344;
             chosen_5 = weight_7;
         }
         else
@@ -5486,9 +5461,9 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_1 : ptr<function, NextRays_0>)
         sum_4 = sum_5;
         candidate_0 = candidate_0 + u32(1);
     }
-    var _S387 : bool = chosen_4 > 0.0f;
-    (*next_1).has_shadow_ray_0 = _S387;
-    if(_S387)
+    var _S346 : bool = chosen_4 > 0.0f;
+    (*next_1).has_shadow_ray_0 = _S346;
+    if(_S346)
     {
         (*next_1).light_2 = (*next_1).light_2 * vec3<f32>(divide_0(sum_4, chosen_4 * f32(count_5)));
     }
@@ -5501,15 +5476,15 @@ fn goes_on_from_0( at_7 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_6 : 
     var goes_on_1 : bool;
     if((*at_7).is_at_cell_0)
     {
-        next_2.origin_7 = (*at_7).ray_8.origin_1;
-        next_2.path_origin_1 = (*at_7).ray_8.origin_1;
-        next_2.direction_5 = (*at_7).ray_8.direction_0;
+        next_2.origin_7 = (*at_7).ray_10.origin_0;
+        next_2.path_origin_1 = (*at_7).ray_10.origin_0;
+        next_2.direction_5 = (*at_7).ray_10.direction_0;
         goes_on_1 = true;
     }
     else
     {
-        var _S388 : vec3<f32> = vec3<f32>(0.0f);
-        var cached_0 : vec3<f32> = _S388;
+        var _S347 : vec3<f32> = vec3<f32>(0.0f);
+        var cached_0 : vec3<f32> = _S347;
         if((*at_7).has_shown_0)
         {
             goes_on_1 = (*at_7).asks_cache_0;
@@ -5520,8 +5495,8 @@ fn goes_on_from_0( at_7 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_6 : 
         }
         if(goes_on_1)
         {
-            var _S389 : bool = asks_0((*at_7).path_0, (*at_7).ray_8, hit_13, beyond_6, (*at_7).life_0, &(cached_0));
-            goes_on_1 = _S389;
+            var _S348 : bool = asks_0((*at_7).path_0, (*at_7).ray_10, hit_13, beyond_6, (*at_7).life_0, &(cached_0));
+            goes_on_1 = _S348;
         }
         else
         {
@@ -5529,12 +5504,12 @@ fn goes_on_from_0( at_7 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_6 : 
         }
         ends_here_0 = goes_on_1;
         var arrived_1 : Path_0 = (*at_7).path_0;
-        var emitted_2 : vec3<f32> = _S388;
-        var _S390 : Path_0 = (*at_7).path_0;
-        var _S391 : NextRays_0 = PathTracingOf_advance_0(&(_S390), (*at_7).ray_8, hit_13, beyond_6, &(emitted_2));
-        (*at_7).path_0 = _S390;
-        next_2 = _S391;
-        var goes_on_2 : bool = (any(((next_2.direction_5) != _S388)));
+        var emitted_2 : vec3<f32> = _S347;
+        var _S349 : Path_0 = (*at_7).path_0;
+        var _S350 : NextRays_0 = PathTracingOf_advance_0(&(_S349), (*at_7).ray_10, hit_13, beyond_6, &(emitted_2));
+        (*at_7).path_0 = _S349;
+        next_2 = _S350;
+        var goes_on_2 : bool = (any(((next_2.direction_5) != _S347)));
         if((*at_7).has_shown_0)
         {
             (*sample_11).light_1 = (*sample_11).light_1 + (cached_0 + emitted_2);
@@ -5560,10 +5535,10 @@ fn goes_on_from_0( at_7 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_6 : 
     (*at_7).light_0 = next_2.light_2;
     (*at_7).is_shadow_ray_0 = next_2.has_shadow_ray_0;
     (*at_7).path_origin_0 = next_2.path_origin_1;
-    (*at_7).ray_8 = ray_from_0(next_2.origin_7, next_2.direction_5);
+    (*at_7).ray_10 = ray_from_0(next_2.origin_7, next_2.direction_5);
     if((*at_7).is_shadow_ray_0)
     {
-        (*at_7).ray_8 = Ray_x24init_0(next_2.origin_7, 0.0f, next_2.shadow_direction_0, next_2.shadow_t_max_0);
+        (*at_7).ray_10 = Ray_x24init_0(next_2.origin_7, 0.0f, next_2.shadow_direction_0, next_2.shadow_t_max_0);
     }
     if(goes_on_1)
     {
@@ -5580,64 +5555,64 @@ fn key_of_1( hit_14 : Hit_0,  size_2 : f32,  u_18 : f32,  code_3 : ptr<function,
 {
     var clamped_1 : f32 = clamp(size_2, 1.0f, 128.0f);
     var power_6 : f32 = f32(((bitcast<u32>((clamped_1))) >> (u32(23)))) - 127.0f;
-    var _S392 : f32;
+    var _S351 : f32;
     if(u_18 < (clamped_1 * inverse_power_of_two_0(clamped_1) - 1.0f))
     {
-        _S392 = 1.0f;
+        _S351 = 1.0f;
     }
     else
     {
-        _S392 = 0.0f;
+        _S351 = 0.0f;
     }
-    var level_1 : u32 = u32(min(power_6 + _S392, 6.0f));
-    var _S393 : vec3<u32> = vec3<u32>(u32(i32(level_1)));
-    var key_3 : Key_0 = Key_x24init_0(hit_14.instance_0, ((hit_14.face_0) | (((level_1 << (u32(3)))))), ((hit_14.voxel_0) >> (_S393)));
-    var _S394 : vec3<u32> = vec3<u32>(hit_14.voxel_0 - (((key_3.cube_0) << (_S393))));
-    (*code_3) = u32(1) + (((((((_S394.x) | ((((_S394.y) << (level_1)))))) | ((((_S394.z) << ((u32(2) * level_1))))))) ^ ((((scramble_of_0(real_time_0.number_0)) & ((Key_mask_0(key_3))))))));
+    var level_1 : u32 = u32(min(power_6 + _S351, 6.0f));
+    var _S352 : vec3<u32> = vec3<u32>(u32(i32(level_1)));
+    var key_3 : Key_0 = Key_x24init_0(hit_14.instance_0, ((hit_14.face_0) | (((level_1 << (u32(3)))))), ((hit_14.voxel_0) >> (_S352)));
+    var _S353 : vec3<u32> = vec3<u32>(hit_14.voxel_0 - (((key_3.cube_0) << (_S352))));
+    (*code_3) = u32(1) + (((((((_S353.x) | ((((_S353.y) << (level_1)))))) | ((((_S353.z) << ((u32(2) * level_1))))))) ^ ((((scramble_of_0(real_time_0.number_0)) & ((Key_mask_0(key_3))))))));
     return key_3;
 }
 
-fn asks_1( path_9 : Path_0,  ray_21 : Ray_0,  hit_15 : Hit_0,  beyond_7 : u32,  life_2 : u32,  light_8 : ptr<function, vec3<f32>>) -> bool
+fn asks_1( path_9 : Path_0,  ray_23 : Ray_0,  hit_15 : Hit_0,  beyond_7 : u32,  life_2 : u32,  light_8 : ptr<function, vec3<f32>>) -> bool
 {
     (*light_8) = vec3<f32>(0.0f);
-    var _S395 : bool;
+    var _S354 : bool;
     if(Hit_is_miss_0(hit_15))
     {
-        _S395 = true;
+        _S354 = true;
     }
     else
     {
-        _S395 = Inside_is_in_0(path_9.inside_0);
+        _S354 = Inside_is_in_0(path_9.inside_0);
     }
-    if(_S395)
+    if(_S354)
     {
         return false;
     }
     var material_13 : PackedMaterial_0 = material_met_0(path_9, hit_15, beyond_7);
     if((material_13.metallic_0) > 0.0f)
     {
-        _S395 = true;
+        _S354 = true;
     }
     else
     {
-        _S395 = (material_13.transmission_0) > 0.0f;
+        _S354 = (material_13.transmission_0) > 0.0f;
     }
-    if(_S395)
+    if(_S354)
     {
         return false;
     }
     var code_4 : u32;
-    var key_4 : Key_0 = key_of_1(hit_15, square_root_0(length_squared_0(ray_21.origin_1 + ray_21.direction_0 * vec3<f32>(hit_15.t_0) - real_time_0.eye_0)) * real_time_0.view_angle_0 * 0.05882352963089943f, Sampler_independent_0(path_9.sampler_0, u32(3221225472) + Path_events_0(path_9)).x, &(code_4));
+    var key_4 : Key_0 = key_of_1(hit_15, square_root_0(length_squared_0(ray_23.origin_0 + ray_23.direction_0 * vec3<f32>(hit_15.t_0) - real_time_0.eye_0)) * real_time_0.view_angle_0 * 0.05882352963089943f, Sampler_independent_0(path_9.sampler_0, u32(3221225472) + Path_events_0(path_9)).x, &(code_4));
     var least_1 : f32 = 2.0f * f32((u32(1) << ((Key_level_0(key_4)))));
     if(life_2 == u32(0))
     {
-        _S395 = true;
+        _S354 = true;
     }
     else
     {
-        _S395 = (hit_15.t_0 * square_root_0(length_squared_0(ray_21.direction_0))) < least_1;
+        _S354 = (hit_15.t_0 * square_root_0(length_squared_0(ray_23.direction_0))) < least_1;
     }
-    if(_S395)
+    if(_S354)
     {
         return false;
     }
@@ -5650,9 +5625,9 @@ fn asks_1( path_9 : Path_0,  ray_21 : Ray_0,  hit_15 : Hit_0,  beyond_7 : u32,  
     return true;
 }
 
-fn absorb_1( path_10 : ptr<function, Path_0>,  inside_5 : Inside_0,  ray_22 : Ray_0,  t_15 : f32)
+fn absorb_1( path_10 : ptr<function, Path_0>,  inside_5 : Inside_0,  ray_24 : Ray_0,  t_15 : f32)
 {
-    (*path_10).beta_0 = (*path_10).beta_0 * attenuation_0(material_of_index_0(inside_5.material_0), t_15 * Inside_voxels_per_t_0(inside_5, ray_22));
+    (*path_10).beta_0 = (*path_10).beta_0 * attenuation_0(material_of_index_0(inside_5.material_0), t_15 * Inside_voxels_per_t_0(inside_5, ray_24));
     return;
 }
 
@@ -5669,13 +5644,13 @@ fn SunDisc_sample_1( receiver_19 : Receiver_0,  u_19 : vec4<f32>,  sample_12 : p
 
 fn Environment_choose_1( u_20 : vec4<f32>,  chosen_6 : ptr<function, ChosenDirection_0>) -> bool
 {
-    var _S396 : vec3<f32> = vec3<f32>(0.0f);
-    (*chosen_6) = ChosenDirection_x24init_0(_S396, _S396, 0.0f);
+    var _S355 : vec3<f32> = vec3<f32>(0.0f);
+    (*chosen_6) = ChosenDirection_x24init_0(_S355, _S355, 0.0f);
     var edge_1 : f32 = f32(params_0.sky_edge_0);
-    var _S397 : f32 = u_20.x * edge_1;
-    var _S398 : f32 = edge_1 - 1.0f;
-    var _S399 : f32 = min(floor(_S397), _S398);
-    var own_2 : u32 = u32(_S399) * params_0.sky_edge_0 + u32(min(floor(u_20.y * edge_1), _S398));
+    var _S356 : f32 = u_20.x * edge_1;
+    var _S357 : f32 = edge_1 - 1.0f;
+    var _S358 : f32 = min(floor(_S356), _S357);
+    var own_2 : u32 = u32(_S358) * params_0.sky_edge_0 + u32(min(floor(u_20.y * edge_1), _S357));
     var index_28 : u32;
     if((u_20.z) < (environment_0[own_2].threshold_0))
     {
@@ -5690,10 +5665,10 @@ fn Environment_choose_1( u_20 : vec4<f32>,  chosen_6 : ptr<function, ChosenDirec
     {
         return false;
     }
-    var _S400 : u32 = index_28 % params_0.sky_edge_0;
-    var _S401 : f32 = f32(_S400);
-    var _S402 : u32 = index_28 / params_0.sky_edge_0;
-    var place_5 : vec2<f32> = vec2<f32>(_S401, f32(_S402)) + vec2<f32>(min(_S397 - _S399, 1.0f), u_20.w);
+    var _S359 : u32 = index_28 % params_0.sky_edge_0;
+    var _S360 : f32 = f32(_S359);
+    var _S361 : u32 = index_28 / params_0.sky_edge_0;
+    var place_5 : vec2<f32> = vec2<f32>(_S360, f32(_S361)) + vec2<f32>(min(_S356 - _S358, 1.0f), u_20.w);
     (*chosen_6) = ChosenDirection_x24init_0(Environment_to_world_0(direction_of_0(place_5 * vec2<f32>(divide_0(1.0f, edge_1)))), Environment_radiance_at_0(place_5), pdf_12);
     return true;
 }
@@ -5702,17 +5677,17 @@ fn Sky_sample_1( receiver_20 : Receiver_0,  u_21 : vec4<f32>,  sample_13 : ptr<f
 {
     (*sample_13) = no_light_0();
     var chosen_7 : ChosenDirection_0;
-    var _S403 : bool;
+    var _S362 : bool;
     if(SKY_0 != u32(1))
     {
-        _S403 = true;
+        _S362 = true;
     }
     else
     {
-        var _S404 : bool = Environment_choose_1(u_21, &(chosen_7));
-        _S403 = !_S404;
+        var _S363 : bool = Environment_choose_1(u_21, &(chosen_7));
+        _S362 = !_S363;
     }
-    if(_S403)
+    if(_S362)
     {
         return false;
     }
@@ -5721,13 +5696,13 @@ fn Sky_sample_1( receiver_20 : Receiver_0,  u_21 : vec4<f32>,  sample_13 : ptr<f
     return cos_theta_9 > 0.0f;
 }
 
-fn Descent_at_2( this_49 : ptr<function, Descent_0>,  root_4 : u32)
+fn Descent_at_2( this_51 : ptr<function, Descent_0>,  root_4 : u32)
 {
     var node_12 : LightNode_0 = TopLights_node_0(root_4);
-    (*this_49).node_3 = root_4;
-    (*this_49).index_15 = node_12.index_11;
-    (*this_49).count_2 = node_12.count_1;
-    (*this_49).is_far_3 = false;
+    (*this_51).node_3 = root_4;
+    (*this_51).index_15 = node_12.index_11;
+    (*this_51).count_2 = node_12.count_1;
+    (*this_51).is_far_3 = false;
     return;
 }
 
@@ -5737,7 +5712,7 @@ fn climb_1( receiver_21 : Receiver_0,  start_4 : u32,  descent_4 : ptr<function,
     var at_8 : u32 = start_4;
     for(;;)
     {
-        var _S405 : LightNode_0 = node_13;
+        var _S364 : LightNode_0 = node_13;
         if((node_13.parent_0) != u32(4294967295))
         {
         }
@@ -5745,59 +5720,59 @@ fn climb_1( receiver_21 : Receiver_0,  start_4 : u32,  descent_4 : ptr<function,
         {
             break;
         }
-        var parent_2 : LightNode_0 = top_light_node_0(_S405.parent_0);
-        var _S406 : u32 = _S405.parent_0 + u32(1);
-        var is_left_4 : bool = at_8 == _S406;
-        var _S407 : u32;
+        var parent_2 : LightNode_0 = top_light_node_0(_S364.parent_0);
+        var _S365 : u32 = _S364.parent_0 + u32(1);
+        var is_left_4 : bool = at_8 == _S365;
+        var _S366 : u32;
         if(is_left_4)
         {
-            _S407 = parent_2.index_11;
+            _S366 = parent_2.index_11;
         }
         else
         {
-            _S407 = _S406;
+            _S366 = _S365;
         }
-        var _S408 : View_0 = view_0(node_13, receiver_21);
-        var _S409 : View_0 = view_0(top_light_node_0(_S407), receiver_21);
-        var _S410 : f32;
+        var _S367 : View_0 = view_0(node_13, receiver_21);
+        var _S368 : View_0 = view_0(top_light_node_0(_S366), receiver_21);
+        var _S369 : f32;
         if(is_left_4)
         {
-            _S410 = _S408.importance_0;
+            _S369 = _S367.importance_0;
         }
         else
         {
-            _S410 = _S409.importance_0;
+            _S369 = _S368.importance_0;
         }
-        var _S411 : f32;
+        var _S370 : f32;
         if(is_left_4)
         {
-            _S411 = _S409.importance_0;
+            _S370 = _S368.importance_0;
         }
         else
         {
-            _S411 = _S408.importance_0;
+            _S370 = _S367.importance_0;
         }
-        var weights_3 : vec2<f32> = weights_of_0(_S410, _S411);
-        var _S412 : f32 = weights_3.x;
-        var _S413 : f32 = weights_3.y;
-        var total_6 : f32 = _S412 + _S413;
+        var weights_3 : vec2<f32> = weights_of_0(_S369, _S370);
+        var _S371 : f32 = weights_3.x;
+        var _S372 : f32 = weights_3.y;
+        var total_6 : f32 = _S371 + _S372;
         if(!(total_6 > 0.0f))
         {
             return false;
         }
-        var _S414 : f32;
+        var _S373 : f32;
         if(is_left_4)
         {
-            _S414 = _S412;
+            _S373 = _S371;
         }
         else
         {
-            _S414 = _S413;
+            _S373 = _S372;
         }
-        (*descent_4).weight_0 = (*descent_4).weight_0 * _S414;
+        (*descent_4).weight_0 = (*descent_4).weight_0 * _S373;
         (*descent_4).total_0 = (*descent_4).total_0 * total_6;
         node_13 = parent_2;
-        at_8 = _S405.parent_0;
+        at_8 = _S364.parent_0;
     }
     return ((*descent_4).weight_0) > 0.0f;
 }
@@ -5806,16 +5781,16 @@ fn descend_2( receiver_22 : Receiver_0,  aim_5 : Aim_0,  descent_5 : ptr<functio
 {
     for(;;)
     {
-        var _S415 : bool;
+        var _S374 : bool;
         if(((*descent_5).count_2) == u32(0))
         {
-            _S415 = !(*descent_5).is_far_3;
+            _S374 = !(*descent_5).is_far_3;
         }
         else
         {
-            _S415 = false;
+            _S374 = false;
         }
-        if(_S415)
+        if(_S374)
         {
         }
         else
@@ -5829,29 +5804,29 @@ fn descend_2( receiver_22 : Receiver_0,  aim_5 : Aim_0,  descent_5 : ptr<functio
         var left_4 : LightNode_0 = TopLights_node_0((*descent_5).node_3 + u32(1));
         var right_3 : LightNode_0 = TopLights_node_0((*descent_5).index_15);
         var weights_4 : vec2<f32> = weights_of_0(view_0(left_4, receiver_22).importance_0, view_0(right_3, receiver_22).importance_0);
-        var _S416 : f32 = weights_4.x;
-        var _S417 : f32 = weights_4.y;
-        var total_7 : f32 = _S416 + _S417;
+        var _S375 : f32 = weights_4.x;
+        var _S376 : f32 = weights_4.y;
+        var total_7 : f32 = _S375 + _S376;
         if(!(total_7 > 0.0f))
         {
             return false;
         }
-        var _S418 : bool;
-        if(_S417 <= 0.0f)
+        var _S377 : bool;
+        if(_S376 <= 0.0f)
         {
-            _S418 = true;
+            _S377 = true;
         }
         else
         {
-            _S418 = ((*descent_5).choice_0 * total_7) < (_S416 * (*descent_5).weight_0);
+            _S377 = ((*descent_5).choice_0 * total_7) < (_S375 * (*descent_5).weight_0);
         }
         var is_left_5 : bool;
         if(aim_5.is_met_0)
         {
-            var _S419 : vec3<f32> = vec3<f32>(aim_5.hit_6.voxel_0);
-            if((all((_S419 >= (vector_of_0(left_4.min_2))))))
+            var _S378 : vec3<f32> = vec3<f32>(aim_5.hit_6.voxel_0);
+            if((all((_S378 >= (vector_of_0(left_4.min_1))))))
             {
-                is_left_5 = (all((_S419 < (vector_of_0(left_4.max_2)))));
+                is_left_5 = (all((_S378 < (vector_of_0(left_4.max_1)))));
             }
             else
             {
@@ -5860,63 +5835,63 @@ fn descend_2( receiver_22 : Receiver_0,  aim_5 : Aim_0,  descent_5 : ptr<functio
         }
         else
         {
-            is_left_5 = _S418;
+            is_left_5 = _S377;
         }
-        var _S420 : f32 = (*descent_5).choice_0 * total_7;
-        var _S421 : f32;
+        var _S379 : f32 = (*descent_5).choice_0 * total_7;
+        var _S380 : f32;
         if(is_left_5)
         {
-            _S421 = 0.0f;
+            _S380 = 0.0f;
         }
         else
         {
-            _S421 = _S416 * (*descent_5).weight_0;
+            _S380 = _S375 * (*descent_5).weight_0;
         }
-        (*descent_5).choice_0 = _S420 - _S421;
-        var _S422 : u32;
+        (*descent_5).choice_0 = _S379 - _S380;
+        var _S381 : u32;
         if(is_left_5)
         {
-            _S422 = (*descent_5).node_3 + u32(1);
+            _S381 = (*descent_5).node_3 + u32(1);
         }
         else
         {
-            _S422 = (*descent_5).index_15;
+            _S381 = (*descent_5).index_15;
         }
-        (*descent_5).node_3 = _S422;
-        var _S423 : u32;
+        (*descent_5).node_3 = _S381;
+        var _S382 : u32;
         if(is_left_5)
         {
-            _S423 = left_4.index_11;
+            _S382 = left_4.index_11;
         }
         else
         {
-            _S423 = right_3.index_11;
+            _S382 = right_3.index_11;
         }
-        (*descent_5).index_15 = _S423;
-        var _S424 : u32;
+        (*descent_5).index_15 = _S382;
+        var _S383 : u32;
         if(is_left_5)
         {
-            _S424 = left_4.count_1;
+            _S383 = left_4.count_1;
         }
         else
         {
-            _S424 = right_3.count_1;
+            _S383 = right_3.count_1;
         }
-        (*descent_5).count_2 = _S424;
+        (*descent_5).count_2 = _S383;
         (*descent_5).is_far_3 = false;
-        var _S425 : f32;
+        var _S384 : f32;
         if(is_left_5)
         {
-            _S425 = _S416;
+            _S384 = _S375;
         }
         else
         {
-            _S425 = _S417;
+            _S384 = _S376;
         }
-        var _S426 : f32 = (*descent_5).weight_0 * _S425;
-        (*descent_5).weight_0 = _S426;
+        var _S385 : f32 = (*descent_5).weight_0 * _S384;
+        (*descent_5).weight_0 = _S385;
         (*descent_5).total_0 = (*descent_5).total_0 * total_7;
-        if(_S426 <= 0.0f)
+        if(_S385 <= 0.0f)
         {
             return false;
         }
@@ -5924,13 +5899,13 @@ fn descend_2( receiver_22 : Receiver_0,  aim_5 : Aim_0,  descent_5 : ptr<functio
     return true;
 }
 
-fn Descent_at_3( this_50 : ptr<function, Descent_0>,  root_5 : u32)
+fn Descent_at_3( this_52 : ptr<function, Descent_0>,  root_5 : u32)
 {
     var node_14 : LightNode_0 = GridLights_node_0(root_5);
-    (*this_50).node_3 = root_5;
-    (*this_50).index_15 = node_14.index_11;
-    (*this_50).count_2 = node_14.count_1;
-    (*this_50).is_far_3 = false;
+    (*this_52).node_3 = root_5;
+    (*this_52).index_15 = node_14.index_11;
+    (*this_52).count_2 = node_14.count_1;
+    (*this_52).is_far_3 = false;
     return;
 }
 
@@ -5938,16 +5913,16 @@ fn descend_3( receiver_23 : Receiver_0,  aim_6 : Aim_0,  descent_6 : ptr<functio
 {
     for(;;)
     {
-        var _S427 : bool;
+        var _S386 : bool;
         if(((*descent_6).count_2) == u32(0))
         {
-            _S427 = !(*descent_6).is_far_3;
+            _S386 = !(*descent_6).is_far_3;
         }
         else
         {
-            _S427 = false;
+            _S386 = false;
         }
-        if(_S427)
+        if(_S386)
         {
         }
         else
@@ -5963,29 +5938,29 @@ fn descend_3( receiver_23 : Receiver_0,  aim_6 : Aim_0,  descent_6 : ptr<functio
         var of_left_1 : View_0 = view_0(left_5, receiver_23);
         var of_right_1 : View_0 = view_0(right_4, receiver_23);
         var weights_5 : vec2<f32> = weights_of_0(of_left_1.importance_0, of_right_1.importance_0);
-        var _S428 : f32 = weights_5.x;
-        var _S429 : f32 = weights_5.y;
-        var total_8 : f32 = _S428 + _S429;
+        var _S387 : f32 = weights_5.x;
+        var _S388 : f32 = weights_5.y;
+        var total_8 : f32 = _S387 + _S388;
         if(!(total_8 > 0.0f))
         {
             return false;
         }
-        var _S430 : bool;
-        if(_S429 <= 0.0f)
+        var _S389 : bool;
+        if(_S388 <= 0.0f)
         {
-            _S430 = true;
+            _S389 = true;
         }
         else
         {
-            _S430 = ((*descent_6).choice_0 * total_8) < (_S428 * (*descent_6).weight_0);
+            _S389 = ((*descent_6).choice_0 * total_8) < (_S387 * (*descent_6).weight_0);
         }
         var is_left_6 : bool;
         if(aim_6.is_met_0)
         {
-            var _S431 : vec3<f32> = vec3<f32>(aim_6.hit_6.voxel_0);
-            if((all((_S431 >= (vector_of_0(left_5.min_2))))))
+            var _S390 : vec3<f32> = vec3<f32>(aim_6.hit_6.voxel_0);
+            if((all((_S390 >= (vector_of_0(left_5.min_1))))))
             {
-                is_left_6 = (all((_S431 < (vector_of_0(left_5.max_2)))));
+                is_left_6 = (all((_S390 < (vector_of_0(left_5.max_1)))));
             }
             else
             {
@@ -5994,72 +5969,72 @@ fn descend_3( receiver_23 : Receiver_0,  aim_6 : Aim_0,  descent_6 : ptr<functio
         }
         else
         {
-            is_left_6 = _S430;
+            is_left_6 = _S389;
         }
-        var _S432 : f32 = (*descent_6).choice_0 * total_8;
-        var _S433 : f32;
+        var _S391 : f32 = (*descent_6).choice_0 * total_8;
+        var _S392 : f32;
         if(is_left_6)
         {
-            _S433 = 0.0f;
+            _S392 = 0.0f;
         }
         else
         {
-            _S433 = _S428 * (*descent_6).weight_0;
+            _S392 = _S387 * (*descent_6).weight_0;
         }
-        (*descent_6).choice_0 = _S432 - _S433;
-        var _S434 : u32;
+        (*descent_6).choice_0 = _S391 - _S392;
+        var _S393 : u32;
         if(is_left_6)
         {
-            _S434 = (*descent_6).node_3 + u32(1);
+            _S393 = (*descent_6).node_3 + u32(1);
         }
         else
         {
-            _S434 = (*descent_6).index_15;
+            _S393 = (*descent_6).index_15;
         }
-        (*descent_6).node_3 = _S434;
-        var _S435 : u32;
+        (*descent_6).node_3 = _S393;
+        var _S394 : u32;
         if(is_left_6)
         {
-            _S435 = left_5.index_11;
+            _S394 = left_5.index_11;
         }
         else
         {
-            _S435 = right_4.index_11;
+            _S394 = right_4.index_11;
         }
-        (*descent_6).index_15 = _S435;
-        var _S436 : u32;
+        (*descent_6).index_15 = _S394;
+        var _S395 : u32;
         if(is_left_6)
         {
-            _S436 = left_5.count_1;
+            _S395 = left_5.count_1;
         }
         else
         {
-            _S436 = right_4.count_1;
+            _S395 = right_4.count_1;
         }
-        (*descent_6).count_2 = _S436;
-        var _S437 : bool;
+        (*descent_6).count_2 = _S395;
+        var _S396 : bool;
         if(is_left_6)
         {
-            _S437 = of_left_1.is_far_0;
+            _S396 = of_left_1.is_far_0;
         }
         else
         {
-            _S437 = of_right_1.is_far_0;
+            _S396 = of_right_1.is_far_0;
         }
-        (*descent_6).is_far_3 = _S437;
-        var _S438 : f32;
+        (*descent_6).is_far_3 = _S396;
+        var _S397 : f32;
         if(is_left_6)
         {
-            _S438 = _S428;
+            _S397 = _S387;
         }
         else
         {
-            _S438 = _S429;
+            _S397 = _S388;
         }
-        var _S439 : f32 = (*descent_6).weight_0 * _S438;
-        (*descent_6).weight_0 = _S439;
+        var _S398 : f32 = (*descent_6).weight_0 * _S397;
+        (*descent_6).weight_0 = _S398;
         (*descent_6).total_0 = (*descent_6).total_0 * total_8;
-        if(_S439 <= 0.0f)
+        if(_S398 <= 0.0f)
         {
             return false;
         }
@@ -6070,29 +6045,29 @@ fn descend_3( receiver_23 : Receiver_0,  aim_6 : Aim_0,  descent_6 : ptr<functio
 fn choose_side_1( point_6 : vec3<f32>,  is_met_3 : bool,  way_6 : Descent_0,  side_4 : ptr<function, u32>,  odds_3 : ptr<function, vec2<f32>>) -> bool
 {
     var node_15 : LightNode_0 = light_node_at_0(way_6.node_3);
-    var _S440 : vec3<f32> = vector_of_0(node_15.max_2);
-    var _S441 : vec3<f32> = vector_of_0(node_15.min_2);
-    var _S442 : vec3<f32> = vec3<f32>(0.5f);
-    var half_3 : vec3<f32> = (_S440 - _S441) * _S442;
-    var toward_3 : vec3<f32> = (_S441 + _S440) * _S442 - point_6;
+    var _S399 : vec3<f32> = vector_of_0(node_15.max_1);
+    var _S400 : vec3<f32> = vector_of_0(node_15.min_1);
+    var _S401 : vec3<f32> = vec3<f32>(0.5f);
+    var half_3 : vec3<f32> = (_S399 - _S400) * _S401;
+    var toward_3 : vec3<f32> = (_S400 + _S399) * _S401 - point_6;
     var sent_2 : BySide_0 = sent_by_side_0(node_15, point_6, length_bound_0(select(half_3, abs(toward_3), vec3<bool>(((length_squared_0(toward_3)) > (length_squared_0(half_3)))))));
     var sum_6 : f32 = normal_or_zero_0(BySide_sum_0(sent_2));
     var unit_3 : f32 = inverse_power_of_two_0(sum_6);
     var total_9 : f32 = sum_6 * unit_3;
-    var _S443 : f32 = way_6.choice_0 * total_9;
-    var _S444 : u32 = (*side_4);
+    var _S402 : f32 = way_6.choice_0 * total_9;
+    var _S403 : u32 = (*side_4);
     var share_7 : f32 = normal_or_zero_0(sent_2.low_7[u32(0)] * unit_3);
-    var _S445 : bool;
+    var _S404 : bool;
     if(is_met_3)
     {
-        _S445 = u32(0) == _S444;
+        _S404 = u32(0) == _S403;
     }
     else
     {
-        _S445 = share_7 > 0.0f;
+        _S404 = share_7 > 0.0f;
     }
     var chosen_8 : f32;
-    if(_S445)
+    if(_S404)
     {
         (*side_4) = u32(0);
         chosen_8 = share_7;
@@ -6101,145 +6076,145 @@ fn choose_side_1( point_6 : vec3<f32>,  is_met_3 : bool,  way_6 : Descent_0,  si
     {
         chosen_8 = 0.0f;
     }
-    var _S446 : bool = _S443 < (share_7 * way_6.weight_0);
+    var _S405 : bool = _S402 < (share_7 * way_6.weight_0);
     var share_8 : f32 = normal_or_zero_0(sent_2.high_4[u32(0)] * unit_3);
     if(is_met_3)
     {
-        _S445 = u32(1) == _S444;
+        _S404 = u32(1) == _S403;
     }
     else
     {
         if(share_8 > 0.0f)
         {
-            _S445 = !_S446;
+            _S404 = !_S405;
         }
         else
         {
-            _S445 = false;
+            _S404 = false;
         }
     }
-    if(_S445)
+    if(_S404)
     {
         (*side_4) = u32(1);
         chosen_8 = share_8;
     }
     var passed_4 : f32 = share_7 + share_8;
-    if(_S446)
+    if(_S405)
     {
-        _S445 = true;
+        _S404 = true;
     }
     else
     {
-        _S445 = _S443 < (passed_4 * way_6.weight_0);
+        _S404 = _S402 < (passed_4 * way_6.weight_0);
     }
     var share_9 : f32 = normal_or_zero_0(sent_2.low_7[u32(1)] * unit_3);
-    var _S447 : bool;
+    var _S406 : bool;
     if(is_met_3)
     {
-        _S447 = u32(2) == _S444;
+        _S406 = u32(2) == _S403;
     }
     else
     {
         if(share_9 > 0.0f)
         {
-            _S447 = !_S445;
+            _S406 = !_S404;
         }
         else
         {
-            _S447 = false;
+            _S406 = false;
         }
     }
-    if(_S447)
+    if(_S406)
     {
         (*side_4) = u32(2);
         chosen_8 = share_9;
     }
     var passed_5 : f32 = passed_4 + share_9;
-    if(_S445)
+    if(_S404)
     {
-        _S445 = true;
+        _S404 = true;
     }
     else
     {
-        _S445 = _S443 < (passed_5 * way_6.weight_0);
+        _S404 = _S402 < (passed_5 * way_6.weight_0);
     }
     var share_10 : f32 = normal_or_zero_0(sent_2.high_4[u32(1)] * unit_3);
     if(is_met_3)
     {
-        _S447 = u32(3) == _S444;
+        _S406 = u32(3) == _S403;
     }
     else
     {
         if(share_10 > 0.0f)
         {
-            _S447 = !_S445;
+            _S406 = !_S404;
         }
         else
         {
-            _S447 = false;
+            _S406 = false;
         }
     }
-    if(_S447)
+    if(_S406)
     {
         (*side_4) = u32(3);
         chosen_8 = share_10;
     }
     var passed_6 : f32 = passed_5 + share_10;
-    if(_S445)
+    if(_S404)
     {
-        _S445 = true;
+        _S404 = true;
     }
     else
     {
-        _S445 = _S443 < (passed_6 * way_6.weight_0);
+        _S404 = _S402 < (passed_6 * way_6.weight_0);
     }
     var share_11 : f32 = normal_or_zero_0(sent_2.low_7[u32(2)] * unit_3);
     if(is_met_3)
     {
-        _S447 = u32(4) == _S444;
+        _S406 = u32(4) == _S403;
     }
     else
     {
         if(share_11 > 0.0f)
         {
-            _S447 = !_S445;
+            _S406 = !_S404;
         }
         else
         {
-            _S447 = false;
+            _S406 = false;
         }
     }
-    if(_S447)
+    if(_S406)
     {
         (*side_4) = u32(4);
         chosen_8 = share_11;
     }
     var passed_7 : f32 = passed_6 + share_11;
-    if(_S445)
+    if(_S404)
     {
-        _S445 = true;
+        _S404 = true;
     }
     else
     {
-        _S445 = _S443 < (passed_7 * way_6.weight_0);
+        _S404 = _S402 < (passed_7 * way_6.weight_0);
     }
     var share_12 : f32 = normal_or_zero_0(sent_2.high_4[u32(2)] * unit_3);
     if(is_met_3)
     {
-        _S445 = u32(5) == _S444;
+        _S404 = u32(5) == _S403;
     }
     else
     {
         if(share_12 > 0.0f)
         {
-            _S445 = !_S445;
+            _S404 = !_S404;
         }
         else
         {
-            _S445 = false;
+            _S404 = false;
         }
     }
-    if(_S445)
+    if(_S404)
     {
         (*side_4) = u32(5);
         chosen_8 = share_12;
@@ -6247,13 +6222,13 @@ fn choose_side_1( point_6 : vec3<f32>,  is_met_3 : bool,  way_6 : Descent_0,  si
     (*odds_3) = vec2<f32>(way_6.weight_0 * chosen_8, way_6.total_0 * total_9);
     if(sum_6 > 0.0f)
     {
-        _S445 = ((*odds_3).x) > 0.0f;
+        _S404 = ((*odds_3).x) > 0.0f;
     }
     else
     {
-        _S445 = false;
+        _S404 = false;
     }
-    return _S445;
+    return _S404;
 }
 
 fn sample_emitter_1( receiver_24 : Receiver_0,  u_22 : vec4<f32>,  aim_7 : Aim_0,  sample_14 : ptr<function, LightSample_0>) -> bool
@@ -6265,80 +6240,81 @@ fn sample_emitter_1( receiver_24 : Receiver_0,  u_22 : vec4<f32>,  aim_7 : Aim_0
     }
     var descent_7 : Descent_0 = Descent_x24init_0(u32(0), u32(0), u32(0), 1.0f, 1.0f, u_22.x, false);
     Descent_at_2(&(descent_7), u32(0));
-    var _S448 : bool;
+    var _S407 : bool;
     if(!IS_SINGLE_0)
     {
-        _S448 = aim_7.is_met_0;
+        _S407 = aim_7.is_met_0;
     }
     else
     {
-        _S448 = false;
+        _S407 = false;
     }
-    if(_S448)
+    if(_S407)
     {
-        var leaf_3 : u32 = instances_0[aim_7.hit_6.instance_0].light_leaf_0;
-        if((instances_0[aim_7.hit_6.instance_0].light_leaf_0) == u32(4294967295))
+        var _S408 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(aim_7.hit_6.instance_0);
+        if((_S408.light_leaf_0) == u32(4294967295))
         {
-            _S448 = true;
+            _S407 = true;
         }
         else
         {
-            var _S449 : bool = climb_1(receiver_24, leaf_3, &(descent_7));
-            _S448 = !_S449;
+            var _S409 : bool = climb_1(receiver_24, _S408.light_leaf_0, &(descent_7));
+            _S407 = !_S409;
         }
-        if(_S448)
+        if(_S407)
         {
             return false;
         }
-        Descent_at_2(&(descent_7), leaf_3);
+        Descent_at_2(&(descent_7), _S408.light_leaf_0);
     }
     else
     {
         if(!IS_SINGLE_0)
         {
-            var _S450 : bool = descend_2(receiver_24, by_chance_0(), &(descent_7));
-            _S448 = !_S450;
+            var _S410 : bool = descend_2(receiver_24, by_chance_0(), &(descent_7));
+            _S407 = !_S410;
         }
         else
         {
-            _S448 = false;
+            _S407 = false;
         }
-        if(_S448)
+        if(_S407)
         {
             return false;
         }
     }
     var chosen_instance_1 : u32 = descent_7.index_15;
-    var local_4 : Receiver_0 = in_grid_0(descent_7.index_15, receiver_24);
+    var local_6 : Receiver_0 = in_grid_0(descent_7.index_15, receiver_24);
     Descent_at_3(&(descent_7), top_light_node_0(descent_7.node_3).root_1);
-    var _S451 : bool = descend_3(local_4, aim_7, &(descent_7));
-    if(!_S451)
+    var _S411 : bool = descend_3(local_6, aim_7, &(descent_7));
+    if(!_S411)
     {
         return false;
     }
     var side_5 : u32 = aim_7.hit_6.face_0;
     var odds_4 : vec2<f32>;
-    var _S452 : bool = choose_side_1(local_4.point_0, aim_7.is_met_0, descent_7, &(side_5), &(odds_4));
-    if(!_S452)
+    var _S412 : bool = choose_side_1(local_6.point_0, aim_7.is_met_0, descent_7, &(side_5), &(odds_4));
+    if(!_S412)
     {
         return false;
     }
     var power_7 : f32 = light_power_at_0(descent_7.node_3, side_5);
+    var _S413 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(chosen_instance_1);
     if(aim_7.is_met_0)
     {
-        var _S453 : f32 = density_0(odds_4, aim_7.luminance_1, power_7, Transform_direction_0(chosen_instance_1, aim_7.direction_21) * vec3<f32>(aim_7.hit_6.t_0), side_5);
-        (*sample_14).pdf_2 = _S453;
-        return _S453 > 0.0f;
+        var _S414 : f32 = density_0(odds_4, aim_7.luminance_1, power_7, Transform_direction_0(_S413.grid_from_world_0, aim_7.direction_21) * vec3<f32>(aim_7.hit_6.t_0), side_5);
+        (*sample_14).pdf_2 = _S414;
+        return _S414 > 0.0f;
     }
     var emitter_2 : Emitter_0 = choose_emitter_0(descent_7, side_5, u_22.y * power_7);
-    var _S454 : vec3<f32> = vec3<f32>(cell_of_0(emitter_2.voxel_24));
-    var on_face_1 : vec3<f32> = point_of_face_0(_S454, side_5, u_22.z, u_22.w);
-    var pdf_13 : f32 = density_0(odds_4, emitter_2.luminance_4, power_7, on_face_1 - local_4.point_0, side_5);
+    var _S415 : vec3<f32> = vec3<f32>(cell_of_0(emitter_2.voxel_24));
+    var on_face_1 : vec3<f32> = point_of_face_0(_S415, side_5, u_22.z, u_22.w);
+    var pdf_13 : f32 = density_0(odds_4, emitter_2.luminance_4, power_7, on_face_1 - local_6.point_0, side_5);
     if(pdf_13 < 0.0f)
     {
         return false;
     }
-    var direction_29 : vec3<f32> = Transform_point_1(chosen_instance_1, offset_ray_origin_0(vector_of_0(instances_0[chosen_instance_1].grid_from_world_0.translation_0), _S454, side_5, on_face_1)) - receiver_24.point_0;
+    var direction_29 : vec3<f32> = Transform_point_0(_S413.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S413.grid_from_world_0.translation_0), _S415, side_5, on_face_1)) - receiver_24.point_0;
     var cos_theta_10 : f32 = with_slack_0(receiver_24, divide_0(dot_product_0(receiver_24.normal_2, direction_29), square_root_0(length_squared_0(direction_29))));
     (*sample_14) = LightSample_x24init_0(Ray_x24init_0(receiver_24.point_0, 0.0f, direction_29, 1.0f), cos_theta_10, emitted_0(material_of_index_0(emitter_2.material_6)), pdf_13);
     return cos_theta_10 > 0.0f;
@@ -6346,67 +6322,67 @@ fn sample_emitter_1( receiver_24 : Receiver_0,  u_22 : vec4<f32>,  aim_7 : Aim_0
 
 fn EmitterTree_sample_1( receiver_25 : Receiver_0,  u_23 : vec4<f32>,  aim_8 : Aim_0,  sample_15 : ptr<function, LightSample_0>) -> bool
 {
-    var _S455 : bool = sample_emitter_1(receiver_25, u_23, aim_8, &((*sample_15)));
-    return _S455;
+    var _S416 : bool = sample_emitter_1(receiver_25, u_23, aim_8, &((*sample_15)));
+    return _S416;
 }
 
 fn Lights_sample_1( receiver_26 : Receiver_0,  selection_4 : Selection_0,  u_24 : vec4<f32>,  aim_9 : Aim_0,  sample_16 : ptr<function, LightSample_0>) -> bool
 {
-    var is_found_9 : bool;
+    var is_found_11 : bool;
     if(has_sun_0())
     {
-        is_found_9 = !aim_9.is_met_0;
+        is_found_11 = !aim_9.is_met_0;
     }
     else
     {
-        is_found_9 = false;
+        is_found_11 = false;
     }
-    if(is_found_9)
+    if(is_found_11)
     {
-        is_found_9 = (u_24.x) < (selection_4.sun_0);
+        is_found_11 = (u_24.x) < (selection_4.sun_0);
     }
     else
     {
-        is_found_9 = false;
+        is_found_11 = false;
     }
-    if(is_found_9)
+    if(is_found_11)
     {
-        var _S456 : bool = SunDisc_sample_1(receiver_26, u_24, &((*sample_16)));
+        var _S417 : bool = SunDisc_sample_1(receiver_26, u_24, &((*sample_16)));
         (*sample_16).pdf_2 = (*sample_16).pdf_2 * selection_4.sun_0;
-        is_found_9 = _S456;
+        is_found_11 = _S417;
     }
     else
     {
         if(Lights_has_chosen_sky_0())
         {
-            is_found_9 = !aim_9.is_met_0;
+            is_found_11 = !aim_9.is_met_0;
         }
         else
         {
-            is_found_9 = false;
+            is_found_11 = false;
         }
-        if(is_found_9)
+        if(is_found_11)
         {
-            is_found_9 = (u_24.x) < (selection_4.sun_0 + selection_4.sky_1);
+            is_found_11 = (u_24.x) < (selection_4.sun_0 + selection_4.sky_1);
         }
         else
         {
-            is_found_9 = false;
+            is_found_11 = false;
         }
-        if(is_found_9)
+        if(is_found_11)
         {
-            var _S457 : bool = Sky_sample_1(receiver_26, vec4<f32>(min(divide_0(u_24.x - selection_4.sun_0, selection_4.sky_1), 0.99999994039535522f), u_24.yzw), &((*sample_16)));
+            var _S418 : bool = Sky_sample_1(receiver_26, vec4<f32>(min(divide_0(u_24.x - selection_4.sun_0, selection_4.sky_1), 0.99999994039535522f), u_24.yzw), &((*sample_16)));
             (*sample_16).pdf_2 = (*sample_16).pdf_2 * selection_4.sky_1;
-            is_found_9 = _S457;
+            is_found_11 = _S418;
         }
         else
         {
-            var _S458 : bool = EmitterTree_sample_1(receiver_26, vec4<f32>(min(divide_0(u_24.x - (selection_4.sun_0 + selection_4.sky_1), selection_4.emitters_0), 0.99999994039535522f), u_24.yzw), aim_9, &((*sample_16)));
+            var _S419 : bool = EmitterTree_sample_1(receiver_26, vec4<f32>(min(divide_0(u_24.x - (selection_4.sun_0 + selection_4.sky_1), selection_4.emitters_0), 0.99999994039535522f), u_24.yzw), aim_9, &((*sample_16)));
             (*sample_16).pdf_2 = (*sample_16).pdf_2 * selection_4.emitters_0;
-            is_found_9 = _S458;
+            is_found_11 = _S419;
         }
     }
-    return is_found_9;
+    return is_found_11;
 }
 
 fn bsdf_of_1( material_14 : PackedMaterial_0,  ior_2 : f32,  choice_3 : ptr<function, f32>) -> MaterialBsdf_0
@@ -6414,20 +6390,20 @@ fn bsdf_of_1( material_14 : PackedMaterial_0,  ior_2 : f32,  choice_3 : ptr<func
     return MaterialBsdf_x24init_0(u32(0), vector_of_0(material_14.base_color_0), 0.0f, 1.0f, Microfacets_x24init_0(1.0f));
 }
 
-fn Diffuse_sample_1( this_51 : Diffuse_0,  wo_8 : vec3<f32>,  u_25 : vec3<f32>,  sample_17 : ptr<function, BsdfSample_0>) -> bool
+fn Diffuse_sample_1( this_53 : Diffuse_0,  wo_8 : vec3<f32>,  u_25 : vec3<f32>,  sample_17 : ptr<function, BsdfSample_0>) -> bool
 {
     var wi_6 : vec3<f32> = cosine_hemisphere_0(u_25.x, u_25.y);
-    (*sample_17) = BsdfSample_x24init_0(wi_6, this_51.reflectance_0, cosine_hemisphere_pdf_0(wi_6.z), false);
+    (*sample_17) = BsdfSample_x24init_0(wi_6, this_53.reflectance_0, cosine_hemisphere_pdf_0(wi_6.z), false);
     return true;
 }
 
-fn MaterialBsdf_sample_1( this_52 : MaterialBsdf_0,  wo_9 : vec3<f32>,  u_26 : vec3<f32>,  sample_18 : ptr<function, BsdfSample_0>) -> bool
+fn MaterialBsdf_sample_1( this_54 : MaterialBsdf_0,  wo_9 : vec3<f32>,  u_26 : vec3<f32>,  sample_18 : ptr<function, BsdfSample_0>) -> bool
 {
-    var _S459 : bool = Diffuse_sample_1(Diffuse_x24init_0(this_52.color_0), wo_9, u_26, &((*sample_18)));
-    return _S459;
+    var _S420 : bool = Diffuse_sample_1(Diffuse_x24init_0(this_54.color_0), wo_9, u_26, &((*sample_18)));
+    return _S420;
 }
 
-fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_23 : Ray_0,  hit_16 : Hit_0,  beyond_8 : u32,  radiance_6 : ptr<function, vec3<f32>>) -> NextRays_0
+fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_25 : Ray_0,  hit_16 : Hit_0,  beyond_8 : u32,  radiance_6 : ptr<function, vec3<f32>>) -> NextRays_0
 {
     var next_3 : NextRays_0 = no_rays_0();
     scatter_of_path_0.wants_light_0 = false;
@@ -6442,7 +6418,7 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_23 : Ray_0,  h
         t_16 = (*path_11).pdf_1;
     }
     (*path_11).pdf_1 = t_16;
-    var last_6 : Receiver_0 = Path_receiver_0((*path_11), ray_23);
+    var last_7 : Receiver_0 = Path_receiver_0((*path_11), ray_25);
     var is_scattered_3 : bool;
     if(Inside_is_in_0((*path_11).inside_0))
     {
@@ -6456,7 +6432,7 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_23 : Ray_0,  h
     {
         if(is_scattered_3)
         {
-            t_16 = scattering_t_0((*path_11), (*path_11).inside_0, ray_23);
+            t_16 = scattering_t_0((*path_11), (*path_11).inside_0, ray_25);
         }
         else
         {
@@ -6464,7 +6440,7 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_23 : Ray_0,  h
         }
         if(!is_counted_1)
         {
-            absorb_1(&((*path_11)), (*path_11).inside_0, ray_23, t_16);
+            absorb_1(&((*path_11)), (*path_11).inside_0, ray_25, t_16);
         }
     }
     else
@@ -6483,7 +6459,7 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_23 : Ray_0,  h
     var light_pdf_2 : f32;
     if(is_weighed_1)
     {
-        (*radiance_6) = (*radiance_6) + (*path_11).beta_0 * Sky_le_0(ray_23.direction_0) * vec3<f32>(mis_weight_0((*path_11).pdf_1, Lights_sky_pdf_0(Path_selection_at_0((*path_11), last_6), ray_23.direction_0)));
+        (*radiance_6) = (*radiance_6) + (*path_11).beta_0 * Sky_le_0(ray_25.direction_0) * vec3<f32>(mis_weight_0((*path_11).pdf_1, Lights_sky_pdf_0(Path_selection_at_0((*path_11), last_7), ray_25.direction_0)));
         if(has_sun_0())
         {
             if(SunDisc_is_visible_0())
@@ -6501,7 +6477,7 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_23 : Ray_0,  h
         }
         if(is_scattered_3)
         {
-            var le_2 : vec3<f32> = SunDisc_le_0(ray_23.direction_0);
+            var le_2 : vec3<f32> = SunDisc_le_0(ray_25.direction_0);
             if((max_element_0(le_2)) > 0.0f)
             {
                 if(((*path_11).pdf_1) == 0.0f)
@@ -6510,7 +6486,7 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_23 : Ray_0,  h
                 }
                 else
                 {
-                    light_pdf_2 = Lights_sun_pdf_0(Path_selection_at_0((*path_11), last_6), ray_23.direction_0);
+                    light_pdf_2 = Lights_sun_pdf_0(Path_selection_at_0((*path_11), last_7), ray_25.direction_0);
                 }
                 (*radiance_6) = (*radiance_6) + (*path_11).beta_0 * le_2 * vec3<f32>(mis_weight_0((*path_11).pdf_1, light_pdf_2));
             }
@@ -6519,7 +6495,7 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_23 : Ray_0,  h
     }
     var u_27 : vec4<f32> = Sampler_stratified_0((*path_11).sampler_0, Path_dimension_scatter_0((*path_11)));
     var material_15 : PackedMaterial_0 = material_met_0((*path_11), hit_16, beyond_8);
-    var _S460 : vec3<f32> = vec3<f32>(0.0f);
+    var _S421 : vec3<f32> = vec3<f32>(0.0f);
     var le_3 : vec3<f32>;
     if(!is_counted_1)
     {
@@ -6527,12 +6503,12 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_23 : Ray_0,  h
     }
     else
     {
-        le_3 = _S460;
+        le_3 = _S421;
     }
     var is_lit_1 : bool = (max_element_0(le_3)) > 0.0f;
-    var met_1 : Aim_0 = Aim_x24init_0(true, ray_23.direction_0, hit_16, luminance_0(vector_of_0(material_15.emission_0)));
-    var _S461 : bool = weighs_apart_0();
-    if(_S461)
+    var met_1 : Aim_0 = Aim_x24init_0(true, ray_25.direction_0, hit_16, luminance_0(vector_of_0(material_15.emission_0)));
+    var _S422 : bool = weighs_apart_0();
+    if(_S422)
     {
         is_weighed_1 = is_lit_1;
     }
@@ -6560,7 +6536,7 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_23 : Ray_0,  h
     if(is_chosen_1)
     {
         var light_9 : LightSample_0 = no_light_0();
-        if(!_S461)
+        if(!_S422)
         {
             is_chosen_1 = ((*path_11).pdf_1) > 0.0f;
         }
@@ -6570,15 +6546,15 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_23 : Ray_0,  h
         }
         if(is_chosen_1)
         {
-            var _S462 : bool = Lights_sample_1(last_6, Path_selection_at_0((*path_11), last_6), vec4<f32>(0.0f), met_1, &(light_9));
-            is_chosen_1 = _S462;
+            var _S423 : bool = Lights_sample_1(last_7, Path_selection_at_0((*path_11), last_7), vec4<f32>(0.0f), met_1, &(light_9));
+            is_chosen_1 = _S423;
         }
         else
         {
             is_chosen_1 = false;
         }
-        var _S463 : vec3<f32> = (*path_11).beta_0 * le_3;
-        var _S464 : f32 = (*path_11).pdf_1;
+        var _S424 : vec3<f32> = (*path_11).beta_0 * le_3;
+        var _S425 : f32 = (*path_11).pdf_1;
         if(is_chosen_1)
         {
             light_pdf_2 = light_9.pdf_2;
@@ -6587,13 +6563,13 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_23 : Ray_0,  h
         {
             light_pdf_2 = 0.0f;
         }
-        (*radiance_6) = (*radiance_6) + _S463 * vec3<f32>(mis_weight_0(_S464, light_pdf_2));
+        (*radiance_6) = (*radiance_6) + _S424 * vec3<f32>(mis_weight_0(_S425, light_pdf_2));
     }
-    var _S465 : f32 = ior_of_0((*path_11).inside_0);
-    var _S466 : f32 = u_27[i32(3)];
-    var _S467 : MaterialBsdf_0 = bsdf_of_1(material_15, _S465, &(_S466));
-    u_27[i32(3)] = _S466;
-    var scattered_3 : vec3<f32> = (*path_11).beta_0 * MaterialBsdf_albedo_0(_S467);
+    var _S426 : f32 = ior_of_0((*path_11).inside_0);
+    var _S427 : f32 = u_27[i32(3)];
+    var _S428 : MaterialBsdf_0 = bsdf_of_1(material_15, _S426, &(_S427));
+    u_27[i32(3)] = _S427;
+    var scattered_3 : vec3<f32> = (*path_11).beta_0 * MaterialBsdf_albedo_0(_S428);
     if(((*path_11).bounce_0) >= (params_0.max_bounces_0))
     {
         is_chosen_1 = true;
@@ -6602,8 +6578,8 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_23 : Ray_0,  h
     {
         is_chosen_1 = ends_here_0;
     }
-    var _S468 : bool = !is_weighed_1;
-    if(_S468)
+    var _S429 : bool = !is_weighed_1;
+    if(_S429)
     {
         if(is_chosen_1)
         {
@@ -6623,7 +6599,7 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_23 : Ray_0,  h
         return next_3;
     }
     var compensation_3 : f32 = roulette_0(Path_events_0((*path_11)), scattered_3, u_27.z);
-    if(_S468)
+    if(_S429)
     {
         is_chosen_1 = compensation_3 == 0.0f;
     }
@@ -6644,20 +6620,20 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_23 : Ray_0,  h
     {
         at_9 = hit_16;
     }
-    var surface_4 : Surface_0 = surface_of_0(ray_23, at_9);
-    var _S469 : Receiver_0 = Receiver_x24init_0(surface_4.origin_9, surface_4.normal_3);
-    var _S470 : vec3<f32> = (vec3<f32>(0) - ray_23.direction_0);
-    var wo_10 : vec3<f32> = Surface_local_direction_0(surface_4, _S470);
+    var surface_4 : Surface_0 = surface_of_0(ray_25, at_9);
+    var _S430 : Receiver_0 = Receiver_x24init_0(surface_4.origin_9, surface_4.normal_3);
+    var _S431 : vec3<f32> = (vec3<f32>(0) - ray_25.direction_0);
+    var wo_10 : vec3<f32> = Surface_local_direction_0(surface_4, _S431);
     var inside_6 : Inside_0 = in_air_0();
     var wo_11 : vec3<f32>;
     var receiver_27 : Receiver_0;
     if(is_scattered_3)
     {
-        var _S471 : Inside_0 = Inside_x24init_0((*path_11).inside_0.instance_6, hit_16.voxel_0, (*path_11).inside_0.material_0);
-        inside_6 = _S471;
-        var _S472 : vec3<f32> = normalize_vector_0(_S470);
-        receiver_27 = Receiver_x24init_0(Inside_point_0(_S471, ray_23, t_16), _S460);
-        wo_11 = _S472;
+        var _S432 : Inside_0 = Inside_x24init_0((*path_11).inside_0.instance_6, hit_16.voxel_0, (*path_11).inside_0.material_0);
+        inside_6 = _S432;
+        var _S433 : vec3<f32> = normalize_vector_0(_S431);
+        receiver_27 = Receiver_x24init_0(Inside_point_0(_S432, ray_25, t_16), _S421);
+        wo_11 = _S433;
     }
     else
     {
@@ -6667,22 +6643,22 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_23 : Ray_0,  h
             inside_6 = Inside_x24init_0((*path_11).inside_0.instance_6, hit_16.voxel_0, (*path_11).inside_0.material_0);
             inside_6.voxel_22 = hit_16.voxel_0 + vec3<i32>(face_normal_0(hit_16.face_0));
         }
-        receiver_27 = _S469;
+        receiver_27 = _S430;
         wo_11 = wo_10;
     }
     next_3.origin_7 = receiver_27.point_0;
     next_3.shadow_inside_1 = inside_6;
     if(is_weighed_1)
     {
-        receiver_27 = last_6;
+        receiver_27 = last_7;
     }
-    if(_S468)
+    if(_S429)
     {
         (*path_11).selection_0 = Lights_selection_0(receiver_27);
     }
     var light_10 : LightSample_0 = no_light_0();
-    var _S473 : bool = !MaterialBsdf_is_delta_0(_S467);
-    scatter_of_path_0 = Scatter_x24init_0((*path_11), receiver_27, surface_4, _S467, wo_11, compensation_3, is_scattered_3, _S473);
+    var _S434 : bool = !MaterialBsdf_is_delta_0(_S428);
+    scatter_of_path_0 = Scatter_x24init_0((*path_11), receiver_27, surface_4, _S428, wo_11, compensation_3, is_scattered_3, _S434);
     if(is_weighed_1)
     {
         if(next_3.has_shadow_ray_0)
@@ -6699,8 +6675,8 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_23 : Ray_0,  h
         return next_3;
     }
     var bounce_2 : BsdfSample_0;
-    var _S474 : bool = MaterialBsdf_sample_1(_S467, wo_11, vec3<f32>(u_27.xy, u_27.w), &(bounce_2));
-    if(!_S474)
+    var _S435 : bool = MaterialBsdf_sample_1(_S428, wo_11, vec3<f32>(u_27.xy, u_27.w), &(bounce_2));
+    if(!_S435)
     {
         return next_3;
     }
@@ -6725,55 +6701,55 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_23 : Ray_0,  h
     return next_3;
 }
 
-fn show_1( path_12 : Path_0,  ray_24 : Ray_0,  hit_17 : Hit_0,  beyond_9 : u32,  sample_19 : ptr<function, Sample_0>)
+fn show_1( path_12 : Path_0,  ray_26 : Ray_0,  hit_17 : Hit_0,  beyond_9 : u32,  sample_19 : ptr<function, Sample_0>)
 {
-    var _S475 : Path_0 = path_12;
+    var _S436 : Path_0 = path_12;
     (*sample_19).is_shown_0 = true;
-    if(Inside_is_in_0(_S475.inside_0))
+    if(Inside_is_in_0(_S436.inside_0))
     {
-        absorb_1(&(_S475), _S475.inside_0, ray_24, hit_17.t_0);
+        absorb_1(&(_S436), _S436.inside_0, ray_26, hit_17.t_0);
     }
-    var material_16 : PackedMaterial_0 = material_met_0(_S475, hit_17, beyond_9);
-    (*sample_19).normal_1 = shading_normal_0(ray_24, hit_17, material_16);
-    (*sample_19).albedo_0 = _S475.beta_0 * albedo_of_0(material_16);
+    var material_16 : PackedMaterial_0 = material_met_0(_S436, hit_17, beyond_9);
+    (*sample_19).normal_1 = shading_normal_0(ray_26, hit_17, material_16);
+    (*sample_19).albedo_0 = _S436.beta_0 * albedo_of_0(material_16);
     return;
 }
 
-fn Walker_see_1( this_53 : ptr<function, Walker_0>,  arrived_2 : Path_0,  hit_18 : Hit_0,  beyond_10 : u32,  emitted_3 : vec3<f32>,  goes_on_3 : bool,  sample_20 : ptr<function, Sample_0>)
+fn Walker_see_1( this_55 : ptr<function, Walker_0>,  arrived_2 : Path_0,  hit_18 : Hit_0,  beyond_10 : u32,  emitted_3 : vec3<f32>,  goes_on_3 : bool,  sample_20 : ptr<function, Sample_0>)
 {
     (*sample_20).direct_0 = (*sample_20).direct_0 + emitted_3;
-    var _S476 : bool = ((*this_53).path_0.bounce_0) == u32(0);
-    var _S477 : bool;
+    var _S437 : bool = ((*this_55).path_0.bounce_0) == u32(0);
+    var _S438 : bool;
     if(goes_on_3)
     {
-        _S477 = _S476;
+        _S438 = _S437;
     }
     else
     {
-        _S477 = false;
+        _S438 = false;
     }
-    var _S478 : bool = !_S477;
-    (*this_53).has_shown_0 = _S478;
-    if(!_S478)
+    var _S439 : bool = !_S438;
+    (*this_55).has_shown_0 = _S439;
+    if(!_S439)
     {
-        (*this_53).way_3 = (*this_53).way_3 + hit_18.t_0;
+        (*this_55).way_3 = (*this_55).way_3 + hit_18.t_0;
     }
     else
     {
         if(!Hit_is_miss_0(hit_18))
         {
-            show_1(arrived_2, (*this_53).ray_8, hit_18, beyond_10, &((*sample_20)));
-            (*sample_20).place_0 = (*this_53).camera_ray_0.origin_1 + (*this_53).camera_ray_0.direction_0 * vec3<f32>(((*this_53).way_3 + hit_18.t_0));
-            var _S479 : u32;
-            if(((*this_53).way_3) > 0.0f)
+            show_1(arrived_2, (*this_55).ray_10, hit_18, beyond_10, &((*sample_20)));
+            (*sample_20).place_0 = (*this_55).camera_ray_0.origin_0 + (*this_55).camera_ray_0.direction_0 * vec3<f32>(((*this_55).way_3 + hit_18.t_0));
+            var _S440 : u32;
+            if(((*this_55).way_3) > 0.0f)
             {
-                _S479 = u32(4294967295);
+                _S440 = u32(4294967295);
             }
             else
             {
-                _S479 = hit_18.instance_0;
+                _S440 = hit_18.instance_0;
             }
-            (*sample_20).instance_7 = _S479;
+            (*sample_20).instance_7 = _S440;
         }
     }
     return;
@@ -6813,36 +6789,36 @@ fn choose_light_1( scatter_1 : Scatter_0,  next_4 : ptr<function, NextRays_0>)
             u_28 = Sampler_independent_0(scatter_1.path_3.sampler_0, dimension_4);
         }
         var light_11 : LightSample_0 = no_light_0();
-        var is_found_10 : bool = Lights_sample_1(scatter_1.receiver_0, scatter_1.path_3.selection_0, u_28, by_chance_0(), &(light_11));
-        if(!is_found_10)
+        var is_found_12 : bool = Lights_sample_1(scatter_1.receiver_0, scatter_1.path_3.selection_0, u_28, by_chance_0(), &(light_11));
+        if(!is_found_12)
         {
             candidate_1 = candidate_1 + u32(1);
             continue;
         }
-        var _S480 : vec3<f32> = vec3<f32>(Surface_local_direction_0(scatter_1.surface_0, light_11.ray_14.direction_0).xy, light_11.cos_theta_2);
+        var _S441 : vec3<f32> = vec3<f32>(Surface_local_direction_0(scatter_1.surface_0, light_11.ray_16.direction_0).xy, light_11.cos_theta_2);
         var wi_7 : vec3<f32>;
         if(scatter_1.is_scattered_0)
         {
-            wi_7 = normalize_vector_0(light_11.ray_14.direction_0);
+            wi_7 = normalize_vector_0(light_11.ray_16.direction_0);
         }
         else
         {
-            wi_7 = _S480;
+            wi_7 = _S441;
         }
         var eval_1 : BsdfEval_0 = MaterialBsdf_eval_0(scatter_1.bsdf_0, scatter_1.wo_0, wi_7);
-        var _S481 : vec3<f32> = scatter_1.path_3.beta_0 * eval_1.weight_5 * vec3<f32>(scatter_1.compensation_0) * light_11.radiance_1 * vec3<f32>((divide_0(eval_1.pdf_10, light_11.pdf_2) * power_heuristic_0(light_11.pdf_2, eval_1.pdf_10)));
-        var weight_8 : f32 = luminance_0(_S481);
+        var _S442 : vec3<f32> = scatter_1.path_3.beta_0 * eval_1.weight_5 * vec3<f32>(scatter_1.compensation_0) * light_11.radiance_1 * vec3<f32>((divide_0(eval_1.pdf_10, light_11.pdf_2) * power_heuristic_0(light_11.pdf_2, eval_1.pdf_10)));
+        var weight_8 : f32 = luminance_0(_S442);
         var sum_8 : f32 = sum_7 + weight_8;
-        var _S482 : bool;
+        var _S443 : bool;
         if(count_6 > u32(1))
         {
-            _S482 = (Sampler_independent_0(scatter_1.path_3.sampler_0, dimension_4 + u32(1)).x * sum_8) >= weight_8;
+            _S443 = (Sampler_independent_0(scatter_1.path_3.sampler_0, dimension_4 + u32(1)).x * sum_8) >= weight_8;
         }
         else
         {
-            _S482 = false;
+            _S443 = false;
         }
-        if(_S482)
+        if(_S443)
         {
             sum_7 = sum_8;
             candidate_1 = candidate_1 + u32(1);
@@ -6851,9 +6827,9 @@ fn choose_light_1( scatter_1 : Scatter_0,  next_4 : ptr<function, NextRays_0>)
         var chosen_10 : f32;
         if(weight_8 > 0.0f)
         {
-            (*next_4).shadow_direction_0 = light_11.ray_14.direction_0;
-            (*next_4).shadow_t_max_0 = light_11.ray_14.t_max_0;
-            (*next_4).light_2 = _S481;
+            (*next_4).shadow_direction_0 = light_11.ray_16.direction_0;
+            (*next_4).shadow_t_max_0 = light_11.ray_16.t_max_0;
+            (*next_4).light_2 = _S442;
             chosen_10 = weight_8;
         }
         else
@@ -6864,9 +6840,9 @@ fn choose_light_1( scatter_1 : Scatter_0,  next_4 : ptr<function, NextRays_0>)
         sum_7 = sum_8;
         candidate_1 = candidate_1 + u32(1);
     }
-    var _S483 : bool = chosen_9 > 0.0f;
-    (*next_4).has_shadow_ray_0 = _S483;
-    if(_S483)
+    var _S444 : bool = chosen_9 > 0.0f;
+    (*next_4).has_shadow_ray_0 = _S444;
+    if(_S444)
     {
         (*next_4).light_2 = (*next_4).light_2 * vec3<f32>(divide_0(sum_7, chosen_9 * f32(count_6)));
     }
@@ -6879,15 +6855,15 @@ fn goes_on_from_1( at_10 : ptr<function, Walker_0>,  hit_19 : Hit_0,  beyond_11 
     var goes_on_4 : bool;
     if((*at_10).is_at_cell_0)
     {
-        next_5.origin_7 = (*at_10).ray_8.origin_1;
-        next_5.path_origin_1 = (*at_10).ray_8.origin_1;
-        next_5.direction_5 = (*at_10).ray_8.direction_0;
+        next_5.origin_7 = (*at_10).ray_10.origin_0;
+        next_5.path_origin_1 = (*at_10).ray_10.origin_0;
+        next_5.direction_5 = (*at_10).ray_10.direction_0;
         goes_on_4 = true;
     }
     else
     {
-        var _S484 : vec3<f32> = vec3<f32>(0.0f);
-        var cached_1 : vec3<f32> = _S484;
+        var _S445 : vec3<f32> = vec3<f32>(0.0f);
+        var cached_1 : vec3<f32> = _S445;
         if((*at_10).has_shown_0)
         {
             goes_on_4 = (*at_10).asks_cache_0;
@@ -6898,8 +6874,8 @@ fn goes_on_from_1( at_10 : ptr<function, Walker_0>,  hit_19 : Hit_0,  beyond_11 
         }
         if(goes_on_4)
         {
-            var _S485 : bool = asks_1((*at_10).path_0, (*at_10).ray_8, hit_19, beyond_11, (*at_10).life_0, &(cached_1));
-            goes_on_4 = _S485;
+            var _S446 : bool = asks_1((*at_10).path_0, (*at_10).ray_10, hit_19, beyond_11, (*at_10).life_0, &(cached_1));
+            goes_on_4 = _S446;
         }
         else
         {
@@ -6907,12 +6883,12 @@ fn goes_on_from_1( at_10 : ptr<function, Walker_0>,  hit_19 : Hit_0,  beyond_11 
         }
         ends_here_0 = goes_on_4;
         var arrived_3 : Path_0 = (*at_10).path_0;
-        var emitted_4 : vec3<f32> = _S484;
-        var _S486 : Path_0 = (*at_10).path_0;
-        var _S487 : NextRays_0 = PathTracingOf_advance_1(&(_S486), (*at_10).ray_8, hit_19, beyond_11, &(emitted_4));
-        (*at_10).path_0 = _S486;
-        next_5 = _S487;
-        var goes_on_5 : bool = (any(((next_5.direction_5) != _S484)));
+        var emitted_4 : vec3<f32> = _S445;
+        var _S447 : Path_0 = (*at_10).path_0;
+        var _S448 : NextRays_0 = PathTracingOf_advance_1(&(_S447), (*at_10).ray_10, hit_19, beyond_11, &(emitted_4));
+        (*at_10).path_0 = _S447;
+        next_5 = _S448;
+        var goes_on_5 : bool = (any(((next_5.direction_5) != _S445)));
         if((*at_10).has_shown_0)
         {
             (*sample_21).light_1 = (*sample_21).light_1 + (cached_1 + emitted_4);
@@ -6938,10 +6914,10 @@ fn goes_on_from_1( at_10 : ptr<function, Walker_0>,  hit_19 : Hit_0,  beyond_11 
     (*at_10).light_0 = next_5.light_2;
     (*at_10).is_shadow_ray_0 = next_5.has_shadow_ray_0;
     (*at_10).path_origin_0 = next_5.path_origin_1;
-    (*at_10).ray_8 = ray_from_0(next_5.origin_7, next_5.direction_5);
+    (*at_10).ray_10 = ray_from_0(next_5.origin_7, next_5.direction_5);
     if((*at_10).is_shadow_ray_0)
     {
-        (*at_10).ray_8 = Ray_x24init_0(next_5.origin_7, 0.0f, next_5.shadow_direction_0, next_5.shadow_t_max_0);
+        (*at_10).ray_10 = Ray_x24init_0(next_5.origin_7, 0.0f, next_5.shadow_direction_0, next_5.shadow_t_max_0);
     }
     if(goes_on_4)
     {
@@ -6954,7 +6930,7 @@ fn goes_on_from_1( at_10 : ptr<function, Walker_0>,  hit_19 : Hit_0,  beyond_11 
     return goes_on_4;
 }
 
-fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_25 : Ray_0,  hit_20 : Hit_0,  beyond_12 : u32,  radiance_7 : ptr<function, vec3<f32>>) -> NextRays_0
+fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_27 : Ray_0,  hit_20 : Hit_0,  beyond_12 : u32,  radiance_7 : ptr<function, vec3<f32>>) -> NextRays_0
 {
     var next_6 : NextRays_0 = no_rays_0();
     scatter_of_path_0.wants_light_0 = false;
@@ -6969,7 +6945,7 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_25 : Ray_0,  h
         t_17 = (*path_13).pdf_1;
     }
     (*path_13).pdf_1 = t_17;
-    var last_7 : Receiver_0 = Path_receiver_0((*path_13), ray_25);
+    var last_8 : Receiver_0 = Path_receiver_0((*path_13), ray_27);
     var is_scattered_4 : bool;
     if(Inside_is_in_0((*path_13).inside_0))
     {
@@ -6983,7 +6959,7 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_25 : Ray_0,  h
     {
         if(is_scattered_4)
         {
-            t_17 = scattering_t_0((*path_13), (*path_13).inside_0, ray_25);
+            t_17 = scattering_t_0((*path_13), (*path_13).inside_0, ray_27);
         }
         else
         {
@@ -6991,7 +6967,7 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_25 : Ray_0,  h
         }
         if(!is_counted_2)
         {
-            absorb_1(&((*path_13)), (*path_13).inside_0, ray_25, t_17);
+            absorb_1(&((*path_13)), (*path_13).inside_0, ray_27, t_17);
         }
     }
     else
@@ -7010,7 +6986,7 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_25 : Ray_0,  h
     var light_pdf_3 : f32;
     if(is_weighed_2)
     {
-        (*radiance_7) = (*radiance_7) + (*path_13).beta_0 * Sky_le_0(ray_25.direction_0) * vec3<f32>(mis_weight_0((*path_13).pdf_1, Lights_sky_pdf_0(Path_selection_at_0((*path_13), last_7), ray_25.direction_0)));
+        (*radiance_7) = (*radiance_7) + (*path_13).beta_0 * Sky_le_0(ray_27.direction_0) * vec3<f32>(mis_weight_0((*path_13).pdf_1, Lights_sky_pdf_0(Path_selection_at_0((*path_13), last_8), ray_27.direction_0)));
         if(has_sun_0())
         {
             if(SunDisc_is_visible_0())
@@ -7028,7 +7004,7 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_25 : Ray_0,  h
         }
         if(is_scattered_4)
         {
-            var le_4 : vec3<f32> = SunDisc_le_0(ray_25.direction_0);
+            var le_4 : vec3<f32> = SunDisc_le_0(ray_27.direction_0);
             if((max_element_0(le_4)) > 0.0f)
             {
                 if(((*path_13).pdf_1) == 0.0f)
@@ -7037,7 +7013,7 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_25 : Ray_0,  h
                 }
                 else
                 {
-                    light_pdf_3 = Lights_sun_pdf_0(Path_selection_at_0((*path_13), last_7), ray_25.direction_0);
+                    light_pdf_3 = Lights_sun_pdf_0(Path_selection_at_0((*path_13), last_8), ray_27.direction_0);
                 }
                 (*radiance_7) = (*radiance_7) + (*path_13).beta_0 * le_4 * vec3<f32>(mis_weight_0((*path_13).pdf_1, light_pdf_3));
             }
@@ -7046,7 +7022,7 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_25 : Ray_0,  h
     }
     var u_29 : vec4<f32> = Sampler_stratified_0((*path_13).sampler_0, Path_dimension_scatter_0((*path_13)));
     var material_17 : PackedMaterial_0 = material_met_0((*path_13), hit_20, beyond_12);
-    var _S488 : vec3<f32> = vec3<f32>(0.0f);
+    var _S449 : vec3<f32> = vec3<f32>(0.0f);
     var le_5 : vec3<f32>;
     if(!is_counted_2)
     {
@@ -7054,12 +7030,12 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_25 : Ray_0,  h
     }
     else
     {
-        le_5 = _S488;
+        le_5 = _S449;
     }
     var is_lit_2 : bool = (max_element_0(le_5)) > 0.0f;
-    var met_2 : Aim_0 = Aim_x24init_0(true, ray_25.direction_0, hit_20, luminance_0(vector_of_0(material_17.emission_0)));
-    var _S489 : bool = weighs_apart_0();
-    if(_S489)
+    var met_2 : Aim_0 = Aim_x24init_0(true, ray_27.direction_0, hit_20, luminance_0(vector_of_0(material_17.emission_0)));
+    var _S450 : bool = weighs_apart_0();
+    if(_S450)
     {
         is_weighed_2 = is_lit_2;
     }
@@ -7087,7 +7063,7 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_25 : Ray_0,  h
     if(is_chosen_2)
     {
         var light_12 : LightSample_0 = no_light_0();
-        if(!_S489)
+        if(!_S450)
         {
             is_chosen_2 = ((*path_13).pdf_1) > 0.0f;
         }
@@ -7097,15 +7073,15 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_25 : Ray_0,  h
         }
         if(is_chosen_2)
         {
-            var _S490 : bool = Lights_sample_1(last_7, Path_selection_at_0((*path_13), last_7), vec4<f32>(0.0f), met_2, &(light_12));
-            is_chosen_2 = _S490;
+            var _S451 : bool = Lights_sample_1(last_8, Path_selection_at_0((*path_13), last_8), vec4<f32>(0.0f), met_2, &(light_12));
+            is_chosen_2 = _S451;
         }
         else
         {
             is_chosen_2 = false;
         }
-        var _S491 : vec3<f32> = (*path_13).beta_0 * le_5;
-        var _S492 : f32 = (*path_13).pdf_1;
+        var _S452 : vec3<f32> = (*path_13).beta_0 * le_5;
+        var _S453 : f32 = (*path_13).pdf_1;
         if(is_chosen_2)
         {
             light_pdf_3 = light_12.pdf_2;
@@ -7114,13 +7090,13 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_25 : Ray_0,  h
         {
             light_pdf_3 = 0.0f;
         }
-        (*radiance_7) = (*radiance_7) + _S491 * vec3<f32>(mis_weight_0(_S492, light_pdf_3));
+        (*radiance_7) = (*radiance_7) + _S452 * vec3<f32>(mis_weight_0(_S453, light_pdf_3));
     }
-    var _S493 : f32 = ior_of_0((*path_13).inside_0);
-    var _S494 : f32 = u_29[i32(3)];
-    var _S495 : MaterialBsdf_0 = bsdf_of_1(material_17, _S493, &(_S494));
-    u_29[i32(3)] = _S494;
-    var scattered_4 : vec3<f32> = (*path_13).beta_0 * MaterialBsdf_albedo_0(_S495);
+    var _S454 : f32 = ior_of_0((*path_13).inside_0);
+    var _S455 : f32 = u_29[i32(3)];
+    var _S456 : MaterialBsdf_0 = bsdf_of_1(material_17, _S454, &(_S455));
+    u_29[i32(3)] = _S455;
+    var scattered_4 : vec3<f32> = (*path_13).beta_0 * MaterialBsdf_albedo_0(_S456);
     if(((*path_13).bounce_0) >= (params_0.max_bounces_0))
     {
         is_chosen_2 = true;
@@ -7129,8 +7105,8 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_25 : Ray_0,  h
     {
         is_chosen_2 = ends_here_0;
     }
-    var _S496 : bool = !is_weighed_2;
-    if(_S496)
+    var _S457 : bool = !is_weighed_2;
+    if(_S457)
     {
         if(is_chosen_2)
         {
@@ -7150,7 +7126,7 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_25 : Ray_0,  h
         return next_6;
     }
     var compensation_4 : f32 = roulette_0(Path_events_0((*path_13)), scattered_4, u_29.z);
-    if(_S496)
+    if(_S457)
     {
         is_chosen_2 = compensation_4 == 0.0f;
     }
@@ -7171,20 +7147,20 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_25 : Ray_0,  h
     {
         at_11 = hit_20;
     }
-    var surface_5 : Surface_0 = surface_of_0(ray_25, at_11);
-    var _S497 : Receiver_0 = Receiver_x24init_0(surface_5.origin_9, surface_5.normal_3);
-    var _S498 : vec3<f32> = (vec3<f32>(0) - ray_25.direction_0);
-    var wo_12 : vec3<f32> = Surface_local_direction_0(surface_5, _S498);
+    var surface_5 : Surface_0 = surface_of_0(ray_27, at_11);
+    var _S458 : Receiver_0 = Receiver_x24init_0(surface_5.origin_9, surface_5.normal_3);
+    var _S459 : vec3<f32> = (vec3<f32>(0) - ray_27.direction_0);
+    var wo_12 : vec3<f32> = Surface_local_direction_0(surface_5, _S459);
     var inside_7 : Inside_0 = in_air_0();
     var wo_13 : vec3<f32>;
     var receiver_28 : Receiver_0;
     if(is_scattered_4)
     {
-        var _S499 : Inside_0 = Inside_x24init_0((*path_13).inside_0.instance_6, hit_20.voxel_0, (*path_13).inside_0.material_0);
-        inside_7 = _S499;
-        var _S500 : vec3<f32> = normalize_vector_0(_S498);
-        receiver_28 = Receiver_x24init_0(Inside_point_0(_S499, ray_25, t_17), _S488);
-        wo_13 = _S500;
+        var _S460 : Inside_0 = Inside_x24init_0((*path_13).inside_0.instance_6, hit_20.voxel_0, (*path_13).inside_0.material_0);
+        inside_7 = _S460;
+        var _S461 : vec3<f32> = normalize_vector_0(_S459);
+        receiver_28 = Receiver_x24init_0(Inside_point_0(_S460, ray_27, t_17), _S449);
+        wo_13 = _S461;
     }
     else
     {
@@ -7194,22 +7170,22 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_25 : Ray_0,  h
             inside_7 = Inside_x24init_0((*path_13).inside_0.instance_6, hit_20.voxel_0, (*path_13).inside_0.material_0);
             inside_7.voxel_22 = hit_20.voxel_0 + vec3<i32>(face_normal_0(hit_20.face_0));
         }
-        receiver_28 = _S497;
+        receiver_28 = _S458;
         wo_13 = wo_12;
     }
     next_6.origin_7 = receiver_28.point_0;
     next_6.shadow_inside_1 = inside_7;
     if(is_weighed_2)
     {
-        receiver_28 = last_7;
+        receiver_28 = last_8;
     }
-    if(_S496)
+    if(_S457)
     {
         (*path_13).selection_0 = Lights_selection_0(receiver_28);
     }
     var light_13 : LightSample_0 = no_light_0();
-    var _S501 : bool = !MaterialBsdf_is_delta_0(_S495);
-    scatter_of_path_0 = Scatter_x24init_0((*path_13), receiver_28, surface_5, _S495, wo_13, compensation_4, is_scattered_4, _S501);
+    var _S462 : bool = !MaterialBsdf_is_delta_0(_S456);
+    scatter_of_path_0 = Scatter_x24init_0((*path_13), receiver_28, surface_5, _S456, wo_13, compensation_4, is_scattered_4, _S462);
     if(is_weighed_2)
     {
         if(next_6.has_shadow_ray_0)
@@ -7226,8 +7202,8 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_25 : Ray_0,  h
         return next_6;
     }
     var bounce_3 : BsdfSample_0;
-    var _S502 : bool = MaterialBsdf_sample_1(_S495, wo_13, vec3<f32>(u_29.xy, u_29.w), &(bounce_3));
-    if(!_S502)
+    var _S463 : bool = MaterialBsdf_sample_1(_S456, wo_13, vec3<f32>(u_29.xy, u_29.w), &(bounce_3));
+    if(!_S463)
     {
         return next_6;
     }
@@ -7258,15 +7234,15 @@ fn goes_on_from_2( at_12 : ptr<function, Walker_0>,  hit_21 : Hit_0,  beyond_13 
     var goes_on_6 : bool;
     if((*at_12).is_at_cell_0)
     {
-        next_7.origin_7 = (*at_12).ray_8.origin_1;
-        next_7.path_origin_1 = (*at_12).ray_8.origin_1;
-        next_7.direction_5 = (*at_12).ray_8.direction_0;
+        next_7.origin_7 = (*at_12).ray_10.origin_0;
+        next_7.path_origin_1 = (*at_12).ray_10.origin_0;
+        next_7.direction_5 = (*at_12).ray_10.direction_0;
         goes_on_6 = true;
     }
     else
     {
-        var _S503 : vec3<f32> = vec3<f32>(0.0f);
-        var cached_2 : vec3<f32> = _S503;
+        var _S464 : vec3<f32> = vec3<f32>(0.0f);
+        var cached_2 : vec3<f32> = _S464;
         if((*at_12).has_shown_0)
         {
             goes_on_6 = (*at_12).asks_cache_0;
@@ -7277,8 +7253,8 @@ fn goes_on_from_2( at_12 : ptr<function, Walker_0>,  hit_21 : Hit_0,  beyond_13 
         }
         if(goes_on_6)
         {
-            var _S504 : bool = asks_1((*at_12).path_0, (*at_12).ray_8, hit_21, beyond_13, (*at_12).life_0, &(cached_2));
-            goes_on_6 = _S504;
+            var _S465 : bool = asks_1((*at_12).path_0, (*at_12).ray_10, hit_21, beyond_13, (*at_12).life_0, &(cached_2));
+            goes_on_6 = _S465;
         }
         else
         {
@@ -7286,12 +7262,12 @@ fn goes_on_from_2( at_12 : ptr<function, Walker_0>,  hit_21 : Hit_0,  beyond_13 
         }
         ends_here_0 = goes_on_6;
         var arrived_4 : Path_0 = (*at_12).path_0;
-        var emitted_5 : vec3<f32> = _S503;
-        var _S505 : Path_0 = (*at_12).path_0;
-        var _S506 : NextRays_0 = PathTracingOf_advance_1(&(_S505), (*at_12).ray_8, hit_21, beyond_13, &(emitted_5));
-        (*at_12).path_0 = _S505;
-        next_7 = _S506;
-        var goes_on_7 : bool = (any(((next_7.direction_5) != _S503)));
+        var emitted_5 : vec3<f32> = _S464;
+        var _S466 : Path_0 = (*at_12).path_0;
+        var _S467 : NextRays_0 = PathTracingOf_advance_1(&(_S466), (*at_12).ray_10, hit_21, beyond_13, &(emitted_5));
+        (*at_12).path_0 = _S466;
+        next_7 = _S467;
+        var goes_on_7 : bool = (any(((next_7.direction_5) != _S464)));
         if((*at_12).has_shown_0)
         {
             (*sample_22).light_1 = (*sample_22).light_1 + (cached_2 + emitted_5);
@@ -7313,10 +7289,10 @@ fn goes_on_from_2( at_12 : ptr<function, Walker_0>,  hit_21 : Hit_0,  beyond_13 
     (*at_12).light_0 = next_7.light_2;
     (*at_12).is_shadow_ray_0 = next_7.has_shadow_ray_0;
     (*at_12).path_origin_0 = next_7.path_origin_1;
-    (*at_12).ray_8 = ray_from_0(next_7.origin_7, next_7.direction_5);
+    (*at_12).ray_10 = ray_from_0(next_7.origin_7, next_7.direction_5);
     if((*at_12).is_shadow_ray_0)
     {
-        (*at_12).ray_8 = Ray_x24init_0(next_7.origin_7, 0.0f, next_7.shadow_direction_0, next_7.shadow_t_max_0);
+        (*at_12).ray_10 = Ray_x24init_0(next_7.origin_7, 0.0f, next_7.shadow_direction_0, next_7.shadow_t_max_0);
     }
     if(goes_on_6)
     {
@@ -7329,59 +7305,89 @@ fn goes_on_from_2( at_12 : ptr<function, Walker_0>,  hit_21 : Hit_0,  beyond_13 
     return goes_on_6;
 }
 
-fn entry_0( _S507 : u32,  _S508 : Ray_0,  _S509 : vec3<f32>) -> f32
+struct InstanceNode_0
 {
-    var low_13 : vec3<f32> = (vector_of_0(instance_nodes_0[_S507].min_1) - _S508.origin_1) * _S509;
-    var high_6 : vec3<f32> = (vector_of_0(instance_nodes_0[_S507].max_1) - _S508.origin_1) * _S509;
-    var _S510 : f32 = max(_S508.t_min_0, max_element_0(min(low_13, high_6)));
-    var _S511 : f32;
-    if(_S510 <= (min(_S508.t_max_0, min_element_0(max(low_13, high_6)))))
+     min_2 : array<f32, i32(3)>,
+     index_29 : u32,
+     max_2 : array<f32, i32(3)>,
+     is_leaf_0 : u32,
+};
+
+fn InstanceNodes_operatorx5Bx5D_get_0( index_30 : u32) -> InstanceNode_0
+{
+    var row_9 : u32 = first_row_0(u32(2)) + u32(2) * index_30;
+    var a_7 : vec4<u32> = records_0[row_9];
+    var b_7 : vec4<u32> = records_0[row_9 + u32(1)];
+    var node_16 : InstanceNode_0;
+    var _S468 : f32 = (bitcast<f32>((a_7.y)));
+    var _S469 : f32 = (bitcast<f32>((a_7.z)));
+    node_16.min_2[i32(0)] = (bitcast<f32>((a_7.x)));
+    node_16.min_2[i32(1)] = _S468;
+    node_16.min_2[i32(2)] = _S469;
+    node_16.index_29 = a_7.w;
+    var _S470 : f32 = (bitcast<f32>((b_7.y)));
+    var _S471 : f32 = (bitcast<f32>((b_7.z)));
+    node_16.max_2[i32(0)] = (bitcast<f32>((b_7.x)));
+    node_16.max_2[i32(1)] = _S470;
+    node_16.max_2[i32(2)] = _S471;
+    node_16.is_leaf_0 = b_7.w;
+    return node_16;
+}
+
+fn entry_0( node_17 : InstanceNode_0,  ray_28 : Ray_0,  inverse_2 : vec3<f32>) -> f32
+{
+    var low_13 : vec3<f32> = (vector_of_0(node_17.min_2) - ray_28.origin_0) * inverse_2;
+    var high_6 : vec3<f32> = (vector_of_0(node_17.max_2) - ray_28.origin_0) * inverse_2;
+    var _S472 : f32 = max(ray_28.t_min_0, max_element_0(min(low_13, high_6)));
+    var _S473 : f32;
+    if(_S472 <= (min(ray_28.t_max_0, min_element_0(max(low_13, high_6)))))
     {
-        _S511 = _S510;
+        _S473 = _S472;
     }
     else
     {
-        _S511 = (bitcast<f32>((u32(2139095040))));
+        _S473 = (bitcast<f32>(infinity_bits_0));
     }
-    return _S511;
+    return _S473;
 }
 
 fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_2 : u32) -> Hit_0
 {
     if(IS_SINGLE_0)
     {
-        var _S512 : Hit_0 = hit_in_0(u32(0), &((*given_0)));
-        return _S512;
+        var _S474 : Hit_0 = hit_in_0(u32(0), &((*given_0)));
+        return _S474;
     }
-    var ray_26 : Ray_0 = (*given_0);
+    var ray_29 : Ray_0 = (*given_0);
     var nearest_6 : Hit_0 = miss_0();
     if((params_0.instance_count_0) == u32(0))
     {
         return nearest_6;
     }
-    var is_zero_1 : vec3<bool> = !((abs(ray_26.direction_0)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S513 : vec3<f32> = select(reciprocal_0(select(ray_26.direction_0, vec3<f32>(1.0f), is_zero_1)), vec3<f32>(3.4028234663852886e+38f), is_zero_1);
+    var is_zero_1 : vec3<bool> = !((abs(ray_29.direction_0)) >= vec3<f32>(1.17549435082228751e-38f));
+    var _S475 : vec3<f32> = select(reciprocal_0(select(ray_29.direction_0, vec3<f32>(1.0f), is_zero_1)), vec3<f32>(3.4028234663852886e+38f), is_zero_1);
     var stack_0 : array<u32, i32(32)>;
-    var index_29 : u32 = u32(0);
+    var index_31 : u32 = u32(0);
     var nearest_7 : Hit_0 = nearest_6;
     var depth_0 : u32 = u32(0);
     for(;;)
     {
+        var _S476 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(index_31);
         var depth_1 : u32;
         var is_reached_0 : bool;
-        if((instance_nodes_0[index_29].is_leaf_0) != u32(0))
+        if((_S476.is_leaf_0) != u32(0))
         {
-            var _S514 : Hit_0 = hit_in_0(instance_nodes_0[index_29].index_0, &(ray_26));
-            var _S515 : Hit_0 = nearest_7;
-            if((_S514.t_0) < (nearest_7.t_0))
+            var _S477 : Hit_0 = hit_in_0(_S476.index_29, &(ray_29));
+            var _S478 : Hit_0 = nearest_7;
+            if((_S477.t_0) < (nearest_7.t_0))
             {
                 is_reached_0 = true;
             }
             else
             {
-                if((_S514.t_0) == (_S515.t_0))
+                if((_S477.t_0) == (_S478.t_0))
                 {
-                    is_reached_0 = (_S514.instance_0) < (nearest_7.instance_0);
+                    is_reached_0 = (_S477.instance_0) < (nearest_7.instance_0);
                 }
                 else
                 {
@@ -7391,12 +7397,12 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_2 : u3
             var nearest_8 : Hit_0;
             if(is_reached_0)
             {
-                ray_26.t_max_0 = _S514.t_0;
+                ray_29.t_max_0 = _S477.t_0;
                 if(is_any_enough_0)
                 {
-                    return _S514;
+                    return _S477;
                 }
-                nearest_8 = _S514;
+                nearest_8 = _S477;
             }
             else
             {
@@ -7407,40 +7413,39 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_2 : u3
         }
         else
         {
-            var _S516 : u32 = index_29 + u32(1);
-            var _S517 : f32 = entry_0(_S516, ray_26, _S513);
-            var _S518 : u32 = instance_nodes_0[index_29].index_0;
-            var _S519 : f32 = entry_0(instance_nodes_0[index_29].index_0, ray_26, _S513);
-            var _S520 : bool = _S517 <= _S519;
-            if(_S520)
+            var _S479 : u32 = index_31 + u32(1);
+            var left_6 : f32 = entry_0(InstanceNodes_operatorx5Bx5D_get_0(_S479), ray_29, _S475);
+            var right_5 : f32 = entry_0(InstanceNodes_operatorx5Bx5D_get_0(_S476.index_29), ray_29, _S475);
+            var _S480 : bool = left_6 <= right_5;
+            if(_S480)
             {
-                index_29 = _S516;
+                index_31 = _S479;
             }
             else
             {
-                index_29 = _S518;
+                index_31 = _S476.index_29;
             }
             var far_5 : u32;
-            if(_S520)
+            if(_S480)
             {
-                far_5 = _S518;
+                far_5 = _S476.index_29;
             }
             else
             {
-                far_5 = _S516;
+                far_5 = _S479;
             }
-            var INFINITY_0 : f32 = (bitcast<f32>((u32(2139095040))));
-            if((max(_S517, _S519)) < INFINITY_0)
+            var INFINITY_0 : f32 = (bitcast<f32>(infinity_bits_0));
+            if((max(left_6, right_5)) < INFINITY_0)
             {
-                var _S521 : u32 = depth_0 + u32(1);
+                var _S481 : u32 = depth_0 + u32(1);
                 stack_0[depth_0] = far_5;
-                depth_1 = _S521;
+                depth_1 = _S481;
             }
             else
             {
                 depth_1 = depth_0;
             }
-            if((min(_S517, _S519)) < INFINITY_0)
+            if((min(left_6, right_5)) < INFINITY_0)
             {
                 depth_0 = depth_1;
                 continue;
@@ -7450,16 +7455,16 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_2 : u3
         depth_0 = depth_1;
         for(;;)
         {
-            var _S522 : bool;
+            var _S482 : bool;
             if(depth_0 > u32(0))
             {
-                _S522 = !is_reached_0;
+                _S482 = !is_reached_0;
             }
             else
             {
-                _S522 = false;
+                _S482 = false;
             }
-            if(_S522)
+            if(_S482)
             {
             }
             else
@@ -7467,8 +7472,8 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_2 : u3
                 break;
             }
             var depth_2 : u32 = depth_0 - u32(1);
-            is_reached_0 = (entry_0(stack_0[depth_2], ray_26, _S513)) < (bitcast<f32>((u32(2139095040))));
-            index_29 = stack_0[depth_2];
+            is_reached_0 = (entry_0(InstanceNodes_operatorx5Bx5D_get_0(stack_0[depth_2]), ray_29, _S475)) < (bitcast<f32>(infinity_bits_0));
+            index_31 = stack_0[depth_2];
             depth_0 = depth_2;
         }
         if(!is_reached_0)
@@ -7483,38 +7488,39 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool,  end_3 : u3
 {
     if(IS_SINGLE_0)
     {
-        var _S523 : Hit_0 = hit_in_1(u32(0), &((*given_1)));
-        return _S523;
+        var _S483 : Hit_0 = hit_in_1(u32(0), &((*given_1)));
+        return _S483;
     }
-    var ray_27 : Ray_0 = (*given_1);
+    var ray_30 : Ray_0 = (*given_1);
     var nearest_9 : Hit_0 = miss_0();
     if((params_0.instance_count_0) == u32(0))
     {
         return nearest_9;
     }
-    var is_zero_2 : vec3<bool> = !((abs(ray_27.direction_0)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S524 : vec3<f32> = select(reciprocal_0(select(ray_27.direction_0, vec3<f32>(1.0f), is_zero_2)), vec3<f32>(3.4028234663852886e+38f), is_zero_2);
+    var is_zero_2 : vec3<bool> = !((abs(ray_30.direction_0)) >= vec3<f32>(1.17549435082228751e-38f));
+    var _S484 : vec3<f32> = select(reciprocal_0(select(ray_30.direction_0, vec3<f32>(1.0f), is_zero_2)), vec3<f32>(3.4028234663852886e+38f), is_zero_2);
     var stack_1 : array<u32, i32(32)>;
-    var index_30 : u32 = u32(0);
+    var index_32 : u32 = u32(0);
     var nearest_10 : Hit_0 = nearest_9;
     var depth_3 : u32 = u32(0);
     for(;;)
     {
+        var _S485 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(index_32);
         var depth_4 : u32;
         var is_reached_1 : bool;
-        if((instance_nodes_0[index_30].is_leaf_0) != u32(0))
+        if((_S485.is_leaf_0) != u32(0))
         {
-            var _S525 : Hit_0 = hit_in_1(instance_nodes_0[index_30].index_0, &(ray_27));
-            var _S526 : Hit_0 = nearest_10;
-            if((_S525.t_0) < (nearest_10.t_0))
+            var _S486 : Hit_0 = hit_in_1(_S485.index_29, &(ray_30));
+            var _S487 : Hit_0 = nearest_10;
+            if((_S486.t_0) < (nearest_10.t_0))
             {
                 is_reached_1 = true;
             }
             else
             {
-                if((_S525.t_0) == (_S526.t_0))
+                if((_S486.t_0) == (_S487.t_0))
                 {
-                    is_reached_1 = (_S525.instance_0) < (nearest_10.instance_0);
+                    is_reached_1 = (_S486.instance_0) < (nearest_10.instance_0);
                 }
                 else
                 {
@@ -7524,12 +7530,12 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool,  end_3 : u3
             var nearest_11 : Hit_0;
             if(is_reached_1)
             {
-                ray_27.t_max_0 = _S525.t_0;
+                ray_30.t_max_0 = _S486.t_0;
                 if(is_any_enough_1)
                 {
-                    return _S525;
+                    return _S486;
                 }
-                nearest_11 = _S525;
+                nearest_11 = _S486;
             }
             else
             {
@@ -7540,40 +7546,39 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool,  end_3 : u3
         }
         else
         {
-            var _S527 : u32 = index_30 + u32(1);
-            var _S528 : f32 = entry_0(_S527, ray_27, _S524);
-            var _S529 : u32 = instance_nodes_0[index_30].index_0;
-            var _S530 : f32 = entry_0(instance_nodes_0[index_30].index_0, ray_27, _S524);
-            var _S531 : bool = _S528 <= _S530;
-            if(_S531)
+            var _S488 : u32 = index_32 + u32(1);
+            var left_7 : f32 = entry_0(InstanceNodes_operatorx5Bx5D_get_0(_S488), ray_30, _S484);
+            var right_6 : f32 = entry_0(InstanceNodes_operatorx5Bx5D_get_0(_S485.index_29), ray_30, _S484);
+            var _S489 : bool = left_7 <= right_6;
+            if(_S489)
             {
-                index_30 = _S527;
+                index_32 = _S488;
             }
             else
             {
-                index_30 = _S529;
+                index_32 = _S485.index_29;
             }
             var far_6 : u32;
-            if(_S531)
+            if(_S489)
             {
-                far_6 = _S529;
+                far_6 = _S485.index_29;
             }
             else
             {
-                far_6 = _S527;
+                far_6 = _S488;
             }
-            var INFINITY_1 : f32 = (bitcast<f32>((u32(2139095040))));
-            if((max(_S528, _S530)) < INFINITY_1)
+            var INFINITY_1 : f32 = (bitcast<f32>(infinity_bits_0));
+            if((max(left_7, right_6)) < INFINITY_1)
             {
-                var _S532 : u32 = depth_3 + u32(1);
+                var _S490 : u32 = depth_3 + u32(1);
                 stack_1[depth_3] = far_6;
-                depth_4 = _S532;
+                depth_4 = _S490;
             }
             else
             {
                 depth_4 = depth_3;
             }
-            if((min(_S528, _S530)) < INFINITY_1)
+            if((min(left_7, right_6)) < INFINITY_1)
             {
                 depth_3 = depth_4;
                 continue;
@@ -7583,16 +7588,16 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool,  end_3 : u3
         depth_3 = depth_4;
         for(;;)
         {
-            var _S533 : bool;
+            var _S491 : bool;
             if(depth_3 > u32(0))
             {
-                _S533 = !is_reached_1;
+                _S491 = !is_reached_1;
             }
             else
             {
-                _S533 = false;
+                _S491 = false;
             }
-            if(_S533)
+            if(_S491)
             {
             }
             else
@@ -7600,8 +7605,8 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool,  end_3 : u3
                 break;
             }
             var depth_5 : u32 = depth_3 - u32(1);
-            is_reached_1 = (entry_0(stack_1[depth_5], ray_27, _S524)) < (bitcast<f32>((u32(2139095040))));
-            index_30 = stack_1[depth_5];
+            is_reached_1 = (entry_0(InstanceNodes_operatorx5Bx5D_get_0(stack_1[depth_5]), ray_30, _S484)) < (bitcast<f32>(infinity_bits_0));
+            index_32 = stack_1[depth_5];
             depth_3 = depth_5;
         }
         if(!is_reached_1)
@@ -7619,11 +7624,11 @@ fn PathTracingOf_jitter_0( sampler_1 : Sampler_0) -> vec4<f32>
 
 fn Sampler_x24init_0( seed_3 : u32,  pixel_1 : u32,  sample_23 : u32) -> Sampler_0
 {
-    var _S534 : Sampler_0;
-    _S534.seed_1 = seed_3;
-    _S534.pixel_0 = pixel_1;
-    _S534.sample_0 = sample_23;
-    return _S534;
+    var _S492 : Sampler_0;
+    _S492.seed_1 = seed_3;
+    _S492.pixel_0 = pixel_1;
+    _S492.sample_0 = sample_23;
+    return _S492;
 }
 
 struct Item_0
@@ -7632,20 +7637,20 @@ struct Item_0
      kind_2 : u32,
      at_13 : vec2<u32>,
      place_6 : u32,
-     slot_1 : u32,
+     slot_0 : u32,
      sampler_2 : Sampler_0,
 };
 
-fn Item_x24init_0( traces_1 : bool,  kind_3 : u32,  at_14 : vec2<u32>,  place_7 : u32,  slot_2 : u32,  sampler_3 : Sampler_0) -> Item_0
+fn Item_x24init_0( traces_1 : bool,  kind_3 : u32,  at_14 : vec2<u32>,  place_7 : u32,  slot_1 : u32,  sampler_3 : Sampler_0) -> Item_0
 {
-    var _S535 : Item_0;
-    _S535.traces_0 = traces_1;
-    _S535.kind_2 = kind_3;
-    _S535.at_13 = at_14;
-    _S535.place_6 = place_7;
-    _S535.slot_1 = slot_2;
-    _S535.sampler_2 = sampler_3;
-    return _S535;
+    var _S493 : Item_0;
+    _S493.traces_0 = traces_1;
+    _S493.kind_2 = kind_3;
+    _S493.at_13 = at_14;
+    _S493.place_6 = place_7;
+    _S493.slot_0 = slot_1;
+    _S493.sampler_2 = sampler_3;
+    return _S493;
 }
 
 fn has_0( flag_0 : u32) -> bool
@@ -7672,25 +7677,25 @@ fn place_of_chosen_0( number_2 : u32) -> u32
     return u32(524304) + number_2;
 }
 
-fn Item_key_0( this_54 : Item_0,  rank_3 : ptr<function, u32>) -> Key_0
+fn Item_key_0( this_56 : Item_0,  rank_2 : ptr<function, u32>) -> Key_0
 {
-    var face_7 : vec4<u32> = cell_row_0(u32(1), this_54.place_6);
-    (*rank_3) = face_7.z;
-    return Key_x24init_0(face_7.x, face_7.y, vec3<i32>(cell_row_0(u32(2), this_54.place_6).xyz));
+    var face_8 : vec4<u32> = cell_row_0(u32(1), this_56.place_6);
+    (*rank_2) = face_8.z;
+    return Key_x24init_0(face_8.x, face_8.y, vec3<i32>(cell_row_0(u32(2), this_56.place_6).xyz));
 }
 
-fn Item_key_1( this_55 : Item_0,  rank_4 : ptr<function, u32>) -> Key_0
+fn Item_key_1( this_57 : Item_0,  rank_3 : ptr<function, u32>) -> Key_0
 {
-    var face_8 : vec4<u32> = cell_row_0(u32(1), this_55.place_6);
-    (*rank_4) = face_8.z;
-    return Key_x24init_0(face_8.x, face_8.y, vec3<i32>(cell_row_0(u32(2), this_55.place_6).xyz));
+    var face_9 : vec4<u32> = cell_row_0(u32(1), this_57.place_6);
+    (*rank_3) = face_9.z;
+    return Key_x24init_0(face_9.x, face_9.y, vec3<i32>(cell_row_0(u32(2), this_57.place_6).xyz));
 }
 
-fn Item_key_2( this_56 : Item_0,  rank_5 : ptr<function, u32>) -> Key_0
+fn Item_key_2( this_58 : Item_0,  rank_4 : ptr<function, u32>) -> Key_0
 {
-    var face_9 : vec4<u32> = cell_row_0(u32(1), this_56.place_6);
-    (*rank_5) = face_9.z;
-    return Key_x24init_0(face_9.x, face_9.y, vec3<i32>(cell_row_0(u32(2), this_56.place_6).xyz));
+    var face_10 : vec4<u32> = cell_row_0(u32(1), this_58.place_6);
+    (*rank_4) = face_10.z;
+    return Key_x24init_0(face_10.x, face_10.y, vec3<i32>(cell_row_0(u32(2), this_58.place_6).xyz));
 }
 
 fn pixel_of_thread_0( thread_0 : u32) -> vec2<u32>
@@ -7698,66 +7703,66 @@ fn pixel_of_thread_0( thread_0 : u32) -> vec2<u32>
     var tiles_0 : u32 = (params_0.width_0 + u32(7)) / u32(8);
     var tile_0 : u32 = thread_0 / u32(64);
     var in_tile_0 : u32 = (thread_0 & (u32(63)));
-    var row_2 : u32 = tile_0 / tiles_0;
-    return vec2<u32>((tile_0 - row_2 * tiles_0) * u32(8) + ((in_tile_0 & (u32(7)))), row_2 * u32(8) + ((in_tile_0 >> (u32(3)))));
+    var row_10 : u32 = tile_0 / tiles_0;
+    return vec2<u32>((tile_0 - row_10 * tiles_0) * u32(8) + ((in_tile_0 & (u32(7)))), row_10 * u32(8) + ((in_tile_0 >> (u32(3)))));
 }
 
 fn pixel_that_traces_0( thread_1 : u32) -> vec2<u32>
 {
     if(!has_0(u32(128)))
     {
-        var _S536 : vec2<u32> = pixel_of_thread_0(thread_1);
-        return _S536;
+        var _S494 : vec2<u32> = pixel_of_thread_0(thread_1);
+        return _S494;
     }
     var tiles_1 : u32 = (params_0.width_0 + u32(15)) / u32(16);
     var tile_1 : u32 = thread_1 / u32(64);
     var in_tile_1 : u32 = (thread_1 & (u32(63)));
-    var row_3 : u32 = tile_1 / tiles_1;
-    var _S537 : u32 = row_3 * u32(8) + ((in_tile_1 >> (u32(3))));
-    var at_15 : vec2<u32> = vec2<u32>((tile_1 - row_3 * tiles_1) * u32(16) + u32(2) * ((in_tile_1 & (u32(7)))), _S537);
-    at_15[i32(0)] = at_15[i32(0)] + (((_S537 + real_time_0.number_0) & (u32(1))));
+    var row_11 : u32 = tile_1 / tiles_1;
+    var _S495 : u32 = row_11 * u32(8) + ((in_tile_1 >> (u32(3))));
+    var at_15 : vec2<u32> = vec2<u32>((tile_1 - row_11 * tiles_1) * u32(16) + u32(2) * ((in_tile_1 & (u32(7)))), _S495);
+    at_15[i32(0)] = at_15[i32(0)] + (((_S495 + real_time_0.number_0) & (u32(1))));
     return at_15;
 }
 
 fn squares_1() -> vec2<u32>
 {
-    var _S538 : vec2<u32> = vec2<u32>(u32(5));
-    var _S539 : vec2<u32> = (vec2<u32>(params_0.width_0, params_0.height_0) + _S538 - vec2<u32>(u32(1))) / _S538;
-    return _S539;
+    var _S496 : vec2<u32> = vec2<u32>(u32(5));
+    var _S497 : vec2<u32> = (vec2<u32>(params_0.width_0, params_0.height_0) + _S496 - vec2<u32>(u32(1))) / _S496;
+    return _S497;
 }
 
 fn pixel_of_square_0( square_1 : u32,  number_3 : u32) -> vec2<u32>
 {
     var columns_1 : u32 = squares_1().x;
-    var _S540 : u32 = square_1 % columns_1;
-    var _S541 : u32 = square_1 / columns_1;
-    var at_16 : vec2<u32> = vec2<u32>(_S540, _S541);
-    var _S542 : vec2<u32> = vec2<u32>(u32(5));
-    var _S543 : vec2<u32> = at_16 * _S542;
-    var _S544 : vec2<u32> = pcg4d_0(vec4<u32>(at_16, number_3, u32(3266489909))).xy % _S542;
-    return min(_S543 + _S544, vec2<u32>(params_0.width_0, params_0.height_0) - vec2<u32>(u32(1)));
+    var _S498 : u32 = square_1 % columns_1;
+    var _S499 : u32 = square_1 / columns_1;
+    var at_16 : vec2<u32> = vec2<u32>(_S498, _S499);
+    var _S500 : vec2<u32> = vec2<u32>(u32(5));
+    var _S501 : vec2<u32> = at_16 * _S500;
+    var _S502 : vec2<u32> = pcg4d_0(vec4<u32>(at_16, number_3, u32(3266489909))).xy % _S500;
+    return min(_S501 + _S502, vec2<u32>(params_0.width_0, params_0.height_0) - vec2<u32>(u32(1)));
 }
 
 fn is_inside_0( at_17 : vec2<i32>) -> bool
 {
-    var _S545 : bool;
+    var _S503 : bool;
     if((all((at_17 >= vec2<i32>(i32(0))))))
     {
-        _S545 = (at_17.x) < i32(params_0.width_0);
+        _S503 = (at_17.x) < i32(params_0.width_0);
     }
     else
     {
-        _S545 = false;
+        _S503 = false;
     }
-    if(_S545)
+    if(_S503)
     {
-        _S545 = (at_17.y) < i32(params_0.height_0);
+        _S503 = (at_17.y) < i32(params_0.height_0);
     }
     else
     {
-        _S545 = false;
+        _S503 = false;
     }
-    return _S545;
+    return _S503;
 }
 
 fn place_of_square_0( list_0 : u32,  square_2 : u32) -> u32
@@ -7779,23 +7784,23 @@ fn item_of_0( number_4 : u32) -> Item_0
     var count_8 : u32 = real_time_0.squares_0;
     if(number_4 < (real_time_0.cells_0))
     {
-        var _S546 : u32 = atomicLoad(&(cell_keys_0[u32(2)]));
-        var _S547 : bool = number_4 < _S546;
-        item_0.traces_0 = _S547;
-        if(_S547)
+        var _S504 : u32 = atomicLoad(&(cell_keys_0[u32(2)]));
+        var _S505 : bool = number_4 < _S504;
+        item_0.traces_0 = _S505;
+        if(_S505)
         {
-            var _S548 : u32 = atomicLoad(&(cell_keys_0[place_of_chosen_0(number_4)]));
-            item_0.place_6 = _S548;
-            item_0.slot_1 = real_time_0.pixels_0 + count_8 + number_4;
-            var rank_6 : u32;
-            item_0.sampler_2 = Sampler_x24init_0(((params_0.seed_0) ^ (u32(1540483477))), Key_hash_0(Item_key_0(item_0, &(rank_6))).x, real_time_0.number_0);
+            var _S506 : u32 = atomicLoad(&(cell_keys_0[place_of_chosen_0(number_4)]));
+            item_0.place_6 = _S506;
+            item_0.slot_0 = real_time_0.pixels_0 + count_8 + number_4;
+            var rank_5 : u32;
+            item_0.sampler_2 = Sampler_x24init_0(((params_0.seed_0) ^ (u32(1540483477))), Key_hash_0(Item_key_0(item_0, &(rank_5))).x, real_time_0.number_0);
         }
         return item_0;
     }
-    var _S549 : u32 = number_4 - cells_2;
-    var _S550 : vec2<u32> = pixel_that_traces_0(_S549);
-    item_0.at_13 = _S550;
-    var square_3 : u32 = _S549 - pixels_1;
+    var _S507 : u32 = number_4 - cells_2;
+    var _S508 : vec2<u32> = pixel_that_traces_0(_S507);
+    item_0.at_13 = _S508;
+    var square_3 : u32 = _S507 - pixels_1;
     var is_square_0 : bool = number_4 >= (cells_2 + pixels_1);
     var is_again_0 : bool;
     if(is_square_0)
@@ -7824,82 +7829,82 @@ fn item_of_0( number_4 : u32) -> Item_0
     {
         frame_0 = real_time_0.number_0;
     }
-    var _S551 : u32;
+    var _S509 : u32;
     if(is_again_0)
     {
-        _S551 = u32(3);
+        _S509 = u32(3);
     }
     else
     {
         if(is_square_0)
         {
-            _S551 = u32(2);
+            _S509 = u32(2);
         }
         else
         {
-            _S551 = u32(1);
+            _S509 = u32(1);
         }
     }
-    item_0.kind_2 = _S551;
+    item_0.kind_2 = _S509;
     if(is_square_0)
     {
-        var _S552 : vec2<u32> = pixel_of_square_0(square_4, frame_0);
-        item_0.at_13 = _S552;
+        var _S510 : vec2<u32> = pixel_of_square_0(square_4, frame_0);
+        item_0.at_13 = _S510;
     }
-    var _S553 : bool;
+    var _S511 : bool;
     if(is_square_0)
     {
         if(is_again_0)
         {
-            _S551 = real_time_0.again_0;
+            _S509 = real_time_0.again_0;
         }
         else
         {
-            _S551 = count_8;
+            _S509 = count_8;
         }
-        _S553 = square_4 < _S551;
+        _S511 = square_4 < _S509;
     }
     else
     {
-        _S553 = is_inside_0(vec2<i32>(item_0.at_13));
+        _S511 = is_inside_0(vec2<i32>(item_0.at_13));
     }
-    item_0.traces_0 = _S553;
+    item_0.traces_0 = _S511;
     if(is_square_0)
     {
         if(is_again_0)
         {
-            _S551 = u32(2);
+            _S509 = u32(2);
         }
         else
         {
-            _S551 = (frame_0 & (u32(1)));
+            _S509 = (frame_0 & (u32(1)));
         }
-        _S551 = place_of_square_0(_S551, square_4);
+        _S509 = place_of_square_0(_S509, square_4);
     }
     else
     {
-        _S551 = index_of_0(item_0.at_13);
+        _S509 = index_of_0(item_0.at_13);
     }
-    item_0.place_6 = _S551;
+    item_0.place_6 = _S509;
     if(is_square_0)
     {
-        _S551 = real_time_0.pixels_0 + square_4;
+        _S509 = real_time_0.pixels_0 + square_4;
     }
     else
     {
-        _S551 = item_0.place_6;
+        _S509 = item_0.place_6;
     }
-    item_0.slot_1 = _S551;
-    var _S554 : u32 = params_0.seed_0;
+    item_0.slot_0 = _S509;
+    var _S512 : u32 = params_0.seed_0;
     if(is_square_0)
     {
-        _S551 = u32(3266489909);
+        _S509 = u32(3266489909);
     }
     else
     {
-        _S551 = u32(2654435769);
+        _S509 = u32(2654435769);
     }
-    item_0.sampler_2 = Sampler_x24init_0((_S554 ^ (_S551)), index_of_0(item_0.at_13), frame_0);
+    item_0.sampler_2 = Sampler_x24init_0((_S512 ^ (_S509)), index_of_0(item_0.at_13), frame_0);
     return item_0;
 }
 
@@ -7917,16 +7922,16 @@ struct CameraFrame_0
 
 fn CameraFrame_x24init_0( lens_2 : u32,  eye_3 : vec3<f32>,  corner_3 : vec3<f32>,  pixel_x_2 : vec3<f32>,  pixel_y_2 : vec3<f32>,  lens_x_2 : vec3<f32>,  lens_y_2 : vec3<f32>,  blades_2 : u32) -> CameraFrame_0
 {
-    var _S555 : CameraFrame_0;
-    _S555.lens_1 = lens_2;
-    _S555.eye_2 = eye_3;
-    _S555.corner_2 = corner_3;
-    _S555.pixel_x_1 = pixel_x_2;
-    _S555.pixel_y_1 = pixel_y_2;
-    _S555.lens_x_1 = lens_x_2;
-    _S555.lens_y_1 = lens_y_2;
-    _S555.blades_1 = blades_2;
-    return _S555;
+    var _S513 : CameraFrame_0;
+    _S513.lens_1 = lens_2;
+    _S513.eye_2 = eye_3;
+    _S513.corner_2 = corner_3;
+    _S513.pixel_x_1 = pixel_x_2;
+    _S513.pixel_y_1 = pixel_y_2;
+    _S513.lens_x_1 = lens_x_2;
+    _S513.lens_y_1 = lens_y_2;
+    _S513.blades_1 = blades_2;
+    return _S513;
 }
 
 @id(5) override LENS_0 : u32 = u32(0);
@@ -7941,28 +7946,28 @@ struct Perspective_0
 
 fn Perspective_x24init_0( eye_5 : vec3<f32>,  corner_5 : vec3<f32>,  pixel_x_4 : vec3<f32>,  pixel_y_4 : vec3<f32>) -> Perspective_0
 {
-    var _S556 : Perspective_0;
-    _S556.eye_4 = eye_5;
-    _S556.corner_4 = corner_5;
-    _S556.pixel_x_3 = pixel_x_4;
-    _S556.pixel_y_3 = pixel_y_4;
-    return _S556;
+    var _S514 : Perspective_0;
+    _S514.eye_4 = eye_5;
+    _S514.corner_4 = corner_5;
+    _S514.pixel_x_3 = pixel_x_4;
+    _S514.pixel_y_3 = pixel_y_4;
+    return _S514;
 }
 
 struct Axes_0
 {
      forward_0 : vec3<f32>,
-     right_5 : vec3<f32>,
+     right_7 : vec3<f32>,
      up_0 : vec3<f32>,
 };
 
-fn Axes_x24init_0( forward_1 : vec3<f32>,  right_6 : vec3<f32>,  up_1 : vec3<f32>) -> Axes_0
+fn Axes_x24init_0( forward_1 : vec3<f32>,  right_8 : vec3<f32>,  up_1 : vec3<f32>) -> Axes_0
 {
-    var _S557 : Axes_0;
-    _S557.forward_0 = forward_1;
-    _S557.right_5 = right_6;
-    _S557.up_0 = up_1;
-    return _S557;
+    var _S515 : Axes_0;
+    _S515.forward_0 = forward_1;
+    _S515.right_7 = right_8;
+    _S515.up_0 = up_1;
+    return _S515;
 }
 
 struct ThinLens_0
@@ -7975,55 +7980,55 @@ struct ThinLens_0
 
 fn ThinLens_x24init_0( perspective_1 : Perspective_0,  lens_x_4 : vec3<f32>,  lens_y_4 : vec3<f32>,  blades_4 : u32) -> ThinLens_0
 {
-    var _S558 : ThinLens_0;
-    _S558.perspective_0 = perspective_1;
-    _S558.lens_x_3 = lens_x_4;
-    _S558.lens_y_3 = lens_y_4;
-    _S558.blades_3 = blades_4;
-    return _S558;
+    var _S516 : ThinLens_0;
+    _S516.perspective_0 = perspective_1;
+    _S516.lens_x_3 = lens_x_4;
+    _S516.lens_y_3 = lens_y_4;
+    _S516.blades_3 = blades_4;
+    return _S516;
 }
 
 fn concentric_0( square_5 : vec2<f32>) -> vec2<f32>
 {
-    var a_7 : f32 = 2.0f * square_5.x - 1.0f;
-    var b_7 : f32 = 2.0f * square_5.y - 1.0f;
-    var _S559 : bool;
-    if(a_7 == 0.0f)
+    var a_8 : f32 = 2.0f * square_5.x - 1.0f;
+    var b_8 : f32 = 2.0f * square_5.y - 1.0f;
+    var _S517 : bool;
+    if(a_8 == 0.0f)
     {
-        _S559 = b_7 == 0.0f;
+        _S517 = b_8 == 0.0f;
     }
     else
     {
-        _S559 = false;
+        _S517 = false;
     }
-    if(_S559)
+    if(_S517)
     {
         return vec2<f32>(0.0f);
     }
-    var is_across_0 : bool = (abs(a_7)) > (abs(b_7));
+    var is_across_0 : bool = (abs(a_8)) > (abs(b_8));
     var radius_5 : f32;
     if(is_across_0)
     {
-        radius_5 = a_7;
+        radius_5 = a_8;
     }
     else
     {
-        radius_5 = b_7;
+        radius_5 = b_8;
     }
     var turns_3 : f32;
     if(is_across_0)
     {
-        turns_3 = divide_0(b_7, a_7) * 0.125f;
+        turns_3 = divide_0(b_8, a_8) * 0.125f;
     }
     else
     {
-        turns_3 = 0.25f - divide_0(a_7, b_7) * 0.125f;
+        turns_3 = 0.25f - divide_0(a_8, b_8) * 0.125f;
     }
     if(radius_5 < 0.0f)
     {
         turns_3 = turns_3 + 0.5f;
     }
-    var _S560 : f32 = abs(radius_5);
+    var _S518 : f32 = abs(radius_5);
     if(turns_3 < 0.0f)
     {
         radius_5 = turns_3 + 1.0f;
@@ -8032,7 +8037,7 @@ fn concentric_0( square_5 : vec2<f32>) -> vec2<f32>
     {
         radius_5 = turns_3;
     }
-    return vec2<f32>(_S560, radius_5);
+    return vec2<f32>(_S518, radius_5);
 }
 
 fn place_in_aperture_0( blades_5 : u32,  lens_3 : vec2<f32>) -> vec2<f32>
@@ -8050,16 +8055,16 @@ fn place_in_aperture_0( blades_5 : u32,  lens_3 : vec2<f32>) -> vec2<f32>
     var share_13 : f32 = scaled_0 - blade_0;
     var from_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0, count_9));
     var to_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0 + 1.0f, count_9));
-    var _S561 : f32 = from_0.y;
-    var _S562 : f32 = from_0.x;
-    return vec2<f32>(_S561 + (to_0.y - _S561) * share_13, _S562 + (to_0.x - _S562) * share_13) * vec2<f32>(radius_6);
+    var _S519 : f32 = from_0.y;
+    var _S520 : f32 = from_0.x;
+    return vec2<f32>(_S519 + (to_0.y - _S519) * share_13, _S520 + (to_0.x - _S520) * share_13) * vec2<f32>(radius_6);
 }
 
-fn ThinLens_ray_0( this_57 : ThinLens_0,  position_3 : vec2<f32>,  lens_4 : vec2<f32>) -> Ray_0
+fn ThinLens_ray_0( this_59 : ThinLens_0,  position_3 : vec2<f32>,  lens_4 : vec2<f32>) -> Ray_0
 {
-    var place_8 : vec2<f32> = place_in_aperture_0(this_57.blades_3, lens_4);
-    var offset_1 : vec3<f32> = this_57.lens_x_3 * vec3<f32>(place_8.x) + this_57.lens_y_3 * vec3<f32>(place_8.y);
-    return ray_from_0(this_57.perspective_0.eye_4 + offset_1, normalize_vector_0(this_57.perspective_0.corner_4 + this_57.perspective_0.pixel_x_3 * vec3<f32>(position_3.x) + this_57.perspective_0.pixel_y_3 * vec3<f32>(position_3.y) - offset_1));
+    var place_8 : vec2<f32> = place_in_aperture_0(this_59.blades_3, lens_4);
+    var offset_1 : vec3<f32> = this_59.lens_x_3 * vec3<f32>(place_8.x) + this_59.lens_y_3 * vec3<f32>(place_8.y);
+    return ray_from_0(this_59.perspective_0.eye_4 + offset_1, normalize_vector_0(this_59.perspective_0.corner_4 + this_59.perspective_0.pixel_x_3 * vec3<f32>(position_3.x) + this_59.perspective_0.pixel_y_3 * vec3<f32>(position_3.y) - offset_1));
 }
 
 struct Orthographic_0
@@ -8072,17 +8077,17 @@ struct Orthographic_0
 
 fn Orthographic_x24init_0( corner_7 : vec3<f32>,  pixel_x_6 : vec3<f32>,  pixel_y_6 : vec3<f32>,  forward_3 : vec3<f32>) -> Orthographic_0
 {
-    var _S563 : Orthographic_0;
-    _S563.corner_6 = corner_7;
-    _S563.pixel_x_5 = pixel_x_6;
-    _S563.pixel_y_5 = pixel_y_6;
-    _S563.forward_2 = forward_3;
-    return _S563;
+    var _S521 : Orthographic_0;
+    _S521.corner_6 = corner_7;
+    _S521.pixel_x_5 = pixel_x_6;
+    _S521.pixel_y_5 = pixel_y_6;
+    _S521.forward_2 = forward_3;
+    return _S521;
 }
 
-fn Orthographic_ray_0( this_58 : Orthographic_0,  position_4 : vec2<f32>,  lens_5 : vec2<f32>) -> Ray_0
+fn Orthographic_ray_0( this_60 : Orthographic_0,  position_4 : vec2<f32>,  lens_5 : vec2<f32>) -> Ray_0
 {
-    return ray_from_0(this_58.corner_6 + this_58.pixel_x_5 * vec3<f32>(position_4.x) + this_58.pixel_y_5 * vec3<f32>(position_4.y), this_58.forward_2);
+    return ray_from_0(this_60.corner_6 + this_60.pixel_x_5 * vec3<f32>(position_4.x) + this_60.pixel_y_5 * vec3<f32>(position_4.y), this_60.forward_2);
 }
 
 struct Panorama_0
@@ -8095,26 +8100,26 @@ struct Panorama_0
 
 fn Panorama_x24init_0( eye_7 : vec3<f32>,  axes_2 : Axes_0,  inverse_size_1 : vec2<f32>,  half_eye_distance_1 : f32) -> Panorama_0
 {
-    var _S564 : Panorama_0;
-    _S564.eye_6 = eye_7;
-    _S564.axes_1 = axes_2;
-    _S564.inverse_size_0 = inverse_size_1;
-    _S564.half_eye_distance_0 = half_eye_distance_1;
-    return _S564;
+    var _S522 : Panorama_0;
+    _S522.eye_6 = eye_7;
+    _S522.axes_1 = axes_2;
+    _S522.inverse_size_0 = inverse_size_1;
+    _S522.half_eye_distance_0 = half_eye_distance_1;
+    return _S522;
 }
 
-fn Panorama_ray_0( this_59 : Panorama_0,  position_5 : vec2<f32>,  lens_6 : vec2<f32>) -> Ray_0
+fn Panorama_ray_0( this_61 : Panorama_0,  position_5 : vec2<f32>,  lens_6 : vec2<f32>) -> Ray_0
 {
-    var latitude_0 : f32 = position_5.y * this_59.inverse_size_0.y;
+    var latitude_0 : f32 = position_5.y * this_61.inverse_size_0.y;
     var is_right_eye_0 : bool = latitude_0 >= 1.0f;
     var side_6 : f32;
     if(is_right_eye_0)
     {
-        side_6 = this_59.half_eye_distance_0;
+        side_6 = this_61.half_eye_distance_0;
     }
     else
     {
-        side_6 = - this_59.half_eye_distance_0;
+        side_6 = - this_61.half_eye_distance_0;
     }
     var latitude_1 : f32;
     if(is_right_eye_0)
@@ -8125,11 +8130,11 @@ fn Panorama_ray_0( this_59 : Panorama_0,  position_5 : vec2<f32>,  lens_6 : vec2
     {
         latitude_1 = latitude_0;
     }
-    var longitude_0 : vec2<f32> = sincos_turns_0(position_5.x * this_59.inverse_size_0.x);
+    var longitude_0 : vec2<f32> = sincos_turns_0(position_5.x * this_61.inverse_size_0.x);
     var height_2 : vec2<f32> = sincos_turns_0(latitude_1 * 0.5f);
-    var _S565 : vec3<f32> = vec3<f32>(longitude_0.y);
-    var _S566 : vec3<f32> = vec3<f32>(longitude_0.x);
-    return ray_from_0(this_59.eye_6 + (this_59.axes_1.forward_0 * _S566 - this_59.axes_1.right_5 * _S565) * vec3<f32>(side_6), normalize_vector_0((vec3<f32>(0) - this_59.axes_1.forward_0 * _S565 + this_59.axes_1.right_5 * _S566) * vec3<f32>(height_2.x) + this_59.axes_1.up_0 * vec3<f32>(height_2.y)));
+    var _S523 : vec3<f32> = vec3<f32>(longitude_0.y);
+    var _S524 : vec3<f32> = vec3<f32>(longitude_0.x);
+    return ray_from_0(this_61.eye_6 + (this_61.axes_1.forward_0 * _S524 - this_61.axes_1.right_7 * _S523) * vec3<f32>(side_6), normalize_vector_0((vec3<f32>(0) - this_61.axes_1.forward_0 * _S523 + this_61.axes_1.right_7 * _S524) * vec3<f32>(height_2.x) + this_61.axes_1.up_0 * vec3<f32>(height_2.y)));
 }
 
 struct Fisheye_0
@@ -8142,20 +8147,20 @@ struct Fisheye_0
 
 fn Fisheye_x24init_0( eye_9 : vec3<f32>,  axes_4 : Axes_0,  middle_2 : vec2<f32>,  turns_per_pixel_1 : f32) -> Fisheye_0
 {
-    var _S567 : Fisheye_0;
-    _S567.eye_8 = eye_9;
-    _S567.axes_3 = axes_4;
-    _S567.middle_1 = middle_2;
-    _S567.turns_per_pixel_0 = turns_per_pixel_1;
-    return _S567;
+    var _S525 : Fisheye_0;
+    _S525.eye_8 = eye_9;
+    _S525.axes_3 = axes_4;
+    _S525.middle_1 = middle_2;
+    _S525.turns_per_pixel_0 = turns_per_pixel_1;
+    return _S525;
 }
 
-fn Fisheye_ray_0( this_60 : Fisheye_0,  position_6 : vec2<f32>,  lens_7 : vec2<f32>) -> Ray_0
+fn Fisheye_ray_0( this_62 : Fisheye_0,  position_6 : vec2<f32>,  lens_7 : vec2<f32>) -> Ray_0
 {
-    var x_10 : f32 = position_6.x - this_60.middle_1.x;
-    var y_5 : f32 = position_6.y - this_60.middle_1.y;
+    var x_10 : f32 = position_6.x - this_62.middle_1.x;
+    var y_5 : f32 = position_6.y - this_62.middle_1.y;
     var radius_7 : f32 = square_root_0(x_10 * x_10 + y_5 * y_5);
-    var sin_cos_5 : vec2<f32> = sincos_turns_0(min(radius_7 * this_60.turns_per_pixel_0, 1.0f));
+    var sin_cos_5 : vec2<f32> = sincos_turns_0(min(radius_7 * this_62.turns_per_pixel_0, 1.0f));
     var scale_0 : f32;
     if(radius_7 > 0.0f)
     {
@@ -8165,35 +8170,35 @@ fn Fisheye_ray_0( this_60 : Fisheye_0,  position_6 : vec2<f32>,  lens_7 : vec2<f
     {
         scale_0 = 0.0f;
     }
-    return ray_from_0(this_60.eye_8, normalize_vector_0(this_60.axes_3.forward_0 * vec3<f32>(sin_cos_5.y) + this_60.axes_3.right_5 * vec3<f32>((x_10 * scale_0)) - this_60.axes_3.up_0 * vec3<f32>((y_5 * scale_0))));
+    return ray_from_0(this_62.eye_8, normalize_vector_0(this_62.axes_3.forward_0 * vec3<f32>(sin_cos_5.y) + this_62.axes_3.right_7 * vec3<f32>((x_10 * scale_0)) - this_62.axes_3.up_0 * vec3<f32>((y_5 * scale_0))));
 }
 
-fn Perspective_ray_0( this_61 : Perspective_0,  position_7 : vec2<f32>,  lens_8 : vec2<f32>) -> Ray_0
+fn Perspective_ray_0( this_63 : Perspective_0,  position_7 : vec2<f32>,  lens_8 : vec2<f32>) -> Ray_0
 {
-    return ray_from_0(this_61.eye_4, normalize_vector_0(this_61.corner_4 + this_61.pixel_x_3 * vec3<f32>(position_7.x) + this_61.pixel_y_3 * vec3<f32>(position_7.y)));
+    return ray_from_0(this_63.eye_4, normalize_vector_0(this_63.corner_4 + this_63.pixel_x_3 * vec3<f32>(position_7.x) + this_63.pixel_y_3 * vec3<f32>(position_7.y)));
 }
 
-fn CameraFrame_ray_0( this_62 : CameraFrame_0,  position_8 : vec2<f32>,  lens_sample_0 : vec2<f32>) -> Ray_0
+fn CameraFrame_ray_0( this_64 : CameraFrame_0,  position_8 : vec2<f32>,  lens_sample_0 : vec2<f32>) -> Ray_0
 {
-    var perspective_2 : Perspective_0 = Perspective_x24init_0(this_62.eye_2, this_62.corner_2, this_62.pixel_x_1, this_62.pixel_y_1);
-    var axes_5 : Axes_0 = Axes_x24init_0(this_62.corner_2, this_62.pixel_x_1, this_62.pixel_y_1);
-    switch(this_62.lens_1)
+    var perspective_2 : Perspective_0 = Perspective_x24init_0(this_64.eye_2, this_64.corner_2, this_64.pixel_x_1, this_64.pixel_y_1);
+    var axes_5 : Axes_0 = Axes_x24init_0(this_64.corner_2, this_64.pixel_x_1, this_64.pixel_y_1);
+    switch(this_64.lens_1)
     {
     case u32(1):
         {
-            return ThinLens_ray_0(ThinLens_x24init_0(perspective_2, this_62.lens_x_1, this_62.lens_y_1, this_62.blades_1), position_8, lens_sample_0);
+            return ThinLens_ray_0(ThinLens_x24init_0(perspective_2, this_64.lens_x_1, this_64.lens_y_1, this_64.blades_1), position_8, lens_sample_0);
         }
     case u32(2):
         {
-            return Orthographic_ray_0(Orthographic_x24init_0(this_62.corner_2, this_62.pixel_x_1, this_62.pixel_y_1, this_62.lens_x_1), position_8, lens_sample_0);
+            return Orthographic_ray_0(Orthographic_x24init_0(this_64.corner_2, this_64.pixel_x_1, this_64.pixel_y_1, this_64.lens_x_1), position_8, lens_sample_0);
         }
     case u32(3):
         {
-            return Panorama_ray_0(Panorama_x24init_0(this_62.eye_2, axes_5, this_62.lens_x_1.xy, this_62.lens_x_1.z), position_8, lens_sample_0);
+            return Panorama_ray_0(Panorama_x24init_0(this_64.eye_2, axes_5, this_64.lens_x_1.xy, this_64.lens_x_1.z), position_8, lens_sample_0);
         }
     case u32(4):
         {
-            return Fisheye_ray_0(Fisheye_x24init_0(this_62.eye_2, axes_5, this_62.lens_x_1.xy, this_62.lens_x_1.z), position_8, lens_sample_0);
+            return Fisheye_ray_0(Fisheye_x24init_0(this_64.eye_2, axes_5, this_64.lens_x_1.xy, this_64.lens_x_1.z), position_8, lens_sample_0);
         }
     default :
         {
@@ -8208,41 +8213,41 @@ fn camera_ray_1( pixel_2 : vec2<u32>,  camera_0 : CameraFrame_0,  sampler_4 : Sa
     return CameraFrame_ray_0(camera_0, vec2<f32>(pixel_2) + jitter_0.xy, jitter_0.zw);
 }
 
-fn WalkTracer_trace_0( ray_28 : ptr<function, Ray_0>,  is_any_enough_2 : bool) -> Hit_0
+fn WalkTracer_trace_0( ray_31 : ptr<function, Ray_0>,  is_any_enough_2 : bool) -> Hit_0
 {
-    var _S568 : Hit_0 = visit_0(&((*ray_28)), is_any_enough_2, u32(0));
-    return _S568;
+    var _S526 : Hit_0 = visit_0(&((*ray_31)), is_any_enough_2, u32(0));
+    return _S526;
 }
 
-fn WalkTracer_trace_1( ray_29 : ptr<function, Ray_0>,  is_any_enough_3 : bool) -> Hit_0
+fn WalkTracer_trace_1( ray_32 : ptr<function, Ray_0>,  is_any_enough_3 : bool) -> Hit_0
 {
-    var _S569 : Hit_0 = visit_1(&((*ray_29)), is_any_enough_3, u32(0));
-    return _S569;
+    var _S527 : Hit_0 = visit_1(&((*ray_32)), is_any_enough_3, u32(0));
+    return _S527;
 }
 
-fn set_scratch_row_0( row_4 : u32,  index_31 : u32,  value_3 : vec2<u32>)
+fn set_scratch_row_0( row_12 : u32,  index_33 : u32,  value_3 : vec2<u32>)
 {
-    scratch_0[row_4 * real_time_0.slots_0 + index_31] = value_3;
+    scratch_0[row_12 * real_time_0.slots_0 + index_33] = value_3;
     return;
 }
 
-fn set_words_0( slot_3 : u32,  words_3 : vec3<u32>)
+fn set_words_0( slot_2 : u32,  words_3 : vec3<u32>)
 {
-    scratch_0[u32(8) * real_time_0.slots_0 + slot_3][i32(1)] = words_3.x;
-    set_scratch_row_0(u32(9), slot_3, words_3.yz);
+    scratch_0[u32(8) * real_time_0.slots_0 + slot_2][i32(1)] = words_3.x;
+    set_scratch_row_0(u32(9), slot_2, words_3.yz);
     return;
 }
 
-fn set_end_word_0( slot_4 : u32,  word_9 : u32)
+fn set_end_word_0( slot_3 : u32,  word_9 : u32)
 {
-    scratch_0[u32(4) * real_time_0.slots_0 + slot_4][i32(0)] = word_9;
+    scratch_0[u32(4) * real_time_0.slots_0 + slot_3][i32(0)] = word_9;
     return;
 }
 
-fn keep_hit_0( slot_5 : u32,  hit_22 : Hit_0)
+fn keep_hit_0( slot_4 : u32,  hit_22 : Hit_0)
 {
-    set_words_0(slot_5, vec3<u32>(hit_22.voxel_0));
-    set_end_word_0(slot_5, hit_22.instance_0);
+    set_words_0(slot_4, vec3<u32>(hit_22.voxel_0));
+    set_end_word_0(slot_4, hit_22.instance_0);
     return;
 }
 
@@ -8255,67 +8260,66 @@ fn FrameParams_camera_0() -> CameraFrame_0
 @workgroup_size(64, 1, 1)
 fn trace_camera(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    is_page_missing_0 = false;
     ends_here_0 = false;
     first_candidates_0 = u32(1);
     var item_1 : Item_0 = item_of_0(real_time_0.cells_0 + id_0.x);
     if(item_1.traces_0)
     {
-        var ray_30 : Ray_0 = camera_ray_1(item_1.at_13, FrameParams_camera_0(), item_1.sampler_2);
-        var _S570 : Hit_0 = WalkTracer_trace_1(&(ray_30), false);
-        keep_hit_0(item_1.slot_1, _S570);
+        var ray_33 : Ray_0 = camera_ray_1(item_1.at_13, FrameParams_camera_0(), item_1.sampler_2);
+        var _S528 : Hit_0 = WalkTracer_trace_1(&(ray_33), false);
+        keep_hit_0(item_1.slot_0, _S528);
     }
     return;
 }
 
-fn Sample_x24init_0( direct_1 : vec3<f32>,  light_14 : vec3<f32>,  is_shown_1 : bool,  albedo_1 : vec3<f32>,  normal_5 : vec3<f32>,  place_9 : vec3<f32>,  instance_14 : u32) -> Sample_0
+fn Sample_x24init_0( direct_1 : vec3<f32>,  light_14 : vec3<f32>,  is_shown_1 : bool,  albedo_1 : vec3<f32>,  normal_5 : vec3<f32>,  place_9 : vec3<f32>,  instance_15 : u32) -> Sample_0
 {
-    var _S571 : Sample_0;
-    _S571.direct_0 = direct_1;
-    _S571.light_1 = light_14;
-    _S571.is_shown_0 = is_shown_1;
-    _S571.albedo_0 = albedo_1;
-    _S571.normal_1 = normal_5;
-    _S571.place_0 = place_9;
-    _S571.instance_7 = instance_14;
-    return _S571;
+    var _S529 : Sample_0;
+    _S529.direct_0 = direct_1;
+    _S529.light_1 = light_14;
+    _S529.is_shown_0 = is_shown_1;
+    _S529.albedo_0 = albedo_1;
+    _S529.normal_1 = normal_5;
+    _S529.place_0 = place_9;
+    _S529.instance_7 = instance_15;
+    return _S529;
 }
 
 fn no_sample_0() -> Sample_0
 {
-    var _S572 : vec3<f32> = vec3<f32>(0.0f);
-    return Sample_x24init_0(_S572, _S572, false, _S572, _S572, _S572, u32(4294967295));
+    var _S530 : vec3<f32> = vec3<f32>(0.0f);
+    return Sample_x24init_0(_S530, _S530, false, _S530, _S530, _S530, u32(4294967295));
 }
 
-fn Item_is_cell_0( this_63 : Item_0) -> bool
+fn Item_is_cell_0( this_65 : Item_0) -> bool
 {
-    return (this_63.kind_2) == u32(0);
+    return (this_65.kind_2) == u32(0);
 }
 
-fn Key_voxel_0( this_64 : Key_0,  code_5 : u32,  scramble_0 : u32) -> vec3<i32>
+fn Key_voxel_0( this_66 : Key_0,  code_5 : u32,  scramble_0 : u32) -> vec3<i32>
 {
-    var _S573 : u32 = Key_level_0(this_64);
-    var bits_4 : u32 = ((u32(1) << (_S573))) - u32(1);
-    var place_10 : u32 = ((code_5 - u32(1)) ^ (((scramble_0 & ((Key_mask_0(this_64)))))));
-    return (((this_64.cube_0) << (vec3<u32>(u32(i32(_S573)))))) + vec3<i32>(i32((place_10 & (bits_4))), i32((((place_10 >> (_S573))) & (bits_4))), i32((((place_10 >> ((u32(2) * _S573)))) & (bits_4))));
+    var _S531 : u32 = Key_level_0(this_66);
+    var bits_4 : u32 = ((u32(1) << (_S531))) - u32(1);
+    var place_10 : u32 = ((code_5 - u32(1)) ^ (((scramble_0 & ((Key_mask_0(this_66)))))));
+    return (((this_66.cube_0) << (vec3<u32>(u32(i32(_S531)))))) + vec3<i32>(i32((place_10 & (bits_4))), i32((((place_10 >> (_S531))) & (bits_4))), i32((((place_10 >> ((u32(2) * _S531)))) & (bits_4))));
 }
 
 fn Path_x24init_0( sampler_5 : Sampler_0,  bounce_4 : u32,  event_2 : u32,  kinds_1 : u32,  scattered_5 : u32,  beta_1 : vec3<f32>,  pdf_14 : f32,  normal_6 : vec3<f32>,  selection_5 : Selection_0,  passed_t_1 : f32,  inside_8 : Inside_0,  is_clipped_1 : bool) -> Path_0
 {
-    var _S574 : Path_0;
-    _S574.sampler_0 = sampler_5;
-    _S574.bounce_0 = bounce_4;
-    _S574.event_0 = event_2;
-    _S574.kinds_0 = kinds_1;
-    _S574.scattered_0 = scattered_5;
-    _S574.beta_0 = beta_1;
-    _S574.pdf_1 = pdf_14;
-    _S574.normal_0 = normal_6;
-    _S574.selection_0 = selection_5;
-    _S574.passed_t_0 = passed_t_1;
-    _S574.inside_0 = inside_8;
-    _S574.is_clipped_0 = is_clipped_1;
-    return _S574;
+    var _S532 : Path_0;
+    _S532.sampler_0 = sampler_5;
+    _S532.bounce_0 = bounce_4;
+    _S532.event_0 = event_2;
+    _S532.kinds_0 = kinds_1;
+    _S532.scattered_0 = scattered_5;
+    _S532.beta_0 = beta_1;
+    _S532.pdf_1 = pdf_14;
+    _S532.normal_0 = normal_6;
+    _S532.selection_0 = selection_5;
+    _S532.passed_t_0 = passed_t_1;
+    _S532.inside_0 = inside_8;
+    _S532.is_clipped_0 = is_clipped_1;
+    return _S532;
 }
 
 fn path_from_0( sampler_6 : Sampler_0) -> Path_0
@@ -8325,9 +8329,9 @@ fn path_from_0( sampler_6 : Sampler_0) -> Path_0
 
 fn orthonormal_pair_0( z_1 : vec3<f32>,  x_11 : ptr<function, vec3<f32>>,  y_6 : ptr<function, vec3<f32>>)
 {
-    var _S575 : f32 = z_1.z;
+    var _S533 : f32 = z_1.z;
     var sign_1 : f32;
-    if(_S575 < 0.0f)
+    if(_S533 < 0.0f)
     {
         sign_1 = -1.0f;
     }
@@ -8335,12 +8339,12 @@ fn orthonormal_pair_0( z_1 : vec3<f32>,  x_11 : ptr<function, vec3<f32>>,  y_6 :
     {
         sign_1 = 1.0f;
     }
-    var a_8 : f32 = divide_0(-1.0f, sign_1 + _S575);
-    var _S576 : f32 = z_1.x;
-    var _S577 : f32 = z_1.y;
-    var b_8 : f32 = _S576 * _S577 * a_8;
-    (*x_11) = vec3<f32>(1.0f + sign_1 * _S576 * _S576 * a_8, sign_1 * b_8, - sign_1 * _S576);
-    (*y_6) = vec3<f32>(b_8, sign_1 + _S577 * _S577 * a_8, - _S577);
+    var a_9 : f32 = divide_0(-1.0f, sign_1 + _S533);
+    var _S534 : f32 = z_1.x;
+    var _S535 : f32 = z_1.y;
+    var b_9 : f32 = _S534 * _S535 * a_9;
+    (*x_11) = vec3<f32>(1.0f + sign_1 * _S534 * _S534 * a_9, sign_1 * b_9, - sign_1 * _S534);
+    (*y_6) = vec3<f32>(b_9, sign_1 + _S535 * _S535 * a_9, - _S535);
     return;
 }
 
@@ -8350,10 +8354,10 @@ fn direction_from_cell_0( sampler_7 : Sampler_0,  normal_7 : vec3<f32>,  pdf_15 
     var x_12 : vec3<f32>;
     var y_7 : vec3<f32>;
     orthonormal_pair_0(normal_7, &(x_12), &(y_7));
-    var local_5 : vec3<f32> = cosine_hemisphere_0(u_30.z, u_30.w);
-    var _S578 : f32 = local_5.z;
-    (*pdf_15) = cosine_hemisphere_pdf_0(_S578);
-    return x_12 * vec3<f32>(local_5.x) + y_7 * vec3<f32>(local_5.y) + normal_7 * vec3<f32>(_S578);
+    var local_7 : vec3<f32> = cosine_hemisphere_0(u_30.z, u_30.w);
+    var _S536 : f32 = local_7.z;
+    (*pdf_15) = cosine_hemisphere_pdf_0(_S536);
+    return x_12 * vec3<f32>(local_7.x) + y_7 * vec3<f32>(local_7.y) + normal_7 * vec3<f32>(_S536);
 }
 
 fn direction_from_cell_1( sampler_8 : Sampler_0,  normal_8 : vec3<f32>,  pdf_16 : ptr<function, f32>) -> vec3<f32>
@@ -8362,50 +8366,50 @@ fn direction_from_cell_1( sampler_8 : Sampler_0,  normal_8 : vec3<f32>,  pdf_16 
     var x_13 : vec3<f32>;
     var y_8 : vec3<f32>;
     orthonormal_pair_0(normal_8, &(x_13), &(y_8));
-    var local_6 : vec3<f32> = cosine_hemisphere_0(u_31.z, u_31.w);
-    var _S579 : f32 = local_6.z;
-    (*pdf_16) = cosine_hemisphere_pdf_0(_S579);
-    return x_13 * vec3<f32>(local_6.x) + y_8 * vec3<f32>(local_6.y) + normal_8 * vec3<f32>(_S579);
+    var local_8 : vec3<f32> = cosine_hemisphere_0(u_31.z, u_31.w);
+    var _S537 : f32 = local_8.z;
+    (*pdf_16) = cosine_hemisphere_pdf_0(_S537);
+    return x_13 * vec3<f32>(local_8.x) + y_8 * vec3<f32>(local_8.y) + normal_8 * vec3<f32>(_S537);
 }
 
-fn Surface_x24init_0( origin_11 : vec3<f32>,  normal_9 : vec3<f32>,  face_10 : u32,  instance_15 : u32) -> Surface_0
+fn Surface_x24init_0( origin_11 : vec3<f32>,  normal_9 : vec3<f32>,  face_11 : u32,  instance_16 : u32) -> Surface_0
 {
-    var _S580 : Surface_0;
-    _S580.origin_9 = origin_11;
-    _S580.normal_3 = normal_9;
-    _S580.face_2 = face_10;
-    _S580.instance_11 = instance_15;
-    return _S580;
+    var _S538 : Surface_0;
+    _S538.origin_9 = origin_11;
+    _S538.normal_3 = normal_9;
+    _S538.face_2 = face_11;
+    _S538.instance_11 = instance_16;
+    return _S538;
 }
 
-fn Walker_x24init_0( path_14 : Path_0,  ray_31 : Ray_0,  is_shadow_ray_1 : bool,  light_15 : vec3<f32>,  direction_30 : vec3<f32>,  path_origin_3 : vec3<f32>,  shadow_inside_3 : Inside_0,  boundaries_1 : u32,  relocates_3 : bool,  path_relocates_3 : bool,  camera_ray_2 : Ray_0,  way_7 : f32,  has_shown_1 : bool,  asks_cache_1 : bool,  life_3 : u32,  is_at_cell_1 : bool) -> Walker_0
+fn Walker_x24init_0( path_14 : Path_0,  ray_34 : Ray_0,  is_shadow_ray_1 : bool,  light_15 : vec3<f32>,  direction_30 : vec3<f32>,  path_origin_3 : vec3<f32>,  shadow_inside_3 : Inside_0,  boundaries_1 : u32,  relocates_3 : bool,  path_relocates_3 : bool,  camera_ray_2 : Ray_0,  way_7 : f32,  has_shown_1 : bool,  asks_cache_1 : bool,  life_3 : u32,  is_at_cell_1 : bool) -> Walker_0
 {
-    var _S581 : Walker_0;
-    _S581.path_0 = path_14;
-    _S581.ray_8 = ray_31;
-    _S581.is_shadow_ray_0 = is_shadow_ray_1;
-    _S581.light_0 = light_15;
-    _S581.direction_4 = direction_30;
-    _S581.path_origin_0 = path_origin_3;
-    _S581.shadow_inside_0 = shadow_inside_3;
-    _S581.boundaries_0 = boundaries_1;
-    _S581.relocates_0 = relocates_3;
-    _S581.path_relocates_0 = path_relocates_3;
-    _S581.camera_ray_0 = camera_ray_2;
-    _S581.way_3 = way_7;
-    _S581.has_shown_0 = has_shown_1;
-    _S581.asks_cache_0 = asks_cache_1;
-    _S581.life_0 = life_3;
-    _S581.is_at_cell_0 = is_at_cell_1;
-    return _S581;
+    var _S539 : Walker_0;
+    _S539.path_0 = path_14;
+    _S539.ray_10 = ray_34;
+    _S539.is_shadow_ray_0 = is_shadow_ray_1;
+    _S539.light_0 = light_15;
+    _S539.direction_4 = direction_30;
+    _S539.path_origin_0 = path_origin_3;
+    _S539.shadow_inside_0 = shadow_inside_3;
+    _S539.boundaries_0 = boundaries_1;
+    _S539.relocates_0 = relocates_3;
+    _S539.path_relocates_0 = path_relocates_3;
+    _S539.camera_ray_0 = camera_ray_2;
+    _S539.way_3 = way_7;
+    _S539.has_shown_0 = has_shown_1;
+    _S539.asks_cache_0 = asks_cache_1;
+    _S539.life_0 = life_3;
+    _S539.is_at_cell_0 = is_at_cell_1;
+    return _S539;
 }
 
-fn at_cell_0( key_5 : Key_0,  rank_7 : u32,  sampler_9 : Sampler_0) -> Walker_0
+fn at_cell_0( key_5 : Key_0,  rank_6 : u32,  sampler_9 : Sampler_0) -> Walker_0
 {
-    var face_11 : u32 = ((key_5.face_and_level_0) & (u32(7)));
-    var axis_7 : u32 = (face_11 >> (u32(1)));
+    var face_12 : u32 = ((key_5.face_and_level_0) & (u32(7)));
+    var axis_7 : u32 = (face_12 >> (u32(1)));
     var u_32 : vec4<f32> = Sampler_independent_0(sampler_9, u32(0));
-    var _S582 : vec3<f32> = vec3<f32>(Key_voxel_0(key_5, (rank_7 & (u32(1048575))), scramble_of_0(real_time_0.number_0 - u32(1))));
+    var _S540 : vec3<f32> = vec3<f32>(Key_voxel_0(key_5, (rank_6 & (u32(1048575))), scramble_of_0(real_time_0.number_0 - u32(1))));
     var on_face_2 : vec3<f32>;
     if(axis_7 == u32(0))
     {
@@ -8422,16 +8426,17 @@ fn at_cell_0( key_5 : Key_0,  rank_7 : u32,  sampler_9 : Sampler_0) -> Walker_0
             on_face_2 = vec3<f32>(u_32.x, u_32.y, 0.0f);
         }
     }
-    var _S583 : vec3<f32> = Transform_point_1(key_5.instance_9, offset_ray_origin_0(vector_of_0(instances_0[key_5.instance_9].grid_from_world_0.translation_0), _S582, face_11, _S582 + on_face_2));
-    var _S584 : vec3<f32> = world_normal_0(key_5.instance_9, face_11);
+    var _S541 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(key_5.instance_9);
+    var origin_12 : vec3<f32> = Transform_point_0(_S541.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S541.grid_from_world_0.translation_0), _S540, face_12, _S540 + on_face_2));
+    var normal_10 : vec3<f32> = world_normal_0(_S541, face_12);
     var path_15 : Path_0 = path_from_0(sampler_9);
-    var _S585 : f32 = path_15.pdf_1;
-    var direction_31 : vec3<f32> = direction_from_cell_0(sampler_9, _S584, &(_S585));
-    path_15.pdf_1 = _S585;
-    var receiver_29 : Receiver_0 = Receiver_x24init_0(_S583, _S584);
+    var _S542 : f32 = path_15.pdf_1;
+    var direction_31 : vec3<f32> = direction_from_cell_0(sampler_9, normal_10, &(_S542));
+    path_15.pdf_1 = _S542;
+    var receiver_29 : Receiver_0 = Receiver_x24init_0(origin_12, normal_10);
     path_15.selection_0 = Lights_selection_0(receiver_29);
-    path_15.normal_0 = _S584;
-    var surface_6 : Surface_0 = Surface_x24init_0(_S583, _S584, face_11, key_5.instance_9);
+    path_15.normal_0 = normal_10;
+    var surface_6 : Surface_0 = Surface_x24init_0(origin_12, normal_10, face_12, key_5.instance_9);
     var white_0 : MaterialBsdf_0;
     white_0.kind_0 = u32(0);
     white_0.color_0 = vec3<f32>(1.0f);
@@ -8439,8 +8444,8 @@ fn at_cell_0( key_5 : Key_0,  rank_7 : u32,  sampler_9 : Sampler_0) -> Walker_0
     white_0.eta_0 = 1.0f;
     white_0.facets_0.alpha_0 = 1.0f;
     scatter_of_path_0 = Scatter_x24init_0(path_15, receiver_29, surface_6, white_0, vec3<f32>(0.0f, 0.0f, 1.0f), 1.0f, false, true);
-    var ray_32 : Ray_0 = ray_from_0(_S583, direction_31);
-    return Walker_x24init_0(path_15, ray_32, false, vec3<f32>(0.0f), direction_31, _S583, in_air_0(), u32(0), false, false, ray_32, 0.0f, true, true, max((rank_7 >> (u32(20))), u32(1)) - u32(1), true);
+    var ray_35 : Ray_0 = ray_from_0(origin_12, direction_31);
+    return Walker_x24init_0(path_15, ray_35, false, vec3<f32>(0.0f), direction_31, origin_12, in_air_0(), u32(0), false, false, ray_35, 0.0f, true, true, max((rank_6 >> (u32(20))), u32(1)) - u32(1), true);
 }
 
 fn camera_before_0() -> CameraFrame_0
@@ -8448,79 +8453,79 @@ fn camera_before_0() -> CameraFrame_0
     return CameraFrame_x24init_0(LENS_0, real_time_0.before_eye_0, real_time_0.before_corner_0, real_time_0.before_pixel_x_0, real_time_0.before_pixel_y_0, real_time_0.before_lens_x_0, real_time_0.before_lens_y_0, real_time_0.before_blades_0);
 }
 
-fn Item_asks_cache_0( this_65 : Item_0) -> bool
+fn Item_asks_cache_0( this_67 : Item_0) -> bool
 {
-    var _S586 : bool;
-    if(Item_is_cell_0(this_65))
+    var _S543 : bool;
+    if(Item_is_cell_0(this_67))
     {
-        _S586 = true;
+        _S543 = true;
     }
     else
     {
-        if((this_65.kind_2) == u32(1))
+        if((this_67.kind_2) == u32(1))
         {
-            _S586 = has_0(u32(1));
+            _S543 = has_0(u32(1));
         }
         else
         {
-            _S586 = false;
+            _S543 = false;
         }
     }
-    return _S586;
+    return _S543;
 }
 
 fn at_camera_0( pixel_3 : vec2<u32>,  camera_1 : CameraFrame_0,  sampler_10 : Sampler_0,  asks_cache_2 : bool) -> Walker_0
 {
-    var ray_33 : Ray_0 = camera_ray_1(pixel_3, camera_1, sampler_10);
-    var _S587 : vec3<f32> = vec3<f32>(0.0f);
-    return Walker_x24init_0(path_from_0(sampler_10), ray_33, false, _S587, _S587, _S587, in_air_0(), u32(0), true, true, ray_33, 0.0f, false, asks_cache_2, u32(10), false);
+    var ray_36 : Ray_0 = camera_ray_1(pixel_3, camera_1, sampler_10);
+    var _S544 : vec3<f32> = vec3<f32>(0.0f);
+    return Walker_x24init_0(path_from_0(sampler_10), ray_36, false, _S544, _S544, _S544, in_air_0(), u32(0), true, true, ray_36, 0.0f, false, asks_cache_2, u32(10), false);
 }
 
-fn Item_start_0( this_66 : Item_0) -> Walker_0
+fn Item_start_0( this_68 : Item_0) -> Walker_0
 {
-    if(Item_is_cell_0(this_66))
+    if(Item_is_cell_0(this_68))
     {
-        var rank_8 : u32;
-        var key_6 : Key_0 = Item_key_1(this_66, &(rank_8));
-        var _S588 : Walker_0 = at_cell_0(key_6, rank_8, this_66.sampler_2);
-        return _S588;
+        var rank_7 : u32;
+        var key_6 : Key_0 = Item_key_1(this_68, &(rank_7));
+        var _S545 : Walker_0 = at_cell_0(key_6, rank_7, this_68.sampler_2);
+        return _S545;
     }
-    var _S589 : CameraFrame_0 = FrameParams_camera_0();
+    var _S546 : CameraFrame_0 = FrameParams_camera_0();
     var camera_2 : CameraFrame_0;
-    if((this_66.kind_2) == u32(3))
+    if((this_68.kind_2) == u32(3))
     {
         camera_2 = camera_before_0();
     }
     else
     {
-        camera_2 = _S589;
+        camera_2 = _S546;
     }
-    return at_camera_0(this_66.at_13, camera_2, this_66.sampler_2, Item_asks_cache_0(this_66));
+    return at_camera_0(this_68.at_13, camera_2, this_68.sampler_2, Item_asks_cache_0(this_68));
 }
 
-fn scratch_row_0( row_5 : u32,  index_32 : u32) -> vec2<u32>
+fn scratch_row_0( row_13 : u32,  index_34 : u32) -> vec2<u32>
 {
-    return scratch_0[row_5 * real_time_0.slots_0 + index_32];
+    return scratch_0[row_13 * real_time_0.slots_0 + index_34];
 }
 
-fn end_word_0( slot_6 : u32) -> u32
+fn end_word_0( slot_5 : u32) -> u32
 {
-    return scratch_row_0(u32(4), slot_6).x;
+    return scratch_row_0(u32(4), slot_5).x;
 }
 
-fn words_in_0( slot_7 : u32) -> vec3<u32>
+fn words_in_0( slot_6 : u32) -> vec3<u32>
 {
-    return vec3<u32>(scratch_row_0(u32(8), slot_7).y, scratch_row_0(u32(9), slot_7));
+    return vec3<u32>(scratch_row_0(u32(8), slot_6).y, scratch_row_0(u32(9), slot_6));
 }
 
-fn hit_in_slot_0( slot_8 : u32,  ray_34 : Ray_0) -> Hit_0
+fn hit_in_slot_0( slot_7 : u32,  ray_37 : Ray_0) -> Hit_0
 {
-    var instance_16 : u32 = end_word_0(slot_8);
-    if(instance_16 == u32(4294967295))
+    var instance_17 : u32 = end_word_0(slot_7);
+    if(instance_17 == u32(4294967295))
     {
         return miss_0();
     }
-    return hit_of_0(local_ray_0(ray_34, instance_16), vec3<i32>(words_in_0(slot_8)), instance_16);
+    return hit_of_0(local_ray_0(ray_37, Instances_operatorx5Bx5D_get_0(instance_17).grid_from_world_0), vec3<i32>(words_in_0(slot_7)), instance_17);
 }
 
 struct Slot_0
@@ -8532,54 +8537,54 @@ struct Slot_0
 
 fn Slot_x24init_0( item_3 : Item_0,  own_4 : u32,  lent_1 : u32) -> Slot_0
 {
-    var _S590 : Slot_0;
-    _S590.item_2 = item_3;
-    _S590.own_3 = own_4;
-    _S590.lent_0 = lent_1;
-    return _S590;
+    var _S547 : Slot_0;
+    _S547.item_2 = item_3;
+    _S547.own_3 = own_4;
+    _S547.lent_0 = lent_1;
+    return _S547;
 }
 
-fn asks_2( path_16 : Path_0,  ray_35 : Ray_0,  hit_23 : Hit_0,  beyond_14 : u32,  life_4 : u32,  light_16 : ptr<function, vec3<f32>>) -> bool
+fn asks_2( path_16 : Path_0,  ray_38 : Ray_0,  hit_23 : Hit_0,  beyond_14 : u32,  life_4 : u32,  light_16 : ptr<function, vec3<f32>>) -> bool
 {
     (*light_16) = vec3<f32>(0.0f);
-    var _S591 : bool;
+    var _S548 : bool;
     if(Hit_is_miss_0(hit_23))
     {
-        _S591 = true;
+        _S548 = true;
     }
     else
     {
-        _S591 = Inside_is_in_0(path_16.inside_0);
+        _S548 = Inside_is_in_0(path_16.inside_0);
     }
-    if(_S591)
+    if(_S548)
     {
         return false;
     }
     var material_18 : PackedMaterial_0 = material_met_0(path_16, hit_23, beyond_14);
     if((material_18.metallic_0) > 0.0f)
     {
-        _S591 = true;
+        _S548 = true;
     }
     else
     {
-        _S591 = (material_18.transmission_0) > 0.0f;
+        _S548 = (material_18.transmission_0) > 0.0f;
     }
-    if(_S591)
+    if(_S548)
     {
         return false;
     }
     var code_6 : u32;
-    var key_7 : Key_0 = key_of_1(hit_23, square_root_0(length_squared_0(ray_35.origin_1 + ray_35.direction_0 * vec3<f32>(hit_23.t_0) - real_time_0.eye_0)) * real_time_0.view_angle_0 * 0.05882352963089943f, Sampler_independent_0(path_16.sampler_0, u32(3221225472) + Path_events_0(path_16)).x, &(code_6));
+    var key_7 : Key_0 = key_of_1(hit_23, square_root_0(length_squared_0(ray_38.origin_0 + ray_38.direction_0 * vec3<f32>(hit_23.t_0) - real_time_0.eye_0)) * real_time_0.view_angle_0 * 0.05882352963089943f, Sampler_independent_0(path_16.sampler_0, u32(3221225472) + Path_events_0(path_16)).x, &(code_6));
     var least_2 : f32 = 2.0f * f32((u32(1) << ((Key_level_0(key_7)))));
     if(life_4 == u32(0))
     {
-        _S591 = true;
+        _S548 = true;
     }
     else
     {
-        _S591 = (hit_23.t_0 * square_root_0(length_squared_0(ray_35.direction_0))) < least_2;
+        _S548 = (hit_23.t_0 * square_root_0(length_squared_0(ray_38.direction_0))) < least_2;
     }
-    if(_S591)
+    if(_S548)
     {
         return false;
     }
@@ -8592,109 +8597,109 @@ fn asks_2( path_16 : Path_0,  ray_35 : Ray_0,  hit_23 : Hit_0,  beyond_14 : u32,
     return true;
 }
 
-fn packed_normal_0( normal_10 : vec3<f32>) -> u32
+fn packed_normal_0( normal_11 : vec3<f32>) -> u32
 {
-    var _S592 : vec3<i32> = vec3<i32>(floor(clamp(normal_10, vec3<f32>(-1.0f), vec3<f32>(1.0f)) * vec3<f32>(511.0f) + vec3<f32>(0.5f)));
-    return (((((u32(_S592.x) & (u32(1023)))) | (((((u32(_S592.y) & (u32(1023)))) << (u32(10))))))) | (((((u32(_S592.z) & (u32(1023)))) << (u32(20))))));
+    var _S549 : vec3<i32> = vec3<i32>(floor(clamp(normal_11, vec3<f32>(-1.0f), vec3<f32>(1.0f)) * vec3<f32>(511.0f) + vec3<f32>(0.5f)));
+    return (((((u32(_S549.x) & (u32(1023)))) | (((((u32(_S549.y) & (u32(1023)))) << (u32(10))))))) | (((((u32(_S549.z) & (u32(1023)))) << (u32(20))))));
 }
 
-fn store_sample_0( index_33 : u32,  sample_24 : Sample_0)
+fn store_sample_0( index_35 : u32,  sample_24 : Sample_0)
 {
-    var _S593 : u32 = packed_normal_0(sample_24.normal_1);
-    var _S594 : u32;
+    var _S550 : u32 = packed_normal_0(sample_24.normal_1);
+    var _S551 : u32;
     if(sample_24.is_shown_0)
     {
-        _S594 = u32(1073741824);
+        _S551 = u32(1073741824);
     }
     else
     {
-        _S594 = u32(0);
+        _S551 = u32(0);
     }
-    var normal_11 : u32 = (_S593 | (_S594));
-    set_scratch_row_0(u32(0), index_33, (bitcast<vec2<u32>>((sample_24.light_1.xy))));
-    set_scratch_row_0(u32(1), index_33, vec2<u32>((bitcast<u32>((sample_24.light_1.z))), sample_24.instance_7));
-    set_scratch_row_0(u32(2), index_33, (bitcast<vec2<u32>>((sample_24.direct_0.xy))));
-    set_scratch_row_0(u32(3), index_33, (bitcast<vec2<u32>>((vec2<f32>(sample_24.direct_0.z, sample_24.place_0.x)))));
-    set_scratch_row_0(u32(4), index_33, (bitcast<vec2<u32>>((sample_24.place_0.yz))));
-    set_scratch_row_0(u32(5), index_33, (bitcast<vec2<u32>>((sample_24.albedo_0.xy))));
-    set_scratch_row_0(u32(6), index_33, vec2<u32>((bitcast<u32>((sample_24.albedo_0.z))), normal_11));
+    var normal_12 : u32 = (_S550 | (_S551));
+    set_scratch_row_0(u32(0), index_35, (bitcast<vec2<u32>>((sample_24.light_1.xy))));
+    set_scratch_row_0(u32(1), index_35, vec2<u32>((bitcast<u32>((sample_24.light_1.z))), sample_24.instance_7));
+    set_scratch_row_0(u32(2), index_35, (bitcast<vec2<u32>>((sample_24.direct_0.xy))));
+    set_scratch_row_0(u32(3), index_35, (bitcast<vec2<u32>>((vec2<f32>(sample_24.direct_0.z, sample_24.place_0.x)))));
+    set_scratch_row_0(u32(4), index_35, (bitcast<vec2<u32>>((sample_24.place_0.yz))));
+    set_scratch_row_0(u32(5), index_35, (bitcast<vec2<u32>>((sample_24.albedo_0.xy))));
+    set_scratch_row_0(u32(6), index_35, vec2<u32>((bitcast<u32>((sample_24.albedo_0.z))), normal_12));
     return;
 }
 
-fn Slot_keep_0( this_67 : Slot_0,  at_19 : Walker_0,  instance_17 : u32,  face_12 : u32)
+fn Slot_keep_0( this_69 : Slot_0,  at_19 : Walker_0,  instance_18 : u32,  face_13 : u32)
 {
-    var word_10 : u32 = (((((instance_17 << (u32(5)))) | ((((at_19.path_0.bounce_0) << (u32(3))))))) | (face_12));
-    var _S595 : u32;
+    var word_10 : u32 = (((((instance_18 << (u32(5)))) | ((((at_19.path_0.bounce_0) << (u32(3))))))) | (face_13));
+    var _S552 : u32;
     if(at_19.is_shadow_ray_0)
     {
-        _S595 = (bitcast<u32>((at_19.ray_8.t_max_0)));
+        _S552 = (bitcast<u32>((at_19.ray_10.t_max_0)));
     }
     else
     {
-        _S595 = u32(0);
+        _S552 = u32(0);
     }
-    set_scratch_row_0(u32(4), this_67.own_3, vec2<u32>(_S595, word_10));
-    set_scratch_row_0(u32(7), this_67.own_3, (bitcast<vec2<u32>>((at_19.ray_8.origin_1.xy))));
-    set_scratch_row_0(u32(8), this_67.own_3, (bitcast<vec2<u32>>((vec2<f32>(at_19.ray_8.origin_1.z, at_19.ray_8.direction_0.x)))));
-    set_scratch_row_0(u32(9), this_67.own_3, (bitcast<vec2<u32>>((at_19.ray_8.direction_0.yz))));
+    set_scratch_row_0(u32(4), this_69.own_3, vec2<u32>(_S552, word_10));
+    set_scratch_row_0(u32(7), this_69.own_3, (bitcast<vec2<u32>>((at_19.ray_10.origin_0.xy))));
+    set_scratch_row_0(u32(8), this_69.own_3, (bitcast<vec2<u32>>((vec2<f32>(at_19.ray_10.origin_0.z, at_19.ray_10.direction_0.x)))));
+    set_scratch_row_0(u32(9), this_69.own_3, (bitcast<vec2<u32>>((at_19.ray_10.direction_0.yz))));
     return;
 }
 
-fn Slot_keep_first_0( this_68 : Slot_0,  at_20 : Walker_0,  instance_18 : u32,  face_13 : u32,  t_18 : f32,  sample_25 : Sample_0)
+fn Slot_keep_first_0( this_70 : Slot_0,  at_20 : Walker_0,  instance_19 : u32,  face_14 : u32,  t_18 : f32,  sample_25 : Sample_0)
 {
-    var _S596 : Sample_0 = sample_25;
-    _S596.light_1 = vec3<f32>(0.0f);
-    _S596.albedo_0 = at_20.path_0.beta_0;
-    store_sample_0(this_68.own_3, _S596);
-    scratch_0[u32(3) * real_time_0.slots_0 + this_68.own_3][i32(1)] = (bitcast<u32>((t_18)));
-    Slot_keep_0(this_68, at_20, instance_18, face_13);
+    var _S553 : Sample_0 = sample_25;
+    _S553.light_1 = vec3<f32>(0.0f);
+    _S553.albedo_0 = at_20.path_0.beta_0;
+    store_sample_0(this_70.own_3, _S553);
+    scratch_0[u32(3) * real_time_0.slots_0 + this_70.own_3][i32(1)] = (bitcast<u32>((t_18)));
+    Slot_keep_0(this_70, at_20, instance_19, face_14);
     return;
 }
 
 fn light_on_0( sample_26 : Sample_0) -> f32
 {
-    var _S597 : f32;
+    var _S554 : f32;
     if(sample_26.is_shown_0)
     {
-        _S597 = luminance_0(sample_26.light_1) / (luminance_0(sample_26.albedo_0) + 0.00300000002607703f);
+        _S554 = luminance_0(sample_26.light_1) / (luminance_0(sample_26.albedo_0) + 0.00300000002607703f);
     }
     else
     {
-        _S597 = 0.0f;
+        _S554 = 0.0f;
     }
-    return _S597;
+    return _S554;
 }
 
-fn Item_end_0( this_69 : Item_0,  sample_27 : Sample_0)
+fn Item_end_0( this_71 : Item_0,  sample_27 : Sample_0)
 {
-    if(Item_is_cell_0(this_69))
+    if(Item_is_cell_0(this_71))
     {
-        set_cell_row_0(u32(3), this_69.place_6, vec4<u32>((bitcast<vec3<u32>>((sample_27.light_1))), u32(1)));
+        set_cell_row_0(u32(3), this_71.place_6, vec4<u32>((bitcast<vec3<u32>>((sample_27.light_1))), u32(1)));
     }
     else
     {
-        if((this_69.kind_2) == u32(1))
+        if((this_71.kind_2) == u32(1))
         {
-            store_sample_0(this_69.place_6, sample_27);
+            store_sample_0(this_71.place_6, sample_27);
         }
         else
         {
-            memory_rows_0[this_69.place_6] = vec4<u32>((bitcast<vec3<u32>>((sample_27.place_0))), (bitcast<u32>((light_on_0(sample_27)))));
+            memory_rows_0[this_71.place_6] = vec4<u32>((bitcast<vec3<u32>>((sample_27.place_0))), (bitcast<u32>((light_on_0(sample_27)))));
         }
     }
     return;
 }
 
-fn set_over_0( slot_9 : u32)
+fn set_over_0( slot_8 : u32)
 {
-    scratch_0[u32(7) * real_time_0.slots_0 + slot_9][i32(0)] = u32(4294967295);
+    scratch_0[u32(7) * real_time_0.slots_0 + slot_8][i32(0)] = u32(4294967295);
     return;
 }
 
-fn Slot_end_0( this_70 : Slot_0,  sample_28 : Sample_0)
+fn Slot_end_0( this_72 : Slot_0,  sample_28 : Sample_0)
 {
-    Item_end_0(this_70.item_2, sample_28);
-    set_over_0(this_70.own_3);
+    Item_end_0(this_72.item_2, sample_28);
+    set_over_0(this_72.own_3);
     return;
 }
 
@@ -8702,7 +8707,6 @@ fn Slot_end_0( this_70 : Slot_0,  sample_28 : Sample_0)
 @workgroup_size(64, 1, 1)
 fn trace_first(@builtin(global_invocation_id) id_1 : vec3<u32>)
 {
-    is_page_missing_0 = false;
     ends_here_0 = false;
     first_candidates_0 = u32(1);
     var item_4 : Item_0 = item_of_0(id_1.x);
@@ -8710,99 +8714,99 @@ fn trace_first(@builtin(global_invocation_id) id_1 : vec3<u32>)
     {
         scatter_of_path_0.wants_light_0 = false;
         var sample_29 : Sample_0 = no_sample_0();
-        var _S598 : Walker_0 = Item_start_0(item_4);
-        var at_21 : Walker_0 = _S598;
-        var _S599 : Hit_0 = miss_0();
+        var _S555 : Walker_0 = Item_start_0(item_4);
+        var at_21 : Walker_0 = _S555;
+        var _S556 : Hit_0 = miss_0();
         var hit_24 : Hit_0;
-        var instance_19 : u32;
-        var face_14 : u32;
+        var instance_20 : u32;
+        var face_15 : u32;
         if(Item_is_cell_0(item_4))
         {
-            var rank_9 : u32;
-            var key_8 : Key_0 = Item_key_2(item_4, &(rank_9));
-            var _S600 : u32 = ((key_8.face_and_level_0) & (u32(7)));
-            hit_24 = _S599;
-            instance_19 = key_8.instance_9;
-            face_14 = _S600;
+            var rank_8 : u32;
+            var key_8 : Key_0 = Item_key_2(item_4, &(rank_8));
+            var _S557 : u32 = ((key_8.face_and_level_0) & (u32(7)));
+            hit_24 = _S556;
+            instance_20 = key_8.instance_9;
+            face_15 = _S557;
         }
         else
         {
-            var hit_25 : Hit_0 = hit_in_slot_0(item_4.slot_1, at_21.ray_8);
+            var hit_25 : Hit_0 = hit_in_slot_0(item_4.slot_0, at_21.ray_10);
             hit_24 = hit_25;
-            instance_19 = hit_25.instance_0;
-            face_14 = hit_25.face_0;
+            instance_20 = hit_25.instance_0;
+            face_15 = hit_25.face_0;
         }
-        var _S601 : u32 = item_4.slot_1;
-        var slot_10 : Slot_0 = Slot_x24init_0(item_4, _S601, _S601);
-        var _S602 : bool = goes_on_from_2(&(at_21), hit_24, u32(4294967295), &(sample_29));
-        if(_S602)
+        var _S558 : u32 = item_4.slot_0;
+        var slot_9 : Slot_0 = Slot_x24init_0(item_4, _S558, _S558);
+        var _S559 : bool = goes_on_from_2(&(at_21), hit_24, u32(4294967295), &(sample_29));
+        if(_S559)
         {
-            Slot_keep_first_0(slot_10, at_21, instance_19, face_14, hit_24.t_0, sample_29);
+            Slot_keep_first_0(slot_9, at_21, instance_20, face_15, hit_24.t_0, sample_29);
         }
         else
         {
-            Slot_end_0(slot_10, sample_29);
+            Slot_end_0(slot_9, sample_29);
         }
     }
     return;
 }
 
-fn is_over_0( slot_11 : u32) -> bool
+fn is_over_0( slot_10 : u32) -> bool
 {
-    return (scratch_row_0(u32(7), slot_11).x) == u32(4294967295);
+    return (scratch_row_0(u32(7), slot_10).x) == u32(4294967295);
 }
 
-fn origin_in_0( slot_12 : u32) -> vec3<f32>
+fn origin_in_0( slot_11 : u32) -> vec3<f32>
 {
-    return vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(7), slot_12)))), (bitcast<f32>((scratch_row_0(u32(8), slot_12).x))));
+    return vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(7), slot_11)))), (bitcast<f32>((scratch_row_0(u32(8), slot_11).x))));
 }
 
-fn Slot_face_word_0( this_71 : Slot_0) -> u32
+fn Slot_face_word_0( this_73 : Slot_0) -> u32
 {
-    return scratch_row_0(u32(4), this_71.own_3).y;
+    return scratch_row_0(u32(4), this_73.own_3).y;
 }
 
-fn Slot_face_0( this_72 : Slot_0) -> u32
+fn Slot_face_0( this_74 : Slot_0) -> u32
 {
-    return ((Slot_face_word_0(this_72)) & (u32(7)));
+    return ((Slot_face_word_0(this_74)) & (u32(7)));
 }
 
-fn Slot_instance_0( this_73 : Slot_0) -> u32
+fn Slot_instance_0( this_75 : Slot_0) -> u32
 {
-    return ((Slot_face_word_0(this_73)) >> (u32(5)));
+    return ((Slot_face_word_0(this_75)) >> (u32(5)));
 }
 
-fn Slot_scatter_0( this_74 : Slot_0) -> Scatter_0
+fn Slot_scatter_0( this_76 : Slot_0) -> Scatter_0
 {
     var surface_7 : Surface_0;
-    var _S603 : vec3<f32> = origin_in_0(this_74.own_3);
-    surface_7.origin_9 = _S603;
-    var _S604 : u32 = Slot_face_0(this_74);
-    surface_7.face_2 = _S604;
-    var _S605 : u32 = Slot_instance_0(this_74);
-    surface_7.instance_11 = _S605;
-    var _S606 : vec3<f32> = world_normal_0(_S605, _S604);
-    surface_7.normal_3 = _S606;
-    var receiver_30 : Receiver_0 = Receiver_x24init_0(_S603, _S606);
-    var path_17 : Path_0 = path_from_0(this_74.item_2.sampler_2);
+    var _S560 : vec3<f32> = origin_in_0(this_76.own_3);
+    surface_7.origin_9 = _S560;
+    var _S561 : u32 = Slot_face_0(this_76);
+    surface_7.face_2 = _S561;
+    var _S562 : u32 = Slot_instance_0(this_76);
+    surface_7.instance_11 = _S562;
+    var _S563 : vec3<f32> = world_normal_0(Instances_operatorx5Bx5D_get_0(_S562), _S561);
+    surface_7.normal_3 = _S563;
+    var receiver_30 : Receiver_0 = Receiver_x24init_0(_S560, _S563);
+    var path_17 : Path_0 = path_from_0(this_76.item_2.sampler_2);
     path_17.selection_0 = Lights_selection_0(receiver_30);
     var bsdf_2 : MaterialBsdf_0;
     bsdf_2.kind_0 = u32(0);
-    bsdf_2.color_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(5), this_74.own_3)))), (bitcast<f32>((scratch_row_0(u32(6), this_74.own_3).x))));
+    bsdf_2.color_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(5), this_76.own_3)))), (bitcast<f32>((scratch_row_0(u32(6), this_76.own_3).x))));
     bsdf_2.specular_1 = 0.0f;
     bsdf_2.eta_0 = 1.0f;
     bsdf_2.facets_0.alpha_0 = 1.0f;
     return Scatter_x24init_0(path_17, receiver_30, surface_7, bsdf_2, vec3<f32>(0.0f, 0.0f, 1.0f), 1.0f, false, true);
 }
 
-fn Slot_keep_light_0( this_75 : Slot_0,  next_8 : NextRays_0)
+fn Slot_keep_light_0( this_77 : Slot_0,  next_8 : NextRays_0)
 {
     if(next_8.has_shadow_ray_0)
     {
-        set_scratch_row_0(u32(0), this_75.own_3, (bitcast<vec2<u32>>((next_8.light_2.xy))));
-        scratch_0[real_time_0.slots_0 + this_75.own_3][i32(0)] = (bitcast<u32>((next_8.light_2.z)));
-        set_end_word_0(this_75.own_3, (bitcast<u32>((next_8.shadow_t_max_0))));
-        set_words_0(this_75.own_3, (bitcast<vec3<u32>>((next_8.shadow_direction_0))));
+        set_scratch_row_0(u32(0), this_77.own_3, (bitcast<vec2<u32>>((next_8.light_2.xy))));
+        scratch_0[real_time_0.slots_0 + this_77.own_3][i32(0)] = (bitcast<u32>((next_8.light_2.z)));
+        set_end_word_0(this_77.own_3, (bitcast<u32>((next_8.shadow_t_max_0))));
+        set_words_0(this_77.own_3, (bitcast<vec3<u32>>((next_8.shadow_direction_0))));
     }
     return;
 }
@@ -8811,126 +8815,125 @@ fn Slot_keep_light_0( this_75 : Slot_0,  next_8 : NextRays_0)
 @workgroup_size(64, 1, 1)
 fn trace_light(@builtin(global_invocation_id) id_2 : vec3<u32>)
 {
-    is_page_missing_0 = false;
     ends_here_0 = false;
     first_candidates_0 = u32(1);
     var item_5 : Item_0 = item_of_0(id_2.x);
-    var _S607 : u32 = item_5.slot_1;
-    var slot_13 : Slot_0 = Slot_x24init_0(item_5, _S607, _S607);
-    var _S608 : bool;
+    var _S564 : u32 = item_5.slot_0;
+    var slot_12 : Slot_0 = Slot_x24init_0(item_5, _S564, _S564);
+    var _S565 : bool;
     if(item_5.traces_0)
     {
-        _S608 = !is_over_0(item_5.slot_1);
+        _S565 = !is_over_0(item_5.slot_0);
     }
     else
     {
-        _S608 = false;
+        _S565 = false;
     }
-    if(_S608)
+    if(_S565)
     {
         first_candidates_0 = real_time_0.candidates_0;
         var next_9 : NextRays_0 = no_rays_0();
-        choose_light_1(Slot_scatter_0(slot_13), &(next_9));
-        Slot_keep_light_0(slot_13, next_9);
+        choose_light_1(Slot_scatter_0(slot_12), &(next_9));
+        Slot_keep_light_0(slot_12, next_9);
     }
     return;
 }
 
-fn Slot_bounce_0( this_76 : Slot_0) -> u32
+fn Slot_bounce_0( this_78 : Slot_0) -> u32
 {
-    return ((((Slot_face_word_0(this_76)) >> (u32(3)))) & (u32(3)));
+    return ((((Slot_face_word_0(this_78)) >> (u32(3)))) & (u32(3)));
 }
 
-fn Slot_ray_0( this_77 : Slot_0,  pdf_17 : ptr<function, f32>) -> Ray_0
+fn Slot_ray_0( this_79 : Slot_0,  pdf_17 : ptr<function, f32>) -> Ray_0
 {
-    var _S609 : bool;
-    if(Item_is_cell_0(this_77.item_2))
+    var _S566 : bool;
+    if(Item_is_cell_0(this_79.item_2))
     {
-        _S609 = (Slot_bounce_0(this_77)) == u32(1);
+        _S566 = (Slot_bounce_0(this_79)) == u32(1);
     }
     else
     {
-        _S609 = false;
+        _S566 = false;
     }
     var direction_32 : vec3<f32>;
-    if(_S609)
+    if(_S566)
     {
-        var _S610 : vec3<f32> = direction_from_cell_1(this_77.item_2.sampler_2, world_normal_0(Slot_instance_0(this_77), Slot_face_0(this_77)), &((*pdf_17)));
-        direction_32 = _S610;
+        var _S567 : vec3<f32> = direction_from_cell_1(this_79.item_2.sampler_2, world_normal_0(Instances_operatorx5Bx5D_get_0(Slot_instance_0(this_79)), Slot_face_0(this_79)), &((*pdf_17)));
+        direction_32 = _S567;
     }
     else
     {
         var surface_8 : Surface_0;
-        surface_8.face_2 = Slot_face_0(this_77);
-        surface_8.instance_11 = Slot_instance_0(this_77);
-        var u_33 : vec4<f32> = Sampler_stratified_0(this_77.item_2.sampler_2, u32(2) * Slot_bounce_0(this_77) - u32(1));
+        surface_8.face_2 = Slot_face_0(this_79);
+        surface_8.instance_11 = Slot_instance_0(this_79);
+        var u_33 : vec4<f32> = Sampler_stratified_0(this_79.item_2.sampler_2, u32(2) * Slot_bounce_0(this_79) - u32(1));
         var wi_8 : vec3<f32> = cosine_hemisphere_0(u_33.x, u_33.y);
         (*pdf_17) = cosine_hemisphere_pdf_0(wi_8.z);
         direction_32 = Surface_world_direction_0(surface_8, wi_8);
     }
-    return ray_from_0(origin_in_0(this_77.own_3), direction_32);
+    return ray_from_0(origin_in_0(this_79.own_3), direction_32);
 }
 
-fn Slot_ray_1( this_78 : Slot_0,  pdf_18 : ptr<function, f32>) -> Ray_0
+fn Slot_ray_1( this_80 : Slot_0,  pdf_18 : ptr<function, f32>) -> Ray_0
 {
-    var _S611 : bool;
-    if(Item_is_cell_0(this_78.item_2))
+    var _S568 : bool;
+    if(Item_is_cell_0(this_80.item_2))
     {
-        _S611 = (Slot_bounce_0(this_78)) == u32(1);
+        _S568 = (Slot_bounce_0(this_80)) == u32(1);
     }
     else
     {
-        _S611 = false;
+        _S568 = false;
     }
     var direction_33 : vec3<f32>;
-    if(_S611)
+    if(_S568)
     {
-        var _S612 : vec3<f32> = direction_from_cell_1(this_78.item_2.sampler_2, world_normal_0(Slot_instance_0(this_78), Slot_face_0(this_78)), &((*pdf_18)));
-        direction_33 = _S612;
+        var _S569 : vec3<f32> = direction_from_cell_1(this_80.item_2.sampler_2, world_normal_0(Instances_operatorx5Bx5D_get_0(Slot_instance_0(this_80)), Slot_face_0(this_80)), &((*pdf_18)));
+        direction_33 = _S569;
     }
     else
     {
         var surface_9 : Surface_0;
-        surface_9.face_2 = Slot_face_0(this_78);
-        surface_9.instance_11 = Slot_instance_0(this_78);
-        var u_34 : vec4<f32> = Sampler_stratified_0(this_78.item_2.sampler_2, u32(2) * Slot_bounce_0(this_78) - u32(1));
+        surface_9.face_2 = Slot_face_0(this_80);
+        surface_9.instance_11 = Slot_instance_0(this_80);
+        var u_34 : vec4<f32> = Sampler_stratified_0(this_80.item_2.sampler_2, u32(2) * Slot_bounce_0(this_80) - u32(1));
         var wi_9 : vec3<f32> = cosine_hemisphere_0(u_34.x, u_34.y);
         (*pdf_18) = cosine_hemisphere_pdf_0(wi_9.z);
         direction_33 = Surface_world_direction_0(surface_9, wi_9);
     }
-    return ray_from_0(origin_in_0(this_78.own_3), direction_33);
+    return ray_from_0(origin_in_0(this_80.own_3), direction_33);
 }
 
-fn Slot_darken_0( this_79 : Slot_0)
+fn Slot_darken_0( this_81 : Slot_0)
 {
-    if((Slot_bounce_0(this_79)) == u32(1))
+    if((Slot_bounce_0(this_81)) == u32(1))
     {
-        set_scratch_row_0(u32(0), this_79.own_3, vec2<u32>(vec2<i32>(i32(0))));
-        scratch_0[real_time_0.slots_0 + this_79.own_3][i32(0)] = u32(0);
+        set_scratch_row_0(u32(0), this_81.own_3, vec2<u32>(vec2<i32>(i32(0))));
+        scratch_0[real_time_0.slots_0 + this_81.own_3][i32(0)] = u32(0);
     }
     else
     {
-        scratch_0[u32(8) * real_time_0.slots_0 + this_79.lent_0][i32(1)] = u32(0);
-        set_scratch_row_0(u32(9), this_79.lent_0, vec2<u32>(vec2<i32>(i32(0))));
+        scratch_0[u32(8) * real_time_0.slots_0 + this_81.lent_0][i32(1)] = u32(0);
+        set_scratch_row_0(u32(9), this_81.lent_0, vec2<u32>(vec2<i32>(i32(0))));
     }
     return;
 }
 
-fn Slot_walk_0( this_80 : Slot_0)
+fn Slot_walk_0( this_82 : Slot_0)
 {
-    var end_4 : u32 = end_word_0(this_80.own_3);
+    var end_4 : u32 = end_word_0(this_82.own_3);
     var pdf_19 : f32;
-    var ray_36 : Ray_0 = Ray_x24init_0(origin_in_0(this_80.own_3), 0.0f, (bitcast<vec3<f32>>((words_in_0(this_80.own_3)))), (bitcast<f32>((end_4))));
-    var _S613 : i32;
+    var ray_39 : Ray_0 = Ray_x24init_0(origin_in_0(this_82.own_3), 0.0f, (bitcast<vec3<f32>>((words_in_0(this_82.own_3)))), (bitcast<f32>((end_4))));
+    var _S570 : i32;
     if(end_4 == u32(0))
     {
-        _S613 = i32(1);
+        _S570 = i32(1);
     }
     else
     {
-        _S613 = i32(0);
+        _S570 = i32(0);
     }
-    var turn_0 : u32 = u32(_S613);
+    var turn_0 : u32 = u32(_S570);
     for(;;)
     {
         if(turn_0 < u32(2))
@@ -8940,21 +8943,21 @@ fn Slot_walk_0( this_80 : Slot_0)
         {
             break;
         }
-        var _S614 : bool = turn_0 == u32(1);
-        if(_S614)
+        var _S571 : bool = turn_0 == u32(1);
+        if(_S571)
         {
-            ray_36 = Slot_ray_0(this_80, &(pdf_19));
+            ray_39 = Slot_ray_0(this_82, &(pdf_19));
         }
-        var _S615 : Hit_0 = WalkTracer_trace_0(&(ray_36), turn_0 == u32(0));
-        if(_S614)
+        var _S572 : Hit_0 = WalkTracer_trace_0(&(ray_39), turn_0 == u32(0));
+        if(_S571)
         {
-            keep_hit_0(this_80.own_3, _S615);
+            keep_hit_0(this_82.own_3, _S572);
         }
         else
         {
-            if(!Hit_is_miss_0(_S615))
+            if(!Hit_is_miss_0(_S572))
             {
-                Slot_darken_0(this_80);
+                Slot_darken_0(this_82);
             }
         }
         turn_0 = turn_0 + u32(1);
@@ -8966,26 +8969,25 @@ fn Slot_walk_0( this_80 : Slot_0)
 @workgroup_size(64, 1, 1)
 fn trace_rays(@builtin(global_invocation_id) id_3 : vec3<u32>)
 {
-    is_page_missing_0 = false;
     ends_here_0 = false;
     first_candidates_0 = u32(1);
-    var slot_14 : Slot_0;
-    var _S616 : Item_0 = item_of_0(id_3.x);
-    slot_14.item_2 = _S616;
-    slot_14.own_3 = slot_14.item_2.slot_1;
-    slot_14.lent_0 = slot_14.item_2.slot_1;
-    var _S617 : bool;
-    if(slot_14.item_2.traces_0)
+    var slot_13 : Slot_0;
+    var _S573 : Item_0 = item_of_0(id_3.x);
+    slot_13.item_2 = _S573;
+    slot_13.own_3 = slot_13.item_2.slot_0;
+    slot_13.lent_0 = slot_13.item_2.slot_0;
+    var _S574 : bool;
+    if(slot_13.item_2.traces_0)
     {
-        _S617 = !is_over_0(slot_14.own_3);
+        _S574 = !is_over_0(slot_13.own_3);
     }
     else
     {
-        _S617 = false;
+        _S574 = false;
     }
-    if(_S617)
+    if(_S574)
     {
-        Slot_walk_0(slot_14);
+        Slot_walk_0(slot_13);
     }
     return;
 }
@@ -8995,132 +8997,132 @@ fn normal_in_0( word_11 : u32) -> vec3<f32>
     return vec3<f32>(vec3<i32>((i32((word_11 << (u32(22)))) >> (u32(22))), (i32((word_11 << (u32(12)))) >> (u32(22))), (i32((word_11 << (u32(2)))) >> (u32(22))))) * vec3<f32>(0.00195694714784622f);
 }
 
-fn load_sample_0( index_34 : u32) -> Sample_0
+fn load_sample_0( index_36 : u32) -> Sample_0
 {
-    var b_9 : vec2<u32> = scratch_row_0(u32(1), index_34);
-    var d_4 : vec2<f32> = (bitcast<vec2<f32>>((scratch_row_0(u32(3), index_34))));
-    var g_0 : vec2<u32> = scratch_row_0(u32(6), index_34);
+    var b_10 : vec2<u32> = scratch_row_0(u32(1), index_36);
+    var d_4 : vec2<f32> = (bitcast<vec2<f32>>((scratch_row_0(u32(3), index_36))));
+    var g_0 : vec2<u32> = scratch_row_0(u32(6), index_36);
     var sample_30 : Sample_0;
-    sample_30.light_1 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(0), index_34)))), (bitcast<f32>((b_9.x))));
-    sample_30.instance_7 = b_9.y;
-    sample_30.direct_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(2), index_34)))), d_4.x);
-    sample_30.place_0 = vec3<f32>(d_4.y, (bitcast<vec2<f32>>((scratch_row_0(u32(4), index_34)))));
-    sample_30.albedo_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(5), index_34)))), (bitcast<f32>((g_0.x))));
-    var _S618 : u32 = g_0.y;
-    sample_30.normal_1 = normal_in_0(_S618);
-    sample_30.is_shown_0 = ((_S618 & (u32(1073741824)))) != u32(0);
+    sample_30.light_1 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(0), index_36)))), (bitcast<f32>((b_10.x))));
+    sample_30.instance_7 = b_10.y;
+    sample_30.direct_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(2), index_36)))), d_4.x);
+    sample_30.place_0 = vec3<f32>(d_4.y, (bitcast<vec2<f32>>((scratch_row_0(u32(4), index_36)))));
+    sample_30.albedo_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(5), index_36)))), (bitcast<f32>((g_0.x))));
+    var _S575 : u32 = g_0.y;
+    sample_30.normal_1 = normal_in_0(_S575);
+    sample_30.is_shown_0 = ((_S575 & (u32(1073741824)))) != u32(0);
     return sample_30;
 }
 
-fn Slot_walker_0( this_81 : Slot_0,  sample_31 : ptr<function, Sample_0>) -> Walker_0
+fn Slot_walker_0( this_83 : Slot_0,  sample_31 : ptr<function, Sample_0>) -> Walker_0
 {
-    (*sample_31) = load_sample_0(this_81.own_3);
-    var bounce_5 : u32 = Slot_bounce_0(this_81);
+    (*sample_31) = load_sample_0(this_83.own_3);
+    var bounce_5 : u32 = Slot_bounce_0(this_83);
     var at_22 : Walker_0;
-    at_22.path_0 = path_from_0(this_81.item_2.sampler_2);
+    at_22.path_0 = path_from_0(this_83.item_2.sampler_2);
     at_22.path_0.bounce_0 = bounce_5;
     at_22.path_0.event_0 = bounce_5;
     at_22.path_0.scattered_0 = bounce_5;
     at_22.path_0.beta_0 = (*sample_31).albedo_0;
     if(bounce_5 > u32(1))
     {
-        at_22.path_0.beta_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(7), this_81.lent_0)))), (bitcast<f32>((scratch_row_0(u32(8), this_81.lent_0).x))));
-        (*sample_31).light_1 = (*sample_31).light_1 + vec3<f32>((bitcast<f32>((scratch_row_0(u32(8), this_81.lent_0).y))), (bitcast<vec2<f32>>((scratch_row_0(u32(9), this_81.lent_0)))));
+        at_22.path_0.beta_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(7), this_83.lent_0)))), (bitcast<f32>((scratch_row_0(u32(8), this_83.lent_0).x))));
+        (*sample_31).light_1 = (*sample_31).light_1 + vec3<f32>((bitcast<f32>((scratch_row_0(u32(8), this_83.lent_0).y))), (bitcast<vec2<f32>>((scratch_row_0(u32(9), this_83.lent_0)))));
     }
-    var _S619 : f32 = at_22.path_0.pdf_1;
-    var _S620 : Ray_0 = Slot_ray_1(this_81, &(_S619));
-    at_22.path_0.pdf_1 = _S619;
-    at_22.ray_8 = _S620;
-    at_22.path_0.normal_0 = world_normal_0(Slot_instance_0(this_81), Slot_face_0(this_81));
+    var _S576 : f32 = at_22.path_0.pdf_1;
+    var _S577 : Ray_0 = Slot_ray_1(this_83, &(_S576));
+    at_22.path_0.pdf_1 = _S576;
+    at_22.ray_10 = _S577;
+    at_22.path_0.normal_0 = world_normal_0(Instances_operatorx5Bx5D_get_0(Slot_instance_0(this_83)), Slot_face_0(this_83));
     at_22.is_shadow_ray_0 = false;
     at_22.light_0 = vec3<f32>(0.0f);
-    at_22.direction_4 = at_22.ray_8.direction_0;
-    at_22.path_origin_0 = at_22.ray_8.origin_1;
+    at_22.direction_4 = at_22.ray_10.direction_0;
+    at_22.path_origin_0 = at_22.ray_10.origin_0;
     at_22.shadow_inside_0 = in_air_0();
     at_22.boundaries_0 = u32(0);
     at_22.relocates_0 = false;
     at_22.path_relocates_0 = false;
-    at_22.camera_ray_0 = _S620;
+    at_22.camera_ray_0 = _S577;
     at_22.way_3 = 0.0f;
     at_22.has_shown_0 = true;
-    at_22.asks_cache_0 = Item_asks_cache_0(this_81.item_2);
+    at_22.asks_cache_0 = Item_asks_cache_0(this_83.item_2);
     at_22.life_0 = u32(10);
     at_22.is_at_cell_0 = false;
-    if(Item_is_cell_0(this_81.item_2))
+    if(Item_is_cell_0(this_83.item_2))
     {
-        var rank_10 : u32;
-        var _S621 : Key_0 = Item_key_2(this_81.item_2, &(rank_10));
-        at_22.life_0 = max((rank_10 >> (u32(20))), u32(1)) - u32(1);
+        var rank_9 : u32;
+        var _S578 : Key_0 = Item_key_2(this_83.item_2, &(rank_9));
+        at_22.life_0 = max((rank_9 >> (u32(20))), u32(1)) - u32(1);
     }
     else
     {
-        var ray_37 : Ray_0 = camera_ray_1(this_81.item_2.at_13, FrameParams_camera_0(), this_81.item_2.sampler_2);
-        (*sample_31).place_0 = ray_37.origin_1 + ray_37.direction_0 * vec3<f32>((bitcast<f32>((scratch_row_0(u32(3), this_81.own_3).y))));
+        var ray_40 : Ray_0 = camera_ray_1(this_83.item_2.at_13, FrameParams_camera_0(), this_83.item_2.sampler_2);
+        (*sample_31).place_0 = ray_40.origin_0 + ray_40.direction_0 * vec3<f32>((bitcast<f32>((scratch_row_0(u32(3), this_83.own_3).y))));
     }
     return at_22;
 }
 
-fn Slot_walker_1( this_82 : Slot_0,  sample_32 : ptr<function, Sample_0>) -> Walker_0
+fn Slot_walker_1( this_84 : Slot_0,  sample_32 : ptr<function, Sample_0>) -> Walker_0
 {
-    (*sample_32) = load_sample_0(this_82.own_3);
-    var bounce_6 : u32 = Slot_bounce_0(this_82);
+    (*sample_32) = load_sample_0(this_84.own_3);
+    var bounce_6 : u32 = Slot_bounce_0(this_84);
     var at_23 : Walker_0;
-    at_23.path_0 = path_from_0(this_82.item_2.sampler_2);
+    at_23.path_0 = path_from_0(this_84.item_2.sampler_2);
     at_23.path_0.bounce_0 = bounce_6;
     at_23.path_0.event_0 = bounce_6;
     at_23.path_0.scattered_0 = bounce_6;
     at_23.path_0.beta_0 = (*sample_32).albedo_0;
     if(bounce_6 > u32(1))
     {
-        at_23.path_0.beta_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(7), this_82.lent_0)))), (bitcast<f32>((scratch_row_0(u32(8), this_82.lent_0).x))));
-        (*sample_32).light_1 = (*sample_32).light_1 + vec3<f32>((bitcast<f32>((scratch_row_0(u32(8), this_82.lent_0).y))), (bitcast<vec2<f32>>((scratch_row_0(u32(9), this_82.lent_0)))));
+        at_23.path_0.beta_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(7), this_84.lent_0)))), (bitcast<f32>((scratch_row_0(u32(8), this_84.lent_0).x))));
+        (*sample_32).light_1 = (*sample_32).light_1 + vec3<f32>((bitcast<f32>((scratch_row_0(u32(8), this_84.lent_0).y))), (bitcast<vec2<f32>>((scratch_row_0(u32(9), this_84.lent_0)))));
     }
-    var _S622 : f32 = at_23.path_0.pdf_1;
-    var _S623 : Ray_0 = Slot_ray_1(this_82, &(_S622));
-    at_23.path_0.pdf_1 = _S622;
-    at_23.ray_8 = _S623;
-    at_23.path_0.normal_0 = world_normal_0(Slot_instance_0(this_82), Slot_face_0(this_82));
+    var _S579 : f32 = at_23.path_0.pdf_1;
+    var _S580 : Ray_0 = Slot_ray_1(this_84, &(_S579));
+    at_23.path_0.pdf_1 = _S579;
+    at_23.ray_10 = _S580;
+    at_23.path_0.normal_0 = world_normal_0(Instances_operatorx5Bx5D_get_0(Slot_instance_0(this_84)), Slot_face_0(this_84));
     at_23.is_shadow_ray_0 = false;
     at_23.light_0 = vec3<f32>(0.0f);
-    at_23.direction_4 = at_23.ray_8.direction_0;
-    at_23.path_origin_0 = at_23.ray_8.origin_1;
+    at_23.direction_4 = at_23.ray_10.direction_0;
+    at_23.path_origin_0 = at_23.ray_10.origin_0;
     at_23.shadow_inside_0 = in_air_0();
     at_23.boundaries_0 = u32(0);
     at_23.relocates_0 = false;
     at_23.path_relocates_0 = false;
-    at_23.camera_ray_0 = _S623;
+    at_23.camera_ray_0 = _S580;
     at_23.way_3 = 0.0f;
     at_23.has_shown_0 = true;
-    at_23.asks_cache_0 = Item_asks_cache_0(this_82.item_2);
+    at_23.asks_cache_0 = Item_asks_cache_0(this_84.item_2);
     at_23.life_0 = u32(10);
     at_23.is_at_cell_0 = false;
-    if(Item_is_cell_0(this_82.item_2))
+    if(Item_is_cell_0(this_84.item_2))
     {
-        var rank_11 : u32;
-        var _S624 : Key_0 = Item_key_2(this_82.item_2, &(rank_11));
-        at_23.life_0 = max((rank_11 >> (u32(20))), u32(1)) - u32(1);
+        var rank_10 : u32;
+        var _S581 : Key_0 = Item_key_2(this_84.item_2, &(rank_10));
+        at_23.life_0 = max((rank_10 >> (u32(20))), u32(1)) - u32(1);
     }
     else
     {
-        var ray_38 : Ray_0 = camera_ray_1(this_82.item_2.at_13, FrameParams_camera_0(), this_82.item_2.sampler_2);
-        (*sample_32).place_0 = ray_38.origin_1 + ray_38.direction_0 * vec3<f32>((bitcast<f32>((scratch_row_0(u32(3), this_82.own_3).y))));
+        var ray_41 : Ray_0 = camera_ray_1(this_84.item_2.at_13, FrameParams_camera_0(), this_84.item_2.sampler_2);
+        (*sample_32).place_0 = ray_41.origin_0 + ray_41.direction_0 * vec3<f32>((bitcast<f32>((scratch_row_0(u32(3), this_84.own_3).y))));
     }
     return at_23;
 }
 
-fn goes_on_from_second_0( slot_15 : Slot_0) -> bool
+fn goes_on_from_second_0( slot_14 : Slot_0) -> bool
 {
     var sample_33 : Sample_0;
-    var _S625 : Walker_0 = Slot_walker_0(slot_15, &(sample_33));
-    var at_24 : Walker_0 = _S625;
-    var hit_26 : Hit_0 = hit_in_slot_0(slot_15.own_3, at_24.ray_8);
-    var _S626 : vec3<f32> = vec3<f32>(0.0f);
-    var cached_3 : vec3<f32> = _S626;
+    var _S582 : Walker_0 = Slot_walker_0(slot_14, &(sample_33));
+    var at_24 : Walker_0 = _S582;
+    var hit_26 : Hit_0 = hit_in_slot_0(slot_14.own_3, at_24.ray_10);
+    var _S583 : vec3<f32> = vec3<f32>(0.0f);
+    var cached_3 : vec3<f32> = _S583;
     var is_known_0 : bool;
     if(at_24.asks_cache_0)
     {
-        var _S627 : bool = asks_2(at_24.path_0, at_24.ray_8, hit_26, u32(4294967295), at_24.life_0, &(cached_3));
-        is_known_0 = _S627;
+        var _S584 : bool = asks_2(at_24.path_0, at_24.ray_10, hit_26, u32(4294967295), at_24.life_0, &(cached_3));
+        is_known_0 = _S584;
     }
     else
     {
@@ -9147,12 +9149,12 @@ fn goes_on_from_second_0( slot_15 : Slot_0) -> bool
         return true;
     }
     ends_here_0 = true;
-    var emitted_6 : vec3<f32> = _S626;
-    var _S628 : Path_0 = at_24.path_0;
-    var _S629 : NextRays_0 = PathTracingOf_advance_2(&(_S628), at_24.ray_8, hit_26, u32(4294967295), &(emitted_6));
-    at_24.path_0 = _S628;
+    var emitted_6 : vec3<f32> = _S583;
+    var _S585 : Path_0 = at_24.path_0;
+    var _S586 : NextRays_0 = PathTracingOf_advance_2(&(_S585), at_24.ray_10, hit_26, u32(4294967295), &(emitted_6));
+    at_24.path_0 = _S585;
     sample_33.light_1 = sample_33.light_1 + (cached_3 + emitted_6);
-    Slot_end_0(slot_15, sample_33);
+    Slot_end_0(slot_14, sample_33);
     return false;
 }
 
@@ -9162,34 +9164,34 @@ var<workgroup> first_appended_0 : array<u32, i32(2)>;
 
 fn append_0( thread_2 : u32,  item_6 : u32,  of_0 : Item_0,  goes_on_8 : bool)
 {
-    var _S630 : bool = thread_2 < u32(2);
-    if(_S630)
+    var _S587 : bool = thread_2 < u32(2);
+    if(_S587)
     {
         atomicStore(&(appended_0[thread_2]), u32(0));
     }
     workgroupBarrier();
-    var _S631 : i32;
+    var _S588 : i32;
     if(goes_on_8)
     {
-        _S631 = i32(0);
+        _S588 = i32(0);
     }
     else
     {
-        _S631 = i32(1);
+        _S588 = i32(1);
     }
-    var list_1 : u32 = u32(_S631);
-    var index_35 : u32;
+    var list_1 : u32 = u32(_S588);
+    var index_37 : u32;
     if(of_0.traces_0)
     {
-        var _S632 : u32 = atomicAdd(&(appended_0[list_1]), u32(1));
-        index_35 = _S632;
+        var _S589 : u32 = atomicAdd(&(appended_0[list_1]), u32(1));
+        index_37 = _S589;
     }
     else
     {
-        index_35 = u32(0);
+        index_37 = u32(0);
     }
     workgroupBarrier();
-    if(_S630)
+    if(_S587)
     {
         var count_10 : u32 = atomicLoad(&(appended_0[thread_2]));
         var before_0 : u32;
@@ -9203,50 +9205,50 @@ fn append_0( thread_2 : u32,  item_6 : u32,  of_0 : Item_0,  goes_on_8 : bool)
             {
                 before_0 = u32(8);
             }
-            var _S633 : u32 = atomicAdd(&(cell_keys_0[before_0]), count_10);
-            before_0 = _S633;
+            var _S590 : u32 = atomicAdd(&(cell_keys_0[before_0]), count_10);
+            before_0 = _S590;
         }
         else
         {
             before_0 = u32(0);
         }
         var more_0 : u32 = (before_0 + count_10 + u32(64) - u32(1)) / u32(64) - (before_0 + u32(64) - u32(1)) / u32(64);
-        var _S634 : bool;
+        var _S591 : bool;
         if(thread_2 == u32(0))
         {
-            _S634 = more_0 > u32(0);
+            _S591 = more_0 > u32(0);
         }
         else
         {
-            _S634 = false;
+            _S591 = false;
         }
-        if(_S634)
+        if(_S591)
         {
-            var _S635 : u32 = atomicAdd(&(cell_keys_0[u32(5)]), more_0);
+            var _S592 : u32 = atomicAdd(&(cell_keys_0[u32(5)]), more_0);
         }
         first_appended_0[thread_2] = before_0;
     }
     workgroupBarrier();
-    var at_25 : u32 = first_appended_0[list_1] + index_35;
+    var at_25 : u32 = first_appended_0[list_1] + index_37;
     if(of_0.traces_0)
     {
         if(goes_on_8)
         {
-            index_35 = at_25;
+            index_37 = at_25;
         }
         else
         {
-            index_35 = real_time_0.slots_0 - u32(1) - at_25;
+            index_37 = real_time_0.slots_0 - u32(1) - at_25;
         }
         if(goes_on_8)
         {
-            index_35 = item_6;
+            index_37 = item_6;
         }
         else
         {
-            index_35 = of_0.slot_1;
+            index_37 = of_0.slot_0;
         }
-        rest_0[index_35] = index_35;
+        rest_0[index_37] = index_37;
     }
     return;
 }
@@ -9255,17 +9257,16 @@ fn append_0( thread_2 : u32,  item_6 : u32,  of_0 : Item_0,  goes_on_8 : bool)
 @workgroup_size(64, 1, 1)
 fn trace_ends(@builtin(global_invocation_id) id_4 : vec3<u32>, @builtin(local_invocation_index) thread_3 : u32)
 {
-    is_page_missing_0 = false;
     ends_here_0 = false;
     first_candidates_0 = u32(1);
-    var _S636 : u32 = id_4.x;
-    var item_7 : Item_0 = item_of_0(_S636);
-    var _S637 : u32 = item_7.slot_1;
-    var slot_16 : Slot_0 = Slot_x24init_0(item_7, _S637, _S637);
+    var _S593 : u32 = id_4.x;
+    var item_7 : Item_0 = item_of_0(_S593);
+    var _S594 : u32 = item_7.slot_0;
+    var slot_15 : Slot_0 = Slot_x24init_0(item_7, _S594, _S594);
     var goes_on_9 : bool;
     if(item_7.traces_0)
     {
-        goes_on_9 = !is_over_0(item_7.slot_1);
+        goes_on_9 = !is_over_0(item_7.slot_0);
     }
     else
     {
@@ -9273,40 +9274,40 @@ fn trace_ends(@builtin(global_invocation_id) id_4 : vec3<u32>, @builtin(local_in
     }
     if(goes_on_9)
     {
-        var _S638 : bool = goes_on_from_second_0(slot_16);
-        goes_on_9 = _S638;
+        var _S595 : bool = goes_on_from_second_0(slot_15);
+        goes_on_9 = _S595;
     }
     else
     {
         goes_on_9 = false;
     }
-    append_0(thread_3, _S636, item_7, goes_on_9);
+    append_0(thread_3, _S593, item_7, goes_on_9);
     return;
 }
 
 fn slot_of_rest_0( number_5 : u32,  is_lent_0 : ptr<function, bool>) -> Slot_0
 {
-    var slot_17 : Slot_0;
-    var _S639 : u32 = atomicLoad(&(cell_keys_0[u32(4)]));
-    slot_17.item_2.traces_0 = number_5 < _S639;
-    var _S640 : u32 = atomicLoad(&(cell_keys_0[u32(8)]));
-    (*is_lent_0) = number_5 < _S640;
-    if(slot_17.item_2.traces_0)
+    var slot_16 : Slot_0;
+    var _S596 : u32 = atomicLoad(&(cell_keys_0[u32(4)]));
+    slot_16.item_2.traces_0 = number_5 < _S596;
+    var _S597 : u32 = atomicLoad(&(cell_keys_0[u32(8)]));
+    (*is_lent_0) = number_5 < _S597;
+    if(slot_16.item_2.traces_0)
     {
-        var _S641 : Item_0 = item_of_0(rest_0[number_5]);
-        slot_17.item_2 = _S641;
-        slot_17.own_3 = slot_17.item_2.slot_1;
-        slot_17.lent_0 = slot_17.item_2.slot_1;
+        var _S598 : Item_0 = item_of_0(rest_0[number_5]);
+        slot_16.item_2 = _S598;
+        slot_16.own_3 = slot_16.item_2.slot_0;
+        slot_16.lent_0 = slot_16.item_2.slot_0;
         if((*is_lent_0))
         {
-            slot_17.lent_0 = rest_0[real_time_0.slots_0 - u32(1) - number_5];
+            slot_16.lent_0 = rest_0[real_time_0.slots_0 - u32(1) - number_5];
         }
-        slot_17.item_2.traces_0 = !is_over_0(slot_17.own_3);
+        slot_16.item_2.traces_0 = !is_over_0(slot_16.own_3);
     }
-    return slot_17;
+    return slot_16;
 }
 
-fn Slot_keep_later_0( this_83 : Slot_0,  at_26 : Walker_0,  hit_27 : Hit_0,  found_1 : vec3<f32>)
+fn Slot_keep_later_0( this_85 : Slot_0,  at_26 : Walker_0,  hit_27 : Hit_0,  found_3 : vec3<f32>)
 {
     var light_17 : vec3<f32>;
     if(at_26.is_shadow_ray_0)
@@ -9317,12 +9318,12 @@ fn Slot_keep_later_0( this_83 : Slot_0,  at_26 : Walker_0,  hit_27 : Hit_0,  fou
     {
         light_17 = vec3<f32>(0.0f);
     }
-    set_scratch_row_0(u32(0), this_83.own_3, (bitcast<vec2<u32>>((found_1.xy))));
-    scratch_0[real_time_0.slots_0 + this_83.own_3][i32(0)] = (bitcast<u32>((found_1.z)));
-    Slot_keep_0(this_83, at_26, hit_27.instance_0, hit_27.face_0);
-    set_scratch_row_0(u32(7), this_83.lent_0, (bitcast<vec2<u32>>((at_26.path_0.beta_0.xy))));
-    set_scratch_row_0(u32(8), this_83.lent_0, (bitcast<vec2<u32>>((vec2<f32>(at_26.path_0.beta_0.z, light_17.x)))));
-    set_scratch_row_0(u32(9), this_83.lent_0, (bitcast<vec2<u32>>((light_17.yz))));
+    set_scratch_row_0(u32(0), this_85.own_3, (bitcast<vec2<u32>>((found_3.xy))));
+    scratch_0[real_time_0.slots_0 + this_85.own_3][i32(0)] = (bitcast<u32>((found_3.z)));
+    Slot_keep_0(this_85, at_26, hit_27.instance_0, hit_27.face_0);
+    set_scratch_row_0(u32(7), this_85.lent_0, (bitcast<vec2<u32>>((at_26.path_0.beta_0.xy))));
+    set_scratch_row_0(u32(8), this_85.lent_0, (bitcast<vec2<u32>>((vec2<f32>(at_26.path_0.beta_0.z, light_17.x)))));
+    set_scratch_row_0(u32(9), this_85.lent_0, (bitcast<vec2<u32>>((light_17.yz))));
     return;
 }
 
@@ -9330,36 +9331,35 @@ fn Slot_keep_later_0( this_83 : Slot_0,  at_26 : Walker_0,  hit_27 : Hit_0,  fou
 @workgroup_size(64, 1, 1)
 fn trace_on(@builtin(global_invocation_id) id_5 : vec3<u32>)
 {
-    is_page_missing_0 = false;
     ends_here_0 = false;
     first_candidates_0 = u32(1);
     var is_lent_1 : bool;
-    var slot_18 : Slot_0 = slot_of_rest_0(id_5.x, &(is_lent_1));
-    var _S642 : bool;
-    if(slot_18.item_2.traces_0)
+    var slot_17 : Slot_0 = slot_of_rest_0(id_5.x, &(is_lent_1));
+    var _S599 : bool;
+    if(slot_17.item_2.traces_0)
     {
-        _S642 = is_lent_1;
+        _S599 = is_lent_1;
     }
     else
     {
-        _S642 = false;
+        _S599 = false;
     }
-    if(_S642)
+    if(_S599)
     {
         scatter_of_path_0.wants_light_0 = false;
         first_candidates_0 = u32(1);
         var sample_34 : Sample_0;
-        var _S643 : Walker_0 = Slot_walker_1(slot_18, &(sample_34));
-        var at_27 : Walker_0 = _S643;
-        var hit_28 : Hit_0 = hit_in_slot_0(slot_18.own_3, at_27.ray_8);
-        var _S644 : bool = goes_on_from_1(&(at_27), hit_28, u32(4294967295), &(sample_34));
-        if(_S644)
+        var _S600 : Walker_0 = Slot_walker_1(slot_17, &(sample_34));
+        var at_27 : Walker_0 = _S600;
+        var hit_28 : Hit_0 = hit_in_slot_0(slot_17.own_3, at_27.ray_10);
+        var _S601 : bool = goes_on_from_1(&(at_27), hit_28, u32(4294967295), &(sample_34));
+        if(_S601)
         {
-            Slot_keep_later_0(slot_18, at_27, hit_28, sample_34.light_1);
+            Slot_keep_later_0(slot_17, at_27, hit_28, sample_34.light_1);
         }
         else
         {
-            Slot_end_0(slot_18, sample_34);
+            Slot_end_0(slot_17, sample_34);
         }
     }
     return;
@@ -9369,35 +9369,34 @@ fn trace_on(@builtin(global_invocation_id) id_5 : vec3<u32>)
 @workgroup_size(64, 1, 1)
 fn trace_on_rays(@builtin(global_invocation_id) id_6 : vec3<u32>)
 {
-    is_page_missing_0 = false;
     ends_here_0 = false;
     first_candidates_0 = u32(1);
     var is_lent_2 : bool;
-    var slot_19 : Slot_0 = slot_of_rest_0(id_6.x, &(is_lent_2));
-    var _S645 : bool;
-    if(slot_19.item_2.traces_0)
+    var slot_18 : Slot_0 = slot_of_rest_0(id_6.x, &(is_lent_2));
+    var _S602 : bool;
+    if(slot_18.item_2.traces_0)
     {
-        _S645 = is_lent_2;
+        _S602 = is_lent_2;
     }
     else
     {
-        _S645 = false;
+        _S602 = false;
     }
-    if(_S645)
+    if(_S602)
     {
-        Slot_walk_0(slot_19);
+        Slot_walk_0(slot_18);
     }
     return;
 }
 
-fn follow_0( item_8 : Item_0,  start_5 : Walker_0,  first_2 : Hit_0,  walks_0 : bool,  found_2 : Sample_0)
+fn follow_0( item_8 : Item_0,  start_5 : Walker_0,  first_1 : Hit_0,  walks_0 : bool,  found_4 : Sample_0)
 {
     var at_28 : Walker_0 = start_5;
-    var sample_35 : Sample_0 = found_2;
-    var _S646 : bool = !walks_0;
+    var sample_35 : Sample_0 = found_4;
+    var _S603 : bool = !walks_0;
     var is_under_way_0 : bool = true;
-    var is_met_4 : bool = _S646;
-    var hit_29 : Hit_0 = first_2;
+    var is_met_4 : bool = _S603;
+    var hit_29 : Hit_0 = first_1;
     for(;;)
     {
         if(is_under_way_0)
@@ -9409,10 +9408,10 @@ fn follow_0( item_8 : Item_0,  start_5 : Walker_0,  first_2 : Hit_0,  walks_0 : 
         }
         if(!is_met_4)
         {
-            var _S647 : Ray_0 = at_28.ray_8;
-            var _S648 : Hit_0 = WalkTracer_trace_0(&(_S647), at_28.is_shadow_ray_0);
-            at_28.ray_8 = _S647;
-            hit_29 = _S648;
+            var _S604 : Ray_0 = at_28.ray_10;
+            var _S605 : Hit_0 = WalkTracer_trace_0(&(_S604), at_28.is_shadow_ray_0);
+            at_28.ray_10 = _S604;
+            hit_29 = _S605;
         }
         if(at_28.is_shadow_ray_0)
         {
@@ -9421,13 +9420,13 @@ fn follow_0( item_8 : Item_0,  start_5 : Walker_0,  first_2 : Hit_0,  walks_0 : 
                 sample_35.light_1 = sample_35.light_1 + at_28.light_0;
             }
             at_28.is_shadow_ray_0 = false;
-            at_28.ray_8 = ray_from_0(at_28.ray_8.origin_1, at_28.direction_4);
+            at_28.ray_10 = ray_from_0(at_28.ray_10.origin_0, at_28.direction_4);
             is_under_way_0 = (any(((at_28.direction_4) != vec3<f32>(0.0f))));
         }
         else
         {
-            var _S649 : bool = goes_on_from_0(&(at_28), hit_29, u32(4294967295), &(sample_35));
-            is_under_way_0 = _S649;
+            var _S606 : bool = goes_on_from_0(&(at_28), hit_29, u32(4294967295), &(sample_35));
+            is_under_way_0 = _S606;
         }
         is_met_4 = false;
     }
@@ -9439,18 +9438,17 @@ fn follow_0( item_8 : Item_0,  start_5 : Walker_0,  first_2 : Hit_0,  walks_0 : 
 @workgroup_size(64, 1, 1)
 fn trace_rest(@builtin(global_invocation_id) id_7 : vec3<u32>)
 {
-    is_page_missing_0 = false;
     ends_here_0 = false;
     first_candidates_0 = u32(1);
     var is_lent_3 : bool;
-    var slot_20 : Slot_0 = slot_of_rest_0(id_7.x, &(is_lent_3));
-    if(slot_20.item_2.traces_0)
+    var slot_19 : Slot_0 = slot_of_rest_0(id_7.x, &(is_lent_3));
+    if(slot_19.item_2.traces_0)
     {
         scatter_of_path_0.wants_light_0 = false;
         first_candidates_0 = u32(1);
         var sample_36 : Sample_0;
-        var at_29 : Walker_0 = Slot_walker_1(slot_20, &(sample_36));
-        follow_0(slot_20.item_2, at_29, hit_in_slot_0(slot_20.own_3, at_29.ray_8), false, sample_36);
+        var at_29 : Walker_0 = Slot_walker_1(slot_19, &(sample_36));
+        follow_0(slot_19.item_2, at_29, hit_in_slot_0(slot_19.own_3, at_29.ray_10), false, sample_36);
     }
     return;
 }
@@ -9459,7 +9457,6 @@ fn trace_rest(@builtin(global_invocation_id) id_7 : vec3<u32>)
 @workgroup_size(64, 1, 1)
 fn trace_again(@builtin(global_invocation_id) id_8 : vec3<u32>)
 {
-    is_page_missing_0 = false;
     ends_here_0 = false;
     first_candidates_0 = u32(1);
     var item_9 : Item_0 = item_of_0(real_time_0.cells_0 + threads_that_trace_0() + real_time_0.squares_0 + id_8.x);
@@ -9467,8 +9464,8 @@ fn trace_again(@builtin(global_invocation_id) id_8 : vec3<u32>)
     {
         scatter_of_path_0.wants_light_0 = false;
         first_candidates_0 = real_time_0.candidates_0;
-        var _S650 : Walker_0 = Item_start_0(item_9);
-        follow_0(item_9, _S650, miss_0(), true, no_sample_0());
+        var _S607 : Walker_0 = Item_start_0(item_9);
+        follow_0(item_9, _S607, miss_0(), true, no_sample_0());
     }
     return;
 }

@@ -1,3 +1,4 @@
+var<private> infinity_bits_0 : u32 = 2139095040u;
 @binding(15) @group(0) var<storage, read_write> counters_0 : array<atomic<u32>>;
 
 struct Dispatch_std140_0
@@ -15,40 +16,7 @@ struct Dispatch_std140_0
 
 @binding(12) @group(0) var<storage, read_write> outputs_0 : array<u32>;
 
-struct Transform_std430_0
-{
-    @align(4) x_axis_0 : array<f32, i32(3)>,
-    @align(4) y_axis_0 : array<f32, i32(3)>,
-    @align(4) z_axis_0 : array<f32, i32(3)>,
-    @align(4) translation_0 : array<f32, i32(3)>,
-};
-
-struct PackedInstance_std430_0
-{
-    @align(4) grid_from_world_0 : Transform_std430_0,
-    @align(4) world_from_grid_0 : Transform_std430_0,
-    @align(4) grid_0 : u32,
-    @align(4) scene_instance_0 : u32,
-    @align(4) light_leaf_0 : u32,
-};
-
-@binding(4) @group(0) var<storage, read> instances_0 : array<PackedInstance_std430_0>;
-
-struct PackedGrid_std430_0
-{
-    @align(4) origin_0 : array<i32, i32(3)>,
-    @align(4) top_shift_0 : u32,
-    @align(4) top_size_0 : array<i32, i32(3)>,
-    @align(4) top_offset_0 : u32,
-    @align(4) min_0 : array<i32, i32(3)>,
-    @align(4) voxels_0 : array<u32, i32(2)>,
-    @align(4) max_0 : array<i32, i32(3)>,
-    @align(4) material_bits_0 : u32,
-};
-
-@binding(3) @group(0) var<storage, read> grids_0 : array<PackedGrid_std430_0>;
-
-@binding(21) @group(0) var<storage, read_write> pages_0 : array<u32>;
+@binding(3) @group(0) var<storage, read> records_0 : array<vec4<u32>>;
 
 @binding(0) @group(0) var<storage, read> cells_0 : array<u32>;
 
@@ -110,8 +78,6 @@ struct FrameParams_std140_0
 };
 
 @binding(9) @group(0) var<uniform> params_0 : FrameParams_std140_0;
-@binding(17) @group(0) var<storage, read> top_light_node_rows_0 : array<vec4<u32>>;
-
 struct EnvironmentTexel_std430_0
 {
     @align(4) radiance_0 : array<f32, i32(3)>,
@@ -122,13 +88,27 @@ struct EnvironmentTexel_std430_0
 
 @binding(19) @group(0) var<storage, read> environment_0 : array<EnvironmentTexel_std430_0>;
 
-@binding(8) @group(0) var<storage, read> light_node_rows_0 : array<vec4<u32>>;
-
-@binding(7) @group(0) var<storage, read> emitter_rows_0 : array<vec4<u32>>;
-
-@binding(6) @group(0) var<storage, read> material_rows_0 : array<vec4<u32>>;
-
 @id(6) override SKY_0 : u32 = u32(0);
+
+fn first_row_0( array_0 : u32) -> u32
+{
+    return records_0[(array_0 >> (u32(2)))][(array_0 & (u32(3)))];
+}
+
+fn Rows_operatorx5Bx5D_get_0( row_0 : u32) -> vec4<u32>
+{
+    return records_0[first_row_0(u32(3)) + row_0];
+}
+
+fn Rows_operatorx5Bx5D_get_1( row_1 : u32) -> vec4<u32>
+{
+    return records_0[first_row_0(u32(4)) + row_1];
+}
+
+fn Rows_operatorx5Bx5D_get_2( row_2 : u32) -> vec4<u32>
+{
+    return records_0[first_row_0(u32(5)) + row_2];
+}
 
 struct Receiver_0
 {
@@ -163,29 +143,16 @@ struct Descent_0
      is_far_0 : bool,
 };
 
-@id(12) override HAS_PAGES_0 : bool = false;
-
-var<private> is_page_missing_0 : bool;
-
 fn waits_for_pages_0() -> bool
 {
-    var _S1 : bool;
-    if(HAS_PAGES_0)
-    {
-        _S1 = is_page_missing_0;
-    }
-    else
-    {
-        _S1 = false;
-    }
-    return _S1;
+    return false;
 }
 
 struct LightNode_0
 {
-     min_1 : array<f32, i32(3)>,
+     min_0 : array<f32, i32(3)>,
      index_1 : u32,
-     max_1 : array<f32, i32(3)>,
+     max_0 : array<f32, i32(3)>,
      count_2 : u32,
      power_0 : array<f32, i32(6)>,
      parent_0 : u32,
@@ -194,85 +161,53 @@ struct LightNode_0
 
 fn lights_in_pages_0() -> bool
 {
-    var _S2 : bool;
-    if(HAS_PAGES_0)
-    {
-        _S2 = pages_0[u32(5)] != u32(0);
-    }
-    else
-    {
-        _S2 = false;
-    }
-    return _S2;
+    return false;
 }
 
 fn light_node_of_0( a_0 : vec4<u32>,  b_0 : vec4<u32>,  c_0 : vec4<u32>,  d_0 : vec4<u32>) -> LightNode_0
 {
     var node_1 : LightNode_0;
-    var _S3 : f32 = (bitcast<f32>((a_0.y)));
-    var _S4 : f32 = (bitcast<f32>((a_0.z)));
-    node_1.min_1[i32(0)] = (bitcast<f32>((a_0.x)));
-    node_1.min_1[i32(1)] = _S3;
-    node_1.min_1[i32(2)] = _S4;
+    var _S1 : f32 = (bitcast<f32>((a_0.y)));
+    var _S2 : f32 = (bitcast<f32>((a_0.z)));
+    node_1.min_0[i32(0)] = (bitcast<f32>((a_0.x)));
+    node_1.min_0[i32(1)] = _S1;
+    node_1.min_0[i32(2)] = _S2;
     node_1.index_1 = a_0.w;
-    var _S5 : f32 = (bitcast<f32>((b_0.y)));
-    var _S6 : f32 = (bitcast<f32>((b_0.z)));
-    node_1.max_1[i32(0)] = (bitcast<f32>((b_0.x)));
-    node_1.max_1[i32(1)] = _S5;
-    node_1.max_1[i32(2)] = _S6;
+    var _S3 : f32 = (bitcast<f32>((b_0.y)));
+    var _S4 : f32 = (bitcast<f32>((b_0.z)));
+    node_1.max_0[i32(0)] = (bitcast<f32>((b_0.x)));
+    node_1.max_0[i32(1)] = _S3;
+    node_1.max_0[i32(2)] = _S4;
     node_1.count_2 = b_0.w;
-    var _S7 : f32 = (bitcast<f32>((c_0.y)));
-    var _S8 : f32 = (bitcast<f32>((c_0.z)));
-    var _S9 : f32 = (bitcast<f32>((c_0.w)));
-    var _S10 : f32 = (bitcast<f32>((d_0.x)));
-    var _S11 : f32 = (bitcast<f32>((d_0.y)));
+    var _S5 : f32 = (bitcast<f32>((c_0.y)));
+    var _S6 : f32 = (bitcast<f32>((c_0.z)));
+    var _S7 : f32 = (bitcast<f32>((c_0.w)));
+    var _S8 : f32 = (bitcast<f32>((d_0.x)));
+    var _S9 : f32 = (bitcast<f32>((d_0.y)));
     node_1.power_0[i32(0)] = (bitcast<f32>((c_0.x)));
-    node_1.power_0[i32(1)] = _S7;
-    node_1.power_0[i32(2)] = _S8;
-    node_1.power_0[i32(3)] = _S9;
-    node_1.power_0[i32(4)] = _S10;
-    node_1.power_0[i32(5)] = _S11;
+    node_1.power_0[i32(1)] = _S5;
+    node_1.power_0[i32(2)] = _S6;
+    node_1.power_0[i32(3)] = _S7;
+    node_1.power_0[i32(4)] = _S8;
+    node_1.power_0[i32(5)] = _S9;
     node_1.parent_0 = d_0.z;
     node_1.root_0 = d_0.w;
     return node_1;
 }
 
-fn word_in_pages_0( index_2 : u32,  first_1 : u32) -> u32
-{
-    var page_0 : u32 = first_1 + ((index_2 >> (u32(10))));
-    var mark_0 : u32 = u32(8) + pages_0[i32(0)] + page_0;
-    if(pages_0[mark_0] == u32(0))
-    {
-        pages_0[mark_0] = u32(1);
-    }
-    var slot_0 : u32 = pages_0[u32(8) + page_0];
-    var _S12 : bool;
-    if(is_page_missing_0)
-    {
-        _S12 = true;
-    }
-    else
-    {
-        _S12 = slot_0 == u32(0);
-    }
-    is_page_missing_0 = _S12;
-    return (((slot_0 << (u32(10)))) | (((index_2 & (u32(1023))))));
-}
-
 fn place_in_light_node_0( node_2 : u32,  word_0 : u32) -> u32
 {
-    var _S13 : u32 = word_in_pages_0(node_2 * u32(16) + word_0, pages_0[i32(4)]);
-    return _S13;
+    return u32(0);
 }
 
-fn light_node_at_0( index_3 : u32) -> LightNode_0
+fn light_node_at_0( index_2 : u32) -> LightNode_0
 {
     if(!lights_in_pages_0())
     {
-        var _S14 : u32 = u32(4) * index_3;
-        return light_node_of_0(light_node_rows_0[_S14], light_node_rows_0[_S14 + u32(1)], light_node_rows_0[_S14 + u32(2)], light_node_rows_0[_S14 + u32(3)]);
+        var _S10 : u32 = u32(4) * index_2;
+        return light_node_of_0(Rows_operatorx5Bx5D_get_2(_S10), Rows_operatorx5Bx5D_get_2(_S10 + u32(1)), Rows_operatorx5Bx5D_get_2(_S10 + u32(2)), Rows_operatorx5Bx5D_get_2(_S10 + u32(3)));
     }
-    var at_0 : u32 = place_in_light_node_0(index_3, u32(0));
+    var at_0 : u32 = place_in_light_node_0(index_2, u32(0));
     var node_3 : LightNode_0;
     var i_0 : u32 = u32(0);
     for(;;)
@@ -284,8 +219,8 @@ fn light_node_at_0( index_3 : u32) -> LightNode_0
         {
             break;
         }
-        node_3.min_1[i_0] = (bitcast<f32>((cells_0[at_0 + i_0])));
-        node_3.max_1[i_0] = (bitcast<f32>((cells_0[at_0 + u32(4) + i_0])));
+        node_3.min_0[i_0] = (bitcast<f32>((cells_0[at_0 + i_0])));
+        node_3.max_0[i_0] = (bitcast<f32>((cells_0[at_0 + u32(4) + i_0])));
         i_0 = i_0 + u32(1);
     }
     node_3.index_1 = cells_0[at_0 + u32(3)];
@@ -308,10 +243,9 @@ fn light_node_at_0( index_3 : u32) -> LightNode_0
     return node_3;
 }
 
-fn GridLights_node_0( index_4 : u32) -> LightNode_0
+fn GridLights_node_0( index_3 : u32) -> LightNode_0
 {
-    var _S15 : LightNode_0 = light_node_at_0(index_4);
-    return _S15;
+    return light_node_at_0(index_3);
 }
 
 struct View_0
@@ -332,16 +266,16 @@ fn dot_product_0( a_1 : vec3<f32>,  b_1 : vec3<f32>) -> f32
 
 fn Receiver_slack_0( this_0 : Receiver_0) -> f32
 {
-    var _S16 : f32;
+    var _S11 : f32;
     if((all(((this_0.normal_0) == vec3<f32>(0.0f)))))
     {
-        _S16 = 1.00000001504746622e+30f;
+        _S11 = 1.00000001504746622e+30f;
     }
     else
     {
-        _S16 = 0.0f;
+        _S11 = 0.0f;
     }
-    return _S16;
+    return _S11;
 }
 
 fn with_slack_0( receiver_0 : Receiver_0,  cos_0 : f32) -> f32
@@ -372,17 +306,17 @@ struct BySide_0
 
 fn BySide_x24init_0( low_1 : vec3<f32>,  high_1 : vec3<f32>) -> BySide_0
 {
-    var _S17 : BySide_0;
-    _S17.low_0 = low_1;
-    _S17.high_0 = high_1;
-    return _S17;
+    var _S12 : BySide_0;
+    _S12.low_0 = low_1;
+    _S12.high_0 = high_1;
+    return _S12;
 }
 
 fn sent_by_side_0( node_4 : LightNode_0,  point_1 : vec3<f32>,  distance_0 : f32) -> BySide_0
 {
-    var _S18 : vec3<f32> = vec3<f32>(0.0f);
-    var _S19 : vec3<f32> = vec3<f32>(distance_0);
-    return BySide_x24init_0(vec3<f32>(node_4.power_0[i32(0)], node_4.power_0[i32(2)], node_4.power_0[i32(4)]) * min(max(vector_of_0(node_4.max_1) - point_1, _S18), _S19), vec3<f32>(node_4.power_0[i32(1)], node_4.power_0[i32(3)], node_4.power_0[i32(5)]) * min(max(point_1 - vector_of_0(node_4.min_1), _S18), _S19));
+    var _S13 : vec3<f32> = vec3<f32>(0.0f);
+    var _S14 : vec3<f32> = vec3<f32>(distance_0);
+    return BySide_x24init_0(vec3<f32>(node_4.power_0[i32(0)], node_4.power_0[i32(2)], node_4.power_0[i32(4)]) * min(max(vector_of_0(node_4.max_0) - point_1, _S13), _S14), vec3<f32>(node_4.power_0[i32(1)], node_4.power_0[i32(3)], node_4.power_0[i32(5)]) * min(max(point_1 - vector_of_0(node_4.min_0), _S13), _S14));
 }
 
 fn BySide_sum_0( this_1 : BySide_0) -> f32
@@ -399,19 +333,19 @@ fn reciprocal_guess_0( x_0 : f32) -> f32
 
 fn View_x24init_0( importance_1 : f32,  is_far_2 : bool) -> View_0
 {
-    var _S20 : View_0;
-    _S20.importance_0 = importance_1;
-    _S20.is_far_1 = is_far_2;
-    return _S20;
+    var _S15 : View_0;
+    _S15.importance_0 = importance_1;
+    _S15.is_far_1 = is_far_2;
+    return _S15;
 }
 
 fn view_0( node_5 : LightNode_0,  receiver_1 : Receiver_0) -> View_0
 {
-    var _S21 : vec3<f32> = vector_of_0(node_5.max_1);
-    var _S22 : vec3<f32> = vector_of_0(node_5.min_1);
-    var _S23 : vec3<f32> = vec3<f32>(0.5f);
-    var half_0 : vec3<f32> = (_S21 - _S22) * _S23;
-    var toward_0 : vec3<f32> = (_S22 + _S21) * _S23 - receiver_1.point_0;
+    var _S16 : vec3<f32> = vector_of_0(node_5.max_0);
+    var _S17 : vec3<f32> = vector_of_0(node_5.min_0);
+    var _S18 : vec3<f32> = vec3<f32>(0.5f);
+    var half_0 : vec3<f32> = (_S16 - _S17) * _S18;
+    var toward_0 : vec3<f32> = (_S17 + _S16) * _S18 - receiver_1.point_0;
     var middle_0 : f32 = dot_product_0(toward_0, receiver_1.normal_0);
     var aside_0 : f32 = dot_product_0(half_0, abs(receiver_1.normal_0));
     var above_0 : f32 = with_slack_0(receiver_1, middle_0 + aside_0);
@@ -429,30 +363,30 @@ fn view_0( node_5 : LightNode_0,  receiver_1 : Receiver_0) -> View_0
     var distance_1 : f32 = length_bound_0(select(half_0, abs(toward_0), vec3<bool>((far_0 > near_0))));
     var sent_0 : f32 = BySide_sum_0(sent_by_side_0(node_5, receiver_1.point_0, distance_1));
     var falloff_0 : f32 = reciprocal_guess_0(max(far_0, near_0));
-    var _S24 : f32;
+    var _S19 : f32;
     if(above_0 > 0.0f)
     {
-        _S24 = sent_0 * min(above_0, distance_1) * (falloff_0 * falloff_0);
+        _S19 = sent_0 * min(above_0, distance_1) * (falloff_0 * falloff_0);
     }
     else
     {
-        _S24 = 0.0f;
+        _S19 = 0.0f;
     }
-    return View_x24init_0(_S24, is_far_3);
+    return View_x24init_0(_S19, is_far_3);
 }
 
 fn normal_or_zero_0( weight_1 : f32) -> f32
 {
-    var _S25 : f32;
+    var _S20 : f32;
     if(weight_1 < 1.17549435082228751e-38f)
     {
-        _S25 = 0.0f;
+        _S20 = 0.0f;
     }
     else
     {
-        _S25 = weight_1;
+        _S20 = weight_1;
     }
-    return _S25;
+    return _S20;
 }
 
 fn inverse_power_of_two_0( x_1 : f32) -> f32
@@ -462,26 +396,26 @@ fn inverse_power_of_two_0( x_1 : f32) -> f32
 
 fn weights_of_0( left_0 : f32,  right_0 : f32) -> vec2<f32>
 {
-    var _S26 : f32 = normal_or_zero_0(left_0);
-    var _S27 : f32 = normal_or_zero_0(right_0);
-    var unit_0 : f32 = inverse_power_of_two_0(_S26 + _S27);
-    return vec2<f32>(normal_or_zero_0(_S26 * unit_0), normal_or_zero_0(_S27 * unit_0));
+    var _S21 : f32 = normal_or_zero_0(left_0);
+    var _S22 : f32 = normal_or_zero_0(right_0);
+    var unit_0 : f32 = inverse_power_of_two_0(_S21 + _S22);
+    return vec2<f32>(normal_or_zero_0(_S21 * unit_0), normal_or_zero_0(_S22 * unit_0));
 }
 
 fn descend_0( receiver_2 : Receiver_0,  aim_0 : Aim_0,  descent_0 : ptr<function, Descent_0>) -> bool
 {
     for(;;)
     {
-        var _S28 : bool;
+        var _S23 : bool;
         if(((*descent_0).count_1) == u32(0))
         {
-            _S28 = !(*descent_0).is_far_0;
+            _S23 = !(*descent_0).is_far_0;
         }
         else
         {
-            _S28 = false;
+            _S23 = false;
         }
-        if(_S28)
+        if(_S23)
         {
         }
         else
@@ -497,29 +431,29 @@ fn descend_0( receiver_2 : Receiver_0,  aim_0 : Aim_0,  descent_0 : ptr<function
         var of_left_0 : View_0 = view_0(left_1, receiver_2);
         var of_right_0 : View_0 = view_0(right_1, receiver_2);
         var weights_0 : vec2<f32> = weights_of_0(of_left_0.importance_0, of_right_0.importance_0);
-        var _S29 : f32 = weights_0.x;
-        var _S30 : f32 = weights_0.y;
-        var total_1 : f32 = _S29 + _S30;
+        var _S24 : f32 = weights_0.x;
+        var _S25 : f32 = weights_0.y;
+        var total_1 : f32 = _S24 + _S25;
         if(!(total_1 > 0.0f))
         {
             return false;
         }
-        var _S31 : bool;
-        if(_S30 <= 0.0f)
+        var _S26 : bool;
+        if(_S25 <= 0.0f)
         {
-            _S31 = true;
+            _S26 = true;
         }
         else
         {
-            _S31 = ((*descent_0).choice_0 * total_1) < (_S29 * (*descent_0).weight_0);
+            _S26 = ((*descent_0).choice_0 * total_1) < (_S24 * (*descent_0).weight_0);
         }
         var is_left_0 : bool;
         if(aim_0.is_met_0)
         {
-            var _S32 : vec3<f32> = vec3<f32>(aim_0.hit_0.voxel_0);
-            if((all((_S32 >= (vector_of_0(left_1.min_1))))))
+            var _S27 : vec3<f32> = vec3<f32>(aim_0.hit_0.voxel_0);
+            if((all((_S27 >= (vector_of_0(left_1.min_0))))))
             {
-                is_left_0 = (all((_S32 < (vector_of_0(left_1.max_1)))));
+                is_left_0 = (all((_S27 < (vector_of_0(left_1.max_0)))));
             }
             else
             {
@@ -528,72 +462,72 @@ fn descend_0( receiver_2 : Receiver_0,  aim_0 : Aim_0,  descent_0 : ptr<function
         }
         else
         {
-            is_left_0 = _S31;
+            is_left_0 = _S26;
         }
-        var _S33 : f32 = (*descent_0).choice_0 * total_1;
+        var _S28 : f32 = (*descent_0).choice_0 * total_1;
+        var _S29 : f32;
+        if(is_left_0)
+        {
+            _S29 = 0.0f;
+        }
+        else
+        {
+            _S29 = _S24 * (*descent_0).weight_0;
+        }
+        (*descent_0).choice_0 = _S28 - _S29;
+        var _S30 : u32;
+        if(is_left_0)
+        {
+            _S30 = (*descent_0).node_0 + u32(1);
+        }
+        else
+        {
+            _S30 = (*descent_0).index_0;
+        }
+        (*descent_0).node_0 = _S30;
+        var _S31 : u32;
+        if(is_left_0)
+        {
+            _S31 = left_1.index_1;
+        }
+        else
+        {
+            _S31 = right_1.index_1;
+        }
+        (*descent_0).index_0 = _S31;
+        var _S32 : u32;
+        if(is_left_0)
+        {
+            _S32 = left_1.count_2;
+        }
+        else
+        {
+            _S32 = right_1.count_2;
+        }
+        (*descent_0).count_1 = _S32;
+        var _S33 : bool;
+        if(is_left_0)
+        {
+            _S33 = of_left_0.is_far_1;
+        }
+        else
+        {
+            _S33 = of_right_0.is_far_1;
+        }
+        (*descent_0).is_far_0 = _S33;
         var _S34 : f32;
         if(is_left_0)
         {
-            _S34 = 0.0f;
+            _S34 = _S24;
         }
         else
         {
-            _S34 = _S29 * (*descent_0).weight_0;
+            _S34 = _S25;
         }
-        (*descent_0).choice_0 = _S33 - _S34;
-        var _S35 : u32;
-        if(is_left_0)
-        {
-            _S35 = (*descent_0).node_0 + u32(1);
-        }
-        else
-        {
-            _S35 = (*descent_0).index_0;
-        }
-        (*descent_0).node_0 = _S35;
-        var _S36 : u32;
-        if(is_left_0)
-        {
-            _S36 = left_1.index_1;
-        }
-        else
-        {
-            _S36 = right_1.index_1;
-        }
-        (*descent_0).index_0 = _S36;
-        var _S37 : u32;
-        if(is_left_0)
-        {
-            _S37 = left_1.count_2;
-        }
-        else
-        {
-            _S37 = right_1.count_2;
-        }
-        (*descent_0).count_1 = _S37;
-        var _S38 : bool;
-        if(is_left_0)
-        {
-            _S38 = of_left_0.is_far_1;
-        }
-        else
-        {
-            _S38 = of_right_0.is_far_1;
-        }
-        (*descent_0).is_far_0 = _S38;
-        var _S39 : f32;
-        if(is_left_0)
-        {
-            _S39 = _S29;
-        }
-        else
-        {
-            _S39 = _S30;
-        }
-        var _S40 : f32 = (*descent_0).weight_0 * _S39;
-        (*descent_0).weight_0 = _S40;
+        var _S35 : f32 = (*descent_0).weight_0 * _S34;
+        (*descent_0).weight_0 = _S35;
         (*descent_0).total_0 = (*descent_0).total_0 * total_1;
-        if(_S40 <= 0.0f)
+        if(_S35 <= 0.0f)
         {
             return false;
         }
@@ -611,31 +545,36 @@ fn Descent_at_0( this_2 : ptr<function, Descent_0>,  root_1 : u32)
     return;
 }
 
-fn top_light_node_0( index_5 : u32) -> LightNode_0
+fn Rows_operatorx5Bx5D_get_3( row_3 : u32) -> vec4<u32>
 {
-    var _S41 : u32 = u32(4) * index_5;
-    return light_node_of_0(top_light_node_rows_0[_S41], top_light_node_rows_0[_S41 + u32(1)], top_light_node_rows_0[_S41 + u32(2)], top_light_node_rows_0[_S41 + u32(3)]);
+    return records_0[first_row_0(u32(6)) + row_3];
 }
 
-fn TopLights_node_0( index_6 : u32) -> LightNode_0
+fn top_light_node_0( index_4 : u32) -> LightNode_0
 {
-    return top_light_node_0(index_6);
+    var _S36 : u32 = u32(4) * index_4;
+    return light_node_of_0(Rows_operatorx5Bx5D_get_3(_S36), Rows_operatorx5Bx5D_get_3(_S36 + u32(1)), Rows_operatorx5Bx5D_get_3(_S36 + u32(2)), Rows_operatorx5Bx5D_get_3(_S36 + u32(3)));
+}
+
+fn TopLights_node_0( index_5 : u32) -> LightNode_0
+{
+    return top_light_node_0(index_5);
 }
 
 fn descend_1( receiver_3 : Receiver_0,  aim_1 : Aim_0,  descent_1 : ptr<function, Descent_0>) -> bool
 {
     for(;;)
     {
-        var _S42 : bool;
+        var _S37 : bool;
         if(((*descent_1).count_1) == u32(0))
         {
-            _S42 = !(*descent_1).is_far_0;
+            _S37 = !(*descent_1).is_far_0;
         }
         else
         {
-            _S42 = false;
+            _S37 = false;
         }
-        if(_S42)
+        if(_S37)
         {
         }
         else
@@ -649,29 +588,29 @@ fn descend_1( receiver_3 : Receiver_0,  aim_1 : Aim_0,  descent_1 : ptr<function
         var left_2 : LightNode_0 = TopLights_node_0((*descent_1).node_0 + u32(1));
         var right_2 : LightNode_0 = TopLights_node_0((*descent_1).index_0);
         var weights_1 : vec2<f32> = weights_of_0(view_0(left_2, receiver_3).importance_0, view_0(right_2, receiver_3).importance_0);
-        var _S43 : f32 = weights_1.x;
-        var _S44 : f32 = weights_1.y;
-        var total_2 : f32 = _S43 + _S44;
+        var _S38 : f32 = weights_1.x;
+        var _S39 : f32 = weights_1.y;
+        var total_2 : f32 = _S38 + _S39;
         if(!(total_2 > 0.0f))
         {
             return false;
         }
-        var _S45 : bool;
-        if(_S44 <= 0.0f)
+        var _S40 : bool;
+        if(_S39 <= 0.0f)
         {
-            _S45 = true;
+            _S40 = true;
         }
         else
         {
-            _S45 = ((*descent_1).choice_0 * total_2) < (_S43 * (*descent_1).weight_0);
+            _S40 = ((*descent_1).choice_0 * total_2) < (_S38 * (*descent_1).weight_0);
         }
         var is_left_1 : bool;
         if(aim_1.is_met_0)
         {
-            var _S46 : vec3<f32> = vec3<f32>(aim_1.hit_0.voxel_0);
-            if((all((_S46 >= (vector_of_0(left_2.min_1))))))
+            var _S41 : vec3<f32> = vec3<f32>(aim_1.hit_0.voxel_0);
+            if((all((_S41 >= (vector_of_0(left_2.min_0))))))
             {
-                is_left_1 = (all((_S46 < (vector_of_0(left_2.max_1)))));
+                is_left_1 = (all((_S41 < (vector_of_0(left_2.max_0)))));
             }
             else
             {
@@ -680,63 +619,63 @@ fn descend_1( receiver_3 : Receiver_0,  aim_1 : Aim_0,  descent_1 : ptr<function
         }
         else
         {
-            is_left_1 = _S45;
+            is_left_1 = _S40;
         }
-        var _S47 : f32 = (*descent_1).choice_0 * total_2;
-        var _S48 : f32;
+        var _S42 : f32 = (*descent_1).choice_0 * total_2;
+        var _S43 : f32;
         if(is_left_1)
         {
-            _S48 = 0.0f;
+            _S43 = 0.0f;
         }
         else
         {
-            _S48 = _S43 * (*descent_1).weight_0;
+            _S43 = _S38 * (*descent_1).weight_0;
         }
-        (*descent_1).choice_0 = _S47 - _S48;
-        var _S49 : u32;
+        (*descent_1).choice_0 = _S42 - _S43;
+        var _S44 : u32;
         if(is_left_1)
         {
-            _S49 = (*descent_1).node_0 + u32(1);
+            _S44 = (*descent_1).node_0 + u32(1);
         }
         else
         {
-            _S49 = (*descent_1).index_0;
+            _S44 = (*descent_1).index_0;
         }
-        (*descent_1).node_0 = _S49;
-        var _S50 : u32;
+        (*descent_1).node_0 = _S44;
+        var _S45 : u32;
         if(is_left_1)
         {
-            _S50 = left_2.index_1;
+            _S45 = left_2.index_1;
         }
         else
         {
-            _S50 = right_2.index_1;
+            _S45 = right_2.index_1;
         }
-        (*descent_1).index_0 = _S50;
-        var _S51 : u32;
+        (*descent_1).index_0 = _S45;
+        var _S46 : u32;
         if(is_left_1)
         {
-            _S51 = left_2.count_2;
+            _S46 = left_2.count_2;
         }
         else
         {
-            _S51 = right_2.count_2;
+            _S46 = right_2.count_2;
         }
-        (*descent_1).count_1 = _S51;
+        (*descent_1).count_1 = _S46;
         (*descent_1).is_far_0 = false;
-        var _S52 : f32;
+        var _S47 : f32;
         if(is_left_1)
         {
-            _S52 = _S43;
+            _S47 = _S38;
         }
         else
         {
-            _S52 = _S44;
+            _S47 = _S39;
         }
-        var _S53 : f32 = (*descent_1).weight_0 * _S52;
-        (*descent_1).weight_0 = _S53;
+        var _S48 : f32 = (*descent_1).weight_0 * _S47;
+        (*descent_1).weight_0 = _S48;
         (*descent_1).total_0 = (*descent_1).total_0 * total_2;
-        if(_S53 <= 0.0f)
+        if(_S48 <= 0.0f)
         {
             return false;
         }
@@ -763,7 +702,7 @@ fn prove_0( thread_0 : u32)
     if(thread_0 == u32(0))
     {
         atomicStore(&(counters_0[u32(0)]), dispatch_0.sequence_0);
-        var _S54 : u32 = atomicAdd(&(counters_0[u32(4)]), u32(1));
+        var _S49 : u32 = atomicAdd(&(counters_0[u32(4)]), u32(1));
     }
     return;
 }
@@ -775,9 +714,9 @@ struct Reader_0
 
 fn Reader_x24init_0( at_2 : u32) -> Reader_0
 {
-    var _S55 : Reader_0;
-    _S55.at_1 = at_2;
-    return _S55;
+    var _S50 : Reader_0;
+    _S50.at_1 = at_2;
+    return _S50;
 }
 
 struct Writer_0
@@ -787,23 +726,23 @@ struct Writer_0
 
 fn Writer_x24init_0( at_4 : u32) -> Writer_0
 {
-    var _S56 : Writer_0;
-    _S56.at_3 = at_4;
-    return _S56;
+    var _S51 : Writer_0;
+    _S51.at_3 = at_4;
+    return _S51;
 }
 
 fn Reader_word_0( this_4 : ptr<function, Reader_0>) -> u32
 {
-    var _S57 : u32 = (*this_4).at_1 + u32(1);
-    (*this_4).at_1 = _S57;
-    return inputs_0[_S57 - u32(1)];
+    var _S52 : u32 = (*this_4).at_1 + u32(1);
+    (*this_4).at_1 = _S52;
+    return inputs_0[_S52 - u32(1)];
 }
 
 fn Reader_word_1( this_5 : ptr<function, Reader_0>) -> u32
 {
-    var _S58 : u32 = (*this_5).at_1 + u32(1);
-    (*this_5).at_1 = _S58;
-    return inputs_0[_S58 - u32(1)];
+    var _S53 : u32 = (*this_5).at_1 + u32(1);
+    (*this_5).at_1 = _S53;
+    return inputs_0[_S53 - u32(1)];
 }
 
 struct Sampler_0
@@ -815,24 +754,24 @@ struct Sampler_0
 
 fn Sampler_x24init_0( seed_2 : u32,  pixel_1 : u32,  sample_1 : u32) -> Sampler_0
 {
-    var _S59 : Sampler_0;
-    _S59.seed_1 = seed_2;
-    _S59.pixel_0 = pixel_1;
-    _S59.sample_0 = sample_1;
-    return _S59;
+    var _S54 : Sampler_0;
+    _S54.seed_1 = seed_2;
+    _S54.pixel_0 = pixel_1;
+    _S54.sample_0 = sample_1;
+    return _S54;
 }
 
 fn pcg4d_0( words_0 : vec4<u32>) -> vec4<u32>
 {
-    var _S60 : vec4<u32> = words_0 * vec4<u32>(u32(1664525)) + vec4<u32>(u32(1013904223));
-    var v_0 : vec4<u32> = _S60;
-    v_0[i32(0)] = v_0[i32(0)] + _S60.y * _S60.w;
+    var _S55 : vec4<u32> = words_0 * vec4<u32>(u32(1664525)) + vec4<u32>(u32(1013904223));
+    var v_0 : vec4<u32> = _S55;
+    v_0[i32(0)] = v_0[i32(0)] + _S55.y * _S55.w;
     v_0[i32(1)] = v_0[i32(1)] + v_0.z * v_0.x;
     v_0[i32(2)] = v_0[i32(2)] + v_0.x * v_0.y;
     v_0[i32(3)] = v_0[i32(3)] + v_0.y * v_0.z;
-    var _S61 : vec4<u32> = (v_0 ^ (((v_0 >> (vec4<u32>(u32(16)))))));
-    v_0 = _S61;
-    v_0[i32(0)] = v_0[i32(0)] + _S61.y * _S61.w;
+    var _S56 : vec4<u32> = (v_0 ^ (((v_0 >> (vec4<u32>(u32(16)))))));
+    v_0 = _S56;
+    v_0[i32(0)] = v_0[i32(0)] + _S56.y * _S56.w;
     v_0[i32(1)] = v_0[i32(1)] + v_0.z * v_0.x;
     v_0[i32(2)] = v_0[i32(2)] + v_0.x * v_0.y;
     v_0[i32(3)] = v_0[i32(3)] + v_0.y * v_0.z;
@@ -860,12 +799,12 @@ fn owen_of_reversed_0( reversed_0 : u32,  seed_3 : u32) -> u32
 
 fn scrambled_sobol_0( sample_2 : u32,  order_0 : u32,  seeds_0 : vec2<u32>) -> vec2<u32>
 {
-    var index_7 : u32 = owen_of_reversed_0(reverseBits(sample_2), order_0);
-    var binomial_0 : u32 = (index_7 ^ (((((index_7 >> (u32(1)))) & (u32(1431655765))))));
+    var index_6 : u32 = owen_of_reversed_0(reverseBits(sample_2), order_0);
+    var binomial_0 : u32 = (index_6 ^ (((((index_6 >> (u32(1)))) & (u32(1431655765))))));
     var binomial_1 : u32 = (binomial_0 ^ (((((binomial_0 >> (u32(2)))) & (u32(858993459))))));
     var binomial_2 : u32 = (binomial_1 ^ (((((binomial_1 >> (u32(4)))) & (u32(252645135))))));
     var binomial_3 : u32 = (binomial_2 ^ (((((binomial_2 >> (u32(8)))) & (u32(16711935))))));
-    return vec2<u32>(owen_of_reversed_0(index_7, seeds_0.x), owen_of_reversed_0((binomial_3 ^ (((((binomial_3 >> (u32(16)))) & (u32(65535)))))), seeds_0.y));
+    return vec2<u32>(owen_of_reversed_0(index_6, seeds_0.x), owen_of_reversed_0((binomial_3 ^ (((((binomial_3 >> (u32(16)))) & (u32(65535)))))), seeds_0.y));
 }
 
 fn Sampler_pair_0( this_7 : Sampler_0,  dimension_1 : u32,  which_0 : u32) -> vec2<u32>
@@ -917,19 +856,18 @@ fn Writer_vector_0( this_13 : ptr<function, Writer_0>,  value_4 : vec3<f32>)
 @workgroup_size(64, 1, 1)
 fn check_sampler(@builtin(global_invocation_id) id_0 : vec3<u32>, @builtin(local_invocation_index) thread_1 : u32)
 {
-    is_page_missing_0 = false;
     prove_0(thread_1);
-    var _S62 : u32 = id_0.x;
-    if(_S62 >= (dispatch_0.count_0))
+    var _S57 : u32 = id_0.x;
+    if(_S57 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_0 : Reader_0 = Reader_x24init_0(u32(4) * _S62);
-    var writer_0 : Writer_0 = Writer_x24init_0(u32(8) * _S62);
+    var reader_0 : Reader_0 = Reader_x24init_0(u32(4) * _S57);
+    var writer_0 : Writer_0 = Writer_x24init_0(u32(8) * _S57);
     var seed_4 : u32 = Reader_word_0(&(reader_0));
     var pixel_2 : u32 = Reader_word_0(&(reader_0));
-    var _S63 : u32 = Reader_word_0(&(reader_0));
-    var sampler_0 : Sampler_0 = Sampler_x24init_0(seed_4, pixel_2, _S63);
+    var _S58 : u32 = Reader_word_0(&(reader_0));
+    var sampler_0 : Sampler_0 = Sampler_x24init_0(seed_4, pixel_2, _S58);
     var dimension_3 : u32 = Reader_word_0(&(reader_0));
     var independent_0 : vec4<f32> = Sampler_independent_0(sampler_0, dimension_3);
     var stratified_0 : vec4<f32> = Sampler_stratified_0(sampler_0, dimension_3);
@@ -942,14 +880,14 @@ fn check_sampler(@builtin(global_invocation_id) id_0 : vec3<u32>, @builtin(local
 
 fn Reader_number_0( this_14 : ptr<function, Reader_0>) -> f32
 {
-    var _S64 : u32 = Reader_word_1(&((*this_14)));
-    return (bitcast<f32>((_S64)));
+    var _S59 : u32 = Reader_word_1(&((*this_14)));
+    return (bitcast<f32>((_S59)));
 }
 
 fn Reader_number_1( this_15 : ptr<function, Reader_0>) -> f32
 {
-    var _S65 : u32 = Reader_word_1(&((*this_15)));
-    return (bitcast<f32>((_S65)));
+    var _S60 : u32 = Reader_word_1(&((*this_15)));
+    return (bitcast<f32>((_S60)));
 }
 
 fn sincos_turns_0( turns_0 : f32) -> vec2<f32>
@@ -989,9 +927,9 @@ fn nearest_root_0( mantissa_0 : u32,  guess_1 : u32) -> u32
 {
     var rest_0 : i32 = i32(((mantissa_0 << (u32(23)))) - guess_1 * guess_1);
     var units_0 : i32 = i32(floor(f32(rest_0) / f32(u32(2) * guess_1) + 0.5f));
-    var _S66 : i32 = i32(guess_1);
-    var root_3 : i32 = _S66 + units_0;
-    var rest_1 : i32 = rest_0 - units_0 * (_S66 + root_3);
+    var _S61 : i32 = i32(guess_1);
+    var root_3 : i32 = _S61 + units_0;
+    var rest_1 : i32 = rest_0 - units_0 * (_S61 + root_3);
     return u32(root_3 + i32(rest_1 > root_3) - i32(rest_1 <= (- root_3)));
 }
 
@@ -1001,13 +939,13 @@ fn square_root_0( value_5 : f32) -> f32
     {
         return sqrt(value_5);
     }
-    var _S67 : u32 = (bitcast<u32>((value_5)));
-    var exponent_1 : u32 = (_S67 >> (u32(23)));
+    var _S62 : u32 = (bitcast<u32>((value_5)));
+    var exponent_1 : u32 = (_S62 >> (u32(23)));
     if(!is_normal_0(exponent_1))
     {
         return sqrt(value_5);
     }
-    var mantissa_1 : u32 = (((((_S67 & (u32(8388607)))) | (u32(8388608)))) << ((((~exponent_1) & (u32(1))))));
+    var mantissa_1 : u32 = (((((_S62 & (u32(8388607)))) | (u32(8388608)))) << ((((~exponent_1) & (u32(1))))));
     return (bitcast<f32>(((((((exponent_1 + u32(127)) >> (u32(1)))) << (u32(23)))) + (nearest_root_0(mantissa_1, u32(sqrt(f32(mantissa_1) * 1.1920928955078125e-07f) * 8.388608e+06f)) - u32(8388608)))));
 }
 
@@ -1027,9 +965,9 @@ fn nearest_quotient_0( dividend_0 : u32,  divisor_0 : u32,  guess_2 : u32) -> u3
 {
     var rest_2 : i32 = i32(((dividend_0 << (u32(23)))) - guess_2 * divisor_0);
     var units_1 : i32 = i32(floor(f32(rest_2) * (1.0f / f32(divisor_0)) + 0.5f));
-    var _S68 : i32 = i32(divisor_0);
-    var _S69 : i32 = i32(2) * (rest_2 - units_1 * _S68);
-    return guess_2 + u32(units_1 + (i32(_S69 > _S68) - i32(_S69 < (- _S68))));
+    var _S63 : i32 = i32(divisor_0);
+    var _S64 : i32 = i32(2) * (rest_2 - units_1 * _S63);
+    return guess_2 + u32(units_1 + (i32(_S64 > _S63) - i32(_S64 < (- _S63))));
 }
 
 fn divide_0( a_2 : f32,  b_2 : f32) -> f32
@@ -1038,37 +976,37 @@ fn divide_0( a_2 : f32,  b_2 : f32) -> f32
     {
         return a_2 / b_2;
     }
-    var _S70 : u32 = (bitcast<u32>((a_2)));
-    var exponent_a_0 : u32 = (((_S70 >> (u32(23)))) & (u32(255)));
-    var _S71 : u32 = (bitcast<u32>((b_2)));
-    var exponent_b_0 : u32 = (((_S71 >> (u32(23)))) & (u32(255)));
-    var dividend_1 : u32 = (((_S70 & (u32(8388607)))) | (u32(8388608)));
-    var divisor_1 : u32 = (((_S71 & (u32(8388607)))) | (u32(8388608)));
+    var _S65 : u32 = (bitcast<u32>((a_2)));
+    var exponent_a_0 : u32 = (((_S65 >> (u32(23)))) & (u32(255)));
+    var _S66 : u32 = (bitcast<u32>((b_2)));
+    var exponent_b_0 : u32 = (((_S66 >> (u32(23)))) & (u32(255)));
+    var dividend_1 : u32 = (((_S65 & (u32(8388607)))) | (u32(8388608)));
+    var divisor_1 : u32 = (((_S66 & (u32(8388607)))) | (u32(8388608)));
     var is_below_0 : u32 = u32(dividend_1 < divisor_1);
     var dividend_2 : u32 = (dividend_1 << (is_below_0));
     var exponent_2 : u32 = exponent_a_0 + u32(127) - exponent_b_0 - is_below_0;
-    var _S72 : bool;
+    var _S67 : bool;
     if(!is_normal_0(exponent_a_0))
     {
-        _S72 = true;
+        _S67 = true;
     }
     else
     {
-        _S72 = !is_normal_0(exponent_b_0);
+        _S67 = !is_normal_0(exponent_b_0);
     }
-    if(_S72)
+    if(_S67)
     {
-        _S72 = true;
+        _S67 = true;
     }
     else
     {
-        _S72 = !is_normal_0(exponent_2);
+        _S67 = !is_normal_0(exponent_2);
     }
-    if(_S72)
+    if(_S67)
     {
         return a_2 / b_2;
     }
-    return (bitcast<f32>(((((((_S70 ^ (_S71))) & (u32(2147483648)))) | ((((exponent_2 << (u32(23)))) + (nearest_quotient_0(dividend_2, divisor_1, u32(f32(dividend_2) * (1.0f / f32(divisor_1)) * 8.388608e+06f)) - u32(8388608))))))));
+    return (bitcast<f32>(((((((_S65 ^ (_S66))) & (u32(2147483648)))) | ((((exponent_2 << (u32(23)))) + (nearest_quotient_0(dividend_2, divisor_1, u32(f32(dividend_2) * (1.0f / f32(divisor_1)) * 8.388608e+06f)) - u32(8388608))))))));
 }
 
 fn normalize_vector_0( vector_2 : vec3<f32>) -> vec3<f32>
@@ -1085,15 +1023,14 @@ fn luminance_1( color_0 : vec3<f32>) -> f32
 @workgroup_size(64, 1, 1)
 fn check_math(@builtin(global_invocation_id) id_1 : vec3<u32>, @builtin(local_invocation_index) thread_2 : u32)
 {
-    is_page_missing_0 = false;
     prove_0(thread_2);
-    var _S73 : u32 = id_1.x;
-    if(_S73 >= (dispatch_0.count_0))
+    var _S68 : u32 = id_1.x;
+    if(_S68 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_1 : Reader_0 = Reader_x24init_0(u32(2) * _S73);
-    var writer_1 : Writer_0 = Writer_x24init_0(u32(10) * _S73);
+    var reader_1 : Reader_0 = Reader_x24init_0(u32(2) * _S68);
+    var writer_1 : Writer_0 = Writer_x24init_0(u32(10) * _S68);
     var u_1 : f32 = Reader_number_0(&(reader_1));
     var v_2 : f32 = Reader_number_0(&(reader_1));
     var sin_cos_1 : vec2<f32> = sincos_turns_0(u_1);
@@ -1111,25 +1048,24 @@ fn check_math(@builtin(global_invocation_id) id_1 : vec3<u32>, @builtin(local_in
 @workgroup_size(64, 1, 1)
 fn check_rounding(@builtin(global_invocation_id) id_2 : vec3<u32>, @builtin(local_invocation_index) thread_3 : u32)
 {
-    is_page_missing_0 = false;
     prove_0(thread_3);
-    var _S74 : u32 = id_2.x;
-    if(_S74 >= (dispatch_0.count_0))
+    var _S69 : u32 = id_2.x;
+    if(_S69 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_2 : Reader_0 = Reader_x24init_0(u32(6) * _S74);
-    var writer_2 : Writer_0 = Writer_x24init_0(u32(4) * _S74);
+    var reader_2 : Reader_0 = Reader_x24init_0(u32(6) * _S69);
+    var writer_2 : Writer_0 = Writer_x24init_0(u32(4) * _S69);
     var a_3 : f32 = Reader_number_0(&(reader_2));
-    var _S75 : f32 = Reader_number_0(&(reader_2));
-    Writer_number_0(&(writer_2), divide_0(a_3, _S75));
+    var _S70 : f32 = Reader_number_0(&(reader_2));
+    Writer_number_0(&(writer_2), divide_0(a_3, _S70));
     Writer_number_0(&(writer_2), square_root_0(abs(a_3)));
     var dividend_3 : u32 = Reader_word_0(&(reader_2));
     var divisor_2 : u32 = Reader_word_0(&(reader_2));
     var quotient_guess_0 : u32 = Reader_word_0(&(reader_2));
     Writer_word_0(&(writer_2), nearest_quotient_0(dividend_3, divisor_2, quotient_guess_0));
-    var _S76 : u32 = Reader_word_0(&(reader_2));
-    Writer_word_0(&(writer_2), nearest_root_0(dividend_3, _S76));
+    var _S71 : u32 = Reader_word_0(&(reader_2));
+    Writer_word_0(&(writer_2), nearest_root_0(dividend_3, _S71));
     return;
 }
 
@@ -1137,16 +1073,16 @@ fn Reader_vector_0( this_16 : ptr<function, Reader_0>) -> vec3<f32>
 {
     var x_3 : f32 = Reader_number_1(&((*this_16)));
     var y_0 : f32 = Reader_number_1(&((*this_16)));
-    var _S77 : f32 = Reader_number_1(&((*this_16)));
-    return vec3<f32>(x_3, y_0, _S77);
+    var _S72 : f32 = Reader_number_1(&((*this_16)));
+    return vec3<f32>(x_3, y_0, _S72);
 }
 
 fn Reader_vector_1( this_17 : ptr<function, Reader_0>) -> vec3<f32>
 {
     var x_4 : f32 = Reader_number_1(&((*this_17)));
     var y_1 : f32 = Reader_number_1(&((*this_17)));
-    var _S78 : f32 = Reader_number_1(&((*this_17)));
-    return vec3<f32>(x_4, y_1, _S78);
+    var _S73 : f32 = Reader_number_1(&((*this_17)));
+    return vec3<f32>(x_4, y_1, _S73);
 }
 
 fn fixed_point_0( value_6 : f32) -> vec2<u32>
@@ -1168,17 +1104,17 @@ fn fixed_point_0( value_6 : f32) -> vec2<u32>
     }
     if(shift_0 < i32(32))
     {
-        var _S79 : u32 = (mantissa_2 << (u32(shift_0)));
-        var _S80 : u32;
+        var _S74 : u32 = (mantissa_2 << (u32(shift_0)));
+        var _S75 : u32;
         if(shift_0 == i32(0))
         {
-            _S80 = u32(0);
+            _S75 = u32(0);
         }
         else
         {
-            _S80 = (mantissa_2 >> (u32(i32(32) - shift_0)));
+            _S75 = (mantissa_2 >> (u32(i32(32) - shift_0)));
         }
-        return vec2<u32>(_S79, _S80);
+        return vec2<u32>(_S74, _S75);
     }
     return vec2<u32>(u32(0), (mantissa_2 << (u32(shift_0 - i32(32)))));
 }
@@ -1193,75 +1129,75 @@ struct PixelRecord_0
 fn PixelRecord_add_0( this_18 : ptr<function, PixelRecord_0>,  value_7 : vec3<f32>,  is_covered_0 : bool)
 {
     var addend_0 : vec2<u32> = fixed_point_0(value_7[u32(0)]);
-    var _S81 : u32 = addend_0.x;
-    var low_2 : u32 = (*this_18).radiance_1[u32(0)] + _S81;
-    var high_2 : u32 = (*this_18).radiance_1[u32(1)] + addend_0.y + u32(low_2 < _S81);
+    var _S76 : u32 = addend_0.x;
+    var low_2 : u32 = (*this_18).radiance_1[u32(0)] + _S76;
+    var high_2 : u32 = (*this_18).radiance_1[u32(1)] + addend_0.y + u32(low_2 < _S76);
     var is_full_0 : bool = high_2 < ((*this_18).radiance_1[u32(1)]);
-    var _S82 : u32;
+    var _S77 : u32;
     if(is_full_0)
     {
-        _S82 = u32(4294967295);
+        _S77 = u32(4294967295);
     }
     else
     {
-        _S82 = low_2;
+        _S77 = low_2;
     }
-    (*this_18).radiance_1[u32(0)] = _S82;
+    (*this_18).radiance_1[u32(0)] = _S77;
     if(is_full_0)
     {
-        _S82 = u32(4294967295);
+        _S77 = u32(4294967295);
     }
     else
     {
-        _S82 = high_2;
+        _S77 = high_2;
     }
-    (*this_18).radiance_1[u32(1)] = _S82;
+    (*this_18).radiance_1[u32(1)] = _S77;
     var addend_1 : vec2<u32> = fixed_point_0(value_7[u32(1)]);
-    var _S83 : u32 = addend_1.x;
-    var low_3 : u32 = (*this_18).radiance_1[u32(2)] + _S83;
-    var high_3 : u32 = (*this_18).radiance_1[u32(3)] + addend_1.y + u32(low_3 < _S83);
+    var _S78 : u32 = addend_1.x;
+    var low_3 : u32 = (*this_18).radiance_1[u32(2)] + _S78;
+    var high_3 : u32 = (*this_18).radiance_1[u32(3)] + addend_1.y + u32(low_3 < _S78);
     var is_full_1 : bool = high_3 < ((*this_18).radiance_1[u32(3)]);
     if(is_full_1)
     {
-        _S82 = u32(4294967295);
+        _S77 = u32(4294967295);
     }
     else
     {
-        _S82 = low_3;
+        _S77 = low_3;
     }
-    (*this_18).radiance_1[u32(2)] = _S82;
+    (*this_18).radiance_1[u32(2)] = _S77;
     if(is_full_1)
     {
-        _S82 = u32(4294967295);
+        _S77 = u32(4294967295);
     }
     else
     {
-        _S82 = high_3;
+        _S77 = high_3;
     }
-    (*this_18).radiance_1[u32(3)] = _S82;
+    (*this_18).radiance_1[u32(3)] = _S77;
     var addend_2 : vec2<u32> = fixed_point_0(value_7[u32(2)]);
-    var _S84 : u32 = addend_2.x;
-    var low_4 : u32 = (*this_18).radiance_1[u32(4)] + _S84;
-    var high_4 : u32 = (*this_18).radiance_1[u32(5)] + addend_2.y + u32(low_4 < _S84);
+    var _S79 : u32 = addend_2.x;
+    var low_4 : u32 = (*this_18).radiance_1[u32(4)] + _S79;
+    var high_4 : u32 = (*this_18).radiance_1[u32(5)] + addend_2.y + u32(low_4 < _S79);
     var is_full_2 : bool = high_4 < ((*this_18).radiance_1[u32(5)]);
     if(is_full_2)
     {
-        _S82 = u32(4294967295);
+        _S77 = u32(4294967295);
     }
     else
     {
-        _S82 = low_4;
+        _S77 = low_4;
     }
-    (*this_18).radiance_1[u32(4)] = _S82;
+    (*this_18).radiance_1[u32(4)] = _S77;
     if(is_full_2)
     {
-        _S82 = u32(4294967295);
+        _S77 = u32(4294967295);
     }
     else
     {
-        _S82 = high_4;
+        _S77 = high_4;
     }
-    (*this_18).radiance_1[u32(5)] = _S82;
+    (*this_18).radiance_1[u32(5)] = _S77;
     (*this_18).samples_1 = (*this_18).samples_1 + u32(1);
     (*this_18).covered_0 = (*this_18).covered_0 + u32(is_covered_0);
     return;
@@ -1271,15 +1207,14 @@ fn PixelRecord_add_0( this_18 : ptr<function, PixelRecord_0>,  value_7 : vec3<f3
 @workgroup_size(64, 1, 1)
 fn check_film(@builtin(global_invocation_id) id_3 : vec3<u32>, @builtin(local_invocation_index) thread_4 : u32)
 {
-    is_page_missing_0 = false;
     prove_0(thread_4);
-    var _S85 : u32 = id_3.x;
-    if(_S85 >= (dispatch_0.count_0))
+    var _S80 : u32 = id_3.x;
+    if(_S80 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_3 : Reader_0 = Reader_x24init_0(u32(12) * _S85);
-    var writer_3 : Writer_0 = Writer_x24init_0(u32(8) * _S85);
+    var reader_3 : Reader_0 = Reader_x24init_0(u32(12) * _S80);
+    var writer_3 : Writer_0 = Writer_x24init_0(u32(8) * _S80);
     var pixel_3 : PixelRecord_0;
     var word_5 : u32 = u32(0);
     for(;;)
@@ -1291,17 +1226,17 @@ fn check_film(@builtin(global_invocation_id) id_3 : vec3<u32>, @builtin(local_in
         {
             break;
         }
-        var _S86 : u32 = Reader_word_0(&(reader_3));
-        pixel_3.radiance_1[word_5] = _S86;
+        var _S81 : u32 = Reader_word_0(&(reader_3));
+        pixel_3.radiance_1[word_5] = _S81;
         word_5 = word_5 + u32(1);
     }
-    var _S87 : u32 = Reader_word_0(&(reader_3));
-    pixel_3.samples_1 = _S87;
-    var _S88 : u32 = Reader_word_0(&(reader_3));
-    pixel_3.covered_0 = _S88;
+    var _S82 : u32 = Reader_word_0(&(reader_3));
+    pixel_3.samples_1 = _S82;
+    var _S83 : u32 = Reader_word_0(&(reader_3));
+    pixel_3.covered_0 = _S83;
     var radiance_2 : vec3<f32> = Reader_vector_0(&(reader_3));
-    var _S89 : u32 = Reader_word_0(&(reader_3));
-    PixelRecord_add_0(&(pixel_3), radiance_2, _S89 != u32(0));
+    var _S84 : u32 = Reader_word_0(&(reader_3));
+    PixelRecord_add_0(&(pixel_3), radiance_2, _S84 != u32(0));
     word_5 = u32(0);
     for(;;)
     {
@@ -1320,24 +1255,137 @@ fn check_film(@builtin(global_invocation_id) id_3 : vec3<u32>, @builtin(local_in
     return;
 }
 
+struct Transform_0
+{
+     x_axis_0 : array<f32, i32(3)>,
+     y_axis_0 : array<f32, i32(3)>,
+     z_axis_0 : array<f32, i32(3)>,
+     translation_0 : array<f32, i32(3)>,
+};
+
+fn transform_in_0( row_4 : u32) -> Transform_0
+{
+    var a_4 : vec4<u32> = records_0[row_4];
+    var b_3 : vec4<u32> = records_0[row_4 + u32(1)];
+    var c_1 : vec4<u32> = records_0[row_4 + u32(2)];
+    var transform_0 : Transform_0;
+    var _S85 : f32 = (bitcast<f32>((a_4.y)));
+    var _S86 : f32 = (bitcast<f32>((a_4.z)));
+    transform_0.x_axis_0[i32(0)] = (bitcast<f32>((a_4.x)));
+    transform_0.x_axis_0[i32(1)] = _S85;
+    transform_0.x_axis_0[i32(2)] = _S86;
+    var _S87 : f32 = (bitcast<f32>((b_3.x)));
+    var _S88 : f32 = (bitcast<f32>((b_3.y)));
+    transform_0.y_axis_0[i32(0)] = (bitcast<f32>((a_4.w)));
+    transform_0.y_axis_0[i32(1)] = _S87;
+    transform_0.y_axis_0[i32(2)] = _S88;
+    var _S89 : f32 = (bitcast<f32>((b_3.w)));
+    var _S90 : f32 = (bitcast<f32>((c_1.x)));
+    transform_0.z_axis_0[i32(0)] = (bitcast<f32>((b_3.z)));
+    transform_0.z_axis_0[i32(1)] = _S89;
+    transform_0.z_axis_0[i32(2)] = _S90;
+    var _S91 : f32 = (bitcast<f32>((c_1.z)));
+    var _S92 : f32 = (bitcast<f32>((c_1.w)));
+    transform_0.translation_0[i32(0)] = (bitcast<f32>((c_1.y)));
+    transform_0.translation_0[i32(1)] = _S91;
+    transform_0.translation_0[i32(2)] = _S92;
+    return transform_0;
+}
+
+struct PackedInstance_0
+{
+     grid_from_world_0 : Transform_0,
+     world_from_grid_0 : Transform_0,
+     grid_0 : u32,
+     scene_instance_0 : u32,
+     light_leaf_0 : u32,
+};
+
+fn PackedInstance_x24init_0( grid_from_world_1 : Transform_0,  world_from_grid_1 : Transform_0,  grid_1 : u32,  scene_instance_1 : u32,  light_leaf_1 : u32) -> PackedInstance_0
+{
+    var _S93 : PackedInstance_0;
+    _S93.grid_from_world_0 = grid_from_world_1;
+    _S93.world_from_grid_0 = world_from_grid_1;
+    _S93.grid_0 = grid_1;
+    _S93.scene_instance_0 = scene_instance_1;
+    _S93.light_leaf_0 = light_leaf_1;
+    return _S93;
+}
+
+fn Instances_operatorx5Bx5D_get_0( index_7 : u32) -> PackedInstance_0
+{
+    var row_5 : u32 = first_row_0(u32(1)) + u32(7) * index_7;
+    var last_0 : vec4<u32> = records_0[row_5 + u32(6)];
+    return PackedInstance_x24init_0(transform_in_0(row_5), transform_in_0(row_5 + u32(3)), last_0.x, last_0.y, last_0.z);
+}
+
+struct PackedGrid_0
+{
+     origin_0 : array<i32, i32(3)>,
+     top_shift_0 : u32,
+     top_size_0 : array<i32, i32(3)>,
+     top_offset_0 : u32,
+     min_1 : array<i32, i32(3)>,
+     voxels_0 : array<u32, i32(2)>,
+     max_1 : array<i32, i32(3)>,
+     material_bits_0 : u32,
+};
+
+fn Grids_operatorx5Bx5D_get_0( index_8 : u32) -> PackedGrid_0
+{
+    var row_6 : u32 = first_row_0(u32(0)) + u32(5) * index_8;
+    var a_5 : vec4<u32> = records_0[row_6];
+    var b_4 : vec4<u32> = records_0[row_6 + u32(1)];
+    var c_2 : vec4<u32> = records_0[row_6 + u32(2)];
+    var d_1 : vec4<u32> = records_0[row_6 + u32(3)];
+    var grid_2 : PackedGrid_0;
+    var _S94 : i32 = i32(a_5.y);
+    var _S95 : i32 = i32(a_5.z);
+    grid_2.origin_0[i32(0)] = i32(a_5.x);
+    grid_2.origin_0[i32(1)] = _S94;
+    grid_2.origin_0[i32(2)] = _S95;
+    grid_2.top_shift_0 = a_5.w;
+    var _S96 : i32 = i32(b_4.y);
+    var _S97 : i32 = i32(b_4.z);
+    grid_2.top_size_0[i32(0)] = i32(b_4.x);
+    grid_2.top_size_0[i32(1)] = _S96;
+    grid_2.top_size_0[i32(2)] = _S97;
+    grid_2.top_offset_0 = b_4.w;
+    var _S98 : i32 = i32(c_2.y);
+    var _S99 : i32 = i32(c_2.z);
+    grid_2.min_1[i32(0)] = i32(c_2.x);
+    grid_2.min_1[i32(1)] = _S98;
+    grid_2.min_1[i32(2)] = _S99;
+    var _S100 : u32 = d_1.x;
+    grid_2.voxels_0[i32(0)] = c_2.w;
+    grid_2.voxels_0[i32(1)] = _S100;
+    var _S101 : i32 = i32(d_1.z);
+    var _S102 : i32 = i32(d_1.w);
+    grid_2.max_1[i32(0)] = i32(d_1.y);
+    grid_2.max_1[i32(1)] = _S101;
+    grid_2.max_1[i32(2)] = _S102;
+    grid_2.material_bits_0 = records_0[row_6 + u32(4)].x;
+    return grid_2;
+}
+
 fn Reader_cell_0( this_19 : ptr<function, Reader_0>) -> vec3<i32>
 {
-    var _S90 : u32 = Reader_word_1(&((*this_19)));
-    var x_5 : i32 = i32(_S90);
-    var _S91 : u32 = Reader_word_1(&((*this_19)));
-    var y_2 : i32 = i32(_S91);
-    var _S92 : u32 = Reader_word_1(&((*this_19)));
-    return vec3<i32>(x_5, y_2, i32(_S92));
+    var _S103 : u32 = Reader_word_1(&((*this_19)));
+    var x_5 : i32 = i32(_S103);
+    var _S104 : u32 = Reader_word_1(&((*this_19)));
+    var y_2 : i32 = i32(_S104);
+    var _S105 : u32 = Reader_word_1(&((*this_19)));
+    return vec3<i32>(x_5, y_2, i32(_S105));
 }
 
 fn Reader_cell_1( this_20 : ptr<function, Reader_0>) -> vec3<i32>
 {
-    var _S93 : u32 = Reader_word_1(&((*this_20)));
-    var x_6 : i32 = i32(_S93);
-    var _S94 : u32 = Reader_word_1(&((*this_20)));
-    var y_3 : i32 = i32(_S94);
-    var _S95 : u32 = Reader_word_1(&((*this_20)));
-    return vec3<i32>(x_6, y_3, i32(_S95));
+    var _S106 : u32 = Reader_word_1(&((*this_20)));
+    var x_6 : i32 = i32(_S106);
+    var _S107 : u32 = Reader_word_1(&((*this_20)));
+    var y_3 : i32 = i32(_S107);
+    var _S108 : u32 = Reader_word_1(&((*this_20)));
+    return vec3<i32>(x_6, y_3, i32(_S108));
 }
 
 fn cell_of_0( values_1 : array<i32, i32(3)>) -> vec3<i32>
@@ -1345,25 +1393,14 @@ fn cell_of_0( values_1 : array<i32, i32(3)>) -> vec3<i32>
     return vec3<i32>(values_1[i32(0)], values_1[i32(1)], values_1[i32(2)]);
 }
 
-fn place_of_cell_0( index_8 : u32) -> u32
+fn place_of_cell_0( index_9 : u32) -> u32
 {
-    var _S96 : u32;
-    if(HAS_PAGES_0)
-    {
-        var _S97 : u32 = word_in_pages_0(index_8, u32(0));
-        _S96 = _S97;
-    }
-    else
-    {
-        _S96 = index_8;
-    }
-    return _S96;
+    return index_9;
 }
 
-fn cell_word_0( index_9 : u32) -> u32
+fn cell_word_0( index_10 : u32) -> u32
 {
-    var _S98 : u32 = place_of_cell_0(index_9);
-    return cells_0[_S98];
+    return cells_0[place_of_cell_0(index_10)];
 }
 
 fn cell_in_node_0( relative_0 : vec3<i32>,  shift_1 : u32) -> u32
@@ -1376,97 +1413,99 @@ fn cell_in_node_0( relative_0 : vec3<i32>,  shift_1 : u32) -> u32
 
 fn record_of_cell_0( cell_1 : u32) -> u32
 {
-    var _S99 : u32;
+    var _S109 : u32;
     if(CELLS_HAVE_BLOCKS_0)
     {
-        _S99 = u32(8388607);
+        _S109 = u32(8388607);
     }
     else
     {
-        _S99 = u32(2147483647);
+        _S109 = u32(2147483647);
     }
-    return ((cell_1 & (_S99))) * u32(2);
+    return ((cell_1 & (_S109))) * u32(2);
 }
 
-fn place_of_brick_0( index_10 : u32) -> u32
+fn find_brick_0( grid_3 : PackedGrid_0,  relative_1 : vec3<i32>) -> u32
 {
-    var _S100 : u32;
-    if(HAS_PAGES_0)
-    {
-        var _S101 : u32 = word_in_pages_0(index_10, pages_0[i32(1)]);
-        _S100 = _S101;
-    }
-    else
-    {
-        _S100 = index_10;
-    }
-    return _S100;
-}
-
-fn brick_word_0( index_11 : u32) -> u32
-{
-    var _S102 : u32 = place_of_brick_0(index_11);
-    return bricks_0[_S102];
-}
-
-fn rank_in_brick_0( record_0 : u32,  relative_1 : vec3<i32>) -> u32
-{
-    var header_0 : u32 = brick_word_0(record_0);
-    var bit_0 : u32 = cell_in_node_0(relative_1, u32(0));
-    var present_before_0 : u32 = countOneBits((header_0 & ((((u32(1) << (((((u32(((((relative_1.x) >> (u32(2)))) & (i32(1)))) | (((u32(((((relative_1.y) >> (u32(2)))) & (i32(1)))) << (u32(1))))))) | (((u32(((((relative_1.z) >> (u32(2)))) & (i32(1)))) << (u32(2)))))))))) - u32(1)))));
-    var index_12 : u32 = u32(0);
-    var rank_0 : u32 = u32(0);
+    var top_0 : vec3<i32> = (relative_1 >> (vec3<u32>(grid_3.top_shift_0)));
+    var cell_2 : u32 = cell_word_0(grid_3.top_offset_0 + u32((top_0.z * grid_3.top_size_0[i32(1)] + top_0.y) * grid_3.top_size_0[i32(0)] + top_0.x));
+    var shift_2 : u32 = grid_3.top_shift_0;
     for(;;)
     {
-        if(index_12 < present_before_0)
+        var _S110 : bool;
+        if(shift_2 > u32(3))
+        {
+            _S110 = ((cell_2 & (u32(2147483648)))) != u32(0);
+        }
+        else
+        {
+            _S110 = false;
+        }
+        if(_S110)
         {
         }
         else
         {
             break;
         }
-        var _S103 : u32 = u32(2) * index_12;
-        var _S104 : u32 = brick_word_0(record_0 + u32(2) + _S103);
-        var _S105 : u32 = countOneBits(_S104);
-        var _S106 : u32 = brick_word_0(record_0 + u32(3) + _S103);
-        var rank_1 : u32 = rank_0 + (_S105 + countOneBits(_S106));
-        index_12 = index_12 + u32(1);
+        var shift_3 : u32 = shift_2 - u32(2);
+        cell_2 = cell_word_0(((cell_2 & (u32(2147483647)))) * u32(64) + cell_in_node_0(relative_1, shift_3));
+        shift_2 = shift_3;
+    }
+    return record_of_cell_0(cell_2);
+}
+
+fn place_of_brick_0( index_11 : u32) -> u32
+{
+    return index_11;
+}
+
+fn brick_word_0( index_12 : u32) -> u32
+{
+    return bricks_0[place_of_brick_0(index_12)];
+}
+
+fn rank_in_brick_0( record_0 : u32,  relative_2 : vec3<i32>) -> u32
+{
+    var bit_0 : u32 = cell_in_node_0(relative_2, u32(0));
+    var present_before_0 : u32 = countOneBits(((brick_word_0(record_0)) & ((((u32(1) << (((((u32(((((relative_2.x) >> (u32(2)))) & (i32(1)))) | (((u32(((((relative_2.y) >> (u32(2)))) & (i32(1)))) << (u32(1))))))) | (((u32(((((relative_2.z) >> (u32(2)))) & (i32(1)))) << (u32(2)))))))))) - u32(1)))));
+    var index_13 : u32 = u32(0);
+    var rank_0 : u32 = u32(0);
+    for(;;)
+    {
+        if(index_13 < present_before_0)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S111 : u32 = u32(2) * index_13;
+        var rank_1 : u32 = rank_0 + (countOneBits(brick_word_0(record_0 + u32(2) + _S111)) + countOneBits(brick_word_0(record_0 + u32(3) + _S111)));
+        index_13 = index_13 + u32(1);
         rank_0 = rank_1;
     }
-    var _S107 : u32 = u32(2) * present_before_0;
-    var low_5 : u32 = brick_word_0(record_0 + u32(2) + _S107);
+    var _S112 : u32 = u32(2) * present_before_0;
+    var low_5 : u32 = brick_word_0(record_0 + u32(2) + _S112);
     if(bit_0 < u32(32))
     {
         rank_0 = rank_0 + countOneBits((low_5 & ((((u32(1) << (bit_0))) - u32(1)))));
     }
     else
     {
-        var _S108 : u32 = countOneBits(low_5);
-        var _S109 : u32 = brick_word_0(record_0 + u32(3) + _S107);
-        rank_0 = rank_0 + (_S108 + countOneBits((_S109 & ((((u32(1) << ((bit_0 - u32(32))))) - u32(1))))));
+        rank_0 = rank_0 + (countOneBits(low_5) + countOneBits(((brick_word_0(record_0 + u32(3) + _S112)) & ((((u32(1) << ((bit_0 - u32(32))))) - u32(1))))));
     }
     return rank_0;
 }
 
-fn place_of_material_0( index_13 : u32) -> u32
+fn place_of_material_0( index_14 : u32) -> u32
 {
-    var _S110 : u32;
-    if(HAS_PAGES_0)
-    {
-        var _S111 : u32 = word_in_pages_0(index_13, pages_0[i32(2)]);
-        _S110 = _S111;
-    }
-    else
-    {
-        _S110 = index_13;
-    }
-    return _S110;
+    return index_14;
 }
 
-fn material_word_0( index_14 : u32) -> u32
+fn material_word_0( index_15 : u32) -> u32
 {
-    var _S112 : u32 = place_of_material_0(index_14);
-    return brick_materials_0[_S112];
+    return brick_materials_0[place_of_material_0(index_15)];
 }
 
 fn read_bits_0( start_0 : u32,  position_0 : u32,  count_3 : u32) -> u32
@@ -1476,14 +1515,12 @@ fn read_bits_0( start_0 : u32,  position_0 : u32,  count_3 : u32) -> u32
         return u32(0);
     }
     var word_6 : u32 = start_0 + ((position_0 >> (u32(5))));
-    var shift_2 : u32 = (position_0 & (u32(31)));
-    var _S113 : u32 = material_word_0(word_6);
-    var bits_1 : u32 = (_S113 >> (shift_2));
+    var shift_4 : u32 = (position_0 & (u32(31)));
+    var bits_1 : u32 = ((material_word_0(word_6)) >> (shift_4));
     var bits_2 : u32;
-    if((shift_2 + count_3) > u32(32))
+    if((shift_4 + count_3) > u32(32))
     {
-        var _S114 : u32 = material_word_0(word_6 + u32(1));
-        bits_2 = (bits_1 | (((_S114 << ((u32(32) - shift_2))))));
+        bits_2 = (bits_1 | ((((material_word_0(word_6 + u32(1))) << ((u32(32) - shift_4))))));
     }
     else
     {
@@ -1492,80 +1529,43 @@ fn read_bits_0( start_0 : u32,  position_0 : u32,  count_3 : u32) -> u32
     return (bits_2 & ((((u32(1) << (count_3))) - u32(1))));
 }
 
-fn find_brick_0( _S115 : u32,  _S116 : vec3<i32>) -> u32
+fn material_at_0( grid_4 : PackedGrid_0,  relative_3 : vec3<i32>) -> u32
 {
-    var top_0 : vec3<i32> = (_S116 >> (vec3<u32>(grids_0[_S115].top_shift_0)));
-    var _S117 : u32 = cell_word_0(grids_0[_S115].top_offset_0 + u32((top_0.z * grids_0[_S115].top_size_0[i32(1)] + top_0.y) * grids_0[_S115].top_size_0[i32(0)] + top_0.x));
-    var cell_2 : u32 = _S117;
-    var shift_3 : u32 = grids_0[_S115].top_shift_0;
-    for(;;)
-    {
-        var _S118 : bool;
-        if(shift_3 > u32(3))
-        {
-            _S118 = ((cell_2 & (u32(2147483648)))) != u32(0);
-        }
-        else
-        {
-            _S118 = false;
-        }
-        if(_S118)
-        {
-        }
-        else
-        {
-            break;
-        }
-        var shift_4 : u32 = shift_3 - u32(2);
-        var _S119 : u32 = cell_word_0(((cell_2 & (u32(2147483647)))) * u32(64) + cell_in_node_0(_S116, shift_4));
-        cell_2 = _S119;
-        shift_3 = shift_4;
-    }
-    return record_of_cell_0(cell_2);
-}
-
-fn material_at_0( _S120 : u32,  _S121 : vec3<i32>) -> u32
-{
-    var _S122 : u32 = find_brick_0(_S120, _S121);
-    var header_1 : u32 = brick_word_0(_S122);
-    var rank_2 : u32 = rank_in_brick_0(_S122, _S121);
-    var index_bits_0 : u32 = (((header_1 >> (u32(8)))) & (u32(255)));
-    var palette_count_0 : u32 = (header_1 >> (u32(16)));
-    var entry_bits_0 : u32 = grids_0[_S120].material_bits_0;
-    var start_1 : u32 = brick_word_0(_S122 + u32(1));
-    var index_15 : u32 = read_bits_0(start_1, palette_count_0 * grids_0[_S120].material_bits_0 + rank_2 * index_bits_0, index_bits_0);
+    var record_1 : u32 = find_brick_0(grid_4, relative_3);
+    var header_0 : u32 = brick_word_0(record_1);
+    var index_bits_0 : u32 = (((header_0 >> (u32(8)))) & (u32(255)));
+    var palette_count_0 : u32 = (header_0 >> (u32(16)));
+    var start_1 : u32 = brick_word_0(record_1 + u32(1));
+    var index_16 : u32 = read_bits_0(start_1, palette_count_0 * grid_4.material_bits_0 + rank_in_brick_0(record_1, relative_3) * index_bits_0, index_bits_0);
     if(palette_count_0 == u32(0))
     {
-        return index_15;
+        return index_16;
     }
-    var _S123 : u32 = read_bits_0(start_1, index_15 * entry_bits_0, entry_bits_0);
-    return _S123;
+    return read_bits_0(start_1, index_16 * grid_4.material_bits_0, grid_4.material_bits_0);
 }
 
 @compute
 @workgroup_size(64, 1, 1)
 fn check_material(@builtin(global_invocation_id) id_4 : vec3<u32>, @builtin(local_invocation_index) thread_5 : u32)
 {
-    is_page_missing_0 = false;
     prove_0(thread_5);
-    var _S124 : u32 = id_4.x;
-    if(_S124 >= (dispatch_0.count_0))
+    var _S113 : u32 = id_4.x;
+    if(_S113 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_4 : Reader_0 = Reader_x24init_0(u32(4) * _S124);
-    var writer_4 : Writer_0 = Writer_x24init_0(_S124);
-    var _S125 : u32 = Reader_word_0(&(reader_4));
-    var _S126 : vec3<i32> = Reader_cell_0(&(reader_4));
-    var _S127 : u32 = material_at_0(instances_0[_S125].grid_0, _S126 - cell_of_0(grids_0[instances_0[_S125].grid_0].origin_0));
-    Writer_word_0(&(writer_4), _S127);
+    var reader_4 : Reader_0 = Reader_x24init_0(u32(4) * _S113);
+    var writer_4 : Writer_0 = Writer_x24init_0(_S113);
+    var _S114 : u32 = Reader_word_0(&(reader_4));
+    var _S115 : PackedGrid_0 = Grids_operatorx5Bx5D_get_0(Instances_operatorx5Bx5D_get_0(_S114).grid_0);
+    var _S116 : vec3<i32> = Reader_cell_0(&(reader_4));
+    Writer_word_0(&(writer_4), material_at_0(_S115, _S116 - cell_of_0(_S115.origin_0)));
     return;
 }
 
-fn blocks_of_record_0( record_1 : u32) -> u32
+fn blocks_of_record_0( record_2 : u32) -> u32
 {
-    var _S128 : u32 = brick_word_0(record_1);
-    return (_S128 & (u32(255)));
+    return ((brick_word_0(record_2)) & (u32(255)));
 }
 
 fn flip_of_0( octant_0 : u32) -> u32
@@ -1573,7 +1573,7 @@ fn flip_of_0( octant_0 : u32) -> u32
     return ((((((octant_0 & (u32(1)))) | (((((octant_0 & (u32(2)))) << (u32(1))))))) | (((((octant_0 & (u32(4)))) << (u32(2))))))) * u32(3);
 }
 
-fn empty_around_0( record_2 : u32,  blocks_0 : u32,  voxel_1 : vec3<i32>,  octant_1 : u32,  flip_0 : u32) -> u32
+fn empty_around_0( record_3 : u32,  blocks_0 : u32,  voxel_1 : vec3<i32>,  octant_1 : u32,  flip_0 : u32) -> u32
 {
     var block_0 : u32 = (((((u32(((((voxel_1.x) >> (u32(2)))) & (i32(1)))) | (u32(((((voxel_1.y) >> (u32(1)))) & (i32(2))))))) | (u32(((voxel_1.z) & (i32(4))))))) ^ (octant_1));
     if(((((blocks_0 >> (block_0))) & (u32(1)))) == u32(0))
@@ -1581,45 +1581,42 @@ fn empty_around_0( record_2 : u32,  blocks_0 : u32,  voxel_1 : vec3<i32>,  octan
         return u32(3);
     }
     var bit_1 : u32 = ((cell_in_node_0(voxel_1, u32(0))) ^ (flip_0));
-    var half_1 : u32 = brick_word_0(record_2 + u32(2) + u32(2) * countOneBits((blocks_0 & ((((u32(1) << (block_0))) - u32(1))))) + ((bit_1 >> (u32(5)))));
+    var half_1 : u32 = brick_word_0(record_3 + u32(2) + u32(2) * countOneBits((blocks_0 & ((((u32(1) << (block_0))) - u32(1))))) + ((bit_1 >> (u32(5)))));
     if(((((half_1 >> (((bit_1 & (u32(31))))))) & (u32(1)))) != u32(0))
     {
         return u32(4294967295);
     }
-    var _S129 : i32;
+    var _S117 : i32;
     if(((((half_1 >> (((bit_1 & (u32(10))))))) & (u32(3342387)))) == u32(0))
     {
-        _S129 = i32(1);
+        _S117 = i32(1);
     }
     else
     {
-        _S129 = i32(0);
+        _S117 = i32(0);
     }
-    return u32(_S129);
+    return u32(_S117);
 }
 
 @compute
 @workgroup_size(64, 1, 1)
 fn check_brick(@builtin(global_invocation_id) id_5 : vec3<u32>, @builtin(local_invocation_index) thread_6 : u32)
 {
-    is_page_missing_0 = false;
     prove_0(thread_6);
-    var _S130 : u32 = id_5.x;
-    if(_S130 >= (dispatch_0.count_0))
+    var _S118 : u32 = id_5.x;
+    if(_S118 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_5 : Reader_0 = Reader_x24init_0(u32(5) * _S130);
-    var writer_5 : Writer_0 = Writer_x24init_0(_S130);
-    var _S131 : u32 = Reader_word_0(&(reader_5));
-    var _S132 : vec3<i32> = Reader_cell_0(&(reader_5));
-    var voxel_2 : vec3<i32> = _S132 - cell_of_0(grids_0[instances_0[_S131].grid_0].origin_0);
+    var reader_5 : Reader_0 = Reader_x24init_0(u32(5) * _S118);
+    var writer_5 : Writer_0 = Writer_x24init_0(_S118);
+    var _S119 : u32 = Reader_word_0(&(reader_5));
+    var _S120 : PackedGrid_0 = Grids_operatorx5Bx5D_get_0(Instances_operatorx5Bx5D_get_0(_S119).grid_0);
+    var _S121 : vec3<i32> = Reader_cell_0(&(reader_5));
+    var voxel_2 : vec3<i32> = _S121 - cell_of_0(_S120.origin_0);
     var octant_2 : u32 = Reader_word_0(&(reader_5));
-    var mirror_0 : vec3<i32> = (vec3<i32>(0) - vec3<i32>(i32((octant_2 & (u32(1)))), i32((((octant_2 >> (u32(1)))) & (u32(1)))), i32((octant_2 >> (u32(2))))));
-    var _S133 : u32 = find_brick_0(instances_0[_S131].grid_0, voxel_2);
-    var _S134 : u32 = blocks_of_record_0(_S133);
-    var _S135 : u32 = empty_around_0(_S133, _S134, (voxel_2 ^ (mirror_0)), octant_2, flip_of_0(octant_2));
-    Writer_word_0(&(writer_5), _S135);
+    var record_4 : u32 = find_brick_0(_S120, voxel_2);
+    Writer_word_0(&(writer_5), empty_around_0(record_4, blocks_of_record_0(record_4), (voxel_2 ^ ((vec3<i32>(0) - vec3<i32>(i32((octant_2 & (u32(1)))), i32((((octant_2 >> (u32(1)))) & (u32(1)))), i32((octant_2 >> (u32(2)))))))), octant_2, flip_of_0(octant_2)));
     return;
 }
 
@@ -1633,12 +1630,12 @@ struct Ray_0
 
 fn Ray_x24init_0( origin_2 : vec3<f32>,  t_min_1 : f32,  direction_2 : vec3<f32>,  t_max_1 : f32) -> Ray_0
 {
-    var _S136 : Ray_0;
-    _S136.origin_1 = origin_2;
-    _S136.t_min_0 = t_min_1;
-    _S136.direction_1 = direction_2;
-    _S136.t_max_0 = t_max_1;
-    return _S136;
+    var _S122 : Ray_0;
+    _S122.origin_1 = origin_2;
+    _S122.t_min_0 = t_min_1;
+    _S122.direction_1 = direction_2;
+    _S122.t_max_0 = t_max_1;
+    return _S122;
 }
 
 fn Reader_ray_0( this_21 : ptr<function, Reader_0>) -> Ray_0
@@ -1646,8 +1643,18 @@ fn Reader_ray_0( this_21 : ptr<function, Reader_0>) -> Ray_0
     var origin_3 : vec3<f32> = Reader_vector_1(&((*this_21)));
     var t_min_2 : f32 = Reader_number_1(&((*this_21)));
     var direction_3 : vec3<f32> = Reader_vector_1(&((*this_21)));
-    var _S137 : f32 = Reader_number_1(&((*this_21)));
-    return Ray_x24init_0(origin_3, t_min_2, direction_3, _S137);
+    var _S123 : f32 = Reader_number_1(&((*this_21)));
+    return Ray_x24init_0(origin_3, t_min_2, direction_3, _S123);
+}
+
+fn Transform_direction_0( this_22 : Transform_0,  v_3 : vec3<f32>) -> vec3<f32>
+{
+    return vector_of_0(this_22.x_axis_0) * vec3<f32>(v_3.x) + vector_of_0(this_22.y_axis_0) * vec3<f32>(v_3.y) + vector_of_0(this_22.z_axis_0) * vec3<f32>(v_3.z);
+}
+
+fn Transform_point_0( this_23 : Transform_0,  v_4 : vec3<f32>) -> vec3<f32>
+{
+    return Transform_direction_0(this_23, v_4) + vector_of_0(this_23.translation_0);
 }
 
 fn reciprocal_0( vector_4 : vec3<f32>) -> vec3<f32>
@@ -1665,38 +1672,28 @@ struct LocalRay_0
      is_valid_0 : bool,
 };
 
-fn Transform_direction_0( _S138 : i32,  _S139 : vec3<f32>) -> vec3<f32>
-{
-    return vector_of_0(instances_0[_S138].grid_from_world_0.x_axis_0) * vec3<f32>(_S139.x) + vector_of_0(instances_0[_S138].grid_from_world_0.y_axis_0) * vec3<f32>(_S139.y) + vector_of_0(instances_0[_S138].grid_from_world_0.z_axis_0) * vec3<f32>(_S139.z);
-}
-
-fn Transform_point_0( _S140 : i32,  _S141 : vec3<f32>) -> vec3<f32>
-{
-    return Transform_direction_0(_S140, _S141) + vector_of_0(instances_0[_S140].grid_from_world_0.translation_0);
-}
-
-fn local_ray_0( _S142 : Ray_0,  _S143 : i32) -> LocalRay_0
+fn local_ray_0( ray_0 : Ray_0,  grid_from_world_2 : Transform_0) -> LocalRay_0
 {
     var local_0 : LocalRay_0;
     var direction_5 : vec3<f32>;
     var origin_5 : vec3<f32>;
     if(!IS_SINGLE_0)
     {
-        var _S144 : vec3<f32> = Transform_point_0(_S143, _S142.origin_1);
-        direction_5 = Transform_direction_0(_S143, _S142.direction_1);
-        origin_5 = _S144;
+        var _S124 : vec3<f32> = Transform_point_0(grid_from_world_2, ray_0.origin_1);
+        direction_5 = Transform_direction_0(grid_from_world_2, ray_0.direction_1);
+        origin_5 = _S124;
     }
     else
     {
-        direction_5 = _S142.direction_1;
-        origin_5 = _S142.origin_1;
+        direction_5 = ray_0.direction_1;
+        origin_5 = ray_0.origin_1;
     }
     var is_zero_0 : vec3<bool> = !((abs(direction_5)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S145 : vec3<f32> = select(direction_5, vec3<f32>(0.0f), is_zero_0);
-    local_0.direction_4 = _S145;
+    var _S125 : vec3<f32> = select(direction_5, vec3<f32>(0.0f), is_zero_0);
+    local_0.direction_4 = _S125;
     local_0.inverse_0 = select(reciprocal_0(select(direction_5, vec3<f32>(1.0f), is_zero_0)), vec3<f32>(3.4028234663852886e+38f), is_zero_0);
     local_0.origin_4 = select(origin_5, floor(origin_5) + vec3<f32>(0.5f), is_zero_0);
-    var speed_0 : f32 = max_element_0(abs(_S145));
+    var speed_0 : f32 = max_element_0(abs(_S125));
     var moves_0 : bool;
     if(speed_0 >= 1.00000004581370497e-18f)
     {
@@ -1708,9 +1705,9 @@ fn local_ray_0( _S142 : Ray_0,  _S143 : i32) -> LocalRay_0
     }
     var is_near_0 : bool = (all(((abs(local_0.origin_4)) <= vec3<f32>(2.097152e+06f))));
     var is_segment_0 : bool;
-    if((_S142.t_min_0) >= 0.0f)
+    if((ray_0.t_min_0) >= 0.0f)
     {
-        is_segment_0 = (_S142.t_min_0) <= 3.4028234663852886e+38f;
+        is_segment_0 = (ray_0.t_min_0) <= 3.4028234663852886e+38f;
     }
     else
     {
@@ -1718,14 +1715,14 @@ fn local_ray_0( _S142 : Ray_0,  _S143 : i32) -> LocalRay_0
     }
     if(is_segment_0)
     {
-        is_segment_0 = (_S142.t_min_0) <= (_S142.t_max_0);
+        is_segment_0 = (ray_0.t_min_0) <= (ray_0.t_max_0);
     }
     else
     {
         is_segment_0 = false;
     }
-    local_0.t_min_3 = _S142.t_min_0;
-    local_0.t_max_2 = _S142.t_max_0;
+    local_0.t_min_3 = ray_0.t_min_0;
+    local_0.t_max_2 = ray_0.t_max_0;
     if(moves_0)
     {
         moves_0 = is_near_0;
@@ -1750,46 +1747,45 @@ fn local_ray_0( _S142 : Ray_0,  _S143 : i32) -> LocalRay_0
 @workgroup_size(64, 1, 1)
 fn check_local_ray(@builtin(global_invocation_id) id_6 : vec3<u32>, @builtin(local_invocation_index) thread_7 : u32)
 {
-    is_page_missing_0 = false;
     prove_0(thread_7);
-    var _S146 : u32 = id_6.x;
-    if(_S146 >= (dispatch_0.count_0))
+    var _S126 : u32 = id_6.x;
+    if(_S126 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_6 : Reader_0 = Reader_x24init_0(u32(8) * _S146);
-    var writer_6 : Writer_0 = Writer_x24init_0(u32(10) * _S146);
-    var _S147 : Ray_0 = Reader_ray_0(&(reader_6));
-    var _S148 : LocalRay_0 = local_ray_0(_S147, i32(0));
-    Writer_word_0(&(writer_6), u32(_S148.is_valid_0));
-    var _S149 : vec3<f32>;
-    if(_S148.is_valid_0)
+    var reader_6 : Reader_0 = Reader_x24init_0(u32(8) * _S126);
+    var writer_6 : Writer_0 = Writer_x24init_0(u32(10) * _S126);
+    var _S127 : Ray_0 = Reader_ray_0(&(reader_6));
+    var local_1 : LocalRay_0 = local_ray_0(_S127, Instances_operatorx5Bx5D_get_0(u32(0)).grid_from_world_0);
+    Writer_word_0(&(writer_6), u32(local_1.is_valid_0));
+    var _S128 : vec3<f32>;
+    if(local_1.is_valid_0)
     {
-        _S149 = _S148.origin_4;
+        _S128 = local_1.origin_4;
     }
     else
     {
-        _S149 = vec3<f32>(0.0f);
+        _S128 = vec3<f32>(0.0f);
     }
-    Writer_vector_0(&(writer_6), _S149);
-    if(_S148.is_valid_0)
+    Writer_vector_0(&(writer_6), _S128);
+    if(local_1.is_valid_0)
     {
-        _S149 = _S148.direction_4;
+        _S128 = local_1.direction_4;
     }
     else
     {
-        _S149 = vec3<f32>(0.0f);
+        _S128 = vec3<f32>(0.0f);
     }
-    Writer_vector_0(&(writer_6), _S149);
-    if(_S148.is_valid_0)
+    Writer_vector_0(&(writer_6), _S128);
+    if(local_1.is_valid_0)
     {
-        _S149 = _S148.inverse_0;
+        _S128 = local_1.inverse_0;
     }
     else
     {
-        _S149 = vec3<f32>(0.0f);
+        _S128 = vec3<f32>(0.0f);
     }
-    Writer_vector_0(&(writer_6), _S149);
+    Writer_vector_0(&(writer_6), _S128);
     return;
 }
 
@@ -1799,82 +1795,82 @@ fn halves_0( value_8 : f32) -> vec2<f32>
     return vec2<f32>(high_5, value_8 - high_5);
 }
 
-fn exact_product_0( a_4 : f32,  b_3 : f32) -> vec2<f32>
+fn exact_product_0( a_6 : f32,  b_5 : f32) -> vec2<f32>
 {
-    var product_0 : f32 = a_4 * b_3;
+    var product_0 : f32 = a_6 * b_5;
     if(!IS_EXACT_0)
     {
         return vec2<f32>(product_0, 0.0f);
     }
-    var a_parts_0 : vec2<f32> = halves_0(a_4);
-    var b_parts_0 : vec2<f32> = halves_0(b_3);
-    var _S150 : f32 = a_parts_0.x;
-    var _S151 : f32 = b_parts_0.x;
-    var _S152 : f32 = b_parts_0.y;
-    var _S153 : f32 = a_parts_0.y;
-    return vec2<f32>(product_0, _S150 * _S151 - product_0 + _S150 * _S152 + _S153 * _S151 + _S153 * _S152);
+    var a_parts_0 : vec2<f32> = halves_0(a_6);
+    var b_parts_0 : vec2<f32> = halves_0(b_5);
+    var _S129 : f32 = a_parts_0.x;
+    var _S130 : f32 = b_parts_0.x;
+    var _S131 : f32 = b_parts_0.y;
+    var _S132 : f32 = a_parts_0.y;
+    return vec2<f32>(product_0, _S129 * _S130 - product_0 + _S129 * _S131 + _S132 * _S130 + _S132 * _S131);
 }
 
-fn exact_start_voxel_0( ray_0 : LocalRay_0) -> vec3<i32>
+fn exact_start_voxel_0( ray_1 : LocalRay_0) -> vec3<i32>
 {
-    var way_0 : vec2<f32> = exact_product_0(ray_0.t_min_3, ray_0.direction_4[u32(0)]);
-    var _S154 : f32 = way_0.x;
-    var sum_0 : f32 = ray_0.origin_4[u32(0)] + _S154;
-    var part_0 : f32 = sum_0 - ray_0.origin_4[u32(0)];
-    var low_6 : f32 = ray_0.origin_4[u32(0)] - (sum_0 - part_0) + (_S154 - part_0) + way_0.y;
+    var way_0 : vec2<f32> = exact_product_0(ray_1.t_min_3, ray_1.direction_4[u32(0)]);
+    var _S133 : f32 = way_0.x;
+    var sum_0 : f32 = ray_1.origin_4[u32(0)] + _S133;
+    var part_0 : f32 = sum_0 - ray_1.origin_4[u32(0)];
+    var low_6 : f32 = ray_1.origin_4[u32(0)] - (sum_0 - part_0) + (_S133 - part_0) + way_0.y;
     var whole_0 : f32 = floor(sum_0);
     var voxel_3 : vec3<i32>;
-    var _S155 : i32 = i32(whole_0);
-    var _S156 : bool;
+    var _S134 : i32 = i32(whole_0);
+    var _S135 : bool;
     if(sum_0 == whole_0)
     {
-        _S156 = low_6 < 0.0f;
+        _S135 = low_6 < 0.0f;
     }
     else
     {
-        _S156 = false;
+        _S135 = false;
     }
-    voxel_3[u32(0)] = _S155 - i32(_S156);
-    var way_1 : vec2<f32> = exact_product_0(ray_0.t_min_3, ray_0.direction_4[u32(1)]);
-    var _S157 : f32 = way_1.x;
-    var sum_1 : f32 = ray_0.origin_4[u32(1)] + _S157;
-    var part_1 : f32 = sum_1 - ray_0.origin_4[u32(1)];
-    var low_7 : f32 = ray_0.origin_4[u32(1)] - (sum_1 - part_1) + (_S157 - part_1) + way_1.y;
+    voxel_3[u32(0)] = _S134 - i32(_S135);
+    var way_1 : vec2<f32> = exact_product_0(ray_1.t_min_3, ray_1.direction_4[u32(1)]);
+    var _S136 : f32 = way_1.x;
+    var sum_1 : f32 = ray_1.origin_4[u32(1)] + _S136;
+    var part_1 : f32 = sum_1 - ray_1.origin_4[u32(1)];
+    var low_7 : f32 = ray_1.origin_4[u32(1)] - (sum_1 - part_1) + (_S136 - part_1) + way_1.y;
     var whole_1 : f32 = floor(sum_1);
-    var _S158 : i32 = i32(whole_1);
+    var _S137 : i32 = i32(whole_1);
     if(sum_1 == whole_1)
     {
-        _S156 = low_7 < 0.0f;
+        _S135 = low_7 < 0.0f;
     }
     else
     {
-        _S156 = false;
+        _S135 = false;
     }
-    voxel_3[u32(1)] = _S158 - i32(_S156);
-    var way_2 : vec2<f32> = exact_product_0(ray_0.t_min_3, ray_0.direction_4[u32(2)]);
-    var _S159 : f32 = way_2.x;
-    var sum_2 : f32 = ray_0.origin_4[u32(2)] + _S159;
-    var part_2 : f32 = sum_2 - ray_0.origin_4[u32(2)];
-    var low_8 : f32 = ray_0.origin_4[u32(2)] - (sum_2 - part_2) + (_S159 - part_2) + way_2.y;
+    voxel_3[u32(1)] = _S137 - i32(_S135);
+    var way_2 : vec2<f32> = exact_product_0(ray_1.t_min_3, ray_1.direction_4[u32(2)]);
+    var _S138 : f32 = way_2.x;
+    var sum_2 : f32 = ray_1.origin_4[u32(2)] + _S138;
+    var part_2 : f32 = sum_2 - ray_1.origin_4[u32(2)];
+    var low_8 : f32 = ray_1.origin_4[u32(2)] - (sum_2 - part_2) + (_S138 - part_2) + way_2.y;
     var whole_2 : f32 = floor(sum_2);
-    var _S160 : i32 = i32(whole_2);
+    var _S139 : i32 = i32(whole_2);
     if(sum_2 == whole_2)
     {
-        _S156 = low_8 < 0.0f;
+        _S135 = low_8 < 0.0f;
     }
     else
     {
-        _S156 = false;
+        _S135 = false;
     }
-    voxel_3[u32(2)] = _S160 - i32(_S156);
+    voxel_3[u32(2)] = _S139 - i32(_S135);
     return voxel_3;
 }
 
-fn Writer_cell_0( this_22 : ptr<function, Writer_0>,  value_9 : vec3<i32>)
+fn Writer_cell_0( this_24 : ptr<function, Writer_0>,  value_9 : vec3<i32>)
 {
-    Writer_word_1(&((*this_22)), u32(value_9.x));
-    Writer_word_1(&((*this_22)), u32(value_9.y));
-    Writer_word_1(&((*this_22)), u32(value_9.z));
+    Writer_word_1(&((*this_24)), u32(value_9.x));
+    Writer_word_1(&((*this_24)), u32(value_9.y));
+    Writer_word_1(&((*this_24)), u32(value_9.z));
     return;
 }
 
@@ -1888,18 +1884,18 @@ struct Crossing_0
 
 fn Crossing_x24init_0( distance_3 : f32,  distance_low_1 : f32,  speed_2 : f32,  axis_1 : u32) -> Crossing_0
 {
-    var _S161 : Crossing_0;
-    _S161.distance_2 = distance_3;
-    _S161.distance_low_0 = distance_low_1;
-    _S161.speed_1 = speed_2;
-    _S161.axis_0 = axis_1;
-    return _S161;
+    var _S140 : Crossing_0;
+    _S140.distance_2 = distance_3;
+    _S140.distance_low_0 = distance_low_1;
+    _S140.speed_1 = speed_2;
+    _S140.axis_0 = axis_1;
+    return _S140;
 }
 
-fn crossing_of_0( ray_1 : LocalRay_0,  axis_2 : u32,  plane_0 : i32) -> Crossing_0
+fn crossing_of_0( ray_2 : LocalRay_0,  axis_2 : u32,  plane_0 : i32) -> Crossing_0
 {
     var sign_0 : f32;
-    if((ray_1.direction_4[axis_2]) < 0.0f)
+    if((ray_2.direction_4[axis_2]) < 0.0f)
     {
         sign_0 = -1.0f;
     }
@@ -1908,84 +1904,84 @@ fn crossing_of_0( ray_1 : LocalRay_0,  axis_2 : u32,  plane_0 : i32) -> Crossing
         sign_0 = 1.0f;
     }
     var at_5 : f32 = f32(plane_0);
-    var difference_0 : f32 = at_5 - ray_1.origin_4[axis_2];
+    var difference_0 : f32 = at_5 - ray_2.origin_4[axis_2];
     var part_3 : f32 = difference_0 - at_5;
-    return Crossing_x24init_0(difference_0 * sign_0, (at_5 - (difference_0 - part_3) - (ray_1.origin_4[axis_2] + part_3)) * sign_0, abs(ray_1.direction_4[axis_2]), axis_2);
+    return Crossing_x24init_0(difference_0 * sign_0, (at_5 - (difference_0 - part_3) - (ray_2.origin_4[axis_2] + part_3)) * sign_0, abs(ray_2.direction_4[axis_2]), axis_2);
 }
 
-fn Crossing_is_before_0( this_23 : Crossing_0,  other_0 : Crossing_0) -> bool
+fn Crossing_is_before_0( this_25 : Crossing_0,  other_0 : Crossing_0) -> bool
 {
-    var ours_0 : vec2<f32> = exact_product_0(this_23.distance_2, other_0.speed_1);
-    var theirs_0 : vec2<f32> = exact_product_0(other_0.distance_2, this_23.speed_1);
+    var ours_0 : vec2<f32> = exact_product_0(this_25.distance_2, other_0.speed_1);
+    var theirs_0 : vec2<f32> = exact_product_0(other_0.distance_2, this_25.speed_1);
     if(IS_EXACT_0)
     {
-        ours_0[i32(1)] = ours_0[i32(1)] + this_23.distance_low_0 * other_0.speed_1;
-        theirs_0[i32(1)] = theirs_0[i32(1)] + other_0.distance_low_0 * this_23.speed_1;
+        ours_0[i32(1)] = ours_0[i32(1)] + this_25.distance_low_0 * other_0.speed_1;
+        theirs_0[i32(1)] = theirs_0[i32(1)] + other_0.distance_low_0 * this_25.speed_1;
     }
     var difference_1 : f32 = ours_0.x - theirs_0.x + (ours_0.y - theirs_0.y);
-    var _S162 : bool;
+    var _S141 : bool;
     if(difference_1 < 0.0f)
     {
-        _S162 = true;
+        _S141 = true;
     }
     else
     {
         if(difference_1 == 0.0f)
         {
-            _S162 = (this_23.axis_0) < (other_0.axis_0);
+            _S141 = (this_25.axis_0) < (other_0.axis_0);
         }
         else
         {
-            _S162 = false;
+            _S141 = false;
         }
     }
-    return _S162;
+    return _S141;
 }
 
-fn leave_box_0( ray_2 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  nearest_0 : vec3<i32>) -> vec3<i32>
+fn leave_box_0( ray_3 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  nearest_0 : vec3<i32>) -> vec3<i32>
 {
-    var _S163 : vec3<f32>;
-    var _S164 : f32;
-    var _S165 : bool;
+    var _S142 : vec3<f32>;
+    var _S143 : f32;
+    var _S144 : bool;
     var is_crossed_0 : bool;
-    var first_2 : Crossing_0;
-    var _S166 : f32;
-    var _S167 : bool;
-    var _S168 : f32;
-    var _S169 : bool;
+    var first_1 : Crossing_0;
+    var _S145 : f32;
+    var _S146 : bool;
+    var _S147 : f32;
+    var _S148 : bool;
     var plane_1 : i32;
-    var _S170 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
+    var _S149 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
     for(;;)
     {
         for(;;)
         {
             for(;;)
             {
-                _S163 = ray_2.direction_4;
-                _S164 = ray_2.direction_4[u32(0)];
-                var _S171 : bool = (ray_2.direction_4[u32(0)]) == 0.0f;
-                _S165 = _S171;
-                if(_S171)
+                _S142 = ray_3.direction_4;
+                _S143 = ray_3.direction_4[u32(0)];
+                var _S150 : bool = (ray_3.direction_4[u32(0)]) == 0.0f;
+                _S144 = _S150;
+                if(_S150)
                 {
-                    first_2 = _S170;
+                    first_1 = _S149;
                     break;
                 }
-                var crossing_0 : Crossing_0 = crossing_of_0(ray_2, u32(0), exit_0[u32(0)]);
-                if((_S170.axis_0) == u32(3))
+                var crossing_0 : Crossing_0 = crossing_of_0(ray_3, u32(0), exit_0[u32(0)]);
+                if((_S149.axis_0) == u32(3))
                 {
                     is_crossed_0 = true;
                 }
                 else
                 {
-                    is_crossed_0 = Crossing_is_before_0(crossing_0, _S170);
+                    is_crossed_0 = Crossing_is_before_0(crossing_0, _S149);
                 }
                 if(is_crossed_0)
                 {
-                    first_2 = crossing_0;
+                    first_1 = crossing_0;
                 }
                 else
                 {
-                    first_2 = _S170;
+                    first_1 = _S149;
                 }
                 break;
             }
@@ -1995,25 +1991,25 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                _S166 = _S163[u32(1)];
-                var _S172 : bool = (_S163[u32(1)]) == 0.0f;
-                _S167 = _S172;
-                if(_S172)
+                _S145 = _S142[u32(1)];
+                var _S151 : bool = (_S142[u32(1)]) == 0.0f;
+                _S146 = _S151;
+                if(_S151)
                 {
                     break;
                 }
-                var crossing_1 : Crossing_0 = crossing_of_0(ray_2, u32(1), exit_0[u32(1)]);
-                if((first_2.axis_0) == u32(3))
+                var crossing_1 : Crossing_0 = crossing_of_0(ray_3, u32(1), exit_0[u32(1)]);
+                if((first_1.axis_0) == u32(3))
                 {
                     is_crossed_0 = true;
                 }
                 else
                 {
-                    is_crossed_0 = Crossing_is_before_0(crossing_1, first_2);
+                    is_crossed_0 = Crossing_is_before_0(crossing_1, first_1);
                 }
                 if(is_crossed_0)
                 {
-                    first_2 = crossing_1;
+                    first_1 = crossing_1;
                 }
                 break;
             }
@@ -2023,25 +2019,25 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                _S168 = _S163[u32(2)];
-                var _S173 : bool = (_S163[u32(2)]) == 0.0f;
-                _S169 = _S173;
-                if(_S173)
+                _S147 = _S142[u32(2)];
+                var _S152 : bool = (_S142[u32(2)]) == 0.0f;
+                _S148 = _S152;
+                if(_S152)
                 {
                     break;
                 }
-                var crossing_2 : Crossing_0 = crossing_of_0(ray_2, u32(2), exit_0[u32(2)]);
-                if((first_2.axis_0) == u32(3))
+                var crossing_2 : Crossing_0 = crossing_of_0(ray_3, u32(2), exit_0[u32(2)]);
+                if((first_1.axis_0) == u32(3))
                 {
                     is_crossed_0 = true;
                 }
                 else
                 {
-                    is_crossed_0 = Crossing_is_before_0(crossing_2, first_2);
+                    is_crossed_0 = Crossing_is_before_0(crossing_2, first_1);
                 }
                 if(is_crossed_0)
                 {
-                    first_2 = crossing_2;
+                    first_1 = crossing_2;
                 }
                 break;
             }
@@ -2056,20 +2052,20 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                if(_S165)
+                if(_S144)
                 {
                     break;
                 }
-                var _S174 : bool = u32(0) == (first_2.axis_0);
-                if(_S174)
+                var _S153 : bool = u32(0) == (first_1.axis_0);
+                if(_S153)
                 {
                     is_crossed_0 = true;
                 }
                 else
                 {
-                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_2, u32(0), nearest_0[u32(0)]), first_2);
+                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_3, u32(0), nearest_0[u32(0)]), first_1);
                 }
-                if(_S174)
+                if(_S153)
                 {
                     plane_1 = exit_0[u32(0)];
                 }
@@ -2077,7 +2073,7 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
                 {
                     plane_1 = nearest_0[u32(0)];
                 }
-                arrival_0[u32(0)] = plane_1 - i32(is_crossed_0 == (_S164 < 0.0f));
+                arrival_0[u32(0)] = plane_1 - i32(is_crossed_0 == (_S143 < 0.0f));
                 break;
             }
             break;
@@ -2086,20 +2082,20 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                if(_S167)
+                if(_S146)
                 {
                     break;
                 }
-                var _S175 : bool = u32(1) == (first_2.axis_0);
-                if(_S175)
+                var _S154 : bool = u32(1) == (first_1.axis_0);
+                if(_S154)
                 {
                     is_crossed_0 = true;
                 }
                 else
                 {
-                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_2, u32(1), nearest_0[u32(1)]), first_2);
+                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_3, u32(1), nearest_0[u32(1)]), first_1);
                 }
-                if(_S175)
+                if(_S154)
                 {
                     plane_1 = exit_0[u32(1)];
                 }
@@ -2107,7 +2103,7 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
                 {
                     plane_1 = nearest_0[u32(1)];
                 }
-                arrival_0[u32(1)] = plane_1 - i32(is_crossed_0 == (_S166 < 0.0f));
+                arrival_0[u32(1)] = plane_1 - i32(is_crossed_0 == (_S145 < 0.0f));
                 break;
             }
             break;
@@ -2116,20 +2112,20 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                if(_S169)
+                if(_S148)
                 {
                     break;
                 }
-                var _S176 : bool = u32(2) == (first_2.axis_0);
-                if(_S176)
+                var _S155 : bool = u32(2) == (first_1.axis_0);
+                if(_S155)
                 {
                     is_crossed_0 = true;
                 }
                 else
                 {
-                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_2, u32(2), nearest_0[u32(2)]), first_2);
+                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_3, u32(2), nearest_0[u32(2)]), first_1);
                 }
-                if(_S176)
+                if(_S155)
                 {
                     plane_1 = exit_0[u32(2)];
                 }
@@ -2137,7 +2133,7 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
                 {
                     plane_1 = nearest_0[u32(2)];
                 }
-                arrival_0[u32(2)] = plane_1 - i32(is_crossed_0 == (_S168 < 0.0f));
+                arrival_0[u32(2)] = plane_1 - i32(is_crossed_0 == (_S147 < 0.0f));
                 break;
             }
             break;
@@ -2149,48 +2145,48 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
 
 fn Hit_x24init_0( t_1 : f32,  instance_1 : u32,  voxel_5 : vec3<i32>,  face_1 : u32) -> Hit_0
 {
-    var _S177 : Hit_0;
-    _S177.t_0 = t_1;
-    _S177.instance_0 = instance_1;
-    _S177.voxel_0 = voxel_5;
-    _S177.face_0 = face_1;
-    return _S177;
+    var _S156 : Hit_0;
+    _S156.t_0 = t_1;
+    _S156.instance_0 = instance_1;
+    _S156.voxel_0 = voxel_5;
+    _S156.face_0 = face_1;
+    return _S156;
 }
 
-fn hit_of_0( ray_3 : LocalRay_0,  voxel_6 : vec3<i32>,  instance_2 : u32) -> Hit_0
+fn hit_of_0( ray_4 : LocalRay_0,  voxel_6 : vec3<i32>,  instance_2 : u32) -> Hit_0
 {
-    var _S178 : vec3<f32>;
-    var _S179 : bool;
-    var last_0 : Crossing_0;
-    var _S180 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
+    var _S157 : vec3<f32>;
+    var _S158 : bool;
+    var last_1 : Crossing_0;
+    var _S159 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
     for(;;)
     {
         for(;;)
         {
             for(;;)
             {
-                _S178 = ray_3.direction_4;
-                if((ray_3.direction_4[u32(0)]) == 0.0f)
+                _S157 = ray_4.direction_4;
+                if((ray_4.direction_4[u32(0)]) == 0.0f)
                 {
-                    last_0 = _S180;
+                    last_1 = _S159;
                     break;
                 }
-                var crossing_3 : Crossing_0 = crossing_of_0(ray_3, u32(0), voxel_6[u32(0)] + i32((ray_3.direction_4[u32(0)]) < 0.0f));
-                if((_S180.axis_0) == u32(3))
+                var crossing_3 : Crossing_0 = crossing_of_0(ray_4, u32(0), voxel_6[u32(0)] + i32((ray_4.direction_4[u32(0)]) < 0.0f));
+                if((_S159.axis_0) == u32(3))
                 {
-                    _S179 = true;
+                    _S158 = true;
                 }
                 else
                 {
-                    _S179 = !Crossing_is_before_0(crossing_3, _S180);
+                    _S158 = !Crossing_is_before_0(crossing_3, _S159);
                 }
-                if(_S179)
+                if(_S158)
                 {
-                    last_0 = crossing_3;
+                    last_1 = crossing_3;
                 }
                 else
                 {
-                    last_0 = _S180;
+                    last_1 = _S159;
                 }
                 break;
             }
@@ -2200,23 +2196,23 @@ fn hit_of_0( ray_3 : LocalRay_0,  voxel_6 : vec3<i32>,  instance_2 : u32) -> Hit
         {
             for(;;)
             {
-                var _S181 : vec3<f32> = _S178;
-                if((_S178[u32(1)]) == 0.0f)
+                var _S160 : vec3<f32> = _S157;
+                if((_S157[u32(1)]) == 0.0f)
                 {
                     break;
                 }
-                var crossing_4 : Crossing_0 = crossing_of_0(ray_3, u32(1), voxel_6[u32(1)] + i32((_S181[u32(1)]) < 0.0f));
-                if((last_0.axis_0) == u32(3))
+                var crossing_4 : Crossing_0 = crossing_of_0(ray_4, u32(1), voxel_6[u32(1)] + i32((_S160[u32(1)]) < 0.0f));
+                if((last_1.axis_0) == u32(3))
                 {
-                    _S179 = true;
+                    _S158 = true;
                 }
                 else
                 {
-                    _S179 = !Crossing_is_before_0(crossing_4, last_0);
+                    _S158 = !Crossing_is_before_0(crossing_4, last_1);
                 }
-                if(_S179)
+                if(_S158)
                 {
-                    last_0 = crossing_4;
+                    last_1 = crossing_4;
                 }
                 break;
             }
@@ -2226,23 +2222,23 @@ fn hit_of_0( ray_3 : LocalRay_0,  voxel_6 : vec3<i32>,  instance_2 : u32) -> Hit
         {
             for(;;)
             {
-                var _S182 : vec3<f32> = _S178;
-                if((_S178[u32(2)]) == 0.0f)
+                var _S161 : vec3<f32> = _S157;
+                if((_S157[u32(2)]) == 0.0f)
                 {
                     break;
                 }
-                var crossing_5 : Crossing_0 = crossing_of_0(ray_3, u32(2), voxel_6[u32(2)] + i32((_S182[u32(2)]) < 0.0f));
-                if((last_0.axis_0) == u32(3))
+                var crossing_5 : Crossing_0 = crossing_of_0(ray_4, u32(2), voxel_6[u32(2)] + i32((_S161[u32(2)]) < 0.0f));
+                if((last_1.axis_0) == u32(3))
                 {
-                    _S179 = true;
+                    _S158 = true;
                 }
                 else
                 {
-                    _S179 = !Crossing_is_before_0(crossing_5, last_0);
+                    _S158 = !Crossing_is_before_0(crossing_5, last_1);
                 }
-                if(_S179)
+                if(_S158)
                 {
-                    last_0 = crossing_5;
+                    last_1 = crossing_5;
                 }
                 break;
             }
@@ -2250,55 +2246,54 @@ fn hit_of_0( ray_3 : LocalRay_0,  voxel_6 : vec3<i32>,  instance_2 : u32) -> Hit
         }
         break;
     }
-    var _S183 : Crossing_0 = last_0;
-    var is_negative_0 : bool = (_S178[last_0.axis_0]) < 0.0f;
-    var t_2 : f32 = (f32(voxel_6[last_0.axis_0] + i32(is_negative_0)) - ray_3.origin_4[last_0.axis_0]) * ray_3.inverse_0[last_0.axis_0];
-    var _S184 : f32;
-    if(t_2 > (ray_3.t_min_3))
+    var _S162 : Crossing_0 = last_1;
+    var is_negative_0 : bool = (_S157[last_1.axis_0]) < 0.0f;
+    var t_2 : f32 = (f32(voxel_6[last_1.axis_0] + i32(is_negative_0)) - ray_4.origin_4[last_1.axis_0]) * ray_4.inverse_0[last_1.axis_0];
+    var _S163 : f32;
+    if(t_2 > (ray_4.t_min_3))
     {
-        _S184 = t_2;
+        _S163 = t_2;
     }
     else
     {
-        _S184 = ray_3.t_min_3;
+        _S163 = ray_4.t_min_3;
     }
-    return Hit_x24init_0(_S184, instance_2, voxel_6, u32(2) * _S183.axis_0 + u32(is_negative_0));
+    return Hit_x24init_0(_S163, instance_2, voxel_6, u32(2) * _S162.axis_0 + u32(is_negative_0));
 }
 
 @compute
 @workgroup_size(64, 1, 1)
 fn check_exact(@builtin(global_invocation_id) id_7 : vec3<u32>, @builtin(local_invocation_index) thread_8 : u32)
 {
-    is_page_missing_0 = false;
     prove_0(thread_8);
-    var _S185 : u32 = id_7.x;
-    if(_S185 >= (dispatch_0.count_0))
+    var _S164 : u32 = id_7.x;
+    if(_S164 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_7 : Reader_0 = Reader_x24init_0(u32(17) * _S185);
-    var writer_7 : Writer_0 = Writer_x24init_0(u32(8) * _S185);
-    var _S186 : Ray_0 = Reader_ray_0(&(reader_7));
-    var _S187 : LocalRay_0 = local_ray_0(_S186, i32(0));
+    var reader_7 : Reader_0 = Reader_x24init_0(u32(17) * _S164);
+    var writer_7 : Writer_0 = Writer_x24init_0(u32(8) * _S164);
+    var _S165 : Ray_0 = Reader_ray_0(&(reader_7));
+    var local_2 : LocalRay_0 = local_ray_0(_S165, Instances_operatorx5Bx5D_get_0(u32(0)).grid_from_world_0);
     var voxel_7 : vec3<i32> = Reader_cell_0(&(reader_7));
     var exit_1 : vec3<i32> = Reader_cell_0(&(reader_7));
-    Writer_cell_0(&(writer_7), exact_start_voxel_0(_S187));
-    var _S188 : vec3<i32> = Reader_cell_0(&(reader_7));
-    var arrival_1 : vec3<i32> = leave_box_0(_S187, voxel_7, exit_1, _S188);
-    Writer_cell_0(&(writer_7), select(max(arrival_1, voxel_7), min(arrival_1, voxel_7), (_S187.direction_4) < vec3<f32>(0.0f)));
-    var hit_1 : Hit_0 = hit_of_0(_S187, voxel_7, u32(0));
+    Writer_cell_0(&(writer_7), exact_start_voxel_0(local_2));
+    var _S166 : vec3<i32> = Reader_cell_0(&(reader_7));
+    var arrival_1 : vec3<i32> = leave_box_0(local_2, voxel_7, exit_1, _S166);
+    Writer_cell_0(&(writer_7), select(max(arrival_1, voxel_7), min(arrival_1, voxel_7), (local_2.direction_4) < vec3<f32>(0.0f)));
+    var hit_1 : Hit_0 = hit_of_0(local_2, voxel_7, u32(0));
     Writer_number_0(&(writer_7), hit_1.t_0);
     Writer_word_0(&(writer_7), hit_1.face_0);
     return;
 }
 
-fn Reader_hit_0( this_24 : ptr<function, Reader_0>) -> Hit_0
+fn Reader_hit_0( this_26 : ptr<function, Reader_0>) -> Hit_0
 {
-    var t_3 : f32 = Reader_number_1(&((*this_24)));
-    var instance_3 : u32 = Reader_word_1(&((*this_24)));
-    var voxel_8 : vec3<i32> = Reader_cell_1(&((*this_24)));
-    var _S189 : u32 = Reader_word_1(&((*this_24)));
-    return Hit_x24init_0(t_3, instance_3, voxel_8, _S189);
+    var t_3 : f32 = Reader_number_1(&((*this_26)));
+    var instance_3 : u32 = Reader_word_1(&((*this_26)));
+    var voxel_8 : vec3<i32> = Reader_cell_1(&((*this_26)));
+    var _S167 : u32 = Reader_word_1(&((*this_26)));
+    return Hit_x24init_0(t_3, instance_3, voxel_8, _S167);
 }
 
 @id(7) override HAS_CUTS_0 : bool = false;
@@ -2311,16 +2306,16 @@ fn is_cut_0( hit_2 : Hit_0) -> bool
 fn cut_normal_0( face_2 : u32) -> vec3<f32>
 {
     var normal_1 : vec3<f32> = params_0.planes_0[((face_2 - u32(6)) >> (u32(1)))].xyz;
-    var _S190 : vec3<f32>;
+    var _S168 : vec3<f32>;
     if(((face_2 & (u32(1)))) == u32(1))
     {
-        _S190 = (vec3<f32>(0) - normal_1);
+        _S168 = (vec3<f32>(0) - normal_1);
     }
     else
     {
-        _S190 = normal_1;
+        _S168 = normal_1;
     }
-    return _S190;
+    return _S168;
 }
 
 fn cut_margin_0( face_3 : u32) -> f32
@@ -2330,16 +2325,16 @@ fn cut_margin_0( face_3 : u32) -> f32
 
 fn leaves_cut_0( hit_3 : Hit_0) -> bool
 {
-    var _S191 : bool;
+    var _S169 : bool;
     if(is_cut_0(hit_3))
     {
-        _S191 = (((hit_3.face_0) & (u32(1)))) == u32(1);
+        _S169 = (((hit_3.face_0) & (u32(1)))) == u32(1);
     }
     else
     {
-        _S191 = false;
+        _S169 = false;
     }
-    return _S191;
+    return _S169;
 }
 
 fn margin_of_0( translation_1 : vec3<f32>,  low_9 : vec3<f32>) -> f32
@@ -2353,62 +2348,43 @@ fn clamp_to_voxel_0( translation_2 : vec3<f32>,  low_10 : vec3<f32>,  point_2 : 
     return min(max(point_2, low_10 + vec3<f32>(margin_0)), low_10 + vec3<f32>((1.0f - margin_0)));
 }
 
-fn Transform_direction_1( _S192 : u32,  _S193 : vec3<f32>) -> vec3<f32>
-{
-    return vector_of_0(instances_0[_S192].grid_from_world_0.x_axis_0) * vec3<f32>(_S193.x) + vector_of_0(instances_0[_S192].grid_from_world_0.y_axis_0) * vec3<f32>(_S193.y) + vector_of_0(instances_0[_S192].grid_from_world_0.z_axis_0) * vec3<f32>(_S193.z);
-}
-
-fn Transform_point_1( _S194 : u32,  _S195 : vec3<f32>) -> vec3<f32>
-{
-    return Transform_direction_1(_S194, _S195) + vector_of_0(instances_0[_S194].grid_from_world_0.translation_0);
-}
-
-fn Transform_direction_2( _S196 : u32,  _S197 : vec3<f32>) -> vec3<f32>
-{
-    return vector_of_0(instances_0[_S196].world_from_grid_0.x_axis_0) * vec3<f32>(_S197.x) + vector_of_0(instances_0[_S196].world_from_grid_0.y_axis_0) * vec3<f32>(_S197.y) + vector_of_0(instances_0[_S196].world_from_grid_0.z_axis_0) * vec3<f32>(_S197.z);
-}
-
-fn Transform_point_2( _S198 : u32,  _S199 : vec3<f32>) -> vec3<f32>
-{
-    return Transform_direction_2(_S198, _S199) + vector_of_0(instances_0[_S198].world_from_grid_0.translation_0);
-}
-
 fn in_voxel_0( hit_4 : Hit_0,  point_3 : vec3<f32>) -> vec3<f32>
 {
-    return Transform_point_2(hit_4.instance_0, clamp_to_voxel_0(vector_of_0(instances_0[hit_4.instance_0].grid_from_world_0.translation_0), vec3<f32>(hit_4.voxel_0), Transform_point_1(hit_4.instance_0, point_3)));
+    var _S170 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(hit_4.instance_0);
+    return Transform_point_0(_S170.world_from_grid_0, clamp_to_voxel_0(vector_of_0(_S170.grid_from_world_0.translation_0), vec3<f32>(hit_4.voxel_0), Transform_point_0(_S170.grid_from_world_0, point_3)));
 }
 
-fn before_cut_0( ray_4 : Ray_0,  hit_5 : Hit_0,  normal_2 : vec3<f32>) -> vec3<f32>
+fn before_cut_0( ray_5 : Ray_0,  hit_5 : Hit_0,  normal_2 : vec3<f32>) -> vec3<f32>
 {
-    var point_4 : vec3<f32> = ray_4.origin_1 + ray_4.direction_1 * vec3<f32>(hit_5.t_0) + normal_2 * vec3<f32>(cut_margin_0(hit_5.face_0));
-    var _S200 : vec3<f32>;
+    var point_4 : vec3<f32> = ray_5.origin_1 + ray_5.direction_1 * vec3<f32>(hit_5.t_0) + normal_2 * vec3<f32>(cut_margin_0(hit_5.face_0));
+    var _S171 : vec3<f32>;
     if(leaves_cut_0(hit_5))
     {
-        _S200 = in_voxel_0(hit_5, point_4);
+        _S171 = in_voxel_0(hit_5, point_4);
     }
     else
     {
-        _S200 = point_4;
+        _S171 = point_4;
     }
-    return _S200;
+    return _S171;
 }
 
 fn offset_ray_origin_0( translation_3 : vec3<f32>,  low_11 : vec3<f32>,  face_4 : u32,  point_5 : vec3<f32>) -> vec3<f32>
 {
     var margin_1 : f32 = margin_of_0(translation_3, low_11);
-    var _S201 : vec3<f32> = vec3<f32>(margin_1);
-    var moved_0 : vec3<f32> = min(max(point_5, low_11 + _S201), low_11 + vec3<f32>((1.0f - margin_1)));
-    var _S202 : bool = face_4 < u32(2);
-    var _S203 : bool;
+    var _S172 : vec3<f32> = vec3<f32>(margin_1);
+    var moved_0 : vec3<f32> = min(max(point_5, low_11 + _S172), low_11 + vec3<f32>((1.0f - margin_1)));
+    var _S173 : bool = face_4 < u32(2);
+    var _S174 : bool;
     if(face_4 >= u32(2))
     {
-        _S203 = face_4 < u32(4);
+        _S174 = face_4 < u32(4);
     }
     else
     {
-        _S203 = false;
+        _S174 = false;
     }
-    var is_axis_0 : vec3<bool> = vec3<bool>(_S202, _S203, face_4 >= u32(4));
+    var is_axis_0 : vec3<bool> = vec3<bool>(_S173, _S174, face_4 >= u32(4));
     var outside_0 : vec3<f32>;
     if(((face_4 & (u32(1)))) == u32(1))
     {
@@ -2416,7 +2392,7 @@ fn offset_ray_origin_0( translation_3 : vec3<f32>,  low_11 : vec3<f32>,  face_4 
     }
     else
     {
-        outside_0 = low_11 - _S201;
+        outside_0 = low_11 - _S172;
     }
     return select(moved_0, outside_0, is_axis_0);
 }
@@ -2432,32 +2408,32 @@ fn face_normal_0( face_5 : u32) -> vec3<f32>
     {
         away_0 = -1.0f;
     }
-    var _S204 : f32;
+    var _S175 : f32;
     if(face_5 < u32(2))
     {
-        _S204 = away_0;
+        _S175 = away_0;
     }
     else
     {
-        _S204 = 0.0f;
+        _S175 = 0.0f;
     }
-    var _S205 : bool;
+    var _S176 : bool;
     if(face_5 >= u32(2))
     {
-        _S205 = face_5 < u32(4);
+        _S176 = face_5 < u32(4);
     }
     else
     {
-        _S205 = false;
+        _S176 = false;
     }
-    var _S206 : f32;
-    if(_S205)
+    var _S177 : f32;
+    if(_S176)
     {
-        _S206 = away_0;
+        _S177 = away_0;
     }
     else
     {
-        _S206 = 0.0f;
+        _S177 = 0.0f;
     }
     if(face_5 >= u32(4))
     {
@@ -2466,56 +2442,57 @@ fn face_normal_0( face_5 : u32) -> vec3<f32>
     {
         away_0 = 0.0f;
     }
-    return vec3<f32>(_S204, _S206, away_0);
+    return vec3<f32>(_S175, _S177, away_0);
+}
+
+fn world_normal_0( instance_4 : PackedInstance_0,  face_6 : u32) -> vec3<f32>
+{
+    return normalize_vector_0(Transform_direction_0(instance_4.world_from_grid_0, face_normal_0(face_6)));
 }
 
 struct Surface_0
 {
      origin_6 : vec3<f32>,
      normal_3 : vec3<f32>,
-     face_6 : u32,
-     instance_4 : u32,
+     face_7 : u32,
+     instance_5 : u32,
 };
 
-fn world_normal_0( _S207 : u32,  _S208 : u32) -> vec3<f32>
-{
-    return normalize_vector_0(Transform_direction_2(_S207, face_normal_0(_S208)));
-}
-
-fn surface_of_0( ray_5 : Ray_0,  hit_6 : Hit_0) -> Surface_0
+fn surface_of_0( ray_6 : Ray_0,  hit_6 : Hit_0) -> Surface_0
 {
     var surface_0 : Surface_0;
-    var _S209 : vec3<f32> = vec3<f32>(hit_6.voxel_0);
-    var _S210 : bool;
+    var _S178 : vec3<f32> = vec3<f32>(hit_6.voxel_0);
+    var _S179 : bool;
     if(HAS_CUTS_0)
     {
-        _S210 = is_cut_0(hit_6);
+        _S179 = is_cut_0(hit_6);
     }
     else
     {
-        _S210 = false;
+        _S179 = false;
     }
-    if(_S210)
+    if(_S179)
     {
-        var _S211 : vec3<f32> = cut_normal_0(hit_6.face_0);
-        surface_0.normal_3 = _S211;
-        surface_0.origin_6 = before_cut_0(ray_5, hit_6, _S211);
+        var _S180 : vec3<f32> = cut_normal_0(hit_6.face_0);
+        surface_0.normal_3 = _S180;
+        surface_0.origin_6 = before_cut_0(ray_6, hit_6, _S180);
     }
     else
     {
         if(IS_SINGLE_0)
         {
-            surface_0.origin_6 = offset_ray_origin_0(vec3<f32>(0.0f), _S209, hit_6.face_0, ray_5.origin_1 + ray_5.direction_1 * vec3<f32>(hit_6.t_0));
+            surface_0.origin_6 = offset_ray_origin_0(vec3<f32>(0.0f), _S178, hit_6.face_0, ray_6.origin_1 + ray_6.direction_1 * vec3<f32>(hit_6.t_0));
             surface_0.normal_3 = face_normal_0(hit_6.face_0);
         }
         else
         {
-            surface_0.origin_6 = Transform_point_2(hit_6.instance_0, offset_ray_origin_0(vector_of_0(instances_0[hit_6.instance_0].grid_from_world_0.translation_0), _S209, hit_6.face_0, Transform_point_1(hit_6.instance_0, ray_5.origin_1) + Transform_direction_1(hit_6.instance_0, ray_5.direction_1) * vec3<f32>(hit_6.t_0)));
-            surface_0.normal_3 = world_normal_0(hit_6.instance_0, hit_6.face_0);
+            var _S181 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(hit_6.instance_0);
+            surface_0.origin_6 = Transform_point_0(_S181.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S181.grid_from_world_0.translation_0), _S178, hit_6.face_0, Transform_point_0(_S181.grid_from_world_0, ray_6.origin_1) + Transform_direction_0(_S181.grid_from_world_0, ray_6.direction_1) * vec3<f32>(hit_6.t_0)));
+            surface_0.normal_3 = world_normal_0(_S181, hit_6.face_0);
         }
     }
-    surface_0.face_6 = hit_6.face_0;
-    surface_0.instance_4 = hit_6.instance_0;
+    surface_0.face_7 = hit_6.face_0;
+    surface_0.instance_5 = hit_6.instance_0;
     return surface_0;
 }
 
@@ -2523,9 +2500,9 @@ fn surface_of_0( ray_5 : Ray_0,  hit_6 : Hit_0) -> Surface_0
 
 fn orthonormal_pair_0( z_0 : vec3<f32>,  x_7 : ptr<function, vec3<f32>>,  y_4 : ptr<function, vec3<f32>>)
 {
-    var _S212 : f32 = z_0.z;
+    var _S182 : f32 = z_0.z;
     var sign_1 : f32;
-    if(_S212 < 0.0f)
+    if(_S182 < 0.0f)
     {
         sign_1 = -1.0f;
     }
@@ -2533,20 +2510,20 @@ fn orthonormal_pair_0( z_0 : vec3<f32>,  x_7 : ptr<function, vec3<f32>>,  y_4 : 
     {
         sign_1 = 1.0f;
     }
-    var a_5 : f32 = divide_0(-1.0f, sign_1 + _S212);
-    var _S213 : f32 = z_0.x;
-    var _S214 : f32 = z_0.y;
-    var b_4 : f32 = _S213 * _S214 * a_5;
-    (*x_7) = vec3<f32>(1.0f + sign_1 * _S213 * _S213 * a_5, sign_1 * b_4, - sign_1 * _S213);
-    (*y_4) = vec3<f32>(b_4, sign_1 + _S214 * _S214 * a_5, - _S214);
+    var a_7 : f32 = divide_0(-1.0f, sign_1 + _S182);
+    var _S183 : f32 = z_0.x;
+    var _S184 : f32 = z_0.y;
+    var b_6 : f32 = _S183 * _S184 * a_7;
+    (*x_7) = vec3<f32>(1.0f + sign_1 * _S183 * _S183 * a_7, sign_1 * b_6, - sign_1 * _S183);
+    (*y_4) = vec3<f32>(b_6, sign_1 + _S184 * _S184 * a_7, - _S184);
     return;
 }
 
 fn orthonormal_pair_1( z_1 : vec3<f32>,  x_8 : ptr<function, vec3<f32>>,  y_5 : ptr<function, vec3<f32>>)
 {
-    var _S215 : f32 = z_1.z;
+    var _S185 : f32 = z_1.z;
     var sign_2 : f32;
-    if(_S215 < 0.0f)
+    if(_S185 < 0.0f)
     {
         sign_2 = -1.0f;
     }
@@ -2554,136 +2531,136 @@ fn orthonormal_pair_1( z_1 : vec3<f32>,  x_8 : ptr<function, vec3<f32>>,  y_5 : 
     {
         sign_2 = 1.0f;
     }
-    var a_6 : f32 = divide_0(-1.0f, sign_2 + _S215);
-    var _S216 : f32 = z_1.x;
-    var _S217 : f32 = z_1.y;
-    var b_5 : f32 = _S216 * _S217 * a_6;
-    (*x_8) = vec3<f32>(1.0f + sign_2 * _S216 * _S216 * a_6, sign_2 * b_5, - sign_2 * _S216);
-    (*y_5) = vec3<f32>(b_5, sign_2 + _S217 * _S217 * a_6, - _S217);
+    var a_8 : f32 = divide_0(-1.0f, sign_2 + _S185);
+    var _S186 : f32 = z_1.x;
+    var _S187 : f32 = z_1.y;
+    var b_7 : f32 = _S186 * _S187 * a_8;
+    (*x_8) = vec3<f32>(1.0f + sign_2 * _S186 * _S186 * a_8, sign_2 * b_7, - sign_2 * _S186);
+    (*y_5) = vec3<f32>(b_7, sign_2 + _S187 * _S187 * a_8, - _S187);
     return;
 }
 
-fn Surface_world_direction_0( this_25 : Surface_0,  local_1 : vec3<f32>) -> vec3<f32>
+fn Surface_world_direction_0( this_27 : Surface_0,  local_3 : vec3<f32>) -> vec3<f32>
 {
-    var _S218 : bool;
+    var _S188 : bool;
     if(HAS_CUTS_0)
     {
-        _S218 = true;
+        _S188 = true;
     }
     else
     {
-        _S218 = HAS_NORMALS_0;
+        _S188 = HAS_NORMALS_0;
     }
-    if(_S218)
+    if(_S188)
     {
-        _S218 = (this_25.face_6) >= u32(6);
+        _S188 = (this_27.face_7) >= u32(6);
     }
     else
     {
-        _S218 = false;
+        _S188 = false;
     }
-    if(_S218)
+    if(_S188)
     {
         var x_9 : vec3<f32>;
         var y_6 : vec3<f32>;
-        orthonormal_pair_0(this_25.normal_3, &(x_9), &(y_6));
-        return normalize_vector_0(x_9 * vec3<f32>(local_1.x) + y_6 * vec3<f32>(local_1.y) + this_25.normal_3 * vec3<f32>(local_1.z));
+        orthonormal_pair_0(this_27.normal_3, &(x_9), &(y_6));
+        return normalize_vector_0(x_9 * vec3<f32>(local_3.x) + y_6 * vec3<f32>(local_3.y) + this_27.normal_3 * vec3<f32>(local_3.z));
     }
     var away_1 : f32;
-    if((((this_25.face_6) & (u32(1)))) == u32(1))
+    if((((this_27.face_7) & (u32(1)))) == u32(1))
     {
-        away_1 = local_1.z;
+        away_1 = local_3.z;
     }
     else
     {
-        away_1 = - local_1.z;
+        away_1 = - local_3.z;
     }
-    var _S219 : f32 = local_1.x;
-    var _S220 : f32 = local_1.y;
-    var _S221 : vec3<f32> = vec3<f32>(_S219, _S220, away_1);
+    var _S189 : f32 = local_3.x;
+    var _S190 : f32 = local_3.y;
+    var _S191 : vec3<f32> = vec3<f32>(_S189, _S190, away_1);
     var in_grid_0 : vec3<f32>;
-    if((this_25.face_6) < u32(2))
+    if((this_27.face_7) < u32(2))
     {
-        in_grid_0 = vec3<f32>(away_1, _S219, _S220);
+        in_grid_0 = vec3<f32>(away_1, _S189, _S190);
     }
     else
     {
-        if((this_25.face_6) < u32(4))
+        if((this_27.face_7) < u32(4))
         {
-            in_grid_0 = vec3<f32>(_S220, away_1, _S219);
+            in_grid_0 = vec3<f32>(_S190, away_1, _S189);
         }
         else
         {
-            in_grid_0 = _S221;
+            in_grid_0 = _S191;
         }
     }
     if(!IS_SINGLE_0)
     {
-        in_grid_0 = Transform_direction_2(this_25.instance_4, in_grid_0);
+        in_grid_0 = Transform_direction_0(Instances_operatorx5Bx5D_get_0(this_27.instance_5).world_from_grid_0, in_grid_0);
     }
     return normalize_vector_0(in_grid_0);
 }
 
-fn Surface_local_direction_0( this_26 : Surface_0,  world_0 : vec3<f32>) -> vec3<f32>
+fn Surface_local_direction_0( this_28 : Surface_0,  world_0 : vec3<f32>) -> vec3<f32>
 {
-    var _S222 : bool;
+    var _S192 : bool;
     if(HAS_CUTS_0)
     {
-        _S222 = true;
+        _S192 = true;
     }
     else
     {
-        _S222 = HAS_NORMALS_0;
+        _S192 = HAS_NORMALS_0;
     }
-    if(_S222)
+    if(_S192)
     {
-        _S222 = (this_26.face_6) >= u32(6);
+        _S192 = (this_28.face_7) >= u32(6);
     }
     else
     {
-        _S222 = false;
+        _S192 = false;
     }
-    if(_S222)
+    if(_S192)
     {
         var x_10 : vec3<f32>;
         var y_7 : vec3<f32>;
-        orthonormal_pair_0(this_26.normal_3, &(x_10), &(y_7));
+        orthonormal_pair_0(this_28.normal_3, &(x_10), &(y_7));
         var unit_1 : vec3<f32> = normalize_vector_0(world_0);
-        return vec3<f32>(dot_product_0(x_10, unit_1), dot_product_0(y_7, unit_1), dot_product_0(this_26.normal_3, unit_1));
+        return vec3<f32>(dot_product_0(x_10, unit_1), dot_product_0(y_7, unit_1), dot_product_0(this_28.normal_3, unit_1));
     }
     var in_grid_1 : vec3<f32>;
     if(!IS_SINGLE_0)
     {
-        in_grid_1 = Transform_direction_1(this_26.instance_4, world_0);
+        in_grid_1 = Transform_direction_0(Instances_operatorx5Bx5D_get_0(this_28.instance_5).grid_from_world_0, world_0);
     }
     else
     {
         in_grid_1 = world_0;
     }
     var in_grid_2 : vec3<f32> = normalize_vector_0(in_grid_1);
-    var local_2 : vec3<f32>;
-    if((this_26.face_6) < u32(2))
+    var local_4 : vec3<f32>;
+    if((this_28.face_7) < u32(2))
     {
-        local_2 = in_grid_2.yzx;
+        local_4 = in_grid_2.yzx;
     }
     else
     {
-        if((this_26.face_6) < u32(4))
+        if((this_28.face_7) < u32(4))
         {
-            local_2 = in_grid_2.zxy;
+            local_4 = in_grid_2.zxy;
         }
         else
         {
-            local_2 = in_grid_2;
+            local_4 = in_grid_2;
         }
     }
-    if((((this_26.face_6) & (u32(1)))) == u32(1))
+    if((((this_28.face_7) & (u32(1)))) == u32(1))
     {
-        in_grid_1 = local_2;
+        in_grid_1 = local_4;
     }
     else
     {
-        in_grid_1 = vec3<f32>(local_2.xy, - local_2.z);
+        in_grid_1 = vec3<f32>(local_4.xy, - local_4.z);
     }
     return in_grid_1;
 }
@@ -2692,18 +2669,17 @@ fn Surface_local_direction_0( this_26 : Surface_0,  world_0 : vec3<f32>) -> vec3
 @workgroup_size(64, 1, 1)
 fn check_surface(@builtin(global_invocation_id) id_8 : vec3<u32>, @builtin(local_invocation_index) thread_9 : u32)
 {
-    is_page_missing_0 = false;
     prove_0(thread_9);
-    var _S223 : u32 = id_8.x;
-    if(_S223 >= (dispatch_0.count_0))
+    var _S193 : u32 = id_8.x;
+    if(_S193 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_8 : Reader_0 = Reader_x24init_0(u32(17) * _S223);
-    var writer_8 : Writer_0 = Writer_x24init_0(u32(12) * _S223);
-    var ray_6 : Ray_0 = Reader_ray_0(&(reader_8));
-    var _S224 : Hit_0 = Reader_hit_0(&(reader_8));
-    var surface_1 : Surface_0 = surface_of_0(ray_6, _S224);
+    var reader_8 : Reader_0 = Reader_x24init_0(u32(17) * _S193);
+    var writer_8 : Writer_0 = Writer_x24init_0(u32(12) * _S193);
+    var ray_7 : Ray_0 = Reader_ray_0(&(reader_8));
+    var _S194 : Hit_0 = Reader_hit_0(&(reader_8));
+    var surface_1 : Surface_0 = surface_of_0(ray_7, _S194);
     Writer_vector_0(&(writer_8), surface_1.origin_6);
     Writer_vector_0(&(writer_8), surface_1.normal_3);
     var direction_6 : vec3<f32> = Reader_vector_0(&(reader_8));
@@ -2714,10 +2690,10 @@ fn check_surface(@builtin(global_invocation_id) id_8 : vec3<u32>, @builtin(local
 
 fn Receiver_x24init_0( point_6 : vec3<f32>,  normal_4 : vec3<f32>) -> Receiver_0
 {
-    var _S225 : Receiver_0;
-    _S225.point_0 = point_6;
-    _S225.normal_0 = normal_4;
-    return _S225;
+    var _S195 : Receiver_0;
+    _S195.point_0 = point_6;
+    _S195.normal_0 = normal_4;
+    return _S195;
 }
 
 fn has_sun_0() -> bool
@@ -2770,16 +2746,16 @@ fn Lights_sun_probability_0( receiver_6 : Receiver_0) -> f32
 
 fn Lights_has_chosen_sky_0() -> bool
 {
-    var _S226 : bool;
+    var _S196 : bool;
     if(SKY_0 == u32(1))
     {
-        _S226 = (params_0.sky_irradiance_0) > 0.0f;
+        _S196 = (params_0.sky_irradiance_0) > 0.0f;
     }
     else
     {
-        _S226 = false;
+        _S196 = false;
     }
-    return _S226;
+    return _S196;
 }
 
 struct Selection_0
@@ -2791,11 +2767,11 @@ struct Selection_0
 
 fn Selection_x24init_0( sun_1 : f32,  sky_2 : f32,  emitters_1 : f32) -> Selection_0
 {
-    var _S227 : Selection_0;
-    _S227.sun_0 = sun_1;
-    _S227.sky_1 = sky_2;
-    _S227.emitters_0 = emitters_1;
-    return _S227;
+    var _S197 : Selection_0;
+    _S197.sun_0 = sun_1;
+    _S197.sky_1 = sky_2;
+    _S197.emitters_0 = emitters_1;
+    return _S197;
 }
 
 fn Lights_sky_probability_0( receiver_7 : Receiver_0) -> f32
@@ -2826,23 +2802,23 @@ fn Lights_selection_0( receiver_8 : Receiver_0) -> Selection_0
         return Selection_x24init_0(sun_2, 0.0f, 1.0f - sun_2);
     }
     var sky_3 : f32 = Lights_sky_probability_0(receiver_8);
-    var _S228 : f32 = 1.0f - sky_3;
-    return Selection_x24init_0(sun_2 * _S228, sky_3, (1.0f - sun_2) * _S228);
+    var _S198 : f32 = 1.0f - sky_3;
+    return Selection_x24init_0(sun_2 * _S198, sky_3, (1.0f - sun_2) * _S198);
 }
 
 fn miss_0() -> Hit_0
 {
-    return Hit_x24init_0((bitcast<f32>((u32(2139095040)))), u32(4294967295), vec3<i32>(i32(0)), u32(0));
+    return Hit_x24init_0((bitcast<f32>(infinity_bits_0)), u32(4294967295), vec3<i32>(i32(0)), u32(0));
 }
 
 fn Aim_x24init_0( is_met_1 : bool,  direction_7 : vec3<f32>,  hit_7 : Hit_0,  luminance_2 : f32) -> Aim_0
 {
-    var _S229 : Aim_0;
-    _S229.is_met_0 = is_met_1;
-    _S229.direction_0 = direction_7;
-    _S229.hit_0 = hit_7;
-    _S229.luminance_0 = luminance_2;
-    return _S229;
+    var _S199 : Aim_0;
+    _S199.is_met_0 = is_met_1;
+    _S199.direction_0 = direction_7;
+    _S199.hit_0 = hit_7;
+    _S199.luminance_0 = luminance_2;
+    return _S199;
 }
 
 fn by_chance_0() -> Aim_0
@@ -2852,25 +2828,25 @@ fn by_chance_0() -> Aim_0
 
 fn ray_from_0( origin_7 : vec3<f32>,  direction_8 : vec3<f32>) -> Ray_0
 {
-    return Ray_x24init_0(origin_7, 0.0f, direction_8, (bitcast<f32>((u32(2139095040)))));
+    return Ray_x24init_0(origin_7, 0.0f, direction_8, (bitcast<f32>(infinity_bits_0)));
 }
 
 struct LightSample_0
 {
-     ray_7 : Ray_0,
+     ray_8 : Ray_0,
      cos_theta_4 : f32,
      radiance_3 : vec3<f32>,
      pdf_1 : f32,
 };
 
-fn LightSample_x24init_0( ray_8 : Ray_0,  cos_theta_5 : f32,  radiance_4 : vec3<f32>,  pdf_2 : f32) -> LightSample_0
+fn LightSample_x24init_0( ray_9 : Ray_0,  cos_theta_5 : f32,  radiance_4 : vec3<f32>,  pdf_2 : f32) -> LightSample_0
 {
-    var _S230 : LightSample_0;
-    _S230.ray_7 = ray_8;
-    _S230.cos_theta_4 = cos_theta_5;
-    _S230.radiance_3 = radiance_4;
-    _S230.pdf_1 = pdf_2;
-    return _S230;
+    var _S200 : LightSample_0;
+    _S200.ray_8 = ray_9;
+    _S200.cos_theta_4 = cos_theta_5;
+    _S200.radiance_3 = radiance_4;
+    _S200.pdf_1 = pdf_2;
+    return _S200;
 }
 
 fn SunDisc_sample_0( receiver_9 : Receiver_0,  u_2 : vec4<f32>,  sample_3 : ptr<function, LightSample_0>) -> bool
@@ -2886,8 +2862,8 @@ fn SunDisc_sample_0( receiver_9 : Receiver_0,  u_2 : vec4<f32>,  sample_3 : ptr<
 
 fn no_light_0() -> LightSample_0
 {
-    var _S231 : vec3<f32> = vec3<f32>(0.0f);
-    return LightSample_x24init_0(Ray_x24init_0(_S231, 0.0f, _S231, 0.0f), 0.0f, _S231, 0.0f);
+    var _S201 : vec3<f32> = vec3<f32>(0.0f);
+    return LightSample_x24init_0(Ray_x24init_0(_S201, 0.0f, _S201, 0.0f), 0.0f, _S201, 0.0f);
 }
 
 struct ChosenDirection_0
@@ -2899,36 +2875,36 @@ struct ChosenDirection_0
 
 fn ChosenDirection_x24init_0( direction_11 : vec3<f32>,  radiance_6 : vec3<f32>,  pdf_4 : f32) -> ChosenDirection_0
 {
-    var _S232 : ChosenDirection_0;
-    _S232.direction_10 = direction_11;
-    _S232.radiance_5 = radiance_6;
-    _S232.pdf_3 = pdf_4;
-    return _S232;
+    var _S202 : ChosenDirection_0;
+    _S202.direction_10 = direction_11;
+    _S202.radiance_5 = radiance_6;
+    _S202.pdf_3 = pdf_4;
+    return _S202;
 }
 
 fn direction_of_0( square_0 : vec2<f32>) -> vec3<f32>
 {
     var u_3 : f32 = square_0.x * 2.0f - 1.0f;
-    var v_3 : f32 = square_0.y * 2.0f - 1.0f;
-    var _S233 : f32 = abs(u_3);
-    var _S234 : f32 = abs(v_3);
-    var height_1 : f32 = 1.0f - (_S233 + _S234);
+    var v_5 : f32 = square_0.y * 2.0f - 1.0f;
+    var _S203 : f32 = abs(u_3);
+    var _S204 : f32 = abs(v_5);
+    var height_1 : f32 = 1.0f - (_S203 + _S204);
     var radius_2 : f32 = 1.0f - abs(height_1);
     var turns_1 : f32;
     if(radius_2 > 0.0f)
     {
-        turns_1 = (divide_0(_S234 - _S233, radius_2) + 1.0f) * 0.125f;
+        turns_1 = (divide_0(_S204 - _S203, radius_2) + 1.0f) * 0.125f;
     }
     else
     {
         turns_1 = 0.0f;
     }
     var sin_cos_3 : vec2<f32> = sincos_turns_0(turns_1);
-    var _S235 : f32 = radius_2 * radius_2;
-    var across_0 : f32 = radius_2 * square_root_0(2.0f - _S235);
+    var _S205 : f32 = radius_2 * radius_2;
+    var across_0 : f32 = radius_2 * square_root_0(2.0f - _S205);
     var x_11 : f32 = sin_cos_3.y * across_0;
     var y_8 : f32 = sin_cos_3.x * across_0;
-    var z_2 : f32 = 1.0f - _S235;
+    var z_2 : f32 = 1.0f - _S205;
     if(u_3 < 0.0f)
     {
         turns_1 = - x_11;
@@ -2937,39 +2913,39 @@ fn direction_of_0( square_0 : vec2<f32>) -> vec3<f32>
     {
         turns_1 = x_11;
     }
-    var _S236 : f32;
-    if(v_3 < 0.0f)
+    var _S206 : f32;
+    if(v_5 < 0.0f)
     {
-        _S236 = - y_8;
+        _S206 = - y_8;
     }
     else
     {
-        _S236 = y_8;
+        _S206 = y_8;
     }
-    var _S237 : f32;
+    var _S207 : f32;
     if(height_1 < 0.0f)
     {
-        _S237 = - z_2;
+        _S207 = - z_2;
     }
     else
     {
-        _S237 = z_2;
+        _S207 = z_2;
     }
-    return vec3<f32>(turns_1, _S236, _S237);
+    return vec3<f32>(turns_1, _S206, _S207);
 }
 
-fn Environment_to_world_0( d_1 : vec3<f32>) -> vec3<f32>
+fn Environment_to_world_0( d_2 : vec3<f32>) -> vec3<f32>
 {
     var sin_1 : f32 = params_0.sky_turned_0.x;
     var cos_2 : f32 = params_0.sky_turned_0.y;
-    var _S238 : f32 = d_1.x;
-    var _S239 : f32 = d_1.y;
-    return vec3<f32>(_S238 * cos_2 + _S239 * sin_1, _S239 * cos_2 - _S238 * sin_1, d_1.z);
+    var _S208 : f32 = d_2.x;
+    var _S209 : f32 = d_2.y;
+    return vec3<f32>(_S208 * cos_2 + _S209 * sin_1, _S209 * cos_2 - _S208 * sin_1, d_2.z);
 }
 
 fn Environment_index_of_0( x_12 : i32,  y_9 : i32) -> u32
 {
-    var last_1 : i32 = i32(params_0.sky_edge_0) - i32(1);
+    var last_2 : i32 = i32(params_0.sky_edge_0) - i32(1);
     var is_beside_0 : bool;
     if(x_12 < i32(0))
     {
@@ -2977,44 +2953,44 @@ fn Environment_index_of_0( x_12 : i32,  y_9 : i32) -> u32
     }
     else
     {
-        is_beside_0 = x_12 > last_1;
+        is_beside_0 = x_12 > last_2;
     }
-    var _S240 : i32;
+    var _S210 : i32;
     if(is_beside_0)
     {
-        _S240 = last_1 - y_9;
+        _S210 = last_2 - y_9;
     }
     else
     {
-        _S240 = y_9;
+        _S210 = y_9;
     }
-    var _S241 : i32;
+    var _S211 : i32;
     if(is_beside_0)
     {
-        _S241 = clamp(x_12, i32(0), last_1);
+        _S211 = clamp(x_12, i32(0), last_2);
     }
     else
     {
-        _S241 = x_12;
+        _S211 = x_12;
     }
     var is_beyond_0 : bool;
-    if(_S240 < i32(0))
+    if(_S210 < i32(0))
     {
         is_beyond_0 = true;
     }
     else
     {
-        is_beyond_0 = _S240 > last_1;
+        is_beyond_0 = _S210 > last_2;
     }
     if(is_beyond_0)
     {
-        _S241 = last_1 - _S241;
+        _S211 = last_2 - _S211;
     }
     if(is_beyond_0)
     {
-        _S240 = clamp(_S240, i32(0), last_1);
+        _S210 = clamp(_S210, i32(0), last_2);
     }
-    return u32(_S240 * i32(params_0.sky_edge_0) + _S241);
+    return u32(_S210 * i32(params_0.sky_edge_0) + _S211);
 }
 
 fn Environment_texel_radiance_0( x_13 : i32,  y_10 : i32) -> vec3<f32>
@@ -3024,47 +3000,47 @@ fn Environment_texel_radiance_0( x_13 : i32,  y_10 : i32) -> vec3<f32>
 
 fn Environment_radiance_at_0( place_0 : vec2<f32>) -> vec3<f32>
 {
-    var _S242 : vec2<f32> = place_0 - vec2<f32>(0.5f);
-    var corner_1 : vec2<f32> = floor(_S242);
-    var beyond_0 : vec2<f32> = _S242 - corner_1;
+    var _S212 : vec2<f32> = place_0 - vec2<f32>(0.5f);
+    var corner_1 : vec2<f32> = floor(_S212);
+    var beyond_0 : vec2<f32> = _S212 - corner_1;
     var x_14 : i32 = i32(corner_1.x);
     var y_11 : i32 = i32(corner_1.y);
-    var _S243 : f32 = beyond_0.x;
-    var _S244 : vec3<f32> = vec3<f32>((1.0f - _S243));
-    var _S245 : i32 = x_14 + i32(1);
-    var _S246 : vec3<f32> = vec3<f32>(_S243);
-    var _S247 : i32 = y_11 + i32(1);
-    var _S248 : f32 = beyond_0.y;
-    return (Environment_texel_radiance_0(x_14, y_11) * _S244 + Environment_texel_radiance_0(_S245, y_11) * _S246) * vec3<f32>((1.0f - _S248)) + (Environment_texel_radiance_0(x_14, _S247) * _S244 + Environment_texel_radiance_0(_S245, _S247) * _S246) * vec3<f32>(_S248);
+    var _S213 : f32 = beyond_0.x;
+    var _S214 : vec3<f32> = vec3<f32>((1.0f - _S213));
+    var _S215 : i32 = x_14 + i32(1);
+    var _S216 : vec3<f32> = vec3<f32>(_S213);
+    var _S217 : i32 = y_11 + i32(1);
+    var _S218 : f32 = beyond_0.y;
+    return (Environment_texel_radiance_0(x_14, y_11) * _S214 + Environment_texel_radiance_0(_S215, y_11) * _S216) * vec3<f32>((1.0f - _S218)) + (Environment_texel_radiance_0(x_14, _S217) * _S214 + Environment_texel_radiance_0(_S215, _S217) * _S216) * vec3<f32>(_S218);
 }
 
 fn Environment_choose_0( u_4 : vec4<f32>,  chosen_0 : ptr<function, ChosenDirection_0>) -> bool
 {
-    var _S249 : vec3<f32> = vec3<f32>(0.0f);
-    (*chosen_0) = ChosenDirection_x24init_0(_S249, _S249, 0.0f);
+    var _S219 : vec3<f32> = vec3<f32>(0.0f);
+    (*chosen_0) = ChosenDirection_x24init_0(_S219, _S219, 0.0f);
     var edge_0 : f32 = f32(params_0.sky_edge_0);
-    var _S250 : f32 = u_4.x * edge_0;
-    var _S251 : f32 = edge_0 - 1.0f;
-    var _S252 : f32 = min(floor(_S250), _S251);
-    var own_0 : u32 = u32(_S252) * params_0.sky_edge_0 + u32(min(floor(u_4.y * edge_0), _S251));
-    var index_16 : u32;
+    var _S220 : f32 = u_4.x * edge_0;
+    var _S221 : f32 = edge_0 - 1.0f;
+    var _S222 : f32 = min(floor(_S220), _S221);
+    var own_0 : u32 = u32(_S222) * params_0.sky_edge_0 + u32(min(floor(u_4.y * edge_0), _S221));
+    var index_17 : u32;
     if((u_4.z) < (environment_0[own_0].threshold_0))
     {
-        index_16 = own_0;
+        index_17 = own_0;
     }
     else
     {
-        index_16 = environment_0[own_0].alias_0;
+        index_17 = environment_0[own_0].alias_0;
     }
-    var pdf_5 : f32 = environment_0[index_16].pdf_0;
-    if((environment_0[index_16].pdf_0) <= 0.0f)
+    var pdf_5 : f32 = environment_0[index_17].pdf_0;
+    if((environment_0[index_17].pdf_0) <= 0.0f)
     {
         return false;
     }
-    var _S253 : u32 = index_16 % params_0.sky_edge_0;
-    var _S254 : f32 = f32(_S253);
-    var _S255 : u32 = index_16 / params_0.sky_edge_0;
-    var place_1 : vec2<f32> = vec2<f32>(_S254, f32(_S255)) + vec2<f32>(min(_S250 - _S252, 1.0f), u_4.w);
+    var _S223 : u32 = index_17 % params_0.sky_edge_0;
+    var _S224 : f32 = f32(_S223);
+    var _S225 : u32 = index_17 / params_0.sky_edge_0;
+    var place_1 : vec2<f32> = vec2<f32>(_S224, f32(_S225)) + vec2<f32>(min(_S220 - _S222, 1.0f), u_4.w);
     (*chosen_0) = ChosenDirection_x24init_0(Environment_to_world_0(direction_of_0(place_1 * vec2<f32>(divide_0(1.0f, edge_0)))), Environment_radiance_at_0(place_1), pdf_5);
     return true;
 }
@@ -3073,17 +3049,17 @@ fn Sky_sample_0( receiver_10 : Receiver_0,  u_5 : vec4<f32>,  sample_4 : ptr<fun
 {
     (*sample_4) = no_light_0();
     var chosen_1 : ChosenDirection_0;
-    var _S256 : bool;
+    var _S226 : bool;
     if(SKY_0 != u32(1))
     {
-        _S256 = true;
+        _S226 = true;
     }
     else
     {
-        var _S257 : bool = Environment_choose_0(u_5, &(chosen_1));
-        _S256 = !_S257;
+        var _S227 : bool = Environment_choose_0(u_5, &(chosen_1));
+        _S226 = !_S227;
     }
-    if(_S256)
+    if(_S226)
     {
         return false;
     }
@@ -3092,17 +3068,17 @@ fn Sky_sample_0( receiver_10 : Receiver_0,  u_5 : vec4<f32>,  sample_4 : ptr<fun
     return cos_theta_7 > 0.0f;
 }
 
-fn Descent_x24init_0( node_8 : u32,  index_17 : u32,  count_4 : u32,  weight_2 : f32,  total_3 : f32,  choice_1 : f32,  is_far_4 : bool) -> Descent_0
+fn Descent_x24init_0( node_8 : u32,  index_18 : u32,  count_4 : u32,  weight_2 : f32,  total_3 : f32,  choice_1 : f32,  is_far_4 : bool) -> Descent_0
 {
-    var _S258 : Descent_0;
-    _S258.node_0 = node_8;
-    _S258.index_0 = index_17;
-    _S258.count_1 = count_4;
-    _S258.weight_0 = weight_2;
-    _S258.total_0 = total_3;
-    _S258.choice_0 = choice_1;
-    _S258.is_far_0 = is_far_4;
-    return _S258;
+    var _S228 : Descent_0;
+    _S228.node_0 = node_8;
+    _S228.index_0 = index_18;
+    _S228.count_1 = count_4;
+    _S228.weight_0 = weight_2;
+    _S228.total_0 = total_3;
+    _S228.choice_0 = choice_1;
+    _S228.is_far_0 = is_far_4;
+    return _S228;
 }
 
 fn climb_0( receiver_11 : Receiver_0,  start_2 : u32,  descent_2 : ptr<function, Descent_0>) -> bool
@@ -3111,7 +3087,7 @@ fn climb_0( receiver_11 : Receiver_0,  start_2 : u32,  descent_2 : ptr<function,
     var at_6 : u32 = start_2;
     for(;;)
     {
-        var _S259 : LightNode_0 = node_9;
+        var _S229 : LightNode_0 = node_9;
         if((node_9.parent_0) != u32(4294967295))
         {
         }
@@ -3119,90 +3095,90 @@ fn climb_0( receiver_11 : Receiver_0,  start_2 : u32,  descent_2 : ptr<function,
         {
             break;
         }
-        var parent_1 : LightNode_0 = top_light_node_0(_S259.parent_0);
-        var _S260 : u32 = _S259.parent_0 + u32(1);
-        var is_left_2 : bool = at_6 == _S260;
-        var _S261 : u32;
+        var parent_1 : LightNode_0 = top_light_node_0(_S229.parent_0);
+        var _S230 : u32 = _S229.parent_0 + u32(1);
+        var is_left_2 : bool = at_6 == _S230;
+        var _S231 : u32;
         if(is_left_2)
         {
-            _S261 = parent_1.index_1;
+            _S231 = parent_1.index_1;
         }
         else
         {
-            _S261 = _S260;
+            _S231 = _S230;
         }
-        var _S262 : View_0 = view_0(node_9, receiver_11);
-        var _S263 : View_0 = view_0(top_light_node_0(_S261), receiver_11);
-        var _S264 : f32;
+        var _S232 : View_0 = view_0(node_9, receiver_11);
+        var _S233 : View_0 = view_0(top_light_node_0(_S231), receiver_11);
+        var _S234 : f32;
         if(is_left_2)
         {
-            _S264 = _S262.importance_0;
+            _S234 = _S232.importance_0;
         }
         else
         {
-            _S264 = _S263.importance_0;
+            _S234 = _S233.importance_0;
         }
-        var _S265 : f32;
+        var _S235 : f32;
         if(is_left_2)
         {
-            _S265 = _S263.importance_0;
+            _S235 = _S233.importance_0;
         }
         else
         {
-            _S265 = _S262.importance_0;
+            _S235 = _S232.importance_0;
         }
-        var weights_2 : vec2<f32> = weights_of_0(_S264, _S265);
-        var _S266 : f32 = weights_2.x;
-        var _S267 : f32 = weights_2.y;
-        var total_4 : f32 = _S266 + _S267;
+        var weights_2 : vec2<f32> = weights_of_0(_S234, _S235);
+        var _S236 : f32 = weights_2.x;
+        var _S237 : f32 = weights_2.y;
+        var total_4 : f32 = _S236 + _S237;
         if(!(total_4 > 0.0f))
         {
             return false;
         }
-        var _S268 : f32;
+        var _S238 : f32;
         if(is_left_2)
         {
-            _S268 = _S266;
+            _S238 = _S236;
         }
         else
         {
-            _S268 = _S267;
+            _S238 = _S237;
         }
-        (*descent_2).weight_0 = (*descent_2).weight_0 * _S268;
+        (*descent_2).weight_0 = (*descent_2).weight_0 * _S238;
         (*descent_2).total_0 = (*descent_2).total_0 * total_4;
         node_9 = parent_1;
-        at_6 = _S259.parent_0;
+        at_6 = _S229.parent_0;
     }
     return ((*descent_2).weight_0) > 0.0f;
 }
 
-fn in_grid_3( instance_5 : u32,  receiver_12 : Receiver_0) -> Receiver_0
+fn in_grid_3( instance_6 : u32,  receiver_12 : Receiver_0) -> Receiver_0
 {
-    var _S269 : bool;
+    var _S239 : bool;
     if(IS_SINGLE_0)
     {
         if(HAS_CUTS_0)
         {
-            _S269 = true;
+            _S239 = true;
         }
         else
         {
-            _S269 = HAS_NORMALS_0;
+            _S239 = HAS_NORMALS_0;
         }
     }
     else
     {
-        _S269 = false;
+        _S239 = false;
     }
-    if(_S269)
+    if(_S239)
     {
-        _S269 = (Receiver_slack_0(receiver_12)) <= 0.0f;
+        _S239 = (Receiver_slack_0(receiver_12)) <= 0.0f;
     }
     else
     {
-        _S269 = false;
+        _S239 = false;
     }
-    if(_S269)
+    if(_S239)
     {
         return Receiver_x24init_0(receiver_12.point_0, normalize_vector_0(receiver_12.normal_0));
     }
@@ -3210,39 +3186,40 @@ fn in_grid_3( instance_5 : u32,  receiver_12 : Receiver_0) -> Receiver_0
     {
         return receiver_12;
     }
+    var _S240 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(instance_6);
     if((Receiver_slack_0(receiver_12)) > 0.0f)
     {
-        return Receiver_x24init_0(Transform_point_1(instance_5, receiver_12.point_0), receiver_12.normal_0);
+        return Receiver_x24init_0(Transform_point_0(_S240.grid_from_world_0, receiver_12.point_0), receiver_12.normal_0);
     }
-    return Receiver_x24init_0(Transform_point_1(instance_5, receiver_12.point_0), normalize_vector_0(Transform_direction_1(instance_5, receiver_12.normal_0)));
+    return Receiver_x24init_0(Transform_point_0(_S240.grid_from_world_0, receiver_12.point_0), normalize_vector_0(Transform_direction_0(_S240.grid_from_world_0, receiver_12.normal_0)));
 }
 
 fn choose_side_0( point_7 : vec3<f32>,  is_met_2 : bool,  way_3 : Descent_0,  side_0 : ptr<function, u32>,  odds_0 : ptr<function, vec2<f32>>) -> bool
 {
     var node_10 : LightNode_0 = light_node_at_0(way_3.node_0);
-    var _S270 : vec3<f32> = vector_of_0(node_10.max_1);
-    var _S271 : vec3<f32> = vector_of_0(node_10.min_1);
-    var _S272 : vec3<f32> = vec3<f32>(0.5f);
-    var half_2 : vec3<f32> = (_S270 - _S271) * _S272;
-    var toward_1 : vec3<f32> = (_S271 + _S270) * _S272 - point_7;
+    var _S241 : vec3<f32> = vector_of_0(node_10.max_0);
+    var _S242 : vec3<f32> = vector_of_0(node_10.min_0);
+    var _S243 : vec3<f32> = vec3<f32>(0.5f);
+    var half_2 : vec3<f32> = (_S241 - _S242) * _S243;
+    var toward_1 : vec3<f32> = (_S242 + _S241) * _S243 - point_7;
     var sent_1 : BySide_0 = sent_by_side_0(node_10, point_7, length_bound_0(select(half_2, abs(toward_1), vec3<bool>(((length_squared_0(toward_1)) > (length_squared_0(half_2)))))));
     var sum_3 : f32 = normal_or_zero_0(BySide_sum_0(sent_1));
     var unit_2 : f32 = inverse_power_of_two_0(sum_3);
     var total_5 : f32 = sum_3 * unit_2;
-    var _S273 : f32 = way_3.choice_0 * total_5;
-    var _S274 : u32 = (*side_0);
+    var _S244 : f32 = way_3.choice_0 * total_5;
+    var _S245 : u32 = (*side_0);
     var share_0 : f32 = normal_or_zero_0(sent_1.low_0[u32(0)] * unit_2);
-    var _S275 : bool;
+    var _S246 : bool;
     if(is_met_2)
     {
-        _S275 = u32(0) == _S274;
+        _S246 = u32(0) == _S245;
     }
     else
     {
-        _S275 = share_0 > 0.0f;
+        _S246 = share_0 > 0.0f;
     }
     var chosen_2 : f32;
-    if(_S275)
+    if(_S246)
     {
         (*side_0) = u32(0);
         chosen_2 = share_0;
@@ -3251,145 +3228,145 @@ fn choose_side_0( point_7 : vec3<f32>,  is_met_2 : bool,  way_3 : Descent_0,  si
     {
         chosen_2 = 0.0f;
     }
-    var _S276 : bool = _S273 < (share_0 * way_3.weight_0);
+    var _S247 : bool = _S244 < (share_0 * way_3.weight_0);
     var share_1 : f32 = normal_or_zero_0(sent_1.high_0[u32(0)] * unit_2);
     if(is_met_2)
     {
-        _S275 = u32(1) == _S274;
+        _S246 = u32(1) == _S245;
     }
     else
     {
         if(share_1 > 0.0f)
         {
-            _S275 = !_S276;
+            _S246 = !_S247;
         }
         else
         {
-            _S275 = false;
+            _S246 = false;
         }
     }
-    if(_S275)
+    if(_S246)
     {
         (*side_0) = u32(1);
         chosen_2 = share_1;
     }
     var passed_0 : f32 = share_0 + share_1;
-    if(_S276)
+    if(_S247)
     {
-        _S275 = true;
+        _S246 = true;
     }
     else
     {
-        _S275 = _S273 < (passed_0 * way_3.weight_0);
+        _S246 = _S244 < (passed_0 * way_3.weight_0);
     }
     var share_2 : f32 = normal_or_zero_0(sent_1.low_0[u32(1)] * unit_2);
-    var _S277 : bool;
+    var _S248 : bool;
     if(is_met_2)
     {
-        _S277 = u32(2) == _S274;
+        _S248 = u32(2) == _S245;
     }
     else
     {
         if(share_2 > 0.0f)
         {
-            _S277 = !_S275;
+            _S248 = !_S246;
         }
         else
         {
-            _S277 = false;
+            _S248 = false;
         }
     }
-    if(_S277)
+    if(_S248)
     {
         (*side_0) = u32(2);
         chosen_2 = share_2;
     }
     var passed_1 : f32 = passed_0 + share_2;
-    if(_S275)
+    if(_S246)
     {
-        _S275 = true;
+        _S246 = true;
     }
     else
     {
-        _S275 = _S273 < (passed_1 * way_3.weight_0);
+        _S246 = _S244 < (passed_1 * way_3.weight_0);
     }
     var share_3 : f32 = normal_or_zero_0(sent_1.high_0[u32(1)] * unit_2);
     if(is_met_2)
     {
-        _S277 = u32(3) == _S274;
+        _S248 = u32(3) == _S245;
     }
     else
     {
         if(share_3 > 0.0f)
         {
-            _S277 = !_S275;
+            _S248 = !_S246;
         }
         else
         {
-            _S277 = false;
+            _S248 = false;
         }
     }
-    if(_S277)
+    if(_S248)
     {
         (*side_0) = u32(3);
         chosen_2 = share_3;
     }
     var passed_2 : f32 = passed_1 + share_3;
-    if(_S275)
+    if(_S246)
     {
-        _S275 = true;
+        _S246 = true;
     }
     else
     {
-        _S275 = _S273 < (passed_2 * way_3.weight_0);
+        _S246 = _S244 < (passed_2 * way_3.weight_0);
     }
     var share_4 : f32 = normal_or_zero_0(sent_1.low_0[u32(2)] * unit_2);
     if(is_met_2)
     {
-        _S277 = u32(4) == _S274;
+        _S248 = u32(4) == _S245;
     }
     else
     {
         if(share_4 > 0.0f)
         {
-            _S277 = !_S275;
+            _S248 = !_S246;
         }
         else
         {
-            _S277 = false;
+            _S248 = false;
         }
     }
-    if(_S277)
+    if(_S248)
     {
         (*side_0) = u32(4);
         chosen_2 = share_4;
     }
     var passed_3 : f32 = passed_2 + share_4;
-    if(_S275)
+    if(_S246)
     {
-        _S275 = true;
+        _S246 = true;
     }
     else
     {
-        _S275 = _S273 < (passed_3 * way_3.weight_0);
+        _S246 = _S244 < (passed_3 * way_3.weight_0);
     }
     var share_5 : f32 = normal_or_zero_0(sent_1.high_0[u32(2)] * unit_2);
     if(is_met_2)
     {
-        _S275 = u32(5) == _S274;
+        _S246 = u32(5) == _S245;
     }
     else
     {
         if(share_5 > 0.0f)
         {
-            _S275 = !_S275;
+            _S246 = !_S246;
         }
         else
         {
-            _S275 = false;
+            _S246 = false;
         }
     }
-    if(_S275)
+    if(_S246)
     {
         (*side_0) = u32(5);
         chosen_2 = share_5;
@@ -3397,33 +3374,32 @@ fn choose_side_0( point_7 : vec3<f32>,  is_met_2 : bool,  way_3 : Descent_0,  si
     (*odds_0) = vec2<f32>(way_3.weight_0 * chosen_2, way_3.total_0 * total_5);
     if(sum_3 > 0.0f)
     {
-        _S275 = ((*odds_0).x) > 0.0f;
+        _S246 = ((*odds_0).x) > 0.0f;
     }
     else
     {
-        _S275 = false;
+        _S246 = false;
     }
-    return _S275;
+    return _S246;
 }
 
-fn light_node_word_0( index_18 : u32,  word_7 : u32) -> u32
+fn light_node_word_0( index_19 : u32,  word_7 : u32) -> u32
 {
-    return light_node_rows_0[u32(4) * index_18 + ((word_7 >> (u32(2))))][(word_7 & (u32(3)))];
+    return Rows_operatorx5Bx5D_get_2(u32(4) * index_19 + ((word_7 >> (u32(2)))))[(word_7 & (u32(3)))];
 }
 
-fn light_power_at_0( index_19 : u32,  side_1 : u32) -> f32
+fn light_power_at_0( index_20 : u32,  side_1 : u32) -> f32
 {
-    var _S278 : u32;
+    var _S249 : u32;
     if(lights_in_pages_0())
     {
-        var _S279 : u32 = place_in_light_node_0(index_19, u32(8) + side_1);
-        _S278 = cells_0[_S279];
+        _S249 = cells_0[place_in_light_node_0(index_20, u32(8) + side_1)];
     }
     else
     {
-        _S278 = light_node_word_0(index_19, u32(8) + side_1);
+        _S249 = light_node_word_0(index_20, u32(8) + side_1);
     }
-    return (bitcast<f32>((_S278)));
+    return (bitcast<f32>((_S249)));
 }
 
 fn component_0( vector_5 : vec3<f32>,  axis_3 : u32) -> f32
@@ -3431,11 +3407,11 @@ fn component_0( vector_5 : vec3<f32>,  axis_3 : u32) -> f32
     return select(select(vector_5.z, vector_5.y, axis_3 == u32(1)), vector_5.x, axis_3 == u32(0));
 }
 
-fn density_0( odds_1 : vec2<f32>,  luminance_3 : f32,  power_1 : f32,  toward_2 : vec3<f32>,  face_7 : u32) -> f32
+fn density_0( odds_1 : vec2<f32>,  luminance_3 : f32,  power_1 : f32,  toward_2 : vec3<f32>,  face_8 : u32) -> f32
 {
-    var along_0 : f32 = component_0(toward_2, (face_7 >> (u32(1))));
+    var along_0 : f32 = component_0(toward_2, (face_8 >> (u32(1))));
     var in_front_0 : f32;
-    if(((face_7 & (u32(1)))) == u32(1))
+    if(((face_8 & (u32(1)))) == u32(1))
     {
         in_front_0 = - along_0;
     }
@@ -3457,92 +3433,89 @@ fn density_0( odds_1 : vec2<f32>,  luminance_3 : f32,  power_1 : f32,  toward_2 
     return in_front_0;
 }
 
-fn below_light_node_0( index_20 : u32) -> vec2<u32>
+fn below_light_node_0( index_21 : u32) -> vec2<u32>
 {
     if(!lights_in_pages_0())
     {
-        return vec2<u32>(light_node_word_0(index_20, u32(3)), light_node_word_0(index_20, u32(7)));
+        return vec2<u32>(light_node_word_0(index_21, u32(3)), light_node_word_0(index_21, u32(7)));
     }
-    var at_7 : u32 = place_in_light_node_0(index_20, u32(0));
+    var at_7 : u32 = place_in_light_node_0(index_21, u32(0));
     return vec2<u32>(cells_0[at_7 + u32(3)], cells_0[at_7 + u32(7)]);
 }
 
 fn place_in_emitter_0( emitter_0 : u32,  word_8 : u32) -> u32
 {
-    var _S280 : u32 = word_in_pages_0(emitter_0 * u32(8) + word_8, pages_0[i32(3)]);
-    return _S280;
+    return u32(0);
 }
 
-fn emitter_word_0( index_21 : u32,  word_9 : u32) -> u32
+fn emitter_word_0( index_22 : u32,  word_9 : u32) -> u32
 {
-    return emitter_rows_0[u32(2) * index_21 + ((word_9 >> (u32(2))))][(word_9 & (u32(3)))];
+    return Rows_operatorx5Bx5D_get_1(u32(2) * index_22 + ((word_9 >> (u32(2)))))[(word_9 & (u32(3)))];
 }
 
-fn emitter_faces_at_0( index_22 : u32) -> u32
+fn emitter_faces_at_0( index_23 : u32) -> u32
 {
-    var _S281 : u32;
+    var _S250 : u32;
     if(lights_in_pages_0())
     {
-        var _S282 : u32 = place_in_emitter_0(index_22, u32(4));
-        _S281 = cells_0[_S282];
+        _S250 = cells_0[place_in_emitter_0(index_23, u32(4))];
     }
     else
     {
-        _S281 = emitter_word_0(index_22, u32(4));
+        _S250 = emitter_word_0(index_23, u32(4));
     }
-    return _S281;
+    return _S250;
 }
 
-fn emitter_luminance_at_0( index_23 : u32) -> f32
+fn emitter_luminance_at_0( index_24 : u32) -> f32
 {
-    var _S283 : f32;
+    var _S251 : f32;
     if(lights_in_pages_0())
     {
-        var _S284 : u32 = place_in_emitter_0(index_23, u32(6));
-        _S283 = (bitcast<f32>((cells_0[_S284])));
+        _S251 = (bitcast<f32>((cells_0[place_in_emitter_0(index_24, u32(6))])));
     }
     else
     {
-        _S283 = (bitcast<f32>((emitter_word_0(index_23, u32(6)))));
+        _S251 = (bitcast<f32>((emitter_word_0(index_24, u32(6)))));
     }
-    return _S283;
+    return _S251;
 }
 
 struct Emitter_0
 {
      voxel_9 : array<i32, i32(3)>,
-     grid_1 : u32,
+     grid_5 : u32,
      faces_0 : u32,
      material_0 : u32,
      luminance_4 : f32,
      leaf_0 : u32,
 };
 
-fn Emitter_x24init_0( voxel_10 : array<i32, i32(3)>,  grid_2 : u32,  faces_1 : u32,  material_1 : u32,  luminance_5 : f32,  leaf_1 : u32) -> Emitter_0
+fn Emitter_x24init_0( voxel_10 : array<i32, i32(3)>,  grid_6 : u32,  faces_1 : u32,  material_1 : u32,  luminance_5 : f32,  leaf_1 : u32) -> Emitter_0
 {
-    var _S285 : Emitter_0;
-    _S285.voxel_9 = voxel_10;
-    _S285.grid_1 = grid_2;
-    _S285.faces_0 = faces_1;
-    _S285.material_0 = material_1;
-    _S285.luminance_4 = luminance_5;
-    _S285.leaf_0 = leaf_1;
-    return _S285;
+    var _S252 : Emitter_0;
+    _S252.voxel_9 = voxel_10;
+    _S252.grid_5 = grid_6;
+    _S252.faces_0 = faces_1;
+    _S252.material_0 = material_1;
+    _S252.luminance_4 = luminance_5;
+    _S252.leaf_0 = leaf_1;
+    return _S252;
 }
 
-fn emitter_at_0( index_24 : u32) -> Emitter_0
+fn emitter_at_0( index_25 : u32) -> Emitter_0
 {
     if(!lights_in_pages_0())
     {
-        var _S286 : u32 = u32(2) * index_24;
-        var a_7 : vec4<u32> = emitter_rows_0[_S286];
-        var b_6 : vec4<u32> = emitter_rows_0[_S286 + u32(1)];
-        var _S287 : array<i32, i32(3)> = array<i32, i32(3)>( i32(a_7.x), i32(a_7.y), i32(a_7.z) );
-        return Emitter_x24init_0(_S287, a_7.w, b_6.x, b_6.y, (bitcast<f32>((b_6.z))), b_6.w);
+        var _S253 : u32 = u32(2) * index_25;
+        var _S254 : vec4<u32> = Rows_operatorx5Bx5D_get_1(_S253);
+        var _S255 : vec4<u32> = Rows_operatorx5Bx5D_get_1(_S253 + u32(1));
+        var _S256 : array<i32, i32(3)> = array<i32, i32(3)>( i32(_S254.x), i32(_S254.y), i32(_S254.z) );
+        return Emitter_x24init_0(_S256, _S254.w, _S255.x, _S255.y, (bitcast<f32>((_S255.z))), _S255.w);
     }
-    var at_8 : u32 = place_in_emitter_0(index_24, u32(0));
-    var _S288 : array<i32, i32(3)> = array<i32, i32(3)>( i32(cells_0[at_8]), i32(cells_0[at_8 + u32(1)]), i32(cells_0[at_8 + u32(2)]) );
-    return Emitter_x24init_0(_S288, cells_0[at_8 + u32(3)], cells_0[at_8 + u32(4)], cells_0[at_8 + u32(5)], (bitcast<f32>((cells_0[at_8 + u32(6)]))), cells_0[at_8 + u32(7)]);
+    var at_8 : u32 = place_in_emitter_0(index_25, u32(0));
+    var _S257 : array<i32, i32(3)> = array<i32, i32(3)>( i32(cells_0[at_8]), i32(cells_0[at_8 + u32(1)]), i32(cells_0[at_8 + u32(2)]) );
+    return Emitter_x24init_0(_S257, cells_0[at_8 + u32(3)], cells_0[at_8 + u32(4)], cells_0[at_8 + u32(5)], (bitcast<f32>((cells_0[at_8 + u32(6)]))), cells_0[at_8 + u32(7)]);
 }
 
 fn choose_emitter_0( way_4 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Emitter_0
@@ -3551,8 +3524,8 @@ fn choose_emitter_0( way_4 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
     var is_left_3 : bool;
     var count_5 : u32 = way_4.count_1;
     var node_11 : u32 = way_4.node_0;
-    var index_25 : u32 = way_4.index_0;
-    var _S289 : f32 = threshold_1;
+    var index_26 : u32 = way_4.index_0;
+    var _S258 : f32 = threshold_1;
     for(;;)
     {
         if(count_5 == u32(0))
@@ -3572,10 +3545,10 @@ fn choose_emitter_0( way_4 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
         }
         var left_3 : u32 = node_11 + u32(1);
         var power_left_0 : f32 = light_power_at_0(left_3, side_2);
-        var power_right_0 : f32 = light_power_at_0(index_25, side_2);
+        var power_right_0 : f32 = light_power_at_0(index_26, side_2);
         var below_left_0 : vec2<u32> = below_light_node_0(left_3);
-        var below_right_0 : vec2<u32> = below_light_node_0(index_25);
-        if(_S289 < power_left_0)
+        var below_right_0 : vec2<u32> = below_light_node_0(index_26);
+        if(_S258 < power_left_0)
         {
             is_left_3 = true;
         }
@@ -3588,7 +3561,7 @@ fn choose_emitter_0( way_4 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
         }
         else
         {
-            _S289 = _S289 - power_left_0;
+            _S258 = _S258 - power_left_0;
         }
         if(is_left_3)
         {
@@ -3596,15 +3569,15 @@ fn choose_emitter_0( way_4 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
         }
         else
         {
-            node_11 = index_25;
+            node_11 = index_26;
         }
         if(is_left_3)
         {
-            index_25 = below_left_0.x;
+            index_26 = below_left_0.x;
         }
         else
         {
-            index_25 = below_right_0.x;
+            index_26 = below_right_0.x;
         }
         if(is_left_3)
         {
@@ -3616,11 +3589,11 @@ fn choose_emitter_0( way_4 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
         }
     }
     is_found_0 = false;
-    var chosen_3 : u32 = index_25;
-    var at_9 : u32 = index_25;
+    var chosen_3 : u32 = index_26;
+    var at_9 : u32 = index_26;
     for(;;)
     {
-        if(at_9 < (index_25 + count_5))
+        if(at_9 < (index_26 + count_5))
         {
             is_left_3 = !is_found_0;
         }
@@ -3635,27 +3608,22 @@ fn choose_emitter_0( way_4 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
         {
             break;
         }
-        var _S290 : u32 = emitter_faces_at_0(at_9);
-        if(((((_S290 >> (side_2))) & (u32(1)))) != u32(0))
+        if((((((emitter_faces_at_0(at_9)) >> (side_2))) & (u32(1)))) != u32(0))
         {
-            var _S291 : f32 = emitter_luminance_at_0(at_9);
-            var _S292 : bool = _S289 < _S291;
-            var _S293 : f32 = emitter_luminance_at_0(at_9);
-            var _S294 : f32 = _S289 - _S293;
-            is_found_0 = _S292;
+            var _S259 : f32 = _S258 - emitter_luminance_at_0(at_9);
+            is_found_0 = _S258 < (emitter_luminance_at_0(at_9));
             chosen_3 = at_9;
-            _S289 = _S294;
+            _S258 = _S259;
         }
         at_9 = at_9 + u32(1);
     }
-    var _S295 : Emitter_0 = emitter_at_0(chosen_3);
-    return _S295;
+    return emitter_at_0(chosen_3);
 }
 
-fn point_of_face_0( low_12 : vec3<f32>,  face_8 : u32,  u_6 : f32,  v_4 : f32) -> vec3<f32>
+fn point_of_face_0( low_12 : vec3<f32>,  face_9 : u32,  u_6 : f32,  v_6 : f32) -> vec3<f32>
 {
     var away_2 : f32;
-    if(((face_8 & (u32(1)))) == u32(1))
+    if(((face_9 & (u32(1)))) == u32(1))
     {
         away_2 = 1.0f;
     }
@@ -3663,15 +3631,15 @@ fn point_of_face_0( low_12 : vec3<f32>,  face_8 : u32,  u_6 : f32,  v_4 : f32) -
     {
         away_2 = 0.0f;
     }
-    if(face_8 < u32(2))
+    if(face_9 < u32(2))
     {
-        return low_12 + vec3<f32>(away_2, u_6, v_4);
+        return low_12 + vec3<f32>(away_2, u_6, v_6);
     }
-    if(face_8 < u32(4))
+    if(face_9 < u32(4))
     {
-        return low_12 + vec3<f32>(u_6, away_2, v_4);
+        return low_12 + vec3<f32>(u_6, away_2, v_6);
     }
-    return low_12 + vec3<f32>(u_6, v_4, away_2);
+    return low_12 + vec3<f32>(u_6, v_6, away_2);
 }
 
 struct PackedMaterial_0
@@ -3688,59 +3656,59 @@ struct PackedMaterial_0
      scattering_0 : f32,
 };
 
-fn material_of_index_0( index_26 : u32) -> PackedMaterial_0
+fn material_of_index_0( index_27 : u32) -> PackedMaterial_0
 {
-    var _S296 : u32 = u32(4) * index_26;
-    var a_8 : vec4<u32> = material_rows_0[_S296];
-    var b_7 : vec4<u32> = material_rows_0[_S296 + u32(1)];
-    var c_1 : vec4<u32> = material_rows_0[_S296 + u32(2)];
-    var d_2 : vec4<u32> = material_rows_0[_S296 + u32(3)];
+    var _S260 : u32 = u32(4) * index_27;
+    var _S261 : vec4<u32> = Rows_operatorx5Bx5D_get_0(_S260);
+    var _S262 : vec4<u32> = Rows_operatorx5Bx5D_get_0(_S260 + u32(1));
+    var _S263 : vec4<u32> = Rows_operatorx5Bx5D_get_0(_S260 + u32(2));
+    var _S264 : vec4<u32> = Rows_operatorx5Bx5D_get_0(_S260 + u32(3));
     var material_2 : PackedMaterial_0;
-    var _S297 : f32 = (bitcast<f32>((a_8.y)));
-    var _S298 : f32 = (bitcast<f32>((a_8.z)));
-    material_2.base_color_0[i32(0)] = (bitcast<f32>((a_8.x)));
-    material_2.base_color_0[i32(1)] = _S297;
-    material_2.base_color_0[i32(2)] = _S298;
-    var _S299 : f32 = (bitcast<f32>((b_7.y)));
-    var _S300 : f32 = (bitcast<f32>((b_7.z)));
-    material_2.emission_0[i32(0)] = (bitcast<f32>((b_7.x)));
-    material_2.emission_0[i32(1)] = _S299;
-    material_2.emission_0[i32(2)] = _S300;
-    var _S301 : f32 = (bitcast<f32>((d_2.y)));
-    var _S302 : f32 = (bitcast<f32>((d_2.z)));
-    material_2.absorption_0[i32(0)] = (bitcast<f32>((d_2.x)));
-    material_2.absorption_0[i32(1)] = _S301;
-    material_2.absorption_0[i32(2)] = _S302;
-    material_2.roughness_0 = (bitcast<f32>((a_8.w)));
-    material_2.metallic_0 = (bitcast<f32>((b_7.w)));
-    material_2.transmission_0 = (bitcast<f32>((c_1.x)));
-    material_2.ior_0 = (bitcast<f32>((c_1.y)));
-    material_2.specular_0 = (bitcast<f32>((c_1.z)));
-    material_2.anisotropy_0 = (bitcast<f32>((c_1.w)));
-    material_2.scattering_0 = (bitcast<f32>((d_2.w)));
+    var _S265 : f32 = (bitcast<f32>((_S261.y)));
+    var _S266 : f32 = (bitcast<f32>((_S261.z)));
+    material_2.base_color_0[i32(0)] = (bitcast<f32>((_S261.x)));
+    material_2.base_color_0[i32(1)] = _S265;
+    material_2.base_color_0[i32(2)] = _S266;
+    var _S267 : f32 = (bitcast<f32>((_S262.y)));
+    var _S268 : f32 = (bitcast<f32>((_S262.z)));
+    material_2.emission_0[i32(0)] = (bitcast<f32>((_S262.x)));
+    material_2.emission_0[i32(1)] = _S267;
+    material_2.emission_0[i32(2)] = _S268;
+    var _S269 : f32 = (bitcast<f32>((_S264.y)));
+    var _S270 : f32 = (bitcast<f32>((_S264.z)));
+    material_2.absorption_0[i32(0)] = (bitcast<f32>((_S264.x)));
+    material_2.absorption_0[i32(1)] = _S269;
+    material_2.absorption_0[i32(2)] = _S270;
+    material_2.roughness_0 = (bitcast<f32>((_S261.w)));
+    material_2.metallic_0 = (bitcast<f32>((_S262.w)));
+    material_2.transmission_0 = (bitcast<f32>((_S263.x)));
+    material_2.ior_0 = (bitcast<f32>((_S263.y)));
+    material_2.specular_0 = (bitcast<f32>((_S263.z)));
+    material_2.anisotropy_0 = (bitcast<f32>((_S263.w)));
+    material_2.scattering_0 = (bitcast<f32>((_S264.w)));
     return material_2;
 }
 
 fn is_without_surface_0( material_3 : PackedMaterial_0) -> bool
 {
-    var _S303 : bool;
+    var _S271 : bool;
     if((material_3.transmission_0) >= 1.0f)
     {
-        _S303 = (material_3.ior_0) == 1.0f;
+        _S271 = (material_3.ior_0) == 1.0f;
     }
     else
     {
-        _S303 = false;
+        _S271 = false;
     }
-    if(_S303)
+    if(_S271)
     {
-        _S303 = (material_3.metallic_0) <= 0.0f;
+        _S271 = (material_3.metallic_0) <= 0.0f;
     }
     else
     {
-        _S303 = false;
+        _S271 = false;
     }
-    return _S303;
+    return _S271;
 }
 
 fn emitted_0( material_4 : PackedMaterial_0) -> vec3<f32>
@@ -3761,54 +3729,54 @@ fn sample_emitter_0( receiver_13 : Receiver_0,  u_7 : vec4<f32>,  aim_2 : Aim_0,
     }
     var descent_3 : Descent_0 = Descent_x24init_0(u32(0), u32(0), u32(0), 1.0f, 1.0f, u_7.x, false);
     Descent_at_1(&(descent_3), u32(0));
-    var _S304 : bool;
+    var _S272 : bool;
     if(!IS_SINGLE_0)
     {
-        _S304 = aim_2.is_met_0;
+        _S272 = aim_2.is_met_0;
     }
     else
     {
-        _S304 = false;
+        _S272 = false;
     }
-    if(_S304)
+    if(_S272)
     {
-        var leaf_2 : u32 = instances_0[aim_2.hit_0.instance_0].light_leaf_0;
-        if((instances_0[aim_2.hit_0.instance_0].light_leaf_0) == u32(4294967295))
+        var _S273 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(aim_2.hit_0.instance_0);
+        if((_S273.light_leaf_0) == u32(4294967295))
         {
-            _S304 = true;
+            _S272 = true;
         }
         else
         {
-            var _S305 : bool = climb_0(receiver_13, leaf_2, &(descent_3));
-            _S304 = !_S305;
+            var _S274 : bool = climb_0(receiver_13, _S273.light_leaf_0, &(descent_3));
+            _S272 = !_S274;
         }
-        if(_S304)
+        if(_S272)
         {
             return false;
         }
-        Descent_at_1(&(descent_3), leaf_2);
+        Descent_at_1(&(descent_3), _S273.light_leaf_0);
     }
     else
     {
         if(!IS_SINGLE_0)
         {
-            var _S306 : bool = descend_1(receiver_13, by_chance_0(), &(descent_3));
-            _S304 = !_S306;
+            var _S275 : bool = descend_1(receiver_13, by_chance_0(), &(descent_3));
+            _S272 = !_S275;
         }
         else
         {
-            _S304 = false;
+            _S272 = false;
         }
-        if(_S304)
+        if(_S272)
         {
             return false;
         }
     }
     var chosen_instance_0 : u32 = descent_3.index_0;
-    var local_3 : Receiver_0 = in_grid_3(descent_3.index_0, receiver_13);
+    var local_5 : Receiver_0 = in_grid_3(descent_3.index_0, receiver_13);
     Descent_at_0(&(descent_3), top_light_node_0(descent_3.node_0).root_0);
-    var _S307 : bool = descend_0(local_3, aim_2, &(descent_3));
-    if(!_S307)
+    var _S276 : bool = descend_0(local_5, aim_2, &(descent_3));
+    if(!_S276)
     {
         return false;
     }
@@ -3816,49 +3784,50 @@ fn sample_emitter_0( receiver_13 : Receiver_0,  u_7 : vec4<f32>,  aim_2 : Aim_0,
     var odds_2 : vec2<f32>;
     if(HAS_CUTS_0)
     {
-        _S304 = aim_2.is_met_0;
+        _S272 = aim_2.is_met_0;
     }
     else
     {
-        _S304 = false;
+        _S272 = false;
     }
-    if(_S304)
+    if(_S272)
     {
-        _S304 = is_cut_0(aim_2.hit_0);
+        _S272 = is_cut_0(aim_2.hit_0);
     }
     else
     {
-        _S304 = false;
+        _S272 = false;
     }
-    if(_S304)
+    if(_S272)
     {
-        _S304 = true;
+        _S272 = true;
     }
     else
     {
-        var _S308 : bool = choose_side_0(local_3.point_0, aim_2.is_met_0, descent_3, &(side_3), &(odds_2));
-        _S304 = !_S308;
+        var _S277 : bool = choose_side_0(local_5.point_0, aim_2.is_met_0, descent_3, &(side_3), &(odds_2));
+        _S272 = !_S277;
     }
-    if(_S304)
+    if(_S272)
     {
         return false;
     }
     var power_2 : f32 = light_power_at_0(descent_3.node_0, side_3);
+    var _S278 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(chosen_instance_0);
     if(aim_2.is_met_0)
     {
-        var _S309 : f32 = density_0(odds_2, aim_2.luminance_0, power_2, Transform_direction_1(chosen_instance_0, aim_2.direction_0) * vec3<f32>(aim_2.hit_0.t_0), side_3);
-        (*sample_5).pdf_1 = _S309;
-        return _S309 > 0.0f;
+        var _S279 : f32 = density_0(odds_2, aim_2.luminance_0, power_2, Transform_direction_0(_S278.grid_from_world_0, aim_2.direction_0) * vec3<f32>(aim_2.hit_0.t_0), side_3);
+        (*sample_5).pdf_1 = _S279;
+        return _S279 > 0.0f;
     }
     var emitter_1 : Emitter_0 = choose_emitter_0(descent_3, side_3, u_7.y * power_2);
-    var _S310 : vec3<f32> = vec3<f32>(cell_of_0(emitter_1.voxel_9));
-    var on_face_0 : vec3<f32> = point_of_face_0(_S310, side_3, u_7.z, u_7.w);
-    var pdf_6 : f32 = density_0(odds_2, emitter_1.luminance_4, power_2, on_face_0 - local_3.point_0, side_3);
+    var _S280 : vec3<f32> = vec3<f32>(cell_of_0(emitter_1.voxel_9));
+    var on_face_0 : vec3<f32> = point_of_face_0(_S280, side_3, u_7.z, u_7.w);
+    var pdf_6 : f32 = density_0(odds_2, emitter_1.luminance_4, power_2, on_face_0 - local_5.point_0, side_3);
     if(pdf_6 < 0.0f)
     {
         return false;
     }
-    var direction_12 : vec3<f32> = Transform_point_2(chosen_instance_0, offset_ray_origin_0(vector_of_0(instances_0[chosen_instance_0].grid_from_world_0.translation_0), _S310, side_3, on_face_0)) - receiver_13.point_0;
+    var direction_12 : vec3<f32> = Transform_point_0(_S278.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S278.grid_from_world_0.translation_0), _S280, side_3, on_face_0)) - receiver_13.point_0;
     var cos_theta_8 : f32 = with_slack_0(receiver_13, divide_0(dot_product_0(receiver_13.normal_0, direction_12), square_root_0(length_squared_0(direction_12))));
     (*sample_5) = LightSample_x24init_0(Ray_x24init_0(receiver_13.point_0, 0.0f, direction_12, 1.0f), cos_theta_8, emitted_0(material_of_index_0(emitter_1.material_0)), pdf_6);
     return cos_theta_8 > 0.0f;
@@ -3866,8 +3835,8 @@ fn sample_emitter_0( receiver_13 : Receiver_0,  u_7 : vec4<f32>,  aim_2 : Aim_0,
 
 fn EmitterTree_sample_0( receiver_14 : Receiver_0,  u_8 : vec4<f32>,  aim_3 : Aim_0,  sample_6 : ptr<function, LightSample_0>) -> bool
 {
-    var _S311 : bool = sample_emitter_0(receiver_14, u_8, aim_3, &((*sample_6)));
-    return _S311;
+    var _S281 : bool = sample_emitter_0(receiver_14, u_8, aim_3, &((*sample_6)));
+    return _S281;
 }
 
 fn Lights_sample_0( receiver_15 : Receiver_0,  selection_0 : Selection_0,  u_9 : vec4<f32>,  aim_4 : Aim_0,  sample_7 : ptr<function, LightSample_0>) -> bool
@@ -3891,9 +3860,9 @@ fn Lights_sample_0( receiver_15 : Receiver_0,  selection_0 : Selection_0,  u_9 :
     }
     if(is_found_1)
     {
-        var _S312 : bool = SunDisc_sample_0(receiver_15, u_9, &((*sample_7)));
+        var _S282 : bool = SunDisc_sample_0(receiver_15, u_9, &((*sample_7)));
         (*sample_7).pdf_1 = (*sample_7).pdf_1 * selection_0.sun_0;
-        is_found_1 = _S312;
+        is_found_1 = _S282;
     }
     else
     {
@@ -3915,15 +3884,15 @@ fn Lights_sample_0( receiver_15 : Receiver_0,  selection_0 : Selection_0,  u_9 :
         }
         if(is_found_1)
         {
-            var _S313 : bool = Sky_sample_0(receiver_15, vec4<f32>(min(divide_0(u_9.x - selection_0.sun_0, selection_0.sky_1), 0.99999994039535522f), u_9.yzw), &((*sample_7)));
+            var _S283 : bool = Sky_sample_0(receiver_15, vec4<f32>(min(divide_0(u_9.x - selection_0.sun_0, selection_0.sky_1), 0.99999994039535522f), u_9.yzw), &((*sample_7)));
             (*sample_7).pdf_1 = (*sample_7).pdf_1 * selection_0.sky_1;
-            is_found_1 = _S313;
+            is_found_1 = _S283;
         }
         else
         {
-            var _S314 : bool = EmitterTree_sample_0(receiver_15, vec4<f32>(min(divide_0(u_9.x - (selection_0.sun_0 + selection_0.sky_1), selection_0.emitters_0), 0.99999994039535522f), u_9.yzw), aim_4, &((*sample_7)));
+            var _S284 : bool = EmitterTree_sample_0(receiver_15, vec4<f32>(min(divide_0(u_9.x - (selection_0.sun_0 + selection_0.sky_1), selection_0.emitters_0), 0.99999994039535522f), u_9.yzw), aim_4, &((*sample_7)));
             (*sample_7).pdf_1 = (*sample_7).pdf_1 * selection_0.emitters_0;
-            is_found_1 = _S314;
+            is_found_1 = _S284;
         }
     }
     return is_found_1;
@@ -3936,99 +3905,98 @@ fn SunDisc_contains_0( direction_13 : vec3<f32>) -> bool
 
 fn SunDisc_pdf_0( direction_14 : vec3<f32>) -> f32
 {
-    var _S315 : f32;
+    var _S285 : f32;
     if(SunDisc_contains_0(direction_14))
     {
-        _S315 = params_0.sun_pdf_0;
+        _S285 = params_0.sun_pdf_0;
     }
     else
     {
-        _S315 = 0.0f;
+        _S285 = 0.0f;
     }
-    return _S315;
+    return _S285;
 }
 
 fn Lights_sun_pdf_0( selection_1 : Selection_0,  direction_15 : vec3<f32>) -> f32
 {
-    var _S316 : f32;
+    var _S286 : f32;
     if(has_sun_0())
     {
-        _S316 = SunDisc_pdf_0(direction_15) * selection_1.sun_0;
+        _S286 = SunDisc_pdf_0(direction_15) * selection_1.sun_0;
     }
     else
     {
-        _S316 = 0.0f;
+        _S286 = 0.0f;
     }
-    return _S316;
+    return _S286;
 }
 
-fn Hit_is_miss_0( this_27 : Hit_0) -> bool
+fn Hit_is_miss_0( this_29 : Hit_0) -> bool
 {
-    return (this_27.instance_0) == u32(4294967295);
+    return (this_29.instance_0) == u32(4294967295);
 }
 
 fn material_of_0( hit_8 : Hit_0) -> PackedMaterial_0
 {
-    var _S317 : u32 = material_at_0(instances_0[hit_8.instance_0].grid_0, hit_8.voxel_0 - cell_of_0(grids_0[instances_0[hit_8.instance_0].grid_0].origin_0));
-    return material_of_index_0(_S317);
+    var _S287 : PackedGrid_0 = Grids_operatorx5Bx5D_get_0(Instances_operatorx5Bx5D_get_0(hit_8.instance_0).grid_0);
+    return material_of_index_0(material_at_0(_S287, hit_8.voxel_0 - cell_of_0(_S287.origin_0)));
 }
 
 @compute
 @workgroup_size(64, 1, 1)
 fn check_light(@builtin(global_invocation_id) id_9 : vec3<u32>, @builtin(local_invocation_index) thread_10 : u32)
 {
-    is_page_missing_0 = false;
     prove_0(thread_10);
-    var _S318 : u32 = id_9.x;
-    if(_S318 >= (dispatch_0.count_0))
+    var _S288 : u32 = id_9.x;
+    if(_S288 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_9 : Reader_0 = Reader_x24init_0(u32(24) * _S318);
-    var writer_9 : Writer_0 = Writer_x24init_0(u32(12) * _S318);
+    var reader_9 : Reader_0 = Reader_x24init_0(u32(24) * _S288);
+    var writer_9 : Writer_0 = Writer_x24init_0(u32(12) * _S288);
     var point_8 : vec3<f32> = Reader_vector_0(&(reader_9));
-    var _S319 : vec3<f32> = Reader_vector_0(&(reader_9));
-    var receiver_16 : Receiver_0 = Receiver_x24init_0(point_8, _S319);
+    var _S289 : vec3<f32> = Reader_vector_0(&(reader_9));
+    var receiver_16 : Receiver_0 = Receiver_x24init_0(point_8, _S289);
     var u_10 : vec3<f32> = Reader_vector_0(&(reader_9));
     var selection_2 : Selection_0 = Lights_selection_0(receiver_16);
-    var _S320 : f32 = Reader_number_0(&(reader_9));
+    var _S290 : f32 = Reader_number_0(&(reader_9));
     var sample_8 : LightSample_0;
-    var is_found_2 : bool = Lights_sample_0(receiver_16, selection_2, vec4<f32>(u_10, _S320), by_chance_0(), &(sample_8));
+    var is_found_2 : bool = Lights_sample_0(receiver_16, selection_2, vec4<f32>(u_10, _S290), by_chance_0(), &(sample_8));
     if(!is_found_2)
     {
         sample_8 = no_light_0();
     }
-    var ray_9 : Ray_0 = Reader_ray_0(&(reader_9));
+    var ray_10 : Ray_0 = Reader_ray_0(&(reader_9));
     var hit_9 : Hit_0 = Reader_hit_0(&(reader_9));
     Writer_word_0(&(writer_9), u32(is_found_2));
-    Writer_vector_0(&(writer_9), sample_8.ray_7.direction_1);
-    Writer_number_0(&(writer_9), sample_8.ray_7.t_max_0);
+    Writer_vector_0(&(writer_9), sample_8.ray_8.direction_1);
+    Writer_number_0(&(writer_9), sample_8.ray_8.t_max_0);
     Writer_number_0(&(writer_9), sample_8.cos_theta_4);
     Writer_vector_0(&(writer_9), sample_8.radiance_3);
     Writer_number_0(&(writer_9), sample_8.pdf_1);
-    Writer_number_0(&(writer_9), Lights_sun_pdf_0(selection_2, sample_8.ray_7.direction_1));
+    Writer_number_0(&(writer_9), Lights_sun_pdf_0(selection_2, sample_8.ray_8.direction_1));
     var met_0 : LightSample_0;
-    var aim_5 : Aim_0 = Aim_x24init_0(true, ray_9.direction_1, hit_9, 0.0f);
-    var _S321 : bool = !Hit_is_miss_0(hit_9);
-    var _S322 : f32;
-    if(_S321)
+    var aim_5 : Aim_0 = Aim_x24init_0(true, ray_10.direction_1, hit_9, 0.0f);
+    var _S291 : bool = !Hit_is_miss_0(hit_9);
+    var _S292 : f32;
+    if(_S291)
     {
         var material_5 : PackedMaterial_0 = material_of_0(hit_9);
         if(is_without_surface_0(material_5))
         {
-            _S322 = 0.0f;
+            _S292 = 0.0f;
         }
         else
         {
-            _S322 = luminance_1(vector_of_0(material_5.emission_0));
+            _S292 = luminance_1(vector_of_0(material_5.emission_0));
         }
-        aim_5.luminance_0 = _S322;
+        aim_5.luminance_0 = _S292;
     }
     var is_met_3 : bool;
-    if(_S321)
+    if(_S291)
     {
-        var _S323 : bool = Lights_sample_0(receiver_16, selection_2, vec4<f32>(0.0f), aim_5, &(met_0));
-        is_met_3 = _S323;
+        var _S293 : bool = Lights_sample_0(receiver_16, selection_2, vec4<f32>(0.0f), aim_5, &(met_0));
+        is_met_3 = _S293;
     }
     else
     {
@@ -4036,47 +4004,47 @@ fn check_light(@builtin(global_invocation_id) id_9 : vec3<u32>, @builtin(local_i
     }
     if(is_met_3)
     {
-        _S322 = met_0.pdf_1;
+        _S292 = met_0.pdf_1;
     }
     else
     {
-        _S322 = 0.0f;
+        _S292 = 0.0f;
     }
-    Writer_number_0(&(writer_9), _S322);
+    Writer_number_0(&(writer_9), _S292);
     return;
 }
 
 fn SunDisc_le_0( direction_16 : vec3<f32>) -> vec3<f32>
 {
-    var _S324 : vec3<f32>;
+    var _S294 : vec3<f32>;
     if(SunDisc_contains_0(direction_16))
     {
-        _S324 = params_0.sun_radiance_0;
+        _S294 = params_0.sun_radiance_0;
     }
     else
     {
-        _S324 = vec3<f32>(0.0f);
+        _S294 = vec3<f32>(0.0f);
     }
-    return _S324;
+    return _S294;
 }
 
 fn Environment_to_map_0( d_3 : vec3<f32>) -> vec3<f32>
 {
     var sin_2 : f32 = params_0.sky_turned_0.x;
     var cos_3 : f32 = params_0.sky_turned_0.y;
-    var _S325 : f32 = d_3.x;
-    var _S326 : f32 = d_3.y;
-    return vec3<f32>(_S325 * cos_3 - _S326 * sin_2, _S325 * sin_2 + _S326 * cos_3, d_3.z);
+    var _S295 : f32 = d_3.x;
+    var _S296 : f32 = d_3.y;
+    return vec3<f32>(_S295 * cos_3 - _S296 * sin_2, _S295 * sin_2 + _S296 * cos_3, d_3.z);
 }
 
 fn quarter_turns_0( x_15 : f32,  y_12 : f32) -> f32
 {
-    var _S327 : f32 = min(x_15, y_12);
-    var _S328 : f32 = max(x_15, y_12);
+    var _S297 : f32 = min(x_15, y_12);
+    var _S298 : f32 = max(x_15, y_12);
     var ratio_0 : f32;
-    if(_S328 > 0.0f)
+    if(_S298 > 0.0f)
     {
-        ratio_0 = divide_0(_S327, _S328);
+        ratio_0 = divide_0(_S297, _S298);
     }
     else
     {
@@ -4098,29 +4066,29 @@ fn quarter_turns_0( x_15 : f32,  y_12 : f32) -> f32
 fn square_of_0( direction_17 : vec3<f32>) -> vec2<f32>
 {
     var size_0 : vec3<f32> = abs(direction_17);
-    var _S329 : f32 = size_0.x;
-    var _S330 : f32 = size_0.y;
-    var radius_3 : f32 = square_root_0(divide_0(_S329 * _S329 + _S330 * _S330, 1.0f + size_0.z));
-    var v_5 : f32 = quarter_turns_0(_S329, _S330) * radius_3;
-    var u_11 : f32 = radius_3 - v_5;
+    var _S299 : f32 = size_0.x;
+    var _S300 : f32 = size_0.y;
+    var radius_3 : f32 = square_root_0(divide_0(_S299 * _S299 + _S300 * _S300, 1.0f + size_0.z));
+    var v_7 : f32 = quarter_turns_0(_S299, _S300) * radius_3;
+    var u_11 : f32 = radius_3 - v_7;
     var is_below_1 : bool = (direction_17.z) < 0.0f;
     var u_12 : f32;
     if(is_below_1)
     {
-        u_12 = 1.0f - v_5;
+        u_12 = 1.0f - v_7;
     }
     else
     {
         u_12 = u_11;
     }
-    var v_6 : f32;
+    var v_8 : f32;
     if(is_below_1)
     {
-        v_6 = 1.0f - u_11;
+        v_8 = 1.0f - u_11;
     }
     else
     {
-        v_6 = v_5;
+        v_8 = v_7;
     }
     if((direction_17.x) < 0.0f)
     {
@@ -4128,9 +4096,9 @@ fn square_of_0( direction_17 : vec3<f32>) -> vec2<f32>
     }
     if((direction_17.y) < 0.0f)
     {
-        v_6 = - v_6;
+        v_8 = - v_8;
     }
-    return vec2<f32>(u_12 * 0.5f + 0.5f, v_6 * 0.5f + 0.5f);
+    return vec2<f32>(u_12 * 0.5f + 0.5f, v_8 * 0.5f + 0.5f);
 }
 
 fn Environment_place_of_0( direction_18 : vec3<f32>) -> vec2<f32>
@@ -4151,15 +4119,15 @@ struct Gradient_0
 
 fn Gradient_x24init_0( nadir_1 : vec3<f32>,  zenith_1 : vec3<f32>) -> Gradient_0
 {
-    var _S331 : Gradient_0;
-    _S331.nadir_0 = nadir_1;
-    _S331.zenith_0 = zenith_1;
-    return _S331;
+    var _S301 : Gradient_0;
+    _S301.nadir_0 = nadir_1;
+    _S301.zenith_0 = zenith_1;
+    return _S301;
 }
 
-fn Gradient_radiance_0( this_28 : Gradient_0,  direction_20 : vec3<f32>) -> vec3<f32>
+fn Gradient_radiance_0( this_30 : Gradient_0,  direction_20 : vec3<f32>) -> vec3<f32>
 {
-    return this_28.nadir_0 + (this_28.zenith_0 - this_28.nadir_0) * vec3<f32>((0.5f * (direction_20.z + 1.0f)));
+    return this_30.nadir_0 + (this_30.zenith_0 - this_30.nadir_0) * vec3<f32>((0.5f * (direction_20.z + 1.0f)));
 }
 
 fn Sky_radiance_0( direction_21 : vec3<f32>) -> vec3<f32>
@@ -4179,73 +4147,72 @@ fn Sky_le_0( direction_22 : vec3<f32>) -> vec3<f32>
 fn Environment_pdf_0( direction_23 : vec3<f32>) -> f32
 {
     var place_2 : vec2<f32> = Environment_place_of_0(direction_23);
-    var last_2 : i32 = i32(params_0.sky_edge_0) - i32(1);
-    return environment_0[Environment_index_of_0(min(i32(place_2.x), last_2), min(i32(place_2.y), last_2))].pdf_0;
+    var last_3 : i32 = i32(params_0.sky_edge_0) - i32(1);
+    return environment_0[Environment_index_of_0(min(i32(place_2.x), last_3), min(i32(place_2.y), last_3))].pdf_0;
 }
 
 fn Sky_pdf_0( direction_24 : vec3<f32>) -> f32
 {
-    var _S332 : f32;
+    var _S302 : f32;
     if(SKY_0 == u32(1))
     {
-        _S332 = Environment_pdf_0(direction_24);
+        _S302 = Environment_pdf_0(direction_24);
     }
     else
     {
-        _S332 = 0.0f;
+        _S302 = 0.0f;
     }
-    return _S332;
+    return _S302;
 }
 
 fn Lights_sky_pdf_0( selection_3 : Selection_0,  direction_25 : vec3<f32>) -> f32
 {
-    var _S333 : f32;
+    var _S303 : f32;
     if(Lights_has_chosen_sky_0())
     {
-        _S333 = Sky_pdf_0(direction_25) * selection_3.sky_1;
+        _S303 = Sky_pdf_0(direction_25) * selection_3.sky_1;
     }
     else
     {
-        _S333 = 0.0f;
+        _S303 = 0.0f;
     }
-    return _S333;
+    return _S303;
 }
 
 @compute
 @workgroup_size(64, 1, 1)
 fn check_distant_light(@builtin(global_invocation_id) id_10 : vec3<u32>, @builtin(local_invocation_index) thread_11 : u32)
 {
-    is_page_missing_0 = false;
     prove_0(thread_11);
-    var _S334 : u32 = id_10.x;
-    if(_S334 >= (dispatch_0.count_0))
+    var _S304 : u32 = id_10.x;
+    if(_S304 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_10 : Reader_0 = Reader_x24init_0(u32(13) * _S334);
-    var writer_10 : Writer_0 = Writer_x24init_0(u32(22) * _S334);
+    var reader_10 : Reader_0 = Reader_x24init_0(u32(13) * _S304);
+    var writer_10 : Writer_0 = Writer_x24init_0(u32(22) * _S304);
     var point_9 : vec3<f32> = Reader_vector_0(&(reader_10));
-    var _S335 : vec3<f32> = Reader_vector_0(&(reader_10));
-    var receiver_17 : Receiver_0 = Receiver_x24init_0(point_9, _S335);
+    var _S305 : vec3<f32> = Reader_vector_0(&(reader_10));
+    var receiver_17 : Receiver_0 = Receiver_x24init_0(point_9, _S305);
     var u_13 : vec3<f32> = Reader_vector_0(&(reader_10));
-    var _S336 : f32 = Reader_number_0(&(reader_10));
-    var place_3 : vec4<f32> = vec4<f32>(u_13, _S336);
+    var _S306 : f32 = Reader_number_0(&(reader_10));
+    var place_3 : vec4<f32> = vec4<f32>(u_13, _S306);
     var sample_9 : LightSample_0;
     var is_found_3 : bool = SunDisc_sample_0(receiver_17, place_3, &(sample_9));
     var of_sky_0 : LightSample_0;
     var is_found_in_sky_0 : bool = Sky_sample_0(receiver_17, place_3, &(of_sky_0));
     var direction_26 : vec3<f32> = Reader_vector_0(&(reader_10));
     Writer_word_0(&(writer_10), u32(is_found_3));
-    var _S337 : vec3<f32>;
+    var _S307 : vec3<f32>;
     if(is_found_3)
     {
-        _S337 = sample_9.ray_7.direction_1;
+        _S307 = sample_9.ray_8.direction_1;
     }
     else
     {
-        _S337 = vec3<f32>(0.0f);
+        _S307 = vec3<f32>(0.0f);
     }
-    Writer_vector_0(&(writer_10), _S337);
+    Writer_vector_0(&(writer_10), _S307);
     Writer_vector_0(&(writer_10), SunDisc_le_0(direction_26));
     Writer_number_0(&(writer_10), SunDisc_pdf_0(direction_26));
     Writer_vector_0(&(writer_10), Sky_le_0(direction_26));
@@ -4255,32 +4222,32 @@ fn check_distant_light(@builtin(global_invocation_id) id_10 : vec3<u32>, @builti
     Writer_word_0(&(writer_10), u32(is_found_in_sky_0));
     if(is_found_in_sky_0)
     {
-        _S337 = of_sky_0.ray_7.direction_1;
+        _S307 = of_sky_0.ray_8.direction_1;
     }
     else
     {
-        _S337 = vec3<f32>(0.0f);
+        _S307 = vec3<f32>(0.0f);
     }
-    Writer_vector_0(&(writer_10), _S337);
+    Writer_vector_0(&(writer_10), _S307);
     if(is_found_in_sky_0)
     {
-        _S337 = of_sky_0.radiance_3;
+        _S307 = of_sky_0.radiance_3;
     }
     else
     {
-        _S337 = vec3<f32>(0.0f);
+        _S307 = vec3<f32>(0.0f);
     }
-    Writer_vector_0(&(writer_10), _S337);
-    var _S338 : f32;
+    Writer_vector_0(&(writer_10), _S307);
+    var _S308 : f32;
     if(is_found_in_sky_0)
     {
-        _S338 = of_sky_0.pdf_1;
+        _S308 = of_sky_0.pdf_1;
     }
     else
     {
-        _S338 = 0.0f;
+        _S308 = 0.0f;
     }
-    Writer_number_0(&(writer_10), _S338);
+    Writer_number_0(&(writer_10), _S308);
     return;
 }
 
@@ -4288,23 +4255,22 @@ fn check_distant_light(@builtin(global_invocation_id) id_10 : vec3<u32>, @builti
 @workgroup_size(64, 1, 1)
 fn check_equal_area(@builtin(global_invocation_id) id_11 : vec3<u32>, @builtin(local_invocation_index) thread_12 : u32)
 {
-    is_page_missing_0 = false;
     prove_0(thread_12);
-    var _S339 : u32 = id_11.x;
-    if(_S339 >= (dispatch_0.count_0))
+    var _S309 : u32 = id_11.x;
+    if(_S309 >= (dispatch_0.count_0))
     {
         return;
     }
-    var _S340 : u32 = u32(5) * _S339;
-    var reader_11 : Reader_0 = Reader_x24init_0(_S340);
-    var writer_11 : Writer_0 = Writer_x24init_0(_S340);
-    var _S341 : vec3<f32> = Reader_vector_0(&(reader_11));
-    var square_1 : vec2<f32> = square_of_0(_S341);
+    var _S310 : u32 = u32(5) * _S309;
+    var reader_11 : Reader_0 = Reader_x24init_0(_S310);
+    var writer_11 : Writer_0 = Writer_x24init_0(_S310);
+    var _S311 : vec3<f32> = Reader_vector_0(&(reader_11));
+    var square_1 : vec2<f32> = square_of_0(_S311);
     Writer_number_0(&(writer_11), square_1.x);
     Writer_number_0(&(writer_11), square_1.y);
     var x_16 : f32 = Reader_number_0(&(reader_11));
-    var _S342 : f32 = Reader_number_0(&(reader_11));
-    Writer_vector_0(&(writer_11), direction_of_0(vec2<f32>(x_16, _S342)));
+    var _S312 : f32 = Reader_number_0(&(reader_11));
+    Writer_vector_0(&(writer_11), direction_of_0(vec2<f32>(x_16, _S312)));
     return;
 }
 
@@ -4315,9 +4281,9 @@ struct Microfacets_0
 
 fn Microfacets_x24init_0( alpha_1 : f32) -> Microfacets_0
 {
-    var _S343 : Microfacets_0;
-    _S343.alpha_0 = alpha_1;
-    return _S343;
+    var _S313 : Microfacets_0;
+    _S313.alpha_0 = alpha_1;
+    return _S313;
 }
 
 struct MaterialBsdf_0
@@ -4331,13 +4297,13 @@ struct MaterialBsdf_0
 
 fn MaterialBsdf_x24init_0( kind_1 : u32,  color_2 : vec3<f32>,  specular_2 : f32,  eta_1 : f32,  facets_1 : Microfacets_0) -> MaterialBsdf_0
 {
-    var _S344 : MaterialBsdf_0;
-    _S344.kind_0 = kind_1;
-    _S344.color_1 = color_2;
-    _S344.specular_1 = specular_2;
-    _S344.eta_0 = eta_1;
-    _S344.facets_0 = facets_1;
-    return _S344;
+    var _S314 : MaterialBsdf_0;
+    _S314.kind_0 = kind_1;
+    _S314.color_1 = color_2;
+    _S314.specular_1 = specular_2;
+    _S314.eta_0 = eta_1;
+    _S314.facets_0 = facets_1;
+    return _S314;
 }
 
 fn facets_of_0( roughness_1 : f32) -> Microfacets_0
@@ -4352,16 +4318,16 @@ fn chooses_0( share_7 : f32,  choice_2 : ptr<function, f32>) -> bool
         return false;
     }
     var is_chosen_0 : bool = (*choice_2) < share_7;
-    var _S345 : f32;
+    var _S315 : f32;
     if(is_chosen_0)
     {
-        _S345 = divide_0((*choice_2), share_7);
+        _S315 = divide_0((*choice_2), share_7);
     }
     else
     {
-        _S345 = divide_0((*choice_2) - share_7, 1.0f - share_7);
+        _S315 = divide_0((*choice_2) - share_7, 1.0f - share_7);
     }
-    (*choice_2) = _S345;
+    (*choice_2) = _S315;
     return is_chosen_0;
 }
 
@@ -4369,13 +4335,13 @@ fn bsdf_of_0( material_6 : PackedMaterial_0,  ior_1 : f32,  choice_3 : ptr<funct
 {
     var color_3 : vec3<f32> = vector_of_0(material_6.base_color_0);
     var facets_2 : Microfacets_0 = facets_of_0(material_6.roughness_0);
-    var _S346 : bool = chooses_0(material_6.metallic_0, &((*choice_3)));
-    if(_S346)
+    var _S316 : bool = chooses_0(material_6.metallic_0, &((*choice_3)));
+    if(_S316)
     {
         return MaterialBsdf_x24init_0(u32(1), color_3, 0.0f, 1.0f, facets_2);
     }
-    var _S347 : bool = chooses_0(material_6.transmission_0, &((*choice_3)));
-    if(_S347)
+    var _S317 : bool = chooses_0(material_6.transmission_0, &((*choice_3)));
+    if(_S317)
     {
         return MaterialBsdf_x24init_0(u32(3), color_3, 0.0f, divide_0(material_6.ior_0, ior_1), facets_2);
     }
@@ -4394,10 +4360,10 @@ struct Conductor_0
 
 fn Conductor_x24init_0( f0_1 : vec3<f32>,  facets_4 : Microfacets_0) -> Conductor_0
 {
-    var _S348 : Conductor_0;
-    _S348.f0_0 = f0_1;
-    _S348.facets_3 = facets_4;
-    return _S348;
+    var _S318 : Conductor_0;
+    _S318.f0_0 = f0_1;
+    _S318.facets_3 = facets_4;
+    return _S318;
 }
 
 fn above_1( wo_0 : vec3<f32>) -> vec3<f32>
@@ -4405,9 +4371,9 @@ fn above_1( wo_0 : vec3<f32>) -> vec3<f32>
     return vec3<f32>(wo_0.x, wo_0.y, max(wo_0.z, 0.00009999999747379f));
 }
 
-fn Microfacets_is_smooth_0( this_29 : Microfacets_0) -> bool
+fn Microfacets_is_smooth_0( this_31 : Microfacets_0) -> bool
 {
-    return (this_29.alpha_0) < 0.00999999977648258f;
+    return (this_31.alpha_0) < 0.00999999977648258f;
 }
 
 fn fresnel_schlick_0( cos_i_0 : f32,  f0_2 : vec3<f32>) -> vec3<f32>
@@ -4427,23 +4393,23 @@ struct BsdfSample_0
 
 fn BsdfSample_x24init_0( wi_1 : vec3<f32>,  weight_4 : vec3<f32>,  pdf_8 : f32,  is_delta_1 : bool) -> BsdfSample_0
 {
-    var _S349 : BsdfSample_0;
-    _S349.wi_0 = wi_1;
-    _S349.weight_3 = weight_4;
-    _S349.pdf_7 = pdf_8;
-    _S349.is_delta_0 = is_delta_1;
-    return _S349;
+    var _S319 : BsdfSample_0;
+    _S319.wi_0 = wi_1;
+    _S319.weight_3 = weight_4;
+    _S319.pdf_7 = pdf_8;
+    _S319.is_delta_0 = is_delta_1;
+    return _S319;
 }
 
-fn Microfacets_sample_visible_0( this_30 : Microfacets_0,  wo_1 : vec3<f32>,  u_14 : f32,  v_7 : f32) -> vec3<f32>
+fn Microfacets_sample_visible_0( this_32 : Microfacets_0,  wo_1 : vec3<f32>,  u_14 : f32,  v_9 : f32) -> vec3<f32>
 {
-    var stretched_0 : vec3<f32> = normalize_vector_0(vec3<f32>(this_30.alpha_0 * wo_1.x, this_30.alpha_0 * wo_1.y, wo_1.z));
+    var stretched_0 : vec3<f32> = normalize_vector_0(vec3<f32>(this_32.alpha_0 * wo_1.x, this_32.alpha_0 * wo_1.y, wo_1.z));
     var sin_cos_4 : vec2<f32> = sincos_turns_0(u_14);
-    var _S350 : f32 = stretched_0.z;
-    var z_3 : f32 = (1.0f - v_7) * (1.0f + _S350) - _S350;
+    var _S320 : f32 = stretched_0.z;
+    var z_3 : f32 = (1.0f - v_9) * (1.0f + _S320) - _S320;
     var radius_4 : f32 = square_root_0(max(1.0f - z_3 * z_3, 0.0f));
     var normal_5 : vec3<f32> = vec3<f32>(radius_4 * sin_cos_4.y, radius_4 * sin_cos_4.x, z_3) + stretched_0;
-    return normalize_vector_0(vec3<f32>(this_30.alpha_0 * normal_5.x, this_30.alpha_0 * normal_5.y, max(normal_5.z, 1.00000001168609742e-07f)));
+    return normalize_vector_0(vec3<f32>(this_32.alpha_0 * normal_5.x, this_32.alpha_0 * normal_5.y, max(normal_5.z, 1.00000001168609742e-07f)));
 }
 
 fn reflect_by_0( wo_2 : vec3<f32>,  wm_0 : vec3<f32>) -> vec3<f32>
@@ -4456,55 +4422,55 @@ fn no_bsdf_sample_0() -> BsdfSample_0
     return BsdfSample_x24init_0(vec3<f32>(0.0f, 0.0f, 1.0f), vec3<f32>(0.0f), 0.0f, false);
 }
 
-fn Microfacets_masking_0( this_31 : Microfacets_0,  cos_4 : f32) -> f32
+fn Microfacets_masking_0( this_33 : Microfacets_0,  cos_4 : f32) -> f32
 {
-    var _S351 : f32 = this_31.alpha_0;
-    var alpha_squared_0 : f32 = _S351 * _S351;
+    var _S321 : f32 = this_33.alpha_0;
+    var alpha_squared_0 : f32 = _S321 * _S321;
     return square_root_0(alpha_squared_0 + (1.0f - alpha_squared_0) * (cos_4 * cos_4));
 }
 
-fn Microfacets_shadowing_0( this_32 : Microfacets_0,  cos_o_0 : f32,  cos_i_1 : f32) -> f32
+fn Microfacets_shadowing_0( this_34 : Microfacets_0,  cos_o_0 : f32,  cos_i_1 : f32) -> f32
 {
-    var of_o_0 : f32 = Microfacets_masking_0(this_32, cos_o_0);
-    return divide_0(cos_i_1 * (cos_o_0 + of_o_0), cos_i_1 * of_o_0 + cos_o_0 * Microfacets_masking_0(this_32, cos_i_1));
+    var of_o_0 : f32 = Microfacets_masking_0(this_34, cos_o_0);
+    return divide_0(cos_i_1 * (cos_o_0 + of_o_0), cos_i_1 * of_o_0 + cos_o_0 * Microfacets_masking_0(this_34, cos_i_1));
 }
 
-fn Microfacets_distribution_0( this_33 : Microfacets_0,  wm_1 : vec3<f32>) -> f32
+fn Microfacets_distribution_0( this_35 : Microfacets_0,  wm_1 : vec3<f32>) -> f32
 {
-    var _S352 : f32 = this_33.alpha_0;
-    var alpha_squared_1 : f32 = _S352 * _S352;
-    var _S353 : f32 = wm_1.z;
-    var _S354 : f32 = wm_1.x;
-    var _S355 : f32 = wm_1.y;
-    var base_0 : f32 = alpha_squared_1 * (_S353 * _S353) + (_S354 * _S354 + _S355 * _S355);
+    var _S322 : f32 = this_35.alpha_0;
+    var alpha_squared_1 : f32 = _S322 * _S322;
+    var _S323 : f32 = wm_1.z;
+    var _S324 : f32 = wm_1.x;
+    var _S325 : f32 = wm_1.y;
+    var base_0 : f32 = alpha_squared_1 * (_S323 * _S323) + (_S324 * _S324 + _S325 * _S325);
     return divide_0(alpha_squared_1, 3.14159274101257324f * (base_0 * base_0));
 }
 
-fn Microfacets_visible_pdf_0( this_34 : Microfacets_0,  wo_3 : vec3<f32>,  wm_2 : vec3<f32>) -> f32
+fn Microfacets_visible_pdf_0( this_36 : Microfacets_0,  wo_3 : vec3<f32>,  wm_2 : vec3<f32>) -> f32
 {
-    var _S356 : f32 = wo_3.z;
-    return divide_0(2.0f * max(dot_product_0(wo_3, wm_2), 0.0f) * Microfacets_distribution_0(this_34, wm_2), _S356 + Microfacets_masking_0(this_34, _S356));
+    var _S326 : f32 = wo_3.z;
+    return divide_0(2.0f * max(dot_product_0(wo_3, wm_2), 0.0f) * Microfacets_distribution_0(this_36, wm_2), _S326 + Microfacets_masking_0(this_36, _S326));
 }
 
-fn Conductor_sample_0( this_35 : Conductor_0,  given_0 : vec3<f32>,  u_15 : vec3<f32>,  sample_10 : ptr<function, BsdfSample_0>) -> bool
+fn Conductor_sample_0( this_37 : Conductor_0,  given_0 : vec3<f32>,  u_15 : vec3<f32>,  sample_10 : ptr<function, BsdfSample_0>) -> bool
 {
     var wo_4 : vec3<f32> = above_1(given_0);
-    if(Microfacets_is_smooth_0(this_35.facets_3))
+    if(Microfacets_is_smooth_0(this_37.facets_3))
     {
-        var _S357 : f32 = wo_4.z;
-        (*sample_10) = BsdfSample_x24init_0(vec3<f32>(- wo_4.x, - wo_4.y, _S357), fresnel_schlick_0(_S357, this_35.f0_0), 1.0f, true);
+        var _S327 : f32 = wo_4.z;
+        (*sample_10) = BsdfSample_x24init_0(vec3<f32>(- wo_4.x, - wo_4.y, _S327), fresnel_schlick_0(_S327, this_37.f0_0), 1.0f, true);
         return true;
     }
-    var wm_3 : vec3<f32> = Microfacets_sample_visible_0(this_35.facets_3, wo_4, u_15.x, u_15.y);
+    var wm_3 : vec3<f32> = Microfacets_sample_visible_0(this_37.facets_3, wo_4, u_15.x, u_15.y);
     var wi_2 : vec3<f32> = reflect_by_0(wo_4, wm_3);
-    var _S358 : f32 = wi_2.z;
-    if(_S358 <= 0.0f)
+    var _S328 : f32 = wi_2.z;
+    if(_S328 <= 0.0f)
     {
         (*sample_10) = no_bsdf_sample_0();
         return false;
     }
     var cos_5 : f32 = dot_product_0(wo_4, wm_3);
-    (*sample_10) = BsdfSample_x24init_0(wi_2, fresnel_schlick_0(cos_5, this_35.f0_0) * vec3<f32>(Microfacets_shadowing_0(this_35.facets_3, wo_4.z, _S358)), divide_0(Microfacets_visible_pdf_0(this_35.facets_3, wo_4, wm_3), 4.0f * cos_5), false);
+    (*sample_10) = BsdfSample_x24init_0(wi_2, fresnel_schlick_0(cos_5, this_37.f0_0) * vec3<f32>(Microfacets_shadowing_0(this_37.facets_3, wo_4.z, _S328)), divide_0(Microfacets_visible_pdf_0(this_37.facets_3, wo_4, wm_3), 4.0f * cos_5), false);
     return true;
 }
 
@@ -4518,27 +4484,27 @@ struct Plastic_0
 
 fn Plastic_x24init_0( reflectance_1 : vec3<f32>,  specular_4 : f32,  eta_3 : f32,  facets_6 : Microfacets_0) -> Plastic_0
 {
-    var _S359 : Plastic_0;
-    _S359.reflectance_0 = reflectance_1;
-    _S359.specular_3 = specular_4;
-    _S359.eta_2 = eta_3;
-    _S359.facets_5 = facets_6;
-    return _S359;
+    var _S329 : Plastic_0;
+    _S329.reflectance_0 = reflectance_1;
+    _S329.specular_3 = specular_4;
+    _S329.eta_2 = eta_3;
+    _S329.facets_5 = facets_6;
+    return _S329;
 }
 
 fn refracted_cosine_0( cos_i_2 : f32,  eta_4 : f32) -> f32
 {
     var squared_1 : f32 = 1.0f - divide_0(1.0f - cos_i_2 * cos_i_2, eta_4 * eta_4);
-    var _S360 : f32;
+    var _S330 : f32;
     if(squared_1 > 0.0f)
     {
-        _S360 = square_root_0(squared_1);
+        _S330 = square_root_0(squared_1);
     }
     else
     {
-        _S360 = -1.0f;
+        _S330 = -1.0f;
     }
-    return _S360;
+    return _S330;
 }
 
 fn fresnel_dielectric_0( cos_i_3 : f32,  eta_5 : f32) -> f32
@@ -4548,31 +4514,31 @@ fn fresnel_dielectric_0( cos_i_3 : f32,  eta_5 : f32) -> f32
     {
         return 1.0f;
     }
-    var _S361 : f32 = eta_5 * cos_i_3;
-    var parallel_0 : f32 = divide_0(_S361 - cos_t_0, _S361 + cos_t_0);
-    var _S362 : f32 = eta_5 * cos_t_0;
-    var perpendicular_0 : f32 = divide_0(cos_i_3 - _S362, cos_i_3 + _S362);
+    var _S331 : f32 = eta_5 * cos_i_3;
+    var parallel_0 : f32 = divide_0(_S331 - cos_t_0, _S331 + cos_t_0);
+    var _S332 : f32 = eta_5 * cos_t_0;
+    var perpendicular_0 : f32 = divide_0(cos_i_3 - _S332, cos_i_3 + _S332);
     return (parallel_0 * parallel_0 + perpendicular_0 * perpendicular_0) * 0.5f;
 }
 
-fn Plastic_coat_0( this_36 : Plastic_0,  cos_6 : f32) -> f32
+fn Plastic_coat_0( this_38 : Plastic_0,  cos_6 : f32) -> f32
 {
-    return this_36.specular_3 * fresnel_dielectric_0(cos_6, this_36.eta_2);
+    return this_38.specular_3 * fresnel_dielectric_0(cos_6, this_38.eta_2);
 }
 
-fn Plastic_coat_probability_0( this_37 : Plastic_0,  coat_0 : f32) -> f32
+fn Plastic_coat_probability_0( this_39 : Plastic_0,  coat_0 : f32) -> f32
 {
-    var below_0 : f32 = (1.0f - coat_0) * max_element_0(this_37.reflectance_0);
-    var _S363 : f32;
+    var below_0 : f32 = (1.0f - coat_0) * max_element_0(this_39.reflectance_0);
+    var _S333 : f32;
     if(coat_0 <= 0.0f)
     {
-        _S363 = 0.0f;
+        _S333 = 0.0f;
     }
     else
     {
-        _S363 = divide_0(coat_0, coat_0 + below_0);
+        _S333 = divide_0(coat_0, coat_0 + below_0);
     }
-    return _S363;
+    return _S333;
 }
 
 struct BsdfEval_0
@@ -4583,10 +4549,10 @@ struct BsdfEval_0
 
 fn BsdfEval_x24init_0( weight_6 : vec3<f32>,  pdf_10 : f32) -> BsdfEval_0
 {
-    var _S364 : BsdfEval_0;
-    _S364.weight_5 = weight_6;
-    _S364.pdf_9 = pdf_10;
-    return _S364;
+    var _S334 : BsdfEval_0;
+    _S334.weight_5 = weight_6;
+    _S334.pdf_9 = pdf_10;
+    return _S334;
 }
 
 fn no_bsdf_eval_0() -> BsdfEval_0
@@ -4594,20 +4560,20 @@ fn no_bsdf_eval_0() -> BsdfEval_0
     return BsdfEval_x24init_0(vec3<f32>(0.0f), 0.0f);
 }
 
-fn Plastic_eval_lobes_0( this_38 : Plastic_0,  wo_5 : vec3<f32>,  wi_3 : vec3<f32>,  coat_1 : f32,  coat_probability_0 : f32) -> BsdfEval_0
+fn Plastic_eval_lobes_0( this_40 : Plastic_0,  wo_5 : vec3<f32>,  wi_3 : vec3<f32>,  coat_1 : f32,  coat_probability_0 : f32) -> BsdfEval_0
 {
-    var _S365 : f32 = wi_3.z;
-    var diffuse_pdf_0 : f32 = cosine_hemisphere_pdf_0(_S365);
+    var _S335 : f32 = wi_3.z;
+    var diffuse_pdf_0 : f32 = cosine_hemisphere_pdf_0(_S335);
     var pdf_11 : f32 = (1.0f - coat_probability_0) * diffuse_pdf_0;
-    var scattered_0 : vec3<f32> = this_38.reflectance_0 * vec3<f32>(((1.0f - coat_1) * (1.0f - Plastic_coat_0(this_38, _S365)) * diffuse_pdf_0));
+    var scattered_0 : vec3<f32> = this_40.reflectance_0 * vec3<f32>(((1.0f - coat_1) * (1.0f - Plastic_coat_0(this_40, _S335)) * diffuse_pdf_0));
     var pdf_12 : f32;
     var scattered_1 : vec3<f32>;
-    if(!Microfacets_is_smooth_0(this_38.facets_5))
+    if(!Microfacets_is_smooth_0(this_40.facets_5))
     {
         var wm_4 : vec3<f32> = normalize_vector_0(wo_5 + wi_3);
         var cos_7 : f32 = dot_product_0(wo_5, wm_4);
-        var facet_pdf_0 : f32 = divide_0(Microfacets_visible_pdf_0(this_38.facets_5, wo_5, wm_4), 4.0f * cos_7);
-        var scattered_2 : vec3<f32> = scattered_0 + vec3<f32>((Plastic_coat_0(this_38, cos_7) * Microfacets_shadowing_0(this_38.facets_5, wo_5.z, _S365) * facet_pdf_0));
+        var facet_pdf_0 : f32 = divide_0(Microfacets_visible_pdf_0(this_40.facets_5, wo_5, wm_4), 4.0f * cos_7);
+        var scattered_2 : vec3<f32> = scattered_0 + vec3<f32>((Plastic_coat_0(this_40, cos_7) * Microfacets_shadowing_0(this_40.facets_5, wo_5.z, _S335) * facet_pdf_0));
         pdf_12 = pdf_11 + coat_probability_0 * facet_pdf_0;
         scattered_1 = scattered_2;
     }
@@ -4623,32 +4589,32 @@ fn Plastic_eval_lobes_0( this_38 : Plastic_0,  wo_5 : vec3<f32>,  wi_3 : vec3<f3
     return BsdfEval_x24init_0(scattered_1 * vec3<f32>(divide_0(1.0f, pdf_12)), pdf_12);
 }
 
-fn Plastic_sample_0( this_39 : Plastic_0,  given_1 : vec3<f32>,  u_16 : vec3<f32>,  sample_11 : ptr<function, BsdfSample_0>) -> bool
+fn Plastic_sample_0( this_41 : Plastic_0,  given_1 : vec3<f32>,  u_16 : vec3<f32>,  sample_11 : ptr<function, BsdfSample_0>) -> bool
 {
     (*sample_11) = no_bsdf_sample_0();
     var wo_6 : vec3<f32> = above_1(given_1);
-    var _S366 : f32 = wo_6.z;
-    var coat_2 : f32 = Plastic_coat_0(this_39, _S366);
-    var coat_probability_1 : f32 = Plastic_coat_probability_0(this_39, coat_2);
+    var _S336 : f32 = wo_6.z;
+    var coat_2 : f32 = Plastic_coat_0(this_41, _S336);
+    var coat_probability_1 : f32 = Plastic_coat_probability_0(this_41, coat_2);
     var is_coat_0 : bool = (u_16.z) < coat_probability_1;
-    var _S367 : bool;
+    var _S337 : bool;
     if(is_coat_0)
     {
-        _S367 = Microfacets_is_smooth_0(this_39.facets_5);
+        _S337 = Microfacets_is_smooth_0(this_41.facets_5);
     }
     else
     {
-        _S367 = false;
+        _S337 = false;
     }
-    if(_S367)
+    if(_S337)
     {
-        (*sample_11) = BsdfSample_x24init_0(vec3<f32>(- wo_6.x, - wo_6.y, _S366), vec3<f32>(divide_0(coat_2, coat_probability_1)), 1.0f, true);
+        (*sample_11) = BsdfSample_x24init_0(vec3<f32>(- wo_6.x, - wo_6.y, _S336), vec3<f32>(divide_0(coat_2, coat_probability_1)), 1.0f, true);
         return true;
     }
     var wi_4 : vec3<f32>;
     if(is_coat_0)
     {
-        wi_4 = reflect_by_0(wo_6, Microfacets_sample_visible_0(this_39.facets_5, wo_6, u_16.x, u_16.y));
+        wi_4 = reflect_by_0(wo_6, Microfacets_sample_visible_0(this_41.facets_5, wo_6, u_16.x, u_16.y));
     }
     else
     {
@@ -4658,7 +4624,7 @@ fn Plastic_sample_0( this_39 : Plastic_0,  given_1 : vec3<f32>,  u_16 : vec3<f32
     {
         return false;
     }
-    var eval_0 : BsdfEval_0 = Plastic_eval_lobes_0(this_39, wo_6, wi_4, coat_2, coat_probability_1);
+    var eval_0 : BsdfEval_0 = Plastic_eval_lobes_0(this_41, wo_6, wi_4, coat_2, coat_probability_1);
     (*sample_11) = BsdfSample_x24init_0(wi_4, eval_0.weight_5, eval_0.pdf_9, false);
     return (eval_0.pdf_9) > 0.0f;
 }
@@ -4671,29 +4637,29 @@ struct Dielectric_0
 
 fn Dielectric_x24init_0( eta_7 : f32,  facets_8 : Microfacets_0) -> Dielectric_0
 {
-    var _S368 : Dielectric_0;
-    _S368.eta_6 = eta_7;
-    _S368.facets_7 = facets_8;
-    return _S368;
+    var _S338 : Dielectric_0;
+    _S338.eta_6 = eta_7;
+    _S338.facets_7 = facets_8;
+    return _S338;
 }
 
-fn Dielectric_sample_0( this_40 : Dielectric_0,  given_2 : vec3<f32>,  u_17 : vec3<f32>,  sample_12 : ptr<function, BsdfSample_0>) -> bool
+fn Dielectric_sample_0( this_42 : Dielectric_0,  given_2 : vec3<f32>,  u_17 : vec3<f32>,  sample_12 : ptr<function, BsdfSample_0>) -> bool
 {
     (*sample_12) = no_bsdf_sample_0();
     var wo_7 : vec3<f32> = above_1(given_2);
-    var is_smooth_0 : bool = Microfacets_is_smooth_0(this_40.facets_7);
-    const _S369 : vec3<f32> = vec3<f32>(0.0f, 0.0f, 1.0f);
+    var is_smooth_0 : bool = Microfacets_is_smooth_0(this_42.facets_7);
+    const _S339 : vec3<f32> = vec3<f32>(0.0f, 0.0f, 1.0f);
     var wm_5 : vec3<f32>;
     if(!is_smooth_0)
     {
-        wm_5 = Microfacets_sample_visible_0(this_40.facets_7, wo_7, u_17.x, u_17.y);
+        wm_5 = Microfacets_sample_visible_0(this_42.facets_7, wo_7, u_17.x, u_17.y);
     }
     else
     {
-        wm_5 = _S369;
+        wm_5 = _S339;
     }
     var cos_8 : f32 = dot_product_0(wo_7, wm_5);
-    var reflectance_2 : f32 = fresnel_dielectric_0(cos_8, this_40.eta_6);
+    var reflectance_2 : f32 = fresnel_dielectric_0(cos_8, this_42.eta_6);
     var is_reflected_0 : bool = (u_17.z) < reflectance_2;
     var wi_5 : vec3<f32>;
     if(is_reflected_0)
@@ -4702,8 +4668,8 @@ fn Dielectric_sample_0( this_40 : Dielectric_0,  given_2 : vec3<f32>,  u_17 : ve
     }
     else
     {
-        var scale_0 : f32 = divide_0(1.0f, this_40.eta_6);
-        var cos_t_1 : f32 = refracted_cosine_0(cos_8, this_40.eta_6);
+        var scale_0 : f32 = divide_0(1.0f, this_42.eta_6);
+        var cos_t_1 : f32 = refracted_cosine_0(cos_8, this_42.eta_6);
         if(cos_t_1 < 0.0f)
         {
             return false;
@@ -4715,32 +4681,32 @@ fn Dielectric_sample_0( this_40 : Dielectric_0,  given_2 : vec3<f32>,  u_17 : ve
         (*sample_12) = BsdfSample_x24init_0(wi_5, vec3<f32>(1.0f), 1.0f, true);
         return true;
     }
-    var _S370 : f32 = wi_5.z;
-    var _S371 : bool;
-    if((_S370 > 0.0f) != is_reflected_0)
+    var _S340 : f32 = wi_5.z;
+    var _S341 : bool;
+    if((_S340 > 0.0f) != is_reflected_0)
     {
-        _S371 = true;
+        _S341 = true;
     }
     else
     {
-        _S371 = _S370 == 0.0f;
+        _S341 = _S340 == 0.0f;
     }
-    if(_S371)
+    if(_S341)
     {
         return false;
     }
-    var weight_7 : vec3<f32> = vec3<f32>(Microfacets_shadowing_0(this_40.facets_7, wo_7.z, abs(_S370)));
-    var pdf_13 : f32 = divide_0(reflectance_2 * Microfacets_visible_pdf_0(this_40.facets_7, wo_7, wm_5), 4.0f * cos_8);
-    var _S372 : f32;
+    var weight_7 : vec3<f32> = vec3<f32>(Microfacets_shadowing_0(this_42.facets_7, wo_7.z, abs(_S340)));
+    var pdf_13 : f32 = divide_0(reflectance_2 * Microfacets_visible_pdf_0(this_42.facets_7, wo_7, wm_5), 4.0f * cos_8);
+    var _S342 : f32;
     if(is_reflected_0)
     {
-        _S372 = pdf_13;
+        _S342 = pdf_13;
     }
     else
     {
-        _S372 = 1.0f;
+        _S342 = 1.0f;
     }
-    (*sample_12) = BsdfSample_x24init_0(wi_5, weight_7, _S372, !is_reflected_0);
+    (*sample_12) = BsdfSample_x24init_0(wi_5, weight_7, _S342, !is_reflected_0);
     return true;
 }
 
@@ -4752,13 +4718,13 @@ struct Phase_0
 
 fn Phase_x24init_0( color_5 : vec3<f32>,  anisotropy_2 : f32) -> Phase_0
 {
-    var _S373 : Phase_0;
-    _S373.color_4 = color_5;
-    _S373.anisotropy_1 = anisotropy_2;
-    return _S373;
+    var _S343 : Phase_0;
+    _S343.color_4 = color_5;
+    _S343.anisotropy_1 = anisotropy_2;
+    return _S343;
 }
 
-fn sample_phase_0( anisotropy_3 : f32,  forward_0 : vec3<f32>,  u_18 : f32,  v_8 : f32,  cos_9 : ptr<function, f32>) -> vec3<f32>
+fn sample_phase_0( anisotropy_3 : f32,  forward_0 : vec3<f32>,  u_18 : f32,  v_10 : f32,  cos_9 : ptr<function, f32>) -> vec3<f32>
 {
     if((abs(anisotropy_3)) < 0.00100000004749745f)
     {
@@ -4766,33 +4732,33 @@ fn sample_phase_0( anisotropy_3 : f32,  forward_0 : vec3<f32>,  u_18 : f32,  v_8
     }
     else
     {
-        var _S374 : f32 = anisotropy_3 * anisotropy_3;
-        var _S375 : f32 = 2.0f * anisotropy_3;
-        var ratio_1 : f32 = divide_0(1.0f - _S374, 1.0f + anisotropy_3 - _S375 * u_18);
-        (*cos_9) = divide_0(1.0f + _S374 - ratio_1 * ratio_1, _S375);
+        var _S344 : f32 = anisotropy_3 * anisotropy_3;
+        var _S345 : f32 = 2.0f * anisotropy_3;
+        var ratio_1 : f32 = divide_0(1.0f - _S344, 1.0f + anisotropy_3 - _S345 * u_18);
+        (*cos_9) = divide_0(1.0f + _S344 - ratio_1 * ratio_1, _S345);
     }
-    var _S376 : f32 = clamp((*cos_9), -1.0f, 1.0f);
-    (*cos_9) = _S376;
-    var radius_5 : f32 = square_root_0(1.0f - _S376 * _S376);
-    var sin_cos_5 : vec2<f32> = sincos_turns_0(v_8);
+    var _S346 : f32 = clamp((*cos_9), -1.0f, 1.0f);
+    (*cos_9) = _S346;
+    var radius_5 : f32 = square_root_0(1.0f - _S346 * _S346);
+    var sin_cos_5 : vec2<f32> = sincos_turns_0(v_10);
     var x_17 : vec3<f32>;
     var y_13 : vec3<f32>;
     orthonormal_pair_1(forward_0, &(x_17), &(y_13));
-    return x_17 * vec3<f32>((radius_5 * sin_cos_5.y)) + y_13 * vec3<f32>((radius_5 * sin_cos_5.x)) + forward_0 * vec3<f32>(_S376);
+    return x_17 * vec3<f32>((radius_5 * sin_cos_5.y)) + y_13 * vec3<f32>((radius_5 * sin_cos_5.x)) + forward_0 * vec3<f32>(_S346);
 }
 
 fn phase_pdf_0( anisotropy_4 : f32,  cos_10 : f32) -> f32
 {
-    var _S377 : f32 = anisotropy_4 * anisotropy_4;
-    var base_1 : f32 = 1.0f + _S377 - 2.0f * anisotropy_4 * cos_10;
-    return divide_0(1.0f - _S377, 12.56637096405029297f * (base_1 * square_root_0(base_1)));
+    var _S347 : f32 = anisotropy_4 * anisotropy_4;
+    var base_1 : f32 = 1.0f + _S347 - 2.0f * anisotropy_4 * cos_10;
+    return divide_0(1.0f - _S347, 12.56637096405029297f * (base_1 * square_root_0(base_1)));
 }
 
-fn Phase_sample_0( this_41 : Phase_0,  wo_8 : vec3<f32>,  u_19 : vec3<f32>,  sample_13 : ptr<function, BsdfSample_0>) -> bool
+fn Phase_sample_0( this_43 : Phase_0,  wo_8 : vec3<f32>,  u_19 : vec3<f32>,  sample_13 : ptr<function, BsdfSample_0>) -> bool
 {
     var cos_11 : f32;
-    var wi_6 : vec3<f32> = sample_phase_0(this_41.anisotropy_1, (vec3<f32>(0) - wo_8), u_19.x, u_19.y, &(cos_11));
-    (*sample_13) = BsdfSample_x24init_0(wi_6, this_41.color_4, phase_pdf_0(this_41.anisotropy_1, cos_11), false);
+    var wi_6 : vec3<f32> = sample_phase_0(this_43.anisotropy_1, (vec3<f32>(0) - wo_8), u_19.x, u_19.y, &(cos_11));
+    (*sample_13) = BsdfSample_x24init_0(wi_6, this_43.color_4, phase_pdf_0(this_43.anisotropy_1, cos_11), false);
     return true;
 }
 
@@ -4803,159 +4769,158 @@ struct Diffuse_0
 
 fn Diffuse_x24init_0( reflectance_4 : vec3<f32>) -> Diffuse_0
 {
-    var _S378 : Diffuse_0;
-    _S378.reflectance_3 = reflectance_4;
-    return _S378;
+    var _S348 : Diffuse_0;
+    _S348.reflectance_3 = reflectance_4;
+    return _S348;
 }
 
-fn Diffuse_sample_0( this_42 : Diffuse_0,  wo_9 : vec3<f32>,  u_20 : vec3<f32>,  sample_14 : ptr<function, BsdfSample_0>) -> bool
+fn Diffuse_sample_0( this_44 : Diffuse_0,  wo_9 : vec3<f32>,  u_20 : vec3<f32>,  sample_14 : ptr<function, BsdfSample_0>) -> bool
 {
     var wi_7 : vec3<f32> = cosine_hemisphere_0(u_20.x, u_20.y);
-    (*sample_14) = BsdfSample_x24init_0(wi_7, this_42.reflectance_3, cosine_hemisphere_pdf_0(wi_7.z), false);
+    (*sample_14) = BsdfSample_x24init_0(wi_7, this_44.reflectance_3, cosine_hemisphere_pdf_0(wi_7.z), false);
     return true;
 }
 
-fn MaterialBsdf_sample_0( this_43 : MaterialBsdf_0,  wo_10 : vec3<f32>,  u_21 : vec3<f32>,  sample_15 : ptr<function, BsdfSample_0>) -> bool
+fn MaterialBsdf_sample_0( this_45 : MaterialBsdf_0,  wo_10 : vec3<f32>,  u_21 : vec3<f32>,  sample_15 : ptr<function, BsdfSample_0>) -> bool
 {
-    if((this_43.kind_0) == u32(1))
+    if((this_45.kind_0) == u32(1))
     {
-        var _S379 : bool = Conductor_sample_0(Conductor_x24init_0(this_43.color_1, this_43.facets_0), wo_10, u_21, &((*sample_15)));
-        return _S379;
+        var _S349 : bool = Conductor_sample_0(Conductor_x24init_0(this_45.color_1, this_45.facets_0), wo_10, u_21, &((*sample_15)));
+        return _S349;
     }
-    if((this_43.kind_0) == u32(2))
+    if((this_45.kind_0) == u32(2))
     {
-        var _S380 : bool = Plastic_sample_0(Plastic_x24init_0(this_43.color_1, this_43.specular_1, this_43.eta_0, this_43.facets_0), wo_10, u_21, &((*sample_15)));
-        return _S380;
+        var _S350 : bool = Plastic_sample_0(Plastic_x24init_0(this_45.color_1, this_45.specular_1, this_45.eta_0, this_45.facets_0), wo_10, u_21, &((*sample_15)));
+        return _S350;
     }
-    if((this_43.kind_0) == u32(3))
+    if((this_45.kind_0) == u32(3))
     {
-        var _S381 : bool = Dielectric_sample_0(Dielectric_x24init_0(this_43.eta_0, this_43.facets_0), wo_10, u_21, &((*sample_15)));
-        return _S381;
+        var _S351 : bool = Dielectric_sample_0(Dielectric_x24init_0(this_45.eta_0, this_45.facets_0), wo_10, u_21, &((*sample_15)));
+        return _S351;
     }
-    if((this_43.kind_0) == u32(4))
+    if((this_45.kind_0) == u32(4))
     {
-        var _S382 : bool = Phase_sample_0(Phase_x24init_0(this_43.color_1, this_43.specular_1), wo_10, u_21, &((*sample_15)));
-        return _S382;
+        var _S352 : bool = Phase_sample_0(Phase_x24init_0(this_45.color_1, this_45.specular_1), wo_10, u_21, &((*sample_15)));
+        return _S352;
     }
-    var _S383 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_43.color_1), wo_10, u_21, &((*sample_15)));
-    return _S383;
+    var _S353 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_45.color_1), wo_10, u_21, &((*sample_15)));
+    return _S353;
 }
 
-fn Conductor_eval_0( this_44 : Conductor_0,  given_3 : vec3<f32>,  wi_8 : vec3<f32>) -> BsdfEval_0
+fn Conductor_eval_0( this_46 : Conductor_0,  given_3 : vec3<f32>,  wi_8 : vec3<f32>) -> BsdfEval_0
 {
-    var _S384 : bool;
-    if(Microfacets_is_smooth_0(this_44.facets_3))
+    var _S354 : bool;
+    if(Microfacets_is_smooth_0(this_46.facets_3))
     {
-        _S384 = true;
+        _S354 = true;
     }
     else
     {
-        _S384 = (wi_8.z) <= 0.0f;
+        _S354 = (wi_8.z) <= 0.0f;
     }
-    if(_S384)
+    if(_S354)
     {
         return no_bsdf_eval_0();
     }
     var wo_11 : vec3<f32> = above_1(given_3);
     var wm_6 : vec3<f32> = normalize_vector_0(wo_11 + wi_8);
     var cos_12 : f32 = dot_product_0(wo_11, wm_6);
-    return BsdfEval_x24init_0(fresnel_schlick_0(cos_12, this_44.f0_0) * vec3<f32>(Microfacets_shadowing_0(this_44.facets_3, wo_11.z, wi_8.z)), divide_0(Microfacets_visible_pdf_0(this_44.facets_3, wo_11, wm_6), 4.0f * cos_12));
+    return BsdfEval_x24init_0(fresnel_schlick_0(cos_12, this_46.f0_0) * vec3<f32>(Microfacets_shadowing_0(this_46.facets_3, wo_11.z, wi_8.z)), divide_0(Microfacets_visible_pdf_0(this_46.facets_3, wo_11, wm_6), 4.0f * cos_12));
 }
 
-fn Plastic_eval_0( this_45 : Plastic_0,  given_4 : vec3<f32>,  wi_9 : vec3<f32>) -> BsdfEval_0
+fn Plastic_eval_0( this_47 : Plastic_0,  given_4 : vec3<f32>,  wi_9 : vec3<f32>) -> BsdfEval_0
 {
     if((wi_9.z) <= 0.0f)
     {
         return no_bsdf_eval_0();
     }
     var wo_12 : vec3<f32> = above_1(given_4);
-    var coat_3 : f32 = Plastic_coat_0(this_45, wo_12.z);
-    return Plastic_eval_lobes_0(this_45, wo_12, wi_9, coat_3, Plastic_coat_probability_0(this_45, coat_3));
+    var coat_3 : f32 = Plastic_coat_0(this_47, wo_12.z);
+    return Plastic_eval_lobes_0(this_47, wo_12, wi_9, coat_3, Plastic_coat_probability_0(this_47, coat_3));
 }
 
-fn Dielectric_eval_0( this_46 : Dielectric_0,  given_5 : vec3<f32>,  wi_10 : vec3<f32>) -> BsdfEval_0
+fn Dielectric_eval_0( this_48 : Dielectric_0,  given_5 : vec3<f32>,  wi_10 : vec3<f32>) -> BsdfEval_0
 {
-    var _S385 : bool;
-    if(Microfacets_is_smooth_0(this_46.facets_7))
+    var _S355 : bool;
+    if(Microfacets_is_smooth_0(this_48.facets_7))
     {
-        _S385 = true;
+        _S355 = true;
     }
     else
     {
-        _S385 = (wi_10.z) <= 0.0f;
+        _S355 = (wi_10.z) <= 0.0f;
     }
-    if(_S385)
+    if(_S355)
     {
         return no_bsdf_eval_0();
     }
     var wo_13 : vec3<f32> = above_1(given_5);
     var wm_7 : vec3<f32> = normalize_vector_0(wo_13 + wi_10);
     var cos_13 : f32 = dot_product_0(wo_13, wm_7);
-    return BsdfEval_x24init_0(vec3<f32>(Microfacets_shadowing_0(this_46.facets_7, wo_13.z, wi_10.z)), divide_0(fresnel_dielectric_0(cos_13, this_46.eta_6) * Microfacets_visible_pdf_0(this_46.facets_7, wo_13, wm_7), 4.0f * cos_13));
+    return BsdfEval_x24init_0(vec3<f32>(Microfacets_shadowing_0(this_48.facets_7, wo_13.z, wi_10.z)), divide_0(fresnel_dielectric_0(cos_13, this_48.eta_6) * Microfacets_visible_pdf_0(this_48.facets_7, wo_13, wm_7), 4.0f * cos_13));
 }
 
-fn Phase_eval_0( this_47 : Phase_0,  wo_14 : vec3<f32>,  wi_11 : vec3<f32>) -> BsdfEval_0
+fn Phase_eval_0( this_49 : Phase_0,  wo_14 : vec3<f32>,  wi_11 : vec3<f32>) -> BsdfEval_0
 {
-    return BsdfEval_x24init_0(this_47.color_4, phase_pdf_0(this_47.anisotropy_1, dot_product_0((vec3<f32>(0) - wo_14), wi_11)));
+    return BsdfEval_x24init_0(this_49.color_4, phase_pdf_0(this_49.anisotropy_1, dot_product_0((vec3<f32>(0) - wo_14), wi_11)));
 }
 
-fn Diffuse_eval_0( this_48 : Diffuse_0,  wo_15 : vec3<f32>,  wi_12 : vec3<f32>) -> BsdfEval_0
+fn Diffuse_eval_0( this_50 : Diffuse_0,  wo_15 : vec3<f32>,  wi_12 : vec3<f32>) -> BsdfEval_0
 {
-    return BsdfEval_x24init_0(this_48.reflectance_3, cosine_hemisphere_pdf_0(wi_12.z));
+    return BsdfEval_x24init_0(this_50.reflectance_3, cosine_hemisphere_pdf_0(wi_12.z));
 }
 
-fn MaterialBsdf_eval_0( this_49 : MaterialBsdf_0,  wo_16 : vec3<f32>,  wi_13 : vec3<f32>) -> BsdfEval_0
+fn MaterialBsdf_eval_0( this_51 : MaterialBsdf_0,  wo_16 : vec3<f32>,  wi_13 : vec3<f32>) -> BsdfEval_0
 {
-    if((this_49.kind_0) == u32(1))
+    if((this_51.kind_0) == u32(1))
     {
-        return Conductor_eval_0(Conductor_x24init_0(this_49.color_1, this_49.facets_0), wo_16, wi_13);
+        return Conductor_eval_0(Conductor_x24init_0(this_51.color_1, this_51.facets_0), wo_16, wi_13);
     }
-    if((this_49.kind_0) == u32(2))
-    {
-        return Plastic_eval_0(Plastic_x24init_0(this_49.color_1, this_49.specular_1, this_49.eta_0, this_49.facets_0), wo_16, wi_13);
-    }
-    if((this_49.kind_0) == u32(3))
-    {
-        return Dielectric_eval_0(Dielectric_x24init_0(this_49.eta_0, this_49.facets_0), wo_16, wi_13);
-    }
-    if((this_49.kind_0) == u32(4))
-    {
-        return Phase_eval_0(Phase_x24init_0(this_49.color_1, this_49.specular_1), wo_16, wi_13);
-    }
-    return Diffuse_eval_0(Diffuse_x24init_0(this_49.color_1), wo_16, wi_13);
-}
-
-fn Plastic_albedo_0( this_50 : Plastic_0) -> vec3<f32>
-{
-    return max(this_50.reflectance_0, vec3<f32>(Plastic_coat_0(this_50, 1.0f)));
-}
-
-fn MaterialBsdf_albedo_0( this_51 : MaterialBsdf_0) -> vec3<f32>
-{
     if((this_51.kind_0) == u32(2))
     {
-        return Plastic_albedo_0(Plastic_x24init_0(this_51.color_1, this_51.specular_1, this_51.eta_0, this_51.facets_0));
+        return Plastic_eval_0(Plastic_x24init_0(this_51.color_1, this_51.specular_1, this_51.eta_0, this_51.facets_0), wo_16, wi_13);
     }
     if((this_51.kind_0) == u32(3))
     {
+        return Dielectric_eval_0(Dielectric_x24init_0(this_51.eta_0, this_51.facets_0), wo_16, wi_13);
+    }
+    if((this_51.kind_0) == u32(4))
+    {
+        return Phase_eval_0(Phase_x24init_0(this_51.color_1, this_51.specular_1), wo_16, wi_13);
+    }
+    return Diffuse_eval_0(Diffuse_x24init_0(this_51.color_1), wo_16, wi_13);
+}
+
+fn Plastic_albedo_0( this_52 : Plastic_0) -> vec3<f32>
+{
+    return max(this_52.reflectance_0, vec3<f32>(Plastic_coat_0(this_52, 1.0f)));
+}
+
+fn MaterialBsdf_albedo_0( this_53 : MaterialBsdf_0) -> vec3<f32>
+{
+    if((this_53.kind_0) == u32(2))
+    {
+        return Plastic_albedo_0(Plastic_x24init_0(this_53.color_1, this_53.specular_1, this_53.eta_0, this_53.facets_0));
+    }
+    if((this_53.kind_0) == u32(3))
+    {
         return vec3<f32>(1.0f);
     }
-    return this_51.color_1;
+    return this_53.color_1;
 }
 
 @compute
 @workgroup_size(64, 1, 1)
 fn check_bsdf(@builtin(global_invocation_id) id_12 : vec3<u32>, @builtin(local_invocation_index) thread_13 : u32)
 {
-    is_page_missing_0 = false;
     prove_0(thread_13);
-    var _S386 : u32 = id_12.x;
-    if(_S386 >= (dispatch_0.count_0))
+    var _S356 : u32 = id_12.x;
+    if(_S356 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_12 : Reader_0 = Reader_x24init_0(u32(25) * _S386);
-    var writer_12 : Writer_0 = Writer_x24init_0(u32(16) * _S386);
+    var reader_12 : Reader_0 = Reader_x24init_0(u32(25) * _S356);
+    var writer_12 : Writer_0 = Writer_x24init_0(u32(16) * _S356);
     var material_7 : PackedMaterial_0;
     var channel_0 : u32 = u32(0);
     for(;;)
@@ -4967,12 +4932,12 @@ fn check_bsdf(@builtin(global_invocation_id) id_12 : vec3<u32>, @builtin(local_i
         {
             break;
         }
-        var _S387 : f32 = Reader_number_0(&(reader_12));
-        material_7.base_color_0[channel_0] = _S387;
+        var _S357 : f32 = Reader_number_0(&(reader_12));
+        material_7.base_color_0[channel_0] = _S357;
         channel_0 = channel_0 + u32(1);
     }
-    var _S388 : f32 = Reader_number_0(&(reader_12));
-    material_7.roughness_0 = _S388;
+    var _S358 : f32 = Reader_number_0(&(reader_12));
+    material_7.roughness_0 = _S358;
     channel_0 = u32(0);
     for(;;)
     {
@@ -4983,20 +4948,20 @@ fn check_bsdf(@builtin(global_invocation_id) id_12 : vec3<u32>, @builtin(local_i
         {
             break;
         }
-        var _S389 : f32 = Reader_number_0(&(reader_12));
-        material_7.emission_0[channel_0] = _S389;
+        var _S359 : f32 = Reader_number_0(&(reader_12));
+        material_7.emission_0[channel_0] = _S359;
         channel_0 = channel_0 + u32(1);
     }
-    var _S390 : f32 = Reader_number_0(&(reader_12));
-    material_7.metallic_0 = _S390;
-    var _S391 : f32 = Reader_number_0(&(reader_12));
-    material_7.transmission_0 = _S391;
-    var _S392 : f32 = Reader_number_0(&(reader_12));
-    material_7.ior_0 = _S392;
-    var _S393 : f32 = Reader_number_0(&(reader_12));
-    material_7.specular_0 = _S393;
-    var _S394 : f32 = Reader_number_0(&(reader_12));
-    material_7.anisotropy_0 = _S394;
+    var _S360 : f32 = Reader_number_0(&(reader_12));
+    material_7.metallic_0 = _S360;
+    var _S361 : f32 = Reader_number_0(&(reader_12));
+    material_7.transmission_0 = _S361;
+    var _S362 : f32 = Reader_number_0(&(reader_12));
+    material_7.ior_0 = _S362;
+    var _S363 : f32 = Reader_number_0(&(reader_12));
+    material_7.specular_0 = _S363;
+    var _S364 : f32 = Reader_number_0(&(reader_12));
+    material_7.anisotropy_0 = _S364;
     channel_0 = u32(0);
     for(;;)
     {
@@ -5007,26 +4972,26 @@ fn check_bsdf(@builtin(global_invocation_id) id_12 : vec3<u32>, @builtin(local_i
         {
             break;
         }
-        var _S395 : f32 = Reader_number_0(&(reader_12));
-        material_7.absorption_0[channel_0] = _S395;
+        var _S365 : f32 = Reader_number_0(&(reader_12));
+        material_7.absorption_0[channel_0] = _S365;
         channel_0 = channel_0 + u32(1);
     }
-    var _S396 : f32 = Reader_number_0(&(reader_12));
-    material_7.scattering_0 = _S396;
+    var _S366 : f32 = Reader_number_0(&(reader_12));
+    material_7.scattering_0 = _S366;
     var wo_17 : vec3<f32> = Reader_vector_0(&(reader_12));
-    var _S397 : vec3<f32> = Reader_vector_0(&(reader_12));
-    var u_22 : vec3<f32> = _S397;
-    var _S398 : f32 = u_22[i32(2)];
-    var bsdf_0 : MaterialBsdf_0 = bsdf_of_0(material_7, 1.0f, &(_S398));
-    u_22[i32(2)] = _S398;
+    var _S367 : vec3<f32> = Reader_vector_0(&(reader_12));
+    var u_22 : vec3<f32> = _S367;
+    var _S368 : f32 = u_22[i32(2)];
+    var bsdf_0 : MaterialBsdf_0 = bsdf_of_0(material_7, 1.0f, &(_S368));
+    u_22[i32(2)] = _S368;
     var sample_16 : BsdfSample_0;
     var is_found_4 : bool = MaterialBsdf_sample_0(bsdf_0, wo_17, u_22, &(sample_16));
     if(!is_found_4)
     {
         sample_16 = no_bsdf_sample_0();
     }
-    var _S399 : vec3<f32> = Reader_vector_0(&(reader_12));
-    var eval_1 : BsdfEval_0 = MaterialBsdf_eval_0(bsdf_0, wo_17, _S399);
+    var _S369 : vec3<f32> = Reader_vector_0(&(reader_12));
+    var eval_1 : BsdfEval_0 = MaterialBsdf_eval_0(bsdf_0, wo_17, _S369);
     Writer_word_0(&(writer_12), u32(is_found_4));
     Writer_vector_0(&(writer_12), sample_16.wi_0);
     Writer_vector_0(&(writer_12), sample_16.weight_3);
@@ -5064,52 +5029,51 @@ fn unscattered_0( medium_1 : PackedMaterial_0,  voxels_2 : f32) -> f32
 fn logarithm_0( x_19 : f32) -> f32
 {
     var bits_3 : u32 = (bitcast<u32>((x_19)));
-    var _S400 : u32 = (bits_3 & (u32(8388607)));
-    var is_upper_0 : bool = _S400 > u32(3474675);
+    var _S370 : u32 = (bits_3 & (u32(8388607)));
+    var is_upper_0 : bool = _S370 > u32(3474675);
     var power_4 : i32 = i32((bits_3 >> (u32(23)))) - i32(127) + i32(is_upper_0);
-    var _S401 : u32;
+    var _S371 : u32;
     if(is_upper_0)
     {
-        _S401 = u32(1056964608);
+        _S371 = u32(1056964608);
     }
     else
     {
-        _S401 = u32(1065353216);
+        _S371 = u32(1065353216);
     }
-    var mantissa_3 : f32 = (bitcast<f32>(((_S400 | (_S401)))));
+    var mantissa_3 : f32 = (bitcast<f32>(((_S370 | (_S371)))));
     var s_1 : f32 = divide_0(mantissa_3 - 1.0f, mantissa_3 + 1.0f);
     var ss_0 : f32 = s_1 * s_1;
-    var _S402 : f32 = f32(power_4);
-    return _S402 * 0.693359375f + (_S402 * -0.00021219444170129f + s_1 * (2.0f + ss_0 * (0.66666668653488159f + ss_0 * (0.40000000596046448f + ss_0 * (0.28571429848670959f + ss_0 * 0.2222222238779068f)))));
+    var _S372 : f32 = f32(power_4);
+    return _S372 * 0.693359375f + (_S372 * -0.00021219444170129f + s_1 * (2.0f + ss_0 * (0.66666668653488159f + ss_0 * (0.40000000596046448f + ss_0 * (0.28571429848670959f + ss_0 * 0.2222222238779068f)))));
 }
 
 fn free_path_0( medium_2 : PackedMaterial_0,  u_23 : f32) -> f32
 {
-    var _S403 : f32;
+    var _S373 : f32;
     if((medium_2.scattering_0) > 0.0f)
     {
-        _S403 = divide_0(- logarithm_0(1.0f - u_23), medium_2.scattering_0);
+        _S373 = divide_0(- logarithm_0(1.0f - u_23), medium_2.scattering_0);
     }
     else
     {
-        _S403 = (bitcast<f32>((u32(2139095040))));
+        _S373 = (bitcast<f32>(infinity_bits_0));
     }
-    return _S403;
+    return _S373;
 }
 
 @compute
 @workgroup_size(64, 1, 1)
 fn check_medium(@builtin(global_invocation_id) id_13 : vec3<u32>, @builtin(local_invocation_index) thread_14 : u32)
 {
-    is_page_missing_0 = false;
     prove_0(thread_14);
-    var _S404 : u32 = id_13.x;
-    if(_S404 >= (dispatch_0.count_0))
+    var _S374 : u32 = id_13.x;
+    if(_S374 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_13 : Reader_0 = Reader_x24init_0(u32(12) * _S404);
-    var writer_13 : Writer_0 = Writer_x24init_0(u32(10) * _S404);
+    var reader_13 : Reader_0 = Reader_x24init_0(u32(12) * _S374);
+    var writer_13 : Writer_0 = Writer_x24init_0(u32(10) * _S374);
     var medium_3 : PackedMaterial_0;
     var channel_1 : u32 = u32(0);
     for(;;)
@@ -5121,27 +5085,27 @@ fn check_medium(@builtin(global_invocation_id) id_13 : vec3<u32>, @builtin(local
         {
             break;
         }
-        var _S405 : f32 = Reader_number_0(&(reader_13));
-        medium_3.absorption_0[channel_1] = _S405;
+        var _S375 : f32 = Reader_number_0(&(reader_13));
+        medium_3.absorption_0[channel_1] = _S375;
         channel_1 = channel_1 + u32(1);
     }
-    var _S406 : f32 = Reader_number_0(&(reader_13));
-    medium_3.scattering_0 = _S406;
-    var _S407 : f32 = Reader_number_0(&(reader_13));
-    medium_3.anisotropy_0 = _S407;
+    var _S376 : f32 = Reader_number_0(&(reader_13));
+    medium_3.scattering_0 = _S376;
+    var _S377 : f32 = Reader_number_0(&(reader_13));
+    medium_3.anisotropy_0 = _S377;
     var voxels_3 : f32 = Reader_number_0(&(reader_13));
     var forward_1 : vec3<f32> = Reader_vector_0(&(reader_13));
     var u_24 : f32 = Reader_number_0(&(reader_13));
-    var v_9 : f32 = Reader_number_0(&(reader_13));
+    var v_11 : f32 = Reader_number_0(&(reader_13));
     Writer_vector_0(&(writer_13), attenuation_0(medium_3, voxels_3));
     Writer_number_0(&(writer_13), unscattered_0(medium_3, voxels_3));
     Writer_number_0(&(writer_13), free_path_0(medium_3, u_24));
     var cos_14 : f32;
-    var _S408 : vec3<f32> = sample_phase_0(_S407, forward_1, u_24, v_9, &(cos_14));
-    Writer_vector_0(&(writer_13), _S408);
+    var _S378 : vec3<f32> = sample_phase_0(_S377, forward_1, u_24, v_11, &(cos_14));
+    Writer_vector_0(&(writer_13), _S378);
     Writer_number_0(&(writer_13), cos_14);
-    var _S409 : f32 = Reader_number_0(&(reader_13));
-    Writer_number_0(&(writer_13), phase_pdf_0(_S407, _S409));
+    var _S379 : f32 = Reader_number_0(&(reader_13));
+    Writer_number_0(&(writer_13), phase_pdf_0(_S377, _S379));
     return;
 }
 
@@ -5155,12 +5119,12 @@ struct Perspective_0
 
 fn Perspective_x24init_0( eye_2 : vec3<f32>,  corner_3 : vec3<f32>,  pixel_x_2 : vec3<f32>,  pixel_y_2 : vec3<f32>) -> Perspective_0
 {
-    var _S410 : Perspective_0;
-    _S410.eye_1 = eye_2;
-    _S410.corner_2 = corner_3;
-    _S410.pixel_x_1 = pixel_x_2;
-    _S410.pixel_y_1 = pixel_y_2;
-    return _S410;
+    var _S380 : Perspective_0;
+    _S380.eye_1 = eye_2;
+    _S380.corner_2 = corner_3;
+    _S380.pixel_x_1 = pixel_x_2;
+    _S380.pixel_y_1 = pixel_y_2;
+    return _S380;
 }
 
 struct Axes_0
@@ -5172,11 +5136,11 @@ struct Axes_0
 
 fn Axes_x24init_0( forward_3 : vec3<f32>,  right_4 : vec3<f32>,  up_1 : vec3<f32>) -> Axes_0
 {
-    var _S411 : Axes_0;
-    _S411.forward_2 = forward_3;
-    _S411.right_3 = right_4;
-    _S411.up_0 = up_1;
-    return _S411;
+    var _S381 : Axes_0;
+    _S381.forward_2 = forward_3;
+    _S381.right_3 = right_4;
+    _S381.up_0 = up_1;
+    return _S381;
 }
 
 struct ThinLens_0
@@ -5189,28 +5153,28 @@ struct ThinLens_0
 
 fn ThinLens_x24init_0( perspective_1 : Perspective_0,  lens_x_2 : vec3<f32>,  lens_y_2 : vec3<f32>,  blades_2 : u32) -> ThinLens_0
 {
-    var _S412 : ThinLens_0;
-    _S412.perspective_0 = perspective_1;
-    _S412.lens_x_1 = lens_x_2;
-    _S412.lens_y_1 = lens_y_2;
-    _S412.blades_1 = blades_2;
-    return _S412;
+    var _S382 : ThinLens_0;
+    _S382.perspective_0 = perspective_1;
+    _S382.lens_x_1 = lens_x_2;
+    _S382.lens_y_1 = lens_y_2;
+    _S382.blades_1 = blades_2;
+    return _S382;
 }
 
 fn concentric_0( square_2 : vec2<f32>) -> vec2<f32>
 {
     var a_9 : f32 = 2.0f * square_2.x - 1.0f;
     var b_8 : f32 = 2.0f * square_2.y - 1.0f;
-    var _S413 : bool;
+    var _S383 : bool;
     if(a_9 == 0.0f)
     {
-        _S413 = b_8 == 0.0f;
+        _S383 = b_8 == 0.0f;
     }
     else
     {
-        _S413 = false;
+        _S383 = false;
     }
-    if(_S413)
+    if(_S383)
     {
         return vec2<f32>(0.0f);
     }
@@ -5237,7 +5201,7 @@ fn concentric_0( square_2 : vec2<f32>) -> vec2<f32>
     {
         turns_3 = turns_3 + 0.5f;
     }
-    var _S414 : f32 = abs(radius_6);
+    var _S384 : f32 = abs(radius_6);
     if(turns_3 < 0.0f)
     {
         radius_6 = turns_3 + 1.0f;
@@ -5246,7 +5210,7 @@ fn concentric_0( square_2 : vec2<f32>) -> vec2<f32>
     {
         radius_6 = turns_3;
     }
-    return vec2<f32>(_S414, radius_6);
+    return vec2<f32>(_S384, radius_6);
 }
 
 fn place_in_aperture_0( blades_3 : u32,  lens_1 : vec2<f32>) -> vec2<f32>
@@ -5264,16 +5228,16 @@ fn place_in_aperture_0( blades_3 : u32,  lens_1 : vec2<f32>) -> vec2<f32>
     var share_8 : f32 = scaled_0 - blade_0;
     var from_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0, count_6));
     var to_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0 + 1.0f, count_6));
-    var _S415 : f32 = from_0.y;
-    var _S416 : f32 = from_0.x;
-    return vec2<f32>(_S415 + (to_0.y - _S415) * share_8, _S416 + (to_0.x - _S416) * share_8) * vec2<f32>(radius_7);
+    var _S385 : f32 = from_0.y;
+    var _S386 : f32 = from_0.x;
+    return vec2<f32>(_S385 + (to_0.y - _S385) * share_8, _S386 + (to_0.x - _S386) * share_8) * vec2<f32>(radius_7);
 }
 
-fn ThinLens_ray_0( this_52 : ThinLens_0,  position_1 : vec2<f32>,  lens_2 : vec2<f32>) -> Ray_0
+fn ThinLens_ray_0( this_54 : ThinLens_0,  position_1 : vec2<f32>,  lens_2 : vec2<f32>) -> Ray_0
 {
-    var place_4 : vec2<f32> = place_in_aperture_0(this_52.blades_1, lens_2);
-    var offset_0 : vec3<f32> = this_52.lens_x_1 * vec3<f32>(place_4.x) + this_52.lens_y_1 * vec3<f32>(place_4.y);
-    return ray_from_0(this_52.perspective_0.eye_1 + offset_0, normalize_vector_0(this_52.perspective_0.corner_2 + this_52.perspective_0.pixel_x_1 * vec3<f32>(position_1.x) + this_52.perspective_0.pixel_y_1 * vec3<f32>(position_1.y) - offset_0));
+    var place_4 : vec2<f32> = place_in_aperture_0(this_54.blades_1, lens_2);
+    var offset_0 : vec3<f32> = this_54.lens_x_1 * vec3<f32>(place_4.x) + this_54.lens_y_1 * vec3<f32>(place_4.y);
+    return ray_from_0(this_54.perspective_0.eye_1 + offset_0, normalize_vector_0(this_54.perspective_0.corner_2 + this_54.perspective_0.pixel_x_1 * vec3<f32>(position_1.x) + this_54.perspective_0.pixel_y_1 * vec3<f32>(position_1.y) - offset_0));
 }
 
 struct Orthographic_0
@@ -5286,17 +5250,17 @@ struct Orthographic_0
 
 fn Orthographic_x24init_0( corner_5 : vec3<f32>,  pixel_x_4 : vec3<f32>,  pixel_y_4 : vec3<f32>,  forward_5 : vec3<f32>) -> Orthographic_0
 {
-    var _S417 : Orthographic_0;
-    _S417.corner_4 = corner_5;
-    _S417.pixel_x_3 = pixel_x_4;
-    _S417.pixel_y_3 = pixel_y_4;
-    _S417.forward_4 = forward_5;
-    return _S417;
+    var _S387 : Orthographic_0;
+    _S387.corner_4 = corner_5;
+    _S387.pixel_x_3 = pixel_x_4;
+    _S387.pixel_y_3 = pixel_y_4;
+    _S387.forward_4 = forward_5;
+    return _S387;
 }
 
-fn Orthographic_ray_0( this_53 : Orthographic_0,  position_2 : vec2<f32>,  lens_3 : vec2<f32>) -> Ray_0
+fn Orthographic_ray_0( this_55 : Orthographic_0,  position_2 : vec2<f32>,  lens_3 : vec2<f32>) -> Ray_0
 {
-    return ray_from_0(this_53.corner_4 + this_53.pixel_x_3 * vec3<f32>(position_2.x) + this_53.pixel_y_3 * vec3<f32>(position_2.y), this_53.forward_4);
+    return ray_from_0(this_55.corner_4 + this_55.pixel_x_3 * vec3<f32>(position_2.x) + this_55.pixel_y_3 * vec3<f32>(position_2.y), this_55.forward_4);
 }
 
 struct Panorama_0
@@ -5309,26 +5273,26 @@ struct Panorama_0
 
 fn Panorama_x24init_0( eye_4 : vec3<f32>,  axes_2 : Axes_0,  inverse_size_1 : vec2<f32>,  half_eye_distance_1 : f32) -> Panorama_0
 {
-    var _S418 : Panorama_0;
-    _S418.eye_3 = eye_4;
-    _S418.axes_1 = axes_2;
-    _S418.inverse_size_0 = inverse_size_1;
-    _S418.half_eye_distance_0 = half_eye_distance_1;
-    return _S418;
+    var _S388 : Panorama_0;
+    _S388.eye_3 = eye_4;
+    _S388.axes_1 = axes_2;
+    _S388.inverse_size_0 = inverse_size_1;
+    _S388.half_eye_distance_0 = half_eye_distance_1;
+    return _S388;
 }
 
-fn Panorama_ray_0( this_54 : Panorama_0,  position_3 : vec2<f32>,  lens_4 : vec2<f32>) -> Ray_0
+fn Panorama_ray_0( this_56 : Panorama_0,  position_3 : vec2<f32>,  lens_4 : vec2<f32>) -> Ray_0
 {
-    var latitude_0 : f32 = position_3.y * this_54.inverse_size_0.y;
+    var latitude_0 : f32 = position_3.y * this_56.inverse_size_0.y;
     var is_right_eye_0 : bool = latitude_0 >= 1.0f;
     var side_4 : f32;
     if(is_right_eye_0)
     {
-        side_4 = this_54.half_eye_distance_0;
+        side_4 = this_56.half_eye_distance_0;
     }
     else
     {
-        side_4 = - this_54.half_eye_distance_0;
+        side_4 = - this_56.half_eye_distance_0;
     }
     var latitude_1 : f32;
     if(is_right_eye_0)
@@ -5339,11 +5303,11 @@ fn Panorama_ray_0( this_54 : Panorama_0,  position_3 : vec2<f32>,  lens_4 : vec2
     {
         latitude_1 = latitude_0;
     }
-    var longitude_0 : vec2<f32> = sincos_turns_0(position_3.x * this_54.inverse_size_0.x);
+    var longitude_0 : vec2<f32> = sincos_turns_0(position_3.x * this_56.inverse_size_0.x);
     var height_2 : vec2<f32> = sincos_turns_0(latitude_1 * 0.5f);
-    var _S419 : vec3<f32> = vec3<f32>(longitude_0.y);
-    var _S420 : vec3<f32> = vec3<f32>(longitude_0.x);
-    return ray_from_0(this_54.eye_3 + (this_54.axes_1.forward_2 * _S420 - this_54.axes_1.right_3 * _S419) * vec3<f32>(side_4), normalize_vector_0((vec3<f32>(0) - this_54.axes_1.forward_2 * _S419 + this_54.axes_1.right_3 * _S420) * vec3<f32>(height_2.x) + this_54.axes_1.up_0 * vec3<f32>(height_2.y)));
+    var _S389 : vec3<f32> = vec3<f32>(longitude_0.y);
+    var _S390 : vec3<f32> = vec3<f32>(longitude_0.x);
+    return ray_from_0(this_56.eye_3 + (this_56.axes_1.forward_2 * _S390 - this_56.axes_1.right_3 * _S389) * vec3<f32>(side_4), normalize_vector_0((vec3<f32>(0) - this_56.axes_1.forward_2 * _S389 + this_56.axes_1.right_3 * _S390) * vec3<f32>(height_2.x) + this_56.axes_1.up_0 * vec3<f32>(height_2.y)));
 }
 
 struct Fisheye_0
@@ -5356,20 +5320,20 @@ struct Fisheye_0
 
 fn Fisheye_x24init_0( eye_6 : vec3<f32>,  axes_4 : Axes_0,  middle_2 : vec2<f32>,  turns_per_pixel_1 : f32) -> Fisheye_0
 {
-    var _S421 : Fisheye_0;
-    _S421.eye_5 = eye_6;
-    _S421.axes_3 = axes_4;
-    _S421.middle_1 = middle_2;
-    _S421.turns_per_pixel_0 = turns_per_pixel_1;
-    return _S421;
+    var _S391 : Fisheye_0;
+    _S391.eye_5 = eye_6;
+    _S391.axes_3 = axes_4;
+    _S391.middle_1 = middle_2;
+    _S391.turns_per_pixel_0 = turns_per_pixel_1;
+    return _S391;
 }
 
-fn Fisheye_ray_0( this_55 : Fisheye_0,  position_4 : vec2<f32>,  lens_5 : vec2<f32>) -> Ray_0
+fn Fisheye_ray_0( this_57 : Fisheye_0,  position_4 : vec2<f32>,  lens_5 : vec2<f32>) -> Ray_0
 {
-    var x_20 : f32 = position_4.x - this_55.middle_1.x;
-    var y_14 : f32 = position_4.y - this_55.middle_1.y;
+    var x_20 : f32 = position_4.x - this_57.middle_1.x;
+    var y_14 : f32 = position_4.y - this_57.middle_1.y;
     var radius_8 : f32 = square_root_0(x_20 * x_20 + y_14 * y_14);
-    var sin_cos_7 : vec2<f32> = sincos_turns_0(min(radius_8 * this_55.turns_per_pixel_0, 1.0f));
+    var sin_cos_7 : vec2<f32> = sincos_turns_0(min(radius_8 * this_57.turns_per_pixel_0, 1.0f));
     var scale_1 : f32;
     if(radius_8 > 0.0f)
     {
@@ -5379,12 +5343,12 @@ fn Fisheye_ray_0( this_55 : Fisheye_0,  position_4 : vec2<f32>,  lens_5 : vec2<f
     {
         scale_1 = 0.0f;
     }
-    return ray_from_0(this_55.eye_5, normalize_vector_0(this_55.axes_3.forward_2 * vec3<f32>(sin_cos_7.y) + this_55.axes_3.right_3 * vec3<f32>((x_20 * scale_1)) - this_55.axes_3.up_0 * vec3<f32>((y_14 * scale_1))));
+    return ray_from_0(this_57.eye_5, normalize_vector_0(this_57.axes_3.forward_2 * vec3<f32>(sin_cos_7.y) + this_57.axes_3.right_3 * vec3<f32>((x_20 * scale_1)) - this_57.axes_3.up_0 * vec3<f32>((y_14 * scale_1))));
 }
 
-fn Perspective_ray_0( this_56 : Perspective_0,  position_5 : vec2<f32>,  lens_6 : vec2<f32>) -> Ray_0
+fn Perspective_ray_0( this_58 : Perspective_0,  position_5 : vec2<f32>,  lens_6 : vec2<f32>) -> Ray_0
 {
-    return ray_from_0(this_56.eye_1, normalize_vector_0(this_56.corner_2 + this_56.pixel_x_1 * vec3<f32>(position_5.x) + this_56.pixel_y_1 * vec3<f32>(position_5.y)));
+    return ray_from_0(this_58.eye_1, normalize_vector_0(this_58.corner_2 + this_58.pixel_x_1 * vec3<f32>(position_5.x) + this_58.pixel_y_1 * vec3<f32>(position_5.y)));
 }
 
 struct CameraFrame_0
@@ -5399,27 +5363,27 @@ struct CameraFrame_0
      blades_4 : u32,
 };
 
-fn CameraFrame_ray_0( this_57 : CameraFrame_0,  position_6 : vec2<f32>,  lens_sample_0 : vec2<f32>) -> Ray_0
+fn CameraFrame_ray_0( this_59 : CameraFrame_0,  position_6 : vec2<f32>,  lens_sample_0 : vec2<f32>) -> Ray_0
 {
-    var perspective_2 : Perspective_0 = Perspective_x24init_0(this_57.eye_7, this_57.corner_6, this_57.pixel_x_5, this_57.pixel_y_5);
-    var axes_5 : Axes_0 = Axes_x24init_0(this_57.corner_6, this_57.pixel_x_5, this_57.pixel_y_5);
-    switch(this_57.lens_7)
+    var perspective_2 : Perspective_0 = Perspective_x24init_0(this_59.eye_7, this_59.corner_6, this_59.pixel_x_5, this_59.pixel_y_5);
+    var axes_5 : Axes_0 = Axes_x24init_0(this_59.corner_6, this_59.pixel_x_5, this_59.pixel_y_5);
+    switch(this_59.lens_7)
     {
     case u32(1):
         {
-            return ThinLens_ray_0(ThinLens_x24init_0(perspective_2, this_57.lens_x_3, this_57.lens_y_3, this_57.blades_4), position_6, lens_sample_0);
+            return ThinLens_ray_0(ThinLens_x24init_0(perspective_2, this_59.lens_x_3, this_59.lens_y_3, this_59.blades_4), position_6, lens_sample_0);
         }
     case u32(2):
         {
-            return Orthographic_ray_0(Orthographic_x24init_0(this_57.corner_6, this_57.pixel_x_5, this_57.pixel_y_5, this_57.lens_x_3), position_6, lens_sample_0);
+            return Orthographic_ray_0(Orthographic_x24init_0(this_59.corner_6, this_59.pixel_x_5, this_59.pixel_y_5, this_59.lens_x_3), position_6, lens_sample_0);
         }
     case u32(3):
         {
-            return Panorama_ray_0(Panorama_x24init_0(this_57.eye_7, axes_5, this_57.lens_x_3.xy, this_57.lens_x_3.z), position_6, lens_sample_0);
+            return Panorama_ray_0(Panorama_x24init_0(this_59.eye_7, axes_5, this_59.lens_x_3.xy, this_59.lens_x_3.z), position_6, lens_sample_0);
         }
     case u32(4):
         {
-            return Fisheye_ray_0(Fisheye_x24init_0(this_57.eye_7, axes_5, this_57.lens_x_3.xy, this_57.lens_x_3.z), position_6, lens_sample_0);
+            return Fisheye_ray_0(Fisheye_x24init_0(this_59.eye_7, axes_5, this_59.lens_x_3.xy, this_59.lens_x_3.z), position_6, lens_sample_0);
         }
     default :
         {
@@ -5432,42 +5396,41 @@ fn CameraFrame_ray_0( this_57 : CameraFrame_0,  position_6 : vec2<f32>,  lens_sa
 @workgroup_size(64, 1, 1)
 fn check_camera(@builtin(global_invocation_id) id_14 : vec3<u32>, @builtin(local_invocation_index) thread_15 : u32)
 {
-    is_page_missing_0 = false;
     prove_0(thread_15);
-    var _S422 : u32 = id_14.x;
-    if(_S422 >= (dispatch_0.count_0))
+    var _S392 : u32 = id_14.x;
+    if(_S392 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_14 : Reader_0 = Reader_x24init_0(u32(24) * _S422);
-    var writer_14 : Writer_0 = Writer_x24init_0(u32(8) * _S422);
+    var reader_14 : Reader_0 = Reader_x24init_0(u32(24) * _S392);
+    var writer_14 : Writer_0 = Writer_x24init_0(u32(8) * _S392);
     var camera_0 : CameraFrame_0;
-    var _S423 : u32 = Reader_word_0(&(reader_14));
-    camera_0.lens_7 = _S423;
-    var _S424 : vec3<f32> = Reader_vector_0(&(reader_14));
-    camera_0.eye_7 = _S424;
-    var _S425 : vec3<f32> = Reader_vector_0(&(reader_14));
-    camera_0.corner_6 = _S425;
-    var _S426 : vec3<f32> = Reader_vector_0(&(reader_14));
-    camera_0.pixel_x_5 = _S426;
-    var _S427 : vec3<f32> = Reader_vector_0(&(reader_14));
-    camera_0.pixel_y_5 = _S427;
-    var _S428 : vec3<f32> = Reader_vector_0(&(reader_14));
-    camera_0.lens_x_3 = _S428;
-    var _S429 : vec3<f32> = Reader_vector_0(&(reader_14));
-    camera_0.lens_y_3 = _S429;
-    var _S430 : u32 = Reader_word_0(&(reader_14));
-    camera_0.blades_4 = _S430;
+    var _S393 : u32 = Reader_word_0(&(reader_14));
+    camera_0.lens_7 = _S393;
+    var _S394 : vec3<f32> = Reader_vector_0(&(reader_14));
+    camera_0.eye_7 = _S394;
+    var _S395 : vec3<f32> = Reader_vector_0(&(reader_14));
+    camera_0.corner_6 = _S395;
+    var _S396 : vec3<f32> = Reader_vector_0(&(reader_14));
+    camera_0.pixel_x_5 = _S396;
+    var _S397 : vec3<f32> = Reader_vector_0(&(reader_14));
+    camera_0.pixel_y_5 = _S397;
+    var _S398 : vec3<f32> = Reader_vector_0(&(reader_14));
+    camera_0.lens_x_3 = _S398;
+    var _S399 : vec3<f32> = Reader_vector_0(&(reader_14));
+    camera_0.lens_y_3 = _S399;
+    var _S400 : u32 = Reader_word_0(&(reader_14));
+    camera_0.blades_4 = _S400;
     var x_21 : f32 = Reader_number_0(&(reader_14));
-    var _S431 : f32 = Reader_number_0(&(reader_14));
-    var position_7 : vec2<f32> = vec2<f32>(x_21, _S431);
+    var _S401 : f32 = Reader_number_0(&(reader_14));
+    var position_7 : vec2<f32> = vec2<f32>(x_21, _S401);
     var u_25 : f32 = Reader_number_0(&(reader_14));
-    var _S432 : f32 = Reader_number_0(&(reader_14));
-    var ray_10 : Ray_0 = CameraFrame_ray_0(camera_0, position_7, vec2<f32>(u_25, _S432));
-    Writer_vector_0(&(writer_14), ray_10.origin_1);
-    Writer_number_0(&(writer_14), ray_10.t_min_0);
-    Writer_vector_0(&(writer_14), ray_10.direction_1);
-    Writer_number_0(&(writer_14), ray_10.t_max_0);
+    var _S402 : f32 = Reader_number_0(&(reader_14));
+    var ray_11 : Ray_0 = CameraFrame_ray_0(camera_0, position_7, vec2<f32>(u_25, _S402));
+    Writer_vector_0(&(writer_14), ray_11.origin_1);
+    Writer_number_0(&(writer_14), ray_11.t_min_0);
+    Writer_vector_0(&(writer_14), ray_11.direction_1);
+    Writer_number_0(&(writer_14), ray_11.t_max_0);
     return;
 }
 

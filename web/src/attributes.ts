@@ -6,7 +6,7 @@ const Base = (globalThis.HTMLElement ?? class {}) as typeof HTMLElement;
 
 export abstract class Attributes extends Base {
   static readonly observedAttributes = [
-    "src", "alt", "poster", "loading", "reveal", "camera-controls", "camera-orbit", "camera-target", "field-of-view", "clip-box",
+    "src", "alt", "poster", "loading", "reveal", "tracer", "camera-controls", "camera-orbit", "camera-target", "field-of-view", "clip-box",
     "auto-rotate", "exposure", "tone-mapping", "samples", "seed", "max-bounces", "max-pixels",
   ];
 
@@ -58,6 +58,12 @@ export abstract class Attributes extends Base {
   /** Most surfaces that scatter one path. */
   get maxBounces() { return Math.round(this.number("max-bounces", 8, 0, 255)); }
   set maxBounces(value: number) { this.setAttribute("max-bounces", String(value)); }
+  /** Who traces: `auto`, the GPU where the browser has WebGPU for one, else workers on the processor; `gpu`, also where WebGPU is software; `cpu`. */
+  get tracer() {
+    const text = this.getAttribute("tracer");
+    return text === "gpu" || text === "cpu" ? text : "auto";
+  }
+  set tracer(value: "auto" | "gpu" | "cpu") { this.setAttribute("tracer", value); }
   /** Workers, each with its own copy of the scene. */
   get threads() { return Math.round(this.number("threads", defaultThreads(), 1, 64)); }
   set threads(value: number) { this.setAttribute("threads", String(value)); }

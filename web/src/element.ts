@@ -111,7 +111,7 @@ export class VoxtraceViewer extends Attributes {
 
   attributeChangedCallback(name: string, before: string | null, after: string | null) {
     if (before === after || !this.#life || this.#life.signal.aborted) return;
-    if (name === "src") this.#reload();
+    if (name === "src" || name === "tracer") this.#reload();
     else if (name === "exposure" || name === "tone-mapping") void this.#stage.setLook(this.#look());
     else if (name.startsWith("camera-o") || name === "camera-target" || name === "field-of-view") this.#goHome("none");
     else if (["samples", "seed", "max-bounces", "max-pixels", "clip-box"].includes(name)) this.#refresh();
@@ -120,6 +120,8 @@ export class VoxtraceViewer extends Attributes {
 
   /** Whether a scene is there. */
   get loaded(): boolean { return this.#info !== undefined; }
+  /** Who traces now: `gpu` or `cpu`; `undefined` before a scene is there. */
+  get activeTracer(): "gpu" | "cpu" | undefined { return this.#pool.tier; }
   /** What is known of the scene. */
   get scene(): SceneInfo | undefined { return this.#info; }
 
@@ -241,7 +243,7 @@ export class VoxtraceViewer extends Attributes {
   /** Shows a scene that is there whole. */
   async #take(given: Source, name: string, signal: AbortSignal) {
     this.#progress(given.kind === "file" ? DOWNLOADED : undefined);
-    const info = await this.#pool.load(given, this.threads);
+    const info = await this.#pool.load(given, this.threads, this.tracer);
     if (signal.aborted) return;
     this.#progress(LOADED);
     await this.#arrived(info);
@@ -297,7 +299,7 @@ export class VoxtraceViewer extends Attributes {
     // Each worker has a copy: of what is large there are fewer.
     const threads = Math.max(1, Math.min(this.threads, Math.floor((this.maxMemory * 2 ** 20) / bytes.length) - 2));
     const isSame = !isFirst && threads >= this.#pool.size;
-    const made = isSame ? await this.#pool.replace(bytes) : await this.#pool.load({ kind: "file", name: "scene.vxt", bytes }, threads);
+    const made = isSame ? await this.#pool.replace(bytes) : await this.#pool.load({ kind: "file", name: "scene.vxt", bytes }, threads, "cpu");
     if (signal.aborted) return;
     const info = { ...made, voxels, hash, detail };
     if (isFirst) {

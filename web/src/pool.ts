@@ -1,9 +1,10 @@
 // The workers of one viewer: one for each core, each with the scene. The first reads or makes it, and can trace at once; the others get it packed.
+import { GpuTracer } from "./gpu.js";
 import type { SceneInfo, Source } from "./protocol.js";
-import { startWorker, Tracer, TracerError } from "./tracer.js";
+import { type Caller, startWorker, Tracer, TracerError } from "./tracer.js";
 
-/** The modules: one traces, and reads the simplest formats; the others make scenes for it, `stream` of the parts of a file, and are loaded where they are needed. */
-type ModuleName = "voxtrace" | "scenes" | "readers" | "stream";
+/** The modules: one traces, and reads the simplest formats; `gpu` tells WebGPU what to trace; the others make scenes for it, `stream` of the parts of a file, and are loaded where they are needed. */
+type ModuleName = "voxtrace" | "gpu" | "scenes" | "readers" | "stream";
 
 const addressOf = (file: string) => new URL(`./${file}`, import.meta.url);
 const compiled = new Map<ModuleName, Promise<WebAssembly.Module>>();
@@ -38,24 +39,34 @@ export function defaultThreads(): number {
   return Math.max(1, Math.min(cores > 4 ? cores - 1 : cores, 16));
 }
 
+/** Who is to trace: the GPU where there is one that is not software, the GPU whatever it is, or workers alone. */
+export type Tier = "auto" | "gpu" | "cpu";
+
 export class Pool {
   /** Those that have the scene. */
-  ready: Tracer[] = [];
+  ready: Caller[] = [];
   #all: Tracer[] = [];
+  #gpu: GpuTracer | undefined;
   readonly #scripts = new Map<ModuleName, Promise<URL>>();
-  readonly #onReady: (tracer: Tracer) => void;
+  readonly #onReady: (tracer: Caller) => void;
   /** The workers after the first get the scene. */
   #others: Promise<void> = Promise.resolve();
   /** Where the package's files come from, if not from beside it. */
   files: Files | undefined;
 
-  /** `onReady` is told of each worker that has the scene. */
-  constructor(onReady: (tracer: Tracer) => void) {
+  /** `onReady` is told of each that has the scene. */
+  constructor(onReady: (tracer: Caller) => void) {
     this.#onReady = onReady;
   }
 
-  /** Loads a scene: ready as soon as the first worker has it. */
-  async load(source: Source, threads: number): Promise<SceneInfo> {
+  /** Who traces now. */
+  get tier(): "gpu" | "cpu" | undefined {
+    if (this.ready.length === 0) return undefined;
+    return this.#gpu?.isActive ? "gpu" : "cpu";
+  }
+
+  /** Loads a scene: ready as soon as the first worker has it, and the GPU where it traces. */
+  async load(source: Source, threads: number, tier: Tier): Promise<SceneInfo> {
     this.end();
     const first = await this.#start("voxtrace");
     const maker = await this.#makerOf(source, first);
@@ -67,8 +78,33 @@ export class Pool {
       this.#leave(maker);
       await hand(packed.slice(), first);
     }
+    let hasOthers = false;
+    const startOthers = () => {
+      if (threads > 1 && !hasOthers) this.#others = this.#startOthers(first, packed, threads - 1);
+      hasOthers = true;
+    };
+    // Where the package's files come from the page, as in notebooks, the shaders are not among them.
+    if (tier !== "cpu" && !this.files) {
+      const gpu = await GpuTracer.of({
+        beside: first,
+        startTeller: () => this.#start("gpu"),
+        endTeller: (teller) => this.#leave(teller),
+        pack: async () => packed?.slice() ?? (await first.call("pack", [])),
+        startWorkers: startOthers,
+        takesSoftware: tier === "gpu",
+      });
+      if (gpu && this.#all.includes(first)) {
+        // One worker beside it is enough, as long as it lasts.
+        packed = undefined;
+        this.#gpu = gpu;
+        this.ready.push(gpu);
+        this.#onReady(gpu);
+        return info;
+      }
+      gpu?.end();
+    }
     this.#join(first);
-    if (threads > 1) this.#others = this.#startOthers(first, packed, threads - 1);
+    startOthers();
     return info;
   }
 
@@ -106,6 +142,8 @@ export class Pool {
 
   end() {
     for (const tracer of this.#all) tracer.end();
+    this.#gpu?.end();
+    this.#gpu = undefined;
     this.#all = [];
     this.ready = [];
   }

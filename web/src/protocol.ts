@@ -1,6 +1,5 @@
 // What pages ask workers for, and what they answer.
 import type { Vector } from "./orbit.js";
-
 import type { Detail } from "./streaming.js";
 
 /** Where a scene comes from. */
@@ -65,6 +64,18 @@ export interface Picked {
   distance: number;
 }
 
+/** The arrays of a scene for the GPU, and what its shaders are specialized with: number, value, number, value. */
+export interface GpuArrays {
+  cells: Uint32Array;
+  bricks: Uint32Array;
+  brickMaterials: Uint32Array;
+  records: Uint32Array;
+  environment: Uint32Array;
+  constants: Uint32Array;
+  /** Whether everything is matte, so that the shorter shaders will do. */
+  isMatte: boolean;
+}
+
 /** The calls of a worker by their names. */
 export interface Calls {
   start(module: WebAssembly.Module): void;
@@ -79,6 +90,10 @@ export interface Calls {
   cast(rays: Float32Array, clip?: Float32Array): Uint32Array;
   /** What a picture shows at a place, in its pixels from the upper left corner. */
   pick(part: PartRequest, x: number, y: number): Picked | undefined;
+  /** A scene, packed, as the GPU reads it; `undefined` where its shaders do not know all of it. */
+  gpuScene(bytes: Uint8Array): GpuArrays | undefined;
+  /** What the GPU is told of a part of a picture, and behind it the numbers of its lens and its sky. */
+  gpuFrame(part: PartRequest): Uint32Array;
   selftest(edge: number): string[];
 }
 

@@ -1,7 +1,7 @@
 // One picture in the making: bands of rows that any worker takes in any order, pass by pass. Bands keep the words of their film, so that the picture
 // is the same whoever traced what: sums of integers.
 import type { PartRequest } from "./protocol.js";
-import type { Tracer } from "./tracer.js";
+import type { Caller } from "./tracer.js";
 
 /** What a picture depends on. */
 export interface Picture {
@@ -38,7 +38,7 @@ const PATIENCE = 40;
 export class Rendering {
   readonly bands: Band[] = [];
   isStopped = false;
-  #workers = new Set<Tracer>();
+  #workers = new Set<Caller>();
   #tell: { done: () => void; failed: (error: unknown) => void } | undefined;
   /** Settled when every band has all samples; never where it was stopped before. */
   readonly finished: Promise<void>;
@@ -66,7 +66,7 @@ export class Rendering {
   }
 
   /** Lets a worker take part until all is done. */
-  async work(tracer: Tracer) {
+  async work(tracer: Caller) {
     if (this.#workers.has(tracer)) return;
     this.#workers.add(tracer);
     try {
@@ -101,7 +101,7 @@ export class Rendering {
     return free.sort((a, b) => rank(a) - rank(b))[0];
   }
 
-  async #render(tracer: Tracer, band: Band) {
+  async #render(tracer: Caller, band: Band) {
     const { samples, ...view } = this.picture;
     const { width } = view;
     const pixels = width * (band.y1 - band.y0);

@@ -1,7 +1,7 @@
 // What is on the canvas: coarse pictures while the view moves, the exact film while it stands still.
 import type { Pool } from "./pool.js";
 import { type Band, type Look, type Picture, Rendering } from "./rendering.js";
-import type { Tracer } from "./tracer.js";
+import type { Caller } from "./tracer.js";
 
 /** What a picture of a view that moves may take, milliseconds. */
 const FRAME = 70;
@@ -62,8 +62,8 @@ export class Stage {
     }
   }
 
-  /** A worker that has the scene joins. */
-  join(tracer: Tracer) {
+  /** Another one that has the scene joins. */
+  join(tracer: Caller) {
     void this.#coarse?.work(tracer);
     void this.#still?.work(tracer);
   }

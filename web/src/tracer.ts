@@ -16,11 +16,18 @@ export class TracerError extends Error {
   }
 }
 
-export class Tracer {
+/** Whoever answers calls as a worker does. */
+export interface Caller {
+  /** Pixels times samples in a millisecond, as measured so far. */
+  rate: number;
+  /** Calls it; `transfer` goes over to it instead of being copied. */
+  call<N extends Name>(name: N, given: Parameters<Calls[N]>, transfer?: Transferable[]): Promise<Made<N>>;
+}
+
+export class Tracer implements Caller {
   readonly #worker: Worker;
   readonly #waiting = new Map<number, Waiting>();
   #last = 0;
-  /** Pixels times samples in a millisecond, as measured so far. */
   rate = 60;
 
   constructor(worker: Worker) {
@@ -34,7 +41,6 @@ export class Tracer {
     worker.onerror = (event) => this.#fail(event.message || "the script of the worker cannot be loaded");
   }
 
-  /** Calls the worker; `transfer` goes over to it instead of being copied. */
   call<N extends Name>(name: N, given: Parameters<Calls[N]>, transfer: Transferable[] = []): Promise<Made<N>> {
     const id = ++this.#last;
     return new Promise<Made<N>>((done, failed) => {

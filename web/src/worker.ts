@@ -1,6 +1,7 @@
 // A worker that traces: one scene, one call at a time.
 import { format_of, initSync, Part, render_part, selftest, shown, WebScene } from "../wasm/voxtrace.js";
 import type { Vector } from "./orbit.js";
+import { partOf } from "./part.js";
 import type { PartRequest, Picked } from "./protocol.js";
 import { infoOf, read } from "./scene.js";
 import { serveCalls } from "./serve.js";
@@ -17,32 +18,25 @@ function clamped(bytes: Uint8Array): Uint8ClampedArray<ArrayBuffer> {
   return new Uint8ClampedArray(bytes.buffer as ArrayBuffer, bytes.byteOffset, bytes.length);
 }
 
-/** The part that is asked for; who calls frees it. */
-function partOf(request: PartRequest): Part {
-  const part = new Part(request.camera, request.width, request.height);
-  for (const key of ["y0", "y1", "samples", "seed"] as const) part[key] = request[key];
-  part.max_bounces = request.bounces;
-  part.lens_of = request.lensOf;
-  if (request.clip) part.set_clip(request.clip);
-  return part;
-}
-
-function render(request: PartRequest) {
-  const start = performance.now();
-  const part = partOf(request);
+/** What `work` makes of a part of a picture. */
+function withPart<T>(request: PartRequest, work: (part: Part) => T): T {
+  const part = partOf(Part, request);
   try {
-    const words = render_part(loaded(), part, request.words ?? new Uint8Array());
-    const milliseconds = performance.now() - start;
-    return { words, shown: clamped(shown(words, request.toneMapping, request.exposure)), milliseconds };
+    return work(part);
   } finally {
     part.free();
   }
 }
 
+function render(request: PartRequest) {
+  const start = performance.now();
+  const words = withPart(request, (part) => render_part(loaded(), part, request.words ?? new Uint8Array()));
+  const milliseconds = performance.now() - start;
+  return { words, shown: clamped(shown(words, request.toneMapping, request.exposure)), milliseconds };
+}
+
 function pick(request: PartRequest, x: number, y: number): Picked | undefined {
-  const part = partOf(request);
-  const picked = loaded().pick(part, x, y);
-  part.free();
+  const picked = withPart(request, (part) => loaded().pick(part, x, y));
   const [instance, material] = picked;
   if (instance === undefined) return undefined;
   const [voxel, floats] = [new Int32Array(picked.buffer, picked.byteOffset + 8, 3), new Float32Array(picked.buffer, picked.byteOffset + 20, 7)];

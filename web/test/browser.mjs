@@ -22,14 +22,18 @@ mkdirSync(pictures, { recursive: true });
 
 export const context = { browser: undefined, server: undefined, files: undefined };
 
-/** Starts what the tests of a file need, and ends it. */
-export function setUp() {
+/** What lets Chromium have WebGPU without a GPU. */
+export const WEBGPU = ["--enable-unsafe-webgpu", "--use-webgpu-adapter=swiftshader", "--enable-unsafe-swiftshader"];
+
+/** Starts what the tests of a file need, with `more` arguments of Chromium, then does what is to follow; and ends it. */
+export function setUp(more = [], follow = async () => {}) {
   before(async () => {
     context.files = mkdtempSync(join(tmpdir(), "voxtrace-web-"));
     context.server = await serve({ "/package/": join(web, "dist"), "/test/": here, "/files/": context.files, "/examples/": join(web, "examples") });
     const executablePath = process.env.CHROMIUM ?? ["/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"].find(existsSync);
     assert.ok(executablePath, "no Chromium: install it, or name it by CHROMIUM");
-    context.browser = await chromium.launch({ executablePath, args: ["--no-sandbox", "--disable-dev-shm-usage"] });
+    context.browser = await chromium.launch({ executablePath, args: ["--no-sandbox", "--disable-dev-shm-usage", ...more] });
+    await follow();
   });
   after(async () => {
     await context.browser?.close();

@@ -34,6 +34,8 @@ pub mod atomic_file;
 #[doc(hidden)]
 pub mod bsdf;
 #[doc(hidden)]
+pub mod frame_params;
+#[doc(hidden)]
 pub mod held_film;
 #[doc(hidden)]
 pub mod integrator;

@@ -39,6 +39,7 @@ pub async fn element(
     let kind = match name.rsplit_once('.') {
         Some((_, "js")) => "text/javascript; charset=utf-8",
         Some((_, "wasm")) => "application/wasm",
+        Some((_, "wgsl")) => "text/wgsl; charset=utf-8",
         _ => return Err(Refusal::nothing(&name)),
     };
     let folder = app.settings.element.as_ref().filter(|_| is_plain(&name)).ok_or_else(|| Refusal::nothing(&name))?;

@@ -15,7 +15,6 @@ mod errors;
 #[cfg(feature = "faults")]
 mod faults;
 mod film;
-mod line_params;
 mod listing;
 mod method;
 mod pages;

@@ -3,6 +3,7 @@
 use crate::method::Primitive;
 use ash::vk;
 use voxtrace_core::Integrator;
+use voxtrace_core::frame_params::constant;
 
 /// What a pass does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -79,36 +80,6 @@ pub struct Variant {
     pub sky: u32,
 }
 
-/// Numbers of the specialization constants.
-mod constant {
-    /// [`super::Variant::is_exact`].
-    pub const IS_EXACT: u32 = 0;
-    /// [`super::Variant::is_single`].
-    pub const IS_SINGLE: u32 = 1;
-    /// [`super::Variant::primitive`].
-    pub const PRIMITIVE: u32 = 2;
-    /// [`super::Variant::top_shift`].
-    pub const TOP_SHIFT: u32 = 3;
-    /// [`super::Variant::cells_have_blocks`].
-    pub const CELLS_HAVE_BLOCKS: u32 = 4;
-    /// [`super::Variant::lens`].
-    pub const LENS: u32 = 5;
-    /// [`super::Variant::sky`].
-    pub const SKY: u32 = 6;
-    /// [`super::Variant::has_cuts`].
-    pub const CUTS: u32 = 7;
-    /// [`super::Variant::has_catcher`].
-    pub const CATCHER: u32 = 8;
-    /// [`super::Variant::has_lines`].
-    pub const LINES: u32 = 9;
-    /// [`super::Variant::has_normals`].
-    pub const NORMALS: u32 = 10;
-    /// [`super::Variant::cells_skip`].
-    pub const CELLS_SKIP: u32 = 11;
-    /// [`super::Variant::has_pages`].
-    pub const PAGES: u32 = 12;
-}
-
 /// Number of specialization constants.
 const CONSTANTS: usize = 13;
 
@@ -123,7 +94,7 @@ impl Specialization {
     pub fn new(variant: &Variant) -> Self {
         let Variant { is_exact, is_single, top_shift, cells_have_blocks, primitive, lens, sky, .. } = *variant;
         let constants: [(u32, u32); CONSTANTS] = [
-            (constant::IS_EXACT, is_exact.into()),
+            (constant::EXACT, is_exact.into()),
             (constant::IS_SINGLE, is_single.into()),
             (constant::PRIMITIVE, primitive as u32),
             (constant::TOP_SHIFT, top_shift),
@@ -134,7 +105,7 @@ impl Specialization {
             (constant::CATCHER, variant.has_catcher.into()),
             (constant::LINES, variant.has_lines.into()),
             (constant::NORMALS, variant.has_normals.into()),
-            (constant::CELLS_SKIP, variant.cells_skip.into()),
+            (constant::SKIPS, variant.cells_skip.into()),
             (constant::PAGES, variant.has_pages.into()),
         ];
         let entry =

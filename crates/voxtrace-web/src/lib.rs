@@ -6,6 +6,10 @@
 
 #[cfg(feature = "tracer")]
 mod film_words;
+#[cfg(feature = "gpu")]
+mod gpu;
+#[cfg(any(feature = "tracer", feature = "gpu"))]
+mod part;
 #[cfg(feature = "tracer")]
 mod render;
 #[cfg(any(feature = "tracer", feature = "scenes", feature = "readers"))]
@@ -17,8 +21,12 @@ mod stream;
 
 #[cfg(feature = "tracer")]
 pub use film_words::{film_from_words, film_words, shown};
+#[cfg(feature = "gpu")]
+pub use gpu::{GpuArrays, GpuScene};
+#[cfg(any(feature = "tracer", feature = "gpu"))]
+pub use part::Part;
 #[cfg(feature = "tracer")]
-pub use render::{Part, render_part};
+pub use render::render_part;
 #[cfg(any(feature = "tracer", feature = "scenes", feature = "readers"))]
 pub use scene::{WebScene, format_of};
 #[cfg(feature = "tracer")]

@@ -1,80 +1,17 @@
-//! A part of a picture: some rows, some samples. What a worker adds to a film depends on the part alone, so that any worker may do any part.
+//! Parts of pictures traced, and what rays meet. What a worker adds to a film depends on the part alone, so that any worker may do any part.
 
 use crate::error_of;
 use crate::film_words::{film_from_words, film_words};
-use crate::scene::{CAMERA_NUMBERS, WebScene};
+use crate::part::Part;
+use crate::scene::WebScene;
 use std::sync::Arc;
 use voxtrace_core::cuts::Cuts;
-use voxtrace_core::{CpuTracer, Film, Frame, PackedScene, Progress, Region, Tracer};
-use voxtrace_scene::{Camera, Hit, Ray, camera::Lens, glam::Vec2, glam::Vec3};
+use voxtrace_core::{CpuTracer, Film, PackedScene, Progress, Tracer};
+use voxtrace_scene::{Hit, Ray, glam::Vec2, glam::Vec3};
 use wasm_bindgen::prelude::*;
 
 /// Numbers of a ray: origin, t_min, direction, t_max.
 const RAY_NUMBERS: usize = 8;
-
-/// What to render.
-#[wasm_bindgen]
-#[derive(Clone, Debug)]
-pub struct Part {
-    camera: Vec<f32>,
-    clip: Vec<f32>,
-    /// Number of the scene's camera whose lens it has; a pinhole where there is none.
-    pub lens_of: usize,
-    /// Width of the whole picture, pixels.
-    pub width: u32,
-    /// Height of the whole picture, pixels.
-    pub height: u32,
-    /// First row.
-    pub y0: u32,
-    /// Row after the last.
-    pub y1: u32,
-    /// Samples that each pixel has afterwards.
-    pub samples: u32,
-    /// Seed of the random numbers.
-    pub seed: u32,
-    /// Most surfaces that scatter one path.
-    pub max_bounces: u32,
-}
-
-#[wasm_bindgen]
-impl Part {
-    /// All rows of a picture: one sample a pixel, seed 0, up to 8 bounces. `camera` has the numbers of [`WebScene::camera`].
-    #[wasm_bindgen(constructor)]
-    pub fn new(camera: Vec<f32>, width: u32, height: u32) -> Self {
-        Self {
-            camera,
-            clip: Vec::new(),
-            lens_of: usize::MAX,
-            width,
-            height,
-            y0: 0,
-            y1: height,
-            samples: 1,
-            seed: 0,
-            max_bounces: 8,
-        }
-    }
-
-    /// Shows only what is within a box, world units: its lowest corner, then its highest one. Without numbers all is shown.
-    pub fn set_clip(&mut self, corners: Vec<f32>) {
-        self.clip = corners;
-    }
-}
-
-impl Part {
-    fn frame(&self, scene: &WebScene) -> Result<Frame, JsError> {
-        let numbers = <&[f32; CAMERA_NUMBERS]>::try_from(self.camera.as_slice());
-        let numbers = numbers.map_err(|_| JsError::new("a camera has ten numbers"))?;
-        let vector = |at: usize| Vec3::from_slice(&numbers[at..]);
-        let lens = scene.packed().cameras.get(self.lens_of).map_or(Lens::Pinhole, |camera| camera.lens);
-        let camera = Camera { up: vector(6), fov_y: numbers[9], lens, ..Camera::look_at(vector(0), vector(3)) };
-        let frame = Frame::new(camera, self.width, self.height).samples(self.samples).seed(self.seed);
-        let rows = Region { x0: 0, y0: self.y0, x1: self.width, y1: self.y1 };
-        let frame = frame.max_bounces(self.max_bounces).region(rows);
-        frame.check().map_err(error_of)?;
-        Ok(frame)
-    }
-}
 
 /// Adds samples to a part of a film until each pixel has those that are asked for, and gives its words; `words` are those of the same rows so far, or none.
 ///
@@ -82,7 +19,7 @@ impl Part {
 /// Where there is no such part of a picture, or the words are of another.
 #[wasm_bindgen]
 pub fn render_part(scene: &WebScene, part: &Part, words: &[u8]) -> Result<Vec<u8>, JsError> {
-    let frame = part.frame(scene)?;
+    let frame = part.frame(scene.packed())?;
     let film = film_from_words(&frame, words).ok_or_else(|| JsError::new("the film's words are of other rows"))?;
     let mut tracer = tracer_of(&scene.clipped(&part.clip)?)?;
     tracer.resume(&frame, film).map_err(error_of)?;
@@ -128,7 +65,7 @@ impl WebScene {
     /// # Errors
     /// Where the part has no camera, or no box.
     pub fn pick(&self, part: &Part, x: f32, y: f32) -> Result<Vec<u32>, JsError> {
-        let frame = part.frame(self)?;
+        let frame = part.frame(self.packed())?;
         let ray = frame.camera.frame(frame.width, frame.height).central_ray(Vec2::new(x, y));
         let mut hits = [Hit::MISS];
         // The face of a cut has its normal in the scene that is cut alone.

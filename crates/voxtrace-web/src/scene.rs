@@ -8,9 +8,6 @@ use voxtrace_io::import::{self, Content, FileClues, ImportError, ImportOptions, 
 use voxtrace_scene::{Camera, glam::Vec3};
 use wasm_bindgen::prelude::*;
 
-/// Numbers of a camera for JavaScript: eye, target, up (three each) and the vertical field of view in degrees.
-#[cfg(feature = "tracer")]
-pub(crate) const CAMERA_NUMBERS: usize = 10;
 /// The name of the format of a file by its first bytes and its name, if this module reads it.
 #[wasm_bindgen]
 pub fn format_of(head: &[u8], length: f64, name: &str) -> Option<String> {

@@ -1,5 +1,5 @@
-//! `cargo xtask web`: the modules of WebAssembly for pages, each with its half in JavaScript and its types, in `web/wasm/`. `npm run build` in `web/`
-//! makes the package of them.
+//! `cargo xtask web`: the modules of WebAssembly for pages, each with its half in JavaScript and its types, and the shaders of pages, in `web/wasm/`.
+//! `npm run build` in `web/` makes the package of them.
 
 use std::fs;
 use std::path::Path;
@@ -7,14 +7,23 @@ use std::process::Command;
 use wasm_bindgen_cli_support::Bindgen;
 
 const TARGET: &str = "wasm32-unknown-unknown";
-/// The modules, and the features of `voxtrace-web` that each has: one traces, the others make scenes for it, `stream` of the parts of a file as they arrive.
-const MODULES: [(&str, &str); 4] =
-    [("voxtrace", "tracer"), ("stream", "stream"), ("scenes", "scenes"), ("readers", "readers")];
+/// The modules, and the features of `voxtrace-web` that each has: one traces, `gpu` tells WebGPU what to trace, the others make scenes, `stream` of the parts of a file as they arrive.
+const MODULES: [(&str, &str); 5] =
+    [("voxtrace", "tracer"), ("gpu", "gpu"), ("stream", "stream"), ("scenes", "scenes"), ("readers", "readers")];
 
-/// Builds all modules, or those that are named, and writes what binds them.
+/// What names the shaders among the modules.
+const SHADERS: &str = "shaders";
+
+/// Builds all modules and the shaders, or those that are named, and writes what binds them.
 pub fn build(names: &[&str]) -> Result<(), String> {
-    if let Some(name) = names.iter().find(|name| !MODULES.iter().any(|(known, _)| known == *name)) {
-        return Err(format!("there is no module {name:?}; there are {}", MODULES.map(|(name, _)| name).join(", ")));
+    if let Some(name) = names.iter().find(|name| **name != SHADERS && !MODULES.iter().any(|(known, _)| known == *name))
+    {
+        let known = MODULES.map(|(name, _)| name).join(", ");
+        return Err(format!("there is no module {name:?}; there are {known}, {SHADERS}"));
+    }
+    if names.is_empty() || names.contains(&SHADERS) {
+        let root = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."));
+        crate::shaders::write_for_pages(&root.join("web/wasm"))?;
     }
     let wanted = MODULES.iter().filter(|(name, _)| names.is_empty() || names.contains(name));
     wanted.into_iter().try_for_each(|(name, features)| build_module(name, features))

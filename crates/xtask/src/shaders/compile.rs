@@ -12,6 +12,8 @@ use std::fs;
 const WITH_MATERIALS: &str = "-DWITH_MATERIALS";
 /// Defines the macro of modules that trace paths in waves.
 const WITH_WAVES: &str = "-DWITH_WAVES";
+/// Defines the macro of those of pages, which choose lights and scatter paths in shaders of their own.
+const FOR_PAGES: &str = "-DFOR_PAGES";
 /// Defines the macro of modules that trace paths of real-time light.
 const WITH_REAL_TIME: &str = "-DWITH_REAL_TIME";
 /// Defines the macro of what is compiled to WGSL.
@@ -52,20 +54,34 @@ pub fn spirv(tools: &Tools, pass: &Pass, variant: &Variant) -> Result<Spirv, Str
     Ok(Spirv { words, reflection: String::from_utf8_lossy(&read(&json)?).into_owned() })
 }
 
-/// Compiles a pass, in its first variant, to valid WGSL.
-pub fn wgsl(tools: &Tools, pass: &Pass) -> Result<Vec<u8>, String> {
+/// Compiles a pass in one of its variants to valid WGSL.
+pub fn wgsl(tools: &Tools, pass: &Pass, variant: &Variant) -> Result<String, String> {
     let (folder, source) = prepare(pass)?;
     let output = folder.path().join("module.wgsl");
     let mut arguments = vec![OsStr::new(&source)];
     arguments.extend(["-I", ".", "-target", "wgsl", "-o"].map(OsStr::new));
     arguments.extend([output.as_os_str(), OsStr::new(FOR_WGSL)]);
-    arguments.extend(pass.variants[0].has_materials.then_some(OsStr::new(WITH_MATERIALS)));
-    arguments.extend(pass.variants[0].has_real_time.then_some(OsStr::new(WITH_REAL_TIME)));
+    arguments.extend(variant.has_materials.then_some(OsStr::new(WITH_MATERIALS)));
+    arguments.extend(variant.has_real_time.then_some(OsStr::new(WITH_REAL_TIME)));
+    if variant.has_waves {
+        arguments.extend([WITH_WAVES, FOR_PAGES].map(OsStr::new));
+    }
     tools.slangc(&arguments)?;
     let text = fs::read_to_string(&output).map_err(|error| format!("slangc left no WGSL of {}: {error}", pass.name))?;
+    let text = with_infinity(&text);
     let entries = wgsl_entries(&text).map_err(|error| format!("WGSL of {}: {error}", pass.name))?;
     check_entries(pass, entries)?;
-    Ok(text.into_bytes())
+    Ok(text)
+}
+
+/// The same WGSL with infinity from a variable: browsers refuse expressions of constants that are not finite (WGSL, "Floating Point Evaluation").
+fn with_infinity(text: &str) -> String {
+    const CONSTANT: &str = "bitcast<f32>((u32(2139095040)))";
+    if !text.contains(CONSTANT) {
+        return text.to_owned();
+    }
+    let variable = "var<private> infinity_bits_0 : u32 = 2139095040u;\n";
+    format!("{variable}{}", text.replace(CONSTANT, "bitcast<f32>(infinity_bits_0)"))
 }
 
 /// A folder for outputs, and the path of the source relative to `shaders`.
@@ -100,7 +116,7 @@ fn spirv_entries(bytes: &[u8]) -> BTreeSet<String> {
 }
 
 /// Names of the entry points of WGSL that is valid without extensions.
-fn wgsl_entries(text: &str) -> Result<BTreeSet<String>, String> {
+pub fn wgsl_entries(text: &str) -> Result<BTreeSet<String>, String> {
     let module = wgsl::parse_str(text).map_err(|error| error.emit_to_string(text))?;
     // WGSL has packed half floats without extensions (section "Data Packing Built-in Functions").
     let mut validator = Validator::new(ValidationFlags::all(), Capabilities::SHADER_FLOAT16_IN_FLOAT32);

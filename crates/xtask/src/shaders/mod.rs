@@ -3,6 +3,7 @@
 
 mod compile;
 mod layout;
+mod minify;
 mod passes;
 mod shared;
 mod tools;
@@ -71,6 +72,19 @@ fn shared_file(root: &Path) -> Result<Files, String> {
     Ok(Files::from([(shared::FILE.into(), shared::generate(&read)?.into_bytes())]))
 }
 
+/// Compiles the shaders of pages to WGSL, made short, in a folder: one file of two lines, the module where everything is matte and that for all materials.
+pub fn write_for_pages(folder: &Path) -> Result<(), String> {
+    let tools = tools::Tools::fetch(root())?;
+    fs::create_dir_all(folder).map_err(|error| format!("{}: {error}", folder.display()))?;
+    let modules = passes::PAGE.variants.iter().map(|variant| compile::wgsl(&tools, &passes::PAGE, variant));
+    let modules = minify::minify(&modules.collect::<Result<Vec<_>, _>>()?);
+    for module in &modules {
+        compile::wgsl_entries(module).map_err(|error| format!("minified WGSL: {error}"))?;
+    }
+    let path = folder.join("shaders.wgsl");
+    fs::write(&path, modules.join("\n")).map_err(|error| format!("{}: {error}", path.display()))
+}
+
 /// Names of the files that differ or that only one side has.
 fn differences(generated: &Files, committed: &Files) -> Vec<String> {
     let paths: BTreeSet<&PathBuf> = generated.keys().chain(committed.keys()).collect();
@@ -99,7 +113,10 @@ fn compile_all() -> Result<Files, String> {
             files.insert(spirv_folder.join(format!("{}{}.spv", pass.name, variant.suffix)), spirv.words);
         }
         if pass.has_wgsl {
-            files.insert(wgsl_folder.join(format!("{}.wgsl", pass.name)), compile::wgsl(&tools, pass)?);
+            files.insert(
+                wgsl_folder.join(format!("{}.wgsl", pass.name)),
+                compile::wgsl(&tools, pass, &pass.variants[0])?.into_bytes(),
+            );
         }
     }
     files.insert(layout_folder.join("records.txt"), layout.to_text().into_bytes());

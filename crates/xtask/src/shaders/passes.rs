@@ -41,7 +41,16 @@ const REAL_TIME: &[Variant] = &[Variant { has_real_time: true, ..MATTE }, Varian
 /// The variants of passes that render.
 const RENDERING: &[Variant] = &[MATTE, MATERIALS];
 
-/// All passes.
+/// The pass that `cargo xtask web` compiles, to WGSL alone.
+pub const PAGE: Pass = Pass {
+    name: "page",
+    entries: &["begin_paths", "choose_lights", "scatter_paths", "shade_paths", "walk_paths"],
+    variants: WAVES,
+    has_wgsl: true,
+    has_frame_in_storage: false,
+};
+
+/// All other passes.
 pub const PASSES: &[Pass] = &[
     Pass { name: "blend", entries: &["blend"], variants: &[MATTE], has_wgsl: false, has_frame_in_storage: false },
     Pass {
@@ -187,7 +196,7 @@ pub fn check_table(folder: &Path) -> Result<(), String> {
         .flatten()
         .filter_map(|entry| entry.file_name().to_str()?.strip_suffix(".slang").map(str::to_string))
         .collect();
-    let table: BTreeSet<String> = PASSES.iter().map(|pass| pass.name.to_string()).collect();
+    let table: BTreeSet<String> = PASSES.iter().chain([&PAGE]).map(|pass| pass.name.to_string()).collect();
     match files.symmetric_difference(&table).next() {
         Some(name) => Err(format!("shaders/pass and the table in xtask's passes.rs disagree about `{name}`")),
         None => Ok(()),

@@ -135,7 +135,7 @@ mod tests {
             ("voxtrace-core/src/walk/local_ray.rs", "6.0 * 0.5 * f32::EPSILON", "5.0 * 0.5 * f32::EPSILON"),
             ("voxtrace-vulkan/src/records.rs", "GRIDS: u32 = 3", "GRIDS: u32 = 4"),
             ("voxtrace-vulkan/src/records.rs", "CameraRays = 1", "CameraRays = 2"),
-            ("voxtrace-vulkan/src/records.rs", "region: [u32; 4]", "region: [u32; 2]"),
+            ("voxtrace-core/src/frame_params.rs", "region: [u32; 4]", "region: [u32; 2]"),
         ] {
             assert!(!is_committed(&with(file, from, to).unwrap()), "{file}: {to}");
         }
@@ -153,7 +153,12 @@ mod tests {
             (packed, "u32 = 1 << 31", "u32 = occupied()", "CELL_OCCUPIED: too difficult an expression"),
             (packed, "pub const NONE: u32", "pub const NO: u32", "no item LightNode::NONE"),
             (records, "Sequence = 0", "Sequence", "COUNTER_SEQUENCE: no number"),
-            (records, "region: [u32; 4]", "region: [u32; 5]", "shaders have no type for the member `region`"),
+            (
+                "voxtrace-core/src/frame_params.rs",
+                "region: [u32; 4]",
+                "region: [u32; 5]",
+                "shaders have no type for the member `region`",
+            ),
             (records, "pub struct Dispatch {", "pub struct Dispatch", "records.rs: "),
         ] {
             let error = with(file, from, to).unwrap_err();

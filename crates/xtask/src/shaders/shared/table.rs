@@ -112,7 +112,7 @@ pub const TABLE: &[Source] = &[
         items: &[same("RADIANCE_BITS"), same("MAX_SAMPLE_RADIANCE"), named("Pixel", "PixelRecord")],
     },
     Source {
-        file: "voxtrace-vulkan/src/records.rs",
+        file: "voxtrace-core/src/frame_params.rs",
         items: &[
             uniform("FrameParams"),
             same("SKY_GRADIENT"),
@@ -122,6 +122,12 @@ pub const TABLE: &[Source] = &[
             same("LENS_ORTHOGRAPHIC"),
             same("LENS_PANORAMA"),
             same("LENS_FISHEYE"),
+            named("constant", "CONSTANT"),
+        ],
+    },
+    Source {
+        file: "voxtrace-vulkan/src/records.rs",
+        items: &[
             uniform("Dispatch"),
             uniform("WaveStep"),
             uniform("BlendParams"),
@@ -138,7 +144,6 @@ pub const TABLE: &[Source] = &[
             named("binding", "BINDING"),
         ],
     },
-    Source { file: "voxtrace-vulkan/src/variant.rs", items: &[named("constant", "CONSTANT")] },
     Source {
         file: "voxtrace-vulkan/src/pages/mod.rs",
         items: &[

@@ -1,0 +1,190 @@
+// The GPU tier in Chromium's software WebGPU: films are those of this machine, word by word; and what happens where WebGPU goes away or never was.
+import assert from "node:assert/strict";
+import { copyFileSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { test } from "node:test";
+import { context, differences, event, filmOf, native, open, real, run, setUp, WEBGPU } from "./browser.mjs";
+import { fileOfMaterials } from "./materials.mjs";
+
+const size = { width: 64, height: 36, samples: 4 };
+const asked = { tracer: "gpu", samples: "4", seed: "7", "max-pixels": String(64 * 36) };
+let has;
+let page;
+
+/** A page whose console and whose devices the test sees. */
+async function watched(attributes, options) {
+  const page = await open({}, { ...size, ...options });
+  page.said = [];
+  page.on("console", (message) => page.said.push(message.text()));
+  // Compiling takes a while on the processor.
+  page.setDefaultTimeout(240_000);
+  await page.evaluate(() => {
+    window.devices = [];
+    const request = GPUAdapter.prototype.requestDevice;
+    GPUAdapter.prototype.requestDevice = async function (...given) {
+      const device = await request.apply(this, given);
+      window.devices.push(device);
+      return device;
+    };
+  });
+  await page.evaluate((attributes) => {
+    for (const [name, value] of Object.entries(attributes)) window.viewer.setAttribute(name, value);
+  }, attributes);
+  return page;
+}
+
+/** Another scene on the page, and its film. */
+async function filmOfScene(src) {
+  await page.evaluate((src) => {
+    window.events.length = 0;
+    window.viewer.setAttribute("src", src);
+  }, src);
+  await event(page, "still");
+  assert.equal(await page.evaluate(() => window.viewer.activeTracer), "gpu");
+  assert.deepEqual(page.said, []);
+  return filmOf(page);
+}
+
+setUp(WEBGPU, async () => {
+  const probe = await context.browser.newPage();
+  await probe.goto(`${context.server.address}/test/page.html`);
+  has = await probe.evaluate(async () => !!(await navigator.gpu?.requestAdapter()));
+  await probe.close();
+  if (!has && process.env.VOXTRACE_REQUIRE_WEBGPU) throw new Error("this Chromium has no WebGPU adapter, and VOXTRACE_REQUIRE_WEBGPU asks for one");
+  if (has) page = await watched(asked);
+});
+
+const skips = (t) => !has && (t.skip("this Chromium has no WebGPU adapter"), true);
+
+for (const [name, number, options] of [
+  ["city", "20k", ["--voxels", "20k"]],
+  ["operating-room", "50k", ["--voxels", "50k"]],
+  ["church", "200k", ["--voxels", "200k"]],
+  ["forest", "100", ["--instances", "100"]],
+]) {
+  test(`the film of ${name} on the GPU is that of this machine`, async (t) => {
+    if (skips(t)) return;
+    const film = await filmOfScene(`scene:${name}?voxels=${number}`);
+    const expected = native([name, ...options], { ...size, seed: 7 });
+    assert.equal(differences(film.words, expected), 0, "pixels that differ");
+    // Planted faults: one bit, and the samples of another seed.
+    const wrong = Buffer.from(film.words);
+    wrong[32 * 777] ^= 1;
+    assert.equal(differences(wrong, expected), 1);
+    assert.ok(differences(film.words, native([name, ...options], { ...size, seed: 8 })) > 500);
+  });
+}
+
+for (const path of ["vox/ephtracy/monument_monu9.vox", "vox/ephtracy/character_chr_knight.vox", "vox/arlorean/Test_cars.vox", "vox/ephtracy/anim_T-Rex.vox"]) {
+  test(`the film of ${path} on the GPU is that of this machine`, async (t) => {
+    if (skips(t)) return;
+    if (!real(path)) return t.skip("the file is not here");
+    const name = path.split("/").pop();
+    copyFileSync(real(path), join(context.files, name));
+    const film = await filmOfScene(`/files/${name}`);
+    assert.equal(differences(film.words, native([join(context.files, name)], { ...size, seed: 7 })), 0, "pixels that differ");
+  });
+}
+
+test("the film of every kind of material on the GPU is that of this machine", async (t) => {
+  if (skips(t)) return;
+  const file = join(context.files, "materials.vox");
+  writeFileSync(file, fileOfMaterials());
+  const film = await filmOfScene("/files/materials.vox");
+  assert.equal(differences(film.words, native([file], { ...size, seed: 7 })), 0, "pixels that differ");
+});
+
+test("a part of the scene is shown by the workers, the whole by the GPU again", async (t) => {
+  if (skips(t)) return;
+  const whole = await filmOfScene("scene:city?voxels=20k");
+  const still = async (box) => {
+    await page.evaluate((box) => {
+      window.events.length = 0;
+      window.viewer.clipBox = box;
+    }, box);
+    await event(page, "still");
+    return { tracer: await page.evaluate(() => window.viewer.activeTracer), film: await filmOf(page) };
+  };
+  const { tracer, film } = await still("-1000 -1000 -1000 1000 1000 6");
+  assert.equal(tracer, "cpu");
+  const box = ["--clip-box", "-1000,-1000,-1000,1000,1000,6"];
+  assert.equal(differences(film.words, native(["city", "--voxels", "20k"], { ...size, seed: 7 }, box)), 0, "pixels that differ");
+  assert.ok(differences(film.words, whole.words) > 100);
+  const again = await still("auto");
+  assert.equal(again.tracer, "gpu");
+  assert.equal(differences(again.film.words, whole.words), 0);
+});
+
+test("a device that is lost is made again, and after a second loss the processor goes on with the same film", async (t) => {
+  if (skips(t)) return;
+  run("convert", "city", join(context.files, "lost.vox"), "--voxels", "20k");
+  await page.evaluate(() => {
+    window.events.length = 0;
+    window.viewer.samples = 64;
+    window.viewer.setAttribute("src", "/files/lost.vox");
+  });
+  const lose = async (count) => {
+    await page.waitForFunction((count) => window.viewer.film() && window.devices.length >= count, count);
+    await page.evaluate(() => window.devices.at(-1).destroy());
+  };
+  const before = await page.evaluate(() => window.devices.length);
+  await lose(before);
+  await page.waitForFunction((count) => window.devices.length > count, before);
+  await lose(before + 1);
+  await page.waitForFunction(() => window.viewer.activeTracer === "cpu");
+  await event(page, "still");
+  const film = await filmOf(page);
+  assert.equal(differences(film.words, native([join(context.files, "lost.vox")], { ...size, samples: 64, seed: 7 })), 0, "pixels that differ");
+  assert.equal(await page.evaluate(() => window.events.filter(({ name }) => name === "error").length), 0, "nobody is frightened");
+  assert.match(page.said.join("\n"), /the GPU is started again[^]*the processor goes on/);
+});
+
+// Each with what the element is asked for, and whether its console says why.
+const WITHOUT = {
+  "no WebGPU": { tracer: "gpu", prepare: () => void Object.defineProperty(Navigator.prototype, "gpu", { value: undefined }) },
+  "no adapter": { tracer: "gpu", prepare: () => void (GPU.prototype.requestAdapter = async () => null) },
+  "software that nobody asked for": { tracer: "auto", prepare: () => {} },
+  "workers asked for": { tracer: "cpu", prepare: () => {} },
+  "a scene larger than a binding": {
+    tracer: "gpu",
+    prepare: () => void Object.defineProperty(GPUDevice.prototype, "limits", { value: { maxStorageBufferBindingSize: 1000, maxBufferSize: 1 << 28 } }),
+  },
+  "shaders that do not compile": {
+    tracer: "gpu",
+    says: /the processor goes on in place of the GPU: the shaders do not compile/,
+    prepare: () => {
+      const create = GPUDevice.prototype.createShaderModule;
+      GPUDevice.prototype.createShaderModule = function ({ code }) {
+        return create.call(this, { code: `${code}\nfn broken() -> f32 { return; }` });
+      };
+    },
+  },
+  "no shaders on the server": {
+    tracer: "gpu",
+    says: /the processor goes on in place of the GPU: shaders.wgsl/,
+    prepare: () => {
+      const load = window.fetch;
+      window.fetch = (url, ...more) => load(String(url).replace("shaders.wgsl", "nothing.wgsl"), ...more);
+    },
+  },
+};
+for (const [name, { tracer, prepare, says }] of Object.entries(WITHOUT)) {
+  test(`with ${name} the processor traces, and the film is the same`, async (t) => {
+    if (skips(t)) return;
+    run("convert", "city", join(context.files, "small.vox"), "--voxels", "20k");
+    const page = await watched({}, {});
+    await page.evaluate(prepare);
+    await page.evaluate((attributes) => {
+      for (const [name, value] of Object.entries(attributes)) window.viewer.setAttribute(name, value);
+    }, { ...asked, tracer, src: "/files/small.vox" });
+    await event(page, "still");
+    assert.equal(await page.evaluate(() => window.viewer.activeTracer), "cpu");
+    const film = await filmOf(page);
+    assert.equal(differences(film.words, native([join(context.files, "small.vox")], { ...size, seed: 7 })), 0, "pixels that differ");
+    assert.deepEqual(page.errors, []);
+    const said = page.said.filter((text) => text.startsWith("voxtrace-viewer")).join("\n");
+    if (says) assert.match(said, says);
+    else assert.equal(said, "");
+    await page.close();
+  });
+}
