@@ -3,11 +3,19 @@
 
 /** Most bytes that are kept, of all files together. */
 export const MOST_KEPT = 512 * 2 ** 20;
+/** Bytes that wait to be written before whoever fetches more waits as well. */
+const MOST_WAITING = 16 * 2 ** 20;
+/** How long the file system may take for one part, milliseconds, and how often it may take longer: in Chromium one of a few thousand writes never ends. */
+const PATIENCE = 3000;
+const MOST_LATE = 3;
 const FOLDER = "voxtrace";
 
 export interface Cache {
   get(start: number, end: number): Promise<Uint8Array | undefined>;
+  /** Writes a part behind those that were given before; resolves when there is room for more, which is at once most of the time. */
   put(start: number, end: number, bytes: Uint8Array): Promise<void>;
+  /** Waits until all is written. */
+  flush(): Promise<void>;
 }
 
 interface Kept {
@@ -42,60 +50,83 @@ async function measure(root: FileSystemDirectoryHandle): Promise<Kept[]> {
 }
 
 /** What is kept of the file at an address with an ETag; `undefined` where the browser lets nothing be kept. `isAnew` forgets it first. */
-export async function openCache(url: URL, etag: string, isAnew: boolean, most = MOST_KEPT): Promise<Cache | undefined> {
-  try {
-    const root = await (await navigator.storage.getDirectory()).getDirectoryHandle(FOLDER, { create: true });
-    const [address, name] = [await digest(url.href), await digest(etag)];
-    const own = `${address}-${name}`;
-    const all = (await measure(root)).sort((a, b) => a.used - b.used);
-    let total = all.reduce((sum, kept) => sum + kept.bytes, 0);
-    for (const kept of all) {
-      const isOld = kept.name.startsWith(address) && (isAnew || kept.name !== own);
-      if (!isOld && (kept.name === own || total <= most / 2)) continue;
-      // Half of the room is for the file that is opened.
-      await root.removeEntry(kept.name, { recursive: true });
-      total -= kept.bytes;
-    }
-    const folder = await root.getDirectoryHandle(own, { create: true });
-    for await (const file of (folder as unknown as { keys(): AsyncIterable<string> }).keys()) {
-      if (file.startsWith("used-")) await folder.removeEntry(file);
-    }
-    await folder.getFileHandle(`used-${Date.now()}`, { create: true });
-    return new Folder(folder, most - total);
-  } catch {
-    // Private windows, pages without a secure address, a full disk: then nothing is kept.
-    return undefined;
+export function openCache(url: URL, etag: string, isAnew: boolean, most = MOST_KEPT): Promise<Cache | undefined> {
+  // Private windows, pages without a secure address, a full disk: then nothing is kept.
+  return inTime(openFolder(url, etag, isAnew, most)).catch(() => undefined);
+}
+
+async function openFolder(url: URL, etag: string, isAnew: boolean, most: number): Promise<Cache> {
+  const root = await (await navigator.storage.getDirectory()).getDirectoryHandle(FOLDER, { create: true });
+  const [address, name] = [await digest(url.href), await digest(etag)];
+  const own = `${address}-${name}`;
+  const all = (await measure(root)).sort((a, b) => a.used - b.used);
+  let total = all.reduce((sum, kept) => sum + kept.bytes, 0);
+  for (const kept of all) {
+    const isOld = kept.name.startsWith(address) && (isAnew || kept.name !== own);
+    if (!isOld && (kept.name === own || total <= most / 2)) continue;
+    // Half of the room is for the file that is opened.
+    await root.removeEntry(kept.name, { recursive: true });
+    total -= kept.bytes;
   }
+  const folder = await root.getDirectoryHandle(own, { create: true });
+  for await (const file of (folder as unknown as { keys(): AsyncIterable<string> }).keys()) {
+    if (file.startsWith("used-")) await folder.removeEntry(file);
+  }
+  await folder.getFileHandle(`used-${Date.now()}`, { create: true });
+  return new Folder(folder, most - total);
+}
+
+/** The file system does not answer. */
+class Late extends Error {}
+
+/** What it gives, if it comes in time. */
+function inTime<T>(work: Promise<T>): Promise<T> {
+  let timer: ReturnType<typeof setTimeout>;
+  const late = new Promise<never>((_, failed) => (timer = setTimeout(() => failed(new Late()), PATIENCE)));
+  return Promise.race([work, late]).finally(() => clearTimeout(timer));
 }
 
 class Folder implements Cache {
+  #written: Promise<void> = Promise.resolve();
+  #waiting = 0;
+  #late = 0;
+
   constructor(private readonly folder: FileSystemDirectoryHandle, private room: number) {}
 
   async get(start: number, end: number): Promise<Uint8Array | undefined> {
-    try {
+    const read = async () => {
       const file = await (await this.folder.getFileHandle(`${start}-${end}`)).getFile();
       // A page that was closed while it wrote leaves a part of one.
       return file.size === end - start ? new Uint8Array(await file.arrayBuffer()) : undefined;
-    } catch {
-      return undefined;
-    }
+    };
+    return inTime(read()).catch(() => undefined);
   }
 
   async put(start: number, end: number, bytes: Uint8Array): Promise<void> {
     if (this.room < bytes.length) return;
+    this.room -= bytes.length;
+    this.#waiting += bytes.length;
+    this.#written = this.#written.then(async () => {
+      const write = () => this.#write(`${start}-${end}`, bytes);
+      // Where another viewer writes it, or there is no room after all, the next one may fare better.
+      if (this.#late < MOST_LATE) await inTime(write()).catch((error) => error instanceof Late && this.#late++);
+      this.#waiting -= bytes.length;
+    });
+    if (this.#waiting > MOST_WAITING) await this.#written;
+  }
+
+  flush(): Promise<void> {
+    return this.#written;
+  }
+
+  async #write(name: string, bytes: Uint8Array) {
+    const handle = await this.folder.getFileHandle(name, { create: true });
+    const access = await (handle as unknown as { createSyncAccessHandle(): Promise<SyncAccess> }).createSyncAccessHandle();
     try {
-      const handle = await this.folder.getFileHandle(`${start}-${end}`, { create: true });
-      const access = await (handle as unknown as { createSyncAccessHandle(): Promise<SyncAccess> }).createSyncAccessHandle();
-      try {
-        access.write(bytes, { at: 0 });
-        access.truncate(bytes.length);
-      } finally {
-        access.close();
-      }
-      this.room -= bytes.length;
-    } catch {
-      // Another viewer writes it, or there is no room.
-      this.room = Math.min(this.room, 2 ** 20);
+      access.write(bytes, { at: 0 });
+      access.truncate(bytes.length);
+    } finally {
+      access.close();
     }
   }
 }

@@ -110,8 +110,9 @@ export class Pool {
 
   /** Gives all workers another scene, packed, in the place of theirs: ready as soon as the first one has it. */
   async replace(packed: Uint8Array): Promise<SceneInfo> {
-    this.ready = [];
+    // Those that get the scene of before join until then.
     await this.#others;
+    this.ready = [];
     const [first, ...others] = this.#all;
     if (!first) throw new TracerError("the viewer was closed", true);
     const info = await hand(others.length > 0 ? packed.slice() : packed, first);

@@ -383,6 +383,9 @@ class Streamer {
     // Two scenes may be more than there is memory.
     for (const chunk of this.#there.keys()) stream.remove_chunk(chunk.level, chunk.number);
     await this.#hand(checked(() => stream.finish_whole()), { finest: 0, coarsest: 0, isExact: true });
+    // The memory of all this goes with the worker.
+    await this.#parts.cache?.flush();
+    close();
   }
 
   /** All bytes of a file that is none for streaming. */

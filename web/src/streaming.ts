@@ -68,11 +68,7 @@ export class Streaming {
         } else if (data.kind === "scene") {
           await events.scene(data);
           this.#send({ kind: "taken" });
-          // The worker has nothing more to do, and its memory goes with it.
-          if (data.detail.isExact) {
-            this.end();
-            events.settled();
-          }
+          if (data.detail.isExact) events.settled();
         } else if (data.kind === "progress") events.progress(data.share);
         else if (data.kind === "settled") data.id === this.#id && events.settled();
         else events.failed(new Error(data.message));
