@@ -3,13 +3,15 @@
 
 use super::messages::{Head, Packing, View, packed};
 use crate::picture::Shown;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 use voxtrace::{Film, Frame, PackedScene, Progress, TraceError, Tracer};
 
-/// Pictures that a client may have before it shows them: one that travels, one that is shown.
-const MOST_UNSHOWN: u32 = 2;
-/// What tracing a picture of a view that moves may take.
+/// Pictures that a client may have before it shows them: one that becomes colours, one that becomes a file, one that travels.
+const MOST_UNSHOWN: u32 = 3;
+/// What tracing a picture of a view that moves may take, and what each step after it may.
 const MOVING: Duration = Duration::from_millis(25);
 /// What is traced of a view that stands before it is shown again.
 const STANDING: Duration = Duration::from_millis(500);
@@ -105,7 +107,14 @@ pub struct Session<'a> {
     /// Of each pixel, where the client says nothing about it.
     pub samples: u32,
     /// Takes messages with pictures; whether the client is still there.
-    pub send: &'a mut dyn FnMut(Vec<u8>) -> bool,
+    pub send: &'a mut (dyn FnMut(Vec<u8>) -> bool + Send),
+}
+
+/// Pixels on their way to become a message: a film, or what a screen shows of it.
+struct Passed<T> {
+    head: Head,
+    pixels: T,
+    packing: Packing,
 }
 
 /// How far the pictures of a view are.
@@ -125,16 +134,92 @@ enum Step {
     Leave,
 }
 
+/// How long a stage took for a pixel of the last picture, nanoseconds; 0 before there was one.
+#[derive(Default)]
+struct Pace(AtomicU64);
+
+impl Pace {
+    fn set(&self, time: Duration, width: u32, height: u32) {
+        let pixels = (f64::from(width) * f64::from(height)).max(1.0);
+        self.0.store((time.as_secs_f64() * 1e9 / pixels).ceil() as u64, Ordering::Relaxed);
+    }
+
+    /// Most pixels that it takes for a picture of a view that moves.
+    fn most_pixels(&self) -> f64 {
+        MOVING.as_secs_f64() * 1e9 / self.0.load(Ordering::Relaxed).max(1) as f64
+    }
+}
+
 impl Session<'_> {
-    /// Works until the client has left.
-    pub fn run(mut self) -> Result<(), SessionError> {
+    /// Works until the client has left. While a picture is traced, the one before it becomes colours, and the one before that a file.
+    pub fn run(self) -> Result<(), SessionError> {
+        let Self { scene, tracer, client, samples, send } = self;
+        let (developing, packing) = (Pace::default(), Pace::default());
+        std::thread::scope(|scope| {
+            let (films, traced) = sync_channel(1);
+            let (pictures, developed) = sync_channel(1);
+            scope.spawn(|| develop(traced, pictures, &developing));
+            let packer = scope.spawn(|| pack(developed, &packing, send));
+            let mut tracing = Tracing { scene, tracer, client, samples, films, paces: [&developing, &packing] };
+            let done = tracing.run();
+            drop(tracing);
+            done.and(packer.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)))
+        })
+    }
+}
+
+/// Makes what a screen shows of films, until there are no more or nobody takes it.
+fn develop(films: Receiver<Passed<Film>>, pictures: SyncSender<Passed<Shown>>, pace: &Pace) {
+    for Passed { head, pixels: film, packing } in films {
+        let start = Instant::now();
+        let pixels = Shown::new(film.width, film.height, |index| film.pixels[index].mean());
+        pace.set(start.elapsed(), film.width, film.height);
+        if pictures.send(Passed { head, pixels, packing }).is_err() {
+            break;
+        }
+    }
+}
+
+/// Makes messages of pictures and sends them, until there are no more or the client is gone.
+fn pack(
+    pictures: Receiver<Passed<Shown>>,
+    pace: &Pace,
+    send: &mut (dyn FnMut(Vec<u8>) -> bool + Send),
+) -> Result<(), SessionError> {
+    for Passed { head, pixels: shown, packing } in pictures {
+        let start = Instant::now();
+        let message = packed(head, &shown, packing)?;
+        if packing != Packing::Lossless {
+            pace.set(start.elapsed(), shown.width, shown.height);
+        }
+        if !send(message) {
+            break;
+        }
+    }
+    Ok(())
+}
+
+/// The part of a session that traces.
+struct Tracing<'a> {
+    scene: &'a PackedScene,
+    tracer: &'a mut dyn Tracer,
+    client: &'a Client,
+    samples: u32,
+    films: SyncSender<Passed<Film>>,
+    /// Of what follows.
+    paces: [&'a Pace; 2],
+}
+
+impl Tracing<'_> {
+    fn run(&mut self) -> Result<(), SessionError> {
         let (mut standing, mut sent, mut speed) = (None, 0, Speed::default());
         loop {
             match self.next(standing.as_ref()) {
                 Step::Leave => return Ok(()),
                 Step::Move(view) => {
                     let frame = view.frame(self.scene, self.samples)?;
-                    let quick = speed.quick(&frame);
+                    let most = self.paces.map(Pace::most_pixels);
+                    let quick = speed.quick(&frame, most[0].min(most[1]));
                     if !self.trace(&quick, Work::Quick, &view, &mut speed)? {
                         continue;
                     }
@@ -214,15 +299,12 @@ impl Session<'_> {
         Ok(!progress.is_cancelled())
     }
 
-    /// Sends the tracer's film; whether the client is still there.
+    /// Hands the tracer's film on; whether the client is still there.
     fn send(&mut self, head: Head, frame: &Frame, packing: Packing) -> Result<bool, SessionError> {
         let mut film = Film::new(frame.width, frame.height, frame.region, frame.first_sample);
         self.tracer.read(&mut film)?;
-        let shown = Shown::new(frame.width, frame.height, |index| film.pixels[index].mean());
-        drop(film);
-        let message = packed(head, &shown, packing)?;
         self.client.lock().unshown += 1;
-        Ok((self.send)(message))
+        Ok(self.films.send(Passed { head, pixels: film, packing }).is_ok())
     }
 }
 
@@ -244,11 +326,11 @@ impl Speed {
         }
     }
 
-    /// The frame as fine as there is time for while the view moves.
-    fn quick(&self, frame: &Frame) -> Frame {
+    /// The frame as fine as there is time for while the view moves, and of at most so many pixels.
+    fn quick(&self, frame: &Frame, most_pixels: f64) -> Frame {
         let pixels = f64::from(frame.width) * f64::from(frame.height);
         let most = self.0 * MOVING.as_secs_f64();
-        let scale = (pixels / most).sqrt().clamp(1.0, COARSEST);
+        let scale = (pixels / most.min(most_pixels)).sqrt().clamp(1.0, COARSEST);
         let length = |length: u32| ((f64::from(length) / scale).round() as u32).max(1);
         let samples = ((most / pixels) as u32).clamp(1, MOST_MOVING_SAMPLES.min(frame.samples));
         frame.clone().size(length(frame.width), length(frame.height)).samples(samples)
@@ -279,7 +361,7 @@ mod tests {
     }
 
     /// Runs a session while `client_does` is done with its pictures.
-    fn with_session(client_does: impl FnOnce(&Client, &std::sync::mpsc::Receiver<Vec<u8>>)) {
+    fn with_session(client_does: impl FnOnce(&Client, &Receiver<Vec<u8>>)) {
         let scene = Arc::new(PackedScene::pack(&voxtrace::scenes::generate("city", Some(20_000)).unwrap()).unwrap());
         let (client, (sender, pictures)) = (Client::default(), channel());
         std::thread::scope(|scope| {
@@ -335,16 +417,15 @@ mod tests {
     }
 
     #[test]
-    fn a_client_that_shows_nothing_gets_two_pictures_however_much_it_moves() {
+    fn a_client_that_shows_nothing_gets_three_pictures_however_much_it_moves() {
         with_session(|client, pictures| {
             for id in 0..50 {
                 client.show(view(id, 4));
                 std::thread::sleep(Duration::from_millis(5));
             }
-            let count = |pictures: &std::sync::mpsc::Receiver<Vec<u8>>| {
-                std::iter::from_fn(|| pictures.recv_timeout(2 * SETTLED).ok()).count()
-            };
-            assert_eq!(count(pictures), 2);
+            let count =
+                |pictures: &Receiver<Vec<u8>>| std::iter::from_fn(|| pictures.recv_timeout(2 * SETTLED).ok()).count();
+            assert_eq!(count(pictures), 3);
             client.acknowledge();
             assert_eq!(count(pictures), 1);
         });
