@@ -5,7 +5,7 @@
 export const MOST_KEPT = 512 * 2 ** 20;
 /** Bytes that wait to be written before whoever fetches more waits as well. */
 const MOST_WAITING = 16 * 2 ** 20;
-/** How long the file system may take for one part, milliseconds, and how often it may take longer: in Chromium one of a few thousand writes never ends. */
+/** How long the file system may take for one part, milliseconds, and how often it may take longer: in Chromium 156 one of a few thousand writes never ends. */
 const PATIENCE = 3000;
 const MOST_LATE = 3;
 const FOLDER = "voxtrace";

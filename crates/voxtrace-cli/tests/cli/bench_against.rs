@@ -15,15 +15,10 @@ fn a_program_against_itself_takes_as_long_and_says_of_each_round_how_quiet_it_wa
     let json: Value = serde_json::from_str(&json).unwrap();
     assert_eq!((&json["rounds"], json["cells"].as_array().map(Vec::len)), (&3.into(), Some(1)), "{json}");
     let cell = &json["cells"][0];
+    // Whatever else the machine does; the planted program below takes ten times as long.
     let ratio = cell["ratio"].as_f64().unwrap();
-    let quiet = cell["quiet_rounds"].as_u64().unwrap();
-    assert!(quiet <= 3 && cell["ratio_95"].is_array(), "{json}");
-    // The planted program below takes ten times as long. Where no round was quiet nothing is known, and that is said.
-    if quiet == 0 {
-        assert_eq!(cell["outcome"], "no verdict", "{json}");
-    } else {
-        assert!((0.33..3.0).contains(&ratio), "{json}");
-    }
+    assert!((0.33..3.0).contains(&ratio) && cell["ratio_95"].is_array(), "{json}");
+    assert!(cell["quiet_rounds"].as_u64().is_some_and(|quiet| quiet <= 3));
     for round in ["round-1-a", "round-2-b", "round-3-a"] {
         let results: Value = serde_json::from_slice(&folder.bytes(&format!("out/{round}/results.json"))).unwrap();
         assert_eq!((&results["complete"], &results["settings"]["frames"]), (&true.into(), &30.into()), "{results}");
