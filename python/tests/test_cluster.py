@@ -1,5 +1,6 @@
 """Pictures by many workers: the same bytes as one process gives, whatever happens to the workers."""
 
+import contextlib
 import os
 import pickle
 import signal
@@ -120,8 +121,38 @@ def test_workers_may_be_lost_and_may_stand_still(client, church):
         image = dask.render(client, church, parts=20, **options)
     finally:
         thread.join()
-        os.kill(paused, signal.SIGCONT)
+        # It may have been given up for lost, and ended, meanwhile.
+        with contextlib.suppress(ProcessLookupError):
+            os.kill(paused, signal.SIGCONT)
     assert image.to_bytes() == alone.to_bytes()
+
+
+def test_a_worker_that_stands_still_with_what_it_made_holds_nobody_up(client):
+    from voxtrace.dask import _sharing
+
+    processes = client.run(os.getpid)
+    paused = None
+
+    def submit(parts, workers):
+        nonlocal paused
+        begun = {
+            client.submit(lambda part: (_sharing.address_of_worker(), part), part, pure=False, **_sharing.elsewhere(workers)): part
+            for part in parts
+        }
+        if paused is None:
+            distributed.wait(list(begun))
+            (holder, *_) = client.who_has(list(begun))[next(iter(begun)).key]
+            paused = processes[holder]
+            os.kill(paused, signal.SIGSTOP)
+        return begun
+
+    made = {}
+    try:
+        _sharing.gathered(client, submit, list(range(8)), made.__setitem__, None)
+    finally:
+        with contextlib.suppress(ProcessLookupError):
+            os.kill(paused, signal.SIGCONT)
+    assert made == {part: part for part in range(8)}
 
 
 def test_frames_of_an_animation_are_those_of_one_process(client, tmp_path, church):

@@ -21,6 +21,9 @@ PATIENCE = 3.0
 #: The same, in seconds, before the first part is there.
 FIRST_PATIENCE = 30.0
 
+#: Seconds between two looks for results.
+GLANCE = 0.01
+
 #: Parts for each worker, so that quick ones take more of them.
 PARTS_A_WORKER = 4
 
@@ -61,23 +64,21 @@ def gathered(
     """
     from dask import distributed
 
-    # It has no types.
-    wait: Any = distributed.wait
     waiting = submit(parts, []) if parts else {}
+    # Gives each result once it is here, so that a worker that stands still with what it has made holds up no other's. It has no types.
+    results: Any = distributed.as_completed(list(waiting), with_results=True)
     there: set[int] = set()
     alive: set[str] = set()
     took: deque[float] = deque(maxlen=64)
     last = time.monotonic()
     try:
         while len(there) < len(parts):
-            try:
-                done = wait(list(waiting), timeout=1.0, return_when="FIRST_COMPLETED").done
-            except TimeoutError:
-                done = set()
-            for future in done:
+            come = results.next_batch(block=False)
+            if not come:
+                time.sleep(GLANCE)
+            for future, (worker, made) in come:
                 part = waiting.pop(future)
                 if part not in there:
-                    worker, made = future.result()
                     take(part, made)
                     there.add(part)
                     alive.add(worker)
@@ -91,7 +92,9 @@ def gathered(
             is_late = time.monotonic() - last > patience
             # Once for each silence: nobody is asked for the same again and again.
             if rest and is_late:
-                waiting |= submit(rest, sorted(alive))
+                again = submit(rest, sorted(alive))
+                results.update(list(again))
+                waiting |= again
                 alive.clear()
                 last = time.monotonic()
     finally:

@@ -23,6 +23,9 @@ use turn::Longest;
 const HANG: Duration = Duration::from_secs(20);
 /// A turn of the window's thread that takes longer by itself is felt as one that hangs.
 const FELT: Duration = Duration::from_millis(250);
+/// Runs that may have such a turn, one after the other, until it is the program's and not the machine's: other threads of the window, which a turn
+/// waits for, wait for a processor where other programs have them all, and the kernel does not say of which wait that was.
+const FELT_AGAIN: usize = 3;
 
 /// Time between two looks at the memory.
 const BETWEEN_LOOKS: Duration = Duration::from_secs(1);
@@ -119,13 +122,6 @@ fn soak(seed: u64, time: Duration, slack: u64, lights: bool, plant: Plant) -> Op
     if plant == Plant::Nothing {
         report(seed, &counts, &curve);
     }
-    let longest = &counts.longest;
-    if longest.took > FELT {
-        return Some(Err(format!(
-            "seed {seed}: a turn takes {:?} at {:?}: {}",
-            longest.took, longest.at, longest.what
-        )));
-    }
     // The first half warms up. Scenes come and go: of the third and the last quarter what is needed at least is compared.
     let quarter = curve.len() / 4;
     let floor = |part: &[Memory]| part.iter().map(|memory| memory.needed).min().unwrap_or(0);
@@ -174,10 +170,18 @@ fn random_events_find_no_fault_and_planted_faults_are_found() {
     // Within seconds caches of the driver still fill, and a quarter of them may have one large scene.
     let slack = if minutes.is_some() { 24 << 20 } else { 128 << 20 };
     let lights = setting("VOXTRACE_SOAK_LIGHT").is_some_and(|on| on > 0.0);
-    let Some(result) = soak(seed, time, slack, lights, Plant::Nothing) else { return };
-    let counts = result.unwrap();
-    assert!(counts.events > 10 && counts.frames > 1, "{counts:?}");
-    assert!(!lights || counts.lit > 1, "no picture in real-time light: {counts:?}");
+    for run in 1.. {
+        let Some(result) = soak(seed, time, slack, lights, Plant::Nothing) else { return };
+        let counts = result.unwrap();
+        assert!(counts.events > 10 && counts.frames > 1, "{counts:?}");
+        assert!(!lights || counts.lit > 1, "no picture in real-time light: {counts:?}");
+        let longest = &counts.longest;
+        if longest.took <= FELT {
+            break;
+        }
+        // Who measures for minutes has a quiet machine.
+        assert!(run < FELT_AGAIN && minutes.is_none(), "seed {seed}: in {run} runs a turn that is felt: {longest:?}");
+    }
 
     let found = soak(seed, Duration::from_secs(20), slack, false, Plant::Leak(128e6)).unwrap();
     assert!(found.as_ref().is_err_and(|error| error.contains("memory grows")), "{found:?}");

@@ -4,7 +4,6 @@ use crate::common::panel::{choose, click, panels};
 use crate::common::{SIZE, house, in_room, said};
 use egui_kittest::kittest::Queryable;
 use std::sync::Arc;
-use std::time::{Duration, Instant};
 use voxtrace::glam::{IVec3, Vec2, Vec3};
 use voxtrace::scene::Layer;
 use voxtrace::{Material, PackedScene, Scene, Transform, VoxelGrid};
@@ -100,7 +99,7 @@ fn crowd() -> PackedScene {
 }
 
 #[test]
-fn ten_thousand_objects_are_listed_without_a_wait() {
+fn of_ten_thousand_objects_those_in_sight_are_made() {
     let mut session = Session::new(voxtrace_vulkan::Traversal::Cpu);
     session.resize(SIZE.0, SIZE.1);
     session.show("crowd.vxt".into(), Arc::new(crowd()));
@@ -108,15 +107,16 @@ fn ten_thousand_objects_are_listed_without_a_wait() {
     click(&mut harness, "Parts");
     assert!(harness.query_by_label("layer 0: row 0").is_some());
     assert!(harness.query_by_label("object 9999: no. 9999").is_none(), "what is in sight is made alone");
-    let start = Instant::now();
+    // Counted, as times are the machine's: what is made for a frame is what one sees, also where all that is found is listed.
+    let made = |harness: &egui_kittest::Harness<'_, _>| harness.root().children_recursive().count();
     harness.run_steps(5);
-    // A machine that is busy has its time; all of them would take minutes here.
-    let frame = start.elapsed() / 5;
-    assert!(frame < Duration::from_millis(800), "{frame:?} a frame");
-    let start = Instant::now();
+    assert!((50..600).contains(&made(&harness)), "{} nodes a frame", made(&harness));
+    harness.state_mut().outliner.search = "no.".into();
+    harness.run_steps(3);
+    assert!((50..600).contains(&made(&harness)), "{} nodes a frame", made(&harness));
     harness.state_mut().outliner.search = "no. 777".into();
     harness.run_steps(3);
-    assert!(harness.query_by_label("object 7770: no. 7770").is_some() && start.elapsed() < Duration::from_secs(2));
+    assert!(harness.query_by_label("object 7770: no. 7770").is_some());
     let tree = harness.state_mut().outline_rows().unwrap();
     assert_eq!(tree.rows.iter().filter(|row| matches!(row.part, Part::Object(_))).count(), 11, "each once");
 }
