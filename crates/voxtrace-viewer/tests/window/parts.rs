@@ -2,7 +2,7 @@
 
 use crate::common::panel::{choose, click, panels};
 use crate::common::{SIZE, house, in_room, said};
-use egui_kittest::kittest::Queryable;
+use egui_kittest::kittest::{NodeT, Queryable};
 use std::sync::Arc;
 use voxtrace::glam::{IVec3, Vec2, Vec3};
 use voxtrace::scene::Layer;
@@ -108,7 +108,7 @@ fn of_ten_thousand_objects_those_in_sight_are_made() {
     assert!(harness.query_by_label("layer 0: row 0").is_some());
     assert!(harness.query_by_label("object 9999: no. 9999").is_none(), "what is in sight is made alone");
     // Counted, as times are the machine's: what is made for a frame is what one sees, also where all that is found is listed.
-    let made = |harness: &egui_kittest::Harness<'_, _>| harness.root().children_recursive().count();
+    let made = |harness: &egui_kittest::Harness<'_, Session>| harness.root().children_recursive().count();
     harness.run_steps(5);
     assert!((50..600).contains(&made(&harness)), "{} nodes a frame", made(&harness));
     harness.state_mut().outliner.search = "no.".into();
