@@ -10,7 +10,7 @@ use std::path::PathBuf;
 use voxtrace::denoise::Features;
 use voxtrace::film::{AovPixel, Pixel};
 use voxtrace::glam::Vec3;
-use voxtrace::output::{Denoised, FilmFile, Operator, SceneStamp, ToneMap};
+use voxtrace::output::{Denoised, FilmFile, Operator, SceneStamp, ToneBytes, ToneMap};
 use voxtrace::{Film, Picture, RenderError};
 use voxtrace_oidn::{Oidn, OidnError};
 
@@ -114,9 +114,8 @@ impl PyImage {
     /// What a screen shows: sRGB, shape `(H, W, 3)`, uint8. `exposure` in stops; `tone_map`: `"agx"`, `"neutral"`, `"reinhard"` or `"linear"`.
     #[pyo3(signature = (*, exposure=0.0, tone_map="agx"))]
     fn to_srgb<'py>(&self, py: Python<'py>, exposure: f32, tone_map: &str) -> PyResult<Bound<'py, PyArray3<u8>>> {
-        let tone = tone_of(exposure, tone_map)?;
-        let byte = |mean: Vec3| tone.signal(mean).to_array().map(|channel| (channel * 255.0).round() as u8);
-        self.array(py, self.means().into_iter().map(byte))
+        let tone = ToneBytes::new(tone_of(exposure, tone_map)?);
+        self.array(py, self.means().into_iter().map(|mean| tone.of(mean)))
     }
 
     /// As numpy wants it: `to_srgb()`.

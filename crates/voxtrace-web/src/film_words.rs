@@ -3,7 +3,7 @@
 
 use voxtrace_core::film::{Film, Pixel};
 use voxtrace_core::frame::Frame;
-use voxtrace_io::output::{Operator, ToneMap};
+use voxtrace_io::output::{Operator, ToneBytes, ToneMap};
 use wasm_bindgen::prelude::*;
 
 /// The words of a film's pixels.
@@ -40,10 +40,10 @@ pub fn shown(words: &[u8], operator: &str, exposure: f32) -> Result<Vec<u8>, JsE
     if !words.len().is_multiple_of(PIXEL) {
         return Err(JsError::new("the film's words are not those of whole pixels"));
     }
-    let map = ToneMap { operator, exposure };
+    let tone = ToneBytes::new(ToneMap { operator, exposure });
     let pixels = words.chunks_exact(PIXEL).flat_map(|words| {
         let pixel: Pixel = bytemuck::pod_read_unaligned(words);
-        let [red, green, blue] = map.signal(pixel.mean()).to_array().map(|value| (value * 255.0).round() as u8);
+        let [red, green, blue] = tone.of(pixel.mean());
         [red, green, blue, u8::MAX]
     });
     Ok(pixels.collect())

@@ -15,6 +15,7 @@ mod metadata;
 mod picture;
 #[cfg(feature = "pictures")]
 mod png;
+mod tone_bytes;
 mod tone_map;
 
 #[cfg(feature = "pictures")]
@@ -26,5 +27,6 @@ pub use metadata::Metadata;
 pub use picture::{Denoised, PictureFormat, PictureOptions};
 #[cfg(feature = "pictures")]
 pub use png::{PngDepth, PngOptions, write_png};
+pub use tone_bytes::ToneBytes;
 pub use tone_map::{Operator, ToneMap};
 pub use voxtrace_core::atomic_file::{check_writable, write_atomically};

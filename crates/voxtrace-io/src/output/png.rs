@@ -1,8 +1,8 @@
 //! PNG pictures (W3C PNG, third edition): 8 or 16 bits a channel, sRGB, straight alpha where the background is
 //! transparent, and what is known about the picture as text chunks.
 
-use super::{Metadata, ToneMap};
-use glam::{DVec3, Vec3};
+use super::{Metadata, ToneBytes, ToneMap};
+use glam::Vec3;
 use rayon::prelude::*;
 use std::io::{self, Write};
 use voxtrace_core::Film;
@@ -71,17 +71,22 @@ pub fn write(
 fn samples(film: &Film, denoised: Option<&[Vec3]>, options: &PngOptions) -> Vec<u8> {
     let channels = if options.alpha { 4 } else { 3 };
     let bytes = if options.depth == PngDepth::Sixteen { 2 } else { 1 };
+    let tone = ToneBytes::new(options.tone_map);
     let mut samples = vec![0; film.pixels.len() * channels * bytes];
     samples.par_chunks_exact_mut(channels * bytes).zip(&film.pixels).enumerate().for_each(|(index, (out, pixel))| {
         let radiance = denoised.map_or_else(|| pixel.mean(), |denoised| denoised[index]);
         let alpha = if options.alpha { pixel.alpha() } else { 1.0 };
         // Straight alpha: the colour of what covers the pixel, not darkened by how little of it that is.
-        let color = if alpha > 0.0 { options.tone_map.signal(radiance / alpha) } else { DVec3::ZERO };
-        for (out, value) in out.chunks_exact_mut(bytes).zip(color.to_array().into_iter().chain([f64::from(alpha)])) {
-            match out {
-                [byte] => *byte = (value * 255.0).round() as u8,
-                word => word.copy_from_slice(&((value * 65_535.0).round() as u16).to_be_bytes()),
+        let color = if alpha > 0.0 { radiance / alpha } else { Vec3::ZERO };
+        if options.depth == PngDepth::Sixteen {
+            let signal = options.tone_map.signal(color).to_array().into_iter().chain([f64::from(alpha)]);
+            for (out, value) in out.chunks_exact_mut(2).zip(signal) {
+                out.copy_from_slice(&((value * 65_535.0).round() as u16).to_be_bytes());
             }
+        } else {
+            let [red, green, blue] = tone.of(color);
+            let opacity = (alpha * 255.0).round() as u8;
+            out.copy_from_slice(&[red, green, blue, opacity][..channels]);
         }
     });
     samples

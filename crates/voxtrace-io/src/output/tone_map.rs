@@ -4,6 +4,7 @@
 //! `docs/decisions/0001-tone-mapping.md` says why it is the default.
 
 use glam::{DVec3, Vec3};
+use std::sync::LazyLock;
 use voxtrace_scene::material::encode_srgb;
 
 /// How a film becomes visible: an exposure and an operator.
@@ -55,20 +56,35 @@ impl ToneMap {
     pub fn signal(&self, radiance: Vec3) -> DVec3 {
         // f64 throughout: library functions of different systems differ in the last bit, and here that stays far below
         // what rounding to 16 bits can see.
-        let exposed = radiance.as_dvec3().max(DVec3::ZERO) * f64::from(self.exposure).exp2();
-        let exposed = DVec3::select(exposed.is_nan_mask(), DVec3::ZERO, exposed).min(DVec3::splat(1e30));
+        let exposed = exposed(radiance, self.gain());
         let display = match self.operator {
-            Operator::Agx => agx(exposed),
+            Operator::Agx => agx(exposed, agx_curve),
             Operator::Neutral => neutral(exposed),
             Operator::Reinhard => exposed / (1.0 + exposed.dot(LUMINANCE)),
             Operator::Linear => exposed,
         };
         display.map(encode_srgb)
     }
+
+    /// The signal as bytes; of many pixels [`super::ToneBytes`] gives the same sooner.
+    pub fn bytes(&self, radiance: Vec3) -> [u8; 3] {
+        self.signal(radiance).to_array().map(|value| (value * 255.0).round() as u8)
+    }
+
+    /// The factor on the radiance.
+    pub(super) fn gain(&self) -> f64 {
+        f64::from(self.exposure).exp2()
+    }
+}
+
+/// What is shown of a radiance: finite, not negative, and black where it is not a number.
+pub(super) fn exposed(radiance: Vec3, gain: f64) -> DVec3 {
+    let exposed = radiance.as_dvec3().max(DVec3::ZERO) * gain;
+    DVec3::select(exposed.is_nan_mask(), DVec3::ZERO, exposed).min(DVec3::splat(1e30))
 }
 
 /// Luminance of linear Rec. 709.
-const LUMINANCE: DVec3 = DVec3::new(0.2126, 0.7152, 0.0722);
+pub(super) const LUMINANCE: DVec3 = DVec3::new(0.2126, 0.7152, 0.0722);
 
 /// Share by which colours move towards grey before the curve, and away from it after.
 const GREY_BEFORE: f64 = 0.20;
@@ -85,34 +101,53 @@ const BEND_BRIGHT: f64 = 2.5;
 /// The curve yields a signal of this power law.
 const GAMMA: f64 = 2.2;
 
-fn agx(linear: DVec3) -> DVec3 {
+/// The operator, around a curve of the light of each channel.
+pub(super) fn agx(linear: DVec3, curve: impl Fn(f64) -> f64) -> DVec3 {
     let grey = |color: DVec3| DVec3::splat(color.element_sum() / 3.0);
     let inset = linear.lerp(grey(linear), GREY_BEFORE);
-    let curved = inset.map(|value| {
-        let stops = (value.max(1e-10) / MIDDLE_GREY).log2();
-        s_curve(((stops + STOPS_BELOW) / (STOPS_BELOW + STOPS_ABOVE)).clamp(0.0, 1.0)).powf(GAMMA)
-    });
+    let curved = inset.map(curve);
     // The inverse of a lerp towards grey, which keeps grey where it is.
     ((curved - grey(curved) * GREY_AFTER) / (1.0 - GREY_AFTER)).clamp(DVec3::ZERO, DVec3::ONE)
+}
+
+/// The curve of AgX: of the light of a channel, what a screen is to show.
+pub(super) fn agx_curve(light: f64) -> f64 {
+    let stops = (light.max(1e-10) / MIDDLE_GREY).log2();
+    s_curve(((stops + STOPS_BELOW) / (STOPS_BELOW + STOPS_ABOVE)).clamp(0.0, 1.0)).powf(GAMMA)
+}
+
+/// The s-curve's parameters below and above its pivot.
+static SIDES: LazyLock<[Side; 2]> = LazyLock::new(|| {
+    let (pivot_x, pivot_y) = (STOPS_BELOW / (STOPS_BELOW + STOPS_ABOVE), MIDDLE_GREY.powf(1.0 / GAMMA));
+    let side = |room_x: f64, room_y: f64, sign: f64, bend: f64| {
+        let reach = SLOPE * room_x;
+        let scale = reach / ((reach / room_y).powf(bend) - 1.0).powf(1.0 / bend);
+        Side { pivot_x, pivot_y, sign, scale, bend }
+    };
+    [side(pivot_x, pivot_y, -1.0, BEND_DARK), side(1.0 - pivot_x, 1.0 - pivot_y, 1.0, BEND_BRIGHT)]
+});
+
+/// One side of the s-curve.
+struct Side {
+    pivot_x: f64,
+    pivot_y: f64,
+    sign: f64,
+    scale: f64,
+    bend: f64,
 }
 
 /// Maps [0, 1] onto [0, 1], steepest in the pivot (middle grey), with ends `u / (1 + uᵖ)^(1/p)` that are scaled so that
 /// they reach 0 and 1 exactly.
 fn s_curve(x: f64) -> f64 {
-    let pivot_x = STOPS_BELOW / (STOPS_BELOW + STOPS_ABOVE);
-    let pivot_y = MIDDLE_GREY.powf(1.0 / GAMMA);
-    let (room_x, room_y, side, bend) = match x < pivot_x {
-        true => (pivot_x, pivot_y, -1.0, BEND_DARK),
-        false => (1.0 - pivot_x, 1.0 - pivot_y, 1.0, BEND_BRIGHT),
-    };
-    let reach = SLOPE * room_x;
-    let scale = reach / ((reach / room_y).powf(bend) - 1.0).powf(1.0 / bend);
+    let [dark, bright] = &*SIDES;
+    let Side { pivot_x, pivot_y, sign, scale, bend } = if x < dark.pivot_x { dark } else { bright };
     let u = SLOPE * (x - pivot_x).abs() / scale;
-    pivot_y + side * scale * u / (1.0 + u.powf(bend)).powf(1.0 / bend)
+    // The dark end is 0 but for rounding, and powers of less are no numbers.
+    (pivot_y + sign * scale * u / (1.0 + u.powf(*bend)).powf(1.0 / bend)).max(0.0)
 }
 
 /// The Khronos PBR Neutral tone mapper (Khronos 3D Commerce working group, 2024, specification 1.0).
-fn neutral(linear: DVec3) -> DVec3 {
+pub(super) fn neutral(linear: DVec3) -> DVec3 {
     const START: f64 = 0.8 - 0.04;
     const DESATURATION: f64 = 0.15;
     let least = linear.min_element();
@@ -163,6 +198,15 @@ mod tests {
     fn middle_grey_stays_middle_grey_under_agx() {
         let signal = map(Operator::Agx).signal(Vec3::splat(0.18)).x;
         assert!((signal - encode_srgb(0.18)).abs() < 1e-3, "{signal}");
+    }
+
+    #[test]
+    fn a_channel_without_light_does_not_darken_the_others() {
+        for operator in Operator::ALL {
+            let pure = map(operator).signal(Vec3::new(0.004, 0.0, 0.0));
+            let mixed = map(operator).signal(Vec3::new(0.004, 0.0004, 0.0004));
+            assert!(pure.x > 2.5 / 255.0 && pure.x > 0.7 * mixed.x, "{operator:?}: {pure} {mixed}");
+        }
     }
 
     #[test]
