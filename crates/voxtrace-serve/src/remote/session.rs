@@ -20,6 +20,9 @@ const SETTLED: Duration = Duration::from_millis(200);
 /// Most samples of a picture of a view that moves, and how much smaller than asked for it may be.
 const MOST_MOVING_SAMPLES: u32 = 8;
 const COARSEST: f64 = 10.0;
+/// Steps between sizes of such pictures, and how much too large one may be before the next smaller comes.
+const STEP: f64 = 1.2;
+const OVER: f64 = 1.05;
 /// Quality of pictures of views that move, and of those that gather light.
 const MOVING_QUALITY: u8 = 78;
 const STANDING_QUALITY: u8 = 90;
@@ -158,9 +161,10 @@ impl Session<'_> {
         std::thread::scope(|scope| {
             let (films, traced) = sync_channel(1);
             let (pictures, developed) = sync_channel(1);
-            scope.spawn(|| develop(traced, pictures, &developing));
+            let (spares, spare) = sync_channel(2);
+            scope.spawn(|| develop(traced, pictures, spares, &developing));
             let packer = scope.spawn(|| pack(developed, &packing, send));
-            let mut tracing = Tracing { scene, tracer, client, samples, films, paces: [&developing, &packing] };
+            let mut tracing = Tracing { scene, tracer, client, samples, films, spare, paces: [&developing, &packing] };
             let done = tracing.run();
             drop(tracing);
             done.and(packer.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)))
@@ -168,12 +172,15 @@ impl Session<'_> {
     }
 }
 
-/// Makes what a screen shows of films, until there are no more or nobody takes it.
-fn develop(films: Receiver<Passed<Film>>, pictures: SyncSender<Passed<Shown>>, pace: &Pace) {
+/// Makes what a screen shows of films, until there are no more or nobody takes it. Films go back as spare ones: memory that nobody has had yet takes
+/// the system longer to give than a picture to be read.
+fn develop(films: Receiver<Passed<Film>>, pictures: SyncSender<Passed<Shown>>, spares: SyncSender<Film>, pace: &Pace) {
     for Passed { head, pixels: film, packing } in films {
         let start = Instant::now();
         let pixels = Shown::new(film.width, film.height, |index| film.pixels[index].mean());
         pace.set(start.elapsed(), film.width, film.height);
+        // There are enough of them, or nobody traces any more.
+        let _ = spares.try_send(film);
         if pictures.send(Passed { head, pixels, packing }).is_err() {
             break;
         }
@@ -206,6 +213,8 @@ struct Tracing<'a> {
     client: &'a Client,
     samples: u32,
     films: SyncSender<Passed<Film>>,
+    /// Films that nobody needs any more.
+    spare: Receiver<Film>,
     /// Of what follows.
     paces: [&'a Pace; 2],
 }
@@ -301,19 +310,25 @@ impl Tracing<'_> {
 
     /// Hands the tracer's film on; whether the client is still there.
     fn send(&mut self, head: Head, frame: &Frame, packing: Packing) -> Result<bool, SessionError> {
-        let mut film = Film::new(frame.width, frame.height, frame.region, frame.first_sample);
+        let anew = |_| Film::new(frame.width, frame.height, frame.region, frame.first_sample);
+        let mut film = self.spare.try_recv().unwrap_or_else(anew);
         self.tracer.read(&mut film)?;
         self.client.lock().unshown += 1;
         Ok(self.films.send(Passed { head, pixels: film, packing }).is_ok())
     }
 }
 
-/// Samples of pixels that the tracer makes in a second, as measured.
-struct Speed(f64);
+/// How fast the tracer is, as measured, and how fine pictures are for that.
+struct Speed {
+    /// Samples of pixels in a second.
+    samples: f64,
+    /// How much smaller than asked for the last picture of a view that moves was.
+    scale: f64,
+}
 
 impl Default for Speed {
     fn default() -> Self {
-        Self(1e6)
+        Self { samples: 1e6, scale: COARSEST }
     }
 }
 
@@ -322,16 +337,20 @@ impl Speed {
         // Of short renders most is not tracing.
         if samples > 1000 {
             let seen = samples as f64 / time.as_secs_f64().max(1e-4);
-            self.0 = 0.5 * self.0 + 0.5 * seen;
+            self.samples = 0.5 * self.samples + 0.5 * seen;
         }
     }
 
-    /// The frame as fine as there is time for while the view moves, and of at most so many pixels.
-    fn quick(&self, frame: &Frame, most_pixels: f64) -> Frame {
+    /// The frame as fine as there is time for while the view moves, and of at most so many pixels. Sizes are steps that stay: films of another size are
+    /// made anew, and a picture whose size wavers is not quiet.
+    fn quick(&mut self, frame: &Frame, most_pixels: f64) -> Frame {
         let pixels = f64::from(frame.width) * f64::from(frame.height);
-        let most = self.0 * MOVING.as_secs_f64();
+        let most = self.samples * MOVING.as_secs_f64();
         let scale = (pixels / most.min(most_pixels)).sqrt().clamp(1.0, COARSEST);
-        let length = |length: u32| ((f64::from(length) / scale).round() as u32).max(1);
+        if scale > self.scale * OVER || scale < self.scale / STEP / OVER {
+            self.scale = STEP.powf(scale.log(STEP).ceil()).min(COARSEST);
+        }
+        let length = |length: u32| ((f64::from(length) / self.scale).round() as u32).max(1);
         let samples = ((most / pixels) as u32).clamp(1, MOST_MOVING_SAMPLES.min(frame.samples));
         frame.clone().size(length(frame.width), length(frame.height)).samples(samples)
     }
@@ -339,7 +358,7 @@ impl Speed {
     /// Samples that the film of a view that stands has next: at most twice as many.
     fn more(&self, frame: &Frame, samples: u32) -> u32 {
         let pixels = f64::from(frame.width) * f64::from(frame.height);
-        let more = (self.0 * STANDING.as_secs_f64() / pixels) as u32;
+        let more = (self.samples * STANDING.as_secs_f64() / pixels) as u32;
         (samples + more.clamp(1, samples.max(1))).min(frame.samples)
     }
 }
@@ -429,6 +448,30 @@ mod tests {
             client.acknowledge();
             assert_eq!(count(pictures), 1);
         });
+    }
+
+    #[test]
+    fn pictures_are_as_fine_as_there_is_time_for_and_their_size_does_not_waver() {
+        let scene = Arc::new(PackedScene::pack(&voxtrace::scenes::generate("city", Some(20_000)).unwrap()).unwrap());
+        let frame = View { width: 1280, height: 720, ..view(1, 64) }.frame(&scene, 64).unwrap();
+        let mut speed = Speed::default();
+        let mut widths = |samples_a_second: f64, most_pixels: f64| {
+            let wavering = [1.0, 0.97, 1.04, 0.95, 1.02].map(|share| samples_a_second * share);
+            let widths = wavering.map(|samples| {
+                speed.samples = samples;
+                speed.quick(&frame, most_pixels).width
+            });
+            assert!(widths.iter().all(|&width| width == widths[0]), "{widths:?}");
+            widths[0]
+        };
+        let whole = 1280.0 * 720.0 / MOVING.as_secs_f64();
+        assert_eq!(widths(1.5 * whole, f64::MAX), 1280);
+        assert_eq!(widths(1.5 * whole, 1280.0 * 720.0 / 1.44), 1067, "what follows is slower");
+        assert!((600..=740).contains(&widths(whole / 3.0, f64::MAX)));
+        assert_eq!(widths(1.0, f64::MAX), 128);
+        assert_eq!(widths(1.5 * whole, f64::MAX), 1280, "and back");
+        speed.samples = 9.0 * whole;
+        assert_eq!(speed.quick(&frame, f64::MAX).samples, MOST_MOVING_SAMPLES);
     }
 
     #[test]
