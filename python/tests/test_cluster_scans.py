@@ -81,6 +81,18 @@ def test_a_cluster_voxelizes_a_scan_to_the_bytes_of_one_process(client, scan, tm
         made = dask.voxelize(client, scan, tmp_path / f"cluster-{number}.vxt", progress=shares.append, **options)
         assert made.read_bytes() == alone.read_bytes(), options
         assert max(shares) == 1 and not list(tmp_path.glob("*.tiles"))
+    # A header that is wrong costs a second reading.
+    for tile in scan.iterdir():
+        content = bytearray(tile.read_bytes())
+        if tile.name == "tile_0.las":
+            struct.pack_into("<d", content, 187, 689_000)
+        (tmp_path / "wrong").mkdir(exist_ok=True)
+        (tmp_path / "wrong" / tile.name).write_bytes(content)
+    for options in [{"voxel_size": 0.25}, {"voxel_size": 0.5, "color_by": "classification"}]:
+        words = [f"--{name.replace('_', '-')}={value}" for name, value in options.items()]
+        run("voxelize", tmp_path / "wrong", "-o", tmp_path / "wrong.vxt", *words)
+        made = dask.voxelize(client, tmp_path / "wrong", tmp_path / "made.vxt", parts=4, **options)
+        assert made.read_bytes() == (tmp_path / "wrong.vxt").read_bytes() and not list(tmp_path.glob("*.tiles"))
     files = sorted(scan.iterdir())
     made = dask.voxelize(client, files, tmp_path / "files.vxt", voxel_size=0.25, levels="all", parts=2)
     # Named after its first file, where one of a folder has the folder's name.

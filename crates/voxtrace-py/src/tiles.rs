@@ -109,12 +109,37 @@ impl PyTiledCloud {
         found.map(|found| PyBytes::new(py, &found))
     }
 
-    /// Voxelizes some files into a part; returns the number of their points.
-    fn voxelize(&self, py: Python<'_>, survey: &[u8], first: usize, end: usize, path: PathBuf) -> PyResult<u64> {
-        self.writing(py, &path, |cloud, progress| {
+    /// What headers and first points let expect of all files: a survey to make parts with before all points were seen; `None` where that is not enough.
+    fn expected<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyBytes>>> {
+        let expected =
+            self.with(py, |cloud, _| Ok(cloud.expected(&self.options)?.map(|mut survey| survey.to_bytes())))?;
+        Ok(expected.map(|expected| PyBytes::new(py, &expected)))
+    }
+
+    /// Voxelizes some files into a part; returns the number of their points and, where the survey is what was expected, what was found in them.
+    fn voxelize<'py>(
+        &self,
+        py: Python<'py>,
+        survey: &[u8],
+        first: usize,
+        end: usize,
+        path: PathBuf,
+    ) -> PyResult<(u64, Option<Bound<'py, PyBytes>>)> {
+        let part = self.writing(py, &path, |cloud, progress| {
             let survey = TileSurvey::from_bytes(survey)?;
             cloud.voxelize(&survey, first..end, &self.options, &self.limits, &path, progress)
-        })
+        })?;
+        Ok((part.points, part.found.map(|mut found| PyBytes::new(py, &found.to_bytes()))))
+    }
+
+    /// Holds the survey that parts have found against what was expected: that survey, and whether the parts are parts of it.
+    fn bear_out<'py>(&self, py: Python<'py>, found: &[u8], expected: &[u8]) -> PyResult<(Bound<'py, PyBytes>, bool)> {
+        let (survey, is_so) = self.with(py, |_, _| {
+            let mut survey = TileSurvey::from_bytes(found)?;
+            let is_so = survey.bear_out(&TileSurvey::from_bytes(expected)?, &self.options)?;
+            Ok((survey.to_bytes(), is_so))
+        })?;
+        Ok((PyBytes::new(py, &survey), is_so))
     }
 
     /// Makes the file of all parts, with so many levels of detail, or with -1 all; returns the number of voxels.

@@ -42,6 +42,7 @@ def voxelize(
 ) -> Path:
     """Voxelize the LAS and LAZ files (COPC too) of a scan, or of a folder, by the workers of `client` into the `.vxt` file `output`.
 
+    Files are read once where their headers are right, and the voxels' size and what colours them are known beforehand; else once more.
     The file is the one that `voxtrace voxelize` makes with the same options, byte for byte, whatever the workers and whichever of them are lost on the way: one
     that is lost costs the part that it had. Workers read the files themselves, and write what they make into `folder`, by default `output` with `.tiles`: both are
     where all of them and the client see them. The same call goes on after an interruption; what they wrote is removed in the end.
@@ -100,18 +101,38 @@ def voxelize(
 
     # Files that have changed are other work, even where they look the same.
     stamp = _stamp(files)
+    temporary: list[Path] = []
+
+    def make_parts(survey: bytes, kinds: list[str], span: tuple[float, float]) -> list[Path]:
+        """Has the parts made that are not there; each has a file of each of the kinds, the last of which is written last."""
+        key = hashlib.sha256(stamp.encode() + survey).hexdigest()[:16]
+        place.mkdir(parents=True, exist_ok=True)
+        parts = [place / f"{key}-{first}-{end}.part" for first, end in shares]
+        temporary.extend(part.with_suffix(kind) for part in parts for kind in kinds)
+        missing = [(*share, str(part)) for share, part in zip(shares, parts, strict=True) if not all(part.with_suffix(kind).exists() for kind in kinds)]
+        by_workers(_voxelize, missing, survey, span)
+        return parts
+
     kept = place / f"{stamp}.survey"
-    survey = _kept(cloud, kept)
-    if survey is None:
+    temporary.append(kept)
+    survey, made = _kept(cloud, kept), None
+    expected = cloud.expected() if survey is None else None
+    if expected is not None:
+        # Files are read once, if their headers are right.
+        made = make_parts(expected, [".part", ".found"], (0.0, 0.9))
+        found = join_surveys([part.with_suffix(".found").read_bytes() for part in made])
+        survey, is_so = cloud.bear_out(found, expected)
+        if not is_so:
+            made = None
+    elif survey is None:
         survey = join_surveys(by_workers(_survey, shares, None, (0.0, 0.4)))
         if cloud.check(survey):
             survey = join_surveys([survey, *by_workers(_measure, shares, survey, (0.4, 0.5))])
+    assert survey is not None
+    if made is None:
         place.mkdir(parents=True, exist_ok=True)
         write_whole(kept, survey)
-    key = hashlib.sha256(stamp.encode() + survey).hexdigest()[:16]
-    made = [place / f"{key}-{first}-{end}.part" for first, end in shares]
-    missing = [(first, end, str(part)) for (first, end), part in zip(shares, made, strict=True) if not part.exists()]
-    by_workers(_voxelize, missing, survey, (0.5, 0.95))
+        made = make_parts(survey, [".part"], (0.5, 0.95))
     sent = sent_bytes(client, survey, retries, [])
     names = [str(part) for part in made]
     _, voxels = client.submit(_merge, files, options, sent, names, str(out), depth, pure=False, retries=retries).result()
@@ -119,14 +140,16 @@ def voxelize(
         raise voxels
     if progress:
         progress(1.0)
-    _remove(place, [kept, *made], key)
+    _remove(place, temporary)
     return out
 
 
-def _remove(place: Path, made: list[Path], key: str) -> None:
+def _remove(place: Path, made: list[Path]) -> None:
     """Removes what was made on the way, what workers that were killed have left too, and nothing else."""
-    for file in [*made, *place.glob(f".{key}-*.tmp")]:
+    for file in made:
         file.unlink(missing_ok=True)
+        for left in place.glob(f".{file.name}.*"):
+            left.unlink(missing_ok=True)
     with contextlib.suppress(OSError):
         place.rmdir()
 
@@ -166,7 +189,13 @@ def _measure(files: list[str], options: dict[str, Any], survey: bytes, first: in
 
 
 def _voxelize(files: list[str], options: dict[str, Any], survey: bytes, first: int, end: int, part: str) -> tuple[str, Any]:
-    return _answer(lambda cloud: cloud.voxelize(survey, first, end, part), files, options)
+    def make(cloud: TiledCloud) -> int:
+        points, found = cloud.voxelize(survey, first, end, part)
+        if found is not None:
+            write_whole(Path(part).with_suffix(".found"), found)
+        return points
+
+    return _answer(make, files, options)
 
 
 def _merge(files: list[str], options: dict[str, Any], survey: bytes, parts: list[str], output: str, levels: int) -> tuple[str, Any]:

@@ -42,6 +42,12 @@ pub struct TilesArgs {
     /// Survey of all files, which `join` has written
     #[arg(long, value_name = "SURVEY")]
     survey: Option<PathBuf>,
+    /// What was expected of all files, where parts were made with that; `merge` holds the survey against it
+    #[arg(long, value_name = "SURVEY")]
+    expected: Option<PathBuf>,
+    /// Plan to read each file once, by what its header and its first points say. Where that is wrong, `merge` says so
+    #[arg(long)]
+    read_once: bool,
     /// A part, once for each
     #[arg(long, value_name = "PART")]
     part: Vec<PathBuf>,
@@ -58,6 +64,8 @@ pub struct TilesArgs {
 enum Stage {
     /// Print all commands
     Plan,
+    /// Say what headers and first points let expect of all files
+    Expect,
     /// Look through some files; with --survey measure what must be known of all beyond that
     Survey,
     /// Bring together what commands have found
@@ -72,6 +80,11 @@ fn range(text: &str) -> Result<Range<usize>, String> {
     let bounds = text.split_once("..").and_then(|(first, end)| Some(first.parse().ok()?..end.parse().ok()?));
     bounds.filter(|range| range.start < range.end).ok_or_else(|| format!("{text:?} is no range of files like 0..4"))
 }
+
+/// Why files are to be read twice.
+const NOT_EXPECTED: &str = "headers and first points do not say enough: all points decide here what voxels are";
+/// What to do then.
+const WITHOUT: &str = "make the plan without --read-once";
 
 /// The files of a scan, and how they become voxels.
 struct Work {
@@ -91,6 +104,7 @@ impl TilesArgs {
         }
         match self.stage {
             Stage::Plan => self.plan(),
+            Stage::Expect => self.expect(),
             Stage::Survey => self.look(report),
             Stage::Join => self.join(),
             Stage::Voxelize => self.voxelize(report),
@@ -119,8 +133,7 @@ impl TilesArgs {
 
     fn read_survey(&self) -> Result<TileSurvey, Failure> {
         let missing = || Failure::usage("--survey is missing: the survey of all files, which `tiles join` writes");
-        let path = self.survey.as_deref().ok_or_else(missing)?;
-        TileSurvey::from_bytes(&read(path)?).map_err(|error| Failure::input(format!("{}: {error}", path.display())))
+        survey_of(self.survey.as_deref().ok_or_else(missing)?)
     }
 
     fn failure(&self, error: VoxelizeError) -> Failure {
@@ -133,6 +146,14 @@ impl TilesArgs {
 
     fn write(&self, bytes: &[u8]) -> Result<(), Failure> {
         outputs::write(&self.out, |out| out.write_all(bytes))
+    }
+
+    /// What is expected of all files.
+    fn expect(&self) -> Result<(), Failure> {
+        let Work { mut cloud, options, .. } = self.open()?;
+        let expected = cloud.expected(&options).map_err(|error| self.failure(error))?;
+        let mut expected = expected.ok_or_else(|| Failure::input(NOT_EXPECTED).hint(WITHOUT))?;
+        self.write(&expected.to_bytes())
     }
 
     /// The first pass over some files, or with a survey the second one.
@@ -160,15 +181,24 @@ impl TilesArgs {
     fn voxelize(&self, report: &mut Report) -> Result<(), Failure> {
         let Work { mut cloud, options, limits } = self.open()?;
         let (survey, files) = (self.read_survey()?, self.files()?);
-        watched("voxelize", report, |progress| {
-            cloud.voxelize(&survey, files, &options, &limits, &self.out, progress).map(drop)
-        })
-        .map_err(|error| self.failure(error))
+        let part = watched("voxelize", report, |progress| {
+            cloud.voxelize(&survey, files, &options, &limits, &self.out, progress)
+        });
+        let part = part.map_err(|error| self.failure(error))?;
+        // What was found in the files goes beside the part.
+        let Some(mut found) = part.found else { return Ok(()) };
+        outputs::write(&self.out.with_extension("found"), |out| out.write_all(&found.to_bytes()))
     }
 
     fn merge(&self, report: &mut Report) -> Result<(), Failure> {
         let Work { mut cloud, options, limits } = self.open()?;
-        let survey = self.read_survey()?;
+        let mut survey = self.read_survey()?;
+        if let Some(expected) = &self.expected
+            && !survey.bear_out(&survey_of(expected)?, &options).map_err(|error| self.failure(error))?
+        {
+            let what = "points are not as the headers or the first points of their files say";
+            return Err(Failure::input(what).hint(WITHOUT));
+        }
         let written = watched("merge", report, |progress| {
             cloud.merge(&survey, &self.part, &options, &limits, &self.out, progress)
         });
@@ -188,8 +218,15 @@ impl TilesArgs {
     fn plan(&self) -> Result<(), Failure> {
         let parts = self.parts.ok_or_else(|| Failure::usage("--parts is missing: how many parts there are"))?;
         let Work { mut cloud, options, .. } = self.open()?;
-        plan::print(&cloud.shares(parts as usize), &options, &self.out)
+        if self.read_once && cloud.expected(&options).map_err(|error| self.failure(error))?.is_none() {
+            return Err(Failure::input(NOT_EXPECTED).hint(WITHOUT));
+        }
+        plan::print(&cloud.shares(parts as usize), &options, (&self.out, self.read_once))
     }
+}
+
+fn survey_of(path: &Path) -> Result<TileSurvey, Failure> {
+    TileSurvey::from_bytes(&read(path)?).map_err(|error| Failure::input(format!("{}: {error}", path.display())))
 }
 
 fn read(path: &Path) -> Result<Vec<u8>, Failure> {

@@ -136,8 +136,43 @@ fn the_commands_of_a_plan_voxelize_tiles_to_the_bytes_of_one_process() {
         assert!(folder.exists(line["output"].as_str().unwrap()));
     }
     assert_eq!(folder.bytes("out.vxt"), folder.bytes("alone.vxt"));
+    // Classes that are asked for are known when all points were seen.
+    let once = [&["tiles", "plan", "tiles", "--parts", "3", "-o", "out.vxt", "--read-once"], &options[..]].concat();
+    assert!(folder.fail(&once, 3).contains("hint: make the plan without --read-once"));
     let wrong = ["tiles", "survey", "tiles", "-o", "a.found"];
     assert!(folder.fail(&wrong, 2).contains("--files"));
     folder.fail(&[&wrong[..], &["--files", "3..9"]].concat(), 3);
     folder.fail(&[&wrong[..], &["--files", "3"]].concat(), 2);
+}
+
+#[test]
+fn a_plan_that_reads_once_makes_the_same_bytes_and_is_stopped_by_a_wrong_header() {
+    let folder = folder();
+    let options = ["--voxel-size=0.5m", "--color-by", "classification"];
+    folder.succeed(&[&["voxelize", "tiles", "-o", "alone.vxt", "--levels", "1"], &options[..]].concat());
+    let plan = ["tiles", "plan", "tiles", "--parts", "2", "--read-once", "-o", "out.vxt", "--levels", "1"];
+    let plan = folder.succeed(&[&plan[..], &options].concat());
+    let lines: Vec<Value> = plan.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+    let kinds: Vec<&str> = lines.iter().map(|line| line["kind"].as_str().unwrap()).collect();
+    assert_eq!(kinds, ["expect", "voxelize", "voxelize", "join", "merge"]);
+    let run = |line: &Value| {
+        let words: Vec<&str> = line["command"].as_array().unwrap().iter().map(|word| word.as_str().unwrap()).collect();
+        folder.run(&words[1..])
+    };
+    for line in &lines {
+        let output = run(line);
+        assert!(output.status.success(), "{line}: {}", stderr(&output));
+        assert!(folder.exists(line["output"].as_str().unwrap()));
+    }
+    assert_eq!(folder.bytes("out.vxt"), folder.bytes("alone.vxt"));
+    // A header whose points are said to reach farther than they do.
+    let mut bytes = folder.bytes("tiles/west.las");
+    let lowest = f64::from_le_bytes(bytes[187..195].try_into().unwrap()) - 30.0;
+    bytes[187..195].copy_from_slice(&lowest.to_le_bytes());
+    std::fs::write(folder.path("tiles/west.las"), bytes).unwrap();
+    let (merge, others) = lines.split_last().unwrap();
+    assert!(others.iter().all(|line| run(line).status.success()));
+    let output = run(merge);
+    assert_eq!(output.status.code(), Some(3));
+    assert!(stderr(&output).contains("points are not as the headers"), "{}", stderr(&output));
 }

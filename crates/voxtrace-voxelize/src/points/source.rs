@@ -49,6 +49,17 @@ pub trait TiledPoints: PointSource {
         origin: Option<DVec3>,
         each: &mut dyn FnMut(&PointCloud) -> bool,
     ) -> Result<TileFacts, ImportError>;
+    /// What the headers and the first points of the files let expect of their points, without reading them all, in the order of the files. `None` where
+    /// that is not enough: points are chosen by their class or place, or a header says no bounds.
+    ///
+    /// # Errors
+    /// As [`PointSource::for_each`].
+    fn expect(&mut self) -> Result<Option<Vec<ExpectedTile>>, ImportError>;
+    /// As [`PointSource::for_each`], over one file, by what [`Self::learn`] was told; what is found is held against that by whoever asks.
+    ///
+    /// # Errors
+    /// As [`PointSource::for_each`].
+    fn visit_tile(&mut self, tile: usize, each: &mut dyn FnMut(&PointCloud) -> bool) -> Result<TileFacts, ImportError>;
     /// Takes what first passes have found in the files, in their order, as if this one had made them.
     ///
     /// # Errors
@@ -56,6 +67,15 @@ pub trait TiledPoints: PointSource {
     fn learn(&mut self, origin: Option<DVec3>, facts: &[TileFacts]) -> Result<(), ImportError>;
     /// From now on passes are over these files alone.
     fn choose(&mut self, tiles: Range<usize>);
+}
+
+/// What is expected of the points of a file.
+#[derive(Clone, Copy, Debug)]
+pub struct ExpectedTile {
+    /// Of all points, their number as the header says; what they say, as far as the first ones tell.
+    pub facts: TileFacts,
+    /// Bounds that the header announces, in the coordinates of positions with the frame's offset; empty where there are no points.
+    pub bounds: (DVec3, DVec3),
 }
 
 /// What a first pass over a file has found, beside its points.

@@ -77,9 +77,38 @@ impl Work<'_> {
     }
 
     fn part(&self, survey: &[u8], files: Range<usize>) -> Result<PathBuf, VoxelizeError> {
+        self.part_and_found(survey, files).map(|(path, _)| path)
+    }
+
+    fn part_and_found(&self, survey: &[u8], files: Range<usize>) -> Result<(PathBuf, Option<Vec<u8>>), VoxelizeError> {
         let path = self.folder.join(format!("{}-{}.part", files.start, files.end));
-        self.cloud().voxelize(&read(survey), files, &self.options, &Limits::default(), &path, &PROGRESS())?;
-        Ok(path)
+        let part =
+            self.cloud().voxelize(&read(survey), files, &self.options, &Limits::default(), &path, &PROGRESS())?;
+        Ok((path, part.found.map(|mut found| found.to_bytes())))
+    }
+
+    fn expected(&self) -> Option<Vec<u8>> {
+        self.cloud().expected(&self.options).unwrap().map(|mut expected| expected.to_bytes())
+    }
+
+    /// Reads each file once; whether what was expected is borne out, and the scene: of those parts, or of ones that are made with what they have found.
+    fn shared_once(&self, shares: &[Range<usize>]) -> (bool, Vec<u8>) {
+        let expected = self.expected().unwrap();
+        let made = shares.iter().rev().map(|files| self.part_and_found(&expected, files.clone()).unwrap());
+        let (parts, found): (Vec<PathBuf>, Vec<Option<Vec<u8>>>) = made.unzip();
+        let found: Vec<Vec<u8>> = found.into_iter().map(Option::unwrap).collect();
+        let mut survey = read(&join(&found));
+        let is_so = survey.bear_out(&read(&expected), &self.options).unwrap();
+        let survey = survey.to_bytes();
+        let refused = self.merge(&expected, &parts).unwrap_err().to_string();
+        assert!(refused.contains("is not held against"), "{refused}");
+        if is_so {
+            return (true, self.merge(&survey, &parts).unwrap());
+        }
+        let refused = self.merge(&survey, &parts).unwrap_err().to_string();
+        assert!(refused.contains("no part of these files with these options"), "{refused}");
+        let parts: Vec<PathBuf> = shares.iter().map(|files| self.part(&survey, files.clone()).unwrap()).collect();
+        (false, self.merge(&survey, &parts).unwrap())
     }
 
     fn merge(&self, survey: &[u8], parts: &[PathBuf]) -> Result<Vec<u8>, VoxelizeError> {
@@ -155,6 +184,92 @@ fn files_shared_in_any_way_make_the_bytes_of_one_process() {
         large.survey(&plain, &PROGRESS()).unwrap();
         assert_eq!(notes(&mut cloud), large.notes());
     }
+}
+
+#[test]
+fn files_that_are_read_once_make_the_bytes_of_one_process() {
+    let folder = tempfile::tempdir().unwrap();
+    scan(folder.path());
+    for (scale, color_by, min_points) in [
+        (Scale::VoxelSize(0.5), ColorBy::Auto, 1),
+        (Scale::VoxelSize(2.0), ColorBy::Rgb, 3),
+        (Scale::Resolution(200), ColorBy::Classification, 1),
+    ] {
+        let plain = options(scale, PointOptions { color_by, min_points });
+        let mut work = Work { folder: folder.path(), import: ImportOptions::default(), options: plain };
+        let alone = work.alone().unwrap();
+        for (shares, memory_budget) in
+            [(one_each(6), None), (vec![0..2, 2..3, 3..6], Some(1)), (in_one(6), Some(1 << 20))]
+        {
+            work.options.memory_budget = memory_budget;
+            assert!(work.shared_once(&shares) == (true, alone.clone()), "{shares:?} {plain:?}");
+        }
+    }
+    // Where all points decide something, nothing is expected.
+    let some = PointFilter { classes: Some("1,2".parse().unwrap()), bounds: None };
+    let (all, size) = (PointFilter::default(), Scale::VoxelSize(0.5));
+    for (points, up, color_by, scale) in [
+        (all, None, ColorBy::Auto, Scale::Automatic),
+        (all, None, ColorBy::Height, size),
+        (all, None, ColorBy::Intensity, size),
+        (all, Some(UpAxis::X), ColorBy::Auto, size),
+        (some, None, ColorBy::Auto, size),
+    ] {
+        let import = ImportOptions { points, up, ..ImportOptions::default() };
+        let plain = options(scale, PointOptions { color_by, min_points: 1 });
+        assert!(Work { folder: folder.path(), import, options: plain }.expected().is_none(), "{plain:?}");
+    }
+}
+
+#[test]
+fn headers_and_first_points_that_mislead_are_seen_and_cost_a_second_reading() {
+    let folder = tempfile::tempdir().unwrap();
+    let plain = options(Scale::VoxelSize(0.5), PointOptions::default());
+    let work = Work { folder: folder.path(), import: ImportOptions::default(), options: plain };
+    // The bounds that a header says: wider ones matter where they are those of all.
+    let bounds = |name: &str, change: &dyn Fn(usize, f64) -> f64| {
+        let path = folder.path().join(name);
+        let mut bytes = std::fs::read(&path).unwrap();
+        for number in 0..6 {
+            let at = 179 + 8 * number;
+            let value = f64::from_le_bytes(bytes[at..at + 8].try_into().unwrap());
+            bytes[at..at + 8].copy_from_slice(&change(number, value).to_le_bytes());
+        }
+        std::fs::write(path, bytes).unwrap();
+    };
+    let shares = [0..2, 2..3, 3..6];
+    let narrow = |number: usize, value: f64| if number == 0 { value - 5.0 } else { value };
+    let wide = |number: usize, value: f64| if number == 1 { value - 50.0 } else { value };
+    let inner = |number: usize, value: f64| if number == 0 { value + 3.0 } else { value };
+    for (name, change, is_so) in [
+        // A brick of a neighbour would have been taken for one that only its own file reaches.
+        ("2.laz", &narrow as &dyn Fn(usize, f64) -> f64, false),
+        ("1.las", &wide, false),
+        // More seams than there are.
+        ("1.las", &inner, true),
+    ] {
+        scan(folder.path());
+        bounds(name, change);
+        let alone = work.alone().unwrap();
+        assert!(work.shared_once(&shares) == (is_so, alone), "{name}");
+    }
+    // The first points are dark, so that their colours look like bytes.
+    scan(folder.path());
+    let mut points: Vec<Point> = (0..60_000).map(|i| ([i % 300, i / 300, 5], [1, 0, 0], 7, 1)).collect();
+    let bytes = |points: &[Point]| {
+        let mut bytes = las(points, (2, 2));
+        // 16 bits, none above 255.
+        for record in bytes[227..].chunks_exact_mut(26).take(55_000) {
+            record[20..26].copy_from_slice(&[200, 0, 90, 0, 0, 0]);
+        }
+        with_bounds(bytes)
+    };
+    std::fs::write(folder.path().join("1.las"), bytes(&points)).unwrap();
+    assert!(!work.shared_once(&shares).0, "the last of them are bright");
+    assert!(work.shared_once(&shares).1 == work.alone().unwrap());
+    points.truncate(55_000);
+    std::fs::write(folder.path().join("1.las"), bytes(&points)).unwrap();
+    assert!(work.shared_once(&shares) == (true, work.alone().unwrap()));
 }
 
 #[test]

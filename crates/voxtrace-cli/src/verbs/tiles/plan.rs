@@ -11,7 +11,7 @@ use voxtrace::points::ColorBy;
 use voxtrace::voxelize::{Scale, VoxelizeOptions};
 
 /// Options that belong to one command alone.
-const REPLACED: [&str; 7] = ["parts", "output", "files", "survey", "part", "levels", "out"];
+const REPLACED: [&str; 9] = ["parts", "output", "files", "survey", "part", "levels", "out", "expected", "read_once"];
 
 /// The commands of a plan, which have the options of the one that makes it.
 struct Plan<'a> {
@@ -22,8 +22,12 @@ struct Plan<'a> {
     stages: u32,
 }
 
-/// Prints the commands that voxelize so many files each into `out`.
-pub fn print(shares: &[Range<usize>], options: &VoxelizeOptions, out: &Path) -> Result<(), Failure> {
+/// Prints the commands that voxelize so many files each into `out`, which are read once, or more often.
+pub fn print(
+    shares: &[Range<usize>],
+    options: &VoxelizeOptions,
+    (out, reads_once): (&Path, bool),
+) -> Result<(), Failure> {
     let words = std::env::args_os().skip(1).map(|word| word.into_string()).collect::<Result<Vec<String>, _>>();
     let words = words.map_err(|word| Failure::usage(format!("{} is not Unicode, and JSON is", word.display())))?;
     let mut program = Cli::command();
@@ -32,6 +36,15 @@ pub fn print(shares: &[Range<usize>], options: &VoxelizeOptions, out: &Path) -> 
     let stem = out.with_extension("").to_string_lossy().into_owned();
     let mut plan = Plan { words: split(&words, verb), shares, stem, stages: 0 };
     let mut survey = plan.name("survey");
+    if reads_once {
+        let expected = plan.name("expected");
+        plan.expect(&expected);
+        // Beside each part is what was found in its files.
+        plan.share("voxelize", "part", Some(&expected));
+        plan.join(&plan.names("found"), &survey);
+        plan.merge(&["--survey", &survey, "--expected", &expected], &out.to_string_lossy());
+        return Ok(());
+    }
     plan.share("survey", "found", None);
     plan.join(&plan.names("found"), &survey);
     // Whether it is wanted is known only when all files were looked through; where it is not, it takes no time.
@@ -43,7 +56,7 @@ pub fn print(shares: &[Range<usize>], options: &VoxelizeOptions, out: &Path) -> 
         survey = measured;
     }
     plan.share("voxelize", "part", Some(&survey));
-    plan.merge(&survey, &out.to_string_lossy());
+    plan.merge(&["--survey", &survey], &out.to_string_lossy());
     Ok(())
 }
 
@@ -83,8 +96,16 @@ impl Plan<'_> {
         self.stages += 1;
     }
 
-    fn merge(&mut self, survey: &str, output: &str) {
-        let mut options = vec!["--survey".to_owned(), survey.to_owned()];
+    /// A stage of one command, which reads headers and first points.
+    fn expect(&mut self, output: &str) {
+        let command = self.command("expect", &[], output, &[]);
+        let line = json!({ "stage": self.stages, "kind": "expect", "output": output, "command": command });
+        stdout::print(&format!("{line}\n"));
+        self.stages += 1;
+    }
+
+    fn merge(&mut self, surveys: &[&str], output: &str) {
+        let mut options: Vec<String> = surveys.iter().map(|&word| word.to_owned()).collect();
         options.extend(self.names("part").into_iter().flat_map(|part| ["--part".to_owned(), part]));
         let command = self.command("merge", &options, output, &["levels"]);
         let line = json!({ "stage": self.stages, "kind": "merge", "output": output, "command": command });

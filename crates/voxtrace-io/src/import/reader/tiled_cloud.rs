@@ -6,7 +6,7 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 use voxtrace_scene::scene::LengthUnit;
 use voxtrace_voxelize::points::source::{PointSource, TiledPoints};
-use voxtrace_voxelize::voxelize::large_points::{TileSurvey, merge_tiles, voxelize_tiles};
+use voxtrace_voxelize::voxelize::large_points::{TilePart, TileSurvey, merge_tiles, voxelize_tiles};
 use voxtrace_voxelize::voxelize::{VoxelizeError, VoxelizeOptions, VoxelizeProgress, Written};
 use voxtrace_voxelize::{ImportError, Limits};
 
@@ -115,7 +115,15 @@ impl TiledCloud {
         survey.measure(self.files()?, files, options, progress)
     }
 
-    /// Voxelizes some files into the part `path`; returns the number of their points. Intermediate data lies beside it.
+    /// What headers and first points let expect of all files, so that parts can be made before all points were seen; `None` where that is not enough.
+    ///
+    /// # Errors
+    /// If a file cannot be read.
+    pub fn expected(&mut self, options: &VoxelizeOptions) -> Result<Option<TileSurvey>, VoxelizeError> {
+        TileSurvey::expected(self.files()?, options)
+    }
+
+    /// Voxelizes some files into the part `path`, with a survey of all of them or with what is expected of them. Intermediate data lies beside it.
     ///
     /// # Errors
     /// As [`Self::measure`]; also if the survey wants measures, there are more voxels than allowed, or the part cannot be written.
@@ -127,7 +135,7 @@ impl TiledCloud {
         limits: &Limits,
         path: &Path,
         progress: &VoxelizeProgress,
-    ) -> Result<u64, VoxelizeError> {
+    ) -> Result<TilePart, VoxelizeError> {
         voxelize_tiles(self.files()?, survey, files, options, limits, path, progress)
     }
 

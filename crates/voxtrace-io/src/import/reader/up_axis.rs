@@ -6,7 +6,7 @@ use std::path::Path;
 use voxtrace_voxelize::ImportError;
 use voxtrace_voxelize::mesh::source::{SourceColors, TriangleSource};
 use voxtrace_voxelize::mesh::{Mesh, UpAxis};
-use voxtrace_voxelize::points::source::{PointSource, TileFacts, TiledPoints};
+use voxtrace_voxelize::points::source::{ExpectedTile, PointSource, TileFacts, TiledPoints};
 use voxtrace_voxelize::points::{Attributes, PointCloud};
 
 /// Triangles turned so that what was along an axis points up.
@@ -144,6 +144,20 @@ impl TiledPoints for ZUpPoints {
     ) -> Result<TileFacts, ImportError> {
         let up = self.up;
         self.files()?.survey_tile(tile, origin, &mut |piece| {
+            let mut turned = piece.clone();
+            turned.make_z_up(up);
+            each(&turned)
+        })
+    }
+
+    /// Scans lie as they are: of those few that are turned, all points are looked at first.
+    fn expect(&mut self) -> Result<Option<Vec<ExpectedTile>>, ImportError> {
+        Ok(None)
+    }
+
+    fn visit_tile(&mut self, tile: usize, each: &mut dyn FnMut(&PointCloud) -> bool) -> Result<TileFacts, ImportError> {
+        let up = self.up;
+        self.files()?.visit_tile(tile, &mut |piece| {
             let mut turned = piece.clone();
             turned.make_z_up(up);
             each(&turned)

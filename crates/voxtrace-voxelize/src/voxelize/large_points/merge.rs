@@ -25,6 +25,11 @@ pub fn merge_tiles(
     path: &Path,
     progress: &VoxelizeProgress,
 ) -> Result<Written, VoxelizeError> {
+    if survey.is_expected() {
+        return Err(VoxelizeError::Parts(
+            "what was expected of the files is not held against what parts have found".into(),
+        ));
+    }
     let count = survey.tile_count();
     survey.teach((&mut *source, stamp), 0..count, options)?;
     let source: &mut dyn PointSource = source;

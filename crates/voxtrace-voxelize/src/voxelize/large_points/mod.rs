@@ -2,7 +2,7 @@
 //! bucket-sorts them on the disk by part of the grid; then each part is voxelized as a small cloud. Colours are summed in fixed
 //! point, so the voxels are the same bits as for a cloud in memory.
 //!
-//! Several processes share a cloud of several files: `tiles` has what they find out about some files each, `part` voxelizes some of
+//! Several processes share a cloud of several files: `tiles` has what they find out about some files each, or expect of them, `part` voxelizes some of
 //! them, where it leaves sums of what others reach into (`seams`), and `merge` makes the scene of all (`docs/decisions/0223-voxelizing-by-many-processes.md`).
 
 mod merge;
@@ -12,7 +12,7 @@ mod survey;
 mod tiles;
 
 pub use merge::merge_tiles;
-pub use part::voxelize_tiles;
+pub use part::{TilePart, voxelize_tiles};
 pub(super) use seams::Seams;
 pub use survey::Survey;
 pub use tiles::{TileSurvey, joined_bytes};

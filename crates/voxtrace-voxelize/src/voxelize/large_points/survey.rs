@@ -55,6 +55,11 @@ impl Announced {
         let guess = guess.filter(|size| size.is_normal() && *size > 0.0);
         Self { points: source.count(), bounds, is_automatic: options.scale == Scale::Automatic, guess }
     }
+
+    /// For surveys of which nobody asks how many voxels there will be.
+    pub fn without_guess(self) -> Self {
+        Self { guess: None, ..self }
+    }
 }
 
 impl Survey {
@@ -126,6 +131,21 @@ impl Survey {
             let parts: Vec<HyperLogLog> = piece.positions.par_chunks(run).map(part).collect();
             parts.iter().for_each(|part| counter.merge(part));
         }
+    }
+
+    /// Adds so many of `all` points that are expected within bounds, as if they were spread evenly.
+    pub(super) fn expect(&mut self, low: Vec3, high: Vec3, points: u64, all: u64) {
+        // The additive recurrence of the plastic number's kin in three dimensions (M. Roberts, 2018) fills a box evenly.
+        const STEP: Vec3 = Vec3::new(0.819_172_5, 0.671_043_6, 0.549_700_5);
+        if points == 0 {
+            return;
+        }
+        (self.low, self.high) = (self.low.min(low), self.high.max(high));
+        let stride = all.div_ceil(Sample::MOST as u64).next_power_of_two();
+        let spread = |index: u64| low + (high - low) * (STEP * (1 + index % (1 << 16)) as f32).fract();
+        let some = (0..points.div_ceil(stride)).map(spread).collect();
+        self.thin_sample(all);
+        self.sample.join(&Sample::of_parts(some, stride, points).expect("the stride is a power of two"));
     }
 
     /// Adds the survey of other points, for which the files announced the same.

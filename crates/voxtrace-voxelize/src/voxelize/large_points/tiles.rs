@@ -1,18 +1,20 @@
 //! What several processes find out about the files of a cloud, each about some of them, and bring together: surveys, and what second
 //! passes have measured. As bytes both travel from process to process.
 
+use super::Grid;
 use super::survey::{Announced, Measures, Survey};
 use crate::fields::{FieldReader, FieldWriter};
-use crate::points::source::{PointSource, TileFacts, TiledPoints};
-use crate::points::{Attributes, ColorBy};
+use crate::points::source::{ExpectedTile, PointSource, TileFacts, TiledPoints};
+use crate::points::{Attributes, ColorBy, PointCloud};
 use crate::voxelize::fingerprint::of_description;
-use crate::voxelize::{VoxelizeError, VoxelizeOptions, VoxelizeProgress};
+use crate::voxelize::{Placement, Scale, VoxelizeError, VoxelizeOptions, VoxelizeProgress};
 use bytemuck::{Pod, Zeroable};
 use glam::{DVec3, Vec3};
 use std::ops::Range;
+use voxtrace_scene::brick::BRICK_SIZE;
 
 /// First bytes of a survey and of what a second pass has measured. To be changed with what follows them.
-const MAGICS: [&[u8; 8]; 2] = [b"voxsurv\x01", b"voxmeas\x01"];
+const MAGICS: [&[u8; 8]; 2] = [b"voxsurv\x02", b"voxmeas\x01"];
 
 /// A survey of some files of a cloud, or of all of them.
 pub struct TileSurvey {
@@ -25,6 +27,18 @@ pub struct TileSurvey {
     /// Those that were surveyed, in their order.
     tiles: Vec<SurveyedTile>,
     survey: Survey,
+    basis: Basis,
+}
+
+/// What a survey is of, and the parts of the work with it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Basis {
+    /// All points. Parts are made with it.
+    Points,
+    /// What headers and first points let expect. Parts are made with it, and what they find is held against it.
+    Expected,
+    /// All points, which have borne out what was expected: parts were made with that, and this is their key.
+    BorneOut(u128),
 }
 
 /// A file, the bounds of its points, and what else was found in it.
@@ -77,29 +91,81 @@ impl TileSurvey {
         let headers = source.points_of_tiles();
         check_files(&files, headers.len())?;
         let origin = source.origin()?;
-        let announced = Announced::of(&*source, options);
-        let (mut survey, mut tiles) = (Survey::empty(&announced), Vec::new());
+        let mut look = Look::new(Announced::of(&*source, options).without_guess());
         progress.begin(headers[files.clone()].iter().sum());
         for number in files {
-            let (mut low, mut high) = (Vec3::INFINITY, Vec3::NEG_INFINITY);
+            let mut tile = look.begin(number);
             let facts = source.survey_tile(number, origin, &mut |piece| {
-                for &point in &piece.positions {
-                    (low, high) = (low.min(point), high.max(point));
-                }
-                survey.add(piece, &announced);
+                look.add(&mut tile, piece);
                 progress.add(piece.positions.len() as u64);
                 !progress.is_cancelled()
             })?;
             if progress.is_cancelled() {
                 return Err(VoxelizeError::Cancelled);
             }
+            look.end(tile, facts);
+        }
+        Ok(look.survey((key_of(stamp, options), origin, headers.len() as u32)))
+    }
+
+    /// What headers and first points let expect of all files, for parts that are made before all points were seen; `None` where that is not enough:
+    /// where densities, intensities or heights of all points decide something, or points are chosen.
+    ///
+    /// # Errors
+    /// If files cannot be read.
+    pub fn expected(
+        (source, stamp): (&mut dyn TiledPoints, &str),
+        options: &VoxelizeOptions,
+    ) -> Result<Option<Self>, VoxelizeError> {
+        if options.scale == Scale::Automatic {
+            return Ok(None);
+        }
+        let (origin, Some(expected)) = (source.origin()?, source.expect()?) else { return Ok(None) };
+        let offset = offset_of(origin);
+        let mut survey = Survey::empty(&Announced::of(&*source, options).without_guess());
+        let mut tiles = Vec::new();
+        for (number, ExpectedTile { facts, bounds: (low, high) }) in expected.into_iter().enumerate() {
+            let (low, high) = ((low - offset).as_vec3(), (high - offset).as_vec3());
+            survey.expect(low, high, facts.chosen, source.count());
             tiles.push(SurveyedTile { facts, low, high, number: number as u32, unused: 0 });
         }
-        // So that the samples of all files together are no more than one is.
-        survey.thin_sample(announced.points);
-        let mut own = Self { key: key_of(stamp, options), origin, count: headers.len() as u32, tiles, survey };
-        own.settle();
-        Ok(own)
+        let (key, count) = (key_of(stamp, options), tiles.len() as u32);
+        let own = Self { key, origin, count, tiles, survey, basis: Basis::Expected };
+        let is_enough = matches!(own.color_by(options), Ok(ColorBy::Rgb | ColorBy::Classification));
+        Ok((is_enough && own.check_whole().is_ok()).then_some(own))
+    }
+
+    /// Holds what parts have found in all files against what they were made with; whether it is borne out. If so, those parts are parts of this survey;
+    /// if not, parts are to be made with this survey, which is as good as any.
+    ///
+    /// # Errors
+    /// If it is not of all files, or of other work; if there is no grid for it.
+    pub fn bear_out(&mut self, expected: &Self, options: &VoxelizeOptions) -> Result<bool, VoxelizeError> {
+        self.check_whole()?;
+        if expected.basis != Basis::Expected || self.key != expected.key || self.count != expected.count {
+            return wrong("what was expected is of other files, or with other options");
+        }
+        let by = self.color_by(options)?;
+        let is_so = self.origin.map(bits) == expected.origin.map(bits)
+            && self.placement(options)? == expected.placement(options)?
+            && by == expected.color_by(options)?
+            && {
+                let grid = Grid::of(self.placement(options)?, self.survey.scale(options))?;
+                self.tiles.iter().zip(&expected.tiles).all(|(found, expected)| found.is_within(expected, &grid, by))
+            };
+        if is_so {
+            self.basis = Basis::BorneOut(expected.part_key());
+        }
+        Ok(is_so)
+    }
+
+    /// Whether it is what headers and first points let expect.
+    pub fn is_expected(&self) -> bool {
+        self.basis == Basis::Expected
+    }
+
+    fn placement(&self, options: &VoxelizeOptions) -> Result<Placement, VoxelizeError> {
+        self.survey.placement(offset_of(self.origin), options)
     }
 
     /// What was found by several processes together: of surveys one of all their files, in which `measures` of all files are taken.
@@ -112,6 +178,9 @@ impl TileSurvey {
         for other in surveys {
             if (other.key, other.origin.map(bits), other.count) != (all.key, all.origin.map(bits), all.count) {
                 return wrong("two surveys are of other files, or with other options");
+            }
+            if [other.basis, all.basis] != [Basis::Points; 2] {
+                return wrong("what is expected of files is no survey of them");
             }
             all.tiles.extend(other.tiles);
             all.survey.join(other.survey);
@@ -154,7 +223,15 @@ impl TileSurvey {
 
     /// The work that parts are.
     pub(super) fn part_key(&self) -> u128 {
-        of_description(&(self.later_key(), self.survey.found_later()))
+        match self.basis {
+            Basis::BorneOut(key) => key,
+            basis => of_description(&(self.later_key(), self.survey.found_later(), basis)),
+        }
+    }
+
+    /// What a look at some files in this work is known by: the work, what positions are relative to, and how many files there are.
+    pub(super) fn about(&self) -> (u128, Option<DVec3>, u32) {
+        (self.key, self.origin, self.count)
     }
 
     /// Number of points that are kept, of the files that were surveyed.
@@ -253,6 +330,13 @@ impl TileSurvey {
         out.value(u8::from(self.origin.is_some()));
         out.value(self.origin.unwrap_or_default());
         out.value(self.count);
+        let (basis, parts) = match self.basis {
+            Basis::Points => (0u8, 0),
+            Basis::Expected => (1, 0),
+            Basis::BorneOut(key) => (2, key),
+        };
+        out.value(basis);
+        out.value(parts);
         out.values(&self.tiles);
         self.survey.write(&mut out);
         out.finish()
@@ -267,10 +351,81 @@ impl TileSurvey {
             let mut from = FieldReader::open(bytes, MAGICS[0])?;
             let (key, has_origin, origin) = (from.value()?, from.value::<u8>()?, from.value()?);
             let origin = (has_origin > 0).then_some(origin);
-            let (count, tiles) = (from.value()?, from.values()?);
-            Some(Self { key, origin, count, tiles, survey: Survey::read(&mut from)? })
+            let count = from.value()?;
+            let basis = match (from.value::<u8>()?, from.value()?) {
+                (0, _) => Basis::Points,
+                (1, _) => Basis::Expected,
+                (_, key) => Basis::BorneOut(key),
+            };
+            let tiles = from.values()?;
+            Some(Self { key, origin, count, tiles, survey: Survey::read(&mut from)?, basis })
         };
         read().map_or_else(|| wrong("no survey of this version, or damaged"), Ok)
+    }
+}
+
+/// A pass over some files, of which a survey comes.
+pub(super) struct Look {
+    announced: Announced,
+    survey: Survey,
+    tiles: Vec<SurveyedTile>,
+}
+
+impl Look {
+    pub fn new(announced: Announced) -> Self {
+        Self { survey: Survey::empty(&announced), announced, tiles: Vec::new() }
+    }
+
+    /// A file of which no point was seen yet.
+    pub fn begin(&self, number: usize) -> SurveyedTile {
+        let (low, high, facts) = (Vec3::INFINITY, Vec3::NEG_INFINITY, TileFacts::default());
+        SurveyedTile { facts, low, high, number: number as u32, unused: 0 }
+    }
+
+    /// Points of a file.
+    pub fn add(&mut self, tile: &mut SurveyedTile, piece: &PointCloud) {
+        for &point in &piece.positions {
+            (tile.low, tile.high) = (tile.low.min(point), tile.high.max(point));
+        }
+        self.survey.add(piece, &self.announced);
+    }
+
+    /// That was the file.
+    pub fn end(&mut self, tile: SurveyedTile, facts: TileFacts) {
+        self.tiles.push(SurveyedTile { facts, ..tile });
+    }
+
+    /// The survey of these files, in a work, with this origin, of so many files.
+    pub fn survey(mut self, (key, origin, count): (u128, Option<DVec3>, u32)) -> TileSurvey {
+        // So that the samples of all files together are no more than one is.
+        self.survey.thin_sample(self.announced.points);
+        let Self { survey, tiles, .. } = self;
+        let mut own = TileSurvey { key, origin, count, tiles, survey, basis: Basis::Points };
+        own.settle();
+        own
+    }
+}
+
+impl SurveyedTile {
+    /// Whether what was found in the file changes nothing of what was made with what was expected: its bricks, and what its points say.
+    fn is_within(&self, expected: &Self, grid: &Grid, by: ColorBy) -> bool {
+        if self.facts.chosen == 0 {
+            return true;
+        }
+        let brick = |point: Vec3| grid.voxel(point) / BRICK_SIZE;
+        let says_the_same = match by {
+            ColorBy::Classification => self.facts.has_classes == expected.facts.has_classes,
+            // None, bytes, or 16 bits.
+            _ => [self, expected]
+                .map(|tile| tile.facts.largest_color)
+                .map(|largest| (largest > 0, largest > 255))
+                .windows(2)
+                .all(|two| two[0] == two[1]),
+        };
+        expected.facts.chosen > 0
+            && says_the_same
+            && brick(expected.low).cmple(brick(self.low)).all()
+            && brick(self.high).cmple(brick(expected.high)).all()
     }
 }
 
@@ -332,6 +487,11 @@ fn check_all(numbers: &[u32], count: u32, what: &str) -> Result<(), VoxelizeErro
         Some((file, _)) => wrong(format!("file {file} of {count} was not {what}")),
         None => Ok(()),
     }
+}
+
+/// What positions that are relative to the first point have as their offset.
+fn offset_of(origin: Option<DVec3>) -> DVec3 {
+    origin.filter(|origin| origin.is_finite()).unwrap_or(DVec3::ZERO)
 }
 
 fn bits(place: DVec3) -> [u64; 3] {

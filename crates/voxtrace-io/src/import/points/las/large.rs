@@ -4,17 +4,20 @@ use super::compressed::Decompressor;
 use super::records::{LeftOut, Records, Seen, facts_of, found_by};
 use super::tiles::{Tile, Tiles, complete, either, joint, uncolored_note};
 use super::{BATCH, check_length};
-use crate::import::reader::ImportOptions;
+use crate::import::reader::{ImportOptions, PointFilter};
 use crate::import::source::input::Input;
 use glam::DVec3;
+use rayon::prelude::*;
 use std::fs::File;
 use std::io::BufReader;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
-use voxtrace_voxelize::points::source::{PointSource, TileFacts, TiledPoints};
+use voxtrace_voxelize::points::source::{ExpectedTile, PointSource, TileFacts, TiledPoints};
 use voxtrace_voxelize::points::{Attributes, PointCloud};
 use voxtrace_voxelize::{ImportError, Limits};
 
+/// Points of a file that is not compressed from which others are expected to say the same: as many as chunks of a compressed one have.
+const EXPECTED_BY: u64 = 50_000;
 /// Bytes of points decompressed at once, about.
 const DECOMPRESSED: usize = 32 << 20;
 
@@ -114,6 +117,39 @@ impl LasPoints {
         Ok(true)
     }
 
+    /// Makes a pass over the points of a file, of which something is known or nothing.
+    fn facts_of_tile(
+        &self,
+        tile: &Tile,
+        known: Option<Seen>,
+        origin: Option<DVec3>,
+        each: &mut dyn FnMut(&PointCloud) -> bool,
+    ) -> Result<TileFacts, ImportError> {
+        let mut records = Records::new(&tile.header, known, origin);
+        self.read(tile, &mut records, each)?;
+        Ok(facts_of(records.seen(), records.left_out(), records.chosen()))
+    }
+
+    /// What the header and the first points of a file let expect.
+    fn expect_of(&self, tile: &Tile) -> Result<Option<ExpectedTile>, ImportError> {
+        let mut records = Records::new(&tile.header, None, None);
+        if tile.header.points == 0 {
+            let bounds = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+            return Ok(Some(ExpectedTile { facts: facts_of(records.seen(), records.left_out(), 0), bounds }));
+        }
+        let Some(bounds) = tile.header.span() else { return Ok(None) };
+        if tile.header.is_compressed {
+            // A chunk.
+            self.decompressor(tile)?.next(&mut records, 1)?;
+        } else {
+            let size = u64::from(tile.header.record_size);
+            let first = tile.header.points.min(EXPECTED_BY);
+            let mut input = Input::open_at(&tile.path, tile.header.data, &self.limits)?;
+            records.add(input.take((first * size) as usize, "the points")?);
+        }
+        Ok(Some(ExpectedTile { facts: facts_of(records.seen(), records.left_out(), tile.header.points), bounds }))
+    }
+
     /// Keeps what the first pass has found; so many points are kept of each file.
     fn keep(&mut self, pass: Pass, chosen_of: &[u64]) {
         let has_colors = pass.seen.iter().any(|seen| seen.attributes().colors);
@@ -206,10 +242,20 @@ impl TiledPoints for LasPoints {
         origin: Option<DVec3>,
         each: &mut dyn FnMut(&PointCloud) -> bool,
     ) -> Result<TileFacts, ImportError> {
-        let tile = &self.all.tiles[tile];
-        let mut records = Records::new(&tile.header, None, origin);
-        self.read(tile, &mut records, each)?;
-        Ok(facts_of(records.seen(), records.left_out(), records.chosen()))
+        self.facts_of_tile(&self.all.tiles[tile], None, origin, each)
+    }
+
+    fn expect(&mut self) -> Result<Option<Vec<ExpectedTile>>, ImportError> {
+        if self.all.tiles.iter().any(|tile| tile.header.filter != PointFilter::default()) {
+            return Ok(None);
+        }
+        let expected: Result<Vec<Option<ExpectedTile>>, ImportError> =
+            self.all.tiles.par_iter().map(|tile| self.expect_of(tile)).collect();
+        Ok(expected?.into_iter().collect())
+    }
+
+    fn visit_tile(&mut self, tile: usize, each: &mut dyn FnMut(&PointCloud) -> bool) -> Result<TileFacts, ImportError> {
+        self.facts_of_tile(&self.all.tiles[tile], self.seen.get(tile).copied(), self.origin, each)
     }
 
     fn learn(&mut self, origin: Option<DVec3>, facts: &[TileFacts]) -> Result<(), ImportError> {
