@@ -70,7 +70,12 @@ export class VoxtraceViewer extends Attributes {
     const shown = () => this.#shown();
     const still = (picture: Picture) => this.#still(picture);
     this.#stage = new Stage(this.#parts.canvas, this.#pool, { shown, still, failed }, this.#look());
-    this.#parts.poster.addEventListener("click", () => this.dismissPoster());
+    this.#parts.poster.addEventListener("click", () => this.#reveal());
+    this.#parts.poster.addEventListener("keydown", (event) => {
+      if (event.key !== "Enter" && event.key !== " ") return;
+      event.preventDefault();
+      this.#reveal();
+    });
     this.#parts.pause.addEventListener("click", () => {
       this.#isTurning = !this.#isTurning;
       this.#parts.pause.textContent = this.#isTurning ? "Pause" : "Turn";
@@ -115,7 +120,10 @@ export class VoxtraceViewer extends Attributes {
     else if (name === "exposure" || name === "tone-mapping") void this.#stage.setLook(this.#look());
     else if (name.startsWith("camera-o") || name === "camera-target" || name === "field-of-view") this.#goHome("none");
     else if (["samples", "seed", "max-bounces", "max-pixels", "clip-box"].includes(name)) this.#refresh();
-    else this.#describe();
+    else {
+      this.#describe();
+      if (name === "reveal") this.#cover();
+    }
   }
 
   /** Whether a scene is there. */
@@ -136,10 +144,30 @@ export class VoxtraceViewer extends Attributes {
   dismissPoster() {
     this.#isPosterGone = true;
     this.#describe();
+    this.#cover();
   }
+  /** Puts the poster back; with `reveal="auto"` until the next picture. */
   showPoster() {
     this.#isPosterGone = false;
-    this.#parts.poster.classList.remove("gone");
+    this.#describe();
+    this.#cover();
+  }
+
+  /** Whether the poster covers the scene until somebody takes it away. */
+  get #isCovered(): boolean { return !this.#isPosterGone && this.reveal !== "auto"; }
+
+  /** Traces what can be seen. */
+  #cover() {
+    this.#streaming?.pause(!this.#isVisible || this.#isCovered);
+    if (this.#isCovered) this.#stage.stop();
+    this.#refresh();
+  }
+
+  /** Somebody presses the poster. */
+  #reveal() {
+    const hadFocus = this.shadowRoot?.activeElement === this.#parts.poster;
+    this.dismissPoster();
+    if (hadFocus) this.#parts.canvas.focus();
   }
 
   /** The picture as it is on the canvas. */
@@ -190,6 +218,7 @@ export class VoxtraceViewer extends Attributes {
 
   /** Shows a file of this machine; its bytes stay here. */
   async show(file: File): Promise<void> {
+    if (this.reveal === "interaction") this.dismissPoster();
     await this.#begin(file.name, async () => {
       if (isStreamed(new Uint8Array(await file.slice(0, 64).arrayBuffer()))) return { name: file.name, blob: file };
       return { kind: "file", name: file.name, bytes: new Uint8Array(await file.arrayBuffer()) };
@@ -287,7 +316,7 @@ export class VoxtraceViewer extends Attributes {
       failed,
     });
     this.#streaming = streaming;
-    streaming.pause(!this.#isVisible);
+    streaming.pause(!this.#isVisible || this.#isCovered);
     signal.addEventListener("abort", end);
   }
 
@@ -382,6 +411,11 @@ export class VoxtraceViewer extends Attributes {
   /** Shows the view as it is now. */
   #refresh() {
     if (!this.#view || !this.#start || !this.#isVisible || this.clientWidth === 0) return;
+    if (this.#isCovered) {
+      // No picture comes that would end it.
+      if (!this.#isArriving || this.#streaming) this.#endProgress();
+      return;
+    }
     const picture = this.#picture()!;
     if (this.#isOwnView && picture.lensOf < 0 && picture.width / picture.height !== this.#aspect) void this.#fit();
     this.#stage.show(picture);
@@ -423,7 +457,7 @@ export class VoxtraceViewer extends Attributes {
   #seen(isVisible: boolean) {
     const wasVisible = this.#isVisible;
     this.#isVisible = isVisible;
-    if (isVisible !== wasVisible) this.#streaming?.pause(!isVisible);
+    if (isVisible !== wasVisible) this.#streaming?.pause(!isVisible || this.#isCovered);
     if (isVisible && this.loading === "lazy" && !this.#load) this.#reload();
     // Nobody looks: other pages get the processor.
     else if (!isVisible) this.#stage.stop();
@@ -437,7 +471,7 @@ export class VoxtraceViewer extends Attributes {
       if (signal.aborted) return;
       const seconds = Math.min(0.25, (now - last) / 1000);
       last = now;
-      const turns = this.autoRotate && !calm.matches && this.#isVisible && !!this.#view;
+      const turns = this.autoRotate && !calm.matches && this.#isVisible && !this.#isCovered && !!this.#view;
       this.#parts.pause.hidden = !turns;
       if (turns && this.#isTurning && now - this.#lastMove > REST) {
         this.#move((view) => ({ ...view, theta: view.theta + TURNS * seconds }), "none");
@@ -479,9 +513,17 @@ export class VoxtraceViewer extends Attributes {
     }
     poster.style.backgroundImage = this.poster ? `url(${JSON.stringify(new URL(this.poster, this.ownerDocument.baseURI).href)})` : "";
     poster.classList.toggle("gone", this.#isPosterGone);
+    if (this.reveal === "interaction" && !this.#isPosterGone) {
+      poster.tabIndex = 0;
+      poster.setAttribute("role", "button");
+      poster.setAttribute("aria-label", `Show ${this.alt || this.#info?.name || "voxels"}`);
+    } else {
+      for (const name of ["tabindex", "role", "aria-label"]) poster.removeAttribute(name);
+    }
   }
 
   #shown() {
+    this.#parts.canvas.classList.remove("blank");
     if (this.reveal === "auto" && !this.#isPosterGone) this.dismissPoster();
     if (!this.#isArriving) this.#endProgress();
   }
@@ -514,6 +556,8 @@ export class VoxtraceViewer extends Attributes {
     if (error instanceof TracerError && error.isFatal) this.#pool.end();
     // What is shown of a file whose further parts do not come stays.
     if (type === "renderfailure" || !this.#info) this.#stage.stop();
+    // The picture of another scene would be taken for this one's.
+    if (!this.#info) this.#blank();
     showProgress(this.#parts, null);
     this.#parts.message.textContent = message;
     this.#parts.message.hidden = false;
@@ -530,7 +574,14 @@ export class VoxtraceViewer extends Attributes {
     this.#pool.end();
     [this.#info, this.#view, this.#start] = [undefined, undefined, undefined];
     clearTimeout(this.#speak);
-    [this.#parts.canvas.width, this.#parts.canvas.height] = [1, 1];
+    this.#blank();
+  }
+
+  /** Nothing is on the canvas. */
+  #blank() {
+    const { canvas } = this.#parts;
+    [canvas.width, canvas.height] = [1, 1];
+    canvas.classList.add("blank");
   }
 }
 

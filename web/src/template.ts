@@ -12,11 +12,13 @@ const STYLE = `
 :host([hidden]) { display: none; }
 canvas, .poster { position: absolute; inset: 0; width: 100%; height: 100%; display: block; }
 canvas { outline: none; }
+canvas.blank { opacity: 0; }
 :host([camera-controls]) canvas { touch-action: none; cursor: grab; }
 :host([camera-controls]) canvas:active { cursor: grabbing; }
 .ring { position: absolute; inset: 0; pointer-events: none; border: 3px solid transparent; }
-canvas:focus-visible ~ .ring, :host([dropping]) .ring { border-color: var(--accent); }
-.poster { background: center / contain no-repeat; border: 0; padding: 0; transition: opacity .3s; }
+canvas:focus-visible ~ .ring, .poster:focus-visible ~ .ring, :host([dropping]) .ring { border-color: var(--accent); }
+.poster { background: center / contain no-repeat; border: 0; padding: 0; outline: none; transition: opacity .3s; }
+.poster[role] { cursor: pointer; }
 .poster.gone { opacity: 0; visibility: hidden; transition: opacity .3s, visibility 0s .3s; pointer-events: none; }
 .bar { position: absolute; left: 0; right: 0; top: 0; height: 4px; background: transparent; }
 .bar > div { height: 100%; width: 100%; transform-origin: left; transform: scaleX(0); background: var(--accent); }
@@ -31,7 +33,7 @@ canvas:focus-visible ~ .ring, :host([dropping]) .ring { border-color: var(--acce
 `;
 
 const MARKUP = `
-<canvas part="canvas" role="img" aria-label="Voxels" width="1" height="1"></canvas>
+<canvas part="canvas" class="blank" role="img" aria-label="Voxels" width="1" height="1"></canvas>
 <div class="poster" part="poster"><slot name="poster"></slot></div>
 <div class="ring"></div>
 <div class="bar" part="progress-bar" role="progressbar" aria-label="Loading" aria-valuemin="0" aria-valuemax="100" hidden><div></div></div>

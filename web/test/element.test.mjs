@@ -189,6 +189,17 @@ test("what goes wrong is told in the library's own words", async () => {
   }
 });
 
+test("the picture of the scene before does not stay behind an error", async () => {
+  const page = await open(SCENE);
+  await event(page, "still");
+  const opacity = () => page.evaluate(() => getComputedStyle(window.viewer.shadowRoot.querySelector("canvas")).opacity);
+  assert.deepEqual([await opacity(), (await variance(page)) > 100], ["1", true]);
+  await page.evaluate(() => (window.viewer.src = "/files/nothing.vox"));
+  await event(page, "error");
+  assert.deepEqual([await opacity(), await variance(page)], ["0", 0]);
+  await page.close();
+});
+
 test("another scene that is asked for while one arrives takes its place", async () => {
   const page = await open({ ...SCENE, src: "/files/city.vox?rate=20000" });
   await event(page, "progress", 2);
@@ -257,12 +268,27 @@ test("it turns by itself unless a person prefers less motion, and can be stopped
 
 test("a lazy viewer loads when it comes into view, and a poster waits for a press", async () => {
   const page = await open({ ...SCENE, loading: "lazy", reveal: "interaction", poster: "/test/poster.png" }, { height: 200 });
-  await event(page, "still");
+  const load = await event(page, "load");
+  assert.ok(load);
+  const poster = page.locator("voxtrace-viewer").getByRole("button", { name: "Show" });
   const isGone = () => page.evaluate(() => window.viewer.shadowRoot.querySelector(".poster").classList.contains("gone"));
-  assert.equal(await isGone(), false);
+  const film = () => page.evaluate(() => window.viewer.film()?.samples);
+  await page.waitForTimeout(500);
+  assert.deepEqual([await isGone(), await film(), await count(page, "still")], [false, undefined, 0], "what a poster covers is not traced");
+  assert.equal(await page.locator("voxtrace-viewer").getByRole("progressbar").count(), 0, "and nothing seems to load");
   const at = await middle(page);
   await page.mouse.click(at.x, at.y);
   assert.equal(await isGone(), true);
+  await event(page, "still");
+  assert.equal(await poster.count(), 0);
+  // By keys as well, and put back it holds tracing up again.
+  await page.evaluate(() => window.viewer.showPoster());
+  assert.deepEqual([await isGone(), await film()], [false, undefined]);
+  await poster.focus();
+  await page.keyboard.press("Enter");
+  assert.equal(await isGone(), true);
+  await page.waitForFunction(() => window.viewer.film());
+  assert.equal(await page.evaluate(() => window.viewer.shadowRoot.activeElement?.tagName), "CANVAS");
   await page.evaluate(() => {
     const other = document.createElement("voxtrace-viewer");
     other.setAttribute("loading", "lazy");
