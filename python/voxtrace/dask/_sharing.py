@@ -66,7 +66,8 @@ def gathered(
 
     waiting = submit(parts, []) if parts else {}
     # Gives each result once it is here, so that a worker that stands still with what it has made holds up no other's. It has no types.
-    results: Any = distributed.as_completed(list(waiting), with_results=True)
+    as_completed: Any = distributed.as_completed
+    results = as_completed(list(waiting), with_results=True)
     there: set[int] = set()
     alive: set[str] = set()
     took: deque[float] = deque(maxlen=64)

@@ -2,7 +2,7 @@
 //! which are nearly all of it, never are in memory together. The scene that is opened then is the one that packing at once
 //! gives, bit for bit.
 
-use super::brick_record::encode_bricks;
+use super::brick_record::{BrickWords, encode_bricks};
 use super::bytes::Bytes;
 use super::file::VERSION;
 use super::instance_record::InstanceRecord;
@@ -16,10 +16,14 @@ use super::{Placement, Section};
 use crate::atomic_file::{TemporaryFile, check_replaceable};
 use crate::cuts::Cuts;
 use glam::IVec3;
+use rayon::prelude::*;
 use std::fs::File;
 use std::io::{self, Read, Seek, SeekFrom, Write};
+use std::panic::resume_unwind;
 use std::path::Path;
 use std::sync::Arc;
+use std::sync::mpsc::sync_channel;
+use std::thread;
 use voxtrace_scene::Lens;
 use voxtrace_scene::brick::{BRICK_SIZE, Brick};
 use voxtrace_scene::scene::Scene;
@@ -207,22 +211,33 @@ fn write_bricks(
     let mut pass = Pass { order: vec![], records: vec![], voxels: 0, min, max, emitting: vec![] };
     let mut missing = None;
     writer.begin::<u32>(b"BRIK")?;
-    source.for_each_batch(&mut |batch| {
-        let borrowed: Vec<(IVec3, &Brick)> = batch.iter().map(|(at, brick)| (*at, brick)).collect();
-        let mut words = encode_bricks(&borrowed, entry_bits);
+    let mut write = |Batch { mut words, bricks }: Batch| {
         for &position in &words.positions {
             words.records[position + 1] = words.records[position + 1].wrapping_add(material_words as u32);
             pass.records.push(((record_words + position as u64) / 2) as u32);
         }
         record_words += words.records.len() as u64;
         material_words += words.materials.len() as u64;
-        writer.write(bytemuck::cast_slice(&words.records))?;
-        waiting.file().write_all(bytemuck::cast_slice(&words.materials))?;
-        for (at, brick) in &batch {
-            pass.order.push(*at);
-            pass.add(*at, brick, &emits, emits_at_all, &mut missing);
+        for found in bricks {
+            missing = missing.or(found.missing);
+            pass.add(found);
         }
-        Ok(())
+        writer.write(bytemuck::cast_slice(&words.records))?;
+        waiting.file().write_all(bytemuck::cast_slice(&words.materials))
+    };
+    // A batch is encoded while the one before it is written.
+    thread::scope(|scope| {
+        let (encoded, batches) = sync_channel(1);
+        let writing = scope.spawn(move || batches.into_iter().try_for_each(&mut write));
+        let read = source.for_each_batch(&mut |batch| {
+            let borrowed: Vec<(IVec3, &Brick)> = batch.iter().map(|(at, brick)| (*at, brick)).collect();
+            let words = encode_bricks(&borrowed, entry_bits);
+            let bricks = batch.par_iter().map(|(at, brick)| Found::of(*at, brick, &emits, emits_at_all)).collect();
+            // Who writes says why it has ended.
+            encoded.send(Batch { words, bricks }).map_err(|_| io::ErrorKind::BrokenPipe.into())
+        });
+        drop(encoded);
+        writing.join().unwrap_or_else(|panic| resume_unwind(panic)).and(read)
     })?;
     if let Some(material) = missing {
         return Err(PackError::MissingMaterial { grid: 0, material, count: scene.materials.len() }.into());
@@ -237,18 +252,44 @@ fn write_bricks(
     Ok(pass)
 }
 
-impl Pass {
-    fn add(&mut self, at: IVec3, brick: &Brick, emits: &[bool], emits_at_all: bool, missing: &mut Option<u16>) {
+/// Bricks on their way into the file.
+struct Batch {
+    words: BrickWords,
+    bricks: Vec<Found>,
+}
+
+/// What there is to be known of a brick.
+struct Found {
+    at: IVec3,
+    voxels: u64,
+    min: IVec3,
+    max: IVec3,
+    /// A material that the scene does not have.
+    missing: Option<u16>,
+    emitting: Vec<(IVec3, u16)>,
+}
+
+impl Found {
+    fn of(at: IVec3, brick: &Brick, emits: &[bool], emits_at_all: bool) -> Self {
         let corner = at * BRICK_SIZE;
-        self.voxels += brick.materials().len() as u64;
-        let beyond = brick.materials().iter().find(|&&material| usize::from(material) >= emits.len());
-        *missing = missing.or(beyond.copied());
+        let missing = brick.materials().iter().find(|&&material| usize::from(material) >= emits.len()).copied();
         let (low, high) = brick.extent();
-        (self.min, self.max) = (self.min.min(corner + low), self.max.max(corner + high));
+        let mut emitting = Vec::new();
         if emits_at_all && missing.is_none() {
-            let emitting = brick.voxels().filter(|&(_, material)| emits[usize::from(material)]);
-            self.emitting.extend(emitting.map(|(local, material)| (corner + local, material)));
+            let voxels = brick.voxels().filter(|&(_, material)| emits[usize::from(material)]);
+            emitting.extend(voxels.map(|(local, material)| (corner + local, material)));
         }
+        let voxels = brick.materials().len() as u64;
+        Self { at, voxels, min: corner + low, max: corner + high, missing, emitting }
+    }
+}
+
+impl Pass {
+    fn add(&mut self, found: Found) {
+        self.order.push(found.at);
+        self.voxels += found.voxels;
+        (self.min, self.max) = (self.min.min(found.min), self.max.max(found.max));
+        self.emitting.extend(found.emitting);
     }
 }
 

@@ -28,10 +28,13 @@ use super::voxelized::{Voxelized, scene_of_source};
 use super::{VoxelizeError, VoxelizeOptions, VoxelizeProgress, check_limits};
 use crate::limits::Limits;
 use crate::points::source::PointSource;
-use crate::points::{ColorBy, ColorMap, ValueHistogram};
+use crate::points::{ColorBy, ColorMap, PointCloud, ValueHistogram};
 use glam::IVec3;
 use rayon::prelude::*;
+use std::panic::resume_unwind;
 use std::path::Path;
+use std::sync::mpsc::sync_channel;
+use std::thread;
 use voxtrace_scene::scene::Scene;
 
 /// Bytes of a point on the disk: tile (4), index in the tile (2) and value of the colour (4).
@@ -148,7 +151,7 @@ fn sort(
     progress: &VoxelizeProgress,
 ) -> Result<(), VoxelizeError> {
     let mut failure = None;
-    source.for_each(&mut |piece| {
+    for_each_ahead(source, &mut |piece| {
         let count = piece.positions.len();
         let chunks = (0..count.div_ceil(CHUNK)).into_par_iter().map(|chunk| {
             let points = chunk * CHUNK..((chunk + 1) * CHUNK).min(count);
@@ -177,6 +180,25 @@ fn sort(
         !progress.is_cancelled()
     })?;
     buckets.end(failure, progress)
+}
+
+/// Goes through the pieces of a source, of which the next one is read while one is worked on.
+fn for_each_ahead(
+    source: &mut dyn PointSource,
+    each: &mut dyn FnMut(&PointCloud) -> bool,
+) -> Result<(), VoxelizeError> {
+    thread::scope(|scope| {
+        let (give, pieces) = sync_channel(1);
+        let read = move || source.for_each(&mut |piece| give.send(piece.clone()).is_ok());
+        let reader = thread::Builder::new().name("points".into()).spawn_scoped(scope, read)?;
+        // Without anybody to take them, reading ends.
+        for piece in pieces {
+            if !each(&piece) {
+                break;
+            }
+        }
+        Ok(reader.join().unwrap_or_else(|panic| resume_unwind(panic))?)
+    })
 }
 
 /// Encoded points in order, with runs of those that go into the same part.

@@ -15,6 +15,8 @@ use record::{appearances_of, decoded_brick, packed_coordinates, unpacked_coordin
 use std::fs::File;
 use std::io::{self, Read, Seek, SeekFrom};
 use std::path::Path;
+use std::sync::mpsc::sync_channel;
+use std::thread;
 use voxtrace_scene::brick::Brick;
 
 /// Where the record of a brick lies.
@@ -198,42 +200,48 @@ impl SpillBuffer {
         use rayon::prelude::*;
         /// Bricks in a batch.
         const BATCH: usize = 1 << 13;
-        let mut bytes = Vec::new();
-        for entries in self.entries.chunks(BATCH) {
-            let bricks = match &mut self.storage {
-                Storage::Memory(pieces) => entries
-                    .par_iter()
-                    .map(|entry| {
-                        let piece = pieces.partition_point(|piece| piece.0 <= entry.offset) - 1;
-                        let start = (entry.offset - pieces[piece].0) as usize;
-                        let bytes = &pieces[piece].1[start..start + entry.size as usize];
-                        (unpacked_coordinates(entry.at), decoded_brick(bytes, unpacked_coordinates(entry.at), material))
-                    })
-                    .collect(),
-                storage => {
-                    let files = match storage {
-                        Storage::File(file, _) => std::slice::from_mut(file.file()?),
-                        Storage::Parts(files) => files,
-                        Storage::Memory(_) => unreachable!("has its own arm"),
-                    };
-                    let starts = read_entries(files, entries, &mut bytes)?;
-                    let parts = entries.par_iter().zip(&starts);
-                    let decode = |(entry, &start): (&Entry, &usize)| {
-                        let bytes = &bytes[start..start + entry.size as usize];
-                        (unpacked_coordinates(entry.at), decoded_brick(bytes, unpacked_coordinates(entry.at), material))
-                    };
-                    parts.map(decode).collect()
+        let decode = |entry: &Entry, bytes: &[u8]| {
+            let at = unpacked_coordinates(entry.at);
+            (at, decoded_brick(&bytes[..entry.size as usize], at, material))
+        };
+        let entries = self.entries.chunks(BATCH);
+        let files = match &mut self.storage {
+            Storage::Memory(pieces) => {
+                let bytes = |entry: &Entry| {
+                    let piece = pieces.partition_point(|piece| piece.0 <= entry.offset) - 1;
+                    &pieces[piece].1[(entry.offset - pieces[piece].0) as usize..]
+                };
+                let mut entries = entries;
+                return entries
+                    .try_for_each(|batch| each(batch.par_iter().map(|entry| decode(entry, bytes(entry))).collect()));
+            }
+            Storage::File(file, _) => std::slice::from_mut(file.file()?),
+            Storage::Parts(files) => files,
+        };
+        // The next batch is read while one is worked on.
+        thread::scope(|scope| {
+            let (read, batches) = sync_channel(1);
+            scope.spawn(move || {
+                for batch in entries {
+                    let bytes = read_entries(files, batch).map(|bytes| (batch, bytes));
+                    if read.send(bytes).is_err() {
+                        break;
+                    }
                 }
-            };
-            each(bricks)?;
-        }
-        Ok(())
+            });
+            for batch in batches {
+                let (batch, (bytes, starts)) = batch?;
+                let parts = batch.par_iter().zip(&starts);
+                each(parts.map(|(entry, &start)| decode(entry, &bytes[start..])).collect())?;
+            }
+            Ok(())
+        })
     }
 }
 
-/// Reads the records of entries one after the other into `bytes`, adjacent ones in one read; returns where each begins.
-fn read_entries(files: &mut [File], entries: &[Entry], bytes: &mut Vec<u8>) -> io::Result<Vec<usize>> {
-    bytes.clear();
+/// Reads the records of entries one after the other, adjacent ones in one read; returns their bytes, and where each begins.
+fn read_entries(files: &mut [File], entries: &[Entry]) -> io::Result<(Vec<u8>, Vec<usize>)> {
+    let mut bytes = Vec::with_capacity(entries.iter().map(|entry| entry.size as usize).sum());
     let mut starts = Vec::with_capacity(entries.len());
     let mut at = 0;
     while at < entries.len() {
@@ -250,7 +258,7 @@ fn read_entries(files: &mut [File], entries: &[Entry], bytes: &mut Vec<u8>) -> i
         file.seek(SeekFrom::Start(first.offset))?;
         file.read_exact(&mut bytes[start..])?;
     }
-    Ok(starts)
+    Ok((bytes, starts))
 }
 
 /// Bytes of an entry in a frame: packed coordinates (8) and size of the record (4).

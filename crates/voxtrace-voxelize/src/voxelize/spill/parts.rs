@@ -77,17 +77,18 @@ impl SpillBuffer {
     ) -> Result<Self, VoxelizeError> {
         let (mut own, mut files, mut sums) = (Self::in_memory(), Vec::new(), Vec::new());
         let mut ranges = Vec::new();
-        for (number, path) in parts.iter().enumerate() {
-            let mut log = PartLog::read(path, key, histogram)?;
+        let read = |path: &PathBuf| {
+            if progress.is_cancelled() { Err(VoxelizeError::Cancelled) } else { PartLog::read(path, key, histogram) }
+        };
+        let logs: Vec<Result<PartLog, VoxelizeError>> = parts.par_iter().map(read).collect();
+        for (number, (path, log)) in parts.iter().zip(logs).enumerate() {
+            let mut log = log?;
             log.finished.iter_mut().chain(&mut log.sums).for_each(|entry| entry.file = number as u32);
             own.entries.append(&mut log.finished);
             sums.append(&mut log.sums);
             own.voxels += log.voxels;
             ranges.push((log.files, path));
             files.push(log.file);
-            if progress.is_cancelled() {
-                return Err(VoxelizeError::Cancelled);
-            }
         }
         check_ranges(ranges, count)?;
         files.push(TemporaryFile::nameless(path)?.try_clone()?);
@@ -107,12 +108,12 @@ impl SpillBuffer {
         progress: &VoxelizeProgress,
     ) -> Result<(), VoxelizeError> {
         let Storage::Parts(files) = &mut self.storage else { return Ok(()) };
-        let (last, mut end, mut bytes) = (files.len() - 1, 0u64, Vec::new());
+        let (last, mut end) = (files.len() - 1, 0u64);
         let bricks: Vec<&[Entry]> = sums.chunk_by(|a, b| a.at == b.at).collect();
         let mut out = files[last].try_clone()?;
         for batch in bricks.chunks(BATCH) {
             let entries = batch.concat();
-            let starts = read_entries(files, &entries, &mut bytes)?;
+            let (bytes, starts) = read_entries(files, &entries)?;
             let mut first = 0;
             let batch: Vec<(&[Entry], &[usize])> = batch
                 .iter()
