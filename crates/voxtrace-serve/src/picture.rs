@@ -61,7 +61,7 @@ impl Shown {
                 bytes.extend(&stripe[..parts.scan.start]);
                 bytes[start + parts.height..][..2].copy_from_slice(&height.to_be_bytes());
             } else {
-                bytes.extend([0xFF, RESTART | (index as u8 - 1) % 8]);
+                bytes.extend([0xFF, RESTART | ((index - 1) % 8) as u8]);
             }
             bytes.extend(&stripe[parts.scan]);
         }

@@ -12,7 +12,7 @@ use voxtrace::{Film, Frame, PackedScene, Progress, TraceError, Tracer};
 /// Pictures that a client may have before it shows them: one that becomes colours, one that becomes a file, one that travels.
 const MOST_UNSHOWN: u32 = 3;
 /// What tracing a picture of a view that moves may take, and what each step after it may.
-const MOVING: Duration = Duration::from_millis(25);
+const MOVING: Duration = Duration::from_millis(30);
 /// What is traced of a view that stands before it is shown again.
 const STANDING: Duration = Duration::from_millis(500);
 /// A view stands when no other came for so long.

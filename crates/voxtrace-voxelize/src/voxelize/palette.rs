@@ -31,8 +31,8 @@ pub(super) struct Palette {
 
 /// The materials of appearances that do not emit.
 enum NonEmissive {
-    /// No quantization: the position of an appearance in this ascending list is its material.
-    Exact(Vec<AppearanceKey>),
+    /// No quantization: an appearance's material is how many others come before it in ascending order. By class.
+    Exact(Vec<ColorRanks>),
     /// By class and histogram bin: the nearest material, the one to dither with, and that one's share in 1/255.
     Bins(Vec<Vec<(u16, u16, u8)>>),
 }
@@ -49,7 +49,7 @@ impl Palette {
         let plain = if histogram.appearance_count() <= room as u64 {
             let keys = histogram.appearances();
             materials.extend(keys.iter().map(|&key| material_of(key, classes)));
-            NonEmissive::Exact(keys)
+            NonEmissive::Exact(ColorRanks::of(&keys))
         } else {
             quantized(histogram, classes, room, dither, &mut materials)
         };
@@ -67,13 +67,49 @@ impl Palette {
         }
         match &self.plain {
             // The histogram has seen every appearance.
-            NonEmissive::Exact(keys) => keys.binary_search(&key).unwrap_or(0) as u16,
+            NonEmissive::Exact(classes) => classes[(key >> 24 & 0xff) as usize].rank(key as u32),
             NonEmissive::Bins(classes) => {
                 let bins = &classes[(key >> 24 & 0xff) as usize];
                 let (nearest, second, share) = bins.get(bin_of(key as u32)).copied().unwrap_or_default();
                 if u32::from(share) > threshold(voxel) { second } else { nearest }
             }
         }
+    }
+}
+
+/// Distinct colours of a class, as a bitmap with counts: the number of a colour is found at once.
+#[derive(Clone, Default)]
+struct ColorRanks(Vec<RankWord>);
+
+/// Which of 64 colours there are, and how many come before them.
+#[derive(Clone, Copy, Default)]
+struct RankWord {
+    colors: u64,
+    before: u32,
+}
+
+impl ColorRanks {
+    /// Of ascending keys that do not emit; by class.
+    fn of(keys: &[AppearanceKey]) -> Vec<Self> {
+        let class_of = |key: AppearanceKey| (key >> 24 & 0xff) as usize;
+        let mut classes = vec![Self::default(); keys.last().map_or(0, |&key| class_of(key) + 1)];
+        for &key in keys {
+            let words = &mut classes[class_of(key)].0;
+            words.resize(1 << 18, RankWord::default());
+            words[(key as u32 & 0xff_ffff) as usize / 64].colors |= 1 << (key % 64);
+        }
+        let mut before = 0;
+        for word in classes.iter_mut().flat_map(|class| &mut class.0) {
+            word.before = before;
+            before += word.colors.count_ones();
+        }
+        classes
+    }
+
+    /// How many appearances come before that of a colour, 0xRRGGBB.
+    fn rank(&self, key: u32) -> u16 {
+        let RankWord { colors, before } = self.0[(key & 0xff_ffff) as usize / 64];
+        (before + (colors & ((1u64 << (key % 64)) - 1)).count_ones()) as u16
     }
 }
 
@@ -297,6 +333,21 @@ mod tests {
         assert_eq!(material(0xff0000).base_color, Vec3::X);
         assert_eq!((material(appearance_key(0xff0000, 1, 0)).roughness, material(0xff0000).roughness), (0.1, 1.0));
         assert!((material(lamp).emission - Vec3::new(5.0, 4.0, 3.0)).abs().max_element() < 0.02);
+    }
+
+    #[test]
+    fn colours_have_the_numbers_of_their_order_over_all_classes() {
+        let keys: Vec<AppearanceKey> = (0..3u64)
+            .filter(|class| *class != 1)
+            .flat_map(|class| (0..9000u64).map(move |i| (class << 24) | (i * 1861 % (1 << 24))))
+            .collect::<std::collections::BTreeSet<_>>()
+            .into_iter()
+            .collect();
+        let classes = ColorRanks::of(&keys);
+        assert_eq!((classes.len(), keys.len()), (3, 18_000));
+        for (number, &key) in keys.iter().enumerate() {
+            assert_eq!(usize::from(classes[(key >> 24) as usize].rank(key as u32)), number);
+        }
     }
 
     #[test]

@@ -255,11 +255,11 @@ fn headers_and_first_points_that_mislead_are_seen_and_cost_a_second_reading() {
     }
     // The first points are dark, so that their colours look like bytes.
     scan(folder.path());
-    let mut points: Vec<Point> = (0..60_000).map(|i| ([i % 300, i / 300, 5], [1, 0, 0], 7, 1)).collect();
+    let mut points: Vec<Point> = (0..6000).map(|i| ([i % 300, i / 300, 5], [1, 0, 0], 7, 1)).collect();
     let bytes = |points: &[Point]| {
         let mut bytes = las(points, (2, 2));
         // 16 bits, none above 255.
-        for record in bytes[227..].chunks_exact_mut(26).take(55_000) {
+        for record in bytes[227..].chunks_exact_mut(26).take(5500) {
             record[20..26].copy_from_slice(&[200, 0, 90, 0, 0, 0]);
         }
         with_bounds(bytes)
@@ -267,7 +267,7 @@ fn headers_and_first_points_that_mislead_are_seen_and_cost_a_second_reading() {
     std::fs::write(folder.path().join("1.las"), bytes(&points)).unwrap();
     assert!(!work.shared_once(&shares).0, "the last of them are bright");
     assert!(work.shared_once(&shares).1 == work.alone().unwrap());
-    points.truncate(55_000);
+    points.truncate(5500);
     std::fs::write(folder.path().join("1.las"), bytes(&points)).unwrap();
     assert!(work.shared_once(&shares) == (true, work.alone().unwrap()));
 }

@@ -118,7 +118,7 @@ impl Work<'_> {
         progress.add(count.saturating_sub(sorted));
         for part in 0..partition.part_count() {
             let mut points: Vec<(u32, u64)> = Vec::with_capacity((buckets.size(part) / RECORD as u64) as usize);
-            buckets.read(part, |bytes| points.extend(bytes.as_chunks().0.iter().map(decoded)))?;
+            buckets.read(part, |bytes| points.par_extend(bytes.as_chunks().0.par_iter().map(decoded)))?;
             points.par_sort_unstable_by_key(|&(tile, _)| tile);
             let tiles: Vec<&[(u32, u64)]> = points.chunk_by(|a, b| a.0 == b.0).collect();
             for (number, batch) in tiles.chunks(BATCH).enumerate() {

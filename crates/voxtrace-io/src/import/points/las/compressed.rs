@@ -149,6 +149,20 @@ impl Decompressor {
         Ok(count > 0)
     }
 
+    /// Adds the first points, at most so many.
+    pub fn first(&mut self, records: &mut Records, most: u32) -> Result<(), ImportError> {
+        let (Some(description), Some(&chunk)) = (&self.description, self.chunks.first()) else { return Ok(()) };
+        let mut packed = vec![0; chunk.byte_count as usize];
+        let io = |error| ImportError::io(&self.path, error);
+        self.source.seek(SeekFrom::Start(self.at)).and_then(|_| self.source.read_exact(&mut packed)).map_err(io)?;
+        let some = ChunkTableEntry { point_count: chunk.point_count.min(most.into()), ..chunk };
+        let mut points = vec![0; some.point_count as usize * self.record_size];
+        let fault = |what| ImportError::malformed(&self.path, self.start, what);
+        decompress(&packed, &mut points, description, some).map_err(fault)?;
+        records.add(&points);
+        Ok(())
+    }
+
     /// Looks for the first point that is kept: chunks begin with one that is not compressed.
     pub fn look_for_offset(&mut self, records: &mut Records) -> Result<(), ImportError> {
         let Some(description) = &self.description else { return Ok(()) };

@@ -16,8 +16,8 @@ use voxtrace_voxelize::points::source::{ExpectedTile, PointSource, TileFacts, Ti
 use voxtrace_voxelize::points::{Attributes, PointCloud};
 use voxtrace_voxelize::{ImportError, Limits};
 
-/// Points of a file that is not compressed from which others are expected to say the same: as many as chunks of a compressed one have.
-const EXPECTED_BY: u64 = 50_000;
+/// First points of a file, from which others are expected to say the same.
+const EXPECTED_BY: u64 = 5000;
 /// Bytes of points decompressed at once, about.
 const DECOMPRESSED: usize = 32 << 20;
 
@@ -139,8 +139,7 @@ impl LasPoints {
         }
         let Some(bounds) = tile.header.span() else { return Ok(None) };
         if tile.header.is_compressed {
-            // A chunk.
-            self.decompressor(tile)?.next(&mut records, 1)?;
+            self.decompressor(tile)?.first(&mut records, EXPECTED_BY as u32)?;
         } else {
             let size = u64::from(tile.header.record_size);
             let first = tile.header.points.min(EXPECTED_BY);
