@@ -155,6 +155,19 @@ def test_a_worker_that_stands_still_with_what_it_made_holds_nobody_up(client):
     assert made == {part: part for part in range(8)}
 
 
+def test_what_a_part_raises_is_raised(client):
+    from voxtrace.dask import _sharing
+
+    def fail(part: int) -> None:
+        raise KeyError(f"part {part}")
+
+    def submit(parts, workers):
+        return {client.submit(fail, part, pure=False): part for part in parts}
+
+    with pytest.raises(KeyError, match="part"):
+        _sharing.gathered(client, submit, [0, 1, 2], lambda *_: None, None)
+
+
 def test_frames_of_an_animation_are_those_of_one_process(client, tmp_path, church):
     from voxtrace import dask
 

@@ -119,7 +119,7 @@ def test_a_worker_that_is_lost_costs_its_part_alone_and_work_goes_on_where_it_wa
     # What is there is not made again: a part that is damaged is told, and once it is gone the others do.
     kept = tmp_path / "kept"
     with monkeypatch.context() as context:
-        context.setattr("voxtrace.dask._voxelize._remove", lambda *_: None)
+        context.setattr("voxtrace.dask._voxelize.removed", lambda *_: None)
         dask.voxelize(client, scan, tmp_path / "b.vxt", voxel_size=0.05, parts=3, folder=kept)
     parts = sorted(kept.glob("*.part"))
     times = [part.stat().st_mtime_ns for part in parts]

@@ -32,7 +32,7 @@ def from_array(
     """
     known_name = getattr(array, "name", None)
     if spacing is None and affine is None:
-        affine, known_unit = _place_of(array)
+        affine, known_unit = place_of(array)
         unit = unit if unit is not None else known_unit
     values = _values_of(array)
     rows = None if affine is None else numpy.asarray(affine, dtype=float).tolist()
@@ -56,7 +56,7 @@ def _values_of(array: Any) -> numpy.ndarray[Any, Any]:
     return numpy.asarray(array[...] if hasattr(array, "chunks") else array)
 
 
-def _place_of(array: Any) -> tuple[Any, str | None]:
+def place_of(array: Any) -> tuple[Any, str | None]:
     """From indices to the world, and the unit, where the array knows them."""
     if hasattr(array, "GetDirection"):
         matrix = numpy.eye(4)

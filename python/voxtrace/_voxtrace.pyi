@@ -20,6 +20,7 @@ __all__ = [
     "Scene",
     "Sky",
     "TiledCloud",
+    "TiledVolume",
     "TransferFunction",
     "Volume",
     "VoxelGrid",
@@ -416,6 +417,37 @@ class TiledCloud:
     def merge(self, survey: bytes, parts: Sequence[_Path], path: _Path, levels: int = 0) -> int: ...
     @property
     def notes(self) -> list[str]: ...
+
+@final
+class TiledVolume:
+    def __new__(
+        cls,
+        read: Callable[[int, int, int, int], Any],
+        shape: tuple[int, ...],
+        kind: str,
+        depth: int,
+        stamp: str,
+        *,
+        spacing: float | tuple[float, float, float] | None = None,
+        affine: Sequence[Sequence[float]] | None = None,
+        unit: str | None = None,
+        labels: bool = False,
+        name: str = "array",
+        transfer: _Transfer | None = None,
+        threshold: float | None = None,
+        resolution: int | None = None,
+        voxel_size: float | None = None,
+        shell: bool = True,
+        memory: int,
+        trusted: bool = False,
+    ) -> TiledVolume: ...
+    def wants_looks(self) -> bool: ...
+    def look(self, first: int, end: int) -> bytes: ...
+    def count(self, first: int, end: int, low: float, high: float) -> list[int]: ...
+    def survey(self, looks: Sequence[bytes], count: Callable[[float, float], Sequence[int]]) -> bytes: ...
+    def layers(self, survey: bytes) -> int: ...
+    def voxelize(self, survey: bytes, first: int, end: int, path: _Path) -> int: ...
+    def merge(self, survey: bytes, parts: Sequence[_Path], path: _Path, levels: int = 0) -> int: ...
 
 def join_surveys(found: Sequence[bytes]) -> bytes: ...
 def open(

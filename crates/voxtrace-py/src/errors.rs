@@ -6,6 +6,7 @@ use pyo3::prelude::*;
 use std::fmt::Display;
 use voxtrace::TraceError;
 use voxtrace::import::ImportError;
+use voxtrace::voxelize::VoxelizeError;
 
 pyo3::create_exception!(
     voxtrace,
@@ -70,6 +71,16 @@ pub fn of_tracing(py: Python<'_>, error: &TraceError) -> PyErr {
 /// Anything else that voxtrace refuses.
 pub fn other(py: Python<'_>, error: impl Display) -> PyErr {
     exception::<VoxtraceError>(py, error.to_string(), None, None, None)
+}
+
+/// What voxelizing could not do.
+pub fn raised(py: Python<'_>, error: VoxelizeError) -> PyErr {
+    match error {
+        VoxelizeError::Import(error) => of_reading(py, &error),
+        VoxelizeError::Cancelled => PyKeyboardInterrupt::new_err(()),
+        VoxelizeError::BadScale(_) | VoxelizeError::Missing(_) | VoxelizeError::TooThin(_) => argument(error),
+        error => other(py, error),
+    }
 }
 
 /// An argument that cannot be.

@@ -17,6 +17,7 @@ mod sky;
 mod tiles;
 mod transfer;
 mod volume;
+mod volume_parts;
 
 use pyo3::prelude::*;
 
@@ -50,6 +51,8 @@ mod _voxtrace {
     use super::transfer::PyTransfer;
     #[pymodule_export]
     use super::volume::PyVolume;
+    #[pymodule_export]
+    use super::volume_parts::PyTiledVolume;
 
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {

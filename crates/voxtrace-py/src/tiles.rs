@@ -1,9 +1,8 @@
 //! `TiledCloud`: a scan of many files, of which many processes voxelize some each. `voxtrace.dask` shares it out.
 
-use crate::errors::{argument, of_reading, of_writing, other};
+use crate::errors::{argument, of_reading, of_writing, other, raised};
 use crate::interrupt::run;
 use crate::volume::scale_of;
-use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 use std::path::{Path, PathBuf};
@@ -202,16 +201,6 @@ impl PyTiledCloud {
             VoxelizeError::Io(error) => of_writing(path, &error),
             error => raised(py, error),
         })
-    }
-}
-
-/// What voxelizing could not do.
-fn raised(py: Python<'_>, error: VoxelizeError) -> PyErr {
-    match error {
-        VoxelizeError::Import(error) => of_reading(py, &error),
-        VoxelizeError::Cancelled => PyKeyboardInterrupt::new_err(()),
-        VoxelizeError::BadScale(_) | VoxelizeError::Missing(_) | VoxelizeError::TooThin(_) => argument(error),
-        error => other(py, error),
     }
 }
 

@@ -5,7 +5,11 @@ use crate::errors::argument;
 use pyo3::prelude::*;
 use pyo3::types::PyString;
 use std::collections::BTreeMap;
+use voxtrace::glam::Vec3;
 use voxtrace::volume::{LabelColor, Preset, Ramp, Transfer};
+
+/// A transfer function taken apart: its kind, range, stops, and labels with colour and opacity.
+type Parts = (u8, [f32; 2], Vec<(f32, [f32; 3])>, Vec<(i32, [f32; 4])>);
 
 /// Which values of a volume are shown, and in which colour.
 ///
@@ -64,6 +68,37 @@ impl PyTransfer {
         check_opacity(opacity)?;
         let colors = colors.into_iter().map(|(label, color)| (label, LabelColor::from(color.0))).collect();
         Ok(Self(Transfer { opacity, ..Transfer::new("labels", Ramp::Labels(colors)) }))
+    }
+
+    /// What `__reduce__` has taken apart.
+    #[staticmethod]
+    fn _of_parts(name: String, opacity: f32, parts: Parts) -> Self {
+        let (kind, range, stops, labels) = parts;
+        let stops = stops.into_iter().map(|(value, color)| (value, Vec3::from_array(color))).collect();
+        let colors = labels
+            .into_iter()
+            .map(|(label, [r, g, b, opacity])| (label, LabelColor { color: Vec3::new(r, g, b), opacity }));
+        let ramp = match kind {
+            0 => Ramp::Absolute { low: range[0], high: range[1], stops },
+            1 => Ramp::Relative { stops },
+            2 => Ramp::Labels(colors.collect()),
+            _ => Ramp::EveryLabel,
+        };
+        Self(Transfer { opacity, ..Transfer::new(name, ramp) })
+    }
+
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, (String, f32, Parts))> {
+        let taken = |stops: &[(f32, Vec3)]| stops.iter().map(|(value, color)| (*value, color.to_array())).collect();
+        let parts: Parts = match &self.0.ramp {
+            Ramp::Absolute { low, high, stops } => (0, [*low, *high], taken(stops), vec![]),
+            Ramp::Relative { stops } => (1, [0.0; 2], taken(stops), vec![]),
+            Ramp::Labels(colors) => {
+                let label = |(&label, look): (&i32, &LabelColor)| (label, look.color.extend(look.opacity).to_array());
+                (2, [0.0; 2], vec![], colors.iter().map(label).collect())
+            }
+            Ramp::EveryLabel => (3, [0.0; 2], vec![], vec![]),
+        };
+        Ok((py.get_type::<Self>().getattr("_of_parts")?, (self.0.name.clone(), self.0.opacity, parts)))
     }
 
     fn __repr__(&self) -> String {

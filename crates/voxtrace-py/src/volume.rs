@@ -47,28 +47,10 @@ impl PyVolume {
         labels: bool,
         name: &str,
     ) -> PyResult<Self> {
-        let spacing = spacing
-            .map(|spacing| {
-                spacing.extract::<f64>().map(DVec3::splat).or_else(|_| spacing.extract::<Three>().map(|three| three.0))
-            })
-            .transpose()?;
         let view = array.as_array();
         let (x, y, z) = view.dim();
         let values = py.detach(|| first_axis_fastest(&view));
-        let mut volume = Volume::new([x, y, z], values);
-        volume.world_from_index = match (spacing, affine) {
-            (Some(_), Some(_)) => return Err(argument("spacing or affine, not both")),
-            (Some(spacing), None) => DAffine3::from_scale(spacing),
-            (None, Some(rows)) => affine_of(&rows)?,
-            (None, None) => DAffine3::IDENTITY,
-        };
-        volume.unit = match unit {
-            None => Unit::Voxel,
-            Some("mm") => Unit::Millimetre,
-            Some("m") => Unit::Metre,
-            Some(unit) => return Err(argument(format!("unit is \"mm\", \"m\" or None, not {unit:?}"))),
-        };
-        (volume.is_labels, volume.name) = (labels, name.into());
+        let volume = frame_of(([x, y, z], values), (spacing, affine, unit), labels, name)?;
         volume.validate().map_err(argument)?;
         Ok(Self(volume))
     }
@@ -183,6 +165,38 @@ impl PyVolume {
             self.0.name, spacing.x, spacing.y, spacing.z
         )
     }
+}
+
+/// Where samples lie: their distance or an affine, and a unit.
+type Place<'a, 'py> = (Option<&'a Bound<'py, PyAny>>, Option<Vec<[f64; 4]>>, Option<&'a str>);
+
+/// A volume of samples, of this size, that lie where arguments say.
+pub fn frame_of(
+    (size, values): ([usize; 3], Vec<f32>),
+    (spacing, affine, unit): Place<'_, '_>,
+    labels: bool,
+    name: &str,
+) -> PyResult<Volume> {
+    let spacing = spacing
+        .map(|spacing| {
+            spacing.extract::<f64>().map(DVec3::splat).or_else(|_| spacing.extract::<Three>().map(|three| three.0))
+        })
+        .transpose()?;
+    let mut volume = Volume::new(size, values);
+    volume.world_from_index = match (spacing, affine) {
+        (Some(_), Some(_)) => return Err(argument("spacing or affine, not both")),
+        (Some(spacing), None) => DAffine3::from_scale(spacing),
+        (None, Some(rows)) => affine_of(&rows)?,
+        (None, None) => DAffine3::IDENTITY,
+    };
+    volume.unit = match unit {
+        None => Unit::Voxel,
+        Some("mm") => Unit::Millimetre,
+        Some("m") => Unit::Metre,
+        Some(unit) => return Err(argument(format!("unit is \"mm\", \"m\" or None, not {unit:?}"))),
+    };
+    (volume.is_labels, volume.name) = (labels, name.into());
+    Ok(volume)
 }
 
 /// The size of voxels that arguments ask for.

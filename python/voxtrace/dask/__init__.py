@@ -1,4 +1,4 @@
-"""Work for many machines, by the workers of a Dask cluster: pictures whose films add up to the bytes of one run, animations, thumbnails, scans of many files.
+"""Work for many machines, by the workers of a Dask cluster: pictures whose films add up to the bytes of one run, animations, thumbnails, scans of many files, arrays.
 
 >>> from dask.distributed import Client            # doctest: +SKIP
 >>> client = Client("tcp://scheduler:8786")        # doctest: +SKIP
@@ -8,6 +8,7 @@
 from ._animation import animate
 from ._picture import render, render_like
 from ._thumbnails import Thumbnail, thumbnails
+from ._volume import voxelize_array
 from ._voxelize import voxelize
 
-__all__ = ["Thumbnail", "animate", "render", "render_like", "thumbnails", "voxelize"]
+__all__ = ["Thumbnail", "animate", "render", "render_like", "thumbnails", "voxelize", "voxelize_array"]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import hashlib
 import os
 import statistics
@@ -20,6 +21,9 @@ from .._voxtrace import Renderer, Scene
 PATIENCE = 3.0
 #: The same, in seconds, before the first part is there.
 FIRST_PATIENCE = 30.0
+
+#: Parts of voxels: a worker from which nothing has come for so many seconds is no longer waited for. Dask itself sees sooner that one is gone.
+WORK_PATIENCE = 120.0
 
 #: Seconds between two looks for results.
 GLANCE = 0.01
@@ -77,8 +81,12 @@ def gathered(
             come = results.next_batch(block=False)
             if not come:
                 time.sleep(GLANCE)
-            for future, (worker, made) in come:
+            for future, result in come:
                 part = waiting.pop(future)
+                if future.status != "finished":
+                    # Raises what the part has raised.
+                    future.result()
+                worker, made = result
                 if part not in there:
                     take(part, made)
                     there.add(part)
@@ -101,6 +109,54 @@ def gathered(
     finally:
         # What nobody waits for any more, or after a failure.
         client.cancel(list(waiting), force=True)
+
+
+def made_by_workers(
+    client: Any,
+    work: Callable[..., Any],
+    common: Any,
+    arguments: list[tuple[Any, ...]],
+    survey: bytes | None,
+    retries: int,
+    tell: Callable[[float], object] | None,
+) -> list[Any]:
+    """What `work(common, survey, *arguments)` makes of each of the arguments on the workers: pairs of their address and a result, or an exception that is raised here."""
+
+    def submit(missing: list[int], workers: list[str]) -> dict[Any, int]:
+        sent = None if survey is None else sent_bytes(client, survey, retries, workers)
+        begun: dict[Any, int] = {}
+        for number in missing:
+            begun[client.submit(work, common, sent, *arguments[number], pure=False, retries=retries, **elsewhere(workers))] = number
+        return begun
+
+    made: dict[int, Any] = {}
+
+    def take(number: int, found: Any) -> None:
+        if isinstance(found, Exception):
+            raise found
+        made[number] = found
+
+    gathered(client, submit, list(range(len(arguments))), take, tell, WORK_PATIENCE)
+    return [made[number] for number in range(len(arguments))]
+
+
+def made_by_one(client: Any, work: Callable[..., Any], common: Any, survey: bytes, arguments: tuple[Any, ...], retries: int) -> Any:
+    """What `work(common, survey, *arguments)` makes on one worker, however long it takes, or an exception that is raised here."""
+    sent = sent_bytes(client, survey, retries, [])
+    _, made = client.submit(work, common, sent, *arguments, pure=False, retries=retries).result()
+    if isinstance(made, Exception):
+        raise made
+    return made
+
+
+def removed(place: Path, made: list[Path]) -> None:
+    """Removes what was made on the way, what workers that were killed have left too, and nothing else."""
+    for file in made:
+        file.unlink(missing_ok=True)
+        for left in place.glob(f".{file.name}.*"):
+            left.unlink(missing_ok=True)
+    with contextlib.suppress(OSError):
+        place.rmdir()
 
 
 def packed_scene(scene: Scene) -> tuple[bytes, str]:

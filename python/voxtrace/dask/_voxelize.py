@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import contextlib
 import hashlib
 import os
 from collections.abc import Callable, Iterable
@@ -11,12 +10,10 @@ from typing import Any
 
 from .._voxtrace import TiledCloud, VoxtraceError, join_surveys
 from ._animation import write_whole
-from ._sharing import address_of_worker, elsewhere, gathered, sent_bytes, usual_parts
+from ._sharing import address_of_worker, made_by_one, made_by_workers, removed, usual_parts
 
 #: Memory of a worker that points and their sorting take, in bytes.
 MEMORY = 512 << 20
-#: A worker from which nothing has come for so many seconds is no longer waited for. Dask itself sees sooner that one is gone.
-PATIENCE = 120.0
 
 
 def voxelize(
@@ -79,25 +76,8 @@ def voxelize(
 
     def by_workers(work: Callable[..., Any], arguments: list[tuple[Any, ...]], survey: bytes | None, span: tuple[float, float]) -> list[Any]:
         """What `work` makes of each of the arguments on the workers; `span`: the share of all work that it is."""
-
-        def submit(missing: list[int], workers: list[str]) -> dict[Any, int]:
-            sent = None if survey is None else sent_bytes(client, survey, retries, workers)
-            begun: dict[Any, int] = {}
-            for number in missing:
-                future = client.submit(work, files, options, sent, *arguments[number], pure=False, retries=retries, **elsewhere(workers))
-                begun[future] = number
-            return begun
-
-        made: dict[int, Any] = {}
-
-        def take(number: int, found: Any) -> None:
-            if isinstance(found, Exception):
-                raise found
-            made[number] = found
-
         tell = progress and (lambda share: progress(span[0] + share * (span[1] - span[0])))
-        gathered(client, submit, list(range(len(arguments))), take, tell, PATIENCE)
-        return [made[number] for number in range(len(arguments))]
+        return made_by_workers(client, work, (files, options), arguments, survey, retries, tell)
 
     # Files that have changed are other work, even where they look the same.
     stamp = _stamp(files)
@@ -133,25 +113,11 @@ def voxelize(
         place.mkdir(parents=True, exist_ok=True)
         write_whole(kept, survey)
         made = make_parts(survey, [".part"], (0.5, 0.95))
-    sent = sent_bytes(client, survey, retries, [])
-    names = [str(part) for part in made]
-    _, voxels = client.submit(_merge, files, options, sent, names, str(out), depth, pure=False, retries=retries).result()
-    if isinstance(voxels, Exception):
-        raise voxels
+    made_by_one(client, _merge, (files, options), survey, ([str(part) for part in made], str(out), depth), retries)
     if progress:
         progress(1.0)
-    _remove(place, temporary)
+    removed(place, temporary)
     return out
-
-
-def _remove(place: Path, made: list[Path]) -> None:
-    """Removes what was made on the way, what workers that were killed have left too, and nothing else."""
-    for file in made:
-        file.unlink(missing_ok=True)
-        for left in place.glob(f".{file.name}.*"):
-            left.unlink(missing_ok=True)
-    with contextlib.suppress(OSError):
-        place.rmdir()
 
 
 def _stamp(files: list[str]) -> str:
@@ -172,31 +138,32 @@ def _kept(cloud: TiledCloud, path: Path) -> bytes | None:
         return None
 
 
-def _answer(work: Callable[[TiledCloud], Any], files: list[str], options: dict[str, Any]) -> tuple[str, Any]:
+def _answer(work: Callable[[TiledCloud], Any], common: tuple[list[str], dict[str, Any]]) -> tuple[str, Any]:
     """The worker, and what `work` makes of the files, or the exception that would come again if somebody tried anew."""
+    files, options = common
     try:
         return address_of_worker(), work(TiledCloud(files, **options))
     except (VoxtraceError, ValueError) as error:
         return address_of_worker(), error
 
 
-def _survey(files: list[str], options: dict[str, Any], _: None, first: int, end: int) -> tuple[str, Any]:
-    return _answer(lambda cloud: cloud.survey(first, end), files, options)
+def _survey(common: tuple[list[str], dict[str, Any]], _: None, first: int, end: int) -> tuple[str, Any]:
+    return _answer(lambda cloud: cloud.survey(first, end), common)
 
 
-def _measure(files: list[str], options: dict[str, Any], survey: bytes, first: int, end: int) -> tuple[str, Any]:
-    return _answer(lambda cloud: cloud.measure(survey, first, end), files, options)
+def _measure(common: tuple[list[str], dict[str, Any]], survey: bytes, first: int, end: int) -> tuple[str, Any]:
+    return _answer(lambda cloud: cloud.measure(survey, first, end), common)
 
 
-def _voxelize(files: list[str], options: dict[str, Any], survey: bytes, first: int, end: int, part: str) -> tuple[str, Any]:
+def _voxelize(common: tuple[list[str], dict[str, Any]], survey: bytes, first: int, end: int, part: str) -> tuple[str, Any]:
     def make(cloud: TiledCloud) -> int:
         points, found = cloud.voxelize(survey, first, end, part)
         if found is not None:
             write_whole(Path(part).with_suffix(".found"), found)
         return points
 
-    return _answer(make, files, options)
+    return _answer(make, common)
 
 
-def _merge(files: list[str], options: dict[str, Any], survey: bytes, parts: list[str], output: str, levels: int) -> tuple[str, Any]:
-    return _answer(lambda cloud: cloud.merge(survey, parts, output, levels), files, options)
+def _merge(common: tuple[list[str], dict[str, Any]], survey: bytes, parts: list[str], output: str, levels: int) -> tuple[str, Any]:
+    return _answer(lambda cloud: cloud.merge(survey, parts, output, levels), common)

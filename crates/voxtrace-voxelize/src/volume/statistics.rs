@@ -3,6 +3,7 @@
 //! others once more for each histogram.
 
 use super::{Preset, Volume};
+use crate::fields::{FieldReader, FieldWriter};
 use rayon::prelude::*;
 use std::convert::Infallible;
 use std::ops::RangeInclusive;
@@ -144,6 +145,30 @@ impl Look {
             }
         }
         rest.iter().for_each(|&value| self.counts[place(value)] += 1);
+    }
+
+    /// Adds the look to what is written.
+    pub fn write(&self, out: &mut FieldWriter) {
+        out.value([self.low, self.high]);
+        out.value([u8::from(self.is_whole), u8::from(!self.counts.is_empty()), u8::from(self.values.is_some())]);
+        let counted = self.counts.iter().enumerate().filter(|(_, count)| **count > 0);
+        out.values(&counted.map(|(label, &count)| [label as u64, count]).collect::<Vec<_>>());
+        let values = self.values.iter().flatten().map(|&(value, count)| [u64::from(value.to_bits()), count]);
+        out.values(&values.collect::<Vec<_>>());
+    }
+
+    /// The look that was written.
+    pub fn read(from: &mut FieldReader) -> Option<Self> {
+        let [low, high] = from.value()?;
+        let [is_whole, has_counts, has_values] = from.value::<[u8; 3]>()?;
+        let mut counts = vec![0; if has_counts > 0 { LABEL_COUNT } else { 0 }];
+        for [label, count] in from.values::<[u64; 2]>()? {
+            *counts.get_mut(usize::try_from(label).ok()?)? = count;
+        }
+        let values = from.values::<[u64; 2]>()?.into_iter();
+        let values = values.map(|[value, count]| Some((f32::from_bits(u32::try_from(value).ok()?), count)));
+        let values: Option<Vec<_>> = values.collect();
+        Some(Self { low, high, counts, is_whole: is_whole > 0, values: if has_values > 0 { values } else { None } })
     }
 
     /// What two looks say together.

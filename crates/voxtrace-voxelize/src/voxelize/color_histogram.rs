@@ -23,7 +23,7 @@ struct ClassHistogram {
 }
 
 /// Histogram of the appearances of all voxels so far, filled by many threads at once.
-pub(super) struct ColorHistogram {
+pub(crate) struct ColorHistogram {
     classes: [OnceLock<ClassHistogram>; MAX_BSDF_CLASSES],
     /// Number of voxels of each emissive appearance.
     emissive: Mutex<FxHashMap<AppearanceKey, u64>>,

@@ -49,6 +49,7 @@ use crate::mesh::Mesh;
 use crate::points::PointCloud;
 use binning::TileGrid;
 pub(crate) use checkpoint::Step;
+pub(crate) use color_histogram::ColorHistogram;
 pub(crate) use fingerprint::of_description;
 pub(crate) use spill::{SpillBuffer, TileRecords};
 use std::ops::Range;

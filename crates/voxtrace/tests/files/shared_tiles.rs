@@ -303,7 +303,7 @@ fn what_is_missing_doubled_damaged_or_of_other_work_is_told() {
     told(work.merge(&survey, &parts[..2]), "files 3..6 of 6 are in no part");
     told(work.merge(&survey, &parts[1..]), "files 0..2 of 6 are in no part");
     let doubled = work.part(&survey, 1..3).unwrap();
-    told(work.merge(&survey, &[parts.clone(), vec![doubled]].concat()), "is in another part, too");
+    told(work.merge(&survey, &[parts.clone(), vec![doubled]].concat()), "are in another part, too");
     let good = std::fs::read(&parts[1]).unwrap();
     for at in (0..good.len()).step_by(good.len() / 40).chain([good.len() - 1]) {
         let mut bytes = good.clone();

@@ -1,6 +1,6 @@
 //! Out-of-core voxelization of volumes larger than memory. Samples stay in their file, from which layers of them are read one after
 //! the other: once for what values there are, where the transfer function goes by them, and once for the voxels. Where layers are
-//! large, the work is cut into stripes of rows. The scene in the file that comes of it is the one of the same volume in memory, bit for bit.
+//! large, the work is cut into stripes of rows. Several processes may voxelize layers of bricks each (`shares`). The scene in the file that comes of it is the one of the same volume in memory, bit for bit.
 
 mod across;
 mod ahead;
@@ -9,15 +9,18 @@ mod bricks;
 mod classes;
 mod rows;
 mod seen;
+mod shares;
 mod stripes;
 mod survey;
 mod tally;
 mod threshold;
 
 pub use block::{Block, Coding};
+pub use shares::{layers_of_bricks, merge_volume_parts, voxelize_volume_part};
 pub use survey::Survey;
 
 use super::resample::Axis;
+use super::transfer::Lookup;
 use super::{Placement, Volume, VolumeError, VolumeOptions};
 use crate::import_error::ImportError;
 use crate::limits::Limits;
@@ -102,10 +105,7 @@ pub fn voxelize_large_volume_to_file(
             let (transfer, shown) = (survey.transfer().name.clone(), survey.transfer().shown());
             return Err(VolumeError::Empty { lowest, highest, transfer, shown }.into());
         }
-        let materials = lookup.colors().iter().map(|look| look.material()).collect();
-        let mut scene = Scene { materials, ..Scene::new(frame.name.clone()) };
-        (scene.voxel_size, scene.unit) = (placement.voxel_size, frame.unit);
-        scene.georeference = Some(placement.georeference.clone());
+        let scene = scene_of(&frame, &placement, &lookup);
         let written = Written { voxels: spill.voxels(), materials: scene.materials.len(), is_exact: true };
         let bricks = SpilledBricks {
             spill,
@@ -115,6 +115,15 @@ pub fn voxelize_large_volume_to_file(
         };
         bricks.save(path, &scene).map(|()| written)
     })
+}
+
+/// The scene of a volume without its bricks.
+fn scene_of(frame: &Volume, placement: &Placement, lookup: &Lookup) -> Scene {
+    let materials = lookup.colors().iter().map(|look| look.material()).collect();
+    let mut scene = Scene { materials, ..Scene::new(frame.name.clone()) };
+    (scene.voxel_size, scene.unit) = (placement.voxel_size, frame.unit);
+    scene.georeference = Some(placement.georeference.clone());
+    scene
 }
 
 /// What all stripes share.
@@ -151,7 +160,8 @@ impl Work<'_> {
             let fresh = stripe.samples.len().saturating_sub(first);
             let wide = source.frame().size[0];
             let tally = tally.as_mut().map(|tally| (tally, first * wide));
-            let read = self.stripe(part as u32, stripe, (source, tally), spill, progress)?;
+            let all = (part as u32, 0..self.layers());
+            let read = self.stripe(all, stripe, (source, tally), spill, progress)?;
             counted += (fresh * read * wide) as u64;
             rows = stripe.samples.end;
         }
@@ -162,10 +172,10 @@ impl Work<'_> {
         Ok(())
     }
 
-    /// Makes the bricks of a stripe; returns how many layers of samples were read for them.
+    /// Makes the bricks of some layers of a stripe, which count in the order of the samples; returns how many layers of samples were read for them.
     fn stripe(
         &self,
-        part: u32,
+        (part, batches): (u32, Range<usize>),
         stripe: &Stripe,
         (source, tally): (&mut dyn SampleSource, Option<(&mut Tally, usize)>),
         spill: &mut SpillBuffer,
@@ -175,19 +185,20 @@ impl Work<'_> {
         let mut window = Window::new(self.axes, (stripe.clone(), wide), self.classes, self.coding);
         let layers = self.layers();
         let step = |batch: usize| Step { part, batch: batch as u32 };
-        let done = (0..layers).take_while(|&batch| spill.has(step(batch))).count();
+        let done = batches.clone().take_while(|&batch| spill.has(step(batch))).count();
         progress.add(done as u64);
-        if done == layers {
+        let batches = batches.start + done..batches.end;
+        if batches.is_empty() {
             return Ok(0);
         }
         // In the order of the samples, which the grid may have backwards.
         let is_backward = window.is_backward();
         let layer = |batch: usize| if is_backward { layers - 1 - batch } else { batch };
-        let needed = window.needed_from(layer(done));
+        let needed = window.needed(layer(batches.start), layer(batches.end - 1));
         let count = needed.len();
         ahead(source, needed, stripe.samples.clone(), |ahead| {
             let mut feed = Feed { ahead, tally };
-            for batch in done..layers {
+            for batch in batches {
                 window.move_to(layer(batch), &mut feed, progress)?;
                 let world = self.placement.world_of_lattice();
                 spill.push(step(batch), bricks_of(&window, layer(batch), world, self.shell))?;

@@ -101,13 +101,12 @@ impl<'a> Window<'a> {
         if self.is_backward() { wanted.rev().collect() } else { wanted.collect() }
     }
 
-    /// The layers of samples that are needed from a layer of bricks on, in ascending order.
-    pub fn needed_from(&self, layer: usize) -> Vec<usize> {
-        let first = self.wanted(layer).first().copied().unwrap_or(0);
-        let voxels: Vec<usize> =
-            if self.is_backward() { (0..=first).rev().collect() } else { (first..self.axes[2].count()).collect() };
+    /// The layers of samples that are needed from one layer of bricks to another, in the order of the samples; in ascending order.
+    pub fn needed(&self, first: usize, last: usize) -> Vec<usize> {
+        let ends = self.wanted(first).into_iter().chain(self.wanted(last));
+        let (low, high) = ends.fold((usize::MAX, 0), |(low, high), at| (low.min(at), high.max(at)));
         let mut needed: Vec<usize> =
-            voxels.into_iter().flat_map(|at| self.axes[2].samples(at).map(|(number, _)| number)).collect();
+            (low..=high).flat_map(|at| self.axes[2].samples(at).map(|(number, _)| number)).collect();
         needed.sort_unstable();
         needed.dedup();
         needed

@@ -8,7 +8,13 @@ use super::stripes::rows_within;
 use super::tally::Tally;
 use super::threshold;
 use super::{Block, Coding, DEFAULT_BUDGET, SampleSource};
+use crate::fields::{FieldReader, FieldWriter};
 use crate::voxelize::{VoxelizeError, VoxelizeProgress};
+use std::ops::Range;
+
+/// First bytes of a look at some layers, and of a survey. To be changed with what follows them.
+const LOOK: &[u8; 8] = b"voxlook\x01";
+const SURVEY: &[u8; 8] = b"voxvals\x01";
 
 /// The transfer function, and what is known of the values.
 #[derive(Clone, Debug)]
@@ -31,28 +37,126 @@ impl Survey {
         memory_budget: Option<u64>,
         progress: &VoxelizeProgress,
     ) -> Result<Self, VoxelizeError> {
-        source.frame().validate_lattice().map_err(VolumeError::BadVolume)?;
+        if let Some(known) = Self::without_values(source.frame(), options)? {
+            return Ok(known);
+        }
+        let all = 0..source.frame().size[2];
         let budget = memory_budget.unwrap_or(DEFAULT_BUDGET);
-        if let Some(transfer) = options.transfer.as_ref().filter(|transfer| !transfer.goes_by_values()) {
+        let look = look_at(source, all.clone(), budget, progress)?;
+        let frame = source.frame().clone();
+        Self::by_look(&frame, options, look, &mut |low, high| count(source, (all.clone(), low, high), budget, progress))
+    }
+
+    /// The survey where a transfer function is given that does not go by the values, so that nothing is read.
+    ///
+    /// # Errors
+    /// If the volume is broken.
+    pub fn without_values(frame: &Volume, options: &VolumeOptions) -> Result<Option<Self>, VoxelizeError> {
+        frame.validate_lattice().map_err(VolumeError::BadVolume)?;
+        let given = options.transfer.as_ref().filter(|transfer| !transfer.goes_by_values());
+        Ok(given.map(|transfer| {
             let mut transfer = transfer.clone();
             // It does not look at them.
-            transfer.resolve(&ValueStatistics::at_first(&Look::default(), source.frame()), options.threshold);
-            return Ok(Self { seen: None, transfer });
-        }
-        let look = look_at(source, budget, progress)?;
-        let mut values = ValueStatistics::at_first(&look, source.frame());
+            transfer.resolve(&ValueStatistics::at_first(&Look::default(), frame), options.threshold);
+            Self { seen: None, transfer }
+        }))
+    }
+
+    /// The survey of what all samples say; `binned` counts them in bins from its first to its second argument, where it is asked.
+    fn by_look(
+        frame: &Volume,
+        options: &VolumeOptions,
+        look: Look,
+        binned: &mut dyn FnMut(f32, f32) -> Result<Vec<u64>, VoxelizeError>,
+    ) -> Result<Self, VoxelizeError> {
+        let mut values = ValueStatistics::at_first(&look, frame);
         let mut transfer = options.transfer.clone().unwrap_or_else(|| Transfer::automatic(&values));
         if transfer.is_relative() {
-            values.measure_scale(&look, &mut |low, high| {
-                let mut counts = binned(&[], low, high);
-                for_each(source, budget, progress, &mut |block| {
-                    if let Block::Reals(values) = block {
-                        counts = sum(std::mem::take(&mut counts), binned(values, low, high));
-                    }
-                })?;
-                Ok::<_, VoxelizeError>(counts)
-            })?;
+            values.measure_scale(&look, binned)?;
         }
+        transfer.resolve(&values, options.threshold);
+        Ok(Self { seen: Some((values, look)), transfer })
+    }
+
+    /// What some layers of samples say, for [`Self::of_looks`]: bytes.
+    ///
+    /// # Errors
+    /// If they cannot be read; also if it was cancelled.
+    pub fn look(
+        source: &mut dyn SampleSource,
+        layers: Range<usize>,
+        memory_budget: Option<u64>,
+        progress: &VoxelizeProgress,
+    ) -> Result<Vec<u8>, VoxelizeError> {
+        let look = look_at(source, layers, memory_budget.unwrap_or(DEFAULT_BUDGET), progress)?;
+        let mut out = FieldWriter::new(LOOK);
+        look.write(&mut out);
+        Ok(out.finish())
+    }
+
+    /// How many of some layers' samples are in each bin, for the second argument of [`Self::of_looks`].
+    ///
+    /// # Errors
+    /// As [`Self::look`].
+    pub fn count(
+        source: &mut dyn SampleSource,
+        (layers, low, high): (Range<usize>, f32, f32),
+        memory_budget: Option<u64>,
+        progress: &VoxelizeProgress,
+    ) -> Result<Vec<u64>, VoxelizeError> {
+        count(source, (layers, low, high), memory_budget.unwrap_or(DEFAULT_BUDGET), progress)
+    }
+
+    /// The survey of all layers that several processes have looked at. `binned` is what [`Self::count`] gives of all of them together.
+    ///
+    /// # Errors
+    /// If the volume is broken, or what was found is damaged; what `binned` says.
+    pub fn of_looks<'a>(
+        frame: &Volume,
+        options: &VolumeOptions,
+        looks: impl IntoIterator<Item = &'a [u8]>,
+        binned: &mut dyn FnMut(f32, f32) -> Result<Vec<u64>, VoxelizeError>,
+    ) -> Result<Self, VoxelizeError> {
+        if let Some(known) = Self::without_values(frame, options)? {
+            return Ok(known);
+        }
+        let damaged = || VoxelizeError::Parts("no look at samples of this version, or damaged".into());
+        let mut all = Look::default();
+        for bytes in looks {
+            let look = FieldReader::open(bytes, LOOK).and_then(|mut from| Look::read(&mut from));
+            all = all.and(look.ok_or_else(damaged)?);
+        }
+        Self::by_look(frame, options, all, binned)
+    }
+
+    /// The survey as bytes, for who has the same frame and options.
+    pub fn to_bytes(&self) -> Vec<u8> {
+        let mut out = FieldWriter::new(SURVEY);
+        out.value(u8::from(self.seen.is_some()));
+        if let Some((values, look)) = &self.seen {
+            out.value([values.bright, values.threshold]);
+            look.write(&mut out);
+        }
+        out.finish()
+    }
+
+    /// The survey of such bytes.
+    ///
+    /// # Errors
+    /// If they are none, or damaged, or the volume is broken.
+    pub fn from_bytes(bytes: &[u8], frame: &Volume, options: &VolumeOptions) -> Result<Self, VoxelizeError> {
+        if let Some(known) = Self::without_values(frame, options)? {
+            return Ok(known);
+        }
+        let read = || {
+            let mut from = FieldReader::open(bytes, SURVEY)?;
+            let scale: Option<[f32; 2]> = if from.value::<u8>()? > 0 { Some(from.value()?) } else { None };
+            scale.zip(Look::read(&mut from))
+        };
+        let damaged = || VoxelizeError::Parts("no survey of this volume, or damaged".into());
+        let ([bright, threshold], look) = read().ok_or_else(damaged)?;
+        let values = ValueStatistics { bright, threshold, ..ValueStatistics::at_first(&look, frame) };
+        let mut transfer = options.transfer.clone().unwrap_or_else(|| Transfer::automatic(&values));
         transfer.resolve(&values, options.threshold);
         Ok(Self { seen: Some((values, look)), transfer })
     }
@@ -108,7 +212,8 @@ impl Survey {
         progress: &VoxelizeProgress,
     ) -> Result<ValueStatistics, VoxelizeError> {
         if self.seen.is_none() {
-            let look = look_at(source, budget, progress)?;
+            let all = 0..source.frame().size[2];
+            let look = look_at(source, all, budget, progress)?;
             self.learn(look, source.frame());
         }
         let unknown = || ValueStatistics::at_first(&Look::default(), source.frame());
@@ -130,29 +235,58 @@ impl Survey {
     }
 }
 
-/// What all samples say.
-fn look_at(source: &mut dyn SampleSource, budget: u64, progress: &VoxelizeProgress) -> Result<Look, VoxelizeError> {
-    progress.begin(source.frame().size.iter().map(|&size| size as u64).product());
+/// What some layers of samples say.
+fn look_at(
+    source: &mut dyn SampleSource,
+    layers: Range<usize>,
+    budget: u64,
+    progress: &VoxelizeProgress,
+) -> Result<Look, VoxelizeError> {
+    let [width, rows, _] = source.frame().size;
+    progress.begin(width as u64 * rows as u64 * layers.len() as u64);
     let coding: Coding = source.coding();
     let mut tally = Tally::new(&coding);
-    for_each(source, budget, progress, &mut |block| tally.add(block, 0))?;
+    for_each(source, layers, budget, progress, &mut |block| tally.add(block, 0))?;
     Ok(tally.look())
 }
 
-/// Hands out all samples, as many rows at a time as the budget holds.
+/// Counts some layers of samples in bins.
+fn count(
+    source: &mut dyn SampleSource,
+    (layers, low, high): (Range<usize>, f32, f32),
+    budget: u64,
+    progress: &VoxelizeProgress,
+) -> Result<Vec<u64>, VoxelizeError> {
+    let coding = source.coding();
+    let mut counts = binned(&[], low, high);
+    let mut tally = Tally::new(&coding);
+    for_each(source, layers, budget, progress, &mut |block| match block {
+        Block::Reals(values) => counts = sum(std::mem::take(&mut counts), binned(values, low, high)),
+        codes => tally.add(codes, 0),
+    })?;
+    // All codes are counted, whatever they stand for.
+    let codes = tally.look();
+    Ok(match codes.binned(low, high).filter(|_| !matches!(coding, Coding::Reals)) {
+        Some(of_codes) => sum(counts, of_codes),
+        None => counts,
+    })
+}
+
+/// Hands out samples of some layers, as many rows at a time as the budget holds.
 fn for_each(
     source: &mut dyn SampleSource,
+    layers: Range<usize>,
     budget: u64,
     progress: &VoxelizeProgress,
     each: &mut dyn FnMut(&Block),
 ) -> Result<(), VoxelizeError> {
-    let [width, rows, layers] = source.frame().size;
+    let [width, rows, _] = source.frame().size;
     let bytes_of_row = width as u64 * source.coding().bytes() * ON_THE_WAY + source.bytes_of_row();
     let most = rows_within(budget / 2, bytes_of_row).min(rows);
     for first in (0..rows).step_by(most) {
         let some = first..(first + most).min(rows);
-        ahead(source, (0..layers).collect(), some, |ahead| {
-            for _ in 0..layers {
+        ahead(source, layers.clone().collect(), some, |ahead| {
+            for _ in layers.clone() {
                 if progress.is_cancelled() {
                     return Err(VoxelizeError::Cancelled);
                 }

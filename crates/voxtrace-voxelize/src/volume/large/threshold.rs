@@ -51,7 +51,7 @@ fn for_each_voxel(
         let is_backward = window.is_backward();
         // In the order of the samples, which the grid may have backwards.
         let at = |step: usize| if is_backward { layers - 1 - step } else { step };
-        let needed = window.needed_from(at(0) / EDGE);
+        let needed = window.needed(at(0) / EDGE, at(layers - 1) / EDGE);
         ahead(source, needed, samples, |ahead| {
             let mut feed = Feed { ahead, tally: None };
             for step in 0..layers {

@@ -36,7 +36,7 @@ pub fn merge_tiles(
     let found = survey.survey();
     let grid = Grid::of(found.placement(source.frame().offset, options)?, found.scale(options))?;
     let histogram = ColorHistogram::default();
-    let work = (survey.part_key(), count as u64);
+    let work = (survey.part_key(), count as u64, "files");
     let mut spill = SpillBuffer::of_parts(parts, work, (&histogram, options.points.min_points), path, progress)?;
     check_limits(&spill, limits, progress)?;
     let scene = scene_of(source, &grid);

@@ -32,12 +32,12 @@ struct PartLog {
 
 impl SpillBuffer {
     /// A buffer in an empty file, which becomes a part of the work with this fingerprint.
-    pub(in crate::voxelize) fn of_part(file: File, key: u128) -> io::Result<Self> {
+    pub(crate) fn of_part(file: File, key: u128) -> io::Result<Self> {
         Ok(Self { storage: Storage::File(CheckpointFile::begin(file, key)?, Existing::Nothing), ..Self::in_memory() })
     }
 
     /// Writes the last frame of a part, which says what files it was made of.
-    pub(in crate::voxelize) fn end_part(&mut self, files: Range<u64>) -> io::Result<()> {
+    pub(crate) fn end_part(&mut self, files: Range<u64>) -> io::Result<()> {
         let Storage::File(file, _) = &mut self.storage else { return Ok(()) };
         let content = [files.start.to_le_bytes(), files.end.to_le_bytes()].concat();
         file.append(Step { part: u32::MAX, batch: u32::MAX }, FrameKind::End, &[], &content).map(drop)
@@ -62,15 +62,15 @@ impl SpillBuffer {
         }
     }
 
-    /// A buffer of all bricks in the parts of some work: `key` is its fingerprint, and `count` how many files the parts were made of
+    /// A buffer of all bricks in the parts of some work: `key` is its fingerprint, and `count` how many files, or what else, the parts were made of
     /// together. Appearances are added to the histogram; voxels of fewer points than `min_points` are left out. What is finished now
     /// lies in a file without a name beside `path`.
     ///
     /// # Errors
     /// If a part cannot be read, is damaged or of other work, or a file is in none or two of them; also if it was cancelled.
-    pub(in crate::voxelize) fn of_parts(
+    pub(crate) fn of_parts(
         parts: &[PathBuf],
-        (key, count): (u128, u64),
+        (key, count, what): (u128, u64, &'static str),
         (histogram, min_points): (&ColorHistogram, u32),
         path: &Path,
         progress: &VoxelizeProgress,
@@ -78,7 +78,11 @@ impl SpillBuffer {
         let (mut own, mut files, mut sums) = (Self::in_memory(), Vec::new(), Vec::new());
         let mut ranges = Vec::new();
         let read = |path: &PathBuf| {
-            if progress.is_cancelled() { Err(VoxelizeError::Cancelled) } else { PartLog::read(path, key, histogram) }
+            if progress.is_cancelled() {
+                Err(VoxelizeError::Cancelled)
+            } else {
+                PartLog::read(path, (key, what), histogram)
+            }
         };
         let logs: Vec<Result<PartLog, VoxelizeError>> = parts.par_iter().map(read).collect();
         for (number, (path, log)) in parts.iter().zip(logs).enumerate() {
@@ -90,7 +94,7 @@ impl SpillBuffer {
             ranges.push((log.files, path));
             files.push(log.file);
         }
-        check_ranges(ranges, count)?;
+        check_ranges(ranges, count, what)?;
         files.push(TemporaryFile::nameless(path)?.try_clone()?);
         // Who made a part, and in which order they are named, must not matter to anything.
         sums.par_sort_unstable_by_key(|entry| (entry.at, entry.file));
@@ -155,14 +159,14 @@ impl SpillBuffer {
 }
 
 impl PartLog {
-    fn read(path: &Path, key: u128, histogram: &ColorHistogram) -> Result<Self, VoxelizeError> {
+    fn read(path: &Path, (key, what): (u128, &str), histogram: &ColorHistogram) -> Result<Self, VoxelizeError> {
         let fault = |what: &str| VoxelizeError::Parts(format!("{}: {what}", path.display()));
         let named = |error: io::Error| match error.raw_os_error() {
             Some(_) => fault(&error.to_string()),
             None => error.into(),
         };
         let log = CheckpointFile::open_to_read(path, key).map_err(named)?;
-        let mut log = log.ok_or_else(|| fault("no part of these files with these options"))?;
+        let mut log = log.ok_or_else(|| fault(&format!("no part of these {what} with these options")))?;
         let (mut finished, mut sums, mut voxels) = (Vec::new(), Vec::new(), 0);
         let files = loop {
             let frame = match log.next_whole().map_err(named)? {
@@ -186,18 +190,23 @@ impl PartLog {
 }
 
 /// Checks that each of `count` files is in one part.
-fn check_ranges(mut ranges: Vec<(Range<u64>, &PathBuf)>, count: u64) -> Result<(), VoxelizeError> {
+fn check_ranges(mut ranges: Vec<(Range<u64>, &PathBuf)>, count: u64, what: &str) -> Result<(), VoxelizeError> {
     ranges.sort_by_key(|(range, _)| (range.start, range.end));
     let wrong = |what: String| Err(VoxelizeError::Parts(what));
     let mut next = 0;
     for (range, path) in ranges {
         if range.start < next {
-            return wrong(format!("{}: file {} is in another part, too", path.display(), range.start));
+            return wrong(format!(
+                "{}: {what} {}..{} are in another part, too",
+                path.display(),
+                range.start,
+                next.min(range.end)
+            ));
         }
         if range.start > next {
-            return wrong(format!("files {next}..{} of {count} are in no part", range.start));
+            return wrong(format!("{what} {next}..{} of {count} are in no part", range.start));
         }
         next = range.end;
     }
-    if next < count { wrong(format!("files {next}..{count} of {count} are in no part")) } else { Ok(()) }
+    if next < count { wrong(format!("{what} {next}..{count} of {count} are in no part")) } else { Ok(()) }
 }

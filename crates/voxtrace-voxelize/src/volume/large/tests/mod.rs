@@ -1,6 +1,7 @@
 //! A volume that is read layer by layer becomes the file of the same volume in memory, whichever way it lies and however it is cut.
 
 mod choice;
+mod shares;
 
 use super::super::{Preset, Ramp, Transfer, voxelize};
 use super::*;
