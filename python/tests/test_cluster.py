@@ -52,6 +52,25 @@ def test_pictures_merge_where_their_samples_join(church):
         voxtrace.Image.merge([part(0, 3), renderer.render(samples=1, first_sample=3, size=(20, 10), seed=1)])
 
 
+@pytest.mark.parametrize("half", [None, 5])
+def test_films_that_come_in_any_order_are_added_up_at_once(church, half):
+    from voxtrace.dask._picture import Runs
+
+    renderer = voxtrace.Renderer(church, device="cpu")
+    films = [renderer.render(samples=1, first_sample=part, size=(20, 10), denoise=False) for part in range(10)]
+    whole = voxtrace.Image.merge(films).to_bytes()
+    for order in [list(range(10)), list(range(10))[::-1], [4, 2, 0, 1, 3, 9, 7, 8, 6, 5], [1, 3, 5, 7, 9, 0, 2, 4, 6, 8]]:
+        runs, most = Runs(half), 0
+        for part in order:
+            runs.add(part, films[part])
+            most = max(most, len(runs))
+        kept = runs.films()
+        assert len(kept) == (1 if half is None else 2) and voxtrace.Image.merge(kept).to_bytes() == whole
+        assert most <= (5 if order[0] == 1 else 3), order
+        if half:
+            assert kept[0].to_bytes() == voxtrace.Image.merge(films[:half]).to_bytes()
+
+
 def test_a_cluster_gives_the_bytes_of_one_process(client, church):
     from voxtrace import dask
 

@@ -39,7 +39,8 @@ def render(
     bounds = sorted({samples * part // count for part in range(count + 1)} | ({samples // 2} if denoise else set()))
     # The camera is chosen once, for all.
     where = camera if isinstance(camera, Camera) else _camera_of(scene, camera, size)
-    films = _shared(client, packed_scene(scene), device, where, {"size": size, **options}, bounds, retries, progress)
+    half = bounds.index(samples // 2) if denoise else None
+    films = _shared(client, packed_scene(scene), device, where, {"size": size, **options}, bounds, half, retries, progress)
     image = Image.merge(films, halfway=denoise)
     return image.denoise(scene) if denoise else image
 
@@ -62,7 +63,7 @@ def render_like(
         raise ValueError("a picture has at least one sample")
     count = min(samples, parts or usual_parts(client))
     bounds = [first_sample + samples * part // count for part in range(count + 1)]
-    films = _shared(client, packed_scene(scene), device, film.to_bytes(), {"region": region}, bounds, retries, progress)
+    films = _shared(client, packed_scene(scene), device, film.to_bytes(), {"region": region}, bounds, None, retries, progress)
     return Image.merge(films)
 
 
@@ -73,10 +74,11 @@ def _shared(
     what: Camera | bytes,
     frame: dict[str, Any],
     bounds: list[int],
+    half: int | None,
     retries: int,
     progress: Callable[[float], object] | None,
 ) -> list[Image]:
-    """The films of the ranges of samples between bounds, of a camera or like a film."""
+    """The film of the samples between bounds, of a camera or like a film; two of them, which join at the bound of that number, where there is one."""
     data, key = packed
 
     def submit(missing: list[int], workers: list[str]) -> dict[Any, int]:
@@ -89,9 +91,36 @@ def _shared(
             begun[client.submit(_render_part, *arguments, pure=False, retries=retries, **elsewhere(workers))] = part
         return begun
 
-    films: dict[int, bytes] = {}
-    gathered(client, submit, list(range(len(bounds) - 1)), films.__setitem__, progress)
-    return [Image.from_bytes(films[part]) for part in range(len(bounds) - 1)]
+    runs = Runs(half)
+    gathered(client, submit, list(range(len(bounds) - 1)), lambda part, film: runs.add(part, Image.from_bytes(film)), progress)
+    return runs.films()
+
+
+class Runs:
+    """Films of parts, which come in any order and are added up with those beside them at once: few are kept at a time, however many come. Those on both
+    sides of the bound `half` stay apart."""
+
+    def __init__(self, half: int | None):
+        self._half = half
+        #: By the number of its first part: that after its last one, and the film.
+        self._runs: dict[int, tuple[int, Image]] = {}
+
+    def add(self, part: int, film: Image) -> None:
+        first, end = part, part + 1
+        before = next((start for start, (stop, _) in self._runs.items() if stop == first), None)
+        if before is not None and first != self._half:
+            film = Image.merge([self._runs.pop(before)[1], film])
+            first = before
+        if end in self._runs and end != self._half:
+            after = self._runs.pop(end)
+            film, end = Image.merge([film, after[1]]), after[0]
+        self._runs[first] = (end, film)
+
+    def __len__(self) -> int:
+        return len(self._runs)
+
+    def films(self) -> list[Image]:
+        return [self._runs[first][1] for first in sorted(self._runs)]
 
 
 def _camera_of(scene: Scene, camera: str | None, size: tuple[int, int]) -> Camera:
