@@ -1,4 +1,4 @@
-//! What a screen shows of a radiance, in bytes: those that rounding the signal gives, in a tenth of the time. Curves are read from tables; what these leave
+//! What a screen shows of a radiance, in bytes: those that rounding the signal gives, sooner. Curves are read from tables; what these leave
 //! too close to the middle between two bytes is computed in full, so that no byte differs.
 
 use super::tone_map::{self, LUMINANCE, Operator, ToneMap};

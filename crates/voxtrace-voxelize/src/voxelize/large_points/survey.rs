@@ -135,7 +135,7 @@ impl Survey {
 
     /// Adds so many of `all` points that are expected within bounds, as if they were spread evenly.
     pub(super) fn expect(&mut self, low: Vec3, high: Vec3, points: u64, all: u64) {
-        // The additive recurrence of the plastic number's kin in three dimensions (M. Roberts, 2018) fills a box evenly.
+        // The R3 low-discrepancy sequence (Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences", 2018) fills a box evenly.
         const STEP: Vec3 = Vec3::new(0.819_172_5, 0.671_043_6, 0.549_700_5);
         if points == 0 {
             return;

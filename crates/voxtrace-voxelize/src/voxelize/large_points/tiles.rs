@@ -413,14 +413,11 @@ impl SurveyedTile {
             return true;
         }
         let brick = |point: Vec3| grid.voxel(point) / BRICK_SIZE;
+        // Whether there are colours, and whether they have more than 8 bits.
+        let colors = |tile: &Self| (tile.facts.largest_color > 0, tile.facts.largest_color > 255);
         let says_the_same = match by {
             ColorBy::Classification => self.facts.has_classes == expected.facts.has_classes,
-            // None, bytes, or 16 bits.
-            _ => [self, expected]
-                .map(|tile| tile.facts.largest_color)
-                .map(|largest| (largest > 0, largest > 255))
-                .windows(2)
-                .all(|two| two[0] == two[1]),
+            _ => colors(self) == colors(expected),
         };
         expected.facts.chosen > 0
             && says_the_same
