@@ -65,6 +65,7 @@ def test_a_cluster_voxelizes_a_scan_to_the_bytes_of_one_process(client, scan, tm
     for number, (words, options) in enumerate(
         [
             (["--voxel-size", 0.25, "--levels", "all"], {"voxel_size": 0.25, "levels": "all"}),
+            (["--voxel-size", 0.5, "--unit", "m"], {"voxel_size": 0.5, "unit": "m"}),
             (["--color-by", "height", "--levels", 2], {"color_by": "height", "levels": 2}),
             (
                 ["--resolution", 150, "--min-points", 2, "--classes", "2,building", "--palette", 50, "--dither"],
@@ -152,6 +153,8 @@ def test_a_tile_that_cannot_be_read_is_named(client, scan, tmp_path):
     assert caught.value.path == str(damaged)
     with pytest.raises(ValueError, match=".vxt"):
         dask.voxelize(client, scan, tmp_path / "a.vox")
+    with pytest.raises(ValueError, match="unit is one of"):
+        dask.voxelize(client, scan, tmp_path / "a.vxt", unit="elbow")
     with pytest.raises(ValueError, match="color_by"):
         dask.voxelize(client, scan, tmp_path / "a.vxt", color_by="mood")
     text = tmp_path / "points.xyz"

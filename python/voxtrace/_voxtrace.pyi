@@ -404,6 +404,7 @@ class TiledCloud:
         bounds: Sequence[float] | None = None,
         palette: int | None = None,
         dither: bool = False,
+        unit: str | None = None,
         memory: int | None = None,
         trusted: bool = False,
     ) -> TiledCloud: ...

@@ -10,6 +10,7 @@ use std::sync::Mutex;
 use voxtrace::import::{ImportOptions, Limits, MapBounds, PointFilter, READERS};
 use voxtrace::packed::{LevelCount, add_levels};
 use voxtrace::points::ColorBy;
+use voxtrace::scene::LengthUnit;
 use voxtrace::voxelize::large_points::{TileSurvey, joined_bytes};
 use voxtrace::voxelize::{PointOptions, Scale, VoxelizeError, VoxelizeOptions, VoxelizeProgress};
 
@@ -25,7 +26,7 @@ pub struct PyTiledCloud {
 impl PyTiledCloud {
     /// Opens the files, or those of a folder, and reads their headers.
     #[new]
-    #[pyo3(signature = (paths, *, resolution=None, voxel_size=None, color_by="auto", min_points=1, classes=None, bounds=None, palette=None, dither=false, memory=None, trusted=false))]
+    #[pyo3(signature = (paths, *, resolution=None, voxel_size=None, color_by="auto", min_points=1, classes=None, bounds=None, palette=None, dither=false, unit=None, memory=None, trusted=false))]
     #[expect(clippy::too_many_arguments, reason = "keywords of Python")]
     fn new(
         py: Python<'_>,
@@ -38,6 +39,7 @@ impl PyTiledCloud {
         bounds: Option<Vec<f64>>,
         palette: Option<usize>,
         dither: bool,
+        unit: Option<&str>,
         memory: Option<u64>,
         trusted: bool,
     ) -> PyResult<Self> {
@@ -71,7 +73,12 @@ impl PyTiledCloud {
             memory_budget: memory,
             ..usual
         };
-        let import = ImportOptions { limits, points, ..ImportOptions::default() };
+        let unit_of = |symbol: &str| {
+            let symbols = || LengthUnit::SYMBOLS.map(|(symbol, _)| symbol).join(", ");
+            LengthUnit::of_symbol(symbol)
+                .ok_or_else(|| argument(format!("unit is one of {}, not {symbol:?}", symbols())))
+        };
+        let import = ImportOptions { limits, points, unit: unit.map(unit_of).transpose()?, ..ImportOptions::default() };
         let opened = py.detach(|| READERS.open_all(&paths, &import).and_then(|mut opened| opened.open_tiled()));
         let cloud = opened.map_err(|error| of_reading(py, &error))?;
         Ok(Self { cloud: Mutex::new(cloud), options, limits })

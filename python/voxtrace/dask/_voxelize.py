@@ -29,6 +29,7 @@ def voxelize(
     bounds: tuple[float, ...] | None = None,
     palette: int | None = None,
     dither: bool = False,
+    unit: str | None = None,
     trusted: bool = False,
     levels: int | str | None = None,
     parts: int | None = None,
@@ -46,7 +47,7 @@ def voxelize(
 
     `resolution`: voxels along the longest side; `voxel_size`: their edge in units of the files; by default the density of the points decides. `color_by`: `"auto"`,
     `"rgb"`, `"intensity"`, `"classification"` or `"height"`. `min_points`: least points of a voxel. `classes`: `"2,building"`; `bounds`: `(x0, y0, x1, y1)` or with z, on
-    the map. `palette`: most colours. `trusted`: lifts the limits that protect from hostile files. `levels`: levels of detail, a number or `"all"`. `parts`: how many parts
+    the map. `palette`: most colours. `unit`: of the files' coordinates, such as `"m"` or `"ft"`, in place of what they say. `trusted`: lifts the limits that protect from hostile files. `levels`: levels of detail, a number or `"all"`. `parts`: how many parts
     there are, by default four a worker, no more than files. `memory`: bytes that a worker sorts points in; it takes about as much again to read files.
 
     Returns `output`. Raises `ReadError` with the path of a file that cannot be read, `OSError`, `ValueError` for options that cannot be, `VoxtraceError` for what a limit or a
@@ -67,6 +68,7 @@ def voxelize(
         "bounds": bounds,
         "palette": palette,
         "dither": dither,
+        "unit": unit,
         "memory": memory,
         "trusted": trusted,
     }
