@@ -504,7 +504,8 @@ export class VoxtraceViewer extends Attributes {
   #describe() {
     const { canvas, poster } = this.#parts;
     canvas.setAttribute("aria-label", this.alt || (this.#info ? `Voxels: ${this.#info.name}` : "Voxels"));
-    if (this.cameraControls) {
+    // What lies under a poster is no stop on the way to it.
+    if (this.cameraControls && !this.#isCovered) {
       canvas.tabIndex = 0;
       canvas.setAttribute("aria-describedby", "keys");
     } else {
