@@ -23,9 +23,11 @@ use turn::Longest;
 const HANG: Duration = Duration::from_secs(20);
 /// A turn of the window's thread that takes longer by itself is felt as one that hangs.
 const FELT: Duration = Duration::from_millis(250);
-/// Runs that may have such a turn, one after the other, until it is the program's and not the machine's: other threads of the window, which a turn
-/// waits for, wait for a processor where other programs have them all, and the kernel does not say of which wait that was.
-const FELT_AGAIN: usize = 3;
+/// Runs of seconds that may have such a turn, or end with more memory, one after the other, until that is the program's and not chance. Other threads of
+/// the window, which a turn waits for, wait for a processor where other programs have them all, and the kernel does not say of which wait that was; and in
+/// seconds one large scene may be all that the last quarter has. What hangs or leaks does so again.
+const RUNS: usize = 3;
+const GROWS: &str = "memory grows";
 
 /// Time between two looks at the memory.
 const BETWEEN_LOOKS: Duration = Duration::from_secs(1);
@@ -127,7 +129,7 @@ fn soak(seed: u64, time: Duration, slack: u64, lights: bool, plant: Plant) -> Op
     let floor = |part: &[Memory]| part.iter().map(|memory| memory.needed).min().unwrap_or(0);
     let (early, late) = (floor(&curve[2 * quarter..3 * quarter]), floor(&curve[3 * quarter..]));
     if late > early + early / 20 + slack {
-        return Some(Err(format!("seed {seed}: memory grows from {early} to {late} bytes")));
+        return Some(Err(format!("seed {seed}: {GROWS} from {early} to {late} bytes")));
     }
     Some(Ok(counts))
 }
@@ -172,6 +174,11 @@ fn random_events_find_no_fault_and_planted_faults_are_found() {
     let lights = setting("VOXTRACE_SOAK_LIGHT").is_some_and(|on| on > 0.0);
     for run in 1.. {
         let Some(result) = soak(seed, time, slack, lights, Plant::Nothing) else { return };
+        // Who measures for minutes has a quiet machine, and scenes enough.
+        let is_last = run == RUNS || minutes.is_some();
+        if !is_last && result.as_ref().is_err_and(|error| error.contains(GROWS)) {
+            continue;
+        }
         let counts = result.unwrap();
         assert!(counts.events > 10 && counts.frames > 1, "{counts:?}");
         assert!(!lights || counts.lit > 1, "no picture in real-time light: {counts:?}");
@@ -179,17 +186,15 @@ fn random_events_find_no_fault_and_planted_faults_are_found() {
         if longest.took <= FELT {
             break;
         }
-        // Who measures for minutes has a quiet machine.
         let Longest { took, what, at } = longest;
-        let is_felt = run == FELT_AGAIN || minutes.is_some();
         assert!(
-            !is_felt,
+            !is_last,
             "seed {seed}: in each of {run} runs a turn that is felt; at {at:?} one takes {took:?}: {what}"
         );
     }
 
     let found = soak(seed, Duration::from_secs(20), slack, false, Plant::Leak(128e6)).unwrap();
-    assert!(found.as_ref().is_err_and(|error| error.contains("memory grows")), "{found:?}");
+    assert!(found.as_ref().is_err_and(|error| error.contains(GROWS)), "{found:?}");
     let found = soak(seed, 3 * HANG, slack, false, Plant::Hang).unwrap();
     assert!(found.as_ref().is_err_and(|error| error.contains("hangs")), "{found:?}");
 }
