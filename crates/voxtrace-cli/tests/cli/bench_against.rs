@@ -22,15 +22,25 @@ fn is_of_its_files(folder: &Folder, json: &Value) {
     assert!(ratio > low * (1.0 - 1e-9) && ratio < high * (1.0 + 1e-9), "{ratio} of {ratios:?}: {json}");
 }
 
+/// Benchmarks of which one has to have such a ratio: what meets one program and not the other, on a machine that is never quiet, does not do so each time.
+const ATTEMPTS: usize = 3;
+
 #[test]
 fn a_program_against_itself_has_the_times_of_its_files_and_says_of_each_round_how_quiet_it_was() {
     let folder = Folder::new();
     let this = env!("CARGO_BIN_EXE_voxtrace");
-    let json = folder.succeed(&[&SMALL[..], &["--against", this, "--json", "-o", "out"]].concat());
-    let json: Value = serde_json::from_str(&json).unwrap();
+    let measure = || {
+        let json = folder.succeed(&[&SMALL[..], &["--against", this, "--json", "-o", "out"]].concat());
+        let json: Value = serde_json::from_str(&json).unwrap();
+        is_of_its_files(&folder, &json);
+        json
+    };
+    // The planted program below takes ten times as long.
+    let is_as_long = |json: &Value| (0.33..3.0).contains(&json["cells"][0]["ratio"].as_f64().unwrap());
+    let json = (1..ATTEMPTS).map(|_| measure()).find(is_as_long).unwrap_or_else(measure);
+    assert!(is_as_long(&json), "{json}");
     assert_eq!((&json["rounds"], json["cells"].as_array().map(Vec::len)), (&3.into(), Some(1)), "{json}");
     let cell = &json["cells"][0];
-    is_of_its_files(&folder, &json);
     assert!(cell["ratio_95"].is_array(), "{json}");
     assert!(cell["quiet_rounds"].as_u64().is_some_and(|quiet| quiet <= 3));
     for round in ["round-1-a", "round-2-b", "round-3-a"] {
@@ -60,13 +70,22 @@ fn a_program_that_takes_ten_times_as_long_is_seen() {
     let mut writer = std::process::Command::new("sh");
     writer.args(["-c", "cat slow.txt > slow && chmod +x slow"]).current_dir(folder.path(""));
     assert!(writer.status().unwrap().success());
-    let json = folder.succeed(&[&SMALL[..], &["--against", "./slow", "--json", "-o", "out"]].concat());
-    let json: Value = serde_json::from_str(&json).unwrap();
-    let cell = &json["cells"][0];
-    is_of_its_files(&folder, &json);
-    for round in 0..3 {
-        assert_eq!(cell["median_ms"][round][1], results["cells"][0]["ms"]["median"], "{json}");
-    }
+    let measure = || {
+        let json = folder.succeed(&[&SMALL[..], &["--against", "./slow", "--json", "-o", "out"]].concat());
+        let json: Value = serde_json::from_str(&json).unwrap();
+        is_of_its_files(&folder, &json);
+        for round in 0..3 {
+            assert_eq!(json["cells"][0]["median_ms"][round][1], results["cells"][0]["ms"]["median"], "{json}");
+        }
+        json
+    };
+    let is_seen = |json: &Value| {
+        let cell = &json["cells"][0];
+        (3.0..30.0).contains(&cell["ratio"].as_f64().unwrap())
+            && ["B is slower", "no verdict"].contains(&cell["outcome"].as_str().unwrap())
+    };
+    let json = (1..ATTEMPTS).map(|_| measure()).find(is_seen).unwrap_or_else(measure);
+    assert!(is_seen(&json), "{json}");
 }
 
 #[test]

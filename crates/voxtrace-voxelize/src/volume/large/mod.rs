@@ -21,7 +21,7 @@ pub use survey::Survey;
 
 use super::resample::Axis;
 use super::transfer::Lookup;
-use super::{Placement, Volume, VolumeError, VolumeOptions};
+use super::{Placement, ValueStatistics, Volume, VolumeError, VolumeOptions};
 use crate::import_error::ImportError;
 use crate::limits::Limits;
 use crate::voxelize::{
@@ -90,20 +90,19 @@ pub fn voxelize_large_volume_to_file(
     let about = (stamp, &frame, survey.values(), survey.transfer(), options.scale, options.shell, memory_budget);
     let key = of_description(&(about, &stripes));
     with_spill(Some(key), path, progress, |spill| {
+        let classes = Classes::new(&lookup, &coding);
         let work = Work {
+            shell: options.shell && lookup.is_opaque(),
             placement: &placement,
             axes,
-            classes: &Classes::new(&lookup, &coding),
+            classes: &classes,
             coding: &coding,
-            shell: options.shell && lookup.is_opaque(),
             limits,
         };
         work.run((source, &stripes), survey, spill, progress)?;
         if spill.voxels() == 0 {
             let values = survey.values_of(source, budget, progress)?;
-            let (lowest, highest) = (values.lowest, values.highest);
-            let (transfer, shown) = (survey.transfer().name.clone(), survey.transfer().shown());
-            return Err(VolumeError::Empty { lowest, highest, transfer, shown }.into());
+            return Err(nothing_seen(survey, Some(&values)));
         }
         let scene = scene_of(&frame, &placement, &lookup);
         let written = Written { voxels: spill.voxels(), materials: scene.materials.len(), is_exact: true };
@@ -115,6 +114,18 @@ pub fn voxelize_large_volume_to_file(
         };
         bricks.save(path, &scene).map(|()| written)
     })
+}
+
+/// The error where nothing is to be seen of a volume of these values, as far as they are known.
+fn nothing_seen(survey: &Survey, values: Option<&ValueStatistics>) -> VoxelizeError {
+    let (lowest, highest) = values.map_or((0.0, 0.0), |values| (values.lowest, values.highest));
+    let (transfer, shown) = (survey.transfer().name.clone(), survey.transfer().shown());
+    VolumeError::Empty { lowest, highest, transfer, shown }.into()
+}
+
+/// Layers of bricks.
+fn layers_of(axes: &[&Axis; 3]) -> usize {
+    axes[2].count().div_ceil(super::slab::EDGE)
 }
 
 /// The scene of a volume without its bricks.
@@ -139,7 +150,7 @@ struct Work<'a> {
 impl Work<'_> {
     /// Layers of bricks.
     fn layers(&self) -> usize {
-        self.axes[2].count().div_ceil(super::slab::EDGE)
+        layers_of(&self.axes)
     }
 
     /// Makes the bricks stripe after stripe, and within each one layer of bricks after the other as the layers of samples come.

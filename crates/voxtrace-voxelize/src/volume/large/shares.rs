@@ -1,9 +1,11 @@
 //! A volume that several processes voxelize, layers of bricks each: what each needs to know of all samples beforehand, a part by each of them, and the
 //! scene that comes of all parts, which is that of one process. A brick is one part's, so that nothing is left to be finished.
 
-use super::{DEFAULT_BUDGET, SampleSource, Survey, Work, classes::Classes, scene_of, stripes_of};
+use super::{
+    DEFAULT_BUDGET, SampleSource, Survey, Work, classes::Classes, layers_of, nothing_seen, scene_of, stripes_of,
+};
 use crate::limits::Limits;
-use crate::volume::{Placement, Volume, VolumeError, VolumeOptions};
+use crate::volume::{Volume, VolumeOptions};
 use crate::voxelize::{
     ColorHistogram, SpillBuffer, SpilledBricks, VoxelizeError, VoxelizeProgress, Written, check_limits, of_description,
 };
@@ -21,11 +23,7 @@ fn key_of(stamp: &str, frame: &Volume, survey: &Survey, options: &VolumeOptions)
 /// # Errors
 /// If there is no grid for the volume.
 pub fn layers_of_bricks(frame: &Volume, survey: &Survey, options: &VolumeOptions) -> Result<usize, VoxelizeError> {
-    Ok(layers_of(&survey.placement(frame, options)?))
-}
-
-fn layers_of(placement: &Placement) -> usize {
-    placement.axes_of_lattice()[2].count().div_ceil(crate::volume::slab::EDGE)
+    Ok(layers_of(&survey.placement(frame, options)?.axes_of_lattice()))
 }
 
 /// Voxelizes some layers of bricks into the part `path`, which is there whole or not at all; returns the number of their voxels. `stamp` tells the samples from
@@ -44,25 +42,20 @@ pub fn voxelize_volume_part(
 ) -> Result<u64, VoxelizeError> {
     let frame = source.frame().clone();
     let placement = survey.placement(&frame, options)?;
-    let count = layers_of(&placement);
+    let axes = placement.axes_of_lattice();
+    let count = layers_of(&axes);
     if layers.start >= layers.end || layers.end > count {
         let Range { start, end } = layers;
         return Err(VoxelizeError::Parts(format!("there are no layers {start}..{end} among {count}")));
     }
     let (lookup, coding) = (survey.transfer().lookup(), source.coding());
-    let axes = placement.axes_of_lattice();
     let bytes_of_rows = [frame.size[0] as u64 * coding.bytes(), source.bytes_of_row()];
     let stripes = stripes_of(bytes_of_rows, &axes, memory_budget.unwrap_or(DEFAULT_BUDGET));
     let temporary = TemporaryFile::beside(path)?;
     let mut spill = SpillBuffer::of_part(temporary.try_clone()?, key_of(stamp, &frame, survey, options))?;
-    let work = Work {
-        placement: &placement,
-        axes,
-        classes: &Classes::new(&lookup, &coding),
-        coding: &coding,
-        shell: options.shell && lookup.is_opaque(),
-        limits,
-    };
+    let classes = Classes::new(&lookup, &coding);
+    let shell = options.shell && lookup.is_opaque();
+    let work = Work { placement: &placement, axes, classes: &classes, coding: &coding, shell, limits };
     progress.begin((stripes.len() * layers.len()) as u64);
     for (part, stripe) in stripes.iter().enumerate() {
         work.stripe((part as u32, layers.clone()), stripe, (source, None), &mut spill, progress)?;
@@ -87,15 +80,13 @@ pub fn merge_volume_parts(
     progress: &VoxelizeProgress,
 ) -> Result<Written, VoxelizeError> {
     let placement = survey.placement(frame, options)?;
-    let work = (key_of(stamp, frame, survey, options), layers_of(&placement) as u64, "layers");
+    let work = (key_of(stamp, frame, survey, options), layers_of(&placement.axes_of_lattice()) as u64, "layers");
     // Materials are known: the histogram is not asked.
     let histogram = ColorHistogram::default();
     let mut spill = SpillBuffer::of_parts(parts, work, (&histogram, 1), path, progress)?;
     check_limits(&spill, limits, progress)?;
     if spill.voxels() == 0 {
-        let (lowest, highest) = survey.values().map_or((0.0, 0.0), |values| (values.lowest, values.highest));
-        let (transfer, shown) = (survey.transfer().name.clone(), survey.transfer().shown());
-        return Err(VolumeError::Empty { lowest, highest, transfer, shown }.into());
+        return Err(nothing_seen(survey, survey.values()));
     }
     let scene = scene_of(frame, &placement, &survey.transfer().lookup());
     let written = Written { voxels: spill.voxels(), materials: scene.materials.len(), is_exact: true };
