@@ -2,9 +2,12 @@
 //! meeting an occupied one.
 //!
 //! For each of the eight sign patterns of a direction (octants) an empty cell stores the edge of the largest empty cube
-//! of cells that extends from it along that octant, a directional Chebyshev distance field. One dynamic-programming pass per octant
-//! and level computes it: the cube at a cell is one larger than the smallest cube at its seven neighbours along the octant. Levels are processed
-//! from coarse to fine; a neighbour that has no node of its own takes the bound of the empty coarse cell around it.
+//! of cells that extends from it along that octant, a directional Chebyshev distance field: the cube at a cell is one larger than the
+//! smallest cube at its seven neighbours along the octant. Levels are processed from coarse to fine; a neighbour that has no node of its own
+//! takes the bound of the empty coarse cell around it.
+//!
+//! The top level is one pass of dynamic programming. In nodes a set of 64 cells is one word: the cells with cubes of edge *k* + 1 are the empty ones
+//! among the erosion of those of edge *k* by a cube of two cells, which is shifts and conjunctions, for all nodes in any order.
 
 use glam::IVec3;
 use rayon::prelude::*;
@@ -44,20 +47,17 @@ impl Level {
 /// The 24 bits of skip distances, three for each octant, for every cell of every level, from the coarsest level to the finest.
 /// Zero where a cell is occupied.
 pub(super) fn skip_distances_of(levels: &[Level]) -> Vec<Vec<u32>> {
-    let octants: Vec<Vec<Vec<u8>>> = (0..8).into_par_iter().map(|octant| runs_along(levels, octant)).collect();
-    levels
-        .iter()
-        .enumerate()
-        .map(|(level, cells)| {
-            let word = |cell: usize| {
-                if cells.occupied[cell] {
-                    return 0;
-                }
-                (0..8).fold(0, |word, octant| word | code_of(octants[octant][level][cell]) << (3 * octant))
-            };
-            (0..cells.occupied.len()).into_par_iter().map(word).collect()
-        })
-        .collect()
+    // The runs of the levels so far, by octants.
+    let mut runs: Vec<[Vec<u8>; 8]> = Vec::with_capacity(levels.len());
+    let mut words = Vec::with_capacity(levels.len());
+    for (depth, level) in levels.iter().enumerate() {
+        let is_finest = depth + 1 == levels.len();
+        let (own, codes) =
+            if level.is_top() { of_top(level) } else { of_nodes(&levels[..depth], &runs, level, is_finest) };
+        runs.push(own);
+        words.push(codes);
+    }
+    words
 }
 
 /// The code of the largest skip distance that is at most `run` ≥ 1.
@@ -65,18 +65,45 @@ fn code_of(run: u8) -> u32 {
     SKIP_DISTANCES.iter().rposition(|&distance| distance <= run).unwrap_or(0) as u32
 }
 
-/// Edge of the largest empty cube from every cell along one octant, at most [`MAX_RUN`], 0 for an occupied cell.
-fn runs_along(levels: &[Level], octant: usize) -> Vec<Vec<u8>> {
-    let step = octant_step(octant);
-    let mut runs: Vec<Vec<u8>> = Vec::with_capacity(levels.len());
-    for (depth, level) in levels.iter().enumerate() {
-        let mut own = vec![0u8; level.occupied.len()];
-        if level.is_top() {
-            fill_dense(level, step, &mut own);
-        } else {
-            fill_nodes(&levels[..depth], &runs, level, step, &mut own);
+/// Edges of the largest empty cubes of the cells of the top level along each octant, at most [`MAX_RUN`], 0 for an occupied cell;
+/// and the words of the cells.
+fn of_top(level: &Level) -> ([Vec<u8>; 8], Vec<u32>) {
+    let mut runs: [Vec<u8>; 8] = Default::default();
+    runs.par_iter_mut().enumerate().for_each(|(octant, runs)| *runs = runs_of_top(level, octant_step(octant)));
+    let codes = std::array::from_fn::<u32, { MAX_RUN as usize + 1 }, _>(|run| code_of(run as u8));
+    let word =
+        |cell: usize| (0..8).fold(0, |word, octant| word | codes[usize::from(runs[octant][cell])] << (3 * octant));
+    let words = (0..level.occupied.len()).into_par_iter().with_min_len(CHUNK).map(word).collect();
+    (runs, words)
+}
+
+fn runs_of_top(level: &Level, step: IVec3) -> Vec<u8> {
+    let mut runs = vec![0; level.occupied.len()];
+    let [width, height, depth] = level.size.to_array();
+    let row = |y: i32, z: i32| {
+        let is_inside = (0..height).contains(&y) && (0..depth).contains(&z);
+        let start = ((z * height + y) * width) as usize;
+        is_inside.then(|| start..start + width as usize)
+    };
+    let mut beyond = vec![MAX_RUN; width as usize];
+    for z in against(step.z, depth) {
+        for y in against(step.y, height) {
+            // The least of the three rows beyond this one.
+            beyond.fill(MAX_RUN);
+            let rows = [(step.y, 0), (0, step.z), (step.y, step.z)];
+            for row in rows.into_iter().filter_map(|(dy, dz)| row(y + dy, z + dz)) {
+                beyond.iter_mut().zip(&runs[row]).for_each(|(least, &run)| *least = run.min(*least));
+            }
+            let own = row(y, z).expect("the iteration stays inside");
+            let (runs, occupied) = (&mut runs[own.clone()], &level.occupied[own]);
+            let mut next = MAX_RUN;
+            for x in against(step.x, width) {
+                let x = x as usize;
+                let least = next.min(beyond[x]);
+                runs[x] = if occupied[x] { 0 } else { MAX_RUN.min(least + 1) };
+                next = runs[x].min(beyond[x]);
+            }
         }
-        runs.push(own);
     }
     runs
 }
@@ -87,82 +114,200 @@ fn octant_step(octant: usize) -> IVec3 {
     IVec3::new(sign(0), sign(1), sign(2))
 }
 
-/// Cell coordinates of a box in the order in which each cell comes after its neighbours along `step`.
-fn against(step: IVec3, size: IVec3) -> impl Iterator<Item = IVec3> {
-    let along = move |step: i32, size: i32| (0..size).map(move |i| if step > 0 { size - 1 - i } else { i });
-    along(step.z, size.z).flat_map(move |z| {
-        along(step.y, size.y).flat_map(move |y| along(step.x, size.x).map(move |x| IVec3::new(x, y, z)))
-    })
+/// The places of a row, those further along `step` first.
+fn against(step: i32, size: i32) -> impl Iterator<Item = i32> {
+    (0..size).map(move |i| if step > 0 { size - 1 - i } else { i })
 }
 
-/// The seven neighbours along a step.
-fn neighbours(step: IVec3) -> [IVec3; 7] {
-    std::array::from_fn(|i| {
-        let i = i as i32 + 1;
-        step * IVec3::new(i & 1, i >> 1 & 1, i >> 2)
-    })
-}
+/// Nodes worked on by one task.
+const CHUNK: usize = 1 << 11;
 
-fn fill_dense(level: &Level, step: IVec3, runs: &mut [u8]) {
-    let neighbours = neighbours(step);
-    for cell in against(step, level.size) {
-        let index = level.top_index(cell).expect("the iteration stays inside");
-        if !level.occupied[index] {
-            let run = |offset: &IVec3| level.top_index(cell + offset).map_or(MAX_RUN, |at| runs[at]);
-            let least = neighbours.iter().map(run).min().unwrap_or(0);
-            runs[index] = MAX_RUN.min(least + 1);
-        }
-    }
-}
-
-/// What lies beside a node: another node, or an empty region that ends at `end` (exclusive, counted along the octant
-/// in cells of this level).
-enum Beside {
-    Node(usize),
-    Empty { end: IVec3 },
-}
-
-fn fill_nodes(coarser: &[Level], coarser_runs: &[Vec<u8>], level: &Level, step: IVec3, runs: &mut [u8]) {
-    let offsets = neighbours(step);
-    // Nodes are ordered by z, y, x: along a negative step the order as it is visits neighbours first, along a positive
-    // one the reverse. Mixed signs need a sort of their own.
-    let mut order: Vec<u32> = (0..level.nodes.len() as u32).collect();
-    order.sort_by_key(|&node| {
-        let at = level.nodes[node as usize] * -step;
-        (at.z, at.y, at.x)
-    });
-    for node in order {
-        let node = node as usize;
-        let at = level.nodes[node];
-        let beside: [Beside; 8] = std::array::from_fn(|i| {
-            let i = i as i32;
-            let other = at + step * IVec3::new(i & 1, i >> 1 & 1, i >> 2);
-            match level.index_of.get(&other) {
-                Some(&index) => Beside::Node(index as usize),
-                None => Beside::Empty { end: end_of_empty(coarser, coarser_runs, other, step) },
+/// Runs of the cells of nodes along each octant, but of the finest level, whose runs nothing asks for; and the words of the cells.
+fn of_nodes(coarser: &[Level], runs: &[[Vec<u8>; 8]], level: &Level, is_finest: bool) -> ([Vec<u8>; 8], Vec<u32>) {
+    let count = level.nodes.len();
+    let around = nodes_around(level);
+    let mut own: [Vec<u8>; 8] = Default::default();
+    let mut words = vec![0; count * 64];
+    // Of one octant at a time: the cells with cubes of edge k + 1 and more, and what lies beside each node.
+    let mut sets: [Vec<u64>; MAX_RUN as usize] = std::array::from_fn(|_| vec![0; count]);
+    let mut beside = vec![[Beside::default(); 7]; count];
+    for (octant, own) in own.iter_mut().enumerate() {
+        let step = octant_step(octant);
+        let coarser_runs: Vec<&[u8]> = runs.iter().map(|runs| &*runs[octant]).collect();
+        by_chunks(&mut beside, 1, |first, beside| {
+            for (index, beside) in beside.iter_mut().enumerate() {
+                let at = level.nodes[first + index];
+                *beside = std::array::from_fn(|side| {
+                    let offset = step * offset_of(side + 1);
+                    match around[first + index][around_index(offset)] {
+                        NO_NODE => Beside::empty(at + offset, step, coarser, &coarser_runs),
+                        node => Beside(node),
+                    }
+                });
             }
         });
-        for local in against(step, IVec3::splat(4)) {
-            let index = node * 64 + cell_index(local);
-            if level.occupied[index] {
-                continue;
+        by_chunks(&mut sets[0], 1, |first, empty| {
+            for (index, empty) in empty.iter_mut().enumerate() {
+                let occupied = &level.occupied[(first + index) * 64..][..64];
+                let set = occupied.iter().rev().fold(0, |set, &is_occupied| set << 1 | u64::from(!is_occupied));
+                *empty = mirrored_cells(set, octant);
             }
-            let run = |offset: &IVec3| {
-                let neighbour = local + offset;
-                let outside = neighbour.cmpne(neighbour & 3);
-                let side = outside.bitmask() as usize;
-                match &beside[side] {
-                    Beside::Node(other) => runs[other * 64 + cell_index(neighbour & 3)],
-                    Beside::Empty { end } => {
-                        let cell = mirrored(at * 4 + neighbour, step);
-                        (*end - cell).min_element().clamp(0, i32::from(MAX_RUN)) as u8
+        });
+        for k in 1..MAX_RUN {
+            let (smaller, larger) = sets.split_at_mut(usize::from(k));
+            let (empty, smaller) = (&smaller[0], &smaller[usize::from(k) - 1]);
+            by_chunks(&mut larger[0], 1, |first, larger| {
+                for (index, larger) in larger.iter_mut().enumerate() {
+                    let node = first + index;
+                    let cells = smaller[node];
+                    *larger = if cells == 0 { 0 } else { empty[node] & eroded(cells, &beside[node], k, smaller) };
+                }
+            });
+        }
+        by_chunks(&mut words, 64, |first, words| {
+            let thresholds = SKIP_DISTANCES.map(|distance| &sets[usize::from(distance) - 1]);
+            for (index, words) in words.as_chunks_mut::<64>().0.iter_mut().enumerate() {
+                let planes: [u64; 3] = planes_of(thresholds.iter().skip(1).map(|set| set[first + index]));
+                let planes = planes.map(|plane| mirrored_cells(plane, octant));
+                for (cell, word) in words.iter_mut().enumerate() {
+                    let code = |bit: usize| (planes[bit] >> cell & 1) << bit;
+                    *word |= ((code(0) | code(1) | code(2)) as u32) << (3 * octant);
+                }
+            }
+        });
+        if !is_finest {
+            own.resize(count * 64, 0);
+            by_chunks(own, 64, |first, own| {
+                for (index, own) in own.as_chunks_mut::<64>().0.iter_mut().enumerate() {
+                    let planes: [u64; 5] = planes_of(sets.iter().map(|set| set[first + index]));
+                    let planes = planes.map(|plane| mirrored_cells(plane, octant));
+                    for (cell, run) in own.iter_mut().enumerate() {
+                        *run = (0..5).fold(0, |run, bit| run | ((planes[bit] >> cell & 1) << bit) as u8);
                     }
                 }
-            };
-            let least = offsets.iter().map(run).min().unwrap_or(0);
-            runs[index] = MAX_RUN.min(least + 1);
+            });
         }
     }
+    (own, words)
+}
+
+/// Works on pieces of items, each of so many values, at once; a task is told its first item.
+fn by_chunks<T: Send>(values: &mut [T], of_item: usize, work: impl Fn(usize, &mut [T]) + Sync) {
+    if values.len() <= CHUNK * of_item {
+        return work(0, values);
+    }
+    values.par_chunks_mut(CHUNK * of_item).enumerate().for_each(|(chunk, values)| work(chunk * CHUNK, values));
+}
+
+/// There is no node.
+const NO_NODE: u32 = u32::MAX;
+
+/// An offset of 0 or 1 along each axis, from its three bits.
+fn offset_of(side: usize) -> IVec3 {
+    let side = side as i32;
+    IVec3::new(side & 1, side >> 1 & 1, side >> 2)
+}
+
+/// Where the node at an offset of −1 to 1 along each axis stands among the 27.
+fn around_index(offset: IVec3) -> usize {
+    (offset + 1).dot(IVec3::new(1, 3, 9)) as usize
+}
+
+/// The numbers of the nodes around each node and of its own, x fastest. Nodes are in order, so that the nodes at one offset from them are, too.
+fn nodes_around(level: &Level) -> Vec<[u32; 27]> {
+    let nodes = &level.nodes;
+    let place = |at: IVec3| (at.z, at.y, at.x);
+    let mut around = vec![[NO_NODE; 27]; nodes.len()];
+    by_chunks(&mut around, 1, |first, around| {
+        for row in 0..9 {
+            let offset = IVec3::new(-1, row % 3 - 1, row / 3 - 1);
+            let mut next = nodes.partition_point(|&node| place(node) < place(nodes[first] + offset));
+            for (&node, around) in nodes[first..].iter().zip(&mut *around) {
+                let from = node + offset;
+                while next < nodes.len() && place(nodes[next]) < place(from) {
+                    next += 1;
+                }
+                let candidates = nodes[next..].iter().take(3).enumerate();
+                for (further, candidate) in
+                    candidates.take_while(|(_, at)| (at.y, at.z) == (from.y, from.z) && at.x <= from.x + 2)
+                {
+                    around[(candidate.x - from.x + 3 * row) as usize] = (next + further) as u32;
+                }
+            }
+        }
+    });
+    around
+}
+
+/// What lies beside a node along an octant: the number of a node, or an empty region and how far it reaches along each axis from the
+/// first cell of the node that is missing, at most [`MAX_REACH`] cells, five bits each.
+#[derive(Clone, Copy, Default)]
+struct Beside(u32);
+
+/// Marks a [`Beside`] without a node.
+const IS_EMPTY: u32 = 1 << 31;
+
+/// As far as anything asks: from the last cell of a node so many cells as the largest run.
+const MAX_REACH: i32 = MAX_RUN as i32 + 3;
+
+impl Beside {
+    fn empty(node: IVec3, step: IVec3, coarser: &[Level], coarser_runs: &[&[u8]]) -> Self {
+        let end = end_of_empty(coarser, coarser_runs, node, step);
+        let reach = (end - mirrored(node, step) * 4).clamp(IVec3::ZERO, IVec3::splat(MAX_REACH));
+        Self(IS_EMPTY | reach.dot(IVec3::new(1, 1 << 5, 1 << 10)) as u32)
+    }
+
+    /// The cells there with cubes of edge `k` and more, whose sets the nodes have in `sets`.
+    fn cells(self, k: u8, sets: &[u64]) -> u64 {
+        if self.0 & IS_EMPTY == 0 {
+            return sets[self.0 as usize];
+        }
+        // Along each axis as many cells as reach so far.
+        let count = |axis: u32| ((self.0 >> (5 * axis) & 31) as usize + 1).saturating_sub(usize::from(k)).min(4);
+        FIRST_CELLS[0][count(0)] & FIRST_CELLS[1][count(1)] & FIRST_CELLS[2][count(2)]
+    }
+}
+
+/// The cells of a node whose coordinate along an axis is below 0 to 4.
+const FIRST_CELLS: [[u64; 5]; 3] = [
+    [0, 0x1111_1111_1111_1111, 0x3333_3333_3333_3333, 0x7777_7777_7777_7777, u64::MAX],
+    [0, 0x000f_000f_000f_000f, 0x00ff_00ff_00ff_00ff, 0x0fff_0fff_0fff_0fff, u64::MAX],
+    [0, 0xffff, 0xffff_ffff, 0xffff_ffff_ffff, u64::MAX],
+];
+
+/// The cells of a node all of whose neighbours along the octant (in mirrored cells: those one further along each axis) have cubes of edge `k` and
+/// more, as they have themselves.
+fn eroded(cells: u64, beside: &[Beside; 7], k: u8, sets: &[u64]) -> u64 {
+    let [x, y, xy, z, xz, yz, xyz] = beside.map(|beside| beside.cells(k, sets));
+    let along = |axis: usize, cells: u64, next: u64| {
+        let shift = 1 << (2 * axis);
+        cells & ((cells >> shift & FIRST_CELLS[axis][3]) | next << (3 * shift) & !FIRST_CELLS[axis][3])
+    };
+    let near = along(1, along(0, cells, x), along(0, y, xy));
+    let far = along(1, along(0, z, xz), along(0, yz, xyz));
+    along(2, near, far)
+}
+
+/// For sets of cells, each within the one before it: in how many of them a cell is, as planes of bits.
+fn planes_of<const N: usize>(sets: impl Iterator<Item = u64>) -> [u64; N] {
+    let mut planes = [0; N];
+    for (count, set) in (1..).zip(sets) {
+        for (bit, plane) in planes.iter_mut().enumerate() {
+            *plane = if count >> bit & 1 == 1 { *plane | set } else { *plane & !set };
+        }
+    }
+    planes
+}
+
+/// The cells of a node with the axes reversed along which an octant is negative.
+fn mirrored_cells(mut cells: u64, octant: usize) -> u64 {
+    for (axis, first) in FIRST_CELLS.iter().enumerate().filter(|(axis, _)| octant >> axis & 1 == 1) {
+        let shift = 1 << (2 * axis);
+        cells = (cells & first[2]) << (2 * shift) | cells >> (2 * shift) & first[2];
+        let even = first[1] | first[1] << (2 * shift);
+        cells = (cells & even) << shift | cells >> shift & even;
+    }
+    cells
 }
 
 fn cell_index(local: IVec3) -> usize {
@@ -176,7 +321,7 @@ fn mirrored(cell: IVec3, step: IVec3) -> IVec3 {
 
 /// For a place without a node: where the empty cube around it ends along the octant, in mirrored cells of the level
 /// that has no node there.
-fn end_of_empty(coarser: &[Level], coarser_runs: &[Vec<u8>], node: IVec3, step: IVec3) -> IVec3 {
+fn end_of_empty(coarser: &[Level], coarser_runs: &[&[u8]], node: IVec3, step: IVec3) -> IVec3 {
     let mut cell = node;
     let mut cells_per_coarse_cell = 4;
     for (level, runs) in coarser.iter().zip(coarser_runs).rev() {
@@ -193,3 +338,6 @@ fn end_of_empty(coarser: &[Level], coarser_runs: &[Vec<u8>], node: IVec3, step: 
     }
     unreachable!("the top level covers every place")
 }
+
+#[cfg(test)]
+mod tests;
