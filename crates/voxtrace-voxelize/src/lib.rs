@@ -14,6 +14,7 @@ mod import_error;
 mod limits;
 pub mod mesh;
 pub mod points;
+mod read_at;
 pub mod straighten;
 pub mod volume;
 pub mod voxelize;

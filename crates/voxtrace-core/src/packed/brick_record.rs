@@ -4,6 +4,7 @@
 use super::lookup::{HEADER_INDEX_BITS, HEADER_PALETTE};
 use glam::IVec3;
 use rayon::prelude::*;
+use std::borrow::Borrow;
 use voxtrace_scene::brick::Brick;
 
 /// Encoded bricks.
@@ -18,17 +19,17 @@ pub(super) struct BrickWords {
 }
 
 /// Bricks encoded by one task.
-const CHUNK: usize = 512;
+const CHUNK: usize = 256;
 
 /// Encodes bricks in the order given. `entry_bits` (8 or 16) is the size of a palette entry.
-pub(super) fn encode_bricks(bricks: &[(IVec3, &Brick)], entry_bits: u32) -> BrickWords {
+pub(super) fn encode_bricks(bricks: &[(IVec3, impl Borrow<Brick> + Sync)], entry_bits: u32) -> BrickWords {
     let chunks: Vec<BrickWords> = bricks
         .par_chunks(CHUNK)
         .map(|chunk| {
             let mut words = BrickWords { records: vec![], materials: vec![], positions: vec![] };
             let mut palette = Palette::default();
             for (_, brick) in chunk {
-                encode(brick, entry_bits, &mut palette, &mut words);
+                encode(brick.borrow(), entry_bits, &mut palette, &mut words);
             }
             words
         })

@@ -206,9 +206,7 @@ pub(crate) fn pack_grid(
     let encoded = encode_bricks(&bricks, material_bits);
     go_on()?;
     let CellsOfGrid { mut cells, base } = cells_of(&levels);
-    for (&(at, _), &position) in bricks.iter().zip(&encoded.positions) {
-        cells[base + ordered_position(&levels, at) as usize] = CELL_OCCUPIED | (position / 2) as u32;
-    }
+    name_bricks(&levels, &mut cells[base..], encoded.positions.iter().map(|&position| (position / 2) as u32));
     let top = &levels[0];
     let voxels = grid.count();
     let VoxelBox { min, max } = bounds;
@@ -261,6 +259,13 @@ pub(super) fn ordered_position(levels: &[Level], brick: IVec3) -> u64 {
     cell_position(&levels[levels.len() - 1], brick) as u64
 }
 
+/// Lets the occupied cells of the finest level name the records of their bricks, which are given in the order of [`ordered_position`]. `cells` are those of
+/// this level.
+pub(super) fn name_bricks(levels: &[Level], cells: &mut [u32], records: impl IntoIterator<Item = u32>) {
+    let occupied = cells.iter_mut().zip(&levels[levels.len() - 1].occupied).filter(|(_, is_occupied)| **is_occupied);
+    occupied.zip(records).for_each(|((cell, _), record)| *cell = CELL_OCCUPIED | record);
+}
+
 /// Bits of a palette entry: a byte where that can name every material.
 pub(super) fn material_bits_of(scene: &Scene) -> u32 {
     if scene.materials.len() <= 256 { 8 } else { 16 }
@@ -285,13 +290,14 @@ pub(super) fn levels_of(bricks: &[IVec3], extent: IVec3) -> Vec<Level> {
     let mut finer: Vec<Level> = Vec::new();
     let mut occupied_cells: Vec<IVec3> = bricks.to_vec();
     for shift in (3..top_shift).step_by(2) {
-        let mut nodes: Vec<IVec3> = occupied_cells.iter().map(|&cell| cell >> 2).collect();
-        nodes.par_sort_unstable_by_key(|at| (at.z, at.y, at.x));
-        nodes.dedup();
+        // The cells of a node stand together then.
+        occupied_cells.par_sort_unstable_by_key(|&cell| (cell.z >> 2, cell.y >> 2, cell.x >> 2));
+        let of_nodes = || occupied_cells.chunk_by(|&a, &b| a >> 2 == b >> 2);
+        let nodes: Vec<IVec3> = of_nodes().map(|cells| cells[0] >> 2).collect();
         let index_of: FxHashMap<IVec3, u32> = nodes.iter().enumerate().map(|(i, &at)| (at, i as u32)).collect();
         let mut occupied = vec![false; nodes.len() * 64];
-        for &cell in &occupied_cells {
-            occupied[index_of[&(cell >> 2)] as usize * 64 + cell_in_node(cell, 0)] = true;
+        for (cells, occupied) in of_nodes().zip(occupied.as_chunks_mut::<64>().0) {
+            cells.iter().for_each(|&cell| occupied[cell_in_node(cell, 0)] = true);
         }
         occupied_cells.clone_from(&nodes);
         finer.push(Level { shift, nodes, index_of, size: IVec3::ZERO, occupied });

@@ -8,7 +8,7 @@ use super::file::VERSION;
 use super::instance_record::InstanceRecord;
 use super::lights::{append_lights_of_grid, surface_luminance};
 use super::material_records::MaterialRecords;
-use super::pack::{CellsOfGrid, cells_of, levels_of, material_bits_of, ordered_position};
+use super::pack::{CellsOfGrid, cells_of, levels_of, material_bits_of, name_bricks, ordered_position};
 use super::section_writer::SectionWriter;
 use super::settings::{EnvironmentSections, Settings};
 use super::{CELL_OCCUPIED, Geometry, PackError, PackedGrid, PackedInstance, PackedMaterial, PackedScene};
@@ -16,7 +16,6 @@ use super::{Placement, Section};
 use crate::atomic_file::{TemporaryFile, check_replaceable};
 use crate::cuts::Cuts;
 use glam::IVec3;
-use rayon::prelude::*;
 use std::fs::File;
 use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::panic::resume_unwind;
@@ -38,8 +37,15 @@ pub trait BrickSource {
     fn coordinates(&self) -> Vec<IVec3>;
     /// Puts the bricks into ascending order of a key.
     fn sort_by_key(&mut self, key: &(dyn Fn(IVec3) -> u64 + Sync));
-    /// Hands out all bricks in that order, some at a time.
-    fn for_each_batch(&mut self, each: &mut dyn FnMut(Vec<(IVec3, Brick)>) -> io::Result<()>) -> io::Result<()>;
+    /// Goes through all bricks in pieces: threads call `make` with several at once, and what it makes of them goes to `each` in that order.
+    ///
+    /// # Errors
+    /// If they cannot be read; also those of `each`.
+    fn for_each_piece<T: Send>(
+        &mut self,
+        make: impl Fn(Vec<(IVec3, Brick)>) -> T + Sync,
+        each: impl FnMut(T) -> io::Result<()>,
+    ) -> io::Result<()>;
     /// Where the grid of the bricks stands: at the origin, unless it says otherwise.
     fn world_from_grid(&self) -> Transform {
         Transform::IDENTITY
@@ -85,10 +91,7 @@ pub fn save_streamed(path: &Path, scene: &Scene, source: &mut impl BrickSource) 
     let mut writer = SectionWriter::new(temporary.try_clone()?, sections)?;
     let pass = write_bricks(path, scene, source, &mut writer)?;
     let CellsOfGrid { mut cells, base } = cells_of(&levels);
-    for (&at, &record) in pass.order.iter().zip(&pass.records) {
-        let cell = base + ordered_position(&levels, at - low) as usize;
-        cells[cell] = CELL_OCCUPIED | record;
-    }
+    name_bricks(&levels, &mut cells[base..], pass.records.iter().copied());
     if cells.len() as u64 / 64 >= u64::from(CELL_OCCUPIED) {
         return Err(PackError::TooLarge(cells.len() as u64 / 64, "cells").into());
     }
@@ -185,8 +188,7 @@ fn write_rest(packed: &PackedScene, writer: &mut SectionWriter) -> Result<(), St
 
 /// What is known when all bricks are written.
 struct Pass {
-    /// Coordinates in the order of the source, and the number of each record.
-    order: Vec<IVec3>,
+    /// The number of each brick's record, in the order of the source.
     records: Vec<u32>,
     voxels: u64,
     min: IVec3,
@@ -194,6 +196,9 @@ struct Pass {
     /// Voxels that emit, and their materials.
     emitting: Vec<(IVec3, u16)>,
 }
+
+/// Pieces that wait to be written.
+const WAITING: usize = 1 << 6;
 
 /// Writes the sections BRIK and BMAT. The materials wait in a file of their own until all records are written.
 fn write_bricks(
@@ -208,35 +213,36 @@ fn write_bricks(
     let mut waiting = TemporaryFile::nameless(path)?;
     let (mut record_words, mut material_words) = (0u64, 0u64);
     let (min, max) = (IVec3::splat(i32::MAX), IVec3::splat(i32::MIN));
-    let mut pass = Pass { order: vec![], records: vec![], voxels: 0, min, max, emitting: vec![] };
+    let mut pass = Pass { records: vec![], voxels: 0, min, max, emitting: vec![] };
     let mut missing = None;
     writer.begin::<u32>(b"BRIK")?;
-    let mut write = |Batch { mut words, bricks }: Batch| {
+    let mut write = |Piece { mut words, found }: Piece| {
         for &position in &words.positions {
             words.records[position + 1] = words.records[position + 1].wrapping_add(material_words as u32);
             pass.records.push(((record_words + position as u64) / 2) as u32);
         }
         record_words += words.records.len() as u64;
         material_words += words.materials.len() as u64;
-        for found in bricks {
+        for found in found {
             missing = missing.or(found.missing);
             pass.add(found);
         }
         writer.write(bytemuck::cast_slice(&words.records))?;
         waiting.file().write_all(bytemuck::cast_slice(&words.materials))
     };
-    // A batch is encoded while the one before it is written.
+    let encode = |bricks: Vec<(IVec3, Brick)>| {
+        let words = encode_bricks(&bricks, entry_bits);
+        let found = bricks.iter().map(|(at, brick)| Found::of(*at, brick, &emits, emits_at_all)).collect();
+        Piece { words, found }
+    };
+    // Bricks are encoded while those before them are written.
     thread::scope(|scope| {
-        let (encoded, batches) = sync_channel(1);
-        let writing = scope.spawn(move || batches.into_iter().try_for_each(&mut write));
-        let read = source.for_each_batch(&mut |batch| {
-            let borrowed: Vec<(IVec3, &Brick)> = batch.iter().map(|(at, brick)| (*at, brick)).collect();
-            let words = encode_bricks(&borrowed, entry_bits);
-            let bricks = batch.par_iter().map(|(at, brick)| Found::of(*at, brick, &emits, emits_at_all)).collect();
-            // Who writes says why it has ended.
-            encoded.send(Batch { words, bricks }).map_err(|_| io::ErrorKind::BrokenPipe.into())
-        });
-        drop(encoded);
+        let (to_write, encoded) = sync_channel(WAITING);
+        let writing = scope.spawn(move || encoded.into_iter().try_for_each(&mut write));
+        // Who writes says why it has ended.
+        let read =
+            source.for_each_piece(encode, |piece| to_write.send(piece).map_err(|_| io::ErrorKind::BrokenPipe.into()));
+        drop(to_write);
         writing.join().unwrap_or_else(|panic| resume_unwind(panic)).and(read)
     })?;
     if let Some(material) = missing {
@@ -253,14 +259,13 @@ fn write_bricks(
 }
 
 /// Bricks on their way into the file.
-struct Batch {
+struct Piece {
     words: BrickWords,
-    bricks: Vec<Found>,
+    found: Vec<Found>,
 }
 
 /// What there is to be known of a brick.
 struct Found {
-    at: IVec3,
     voxels: u64,
     min: IVec3,
     max: IVec3,
@@ -280,13 +285,12 @@ impl Found {
             emitting.extend(voxels.map(|(local, material)| (corner + local, material)));
         }
         let voxels = brick.materials().len() as u64;
-        Self { at, voxels, min: corner + low, max: corner + high, missing, emitting }
+        Self { voxels, min: corner + low, max: corner + high, missing, emitting }
     }
 }
 
 impl Pass {
     fn add(&mut self, found: Found) {
-        self.order.push(found.at);
         self.voxels += found.voxels;
         (self.min, self.max) = (self.min.min(found.min), self.max.max(found.max));
         self.emitting.extend(found.emitting);

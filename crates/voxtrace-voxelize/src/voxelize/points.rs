@@ -101,7 +101,7 @@ impl PointAccumulator<'_> {
     /// The bricks of one tile. A point is its voxel's index in the tile (upper 32 bits) and its [`ColorBy::value`]; any order.
     pub fn tile(&self, number: u32, points: &[u64], scratch: &mut Scratch) -> TileRecords {
         let low = self.tiles.tile(number) * TILE;
-        let mut records = TileRecords::default();
+        let (mut records, mut tally) = (TileRecords::default(), self.histogram.tally());
         let Scratch { by_brick, sums, keys } = scratch;
         sums.resize(1 << VOXEL_BITS, [0; 4]);
         let starts = sorted_by_brick(points, by_brick);
@@ -122,7 +122,7 @@ impl PointAccumulator<'_> {
             }
             finish_brick(&mut occupancy, sums, self.min_points, keys);
             if !keys.is_empty() {
-                self.histogram.add(keys, 1);
+                tally.add(keys, 1);
                 records.push(at, &occupancy, keys);
             }
         }

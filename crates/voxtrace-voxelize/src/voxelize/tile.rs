@@ -192,7 +192,7 @@ impl TileJob<'_> {
 
     fn encode(&self, tile: IVec3, sums: &mut TileSums) -> TileRecords {
         let mut records = TileRecords::default();
-        let mut keys: Vec<AppearanceKey> = Vec::new();
+        let (mut keys, mut tally): (Vec<AppearanceKey>, _) = (Vec::new(), self.histogram.tally());
         for index in 0..BRICK_COUNT {
             let slot = std::mem::replace(&mut sums.slots[index], NONE);
             if slot == NONE {
@@ -210,7 +210,7 @@ impl TileJob<'_> {
             }
             let count = occupancy.iter().map(|mask| mask.count_ones()).sum::<u32>();
             if count > 0 {
-                self.histogram.add(&keys, if self.appearance.uniform.is_some() { count } else { 1 });
+                tally.add(&keys, if self.appearance.uniform.is_some() { count } else { 1 });
                 let at =
                     IVec3::new(index as i32 % BRICKS, index as i32 / BRICKS % BRICKS, index as i32 / (BRICKS * BRICKS));
                 records.push(tile * BRICKS + at, &occupancy, &keys);

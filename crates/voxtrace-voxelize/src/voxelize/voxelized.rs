@@ -29,10 +29,11 @@ pub(super) fn scene_of_source(name: &str, unit: LengthUnit) -> Scene {
 /// The grid of all bricks in a spill buffer.
 pub(super) fn grid_of(palette: &Palette, spill: &mut SpillBuffer) -> Result<VoxelGrid, VoxelizeError> {
     let mut bricks = Vec::with_capacity(spill.brick_count());
-    spill.for_each_batch(&|key, voxel| palette.index(key, voxel), |batch| {
-        bricks.extend(batch);
+    let collect = |piece: Vec<(IVec3, Brick)>| {
+        bricks.extend(piece);
         Ok(())
-    })?;
+    };
+    spill.for_each_piece(&|key, voxel| palette.index(key, voxel), |piece| piece, collect)?;
     Ok(VoxelGrid::from_bricks(bricks))
 }
 
@@ -113,10 +114,14 @@ impl<M: Fn(AppearanceKey, IVec3) -> u16 + Sync> BrickSource for SpilledBricks<'_
         self.spill.sort_by_key(key);
     }
 
-    fn for_each_batch(&mut self, each: &mut dyn FnMut(Vec<(IVec3, Brick)>) -> io::Result<()>) -> io::Result<()> {
+    fn for_each_piece<T: Send>(
+        &mut self,
+        make: impl Fn(Vec<(IVec3, Brick)>) -> T + Sync,
+        mut each: impl FnMut(T) -> io::Result<()>,
+    ) -> io::Result<()> {
         let progress = self.progress;
-        self.spill.for_each_batch(&self.material, |batch| {
-            if progress.is_cancelled() { Err(io::ErrorKind::Interrupted.into()) } else { each(batch) }
+        self.spill.for_each_piece(&self.material, make, |made| {
+            if progress.is_cancelled() { Err(io::ErrorKind::Interrupted.into()) } else { each(made) }
         })
     }
 

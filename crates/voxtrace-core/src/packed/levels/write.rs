@@ -10,7 +10,7 @@ use crate::packed::file::VERSION;
 use crate::packed::instance_record::InstanceRecord;
 use crate::packed::lights::append_lights_of_grid;
 use crate::packed::material_records::MaterialRecords;
-use crate::packed::pack::{CellsOfGrid, cells_of, levels_of, ordered_position};
+use crate::packed::pack::{CellsOfGrid, cells_of, levels_of, name_bricks, ordered_position};
 use crate::packed::section_writer::SectionWriter;
 use crate::packed::skip_distances::Level;
 use crate::packed::stream::{copy, map_bricks};
@@ -95,9 +95,7 @@ impl Pass<'_> {
             for cell in own[..base].iter_mut().filter(|cell| **cell & CELL_OCCUPIED != 0) {
                 *cell += first_node;
             }
-            for (&at, &record) in order.iter().zip(&found.records) {
-                own[base + ordered_position(&levels, at - low) as usize] = CELL_OCCUPIED | record;
-            }
+            name_bricks(&levels, &mut own[base..], found.records.iter().copied());
             grids.push(PackedGrid {
                 origin: low * BRICK_SIZE,
                 top_shift: levels[0].shift,

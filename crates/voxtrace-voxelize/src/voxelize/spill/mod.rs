@@ -10,13 +10,13 @@ use super::VoxelizeProgress;
 use super::appearance::AppearanceKey;
 use super::checkpoint::{CheckpointFile, Existing, Frame, FrameKind, Step};
 use super::color_histogram::ColorHistogram;
+use crate::read_at::read_exact_at;
 use glam::IVec3;
+use rayon::prelude::*;
 use record::{appearances_of, decoded_brick, packed_coordinates, unpacked_coordinates};
 use std::fs::File;
-use std::io::{self, Read, Seek, SeekFrom};
+use std::io;
 use std::path::Path;
-use std::sync::mpsc::sync_channel;
-use std::thread;
 use voxtrace_scene::brick::Brick;
 
 /// Where the record of a brick lies.
@@ -88,14 +88,13 @@ impl SpillBuffer {
         let length = file.file()?.metadata()?.len();
         let mut taken = 0;
         while let Some(frame) = file.next()? {
-            let count = self.entries.len();
-            let taken_frame = take_frame(&frame, histogram, &mut self.entries);
-            let Some(voxels) = taken_frame.filter(|_| frame.kind == FrameKind::Bricks) else {
-                self.entries.truncate(count);
+            let bricks = if frame.kind == FrameKind::Bricks { take_frame(&frame, histogram) } else { None };
+            let Some((entries, voxels)) = bricks else {
                 file.reject(&frame);
                 file.cut()?;
                 break;
             };
+            self.entries.extend(entries);
             self.voxels += voxels;
             self.done = Some(frame.step);
             taken += 1;
@@ -179,84 +178,75 @@ impl SpillBuffer {
         Ok(())
     }
 
-    /// Coordinates of all bricks, in the order of [`Self::for_each_batch`].
+    /// Coordinates of all bricks, in the order of [`Self::for_each_piece`].
     pub fn coordinates(&self) -> impl ExactSizeIterator<Item = IVec3> + '_ {
         self.entries.iter().map(|entry| unpacked_coordinates(entry.at))
     }
 
     /// Sorts the bricks by a key of their coordinates.
     pub fn sort_by_key<K: Ord + Send>(&mut self, key: impl Fn(IVec3) -> K + Sync) {
-        use rayon::prelude::*;
         self.entries.par_sort_by_cached_key(|entry| key(unpacked_coordinates(entry.at)));
     }
 
     /// Decodes all bricks in their order and calls `each` with batches of them and their coordinates. `material` chooses the
     /// material by appearance and voxel.
-    pub fn for_each_batch(
+    pub fn for_each_piece<T: Send>(
         &mut self,
         material: &(impl Fn(AppearanceKey, IVec3) -> u16 + Sync),
-        mut each: impl FnMut(Vec<(IVec3, Brick)>) -> io::Result<()>,
+        make: impl Fn(Vec<(IVec3, Brick)>) -> T + Sync,
+        mut each: impl FnMut(T) -> io::Result<()>,
     ) -> io::Result<()> {
-        use rayon::prelude::*;
-        /// Bricks in a batch.
-        const BATCH: usize = 1 << 13;
+        /// Bricks that one task reads and decodes.
+        const PIECE: usize = 1 << 8;
+        /// Pieces that are worked on together.
+        const TOGETHER: usize = 1 << 6;
         let decode = |entry: &Entry, bytes: &[u8]| {
             let at = unpacked_coordinates(entry.at);
             (at, decoded_brick(&bytes[..entry.size as usize], at, material))
         };
-        let entries = self.entries.chunks(BATCH);
-        let files = match &mut self.storage {
-            Storage::Memory(pieces) => {
+        let (pieces, files): (&[(u64, Vec<u8>)], &[File]) = match &mut self.storage {
+            Storage::Memory(pieces) => (pieces, &[]),
+            Storage::File(file, _) => (&[], std::slice::from_ref(file.file()?)),
+            Storage::Parts(files) => (&[], files),
+        };
+        let read = |entries: &[Entry]| -> io::Result<T> {
+            if files.is_empty() {
                 let bytes = |entry: &Entry| {
                     let piece = pieces.partition_point(|piece| piece.0 <= entry.offset) - 1;
                     &pieces[piece].1[(entry.offset - pieces[piece].0) as usize..]
                 };
-                let mut entries = entries;
-                return entries
-                    .try_for_each(|batch| each(batch.par_iter().map(|entry| decode(entry, bytes(entry))).collect()));
+                return Ok(make(entries.iter().map(|entry| decode(entry, bytes(entry))).collect()));
             }
-            Storage::File(file, _) => std::slice::from_mut(file.file()?),
-            Storage::Parts(files) => files,
+            let (bytes, starts) = read_entries(files, entries)?;
+            Ok(make(entries.iter().zip(starts).map(|(entry, start)| decode(entry, &bytes[start..])).collect()))
         };
-        // The next batch is read while one is worked on.
-        thread::scope(|scope| {
-            let (read, batches) = sync_channel(1);
-            scope.spawn(move || {
-                for batch in entries {
-                    let bytes = read_entries(files, batch).map(|bytes| (batch, bytes));
-                    if read.send(bytes).is_err() {
-                        break;
-                    }
-                }
-            });
-            for batch in batches {
-                let (batch, (bytes, starts)) = batch?;
-                let parts = batch.par_iter().zip(&starts);
-                each(parts.map(|(entry, &start)| decode(entry, &bytes[start..])).collect())?;
-            }
-            Ok(())
-        })
+        for pieces in self.entries.chunks(PIECE * TOGETHER) {
+            let made: io::Result<Vec<T>> = pieces.par_chunks(PIECE).map(read).collect();
+            made?.into_iter().try_for_each(&mut each)?;
+        }
+        Ok(())
     }
 }
 
-/// Reads the records of entries one after the other, adjacent ones in one read; returns their bytes, and where each begins.
-fn read_entries(files: &mut [File], entries: &[Entry]) -> io::Result<(Vec<u8>, Vec<usize>)> {
-    let mut bytes = Vec::with_capacity(entries.iter().map(|entry| entry.size as usize).sum());
-    let mut starts = Vec::with_capacity(entries.len());
-    let mut at = 0;
-    while at < entries.len() {
-        let first = entries[at];
-        let mut end = first.offset;
-        while at < entries.len() && entries[at].offset == end && entries[at].file == first.file {
-            starts.push(bytes.len() + (end - first.offset) as usize);
-            end += u64::from(entries[at].size);
-            at += 1;
-        }
-        let start = bytes.len();
+/// Records that lie at most so many bytes apart are read at once.
+const GAP: u64 = 1 << 10;
+
+/// Reads the records of some entries; where each begins among the bytes. Several threads may read from the same files.
+fn read_entries(files: &[File], entries: &[Entry]) -> io::Result<(Vec<u8>, Vec<usize>)> {
+    let mut order: Vec<usize> = (0..entries.len()).collect();
+    order.sort_unstable_by_key(|&index| (entries[index].file, entries[index].offset));
+    let end_of = |index: usize| entries[index].offset + u64::from(entries[index].size);
+    let is_near = |&a: &usize, &b: &usize| {
+        entries[a].file == entries[b].file && entries[b].offset.saturating_sub(end_of(a)) <= GAP
+    };
+    let (mut bytes, mut starts) = (Vec::new(), vec![0; entries.len()]);
+    for run in order.chunk_by(is_near) {
+        let (first, start) = (entries[run[0]], bytes.len());
+        run.iter().for_each(|&index| starts[index] = start + (entries[index].offset - first.offset) as usize);
+        let end = run.iter().map(|&index| end_of(index)).max().unwrap_or(first.offset);
         bytes.resize(start + (end - first.offset) as usize, 0);
-        let mut file = files.get(first.file as usize).ok_or(io::ErrorKind::NotFound)?;
-        file.seek(SeekFrom::Start(first.offset))?;
-        file.read_exact(&mut bytes[start..])?;
+        let file = files.get(first.file as usize).ok_or(io::ErrorKind::NotFound)?;
+        read_exact_at(file, &mut bytes[start..], first.offset)?;
     }
     Ok((bytes, starts))
 }
@@ -264,19 +254,16 @@ fn read_entries(files: &mut [File], entries: &[Entry]) -> io::Result<(Vec<u8>, V
 /// Bytes of an entry in a frame: packed coordinates (8) and size of the record (4).
 const ENTRY: usize = 12;
 
-/// Appends the bricks of a frame to `entries` and counts their appearances; returns the number of voxels, or `None` if a record is
-/// not valid.
-fn take_frame(frame: &Frame, histogram: &ColorHistogram, entries: &mut Vec<Entry>) -> Option<u64> {
-    let (mut voxels, mut appearances) = (0, Vec::new());
-    for entry in listed(frame)? {
-        appearances.push(appearances_of(record_of(frame, &entry))?);
-        entries.push(entry);
-    }
-    for (keys, times) in appearances {
+/// The bricks of a frame, and the number of their voxels, whose appearances are counted; `None` if a record is not valid.
+fn take_frame(frame: &Frame, histogram: &ColorHistogram) -> Option<(Vec<Entry>, u64)> {
+    let entries = listed(frame)?;
+    let appearances: Option<Vec<_>> = entries.iter().map(|entry| appearances_of(record_of(frame, entry))).collect();
+    let (mut voxels, mut tally) = (0, histogram.tally());
+    for (keys, times) in appearances? {
         voxels += keys.len() as u64 * u64::from(times);
-        histogram.add(&keys, times);
+        tally.add(&keys, times);
     }
-    Some(voxels)
+    Some((entries, voxels))
 }
 
 /// The entries of a frame; `None` where they are not those of its content.
@@ -325,7 +312,7 @@ mod tests {
             all.extend(batch.into_iter().map(|(at, brick)| (at, brick.materials().to_vec())));
             Ok(())
         };
-        spill.for_each_batch(&material, collect).unwrap();
+        spill.for_each_piece(&material, |piece| piece, collect).unwrap();
         all
     }
 

@@ -6,7 +6,7 @@ use super::{
     Entry, SpillBuffer, Storage, TileRecords, listed, packed_coordinates, read_entries, take_frame,
     unpacked_coordinates,
 };
-use crate::voxelize::checkpoint::{CheckpointFile, Existing, FrameKind, Step};
+use crate::voxelize::checkpoint::{CheckpointFile, Existing, Frame, FrameKind, Step};
 use crate::voxelize::color_histogram::ColorHistogram;
 use crate::voxelize::points::{VOXEL_BITS, VoxelSums, finish_brick};
 use crate::voxelize::{VoxelizeError, VoxelizeProgress};
@@ -19,6 +19,9 @@ use voxtrace_core::atomic_file::TemporaryFile;
 
 /// Bricks that are finished at a time.
 const BATCH: usize = 1 << 10;
+
+/// Bytes of frames that are gone through side by side.
+const WAITING: usize = 4 << 20;
 
 /// A log of a part, read to its end.
 struct PartLog {
@@ -168,15 +171,36 @@ impl PartLog {
         let log = CheckpointFile::open_to_read(path, key).map_err(named)?;
         let mut log = log.ok_or_else(|| fault(&format!("no part of these {what} with these options")))?;
         let (mut finished, mut sums, mut voxels) = (Vec::new(), Vec::new(), 0);
+        let damaged = |at: u64| fault(&format!("the part is damaged at byte {at}"));
+        // Frames are read one after the other, and gone through side by side.
+        let (mut waiting, mut size) = (Vec::new(), 0);
+        let mut take = |frames: &mut Vec<Frame>| -> Result<(), VoxelizeError> {
+            let taken =
+                frames.par_iter().map(|frame| take_frame(frame, histogram).ok_or_else(|| damaged(frame.content_at)));
+            let taken: Result<Vec<_>, VoxelizeError> = taken.collect();
+            for (entries, count) in taken? {
+                finished.extend(entries);
+                voxels += count;
+            }
+            frames.clear();
+            Ok(())
+        };
         let files = loop {
             let frame = match log.next_whole().map_err(named)? {
                 Ok(Some(frame)) => frame,
                 Ok(None) => return Err(fault("the part is not whole")),
-                Err(at) => return Err(fault(&format!("the part is damaged at byte {at}"))),
+                Err(at) => return Err(damaged(at)),
             };
-            let broken = || fault(&format!("the part is damaged at byte {}", frame.content_at));
+            let broken = || damaged(frame.content_at);
             match frame.kind {
-                FrameKind::Bricks => voxels += take_frame(&frame, histogram, &mut finished).ok_or_else(broken)?,
+                FrameKind::Bricks => {
+                    size += frame.content.len();
+                    waiting.push(frame);
+                    if size >= WAITING {
+                        take(&mut waiting)?;
+                        size = 0;
+                    }
+                }
                 FrameKind::Sums => sums.extend(listed(&frame).ok_or_else(broken)?),
                 FrameKind::End => match *frame.content.as_chunks::<8>().0 {
                     [start, end] => break u64::from_le_bytes(start)..u64::from_le_bytes(end),
@@ -184,6 +208,7 @@ impl PartLog {
                 },
             }
         };
+        take(&mut waiting)?;
         let file = log.into_file().ok_or_else(|| io::Error::from(io::ErrorKind::NotFound))?;
         Ok(Self { file, files, finished, sums, voxels })
     }
