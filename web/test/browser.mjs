@@ -25,21 +25,28 @@ export const context = { browser: undefined, server: undefined, files: undefined
 /** What lets Chromium have WebGPU without a GPU. */
 export const WEBGPU = ["--enable-unsafe-webgpu", "--use-webgpu-adapter=swiftshader", "--enable-unsafe-swiftshader"];
 
-/** Starts what the tests of a file need, with `more` arguments of Chromium, then does what is to follow; and ends it. */
-export function setUp(more = [], follow = async () => {}) {
+/** Starts a server of the package, of pages and of files for the tests of a file, and ends it. */
+export function setUpServer() {
   before(async () => {
     context.files = mkdtempSync(join(tmpdir(), "voxtrace-web-"));
     context.server = await serve({ "/package/": join(web, "dist"), "/test/": here, "/files/": context.files, "/examples/": join(web, "examples") });
+  });
+  after(() => {
+    context.server?.end();
+    if (context.files) rmSync(context.files, { recursive: true, force: true });
+  });
+}
+
+/** Starts what the tests of a file need, with `more` arguments of Chromium, then does what is to follow; and ends it. */
+export function setUp(more = [], follow = async () => {}) {
+  setUpServer();
+  before(async () => {
     const executablePath = process.env.CHROMIUM ?? ["/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"].find(existsSync);
     assert.ok(executablePath, "no Chromium: install it, or name it by CHROMIUM");
     context.browser = await chromium.launch({ executablePath, args: ["--no-sandbox", "--disable-dev-shm-usage", ...more] });
     await follow();
   });
-  after(async () => {
-    await context.browser?.close();
-    context.server?.end();
-    if (context.files) rmSync(context.files, { recursive: true, force: true });
-  });
+  after(async () => context.browser?.close());
 }
 
 /** A page with an element of these attributes, and what it wrote to its console. */
