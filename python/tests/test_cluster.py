@@ -71,6 +71,41 @@ def test_films_that_come_in_any_order_are_added_up_at_once(church, half):
             assert kept[0].to_bytes() == voxtrace.Image.merge(films[:half]).to_bytes()
 
 
+@pytest.mark.parametrize("half", [None, 0, 1, 50, 137])
+def test_branches_hold_each_part_once_and_never_both_halves(half):
+    from voxtrace.dask import _picture
+
+    for count in [138, 200, 1000, 4001]:
+        units = _picture.branches(count, half)
+        assert [part for unit in units for part in unit] == list(range(count))
+        assert not any(half in unit and unit.start < half for unit in units if half is not None)
+        assert len(units) <= 2 * _picture.FAN_IN + 2
+
+        def check(parts):
+            if len(parts) == 1:
+                return 0
+            limbs = _picture.split(parts)
+            assert len(limbs) <= _picture.FAN_IN and [part for limb in limbs for part in limb] == list(parts)
+            return 1 + max(check(limb) for limb in limbs)
+
+        assert max(check(unit) for unit in units) <= 3
+    assert _picture.branches(16, None) == [range(part, part + 1) for part in range(16)]
+
+
+def test_films_that_workers_add_up_are_those_of_one_process(client, church, monkeypatch):
+    from voxtrace import dask
+    from voxtrace.dask import _picture
+
+    options = {"samples": 41, "size": (48, 27), "seed": 4, "device": "cpu"}
+    for fan_in, parts in [(2, 41), (3, 20)]:
+        monkeypatch.setattr(_picture, "FAN_IN", fan_in)
+        for denoise in [False, True]:
+            shares, here = [], voxtrace.render(church, denoise=denoise, **options)
+            image = dask.render(client, church, parts=parts, denoise=denoise, progress=shares.append, **options)
+            assert image.to_bytes() == here.to_bytes() and (image.radiance == here.radiance).all()
+            assert 0 < len(set(shares)) <= 2 * fan_in + 3 < parts
+
+
 def test_a_cluster_gives_the_bytes_of_one_process(client, church):
     from voxtrace import dask
 
@@ -122,9 +157,14 @@ def test_the_command_line_renders_by_a_cluster(client, tmp_path, command_line, m
     assert not list(tmp_path.glob("*.png"))
 
 
-def test_workers_may_be_lost_and_may_stand_still(client, church):
+@pytest.mark.parametrize("fan_in", [2, 100])
+def test_workers_may_be_lost_and_may_stand_still(client, church, monkeypatch, fan_in):
     from voxtrace import dask
+    from voxtrace.dask import _picture
 
+    monkeypatch.setattr(_picture, "FAN_IN", fan_in)
+    assert (len(_picture.branches(20, None)) < 20) == (fan_in == 2)
+    client.wait_for_workers(4)
     options = {"samples": 160, "size": (160, 90), "device": "cpu", "denoise": False}
     alone = voxtrace.render(church, **options)
     lost, paused = list(client.run(os.getpid).values())[:2]

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from typing import Any
 
 from .._voxtrace import Camera, Image, Renderer, Scene
-from ._sharing import address_of_worker, elsewhere, gathered, packed_scene, renderer_of, sent_bytes, usual_parts
+from ._sharing import address_of_worker, elsewhere, gathered, packed_scene, number_of_workers, renderer_of, sent_bytes, usual_parts
 
 
 def render(
@@ -80,20 +80,50 @@ def _shared(
 ) -> list[Image]:
     """The film of the samples between bounds, of a camera or like a film; two of them, which join at the bound of that number, where there is one."""
     data, key = packed
+    units = branches(len(bounds) - 1, half)
 
     def submit(missing: list[int], workers: list[str]) -> dict[Any, int]:
         # The scene goes along anew, as whoever had it may be gone or stand still; workers that know it do not unpack it again.
         sent = sent_bytes(client, data, retries, workers)
-        begun: dict[Any, int] = {}
-        for part in missing:
-            first, end = bounds[part], bounds[part + 1]
-            arguments = sent, key, device, what, first, end - first, frame
-            begun[client.submit(_render_part, *arguments, pure=False, retries=retries, **elsewhere(workers))] = part
-        return begun
 
-    runs = Runs(half)
-    gathered(client, submit, list(range(len(bounds) - 1)), lambda part, film: runs.add(part, Image.from_bytes(film)), progress)
+        def begin(parts: range) -> Any:
+            if len(parts) > 1:
+                limbs = [begin(limb) for limb in split(parts)]
+                return client.submit(_add, limbs, pure=False, retries=retries, **elsewhere(workers))
+            first, end = bounds[parts.start], bounds[parts.stop]
+            arguments = sent, key, device, what, first, end - first, frame
+            return client.submit(_render_part, *arguments, pure=False, retries=retries, **elsewhere(workers))
+
+        return {begin(units[unit]): unit for unit in missing}
+
+    # By the numbers of units: the two on both sides of the half are not added up.
+    runs = Runs(next((number for number, parts in enumerate(units) if parts.start == half), None))
+    largest = max(len(parts) for parts in units)
+    rounds = 1 + largest // number_of_workers(client)
+    gathered(client, submit, list(range(len(units))), lambda unit, film: runs.add(unit, Image.from_bytes(film)), progress, rounds=rounds)
     return runs.films()
+
+
+#: Films that a worker adds up at a time, and that the client gets at least where workers add them up.
+FAN_IN = 8
+
+
+def branches(count: int, half: int | None) -> list[range]:
+    """Parts whose films workers add up before the client gets them, none of them on both sides of the part `half`: each alone where they are few, else so many together, a power
+    of `FAN_IN`, that the client gets about as many films however many workers there are."""
+    together = 1
+    while count > 2 * FAN_IN * together:
+        together *= FAN_IN
+    sides = [range(count)] if half is None else [range(half), range(half, count)]
+    return [side[start : start + together] for side in sides for start in range(0, len(side), together)]
+
+
+def split(parts: range) -> list[range]:
+    """The limbs of a branch: at most `FAN_IN`, of powers of it."""
+    limb = 1
+    while limb * FAN_IN < len(parts):
+        limb *= FAN_IN
+    return [parts[start : start + limb] for start in range(0, len(parts), limb)]
 
 
 class Runs:
@@ -145,4 +175,13 @@ def _render_part(
     else:
         assert film is not None
         image = renderer.render_like(film, samples=samples, first_sample=first_sample, **frame)
+    return address_of_worker(), image.to_bytes()
+
+
+def _add(films: list[tuple[str, bytes]]) -> tuple[str, bytes]:
+    """The worker, and the film of ranges of samples that join, in order."""
+    runs = Runs(None)
+    for part, (_, film) in enumerate(films):
+        runs.add(part, Image.from_bytes(film))
+    (image,) = runs.films()
     return address_of_worker(), image.to_bytes()

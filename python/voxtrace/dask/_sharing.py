@@ -35,9 +35,14 @@ PARTS_A_WORKER = 4
 _renderers: dict[tuple[str, str, str], Renderer] = {}
 
 
+def number_of_workers(client: Any) -> int:
+    """How many workers there are now, at least one."""
+    return max(1, len(client.scheduler_info(n_workers=-1)["workers"]))
+
+
 def usual_parts(client: Any) -> int:
     """How many parts there are for the workers that there are now."""
-    return PARTS_A_WORKER * max(1, len(client.scheduler_info(n_workers=-1)["workers"]))
+    return PARTS_A_WORKER * number_of_workers(client)
 
 
 def elsewhere(workers: list[str]) -> dict[str, Any]:
@@ -60,11 +65,13 @@ def gathered(
     take: Callable[[int, Any], object],
     progress: Callable[[float], object] | None,
     least_patience: float = 2.0,
+    rounds: int = 1,
 ) -> None:
     """Has parts made by the workers, and gives what they are to `take` as they come, each once.
 
     `submit(parts, workers)` begins parts, preferably on these workers; their results are pairs of the worker's address and what the part is.
-    Parts that keep everybody waiting, for `least_patience` seconds at least, are begun a second time elsewhere, and whichever is there first counts.
+    Parts that keep everybody waiting, for `least_patience` seconds at least, are begun a second time elsewhere, and whichever is there first counts. `rounds`: of how many
+    tasks one after the other a part is.
     """
     from dask import distributed
 
@@ -97,7 +104,7 @@ def gathered(
             if progress:
                 progress(len(there) / len(parts))
             rest = [part for part in parts if part not in there]
-            patience = max(least_patience, PATIENCE * statistics.median(took) if took else FIRST_PATIENCE)
+            patience = max(least_patience, PATIENCE * statistics.median(took) if took else FIRST_PATIENCE * rounds)
             is_late = time.monotonic() - last > patience
             # Once for each silence: nobody is asked for the same again and again.
             if rest and is_late:
