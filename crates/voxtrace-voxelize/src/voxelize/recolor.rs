@@ -18,11 +18,13 @@ use voxtrace_scene::scene::Scene;
 /// Texels with an alpha below one half are left out.
 pub fn colors_of_texels(texels: &[[u8; 4]], most: usize) -> Vec<Vec3> {
     let histogram = ColorHistogram::default();
+    let mut tally = histogram.tally();
     for &[red, green, blue, alpha] in texels {
         if alpha >= 128 {
-            histogram.add(&[appearance_key(u32::from_be_bytes([0, red, green, blue]), 0, 0)], 1);
+            tally.add(&[appearance_key(u32::from_be_bytes([0, red, green, blue]), 0, 0)], 1);
         }
     }
+    drop(tally);
     let plain = BsdfClass { roughness: 1.0, metallic: 0.0, transmission: 0.0, ior: 1.5, coat: None, absorption: None };
     if histogram.appearance_count() == 0 {
         return Vec::new();

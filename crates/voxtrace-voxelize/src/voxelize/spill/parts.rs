@@ -7,7 +7,7 @@ use super::{
     unpacked_coordinates,
 };
 use crate::voxelize::checkpoint::{CheckpointFile, Existing, Frame, FrameKind, Step};
-use crate::voxelize::color_histogram::ColorHistogram;
+use crate::voxelize::color_histogram::{ColorHistogram, Tally};
 use crate::voxelize::points::{VOXEL_BITS, VoxelSums, finish_brick};
 use crate::voxelize::{VoxelizeError, VoxelizeProgress};
 use rayon::prelude::*;
@@ -129,7 +129,7 @@ impl SpillBuffer {
                     (*brick, &starts[first - brick.len()..first])
                 })
                 .collect();
-            let work = |scratch: &mut Vec<VoxelSums>, (brick, starts): &(&[Entry], &[usize])| {
+            let work = |(scratch, tally): &mut (Vec<VoxelSums>, Tally<'_>), (brick, starts): &(&[Entry], &[usize])| {
                 scratch.resize(1 << VOXEL_BITS, [0; 4]);
                 let (mut occupancy, mut keys, mut records) = ([0; 8], Vec::new(), TileRecords::default());
                 for (entry, &start) in brick.iter().zip(*starts) {
@@ -137,12 +137,13 @@ impl SpillBuffer {
                 }
                 finish_brick(&mut occupancy, scratch, min_points, &mut keys);
                 if !keys.is_empty() {
-                    histogram.add(&keys, 1);
+                    tally.add(&keys, 1);
                     records.push(unpacked_coordinates(brick[0].at), &occupancy, &keys);
                 }
                 Some(records)
             };
-            let made: Option<Vec<TileRecords>> = batch.par_iter().map_init(Vec::new, work).collect();
+            let made: Option<Vec<TileRecords>> =
+                batch.par_iter().map_init(|| (Vec::new(), histogram.tally()), work).collect();
             let made = made.ok_or_else(|| VoxelizeError::Parts("sums in a part are not valid".into()))?;
             for records in made {
                 for &(at, size) in &records.bricks {
