@@ -19,6 +19,7 @@ interface ViewerAttributes extends HTMLAttributes<VoxtraceViewer> {
   seed?: number;
   "max-bounces"?: number;
   "max-pixels"?: number;
+  "real-time"?: "auto" | "off";
   "max-memory"?: number;
   tracer?: "auto" | "gpu" | "cpu";
   threads?: number;

@@ -24,6 +24,9 @@ struct RealTimeParams_std140_0
     @align(4) cells_0 : u32,
     @align(8) squares_0 : u32,
     @align(4) again_0 : u32,
+    @align(16) exposure_0 : f32,
+    @align(4) curve_0 : u32,
+    @align(8) padding_0 : vec2<u32>,
 };
 
 @binding(24) @group(0) var<uniform> real_time_0 : RealTimeParams_std140_0;

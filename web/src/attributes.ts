@@ -7,7 +7,7 @@ const Base = (globalThis.HTMLElement ?? class {}) as typeof HTMLElement;
 export abstract class Attributes extends Base {
   static readonly observedAttributes = [
     "src", "alt", "poster", "loading", "reveal", "tracer", "camera-controls", "camera-orbit", "camera-target", "field-of-view", "clip-box",
-    "auto-rotate", "exposure", "tone-mapping", "samples", "seed", "max-bounces", "max-pixels",
+    "auto-rotate", "exposure", "tone-mapping", "samples", "seed", "max-bounces", "max-pixels", "real-time",
   ];
 
   /** What is shown: the address of a file, or `scene:NAME?voxels=COUNT`. */
@@ -43,6 +43,9 @@ export abstract class Attributes extends Base {
   /** Whether the camera goes around by itself; never where a person prefers less motion. */
   get autoRotate() { return this.hasAttribute("auto-rotate"); }
   set autoRotate(value: boolean) { this.toggleAttribute("auto-rotate", value); }
+  /** What is shown while the view moves: `auto`, where the GPU traces, real-time light; `off`, coarse pictures. */
+  get realTime() { return (this.getAttribute("real-time") === "off" ? "off" : "auto") as "auto" | "off"; }
+  set realTime(value: "auto" | "off") { this.setAttribute("real-time", value); }
   /** Exposure in stops. */
   get exposure() { return this.number("exposure", 0, -30, 30); }
   set exposure(value: number) { this.setAttribute("exposure", String(value)); }

@@ -117,7 +117,7 @@ export class VoxtraceViewer extends Attributes {
   attributeChangedCallback(name: string, before: string | null, after: string | null) {
     if (before === after || !this.#life || this.#life.signal.aborted) return;
     if (name === "src" || name === "tracer") this.#reload();
-    else if (name === "exposure" || name === "tone-mapping") void this.#stage.setLook(this.#look());
+    else if (name === "exposure" || name === "tone-mapping" || name === "real-time") void this.#stage.setLook(this.#look());
     else if (name.startsWith("camera-o") || name === "camera-target" || name === "field-of-view") this.#goHome("none");
     else if (["samples", "seed", "max-bounces", "max-pixels", "clip-box"].includes(name)) this.#refresh();
     else {
@@ -130,6 +130,8 @@ export class VoxtraceViewer extends Attributes {
   get loaded(): boolean { return this.#info !== undefined; }
   /** Who traces now: `gpu` or `cpu`; `undefined` before a scene is there. */
   get activeTracer(): "gpu" | "cpu" | undefined { return this.#pool.tier; }
+  /** Whether what is on the canvas is in real-time light, as while the view moves where the GPU traces. */
+  get showsRealTime(): boolean { return this.#stage.isLit; }
   /** What is known of the scene. */
   get scene(): SceneInfo | undefined { return this.#info; }
 
@@ -227,7 +229,7 @@ export class VoxtraceViewer extends Attributes {
 
   #look(): Look {
     const known = ["agx", "neutral", "reinhard", "linear"];
-    return { toneMapping: known.includes(this.toneMapping) ? this.toneMapping : "agx", exposure: this.exposure };
+    return { toneMapping: known.includes(this.toneMapping) ? this.toneMapping : "agx", exposure: this.exposure, hasRealTime: this.realTime !== "off" };
   }
 
   #emit(name: string, detail: unknown) {

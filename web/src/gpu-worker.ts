@@ -1,8 +1,11 @@
 // A worker that tells the GPU what to trace: the arrays of one scene, and the input of its pictures.
 import { GpuScene, initSync, Part } from "../wasm/gpu.js";
 import { partOf } from "./part.js";
-import type { GpuArrays } from "./protocol.js";
+import type { GpuArrays, GpuRealTimeFrames } from "./protocol.js";
 import { serveCalls } from "./serve.js";
+
+/** The curves of the shaders by their numbers. */
+const CURVES = ["agx", "neutral", "reinhard", "linear"];
 
 let scene: GpuScene | undefined;
 
@@ -29,6 +32,17 @@ serveCalls({
     const part = partOf(Part, request);
     try {
       return loaded().frame(part);
+    } finally {
+      part.free();
+    }
+  },
+  gpuRealTime(request): GpuRealTimeFrames {
+    const part = partOf(Part, request);
+    try {
+      const made = loaded().real_time(part, 2 ** request.exposure, Math.max(CURVES.indexOf(request.toneMapping), 0));
+      const { frame, frames, words, reprojects, looks, cells, tracing_cells: tracingCells } = made;
+      made.free();
+      return { width: request.width, height: request.height, frame, frames, words, reprojects, looks, cells, tracingCells };
     } finally {
       part.free();
     }

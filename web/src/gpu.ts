@@ -1,6 +1,7 @@
 // A tracer on the GPU: parts of pictures by WebGPU, for whoever asks as for those of a worker. Beside it are a worker that traces, which shows films and does what the
 // GPU cannot, and one that has the scene as the GPU reads it. Sums are the same wherever they are made (`docs/web.md` says where that was seen).
-import { Device, ShaderError } from "./gpu-device.js";
+import { Device, FILM, ShaderError } from "./gpu-device.js";
+import { RealTimeOnDevice } from "./gpu-real-time.js";
 import { SceneOnDevice } from "./gpu-scene.js";
 import type { PartAnswer, PartRequest } from "./protocol.js";
 import type { Caller, Tracer } from "./tracer.js";
@@ -27,11 +28,14 @@ export class GpuTracer implements Caller {
   rate = 60;
   #teller: Tracer | undefined;
   #scene: SceneOnDevice | undefined;
+  #realTime: RealTimeOnDevice | undefined;
   #device: Device | undefined;
   #lastLoss = -Infinity;
   /** Calls come one after the other: buffers are shared. */
   #last: Promise<unknown> = Promise.resolve();
   #isOver = false;
+  /** Whether shaders of real-time light are being compiled. */
+  #isCompiling = false;
   /** Whether the last part was traced by the worker. */
   #isResting = false;
 
@@ -57,8 +61,7 @@ export class GpuTracer implements Caller {
 
   /** Takes the scene to a device; false where there is none, or none for this scene. */
   async #start(): Promise<boolean> {
-    this.#scene?.end();
-    this.#scene = undefined;
+    this.#forget();
     this.#device = await Device.ofPage(this.around.takesSoftware);
     if (!this.#device) return false;
     this.#teller ??= await this.around.startTeller();
@@ -66,7 +69,62 @@ export class GpuTracer implements Caller {
     const arrays = await this.#teller.call("gpuScene", [packed], [packed.buffer as ArrayBuffer]);
     if (!arrays || this.#isOver) return false;
     this.#scene = await SceneOnDevice.of(this.#device, arrays);
+    if (this.#scene) this.#realTime = new RealTimeOnDevice(this.#device, this.#scene);
     return !!this.#scene;
+  }
+
+  /** The most pixels of a picture in real-time light; 0 where there is none. */
+  get mostRealTimePixels(): number {
+    return this.isActive ? (this.#realTime?.mostPixels ?? 0) : 0;
+  }
+
+  /** A picture in real-time light, as a screen shows it, and what a frame of it took; `undefined` where there is none, or not yet: its shaders are compiled after those of films, beside what
+   * the page does. */
+  showRealTime(part: PartRequest): Promise<{ shown: Uint8ClampedArray<ArrayBuffer>; milliseconds: number } | undefined> {
+    const made = this.#last.then(() => this.#showRealTime(part));
+    this.#last = made.catch(() => {});
+    return made;
+  }
+
+  async #showRealTime(part: PartRequest) {
+    const [realTime, device, scene] = [this.#realTime, this.#device, this.#scene];
+    if (!realTime || !device || !scene || !this.isActive || part.clip || this.#isCompiling) return undefined;
+    try {
+      const frame = await this.#teller!.call("gpuFrame", [part]);
+      if (!this.around.takesSoftware && !device.settled(FILM, scene.shadersFor(frame))) return undefined;
+      const shaders = realTime.shaders(frame);
+      if (!shaders) this.#compile(realTime, frame);
+      if (shaders instanceof Error) throw shaders;
+      if (!shaders) return undefined;
+      const frames = await this.#teller!.call("gpuRealTime", [part]);
+      const start = performance.now();
+      const shown = await realTime.show(frames, shaders);
+      return { shown, milliseconds: (performance.now() - start) / frames.reprojects.length };
+    } catch (error) {
+      if (this.#isOver) return undefined;
+      // What real-time light lacks, films need not lack.
+      if (device.isLost) await this.#recover(error as Error);
+      else this.#endRealTime(error as Error);
+      return undefined;
+    }
+  }
+
+  #compile(realTime: RealTimeOnDevice, frame: Uint32Array) {
+    this.#isCompiling = true;
+    const end = () => (this.#isCompiling = false);
+    realTime.compile(frame).then(end, end);
+  }
+
+  #endRealTime(error: Error) {
+    say(`what moves is shown coarsely, as real-time light is of no use here: ${error.message}`);
+    this.#realTime?.end();
+    this.#realTime = undefined;
+  }
+
+  #forget() {
+    this.#realTime?.end();
+    this.#scene?.end();
+    this.#realTime = this.#scene = undefined;
   }
 
   call: Caller["call"] = (name, given, transfer) => {
@@ -99,8 +157,8 @@ export class GpuTracer implements Caller {
     const [scene, device] = [this.#scene!, this.#device!];
     const frame = await this.#teller!.call("gpuFrame", [part]);
     const shaders = scene.shadersFor(frame);
-    const compiling = device.pipelines(shaders);
-    const pipelines = this.around.takesSoftware ? await compiling : device.settled(shaders);
+    const compiling = device.pipelines(FILM, shaders);
+    const pipelines = this.around.takesSoftware ? await compiling : device.settled(FILM, shaders);
     if (pipelines instanceof Error) throw pipelines;
     if (!pipelines) return undefined;
     const start = performance.now();
@@ -126,8 +184,7 @@ export class GpuTracer implements Caller {
   /** Frees what it takes on the GPU, and its worker. */
   end() {
     this.#isOver = true;
-    this.#scene?.end();
-    this.#scene = undefined;
+    this.#forget();
     if (this.#teller) this.around.endTeller(this.#teller);
   }
 }

@@ -59,6 +59,11 @@ export class Pool {
     this.#onReady = onReady;
   }
 
+  /** The tracer on the GPU, where there is one. */
+  get gpu(): GpuTracer | undefined {
+    return this.#gpu;
+  }
+
   /** Who traces now. */
   get tier(): "gpu" | "cpu" | undefined {
     if (this.ready.length === 0) return undefined;

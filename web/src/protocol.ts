@@ -76,6 +76,24 @@ export interface GpuArrays {
   isMatte: boolean;
 }
 
+/** A picture in real-time light as the GPU is told of it: one frame, or several where it is the first one of a view. */
+export interface GpuRealTimeFrames {
+  width: number;
+  height: number;
+  /** The record of the frame, and behind it the numbers of its lens and its sky. */
+  frame: Uint32Array;
+  /** The records of real-time light, of so many words, one after the other. */
+  frames: Uint32Array;
+  words: number;
+  /** For each of them, whether light is found again where the camera moved. */
+  reprojects: Uint8Array;
+  /** For each of them, how many rays of a pixel only look, at most, and the number before that of the first one. */
+  looks: Uint32Array;
+  /** Cells of the light cache, and how many of them may trace. */
+  cells: number;
+  tracingCells: number;
+}
+
 /** The calls of a worker by their names. */
 export interface Calls {
   start(module: WebAssembly.Module): void;
@@ -94,6 +112,8 @@ export interface Calls {
   gpuScene(bytes: Uint8Array): GpuArrays | undefined;
   /** What the GPU is told of a part of a picture, and behind it the numbers of its lens and its sky. */
   gpuFrame(part: PartRequest): Uint32Array;
+  /** What the GPU is told of the next picture in real-time light. Who asks has it traced: the one after it goes on from there. */
+  gpuRealTime(part: PartRequest): GpuRealTimeFrames;
   selftest(edge: number): string[];
 }
 

@@ -20,6 +20,8 @@ export interface Picture {
 export interface Look {
   toneMapping: string;
   exposure: number;
+  /** Whether real-time light is shown where there is such. */
+  hasRealTime: boolean;
 }
 
 /** Rows y0 to y1 of the picture. */
@@ -108,7 +110,8 @@ export class Rendering {
     const more = Math.max(1, Math.min(band.samples, Math.floor((PATIENCE * tracer.rate) / pixels)));
     const target = Math.min(samples, band.samples === 0 ? 1 : band.samples + more);
     const { y0, y1, words } = band;
-    const part: PartRequest = { ...view, y0, y1, samples: target, ...this.look };
+    const { toneMapping, exposure } = this.look;
+    const part: PartRequest = { ...view, y0, y1, samples: target, toneMapping, exposure };
     band.isBusy = true;
     try {
       // Copied, not given away: where the worker fails, another goes on from here.

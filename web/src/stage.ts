@@ -1,10 +1,16 @@
-// What is on the canvas: coarse pictures while the view moves, the exact film while it stands still.
+// What is on the canvas: real-time light or coarse pictures while the view moves, the exact film while it stands still.
 import type { Pool } from "./pool.js";
 import { type Band, type Look, type Picture, Rendering } from "./rendering.js";
 import type { Caller } from "./tracer.js";
 
-/** What a picture of a view that moves may take, milliseconds. */
+/** What a picture of a view that moves may take, milliseconds: of few samples, and in real-time light. */
 const FRAME = 70;
+const LIGHT = 30;
+/** Pixels of a picture in real-time light are so many times as wide as the canvas's; which of them it is at first. */
+const SCALES = [1, 1.5, 2, 3, 4, 6, 8, 12];
+const FIRST_SCALE = 3;
+/** Samples from which on nothing is seen through a film, at most. */
+const OPAQUE = 256;
 /** How long a view stands still before its film begins, milliseconds. */
 const SETTLED = 180;
 
@@ -16,10 +22,33 @@ export interface Events {
   failed(error: unknown): void;
 }
 
+/** One view in motion, until it is on the canvas; in real-time light until another is wanted. */
+class Turn {
+  /** Whether the film waits for it. */
+  isLast = false;
+  isStopped = false;
+  /** Where it is traced by few samples. */
+  rendering: Rendering | undefined;
+  done!: () => void;
+  readonly finished = new Promise<void>((done) => (this.done = done));
+
+  stop() {
+    this.isStopped = true;
+    this.rendering?.stop();
+    this.done();
+  }
+}
+
 export class Stage {
   readonly #context: CanvasRenderingContext2D;
-  #coarse: Rendering | undefined;
+  #moving: Turn | undefined;
   #still: Rendering | undefined;
+  /** Which of `SCALES`, and the milliseconds of the pictures since it is. */
+  #scale = FIRST_SCALE;
+  #times: number[] = [];
+  #isLit = false;
+  /** What is seen through a film of few samples. */
+  #under: HTMLCanvasElement | undefined;
   /** What is shown next while the view moves. */
   #next: Picture | undefined;
   /** What is shown in the end. */
@@ -43,7 +72,7 @@ export class Stage {
     this.#next = this.#wanted = picture;
     clearTimeout(this.#timer);
     this.#timer = setTimeout(() => this.#settle(picture), SETTLED);
-    if (!this.#coarse) this.#renderCoarse();
+    if (!this.#moving) this.#renderMoving();
   }
 
   /** Another exposure or curve: of films that are there already. */
@@ -51,6 +80,8 @@ export class Stage {
     this.look = look;
     const still = this.#still;
     if (!still) return;
+    // It has the exposure and the curve of before.
+    this.#under = undefined;
     still.look = look;
     const repaint = ++this.#repaints;
     for (const band of still.bands.filter((band) => band.words)) {
@@ -64,8 +95,13 @@ export class Stage {
 
   /** Another one that has the scene joins. */
   join(tracer: Caller) {
-    void this.#coarse?.work(tracer);
+    void this.#moving?.rendering?.work(tracer);
     void this.#still?.work(tracer);
+  }
+
+  /** Whether what is on the canvas is in real-time light. */
+  get isLit(): boolean {
+    return this.#isLit;
   }
 
   /** The film of the view that stands still. */
@@ -75,9 +111,10 @@ export class Stage {
 
   stop() {
     clearTimeout(this.#timer);
-    this.#coarse?.stop();
+    this.#moving?.stop();
     this.#still?.stop();
-    this.#coarse = this.#still = this.#next = this.#wanted = undefined;
+    this.#moving = this.#still = this.#next = this.#wanted = this.#under = undefined;
+    this.#isLit = false;
   }
 
   /** What a worker does in a millisecond, in the mean, and how many there are. */
@@ -87,41 +124,94 @@ export class Stage {
     return { workers, rate: ready.reduce((sum, tracer) => sum + tracer.rate, 0) / workers };
   }
 
-  /** The latest view at as many pixels as the workers trace in a moment. */
-  #renderCoarse() {
+  /** The latest view. */
+  #renderMoving() {
     const picture = this.#next;
     this.#next = undefined;
     if (!picture || this.pool.ready.length === 0) return;
+    const turn = (this.#moving = new Turn());
+    const end = () => {
+      turn.done();
+      if (this.#moving !== turn) return;
+      this.#moving = undefined;
+      if (this.#next) this.#renderMoving();
+    };
+    const failed = (error: unknown) => {
+      end();
+      if (!turn.isStopped) this.events.failed(error);
+    };
+    this.#renderTurn(picture, turn).then(end, failed);
+  }
+
+  /** Shows a view in real-time light, which gets better until another one or the film is wanted; or else at as many pixels as the workers trace in a moment. */
+  async #renderTurn(picture: Picture, turn: Turn) {
+    let isLit = await this.#light(picture, turn);
+    if (!isLit) return this.#sample(picture, turn);
+    while (isLit && !turn.isStopped && !turn.isLast && !this.#next) {
+      await new Promise(requestAnimationFrame);
+      isLit = await this.#light(picture, turn);
+    }
+  }
+
+  /** Shows a view in real-time light; false where there is none. */
+  async #light(picture: Picture, turn: Turn): Promise<boolean> {
+    const { gpu } = this.pool;
+    const pixels = picture.width * picture.height;
+    const most = gpu?.mostRealTimePixels ?? 0;
+    if (!gpu || most === 0 || !this.look.hasRealTime) return false;
+    while (pixels / SCALES[this.#scale]! ** 2 > most && this.#scale + 1 < SCALES.length) this.#scale += 1;
+    const scale = SCALES[this.#scale]!;
+    const [width, height] = [picture.width, picture.height].map((length) => Math.max(1, Math.round(length / scale)));
+    const part = { ...picture, width: width!, height: height!, y0: 0, y1: height!, samples: 1, toneMapping: this.look.toneMapping, exposure: this.look.exposure };
+    const made = await gpu.showRealTime(part);
+    if (!made) return false;
+    this.#pace(made.milliseconds, pixels, most);
+    if (turn.isStopped) return true;
+    this.#drawScaled([{ shown: made.shown, y0: 0, y1: height! }], { width: width!, height: height! }, picture);
+    this.#isLit = true;
+    return true;
+  }
+
+  /** Chooses how fine the next picture in real-time light is, by what this one took. Another size knows nothing of pixels, so it stays as long as it is about right. */
+  #pace(milliseconds: number, pixels: number, most: number) {
+    this.#times.push(milliseconds);
+    // The first one of a size looks at everything.
+    if (this.#times.length < 3 && milliseconds < 4 * LIGHT) return;
+    const time = [...this.#times.slice(-3)].sort((a, b) => a - b)[Math.min(1, this.#times.length - 1)]!;
+    // As if all of it were for pixels: a finer one takes less than that.
+    const wanted = SCALES[this.#scale]! * Math.sqrt(time / LIGHT);
+    const isRight = time <= 1.5 * LIGHT && !(this.#scale > 0 && wanted <= SCALES[this.#scale - 1]! && pixels / SCALES[this.#scale - 1]! ** 2 <= most);
+    if (isRight) return;
+    const finest = SCALES.findIndex((scale) => scale >= wanted && pixels / scale ** 2 <= most);
+    const next = finest < 0 ? SCALES.length - 1 : finest;
+    if (next !== this.#scale) [this.#scale, this.#times] = [next, []];
+  }
+
+  async #sample(picture: Picture, turn: Turn) {
     const pixels = picture.width * picture.height;
     const { rate, workers } = this.#power;
     const scale = Math.max(1, Math.min(12, Math.sqrt(pixels / (FRAME * rate * workers))));
     const [width, height] = [picture.width, picture.height].map((length) => Math.max(1, Math.round(length / scale)));
+    if (turn.isStopped) return;
     const rendering = new Rendering({ ...picture, width: width!, height: height!, samples: 1 }, this.look, this.#power, () => {});
-    this.#coarse = rendering;
-    const end = () => {
-      if (this.#coarse === rendering) this.#coarse = undefined;
-      if (this.#next) this.#renderCoarse();
-    };
-    rendering.finished.then(
-      () => {
-        this.#drawScaled(rendering, picture);
-        end();
-      },
-      (error) => {
-        end();
-        this.events.failed(error);
-      },
-    );
+    turn.rendering = rendering;
     this.#start(rendering);
+    await rendering.finished;
+    if (turn.isStopped) return;
+    this.#drawScaled(rendering.bands, rendering.picture, picture);
+    this.#isLit = false;
   }
 
   #settle(picture: Picture) {
-    if (this.#coarse) {
+    if (this.#moving) {
       // Bands of a film beside nothing are no picture: the coarse one comes first, however long it takes.
-      this.#coarse.finished.then(() => this.#wanted === picture && this.#settle(picture), () => {});
+      this.#moving.isLast = true;
+      void this.#moving.finished.then(() => this.#wanted === picture && this.#settle(picture));
       return;
     }
     this.#next = undefined;
+    this.#under = this.#isLit ? copyOf(this.canvas) : undefined;
+    this.#isLit = false;
     const rendering = new Rendering(picture, this.look, this.#power, (band) => this.#draw(band, rendering));
     this.#still = rendering;
     rendering.finished.then(
@@ -149,17 +239,24 @@ export class Stage {
       this.#resize(picture);
       this.#context.drawImage(last, 0, 0, picture.width, picture.height);
     }
-    this.#context.putImageData(new ImageData(band.shown, picture.width, band.y1 - band.y0), 0, band.y0);
+    const rows = new ImageData(band.shown, picture.width, band.y1 - band.y0);
+    const weight = this.#under ? weightOf(band.samples, picture.samples) : 1;
+    if (weight < 1) {
+      // Light goes over to the film.
+      this.#context.drawImage(this.#under!, 0, band.y0, rows.width, rows.height, 0, band.y0, rows.width, rows.height);
+      this.#context.globalAlpha = weight;
+      this.#context.drawImage(canvasOf(rows.width, rows.height, (context) => context.putImageData(rows, 0, 0)), 0, band.y0);
+      this.#context.globalAlpha = 1;
+    } else {
+      this.#context.putImageData(rows, 0, band.y0);
+    }
     this.events.shown(false);
   }
 
-  #drawScaled({ bands, picture }: Rendering, whole: Picture) {
-    const small = document.createElement("canvas");
-    [small.width, small.height] = [picture.width, picture.height];
-    const context = small.getContext("2d")!;
-    for (const { shown, y0, y1 } of bands) {
-      if (shown) context.putImageData(new ImageData(shown, picture.width, y1 - y0), 0, y0);
-    }
+  #drawScaled(bands: Pick<Band, "shown" | "y0" | "y1">[], { width, height }: { width: number; height: number }, whole: Picture) {
+    const small = canvasOf(width, height, (context) => {
+      for (const { shown, y0, y1 } of bands) if (shown) context.putImageData(new ImageData(shown, width, y1 - y0), 0, y0);
+    });
     this.#resize(whole);
     this.#context.imageSmoothingQuality = "high";
     this.#context.drawImage(small, 0, 0, whole.width, whole.height);
@@ -167,9 +264,19 @@ export class Stage {
   }
 }
 
+/** How much of a film of so many samples, of those that are wanted, is seen over real-time light: all of it at its end. */
+function weightOf(samples: number, wanted: number): number {
+  const weight = 1 + Math.log2(samples / Math.min(OPAQUE, wanted)) / 4;
+  return samples >= wanted ? 1 : Math.max(0, Math.min(1, weight));
+}
+
+function canvasOf(width: number, height: number, draw: (context: CanvasRenderingContext2D) => void): HTMLCanvasElement {
+  const canvas = document.createElement("canvas");
+  [canvas.width, canvas.height] = [width, height];
+  draw(canvas.getContext("2d")!);
+  return canvas;
+}
+
 function copyOf(canvas: HTMLCanvasElement): HTMLCanvasElement {
-  const copy = document.createElement("canvas");
-  [copy.width, copy.height] = [canvas.width, canvas.height];
-  copy.getContext("2d")!.drawImage(canvas, 0, 0);
-  return copy;
+  return canvasOf(canvas.width, canvas.height, (context) => context.drawImage(canvas, 0, 0));
 }

@@ -7,7 +7,8 @@ import { context, differences, event, filmOf, native, open, real, run, setUp, WE
 import { fileOfMaterials } from "./materials.mjs";
 
 const size = { width: 64, height: 36, samples: 4 };
-const asked = { tracer: "gpu", samples: "4", seed: "7", "max-pixels": String(64 * 36) };
+// Without real-time light, whose shaders take as long to compile: `real-time.test.mjs` has it.
+const asked = { tracer: "gpu", samples: "4", seed: "7", "max-pixels": String(64 * 36), "real-time": "off" };
 let has;
 let page;
 

@@ -28,6 +28,7 @@ mod filter;
 mod half_rate;
 mod light_cache;
 mod memory;
+mod on_devices;
 mod path;
 mod real_time;
 mod reprojection;
@@ -41,9 +42,7 @@ pub use real_time::{Parts, RealTime};
 
 // For what makes the same pictures on devices: not covered by semantic versioning.
 #[doc(hidden)]
-pub use confidence::STRIDE;
-#[doc(hidden)]
-pub use real_time::{CANDIDATES, MOST_PATHS, SAMPLES_WHILE_MOVING, view_angle};
+pub use on_devices::{FramesOnDevice, RealTimeParams, flag, looks_of, slots, squares};
 
 /// The example of the crate's page, tested.
 #[cfg(doctest)]

@@ -25,17 +25,17 @@ const LOOK_SEED: u32 = 0x85eb_ca6b;
 /// The same, for the light cache.
 const CACHE_SEED: u32 = 0x5bd1_e995;
 /// Samples that cells of the light cache remember while things move.
-pub const SAMPLES_WHILE_MOVING: f32 = 8.0;
+pub(crate) const SAMPLES_WHILE_MOVING: f32 = 8.0;
 /// Lights of which a surface chooses one.
-pub const CANDIDATES: u32 = 8;
+pub(crate) const CANDIDATES: u32 = 8;
 /// Rays of the camera that a pixel has seen at least since the view moved: those beyond its paths find no light.
-const LEAST_LOOKS: f32 = 4.0;
+pub(crate) const LEAST_LOOKS: f32 = 4.0;
 /// The same where they do not see the same, while nothing moves.
-const MOST_LOOKS: f32 = 16.0;
+pub(crate) const MOST_LOOKS: f32 = 16.0;
 /// Frames whose paths are in the first picture of a view of which nothing is known.
 pub const FRAMES_AT_A_CUT: u32 = 4;
 /// Paths that a pixel remembers while something moves, and while nothing does.
-pub const MOST_PATHS: [f32; 2] = [32.0, 1e6];
+pub(crate) const MOST_PATHS: [f32; 2] = [32.0, 1e6];
 
 /// What is used: all of it, but where one wants to know what a part is worth.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

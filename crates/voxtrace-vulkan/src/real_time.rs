@@ -7,14 +7,13 @@ use crate::buffer::Buffer;
 use crate::device::Device;
 use crate::errors::ResultExt;
 use crate::passes::{Launch, Passes, WORKGROUP};
-use crate::records::{RealTimeParams, WaveStep, binding};
+use crate::records::{WaveStep, binding};
 use crate::variant::{Entry, Variant};
 use ash::vk;
 use gpu_allocator::MemoryLocation;
 use std::sync::Arc;
 use voxtrace_core::{Frame, TraceError};
-use voxtrace_realtime::{LightCache, Parts, STRIDE};
-use voxtrace_scene::transform::Transform;
+use voxtrace_realtime::{FramesOnDevice, LightCache, Parts, RealTimeParams, slots, squares};
 
 /// How many pixels trace a path in each frame of real-time light.
 pub use voxtrace_realtime::Rate;
@@ -62,15 +61,10 @@ impl RealTimeFrame {
     }
 }
 
-/// What is kept of the last frame.
-pub struct FrameBefore {
-    pub frame: Frame,
-}
-
 /// Real-time light of a view.
 pub struct RealTime {
     device: Arc<Device>,
-    pub parts: Parts,
+    pub frames: FramesOnDevice,
     pixels: Option<PixelBuffers>,
     pub cell_keys: Buffer,
     pub cell_rows: Buffer,
@@ -79,15 +73,6 @@ pub struct RealTime {
     /// Whether paths are traced in waves: `shaders/pass/realtime_waves.slang` says how.
     pub in_waves: bool,
     queries: vk::QueryPool,
-    /// Number of the next frame.
-    pub number: u32,
-    pub before: Option<FrameBefore>,
-    /// Whether light may have changed since the last frame.
-    pub has_changed: bool,
-    /// Samples that cells remember at most, since something changed.
-    pub cell_samples: f32,
-    /// Where instances were at the last frame, where they are elsewhere now.
-    pub transforms: Option<Vec<Transform>>,
     /// Whether the cells are to be cleared.
     is_new: bool,
 }
@@ -126,7 +111,7 @@ impl RealTime {
         let queries = unsafe { device.raw.create_query_pool(&info, None) }.context("creating timestamps")?;
         Ok(Self {
             device: Arc::clone(device),
-            parts,
+            frames: FramesOnDevice::new(parts),
             pixels: None,
             cell_keys,
             cell_rows,
@@ -134,28 +119,8 @@ impl RealTime {
             motions: None,
             in_waves: false,
             queries,
-            number: 0,
-            before: None,
-            has_changed: false,
-            cell_samples: f32::INFINITY,
-            transforms: None,
             is_new: true,
         })
-    }
-
-    /// Voxels, materials or lights of the scene are others now.
-    pub fn change(&mut self) {
-        self.has_changed = true;
-        self.cell_samples = 0.0;
-    }
-
-    /// Instances stand elsewhere now; `before` is where they stood.
-    pub fn move_instances(&mut self, before: impl Iterator<Item = Transform>) {
-        self.has_changed = true;
-        self.cell_samples = self.cell_samples.min(voxtrace_realtime::SAMPLES_WHILE_MOVING);
-        if self.transforms.is_none() {
-            self.transforms = Some(before.collect());
-        }
     }
 
     /// Makes room for pictures of a size, their paths traced in waves or not. Where either is another one nothing is known of pixels any more.
@@ -165,7 +130,8 @@ impl RealTime {
             return Ok(());
         }
         self.in_waves = in_waves;
-        (self.pixels, self.before) = (None, None);
+        self.pixels = None;
+        self.frames.forget_pixels();
         let count = u64::from(width) * u64::from(height);
         let squares = u64::from(squares((width, height)));
         let memory = 4 * MEMORY_WORDS * count + 16 * SQUARE_LISTS * squares;
@@ -308,10 +274,8 @@ impl RealTime {
 
     /// Ends a frame.
     pub fn end(&mut self, frame: &Frame) {
-        self.before = Some(FrameBefore { frame: frame.clone() });
-        (self.transforms, self.has_changed, self.is_new) = (None, false, false);
-        self.cell_samples = f32::INFINITY;
-        self.number = self.number.wrapping_add(1);
+        self.frames.end(frame);
+        self.is_new = false;
     }
 }
 
@@ -349,15 +313,4 @@ impl Kind {
             _ => Self::Gathering,
         }
     }
-}
-
-/// Squares of pixels in a picture.
-pub fn squares((width, height): (u32, u32)) -> u32 {
-    width.div_ceil(STRIDE) * height.div_ceil(STRIDE)
-}
-
-/// Slots of the scratch memory: one for each pixel, and in waves one for each square and each cell of the light cache that traces.
-pub fn slots((width, height): (u32, u32), in_waves: bool) -> u32 {
-    let others = if in_waves { squares((width, height)) + LightCache::MOST_CHOSEN as u32 } else { 0 };
-    width * height + others
 }

@@ -2,11 +2,11 @@
 //! `cargo xtask shaders` makes `shaders/generated/shared.slang` of them (`docs/decisions/0041-one-table-of-records.md`).
 
 use bytemuck::{Pod, Zeroable};
-use glam::Vec3;
 
 pub use voxtrace_core::frame_params::{
     FrameParams, LENS_FISHEYE, LENS_ORTHOGRAPHIC, LENS_PANORAMA, LENS_PINHOLE, LENS_THIN, SKY_ENVIRONMENT, SKY_GRADIENT,
 };
+pub use voxtrace_realtime::RealTimeParams;
 
 /// The part of the work that one dispatch does.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
@@ -62,83 +62,6 @@ pub struct BlendParams {
 pub const WAVE_ROUND_WORDS: u32 = 16;
 /// Words of all counts, before the queues.
 pub const WAVE_COUNTS_WORDS: u32 = 1 << 14;
-
-/// The input of one frame of real-time light.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
-#[repr(C)]
-pub struct RealTimeParams {
-    /// The camera's place, world space.
-    pub eye: Vec3,
-    /// What the picture's height sees, radians.
-    pub view_angle: f32,
-    /// The camera of the frame before, as [`FrameParams`] has it.
-    pub before_eye: Vec3,
-    /// Number of the frame.
-    pub number: u32,
-    /// The same.
-    pub before_corner: Vec3,
-    /// Lights of which the first surface of a path chooses one.
-    pub candidates: u32,
-    /// The same.
-    pub before_pixel_x: Vec3,
-    /// Flags: [`real_time`].
-    pub flags: u32,
-    /// The same.
-    pub before_pixel_y: Vec3,
-    /// Most paths that a pixel remembers.
-    pub most_paths: f32,
-    /// The same.
-    pub before_lens_x: Vec3,
-    /// The same.
-    pub before_blades: u32,
-    /// The same.
-    pub before_lens_y: Vec3,
-    /// Samples that cells of the light cache remember at most.
-    pub cell_samples: f32,
-    /// Its place, world space.
-    pub before_place: Vec3,
-    /// Number of motions of instances.
-    pub motions: u32,
-    /// Where the frame before saw a place p, world space: the products of these three with p − `before_origin`, the first two over the third
-    /// where it is perspective.
-    pub before_rows: [[f32; 4]; 3],
-    /// The same.
-    pub before_origin: Vec3,
-    /// Pixels of the picture.
-    pub pixels: u32,
-    /// Slots of the scratch memory: those of the pixels, and where paths are traced in waves of other paths.
-    pub slots: u32,
-    /// Cells of the light cache that may trace.
-    pub cells: u32,
-    /// Squares of pixels, of each of which the path of one is followed again in the next frame.
-    pub squares: u32,
-    /// Those that are in this one.
-    pub again: u32,
-}
-
-/// Flags of [`RealTimeParams`].
-pub mod real_time {
-    /// The light cache is used.
-    pub const CACHE: u32 = 1;
-    /// Rays that only look are used.
-    pub const LOOKS: u32 = 2;
-    /// Something is known of the frame before.
-    pub const KNOWS: u32 = 4;
-    /// Nothing moved or changed.
-    pub const STILL: u32 = 8;
-    /// The camera stands still and no instance moved.
-    pub const SAME_VIEW: u32 = 16;
-    /// The frame before saw places as a perspective or parallel camera does.
-    pub const FINDS_PLACES: u32 = 32;
-    /// Its rays went through one point.
-    pub const PERSPECTIVE: u32 = 64;
-    /// Every other pixel traces.
-    pub const HALF: u32 = 128;
-    /// Light is filtered.
-    pub const FILTER: u32 = 256;
-    /// Paths of the frame before are followed again.
-    pub const FINDS_AGAIN: u32 = 512;
-}
 
 /// A ray of the driver probes and what its shaders do.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
@@ -275,7 +198,7 @@ pub mod binding {
     pub const PATHS: u32 = 22;
     /// Which of them each step of a wave takes.
     pub const QUEUES: u32 = 23;
-    /// [`super::RealTimeParams`].
+    /// `RealTimeParams` of `voxtrace-realtime`.
     pub const REAL_TIME: u32 = 24;
     /// What real-time light knows of pixels.
     pub const MEMORY: u32 = 25;

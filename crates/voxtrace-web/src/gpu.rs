@@ -8,6 +8,7 @@ use voxtrace_core::PackedScene;
 use voxtrace_core::frame_params::{FrameParams, constant};
 use voxtrace_core::normals::Normals;
 use voxtrace_core::packed::DeviceCells;
+use voxtrace_realtime::{FramesOnDevice, LightCache, Parts, Rate, RealTimeParams, flag, looks_of};
 use voxtrace_scene::Transform;
 use wasm_bindgen::prelude::*;
 
@@ -20,6 +21,9 @@ const HEADER: usize = 2;
 #[wasm_bindgen]
 pub struct GpuScene {
     scene: PackedScene,
+    frames: FramesOnDevice,
+    /// Pixels of the last picture in real-time light.
+    size: (u32, u32),
 }
 
 /// The arrays of a scene, in words.
@@ -39,6 +43,25 @@ pub struct GpuArrays {
     pub constants: Vec<u32>,
     /// Whether the shaders that know matte paths alone will do.
     pub is_matte: bool,
+}
+
+/// A picture in real-time light, as devices are told of it: the paths of one frame, or of several where it is the first one of a view.
+#[wasm_bindgen(getter_with_clone)]
+pub struct GpuRealTime {
+    /// The record of the frame, in words, and behind it the numbers of its lens and its sky.
+    pub frame: Vec<u32>,
+    /// The records of real-time light, in words, one after the other.
+    pub frames: Vec<u32>,
+    /// Words of one of them.
+    pub words: usize,
+    /// For each of them, whether light is found again where the camera moved.
+    pub reprojects: Vec<u8>,
+    /// For each of them, how many rays of a pixel only look, at most, and the number before that of the first one.
+    pub looks: Vec<u32>,
+    /// Cells of the light cache, and how many of them may trace.
+    pub cells: u32,
+    /// The same.
+    pub tracing_cells: u32,
 }
 
 /// Words for a buffer: none has no bytes.
@@ -63,7 +86,7 @@ impl GpuScene {
     /// # Errors
     /// The library's own line, where they are none.
     pub fn read(bytes: &[u8]) -> Result<Self, JsError> {
-        Ok(Self { scene: PackedScene::from_bytes(bytes).map_err(error_of)? })
+        Ok(Self::of(PackedScene::from_bytes(bytes).map_err(error_of)?))
     }
 
     /// The arrays that a device reads; none where the scene has cuts or smooth normals, which the shaders of pages do not know.
@@ -114,6 +137,46 @@ impl GpuScene {
         words.extend([constant::LENS, params.lens, constant::SKY, params.sky]);
         Ok(words)
     }
+
+    /// What the device is told of the next picture in real-time light, of which a part names the view; `exposure` and `curve` are how it is shown. Whoever asks
+    /// has it traced: it is what the next one goes on from.
+    ///
+    /// # Errors
+    /// Where there is no such part of a picture.
+    pub fn real_time(&mut self, part: &Part, exposure: f32, curve: u32) -> Result<GpuRealTime, JsError> {
+        let frame = part.frame(&self.scene)?;
+        let words = self.frame(part)?;
+        let params = FrameParams::of_frame(&self.scene, &frame);
+        if self.size != (frame.width, frame.height) {
+            self.frames.forget_pixels();
+            self.size = (frame.width, frame.height);
+        }
+        let count = self.frames.frames_of_picture(&frame);
+        let (mut frames, mut reprojects, mut looks) = (Vec::new(), Vec::new(), Vec::new());
+        for _ in 0..count {
+            let of_frame = self.frames.params(&self.scene, &frame, &params, Rate::Full, (false, false));
+            let of_frame = RealTimeParams { exposure, curve, ..of_frame };
+            frames.extend_from_slice(cast_slice(bytes_of(&of_frame)));
+            reprojects.push(u8::from(of_frame.flags & (flag::KNOWS | flag::SAME_VIEW) == flag::KNOWS));
+            looks.extend(<[u32; 2]>::from(looks_of(&of_frame)));
+            self.frames.end(&frame);
+        }
+        Ok(GpuRealTime {
+            frame: words,
+            frames,
+            words: size_of::<RealTimeParams>() / 4,
+            reprojects,
+            looks,
+            cells: LightCache::CAPACITY as u32,
+            tracing_cells: LightCache::MOST_CHOSEN as u32,
+        })
+    }
+}
+
+impl GpuScene {
+    fn of(scene: PackedScene) -> Self {
+        Self { scene, frames: FramesOnDevice::new(Parts::ALL), size: (0, 0) }
+    }
 }
 
 #[cfg(test)]
@@ -142,7 +205,7 @@ mod tests {
     #[test]
     fn what_the_shaders_do_not_know_is_left_to_the_processor() {
         let city = voxtrace_scenes::generate("city", Some(20_000)).unwrap();
-        let mut scene = GpuScene { scene: PackedScene::pack_merged(&city).unwrap() };
+        let mut scene = GpuScene::of(PackedScene::pack_merged(&city).unwrap());
         assert!(scene.arrays().is_some());
         let whole = scene.scene.cuts.clone();
         scene.scene.cuts = whole.clip_box(Vec3::ZERO, Vec3::ONE).unwrap();
@@ -152,11 +215,34 @@ mod tests {
     #[test]
     fn a_frame_is_its_record_and_the_constants_of_its_lens_and_sky() {
         let city = voxtrace_scenes::generate("city", Some(20_000)).unwrap();
-        let scene = GpuScene { scene: PackedScene::pack_merged(&city).unwrap() };
+        let scene = GpuScene::of(PackedScene::pack_merged(&city).unwrap());
         let camera = vec![0.0, -50.0, 20.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 40.0];
         let words = scene.frame(&Part { seed: 5, ..Part::new(camera, 64, 36) }).unwrap();
         assert_eq!(words.len() * 4, size_of::<FrameParams>() + 16);
         assert_eq!(words[words.len() - 4..], [constant::LENS, 0, constant::SKY, 0]);
         assert_eq!((words[3], words[7]), (64, 36), "the size of the picture");
+    }
+
+    #[test]
+    fn real_time_light_goes_on_from_the_picture_before() {
+        let city = voxtrace_scenes::generate("city", Some(20_000)).unwrap();
+        let mut scene = GpuScene::of(PackedScene::pack_merged(&city).unwrap());
+        let part = |x: f32, width| Part::new(vec![x, -50.0, 20.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 40.0], width, 36);
+        let mut next = |x, width| {
+            let made = scene.real_time(&part(x, width), 2.0, 1).unwrap();
+            assert_eq!(made.frames.len(), made.words * made.reprojects.len());
+            assert_eq!(made.frame.len() * 4, size_of::<FrameParams>() + 16);
+            let last: RealTimeParams =
+                *bytemuck::from_bytes(cast_slice(&made.frames[made.frames.len() - made.words..]));
+            assert_eq!((last.exposure, last.curve, last.pixels, last.squares), (2.0, 1, width * 36, 0));
+            (made.reprojects, made.looks, last.number)
+        };
+        // The paths of four frames, of which the first one looks at what pixels show.
+        assert_eq!(next(0.0, 64), (vec![0; 4], vec![15, 0, 0, 16, 0, 32, 0, 48], 3));
+        assert_eq!(next(0.0, 64), (vec![0], vec![0, 64], 4));
+        assert_eq!(next(0.5, 64), (vec![1], vec![3, 80], 5));
+        let (reprojects, looks, number) = next(0.5, 32);
+        assert_eq!((reprojects.len(), looks[0], number), (4, 15, 9), "pictures of another size know nothing");
+        assert_eq!(next(0.5, 32).0.len(), 1);
     }
 }

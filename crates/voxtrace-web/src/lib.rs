@@ -22,7 +22,7 @@ mod stream;
 #[cfg(feature = "tracer")]
 pub use film_words::{film_from_words, film_words, shown};
 #[cfg(feature = "gpu")]
-pub use gpu::{GpuArrays, GpuScene};
+pub use gpu::{GpuArrays, GpuRealTime, GpuScene};
 #[cfg(any(feature = "tracer", feature = "gpu"))]
 pub use part::Part;
 #[cfg(feature = "tracer")]

@@ -4,7 +4,6 @@
 use super::Worker;
 use crate::accel::{Accel, BUILDING_TOP};
 use crate::method::Primitive;
-use crate::real_time::RealTime;
 use crate::scene::SceneBuffers;
 use crate::statistics::Statistics;
 use crate::transfer::Record;
@@ -38,7 +37,7 @@ impl Worker {
     /// Takes `scene`, which differs from the last one by a patch.
     pub fn patch(&mut self, scene: &Arc<PackedScene>, patch: &Patch) -> Result<(), TraceError> {
         self.film = None;
-        self.real_time.iter_mut().for_each(RealTime::change);
+        self.real_time.iter_mut().for_each(|state| state.frames.change());
         self.submitter.wait_for_quiet()?;
         // Where something fails nothing is left, rather than half of it.
         let (buffers, accel) = (self.scene.take().ok_or(TraceError::NoScene)?, self.accel.take());

@@ -5,16 +5,13 @@ use crate::capabilities::DeviceKind;
 use crate::commands::Job;
 use crate::passes::{Passes, WORKGROUP};
 use crate::picture::Picture;
-use crate::real_time::{Kind, RealTime, RealTimeFrame, Step, slots, squares};
-use crate::records::{Dispatch, FrameParams, RealTimeParams, binding, real_time};
+use crate::real_time::{Kind, RealTime, RealTimeFrame, Step};
+use crate::records::{Dispatch, FrameParams, binding};
 use crate::spirv;
 use crate::variant::{Entry, Variant};
-use glam::{Mat3, Vec3};
 use std::sync::Arc;
 use voxtrace_core::{Frame, PackedScene, Region, TraceError};
-use voxtrace_realtime::{CANDIDATES, LightCache, MOST_PATHS, Parts, Rate};
-use voxtrace_scene::camera::{CameraFrame, Orthographic, Perspective};
-use voxtrace_scene::transform::Transform;
+use voxtrace_realtime::{LightCache, Parts, Rate, RealTimeParams, flag};
 
 impl Worker {
     /// Traces the next frame of real-time light and writes it to a picture.
@@ -43,14 +40,14 @@ impl Worker {
             Some(state) => state,
             None => RealTime::new(&self.device, self.real_time_parts)?,
         };
-        let parts = state.parts;
-        let frames = parts.frames_of_picture(state.before.as_ref().map(|before| &before.frame), frame);
+        let parts = state.frames.parts;
+        let frames = state.frames.frames_of_picture(frame);
         let mut result = Err(TraceError::NoScene);
         for number in 1..=frames {
             // Of frames that are not shown nothing is filtered.
-            state.parts.filter = parts.filter && number == frames;
+            state.frames.parts.filter = parts.filter && number == frames;
             let next = self.real_time_frame(&mut state, &scene, frame, rate, picture);
-            state.parts = parts;
+            state.frames.parts = parts;
             result = next.map(|next| match result {
                 Ok(before) => next.after(before),
                 Err(_) => next,
@@ -81,10 +78,10 @@ impl Worker {
         let params = FrameParams::of_frame(scene, &frame.clone().region(whole));
         let (tracing, in_waves) = self.tracing_variant(&params, frame)?;
         state.set_size(frame.width, frame.height, in_waves)?;
-        let of_frame = real_time_params(state, scene, frame, &params, rate);
+        let of_frame = state.frames.params(scene, frame, &params, rate, (in_waves, true));
         let steps = steps_of(&of_frame, (frame.width, frame.height), in_waves);
         let variants = self.prepare_real_time(tracing, &steps)?;
-        let motions = motions(state, scene);
+        let motions = state.frames.motions(scene);
         state.write(&of_frame, &motions)?;
         self.set_params(&params);
         state.bind(&self.bindings, &self.nothing);
@@ -172,99 +169,12 @@ impl Worker {
     }
 }
 
-/// What the steps of a frame read.
-fn real_time_params(
-    state: &RealTime,
-    scene: &PackedScene,
-    frame: &Frame,
-    params: &FrameParams,
-    rate: Rate,
-) -> RealTimeParams {
-    let parts = state.parts;
-    let before = state.before.as_ref().filter(|before| {
-        // A camera of another kind is not found again: pipelines are made for one.
-        let lens = FrameParams::default().with_camera(&before.frame.camera.frame(1, 1)).lens;
-        parts.memory && before.frame.seed == frame.seed && lens == params.lens
-    });
-    let is_same_view = before.is_some_and(|before| before.frame.camera == frame.camera);
-    let is_still = is_same_view && !state.has_changed;
-    let mut flags = 0;
-    let mut flag = |is_set: bool, flag: u32| flags |= if is_set { flag } else { 0 };
-    flag(parts.cache, real_time::CACHE);
-    flag(parts.filter, real_time::FILTER);
-    flag(parts.candidates, real_time::LOOKS);
-    flag(before.is_some(), real_time::KNOWS);
-    flag(is_still, real_time::STILL);
-    flag(is_same_view && state.transforms.is_none(), real_time::SAME_VIEW);
-    flag(rate == Rate::Half, real_time::HALF);
-    flag(before.is_some() && state.has_changed, real_time::FINDS_AGAIN);
-    let camera = before.map_or(&frame.camera, |before| &before.frame.camera);
-    let then = camera.frame(frame.width, frame.height);
-    let (place_flags, before_origin, rows) = places_of(&then);
-    let of_before = FrameParams::default().with_camera(&then);
-    let size = (frame.width, frame.height);
-    RealTimeParams {
-        eye: frame.camera.eye,
-        view_angle: voxtrace_realtime::view_angle(&frame.camera),
-        before_eye: of_before.eye,
-        number: state.number,
-        before_corner: of_before.corner,
-        candidates: if parts.candidates { CANDIDATES } else { 1 },
-        before_pixel_x: of_before.pixel_x,
-        flags: flags | place_flags,
-        before_pixel_y: of_before.pixel_y,
-        most_paths: MOST_PATHS[usize::from(is_still)],
-        before_lens_x: of_before.lens_x,
-        before_blades: of_before.blades,
-        before_lens_y: of_before.lens_y,
-        cell_samples: state.cell_samples,
-        before_place: camera.eye,
-        motions: if state.transforms.is_some() { scene.instances().len() as u32 } else { 0 },
-        before_rows: rows.map(|row| row.extend(0.0).to_array()),
-        before_origin,
-        pixels: frame.width * frame.height,
-        slots: slots(size, state.in_waves),
-        cells: if parts.cache { LightCache::MOST_CHOSEN as u32 } else { 0 },
-        squares: squares(size),
-        again: if flags & real_time::FINDS_AGAIN != 0 { squares(size) } else { 0 },
-    }
-}
-
-/// How a camera sees places: as `position` of `voxtrace-realtime` has it.
-fn places_of(camera: &CameraFrame) -> (u32, Vec3, [Vec3; 3]) {
-    let of_perspective = |perspective: &Perspective| {
-        let Perspective { eye, corner, pixel_x, pixel_y } = *perspective;
-        let inverse = Mat3::from_cols(pixel_x, pixel_y, corner).inverse();
-        (real_time::FINDS_PLACES | real_time::PERSPECTIVE, eye, [inverse.row(0), inverse.row(1), inverse.row(2)])
-    };
-    match camera {
-        CameraFrame::Perspective(perspective) => of_perspective(perspective),
-        CameraFrame::ThinLens(lens) => of_perspective(&lens.perspective),
-        CameraFrame::Orthographic(Orthographic { corner, pixel_x, pixel_y, .. }) => {
-            let row = |pixel: Vec3| pixel / pixel.length_squared();
-            (real_time::FINDS_PLACES, *corner, [row(*pixel_x), row(*pixel_y), Vec3::ZERO])
-        }
-        CameraFrame::Panorama(_) | CameraFrame::Fisheye(_) => (0, Vec3::ZERO, [Vec3::ZERO; 3]),
-    }
-}
-
-/// The world at the last frame from the world now, for each instance: three rows.
-fn motions(state: &RealTime, scene: &PackedScene) -> Vec<[f32; 4]> {
-    let Some(before) = &state.transforms else { return Vec::new() };
-    let rows = |(before, now): (&Transform, &voxtrace_core::packed::PackedInstance)| {
-        let has_moved = *before != now.world_from_grid;
-        let then = if has_moved { before.after(&now.grid_from_world) } else { Transform::IDENTITY };
-        [0, 1, 2].map(|axis| then.linear.row(axis).extend(then.translation[axis]).to_array())
-    };
-    before.iter().zip(scene.instances()).flat_map(rows).collect()
-}
-
 /// The steps of a frame.
 fn steps_of(params: &RealTimeParams, (width, height): (u32, u32), in_waves: bool) -> Vec<Step> {
     let has = |flag: u32| params.flags & flag != 0;
     let pixels = width.div_ceil(8) * height.div_ceil(8) * WORKGROUP;
     let half = width.div_ceil(16) * height.div_ceil(8) * WORKGROUP;
-    let that_trace = if has(real_time::HALF) { half } else { pixels };
+    let that_trace = if has(flag::HALF) { half } else { pixels };
     let cells = LightCache::CAPACITY as u32;
     let RealTimeParams { cells: tracing_cells, squares, again, .. } = *params;
     let mut steps = Vec::new();
@@ -281,25 +191,25 @@ fn steps_of(params: &RealTimeParams, (width, height): (u32, u32), in_waves: bool
     } else {
         steps.push(Step { name: "trace", count: Some(tracing_cells + that_trace + squares + again) });
     }
-    if has(real_time::CACHE) {
+    if has(flag::CACHE) {
         steps.insert(0, Step { name: "choose_cells", count: Some(cells) });
     }
     let mut add = |name, count| steps.push(Step { name, count: Some(count) });
-    if has(real_time::FINDS_AGAIN) {
+    if has(flag::FINDS_AGAIN) {
         add("compare_found", squares);
         add("doubt", pixels);
     }
-    if has(real_time::KNOWS) && !has(real_time::SAME_VIEW) {
+    if has(flag::KNOWS) && !has(flag::SAME_VIEW) {
         add("reproject", pixels);
     }
     add("remember", that_trace);
-    if has(real_time::HALF) {
+    if has(flag::HALF) {
         add("remember_others", pixels);
     }
-    if has(real_time::CACHE) {
+    if has(flag::CACHE) {
         add("end_cells", cells);
     }
-    if has(real_time::FILTER) {
+    if has(flag::FILTER) {
         for name in FILTER_STEPS {
             add(name, pixels);
         }

@@ -4,7 +4,6 @@ use super::Worker;
 use crate::accel::{Accel, BUILDING_TOP};
 use crate::film::DeviceFilm;
 use crate::method::{Primitive, Settings, Traversal};
-use crate::real_time::RealTime;
 use crate::records::binding;
 use crate::scene::SceneBuffers;
 use crate::schedule::BatchSizer;
@@ -24,7 +23,7 @@ impl Worker {
                 buffers.bind(&self.bindings);
             }
             self.film = None;
-            self.real_time.iter_mut().for_each(RealTime::change);
+            self.real_time.iter_mut().for_each(|state| state.frames.change());
             return Ok(());
         }
         (self.scene, self.film, self.accel) = (None, None, None);
@@ -84,7 +83,7 @@ impl Worker {
         let (buffers, accel) = (self.scene.take().ok_or(TraceError::NoScene)?, self.accel.take());
         self.film = None;
         if let Some(state) = &mut self.real_time {
-            state.move_instances(buffers.scene.instances().iter().map(|instance| instance.world_from_grid));
+            state.frames.move_instances(buffers.scene.instances().iter().map(|instance| instance.world_from_grid));
         }
         let buffers = buffers.placed(&self.device, scene)?;
         let accel = accel.map(|accel| accel.unbuilt(&self.device, scene.placement())).transpose()?;

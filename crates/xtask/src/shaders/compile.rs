@@ -90,7 +90,8 @@ fn prepare(pass: &Pass) -> Result<(tempfile::TempDir, String), String> {
     Ok((folder, format!("pass/{}.slang", pass.name)))
 }
 
-fn check_entries(pass: &Pass, entries: BTreeSet<String>) -> Result<(), String> {
+/// Refuses a module that has other entry points than the table says.
+pub fn check_entries(pass: &Pass, entries: BTreeSet<String>) -> Result<(), String> {
     let table: BTreeSet<String> = pass.entries.iter().map(ToString::to_string).collect();
     if entries == table {
         return Ok(());

@@ -7,7 +7,7 @@ const LETTERS: &[u8; 52] = b"abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXY
 /// Words of two letters that WGSL keeps for itself.
 const KEPT: [&str; 6] = ["as", "do", "fn", "if", "of", "on"];
 
-/// The same modules with other names. slangc ends every name of its own in a number; entry points have none, so they stay.
+/// The same modules with other names. slangc ends every name of its own in a number; entry points have those of their sources, so they stay.
 pub fn minify(texts: &[String]) -> Vec<String> {
     let modules: Vec<Vec<Token>> = texts.iter().map(|text| kinds(tokens(text))).collect();
     let all = || modules.iter().flatten();
@@ -49,13 +49,15 @@ struct Token<'a> {
 /// What each token is.
 fn kinds(tokens: Vec<&str>) -> Vec<Token<'_>> {
     let before = |at: usize, by: usize| if at >= by { tokens[at - by] } else { "" };
+    // Other functions have no attributes.
+    let is_entry = |at: usize| before(at, 1) == "fn" && before(at, 2) == ")";
     let (mut depth, mut owner) = (0_usize, "");
     let mut globals = BTreeSet::new();
     for (at, &token) in tokens.iter().enumerate() {
         match token {
             "{" => depth += 1,
             "}" => depth = depth.saturating_sub(1),
-            _ if depth == 0 && is_made_up(token) => {
+            _ if depth == 0 && is_made_up(token) && !is_entry(at) => {
                 let is_variable = before(at, 1) == ">" && tokens[at + 1] == ":";
                 if is_variable || ["fn", "struct", "const", "override", "alias", "var"].contains(&before(at, 1)) {
                     globals.insert(token);
@@ -73,7 +75,7 @@ fn kinds(tokens: Vec<&str>) -> Vec<Token<'_>> {
             _ => {}
         }
         let kind = match text {
-            _ if !is_made_up(text) => Kind::Kept,
+            _ if !is_made_up(text) || is_entry(at) => Kind::Kept,
             _ if before(at, 1) == "." => Kind::Member,
             _ if owner == "struct" && depth == 1 && tokens[at + 1] == ":" => Kind::Member,
             _ if globals.contains(text) => Kind::Global,
@@ -184,6 +186,8 @@ mod tests {
 
     #[test]
     fn names_become_short_and_the_rest_stays() {
+        let short = minify(&[module("").replace("walk_all", "level_0")]).remove(0);
+        assert!(short.contains("fn level_0("), "an entry point's name may end in a number: {short}");
         let short = minify(&[module("")]).remove(0);
         assert!(short.contains("fn walk_all(@builtin(global_invocation_id)a:vec3<u32>)"), "{short}");
         assert!(short.contains("=1.5e-07f-f32("), "{short}");

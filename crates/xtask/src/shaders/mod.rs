@@ -72,14 +72,17 @@ fn shared_file(root: &Path) -> Result<Files, String> {
     Ok(Files::from([(shared::FILE.into(), shared::generate(&read)?.into_bytes())]))
 }
 
-/// Compiles the shaders of pages to WGSL, made short, in a folder: one file of two lines, the module where everything is matte and that for all materials.
+/// Compiles the shaders of pages to WGSL, made short, in a folder: one file with a line for each module, of films and of real-time light where everything is matte and for all
+/// materials, and of the steps that trace no rays. What they have in common is compressed once.
 pub fn write_for_pages(folder: &Path) -> Result<(), String> {
     let tools = tools::Tools::fetch(root())?;
     fs::create_dir_all(folder).map_err(|error| format!("{}: {error}", folder.display()))?;
-    let modules = passes::PAGE.variants.iter().map(|variant| compile::wgsl(&tools, &passes::PAGE, variant));
+    let variants = passes::OF_PAGES.iter().flat_map(|pass| pass.variants.iter().map(move |variant| (pass, variant)));
+    let modules = variants.clone().map(|(pass, variant)| compile::wgsl(&tools, pass, variant));
     let modules = minify::minify(&modules.collect::<Result<Vec<_>, _>>()?);
-    for module in &modules {
-        compile::wgsl_entries(module).map_err(|error| format!("minified WGSL: {error}"))?;
+    for (module, (pass, _)) in modules.iter().zip(variants) {
+        let entries = compile::wgsl_entries(module).map_err(|error| format!("minified WGSL: {error}"))?;
+        compile::check_entries(pass, entries)?;
     }
     let path = folder.join("shaders.wgsl");
     fs::write(&path, modules.join("\n")).map_err(|error| format!("{}: {error}", path.display()))

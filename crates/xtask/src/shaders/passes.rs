@@ -38,17 +38,64 @@ const MATERIALS: Variant =
 const WAVES: &[Variant] = &[Variant { has_waves: true, ..MATTE }, Variant { has_waves: true, ..MATERIALS }];
 /// Both with paths of real-time light.
 const REAL_TIME: &[Variant] = &[Variant { has_real_time: true, ..MATTE }, Variant { has_real_time: true, ..MATERIALS }];
+/// Both with paths of real-time light in waves.
+const REAL_TIME_WAVES: &[Variant] = &[
+    Variant { has_waves: true, has_real_time: true, ..MATTE },
+    Variant { has_waves: true, has_real_time: true, ..MATERIALS },
+];
 /// The variants of passes that render.
 const RENDERING: &[Variant] = &[MATTE, MATERIALS];
 
-/// The pass that `cargo xtask web` compiles, to WGSL alone.
-pub const PAGE: Pass = Pass {
-    name: "page",
-    entries: &["begin_paths", "choose_lights", "scatter_paths", "shade_paths", "walk_paths"],
-    variants: WAVES,
-    has_wgsl: true,
-    has_frame_in_storage: false,
-};
+/// The passes that `cargo xtask web` compiles, to WGSL alone, in the order in which pages have them: films, real-time light's paths, and its steps that trace no rays.
+pub const OF_PAGES: &[Pass] = &[
+    Pass {
+        name: "page",
+        entries: &["begin_paths", "choose_lights", "scatter_paths", "shade_paths", "walk_paths"],
+        variants: WAVES,
+        has_wgsl: true,
+        has_frame_in_storage: false,
+    },
+    Pass {
+        name: "page_realtime",
+        entries: &[
+            "begin_looks",
+            "begin_paths",
+            "choose_lights",
+            "end_looks",
+            "end_paths",
+            "scatter_paths",
+            "shade_paths",
+            "walk_paths",
+        ],
+        variants: REAL_TIME_WAVES,
+        has_wgsl: true,
+        has_frame_in_storage: false,
+    },
+    Pass {
+        name: "realtime_pixels",
+        entries: &[
+            "choose_cells",
+            "end_cells",
+            "filter_across",
+            "filter_begin",
+            "filter_compare",
+            "filter_end",
+            "filter_level_0",
+            "filter_level_1",
+            "filter_level_2",
+            "filter_level_3",
+            "filter_level_4",
+            "filter_noise",
+            "filter_tolerance",
+            "remember",
+            "reproject",
+            "show_picture",
+        ],
+        variants: &[Variant { has_waves: true, has_real_time: true, ..MATTE }],
+        has_wgsl: true,
+        has_frame_in_storage: false,
+    },
+];
 
 /// All other passes.
 pub const PASSES: &[Pass] = &[
@@ -196,7 +243,7 @@ pub fn check_table(folder: &Path) -> Result<(), String> {
         .flatten()
         .filter_map(|entry| entry.file_name().to_str()?.strip_suffix(".slang").map(str::to_string))
         .collect();
-    let table: BTreeSet<String> = PASSES.iter().chain([&PAGE]).map(|pass| pass.name.to_string()).collect();
+    let table: BTreeSet<String> = PASSES.iter().chain(OF_PAGES).map(|pass| pass.name.to_string()).collect();
     match files.symmetric_difference(&table).next() {
         Some(name) => Err(format!("shaders/pass and the table in xtask's passes.rs disagree about `{name}`")),
         None => Ok(()),

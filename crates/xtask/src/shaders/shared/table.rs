@@ -131,8 +131,6 @@ pub const TABLE: &[Source] = &[
             uniform("Dispatch"),
             uniform("WaveStep"),
             uniform("BlendParams"),
-            uniform("RealTimeParams"),
-            named("real_time", "REAL_TIME"),
             same("WAVE_ROUND_WORDS"),
             same("WAVE_COUNTS_WORDS"),
             same("ProbeRay"),
@@ -188,6 +186,10 @@ pub const TABLE: &[Source] = &[
             same("LEAST_LOOKS"),
             same("MOST_LOOKS"),
         ],
+    },
+    Source {
+        file: "voxtrace-realtime/src/on_devices.rs",
+        items: &[uniform("RealTimeParams"), named("flag", "REAL_TIME")],
     },
     Source { file: "voxtrace-realtime/src/memory.rs", items: &[same("LEAST_ALBEDO")] },
     Source {
