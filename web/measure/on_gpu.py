@@ -5,13 +5,14 @@
     python web/measure/on_gpu.py FOLDER web/wasm [--samples N] [--pictures FOLDER] [--film FILE]
 
 It does what `gpu-scene.ts` and `gpu-real-time.ts` do in pages. The first line says which device traced. `--film` names a film file of the same picture by
-`voxtrace render SCENE.vxt --size … --samples N --traversal cpu --checkpoint FILE`: pixels whose words differ are counted.
+`voxtrace render SCENE.vxt --size … --samples N --traversal cpu --checkpoint FILE`: pixels whose words differ are counted, and the exit code is 1 where there are any.
 """
 
 import argparse
 import math
 import re
 import struct
+import sys
 import time
 from pathlib import Path
 
@@ -139,9 +140,10 @@ class Tracer:
             gpu.write(binding, (given.folder / name).read_bytes())
         for binding in (9, 16, 23, 24):
             gpu.uniform(binding)
-        code = (shaders / "shaders.wgsl").read_text().split("\n")
-        self.film_code, self.light_code = code[:2], code[2:]
-        self.line = 0 if given.is_matte else 1
+        # Films and real-time light of all materials, the steps that trace no rays, real-time light and films of matte things.
+        lines = (shaders / "shaders.wgsl").read_text().split("\n")
+        self.pixels_code = lines[2]
+        self.film_code, self.light_code = (lines[4], lines[3]) if given.is_matte else lines[:2]
 
     def submit(self, record) -> None:
         """Records and submits. Where steps are measured, each is a submit of its own, whose time is the device's."""
@@ -170,9 +172,9 @@ class Tracer:
         gpu.storage(12, 4 * pixels)
         gpu.storage(29, 16)
         gpu.storage(-1, 256, wgpu.BufferUsage.INDIRECT)
-        self.paths = gpu.module(self.light_code[self.line], REAL_TIME, given.constants)
-        self.pixels = gpu.module(self.light_code[2], PIXELS, given.constants)
-        self.looks = gpu.module(self.light_code[self.line], LOOKS, given.constants)
+        self.paths = gpu.module(self.light_code, REAL_TIME, given.constants)
+        self.pixels = gpu.module(self.pixels_code, PIXELS, given.constants)
+        self.looks = gpu.module(self.light_code, LOOKS, given.constants)
         for module in (self.paths, self.looks, self.pixels):
             module.bind()
 
@@ -233,7 +235,7 @@ class Tracer:
         gpu.storage(22, capacity * 16 * (15 if given.is_matte else 22))
         gpu.storage(10, 32 * pixels)
         gpu.storage(15, 4)
-        module = gpu.module(self.film_code[self.line], FILM, given.constants)
+        module = gpu.module(self.film_code, FILM, given.constants)
         module.bind()
         gpu.write(9, given.pictures[0][0][:-16])
         for entry in ("begin_paths", "walk_paths", "shade_paths", "choose_lights", "scatter_paths"):
@@ -260,7 +262,7 @@ class Tracer:
         return time.perf_counter() - start
 
 
-def main() -> None:
+def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("input", type=Path, help="the folder that `words gpu` wrote")
     parser.add_argument("shaders", type=Path, help="the folder with shaders.wgsl")
@@ -303,6 +305,7 @@ def main() -> None:
             print(f"{entry}: {ms / frames:.3f} ms")
         print(f"all steps: {sum(tracer.gpu.steps.values()) / frames:.2f} ms a frame")
     seconds = tracer.film(given.samples)
+    differs = False
     print(f"film: {given.samples} samples in {1e3 * seconds:.1f} ms, {1e3 * seconds / given.samples:.2f} ms a sample")
     if given.film:
         pixels = data.width * data.height
@@ -313,8 +316,10 @@ def main() -> None:
         sums = [[struct.unpack_from("<3Q2I", words, at) for at in differing] for words in (ours, theirs)]
         # What eight bits show at most: by a thousandth of the radiance, and of one.
         seen = sum(any(abs(a - b) > 1e-3 * max(a, b, given.samples << 32) for a, b in zip(one[:3], other[:3])) for one, other in zip(*sums))
+        differs = bool(differing)
         print(f"{len(differing)} of {pixels} pixels have other words than the processor's, {seen} of them by more than a thousandth")
+    return int(differs)
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())

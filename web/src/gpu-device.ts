@@ -17,19 +17,19 @@ interface Bindings {
 export const FILM = {
   bindings: { read: SCENE, written: { pixels: 10, missing: 15, paths: 22 }, uniform: { frame: 9, dispatch: 16, step: 23 } },
   entries: ["begin_paths", "walk_paths", "shade_paths", "choose_lights", "scatter_paths"],
-  lines: [0, 1],
+  lines: [4, 0],
 } as const;
 /** The paths of real-time light (`pass/page_realtime.slang`). */
 export const REAL_TIME = {
   bindings: { read: SCENE, written: { paths: 22, scratch: 26, cellKeys: 27 }, uniform: { frame: 9, dispatch: 16, step: 23, realTime: 24 } },
   entries: ["begin_paths", "walk_paths", "shade_paths", "choose_lights", "scatter_paths", "end_paths"],
-  lines: [2, 3],
+  lines: [3, 1],
 } as const;
 /** Paths that only look, in the same modules: where they begin and end, which needs what is known of pixels. */
 export const LOOKS = {
   bindings: { read: {}, written: { paths: 22, scratch: 26, memory: 25 }, uniform: { frame: 9, dispatch: 16, step: 23, realTime: 24 } },
   entries: ["begin_looks", "end_looks"],
-  lines: [2, 3],
+  lines: [3, 1],
 } as const;
 /** Its steps that trace no rays (`pass/realtime_pixels.slang`). */
 export const PIXELS = {
@@ -38,7 +38,7 @@ export const PIXELS = {
     "choose_cells", "end_cells", "reproject", "remember", "filter_begin", "filter_compare", "filter_noise", "filter_tolerance", "filter_level_0", "filter_level_1",
     "filter_level_2", "filter_level_3", "filter_level_4", "filter_end", "filter_across", "show_picture",
   ],
-  lines: [4, 4],
+  lines: [2, 2],
 } as const;
 
 interface Module {

@@ -1,9 +1,11 @@
 //! Compiles one pass by slangc and validates the result.
 
 use super::passes::{Pass, Variant};
+use super::roundings;
 use super::tools::Tools;
+use naga::Module;
 use naga::front::wgsl;
-use naga::valid::{Capabilities, ValidationFlags, Validator};
+use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
 use std::collections::BTreeSet;
 use std::ffi::OsStr;
 use std::fs;
@@ -68,7 +70,10 @@ pub fn wgsl(tools: &Tools, pass: &Pass, variant: &Variant) -> Result<String, Str
     }
     tools.slangc(&arguments)?;
     let text = fs::read_to_string(&output).map_err(|error| format!("slangc left no WGSL of {}: {error}", pass.name))?;
-    let text = with_infinity(&text);
+    let mut text = with_infinity(&text);
+    if variant.has_waves && !variant.has_real_time {
+        text = roundings::round_all(&text).map_err(|error| format!("WGSL of {}: {error}", pass.name))?;
+    }
     let entries = wgsl_entries(&text).map_err(|error| format!("WGSL of {}: {error}", pass.name))?;
     check_entries(pass, entries)?;
     Ok(text)
@@ -116,13 +121,18 @@ fn spirv_entries(bytes: &[u8]) -> BTreeSet<String> {
     names
 }
 
-/// Names of the entry points of WGSL that is valid without extensions.
-pub fn wgsl_entries(text: &str) -> Result<BTreeSet<String>, String> {
+/// The module of WGSL that is valid without extensions, and what is known of it.
+pub fn validated(text: &str) -> Result<(Module, ModuleInfo), String> {
     let module = wgsl::parse_str(text).map_err(|error| error.emit_to_string(text))?;
     // WGSL has packed half floats without extensions (section "Data Packing Built-in Functions").
     let mut validator = Validator::new(ValidationFlags::all(), Capabilities::SHADER_FLOAT16_IN_FLOAT32);
-    validator.validate(&module).map_err(|error| error.emit_to_string(text))?;
-    Ok(module.entry_points.into_iter().map(|entry| entry.name).collect())
+    let info = validator.validate(&module).map_err(|error| error.emit_to_string(text))?;
+    Ok((module, info))
+}
+
+/// Names of the entry points of WGSL that is valid without extensions.
+pub fn wgsl_entries(text: &str) -> Result<BTreeSet<String>, String> {
+    Ok(validated(text)?.0.entry_points.into_iter().map(|entry| entry.name).collect())
 }
 
 #[cfg(test)]

@@ -5,6 +5,7 @@ mod compile;
 mod layout;
 mod minify;
 mod passes;
+mod roundings;
 mod shared;
 mod tools;
 
@@ -72,6 +73,10 @@ fn shared_file(root: &Path) -> Result<Files, String> {
     Ok(Files::from([(shared::FILE.into(), shared::generate(&read)?.into_bytes())]))
 }
 
+/// The order of the modules of pages in their file: films and real-time light of all materials, the steps that trace no rays, real-time light and films of matte things.
+/// `web/src/gpu-device.ts` knows it.
+const PAGES_ORDER: [usize; 5] = [1, 3, 4, 2, 0];
+
 /// Compiles the shaders of pages to WGSL, made short, in a folder: one file with a line for each module, of films and of real-time light where everything is matte and for all
 /// materials, and of the steps that trace no rays. What they have in common is compressed once.
 pub fn write_for_pages(folder: &Path) -> Result<(), String> {
@@ -84,6 +89,8 @@ pub fn write_for_pages(folder: &Path) -> Result<(), String> {
         let entries = compile::wgsl_entries(module).map_err(|error| format!("minified WGSL: {error}"))?;
         compile::check_entries(pass, entries)?;
     }
+    // As they are compressed best: what follows finds in those before it what both have.
+    let modules = PAGES_ORDER.map(|index| modules[index].as_str());
     let path = folder.join("shaders.wgsl");
     fs::write(&path, modules.join("\n")).map_err(|error| format!("{}: {error}", path.display()))
 }
