@@ -23,8 +23,8 @@ const MEMORY = 64;
 const SCRATCH = 80;
 /** The number by which the buffer of workgroups is kept: no binding. */
 const GROUPS = -1;
-/** Workgroups in one direction, at most. */
-const MOST_GROUPS = 65_535;
+/** Pixels at most: a tile of 8 × 8 is a workgroup, of which a dispatch has 65,535 in one direction, and those at borders are not full. */
+const MOST_PIXELS = 1 << 21;
 
 const FILTER = [
   "filter_begin", "filter_compare", "filter_noise", "filter_tolerance", "filter_level_0", "filter_level_1", "filter_level_2", "filter_level_3", "filter_level_4",
@@ -52,7 +52,7 @@ export class RealTimeOnDevice {
 
   /** The most pixels of a picture there. */
   get mostPixels(): number {
-    return Math.min(Math.floor(this.gpu.largest / SCRATCH), (MOST_GROUPS * WORKGROUP) >> 1);
+    return Math.min(Math.floor(this.gpu.largest / SCRATCH), MOST_PIXELS);
   }
 
   /** The shaders for a frame where they are compiled, or what is wrong with them; `undefined` as long as that is not known. */
