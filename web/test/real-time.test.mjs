@@ -55,7 +55,7 @@ async function picturesOf(file, cameras, seed) {
       while (!picture) {
         picture = await pool.gpu.showRealTime(part);
         if (!picture) await new Promise((done) => setTimeout(done, 100));
-        if (pool.gpu.mostRealTimePixels === 0) throw new Error("there is no real-time light");
+        if (pool.gpu.mostRealTimePixels === 0 || performance.now() > 400_000) throw new Error("there is no real-time light");
       }
       made.push([...picture.shown]);
     }
@@ -153,11 +153,12 @@ async function watched(attributes, prepare = () => {}) {
     };
     /** Turns to and fro until real-time light is shown; then stays, and gives what is on the canvas. */
     window.lit = async (degrees) => {
-      for (let step = 1; ; step++) {
+      for (let step = 1; performance.now() < 600_000; step++) {
         window.turn(degrees + (step % 2));
         await new Promise((done) => setTimeout(done, 50));
         if (window.viewer.showsRealTime && step % 2 === 0) return window.pixels();
       }
+      throw new Error("no real-time light is shown");
     };
   });
   await page.evaluate(prepare);
