@@ -49,6 +49,48 @@ export function setUp(more = [], follow = async () => {}) {
   after(async () => context.browser?.close());
 }
 
+/** Whether Chromium has WebGPU, once `setUpWebGpu` has looked. */
+const webGpu = { has: false };
+
+/** Starts Chromium with WebGPU, which is a failure to be without where VOXTRACE_REQUIRE_WEBGPU says so, then does what is to follow. */
+export function setUpWebGpu(follow = async () => {}) {
+  setUp(WEBGPU, async () => {
+    const probe = await context.browser.newPage();
+    await probe.goto(`${context.server.address}/test/page.html`);
+    webGpu.has = await probe.evaluate(async () => !!(await navigator.gpu?.requestAdapter()));
+    await probe.close();
+    if (!webGpu.has && process.env.VOXTRACE_REQUIRE_WEBGPU) throw new Error("this Chromium has no WebGPU adapter, and VOXTRACE_REQUIRE_WEBGPU asks for one");
+    if (webGpu.has) await follow();
+  });
+}
+
+/** Skips a test where there is no WebGPU. */
+export const skipsWebGpu = (t) => !webGpu.has && (t.skip("this Chromium has no WebGPU adapter"), true);
+
+/** A page with an element, `said` with what its console says, and its devices in `window.devices`. Compiling takes a while on the processor. */
+export async function openWebGpu(options, timeout = 240_000) {
+  const page = await open({}, options);
+  page.said = [];
+  page.on("console", (message) => page.said.push(message.text()));
+  page.setDefaultTimeout(timeout);
+  await page.evaluate(() => {
+    window.devices = [];
+    const request = GPUAdapter.prototype.requestDevice;
+    GPUAdapter.prototype.requestDevice = async function (...given) {
+      const device = await request.apply(this, given);
+      window.devices.push(device);
+      return device;
+    };
+  });
+  return page;
+}
+
+/** Sets attributes of a page's element. */
+export const setAttributes = (page, attributes) =>
+  page.evaluate((attributes) => {
+    for (const [name, value] of Object.entries(attributes)) window.viewer.setAttribute(name, value);
+  }, attributes);
+
 /** A page with an element of these attributes, and what it wrote to its console. */
 export async function open(attributes = {}, options = {}) {
   const { width = 320, height = 180, browser = context.browser, ...rest } = options;

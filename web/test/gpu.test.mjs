@@ -3,34 +3,18 @@ import assert from "node:assert/strict";
 import { copyFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
-import { context, differences, event, filmOf, native, open, real, run, setUp, WEBGPU } from "./browser.mjs";
+import { context, differences, event, filmOf, native, openWebGpu, real, run, setAttributes, setUpWebGpu, skipsWebGpu } from "./browser.mjs";
 import { fileOfMaterials } from "./materials.mjs";
 
 const size = { width: 64, height: 36, samples: 4 };
 // Without real-time light, whose shaders take as long to compile: `real-time.test.mjs` has it.
 const asked = { tracer: "gpu", samples: "4", seed: "7", "max-pixels": String(64 * 36), "real-time": "off" };
-let has;
 let page;
 
-/** A page whose console and whose devices the test sees. */
+/** A page with an element of these attributes whose console and whose devices the test sees. */
 async function watched(attributes, options) {
-  const page = await open({}, { ...size, ...options });
-  page.said = [];
-  page.on("console", (message) => page.said.push(message.text()));
-  // Compiling takes a while on the processor.
-  page.setDefaultTimeout(240_000);
-  await page.evaluate(() => {
-    window.devices = [];
-    const request = GPUAdapter.prototype.requestDevice;
-    GPUAdapter.prototype.requestDevice = async function (...given) {
-      const device = await request.apply(this, given);
-      window.devices.push(device);
-      return device;
-    };
-  });
-  await page.evaluate((attributes) => {
-    for (const [name, value] of Object.entries(attributes)) window.viewer.setAttribute(name, value);
-  }, attributes);
+  const page = await openWebGpu({ ...size, ...options });
+  await setAttributes(page, attributes);
   return page;
 }
 
@@ -46,16 +30,7 @@ async function filmOfScene(src) {
   return filmOf(page);
 }
 
-setUp(WEBGPU, async () => {
-  const probe = await context.browser.newPage();
-  await probe.goto(`${context.server.address}/test/page.html`);
-  has = await probe.evaluate(async () => !!(await navigator.gpu?.requestAdapter()));
-  await probe.close();
-  if (!has && process.env.VOXTRACE_REQUIRE_WEBGPU) throw new Error("this Chromium has no WebGPU adapter, and VOXTRACE_REQUIRE_WEBGPU asks for one");
-  if (has) page = await watched(asked);
-});
-
-const skips = (t) => !has && (t.skip("this Chromium has no WebGPU adapter"), true);
+setUpWebGpu(async () => (page = await watched(asked)));
 
 for (const [name, number, options] of [
   ["city", "20k", ["--voxels", "20k"]],
@@ -64,7 +39,7 @@ for (const [name, number, options] of [
   ["forest", "100", ["--instances", "100"]],
 ]) {
   test(`the film of ${name} on the GPU is that of this machine`, async (t) => {
-    if (skips(t)) return;
+    if (skipsWebGpu(t)) return;
     const film = await filmOfScene(`scene:${name}?voxels=${number}`);
     const expected = native([name, ...options], { ...size, seed: 7 });
     assert.equal(differences(film.words, expected), 0, "pixels that differ");
@@ -78,7 +53,7 @@ for (const [name, number, options] of [
 
 for (const path of ["vox/ephtracy/monument_monu9.vox", "vox/ephtracy/character_chr_knight.vox", "vox/arlorean/Test_cars.vox", "vox/ephtracy/anim_T-Rex.vox"]) {
   test(`the film of ${path} on the GPU is that of this machine`, async (t) => {
-    if (skips(t)) return;
+    if (skipsWebGpu(t)) return;
     if (!real(path)) return t.skip("the file is not here");
     const name = path.split("/").pop();
     copyFileSync(real(path), join(context.files, name));
@@ -88,7 +63,7 @@ for (const path of ["vox/ephtracy/monument_monu9.vox", "vox/ephtracy/character_c
 }
 
 test("the film of every kind of material on the GPU is that of this machine", async (t) => {
-  if (skips(t)) return;
+  if (skipsWebGpu(t)) return;
   const file = join(context.files, "materials.vox");
   writeFileSync(file, fileOfMaterials());
   const film = await filmOfScene("/files/materials.vox");
@@ -96,7 +71,7 @@ test("the film of every kind of material on the GPU is that of this machine", as
 });
 
 test("a part of the scene is shown by the workers, the whole by the GPU again", async (t) => {
-  if (skips(t)) return;
+  if (skipsWebGpu(t)) return;
   const whole = await filmOfScene("scene:city?voxels=20k");
   const still = async (box) => {
     await page.evaluate((box) => {
@@ -117,7 +92,7 @@ test("a part of the scene is shown by the workers, the whole by the GPU again", 
 });
 
 test("a device that is lost is made again, and after a second loss the processor goes on with the same film", async (t) => {
-  if (skips(t)) return;
+  if (skipsWebGpu(t)) return;
   run("convert", "city", join(context.files, "lost.vox"), "--voxels", "20k");
   await page.evaluate(() => {
     window.events.length = 0;
@@ -171,13 +146,11 @@ const WITHOUT = {
 };
 for (const [name, { tracer, prepare, says }] of Object.entries(WITHOUT)) {
   test(`with ${name} the processor traces, and the film is the same`, async (t) => {
-    if (skips(t)) return;
+    if (skipsWebGpu(t)) return;
     run("convert", "city", join(context.files, "small.vox"), "--voxels", "20k");
     const page = await watched({}, {});
     await page.evaluate(prepare);
-    await page.evaluate((attributes) => {
-      for (const [name, value] of Object.entries(attributes)) window.viewer.setAttribute(name, value);
-    }, { ...asked, tracer, src: "/files/small.vox" });
+    await setAttributes(page, { ...asked, tracer, src: "/files/small.vox" });
     await event(page, "still");
     assert.equal(await page.evaluate(() => window.viewer.activeTracer), "cpu");
     const film = await filmOf(page);

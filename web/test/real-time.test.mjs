@@ -1,4 +1,4 @@
-// Real-time light in Chromium's software WebGPU: its pictures are those of this machine's processor, it is cleaner than samples, and what follows it is the film.
+// Real-time light in Chromium's software WebGPU: its pictures are those of this machine's processor, and what follows it is the film.
 import assert from "node:assert/strict";
 import { copyFileSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -6,24 +6,17 @@ import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { execFileSync } from "node:child_process";
 import { build } from "esbuild";
-import { context, differences, event, filmOf, native, open, pictures, run, setUp, web, WEBGPU, words } from "./browser.mjs";
+import { context, differences, event, filmOf, native, openWebGpu, pictures, run, setAttributes, setUpWebGpu, skipsWebGpu, web, words } from "./browser.mjs";
 import { fileOfMaterials } from "./materials.mjs";
 import { serve } from "./server.mjs";
 
 const size = { width: 64, height: 36 };
 /** What the viewer said in the console. */
 const said = (page) => page.said.filter((text) => text.startsWith("voxtrace-viewer")).join("\n");
-let has;
 let folder;
 let parts;
 
-setUp(WEBGPU, async () => {
-  const probe = await context.browser.newPage();
-  await probe.goto(`${context.server.address}/test/page.html`);
-  has = await probe.evaluate(async () => !!(await navigator.gpu?.requestAdapter()));
-  await probe.close();
-  if (!has && process.env.VOXTRACE_REQUIRE_WEBGPU) throw new Error("this Chromium has no WebGPU adapter, and VOXTRACE_REQUIRE_WEBGPU asks for one");
-});
+setUpWebGpu();
 before(async () => {
   // The package with the parts of the element in a bundle of their own, so that a test says which pictures are made, and how many.
   folder = mkdtempSync(join(tmpdir(), "voxtrace-real-time-"));
@@ -35,7 +28,6 @@ after(() => {
   parts?.end();
   if (folder) rmSync(folder, { recursive: true, force: true });
 });
-const skips = (t) => !has && (t.skip("this Chromium has no WebGPU adapter"), true);
 
 /** A page that shows views of a native file by `pool.gpu`, and pictures of them. */
 async function picturesOf(file, cameras, seed) {
@@ -107,7 +99,7 @@ const SCENES = {
 };
 for (const [name, { prepare, camera, step }] of Object.entries(SCENES)) {
   test(`pictures of ${name} in real-time light are those of the processor`, async (t) => {
-    if (skips(t)) return;
+    if (skipsWebGpu(t)) return;
     const file = "scene.vxt";
     prepare(join(context.files, file));
     // Three that stand still, two that move, one that jumps.
@@ -127,19 +119,9 @@ for (const [name, { prepare, camera, step }] of Object.entries(SCENES)) {
 
 /** A page with an element whose devices and console the test sees, and what was compiled. */
 async function watched(attributes, prepare = () => {}) {
-  const page = await open({}, size);
-  page.said = [];
-  page.on("console", (message) => page.said.push(message.text()));
-  page.setDefaultTimeout(400_000);
+  const page = await openWebGpu(size, 400_000);
   await page.evaluate(() => {
-    window.devices = [];
     window.compiled = [];
-    const request = GPUAdapter.prototype.requestDevice;
-    GPUAdapter.prototype.requestDevice = async function (...given) {
-      const device = await request.apply(this, given);
-      window.devices.push(device);
-      return device;
-    };
     const create = GPUDevice.prototype.createComputePipelineAsync;
     GPUDevice.prototype.createComputePipelineAsync = function (given) {
       window.compiled.push(given.compute.entryPoint);
@@ -162,9 +144,7 @@ async function watched(attributes, prepare = () => {}) {
     };
   });
   await page.evaluate(prepare);
-  await page.evaluate((attributes) => {
-    for (const [name, value] of Object.entries(attributes)) window.viewer.setAttribute(name, value);
-  }, attributes);
+  await setAttributes(page, attributes);
   return page;
 }
 
@@ -184,7 +164,7 @@ async function still(page, degrees, attributes = {}) {
 }
 
 test("a view that moves is in real-time light; where it stands the film follows, which knows nothing of it", async (t) => {
-  if (skips(t)) return;
+  if (skipsWebGpu(t)) return;
   run("convert", "city", join(context.files, "moving.vxt"), "--voxels", "20k");
   const page = await watched({ ...asked, src: "/files/moving.vxt" });
   await event(page, "still");
@@ -215,7 +195,7 @@ test("a view that moves is in real-time light; where it stands the film follows,
 });
 
 test("where its shaders do not compile, and where it is not wanted, views that move are coarse and films the same", async (t) => {
-  if (skips(t)) return;
+  if (skipsWebGpu(t)) return;
   run("convert", "city", join(context.files, "coarse.vxt"), "--voxels", "20k");
   const broken = () => {
     const create = GPUDevice.prototype.createShaderModule;

@@ -26,13 +26,13 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             }
         }
         ["real-time", scene, size, seed, out, ref cameras @ ..] => {
-            let (width, height) = size.split_once('x').ok_or("a size is WIDTHxHEIGHT")?;
+            let (width, height) = size_of_picture(size)?;
             let scene = PackedScene::from_bytes(&fs::read(scene)?)?;
             let tone = ToneBytes::new(ToneMap { operator: Operator::Agx, exposure: 0.0 });
             let mut real_time = RealTime::new(Parts::ALL);
             let mut bytes = Vec::new();
             for camera in cameras {
-                let frame = Frame::new(camera_of(camera)?, width.parse()?, height.parse()?).seed(seed.parse()?);
+                let frame = Frame::new(camera_of(camera)?, width, height).seed(seed.parse()?);
                 bytes.extend(real_time.frame(&scene, &frame).into_iter().flat_map(|radiance| tone.of(radiance)));
             }
             fs::write(out, bytes)?;
@@ -43,10 +43,20 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     Ok(())
 }
 
+/// Width and height of `WIDTHxHEIGHT`, pixels.
+fn size_of_picture(text: &str) -> Result<(u32, u32), Box<dyn std::error::Error>> {
+    let (width, height) = text.split_once('x').ok_or("a size is WIDTHxHEIGHT")?;
+    Ok((width.parse()?, height.parse()?))
+}
+
+/// The ten numbers of a camera, with commas between.
+fn numbers_of(text: &str) -> Result<Vec<f32>, std::num::ParseFloatError> {
+    text.split(',').map(str::parse).collect()
+}
+
 /// A pinhole camera of its numbers: eye, target, up, and the vertical field of view in degrees.
 fn camera_of(text: &str) -> Result<Camera, Box<dyn std::error::Error>> {
-    let numbers = text.split(',').map(str::parse).collect::<Result<Vec<f32>, _>>()?;
-    let numbers = <[f32; 10]>::try_from(numbers).map_err(|_| "a camera has ten numbers")?;
+    let numbers = <[f32; 10]>::try_from(numbers_of(text)?).map_err(|_| "a camera has ten numbers")?;
     let vector = |at: usize| Vec3::from_slice(&numbers[at..]);
     Ok(Camera { up: vector(6), fov_y: numbers[9], ..Camera::look_at(vector(0), vector(3)) })
 }
@@ -63,12 +73,11 @@ fn write_for_gpu(bytes: &[u8], size: &str, folder: &Path, cameras: &[&str]) -> R
     write("brickMaterials", &arrays.brick_materials)?;
     write("records", &arrays.records)?;
     write("environment", &arrays.environment)?;
-    let (width, height) = size.split_once('x').ok_or("a size is WIDTHxHEIGHT")?;
-    let (width, height): (u32, u32) = (width.parse()?, height.parse()?);
+    let (width, height) = size_of_picture(size)?;
     let own = WebScene::read(bytes.to_vec(), "scene.vxt").map_err(refused("the scene cannot be read"))?;
     let own = own.camera(0, width as f32 / height as f32);
-    let numbers_of = |camera: &str| -> Result<Vec<f32>, std::num::ParseFloatError> {
-        let Some(by) = camera.strip_prefix("own") else { return camera.split(',').map(str::parse).collect() };
+    let camera_numbers = |camera: &str| -> Result<Vec<f32>, std::num::ParseFloatError> {
+        let Some(by) = camera.strip_prefix("own") else { return numbers_of(camera) };
         let by: f32 = if by.is_empty() { 0.0 } else { by.parse()? };
         let moved = own.iter().enumerate().map(|(at, number)| if at == 0 || at == 3 { number + by } else { *number });
         Ok(moved.collect())
@@ -79,7 +88,7 @@ fn write_for_gpu(bytes: &[u8], size: &str, folder: &Path, cameras: &[&str]) -> R
         format!("constants {}", arrays.constants.iter().map(u32::to_string).collect::<Vec<_>>().join(" ")),
     ];
     for (number, camera) in cameras.iter().enumerate() {
-        let part = Part::new(numbers_of(camera)?, width, height);
+        let part = Part::new(camera_numbers(camera)?, width, height);
         let made = scene.real_time(&part, 1.0, 0).map_err(refused("a camera has ten numbers"))?;
         write(&format!("frame-{number}"), &made.frame)?;
         write(&format!("frames-{number}"), &made.frames)?;

@@ -64,6 +64,13 @@ pub struct GpuRealTime {
     pub tracing_cells: u32,
 }
 
+/// The record of a frame in words, and behind it the numbers of its lens and its sky.
+fn frame_words(params: &FrameParams) -> Vec<u32> {
+    let mut words: Vec<u32> = cast_slice(bytes_of(params)).to_vec();
+    words.extend([constant::LENS, params.lens, constant::SKY, params.sky]);
+    words
+}
+
 /// Words for a buffer: none has no bytes.
 fn words(values: &[u32]) -> Vec<u32> {
     if values.is_empty() { vec![0; ROW] } else { values.to_vec() }
@@ -132,10 +139,7 @@ impl GpuScene {
     /// # Errors
     /// Where there is no such part of a picture.
     pub fn frame(&self, part: &Part) -> Result<Vec<u32>, JsError> {
-        let params = FrameParams::of_frame(&self.scene, &part.frame(&self.scene)?);
-        let mut words: Vec<u32> = cast_slice(bytes_of(&params)).to_vec();
-        words.extend([constant::LENS, params.lens, constant::SKY, params.sky]);
-        Ok(words)
+        Ok(frame_words(&FrameParams::of_frame(&self.scene, &part.frame(&self.scene)?)))
     }
 
     /// What the device is told of the next picture in real-time light, of which a part names the view; `exposure` and `curve` are how it is shown. Whoever asks
@@ -145,7 +149,6 @@ impl GpuScene {
     /// Where there is no such part of a picture.
     pub fn real_time(&mut self, part: &Part, exposure: f32, curve: u32) -> Result<GpuRealTime, JsError> {
         let frame = part.frame(&self.scene)?;
-        let words = self.frame(part)?;
         let params = FrameParams::of_frame(&self.scene, &frame);
         if self.size != (frame.width, frame.height) {
             self.frames.forget_pixels();
@@ -162,7 +165,7 @@ impl GpuScene {
             self.frames.end(&frame);
         }
         Ok(GpuRealTime {
-            frame: words,
+            frame: frame_words(&params),
             frames,
             words: size_of::<RealTimeParams>() / 4,
             reprojects,
