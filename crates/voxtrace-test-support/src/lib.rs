@@ -1,10 +1,12 @@
 //! What the tests of all crates share: files that other programs have made ([`data`]), a tile of a scan ([`las_tile`]), and one way for a test to be skipped
 //! ([`skip`]), so that a run can say at its end which ones were.
 
+mod alone;
 mod data;
 mod las;
 mod skip;
 
+pub use alone::Alone;
 pub use data::{data, files_below};
 pub use las::las_tile;
 pub use skip::{Need, skip, skip_without};

@@ -9,22 +9,26 @@ use voxtrace::glam::{EulerRot, IVec3, Mat3, Vec3};
 use voxtrace::{
     Film, Frame, Hit, Material, PackedScene, Progress, Ray, Region, Scene, Tracer, Transform, VoxelGrid, scenes,
 };
-use voxtrace_test_support::{Need, skip, skip_without};
+use voxtrace_test_support::{Alone, Need, skip, skip_without};
 use voxtrace_vulkan::{Device, DeviceKind, Options, Primitive, Settings, Traversal, VulkanTracer, devices, missing};
 
 /// The device that `VOXTRACE_DEVICE` names, else the first one (software devices included), with the validation layer on. Without a
 /// device the caller's test is skipped, or fails where `VOXTRACE_REQUIRE_VULKAN=1`.
-pub fn device() -> Option<Arc<Device>> {
-    let wanted = wanted()?;
+pub fn device() -> Option<Alone<Arc<Device>>> {
     let options = Options { validation: true, ..Options::default() };
-    match Device::open(options, Some(&wanted), None) {
+    let open = |wanted: String| match Device::open(options, Some(&wanted), None) {
         Ok(device) => Some(device),
         Err(error) => lacking(&error.to_string()),
-    }
+    };
+    wanted()?.map(open).some()
 }
 
-/// The name or number of the device that tests run on; as [`device`] where there is none.
-pub fn wanted() -> Option<String> {
+/// The name or number of the device that tests run on, for those that open it themselves; as [`device`] where there is none.
+pub fn wanted() -> Option<Alone<String>> {
+    Alone::new(first_or_named).some()
+}
+
+fn first_or_named() -> Option<String> {
     let found = match devices(Options::default()) {
         Ok(found) => found,
         Err(error) => return lacking(&error.to_string()),

@@ -2,6 +2,7 @@
 //! looks for it.
 
 use std::path::Path;
+use std::sync::Arc;
 use std::time::Instant;
 use voxtrace_test_support::skip;
 use voxtrace_tests::gpu;
@@ -20,7 +21,7 @@ fn probed(effort: Effort, plant: Option<Plant>) -> Option<ProbeReport> {
         return None;
     }
     let vulkan = device.vulkan().clone();
-    let report = probe::run_on(device, effort, plant, &mut |_, _| true, Instant::now()).unwrap();
+    let report = probe::run_on(Arc::clone(&device), effort, plant, &mut |_, _| true, Instant::now()).unwrap();
     assert_eq!(vulkan.messages().count(), 0, "validation messages: {:#?}", vulkan.messages().first());
     Some(report)
 }
@@ -172,7 +173,7 @@ fn errors_of_the_driver_at_any_call_are_outcomes() {
 fn info() -> Option<DeviceInfo> {
     let wanted = gpu::wanted()?;
     let list = devices(Options::default()).unwrap();
-    list.into_iter().find(|info| info.index.to_string() == wanted || info.name.contains(&wanted))
+    list.into_iter().find(|info| info.index.to_string() == *wanted || info.name.contains(&*wanted))
 }
 
 /// A report that trusts nothing but what `failing` does not touch.

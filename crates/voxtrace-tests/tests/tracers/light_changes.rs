@@ -27,7 +27,7 @@ fn lights(scene: &PackedScene) -> Vec<Arc<PackedScene>> {
 fn check_uploads(traversal: Traversal) {
     let Some(wanted) = wanted() else { return };
     let list = devices(Options::default()).unwrap();
-    let info = list.iter().find(|info| info.index.to_string() == wanted || info.name.contains(&wanted)).unwrap();
+    let info = list.iter().find(|info| info.index.to_string() == *wanted || info.name.contains(&*wanted)).unwrap();
     if let Some(reason) = missing(info, traversal) {
         skip(&format!("{}: {reason}", info.name));
         return;

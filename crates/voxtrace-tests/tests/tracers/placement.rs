@@ -224,7 +224,7 @@ fn a_placement_of_another_geometry_is_refused_and_changes_nothing() {
     tracer.set_placement(packed.placement()).unwrap();
     assert_eq!(tracer.read(&mut kept), Err(TraceError::NoFilm));
     let Some(device) = device() else { return };
-    let mut tracer = VulkanTracer::new(device, Settings::default()).unwrap();
+    let mut tracer = VulkanTracer::new(Arc::clone(&device), Settings::default()).unwrap();
     assert_eq!(tracer.set_placement(packed.placement()), Err(TraceError::NoScene));
     tracer.set_scene(&packed).unwrap();
     assert_eq!(tracer.set_placement(other.placement()), Err(refused));

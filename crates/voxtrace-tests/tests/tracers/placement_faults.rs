@@ -31,7 +31,7 @@ fn run(
 fn check_calls(traversal: Traversal) {
     let Some(wanted) = wanted() else { return };
     let list = devices(Options::default()).unwrap();
-    let info = list.iter().find(|info| info.index.to_string() == wanted || info.name.contains(&wanted)).unwrap();
+    let info = list.iter().find(|info| info.index.to_string() == *wanted || info.name.contains(&*wanted)).unwrap();
     if let Some(reason) = missing(info, traversal) {
         skip(&format!("{}: {reason}", info.name));
         return;

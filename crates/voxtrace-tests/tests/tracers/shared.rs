@@ -166,6 +166,7 @@ fn devices_are_named_by_their_numbers_and_a_scene_that_fits_none_goes_to_the_pro
     let mut alone = CpuTracer::new(None);
     alone.set_scene(&scene).unwrap();
     let expected = rendered(&mut alone, &frame);
+    let wanted = wanted.as_str();
     let request = |device: String| Request { device: Some(device), ..Request::default() };
     let mut twice = choose_for(&request(format!("{wanted},{wanted},cpu")), &scene).unwrap();
     assert!(twice.reason.starts_with("tracing on 3 devices"), "{}", twice.reason);

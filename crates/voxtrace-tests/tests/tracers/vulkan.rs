@@ -3,7 +3,7 @@
 use std::sync::{Arc, OnceLock};
 use voxtrace::glam::{IVec3, Vec3};
 use voxtrace::{CpuTracer, Film, Frame, Hit, Integrator, Material, PackedScene, Progress, Ray, Region, Scene, Tracer};
-use voxtrace_test_support::skip;
+use voxtrace_test_support::{Alone, skip};
 use voxtrace_tests::gpu::{Case, assert_valid, cases, compare_hits, device};
 use voxtrace_tests::random::Random;
 use voxtrace_tests::rooms;
@@ -33,7 +33,7 @@ fn expected() -> &'static [(Case, Vec<Hit>)] {
 }
 
 /// A tracer, `None` where the machine has no device or, with a word about it, the device lacks the traversal.
-fn tracer(traversal: Traversal, primitive: Primitive) -> Option<(Arc<Device>, VulkanTracer)> {
+fn tracer(traversal: Traversal, primitive: Primitive) -> Option<(Alone<Arc<Device>>, VulkanTracer)> {
     let device = device()?;
     if let Some(reason) = missing(device.info(), traversal) {
         skip(&format!("{} has no {}: {reason}", device.info().name, traversal.name()));

@@ -12,20 +12,16 @@ use voxtrace::output::{Operator, ToneMap};
 use voxtrace::{
     BounceLimits, Camera, Integrator, Material, PackedScene, Progress, Scene, Tracer, Transform, VoxelGrid,
 };
-use voxtrace_test_support::{Need, skip_without};
+use voxtrace_test_support::{Alone, Need, skip_without};
 use voxtrace_viewer::engine::{Backend, Contrast, Differences, Engine, Event, Shown, View};
 use voxtrace_viewer::gpu::{Beside, Layer, Offscreen, Panels};
 use voxtrace_vulkan::{Device, Options, Picture, Primitive, Settings, Traversal, VulkanTracer};
 
-pub fn device() -> Option<Arc<Device>> {
+/// The first device, with the validation layer on. Without one the caller's test is skipped, or fails where `VOXTRACE_REQUIRE_VULKAN=1`.
+pub fn device() -> Option<Alone<Arc<Device>>> {
     let options = Options { validation: true, ..Options::default() };
-    match Device::open(options, Some("0"), None) {
-        Ok(device) => Some(device),
-        Err(error) => {
-            skip_without(Need::Vulkan, &error.to_string());
-            None
-        }
-    }
+    let open = || Device::open(options, Some("0"), None).inspect_err(|error| skip_without(Need::Vulkan, &error.to_string()));
+    Alone::new(|| open().ok()).some()
 }
 
 /// A lamp over a floor with a block on it.

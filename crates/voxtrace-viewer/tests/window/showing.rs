@@ -1,11 +1,11 @@
 //! The benchmark of frames: what it measures is there for every frame, and what it draws is a window.
 
 use crate::common::packed;
+use crate::drawing::device;
 use std::sync::Arc;
 use voxtrace::{Frame, Integrator};
-use voxtrace_test_support::{Need, skip_without};
 use voxtrace_viewer::frame_bench::{FrameBench, Times};
-use voxtrace_vulkan::{Device, Options, Settings};
+use voxtrace_vulkan::Settings;
 
 const FRAMES: u32 = 3;
 
@@ -17,10 +17,7 @@ fn counts(times: &Times) -> [(usize, bool); 5] {
 
 #[test]
 fn each_part_of_a_frame_is_measured_with_panels_and_without() {
-    let device = match Device::open(Options { validation: true, ..Options::default() }, Some("0"), None) {
-        Ok(device) => device,
-        Err(error) => return skip_without(Need::Vulkan, &error.to_string()),
-    };
+    let Some(device) = device() else { return };
     let (scene, settings) = (packed(), Settings::default());
     let frame = Frame::new(scene.cameras[0].clone(), 96, 64).integrator(Integrator::Essay).max_bounces(3);
     let bench = FrameBench { device: &device, settings, scene: &scene, frame: &frame, frames: FRAMES };

@@ -3,9 +3,9 @@
 
 use ash::{ext, khr};
 use std::sync::mpsc::{Receiver, channel};
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError, Weak};
+use std::sync::{Arc, Weak};
 use std::time::{Duration, Instant};
-use voxtrace_test_support::{Need, skip_without};
+use voxtrace_test_support::{Alone, Need, skip_without};
 use voxtrace_viewer::engine::{Backend, Engine, Event};
 use voxtrace_viewer::gpu::{Drawing, Layer, Next, Panels, Screen, Surface};
 use voxtrace_vulkan::{Device, Faults, Options, Vulkan};
@@ -16,9 +16,7 @@ pub enum Told {
     Drawing(Drawing),
 }
 
-/// One window at a time: there is one plan of faults in a process.
-static ONE: Mutex<()> = Mutex::new(());
-
+/// One at a time, as there is one plan of faults in a process.
 pub struct Headless {
     pub screen: Screen,
     pub engine: Engine,
@@ -35,13 +33,13 @@ pub struct Headless {
     pub notices: Vec<String>,
     instances: Vec<Arc<Vulkan>>,
     opened: Vec<Weak<Device>>,
-    _one: MutexGuard<'static, ()>,
+    _alone: Alone<()>,
 }
 
 impl Headless {
     /// `None` where the machine has no device that can show pictures, or no headless surfaces.
     pub fn open(backend: Backend, size: (u32, u32)) -> Option<Self> {
-        let one = ONE.lock().unwrap_or_else(PoisonError::into_inner);
+        let alone = Alone::new(|| ());
         let faults = Faults::lasting();
         let names = vec![khr::surface::NAME, ext::headless_surface::NAME];
         let mut options = Options::for_window(true, names);
@@ -80,7 +78,7 @@ impl Headless {
             notices,
             instances,
             opened,
-            _one: one,
+            _alone: alone,
         })
     }
 
