@@ -1,4 +1,4 @@
-"""Scans of many files by many workers: the bytes of one process, whatever happens to the workers."""
+"""Scans and meshes of many files by many workers: the bytes of one process, whatever happens to the workers."""
 
 import os
 import signal
@@ -162,3 +162,92 @@ def test_a_tile_that_cannot_be_read_is_named(client, scan, tmp_path):
     with pytest.raises(voxtrace.ReadError, match="LAS and LAZ"):
         dask.voxelize(client, text, tmp_path / "a.vxt")
     assert not list(tmp_path.glob("*.vxt*"))
+
+
+@pytest.fixture(scope="module")
+def ground(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Hills as nine meshes with colours, each of which ends where the next ones begin."""
+    folder = tmp_path_factory.mktemp("ground")
+    for number in range(9):
+        side = numpy.arange(81)
+        x, y = numpy.meshgrid(number % 3 * 80 + side, number // 3 * 80 + side, indexing="ij")
+        z = 9 * numpy.sin(x / 17) * numpy.cos(y / 23)
+        vertices = numpy.zeros(81 * 81, [("place", "<f4", 3), ("color", "u1", 3)])
+        vertices["place"] = numpy.stack([x, y, z], axis=-1).reshape(-1, 3)
+        vertices["color"] = numpy.stack([x % 256, y % 256, numpy.full_like(x, number * 25)], axis=-1).reshape(-1, 3)
+        first = (numpy.arange(80)[:, None] * 81 + numpy.arange(80)).ravel()
+        faces = numpy.zeros(2 * len(first), [("count", "u1"), ("corners", "<i4", 3)])
+        faces["count"] = 3
+        faces["corners"][::2] = numpy.stack([first, first + 81, first + 1], axis=1)
+        faces["corners"][1::2] = numpy.stack([first + 1, first + 81, first + 82], axis=1)
+        head = ["ply", "format binary_little_endian 1.0", f"element vertex {len(vertices)}"]
+        head += [f"property float {axis}" for axis in "xyz"] + [f"property uchar {name}" for name in ("red", "green", "blue")]
+        head += [f"element face {len(faces)}", "property list uchar int vertex_indices", "end_header", ""]
+        (folder / f"tile_{number}.ply").write_bytes("\n".join(head).encode() + vertices.tobytes() + faces.tobytes())
+    return folder
+
+
+def test_a_cluster_voxelizes_meshes_to_the_bytes_of_one_process(client, ground, scan, tmp_path, run, monkeypatch):
+    from voxtrace import dask
+
+    shares: list[float] = []
+    files = sorted(ground.iterdir())
+    for number, (words, options) in enumerate(
+        [
+            (["--voxel-size", 0.5, "--levels", "all"], {"voxel_size": 0.5, "levels": "all"}),
+            (["--resolution", 700, "--surface", "thin", "--palette", 100, "--unit", "ft"], {"resolution": 700, "surface": "thin", "palette": 100, "unit": "ft"}),
+        ]
+    ):
+        alone = tmp_path / f"{number}.vxt"
+        run("voxelize", *files, "-o", alone, *words)
+        made = dask.voxelize(client, ground, tmp_path / f"cluster-{number}.vxt", progress=shares.append, **options)
+        assert made.read_bytes() == alone.read_bytes(), options
+        assert max(shares) == 1 and not list(tmp_path.glob("*.tiles"))
+    # Parts that are there are not made again, and a survey neither.
+    kept = tmp_path / "kept"
+    with monkeypatch.context() as context:
+        context.setattr("voxtrace.dask._voxelize.removed", lambda *_: None)
+        dask.voxelize(client, files, tmp_path / "a.vxt", voxel_size=0.5, parts=5, folder=kept)
+    parts = sorted(kept.iterdir())
+    assert [part.suffix for part in parts].count(".part") == 5 and [part.suffix for part in parts].count(".survey") == 1
+    times = [part.stat().st_mtime_ns for part in parts]
+    lost = next(part for part in parts if part.suffix == ".part")
+    lost.unlink()
+    with monkeypatch.context() as context:
+        context.setattr("voxtrace.dask._voxelize.removed", lambda *_: None)
+        made = dask.voxelize(client, files, tmp_path / "b.vxt", voxel_size=0.5, parts=5, folder=kept)
+    assert made.read_bytes() == (tmp_path / "a.vxt").read_bytes()
+    assert [part.stat().st_mtime_ns for part in parts if part not in (lost,) and part.suffix == ".part"] == [
+        time for part, time in zip(parts, times, strict=True) if part not in (lost,) and part.suffix == ".part"
+    ]
+    with pytest.raises(ValueError, match="color_by is about points"):
+        dask.voxelize(client, ground, tmp_path / "c.vxt", color_by="height")
+    with pytest.raises(ValueError, match="surface is about meshes"):
+        dask.voxelize(client, scan, tmp_path / "c.vxt", surface="thin")
+    with pytest.raises(ValueError, match="thin"):
+        dask.voxelize(client, ground, tmp_path / "c.vxt", surface="thick")
+    broken = tmp_path / "broken"
+    broken.mkdir()
+    for file in files:
+        content = file.read_bytes()
+        (broken / file.name).write_bytes(content[:-40] if file.name == "tile_4.ply" else content)
+    with pytest.raises(voxtrace.VoxtraceError, match="tile_4.ply"):
+        dask.voxelize(client, broken, tmp_path / "c.vxt", voxel_size=0.5)
+    assert not (tmp_path / "c.vxt").exists()
+
+
+def test_a_worker_that_is_lost_while_it_voxelizes_meshes_costs_its_part_alone(client, ground, tmp_path):
+    from voxtrace import dask
+
+    alone = dask.voxelize(client, ground, tmp_path / "alone.vxt", voxel_size=0.12).read_bytes()
+    lost = next(iter(client.run(os.getpid).values()))
+
+    def strike() -> None:
+        time.sleep(0.6)
+        os.kill(lost, signal.SIGKILL)
+
+    thread = threading.Thread(target=strike)
+    thread.start()
+    made = dask.voxelize(client, ground, tmp_path / "a.vxt", voxel_size=0.12, parts=9)
+    thread.join()
+    assert made.read_bytes() == alone

@@ -14,6 +14,7 @@ mod open;
 mod renderer;
 mod scene;
 mod sky;
+mod tiled_mesh;
 mod tiles;
 mod transfer;
 mod volume;
@@ -45,6 +46,8 @@ mod _voxtrace {
     use super::scene::{PyInstance, PyScene};
     #[pymodule_export]
     use super::sky::PySky;
+    #[pymodule_export]
+    use super::tiled_mesh::{PyTiledMesh, join_mesh_surveys};
     #[pymodule_export]
     use super::tiles::{PyTiledCloud, join_surveys};
     #[pymodule_export]

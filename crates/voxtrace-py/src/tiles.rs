@@ -5,8 +5,10 @@ use crate::interrupt::run;
 use crate::volume::scale_of;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
+use std::num::NonZero;
 use std::path::{Path, PathBuf};
-use std::sync::Mutex;
+use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::thread;
 use voxtrace::import::{ImportOptions, Limits, MapBounds, PointFilter, READERS};
 use voxtrace::packed::{LevelCount, add_levels};
 use voxtrace::points::ColorBy;
@@ -60,10 +62,7 @@ impl PyTiledCloud {
             classes: classes.map(|classes| classes.parse().map_err(argument)).transpose()?,
             bounds: bounds.map(|bounds| bounds.parse::<MapBounds>().map_err(argument)).transpose()?,
         };
-        let most = u64::MAX;
-        let unlimited =
-            Limits { bytes: most, voxels: most, points: most, items: most, ratio: most, ..Limits::default() };
-        let limits = if trusted { unlimited } else { Limits::default() };
+        let limits = limits_of(trusted);
         let usual = VoxelizeOptions::default();
         let options = VoxelizeOptions {
             scale: scale_of(resolution, voxel_size)?.unwrap_or(Scale::Automatic),
@@ -72,11 +71,6 @@ impl PyTiledCloud {
             dither,
             memory_budget: memory,
             ..usual
-        };
-        let unit_of = |symbol: &str| {
-            let symbols = || LengthUnit::SYMBOLS.map(|(symbol, _)| symbol).join(", ");
-            LengthUnit::of_symbol(symbol)
-                .ok_or_else(|| argument(format!("unit is one of {}, not {symbol:?}", symbols())))
         };
         let import = ImportOptions { limits, points, unit: unit.map(unit_of).transpose()?, ..ImportOptions::default() };
         let opened = py.detach(|| READERS.open_all(&paths, &import).and_then(|mut opened| opened.open_tiled()));
@@ -148,17 +142,24 @@ impl PyTiledCloud {
         Ok((PyBytes::new(py, &survey), is_so))
     }
 
-    /// Makes the file of all parts, with so many levels of detail, or with -1 all; returns the number of voxels.
-    #[pyo3(signature = (survey, parts, path, levels=0))]
-    fn merge(&self, py: Python<'_>, survey: &[u8], parts: Vec<PathBuf>, path: PathBuf, levels: i32) -> PyResult<u64> {
+    /// Makes the file of all parts, with so many levels of detail, or with -1 all, on at least so many threads; returns the number of voxels.
+    #[pyo3(signature = (survey, parts, path, levels=0, threads=0))]
+    fn merge(
+        &self,
+        py: Python<'_>,
+        survey: &[u8],
+        parts: Vec<PathBuf>,
+        path: PathBuf,
+        levels: i32,
+        threads: usize,
+    ) -> PyResult<u64> {
         let written = self.writing(py, &path, |cloud, progress| {
-            let survey = TileSurvey::from_bytes(survey)?;
-            cloud.merge(&survey, &parts, &self.options, &self.limits, &path, progress)
+            on_threads(threads, || {
+                let survey = TileSurvey::from_bytes(survey)?;
+                cloud.merge(&survey, &parts, &self.options, &self.limits, &path, progress)
+            })
         })?;
-        let count = u32::try_from(levels).map_or(LevelCount::All, LevelCount::Some);
-        if count != LevelCount::Some(0) {
-            py.detach(|| add_levels(&path, count, &mut |_| true)).map_err(|error| other(py, error))?;
-        }
+        with_levels(py, &path, levels, threads)?;
         Ok(written.voxels)
     }
 
@@ -170,31 +171,12 @@ impl PyTiledCloud {
 }
 
 impl PyTiledCloud {
-    /// Does work with the files that Ctrl-C ends.
-    fn work<T: Send>(
-        &self,
-        py: Python<'_>,
-        work: impl FnOnce(&mut voxtrace::import::TiledCloud, &VoxelizeProgress) -> Result<T, VoxelizeError> + Send,
-    ) -> PyResult<Result<T, VoxelizeError>> {
-        let progress = VoxelizeProgress::default();
-        run(
-            py,
-            || progress.cancel(),
-            |_| Ok(()),
-            || {
-                // Whoever panicked while holding it has left nothing half done that is read.
-                let mut cloud = self.cloud.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
-                work(&mut cloud, &progress)
-            },
-        )
-    }
-
     fn with<T: Send>(
         &self,
         py: Python<'_>,
-        work: impl FnOnce(&mut voxtrace::import::TiledCloud, &VoxelizeProgress) -> Result<T, VoxelizeError> + Send,
+        make: impl FnOnce(&mut voxtrace::import::TiledCloud, &VoxelizeProgress) -> Result<T, VoxelizeError> + Send,
     ) -> PyResult<T> {
-        self.work(py, work)?.map_err(|error| raised(py, error))
+        work(py, |progress| make(&mut self.held(), progress))?.map_err(|error| raised(py, error))
     }
 
     /// As [`Self::with`], for work that writes `path`.
@@ -202,13 +184,72 @@ impl PyTiledCloud {
         &self,
         py: Python<'_>,
         path: &Path,
-        work: impl FnOnce(&mut voxtrace::import::TiledCloud, &VoxelizeProgress) -> Result<T, VoxelizeError> + Send,
+        make: impl FnOnce(&mut voxtrace::import::TiledCloud, &VoxelizeProgress) -> Result<T, VoxelizeError> + Send,
     ) -> PyResult<T> {
-        self.work(py, work)?.map_err(|error| match error {
-            VoxelizeError::Io(error) => of_writing(path, &error),
-            error => raised(py, error),
-        })
+        writing(py, path, |progress| make(&mut self.held(), progress))
     }
+
+    fn held(&self) -> MutexGuard<'_, voxtrace::import::TiledCloud> {
+        // Whoever panicked while holding it has left nothing half done that is read.
+        self.cloud.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+/// Does work with files that Ctrl-C ends.
+pub fn work<T: Send>(
+    py: Python<'_>,
+    make: impl FnOnce(&VoxelizeProgress) -> Result<T, VoxelizeError> + Send,
+) -> PyResult<Result<T, VoxelizeError>> {
+    let progress = VoxelizeProgress::default();
+    run(py, || progress.cancel(), |_| Ok(()), || make(&progress))
+}
+
+/// As [`work`], which writes `path`.
+pub fn writing<T: Send>(
+    py: Python<'_>,
+    path: &Path,
+    make: impl FnOnce(&VoxelizeProgress) -> Result<T, VoxelizeError> + Send,
+) -> PyResult<T> {
+    work(py, make)?.map_err(|error| match error {
+        VoxelizeError::Io(error) => of_writing(path, &error),
+        error => raised(py, error),
+    })
+}
+
+/// Does work on at least so many threads, as far as the machine has them for this process.
+pub fn on_threads<T: Send>(threads: usize, make: impl FnOnce() -> T + Send) -> T {
+    let there = thread::available_parallelism().map_or(1, NonZero::get);
+    let threads = threads.min(there);
+    if threads <= rayon::current_num_threads() {
+        return make();
+    }
+    match rayon::ThreadPoolBuilder::new().num_threads(threads).build() {
+        Ok(pool) => pool.install(make),
+        Err(_) => make(),
+    }
+}
+
+/// Adds so many levels of detail to a file, or with a negative number all.
+pub fn with_levels(py: Python<'_>, path: &Path, levels: i32, threads: usize) -> PyResult<()> {
+    let count = u32::try_from(levels).map_or(LevelCount::All, LevelCount::Some);
+    if count == LevelCount::Some(0) {
+        return Ok(());
+    }
+    let added = py.detach(|| on_threads(threads, || add_levels(path, count, &mut |_| true)));
+    added.map_err(|error| other(py, error))
+}
+
+/// The limits that protect from hostile files, or none.
+pub fn limits_of(trusted: bool) -> Limits {
+    let most = u64::MAX;
+    let unlimited = Limits { bytes: most, voxels: most, points: most, items: most, ratio: most, ..Limits::default() };
+    if trusted { unlimited } else { Limits::default() }
+}
+
+/// The unit of a symbol.
+pub fn unit_of(symbol: &str) -> PyResult<LengthUnit> {
+    let symbols = || LengthUnit::SYMBOLS.map(|(symbol, _)| symbol).join(", ");
+    LengthUnit::of_symbol(symbol).ok_or_else(|| argument(format!("unit is one of {}, not {symbol:?}", symbols())))
 }
 
 /// Brings together what several processes have found in files.

@@ -1,7 +1,8 @@
 //! `TiledVolume`: an array of samples that stays where it is, of which many processes voxelize some layers each. `voxtrace.dask` shares it out.
 
-use crate::errors::{argument, of_writing, other, raised};
+use crate::errors::{argument, of_writing, raised};
 use crate::interrupt::run;
+use crate::tiles::{on_threads, with_levels};
 use crate::transfer::AnyTransfer;
 use crate::volume::{frame_of, scale_of};
 use numpy::{Element, PyArrayMethods, PyReadonlyArray3};
@@ -13,7 +14,6 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 use voxtrace::Volume;
 use voxtrace::import::{ImportError, Limits};
-use voxtrace::packed::{LevelCount, add_levels};
 use voxtrace::volume::VolumeOptions;
 use voxtrace::volume::large::{Block, Coding, SampleSource, Survey};
 use voxtrace::volume::large::{layers_of_bricks, merge_volume_parts, voxelize_volume_part};
@@ -149,17 +149,24 @@ impl PyTiledVolume {
         })
     }
 
-    /// Makes the file of all parts, with so many levels of detail, or with -1 all; returns the number of voxels.
-    #[pyo3(signature = (survey, parts, path, levels=0))]
-    fn merge(&self, py: Python<'_>, survey: &[u8], parts: Vec<PathBuf>, path: PathBuf, levels: i32) -> PyResult<u64> {
+    /// Makes the file of all parts, with so many levels of detail, or with -1 all, on at least so many threads; returns the number of voxels.
+    #[pyo3(signature = (survey, parts, path, levels=0, threads=0))]
+    fn merge(
+        &self,
+        py: Python<'_>,
+        survey: &[u8],
+        parts: Vec<PathBuf>,
+        path: PathBuf,
+        levels: i32,
+        threads: usize,
+    ) -> PyResult<u64> {
         let Written { voxels, .. } = self.writing(py, &path, |_, progress| {
-            let (survey, frame) = (self.survey_of(survey)?, (&self.frame, self.stamp.as_str()));
-            merge_volume_parts(frame, &survey, &parts, &self.options, &self.limits, &path, progress)
+            on_threads(threads, || {
+                let (survey, frame) = (self.survey_of(survey)?, (&self.frame, self.stamp.as_str()));
+                merge_volume_parts(frame, &survey, &parts, &self.options, &self.limits, &path, progress)
+            })
         })?;
-        let count = u32::try_from(levels).map_or(LevelCount::All, LevelCount::Some);
-        if count != LevelCount::Some(0) {
-            py.detach(|| add_levels(&path, count, &mut |_| true)).map_err(|error| other(py, error))?;
-        }
+        with_levels(py, &path, levels, threads)?;
         Ok(voxels)
     }
 }

@@ -1,5 +1,6 @@
 //! A made-up survey from the air as LAZ tiles: hills, houses and trees, in lines as a scanner sweeps them, with colours and classes.
-//! `cargo run --release -p voxtrace-tests --example scan_tiles -- FOLDER 64 100000000` writes 64 tiles of 10⁸ points together.
+//! `cargo run --release -p voxtrace-tests --example scan_tiles -- FOLDER 64 100000000` writes 64 tiles of 10⁸ points together. With `meshes` after it tiles are
+//! meshes of so many triangles (binary PLY, with colours), each of which ends where the next ones begin.
 
 #[path = "../../voxtrace/tests/files/compressed_points/mod.rs"]
 mod compressed_points;
@@ -90,21 +91,57 @@ fn tile([column, row]: [usize; 2], count: usize, seed: u64) -> Vec<u8> {
     bytes
 }
 
+/// A tile as a mesh, PLY: at least `count` triangles, in a grid.
+fn mesh([column, row]: [usize; 2], count: usize) -> Vec<u8> {
+    let side = ((count as f64 / 2.0).sqrt().ceil() as usize).max(1);
+    let step = EDGE / side as f64;
+    let corners = (side + 1) * (side + 1);
+    let axes = ["x", "y", "z"].map(|axis| format!("property float {axis}\n")).concat();
+    let channels = ["red", "green", "blue"].map(|channel| format!("property uchar {channel}\n")).concat();
+    let head = format!("ply\nformat binary_little_endian 1.0\nelement vertex {corners}\n{axes}{channels}");
+    let faces = format!("element face {}\nproperty list uchar int vertex_indices\nend_header\n", 2 * side * side);
+    let mut bytes = (head + &faces).into_bytes();
+    for at in 0..corners {
+        let place = [at % (side + 1), at / (side + 1)];
+        let (x, y) = (column as f64 * EDGE + place[0] as f64 * step, row as f64 * EDGE + place[1] as f64 * step);
+        let (z, color, _) = surface(x, y, (x * 1e3) as u64 ^ ((y * 1e3) as u64) << 28);
+        bytes.extend([x, y, z].map(|value| (value as f32).to_le_bytes()).as_flattened());
+        bytes.extend(color);
+    }
+    for cell in 0..side * side {
+        let first = (cell / side * (side + 1) + cell % side) as u32;
+        let above = first + side as u32 + 1;
+        for corners in [[first, first + 1, above], [first + 1, above + 1, above]] {
+            bytes.push(3);
+            bytes.extend(corners.map(u32::to_le_bytes).as_flattened());
+        }
+    }
+    bytes
+}
+
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut arguments = std::env::args().skip(1);
     let folder = PathBuf::from(arguments.next().unwrap_or("scan".into()));
     let tiles: usize = arguments.next().map_or(Ok(16), |text| text.parse())?;
     let points: usize = arguments.next().map_or(Ok(1_000_000), |text| text.parse())?;
+    let are_meshes = match arguments.next().as_deref() {
+        None => false,
+        Some("meshes") => true,
+        Some(other) => return Err(format!("{other:?} is not meshes").into()),
+    };
     std::fs::create_dir_all(&folder)?;
     let side = (tiles as f64).sqrt().ceil() as usize;
     let write = |number: usize| {
         let place = [number % side, number / side];
         let count = points * (number + 1) / tiles - points * number / tiles;
+        if are_meshes {
+            return std::fs::write(folder.join(format!("{}_{}.ply", place[0], place[1])), mesh(place, count));
+        }
         let las = tile(place, count, number as u64 + 1);
         let name = format!("{}_{}.laz", place[0], place[1]);
         std::fs::write(Path::new(&folder).join(name), compressed_points::compressed(&las, 2, 50_000))
     };
     (0..tiles).into_par_iter().try_for_each(write)?;
-    println!("{tiles} tiles of {points} points in {}", folder.display());
+    println!("{tiles} tiles of {points} {} in {}", if are_meshes { "triangles" } else { "points" }, folder.display());
     Ok(())
 }

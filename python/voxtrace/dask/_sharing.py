@@ -45,6 +45,15 @@ def usual_parts(client: Any) -> int:
     return PARTS_A_WORKER * number_of_workers(client)
 
 
+def threads_of_hosts(client: Any) -> dict[str, int]:
+    """For each worker, by its address, how many threads the workers of its host have together."""
+    workers = client.scheduler_info(n_workers=-1)["workers"]
+    of_hosts: dict[str, int] = {}
+    for worker in workers.values():
+        of_hosts[worker["host"]] = of_hosts.get(worker["host"], 0) + worker["nthreads"]
+    return {address: of_hosts[worker["host"]] for address, worker in workers.items()}
+
+
 def elsewhere(workers: list[str]) -> dict[str, Any]:
     """Options of `submit`, for work that these workers should do: preferred, not demanded, as the others may be all that is left."""
     return {"workers": workers, "allow_other_workers": True} if workers else {}
@@ -148,9 +157,12 @@ def made_by_workers(
 
 
 def made_by_one(client: Any, work: Callable[..., Any], common: Any, survey: bytes, arguments: tuple[Any, ...], retries: int) -> Any:
-    """What `work(common, survey, *arguments)` makes on one worker, however long it takes, or an exception that is raised here."""
+    """What `work(common, survey, threads, *arguments)` makes on one worker, however long it takes, or an exception that is raised here.
+
+    `threads`: the threads of all workers of each host, by the workers' addresses, as those of the same host wait for this one.
+    """
     sent = sent_bytes(client, survey, retries, [])
-    _, made = client.submit(work, common, sent, *arguments, pure=False, retries=retries).result()
+    _, made = client.submit(work, common, sent, threads_of_hosts(client), *arguments, pure=False, retries=retries).result()
     if isinstance(made, Exception):
         raise made
     return made
@@ -181,6 +193,11 @@ def renderer_of(data: bytes, key: str, device: str, kind: str, **options: Any) -
         renderer = Renderer(_unpacked(data, key), device=device, **options)
         _renderers[key, device, kind] = renderer
     return renderer
+
+
+def own_threads(threads: dict[str, int]) -> int:
+    """The threads for work that the other workers of this host wait for, of `threads_of_hosts`."""
+    return threads.get(address_of_worker(), 0)
 
 
 def address_of_worker() -> str:

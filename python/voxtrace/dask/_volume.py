@@ -15,7 +15,7 @@ from distributed.protocol import pickle as _pickle
 from .._volumes import place_of
 from .._voxtrace import TiledVolume, TransferFunction, VoxtraceError
 from ._animation import write_whole
-from ._sharing import address_of_worker, made_by_one, made_by_workers, removed, usual_parts
+from ._sharing import address_of_worker, made_by_one, made_by_workers, own_threads, removed, usual_parts
 
 #: It has no types.
 pickle: Any = _pickle
@@ -196,5 +196,5 @@ def _voxelize(common: bytes, survey: bytes, first: int, end: int, part: str) -> 
     return _answer(lambda volume: volume.voxelize(survey, first, end, part), common)
 
 
-def _merge(common: bytes, survey: bytes, parts: list[str], output: str, levels: int) -> tuple[str, Any]:
-    return _answer(lambda volume: volume.merge(survey, parts, output, levels), common)
+def _merge(common: bytes, survey: bytes, threads: dict[str, int], parts: list[str], output: str, levels: int) -> tuple[str, Any]:
+    return _answer(lambda volume: volume.merge(survey, parts, output, levels, own_threads(threads)), common)

@@ -1,4 +1,4 @@
-"""Scans of many files by many machines: each worker voxelizes some of them, and the scene is that of one process, byte for byte."""
+"""Scans and meshes of many files by many machines: each worker voxelizes some of them, and the scene is that of one process, byte for byte."""
 
 from __future__ import annotations
 
@@ -8,12 +8,16 @@ from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import Any
 
-from .._voxtrace import TiledCloud, VoxtraceError, join_surveys
+from .._voxtrace import TiledCloud, TiledMesh, VoxtraceError, join_mesh_surveys, join_surveys
 from ._animation import write_whole
-from ._sharing import address_of_worker, made_by_one, made_by_workers, removed, usual_parts
+from ._sharing import address_of_worker, made_by_one, made_by_workers, own_threads, removed, usual_parts
 
-#: Memory of a worker that points and their sorting take, in bytes.
+#: Memory of a worker that points or triangles and their sorting take, in bytes.
 MEMORY = 512 << 20
+
+#: Endings of the names of files with points, and of those with meshes.
+POINTS = frozenset({".las", ".laz"})
+MESHES = frozenset({".glb", ".gltf", ".obj", ".ply", ".stl"})
 
 
 def voxelize(
@@ -28,6 +32,7 @@ def voxelize(
     classes: str | None = None,
     bounds: tuple[float, ...] | None = None,
     palette: int | None = None,
+    surface: str = "conservative",
     dither: bool = False,
     unit: str | None = None,
     trusted: bool = False,
@@ -38,17 +43,22 @@ def voxelize(
     retries: int = 5,
     progress: Callable[[float], object] | None = None,
 ) -> Path:
-    """Voxelize the LAS and LAZ files (COPC too) of a scan, or of a folder, by the workers of `client` into the `.vxt` file `output`.
+    """Voxelize the LAS and LAZ files (COPC too) of a scan, or the meshes (glTF, OBJ, PLY, STL) of one that was cut into tiles, by the workers of `client` into the `.vxt`
+    file `output`. `paths`: files, or a folder of one of the two kinds, whose files are taken in the order of their names.
 
-    Files are read once where their headers are right, and the voxels' size and what colours them are known beforehand; else once more.
-    The file is the one that `voxtrace voxelize` makes with the same options, byte for byte, whatever the workers and whichever of them are lost on the way: one
+    Files of points are read once where their headers are right, and the voxels' size and what colours them are known beforehand; else once more. Each part of the
+    meshes' space is a part of the work, for which the files are read that reach into it, after all were looked through once.
+    The file is the one that `voxtrace voxelize` makes of the same files with the same options, byte for byte, whatever the workers and whichever of them are lost on the way: one
     that is lost costs the part that it had. Workers read the files themselves, and write what they make into `folder`, by default `output` with `.tiles`: both are
     where all of them and the client see them. The same call goes on after an interruption; what they wrote is removed in the end.
 
-    `resolution`: voxels along the longest side; `voxel_size`: their edge in units of the files; by default the density of the points decides. `color_by`: `"auto"`,
-    `"rgb"`, `"intensity"`, `"classification"` or `"height"`. `min_points`: least points of a voxel. `classes`: `"2,building"`; `bounds`: `(x0, y0, x1, y1)` or with z, on
-    the map. `palette`: most colours. `unit`: of the files' coordinates, such as `"m"` or `"ft"`, in place of what they say. `trusted`: lifts the limits that protect from hostile files. `levels`: levels of detail, a number or `"all"`. `parts`: how many parts
-    there are, by default four a worker, no more than files. `memory`: bytes that a worker sorts points in; it takes about as much again to read files.
+    `resolution`: voxels along the longest side; `voxel_size`: their edge in units of the files; by default the density of the points decides, and a mesh has 512. `palette`: most
+    colours. `unit`: of the files' coordinates, such as `"m"` or `"ft"`, in place of what they say. `trusted`: lifts the limits that protect from hostile files. `levels`: levels of
+    detail, a number or `"all"`. `parts`: how many parts there are, by default four a worker, no more than files of points. `memory`: bytes that a worker sorts points or triangles in;
+    it takes about as much again to read files, and as much as the textures of a part's meshes.
+
+    Of points: `color_by`: `"auto"`, `"rgb"`, `"intensity"`, `"classification"` or `"height"`. `min_points`: least points of a voxel. `classes`: `"2,building"`; `bounds`:
+    `(x0, y0, x1, y1)` or with z, on the map. Of meshes: `surface`: `"conservative"`, every voxel that it touches, or `"thin"`.
 
     Returns `output`. Raises `ReadError` with the path of a file that cannot be read, `OSError`, `ValueError` for options that cannot be, `VoxtraceError` for what a limit or a
     damaged part forbids, and what Dask does where no worker is left.
@@ -59,6 +69,27 @@ def voxelize(
     if out.suffix.lower() != ".vxt":
         raise ValueError(f"{out}: a scan becomes a .vxt file")
     depth = -1 if levels == "all" else int(levels or 0)
+    place = Path(os.path.abspath(folder)) if folder else out.with_name(f"{out.name}.tiles")
+    tiles = _tiles(files)
+    if tiles and all(tile.suffix.lower() in MESHES for tile in tiles):
+        of_points = {"color_by": (color_by, "auto"), "min_points": (min_points, 1), "classes": (classes, None), "bounds": (bounds, None)}
+        for name, (value, usual) in of_points.items():
+            if value != usual:
+                raise ValueError(f"{name} is about points, and {tiles[0]} is a mesh")
+        about_mesh: dict[str, Any] = {
+            "resolution": resolution,
+            "voxel_size": voxel_size,
+            "surface": surface,
+            "palette": palette,
+            "dither": dither,
+            "unit": unit,
+            "memory": memory,
+            "trusted": trusted,
+        }
+        common = ([str(tile) for tile in tiles], about_mesh)
+        return _voxelize_meshes(client, common, out, place, parts or usual_parts(client), depth, retries, progress)
+    if surface != "conservative":
+        raise ValueError(f"surface is about meshes, and {files[0]} is points")
     options: dict[str, Any] = {
         "resolution": resolution,
         "voxel_size": voxel_size,
@@ -74,7 +105,6 @@ def voxelize(
     }
     cloud = TiledCloud(files, **options)
     shares = cloud.shares(min(512, parts or usual_parts(client)))
-    place = Path(os.path.abspath(folder)) if folder else out.with_name(f"{out.name}.tiles")
 
     def by_workers(work: Callable[..., Any], arguments: list[tuple[Any, ...]], survey: bytes | None, span: tuple[float, float]) -> list[Any]:
         """What `work` makes of each of the arguments on the workers; `span`: the share of all work that it is."""
@@ -82,7 +112,7 @@ def voxelize(
         return made_by_workers(client, work, (files, options), arguments, survey, retries, tell)
 
     # Files that have changed are other work, even where they look the same.
-    stamp = _stamp(files)
+    stamp = _stamp(tiles)
     temporary: list[Path] = []
 
     def make_parts(survey: bytes, kinds: list[str], span: tuple[float, float]) -> list[Path]:
@@ -122,11 +152,61 @@ def voxelize(
     return out
 
 
-def _stamp(files: list[str]) -> str:
-    """What changes with the files, or with those of folders."""
+def _voxelize_meshes(
+    client: Any,
+    common: tuple[list[str], dict[str, Any]],
+    out: Path,
+    place: Path,
+    parts: int,
+    levels: int,
+    retries: int,
+    progress: Callable[[float], object] | None,
+) -> Path:
+    """As `voxelize`, of meshes."""
+    files, options = common
+    mesh = TiledMesh(files, **options)
+
+    def by_workers(work: Callable[..., Any], arguments: list[tuple[Any, ...]], survey: bytes | None, span: tuple[float, float]) -> list[Any]:
+        tell = progress and (lambda share: progress(span[0] + share * (span[1] - span[0])))
+        return made_by_workers(client, work, common, arguments, survey, retries, tell)
+
+    stamp = _stamp([Path(file) for file in files])
+    kept = place / f"{stamp}.survey"
+    parts = min(512, parts)
+    try:
+        survey = kept.read_bytes()
+        mesh.check(survey)
+    except (OSError, VoxtraceError):
+        survey = join_mesh_surveys(by_workers(_survey_meshes, mesh.shares(parts), None, (0.0, 0.3)))
+    mesh.check(survey)
+    place.mkdir(parents=True, exist_ok=True)
+    write_whole(kept, survey)
+    key = hashlib.sha256(repr((stamp, options, parts)).encode() + survey).hexdigest()[:16]
+    made = [place / f"{key}-{part}-{parts}.part" for part in range(parts)]
+    missing = [(part, parts, str(path)) for part, path in enumerate(made) if not path.exists()]
+    by_workers(_voxelize_mesh, missing, survey, (0.3, 0.95))
+    made_by_one(client, _merge_meshes, common, survey, (parts, [str(path) for path in made], str(out), levels), retries)
+    if progress:
+        progress(1.0)
+    removed(place, [kept, *made])
+    return out
+
+
+def _tiles(files: list[str]) -> list[Path]:
+    """The files, and those of folders: the meshes of one that has no points."""
     tiles: list[Path] = []
     for file in map(Path, files):
-        tiles += sorted(tile for tile in file.iterdir() if tile.suffix.lower() in {".las", ".laz"}) if file.is_dir() else [file]
+        if not file.is_dir():
+            tiles.append(file)
+            continue
+        inside = sorted(file.iterdir())
+        of_kind = [[tile for tile in inside if tile.suffix.lower() in kind] for kind in (POINTS, MESHES)]
+        tiles += of_kind[0] or of_kind[1]
+    return tiles
+
+
+def _stamp(tiles: list[Path]) -> str:
+    """What changes with the files."""
     states = [(str(tile), tile.stat().st_size, tile.stat().st_mtime_ns) for tile in tiles]
     return hashlib.sha256(repr(states).encode()).hexdigest()[:16]
 
@@ -167,5 +247,28 @@ def _voxelize(common: tuple[list[str], dict[str, Any]], survey: bytes, first: in
     return _answer(make, common)
 
 
-def _merge(common: tuple[list[str], dict[str, Any]], survey: bytes, parts: list[str], output: str, levels: int) -> tuple[str, Any]:
-    return _answer(lambda cloud: cloud.merge(survey, parts, output, levels), common)
+def _merge(common: tuple[list[str], dict[str, Any]], survey: bytes, threads: dict[str, int], parts: list[str], output: str, levels: int) -> tuple[str, Any]:
+    return _answer(lambda cloud: cloud.merge(survey, parts, output, levels, own_threads(threads)), common)
+
+
+def _answer_of_meshes(work: Callable[[TiledMesh], Any], common: tuple[list[str], dict[str, Any]]) -> tuple[str, Any]:
+    """As `_answer`, of meshes."""
+    files, options = common
+    try:
+        return address_of_worker(), work(TiledMesh(files, **options))
+    except (VoxtraceError, ValueError) as error:
+        return address_of_worker(), error
+
+
+def _survey_meshes(common: tuple[list[str], dict[str, Any]], _: None, first: int, end: int) -> tuple[str, Any]:
+    return _answer_of_meshes(lambda mesh: mesh.survey(first, end), common)
+
+
+def _voxelize_mesh(common: tuple[list[str], dict[str, Any]], survey: bytes, part: int, parts: int, path: str) -> tuple[str, Any]:
+    return _answer_of_meshes(lambda mesh: mesh.voxelize(survey, part, parts, path), common)
+
+
+def _merge_meshes(
+    common: tuple[list[str], dict[str, Any]], survey: bytes, threads: dict[str, int], parts: int, made: list[str], output: str, levels: int
+) -> tuple[str, Any]:
+    return _answer_of_meshes(lambda mesh: mesh.merge(survey, parts, made, output, levels, own_threads(threads)), common)

@@ -1,5 +1,6 @@
-//! `voxtrace tiles`: a scan of many files becomes voxels by many processes, each a command of its own, for whatever runs commands.
+//! `voxtrace tiles`: a scan or a mesh of many files becomes voxels by many processes, each a command of its own, for whatever runs commands.
 
+mod meshes;
 mod plan;
 
 use crate::failure::Failure;
@@ -15,30 +16,34 @@ use std::io::Write;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 use voxtrace::import::{ImportOptions, Limits, READERS, TiledCloud};
+use voxtrace::voxelize::large::MeshTiles;
 use voxtrace::voxelize::large_points::{TileSurvey, joined_bytes};
-use voxtrace::voxelize::{VoxelizeError, VoxelizeOptions};
+use voxtrace::voxelize::{VoxelizeError, VoxelizeOptions, Written};
 
-/// Voxelize the LAS or LAZ files of a scan by many processes, to the file that `voxelize` makes
+/// Voxelize the LAS or LAZ files of a scan, or meshes of several files, by many processes, to the file that `voxelize` makes
 ///
 /// `plan` prints the commands of all stages as lines of JSON. Commands of one stage run at once and anywhere, those of the next one when all are done. Files
-/// are told by their numbers, from 0 on. All commands take the same options about points.
+/// are told by their numbers, from 0 on. All commands take the same options about points or meshes.
 #[derive(clap::Args, Clone, Debug)]
 pub struct TilesArgs {
     /// What to do
     #[arg(value_name = "STAGE")]
     stage: Stage,
-    /// The files of the scan, or their folder; of `join` what the commands before it have written
+    /// The files of the scan or the mesh, or the scan's folder; of `join` what the commands before it have written
     #[arg(value_name = "INPUT", required = true)]
     inputs: Vec<PathBuf>,
     /// File to write: a survey, a part, or the .vxt file
     #[arg(short, long = "output", value_name = "OUT")]
     out: PathBuf,
-    /// Number of parts; no more than there are files
+    /// Number of parts; of a scan no more than there are files
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=512))]
     parts: Option<u32>,
     /// Files that this command is for, by their numbers: the first, and the one after the last
     #[arg(long, value_name = "FIRST..END", value_parser = range)]
     files: Option<Range<usize>>,
+    /// Share of a mesh's space that this command is for: its number, from 0 on, and how many there are
+    #[arg(long, value_name = "K/N", value_parser = share)]
+    share: Option<(usize, usize)>,
     /// Survey of all files, which `join` has written
     #[arg(long, value_name = "SURVEY")]
     survey: Option<PathBuf>,
@@ -70,7 +75,7 @@ enum Stage {
     Survey,
     /// Bring together what commands have found
     Join,
-    /// Voxelize some files into a part
+    /// Voxelize some files, or a share of a mesh's space, into a part
     Voxelize,
     /// Make the .vxt file of all parts
     Merge,
@@ -79,6 +84,11 @@ enum Stage {
 fn range(text: &str) -> Result<Range<usize>, String> {
     let bounds = text.split_once("..").and_then(|(first, end)| Some(first.parse().ok()?..end.parse().ok()?));
     bounds.filter(|range| range.start < range.end).ok_or_else(|| format!("{text:?} is no range of files like 0..4"))
+}
+
+fn share(text: &str) -> Result<(usize, usize), String> {
+    let numbers = text.split_once('/').and_then(|(share, all)| Some((share.parse().ok()?, all.parse().ok()?)));
+    numbers.filter(|(share, all)| share < all).ok_or_else(|| format!("{text:?} is no share like 0/16"))
 }
 
 /// Why files are to be read twice.
@@ -101,6 +111,12 @@ impl TilesArgs {
         }
         if matches!(self.stage, Stage::Plan | Stage::Merge) && !is_native(&self.out) {
             return Err(Failure::usage(format!("{}: parts become a .vxt file", self.out.display())));
+        }
+        if self.stage != Stage::Join && self.is_mesh()? {
+            return self.run_mesh(report);
+        }
+        if self.share.is_some() {
+            return Err(Failure::usage("--share is about meshes; of a scan each part is of some --files"));
         }
         match self.stage {
             Stage::Plan => self.plan(),
@@ -174,6 +190,9 @@ impl TilesArgs {
 
     fn join(&self) -> Result<(), Failure> {
         let found = self.inputs.iter().map(|path| read(path)).collect::<Result<Vec<_>, _>>()?;
+        if found.iter().any(|found| MeshTiles::is_in(found)) {
+            return self.write(&meshes::joined(&found).map_err(|error| self.failure(error))?);
+        }
         let joined = joined_bytes(found.iter().map(Vec::as_slice)).map_err(|error| self.failure(error))?;
         self.write(&joined)
     }
@@ -206,6 +225,11 @@ impl TilesArgs {
         for note in cloud.notes() {
             report.warn(&format!("{}: {note}", self.inputs[0].display()));
         }
+        self.end(written, report)
+    }
+
+    /// Ends the merge.
+    fn end(&self, written: Written, report: &mut Report) -> Result<(), Failure> {
         if !written.is_exact {
             report.remark(&format!("more colours than materials: quantized to {}", written.materials));
         }
@@ -214,14 +238,19 @@ impl TilesArgs {
         Ok(())
     }
 
+    fn part_count(&self) -> Result<usize, Failure> {
+        let parts = self.parts.ok_or_else(|| Failure::usage("--parts is missing: how many parts there are"))?;
+        Ok(parts as usize)
+    }
+
     /// Prints the commands.
     fn plan(&self) -> Result<(), Failure> {
-        let parts = self.parts.ok_or_else(|| Failure::usage("--parts is missing: how many parts there are"))?;
+        let parts = self.part_count()?;
         let Work { mut cloud, options, .. } = self.open()?;
         if self.read_once && cloud.expected(&options).map_err(|error| self.failure(error))?.is_none() {
             return Err(Failure::input(NOT_EXPECTED).hint(WITHOUT));
         }
-        plan::print(&cloud.shares(parts as usize), &options, (&self.out, self.read_once))
+        plan::print(&cloud.shares(parts), &options, (&self.out, self.read_once))
     }
 }
 

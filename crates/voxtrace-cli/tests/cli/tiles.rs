@@ -88,14 +88,18 @@ fn what_cannot_be_chosen_or_joined_is_one_line_that_says_why() {
         (&["info", "box.obj", "--classes", "2"], 2, "--classes chooses among points"),
         (&["info", "city", "--bounds", "0,0,1,1"], 2, "--bounds chooses among points"),
         (&["info", "tiles", "city"], 3, "cannot read city"),
-        (&["info", "tiles", "box.obj"], 3, "box.obj: several files are read as one only where all are LAS"),
+        (
+            &["info", "tiles", "box.obj"],
+            3,
+            "box.obj: several files are read as one only where all are meshes or all are LAS",
+        ),
         (&["render", "tiles", "picture.png"], 2, "hint: -o picture.png names the picture"),
         (&["info", "tiles", "--classes", "house"], 2, "is no class: classes are numbers from 0 to 255, or"),
         (&["info", "tiles", "--bounds", "0,0,0,1"], 2, "is empty"),
         (
             &["voxelize", "tiles", "box.obj", "-o", "a.vxt"],
             3,
-            "box.obj: several files are read as one only where all are LAS",
+            "box.obj: several files are read as one only where all are meshes or all are LAS",
         ),
     ] {
         let error = folder.fail(arguments, code);
@@ -175,4 +179,113 @@ fn a_plan_that_reads_once_makes_the_same_bytes_and_is_stopped_by_a_wrong_header(
     let output = run(merge);
     assert_eq!(output.status.code(), Some(3));
     assert!(stderr(&output).contains("points are not as the headers"), "{}", stderr(&output));
+}
+
+/// Four tiles of a hilly ground, in two formats, with and without colours; each ends where the next one begins.
+fn ground(folder: &Folder) -> [&'static str; 4] {
+    let names = ["a.obj", "b.ply", "c.obj", "d.stl"];
+    let height = |x: i32, y: i32| 2.0 * (f64::from(x) * 0.7).sin() + f64::from(y) * 0.25;
+    for (number, name) in names.into_iter().enumerate() {
+        let (left, front) = (10 * (number as i32 % 2), 10 * (number as i32 / 2));
+        let corners = |x: i32, y: i32| [(x, y), (x + 1, y), (x + 1, y + 1), (x, y + 1)];
+        let places = (0..100).flat_map(|at| corners(left + at % 10, front + at / 10));
+        let places: Vec<(i32, i32, f64)> = places.map(|(x, y)| (x, y, height(x, y))).collect();
+        let text = match name.rsplit_once('.') {
+            Some((_, "obj")) => {
+                let material = format!("newmtl ground\nKd 0.{} 0.5 0.2\n", number + 1);
+                std::fs::write(folder.path(name).with_extension("mtl"), material).unwrap();
+                let vertices: String = places.iter().map(|(x, y, z)| format!("v {x} {y} {z}\n")).collect();
+                let faces = (0..100).map(|at| 4 * at + 1);
+                let faces: String = faces.map(|at| format!("f {at} {} {} {}\n", at + 1, at + 2, at + 3)).collect();
+                format!("mtllib {}\nusemtl ground\n{vertices}{faces}", name.replace("obj", "mtl"))
+            }
+            Some((_, "ply")) => {
+                let colors = ["red", "green", "blue"].map(|channel| format!("property uchar {channel}\n")).concat();
+                let axes = ["x", "y", "z"].map(|axis| format!("property float {axis}\n")).concat();
+                let head = format!("ply\nformat ascii 1.0\nelement vertex 400\n{axes}{colors}");
+                let list = "element face 100\nproperty list uchar int vertex_indices\nend_header\n";
+                let vertices: String =
+                    places.iter().map(|(x, y, z)| format!("{x} {y} {z} {} 90 {}\n", x * 9, y * 9)).collect();
+                let faces = (0..100).map(|at| 4 * at);
+                let faces: String = faces.map(|at| format!("4 {at} {} {} {}\n", at + 1, at + 2, at + 3)).collect();
+                format!("{head}{list}{vertices}{faces}")
+            }
+            _ => {
+                let facets = places.as_chunks::<4>().0.iter().flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]]);
+                let facet = |corners: [(i32, i32, f64); 3]| {
+                    let vertices = corners.map(|(x, y, z)| format!("vertex {x} {y} {z}\n")).concat();
+                    format!("facet normal 0 0 1\nouter loop\n{vertices}endloop\nendfacet\n")
+                };
+                format!("solid ground\n{}endsolid ground\n", facets.map(facet).collect::<String>())
+            }
+        };
+        std::fs::write(folder.path(name), text).unwrap();
+    }
+    names
+}
+
+#[test]
+fn meshes_of_several_files_are_one_in_memory_beyond_it_and_by_the_commands_of_a_plan() {
+    let folder = Folder::new();
+    let names = ground(&folder);
+    let with = |words: &[&'static str], rest: &[&'static str]| [words, &names[..], rest].concat();
+    // A size with a unit makes the files metres, whoever reads them.
+    let options = ["--voxel-size", "11cm", "--surface", "thin", "--palette", "300"];
+    let voxelize = |out: &'static str, budget: &[&'static str]| {
+        folder.succeed(&[&with(&["voxelize"], &["-o", out, "--levels", "1"])[..], &options, budget].concat());
+        folder.bytes(out)
+    };
+    let alone = voxelize("alone.vxt", &[]);
+    assert_eq!(voxelize("large.vxt", &["--memory-budget", "20kB"]), alone);
+    let info = |words: &[&'static str]| -> Value { serde_json::from_str(&folder.succeed(words)).unwrap() };
+    let all = info(&["info", "--json", "alone.vxt"]);
+    assert!(all["voxels"].as_u64().unwrap() > 30_000 && all["materials"].as_u64().unwrap() > 20, "{all}");
+
+    let plan = with(&["tiles", "plan"], &["--parts", "3", "-o", "out.vxt", "--levels", "1"]);
+    let plan = folder.succeed(&[&plan[..], &options].concat());
+    let lines: Vec<Value> = plan.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+    let kinds: Vec<&str> = lines.iter().map(|line| line["kind"].as_str().unwrap()).collect();
+    let expected = ["survey", "join", "voxelize", "merge"];
+    assert_eq!(kinds.chunk_by(|a, b| a == b).map(|run| run[0]).collect::<Vec<_>>(), expected);
+    assert_eq!(kinds.iter().filter(|kind| **kind == "voxelize").count(), 3);
+    for line in &lines {
+        let command: Vec<&str> =
+            line["command"].as_array().unwrap().iter().map(|word| word.as_str().unwrap()).collect();
+        if line["kind"] == "merge" {
+            // Of two parts a mesh of two shares would come: these are of three.
+            let at = command.iter().position(|word| word.ends_with("out.1.part")).unwrap();
+            let missing = [&command[1..at - 1], &command[at + 1..]].concat();
+            let missing: Vec<&str> = missing.into_iter().filter(|word| *word != "--").collect();
+            let error = folder.fail(&missing, 3);
+            assert!(error.contains("no part of these parts of the grid with these options"), "{error}");
+        }
+        folder.succeed(&command[1..]);
+        assert!(folder.exists(line["output"].as_str().unwrap()));
+    }
+    assert_eq!(folder.bytes("out.vxt"), alone);
+    let fewer = with(&["voxelize"], &["-o", "fewer.vxt", "--voxel-size", "11cm"]);
+    folder.succeed(&fewer);
+    assert_ne!(folder.bytes("fewer.vxt"), alone, "the comparison sees another rule");
+
+    // They are one scene for every verb, and what cannot be is one line.
+    let counted = info(&with(&["info", "--json", "--voxel-size", "11cm"], &["--surface", "thin"]));
+    assert_eq!(counted["voxels"], all["voxels"]);
+    std::fs::write(folder.path("points.obj"), "v 0 0 0\nv 1 0 0\n").unwrap();
+    std::fs::write(folder.path("scan.las"), las_tile([0, 0])).unwrap();
+    for (arguments, code, wanted) in [
+        (&["info", "a.obj", "points.obj"][..], 3, "points.obj: there is no mesh in it"),
+        (&["info", "a.obj", "scan.las"], 3, "scan.las: it is no mesh"),
+        (&["info", "a.obj", "none.obj"], 3, "none.obj"),
+        (&["tiles", "survey", "a.obj", "b.ply", "-o", "x", "--files", "1..3"], 3, "there are no files 1..3 among 2"),
+        (&["tiles", "voxelize", "a.obj", "-o", "x", "--survey", "out.survey"], 2, "--share K/N is missing"),
+        (&["tiles", "voxelize", "a.obj", "-o", "x", "--survey", "out.survey", "--share", "0/2"], 3, "of other files"),
+        (&["tiles", "plan", "a.obj", "-o", "x.vxt", "--parts", "2", "--fill"], 2, "--fill wants the whole mesh"),
+        (&["tiles", "plan", "a.obj", "-o", "x.vxt", "--parts", "2", "--read-once"], 2, "about scans"),
+        (&["tiles", "plan", "a.obj", "-o", "x.vxt", "--parts", "2", "--classes", "2"], 2, "chooses among points"),
+        (&["tiles", "voxelize", "scan.las", "-o", "x", "--share", "0/2"], 2, "--share is about meshes"),
+        (&["tiles", "voxelize", "a.obj", "-o", "x", "--share", "2/2"], 2, "is no share like 0/16"),
+    ] {
+        let error = folder.fail(arguments, code);
+        assert!(error.contains(wanted) && error.trim().lines().count() <= 4, "{arguments:?}: {error}");
+    }
 }

@@ -2,7 +2,7 @@
 //! extension.
 
 use super::reader::clues::{FileClues, FolderClues, HEAD, Recognition};
-use super::reader::{Data, ImportOptions, Kind, LargeGeometry, LargeVolume, Reader, TiledCloud};
+use super::reader::{Data, Geometry, ImportOptions, Kind, LargeGeometry, LargeVolume, Reader, TiledCloud, tiled_mesh};
 use super::readers::Readers;
 use super::source::Source;
 use super::source::guard::guarded;
@@ -18,6 +18,9 @@ pub struct Opened<'t, 'a> {
     reader: &'t Reader,
     source: Source<'a>,
     options: &'a ImportOptions,
+    /// Further files, whose meshes are one with that of the first.
+    others: &'a [PathBuf],
+    readers: Readers<'t>,
 }
 
 impl<'t> Readers<'t> {
@@ -43,11 +46,11 @@ impl<'t> Readers<'t> {
         self.opened(Source::of_bytes(bytes, path, &options.limits)?, options)
     }
 
-    /// Opens several files, and those of folders, that are to be one: tiles of a scan. One alone is opened as [`Self::open`]
+    /// Opens several files that are to be one: meshes of any formats, or tiles of a scan, and folders of those. One alone is opened as [`Self::open`]
     /// does. Errors name the file that they are about, or the first.
     ///
     /// # Errors
-    /// If one of them cannot be opened, or they are not all tiles of one format that has tiles.
+    /// If one of them cannot be opened, or they are neither all meshes nor all tiles of one format that has tiles.
     pub fn open_all<'a>(self, paths: &'a [PathBuf], options: &'a ImportOptions) -> Result<Opened<'t, 'a>, ImportError> {
         let [first, others @ ..] = paths else {
             let none = ImportErrorKind::UnknownFormat("no file is named".into());
@@ -58,18 +61,32 @@ impl<'t> Readers<'t> {
             return Ok(opened);
         }
         let reader = opened.reader;
+        if reader.kind == Kind::Mesh {
+            for path in others {
+                if self.open(path, options)?.reader.kind != Kind::Mesh {
+                    return Err(tiled_mesh::other(
+                        path,
+                        "it is no mesh, and several files are read as one only where all are",
+                    ));
+                }
+            }
+            return Ok(Opened { others, ..opened });
+        }
         let mut files = Vec::new();
         for path in paths {
             let opened = self.open(path, options)?;
             if !opened.reader.takes_tiles || opened.reader != reader {
                 let kinds: Vec<&str> = self.iter().filter(|known| known.takes_tiles).map(|known| known.name).collect();
-                let what = format!("several files are read as one only where all are {}", kinds.join(" or all are "));
+                let what = format!(
+                    "several files are read as one only where all are meshes or all are {}",
+                    kinds.join(" or all are ")
+                );
                 return Err(ImportError::of_file(path, ImportErrorKind::OtherTiles(what)));
             }
             let tiles = opened.source.tiles(reader.extensions, &options.limits)?;
             files.extend(tiles.unwrap_or_else(|| vec![path.clone()]));
         }
-        Ok(Opened { reader, source: Source::of_files(first, files), options })
+        Ok(Opened { reader, source: Source::of_files(first, files), options, others: &[], readers: self })
     }
 
     fn opened<'a>(self, mut source: Source<'a>, options: &'a ImportOptions) -> Result<Opened<'t, 'a>, ImportError> {
@@ -82,7 +99,7 @@ impl<'t> Readers<'t> {
             None => self.of_folder(&FolderClues::new(path, &options.limits))?,
         };
         let reader = reader.ok_or_else(|| self.unknown(&source))?;
-        Ok(Opened { reader, source, options })
+        Ok(Opened { reader, source, options, others: &[], readers: self })
     }
 
     /// The reader of a file.
@@ -137,7 +154,15 @@ impl<'t> Opened<'t, '_> {
         }
         let read = || Ok((reader.read)(self.source, options));
         let data = guarded(read).unwrap_or_else(|panic| Err(ImportError::malformed(path, 0, panic)))?;
-        finish::finish(data, reader, path, options)
+        let data = finish::finish(data, reader, path, options)?;
+        if self.others.is_empty() {
+            return Ok(data);
+        }
+        let mut meshes = vec![tiled_mesh::mesh_of(data, path)?];
+        for other in self.others {
+            meshes.push(tiled_mesh::mesh_of(self.readers.open(other, options)?.read()?, other)?);
+        }
+        Ok(Geometry::Mesh(tiled_mesh::joined(meshes, path)?).into())
     }
 
     /// Reads it and makes a scene of it.
@@ -151,12 +176,17 @@ impl<'t> Opened<'t, '_> {
 
     /// Opens a mesh or points without reading them into memory, if they would take more than a third of `budget` there and
     /// are in one of the formats for which that is possible: binary PLY, binary STL, binary glTF whose arrays are plain, LAS,
-    /// LAZ. `None` where not.
+    /// LAZ; or if they are meshes of several files, which are read one at a time. `None` where not.
     ///
     /// # Errors
     /// If the file cannot be read or is not what it says.
     pub fn open_large(&mut self, budget: u64) -> Result<Option<LargeGeometry>, ImportError> {
         let (path, options) = (self.source.path(), self.options);
+        if !self.others.is_empty() {
+            let files = [&[path.into()], self.others].concat();
+            let found = tiled_mesh::open_large(&files, budget, options)?;
+            return found.map(|found| LargeGeometry::new(found, path, &files, self.reader, options)).transpose();
+        }
         let is_file = !self.source.is_in_memory() && self.source.as_input().is_some_and(|i| i.remaining().is_some());
         let tiles =
             if self.reader.takes_tiles { self.source.tiles(self.reader.extensions, &options.limits)? } else { None };

@@ -45,7 +45,7 @@ pub use read::{
 pub use reader::{
     BlockOptions, BlockSize, ClassSet, ClipChoice, Data, FileClues, FolderClues, Geometry, Height, HeightOptions,
     ImportOptions, Kind, LargeGeometry, LargeVolume, Magic, MapBounds, PointFilter, RawShape, Reader, Recognition,
-    TiledCloud, Voxels, parts_not_shown,
+    TiledCloud, TiledMesh, Voxels, parts_not_shown,
 };
 pub use readers::{READERS, Readers};
 pub use source::watch::read_while;

@@ -20,7 +20,8 @@ use voxtrace_vulkan::{Device, Options, Picture, Primitive, Settings, Traversal, 
 /// The first device, with the validation layer on. Without one the caller's test is skipped, or fails where `VOXTRACE_REQUIRE_VULKAN=1`.
 pub fn device() -> Option<Alone<Arc<Device>>> {
     let options = Options { validation: true, ..Options::default() };
-    let open = || Device::open(options, Some("0"), None).inspect_err(|error| skip_without(Need::Vulkan, &error.to_string()));
+    let open =
+        || Device::open(options, Some("0"), None).inspect_err(|error| skip_without(Need::Vulkan, &error.to_string()));
     Alone::new(|| open().ok()).some()
 }
 

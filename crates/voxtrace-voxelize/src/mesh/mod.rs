@@ -1,6 +1,7 @@
 //! Triangle meshes, as importers make them and the voxelizer takes them: positions with an offset in f64, texture
 //! coordinates, vertex colours and materials. Space is right-handed, z up.
 
+pub mod joined;
 pub mod polygon;
 pub mod source;
 mod texture;

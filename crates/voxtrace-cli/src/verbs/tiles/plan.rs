@@ -11,12 +11,15 @@ use voxtrace::points::ColorBy;
 use voxtrace::voxelize::{Scale, VoxelizeOptions};
 
 /// Options that belong to one command alone.
-const REPLACED: [&str; 9] = ["parts", "output", "files", "survey", "part", "levels", "out", "expected", "read_once"];
+const REPLACED: [&str; 10] =
+    ["parts", "output", "files", "share", "survey", "part", "levels", "out", "expected", "read_once"];
 
 /// The commands of a plan, which have the options of the one that makes it.
 struct Plan<'a> {
     words: Vec<Word>,
+    /// The files of each command.
     shares: &'a [Range<usize>],
+    parts: usize,
     /// The file to write, without its extension.
     stem: String,
     stages: u32,
@@ -28,13 +31,7 @@ pub fn print(
     options: &VoxelizeOptions,
     (out, reads_once): (&Path, bool),
 ) -> Result<(), Failure> {
-    let words = std::env::args_os().skip(1).map(|word| word.into_string()).collect::<Result<Vec<String>, _>>();
-    let words = words.map_err(|word| Failure::usage(format!("{} is not Unicode, and JSON is", word.display())))?;
-    let mut program = Cli::command();
-    program.build();
-    let verb = program.find_subcommand("tiles").ok_or_else(|| Failure::other("the verb is missing"))?;
-    let stem = out.with_extension("").to_string_lossy().into_owned();
-    let mut plan = Plan { words: split(&words, verb), shares, stem, stages: 0 };
+    let mut plan = Plan::new(shares, shares.len(), out)?;
     let mut survey = plan.name("survey");
     if reads_once {
         let expected = plan.name("expected");
@@ -60,7 +57,28 @@ pub fn print(
     Ok(())
 }
 
-impl Plan<'_> {
+/// Prints the commands that look through so many files of a mesh each, and voxelize so many shares of its space into `out`.
+pub fn print_mesh(shares: &[Range<usize>], parts: usize, out: &Path) -> Result<(), Failure> {
+    let mut plan = Plan::new(shares, parts, out)?;
+    let survey = plan.name("survey");
+    plan.share("survey", "found", None);
+    plan.join(&plan.numbered("found", shares.len()), &survey);
+    plan.share_space(&survey);
+    plan.merge(&["--survey", &survey], &out.to_string_lossy());
+    Ok(())
+}
+
+impl<'a> Plan<'a> {
+    fn new(shares: &'a [Range<usize>], parts: usize, out: &Path) -> Result<Self, Failure> {
+        let words = std::env::args_os().skip(1).map(|word| word.into_string()).collect::<Result<Vec<String>, _>>();
+        let words = words.map_err(|word| Failure::usage(format!("{} is not Unicode, and JSON is", word.display())))?;
+        let mut program = Cli::command();
+        program.build();
+        let verb = program.find_subcommand("tiles").ok_or_else(|| Failure::other("the verb is missing"))?;
+        let stem = out.with_extension("").to_string_lossy().into_owned();
+        Ok(Self { words: split(&words, verb), shares, parts, stem, stages: 0 })
+    }
+
     /// A file beside the output.
     fn name(&self, kind: &str) -> String {
         format!("{}.{kind}", self.stem)
@@ -68,18 +86,36 @@ impl Plan<'_> {
 
     /// Those of all parts.
     fn names(&self, kind: &str) -> Vec<String> {
-        let digits = (self.shares.len() - 1).to_string().len();
-        (0..self.shares.len()).map(|part| self.name(&format!("{part:0digits$}.{kind}"))).collect()
+        self.numbered(kind, self.parts)
+    }
+
+    fn numbered(&self, kind: &str, count: usize) -> Vec<String> {
+        let digits = (count - 1).to_string().len();
+        (0..count).map(|part| self.name(&format!("{part:0digits$}.{kind}"))).collect()
     }
 
     /// A stage whose commands are for some files each.
     fn share(&mut self, stage: &str, kind: &str, survey: Option<&str>) {
-        for (files, output) in self.shares.iter().zip(self.names(kind)) {
+        for (files, output) in self.shares.iter().zip(self.numbered(kind, self.shares.len())) {
             let mut options = vec!["--files".to_owned(), format!("{}..{}", files.start, files.end)];
             options.extend(survey.into_iter().flat_map(|survey| ["--survey".to_owned(), survey.to_owned()]));
             let command = self.command(stage, &options, &output, &[]);
             let line = json!({
                 "stage": self.stages, "kind": stage, "files": [files.start, files.end], "output": output, "command": command,
+            });
+            stdout::print(&format!("{line}\n"));
+        }
+        self.stages += 1;
+    }
+
+    /// A stage whose commands are for a share of a mesh's space each.
+    fn share_space(&mut self, survey: &str) {
+        for (share, output) in self.names("part").into_iter().enumerate() {
+            let of = format!("{share}/{}", self.parts);
+            let options = ["--share", &of, "--survey", survey].map(str::to_owned);
+            let command = self.command("voxelize", &options, &output, &[]);
+            let line = json!({
+                "stage": self.stages, "kind": "voxelize", "share": [share, self.parts], "output": output, "command": command,
             });
             stdout::print(&format!("{line}\n"));
         }

@@ -18,6 +18,7 @@ mod raw_shape;
 #[cfg(feature = "points")]
 pub(crate) mod same_system;
 mod tiled_cloud;
+pub(crate) mod tiled_mesh;
 mod up_axis;
 mod wkt;
 
@@ -31,6 +32,7 @@ pub use options::{BlockOptions, BlockSize, ClipChoice, Height, HeightOptions, Im
 pub use point_filter::{ClassSet, MapBounds, PointFilter};
 pub use raw_shape::RawShape;
 pub use tiled_cloud::TiledCloud;
+pub use tiled_mesh::TiledMesh;
 
 pub(crate) use large_content::LargeContent;
 pub(crate) use not_shown::NotShown;

@@ -44,19 +44,7 @@ impl TiledCloud {
 
     /// Shares the files among at most so many parts: consecutive ones, with about as many points in each part.
     pub fn shares(&mut self, parts: usize) -> Vec<Range<usize>> {
-        let points = self.points_of_tiles();
-        // A file without points takes some time, too.
-        let all: u64 = points.iter().map(|&count| count.max(1)).sum();
-        let (mut shares, mut start, mut sum) = (Vec::<Range<usize>>::new(), 0, 0u64);
-        for (file, &count) in points.iter().enumerate() {
-            sum += count.max(1);
-            let goal = u128::from(all) * (shares.len() as u128 + 1);
-            if u128::from(sum) * parts.max(1) as u128 >= goal || file + 1 == points.len() {
-                shares.push(start..file + 1);
-                start = file + 1;
-            }
-        }
-        shares
+        shares_of(&self.points_of_tiles(), parts)
     }
 
     /// What the reader left out or put up with; all of it is known after the merge.
@@ -154,4 +142,20 @@ impl TiledCloud {
     ) -> Result<Written, VoxelizeError> {
         merge_tiles(self.files()?, survey, parts, options, limits, path, progress)
     }
+}
+
+/// Shares files of these sizes among at most so many parts: consecutive ones, with about as much in each.
+pub(super) fn shares_of(sizes: &[u64], parts: usize) -> Vec<Range<usize>> {
+    // A file with nothing in it takes some time, too.
+    let all: u64 = sizes.iter().map(|&size| size.max(1)).sum();
+    let (mut shares, mut start, mut sum) = (Vec::<Range<usize>>::new(), 0, 0u64);
+    for (file, &size) in sizes.iter().enumerate() {
+        sum += size.max(1);
+        let goal = u128::from(all) * (shares.len() as u128 + 1);
+        if u128::from(sum) * parts.max(1) as u128 >= goal || file + 1 == sizes.len() {
+            shares.push(start..file + 1);
+            start = file + 1;
+        }
+    }
+    shares
 }

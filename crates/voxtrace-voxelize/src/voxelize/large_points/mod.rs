@@ -15,6 +15,7 @@ pub use merge::merge_tiles;
 pub use part::{TilePart, voxelize_tiles};
 pub(super) use seams::Seams;
 pub use survey::Survey;
+pub(super) use tiles::check_files;
 pub use tiles::{TileSurvey, joined_bytes};
 
 use super::checkpoint::Step;
@@ -97,7 +98,7 @@ impl Work<'_> {
         let grid = Grid::of(survey.placement(source.frame().offset, options)?, survey.scale(options))?;
         let sample = survey.sample.points().iter().filter(|&&point| seams.is_none_or(|seams| seams.may_own(point)));
         let sample = sample.map(|&point| grid.voxel(point).div_euclid(IVec3::splat(super::binning::TILE)).to_array());
-        let partition = TilePartition::of(&grid.tiles, sample, survey.sample.stride(), budget / 4 / IN_MEMORY);
+        let partition = TilePartition::of(&grid.tiles, sample, survey.sample.stride(), budget / 4 / IN_MEMORY, 1);
         let count = seams.map_or(survey.points(), Seams::points);
         // Sorting counts as one half of the work, voxelizing as the other.
         progress.begin(2 * count);

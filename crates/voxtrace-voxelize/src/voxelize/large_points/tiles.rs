@@ -70,7 +70,7 @@ fn wrong<T>(what: impl Into<String>) -> Result<T, VoxelizeError> {
 }
 
 /// Checks a range of files.
-pub(super) fn check_files(files: &Range<usize>, count: usize) -> Result<(), VoxelizeError> {
+pub(in crate::voxelize) fn check_files(files: &Range<usize>, count: usize) -> Result<(), VoxelizeError> {
     if files.start < files.end && files.end <= count {
         return Ok(());
     }
