@@ -61,6 +61,11 @@ const OP_ENTRY_POINT: u32 = 15;
 const OP_DECORATE: u32 = 71;
 /// The decoration of results that are computed as written.
 const NO_CONTRACTION: u32 = 42;
+/// The decorations of what the device provides, and of what changes while a shader runs.
+const BUILT_IN: u32 = 11;
+const VOLATILE: u32 = 21;
+/// The end of the ray, which each hit that is reported shortens.
+const RAY_T_MAX: u32 = 5326;
 
 impl Module {
     const fn new(name: &'static str, bytes: &'static [u8]) -> Self {
@@ -74,7 +79,8 @@ impl Module {
     }
 
     /// The module's words. `OpSource`, which says in what language a module was written, is left out: validation layers
-    /// older than Slang do not know its number.
+    /// older than Slang do not know its number. The end of the ray is volatile, as Vulkan wants it in intersection shaders
+    /// (VUID-StandaloneSpirv-VulkanMemoryModel-04678); Slang does not say so.
     pub fn words(&self) -> Vec<u32> {
         let all: Vec<u32> = self.all_words();
         let mut words = all[..5].to_vec();
@@ -85,6 +91,11 @@ impl Module {
         };
         for instruction in instructions(&all).filter(is_kept) {
             words.extend_from_slice(instruction);
+            if let [head, target, BUILT_IN, RAY_T_MAX] = *instruction
+                && head & 0xffff == OP_DECORATE
+            {
+                words.extend([3 << 16 | OP_DECORATE, target, VOLATILE]);
+            }
         }
         words
     }
@@ -129,5 +140,17 @@ mod tests {
         let decorated = words.len() - WALK.fast().words().len();
         assert!(decorated > 3 * 100 && decorated.is_multiple_of(3), "{decorated} words");
         assert!(WALK.has_entry("cast_rays") && !WALK.has_entry("cast_ray"));
+    }
+
+    #[test]
+    fn the_end_of_the_ray_is_volatile() {
+        let count = |words: &[u32], wanted: &[u32]| {
+            instructions(words).filter(|words| words[0] & 0xffff == OP_DECORATE && words[2..] == *wanted).count()
+        };
+        let (before, after) = (PIPELINE.all_words(), PIPELINE.words());
+        let places = count(&before, &[BUILT_IN, RAY_T_MAX]);
+        assert!(places > 0 && count(&before, &[VOLATILE]) == 0);
+        assert_eq!(count(&after, &[VOLATILE]), places);
+        assert_eq!(count(&WALK.words(), &[VOLATILE]), 0);
     }
 }
