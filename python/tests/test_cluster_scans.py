@@ -1,10 +1,12 @@
 """Scans and meshes of many files by many workers: the bytes of one process, whatever happens to the workers."""
 
+import contextlib
 import os
 import signal
 import struct
 import threading
 import time
+from collections.abc import Iterator
 from pathlib import Path
 
 import numpy
@@ -58,6 +60,21 @@ def client():
             yield client
 
 
+@contextlib.contextmanager
+def one_lost(client) -> Iterator[None]:
+    """A worker is killed after 0.6 s of what is done meanwhile."""
+    lost = next(iter(client.run(os.getpid).values()))
+
+    def strike() -> None:
+        time.sleep(0.6)
+        os.kill(lost, signal.SIGKILL)
+
+    thread = threading.Thread(target=strike)
+    thread.start()
+    yield
+    thread.join()
+
+
 def test_a_cluster_voxelizes_a_scan_to_the_bytes_of_one_process(client, scan, tmp_path, run):
     from voxtrace import dask
 
@@ -105,16 +122,8 @@ def test_a_worker_that_is_lost_costs_its_part_alone_and_work_goes_on_where_it_wa
     from voxtrace import dask
 
     alone = dask.voxelize(client, scan, tmp_path / "alone.vxt", voxel_size=0.05).read_bytes()
-    lost = next(iter(client.run(os.getpid).values()))
-
-    def strike() -> None:
-        time.sleep(0.6)
-        os.kill(lost, signal.SIGKILL)
-
-    thread = threading.Thread(target=strike)
-    thread.start()
-    made = dask.voxelize(client, scan, tmp_path / "a.vxt", voxel_size=0.05, parts=9)
-    thread.join()
+    with one_lost(client):
+        made = dask.voxelize(client, scan, tmp_path / "a.vxt", voxel_size=0.05, parts=9)
     assert made.read_bytes() == alone
 
     # What is there is not made again: a part that is damaged is told, and once it is gone the others do.
@@ -240,14 +249,6 @@ def test_a_worker_that_is_lost_while_it_voxelizes_meshes_costs_its_part_alone(cl
     from voxtrace import dask
 
     alone = dask.voxelize(client, ground, tmp_path / "alone.vxt", voxel_size=0.12).read_bytes()
-    lost = next(iter(client.run(os.getpid).values()))
-
-    def strike() -> None:
-        time.sleep(0.6)
-        os.kill(lost, signal.SIGKILL)
-
-    thread = threading.Thread(target=strike)
-    thread.start()
-    made = dask.voxelize(client, ground, tmp_path / "a.vxt", voxel_size=0.12, parts=9)
-    thread.join()
+    with one_lost(client):
+        made = dask.voxelize(client, ground, tmp_path / "a.vxt", voxel_size=0.12, parts=9)
     assert made.read_bytes() == alone

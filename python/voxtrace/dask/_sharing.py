@@ -25,6 +25,9 @@ FIRST_PATIENCE = 30.0
 #: Parts of voxels: a worker from which nothing has come for so many seconds is no longer waited for. Dask itself sees sooner that one is gone.
 WORK_PATIENCE = 120.0
 
+#: Least memory of a part, in bytes.
+LEAST_MEMORY = 64 << 20
+
 #: Seconds between two looks for results.
 GLANCE = 0.01
 
@@ -43,6 +46,13 @@ def number_of_workers(client: Any) -> int:
 def usual_parts(client: Any) -> int:
     """How many parts there are for the workers that there are now."""
     return PARTS_A_WORKER * number_of_workers(client)
+
+
+def memory_of_part(client: Any, memory: int) -> int:
+    """What a part may take of the memory, in bytes, that a worker has for all parts that it makes at once."""
+    workers = client.scheduler_info(n_workers=-1)["workers"].values()
+    at_once = max((worker["nthreads"] for worker in workers), default=1)
+    return max(memory // at_once, LEAST_MEMORY)
 
 
 def threads_of_hosts(client: Any) -> dict[str, int]:
@@ -140,9 +150,12 @@ def made_by_workers(
 
     def submit(missing: list[int], workers: list[str]) -> dict[Any, int]:
         sent = None if survey is None else sent_bytes(client, survey, retries, workers)
+        # In turns: a worker that may have several at once would be given them all.
+        there = workers or sorted(client.scheduler_info(n_workers=-1)["workers"])
         begun: dict[Any, int] = {}
-        for number in missing:
-            begun[client.submit(work, common, sent, *arguments[number], pure=False, retries=retries, **elsewhere(workers))] = number
+        for at, number in enumerate(missing):
+            where = elsewhere([there[at % len(there)]] if there else [])
+            begun[client.submit(work, common, sent, *arguments[number], pure=False, retries=retries, **where)] = number
         return begun
 
     made: dict[int, Any] = {}

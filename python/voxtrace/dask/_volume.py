@@ -15,7 +15,7 @@ from distributed.protocol import pickle as _pickle
 from .._volumes import place_of
 from .._voxtrace import TiledVolume, TransferFunction, VoxtraceError
 from ._animation import write_whole
-from ._sharing import address_of_worker, made_by_one, made_by_workers, own_threads, removed, usual_parts
+from ._sharing import address_of_worker, made_by_one, made_by_workers, memory_of_part, own_threads, removed, usual_parts
 
 #: It has no types.
 pickle: Any = _pickle
@@ -89,7 +89,7 @@ def voxelize_array(
         "voxel_size": voxel_size,
         "shell": shell,
         "trusted": trusted,
-        "memory": memory,
+        "memory": memory_of_part(client, memory),
     }
     stamp = _stamp(array, options)
     volume = _tiled(array, stamp, options)

@@ -10,7 +10,7 @@ from typing import Any
 
 from .._voxtrace import TiledCloud, TiledMesh, VoxtraceError, join_mesh_surveys, join_surveys
 from ._animation import write_whole
-from ._sharing import address_of_worker, made_by_one, made_by_workers, own_threads, removed, usual_parts
+from ._sharing import address_of_worker, made_by_one, made_by_workers, memory_of_part, own_threads, removed, usual_parts
 
 #: Memory of a worker that points or triangles and their sorting take, in bytes.
 MEMORY = 512 << 20
@@ -54,7 +54,7 @@ def voxelize(
 
     `resolution`: voxels along the longest side; `voxel_size`: their edge in units of the files; by default the density of the points decides, and a mesh has 512. `palette`: most
     colours. `unit`: of the files' coordinates, such as `"m"` or `"ft"`, in place of what they say. `trusted`: lifts the limits that protect from hostile files. `levels`: levels of
-    detail, a number or `"all"`. `parts`: how many parts there are, by default four a worker, no more than files of points. `memory`: bytes that a worker sorts points or triangles in;
+    detail, a number or `"all"`. `parts`: how many parts there are, by default four a worker, no more than files of points. `memory`: bytes that a worker sorts points or triangles in, of all parts that it makes at once;
     it takes about as much again to read files, and as much as the textures of a part's meshes.
 
     Of points: `color_by`: `"auto"`, `"rgb"`, `"intensity"`, `"classification"` or `"height"`. `min_points`: least points of a voxel. `classes`: `"2,building"`; `bounds`:
@@ -71,6 +71,7 @@ def voxelize(
     depth = -1 if levels == "all" else int(levels or 0)
     place = Path(os.path.abspath(folder)) if folder else out.with_name(f"{out.name}.tiles")
     tiles = _tiles(files)
+    memory = memory_of_part(client, memory)
     if tiles and all(tile.suffix.lower() in MESHES for tile in tiles):
         of_points = {"color_by": (color_by, "auto"), "min_points": (min_points, 1), "classes": (classes, None), "bounds": (bounds, None)}
         for name, (value, usual) in of_points.items():
@@ -220,21 +221,21 @@ def _kept(cloud: TiledCloud, path: Path) -> bytes | None:
         return None
 
 
-def _answer(work: Callable[[TiledCloud], Any], common: tuple[list[str], dict[str, Any]]) -> tuple[str, Any]:
-    """The worker, and what `work` makes of the files, or the exception that would come again if somebody tried anew."""
+def _answer(kind: Callable[..., Any], work: Callable[[Any], Any], common: tuple[list[str], dict[str, Any]]) -> tuple[str, Any]:
+    """The worker, and what `work` makes of the files as a `TiledCloud` or a `TiledMesh`, or the exception that would come again if somebody tried anew."""
     files, options = common
     try:
-        return address_of_worker(), work(TiledCloud(files, **options))
+        return address_of_worker(), work(kind(files, **options))
     except (VoxtraceError, ValueError) as error:
         return address_of_worker(), error
 
 
 def _survey(common: tuple[list[str], dict[str, Any]], _: None, first: int, end: int) -> tuple[str, Any]:
-    return _answer(lambda cloud: cloud.survey(first, end), common)
+    return _answer(TiledCloud, lambda cloud: cloud.survey(first, end), common)
 
 
 def _measure(common: tuple[list[str], dict[str, Any]], survey: bytes, first: int, end: int) -> tuple[str, Any]:
-    return _answer(lambda cloud: cloud.measure(survey, first, end), common)
+    return _answer(TiledCloud, lambda cloud: cloud.measure(survey, first, end), common)
 
 
 def _voxelize(common: tuple[list[str], dict[str, Any]], survey: bytes, first: int, end: int, part: str) -> tuple[str, Any]:
@@ -244,31 +245,22 @@ def _voxelize(common: tuple[list[str], dict[str, Any]], survey: bytes, first: in
             write_whole(Path(part).with_suffix(".found"), found)
         return points
 
-    return _answer(make, common)
+    return _answer(TiledCloud, make, common)
 
 
 def _merge(common: tuple[list[str], dict[str, Any]], survey: bytes, threads: dict[str, int], parts: list[str], output: str, levels: int) -> tuple[str, Any]:
-    return _answer(lambda cloud: cloud.merge(survey, parts, output, levels, own_threads(threads)), common)
-
-
-def _answer_of_meshes(work: Callable[[TiledMesh], Any], common: tuple[list[str], dict[str, Any]]) -> tuple[str, Any]:
-    """As `_answer`, of meshes."""
-    files, options = common
-    try:
-        return address_of_worker(), work(TiledMesh(files, **options))
-    except (VoxtraceError, ValueError) as error:
-        return address_of_worker(), error
+    return _answer(TiledCloud, lambda cloud: cloud.merge(survey, parts, output, levels, own_threads(threads)), common)
 
 
 def _survey_meshes(common: tuple[list[str], dict[str, Any]], _: None, first: int, end: int) -> tuple[str, Any]:
-    return _answer_of_meshes(lambda mesh: mesh.survey(first, end), common)
+    return _answer(TiledMesh, lambda mesh: mesh.survey(first, end), common)
 
 
 def _voxelize_mesh(common: tuple[list[str], dict[str, Any]], survey: bytes, part: int, parts: int, path: str) -> tuple[str, Any]:
-    return _answer_of_meshes(lambda mesh: mesh.voxelize(survey, part, parts, path), common)
+    return _answer(TiledMesh, lambda mesh: mesh.voxelize(survey, part, parts, path), common)
 
 
 def _merge_meshes(
     common: tuple[list[str], dict[str, Any]], survey: bytes, threads: dict[str, int], parts: int, made: list[str], output: str, levels: int
 ) -> tuple[str, Any]:
-    return _answer_of_meshes(lambda mesh: mesh.merge(survey, parts, made, output, levels, own_threads(threads)), common)
+    return _answer(TiledMesh, lambda mesh: mesh.merge(survey, parts, made, output, levels, own_threads(threads)), common)

@@ -2,7 +2,9 @@
 //! extension.
 
 use super::reader::clues::{FileClues, FolderClues, HEAD, Recognition};
-use super::reader::{Data, Geometry, ImportOptions, Kind, LargeGeometry, LargeVolume, Reader, TiledCloud, tiled_mesh};
+#[cfg(feature = "mesh")]
+use super::reader::tiled_mesh;
+use super::reader::{Data, ImportOptions, Kind, LargeGeometry, LargeVolume, Reader, TiledCloud};
 use super::readers::Readers;
 use super::source::Source;
 use super::source::guard::guarded;
@@ -18,9 +20,6 @@ pub struct Opened<'t, 'a> {
     reader: &'t Reader,
     source: Source<'a>,
     options: &'a ImportOptions,
-    /// Further files, whose meshes are one with that of the first.
-    others: &'a [PathBuf],
-    readers: Readers<'t>,
 }
 
 impl<'t> Readers<'t> {
@@ -64,13 +63,11 @@ impl<'t> Readers<'t> {
         if reader.kind == Kind::Mesh {
             for path in others {
                 if self.open(path, options)?.reader.kind != Kind::Mesh {
-                    return Err(tiled_mesh::other(
-                        path,
-                        "it is no mesh, and several files are read as one only where all are",
-                    ));
+                    let what = "it is no mesh, and several files are read as one only where all are";
+                    return Err(ImportError::of_file(path, ImportErrorKind::OtherTiles(what.into())));
                 }
             }
-            return Ok(Opened { others, ..opened });
+            return Ok(Opened { reader, source: Source::of_files(first, paths.to_vec()), options });
         }
         let mut files = Vec::new();
         for path in paths {
@@ -86,7 +83,7 @@ impl<'t> Readers<'t> {
             let tiles = opened.source.tiles(reader.extensions, &options.limits)?;
             files.extend(tiles.unwrap_or_else(|| vec![path.clone()]));
         }
-        Ok(Opened { reader, source: Source::of_files(first, files), options, others: &[], readers: self })
+        Ok(Opened { reader, source: Source::of_files(first, files), options })
     }
 
     fn opened<'a>(self, mut source: Source<'a>, options: &'a ImportOptions) -> Result<Opened<'t, 'a>, ImportError> {
@@ -99,7 +96,7 @@ impl<'t> Readers<'t> {
             None => self.of_folder(&FolderClues::new(path, &options.limits))?,
         };
         let reader = reader.ok_or_else(|| self.unknown(&source))?;
-        Ok(Opened { reader, source, options, others: &[], readers: self })
+        Ok(Opened { reader, source, options })
     }
 
     /// The reader of a file.
@@ -148,21 +145,24 @@ impl<'t> Opened<'t, '_> {
     /// # Errors
     /// If it is not what its format says, or goes beyond the limits.
     pub fn read(mut self) -> Result<Data, ImportError> {
+        #[cfg(feature = "mesh")]
+        if let Some(files) = self.meshes()? {
+            return tiled_mesh::read(&files, self.options);
+        }
         let (path, reader, options) = (self.source.path(), self.reader, self.options);
         if let Some(input) = self.source.as_input().filter(|_| reader.kind != Kind::Packed) {
             input.set_limit(&options.limits)?;
         }
         let read = || Ok((reader.read)(self.source, options));
         let data = guarded(read).unwrap_or_else(|panic| Err(ImportError::malformed(path, 0, panic)))?;
-        let data = finish::finish(data, reader, path, options)?;
-        if self.others.is_empty() {
-            return Ok(data);
-        }
-        let mut meshes = vec![tiled_mesh::mesh_of(data, path)?];
-        for other in self.others {
-            meshes.push(tiled_mesh::mesh_of(self.readers.open(other, options)?.read()?, other)?);
-        }
-        Ok(Geometry::Mesh(tiled_mesh::joined(meshes, path)?).into())
+        finish::finish(data, reader, path, options)
+    }
+
+    /// The files of several meshes that are one.
+    #[cfg(feature = "mesh")]
+    fn meshes(&self) -> Result<Option<Vec<PathBuf>>, ImportError> {
+        let files = (self.reader.kind == Kind::Mesh).then(|| self.source.tiles(&[], &self.options.limits));
+        files.transpose().map(Option::flatten)
     }
 
     /// Reads it and makes a scene of it.
@@ -182,8 +182,8 @@ impl<'t> Opened<'t, '_> {
     /// If the file cannot be read or is not what it says.
     pub fn open_large(&mut self, budget: u64) -> Result<Option<LargeGeometry>, ImportError> {
         let (path, options) = (self.source.path(), self.options);
-        if !self.others.is_empty() {
-            let files = [&[path.into()], self.others].concat();
+        #[cfg(feature = "mesh")]
+        if let Some(files) = self.meshes()? {
             let found = tiled_mesh::open_large(&files, budget, options)?;
             return found.map(|found| LargeGeometry::new(found, path, &files, self.reader, options)).transpose();
         }
@@ -210,7 +210,7 @@ impl<'t> Opened<'t, '_> {
         let points = self.open_large(0)?.and_then(LargeGeometry::into_points);
         let cloud = points.map(|points| TiledCloud::new(points, &files, options)).transpose()?.flatten();
         cloud.ok_or_else(|| {
-            let what = "several processes voxelize only points of LAS and LAZ files, and there are none";
+            let what = "several processes voxelize meshes, and points of LAS and LAZ files, and there are none of them";
             ImportError::of_file(path, ImportErrorKind::OtherTiles(what.into()))
         })
     }

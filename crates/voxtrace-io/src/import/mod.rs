@@ -42,10 +42,12 @@ pub use read::{
     detect, geometry_from_bytes, load, load_bytes, mesh_from_bytes, open, open_large, open_large_volume, read,
     read_bytes, read_geometry, read_mesh, read_volume, read_voxels, volume_from_bytes, voxels_from_bytes,
 };
+#[cfg(feature = "mesh")]
+pub use reader::TiledMesh;
 pub use reader::{
     BlockOptions, BlockSize, ClassSet, ClipChoice, Data, FileClues, FolderClues, Geometry, Height, HeightOptions,
     ImportOptions, Kind, LargeGeometry, LargeVolume, Magic, MapBounds, PointFilter, RawShape, Reader, Recognition,
-    TiledCloud, TiledMesh, Voxels, parts_not_shown,
+    TiledCloud, Voxels, parts_not_shown,
 };
 pub use readers::{READERS, Readers};
 pub use source::watch::read_while;

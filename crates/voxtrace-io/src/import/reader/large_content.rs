@@ -39,9 +39,13 @@ pub(crate) trait Content: Send {
     fn z_up(self: Box<Self>, up: UpAxis) -> Box<dyn Content>;
     /// Those points alone that are asked for; of a mesh all. `path` names it in errors.
     fn filtered(self: Box<Self>, path: &Path, filter: PointFilter) -> Box<dyn Content>;
-    fn is_points(&self) -> bool;
+    fn is_points(&self) -> bool {
+        false
+    }
     /// The source of points, where it is one.
-    fn into_points(self: Box<Self>) -> Option<Box<dyn PointSource>>;
+    fn into_points(self: Box<Self>) -> Option<Box<dyn PointSource>> {
+        None
+    }
     /// Triangles or points, known once there was a survey.
     fn count(&self) -> Option<u64>;
     fn survey(&mut self, options: &VoxelizeOptions, progress: &VoxelizeProgress) -> Result<(), VoxelizeError>;
@@ -87,14 +91,6 @@ impl Content for Triangles {
 
     fn filtered(self: Box<Self>, _: &Path, _: PointFilter) -> Box<dyn Content> {
         self
-    }
-
-    fn is_points(&self) -> bool {
-        false
-    }
-
-    fn into_points(self: Box<Self>) -> Option<Box<dyn PointSource>> {
-        None
     }
 
     fn count(&self) -> Option<u64> {

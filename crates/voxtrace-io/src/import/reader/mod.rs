@@ -18,6 +18,7 @@ mod raw_shape;
 #[cfg(feature = "points")]
 pub(crate) mod same_system;
 mod tiled_cloud;
+#[cfg(feature = "mesh")]
 pub(crate) mod tiled_mesh;
 mod up_axis;
 mod wkt;
@@ -32,6 +33,7 @@ pub use options::{BlockOptions, BlockSize, ClipChoice, Height, HeightOptions, Im
 pub use point_filter::{ClassSet, MapBounds, PointFilter};
 pub use raw_shape::RawShape;
 pub use tiled_cloud::TiledCloud;
+#[cfg(feature = "mesh")]
 pub use tiled_mesh::TiledMesh;
 
 pub(crate) use large_content::LargeContent;

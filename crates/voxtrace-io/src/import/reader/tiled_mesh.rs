@@ -10,31 +10,23 @@ use std::sync::Arc;
 use voxtrace_scene::scene::LengthUnit;
 use voxtrace_voxelize::mesh::joined::{Joined, Part};
 use voxtrace_voxelize::mesh::{Mesh, UpAxis};
-use voxtrace_voxelize::points::source::PointSource;
 use voxtrace_voxelize::voxelize::large::{self, MeshFiles, MeshTiles, ReadMesh};
 use voxtrace_voxelize::voxelize::{
     Estimate, VoxelizeError, VoxelizeOptions, VoxelizeProgress, Written, voxelize_large_to_file,
 };
 use voxtrace_voxelize::{ImportError, ImportErrorKind, Limits};
 
-/// The mesh of a file that is one of several.
-pub(crate) fn mesh_of(data: Data, path: &Path) -> Result<Mesh, ImportError> {
-    match data {
-        Data::Geometry(Geometry::Mesh(mesh)) if mesh.moving.is_none() => Ok(mesh),
-        Data::Geometry(Geometry::Mesh(_)) => Err(other(path, "what moves is not read as one with other files")),
-        _ => Err(other(path, "there is no mesh in it to be one with those of the other files")),
-    }
-}
-
-pub(crate) fn other(path: &Path, what: &str) -> ImportError {
+fn other(path: &Path, what: &str) -> ImportError {
     ImportError::of_file(path, ImportErrorKind::OtherTiles(what.into()))
 }
 
-/// Meshes as one, in their order; `paths` names them.
-pub(crate) fn joined(meshes: Vec<Mesh>, path: &Path) -> Result<Mesh, ImportError> {
+/// Reads the meshes of several files as one, in their order.
+pub(crate) fn read(paths: &[PathBuf], options: &ImportOptions) -> Result<Data, ImportError> {
+    let files = Files { paths: paths.into(), options: options.clone() };
+    let meshes = (0..paths.len()).map(|number| files.read(number)).collect::<Result<Vec<Mesh>, _>>()?;
     let parts: Vec<Part> = meshes.iter().map(Part::of).collect();
     let whole = Joined::of(&parts).and_then(|joined| joined.whole(meshes));
-    whole.map_err(|fault| other(path, &String::from(fault)))
+    whole.map(|mesh| Geometry::Mesh(mesh).into()).map_err(|fault| other(&paths[0], &String::from(fault)))
 }
 
 /// Files of meshes, which are read one at a time.
@@ -47,7 +39,11 @@ struct Files {
 impl Files {
     fn read(&self, number: usize) -> Result<Mesh, ImportError> {
         let path = &self.paths[number];
-        mesh_of(READERS.open(path, &self.options)?.read()?, path)
+        match READERS.open(path, &self.options)?.read()? {
+            Data::Geometry(Geometry::Mesh(mesh)) if mesh.moving.is_none() => Ok(mesh),
+            Data::Geometry(Geometry::Mesh(_)) => Err(other(path, "what moves is not read as one with other files")),
+            _ => Err(other(path, "there is no mesh in it to be one with those of the other files")),
+        }
     }
 
     /// Reads the meshes of a survey.
@@ -91,11 +87,6 @@ impl TiledMesh {
         let names: Vec<_> = paths.iter().map(|path| path.file_name().unwrap_or_default()).collect();
         let stamp = format!("{names:?} {lengths:?} {:?} {:?}", options.up, options.unit);
         Ok(Self { files: Files { paths: paths.into(), options: options.clone() }, lengths, stamp })
-    }
-
-    /// Number of files.
-    pub fn count(&self) -> usize {
-        self.lengths.len()
     }
 
     /// Shares the files among at most so many surveys: consecutive ones, with about as many bytes in each.
@@ -199,14 +190,6 @@ impl Content for ManyMeshes {
 
     fn filtered(self: Box<Self>, _: &Path, _: PointFilter) -> Box<dyn Content> {
         self
-    }
-
-    fn is_points(&self) -> bool {
-        false
-    }
-
-    fn into_points(self: Box<Self>) -> Option<Box<dyn PointSource>> {
-        None
     }
 
     fn count(&self) -> Option<u64> {
