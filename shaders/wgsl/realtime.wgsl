@@ -498,11 +498,13 @@ struct PackedInstance_0
      light_leaf_0 : u32,
 };
 
-fn transform_in_0( row_1 : u32) -> Transform_0
+fn Rows_operatorx5Bx5D_get_1( row_1 : u32) -> vec4<u32>
 {
-    var a_1 : vec4<u32> = records_0[row_1];
-    var b_1 : vec4<u32> = records_0[row_1 + u32(1)];
-    var c_0 : vec4<u32> = records_0[row_1 + u32(2)];
+    return records_0[first_row_0(u32(1)) + row_1];
+}
+
+fn transform_of_0( a_1 : vec4<u32>,  b_1 : vec4<u32>,  c_0 : vec4<u32>) -> Transform_0
+{
     var transform_0 : Transform_0;
     var _S28 : f32 = (bitcast<f32>((a_1.y)));
     var _S29 : f32 = (bitcast<f32>((a_1.z)));
@@ -540,9 +542,9 @@ fn PackedInstance_x24init_0( grid_from_world_1 : Transform_0,  world_from_grid_1
 
 fn Instances_operatorx5Bx5D_get_0( index_1 : u32) -> PackedInstance_0
 {
-    var row_2 : u32 = first_row_0(u32(1)) + u32(7) * index_1;
-    var last_0 : vec4<u32> = records_0[row_2 + u32(6)];
-    return PackedInstance_x24init_0(transform_in_0(row_2), transform_in_0(row_2 + u32(3)), last_0.x, last_0.y, last_0.z);
+    var row_2 : u32 = u32(7) * index_1;
+    var _S37 : vec4<u32> = Rows_operatorx5Bx5D_get_1(row_2 + u32(6));
+    return PackedInstance_x24init_0(transform_of_0(Rows_operatorx5Bx5D_get_1(row_2), Rows_operatorx5Bx5D_get_1(row_2 + u32(1)), Rows_operatorx5Bx5D_get_1(row_2 + u32(2))), transform_of_0(Rows_operatorx5Bx5D_get_1(row_2 + u32(3)), Rows_operatorx5Bx5D_get_1(row_2 + u32(4)), Rows_operatorx5Bx5D_get_1(row_2 + u32(5))), _S37.x, _S37.y, _S37.z);
 }
 
 fn vector_of_0( values_0 : array<f32, i32(3)>) -> vec3<f32>
@@ -574,9 +576,9 @@ fn nearest_root_0( mantissa_1 : u32,  guess_1 : u32) -> u32
 {
     var rest_1 : i32 = i32(((mantissa_1 << (u32(23)))) - guess_1 * guess_1);
     var units_1 : i32 = i32(floor(f32(rest_1) / f32(u32(2) * guess_1) + 0.5f));
-    var _S37 : i32 = i32(guess_1);
-    var root_0 : i32 = _S37 + units_1;
-    var rest_2 : i32 = rest_1 - units_1 * (_S37 + root_0);
+    var _S38 : i32 = i32(guess_1);
+    var root_0 : i32 = _S38 + units_1;
+    var rest_2 : i32 = rest_1 - units_1 * (_S38 + root_0);
     return u32(root_0 + i32(rest_2 > root_0) - i32(rest_2 <= (- root_0)));
 }
 
@@ -586,13 +588,13 @@ fn square_root_0( value_0 : f32) -> f32
     {
         return sqrt(value_0);
     }
-    var _S38 : u32 = (bitcast<u32>((value_0)));
-    var exponent_2 : u32 = (_S38 >> (u32(23)));
+    var _S39 : u32 = (bitcast<u32>((value_0)));
+    var exponent_2 : u32 = (_S39 >> (u32(23)));
     if(!is_normal_0(exponent_2))
     {
         return sqrt(value_0);
     }
-    var mantissa_2 : u32 = (((((_S38 & (u32(8388607)))) | (u32(8388608)))) << ((((~exponent_2) & (u32(1))))));
+    var mantissa_2 : u32 = (((((_S39 & (u32(8388607)))) | (u32(8388608)))) << ((((~exponent_2) & (u32(1))))));
     return (bitcast<f32>(((((((exponent_2 + u32(127)) >> (u32(1)))) << (u32(23)))) + (nearest_root_0(mantissa_2, u32(sqrt(f32(mantissa_2) * 1.1920928955078125e-07f) * 8.388608e+06f)) - u32(8388608)))));
 }
 
@@ -634,19 +636,19 @@ fn Environment_to_map_0( d_0 : vec3<f32>) -> vec3<f32>
 {
     var sin_0 : f32 = params_0.sky_turned_0.x;
     var cos_0 : f32 = params_0.sky_turned_0.y;
-    var _S39 : f32 = d_0.x;
-    var _S40 : f32 = d_0.y;
-    return vec3<f32>(_S39 * cos_0 - _S40 * sin_0, _S39 * sin_0 + _S40 * cos_0, d_0.z);
+    var _S40 : f32 = d_0.x;
+    var _S41 : f32 = d_0.y;
+    return vec3<f32>(_S40 * cos_0 - _S41 * sin_0, _S40 * sin_0 + _S41 * cos_0, d_0.z);
 }
 
 fn quarter_turns_0( x_2 : f32,  y_0 : f32) -> f32
 {
-    var _S41 : f32 = min(x_2, y_0);
-    var _S42 : f32 = max(x_2, y_0);
+    var _S42 : f32 = min(x_2, y_0);
+    var _S43 : f32 = max(x_2, y_0);
     var ratio_0 : f32;
-    if(_S42 > 0.0f)
+    if(_S43 > 0.0f)
     {
-        ratio_0 = divide_0(_S41, _S42);
+        ratio_0 = divide_0(_S42, _S43);
     }
     else
     {
@@ -668,10 +670,10 @@ fn quarter_turns_0( x_2 : f32,  y_0 : f32) -> f32
 fn square_of_0( direction_4 : vec3<f32>) -> vec2<f32>
 {
     var size_0 : vec3<f32> = abs(direction_4);
-    var _S43 : f32 = size_0.x;
-    var _S44 : f32 = size_0.y;
-    var radius_0 : f32 = square_root_0(divide_0(_S43 * _S43 + _S44 * _S44, 1.0f + size_0.z));
-    var v_2 : f32 = quarter_turns_0(_S43, _S44) * radius_0;
+    var _S44 : f32 = size_0.x;
+    var _S45 : f32 = size_0.y;
+    var radius_0 : f32 = square_root_0(divide_0(_S44 * _S44 + _S45 * _S45, 1.0f + size_0.z));
+    var v_2 : f32 = quarter_turns_0(_S44, _S45) * radius_0;
     var u_1 : f32 = radius_0 - v_2;
     var is_below_1 : bool = (direction_4.z) < 0.0f;
     var u_2 : f32;
@@ -710,7 +712,7 @@ fn Environment_place_of_0( direction_5 : vec3<f32>) -> vec2<f32>
 
 fn Environment_index_of_0( x_3 : i32,  y_1 : i32) -> u32
 {
-    var last_1 : i32 = i32(params_0.sky_edge_0) - i32(1);
+    var last_0 : i32 = i32(params_0.sky_edge_0) - i32(1);
     var is_beside_0 : bool;
     if(x_3 < i32(0))
     {
@@ -718,44 +720,44 @@ fn Environment_index_of_0( x_3 : i32,  y_1 : i32) -> u32
     }
     else
     {
-        is_beside_0 = x_3 > last_1;
-    }
-    var _S45 : i32;
-    if(is_beside_0)
-    {
-        _S45 = last_1 - y_1;
-    }
-    else
-    {
-        _S45 = y_1;
+        is_beside_0 = x_3 > last_0;
     }
     var _S46 : i32;
     if(is_beside_0)
     {
-        _S46 = clamp(x_3, i32(0), last_1);
+        _S46 = last_0 - y_1;
     }
     else
     {
-        _S46 = x_3;
+        _S46 = y_1;
+    }
+    var _S47 : i32;
+    if(is_beside_0)
+    {
+        _S47 = clamp(x_3, i32(0), last_0);
+    }
+    else
+    {
+        _S47 = x_3;
     }
     var is_beyond_0 : bool;
-    if(_S45 < i32(0))
+    if(_S46 < i32(0))
     {
         is_beyond_0 = true;
     }
     else
     {
-        is_beyond_0 = _S45 > last_1;
+        is_beyond_0 = _S46 > last_0;
     }
     if(is_beyond_0)
     {
-        _S46 = last_1 - _S46;
+        _S47 = last_0 - _S47;
     }
     if(is_beyond_0)
     {
-        _S45 = clamp(_S45, i32(0), last_1);
+        _S46 = clamp(_S46, i32(0), last_0);
     }
-    return u32(_S45 * i32(params_0.sky_edge_0) + _S46);
+    return u32(_S46 * i32(params_0.sky_edge_0) + _S47);
 }
 
 fn Environment_texel_radiance_0( x_4 : i32,  y_2 : i32) -> vec3<f32>
@@ -765,18 +767,18 @@ fn Environment_texel_radiance_0( x_4 : i32,  y_2 : i32) -> vec3<f32>
 
 fn Environment_radiance_at_0( place_0 : vec2<f32>) -> vec3<f32>
 {
-    var _S47 : vec2<f32> = place_0 - vec2<f32>(0.5f);
-    var corner_1 : vec2<f32> = floor(_S47);
-    var beyond_0 : vec2<f32> = _S47 - corner_1;
+    var _S48 : vec2<f32> = place_0 - vec2<f32>(0.5f);
+    var corner_1 : vec2<f32> = floor(_S48);
+    var beyond_0 : vec2<f32> = _S48 - corner_1;
     var x_5 : i32 = i32(corner_1.x);
     var y_3 : i32 = i32(corner_1.y);
-    var _S48 : f32 = beyond_0.x;
-    var _S49 : vec3<f32> = vec3<f32>((1.0f - _S48));
-    var _S50 : i32 = x_5 + i32(1);
-    var _S51 : vec3<f32> = vec3<f32>(_S48);
-    var _S52 : i32 = y_3 + i32(1);
-    var _S53 : f32 = beyond_0.y;
-    return (Environment_texel_radiance_0(x_5, y_3) * _S49 + Environment_texel_radiance_0(_S50, y_3) * _S51) * vec3<f32>((1.0f - _S53)) + (Environment_texel_radiance_0(x_5, _S52) * _S49 + Environment_texel_radiance_0(_S50, _S52) * _S51) * vec3<f32>(_S53);
+    var _S49 : f32 = beyond_0.x;
+    var _S50 : vec3<f32> = vec3<f32>((1.0f - _S49));
+    var _S51 : i32 = x_5 + i32(1);
+    var _S52 : vec3<f32> = vec3<f32>(_S49);
+    var _S53 : i32 = y_3 + i32(1);
+    var _S54 : f32 = beyond_0.y;
+    return (Environment_texel_radiance_0(x_5, y_3) * _S50 + Environment_texel_radiance_0(_S51, y_3) * _S52) * vec3<f32>((1.0f - _S54)) + (Environment_texel_radiance_0(x_5, _S53) * _S50 + Environment_texel_radiance_0(_S51, _S53) * _S52) * vec3<f32>(_S54);
 }
 
 fn Environment_radiance_0( direction_6 : vec3<f32>) -> vec3<f32>
@@ -792,10 +794,10 @@ struct Gradient_0
 
 fn Gradient_x24init_0( nadir_1 : vec3<f32>,  zenith_1 : vec3<f32>) -> Gradient_0
 {
-    var _S54 : Gradient_0;
-    _S54.nadir_0 = nadir_1;
-    _S54.zenith_0 = zenith_1;
-    return _S54;
+    var _S55 : Gradient_0;
+    _S55.nadir_0 = nadir_1;
+    _S55.zenith_0 = zenith_1;
+    return _S55;
 }
 
 fn Gradient_radiance_0( this_8 : Gradient_0,  direction_7 : vec3<f32>) -> vec3<f32>
@@ -838,7 +840,7 @@ struct LightNode_0
      root_1 : u32,
 };
 
-fn Rows_operatorx5Bx5D_get_1( row_3 : u32) -> vec4<u32>
+fn Rows_operatorx5Bx5D_get_2( row_3 : u32) -> vec4<u32>
 {
     return records_0[first_row_0(u32(6)) + row_3];
 }
@@ -846,29 +848,29 @@ fn Rows_operatorx5Bx5D_get_1( row_3 : u32) -> vec4<u32>
 fn light_node_of_0( a_3 : vec4<u32>,  b_3 : vec4<u32>,  c_1 : vec4<u32>,  d_1 : vec4<u32>) -> LightNode_0
 {
     var node_0 : LightNode_0;
-    var _S55 : f32 = (bitcast<f32>((a_3.y)));
-    var _S56 : f32 = (bitcast<f32>((a_3.z)));
+    var _S56 : f32 = (bitcast<f32>((a_3.y)));
+    var _S57 : f32 = (bitcast<f32>((a_3.z)));
     node_0.min_0[i32(0)] = (bitcast<f32>((a_3.x)));
-    node_0.min_0[i32(1)] = _S55;
-    node_0.min_0[i32(2)] = _S56;
+    node_0.min_0[i32(1)] = _S56;
+    node_0.min_0[i32(2)] = _S57;
     node_0.index_2 = a_3.w;
-    var _S57 : f32 = (bitcast<f32>((b_3.y)));
-    var _S58 : f32 = (bitcast<f32>((b_3.z)));
+    var _S58 : f32 = (bitcast<f32>((b_3.y)));
+    var _S59 : f32 = (bitcast<f32>((b_3.z)));
     node_0.max_0[i32(0)] = (bitcast<f32>((b_3.x)));
-    node_0.max_0[i32(1)] = _S57;
-    node_0.max_0[i32(2)] = _S58;
+    node_0.max_0[i32(1)] = _S58;
+    node_0.max_0[i32(2)] = _S59;
     node_0.count_0 = b_3.w;
-    var _S59 : f32 = (bitcast<f32>((c_1.y)));
-    var _S60 : f32 = (bitcast<f32>((c_1.z)));
-    var _S61 : f32 = (bitcast<f32>((c_1.w)));
-    var _S62 : f32 = (bitcast<f32>((d_1.x)));
-    var _S63 : f32 = (bitcast<f32>((d_1.y)));
+    var _S60 : f32 = (bitcast<f32>((c_1.y)));
+    var _S61 : f32 = (bitcast<f32>((c_1.z)));
+    var _S62 : f32 = (bitcast<f32>((c_1.w)));
+    var _S63 : f32 = (bitcast<f32>((d_1.x)));
+    var _S64 : f32 = (bitcast<f32>((d_1.y)));
     node_0.power_2[i32(0)] = (bitcast<f32>((c_1.x)));
-    node_0.power_2[i32(1)] = _S59;
-    node_0.power_2[i32(2)] = _S60;
-    node_0.power_2[i32(3)] = _S61;
-    node_0.power_2[i32(4)] = _S62;
-    node_0.power_2[i32(5)] = _S63;
+    node_0.power_2[i32(1)] = _S60;
+    node_0.power_2[i32(2)] = _S61;
+    node_0.power_2[i32(3)] = _S62;
+    node_0.power_2[i32(4)] = _S63;
+    node_0.power_2[i32(5)] = _S64;
     node_0.parent_0 = d_1.z;
     node_0.root_1 = d_1.w;
     return node_0;
@@ -876,8 +878,8 @@ fn light_node_of_0( a_3 : vec4<u32>,  b_3 : vec4<u32>,  c_1 : vec4<u32>,  d_1 : 
 
 fn top_light_node_0( index_3 : u32) -> LightNode_0
 {
-    var _S64 : u32 = u32(4) * index_3;
-    return light_node_of_0(Rows_operatorx5Bx5D_get_1(_S64), Rows_operatorx5Bx5D_get_1(_S64 + u32(1)), Rows_operatorx5Bx5D_get_1(_S64 + u32(2)), Rows_operatorx5Bx5D_get_1(_S64 + u32(3)));
+    var _S65 : u32 = u32(4) * index_3;
+    return light_node_of_0(Rows_operatorx5Bx5D_get_2(_S65), Rows_operatorx5Bx5D_get_2(_S65 + u32(1)), Rows_operatorx5Bx5D_get_2(_S65 + u32(2)), Rows_operatorx5Bx5D_get_2(_S65 + u32(3)));
 }
 
 struct View_0
@@ -904,17 +906,17 @@ struct BySide_0
 
 fn BySide_x24init_0( low_1 : vec3<f32>,  high_1 : vec3<f32>) -> BySide_0
 {
-    var _S65 : BySide_0;
-    _S65.low_0 = low_1;
-    _S65.high_0 = high_1;
-    return _S65;
+    var _S66 : BySide_0;
+    _S66.low_0 = low_1;
+    _S66.high_0 = high_1;
+    return _S66;
 }
 
 fn sent_by_side_0( node_1 : LightNode_0,  point_2 : vec3<f32>,  distance_0 : f32) -> BySide_0
 {
-    var _S66 : vec3<f32> = vec3<f32>(0.0f);
-    var _S67 : vec3<f32> = vec3<f32>(distance_0);
-    return BySide_x24init_0(vec3<f32>(node_1.power_2[i32(0)], node_1.power_2[i32(2)], node_1.power_2[i32(4)]) * min(max(vector_of_0(node_1.max_0) - point_2, _S66), _S67), vec3<f32>(node_1.power_2[i32(1)], node_1.power_2[i32(3)], node_1.power_2[i32(5)]) * min(max(point_2 - vector_of_0(node_1.min_0), _S66), _S67));
+    var _S67 : vec3<f32> = vec3<f32>(0.0f);
+    var _S68 : vec3<f32> = vec3<f32>(distance_0);
+    return BySide_x24init_0(vec3<f32>(node_1.power_2[i32(0)], node_1.power_2[i32(2)], node_1.power_2[i32(4)]) * min(max(vector_of_0(node_1.max_0) - point_2, _S67), _S68), vec3<f32>(node_1.power_2[i32(1)], node_1.power_2[i32(3)], node_1.power_2[i32(5)]) * min(max(point_2 - vector_of_0(node_1.min_0), _S67), _S68));
 }
 
 fn BySide_sum_0( this_9 : BySide_0) -> f32
@@ -931,19 +933,19 @@ fn reciprocal_guess_0( x_6 : f32) -> f32
 
 fn View_x24init_0( importance_1 : f32,  is_far_1 : bool) -> View_0
 {
-    var _S68 : View_0;
-    _S68.importance_0 = importance_1;
-    _S68.is_far_0 = is_far_1;
-    return _S68;
+    var _S69 : View_0;
+    _S69.importance_0 = importance_1;
+    _S69.is_far_0 = is_far_1;
+    return _S69;
 }
 
 fn view_0( node_2 : LightNode_0,  receiver_2 : Receiver_0) -> View_0
 {
-    var _S69 : vec3<f32> = vector_of_0(node_2.max_0);
-    var _S70 : vec3<f32> = vector_of_0(node_2.min_0);
-    var _S71 : vec3<f32> = vec3<f32>(0.5f);
-    var half_0 : vec3<f32> = (_S69 - _S70) * _S71;
-    var toward_0 : vec3<f32> = (_S70 + _S69) * _S71 - receiver_2.point_0;
+    var _S70 : vec3<f32> = vector_of_0(node_2.max_0);
+    var _S71 : vec3<f32> = vector_of_0(node_2.min_0);
+    var _S72 : vec3<f32> = vec3<f32>(0.5f);
+    var half_0 : vec3<f32> = (_S70 - _S71) * _S72;
+    var toward_0 : vec3<f32> = (_S71 + _S70) * _S72 - receiver_2.point_0;
     var middle_0 : f32 = dot_product_0(toward_0, receiver_2.normal_1);
     var aside_0 : f32 = dot_product_0(half_0, abs(receiver_2.normal_1));
     var above_0 : f32 = with_slack_0(receiver_2, middle_0 + aside_0);
@@ -961,16 +963,16 @@ fn view_0( node_2 : LightNode_0,  receiver_2 : Receiver_0) -> View_0
     var distance_1 : f32 = length_bound_0(select(half_0, abs(toward_0), vec3<bool>((far_0 > near_0))));
     var sent_0 : f32 = BySide_sum_0(sent_by_side_0(node_2, receiver_2.point_0, distance_1));
     var falloff_0 : f32 = reciprocal_guess_0(max(far_0, near_0));
-    var _S72 : f32;
+    var _S73 : f32;
     if(above_0 > 0.0f)
     {
-        _S72 = sent_0 * min(above_0, distance_1) * (falloff_0 * falloff_0);
+        _S73 = sent_0 * min(above_0, distance_1) * (falloff_0 * falloff_0);
     }
     else
     {
-        _S72 = 0.0f;
+        _S73 = 0.0f;
     }
-    return View_x24init_0(_S72, is_far_2);
+    return View_x24init_0(_S73, is_far_2);
 }
 
 fn importance_of_all_0( receiver_3 : Receiver_0) -> f32
@@ -1009,25 +1011,25 @@ fn Lights_sun_probability_0( receiver_5 : Receiver_0) -> f32
 
 fn Lights_has_chosen_sky_0() -> bool
 {
-    var _S73 : bool;
+    var _S74 : bool;
     if(SKY_0 == u32(1))
     {
-        _S73 = (params_0.sky_irradiance_0) > 0.0f;
+        _S74 = (params_0.sky_irradiance_0) > 0.0f;
     }
     else
     {
-        _S73 = false;
+        _S74 = false;
     }
-    return _S73;
+    return _S74;
 }
 
 fn Selection_x24init_0( sun_1 : f32,  sky_2 : f32,  emitters_1 : f32) -> Selection_0
 {
-    var _S74 : Selection_0;
-    _S74.sun_0 = sun_1;
-    _S74.sky_1 = sky_2;
-    _S74.emitters_0 = emitters_1;
-    return _S74;
+    var _S75 : Selection_0;
+    _S75.sun_0 = sun_1;
+    _S75.sky_1 = sky_2;
+    _S75.emitters_0 = emitters_1;
+    return _S75;
 }
 
 fn Lights_sky_probability_0( receiver_6 : Receiver_0) -> f32
@@ -1058,48 +1060,48 @@ fn Lights_selection_0( receiver_7 : Receiver_0) -> Selection_0
         return Selection_x24init_0(sun_2, 0.0f, 1.0f - sun_2);
     }
     var sky_3 : f32 = Lights_sky_probability_0(receiver_7);
-    var _S75 : f32 = 1.0f - sky_3;
-    return Selection_x24init_0(sun_2 * _S75, sky_3, (1.0f - sun_2) * _S75);
+    var _S76 : f32 = 1.0f - sky_3;
+    return Selection_x24init_0(sun_2 * _S76, sky_3, (1.0f - sun_2) * _S76);
 }
 
-fn Path_selection_at_0( this_10 : Path_0,  last_2 : Receiver_0) -> Selection_0
+fn Path_selection_at_0( this_10 : Path_0,  last_1 : Receiver_0) -> Selection_0
 {
-    return Lights_selection_0(last_2);
+    return Lights_selection_0(last_1);
 }
 
 fn Environment_pdf_0( direction_10 : vec3<f32>) -> f32
 {
     var place_1 : vec2<f32> = Environment_place_of_0(direction_10);
-    var last_3 : i32 = i32(params_0.sky_edge_0) - i32(1);
-    return environment_0[Environment_index_of_0(min(i32(place_1.x), last_3), min(i32(place_1.y), last_3))].pdf_0;
+    var last_2 : i32 = i32(params_0.sky_edge_0) - i32(1);
+    return environment_0[Environment_index_of_0(min(i32(place_1.x), last_2), min(i32(place_1.y), last_2))].pdf_0;
 }
 
 fn Sky_pdf_0( direction_11 : vec3<f32>) -> f32
 {
-    var _S76 : f32;
+    var _S77 : f32;
     if(SKY_0 == u32(1))
     {
-        _S76 = Environment_pdf_0(direction_11);
-    }
-    else
-    {
-        _S76 = 0.0f;
-    }
-    return _S76;
-}
-
-fn Lights_sky_pdf_0( selection_1 : Selection_0,  direction_12 : vec3<f32>) -> f32
-{
-    var _S77 : f32;
-    if(Lights_has_chosen_sky_0())
-    {
-        _S77 = Sky_pdf_0(direction_12) * selection_1.sky_1;
+        _S77 = Environment_pdf_0(direction_11);
     }
     else
     {
         _S77 = 0.0f;
     }
     return _S77;
+}
+
+fn Lights_sky_pdf_0( selection_1 : Selection_0,  direction_12 : vec3<f32>) -> f32
+{
+    var _S78 : f32;
+    if(Lights_has_chosen_sky_0())
+    {
+        _S78 = Sky_pdf_0(direction_12) * selection_1.sky_1;
+    }
+    else
+    {
+        _S78 = 0.0f;
+    }
+    return _S78;
 }
 
 fn power_heuristic_0( own_0 : f32,  other_0 : f32) -> f32
@@ -1110,16 +1112,16 @@ fn power_heuristic_0( own_0 : f32,  other_0 : f32) -> f32
 
 fn mis_weight_0( bounce_pdf_0 : f32,  light_pdf_0 : f32) -> f32
 {
-    var _S78 : bool;
+    var _S79 : bool;
     if(bounce_pdf_0 == 0.0f)
     {
-        _S78 = true;
+        _S79 = true;
     }
     else
     {
-        _S78 = light_pdf_0 == 0.0f;
+        _S79 = light_pdf_0 == 0.0f;
     }
-    if(_S78)
+    if(_S79)
     {
         return 1.0f;
     }
@@ -1133,24 +1135,24 @@ fn SunDisc_is_visible_0() -> bool
 
 fn Path_is_straight_0( this_11 : Path_0) -> bool
 {
-    var _S79 : bool;
+    var _S80 : bool;
     if((this_11.bounce_0) == u32(0))
     {
-        _S79 = (this_11.pdf_1) == 0.0f;
+        _S80 = (this_11.pdf_1) == 0.0f;
     }
     else
     {
-        _S79 = false;
+        _S80 = false;
     }
-    if(_S79)
+    if(_S80)
     {
-        _S79 = (all(((this_11.normal_0) == vec3<f32>(0.0f))));
+        _S80 = (all(((this_11.normal_0) == vec3<f32>(0.0f))));
     }
     else
     {
-        _S79 = false;
+        _S80 = false;
     }
-    return _S79;
+    return _S80;
 }
 
 fn SunDisc_contains_0( direction_13 : vec3<f32>) -> bool
@@ -1160,44 +1162,44 @@ fn SunDisc_contains_0( direction_13 : vec3<f32>) -> bool
 
 fn SunDisc_le_0( direction_14 : vec3<f32>) -> vec3<f32>
 {
-    var _S80 : vec3<f32>;
+    var _S81 : vec3<f32>;
     if(SunDisc_contains_0(direction_14))
     {
-        _S80 = params_0.sun_radiance_0;
+        _S81 = params_0.sun_radiance_0;
     }
     else
     {
-        _S80 = vec3<f32>(0.0f);
-    }
-    return _S80;
-}
-
-fn SunDisc_pdf_0( direction_15 : vec3<f32>) -> f32
-{
-    var _S81 : f32;
-    if(SunDisc_contains_0(direction_15))
-    {
-        _S81 = params_0.sun_pdf_0;
-    }
-    else
-    {
-        _S81 = 0.0f;
+        _S81 = vec3<f32>(0.0f);
     }
     return _S81;
 }
 
-fn Lights_sun_pdf_0( selection_2 : Selection_0,  direction_16 : vec3<f32>) -> f32
+fn SunDisc_pdf_0( direction_15 : vec3<f32>) -> f32
 {
     var _S82 : f32;
-    if(has_sun_0())
+    if(SunDisc_contains_0(direction_15))
     {
-        _S82 = SunDisc_pdf_0(direction_16) * selection_2.sun_0;
+        _S82 = params_0.sun_pdf_0;
     }
     else
     {
         _S82 = 0.0f;
     }
     return _S82;
+}
+
+fn Lights_sun_pdf_0( selection_2 : Selection_0,  direction_16 : vec3<f32>) -> f32
+{
+    var _S83 : f32;
+    if(has_sun_0())
+    {
+        _S83 = SunDisc_pdf_0(direction_16) * selection_2.sun_0;
+    }
+    else
+    {
+        _S83 = 0.0f;
+    }
+    return _S83;
 }
 
 fn Path_events_0( this_12 : Path_0) -> u32
@@ -1252,40 +1254,45 @@ struct PackedGrid_0
      material_bits_0 : u32,
 };
 
+fn Rows_operatorx5Bx5D_get_3( row_4 : u32) -> vec4<u32>
+{
+    return records_0[first_row_0(u32(0)) + row_4];
+}
+
 fn Grids_operatorx5Bx5D_get_0( index_5 : u32) -> PackedGrid_0
 {
-    var row_4 : u32 = first_row_0(u32(0)) + u32(5) * index_5;
-    var a_4 : vec4<u32> = records_0[row_4];
-    var b_4 : vec4<u32> = records_0[row_4 + u32(1)];
-    var c_2 : vec4<u32> = records_0[row_4 + u32(2)];
-    var d_2 : vec4<u32> = records_0[row_4 + u32(3)];
+    var row_5 : u32 = u32(5) * index_5;
+    var _S84 : vec4<u32> = Rows_operatorx5Bx5D_get_3(row_5);
+    var _S85 : vec4<u32> = Rows_operatorx5Bx5D_get_3(row_5 + u32(1));
+    var _S86 : vec4<u32> = Rows_operatorx5Bx5D_get_3(row_5 + u32(2));
+    var _S87 : vec4<u32> = Rows_operatorx5Bx5D_get_3(row_5 + u32(3));
     var grid_2 : PackedGrid_0;
-    var _S83 : i32 = i32(a_4.y);
-    var _S84 : i32 = i32(a_4.z);
-    grid_2.origin_4[i32(0)] = i32(a_4.x);
-    grid_2.origin_4[i32(1)] = _S83;
-    grid_2.origin_4[i32(2)] = _S84;
-    grid_2.top_shift_0 = a_4.w;
-    var _S85 : i32 = i32(b_4.y);
-    var _S86 : i32 = i32(b_4.z);
-    grid_2.top_size_0[i32(0)] = i32(b_4.x);
-    grid_2.top_size_0[i32(1)] = _S85;
-    grid_2.top_size_0[i32(2)] = _S86;
-    grid_2.top_offset_0 = b_4.w;
-    var _S87 : i32 = i32(c_2.y);
-    var _S88 : i32 = i32(c_2.z);
-    grid_2.min_1[i32(0)] = i32(c_2.x);
-    grid_2.min_1[i32(1)] = _S87;
-    grid_2.min_1[i32(2)] = _S88;
-    var _S89 : u32 = d_2.x;
-    grid_2.voxels_1[i32(0)] = c_2.w;
-    grid_2.voxels_1[i32(1)] = _S89;
-    var _S90 : i32 = i32(d_2.z);
-    var _S91 : i32 = i32(d_2.w);
-    grid_2.max_1[i32(0)] = i32(d_2.y);
-    grid_2.max_1[i32(1)] = _S90;
-    grid_2.max_1[i32(2)] = _S91;
-    grid_2.material_bits_0 = records_0[row_4 + u32(4)].x;
+    var _S88 : i32 = i32(_S84.y);
+    var _S89 : i32 = i32(_S84.z);
+    grid_2.origin_4[i32(0)] = i32(_S84.x);
+    grid_2.origin_4[i32(1)] = _S88;
+    grid_2.origin_4[i32(2)] = _S89;
+    grid_2.top_shift_0 = _S84.w;
+    var _S90 : i32 = i32(_S85.y);
+    var _S91 : i32 = i32(_S85.z);
+    grid_2.top_size_0[i32(0)] = i32(_S85.x);
+    grid_2.top_size_0[i32(1)] = _S90;
+    grid_2.top_size_0[i32(2)] = _S91;
+    grid_2.top_offset_0 = _S85.w;
+    var _S92 : i32 = i32(_S86.y);
+    var _S93 : i32 = i32(_S86.z);
+    grid_2.min_1[i32(0)] = i32(_S86.x);
+    grid_2.min_1[i32(1)] = _S92;
+    grid_2.min_1[i32(2)] = _S93;
+    var _S94 : u32 = _S87.x;
+    grid_2.voxels_1[i32(0)] = _S86.w;
+    grid_2.voxels_1[i32(1)] = _S94;
+    var _S95 : i32 = i32(_S87.z);
+    var _S96 : i32 = i32(_S87.w);
+    grid_2.max_1[i32(0)] = i32(_S87.y);
+    grid_2.max_1[i32(1)] = _S95;
+    grid_2.max_1[i32(2)] = _S96;
+    grid_2.material_bits_0 = Rows_operatorx5Bx5D_get_3(row_5 + u32(4)).x;
     return grid_2;
 }
 
@@ -1314,16 +1321,16 @@ fn cell_in_node_0( relative_0 : vec3<i32>,  shift_0 : u32) -> u32
 
 fn record_of_cell_0( cell_1 : u32) -> u32
 {
-    var _S92 : u32;
+    var _S97 : u32;
     if(CELLS_HAVE_BLOCKS_0)
     {
-        _S92 = u32(8388607);
+        _S97 = u32(8388607);
     }
     else
     {
-        _S92 = u32(2147483647);
+        _S97 = u32(2147483647);
     }
-    return ((cell_1 & (_S92))) * u32(2);
+    return ((cell_1 & (_S97))) * u32(2);
 }
 
 fn find_brick_0( grid_3 : PackedGrid_0,  relative_1 : vec3<i32>) -> u32
@@ -1333,16 +1340,16 @@ fn find_brick_0( grid_3 : PackedGrid_0,  relative_1 : vec3<i32>) -> u32
     var shift_1 : u32 = grid_3.top_shift_0;
     for(;;)
     {
-        var _S93 : bool;
+        var _S98 : bool;
         if(shift_1 > u32(3))
         {
-            _S93 = ((cell_2 & (u32(2147483648)))) != u32(0);
+            _S98 = ((cell_2 & (u32(2147483648)))) != u32(0);
         }
         else
         {
-            _S93 = false;
+            _S98 = false;
         }
-        if(_S93)
+        if(_S98)
         {
         }
         else
@@ -1381,20 +1388,20 @@ fn rank_in_brick_0( record_0 : u32,  relative_2 : vec3<i32>) -> u32
         {
             break;
         }
-        var _S94 : u32 = u32(2) * index_10;
-        var rank_1 : u32 = rank_0 + (countOneBits(brick_word_0(record_0 + u32(2) + _S94)) + countOneBits(brick_word_0(record_0 + u32(3) + _S94)));
+        var _S99 : u32 = u32(2) * index_10;
+        var rank_1 : u32 = rank_0 + (countOneBits(brick_word_0(record_0 + u32(2) + _S99)) + countOneBits(brick_word_0(record_0 + u32(3) + _S99)));
         index_10 = index_10 + u32(1);
         rank_0 = rank_1;
     }
-    var _S95 : u32 = u32(2) * present_before_0;
-    var low_2 : u32 = brick_word_0(record_0 + u32(2) + _S95);
+    var _S100 : u32 = u32(2) * present_before_0;
+    var low_2 : u32 = brick_word_0(record_0 + u32(2) + _S100);
     if(bit_0 < u32(32))
     {
         rank_0 = rank_0 + countOneBits((low_2 & ((((u32(1) << (bit_0))) - u32(1)))));
     }
     else
     {
-        rank_0 = rank_0 + (countOneBits(low_2) + countOneBits(((brick_word_0(record_0 + u32(3) + _S95)) & ((((u32(1) << ((bit_0 - u32(32))))) - u32(1))))));
+        rank_0 = rank_0 + (countOneBits(low_2) + countOneBits(((brick_word_0(record_0 + u32(3) + _S100)) & ((((u32(1) << ((bit_0 - u32(32))))) - u32(1))))));
     }
     return rank_0;
 }
@@ -1447,8 +1454,8 @@ fn material_at_0( grid_4 : PackedGrid_0,  relative_3 : vec3<i32>) -> u32
 
 fn material_of_0( hit_0 : Hit_0) -> PackedMaterial_0
 {
-    var _S96 : PackedGrid_0 = Grids_operatorx5Bx5D_get_0(Instances_operatorx5Bx5D_get_0(hit_0.instance_1).grid_0);
-    return material_of_index_0(material_at_0(_S96, hit_0.voxel_1 - cell_of_0(_S96.origin_4)));
+    var _S101 : PackedGrid_0 = Grids_operatorx5Bx5D_get_0(Instances_operatorx5Bx5D_get_0(hit_0.instance_1).grid_0);
+    return material_of_index_0(material_at_0(_S101, hit_0.voxel_1 - cell_of_0(_S101.origin_4)));
 }
 
 fn material_met_0( path_3 : Path_0,  hit_1 : Hit_0,  beyond_1 : u32) -> PackedMaterial_0
@@ -1468,34 +1475,34 @@ fn EmitterTree_le_0( material_4 : PackedMaterial_0) -> vec3<f32>
 
 fn ior_of_0( inside_3 : Inside_0) -> f32
 {
-    var _S97 : f32;
+    var _S102 : f32;
     if(Inside_is_in_0(inside_3))
     {
-        _S97 = material_of_index_0(inside_3.material_0).ior_0;
+        _S102 = material_of_index_0(inside_3.material_0).ior_0;
     }
     else
     {
-        _S97 = 1.0f;
+        _S102 = 1.0f;
     }
-    return _S97;
+    return _S102;
 }
 
 fn Microfacets_x24init_0( alpha_1 : f32) -> Microfacets_0
 {
-    var _S98 : Microfacets_0;
-    _S98.alpha_0 = alpha_1;
-    return _S98;
+    var _S103 : Microfacets_0;
+    _S103.alpha_0 = alpha_1;
+    return _S103;
 }
 
 fn MaterialBsdf_x24init_0( kind_1 : u32,  color_1 : vec3<f32>,  specular_2 : f32,  eta_1 : f32,  facets_1 : Microfacets_0) -> MaterialBsdf_0
 {
-    var _S99 : MaterialBsdf_0;
-    _S99.kind_0 = kind_1;
-    _S99.color_0 = color_1;
-    _S99.specular_0 = specular_2;
-    _S99.eta_0 = eta_1;
-    _S99.facets_0 = facets_1;
-    return _S99;
+    var _S104 : MaterialBsdf_0;
+    _S104.kind_0 = kind_1;
+    _S104.color_0 = color_1;
+    _S104.specular_0 = specular_2;
+    _S104.eta_0 = eta_1;
+    _S104.facets_0 = facets_1;
+    return _S104;
 }
 
 fn bsdf_of_0( material_5 : PackedMaterial_0,  ior_1 : f32,  choice_0 : ptr<function, f32>) -> MaterialBsdf_0
@@ -1516,27 +1523,27 @@ fn roulette_0( event_1 : u32,  scattered_1 : vec3<f32>,  u_3 : f32) -> f32
     {
         return 1.0f;
     }
-    var _S100 : f32 = min(max_element_0(scattered_1), 0.94999998807907104f);
-    var _S101 : f32;
-    if(u_3 < _S100)
+    var _S105 : f32 = min(max_element_0(scattered_1), 0.94999998807907104f);
+    var _S106 : f32;
+    if(u_3 < _S105)
     {
-        _S101 = divide_0(1.0f, _S100);
+        _S106 = divide_0(1.0f, _S105);
     }
     else
     {
-        _S101 = 0.0f;
+        _S106 = 0.0f;
     }
-    return _S101;
+    return _S106;
 }
 
 fn Hit_x24init_0( t_2 : f32,  instance_5 : u32,  voxel_3 : vec3<i32>,  face_2 : u32) -> Hit_0
 {
-    var _S102 : Hit_0;
-    _S102.t_0 = t_2;
-    _S102.instance_1 = instance_5;
-    _S102.voxel_1 = voxel_3;
-    _S102.face_0 = face_2;
-    return _S102;
+    var _S107 : Hit_0;
+    _S107.t_0 = t_2;
+    _S107.instance_1 = instance_5;
+    _S107.voxel_1 = voxel_3;
+    _S107.face_0 = face_2;
+    return _S107;
 }
 
 @id(1) override IS_SINGLE_0 : bool = false;
@@ -1549,19 +1556,19 @@ fn margin_of_0( translation_1 : vec3<f32>,  low_3 : vec3<f32>) -> f32
 fn offset_ray_origin_0( translation_2 : vec3<f32>,  low_4 : vec3<f32>,  face_3 : u32,  point_3 : vec3<f32>) -> vec3<f32>
 {
     var margin_0 : f32 = margin_of_0(translation_2, low_4);
-    var _S103 : vec3<f32> = vec3<f32>(margin_0);
-    var moved_0 : vec3<f32> = min(max(point_3, low_4 + _S103), low_4 + vec3<f32>((1.0f - margin_0)));
-    var _S104 : bool = face_3 < u32(2);
-    var _S105 : bool;
+    var _S108 : vec3<f32> = vec3<f32>(margin_0);
+    var moved_0 : vec3<f32> = min(max(point_3, low_4 + _S108), low_4 + vec3<f32>((1.0f - margin_0)));
+    var _S109 : bool = face_3 < u32(2);
+    var _S110 : bool;
     if(face_3 >= u32(2))
     {
-        _S105 = face_3 < u32(4);
+        _S110 = face_3 < u32(4);
     }
     else
     {
-        _S105 = false;
+        _S110 = false;
     }
-    var is_axis_0 : vec3<bool> = vec3<bool>(_S104, _S105, face_3 >= u32(4));
+    var is_axis_0 : vec3<bool> = vec3<bool>(_S109, _S110, face_3 >= u32(4));
     var outside_0 : vec3<f32>;
     if(((face_3 & (u32(1)))) == u32(1))
     {
@@ -1569,7 +1576,7 @@ fn offset_ray_origin_0( translation_2 : vec3<f32>,  low_4 : vec3<f32>,  face_3 :
     }
     else
     {
-        outside_0 = low_4 - _S103;
+        outside_0 = low_4 - _S108;
     }
     return select(moved_0, outside_0, is_axis_0);
 }
@@ -1585,32 +1592,32 @@ fn face_normal_0( face_4 : u32) -> vec3<f32>
     {
         away_0 = -1.0f;
     }
-    var _S106 : f32;
+    var _S111 : f32;
     if(face_4 < u32(2))
     {
-        _S106 = away_0;
+        _S111 = away_0;
     }
     else
     {
-        _S106 = 0.0f;
+        _S111 = 0.0f;
     }
-    var _S107 : bool;
+    var _S112 : bool;
     if(face_4 >= u32(2))
     {
-        _S107 = face_4 < u32(4);
+        _S112 = face_4 < u32(4);
     }
     else
     {
-        _S107 = false;
+        _S112 = false;
     }
-    var _S108 : f32;
-    if(_S107)
+    var _S113 : f32;
+    if(_S112)
     {
-        _S108 = away_0;
+        _S113 = away_0;
     }
     else
     {
-        _S108 = 0.0f;
+        _S113 = 0.0f;
     }
     if(face_4 >= u32(4))
     {
@@ -1619,7 +1626,7 @@ fn face_normal_0( face_4 : u32) -> vec3<f32>
     {
         away_0 = 0.0f;
     }
-    return vec3<f32>(_S106, _S108, away_0);
+    return vec3<f32>(_S111, _S113, away_0);
 }
 
 fn Transform_point_0( this_17 : Transform_0,  v_4 : vec3<f32>) -> vec3<f32>
@@ -1640,17 +1647,17 @@ fn world_normal_0( instance_6 : PackedInstance_0,  face_5 : u32) -> vec3<f32>
 fn surface_of_0( ray_4 : Ray_0,  hit_2 : Hit_0) -> Surface_0
 {
     var surface_1 : Surface_0;
-    var _S109 : vec3<f32> = vec3<f32>(hit_2.voxel_1);
+    var _S114 : vec3<f32> = vec3<f32>(hit_2.voxel_1);
     if(IS_SINGLE_0)
     {
-        surface_1.origin_3 = offset_ray_origin_0(vec3<f32>(0.0f), _S109, hit_2.face_0, ray_4.origin_1 + ray_4.direction_1 * vec3<f32>(hit_2.t_0));
+        surface_1.origin_3 = offset_ray_origin_0(vec3<f32>(0.0f), _S114, hit_2.face_0, ray_4.origin_1 + ray_4.direction_1 * vec3<f32>(hit_2.t_0));
         surface_1.normal_2 = face_normal_0(hit_2.face_0);
     }
     else
     {
-        var _S110 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(hit_2.instance_1);
-        surface_1.origin_3 = Transform_point_0(_S110.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S110.grid_from_world_0.translation_0), _S109, hit_2.face_0, Transform_point_0(_S110.grid_from_world_0, ray_4.origin_1) + Transform_direction_0(_S110.grid_from_world_0, ray_4.direction_1) * vec3<f32>(hit_2.t_0)));
-        surface_1.normal_2 = world_normal_0(_S110, hit_2.face_0);
+        var _S115 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(hit_2.instance_1);
+        surface_1.origin_3 = Transform_point_0(_S115.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S115.grid_from_world_0.translation_0), _S114, hit_2.face_0, Transform_point_0(_S115.grid_from_world_0, ray_4.origin_1) + Transform_direction_0(_S115.grid_from_world_0, ray_4.direction_1) * vec3<f32>(hit_2.t_0)));
+        surface_1.normal_2 = world_normal_0(_S115, hit_2.face_0);
     }
     surface_1.face_1 = hit_2.face_0;
     surface_1.instance_3 = hit_2.instance_1;
@@ -1704,8 +1711,8 @@ fn clamp_to_voxel_0( translation_3 : vec3<f32>,  low_5 : vec3<f32>,  point_4 : v
 
 fn Inside_point_0( this_19 : Inside_0,  ray_5 : Ray_0,  t_3 : f32) -> vec3<f32>
 {
-    var _S111 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(this_19.instance_0);
-    return Transform_point_0(_S111.world_from_grid_0, clamp_to_voxel_0(vector_of_0(_S111.grid_from_world_0.translation_0), vec3<f32>(this_19.voxel_0), Transform_point_0(_S111.grid_from_world_0, ray_5.origin_1) + Transform_direction_0(_S111.grid_from_world_0, ray_5.direction_1) * vec3<f32>(t_3)));
+    var _S116 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(this_19.instance_0);
+    return Transform_point_0(_S116.world_from_grid_0, clamp_to_voxel_0(vector_of_0(_S116.grid_from_world_0.translation_0), vec3<f32>(this_19.voxel_0), Transform_point_0(_S116.grid_from_world_0, ray_5.origin_1) + Transform_direction_0(_S116.grid_from_world_0, ray_5.direction_1) * vec3<f32>(t_3)));
 }
 
 struct LightSample_0
@@ -1718,42 +1725,42 @@ struct LightSample_0
 
 fn Ray_x24init_0( origin_5 : vec3<f32>,  t_min_1 : f32,  direction_17 : vec3<f32>,  t_max_1 : f32) -> Ray_0
 {
-    var _S112 : Ray_0;
-    _S112.origin_1 = origin_5;
-    _S112.t_min_0 = t_min_1;
-    _S112.direction_1 = direction_17;
-    _S112.t_max_0 = t_max_1;
-    return _S112;
+    var _S117 : Ray_0;
+    _S117.origin_1 = origin_5;
+    _S117.t_min_0 = t_min_1;
+    _S117.direction_1 = direction_17;
+    _S117.t_max_0 = t_max_1;
+    return _S117;
 }
 
 fn LightSample_x24init_0( ray_7 : Ray_0,  cos_theta_3 : f32,  radiance_2 : vec3<f32>,  pdf_3 : f32) -> LightSample_0
 {
-    var _S113 : LightSample_0;
-    _S113.ray_6 = ray_7;
-    _S113.cos_theta_2 = cos_theta_3;
-    _S113.radiance_1 = radiance_2;
-    _S113.pdf_2 = pdf_3;
-    return _S113;
+    var _S118 : LightSample_0;
+    _S118.ray_6 = ray_7;
+    _S118.cos_theta_2 = cos_theta_3;
+    _S118.radiance_1 = radiance_2;
+    _S118.pdf_2 = pdf_3;
+    return _S118;
 }
 
 fn no_light_0() -> LightSample_0
 {
-    var _S114 : vec3<f32> = vec3<f32>(0.0f);
-    return LightSample_x24init_0(Ray_x24init_0(_S114, 0.0f, _S114, 0.0f), 0.0f, _S114, 0.0f);
+    var _S119 : vec3<f32> = vec3<f32>(0.0f);
+    return LightSample_x24init_0(Ray_x24init_0(_S119, 0.0f, _S119, 0.0f), 0.0f, _S119, 0.0f);
 }
 
 fn Scatter_x24init_0( path_4 : Path_0,  receiver_8 : Receiver_0,  surface_2 : Surface_0,  bsdf_1 : MaterialBsdf_0,  wo_1 : vec3<f32>,  compensation_1 : f32,  is_scattered_1 : bool,  wants_light_1 : bool) -> Scatter_0
 {
-    var _S115 : Scatter_0;
-    _S115.path_0 = path_4;
-    _S115.receiver_0 = receiver_8;
-    _S115.surface_0 = surface_2;
-    _S115.bsdf_0 = bsdf_1;
-    _S115.wo_0 = wo_1;
-    _S115.compensation_0 = compensation_1;
-    _S115.is_scattered_0 = is_scattered_1;
-    _S115.wants_light_0 = wants_light_1;
-    return _S115;
+    var _S120 : Scatter_0;
+    _S120.path_0 = path_4;
+    _S120.receiver_0 = receiver_8;
+    _S120.surface_0 = surface_2;
+    _S120.bsdf_0 = bsdf_1;
+    _S120.wo_0 = wo_1;
+    _S120.compensation_0 = compensation_1;
+    _S120.is_scattered_0 = is_scattered_1;
+    _S120.wants_light_0 = wants_light_1;
+    return _S120;
 }
 
 struct BsdfSample_0
@@ -1771,9 +1778,9 @@ struct Diffuse_0
 
 fn Diffuse_x24init_0( reflectance_1 : vec3<f32>) -> Diffuse_0
 {
-    var _S116 : Diffuse_0;
-    _S116.reflectance_0 = reflectance_1;
-    return _S116;
+    var _S121 : Diffuse_0;
+    _S121.reflectance_0 = reflectance_1;
+    return _S121;
 }
 
 fn sincos_turns_0( turns_1 : f32) -> vec2<f32>
@@ -1818,12 +1825,12 @@ fn cosine_hemisphere_pdf_0( cos_theta_4 : f32) -> f32
 
 fn BsdfSample_x24init_0( wi_1 : vec3<f32>,  weight_1 : vec3<f32>,  pdf_5 : f32,  is_delta_1 : bool) -> BsdfSample_0
 {
-    var _S117 : BsdfSample_0;
-    _S117.wi_0 = wi_1;
-    _S117.weight_0 = weight_1;
-    _S117.pdf_4 = pdf_5;
-    _S117.is_delta_0 = is_delta_1;
-    return _S117;
+    var _S122 : BsdfSample_0;
+    _S122.wi_0 = wi_1;
+    _S122.weight_0 = weight_1;
+    _S122.pdf_4 = pdf_5;
+    _S122.is_delta_0 = is_delta_1;
+    return _S122;
 }
 
 fn Diffuse_sample_0( this_20 : Diffuse_0,  wo_2 : vec3<f32>,  u_5 : vec3<f32>,  sample_2 : ptr<function, BsdfSample_0>) -> bool
@@ -1835,8 +1842,8 @@ fn Diffuse_sample_0( this_20 : Diffuse_0,  wo_2 : vec3<f32>,  u_5 : vec3<f32>,  
 
 fn MaterialBsdf_sample_0( this_21 : MaterialBsdf_0,  wo_3 : vec3<f32>,  u_6 : vec3<f32>,  sample_3 : ptr<function, BsdfSample_0>) -> bool
 {
-    var _S118 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_21.color_0), wo_3, u_6, &((*sample_3)));
-    return _S118;
+    var _S123 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_21.color_0), wo_3, u_6, &((*sample_3)));
+    return _S123;
 }
 
 fn Surface_world_direction_0( this_22 : Surface_0,  local_1 : vec3<f32>) -> vec3<f32>
@@ -1850,23 +1857,23 @@ fn Surface_world_direction_0( this_22 : Surface_0,  local_1 : vec3<f32>) -> vec3
     {
         away_1 = - local_1.z;
     }
-    var _S119 : f32 = local_1.x;
-    var _S120 : f32 = local_1.y;
-    var _S121 : vec3<f32> = vec3<f32>(_S119, _S120, away_1);
+    var _S124 : f32 = local_1.x;
+    var _S125 : f32 = local_1.y;
+    var _S126 : vec3<f32> = vec3<f32>(_S124, _S125, away_1);
     var in_grid_2 : vec3<f32>;
     if((this_22.face_1) < u32(2))
     {
-        in_grid_2 = vec3<f32>(away_1, _S119, _S120);
+        in_grid_2 = vec3<f32>(away_1, _S124, _S125);
     }
     else
     {
         if((this_22.face_1) < u32(4))
         {
-            in_grid_2 = vec3<f32>(_S120, away_1, _S119);
+            in_grid_2 = vec3<f32>(_S125, away_1, _S124);
         }
         else
         {
-            in_grid_2 = _S121;
+            in_grid_2 = _S126;
         }
     }
     if(!IS_SINGLE_0)
@@ -1891,7 +1898,7 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_8 : Ray_0,  hit
         t_4 = (*path_5).pdf_1;
     }
     (*path_5).pdf_1 = t_4;
-    var last_4 : Receiver_0 = Path_receiver_0((*path_5), ray_8);
+    var last_3 : Receiver_0 = Path_receiver_0((*path_5), ray_8);
     var is_scattered_2 : bool;
     if(Inside_is_in_0((*path_5).inside_0))
     {
@@ -1932,7 +1939,7 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_8 : Ray_0,  hit
     var light_pdf_1 : f32;
     if(is_weighed_0)
     {
-        (*radiance_3) = (*radiance_3) + (*path_5).beta_0 * Sky_le_0(ray_8.direction_1) * vec3<f32>(mis_weight_0((*path_5).pdf_1, Lights_sky_pdf_0(Path_selection_at_0((*path_5), last_4), ray_8.direction_1)));
+        (*radiance_3) = (*radiance_3) + (*path_5).beta_0 * Sky_le_0(ray_8.direction_1) * vec3<f32>(mis_weight_0((*path_5).pdf_1, Lights_sky_pdf_0(Path_selection_at_0((*path_5), last_3), ray_8.direction_1)));
         if(has_sun_0())
         {
             if(SunDisc_is_visible_0())
@@ -1959,7 +1966,7 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_8 : Ray_0,  hit
                 }
                 else
                 {
-                    light_pdf_1 = Lights_sun_pdf_0(Path_selection_at_0((*path_5), last_4), ray_8.direction_1);
+                    light_pdf_1 = Lights_sun_pdf_0(Path_selection_at_0((*path_5), last_3), ray_8.direction_1);
                 }
                 (*radiance_3) = (*radiance_3) + (*path_5).beta_0 * le_0 * vec3<f32>(mis_weight_0((*path_5).pdf_1, light_pdf_1));
             }
@@ -1968,7 +1975,7 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_8 : Ray_0,  hit
     }
     var u_7 : vec4<f32> = Sampler_stratified_0((*path_5).sampler_0, Path_dimension_scatter_0((*path_5)));
     var material_6 : PackedMaterial_0 = material_met_0((*path_5), hit_3, beyond_2);
-    var _S122 : vec3<f32> = vec3<f32>(0.0f);
+    var _S127 : vec3<f32> = vec3<f32>(0.0f);
     var le_1 : vec3<f32>;
     if(!is_counted_0)
     {
@@ -1976,7 +1983,7 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_8 : Ray_0,  hit
     }
     else
     {
-        le_1 = _S122;
+        le_1 = _S127;
     }
     var is_lit_0 : bool = (max_element_0(le_1)) > 0.0f;
     if(weighs_apart_0())
@@ -1995,62 +2002,62 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_8 : Ray_0,  hit
     {
         is_weighed_0 = false;
     }
-    var _S123 : bool;
+    var _S128 : bool;
     if(is_lit_0)
     {
-        _S123 = !is_weighed_0;
+        _S128 = !is_weighed_0;
     }
     else
     {
-        _S123 = false;
+        _S128 = false;
     }
-    if(_S123)
+    if(_S128)
     {
         (*radiance_3) = (*radiance_3) + (*path_5).beta_0 * le_1 * vec3<f32>(mis_weight_0((*path_5).pdf_1, 0.0f));
     }
-    var _S124 : f32 = ior_of_0((*path_5).inside_0);
-    var _S125 : f32 = u_7[i32(3)];
-    var _S126 : MaterialBsdf_0 = bsdf_of_0(material_6, _S124, &(_S125));
-    u_7[i32(3)] = _S125;
-    var scattered_2 : vec3<f32> = (*path_5).beta_0 * MaterialBsdf_albedo_0(_S126);
+    var _S129 : f32 = ior_of_0((*path_5).inside_0);
+    var _S130 : f32 = u_7[i32(3)];
+    var _S131 : MaterialBsdf_0 = bsdf_of_0(material_6, _S129, &(_S130));
+    u_7[i32(3)] = _S130;
+    var scattered_2 : vec3<f32> = (*path_5).beta_0 * MaterialBsdf_albedo_0(_S131);
     if(((*path_5).bounce_0) >= (params_0.max_bounces_0))
     {
-        _S123 = true;
+        _S128 = true;
     }
     else
     {
-        _S123 = ends_here_0;
+        _S128 = ends_here_0;
     }
-    var _S127 : bool = !is_weighed_0;
-    if(_S127)
+    var _S132 : bool = !is_weighed_0;
+    if(_S132)
     {
-        if(_S123)
+        if(_S128)
         {
-            _S123 = true;
+            _S128 = true;
         }
         else
         {
-            _S123 = (max_element_0(scattered_2)) <= 0.0f;
+            _S128 = (max_element_0(scattered_2)) <= 0.0f;
         }
     }
     else
     {
-        _S123 = false;
+        _S128 = false;
     }
-    if(_S123)
+    if(_S128)
     {
         return next_0;
     }
     var compensation_2 : f32 = roulette_0(Path_events_0((*path_5)), scattered_2, u_7.z);
-    if(_S127)
+    if(_S132)
     {
-        _S123 = compensation_2 == 0.0f;
+        _S128 = compensation_2 == 0.0f;
     }
     else
     {
-        _S123 = false;
+        _S128 = false;
     }
-    if(_S123)
+    if(_S128)
     {
         return next_0;
     }
@@ -2064,19 +2071,19 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_8 : Ray_0,  hit
         at_0 = hit_3;
     }
     var surface_3 : Surface_0 = surface_of_0(ray_8, at_0);
-    var _S128 : Receiver_0 = Receiver_x24init_0(surface_3.origin_3, surface_3.normal_2);
-    var _S129 : vec3<f32> = (vec3<f32>(0) - ray_8.direction_1);
-    var wo_4 : vec3<f32> = Surface_local_direction_0(surface_3, _S129);
+    var _S133 : Receiver_0 = Receiver_x24init_0(surface_3.origin_3, surface_3.normal_2);
+    var _S134 : vec3<f32> = (vec3<f32>(0) - ray_8.direction_1);
+    var wo_4 : vec3<f32> = Surface_local_direction_0(surface_3, _S134);
     var inside_4 : Inside_0 = in_air_0();
     var wo_5 : vec3<f32>;
     var receiver_9 : Receiver_0;
     if(is_scattered_2)
     {
-        var _S130 : Inside_0 = Inside_x24init_0((*path_5).inside_0.instance_0, hit_3.voxel_1, (*path_5).inside_0.material_0);
-        inside_4 = _S130;
-        var _S131 : vec3<f32> = normalize_vector_0(_S129);
-        receiver_9 = Receiver_x24init_0(Inside_point_0(_S130, ray_8, t_4), _S122);
-        wo_5 = _S131;
+        var _S135 : Inside_0 = Inside_x24init_0((*path_5).inside_0.instance_0, hit_3.voxel_1, (*path_5).inside_0.material_0);
+        inside_4 = _S135;
+        var _S136 : vec3<f32> = normalize_vector_0(_S134);
+        receiver_9 = Receiver_x24init_0(Inside_point_0(_S135, ray_8, t_4), _S127);
+        wo_5 = _S136;
     }
     else
     {
@@ -2086,17 +2093,17 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_8 : Ray_0,  hit
             inside_4 = Inside_x24init_0((*path_5).inside_0.instance_0, hit_3.voxel_1, (*path_5).inside_0.material_0);
             inside_4.voxel_0 = hit_3.voxel_1 + vec3<i32>(face_normal_0(hit_3.face_0));
         }
-        receiver_9 = _S128;
+        receiver_9 = _S133;
         wo_5 = wo_4;
     }
     next_0.origin_0 = receiver_9.point_0;
     next_0.shadow_inside_0 = inside_4;
     if(is_weighed_0)
     {
-        receiver_9 = last_4;
+        receiver_9 = last_3;
     }
     var light_2 : LightSample_0 = no_light_0();
-    scatter_of_path_0 = Scatter_x24init_0((*path_5), receiver_9, surface_3, _S126, wo_5, compensation_2, is_scattered_2, false);
+    scatter_of_path_0 = Scatter_x24init_0((*path_5), receiver_9, surface_3, _S131, wo_5, compensation_2, is_scattered_2, false);
     if(is_weighed_0)
     {
         if(next_0.has_shadow_ray_0)
@@ -2113,8 +2120,8 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_8 : Ray_0,  hit
         return next_0;
     }
     var bounce_1 : BsdfSample_0;
-    var _S132 : bool = MaterialBsdf_sample_0(_S126, wo_5, vec3<f32>(u_7.xy, u_7.w), &(bounce_1));
-    if(!_S132)
+    var _S137 : bool = MaterialBsdf_sample_0(_S131, wo_5, vec3<f32>(u_7.xy, u_7.w), &(bounce_1));
+    if(!_S137)
     {
         return next_0;
     }
@@ -2154,12 +2161,12 @@ struct Aim_0
 
 fn Aim_x24init_0( is_met_1 : bool,  direction_19 : vec3<f32>,  hit_5 : Hit_0,  luminance_2 : f32) -> Aim_0
 {
-    var _S133 : Aim_0;
-    _S133.is_met_0 = is_met_1;
-    _S133.direction_18 = direction_19;
-    _S133.hit_4 = hit_5;
-    _S133.luminance_1 = luminance_2;
-    return _S133;
+    var _S138 : Aim_0;
+    _S138.is_met_0 = is_met_1;
+    _S138.direction_18 = direction_19;
+    _S138.hit_4 = hit_5;
+    _S138.luminance_1 = luminance_2;
+    return _S138;
 }
 
 fn ray_from_0( origin_6 : vec3<f32>,  direction_20 : vec3<f32>) -> Ray_0
@@ -2187,36 +2194,36 @@ struct ChosenDirection_0
 
 fn ChosenDirection_x24init_0( direction_23 : vec3<f32>,  radiance_5 : vec3<f32>,  pdf_7 : f32) -> ChosenDirection_0
 {
-    var _S134 : ChosenDirection_0;
-    _S134.direction_22 = direction_23;
-    _S134.radiance_4 = radiance_5;
-    _S134.pdf_6 = pdf_7;
-    return _S134;
+    var _S139 : ChosenDirection_0;
+    _S139.direction_22 = direction_23;
+    _S139.radiance_4 = radiance_5;
+    _S139.pdf_6 = pdf_7;
+    return _S139;
 }
 
 fn direction_of_0( square_0 : vec2<f32>) -> vec3<f32>
 {
     var u_9 : f32 = square_0.x * 2.0f - 1.0f;
     var v_6 : f32 = square_0.y * 2.0f - 1.0f;
-    var _S135 : f32 = abs(u_9);
-    var _S136 : f32 = abs(v_6);
-    var height_1 : f32 = 1.0f - (_S135 + _S136);
+    var _S140 : f32 = abs(u_9);
+    var _S141 : f32 = abs(v_6);
+    var height_1 : f32 = 1.0f - (_S140 + _S141);
     var radius_3 : f32 = 1.0f - abs(height_1);
     var turns_2 : f32;
     if(radius_3 > 0.0f)
     {
-        turns_2 = (divide_0(_S136 - _S135, radius_3) + 1.0f) * 0.125f;
+        turns_2 = (divide_0(_S141 - _S140, radius_3) + 1.0f) * 0.125f;
     }
     else
     {
         turns_2 = 0.0f;
     }
     var sin_cos_2 : vec2<f32> = sincos_turns_0(turns_2);
-    var _S137 : f32 = radius_3 * radius_3;
-    var across_0 : f32 = radius_3 * square_root_0(2.0f - _S137);
+    var _S142 : f32 = radius_3 * radius_3;
+    var across_0 : f32 = radius_3 * square_root_0(2.0f - _S142);
     var x_8 : f32 = sin_cos_2.y * across_0;
     var y_4 : f32 = sin_cos_2.x * across_0;
-    var z_0 : f32 = 1.0f - _S137;
+    var z_0 : f32 = 1.0f - _S142;
     if(u_9 < 0.0f)
     {
         turns_2 = - x_8;
@@ -2225,45 +2232,45 @@ fn direction_of_0( square_0 : vec2<f32>) -> vec3<f32>
     {
         turns_2 = x_8;
     }
-    var _S138 : f32;
+    var _S143 : f32;
     if(v_6 < 0.0f)
     {
-        _S138 = - y_4;
+        _S143 = - y_4;
     }
     else
     {
-        _S138 = y_4;
+        _S143 = y_4;
     }
-    var _S139 : f32;
+    var _S144 : f32;
     if(height_1 < 0.0f)
     {
-        _S139 = - z_0;
+        _S144 = - z_0;
     }
     else
     {
-        _S139 = z_0;
+        _S144 = z_0;
     }
-    return vec3<f32>(turns_2, _S138, _S139);
+    return vec3<f32>(turns_2, _S143, _S144);
 }
 
-fn Environment_to_world_0( d_3 : vec3<f32>) -> vec3<f32>
+fn Environment_to_world_0( d_2 : vec3<f32>) -> vec3<f32>
 {
     var sin_2 : f32 = params_0.sky_turned_0.x;
     var cos_3 : f32 = params_0.sky_turned_0.y;
-    var _S140 : f32 = d_3.x;
-    var _S141 : f32 = d_3.y;
-    return vec3<f32>(_S140 * cos_3 + _S141 * sin_2, _S141 * cos_3 - _S140 * sin_2, d_3.z);
+    var _S145 : f32 = d_2.x;
+    var _S146 : f32 = d_2.y;
+    return vec3<f32>(_S145 * cos_3 + _S146 * sin_2, _S146 * cos_3 - _S145 * sin_2, d_2.z);
 }
 
 fn Environment_choose_0( u_10 : vec4<f32>,  chosen_0 : ptr<function, ChosenDirection_0>) -> bool
 {
-    var _S142 : vec3<f32> = vec3<f32>(0.0f);
-    (*chosen_0) = ChosenDirection_x24init_0(_S142, _S142, 0.0f);
+    var _S147 : vec3<f32> = vec3<f32>(0.0f);
+    (*chosen_0) = ChosenDirection_x24init_0(_S147, _S147, 0.0f);
     var edge_0 : f32 = f32(params_0.sky_edge_0);
-    var _S143 : f32 = u_10.x * edge_0;
-    var _S144 : f32 = edge_0 - 1.0f;
-    var _S145 : f32 = min(floor(_S143), _S144);
-    var own_1 : u32 = u32(_S145) * params_0.sky_edge_0 + u32(min(floor(u_10.y * edge_0), _S144));
+    var _S148 : f32 = u_10.x * edge_0;
+    var _S149 : f32 = edge_0 - 1.0f;
+    var _S150 : f32 = min(floor(_S148), _S149);
+    var own_1 : u32 = u32(_S150) * params_0.sky_edge_0 + u32(min(floor(u_10.y * edge_0), _S149));
     var index_14 : u32;
     if((u_10.z) < (environment_0[own_1].threshold_0))
     {
@@ -2278,10 +2285,10 @@ fn Environment_choose_0( u_10 : vec4<f32>,  chosen_0 : ptr<function, ChosenDirec
     {
         return false;
     }
-    var _S146 : u32 = index_14 % params_0.sky_edge_0;
-    var _S147 : f32 = f32(_S146);
-    var _S148 : u32 = index_14 / params_0.sky_edge_0;
-    var place_2 : vec2<f32> = vec2<f32>(_S147, f32(_S148)) + vec2<f32>(min(_S143 - _S145, 1.0f), u_10.w);
+    var _S151 : u32 = index_14 % params_0.sky_edge_0;
+    var _S152 : f32 = f32(_S151);
+    var _S153 : u32 = index_14 / params_0.sky_edge_0;
+    var place_2 : vec2<f32> = vec2<f32>(_S152, f32(_S153)) + vec2<f32>(min(_S148 - _S150, 1.0f), u_10.w);
     (*chosen_0) = ChosenDirection_x24init_0(Environment_to_world_0(direction_of_0(place_2 * vec2<f32>(divide_0(1.0f, edge_0)))), Environment_radiance_at_0(place_2), pdf_8);
     return true;
 }
@@ -2290,17 +2297,17 @@ fn Sky_sample_0( receiver_11 : Receiver_0,  u_11 : vec4<f32>,  sample_5 : ptr<fu
 {
     (*sample_5) = no_light_0();
     var chosen_1 : ChosenDirection_0;
-    var _S149 : bool;
+    var _S154 : bool;
     if(SKY_0 != u32(1))
     {
-        _S149 = true;
+        _S154 = true;
     }
     else
     {
-        var _S150 : bool = Environment_choose_0(u_11, &(chosen_1));
-        _S149 = !_S150;
+        var _S155 : bool = Environment_choose_0(u_11, &(chosen_1));
+        _S154 = !_S155;
     }
-    if(_S149)
+    if(_S154)
     {
         return false;
     }
@@ -2322,15 +2329,15 @@ struct Descent_0
 
 fn Descent_x24init_0( node_4 : u32,  index_16 : u32,  count_3 : u32,  weight_3 : f32,  total_1 : f32,  choice_2 : f32,  is_far_4 : bool) -> Descent_0
 {
-    var _S151 : Descent_0;
-    _S151.node_3 = node_4;
-    _S151.index_15 = index_16;
-    _S151.count_2 = count_3;
-    _S151.weight_2 = weight_3;
-    _S151.total_0 = total_1;
-    _S151.choice_1 = choice_2;
-    _S151.is_far_3 = is_far_4;
-    return _S151;
+    var _S156 : Descent_0;
+    _S156.node_3 = node_4;
+    _S156.index_15 = index_16;
+    _S156.count_2 = count_3;
+    _S156.weight_2 = weight_3;
+    _S156.total_0 = total_1;
+    _S156.choice_1 = choice_2;
+    _S156.is_far_3 = is_far_4;
+    return _S156;
 }
 
 fn TopLights_node_0( index_17 : u32) -> LightNode_0
@@ -2350,16 +2357,16 @@ fn Descent_at_0( this_23 : ptr<function, Descent_0>,  root_2 : u32)
 
 fn normal_or_zero_0( weight_4 : f32) -> f32
 {
-    var _S152 : f32;
+    var _S157 : f32;
     if(weight_4 < 1.17549435082228751e-38f)
     {
-        _S152 = 0.0f;
+        _S157 = 0.0f;
     }
     else
     {
-        _S152 = weight_4;
+        _S157 = weight_4;
     }
-    return _S152;
+    return _S157;
 }
 
 fn inverse_power_of_two_0( x_9 : f32) -> f32
@@ -2369,10 +2376,10 @@ fn inverse_power_of_two_0( x_9 : f32) -> f32
 
 fn weights_of_0( left_0 : f32,  right_0 : f32) -> vec2<f32>
 {
-    var _S153 : f32 = normal_or_zero_0(left_0);
-    var _S154 : f32 = normal_or_zero_0(right_0);
-    var unit_0 : f32 = inverse_power_of_two_0(_S153 + _S154);
-    return vec2<f32>(normal_or_zero_0(_S153 * unit_0), normal_or_zero_0(_S154 * unit_0));
+    var _S158 : f32 = normal_or_zero_0(left_0);
+    var _S159 : f32 = normal_or_zero_0(right_0);
+    var unit_0 : f32 = inverse_power_of_two_0(_S158 + _S159);
+    return vec2<f32>(normal_or_zero_0(_S158 * unit_0), normal_or_zero_0(_S159 * unit_0));
 }
 
 fn climb_0( receiver_12 : Receiver_0,  start_2 : u32,  descent_0 : ptr<function, Descent_0>) -> bool
@@ -2381,7 +2388,7 @@ fn climb_0( receiver_12 : Receiver_0,  start_2 : u32,  descent_0 : ptr<function,
     var at_1 : u32 = start_2;
     for(;;)
     {
-        var _S155 : LightNode_0 = node_6;
+        var _S160 : LightNode_0 = node_6;
         if((node_6.parent_0) != u32(4294967295))
         {
         }
@@ -2389,59 +2396,59 @@ fn climb_0( receiver_12 : Receiver_0,  start_2 : u32,  descent_0 : ptr<function,
         {
             break;
         }
-        var parent_1 : LightNode_0 = top_light_node_0(_S155.parent_0);
-        var _S156 : u32 = _S155.parent_0 + u32(1);
-        var is_left_0 : bool = at_1 == _S156;
-        var _S157 : u32;
+        var parent_1 : LightNode_0 = top_light_node_0(_S160.parent_0);
+        var _S161 : u32 = _S160.parent_0 + u32(1);
+        var is_left_0 : bool = at_1 == _S161;
+        var _S162 : u32;
         if(is_left_0)
         {
-            _S157 = parent_1.index_2;
+            _S162 = parent_1.index_2;
         }
         else
         {
-            _S157 = _S156;
+            _S162 = _S161;
         }
-        var _S158 : View_0 = view_0(node_6, receiver_12);
-        var _S159 : View_0 = view_0(top_light_node_0(_S157), receiver_12);
-        var _S160 : f32;
+        var _S163 : View_0 = view_0(node_6, receiver_12);
+        var _S164 : View_0 = view_0(top_light_node_0(_S162), receiver_12);
+        var _S165 : f32;
         if(is_left_0)
         {
-            _S160 = _S158.importance_0;
+            _S165 = _S163.importance_0;
         }
         else
         {
-            _S160 = _S159.importance_0;
+            _S165 = _S164.importance_0;
         }
-        var _S161 : f32;
+        var _S166 : f32;
         if(is_left_0)
         {
-            _S161 = _S159.importance_0;
+            _S166 = _S164.importance_0;
         }
         else
         {
-            _S161 = _S158.importance_0;
+            _S166 = _S163.importance_0;
         }
-        var weights_0 : vec2<f32> = weights_of_0(_S160, _S161);
-        var _S162 : f32 = weights_0.x;
-        var _S163 : f32 = weights_0.y;
-        var total_2 : f32 = _S162 + _S163;
+        var weights_0 : vec2<f32> = weights_of_0(_S165, _S166);
+        var _S167 : f32 = weights_0.x;
+        var _S168 : f32 = weights_0.y;
+        var total_2 : f32 = _S167 + _S168;
         if(!(total_2 > 0.0f))
         {
             return false;
         }
-        var _S164 : f32;
+        var _S169 : f32;
         if(is_left_0)
         {
-            _S164 = _S162;
+            _S169 = _S167;
         }
         else
         {
-            _S164 = _S163;
+            _S169 = _S168;
         }
-        (*descent_0).weight_2 = (*descent_0).weight_2 * _S164;
+        (*descent_0).weight_2 = (*descent_0).weight_2 * _S169;
         (*descent_0).total_0 = (*descent_0).total_0 * total_2;
         node_6 = parent_1;
-        at_1 = _S155.parent_0;
+        at_1 = _S160.parent_0;
     }
     return ((*descent_0).weight_2) > 0.0f;
 }
@@ -2465,16 +2472,16 @@ fn descend_0( receiver_13 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<functio
 {
     for(;;)
     {
-        var _S165 : bool;
+        var _S170 : bool;
         if(((*descent_1).count_2) == u32(0))
         {
-            _S165 = !(*descent_1).is_far_3;
+            _S170 = !(*descent_1).is_far_3;
         }
         else
         {
-            _S165 = false;
+            _S170 = false;
         }
-        if(_S165)
+        if(_S170)
         {
         }
         else
@@ -2488,29 +2495,29 @@ fn descend_0( receiver_13 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<functio
         var left_1 : LightNode_0 = TopLights_node_0((*descent_1).node_3 + u32(1));
         var right_1 : LightNode_0 = TopLights_node_0((*descent_1).index_15);
         var weights_1 : vec2<f32> = weights_of_0(view_0(left_1, receiver_13).importance_0, view_0(right_1, receiver_13).importance_0);
-        var _S166 : f32 = weights_1.x;
-        var _S167 : f32 = weights_1.y;
-        var total_3 : f32 = _S166 + _S167;
+        var _S171 : f32 = weights_1.x;
+        var _S172 : f32 = weights_1.y;
+        var total_3 : f32 = _S171 + _S172;
         if(!(total_3 > 0.0f))
         {
             return false;
         }
-        var _S168 : bool;
-        if(_S167 <= 0.0f)
+        var _S173 : bool;
+        if(_S172 <= 0.0f)
         {
-            _S168 = true;
+            _S173 = true;
         }
         else
         {
-            _S168 = ((*descent_1).choice_1 * total_3) < (_S166 * (*descent_1).weight_2);
+            _S173 = ((*descent_1).choice_1 * total_3) < (_S171 * (*descent_1).weight_2);
         }
         var is_left_1 : bool;
         if(aim_0.is_met_0)
         {
-            var _S169 : vec3<f32> = vec3<f32>(aim_0.hit_4.voxel_1);
-            if((all((_S169 >= (vector_of_0(left_1.min_0))))))
+            var _S174 : vec3<f32> = vec3<f32>(aim_0.hit_4.voxel_1);
+            if((all((_S174 >= (vector_of_0(left_1.min_0))))))
             {
-                is_left_1 = (all((_S169 < (vector_of_0(left_1.max_0)))));
+                is_left_1 = (all((_S174 < (vector_of_0(left_1.max_0)))));
             }
             else
             {
@@ -2519,63 +2526,63 @@ fn descend_0( receiver_13 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<functio
         }
         else
         {
-            is_left_1 = _S168;
+            is_left_1 = _S173;
         }
-        var _S170 : f32 = (*descent_1).choice_1 * total_3;
-        var _S171 : f32;
+        var _S175 : f32 = (*descent_1).choice_1 * total_3;
+        var _S176 : f32;
         if(is_left_1)
         {
-            _S171 = 0.0f;
+            _S176 = 0.0f;
         }
         else
         {
-            _S171 = _S166 * (*descent_1).weight_2;
+            _S176 = _S171 * (*descent_1).weight_2;
         }
-        (*descent_1).choice_1 = _S170 - _S171;
-        var _S172 : u32;
+        (*descent_1).choice_1 = _S175 - _S176;
+        var _S177 : u32;
         if(is_left_1)
         {
-            _S172 = (*descent_1).node_3 + u32(1);
+            _S177 = (*descent_1).node_3 + u32(1);
         }
         else
         {
-            _S172 = (*descent_1).index_15;
+            _S177 = (*descent_1).index_15;
         }
-        (*descent_1).node_3 = _S172;
-        var _S173 : u32;
+        (*descent_1).node_3 = _S177;
+        var _S178 : u32;
         if(is_left_1)
         {
-            _S173 = left_1.index_2;
+            _S178 = left_1.index_2;
         }
         else
         {
-            _S173 = right_1.index_2;
+            _S178 = right_1.index_2;
         }
-        (*descent_1).index_15 = _S173;
-        var _S174 : u32;
+        (*descent_1).index_15 = _S178;
+        var _S179 : u32;
         if(is_left_1)
         {
-            _S174 = left_1.count_0;
+            _S179 = left_1.count_0;
         }
         else
         {
-            _S174 = right_1.count_0;
+            _S179 = right_1.count_0;
         }
-        (*descent_1).count_2 = _S174;
+        (*descent_1).count_2 = _S179;
         (*descent_1).is_far_3 = false;
-        var _S175 : f32;
+        var _S180 : f32;
         if(is_left_1)
         {
-            _S175 = _S166;
+            _S180 = _S171;
         }
         else
         {
-            _S175 = _S167;
+            _S180 = _S172;
         }
-        var _S176 : f32 = (*descent_1).weight_2 * _S175;
-        (*descent_1).weight_2 = _S176;
+        var _S181 : f32 = (*descent_1).weight_2 * _S180;
+        (*descent_1).weight_2 = _S181;
         (*descent_1).total_0 = (*descent_1).total_0 * total_3;
-        if(_S176 <= 0.0f)
+        if(_S181 <= 0.0f)
         {
             return false;
         }
@@ -2589,8 +2596,8 @@ fn in_grid_3( instance_7 : u32,  receiver_14 : Receiver_0) -> Receiver_0
     {
         return receiver_14;
     }
-    var _S177 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(instance_7);
-    return Receiver_x24init_0(Transform_point_0(_S177.grid_from_world_0, receiver_14.point_0), normalize_vector_0(Transform_direction_0(_S177.grid_from_world_0, receiver_14.normal_1)));
+    var _S182 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(instance_7);
+    return Receiver_x24init_0(Transform_point_0(_S182.grid_from_world_0, receiver_14.point_0), normalize_vector_0(Transform_direction_0(_S182.grid_from_world_0, receiver_14.normal_1)));
 }
 
 fn lights_in_pages_0() -> bool
@@ -2598,9 +2605,9 @@ fn lights_in_pages_0() -> bool
     return false;
 }
 
-fn Rows_operatorx5Bx5D_get_2( row_5 : u32) -> vec4<u32>
+fn Rows_operatorx5Bx5D_get_4( row_6 : u32) -> vec4<u32>
 {
-    return records_0[first_row_0(u32(5)) + row_5];
+    return records_0[first_row_0(u32(5)) + row_6];
 }
 
 fn place_in_light_node_0( node_7 : u32,  word_5 : u32) -> u32
@@ -2612,8 +2619,8 @@ fn light_node_at_0( index_18 : u32) -> LightNode_0
 {
     if(!lights_in_pages_0())
     {
-        var _S178 : u32 = u32(4) * index_18;
-        return light_node_of_0(Rows_operatorx5Bx5D_get_2(_S178), Rows_operatorx5Bx5D_get_2(_S178 + u32(1)), Rows_operatorx5Bx5D_get_2(_S178 + u32(2)), Rows_operatorx5Bx5D_get_2(_S178 + u32(3)));
+        var _S183 : u32 = u32(4) * index_18;
+        return light_node_of_0(Rows_operatorx5Bx5D_get_4(_S183), Rows_operatorx5Bx5D_get_4(_S183 + u32(1)), Rows_operatorx5Bx5D_get_4(_S183 + u32(2)), Rows_operatorx5Bx5D_get_4(_S183 + u32(3)));
     }
     var at_2 : u32 = place_in_light_node_0(index_18, u32(0));
     var node_8 : LightNode_0;
@@ -2670,16 +2677,16 @@ fn descend_1( receiver_15 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<functio
 {
     for(;;)
     {
-        var _S179 : bool;
+        var _S184 : bool;
         if(((*descent_2).count_2) == u32(0))
         {
-            _S179 = !(*descent_2).is_far_3;
+            _S184 = !(*descent_2).is_far_3;
         }
         else
         {
-            _S179 = false;
+            _S184 = false;
         }
-        if(_S179)
+        if(_S184)
         {
         }
         else
@@ -2695,29 +2702,29 @@ fn descend_1( receiver_15 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<functio
         var of_left_0 : View_0 = view_0(left_2, receiver_15);
         var of_right_0 : View_0 = view_0(right_2, receiver_15);
         var weights_2 : vec2<f32> = weights_of_0(of_left_0.importance_0, of_right_0.importance_0);
-        var _S180 : f32 = weights_2.x;
-        var _S181 : f32 = weights_2.y;
-        var total_4 : f32 = _S180 + _S181;
+        var _S185 : f32 = weights_2.x;
+        var _S186 : f32 = weights_2.y;
+        var total_4 : f32 = _S185 + _S186;
         if(!(total_4 > 0.0f))
         {
             return false;
         }
-        var _S182 : bool;
-        if(_S181 <= 0.0f)
+        var _S187 : bool;
+        if(_S186 <= 0.0f)
         {
-            _S182 = true;
+            _S187 = true;
         }
         else
         {
-            _S182 = ((*descent_2).choice_1 * total_4) < (_S180 * (*descent_2).weight_2);
+            _S187 = ((*descent_2).choice_1 * total_4) < (_S185 * (*descent_2).weight_2);
         }
         var is_left_2 : bool;
         if(aim_1.is_met_0)
         {
-            var _S183 : vec3<f32> = vec3<f32>(aim_1.hit_4.voxel_1);
-            if((all((_S183 >= (vector_of_0(left_2.min_0))))))
+            var _S188 : vec3<f32> = vec3<f32>(aim_1.hit_4.voxel_1);
+            if((all((_S188 >= (vector_of_0(left_2.min_0))))))
             {
-                is_left_2 = (all((_S183 < (vector_of_0(left_2.max_0)))));
+                is_left_2 = (all((_S188 < (vector_of_0(left_2.max_0)))));
             }
             else
             {
@@ -2726,72 +2733,72 @@ fn descend_1( receiver_15 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<functio
         }
         else
         {
-            is_left_2 = _S182;
+            is_left_2 = _S187;
         }
-        var _S184 : f32 = (*descent_2).choice_1 * total_4;
-        var _S185 : f32;
-        if(is_left_2)
-        {
-            _S185 = 0.0f;
-        }
-        else
-        {
-            _S185 = _S180 * (*descent_2).weight_2;
-        }
-        (*descent_2).choice_1 = _S184 - _S185;
-        var _S186 : u32;
-        if(is_left_2)
-        {
-            _S186 = (*descent_2).node_3 + u32(1);
-        }
-        else
-        {
-            _S186 = (*descent_2).index_15;
-        }
-        (*descent_2).node_3 = _S186;
-        var _S187 : u32;
-        if(is_left_2)
-        {
-            _S187 = left_2.index_2;
-        }
-        else
-        {
-            _S187 = right_2.index_2;
-        }
-        (*descent_2).index_15 = _S187;
-        var _S188 : u32;
-        if(is_left_2)
-        {
-            _S188 = left_2.count_0;
-        }
-        else
-        {
-            _S188 = right_2.count_0;
-        }
-        (*descent_2).count_2 = _S188;
-        var _S189 : bool;
-        if(is_left_2)
-        {
-            _S189 = of_left_0.is_far_0;
-        }
-        else
-        {
-            _S189 = of_right_0.is_far_0;
-        }
-        (*descent_2).is_far_3 = _S189;
+        var _S189 : f32 = (*descent_2).choice_1 * total_4;
         var _S190 : f32;
         if(is_left_2)
         {
-            _S190 = _S180;
+            _S190 = 0.0f;
         }
         else
         {
-            _S190 = _S181;
+            _S190 = _S185 * (*descent_2).weight_2;
         }
-        var _S191 : f32 = (*descent_2).weight_2 * _S190;
-        (*descent_2).weight_2 = _S191;
+        (*descent_2).choice_1 = _S189 - _S190;
+        var _S191 : u32;
+        if(is_left_2)
+        {
+            _S191 = (*descent_2).node_3 + u32(1);
+        }
+        else
+        {
+            _S191 = (*descent_2).index_15;
+        }
+        (*descent_2).node_3 = _S191;
+        var _S192 : u32;
+        if(is_left_2)
+        {
+            _S192 = left_2.index_2;
+        }
+        else
+        {
+            _S192 = right_2.index_2;
+        }
+        (*descent_2).index_15 = _S192;
+        var _S193 : u32;
+        if(is_left_2)
+        {
+            _S193 = left_2.count_0;
+        }
+        else
+        {
+            _S193 = right_2.count_0;
+        }
+        (*descent_2).count_2 = _S193;
+        var _S194 : bool;
+        if(is_left_2)
+        {
+            _S194 = of_left_0.is_far_0;
+        }
+        else
+        {
+            _S194 = of_right_0.is_far_0;
+        }
+        (*descent_2).is_far_3 = _S194;
+        var _S195 : f32;
+        if(is_left_2)
+        {
+            _S195 = _S185;
+        }
+        else
+        {
+            _S195 = _S186;
+        }
+        var _S196 : f32 = (*descent_2).weight_2 * _S195;
+        (*descent_2).weight_2 = _S196;
         (*descent_2).total_0 = (*descent_2).total_0 * total_4;
-        if(_S191 <= 0.0f)
+        if(_S196 <= 0.0f)
         {
             return false;
         }
@@ -2802,29 +2809,29 @@ fn descend_1( receiver_15 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<functio
 fn choose_side_0( point_5 : vec3<f32>,  is_met_2 : bool,  way_0 : Descent_0,  side_0 : ptr<function, u32>,  odds_0 : ptr<function, vec2<f32>>) -> bool
 {
     var node_10 : LightNode_0 = light_node_at_0(way_0.node_3);
-    var _S192 : vec3<f32> = vector_of_0(node_10.max_0);
-    var _S193 : vec3<f32> = vector_of_0(node_10.min_0);
-    var _S194 : vec3<f32> = vec3<f32>(0.5f);
-    var half_1 : vec3<f32> = (_S192 - _S193) * _S194;
-    var toward_1 : vec3<f32> = (_S193 + _S192) * _S194 - point_5;
+    var _S197 : vec3<f32> = vector_of_0(node_10.max_0);
+    var _S198 : vec3<f32> = vector_of_0(node_10.min_0);
+    var _S199 : vec3<f32> = vec3<f32>(0.5f);
+    var half_1 : vec3<f32> = (_S197 - _S198) * _S199;
+    var toward_1 : vec3<f32> = (_S198 + _S197) * _S199 - point_5;
     var sent_1 : BySide_0 = sent_by_side_0(node_10, point_5, length_bound_0(select(half_1, abs(toward_1), vec3<bool>(((length_squared_0(toward_1)) > (length_squared_0(half_1)))))));
     var sum_0 : f32 = normal_or_zero_0(BySide_sum_0(sent_1));
     var unit_1 : f32 = inverse_power_of_two_0(sum_0);
     var total_5 : f32 = sum_0 * unit_1;
-    var _S195 : f32 = way_0.choice_1 * total_5;
-    var _S196 : u32 = (*side_0);
+    var _S200 : f32 = way_0.choice_1 * total_5;
+    var _S201 : u32 = (*side_0);
     var share_0 : f32 = normal_or_zero_0(sent_1.low_0[u32(0)] * unit_1);
-    var _S197 : bool;
+    var _S202 : bool;
     if(is_met_2)
     {
-        _S197 = u32(0) == _S196;
+        _S202 = u32(0) == _S201;
     }
     else
     {
-        _S197 = share_0 > 0.0f;
+        _S202 = share_0 > 0.0f;
     }
     var chosen_2 : f32;
-    if(_S197)
+    if(_S202)
     {
         (*side_0) = u32(0);
         chosen_2 = share_0;
@@ -2833,145 +2840,145 @@ fn choose_side_0( point_5 : vec3<f32>,  is_met_2 : bool,  way_0 : Descent_0,  si
     {
         chosen_2 = 0.0f;
     }
-    var _S198 : bool = _S195 < (share_0 * way_0.weight_2);
+    var _S203 : bool = _S200 < (share_0 * way_0.weight_2);
     var share_1 : f32 = normal_or_zero_0(sent_1.high_0[u32(0)] * unit_1);
     if(is_met_2)
     {
-        _S197 = u32(1) == _S196;
+        _S202 = u32(1) == _S201;
     }
     else
     {
         if(share_1 > 0.0f)
         {
-            _S197 = !_S198;
+            _S202 = !_S203;
         }
         else
         {
-            _S197 = false;
+            _S202 = false;
         }
     }
-    if(_S197)
+    if(_S202)
     {
         (*side_0) = u32(1);
         chosen_2 = share_1;
     }
     var passed_0 : f32 = share_0 + share_1;
-    if(_S198)
+    if(_S203)
     {
-        _S197 = true;
+        _S202 = true;
     }
     else
     {
-        _S197 = _S195 < (passed_0 * way_0.weight_2);
+        _S202 = _S200 < (passed_0 * way_0.weight_2);
     }
     var share_2 : f32 = normal_or_zero_0(sent_1.low_0[u32(1)] * unit_1);
-    var _S199 : bool;
+    var _S204 : bool;
     if(is_met_2)
     {
-        _S199 = u32(2) == _S196;
+        _S204 = u32(2) == _S201;
     }
     else
     {
         if(share_2 > 0.0f)
         {
-            _S199 = !_S197;
+            _S204 = !_S202;
         }
         else
         {
-            _S199 = false;
+            _S204 = false;
         }
     }
-    if(_S199)
+    if(_S204)
     {
         (*side_0) = u32(2);
         chosen_2 = share_2;
     }
     var passed_1 : f32 = passed_0 + share_2;
-    if(_S197)
+    if(_S202)
     {
-        _S197 = true;
+        _S202 = true;
     }
     else
     {
-        _S197 = _S195 < (passed_1 * way_0.weight_2);
+        _S202 = _S200 < (passed_1 * way_0.weight_2);
     }
     var share_3 : f32 = normal_or_zero_0(sent_1.high_0[u32(1)] * unit_1);
     if(is_met_2)
     {
-        _S199 = u32(3) == _S196;
+        _S204 = u32(3) == _S201;
     }
     else
     {
         if(share_3 > 0.0f)
         {
-            _S199 = !_S197;
+            _S204 = !_S202;
         }
         else
         {
-            _S199 = false;
+            _S204 = false;
         }
     }
-    if(_S199)
+    if(_S204)
     {
         (*side_0) = u32(3);
         chosen_2 = share_3;
     }
     var passed_2 : f32 = passed_1 + share_3;
-    if(_S197)
+    if(_S202)
     {
-        _S197 = true;
+        _S202 = true;
     }
     else
     {
-        _S197 = _S195 < (passed_2 * way_0.weight_2);
+        _S202 = _S200 < (passed_2 * way_0.weight_2);
     }
     var share_4 : f32 = normal_or_zero_0(sent_1.low_0[u32(2)] * unit_1);
     if(is_met_2)
     {
-        _S199 = u32(4) == _S196;
+        _S204 = u32(4) == _S201;
     }
     else
     {
         if(share_4 > 0.0f)
         {
-            _S199 = !_S197;
+            _S204 = !_S202;
         }
         else
         {
-            _S199 = false;
+            _S204 = false;
         }
     }
-    if(_S199)
+    if(_S204)
     {
         (*side_0) = u32(4);
         chosen_2 = share_4;
     }
     var passed_3 : f32 = passed_2 + share_4;
-    if(_S197)
+    if(_S202)
     {
-        _S197 = true;
+        _S202 = true;
     }
     else
     {
-        _S197 = _S195 < (passed_3 * way_0.weight_2);
+        _S202 = _S200 < (passed_3 * way_0.weight_2);
     }
     var share_5 : f32 = normal_or_zero_0(sent_1.high_0[u32(2)] * unit_1);
     if(is_met_2)
     {
-        _S197 = u32(5) == _S196;
+        _S202 = u32(5) == _S201;
     }
     else
     {
         if(share_5 > 0.0f)
         {
-            _S197 = !_S197;
+            _S202 = !_S202;
         }
         else
         {
-            _S197 = false;
+            _S202 = false;
         }
     }
-    if(_S197)
+    if(_S202)
     {
         (*side_0) = u32(5);
         chosen_2 = share_5;
@@ -2979,32 +2986,32 @@ fn choose_side_0( point_5 : vec3<f32>,  is_met_2 : bool,  way_0 : Descent_0,  si
     (*odds_0) = vec2<f32>(way_0.weight_2 * chosen_2, way_0.total_0 * total_5);
     if(sum_0 > 0.0f)
     {
-        _S197 = ((*odds_0).x) > 0.0f;
+        _S202 = ((*odds_0).x) > 0.0f;
     }
     else
     {
-        _S197 = false;
+        _S202 = false;
     }
-    return _S197;
+    return _S202;
 }
 
 fn light_node_word_0( index_20 : u32,  word_6 : u32) -> u32
 {
-    return Rows_operatorx5Bx5D_get_2(u32(4) * index_20 + ((word_6 >> (u32(2)))))[(word_6 & (u32(3)))];
+    return Rows_operatorx5Bx5D_get_4(u32(4) * index_20 + ((word_6 >> (u32(2)))))[(word_6 & (u32(3)))];
 }
 
 fn light_power_at_0( index_21 : u32,  side_1 : u32) -> f32
 {
-    var _S200 : u32;
+    var _S205 : u32;
     if(lights_in_pages_0())
     {
-        _S200 = cells_1[place_in_light_node_0(index_21, u32(8) + side_1)];
+        _S205 = cells_1[place_in_light_node_0(index_21, u32(8) + side_1)];
     }
     else
     {
-        _S200 = light_node_word_0(index_21, u32(8) + side_1);
+        _S205 = light_node_word_0(index_21, u32(8) + side_1);
     }
-    return (bitcast<f32>((_S200)));
+    return (bitcast<f32>((_S205)));
 }
 
 fn component_0( vector_3 : vec3<f32>,  axis_0 : u32) -> f32
@@ -3063,69 +3070,69 @@ fn place_in_emitter_0( emitter_0 : u32,  word_7 : u32) -> u32
     return u32(0);
 }
 
-fn Rows_operatorx5Bx5D_get_3( row_6 : u32) -> vec4<u32>
+fn Rows_operatorx5Bx5D_get_5( row_7 : u32) -> vec4<u32>
 {
-    return records_0[first_row_0(u32(4)) + row_6];
+    return records_0[first_row_0(u32(4)) + row_7];
 }
 
 fn emitter_word_0( index_23 : u32,  word_8 : u32) -> u32
 {
-    return Rows_operatorx5Bx5D_get_3(u32(2) * index_23 + ((word_8 >> (u32(2)))))[(word_8 & (u32(3)))];
+    return Rows_operatorx5Bx5D_get_5(u32(2) * index_23 + ((word_8 >> (u32(2)))))[(word_8 & (u32(3)))];
 }
 
 fn emitter_faces_at_0( index_24 : u32) -> u32
 {
-    var _S201 : u32;
+    var _S206 : u32;
     if(lights_in_pages_0())
     {
-        _S201 = cells_1[place_in_emitter_0(index_24, u32(4))];
+        _S206 = cells_1[place_in_emitter_0(index_24, u32(4))];
     }
     else
     {
-        _S201 = emitter_word_0(index_24, u32(4));
+        _S206 = emitter_word_0(index_24, u32(4));
     }
-    return _S201;
+    return _S206;
 }
 
 fn emitter_luminance_at_0( index_25 : u32) -> f32
 {
-    var _S202 : f32;
+    var _S207 : f32;
     if(lights_in_pages_0())
     {
-        _S202 = (bitcast<f32>((cells_1[place_in_emitter_0(index_25, u32(6))])));
+        _S207 = (bitcast<f32>((cells_1[place_in_emitter_0(index_25, u32(6))])));
     }
     else
     {
-        _S202 = (bitcast<f32>((emitter_word_0(index_25, u32(6)))));
+        _S207 = (bitcast<f32>((emitter_word_0(index_25, u32(6)))));
     }
-    return _S202;
+    return _S207;
 }
 
 fn Emitter_x24init_0( voxel_5 : array<i32, i32(3)>,  grid_6 : u32,  faces_1 : u32,  material_8 : u32,  luminance_5 : f32,  leaf_1 : u32) -> Emitter_0
 {
-    var _S203 : Emitter_0;
-    _S203.voxel_4 = voxel_5;
-    _S203.grid_5 = grid_6;
-    _S203.faces_0 = faces_1;
-    _S203.material_7 = material_8;
-    _S203.luminance_4 = luminance_5;
-    _S203.leaf_0 = leaf_1;
-    return _S203;
+    var _S208 : Emitter_0;
+    _S208.voxel_4 = voxel_5;
+    _S208.grid_5 = grid_6;
+    _S208.faces_0 = faces_1;
+    _S208.material_7 = material_8;
+    _S208.luminance_4 = luminance_5;
+    _S208.leaf_0 = leaf_1;
+    return _S208;
 }
 
 fn emitter_at_0( index_26 : u32) -> Emitter_0
 {
     if(!lights_in_pages_0())
     {
-        var _S204 : u32 = u32(2) * index_26;
-        var _S205 : vec4<u32> = Rows_operatorx5Bx5D_get_3(_S204);
-        var _S206 : vec4<u32> = Rows_operatorx5Bx5D_get_3(_S204 + u32(1));
-        var _S207 : array<i32, i32(3)> = array<i32, i32(3)>( i32(_S205.x), i32(_S205.y), i32(_S205.z) );
-        return Emitter_x24init_0(_S207, _S205.w, _S206.x, _S206.y, (bitcast<f32>((_S206.z))), _S206.w);
+        var _S209 : u32 = u32(2) * index_26;
+        var _S210 : vec4<u32> = Rows_operatorx5Bx5D_get_5(_S209);
+        var _S211 : vec4<u32> = Rows_operatorx5Bx5D_get_5(_S209 + u32(1));
+        var _S212 : array<i32, i32(3)> = array<i32, i32(3)>( i32(_S210.x), i32(_S210.y), i32(_S210.z) );
+        return Emitter_x24init_0(_S212, _S210.w, _S211.x, _S211.y, (bitcast<f32>((_S211.z))), _S211.w);
     }
     var at_4 : u32 = place_in_emitter_0(index_26, u32(0));
-    var _S208 : array<i32, i32(3)> = array<i32, i32(3)>( i32(cells_1[at_4]), i32(cells_1[at_4 + u32(1)]), i32(cells_1[at_4 + u32(2)]) );
-    return Emitter_x24init_0(_S208, cells_1[at_4 + u32(3)], cells_1[at_4 + u32(4)], cells_1[at_4 + u32(5)], (bitcast<f32>((cells_1[at_4 + u32(6)]))), cells_1[at_4 + u32(7)]);
+    var _S213 : array<i32, i32(3)> = array<i32, i32(3)>( i32(cells_1[at_4]), i32(cells_1[at_4 + u32(1)]), i32(cells_1[at_4 + u32(2)]) );
+    return Emitter_x24init_0(_S213, cells_1[at_4 + u32(3)], cells_1[at_4 + u32(4)], cells_1[at_4 + u32(5)], (bitcast<f32>((cells_1[at_4 + u32(6)]))), cells_1[at_4 + u32(7)]);
 }
 
 fn choose_emitter_0( way_1 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Emitter_0
@@ -3135,7 +3142,7 @@ fn choose_emitter_0( way_1 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
     var count_4 : u32 = way_1.count_2;
     var node_11 : u32 = way_1.node_3;
     var index_27 : u32 = way_1.index_15;
-    var _S209 : f32 = threshold_1;
+    var _S214 : f32 = threshold_1;
     for(;;)
     {
         if(count_4 == u32(0))
@@ -3155,23 +3162,20 @@ fn choose_emitter_0( way_1 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
         }
         var left_3 : u32 = node_11 + u32(1);
         var power_left_0 : f32 = light_power_at_0(left_3, side_2);
-        var power_right_0 : f32 = light_power_at_0(index_27, side_2);
-        var below_left_0 : vec2<u32> = below_light_node_0(left_3);
-        var below_right_0 : vec2<u32> = below_light_node_0(index_27);
-        if(_S209 < power_left_0)
+        if(_S214 < power_left_0)
         {
             is_left_3 = true;
         }
         else
         {
-            is_left_3 = power_right_0 <= 0.0f;
+            is_left_3 = (light_power_at_0(index_27, side_2)) <= 0.0f;
         }
         if(is_left_3)
         {
         }
         else
         {
-            _S209 = _S209 - power_left_0;
+            _S214 = _S214 - power_left_0;
         }
         if(is_left_3)
         {
@@ -3181,22 +3185,10 @@ fn choose_emitter_0( way_1 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
         {
             node_11 = index_27;
         }
-        if(is_left_3)
-        {
-            index_27 = below_left_0.x;
-        }
-        else
-        {
-            index_27 = below_right_0.x;
-        }
-        if(is_left_3)
-        {
-            count_4 = below_left_0.y;
-        }
-        else
-        {
-            count_4 = below_right_0.y;
-        }
+        var below_0 : vec2<u32> = below_light_node_0(node_11);
+        var _S215 : u32 = below_0.x;
+        count_4 = below_0.y;
+        index_27 = _S215;
     }
     is_found_0 = false;
     var chosen_3 : u32 = index_27;
@@ -3220,10 +3212,10 @@ fn choose_emitter_0( way_1 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
         }
         if((((((emitter_faces_at_0(at_5)) >> (side_2))) & (u32(1)))) != u32(0))
         {
-            var _S210 : f32 = _S209 - emitter_luminance_at_0(at_5);
-            is_found_0 = _S209 < (emitter_luminance_at_0(at_5));
+            var _S216 : f32 = _S214 - emitter_luminance_at_0(at_5);
+            is_found_0 = _S214 < (emitter_luminance_at_0(at_5));
             chosen_3 = at_5;
-            _S209 = _S210;
+            _S214 = _S216;
         }
         at_5 = at_5 + u32(1);
     }
@@ -3261,45 +3253,45 @@ fn sample_emitter_0( receiver_16 : Receiver_0,  u_13 : vec4<f32>,  aim_2 : Aim_0
     }
     var descent_3 : Descent_0 = Descent_x24init_0(u32(0), u32(0), u32(0), 1.0f, 1.0f, u_13.x, false);
     Descent_at_0(&(descent_3), u32(0));
-    var _S211 : bool;
+    var _S217 : bool;
     if(!IS_SINGLE_0)
     {
-        _S211 = aim_2.is_met_0;
+        _S217 = aim_2.is_met_0;
     }
     else
     {
-        _S211 = false;
+        _S217 = false;
     }
-    if(_S211)
+    if(_S217)
     {
-        var _S212 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(aim_2.hit_4.instance_1);
-        if((_S212.light_leaf_0) == u32(4294967295))
+        var _S218 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(aim_2.hit_4.instance_1);
+        if((_S218.light_leaf_0) == u32(4294967295))
         {
-            _S211 = true;
+            _S217 = true;
         }
         else
         {
-            var _S213 : bool = climb_0(receiver_16, _S212.light_leaf_0, &(descent_3));
-            _S211 = !_S213;
+            var _S219 : bool = climb_0(receiver_16, _S218.light_leaf_0, &(descent_3));
+            _S217 = !_S219;
         }
-        if(_S211)
+        if(_S217)
         {
             return false;
         }
-        Descent_at_0(&(descent_3), _S212.light_leaf_0);
+        Descent_at_0(&(descent_3), _S218.light_leaf_0);
     }
     else
     {
         if(!IS_SINGLE_0)
         {
-            var _S214 : bool = descend_0(receiver_16, by_chance_0(), &(descent_3));
-            _S211 = !_S214;
+            var _S220 : bool = descend_0(receiver_16, by_chance_0(), &(descent_3));
+            _S217 = !_S220;
         }
         else
         {
-            _S211 = false;
+            _S217 = false;
         }
-        if(_S211)
+        if(_S217)
         {
             return false;
         }
@@ -3307,35 +3299,35 @@ fn sample_emitter_0( receiver_16 : Receiver_0,  u_13 : vec4<f32>,  aim_2 : Aim_0
     var chosen_instance_0 : u32 = descent_3.index_15;
     var local_2 : Receiver_0 = in_grid_3(descent_3.index_15, receiver_16);
     Descent_at_1(&(descent_3), top_light_node_0(descent_3.node_3).root_1);
-    var _S215 : bool = descend_1(local_2, aim_2, &(descent_3));
-    if(!_S215)
+    var _S221 : bool = descend_1(local_2, aim_2, &(descent_3));
+    if(!_S221)
     {
         return false;
     }
     var side_3 : u32 = aim_2.hit_4.face_0;
     var odds_2 : vec2<f32>;
-    var _S216 : bool = choose_side_0(local_2.point_0, aim_2.is_met_0, descent_3, &(side_3), &(odds_2));
-    if(!_S216)
+    var _S222 : bool = choose_side_0(local_2.point_0, aim_2.is_met_0, descent_3, &(side_3), &(odds_2));
+    if(!_S222)
     {
         return false;
     }
     var power_4 : f32 = light_power_at_0(descent_3.node_3, side_3);
-    var _S217 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(chosen_instance_0);
+    var _S223 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(chosen_instance_0);
     if(aim_2.is_met_0)
     {
-        var _S218 : f32 = density_0(odds_2, aim_2.luminance_1, power_4, Transform_direction_0(_S217.grid_from_world_0, aim_2.direction_18) * vec3<f32>(aim_2.hit_4.t_0), side_3);
-        (*sample_6).pdf_2 = _S218;
-        return _S218 > 0.0f;
+        var _S224 : f32 = density_0(odds_2, aim_2.luminance_1, power_4, Transform_direction_0(_S223.grid_from_world_0, aim_2.direction_18) * vec3<f32>(aim_2.hit_4.t_0), side_3);
+        (*sample_6).pdf_2 = _S224;
+        return _S224 > 0.0f;
     }
     var emitter_1 : Emitter_0 = choose_emitter_0(descent_3, side_3, u_13.y * power_4);
-    var _S219 : vec3<f32> = vec3<f32>(cell_of_0(emitter_1.voxel_4));
-    var on_face_0 : vec3<f32> = point_of_face_0(_S219, side_3, u_13.z, u_13.w);
+    var _S225 : vec3<f32> = vec3<f32>(cell_of_0(emitter_1.voxel_4));
+    var on_face_0 : vec3<f32> = point_of_face_0(_S225, side_3, u_13.z, u_13.w);
     var pdf_9 : f32 = density_0(odds_2, emitter_1.luminance_4, power_4, on_face_0 - local_2.point_0, side_3);
     if(pdf_9 < 0.0f)
     {
         return false;
     }
-    var direction_24 : vec3<f32> = Transform_point_0(_S217.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S217.grid_from_world_0.translation_0), _S219, side_3, on_face_0)) - receiver_16.point_0;
+    var direction_24 : vec3<f32> = Transform_point_0(_S223.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S223.grid_from_world_0.translation_0), _S225, side_3, on_face_0)) - receiver_16.point_0;
     var cos_theta_7 : f32 = with_slack_0(receiver_16, divide_0(dot_product_0(receiver_16.normal_1, direction_24), square_root_0(length_squared_0(direction_24))));
     (*sample_6) = LightSample_x24init_0(Ray_x24init_0(receiver_16.point_0, 0.0f, direction_24, 1.0f), cos_theta_7, emitted_0(material_of_index_0(emitter_1.material_7)), pdf_9);
     return cos_theta_7 > 0.0f;
@@ -3343,8 +3335,8 @@ fn sample_emitter_0( receiver_16 : Receiver_0,  u_13 : vec4<f32>,  aim_2 : Aim_0
 
 fn EmitterTree_sample_0( receiver_17 : Receiver_0,  u_14 : vec4<f32>,  aim_3 : Aim_0,  sample_7 : ptr<function, LightSample_0>) -> bool
 {
-    var _S220 : bool = sample_emitter_0(receiver_17, u_14, aim_3, &((*sample_7)));
-    return _S220;
+    var _S226 : bool = sample_emitter_0(receiver_17, u_14, aim_3, &((*sample_7)));
+    return _S226;
 }
 
 fn Lights_sample_0( receiver_18 : Receiver_0,  selection_3 : Selection_0,  u_15 : vec4<f32>,  aim_4 : Aim_0,  sample_8 : ptr<function, LightSample_0>) -> bool
@@ -3368,9 +3360,9 @@ fn Lights_sample_0( receiver_18 : Receiver_0,  selection_3 : Selection_0,  u_15 
     }
     if(is_found_1)
     {
-        var _S221 : bool = SunDisc_sample_0(receiver_18, u_15, &((*sample_8)));
+        var _S227 : bool = SunDisc_sample_0(receiver_18, u_15, &((*sample_8)));
         (*sample_8).pdf_2 = (*sample_8).pdf_2 * selection_3.sun_0;
-        is_found_1 = _S221;
+        is_found_1 = _S227;
     }
     else
     {
@@ -3392,15 +3384,15 @@ fn Lights_sample_0( receiver_18 : Receiver_0,  selection_3 : Selection_0,  u_15 
         }
         if(is_found_1)
         {
-            var _S222 : bool = Sky_sample_0(receiver_18, vec4<f32>(min(divide_0(u_15.x - selection_3.sun_0, selection_3.sky_1), 0.99999994039535522f), u_15.yzw), &((*sample_8)));
+            var _S228 : bool = Sky_sample_0(receiver_18, vec4<f32>(min(divide_0(u_15.x - selection_3.sun_0, selection_3.sky_1), 0.99999994039535522f), u_15.yzw), &((*sample_8)));
             (*sample_8).pdf_2 = (*sample_8).pdf_2 * selection_3.sky_1;
-            is_found_1 = _S222;
+            is_found_1 = _S228;
         }
         else
         {
-            var _S223 : bool = EmitterTree_sample_0(receiver_18, vec4<f32>(min(divide_0(u_15.x - (selection_3.sun_0 + selection_3.sky_1), selection_3.emitters_0), 0.99999994039535522f), u_15.yzw), aim_4, &((*sample_8)));
+            var _S229 : bool = EmitterTree_sample_0(receiver_18, vec4<f32>(min(divide_0(u_15.x - (selection_3.sun_0 + selection_3.sky_1), selection_3.emitters_0), 0.99999994039535522f), u_15.yzw), aim_4, &((*sample_8)));
             (*sample_8).pdf_2 = (*sample_8).pdf_2 * selection_3.emitters_0;
-            is_found_1 = _S223;
+            is_found_1 = _S229;
         }
     }
     return is_found_1;
@@ -3426,7 +3418,7 @@ fn PathTracingOf_advance_1( path_6 : ptr<function, Path_0>,  ray_9 : Ray_0,  hit
         t_5 = (*path_6).pdf_1;
     }
     (*path_6).pdf_1 = t_5;
-    var last_5 : Receiver_0 = Path_receiver_0((*path_6), ray_9);
+    var last_4 : Receiver_0 = Path_receiver_0((*path_6), ray_9);
     var is_scattered_3 : bool;
     if(Inside_is_in_0((*path_6).inside_0))
     {
@@ -3467,7 +3459,7 @@ fn PathTracingOf_advance_1( path_6 : ptr<function, Path_0>,  ray_9 : Ray_0,  hit
     var light_pdf_2 : f32;
     if(is_weighed_1)
     {
-        (*radiance_6) = (*radiance_6) + (*path_6).beta_0 * Sky_le_0(ray_9.direction_1) * vec3<f32>(mis_weight_0((*path_6).pdf_1, Lights_sky_pdf_0(Path_selection_at_0((*path_6), last_5), ray_9.direction_1)));
+        (*radiance_6) = (*radiance_6) + (*path_6).beta_0 * Sky_le_0(ray_9.direction_1) * vec3<f32>(mis_weight_0((*path_6).pdf_1, Lights_sky_pdf_0(Path_selection_at_0((*path_6), last_4), ray_9.direction_1)));
         if(has_sun_0())
         {
             if(SunDisc_is_visible_0())
@@ -3494,7 +3486,7 @@ fn PathTracingOf_advance_1( path_6 : ptr<function, Path_0>,  ray_9 : Ray_0,  hit
                 }
                 else
                 {
-                    light_pdf_2 = Lights_sun_pdf_0(Path_selection_at_0((*path_6), last_5), ray_9.direction_1);
+                    light_pdf_2 = Lights_sun_pdf_0(Path_selection_at_0((*path_6), last_4), ray_9.direction_1);
                 }
                 (*radiance_6) = (*radiance_6) + (*path_6).beta_0 * le_2 * vec3<f32>(mis_weight_0((*path_6).pdf_1, light_pdf_2));
             }
@@ -3503,7 +3495,7 @@ fn PathTracingOf_advance_1( path_6 : ptr<function, Path_0>,  ray_9 : Ray_0,  hit
     }
     var u_16 : vec4<f32> = Sampler_stratified_0((*path_6).sampler_0, Path_dimension_scatter_0((*path_6)));
     var material_9 : PackedMaterial_0 = material_met_0((*path_6), hit_6, beyond_3);
-    var _S224 : vec3<f32> = vec3<f32>(0.0f);
+    var _S230 : vec3<f32> = vec3<f32>(0.0f);
     var le_3 : vec3<f32>;
     if(!is_counted_1)
     {
@@ -3511,12 +3503,12 @@ fn PathTracingOf_advance_1( path_6 : ptr<function, Path_0>,  ray_9 : Ray_0,  hit
     }
     else
     {
-        le_3 = _S224;
+        le_3 = _S230;
     }
     var is_lit_1 : bool = (max_element_0(le_3)) > 0.0f;
     var met_0 : Aim_0 = Aim_x24init_0(true, ray_9.direction_1, hit_6, luminance_0(vector_of_0(material_9.emission_0)));
-    var _S225 : bool = weighs_apart_0();
-    if(_S225)
+    var _S231 : bool = weighs_apart_0();
+    if(_S231)
     {
         is_weighed_1 = is_lit_1;
     }
@@ -3544,7 +3536,7 @@ fn PathTracingOf_advance_1( path_6 : ptr<function, Path_0>,  ray_9 : Ray_0,  hit
     if(is_chosen_0)
     {
         var light_3 : LightSample_0 = no_light_0();
-        if(!_S225)
+        if(!_S231)
         {
             is_chosen_0 = ((*path_6).pdf_1) > 0.0f;
         }
@@ -3554,15 +3546,15 @@ fn PathTracingOf_advance_1( path_6 : ptr<function, Path_0>,  ray_9 : Ray_0,  hit
         }
         if(is_chosen_0)
         {
-            var _S226 : bool = Lights_sample_0(last_5, Path_selection_at_0((*path_6), last_5), vec4<f32>(0.0f), met_0, &(light_3));
-            is_chosen_0 = _S226;
+            var _S232 : bool = Lights_sample_0(last_4, Path_selection_at_0((*path_6), last_4), vec4<f32>(0.0f), met_0, &(light_3));
+            is_chosen_0 = _S232;
         }
         else
         {
             is_chosen_0 = false;
         }
-        var _S227 : vec3<f32> = (*path_6).beta_0 * le_3;
-        var _S228 : f32 = (*path_6).pdf_1;
+        var _S233 : vec3<f32> = (*path_6).beta_0 * le_3;
+        var _S234 : f32 = (*path_6).pdf_1;
         if(is_chosen_0)
         {
             light_pdf_2 = light_3.pdf_2;
@@ -3571,13 +3563,13 @@ fn PathTracingOf_advance_1( path_6 : ptr<function, Path_0>,  ray_9 : Ray_0,  hit
         {
             light_pdf_2 = 0.0f;
         }
-        (*radiance_6) = (*radiance_6) + _S227 * vec3<f32>(mis_weight_0(_S228, light_pdf_2));
+        (*radiance_6) = (*radiance_6) + _S233 * vec3<f32>(mis_weight_0(_S234, light_pdf_2));
     }
-    var _S229 : f32 = ior_of_0((*path_6).inside_0);
-    var _S230 : f32 = u_16[i32(3)];
-    var _S231 : MaterialBsdf_0 = bsdf_of_0(material_9, _S229, &(_S230));
-    u_16[i32(3)] = _S230;
-    var scattered_3 : vec3<f32> = (*path_6).beta_0 * MaterialBsdf_albedo_0(_S231);
+    var _S235 : f32 = ior_of_0((*path_6).inside_0);
+    var _S236 : f32 = u_16[i32(3)];
+    var _S237 : MaterialBsdf_0 = bsdf_of_0(material_9, _S235, &(_S236));
+    u_16[i32(3)] = _S236;
+    var scattered_3 : vec3<f32> = (*path_6).beta_0 * MaterialBsdf_albedo_0(_S237);
     if(((*path_6).bounce_0) >= (params_0.max_bounces_0))
     {
         is_chosen_0 = true;
@@ -3586,8 +3578,8 @@ fn PathTracingOf_advance_1( path_6 : ptr<function, Path_0>,  ray_9 : Ray_0,  hit
     {
         is_chosen_0 = ends_here_0;
     }
-    var _S232 : bool = !is_weighed_1;
-    if(_S232)
+    var _S238 : bool = !is_weighed_1;
+    if(_S238)
     {
         if(is_chosen_0)
         {
@@ -3607,7 +3599,7 @@ fn PathTracingOf_advance_1( path_6 : ptr<function, Path_0>,  ray_9 : Ray_0,  hit
         return next_1;
     }
     var compensation_3 : f32 = roulette_0(Path_events_0((*path_6)), scattered_3, u_16.z);
-    if(_S232)
+    if(_S238)
     {
         is_chosen_0 = compensation_3 == 0.0f;
     }
@@ -3629,19 +3621,19 @@ fn PathTracingOf_advance_1( path_6 : ptr<function, Path_0>,  ray_9 : Ray_0,  hit
         at_6 = hit_6;
     }
     var surface_4 : Surface_0 = surface_of_0(ray_9, at_6);
-    var _S233 : Receiver_0 = Receiver_x24init_0(surface_4.origin_3, surface_4.normal_2);
-    var _S234 : vec3<f32> = (vec3<f32>(0) - ray_9.direction_1);
-    var wo_6 : vec3<f32> = Surface_local_direction_0(surface_4, _S234);
+    var _S239 : Receiver_0 = Receiver_x24init_0(surface_4.origin_3, surface_4.normal_2);
+    var _S240 : vec3<f32> = (vec3<f32>(0) - ray_9.direction_1);
+    var wo_6 : vec3<f32> = Surface_local_direction_0(surface_4, _S240);
     var inside_5 : Inside_0 = in_air_0();
     var wo_7 : vec3<f32>;
     var receiver_19 : Receiver_0;
     if(is_scattered_3)
     {
-        var _S235 : Inside_0 = Inside_x24init_0((*path_6).inside_0.instance_0, hit_6.voxel_1, (*path_6).inside_0.material_0);
-        inside_5 = _S235;
-        var _S236 : vec3<f32> = normalize_vector_0(_S234);
-        receiver_19 = Receiver_x24init_0(Inside_point_0(_S235, ray_9, t_5), _S224);
-        wo_7 = _S236;
+        var _S241 : Inside_0 = Inside_x24init_0((*path_6).inside_0.instance_0, hit_6.voxel_1, (*path_6).inside_0.material_0);
+        inside_5 = _S241;
+        var _S242 : vec3<f32> = normalize_vector_0(_S240);
+        receiver_19 = Receiver_x24init_0(Inside_point_0(_S241, ray_9, t_5), _S230);
+        wo_7 = _S242;
     }
     else
     {
@@ -3651,22 +3643,22 @@ fn PathTracingOf_advance_1( path_6 : ptr<function, Path_0>,  ray_9 : Ray_0,  hit
             inside_5 = Inside_x24init_0((*path_6).inside_0.instance_0, hit_6.voxel_1, (*path_6).inside_0.material_0);
             inside_5.voxel_0 = hit_6.voxel_1 + vec3<i32>(face_normal_0(hit_6.face_0));
         }
-        receiver_19 = _S233;
+        receiver_19 = _S239;
         wo_7 = wo_6;
     }
     next_1.origin_0 = receiver_19.point_0;
     next_1.shadow_inside_0 = inside_5;
     if(is_weighed_1)
     {
-        receiver_19 = last_5;
+        receiver_19 = last_4;
     }
-    if(_S232)
+    if(_S238)
     {
         (*path_6).selection_0 = Lights_selection_0(receiver_19);
     }
     var light_4 : LightSample_0 = no_light_0();
-    var _S237 : bool = !MaterialBsdf_is_delta_0(_S231);
-    scatter_of_path_0 = Scatter_x24init_0((*path_6), receiver_19, surface_4, _S231, wo_7, compensation_3, is_scattered_3, _S237);
+    var _S243 : bool = !MaterialBsdf_is_delta_0(_S237);
+    scatter_of_path_0 = Scatter_x24init_0((*path_6), receiver_19, surface_4, _S237, wo_7, compensation_3, is_scattered_3, _S243);
     if(is_weighed_1)
     {
         if(next_1.has_shadow_ray_0)
@@ -3683,8 +3675,8 @@ fn PathTracingOf_advance_1( path_6 : ptr<function, Path_0>,  ray_9 : Ray_0,  hit
         return next_1;
     }
     var bounce_2 : BsdfSample_0;
-    var _S238 : bool = MaterialBsdf_sample_0(_S231, wo_7, vec3<f32>(u_16.xy, u_16.w), &(bounce_2));
-    if(!_S238)
+    var _S244 : bool = MaterialBsdf_sample_0(_S237, wo_7, vec3<f32>(u_16.xy, u_16.w), &(bounce_2));
+    if(!_S244)
     {
         return next_1;
     }
@@ -3752,34 +3744,34 @@ fn albedo_of_0( material_11 : PackedMaterial_0) -> vec3<f32>
 
 fn show_0( path_8 : Path_0,  ray_12 : Ray_0,  hit_8 : Hit_0,  beyond_4 : u32,  sample_9 : ptr<function, Sample_0>)
 {
-    var _S239 : Path_0 = path_8;
+    var _S245 : Path_0 = path_8;
     (*sample_9).is_shown_0 = true;
-    if(Inside_is_in_0(_S239.inside_0))
+    if(Inside_is_in_0(_S245.inside_0))
     {
-        absorb_0(&(_S239), _S239.inside_0, ray_12, hit_8.t_0);
+        absorb_0(&(_S245), _S245.inside_0, ray_12, hit_8.t_0);
     }
-    var material_12 : PackedMaterial_0 = material_met_0(_S239, hit_8, beyond_4);
+    var material_12 : PackedMaterial_0 = material_met_0(_S245, hit_8, beyond_4);
     (*sample_9).normal_4 = shading_normal_0(ray_12, hit_8, material_12);
-    (*sample_9).albedo_0 = _S239.beta_0 * albedo_of_0(material_12);
+    (*sample_9).albedo_0 = _S245.beta_0 * albedo_of_0(material_12);
     return;
 }
 
 fn Walker_see_0( this_26 : ptr<function, Walker_0>,  arrived_0 : Path_0,  hit_9 : Hit_0,  beyond_5 : u32,  emitted_1 : vec3<f32>,  goes_on_0 : bool,  sample_10 : ptr<function, Sample_0>)
 {
     (*sample_10).direct_0 = (*sample_10).direct_0 + emitted_1;
-    var _S240 : bool = ((*this_26).path_7.bounce_0) == u32(0);
-    var _S241 : bool;
+    var _S246 : bool = ((*this_26).path_7.bounce_0) == u32(0);
+    var _S247 : bool;
     if(goes_on_0)
     {
-        _S241 = _S240;
+        _S247 = _S246;
     }
     else
     {
-        _S241 = false;
+        _S247 = false;
     }
-    var _S242 : bool = !_S241;
-    (*this_26).has_shown_0 = _S242;
-    if(!_S242)
+    var _S248 : bool = !_S247;
+    (*this_26).has_shown_0 = _S248;
+    if(!_S248)
     {
         (*this_26).way_2 = (*this_26).way_2 + hit_9.t_0;
     }
@@ -3789,16 +3781,16 @@ fn Walker_see_0( this_26 : ptr<function, Walker_0>,  arrived_0 : Path_0,  hit_9 
         {
             show_0(arrived_0, (*this_26).ray_10, hit_9, beyond_5, &((*sample_10)));
             (*sample_10).place_3 = (*this_26).camera_ray_0.origin_1 + (*this_26).camera_ray_0.direction_1 * vec3<f32>(((*this_26).way_2 + hit_9.t_0));
-            var _S243 : u32;
+            var _S249 : u32;
             if(((*this_26).way_2) > 0.0f)
             {
-                _S243 = u32(4294967295);
+                _S249 = u32(4294967295);
             }
             else
             {
-                _S243 = hit_9.instance_1;
+                _S249 = hit_9.instance_1;
             }
-            (*sample_10).instance_8 = _S243;
+            (*sample_10).instance_8 = _S249;
         }
     }
     return;
@@ -3821,10 +3813,10 @@ fn goes_on_from_0( at_7 : ptr<function, Walker_0>,  hit_10 : Hit_0,  beyond_6 : 
         ends_here_0 = false;
         var arrived_1 : Path_0 = (*at_7).path_7;
         var emitted_2 : vec3<f32> = cached_0;
-        var _S244 : Path_0 = (*at_7).path_7;
-        var _S245 : NextRays_0 = PathTracingOf_advance_0(&(_S244), (*at_7).ray_10, hit_10, beyond_6, &(emitted_2));
-        (*at_7).path_7 = _S244;
-        next_2 = _S245;
+        var _S250 : Path_0 = (*at_7).path_7;
+        var _S251 : NextRays_0 = PathTracingOf_advance_0(&(_S250), (*at_7).ray_10, hit_10, beyond_6, &(emitted_2));
+        (*at_7).path_7 = _S250;
+        next_2 = _S251;
         var goes_on_2 : bool = (any(((next_2.direction_0) != cached_0)));
         if((*at_7).has_shown_0)
         {
@@ -3876,11 +3868,11 @@ struct Key_0
 
 fn Key_x24init_0( instance_10 : u32,  face_and_level_1 : u32,  cube_1 : vec3<i32>) -> Key_0
 {
-    var _S246 : Key_0;
-    _S246.instance_9 = instance_10;
-    _S246.face_and_level_0 = face_and_level_1;
-    _S246.cube_0 = cube_1;
-    return _S246;
+    var _S252 : Key_0;
+    _S252.instance_9 = instance_10;
+    _S252.face_and_level_0 = face_and_level_1;
+    _S252.cube_0 = cube_1;
+    return _S252;
 }
 
 fn scramble_of_0( number_1 : u32) -> u32
@@ -3902,20 +3894,20 @@ fn key_of_0( hit_11 : Hit_0,  size_1 : f32,  u_17 : f32,  code_0 : ptr<function,
 {
     var clamped_0 : f32 = clamp(size_1, 1.0f, 128.0f);
     var power_5 : f32 = f32(((bitcast<u32>((clamped_0))) >> (u32(23)))) - 127.0f;
-    var _S247 : f32;
+    var _S253 : f32;
     if(u_17 < (clamped_0 * inverse_power_of_two_0(clamped_0) - 1.0f))
     {
-        _S247 = 1.0f;
+        _S253 = 1.0f;
     }
     else
     {
-        _S247 = 0.0f;
+        _S253 = 0.0f;
     }
-    var level_0 : u32 = u32(min(power_5 + _S247, 6.0f));
-    var _S248 : vec3<u32> = vec3<u32>(u32(i32(level_0)));
-    var key_0 : Key_0 = Key_x24init_0(hit_11.instance_1, ((hit_11.face_0) | (((level_0 << (u32(3)))))), ((hit_11.voxel_1) >> (_S248)));
-    var _S249 : vec3<u32> = vec3<u32>(hit_11.voxel_1 - (((key_0.cube_0) << (_S248))));
-    (*code_0) = u32(1) + (((((((_S249.x) | ((((_S249.y) << (level_0)))))) | ((((_S249.z) << ((u32(2) * level_0))))))) ^ ((((scramble_of_0(real_time_0.number_0)) & ((Key_mask_0(key_0))))))));
+    var level_0 : u32 = u32(min(power_5 + _S253, 6.0f));
+    var _S254 : vec3<u32> = vec3<u32>(u32(i32(level_0)));
+    var key_0 : Key_0 = Key_x24init_0(hit_11.instance_1, ((hit_11.face_0) | (((level_0 << (u32(3)))))), ((hit_11.voxel_1) >> (_S254)));
+    var _S255 : vec3<u32> = vec3<u32>(hit_11.voxel_1 - (((key_0.cube_0) << (_S254))));
+    (*code_0) = u32(1) + (((((((_S255.x) | ((((_S255.y) << (level_0)))))) | ((((_S255.z) << ((u32(2) * level_0))))))) ^ ((((scramble_of_0(real_time_0.number_0)) & ((Key_mask_0(key_0))))))));
     return key_0;
 }
 
@@ -3942,8 +3934,8 @@ fn find_cell_0( hash_0 : vec2<u32>) -> u32
             break;
         }
         var cell_4 : u32 = ((hash_0.x + probe_0) & (u32(262143)));
-        var _S250 : u32 = atomicLoad(&(cell_keys_0[place_of_check_0(cell_4)]));
-        if(_S250 == (max(hash_0.y, u32(1))))
+        var _S256 : u32 = atomicLoad(&(cell_keys_0[place_of_check_0(cell_4)]));
+        if(_S256 == (max(hash_0.y, u32(1))))
         {
             return cell_4;
         }
@@ -3952,14 +3944,14 @@ fn find_cell_0( hash_0 : vec2<u32>) -> u32
     return u32(262144);
 }
 
-fn cell_row_0( row_7 : u32,  cell_5 : u32) -> vec4<u32>
+fn cell_row_0( row_8 : u32,  cell_5 : u32) -> vec4<u32>
 {
-    return cell_rows_0[row_7 * u32(262144) + cell_5];
+    return cell_rows_0[row_8 * u32(262144) + cell_5];
 }
 
-fn set_cell_row_0( row_8 : u32,  cell_6 : u32,  value_1 : vec4<u32>)
+fn set_cell_row_0( row_9 : u32,  cell_6 : u32,  value_1 : vec4<u32>)
 {
-    cell_rows_0[row_8 * u32(262144) + cell_6] = value_1;
+    cell_rows_0[row_9 * u32(262144) + cell_6] = value_1;
     return;
 }
 
@@ -3970,11 +3962,11 @@ fn place_of_asked_0( cell_7 : u32) -> u32
 
 fn ask_cell_0( key_1 : Key_0,  asked_0 : u32) -> vec4<f32>
 {
-    var _S251 : bool;
+    var _S257 : bool;
     var hash_1 : vec2<u32> = Key_hash_0(key_1);
-    var _S252 : u32 = max(hash_1.y, u32(1));
+    var _S258 : u32 = max(hash_1.y, u32(1));
     var cell_8 : u32 = find_cell_0(hash_1);
-    var _S253 : vec4<f32> = vec4<f32>(0.0f);
+    var _S259 : vec4<f32> = vec4<f32>(0.0f);
     var known_0 : vec4<f32>;
     if(cell_8 != u32(262144))
     {
@@ -3982,7 +3974,7 @@ fn ask_cell_0( key_1 : Key_0,  asked_0 : u32) -> vec4<f32>
     }
     else
     {
-        known_0 = _S253;
+        known_0 = _S259;
     }
     var cell_9 : u32 = cell_8;
     var probe_1 : u32 = u32(0);
@@ -3990,13 +3982,13 @@ fn ask_cell_0( key_1 : Key_0,  asked_0 : u32) -> vec4<f32>
     {
         if(probe_1 < u32(8))
         {
-            _S251 = cell_9 == u32(262144);
+            _S257 = cell_9 == u32(262144);
         }
         else
         {
-            _S251 = false;
+            _S257 = false;
         }
-        if(_S251)
+        if(_S257)
         {
         }
         else
@@ -4004,23 +3996,23 @@ fn ask_cell_0( key_1 : Key_0,  asked_0 : u32) -> vec4<f32>
             break;
         }
         var place_4 : u32 = ((hash_1.x + probe_1) & (u32(262143)));
-        var found_0 : u32 = atomicCompareExchangeWeak(&(cell_keys_0[place_of_check_0(place_4)]), u32(0), _S252).old_value;
-        var _S254 : bool = found_0 == u32(0);
-        if(_S254)
+        var found_0 : u32 = atomicCompareExchangeWeak(&(cell_keys_0[place_of_check_0(place_4)]), u32(0), _S258).old_value;
+        var _S260 : bool = found_0 == u32(0);
+        if(_S260)
         {
             set_cell_row_0(u32(1), place_4, vec4<u32>(key_1.instance_9, key_1.face_and_level_0, u32(0), u32(0)));
             set_cell_row_0(u32(2), place_4, vec4<u32>(vec3<u32>(key_1.cube_0), u32(0)));
         }
-        var _S255 : bool;
-        if(_S254)
+        var _S261 : bool;
+        if(_S260)
         {
-            _S255 = true;
+            _S261 = true;
         }
         else
         {
-            _S255 = found_0 == _S252;
+            _S261 = found_0 == _S258;
         }
-        if(_S255)
+        if(_S261)
         {
             cell_9 = place_4;
         }
@@ -4028,16 +4020,16 @@ fn ask_cell_0( key_1 : Key_0,  asked_0 : u32) -> vec4<f32>
     }
     if(cell_9 != u32(262144))
     {
-        var _S256 : u32 = atomicLoad(&(cell_keys_0[place_of_asked_0(cell_9)]));
-        _S251 = _S256 < asked_0;
+        var _S262 : u32 = atomicLoad(&(cell_keys_0[place_of_asked_0(cell_9)]));
+        _S257 = _S262 < asked_0;
     }
     else
     {
-        _S251 = false;
+        _S257 = false;
     }
-    if(_S251)
+    if(_S257)
     {
-        var _S257 : u32 = atomicMax(&(cell_keys_0[place_of_asked_0(cell_9)]), asked_0);
+        var _S263 : u32 = atomicMax(&(cell_keys_0[place_of_asked_0(cell_9)]), asked_0);
     }
     return known_0;
 }
@@ -4045,29 +4037,29 @@ fn ask_cell_0( key_1 : Key_0,  asked_0 : u32) -> vec4<f32>
 fn asks_0( path_9 : Path_0,  ray_13 : Ray_0,  hit_12 : Hit_0,  beyond_7 : u32,  life_1 : u32,  light_7 : ptr<function, vec3<f32>>) -> bool
 {
     (*light_7) = vec3<f32>(0.0f);
-    var _S258 : bool;
+    var _S264 : bool;
     if(Hit_is_miss_0(hit_12))
     {
-        _S258 = true;
+        _S264 = true;
     }
     else
     {
-        _S258 = Inside_is_in_0(path_9.inside_0);
+        _S264 = Inside_is_in_0(path_9.inside_0);
     }
-    if(_S258)
+    if(_S264)
     {
         return false;
     }
     var material_13 : PackedMaterial_0 = material_met_0(path_9, hit_12, beyond_7);
     if((material_13.metallic_0) > 0.0f)
     {
-        _S258 = true;
+        _S264 = true;
     }
     else
     {
-        _S258 = (material_13.transmission_0) > 0.0f;
+        _S264 = (material_13.transmission_0) > 0.0f;
     }
-    if(_S258)
+    if(_S264)
     {
         return false;
     }
@@ -4076,13 +4068,13 @@ fn asks_0( path_9 : Path_0,  ray_13 : Ray_0,  hit_12 : Hit_0,  beyond_7 : u32,  
     var least_0 : f32 = 2.0f * f32((u32(1) << ((Key_level_0(key_2)))));
     if(life_1 == u32(0))
     {
-        _S258 = true;
+        _S264 = true;
     }
     else
     {
-        _S258 = (hit_12.t_0 * square_root_0(length_squared_0(ray_13.direction_1))) < least_0;
+        _S264 = (hit_12.t_0 * square_root_0(length_squared_0(ray_13.direction_1))) < least_0;
     }
-    if(_S258)
+    if(_S264)
     {
         return false;
     }
@@ -4110,10 +4102,10 @@ struct BsdfEval_0
 
 fn BsdfEval_x24init_0( weight_6 : vec3<f32>,  pdf_11 : f32) -> BsdfEval_0
 {
-    var _S259 : BsdfEval_0;
-    _S259.weight_5 = weight_6;
-    _S259.pdf_10 = pdf_11;
-    return _S259;
+    var _S265 : BsdfEval_0;
+    _S265.weight_5 = weight_6;
+    _S265.pdf_10 = pdf_11;
+    return _S265;
 }
 
 fn Diffuse_eval_0( this_31 : Diffuse_0,  wo_8 : vec3<f32>,  wi_3 : vec3<f32>) -> BsdfEval_0
@@ -4151,13 +4143,20 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_3 : ptr<function, NextRays_0>)
         }
         var dimension_3 : u32 = u32(1073741824) + u32(64) * Path_events_0(scatter_0.path_0) + u32(2) * candidate_0;
         var u_18 : vec4<f32>;
+        var _S266 : vec4<f32>;
         if(candidate_0 == u32(0))
         {
-            u_18 = Sampler_stratified_0(scatter_0.path_0.sampler_0, Path_dimension_light_0(scatter_0.path_0));
+            _S266 = Sampler_stratified_0(scatter_0.path_0.sampler_0, Path_dimension_light_0(scatter_0.path_0));
         }
         else
         {
-            u_18 = Sampler_independent_0(scatter_0.path_0.sampler_0, dimension_3);
+            _S266 = Sampler_independent_0(scatter_0.path_0.sampler_0, dimension_3);
+        }
+        u_18 = _S266;
+        var _S267 : bool = count_5 > u32(1);
+        if(_S267)
+        {
+            u_18[i32(0)] = min((f32(candidate_0) + u_18.x) * divide_0(1.0f, f32(count_5)), 0.99999994039535522f);
         }
         var light_8 : LightSample_0 = no_light_0();
         var is_found_2 : bool = Lights_sample_0(scatter_0.receiver_0, scatter_0.path_0.selection_0, u_18, by_chance_0(), &(light_8));
@@ -4166,7 +4165,7 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_3 : ptr<function, NextRays_0>)
             candidate_0 = candidate_0 + u32(1);
             continue;
         }
-        var _S260 : vec3<f32> = vec3<f32>(Surface_local_direction_0(scatter_0.surface_0, light_8.ray_6.direction_1).xy, light_8.cos_theta_2);
+        var _S268 : vec3<f32> = vec3<f32>(Surface_local_direction_0(scatter_0.surface_0, light_8.ray_6.direction_1).xy, light_8.cos_theta_2);
         var wi_5 : vec3<f32>;
         if(scatter_0.is_scattered_0)
         {
@@ -4174,22 +4173,22 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_3 : ptr<function, NextRays_0>)
         }
         else
         {
-            wi_5 = _S260;
+            wi_5 = _S268;
         }
         var eval_0 : BsdfEval_0 = MaterialBsdf_eval_0(scatter_0.bsdf_0, scatter_0.wo_0, wi_5);
-        var _S261 : vec3<f32> = scatter_0.path_0.beta_0 * eval_0.weight_5 * vec3<f32>(scatter_0.compensation_0) * light_8.radiance_1 * vec3<f32>((divide_0(eval_0.pdf_10, light_8.pdf_2) * power_heuristic_0(light_8.pdf_2, eval_0.pdf_10)));
-        var weight_7 : f32 = luminance_0(_S261);
+        var _S269 : vec3<f32> = scatter_0.path_0.beta_0 * eval_0.weight_5 * vec3<f32>(scatter_0.compensation_0) * light_8.radiance_1 * vec3<f32>((divide_0(eval_0.pdf_10, light_8.pdf_2) * power_heuristic_0(light_8.pdf_2, eval_0.pdf_10)));
+        var weight_7 : f32 = luminance_0(_S269);
         var sum_2 : f32 = sum_1 + weight_7;
-        var _S262 : bool;
-        if(count_5 > u32(1))
+        var _S270 : bool;
+        if(_S267)
         {
-            _S262 = (Sampler_independent_0(scatter_0.path_0.sampler_0, dimension_3 + u32(1)).x * sum_2) >= weight_7;
+            _S270 = (Sampler_independent_0(scatter_0.path_0.sampler_0, dimension_3 + u32(1)).x * sum_2) >= weight_7;
         }
         else
         {
-            _S262 = false;
+            _S270 = false;
         }
-        if(_S262)
+        if(_S270)
         {
             sum_1 = sum_2;
             candidate_0 = candidate_0 + u32(1);
@@ -4200,7 +4199,7 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_3 : ptr<function, NextRays_0>)
         {
             (*next_3).shadow_direction_0 = light_8.ray_6.direction_1;
             (*next_3).shadow_t_max_0 = light_8.ray_6.t_max_0;
-            (*next_3).light_0 = _S261;
+            (*next_3).light_0 = _S269;
             chosen_5 = weight_7;
         }
         else
@@ -4211,9 +4210,9 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_3 : ptr<function, NextRays_0>)
         sum_1 = sum_2;
         candidate_0 = candidate_0 + u32(1);
     }
-    var _S263 : bool = chosen_4 > 0.0f;
-    (*next_3).has_shadow_ray_0 = _S263;
-    if(_S263)
+    var _S271 : bool = chosen_4 > 0.0f;
+    (*next_3).has_shadow_ray_0 = _S271;
+    if(_S271)
     {
         (*next_3).light_0 = (*next_3).light_0 * vec3<f32>(divide_0(sum_1, chosen_4 * f32(count_5)));
     }
@@ -4233,8 +4232,8 @@ fn goes_on_from_1( at_8 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_8 : 
     }
     else
     {
-        var _S264 : vec3<f32> = vec3<f32>(0.0f);
-        var cached_1 : vec3<f32> = _S264;
+        var _S272 : vec3<f32> = vec3<f32>(0.0f);
+        var cached_1 : vec3<f32> = _S272;
         if((*at_8).has_shown_0)
         {
             goes_on_3 = (*at_8).asks_cache_0;
@@ -4245,8 +4244,8 @@ fn goes_on_from_1( at_8 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_8 : 
         }
         if(goes_on_3)
         {
-            var _S265 : bool = asks_0((*at_8).path_7, (*at_8).ray_10, hit_13, beyond_8, (*at_8).life_0, &(cached_1));
-            goes_on_3 = _S265;
+            var _S273 : bool = asks_0((*at_8).path_7, (*at_8).ray_10, hit_13, beyond_8, (*at_8).life_0, &(cached_1));
+            goes_on_3 = _S273;
         }
         else
         {
@@ -4254,12 +4253,12 @@ fn goes_on_from_1( at_8 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_8 : 
         }
         ends_here_0 = goes_on_3;
         var arrived_2 : Path_0 = (*at_8).path_7;
-        var emitted_3 : vec3<f32> = _S264;
-        var _S266 : Path_0 = (*at_8).path_7;
-        var _S267 : NextRays_0 = PathTracingOf_advance_1(&(_S266), (*at_8).ray_10, hit_13, beyond_8, &(emitted_3));
-        (*at_8).path_7 = _S266;
-        next_4 = _S267;
-        var goes_on_4 : bool = (any(((next_4.direction_0) != _S264)));
+        var emitted_3 : vec3<f32> = _S272;
+        var _S274 : Path_0 = (*at_8).path_7;
+        var _S275 : NextRays_0 = PathTracingOf_advance_1(&(_S274), (*at_8).ray_10, hit_13, beyond_8, &(emitted_3));
+        (*at_8).path_7 = _S274;
+        next_4 = _S275;
+        var goes_on_4 : bool = (any(((next_4.direction_0) != _S272)));
         if((*at_8).has_shown_0)
         {
             (*sample_12).light_6 = (*sample_12).light_6 + (cached_1 + emitted_3);
@@ -4323,9 +4322,9 @@ fn local_ray_0( ray_14 : Ray_0,  grid_from_world_2 : Transform_0) -> LocalRay_0
     var origin_8 : vec3<f32>;
     if(!IS_SINGLE_0)
     {
-        var _S268 : vec3<f32> = Transform_point_0(grid_from_world_2, ray_14.origin_1);
+        var _S276 : vec3<f32> = Transform_point_0(grid_from_world_2, ray_14.origin_1);
         direction_27 = Transform_direction_0(grid_from_world_2, ray_14.direction_1);
-        origin_8 = _S268;
+        origin_8 = _S276;
     }
     else
     {
@@ -4333,11 +4332,11 @@ fn local_ray_0( ray_14 : Ray_0,  grid_from_world_2 : Transform_0) -> LocalRay_0
         origin_8 = ray_14.origin_1;
     }
     var is_zero_0 : vec3<bool> = !((abs(direction_27)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S269 : vec3<f32> = select(direction_27, vec3<f32>(0.0f), is_zero_0);
-    local_3.direction_26 = _S269;
+    var _S277 : vec3<f32> = select(direction_27, vec3<f32>(0.0f), is_zero_0);
+    local_3.direction_26 = _S277;
     local_3.inverse_0 = select(reciprocal_0(select(direction_27, vec3<f32>(1.0f), is_zero_0)), vec3<f32>(3.4028234663852886e+38f), is_zero_0);
     local_3.origin_7 = select(origin_8, floor(origin_8) + vec3<f32>(0.5f), is_zero_0);
-    var speed_0 : f32 = max_element_0(abs(_S269));
+    var speed_0 : f32 = max_element_0(abs(_S277));
     var moves_0 : bool;
     if(speed_0 >= 1.00000004581370497e-18f)
     {
@@ -4407,16 +4406,16 @@ fn Walk_mirrored_plane_0( this_33 : Walk_0,  plane_0 : vec3<i32>) -> vec3<i32>
 
 fn min_abs_direction_0() -> f32
 {
-    var _S270 : f32;
+    var _S278 : f32;
     if(IS_EXACT_0)
     {
-        _S270 = 0.0f;
+        _S278 = 0.0f;
     }
     else
     {
-        _S270 = 1.00000004581370497e-18f;
+        _S278 = 1.00000004581370497e-18f;
     }
-    return _S270;
+    return _S278;
 }
 
 @id(3) override TOP_SHIFT_0 : u32 = u32(0);
@@ -4437,18 +4436,18 @@ fn walk_of_0( ray_16 : LocalRay_0,  grid_7 : PackedGrid_0) -> Walk_0
     walk_0.ray_15 = ray_16;
     walk_0.grid_origin_0 = cell_of_0(grid_7.origin_4);
     var is_negative_0 : vec3<bool> = (ray_16.direction_26) < vec3<f32>(0.0f);
-    var _S271 : vec3<i32> = vec3<i32>(i32(0));
-    walk_0.mirror_0 = select(_S271, vec3<i32>(i32(-1)), is_negative_0);
-    var _S272 : vec3<i32>;
+    var _S279 : vec3<i32> = vec3<i32>(i32(0));
+    walk_0.mirror_0 = select(_S279, vec3<i32>(i32(-1)), is_negative_0);
+    var _S280 : vec3<i32>;
     if(IS_EXACT_0)
     {
-        _S272 = Walk_mirrored_plane_0(walk_0, walk_0.grid_origin_0);
+        _S280 = Walk_mirrored_plane_0(walk_0, walk_0.grid_origin_0);
     }
     else
     {
-        _S272 = _S271;
+        _S280 = _S279;
     }
-    walk_0.offset_0 = _S272;
+    walk_0.offset_0 = _S280;
     var origin_10 : vec3<f32>;
     if(IS_EXACT_0)
     {
@@ -4494,74 +4493,74 @@ fn halves_0( value_2 : f32) -> vec2<f32>
     return vec2<f32>(high_3, value_2 - high_3);
 }
 
-fn exact_product_0( a_5 : f32,  b_5 : f32) -> vec2<f32>
+fn exact_product_0( a_4 : f32,  b_4 : f32) -> vec2<f32>
 {
-    var product_0 : f32 = a_5 * b_5;
+    var product_0 : f32 = a_4 * b_4;
     if(!IS_EXACT_0)
     {
         return vec2<f32>(product_0, 0.0f);
     }
-    var a_parts_0 : vec2<f32> = halves_0(a_5);
-    var b_parts_0 : vec2<f32> = halves_0(b_5);
-    var _S273 : f32 = a_parts_0.x;
-    var _S274 : f32 = b_parts_0.x;
-    var _S275 : f32 = b_parts_0.y;
-    var _S276 : f32 = a_parts_0.y;
-    return vec2<f32>(product_0, _S273 * _S274 - product_0 + _S273 * _S275 + _S276 * _S274 + _S276 * _S275);
+    var a_parts_0 : vec2<f32> = halves_0(a_4);
+    var b_parts_0 : vec2<f32> = halves_0(b_4);
+    var _S281 : f32 = a_parts_0.x;
+    var _S282 : f32 = b_parts_0.x;
+    var _S283 : f32 = b_parts_0.y;
+    var _S284 : f32 = a_parts_0.y;
+    return vec2<f32>(product_0, _S281 * _S282 - product_0 + _S281 * _S283 + _S284 * _S282 + _S284 * _S283);
 }
 
 fn exact_start_voxel_0( ray_17 : LocalRay_0) -> vec3<i32>
 {
     var way_3 : vec2<f32> = exact_product_0(ray_17.t_min_2, ray_17.direction_26[u32(0)]);
-    var _S277 : f32 = way_3.x;
-    var sum_3 : f32 = ray_17.origin_7[u32(0)] + _S277;
+    var _S285 : f32 = way_3.x;
+    var sum_3 : f32 = ray_17.origin_7[u32(0)] + _S285;
     var part_0 : f32 = sum_3 - ray_17.origin_7[u32(0)];
-    var low_8 : f32 = ray_17.origin_7[u32(0)] - (sum_3 - part_0) + (_S277 - part_0) + way_3.y;
+    var low_8 : f32 = ray_17.origin_7[u32(0)] - (sum_3 - part_0) + (_S285 - part_0) + way_3.y;
     var whole_0 : f32 = floor(sum_3);
     var voxel_7 : vec3<i32>;
-    var _S278 : i32 = i32(whole_0);
-    var _S279 : bool;
+    var _S286 : i32 = i32(whole_0);
+    var _S287 : bool;
     if(sum_3 == whole_0)
     {
-        _S279 = low_8 < 0.0f;
+        _S287 = low_8 < 0.0f;
     }
     else
     {
-        _S279 = false;
+        _S287 = false;
     }
-    voxel_7[u32(0)] = _S278 - i32(_S279);
+    voxel_7[u32(0)] = _S286 - i32(_S287);
     var way_4 : vec2<f32> = exact_product_0(ray_17.t_min_2, ray_17.direction_26[u32(1)]);
-    var _S280 : f32 = way_4.x;
-    var sum_4 : f32 = ray_17.origin_7[u32(1)] + _S280;
+    var _S288 : f32 = way_4.x;
+    var sum_4 : f32 = ray_17.origin_7[u32(1)] + _S288;
     var part_1 : f32 = sum_4 - ray_17.origin_7[u32(1)];
-    var low_9 : f32 = ray_17.origin_7[u32(1)] - (sum_4 - part_1) + (_S280 - part_1) + way_4.y;
+    var low_9 : f32 = ray_17.origin_7[u32(1)] - (sum_4 - part_1) + (_S288 - part_1) + way_4.y;
     var whole_1 : f32 = floor(sum_4);
-    var _S281 : i32 = i32(whole_1);
+    var _S289 : i32 = i32(whole_1);
     if(sum_4 == whole_1)
     {
-        _S279 = low_9 < 0.0f;
+        _S287 = low_9 < 0.0f;
     }
     else
     {
-        _S279 = false;
+        _S287 = false;
     }
-    voxel_7[u32(1)] = _S281 - i32(_S279);
+    voxel_7[u32(1)] = _S289 - i32(_S287);
     var way_5 : vec2<f32> = exact_product_0(ray_17.t_min_2, ray_17.direction_26[u32(2)]);
-    var _S282 : f32 = way_5.x;
-    var sum_5 : f32 = ray_17.origin_7[u32(2)] + _S282;
+    var _S290 : f32 = way_5.x;
+    var sum_5 : f32 = ray_17.origin_7[u32(2)] + _S290;
     var part_2 : f32 = sum_5 - ray_17.origin_7[u32(2)];
-    var low_10 : f32 = ray_17.origin_7[u32(2)] - (sum_5 - part_2) + (_S282 - part_2) + way_5.y;
+    var low_10 : f32 = ray_17.origin_7[u32(2)] - (sum_5 - part_2) + (_S290 - part_2) + way_5.y;
     var whole_2 : f32 = floor(sum_5);
-    var _S283 : i32 = i32(whole_2);
+    var _S291 : i32 = i32(whole_2);
     if(sum_5 == whole_2)
     {
-        _S279 = low_10 < 0.0f;
+        _S287 = low_10 < 0.0f;
     }
     else
     {
-        _S279 = false;
+        _S287 = false;
     }
-    voxel_7[u32(2)] = _S283 - i32(_S279);
+    voxel_7[u32(2)] = _S291 - i32(_S287);
     return voxel_7;
 }
 
@@ -4574,16 +4573,16 @@ fn Walk_start_voxel_0( this_37 : Walk_0) -> vec3<i32>
     }
     var nearest_0 : vec3<f32> = round(start_3);
     var from_nearest_0 : vec3<f32> = start_3 - nearest_0;
-    var _S284 : bool;
+    var _S292 : bool;
     if((this_37.ray_15.t_min_2) > 0.0f)
     {
-        _S284 = (any(((abs(from_nearest_0)) <= (this_37.tolerance_0))));
+        _S292 = (any(((abs(from_nearest_0)) <= (this_37.tolerance_0))));
     }
     else
     {
-        _S284 = false;
+        _S292 = false;
     }
-    if(_S284)
+    if(_S292)
     {
         return Walk_mirrored_0(this_37, exact_start_voxel_0(this_37.ray_15) - this_37.grid_origin_0);
     }
@@ -4605,12 +4604,12 @@ struct Crossing_0
 
 fn Crossing_x24init_0( distance_3 : f32,  distance_low_1 : f32,  speed_3 : f32,  axis_2 : u32) -> Crossing_0
 {
-    var _S285 : Crossing_0;
-    _S285.distance_2 = distance_3;
-    _S285.distance_low_0 = distance_low_1;
-    _S285.speed_2 = speed_3;
-    _S285.axis_1 = axis_2;
-    return _S285;
+    var _S293 : Crossing_0;
+    _S293.distance_2 = distance_3;
+    _S293.distance_low_0 = distance_low_1;
+    _S293.speed_2 = speed_3;
+    _S293.axis_1 = axis_2;
+    return _S293;
 }
 
 fn crossing_of_0( ray_18 : LocalRay_0,  axis_3 : u32,  plane_1 : i32) -> Crossing_0
@@ -4640,61 +4639,61 @@ fn Crossing_is_before_0( this_39 : Crossing_0,  other_1 : Crossing_0) -> bool
         theirs_0[i32(1)] = theirs_0[i32(1)] + other_1.distance_low_0 * this_39.speed_2;
     }
     var difference_1 : f32 = ours_0.x - theirs_0.x + (ours_0.y - theirs_0.y);
-    var _S286 : bool;
+    var _S294 : bool;
     if(difference_1 < 0.0f)
     {
-        _S286 = true;
+        _S294 = true;
     }
     else
     {
         if(difference_1 == 0.0f)
         {
-            _S286 = (this_39.axis_1) < (other_1.axis_1);
+            _S294 = (this_39.axis_1) < (other_1.axis_1);
         }
         else
         {
-            _S286 = false;
+            _S294 = false;
         }
     }
-    return _S286;
+    return _S294;
 }
 
 fn leave_box_0( ray_19 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>,  nearest_1 : vec3<i32>) -> vec3<i32>
 {
-    var _S287 : vec3<f32>;
-    var _S288 : f32;
-    var _S289 : bool;
+    var _S295 : vec3<f32>;
+    var _S296 : f32;
+    var _S297 : bool;
     var is_crossed_0 : bool;
     var first_0 : Crossing_0;
-    var _S290 : f32;
-    var _S291 : bool;
-    var _S292 : f32;
-    var _S293 : bool;
+    var _S298 : f32;
+    var _S299 : bool;
+    var _S300 : f32;
+    var _S301 : bool;
     var plane_2 : i32;
-    var _S294 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
+    var _S302 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
     for(;;)
     {
         for(;;)
         {
             for(;;)
             {
-                _S287 = ray_19.direction_26;
-                _S288 = ray_19.direction_26[u32(0)];
-                var _S295 : bool = (ray_19.direction_26[u32(0)]) == 0.0f;
-                _S289 = _S295;
-                if(_S295)
+                _S295 = ray_19.direction_26;
+                _S296 = ray_19.direction_26[u32(0)];
+                var _S303 : bool = (ray_19.direction_26[u32(0)]) == 0.0f;
+                _S297 = _S303;
+                if(_S303)
                 {
-                    first_0 = _S294;
+                    first_0 = _S302;
                     break;
                 }
                 var crossing_0 : Crossing_0 = crossing_of_0(ray_19, u32(0), exit_0[u32(0)]);
-                if((_S294.axis_1) == u32(3))
+                if((_S302.axis_1) == u32(3))
                 {
                     is_crossed_0 = true;
                 }
                 else
                 {
-                    is_crossed_0 = Crossing_is_before_0(crossing_0, _S294);
+                    is_crossed_0 = Crossing_is_before_0(crossing_0, _S302);
                 }
                 if(is_crossed_0)
                 {
@@ -4702,7 +4701,7 @@ fn leave_box_0( ray_19 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>, 
                 }
                 else
                 {
-                    first_0 = _S294;
+                    first_0 = _S302;
                 }
                 break;
             }
@@ -4712,10 +4711,10 @@ fn leave_box_0( ray_19 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>, 
         {
             for(;;)
             {
-                _S290 = _S287[u32(1)];
-                var _S296 : bool = (_S287[u32(1)]) == 0.0f;
-                _S291 = _S296;
-                if(_S296)
+                _S298 = _S295[u32(1)];
+                var _S304 : bool = (_S295[u32(1)]) == 0.0f;
+                _S299 = _S304;
+                if(_S304)
                 {
                     break;
                 }
@@ -4740,10 +4739,10 @@ fn leave_box_0( ray_19 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>, 
         {
             for(;;)
             {
-                _S292 = _S287[u32(2)];
-                var _S297 : bool = (_S287[u32(2)]) == 0.0f;
-                _S293 = _S297;
-                if(_S297)
+                _S300 = _S295[u32(2)];
+                var _S305 : bool = (_S295[u32(2)]) == 0.0f;
+                _S301 = _S305;
+                if(_S305)
                 {
                     break;
                 }
@@ -4773,12 +4772,12 @@ fn leave_box_0( ray_19 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>, 
         {
             for(;;)
             {
-                if(_S289)
+                if(_S297)
                 {
                     break;
                 }
-                var _S298 : bool = u32(0) == (first_0.axis_1);
-                if(_S298)
+                var _S306 : bool = u32(0) == (first_0.axis_1);
+                if(_S306)
                 {
                     is_crossed_0 = true;
                 }
@@ -4786,7 +4785,7 @@ fn leave_box_0( ray_19 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>, 
                 {
                     is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_19, u32(0), nearest_1[u32(0)]), first_0);
                 }
-                if(_S298)
+                if(_S306)
                 {
                     plane_2 = exit_0[u32(0)];
                 }
@@ -4794,7 +4793,7 @@ fn leave_box_0( ray_19 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>, 
                 {
                     plane_2 = nearest_1[u32(0)];
                 }
-                arrival_0[u32(0)] = plane_2 - i32(is_crossed_0 == (_S288 < 0.0f));
+                arrival_0[u32(0)] = plane_2 - i32(is_crossed_0 == (_S296 < 0.0f));
                 break;
             }
             break;
@@ -4803,12 +4802,12 @@ fn leave_box_0( ray_19 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>, 
         {
             for(;;)
             {
-                if(_S291)
+                if(_S299)
                 {
                     break;
                 }
-                var _S299 : bool = u32(1) == (first_0.axis_1);
-                if(_S299)
+                var _S307 : bool = u32(1) == (first_0.axis_1);
+                if(_S307)
                 {
                     is_crossed_0 = true;
                 }
@@ -4816,7 +4815,7 @@ fn leave_box_0( ray_19 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>, 
                 {
                     is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_19, u32(1), nearest_1[u32(1)]), first_0);
                 }
-                if(_S299)
+                if(_S307)
                 {
                     plane_2 = exit_0[u32(1)];
                 }
@@ -4824,7 +4823,7 @@ fn leave_box_0( ray_19 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>, 
                 {
                     plane_2 = nearest_1[u32(1)];
                 }
-                arrival_0[u32(1)] = plane_2 - i32(is_crossed_0 == (_S290 < 0.0f));
+                arrival_0[u32(1)] = plane_2 - i32(is_crossed_0 == (_S298 < 0.0f));
                 break;
             }
             break;
@@ -4833,12 +4832,12 @@ fn leave_box_0( ray_19 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>, 
         {
             for(;;)
             {
-                if(_S293)
+                if(_S301)
                 {
                     break;
                 }
-                var _S300 : bool = u32(2) == (first_0.axis_1);
-                if(_S300)
+                var _S308 : bool = u32(2) == (first_0.axis_1);
+                if(_S308)
                 {
                     is_crossed_0 = true;
                 }
@@ -4846,7 +4845,7 @@ fn leave_box_0( ray_19 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>, 
                 {
                     is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_19, u32(2), nearest_1[u32(2)]), first_0);
                 }
-                if(_S300)
+                if(_S308)
                 {
                     plane_2 = exit_0[u32(2)];
                 }
@@ -4854,7 +4853,7 @@ fn leave_box_0( ray_19 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>, 
                 {
                     plane_2 = nearest_1[u32(2)];
                 }
-                arrival_0[u32(2)] = plane_2 - i32(is_crossed_0 == (_S292 < 0.0f));
+                arrival_0[u32(2)] = plane_2 - i32(is_crossed_0 == (_S300 < 0.0f));
                 break;
             }
             break;
@@ -4901,9 +4900,9 @@ fn Walk_enter_rounded_0( this_41 : Walk_0,  voxel_10 : ptr<function, vec3<i32>>,
             return false;
         }
         var is_x_0 : bool = (t_7.x) == t_last_0;
-        var _S301 : bool = !is_x_0;
+        var _S309 : bool = !is_x_0;
         var is_y_0 : bool;
-        if(_S301)
+        if(_S309)
         {
             is_y_0 = (t_7.y) == t_last_0;
         }
@@ -4911,16 +4910,16 @@ fn Walk_enter_rounded_0( this_41 : Walk_0,  voxel_10 : ptr<function, vec3<i32>>,
         {
             is_y_0 = false;
         }
-        var _S302 : bool;
-        if(_S301)
+        var _S310 : bool;
+        if(_S309)
         {
-            _S302 = !is_y_0;
+            _S310 = !is_y_0;
         }
         else
         {
-            _S302 = false;
+            _S310 = false;
         }
-        var is_axis_2 : vec3<bool> = vec3<bool>(is_x_0, is_y_0, _S302);
+        var is_axis_2 : vec3<bool> = vec3<bool>(is_x_0, is_y_0, _S310);
         (*voxel_10) = Walk_arrive_0(this_41, (*voxel_10), t_last_0, is_axis_2, select(vec3<i32>(i32(1073741823)), near_1, is_axis_2));
     }
     return (all(((*voxel_10) < far_1)));
@@ -4947,8 +4946,8 @@ fn Walk_leave_0( this_43 : Walk_0,  voxel_12 : ptr<function, vec3<i32>>,  exit_3
 {
     if(!IS_EXACT_0)
     {
-        var _S303 : bool = Walk_leave_rounded_0(this_43, &((*voxel_12)), exit_3);
-        return _S303;
+        var _S311 : bool = Walk_leave_rounded_0(this_43, &((*voxel_12)), exit_3);
+        return _S311;
     }
     var t_9 : vec3<f32> = Walk_crossings_0(this_43, exit_3);
     var t_first_1 : f32 = min_element_0(t_9);
@@ -4957,9 +4956,9 @@ fn Walk_leave_0( this_43 : Walk_0,  voxel_12 : ptr<function, vec3<i32>>,  exit_3
         return false;
     }
     var is_x_1 : bool = (t_9.x) == t_first_1;
-    var _S304 : bool = !is_x_1;
+    var _S312 : bool = !is_x_1;
     var is_y_1 : bool;
-    if(_S304)
+    if(_S312)
     {
         is_y_1 = (t_9.y) == t_first_1;
     }
@@ -4971,25 +4970,25 @@ fn Walk_leave_0( this_43 : Walk_0,  voxel_12 : ptr<function, vec3<i32>>,  exit_3
     var nearest_3 : vec3<f32> = round(back_0);
     var from_nearest_2 : vec3<f32> = back_0 - nearest_3;
     var planes_2 : vec3<i32> = exit_3 - vec3<i32>(min(nearest_3, vec3<f32>(4.194304e+06f)));
-    var _S305 : vec3<i32> = planes_2 - vec3<i32>(from_nearest_2 > vec3<f32>(0.0f));
-    var _S306 : vec3<bool> = (abs(from_nearest_2)) <= (this_43.tolerance_0);
-    var _S307 : bool;
-    if(_S304)
+    var _S313 : vec3<i32> = planes_2 - vec3<i32>(from_nearest_2 > vec3<f32>(0.0f));
+    var _S314 : vec3<bool> = (abs(from_nearest_2)) <= (this_43.tolerance_0);
+    var _S315 : bool;
+    if(_S312)
     {
-        _S307 = !is_y_1;
+        _S315 = !is_y_1;
     }
     else
     {
-        _S307 = false;
+        _S315 = false;
     }
     var arrival_1 : vec3<i32>;
-    if((any((select(vec3<bool>(false), !vec3<bool>(is_x_1, is_y_1, _S307), _S306)))))
+    if((any((select(vec3<bool>(false), !vec3<bool>(is_x_1, is_y_1, _S315), _S314)))))
     {
         arrival_1 = Walk_mirrored_0(this_43, leave_box_0(this_43.ray_15, Walk_mirrored_0(this_43, (*voxel_12)) + this_43.grid_origin_0, Walk_mirrored_plane_0(this_43, exit_3) + this_43.grid_origin_0, Walk_mirrored_plane_0(this_43, planes_2) + this_43.grid_origin_0) - this_43.grid_origin_0);
     }
     else
     {
-        arrival_1 = _S305;
+        arrival_1 = _S313;
     }
     (*voxel_12) = select(max(arrival_1, (*voxel_12)), (*voxel_12), (this_43.speed_1) == vec3<f32>(0.0f));
     return true;
@@ -4997,44 +4996,44 @@ fn Walk_leave_0( this_43 : Walk_0,  voxel_12 : ptr<function, vec3<i32>>,  exit_3
 
 fn Walk_enter_0( this_44 : Walk_0,  voxel_13 : ptr<function, vec3<i32>>,  low_11 : vec3<i32>,  high_4 : vec3<i32>) -> bool
 {
-    var _S308 : bool;
+    var _S316 : bool;
     var is_mirrored_0 : vec3<bool> = (this_44.mirror_0) != vec3<i32>(i32(0));
     var near_2 : vec3<i32> = select(low_11, (vec3<i32>(0) - high_4), is_mirrored_0);
     var far_2 : vec3<i32> = select(high_4, (vec3<i32>(0) - low_11), is_mirrored_0);
     if(!IS_EXACT_0)
     {
-        var _S309 : bool = Walk_enter_rounded_0(this_44, &((*voxel_13)), near_2, far_2);
-        return _S309;
+        var _S317 : bool = Walk_enter_rounded_0(this_44, &((*voxel_13)), near_2, far_2);
+        return _S317;
     }
     var axis_4 : u32 = u32(0);
     for(;;)
     {
         if(axis_4 < u32(3))
         {
-            _S308 = (any(((*voxel_13) < near_2)));
+            _S316 = (any(((*voxel_13) < near_2)));
         }
         else
         {
-            _S308 = false;
+            _S316 = false;
         }
-        var _S310 : bool;
-        if(_S308)
+        var _S318 : bool;
+        if(_S316)
         {
-            _S310 = (all(((*voxel_13) < far_2)));
+            _S318 = (all(((*voxel_13) < far_2)));
         }
         else
         {
-            _S310 = false;
+            _S318 = false;
         }
-        if(_S310)
+        if(_S318)
         {
         }
         else
         {
             break;
         }
-        var _S311 : bool = Walk_leave_0(this_44, &((*voxel_13)), select(far_2, near_2, (*voxel_13) < near_2));
-        if(!_S311)
+        var _S319 : bool = Walk_leave_0(this_44, &((*voxel_13)), select(far_2, near_2, (*voxel_13) < near_2));
+        if(!_S319)
         {
             return false;
         }
@@ -5042,13 +5041,13 @@ fn Walk_enter_0( this_44 : Walk_0,  voxel_13 : ptr<function, vec3<i32>>,  low_11
     }
     if((all(((*voxel_13) >= near_2))))
     {
-        _S308 = (all(((*voxel_13) < far_2)));
+        _S316 = (all(((*voxel_13) < far_2)));
     }
     else
     {
-        _S308 = false;
+        _S316 = false;
     }
-    return _S308;
+    return _S316;
 }
 
 fn LocalRay_octant_0( this_45 : LocalRay_0) -> u32
@@ -5061,9 +5060,9 @@ fn flip_of_0( octant_0 : u32) -> u32
     return ((((((octant_0 & (u32(1)))) | (((((octant_0 & (u32(2)))) << (u32(1))))))) | (((((octant_0 & (u32(4)))) << (u32(2))))))) * u32(3);
 }
 
-fn dot_cells_0( a_6 : vec3<i32>,  b_6 : vec3<i32>) -> i32
+fn dot_cells_0( a_5 : vec3<i32>,  b_5 : vec3<i32>) -> i32
 {
-    return a_6.x * b_6.x + a_6.y * b_6.y + a_6.z * b_6.z;
+    return a_5.x * b_5.x + a_5.y * b_5.y + a_5.z * b_5.z;
 }
 
 fn ahead_of_0( mirror_1 : vec3<i32>) -> u32
@@ -5077,16 +5076,16 @@ fn ahead_of_0( mirror_1 : vec3<i32>) -> u32
 fn skip_distance_0( cell_10 : u32,  octant_1 : u32) -> u32
 {
     var code_2 : u32 = (((cell_10 >> ((u32(3) * octant_1)))) & (u32(7)));
-    var _S312 : u32;
+    var _S320 : u32;
     if(code_2 < u32(2))
     {
-        _S312 = code_2 + u32(1);
+        _S320 = code_2 + u32(1);
     }
     else
     {
-        _S312 = ((u32(3) + ((code_2 & (u32(1))))) << ((((code_2 >> (u32(1)))) - u32(1))));
+        _S320 = ((u32(3) + ((code_2 & (u32(1))))) << ((((code_2 >> (u32(1)))) - u32(1))));
     }
-    return _S312;
+    return _S320;
 }
 
 fn extents_0( cell_11 : u32,  ahead_0 : u32) -> vec3<i32>
@@ -5117,24 +5116,24 @@ fn empty_around_0( record_3 : u32,  blocks_0 : u32,  voxel_14 : vec3<i32>,  octa
     {
         return u32(4294967295);
     }
-    var _S313 : i32;
+    var _S321 : i32;
     if(((((half_2 >> (((bit_1 & (u32(10))))))) & (u32(3342387)))) == u32(0))
     {
-        _S313 = i32(1);
+        _S321 = i32(1);
     }
     else
     {
-        _S313 = i32(0);
+        _S321 = i32(0);
     }
-    return u32(_S313);
+    return u32(_S321);
 }
 
 fn Walk_leave_1( this_46 : Walk_0,  voxel_15 : ptr<function, vec3<i32>>,  exit_4 : vec3<i32>) -> bool
 {
     if(!IS_EXACT_0)
     {
-        var _S314 : bool = Walk_leave_rounded_0(this_46, &((*voxel_15)), exit_4);
-        return _S314;
+        var _S322 : bool = Walk_leave_rounded_0(this_46, &((*voxel_15)), exit_4);
+        return _S322;
     }
     var t_10 : vec3<f32> = Walk_crossings_0(this_46, exit_4);
     var t_first_2 : f32 = min_element_0(t_10);
@@ -5143,9 +5142,9 @@ fn Walk_leave_1( this_46 : Walk_0,  voxel_15 : ptr<function, vec3<i32>>,  exit_4
         return false;
     }
     var is_x_2 : bool = (t_10.x) == t_first_2;
-    var _S315 : bool = !is_x_2;
+    var _S323 : bool = !is_x_2;
     var is_y_2 : bool;
-    if(_S315)
+    if(_S323)
     {
         is_y_2 = (t_10.y) == t_first_2;
     }
@@ -5157,25 +5156,25 @@ fn Walk_leave_1( this_46 : Walk_0,  voxel_15 : ptr<function, vec3<i32>>,  exit_4
     var nearest_4 : vec3<f32> = round(back_1);
     var from_nearest_3 : vec3<f32> = back_1 - nearest_4;
     var planes_3 : vec3<i32> = exit_4 - vec3<i32>(min(nearest_4, vec3<f32>(4.194304e+06f)));
-    var _S316 : vec3<i32> = planes_3 - vec3<i32>(from_nearest_3 > vec3<f32>(0.0f));
-    var _S317 : vec3<bool> = (abs(from_nearest_3)) <= (this_46.tolerance_0);
-    var _S318 : bool;
-    if(_S315)
+    var _S324 : vec3<i32> = planes_3 - vec3<i32>(from_nearest_3 > vec3<f32>(0.0f));
+    var _S325 : vec3<bool> = (abs(from_nearest_3)) <= (this_46.tolerance_0);
+    var _S326 : bool;
+    if(_S323)
     {
-        _S318 = !is_y_2;
+        _S326 = !is_y_2;
     }
     else
     {
-        _S318 = false;
+        _S326 = false;
     }
     var arrival_2 : vec3<i32>;
-    if((any((select(vec3<bool>(false), !vec3<bool>(is_x_2, is_y_2, _S318), _S317)))))
+    if((any((select(vec3<bool>(false), !vec3<bool>(is_x_2, is_y_2, _S326), _S325)))))
     {
         arrival_2 = Walk_mirrored_0(this_46, leave_box_0(this_46.ray_15, Walk_mirrored_0(this_46, (*voxel_15)) + this_46.grid_origin_0, Walk_mirrored_plane_0(this_46, exit_4) + this_46.grid_origin_0, Walk_mirrored_plane_0(this_46, planes_3) + this_46.grid_origin_0) - this_46.grid_origin_0);
     }
     else
     {
-        arrival_2 = _S316;
+        arrival_2 = _S324;
     }
     (*voxel_15) = select(max(arrival_2, (*voxel_15)), (*voxel_15), (this_46.speed_1) == vec3<f32>(0.0f));
     return true;
@@ -5183,17 +5182,17 @@ fn Walk_leave_1( this_46 : Walk_0,  voxel_15 : ptr<function, vec3<i32>>,  exit_4
 
 fn first_voxel_0( grid_8 : PackedGrid_0,  walk_1 : Walk_0,  found_1 : ptr<function, vec3<i32>>) -> bool
 {
-    var _S319 : Walk_0 = walk_1;
-    var _S320 : vec3<i32> = vec3<i32>(i32(0));
-    (*found_1) = _S320;
+    var _S327 : Walk_0 = walk_1;
+    var _S328 : vec3<i32> = vec3<i32>(i32(0));
+    (*found_1) = _S328;
     var voxel_16 : vec3<i32> = Walk_start_voxel_0(walk_1);
-    var _S321 : bool = Walk_enter_0(walk_1, &(voxel_16), cell_of_0(grid_8.min_1) - _S319.grid_origin_0, cell_of_0(grid_8.max_1) - _S319.grid_origin_0);
-    if(!_S321)
+    var _S329 : bool = Walk_enter_0(walk_1, &(voxel_16), cell_of_0(grid_8.min_1) - _S327.grid_origin_0, cell_of_0(grid_8.max_1) - _S327.grid_origin_0);
+    if(!_S329)
     {
         return false;
     }
-    var octant_3 : u32 = LocalRay_octant_0(_S319.ray_15);
-    var _S322 : u32 = flip_of_0(octant_3);
+    var octant_3 : u32 = LocalRay_octant_0(_S327.ray_15);
+    var _S330 : u32 = flip_of_0(octant_3);
     var top_shift_2 : u32;
     if(TOP_SHIFT_0 != u32(0))
     {
@@ -5204,33 +5203,33 @@ fn first_voxel_0( grid_8 : PackedGrid_0,  walk_1 : Walk_0,  found_1 : ptr<functi
         top_shift_2 = grid_8.top_shift_0;
     }
     var top_size_1 : vec3<i32> = cell_of_0(grid_8.top_size_0);
-    var _S323 : i32 = top_size_1.x;
-    var stride_0 : vec3<i32> = vec3<i32>(i32(1), _S323, _S323 * top_size_1.y);
-    var _S324 : i32 = i32(grid_8.top_offset_0) - dot_cells_0((stride_0 & ((_S319.mirror_0))), vec3<i32>(i32(1)));
-    var _S325 : vec3<i32> = Walk_mirrored_plane_0(_S319, stride_0);
-    var _S326 : u32 = ahead_of_0(_S319.mirror_0);
-    var end_0 : vec3<i32> = select((top_size_1 << (vec3<u32>(top_shift_2))), _S320, (_S319.mirror_0) != _S320);
+    var _S331 : i32 = top_size_1.x;
+    var stride_0 : vec3<i32> = vec3<i32>(i32(1), _S331, _S331 * top_size_1.y);
+    var _S332 : i32 = i32(grid_8.top_offset_0) - dot_cells_0((stride_0 & ((_S327.mirror_0))), vec3<i32>(i32(1)));
+    var _S333 : vec3<i32> = Walk_mirrored_plane_0(_S327, stride_0);
+    var _S334 : u32 = ahead_of_0(_S327.mirror_0);
+    var end_0 : vec3<i32> = select((top_size_1 << (vec3<u32>(top_shift_2))), _S328, (_S327.mirror_0) != _S328);
     if(!IS_EXACT_0)
     {
-        _S319.t_end_0 = min(_S319.t_end_0, min_element_0(Walk_crossings_0(_S319, end_0)));
+        _S327.t_end_0 = min(_S327.t_end_0, min_element_0(Walk_crossings_0(_S327, end_0)));
     }
     var is_found_3 : bool = false;
     for(;;)
     {
-        var _S327 : bool;
+        var _S335 : bool;
         if(IS_EXACT_0)
         {
-            _S327 = (any((voxel_16 >= end_0)));
+            _S335 = (any((voxel_16 >= end_0)));
         }
         else
         {
-            _S327 = false;
+            _S335 = false;
         }
-        if(_S327)
+        if(_S335)
         {
             break;
         }
-        var cell_13 : u32 = cell_word_0(u32(_S324 + dot_cells_0(_S325, (voxel_16 >> (vec3<u32>(top_shift_2))))));
+        var cell_13 : u32 = cell_word_0(u32(_S332 + dot_cells_0(_S333, (voxel_16 >> (vec3<u32>(top_shift_2))))));
         var cell_14 : u32;
         var shift_4 : u32;
         var is_found_4 : bool;
@@ -5238,7 +5237,7 @@ fn first_voxel_0( grid_8 : PackedGrid_0,  walk_1 : Walk_0,  found_1 : ptr<functi
         {
             if(((cell_13 & (u32(2147483648)))) != u32(0))
             {
-                cell_14 = cell_word_0(((cell_13 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_16, u32(3))) ^ (_S322))));
+                cell_14 = cell_word_0(((cell_13 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_16, u32(3))) ^ (_S330))));
                 shift_4 = u32(3);
             }
             else
@@ -5261,16 +5260,16 @@ fn first_voxel_0( grid_8 : PackedGrid_0,  walk_1 : Walk_0,  found_1 : ptr<functi
                 {
                     is_found_4 = false;
                 }
-                var _S328 : bool;
+                var _S336 : bool;
                 if(is_found_4)
                 {
-                    _S328 = ((cell_14 & (u32(2147483648)))) != u32(0);
+                    _S336 = ((cell_14 & (u32(2147483648)))) != u32(0);
                 }
                 else
                 {
-                    _S328 = false;
+                    _S336 = false;
                 }
-                if(_S328)
+                if(_S336)
                 {
                 }
                 else
@@ -5278,7 +5277,7 @@ fn first_voxel_0( grid_8 : PackedGrid_0,  walk_1 : Walk_0,  found_1 : ptr<functi
                     break;
                 }
                 var shift_5 : u32 = shift_4 - u32(2);
-                cell_14 = cell_word_0(((cell_14 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_16, shift_5)) ^ (_S322))));
+                cell_14 = cell_word_0(((cell_14 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_16, shift_5)) ^ (_S330))));
                 shift_4 = shift_5;
             }
         }
@@ -5295,7 +5294,7 @@ fn first_voxel_0( grid_8 : PackedGrid_0,  walk_1 : Walk_0,  found_1 : ptr<functi
             }
             else
             {
-                exit_5 = extents_0(cell_14, _S326);
+                exit_5 = extents_0(cell_14, _S334);
             }
             exit_5 = ((voxel_16 | (vec3<i32>((((i32(1) << (shift_4))) - i32(1)))))) + vec3<i32>(i32(1)) + ((exit_5 << (vec3<u32>(shift_4))));
             is_found_4 = is_found_3;
@@ -5312,7 +5311,7 @@ fn first_voxel_0( grid_8 : PackedGrid_0,  walk_1 : Walk_0,  found_1 : ptr<functi
             {
                 blocks_1 = blocks_of_record_0(record_4);
             }
-            var low_bits_0 : u32 = empty_around_0(record_4, blocks_1, voxel_16, octant_3, _S322);
+            var low_bits_0 : u32 = empty_around_0(record_4, blocks_1, voxel_16, octant_3, _S330);
             var is_found_5 : bool = low_bits_0 == u32(4294967295);
             if(is_found_5)
             {
@@ -5322,15 +5321,15 @@ fn first_voxel_0( grid_8 : PackedGrid_0,  walk_1 : Walk_0,  found_1 : ptr<functi
             exit_5 = ((voxel_16 | (vec3<i32>(i32(low_bits_0))))) + vec3<i32>(i32(1));
             is_found_4 = is_found_5;
         }
-        var _S329 : bool = Walk_leave_1(_S319, &(voxel_16), exit_5);
-        if(!_S329)
+        var _S337 : bool = Walk_leave_1(_S327, &(voxel_16), exit_5);
+        if(!_S337)
         {
             is_found_3 = is_found_4;
             break;
         }
         is_found_3 = is_found_4;
     }
-    (*found_1) = Walk_mirrored_0(_S319, voxel_16) + _S319.grid_origin_0;
+    (*found_1) = Walk_mirrored_0(_S327, voxel_16) + _S327.grid_origin_0;
     return is_found_3;
 }
 
@@ -5342,38 +5341,38 @@ fn ray_of_walk_0( walk_2 : Walk_0,  ray_20 : Ray_0) -> Ray_0
 
 fn hit_of_0( ray_21 : LocalRay_0,  voxel_17 : vec3<i32>,  instance_11 : u32) -> Hit_0
 {
-    var _S330 : vec3<f32>;
-    var _S331 : bool;
-    var last_6 : Crossing_0;
-    var _S332 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
+    var _S338 : vec3<f32>;
+    var _S339 : bool;
+    var last_5 : Crossing_0;
+    var _S340 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
     for(;;)
     {
         for(;;)
         {
             for(;;)
             {
-                _S330 = ray_21.direction_26;
+                _S338 = ray_21.direction_26;
                 if((ray_21.direction_26[u32(0)]) == 0.0f)
                 {
-                    last_6 = _S332;
+                    last_5 = _S340;
                     break;
                 }
                 var crossing_3 : Crossing_0 = crossing_of_0(ray_21, u32(0), voxel_17[u32(0)] + i32((ray_21.direction_26[u32(0)]) < 0.0f));
-                if((_S332.axis_1) == u32(3))
+                if((_S340.axis_1) == u32(3))
                 {
-                    _S331 = true;
+                    _S339 = true;
                 }
                 else
                 {
-                    _S331 = !Crossing_is_before_0(crossing_3, _S332);
+                    _S339 = !Crossing_is_before_0(crossing_3, _S340);
                 }
-                if(_S331)
+                if(_S339)
                 {
-                    last_6 = crossing_3;
+                    last_5 = crossing_3;
                 }
                 else
                 {
-                    last_6 = _S332;
+                    last_5 = _S340;
                 }
                 break;
             }
@@ -5383,23 +5382,23 @@ fn hit_of_0( ray_21 : LocalRay_0,  voxel_17 : vec3<i32>,  instance_11 : u32) -> 
         {
             for(;;)
             {
-                var _S333 : vec3<f32> = _S330;
-                if((_S330[u32(1)]) == 0.0f)
+                var _S341 : vec3<f32> = _S338;
+                if((_S338[u32(1)]) == 0.0f)
                 {
                     break;
                 }
-                var crossing_4 : Crossing_0 = crossing_of_0(ray_21, u32(1), voxel_17[u32(1)] + i32((_S333[u32(1)]) < 0.0f));
-                if((last_6.axis_1) == u32(3))
+                var crossing_4 : Crossing_0 = crossing_of_0(ray_21, u32(1), voxel_17[u32(1)] + i32((_S341[u32(1)]) < 0.0f));
+                if((last_5.axis_1) == u32(3))
                 {
-                    _S331 = true;
+                    _S339 = true;
                 }
                 else
                 {
-                    _S331 = !Crossing_is_before_0(crossing_4, last_6);
+                    _S339 = !Crossing_is_before_0(crossing_4, last_5);
                 }
-                if(_S331)
+                if(_S339)
                 {
-                    last_6 = crossing_4;
+                    last_5 = crossing_4;
                 }
                 break;
             }
@@ -5409,23 +5408,23 @@ fn hit_of_0( ray_21 : LocalRay_0,  voxel_17 : vec3<i32>,  instance_11 : u32) -> 
         {
             for(;;)
             {
-                var _S334 : vec3<f32> = _S330;
-                if((_S330[u32(2)]) == 0.0f)
+                var _S342 : vec3<f32> = _S338;
+                if((_S338[u32(2)]) == 0.0f)
                 {
                     break;
                 }
-                var crossing_5 : Crossing_0 = crossing_of_0(ray_21, u32(2), voxel_17[u32(2)] + i32((_S334[u32(2)]) < 0.0f));
-                if((last_6.axis_1) == u32(3))
+                var crossing_5 : Crossing_0 = crossing_of_0(ray_21, u32(2), voxel_17[u32(2)] + i32((_S342[u32(2)]) < 0.0f));
+                if((last_5.axis_1) == u32(3))
                 {
-                    _S331 = true;
+                    _S339 = true;
                 }
                 else
                 {
-                    _S331 = !Crossing_is_before_0(crossing_5, last_6);
+                    _S339 = !Crossing_is_before_0(crossing_5, last_5);
                 }
-                if(_S331)
+                if(_S339)
                 {
-                    last_6 = crossing_5;
+                    last_5 = crossing_5;
                 }
                 break;
             }
@@ -5433,43 +5432,43 @@ fn hit_of_0( ray_21 : LocalRay_0,  voxel_17 : vec3<i32>,  instance_11 : u32) -> 
         }
         break;
     }
-    var _S335 : Crossing_0 = last_6;
-    var is_negative_1 : bool = (_S330[last_6.axis_1]) < 0.0f;
-    var t_11 : f32 = (f32(voxel_17[last_6.axis_1] + i32(is_negative_1)) - ray_21.origin_7[last_6.axis_1]) * ray_21.inverse_0[last_6.axis_1];
-    var _S336 : f32;
+    var _S343 : Crossing_0 = last_5;
+    var is_negative_1 : bool = (_S338[last_5.axis_1]) < 0.0f;
+    var t_11 : f32 = (f32(voxel_17[last_5.axis_1] + i32(is_negative_1)) - ray_21.origin_7[last_5.axis_1]) * ray_21.inverse_0[last_5.axis_1];
+    var _S344 : f32;
     if(t_11 > (ray_21.t_min_2))
     {
-        _S336 = t_11;
+        _S344 = t_11;
     }
     else
     {
-        _S336 = ray_21.t_min_2;
+        _S344 = ray_21.t_min_2;
     }
-    return Hit_x24init_0(_S336, instance_11, voxel_17, u32(2) * _S335.axis_1 + u32(is_negative_1));
+    return Hit_x24init_0(_S344, instance_11, voxel_17, u32(2) * _S343.axis_1 + u32(is_negative_1));
 }
 
 fn hit_of_walk_0( walk_3 : Walk_0,  voxel_18 : vec3<i32>,  instance_12 : u32) -> Hit_0
 {
     var t_12 : vec3<f32> = Walk_crossings_0(walk_3, Walk_mirrored_0(walk_3, voxel_18 - walk_3.grid_origin_0));
-    var last_7 : f32 = max_element_0(t_12);
-    var _S337 : i32;
-    if((t_12.z) == last_7)
+    var last_6 : f32 = max_element_0(t_12);
+    var _S345 : i32;
+    if((t_12.z) == last_6)
     {
-        _S337 = i32(2);
+        _S345 = i32(2);
     }
     else
     {
-        if((t_12.y) == last_7)
+        if((t_12.y) == last_6)
         {
-            _S337 = i32(1);
+            _S345 = i32(1);
         }
         else
         {
-            _S337 = i32(0);
+            _S345 = i32(0);
         }
     }
-    var axis_5 : u32 = u32(_S337);
-    return Hit_x24init_0(max(last_7, walk_3.ray_15.t_min_2), instance_12, voxel_18, u32(2) * axis_5 + u32((walk_3.mirror_0[axis_5]) != i32(0)));
+    var axis_5 : u32 = u32(_S345);
+    return Hit_x24init_0(max(last_6, walk_3.ray_15.t_min_2), instance_12, voxel_18, u32(2) * axis_5 + u32((walk_3.mirror_0[axis_5]) != i32(0)));
 }
 
 fn hit_in_0( instance_13 : u32,  ray_22 : ptr<function, Ray_0>) -> Hit_0
@@ -5479,20 +5478,20 @@ fn hit_in_0( instance_13 : u32,  ray_22 : ptr<function, Ray_0>) -> Hit_0
     {
         return miss_0();
     }
-    var _S338 : PackedGrid_0 = Grids_operatorx5Bx5D_get_0(Instances_operatorx5Bx5D_get_0(instance_13).grid_0);
-    var walk_4 : Walk_0 = walk_of_0(local_4, _S338);
+    var _S346 : PackedGrid_0 = Grids_operatorx5Bx5D_get_0(Instances_operatorx5Bx5D_get_0(instance_13).grid_0);
+    var walk_4 : Walk_0 = walk_of_0(local_4, _S346);
     var voxel_19 : vec3<i32>;
-    var is_found_6 : bool = first_voxel_0(_S338, walk_4, &(voxel_19));
-    var _S339 : bool;
+    var is_found_6 : bool = first_voxel_0(_S346, walk_4, &(voxel_19));
+    var _S347 : bool;
     if(IS_SINGLE_0)
     {
-        _S339 = !IS_EXACT_0;
+        _S347 = !IS_EXACT_0;
     }
     else
     {
-        _S339 = false;
+        _S347 = false;
     }
-    if(_S339)
+    if(_S347)
     {
         (*ray_22) = ray_of_walk_0(walk_4, (*ray_22));
     }
@@ -5524,24 +5523,29 @@ struct InstanceNode_0
      is_leaf_0 : u32,
 };
 
+fn Rows_operatorx5Bx5D_get_6( row_10 : u32) -> vec4<u32>
+{
+    return records_0[first_row_0(u32(2)) + row_10];
+}
+
 fn InstanceNodes_operatorx5Bx5D_get_0( index_29 : u32) -> InstanceNode_0
 {
-    var row_9 : u32 = first_row_0(u32(2)) + u32(2) * index_29;
-    var a_7 : vec4<u32> = records_0[row_9];
-    var b_7 : vec4<u32> = records_0[row_9 + u32(1)];
+    var _S348 : u32 = u32(2) * index_29;
+    var _S349 : vec4<u32> = Rows_operatorx5Bx5D_get_6(_S348);
+    var _S350 : vec4<u32> = Rows_operatorx5Bx5D_get_6(_S348 + u32(1));
     var node_12 : InstanceNode_0;
-    var _S340 : f32 = (bitcast<f32>((a_7.y)));
-    var _S341 : f32 = (bitcast<f32>((a_7.z)));
-    node_12.min_2[i32(0)] = (bitcast<f32>((a_7.x)));
-    node_12.min_2[i32(1)] = _S340;
-    node_12.min_2[i32(2)] = _S341;
-    node_12.index_28 = a_7.w;
-    var _S342 : f32 = (bitcast<f32>((b_7.y)));
-    var _S343 : f32 = (bitcast<f32>((b_7.z)));
-    node_12.max_2[i32(0)] = (bitcast<f32>((b_7.x)));
-    node_12.max_2[i32(1)] = _S342;
-    node_12.max_2[i32(2)] = _S343;
-    node_12.is_leaf_0 = b_7.w;
+    var _S351 : f32 = (bitcast<f32>((_S349.y)));
+    var _S352 : f32 = (bitcast<f32>((_S349.z)));
+    node_12.min_2[i32(0)] = (bitcast<f32>((_S349.x)));
+    node_12.min_2[i32(1)] = _S351;
+    node_12.min_2[i32(2)] = _S352;
+    node_12.index_28 = _S349.w;
+    var _S353 : f32 = (bitcast<f32>((_S350.y)));
+    var _S354 : f32 = (bitcast<f32>((_S350.z)));
+    node_12.max_2[i32(0)] = (bitcast<f32>((_S350.x)));
+    node_12.max_2[i32(1)] = _S353;
+    node_12.max_2[i32(2)] = _S354;
+    node_12.is_leaf_0 = _S350.w;
     return node_12;
 }
 
@@ -5549,25 +5553,26 @@ fn entry_0( node_13 : InstanceNode_0,  ray_23 : Ray_0,  inverse_2 : vec3<f32>) -
 {
     var low_12 : vec3<f32> = (vector_of_0(node_13.min_2) - ray_23.origin_1) * inverse_2;
     var high_5 : vec3<f32> = (vector_of_0(node_13.max_2) - ray_23.origin_1) * inverse_2;
-    var _S344 : f32 = max(ray_23.t_min_0, max_element_0(min(low_12, high_5)));
-    var _S345 : f32;
-    if(_S344 <= (min(ray_23.t_max_0, min_element_0(max(low_12, high_5)))))
+    var _S355 : f32 = max(ray_23.t_min_0, max_element_0(min(low_12, high_5)));
+    var _S356 : f32;
+    if(_S355 <= (min(ray_23.t_max_0, min_element_0(max(low_12, high_5)))))
     {
-        _S345 = _S344;
+        _S356 = _S355;
     }
     else
     {
-        _S345 = (bitcast<f32>(infinity_bits_0));
+        _S356 = (bitcast<f32>(infinity_bits_0));
     }
-    return _S345;
+    return _S356;
 }
 
 fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_1 : u32) -> Hit_0
 {
+    var is_leaf_1 : bool;
     if(IS_SINGLE_0)
     {
-        var _S346 : Hit_0 = hit_in_0(u32(0), &((*given_0)));
-        return _S346;
+        var _S357 : Hit_0 = hit_in_0(u32(0), &((*given_0)));
+        return _S357;
     }
     var ray_24 : Ray_0 = (*given_0);
     var nearest_5 : Hit_0 = miss_0();
@@ -5576,136 +5581,167 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_1 : u3
         return nearest_5;
     }
     var is_zero_1 : vec3<bool> = !((abs(ray_24.direction_1)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S347 : vec3<f32> = select(reciprocal_0(select(ray_24.direction_1, vec3<f32>(1.0f), is_zero_1)), vec3<f32>(3.4028234663852886e+38f), is_zero_1);
+    var _S358 : vec3<f32> = select(reciprocal_0(select(ray_24.direction_1, vec3<f32>(1.0f), is_zero_1)), vec3<f32>(3.4028234663852886e+38f), is_zero_1);
     var stack_0 : array<u32, i32(32)>;
+    var entries_0 : array<f32, i32(32)>;
+    var _S359 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(u32(0));
+    var _S360 : bool = (InstanceNodes_operatorx5Bx5D_get_0(u32(0)).is_leaf_0) != u32(0);
+    var is_done_0 : bool = false;
+    var is_leaf_2 : bool = _S360;
     var index_30 : u32 = u32(0);
+    var below_1 : u32 = _S359.index_28;
     var nearest_6 : Hit_0 = nearest_5;
     var depth_0 : u32 = u32(0);
     for(;;)
     {
-        var _S348 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(index_30);
-        var depth_1 : u32;
-        var is_reached_0 : bool;
-        if((_S348.is_leaf_0) != u32(0))
-        {
-            var _S349 : Hit_0 = hit_in_0(_S348.index_28, &(ray_24));
-            var _S350 : Hit_0 = nearest_6;
-            if((_S349.t_0) < (nearest_6.t_0))
-            {
-                is_reached_0 = true;
-            }
-            else
-            {
-                if((_S349.t_0) == (_S350.t_0))
-                {
-                    is_reached_0 = (_S349.instance_1) < (nearest_6.instance_1);
-                }
-                else
-                {
-                    is_reached_0 = false;
-                }
-            }
-            var nearest_7 : Hit_0;
-            if(is_reached_0)
-            {
-                ray_24.t_max_0 = _S349.t_0;
-                if(is_any_enough_0)
-                {
-                    return _S349;
-                }
-                nearest_7 = _S349;
-            }
-            else
-            {
-                nearest_7 = nearest_6;
-            }
-            nearest_6 = nearest_7;
-            depth_1 = depth_0;
-        }
-        else
-        {
-            var _S351 : u32 = index_30 + u32(1);
-            var left_4 : f32 = entry_0(InstanceNodes_operatorx5Bx5D_get_0(_S351), ray_24, _S347);
-            var right_3 : f32 = entry_0(InstanceNodes_operatorx5Bx5D_get_0(_S348.index_28), ray_24, _S347);
-            var _S352 : bool = left_4 <= right_3;
-            if(_S352)
-            {
-                index_30 = _S351;
-            }
-            else
-            {
-                index_30 = _S348.index_28;
-            }
-            var far_3 : u32;
-            if(_S352)
-            {
-                far_3 = _S348.index_28;
-            }
-            else
-            {
-                far_3 = _S351;
-            }
-            var INFINITY_0 : f32 = (bitcast<f32>(infinity_bits_0));
-            if((max(left_4, right_3)) < INFINITY_0)
-            {
-                var _S353 : u32 = depth_0 + u32(1);
-                stack_0[depth_0] = far_3;
-                depth_1 = _S353;
-            }
-            else
-            {
-                depth_1 = depth_0;
-            }
-            if((min(left_4, right_3)) < INFINITY_0)
-            {
-                depth_0 = depth_1;
-                continue;
-            }
-        }
-        is_reached_0 = false;
-        depth_0 = depth_1;
+        var is_done_1 : bool = is_done_0;
+        var below_2 : u32 = below_1;
+        var depth_1 : u32 = depth_0;
         for(;;)
         {
-            var _S354 : bool;
-            if(depth_0 > u32(0))
+            var _S361 : bool;
+            if(is_done_1)
             {
-                _S354 = !is_reached_0;
+                _S361 = depth_1 > u32(0);
             }
             else
             {
-                _S354 = false;
+                _S361 = !is_leaf_2;
             }
-            if(_S354)
+            if(_S361)
             {
             }
             else
             {
                 break;
             }
-            var depth_2 : u32 = depth_0 - u32(1);
-            is_reached_0 = (entry_0(InstanceNodes_operatorx5Bx5D_get_0(stack_0[depth_2]), ray_24, _S347)) < (bitcast<f32>(infinity_bits_0));
-            index_30 = stack_0[depth_2];
-            depth_0 = depth_2;
+            var index_31 : u32;
+            if(is_done_1)
+            {
+                var depth_2 : u32 = depth_1 - u32(1);
+                var _S362 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(stack_0[depth_2]);
+                var _S363 : bool = (InstanceNodes_operatorx5Bx5D_get_0(stack_0[depth_2]).is_leaf_0) != u32(0);
+                is_done_1 = (entries_0[depth_2]) > (ray_24.t_max_0);
+                is_leaf_1 = _S363;
+                index_31 = stack_0[depth_2];
+                below_2 = _S362.index_28;
+                depth_1 = depth_2;
+            }
+            else
+            {
+                var _S364 : u32 = index_30 + u32(1);
+                var _S365 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(_S364);
+                var _S366 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(below_2);
+                var to_left_0 : f32 = entry_0(_S365, ray_24, _S358);
+                var to_right_0 : f32 = entry_0(_S366, ray_24, _S358);
+                var is_left_4 : bool = to_left_0 <= to_right_0;
+                var _S367 : f32 = max(to_left_0, to_right_0);
+                var INFINITY_0 : f32 = (bitcast<f32>(infinity_bits_0));
+                if(_S367 < INFINITY_0)
+                {
+                    if(is_left_4)
+                    {
+                        index_31 = below_2;
+                    }
+                    else
+                    {
+                        index_31 = _S364;
+                    }
+                    stack_0[depth_1] = index_31;
+                    entries_0[depth_1] = _S367;
+                    index_31 = depth_1 + u32(1);
+                }
+                else
+                {
+                    index_31 = depth_1;
+                }
+                var _S368 : bool = (min(to_left_0, to_right_0)) == INFINITY_0;
+                var _S369 : u32;
+                if(is_left_4)
+                {
+                    _S369 = _S364;
+                }
+                else
+                {
+                    _S369 = below_2;
+                }
+                var _S370 : u32;
+                if(is_left_4)
+                {
+                    _S370 = _S365.index_28;
+                }
+                else
+                {
+                    _S370 = _S366.index_28;
+                }
+                var _S371 : u32;
+                if(is_left_4)
+                {
+                    _S371 = _S365.is_leaf_0;
+                }
+                else
+                {
+                    _S371 = _S366.is_leaf_0;
+                }
+                var _S372 : bool = _S371 != u32(0);
+                var _S373 : u32 = index_31;
+                is_done_1 = _S368;
+                is_leaf_1 = _S372;
+                index_31 = _S369;
+                below_2 = _S370;
+                depth_1 = _S373;
+            }
+            is_leaf_2 = is_leaf_1;
+            index_30 = index_31;
         }
-        if(!is_reached_0)
+        if(is_done_1)
         {
             break;
         }
+        var _S374 : Hit_0 = hit_in_0(below_2, &(ray_24));
+        var _S375 : Hit_0 = nearest_6;
+        if((_S374.t_0) < (nearest_6.t_0))
+        {
+            is_leaf_1 = true;
+        }
+        else
+        {
+            if((_S374.t_0) == (_S375.t_0))
+            {
+                is_leaf_1 = (_S374.instance_1) < (nearest_6.instance_1);
+            }
+            else
+            {
+                is_leaf_1 = false;
+            }
+        }
+        if(is_leaf_1)
+        {
+            ray_24.t_max_0 = _S374.t_0;
+            if(is_any_enough_0)
+            {
+                return _S374;
+            }
+            nearest_6 = _S374;
+        }
+        is_done_0 = true;
+        below_1 = below_2;
+        depth_0 = depth_1;
     }
     return nearest_6;
 }
 
 fn WalkTracer_trace_0( ray_25 : ptr<function, Ray_0>,  is_any_enough_1 : bool) -> Hit_0
 {
-    var _S355 : Hit_0 = visit_0(&((*ray_25)), is_any_enough_1, u32(0));
-    return _S355;
+    var _S376 : Hit_0 = visit_0(&((*ray_25)), is_any_enough_1, u32(0));
+    return _S376;
 }
 
 fn hit_of_ray_0( sampler_1 : Sampler_0,  ray_26 : ptr<function, Ray_0>,  is_shadow_ray_1 : bool,  path_10 : ptr<function, Path_0>,  shadow_inside_3 : ptr<function, Inside_0>,  relocates_3 : ptr<function, bool>,  path_relocates_3 : ptr<function, bool>,  beyond_9 : ptr<function, u32>) -> Hit_0
 {
     (*beyond_9) = u32(4294967295);
-    var _S356 : Hit_0 = WalkTracer_trace_0(&((*ray_26)), is_shadow_ray_1);
-    return _S356;
+    var _S377 : Hit_0 = WalkTracer_trace_0(&((*ray_26)), is_shadow_ray_1);
+    return _S377;
 }
 
 fn Walker_arrives_0( this_47 : ptr<function, Walker_0>,  hit_15 : Hit_0,  beyond_10 : u32,  light_9 : ptr<function, vec3<f32>>) -> bool
@@ -5719,84 +5755,84 @@ fn Walker_arrives_0( this_47 : ptr<function, Walker_0>,  hit_15 : Hit_0,  beyond
 
 fn goes_on_5( at_10 : ptr<function, Walker_0>,  sample_13 : ptr<function, Sample_0>) -> bool
 {
-    var _S357 : Hit_0 = miss_0();
+    var _S378 : Hit_0 = miss_0();
     var beyond_11 : u32 = u32(4294967295);
     var hit_16 : Hit_0;
     if(!(*at_10).is_at_cell_0)
     {
-        var _S358 : Ray_0 = (*at_10).ray_10;
-        var _S359 : Path_0 = (*at_10).path_7;
-        var _S360 : Inside_0 = (*at_10).shadow_inside_2;
-        var _S361 : bool = (*at_10).relocates_2;
-        var _S362 : bool = (*at_10).path_relocates_2;
-        var _S363 : Hit_0 = hit_of_ray_0((*at_10).path_7.sampler_0, &(_S358), (*at_10).is_shadow_ray_0, &(_S359), &(_S360), &(_S361), &(_S362), &(beyond_11));
-        (*at_10).ray_10 = _S358;
-        (*at_10).path_7 = _S359;
-        (*at_10).shadow_inside_2 = _S360;
-        (*at_10).relocates_2 = _S361;
-        (*at_10).path_relocates_2 = _S362;
+        var _S379 : Ray_0 = (*at_10).ray_10;
+        var _S380 : Path_0 = (*at_10).path_7;
+        var _S381 : Inside_0 = (*at_10).shadow_inside_2;
+        var _S382 : bool = (*at_10).relocates_2;
+        var _S383 : bool = (*at_10).path_relocates_2;
+        var _S384 : Hit_0 = hit_of_ray_0((*at_10).path_7.sampler_0, &(_S379), (*at_10).is_shadow_ray_0, &(_S380), &(_S381), &(_S382), &(_S383), &(beyond_11));
+        (*at_10).ray_10 = _S379;
+        (*at_10).path_7 = _S380;
+        (*at_10).shadow_inside_2 = _S381;
+        (*at_10).relocates_2 = _S382;
+        (*at_10).path_relocates_2 = _S383;
         if((*at_10).is_shadow_ray_0)
         {
-            var _S364 : vec3<f32> = (*sample_13).light_6;
-            var _S365 : bool = Walker_arrives_0(&((*at_10)), _S363, beyond_11, &(_S364));
-            (*sample_13).light_6 = _S364;
-            (*at_10).is_shadow_ray_0 = _S365;
-            if(_S365)
+            var _S385 : vec3<f32> = (*sample_13).light_6;
+            var _S386 : bool = Walker_arrives_0(&((*at_10)), _S384, beyond_11, &(_S385));
+            (*sample_13).light_6 = _S385;
+            (*at_10).is_shadow_ray_0 = _S386;
+            if(_S386)
             {
                 return true;
             }
             (*at_10).ray_10 = ray_from_0((*at_10).ray_10.origin_1, (*at_10).direction_25);
             return (any((((*at_10).direction_25) != vec3<f32>(0.0f))));
         }
-        hit_16 = _S363;
+        hit_16 = _S384;
     }
     else
     {
-        hit_16 = _S357;
+        hit_16 = _S378;
     }
-    var _S366 : bool = goes_on_from_0(&((*at_10)), hit_16, beyond_11, &((*sample_13)));
-    return _S366;
+    var _S387 : bool = goes_on_from_0(&((*at_10)), hit_16, beyond_11, &((*sample_13)));
+    return _S387;
 }
 
 fn goes_on_6( at_11 : ptr<function, Walker_0>,  sample_14 : ptr<function, Sample_0>) -> bool
 {
-    var _S367 : Hit_0 = miss_0();
+    var _S388 : Hit_0 = miss_0();
     var beyond_12 : u32 = u32(4294967295);
     var hit_17 : Hit_0;
     if(!(*at_11).is_at_cell_0)
     {
-        var _S368 : Ray_0 = (*at_11).ray_10;
-        var _S369 : Path_0 = (*at_11).path_7;
-        var _S370 : Inside_0 = (*at_11).shadow_inside_2;
-        var _S371 : bool = (*at_11).relocates_2;
-        var _S372 : bool = (*at_11).path_relocates_2;
-        var _S373 : Hit_0 = hit_of_ray_0((*at_11).path_7.sampler_0, &(_S368), (*at_11).is_shadow_ray_0, &(_S369), &(_S370), &(_S371), &(_S372), &(beyond_12));
-        (*at_11).ray_10 = _S368;
-        (*at_11).path_7 = _S369;
-        (*at_11).shadow_inside_2 = _S370;
-        (*at_11).relocates_2 = _S371;
-        (*at_11).path_relocates_2 = _S372;
+        var _S389 : Ray_0 = (*at_11).ray_10;
+        var _S390 : Path_0 = (*at_11).path_7;
+        var _S391 : Inside_0 = (*at_11).shadow_inside_2;
+        var _S392 : bool = (*at_11).relocates_2;
+        var _S393 : bool = (*at_11).path_relocates_2;
+        var _S394 : Hit_0 = hit_of_ray_0((*at_11).path_7.sampler_0, &(_S389), (*at_11).is_shadow_ray_0, &(_S390), &(_S391), &(_S392), &(_S393), &(beyond_12));
+        (*at_11).ray_10 = _S389;
+        (*at_11).path_7 = _S390;
+        (*at_11).shadow_inside_2 = _S391;
+        (*at_11).relocates_2 = _S392;
+        (*at_11).path_relocates_2 = _S393;
         if((*at_11).is_shadow_ray_0)
         {
-            var _S374 : vec3<f32> = (*sample_14).light_6;
-            var _S375 : bool = Walker_arrives_0(&((*at_11)), _S373, beyond_12, &(_S374));
-            (*sample_14).light_6 = _S374;
-            (*at_11).is_shadow_ray_0 = _S375;
-            if(_S375)
+            var _S395 : vec3<f32> = (*sample_14).light_6;
+            var _S396 : bool = Walker_arrives_0(&((*at_11)), _S394, beyond_12, &(_S395));
+            (*sample_14).light_6 = _S395;
+            (*at_11).is_shadow_ray_0 = _S396;
+            if(_S396)
             {
                 return true;
             }
             (*at_11).ray_10 = ray_from_0((*at_11).ray_10.origin_1, (*at_11).direction_25);
             return (any((((*at_11).direction_25) != vec3<f32>(0.0f))));
         }
-        hit_17 = _S373;
+        hit_17 = _S394;
     }
     else
     {
-        hit_17 = _S367;
+        hit_17 = _S388;
     }
-    var _S376 : bool = goes_on_from_1(&((*at_11)), hit_17, beyond_12, &((*sample_14)));
-    return _S376;
+    var _S397 : bool = goes_on_from_1(&((*at_11)), hit_17, beyond_12, &((*sample_14)));
+    return _S397;
 }
 
 fn PathTracingOf_jitter_0( sampler_2 : Sampler_0) -> vec4<f32>
@@ -5806,30 +5842,30 @@ fn PathTracingOf_jitter_0( sampler_2 : Sampler_0) -> vec4<f32>
 
 fn Sample_x24init_0( direct_1 : vec3<f32>,  light_10 : vec3<f32>,  is_shown_1 : bool,  albedo_1 : vec3<f32>,  normal_5 : vec3<f32>,  place_5 : vec3<f32>,  instance_14 : u32) -> Sample_0
 {
-    var _S377 : Sample_0;
-    _S377.direct_0 = direct_1;
-    _S377.light_6 = light_10;
-    _S377.is_shown_0 = is_shown_1;
-    _S377.albedo_0 = albedo_1;
-    _S377.normal_4 = normal_5;
-    _S377.place_3 = place_5;
-    _S377.instance_8 = instance_14;
-    return _S377;
+    var _S398 : Sample_0;
+    _S398.direct_0 = direct_1;
+    _S398.light_6 = light_10;
+    _S398.is_shown_0 = is_shown_1;
+    _S398.albedo_0 = albedo_1;
+    _S398.normal_4 = normal_5;
+    _S398.place_3 = place_5;
+    _S398.instance_8 = instance_14;
+    return _S398;
 }
 
 fn no_sample_0() -> Sample_0
 {
-    var _S378 : vec3<f32> = vec3<f32>(0.0f);
-    return Sample_x24init_0(_S378, _S378, false, _S378, _S378, _S378, u32(4294967295));
+    var _S399 : vec3<f32> = vec3<f32>(0.0f);
+    return Sample_x24init_0(_S399, _S399, false, _S399, _S399, _S399, u32(4294967295));
 }
 
 fn Sampler_x24init_0( seed_3 : u32,  pixel_1 : u32,  sample_15 : u32) -> Sampler_0
 {
-    var _S379 : Sampler_0;
-    _S379.seed_1 = seed_3;
-    _S379.pixel_0 = pixel_1;
-    _S379.sample_0 = sample_15;
-    return _S379;
+    var _S400 : Sampler_0;
+    _S400.seed_1 = seed_3;
+    _S400.pixel_0 = pixel_1;
+    _S400.sample_0 = sample_15;
+    return _S400;
 }
 
 struct Item_0
@@ -5844,14 +5880,14 @@ struct Item_0
 
 fn Item_x24init_0( traces_1 : bool,  kind_3 : u32,  at_13 : vec2<u32>,  place_7 : u32,  slot_1 : u32,  sampler_4 : Sampler_0) -> Item_0
 {
-    var _S380 : Item_0;
-    _S380.traces_0 = traces_1;
-    _S380.kind_2 = kind_3;
-    _S380.at_12 = at_13;
-    _S380.place_6 = place_7;
-    _S380.slot_0 = slot_1;
-    _S380.sampler_3 = sampler_4;
-    return _S380;
+    var _S401 : Item_0;
+    _S401.traces_0 = traces_1;
+    _S401.kind_2 = kind_3;
+    _S401.at_12 = at_13;
+    _S401.place_6 = place_7;
+    _S401.slot_0 = slot_1;
+    _S401.sampler_3 = sampler_4;
+    return _S401;
 }
 
 fn has_0( flag_0 : u32) -> bool
@@ -5890,66 +5926,66 @@ fn pixel_of_thread_0( thread_0 : u32) -> vec2<u32>
     var tiles_0 : u32 = (params_0.width_0 + u32(7)) / u32(8);
     var tile_0 : u32 = thread_0 / u32(64);
     var in_tile_0 : u32 = (thread_0 & (u32(63)));
-    var row_10 : u32 = tile_0 / tiles_0;
-    return vec2<u32>((tile_0 - row_10 * tiles_0) * u32(8) + ((in_tile_0 & (u32(7)))), row_10 * u32(8) + ((in_tile_0 >> (u32(3)))));
+    var row_11 : u32 = tile_0 / tiles_0;
+    return vec2<u32>((tile_0 - row_11 * tiles_0) * u32(8) + ((in_tile_0 & (u32(7)))), row_11 * u32(8) + ((in_tile_0 >> (u32(3)))));
 }
 
 fn pixel_that_traces_0( thread_1 : u32) -> vec2<u32>
 {
     if(!has_0(u32(128)))
     {
-        var _S381 : vec2<u32> = pixel_of_thread_0(thread_1);
-        return _S381;
+        var _S402 : vec2<u32> = pixel_of_thread_0(thread_1);
+        return _S402;
     }
     var tiles_1 : u32 = (params_0.width_0 + u32(15)) / u32(16);
     var tile_1 : u32 = thread_1 / u32(64);
     var in_tile_1 : u32 = (thread_1 & (u32(63)));
-    var row_11 : u32 = tile_1 / tiles_1;
-    var _S382 : u32 = row_11 * u32(8) + ((in_tile_1 >> (u32(3))));
-    var at_14 : vec2<u32> = vec2<u32>((tile_1 - row_11 * tiles_1) * u32(16) + u32(2) * ((in_tile_1 & (u32(7)))), _S382);
-    at_14[i32(0)] = at_14[i32(0)] + (((_S382 + real_time_0.number_0) & (u32(1))));
+    var row_12 : u32 = tile_1 / tiles_1;
+    var _S403 : u32 = row_12 * u32(8) + ((in_tile_1 >> (u32(3))));
+    var at_14 : vec2<u32> = vec2<u32>((tile_1 - row_12 * tiles_1) * u32(16) + u32(2) * ((in_tile_1 & (u32(7)))), _S403);
+    at_14[i32(0)] = at_14[i32(0)] + (((_S403 + real_time_0.number_0) & (u32(1))));
     return at_14;
 }
 
 fn squares_1() -> vec2<u32>
 {
-    var _S383 : vec2<u32> = vec2<u32>(u32(5));
-    var _S384 : vec2<u32> = (vec2<u32>(params_0.width_0, params_0.height_0) + _S383 - vec2<u32>(u32(1))) / _S383;
-    return _S384;
+    var _S404 : vec2<u32> = vec2<u32>(u32(5));
+    var _S405 : vec2<u32> = (vec2<u32>(params_0.width_0, params_0.height_0) + _S404 - vec2<u32>(u32(1))) / _S404;
+    return _S405;
 }
 
 fn pixel_of_square_0( square_1 : u32,  number_3 : u32) -> vec2<u32>
 {
     var columns_1 : u32 = squares_1().x;
-    var _S385 : u32 = square_1 % columns_1;
-    var _S386 : u32 = square_1 / columns_1;
-    var at_15 : vec2<u32> = vec2<u32>(_S385, _S386);
-    var _S387 : vec2<u32> = vec2<u32>(u32(5));
-    var _S388 : vec2<u32> = at_15 * _S387;
-    var _S389 : vec2<u32> = pcg4d_0(vec4<u32>(at_15, number_3, u32(3266489909))).xy % _S387;
-    return min(_S388 + _S389, vec2<u32>(params_0.width_0, params_0.height_0) - vec2<u32>(u32(1)));
+    var _S406 : u32 = square_1 % columns_1;
+    var _S407 : u32 = square_1 / columns_1;
+    var at_15 : vec2<u32> = vec2<u32>(_S406, _S407);
+    var _S408 : vec2<u32> = vec2<u32>(u32(5));
+    var _S409 : vec2<u32> = at_15 * _S408;
+    var _S410 : vec2<u32> = pcg4d_0(vec4<u32>(at_15, number_3, u32(3266489909))).xy % _S408;
+    return min(_S409 + _S410, vec2<u32>(params_0.width_0, params_0.height_0) - vec2<u32>(u32(1)));
 }
 
 fn is_inside_0( at_16 : vec2<i32>) -> bool
 {
-    var _S390 : bool;
+    var _S411 : bool;
     if((all((at_16 >= vec2<i32>(i32(0))))))
     {
-        _S390 = (at_16.x) < i32(params_0.width_0);
+        _S411 = (at_16.x) < i32(params_0.width_0);
     }
     else
     {
-        _S390 = false;
+        _S411 = false;
     }
-    if(_S390)
+    if(_S411)
     {
-        _S390 = (at_16.y) < i32(params_0.height_0);
+        _S411 = (at_16.y) < i32(params_0.height_0);
     }
     else
     {
-        _S390 = false;
+        _S411 = false;
     }
-    return _S390;
+    return _S411;
 }
 
 fn place_of_square_0( list_0 : u32,  square_2 : u32) -> u32
@@ -5971,23 +6007,23 @@ fn item_of_0( number_4 : u32) -> Item_0
     var count_7 : u32 = real_time_0.squares_0;
     if(number_4 < (real_time_0.cells_0))
     {
-        var _S391 : u32 = atomicLoad(&(cell_keys_0[u32(2)]));
-        var _S392 : bool = number_4 < _S391;
-        item_0.traces_0 = _S392;
-        if(_S392)
+        var _S412 : u32 = atomicLoad(&(cell_keys_0[u32(2)]));
+        var _S413 : bool = number_4 < _S412;
+        item_0.traces_0 = _S413;
+        if(_S413)
         {
-            var _S393 : u32 = atomicLoad(&(cell_keys_0[place_of_chosen_0(number_4)]));
-            item_0.place_6 = _S393;
+            var _S414 : u32 = atomicLoad(&(cell_keys_0[place_of_chosen_0(number_4)]));
+            item_0.place_6 = _S414;
             item_0.slot_0 = real_time_0.pixels_0 + count_7 + number_4;
             var rank_3 : u32;
             item_0.sampler_3 = Sampler_x24init_0(((params_0.seed_0) ^ (u32(1540483477))), Key_hash_0(Item_key_0(item_0, &(rank_3))).x, real_time_0.number_0);
         }
         return item_0;
     }
-    var _S394 : u32 = number_4 - cells_2;
-    var _S395 : vec2<u32> = pixel_that_traces_0(_S394);
-    item_0.at_12 = _S395;
-    var square_3 : u32 = _S394 - pixels_1;
+    var _S415 : u32 = number_4 - cells_2;
+    var _S416 : vec2<u32> = pixel_that_traces_0(_S415);
+    item_0.at_12 = _S416;
+    var square_3 : u32 = _S415 - pixels_1;
     var is_square_0 : bool = number_4 >= (cells_2 + pixels_1);
     var is_again_0 : bool;
     if(is_square_0)
@@ -6016,82 +6052,82 @@ fn item_of_0( number_4 : u32) -> Item_0
     {
         frame_0 = real_time_0.number_0;
     }
-    var _S396 : u32;
+    var _S417 : u32;
     if(is_again_0)
     {
-        _S396 = u32(3);
+        _S417 = u32(3);
     }
     else
     {
         if(is_square_0)
         {
-            _S396 = u32(2);
+            _S417 = u32(2);
         }
         else
         {
-            _S396 = u32(1);
+            _S417 = u32(1);
         }
     }
-    item_0.kind_2 = _S396;
+    item_0.kind_2 = _S417;
     if(is_square_0)
     {
-        var _S397 : vec2<u32> = pixel_of_square_0(square_4, frame_0);
-        item_0.at_12 = _S397;
+        var _S418 : vec2<u32> = pixel_of_square_0(square_4, frame_0);
+        item_0.at_12 = _S418;
     }
-    var _S398 : bool;
+    var _S419 : bool;
     if(is_square_0)
     {
         if(is_again_0)
         {
-            _S396 = real_time_0.again_0;
+            _S417 = real_time_0.again_0;
         }
         else
         {
-            _S396 = count_7;
+            _S417 = count_7;
         }
-        _S398 = square_4 < _S396;
+        _S419 = square_4 < _S417;
     }
     else
     {
-        _S398 = is_inside_0(vec2<i32>(item_0.at_12));
+        _S419 = is_inside_0(vec2<i32>(item_0.at_12));
     }
-    item_0.traces_0 = _S398;
+    item_0.traces_0 = _S419;
     if(is_square_0)
     {
         if(is_again_0)
         {
-            _S396 = u32(2);
+            _S417 = u32(2);
         }
         else
         {
-            _S396 = (frame_0 & (u32(1)));
+            _S417 = (frame_0 & (u32(1)));
         }
-        _S396 = place_of_square_0(_S396, square_4);
+        _S417 = place_of_square_0(_S417, square_4);
     }
     else
     {
-        _S396 = index_of_0(item_0.at_12);
+        _S417 = index_of_0(item_0.at_12);
     }
-    item_0.place_6 = _S396;
+    item_0.place_6 = _S417;
     if(is_square_0)
     {
-        _S396 = real_time_0.pixels_0 + square_4;
+        _S417 = real_time_0.pixels_0 + square_4;
     }
     else
     {
-        _S396 = item_0.place_6;
+        _S417 = item_0.place_6;
     }
-    item_0.slot_0 = _S396;
-    var _S399 : u32 = params_0.seed_0;
+    item_0.slot_0 = _S417;
+    var _S420 : u32 = params_0.seed_0;
     if(is_square_0)
     {
-        _S396 = u32(3266489909);
+        _S417 = u32(3266489909);
     }
     else
     {
-        _S396 = u32(2654435769);
+        _S417 = u32(2654435769);
     }
-    item_0.sampler_3 = Sampler_x24init_0((_S399 ^ (_S396)), index_of_0(item_0.at_12), frame_0);
+    item_0.sampler_3 = Sampler_x24init_0((_S420 ^ (_S417)), index_of_0(item_0.at_12), frame_0);
     return item_0;
 }
 
@@ -6102,28 +6138,28 @@ fn Item_is_cell_0( this_49 : Item_0) -> bool
 
 fn Key_voxel_0( this_50 : Key_0,  code_3 : u32,  scramble_0 : u32) -> vec3<i32>
 {
-    var _S400 : u32 = Key_level_0(this_50);
-    var bits_4 : u32 = ((u32(1) << (_S400))) - u32(1);
+    var _S421 : u32 = Key_level_0(this_50);
+    var bits_4 : u32 = ((u32(1) << (_S421))) - u32(1);
     var place_8 : u32 = ((code_3 - u32(1)) ^ (((scramble_0 & ((Key_mask_0(this_50)))))));
-    return (((this_50.cube_0) << (vec3<u32>(u32(i32(_S400)))))) + vec3<i32>(i32((place_8 & (bits_4))), i32((((place_8 >> (_S400))) & (bits_4))), i32((((place_8 >> ((u32(2) * _S400)))) & (bits_4))));
+    return (((this_50.cube_0) << (vec3<u32>(u32(i32(_S421)))))) + vec3<i32>(i32((place_8 & (bits_4))), i32((((place_8 >> (_S421))) & (bits_4))), i32((((place_8 >> ((u32(2) * _S421)))) & (bits_4))));
 }
 
 fn Path_x24init_0( sampler_5 : Sampler_0,  bounce_3 : u32,  event_2 : u32,  kinds_1 : u32,  scattered_4 : u32,  beta_1 : vec3<f32>,  pdf_12 : f32,  normal_6 : vec3<f32>,  selection_4 : Selection_0,  passed_t_1 : f32,  inside_6 : Inside_0,  is_clipped_1 : bool) -> Path_0
 {
-    var _S401 : Path_0;
-    _S401.sampler_0 = sampler_5;
-    _S401.bounce_0 = bounce_3;
-    _S401.event_0 = event_2;
-    _S401.kinds_0 = kinds_1;
-    _S401.scattered_0 = scattered_4;
-    _S401.beta_0 = beta_1;
-    _S401.pdf_1 = pdf_12;
-    _S401.normal_0 = normal_6;
-    _S401.selection_0 = selection_4;
-    _S401.passed_t_0 = passed_t_1;
-    _S401.inside_0 = inside_6;
-    _S401.is_clipped_0 = is_clipped_1;
-    return _S401;
+    var _S422 : Path_0;
+    _S422.sampler_0 = sampler_5;
+    _S422.bounce_0 = bounce_3;
+    _S422.event_0 = event_2;
+    _S422.kinds_0 = kinds_1;
+    _S422.scattered_0 = scattered_4;
+    _S422.beta_0 = beta_1;
+    _S422.pdf_1 = pdf_12;
+    _S422.normal_0 = normal_6;
+    _S422.selection_0 = selection_4;
+    _S422.passed_t_0 = passed_t_1;
+    _S422.inside_0 = inside_6;
+    _S422.is_clipped_0 = is_clipped_1;
+    return _S422;
 }
 
 fn path_from_0( sampler_6 : Sampler_0) -> Path_0
@@ -6133,9 +6169,9 @@ fn path_from_0( sampler_6 : Sampler_0) -> Path_0
 
 fn orthonormal_pair_0( z_1 : vec3<f32>,  x_10 : ptr<function, vec3<f32>>,  y_5 : ptr<function, vec3<f32>>)
 {
-    var _S402 : f32 = z_1.z;
+    var _S423 : f32 = z_1.z;
     var sign_1 : f32;
-    if(_S402 < 0.0f)
+    if(_S423 < 0.0f)
     {
         sign_1 = -1.0f;
     }
@@ -6143,12 +6179,12 @@ fn orthonormal_pair_0( z_1 : vec3<f32>,  x_10 : ptr<function, vec3<f32>>,  y_5 :
     {
         sign_1 = 1.0f;
     }
-    var a_8 : f32 = divide_0(-1.0f, sign_1 + _S402);
-    var _S403 : f32 = z_1.x;
-    var _S404 : f32 = z_1.y;
-    var b_8 : f32 = _S403 * _S404 * a_8;
-    (*x_10) = vec3<f32>(1.0f + sign_1 * _S403 * _S403 * a_8, sign_1 * b_8, - sign_1 * _S403);
-    (*y_5) = vec3<f32>(b_8, sign_1 + _S404 * _S404 * a_8, - _S404);
+    var a_6 : f32 = divide_0(-1.0f, sign_1 + _S423);
+    var _S424 : f32 = z_1.x;
+    var _S425 : f32 = z_1.y;
+    var b_6 : f32 = _S424 * _S425 * a_6;
+    (*x_10) = vec3<f32>(1.0f + sign_1 * _S424 * _S424 * a_6, sign_1 * b_6, - sign_1 * _S424);
+    (*y_5) = vec3<f32>(b_6, sign_1 + _S425 * _S425 * a_6, - _S425);
     return;
 }
 
@@ -6159,41 +6195,41 @@ fn direction_from_cell_0( sampler_7 : Sampler_0,  normal_7 : vec3<f32>,  pdf_13 
     var y_6 : vec3<f32>;
     orthonormal_pair_0(normal_7, &(x_11), &(y_6));
     var local_5 : vec3<f32> = cosine_hemisphere_0(u_19.z, u_19.w);
-    var _S405 : f32 = local_5.z;
-    (*pdf_13) = cosine_hemisphere_pdf_0(_S405);
-    return x_11 * vec3<f32>(local_5.x) + y_6 * vec3<f32>(local_5.y) + normal_7 * vec3<f32>(_S405);
+    var _S426 : f32 = local_5.z;
+    (*pdf_13) = cosine_hemisphere_pdf_0(_S426);
+    return x_11 * vec3<f32>(local_5.x) + y_6 * vec3<f32>(local_5.y) + normal_7 * vec3<f32>(_S426);
 }
 
 fn Surface_x24init_0( origin_11 : vec3<f32>,  normal_8 : vec3<f32>,  face_9 : u32,  instance_15 : u32) -> Surface_0
 {
-    var _S406 : Surface_0;
-    _S406.origin_3 = origin_11;
-    _S406.normal_2 = normal_8;
-    _S406.face_1 = face_9;
-    _S406.instance_3 = instance_15;
-    return _S406;
+    var _S427 : Surface_0;
+    _S427.origin_3 = origin_11;
+    _S427.normal_2 = normal_8;
+    _S427.face_1 = face_9;
+    _S427.instance_3 = instance_15;
+    return _S427;
 }
 
 fn Walker_x24init_0( path_11 : Path_0,  ray_27 : Ray_0,  is_shadow_ray_2 : bool,  light_11 : vec3<f32>,  direction_28 : vec3<f32>,  path_origin_3 : vec3<f32>,  shadow_inside_4 : Inside_0,  boundaries_1 : u32,  relocates_4 : bool,  path_relocates_4 : bool,  camera_ray_1 : Ray_0,  way_6 : f32,  has_shown_1 : bool,  asks_cache_1 : bool,  life_2 : u32,  is_at_cell_1 : bool) -> Walker_0
 {
-    var _S407 : Walker_0;
-    _S407.path_7 = path_11;
-    _S407.ray_10 = ray_27;
-    _S407.is_shadow_ray_0 = is_shadow_ray_2;
-    _S407.light_5 = light_11;
-    _S407.direction_25 = direction_28;
-    _S407.path_origin_2 = path_origin_3;
-    _S407.shadow_inside_2 = shadow_inside_4;
-    _S407.boundaries_0 = boundaries_1;
-    _S407.relocates_2 = relocates_4;
-    _S407.path_relocates_2 = path_relocates_4;
-    _S407.camera_ray_0 = camera_ray_1;
-    _S407.way_2 = way_6;
-    _S407.has_shown_0 = has_shown_1;
-    _S407.asks_cache_0 = asks_cache_1;
-    _S407.life_0 = life_2;
-    _S407.is_at_cell_0 = is_at_cell_1;
-    return _S407;
+    var _S428 : Walker_0;
+    _S428.path_7 = path_11;
+    _S428.ray_10 = ray_27;
+    _S428.is_shadow_ray_0 = is_shadow_ray_2;
+    _S428.light_5 = light_11;
+    _S428.direction_25 = direction_28;
+    _S428.path_origin_2 = path_origin_3;
+    _S428.shadow_inside_2 = shadow_inside_4;
+    _S428.boundaries_0 = boundaries_1;
+    _S428.relocates_2 = relocates_4;
+    _S428.path_relocates_2 = path_relocates_4;
+    _S428.camera_ray_0 = camera_ray_1;
+    _S428.way_2 = way_6;
+    _S428.has_shown_0 = has_shown_1;
+    _S428.asks_cache_0 = asks_cache_1;
+    _S428.life_0 = life_2;
+    _S428.is_at_cell_0 = is_at_cell_1;
+    return _S428;
 }
 
 fn at_cell_0( key_3 : Key_0,  rank_4 : u32,  sampler_8 : Sampler_0) -> Walker_0
@@ -6201,7 +6237,7 @@ fn at_cell_0( key_3 : Key_0,  rank_4 : u32,  sampler_8 : Sampler_0) -> Walker_0
     var face_10 : u32 = ((key_3.face_and_level_0) & (u32(7)));
     var axis_6 : u32 = (face_10 >> (u32(1)));
     var u_20 : vec4<f32> = Sampler_independent_0(sampler_8, u32(0));
-    var _S408 : vec3<f32> = vec3<f32>(Key_voxel_0(key_3, (rank_4 & (u32(1048575))), scramble_of_0(real_time_0.number_0 - u32(1))));
+    var _S429 : vec3<f32> = vec3<f32>(Key_voxel_0(key_3, (rank_4 & (u32(1048575))), scramble_of_0(real_time_0.number_0 - u32(1))));
     var on_face_1 : vec3<f32>;
     if(axis_6 == u32(0))
     {
@@ -6218,13 +6254,13 @@ fn at_cell_0( key_3 : Key_0,  rank_4 : u32,  sampler_8 : Sampler_0) -> Walker_0
             on_face_1 = vec3<f32>(u_20.x, u_20.y, 0.0f);
         }
     }
-    var _S409 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(key_3.instance_9);
-    var origin_12 : vec3<f32> = Transform_point_0(_S409.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S409.grid_from_world_0.translation_0), _S408, face_10, _S408 + on_face_1));
-    var normal_9 : vec3<f32> = world_normal_0(_S409, face_10);
+    var _S430 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(key_3.instance_9);
+    var origin_12 : vec3<f32> = Transform_point_0(_S430.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S430.grid_from_world_0.translation_0), _S429, face_10, _S429 + on_face_1));
+    var normal_9 : vec3<f32> = world_normal_0(_S430, face_10);
     var path_12 : Path_0 = path_from_0(sampler_8);
-    var _S410 : f32 = path_12.pdf_1;
-    var direction_29 : vec3<f32> = direction_from_cell_0(sampler_8, normal_9, &(_S410));
-    path_12.pdf_1 = _S410;
+    var _S431 : f32 = path_12.pdf_1;
+    var direction_29 : vec3<f32> = direction_from_cell_0(sampler_8, normal_9, &(_S431));
+    path_12.pdf_1 = _S431;
     var receiver_20 : Receiver_0 = Receiver_x24init_0(origin_12, normal_9);
     path_12.selection_0 = Lights_selection_0(receiver_20);
     path_12.normal_0 = normal_9;
@@ -6254,16 +6290,16 @@ struct CameraFrame_0
 
 fn CameraFrame_x24init_0( lens_2 : u32,  eye_3 : vec3<f32>,  corner_3 : vec3<f32>,  pixel_x_2 : vec3<f32>,  pixel_y_2 : vec3<f32>,  lens_x_2 : vec3<f32>,  lens_y_2 : vec3<f32>,  blades_2 : u32) -> CameraFrame_0
 {
-    var _S411 : CameraFrame_0;
-    _S411.lens_1 = lens_2;
-    _S411.eye_2 = eye_3;
-    _S411.corner_2 = corner_3;
-    _S411.pixel_x_1 = pixel_x_2;
-    _S411.pixel_y_1 = pixel_y_2;
-    _S411.lens_x_1 = lens_x_2;
-    _S411.lens_y_1 = lens_y_2;
-    _S411.blades_1 = blades_2;
-    return _S411;
+    var _S432 : CameraFrame_0;
+    _S432.lens_1 = lens_2;
+    _S432.eye_2 = eye_3;
+    _S432.corner_2 = corner_3;
+    _S432.pixel_x_1 = pixel_x_2;
+    _S432.pixel_y_1 = pixel_y_2;
+    _S432.lens_x_1 = lens_x_2;
+    _S432.lens_y_1 = lens_y_2;
+    _S432.blades_1 = blades_2;
+    return _S432;
 }
 
 @id(5) override LENS_0 : u32 = u32(0);
@@ -6275,23 +6311,23 @@ fn camera_before_0() -> CameraFrame_0
 
 fn Item_asks_cache_0( this_51 : Item_0) -> bool
 {
-    var _S412 : bool;
+    var _S433 : bool;
     if(Item_is_cell_0(this_51))
     {
-        _S412 = true;
+        _S433 = true;
     }
     else
     {
         if((this_51.kind_2) == u32(1))
         {
-            _S412 = has_0(u32(1));
+            _S433 = has_0(u32(1));
         }
         else
         {
-            _S412 = false;
+            _S433 = false;
         }
     }
-    return _S412;
+    return _S433;
 }
 
 struct Perspective_0
@@ -6304,28 +6340,28 @@ struct Perspective_0
 
 fn Perspective_x24init_0( eye_5 : vec3<f32>,  corner_5 : vec3<f32>,  pixel_x_4 : vec3<f32>,  pixel_y_4 : vec3<f32>) -> Perspective_0
 {
-    var _S413 : Perspective_0;
-    _S413.eye_4 = eye_5;
-    _S413.corner_4 = corner_5;
-    _S413.pixel_x_3 = pixel_x_4;
-    _S413.pixel_y_3 = pixel_y_4;
-    return _S413;
+    var _S434 : Perspective_0;
+    _S434.eye_4 = eye_5;
+    _S434.corner_4 = corner_5;
+    _S434.pixel_x_3 = pixel_x_4;
+    _S434.pixel_y_3 = pixel_y_4;
+    return _S434;
 }
 
 struct Axes_0
 {
      forward_0 : vec3<f32>,
-     right_4 : vec3<f32>,
+     right_3 : vec3<f32>,
      up_0 : vec3<f32>,
 };
 
-fn Axes_x24init_0( forward_1 : vec3<f32>,  right_5 : vec3<f32>,  up_1 : vec3<f32>) -> Axes_0
+fn Axes_x24init_0( forward_1 : vec3<f32>,  right_4 : vec3<f32>,  up_1 : vec3<f32>) -> Axes_0
 {
-    var _S414 : Axes_0;
-    _S414.forward_0 = forward_1;
-    _S414.right_4 = right_5;
-    _S414.up_0 = up_1;
-    return _S414;
+    var _S435 : Axes_0;
+    _S435.forward_0 = forward_1;
+    _S435.right_3 = right_4;
+    _S435.up_0 = up_1;
+    return _S435;
 }
 
 struct ThinLens_0
@@ -6338,55 +6374,55 @@ struct ThinLens_0
 
 fn ThinLens_x24init_0( perspective_1 : Perspective_0,  lens_x_4 : vec3<f32>,  lens_y_4 : vec3<f32>,  blades_4 : u32) -> ThinLens_0
 {
-    var _S415 : ThinLens_0;
-    _S415.perspective_0 = perspective_1;
-    _S415.lens_x_3 = lens_x_4;
-    _S415.lens_y_3 = lens_y_4;
-    _S415.blades_3 = blades_4;
-    return _S415;
+    var _S436 : ThinLens_0;
+    _S436.perspective_0 = perspective_1;
+    _S436.lens_x_3 = lens_x_4;
+    _S436.lens_y_3 = lens_y_4;
+    _S436.blades_3 = blades_4;
+    return _S436;
 }
 
 fn concentric_0( square_5 : vec2<f32>) -> vec2<f32>
 {
-    var a_9 : f32 = 2.0f * square_5.x - 1.0f;
-    var b_9 : f32 = 2.0f * square_5.y - 1.0f;
-    var _S416 : bool;
-    if(a_9 == 0.0f)
+    var a_7 : f32 = 2.0f * square_5.x - 1.0f;
+    var b_7 : f32 = 2.0f * square_5.y - 1.0f;
+    var _S437 : bool;
+    if(a_7 == 0.0f)
     {
-        _S416 = b_9 == 0.0f;
+        _S437 = b_7 == 0.0f;
     }
     else
     {
-        _S416 = false;
+        _S437 = false;
     }
-    if(_S416)
+    if(_S437)
     {
         return vec2<f32>(0.0f);
     }
-    var is_across_0 : bool = (abs(a_9)) > (abs(b_9));
+    var is_across_0 : bool = (abs(a_7)) > (abs(b_7));
     var radius_4 : f32;
     if(is_across_0)
     {
-        radius_4 = a_9;
+        radius_4 = a_7;
     }
     else
     {
-        radius_4 = b_9;
+        radius_4 = b_7;
     }
     var turns_3 : f32;
     if(is_across_0)
     {
-        turns_3 = divide_0(b_9, a_9) * 0.125f;
+        turns_3 = divide_0(b_7, a_7) * 0.125f;
     }
     else
     {
-        turns_3 = 0.25f - divide_0(a_9, b_9) * 0.125f;
+        turns_3 = 0.25f - divide_0(a_7, b_7) * 0.125f;
     }
     if(radius_4 < 0.0f)
     {
         turns_3 = turns_3 + 0.5f;
     }
-    var _S417 : f32 = abs(radius_4);
+    var _S438 : f32 = abs(radius_4);
     if(turns_3 < 0.0f)
     {
         radius_4 = turns_3 + 1.0f;
@@ -6395,7 +6431,7 @@ fn concentric_0( square_5 : vec2<f32>) -> vec2<f32>
     {
         radius_4 = turns_3;
     }
-    return vec2<f32>(_S417, radius_4);
+    return vec2<f32>(_S438, radius_4);
 }
 
 fn place_in_aperture_0( blades_5 : u32,  lens_3 : vec2<f32>) -> vec2<f32>
@@ -6413,9 +6449,9 @@ fn place_in_aperture_0( blades_5 : u32,  lens_3 : vec2<f32>) -> vec2<f32>
     var share_7 : f32 = scaled_0 - blade_0;
     var from_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0, count_8));
     var to_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0 + 1.0f, count_8));
-    var _S418 : f32 = from_0.y;
-    var _S419 : f32 = from_0.x;
-    return vec2<f32>(_S418 + (to_0.y - _S418) * share_7, _S419 + (to_0.x - _S419) * share_7) * vec2<f32>(radius_5);
+    var _S439 : f32 = from_0.y;
+    var _S440 : f32 = from_0.x;
+    return vec2<f32>(_S439 + (to_0.y - _S439) * share_7, _S440 + (to_0.x - _S440) * share_7) * vec2<f32>(radius_5);
 }
 
 fn ThinLens_ray_0( this_52 : ThinLens_0,  position_3 : vec2<f32>,  lens_4 : vec2<f32>) -> Ray_0
@@ -6435,12 +6471,12 @@ struct Orthographic_0
 
 fn Orthographic_x24init_0( corner_7 : vec3<f32>,  pixel_x_6 : vec3<f32>,  pixel_y_6 : vec3<f32>,  forward_3 : vec3<f32>) -> Orthographic_0
 {
-    var _S420 : Orthographic_0;
-    _S420.corner_6 = corner_7;
-    _S420.pixel_x_5 = pixel_x_6;
-    _S420.pixel_y_5 = pixel_y_6;
-    _S420.forward_2 = forward_3;
-    return _S420;
+    var _S441 : Orthographic_0;
+    _S441.corner_6 = corner_7;
+    _S441.pixel_x_5 = pixel_x_6;
+    _S441.pixel_y_5 = pixel_y_6;
+    _S441.forward_2 = forward_3;
+    return _S441;
 }
 
 fn Orthographic_ray_0( this_53 : Orthographic_0,  position_4 : vec2<f32>,  lens_5 : vec2<f32>) -> Ray_0
@@ -6458,12 +6494,12 @@ struct Panorama_0
 
 fn Panorama_x24init_0( eye_7 : vec3<f32>,  axes_2 : Axes_0,  inverse_size_1 : vec2<f32>,  half_eye_distance_1 : f32) -> Panorama_0
 {
-    var _S421 : Panorama_0;
-    _S421.eye_6 = eye_7;
-    _S421.axes_1 = axes_2;
-    _S421.inverse_size_0 = inverse_size_1;
-    _S421.half_eye_distance_0 = half_eye_distance_1;
-    return _S421;
+    var _S442 : Panorama_0;
+    _S442.eye_6 = eye_7;
+    _S442.axes_1 = axes_2;
+    _S442.inverse_size_0 = inverse_size_1;
+    _S442.half_eye_distance_0 = half_eye_distance_1;
+    return _S442;
 }
 
 fn Panorama_ray_0( this_54 : Panorama_0,  position_5 : vec2<f32>,  lens_6 : vec2<f32>) -> Ray_0
@@ -6490,9 +6526,9 @@ fn Panorama_ray_0( this_54 : Panorama_0,  position_5 : vec2<f32>,  lens_6 : vec2
     }
     var longitude_0 : vec2<f32> = sincos_turns_0(position_5.x * this_54.inverse_size_0.x);
     var height_2 : vec2<f32> = sincos_turns_0(latitude_1 * 0.5f);
-    var _S422 : vec3<f32> = vec3<f32>(longitude_0.y);
-    var _S423 : vec3<f32> = vec3<f32>(longitude_0.x);
-    return ray_from_0(this_54.eye_6 + (this_54.axes_1.forward_0 * _S423 - this_54.axes_1.right_4 * _S422) * vec3<f32>(side_4), normalize_vector_0((vec3<f32>(0) - this_54.axes_1.forward_0 * _S422 + this_54.axes_1.right_4 * _S423) * vec3<f32>(height_2.x) + this_54.axes_1.up_0 * vec3<f32>(height_2.y)));
+    var _S443 : vec3<f32> = vec3<f32>(longitude_0.y);
+    var _S444 : vec3<f32> = vec3<f32>(longitude_0.x);
+    return ray_from_0(this_54.eye_6 + (this_54.axes_1.forward_0 * _S444 - this_54.axes_1.right_3 * _S443) * vec3<f32>(side_4), normalize_vector_0((vec3<f32>(0) - this_54.axes_1.forward_0 * _S443 + this_54.axes_1.right_3 * _S444) * vec3<f32>(height_2.x) + this_54.axes_1.up_0 * vec3<f32>(height_2.y)));
 }
 
 struct Fisheye_0
@@ -6505,12 +6541,12 @@ struct Fisheye_0
 
 fn Fisheye_x24init_0( eye_9 : vec3<f32>,  axes_4 : Axes_0,  middle_2 : vec2<f32>,  turns_per_pixel_1 : f32) -> Fisheye_0
 {
-    var _S424 : Fisheye_0;
-    _S424.eye_8 = eye_9;
-    _S424.axes_3 = axes_4;
-    _S424.middle_1 = middle_2;
-    _S424.turns_per_pixel_0 = turns_per_pixel_1;
-    return _S424;
+    var _S445 : Fisheye_0;
+    _S445.eye_8 = eye_9;
+    _S445.axes_3 = axes_4;
+    _S445.middle_1 = middle_2;
+    _S445.turns_per_pixel_0 = turns_per_pixel_1;
+    return _S445;
 }
 
 fn Fisheye_ray_0( this_55 : Fisheye_0,  position_6 : vec2<f32>,  lens_7 : vec2<f32>) -> Ray_0
@@ -6528,7 +6564,7 @@ fn Fisheye_ray_0( this_55 : Fisheye_0,  position_6 : vec2<f32>,  lens_7 : vec2<f
     {
         scale_0 = 0.0f;
     }
-    return ray_from_0(this_55.eye_8, normalize_vector_0(this_55.axes_3.forward_0 * vec3<f32>(sin_cos_4.y) + this_55.axes_3.right_4 * vec3<f32>((x_12 * scale_0)) - this_55.axes_3.up_0 * vec3<f32>((y_7 * scale_0))));
+    return ray_from_0(this_55.eye_8, normalize_vector_0(this_55.axes_3.forward_0 * vec3<f32>(sin_cos_4.y) + this_55.axes_3.right_3 * vec3<f32>((x_12 * scale_0)) - this_55.axes_3.up_0 * vec3<f32>((y_7 * scale_0))));
 }
 
 fn Perspective_ray_0( this_56 : Perspective_0,  position_7 : vec2<f32>,  lens_8 : vec2<f32>) -> Ray_0
@@ -6574,8 +6610,8 @@ fn camera_ray_2( pixel_2 : vec2<u32>,  camera_0 : CameraFrame_0,  sampler_9 : Sa
 fn at_camera_0( pixel_3 : vec2<u32>,  camera_1 : CameraFrame_0,  sampler_10 : Sampler_0,  asks_cache_2 : bool) -> Walker_0
 {
     var ray_29 : Ray_0 = camera_ray_2(pixel_3, camera_1, sampler_10);
-    var _S425 : vec3<f32> = vec3<f32>(0.0f);
-    return Walker_x24init_0(path_from_0(sampler_10), ray_29, false, _S425, _S425, _S425, in_air_0(), u32(0), true, true, ray_29, 0.0f, false, asks_cache_2, u32(10), false);
+    var _S446 : vec3<f32> = vec3<f32>(0.0f);
+    return Walker_x24init_0(path_from_0(sampler_10), ray_29, false, _S446, _S446, _S446, in_air_0(), u32(0), true, true, ray_29, 0.0f, false, asks_cache_2, u32(10), false);
 }
 
 fn FrameParams_camera_0() -> CameraFrame_0
@@ -6589,10 +6625,10 @@ fn Item_start_0( this_58 : Item_0) -> Walker_0
     {
         var rank_5 : u32;
         var key_4 : Key_0 = Item_key_0(this_58, &(rank_5));
-        var _S426 : Walker_0 = at_cell_0(key_4, rank_5, this_58.sampler_3);
-        return _S426;
+        var _S447 : Walker_0 = at_cell_0(key_4, rank_5, this_58.sampler_3);
+        return _S447;
     }
-    var _S427 : CameraFrame_0 = FrameParams_camera_0();
+    var _S448 : CameraFrame_0 = FrameParams_camera_0();
     var camera_2 : CameraFrame_0;
     if((this_58.kind_2) == u32(3))
     {
@@ -6600,58 +6636,58 @@ fn Item_start_0( this_58 : Item_0) -> Walker_0
     }
     else
     {
-        camera_2 = _S427;
+        camera_2 = _S448;
     }
     return at_camera_0(this_58.at_12, camera_2, this_58.sampler_3, Item_asks_cache_0(this_58));
 }
 
 fn packed_normal_0( normal_10 : vec3<f32>) -> u32
 {
-    var _S428 : vec3<i32> = vec3<i32>(floor(clamp(normal_10, vec3<f32>(-1.0f), vec3<f32>(1.0f)) * vec3<f32>(511.0f) + vec3<f32>(0.5f)));
-    return (((((u32(_S428.x) & (u32(1023)))) | (((((u32(_S428.y) & (u32(1023)))) << (u32(10))))))) | (((((u32(_S428.z) & (u32(1023)))) << (u32(20))))));
+    var _S449 : vec3<i32> = vec3<i32>(floor(clamp(normal_10, vec3<f32>(-1.0f), vec3<f32>(1.0f)) * vec3<f32>(511.0f) + vec3<f32>(0.5f)));
+    return (((((u32(_S449.x) & (u32(1023)))) | (((((u32(_S449.y) & (u32(1023)))) << (u32(10))))))) | (((((u32(_S449.z) & (u32(1023)))) << (u32(20))))));
 }
 
-fn set_scratch_row_0( row_12 : u32,  index_31 : u32,  value_3 : vec2<u32>)
+fn set_scratch_row_0( row_13 : u32,  index_32 : u32,  value_3 : vec2<u32>)
 {
-    scratch_0[row_12 * real_time_0.slots_0 + index_31] = value_3;
+    scratch_0[row_13 * real_time_0.slots_0 + index_32] = value_3;
     return;
 }
 
-fn store_sample_0( index_32 : u32,  sample_16 : Sample_0)
+fn store_sample_0( index_33 : u32,  sample_16 : Sample_0)
 {
-    var _S429 : u32 = packed_normal_0(sample_16.normal_4);
-    var _S430 : u32;
+    var _S450 : u32 = packed_normal_0(sample_16.normal_4);
+    var _S451 : u32;
     if(sample_16.is_shown_0)
     {
-        _S430 = u32(1073741824);
+        _S451 = u32(1073741824);
     }
     else
     {
-        _S430 = u32(0);
+        _S451 = u32(0);
     }
-    var normal_11 : u32 = (_S429 | (_S430));
-    set_scratch_row_0(u32(0), index_32, (bitcast<vec2<u32>>((sample_16.light_6.xy))));
-    set_scratch_row_0(u32(1), index_32, vec2<u32>((bitcast<u32>((sample_16.light_6.z))), sample_16.instance_8));
-    set_scratch_row_0(u32(2), index_32, (bitcast<vec2<u32>>((sample_16.direct_0.xy))));
-    set_scratch_row_0(u32(3), index_32, (bitcast<vec2<u32>>((vec2<f32>(sample_16.direct_0.z, sample_16.place_3.x)))));
-    set_scratch_row_0(u32(4), index_32, (bitcast<vec2<u32>>((sample_16.place_3.yz))));
-    set_scratch_row_0(u32(5), index_32, (bitcast<vec2<u32>>((sample_16.albedo_0.xy))));
-    set_scratch_row_0(u32(6), index_32, vec2<u32>((bitcast<u32>((sample_16.albedo_0.z))), normal_11));
+    var normal_11 : u32 = (_S450 | (_S451));
+    set_scratch_row_0(u32(0), index_33, (bitcast<vec2<u32>>((sample_16.light_6.xy))));
+    set_scratch_row_0(u32(1), index_33, vec2<u32>((bitcast<u32>((sample_16.light_6.z))), sample_16.instance_8));
+    set_scratch_row_0(u32(2), index_33, (bitcast<vec2<u32>>((sample_16.direct_0.xy))));
+    set_scratch_row_0(u32(3), index_33, (bitcast<vec2<u32>>((vec2<f32>(sample_16.direct_0.z, sample_16.place_3.x)))));
+    set_scratch_row_0(u32(4), index_33, (bitcast<vec2<u32>>((sample_16.place_3.yz))));
+    set_scratch_row_0(u32(5), index_33, (bitcast<vec2<u32>>((sample_16.albedo_0.xy))));
+    set_scratch_row_0(u32(6), index_33, vec2<u32>((bitcast<u32>((sample_16.albedo_0.z))), normal_11));
     return;
 }
 
 fn light_on_0( sample_17 : Sample_0) -> f32
 {
-    var _S431 : f32;
+    var _S452 : f32;
     if(sample_17.is_shown_0)
     {
-        _S431 = luminance_0(sample_17.light_6) / (luminance_0(sample_17.albedo_0) + 0.00300000002607703f);
+        _S452 = luminance_0(sample_17.light_6) / (luminance_0(sample_17.albedo_0) + 0.00300000002607703f);
     }
     else
     {
-        _S431 = 0.0f;
+        _S452 = 0.0f;
     }
-    return _S431;
+    return _S452;
 }
 
 fn Item_end_0( this_59 : Item_0,  sample_18 : Sample_0)
@@ -6687,8 +6723,8 @@ fn trace(@builtin(global_invocation_id) id_0 : vec3<u32>)
     var at_18 : Walker_0;
     if(item_1.traces_0)
     {
-        var _S432 : Walker_0 = Item_start_0(item_1);
-        at_18 = _S432;
+        var _S453 : Walker_0 = Item_start_0(item_1);
+        at_18 = _S453;
     }
     var is_under_way_0 : bool = item_1.traces_0;
     var is_shadow_turn_0 : bool = true;
@@ -6704,8 +6740,8 @@ fn trace(@builtin(global_invocation_id) id_0 : vec3<u32>)
         var is_shadow_turn_1 : bool = !is_shadow_turn_0;
         if((at_18.is_shadow_ray_0) == is_shadow_turn_1)
         {
-            var _S433 : bool = goes_on_6(&(at_18), &(sample_19));
-            is_under_way_0 = _S433;
+            var _S454 : bool = goes_on_6(&(at_18), &(sample_19));
+            is_under_way_0 = _S454;
         }
         is_shadow_turn_0 = is_shadow_turn_1;
     }
@@ -6726,18 +6762,18 @@ struct Lit_0
 
 fn Lit_x24init_0( paths_1 : f32,  light_13 : vec3<f32>,  shaded_1 : vec3<f32>,  moments_1 : vec3<f32>) -> Lit_0
 {
-    var _S434 : Lit_0;
-    _S434.paths_0 = paths_1;
-    _S434.light_12 = light_13;
-    _S434.shaded_0 = shaded_1;
-    _S434.moments_0 = moments_1;
-    return _S434;
+    var _S455 : Lit_0;
+    _S455.paths_0 = paths_1;
+    _S455.light_12 = light_13;
+    _S455.shaded_0 = shaded_1;
+    _S455.moments_0 = moments_1;
+    return _S455;
 }
 
 fn not_lit_0() -> Lit_0
 {
-    var _S435 : vec3<f32> = vec3<f32>(0.0f);
-    return Lit_x24init_0(0.0f, _S435, _S435, _S435);
+    var _S456 : vec3<f32> = vec3<f32>(0.0f);
+    return Lit_x24init_0(0.0f, _S456, _S456, _S456);
 }
 
 struct Memory_0
@@ -6754,27 +6790,27 @@ struct Memory_0
 
 fn Memory_x24init_0( lit_1 : Lit_0,  looks_1 : f32,  direct_3 : vec3<f32>,  albedo_3 : vec3<f32>,  normal_13 : vec3<f32>,  place_11 : vec3<f32>,  roughness_2 : f32,  coverage_1 : f32) -> Memory_0
 {
-    var _S436 : Memory_0;
-    _S436.lit_0 = lit_1;
-    _S436.looks_0 = looks_1;
-    _S436.direct_2 = direct_3;
-    _S436.albedo_2 = albedo_3;
-    _S436.normal_12 = normal_13;
-    _S436.place_10 = place_11;
-    _S436.roughness_1 = roughness_2;
-    _S436.coverage_0 = coverage_1;
-    return _S436;
+    var _S457 : Memory_0;
+    _S457.lit_0 = lit_1;
+    _S457.looks_0 = looks_1;
+    _S457.direct_2 = direct_3;
+    _S457.albedo_2 = albedo_3;
+    _S457.normal_12 = normal_13;
+    _S457.place_10 = place_11;
+    _S457.roughness_1 = roughness_2;
+    _S457.coverage_0 = coverage_1;
+    return _S457;
 }
 
 fn nothing_known_0() -> Memory_0
 {
-    var _S437 : vec3<f32> = vec3<f32>(0.0f);
-    return Memory_x24init_0(not_lit_0(), 0.0f, _S437, _S437, _S437, _S437, 0.0f, 0.0f);
+    var _S458 : vec3<f32> = vec3<f32>(0.0f);
+    return Memory_x24init_0(not_lit_0(), 0.0f, _S458, _S458, _S458, _S458, 0.0f, 0.0f);
 }
 
-fn memory_row_0( row_13 : u32,  index_33 : u32) -> vec4<u32>
+fn memory_row_0( row_14 : u32,  index_34 : u32) -> vec4<u32>
 {
-    return memory_rows_0[row_13 * real_time_0.pixels_0 + index_33];
+    return memory_rows_0[row_14 * real_time_0.pixels_0 + index_34];
 }
 
 fn low_half_0( word_9 : u32) -> f32
@@ -6790,25 +6826,25 @@ fn high_half_0( word_10 : u32) -> f32
 fn Lit_products_0( this_60 : Lit_0,  kept_0 : vec3<f32>) -> vec3<f32>
 {
     var l_0 : f32 = luminance_0(this_60.light_12);
-    var a_10 : f32 = luminance_0(kept_0);
-    return vec3<f32>(l_0 * l_0, l_0 * a_10, a_10 * a_10);
+    var a_8 : f32 = luminance_0(kept_0);
+    return vec3<f32>(l_0 * l_0, l_0 * a_8, a_8 * a_8);
 }
 
 fn lit_of_0( paths_2 : f32,  light_14 : vec3<f32>,  words_3 : vec3<u32>) -> Lit_0
 {
-    var _S438 : u32 = words_3.x;
-    var _S439 : u32 = words_3.y;
-    var _S440 : Lit_0 = Lit_x24init_0(paths_2, light_14, vec3<f32>(low_half_0(_S438), high_half_0(_S438), low_half_0(_S439)), vec3<f32>(0.0f));
-    var lit_2 : Lit_0 = _S440;
-    var _S441 : u32 = words_3.z;
-    lit_2.moments_0 = Lit_products_0(_S440, lit_2.shaded_0) * (vec3<f32>(1.0f) + vec3<f32>(high_half_0(_S439), low_half_0(_S441), high_half_0(_S441)));
+    var _S459 : u32 = words_3.x;
+    var _S460 : u32 = words_3.y;
+    var _S461 : Lit_0 = Lit_x24init_0(paths_2, light_14, vec3<f32>(low_half_0(_S459), high_half_0(_S459), low_half_0(_S460)), vec3<f32>(0.0f));
+    var lit_2 : Lit_0 = _S461;
+    var _S462 : u32 = words_3.z;
+    lit_2.moments_0 = Lit_products_0(_S461, lit_2.shaded_0) * (vec3<f32>(1.0f) + vec3<f32>(high_half_0(_S460), low_half_0(_S462), high_half_0(_S462)));
     return lit_2;
 }
 
-fn load_lit_0( index_34 : u32) -> Lit_0
+fn load_lit_0( index_35 : u32) -> Lit_0
 {
-    var shaded_2 : vec4<u32> = memory_row_0(u32(1), index_34);
-    var light_15 : vec4<u32> = memory_row_0(u32(2), index_34);
+    var shaded_2 : vec4<u32> = memory_row_0(u32(1), index_35);
+    var light_15 : vec4<u32> = memory_row_0(u32(2), index_35);
     return lit_of_0(low_half_0(shaded_2.x), (bitcast<vec3<f32>>((light_15.xyz))), vec3<u32>(shaded_2.z, shaded_2.w, light_15.w));
 }
 
@@ -6817,24 +6853,24 @@ fn normal_in_0( word_11 : u32) -> vec3<f32>
     return vec3<f32>(vec3<i32>((i32((word_11 << (u32(22)))) >> (u32(22))), (i32((word_11 << (u32(12)))) >> (u32(22))), (i32((word_11 << (u32(2)))) >> (u32(22))))) * vec3<f32>(0.00195694714784622f);
 }
 
-fn load_memory_0( index_35 : u32) -> Memory_0
+fn load_memory_0( index_36 : u32) -> Memory_0
 {
-    var surface_6 : vec4<u32> = memory_row_0(u32(0), index_35);
-    var shaded_3 : vec4<u32> = memory_row_0(u32(1), index_35);
-    var seen_0 : vec4<u32> = memory_row_0(u32(3), index_35);
+    var surface_6 : vec4<u32> = memory_row_0(u32(0), index_36);
+    var shaded_3 : vec4<u32> = memory_row_0(u32(1), index_36);
+    var seen_0 : vec4<u32> = memory_row_0(u32(3), index_36);
     var memory_0 : Memory_0;
-    memory_0.lit_0 = load_lit_0(index_35);
+    memory_0.lit_0 = load_lit_0(index_36);
     memory_0.looks_0 = high_half_0(shaded_3.x);
-    var _S442 : u32 = seen_0.x;
-    var _S443 : u32 = seen_0.y;
-    memory_0.direct_2 = vec3<f32>(low_half_0(_S442), high_half_0(_S442), low_half_0(_S443));
-    var _S444 : u32 = seen_0.z;
-    memory_0.albedo_2 = vec3<f32>(high_half_0(_S443), low_half_0(_S444), high_half_0(_S444));
+    var _S463 : u32 = seen_0.x;
+    var _S464 : u32 = seen_0.y;
+    memory_0.direct_2 = vec3<f32>(low_half_0(_S463), high_half_0(_S463), low_half_0(_S464));
+    var _S465 : u32 = seen_0.z;
+    memory_0.albedo_2 = vec3<f32>(high_half_0(_S464), low_half_0(_S465), high_half_0(_S465));
     memory_0.normal_12 = normal_in_0(surface_6.w);
     memory_0.place_10 = (bitcast<vec3<f32>>((surface_6.xyz)));
-    var _S445 : u32 = shaded_3.y;
-    memory_0.roughness_1 = high_half_0(_S445);
-    memory_0.coverage_0 = low_half_0(_S445);
+    var _S466 : u32 = shaded_3.y;
+    memory_0.roughness_1 = high_half_0(_S466);
+    memory_0.coverage_0 = low_half_0(_S466);
     return memory_0;
 }
 
@@ -6846,20 +6882,20 @@ fn Memory_look_anew_0( this_61 : ptr<function, Memory_0>)
     return;
 }
 
-fn scratch_row_0( row_14 : u32,  index_36 : u32) -> vec2<u32>
+fn scratch_row_0( row_15 : u32,  index_37 : u32) -> vec2<u32>
 {
-    return scratch_0[row_14 * real_time_0.slots_0 + index_36];
+    return scratch_0[row_15 * real_time_0.slots_0 + index_37];
 }
 
-fn load_known_0( index_37 : u32) -> Lit_0
+fn load_known_0( index_38 : u32) -> Lit_0
 {
-    var light_16 : vec2<u32> = scratch_row_0(u32(7), index_37);
-    var _S446 : u32 = light_16.y;
-    var _S447 : u32 = light_16.x;
-    return lit_of_0(high_half_0(_S446), vec3<f32>(low_half_0(_S447), high_half_0(_S447), low_half_0(_S446)), vec3<u32>(scratch_row_0(u32(8), index_37), scratch_row_0(u32(9), index_37).x));
+    var light_16 : vec2<u32> = scratch_row_0(u32(7), index_38);
+    var _S467 : u32 = light_16.y;
+    var _S468 : u32 = light_16.x;
+    return lit_of_0(high_half_0(_S467), vec3<f32>(low_half_0(_S468), high_half_0(_S468), low_half_0(_S467)), vec3<u32>(scratch_row_0(u32(8), index_38), scratch_row_0(u32(9), index_38).x));
 }
 
-fn memory_before_0( index_38 : u32) -> Memory_0
+fn memory_before_0( index_39 : u32) -> Memory_0
 {
     var memory_1 : Memory_0 = nothing_known_0();
     if(!has_0(u32(4)))
@@ -6868,42 +6904,42 @@ fn memory_before_0( index_38 : u32) -> Memory_0
     }
     if(has_0(u32(16)))
     {
-        memory_1 = load_memory_0(index_38);
+        memory_1 = load_memory_0(index_39);
         if(!has_0(u32(8)))
         {
             Memory_look_anew_0(&(memory_1));
         }
         return memory_1;
     }
-    memory_1.lit_0 = load_known_0(index_38);
+    memory_1.lit_0 = load_known_0(index_39);
     return memory_1;
 }
 
-fn load_sample_0( index_39 : u32) -> Sample_0
+fn load_sample_0( index_40 : u32) -> Sample_0
 {
-    var b_10 : vec2<u32> = scratch_row_0(u32(1), index_39);
-    var d_4 : vec2<f32> = (bitcast<vec2<f32>>((scratch_row_0(u32(3), index_39))));
-    var g_0 : vec2<u32> = scratch_row_0(u32(6), index_39);
+    var b_8 : vec2<u32> = scratch_row_0(u32(1), index_40);
+    var d_3 : vec2<f32> = (bitcast<vec2<f32>>((scratch_row_0(u32(3), index_40))));
+    var g_0 : vec2<u32> = scratch_row_0(u32(6), index_40);
     var sample_20 : Sample_0;
-    sample_20.light_6 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(0), index_39)))), (bitcast<f32>((b_10.x))));
-    sample_20.instance_8 = b_10.y;
-    sample_20.direct_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(2), index_39)))), d_4.x);
-    sample_20.place_3 = vec3<f32>(d_4.y, (bitcast<vec2<f32>>((scratch_row_0(u32(4), index_39)))));
-    sample_20.albedo_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(5), index_39)))), (bitcast<f32>((g_0.x))));
-    var _S448 : u32 = g_0.y;
-    sample_20.normal_4 = normal_in_0(_S448);
-    sample_20.is_shown_0 = ((_S448 & (u32(1073741824)))) != u32(0);
+    sample_20.light_6 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(0), index_40)))), (bitcast<f32>((b_8.x))));
+    sample_20.instance_8 = b_8.y;
+    sample_20.direct_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(2), index_40)))), d_3.x);
+    sample_20.place_3 = vec3<f32>(d_3.y, (bitcast<vec2<f32>>((scratch_row_0(u32(4), index_40)))));
+    sample_20.albedo_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(5), index_40)))), (bitcast<f32>((g_0.x))));
+    var _S469 : u32 = g_0.y;
+    sample_20.normal_4 = normal_in_0(_S469);
+    sample_20.is_shown_0 = ((_S469 & (u32(1073741824)))) != u32(0);
     return sample_20;
 }
 
 fn Memory_look_0( this_62 : ptr<function, Memory_0>,  sample_21 : Sample_0)
 {
-    var _S449 : f32 = (*this_62).looks_0 + 1.0f;
-    (*this_62).looks_0 = _S449;
-    var share_8 : f32 = 1.0f / _S449;
-    var _S450 : vec3<f32> = vec3<f32>(share_8);
-    (*this_62).direct_2 = (*this_62).direct_2 + (sample_21.direct_0 - (*this_62).direct_2) * _S450;
-    (*this_62).albedo_2 = (*this_62).albedo_2 + (sample_21.albedo_0 - (*this_62).albedo_2) * _S450;
+    var _S470 : f32 = (*this_62).looks_0 + 1.0f;
+    (*this_62).looks_0 = _S470;
+    var share_8 : f32 = 1.0f / _S470;
+    var _S471 : vec3<f32> = vec3<f32>(share_8);
+    (*this_62).direct_2 = (*this_62).direct_2 + (sample_21.direct_0 - (*this_62).direct_2) * _S471;
+    (*this_62).albedo_2 = (*this_62).albedo_2 + (sample_21.albedo_0 - (*this_62).albedo_2) * _S471;
     if(!sample_21.is_shown_0)
     {
         (*this_62).coverage_0 = (*this_62).coverage_0 - (*this_62).coverage_0 * share_8;
@@ -6913,9 +6949,9 @@ fn Memory_look_0( this_62 : ptr<function, Memory_0>,  sample_21 : Sample_0)
     (*this_62).coverage_0 = covered_0 * share_8;
     var of_covered_0 : f32 = 1.0f / covered_0;
     var before_0 : vec3<f32> = (*this_62).place_10;
-    var _S451 : vec3<f32> = vec3<f32>(of_covered_0);
-    (*this_62).normal_12 = (*this_62).normal_12 + (sample_21.normal_4 - (*this_62).normal_12) * _S451;
-    (*this_62).place_10 = (*this_62).place_10 + (sample_21.place_3 - (*this_62).place_10) * _S451;
+    var _S472 : vec3<f32> = vec3<f32>(of_covered_0);
+    (*this_62).normal_12 = (*this_62).normal_12 + (sample_21.normal_4 - (*this_62).normal_12) * _S472;
+    (*this_62).place_10 = (*this_62).place_10 + (sample_21.place_3 - (*this_62).place_10) * _S472;
     if(covered_0 > 1.0f)
     {
         var along_1 : f32 = dot_product_0((*this_62).normal_12, sample_21.place_3 - before_0);
@@ -6926,51 +6962,51 @@ fn Memory_look_0( this_62 : ptr<function, Memory_0>,  sample_21 : Sample_0)
 
 fn Lit_add_0( this_63 : ptr<function, Lit_0>,  found_2 : vec3<f32>,  albedo_4 : vec3<f32>,  most_0 : f32)
 {
-    var _S452 : f32 = min((*this_63).paths_0 + 1.0f, most_0);
-    (*this_63).paths_0 = _S452;
+    var _S473 : f32 = min((*this_63).paths_0 + 1.0f, most_0);
+    (*this_63).paths_0 = _S473;
     var l_1 : f32 = luminance_0(found_2);
-    var a_11 : f32 = luminance_0(albedo_4);
-    var _S453 : vec3<f32> = vec3<f32>((1.0f / _S452));
-    (*this_63).light_12 = (*this_63).light_12 + (found_2 - (*this_63).light_12) * _S453;
-    (*this_63).shaded_0 = (*this_63).shaded_0 + (albedo_4 - (*this_63).shaded_0) * _S453;
-    (*this_63).moments_0 = (*this_63).moments_0 + (vec3<f32>(l_1 * l_1, l_1 * a_11, a_11 * a_11) - (*this_63).moments_0) * _S453;
+    var a_9 : f32 = luminance_0(albedo_4);
+    var _S474 : vec3<f32> = vec3<f32>((1.0f / _S473));
+    (*this_63).light_12 = (*this_63).light_12 + (found_2 - (*this_63).light_12) * _S474;
+    (*this_63).shaded_0 = (*this_63).shaded_0 + (albedo_4 - (*this_63).shaded_0) * _S474;
+    (*this_63).moments_0 = (*this_63).moments_0 + (vec3<f32>(l_1 * l_1, l_1 * a_9, a_9 * a_9) - (*this_63).moments_0) * _S474;
     return;
 }
 
 fn Memory_add_0( this_64 : ptr<function, Memory_0>,  sample_22 : Sample_0,  most_1 : f32)
 {
     Memory_look_0(&((*this_64)), sample_22);
-    var _S454 : Lit_0 = (*this_64).lit_0;
-    Lit_add_0(&(_S454), sample_22.light_6, sample_22.albedo_0, most_1);
-    (*this_64).lit_0 = _S454;
+    var _S475 : Lit_0 = (*this_64).lit_0;
+    Lit_add_0(&(_S475), sample_22.light_6, sample_22.albedo_0, most_1);
+    (*this_64).lit_0 = _S475;
     return;
 }
 
-fn is_far_5( a_12 : vec3<f32>,  b_11 : vec3<f32>) -> bool
+fn is_far_5( a_10 : vec3<f32>,  b_9 : vec3<f32>) -> bool
 {
-    return (any(((abs(a_12 - b_11)) > (max(a_12, b_11) * vec3<f32>(0.10000000149011612f) + vec3<f32>(0.00999999977648258f)))));
+    return (any(((abs(a_10 - b_9)) > (max(a_10, b_9) * vec3<f32>(0.10000000149011612f) + vec3<f32>(0.00999999977648258f)))));
 }
 
-fn differ_0( a_13 : Sample_0,  b_12 : Sample_0) -> bool
+fn differ_0( a_11 : Sample_0,  b_10 : Sample_0) -> bool
 {
-    var _S455 : bool;
-    if((a_13.is_shown_0) != (b_12.is_shown_0))
+    var _S476 : bool;
+    if((a_11.is_shown_0) != (b_10.is_shown_0))
     {
-        _S455 = true;
+        _S476 = true;
     }
     else
     {
-        _S455 = is_far_5(a_13.direct_0, b_12.direct_0);
+        _S476 = is_far_5(a_11.direct_0, b_10.direct_0);
     }
-    if(_S455)
+    if(_S476)
     {
-        _S455 = true;
+        _S476 = true;
     }
     else
     {
-        _S455 = is_far_5(a_13.albedo_0, b_12.albedo_0);
+        _S476 = is_far_5(a_11.albedo_0, b_10.albedo_0);
     }
-    return _S455;
+    return _S476;
 }
 
 fn halves_1( low_13 : f32,  high_6 : f32) -> u32
@@ -6981,36 +7017,36 @@ fn halves_1( low_13 : f32,  high_6 : f32) -> u32
 fn Lit_beyond_0( this_65 : Lit_0,  kept_1 : vec3<f32>) -> vec3<f32>
 {
     var products_0 : vec3<f32> = Lit_products_0(this_65, kept_1);
-    var _S456 : vec3<f32> = vec3<f32>(1.00000000317107685e-30f);
-    return select(vec3<f32>(0.0f), this_65.moments_0 / max(products_0, _S456) - vec3<f32>(1.0f), products_0 > _S456);
+    var _S477 : vec3<f32> = vec3<f32>(1.00000000317107685e-30f);
+    return select(vec3<f32>(0.0f), this_65.moments_0 / max(products_0, _S477) - vec3<f32>(1.0f), products_0 > _S477);
 }
 
 fn words_of_0( lit_3 : Lit_0) -> vec3<u32>
 {
     var first_1 : u32 = halves_1(lit_3.shaded_0.x, lit_3.shaded_0.y);
-    var last_8 : f32 = low_half_0(halves_1(lit_3.shaded_0.z, 0.0f));
-    var beyond_13 : vec3<f32> = Lit_beyond_0(lit_3, vec3<f32>(low_half_0(first_1), high_half_0(first_1), last_8));
-    return vec3<u32>(first_1, halves_1(last_8, beyond_13.x), halves_1(beyond_13.y, beyond_13.z));
+    var last_7 : f32 = low_half_0(halves_1(lit_3.shaded_0.z, 0.0f));
+    var beyond_13 : vec3<f32> = Lit_beyond_0(lit_3, vec3<f32>(low_half_0(first_1), high_half_0(first_1), last_7));
+    return vec3<u32>(first_1, halves_1(last_7, beyond_13.x), halves_1(beyond_13.y, beyond_13.z));
 }
 
-fn store_memory_0( index_40 : u32,  memory_2 : Memory_0)
+fn store_memory_0( index_41 : u32,  memory_2 : Memory_0)
 {
     var pixels_2 : u32 = real_time_0.pixels_0;
     var words_4 : vec3<u32> = words_of_0(memory_2.lit_0);
-    var _S457 : u32 = packed_normal_0(memory_2.normal_12);
-    var _S458 : u32;
+    var _S478 : u32 = packed_normal_0(memory_2.normal_12);
+    var _S479 : u32;
     if((memory_2.coverage_0) > 0.0f)
     {
-        _S458 = u32(1073741824);
+        _S479 = u32(1073741824);
     }
     else
     {
-        _S458 = u32(0);
+        _S479 = u32(0);
     }
-    memory_rows_0[index_40] = vec4<u32>((bitcast<vec3<u32>>((memory_2.place_10))), (_S457 | (_S458)));
-    memory_rows_0[pixels_2 + index_40] = vec4<u32>(halves_1(memory_2.lit_0.paths_0, memory_2.looks_0), halves_1(memory_2.coverage_0, memory_2.roughness_1), words_4.x, words_4.y);
-    memory_rows_0[u32(2) * pixels_2 + index_40] = vec4<u32>((bitcast<vec3<u32>>((memory_2.lit_0.light_12))), words_4.z);
-    memory_rows_0[u32(3) * pixels_2 + index_40] = vec4<u32>(halves_1(memory_2.direct_2.x, memory_2.direct_2.y), halves_1(memory_2.direct_2.z, memory_2.albedo_2.x), halves_1(memory_2.albedo_2.y, memory_2.albedo_2.z), u32(0));
+    memory_rows_0[index_41] = vec4<u32>((bitcast<vec3<u32>>((memory_2.place_10))), (_S478 | (_S479)));
+    memory_rows_0[pixels_2 + index_41] = vec4<u32>(halves_1(memory_2.lit_0.paths_0, memory_2.looks_0), halves_1(memory_2.coverage_0, memory_2.roughness_1), words_4.x, words_4.y);
+    memory_rows_0[u32(2) * pixels_2 + index_41] = vec4<u32>((bitcast<vec3<u32>>((memory_2.lit_0.light_12))), words_4.z);
+    memory_rows_0[u32(3) * pixels_2 + index_41] = vec4<u32>(halves_1(memory_2.direct_2.x, memory_2.direct_2.y), halves_1(memory_2.direct_2.z, memory_2.albedo_2.x), halves_1(memory_2.albedo_2.y, memory_2.albedo_2.z), u32(0));
     return;
 }
 
@@ -7023,9 +7059,9 @@ fn remember(@builtin(global_invocation_id) id_1 : vec3<u32>)
     var at_19 : vec2<u32> = pixel_that_traces_0(id_1.x);
     if(is_inside_0(vec2<i32>(at_19)))
     {
-        var index_41 : u32 = index_of_0(at_19);
-        var memory_3 : Memory_0 = memory_before_0(index_41);
-        var sample_23 : Sample_0 = load_sample_0(index_41);
+        var index_42 : u32 = index_of_0(at_19);
+        var memory_3 : Memory_0 = memory_before_0(index_42);
+        var sample_23 : Sample_0 = load_sample_0(index_42);
         Memory_add_0(&(memory_3), sample_23, real_time_0.most_paths_0);
         var is_in_motion_0 : bool;
         if(has_0(u32(4)))
@@ -7036,18 +7072,18 @@ fn remember(@builtin(global_invocation_id) id_1 : vec3<u32>)
         {
             is_in_motion_0 = false;
         }
-        var _S459 : f32;
+        var _S480 : f32;
         if(is_in_motion_0)
         {
-            _S459 = 4.0f;
+            _S480 = 4.0f;
         }
         else
         {
-            _S459 = 16.0f;
+            _S480 = 16.0f;
         }
         var look_0 : Walker_0;
-        var _S460 : Sample_0 = no_sample_0();
-        var seen_1 : Sample_0 = _S460;
+        var _S481 : Sample_0 = no_sample_0();
+        var seen_1 : Sample_0 = _S481;
         var is_under_way_1 : bool = false;
         var differs_0 : bool = false;
         var looks_2 : u32 = u32(0);
@@ -7061,17 +7097,17 @@ fn remember(@builtin(global_invocation_id) id_1 : vec3<u32>)
             {
                 if(has_0(u32(2)))
                 {
-                    var _S461 : f32 = memory_3.looks_0;
-                    var _S462 : f32;
+                    var _S482 : f32 = memory_3.looks_0;
+                    var _S483 : f32;
                     if(differs_0)
                     {
-                        _S462 = _S459;
+                        _S483 = _S480;
                     }
                     else
                     {
-                        _S462 = 4.0f;
+                        _S483 = 4.0f;
                     }
-                    is_in_motion_0 = _S461 < _S462;
+                    is_in_motion_0 = _S482 < _S483;
                 }
                 else
                 {
@@ -7088,28 +7124,28 @@ fn remember(@builtin(global_invocation_id) id_1 : vec3<u32>)
             if(!is_under_way_1)
             {
                 var looks_3 : u32 = looks_2 + u32(1);
-                look_0 = at_camera_0(at_19, FrameParams_camera_0(), Sampler_x24init_0(((params_0.seed_0) ^ (u32(2246822507))), index_41, u32(16) * real_time_0.number_0 + looks_3), false);
-                seen_1 = _S460;
+                look_0 = at_camera_0(at_19, FrameParams_camera_0(), Sampler_x24init_0(((params_0.seed_0) ^ (u32(2246822507))), index_42, u32(16) * real_time_0.number_0 + looks_3), false);
+                seen_1 = _S481;
                 looks_2 = looks_3;
             }
             var is_under_way_2 : bool = goes_on_5(&(look_0), &(seen_1));
             if(!is_under_way_2)
             {
-                var _S463 : bool;
+                var _S484 : bool;
                 if(differs_0)
                 {
-                    _S463 = true;
+                    _S484 = true;
                 }
                 else
                 {
-                    _S463 = differ_0(seen_1, sample_23);
+                    _S484 = differ_0(seen_1, sample_23);
                 }
                 Memory_look_0(&(memory_3), seen_1);
-                differs_0 = _S463;
+                differs_0 = _S484;
             }
             is_under_way_1 = is_under_way_2;
         }
-        store_memory_0(index_41, memory_3);
+        store_memory_0(index_42, memory_3);
     }
     return;
 }

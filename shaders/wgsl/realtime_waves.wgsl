@@ -152,11 +152,13 @@ fn first_row_0( array_0 : u32) -> u32
     return records_0[(array_0 >> (u32(2)))][(array_0 & (u32(3)))];
 }
 
-fn transform_in_0( row_0 : u32) -> Transform_0
+fn Rows_operatorx5Bx5D_get_0( row_0 : u32) -> vec4<u32>
 {
-    var a_0 : vec4<u32> = records_0[row_0];
-    var b_0 : vec4<u32> = records_0[row_0 + u32(1)];
-    var c_0 : vec4<u32> = records_0[row_0 + u32(2)];
+    return records_0[first_row_0(u32(1)) + row_0];
+}
+
+fn transform_of_0( a_0 : vec4<u32>,  b_0 : vec4<u32>,  c_0 : vec4<u32>) -> Transform_0
+{
     var transform_0 : Transform_0;
     var _S1 : f32 = (bitcast<f32>((a_0.y)));
     var _S2 : f32 = (bitcast<f32>((a_0.z)));
@@ -194,9 +196,9 @@ fn PackedInstance_x24init_0( grid_from_world_1 : Transform_0,  world_from_grid_1
 
 fn Instances_operatorx5Bx5D_get_0( index_0 : u32) -> PackedInstance_0
 {
-    var row_1 : u32 = first_row_0(u32(1)) + u32(7) * index_0;
-    var last_0 : vec4<u32> = records_0[row_1 + u32(6)];
-    return PackedInstance_x24init_0(transform_in_0(row_1), transform_in_0(row_1 + u32(3)), last_0.x, last_0.y, last_0.z);
+    var row_1 : u32 = u32(7) * index_0;
+    var _S10 : vec4<u32> = Rows_operatorx5Bx5D_get_0(row_1 + u32(6));
+    return PackedInstance_x24init_0(transform_of_0(Rows_operatorx5Bx5D_get_0(row_1), Rows_operatorx5Bx5D_get_0(row_1 + u32(1)), Rows_operatorx5Bx5D_get_0(row_1 + u32(2))), transform_of_0(Rows_operatorx5Bx5D_get_0(row_1 + u32(3)), Rows_operatorx5Bx5D_get_0(row_1 + u32(4)), Rows_operatorx5Bx5D_get_0(row_1 + u32(5))), _S10.x, _S10.y, _S10.z);
 }
 
 struct LocalRay_0
@@ -237,9 +239,9 @@ fn nearest_quotient_0( dividend_0 : u32,  divisor_0 : u32,  guess_0 : u32) -> u3
 {
     var rest_1 : i32 = i32(((dividend_0 << (u32(23)))) - guess_0 * divisor_0);
     var units_0 : i32 = i32(floor(f32(rest_1) * (1.0f / f32(divisor_0)) + 0.5f));
-    var _S10 : i32 = i32(divisor_0);
-    var _S11 : i32 = i32(2) * (rest_1 - units_0 * _S10);
-    return guess_0 + u32(units_0 + (i32(_S11 > _S10) - i32(_S11 < (- _S10))));
+    var _S11 : i32 = i32(divisor_0);
+    var _S12 : i32 = i32(2) * (rest_1 - units_0 * _S11);
+    return guess_0 + u32(units_0 + (i32(_S12 > _S11) - i32(_S12 < (- _S11))));
 }
 
 fn divide_0( a_1 : f32,  b_1 : f32) -> f32
@@ -248,37 +250,37 @@ fn divide_0( a_1 : f32,  b_1 : f32) -> f32
     {
         return a_1 / b_1;
     }
-    var _S12 : u32 = (bitcast<u32>((a_1)));
-    var exponent_a_0 : u32 = (((_S12 >> (u32(23)))) & (u32(255)));
-    var _S13 : u32 = (bitcast<u32>((b_1)));
-    var exponent_b_0 : u32 = (((_S13 >> (u32(23)))) & (u32(255)));
-    var dividend_1 : u32 = (((_S12 & (u32(8388607)))) | (u32(8388608)));
-    var divisor_1 : u32 = (((_S13 & (u32(8388607)))) | (u32(8388608)));
+    var _S13 : u32 = (bitcast<u32>((a_1)));
+    var exponent_a_0 : u32 = (((_S13 >> (u32(23)))) & (u32(255)));
+    var _S14 : u32 = (bitcast<u32>((b_1)));
+    var exponent_b_0 : u32 = (((_S14 >> (u32(23)))) & (u32(255)));
+    var dividend_1 : u32 = (((_S13 & (u32(8388607)))) | (u32(8388608)));
+    var divisor_1 : u32 = (((_S14 & (u32(8388607)))) | (u32(8388608)));
     var is_below_0 : u32 = u32(dividend_1 < divisor_1);
     var dividend_2 : u32 = (dividend_1 << (is_below_0));
     var exponent_1 : u32 = exponent_a_0 + u32(127) - exponent_b_0 - is_below_0;
-    var _S14 : bool;
+    var _S15 : bool;
     if(!is_normal_0(exponent_a_0))
     {
-        _S14 = true;
+        _S15 = true;
     }
     else
     {
-        _S14 = !is_normal_0(exponent_b_0);
+        _S15 = !is_normal_0(exponent_b_0);
     }
-    if(_S14)
+    if(_S15)
     {
-        _S14 = true;
+        _S15 = true;
     }
     else
     {
-        _S14 = !is_normal_0(exponent_1);
+        _S15 = !is_normal_0(exponent_1);
     }
-    if(_S14)
+    if(_S15)
     {
         return a_1 / b_1;
     }
-    return (bitcast<f32>(((((((_S12 ^ (_S13))) & (u32(2147483648)))) | ((((exponent_1 << (u32(23)))) + (nearest_quotient_0(dividend_2, divisor_1, u32(f32(dividend_2) * (1.0f / f32(divisor_1)) * 8.388608e+06f)) - u32(8388608))))))));
+    return (bitcast<f32>(((((((_S13 ^ (_S14))) & (u32(2147483648)))) | ((((exponent_1 << (u32(23)))) + (nearest_quotient_0(dividend_2, divisor_1, u32(f32(dividend_2) * (1.0f / f32(divisor_1)) * 8.388608e+06f)) - u32(8388608))))))));
 }
 
 fn reciprocal_0( vector_0 : vec3<f32>) -> vec3<f32>
@@ -298,9 +300,9 @@ fn local_ray_0( ray_0 : Ray_0,  grid_from_world_2 : Transform_0) -> LocalRay_0
     var origin_2 : vec3<f32>;
     if(!IS_SINGLE_0)
     {
-        var _S15 : vec3<f32> = Transform_point_0(grid_from_world_2, ray_0.origin_0);
+        var _S16 : vec3<f32> = Transform_point_0(grid_from_world_2, ray_0.origin_0);
         direction_2 = Transform_direction_0(grid_from_world_2, ray_0.direction_0);
-        origin_2 = _S15;
+        origin_2 = _S16;
     }
     else
     {
@@ -308,11 +310,11 @@ fn local_ray_0( ray_0 : Ray_0,  grid_from_world_2 : Transform_0) -> LocalRay_0
         origin_2 = ray_0.origin_0;
     }
     var is_zero_0 : vec3<bool> = !((abs(direction_2)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S16 : vec3<f32> = select(direction_2, vec3<f32>(0.0f), is_zero_0);
-    local_0.direction_1 = _S16;
+    var _S17 : vec3<f32> = select(direction_2, vec3<f32>(0.0f), is_zero_0);
+    local_0.direction_1 = _S17;
     local_0.inverse_0 = select(reciprocal_0(select(direction_2, vec3<f32>(1.0f), is_zero_0)), vec3<f32>(3.4028234663852886e+38f), is_zero_0);
     local_0.origin_1 = select(origin_2, floor(origin_2) + vec3<f32>(0.5f), is_zero_0);
-    var speed_0 : f32 = max_element_0(abs(_S16));
+    var speed_0 : f32 = max_element_0(abs(_S17));
     var moves_0 : bool;
     if(speed_0 >= 1.00000004581370497e-18f)
     {
@@ -364,12 +366,12 @@ fn local_ray_0( ray_0 : Ray_0,  grid_from_world_2 : Transform_0) -> LocalRay_0
 
 fn Hit_x24init_0( t_1 : f32,  instance_1 : u32,  voxel_1 : vec3<i32>,  face_1 : u32) -> Hit_0
 {
-    var _S17 : Hit_0;
-    _S17.t_0 = t_1;
-    _S17.instance_0 = instance_1;
-    _S17.voxel_0 = voxel_1;
-    _S17.face_0 = face_1;
-    return _S17;
+    var _S18 : Hit_0;
+    _S18.t_0 = t_1;
+    _S18.instance_0 = instance_1;
+    _S18.voxel_0 = voxel_1;
+    _S18.face_0 = face_1;
+    return _S18;
 }
 
 fn miss_0() -> Hit_0
@@ -389,40 +391,45 @@ struct PackedGrid_0
      material_bits_0 : u32,
 };
 
+fn Rows_operatorx5Bx5D_get_1( row_2 : u32) -> vec4<u32>
+{
+    return records_0[first_row_0(u32(0)) + row_2];
+}
+
 fn Grids_operatorx5Bx5D_get_0( index_1 : u32) -> PackedGrid_0
 {
-    var row_2 : u32 = first_row_0(u32(0)) + u32(5) * index_1;
-    var a_2 : vec4<u32> = records_0[row_2];
-    var b_2 : vec4<u32> = records_0[row_2 + u32(1)];
-    var c_1 : vec4<u32> = records_0[row_2 + u32(2)];
-    var d_0 : vec4<u32> = records_0[row_2 + u32(3)];
+    var row_3 : u32 = u32(5) * index_1;
+    var _S19 : vec4<u32> = Rows_operatorx5Bx5D_get_1(row_3);
+    var _S20 : vec4<u32> = Rows_operatorx5Bx5D_get_1(row_3 + u32(1));
+    var _S21 : vec4<u32> = Rows_operatorx5Bx5D_get_1(row_3 + u32(2));
+    var _S22 : vec4<u32> = Rows_operatorx5Bx5D_get_1(row_3 + u32(3));
     var grid_2 : PackedGrid_0;
-    var _S18 : i32 = i32(a_2.y);
-    var _S19 : i32 = i32(a_2.z);
-    grid_2.origin_3[i32(0)] = i32(a_2.x);
-    grid_2.origin_3[i32(1)] = _S18;
-    grid_2.origin_3[i32(2)] = _S19;
-    grid_2.top_shift_0 = a_2.w;
-    var _S20 : i32 = i32(b_2.y);
-    var _S21 : i32 = i32(b_2.z);
-    grid_2.top_size_0[i32(0)] = i32(b_2.x);
-    grid_2.top_size_0[i32(1)] = _S20;
-    grid_2.top_size_0[i32(2)] = _S21;
-    grid_2.top_offset_0 = b_2.w;
-    var _S22 : i32 = i32(c_1.y);
-    var _S23 : i32 = i32(c_1.z);
-    grid_2.min_0[i32(0)] = i32(c_1.x);
-    grid_2.min_0[i32(1)] = _S22;
-    grid_2.min_0[i32(2)] = _S23;
-    var _S24 : u32 = d_0.x;
-    grid_2.voxels_0[i32(0)] = c_1.w;
-    grid_2.voxels_0[i32(1)] = _S24;
-    var _S25 : i32 = i32(d_0.z);
-    var _S26 : i32 = i32(d_0.w);
-    grid_2.max_0[i32(0)] = i32(d_0.y);
-    grid_2.max_0[i32(1)] = _S25;
-    grid_2.max_0[i32(2)] = _S26;
-    grid_2.material_bits_0 = records_0[row_2 + u32(4)].x;
+    var _S23 : i32 = i32(_S19.y);
+    var _S24 : i32 = i32(_S19.z);
+    grid_2.origin_3[i32(0)] = i32(_S19.x);
+    grid_2.origin_3[i32(1)] = _S23;
+    grid_2.origin_3[i32(2)] = _S24;
+    grid_2.top_shift_0 = _S19.w;
+    var _S25 : i32 = i32(_S20.y);
+    var _S26 : i32 = i32(_S20.z);
+    grid_2.top_size_0[i32(0)] = i32(_S20.x);
+    grid_2.top_size_0[i32(1)] = _S25;
+    grid_2.top_size_0[i32(2)] = _S26;
+    grid_2.top_offset_0 = _S20.w;
+    var _S27 : i32 = i32(_S21.y);
+    var _S28 : i32 = i32(_S21.z);
+    grid_2.min_0[i32(0)] = i32(_S21.x);
+    grid_2.min_0[i32(1)] = _S27;
+    grid_2.min_0[i32(2)] = _S28;
+    var _S29 : u32 = _S22.x;
+    grid_2.voxels_0[i32(0)] = _S21.w;
+    grid_2.voxels_0[i32(1)] = _S29;
+    var _S30 : i32 = i32(_S22.z);
+    var _S31 : i32 = i32(_S22.w);
+    grid_2.max_0[i32(0)] = i32(_S22.y);
+    grid_2.max_0[i32(1)] = _S30;
+    grid_2.max_0[i32(2)] = _S31;
+    grid_2.material_bits_0 = Rows_operatorx5Bx5D_get_1(row_3 + u32(4)).x;
     return grid_2;
 }
 
@@ -451,16 +458,16 @@ fn Walk_mirrored_plane_0( this_2 : Walk_0,  plane_0 : vec3<i32>) -> vec3<i32>
 
 fn min_abs_direction_0() -> f32
 {
-    var _S27 : f32;
+    var _S32 : f32;
     if(IS_EXACT_0)
     {
-        _S27 = 0.0f;
+        _S32 = 0.0f;
     }
     else
     {
-        _S27 = 1.00000004581370497e-18f;
+        _S32 = 1.00000004581370497e-18f;
     }
-    return _S27;
+    return _S32;
 }
 
 @id(3) override TOP_SHIFT_0 : u32 = u32(0);
@@ -481,18 +488,18 @@ fn walk_of_0( ray_2 : LocalRay_0,  grid_3 : PackedGrid_0) -> Walk_0
     walk_0.ray_1 = ray_2;
     walk_0.grid_origin_0 = cell_of_0(grid_3.origin_3);
     var is_negative_0 : vec3<bool> = (ray_2.direction_1) < vec3<f32>(0.0f);
-    var _S28 : vec3<i32> = vec3<i32>(i32(0));
-    walk_0.mirror_0 = select(_S28, vec3<i32>(i32(-1)), is_negative_0);
-    var _S29 : vec3<i32>;
+    var _S33 : vec3<i32> = vec3<i32>(i32(0));
+    walk_0.mirror_0 = select(_S33, vec3<i32>(i32(-1)), is_negative_0);
+    var _S34 : vec3<i32>;
     if(IS_EXACT_0)
     {
-        _S29 = Walk_mirrored_plane_0(walk_0, walk_0.grid_origin_0);
+        _S34 = Walk_mirrored_plane_0(walk_0, walk_0.grid_origin_0);
     }
     else
     {
-        _S29 = _S28;
+        _S34 = _S33;
     }
-    walk_0.offset_0 = _S29;
+    walk_0.offset_0 = _S34;
     var origin_5 : vec3<f32>;
     if(IS_EXACT_0)
     {
@@ -538,74 +545,74 @@ fn halves_0( value_0 : f32) -> vec2<f32>
     return vec2<f32>(high_1, value_0 - high_1);
 }
 
-fn exact_product_0( a_3 : f32,  b_3 : f32) -> vec2<f32>
+fn exact_product_0( a_2 : f32,  b_2 : f32) -> vec2<f32>
 {
-    var product_0 : f32 = a_3 * b_3;
+    var product_0 : f32 = a_2 * b_2;
     if(!IS_EXACT_0)
     {
         return vec2<f32>(product_0, 0.0f);
     }
-    var a_parts_0 : vec2<f32> = halves_0(a_3);
-    var b_parts_0 : vec2<f32> = halves_0(b_3);
-    var _S30 : f32 = a_parts_0.x;
-    var _S31 : f32 = b_parts_0.x;
-    var _S32 : f32 = b_parts_0.y;
-    var _S33 : f32 = a_parts_0.y;
-    return vec2<f32>(product_0, _S30 * _S31 - product_0 + _S30 * _S32 + _S33 * _S31 + _S33 * _S32);
+    var a_parts_0 : vec2<f32> = halves_0(a_2);
+    var b_parts_0 : vec2<f32> = halves_0(b_2);
+    var _S35 : f32 = a_parts_0.x;
+    var _S36 : f32 = b_parts_0.x;
+    var _S37 : f32 = b_parts_0.y;
+    var _S38 : f32 = a_parts_0.y;
+    return vec2<f32>(product_0, _S35 * _S36 - product_0 + _S35 * _S37 + _S38 * _S36 + _S38 * _S37);
 }
 
 fn exact_start_voxel_0( ray_3 : LocalRay_0) -> vec3<i32>
 {
     var way_0 : vec2<f32> = exact_product_0(ray_3.t_min_1, ray_3.direction_1[u32(0)]);
-    var _S34 : f32 = way_0.x;
-    var sum_0 : f32 = ray_3.origin_1[u32(0)] + _S34;
+    var _S39 : f32 = way_0.x;
+    var sum_0 : f32 = ray_3.origin_1[u32(0)] + _S39;
     var part_0 : f32 = sum_0 - ray_3.origin_1[u32(0)];
-    var low_1 : f32 = ray_3.origin_1[u32(0)] - (sum_0 - part_0) + (_S34 - part_0) + way_0.y;
+    var low_1 : f32 = ray_3.origin_1[u32(0)] - (sum_0 - part_0) + (_S39 - part_0) + way_0.y;
     var whole_0 : f32 = floor(sum_0);
     var voxel_3 : vec3<i32>;
-    var _S35 : i32 = i32(whole_0);
-    var _S36 : bool;
+    var _S40 : i32 = i32(whole_0);
+    var _S41 : bool;
     if(sum_0 == whole_0)
     {
-        _S36 = low_1 < 0.0f;
+        _S41 = low_1 < 0.0f;
     }
     else
     {
-        _S36 = false;
+        _S41 = false;
     }
-    voxel_3[u32(0)] = _S35 - i32(_S36);
+    voxel_3[u32(0)] = _S40 - i32(_S41);
     var way_1 : vec2<f32> = exact_product_0(ray_3.t_min_1, ray_3.direction_1[u32(1)]);
-    var _S37 : f32 = way_1.x;
-    var sum_1 : f32 = ray_3.origin_1[u32(1)] + _S37;
+    var _S42 : f32 = way_1.x;
+    var sum_1 : f32 = ray_3.origin_1[u32(1)] + _S42;
     var part_1 : f32 = sum_1 - ray_3.origin_1[u32(1)];
-    var low_2 : f32 = ray_3.origin_1[u32(1)] - (sum_1 - part_1) + (_S37 - part_1) + way_1.y;
+    var low_2 : f32 = ray_3.origin_1[u32(1)] - (sum_1 - part_1) + (_S42 - part_1) + way_1.y;
     var whole_1 : f32 = floor(sum_1);
-    var _S38 : i32 = i32(whole_1);
+    var _S43 : i32 = i32(whole_1);
     if(sum_1 == whole_1)
     {
-        _S36 = low_2 < 0.0f;
+        _S41 = low_2 < 0.0f;
     }
     else
     {
-        _S36 = false;
+        _S41 = false;
     }
-    voxel_3[u32(1)] = _S38 - i32(_S36);
+    voxel_3[u32(1)] = _S43 - i32(_S41);
     var way_2 : vec2<f32> = exact_product_0(ray_3.t_min_1, ray_3.direction_1[u32(2)]);
-    var _S39 : f32 = way_2.x;
-    var sum_2 : f32 = ray_3.origin_1[u32(2)] + _S39;
+    var _S44 : f32 = way_2.x;
+    var sum_2 : f32 = ray_3.origin_1[u32(2)] + _S44;
     var part_2 : f32 = sum_2 - ray_3.origin_1[u32(2)];
-    var low_3 : f32 = ray_3.origin_1[u32(2)] - (sum_2 - part_2) + (_S39 - part_2) + way_2.y;
+    var low_3 : f32 = ray_3.origin_1[u32(2)] - (sum_2 - part_2) + (_S44 - part_2) + way_2.y;
     var whole_2 : f32 = floor(sum_2);
-    var _S40 : i32 = i32(whole_2);
+    var _S45 : i32 = i32(whole_2);
     if(sum_2 == whole_2)
     {
-        _S36 = low_3 < 0.0f;
+        _S41 = low_3 < 0.0f;
     }
     else
     {
-        _S36 = false;
+        _S41 = false;
     }
-    voxel_3[u32(2)] = _S40 - i32(_S36);
+    voxel_3[u32(2)] = _S45 - i32(_S41);
     return voxel_3;
 }
 
@@ -618,16 +625,16 @@ fn Walk_start_voxel_0( this_6 : Walk_0) -> vec3<i32>
     }
     var nearest_0 : vec3<f32> = round(start_0);
     var from_nearest_0 : vec3<f32> = start_0 - nearest_0;
-    var _S41 : bool;
+    var _S46 : bool;
     if((this_6.ray_1.t_min_1) > 0.0f)
     {
-        _S41 = (any(((abs(from_nearest_0)) <= (this_6.tolerance_0))));
+        _S46 = (any(((abs(from_nearest_0)) <= (this_6.tolerance_0))));
     }
     else
     {
-        _S41 = false;
+        _S46 = false;
     }
-    if(_S41)
+    if(_S46)
     {
         return Walk_mirrored_0(this_6, exact_start_voxel_0(this_6.ray_1) - this_6.grid_origin_0);
     }
@@ -649,12 +656,12 @@ struct Crossing_0
 
 fn Crossing_x24init_0( distance_1 : f32,  distance_low_1 : f32,  speed_3 : f32,  axis_1 : u32) -> Crossing_0
 {
-    var _S42 : Crossing_0;
-    _S42.distance_0 = distance_1;
-    _S42.distance_low_0 = distance_low_1;
-    _S42.speed_2 = speed_3;
-    _S42.axis_0 = axis_1;
-    return _S42;
+    var _S47 : Crossing_0;
+    _S47.distance_0 = distance_1;
+    _S47.distance_low_0 = distance_low_1;
+    _S47.speed_2 = speed_3;
+    _S47.axis_0 = axis_1;
+    return _S47;
 }
 
 fn crossing_of_0( ray_4 : LocalRay_0,  axis_2 : u32,  plane_1 : i32) -> Crossing_0
@@ -684,61 +691,61 @@ fn Crossing_is_before_0( this_8 : Crossing_0,  other_0 : Crossing_0) -> bool
         theirs_0[i32(1)] = theirs_0[i32(1)] + other_0.distance_low_0 * this_8.speed_2;
     }
     var difference_1 : f32 = ours_0.x - theirs_0.x + (ours_0.y - theirs_0.y);
-    var _S43 : bool;
+    var _S48 : bool;
     if(difference_1 < 0.0f)
     {
-        _S43 = true;
+        _S48 = true;
     }
     else
     {
         if(difference_1 == 0.0f)
         {
-            _S43 = (this_8.axis_0) < (other_0.axis_0);
+            _S48 = (this_8.axis_0) < (other_0.axis_0);
         }
         else
         {
-            _S43 = false;
+            _S48 = false;
         }
     }
-    return _S43;
+    return _S48;
 }
 
 fn leave_box_0( ray_5 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  nearest_1 : vec3<i32>) -> vec3<i32>
 {
-    var _S44 : vec3<f32>;
-    var _S45 : f32;
-    var _S46 : bool;
+    var _S49 : vec3<f32>;
+    var _S50 : f32;
+    var _S51 : bool;
     var is_crossed_0 : bool;
     var first_0 : Crossing_0;
-    var _S47 : f32;
-    var _S48 : bool;
-    var _S49 : f32;
-    var _S50 : bool;
+    var _S52 : f32;
+    var _S53 : bool;
+    var _S54 : f32;
+    var _S55 : bool;
     var plane_2 : i32;
-    var _S51 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
+    var _S56 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
     for(;;)
     {
         for(;;)
         {
             for(;;)
             {
-                _S44 = ray_5.direction_1;
-                _S45 = ray_5.direction_1[u32(0)];
-                var _S52 : bool = (ray_5.direction_1[u32(0)]) == 0.0f;
-                _S46 = _S52;
-                if(_S52)
+                _S49 = ray_5.direction_1;
+                _S50 = ray_5.direction_1[u32(0)];
+                var _S57 : bool = (ray_5.direction_1[u32(0)]) == 0.0f;
+                _S51 = _S57;
+                if(_S57)
                 {
-                    first_0 = _S51;
+                    first_0 = _S56;
                     break;
                 }
                 var crossing_0 : Crossing_0 = crossing_of_0(ray_5, u32(0), exit_0[u32(0)]);
-                if((_S51.axis_0) == u32(3))
+                if((_S56.axis_0) == u32(3))
                 {
                     is_crossed_0 = true;
                 }
                 else
                 {
-                    is_crossed_0 = Crossing_is_before_0(crossing_0, _S51);
+                    is_crossed_0 = Crossing_is_before_0(crossing_0, _S56);
                 }
                 if(is_crossed_0)
                 {
@@ -746,7 +753,7 @@ fn leave_box_0( ray_5 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
                 }
                 else
                 {
-                    first_0 = _S51;
+                    first_0 = _S56;
                 }
                 break;
             }
@@ -756,10 +763,10 @@ fn leave_box_0( ray_5 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                _S47 = _S44[u32(1)];
-                var _S53 : bool = (_S44[u32(1)]) == 0.0f;
-                _S48 = _S53;
-                if(_S53)
+                _S52 = _S49[u32(1)];
+                var _S58 : bool = (_S49[u32(1)]) == 0.0f;
+                _S53 = _S58;
+                if(_S58)
                 {
                     break;
                 }
@@ -784,10 +791,10 @@ fn leave_box_0( ray_5 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                _S49 = _S44[u32(2)];
-                var _S54 : bool = (_S44[u32(2)]) == 0.0f;
-                _S50 = _S54;
-                if(_S54)
+                _S54 = _S49[u32(2)];
+                var _S59 : bool = (_S49[u32(2)]) == 0.0f;
+                _S55 = _S59;
+                if(_S59)
                 {
                     break;
                 }
@@ -817,12 +824,12 @@ fn leave_box_0( ray_5 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                if(_S46)
+                if(_S51)
                 {
                     break;
                 }
-                var _S55 : bool = u32(0) == (first_0.axis_0);
-                if(_S55)
+                var _S60 : bool = u32(0) == (first_0.axis_0);
+                if(_S60)
                 {
                     is_crossed_0 = true;
                 }
@@ -830,7 +837,7 @@ fn leave_box_0( ray_5 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
                 {
                     is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_5, u32(0), nearest_1[u32(0)]), first_0);
                 }
-                if(_S55)
+                if(_S60)
                 {
                     plane_2 = exit_0[u32(0)];
                 }
@@ -838,7 +845,7 @@ fn leave_box_0( ray_5 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
                 {
                     plane_2 = nearest_1[u32(0)];
                 }
-                arrival_0[u32(0)] = plane_2 - i32(is_crossed_0 == (_S45 < 0.0f));
+                arrival_0[u32(0)] = plane_2 - i32(is_crossed_0 == (_S50 < 0.0f));
                 break;
             }
             break;
@@ -847,12 +854,12 @@ fn leave_box_0( ray_5 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                if(_S48)
+                if(_S53)
                 {
                     break;
                 }
-                var _S56 : bool = u32(1) == (first_0.axis_0);
-                if(_S56)
+                var _S61 : bool = u32(1) == (first_0.axis_0);
+                if(_S61)
                 {
                     is_crossed_0 = true;
                 }
@@ -860,7 +867,7 @@ fn leave_box_0( ray_5 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
                 {
                     is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_5, u32(1), nearest_1[u32(1)]), first_0);
                 }
-                if(_S56)
+                if(_S61)
                 {
                     plane_2 = exit_0[u32(1)];
                 }
@@ -868,7 +875,7 @@ fn leave_box_0( ray_5 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
                 {
                     plane_2 = nearest_1[u32(1)];
                 }
-                arrival_0[u32(1)] = plane_2 - i32(is_crossed_0 == (_S47 < 0.0f));
+                arrival_0[u32(1)] = plane_2 - i32(is_crossed_0 == (_S52 < 0.0f));
                 break;
             }
             break;
@@ -877,12 +884,12 @@ fn leave_box_0( ray_5 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                if(_S50)
+                if(_S55)
                 {
                     break;
                 }
-                var _S57 : bool = u32(2) == (first_0.axis_0);
-                if(_S57)
+                var _S62 : bool = u32(2) == (first_0.axis_0);
+                if(_S62)
                 {
                     is_crossed_0 = true;
                 }
@@ -890,7 +897,7 @@ fn leave_box_0( ray_5 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
                 {
                     is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_5, u32(2), nearest_1[u32(2)]), first_0);
                 }
-                if(_S57)
+                if(_S62)
                 {
                     plane_2 = exit_0[u32(2)];
                 }
@@ -898,7 +905,7 @@ fn leave_box_0( ray_5 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
                 {
                     plane_2 = nearest_1[u32(2)];
                 }
-                arrival_0[u32(2)] = plane_2 - i32(is_crossed_0 == (_S49 < 0.0f));
+                arrival_0[u32(2)] = plane_2 - i32(is_crossed_0 == (_S54 < 0.0f));
                 break;
             }
             break;
@@ -945,9 +952,9 @@ fn Walk_enter_rounded_0( this_10 : Walk_0,  voxel_6 : ptr<function, vec3<i32>>, 
             return false;
         }
         var is_x_0 : bool = (t_3.x) == t_last_0;
-        var _S58 : bool = !is_x_0;
+        var _S63 : bool = !is_x_0;
         var is_y_0 : bool;
-        if(_S58)
+        if(_S63)
         {
             is_y_0 = (t_3.y) == t_last_0;
         }
@@ -955,16 +962,16 @@ fn Walk_enter_rounded_0( this_10 : Walk_0,  voxel_6 : ptr<function, vec3<i32>>, 
         {
             is_y_0 = false;
         }
-        var _S59 : bool;
-        if(_S58)
+        var _S64 : bool;
+        if(_S63)
         {
-            _S59 = !is_y_0;
+            _S64 = !is_y_0;
         }
         else
         {
-            _S59 = false;
+            _S64 = false;
         }
-        var is_axis_1 : vec3<bool> = vec3<bool>(is_x_0, is_y_0, _S59);
+        var is_axis_1 : vec3<bool> = vec3<bool>(is_x_0, is_y_0, _S64);
         (*voxel_6) = Walk_arrive_0(this_10, (*voxel_6), t_last_0, is_axis_1, select(vec3<i32>(i32(1073741823)), near_0, is_axis_1));
     }
     return (all(((*voxel_6) < far_0)));
@@ -991,8 +998,8 @@ fn Walk_leave_0( this_12 : Walk_0,  voxel_8 : ptr<function, vec3<i32>>,  exit_3 
 {
     if(!IS_EXACT_0)
     {
-        var _S60 : bool = Walk_leave_rounded_0(this_12, &((*voxel_8)), exit_3);
-        return _S60;
+        var _S65 : bool = Walk_leave_rounded_0(this_12, &((*voxel_8)), exit_3);
+        return _S65;
     }
     var t_5 : vec3<f32> = Walk_crossings_0(this_12, exit_3);
     var t_first_1 : f32 = min_element_0(t_5);
@@ -1001,9 +1008,9 @@ fn Walk_leave_0( this_12 : Walk_0,  voxel_8 : ptr<function, vec3<i32>>,  exit_3 
         return false;
     }
     var is_x_1 : bool = (t_5.x) == t_first_1;
-    var _S61 : bool = !is_x_1;
+    var _S66 : bool = !is_x_1;
     var is_y_1 : bool;
-    if(_S61)
+    if(_S66)
     {
         is_y_1 = (t_5.y) == t_first_1;
     }
@@ -1015,25 +1022,25 @@ fn Walk_leave_0( this_12 : Walk_0,  voxel_8 : ptr<function, vec3<i32>>,  exit_3 
     var nearest_3 : vec3<f32> = round(back_0);
     var from_nearest_2 : vec3<f32> = back_0 - nearest_3;
     var planes_2 : vec3<i32> = exit_3 - vec3<i32>(min(nearest_3, vec3<f32>(4.194304e+06f)));
-    var _S62 : vec3<i32> = planes_2 - vec3<i32>(from_nearest_2 > vec3<f32>(0.0f));
-    var _S63 : vec3<bool> = (abs(from_nearest_2)) <= (this_12.tolerance_0);
-    var _S64 : bool;
-    if(_S61)
+    var _S67 : vec3<i32> = planes_2 - vec3<i32>(from_nearest_2 > vec3<f32>(0.0f));
+    var _S68 : vec3<bool> = (abs(from_nearest_2)) <= (this_12.tolerance_0);
+    var _S69 : bool;
+    if(_S66)
     {
-        _S64 = !is_y_1;
+        _S69 = !is_y_1;
     }
     else
     {
-        _S64 = false;
+        _S69 = false;
     }
     var arrival_1 : vec3<i32>;
-    if((any((select(vec3<bool>(false), !vec3<bool>(is_x_1, is_y_1, _S64), _S63)))))
+    if((any((select(vec3<bool>(false), !vec3<bool>(is_x_1, is_y_1, _S69), _S68)))))
     {
         arrival_1 = Walk_mirrored_0(this_12, leave_box_0(this_12.ray_1, Walk_mirrored_0(this_12, (*voxel_8)) + this_12.grid_origin_0, Walk_mirrored_plane_0(this_12, exit_3) + this_12.grid_origin_0, Walk_mirrored_plane_0(this_12, planes_2) + this_12.grid_origin_0) - this_12.grid_origin_0);
     }
     else
     {
-        arrival_1 = _S62;
+        arrival_1 = _S67;
     }
     (*voxel_8) = select(max(arrival_1, (*voxel_8)), (*voxel_8), (this_12.speed_1) == vec3<f32>(0.0f));
     return true;
@@ -1041,44 +1048,44 @@ fn Walk_leave_0( this_12 : Walk_0,  voxel_8 : ptr<function, vec3<i32>>,  exit_3 
 
 fn Walk_enter_0( this_13 : Walk_0,  voxel_9 : ptr<function, vec3<i32>>,  low_4 : vec3<i32>,  high_2 : vec3<i32>) -> bool
 {
-    var _S65 : bool;
+    var _S70 : bool;
     var is_mirrored_0 : vec3<bool> = (this_13.mirror_0) != vec3<i32>(i32(0));
     var near_1 : vec3<i32> = select(low_4, (vec3<i32>(0) - high_2), is_mirrored_0);
     var far_1 : vec3<i32> = select(high_2, (vec3<i32>(0) - low_4), is_mirrored_0);
     if(!IS_EXACT_0)
     {
-        var _S66 : bool = Walk_enter_rounded_0(this_13, &((*voxel_9)), near_1, far_1);
-        return _S66;
+        var _S71 : bool = Walk_enter_rounded_0(this_13, &((*voxel_9)), near_1, far_1);
+        return _S71;
     }
     var axis_3 : u32 = u32(0);
     for(;;)
     {
         if(axis_3 < u32(3))
         {
-            _S65 = (any(((*voxel_9) < near_1)));
+            _S70 = (any(((*voxel_9) < near_1)));
         }
         else
         {
-            _S65 = false;
+            _S70 = false;
         }
-        var _S67 : bool;
-        if(_S65)
+        var _S72 : bool;
+        if(_S70)
         {
-            _S67 = (all(((*voxel_9) < far_1)));
+            _S72 = (all(((*voxel_9) < far_1)));
         }
         else
         {
-            _S67 = false;
+            _S72 = false;
         }
-        if(_S67)
+        if(_S72)
         {
         }
         else
         {
             break;
         }
-        var _S68 : bool = Walk_leave_0(this_13, &((*voxel_9)), select(far_1, near_1, (*voxel_9) < near_1));
-        if(!_S68)
+        var _S73 : bool = Walk_leave_0(this_13, &((*voxel_9)), select(far_1, near_1, (*voxel_9) < near_1));
+        if(!_S73)
         {
             return false;
         }
@@ -1086,13 +1093,13 @@ fn Walk_enter_0( this_13 : Walk_0,  voxel_9 : ptr<function, vec3<i32>>,  low_4 :
     }
     if((all(((*voxel_9) >= near_1))))
     {
-        _S65 = (all(((*voxel_9) < far_1)));
+        _S70 = (all(((*voxel_9) < far_1)));
     }
     else
     {
-        _S65 = false;
+        _S70 = false;
     }
-    return _S65;
+    return _S70;
 }
 
 fn LocalRay_octant_0( this_14 : LocalRay_0) -> u32
@@ -1105,9 +1112,9 @@ fn flip_of_0( octant_0 : u32) -> u32
     return ((((((octant_0 & (u32(1)))) | (((((octant_0 & (u32(2)))) << (u32(1))))))) | (((((octant_0 & (u32(4)))) << (u32(2))))))) * u32(3);
 }
 
-fn dot_cells_0( a_4 : vec3<i32>,  b_4 : vec3<i32>) -> i32
+fn dot_cells_0( a_3 : vec3<i32>,  b_3 : vec3<i32>) -> i32
 {
-    return a_4.x * b_4.x + a_4.y * b_4.y + a_4.z * b_4.z;
+    return a_3.x * b_3.x + a_3.y * b_3.y + a_3.z * b_3.z;
 }
 
 fn ahead_of_0( mirror_1 : vec3<i32>) -> u32
@@ -1142,16 +1149,16 @@ fn waits_for_pages_0() -> bool
 fn skip_distance_0( cell_1 : u32,  octant_1 : u32) -> u32
 {
     var code_0 : u32 = (((cell_1 >> ((u32(3) * octant_1)))) & (u32(7)));
-    var _S69 : u32;
+    var _S74 : u32;
     if(code_0 < u32(2))
     {
-        _S69 = code_0 + u32(1);
+        _S74 = code_0 + u32(1);
     }
     else
     {
-        _S69 = ((u32(3) + ((code_0 & (u32(1))))) << ((((code_0 >> (u32(1)))) - u32(1))));
+        _S74 = ((u32(3) + ((code_0 & (u32(1))))) << ((((code_0 >> (u32(1)))) - u32(1))));
     }
-    return _S69;
+    return _S74;
 }
 
 fn extents_0( cell_2 : u32,  ahead_0 : u32) -> vec3<i32>
@@ -1163,16 +1170,16 @@ fn extents_0( cell_2 : u32,  ahead_0 : u32) -> vec3<i32>
 
 fn record_of_cell_0( cell_3 : u32) -> u32
 {
-    var _S70 : u32;
+    var _S75 : u32;
     if(CELLS_HAVE_BLOCKS_0)
     {
-        _S70 = u32(8388607);
+        _S75 = u32(8388607);
     }
     else
     {
-        _S70 = u32(2147483647);
+        _S75 = u32(2147483647);
     }
-    return ((cell_3 & (_S70))) * u32(2);
+    return ((cell_3 & (_S75))) * u32(2);
 }
 
 fn blocks_of_cell_0( cell_4 : u32) -> u32
@@ -1208,16 +1215,16 @@ fn empty_around_0( record_1 : u32,  blocks_0 : u32,  voxel_10 : vec3<i32>,  octa
     {
         return u32(4294967295);
     }
-    var _S71 : i32;
+    var _S76 : i32;
     if(((((half_0 >> (((bit_0 & (u32(10))))))) & (u32(3342387)))) == u32(0))
     {
-        _S71 = i32(1);
+        _S76 = i32(1);
     }
     else
     {
-        _S71 = i32(0);
+        _S76 = i32(0);
     }
-    return u32(_S71);
+    return u32(_S76);
 }
 
 fn Walk_leave_rounded_1( this_15 : Walk_0,  voxel_11 : ptr<function, vec3<i32>>,  exit_4 : vec3<i32>) -> bool
@@ -1236,8 +1243,8 @@ fn Walk_leave_1( this_16 : Walk_0,  voxel_12 : ptr<function, vec3<i32>>,  exit_5
 {
     if(!IS_EXACT_0)
     {
-        var _S72 : bool = Walk_leave_rounded_1(this_16, &((*voxel_12)), exit_5);
-        return _S72;
+        var _S77 : bool = Walk_leave_rounded_1(this_16, &((*voxel_12)), exit_5);
+        return _S77;
     }
     var t_7 : vec3<f32> = Walk_crossings_0(this_16, exit_5);
     var t_first_3 : f32 = min_element_0(t_7);
@@ -1246,9 +1253,9 @@ fn Walk_leave_1( this_16 : Walk_0,  voxel_12 : ptr<function, vec3<i32>>,  exit_5
         return false;
     }
     var is_x_2 : bool = (t_7.x) == t_first_3;
-    var _S73 : bool = !is_x_2;
+    var _S78 : bool = !is_x_2;
     var is_y_2 : bool;
-    if(_S73)
+    if(_S78)
     {
         is_y_2 = (t_7.y) == t_first_3;
     }
@@ -1260,25 +1267,25 @@ fn Walk_leave_1( this_16 : Walk_0,  voxel_12 : ptr<function, vec3<i32>>,  exit_5
     var nearest_4 : vec3<f32> = round(back_1);
     var from_nearest_3 : vec3<f32> = back_1 - nearest_4;
     var planes_3 : vec3<i32> = exit_5 - vec3<i32>(min(nearest_4, vec3<f32>(4.194304e+06f)));
-    var _S74 : vec3<i32> = planes_3 - vec3<i32>(from_nearest_3 > vec3<f32>(0.0f));
-    var _S75 : vec3<bool> = (abs(from_nearest_3)) <= (this_16.tolerance_0);
-    var _S76 : bool;
-    if(_S73)
+    var _S79 : vec3<i32> = planes_3 - vec3<i32>(from_nearest_3 > vec3<f32>(0.0f));
+    var _S80 : vec3<bool> = (abs(from_nearest_3)) <= (this_16.tolerance_0);
+    var _S81 : bool;
+    if(_S78)
     {
-        _S76 = !is_y_2;
+        _S81 = !is_y_2;
     }
     else
     {
-        _S76 = false;
+        _S81 = false;
     }
     var arrival_2 : vec3<i32>;
-    if((any((select(vec3<bool>(false), !vec3<bool>(is_x_2, is_y_2, _S76), _S75)))))
+    if((any((select(vec3<bool>(false), !vec3<bool>(is_x_2, is_y_2, _S81), _S80)))))
     {
         arrival_2 = Walk_mirrored_0(this_16, leave_box_0(this_16.ray_1, Walk_mirrored_0(this_16, (*voxel_12)) + this_16.grid_origin_0, Walk_mirrored_plane_0(this_16, exit_5) + this_16.grid_origin_0, Walk_mirrored_plane_0(this_16, planes_3) + this_16.grid_origin_0) - this_16.grid_origin_0);
     }
     else
     {
-        arrival_2 = _S74;
+        arrival_2 = _S79;
     }
     (*voxel_12) = select(max(arrival_2, (*voxel_12)), (*voxel_12), (this_16.speed_1) == vec3<f32>(0.0f));
     return true;
@@ -1286,17 +1293,17 @@ fn Walk_leave_1( this_16 : Walk_0,  voxel_12 : ptr<function, vec3<i32>>,  exit_5
 
 fn first_voxel_0( grid_4 : PackedGrid_0,  walk_1 : Walk_0,  found_0 : ptr<function, vec3<i32>>) -> bool
 {
-    var _S77 : Walk_0 = walk_1;
-    var _S78 : vec3<i32> = vec3<i32>(i32(0));
-    (*found_0) = _S78;
+    var _S82 : Walk_0 = walk_1;
+    var _S83 : vec3<i32> = vec3<i32>(i32(0));
+    (*found_0) = _S83;
     var voxel_13 : vec3<i32> = Walk_start_voxel_0(walk_1);
-    var _S79 : bool = Walk_enter_0(walk_1, &(voxel_13), cell_of_0(grid_4.min_0) - _S77.grid_origin_0, cell_of_0(grid_4.max_0) - _S77.grid_origin_0);
-    if(!_S79)
+    var _S84 : bool = Walk_enter_0(walk_1, &(voxel_13), cell_of_0(grid_4.min_0) - _S82.grid_origin_0, cell_of_0(grid_4.max_0) - _S82.grid_origin_0);
+    if(!_S84)
     {
         return false;
     }
-    var octant_3 : u32 = LocalRay_octant_0(_S77.ray_1);
-    var _S80 : u32 = flip_of_0(octant_3);
+    var octant_3 : u32 = LocalRay_octant_0(_S82.ray_1);
+    var _S85 : u32 = flip_of_0(octant_3);
     var top_shift_2 : u32;
     if(TOP_SHIFT_0 != u32(0))
     {
@@ -1307,33 +1314,33 @@ fn first_voxel_0( grid_4 : PackedGrid_0,  walk_1 : Walk_0,  found_0 : ptr<functi
         top_shift_2 = grid_4.top_shift_0;
     }
     var top_size_1 : vec3<i32> = cell_of_0(grid_4.top_size_0);
-    var _S81 : i32 = top_size_1.x;
-    var stride_0 : vec3<i32> = vec3<i32>(i32(1), _S81, _S81 * top_size_1.y);
-    var _S82 : i32 = i32(grid_4.top_offset_0) - dot_cells_0((stride_0 & ((_S77.mirror_0))), vec3<i32>(i32(1)));
-    var _S83 : vec3<i32> = Walk_mirrored_plane_0(_S77, stride_0);
-    var _S84 : u32 = ahead_of_0(_S77.mirror_0);
-    var end_0 : vec3<i32> = select((top_size_1 << (vec3<u32>(top_shift_2))), _S78, (_S77.mirror_0) != _S78);
+    var _S86 : i32 = top_size_1.x;
+    var stride_0 : vec3<i32> = vec3<i32>(i32(1), _S86, _S86 * top_size_1.y);
+    var _S87 : i32 = i32(grid_4.top_offset_0) - dot_cells_0((stride_0 & ((_S82.mirror_0))), vec3<i32>(i32(1)));
+    var _S88 : vec3<i32> = Walk_mirrored_plane_0(_S82, stride_0);
+    var _S89 : u32 = ahead_of_0(_S82.mirror_0);
+    var end_0 : vec3<i32> = select((top_size_1 << (vec3<u32>(top_shift_2))), _S83, (_S82.mirror_0) != _S83);
     if(!IS_EXACT_0)
     {
-        _S77.t_end_0 = min(_S77.t_end_0, min_element_0(Walk_crossings_0(_S77, end_0)));
+        _S82.t_end_0 = min(_S82.t_end_0, min_element_0(Walk_crossings_0(_S82, end_0)));
     }
     var is_found_0 : bool = false;
     for(;;)
     {
-        var _S85 : bool;
+        var _S90 : bool;
         if(IS_EXACT_0)
         {
-            _S85 = (any((voxel_13 >= end_0)));
+            _S90 = (any((voxel_13 >= end_0)));
         }
         else
         {
-            _S85 = false;
+            _S90 = false;
         }
-        if(_S85)
+        if(_S90)
         {
             break;
         }
-        var cell_5 : u32 = cell_word_0(u32(_S82 + dot_cells_0(_S83, (voxel_13 >> (vec3<u32>(top_shift_2))))));
+        var cell_5 : u32 = cell_word_0(u32(_S87 + dot_cells_0(_S88, (voxel_13 >> (vec3<u32>(top_shift_2))))));
         var cell_6 : u32;
         var shift_1 : u32;
         var is_found_1 : bool;
@@ -1341,7 +1348,7 @@ fn first_voxel_0( grid_4 : PackedGrid_0,  walk_1 : Walk_0,  found_0 : ptr<functi
         {
             if(((cell_5 & (u32(2147483648)))) != u32(0))
             {
-                cell_6 = cell_word_0(((cell_5 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_13, u32(3))) ^ (_S80))));
+                cell_6 = cell_word_0(((cell_5 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_13, u32(3))) ^ (_S85))));
                 shift_1 = u32(3);
             }
             else
@@ -1364,16 +1371,16 @@ fn first_voxel_0( grid_4 : PackedGrid_0,  walk_1 : Walk_0,  found_0 : ptr<functi
                 {
                     is_found_1 = false;
                 }
-                var _S86 : bool;
+                var _S91 : bool;
                 if(is_found_1)
                 {
-                    _S86 = ((cell_6 & (u32(2147483648)))) != u32(0);
+                    _S91 = ((cell_6 & (u32(2147483648)))) != u32(0);
                 }
                 else
                 {
-                    _S86 = false;
+                    _S91 = false;
                 }
-                if(_S86)
+                if(_S91)
                 {
                 }
                 else
@@ -1381,7 +1388,7 @@ fn first_voxel_0( grid_4 : PackedGrid_0,  walk_1 : Walk_0,  found_0 : ptr<functi
                     break;
                 }
                 var shift_2 : u32 = shift_1 - u32(2);
-                cell_6 = cell_word_0(((cell_6 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_13, shift_2)) ^ (_S80))));
+                cell_6 = cell_word_0(((cell_6 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_13, shift_2)) ^ (_S85))));
                 shift_1 = shift_2;
             }
         }
@@ -1398,7 +1405,7 @@ fn first_voxel_0( grid_4 : PackedGrid_0,  walk_1 : Walk_0,  found_0 : ptr<functi
             }
             else
             {
-                exit_6 = extents_0(cell_6, _S84);
+                exit_6 = extents_0(cell_6, _S89);
             }
             exit_6 = ((voxel_13 | (vec3<i32>((((i32(1) << (shift_1))) - i32(1)))))) + vec3<i32>(i32(1)) + ((exit_6 << (vec3<u32>(shift_1))));
             is_found_1 = is_found_0;
@@ -1415,7 +1422,7 @@ fn first_voxel_0( grid_4 : PackedGrid_0,  walk_1 : Walk_0,  found_0 : ptr<functi
             {
                 blocks_1 = blocks_of_record_0(record_2);
             }
-            var low_bits_0 : u32 = empty_around_0(record_2, blocks_1, voxel_13, octant_3, _S80);
+            var low_bits_0 : u32 = empty_around_0(record_2, blocks_1, voxel_13, octant_3, _S85);
             var is_found_2 : bool = low_bits_0 == u32(4294967295);
             if(is_found_2)
             {
@@ -1425,26 +1432,26 @@ fn first_voxel_0( grid_4 : PackedGrid_0,  walk_1 : Walk_0,  found_0 : ptr<functi
             exit_6 = ((voxel_13 | (vec3<i32>(i32(low_bits_0))))) + vec3<i32>(i32(1));
             is_found_1 = is_found_2;
         }
-        var _S87 : bool = Walk_leave_1(_S77, &(voxel_13), exit_6);
-        if(!_S87)
+        var _S92 : bool = Walk_leave_1(_S82, &(voxel_13), exit_6);
+        if(!_S92)
         {
             is_found_0 = is_found_1;
             break;
         }
         is_found_0 = is_found_1;
     }
-    (*found_0) = Walk_mirrored_0(_S77, voxel_13) + _S77.grid_origin_0;
+    (*found_0) = Walk_mirrored_0(_S82, voxel_13) + _S82.grid_origin_0;
     return is_found_0;
 }
 
 fn Ray_x24init_0( origin_6 : vec3<f32>,  t_min_2 : f32,  direction_3 : vec3<f32>,  t_max_2 : f32) -> Ray_0
 {
-    var _S88 : Ray_0;
-    _S88.origin_0 = origin_6;
-    _S88.t_min_0 = t_min_2;
-    _S88.direction_0 = direction_3;
-    _S88.t_max_0 = t_max_2;
-    return _S88;
+    var _S93 : Ray_0;
+    _S93.origin_0 = origin_6;
+    _S93.t_min_0 = t_min_2;
+    _S93.direction_0 = direction_3;
+    _S93.t_max_0 = t_max_2;
+    return _S93;
 }
 
 fn ray_of_walk_0( walk_2 : Walk_0,  ray_6 : Ray_0) -> Ray_0
@@ -1455,38 +1462,38 @@ fn ray_of_walk_0( walk_2 : Walk_0,  ray_6 : Ray_0) -> Ray_0
 
 fn hit_of_0( ray_7 : LocalRay_0,  voxel_14 : vec3<i32>,  instance_2 : u32) -> Hit_0
 {
-    var _S89 : vec3<f32>;
-    var _S90 : bool;
-    var last_1 : Crossing_0;
-    var _S91 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
+    var _S94 : vec3<f32>;
+    var _S95 : bool;
+    var last_0 : Crossing_0;
+    var _S96 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
     for(;;)
     {
         for(;;)
         {
             for(;;)
             {
-                _S89 = ray_7.direction_1;
+                _S94 = ray_7.direction_1;
                 if((ray_7.direction_1[u32(0)]) == 0.0f)
                 {
-                    last_1 = _S91;
+                    last_0 = _S96;
                     break;
                 }
                 var crossing_3 : Crossing_0 = crossing_of_0(ray_7, u32(0), voxel_14[u32(0)] + i32((ray_7.direction_1[u32(0)]) < 0.0f));
-                if((_S91.axis_0) == u32(3))
+                if((_S96.axis_0) == u32(3))
                 {
-                    _S90 = true;
+                    _S95 = true;
                 }
                 else
                 {
-                    _S90 = !Crossing_is_before_0(crossing_3, _S91);
+                    _S95 = !Crossing_is_before_0(crossing_3, _S96);
                 }
-                if(_S90)
+                if(_S95)
                 {
-                    last_1 = crossing_3;
+                    last_0 = crossing_3;
                 }
                 else
                 {
-                    last_1 = _S91;
+                    last_0 = _S96;
                 }
                 break;
             }
@@ -1496,23 +1503,23 @@ fn hit_of_0( ray_7 : LocalRay_0,  voxel_14 : vec3<i32>,  instance_2 : u32) -> Hi
         {
             for(;;)
             {
-                var _S92 : vec3<f32> = _S89;
-                if((_S89[u32(1)]) == 0.0f)
+                var _S97 : vec3<f32> = _S94;
+                if((_S94[u32(1)]) == 0.0f)
                 {
                     break;
                 }
-                var crossing_4 : Crossing_0 = crossing_of_0(ray_7, u32(1), voxel_14[u32(1)] + i32((_S92[u32(1)]) < 0.0f));
-                if((last_1.axis_0) == u32(3))
+                var crossing_4 : Crossing_0 = crossing_of_0(ray_7, u32(1), voxel_14[u32(1)] + i32((_S97[u32(1)]) < 0.0f));
+                if((last_0.axis_0) == u32(3))
                 {
-                    _S90 = true;
+                    _S95 = true;
                 }
                 else
                 {
-                    _S90 = !Crossing_is_before_0(crossing_4, last_1);
+                    _S95 = !Crossing_is_before_0(crossing_4, last_0);
                 }
-                if(_S90)
+                if(_S95)
                 {
-                    last_1 = crossing_4;
+                    last_0 = crossing_4;
                 }
                 break;
             }
@@ -1522,23 +1529,23 @@ fn hit_of_0( ray_7 : LocalRay_0,  voxel_14 : vec3<i32>,  instance_2 : u32) -> Hi
         {
             for(;;)
             {
-                var _S93 : vec3<f32> = _S89;
-                if((_S89[u32(2)]) == 0.0f)
+                var _S98 : vec3<f32> = _S94;
+                if((_S94[u32(2)]) == 0.0f)
                 {
                     break;
                 }
-                var crossing_5 : Crossing_0 = crossing_of_0(ray_7, u32(2), voxel_14[u32(2)] + i32((_S93[u32(2)]) < 0.0f));
-                if((last_1.axis_0) == u32(3))
+                var crossing_5 : Crossing_0 = crossing_of_0(ray_7, u32(2), voxel_14[u32(2)] + i32((_S98[u32(2)]) < 0.0f));
+                if((last_0.axis_0) == u32(3))
                 {
-                    _S90 = true;
+                    _S95 = true;
                 }
                 else
                 {
-                    _S90 = !Crossing_is_before_0(crossing_5, last_1);
+                    _S95 = !Crossing_is_before_0(crossing_5, last_0);
                 }
-                if(_S90)
+                if(_S95)
                 {
-                    last_1 = crossing_5;
+                    last_0 = crossing_5;
                 }
                 break;
             }
@@ -1546,43 +1553,43 @@ fn hit_of_0( ray_7 : LocalRay_0,  voxel_14 : vec3<i32>,  instance_2 : u32) -> Hi
         }
         break;
     }
-    var _S94 : Crossing_0 = last_1;
-    var is_negative_1 : bool = (_S89[last_1.axis_0]) < 0.0f;
-    var t_8 : f32 = (f32(voxel_14[last_1.axis_0] + i32(is_negative_1)) - ray_7.origin_1[last_1.axis_0]) * ray_7.inverse_0[last_1.axis_0];
-    var _S95 : f32;
+    var _S99 : Crossing_0 = last_0;
+    var is_negative_1 : bool = (_S94[last_0.axis_0]) < 0.0f;
+    var t_8 : f32 = (f32(voxel_14[last_0.axis_0] + i32(is_negative_1)) - ray_7.origin_1[last_0.axis_0]) * ray_7.inverse_0[last_0.axis_0];
+    var _S100 : f32;
     if(t_8 > (ray_7.t_min_1))
     {
-        _S95 = t_8;
+        _S100 = t_8;
     }
     else
     {
-        _S95 = ray_7.t_min_1;
+        _S100 = ray_7.t_min_1;
     }
-    return Hit_x24init_0(_S95, instance_2, voxel_14, u32(2) * _S94.axis_0 + u32(is_negative_1));
+    return Hit_x24init_0(_S100, instance_2, voxel_14, u32(2) * _S99.axis_0 + u32(is_negative_1));
 }
 
 fn hit_of_walk_0( walk_3 : Walk_0,  voxel_15 : vec3<i32>,  instance_3 : u32) -> Hit_0
 {
     var t_9 : vec3<f32> = Walk_crossings_0(walk_3, Walk_mirrored_0(walk_3, voxel_15 - walk_3.grid_origin_0));
-    var last_2 : f32 = max_element_0(t_9);
-    var _S96 : i32;
-    if((t_9.z) == last_2)
+    var last_1 : f32 = max_element_0(t_9);
+    var _S101 : i32;
+    if((t_9.z) == last_1)
     {
-        _S96 = i32(2);
+        _S101 = i32(2);
     }
     else
     {
-        if((t_9.y) == last_2)
+        if((t_9.y) == last_1)
         {
-            _S96 = i32(1);
+            _S101 = i32(1);
         }
         else
         {
-            _S96 = i32(0);
+            _S101 = i32(0);
         }
     }
-    var axis_4 : u32 = u32(_S96);
-    return Hit_x24init_0(max(last_2, walk_3.ray_1.t_min_1), instance_3, voxel_15, u32(2) * axis_4 + u32((walk_3.mirror_0[axis_4]) != i32(0)));
+    var axis_4 : u32 = u32(_S101);
+    return Hit_x24init_0(max(last_1, walk_3.ray_1.t_min_1), instance_3, voxel_15, u32(2) * axis_4 + u32((walk_3.mirror_0[axis_4]) != i32(0)));
 }
 
 fn hit_in_0( instance_4 : u32,  ray_8 : ptr<function, Ray_0>) -> Hit_0
@@ -1592,20 +1599,20 @@ fn hit_in_0( instance_4 : u32,  ray_8 : ptr<function, Ray_0>) -> Hit_0
     {
         return miss_0();
     }
-    var _S97 : PackedGrid_0 = Grids_operatorx5Bx5D_get_0(Instances_operatorx5Bx5D_get_0(instance_4).grid_0);
-    var walk_4 : Walk_0 = walk_of_0(local_1, _S97);
+    var _S102 : PackedGrid_0 = Grids_operatorx5Bx5D_get_0(Instances_operatorx5Bx5D_get_0(instance_4).grid_0);
+    var walk_4 : Walk_0 = walk_of_0(local_1, _S102);
     var voxel_16 : vec3<i32>;
-    var is_found_3 : bool = first_voxel_0(_S97, walk_4, &(voxel_16));
-    var _S98 : bool;
+    var is_found_3 : bool = first_voxel_0(_S102, walk_4, &(voxel_16));
+    var _S103 : bool;
     if(IS_SINGLE_0)
     {
-        _S98 = !IS_EXACT_0;
+        _S103 = !IS_EXACT_0;
     }
     else
     {
-        _S98 = false;
+        _S103 = false;
     }
-    if(_S98)
+    if(_S103)
     {
         (*ray_8) = ray_of_walk_0(walk_4, (*ray_8));
     }
@@ -1649,9 +1656,9 @@ fn Walk_enter_rounded_1( this_17 : Walk_0,  voxel_17 : ptr<function, vec3<i32>>,
             return false;
         }
         var is_x_3 : bool = (t_10.x) == t_last_1;
-        var _S99 : bool = !is_x_3;
+        var _S104 : bool = !is_x_3;
         var is_y_3 : bool;
-        if(_S99)
+        if(_S104)
         {
             is_y_3 = (t_10.y) == t_last_1;
         }
@@ -1659,16 +1666,16 @@ fn Walk_enter_rounded_1( this_17 : Walk_0,  voxel_17 : ptr<function, vec3<i32>>,
         {
             is_y_3 = false;
         }
-        var _S100 : bool;
-        if(_S99)
+        var _S105 : bool;
+        if(_S104)
         {
-            _S100 = !is_y_3;
+            _S105 = !is_y_3;
         }
         else
         {
-            _S100 = false;
+            _S105 = false;
         }
-        var is_axis_2 : vec3<bool> = vec3<bool>(is_x_3, is_y_3, _S100);
+        var is_axis_2 : vec3<bool> = vec3<bool>(is_x_3, is_y_3, _S105);
         (*voxel_17) = Walk_arrive_0(this_17, (*voxel_17), t_last_1, is_axis_2, select(vec3<i32>(i32(1073741823)), near_2, is_axis_2));
     }
     return (all(((*voxel_17) < far_2)));
@@ -1678,8 +1685,8 @@ fn Walk_leave_2( this_18 : Walk_0,  voxel_18 : ptr<function, vec3<i32>>,  exit_7
 {
     if(!IS_EXACT_0)
     {
-        var _S101 : bool = Walk_leave_rounded_0(this_18, &((*voxel_18)), exit_7);
-        return _S101;
+        var _S106 : bool = Walk_leave_rounded_0(this_18, &((*voxel_18)), exit_7);
+        return _S106;
     }
     var t_11 : vec3<f32> = Walk_crossings_0(this_18, exit_7);
     var t_first_4 : f32 = min_element_0(t_11);
@@ -1688,9 +1695,9 @@ fn Walk_leave_2( this_18 : Walk_0,  voxel_18 : ptr<function, vec3<i32>>,  exit_7
         return false;
     }
     var is_x_4 : bool = (t_11.x) == t_first_4;
-    var _S102 : bool = !is_x_4;
+    var _S107 : bool = !is_x_4;
     var is_y_4 : bool;
-    if(_S102)
+    if(_S107)
     {
         is_y_4 = (t_11.y) == t_first_4;
     }
@@ -1702,25 +1709,25 @@ fn Walk_leave_2( this_18 : Walk_0,  voxel_18 : ptr<function, vec3<i32>>,  exit_7
     var nearest_5 : vec3<f32> = round(back_2);
     var from_nearest_4 : vec3<f32> = back_2 - nearest_5;
     var planes_4 : vec3<i32> = exit_7 - vec3<i32>(min(nearest_5, vec3<f32>(4.194304e+06f)));
-    var _S103 : vec3<i32> = planes_4 - vec3<i32>(from_nearest_4 > vec3<f32>(0.0f));
-    var _S104 : vec3<bool> = (abs(from_nearest_4)) <= (this_18.tolerance_0);
-    var _S105 : bool;
-    if(_S102)
+    var _S108 : vec3<i32> = planes_4 - vec3<i32>(from_nearest_4 > vec3<f32>(0.0f));
+    var _S109 : vec3<bool> = (abs(from_nearest_4)) <= (this_18.tolerance_0);
+    var _S110 : bool;
+    if(_S107)
     {
-        _S105 = !is_y_4;
+        _S110 = !is_y_4;
     }
     else
     {
-        _S105 = false;
+        _S110 = false;
     }
     var arrival_3 : vec3<i32>;
-    if((any((select(vec3<bool>(false), !vec3<bool>(is_x_4, is_y_4, _S105), _S104)))))
+    if((any((select(vec3<bool>(false), !vec3<bool>(is_x_4, is_y_4, _S110), _S109)))))
     {
         arrival_3 = Walk_mirrored_0(this_18, leave_box_0(this_18.ray_1, Walk_mirrored_0(this_18, (*voxel_18)) + this_18.grid_origin_0, Walk_mirrored_plane_0(this_18, exit_7) + this_18.grid_origin_0, Walk_mirrored_plane_0(this_18, planes_4) + this_18.grid_origin_0) - this_18.grid_origin_0);
     }
     else
     {
-        arrival_3 = _S103;
+        arrival_3 = _S108;
     }
     (*voxel_18) = select(max(arrival_3, (*voxel_18)), (*voxel_18), (this_18.speed_1) == vec3<f32>(0.0f));
     return true;
@@ -1728,44 +1735,44 @@ fn Walk_leave_2( this_18 : Walk_0,  voxel_18 : ptr<function, vec3<i32>>,  exit_7
 
 fn Walk_enter_1( this_19 : Walk_0,  voxel_19 : ptr<function, vec3<i32>>,  low_5 : vec3<i32>,  high_3 : vec3<i32>) -> bool
 {
-    var _S106 : bool;
+    var _S111 : bool;
     var is_mirrored_2 : vec3<bool> = (this_19.mirror_0) != vec3<i32>(i32(0));
     var near_3 : vec3<i32> = select(low_5, (vec3<i32>(0) - high_3), is_mirrored_2);
     var far_3 : vec3<i32> = select(high_3, (vec3<i32>(0) - low_5), is_mirrored_2);
     if(!IS_EXACT_0)
     {
-        var _S107 : bool = Walk_enter_rounded_1(this_19, &((*voxel_19)), near_3, far_3);
-        return _S107;
+        var _S112 : bool = Walk_enter_rounded_1(this_19, &((*voxel_19)), near_3, far_3);
+        return _S112;
     }
     var axis_5 : u32 = u32(0);
     for(;;)
     {
         if(axis_5 < u32(3))
         {
-            _S106 = (any(((*voxel_19) < near_3)));
+            _S111 = (any(((*voxel_19) < near_3)));
         }
         else
         {
-            _S106 = false;
+            _S111 = false;
         }
-        var _S108 : bool;
-        if(_S106)
+        var _S113 : bool;
+        if(_S111)
         {
-            _S108 = (all(((*voxel_19) < far_3)));
+            _S113 = (all(((*voxel_19) < far_3)));
         }
         else
         {
-            _S108 = false;
+            _S113 = false;
         }
-        if(_S108)
+        if(_S113)
         {
         }
         else
         {
             break;
         }
-        var _S109 : bool = Walk_leave_2(this_19, &((*voxel_19)), select(far_3, near_3, (*voxel_19) < near_3));
-        if(!_S109)
+        var _S114 : bool = Walk_leave_2(this_19, &((*voxel_19)), select(far_3, near_3, (*voxel_19) < near_3));
+        if(!_S114)
         {
             return false;
         }
@@ -1773,28 +1780,28 @@ fn Walk_enter_1( this_19 : Walk_0,  voxel_19 : ptr<function, vec3<i32>>,  low_5 
     }
     if((all(((*voxel_19) >= near_3))))
     {
-        _S106 = (all(((*voxel_19) < far_3)));
+        _S111 = (all(((*voxel_19) < far_3)));
     }
     else
     {
-        _S106 = false;
+        _S111 = false;
     }
-    return _S106;
+    return _S111;
 }
 
 fn first_voxel_1( grid_5 : PackedGrid_0,  walk_5 : Walk_0,  found_1 : ptr<function, vec3<i32>>) -> bool
 {
-    var _S110 : Walk_0 = walk_5;
-    var _S111 : vec3<i32> = vec3<i32>(i32(0));
-    (*found_1) = _S111;
+    var _S115 : Walk_0 = walk_5;
+    var _S116 : vec3<i32> = vec3<i32>(i32(0));
+    (*found_1) = _S116;
     var voxel_20 : vec3<i32> = Walk_start_voxel_0(walk_5);
-    var _S112 : bool = Walk_enter_1(walk_5, &(voxel_20), cell_of_0(grid_5.min_0) - _S110.grid_origin_0, cell_of_0(grid_5.max_0) - _S110.grid_origin_0);
-    if(!_S112)
+    var _S117 : bool = Walk_enter_1(walk_5, &(voxel_20), cell_of_0(grid_5.min_0) - _S115.grid_origin_0, cell_of_0(grid_5.max_0) - _S115.grid_origin_0);
+    if(!_S117)
     {
         return false;
     }
-    var octant_4 : u32 = LocalRay_octant_0(_S110.ray_1);
-    var _S113 : u32 = flip_of_0(octant_4);
+    var octant_4 : u32 = LocalRay_octant_0(_S115.ray_1);
+    var _S118 : u32 = flip_of_0(octant_4);
     var top_shift_3 : u32;
     if(TOP_SHIFT_0 != u32(0))
     {
@@ -1805,33 +1812,33 @@ fn first_voxel_1( grid_5 : PackedGrid_0,  walk_5 : Walk_0,  found_1 : ptr<functi
         top_shift_3 = grid_5.top_shift_0;
     }
     var top_size_2 : vec3<i32> = cell_of_0(grid_5.top_size_0);
-    var _S114 : i32 = top_size_2.x;
-    var stride_1 : vec3<i32> = vec3<i32>(i32(1), _S114, _S114 * top_size_2.y);
-    var _S115 : i32 = i32(grid_5.top_offset_0) - dot_cells_0((stride_1 & ((_S110.mirror_0))), vec3<i32>(i32(1)));
-    var _S116 : vec3<i32> = Walk_mirrored_plane_0(_S110, stride_1);
-    var _S117 : u32 = ahead_of_0(_S110.mirror_0);
-    var end_1 : vec3<i32> = select((top_size_2 << (vec3<u32>(top_shift_3))), _S111, (_S110.mirror_0) != _S111);
+    var _S119 : i32 = top_size_2.x;
+    var stride_1 : vec3<i32> = vec3<i32>(i32(1), _S119, _S119 * top_size_2.y);
+    var _S120 : i32 = i32(grid_5.top_offset_0) - dot_cells_0((stride_1 & ((_S115.mirror_0))), vec3<i32>(i32(1)));
+    var _S121 : vec3<i32> = Walk_mirrored_plane_0(_S115, stride_1);
+    var _S122 : u32 = ahead_of_0(_S115.mirror_0);
+    var end_1 : vec3<i32> = select((top_size_2 << (vec3<u32>(top_shift_3))), _S116, (_S115.mirror_0) != _S116);
     if(!IS_EXACT_0)
     {
-        _S110.t_end_0 = min(_S110.t_end_0, min_element_0(Walk_crossings_0(_S110, end_1)));
+        _S115.t_end_0 = min(_S115.t_end_0, min_element_0(Walk_crossings_0(_S115, end_1)));
     }
     var is_found_4 : bool = false;
     for(;;)
     {
-        var _S118 : bool;
+        var _S123 : bool;
         if(IS_EXACT_0)
         {
-            _S118 = (any((voxel_20 >= end_1)));
+            _S123 = (any((voxel_20 >= end_1)));
         }
         else
         {
-            _S118 = false;
+            _S123 = false;
         }
-        if(_S118)
+        if(_S123)
         {
             break;
         }
-        var cell_7 : u32 = cell_word_0(u32(_S115 + dot_cells_0(_S116, (voxel_20 >> (vec3<u32>(top_shift_3))))));
+        var cell_7 : u32 = cell_word_0(u32(_S120 + dot_cells_0(_S121, (voxel_20 >> (vec3<u32>(top_shift_3))))));
         var cell_8 : u32;
         var shift_3 : u32;
         var is_found_5 : bool;
@@ -1839,7 +1846,7 @@ fn first_voxel_1( grid_5 : PackedGrid_0,  walk_5 : Walk_0,  found_1 : ptr<functi
         {
             if(((cell_7 & (u32(2147483648)))) != u32(0))
             {
-                cell_8 = cell_word_0(((cell_7 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_20, u32(3))) ^ (_S113))));
+                cell_8 = cell_word_0(((cell_7 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_20, u32(3))) ^ (_S118))));
                 shift_3 = u32(3);
             }
             else
@@ -1862,16 +1869,16 @@ fn first_voxel_1( grid_5 : PackedGrid_0,  walk_5 : Walk_0,  found_1 : ptr<functi
                 {
                     is_found_5 = false;
                 }
-                var _S119 : bool;
+                var _S124 : bool;
                 if(is_found_5)
                 {
-                    _S119 = ((cell_8 & (u32(2147483648)))) != u32(0);
+                    _S124 = ((cell_8 & (u32(2147483648)))) != u32(0);
                 }
                 else
                 {
-                    _S119 = false;
+                    _S124 = false;
                 }
-                if(_S119)
+                if(_S124)
                 {
                 }
                 else
@@ -1879,7 +1886,7 @@ fn first_voxel_1( grid_5 : PackedGrid_0,  walk_5 : Walk_0,  found_1 : ptr<functi
                     break;
                 }
                 var shift_4 : u32 = shift_3 - u32(2);
-                cell_8 = cell_word_0(((cell_8 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_20, shift_4)) ^ (_S113))));
+                cell_8 = cell_word_0(((cell_8 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_20, shift_4)) ^ (_S118))));
                 shift_3 = shift_4;
             }
         }
@@ -1896,7 +1903,7 @@ fn first_voxel_1( grid_5 : PackedGrid_0,  walk_5 : Walk_0,  found_1 : ptr<functi
             }
             else
             {
-                exit_8 = extents_0(cell_8, _S117);
+                exit_8 = extents_0(cell_8, _S122);
             }
             exit_8 = ((voxel_20 | (vec3<i32>((((i32(1) << (shift_3))) - i32(1)))))) + vec3<i32>(i32(1)) + ((exit_8 << (vec3<u32>(shift_3))));
             is_found_5 = is_found_4;
@@ -1913,7 +1920,7 @@ fn first_voxel_1( grid_5 : PackedGrid_0,  walk_5 : Walk_0,  found_1 : ptr<functi
             {
                 blocks_2 = blocks_of_record_0(record_3);
             }
-            var low_bits_1 : u32 = empty_around_0(record_3, blocks_2, voxel_20, octant_4, _S113);
+            var low_bits_1 : u32 = empty_around_0(record_3, blocks_2, voxel_20, octant_4, _S118);
             var is_found_6 : bool = low_bits_1 == u32(4294967295);
             if(is_found_6)
             {
@@ -1923,15 +1930,15 @@ fn first_voxel_1( grid_5 : PackedGrid_0,  walk_5 : Walk_0,  found_1 : ptr<functi
             exit_8 = ((voxel_20 | (vec3<i32>(i32(low_bits_1))))) + vec3<i32>(i32(1));
             is_found_5 = is_found_6;
         }
-        var _S120 : bool = Walk_leave_0(_S110, &(voxel_20), exit_8);
-        if(!_S120)
+        var _S125 : bool = Walk_leave_0(_S115, &(voxel_20), exit_8);
+        if(!_S125)
         {
             is_found_4 = is_found_5;
             break;
         }
         is_found_4 = is_found_5;
     }
-    (*found_1) = Walk_mirrored_0(_S110, voxel_20) + _S110.grid_origin_0;
+    (*found_1) = Walk_mirrored_0(_S115, voxel_20) + _S115.grid_origin_0;
     return is_found_4;
 }
 
@@ -1942,20 +1949,20 @@ fn hit_in_1( instance_5 : u32,  ray_9 : ptr<function, Ray_0>) -> Hit_0
     {
         return miss_0();
     }
-    var _S121 : PackedGrid_0 = Grids_operatorx5Bx5D_get_0(Instances_operatorx5Bx5D_get_0(instance_5).grid_0);
-    var walk_6 : Walk_0 = walk_of_0(local_2, _S121);
+    var _S126 : PackedGrid_0 = Grids_operatorx5Bx5D_get_0(Instances_operatorx5Bx5D_get_0(instance_5).grid_0);
+    var walk_6 : Walk_0 = walk_of_0(local_2, _S126);
     var voxel_21 : vec3<i32>;
-    var is_found_7 : bool = first_voxel_1(_S121, walk_6, &(voxel_21));
-    var _S122 : bool;
+    var is_found_7 : bool = first_voxel_1(_S126, walk_6, &(voxel_21));
+    var _S127 : bool;
     if(IS_SINGLE_0)
     {
-        _S122 = !IS_EXACT_0;
+        _S127 = !IS_EXACT_0;
     }
     else
     {
-        _S122 = false;
+        _S127 = false;
     }
-    if(_S122)
+    if(_S127)
     {
         (*ray_9) = ray_of_walk_0(walk_6, (*ray_9));
     }
@@ -2064,11 +2071,11 @@ struct NextRays_0
 
 fn Inside_x24init_0( instance_8 : u32,  voxel_23 : vec3<i32>,  material_1 : u32) -> Inside_0
 {
-    var _S123 : Inside_0;
-    _S123.instance_6 = instance_8;
-    _S123.voxel_22 = voxel_23;
-    _S123.material_0 = material_1;
-    return _S123;
+    var _S128 : Inside_0;
+    _S128.instance_6 = instance_8;
+    _S128.voxel_22 = voxel_23;
+    _S128.material_0 = material_1;
+    return _S128;
 }
 
 fn in_air_0() -> Inside_0
@@ -2078,25 +2085,25 @@ fn in_air_0() -> Inside_0
 
 fn NextRays_x24init_0( origin_8 : vec3<f32>,  path_origin_2 : vec3<f32>,  shadow_inside_2 : Inside_0,  relocates_2 : bool,  path_relocates_2 : bool,  direction_6 : vec3<f32>,  has_shadow_ray_1 : bool,  shadow_direction_1 : vec3<f32>,  shadow_t_max_1 : f32,  light_3 : vec3<f32>,  is_same_1 : bool) -> NextRays_0
 {
-    var _S124 : NextRays_0;
-    _S124.origin_7 = origin_8;
-    _S124.path_origin_1 = path_origin_2;
-    _S124.shadow_inside_1 = shadow_inside_2;
-    _S124.relocates_1 = relocates_2;
-    _S124.path_relocates_1 = path_relocates_2;
-    _S124.direction_5 = direction_6;
-    _S124.has_shadow_ray_0 = has_shadow_ray_1;
-    _S124.shadow_direction_0 = shadow_direction_1;
-    _S124.shadow_t_max_0 = shadow_t_max_1;
-    _S124.light_2 = light_3;
-    _S124.is_same_0 = is_same_1;
-    return _S124;
+    var _S129 : NextRays_0;
+    _S129.origin_7 = origin_8;
+    _S129.path_origin_1 = path_origin_2;
+    _S129.shadow_inside_1 = shadow_inside_2;
+    _S129.relocates_1 = relocates_2;
+    _S129.path_relocates_1 = path_relocates_2;
+    _S129.direction_5 = direction_6;
+    _S129.has_shadow_ray_0 = has_shadow_ray_1;
+    _S129.shadow_direction_0 = shadow_direction_1;
+    _S129.shadow_t_max_0 = shadow_t_max_1;
+    _S129.light_2 = light_3;
+    _S129.is_same_0 = is_same_1;
+    return _S129;
 }
 
 fn no_rays_0() -> NextRays_0
 {
-    var _S125 : vec3<f32> = vec3<f32>(0.0f);
-    return NextRays_x24init_0(_S125, _S125, in_air_0(), false, false, _S125, false, _S125, 0.0f, _S125, false);
+    var _S130 : vec3<f32> = vec3<f32>(0.0f);
+    return NextRays_x24init_0(_S130, _S130, in_air_0(), false, false, _S130, false, _S130, 0.0f, _S130, false);
 }
 
 fn Hit_is_miss_0( this_20 : Hit_0) -> bool
@@ -2130,16 +2137,16 @@ fn find_brick_0( grid_6 : PackedGrid_0,  relative_1 : vec3<i32>) -> u32
     var shift_5 : u32 = grid_6.top_shift_0;
     for(;;)
     {
-        var _S126 : bool;
+        var _S131 : bool;
         if(shift_5 > u32(3))
         {
-            _S126 = ((cell_9 & (u32(2147483648)))) != u32(0);
+            _S131 = ((cell_9 & (u32(2147483648)))) != u32(0);
         }
         else
         {
-            _S126 = false;
+            _S131 = false;
         }
-        if(_S126)
+        if(_S131)
         {
         }
         else
@@ -2168,20 +2175,20 @@ fn rank_in_brick_0( record_4 : u32,  relative_2 : vec3<i32>) -> u32
         {
             break;
         }
-        var _S127 : u32 = u32(2) * index_6;
-        var rank_1 : u32 = rank_0 + (countOneBits(brick_word_0(record_4 + u32(2) + _S127)) + countOneBits(brick_word_0(record_4 + u32(3) + _S127)));
+        var _S132 : u32 = u32(2) * index_6;
+        var rank_1 : u32 = rank_0 + (countOneBits(brick_word_0(record_4 + u32(2) + _S132)) + countOneBits(brick_word_0(record_4 + u32(3) + _S132)));
         index_6 = index_6 + u32(1);
         rank_0 = rank_1;
     }
-    var _S128 : u32 = u32(2) * present_before_0;
-    var low_6 : u32 = brick_word_0(record_4 + u32(2) + _S128);
+    var _S133 : u32 = u32(2) * present_before_0;
+    var low_6 : u32 = brick_word_0(record_4 + u32(2) + _S133);
     if(bit_1 < u32(32))
     {
         rank_0 = rank_0 + countOneBits((low_6 & ((((u32(1) << (bit_1))) - u32(1)))));
     }
     else
     {
-        rank_0 = rank_0 + (countOneBits(low_6) + countOneBits(((brick_word_0(record_4 + u32(3) + _S128)) & ((((u32(1) << ((bit_1 - u32(32))))) - u32(1))))));
+        rank_0 = rank_0 + (countOneBits(low_6) + countOneBits(((brick_word_0(record_4 + u32(3) + _S133)) & ((((u32(1) << ((bit_1 - u32(32))))) - u32(1))))));
     }
     return rank_0;
 }
@@ -2232,48 +2239,48 @@ fn material_at_0( grid_7 : PackedGrid_0,  relative_3 : vec3<i32>) -> u32
     return read_bits_0(start_2, index_9 * grid_7.material_bits_0, grid_7.material_bits_0);
 }
 
-fn Rows_operatorx5Bx5D_get_0( row_3 : u32) -> vec4<u32>
+fn Rows_operatorx5Bx5D_get_2( row_4 : u32) -> vec4<u32>
 {
-    return records_0[first_row_0(u32(3)) + row_3];
+    return records_0[first_row_0(u32(3)) + row_4];
 }
 
 fn material_of_index_0( index_10 : u32) -> PackedMaterial_0
 {
-    var _S129 : u32 = u32(4) * index_10;
-    var _S130 : vec4<u32> = Rows_operatorx5Bx5D_get_0(_S129);
-    var _S131 : vec4<u32> = Rows_operatorx5Bx5D_get_0(_S129 + u32(1));
-    var _S132 : vec4<u32> = Rows_operatorx5Bx5D_get_0(_S129 + u32(2));
-    var _S133 : vec4<u32> = Rows_operatorx5Bx5D_get_0(_S129 + u32(3));
+    var _S134 : u32 = u32(4) * index_10;
+    var _S135 : vec4<u32> = Rows_operatorx5Bx5D_get_2(_S134);
+    var _S136 : vec4<u32> = Rows_operatorx5Bx5D_get_2(_S134 + u32(1));
+    var _S137 : vec4<u32> = Rows_operatorx5Bx5D_get_2(_S134 + u32(2));
+    var _S138 : vec4<u32> = Rows_operatorx5Bx5D_get_2(_S134 + u32(3));
     var material_2 : PackedMaterial_0;
-    var _S134 : f32 = (bitcast<f32>((_S130.y)));
-    var _S135 : f32 = (bitcast<f32>((_S130.z)));
-    material_2.base_color_0[i32(0)] = (bitcast<f32>((_S130.x)));
-    material_2.base_color_0[i32(1)] = _S134;
-    material_2.base_color_0[i32(2)] = _S135;
-    var _S136 : f32 = (bitcast<f32>((_S131.y)));
-    var _S137 : f32 = (bitcast<f32>((_S131.z)));
-    material_2.emission_0[i32(0)] = (bitcast<f32>((_S131.x)));
-    material_2.emission_0[i32(1)] = _S136;
-    material_2.emission_0[i32(2)] = _S137;
-    var _S138 : f32 = (bitcast<f32>((_S133.y)));
-    var _S139 : f32 = (bitcast<f32>((_S133.z)));
-    material_2.absorption_0[i32(0)] = (bitcast<f32>((_S133.x)));
-    material_2.absorption_0[i32(1)] = _S138;
-    material_2.absorption_0[i32(2)] = _S139;
-    material_2.roughness_0 = (bitcast<f32>((_S130.w)));
-    material_2.metallic_0 = (bitcast<f32>((_S131.w)));
-    material_2.transmission_0 = (bitcast<f32>((_S132.x)));
-    material_2.ior_0 = (bitcast<f32>((_S132.y)));
-    material_2.specular_0 = (bitcast<f32>((_S132.z)));
-    material_2.anisotropy_0 = (bitcast<f32>((_S132.w)));
-    material_2.scattering_0 = (bitcast<f32>((_S133.w)));
+    var _S139 : f32 = (bitcast<f32>((_S135.y)));
+    var _S140 : f32 = (bitcast<f32>((_S135.z)));
+    material_2.base_color_0[i32(0)] = (bitcast<f32>((_S135.x)));
+    material_2.base_color_0[i32(1)] = _S139;
+    material_2.base_color_0[i32(2)] = _S140;
+    var _S141 : f32 = (bitcast<f32>((_S136.y)));
+    var _S142 : f32 = (bitcast<f32>((_S136.z)));
+    material_2.emission_0[i32(0)] = (bitcast<f32>((_S136.x)));
+    material_2.emission_0[i32(1)] = _S141;
+    material_2.emission_0[i32(2)] = _S142;
+    var _S143 : f32 = (bitcast<f32>((_S138.y)));
+    var _S144 : f32 = (bitcast<f32>((_S138.z)));
+    material_2.absorption_0[i32(0)] = (bitcast<f32>((_S138.x)));
+    material_2.absorption_0[i32(1)] = _S143;
+    material_2.absorption_0[i32(2)] = _S144;
+    material_2.roughness_0 = (bitcast<f32>((_S135.w)));
+    material_2.metallic_0 = (bitcast<f32>((_S136.w)));
+    material_2.transmission_0 = (bitcast<f32>((_S137.x)));
+    material_2.ior_0 = (bitcast<f32>((_S137.y)));
+    material_2.specular_0 = (bitcast<f32>((_S137.z)));
+    material_2.anisotropy_0 = (bitcast<f32>((_S137.w)));
+    material_2.scattering_0 = (bitcast<f32>((_S138.w)));
     return material_2;
 }
 
 fn material_of_0( hit_2 : Hit_0) -> PackedMaterial_0
 {
-    var _S140 : PackedGrid_0 = Grids_operatorx5Bx5D_get_0(Instances_operatorx5Bx5D_get_0(hit_2.instance_0).grid_0);
-    return material_of_index_0(material_at_0(_S140, hit_2.voxel_0 - cell_of_0(_S140.origin_3)));
+    var _S145 : PackedGrid_0 = Grids_operatorx5Bx5D_get_0(Instances_operatorx5Bx5D_get_0(hit_2.instance_0).grid_0);
+    return material_of_index_0(material_at_0(_S145, hit_2.voxel_0 - cell_of_0(_S145.origin_3)));
 }
 
 fn material_met_0( path_1 : Path_0,  hit_3 : Hit_0,  beyond_0 : u32) -> PackedMaterial_0
@@ -2281,9 +2288,9 @@ fn material_met_0( path_1 : Path_0,  hit_3 : Hit_0,  beyond_0 : u32) -> PackedMa
     return material_of_0(hit_3);
 }
 
-fn dot_product_0( a_5 : vec3<f32>,  b_5 : vec3<f32>) -> f32
+fn dot_product_0( a_4 : vec3<f32>,  b_4 : vec3<f32>) -> f32
 {
-    return a_5.x * b_5.x + a_5.y * b_5.y + a_5.z * b_5.z;
+    return a_4.x * b_4.x + a_4.y * b_4.y + a_4.z * b_4.z;
 }
 
 fn length_squared_0( vector_3 : vec3<f32>) -> f32
@@ -2295,9 +2302,9 @@ fn nearest_root_0( mantissa_0 : u32,  guess_1 : u32) -> u32
 {
     var rest_2 : i32 = i32(((mantissa_0 << (u32(23)))) - guess_1 * guess_1);
     var units_1 : i32 = i32(floor(f32(rest_2) / f32(u32(2) * guess_1) + 0.5f));
-    var _S141 : i32 = i32(guess_1);
-    var root_0 : i32 = _S141 + units_1;
-    var rest_3 : i32 = rest_2 - units_1 * (_S141 + root_0);
+    var _S146 : i32 = i32(guess_1);
+    var root_0 : i32 = _S146 + units_1;
+    var rest_3 : i32 = rest_2 - units_1 * (_S146 + root_0);
     return u32(root_0 + i32(rest_3 > root_0) - i32(rest_3 <= (- root_0)));
 }
 
@@ -2307,13 +2314,13 @@ fn square_root_0( value_1 : f32) -> f32
     {
         return sqrt(value_1);
     }
-    var _S142 : u32 = (bitcast<u32>((value_1)));
-    var exponent_2 : u32 = (_S142 >> (u32(23)));
+    var _S147 : u32 = (bitcast<u32>((value_1)));
+    var exponent_2 : u32 = (_S147 >> (u32(23)));
     if(!is_normal_0(exponent_2))
     {
         return sqrt(value_1);
     }
-    var mantissa_1 : u32 = (((((_S142 & (u32(8388607)))) | (u32(8388608)))) << ((((~exponent_2) & (u32(1))))));
+    var mantissa_1 : u32 = (((((_S147 & (u32(8388607)))) | (u32(8388608)))) << ((((~exponent_2) & (u32(1))))));
     return (bitcast<f32>(((((((exponent_2 + u32(127)) >> (u32(1)))) << (u32(23)))) + (nearest_root_0(mantissa_1, u32(sqrt(f32(mantissa_1) * 1.1920928955078125e-07f) * 8.388608e+06f)) - u32(8388608)))));
 }
 
@@ -2324,15 +2331,15 @@ fn Path_events_0( this_22 : Path_0) -> u32
 
 fn pcg4d_0( words_0 : vec4<u32>) -> vec4<u32>
 {
-    var _S143 : vec4<u32> = words_0 * vec4<u32>(u32(1664525)) + vec4<u32>(u32(1013904223));
-    var v_2 : vec4<u32> = _S143;
-    v_2[i32(0)] = v_2[i32(0)] + _S143.y * _S143.w;
+    var _S148 : vec4<u32> = words_0 * vec4<u32>(u32(1664525)) + vec4<u32>(u32(1013904223));
+    var v_2 : vec4<u32> = _S148;
+    v_2[i32(0)] = v_2[i32(0)] + _S148.y * _S148.w;
     v_2[i32(1)] = v_2[i32(1)] + v_2.z * v_2.x;
     v_2[i32(2)] = v_2[i32(2)] + v_2.x * v_2.y;
     v_2[i32(3)] = v_2[i32(3)] + v_2.y * v_2.z;
-    var _S144 : vec4<u32> = (v_2 ^ (((v_2 >> (vec4<u32>(u32(16)))))));
-    v_2 = _S144;
-    v_2[i32(0)] = v_2[i32(0)] + _S144.y * _S144.w;
+    var _S149 : vec4<u32> = (v_2 ^ (((v_2 >> (vec4<u32>(u32(16)))))));
+    v_2 = _S149;
+    v_2[i32(0)] = v_2[i32(0)] + _S149.y * _S149.w;
     v_2[i32(1)] = v_2[i32(1)] + v_2.z * v_2.x;
     v_2[i32(2)] = v_2[i32(2)] + v_2.x * v_2.y;
     v_2[i32(3)] = v_2[i32(3)] + v_2.y * v_2.z;
@@ -2363,11 +2370,11 @@ fn inverse_power_of_two_0( x_0 : f32) -> f32
 
 fn Key_x24init_0( instance_10 : u32,  face_and_level_1 : u32,  cube_1 : vec3<i32>) -> Key_0
 {
-    var _S145 : Key_0;
-    _S145.instance_9 = instance_10;
-    _S145.face_and_level_0 = face_and_level_1;
-    _S145.cube_0 = cube_1;
-    return _S145;
+    var _S150 : Key_0;
+    _S150.instance_9 = instance_10;
+    _S150.face_and_level_0 = face_and_level_1;
+    _S150.cube_0 = cube_1;
+    return _S150;
 }
 
 fn scramble_of_0( number_1 : u32) -> u32
@@ -2389,20 +2396,20 @@ fn key_of_0( hit_4 : Hit_0,  size_0 : f32,  u_0 : f32,  code_1 : ptr<function, u
 {
     var clamped_0 : f32 = clamp(size_0, 1.0f, 128.0f);
     var power_0 : f32 = f32(((bitcast<u32>((clamped_0))) >> (u32(23)))) - 127.0f;
-    var _S146 : f32;
+    var _S151 : f32;
     if(u_0 < (clamped_0 * inverse_power_of_two_0(clamped_0) - 1.0f))
     {
-        _S146 = 1.0f;
+        _S151 = 1.0f;
     }
     else
     {
-        _S146 = 0.0f;
+        _S151 = 0.0f;
     }
-    var level_0 : u32 = u32(min(power_0 + _S146, 6.0f));
-    var _S147 : vec3<u32> = vec3<u32>(u32(i32(level_0)));
-    var key_0 : Key_0 = Key_x24init_0(hit_4.instance_0, ((hit_4.face_0) | (((level_0 << (u32(3)))))), ((hit_4.voxel_0) >> (_S147)));
-    var _S148 : vec3<u32> = vec3<u32>(hit_4.voxel_0 - (((key_0.cube_0) << (_S147))));
-    (*code_1) = u32(1) + (((((((_S148.x) | ((((_S148.y) << (level_0)))))) | ((((_S148.z) << ((u32(2) * level_0))))))) ^ ((((scramble_of_0(real_time_0.number_0)) & ((Key_mask_0(key_0))))))));
+    var level_0 : u32 = u32(min(power_0 + _S151, 6.0f));
+    var _S152 : vec3<u32> = vec3<u32>(u32(i32(level_0)));
+    var key_0 : Key_0 = Key_x24init_0(hit_4.instance_0, ((hit_4.face_0) | (((level_0 << (u32(3)))))), ((hit_4.voxel_0) >> (_S152)));
+    var _S153 : vec3<u32> = vec3<u32>(hit_4.voxel_0 - (((key_0.cube_0) << (_S152))));
+    (*code_1) = u32(1) + (((((((_S153.x) | ((((_S153.y) << (level_0)))))) | ((((_S153.z) << ((u32(2) * level_0))))))) ^ ((((scramble_of_0(real_time_0.number_0)) & ((Key_mask_0(key_0))))))));
     return key_0;
 }
 
@@ -2429,8 +2436,8 @@ fn find_cell_0( hash_0 : vec2<u32>) -> u32
             break;
         }
         var cell_11 : u32 = ((hash_0.x + probe_0) & (u32(262143)));
-        var _S149 : u32 = atomicLoad(&(cell_keys_0[place_of_check_0(cell_11)]));
-        if(_S149 == (max(hash_0.y, u32(1))))
+        var _S154 : u32 = atomicLoad(&(cell_keys_0[place_of_check_0(cell_11)]));
+        if(_S154 == (max(hash_0.y, u32(1))))
         {
             return cell_11;
         }
@@ -2439,14 +2446,14 @@ fn find_cell_0( hash_0 : vec2<u32>) -> u32
     return u32(262144);
 }
 
-fn cell_row_0( row_4 : u32,  cell_12 : u32) -> vec4<u32>
+fn cell_row_0( row_5 : u32,  cell_12 : u32) -> vec4<u32>
 {
-    return cell_rows_0[row_4 * u32(262144) + cell_12];
+    return cell_rows_0[row_5 * u32(262144) + cell_12];
 }
 
-fn set_cell_row_0( row_5 : u32,  cell_13 : u32,  value_2 : vec4<u32>)
+fn set_cell_row_0( row_6 : u32,  cell_13 : u32,  value_2 : vec4<u32>)
 {
-    cell_rows_0[row_5 * u32(262144) + cell_13] = value_2;
+    cell_rows_0[row_6 * u32(262144) + cell_13] = value_2;
     return;
 }
 
@@ -2457,11 +2464,11 @@ fn place_of_asked_0( cell_14 : u32) -> u32
 
 fn ask_cell_0( key_1 : Key_0,  asked_0 : u32) -> vec4<f32>
 {
-    var _S150 : bool;
+    var _S155 : bool;
     var hash_1 : vec2<u32> = Key_hash_0(key_1);
-    var _S151 : u32 = max(hash_1.y, u32(1));
+    var _S156 : u32 = max(hash_1.y, u32(1));
     var cell_15 : u32 = find_cell_0(hash_1);
-    var _S152 : vec4<f32> = vec4<f32>(0.0f);
+    var _S157 : vec4<f32> = vec4<f32>(0.0f);
     var known_0 : vec4<f32>;
     if(cell_15 != u32(262144))
     {
@@ -2469,7 +2476,7 @@ fn ask_cell_0( key_1 : Key_0,  asked_0 : u32) -> vec4<f32>
     }
     else
     {
-        known_0 = _S152;
+        known_0 = _S157;
     }
     var cell_16 : u32 = cell_15;
     var probe_1 : u32 = u32(0);
@@ -2477,13 +2484,13 @@ fn ask_cell_0( key_1 : Key_0,  asked_0 : u32) -> vec4<f32>
     {
         if(probe_1 < u32(8))
         {
-            _S150 = cell_16 == u32(262144);
+            _S155 = cell_16 == u32(262144);
         }
         else
         {
-            _S150 = false;
+            _S155 = false;
         }
-        if(_S150)
+        if(_S155)
         {
         }
         else
@@ -2491,23 +2498,23 @@ fn ask_cell_0( key_1 : Key_0,  asked_0 : u32) -> vec4<f32>
             break;
         }
         var place_1 : u32 = ((hash_1.x + probe_1) & (u32(262143)));
-        var found_2 : u32 = atomicCompareExchangeWeak(&(cell_keys_0[place_of_check_0(place_1)]), u32(0), _S151).old_value;
-        var _S153 : bool = found_2 == u32(0);
-        if(_S153)
+        var found_2 : u32 = atomicCompareExchangeWeak(&(cell_keys_0[place_of_check_0(place_1)]), u32(0), _S156).old_value;
+        var _S158 : bool = found_2 == u32(0);
+        if(_S158)
         {
             set_cell_row_0(u32(1), place_1, vec4<u32>(key_1.instance_9, key_1.face_and_level_0, u32(0), u32(0)));
             set_cell_row_0(u32(2), place_1, vec4<u32>(vec3<u32>(key_1.cube_0), u32(0)));
         }
-        var _S154 : bool;
-        if(_S153)
+        var _S159 : bool;
+        if(_S158)
         {
-            _S154 = true;
+            _S159 = true;
         }
         else
         {
-            _S154 = found_2 == _S151;
+            _S159 = found_2 == _S156;
         }
-        if(_S154)
+        if(_S159)
         {
             cell_16 = place_1;
         }
@@ -2515,16 +2522,16 @@ fn ask_cell_0( key_1 : Key_0,  asked_0 : u32) -> vec4<f32>
     }
     if(cell_16 != u32(262144))
     {
-        var _S155 : u32 = atomicLoad(&(cell_keys_0[place_of_asked_0(cell_16)]));
-        _S150 = _S155 < asked_0;
+        var _S160 : u32 = atomicLoad(&(cell_keys_0[place_of_asked_0(cell_16)]));
+        _S155 = _S160 < asked_0;
     }
     else
     {
-        _S150 = false;
+        _S155 = false;
     }
-    if(_S150)
+    if(_S155)
     {
-        var _S156 : u32 = atomicMax(&(cell_keys_0[place_of_asked_0(cell_16)]), asked_0);
+        var _S161 : u32 = atomicMax(&(cell_keys_0[place_of_asked_0(cell_16)]), asked_0);
     }
     return known_0;
 }
@@ -2532,29 +2539,29 @@ fn ask_cell_0( key_1 : Key_0,  asked_0 : u32) -> vec4<f32>
 fn asks_0( path_2 : Path_0,  ray_11 : Ray_0,  hit_5 : Hit_0,  beyond_1 : u32,  life_1 : u32,  light_4 : ptr<function, vec3<f32>>) -> bool
 {
     (*light_4) = vec3<f32>(0.0f);
-    var _S157 : bool;
+    var _S162 : bool;
     if(Hit_is_miss_0(hit_5))
     {
-        _S157 = true;
+        _S162 = true;
     }
     else
     {
-        _S157 = Inside_is_in_0(path_2.inside_0);
+        _S162 = Inside_is_in_0(path_2.inside_0);
     }
-    if(_S157)
+    if(_S162)
     {
         return false;
     }
     var material_3 : PackedMaterial_0 = material_met_0(path_2, hit_5, beyond_1);
     if((material_3.metallic_0) > 0.0f)
     {
-        _S157 = true;
+        _S162 = true;
     }
     else
     {
-        _S157 = (material_3.transmission_0) > 0.0f;
+        _S162 = (material_3.transmission_0) > 0.0f;
     }
-    if(_S157)
+    if(_S162)
     {
         return false;
     }
@@ -2563,13 +2570,13 @@ fn asks_0( path_2 : Path_0,  ray_11 : Ray_0,  hit_5 : Hit_0,  beyond_1 : u32,  l
     var least_0 : f32 = 2.0f * f32((u32(1) << ((Key_level_0(key_2)))));
     if(life_1 == u32(0))
     {
-        _S157 = true;
+        _S162 = true;
     }
     else
     {
-        _S157 = (hit_5.t_0 * square_root_0(length_squared_0(ray_11.direction_0))) < least_0;
+        _S162 = (hit_5.t_0 * square_root_0(length_squared_0(ray_11.direction_0))) < least_0;
     }
-    if(_S157)
+    if(_S162)
     {
         return false;
     }
@@ -2633,24 +2640,24 @@ fn weighs_apart_0() -> bool
 
 fn Path_is_counted_0( this_27 : Path_0) -> bool
 {
-    var _S158 : bool;
+    var _S163 : bool;
     if(weighs_apart_0())
     {
-        _S158 = (this_27.pdf_1) < 0.0f;
+        _S163 = (this_27.pdf_1) < 0.0f;
     }
     else
     {
-        _S158 = false;
+        _S163 = false;
     }
-    return _S158;
+    return _S163;
 }
 
 fn Receiver_x24init_0( point_1 : vec3<f32>,  normal_4 : vec3<f32>) -> Receiver_0
 {
-    var _S159 : Receiver_0;
-    _S159.point_0 = point_1;
-    _S159.normal_2 = normal_4;
-    return _S159;
+    var _S164 : Receiver_0;
+    _S164.point_0 = point_1;
+    _S164.normal_2 = normal_4;
+    return _S164;
 }
 
 fn Path_receiver_0( this_28 : Path_0,  ray_12 : Ray_0) -> Receiver_0
@@ -2666,37 +2673,37 @@ fn Path_dimension_medium_0( this_29 : Path_0) -> u32
 fn logarithm_0( x_1 : f32) -> f32
 {
     var bits_3 : u32 = (bitcast<u32>((x_1)));
-    var _S160 : u32 = (bits_3 & (u32(8388607)));
-    var is_upper_0 : bool = _S160 > u32(3474675);
+    var _S165 : u32 = (bits_3 & (u32(8388607)));
+    var is_upper_0 : bool = _S165 > u32(3474675);
     var power_1 : i32 = i32((bits_3 >> (u32(23)))) - i32(127) + i32(is_upper_0);
-    var _S161 : u32;
+    var _S166 : u32;
     if(is_upper_0)
     {
-        _S161 = u32(1056964608);
+        _S166 = u32(1056964608);
     }
     else
     {
-        _S161 = u32(1065353216);
+        _S166 = u32(1065353216);
     }
-    var mantissa_2 : f32 = (bitcast<f32>(((_S160 | (_S161)))));
+    var mantissa_2 : f32 = (bitcast<f32>(((_S165 | (_S166)))));
     var s_0 : f32 = divide_0(mantissa_2 - 1.0f, mantissa_2 + 1.0f);
     var ss_0 : f32 = s_0 * s_0;
-    var _S162 : f32 = f32(power_1);
-    return _S162 * 0.693359375f + (_S162 * -0.00021219444170129f + s_0 * (2.0f + ss_0 * (0.66666668653488159f + ss_0 * (0.40000000596046448f + ss_0 * (0.28571429848670959f + ss_0 * 0.2222222238779068f)))));
+    var _S167 : f32 = f32(power_1);
+    return _S167 * 0.693359375f + (_S167 * -0.00021219444170129f + s_0 * (2.0f + ss_0 * (0.66666668653488159f + ss_0 * (0.40000000596046448f + ss_0 * (0.28571429848670959f + ss_0 * 0.2222222238779068f)))));
 }
 
 fn free_path_0( medium_0 : PackedMaterial_0,  u_1 : f32) -> f32
 {
-    var _S163 : f32;
+    var _S168 : f32;
     if((medium_0.scattering_0) > 0.0f)
     {
-        _S163 = divide_0(- logarithm_0(1.0f - u_1), medium_0.scattering_0);
+        _S168 = divide_0(- logarithm_0(1.0f - u_1), medium_0.scattering_0);
     }
     else
     {
-        _S163 = (bitcast<f32>(infinity_bits_0));
+        _S168 = (bitcast<f32>(infinity_bits_0));
     }
-    return _S163;
+    return _S168;
 }
 
 fn grid_direction_0( instance_12 : u32,  direction_7 : vec3<f32>) -> vec3<f32>
@@ -2738,23 +2745,23 @@ fn absorb_0( path_5 : ptr<function, Path_0>,  inside_2 : Inside_0,  ray_15 : Ray
     return;
 }
 
-fn Environment_to_map_0( d_1 : vec3<f32>) -> vec3<f32>
+fn Environment_to_map_0( d_0 : vec3<f32>) -> vec3<f32>
 {
     var sin_0 : f32 = params_0.sky_turned_0.x;
     var cos_0 : f32 = params_0.sky_turned_0.y;
-    var _S164 : f32 = d_1.x;
-    var _S165 : f32 = d_1.y;
-    return vec3<f32>(_S164 * cos_0 - _S165 * sin_0, _S164 * sin_0 + _S165 * cos_0, d_1.z);
+    var _S169 : f32 = d_0.x;
+    var _S170 : f32 = d_0.y;
+    return vec3<f32>(_S169 * cos_0 - _S170 * sin_0, _S169 * sin_0 + _S170 * cos_0, d_0.z);
 }
 
 fn quarter_turns_0( x_3 : f32,  y_0 : f32) -> f32
 {
-    var _S166 : f32 = min(x_3, y_0);
-    var _S167 : f32 = max(x_3, y_0);
+    var _S171 : f32 = min(x_3, y_0);
+    var _S172 : f32 = max(x_3, y_0);
     var ratio_0 : f32;
-    if(_S167 > 0.0f)
+    if(_S172 > 0.0f)
     {
-        ratio_0 = divide_0(_S166, _S167);
+        ratio_0 = divide_0(_S171, _S172);
     }
     else
     {
@@ -2776,10 +2783,10 @@ fn quarter_turns_0( x_3 : f32,  y_0 : f32) -> f32
 fn square_of_0( direction_8 : vec3<f32>) -> vec2<f32>
 {
     var size_1 : vec3<f32> = abs(direction_8);
-    var _S168 : f32 = size_1.x;
-    var _S169 : f32 = size_1.y;
-    var radius_0 : f32 = square_root_0(divide_0(_S168 * _S168 + _S169 * _S169, 1.0f + size_1.z));
-    var v_3 : f32 = quarter_turns_0(_S168, _S169) * radius_0;
+    var _S173 : f32 = size_1.x;
+    var _S174 : f32 = size_1.y;
+    var radius_0 : f32 = square_root_0(divide_0(_S173 * _S173 + _S174 * _S174, 1.0f + size_1.z));
+    var v_3 : f32 = quarter_turns_0(_S173, _S174) * radius_0;
     var u_2 : f32 = radius_0 - v_3;
     var is_below_1 : bool = (direction_8.z) < 0.0f;
     var u_3 : f32;
@@ -2818,7 +2825,7 @@ fn Environment_place_of_0( direction_9 : vec3<f32>) -> vec2<f32>
 
 fn Environment_index_of_0( x_4 : i32,  y_1 : i32) -> u32
 {
-    var last_3 : i32 = i32(params_0.sky_edge_0) - i32(1);
+    var last_2 : i32 = i32(params_0.sky_edge_0) - i32(1);
     var is_beside_0 : bool;
     if(x_4 < i32(0))
     {
@@ -2826,44 +2833,44 @@ fn Environment_index_of_0( x_4 : i32,  y_1 : i32) -> u32
     }
     else
     {
-        is_beside_0 = x_4 > last_3;
+        is_beside_0 = x_4 > last_2;
     }
-    var _S170 : i32;
+    var _S175 : i32;
     if(is_beside_0)
     {
-        _S170 = last_3 - y_1;
+        _S175 = last_2 - y_1;
     }
     else
     {
-        _S170 = y_1;
+        _S175 = y_1;
     }
-    var _S171 : i32;
+    var _S176 : i32;
     if(is_beside_0)
     {
-        _S171 = clamp(x_4, i32(0), last_3);
+        _S176 = clamp(x_4, i32(0), last_2);
     }
     else
     {
-        _S171 = x_4;
+        _S176 = x_4;
     }
     var is_beyond_0 : bool;
-    if(_S170 < i32(0))
+    if(_S175 < i32(0))
     {
         is_beyond_0 = true;
     }
     else
     {
-        is_beyond_0 = _S170 > last_3;
+        is_beyond_0 = _S175 > last_2;
     }
     if(is_beyond_0)
     {
-        _S171 = last_3 - _S171;
+        _S176 = last_2 - _S176;
     }
     if(is_beyond_0)
     {
-        _S170 = clamp(_S170, i32(0), last_3);
+        _S175 = clamp(_S175, i32(0), last_2);
     }
-    return u32(_S170 * i32(params_0.sky_edge_0) + _S171);
+    return u32(_S175 * i32(params_0.sky_edge_0) + _S176);
 }
 
 fn Environment_texel_radiance_0( x_5 : i32,  y_2 : i32) -> vec3<f32>
@@ -2873,18 +2880,18 @@ fn Environment_texel_radiance_0( x_5 : i32,  y_2 : i32) -> vec3<f32>
 
 fn Environment_radiance_at_0( place_2 : vec2<f32>) -> vec3<f32>
 {
-    var _S172 : vec2<f32> = place_2 - vec2<f32>(0.5f);
-    var corner_1 : vec2<f32> = floor(_S172);
-    var beyond_2 : vec2<f32> = _S172 - corner_1;
+    var _S177 : vec2<f32> = place_2 - vec2<f32>(0.5f);
+    var corner_1 : vec2<f32> = floor(_S177);
+    var beyond_2 : vec2<f32> = _S177 - corner_1;
     var x_6 : i32 = i32(corner_1.x);
     var y_3 : i32 = i32(corner_1.y);
-    var _S173 : f32 = beyond_2.x;
-    var _S174 : vec3<f32> = vec3<f32>((1.0f - _S173));
-    var _S175 : i32 = x_6 + i32(1);
-    var _S176 : vec3<f32> = vec3<f32>(_S173);
-    var _S177 : i32 = y_3 + i32(1);
-    var _S178 : f32 = beyond_2.y;
-    return (Environment_texel_radiance_0(x_6, y_3) * _S174 + Environment_texel_radiance_0(_S175, y_3) * _S176) * vec3<f32>((1.0f - _S178)) + (Environment_texel_radiance_0(x_6, _S177) * _S174 + Environment_texel_radiance_0(_S175, _S177) * _S176) * vec3<f32>(_S178);
+    var _S178 : f32 = beyond_2.x;
+    var _S179 : vec3<f32> = vec3<f32>((1.0f - _S178));
+    var _S180 : i32 = x_6 + i32(1);
+    var _S181 : vec3<f32> = vec3<f32>(_S178);
+    var _S182 : i32 = y_3 + i32(1);
+    var _S183 : f32 = beyond_2.y;
+    return (Environment_texel_radiance_0(x_6, y_3) * _S179 + Environment_texel_radiance_0(_S180, y_3) * _S181) * vec3<f32>((1.0f - _S183)) + (Environment_texel_radiance_0(x_6, _S182) * _S179 + Environment_texel_radiance_0(_S180, _S182) * _S181) * vec3<f32>(_S183);
 }
 
 fn Environment_radiance_0( direction_10 : vec3<f32>) -> vec3<f32>
@@ -2900,10 +2907,10 @@ struct Gradient_0
 
 fn Gradient_x24init_0( nadir_1 : vec3<f32>,  zenith_1 : vec3<f32>) -> Gradient_0
 {
-    var _S179 : Gradient_0;
-    _S179.nadir_0 = nadir_1;
-    _S179.zenith_0 = zenith_1;
-    return _S179;
+    var _S184 : Gradient_0;
+    _S184.nadir_0 = nadir_1;
+    _S184.zenith_0 = zenith_1;
+    return _S184;
 }
 
 fn Gradient_radiance_0( this_31 : Gradient_0,  direction_11 : vec3<f32>) -> vec3<f32>
@@ -2946,46 +2953,46 @@ struct LightNode_0
      root_1 : u32,
 };
 
-fn Rows_operatorx5Bx5D_get_1( row_6 : u32) -> vec4<u32>
+fn Rows_operatorx5Bx5D_get_3( row_7 : u32) -> vec4<u32>
 {
-    return records_0[first_row_0(u32(6)) + row_6];
+    return records_0[first_row_0(u32(6)) + row_7];
 }
 
-fn light_node_of_0( a_6 : vec4<u32>,  b_6 : vec4<u32>,  c_2 : vec4<u32>,  d_2 : vec4<u32>) -> LightNode_0
+fn light_node_of_0( a_5 : vec4<u32>,  b_5 : vec4<u32>,  c_1 : vec4<u32>,  d_1 : vec4<u32>) -> LightNode_0
 {
     var node_0 : LightNode_0;
-    var _S180 : f32 = (bitcast<f32>((a_6.y)));
-    var _S181 : f32 = (bitcast<f32>((a_6.z)));
-    node_0.min_1[i32(0)] = (bitcast<f32>((a_6.x)));
-    node_0.min_1[i32(1)] = _S180;
-    node_0.min_1[i32(2)] = _S181;
-    node_0.index_11 = a_6.w;
-    var _S182 : f32 = (bitcast<f32>((b_6.y)));
-    var _S183 : f32 = (bitcast<f32>((b_6.z)));
-    node_0.max_1[i32(0)] = (bitcast<f32>((b_6.x)));
-    node_0.max_1[i32(1)] = _S182;
-    node_0.max_1[i32(2)] = _S183;
-    node_0.count_1 = b_6.w;
-    var _S184 : f32 = (bitcast<f32>((c_2.y)));
-    var _S185 : f32 = (bitcast<f32>((c_2.z)));
-    var _S186 : f32 = (bitcast<f32>((c_2.w)));
-    var _S187 : f32 = (bitcast<f32>((d_2.x)));
-    var _S188 : f32 = (bitcast<f32>((d_2.y)));
-    node_0.power_3[i32(0)] = (bitcast<f32>((c_2.x)));
-    node_0.power_3[i32(1)] = _S184;
-    node_0.power_3[i32(2)] = _S185;
-    node_0.power_3[i32(3)] = _S186;
-    node_0.power_3[i32(4)] = _S187;
-    node_0.power_3[i32(5)] = _S188;
-    node_0.parent_0 = d_2.z;
-    node_0.root_1 = d_2.w;
+    var _S185 : f32 = (bitcast<f32>((a_5.y)));
+    var _S186 : f32 = (bitcast<f32>((a_5.z)));
+    node_0.min_1[i32(0)] = (bitcast<f32>((a_5.x)));
+    node_0.min_1[i32(1)] = _S185;
+    node_0.min_1[i32(2)] = _S186;
+    node_0.index_11 = a_5.w;
+    var _S187 : f32 = (bitcast<f32>((b_5.y)));
+    var _S188 : f32 = (bitcast<f32>((b_5.z)));
+    node_0.max_1[i32(0)] = (bitcast<f32>((b_5.x)));
+    node_0.max_1[i32(1)] = _S187;
+    node_0.max_1[i32(2)] = _S188;
+    node_0.count_1 = b_5.w;
+    var _S189 : f32 = (bitcast<f32>((c_1.y)));
+    var _S190 : f32 = (bitcast<f32>((c_1.z)));
+    var _S191 : f32 = (bitcast<f32>((c_1.w)));
+    var _S192 : f32 = (bitcast<f32>((d_1.x)));
+    var _S193 : f32 = (bitcast<f32>((d_1.y)));
+    node_0.power_3[i32(0)] = (bitcast<f32>((c_1.x)));
+    node_0.power_3[i32(1)] = _S189;
+    node_0.power_3[i32(2)] = _S190;
+    node_0.power_3[i32(3)] = _S191;
+    node_0.power_3[i32(4)] = _S192;
+    node_0.power_3[i32(5)] = _S193;
+    node_0.parent_0 = d_1.z;
+    node_0.root_1 = d_1.w;
     return node_0;
 }
 
 fn top_light_node_0( index_12 : u32) -> LightNode_0
 {
-    var _S189 : u32 = u32(4) * index_12;
-    return light_node_of_0(Rows_operatorx5Bx5D_get_1(_S189), Rows_operatorx5Bx5D_get_1(_S189 + u32(1)), Rows_operatorx5Bx5D_get_1(_S189 + u32(2)), Rows_operatorx5Bx5D_get_1(_S189 + u32(3)));
+    var _S194 : u32 = u32(4) * index_12;
+    return light_node_of_0(Rows_operatorx5Bx5D_get_3(_S194), Rows_operatorx5Bx5D_get_3(_S194 + u32(1)), Rows_operatorx5Bx5D_get_3(_S194 + u32(2)), Rows_operatorx5Bx5D_get_3(_S194 + u32(3)));
 }
 
 struct View_0
@@ -3007,17 +3014,17 @@ struct BySide_0
 
 fn BySide_x24init_0( low_8 : vec3<f32>,  high_5 : vec3<f32>) -> BySide_0
 {
-    var _S190 : BySide_0;
-    _S190.low_7 = low_8;
-    _S190.high_4 = high_5;
-    return _S190;
+    var _S195 : BySide_0;
+    _S195.low_7 = low_8;
+    _S195.high_4 = high_5;
+    return _S195;
 }
 
 fn sent_by_side_0( node_1 : LightNode_0,  point_2 : vec3<f32>,  distance_2 : f32) -> BySide_0
 {
-    var _S191 : vec3<f32> = vec3<f32>(0.0f);
-    var _S192 : vec3<f32> = vec3<f32>(distance_2);
-    return BySide_x24init_0(vec3<f32>(node_1.power_3[i32(0)], node_1.power_3[i32(2)], node_1.power_3[i32(4)]) * min(max(vector_of_0(node_1.max_1) - point_2, _S191), _S192), vec3<f32>(node_1.power_3[i32(1)], node_1.power_3[i32(3)], node_1.power_3[i32(5)]) * min(max(point_2 - vector_of_0(node_1.min_1), _S191), _S192));
+    var _S196 : vec3<f32> = vec3<f32>(0.0f);
+    var _S197 : vec3<f32> = vec3<f32>(distance_2);
+    return BySide_x24init_0(vec3<f32>(node_1.power_3[i32(0)], node_1.power_3[i32(2)], node_1.power_3[i32(4)]) * min(max(vector_of_0(node_1.max_1) - point_2, _S196), _S197), vec3<f32>(node_1.power_3[i32(1)], node_1.power_3[i32(3)], node_1.power_3[i32(5)]) * min(max(point_2 - vector_of_0(node_1.min_1), _S196), _S197));
 }
 
 fn BySide_sum_0( this_32 : BySide_0) -> f32
@@ -3034,19 +3041,19 @@ fn reciprocal_guess_0( x_7 : f32) -> f32
 
 fn View_x24init_0( importance_1 : f32,  is_far_1 : bool) -> View_0
 {
-    var _S193 : View_0;
-    _S193.importance_0 = importance_1;
-    _S193.is_far_0 = is_far_1;
-    return _S193;
+    var _S198 : View_0;
+    _S198.importance_0 = importance_1;
+    _S198.is_far_0 = is_far_1;
+    return _S198;
 }
 
 fn view_0( node_2 : LightNode_0,  receiver_2 : Receiver_0) -> View_0
 {
-    var _S194 : vec3<f32> = vector_of_0(node_2.max_1);
-    var _S195 : vec3<f32> = vector_of_0(node_2.min_1);
-    var _S196 : vec3<f32> = vec3<f32>(0.5f);
-    var half_1 : vec3<f32> = (_S194 - _S195) * _S196;
-    var toward_0 : vec3<f32> = (_S195 + _S194) * _S196 - receiver_2.point_0;
+    var _S199 : vec3<f32> = vector_of_0(node_2.max_1);
+    var _S200 : vec3<f32> = vector_of_0(node_2.min_1);
+    var _S201 : vec3<f32> = vec3<f32>(0.5f);
+    var half_1 : vec3<f32> = (_S199 - _S200) * _S201;
+    var toward_0 : vec3<f32> = (_S200 + _S199) * _S201 - receiver_2.point_0;
     var middle_0 : f32 = dot_product_0(toward_0, receiver_2.normal_2);
     var aside_0 : f32 = dot_product_0(half_1, abs(receiver_2.normal_2));
     var above_0 : f32 = with_slack_0(receiver_2, middle_0 + aside_0);
@@ -3064,16 +3071,16 @@ fn view_0( node_2 : LightNode_0,  receiver_2 : Receiver_0) -> View_0
     var distance_3 : f32 = length_bound_0(select(half_1, abs(toward_0), vec3<bool>((far_4 > near_4))));
     var sent_0 : f32 = BySide_sum_0(sent_by_side_0(node_2, receiver_2.point_0, distance_3));
     var falloff_0 : f32 = reciprocal_guess_0(max(far_4, near_4));
-    var _S197 : f32;
+    var _S202 : f32;
     if(above_0 > 0.0f)
     {
-        _S197 = sent_0 * min(above_0, distance_3) * (falloff_0 * falloff_0);
+        _S202 = sent_0 * min(above_0, distance_3) * (falloff_0 * falloff_0);
     }
     else
     {
-        _S197 = 0.0f;
+        _S202 = 0.0f;
     }
-    return View_x24init_0(_S197, is_far_2);
+    return View_x24init_0(_S202, is_far_2);
 }
 
 fn importance_of_all_0( receiver_3 : Receiver_0) -> f32
@@ -3112,25 +3119,25 @@ fn Lights_sun_probability_0( receiver_5 : Receiver_0) -> f32
 
 fn Lights_has_chosen_sky_0() -> bool
 {
-    var _S198 : bool;
+    var _S203 : bool;
     if(SKY_0 == u32(1))
     {
-        _S198 = (params_0.sky_irradiance_0) > 0.0f;
+        _S203 = (params_0.sky_irradiance_0) > 0.0f;
     }
     else
     {
-        _S198 = false;
+        _S203 = false;
     }
-    return _S198;
+    return _S203;
 }
 
 fn Selection_x24init_0( sun_1 : f32,  sky_2 : f32,  emitters_1 : f32) -> Selection_0
 {
-    var _S199 : Selection_0;
-    _S199.sun_0 = sun_1;
-    _S199.sky_1 = sky_2;
-    _S199.emitters_0 = emitters_1;
-    return _S199;
+    var _S204 : Selection_0;
+    _S204.sun_0 = sun_1;
+    _S204.sky_1 = sky_2;
+    _S204.emitters_0 = emitters_1;
+    return _S204;
 }
 
 fn Lights_sky_probability_0( receiver_6 : Receiver_0) -> f32
@@ -3161,48 +3168,48 @@ fn Lights_selection_0( receiver_7 : Receiver_0) -> Selection_0
         return Selection_x24init_0(sun_2, 0.0f, 1.0f - sun_2);
     }
     var sky_3 : f32 = Lights_sky_probability_0(receiver_7);
-    var _S200 : f32 = 1.0f - sky_3;
-    return Selection_x24init_0(sun_2 * _S200, sky_3, (1.0f - sun_2) * _S200);
+    var _S205 : f32 = 1.0f - sky_3;
+    return Selection_x24init_0(sun_2 * _S205, sky_3, (1.0f - sun_2) * _S205);
 }
 
-fn Path_selection_at_0( this_33 : Path_0,  last_4 : Receiver_0) -> Selection_0
+fn Path_selection_at_0( this_33 : Path_0,  last_3 : Receiver_0) -> Selection_0
 {
-    return Lights_selection_0(last_4);
+    return Lights_selection_0(last_3);
 }
 
 fn Environment_pdf_0( direction_14 : vec3<f32>) -> f32
 {
     var place_3 : vec2<f32> = Environment_place_of_0(direction_14);
-    var last_5 : i32 = i32(params_0.sky_edge_0) - i32(1);
-    return environment_0[Environment_index_of_0(min(i32(place_3.x), last_5), min(i32(place_3.y), last_5))].pdf_0;
+    var last_4 : i32 = i32(params_0.sky_edge_0) - i32(1);
+    return environment_0[Environment_index_of_0(min(i32(place_3.x), last_4), min(i32(place_3.y), last_4))].pdf_0;
 }
 
 fn Sky_pdf_0( direction_15 : vec3<f32>) -> f32
 {
-    var _S201 : f32;
+    var _S206 : f32;
     if(SKY_0 == u32(1))
     {
-        _S201 = Environment_pdf_0(direction_15);
+        _S206 = Environment_pdf_0(direction_15);
     }
     else
     {
-        _S201 = 0.0f;
+        _S206 = 0.0f;
     }
-    return _S201;
+    return _S206;
 }
 
 fn Lights_sky_pdf_0( selection_1 : Selection_0,  direction_16 : vec3<f32>) -> f32
 {
-    var _S202 : f32;
+    var _S207 : f32;
     if(Lights_has_chosen_sky_0())
     {
-        _S202 = Sky_pdf_0(direction_16) * selection_1.sky_1;
+        _S207 = Sky_pdf_0(direction_16) * selection_1.sky_1;
     }
     else
     {
-        _S202 = 0.0f;
+        _S207 = 0.0f;
     }
-    return _S202;
+    return _S207;
 }
 
 fn power_heuristic_0( own_0 : f32,  other_1 : f32) -> f32
@@ -3213,16 +3220,16 @@ fn power_heuristic_0( own_0 : f32,  other_1 : f32) -> f32
 
 fn mis_weight_0( bounce_pdf_0 : f32,  light_pdf_0 : f32) -> f32
 {
-    var _S203 : bool;
+    var _S208 : bool;
     if(bounce_pdf_0 == 0.0f)
     {
-        _S203 = true;
+        _S208 = true;
     }
     else
     {
-        _S203 = light_pdf_0 == 0.0f;
+        _S208 = light_pdf_0 == 0.0f;
     }
-    if(_S203)
+    if(_S208)
     {
         return 1.0f;
     }
@@ -3236,24 +3243,24 @@ fn SunDisc_is_visible_0() -> bool
 
 fn Path_is_straight_0( this_34 : Path_0) -> bool
 {
-    var _S204 : bool;
+    var _S209 : bool;
     if((this_34.bounce_0) == u32(0))
     {
-        _S204 = (this_34.pdf_1) == 0.0f;
+        _S209 = (this_34.pdf_1) == 0.0f;
     }
     else
     {
-        _S204 = false;
+        _S209 = false;
     }
-    if(_S204)
+    if(_S209)
     {
-        _S204 = (all(((this_34.normal_0) == vec3<f32>(0.0f))));
+        _S209 = (all(((this_34.normal_0) == vec3<f32>(0.0f))));
     }
     else
     {
-        _S204 = false;
+        _S209 = false;
     }
-    return _S204;
+    return _S209;
 }
 
 fn SunDisc_contains_0( direction_17 : vec3<f32>) -> bool
@@ -3263,44 +3270,44 @@ fn SunDisc_contains_0( direction_17 : vec3<f32>) -> bool
 
 fn SunDisc_le_0( direction_18 : vec3<f32>) -> vec3<f32>
 {
-    var _S205 : vec3<f32>;
+    var _S210 : vec3<f32>;
     if(SunDisc_contains_0(direction_18))
     {
-        _S205 = params_0.sun_radiance_0;
+        _S210 = params_0.sun_radiance_0;
     }
     else
     {
-        _S205 = vec3<f32>(0.0f);
+        _S210 = vec3<f32>(0.0f);
     }
-    return _S205;
+    return _S210;
 }
 
 fn SunDisc_pdf_0( direction_19 : vec3<f32>) -> f32
 {
-    var _S206 : f32;
+    var _S211 : f32;
     if(SunDisc_contains_0(direction_19))
     {
-        _S206 = params_0.sun_pdf_0;
+        _S211 = params_0.sun_pdf_0;
     }
     else
     {
-        _S206 = 0.0f;
+        _S211 = 0.0f;
     }
-    return _S206;
+    return _S211;
 }
 
 fn Lights_sun_pdf_0( selection_2 : Selection_0,  direction_20 : vec3<f32>) -> f32
 {
-    var _S207 : f32;
+    var _S212 : f32;
     if(has_sun_0())
     {
-        _S207 = SunDisc_pdf_0(direction_20) * selection_2.sun_0;
+        _S212 = SunDisc_pdf_0(direction_20) * selection_2.sun_0;
     }
     else
     {
-        _S207 = 0.0f;
+        _S212 = 0.0f;
     }
-    return _S207;
+    return _S212;
 }
 
 fn Path_dimension_scatter_0( this_35 : Path_0) -> u32
@@ -3363,12 +3370,12 @@ struct Aim_0
 
 fn Aim_x24init_0( is_met_1 : bool,  direction_22 : vec3<f32>,  hit_7 : Hit_0,  luminance_2 : f32) -> Aim_0
 {
-    var _S208 : Aim_0;
-    _S208.is_met_0 = is_met_1;
-    _S208.direction_21 = direction_22;
-    _S208.hit_6 = hit_7;
-    _S208.luminance_1 = luminance_2;
-    return _S208;
+    var _S213 : Aim_0;
+    _S213.is_met_0 = is_met_1;
+    _S213.direction_21 = direction_22;
+    _S213.hit_6 = hit_7;
+    _S213.luminance_1 = luminance_2;
+    return _S213;
 }
 
 struct LightSample_0
@@ -3381,18 +3388,18 @@ struct LightSample_0
 
 fn LightSample_x24init_0( ray_17 : Ray_0,  cos_theta_3 : f32,  radiance_2 : vec3<f32>,  pdf_3 : f32) -> LightSample_0
 {
-    var _S209 : LightSample_0;
-    _S209.ray_16 = ray_17;
-    _S209.cos_theta_2 = cos_theta_3;
-    _S209.radiance_1 = radiance_2;
-    _S209.pdf_2 = pdf_3;
-    return _S209;
+    var _S214 : LightSample_0;
+    _S214.ray_16 = ray_17;
+    _S214.cos_theta_2 = cos_theta_3;
+    _S214.radiance_1 = radiance_2;
+    _S214.pdf_2 = pdf_3;
+    return _S214;
 }
 
 fn no_light_0() -> LightSample_0
 {
-    var _S210 : vec3<f32> = vec3<f32>(0.0f);
-    return LightSample_x24init_0(Ray_x24init_0(_S210, 0.0f, _S210, 0.0f), 0.0f, _S210, 0.0f);
+    var _S215 : vec3<f32> = vec3<f32>(0.0f);
+    return LightSample_x24init_0(Ray_x24init_0(_S215, 0.0f, _S215, 0.0f), 0.0f, _S215, 0.0f);
 }
 
 fn sincos_turns_0( turns_1 : f32) -> vec2<f32>
@@ -3448,36 +3455,36 @@ struct ChosenDirection_0
 
 fn ChosenDirection_x24init_0( direction_26 : vec3<f32>,  radiance_4 : vec3<f32>,  pdf_5 : f32) -> ChosenDirection_0
 {
-    var _S211 : ChosenDirection_0;
-    _S211.direction_25 = direction_26;
-    _S211.radiance_3 = radiance_4;
-    _S211.pdf_4 = pdf_5;
-    return _S211;
+    var _S216 : ChosenDirection_0;
+    _S216.direction_25 = direction_26;
+    _S216.radiance_3 = radiance_4;
+    _S216.pdf_4 = pdf_5;
+    return _S216;
 }
 
 fn direction_of_0( square_0 : vec2<f32>) -> vec3<f32>
 {
     var u_5 : f32 = square_0.x * 2.0f - 1.0f;
     var v_5 : f32 = square_0.y * 2.0f - 1.0f;
-    var _S212 : f32 = abs(u_5);
-    var _S213 : f32 = abs(v_5);
-    var height_1 : f32 = 1.0f - (_S212 + _S213);
+    var _S217 : f32 = abs(u_5);
+    var _S218 : f32 = abs(v_5);
+    var height_1 : f32 = 1.0f - (_S217 + _S218);
     var radius_2 : f32 = 1.0f - abs(height_1);
     var turns_2 : f32;
     if(radius_2 > 0.0f)
     {
-        turns_2 = (divide_0(_S213 - _S212, radius_2) + 1.0f) * 0.125f;
+        turns_2 = (divide_0(_S218 - _S217, radius_2) + 1.0f) * 0.125f;
     }
     else
     {
         turns_2 = 0.0f;
     }
     var sin_cos_1 : vec2<f32> = sincos_turns_0(turns_2);
-    var _S214 : f32 = radius_2 * radius_2;
-    var across_0 : f32 = radius_2 * square_root_0(2.0f - _S214);
+    var _S219 : f32 = radius_2 * radius_2;
+    var across_0 : f32 = radius_2 * square_root_0(2.0f - _S219);
     var x_9 : f32 = sin_cos_1.y * across_0;
     var y_4 : f32 = sin_cos_1.x * across_0;
-    var z_0 : f32 = 1.0f - _S214;
+    var z_0 : f32 = 1.0f - _S219;
     if(u_5 < 0.0f)
     {
         turns_2 = - x_9;
@@ -3486,45 +3493,45 @@ fn direction_of_0( square_0 : vec2<f32>) -> vec3<f32>
     {
         turns_2 = x_9;
     }
-    var _S215 : f32;
+    var _S220 : f32;
     if(v_5 < 0.0f)
     {
-        _S215 = - y_4;
+        _S220 = - y_4;
     }
     else
     {
-        _S215 = y_4;
+        _S220 = y_4;
     }
-    var _S216 : f32;
+    var _S221 : f32;
     if(height_1 < 0.0f)
     {
-        _S216 = - z_0;
+        _S221 = - z_0;
     }
     else
     {
-        _S216 = z_0;
+        _S221 = z_0;
     }
-    return vec3<f32>(turns_2, _S215, _S216);
+    return vec3<f32>(turns_2, _S220, _S221);
 }
 
-fn Environment_to_world_0( d_3 : vec3<f32>) -> vec3<f32>
+fn Environment_to_world_0( d_2 : vec3<f32>) -> vec3<f32>
 {
     var sin_2 : f32 = params_0.sky_turned_0.x;
     var cos_3 : f32 = params_0.sky_turned_0.y;
-    var _S217 : f32 = d_3.x;
-    var _S218 : f32 = d_3.y;
-    return vec3<f32>(_S217 * cos_3 + _S218 * sin_2, _S218 * cos_3 - _S217 * sin_2, d_3.z);
+    var _S222 : f32 = d_2.x;
+    var _S223 : f32 = d_2.y;
+    return vec3<f32>(_S222 * cos_3 + _S223 * sin_2, _S223 * cos_3 - _S222 * sin_2, d_2.z);
 }
 
 fn Environment_choose_0( u_6 : vec4<f32>,  chosen_0 : ptr<function, ChosenDirection_0>) -> bool
 {
-    var _S219 : vec3<f32> = vec3<f32>(0.0f);
-    (*chosen_0) = ChosenDirection_x24init_0(_S219, _S219, 0.0f);
+    var _S224 : vec3<f32> = vec3<f32>(0.0f);
+    (*chosen_0) = ChosenDirection_x24init_0(_S224, _S224, 0.0f);
     var edge_0 : f32 = f32(params_0.sky_edge_0);
-    var _S220 : f32 = u_6.x * edge_0;
-    var _S221 : f32 = edge_0 - 1.0f;
-    var _S222 : f32 = min(floor(_S220), _S221);
-    var own_1 : u32 = u32(_S222) * params_0.sky_edge_0 + u32(min(floor(u_6.y * edge_0), _S221));
+    var _S225 : f32 = u_6.x * edge_0;
+    var _S226 : f32 = edge_0 - 1.0f;
+    var _S227 : f32 = min(floor(_S225), _S226);
+    var own_1 : u32 = u32(_S227) * params_0.sky_edge_0 + u32(min(floor(u_6.y * edge_0), _S226));
     var index_14 : u32;
     if((u_6.z) < (environment_0[own_1].threshold_0))
     {
@@ -3539,10 +3546,10 @@ fn Environment_choose_0( u_6 : vec4<f32>,  chosen_0 : ptr<function, ChosenDirect
     {
         return false;
     }
-    var _S223 : u32 = index_14 % params_0.sky_edge_0;
-    var _S224 : f32 = f32(_S223);
-    var _S225 : u32 = index_14 / params_0.sky_edge_0;
-    var place_4 : vec2<f32> = vec2<f32>(_S224, f32(_S225)) + vec2<f32>(min(_S220 - _S222, 1.0f), u_6.w);
+    var _S228 : u32 = index_14 % params_0.sky_edge_0;
+    var _S229 : f32 = f32(_S228);
+    var _S230 : u32 = index_14 / params_0.sky_edge_0;
+    var place_4 : vec2<f32> = vec2<f32>(_S229, f32(_S230)) + vec2<f32>(min(_S225 - _S227, 1.0f), u_6.w);
     (*chosen_0) = ChosenDirection_x24init_0(Environment_to_world_0(direction_of_0(place_4 * vec2<f32>(divide_0(1.0f, edge_0)))), Environment_radiance_at_0(place_4), pdf_6);
     return true;
 }
@@ -3551,17 +3558,17 @@ fn Sky_sample_0( receiver_9 : Receiver_0,  u_7 : vec4<f32>,  sample_3 : ptr<func
 {
     (*sample_3) = no_light_0();
     var chosen_1 : ChosenDirection_0;
-    var _S226 : bool;
+    var _S231 : bool;
     if(SKY_0 != u32(1))
     {
-        _S226 = true;
+        _S231 = true;
     }
     else
     {
-        var _S227 : bool = Environment_choose_0(u_7, &(chosen_1));
-        _S226 = !_S227;
+        var _S232 : bool = Environment_choose_0(u_7, &(chosen_1));
+        _S231 = !_S232;
     }
-    if(_S226)
+    if(_S231)
     {
         return false;
     }
@@ -3583,15 +3590,15 @@ struct Descent_0
 
 fn Descent_x24init_0( node_4 : u32,  index_16 : u32,  count_3 : u32,  weight_1 : f32,  total_1 : f32,  choice_1 : f32,  is_far_4 : bool) -> Descent_0
 {
-    var _S228 : Descent_0;
-    _S228.node_3 = node_4;
-    _S228.index_15 = index_16;
-    _S228.count_2 = count_3;
-    _S228.weight_0 = weight_1;
-    _S228.total_0 = total_1;
-    _S228.choice_0 = choice_1;
-    _S228.is_far_3 = is_far_4;
-    return _S228;
+    var _S233 : Descent_0;
+    _S233.node_3 = node_4;
+    _S233.index_15 = index_16;
+    _S233.count_2 = count_3;
+    _S233.weight_0 = weight_1;
+    _S233.total_0 = total_1;
+    _S233.choice_0 = choice_1;
+    _S233.is_far_3 = is_far_4;
+    return _S233;
 }
 
 fn TopLights_node_0( index_17 : u32) -> LightNode_0
@@ -3611,24 +3618,24 @@ fn Descent_at_0( this_38 : ptr<function, Descent_0>,  root_2 : u32)
 
 fn normal_or_zero_0( weight_2 : f32) -> f32
 {
-    var _S229 : f32;
+    var _S234 : f32;
     if(weight_2 < 1.17549435082228751e-38f)
     {
-        _S229 = 0.0f;
+        _S234 = 0.0f;
     }
     else
     {
-        _S229 = weight_2;
+        _S234 = weight_2;
     }
-    return _S229;
+    return _S234;
 }
 
 fn weights_of_0( left_0 : f32,  right_0 : f32) -> vec2<f32>
 {
-    var _S230 : f32 = normal_or_zero_0(left_0);
-    var _S231 : f32 = normal_or_zero_0(right_0);
-    var unit_0 : f32 = inverse_power_of_two_0(_S230 + _S231);
-    return vec2<f32>(normal_or_zero_0(_S230 * unit_0), normal_or_zero_0(_S231 * unit_0));
+    var _S235 : f32 = normal_or_zero_0(left_0);
+    var _S236 : f32 = normal_or_zero_0(right_0);
+    var unit_0 : f32 = inverse_power_of_two_0(_S235 + _S236);
+    return vec2<f32>(normal_or_zero_0(_S235 * unit_0), normal_or_zero_0(_S236 * unit_0));
 }
 
 fn climb_0( receiver_10 : Receiver_0,  start_3 : u32,  descent_0 : ptr<function, Descent_0>) -> bool
@@ -3637,7 +3644,7 @@ fn climb_0( receiver_10 : Receiver_0,  start_3 : u32,  descent_0 : ptr<function,
     var at_1 : u32 = start_3;
     for(;;)
     {
-        var _S232 : LightNode_0 = node_6;
+        var _S237 : LightNode_0 = node_6;
         if((node_6.parent_0) != u32(4294967295))
         {
         }
@@ -3645,59 +3652,59 @@ fn climb_0( receiver_10 : Receiver_0,  start_3 : u32,  descent_0 : ptr<function,
         {
             break;
         }
-        var parent_1 : LightNode_0 = top_light_node_0(_S232.parent_0);
-        var _S233 : u32 = _S232.parent_0 + u32(1);
-        var is_left_0 : bool = at_1 == _S233;
-        var _S234 : u32;
+        var parent_1 : LightNode_0 = top_light_node_0(_S237.parent_0);
+        var _S238 : u32 = _S237.parent_0 + u32(1);
+        var is_left_0 : bool = at_1 == _S238;
+        var _S239 : u32;
         if(is_left_0)
         {
-            _S234 = parent_1.index_11;
+            _S239 = parent_1.index_11;
         }
         else
         {
-            _S234 = _S233;
+            _S239 = _S238;
         }
-        var _S235 : View_0 = view_0(node_6, receiver_10);
-        var _S236 : View_0 = view_0(top_light_node_0(_S234), receiver_10);
-        var _S237 : f32;
+        var _S240 : View_0 = view_0(node_6, receiver_10);
+        var _S241 : View_0 = view_0(top_light_node_0(_S239), receiver_10);
+        var _S242 : f32;
         if(is_left_0)
         {
-            _S237 = _S235.importance_0;
+            _S242 = _S240.importance_0;
         }
         else
         {
-            _S237 = _S236.importance_0;
+            _S242 = _S241.importance_0;
         }
-        var _S238 : f32;
+        var _S243 : f32;
         if(is_left_0)
         {
-            _S238 = _S236.importance_0;
+            _S243 = _S241.importance_0;
         }
         else
         {
-            _S238 = _S235.importance_0;
+            _S243 = _S240.importance_0;
         }
-        var weights_0 : vec2<f32> = weights_of_0(_S237, _S238);
-        var _S239 : f32 = weights_0.x;
-        var _S240 : f32 = weights_0.y;
-        var total_2 : f32 = _S239 + _S240;
+        var weights_0 : vec2<f32> = weights_of_0(_S242, _S243);
+        var _S244 : f32 = weights_0.x;
+        var _S245 : f32 = weights_0.y;
+        var total_2 : f32 = _S244 + _S245;
         if(!(total_2 > 0.0f))
         {
             return false;
         }
-        var _S241 : f32;
+        var _S246 : f32;
         if(is_left_0)
         {
-            _S241 = _S239;
+            _S246 = _S244;
         }
         else
         {
-            _S241 = _S240;
+            _S246 = _S245;
         }
-        (*descent_0).weight_0 = (*descent_0).weight_0 * _S241;
+        (*descent_0).weight_0 = (*descent_0).weight_0 * _S246;
         (*descent_0).total_0 = (*descent_0).total_0 * total_2;
         node_6 = parent_1;
-        at_1 = _S232.parent_0;
+        at_1 = _S237.parent_0;
     }
     return ((*descent_0).weight_0) > 0.0f;
 }
@@ -3711,16 +3718,16 @@ fn descend_0( receiver_11 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<functio
 {
     for(;;)
     {
-        var _S242 : bool;
+        var _S247 : bool;
         if(((*descent_1).count_2) == u32(0))
         {
-            _S242 = !(*descent_1).is_far_3;
+            _S247 = !(*descent_1).is_far_3;
         }
         else
         {
-            _S242 = false;
+            _S247 = false;
         }
-        if(_S242)
+        if(_S247)
         {
         }
         else
@@ -3734,29 +3741,29 @@ fn descend_0( receiver_11 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<functio
         var left_1 : LightNode_0 = TopLights_node_0((*descent_1).node_3 + u32(1));
         var right_1 : LightNode_0 = TopLights_node_0((*descent_1).index_15);
         var weights_1 : vec2<f32> = weights_of_0(view_0(left_1, receiver_11).importance_0, view_0(right_1, receiver_11).importance_0);
-        var _S243 : f32 = weights_1.x;
-        var _S244 : f32 = weights_1.y;
-        var total_3 : f32 = _S243 + _S244;
+        var _S248 : f32 = weights_1.x;
+        var _S249 : f32 = weights_1.y;
+        var total_3 : f32 = _S248 + _S249;
         if(!(total_3 > 0.0f))
         {
             return false;
         }
-        var _S245 : bool;
-        if(_S244 <= 0.0f)
+        var _S250 : bool;
+        if(_S249 <= 0.0f)
         {
-            _S245 = true;
+            _S250 = true;
         }
         else
         {
-            _S245 = ((*descent_1).choice_0 * total_3) < (_S243 * (*descent_1).weight_0);
+            _S250 = ((*descent_1).choice_0 * total_3) < (_S248 * (*descent_1).weight_0);
         }
         var is_left_1 : bool;
         if(aim_0.is_met_0)
         {
-            var _S246 : vec3<f32> = vec3<f32>(aim_0.hit_6.voxel_0);
-            if((all((_S246 >= (vector_of_0(left_1.min_1))))))
+            var _S251 : vec3<f32> = vec3<f32>(aim_0.hit_6.voxel_0);
+            if((all((_S251 >= (vector_of_0(left_1.min_1))))))
             {
-                is_left_1 = (all((_S246 < (vector_of_0(left_1.max_1)))));
+                is_left_1 = (all((_S251 < (vector_of_0(left_1.max_1)))));
             }
             else
             {
@@ -3765,63 +3772,63 @@ fn descend_0( receiver_11 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<functio
         }
         else
         {
-            is_left_1 = _S245;
+            is_left_1 = _S250;
         }
-        var _S247 : f32 = (*descent_1).choice_0 * total_3;
-        var _S248 : f32;
+        var _S252 : f32 = (*descent_1).choice_0 * total_3;
+        var _S253 : f32;
         if(is_left_1)
         {
-            _S248 = 0.0f;
+            _S253 = 0.0f;
         }
         else
         {
-            _S248 = _S243 * (*descent_1).weight_0;
+            _S253 = _S248 * (*descent_1).weight_0;
         }
-        (*descent_1).choice_0 = _S247 - _S248;
-        var _S249 : u32;
+        (*descent_1).choice_0 = _S252 - _S253;
+        var _S254 : u32;
         if(is_left_1)
         {
-            _S249 = (*descent_1).node_3 + u32(1);
+            _S254 = (*descent_1).node_3 + u32(1);
         }
         else
         {
-            _S249 = (*descent_1).index_15;
+            _S254 = (*descent_1).index_15;
         }
-        (*descent_1).node_3 = _S249;
-        var _S250 : u32;
+        (*descent_1).node_3 = _S254;
+        var _S255 : u32;
         if(is_left_1)
         {
-            _S250 = left_1.index_11;
+            _S255 = left_1.index_11;
         }
         else
         {
-            _S250 = right_1.index_11;
+            _S255 = right_1.index_11;
         }
-        (*descent_1).index_15 = _S250;
-        var _S251 : u32;
+        (*descent_1).index_15 = _S255;
+        var _S256 : u32;
         if(is_left_1)
         {
-            _S251 = left_1.count_1;
+            _S256 = left_1.count_1;
         }
         else
         {
-            _S251 = right_1.count_1;
+            _S256 = right_1.count_1;
         }
-        (*descent_1).count_2 = _S251;
+        (*descent_1).count_2 = _S256;
         (*descent_1).is_far_3 = false;
-        var _S252 : f32;
+        var _S257 : f32;
         if(is_left_1)
         {
-            _S252 = _S243;
+            _S257 = _S248;
         }
         else
         {
-            _S252 = _S244;
+            _S257 = _S249;
         }
-        var _S253 : f32 = (*descent_1).weight_0 * _S252;
-        (*descent_1).weight_0 = _S253;
+        var _S258 : f32 = (*descent_1).weight_0 * _S257;
+        (*descent_1).weight_0 = _S258;
         (*descent_1).total_0 = (*descent_1).total_0 * total_3;
-        if(_S253 <= 0.0f)
+        if(_S258 <= 0.0f)
         {
             return false;
         }
@@ -3840,8 +3847,8 @@ fn in_grid_0( instance_13 : u32,  receiver_12 : Receiver_0) -> Receiver_0
     {
         return receiver_12;
     }
-    var _S254 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(instance_13);
-    return Receiver_x24init_0(Transform_point_0(_S254.grid_from_world_0, receiver_12.point_0), normalize_vector_0(Transform_direction_0(_S254.grid_from_world_0, receiver_12.normal_2)));
+    var _S259 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(instance_13);
+    return Receiver_x24init_0(Transform_point_0(_S259.grid_from_world_0, receiver_12.point_0), normalize_vector_0(Transform_direction_0(_S259.grid_from_world_0, receiver_12.normal_2)));
 }
 
 fn lights_in_pages_0() -> bool
@@ -3849,9 +3856,9 @@ fn lights_in_pages_0() -> bool
     return false;
 }
 
-fn Rows_operatorx5Bx5D_get_2( row_7 : u32) -> vec4<u32>
+fn Rows_operatorx5Bx5D_get_4( row_8 : u32) -> vec4<u32>
 {
-    return records_0[first_row_0(u32(5)) + row_7];
+    return records_0[first_row_0(u32(5)) + row_8];
 }
 
 fn place_in_light_node_0( node_7 : u32,  word_5 : u32) -> u32
@@ -3863,8 +3870,8 @@ fn light_node_at_0( index_18 : u32) -> LightNode_0
 {
     if(!lights_in_pages_0())
     {
-        var _S255 : u32 = u32(4) * index_18;
-        return light_node_of_0(Rows_operatorx5Bx5D_get_2(_S255), Rows_operatorx5Bx5D_get_2(_S255 + u32(1)), Rows_operatorx5Bx5D_get_2(_S255 + u32(2)), Rows_operatorx5Bx5D_get_2(_S255 + u32(3)));
+        var _S260 : u32 = u32(4) * index_18;
+        return light_node_of_0(Rows_operatorx5Bx5D_get_4(_S260), Rows_operatorx5Bx5D_get_4(_S260 + u32(1)), Rows_operatorx5Bx5D_get_4(_S260 + u32(2)), Rows_operatorx5Bx5D_get_4(_S260 + u32(3)));
     }
     var at_2 : u32 = place_in_light_node_0(index_18, u32(0));
     var node_8 : LightNode_0;
@@ -3921,16 +3928,16 @@ fn descend_1( receiver_13 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<functio
 {
     for(;;)
     {
-        var _S256 : bool;
+        var _S261 : bool;
         if(((*descent_2).count_2) == u32(0))
         {
-            _S256 = !(*descent_2).is_far_3;
+            _S261 = !(*descent_2).is_far_3;
         }
         else
         {
-            _S256 = false;
+            _S261 = false;
         }
-        if(_S256)
+        if(_S261)
         {
         }
         else
@@ -3946,29 +3953,29 @@ fn descend_1( receiver_13 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<functio
         var of_left_0 : View_0 = view_0(left_2, receiver_13);
         var of_right_0 : View_0 = view_0(right_2, receiver_13);
         var weights_2 : vec2<f32> = weights_of_0(of_left_0.importance_0, of_right_0.importance_0);
-        var _S257 : f32 = weights_2.x;
-        var _S258 : f32 = weights_2.y;
-        var total_4 : f32 = _S257 + _S258;
+        var _S262 : f32 = weights_2.x;
+        var _S263 : f32 = weights_2.y;
+        var total_4 : f32 = _S262 + _S263;
         if(!(total_4 > 0.0f))
         {
             return false;
         }
-        var _S259 : bool;
-        if(_S258 <= 0.0f)
+        var _S264 : bool;
+        if(_S263 <= 0.0f)
         {
-            _S259 = true;
+            _S264 = true;
         }
         else
         {
-            _S259 = ((*descent_2).choice_0 * total_4) < (_S257 * (*descent_2).weight_0);
+            _S264 = ((*descent_2).choice_0 * total_4) < (_S262 * (*descent_2).weight_0);
         }
         var is_left_2 : bool;
         if(aim_1.is_met_0)
         {
-            var _S260 : vec3<f32> = vec3<f32>(aim_1.hit_6.voxel_0);
-            if((all((_S260 >= (vector_of_0(left_2.min_1))))))
+            var _S265 : vec3<f32> = vec3<f32>(aim_1.hit_6.voxel_0);
+            if((all((_S265 >= (vector_of_0(left_2.min_1))))))
             {
-                is_left_2 = (all((_S260 < (vector_of_0(left_2.max_1)))));
+                is_left_2 = (all((_S265 < (vector_of_0(left_2.max_1)))));
             }
             else
             {
@@ -3977,72 +3984,72 @@ fn descend_1( receiver_13 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<functio
         }
         else
         {
-            is_left_2 = _S259;
+            is_left_2 = _S264;
         }
-        var _S261 : f32 = (*descent_2).choice_0 * total_4;
-        var _S262 : f32;
-        if(is_left_2)
-        {
-            _S262 = 0.0f;
-        }
-        else
-        {
-            _S262 = _S257 * (*descent_2).weight_0;
-        }
-        (*descent_2).choice_0 = _S261 - _S262;
-        var _S263 : u32;
-        if(is_left_2)
-        {
-            _S263 = (*descent_2).node_3 + u32(1);
-        }
-        else
-        {
-            _S263 = (*descent_2).index_15;
-        }
-        (*descent_2).node_3 = _S263;
-        var _S264 : u32;
-        if(is_left_2)
-        {
-            _S264 = left_2.index_11;
-        }
-        else
-        {
-            _S264 = right_2.index_11;
-        }
-        (*descent_2).index_15 = _S264;
-        var _S265 : u32;
-        if(is_left_2)
-        {
-            _S265 = left_2.count_1;
-        }
-        else
-        {
-            _S265 = right_2.count_1;
-        }
-        (*descent_2).count_2 = _S265;
-        var _S266 : bool;
-        if(is_left_2)
-        {
-            _S266 = of_left_0.is_far_0;
-        }
-        else
-        {
-            _S266 = of_right_0.is_far_0;
-        }
-        (*descent_2).is_far_3 = _S266;
+        var _S266 : f32 = (*descent_2).choice_0 * total_4;
         var _S267 : f32;
         if(is_left_2)
         {
-            _S267 = _S257;
+            _S267 = 0.0f;
         }
         else
         {
-            _S267 = _S258;
+            _S267 = _S262 * (*descent_2).weight_0;
         }
-        var _S268 : f32 = (*descent_2).weight_0 * _S267;
-        (*descent_2).weight_0 = _S268;
+        (*descent_2).choice_0 = _S266 - _S267;
+        var _S268 : u32;
+        if(is_left_2)
+        {
+            _S268 = (*descent_2).node_3 + u32(1);
+        }
+        else
+        {
+            _S268 = (*descent_2).index_15;
+        }
+        (*descent_2).node_3 = _S268;
+        var _S269 : u32;
+        if(is_left_2)
+        {
+            _S269 = left_2.index_11;
+        }
+        else
+        {
+            _S269 = right_2.index_11;
+        }
+        (*descent_2).index_15 = _S269;
+        var _S270 : u32;
+        if(is_left_2)
+        {
+            _S270 = left_2.count_1;
+        }
+        else
+        {
+            _S270 = right_2.count_1;
+        }
+        (*descent_2).count_2 = _S270;
+        var _S271 : bool;
+        if(is_left_2)
+        {
+            _S271 = of_left_0.is_far_0;
+        }
+        else
+        {
+            _S271 = of_right_0.is_far_0;
+        }
+        (*descent_2).is_far_3 = _S271;
+        var _S272 : f32;
+        if(is_left_2)
+        {
+            _S272 = _S262;
+        }
+        else
+        {
+            _S272 = _S263;
+        }
+        var _S273 : f32 = (*descent_2).weight_0 * _S272;
+        (*descent_2).weight_0 = _S273;
         (*descent_2).total_0 = (*descent_2).total_0 * total_4;
-        if(_S268 <= 0.0f)
+        if(_S273 <= 0.0f)
         {
             return false;
         }
@@ -4053,29 +4060,29 @@ fn descend_1( receiver_13 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<functio
 fn choose_side_0( point_3 : vec3<f32>,  is_met_2 : bool,  way_4 : Descent_0,  side_0 : ptr<function, u32>,  odds_0 : ptr<function, vec2<f32>>) -> bool
 {
     var node_10 : LightNode_0 = light_node_at_0(way_4.node_3);
-    var _S269 : vec3<f32> = vector_of_0(node_10.max_1);
-    var _S270 : vec3<f32> = vector_of_0(node_10.min_1);
-    var _S271 : vec3<f32> = vec3<f32>(0.5f);
-    var half_2 : vec3<f32> = (_S269 - _S270) * _S271;
-    var toward_1 : vec3<f32> = (_S270 + _S269) * _S271 - point_3;
+    var _S274 : vec3<f32> = vector_of_0(node_10.max_1);
+    var _S275 : vec3<f32> = vector_of_0(node_10.min_1);
+    var _S276 : vec3<f32> = vec3<f32>(0.5f);
+    var half_2 : vec3<f32> = (_S274 - _S275) * _S276;
+    var toward_1 : vec3<f32> = (_S275 + _S274) * _S276 - point_3;
     var sent_1 : BySide_0 = sent_by_side_0(node_10, point_3, length_bound_0(select(half_2, abs(toward_1), vec3<bool>(((length_squared_0(toward_1)) > (length_squared_0(half_2)))))));
     var sum_3 : f32 = normal_or_zero_0(BySide_sum_0(sent_1));
     var unit_1 : f32 = inverse_power_of_two_0(sum_3);
     var total_5 : f32 = sum_3 * unit_1;
-    var _S272 : f32 = way_4.choice_0 * total_5;
-    var _S273 : u32 = (*side_0);
+    var _S277 : f32 = way_4.choice_0 * total_5;
+    var _S278 : u32 = (*side_0);
     var share_0 : f32 = normal_or_zero_0(sent_1.low_7[u32(0)] * unit_1);
-    var _S274 : bool;
+    var _S279 : bool;
     if(is_met_2)
     {
-        _S274 = u32(0) == _S273;
+        _S279 = u32(0) == _S278;
     }
     else
     {
-        _S274 = share_0 > 0.0f;
+        _S279 = share_0 > 0.0f;
     }
     var chosen_2 : f32;
-    if(_S274)
+    if(_S279)
     {
         (*side_0) = u32(0);
         chosen_2 = share_0;
@@ -4084,145 +4091,145 @@ fn choose_side_0( point_3 : vec3<f32>,  is_met_2 : bool,  way_4 : Descent_0,  si
     {
         chosen_2 = 0.0f;
     }
-    var _S275 : bool = _S272 < (share_0 * way_4.weight_0);
+    var _S280 : bool = _S277 < (share_0 * way_4.weight_0);
     var share_1 : f32 = normal_or_zero_0(sent_1.high_4[u32(0)] * unit_1);
     if(is_met_2)
     {
-        _S274 = u32(1) == _S273;
+        _S279 = u32(1) == _S278;
     }
     else
     {
         if(share_1 > 0.0f)
         {
-            _S274 = !_S275;
+            _S279 = !_S280;
         }
         else
         {
-            _S274 = false;
+            _S279 = false;
         }
     }
-    if(_S274)
+    if(_S279)
     {
         (*side_0) = u32(1);
         chosen_2 = share_1;
     }
     var passed_0 : f32 = share_0 + share_1;
-    if(_S275)
+    if(_S280)
     {
-        _S274 = true;
+        _S279 = true;
     }
     else
     {
-        _S274 = _S272 < (passed_0 * way_4.weight_0);
+        _S279 = _S277 < (passed_0 * way_4.weight_0);
     }
     var share_2 : f32 = normal_or_zero_0(sent_1.low_7[u32(1)] * unit_1);
-    var _S276 : bool;
+    var _S281 : bool;
     if(is_met_2)
     {
-        _S276 = u32(2) == _S273;
+        _S281 = u32(2) == _S278;
     }
     else
     {
         if(share_2 > 0.0f)
         {
-            _S276 = !_S274;
+            _S281 = !_S279;
         }
         else
         {
-            _S276 = false;
+            _S281 = false;
         }
     }
-    if(_S276)
+    if(_S281)
     {
         (*side_0) = u32(2);
         chosen_2 = share_2;
     }
     var passed_1 : f32 = passed_0 + share_2;
-    if(_S274)
+    if(_S279)
     {
-        _S274 = true;
+        _S279 = true;
     }
     else
     {
-        _S274 = _S272 < (passed_1 * way_4.weight_0);
+        _S279 = _S277 < (passed_1 * way_4.weight_0);
     }
     var share_3 : f32 = normal_or_zero_0(sent_1.high_4[u32(1)] * unit_1);
     if(is_met_2)
     {
-        _S276 = u32(3) == _S273;
+        _S281 = u32(3) == _S278;
     }
     else
     {
         if(share_3 > 0.0f)
         {
-            _S276 = !_S274;
+            _S281 = !_S279;
         }
         else
         {
-            _S276 = false;
+            _S281 = false;
         }
     }
-    if(_S276)
+    if(_S281)
     {
         (*side_0) = u32(3);
         chosen_2 = share_3;
     }
     var passed_2 : f32 = passed_1 + share_3;
-    if(_S274)
+    if(_S279)
     {
-        _S274 = true;
+        _S279 = true;
     }
     else
     {
-        _S274 = _S272 < (passed_2 * way_4.weight_0);
+        _S279 = _S277 < (passed_2 * way_4.weight_0);
     }
     var share_4 : f32 = normal_or_zero_0(sent_1.low_7[u32(2)] * unit_1);
     if(is_met_2)
     {
-        _S276 = u32(4) == _S273;
+        _S281 = u32(4) == _S278;
     }
     else
     {
         if(share_4 > 0.0f)
         {
-            _S276 = !_S274;
+            _S281 = !_S279;
         }
         else
         {
-            _S276 = false;
+            _S281 = false;
         }
     }
-    if(_S276)
+    if(_S281)
     {
         (*side_0) = u32(4);
         chosen_2 = share_4;
     }
     var passed_3 : f32 = passed_2 + share_4;
-    if(_S274)
+    if(_S279)
     {
-        _S274 = true;
+        _S279 = true;
     }
     else
     {
-        _S274 = _S272 < (passed_3 * way_4.weight_0);
+        _S279 = _S277 < (passed_3 * way_4.weight_0);
     }
     var share_5 : f32 = normal_or_zero_0(sent_1.high_4[u32(2)] * unit_1);
     if(is_met_2)
     {
-        _S274 = u32(5) == _S273;
+        _S279 = u32(5) == _S278;
     }
     else
     {
         if(share_5 > 0.0f)
         {
-            _S274 = !_S274;
+            _S279 = !_S279;
         }
         else
         {
-            _S274 = false;
+            _S279 = false;
         }
     }
-    if(_S274)
+    if(_S279)
     {
         (*side_0) = u32(5);
         chosen_2 = share_5;
@@ -4230,32 +4237,32 @@ fn choose_side_0( point_3 : vec3<f32>,  is_met_2 : bool,  way_4 : Descent_0,  si
     (*odds_0) = vec2<f32>(way_4.weight_0 * chosen_2, way_4.total_0 * total_5);
     if(sum_3 > 0.0f)
     {
-        _S274 = ((*odds_0).x) > 0.0f;
+        _S279 = ((*odds_0).x) > 0.0f;
     }
     else
     {
-        _S274 = false;
+        _S279 = false;
     }
-    return _S274;
+    return _S279;
 }
 
 fn light_node_word_0( index_20 : u32,  word_6 : u32) -> u32
 {
-    return Rows_operatorx5Bx5D_get_2(u32(4) * index_20 + ((word_6 >> (u32(2)))))[(word_6 & (u32(3)))];
+    return Rows_operatorx5Bx5D_get_4(u32(4) * index_20 + ((word_6 >> (u32(2)))))[(word_6 & (u32(3)))];
 }
 
 fn light_power_at_0( index_21 : u32,  side_1 : u32) -> f32
 {
-    var _S277 : u32;
+    var _S282 : u32;
     if(lights_in_pages_0())
     {
-        _S277 = cells_1[place_in_light_node_0(index_21, u32(8) + side_1)];
+        _S282 = cells_1[place_in_light_node_0(index_21, u32(8) + side_1)];
     }
     else
     {
-        _S277 = light_node_word_0(index_21, u32(8) + side_1);
+        _S282 = light_node_word_0(index_21, u32(8) + side_1);
     }
-    return (bitcast<f32>((_S277)));
+    return (bitcast<f32>((_S282)));
 }
 
 fn component_0( vector_5 : vec3<f32>,  axis_6 : u32) -> f32
@@ -4314,69 +4321,69 @@ fn place_in_emitter_0( emitter_0 : u32,  word_7 : u32) -> u32
     return u32(0);
 }
 
-fn Rows_operatorx5Bx5D_get_3( row_8 : u32) -> vec4<u32>
+fn Rows_operatorx5Bx5D_get_5( row_9 : u32) -> vec4<u32>
 {
-    return records_0[first_row_0(u32(4)) + row_8];
+    return records_0[first_row_0(u32(4)) + row_9];
 }
 
 fn emitter_word_0( index_23 : u32,  word_8 : u32) -> u32
 {
-    return Rows_operatorx5Bx5D_get_3(u32(2) * index_23 + ((word_8 >> (u32(2)))))[(word_8 & (u32(3)))];
+    return Rows_operatorx5Bx5D_get_5(u32(2) * index_23 + ((word_8 >> (u32(2)))))[(word_8 & (u32(3)))];
 }
 
 fn emitter_faces_at_0( index_24 : u32) -> u32
 {
-    var _S278 : u32;
+    var _S283 : u32;
     if(lights_in_pages_0())
     {
-        _S278 = cells_1[place_in_emitter_0(index_24, u32(4))];
+        _S283 = cells_1[place_in_emitter_0(index_24, u32(4))];
     }
     else
     {
-        _S278 = emitter_word_0(index_24, u32(4));
+        _S283 = emitter_word_0(index_24, u32(4));
     }
-    return _S278;
+    return _S283;
 }
 
 fn emitter_luminance_at_0( index_25 : u32) -> f32
 {
-    var _S279 : f32;
+    var _S284 : f32;
     if(lights_in_pages_0())
     {
-        _S279 = (bitcast<f32>((cells_1[place_in_emitter_0(index_25, u32(6))])));
+        _S284 = (bitcast<f32>((cells_1[place_in_emitter_0(index_25, u32(6))])));
     }
     else
     {
-        _S279 = (bitcast<f32>((emitter_word_0(index_25, u32(6)))));
+        _S284 = (bitcast<f32>((emitter_word_0(index_25, u32(6)))));
     }
-    return _S279;
+    return _S284;
 }
 
 fn Emitter_x24init_0( voxel_25 : array<i32, i32(3)>,  grid_9 : u32,  faces_1 : u32,  material_7 : u32,  luminance_5 : f32,  leaf_1 : u32) -> Emitter_0
 {
-    var _S280 : Emitter_0;
-    _S280.voxel_24 = voxel_25;
-    _S280.grid_8 = grid_9;
-    _S280.faces_0 = faces_1;
-    _S280.material_6 = material_7;
-    _S280.luminance_4 = luminance_5;
-    _S280.leaf_0 = leaf_1;
-    return _S280;
+    var _S285 : Emitter_0;
+    _S285.voxel_24 = voxel_25;
+    _S285.grid_8 = grid_9;
+    _S285.faces_0 = faces_1;
+    _S285.material_6 = material_7;
+    _S285.luminance_4 = luminance_5;
+    _S285.leaf_0 = leaf_1;
+    return _S285;
 }
 
 fn emitter_at_0( index_26 : u32) -> Emitter_0
 {
     if(!lights_in_pages_0())
     {
-        var _S281 : u32 = u32(2) * index_26;
-        var _S282 : vec4<u32> = Rows_operatorx5Bx5D_get_3(_S281);
-        var _S283 : vec4<u32> = Rows_operatorx5Bx5D_get_3(_S281 + u32(1));
-        var _S284 : array<i32, i32(3)> = array<i32, i32(3)>( i32(_S282.x), i32(_S282.y), i32(_S282.z) );
-        return Emitter_x24init_0(_S284, _S282.w, _S283.x, _S283.y, (bitcast<f32>((_S283.z))), _S283.w);
+        var _S286 : u32 = u32(2) * index_26;
+        var _S287 : vec4<u32> = Rows_operatorx5Bx5D_get_5(_S286);
+        var _S288 : vec4<u32> = Rows_operatorx5Bx5D_get_5(_S286 + u32(1));
+        var _S289 : array<i32, i32(3)> = array<i32, i32(3)>( i32(_S287.x), i32(_S287.y), i32(_S287.z) );
+        return Emitter_x24init_0(_S289, _S287.w, _S288.x, _S288.y, (bitcast<f32>((_S288.z))), _S288.w);
     }
     var at_4 : u32 = place_in_emitter_0(index_26, u32(0));
-    var _S285 : array<i32, i32(3)> = array<i32, i32(3)>( i32(cells_1[at_4]), i32(cells_1[at_4 + u32(1)]), i32(cells_1[at_4 + u32(2)]) );
-    return Emitter_x24init_0(_S285, cells_1[at_4 + u32(3)], cells_1[at_4 + u32(4)], cells_1[at_4 + u32(5)], (bitcast<f32>((cells_1[at_4 + u32(6)]))), cells_1[at_4 + u32(7)]);
+    var _S290 : array<i32, i32(3)> = array<i32, i32(3)>( i32(cells_1[at_4]), i32(cells_1[at_4 + u32(1)]), i32(cells_1[at_4 + u32(2)]) );
+    return Emitter_x24init_0(_S290, cells_1[at_4 + u32(3)], cells_1[at_4 + u32(4)], cells_1[at_4 + u32(5)], (bitcast<f32>((cells_1[at_4 + u32(6)]))), cells_1[at_4 + u32(7)]);
 }
 
 fn choose_emitter_0( way_5 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Emitter_0
@@ -4386,7 +4393,7 @@ fn choose_emitter_0( way_5 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
     var count_4 : u32 = way_5.count_2;
     var node_11 : u32 = way_5.node_3;
     var index_27 : u32 = way_5.index_15;
-    var _S286 : f32 = threshold_1;
+    var _S291 : f32 = threshold_1;
     for(;;)
     {
         if(count_4 == u32(0))
@@ -4406,23 +4413,20 @@ fn choose_emitter_0( way_5 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
         }
         var left_3 : u32 = node_11 + u32(1);
         var power_left_0 : f32 = light_power_at_0(left_3, side_2);
-        var power_right_0 : f32 = light_power_at_0(index_27, side_2);
-        var below_left_0 : vec2<u32> = below_light_node_0(left_3);
-        var below_right_0 : vec2<u32> = below_light_node_0(index_27);
-        if(_S286 < power_left_0)
+        if(_S291 < power_left_0)
         {
             is_left_3 = true;
         }
         else
         {
-            is_left_3 = power_right_0 <= 0.0f;
+            is_left_3 = (light_power_at_0(index_27, side_2)) <= 0.0f;
         }
         if(is_left_3)
         {
         }
         else
         {
-            _S286 = _S286 - power_left_0;
+            _S291 = _S291 - power_left_0;
         }
         if(is_left_3)
         {
@@ -4432,22 +4436,10 @@ fn choose_emitter_0( way_5 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
         {
             node_11 = index_27;
         }
-        if(is_left_3)
-        {
-            index_27 = below_left_0.x;
-        }
-        else
-        {
-            index_27 = below_right_0.x;
-        }
-        if(is_left_3)
-        {
-            count_4 = below_left_0.y;
-        }
-        else
-        {
-            count_4 = below_right_0.y;
-        }
+        var below_0 : vec2<u32> = below_light_node_0(node_11);
+        var _S292 : u32 = below_0.x;
+        count_4 = below_0.y;
+        index_27 = _S292;
     }
     is_found_8 = false;
     var chosen_3 : u32 = index_27;
@@ -4471,10 +4463,10 @@ fn choose_emitter_0( way_5 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
         }
         if((((((emitter_faces_at_0(at_5)) >> (side_2))) & (u32(1)))) != u32(0))
         {
-            var _S287 : f32 = _S286 - emitter_luminance_at_0(at_5);
-            is_found_8 = _S286 < (emitter_luminance_at_0(at_5));
+            var _S293 : f32 = _S291 - emitter_luminance_at_0(at_5);
+            is_found_8 = _S291 < (emitter_luminance_at_0(at_5));
             chosen_3 = at_5;
-            _S286 = _S287;
+            _S291 = _S293;
         }
         at_5 = at_5 + u32(1);
     }
@@ -4511,19 +4503,19 @@ fn margin_of_0( translation_1 : vec3<f32>,  low_10 : vec3<f32>) -> f32
 fn offset_ray_origin_0( translation_2 : vec3<f32>,  low_11 : vec3<f32>,  face_5 : u32,  point_4 : vec3<f32>) -> vec3<f32>
 {
     var margin_0 : f32 = margin_of_0(translation_2, low_11);
-    var _S288 : vec3<f32> = vec3<f32>(margin_0);
-    var moved_0 : vec3<f32> = min(max(point_4, low_11 + _S288), low_11 + vec3<f32>((1.0f - margin_0)));
-    var _S289 : bool = face_5 < u32(2);
-    var _S290 : bool;
+    var _S294 : vec3<f32> = vec3<f32>(margin_0);
+    var moved_0 : vec3<f32> = min(max(point_4, low_11 + _S294), low_11 + vec3<f32>((1.0f - margin_0)));
+    var _S295 : bool = face_5 < u32(2);
+    var _S296 : bool;
     if(face_5 >= u32(2))
     {
-        _S290 = face_5 < u32(4);
+        _S296 = face_5 < u32(4);
     }
     else
     {
-        _S290 = false;
+        _S296 = false;
     }
-    var is_axis_3 : vec3<bool> = vec3<bool>(_S289, _S290, face_5 >= u32(4));
+    var is_axis_3 : vec3<bool> = vec3<bool>(_S295, _S296, face_5 >= u32(4));
     var outside_0 : vec3<f32>;
     if(((face_5 & (u32(1)))) == u32(1))
     {
@@ -4531,7 +4523,7 @@ fn offset_ray_origin_0( translation_2 : vec3<f32>,  low_11 : vec3<f32>,  face_5 
     }
     else
     {
-        outside_0 = low_11 - _S288;
+        outside_0 = low_11 - _S294;
     }
     return select(moved_0, outside_0, is_axis_3);
 }
@@ -4545,45 +4537,45 @@ fn sample_emitter_0( receiver_14 : Receiver_0,  u_9 : vec4<f32>,  aim_2 : Aim_0,
     }
     var descent_3 : Descent_0 = Descent_x24init_0(u32(0), u32(0), u32(0), 1.0f, 1.0f, u_9.x, false);
     Descent_at_0(&(descent_3), u32(0));
-    var _S291 : bool;
+    var _S297 : bool;
     if(!IS_SINGLE_0)
     {
-        _S291 = aim_2.is_met_0;
+        _S297 = aim_2.is_met_0;
     }
     else
     {
-        _S291 = false;
+        _S297 = false;
     }
-    if(_S291)
+    if(_S297)
     {
-        var _S292 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(aim_2.hit_6.instance_0);
-        if((_S292.light_leaf_0) == u32(4294967295))
+        var _S298 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(aim_2.hit_6.instance_0);
+        if((_S298.light_leaf_0) == u32(4294967295))
         {
-            _S291 = true;
+            _S297 = true;
         }
         else
         {
-            var _S293 : bool = climb_0(receiver_14, _S292.light_leaf_0, &(descent_3));
-            _S291 = !_S293;
+            var _S299 : bool = climb_0(receiver_14, _S298.light_leaf_0, &(descent_3));
+            _S297 = !_S299;
         }
-        if(_S291)
+        if(_S297)
         {
             return false;
         }
-        Descent_at_0(&(descent_3), _S292.light_leaf_0);
+        Descent_at_0(&(descent_3), _S298.light_leaf_0);
     }
     else
     {
         if(!IS_SINGLE_0)
         {
-            var _S294 : bool = descend_0(receiver_14, by_chance_0(), &(descent_3));
-            _S291 = !_S294;
+            var _S300 : bool = descend_0(receiver_14, by_chance_0(), &(descent_3));
+            _S297 = !_S300;
         }
         else
         {
-            _S291 = false;
+            _S297 = false;
         }
-        if(_S291)
+        if(_S297)
         {
             return false;
         }
@@ -4591,35 +4583,35 @@ fn sample_emitter_0( receiver_14 : Receiver_0,  u_9 : vec4<f32>,  aim_2 : Aim_0,
     var chosen_instance_0 : u32 = descent_3.index_15;
     var local_3 : Receiver_0 = in_grid_0(descent_3.index_15, receiver_14);
     Descent_at_1(&(descent_3), top_light_node_0(descent_3.node_3).root_1);
-    var _S295 : bool = descend_1(local_3, aim_2, &(descent_3));
-    if(!_S295)
+    var _S301 : bool = descend_1(local_3, aim_2, &(descent_3));
+    if(!_S301)
     {
         return false;
     }
     var side_3 : u32 = aim_2.hit_6.face_0;
     var odds_2 : vec2<f32>;
-    var _S296 : bool = choose_side_0(local_3.point_0, aim_2.is_met_0, descent_3, &(side_3), &(odds_2));
-    if(!_S296)
+    var _S302 : bool = choose_side_0(local_3.point_0, aim_2.is_met_0, descent_3, &(side_3), &(odds_2));
+    if(!_S302)
     {
         return false;
     }
     var power_5 : f32 = light_power_at_0(descent_3.node_3, side_3);
-    var _S297 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(chosen_instance_0);
+    var _S303 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(chosen_instance_0);
     if(aim_2.is_met_0)
     {
-        var _S298 : f32 = density_0(odds_2, aim_2.luminance_1, power_5, Transform_direction_0(_S297.grid_from_world_0, aim_2.direction_21) * vec3<f32>(aim_2.hit_6.t_0), side_3);
-        (*sample_4).pdf_2 = _S298;
-        return _S298 > 0.0f;
+        var _S304 : f32 = density_0(odds_2, aim_2.luminance_1, power_5, Transform_direction_0(_S303.grid_from_world_0, aim_2.direction_21) * vec3<f32>(aim_2.hit_6.t_0), side_3);
+        (*sample_4).pdf_2 = _S304;
+        return _S304 > 0.0f;
     }
     var emitter_1 : Emitter_0 = choose_emitter_0(descent_3, side_3, u_9.y * power_5);
-    var _S299 : vec3<f32> = vec3<f32>(cell_of_0(emitter_1.voxel_24));
-    var on_face_0 : vec3<f32> = point_of_face_0(_S299, side_3, u_9.z, u_9.w);
+    var _S305 : vec3<f32> = vec3<f32>(cell_of_0(emitter_1.voxel_24));
+    var on_face_0 : vec3<f32> = point_of_face_0(_S305, side_3, u_9.z, u_9.w);
     var pdf_7 : f32 = density_0(odds_2, emitter_1.luminance_4, power_5, on_face_0 - local_3.point_0, side_3);
     if(pdf_7 < 0.0f)
     {
         return false;
     }
-    var direction_27 : vec3<f32> = Transform_point_0(_S297.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S297.grid_from_world_0.translation_0), _S299, side_3, on_face_0)) - receiver_14.point_0;
+    var direction_27 : vec3<f32> = Transform_point_0(_S303.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S303.grid_from_world_0.translation_0), _S305, side_3, on_face_0)) - receiver_14.point_0;
     var cos_theta_6 : f32 = with_slack_0(receiver_14, divide_0(dot_product_0(receiver_14.normal_2, direction_27), square_root_0(length_squared_0(direction_27))));
     (*sample_4) = LightSample_x24init_0(Ray_x24init_0(receiver_14.point_0, 0.0f, direction_27, 1.0f), cos_theta_6, emitted_0(material_of_index_0(emitter_1.material_6)), pdf_7);
     return cos_theta_6 > 0.0f;
@@ -4627,8 +4619,8 @@ fn sample_emitter_0( receiver_14 : Receiver_0,  u_9 : vec4<f32>,  aim_2 : Aim_0,
 
 fn EmitterTree_sample_0( receiver_15 : Receiver_0,  u_10 : vec4<f32>,  aim_3 : Aim_0,  sample_5 : ptr<function, LightSample_0>) -> bool
 {
-    var _S300 : bool = sample_emitter_0(receiver_15, u_10, aim_3, &((*sample_5)));
-    return _S300;
+    var _S306 : bool = sample_emitter_0(receiver_15, u_10, aim_3, &((*sample_5)));
+    return _S306;
 }
 
 fn Lights_sample_0( receiver_16 : Receiver_0,  selection_3 : Selection_0,  u_11 : vec4<f32>,  aim_4 : Aim_0,  sample_6 : ptr<function, LightSample_0>) -> bool
@@ -4652,9 +4644,9 @@ fn Lights_sample_0( receiver_16 : Receiver_0,  selection_3 : Selection_0,  u_11 
     }
     if(is_found_9)
     {
-        var _S301 : bool = SunDisc_sample_0(receiver_16, u_11, &((*sample_6)));
+        var _S307 : bool = SunDisc_sample_0(receiver_16, u_11, &((*sample_6)));
         (*sample_6).pdf_2 = (*sample_6).pdf_2 * selection_3.sun_0;
-        is_found_9 = _S301;
+        is_found_9 = _S307;
     }
     else
     {
@@ -4676,15 +4668,15 @@ fn Lights_sample_0( receiver_16 : Receiver_0,  selection_3 : Selection_0,  u_11 
         }
         if(is_found_9)
         {
-            var _S302 : bool = Sky_sample_0(receiver_16, vec4<f32>(min(divide_0(u_11.x - selection_3.sun_0, selection_3.sky_1), 0.99999994039535522f), u_11.yzw), &((*sample_6)));
+            var _S308 : bool = Sky_sample_0(receiver_16, vec4<f32>(min(divide_0(u_11.x - selection_3.sun_0, selection_3.sky_1), 0.99999994039535522f), u_11.yzw), &((*sample_6)));
             (*sample_6).pdf_2 = (*sample_6).pdf_2 * selection_3.sky_1;
-            is_found_9 = _S302;
+            is_found_9 = _S308;
         }
         else
         {
-            var _S303 : bool = EmitterTree_sample_0(receiver_16, vec4<f32>(min(divide_0(u_11.x - (selection_3.sun_0 + selection_3.sky_1), selection_3.emitters_0), 0.99999994039535522f), u_11.yzw), aim_4, &((*sample_6)));
+            var _S309 : bool = EmitterTree_sample_0(receiver_16, vec4<f32>(min(divide_0(u_11.x - (selection_3.sun_0 + selection_3.sky_1), selection_3.emitters_0), 0.99999994039535522f), u_11.yzw), aim_4, &((*sample_6)));
             (*sample_6).pdf_2 = (*sample_6).pdf_2 * selection_3.emitters_0;
-            is_found_9 = _S303;
+            is_found_9 = _S309;
         }
     }
     return is_found_9;
@@ -4692,34 +4684,34 @@ fn Lights_sample_0( receiver_16 : Receiver_0,  selection_3 : Selection_0,  u_11 
 
 fn ior_of_0( inside_3 : Inside_0) -> f32
 {
-    var _S304 : f32;
+    var _S310 : f32;
     if(Inside_is_in_0(inside_3))
     {
-        _S304 = material_of_index_0(inside_3.material_0).ior_0;
+        _S310 = material_of_index_0(inside_3.material_0).ior_0;
     }
     else
     {
-        _S304 = 1.0f;
+        _S310 = 1.0f;
     }
-    return _S304;
+    return _S310;
 }
 
 fn Microfacets_x24init_0( alpha_1 : f32) -> Microfacets_0
 {
-    var _S305 : Microfacets_0;
-    _S305.alpha_0 = alpha_1;
-    return _S305;
+    var _S311 : Microfacets_0;
+    _S311.alpha_0 = alpha_1;
+    return _S311;
 }
 
 fn MaterialBsdf_x24init_0( kind_1 : u32,  color_2 : vec3<f32>,  specular_2 : f32,  eta_1 : f32,  facets_1 : Microfacets_0) -> MaterialBsdf_0
 {
-    var _S306 : MaterialBsdf_0;
-    _S306.kind_0 = kind_1;
-    _S306.color_0 = color_2;
-    _S306.specular_1 = specular_2;
-    _S306.eta_0 = eta_1;
-    _S306.facets_0 = facets_1;
-    return _S306;
+    var _S312 : MaterialBsdf_0;
+    _S312.kind_0 = kind_1;
+    _S312.color_0 = color_2;
+    _S312.specular_1 = specular_2;
+    _S312.eta_0 = eta_1;
+    _S312.facets_0 = facets_1;
+    return _S312;
 }
 
 fn bsdf_of_0( material_8 : PackedMaterial_0,  ior_1 : f32,  choice_2 : ptr<function, f32>) -> MaterialBsdf_0
@@ -4738,17 +4730,17 @@ fn roulette_0( event_1 : u32,  scattered_1 : vec3<f32>,  u_12 : f32) -> f32
     {
         return 1.0f;
     }
-    var _S307 : f32 = min(max_element_0(scattered_1), 0.94999998807907104f);
-    var _S308 : f32;
-    if(u_12 < _S307)
+    var _S313 : f32 = min(max_element_0(scattered_1), 0.94999998807907104f);
+    var _S314 : f32;
+    if(u_12 < _S313)
     {
-        _S308 = divide_0(1.0f, _S307);
+        _S314 = divide_0(1.0f, _S313);
     }
     else
     {
-        _S308 = 0.0f;
+        _S314 = 0.0f;
     }
-    return _S308;
+    return _S314;
 }
 
 fn face_normal_0( face_6 : u32) -> vec3<f32>
@@ -4762,32 +4754,32 @@ fn face_normal_0( face_6 : u32) -> vec3<f32>
     {
         away_1 = -1.0f;
     }
-    var _S309 : f32;
+    var _S315 : f32;
     if(face_6 < u32(2))
     {
-        _S309 = away_1;
+        _S315 = away_1;
     }
     else
     {
-        _S309 = 0.0f;
+        _S315 = 0.0f;
     }
-    var _S310 : bool;
+    var _S316 : bool;
     if(face_6 >= u32(2))
     {
-        _S310 = face_6 < u32(4);
+        _S316 = face_6 < u32(4);
     }
     else
     {
-        _S310 = false;
+        _S316 = false;
     }
-    var _S311 : f32;
-    if(_S310)
+    var _S317 : f32;
+    if(_S316)
     {
-        _S311 = away_1;
+        _S317 = away_1;
     }
     else
     {
-        _S311 = 0.0f;
+        _S317 = 0.0f;
     }
     if(face_6 >= u32(4))
     {
@@ -4796,7 +4788,7 @@ fn face_normal_0( face_6 : u32) -> vec3<f32>
     {
         away_1 = 0.0f;
     }
-    return vec3<f32>(_S309, _S311, away_1);
+    return vec3<f32>(_S315, _S317, away_1);
 }
 
 fn world_normal_0( instance_14 : PackedInstance_0,  face_7 : u32) -> vec3<f32>
@@ -4807,17 +4799,17 @@ fn world_normal_0( instance_14 : PackedInstance_0,  face_7 : u32) -> vec3<f32>
 fn surface_of_0( ray_18 : Ray_0,  hit_8 : Hit_0) -> Surface_0
 {
     var surface_1 : Surface_0;
-    var _S312 : vec3<f32> = vec3<f32>(hit_8.voxel_0);
+    var _S318 : vec3<f32> = vec3<f32>(hit_8.voxel_0);
     if(IS_SINGLE_0)
     {
-        surface_1.origin_9 = offset_ray_origin_0(vec3<f32>(0.0f), _S312, hit_8.face_0, ray_18.origin_0 + ray_18.direction_0 * vec3<f32>(hit_8.t_0));
+        surface_1.origin_9 = offset_ray_origin_0(vec3<f32>(0.0f), _S318, hit_8.face_0, ray_18.origin_0 + ray_18.direction_0 * vec3<f32>(hit_8.t_0));
         surface_1.normal_3 = face_normal_0(hit_8.face_0);
     }
     else
     {
-        var _S313 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(hit_8.instance_0);
-        surface_1.origin_9 = Transform_point_0(_S313.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S313.grid_from_world_0.translation_0), _S312, hit_8.face_0, Transform_point_0(_S313.grid_from_world_0, ray_18.origin_0) + Transform_direction_0(_S313.grid_from_world_0, ray_18.direction_0) * vec3<f32>(hit_8.t_0)));
-        surface_1.normal_3 = world_normal_0(_S313, hit_8.face_0);
+        var _S319 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(hit_8.instance_0);
+        surface_1.origin_9 = Transform_point_0(_S319.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S319.grid_from_world_0.translation_0), _S318, hit_8.face_0, Transform_point_0(_S319.grid_from_world_0, ray_18.origin_0) + Transform_direction_0(_S319.grid_from_world_0, ray_18.direction_0) * vec3<f32>(hit_8.t_0)));
+        surface_1.normal_3 = world_normal_0(_S319, hit_8.face_0);
     }
     surface_1.face_2 = hit_8.face_0;
     surface_1.instance_11 = hit_8.instance_0;
@@ -4871,8 +4863,8 @@ fn clamp_to_voxel_0( translation_3 : vec3<f32>,  low_12 : vec3<f32>,  point_5 : 
 
 fn Inside_point_0( this_42 : Inside_0,  ray_19 : Ray_0,  t_13 : f32) -> vec3<f32>
 {
-    var _S314 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(this_42.instance_6);
-    return Transform_point_0(_S314.world_from_grid_0, clamp_to_voxel_0(vector_of_0(_S314.grid_from_world_0.translation_0), vec3<f32>(this_42.voxel_22), Transform_point_0(_S314.grid_from_world_0, ray_19.origin_0) + Transform_direction_0(_S314.grid_from_world_0, ray_19.direction_0) * vec3<f32>(t_13)));
+    var _S320 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(this_42.instance_6);
+    return Transform_point_0(_S320.world_from_grid_0, clamp_to_voxel_0(vector_of_0(_S320.grid_from_world_0.translation_0), vec3<f32>(this_42.voxel_22), Transform_point_0(_S320.grid_from_world_0, ray_19.origin_0) + Transform_direction_0(_S320.grid_from_world_0, ray_19.direction_0) * vec3<f32>(t_13)));
 }
 
 fn MaterialBsdf_is_delta_0( this_43 : MaterialBsdf_0) -> bool
@@ -4882,16 +4874,16 @@ fn MaterialBsdf_is_delta_0( this_43 : MaterialBsdf_0) -> bool
 
 fn Scatter_x24init_0( path_6 : Path_0,  receiver_17 : Receiver_0,  surface_2 : Surface_0,  bsdf_1 : MaterialBsdf_0,  wo_1 : vec3<f32>,  compensation_1 : f32,  is_scattered_1 : bool,  wants_light_1 : bool) -> Scatter_0
 {
-    var _S315 : Scatter_0;
-    _S315.path_3 = path_6;
-    _S315.receiver_0 = receiver_17;
-    _S315.surface_0 = surface_2;
-    _S315.bsdf_0 = bsdf_1;
-    _S315.wo_0 = wo_1;
-    _S315.compensation_0 = compensation_1;
-    _S315.is_scattered_0 = is_scattered_1;
-    _S315.wants_light_0 = wants_light_1;
-    return _S315;
+    var _S321 : Scatter_0;
+    _S321.path_3 = path_6;
+    _S321.receiver_0 = receiver_17;
+    _S321.surface_0 = surface_2;
+    _S321.bsdf_0 = bsdf_1;
+    _S321.wo_0 = wo_1;
+    _S321.compensation_0 = compensation_1;
+    _S321.is_scattered_0 = is_scattered_1;
+    _S321.wants_light_0 = wants_light_1;
+    return _S321;
 }
 
 struct BsdfSample_0
@@ -4909,9 +4901,9 @@ struct Diffuse_0
 
 fn Diffuse_x24init_0( reflectance_1 : vec3<f32>) -> Diffuse_0
 {
-    var _S316 : Diffuse_0;
-    _S316.reflectance_0 = reflectance_1;
-    return _S316;
+    var _S322 : Diffuse_0;
+    _S322.reflectance_0 = reflectance_1;
+    return _S322;
 }
 
 fn cosine_hemisphere_0( u_13 : f32,  v_7 : f32) -> vec3<f32>
@@ -4928,12 +4920,12 @@ fn cosine_hemisphere_pdf_0( cos_theta_7 : f32) -> f32
 
 fn BsdfSample_x24init_0( wi_1 : vec3<f32>,  weight_4 : vec3<f32>,  pdf_9 : f32,  is_delta_1 : bool) -> BsdfSample_0
 {
-    var _S317 : BsdfSample_0;
-    _S317.wi_0 = wi_1;
-    _S317.weight_3 = weight_4;
-    _S317.pdf_8 = pdf_9;
-    _S317.is_delta_0 = is_delta_1;
-    return _S317;
+    var _S323 : BsdfSample_0;
+    _S323.wi_0 = wi_1;
+    _S323.weight_3 = weight_4;
+    _S323.pdf_8 = pdf_9;
+    _S323.is_delta_0 = is_delta_1;
+    return _S323;
 }
 
 fn Diffuse_sample_0( this_44 : Diffuse_0,  wo_2 : vec3<f32>,  u_14 : vec3<f32>,  sample_7 : ptr<function, BsdfSample_0>) -> bool
@@ -4945,8 +4937,8 @@ fn Diffuse_sample_0( this_44 : Diffuse_0,  wo_2 : vec3<f32>,  u_14 : vec3<f32>, 
 
 fn MaterialBsdf_sample_0( this_45 : MaterialBsdf_0,  wo_3 : vec3<f32>,  u_15 : vec3<f32>,  sample_8 : ptr<function, BsdfSample_0>) -> bool
 {
-    var _S318 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_45.color_0), wo_3, u_15, &((*sample_8)));
-    return _S318;
+    var _S324 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_45.color_0), wo_3, u_15, &((*sample_8)));
+    return _S324;
 }
 
 fn Surface_world_direction_0( this_46 : Surface_0,  local_5 : vec3<f32>) -> vec3<f32>
@@ -4960,23 +4952,23 @@ fn Surface_world_direction_0( this_46 : Surface_0,  local_5 : vec3<f32>) -> vec3
     {
         away_2 = - local_5.z;
     }
-    var _S319 : f32 = local_5.x;
-    var _S320 : f32 = local_5.y;
-    var _S321 : vec3<f32> = vec3<f32>(_S319, _S320, away_2);
+    var _S325 : f32 = local_5.x;
+    var _S326 : f32 = local_5.y;
+    var _S327 : vec3<f32> = vec3<f32>(_S325, _S326, away_2);
     var in_grid_3 : vec3<f32>;
     if((this_46.face_2) < u32(2))
     {
-        in_grid_3 = vec3<f32>(away_2, _S319, _S320);
+        in_grid_3 = vec3<f32>(away_2, _S325, _S326);
     }
     else
     {
         if((this_46.face_2) < u32(4))
         {
-            in_grid_3 = vec3<f32>(_S320, away_2, _S319);
+            in_grid_3 = vec3<f32>(_S326, away_2, _S325);
         }
         else
         {
-            in_grid_3 = _S321;
+            in_grid_3 = _S327;
         }
     }
     if(!IS_SINGLE_0)
@@ -5001,7 +4993,7 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_20 : Ray_0,  hi
         t_14 = (*path_7).pdf_1;
     }
     (*path_7).pdf_1 = t_14;
-    var last_6 : Receiver_0 = Path_receiver_0((*path_7), ray_20);
+    var last_5 : Receiver_0 = Path_receiver_0((*path_7), ray_20);
     var is_scattered_2 : bool;
     if(Inside_is_in_0((*path_7).inside_0))
     {
@@ -5042,7 +5034,7 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_20 : Ray_0,  hi
     var light_pdf_1 : f32;
     if(is_weighed_0)
     {
-        (*radiance_5) = (*radiance_5) + (*path_7).beta_0 * Sky_le_0(ray_20.direction_0) * vec3<f32>(mis_weight_0((*path_7).pdf_1, Lights_sky_pdf_0(Path_selection_at_0((*path_7), last_6), ray_20.direction_0)));
+        (*radiance_5) = (*radiance_5) + (*path_7).beta_0 * Sky_le_0(ray_20.direction_0) * vec3<f32>(mis_weight_0((*path_7).pdf_1, Lights_sky_pdf_0(Path_selection_at_0((*path_7), last_5), ray_20.direction_0)));
         if(has_sun_0())
         {
             if(SunDisc_is_visible_0())
@@ -5069,7 +5061,7 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_20 : Ray_0,  hi
                 }
                 else
                 {
-                    light_pdf_1 = Lights_sun_pdf_0(Path_selection_at_0((*path_7), last_6), ray_20.direction_0);
+                    light_pdf_1 = Lights_sun_pdf_0(Path_selection_at_0((*path_7), last_5), ray_20.direction_0);
                 }
                 (*radiance_5) = (*radiance_5) + (*path_7).beta_0 * le_0 * vec3<f32>(mis_weight_0((*path_7).pdf_1, light_pdf_1));
             }
@@ -5078,7 +5070,7 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_20 : Ray_0,  hi
     }
     var u_16 : vec4<f32> = Sampler_stratified_0((*path_7).sampler_0, Path_dimension_scatter_0((*path_7)));
     var material_9 : PackedMaterial_0 = material_met_0((*path_7), hit_9, beyond_3);
-    var _S322 : vec3<f32> = vec3<f32>(0.0f);
+    var _S328 : vec3<f32> = vec3<f32>(0.0f);
     var le_1 : vec3<f32>;
     if(!is_counted_0)
     {
@@ -5086,12 +5078,12 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_20 : Ray_0,  hi
     }
     else
     {
-        le_1 = _S322;
+        le_1 = _S328;
     }
     var is_lit_0 : bool = (max_element_0(le_1)) > 0.0f;
     var met_0 : Aim_0 = Aim_x24init_0(true, ray_20.direction_0, hit_9, luminance_0(vector_of_0(material_9.emission_0)));
-    var _S323 : bool = weighs_apart_0();
-    if(_S323)
+    var _S329 : bool = weighs_apart_0();
+    if(_S329)
     {
         is_weighed_0 = is_lit_0;
     }
@@ -5119,7 +5111,7 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_20 : Ray_0,  hi
     if(is_chosen_0)
     {
         var light_5 : LightSample_0 = no_light_0();
-        if(!_S323)
+        if(!_S329)
         {
             is_chosen_0 = ((*path_7).pdf_1) > 0.0f;
         }
@@ -5129,15 +5121,15 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_20 : Ray_0,  hi
         }
         if(is_chosen_0)
         {
-            var _S324 : bool = Lights_sample_0(last_6, Path_selection_at_0((*path_7), last_6), vec4<f32>(0.0f), met_0, &(light_5));
-            is_chosen_0 = _S324;
+            var _S330 : bool = Lights_sample_0(last_5, Path_selection_at_0((*path_7), last_5), vec4<f32>(0.0f), met_0, &(light_5));
+            is_chosen_0 = _S330;
         }
         else
         {
             is_chosen_0 = false;
         }
-        var _S325 : vec3<f32> = (*path_7).beta_0 * le_1;
-        var _S326 : f32 = (*path_7).pdf_1;
+        var _S331 : vec3<f32> = (*path_7).beta_0 * le_1;
+        var _S332 : f32 = (*path_7).pdf_1;
         if(is_chosen_0)
         {
             light_pdf_1 = light_5.pdf_2;
@@ -5146,13 +5138,13 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_20 : Ray_0,  hi
         {
             light_pdf_1 = 0.0f;
         }
-        (*radiance_5) = (*radiance_5) + _S325 * vec3<f32>(mis_weight_0(_S326, light_pdf_1));
+        (*radiance_5) = (*radiance_5) + _S331 * vec3<f32>(mis_weight_0(_S332, light_pdf_1));
     }
-    var _S327 : f32 = ior_of_0((*path_7).inside_0);
-    var _S328 : f32 = u_16[i32(3)];
-    var _S329 : MaterialBsdf_0 = bsdf_of_0(material_9, _S327, &(_S328));
-    u_16[i32(3)] = _S328;
-    var scattered_2 : vec3<f32> = (*path_7).beta_0 * MaterialBsdf_albedo_0(_S329);
+    var _S333 : f32 = ior_of_0((*path_7).inside_0);
+    var _S334 : f32 = u_16[i32(3)];
+    var _S335 : MaterialBsdf_0 = bsdf_of_0(material_9, _S333, &(_S334));
+    u_16[i32(3)] = _S334;
+    var scattered_2 : vec3<f32> = (*path_7).beta_0 * MaterialBsdf_albedo_0(_S335);
     if(((*path_7).bounce_0) >= (params_0.max_bounces_0))
     {
         is_chosen_0 = true;
@@ -5161,8 +5153,8 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_20 : Ray_0,  hi
     {
         is_chosen_0 = ends_here_0;
     }
-    var _S330 : bool = !is_weighed_0;
-    if(_S330)
+    var _S336 : bool = !is_weighed_0;
+    if(_S336)
     {
         if(is_chosen_0)
         {
@@ -5182,7 +5174,7 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_20 : Ray_0,  hi
         return next_0;
     }
     var compensation_2 : f32 = roulette_0(Path_events_0((*path_7)), scattered_2, u_16.z);
-    if(_S330)
+    if(_S336)
     {
         is_chosen_0 = compensation_2 == 0.0f;
     }
@@ -5204,19 +5196,19 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_20 : Ray_0,  hi
         at_6 = hit_9;
     }
     var surface_3 : Surface_0 = surface_of_0(ray_20, at_6);
-    var _S331 : Receiver_0 = Receiver_x24init_0(surface_3.origin_9, surface_3.normal_3);
-    var _S332 : vec3<f32> = (vec3<f32>(0) - ray_20.direction_0);
-    var wo_4 : vec3<f32> = Surface_local_direction_0(surface_3, _S332);
+    var _S337 : Receiver_0 = Receiver_x24init_0(surface_3.origin_9, surface_3.normal_3);
+    var _S338 : vec3<f32> = (vec3<f32>(0) - ray_20.direction_0);
+    var wo_4 : vec3<f32> = Surface_local_direction_0(surface_3, _S338);
     var inside_4 : Inside_0 = in_air_0();
     var wo_5 : vec3<f32>;
     var receiver_18 : Receiver_0;
     if(is_scattered_2)
     {
-        var _S333 : Inside_0 = Inside_x24init_0((*path_7).inside_0.instance_6, hit_9.voxel_0, (*path_7).inside_0.material_0);
-        inside_4 = _S333;
-        var _S334 : vec3<f32> = normalize_vector_0(_S332);
-        receiver_18 = Receiver_x24init_0(Inside_point_0(_S333, ray_20, t_14), _S322);
-        wo_5 = _S334;
+        var _S339 : Inside_0 = Inside_x24init_0((*path_7).inside_0.instance_6, hit_9.voxel_0, (*path_7).inside_0.material_0);
+        inside_4 = _S339;
+        var _S340 : vec3<f32> = normalize_vector_0(_S338);
+        receiver_18 = Receiver_x24init_0(Inside_point_0(_S339, ray_20, t_14), _S328);
+        wo_5 = _S340;
     }
     else
     {
@@ -5226,22 +5218,22 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_20 : Ray_0,  hi
             inside_4 = Inside_x24init_0((*path_7).inside_0.instance_6, hit_9.voxel_0, (*path_7).inside_0.material_0);
             inside_4.voxel_22 = hit_9.voxel_0 + vec3<i32>(face_normal_0(hit_9.face_0));
         }
-        receiver_18 = _S331;
+        receiver_18 = _S337;
         wo_5 = wo_4;
     }
     next_0.origin_7 = receiver_18.point_0;
     next_0.shadow_inside_1 = inside_4;
     if(is_weighed_0)
     {
-        receiver_18 = last_6;
+        receiver_18 = last_5;
     }
-    if(_S330)
+    if(_S336)
     {
         (*path_7).selection_0 = Lights_selection_0(receiver_18);
     }
     var light_6 : LightSample_0 = no_light_0();
-    var _S335 : bool = !MaterialBsdf_is_delta_0(_S329);
-    scatter_of_path_0 = Scatter_x24init_0((*path_7), receiver_18, surface_3, _S329, wo_5, compensation_2, is_scattered_2, _S335);
+    var _S341 : bool = !MaterialBsdf_is_delta_0(_S335);
+    scatter_of_path_0 = Scatter_x24init_0((*path_7), receiver_18, surface_3, _S335, wo_5, compensation_2, is_scattered_2, _S341);
     if(is_weighed_0)
     {
         if(next_0.has_shadow_ray_0)
@@ -5258,8 +5250,8 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_20 : Ray_0,  hi
         return next_0;
     }
     var bounce_1 : BsdfSample_0;
-    var _S336 : bool = MaterialBsdf_sample_0(_S329, wo_5, vec3<f32>(u_16.xy, u_16.w), &(bounce_1));
-    if(!_S336)
+    var _S342 : bool = MaterialBsdf_sample_0(_S335, wo_5, vec3<f32>(u_16.xy, u_16.w), &(bounce_1));
+    if(!_S342)
     {
         return next_0;
     }
@@ -5296,34 +5288,34 @@ fn albedo_of_0( material_11 : PackedMaterial_0) -> vec3<f32>
 
 fn show_0( path_8 : Path_0,  ray_22 : Ray_0,  hit_11 : Hit_0,  beyond_4 : u32,  sample_9 : ptr<function, Sample_0>)
 {
-    var _S337 : Path_0 = path_8;
+    var _S343 : Path_0 = path_8;
     (*sample_9).is_shown_0 = true;
-    if(Inside_is_in_0(_S337.inside_0))
+    if(Inside_is_in_0(_S343.inside_0))
     {
-        absorb_0(&(_S337), _S337.inside_0, ray_22, hit_11.t_0);
+        absorb_0(&(_S343), _S343.inside_0, ray_22, hit_11.t_0);
     }
-    var material_12 : PackedMaterial_0 = material_met_0(_S337, hit_11, beyond_4);
+    var material_12 : PackedMaterial_0 = material_met_0(_S343, hit_11, beyond_4);
     (*sample_9).normal_1 = shading_normal_0(ray_22, hit_11, material_12);
-    (*sample_9).albedo_0 = _S337.beta_0 * albedo_of_0(material_12);
+    (*sample_9).albedo_0 = _S343.beta_0 * albedo_of_0(material_12);
     return;
 }
 
 fn Walker_see_0( this_47 : ptr<function, Walker_0>,  arrived_0 : Path_0,  hit_12 : Hit_0,  beyond_5 : u32,  emitted_1 : vec3<f32>,  goes_on_0 : bool,  sample_10 : ptr<function, Sample_0>)
 {
     (*sample_10).direct_0 = (*sample_10).direct_0 + emitted_1;
-    var _S338 : bool = ((*this_47).path_0.bounce_0) == u32(0);
-    var _S339 : bool;
+    var _S344 : bool = ((*this_47).path_0.bounce_0) == u32(0);
+    var _S345 : bool;
     if(goes_on_0)
     {
-        _S339 = _S338;
+        _S345 = _S344;
     }
     else
     {
-        _S339 = false;
+        _S345 = false;
     }
-    var _S340 : bool = !_S339;
-    (*this_47).has_shown_0 = _S340;
-    if(!_S340)
+    var _S346 : bool = !_S345;
+    (*this_47).has_shown_0 = _S346;
+    if(!_S346)
     {
         (*this_47).way_3 = (*this_47).way_3 + hit_12.t_0;
     }
@@ -5333,16 +5325,16 @@ fn Walker_see_0( this_47 : ptr<function, Walker_0>,  arrived_0 : Path_0,  hit_12
         {
             show_0(arrived_0, (*this_47).ray_10, hit_12, beyond_5, &((*sample_10)));
             (*sample_10).place_0 = (*this_47).camera_ray_0.origin_0 + (*this_47).camera_ray_0.direction_0 * vec3<f32>(((*this_47).way_3 + hit_12.t_0));
-            var _S341 : u32;
+            var _S347 : u32;
             if(((*this_47).way_3) > 0.0f)
             {
-                _S341 = u32(4294967295);
+                _S347 = u32(4294967295);
             }
             else
             {
-                _S341 = hit_12.instance_0;
+                _S347 = hit_12.instance_0;
             }
-            (*sample_10).instance_7 = _S341;
+            (*sample_10).instance_7 = _S347;
         }
     }
     return;
@@ -5363,10 +5355,10 @@ struct BsdfEval_0
 
 fn BsdfEval_x24init_0( weight_6 : vec3<f32>,  pdf_11 : f32) -> BsdfEval_0
 {
-    var _S342 : BsdfEval_0;
-    _S342.weight_5 = weight_6;
-    _S342.pdf_10 = pdf_11;
-    return _S342;
+    var _S348 : BsdfEval_0;
+    _S348.weight_5 = weight_6;
+    _S348.pdf_10 = pdf_11;
+    return _S348;
 }
 
 fn Diffuse_eval_0( this_49 : Diffuse_0,  wo_6 : vec3<f32>,  wi_3 : vec3<f32>) -> BsdfEval_0
@@ -5404,13 +5396,20 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_1 : ptr<function, NextRays_0>)
         }
         var dimension_3 : u32 = u32(1073741824) + u32(64) * Path_events_0(scatter_0.path_3) + u32(2) * candidate_0;
         var u_17 : vec4<f32>;
+        var _S349 : vec4<f32>;
         if(candidate_0 == u32(0))
         {
-            u_17 = Sampler_stratified_0(scatter_0.path_3.sampler_0, Path_dimension_light_0(scatter_0.path_3));
+            _S349 = Sampler_stratified_0(scatter_0.path_3.sampler_0, Path_dimension_light_0(scatter_0.path_3));
         }
         else
         {
-            u_17 = Sampler_independent_0(scatter_0.path_3.sampler_0, dimension_3);
+            _S349 = Sampler_independent_0(scatter_0.path_3.sampler_0, dimension_3);
+        }
+        u_17 = _S349;
+        var _S350 : bool = count_5 > u32(1);
+        if(_S350)
+        {
+            u_17[i32(0)] = min((f32(candidate_0) + u_17.x) * divide_0(1.0f, f32(count_5)), 0.99999994039535522f);
         }
         var light_7 : LightSample_0 = no_light_0();
         var is_found_10 : bool = Lights_sample_0(scatter_0.receiver_0, scatter_0.path_3.selection_0, u_17, by_chance_0(), &(light_7));
@@ -5419,7 +5418,7 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_1 : ptr<function, NextRays_0>)
             candidate_0 = candidate_0 + u32(1);
             continue;
         }
-        var _S343 : vec3<f32> = vec3<f32>(Surface_local_direction_0(scatter_0.surface_0, light_7.ray_16.direction_0).xy, light_7.cos_theta_2);
+        var _S351 : vec3<f32> = vec3<f32>(Surface_local_direction_0(scatter_0.surface_0, light_7.ray_16.direction_0).xy, light_7.cos_theta_2);
         var wi_5 : vec3<f32>;
         if(scatter_0.is_scattered_0)
         {
@@ -5427,22 +5426,22 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_1 : ptr<function, NextRays_0>)
         }
         else
         {
-            wi_5 = _S343;
+            wi_5 = _S351;
         }
         var eval_0 : BsdfEval_0 = MaterialBsdf_eval_0(scatter_0.bsdf_0, scatter_0.wo_0, wi_5);
-        var _S344 : vec3<f32> = scatter_0.path_3.beta_0 * eval_0.weight_5 * vec3<f32>(scatter_0.compensation_0) * light_7.radiance_1 * vec3<f32>((divide_0(eval_0.pdf_10, light_7.pdf_2) * power_heuristic_0(light_7.pdf_2, eval_0.pdf_10)));
-        var weight_7 : f32 = luminance_0(_S344);
+        var _S352 : vec3<f32> = scatter_0.path_3.beta_0 * eval_0.weight_5 * vec3<f32>(scatter_0.compensation_0) * light_7.radiance_1 * vec3<f32>((divide_0(eval_0.pdf_10, light_7.pdf_2) * power_heuristic_0(light_7.pdf_2, eval_0.pdf_10)));
+        var weight_7 : f32 = luminance_0(_S352);
         var sum_5 : f32 = sum_4 + weight_7;
-        var _S345 : bool;
-        if(count_5 > u32(1))
+        var _S353 : bool;
+        if(_S350)
         {
-            _S345 = (Sampler_independent_0(scatter_0.path_3.sampler_0, dimension_3 + u32(1)).x * sum_5) >= weight_7;
+            _S353 = (Sampler_independent_0(scatter_0.path_3.sampler_0, dimension_3 + u32(1)).x * sum_5) >= weight_7;
         }
         else
         {
-            _S345 = false;
+            _S353 = false;
         }
-        if(_S345)
+        if(_S353)
         {
             sum_4 = sum_5;
             candidate_0 = candidate_0 + u32(1);
@@ -5453,7 +5452,7 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_1 : ptr<function, NextRays_0>)
         {
             (*next_1).shadow_direction_0 = light_7.ray_16.direction_0;
             (*next_1).shadow_t_max_0 = light_7.ray_16.t_max_0;
-            (*next_1).light_2 = _S344;
+            (*next_1).light_2 = _S352;
             chosen_5 = weight_7;
         }
         else
@@ -5464,9 +5463,9 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_1 : ptr<function, NextRays_0>)
         sum_4 = sum_5;
         candidate_0 = candidate_0 + u32(1);
     }
-    var _S346 : bool = chosen_4 > 0.0f;
-    (*next_1).has_shadow_ray_0 = _S346;
-    if(_S346)
+    var _S354 : bool = chosen_4 > 0.0f;
+    (*next_1).has_shadow_ray_0 = _S354;
+    if(_S354)
     {
         (*next_1).light_2 = (*next_1).light_2 * vec3<f32>(divide_0(sum_4, chosen_4 * f32(count_5)));
     }
@@ -5486,8 +5485,8 @@ fn goes_on_from_0( at_7 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_6 : 
     }
     else
     {
-        var _S347 : vec3<f32> = vec3<f32>(0.0f);
-        var cached_0 : vec3<f32> = _S347;
+        var _S355 : vec3<f32> = vec3<f32>(0.0f);
+        var cached_0 : vec3<f32> = _S355;
         if((*at_7).has_shown_0)
         {
             goes_on_1 = (*at_7).asks_cache_0;
@@ -5498,8 +5497,8 @@ fn goes_on_from_0( at_7 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_6 : 
         }
         if(goes_on_1)
         {
-            var _S348 : bool = asks_0((*at_7).path_0, (*at_7).ray_10, hit_13, beyond_6, (*at_7).life_0, &(cached_0));
-            goes_on_1 = _S348;
+            var _S356 : bool = asks_0((*at_7).path_0, (*at_7).ray_10, hit_13, beyond_6, (*at_7).life_0, &(cached_0));
+            goes_on_1 = _S356;
         }
         else
         {
@@ -5507,12 +5506,12 @@ fn goes_on_from_0( at_7 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_6 : 
         }
         ends_here_0 = goes_on_1;
         var arrived_1 : Path_0 = (*at_7).path_0;
-        var emitted_2 : vec3<f32> = _S347;
-        var _S349 : Path_0 = (*at_7).path_0;
-        var _S350 : NextRays_0 = PathTracingOf_advance_0(&(_S349), (*at_7).ray_10, hit_13, beyond_6, &(emitted_2));
-        (*at_7).path_0 = _S349;
-        next_2 = _S350;
-        var goes_on_2 : bool = (any(((next_2.direction_5) != _S347)));
+        var emitted_2 : vec3<f32> = _S355;
+        var _S357 : Path_0 = (*at_7).path_0;
+        var _S358 : NextRays_0 = PathTracingOf_advance_0(&(_S357), (*at_7).ray_10, hit_13, beyond_6, &(emitted_2));
+        (*at_7).path_0 = _S357;
+        next_2 = _S358;
+        var goes_on_2 : bool = (any(((next_2.direction_5) != _S355)));
         if((*at_7).has_shown_0)
         {
             (*sample_11).light_1 = (*sample_11).light_1 + (cached_0 + emitted_2);
@@ -5558,49 +5557,49 @@ fn key_of_1( hit_14 : Hit_0,  size_2 : f32,  u_18 : f32,  code_3 : ptr<function,
 {
     var clamped_1 : f32 = clamp(size_2, 1.0f, 128.0f);
     var power_6 : f32 = f32(((bitcast<u32>((clamped_1))) >> (u32(23)))) - 127.0f;
-    var _S351 : f32;
+    var _S359 : f32;
     if(u_18 < (clamped_1 * inverse_power_of_two_0(clamped_1) - 1.0f))
     {
-        _S351 = 1.0f;
+        _S359 = 1.0f;
     }
     else
     {
-        _S351 = 0.0f;
+        _S359 = 0.0f;
     }
-    var level_1 : u32 = u32(min(power_6 + _S351, 6.0f));
-    var _S352 : vec3<u32> = vec3<u32>(u32(i32(level_1)));
-    var key_3 : Key_0 = Key_x24init_0(hit_14.instance_0, ((hit_14.face_0) | (((level_1 << (u32(3)))))), ((hit_14.voxel_0) >> (_S352)));
-    var _S353 : vec3<u32> = vec3<u32>(hit_14.voxel_0 - (((key_3.cube_0) << (_S352))));
-    (*code_3) = u32(1) + (((((((_S353.x) | ((((_S353.y) << (level_1)))))) | ((((_S353.z) << ((u32(2) * level_1))))))) ^ ((((scramble_of_0(real_time_0.number_0)) & ((Key_mask_0(key_3))))))));
+    var level_1 : u32 = u32(min(power_6 + _S359, 6.0f));
+    var _S360 : vec3<u32> = vec3<u32>(u32(i32(level_1)));
+    var key_3 : Key_0 = Key_x24init_0(hit_14.instance_0, ((hit_14.face_0) | (((level_1 << (u32(3)))))), ((hit_14.voxel_0) >> (_S360)));
+    var _S361 : vec3<u32> = vec3<u32>(hit_14.voxel_0 - (((key_3.cube_0) << (_S360))));
+    (*code_3) = u32(1) + (((((((_S361.x) | ((((_S361.y) << (level_1)))))) | ((((_S361.z) << ((u32(2) * level_1))))))) ^ ((((scramble_of_0(real_time_0.number_0)) & ((Key_mask_0(key_3))))))));
     return key_3;
 }
 
 fn asks_1( path_9 : Path_0,  ray_23 : Ray_0,  hit_15 : Hit_0,  beyond_7 : u32,  life_2 : u32,  light_8 : ptr<function, vec3<f32>>) -> bool
 {
     (*light_8) = vec3<f32>(0.0f);
-    var _S354 : bool;
+    var _S362 : bool;
     if(Hit_is_miss_0(hit_15))
     {
-        _S354 = true;
+        _S362 = true;
     }
     else
     {
-        _S354 = Inside_is_in_0(path_9.inside_0);
+        _S362 = Inside_is_in_0(path_9.inside_0);
     }
-    if(_S354)
+    if(_S362)
     {
         return false;
     }
     var material_13 : PackedMaterial_0 = material_met_0(path_9, hit_15, beyond_7);
     if((material_13.metallic_0) > 0.0f)
     {
-        _S354 = true;
+        _S362 = true;
     }
     else
     {
-        _S354 = (material_13.transmission_0) > 0.0f;
+        _S362 = (material_13.transmission_0) > 0.0f;
     }
-    if(_S354)
+    if(_S362)
     {
         return false;
     }
@@ -5609,13 +5608,13 @@ fn asks_1( path_9 : Path_0,  ray_23 : Ray_0,  hit_15 : Hit_0,  beyond_7 : u32,  
     var least_1 : f32 = 2.0f * f32((u32(1) << ((Key_level_0(key_4)))));
     if(life_2 == u32(0))
     {
-        _S354 = true;
+        _S362 = true;
     }
     else
     {
-        _S354 = (hit_15.t_0 * square_root_0(length_squared_0(ray_23.direction_0))) < least_1;
+        _S362 = (hit_15.t_0 * square_root_0(length_squared_0(ray_23.direction_0))) < least_1;
     }
-    if(_S354)
+    if(_S362)
     {
         return false;
     }
@@ -5647,13 +5646,13 @@ fn SunDisc_sample_1( receiver_19 : Receiver_0,  u_19 : vec4<f32>,  sample_12 : p
 
 fn Environment_choose_1( u_20 : vec4<f32>,  chosen_6 : ptr<function, ChosenDirection_0>) -> bool
 {
-    var _S355 : vec3<f32> = vec3<f32>(0.0f);
-    (*chosen_6) = ChosenDirection_x24init_0(_S355, _S355, 0.0f);
+    var _S363 : vec3<f32> = vec3<f32>(0.0f);
+    (*chosen_6) = ChosenDirection_x24init_0(_S363, _S363, 0.0f);
     var edge_1 : f32 = f32(params_0.sky_edge_0);
-    var _S356 : f32 = u_20.x * edge_1;
-    var _S357 : f32 = edge_1 - 1.0f;
-    var _S358 : f32 = min(floor(_S356), _S357);
-    var own_2 : u32 = u32(_S358) * params_0.sky_edge_0 + u32(min(floor(u_20.y * edge_1), _S357));
+    var _S364 : f32 = u_20.x * edge_1;
+    var _S365 : f32 = edge_1 - 1.0f;
+    var _S366 : f32 = min(floor(_S364), _S365);
+    var own_2 : u32 = u32(_S366) * params_0.sky_edge_0 + u32(min(floor(u_20.y * edge_1), _S365));
     var index_28 : u32;
     if((u_20.z) < (environment_0[own_2].threshold_0))
     {
@@ -5668,10 +5667,10 @@ fn Environment_choose_1( u_20 : vec4<f32>,  chosen_6 : ptr<function, ChosenDirec
     {
         return false;
     }
-    var _S359 : u32 = index_28 % params_0.sky_edge_0;
-    var _S360 : f32 = f32(_S359);
-    var _S361 : u32 = index_28 / params_0.sky_edge_0;
-    var place_5 : vec2<f32> = vec2<f32>(_S360, f32(_S361)) + vec2<f32>(min(_S356 - _S358, 1.0f), u_20.w);
+    var _S367 : u32 = index_28 % params_0.sky_edge_0;
+    var _S368 : f32 = f32(_S367);
+    var _S369 : u32 = index_28 / params_0.sky_edge_0;
+    var place_5 : vec2<f32> = vec2<f32>(_S368, f32(_S369)) + vec2<f32>(min(_S364 - _S366, 1.0f), u_20.w);
     (*chosen_6) = ChosenDirection_x24init_0(Environment_to_world_0(direction_of_0(place_5 * vec2<f32>(divide_0(1.0f, edge_1)))), Environment_radiance_at_0(place_5), pdf_12);
     return true;
 }
@@ -5680,17 +5679,17 @@ fn Sky_sample_1( receiver_20 : Receiver_0,  u_21 : vec4<f32>,  sample_13 : ptr<f
 {
     (*sample_13) = no_light_0();
     var chosen_7 : ChosenDirection_0;
-    var _S362 : bool;
+    var _S370 : bool;
     if(SKY_0 != u32(1))
     {
-        _S362 = true;
+        _S370 = true;
     }
     else
     {
-        var _S363 : bool = Environment_choose_1(u_21, &(chosen_7));
-        _S362 = !_S363;
+        var _S371 : bool = Environment_choose_1(u_21, &(chosen_7));
+        _S370 = !_S371;
     }
-    if(_S362)
+    if(_S370)
     {
         return false;
     }
@@ -5715,7 +5714,7 @@ fn climb_1( receiver_21 : Receiver_0,  start_4 : u32,  descent_4 : ptr<function,
     var at_8 : u32 = start_4;
     for(;;)
     {
-        var _S364 : LightNode_0 = node_13;
+        var _S372 : LightNode_0 = node_13;
         if((node_13.parent_0) != u32(4294967295))
         {
         }
@@ -5723,59 +5722,59 @@ fn climb_1( receiver_21 : Receiver_0,  start_4 : u32,  descent_4 : ptr<function,
         {
             break;
         }
-        var parent_2 : LightNode_0 = top_light_node_0(_S364.parent_0);
-        var _S365 : u32 = _S364.parent_0 + u32(1);
-        var is_left_4 : bool = at_8 == _S365;
-        var _S366 : u32;
+        var parent_2 : LightNode_0 = top_light_node_0(_S372.parent_0);
+        var _S373 : u32 = _S372.parent_0 + u32(1);
+        var is_left_4 : bool = at_8 == _S373;
+        var _S374 : u32;
         if(is_left_4)
         {
-            _S366 = parent_2.index_11;
+            _S374 = parent_2.index_11;
         }
         else
         {
-            _S366 = _S365;
+            _S374 = _S373;
         }
-        var _S367 : View_0 = view_0(node_13, receiver_21);
-        var _S368 : View_0 = view_0(top_light_node_0(_S366), receiver_21);
-        var _S369 : f32;
+        var _S375 : View_0 = view_0(node_13, receiver_21);
+        var _S376 : View_0 = view_0(top_light_node_0(_S374), receiver_21);
+        var _S377 : f32;
         if(is_left_4)
         {
-            _S369 = _S367.importance_0;
+            _S377 = _S375.importance_0;
         }
         else
         {
-            _S369 = _S368.importance_0;
+            _S377 = _S376.importance_0;
         }
-        var _S370 : f32;
+        var _S378 : f32;
         if(is_left_4)
         {
-            _S370 = _S368.importance_0;
+            _S378 = _S376.importance_0;
         }
         else
         {
-            _S370 = _S367.importance_0;
+            _S378 = _S375.importance_0;
         }
-        var weights_3 : vec2<f32> = weights_of_0(_S369, _S370);
-        var _S371 : f32 = weights_3.x;
-        var _S372 : f32 = weights_3.y;
-        var total_6 : f32 = _S371 + _S372;
+        var weights_3 : vec2<f32> = weights_of_0(_S377, _S378);
+        var _S379 : f32 = weights_3.x;
+        var _S380 : f32 = weights_3.y;
+        var total_6 : f32 = _S379 + _S380;
         if(!(total_6 > 0.0f))
         {
             return false;
         }
-        var _S373 : f32;
+        var _S381 : f32;
         if(is_left_4)
         {
-            _S373 = _S371;
+            _S381 = _S379;
         }
         else
         {
-            _S373 = _S372;
+            _S381 = _S380;
         }
-        (*descent_4).weight_0 = (*descent_4).weight_0 * _S373;
+        (*descent_4).weight_0 = (*descent_4).weight_0 * _S381;
         (*descent_4).total_0 = (*descent_4).total_0 * total_6;
         node_13 = parent_2;
-        at_8 = _S364.parent_0;
+        at_8 = _S372.parent_0;
     }
     return ((*descent_4).weight_0) > 0.0f;
 }
@@ -5784,16 +5783,16 @@ fn descend_2( receiver_22 : Receiver_0,  aim_5 : Aim_0,  descent_5 : ptr<functio
 {
     for(;;)
     {
-        var _S374 : bool;
+        var _S382 : bool;
         if(((*descent_5).count_2) == u32(0))
         {
-            _S374 = !(*descent_5).is_far_3;
+            _S382 = !(*descent_5).is_far_3;
         }
         else
         {
-            _S374 = false;
+            _S382 = false;
         }
-        if(_S374)
+        if(_S382)
         {
         }
         else
@@ -5807,29 +5806,29 @@ fn descend_2( receiver_22 : Receiver_0,  aim_5 : Aim_0,  descent_5 : ptr<functio
         var left_4 : LightNode_0 = TopLights_node_0((*descent_5).node_3 + u32(1));
         var right_3 : LightNode_0 = TopLights_node_0((*descent_5).index_15);
         var weights_4 : vec2<f32> = weights_of_0(view_0(left_4, receiver_22).importance_0, view_0(right_3, receiver_22).importance_0);
-        var _S375 : f32 = weights_4.x;
-        var _S376 : f32 = weights_4.y;
-        var total_7 : f32 = _S375 + _S376;
+        var _S383 : f32 = weights_4.x;
+        var _S384 : f32 = weights_4.y;
+        var total_7 : f32 = _S383 + _S384;
         if(!(total_7 > 0.0f))
         {
             return false;
         }
-        var _S377 : bool;
-        if(_S376 <= 0.0f)
+        var _S385 : bool;
+        if(_S384 <= 0.0f)
         {
-            _S377 = true;
+            _S385 = true;
         }
         else
         {
-            _S377 = ((*descent_5).choice_0 * total_7) < (_S375 * (*descent_5).weight_0);
+            _S385 = ((*descent_5).choice_0 * total_7) < (_S383 * (*descent_5).weight_0);
         }
         var is_left_5 : bool;
         if(aim_5.is_met_0)
         {
-            var _S378 : vec3<f32> = vec3<f32>(aim_5.hit_6.voxel_0);
-            if((all((_S378 >= (vector_of_0(left_4.min_1))))))
+            var _S386 : vec3<f32> = vec3<f32>(aim_5.hit_6.voxel_0);
+            if((all((_S386 >= (vector_of_0(left_4.min_1))))))
             {
-                is_left_5 = (all((_S378 < (vector_of_0(left_4.max_1)))));
+                is_left_5 = (all((_S386 < (vector_of_0(left_4.max_1)))));
             }
             else
             {
@@ -5838,63 +5837,63 @@ fn descend_2( receiver_22 : Receiver_0,  aim_5 : Aim_0,  descent_5 : ptr<functio
         }
         else
         {
-            is_left_5 = _S377;
+            is_left_5 = _S385;
         }
-        var _S379 : f32 = (*descent_5).choice_0 * total_7;
-        var _S380 : f32;
+        var _S387 : f32 = (*descent_5).choice_0 * total_7;
+        var _S388 : f32;
         if(is_left_5)
         {
-            _S380 = 0.0f;
+            _S388 = 0.0f;
         }
         else
         {
-            _S380 = _S375 * (*descent_5).weight_0;
+            _S388 = _S383 * (*descent_5).weight_0;
         }
-        (*descent_5).choice_0 = _S379 - _S380;
-        var _S381 : u32;
+        (*descent_5).choice_0 = _S387 - _S388;
+        var _S389 : u32;
         if(is_left_5)
         {
-            _S381 = (*descent_5).node_3 + u32(1);
+            _S389 = (*descent_5).node_3 + u32(1);
         }
         else
         {
-            _S381 = (*descent_5).index_15;
+            _S389 = (*descent_5).index_15;
         }
-        (*descent_5).node_3 = _S381;
-        var _S382 : u32;
+        (*descent_5).node_3 = _S389;
+        var _S390 : u32;
         if(is_left_5)
         {
-            _S382 = left_4.index_11;
+            _S390 = left_4.index_11;
         }
         else
         {
-            _S382 = right_3.index_11;
+            _S390 = right_3.index_11;
         }
-        (*descent_5).index_15 = _S382;
-        var _S383 : u32;
+        (*descent_5).index_15 = _S390;
+        var _S391 : u32;
         if(is_left_5)
         {
-            _S383 = left_4.count_1;
+            _S391 = left_4.count_1;
         }
         else
         {
-            _S383 = right_3.count_1;
+            _S391 = right_3.count_1;
         }
-        (*descent_5).count_2 = _S383;
+        (*descent_5).count_2 = _S391;
         (*descent_5).is_far_3 = false;
-        var _S384 : f32;
+        var _S392 : f32;
         if(is_left_5)
         {
-            _S384 = _S375;
+            _S392 = _S383;
         }
         else
         {
-            _S384 = _S376;
+            _S392 = _S384;
         }
-        var _S385 : f32 = (*descent_5).weight_0 * _S384;
-        (*descent_5).weight_0 = _S385;
+        var _S393 : f32 = (*descent_5).weight_0 * _S392;
+        (*descent_5).weight_0 = _S393;
         (*descent_5).total_0 = (*descent_5).total_0 * total_7;
-        if(_S385 <= 0.0f)
+        if(_S393 <= 0.0f)
         {
             return false;
         }
@@ -5916,16 +5915,16 @@ fn descend_3( receiver_23 : Receiver_0,  aim_6 : Aim_0,  descent_6 : ptr<functio
 {
     for(;;)
     {
-        var _S386 : bool;
+        var _S394 : bool;
         if(((*descent_6).count_2) == u32(0))
         {
-            _S386 = !(*descent_6).is_far_3;
+            _S394 = !(*descent_6).is_far_3;
         }
         else
         {
-            _S386 = false;
+            _S394 = false;
         }
-        if(_S386)
+        if(_S394)
         {
         }
         else
@@ -5941,29 +5940,29 @@ fn descend_3( receiver_23 : Receiver_0,  aim_6 : Aim_0,  descent_6 : ptr<functio
         var of_left_1 : View_0 = view_0(left_5, receiver_23);
         var of_right_1 : View_0 = view_0(right_4, receiver_23);
         var weights_5 : vec2<f32> = weights_of_0(of_left_1.importance_0, of_right_1.importance_0);
-        var _S387 : f32 = weights_5.x;
-        var _S388 : f32 = weights_5.y;
-        var total_8 : f32 = _S387 + _S388;
+        var _S395 : f32 = weights_5.x;
+        var _S396 : f32 = weights_5.y;
+        var total_8 : f32 = _S395 + _S396;
         if(!(total_8 > 0.0f))
         {
             return false;
         }
-        var _S389 : bool;
-        if(_S388 <= 0.0f)
+        var _S397 : bool;
+        if(_S396 <= 0.0f)
         {
-            _S389 = true;
+            _S397 = true;
         }
         else
         {
-            _S389 = ((*descent_6).choice_0 * total_8) < (_S387 * (*descent_6).weight_0);
+            _S397 = ((*descent_6).choice_0 * total_8) < (_S395 * (*descent_6).weight_0);
         }
         var is_left_6 : bool;
         if(aim_6.is_met_0)
         {
-            var _S390 : vec3<f32> = vec3<f32>(aim_6.hit_6.voxel_0);
-            if((all((_S390 >= (vector_of_0(left_5.min_1))))))
+            var _S398 : vec3<f32> = vec3<f32>(aim_6.hit_6.voxel_0);
+            if((all((_S398 >= (vector_of_0(left_5.min_1))))))
             {
-                is_left_6 = (all((_S390 < (vector_of_0(left_5.max_1)))));
+                is_left_6 = (all((_S398 < (vector_of_0(left_5.max_1)))));
             }
             else
             {
@@ -5972,72 +5971,72 @@ fn descend_3( receiver_23 : Receiver_0,  aim_6 : Aim_0,  descent_6 : ptr<functio
         }
         else
         {
-            is_left_6 = _S389;
+            is_left_6 = _S397;
         }
-        var _S391 : f32 = (*descent_6).choice_0 * total_8;
-        var _S392 : f32;
+        var _S399 : f32 = (*descent_6).choice_0 * total_8;
+        var _S400 : f32;
         if(is_left_6)
         {
-            _S392 = 0.0f;
+            _S400 = 0.0f;
         }
         else
         {
-            _S392 = _S387 * (*descent_6).weight_0;
+            _S400 = _S395 * (*descent_6).weight_0;
         }
-        (*descent_6).choice_0 = _S391 - _S392;
-        var _S393 : u32;
+        (*descent_6).choice_0 = _S399 - _S400;
+        var _S401 : u32;
         if(is_left_6)
         {
-            _S393 = (*descent_6).node_3 + u32(1);
+            _S401 = (*descent_6).node_3 + u32(1);
         }
         else
         {
-            _S393 = (*descent_6).index_15;
+            _S401 = (*descent_6).index_15;
         }
-        (*descent_6).node_3 = _S393;
-        var _S394 : u32;
+        (*descent_6).node_3 = _S401;
+        var _S402 : u32;
         if(is_left_6)
         {
-            _S394 = left_5.index_11;
+            _S402 = left_5.index_11;
         }
         else
         {
-            _S394 = right_4.index_11;
+            _S402 = right_4.index_11;
         }
-        (*descent_6).index_15 = _S394;
-        var _S395 : u32;
+        (*descent_6).index_15 = _S402;
+        var _S403 : u32;
         if(is_left_6)
         {
-            _S395 = left_5.count_1;
+            _S403 = left_5.count_1;
         }
         else
         {
-            _S395 = right_4.count_1;
+            _S403 = right_4.count_1;
         }
-        (*descent_6).count_2 = _S395;
-        var _S396 : bool;
+        (*descent_6).count_2 = _S403;
+        var _S404 : bool;
         if(is_left_6)
         {
-            _S396 = of_left_1.is_far_0;
+            _S404 = of_left_1.is_far_0;
         }
         else
         {
-            _S396 = of_right_1.is_far_0;
+            _S404 = of_right_1.is_far_0;
         }
-        (*descent_6).is_far_3 = _S396;
-        var _S397 : f32;
+        (*descent_6).is_far_3 = _S404;
+        var _S405 : f32;
         if(is_left_6)
         {
-            _S397 = _S387;
+            _S405 = _S395;
         }
         else
         {
-            _S397 = _S388;
+            _S405 = _S396;
         }
-        var _S398 : f32 = (*descent_6).weight_0 * _S397;
-        (*descent_6).weight_0 = _S398;
+        var _S406 : f32 = (*descent_6).weight_0 * _S405;
+        (*descent_6).weight_0 = _S406;
         (*descent_6).total_0 = (*descent_6).total_0 * total_8;
-        if(_S398 <= 0.0f)
+        if(_S406 <= 0.0f)
         {
             return false;
         }
@@ -6048,29 +6047,29 @@ fn descend_3( receiver_23 : Receiver_0,  aim_6 : Aim_0,  descent_6 : ptr<functio
 fn choose_side_1( point_6 : vec3<f32>,  is_met_3 : bool,  way_6 : Descent_0,  side_4 : ptr<function, u32>,  odds_3 : ptr<function, vec2<f32>>) -> bool
 {
     var node_15 : LightNode_0 = light_node_at_0(way_6.node_3);
-    var _S399 : vec3<f32> = vector_of_0(node_15.max_1);
-    var _S400 : vec3<f32> = vector_of_0(node_15.min_1);
-    var _S401 : vec3<f32> = vec3<f32>(0.5f);
-    var half_3 : vec3<f32> = (_S399 - _S400) * _S401;
-    var toward_3 : vec3<f32> = (_S400 + _S399) * _S401 - point_6;
+    var _S407 : vec3<f32> = vector_of_0(node_15.max_1);
+    var _S408 : vec3<f32> = vector_of_0(node_15.min_1);
+    var _S409 : vec3<f32> = vec3<f32>(0.5f);
+    var half_3 : vec3<f32> = (_S407 - _S408) * _S409;
+    var toward_3 : vec3<f32> = (_S408 + _S407) * _S409 - point_6;
     var sent_2 : BySide_0 = sent_by_side_0(node_15, point_6, length_bound_0(select(half_3, abs(toward_3), vec3<bool>(((length_squared_0(toward_3)) > (length_squared_0(half_3)))))));
     var sum_6 : f32 = normal_or_zero_0(BySide_sum_0(sent_2));
     var unit_3 : f32 = inverse_power_of_two_0(sum_6);
     var total_9 : f32 = sum_6 * unit_3;
-    var _S402 : f32 = way_6.choice_0 * total_9;
-    var _S403 : u32 = (*side_4);
+    var _S410 : f32 = way_6.choice_0 * total_9;
+    var _S411 : u32 = (*side_4);
     var share_7 : f32 = normal_or_zero_0(sent_2.low_7[u32(0)] * unit_3);
-    var _S404 : bool;
+    var _S412 : bool;
     if(is_met_3)
     {
-        _S404 = u32(0) == _S403;
+        _S412 = u32(0) == _S411;
     }
     else
     {
-        _S404 = share_7 > 0.0f;
+        _S412 = share_7 > 0.0f;
     }
     var chosen_8 : f32;
-    if(_S404)
+    if(_S412)
     {
         (*side_4) = u32(0);
         chosen_8 = share_7;
@@ -6079,145 +6078,145 @@ fn choose_side_1( point_6 : vec3<f32>,  is_met_3 : bool,  way_6 : Descent_0,  si
     {
         chosen_8 = 0.0f;
     }
-    var _S405 : bool = _S402 < (share_7 * way_6.weight_0);
+    var _S413 : bool = _S410 < (share_7 * way_6.weight_0);
     var share_8 : f32 = normal_or_zero_0(sent_2.high_4[u32(0)] * unit_3);
     if(is_met_3)
     {
-        _S404 = u32(1) == _S403;
+        _S412 = u32(1) == _S411;
     }
     else
     {
         if(share_8 > 0.0f)
         {
-            _S404 = !_S405;
+            _S412 = !_S413;
         }
         else
         {
-            _S404 = false;
+            _S412 = false;
         }
     }
-    if(_S404)
+    if(_S412)
     {
         (*side_4) = u32(1);
         chosen_8 = share_8;
     }
     var passed_4 : f32 = share_7 + share_8;
-    if(_S405)
+    if(_S413)
     {
-        _S404 = true;
+        _S412 = true;
     }
     else
     {
-        _S404 = _S402 < (passed_4 * way_6.weight_0);
+        _S412 = _S410 < (passed_4 * way_6.weight_0);
     }
     var share_9 : f32 = normal_or_zero_0(sent_2.low_7[u32(1)] * unit_3);
-    var _S406 : bool;
+    var _S414 : bool;
     if(is_met_3)
     {
-        _S406 = u32(2) == _S403;
+        _S414 = u32(2) == _S411;
     }
     else
     {
         if(share_9 > 0.0f)
         {
-            _S406 = !_S404;
+            _S414 = !_S412;
         }
         else
         {
-            _S406 = false;
+            _S414 = false;
         }
     }
-    if(_S406)
+    if(_S414)
     {
         (*side_4) = u32(2);
         chosen_8 = share_9;
     }
     var passed_5 : f32 = passed_4 + share_9;
-    if(_S404)
+    if(_S412)
     {
-        _S404 = true;
+        _S412 = true;
     }
     else
     {
-        _S404 = _S402 < (passed_5 * way_6.weight_0);
+        _S412 = _S410 < (passed_5 * way_6.weight_0);
     }
     var share_10 : f32 = normal_or_zero_0(sent_2.high_4[u32(1)] * unit_3);
     if(is_met_3)
     {
-        _S406 = u32(3) == _S403;
+        _S414 = u32(3) == _S411;
     }
     else
     {
         if(share_10 > 0.0f)
         {
-            _S406 = !_S404;
+            _S414 = !_S412;
         }
         else
         {
-            _S406 = false;
+            _S414 = false;
         }
     }
-    if(_S406)
+    if(_S414)
     {
         (*side_4) = u32(3);
         chosen_8 = share_10;
     }
     var passed_6 : f32 = passed_5 + share_10;
-    if(_S404)
+    if(_S412)
     {
-        _S404 = true;
+        _S412 = true;
     }
     else
     {
-        _S404 = _S402 < (passed_6 * way_6.weight_0);
+        _S412 = _S410 < (passed_6 * way_6.weight_0);
     }
     var share_11 : f32 = normal_or_zero_0(sent_2.low_7[u32(2)] * unit_3);
     if(is_met_3)
     {
-        _S406 = u32(4) == _S403;
+        _S414 = u32(4) == _S411;
     }
     else
     {
         if(share_11 > 0.0f)
         {
-            _S406 = !_S404;
+            _S414 = !_S412;
         }
         else
         {
-            _S406 = false;
+            _S414 = false;
         }
     }
-    if(_S406)
+    if(_S414)
     {
         (*side_4) = u32(4);
         chosen_8 = share_11;
     }
     var passed_7 : f32 = passed_6 + share_11;
-    if(_S404)
+    if(_S412)
     {
-        _S404 = true;
+        _S412 = true;
     }
     else
     {
-        _S404 = _S402 < (passed_7 * way_6.weight_0);
+        _S412 = _S410 < (passed_7 * way_6.weight_0);
     }
     var share_12 : f32 = normal_or_zero_0(sent_2.high_4[u32(2)] * unit_3);
     if(is_met_3)
     {
-        _S404 = u32(5) == _S403;
+        _S412 = u32(5) == _S411;
     }
     else
     {
         if(share_12 > 0.0f)
         {
-            _S404 = !_S404;
+            _S412 = !_S412;
         }
         else
         {
-            _S404 = false;
+            _S412 = false;
         }
     }
-    if(_S404)
+    if(_S412)
     {
         (*side_4) = u32(5);
         chosen_8 = share_12;
@@ -6225,13 +6224,13 @@ fn choose_side_1( point_6 : vec3<f32>,  is_met_3 : bool,  way_6 : Descent_0,  si
     (*odds_3) = vec2<f32>(way_6.weight_0 * chosen_8, way_6.total_0 * total_9);
     if(sum_6 > 0.0f)
     {
-        _S404 = ((*odds_3).x) > 0.0f;
+        _S412 = ((*odds_3).x) > 0.0f;
     }
     else
     {
-        _S404 = false;
+        _S412 = false;
     }
-    return _S404;
+    return _S412;
 }
 
 fn sample_emitter_1( receiver_24 : Receiver_0,  u_22 : vec4<f32>,  aim_7 : Aim_0,  sample_14 : ptr<function, LightSample_0>) -> bool
@@ -6243,45 +6242,45 @@ fn sample_emitter_1( receiver_24 : Receiver_0,  u_22 : vec4<f32>,  aim_7 : Aim_0
     }
     var descent_7 : Descent_0 = Descent_x24init_0(u32(0), u32(0), u32(0), 1.0f, 1.0f, u_22.x, false);
     Descent_at_2(&(descent_7), u32(0));
-    var _S407 : bool;
+    var _S415 : bool;
     if(!IS_SINGLE_0)
     {
-        _S407 = aim_7.is_met_0;
+        _S415 = aim_7.is_met_0;
     }
     else
     {
-        _S407 = false;
+        _S415 = false;
     }
-    if(_S407)
+    if(_S415)
     {
-        var _S408 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(aim_7.hit_6.instance_0);
-        if((_S408.light_leaf_0) == u32(4294967295))
+        var _S416 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(aim_7.hit_6.instance_0);
+        if((_S416.light_leaf_0) == u32(4294967295))
         {
-            _S407 = true;
+            _S415 = true;
         }
         else
         {
-            var _S409 : bool = climb_1(receiver_24, _S408.light_leaf_0, &(descent_7));
-            _S407 = !_S409;
+            var _S417 : bool = climb_1(receiver_24, _S416.light_leaf_0, &(descent_7));
+            _S415 = !_S417;
         }
-        if(_S407)
+        if(_S415)
         {
             return false;
         }
-        Descent_at_2(&(descent_7), _S408.light_leaf_0);
+        Descent_at_2(&(descent_7), _S416.light_leaf_0);
     }
     else
     {
         if(!IS_SINGLE_0)
         {
-            var _S410 : bool = descend_2(receiver_24, by_chance_0(), &(descent_7));
-            _S407 = !_S410;
+            var _S418 : bool = descend_2(receiver_24, by_chance_0(), &(descent_7));
+            _S415 = !_S418;
         }
         else
         {
-            _S407 = false;
+            _S415 = false;
         }
-        if(_S407)
+        if(_S415)
         {
             return false;
         }
@@ -6289,35 +6288,35 @@ fn sample_emitter_1( receiver_24 : Receiver_0,  u_22 : vec4<f32>,  aim_7 : Aim_0
     var chosen_instance_1 : u32 = descent_7.index_15;
     var local_6 : Receiver_0 = in_grid_0(descent_7.index_15, receiver_24);
     Descent_at_3(&(descent_7), top_light_node_0(descent_7.node_3).root_1);
-    var _S411 : bool = descend_3(local_6, aim_7, &(descent_7));
-    if(!_S411)
+    var _S419 : bool = descend_3(local_6, aim_7, &(descent_7));
+    if(!_S419)
     {
         return false;
     }
     var side_5 : u32 = aim_7.hit_6.face_0;
     var odds_4 : vec2<f32>;
-    var _S412 : bool = choose_side_1(local_6.point_0, aim_7.is_met_0, descent_7, &(side_5), &(odds_4));
-    if(!_S412)
+    var _S420 : bool = choose_side_1(local_6.point_0, aim_7.is_met_0, descent_7, &(side_5), &(odds_4));
+    if(!_S420)
     {
         return false;
     }
     var power_7 : f32 = light_power_at_0(descent_7.node_3, side_5);
-    var _S413 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(chosen_instance_1);
+    var _S421 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(chosen_instance_1);
     if(aim_7.is_met_0)
     {
-        var _S414 : f32 = density_0(odds_4, aim_7.luminance_1, power_7, Transform_direction_0(_S413.grid_from_world_0, aim_7.direction_21) * vec3<f32>(aim_7.hit_6.t_0), side_5);
-        (*sample_14).pdf_2 = _S414;
-        return _S414 > 0.0f;
+        var _S422 : f32 = density_0(odds_4, aim_7.luminance_1, power_7, Transform_direction_0(_S421.grid_from_world_0, aim_7.direction_21) * vec3<f32>(aim_7.hit_6.t_0), side_5);
+        (*sample_14).pdf_2 = _S422;
+        return _S422 > 0.0f;
     }
     var emitter_2 : Emitter_0 = choose_emitter_0(descent_7, side_5, u_22.y * power_7);
-    var _S415 : vec3<f32> = vec3<f32>(cell_of_0(emitter_2.voxel_24));
-    var on_face_1 : vec3<f32> = point_of_face_0(_S415, side_5, u_22.z, u_22.w);
+    var _S423 : vec3<f32> = vec3<f32>(cell_of_0(emitter_2.voxel_24));
+    var on_face_1 : vec3<f32> = point_of_face_0(_S423, side_5, u_22.z, u_22.w);
     var pdf_13 : f32 = density_0(odds_4, emitter_2.luminance_4, power_7, on_face_1 - local_6.point_0, side_5);
     if(pdf_13 < 0.0f)
     {
         return false;
     }
-    var direction_29 : vec3<f32> = Transform_point_0(_S413.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S413.grid_from_world_0.translation_0), _S415, side_5, on_face_1)) - receiver_24.point_0;
+    var direction_29 : vec3<f32> = Transform_point_0(_S421.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S421.grid_from_world_0.translation_0), _S423, side_5, on_face_1)) - receiver_24.point_0;
     var cos_theta_10 : f32 = with_slack_0(receiver_24, divide_0(dot_product_0(receiver_24.normal_2, direction_29), square_root_0(length_squared_0(direction_29))));
     (*sample_14) = LightSample_x24init_0(Ray_x24init_0(receiver_24.point_0, 0.0f, direction_29, 1.0f), cos_theta_10, emitted_0(material_of_index_0(emitter_2.material_6)), pdf_13);
     return cos_theta_10 > 0.0f;
@@ -6325,8 +6324,8 @@ fn sample_emitter_1( receiver_24 : Receiver_0,  u_22 : vec4<f32>,  aim_7 : Aim_0
 
 fn EmitterTree_sample_1( receiver_25 : Receiver_0,  u_23 : vec4<f32>,  aim_8 : Aim_0,  sample_15 : ptr<function, LightSample_0>) -> bool
 {
-    var _S416 : bool = sample_emitter_1(receiver_25, u_23, aim_8, &((*sample_15)));
-    return _S416;
+    var _S424 : bool = sample_emitter_1(receiver_25, u_23, aim_8, &((*sample_15)));
+    return _S424;
 }
 
 fn Lights_sample_1( receiver_26 : Receiver_0,  selection_4 : Selection_0,  u_24 : vec4<f32>,  aim_9 : Aim_0,  sample_16 : ptr<function, LightSample_0>) -> bool
@@ -6350,9 +6349,9 @@ fn Lights_sample_1( receiver_26 : Receiver_0,  selection_4 : Selection_0,  u_24 
     }
     if(is_found_11)
     {
-        var _S417 : bool = SunDisc_sample_1(receiver_26, u_24, &((*sample_16)));
+        var _S425 : bool = SunDisc_sample_1(receiver_26, u_24, &((*sample_16)));
         (*sample_16).pdf_2 = (*sample_16).pdf_2 * selection_4.sun_0;
-        is_found_11 = _S417;
+        is_found_11 = _S425;
     }
     else
     {
@@ -6374,15 +6373,15 @@ fn Lights_sample_1( receiver_26 : Receiver_0,  selection_4 : Selection_0,  u_24 
         }
         if(is_found_11)
         {
-            var _S418 : bool = Sky_sample_1(receiver_26, vec4<f32>(min(divide_0(u_24.x - selection_4.sun_0, selection_4.sky_1), 0.99999994039535522f), u_24.yzw), &((*sample_16)));
+            var _S426 : bool = Sky_sample_1(receiver_26, vec4<f32>(min(divide_0(u_24.x - selection_4.sun_0, selection_4.sky_1), 0.99999994039535522f), u_24.yzw), &((*sample_16)));
             (*sample_16).pdf_2 = (*sample_16).pdf_2 * selection_4.sky_1;
-            is_found_11 = _S418;
+            is_found_11 = _S426;
         }
         else
         {
-            var _S419 : bool = EmitterTree_sample_1(receiver_26, vec4<f32>(min(divide_0(u_24.x - (selection_4.sun_0 + selection_4.sky_1), selection_4.emitters_0), 0.99999994039535522f), u_24.yzw), aim_9, &((*sample_16)));
+            var _S427 : bool = EmitterTree_sample_1(receiver_26, vec4<f32>(min(divide_0(u_24.x - (selection_4.sun_0 + selection_4.sky_1), selection_4.emitters_0), 0.99999994039535522f), u_24.yzw), aim_9, &((*sample_16)));
             (*sample_16).pdf_2 = (*sample_16).pdf_2 * selection_4.emitters_0;
-            is_found_11 = _S419;
+            is_found_11 = _S427;
         }
     }
     return is_found_11;
@@ -6402,8 +6401,8 @@ fn Diffuse_sample_1( this_53 : Diffuse_0,  wo_8 : vec3<f32>,  u_25 : vec3<f32>, 
 
 fn MaterialBsdf_sample_1( this_54 : MaterialBsdf_0,  wo_9 : vec3<f32>,  u_26 : vec3<f32>,  sample_18 : ptr<function, BsdfSample_0>) -> bool
 {
-    var _S420 : bool = Diffuse_sample_1(Diffuse_x24init_0(this_54.color_0), wo_9, u_26, &((*sample_18)));
-    return _S420;
+    var _S428 : bool = Diffuse_sample_1(Diffuse_x24init_0(this_54.color_0), wo_9, u_26, &((*sample_18)));
+    return _S428;
 }
 
 fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_25 : Ray_0,  hit_16 : Hit_0,  beyond_8 : u32,  radiance_6 : ptr<function, vec3<f32>>) -> NextRays_0
@@ -6421,7 +6420,7 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_25 : Ray_0,  h
         t_16 = (*path_11).pdf_1;
     }
     (*path_11).pdf_1 = t_16;
-    var last_7 : Receiver_0 = Path_receiver_0((*path_11), ray_25);
+    var last_6 : Receiver_0 = Path_receiver_0((*path_11), ray_25);
     var is_scattered_3 : bool;
     if(Inside_is_in_0((*path_11).inside_0))
     {
@@ -6462,7 +6461,7 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_25 : Ray_0,  h
     var light_pdf_2 : f32;
     if(is_weighed_1)
     {
-        (*radiance_6) = (*radiance_6) + (*path_11).beta_0 * Sky_le_0(ray_25.direction_0) * vec3<f32>(mis_weight_0((*path_11).pdf_1, Lights_sky_pdf_0(Path_selection_at_0((*path_11), last_7), ray_25.direction_0)));
+        (*radiance_6) = (*radiance_6) + (*path_11).beta_0 * Sky_le_0(ray_25.direction_0) * vec3<f32>(mis_weight_0((*path_11).pdf_1, Lights_sky_pdf_0(Path_selection_at_0((*path_11), last_6), ray_25.direction_0)));
         if(has_sun_0())
         {
             if(SunDisc_is_visible_0())
@@ -6489,7 +6488,7 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_25 : Ray_0,  h
                 }
                 else
                 {
-                    light_pdf_2 = Lights_sun_pdf_0(Path_selection_at_0((*path_11), last_7), ray_25.direction_0);
+                    light_pdf_2 = Lights_sun_pdf_0(Path_selection_at_0((*path_11), last_6), ray_25.direction_0);
                 }
                 (*radiance_6) = (*radiance_6) + (*path_11).beta_0 * le_2 * vec3<f32>(mis_weight_0((*path_11).pdf_1, light_pdf_2));
             }
@@ -6498,7 +6497,7 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_25 : Ray_0,  h
     }
     var u_27 : vec4<f32> = Sampler_stratified_0((*path_11).sampler_0, Path_dimension_scatter_0((*path_11)));
     var material_15 : PackedMaterial_0 = material_met_0((*path_11), hit_16, beyond_8);
-    var _S421 : vec3<f32> = vec3<f32>(0.0f);
+    var _S429 : vec3<f32> = vec3<f32>(0.0f);
     var le_3 : vec3<f32>;
     if(!is_counted_1)
     {
@@ -6506,12 +6505,12 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_25 : Ray_0,  h
     }
     else
     {
-        le_3 = _S421;
+        le_3 = _S429;
     }
     var is_lit_1 : bool = (max_element_0(le_3)) > 0.0f;
     var met_1 : Aim_0 = Aim_x24init_0(true, ray_25.direction_0, hit_16, luminance_0(vector_of_0(material_15.emission_0)));
-    var _S422 : bool = weighs_apart_0();
-    if(_S422)
+    var _S430 : bool = weighs_apart_0();
+    if(_S430)
     {
         is_weighed_1 = is_lit_1;
     }
@@ -6539,7 +6538,7 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_25 : Ray_0,  h
     if(is_chosen_1)
     {
         var light_9 : LightSample_0 = no_light_0();
-        if(!_S422)
+        if(!_S430)
         {
             is_chosen_1 = ((*path_11).pdf_1) > 0.0f;
         }
@@ -6549,15 +6548,15 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_25 : Ray_0,  h
         }
         if(is_chosen_1)
         {
-            var _S423 : bool = Lights_sample_1(last_7, Path_selection_at_0((*path_11), last_7), vec4<f32>(0.0f), met_1, &(light_9));
-            is_chosen_1 = _S423;
+            var _S431 : bool = Lights_sample_1(last_6, Path_selection_at_0((*path_11), last_6), vec4<f32>(0.0f), met_1, &(light_9));
+            is_chosen_1 = _S431;
         }
         else
         {
             is_chosen_1 = false;
         }
-        var _S424 : vec3<f32> = (*path_11).beta_0 * le_3;
-        var _S425 : f32 = (*path_11).pdf_1;
+        var _S432 : vec3<f32> = (*path_11).beta_0 * le_3;
+        var _S433 : f32 = (*path_11).pdf_1;
         if(is_chosen_1)
         {
             light_pdf_2 = light_9.pdf_2;
@@ -6566,13 +6565,13 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_25 : Ray_0,  h
         {
             light_pdf_2 = 0.0f;
         }
-        (*radiance_6) = (*radiance_6) + _S424 * vec3<f32>(mis_weight_0(_S425, light_pdf_2));
+        (*radiance_6) = (*radiance_6) + _S432 * vec3<f32>(mis_weight_0(_S433, light_pdf_2));
     }
-    var _S426 : f32 = ior_of_0((*path_11).inside_0);
-    var _S427 : f32 = u_27[i32(3)];
-    var _S428 : MaterialBsdf_0 = bsdf_of_1(material_15, _S426, &(_S427));
-    u_27[i32(3)] = _S427;
-    var scattered_3 : vec3<f32> = (*path_11).beta_0 * MaterialBsdf_albedo_0(_S428);
+    var _S434 : f32 = ior_of_0((*path_11).inside_0);
+    var _S435 : f32 = u_27[i32(3)];
+    var _S436 : MaterialBsdf_0 = bsdf_of_1(material_15, _S434, &(_S435));
+    u_27[i32(3)] = _S435;
+    var scattered_3 : vec3<f32> = (*path_11).beta_0 * MaterialBsdf_albedo_0(_S436);
     if(((*path_11).bounce_0) >= (params_0.max_bounces_0))
     {
         is_chosen_1 = true;
@@ -6581,8 +6580,8 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_25 : Ray_0,  h
     {
         is_chosen_1 = ends_here_0;
     }
-    var _S429 : bool = !is_weighed_1;
-    if(_S429)
+    var _S437 : bool = !is_weighed_1;
+    if(_S437)
     {
         if(is_chosen_1)
         {
@@ -6602,7 +6601,7 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_25 : Ray_0,  h
         return next_3;
     }
     var compensation_3 : f32 = roulette_0(Path_events_0((*path_11)), scattered_3, u_27.z);
-    if(_S429)
+    if(_S437)
     {
         is_chosen_1 = compensation_3 == 0.0f;
     }
@@ -6624,19 +6623,19 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_25 : Ray_0,  h
         at_9 = hit_16;
     }
     var surface_4 : Surface_0 = surface_of_0(ray_25, at_9);
-    var _S430 : Receiver_0 = Receiver_x24init_0(surface_4.origin_9, surface_4.normal_3);
-    var _S431 : vec3<f32> = (vec3<f32>(0) - ray_25.direction_0);
-    var wo_10 : vec3<f32> = Surface_local_direction_0(surface_4, _S431);
+    var _S438 : Receiver_0 = Receiver_x24init_0(surface_4.origin_9, surface_4.normal_3);
+    var _S439 : vec3<f32> = (vec3<f32>(0) - ray_25.direction_0);
+    var wo_10 : vec3<f32> = Surface_local_direction_0(surface_4, _S439);
     var inside_6 : Inside_0 = in_air_0();
     var wo_11 : vec3<f32>;
     var receiver_27 : Receiver_0;
     if(is_scattered_3)
     {
-        var _S432 : Inside_0 = Inside_x24init_0((*path_11).inside_0.instance_6, hit_16.voxel_0, (*path_11).inside_0.material_0);
-        inside_6 = _S432;
-        var _S433 : vec3<f32> = normalize_vector_0(_S431);
-        receiver_27 = Receiver_x24init_0(Inside_point_0(_S432, ray_25, t_16), _S421);
-        wo_11 = _S433;
+        var _S440 : Inside_0 = Inside_x24init_0((*path_11).inside_0.instance_6, hit_16.voxel_0, (*path_11).inside_0.material_0);
+        inside_6 = _S440;
+        var _S441 : vec3<f32> = normalize_vector_0(_S439);
+        receiver_27 = Receiver_x24init_0(Inside_point_0(_S440, ray_25, t_16), _S429);
+        wo_11 = _S441;
     }
     else
     {
@@ -6646,22 +6645,22 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_25 : Ray_0,  h
             inside_6 = Inside_x24init_0((*path_11).inside_0.instance_6, hit_16.voxel_0, (*path_11).inside_0.material_0);
             inside_6.voxel_22 = hit_16.voxel_0 + vec3<i32>(face_normal_0(hit_16.face_0));
         }
-        receiver_27 = _S430;
+        receiver_27 = _S438;
         wo_11 = wo_10;
     }
     next_3.origin_7 = receiver_27.point_0;
     next_3.shadow_inside_1 = inside_6;
     if(is_weighed_1)
     {
-        receiver_27 = last_7;
+        receiver_27 = last_6;
     }
-    if(_S429)
+    if(_S437)
     {
         (*path_11).selection_0 = Lights_selection_0(receiver_27);
     }
     var light_10 : LightSample_0 = no_light_0();
-    var _S434 : bool = !MaterialBsdf_is_delta_0(_S428);
-    scatter_of_path_0 = Scatter_x24init_0((*path_11), receiver_27, surface_4, _S428, wo_11, compensation_3, is_scattered_3, _S434);
+    var _S442 : bool = !MaterialBsdf_is_delta_0(_S436);
+    scatter_of_path_0 = Scatter_x24init_0((*path_11), receiver_27, surface_4, _S436, wo_11, compensation_3, is_scattered_3, _S442);
     if(is_weighed_1)
     {
         if(next_3.has_shadow_ray_0)
@@ -6678,8 +6677,8 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_25 : Ray_0,  h
         return next_3;
     }
     var bounce_2 : BsdfSample_0;
-    var _S435 : bool = MaterialBsdf_sample_1(_S428, wo_11, vec3<f32>(u_27.xy, u_27.w), &(bounce_2));
-    if(!_S435)
+    var _S443 : bool = MaterialBsdf_sample_1(_S436, wo_11, vec3<f32>(u_27.xy, u_27.w), &(bounce_2));
+    if(!_S443)
     {
         return next_3;
     }
@@ -6706,34 +6705,34 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_25 : Ray_0,  h
 
 fn show_1( path_12 : Path_0,  ray_26 : Ray_0,  hit_17 : Hit_0,  beyond_9 : u32,  sample_19 : ptr<function, Sample_0>)
 {
-    var _S436 : Path_0 = path_12;
+    var _S444 : Path_0 = path_12;
     (*sample_19).is_shown_0 = true;
-    if(Inside_is_in_0(_S436.inside_0))
+    if(Inside_is_in_0(_S444.inside_0))
     {
-        absorb_1(&(_S436), _S436.inside_0, ray_26, hit_17.t_0);
+        absorb_1(&(_S444), _S444.inside_0, ray_26, hit_17.t_0);
     }
-    var material_16 : PackedMaterial_0 = material_met_0(_S436, hit_17, beyond_9);
+    var material_16 : PackedMaterial_0 = material_met_0(_S444, hit_17, beyond_9);
     (*sample_19).normal_1 = shading_normal_0(ray_26, hit_17, material_16);
-    (*sample_19).albedo_0 = _S436.beta_0 * albedo_of_0(material_16);
+    (*sample_19).albedo_0 = _S444.beta_0 * albedo_of_0(material_16);
     return;
 }
 
 fn Walker_see_1( this_55 : ptr<function, Walker_0>,  arrived_2 : Path_0,  hit_18 : Hit_0,  beyond_10 : u32,  emitted_3 : vec3<f32>,  goes_on_3 : bool,  sample_20 : ptr<function, Sample_0>)
 {
     (*sample_20).direct_0 = (*sample_20).direct_0 + emitted_3;
-    var _S437 : bool = ((*this_55).path_0.bounce_0) == u32(0);
-    var _S438 : bool;
+    var _S445 : bool = ((*this_55).path_0.bounce_0) == u32(0);
+    var _S446 : bool;
     if(goes_on_3)
     {
-        _S438 = _S437;
+        _S446 = _S445;
     }
     else
     {
-        _S438 = false;
+        _S446 = false;
     }
-    var _S439 : bool = !_S438;
-    (*this_55).has_shown_0 = _S439;
-    if(!_S439)
+    var _S447 : bool = !_S446;
+    (*this_55).has_shown_0 = _S447;
+    if(!_S447)
     {
         (*this_55).way_3 = (*this_55).way_3 + hit_18.t_0;
     }
@@ -6743,16 +6742,16 @@ fn Walker_see_1( this_55 : ptr<function, Walker_0>,  arrived_2 : Path_0,  hit_18
         {
             show_1(arrived_2, (*this_55).ray_10, hit_18, beyond_10, &((*sample_20)));
             (*sample_20).place_0 = (*this_55).camera_ray_0.origin_0 + (*this_55).camera_ray_0.direction_0 * vec3<f32>(((*this_55).way_3 + hit_18.t_0));
-            var _S440 : u32;
+            var _S448 : u32;
             if(((*this_55).way_3) > 0.0f)
             {
-                _S440 = u32(4294967295);
+                _S448 = u32(4294967295);
             }
             else
             {
-                _S440 = hit_18.instance_0;
+                _S448 = hit_18.instance_0;
             }
-            (*sample_20).instance_7 = _S440;
+            (*sample_20).instance_7 = _S448;
         }
     }
     return;
@@ -6783,13 +6782,20 @@ fn choose_light_1( scatter_1 : Scatter_0,  next_4 : ptr<function, NextRays_0>)
         }
         var dimension_4 : u32 = u32(1073741824) + u32(64) * Path_events_0(scatter_1.path_3) + u32(2) * candidate_1;
         var u_28 : vec4<f32>;
+        var _S449 : vec4<f32>;
         if(candidate_1 == u32(0))
         {
-            u_28 = Sampler_stratified_0(scatter_1.path_3.sampler_0, Path_dimension_light_0(scatter_1.path_3));
+            _S449 = Sampler_stratified_0(scatter_1.path_3.sampler_0, Path_dimension_light_0(scatter_1.path_3));
         }
         else
         {
-            u_28 = Sampler_independent_0(scatter_1.path_3.sampler_0, dimension_4);
+            _S449 = Sampler_independent_0(scatter_1.path_3.sampler_0, dimension_4);
+        }
+        u_28 = _S449;
+        var _S450 : bool = count_6 > u32(1);
+        if(_S450)
+        {
+            u_28[i32(0)] = min((f32(candidate_1) + u_28.x) * divide_0(1.0f, f32(count_6)), 0.99999994039535522f);
         }
         var light_11 : LightSample_0 = no_light_0();
         var is_found_12 : bool = Lights_sample_1(scatter_1.receiver_0, scatter_1.path_3.selection_0, u_28, by_chance_0(), &(light_11));
@@ -6798,7 +6804,7 @@ fn choose_light_1( scatter_1 : Scatter_0,  next_4 : ptr<function, NextRays_0>)
             candidate_1 = candidate_1 + u32(1);
             continue;
         }
-        var _S441 : vec3<f32> = vec3<f32>(Surface_local_direction_0(scatter_1.surface_0, light_11.ray_16.direction_0).xy, light_11.cos_theta_2);
+        var _S451 : vec3<f32> = vec3<f32>(Surface_local_direction_0(scatter_1.surface_0, light_11.ray_16.direction_0).xy, light_11.cos_theta_2);
         var wi_7 : vec3<f32>;
         if(scatter_1.is_scattered_0)
         {
@@ -6806,22 +6812,22 @@ fn choose_light_1( scatter_1 : Scatter_0,  next_4 : ptr<function, NextRays_0>)
         }
         else
         {
-            wi_7 = _S441;
+            wi_7 = _S451;
         }
         var eval_1 : BsdfEval_0 = MaterialBsdf_eval_0(scatter_1.bsdf_0, scatter_1.wo_0, wi_7);
-        var _S442 : vec3<f32> = scatter_1.path_3.beta_0 * eval_1.weight_5 * vec3<f32>(scatter_1.compensation_0) * light_11.radiance_1 * vec3<f32>((divide_0(eval_1.pdf_10, light_11.pdf_2) * power_heuristic_0(light_11.pdf_2, eval_1.pdf_10)));
-        var weight_8 : f32 = luminance_0(_S442);
+        var _S452 : vec3<f32> = scatter_1.path_3.beta_0 * eval_1.weight_5 * vec3<f32>(scatter_1.compensation_0) * light_11.radiance_1 * vec3<f32>((divide_0(eval_1.pdf_10, light_11.pdf_2) * power_heuristic_0(light_11.pdf_2, eval_1.pdf_10)));
+        var weight_8 : f32 = luminance_0(_S452);
         var sum_8 : f32 = sum_7 + weight_8;
-        var _S443 : bool;
-        if(count_6 > u32(1))
+        var _S453 : bool;
+        if(_S450)
         {
-            _S443 = (Sampler_independent_0(scatter_1.path_3.sampler_0, dimension_4 + u32(1)).x * sum_8) >= weight_8;
+            _S453 = (Sampler_independent_0(scatter_1.path_3.sampler_0, dimension_4 + u32(1)).x * sum_8) >= weight_8;
         }
         else
         {
-            _S443 = false;
+            _S453 = false;
         }
-        if(_S443)
+        if(_S453)
         {
             sum_7 = sum_8;
             candidate_1 = candidate_1 + u32(1);
@@ -6832,7 +6838,7 @@ fn choose_light_1( scatter_1 : Scatter_0,  next_4 : ptr<function, NextRays_0>)
         {
             (*next_4).shadow_direction_0 = light_11.ray_16.direction_0;
             (*next_4).shadow_t_max_0 = light_11.ray_16.t_max_0;
-            (*next_4).light_2 = _S442;
+            (*next_4).light_2 = _S452;
             chosen_10 = weight_8;
         }
         else
@@ -6843,9 +6849,9 @@ fn choose_light_1( scatter_1 : Scatter_0,  next_4 : ptr<function, NextRays_0>)
         sum_7 = sum_8;
         candidate_1 = candidate_1 + u32(1);
     }
-    var _S444 : bool = chosen_9 > 0.0f;
-    (*next_4).has_shadow_ray_0 = _S444;
-    if(_S444)
+    var _S454 : bool = chosen_9 > 0.0f;
+    (*next_4).has_shadow_ray_0 = _S454;
+    if(_S454)
     {
         (*next_4).light_2 = (*next_4).light_2 * vec3<f32>(divide_0(sum_7, chosen_9 * f32(count_6)));
     }
@@ -6865,8 +6871,8 @@ fn goes_on_from_1( at_10 : ptr<function, Walker_0>,  hit_19 : Hit_0,  beyond_11 
     }
     else
     {
-        var _S445 : vec3<f32> = vec3<f32>(0.0f);
-        var cached_1 : vec3<f32> = _S445;
+        var _S455 : vec3<f32> = vec3<f32>(0.0f);
+        var cached_1 : vec3<f32> = _S455;
         if((*at_10).has_shown_0)
         {
             goes_on_4 = (*at_10).asks_cache_0;
@@ -6877,8 +6883,8 @@ fn goes_on_from_1( at_10 : ptr<function, Walker_0>,  hit_19 : Hit_0,  beyond_11 
         }
         if(goes_on_4)
         {
-            var _S446 : bool = asks_1((*at_10).path_0, (*at_10).ray_10, hit_19, beyond_11, (*at_10).life_0, &(cached_1));
-            goes_on_4 = _S446;
+            var _S456 : bool = asks_1((*at_10).path_0, (*at_10).ray_10, hit_19, beyond_11, (*at_10).life_0, &(cached_1));
+            goes_on_4 = _S456;
         }
         else
         {
@@ -6886,12 +6892,12 @@ fn goes_on_from_1( at_10 : ptr<function, Walker_0>,  hit_19 : Hit_0,  beyond_11 
         }
         ends_here_0 = goes_on_4;
         var arrived_3 : Path_0 = (*at_10).path_0;
-        var emitted_4 : vec3<f32> = _S445;
-        var _S447 : Path_0 = (*at_10).path_0;
-        var _S448 : NextRays_0 = PathTracingOf_advance_1(&(_S447), (*at_10).ray_10, hit_19, beyond_11, &(emitted_4));
-        (*at_10).path_0 = _S447;
-        next_5 = _S448;
-        var goes_on_5 : bool = (any(((next_5.direction_5) != _S445)));
+        var emitted_4 : vec3<f32> = _S455;
+        var _S457 : Path_0 = (*at_10).path_0;
+        var _S458 : NextRays_0 = PathTracingOf_advance_1(&(_S457), (*at_10).ray_10, hit_19, beyond_11, &(emitted_4));
+        (*at_10).path_0 = _S457;
+        next_5 = _S458;
+        var goes_on_5 : bool = (any(((next_5.direction_5) != _S455)));
         if((*at_10).has_shown_0)
         {
             (*sample_21).light_1 = (*sample_21).light_1 + (cached_1 + emitted_4);
@@ -6948,7 +6954,7 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_27 : Ray_0,  h
         t_17 = (*path_13).pdf_1;
     }
     (*path_13).pdf_1 = t_17;
-    var last_8 : Receiver_0 = Path_receiver_0((*path_13), ray_27);
+    var last_7 : Receiver_0 = Path_receiver_0((*path_13), ray_27);
     var is_scattered_4 : bool;
     if(Inside_is_in_0((*path_13).inside_0))
     {
@@ -6989,7 +6995,7 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_27 : Ray_0,  h
     var light_pdf_3 : f32;
     if(is_weighed_2)
     {
-        (*radiance_7) = (*radiance_7) + (*path_13).beta_0 * Sky_le_0(ray_27.direction_0) * vec3<f32>(mis_weight_0((*path_13).pdf_1, Lights_sky_pdf_0(Path_selection_at_0((*path_13), last_8), ray_27.direction_0)));
+        (*radiance_7) = (*radiance_7) + (*path_13).beta_0 * Sky_le_0(ray_27.direction_0) * vec3<f32>(mis_weight_0((*path_13).pdf_1, Lights_sky_pdf_0(Path_selection_at_0((*path_13), last_7), ray_27.direction_0)));
         if(has_sun_0())
         {
             if(SunDisc_is_visible_0())
@@ -7016,7 +7022,7 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_27 : Ray_0,  h
                 }
                 else
                 {
-                    light_pdf_3 = Lights_sun_pdf_0(Path_selection_at_0((*path_13), last_8), ray_27.direction_0);
+                    light_pdf_3 = Lights_sun_pdf_0(Path_selection_at_0((*path_13), last_7), ray_27.direction_0);
                 }
                 (*radiance_7) = (*radiance_7) + (*path_13).beta_0 * le_4 * vec3<f32>(mis_weight_0((*path_13).pdf_1, light_pdf_3));
             }
@@ -7025,7 +7031,7 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_27 : Ray_0,  h
     }
     var u_29 : vec4<f32> = Sampler_stratified_0((*path_13).sampler_0, Path_dimension_scatter_0((*path_13)));
     var material_17 : PackedMaterial_0 = material_met_0((*path_13), hit_20, beyond_12);
-    var _S449 : vec3<f32> = vec3<f32>(0.0f);
+    var _S459 : vec3<f32> = vec3<f32>(0.0f);
     var le_5 : vec3<f32>;
     if(!is_counted_2)
     {
@@ -7033,12 +7039,12 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_27 : Ray_0,  h
     }
     else
     {
-        le_5 = _S449;
+        le_5 = _S459;
     }
     var is_lit_2 : bool = (max_element_0(le_5)) > 0.0f;
     var met_2 : Aim_0 = Aim_x24init_0(true, ray_27.direction_0, hit_20, luminance_0(vector_of_0(material_17.emission_0)));
-    var _S450 : bool = weighs_apart_0();
-    if(_S450)
+    var _S460 : bool = weighs_apart_0();
+    if(_S460)
     {
         is_weighed_2 = is_lit_2;
     }
@@ -7066,7 +7072,7 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_27 : Ray_0,  h
     if(is_chosen_2)
     {
         var light_12 : LightSample_0 = no_light_0();
-        if(!_S450)
+        if(!_S460)
         {
             is_chosen_2 = ((*path_13).pdf_1) > 0.0f;
         }
@@ -7076,15 +7082,15 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_27 : Ray_0,  h
         }
         if(is_chosen_2)
         {
-            var _S451 : bool = Lights_sample_1(last_8, Path_selection_at_0((*path_13), last_8), vec4<f32>(0.0f), met_2, &(light_12));
-            is_chosen_2 = _S451;
+            var _S461 : bool = Lights_sample_1(last_7, Path_selection_at_0((*path_13), last_7), vec4<f32>(0.0f), met_2, &(light_12));
+            is_chosen_2 = _S461;
         }
         else
         {
             is_chosen_2 = false;
         }
-        var _S452 : vec3<f32> = (*path_13).beta_0 * le_5;
-        var _S453 : f32 = (*path_13).pdf_1;
+        var _S462 : vec3<f32> = (*path_13).beta_0 * le_5;
+        var _S463 : f32 = (*path_13).pdf_1;
         if(is_chosen_2)
         {
             light_pdf_3 = light_12.pdf_2;
@@ -7093,13 +7099,13 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_27 : Ray_0,  h
         {
             light_pdf_3 = 0.0f;
         }
-        (*radiance_7) = (*radiance_7) + _S452 * vec3<f32>(mis_weight_0(_S453, light_pdf_3));
+        (*radiance_7) = (*radiance_7) + _S462 * vec3<f32>(mis_weight_0(_S463, light_pdf_3));
     }
-    var _S454 : f32 = ior_of_0((*path_13).inside_0);
-    var _S455 : f32 = u_29[i32(3)];
-    var _S456 : MaterialBsdf_0 = bsdf_of_1(material_17, _S454, &(_S455));
-    u_29[i32(3)] = _S455;
-    var scattered_4 : vec3<f32> = (*path_13).beta_0 * MaterialBsdf_albedo_0(_S456);
+    var _S464 : f32 = ior_of_0((*path_13).inside_0);
+    var _S465 : f32 = u_29[i32(3)];
+    var _S466 : MaterialBsdf_0 = bsdf_of_1(material_17, _S464, &(_S465));
+    u_29[i32(3)] = _S465;
+    var scattered_4 : vec3<f32> = (*path_13).beta_0 * MaterialBsdf_albedo_0(_S466);
     if(((*path_13).bounce_0) >= (params_0.max_bounces_0))
     {
         is_chosen_2 = true;
@@ -7108,8 +7114,8 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_27 : Ray_0,  h
     {
         is_chosen_2 = ends_here_0;
     }
-    var _S457 : bool = !is_weighed_2;
-    if(_S457)
+    var _S467 : bool = !is_weighed_2;
+    if(_S467)
     {
         if(is_chosen_2)
         {
@@ -7129,7 +7135,7 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_27 : Ray_0,  h
         return next_6;
     }
     var compensation_4 : f32 = roulette_0(Path_events_0((*path_13)), scattered_4, u_29.z);
-    if(_S457)
+    if(_S467)
     {
         is_chosen_2 = compensation_4 == 0.0f;
     }
@@ -7151,19 +7157,19 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_27 : Ray_0,  h
         at_11 = hit_20;
     }
     var surface_5 : Surface_0 = surface_of_0(ray_27, at_11);
-    var _S458 : Receiver_0 = Receiver_x24init_0(surface_5.origin_9, surface_5.normal_3);
-    var _S459 : vec3<f32> = (vec3<f32>(0) - ray_27.direction_0);
-    var wo_12 : vec3<f32> = Surface_local_direction_0(surface_5, _S459);
+    var _S468 : Receiver_0 = Receiver_x24init_0(surface_5.origin_9, surface_5.normal_3);
+    var _S469 : vec3<f32> = (vec3<f32>(0) - ray_27.direction_0);
+    var wo_12 : vec3<f32> = Surface_local_direction_0(surface_5, _S469);
     var inside_7 : Inside_0 = in_air_0();
     var wo_13 : vec3<f32>;
     var receiver_28 : Receiver_0;
     if(is_scattered_4)
     {
-        var _S460 : Inside_0 = Inside_x24init_0((*path_13).inside_0.instance_6, hit_20.voxel_0, (*path_13).inside_0.material_0);
-        inside_7 = _S460;
-        var _S461 : vec3<f32> = normalize_vector_0(_S459);
-        receiver_28 = Receiver_x24init_0(Inside_point_0(_S460, ray_27, t_17), _S449);
-        wo_13 = _S461;
+        var _S470 : Inside_0 = Inside_x24init_0((*path_13).inside_0.instance_6, hit_20.voxel_0, (*path_13).inside_0.material_0);
+        inside_7 = _S470;
+        var _S471 : vec3<f32> = normalize_vector_0(_S469);
+        receiver_28 = Receiver_x24init_0(Inside_point_0(_S470, ray_27, t_17), _S459);
+        wo_13 = _S471;
     }
     else
     {
@@ -7173,22 +7179,22 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_27 : Ray_0,  h
             inside_7 = Inside_x24init_0((*path_13).inside_0.instance_6, hit_20.voxel_0, (*path_13).inside_0.material_0);
             inside_7.voxel_22 = hit_20.voxel_0 + vec3<i32>(face_normal_0(hit_20.face_0));
         }
-        receiver_28 = _S458;
+        receiver_28 = _S468;
         wo_13 = wo_12;
     }
     next_6.origin_7 = receiver_28.point_0;
     next_6.shadow_inside_1 = inside_7;
     if(is_weighed_2)
     {
-        receiver_28 = last_8;
+        receiver_28 = last_7;
     }
-    if(_S457)
+    if(_S467)
     {
         (*path_13).selection_0 = Lights_selection_0(receiver_28);
     }
     var light_13 : LightSample_0 = no_light_0();
-    var _S462 : bool = !MaterialBsdf_is_delta_0(_S456);
-    scatter_of_path_0 = Scatter_x24init_0((*path_13), receiver_28, surface_5, _S456, wo_13, compensation_4, is_scattered_4, _S462);
+    var _S472 : bool = !MaterialBsdf_is_delta_0(_S466);
+    scatter_of_path_0 = Scatter_x24init_0((*path_13), receiver_28, surface_5, _S466, wo_13, compensation_4, is_scattered_4, _S472);
     if(is_weighed_2)
     {
         if(next_6.has_shadow_ray_0)
@@ -7205,8 +7211,8 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_27 : Ray_0,  h
         return next_6;
     }
     var bounce_3 : BsdfSample_0;
-    var _S463 : bool = MaterialBsdf_sample_1(_S456, wo_13, vec3<f32>(u_29.xy, u_29.w), &(bounce_3));
-    if(!_S463)
+    var _S473 : bool = MaterialBsdf_sample_1(_S466, wo_13, vec3<f32>(u_29.xy, u_29.w), &(bounce_3));
+    if(!_S473)
     {
         return next_6;
     }
@@ -7244,8 +7250,8 @@ fn goes_on_from_2( at_12 : ptr<function, Walker_0>,  hit_21 : Hit_0,  beyond_13 
     }
     else
     {
-        var _S464 : vec3<f32> = vec3<f32>(0.0f);
-        var cached_2 : vec3<f32> = _S464;
+        var _S474 : vec3<f32> = vec3<f32>(0.0f);
+        var cached_2 : vec3<f32> = _S474;
         if((*at_12).has_shown_0)
         {
             goes_on_6 = (*at_12).asks_cache_0;
@@ -7256,8 +7262,8 @@ fn goes_on_from_2( at_12 : ptr<function, Walker_0>,  hit_21 : Hit_0,  beyond_13 
         }
         if(goes_on_6)
         {
-            var _S465 : bool = asks_1((*at_12).path_0, (*at_12).ray_10, hit_21, beyond_13, (*at_12).life_0, &(cached_2));
-            goes_on_6 = _S465;
+            var _S475 : bool = asks_1((*at_12).path_0, (*at_12).ray_10, hit_21, beyond_13, (*at_12).life_0, &(cached_2));
+            goes_on_6 = _S475;
         }
         else
         {
@@ -7265,12 +7271,12 @@ fn goes_on_from_2( at_12 : ptr<function, Walker_0>,  hit_21 : Hit_0,  beyond_13 
         }
         ends_here_0 = goes_on_6;
         var arrived_4 : Path_0 = (*at_12).path_0;
-        var emitted_5 : vec3<f32> = _S464;
-        var _S466 : Path_0 = (*at_12).path_0;
-        var _S467 : NextRays_0 = PathTracingOf_advance_1(&(_S466), (*at_12).ray_10, hit_21, beyond_13, &(emitted_5));
-        (*at_12).path_0 = _S466;
-        next_7 = _S467;
-        var goes_on_7 : bool = (any(((next_7.direction_5) != _S464)));
+        var emitted_5 : vec3<f32> = _S474;
+        var _S476 : Path_0 = (*at_12).path_0;
+        var _S477 : NextRays_0 = PathTracingOf_advance_1(&(_S476), (*at_12).ray_10, hit_21, beyond_13, &(emitted_5));
+        (*at_12).path_0 = _S476;
+        next_7 = _S477;
+        var goes_on_7 : bool = (any(((next_7.direction_5) != _S474)));
         if((*at_12).has_shown_0)
         {
             (*sample_22).light_1 = (*sample_22).light_1 + (cached_2 + emitted_5);
@@ -7316,24 +7322,29 @@ struct InstanceNode_0
      is_leaf_0 : u32,
 };
 
+fn Rows_operatorx5Bx5D_get_6( row_10 : u32) -> vec4<u32>
+{
+    return records_0[first_row_0(u32(2)) + row_10];
+}
+
 fn InstanceNodes_operatorx5Bx5D_get_0( index_30 : u32) -> InstanceNode_0
 {
-    var row_9 : u32 = first_row_0(u32(2)) + u32(2) * index_30;
-    var a_7 : vec4<u32> = records_0[row_9];
-    var b_7 : vec4<u32> = records_0[row_9 + u32(1)];
+    var _S478 : u32 = u32(2) * index_30;
+    var _S479 : vec4<u32> = Rows_operatorx5Bx5D_get_6(_S478);
+    var _S480 : vec4<u32> = Rows_operatorx5Bx5D_get_6(_S478 + u32(1));
     var node_16 : InstanceNode_0;
-    var _S468 : f32 = (bitcast<f32>((a_7.y)));
-    var _S469 : f32 = (bitcast<f32>((a_7.z)));
-    node_16.min_2[i32(0)] = (bitcast<f32>((a_7.x)));
-    node_16.min_2[i32(1)] = _S468;
-    node_16.min_2[i32(2)] = _S469;
-    node_16.index_29 = a_7.w;
-    var _S470 : f32 = (bitcast<f32>((b_7.y)));
-    var _S471 : f32 = (bitcast<f32>((b_7.z)));
-    node_16.max_2[i32(0)] = (bitcast<f32>((b_7.x)));
-    node_16.max_2[i32(1)] = _S470;
-    node_16.max_2[i32(2)] = _S471;
-    node_16.is_leaf_0 = b_7.w;
+    var _S481 : f32 = (bitcast<f32>((_S479.y)));
+    var _S482 : f32 = (bitcast<f32>((_S479.z)));
+    node_16.min_2[i32(0)] = (bitcast<f32>((_S479.x)));
+    node_16.min_2[i32(1)] = _S481;
+    node_16.min_2[i32(2)] = _S482;
+    node_16.index_29 = _S479.w;
+    var _S483 : f32 = (bitcast<f32>((_S480.y)));
+    var _S484 : f32 = (bitcast<f32>((_S480.z)));
+    node_16.max_2[i32(0)] = (bitcast<f32>((_S480.x)));
+    node_16.max_2[i32(1)] = _S483;
+    node_16.max_2[i32(2)] = _S484;
+    node_16.is_leaf_0 = _S480.w;
     return node_16;
 }
 
@@ -7341,25 +7352,26 @@ fn entry_0( node_17 : InstanceNode_0,  ray_28 : Ray_0,  inverse_2 : vec3<f32>) -
 {
     var low_13 : vec3<f32> = (vector_of_0(node_17.min_2) - ray_28.origin_0) * inverse_2;
     var high_6 : vec3<f32> = (vector_of_0(node_17.max_2) - ray_28.origin_0) * inverse_2;
-    var _S472 : f32 = max(ray_28.t_min_0, max_element_0(min(low_13, high_6)));
-    var _S473 : f32;
-    if(_S472 <= (min(ray_28.t_max_0, min_element_0(max(low_13, high_6)))))
+    var _S485 : f32 = max(ray_28.t_min_0, max_element_0(min(low_13, high_6)));
+    var _S486 : f32;
+    if(_S485 <= (min(ray_28.t_max_0, min_element_0(max(low_13, high_6)))))
     {
-        _S473 = _S472;
+        _S486 = _S485;
     }
     else
     {
-        _S473 = (bitcast<f32>(infinity_bits_0));
+        _S486 = (bitcast<f32>(infinity_bits_0));
     }
-    return _S473;
+    return _S486;
 }
 
 fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_2 : u32) -> Hit_0
 {
+    var is_leaf_1 : bool;
     if(IS_SINGLE_0)
     {
-        var _S474 : Hit_0 = hit_in_0(u32(0), &((*given_0)));
-        return _S474;
+        var _S487 : Hit_0 = hit_in_0(u32(0), &((*given_0)));
+        return _S487;
     }
     var ray_29 : Ray_0 = (*given_0);
     var nearest_6 : Hit_0 = miss_0();
@@ -7368,237 +7380,32 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_2 : u3
         return nearest_6;
     }
     var is_zero_1 : vec3<bool> = !((abs(ray_29.direction_0)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S475 : vec3<f32> = select(reciprocal_0(select(ray_29.direction_0, vec3<f32>(1.0f), is_zero_1)), vec3<f32>(3.4028234663852886e+38f), is_zero_1);
+    var _S488 : vec3<f32> = select(reciprocal_0(select(ray_29.direction_0, vec3<f32>(1.0f), is_zero_1)), vec3<f32>(3.4028234663852886e+38f), is_zero_1);
     var stack_0 : array<u32, i32(32)>;
+    var entries_0 : array<f32, i32(32)>;
+    var _S489 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(u32(0));
+    var _S490 : bool = (InstanceNodes_operatorx5Bx5D_get_0(u32(0)).is_leaf_0) != u32(0);
+    var is_done_0 : bool = false;
+    var is_leaf_2 : bool = _S490;
     var index_31 : u32 = u32(0);
+    var below_1 : u32 = _S489.index_29;
     var nearest_7 : Hit_0 = nearest_6;
     var depth_0 : u32 = u32(0);
     for(;;)
     {
-        var _S476 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(index_31);
-        var depth_1 : u32;
-        var is_reached_0 : bool;
-        if((_S476.is_leaf_0) != u32(0))
-        {
-            var _S477 : Hit_0 = hit_in_0(_S476.index_29, &(ray_29));
-            var _S478 : Hit_0 = nearest_7;
-            if((_S477.t_0) < (nearest_7.t_0))
-            {
-                is_reached_0 = true;
-            }
-            else
-            {
-                if((_S477.t_0) == (_S478.t_0))
-                {
-                    is_reached_0 = (_S477.instance_0) < (nearest_7.instance_0);
-                }
-                else
-                {
-                    is_reached_0 = false;
-                }
-            }
-            var nearest_8 : Hit_0;
-            if(is_reached_0)
-            {
-                ray_29.t_max_0 = _S477.t_0;
-                if(is_any_enough_0)
-                {
-                    return _S477;
-                }
-                nearest_8 = _S477;
-            }
-            else
-            {
-                nearest_8 = nearest_7;
-            }
-            nearest_7 = nearest_8;
-            depth_1 = depth_0;
-        }
-        else
-        {
-            var _S479 : u32 = index_31 + u32(1);
-            var left_6 : f32 = entry_0(InstanceNodes_operatorx5Bx5D_get_0(_S479), ray_29, _S475);
-            var right_5 : f32 = entry_0(InstanceNodes_operatorx5Bx5D_get_0(_S476.index_29), ray_29, _S475);
-            var _S480 : bool = left_6 <= right_5;
-            if(_S480)
-            {
-                index_31 = _S479;
-            }
-            else
-            {
-                index_31 = _S476.index_29;
-            }
-            var far_5 : u32;
-            if(_S480)
-            {
-                far_5 = _S476.index_29;
-            }
-            else
-            {
-                far_5 = _S479;
-            }
-            var INFINITY_0 : f32 = (bitcast<f32>(infinity_bits_0));
-            if((max(left_6, right_5)) < INFINITY_0)
-            {
-                var _S481 : u32 = depth_0 + u32(1);
-                stack_0[depth_0] = far_5;
-                depth_1 = _S481;
-            }
-            else
-            {
-                depth_1 = depth_0;
-            }
-            if((min(left_6, right_5)) < INFINITY_0)
-            {
-                depth_0 = depth_1;
-                continue;
-            }
-        }
-        is_reached_0 = false;
-        depth_0 = depth_1;
-        for(;;)
-        {
-            var _S482 : bool;
-            if(depth_0 > u32(0))
-            {
-                _S482 = !is_reached_0;
-            }
-            else
-            {
-                _S482 = false;
-            }
-            if(_S482)
-            {
-            }
-            else
-            {
-                break;
-            }
-            var depth_2 : u32 = depth_0 - u32(1);
-            is_reached_0 = (entry_0(InstanceNodes_operatorx5Bx5D_get_0(stack_0[depth_2]), ray_29, _S475)) < (bitcast<f32>(infinity_bits_0));
-            index_31 = stack_0[depth_2];
-            depth_0 = depth_2;
-        }
-        if(!is_reached_0)
-        {
-            break;
-        }
-    }
-    return nearest_7;
-}
-
-fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool,  end_3 : u32) -> Hit_0
-{
-    if(IS_SINGLE_0)
-    {
-        var _S483 : Hit_0 = hit_in_1(u32(0), &((*given_1)));
-        return _S483;
-    }
-    var ray_30 : Ray_0 = (*given_1);
-    var nearest_9 : Hit_0 = miss_0();
-    if((params_0.instance_count_0) == u32(0))
-    {
-        return nearest_9;
-    }
-    var is_zero_2 : vec3<bool> = !((abs(ray_30.direction_0)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S484 : vec3<f32> = select(reciprocal_0(select(ray_30.direction_0, vec3<f32>(1.0f), is_zero_2)), vec3<f32>(3.4028234663852886e+38f), is_zero_2);
-    var stack_1 : array<u32, i32(32)>;
-    var index_32 : u32 = u32(0);
-    var nearest_10 : Hit_0 = nearest_9;
-    var depth_3 : u32 = u32(0);
-    for(;;)
-    {
-        var _S485 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(index_32);
-        var depth_4 : u32;
-        var is_reached_1 : bool;
-        if((_S485.is_leaf_0) != u32(0))
-        {
-            var _S486 : Hit_0 = hit_in_1(_S485.index_29, &(ray_30));
-            var _S487 : Hit_0 = nearest_10;
-            if((_S486.t_0) < (nearest_10.t_0))
-            {
-                is_reached_1 = true;
-            }
-            else
-            {
-                if((_S486.t_0) == (_S487.t_0))
-                {
-                    is_reached_1 = (_S486.instance_0) < (nearest_10.instance_0);
-                }
-                else
-                {
-                    is_reached_1 = false;
-                }
-            }
-            var nearest_11 : Hit_0;
-            if(is_reached_1)
-            {
-                ray_30.t_max_0 = _S486.t_0;
-                if(is_any_enough_1)
-                {
-                    return _S486;
-                }
-                nearest_11 = _S486;
-            }
-            else
-            {
-                nearest_11 = nearest_10;
-            }
-            nearest_10 = nearest_11;
-            depth_4 = depth_3;
-        }
-        else
-        {
-            var _S488 : u32 = index_32 + u32(1);
-            var left_7 : f32 = entry_0(InstanceNodes_operatorx5Bx5D_get_0(_S488), ray_30, _S484);
-            var right_6 : f32 = entry_0(InstanceNodes_operatorx5Bx5D_get_0(_S485.index_29), ray_30, _S484);
-            var _S489 : bool = left_7 <= right_6;
-            if(_S489)
-            {
-                index_32 = _S488;
-            }
-            else
-            {
-                index_32 = _S485.index_29;
-            }
-            var far_6 : u32;
-            if(_S489)
-            {
-                far_6 = _S485.index_29;
-            }
-            else
-            {
-                far_6 = _S488;
-            }
-            var INFINITY_1 : f32 = (bitcast<f32>(infinity_bits_0));
-            if((max(left_7, right_6)) < INFINITY_1)
-            {
-                var _S490 : u32 = depth_3 + u32(1);
-                stack_1[depth_3] = far_6;
-                depth_4 = _S490;
-            }
-            else
-            {
-                depth_4 = depth_3;
-            }
-            if((min(left_7, right_6)) < INFINITY_1)
-            {
-                depth_3 = depth_4;
-                continue;
-            }
-        }
-        is_reached_1 = false;
-        depth_3 = depth_4;
+        var is_done_1 : bool = is_done_0;
+        var below_2 : u32 = below_1;
+        var depth_1 : u32 = depth_0;
         for(;;)
         {
             var _S491 : bool;
-            if(depth_3 > u32(0))
+            if(is_done_1)
             {
-                _S491 = !is_reached_1;
+                _S491 = depth_1 > u32(0);
             }
             else
             {
-                _S491 = false;
+                _S491 = !is_leaf_2;
             }
             if(_S491)
             {
@@ -7607,17 +7414,285 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool,  end_3 : u3
             {
                 break;
             }
-            var depth_5 : u32 = depth_3 - u32(1);
-            is_reached_1 = (entry_0(InstanceNodes_operatorx5Bx5D_get_0(stack_1[depth_5]), ray_30, _S484)) < (bitcast<f32>(infinity_bits_0));
-            index_32 = stack_1[depth_5];
-            depth_3 = depth_5;
+            var index_32 : u32;
+            if(is_done_1)
+            {
+                var depth_2 : u32 = depth_1 - u32(1);
+                var _S492 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(stack_0[depth_2]);
+                var _S493 : bool = (InstanceNodes_operatorx5Bx5D_get_0(stack_0[depth_2]).is_leaf_0) != u32(0);
+                is_done_1 = (entries_0[depth_2]) > (ray_29.t_max_0);
+                is_leaf_1 = _S493;
+                index_32 = stack_0[depth_2];
+                below_2 = _S492.index_29;
+                depth_1 = depth_2;
+            }
+            else
+            {
+                var _S494 : u32 = index_31 + u32(1);
+                var _S495 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(_S494);
+                var _S496 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(below_2);
+                var to_left_0 : f32 = entry_0(_S495, ray_29, _S488);
+                var to_right_0 : f32 = entry_0(_S496, ray_29, _S488);
+                var is_left_7 : bool = to_left_0 <= to_right_0;
+                var _S497 : f32 = max(to_left_0, to_right_0);
+                var INFINITY_0 : f32 = (bitcast<f32>(infinity_bits_0));
+                if(_S497 < INFINITY_0)
+                {
+                    if(is_left_7)
+                    {
+                        index_32 = below_2;
+                    }
+                    else
+                    {
+                        index_32 = _S494;
+                    }
+                    stack_0[depth_1] = index_32;
+                    entries_0[depth_1] = _S497;
+                    index_32 = depth_1 + u32(1);
+                }
+                else
+                {
+                    index_32 = depth_1;
+                }
+                var _S498 : bool = (min(to_left_0, to_right_0)) == INFINITY_0;
+                var _S499 : u32;
+                if(is_left_7)
+                {
+                    _S499 = _S494;
+                }
+                else
+                {
+                    _S499 = below_2;
+                }
+                var _S500 : u32;
+                if(is_left_7)
+                {
+                    _S500 = _S495.index_29;
+                }
+                else
+                {
+                    _S500 = _S496.index_29;
+                }
+                var _S501 : u32;
+                if(is_left_7)
+                {
+                    _S501 = _S495.is_leaf_0;
+                }
+                else
+                {
+                    _S501 = _S496.is_leaf_0;
+                }
+                var _S502 : bool = _S501 != u32(0);
+                var _S503 : u32 = index_32;
+                is_done_1 = _S498;
+                is_leaf_1 = _S502;
+                index_32 = _S499;
+                below_2 = _S500;
+                depth_1 = _S503;
+            }
+            is_leaf_2 = is_leaf_1;
+            index_31 = index_32;
         }
-        if(!is_reached_1)
+        if(is_done_1)
         {
             break;
         }
+        var _S504 : Hit_0 = hit_in_0(below_2, &(ray_29));
+        var _S505 : Hit_0 = nearest_7;
+        if((_S504.t_0) < (nearest_7.t_0))
+        {
+            is_leaf_1 = true;
+        }
+        else
+        {
+            if((_S504.t_0) == (_S505.t_0))
+            {
+                is_leaf_1 = (_S504.instance_0) < (nearest_7.instance_0);
+            }
+            else
+            {
+                is_leaf_1 = false;
+            }
+        }
+        if(is_leaf_1)
+        {
+            ray_29.t_max_0 = _S504.t_0;
+            if(is_any_enough_0)
+            {
+                return _S504;
+            }
+            nearest_7 = _S504;
+        }
+        is_done_0 = true;
+        below_1 = below_2;
+        depth_0 = depth_1;
     }
-    return nearest_10;
+    return nearest_7;
+}
+
+fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool,  end_3 : u32) -> Hit_0
+{
+    var is_leaf_3 : bool;
+    if(IS_SINGLE_0)
+    {
+        var _S506 : Hit_0 = hit_in_1(u32(0), &((*given_1)));
+        return _S506;
+    }
+    var ray_30 : Ray_0 = (*given_1);
+    var nearest_8 : Hit_0 = miss_0();
+    if((params_0.instance_count_0) == u32(0))
+    {
+        return nearest_8;
+    }
+    var is_zero_2 : vec3<bool> = !((abs(ray_30.direction_0)) >= vec3<f32>(1.17549435082228751e-38f));
+    var _S507 : vec3<f32> = select(reciprocal_0(select(ray_30.direction_0, vec3<f32>(1.0f), is_zero_2)), vec3<f32>(3.4028234663852886e+38f), is_zero_2);
+    var stack_1 : array<u32, i32(32)>;
+    var entries_1 : array<f32, i32(32)>;
+    var _S508 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(u32(0));
+    var _S509 : bool = (InstanceNodes_operatorx5Bx5D_get_0(u32(0)).is_leaf_0) != u32(0);
+    var is_done_2 : bool = false;
+    var is_leaf_4 : bool = _S509;
+    var index_33 : u32 = u32(0);
+    var below_3 : u32 = _S508.index_29;
+    var nearest_9 : Hit_0 = nearest_8;
+    var depth_3 : u32 = u32(0);
+    for(;;)
+    {
+        var is_done_3 : bool = is_done_2;
+        var below_4 : u32 = below_3;
+        var depth_4 : u32 = depth_3;
+        for(;;)
+        {
+            var _S510 : bool;
+            if(is_done_3)
+            {
+                _S510 = depth_4 > u32(0);
+            }
+            else
+            {
+                _S510 = !is_leaf_4;
+            }
+            if(_S510)
+            {
+            }
+            else
+            {
+                break;
+            }
+            var index_34 : u32;
+            if(is_done_3)
+            {
+                var depth_5 : u32 = depth_4 - u32(1);
+                var _S511 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(stack_1[depth_5]);
+                var _S512 : bool = (InstanceNodes_operatorx5Bx5D_get_0(stack_1[depth_5]).is_leaf_0) != u32(0);
+                is_done_3 = (entries_1[depth_5]) > (ray_30.t_max_0);
+                is_leaf_3 = _S512;
+                index_34 = stack_1[depth_5];
+                below_4 = _S511.index_29;
+                depth_4 = depth_5;
+            }
+            else
+            {
+                var _S513 : u32 = index_33 + u32(1);
+                var _S514 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(_S513);
+                var _S515 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(below_4);
+                var to_left_1 : f32 = entry_0(_S514, ray_30, _S507);
+                var to_right_1 : f32 = entry_0(_S515, ray_30, _S507);
+                var is_left_8 : bool = to_left_1 <= to_right_1;
+                var _S516 : f32 = max(to_left_1, to_right_1);
+                var INFINITY_1 : f32 = (bitcast<f32>(infinity_bits_0));
+                if(_S516 < INFINITY_1)
+                {
+                    if(is_left_8)
+                    {
+                        index_34 = below_4;
+                    }
+                    else
+                    {
+                        index_34 = _S513;
+                    }
+                    stack_1[depth_4] = index_34;
+                    entries_1[depth_4] = _S516;
+                    index_34 = depth_4 + u32(1);
+                }
+                else
+                {
+                    index_34 = depth_4;
+                }
+                var _S517 : bool = (min(to_left_1, to_right_1)) == INFINITY_1;
+                var _S518 : u32;
+                if(is_left_8)
+                {
+                    _S518 = _S513;
+                }
+                else
+                {
+                    _S518 = below_4;
+                }
+                var _S519 : u32;
+                if(is_left_8)
+                {
+                    _S519 = _S514.index_29;
+                }
+                else
+                {
+                    _S519 = _S515.index_29;
+                }
+                var _S520 : u32;
+                if(is_left_8)
+                {
+                    _S520 = _S514.is_leaf_0;
+                }
+                else
+                {
+                    _S520 = _S515.is_leaf_0;
+                }
+                var _S521 : bool = _S520 != u32(0);
+                var _S522 : u32 = index_34;
+                is_done_3 = _S517;
+                is_leaf_3 = _S521;
+                index_34 = _S518;
+                below_4 = _S519;
+                depth_4 = _S522;
+            }
+            is_leaf_4 = is_leaf_3;
+            index_33 = index_34;
+        }
+        if(is_done_3)
+        {
+            break;
+        }
+        var _S523 : Hit_0 = hit_in_1(below_4, &(ray_30));
+        var _S524 : Hit_0 = nearest_9;
+        if((_S523.t_0) < (nearest_9.t_0))
+        {
+            is_leaf_3 = true;
+        }
+        else
+        {
+            if((_S523.t_0) == (_S524.t_0))
+            {
+                is_leaf_3 = (_S523.instance_0) < (nearest_9.instance_0);
+            }
+            else
+            {
+                is_leaf_3 = false;
+            }
+        }
+        if(is_leaf_3)
+        {
+            ray_30.t_max_0 = _S523.t_0;
+            if(is_any_enough_1)
+            {
+                return _S523;
+            }
+            nearest_9 = _S523;
+        }
+        is_done_2 = true;
+        below_3 = below_4;
+        depth_3 = depth_4;
+    }
+    return nearest_9;
 }
 
 fn PathTracingOf_jitter_0( sampler_1 : Sampler_0) -> vec4<f32>
@@ -7627,11 +7702,11 @@ fn PathTracingOf_jitter_0( sampler_1 : Sampler_0) -> vec4<f32>
 
 fn Sampler_x24init_0( seed_3 : u32,  pixel_1 : u32,  sample_23 : u32) -> Sampler_0
 {
-    var _S492 : Sampler_0;
-    _S492.seed_1 = seed_3;
-    _S492.pixel_0 = pixel_1;
-    _S492.sample_0 = sample_23;
-    return _S492;
+    var _S525 : Sampler_0;
+    _S525.seed_1 = seed_3;
+    _S525.pixel_0 = pixel_1;
+    _S525.sample_0 = sample_23;
+    return _S525;
 }
 
 struct Item_0
@@ -7646,14 +7721,14 @@ struct Item_0
 
 fn Item_x24init_0( traces_1 : bool,  kind_3 : u32,  at_14 : vec2<u32>,  place_7 : u32,  slot_1 : u32,  sampler_3 : Sampler_0) -> Item_0
 {
-    var _S493 : Item_0;
-    _S493.traces_0 = traces_1;
-    _S493.kind_2 = kind_3;
-    _S493.at_13 = at_14;
-    _S493.place_6 = place_7;
-    _S493.slot_0 = slot_1;
-    _S493.sampler_2 = sampler_3;
-    return _S493;
+    var _S526 : Item_0;
+    _S526.traces_0 = traces_1;
+    _S526.kind_2 = kind_3;
+    _S526.at_13 = at_14;
+    _S526.place_6 = place_7;
+    _S526.slot_0 = slot_1;
+    _S526.sampler_2 = sampler_3;
+    return _S526;
 }
 
 fn has_0( flag_0 : u32) -> bool
@@ -7706,66 +7781,66 @@ fn pixel_of_thread_0( thread_0 : u32) -> vec2<u32>
     var tiles_0 : u32 = (params_0.width_0 + u32(7)) / u32(8);
     var tile_0 : u32 = thread_0 / u32(64);
     var in_tile_0 : u32 = (thread_0 & (u32(63)));
-    var row_10 : u32 = tile_0 / tiles_0;
-    return vec2<u32>((tile_0 - row_10 * tiles_0) * u32(8) + ((in_tile_0 & (u32(7)))), row_10 * u32(8) + ((in_tile_0 >> (u32(3)))));
+    var row_11 : u32 = tile_0 / tiles_0;
+    return vec2<u32>((tile_0 - row_11 * tiles_0) * u32(8) + ((in_tile_0 & (u32(7)))), row_11 * u32(8) + ((in_tile_0 >> (u32(3)))));
 }
 
 fn pixel_that_traces_0( thread_1 : u32) -> vec2<u32>
 {
     if(!has_0(u32(128)))
     {
-        var _S494 : vec2<u32> = pixel_of_thread_0(thread_1);
-        return _S494;
+        var _S527 : vec2<u32> = pixel_of_thread_0(thread_1);
+        return _S527;
     }
     var tiles_1 : u32 = (params_0.width_0 + u32(15)) / u32(16);
     var tile_1 : u32 = thread_1 / u32(64);
     var in_tile_1 : u32 = (thread_1 & (u32(63)));
-    var row_11 : u32 = tile_1 / tiles_1;
-    var _S495 : u32 = row_11 * u32(8) + ((in_tile_1 >> (u32(3))));
-    var at_15 : vec2<u32> = vec2<u32>((tile_1 - row_11 * tiles_1) * u32(16) + u32(2) * ((in_tile_1 & (u32(7)))), _S495);
-    at_15[i32(0)] = at_15[i32(0)] + (((_S495 + real_time_0.number_0) & (u32(1))));
+    var row_12 : u32 = tile_1 / tiles_1;
+    var _S528 : u32 = row_12 * u32(8) + ((in_tile_1 >> (u32(3))));
+    var at_15 : vec2<u32> = vec2<u32>((tile_1 - row_12 * tiles_1) * u32(16) + u32(2) * ((in_tile_1 & (u32(7)))), _S528);
+    at_15[i32(0)] = at_15[i32(0)] + (((_S528 + real_time_0.number_0) & (u32(1))));
     return at_15;
 }
 
 fn squares_1() -> vec2<u32>
 {
-    var _S496 : vec2<u32> = vec2<u32>(u32(5));
-    var _S497 : vec2<u32> = (vec2<u32>(params_0.width_0, params_0.height_0) + _S496 - vec2<u32>(u32(1))) / _S496;
-    return _S497;
+    var _S529 : vec2<u32> = vec2<u32>(u32(5));
+    var _S530 : vec2<u32> = (vec2<u32>(params_0.width_0, params_0.height_0) + _S529 - vec2<u32>(u32(1))) / _S529;
+    return _S530;
 }
 
 fn pixel_of_square_0( square_1 : u32,  number_3 : u32) -> vec2<u32>
 {
     var columns_1 : u32 = squares_1().x;
-    var _S498 : u32 = square_1 % columns_1;
-    var _S499 : u32 = square_1 / columns_1;
-    var at_16 : vec2<u32> = vec2<u32>(_S498, _S499);
-    var _S500 : vec2<u32> = vec2<u32>(u32(5));
-    var _S501 : vec2<u32> = at_16 * _S500;
-    var _S502 : vec2<u32> = pcg4d_0(vec4<u32>(at_16, number_3, u32(3266489909))).xy % _S500;
-    return min(_S501 + _S502, vec2<u32>(params_0.width_0, params_0.height_0) - vec2<u32>(u32(1)));
+    var _S531 : u32 = square_1 % columns_1;
+    var _S532 : u32 = square_1 / columns_1;
+    var at_16 : vec2<u32> = vec2<u32>(_S531, _S532);
+    var _S533 : vec2<u32> = vec2<u32>(u32(5));
+    var _S534 : vec2<u32> = at_16 * _S533;
+    var _S535 : vec2<u32> = pcg4d_0(vec4<u32>(at_16, number_3, u32(3266489909))).xy % _S533;
+    return min(_S534 + _S535, vec2<u32>(params_0.width_0, params_0.height_0) - vec2<u32>(u32(1)));
 }
 
 fn is_inside_0( at_17 : vec2<i32>) -> bool
 {
-    var _S503 : bool;
+    var _S536 : bool;
     if((all((at_17 >= vec2<i32>(i32(0))))))
     {
-        _S503 = (at_17.x) < i32(params_0.width_0);
+        _S536 = (at_17.x) < i32(params_0.width_0);
     }
     else
     {
-        _S503 = false;
+        _S536 = false;
     }
-    if(_S503)
+    if(_S536)
     {
-        _S503 = (at_17.y) < i32(params_0.height_0);
+        _S536 = (at_17.y) < i32(params_0.height_0);
     }
     else
     {
-        _S503 = false;
+        _S536 = false;
     }
-    return _S503;
+    return _S536;
 }
 
 fn place_of_square_0( list_0 : u32,  square_2 : u32) -> u32
@@ -7787,23 +7862,23 @@ fn item_of_0( number_4 : u32) -> Item_0
     var count_8 : u32 = real_time_0.squares_0;
     if(number_4 < (real_time_0.cells_0))
     {
-        var _S504 : u32 = atomicLoad(&(cell_keys_0[u32(2)]));
-        var _S505 : bool = number_4 < _S504;
-        item_0.traces_0 = _S505;
-        if(_S505)
+        var _S537 : u32 = atomicLoad(&(cell_keys_0[u32(2)]));
+        var _S538 : bool = number_4 < _S537;
+        item_0.traces_0 = _S538;
+        if(_S538)
         {
-            var _S506 : u32 = atomicLoad(&(cell_keys_0[place_of_chosen_0(number_4)]));
-            item_0.place_6 = _S506;
+            var _S539 : u32 = atomicLoad(&(cell_keys_0[place_of_chosen_0(number_4)]));
+            item_0.place_6 = _S539;
             item_0.slot_0 = real_time_0.pixels_0 + count_8 + number_4;
             var rank_5 : u32;
             item_0.sampler_2 = Sampler_x24init_0(((params_0.seed_0) ^ (u32(1540483477))), Key_hash_0(Item_key_0(item_0, &(rank_5))).x, real_time_0.number_0);
         }
         return item_0;
     }
-    var _S507 : u32 = number_4 - cells_2;
-    var _S508 : vec2<u32> = pixel_that_traces_0(_S507);
-    item_0.at_13 = _S508;
-    var square_3 : u32 = _S507 - pixels_1;
+    var _S540 : u32 = number_4 - cells_2;
+    var _S541 : vec2<u32> = pixel_that_traces_0(_S540);
+    item_0.at_13 = _S541;
+    var square_3 : u32 = _S540 - pixels_1;
     var is_square_0 : bool = number_4 >= (cells_2 + pixels_1);
     var is_again_0 : bool;
     if(is_square_0)
@@ -7832,82 +7907,82 @@ fn item_of_0( number_4 : u32) -> Item_0
     {
         frame_0 = real_time_0.number_0;
     }
-    var _S509 : u32;
+    var _S542 : u32;
     if(is_again_0)
     {
-        _S509 = u32(3);
+        _S542 = u32(3);
     }
     else
     {
         if(is_square_0)
         {
-            _S509 = u32(2);
+            _S542 = u32(2);
         }
         else
         {
-            _S509 = u32(1);
+            _S542 = u32(1);
         }
     }
-    item_0.kind_2 = _S509;
+    item_0.kind_2 = _S542;
     if(is_square_0)
     {
-        var _S510 : vec2<u32> = pixel_of_square_0(square_4, frame_0);
-        item_0.at_13 = _S510;
+        var _S543 : vec2<u32> = pixel_of_square_0(square_4, frame_0);
+        item_0.at_13 = _S543;
     }
-    var _S511 : bool;
+    var _S544 : bool;
     if(is_square_0)
     {
         if(is_again_0)
         {
-            _S509 = real_time_0.again_0;
+            _S542 = real_time_0.again_0;
         }
         else
         {
-            _S509 = count_8;
+            _S542 = count_8;
         }
-        _S511 = square_4 < _S509;
+        _S544 = square_4 < _S542;
     }
     else
     {
-        _S511 = is_inside_0(vec2<i32>(item_0.at_13));
+        _S544 = is_inside_0(vec2<i32>(item_0.at_13));
     }
-    item_0.traces_0 = _S511;
+    item_0.traces_0 = _S544;
     if(is_square_0)
     {
         if(is_again_0)
         {
-            _S509 = u32(2);
+            _S542 = u32(2);
         }
         else
         {
-            _S509 = (frame_0 & (u32(1)));
+            _S542 = (frame_0 & (u32(1)));
         }
-        _S509 = place_of_square_0(_S509, square_4);
+        _S542 = place_of_square_0(_S542, square_4);
     }
     else
     {
-        _S509 = index_of_0(item_0.at_13);
+        _S542 = index_of_0(item_0.at_13);
     }
-    item_0.place_6 = _S509;
+    item_0.place_6 = _S542;
     if(is_square_0)
     {
-        _S509 = real_time_0.pixels_0 + square_4;
+        _S542 = real_time_0.pixels_0 + square_4;
     }
     else
     {
-        _S509 = item_0.place_6;
+        _S542 = item_0.place_6;
     }
-    item_0.slot_0 = _S509;
-    var _S512 : u32 = params_0.seed_0;
+    item_0.slot_0 = _S542;
+    var _S545 : u32 = params_0.seed_0;
     if(is_square_0)
     {
-        _S509 = u32(3266489909);
+        _S542 = u32(3266489909);
     }
     else
     {
-        _S509 = u32(2654435769);
+        _S542 = u32(2654435769);
     }
-    item_0.sampler_2 = Sampler_x24init_0((_S512 ^ (_S509)), index_of_0(item_0.at_13), frame_0);
+    item_0.sampler_2 = Sampler_x24init_0((_S545 ^ (_S542)), index_of_0(item_0.at_13), frame_0);
     return item_0;
 }
 
@@ -7925,16 +8000,16 @@ struct CameraFrame_0
 
 fn CameraFrame_x24init_0( lens_2 : u32,  eye_3 : vec3<f32>,  corner_3 : vec3<f32>,  pixel_x_2 : vec3<f32>,  pixel_y_2 : vec3<f32>,  lens_x_2 : vec3<f32>,  lens_y_2 : vec3<f32>,  blades_2 : u32) -> CameraFrame_0
 {
-    var _S513 : CameraFrame_0;
-    _S513.lens_1 = lens_2;
-    _S513.eye_2 = eye_3;
-    _S513.corner_2 = corner_3;
-    _S513.pixel_x_1 = pixel_x_2;
-    _S513.pixel_y_1 = pixel_y_2;
-    _S513.lens_x_1 = lens_x_2;
-    _S513.lens_y_1 = lens_y_2;
-    _S513.blades_1 = blades_2;
-    return _S513;
+    var _S546 : CameraFrame_0;
+    _S546.lens_1 = lens_2;
+    _S546.eye_2 = eye_3;
+    _S546.corner_2 = corner_3;
+    _S546.pixel_x_1 = pixel_x_2;
+    _S546.pixel_y_1 = pixel_y_2;
+    _S546.lens_x_1 = lens_x_2;
+    _S546.lens_y_1 = lens_y_2;
+    _S546.blades_1 = blades_2;
+    return _S546;
 }
 
 @id(5) override LENS_0 : u32 = u32(0);
@@ -7949,28 +8024,28 @@ struct Perspective_0
 
 fn Perspective_x24init_0( eye_5 : vec3<f32>,  corner_5 : vec3<f32>,  pixel_x_4 : vec3<f32>,  pixel_y_4 : vec3<f32>) -> Perspective_0
 {
-    var _S514 : Perspective_0;
-    _S514.eye_4 = eye_5;
-    _S514.corner_4 = corner_5;
-    _S514.pixel_x_3 = pixel_x_4;
-    _S514.pixel_y_3 = pixel_y_4;
-    return _S514;
+    var _S547 : Perspective_0;
+    _S547.eye_4 = eye_5;
+    _S547.corner_4 = corner_5;
+    _S547.pixel_x_3 = pixel_x_4;
+    _S547.pixel_y_3 = pixel_y_4;
+    return _S547;
 }
 
 struct Axes_0
 {
      forward_0 : vec3<f32>,
-     right_7 : vec3<f32>,
+     right_5 : vec3<f32>,
      up_0 : vec3<f32>,
 };
 
-fn Axes_x24init_0( forward_1 : vec3<f32>,  right_8 : vec3<f32>,  up_1 : vec3<f32>) -> Axes_0
+fn Axes_x24init_0( forward_1 : vec3<f32>,  right_6 : vec3<f32>,  up_1 : vec3<f32>) -> Axes_0
 {
-    var _S515 : Axes_0;
-    _S515.forward_0 = forward_1;
-    _S515.right_7 = right_8;
-    _S515.up_0 = up_1;
-    return _S515;
+    var _S548 : Axes_0;
+    _S548.forward_0 = forward_1;
+    _S548.right_5 = right_6;
+    _S548.up_0 = up_1;
+    return _S548;
 }
 
 struct ThinLens_0
@@ -7983,55 +8058,55 @@ struct ThinLens_0
 
 fn ThinLens_x24init_0( perspective_1 : Perspective_0,  lens_x_4 : vec3<f32>,  lens_y_4 : vec3<f32>,  blades_4 : u32) -> ThinLens_0
 {
-    var _S516 : ThinLens_0;
-    _S516.perspective_0 = perspective_1;
-    _S516.lens_x_3 = lens_x_4;
-    _S516.lens_y_3 = lens_y_4;
-    _S516.blades_3 = blades_4;
-    return _S516;
+    var _S549 : ThinLens_0;
+    _S549.perspective_0 = perspective_1;
+    _S549.lens_x_3 = lens_x_4;
+    _S549.lens_y_3 = lens_y_4;
+    _S549.blades_3 = blades_4;
+    return _S549;
 }
 
 fn concentric_0( square_5 : vec2<f32>) -> vec2<f32>
 {
-    var a_8 : f32 = 2.0f * square_5.x - 1.0f;
-    var b_8 : f32 = 2.0f * square_5.y - 1.0f;
-    var _S517 : bool;
-    if(a_8 == 0.0f)
+    var a_6 : f32 = 2.0f * square_5.x - 1.0f;
+    var b_6 : f32 = 2.0f * square_5.y - 1.0f;
+    var _S550 : bool;
+    if(a_6 == 0.0f)
     {
-        _S517 = b_8 == 0.0f;
+        _S550 = b_6 == 0.0f;
     }
     else
     {
-        _S517 = false;
+        _S550 = false;
     }
-    if(_S517)
+    if(_S550)
     {
         return vec2<f32>(0.0f);
     }
-    var is_across_0 : bool = (abs(a_8)) > (abs(b_8));
+    var is_across_0 : bool = (abs(a_6)) > (abs(b_6));
     var radius_5 : f32;
     if(is_across_0)
     {
-        radius_5 = a_8;
+        radius_5 = a_6;
     }
     else
     {
-        radius_5 = b_8;
+        radius_5 = b_6;
     }
     var turns_3 : f32;
     if(is_across_0)
     {
-        turns_3 = divide_0(b_8, a_8) * 0.125f;
+        turns_3 = divide_0(b_6, a_6) * 0.125f;
     }
     else
     {
-        turns_3 = 0.25f - divide_0(a_8, b_8) * 0.125f;
+        turns_3 = 0.25f - divide_0(a_6, b_6) * 0.125f;
     }
     if(radius_5 < 0.0f)
     {
         turns_3 = turns_3 + 0.5f;
     }
-    var _S518 : f32 = abs(radius_5);
+    var _S551 : f32 = abs(radius_5);
     if(turns_3 < 0.0f)
     {
         radius_5 = turns_3 + 1.0f;
@@ -8040,7 +8115,7 @@ fn concentric_0( square_5 : vec2<f32>) -> vec2<f32>
     {
         radius_5 = turns_3;
     }
-    return vec2<f32>(_S518, radius_5);
+    return vec2<f32>(_S551, radius_5);
 }
 
 fn place_in_aperture_0( blades_5 : u32,  lens_3 : vec2<f32>) -> vec2<f32>
@@ -8058,9 +8133,9 @@ fn place_in_aperture_0( blades_5 : u32,  lens_3 : vec2<f32>) -> vec2<f32>
     var share_13 : f32 = scaled_0 - blade_0;
     var from_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0, count_9));
     var to_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0 + 1.0f, count_9));
-    var _S519 : f32 = from_0.y;
-    var _S520 : f32 = from_0.x;
-    return vec2<f32>(_S519 + (to_0.y - _S519) * share_13, _S520 + (to_0.x - _S520) * share_13) * vec2<f32>(radius_6);
+    var _S552 : f32 = from_0.y;
+    var _S553 : f32 = from_0.x;
+    return vec2<f32>(_S552 + (to_0.y - _S552) * share_13, _S553 + (to_0.x - _S553) * share_13) * vec2<f32>(radius_6);
 }
 
 fn ThinLens_ray_0( this_59 : ThinLens_0,  position_3 : vec2<f32>,  lens_4 : vec2<f32>) -> Ray_0
@@ -8080,12 +8155,12 @@ struct Orthographic_0
 
 fn Orthographic_x24init_0( corner_7 : vec3<f32>,  pixel_x_6 : vec3<f32>,  pixel_y_6 : vec3<f32>,  forward_3 : vec3<f32>) -> Orthographic_0
 {
-    var _S521 : Orthographic_0;
-    _S521.corner_6 = corner_7;
-    _S521.pixel_x_5 = pixel_x_6;
-    _S521.pixel_y_5 = pixel_y_6;
-    _S521.forward_2 = forward_3;
-    return _S521;
+    var _S554 : Orthographic_0;
+    _S554.corner_6 = corner_7;
+    _S554.pixel_x_5 = pixel_x_6;
+    _S554.pixel_y_5 = pixel_y_6;
+    _S554.forward_2 = forward_3;
+    return _S554;
 }
 
 fn Orthographic_ray_0( this_60 : Orthographic_0,  position_4 : vec2<f32>,  lens_5 : vec2<f32>) -> Ray_0
@@ -8103,12 +8178,12 @@ struct Panorama_0
 
 fn Panorama_x24init_0( eye_7 : vec3<f32>,  axes_2 : Axes_0,  inverse_size_1 : vec2<f32>,  half_eye_distance_1 : f32) -> Panorama_0
 {
-    var _S522 : Panorama_0;
-    _S522.eye_6 = eye_7;
-    _S522.axes_1 = axes_2;
-    _S522.inverse_size_0 = inverse_size_1;
-    _S522.half_eye_distance_0 = half_eye_distance_1;
-    return _S522;
+    var _S555 : Panorama_0;
+    _S555.eye_6 = eye_7;
+    _S555.axes_1 = axes_2;
+    _S555.inverse_size_0 = inverse_size_1;
+    _S555.half_eye_distance_0 = half_eye_distance_1;
+    return _S555;
 }
 
 fn Panorama_ray_0( this_61 : Panorama_0,  position_5 : vec2<f32>,  lens_6 : vec2<f32>) -> Ray_0
@@ -8135,9 +8210,9 @@ fn Panorama_ray_0( this_61 : Panorama_0,  position_5 : vec2<f32>,  lens_6 : vec2
     }
     var longitude_0 : vec2<f32> = sincos_turns_0(position_5.x * this_61.inverse_size_0.x);
     var height_2 : vec2<f32> = sincos_turns_0(latitude_1 * 0.5f);
-    var _S523 : vec3<f32> = vec3<f32>(longitude_0.y);
-    var _S524 : vec3<f32> = vec3<f32>(longitude_0.x);
-    return ray_from_0(this_61.eye_6 + (this_61.axes_1.forward_0 * _S524 - this_61.axes_1.right_7 * _S523) * vec3<f32>(side_6), normalize_vector_0((vec3<f32>(0) - this_61.axes_1.forward_0 * _S523 + this_61.axes_1.right_7 * _S524) * vec3<f32>(height_2.x) + this_61.axes_1.up_0 * vec3<f32>(height_2.y)));
+    var _S556 : vec3<f32> = vec3<f32>(longitude_0.y);
+    var _S557 : vec3<f32> = vec3<f32>(longitude_0.x);
+    return ray_from_0(this_61.eye_6 + (this_61.axes_1.forward_0 * _S557 - this_61.axes_1.right_5 * _S556) * vec3<f32>(side_6), normalize_vector_0((vec3<f32>(0) - this_61.axes_1.forward_0 * _S556 + this_61.axes_1.right_5 * _S557) * vec3<f32>(height_2.x) + this_61.axes_1.up_0 * vec3<f32>(height_2.y)));
 }
 
 struct Fisheye_0
@@ -8150,12 +8225,12 @@ struct Fisheye_0
 
 fn Fisheye_x24init_0( eye_9 : vec3<f32>,  axes_4 : Axes_0,  middle_2 : vec2<f32>,  turns_per_pixel_1 : f32) -> Fisheye_0
 {
-    var _S525 : Fisheye_0;
-    _S525.eye_8 = eye_9;
-    _S525.axes_3 = axes_4;
-    _S525.middle_1 = middle_2;
-    _S525.turns_per_pixel_0 = turns_per_pixel_1;
-    return _S525;
+    var _S558 : Fisheye_0;
+    _S558.eye_8 = eye_9;
+    _S558.axes_3 = axes_4;
+    _S558.middle_1 = middle_2;
+    _S558.turns_per_pixel_0 = turns_per_pixel_1;
+    return _S558;
 }
 
 fn Fisheye_ray_0( this_62 : Fisheye_0,  position_6 : vec2<f32>,  lens_7 : vec2<f32>) -> Ray_0
@@ -8173,7 +8248,7 @@ fn Fisheye_ray_0( this_62 : Fisheye_0,  position_6 : vec2<f32>,  lens_7 : vec2<f
     {
         scale_0 = 0.0f;
     }
-    return ray_from_0(this_62.eye_8, normalize_vector_0(this_62.axes_3.forward_0 * vec3<f32>(sin_cos_5.y) + this_62.axes_3.right_7 * vec3<f32>((x_10 * scale_0)) - this_62.axes_3.up_0 * vec3<f32>((y_5 * scale_0))));
+    return ray_from_0(this_62.eye_8, normalize_vector_0(this_62.axes_3.forward_0 * vec3<f32>(sin_cos_5.y) + this_62.axes_3.right_5 * vec3<f32>((x_10 * scale_0)) - this_62.axes_3.up_0 * vec3<f32>((y_5 * scale_0))));
 }
 
 fn Perspective_ray_0( this_63 : Perspective_0,  position_7 : vec2<f32>,  lens_8 : vec2<f32>) -> Ray_0
@@ -8218,19 +8293,19 @@ fn camera_ray_1( pixel_2 : vec2<u32>,  camera_0 : CameraFrame_0,  sampler_4 : Sa
 
 fn WalkTracer_trace_0( ray_31 : ptr<function, Ray_0>,  is_any_enough_2 : bool) -> Hit_0
 {
-    var _S526 : Hit_0 = visit_0(&((*ray_31)), is_any_enough_2, u32(0));
-    return _S526;
+    var _S559 : Hit_0 = visit_0(&((*ray_31)), is_any_enough_2, u32(0));
+    return _S559;
 }
 
 fn WalkTracer_trace_1( ray_32 : ptr<function, Ray_0>,  is_any_enough_3 : bool) -> Hit_0
 {
-    var _S527 : Hit_0 = visit_1(&((*ray_32)), is_any_enough_3, u32(0));
-    return _S527;
+    var _S560 : Hit_0 = visit_1(&((*ray_32)), is_any_enough_3, u32(0));
+    return _S560;
 }
 
-fn set_scratch_row_0( row_12 : u32,  index_33 : u32,  value_3 : vec2<u32>)
+fn set_scratch_row_0( row_13 : u32,  index_35 : u32,  value_3 : vec2<u32>)
 {
-    scratch_0[row_12 * real_time_0.slots_0 + index_33] = value_3;
+    scratch_0[row_13 * real_time_0.slots_0 + index_35] = value_3;
     return;
 }
 
@@ -8269,29 +8344,29 @@ fn trace_camera(@builtin(global_invocation_id) id_0 : vec3<u32>)
     if(item_1.traces_0)
     {
         var ray_33 : Ray_0 = camera_ray_1(item_1.at_13, FrameParams_camera_0(), item_1.sampler_2);
-        var _S528 : Hit_0 = WalkTracer_trace_1(&(ray_33), false);
-        keep_hit_0(item_1.slot_0, _S528);
+        var _S561 : Hit_0 = WalkTracer_trace_1(&(ray_33), false);
+        keep_hit_0(item_1.slot_0, _S561);
     }
     return;
 }
 
 fn Sample_x24init_0( direct_1 : vec3<f32>,  light_14 : vec3<f32>,  is_shown_1 : bool,  albedo_1 : vec3<f32>,  normal_5 : vec3<f32>,  place_9 : vec3<f32>,  instance_15 : u32) -> Sample_0
 {
-    var _S529 : Sample_0;
-    _S529.direct_0 = direct_1;
-    _S529.light_1 = light_14;
-    _S529.is_shown_0 = is_shown_1;
-    _S529.albedo_0 = albedo_1;
-    _S529.normal_1 = normal_5;
-    _S529.place_0 = place_9;
-    _S529.instance_7 = instance_15;
-    return _S529;
+    var _S562 : Sample_0;
+    _S562.direct_0 = direct_1;
+    _S562.light_1 = light_14;
+    _S562.is_shown_0 = is_shown_1;
+    _S562.albedo_0 = albedo_1;
+    _S562.normal_1 = normal_5;
+    _S562.place_0 = place_9;
+    _S562.instance_7 = instance_15;
+    return _S562;
 }
 
 fn no_sample_0() -> Sample_0
 {
-    var _S530 : vec3<f32> = vec3<f32>(0.0f);
-    return Sample_x24init_0(_S530, _S530, false, _S530, _S530, _S530, u32(4294967295));
+    var _S563 : vec3<f32> = vec3<f32>(0.0f);
+    return Sample_x24init_0(_S563, _S563, false, _S563, _S563, _S563, u32(4294967295));
 }
 
 fn Item_is_cell_0( this_65 : Item_0) -> bool
@@ -8301,28 +8376,28 @@ fn Item_is_cell_0( this_65 : Item_0) -> bool
 
 fn Key_voxel_0( this_66 : Key_0,  code_5 : u32,  scramble_0 : u32) -> vec3<i32>
 {
-    var _S531 : u32 = Key_level_0(this_66);
-    var bits_4 : u32 = ((u32(1) << (_S531))) - u32(1);
+    var _S564 : u32 = Key_level_0(this_66);
+    var bits_4 : u32 = ((u32(1) << (_S564))) - u32(1);
     var place_10 : u32 = ((code_5 - u32(1)) ^ (((scramble_0 & ((Key_mask_0(this_66)))))));
-    return (((this_66.cube_0) << (vec3<u32>(u32(i32(_S531)))))) + vec3<i32>(i32((place_10 & (bits_4))), i32((((place_10 >> (_S531))) & (bits_4))), i32((((place_10 >> ((u32(2) * _S531)))) & (bits_4))));
+    return (((this_66.cube_0) << (vec3<u32>(u32(i32(_S564)))))) + vec3<i32>(i32((place_10 & (bits_4))), i32((((place_10 >> (_S564))) & (bits_4))), i32((((place_10 >> ((u32(2) * _S564)))) & (bits_4))));
 }
 
 fn Path_x24init_0( sampler_5 : Sampler_0,  bounce_4 : u32,  event_2 : u32,  kinds_1 : u32,  scattered_5 : u32,  beta_1 : vec3<f32>,  pdf_14 : f32,  normal_6 : vec3<f32>,  selection_5 : Selection_0,  passed_t_1 : f32,  inside_8 : Inside_0,  is_clipped_1 : bool) -> Path_0
 {
-    var _S532 : Path_0;
-    _S532.sampler_0 = sampler_5;
-    _S532.bounce_0 = bounce_4;
-    _S532.event_0 = event_2;
-    _S532.kinds_0 = kinds_1;
-    _S532.scattered_0 = scattered_5;
-    _S532.beta_0 = beta_1;
-    _S532.pdf_1 = pdf_14;
-    _S532.normal_0 = normal_6;
-    _S532.selection_0 = selection_5;
-    _S532.passed_t_0 = passed_t_1;
-    _S532.inside_0 = inside_8;
-    _S532.is_clipped_0 = is_clipped_1;
-    return _S532;
+    var _S565 : Path_0;
+    _S565.sampler_0 = sampler_5;
+    _S565.bounce_0 = bounce_4;
+    _S565.event_0 = event_2;
+    _S565.kinds_0 = kinds_1;
+    _S565.scattered_0 = scattered_5;
+    _S565.beta_0 = beta_1;
+    _S565.pdf_1 = pdf_14;
+    _S565.normal_0 = normal_6;
+    _S565.selection_0 = selection_5;
+    _S565.passed_t_0 = passed_t_1;
+    _S565.inside_0 = inside_8;
+    _S565.is_clipped_0 = is_clipped_1;
+    return _S565;
 }
 
 fn path_from_0( sampler_6 : Sampler_0) -> Path_0
@@ -8332,9 +8407,9 @@ fn path_from_0( sampler_6 : Sampler_0) -> Path_0
 
 fn orthonormal_pair_0( z_1 : vec3<f32>,  x_11 : ptr<function, vec3<f32>>,  y_6 : ptr<function, vec3<f32>>)
 {
-    var _S533 : f32 = z_1.z;
+    var _S566 : f32 = z_1.z;
     var sign_1 : f32;
-    if(_S533 < 0.0f)
+    if(_S566 < 0.0f)
     {
         sign_1 = -1.0f;
     }
@@ -8342,12 +8417,12 @@ fn orthonormal_pair_0( z_1 : vec3<f32>,  x_11 : ptr<function, vec3<f32>>,  y_6 :
     {
         sign_1 = 1.0f;
     }
-    var a_9 : f32 = divide_0(-1.0f, sign_1 + _S533);
-    var _S534 : f32 = z_1.x;
-    var _S535 : f32 = z_1.y;
-    var b_9 : f32 = _S534 * _S535 * a_9;
-    (*x_11) = vec3<f32>(1.0f + sign_1 * _S534 * _S534 * a_9, sign_1 * b_9, - sign_1 * _S534);
-    (*y_6) = vec3<f32>(b_9, sign_1 + _S535 * _S535 * a_9, - _S535);
+    var a_7 : f32 = divide_0(-1.0f, sign_1 + _S566);
+    var _S567 : f32 = z_1.x;
+    var _S568 : f32 = z_1.y;
+    var b_7 : f32 = _S567 * _S568 * a_7;
+    (*x_11) = vec3<f32>(1.0f + sign_1 * _S567 * _S567 * a_7, sign_1 * b_7, - sign_1 * _S567);
+    (*y_6) = vec3<f32>(b_7, sign_1 + _S568 * _S568 * a_7, - _S568);
     return;
 }
 
@@ -8358,9 +8433,9 @@ fn direction_from_cell_0( sampler_7 : Sampler_0,  normal_7 : vec3<f32>,  pdf_15 
     var y_7 : vec3<f32>;
     orthonormal_pair_0(normal_7, &(x_12), &(y_7));
     var local_7 : vec3<f32> = cosine_hemisphere_0(u_30.z, u_30.w);
-    var _S536 : f32 = local_7.z;
-    (*pdf_15) = cosine_hemisphere_pdf_0(_S536);
-    return x_12 * vec3<f32>(local_7.x) + y_7 * vec3<f32>(local_7.y) + normal_7 * vec3<f32>(_S536);
+    var _S569 : f32 = local_7.z;
+    (*pdf_15) = cosine_hemisphere_pdf_0(_S569);
+    return x_12 * vec3<f32>(local_7.x) + y_7 * vec3<f32>(local_7.y) + normal_7 * vec3<f32>(_S569);
 }
 
 fn direction_from_cell_1( sampler_8 : Sampler_0,  normal_8 : vec3<f32>,  pdf_16 : ptr<function, f32>) -> vec3<f32>
@@ -8370,41 +8445,41 @@ fn direction_from_cell_1( sampler_8 : Sampler_0,  normal_8 : vec3<f32>,  pdf_16 
     var y_8 : vec3<f32>;
     orthonormal_pair_0(normal_8, &(x_13), &(y_8));
     var local_8 : vec3<f32> = cosine_hemisphere_0(u_31.z, u_31.w);
-    var _S537 : f32 = local_8.z;
-    (*pdf_16) = cosine_hemisphere_pdf_0(_S537);
-    return x_13 * vec3<f32>(local_8.x) + y_8 * vec3<f32>(local_8.y) + normal_8 * vec3<f32>(_S537);
+    var _S570 : f32 = local_8.z;
+    (*pdf_16) = cosine_hemisphere_pdf_0(_S570);
+    return x_13 * vec3<f32>(local_8.x) + y_8 * vec3<f32>(local_8.y) + normal_8 * vec3<f32>(_S570);
 }
 
 fn Surface_x24init_0( origin_11 : vec3<f32>,  normal_9 : vec3<f32>,  face_11 : u32,  instance_16 : u32) -> Surface_0
 {
-    var _S538 : Surface_0;
-    _S538.origin_9 = origin_11;
-    _S538.normal_3 = normal_9;
-    _S538.face_2 = face_11;
-    _S538.instance_11 = instance_16;
-    return _S538;
+    var _S571 : Surface_0;
+    _S571.origin_9 = origin_11;
+    _S571.normal_3 = normal_9;
+    _S571.face_2 = face_11;
+    _S571.instance_11 = instance_16;
+    return _S571;
 }
 
 fn Walker_x24init_0( path_14 : Path_0,  ray_34 : Ray_0,  is_shadow_ray_1 : bool,  light_15 : vec3<f32>,  direction_30 : vec3<f32>,  path_origin_3 : vec3<f32>,  shadow_inside_3 : Inside_0,  boundaries_1 : u32,  relocates_3 : bool,  path_relocates_3 : bool,  camera_ray_2 : Ray_0,  way_7 : f32,  has_shown_1 : bool,  asks_cache_1 : bool,  life_3 : u32,  is_at_cell_1 : bool) -> Walker_0
 {
-    var _S539 : Walker_0;
-    _S539.path_0 = path_14;
-    _S539.ray_10 = ray_34;
-    _S539.is_shadow_ray_0 = is_shadow_ray_1;
-    _S539.light_0 = light_15;
-    _S539.direction_4 = direction_30;
-    _S539.path_origin_0 = path_origin_3;
-    _S539.shadow_inside_0 = shadow_inside_3;
-    _S539.boundaries_0 = boundaries_1;
-    _S539.relocates_0 = relocates_3;
-    _S539.path_relocates_0 = path_relocates_3;
-    _S539.camera_ray_0 = camera_ray_2;
-    _S539.way_3 = way_7;
-    _S539.has_shown_0 = has_shown_1;
-    _S539.asks_cache_0 = asks_cache_1;
-    _S539.life_0 = life_3;
-    _S539.is_at_cell_0 = is_at_cell_1;
-    return _S539;
+    var _S572 : Walker_0;
+    _S572.path_0 = path_14;
+    _S572.ray_10 = ray_34;
+    _S572.is_shadow_ray_0 = is_shadow_ray_1;
+    _S572.light_0 = light_15;
+    _S572.direction_4 = direction_30;
+    _S572.path_origin_0 = path_origin_3;
+    _S572.shadow_inside_0 = shadow_inside_3;
+    _S572.boundaries_0 = boundaries_1;
+    _S572.relocates_0 = relocates_3;
+    _S572.path_relocates_0 = path_relocates_3;
+    _S572.camera_ray_0 = camera_ray_2;
+    _S572.way_3 = way_7;
+    _S572.has_shown_0 = has_shown_1;
+    _S572.asks_cache_0 = asks_cache_1;
+    _S572.life_0 = life_3;
+    _S572.is_at_cell_0 = is_at_cell_1;
+    return _S572;
 }
 
 fn at_cell_0( key_5 : Key_0,  rank_6 : u32,  sampler_9 : Sampler_0) -> Walker_0
@@ -8412,7 +8487,7 @@ fn at_cell_0( key_5 : Key_0,  rank_6 : u32,  sampler_9 : Sampler_0) -> Walker_0
     var face_12 : u32 = ((key_5.face_and_level_0) & (u32(7)));
     var axis_7 : u32 = (face_12 >> (u32(1)));
     var u_32 : vec4<f32> = Sampler_independent_0(sampler_9, u32(0));
-    var _S540 : vec3<f32> = vec3<f32>(Key_voxel_0(key_5, (rank_6 & (u32(1048575))), scramble_of_0(real_time_0.number_0 - u32(1))));
+    var _S573 : vec3<f32> = vec3<f32>(Key_voxel_0(key_5, (rank_6 & (u32(1048575))), scramble_of_0(real_time_0.number_0 - u32(1))));
     var on_face_2 : vec3<f32>;
     if(axis_7 == u32(0))
     {
@@ -8429,13 +8504,13 @@ fn at_cell_0( key_5 : Key_0,  rank_6 : u32,  sampler_9 : Sampler_0) -> Walker_0
             on_face_2 = vec3<f32>(u_32.x, u_32.y, 0.0f);
         }
     }
-    var _S541 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(key_5.instance_9);
-    var origin_12 : vec3<f32> = Transform_point_0(_S541.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S541.grid_from_world_0.translation_0), _S540, face_12, _S540 + on_face_2));
-    var normal_10 : vec3<f32> = world_normal_0(_S541, face_12);
+    var _S574 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(key_5.instance_9);
+    var origin_12 : vec3<f32> = Transform_point_0(_S574.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S574.grid_from_world_0.translation_0), _S573, face_12, _S573 + on_face_2));
+    var normal_10 : vec3<f32> = world_normal_0(_S574, face_12);
     var path_15 : Path_0 = path_from_0(sampler_9);
-    var _S542 : f32 = path_15.pdf_1;
-    var direction_31 : vec3<f32> = direction_from_cell_0(sampler_9, normal_10, &(_S542));
-    path_15.pdf_1 = _S542;
+    var _S575 : f32 = path_15.pdf_1;
+    var direction_31 : vec3<f32> = direction_from_cell_0(sampler_9, normal_10, &(_S575));
+    path_15.pdf_1 = _S575;
     var receiver_29 : Receiver_0 = Receiver_x24init_0(origin_12, normal_10);
     path_15.selection_0 = Lights_selection_0(receiver_29);
     path_15.normal_0 = normal_10;
@@ -8458,30 +8533,30 @@ fn camera_before_0() -> CameraFrame_0
 
 fn Item_asks_cache_0( this_67 : Item_0) -> bool
 {
-    var _S543 : bool;
+    var _S576 : bool;
     if(Item_is_cell_0(this_67))
     {
-        _S543 = true;
+        _S576 = true;
     }
     else
     {
         if((this_67.kind_2) == u32(1))
         {
-            _S543 = has_0(u32(1));
+            _S576 = has_0(u32(1));
         }
         else
         {
-            _S543 = false;
+            _S576 = false;
         }
     }
-    return _S543;
+    return _S576;
 }
 
 fn at_camera_0( pixel_3 : vec2<u32>,  camera_1 : CameraFrame_0,  sampler_10 : Sampler_0,  asks_cache_2 : bool) -> Walker_0
 {
     var ray_36 : Ray_0 = camera_ray_1(pixel_3, camera_1, sampler_10);
-    var _S544 : vec3<f32> = vec3<f32>(0.0f);
-    return Walker_x24init_0(path_from_0(sampler_10), ray_36, false, _S544, _S544, _S544, in_air_0(), u32(0), true, true, ray_36, 0.0f, false, asks_cache_2, u32(10), false);
+    var _S577 : vec3<f32> = vec3<f32>(0.0f);
+    return Walker_x24init_0(path_from_0(sampler_10), ray_36, false, _S577, _S577, _S577, in_air_0(), u32(0), true, true, ray_36, 0.0f, false, asks_cache_2, u32(10), false);
 }
 
 fn Item_start_0( this_68 : Item_0) -> Walker_0
@@ -8490,10 +8565,10 @@ fn Item_start_0( this_68 : Item_0) -> Walker_0
     {
         var rank_7 : u32;
         var key_6 : Key_0 = Item_key_1(this_68, &(rank_7));
-        var _S545 : Walker_0 = at_cell_0(key_6, rank_7, this_68.sampler_2);
-        return _S545;
+        var _S578 : Walker_0 = at_cell_0(key_6, rank_7, this_68.sampler_2);
+        return _S578;
     }
-    var _S546 : CameraFrame_0 = FrameParams_camera_0();
+    var _S579 : CameraFrame_0 = FrameParams_camera_0();
     var camera_2 : CameraFrame_0;
     if((this_68.kind_2) == u32(3))
     {
@@ -8501,14 +8576,14 @@ fn Item_start_0( this_68 : Item_0) -> Walker_0
     }
     else
     {
-        camera_2 = _S546;
+        camera_2 = _S579;
     }
     return at_camera_0(this_68.at_13, camera_2, this_68.sampler_2, Item_asks_cache_0(this_68));
 }
 
-fn scratch_row_0( row_13 : u32,  index_34 : u32) -> vec2<u32>
+fn scratch_row_0( row_14 : u32,  index_36 : u32) -> vec2<u32>
 {
-    return scratch_0[row_13 * real_time_0.slots_0 + index_34];
+    return scratch_0[row_14 * real_time_0.slots_0 + index_36];
 }
 
 fn end_word_0( slot_5 : u32) -> u32
@@ -8540,39 +8615,39 @@ struct Slot_0
 
 fn Slot_x24init_0( item_3 : Item_0,  own_4 : u32,  lent_1 : u32) -> Slot_0
 {
-    var _S547 : Slot_0;
-    _S547.item_2 = item_3;
-    _S547.own_3 = own_4;
-    _S547.lent_0 = lent_1;
-    return _S547;
+    var _S580 : Slot_0;
+    _S580.item_2 = item_3;
+    _S580.own_3 = own_4;
+    _S580.lent_0 = lent_1;
+    return _S580;
 }
 
 fn asks_2( path_16 : Path_0,  ray_38 : Ray_0,  hit_23 : Hit_0,  beyond_14 : u32,  life_4 : u32,  light_16 : ptr<function, vec3<f32>>) -> bool
 {
     (*light_16) = vec3<f32>(0.0f);
-    var _S548 : bool;
+    var _S581 : bool;
     if(Hit_is_miss_0(hit_23))
     {
-        _S548 = true;
+        _S581 = true;
     }
     else
     {
-        _S548 = Inside_is_in_0(path_16.inside_0);
+        _S581 = Inside_is_in_0(path_16.inside_0);
     }
-    if(_S548)
+    if(_S581)
     {
         return false;
     }
     var material_18 : PackedMaterial_0 = material_met_0(path_16, hit_23, beyond_14);
     if((material_18.metallic_0) > 0.0f)
     {
-        _S548 = true;
+        _S581 = true;
     }
     else
     {
-        _S548 = (material_18.transmission_0) > 0.0f;
+        _S581 = (material_18.transmission_0) > 0.0f;
     }
-    if(_S548)
+    if(_S581)
     {
         return false;
     }
@@ -8581,13 +8656,13 @@ fn asks_2( path_16 : Path_0,  ray_38 : Ray_0,  hit_23 : Hit_0,  beyond_14 : u32,
     var least_2 : f32 = 2.0f * f32((u32(1) << ((Key_level_0(key_7)))));
     if(life_4 == u32(0))
     {
-        _S548 = true;
+        _S581 = true;
     }
     else
     {
-        _S548 = (hit_23.t_0 * square_root_0(length_squared_0(ray_38.direction_0))) < least_2;
+        _S581 = (hit_23.t_0 * square_root_0(length_squared_0(ray_38.direction_0))) < least_2;
     }
-    if(_S548)
+    if(_S581)
     {
         return false;
     }
@@ -8602,46 +8677,46 @@ fn asks_2( path_16 : Path_0,  ray_38 : Ray_0,  hit_23 : Hit_0,  beyond_14 : u32,
 
 fn packed_normal_0( normal_11 : vec3<f32>) -> u32
 {
-    var _S549 : vec3<i32> = vec3<i32>(floor(clamp(normal_11, vec3<f32>(-1.0f), vec3<f32>(1.0f)) * vec3<f32>(511.0f) + vec3<f32>(0.5f)));
-    return (((((u32(_S549.x) & (u32(1023)))) | (((((u32(_S549.y) & (u32(1023)))) << (u32(10))))))) | (((((u32(_S549.z) & (u32(1023)))) << (u32(20))))));
+    var _S582 : vec3<i32> = vec3<i32>(floor(clamp(normal_11, vec3<f32>(-1.0f), vec3<f32>(1.0f)) * vec3<f32>(511.0f) + vec3<f32>(0.5f)));
+    return (((((u32(_S582.x) & (u32(1023)))) | (((((u32(_S582.y) & (u32(1023)))) << (u32(10))))))) | (((((u32(_S582.z) & (u32(1023)))) << (u32(20))))));
 }
 
-fn store_sample_0( index_35 : u32,  sample_24 : Sample_0)
+fn store_sample_0( index_37 : u32,  sample_24 : Sample_0)
 {
-    var _S550 : u32 = packed_normal_0(sample_24.normal_1);
-    var _S551 : u32;
+    var _S583 : u32 = packed_normal_0(sample_24.normal_1);
+    var _S584 : u32;
     if(sample_24.is_shown_0)
     {
-        _S551 = u32(1073741824);
+        _S584 = u32(1073741824);
     }
     else
     {
-        _S551 = u32(0);
+        _S584 = u32(0);
     }
-    var normal_12 : u32 = (_S550 | (_S551));
-    set_scratch_row_0(u32(0), index_35, (bitcast<vec2<u32>>((sample_24.light_1.xy))));
-    set_scratch_row_0(u32(1), index_35, vec2<u32>((bitcast<u32>((sample_24.light_1.z))), sample_24.instance_7));
-    set_scratch_row_0(u32(2), index_35, (bitcast<vec2<u32>>((sample_24.direct_0.xy))));
-    set_scratch_row_0(u32(3), index_35, (bitcast<vec2<u32>>((vec2<f32>(sample_24.direct_0.z, sample_24.place_0.x)))));
-    set_scratch_row_0(u32(4), index_35, (bitcast<vec2<u32>>((sample_24.place_0.yz))));
-    set_scratch_row_0(u32(5), index_35, (bitcast<vec2<u32>>((sample_24.albedo_0.xy))));
-    set_scratch_row_0(u32(6), index_35, vec2<u32>((bitcast<u32>((sample_24.albedo_0.z))), normal_12));
+    var normal_12 : u32 = (_S583 | (_S584));
+    set_scratch_row_0(u32(0), index_37, (bitcast<vec2<u32>>((sample_24.light_1.xy))));
+    set_scratch_row_0(u32(1), index_37, vec2<u32>((bitcast<u32>((sample_24.light_1.z))), sample_24.instance_7));
+    set_scratch_row_0(u32(2), index_37, (bitcast<vec2<u32>>((sample_24.direct_0.xy))));
+    set_scratch_row_0(u32(3), index_37, (bitcast<vec2<u32>>((vec2<f32>(sample_24.direct_0.z, sample_24.place_0.x)))));
+    set_scratch_row_0(u32(4), index_37, (bitcast<vec2<u32>>((sample_24.place_0.yz))));
+    set_scratch_row_0(u32(5), index_37, (bitcast<vec2<u32>>((sample_24.albedo_0.xy))));
+    set_scratch_row_0(u32(6), index_37, vec2<u32>((bitcast<u32>((sample_24.albedo_0.z))), normal_12));
     return;
 }
 
 fn Slot_keep_0( this_69 : Slot_0,  at_19 : Walker_0,  instance_18 : u32,  face_13 : u32)
 {
     var word_10 : u32 = (((((instance_18 << (u32(5)))) | ((((at_19.path_0.bounce_0) << (u32(3))))))) | (face_13));
-    var _S552 : u32;
+    var _S585 : u32;
     if(at_19.is_shadow_ray_0)
     {
-        _S552 = (bitcast<u32>((at_19.ray_10.t_max_0)));
+        _S585 = (bitcast<u32>((at_19.ray_10.t_max_0)));
     }
     else
     {
-        _S552 = u32(0);
+        _S585 = u32(0);
     }
-    set_scratch_row_0(u32(4), this_69.own_3, vec2<u32>(_S552, word_10));
+    set_scratch_row_0(u32(4), this_69.own_3, vec2<u32>(_S585, word_10));
     set_scratch_row_0(u32(7), this_69.own_3, (bitcast<vec2<u32>>((at_19.ray_10.origin_0.xy))));
     set_scratch_row_0(u32(8), this_69.own_3, (bitcast<vec2<u32>>((vec2<f32>(at_19.ray_10.origin_0.z, at_19.ray_10.direction_0.x)))));
     set_scratch_row_0(u32(9), this_69.own_3, (bitcast<vec2<u32>>((at_19.ray_10.direction_0.yz))));
@@ -8650,10 +8725,10 @@ fn Slot_keep_0( this_69 : Slot_0,  at_19 : Walker_0,  instance_18 : u32,  face_1
 
 fn Slot_keep_first_0( this_70 : Slot_0,  at_20 : Walker_0,  instance_19 : u32,  face_14 : u32,  t_18 : f32,  sample_25 : Sample_0)
 {
-    var _S553 : Sample_0 = sample_25;
-    _S553.light_1 = vec3<f32>(0.0f);
-    _S553.albedo_0 = at_20.path_0.beta_0;
-    store_sample_0(this_70.own_3, _S553);
+    var _S586 : Sample_0 = sample_25;
+    _S586.light_1 = vec3<f32>(0.0f);
+    _S586.albedo_0 = at_20.path_0.beta_0;
+    store_sample_0(this_70.own_3, _S586);
     scratch_0[u32(3) * real_time_0.slots_0 + this_70.own_3][i32(1)] = (bitcast<u32>((t_18)));
     Slot_keep_0(this_70, at_20, instance_19, face_14);
     return;
@@ -8661,16 +8736,16 @@ fn Slot_keep_first_0( this_70 : Slot_0,  at_20 : Walker_0,  instance_19 : u32,  
 
 fn light_on_0( sample_26 : Sample_0) -> f32
 {
-    var _S554 : f32;
+    var _S587 : f32;
     if(sample_26.is_shown_0)
     {
-        _S554 = luminance_0(sample_26.light_1) / (luminance_0(sample_26.albedo_0) + 0.00300000002607703f);
+        _S587 = luminance_0(sample_26.light_1) / (luminance_0(sample_26.albedo_0) + 0.00300000002607703f);
     }
     else
     {
-        _S554 = 0.0f;
+        _S587 = 0.0f;
     }
-    return _S554;
+    return _S587;
 }
 
 fn Item_end_0( this_71 : Item_0,  sample_27 : Sample_0)
@@ -8717,9 +8792,9 @@ fn trace_first(@builtin(global_invocation_id) id_1 : vec3<u32>)
     {
         scatter_of_path_0.wants_light_0 = false;
         var sample_29 : Sample_0 = no_sample_0();
-        var _S555 : Walker_0 = Item_start_0(item_4);
-        var at_21 : Walker_0 = _S555;
-        var _S556 : Hit_0 = miss_0();
+        var _S588 : Walker_0 = Item_start_0(item_4);
+        var at_21 : Walker_0 = _S588;
+        var _S589 : Hit_0 = miss_0();
         var hit_24 : Hit_0;
         var instance_20 : u32;
         var face_15 : u32;
@@ -8727,10 +8802,10 @@ fn trace_first(@builtin(global_invocation_id) id_1 : vec3<u32>)
         {
             var rank_8 : u32;
             var key_8 : Key_0 = Item_key_2(item_4, &(rank_8));
-            var _S557 : u32 = ((key_8.face_and_level_0) & (u32(7)));
-            hit_24 = _S556;
+            var _S590 : u32 = ((key_8.face_and_level_0) & (u32(7)));
+            hit_24 = _S589;
             instance_20 = key_8.instance_9;
-            face_15 = _S557;
+            face_15 = _S590;
         }
         else
         {
@@ -8739,10 +8814,10 @@ fn trace_first(@builtin(global_invocation_id) id_1 : vec3<u32>)
             instance_20 = hit_25.instance_0;
             face_15 = hit_25.face_0;
         }
-        var _S558 : u32 = item_4.slot_0;
-        var slot_9 : Slot_0 = Slot_x24init_0(item_4, _S558, _S558);
-        var _S559 : bool = goes_on_from_2(&(at_21), hit_24, u32(4294967295), &(sample_29));
-        if(_S559)
+        var _S591 : u32 = item_4.slot_0;
+        var slot_9 : Slot_0 = Slot_x24init_0(item_4, _S591, _S591);
+        var _S592 : bool = goes_on_from_2(&(at_21), hit_24, u32(4294967295), &(sample_29));
+        if(_S592)
         {
             Slot_keep_first_0(slot_9, at_21, instance_20, face_15, hit_24.t_0, sample_29);
         }
@@ -8782,15 +8857,15 @@ fn Slot_instance_0( this_75 : Slot_0) -> u32
 fn Slot_scatter_0( this_76 : Slot_0) -> Scatter_0
 {
     var surface_7 : Surface_0;
-    var _S560 : vec3<f32> = origin_in_0(this_76.own_3);
-    surface_7.origin_9 = _S560;
-    var _S561 : u32 = Slot_face_0(this_76);
-    surface_7.face_2 = _S561;
-    var _S562 : u32 = Slot_instance_0(this_76);
-    surface_7.instance_11 = _S562;
-    var _S563 : vec3<f32> = world_normal_0(Instances_operatorx5Bx5D_get_0(_S562), _S561);
-    surface_7.normal_3 = _S563;
-    var receiver_30 : Receiver_0 = Receiver_x24init_0(_S560, _S563);
+    var _S593 : vec3<f32> = origin_in_0(this_76.own_3);
+    surface_7.origin_9 = _S593;
+    var _S594 : u32 = Slot_face_0(this_76);
+    surface_7.face_2 = _S594;
+    var _S595 : u32 = Slot_instance_0(this_76);
+    surface_7.instance_11 = _S595;
+    var _S596 : vec3<f32> = world_normal_0(Instances_operatorx5Bx5D_get_0(_S595), _S594);
+    surface_7.normal_3 = _S596;
+    var receiver_30 : Receiver_0 = Receiver_x24init_0(_S593, _S596);
     var path_17 : Path_0 = path_from_0(this_76.item_2.sampler_2);
     path_17.selection_0 = Lights_selection_0(receiver_30);
     var bsdf_2 : MaterialBsdf_0;
@@ -8821,18 +8896,18 @@ fn trace_light(@builtin(global_invocation_id) id_2 : vec3<u32>)
     ends_here_0 = false;
     first_candidates_0 = u32(1);
     var item_5 : Item_0 = item_of_0(id_2.x);
-    var _S564 : u32 = item_5.slot_0;
-    var slot_12 : Slot_0 = Slot_x24init_0(item_5, _S564, _S564);
-    var _S565 : bool;
+    var _S597 : u32 = item_5.slot_0;
+    var slot_12 : Slot_0 = Slot_x24init_0(item_5, _S597, _S597);
+    var _S598 : bool;
     if(item_5.traces_0)
     {
-        _S565 = !is_over_0(item_5.slot_0);
+        _S598 = !is_over_0(item_5.slot_0);
     }
     else
     {
-        _S565 = false;
+        _S598 = false;
     }
-    if(_S565)
+    if(_S598)
     {
         first_candidates_0 = real_time_0.candidates_0;
         var next_9 : NextRays_0 = no_rays_0();
@@ -8849,20 +8924,20 @@ fn Slot_bounce_0( this_78 : Slot_0) -> u32
 
 fn Slot_ray_0( this_79 : Slot_0,  pdf_17 : ptr<function, f32>) -> Ray_0
 {
-    var _S566 : bool;
+    var _S599 : bool;
     if(Item_is_cell_0(this_79.item_2))
     {
-        _S566 = (Slot_bounce_0(this_79)) == u32(1);
+        _S599 = (Slot_bounce_0(this_79)) == u32(1);
     }
     else
     {
-        _S566 = false;
+        _S599 = false;
     }
     var direction_32 : vec3<f32>;
-    if(_S566)
+    if(_S599)
     {
-        var _S567 : vec3<f32> = direction_from_cell_1(this_79.item_2.sampler_2, world_normal_0(Instances_operatorx5Bx5D_get_0(Slot_instance_0(this_79)), Slot_face_0(this_79)), &((*pdf_17)));
-        direction_32 = _S567;
+        var _S600 : vec3<f32> = direction_from_cell_1(this_79.item_2.sampler_2, world_normal_0(Instances_operatorx5Bx5D_get_0(Slot_instance_0(this_79)), Slot_face_0(this_79)), &((*pdf_17)));
+        direction_32 = _S600;
     }
     else
     {
@@ -8879,20 +8954,20 @@ fn Slot_ray_0( this_79 : Slot_0,  pdf_17 : ptr<function, f32>) -> Ray_0
 
 fn Slot_ray_1( this_80 : Slot_0,  pdf_18 : ptr<function, f32>) -> Ray_0
 {
-    var _S568 : bool;
+    var _S601 : bool;
     if(Item_is_cell_0(this_80.item_2))
     {
-        _S568 = (Slot_bounce_0(this_80)) == u32(1);
+        _S601 = (Slot_bounce_0(this_80)) == u32(1);
     }
     else
     {
-        _S568 = false;
+        _S601 = false;
     }
     var direction_33 : vec3<f32>;
-    if(_S568)
+    if(_S601)
     {
-        var _S569 : vec3<f32> = direction_from_cell_1(this_80.item_2.sampler_2, world_normal_0(Instances_operatorx5Bx5D_get_0(Slot_instance_0(this_80)), Slot_face_0(this_80)), &((*pdf_18)));
-        direction_33 = _S569;
+        var _S602 : vec3<f32> = direction_from_cell_1(this_80.item_2.sampler_2, world_normal_0(Instances_operatorx5Bx5D_get_0(Slot_instance_0(this_80)), Slot_face_0(this_80)), &((*pdf_18)));
+        direction_33 = _S602;
     }
     else
     {
@@ -8927,16 +9002,16 @@ fn Slot_walk_0( this_82 : Slot_0)
     var end_4 : u32 = end_word_0(this_82.own_3);
     var pdf_19 : f32;
     var ray_39 : Ray_0 = Ray_x24init_0(origin_in_0(this_82.own_3), 0.0f, (bitcast<vec3<f32>>((words_in_0(this_82.own_3)))), (bitcast<f32>((end_4))));
-    var _S570 : i32;
+    var _S603 : i32;
     if(end_4 == u32(0))
     {
-        _S570 = i32(1);
+        _S603 = i32(1);
     }
     else
     {
-        _S570 = i32(0);
+        _S603 = i32(0);
     }
-    var turn_0 : u32 = u32(_S570);
+    var turn_0 : u32 = u32(_S603);
     for(;;)
     {
         if(turn_0 < u32(2))
@@ -8946,19 +9021,19 @@ fn Slot_walk_0( this_82 : Slot_0)
         {
             break;
         }
-        var _S571 : bool = turn_0 == u32(1);
-        if(_S571)
+        var _S604 : bool = turn_0 == u32(1);
+        if(_S604)
         {
             ray_39 = Slot_ray_0(this_82, &(pdf_19));
         }
-        var _S572 : Hit_0 = WalkTracer_trace_0(&(ray_39), turn_0 == u32(0));
-        if(_S571)
+        var _S605 : Hit_0 = WalkTracer_trace_0(&(ray_39), turn_0 == u32(0));
+        if(_S604)
         {
-            keep_hit_0(this_82.own_3, _S572);
+            keep_hit_0(this_82.own_3, _S605);
         }
         else
         {
-            if(!Hit_is_miss_0(_S572))
+            if(!Hit_is_miss_0(_S605))
             {
                 Slot_darken_0(this_82);
             }
@@ -8975,20 +9050,20 @@ fn trace_rays(@builtin(global_invocation_id) id_3 : vec3<u32>)
     ends_here_0 = false;
     first_candidates_0 = u32(1);
     var slot_13 : Slot_0;
-    var _S573 : Item_0 = item_of_0(id_3.x);
-    slot_13.item_2 = _S573;
+    var _S606 : Item_0 = item_of_0(id_3.x);
+    slot_13.item_2 = _S606;
     slot_13.own_3 = slot_13.item_2.slot_0;
     slot_13.lent_0 = slot_13.item_2.slot_0;
-    var _S574 : bool;
+    var _S607 : bool;
     if(slot_13.item_2.traces_0)
     {
-        _S574 = !is_over_0(slot_13.own_3);
+        _S607 = !is_over_0(slot_13.own_3);
     }
     else
     {
-        _S574 = false;
+        _S607 = false;
     }
-    if(_S574)
+    if(_S607)
     {
         Slot_walk_0(slot_13);
     }
@@ -9000,20 +9075,20 @@ fn normal_in_0( word_11 : u32) -> vec3<f32>
     return vec3<f32>(vec3<i32>((i32((word_11 << (u32(22)))) >> (u32(22))), (i32((word_11 << (u32(12)))) >> (u32(22))), (i32((word_11 << (u32(2)))) >> (u32(22))))) * vec3<f32>(0.00195694714784622f);
 }
 
-fn load_sample_0( index_36 : u32) -> Sample_0
+fn load_sample_0( index_38 : u32) -> Sample_0
 {
-    var b_10 : vec2<u32> = scratch_row_0(u32(1), index_36);
-    var d_4 : vec2<f32> = (bitcast<vec2<f32>>((scratch_row_0(u32(3), index_36))));
-    var g_0 : vec2<u32> = scratch_row_0(u32(6), index_36);
+    var b_8 : vec2<u32> = scratch_row_0(u32(1), index_38);
+    var d_3 : vec2<f32> = (bitcast<vec2<f32>>((scratch_row_0(u32(3), index_38))));
+    var g_0 : vec2<u32> = scratch_row_0(u32(6), index_38);
     var sample_30 : Sample_0;
-    sample_30.light_1 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(0), index_36)))), (bitcast<f32>((b_10.x))));
-    sample_30.instance_7 = b_10.y;
-    sample_30.direct_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(2), index_36)))), d_4.x);
-    sample_30.place_0 = vec3<f32>(d_4.y, (bitcast<vec2<f32>>((scratch_row_0(u32(4), index_36)))));
-    sample_30.albedo_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(5), index_36)))), (bitcast<f32>((g_0.x))));
-    var _S575 : u32 = g_0.y;
-    sample_30.normal_1 = normal_in_0(_S575);
-    sample_30.is_shown_0 = ((_S575 & (u32(1073741824)))) != u32(0);
+    sample_30.light_1 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(0), index_38)))), (bitcast<f32>((b_8.x))));
+    sample_30.instance_7 = b_8.y;
+    sample_30.direct_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(2), index_38)))), d_3.x);
+    sample_30.place_0 = vec3<f32>(d_3.y, (bitcast<vec2<f32>>((scratch_row_0(u32(4), index_38)))));
+    sample_30.albedo_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(5), index_38)))), (bitcast<f32>((g_0.x))));
+    var _S608 : u32 = g_0.y;
+    sample_30.normal_1 = normal_in_0(_S608);
+    sample_30.is_shown_0 = ((_S608 & (u32(1073741824)))) != u32(0);
     return sample_30;
 }
 
@@ -9032,10 +9107,10 @@ fn Slot_walker_0( this_83 : Slot_0,  sample_31 : ptr<function, Sample_0>) -> Wal
         at_22.path_0.beta_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(7), this_83.lent_0)))), (bitcast<f32>((scratch_row_0(u32(8), this_83.lent_0).x))));
         (*sample_31).light_1 = (*sample_31).light_1 + vec3<f32>((bitcast<f32>((scratch_row_0(u32(8), this_83.lent_0).y))), (bitcast<vec2<f32>>((scratch_row_0(u32(9), this_83.lent_0)))));
     }
-    var _S576 : f32 = at_22.path_0.pdf_1;
-    var _S577 : Ray_0 = Slot_ray_1(this_83, &(_S576));
-    at_22.path_0.pdf_1 = _S576;
-    at_22.ray_10 = _S577;
+    var _S609 : f32 = at_22.path_0.pdf_1;
+    var _S610 : Ray_0 = Slot_ray_1(this_83, &(_S609));
+    at_22.path_0.pdf_1 = _S609;
+    at_22.ray_10 = _S610;
     at_22.path_0.normal_0 = world_normal_0(Instances_operatorx5Bx5D_get_0(Slot_instance_0(this_83)), Slot_face_0(this_83));
     at_22.is_shadow_ray_0 = false;
     at_22.light_0 = vec3<f32>(0.0f);
@@ -9045,7 +9120,7 @@ fn Slot_walker_0( this_83 : Slot_0,  sample_31 : ptr<function, Sample_0>) -> Wal
     at_22.boundaries_0 = u32(0);
     at_22.relocates_0 = false;
     at_22.path_relocates_0 = false;
-    at_22.camera_ray_0 = _S577;
+    at_22.camera_ray_0 = _S610;
     at_22.way_3 = 0.0f;
     at_22.has_shown_0 = true;
     at_22.asks_cache_0 = Item_asks_cache_0(this_83.item_2);
@@ -9054,7 +9129,7 @@ fn Slot_walker_0( this_83 : Slot_0,  sample_31 : ptr<function, Sample_0>) -> Wal
     if(Item_is_cell_0(this_83.item_2))
     {
         var rank_9 : u32;
-        var _S578 : Key_0 = Item_key_2(this_83.item_2, &(rank_9));
+        var _S611 : Key_0 = Item_key_2(this_83.item_2, &(rank_9));
         at_22.life_0 = max((rank_9 >> (u32(20))), u32(1)) - u32(1);
     }
     else
@@ -9080,10 +9155,10 @@ fn Slot_walker_1( this_84 : Slot_0,  sample_32 : ptr<function, Sample_0>) -> Wal
         at_23.path_0.beta_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(7), this_84.lent_0)))), (bitcast<f32>((scratch_row_0(u32(8), this_84.lent_0).x))));
         (*sample_32).light_1 = (*sample_32).light_1 + vec3<f32>((bitcast<f32>((scratch_row_0(u32(8), this_84.lent_0).y))), (bitcast<vec2<f32>>((scratch_row_0(u32(9), this_84.lent_0)))));
     }
-    var _S579 : f32 = at_23.path_0.pdf_1;
-    var _S580 : Ray_0 = Slot_ray_1(this_84, &(_S579));
-    at_23.path_0.pdf_1 = _S579;
-    at_23.ray_10 = _S580;
+    var _S612 : f32 = at_23.path_0.pdf_1;
+    var _S613 : Ray_0 = Slot_ray_1(this_84, &(_S612));
+    at_23.path_0.pdf_1 = _S612;
+    at_23.ray_10 = _S613;
     at_23.path_0.normal_0 = world_normal_0(Instances_operatorx5Bx5D_get_0(Slot_instance_0(this_84)), Slot_face_0(this_84));
     at_23.is_shadow_ray_0 = false;
     at_23.light_0 = vec3<f32>(0.0f);
@@ -9093,7 +9168,7 @@ fn Slot_walker_1( this_84 : Slot_0,  sample_32 : ptr<function, Sample_0>) -> Wal
     at_23.boundaries_0 = u32(0);
     at_23.relocates_0 = false;
     at_23.path_relocates_0 = false;
-    at_23.camera_ray_0 = _S580;
+    at_23.camera_ray_0 = _S613;
     at_23.way_3 = 0.0f;
     at_23.has_shown_0 = true;
     at_23.asks_cache_0 = Item_asks_cache_0(this_84.item_2);
@@ -9102,7 +9177,7 @@ fn Slot_walker_1( this_84 : Slot_0,  sample_32 : ptr<function, Sample_0>) -> Wal
     if(Item_is_cell_0(this_84.item_2))
     {
         var rank_10 : u32;
-        var _S581 : Key_0 = Item_key_2(this_84.item_2, &(rank_10));
+        var _S614 : Key_0 = Item_key_2(this_84.item_2, &(rank_10));
         at_23.life_0 = max((rank_10 >> (u32(20))), u32(1)) - u32(1);
     }
     else
@@ -9116,16 +9191,16 @@ fn Slot_walker_1( this_84 : Slot_0,  sample_32 : ptr<function, Sample_0>) -> Wal
 fn goes_on_from_second_0( slot_14 : Slot_0) -> bool
 {
     var sample_33 : Sample_0;
-    var _S582 : Walker_0 = Slot_walker_0(slot_14, &(sample_33));
-    var at_24 : Walker_0 = _S582;
+    var _S615 : Walker_0 = Slot_walker_0(slot_14, &(sample_33));
+    var at_24 : Walker_0 = _S615;
     var hit_26 : Hit_0 = hit_in_slot_0(slot_14.own_3, at_24.ray_10);
-    var _S583 : vec3<f32> = vec3<f32>(0.0f);
-    var cached_3 : vec3<f32> = _S583;
+    var _S616 : vec3<f32> = vec3<f32>(0.0f);
+    var cached_3 : vec3<f32> = _S616;
     var is_known_0 : bool;
     if(at_24.asks_cache_0)
     {
-        var _S584 : bool = asks_2(at_24.path_0, at_24.ray_10, hit_26, u32(4294967295), at_24.life_0, &(cached_3));
-        is_known_0 = _S584;
+        var _S617 : bool = asks_2(at_24.path_0, at_24.ray_10, hit_26, u32(4294967295), at_24.life_0, &(cached_3));
+        is_known_0 = _S617;
     }
     else
     {
@@ -9152,10 +9227,10 @@ fn goes_on_from_second_0( slot_14 : Slot_0) -> bool
         return true;
     }
     ends_here_0 = true;
-    var emitted_6 : vec3<f32> = _S583;
-    var _S585 : Path_0 = at_24.path_0;
-    var _S586 : NextRays_0 = PathTracingOf_advance_2(&(_S585), at_24.ray_10, hit_26, u32(4294967295), &(emitted_6));
-    at_24.path_0 = _S585;
+    var emitted_6 : vec3<f32> = _S616;
+    var _S618 : Path_0 = at_24.path_0;
+    var _S619 : NextRays_0 = PathTracingOf_advance_2(&(_S618), at_24.ray_10, hit_26, u32(4294967295), &(emitted_6));
+    at_24.path_0 = _S618;
     sample_33.light_1 = sample_33.light_1 + (cached_3 + emitted_6);
     Slot_end_0(slot_14, sample_33);
     return false;
@@ -9167,34 +9242,34 @@ var<workgroup> first_appended_0 : array<u32, i32(2)>;
 
 fn append_0( thread_2 : u32,  item_6 : u32,  of_0 : Item_0,  goes_on_8 : bool)
 {
-    var _S587 : bool = thread_2 < u32(2);
-    if(_S587)
+    var _S620 : bool = thread_2 < u32(2);
+    if(_S620)
     {
         atomicStore(&(appended_0[thread_2]), u32(0));
     }
     workgroupBarrier();
-    var _S588 : i32;
+    var _S621 : i32;
     if(goes_on_8)
     {
-        _S588 = i32(0);
+        _S621 = i32(0);
     }
     else
     {
-        _S588 = i32(1);
+        _S621 = i32(1);
     }
-    var list_1 : u32 = u32(_S588);
-    var index_37 : u32;
+    var list_1 : u32 = u32(_S621);
+    var index_39 : u32;
     if(of_0.traces_0)
     {
-        var _S589 : u32 = atomicAdd(&(appended_0[list_1]), u32(1));
-        index_37 = _S589;
+        var _S622 : u32 = atomicAdd(&(appended_0[list_1]), u32(1));
+        index_39 = _S622;
     }
     else
     {
-        index_37 = u32(0);
+        index_39 = u32(0);
     }
     workgroupBarrier();
-    if(_S587)
+    if(_S620)
     {
         var count_10 : u32 = atomicLoad(&(appended_0[thread_2]));
         var before_0 : u32;
@@ -9208,50 +9283,50 @@ fn append_0( thread_2 : u32,  item_6 : u32,  of_0 : Item_0,  goes_on_8 : bool)
             {
                 before_0 = u32(8);
             }
-            var _S590 : u32 = atomicAdd(&(cell_keys_0[before_0]), count_10);
-            before_0 = _S590;
+            var _S623 : u32 = atomicAdd(&(cell_keys_0[before_0]), count_10);
+            before_0 = _S623;
         }
         else
         {
             before_0 = u32(0);
         }
         var more_0 : u32 = (before_0 + count_10 + u32(64) - u32(1)) / u32(64) - (before_0 + u32(64) - u32(1)) / u32(64);
-        var _S591 : bool;
+        var _S624 : bool;
         if(thread_2 == u32(0))
         {
-            _S591 = more_0 > u32(0);
+            _S624 = more_0 > u32(0);
         }
         else
         {
-            _S591 = false;
+            _S624 = false;
         }
-        if(_S591)
+        if(_S624)
         {
-            var _S592 : u32 = atomicAdd(&(cell_keys_0[u32(5)]), more_0);
+            var _S625 : u32 = atomicAdd(&(cell_keys_0[u32(5)]), more_0);
         }
         first_appended_0[thread_2] = before_0;
     }
     workgroupBarrier();
-    var at_25 : u32 = first_appended_0[list_1] + index_37;
+    var at_25 : u32 = first_appended_0[list_1] + index_39;
     if(of_0.traces_0)
     {
         if(goes_on_8)
         {
-            index_37 = at_25;
+            index_39 = at_25;
         }
         else
         {
-            index_37 = real_time_0.slots_0 - u32(1) - at_25;
+            index_39 = real_time_0.slots_0 - u32(1) - at_25;
         }
         if(goes_on_8)
         {
-            index_37 = item_6;
+            index_39 = item_6;
         }
         else
         {
-            index_37 = of_0.slot_0;
+            index_39 = of_0.slot_0;
         }
-        rest_0[index_37] = index_37;
+        rest_0[index_39] = index_39;
     }
     return;
 }
@@ -9262,10 +9337,10 @@ fn trace_ends(@builtin(global_invocation_id) id_4 : vec3<u32>, @builtin(local_in
 {
     ends_here_0 = false;
     first_candidates_0 = u32(1);
-    var _S593 : u32 = id_4.x;
-    var item_7 : Item_0 = item_of_0(_S593);
-    var _S594 : u32 = item_7.slot_0;
-    var slot_15 : Slot_0 = Slot_x24init_0(item_7, _S594, _S594);
+    var _S626 : u32 = id_4.x;
+    var item_7 : Item_0 = item_of_0(_S626);
+    var _S627 : u32 = item_7.slot_0;
+    var slot_15 : Slot_0 = Slot_x24init_0(item_7, _S627, _S627);
     var goes_on_9 : bool;
     if(item_7.traces_0)
     {
@@ -9277,28 +9352,28 @@ fn trace_ends(@builtin(global_invocation_id) id_4 : vec3<u32>, @builtin(local_in
     }
     if(goes_on_9)
     {
-        var _S595 : bool = goes_on_from_second_0(slot_15);
-        goes_on_9 = _S595;
+        var _S628 : bool = goes_on_from_second_0(slot_15);
+        goes_on_9 = _S628;
     }
     else
     {
         goes_on_9 = false;
     }
-    append_0(thread_3, _S593, item_7, goes_on_9);
+    append_0(thread_3, _S626, item_7, goes_on_9);
     return;
 }
 
 fn slot_of_rest_0( number_5 : u32,  is_lent_0 : ptr<function, bool>) -> Slot_0
 {
     var slot_16 : Slot_0;
-    var _S596 : u32 = atomicLoad(&(cell_keys_0[u32(4)]));
-    slot_16.item_2.traces_0 = number_5 < _S596;
-    var _S597 : u32 = atomicLoad(&(cell_keys_0[u32(8)]));
-    (*is_lent_0) = number_5 < _S597;
+    var _S629 : u32 = atomicLoad(&(cell_keys_0[u32(4)]));
+    slot_16.item_2.traces_0 = number_5 < _S629;
+    var _S630 : u32 = atomicLoad(&(cell_keys_0[u32(8)]));
+    (*is_lent_0) = number_5 < _S630;
     if(slot_16.item_2.traces_0)
     {
-        var _S598 : Item_0 = item_of_0(rest_0[number_5]);
-        slot_16.item_2 = _S598;
+        var _S631 : Item_0 = item_of_0(rest_0[number_5]);
+        slot_16.item_2 = _S631;
         slot_16.own_3 = slot_16.item_2.slot_0;
         slot_16.lent_0 = slot_16.item_2.slot_0;
         if((*is_lent_0))
@@ -9338,25 +9413,25 @@ fn trace_on(@builtin(global_invocation_id) id_5 : vec3<u32>)
     first_candidates_0 = u32(1);
     var is_lent_1 : bool;
     var slot_17 : Slot_0 = slot_of_rest_0(id_5.x, &(is_lent_1));
-    var _S599 : bool;
+    var _S632 : bool;
     if(slot_17.item_2.traces_0)
     {
-        _S599 = is_lent_1;
+        _S632 = is_lent_1;
     }
     else
     {
-        _S599 = false;
+        _S632 = false;
     }
-    if(_S599)
+    if(_S632)
     {
         scatter_of_path_0.wants_light_0 = false;
         first_candidates_0 = u32(1);
         var sample_34 : Sample_0;
-        var _S600 : Walker_0 = Slot_walker_1(slot_17, &(sample_34));
-        var at_27 : Walker_0 = _S600;
+        var _S633 : Walker_0 = Slot_walker_1(slot_17, &(sample_34));
+        var at_27 : Walker_0 = _S633;
         var hit_28 : Hit_0 = hit_in_slot_0(slot_17.own_3, at_27.ray_10);
-        var _S601 : bool = goes_on_from_1(&(at_27), hit_28, u32(4294967295), &(sample_34));
-        if(_S601)
+        var _S634 : bool = goes_on_from_1(&(at_27), hit_28, u32(4294967295), &(sample_34));
+        if(_S634)
         {
             Slot_keep_later_0(slot_17, at_27, hit_28, sample_34.light_1);
         }
@@ -9376,16 +9451,16 @@ fn trace_on_rays(@builtin(global_invocation_id) id_6 : vec3<u32>)
     first_candidates_0 = u32(1);
     var is_lent_2 : bool;
     var slot_18 : Slot_0 = slot_of_rest_0(id_6.x, &(is_lent_2));
-    var _S602 : bool;
+    var _S635 : bool;
     if(slot_18.item_2.traces_0)
     {
-        _S602 = is_lent_2;
+        _S635 = is_lent_2;
     }
     else
     {
-        _S602 = false;
+        _S635 = false;
     }
-    if(_S602)
+    if(_S635)
     {
         Slot_walk_0(slot_18);
     }
@@ -9396,9 +9471,9 @@ fn follow_0( item_8 : Item_0,  start_5 : Walker_0,  first_1 : Hit_0,  walks_0 : 
 {
     var at_28 : Walker_0 = start_5;
     var sample_35 : Sample_0 = found_4;
-    var _S603 : bool = !walks_0;
+    var _S636 : bool = !walks_0;
     var is_under_way_0 : bool = true;
-    var is_met_4 : bool = _S603;
+    var is_met_4 : bool = _S636;
     var hit_29 : Hit_0 = first_1;
     for(;;)
     {
@@ -9411,10 +9486,10 @@ fn follow_0( item_8 : Item_0,  start_5 : Walker_0,  first_1 : Hit_0,  walks_0 : 
         }
         if(!is_met_4)
         {
-            var _S604 : Ray_0 = at_28.ray_10;
-            var _S605 : Hit_0 = WalkTracer_trace_0(&(_S604), at_28.is_shadow_ray_0);
-            at_28.ray_10 = _S604;
-            hit_29 = _S605;
+            var _S637 : Ray_0 = at_28.ray_10;
+            var _S638 : Hit_0 = WalkTracer_trace_0(&(_S637), at_28.is_shadow_ray_0);
+            at_28.ray_10 = _S637;
+            hit_29 = _S638;
         }
         if(at_28.is_shadow_ray_0)
         {
@@ -9428,8 +9503,8 @@ fn follow_0( item_8 : Item_0,  start_5 : Walker_0,  first_1 : Hit_0,  walks_0 : 
         }
         else
         {
-            var _S606 : bool = goes_on_from_0(&(at_28), hit_29, u32(4294967295), &(sample_35));
-            is_under_way_0 = _S606;
+            var _S639 : bool = goes_on_from_0(&(at_28), hit_29, u32(4294967295), &(sample_35));
+            is_under_way_0 = _S639;
         }
         is_met_4 = false;
     }
@@ -9467,8 +9542,8 @@ fn trace_again(@builtin(global_invocation_id) id_8 : vec3<u32>)
     {
         scatter_of_path_0.wants_light_0 = false;
         first_candidates_0 = real_time_0.candidates_0;
-        var _S607 : Walker_0 = Item_start_0(item_9);
-        follow_0(item_9, _S607, miss_0(), true, no_sample_0());
+        var _S640 : Walker_0 = Item_start_0(item_9);
+        follow_0(item_9, _S640, miss_0(), true, no_sample_0());
     }
     return;
 }

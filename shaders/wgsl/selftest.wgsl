@@ -697,6 +697,16 @@ fn Descent_at_1( this_3 : ptr<function, Descent_0>,  root_2 : u32)
 
 @id(0) override IS_EXACT_0 : bool = true;
 
+fn Rows_operatorx5Bx5D_get_4( row_4 : u32) -> vec4<u32>
+{
+    return records_0[first_row_0(u32(0)) + row_4];
+}
+
+fn Rows_operatorx5Bx5D_get_5( row_5 : u32) -> vec4<u32>
+{
+    return records_0[first_row_0(u32(1)) + row_5];
+}
+
 fn prove_0( thread_0 : u32)
 {
     if(thread_0 == u32(0))
@@ -1263,11 +1273,8 @@ struct Transform_0
      translation_0 : array<f32, i32(3)>,
 };
 
-fn transform_in_0( row_4 : u32) -> Transform_0
+fn transform_of_0( a_4 : vec4<u32>,  b_3 : vec4<u32>,  c_1 : vec4<u32>) -> Transform_0
 {
-    var a_4 : vec4<u32> = records_0[row_4];
-    var b_3 : vec4<u32> = records_0[row_4 + u32(1)];
-    var c_1 : vec4<u32> = records_0[row_4 + u32(2)];
     var transform_0 : Transform_0;
     var _S85 : f32 = (bitcast<f32>((a_4.y)));
     var _S86 : f32 = (bitcast<f32>((a_4.z)));
@@ -1314,9 +1321,9 @@ fn PackedInstance_x24init_0( grid_from_world_1 : Transform_0,  world_from_grid_1
 
 fn Instances_operatorx5Bx5D_get_0( index_7 : u32) -> PackedInstance_0
 {
-    var row_5 : u32 = first_row_0(u32(1)) + u32(7) * index_7;
-    var last_0 : vec4<u32> = records_0[row_5 + u32(6)];
-    return PackedInstance_x24init_0(transform_in_0(row_5), transform_in_0(row_5 + u32(3)), last_0.x, last_0.y, last_0.z);
+    var row_6 : u32 = u32(7) * index_7;
+    var _S94 : vec4<u32> = Rows_operatorx5Bx5D_get_5(row_6 + u32(6));
+    return PackedInstance_x24init_0(transform_of_0(Rows_operatorx5Bx5D_get_5(row_6), Rows_operatorx5Bx5D_get_5(row_6 + u32(1)), Rows_operatorx5Bx5D_get_5(row_6 + u32(2))), transform_of_0(Rows_operatorx5Bx5D_get_5(row_6 + u32(3)), Rows_operatorx5Bx5D_get_5(row_6 + u32(4)), Rows_operatorx5Bx5D_get_5(row_6 + u32(5))), _S94.x, _S94.y, _S94.z);
 }
 
 struct PackedGrid_0
@@ -1333,59 +1340,59 @@ struct PackedGrid_0
 
 fn Grids_operatorx5Bx5D_get_0( index_8 : u32) -> PackedGrid_0
 {
-    var row_6 : u32 = first_row_0(u32(0)) + u32(5) * index_8;
-    var a_5 : vec4<u32> = records_0[row_6];
-    var b_4 : vec4<u32> = records_0[row_6 + u32(1)];
-    var c_2 : vec4<u32> = records_0[row_6 + u32(2)];
-    var d_1 : vec4<u32> = records_0[row_6 + u32(3)];
+    var row_7 : u32 = u32(5) * index_8;
+    var _S95 : vec4<u32> = Rows_operatorx5Bx5D_get_4(row_7);
+    var _S96 : vec4<u32> = Rows_operatorx5Bx5D_get_4(row_7 + u32(1));
+    var _S97 : vec4<u32> = Rows_operatorx5Bx5D_get_4(row_7 + u32(2));
+    var _S98 : vec4<u32> = Rows_operatorx5Bx5D_get_4(row_7 + u32(3));
     var grid_2 : PackedGrid_0;
-    var _S94 : i32 = i32(a_5.y);
-    var _S95 : i32 = i32(a_5.z);
-    grid_2.origin_0[i32(0)] = i32(a_5.x);
-    grid_2.origin_0[i32(1)] = _S94;
-    grid_2.origin_0[i32(2)] = _S95;
-    grid_2.top_shift_0 = a_5.w;
-    var _S96 : i32 = i32(b_4.y);
-    var _S97 : i32 = i32(b_4.z);
-    grid_2.top_size_0[i32(0)] = i32(b_4.x);
-    grid_2.top_size_0[i32(1)] = _S96;
-    grid_2.top_size_0[i32(2)] = _S97;
-    grid_2.top_offset_0 = b_4.w;
-    var _S98 : i32 = i32(c_2.y);
-    var _S99 : i32 = i32(c_2.z);
-    grid_2.min_1[i32(0)] = i32(c_2.x);
-    grid_2.min_1[i32(1)] = _S98;
-    grid_2.min_1[i32(2)] = _S99;
-    var _S100 : u32 = d_1.x;
-    grid_2.voxels_0[i32(0)] = c_2.w;
-    grid_2.voxels_0[i32(1)] = _S100;
-    var _S101 : i32 = i32(d_1.z);
-    var _S102 : i32 = i32(d_1.w);
-    grid_2.max_1[i32(0)] = i32(d_1.y);
-    grid_2.max_1[i32(1)] = _S101;
-    grid_2.max_1[i32(2)] = _S102;
-    grid_2.material_bits_0 = records_0[row_6 + u32(4)].x;
+    var _S99 : i32 = i32(_S95.y);
+    var _S100 : i32 = i32(_S95.z);
+    grid_2.origin_0[i32(0)] = i32(_S95.x);
+    grid_2.origin_0[i32(1)] = _S99;
+    grid_2.origin_0[i32(2)] = _S100;
+    grid_2.top_shift_0 = _S95.w;
+    var _S101 : i32 = i32(_S96.y);
+    var _S102 : i32 = i32(_S96.z);
+    grid_2.top_size_0[i32(0)] = i32(_S96.x);
+    grid_2.top_size_0[i32(1)] = _S101;
+    grid_2.top_size_0[i32(2)] = _S102;
+    grid_2.top_offset_0 = _S96.w;
+    var _S103 : i32 = i32(_S97.y);
+    var _S104 : i32 = i32(_S97.z);
+    grid_2.min_1[i32(0)] = i32(_S97.x);
+    grid_2.min_1[i32(1)] = _S103;
+    grid_2.min_1[i32(2)] = _S104;
+    var _S105 : u32 = _S98.x;
+    grid_2.voxels_0[i32(0)] = _S97.w;
+    grid_2.voxels_0[i32(1)] = _S105;
+    var _S106 : i32 = i32(_S98.z);
+    var _S107 : i32 = i32(_S98.w);
+    grid_2.max_1[i32(0)] = i32(_S98.y);
+    grid_2.max_1[i32(1)] = _S106;
+    grid_2.max_1[i32(2)] = _S107;
+    grid_2.material_bits_0 = Rows_operatorx5Bx5D_get_4(row_7 + u32(4)).x;
     return grid_2;
 }
 
 fn Reader_cell_0( this_19 : ptr<function, Reader_0>) -> vec3<i32>
 {
-    var _S103 : u32 = Reader_word_1(&((*this_19)));
-    var x_5 : i32 = i32(_S103);
-    var _S104 : u32 = Reader_word_1(&((*this_19)));
-    var y_2 : i32 = i32(_S104);
-    var _S105 : u32 = Reader_word_1(&((*this_19)));
-    return vec3<i32>(x_5, y_2, i32(_S105));
+    var _S108 : u32 = Reader_word_1(&((*this_19)));
+    var x_5 : i32 = i32(_S108);
+    var _S109 : u32 = Reader_word_1(&((*this_19)));
+    var y_2 : i32 = i32(_S109);
+    var _S110 : u32 = Reader_word_1(&((*this_19)));
+    return vec3<i32>(x_5, y_2, i32(_S110));
 }
 
 fn Reader_cell_1( this_20 : ptr<function, Reader_0>) -> vec3<i32>
 {
-    var _S106 : u32 = Reader_word_1(&((*this_20)));
-    var x_6 : i32 = i32(_S106);
-    var _S107 : u32 = Reader_word_1(&((*this_20)));
-    var y_3 : i32 = i32(_S107);
-    var _S108 : u32 = Reader_word_1(&((*this_20)));
-    return vec3<i32>(x_6, y_3, i32(_S108));
+    var _S111 : u32 = Reader_word_1(&((*this_20)));
+    var x_6 : i32 = i32(_S111);
+    var _S112 : u32 = Reader_word_1(&((*this_20)));
+    var y_3 : i32 = i32(_S112);
+    var _S113 : u32 = Reader_word_1(&((*this_20)));
+    return vec3<i32>(x_6, y_3, i32(_S113));
 }
 
 fn cell_of_0( values_1 : array<i32, i32(3)>) -> vec3<i32>
@@ -1413,16 +1420,16 @@ fn cell_in_node_0( relative_0 : vec3<i32>,  shift_1 : u32) -> u32
 
 fn record_of_cell_0( cell_1 : u32) -> u32
 {
-    var _S109 : u32;
+    var _S114 : u32;
     if(CELLS_HAVE_BLOCKS_0)
     {
-        _S109 = u32(8388607);
+        _S114 = u32(8388607);
     }
     else
     {
-        _S109 = u32(2147483647);
+        _S114 = u32(2147483647);
     }
-    return ((cell_1 & (_S109))) * u32(2);
+    return ((cell_1 & (_S114))) * u32(2);
 }
 
 fn find_brick_0( grid_3 : PackedGrid_0,  relative_1 : vec3<i32>) -> u32
@@ -1432,16 +1439,16 @@ fn find_brick_0( grid_3 : PackedGrid_0,  relative_1 : vec3<i32>) -> u32
     var shift_2 : u32 = grid_3.top_shift_0;
     for(;;)
     {
-        var _S110 : bool;
+        var _S115 : bool;
         if(shift_2 > u32(3))
         {
-            _S110 = ((cell_2 & (u32(2147483648)))) != u32(0);
+            _S115 = ((cell_2 & (u32(2147483648)))) != u32(0);
         }
         else
         {
-            _S110 = false;
+            _S115 = false;
         }
-        if(_S110)
+        if(_S115)
         {
         }
         else
@@ -1480,20 +1487,20 @@ fn rank_in_brick_0( record_0 : u32,  relative_2 : vec3<i32>) -> u32
         {
             break;
         }
-        var _S111 : u32 = u32(2) * index_13;
-        var rank_1 : u32 = rank_0 + (countOneBits(brick_word_0(record_0 + u32(2) + _S111)) + countOneBits(brick_word_0(record_0 + u32(3) + _S111)));
+        var _S116 : u32 = u32(2) * index_13;
+        var rank_1 : u32 = rank_0 + (countOneBits(brick_word_0(record_0 + u32(2) + _S116)) + countOneBits(brick_word_0(record_0 + u32(3) + _S116)));
         index_13 = index_13 + u32(1);
         rank_0 = rank_1;
     }
-    var _S112 : u32 = u32(2) * present_before_0;
-    var low_5 : u32 = brick_word_0(record_0 + u32(2) + _S112);
+    var _S117 : u32 = u32(2) * present_before_0;
+    var low_5 : u32 = brick_word_0(record_0 + u32(2) + _S117);
     if(bit_0 < u32(32))
     {
         rank_0 = rank_0 + countOneBits((low_5 & ((((u32(1) << (bit_0))) - u32(1)))));
     }
     else
     {
-        rank_0 = rank_0 + (countOneBits(low_5) + countOneBits(((brick_word_0(record_0 + u32(3) + _S112)) & ((((u32(1) << ((bit_0 - u32(32))))) - u32(1))))));
+        rank_0 = rank_0 + (countOneBits(low_5) + countOneBits(((brick_word_0(record_0 + u32(3) + _S117)) & ((((u32(1) << ((bit_0 - u32(32))))) - u32(1))))));
     }
     return rank_0;
 }
@@ -1549,17 +1556,17 @@ fn material_at_0( grid_4 : PackedGrid_0,  relative_3 : vec3<i32>) -> u32
 fn check_material(@builtin(global_invocation_id) id_4 : vec3<u32>, @builtin(local_invocation_index) thread_5 : u32)
 {
     prove_0(thread_5);
-    var _S113 : u32 = id_4.x;
-    if(_S113 >= (dispatch_0.count_0))
+    var _S118 : u32 = id_4.x;
+    if(_S118 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_4 : Reader_0 = Reader_x24init_0(u32(4) * _S113);
-    var writer_4 : Writer_0 = Writer_x24init_0(_S113);
-    var _S114 : u32 = Reader_word_0(&(reader_4));
-    var _S115 : PackedGrid_0 = Grids_operatorx5Bx5D_get_0(Instances_operatorx5Bx5D_get_0(_S114).grid_0);
-    var _S116 : vec3<i32> = Reader_cell_0(&(reader_4));
-    Writer_word_0(&(writer_4), material_at_0(_S115, _S116 - cell_of_0(_S115.origin_0)));
+    var reader_4 : Reader_0 = Reader_x24init_0(u32(4) * _S118);
+    var writer_4 : Writer_0 = Writer_x24init_0(_S118);
+    var _S119 : u32 = Reader_word_0(&(reader_4));
+    var _S120 : PackedGrid_0 = Grids_operatorx5Bx5D_get_0(Instances_operatorx5Bx5D_get_0(_S119).grid_0);
+    var _S121 : vec3<i32> = Reader_cell_0(&(reader_4));
+    Writer_word_0(&(writer_4), material_at_0(_S120, _S121 - cell_of_0(_S120.origin_0)));
     return;
 }
 
@@ -1586,16 +1593,16 @@ fn empty_around_0( record_3 : u32,  blocks_0 : u32,  voxel_1 : vec3<i32>,  octan
     {
         return u32(4294967295);
     }
-    var _S117 : i32;
+    var _S122 : i32;
     if(((((half_1 >> (((bit_1 & (u32(10))))))) & (u32(3342387)))) == u32(0))
     {
-        _S117 = i32(1);
+        _S122 = i32(1);
     }
     else
     {
-        _S117 = i32(0);
+        _S122 = i32(0);
     }
-    return u32(_S117);
+    return u32(_S122);
 }
 
 @compute
@@ -1603,19 +1610,19 @@ fn empty_around_0( record_3 : u32,  blocks_0 : u32,  voxel_1 : vec3<i32>,  octan
 fn check_brick(@builtin(global_invocation_id) id_5 : vec3<u32>, @builtin(local_invocation_index) thread_6 : u32)
 {
     prove_0(thread_6);
-    var _S118 : u32 = id_5.x;
-    if(_S118 >= (dispatch_0.count_0))
+    var _S123 : u32 = id_5.x;
+    if(_S123 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_5 : Reader_0 = Reader_x24init_0(u32(5) * _S118);
-    var writer_5 : Writer_0 = Writer_x24init_0(_S118);
-    var _S119 : u32 = Reader_word_0(&(reader_5));
-    var _S120 : PackedGrid_0 = Grids_operatorx5Bx5D_get_0(Instances_operatorx5Bx5D_get_0(_S119).grid_0);
-    var _S121 : vec3<i32> = Reader_cell_0(&(reader_5));
-    var voxel_2 : vec3<i32> = _S121 - cell_of_0(_S120.origin_0);
+    var reader_5 : Reader_0 = Reader_x24init_0(u32(5) * _S123);
+    var writer_5 : Writer_0 = Writer_x24init_0(_S123);
+    var _S124 : u32 = Reader_word_0(&(reader_5));
+    var _S125 : PackedGrid_0 = Grids_operatorx5Bx5D_get_0(Instances_operatorx5Bx5D_get_0(_S124).grid_0);
+    var _S126 : vec3<i32> = Reader_cell_0(&(reader_5));
+    var voxel_2 : vec3<i32> = _S126 - cell_of_0(_S125.origin_0);
     var octant_2 : u32 = Reader_word_0(&(reader_5));
-    var record_4 : u32 = find_brick_0(_S120, voxel_2);
+    var record_4 : u32 = find_brick_0(_S125, voxel_2);
     Writer_word_0(&(writer_5), empty_around_0(record_4, blocks_of_record_0(record_4), (voxel_2 ^ ((vec3<i32>(0) - vec3<i32>(i32((octant_2 & (u32(1)))), i32((((octant_2 >> (u32(1)))) & (u32(1)))), i32((octant_2 >> (u32(2)))))))), octant_2, flip_of_0(octant_2)));
     return;
 }
@@ -1630,12 +1637,12 @@ struct Ray_0
 
 fn Ray_x24init_0( origin_2 : vec3<f32>,  t_min_1 : f32,  direction_2 : vec3<f32>,  t_max_1 : f32) -> Ray_0
 {
-    var _S122 : Ray_0;
-    _S122.origin_1 = origin_2;
-    _S122.t_min_0 = t_min_1;
-    _S122.direction_1 = direction_2;
-    _S122.t_max_0 = t_max_1;
-    return _S122;
+    var _S127 : Ray_0;
+    _S127.origin_1 = origin_2;
+    _S127.t_min_0 = t_min_1;
+    _S127.direction_1 = direction_2;
+    _S127.t_max_0 = t_max_1;
+    return _S127;
 }
 
 fn Reader_ray_0( this_21 : ptr<function, Reader_0>) -> Ray_0
@@ -1643,8 +1650,8 @@ fn Reader_ray_0( this_21 : ptr<function, Reader_0>) -> Ray_0
     var origin_3 : vec3<f32> = Reader_vector_1(&((*this_21)));
     var t_min_2 : f32 = Reader_number_1(&((*this_21)));
     var direction_3 : vec3<f32> = Reader_vector_1(&((*this_21)));
-    var _S123 : f32 = Reader_number_1(&((*this_21)));
-    return Ray_x24init_0(origin_3, t_min_2, direction_3, _S123);
+    var _S128 : f32 = Reader_number_1(&((*this_21)));
+    return Ray_x24init_0(origin_3, t_min_2, direction_3, _S128);
 }
 
 fn Transform_direction_0( this_22 : Transform_0,  v_3 : vec3<f32>) -> vec3<f32>
@@ -1679,9 +1686,9 @@ fn local_ray_0( ray_0 : Ray_0,  grid_from_world_2 : Transform_0) -> LocalRay_0
     var origin_5 : vec3<f32>;
     if(!IS_SINGLE_0)
     {
-        var _S124 : vec3<f32> = Transform_point_0(grid_from_world_2, ray_0.origin_1);
+        var _S129 : vec3<f32> = Transform_point_0(grid_from_world_2, ray_0.origin_1);
         direction_5 = Transform_direction_0(grid_from_world_2, ray_0.direction_1);
-        origin_5 = _S124;
+        origin_5 = _S129;
     }
     else
     {
@@ -1689,11 +1696,11 @@ fn local_ray_0( ray_0 : Ray_0,  grid_from_world_2 : Transform_0) -> LocalRay_0
         origin_5 = ray_0.origin_1;
     }
     var is_zero_0 : vec3<bool> = !((abs(direction_5)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S125 : vec3<f32> = select(direction_5, vec3<f32>(0.0f), is_zero_0);
-    local_0.direction_4 = _S125;
+    var _S130 : vec3<f32> = select(direction_5, vec3<f32>(0.0f), is_zero_0);
+    local_0.direction_4 = _S130;
     local_0.inverse_0 = select(reciprocal_0(select(direction_5, vec3<f32>(1.0f), is_zero_0)), vec3<f32>(3.4028234663852886e+38f), is_zero_0);
     local_0.origin_4 = select(origin_5, floor(origin_5) + vec3<f32>(0.5f), is_zero_0);
-    var speed_0 : f32 = max_element_0(abs(_S125));
+    var speed_0 : f32 = max_element_0(abs(_S130));
     var moves_0 : bool;
     if(speed_0 >= 1.00000004581370497e-18f)
     {
@@ -1748,44 +1755,44 @@ fn local_ray_0( ray_0 : Ray_0,  grid_from_world_2 : Transform_0) -> LocalRay_0
 fn check_local_ray(@builtin(global_invocation_id) id_6 : vec3<u32>, @builtin(local_invocation_index) thread_7 : u32)
 {
     prove_0(thread_7);
-    var _S126 : u32 = id_6.x;
-    if(_S126 >= (dispatch_0.count_0))
+    var _S131 : u32 = id_6.x;
+    if(_S131 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_6 : Reader_0 = Reader_x24init_0(u32(8) * _S126);
-    var writer_6 : Writer_0 = Writer_x24init_0(u32(10) * _S126);
-    var _S127 : Ray_0 = Reader_ray_0(&(reader_6));
-    var local_1 : LocalRay_0 = local_ray_0(_S127, Instances_operatorx5Bx5D_get_0(u32(0)).grid_from_world_0);
+    var reader_6 : Reader_0 = Reader_x24init_0(u32(8) * _S131);
+    var writer_6 : Writer_0 = Writer_x24init_0(u32(10) * _S131);
+    var _S132 : Ray_0 = Reader_ray_0(&(reader_6));
+    var local_1 : LocalRay_0 = local_ray_0(_S132, Instances_operatorx5Bx5D_get_0(u32(0)).grid_from_world_0);
     Writer_word_0(&(writer_6), u32(local_1.is_valid_0));
-    var _S128 : vec3<f32>;
+    var _S133 : vec3<f32>;
     if(local_1.is_valid_0)
     {
-        _S128 = local_1.origin_4;
+        _S133 = local_1.origin_4;
     }
     else
     {
-        _S128 = vec3<f32>(0.0f);
+        _S133 = vec3<f32>(0.0f);
     }
-    Writer_vector_0(&(writer_6), _S128);
+    Writer_vector_0(&(writer_6), _S133);
     if(local_1.is_valid_0)
     {
-        _S128 = local_1.direction_4;
+        _S133 = local_1.direction_4;
     }
     else
     {
-        _S128 = vec3<f32>(0.0f);
+        _S133 = vec3<f32>(0.0f);
     }
-    Writer_vector_0(&(writer_6), _S128);
+    Writer_vector_0(&(writer_6), _S133);
     if(local_1.is_valid_0)
     {
-        _S128 = local_1.inverse_0;
+        _S133 = local_1.inverse_0;
     }
     else
     {
-        _S128 = vec3<f32>(0.0f);
+        _S133 = vec3<f32>(0.0f);
     }
-    Writer_vector_0(&(writer_6), _S128);
+    Writer_vector_0(&(writer_6), _S133);
     return;
 }
 
@@ -1795,74 +1802,74 @@ fn halves_0( value_8 : f32) -> vec2<f32>
     return vec2<f32>(high_5, value_8 - high_5);
 }
 
-fn exact_product_0( a_6 : f32,  b_5 : f32) -> vec2<f32>
+fn exact_product_0( a_5 : f32,  b_4 : f32) -> vec2<f32>
 {
-    var product_0 : f32 = a_6 * b_5;
+    var product_0 : f32 = a_5 * b_4;
     if(!IS_EXACT_0)
     {
         return vec2<f32>(product_0, 0.0f);
     }
-    var a_parts_0 : vec2<f32> = halves_0(a_6);
-    var b_parts_0 : vec2<f32> = halves_0(b_5);
-    var _S129 : f32 = a_parts_0.x;
-    var _S130 : f32 = b_parts_0.x;
-    var _S131 : f32 = b_parts_0.y;
-    var _S132 : f32 = a_parts_0.y;
-    return vec2<f32>(product_0, _S129 * _S130 - product_0 + _S129 * _S131 + _S132 * _S130 + _S132 * _S131);
+    var a_parts_0 : vec2<f32> = halves_0(a_5);
+    var b_parts_0 : vec2<f32> = halves_0(b_4);
+    var _S134 : f32 = a_parts_0.x;
+    var _S135 : f32 = b_parts_0.x;
+    var _S136 : f32 = b_parts_0.y;
+    var _S137 : f32 = a_parts_0.y;
+    return vec2<f32>(product_0, _S134 * _S135 - product_0 + _S134 * _S136 + _S137 * _S135 + _S137 * _S136);
 }
 
 fn exact_start_voxel_0( ray_1 : LocalRay_0) -> vec3<i32>
 {
     var way_0 : vec2<f32> = exact_product_0(ray_1.t_min_3, ray_1.direction_4[u32(0)]);
-    var _S133 : f32 = way_0.x;
-    var sum_0 : f32 = ray_1.origin_4[u32(0)] + _S133;
+    var _S138 : f32 = way_0.x;
+    var sum_0 : f32 = ray_1.origin_4[u32(0)] + _S138;
     var part_0 : f32 = sum_0 - ray_1.origin_4[u32(0)];
-    var low_6 : f32 = ray_1.origin_4[u32(0)] - (sum_0 - part_0) + (_S133 - part_0) + way_0.y;
+    var low_6 : f32 = ray_1.origin_4[u32(0)] - (sum_0 - part_0) + (_S138 - part_0) + way_0.y;
     var whole_0 : f32 = floor(sum_0);
     var voxel_3 : vec3<i32>;
-    var _S134 : i32 = i32(whole_0);
-    var _S135 : bool;
+    var _S139 : i32 = i32(whole_0);
+    var _S140 : bool;
     if(sum_0 == whole_0)
     {
-        _S135 = low_6 < 0.0f;
+        _S140 = low_6 < 0.0f;
     }
     else
     {
-        _S135 = false;
+        _S140 = false;
     }
-    voxel_3[u32(0)] = _S134 - i32(_S135);
+    voxel_3[u32(0)] = _S139 - i32(_S140);
     var way_1 : vec2<f32> = exact_product_0(ray_1.t_min_3, ray_1.direction_4[u32(1)]);
-    var _S136 : f32 = way_1.x;
-    var sum_1 : f32 = ray_1.origin_4[u32(1)] + _S136;
+    var _S141 : f32 = way_1.x;
+    var sum_1 : f32 = ray_1.origin_4[u32(1)] + _S141;
     var part_1 : f32 = sum_1 - ray_1.origin_4[u32(1)];
-    var low_7 : f32 = ray_1.origin_4[u32(1)] - (sum_1 - part_1) + (_S136 - part_1) + way_1.y;
+    var low_7 : f32 = ray_1.origin_4[u32(1)] - (sum_1 - part_1) + (_S141 - part_1) + way_1.y;
     var whole_1 : f32 = floor(sum_1);
-    var _S137 : i32 = i32(whole_1);
+    var _S142 : i32 = i32(whole_1);
     if(sum_1 == whole_1)
     {
-        _S135 = low_7 < 0.0f;
+        _S140 = low_7 < 0.0f;
     }
     else
     {
-        _S135 = false;
+        _S140 = false;
     }
-    voxel_3[u32(1)] = _S137 - i32(_S135);
+    voxel_3[u32(1)] = _S142 - i32(_S140);
     var way_2 : vec2<f32> = exact_product_0(ray_1.t_min_3, ray_1.direction_4[u32(2)]);
-    var _S138 : f32 = way_2.x;
-    var sum_2 : f32 = ray_1.origin_4[u32(2)] + _S138;
+    var _S143 : f32 = way_2.x;
+    var sum_2 : f32 = ray_1.origin_4[u32(2)] + _S143;
     var part_2 : f32 = sum_2 - ray_1.origin_4[u32(2)];
-    var low_8 : f32 = ray_1.origin_4[u32(2)] - (sum_2 - part_2) + (_S138 - part_2) + way_2.y;
+    var low_8 : f32 = ray_1.origin_4[u32(2)] - (sum_2 - part_2) + (_S143 - part_2) + way_2.y;
     var whole_2 : f32 = floor(sum_2);
-    var _S139 : i32 = i32(whole_2);
+    var _S144 : i32 = i32(whole_2);
     if(sum_2 == whole_2)
     {
-        _S135 = low_8 < 0.0f;
+        _S140 = low_8 < 0.0f;
     }
     else
     {
-        _S135 = false;
+        _S140 = false;
     }
-    voxel_3[u32(2)] = _S139 - i32(_S135);
+    voxel_3[u32(2)] = _S144 - i32(_S140);
     return voxel_3;
 }
 
@@ -1884,12 +1891,12 @@ struct Crossing_0
 
 fn Crossing_x24init_0( distance_3 : f32,  distance_low_1 : f32,  speed_2 : f32,  axis_1 : u32) -> Crossing_0
 {
-    var _S140 : Crossing_0;
-    _S140.distance_2 = distance_3;
-    _S140.distance_low_0 = distance_low_1;
-    _S140.speed_1 = speed_2;
-    _S140.axis_0 = axis_1;
-    return _S140;
+    var _S145 : Crossing_0;
+    _S145.distance_2 = distance_3;
+    _S145.distance_low_0 = distance_low_1;
+    _S145.speed_1 = speed_2;
+    _S145.axis_0 = axis_1;
+    return _S145;
 }
 
 fn crossing_of_0( ray_2 : LocalRay_0,  axis_2 : u32,  plane_0 : i32) -> Crossing_0
@@ -1919,61 +1926,61 @@ fn Crossing_is_before_0( this_25 : Crossing_0,  other_0 : Crossing_0) -> bool
         theirs_0[i32(1)] = theirs_0[i32(1)] + other_0.distance_low_0 * this_25.speed_1;
     }
     var difference_1 : f32 = ours_0.x - theirs_0.x + (ours_0.y - theirs_0.y);
-    var _S141 : bool;
+    var _S146 : bool;
     if(difference_1 < 0.0f)
     {
-        _S141 = true;
+        _S146 = true;
     }
     else
     {
         if(difference_1 == 0.0f)
         {
-            _S141 = (this_25.axis_0) < (other_0.axis_0);
+            _S146 = (this_25.axis_0) < (other_0.axis_0);
         }
         else
         {
-            _S141 = false;
+            _S146 = false;
         }
     }
-    return _S141;
+    return _S146;
 }
 
 fn leave_box_0( ray_3 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  nearest_0 : vec3<i32>) -> vec3<i32>
 {
-    var _S142 : vec3<f32>;
-    var _S143 : f32;
-    var _S144 : bool;
+    var _S147 : vec3<f32>;
+    var _S148 : f32;
+    var _S149 : bool;
     var is_crossed_0 : bool;
     var first_1 : Crossing_0;
-    var _S145 : f32;
-    var _S146 : bool;
-    var _S147 : f32;
-    var _S148 : bool;
+    var _S150 : f32;
+    var _S151 : bool;
+    var _S152 : f32;
+    var _S153 : bool;
     var plane_1 : i32;
-    var _S149 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
+    var _S154 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
     for(;;)
     {
         for(;;)
         {
             for(;;)
             {
-                _S142 = ray_3.direction_4;
-                _S143 = ray_3.direction_4[u32(0)];
-                var _S150 : bool = (ray_3.direction_4[u32(0)]) == 0.0f;
-                _S144 = _S150;
-                if(_S150)
+                _S147 = ray_3.direction_4;
+                _S148 = ray_3.direction_4[u32(0)];
+                var _S155 : bool = (ray_3.direction_4[u32(0)]) == 0.0f;
+                _S149 = _S155;
+                if(_S155)
                 {
-                    first_1 = _S149;
+                    first_1 = _S154;
                     break;
                 }
                 var crossing_0 : Crossing_0 = crossing_of_0(ray_3, u32(0), exit_0[u32(0)]);
-                if((_S149.axis_0) == u32(3))
+                if((_S154.axis_0) == u32(3))
                 {
                     is_crossed_0 = true;
                 }
                 else
                 {
-                    is_crossed_0 = Crossing_is_before_0(crossing_0, _S149);
+                    is_crossed_0 = Crossing_is_before_0(crossing_0, _S154);
                 }
                 if(is_crossed_0)
                 {
@@ -1981,7 +1988,7 @@ fn leave_box_0( ray_3 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
                 }
                 else
                 {
-                    first_1 = _S149;
+                    first_1 = _S154;
                 }
                 break;
             }
@@ -1991,10 +1998,10 @@ fn leave_box_0( ray_3 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                _S145 = _S142[u32(1)];
-                var _S151 : bool = (_S142[u32(1)]) == 0.0f;
-                _S146 = _S151;
-                if(_S151)
+                _S150 = _S147[u32(1)];
+                var _S156 : bool = (_S147[u32(1)]) == 0.0f;
+                _S151 = _S156;
+                if(_S156)
                 {
                     break;
                 }
@@ -2019,10 +2026,10 @@ fn leave_box_0( ray_3 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                _S147 = _S142[u32(2)];
-                var _S152 : bool = (_S142[u32(2)]) == 0.0f;
-                _S148 = _S152;
-                if(_S152)
+                _S152 = _S147[u32(2)];
+                var _S157 : bool = (_S147[u32(2)]) == 0.0f;
+                _S153 = _S157;
+                if(_S157)
                 {
                     break;
                 }
@@ -2052,12 +2059,12 @@ fn leave_box_0( ray_3 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                if(_S144)
+                if(_S149)
                 {
                     break;
                 }
-                var _S153 : bool = u32(0) == (first_1.axis_0);
-                if(_S153)
+                var _S158 : bool = u32(0) == (first_1.axis_0);
+                if(_S158)
                 {
                     is_crossed_0 = true;
                 }
@@ -2065,7 +2072,7 @@ fn leave_box_0( ray_3 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
                 {
                     is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_3, u32(0), nearest_0[u32(0)]), first_1);
                 }
-                if(_S153)
+                if(_S158)
                 {
                     plane_1 = exit_0[u32(0)];
                 }
@@ -2073,7 +2080,7 @@ fn leave_box_0( ray_3 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
                 {
                     plane_1 = nearest_0[u32(0)];
                 }
-                arrival_0[u32(0)] = plane_1 - i32(is_crossed_0 == (_S143 < 0.0f));
+                arrival_0[u32(0)] = plane_1 - i32(is_crossed_0 == (_S148 < 0.0f));
                 break;
             }
             break;
@@ -2082,12 +2089,12 @@ fn leave_box_0( ray_3 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                if(_S146)
+                if(_S151)
                 {
                     break;
                 }
-                var _S154 : bool = u32(1) == (first_1.axis_0);
-                if(_S154)
+                var _S159 : bool = u32(1) == (first_1.axis_0);
+                if(_S159)
                 {
                     is_crossed_0 = true;
                 }
@@ -2095,7 +2102,7 @@ fn leave_box_0( ray_3 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
                 {
                     is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_3, u32(1), nearest_0[u32(1)]), first_1);
                 }
-                if(_S154)
+                if(_S159)
                 {
                     plane_1 = exit_0[u32(1)];
                 }
@@ -2103,7 +2110,7 @@ fn leave_box_0( ray_3 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
                 {
                     plane_1 = nearest_0[u32(1)];
                 }
-                arrival_0[u32(1)] = plane_1 - i32(is_crossed_0 == (_S145 < 0.0f));
+                arrival_0[u32(1)] = plane_1 - i32(is_crossed_0 == (_S150 < 0.0f));
                 break;
             }
             break;
@@ -2112,12 +2119,12 @@ fn leave_box_0( ray_3 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                if(_S148)
+                if(_S153)
                 {
                     break;
                 }
-                var _S155 : bool = u32(2) == (first_1.axis_0);
-                if(_S155)
+                var _S160 : bool = u32(2) == (first_1.axis_0);
+                if(_S160)
                 {
                     is_crossed_0 = true;
                 }
@@ -2125,7 +2132,7 @@ fn leave_box_0( ray_3 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
                 {
                     is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_3, u32(2), nearest_0[u32(2)]), first_1);
                 }
-                if(_S155)
+                if(_S160)
                 {
                     plane_1 = exit_0[u32(2)];
                 }
@@ -2133,7 +2140,7 @@ fn leave_box_0( ray_3 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
                 {
                     plane_1 = nearest_0[u32(2)];
                 }
-                arrival_0[u32(2)] = plane_1 - i32(is_crossed_0 == (_S147 < 0.0f));
+                arrival_0[u32(2)] = plane_1 - i32(is_crossed_0 == (_S152 < 0.0f));
                 break;
             }
             break;
@@ -2145,48 +2152,48 @@ fn leave_box_0( ray_3 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
 
 fn Hit_x24init_0( t_1 : f32,  instance_1 : u32,  voxel_5 : vec3<i32>,  face_1 : u32) -> Hit_0
 {
-    var _S156 : Hit_0;
-    _S156.t_0 = t_1;
-    _S156.instance_0 = instance_1;
-    _S156.voxel_0 = voxel_5;
-    _S156.face_0 = face_1;
-    return _S156;
+    var _S161 : Hit_0;
+    _S161.t_0 = t_1;
+    _S161.instance_0 = instance_1;
+    _S161.voxel_0 = voxel_5;
+    _S161.face_0 = face_1;
+    return _S161;
 }
 
 fn hit_of_0( ray_4 : LocalRay_0,  voxel_6 : vec3<i32>,  instance_2 : u32) -> Hit_0
 {
-    var _S157 : vec3<f32>;
-    var _S158 : bool;
-    var last_1 : Crossing_0;
-    var _S159 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
+    var _S162 : vec3<f32>;
+    var _S163 : bool;
+    var last_0 : Crossing_0;
+    var _S164 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
     for(;;)
     {
         for(;;)
         {
             for(;;)
             {
-                _S157 = ray_4.direction_4;
+                _S162 = ray_4.direction_4;
                 if((ray_4.direction_4[u32(0)]) == 0.0f)
                 {
-                    last_1 = _S159;
+                    last_0 = _S164;
                     break;
                 }
                 var crossing_3 : Crossing_0 = crossing_of_0(ray_4, u32(0), voxel_6[u32(0)] + i32((ray_4.direction_4[u32(0)]) < 0.0f));
-                if((_S159.axis_0) == u32(3))
+                if((_S164.axis_0) == u32(3))
                 {
-                    _S158 = true;
+                    _S163 = true;
                 }
                 else
                 {
-                    _S158 = !Crossing_is_before_0(crossing_3, _S159);
+                    _S163 = !Crossing_is_before_0(crossing_3, _S164);
                 }
-                if(_S158)
+                if(_S163)
                 {
-                    last_1 = crossing_3;
+                    last_0 = crossing_3;
                 }
                 else
                 {
-                    last_1 = _S159;
+                    last_0 = _S164;
                 }
                 break;
             }
@@ -2196,23 +2203,23 @@ fn hit_of_0( ray_4 : LocalRay_0,  voxel_6 : vec3<i32>,  instance_2 : u32) -> Hit
         {
             for(;;)
             {
-                var _S160 : vec3<f32> = _S157;
-                if((_S157[u32(1)]) == 0.0f)
+                var _S165 : vec3<f32> = _S162;
+                if((_S162[u32(1)]) == 0.0f)
                 {
                     break;
                 }
-                var crossing_4 : Crossing_0 = crossing_of_0(ray_4, u32(1), voxel_6[u32(1)] + i32((_S160[u32(1)]) < 0.0f));
-                if((last_1.axis_0) == u32(3))
+                var crossing_4 : Crossing_0 = crossing_of_0(ray_4, u32(1), voxel_6[u32(1)] + i32((_S165[u32(1)]) < 0.0f));
+                if((last_0.axis_0) == u32(3))
                 {
-                    _S158 = true;
+                    _S163 = true;
                 }
                 else
                 {
-                    _S158 = !Crossing_is_before_0(crossing_4, last_1);
+                    _S163 = !Crossing_is_before_0(crossing_4, last_0);
                 }
-                if(_S158)
+                if(_S163)
                 {
-                    last_1 = crossing_4;
+                    last_0 = crossing_4;
                 }
                 break;
             }
@@ -2222,23 +2229,23 @@ fn hit_of_0( ray_4 : LocalRay_0,  voxel_6 : vec3<i32>,  instance_2 : u32) -> Hit
         {
             for(;;)
             {
-                var _S161 : vec3<f32> = _S157;
-                if((_S157[u32(2)]) == 0.0f)
+                var _S166 : vec3<f32> = _S162;
+                if((_S162[u32(2)]) == 0.0f)
                 {
                     break;
                 }
-                var crossing_5 : Crossing_0 = crossing_of_0(ray_4, u32(2), voxel_6[u32(2)] + i32((_S161[u32(2)]) < 0.0f));
-                if((last_1.axis_0) == u32(3))
+                var crossing_5 : Crossing_0 = crossing_of_0(ray_4, u32(2), voxel_6[u32(2)] + i32((_S166[u32(2)]) < 0.0f));
+                if((last_0.axis_0) == u32(3))
                 {
-                    _S158 = true;
+                    _S163 = true;
                 }
                 else
                 {
-                    _S158 = !Crossing_is_before_0(crossing_5, last_1);
+                    _S163 = !Crossing_is_before_0(crossing_5, last_0);
                 }
-                if(_S158)
+                if(_S163)
                 {
-                    last_1 = crossing_5;
+                    last_0 = crossing_5;
                 }
                 break;
             }
@@ -2246,19 +2253,19 @@ fn hit_of_0( ray_4 : LocalRay_0,  voxel_6 : vec3<i32>,  instance_2 : u32) -> Hit
         }
         break;
     }
-    var _S162 : Crossing_0 = last_1;
-    var is_negative_0 : bool = (_S157[last_1.axis_0]) < 0.0f;
-    var t_2 : f32 = (f32(voxel_6[last_1.axis_0] + i32(is_negative_0)) - ray_4.origin_4[last_1.axis_0]) * ray_4.inverse_0[last_1.axis_0];
-    var _S163 : f32;
+    var _S167 : Crossing_0 = last_0;
+    var is_negative_0 : bool = (_S162[last_0.axis_0]) < 0.0f;
+    var t_2 : f32 = (f32(voxel_6[last_0.axis_0] + i32(is_negative_0)) - ray_4.origin_4[last_0.axis_0]) * ray_4.inverse_0[last_0.axis_0];
+    var _S168 : f32;
     if(t_2 > (ray_4.t_min_3))
     {
-        _S163 = t_2;
+        _S168 = t_2;
     }
     else
     {
-        _S163 = ray_4.t_min_3;
+        _S168 = ray_4.t_min_3;
     }
-    return Hit_x24init_0(_S163, instance_2, voxel_6, u32(2) * _S162.axis_0 + u32(is_negative_0));
+    return Hit_x24init_0(_S168, instance_2, voxel_6, u32(2) * _S167.axis_0 + u32(is_negative_0));
 }
 
 @compute
@@ -2266,20 +2273,20 @@ fn hit_of_0( ray_4 : LocalRay_0,  voxel_6 : vec3<i32>,  instance_2 : u32) -> Hit
 fn check_exact(@builtin(global_invocation_id) id_7 : vec3<u32>, @builtin(local_invocation_index) thread_8 : u32)
 {
     prove_0(thread_8);
-    var _S164 : u32 = id_7.x;
-    if(_S164 >= (dispatch_0.count_0))
+    var _S169 : u32 = id_7.x;
+    if(_S169 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_7 : Reader_0 = Reader_x24init_0(u32(17) * _S164);
-    var writer_7 : Writer_0 = Writer_x24init_0(u32(8) * _S164);
-    var _S165 : Ray_0 = Reader_ray_0(&(reader_7));
-    var local_2 : LocalRay_0 = local_ray_0(_S165, Instances_operatorx5Bx5D_get_0(u32(0)).grid_from_world_0);
+    var reader_7 : Reader_0 = Reader_x24init_0(u32(17) * _S169);
+    var writer_7 : Writer_0 = Writer_x24init_0(u32(8) * _S169);
+    var _S170 : Ray_0 = Reader_ray_0(&(reader_7));
+    var local_2 : LocalRay_0 = local_ray_0(_S170, Instances_operatorx5Bx5D_get_0(u32(0)).grid_from_world_0);
     var voxel_7 : vec3<i32> = Reader_cell_0(&(reader_7));
     var exit_1 : vec3<i32> = Reader_cell_0(&(reader_7));
     Writer_cell_0(&(writer_7), exact_start_voxel_0(local_2));
-    var _S166 : vec3<i32> = Reader_cell_0(&(reader_7));
-    var arrival_1 : vec3<i32> = leave_box_0(local_2, voxel_7, exit_1, _S166);
+    var _S171 : vec3<i32> = Reader_cell_0(&(reader_7));
+    var arrival_1 : vec3<i32> = leave_box_0(local_2, voxel_7, exit_1, _S171);
     Writer_cell_0(&(writer_7), select(max(arrival_1, voxel_7), min(arrival_1, voxel_7), (local_2.direction_4) < vec3<f32>(0.0f)));
     var hit_1 : Hit_0 = hit_of_0(local_2, voxel_7, u32(0));
     Writer_number_0(&(writer_7), hit_1.t_0);
@@ -2292,8 +2299,8 @@ fn Reader_hit_0( this_26 : ptr<function, Reader_0>) -> Hit_0
     var t_3 : f32 = Reader_number_1(&((*this_26)));
     var instance_3 : u32 = Reader_word_1(&((*this_26)));
     var voxel_8 : vec3<i32> = Reader_cell_1(&((*this_26)));
-    var _S167 : u32 = Reader_word_1(&((*this_26)));
-    return Hit_x24init_0(t_3, instance_3, voxel_8, _S167);
+    var _S172 : u32 = Reader_word_1(&((*this_26)));
+    return Hit_x24init_0(t_3, instance_3, voxel_8, _S172);
 }
 
 @id(7) override HAS_CUTS_0 : bool = false;
@@ -2306,16 +2313,16 @@ fn is_cut_0( hit_2 : Hit_0) -> bool
 fn cut_normal_0( face_2 : u32) -> vec3<f32>
 {
     var normal_1 : vec3<f32> = params_0.planes_0[((face_2 - u32(6)) >> (u32(1)))].xyz;
-    var _S168 : vec3<f32>;
+    var _S173 : vec3<f32>;
     if(((face_2 & (u32(1)))) == u32(1))
     {
-        _S168 = (vec3<f32>(0) - normal_1);
+        _S173 = (vec3<f32>(0) - normal_1);
     }
     else
     {
-        _S168 = normal_1;
+        _S173 = normal_1;
     }
-    return _S168;
+    return _S173;
 }
 
 fn cut_margin_0( face_3 : u32) -> f32
@@ -2325,16 +2332,16 @@ fn cut_margin_0( face_3 : u32) -> f32
 
 fn leaves_cut_0( hit_3 : Hit_0) -> bool
 {
-    var _S169 : bool;
+    var _S174 : bool;
     if(is_cut_0(hit_3))
     {
-        _S169 = (((hit_3.face_0) & (u32(1)))) == u32(1);
+        _S174 = (((hit_3.face_0) & (u32(1)))) == u32(1);
     }
     else
     {
-        _S169 = false;
+        _S174 = false;
     }
-    return _S169;
+    return _S174;
 }
 
 fn margin_of_0( translation_1 : vec3<f32>,  low_9 : vec3<f32>) -> f32
@@ -2350,41 +2357,41 @@ fn clamp_to_voxel_0( translation_2 : vec3<f32>,  low_10 : vec3<f32>,  point_2 : 
 
 fn in_voxel_0( hit_4 : Hit_0,  point_3 : vec3<f32>) -> vec3<f32>
 {
-    var _S170 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(hit_4.instance_0);
-    return Transform_point_0(_S170.world_from_grid_0, clamp_to_voxel_0(vector_of_0(_S170.grid_from_world_0.translation_0), vec3<f32>(hit_4.voxel_0), Transform_point_0(_S170.grid_from_world_0, point_3)));
+    var _S175 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(hit_4.instance_0);
+    return Transform_point_0(_S175.world_from_grid_0, clamp_to_voxel_0(vector_of_0(_S175.grid_from_world_0.translation_0), vec3<f32>(hit_4.voxel_0), Transform_point_0(_S175.grid_from_world_0, point_3)));
 }
 
 fn before_cut_0( ray_5 : Ray_0,  hit_5 : Hit_0,  normal_2 : vec3<f32>) -> vec3<f32>
 {
     var point_4 : vec3<f32> = ray_5.origin_1 + ray_5.direction_1 * vec3<f32>(hit_5.t_0) + normal_2 * vec3<f32>(cut_margin_0(hit_5.face_0));
-    var _S171 : vec3<f32>;
+    var _S176 : vec3<f32>;
     if(leaves_cut_0(hit_5))
     {
-        _S171 = in_voxel_0(hit_5, point_4);
+        _S176 = in_voxel_0(hit_5, point_4);
     }
     else
     {
-        _S171 = point_4;
+        _S176 = point_4;
     }
-    return _S171;
+    return _S176;
 }
 
 fn offset_ray_origin_0( translation_3 : vec3<f32>,  low_11 : vec3<f32>,  face_4 : u32,  point_5 : vec3<f32>) -> vec3<f32>
 {
     var margin_1 : f32 = margin_of_0(translation_3, low_11);
-    var _S172 : vec3<f32> = vec3<f32>(margin_1);
-    var moved_0 : vec3<f32> = min(max(point_5, low_11 + _S172), low_11 + vec3<f32>((1.0f - margin_1)));
-    var _S173 : bool = face_4 < u32(2);
-    var _S174 : bool;
+    var _S177 : vec3<f32> = vec3<f32>(margin_1);
+    var moved_0 : vec3<f32> = min(max(point_5, low_11 + _S177), low_11 + vec3<f32>((1.0f - margin_1)));
+    var _S178 : bool = face_4 < u32(2);
+    var _S179 : bool;
     if(face_4 >= u32(2))
     {
-        _S174 = face_4 < u32(4);
+        _S179 = face_4 < u32(4);
     }
     else
     {
-        _S174 = false;
+        _S179 = false;
     }
-    var is_axis_0 : vec3<bool> = vec3<bool>(_S173, _S174, face_4 >= u32(4));
+    var is_axis_0 : vec3<bool> = vec3<bool>(_S178, _S179, face_4 >= u32(4));
     var outside_0 : vec3<f32>;
     if(((face_4 & (u32(1)))) == u32(1))
     {
@@ -2392,7 +2399,7 @@ fn offset_ray_origin_0( translation_3 : vec3<f32>,  low_11 : vec3<f32>,  face_4 
     }
     else
     {
-        outside_0 = low_11 - _S172;
+        outside_0 = low_11 - _S177;
     }
     return select(moved_0, outside_0, is_axis_0);
 }
@@ -2408,32 +2415,32 @@ fn face_normal_0( face_5 : u32) -> vec3<f32>
     {
         away_0 = -1.0f;
     }
-    var _S175 : f32;
+    var _S180 : f32;
     if(face_5 < u32(2))
     {
-        _S175 = away_0;
+        _S180 = away_0;
     }
     else
     {
-        _S175 = 0.0f;
+        _S180 = 0.0f;
     }
-    var _S176 : bool;
+    var _S181 : bool;
     if(face_5 >= u32(2))
     {
-        _S176 = face_5 < u32(4);
+        _S181 = face_5 < u32(4);
     }
     else
     {
-        _S176 = false;
+        _S181 = false;
     }
-    var _S177 : f32;
-    if(_S176)
+    var _S182 : f32;
+    if(_S181)
     {
-        _S177 = away_0;
+        _S182 = away_0;
     }
     else
     {
-        _S177 = 0.0f;
+        _S182 = 0.0f;
     }
     if(face_5 >= u32(4))
     {
@@ -2442,7 +2449,7 @@ fn face_normal_0( face_5 : u32) -> vec3<f32>
     {
         away_0 = 0.0f;
     }
-    return vec3<f32>(_S175, _S177, away_0);
+    return vec3<f32>(_S180, _S182, away_0);
 }
 
 fn world_normal_0( instance_4 : PackedInstance_0,  face_6 : u32) -> vec3<f32>
@@ -2461,34 +2468,34 @@ struct Surface_0
 fn surface_of_0( ray_6 : Ray_0,  hit_6 : Hit_0) -> Surface_0
 {
     var surface_0 : Surface_0;
-    var _S178 : vec3<f32> = vec3<f32>(hit_6.voxel_0);
-    var _S179 : bool;
+    var _S183 : vec3<f32> = vec3<f32>(hit_6.voxel_0);
+    var _S184 : bool;
     if(HAS_CUTS_0)
     {
-        _S179 = is_cut_0(hit_6);
+        _S184 = is_cut_0(hit_6);
     }
     else
     {
-        _S179 = false;
+        _S184 = false;
     }
-    if(_S179)
+    if(_S184)
     {
-        var _S180 : vec3<f32> = cut_normal_0(hit_6.face_0);
-        surface_0.normal_3 = _S180;
-        surface_0.origin_6 = before_cut_0(ray_6, hit_6, _S180);
+        var _S185 : vec3<f32> = cut_normal_0(hit_6.face_0);
+        surface_0.normal_3 = _S185;
+        surface_0.origin_6 = before_cut_0(ray_6, hit_6, _S185);
     }
     else
     {
         if(IS_SINGLE_0)
         {
-            surface_0.origin_6 = offset_ray_origin_0(vec3<f32>(0.0f), _S178, hit_6.face_0, ray_6.origin_1 + ray_6.direction_1 * vec3<f32>(hit_6.t_0));
+            surface_0.origin_6 = offset_ray_origin_0(vec3<f32>(0.0f), _S183, hit_6.face_0, ray_6.origin_1 + ray_6.direction_1 * vec3<f32>(hit_6.t_0));
             surface_0.normal_3 = face_normal_0(hit_6.face_0);
         }
         else
         {
-            var _S181 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(hit_6.instance_0);
-            surface_0.origin_6 = Transform_point_0(_S181.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S181.grid_from_world_0.translation_0), _S178, hit_6.face_0, Transform_point_0(_S181.grid_from_world_0, ray_6.origin_1) + Transform_direction_0(_S181.grid_from_world_0, ray_6.direction_1) * vec3<f32>(hit_6.t_0)));
-            surface_0.normal_3 = world_normal_0(_S181, hit_6.face_0);
+            var _S186 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(hit_6.instance_0);
+            surface_0.origin_6 = Transform_point_0(_S186.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S186.grid_from_world_0.translation_0), _S183, hit_6.face_0, Transform_point_0(_S186.grid_from_world_0, ray_6.origin_1) + Transform_direction_0(_S186.grid_from_world_0, ray_6.direction_1) * vec3<f32>(hit_6.t_0)));
+            surface_0.normal_3 = world_normal_0(_S186, hit_6.face_0);
         }
     }
     surface_0.face_7 = hit_6.face_0;
@@ -2500,9 +2507,9 @@ fn surface_of_0( ray_6 : Ray_0,  hit_6 : Hit_0) -> Surface_0
 
 fn orthonormal_pair_0( z_0 : vec3<f32>,  x_7 : ptr<function, vec3<f32>>,  y_4 : ptr<function, vec3<f32>>)
 {
-    var _S182 : f32 = z_0.z;
+    var _S187 : f32 = z_0.z;
     var sign_1 : f32;
-    if(_S182 < 0.0f)
+    if(_S187 < 0.0f)
     {
         sign_1 = -1.0f;
     }
@@ -2510,20 +2517,20 @@ fn orthonormal_pair_0( z_0 : vec3<f32>,  x_7 : ptr<function, vec3<f32>>,  y_4 : 
     {
         sign_1 = 1.0f;
     }
-    var a_7 : f32 = divide_0(-1.0f, sign_1 + _S182);
-    var _S183 : f32 = z_0.x;
-    var _S184 : f32 = z_0.y;
-    var b_6 : f32 = _S183 * _S184 * a_7;
-    (*x_7) = vec3<f32>(1.0f + sign_1 * _S183 * _S183 * a_7, sign_1 * b_6, - sign_1 * _S183);
-    (*y_4) = vec3<f32>(b_6, sign_1 + _S184 * _S184 * a_7, - _S184);
+    var a_6 : f32 = divide_0(-1.0f, sign_1 + _S187);
+    var _S188 : f32 = z_0.x;
+    var _S189 : f32 = z_0.y;
+    var b_5 : f32 = _S188 * _S189 * a_6;
+    (*x_7) = vec3<f32>(1.0f + sign_1 * _S188 * _S188 * a_6, sign_1 * b_5, - sign_1 * _S188);
+    (*y_4) = vec3<f32>(b_5, sign_1 + _S189 * _S189 * a_6, - _S189);
     return;
 }
 
 fn orthonormal_pair_1( z_1 : vec3<f32>,  x_8 : ptr<function, vec3<f32>>,  y_5 : ptr<function, vec3<f32>>)
 {
-    var _S185 : f32 = z_1.z;
+    var _S190 : f32 = z_1.z;
     var sign_2 : f32;
-    if(_S185 < 0.0f)
+    if(_S190 < 0.0f)
     {
         sign_2 = -1.0f;
     }
@@ -2531,35 +2538,35 @@ fn orthonormal_pair_1( z_1 : vec3<f32>,  x_8 : ptr<function, vec3<f32>>,  y_5 : 
     {
         sign_2 = 1.0f;
     }
-    var a_8 : f32 = divide_0(-1.0f, sign_2 + _S185);
-    var _S186 : f32 = z_1.x;
-    var _S187 : f32 = z_1.y;
-    var b_7 : f32 = _S186 * _S187 * a_8;
-    (*x_8) = vec3<f32>(1.0f + sign_2 * _S186 * _S186 * a_8, sign_2 * b_7, - sign_2 * _S186);
-    (*y_5) = vec3<f32>(b_7, sign_2 + _S187 * _S187 * a_8, - _S187);
+    var a_7 : f32 = divide_0(-1.0f, sign_2 + _S190);
+    var _S191 : f32 = z_1.x;
+    var _S192 : f32 = z_1.y;
+    var b_6 : f32 = _S191 * _S192 * a_7;
+    (*x_8) = vec3<f32>(1.0f + sign_2 * _S191 * _S191 * a_7, sign_2 * b_6, - sign_2 * _S191);
+    (*y_5) = vec3<f32>(b_6, sign_2 + _S192 * _S192 * a_7, - _S192);
     return;
 }
 
 fn Surface_world_direction_0( this_27 : Surface_0,  local_3 : vec3<f32>) -> vec3<f32>
 {
-    var _S188 : bool;
+    var _S193 : bool;
     if(HAS_CUTS_0)
     {
-        _S188 = true;
+        _S193 = true;
     }
     else
     {
-        _S188 = HAS_NORMALS_0;
+        _S193 = HAS_NORMALS_0;
     }
-    if(_S188)
+    if(_S193)
     {
-        _S188 = (this_27.face_7) >= u32(6);
+        _S193 = (this_27.face_7) >= u32(6);
     }
     else
     {
-        _S188 = false;
+        _S193 = false;
     }
-    if(_S188)
+    if(_S193)
     {
         var x_9 : vec3<f32>;
         var y_6 : vec3<f32>;
@@ -2575,23 +2582,23 @@ fn Surface_world_direction_0( this_27 : Surface_0,  local_3 : vec3<f32>) -> vec3
     {
         away_1 = - local_3.z;
     }
-    var _S189 : f32 = local_3.x;
-    var _S190 : f32 = local_3.y;
-    var _S191 : vec3<f32> = vec3<f32>(_S189, _S190, away_1);
+    var _S194 : f32 = local_3.x;
+    var _S195 : f32 = local_3.y;
+    var _S196 : vec3<f32> = vec3<f32>(_S194, _S195, away_1);
     var in_grid_0 : vec3<f32>;
     if((this_27.face_7) < u32(2))
     {
-        in_grid_0 = vec3<f32>(away_1, _S189, _S190);
+        in_grid_0 = vec3<f32>(away_1, _S194, _S195);
     }
     else
     {
         if((this_27.face_7) < u32(4))
         {
-            in_grid_0 = vec3<f32>(_S190, away_1, _S189);
+            in_grid_0 = vec3<f32>(_S195, away_1, _S194);
         }
         else
         {
-            in_grid_0 = _S191;
+            in_grid_0 = _S196;
         }
     }
     if(!IS_SINGLE_0)
@@ -2603,24 +2610,24 @@ fn Surface_world_direction_0( this_27 : Surface_0,  local_3 : vec3<f32>) -> vec3
 
 fn Surface_local_direction_0( this_28 : Surface_0,  world_0 : vec3<f32>) -> vec3<f32>
 {
-    var _S192 : bool;
+    var _S197 : bool;
     if(HAS_CUTS_0)
     {
-        _S192 = true;
+        _S197 = true;
     }
     else
     {
-        _S192 = HAS_NORMALS_0;
+        _S197 = HAS_NORMALS_0;
     }
-    if(_S192)
+    if(_S197)
     {
-        _S192 = (this_28.face_7) >= u32(6);
+        _S197 = (this_28.face_7) >= u32(6);
     }
     else
     {
-        _S192 = false;
+        _S197 = false;
     }
-    if(_S192)
+    if(_S197)
     {
         var x_10 : vec3<f32>;
         var y_7 : vec3<f32>;
@@ -2670,16 +2677,16 @@ fn Surface_local_direction_0( this_28 : Surface_0,  world_0 : vec3<f32>) -> vec3
 fn check_surface(@builtin(global_invocation_id) id_8 : vec3<u32>, @builtin(local_invocation_index) thread_9 : u32)
 {
     prove_0(thread_9);
-    var _S193 : u32 = id_8.x;
-    if(_S193 >= (dispatch_0.count_0))
+    var _S198 : u32 = id_8.x;
+    if(_S198 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_8 : Reader_0 = Reader_x24init_0(u32(17) * _S193);
-    var writer_8 : Writer_0 = Writer_x24init_0(u32(12) * _S193);
+    var reader_8 : Reader_0 = Reader_x24init_0(u32(17) * _S198);
+    var writer_8 : Writer_0 = Writer_x24init_0(u32(12) * _S198);
     var ray_7 : Ray_0 = Reader_ray_0(&(reader_8));
-    var _S194 : Hit_0 = Reader_hit_0(&(reader_8));
-    var surface_1 : Surface_0 = surface_of_0(ray_7, _S194);
+    var _S199 : Hit_0 = Reader_hit_0(&(reader_8));
+    var surface_1 : Surface_0 = surface_of_0(ray_7, _S199);
     Writer_vector_0(&(writer_8), surface_1.origin_6);
     Writer_vector_0(&(writer_8), surface_1.normal_3);
     var direction_6 : vec3<f32> = Reader_vector_0(&(reader_8));
@@ -2690,10 +2697,10 @@ fn check_surface(@builtin(global_invocation_id) id_8 : vec3<u32>, @builtin(local
 
 fn Receiver_x24init_0( point_6 : vec3<f32>,  normal_4 : vec3<f32>) -> Receiver_0
 {
-    var _S195 : Receiver_0;
-    _S195.point_0 = point_6;
-    _S195.normal_0 = normal_4;
-    return _S195;
+    var _S200 : Receiver_0;
+    _S200.point_0 = point_6;
+    _S200.normal_0 = normal_4;
+    return _S200;
 }
 
 fn has_sun_0() -> bool
@@ -2746,16 +2753,16 @@ fn Lights_sun_probability_0( receiver_6 : Receiver_0) -> f32
 
 fn Lights_has_chosen_sky_0() -> bool
 {
-    var _S196 : bool;
+    var _S201 : bool;
     if(SKY_0 == u32(1))
     {
-        _S196 = (params_0.sky_irradiance_0) > 0.0f;
+        _S201 = (params_0.sky_irradiance_0) > 0.0f;
     }
     else
     {
-        _S196 = false;
+        _S201 = false;
     }
-    return _S196;
+    return _S201;
 }
 
 struct Selection_0
@@ -2767,11 +2774,11 @@ struct Selection_0
 
 fn Selection_x24init_0( sun_1 : f32,  sky_2 : f32,  emitters_1 : f32) -> Selection_0
 {
-    var _S197 : Selection_0;
-    _S197.sun_0 = sun_1;
-    _S197.sky_1 = sky_2;
-    _S197.emitters_0 = emitters_1;
-    return _S197;
+    var _S202 : Selection_0;
+    _S202.sun_0 = sun_1;
+    _S202.sky_1 = sky_2;
+    _S202.emitters_0 = emitters_1;
+    return _S202;
 }
 
 fn Lights_sky_probability_0( receiver_7 : Receiver_0) -> f32
@@ -2802,8 +2809,8 @@ fn Lights_selection_0( receiver_8 : Receiver_0) -> Selection_0
         return Selection_x24init_0(sun_2, 0.0f, 1.0f - sun_2);
     }
     var sky_3 : f32 = Lights_sky_probability_0(receiver_8);
-    var _S198 : f32 = 1.0f - sky_3;
-    return Selection_x24init_0(sun_2 * _S198, sky_3, (1.0f - sun_2) * _S198);
+    var _S203 : f32 = 1.0f - sky_3;
+    return Selection_x24init_0(sun_2 * _S203, sky_3, (1.0f - sun_2) * _S203);
 }
 
 fn miss_0() -> Hit_0
@@ -2813,12 +2820,12 @@ fn miss_0() -> Hit_0
 
 fn Aim_x24init_0( is_met_1 : bool,  direction_7 : vec3<f32>,  hit_7 : Hit_0,  luminance_2 : f32) -> Aim_0
 {
-    var _S199 : Aim_0;
-    _S199.is_met_0 = is_met_1;
-    _S199.direction_0 = direction_7;
-    _S199.hit_0 = hit_7;
-    _S199.luminance_0 = luminance_2;
-    return _S199;
+    var _S204 : Aim_0;
+    _S204.is_met_0 = is_met_1;
+    _S204.direction_0 = direction_7;
+    _S204.hit_0 = hit_7;
+    _S204.luminance_0 = luminance_2;
+    return _S204;
 }
 
 fn by_chance_0() -> Aim_0
@@ -2841,12 +2848,12 @@ struct LightSample_0
 
 fn LightSample_x24init_0( ray_9 : Ray_0,  cos_theta_5 : f32,  radiance_4 : vec3<f32>,  pdf_2 : f32) -> LightSample_0
 {
-    var _S200 : LightSample_0;
-    _S200.ray_8 = ray_9;
-    _S200.cos_theta_4 = cos_theta_5;
-    _S200.radiance_3 = radiance_4;
-    _S200.pdf_1 = pdf_2;
-    return _S200;
+    var _S205 : LightSample_0;
+    _S205.ray_8 = ray_9;
+    _S205.cos_theta_4 = cos_theta_5;
+    _S205.radiance_3 = radiance_4;
+    _S205.pdf_1 = pdf_2;
+    return _S205;
 }
 
 fn SunDisc_sample_0( receiver_9 : Receiver_0,  u_2 : vec4<f32>,  sample_3 : ptr<function, LightSample_0>) -> bool
@@ -2862,8 +2869,8 @@ fn SunDisc_sample_0( receiver_9 : Receiver_0,  u_2 : vec4<f32>,  sample_3 : ptr<
 
 fn no_light_0() -> LightSample_0
 {
-    var _S201 : vec3<f32> = vec3<f32>(0.0f);
-    return LightSample_x24init_0(Ray_x24init_0(_S201, 0.0f, _S201, 0.0f), 0.0f, _S201, 0.0f);
+    var _S206 : vec3<f32> = vec3<f32>(0.0f);
+    return LightSample_x24init_0(Ray_x24init_0(_S206, 0.0f, _S206, 0.0f), 0.0f, _S206, 0.0f);
 }
 
 struct ChosenDirection_0
@@ -2875,36 +2882,36 @@ struct ChosenDirection_0
 
 fn ChosenDirection_x24init_0( direction_11 : vec3<f32>,  radiance_6 : vec3<f32>,  pdf_4 : f32) -> ChosenDirection_0
 {
-    var _S202 : ChosenDirection_0;
-    _S202.direction_10 = direction_11;
-    _S202.radiance_5 = radiance_6;
-    _S202.pdf_3 = pdf_4;
-    return _S202;
+    var _S207 : ChosenDirection_0;
+    _S207.direction_10 = direction_11;
+    _S207.radiance_5 = radiance_6;
+    _S207.pdf_3 = pdf_4;
+    return _S207;
 }
 
 fn direction_of_0( square_0 : vec2<f32>) -> vec3<f32>
 {
     var u_3 : f32 = square_0.x * 2.0f - 1.0f;
     var v_5 : f32 = square_0.y * 2.0f - 1.0f;
-    var _S203 : f32 = abs(u_3);
-    var _S204 : f32 = abs(v_5);
-    var height_1 : f32 = 1.0f - (_S203 + _S204);
+    var _S208 : f32 = abs(u_3);
+    var _S209 : f32 = abs(v_5);
+    var height_1 : f32 = 1.0f - (_S208 + _S209);
     var radius_2 : f32 = 1.0f - abs(height_1);
     var turns_1 : f32;
     if(radius_2 > 0.0f)
     {
-        turns_1 = (divide_0(_S204 - _S203, radius_2) + 1.0f) * 0.125f;
+        turns_1 = (divide_0(_S209 - _S208, radius_2) + 1.0f) * 0.125f;
     }
     else
     {
         turns_1 = 0.0f;
     }
     var sin_cos_3 : vec2<f32> = sincos_turns_0(turns_1);
-    var _S205 : f32 = radius_2 * radius_2;
-    var across_0 : f32 = radius_2 * square_root_0(2.0f - _S205);
+    var _S210 : f32 = radius_2 * radius_2;
+    var across_0 : f32 = radius_2 * square_root_0(2.0f - _S210);
     var x_11 : f32 = sin_cos_3.y * across_0;
     var y_8 : f32 = sin_cos_3.x * across_0;
-    var z_2 : f32 = 1.0f - _S205;
+    var z_2 : f32 = 1.0f - _S210;
     if(u_3 < 0.0f)
     {
         turns_1 = - x_11;
@@ -2913,39 +2920,39 @@ fn direction_of_0( square_0 : vec2<f32>) -> vec3<f32>
     {
         turns_1 = x_11;
     }
-    var _S206 : f32;
+    var _S211 : f32;
     if(v_5 < 0.0f)
     {
-        _S206 = - y_8;
+        _S211 = - y_8;
     }
     else
     {
-        _S206 = y_8;
+        _S211 = y_8;
     }
-    var _S207 : f32;
+    var _S212 : f32;
     if(height_1 < 0.0f)
     {
-        _S207 = - z_2;
+        _S212 = - z_2;
     }
     else
     {
-        _S207 = z_2;
+        _S212 = z_2;
     }
-    return vec3<f32>(turns_1, _S206, _S207);
+    return vec3<f32>(turns_1, _S211, _S212);
 }
 
-fn Environment_to_world_0( d_2 : vec3<f32>) -> vec3<f32>
+fn Environment_to_world_0( d_1 : vec3<f32>) -> vec3<f32>
 {
     var sin_1 : f32 = params_0.sky_turned_0.x;
     var cos_2 : f32 = params_0.sky_turned_0.y;
-    var _S208 : f32 = d_2.x;
-    var _S209 : f32 = d_2.y;
-    return vec3<f32>(_S208 * cos_2 + _S209 * sin_1, _S209 * cos_2 - _S208 * sin_1, d_2.z);
+    var _S213 : f32 = d_1.x;
+    var _S214 : f32 = d_1.y;
+    return vec3<f32>(_S213 * cos_2 + _S214 * sin_1, _S214 * cos_2 - _S213 * sin_1, d_1.z);
 }
 
 fn Environment_index_of_0( x_12 : i32,  y_9 : i32) -> u32
 {
-    var last_2 : i32 = i32(params_0.sky_edge_0) - i32(1);
+    var last_1 : i32 = i32(params_0.sky_edge_0) - i32(1);
     var is_beside_0 : bool;
     if(x_12 < i32(0))
     {
@@ -2953,44 +2960,44 @@ fn Environment_index_of_0( x_12 : i32,  y_9 : i32) -> u32
     }
     else
     {
-        is_beside_0 = x_12 > last_2;
+        is_beside_0 = x_12 > last_1;
     }
-    var _S210 : i32;
+    var _S215 : i32;
     if(is_beside_0)
     {
-        _S210 = last_2 - y_9;
+        _S215 = last_1 - y_9;
     }
     else
     {
-        _S210 = y_9;
+        _S215 = y_9;
     }
-    var _S211 : i32;
+    var _S216 : i32;
     if(is_beside_0)
     {
-        _S211 = clamp(x_12, i32(0), last_2);
+        _S216 = clamp(x_12, i32(0), last_1);
     }
     else
     {
-        _S211 = x_12;
+        _S216 = x_12;
     }
     var is_beyond_0 : bool;
-    if(_S210 < i32(0))
+    if(_S215 < i32(0))
     {
         is_beyond_0 = true;
     }
     else
     {
-        is_beyond_0 = _S210 > last_2;
+        is_beyond_0 = _S215 > last_1;
     }
     if(is_beyond_0)
     {
-        _S211 = last_2 - _S211;
+        _S216 = last_1 - _S216;
     }
     if(is_beyond_0)
     {
-        _S210 = clamp(_S210, i32(0), last_2);
+        _S215 = clamp(_S215, i32(0), last_1);
     }
-    return u32(_S210 * i32(params_0.sky_edge_0) + _S211);
+    return u32(_S215 * i32(params_0.sky_edge_0) + _S216);
 }
 
 fn Environment_texel_radiance_0( x_13 : i32,  y_10 : i32) -> vec3<f32>
@@ -3000,29 +3007,29 @@ fn Environment_texel_radiance_0( x_13 : i32,  y_10 : i32) -> vec3<f32>
 
 fn Environment_radiance_at_0( place_0 : vec2<f32>) -> vec3<f32>
 {
-    var _S212 : vec2<f32> = place_0 - vec2<f32>(0.5f);
-    var corner_1 : vec2<f32> = floor(_S212);
-    var beyond_0 : vec2<f32> = _S212 - corner_1;
+    var _S217 : vec2<f32> = place_0 - vec2<f32>(0.5f);
+    var corner_1 : vec2<f32> = floor(_S217);
+    var beyond_0 : vec2<f32> = _S217 - corner_1;
     var x_14 : i32 = i32(corner_1.x);
     var y_11 : i32 = i32(corner_1.y);
-    var _S213 : f32 = beyond_0.x;
-    var _S214 : vec3<f32> = vec3<f32>((1.0f - _S213));
-    var _S215 : i32 = x_14 + i32(1);
-    var _S216 : vec3<f32> = vec3<f32>(_S213);
-    var _S217 : i32 = y_11 + i32(1);
-    var _S218 : f32 = beyond_0.y;
-    return (Environment_texel_radiance_0(x_14, y_11) * _S214 + Environment_texel_radiance_0(_S215, y_11) * _S216) * vec3<f32>((1.0f - _S218)) + (Environment_texel_radiance_0(x_14, _S217) * _S214 + Environment_texel_radiance_0(_S215, _S217) * _S216) * vec3<f32>(_S218);
+    var _S218 : f32 = beyond_0.x;
+    var _S219 : vec3<f32> = vec3<f32>((1.0f - _S218));
+    var _S220 : i32 = x_14 + i32(1);
+    var _S221 : vec3<f32> = vec3<f32>(_S218);
+    var _S222 : i32 = y_11 + i32(1);
+    var _S223 : f32 = beyond_0.y;
+    return (Environment_texel_radiance_0(x_14, y_11) * _S219 + Environment_texel_radiance_0(_S220, y_11) * _S221) * vec3<f32>((1.0f - _S223)) + (Environment_texel_radiance_0(x_14, _S222) * _S219 + Environment_texel_radiance_0(_S220, _S222) * _S221) * vec3<f32>(_S223);
 }
 
 fn Environment_choose_0( u_4 : vec4<f32>,  chosen_0 : ptr<function, ChosenDirection_0>) -> bool
 {
-    var _S219 : vec3<f32> = vec3<f32>(0.0f);
-    (*chosen_0) = ChosenDirection_x24init_0(_S219, _S219, 0.0f);
+    var _S224 : vec3<f32> = vec3<f32>(0.0f);
+    (*chosen_0) = ChosenDirection_x24init_0(_S224, _S224, 0.0f);
     var edge_0 : f32 = f32(params_0.sky_edge_0);
-    var _S220 : f32 = u_4.x * edge_0;
-    var _S221 : f32 = edge_0 - 1.0f;
-    var _S222 : f32 = min(floor(_S220), _S221);
-    var own_0 : u32 = u32(_S222) * params_0.sky_edge_0 + u32(min(floor(u_4.y * edge_0), _S221));
+    var _S225 : f32 = u_4.x * edge_0;
+    var _S226 : f32 = edge_0 - 1.0f;
+    var _S227 : f32 = min(floor(_S225), _S226);
+    var own_0 : u32 = u32(_S227) * params_0.sky_edge_0 + u32(min(floor(u_4.y * edge_0), _S226));
     var index_17 : u32;
     if((u_4.z) < (environment_0[own_0].threshold_0))
     {
@@ -3037,10 +3044,10 @@ fn Environment_choose_0( u_4 : vec4<f32>,  chosen_0 : ptr<function, ChosenDirect
     {
         return false;
     }
-    var _S223 : u32 = index_17 % params_0.sky_edge_0;
-    var _S224 : f32 = f32(_S223);
-    var _S225 : u32 = index_17 / params_0.sky_edge_0;
-    var place_1 : vec2<f32> = vec2<f32>(_S224, f32(_S225)) + vec2<f32>(min(_S220 - _S222, 1.0f), u_4.w);
+    var _S228 : u32 = index_17 % params_0.sky_edge_0;
+    var _S229 : f32 = f32(_S228);
+    var _S230 : u32 = index_17 / params_0.sky_edge_0;
+    var place_1 : vec2<f32> = vec2<f32>(_S229, f32(_S230)) + vec2<f32>(min(_S225 - _S227, 1.0f), u_4.w);
     (*chosen_0) = ChosenDirection_x24init_0(Environment_to_world_0(direction_of_0(place_1 * vec2<f32>(divide_0(1.0f, edge_0)))), Environment_radiance_at_0(place_1), pdf_5);
     return true;
 }
@@ -3049,17 +3056,17 @@ fn Sky_sample_0( receiver_10 : Receiver_0,  u_5 : vec4<f32>,  sample_4 : ptr<fun
 {
     (*sample_4) = no_light_0();
     var chosen_1 : ChosenDirection_0;
-    var _S226 : bool;
+    var _S231 : bool;
     if(SKY_0 != u32(1))
     {
-        _S226 = true;
+        _S231 = true;
     }
     else
     {
-        var _S227 : bool = Environment_choose_0(u_5, &(chosen_1));
-        _S226 = !_S227;
+        var _S232 : bool = Environment_choose_0(u_5, &(chosen_1));
+        _S231 = !_S232;
     }
-    if(_S226)
+    if(_S231)
     {
         return false;
     }
@@ -3070,15 +3077,15 @@ fn Sky_sample_0( receiver_10 : Receiver_0,  u_5 : vec4<f32>,  sample_4 : ptr<fun
 
 fn Descent_x24init_0( node_8 : u32,  index_18 : u32,  count_4 : u32,  weight_2 : f32,  total_3 : f32,  choice_1 : f32,  is_far_4 : bool) -> Descent_0
 {
-    var _S228 : Descent_0;
-    _S228.node_0 = node_8;
-    _S228.index_0 = index_18;
-    _S228.count_1 = count_4;
-    _S228.weight_0 = weight_2;
-    _S228.total_0 = total_3;
-    _S228.choice_0 = choice_1;
-    _S228.is_far_0 = is_far_4;
-    return _S228;
+    var _S233 : Descent_0;
+    _S233.node_0 = node_8;
+    _S233.index_0 = index_18;
+    _S233.count_1 = count_4;
+    _S233.weight_0 = weight_2;
+    _S233.total_0 = total_3;
+    _S233.choice_0 = choice_1;
+    _S233.is_far_0 = is_far_4;
+    return _S233;
 }
 
 fn climb_0( receiver_11 : Receiver_0,  start_2 : u32,  descent_2 : ptr<function, Descent_0>) -> bool
@@ -3087,7 +3094,7 @@ fn climb_0( receiver_11 : Receiver_0,  start_2 : u32,  descent_2 : ptr<function,
     var at_6 : u32 = start_2;
     for(;;)
     {
-        var _S229 : LightNode_0 = node_9;
+        var _S234 : LightNode_0 = node_9;
         if((node_9.parent_0) != u32(4294967295))
         {
         }
@@ -3095,90 +3102,90 @@ fn climb_0( receiver_11 : Receiver_0,  start_2 : u32,  descent_2 : ptr<function,
         {
             break;
         }
-        var parent_1 : LightNode_0 = top_light_node_0(_S229.parent_0);
-        var _S230 : u32 = _S229.parent_0 + u32(1);
-        var is_left_2 : bool = at_6 == _S230;
-        var _S231 : u32;
+        var parent_1 : LightNode_0 = top_light_node_0(_S234.parent_0);
+        var _S235 : u32 = _S234.parent_0 + u32(1);
+        var is_left_2 : bool = at_6 == _S235;
+        var _S236 : u32;
         if(is_left_2)
         {
-            _S231 = parent_1.index_1;
+            _S236 = parent_1.index_1;
         }
         else
         {
-            _S231 = _S230;
+            _S236 = _S235;
         }
-        var _S232 : View_0 = view_0(node_9, receiver_11);
-        var _S233 : View_0 = view_0(top_light_node_0(_S231), receiver_11);
-        var _S234 : f32;
+        var _S237 : View_0 = view_0(node_9, receiver_11);
+        var _S238 : View_0 = view_0(top_light_node_0(_S236), receiver_11);
+        var _S239 : f32;
         if(is_left_2)
         {
-            _S234 = _S232.importance_0;
+            _S239 = _S237.importance_0;
         }
         else
         {
-            _S234 = _S233.importance_0;
+            _S239 = _S238.importance_0;
         }
-        var _S235 : f32;
+        var _S240 : f32;
         if(is_left_2)
         {
-            _S235 = _S233.importance_0;
+            _S240 = _S238.importance_0;
         }
         else
         {
-            _S235 = _S232.importance_0;
+            _S240 = _S237.importance_0;
         }
-        var weights_2 : vec2<f32> = weights_of_0(_S234, _S235);
-        var _S236 : f32 = weights_2.x;
-        var _S237 : f32 = weights_2.y;
-        var total_4 : f32 = _S236 + _S237;
+        var weights_2 : vec2<f32> = weights_of_0(_S239, _S240);
+        var _S241 : f32 = weights_2.x;
+        var _S242 : f32 = weights_2.y;
+        var total_4 : f32 = _S241 + _S242;
         if(!(total_4 > 0.0f))
         {
             return false;
         }
-        var _S238 : f32;
+        var _S243 : f32;
         if(is_left_2)
         {
-            _S238 = _S236;
+            _S243 = _S241;
         }
         else
         {
-            _S238 = _S237;
+            _S243 = _S242;
         }
-        (*descent_2).weight_0 = (*descent_2).weight_0 * _S238;
+        (*descent_2).weight_0 = (*descent_2).weight_0 * _S243;
         (*descent_2).total_0 = (*descent_2).total_0 * total_4;
         node_9 = parent_1;
-        at_6 = _S229.parent_0;
+        at_6 = _S234.parent_0;
     }
     return ((*descent_2).weight_0) > 0.0f;
 }
 
 fn in_grid_3( instance_6 : u32,  receiver_12 : Receiver_0) -> Receiver_0
 {
-    var _S239 : bool;
+    var _S244 : bool;
     if(IS_SINGLE_0)
     {
         if(HAS_CUTS_0)
         {
-            _S239 = true;
+            _S244 = true;
         }
         else
         {
-            _S239 = HAS_NORMALS_0;
+            _S244 = HAS_NORMALS_0;
         }
     }
     else
     {
-        _S239 = false;
+        _S244 = false;
     }
-    if(_S239)
+    if(_S244)
     {
-        _S239 = (Receiver_slack_0(receiver_12)) <= 0.0f;
+        _S244 = (Receiver_slack_0(receiver_12)) <= 0.0f;
     }
     else
     {
-        _S239 = false;
+        _S244 = false;
     }
-    if(_S239)
+    if(_S244)
     {
         return Receiver_x24init_0(receiver_12.point_0, normalize_vector_0(receiver_12.normal_0));
     }
@@ -3186,40 +3193,40 @@ fn in_grid_3( instance_6 : u32,  receiver_12 : Receiver_0) -> Receiver_0
     {
         return receiver_12;
     }
-    var _S240 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(instance_6);
+    var _S245 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(instance_6);
     if((Receiver_slack_0(receiver_12)) > 0.0f)
     {
-        return Receiver_x24init_0(Transform_point_0(_S240.grid_from_world_0, receiver_12.point_0), receiver_12.normal_0);
+        return Receiver_x24init_0(Transform_point_0(_S245.grid_from_world_0, receiver_12.point_0), receiver_12.normal_0);
     }
-    return Receiver_x24init_0(Transform_point_0(_S240.grid_from_world_0, receiver_12.point_0), normalize_vector_0(Transform_direction_0(_S240.grid_from_world_0, receiver_12.normal_0)));
+    return Receiver_x24init_0(Transform_point_0(_S245.grid_from_world_0, receiver_12.point_0), normalize_vector_0(Transform_direction_0(_S245.grid_from_world_0, receiver_12.normal_0)));
 }
 
 fn choose_side_0( point_7 : vec3<f32>,  is_met_2 : bool,  way_3 : Descent_0,  side_0 : ptr<function, u32>,  odds_0 : ptr<function, vec2<f32>>) -> bool
 {
     var node_10 : LightNode_0 = light_node_at_0(way_3.node_0);
-    var _S241 : vec3<f32> = vector_of_0(node_10.max_0);
-    var _S242 : vec3<f32> = vector_of_0(node_10.min_0);
-    var _S243 : vec3<f32> = vec3<f32>(0.5f);
-    var half_2 : vec3<f32> = (_S241 - _S242) * _S243;
-    var toward_1 : vec3<f32> = (_S242 + _S241) * _S243 - point_7;
+    var _S246 : vec3<f32> = vector_of_0(node_10.max_0);
+    var _S247 : vec3<f32> = vector_of_0(node_10.min_0);
+    var _S248 : vec3<f32> = vec3<f32>(0.5f);
+    var half_2 : vec3<f32> = (_S246 - _S247) * _S248;
+    var toward_1 : vec3<f32> = (_S247 + _S246) * _S248 - point_7;
     var sent_1 : BySide_0 = sent_by_side_0(node_10, point_7, length_bound_0(select(half_2, abs(toward_1), vec3<bool>(((length_squared_0(toward_1)) > (length_squared_0(half_2)))))));
     var sum_3 : f32 = normal_or_zero_0(BySide_sum_0(sent_1));
     var unit_2 : f32 = inverse_power_of_two_0(sum_3);
     var total_5 : f32 = sum_3 * unit_2;
-    var _S244 : f32 = way_3.choice_0 * total_5;
-    var _S245 : u32 = (*side_0);
+    var _S249 : f32 = way_3.choice_0 * total_5;
+    var _S250 : u32 = (*side_0);
     var share_0 : f32 = normal_or_zero_0(sent_1.low_0[u32(0)] * unit_2);
-    var _S246 : bool;
+    var _S251 : bool;
     if(is_met_2)
     {
-        _S246 = u32(0) == _S245;
+        _S251 = u32(0) == _S250;
     }
     else
     {
-        _S246 = share_0 > 0.0f;
+        _S251 = share_0 > 0.0f;
     }
     var chosen_2 : f32;
-    if(_S246)
+    if(_S251)
     {
         (*side_0) = u32(0);
         chosen_2 = share_0;
@@ -3228,145 +3235,145 @@ fn choose_side_0( point_7 : vec3<f32>,  is_met_2 : bool,  way_3 : Descent_0,  si
     {
         chosen_2 = 0.0f;
     }
-    var _S247 : bool = _S244 < (share_0 * way_3.weight_0);
+    var _S252 : bool = _S249 < (share_0 * way_3.weight_0);
     var share_1 : f32 = normal_or_zero_0(sent_1.high_0[u32(0)] * unit_2);
     if(is_met_2)
     {
-        _S246 = u32(1) == _S245;
+        _S251 = u32(1) == _S250;
     }
     else
     {
         if(share_1 > 0.0f)
         {
-            _S246 = !_S247;
+            _S251 = !_S252;
         }
         else
         {
-            _S246 = false;
+            _S251 = false;
         }
     }
-    if(_S246)
+    if(_S251)
     {
         (*side_0) = u32(1);
         chosen_2 = share_1;
     }
     var passed_0 : f32 = share_0 + share_1;
-    if(_S247)
+    if(_S252)
     {
-        _S246 = true;
+        _S251 = true;
     }
     else
     {
-        _S246 = _S244 < (passed_0 * way_3.weight_0);
+        _S251 = _S249 < (passed_0 * way_3.weight_0);
     }
     var share_2 : f32 = normal_or_zero_0(sent_1.low_0[u32(1)] * unit_2);
-    var _S248 : bool;
+    var _S253 : bool;
     if(is_met_2)
     {
-        _S248 = u32(2) == _S245;
+        _S253 = u32(2) == _S250;
     }
     else
     {
         if(share_2 > 0.0f)
         {
-            _S248 = !_S246;
+            _S253 = !_S251;
         }
         else
         {
-            _S248 = false;
+            _S253 = false;
         }
     }
-    if(_S248)
+    if(_S253)
     {
         (*side_0) = u32(2);
         chosen_2 = share_2;
     }
     var passed_1 : f32 = passed_0 + share_2;
-    if(_S246)
+    if(_S251)
     {
-        _S246 = true;
+        _S251 = true;
     }
     else
     {
-        _S246 = _S244 < (passed_1 * way_3.weight_0);
+        _S251 = _S249 < (passed_1 * way_3.weight_0);
     }
     var share_3 : f32 = normal_or_zero_0(sent_1.high_0[u32(1)] * unit_2);
     if(is_met_2)
     {
-        _S248 = u32(3) == _S245;
+        _S253 = u32(3) == _S250;
     }
     else
     {
         if(share_3 > 0.0f)
         {
-            _S248 = !_S246;
+            _S253 = !_S251;
         }
         else
         {
-            _S248 = false;
+            _S253 = false;
         }
     }
-    if(_S248)
+    if(_S253)
     {
         (*side_0) = u32(3);
         chosen_2 = share_3;
     }
     var passed_2 : f32 = passed_1 + share_3;
-    if(_S246)
+    if(_S251)
     {
-        _S246 = true;
+        _S251 = true;
     }
     else
     {
-        _S246 = _S244 < (passed_2 * way_3.weight_0);
+        _S251 = _S249 < (passed_2 * way_3.weight_0);
     }
     var share_4 : f32 = normal_or_zero_0(sent_1.low_0[u32(2)] * unit_2);
     if(is_met_2)
     {
-        _S248 = u32(4) == _S245;
+        _S253 = u32(4) == _S250;
     }
     else
     {
         if(share_4 > 0.0f)
         {
-            _S248 = !_S246;
+            _S253 = !_S251;
         }
         else
         {
-            _S248 = false;
+            _S253 = false;
         }
     }
-    if(_S248)
+    if(_S253)
     {
         (*side_0) = u32(4);
         chosen_2 = share_4;
     }
     var passed_3 : f32 = passed_2 + share_4;
-    if(_S246)
+    if(_S251)
     {
-        _S246 = true;
+        _S251 = true;
     }
     else
     {
-        _S246 = _S244 < (passed_3 * way_3.weight_0);
+        _S251 = _S249 < (passed_3 * way_3.weight_0);
     }
     var share_5 : f32 = normal_or_zero_0(sent_1.high_0[u32(2)] * unit_2);
     if(is_met_2)
     {
-        _S246 = u32(5) == _S245;
+        _S251 = u32(5) == _S250;
     }
     else
     {
         if(share_5 > 0.0f)
         {
-            _S246 = !_S246;
+            _S251 = !_S251;
         }
         else
         {
-            _S246 = false;
+            _S251 = false;
         }
     }
-    if(_S246)
+    if(_S251)
     {
         (*side_0) = u32(5);
         chosen_2 = share_5;
@@ -3374,13 +3381,13 @@ fn choose_side_0( point_7 : vec3<f32>,  is_met_2 : bool,  way_3 : Descent_0,  si
     (*odds_0) = vec2<f32>(way_3.weight_0 * chosen_2, way_3.total_0 * total_5);
     if(sum_3 > 0.0f)
     {
-        _S246 = ((*odds_0).x) > 0.0f;
+        _S251 = ((*odds_0).x) > 0.0f;
     }
     else
     {
-        _S246 = false;
+        _S251 = false;
     }
-    return _S246;
+    return _S251;
 }
 
 fn light_node_word_0( index_19 : u32,  word_7 : u32) -> u32
@@ -3390,16 +3397,16 @@ fn light_node_word_0( index_19 : u32,  word_7 : u32) -> u32
 
 fn light_power_at_0( index_20 : u32,  side_1 : u32) -> f32
 {
-    var _S249 : u32;
+    var _S254 : u32;
     if(lights_in_pages_0())
     {
-        _S249 = cells_0[place_in_light_node_0(index_20, u32(8) + side_1)];
+        _S254 = cells_0[place_in_light_node_0(index_20, u32(8) + side_1)];
     }
     else
     {
-        _S249 = light_node_word_0(index_20, u32(8) + side_1);
+        _S254 = light_node_word_0(index_20, u32(8) + side_1);
     }
-    return (bitcast<f32>((_S249)));
+    return (bitcast<f32>((_S254)));
 }
 
 fn component_0( vector_5 : vec3<f32>,  axis_3 : u32) -> f32
@@ -3455,30 +3462,30 @@ fn emitter_word_0( index_22 : u32,  word_9 : u32) -> u32
 
 fn emitter_faces_at_0( index_23 : u32) -> u32
 {
-    var _S250 : u32;
+    var _S255 : u32;
     if(lights_in_pages_0())
     {
-        _S250 = cells_0[place_in_emitter_0(index_23, u32(4))];
+        _S255 = cells_0[place_in_emitter_0(index_23, u32(4))];
     }
     else
     {
-        _S250 = emitter_word_0(index_23, u32(4));
+        _S255 = emitter_word_0(index_23, u32(4));
     }
-    return _S250;
+    return _S255;
 }
 
 fn emitter_luminance_at_0( index_24 : u32) -> f32
 {
-    var _S251 : f32;
+    var _S256 : f32;
     if(lights_in_pages_0())
     {
-        _S251 = (bitcast<f32>((cells_0[place_in_emitter_0(index_24, u32(6))])));
+        _S256 = (bitcast<f32>((cells_0[place_in_emitter_0(index_24, u32(6))])));
     }
     else
     {
-        _S251 = (bitcast<f32>((emitter_word_0(index_24, u32(6)))));
+        _S256 = (bitcast<f32>((emitter_word_0(index_24, u32(6)))));
     }
-    return _S251;
+    return _S256;
 }
 
 struct Emitter_0
@@ -3493,29 +3500,29 @@ struct Emitter_0
 
 fn Emitter_x24init_0( voxel_10 : array<i32, i32(3)>,  grid_6 : u32,  faces_1 : u32,  material_1 : u32,  luminance_5 : f32,  leaf_1 : u32) -> Emitter_0
 {
-    var _S252 : Emitter_0;
-    _S252.voxel_9 = voxel_10;
-    _S252.grid_5 = grid_6;
-    _S252.faces_0 = faces_1;
-    _S252.material_0 = material_1;
-    _S252.luminance_4 = luminance_5;
-    _S252.leaf_0 = leaf_1;
-    return _S252;
+    var _S257 : Emitter_0;
+    _S257.voxel_9 = voxel_10;
+    _S257.grid_5 = grid_6;
+    _S257.faces_0 = faces_1;
+    _S257.material_0 = material_1;
+    _S257.luminance_4 = luminance_5;
+    _S257.leaf_0 = leaf_1;
+    return _S257;
 }
 
 fn emitter_at_0( index_25 : u32) -> Emitter_0
 {
     if(!lights_in_pages_0())
     {
-        var _S253 : u32 = u32(2) * index_25;
-        var _S254 : vec4<u32> = Rows_operatorx5Bx5D_get_1(_S253);
-        var _S255 : vec4<u32> = Rows_operatorx5Bx5D_get_1(_S253 + u32(1));
-        var _S256 : array<i32, i32(3)> = array<i32, i32(3)>( i32(_S254.x), i32(_S254.y), i32(_S254.z) );
-        return Emitter_x24init_0(_S256, _S254.w, _S255.x, _S255.y, (bitcast<f32>((_S255.z))), _S255.w);
+        var _S258 : u32 = u32(2) * index_25;
+        var _S259 : vec4<u32> = Rows_operatorx5Bx5D_get_1(_S258);
+        var _S260 : vec4<u32> = Rows_operatorx5Bx5D_get_1(_S258 + u32(1));
+        var _S261 : array<i32, i32(3)> = array<i32, i32(3)>( i32(_S259.x), i32(_S259.y), i32(_S259.z) );
+        return Emitter_x24init_0(_S261, _S259.w, _S260.x, _S260.y, (bitcast<f32>((_S260.z))), _S260.w);
     }
     var at_8 : u32 = place_in_emitter_0(index_25, u32(0));
-    var _S257 : array<i32, i32(3)> = array<i32, i32(3)>( i32(cells_0[at_8]), i32(cells_0[at_8 + u32(1)]), i32(cells_0[at_8 + u32(2)]) );
-    return Emitter_x24init_0(_S257, cells_0[at_8 + u32(3)], cells_0[at_8 + u32(4)], cells_0[at_8 + u32(5)], (bitcast<f32>((cells_0[at_8 + u32(6)]))), cells_0[at_8 + u32(7)]);
+    var _S262 : array<i32, i32(3)> = array<i32, i32(3)>( i32(cells_0[at_8]), i32(cells_0[at_8 + u32(1)]), i32(cells_0[at_8 + u32(2)]) );
+    return Emitter_x24init_0(_S262, cells_0[at_8 + u32(3)], cells_0[at_8 + u32(4)], cells_0[at_8 + u32(5)], (bitcast<f32>((cells_0[at_8 + u32(6)]))), cells_0[at_8 + u32(7)]);
 }
 
 fn choose_emitter_0( way_4 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Emitter_0
@@ -3525,7 +3532,7 @@ fn choose_emitter_0( way_4 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
     var count_5 : u32 = way_4.count_1;
     var node_11 : u32 = way_4.node_0;
     var index_26 : u32 = way_4.index_0;
-    var _S258 : f32 = threshold_1;
+    var _S263 : f32 = threshold_1;
     for(;;)
     {
         if(count_5 == u32(0))
@@ -3545,23 +3552,20 @@ fn choose_emitter_0( way_4 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
         }
         var left_3 : u32 = node_11 + u32(1);
         var power_left_0 : f32 = light_power_at_0(left_3, side_2);
-        var power_right_0 : f32 = light_power_at_0(index_26, side_2);
-        var below_left_0 : vec2<u32> = below_light_node_0(left_3);
-        var below_right_0 : vec2<u32> = below_light_node_0(index_26);
-        if(_S258 < power_left_0)
+        if(_S263 < power_left_0)
         {
             is_left_3 = true;
         }
         else
         {
-            is_left_3 = power_right_0 <= 0.0f;
+            is_left_3 = (light_power_at_0(index_26, side_2)) <= 0.0f;
         }
         if(is_left_3)
         {
         }
         else
         {
-            _S258 = _S258 - power_left_0;
+            _S263 = _S263 - power_left_0;
         }
         if(is_left_3)
         {
@@ -3571,22 +3575,10 @@ fn choose_emitter_0( way_4 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
         {
             node_11 = index_26;
         }
-        if(is_left_3)
-        {
-            index_26 = below_left_0.x;
-        }
-        else
-        {
-            index_26 = below_right_0.x;
-        }
-        if(is_left_3)
-        {
-            count_5 = below_left_0.y;
-        }
-        else
-        {
-            count_5 = below_right_0.y;
-        }
+        var below_0 : vec2<u32> = below_light_node_0(node_11);
+        var _S264 : u32 = below_0.x;
+        count_5 = below_0.y;
+        index_26 = _S264;
     }
     is_found_0 = false;
     var chosen_3 : u32 = index_26;
@@ -3610,10 +3602,10 @@ fn choose_emitter_0( way_4 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
         }
         if((((((emitter_faces_at_0(at_9)) >> (side_2))) & (u32(1)))) != u32(0))
         {
-            var _S259 : f32 = _S258 - emitter_luminance_at_0(at_9);
-            is_found_0 = _S258 < (emitter_luminance_at_0(at_9));
+            var _S265 : f32 = _S263 - emitter_luminance_at_0(at_9);
+            is_found_0 = _S263 < (emitter_luminance_at_0(at_9));
             chosen_3 = at_9;
-            _S258 = _S259;
+            _S263 = _S265;
         }
         at_9 = at_9 + u32(1);
     }
@@ -3658,57 +3650,57 @@ struct PackedMaterial_0
 
 fn material_of_index_0( index_27 : u32) -> PackedMaterial_0
 {
-    var _S260 : u32 = u32(4) * index_27;
-    var _S261 : vec4<u32> = Rows_operatorx5Bx5D_get_0(_S260);
-    var _S262 : vec4<u32> = Rows_operatorx5Bx5D_get_0(_S260 + u32(1));
-    var _S263 : vec4<u32> = Rows_operatorx5Bx5D_get_0(_S260 + u32(2));
-    var _S264 : vec4<u32> = Rows_operatorx5Bx5D_get_0(_S260 + u32(3));
+    var _S266 : u32 = u32(4) * index_27;
+    var _S267 : vec4<u32> = Rows_operatorx5Bx5D_get_0(_S266);
+    var _S268 : vec4<u32> = Rows_operatorx5Bx5D_get_0(_S266 + u32(1));
+    var _S269 : vec4<u32> = Rows_operatorx5Bx5D_get_0(_S266 + u32(2));
+    var _S270 : vec4<u32> = Rows_operatorx5Bx5D_get_0(_S266 + u32(3));
     var material_2 : PackedMaterial_0;
-    var _S265 : f32 = (bitcast<f32>((_S261.y)));
-    var _S266 : f32 = (bitcast<f32>((_S261.z)));
-    material_2.base_color_0[i32(0)] = (bitcast<f32>((_S261.x)));
-    material_2.base_color_0[i32(1)] = _S265;
-    material_2.base_color_0[i32(2)] = _S266;
-    var _S267 : f32 = (bitcast<f32>((_S262.y)));
-    var _S268 : f32 = (bitcast<f32>((_S262.z)));
-    material_2.emission_0[i32(0)] = (bitcast<f32>((_S262.x)));
-    material_2.emission_0[i32(1)] = _S267;
-    material_2.emission_0[i32(2)] = _S268;
-    var _S269 : f32 = (bitcast<f32>((_S264.y)));
-    var _S270 : f32 = (bitcast<f32>((_S264.z)));
-    material_2.absorption_0[i32(0)] = (bitcast<f32>((_S264.x)));
-    material_2.absorption_0[i32(1)] = _S269;
-    material_2.absorption_0[i32(2)] = _S270;
-    material_2.roughness_0 = (bitcast<f32>((_S261.w)));
-    material_2.metallic_0 = (bitcast<f32>((_S262.w)));
-    material_2.transmission_0 = (bitcast<f32>((_S263.x)));
-    material_2.ior_0 = (bitcast<f32>((_S263.y)));
-    material_2.specular_0 = (bitcast<f32>((_S263.z)));
-    material_2.anisotropy_0 = (bitcast<f32>((_S263.w)));
-    material_2.scattering_0 = (bitcast<f32>((_S264.w)));
+    var _S271 : f32 = (bitcast<f32>((_S267.y)));
+    var _S272 : f32 = (bitcast<f32>((_S267.z)));
+    material_2.base_color_0[i32(0)] = (bitcast<f32>((_S267.x)));
+    material_2.base_color_0[i32(1)] = _S271;
+    material_2.base_color_0[i32(2)] = _S272;
+    var _S273 : f32 = (bitcast<f32>((_S268.y)));
+    var _S274 : f32 = (bitcast<f32>((_S268.z)));
+    material_2.emission_0[i32(0)] = (bitcast<f32>((_S268.x)));
+    material_2.emission_0[i32(1)] = _S273;
+    material_2.emission_0[i32(2)] = _S274;
+    var _S275 : f32 = (bitcast<f32>((_S270.y)));
+    var _S276 : f32 = (bitcast<f32>((_S270.z)));
+    material_2.absorption_0[i32(0)] = (bitcast<f32>((_S270.x)));
+    material_2.absorption_0[i32(1)] = _S275;
+    material_2.absorption_0[i32(2)] = _S276;
+    material_2.roughness_0 = (bitcast<f32>((_S267.w)));
+    material_2.metallic_0 = (bitcast<f32>((_S268.w)));
+    material_2.transmission_0 = (bitcast<f32>((_S269.x)));
+    material_2.ior_0 = (bitcast<f32>((_S269.y)));
+    material_2.specular_0 = (bitcast<f32>((_S269.z)));
+    material_2.anisotropy_0 = (bitcast<f32>((_S269.w)));
+    material_2.scattering_0 = (bitcast<f32>((_S270.w)));
     return material_2;
 }
 
 fn is_without_surface_0( material_3 : PackedMaterial_0) -> bool
 {
-    var _S271 : bool;
+    var _S277 : bool;
     if((material_3.transmission_0) >= 1.0f)
     {
-        _S271 = (material_3.ior_0) == 1.0f;
+        _S277 = (material_3.ior_0) == 1.0f;
     }
     else
     {
-        _S271 = false;
+        _S277 = false;
     }
-    if(_S271)
+    if(_S277)
     {
-        _S271 = (material_3.metallic_0) <= 0.0f;
+        _S277 = (material_3.metallic_0) <= 0.0f;
     }
     else
     {
-        _S271 = false;
+        _S277 = false;
     }
-    return _S271;
+    return _S277;
 }
 
 fn emitted_0( material_4 : PackedMaterial_0) -> vec3<f32>
@@ -3729,45 +3721,45 @@ fn sample_emitter_0( receiver_13 : Receiver_0,  u_7 : vec4<f32>,  aim_2 : Aim_0,
     }
     var descent_3 : Descent_0 = Descent_x24init_0(u32(0), u32(0), u32(0), 1.0f, 1.0f, u_7.x, false);
     Descent_at_1(&(descent_3), u32(0));
-    var _S272 : bool;
+    var _S278 : bool;
     if(!IS_SINGLE_0)
     {
-        _S272 = aim_2.is_met_0;
+        _S278 = aim_2.is_met_0;
     }
     else
     {
-        _S272 = false;
+        _S278 = false;
     }
-    if(_S272)
+    if(_S278)
     {
-        var _S273 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(aim_2.hit_0.instance_0);
-        if((_S273.light_leaf_0) == u32(4294967295))
+        var _S279 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(aim_2.hit_0.instance_0);
+        if((_S279.light_leaf_0) == u32(4294967295))
         {
-            _S272 = true;
+            _S278 = true;
         }
         else
         {
-            var _S274 : bool = climb_0(receiver_13, _S273.light_leaf_0, &(descent_3));
-            _S272 = !_S274;
+            var _S280 : bool = climb_0(receiver_13, _S279.light_leaf_0, &(descent_3));
+            _S278 = !_S280;
         }
-        if(_S272)
+        if(_S278)
         {
             return false;
         }
-        Descent_at_1(&(descent_3), _S273.light_leaf_0);
+        Descent_at_1(&(descent_3), _S279.light_leaf_0);
     }
     else
     {
         if(!IS_SINGLE_0)
         {
-            var _S275 : bool = descend_1(receiver_13, by_chance_0(), &(descent_3));
-            _S272 = !_S275;
+            var _S281 : bool = descend_1(receiver_13, by_chance_0(), &(descent_3));
+            _S278 = !_S281;
         }
         else
         {
-            _S272 = false;
+            _S278 = false;
         }
-        if(_S272)
+        if(_S278)
         {
             return false;
         }
@@ -3775,8 +3767,8 @@ fn sample_emitter_0( receiver_13 : Receiver_0,  u_7 : vec4<f32>,  aim_2 : Aim_0,
     var chosen_instance_0 : u32 = descent_3.index_0;
     var local_5 : Receiver_0 = in_grid_3(descent_3.index_0, receiver_13);
     Descent_at_0(&(descent_3), top_light_node_0(descent_3.node_0).root_0);
-    var _S276 : bool = descend_0(local_5, aim_2, &(descent_3));
-    if(!_S276)
+    var _S282 : bool = descend_0(local_5, aim_2, &(descent_3));
+    if(!_S282)
     {
         return false;
     }
@@ -3784,50 +3776,50 @@ fn sample_emitter_0( receiver_13 : Receiver_0,  u_7 : vec4<f32>,  aim_2 : Aim_0,
     var odds_2 : vec2<f32>;
     if(HAS_CUTS_0)
     {
-        _S272 = aim_2.is_met_0;
+        _S278 = aim_2.is_met_0;
     }
     else
     {
-        _S272 = false;
+        _S278 = false;
     }
-    if(_S272)
+    if(_S278)
     {
-        _S272 = is_cut_0(aim_2.hit_0);
+        _S278 = is_cut_0(aim_2.hit_0);
     }
     else
     {
-        _S272 = false;
+        _S278 = false;
     }
-    if(_S272)
+    if(_S278)
     {
-        _S272 = true;
+        _S278 = true;
     }
     else
     {
-        var _S277 : bool = choose_side_0(local_5.point_0, aim_2.is_met_0, descent_3, &(side_3), &(odds_2));
-        _S272 = !_S277;
+        var _S283 : bool = choose_side_0(local_5.point_0, aim_2.is_met_0, descent_3, &(side_3), &(odds_2));
+        _S278 = !_S283;
     }
-    if(_S272)
+    if(_S278)
     {
         return false;
     }
     var power_2 : f32 = light_power_at_0(descent_3.node_0, side_3);
-    var _S278 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(chosen_instance_0);
+    var _S284 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(chosen_instance_0);
     if(aim_2.is_met_0)
     {
-        var _S279 : f32 = density_0(odds_2, aim_2.luminance_0, power_2, Transform_direction_0(_S278.grid_from_world_0, aim_2.direction_0) * vec3<f32>(aim_2.hit_0.t_0), side_3);
-        (*sample_5).pdf_1 = _S279;
-        return _S279 > 0.0f;
+        var _S285 : f32 = density_0(odds_2, aim_2.luminance_0, power_2, Transform_direction_0(_S284.grid_from_world_0, aim_2.direction_0) * vec3<f32>(aim_2.hit_0.t_0), side_3);
+        (*sample_5).pdf_1 = _S285;
+        return _S285 > 0.0f;
     }
     var emitter_1 : Emitter_0 = choose_emitter_0(descent_3, side_3, u_7.y * power_2);
-    var _S280 : vec3<f32> = vec3<f32>(cell_of_0(emitter_1.voxel_9));
-    var on_face_0 : vec3<f32> = point_of_face_0(_S280, side_3, u_7.z, u_7.w);
+    var _S286 : vec3<f32> = vec3<f32>(cell_of_0(emitter_1.voxel_9));
+    var on_face_0 : vec3<f32> = point_of_face_0(_S286, side_3, u_7.z, u_7.w);
     var pdf_6 : f32 = density_0(odds_2, emitter_1.luminance_4, power_2, on_face_0 - local_5.point_0, side_3);
     if(pdf_6 < 0.0f)
     {
         return false;
     }
-    var direction_12 : vec3<f32> = Transform_point_0(_S278.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S278.grid_from_world_0.translation_0), _S280, side_3, on_face_0)) - receiver_13.point_0;
+    var direction_12 : vec3<f32> = Transform_point_0(_S284.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S284.grid_from_world_0.translation_0), _S286, side_3, on_face_0)) - receiver_13.point_0;
     var cos_theta_8 : f32 = with_slack_0(receiver_13, divide_0(dot_product_0(receiver_13.normal_0, direction_12), square_root_0(length_squared_0(direction_12))));
     (*sample_5) = LightSample_x24init_0(Ray_x24init_0(receiver_13.point_0, 0.0f, direction_12, 1.0f), cos_theta_8, emitted_0(material_of_index_0(emitter_1.material_0)), pdf_6);
     return cos_theta_8 > 0.0f;
@@ -3835,8 +3827,8 @@ fn sample_emitter_0( receiver_13 : Receiver_0,  u_7 : vec4<f32>,  aim_2 : Aim_0,
 
 fn EmitterTree_sample_0( receiver_14 : Receiver_0,  u_8 : vec4<f32>,  aim_3 : Aim_0,  sample_6 : ptr<function, LightSample_0>) -> bool
 {
-    var _S281 : bool = sample_emitter_0(receiver_14, u_8, aim_3, &((*sample_6)));
-    return _S281;
+    var _S287 : bool = sample_emitter_0(receiver_14, u_8, aim_3, &((*sample_6)));
+    return _S287;
 }
 
 fn Lights_sample_0( receiver_15 : Receiver_0,  selection_0 : Selection_0,  u_9 : vec4<f32>,  aim_4 : Aim_0,  sample_7 : ptr<function, LightSample_0>) -> bool
@@ -3860,9 +3852,9 @@ fn Lights_sample_0( receiver_15 : Receiver_0,  selection_0 : Selection_0,  u_9 :
     }
     if(is_found_1)
     {
-        var _S282 : bool = SunDisc_sample_0(receiver_15, u_9, &((*sample_7)));
+        var _S288 : bool = SunDisc_sample_0(receiver_15, u_9, &((*sample_7)));
         (*sample_7).pdf_1 = (*sample_7).pdf_1 * selection_0.sun_0;
-        is_found_1 = _S282;
+        is_found_1 = _S288;
     }
     else
     {
@@ -3884,15 +3876,15 @@ fn Lights_sample_0( receiver_15 : Receiver_0,  selection_0 : Selection_0,  u_9 :
         }
         if(is_found_1)
         {
-            var _S283 : bool = Sky_sample_0(receiver_15, vec4<f32>(min(divide_0(u_9.x - selection_0.sun_0, selection_0.sky_1), 0.99999994039535522f), u_9.yzw), &((*sample_7)));
+            var _S289 : bool = Sky_sample_0(receiver_15, vec4<f32>(min(divide_0(u_9.x - selection_0.sun_0, selection_0.sky_1), 0.99999994039535522f), u_9.yzw), &((*sample_7)));
             (*sample_7).pdf_1 = (*sample_7).pdf_1 * selection_0.sky_1;
-            is_found_1 = _S283;
+            is_found_1 = _S289;
         }
         else
         {
-            var _S284 : bool = EmitterTree_sample_0(receiver_15, vec4<f32>(min(divide_0(u_9.x - (selection_0.sun_0 + selection_0.sky_1), selection_0.emitters_0), 0.99999994039535522f), u_9.yzw), aim_4, &((*sample_7)));
+            var _S290 : bool = EmitterTree_sample_0(receiver_15, vec4<f32>(min(divide_0(u_9.x - (selection_0.sun_0 + selection_0.sky_1), selection_0.emitters_0), 0.99999994039535522f), u_9.yzw), aim_4, &((*sample_7)));
             (*sample_7).pdf_1 = (*sample_7).pdf_1 * selection_0.emitters_0;
-            is_found_1 = _S284;
+            is_found_1 = _S290;
         }
     }
     return is_found_1;
@@ -3905,30 +3897,30 @@ fn SunDisc_contains_0( direction_13 : vec3<f32>) -> bool
 
 fn SunDisc_pdf_0( direction_14 : vec3<f32>) -> f32
 {
-    var _S285 : f32;
+    var _S291 : f32;
     if(SunDisc_contains_0(direction_14))
     {
-        _S285 = params_0.sun_pdf_0;
+        _S291 = params_0.sun_pdf_0;
     }
     else
     {
-        _S285 = 0.0f;
+        _S291 = 0.0f;
     }
-    return _S285;
+    return _S291;
 }
 
 fn Lights_sun_pdf_0( selection_1 : Selection_0,  direction_15 : vec3<f32>) -> f32
 {
-    var _S286 : f32;
+    var _S292 : f32;
     if(has_sun_0())
     {
-        _S286 = SunDisc_pdf_0(direction_15) * selection_1.sun_0;
+        _S292 = SunDisc_pdf_0(direction_15) * selection_1.sun_0;
     }
     else
     {
-        _S286 = 0.0f;
+        _S292 = 0.0f;
     }
-    return _S286;
+    return _S292;
 }
 
 fn Hit_is_miss_0( this_29 : Hit_0) -> bool
@@ -3938,8 +3930,8 @@ fn Hit_is_miss_0( this_29 : Hit_0) -> bool
 
 fn material_of_0( hit_8 : Hit_0) -> PackedMaterial_0
 {
-    var _S287 : PackedGrid_0 = Grids_operatorx5Bx5D_get_0(Instances_operatorx5Bx5D_get_0(hit_8.instance_0).grid_0);
-    return material_of_index_0(material_at_0(_S287, hit_8.voxel_0 - cell_of_0(_S287.origin_0)));
+    var _S293 : PackedGrid_0 = Grids_operatorx5Bx5D_get_0(Instances_operatorx5Bx5D_get_0(hit_8.instance_0).grid_0);
+    return material_of_index_0(material_at_0(_S293, hit_8.voxel_0 - cell_of_0(_S293.origin_0)));
 }
 
 @compute
@@ -3947,21 +3939,21 @@ fn material_of_0( hit_8 : Hit_0) -> PackedMaterial_0
 fn check_light(@builtin(global_invocation_id) id_9 : vec3<u32>, @builtin(local_invocation_index) thread_10 : u32)
 {
     prove_0(thread_10);
-    var _S288 : u32 = id_9.x;
-    if(_S288 >= (dispatch_0.count_0))
+    var _S294 : u32 = id_9.x;
+    if(_S294 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_9 : Reader_0 = Reader_x24init_0(u32(24) * _S288);
-    var writer_9 : Writer_0 = Writer_x24init_0(u32(12) * _S288);
+    var reader_9 : Reader_0 = Reader_x24init_0(u32(24) * _S294);
+    var writer_9 : Writer_0 = Writer_x24init_0(u32(12) * _S294);
     var point_8 : vec3<f32> = Reader_vector_0(&(reader_9));
-    var _S289 : vec3<f32> = Reader_vector_0(&(reader_9));
-    var receiver_16 : Receiver_0 = Receiver_x24init_0(point_8, _S289);
+    var _S295 : vec3<f32> = Reader_vector_0(&(reader_9));
+    var receiver_16 : Receiver_0 = Receiver_x24init_0(point_8, _S295);
     var u_10 : vec3<f32> = Reader_vector_0(&(reader_9));
     var selection_2 : Selection_0 = Lights_selection_0(receiver_16);
-    var _S290 : f32 = Reader_number_0(&(reader_9));
+    var _S296 : f32 = Reader_number_0(&(reader_9));
     var sample_8 : LightSample_0;
-    var is_found_2 : bool = Lights_sample_0(receiver_16, selection_2, vec4<f32>(u_10, _S290), by_chance_0(), &(sample_8));
+    var is_found_2 : bool = Lights_sample_0(receiver_16, selection_2, vec4<f32>(u_10, _S296), by_chance_0(), &(sample_8));
     if(!is_found_2)
     {
         sample_8 = no_light_0();
@@ -3977,26 +3969,26 @@ fn check_light(@builtin(global_invocation_id) id_9 : vec3<u32>, @builtin(local_i
     Writer_number_0(&(writer_9), Lights_sun_pdf_0(selection_2, sample_8.ray_8.direction_1));
     var met_0 : LightSample_0;
     var aim_5 : Aim_0 = Aim_x24init_0(true, ray_10.direction_1, hit_9, 0.0f);
-    var _S291 : bool = !Hit_is_miss_0(hit_9);
-    var _S292 : f32;
-    if(_S291)
+    var _S297 : bool = !Hit_is_miss_0(hit_9);
+    var _S298 : f32;
+    if(_S297)
     {
         var material_5 : PackedMaterial_0 = material_of_0(hit_9);
         if(is_without_surface_0(material_5))
         {
-            _S292 = 0.0f;
+            _S298 = 0.0f;
         }
         else
         {
-            _S292 = luminance_1(vector_of_0(material_5.emission_0));
+            _S298 = luminance_1(vector_of_0(material_5.emission_0));
         }
-        aim_5.luminance_0 = _S292;
+        aim_5.luminance_0 = _S298;
     }
     var is_met_3 : bool;
-    if(_S291)
+    if(_S297)
     {
-        var _S293 : bool = Lights_sample_0(receiver_16, selection_2, vec4<f32>(0.0f), aim_5, &(met_0));
-        is_met_3 = _S293;
+        var _S299 : bool = Lights_sample_0(receiver_16, selection_2, vec4<f32>(0.0f), aim_5, &(met_0));
+        is_met_3 = _S299;
     }
     else
     {
@@ -4004,47 +3996,47 @@ fn check_light(@builtin(global_invocation_id) id_9 : vec3<u32>, @builtin(local_i
     }
     if(is_met_3)
     {
-        _S292 = met_0.pdf_1;
+        _S298 = met_0.pdf_1;
     }
     else
     {
-        _S292 = 0.0f;
+        _S298 = 0.0f;
     }
-    Writer_number_0(&(writer_9), _S292);
+    Writer_number_0(&(writer_9), _S298);
     return;
 }
 
 fn SunDisc_le_0( direction_16 : vec3<f32>) -> vec3<f32>
 {
-    var _S294 : vec3<f32>;
+    var _S300 : vec3<f32>;
     if(SunDisc_contains_0(direction_16))
     {
-        _S294 = params_0.sun_radiance_0;
+        _S300 = params_0.sun_radiance_0;
     }
     else
     {
-        _S294 = vec3<f32>(0.0f);
+        _S300 = vec3<f32>(0.0f);
     }
-    return _S294;
+    return _S300;
 }
 
-fn Environment_to_map_0( d_3 : vec3<f32>) -> vec3<f32>
+fn Environment_to_map_0( d_2 : vec3<f32>) -> vec3<f32>
 {
     var sin_2 : f32 = params_0.sky_turned_0.x;
     var cos_3 : f32 = params_0.sky_turned_0.y;
-    var _S295 : f32 = d_3.x;
-    var _S296 : f32 = d_3.y;
-    return vec3<f32>(_S295 * cos_3 - _S296 * sin_2, _S295 * sin_2 + _S296 * cos_3, d_3.z);
+    var _S301 : f32 = d_2.x;
+    var _S302 : f32 = d_2.y;
+    return vec3<f32>(_S301 * cos_3 - _S302 * sin_2, _S301 * sin_2 + _S302 * cos_3, d_2.z);
 }
 
 fn quarter_turns_0( x_15 : f32,  y_12 : f32) -> f32
 {
-    var _S297 : f32 = min(x_15, y_12);
-    var _S298 : f32 = max(x_15, y_12);
+    var _S303 : f32 = min(x_15, y_12);
+    var _S304 : f32 = max(x_15, y_12);
     var ratio_0 : f32;
-    if(_S298 > 0.0f)
+    if(_S304 > 0.0f)
     {
-        ratio_0 = divide_0(_S297, _S298);
+        ratio_0 = divide_0(_S303, _S304);
     }
     else
     {
@@ -4066,10 +4058,10 @@ fn quarter_turns_0( x_15 : f32,  y_12 : f32) -> f32
 fn square_of_0( direction_17 : vec3<f32>) -> vec2<f32>
 {
     var size_0 : vec3<f32> = abs(direction_17);
-    var _S299 : f32 = size_0.x;
-    var _S300 : f32 = size_0.y;
-    var radius_3 : f32 = square_root_0(divide_0(_S299 * _S299 + _S300 * _S300, 1.0f + size_0.z));
-    var v_7 : f32 = quarter_turns_0(_S299, _S300) * radius_3;
+    var _S305 : f32 = size_0.x;
+    var _S306 : f32 = size_0.y;
+    var radius_3 : f32 = square_root_0(divide_0(_S305 * _S305 + _S306 * _S306, 1.0f + size_0.z));
+    var v_7 : f32 = quarter_turns_0(_S305, _S306) * radius_3;
     var u_11 : f32 = radius_3 - v_7;
     var is_below_1 : bool = (direction_17.z) < 0.0f;
     var u_12 : f32;
@@ -4119,10 +4111,10 @@ struct Gradient_0
 
 fn Gradient_x24init_0( nadir_1 : vec3<f32>,  zenith_1 : vec3<f32>) -> Gradient_0
 {
-    var _S301 : Gradient_0;
-    _S301.nadir_0 = nadir_1;
-    _S301.zenith_0 = zenith_1;
-    return _S301;
+    var _S307 : Gradient_0;
+    _S307.nadir_0 = nadir_1;
+    _S307.zenith_0 = zenith_1;
+    return _S307;
 }
 
 fn Gradient_radiance_0( this_30 : Gradient_0,  direction_20 : vec3<f32>) -> vec3<f32>
@@ -4147,36 +4139,36 @@ fn Sky_le_0( direction_22 : vec3<f32>) -> vec3<f32>
 fn Environment_pdf_0( direction_23 : vec3<f32>) -> f32
 {
     var place_2 : vec2<f32> = Environment_place_of_0(direction_23);
-    var last_3 : i32 = i32(params_0.sky_edge_0) - i32(1);
-    return environment_0[Environment_index_of_0(min(i32(place_2.x), last_3), min(i32(place_2.y), last_3))].pdf_0;
+    var last_2 : i32 = i32(params_0.sky_edge_0) - i32(1);
+    return environment_0[Environment_index_of_0(min(i32(place_2.x), last_2), min(i32(place_2.y), last_2))].pdf_0;
 }
 
 fn Sky_pdf_0( direction_24 : vec3<f32>) -> f32
 {
-    var _S302 : f32;
+    var _S308 : f32;
     if(SKY_0 == u32(1))
     {
-        _S302 = Environment_pdf_0(direction_24);
+        _S308 = Environment_pdf_0(direction_24);
     }
     else
     {
-        _S302 = 0.0f;
+        _S308 = 0.0f;
     }
-    return _S302;
+    return _S308;
 }
 
 fn Lights_sky_pdf_0( selection_3 : Selection_0,  direction_25 : vec3<f32>) -> f32
 {
-    var _S303 : f32;
+    var _S309 : f32;
     if(Lights_has_chosen_sky_0())
     {
-        _S303 = Sky_pdf_0(direction_25) * selection_3.sky_1;
+        _S309 = Sky_pdf_0(direction_25) * selection_3.sky_1;
     }
     else
     {
-        _S303 = 0.0f;
+        _S309 = 0.0f;
     }
-    return _S303;
+    return _S309;
 }
 
 @compute
@@ -4184,35 +4176,35 @@ fn Lights_sky_pdf_0( selection_3 : Selection_0,  direction_25 : vec3<f32>) -> f3
 fn check_distant_light(@builtin(global_invocation_id) id_10 : vec3<u32>, @builtin(local_invocation_index) thread_11 : u32)
 {
     prove_0(thread_11);
-    var _S304 : u32 = id_10.x;
-    if(_S304 >= (dispatch_0.count_0))
+    var _S310 : u32 = id_10.x;
+    if(_S310 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_10 : Reader_0 = Reader_x24init_0(u32(13) * _S304);
-    var writer_10 : Writer_0 = Writer_x24init_0(u32(22) * _S304);
+    var reader_10 : Reader_0 = Reader_x24init_0(u32(13) * _S310);
+    var writer_10 : Writer_0 = Writer_x24init_0(u32(22) * _S310);
     var point_9 : vec3<f32> = Reader_vector_0(&(reader_10));
-    var _S305 : vec3<f32> = Reader_vector_0(&(reader_10));
-    var receiver_17 : Receiver_0 = Receiver_x24init_0(point_9, _S305);
+    var _S311 : vec3<f32> = Reader_vector_0(&(reader_10));
+    var receiver_17 : Receiver_0 = Receiver_x24init_0(point_9, _S311);
     var u_13 : vec3<f32> = Reader_vector_0(&(reader_10));
-    var _S306 : f32 = Reader_number_0(&(reader_10));
-    var place_3 : vec4<f32> = vec4<f32>(u_13, _S306);
+    var _S312 : f32 = Reader_number_0(&(reader_10));
+    var place_3 : vec4<f32> = vec4<f32>(u_13, _S312);
     var sample_9 : LightSample_0;
     var is_found_3 : bool = SunDisc_sample_0(receiver_17, place_3, &(sample_9));
     var of_sky_0 : LightSample_0;
     var is_found_in_sky_0 : bool = Sky_sample_0(receiver_17, place_3, &(of_sky_0));
     var direction_26 : vec3<f32> = Reader_vector_0(&(reader_10));
     Writer_word_0(&(writer_10), u32(is_found_3));
-    var _S307 : vec3<f32>;
+    var _S313 : vec3<f32>;
     if(is_found_3)
     {
-        _S307 = sample_9.ray_8.direction_1;
+        _S313 = sample_9.ray_8.direction_1;
     }
     else
     {
-        _S307 = vec3<f32>(0.0f);
+        _S313 = vec3<f32>(0.0f);
     }
-    Writer_vector_0(&(writer_10), _S307);
+    Writer_vector_0(&(writer_10), _S313);
     Writer_vector_0(&(writer_10), SunDisc_le_0(direction_26));
     Writer_number_0(&(writer_10), SunDisc_pdf_0(direction_26));
     Writer_vector_0(&(writer_10), Sky_le_0(direction_26));
@@ -4222,32 +4214,32 @@ fn check_distant_light(@builtin(global_invocation_id) id_10 : vec3<u32>, @builti
     Writer_word_0(&(writer_10), u32(is_found_in_sky_0));
     if(is_found_in_sky_0)
     {
-        _S307 = of_sky_0.ray_8.direction_1;
+        _S313 = of_sky_0.ray_8.direction_1;
     }
     else
     {
-        _S307 = vec3<f32>(0.0f);
+        _S313 = vec3<f32>(0.0f);
     }
-    Writer_vector_0(&(writer_10), _S307);
+    Writer_vector_0(&(writer_10), _S313);
     if(is_found_in_sky_0)
     {
-        _S307 = of_sky_0.radiance_3;
+        _S313 = of_sky_0.radiance_3;
     }
     else
     {
-        _S307 = vec3<f32>(0.0f);
+        _S313 = vec3<f32>(0.0f);
     }
-    Writer_vector_0(&(writer_10), _S307);
-    var _S308 : f32;
+    Writer_vector_0(&(writer_10), _S313);
+    var _S314 : f32;
     if(is_found_in_sky_0)
     {
-        _S308 = of_sky_0.pdf_1;
+        _S314 = of_sky_0.pdf_1;
     }
     else
     {
-        _S308 = 0.0f;
+        _S314 = 0.0f;
     }
-    Writer_number_0(&(writer_10), _S308);
+    Writer_number_0(&(writer_10), _S314);
     return;
 }
 
@@ -4256,21 +4248,21 @@ fn check_distant_light(@builtin(global_invocation_id) id_10 : vec3<u32>, @builti
 fn check_equal_area(@builtin(global_invocation_id) id_11 : vec3<u32>, @builtin(local_invocation_index) thread_12 : u32)
 {
     prove_0(thread_12);
-    var _S309 : u32 = id_11.x;
-    if(_S309 >= (dispatch_0.count_0))
+    var _S315 : u32 = id_11.x;
+    if(_S315 >= (dispatch_0.count_0))
     {
         return;
     }
-    var _S310 : u32 = u32(5) * _S309;
-    var reader_11 : Reader_0 = Reader_x24init_0(_S310);
-    var writer_11 : Writer_0 = Writer_x24init_0(_S310);
-    var _S311 : vec3<f32> = Reader_vector_0(&(reader_11));
-    var square_1 : vec2<f32> = square_of_0(_S311);
+    var _S316 : u32 = u32(5) * _S315;
+    var reader_11 : Reader_0 = Reader_x24init_0(_S316);
+    var writer_11 : Writer_0 = Writer_x24init_0(_S316);
+    var _S317 : vec3<f32> = Reader_vector_0(&(reader_11));
+    var square_1 : vec2<f32> = square_of_0(_S317);
     Writer_number_0(&(writer_11), square_1.x);
     Writer_number_0(&(writer_11), square_1.y);
     var x_16 : f32 = Reader_number_0(&(reader_11));
-    var _S312 : f32 = Reader_number_0(&(reader_11));
-    Writer_vector_0(&(writer_11), direction_of_0(vec2<f32>(x_16, _S312)));
+    var _S318 : f32 = Reader_number_0(&(reader_11));
+    Writer_vector_0(&(writer_11), direction_of_0(vec2<f32>(x_16, _S318)));
     return;
 }
 
@@ -4281,9 +4273,9 @@ struct Microfacets_0
 
 fn Microfacets_x24init_0( alpha_1 : f32) -> Microfacets_0
 {
-    var _S313 : Microfacets_0;
-    _S313.alpha_0 = alpha_1;
-    return _S313;
+    var _S319 : Microfacets_0;
+    _S319.alpha_0 = alpha_1;
+    return _S319;
 }
 
 struct MaterialBsdf_0
@@ -4297,13 +4289,13 @@ struct MaterialBsdf_0
 
 fn MaterialBsdf_x24init_0( kind_1 : u32,  color_2 : vec3<f32>,  specular_2 : f32,  eta_1 : f32,  facets_1 : Microfacets_0) -> MaterialBsdf_0
 {
-    var _S314 : MaterialBsdf_0;
-    _S314.kind_0 = kind_1;
-    _S314.color_1 = color_2;
-    _S314.specular_1 = specular_2;
-    _S314.eta_0 = eta_1;
-    _S314.facets_0 = facets_1;
-    return _S314;
+    var _S320 : MaterialBsdf_0;
+    _S320.kind_0 = kind_1;
+    _S320.color_1 = color_2;
+    _S320.specular_1 = specular_2;
+    _S320.eta_0 = eta_1;
+    _S320.facets_0 = facets_1;
+    return _S320;
 }
 
 fn facets_of_0( roughness_1 : f32) -> Microfacets_0
@@ -4318,16 +4310,16 @@ fn chooses_0( share_7 : f32,  choice_2 : ptr<function, f32>) -> bool
         return false;
     }
     var is_chosen_0 : bool = (*choice_2) < share_7;
-    var _S315 : f32;
+    var _S321 : f32;
     if(is_chosen_0)
     {
-        _S315 = divide_0((*choice_2), share_7);
+        _S321 = divide_0((*choice_2), share_7);
     }
     else
     {
-        _S315 = divide_0((*choice_2) - share_7, 1.0f - share_7);
+        _S321 = divide_0((*choice_2) - share_7, 1.0f - share_7);
     }
-    (*choice_2) = _S315;
+    (*choice_2) = _S321;
     return is_chosen_0;
 }
 
@@ -4335,13 +4327,13 @@ fn bsdf_of_0( material_6 : PackedMaterial_0,  ior_1 : f32,  choice_3 : ptr<funct
 {
     var color_3 : vec3<f32> = vector_of_0(material_6.base_color_0);
     var facets_2 : Microfacets_0 = facets_of_0(material_6.roughness_0);
-    var _S316 : bool = chooses_0(material_6.metallic_0, &((*choice_3)));
-    if(_S316)
+    var _S322 : bool = chooses_0(material_6.metallic_0, &((*choice_3)));
+    if(_S322)
     {
         return MaterialBsdf_x24init_0(u32(1), color_3, 0.0f, 1.0f, facets_2);
     }
-    var _S317 : bool = chooses_0(material_6.transmission_0, &((*choice_3)));
-    if(_S317)
+    var _S323 : bool = chooses_0(material_6.transmission_0, &((*choice_3)));
+    if(_S323)
     {
         return MaterialBsdf_x24init_0(u32(3), color_3, 0.0f, divide_0(material_6.ior_0, ior_1), facets_2);
     }
@@ -4360,10 +4352,10 @@ struct Conductor_0
 
 fn Conductor_x24init_0( f0_1 : vec3<f32>,  facets_4 : Microfacets_0) -> Conductor_0
 {
-    var _S318 : Conductor_0;
-    _S318.f0_0 = f0_1;
-    _S318.facets_3 = facets_4;
-    return _S318;
+    var _S324 : Conductor_0;
+    _S324.f0_0 = f0_1;
+    _S324.facets_3 = facets_4;
+    return _S324;
 }
 
 fn above_1( wo_0 : vec3<f32>) -> vec3<f32>
@@ -4393,20 +4385,20 @@ struct BsdfSample_0
 
 fn BsdfSample_x24init_0( wi_1 : vec3<f32>,  weight_4 : vec3<f32>,  pdf_8 : f32,  is_delta_1 : bool) -> BsdfSample_0
 {
-    var _S319 : BsdfSample_0;
-    _S319.wi_0 = wi_1;
-    _S319.weight_3 = weight_4;
-    _S319.pdf_7 = pdf_8;
-    _S319.is_delta_0 = is_delta_1;
-    return _S319;
+    var _S325 : BsdfSample_0;
+    _S325.wi_0 = wi_1;
+    _S325.weight_3 = weight_4;
+    _S325.pdf_7 = pdf_8;
+    _S325.is_delta_0 = is_delta_1;
+    return _S325;
 }
 
 fn Microfacets_sample_visible_0( this_32 : Microfacets_0,  wo_1 : vec3<f32>,  u_14 : f32,  v_9 : f32) -> vec3<f32>
 {
     var stretched_0 : vec3<f32> = normalize_vector_0(vec3<f32>(this_32.alpha_0 * wo_1.x, this_32.alpha_0 * wo_1.y, wo_1.z));
     var sin_cos_4 : vec2<f32> = sincos_turns_0(u_14);
-    var _S320 : f32 = stretched_0.z;
-    var z_3 : f32 = (1.0f - v_9) * (1.0f + _S320) - _S320;
+    var _S326 : f32 = stretched_0.z;
+    var z_3 : f32 = (1.0f - v_9) * (1.0f + _S326) - _S326;
     var radius_4 : f32 = square_root_0(max(1.0f - z_3 * z_3, 0.0f));
     var normal_5 : vec3<f32> = vec3<f32>(radius_4 * sin_cos_4.y, radius_4 * sin_cos_4.x, z_3) + stretched_0;
     return normalize_vector_0(vec3<f32>(this_32.alpha_0 * normal_5.x, this_32.alpha_0 * normal_5.y, max(normal_5.z, 1.00000001168609742e-07f)));
@@ -4424,8 +4416,8 @@ fn no_bsdf_sample_0() -> BsdfSample_0
 
 fn Microfacets_masking_0( this_33 : Microfacets_0,  cos_4 : f32) -> f32
 {
-    var _S321 : f32 = this_33.alpha_0;
-    var alpha_squared_0 : f32 = _S321 * _S321;
+    var _S327 : f32 = this_33.alpha_0;
+    var alpha_squared_0 : f32 = _S327 * _S327;
     return square_root_0(alpha_squared_0 + (1.0f - alpha_squared_0) * (cos_4 * cos_4));
 }
 
@@ -4437,19 +4429,19 @@ fn Microfacets_shadowing_0( this_34 : Microfacets_0,  cos_o_0 : f32,  cos_i_1 : 
 
 fn Microfacets_distribution_0( this_35 : Microfacets_0,  wm_1 : vec3<f32>) -> f32
 {
-    var _S322 : f32 = this_35.alpha_0;
-    var alpha_squared_1 : f32 = _S322 * _S322;
-    var _S323 : f32 = wm_1.z;
-    var _S324 : f32 = wm_1.x;
-    var _S325 : f32 = wm_1.y;
-    var base_0 : f32 = alpha_squared_1 * (_S323 * _S323) + (_S324 * _S324 + _S325 * _S325);
+    var _S328 : f32 = this_35.alpha_0;
+    var alpha_squared_1 : f32 = _S328 * _S328;
+    var _S329 : f32 = wm_1.z;
+    var _S330 : f32 = wm_1.x;
+    var _S331 : f32 = wm_1.y;
+    var base_0 : f32 = alpha_squared_1 * (_S329 * _S329) + (_S330 * _S330 + _S331 * _S331);
     return divide_0(alpha_squared_1, 3.14159274101257324f * (base_0 * base_0));
 }
 
 fn Microfacets_visible_pdf_0( this_36 : Microfacets_0,  wo_3 : vec3<f32>,  wm_2 : vec3<f32>) -> f32
 {
-    var _S326 : f32 = wo_3.z;
-    return divide_0(2.0f * max(dot_product_0(wo_3, wm_2), 0.0f) * Microfacets_distribution_0(this_36, wm_2), _S326 + Microfacets_masking_0(this_36, _S326));
+    var _S332 : f32 = wo_3.z;
+    return divide_0(2.0f * max(dot_product_0(wo_3, wm_2), 0.0f) * Microfacets_distribution_0(this_36, wm_2), _S332 + Microfacets_masking_0(this_36, _S332));
 }
 
 fn Conductor_sample_0( this_37 : Conductor_0,  given_0 : vec3<f32>,  u_15 : vec3<f32>,  sample_10 : ptr<function, BsdfSample_0>) -> bool
@@ -4457,20 +4449,20 @@ fn Conductor_sample_0( this_37 : Conductor_0,  given_0 : vec3<f32>,  u_15 : vec3
     var wo_4 : vec3<f32> = above_1(given_0);
     if(Microfacets_is_smooth_0(this_37.facets_3))
     {
-        var _S327 : f32 = wo_4.z;
-        (*sample_10) = BsdfSample_x24init_0(vec3<f32>(- wo_4.x, - wo_4.y, _S327), fresnel_schlick_0(_S327, this_37.f0_0), 1.0f, true);
+        var _S333 : f32 = wo_4.z;
+        (*sample_10) = BsdfSample_x24init_0(vec3<f32>(- wo_4.x, - wo_4.y, _S333), fresnel_schlick_0(_S333, this_37.f0_0), 1.0f, true);
         return true;
     }
     var wm_3 : vec3<f32> = Microfacets_sample_visible_0(this_37.facets_3, wo_4, u_15.x, u_15.y);
     var wi_2 : vec3<f32> = reflect_by_0(wo_4, wm_3);
-    var _S328 : f32 = wi_2.z;
-    if(_S328 <= 0.0f)
+    var _S334 : f32 = wi_2.z;
+    if(_S334 <= 0.0f)
     {
         (*sample_10) = no_bsdf_sample_0();
         return false;
     }
     var cos_5 : f32 = dot_product_0(wo_4, wm_3);
-    (*sample_10) = BsdfSample_x24init_0(wi_2, fresnel_schlick_0(cos_5, this_37.f0_0) * vec3<f32>(Microfacets_shadowing_0(this_37.facets_3, wo_4.z, _S328)), divide_0(Microfacets_visible_pdf_0(this_37.facets_3, wo_4, wm_3), 4.0f * cos_5), false);
+    (*sample_10) = BsdfSample_x24init_0(wi_2, fresnel_schlick_0(cos_5, this_37.f0_0) * vec3<f32>(Microfacets_shadowing_0(this_37.facets_3, wo_4.z, _S334)), divide_0(Microfacets_visible_pdf_0(this_37.facets_3, wo_4, wm_3), 4.0f * cos_5), false);
     return true;
 }
 
@@ -4484,27 +4476,27 @@ struct Plastic_0
 
 fn Plastic_x24init_0( reflectance_1 : vec3<f32>,  specular_4 : f32,  eta_3 : f32,  facets_6 : Microfacets_0) -> Plastic_0
 {
-    var _S329 : Plastic_0;
-    _S329.reflectance_0 = reflectance_1;
-    _S329.specular_3 = specular_4;
-    _S329.eta_2 = eta_3;
-    _S329.facets_5 = facets_6;
-    return _S329;
+    var _S335 : Plastic_0;
+    _S335.reflectance_0 = reflectance_1;
+    _S335.specular_3 = specular_4;
+    _S335.eta_2 = eta_3;
+    _S335.facets_5 = facets_6;
+    return _S335;
 }
 
 fn refracted_cosine_0( cos_i_2 : f32,  eta_4 : f32) -> f32
 {
     var squared_1 : f32 = 1.0f - divide_0(1.0f - cos_i_2 * cos_i_2, eta_4 * eta_4);
-    var _S330 : f32;
+    var _S336 : f32;
     if(squared_1 > 0.0f)
     {
-        _S330 = square_root_0(squared_1);
+        _S336 = square_root_0(squared_1);
     }
     else
     {
-        _S330 = -1.0f;
+        _S336 = -1.0f;
     }
-    return _S330;
+    return _S336;
 }
 
 fn fresnel_dielectric_0( cos_i_3 : f32,  eta_5 : f32) -> f32
@@ -4514,10 +4506,10 @@ fn fresnel_dielectric_0( cos_i_3 : f32,  eta_5 : f32) -> f32
     {
         return 1.0f;
     }
-    var _S331 : f32 = eta_5 * cos_i_3;
-    var parallel_0 : f32 = divide_0(_S331 - cos_t_0, _S331 + cos_t_0);
-    var _S332 : f32 = eta_5 * cos_t_0;
-    var perpendicular_0 : f32 = divide_0(cos_i_3 - _S332, cos_i_3 + _S332);
+    var _S337 : f32 = eta_5 * cos_i_3;
+    var parallel_0 : f32 = divide_0(_S337 - cos_t_0, _S337 + cos_t_0);
+    var _S338 : f32 = eta_5 * cos_t_0;
+    var perpendicular_0 : f32 = divide_0(cos_i_3 - _S338, cos_i_3 + _S338);
     return (parallel_0 * parallel_0 + perpendicular_0 * perpendicular_0) * 0.5f;
 }
 
@@ -4528,17 +4520,17 @@ fn Plastic_coat_0( this_38 : Plastic_0,  cos_6 : f32) -> f32
 
 fn Plastic_coat_probability_0( this_39 : Plastic_0,  coat_0 : f32) -> f32
 {
-    var below_0 : f32 = (1.0f - coat_0) * max_element_0(this_39.reflectance_0);
-    var _S333 : f32;
+    var below_1 : f32 = (1.0f - coat_0) * max_element_0(this_39.reflectance_0);
+    var _S339 : f32;
     if(coat_0 <= 0.0f)
     {
-        _S333 = 0.0f;
+        _S339 = 0.0f;
     }
     else
     {
-        _S333 = divide_0(coat_0, coat_0 + below_0);
+        _S339 = divide_0(coat_0, coat_0 + below_1);
     }
-    return _S333;
+    return _S339;
 }
 
 struct BsdfEval_0
@@ -4549,10 +4541,10 @@ struct BsdfEval_0
 
 fn BsdfEval_x24init_0( weight_6 : vec3<f32>,  pdf_10 : f32) -> BsdfEval_0
 {
-    var _S334 : BsdfEval_0;
-    _S334.weight_5 = weight_6;
-    _S334.pdf_9 = pdf_10;
-    return _S334;
+    var _S340 : BsdfEval_0;
+    _S340.weight_5 = weight_6;
+    _S340.pdf_9 = pdf_10;
+    return _S340;
 }
 
 fn no_bsdf_eval_0() -> BsdfEval_0
@@ -4562,10 +4554,10 @@ fn no_bsdf_eval_0() -> BsdfEval_0
 
 fn Plastic_eval_lobes_0( this_40 : Plastic_0,  wo_5 : vec3<f32>,  wi_3 : vec3<f32>,  coat_1 : f32,  coat_probability_0 : f32) -> BsdfEval_0
 {
-    var _S335 : f32 = wi_3.z;
-    var diffuse_pdf_0 : f32 = cosine_hemisphere_pdf_0(_S335);
+    var _S341 : f32 = wi_3.z;
+    var diffuse_pdf_0 : f32 = cosine_hemisphere_pdf_0(_S341);
     var pdf_11 : f32 = (1.0f - coat_probability_0) * diffuse_pdf_0;
-    var scattered_0 : vec3<f32> = this_40.reflectance_0 * vec3<f32>(((1.0f - coat_1) * (1.0f - Plastic_coat_0(this_40, _S335)) * diffuse_pdf_0));
+    var scattered_0 : vec3<f32> = this_40.reflectance_0 * vec3<f32>(((1.0f - coat_1) * (1.0f - Plastic_coat_0(this_40, _S341)) * diffuse_pdf_0));
     var pdf_12 : f32;
     var scattered_1 : vec3<f32>;
     if(!Microfacets_is_smooth_0(this_40.facets_5))
@@ -4573,7 +4565,7 @@ fn Plastic_eval_lobes_0( this_40 : Plastic_0,  wo_5 : vec3<f32>,  wi_3 : vec3<f3
         var wm_4 : vec3<f32> = normalize_vector_0(wo_5 + wi_3);
         var cos_7 : f32 = dot_product_0(wo_5, wm_4);
         var facet_pdf_0 : f32 = divide_0(Microfacets_visible_pdf_0(this_40.facets_5, wo_5, wm_4), 4.0f * cos_7);
-        var scattered_2 : vec3<f32> = scattered_0 + vec3<f32>((Plastic_coat_0(this_40, cos_7) * Microfacets_shadowing_0(this_40.facets_5, wo_5.z, _S335) * facet_pdf_0));
+        var scattered_2 : vec3<f32> = scattered_0 + vec3<f32>((Plastic_coat_0(this_40, cos_7) * Microfacets_shadowing_0(this_40.facets_5, wo_5.z, _S341) * facet_pdf_0));
         pdf_12 = pdf_11 + coat_probability_0 * facet_pdf_0;
         scattered_1 = scattered_2;
     }
@@ -4593,22 +4585,22 @@ fn Plastic_sample_0( this_41 : Plastic_0,  given_1 : vec3<f32>,  u_16 : vec3<f32
 {
     (*sample_11) = no_bsdf_sample_0();
     var wo_6 : vec3<f32> = above_1(given_1);
-    var _S336 : f32 = wo_6.z;
-    var coat_2 : f32 = Plastic_coat_0(this_41, _S336);
+    var _S342 : f32 = wo_6.z;
+    var coat_2 : f32 = Plastic_coat_0(this_41, _S342);
     var coat_probability_1 : f32 = Plastic_coat_probability_0(this_41, coat_2);
     var is_coat_0 : bool = (u_16.z) < coat_probability_1;
-    var _S337 : bool;
+    var _S343 : bool;
     if(is_coat_0)
     {
-        _S337 = Microfacets_is_smooth_0(this_41.facets_5);
+        _S343 = Microfacets_is_smooth_0(this_41.facets_5);
     }
     else
     {
-        _S337 = false;
+        _S343 = false;
     }
-    if(_S337)
+    if(_S343)
     {
-        (*sample_11) = BsdfSample_x24init_0(vec3<f32>(- wo_6.x, - wo_6.y, _S336), vec3<f32>(divide_0(coat_2, coat_probability_1)), 1.0f, true);
+        (*sample_11) = BsdfSample_x24init_0(vec3<f32>(- wo_6.x, - wo_6.y, _S342), vec3<f32>(divide_0(coat_2, coat_probability_1)), 1.0f, true);
         return true;
     }
     var wi_4 : vec3<f32>;
@@ -4637,10 +4629,10 @@ struct Dielectric_0
 
 fn Dielectric_x24init_0( eta_7 : f32,  facets_8 : Microfacets_0) -> Dielectric_0
 {
-    var _S338 : Dielectric_0;
-    _S338.eta_6 = eta_7;
-    _S338.facets_7 = facets_8;
-    return _S338;
+    var _S344 : Dielectric_0;
+    _S344.eta_6 = eta_7;
+    _S344.facets_7 = facets_8;
+    return _S344;
 }
 
 fn Dielectric_sample_0( this_42 : Dielectric_0,  given_2 : vec3<f32>,  u_17 : vec3<f32>,  sample_12 : ptr<function, BsdfSample_0>) -> bool
@@ -4648,7 +4640,7 @@ fn Dielectric_sample_0( this_42 : Dielectric_0,  given_2 : vec3<f32>,  u_17 : ve
     (*sample_12) = no_bsdf_sample_0();
     var wo_7 : vec3<f32> = above_1(given_2);
     var is_smooth_0 : bool = Microfacets_is_smooth_0(this_42.facets_7);
-    const _S339 : vec3<f32> = vec3<f32>(0.0f, 0.0f, 1.0f);
+    const _S345 : vec3<f32> = vec3<f32>(0.0f, 0.0f, 1.0f);
     var wm_5 : vec3<f32>;
     if(!is_smooth_0)
     {
@@ -4656,7 +4648,7 @@ fn Dielectric_sample_0( this_42 : Dielectric_0,  given_2 : vec3<f32>,  u_17 : ve
     }
     else
     {
-        wm_5 = _S339;
+        wm_5 = _S345;
     }
     var cos_8 : f32 = dot_product_0(wo_7, wm_5);
     var reflectance_2 : f32 = fresnel_dielectric_0(cos_8, this_42.eta_6);
@@ -4681,32 +4673,32 @@ fn Dielectric_sample_0( this_42 : Dielectric_0,  given_2 : vec3<f32>,  u_17 : ve
         (*sample_12) = BsdfSample_x24init_0(wi_5, vec3<f32>(1.0f), 1.0f, true);
         return true;
     }
-    var _S340 : f32 = wi_5.z;
-    var _S341 : bool;
-    if((_S340 > 0.0f) != is_reflected_0)
+    var _S346 : f32 = wi_5.z;
+    var _S347 : bool;
+    if((_S346 > 0.0f) != is_reflected_0)
     {
-        _S341 = true;
+        _S347 = true;
     }
     else
     {
-        _S341 = _S340 == 0.0f;
+        _S347 = _S346 == 0.0f;
     }
-    if(_S341)
+    if(_S347)
     {
         return false;
     }
-    var weight_7 : vec3<f32> = vec3<f32>(Microfacets_shadowing_0(this_42.facets_7, wo_7.z, abs(_S340)));
+    var weight_7 : vec3<f32> = vec3<f32>(Microfacets_shadowing_0(this_42.facets_7, wo_7.z, abs(_S346)));
     var pdf_13 : f32 = divide_0(reflectance_2 * Microfacets_visible_pdf_0(this_42.facets_7, wo_7, wm_5), 4.0f * cos_8);
-    var _S342 : f32;
+    var _S348 : f32;
     if(is_reflected_0)
     {
-        _S342 = pdf_13;
+        _S348 = pdf_13;
     }
     else
     {
-        _S342 = 1.0f;
+        _S348 = 1.0f;
     }
-    (*sample_12) = BsdfSample_x24init_0(wi_5, weight_7, _S342, !is_reflected_0);
+    (*sample_12) = BsdfSample_x24init_0(wi_5, weight_7, _S348, !is_reflected_0);
     return true;
 }
 
@@ -4718,10 +4710,10 @@ struct Phase_0
 
 fn Phase_x24init_0( color_5 : vec3<f32>,  anisotropy_2 : f32) -> Phase_0
 {
-    var _S343 : Phase_0;
-    _S343.color_4 = color_5;
-    _S343.anisotropy_1 = anisotropy_2;
-    return _S343;
+    var _S349 : Phase_0;
+    _S349.color_4 = color_5;
+    _S349.anisotropy_1 = anisotropy_2;
+    return _S349;
 }
 
 fn sample_phase_0( anisotropy_3 : f32,  forward_0 : vec3<f32>,  u_18 : f32,  v_10 : f32,  cos_9 : ptr<function, f32>) -> vec3<f32>
@@ -4732,26 +4724,26 @@ fn sample_phase_0( anisotropy_3 : f32,  forward_0 : vec3<f32>,  u_18 : f32,  v_1
     }
     else
     {
-        var _S344 : f32 = anisotropy_3 * anisotropy_3;
-        var _S345 : f32 = 2.0f * anisotropy_3;
-        var ratio_1 : f32 = divide_0(1.0f - _S344, 1.0f + anisotropy_3 - _S345 * u_18);
-        (*cos_9) = divide_0(1.0f + _S344 - ratio_1 * ratio_1, _S345);
+        var _S350 : f32 = anisotropy_3 * anisotropy_3;
+        var _S351 : f32 = 2.0f * anisotropy_3;
+        var ratio_1 : f32 = divide_0(1.0f - _S350, 1.0f + anisotropy_3 - _S351 * u_18);
+        (*cos_9) = divide_0(1.0f + _S350 - ratio_1 * ratio_1, _S351);
     }
-    var _S346 : f32 = clamp((*cos_9), -1.0f, 1.0f);
-    (*cos_9) = _S346;
-    var radius_5 : f32 = square_root_0(1.0f - _S346 * _S346);
+    var _S352 : f32 = clamp((*cos_9), -1.0f, 1.0f);
+    (*cos_9) = _S352;
+    var radius_5 : f32 = square_root_0(1.0f - _S352 * _S352);
     var sin_cos_5 : vec2<f32> = sincos_turns_0(v_10);
     var x_17 : vec3<f32>;
     var y_13 : vec3<f32>;
     orthonormal_pair_1(forward_0, &(x_17), &(y_13));
-    return x_17 * vec3<f32>((radius_5 * sin_cos_5.y)) + y_13 * vec3<f32>((radius_5 * sin_cos_5.x)) + forward_0 * vec3<f32>(_S346);
+    return x_17 * vec3<f32>((radius_5 * sin_cos_5.y)) + y_13 * vec3<f32>((radius_5 * sin_cos_5.x)) + forward_0 * vec3<f32>(_S352);
 }
 
 fn phase_pdf_0( anisotropy_4 : f32,  cos_10 : f32) -> f32
 {
-    var _S347 : f32 = anisotropy_4 * anisotropy_4;
-    var base_1 : f32 = 1.0f + _S347 - 2.0f * anisotropy_4 * cos_10;
-    return divide_0(1.0f - _S347, 12.56637096405029297f * (base_1 * square_root_0(base_1)));
+    var _S353 : f32 = anisotropy_4 * anisotropy_4;
+    var base_1 : f32 = 1.0f + _S353 - 2.0f * anisotropy_4 * cos_10;
+    return divide_0(1.0f - _S353, 12.56637096405029297f * (base_1 * square_root_0(base_1)));
 }
 
 fn Phase_sample_0( this_43 : Phase_0,  wo_8 : vec3<f32>,  u_19 : vec3<f32>,  sample_13 : ptr<function, BsdfSample_0>) -> bool
@@ -4769,9 +4761,9 @@ struct Diffuse_0
 
 fn Diffuse_x24init_0( reflectance_4 : vec3<f32>) -> Diffuse_0
 {
-    var _S348 : Diffuse_0;
-    _S348.reflectance_3 = reflectance_4;
-    return _S348;
+    var _S354 : Diffuse_0;
+    _S354.reflectance_3 = reflectance_4;
+    return _S354;
 }
 
 fn Diffuse_sample_0( this_44 : Diffuse_0,  wo_9 : vec3<f32>,  u_20 : vec3<f32>,  sample_14 : ptr<function, BsdfSample_0>) -> bool
@@ -4785,40 +4777,40 @@ fn MaterialBsdf_sample_0( this_45 : MaterialBsdf_0,  wo_10 : vec3<f32>,  u_21 : 
 {
     if((this_45.kind_0) == u32(1))
     {
-        var _S349 : bool = Conductor_sample_0(Conductor_x24init_0(this_45.color_1, this_45.facets_0), wo_10, u_21, &((*sample_15)));
-        return _S349;
+        var _S355 : bool = Conductor_sample_0(Conductor_x24init_0(this_45.color_1, this_45.facets_0), wo_10, u_21, &((*sample_15)));
+        return _S355;
     }
     if((this_45.kind_0) == u32(2))
     {
-        var _S350 : bool = Plastic_sample_0(Plastic_x24init_0(this_45.color_1, this_45.specular_1, this_45.eta_0, this_45.facets_0), wo_10, u_21, &((*sample_15)));
-        return _S350;
+        var _S356 : bool = Plastic_sample_0(Plastic_x24init_0(this_45.color_1, this_45.specular_1, this_45.eta_0, this_45.facets_0), wo_10, u_21, &((*sample_15)));
+        return _S356;
     }
     if((this_45.kind_0) == u32(3))
     {
-        var _S351 : bool = Dielectric_sample_0(Dielectric_x24init_0(this_45.eta_0, this_45.facets_0), wo_10, u_21, &((*sample_15)));
-        return _S351;
+        var _S357 : bool = Dielectric_sample_0(Dielectric_x24init_0(this_45.eta_0, this_45.facets_0), wo_10, u_21, &((*sample_15)));
+        return _S357;
     }
     if((this_45.kind_0) == u32(4))
     {
-        var _S352 : bool = Phase_sample_0(Phase_x24init_0(this_45.color_1, this_45.specular_1), wo_10, u_21, &((*sample_15)));
-        return _S352;
+        var _S358 : bool = Phase_sample_0(Phase_x24init_0(this_45.color_1, this_45.specular_1), wo_10, u_21, &((*sample_15)));
+        return _S358;
     }
-    var _S353 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_45.color_1), wo_10, u_21, &((*sample_15)));
-    return _S353;
+    var _S359 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_45.color_1), wo_10, u_21, &((*sample_15)));
+    return _S359;
 }
 
 fn Conductor_eval_0( this_46 : Conductor_0,  given_3 : vec3<f32>,  wi_8 : vec3<f32>) -> BsdfEval_0
 {
-    var _S354 : bool;
+    var _S360 : bool;
     if(Microfacets_is_smooth_0(this_46.facets_3))
     {
-        _S354 = true;
+        _S360 = true;
     }
     else
     {
-        _S354 = (wi_8.z) <= 0.0f;
+        _S360 = (wi_8.z) <= 0.0f;
     }
-    if(_S354)
+    if(_S360)
     {
         return no_bsdf_eval_0();
     }
@@ -4841,16 +4833,16 @@ fn Plastic_eval_0( this_47 : Plastic_0,  given_4 : vec3<f32>,  wi_9 : vec3<f32>)
 
 fn Dielectric_eval_0( this_48 : Dielectric_0,  given_5 : vec3<f32>,  wi_10 : vec3<f32>) -> BsdfEval_0
 {
-    var _S355 : bool;
+    var _S361 : bool;
     if(Microfacets_is_smooth_0(this_48.facets_7))
     {
-        _S355 = true;
+        _S361 = true;
     }
     else
     {
-        _S355 = (wi_10.z) <= 0.0f;
+        _S361 = (wi_10.z) <= 0.0f;
     }
-    if(_S355)
+    if(_S361)
     {
         return no_bsdf_eval_0();
     }
@@ -4914,13 +4906,13 @@ fn MaterialBsdf_albedo_0( this_53 : MaterialBsdf_0) -> vec3<f32>
 fn check_bsdf(@builtin(global_invocation_id) id_12 : vec3<u32>, @builtin(local_invocation_index) thread_13 : u32)
 {
     prove_0(thread_13);
-    var _S356 : u32 = id_12.x;
-    if(_S356 >= (dispatch_0.count_0))
+    var _S362 : u32 = id_12.x;
+    if(_S362 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_12 : Reader_0 = Reader_x24init_0(u32(25) * _S356);
-    var writer_12 : Writer_0 = Writer_x24init_0(u32(16) * _S356);
+    var reader_12 : Reader_0 = Reader_x24init_0(u32(25) * _S362);
+    var writer_12 : Writer_0 = Writer_x24init_0(u32(16) * _S362);
     var material_7 : PackedMaterial_0;
     var channel_0 : u32 = u32(0);
     for(;;)
@@ -4932,36 +4924,12 @@ fn check_bsdf(@builtin(global_invocation_id) id_12 : vec3<u32>, @builtin(local_i
         {
             break;
         }
-        var _S357 : f32 = Reader_number_0(&(reader_12));
-        material_7.base_color_0[channel_0] = _S357;
+        var _S363 : f32 = Reader_number_0(&(reader_12));
+        material_7.base_color_0[channel_0] = _S363;
         channel_0 = channel_0 + u32(1);
     }
-    var _S358 : f32 = Reader_number_0(&(reader_12));
-    material_7.roughness_0 = _S358;
-    channel_0 = u32(0);
-    for(;;)
-    {
-        if(channel_0 < u32(3))
-        {
-        }
-        else
-        {
-            break;
-        }
-        var _S359 : f32 = Reader_number_0(&(reader_12));
-        material_7.emission_0[channel_0] = _S359;
-        channel_0 = channel_0 + u32(1);
-    }
-    var _S360 : f32 = Reader_number_0(&(reader_12));
-    material_7.metallic_0 = _S360;
-    var _S361 : f32 = Reader_number_0(&(reader_12));
-    material_7.transmission_0 = _S361;
-    var _S362 : f32 = Reader_number_0(&(reader_12));
-    material_7.ior_0 = _S362;
-    var _S363 : f32 = Reader_number_0(&(reader_12));
-    material_7.specular_0 = _S363;
     var _S364 : f32 = Reader_number_0(&(reader_12));
-    material_7.anisotropy_0 = _S364;
+    material_7.roughness_0 = _S364;
     channel_0 = u32(0);
     for(;;)
     {
@@ -4973,25 +4941,49 @@ fn check_bsdf(@builtin(global_invocation_id) id_12 : vec3<u32>, @builtin(local_i
             break;
         }
         var _S365 : f32 = Reader_number_0(&(reader_12));
-        material_7.absorption_0[channel_0] = _S365;
+        material_7.emission_0[channel_0] = _S365;
         channel_0 = channel_0 + u32(1);
     }
     var _S366 : f32 = Reader_number_0(&(reader_12));
-    material_7.scattering_0 = _S366;
+    material_7.metallic_0 = _S366;
+    var _S367 : f32 = Reader_number_0(&(reader_12));
+    material_7.transmission_0 = _S367;
+    var _S368 : f32 = Reader_number_0(&(reader_12));
+    material_7.ior_0 = _S368;
+    var _S369 : f32 = Reader_number_0(&(reader_12));
+    material_7.specular_0 = _S369;
+    var _S370 : f32 = Reader_number_0(&(reader_12));
+    material_7.anisotropy_0 = _S370;
+    channel_0 = u32(0);
+    for(;;)
+    {
+        if(channel_0 < u32(3))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S371 : f32 = Reader_number_0(&(reader_12));
+        material_7.absorption_0[channel_0] = _S371;
+        channel_0 = channel_0 + u32(1);
+    }
+    var _S372 : f32 = Reader_number_0(&(reader_12));
+    material_7.scattering_0 = _S372;
     var wo_17 : vec3<f32> = Reader_vector_0(&(reader_12));
-    var _S367 : vec3<f32> = Reader_vector_0(&(reader_12));
-    var u_22 : vec3<f32> = _S367;
-    var _S368 : f32 = u_22[i32(2)];
-    var bsdf_0 : MaterialBsdf_0 = bsdf_of_0(material_7, 1.0f, &(_S368));
-    u_22[i32(2)] = _S368;
+    var _S373 : vec3<f32> = Reader_vector_0(&(reader_12));
+    var u_22 : vec3<f32> = _S373;
+    var _S374 : f32 = u_22[i32(2)];
+    var bsdf_0 : MaterialBsdf_0 = bsdf_of_0(material_7, 1.0f, &(_S374));
+    u_22[i32(2)] = _S374;
     var sample_16 : BsdfSample_0;
     var is_found_4 : bool = MaterialBsdf_sample_0(bsdf_0, wo_17, u_22, &(sample_16));
     if(!is_found_4)
     {
         sample_16 = no_bsdf_sample_0();
     }
-    var _S369 : vec3<f32> = Reader_vector_0(&(reader_12));
-    var eval_1 : BsdfEval_0 = MaterialBsdf_eval_0(bsdf_0, wo_17, _S369);
+    var _S375 : vec3<f32> = Reader_vector_0(&(reader_12));
+    var eval_1 : BsdfEval_0 = MaterialBsdf_eval_0(bsdf_0, wo_17, _S375);
     Writer_word_0(&(writer_12), u32(is_found_4));
     Writer_vector_0(&(writer_12), sample_16.wi_0);
     Writer_vector_0(&(writer_12), sample_16.weight_3);
@@ -5029,37 +5021,37 @@ fn unscattered_0( medium_1 : PackedMaterial_0,  voxels_2 : f32) -> f32
 fn logarithm_0( x_19 : f32) -> f32
 {
     var bits_3 : u32 = (bitcast<u32>((x_19)));
-    var _S370 : u32 = (bits_3 & (u32(8388607)));
-    var is_upper_0 : bool = _S370 > u32(3474675);
+    var _S376 : u32 = (bits_3 & (u32(8388607)));
+    var is_upper_0 : bool = _S376 > u32(3474675);
     var power_4 : i32 = i32((bits_3 >> (u32(23)))) - i32(127) + i32(is_upper_0);
-    var _S371 : u32;
+    var _S377 : u32;
     if(is_upper_0)
     {
-        _S371 = u32(1056964608);
+        _S377 = u32(1056964608);
     }
     else
     {
-        _S371 = u32(1065353216);
+        _S377 = u32(1065353216);
     }
-    var mantissa_3 : f32 = (bitcast<f32>(((_S370 | (_S371)))));
+    var mantissa_3 : f32 = (bitcast<f32>(((_S376 | (_S377)))));
     var s_1 : f32 = divide_0(mantissa_3 - 1.0f, mantissa_3 + 1.0f);
     var ss_0 : f32 = s_1 * s_1;
-    var _S372 : f32 = f32(power_4);
-    return _S372 * 0.693359375f + (_S372 * -0.00021219444170129f + s_1 * (2.0f + ss_0 * (0.66666668653488159f + ss_0 * (0.40000000596046448f + ss_0 * (0.28571429848670959f + ss_0 * 0.2222222238779068f)))));
+    var _S378 : f32 = f32(power_4);
+    return _S378 * 0.693359375f + (_S378 * -0.00021219444170129f + s_1 * (2.0f + ss_0 * (0.66666668653488159f + ss_0 * (0.40000000596046448f + ss_0 * (0.28571429848670959f + ss_0 * 0.2222222238779068f)))));
 }
 
 fn free_path_0( medium_2 : PackedMaterial_0,  u_23 : f32) -> f32
 {
-    var _S373 : f32;
+    var _S379 : f32;
     if((medium_2.scattering_0) > 0.0f)
     {
-        _S373 = divide_0(- logarithm_0(1.0f - u_23), medium_2.scattering_0);
+        _S379 = divide_0(- logarithm_0(1.0f - u_23), medium_2.scattering_0);
     }
     else
     {
-        _S373 = (bitcast<f32>(infinity_bits_0));
+        _S379 = (bitcast<f32>(infinity_bits_0));
     }
-    return _S373;
+    return _S379;
 }
 
 @compute
@@ -5067,13 +5059,13 @@ fn free_path_0( medium_2 : PackedMaterial_0,  u_23 : f32) -> f32
 fn check_medium(@builtin(global_invocation_id) id_13 : vec3<u32>, @builtin(local_invocation_index) thread_14 : u32)
 {
     prove_0(thread_14);
-    var _S374 : u32 = id_13.x;
-    if(_S374 >= (dispatch_0.count_0))
+    var _S380 : u32 = id_13.x;
+    if(_S380 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_13 : Reader_0 = Reader_x24init_0(u32(12) * _S374);
-    var writer_13 : Writer_0 = Writer_x24init_0(u32(10) * _S374);
+    var reader_13 : Reader_0 = Reader_x24init_0(u32(12) * _S380);
+    var writer_13 : Writer_0 = Writer_x24init_0(u32(10) * _S380);
     var medium_3 : PackedMaterial_0;
     var channel_1 : u32 = u32(0);
     for(;;)
@@ -5085,14 +5077,14 @@ fn check_medium(@builtin(global_invocation_id) id_13 : vec3<u32>, @builtin(local
         {
             break;
         }
-        var _S375 : f32 = Reader_number_0(&(reader_13));
-        medium_3.absorption_0[channel_1] = _S375;
+        var _S381 : f32 = Reader_number_0(&(reader_13));
+        medium_3.absorption_0[channel_1] = _S381;
         channel_1 = channel_1 + u32(1);
     }
-    var _S376 : f32 = Reader_number_0(&(reader_13));
-    medium_3.scattering_0 = _S376;
-    var _S377 : f32 = Reader_number_0(&(reader_13));
-    medium_3.anisotropy_0 = _S377;
+    var _S382 : f32 = Reader_number_0(&(reader_13));
+    medium_3.scattering_0 = _S382;
+    var _S383 : f32 = Reader_number_0(&(reader_13));
+    medium_3.anisotropy_0 = _S383;
     var voxels_3 : f32 = Reader_number_0(&(reader_13));
     var forward_1 : vec3<f32> = Reader_vector_0(&(reader_13));
     var u_24 : f32 = Reader_number_0(&(reader_13));
@@ -5101,11 +5093,11 @@ fn check_medium(@builtin(global_invocation_id) id_13 : vec3<u32>, @builtin(local
     Writer_number_0(&(writer_13), unscattered_0(medium_3, voxels_3));
     Writer_number_0(&(writer_13), free_path_0(medium_3, u_24));
     var cos_14 : f32;
-    var _S378 : vec3<f32> = sample_phase_0(_S377, forward_1, u_24, v_11, &(cos_14));
-    Writer_vector_0(&(writer_13), _S378);
+    var _S384 : vec3<f32> = sample_phase_0(_S383, forward_1, u_24, v_11, &(cos_14));
+    Writer_vector_0(&(writer_13), _S384);
     Writer_number_0(&(writer_13), cos_14);
-    var _S379 : f32 = Reader_number_0(&(reader_13));
-    Writer_number_0(&(writer_13), phase_pdf_0(_S377, _S379));
+    var _S385 : f32 = Reader_number_0(&(reader_13));
+    Writer_number_0(&(writer_13), phase_pdf_0(_S383, _S385));
     return;
 }
 
@@ -5119,12 +5111,12 @@ struct Perspective_0
 
 fn Perspective_x24init_0( eye_2 : vec3<f32>,  corner_3 : vec3<f32>,  pixel_x_2 : vec3<f32>,  pixel_y_2 : vec3<f32>) -> Perspective_0
 {
-    var _S380 : Perspective_0;
-    _S380.eye_1 = eye_2;
-    _S380.corner_2 = corner_3;
-    _S380.pixel_x_1 = pixel_x_2;
-    _S380.pixel_y_1 = pixel_y_2;
-    return _S380;
+    var _S386 : Perspective_0;
+    _S386.eye_1 = eye_2;
+    _S386.corner_2 = corner_3;
+    _S386.pixel_x_1 = pixel_x_2;
+    _S386.pixel_y_1 = pixel_y_2;
+    return _S386;
 }
 
 struct Axes_0
@@ -5136,11 +5128,11 @@ struct Axes_0
 
 fn Axes_x24init_0( forward_3 : vec3<f32>,  right_4 : vec3<f32>,  up_1 : vec3<f32>) -> Axes_0
 {
-    var _S381 : Axes_0;
-    _S381.forward_2 = forward_3;
-    _S381.right_3 = right_4;
-    _S381.up_0 = up_1;
-    return _S381;
+    var _S387 : Axes_0;
+    _S387.forward_2 = forward_3;
+    _S387.right_3 = right_4;
+    _S387.up_0 = up_1;
+    return _S387;
 }
 
 struct ThinLens_0
@@ -5153,55 +5145,55 @@ struct ThinLens_0
 
 fn ThinLens_x24init_0( perspective_1 : Perspective_0,  lens_x_2 : vec3<f32>,  lens_y_2 : vec3<f32>,  blades_2 : u32) -> ThinLens_0
 {
-    var _S382 : ThinLens_0;
-    _S382.perspective_0 = perspective_1;
-    _S382.lens_x_1 = lens_x_2;
-    _S382.lens_y_1 = lens_y_2;
-    _S382.blades_1 = blades_2;
-    return _S382;
+    var _S388 : ThinLens_0;
+    _S388.perspective_0 = perspective_1;
+    _S388.lens_x_1 = lens_x_2;
+    _S388.lens_y_1 = lens_y_2;
+    _S388.blades_1 = blades_2;
+    return _S388;
 }
 
 fn concentric_0( square_2 : vec2<f32>) -> vec2<f32>
 {
-    var a_9 : f32 = 2.0f * square_2.x - 1.0f;
-    var b_8 : f32 = 2.0f * square_2.y - 1.0f;
-    var _S383 : bool;
-    if(a_9 == 0.0f)
+    var a_8 : f32 = 2.0f * square_2.x - 1.0f;
+    var b_7 : f32 = 2.0f * square_2.y - 1.0f;
+    var _S389 : bool;
+    if(a_8 == 0.0f)
     {
-        _S383 = b_8 == 0.0f;
+        _S389 = b_7 == 0.0f;
     }
     else
     {
-        _S383 = false;
+        _S389 = false;
     }
-    if(_S383)
+    if(_S389)
     {
         return vec2<f32>(0.0f);
     }
-    var is_across_0 : bool = (abs(a_9)) > (abs(b_8));
+    var is_across_0 : bool = (abs(a_8)) > (abs(b_7));
     var radius_6 : f32;
     if(is_across_0)
     {
-        radius_6 = a_9;
+        radius_6 = a_8;
     }
     else
     {
-        radius_6 = b_8;
+        radius_6 = b_7;
     }
     var turns_3 : f32;
     if(is_across_0)
     {
-        turns_3 = divide_0(b_8, a_9) * 0.125f;
+        turns_3 = divide_0(b_7, a_8) * 0.125f;
     }
     else
     {
-        turns_3 = 0.25f - divide_0(a_9, b_8) * 0.125f;
+        turns_3 = 0.25f - divide_0(a_8, b_7) * 0.125f;
     }
     if(radius_6 < 0.0f)
     {
         turns_3 = turns_3 + 0.5f;
     }
-    var _S384 : f32 = abs(radius_6);
+    var _S390 : f32 = abs(radius_6);
     if(turns_3 < 0.0f)
     {
         radius_6 = turns_3 + 1.0f;
@@ -5210,7 +5202,7 @@ fn concentric_0( square_2 : vec2<f32>) -> vec2<f32>
     {
         radius_6 = turns_3;
     }
-    return vec2<f32>(_S384, radius_6);
+    return vec2<f32>(_S390, radius_6);
 }
 
 fn place_in_aperture_0( blades_3 : u32,  lens_1 : vec2<f32>) -> vec2<f32>
@@ -5228,9 +5220,9 @@ fn place_in_aperture_0( blades_3 : u32,  lens_1 : vec2<f32>) -> vec2<f32>
     var share_8 : f32 = scaled_0 - blade_0;
     var from_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0, count_6));
     var to_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0 + 1.0f, count_6));
-    var _S385 : f32 = from_0.y;
-    var _S386 : f32 = from_0.x;
-    return vec2<f32>(_S385 + (to_0.y - _S385) * share_8, _S386 + (to_0.x - _S386) * share_8) * vec2<f32>(radius_7);
+    var _S391 : f32 = from_0.y;
+    var _S392 : f32 = from_0.x;
+    return vec2<f32>(_S391 + (to_0.y - _S391) * share_8, _S392 + (to_0.x - _S392) * share_8) * vec2<f32>(radius_7);
 }
 
 fn ThinLens_ray_0( this_54 : ThinLens_0,  position_1 : vec2<f32>,  lens_2 : vec2<f32>) -> Ray_0
@@ -5250,12 +5242,12 @@ struct Orthographic_0
 
 fn Orthographic_x24init_0( corner_5 : vec3<f32>,  pixel_x_4 : vec3<f32>,  pixel_y_4 : vec3<f32>,  forward_5 : vec3<f32>) -> Orthographic_0
 {
-    var _S387 : Orthographic_0;
-    _S387.corner_4 = corner_5;
-    _S387.pixel_x_3 = pixel_x_4;
-    _S387.pixel_y_3 = pixel_y_4;
-    _S387.forward_4 = forward_5;
-    return _S387;
+    var _S393 : Orthographic_0;
+    _S393.corner_4 = corner_5;
+    _S393.pixel_x_3 = pixel_x_4;
+    _S393.pixel_y_3 = pixel_y_4;
+    _S393.forward_4 = forward_5;
+    return _S393;
 }
 
 fn Orthographic_ray_0( this_55 : Orthographic_0,  position_2 : vec2<f32>,  lens_3 : vec2<f32>) -> Ray_0
@@ -5273,12 +5265,12 @@ struct Panorama_0
 
 fn Panorama_x24init_0( eye_4 : vec3<f32>,  axes_2 : Axes_0,  inverse_size_1 : vec2<f32>,  half_eye_distance_1 : f32) -> Panorama_0
 {
-    var _S388 : Panorama_0;
-    _S388.eye_3 = eye_4;
-    _S388.axes_1 = axes_2;
-    _S388.inverse_size_0 = inverse_size_1;
-    _S388.half_eye_distance_0 = half_eye_distance_1;
-    return _S388;
+    var _S394 : Panorama_0;
+    _S394.eye_3 = eye_4;
+    _S394.axes_1 = axes_2;
+    _S394.inverse_size_0 = inverse_size_1;
+    _S394.half_eye_distance_0 = half_eye_distance_1;
+    return _S394;
 }
 
 fn Panorama_ray_0( this_56 : Panorama_0,  position_3 : vec2<f32>,  lens_4 : vec2<f32>) -> Ray_0
@@ -5305,9 +5297,9 @@ fn Panorama_ray_0( this_56 : Panorama_0,  position_3 : vec2<f32>,  lens_4 : vec2
     }
     var longitude_0 : vec2<f32> = sincos_turns_0(position_3.x * this_56.inverse_size_0.x);
     var height_2 : vec2<f32> = sincos_turns_0(latitude_1 * 0.5f);
-    var _S389 : vec3<f32> = vec3<f32>(longitude_0.y);
-    var _S390 : vec3<f32> = vec3<f32>(longitude_0.x);
-    return ray_from_0(this_56.eye_3 + (this_56.axes_1.forward_2 * _S390 - this_56.axes_1.right_3 * _S389) * vec3<f32>(side_4), normalize_vector_0((vec3<f32>(0) - this_56.axes_1.forward_2 * _S389 + this_56.axes_1.right_3 * _S390) * vec3<f32>(height_2.x) + this_56.axes_1.up_0 * vec3<f32>(height_2.y)));
+    var _S395 : vec3<f32> = vec3<f32>(longitude_0.y);
+    var _S396 : vec3<f32> = vec3<f32>(longitude_0.x);
+    return ray_from_0(this_56.eye_3 + (this_56.axes_1.forward_2 * _S396 - this_56.axes_1.right_3 * _S395) * vec3<f32>(side_4), normalize_vector_0((vec3<f32>(0) - this_56.axes_1.forward_2 * _S395 + this_56.axes_1.right_3 * _S396) * vec3<f32>(height_2.x) + this_56.axes_1.up_0 * vec3<f32>(height_2.y)));
 }
 
 struct Fisheye_0
@@ -5320,12 +5312,12 @@ struct Fisheye_0
 
 fn Fisheye_x24init_0( eye_6 : vec3<f32>,  axes_4 : Axes_0,  middle_2 : vec2<f32>,  turns_per_pixel_1 : f32) -> Fisheye_0
 {
-    var _S391 : Fisheye_0;
-    _S391.eye_5 = eye_6;
-    _S391.axes_3 = axes_4;
-    _S391.middle_1 = middle_2;
-    _S391.turns_per_pixel_0 = turns_per_pixel_1;
-    return _S391;
+    var _S397 : Fisheye_0;
+    _S397.eye_5 = eye_6;
+    _S397.axes_3 = axes_4;
+    _S397.middle_1 = middle_2;
+    _S397.turns_per_pixel_0 = turns_per_pixel_1;
+    return _S397;
 }
 
 fn Fisheye_ray_0( this_57 : Fisheye_0,  position_4 : vec2<f32>,  lens_5 : vec2<f32>) -> Ray_0
@@ -5397,36 +5389,36 @@ fn CameraFrame_ray_0( this_59 : CameraFrame_0,  position_6 : vec2<f32>,  lens_sa
 fn check_camera(@builtin(global_invocation_id) id_14 : vec3<u32>, @builtin(local_invocation_index) thread_15 : u32)
 {
     prove_0(thread_15);
-    var _S392 : u32 = id_14.x;
-    if(_S392 >= (dispatch_0.count_0))
+    var _S398 : u32 = id_14.x;
+    if(_S398 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_14 : Reader_0 = Reader_x24init_0(u32(24) * _S392);
-    var writer_14 : Writer_0 = Writer_x24init_0(u32(8) * _S392);
+    var reader_14 : Reader_0 = Reader_x24init_0(u32(24) * _S398);
+    var writer_14 : Writer_0 = Writer_x24init_0(u32(8) * _S398);
     var camera_0 : CameraFrame_0;
-    var _S393 : u32 = Reader_word_0(&(reader_14));
-    camera_0.lens_7 = _S393;
-    var _S394 : vec3<f32> = Reader_vector_0(&(reader_14));
-    camera_0.eye_7 = _S394;
-    var _S395 : vec3<f32> = Reader_vector_0(&(reader_14));
-    camera_0.corner_6 = _S395;
-    var _S396 : vec3<f32> = Reader_vector_0(&(reader_14));
-    camera_0.pixel_x_5 = _S396;
-    var _S397 : vec3<f32> = Reader_vector_0(&(reader_14));
-    camera_0.pixel_y_5 = _S397;
-    var _S398 : vec3<f32> = Reader_vector_0(&(reader_14));
-    camera_0.lens_x_3 = _S398;
-    var _S399 : vec3<f32> = Reader_vector_0(&(reader_14));
-    camera_0.lens_y_3 = _S399;
-    var _S400 : u32 = Reader_word_0(&(reader_14));
-    camera_0.blades_4 = _S400;
+    var _S399 : u32 = Reader_word_0(&(reader_14));
+    camera_0.lens_7 = _S399;
+    var _S400 : vec3<f32> = Reader_vector_0(&(reader_14));
+    camera_0.eye_7 = _S400;
+    var _S401 : vec3<f32> = Reader_vector_0(&(reader_14));
+    camera_0.corner_6 = _S401;
+    var _S402 : vec3<f32> = Reader_vector_0(&(reader_14));
+    camera_0.pixel_x_5 = _S402;
+    var _S403 : vec3<f32> = Reader_vector_0(&(reader_14));
+    camera_0.pixel_y_5 = _S403;
+    var _S404 : vec3<f32> = Reader_vector_0(&(reader_14));
+    camera_0.lens_x_3 = _S404;
+    var _S405 : vec3<f32> = Reader_vector_0(&(reader_14));
+    camera_0.lens_y_3 = _S405;
+    var _S406 : u32 = Reader_word_0(&(reader_14));
+    camera_0.blades_4 = _S406;
     var x_21 : f32 = Reader_number_0(&(reader_14));
-    var _S401 : f32 = Reader_number_0(&(reader_14));
-    var position_7 : vec2<f32> = vec2<f32>(x_21, _S401);
+    var _S407 : f32 = Reader_number_0(&(reader_14));
+    var position_7 : vec2<f32> = vec2<f32>(x_21, _S407);
     var u_25 : f32 = Reader_number_0(&(reader_14));
-    var _S402 : f32 = Reader_number_0(&(reader_14));
-    var ray_11 : Ray_0 = CameraFrame_ray_0(camera_0, position_7, vec2<f32>(u_25, _S402));
+    var _S408 : f32 = Reader_number_0(&(reader_14));
+    var ray_11 : Ray_0 = CameraFrame_ray_0(camera_0, position_7, vec2<f32>(u_25, _S408));
     Writer_vector_0(&(writer_14), ray_11.origin_1);
     Writer_number_0(&(writer_14), ray_11.t_min_0);
     Writer_vector_0(&(writer_14), ray_11.direction_1);

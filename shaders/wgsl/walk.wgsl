@@ -190,11 +190,13 @@ fn first_row_0( array_0 : u32) -> u32
     return records_0[(array_0 >> (u32(2)))][(array_0 & (u32(3)))];
 }
 
-fn transform_in_0( row_0 : u32) -> Transform_0
+fn Rows_operatorx5Bx5D_get_0( row_0 : u32) -> vec4<u32>
 {
-    var a_0 : vec4<u32> = records_0[row_0];
-    var b_0 : vec4<u32> = records_0[row_0 + u32(1)];
-    var c_0 : vec4<u32> = records_0[row_0 + u32(2)];
+    return records_0[first_row_0(u32(1)) + row_0];
+}
+
+fn transform_of_0( a_0 : vec4<u32>,  b_0 : vec4<u32>,  c_0 : vec4<u32>) -> Transform_0
+{
     var transform_0 : Transform_0;
     var _S1 : f32 = (bitcast<f32>((a_0.y)));
     var _S2 : f32 = (bitcast<f32>((a_0.z)));
@@ -232,9 +234,9 @@ fn PackedInstance_x24init_0( grid_from_world_1 : Transform_0,  world_from_grid_1
 
 fn Instances_operatorx5Bx5D_get_0( index_0 : u32) -> PackedInstance_0
 {
-    var row_1 : u32 = first_row_0(u32(1)) + u32(7) * index_0;
-    var last_0 : vec4<u32> = records_0[row_1 + u32(6)];
-    return PackedInstance_x24init_0(transform_in_0(row_1), transform_in_0(row_1 + u32(3)), last_0.x, last_0.y, last_0.z);
+    var row_1 : u32 = u32(7) * index_0;
+    var _S10 : vec4<u32> = Rows_operatorx5Bx5D_get_0(row_1 + u32(6));
+    return PackedInstance_x24init_0(transform_of_0(Rows_operatorx5Bx5D_get_0(row_1), Rows_operatorx5Bx5D_get_0(row_1 + u32(1)), Rows_operatorx5Bx5D_get_0(row_1 + u32(2))), transform_of_0(Rows_operatorx5Bx5D_get_0(row_1 + u32(3)), Rows_operatorx5Bx5D_get_0(row_1 + u32(4)), Rows_operatorx5Bx5D_get_0(row_1 + u32(5))), _S10.x, _S10.y, _S10.z);
 }
 
 struct LocalRay_0
@@ -273,9 +275,9 @@ fn nearest_quotient_0( dividend_0 : u32,  divisor_0 : u32,  guess_0 : u32) -> u3
 {
     var rest_0 : i32 = i32(((dividend_0 << (u32(23)))) - guess_0 * divisor_0);
     var units_0 : i32 = i32(floor(f32(rest_0) * (1.0f / f32(divisor_0)) + 0.5f));
-    var _S10 : i32 = i32(divisor_0);
-    var _S11 : i32 = i32(2) * (rest_0 - units_0 * _S10);
-    return guess_0 + u32(units_0 + (i32(_S11 > _S10) - i32(_S11 < (- _S10))));
+    var _S11 : i32 = i32(divisor_0);
+    var _S12 : i32 = i32(2) * (rest_0 - units_0 * _S11);
+    return guess_0 + u32(units_0 + (i32(_S12 > _S11) - i32(_S12 < (- _S11))));
 }
 
 fn divide_0( a_1 : f32,  b_1 : f32) -> f32
@@ -284,37 +286,37 @@ fn divide_0( a_1 : f32,  b_1 : f32) -> f32
     {
         return a_1 / b_1;
     }
-    var _S12 : u32 = (bitcast<u32>((a_1)));
-    var exponent_a_0 : u32 = (((_S12 >> (u32(23)))) & (u32(255)));
-    var _S13 : u32 = (bitcast<u32>((b_1)));
-    var exponent_b_0 : u32 = (((_S13 >> (u32(23)))) & (u32(255)));
-    var dividend_1 : u32 = (((_S12 & (u32(8388607)))) | (u32(8388608)));
-    var divisor_1 : u32 = (((_S13 & (u32(8388607)))) | (u32(8388608)));
+    var _S13 : u32 = (bitcast<u32>((a_1)));
+    var exponent_a_0 : u32 = (((_S13 >> (u32(23)))) & (u32(255)));
+    var _S14 : u32 = (bitcast<u32>((b_1)));
+    var exponent_b_0 : u32 = (((_S14 >> (u32(23)))) & (u32(255)));
+    var dividend_1 : u32 = (((_S13 & (u32(8388607)))) | (u32(8388608)));
+    var divisor_1 : u32 = (((_S14 & (u32(8388607)))) | (u32(8388608)));
     var is_below_0 : u32 = u32(dividend_1 < divisor_1);
     var dividend_2 : u32 = (dividend_1 << (is_below_0));
     var exponent_1 : u32 = exponent_a_0 + u32(127) - exponent_b_0 - is_below_0;
-    var _S14 : bool;
+    var _S15 : bool;
     if(!is_normal_0(exponent_a_0))
     {
-        _S14 = true;
+        _S15 = true;
     }
     else
     {
-        _S14 = !is_normal_0(exponent_b_0);
+        _S15 = !is_normal_0(exponent_b_0);
     }
-    if(_S14)
+    if(_S15)
     {
-        _S14 = true;
+        _S15 = true;
     }
     else
     {
-        _S14 = !is_normal_0(exponent_1);
+        _S15 = !is_normal_0(exponent_1);
     }
-    if(_S14)
+    if(_S15)
     {
         return a_1 / b_1;
     }
-    return (bitcast<f32>(((((((_S12 ^ (_S13))) & (u32(2147483648)))) | ((((exponent_1 << (u32(23)))) + (nearest_quotient_0(dividend_2, divisor_1, u32(f32(dividend_2) * (1.0f / f32(divisor_1)) * 8.388608e+06f)) - u32(8388608))))))));
+    return (bitcast<f32>(((((((_S13 ^ (_S14))) & (u32(2147483648)))) | ((((exponent_1 << (u32(23)))) + (nearest_quotient_0(dividend_2, divisor_1, u32(f32(dividend_2) * (1.0f / f32(divisor_1)) * 8.388608e+06f)) - u32(8388608))))))));
 }
 
 fn reciprocal_0( vector_0 : vec3<f32>) -> vec3<f32>
@@ -334,9 +336,9 @@ fn local_ray_0( ray_0 : Ray_0,  grid_from_world_2 : Transform_0) -> LocalRay_0
     var origin_3 : vec3<f32>;
     if(!IS_SINGLE_0)
     {
-        var _S15 : vec3<f32> = Transform_point_0(grid_from_world_2, ray_0.origin_1);
+        var _S16 : vec3<f32> = Transform_point_0(grid_from_world_2, ray_0.origin_1);
         direction_3 = Transform_direction_0(grid_from_world_2, ray_0.direction_1);
-        origin_3 = _S15;
+        origin_3 = _S16;
     }
     else
     {
@@ -344,11 +346,11 @@ fn local_ray_0( ray_0 : Ray_0,  grid_from_world_2 : Transform_0) -> LocalRay_0
         origin_3 = ray_0.origin_1;
     }
     var is_zero_0 : vec3<bool> = !((abs(direction_3)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S16 : vec3<f32> = select(direction_3, vec3<f32>(0.0f), is_zero_0);
-    local_0.direction_2 = _S16;
+    var _S17 : vec3<f32> = select(direction_3, vec3<f32>(0.0f), is_zero_0);
+    local_0.direction_2 = _S17;
     local_0.inverse_0 = select(reciprocal_0(select(direction_3, vec3<f32>(1.0f), is_zero_0)), vec3<f32>(3.4028234663852886e+38f), is_zero_0);
     local_0.origin_2 = select(origin_3, floor(origin_3) + vec3<f32>(0.5f), is_zero_0);
-    var speed_0 : f32 = max_element_0(abs(_S16));
+    var speed_0 : f32 = max_element_0(abs(_S17));
     var moves_0 : bool;
     if(speed_0 >= 1.00000004581370497e-18f)
     {
@@ -400,12 +402,12 @@ fn local_ray_0( ray_0 : Ray_0,  grid_from_world_2 : Transform_0) -> LocalRay_0
 
 fn Hit_x24init_0( t_2 : f32,  instance_3 : u32,  voxel_3 : vec3<i32>,  face_2 : u32) -> Hit_0
 {
-    var _S17 : Hit_0;
-    _S17.t_1 = t_2;
-    _S17.instance_1 = instance_3;
-    _S17.voxel_1 = voxel_3;
-    _S17.face_1 = face_2;
-    return _S17;
+    var _S18 : Hit_0;
+    _S18.t_1 = t_2;
+    _S18.instance_1 = instance_3;
+    _S18.voxel_1 = voxel_3;
+    _S18.face_1 = face_2;
+    return _S18;
 }
 
 fn miss_0() -> Hit_0
@@ -425,40 +427,45 @@ struct PackedGrid_0
      material_bits_0 : u32,
 };
 
+fn Rows_operatorx5Bx5D_get_1( row_2 : u32) -> vec4<u32>
+{
+    return records_0[first_row_0(u32(0)) + row_2];
+}
+
 fn Grids_operatorx5Bx5D_get_0( index_1 : u32) -> PackedGrid_0
 {
-    var row_2 : u32 = first_row_0(u32(0)) + u32(5) * index_1;
-    var a_2 : vec4<u32> = records_0[row_2];
-    var b_2 : vec4<u32> = records_0[row_2 + u32(1)];
-    var c_1 : vec4<u32> = records_0[row_2 + u32(2)];
-    var d_0 : vec4<u32> = records_0[row_2 + u32(3)];
+    var row_3 : u32 = u32(5) * index_1;
+    var _S19 : vec4<u32> = Rows_operatorx5Bx5D_get_1(row_3);
+    var _S20 : vec4<u32> = Rows_operatorx5Bx5D_get_1(row_3 + u32(1));
+    var _S21 : vec4<u32> = Rows_operatorx5Bx5D_get_1(row_3 + u32(2));
+    var _S22 : vec4<u32> = Rows_operatorx5Bx5D_get_1(row_3 + u32(3));
     var grid_2 : PackedGrid_0;
-    var _S18 : i32 = i32(a_2.y);
-    var _S19 : i32 = i32(a_2.z);
-    grid_2.origin_4[i32(0)] = i32(a_2.x);
-    grid_2.origin_4[i32(1)] = _S18;
-    grid_2.origin_4[i32(2)] = _S19;
-    grid_2.top_shift_0 = a_2.w;
-    var _S20 : i32 = i32(b_2.y);
-    var _S21 : i32 = i32(b_2.z);
-    grid_2.top_size_0[i32(0)] = i32(b_2.x);
-    grid_2.top_size_0[i32(1)] = _S20;
-    grid_2.top_size_0[i32(2)] = _S21;
-    grid_2.top_offset_0 = b_2.w;
-    var _S22 : i32 = i32(c_1.y);
-    var _S23 : i32 = i32(c_1.z);
-    grid_2.min_0[i32(0)] = i32(c_1.x);
-    grid_2.min_0[i32(1)] = _S22;
-    grid_2.min_0[i32(2)] = _S23;
-    var _S24 : u32 = d_0.x;
-    grid_2.voxels_0[i32(0)] = c_1.w;
-    grid_2.voxels_0[i32(1)] = _S24;
-    var _S25 : i32 = i32(d_0.z);
-    var _S26 : i32 = i32(d_0.w);
-    grid_2.max_0[i32(0)] = i32(d_0.y);
-    grid_2.max_0[i32(1)] = _S25;
-    grid_2.max_0[i32(2)] = _S26;
-    grid_2.material_bits_0 = records_0[row_2 + u32(4)].x;
+    var _S23 : i32 = i32(_S19.y);
+    var _S24 : i32 = i32(_S19.z);
+    grid_2.origin_4[i32(0)] = i32(_S19.x);
+    grid_2.origin_4[i32(1)] = _S23;
+    grid_2.origin_4[i32(2)] = _S24;
+    grid_2.top_shift_0 = _S19.w;
+    var _S25 : i32 = i32(_S20.y);
+    var _S26 : i32 = i32(_S20.z);
+    grid_2.top_size_0[i32(0)] = i32(_S20.x);
+    grid_2.top_size_0[i32(1)] = _S25;
+    grid_2.top_size_0[i32(2)] = _S26;
+    grid_2.top_offset_0 = _S20.w;
+    var _S27 : i32 = i32(_S21.y);
+    var _S28 : i32 = i32(_S21.z);
+    grid_2.min_0[i32(0)] = i32(_S21.x);
+    grid_2.min_0[i32(1)] = _S27;
+    grid_2.min_0[i32(2)] = _S28;
+    var _S29 : u32 = _S22.x;
+    grid_2.voxels_0[i32(0)] = _S21.w;
+    grid_2.voxels_0[i32(1)] = _S29;
+    var _S30 : i32 = i32(_S22.z);
+    var _S31 : i32 = i32(_S22.w);
+    grid_2.max_0[i32(0)] = i32(_S22.y);
+    grid_2.max_0[i32(1)] = _S30;
+    grid_2.max_0[i32(2)] = _S31;
+    grid_2.material_bits_0 = Rows_operatorx5Bx5D_get_1(row_3 + u32(4)).x;
     return grid_2;
 }
 
@@ -487,16 +494,16 @@ fn Walk_mirrored_plane_0( this_2 : Walk_0,  plane_0 : vec3<i32>) -> vec3<i32>
 
 fn min_abs_direction_0() -> f32
 {
-    var _S27 : f32;
+    var _S32 : f32;
     if(IS_EXACT_0)
     {
-        _S27 = 0.0f;
+        _S32 = 0.0f;
     }
     else
     {
-        _S27 = 1.00000004581370497e-18f;
+        _S32 = 1.00000004581370497e-18f;
     }
-    return _S27;
+    return _S32;
 }
 
 @id(3) override TOP_SHIFT_0 : u32 = u32(0);
@@ -517,18 +524,18 @@ fn walk_of_0( ray_2 : LocalRay_0,  grid_3 : PackedGrid_0) -> Walk_0
     walk_0.ray_1 = ray_2;
     walk_0.grid_origin_0 = cell_of_0(grid_3.origin_4);
     var is_negative_0 : vec3<bool> = (ray_2.direction_2) < vec3<f32>(0.0f);
-    var _S28 : vec3<i32> = vec3<i32>(i32(0));
-    walk_0.mirror_0 = select(_S28, vec3<i32>(i32(-1)), is_negative_0);
-    var _S29 : vec3<i32>;
+    var _S33 : vec3<i32> = vec3<i32>(i32(0));
+    walk_0.mirror_0 = select(_S33, vec3<i32>(i32(-1)), is_negative_0);
+    var _S34 : vec3<i32>;
     if(IS_EXACT_0)
     {
-        _S29 = Walk_mirrored_plane_0(walk_0, walk_0.grid_origin_0);
+        _S34 = Walk_mirrored_plane_0(walk_0, walk_0.grid_origin_0);
     }
     else
     {
-        _S29 = _S28;
+        _S34 = _S33;
     }
-    walk_0.offset_0 = _S29;
+    walk_0.offset_0 = _S34;
     var origin_6 : vec3<f32>;
     if(IS_EXACT_0)
     {
@@ -574,74 +581,74 @@ fn halves_0( value_0 : f32) -> vec2<f32>
     return vec2<f32>(high_1, value_0 - high_1);
 }
 
-fn exact_product_0( a_3 : f32,  b_3 : f32) -> vec2<f32>
+fn exact_product_0( a_2 : f32,  b_2 : f32) -> vec2<f32>
 {
-    var product_0 : f32 = a_3 * b_3;
+    var product_0 : f32 = a_2 * b_2;
     if(!IS_EXACT_0)
     {
         return vec2<f32>(product_0, 0.0f);
     }
-    var a_parts_0 : vec2<f32> = halves_0(a_3);
-    var b_parts_0 : vec2<f32> = halves_0(b_3);
-    var _S30 : f32 = a_parts_0.x;
-    var _S31 : f32 = b_parts_0.x;
-    var _S32 : f32 = b_parts_0.y;
-    var _S33 : f32 = a_parts_0.y;
-    return vec2<f32>(product_0, _S30 * _S31 - product_0 + _S30 * _S32 + _S33 * _S31 + _S33 * _S32);
+    var a_parts_0 : vec2<f32> = halves_0(a_2);
+    var b_parts_0 : vec2<f32> = halves_0(b_2);
+    var _S35 : f32 = a_parts_0.x;
+    var _S36 : f32 = b_parts_0.x;
+    var _S37 : f32 = b_parts_0.y;
+    var _S38 : f32 = a_parts_0.y;
+    return vec2<f32>(product_0, _S35 * _S36 - product_0 + _S35 * _S37 + _S38 * _S36 + _S38 * _S37);
 }
 
 fn exact_start_voxel_0( ray_3 : LocalRay_0) -> vec3<i32>
 {
     var way_0 : vec2<f32> = exact_product_0(ray_3.t_min_2, ray_3.direction_2[u32(0)]);
-    var _S34 : f32 = way_0.x;
-    var sum_0 : f32 = ray_3.origin_2[u32(0)] + _S34;
+    var _S39 : f32 = way_0.x;
+    var sum_0 : f32 = ray_3.origin_2[u32(0)] + _S39;
     var part_0 : f32 = sum_0 - ray_3.origin_2[u32(0)];
-    var low_1 : f32 = ray_3.origin_2[u32(0)] - (sum_0 - part_0) + (_S34 - part_0) + way_0.y;
+    var low_1 : f32 = ray_3.origin_2[u32(0)] - (sum_0 - part_0) + (_S39 - part_0) + way_0.y;
     var whole_0 : f32 = floor(sum_0);
     var voxel_5 : vec3<i32>;
-    var _S35 : i32 = i32(whole_0);
-    var _S36 : bool;
+    var _S40 : i32 = i32(whole_0);
+    var _S41 : bool;
     if(sum_0 == whole_0)
     {
-        _S36 = low_1 < 0.0f;
+        _S41 = low_1 < 0.0f;
     }
     else
     {
-        _S36 = false;
+        _S41 = false;
     }
-    voxel_5[u32(0)] = _S35 - i32(_S36);
+    voxel_5[u32(0)] = _S40 - i32(_S41);
     var way_1 : vec2<f32> = exact_product_0(ray_3.t_min_2, ray_3.direction_2[u32(1)]);
-    var _S37 : f32 = way_1.x;
-    var sum_1 : f32 = ray_3.origin_2[u32(1)] + _S37;
+    var _S42 : f32 = way_1.x;
+    var sum_1 : f32 = ray_3.origin_2[u32(1)] + _S42;
     var part_1 : f32 = sum_1 - ray_3.origin_2[u32(1)];
-    var low_2 : f32 = ray_3.origin_2[u32(1)] - (sum_1 - part_1) + (_S37 - part_1) + way_1.y;
+    var low_2 : f32 = ray_3.origin_2[u32(1)] - (sum_1 - part_1) + (_S42 - part_1) + way_1.y;
     var whole_1 : f32 = floor(sum_1);
-    var _S38 : i32 = i32(whole_1);
+    var _S43 : i32 = i32(whole_1);
     if(sum_1 == whole_1)
     {
-        _S36 = low_2 < 0.0f;
+        _S41 = low_2 < 0.0f;
     }
     else
     {
-        _S36 = false;
+        _S41 = false;
     }
-    voxel_5[u32(1)] = _S38 - i32(_S36);
+    voxel_5[u32(1)] = _S43 - i32(_S41);
     var way_2 : vec2<f32> = exact_product_0(ray_3.t_min_2, ray_3.direction_2[u32(2)]);
-    var _S39 : f32 = way_2.x;
-    var sum_2 : f32 = ray_3.origin_2[u32(2)] + _S39;
+    var _S44 : f32 = way_2.x;
+    var sum_2 : f32 = ray_3.origin_2[u32(2)] + _S44;
     var part_2 : f32 = sum_2 - ray_3.origin_2[u32(2)];
-    var low_3 : f32 = ray_3.origin_2[u32(2)] - (sum_2 - part_2) + (_S39 - part_2) + way_2.y;
+    var low_3 : f32 = ray_3.origin_2[u32(2)] - (sum_2 - part_2) + (_S44 - part_2) + way_2.y;
     var whole_2 : f32 = floor(sum_2);
-    var _S40 : i32 = i32(whole_2);
+    var _S45 : i32 = i32(whole_2);
     if(sum_2 == whole_2)
     {
-        _S36 = low_3 < 0.0f;
+        _S41 = low_3 < 0.0f;
     }
     else
     {
-        _S36 = false;
+        _S41 = false;
     }
-    voxel_5[u32(2)] = _S40 - i32(_S36);
+    voxel_5[u32(2)] = _S45 - i32(_S41);
     return voxel_5;
 }
 
@@ -654,16 +661,16 @@ fn Walk_start_voxel_0( this_6 : Walk_0) -> vec3<i32>
     }
     var nearest_0 : vec3<f32> = round(start_0);
     var from_nearest_0 : vec3<f32> = start_0 - nearest_0;
-    var _S41 : bool;
+    var _S46 : bool;
     if((this_6.ray_1.t_min_2) > 0.0f)
     {
-        _S41 = (any(((abs(from_nearest_0)) <= (this_6.tolerance_0))));
+        _S46 = (any(((abs(from_nearest_0)) <= (this_6.tolerance_0))));
     }
     else
     {
-        _S41 = false;
+        _S46 = false;
     }
-    if(_S41)
+    if(_S46)
     {
         return Walk_mirrored_0(this_6, exact_start_voxel_0(this_6.ray_1) - this_6.grid_origin_0);
     }
@@ -685,12 +692,12 @@ struct Crossing_0
 
 fn Crossing_x24init_0( distance_1 : f32,  distance_low_1 : f32,  speed_3 : f32,  axis_1 : u32) -> Crossing_0
 {
-    var _S42 : Crossing_0;
-    _S42.distance_0 = distance_1;
-    _S42.distance_low_0 = distance_low_1;
-    _S42.speed_2 = speed_3;
-    _S42.axis_0 = axis_1;
-    return _S42;
+    var _S47 : Crossing_0;
+    _S47.distance_0 = distance_1;
+    _S47.distance_low_0 = distance_low_1;
+    _S47.speed_2 = speed_3;
+    _S47.axis_0 = axis_1;
+    return _S47;
 }
 
 fn crossing_of_0( ray_4 : LocalRay_0,  axis_2 : u32,  plane_1 : i32) -> Crossing_0
@@ -720,61 +727,61 @@ fn Crossing_is_before_0( this_8 : Crossing_0,  other_0 : Crossing_0) -> bool
         theirs_0[i32(1)] = theirs_0[i32(1)] + other_0.distance_low_0 * this_8.speed_2;
     }
     var difference_1 : f32 = ours_0.x - theirs_0.x + (ours_0.y - theirs_0.y);
-    var _S43 : bool;
+    var _S48 : bool;
     if(difference_1 < 0.0f)
     {
-        _S43 = true;
+        _S48 = true;
     }
     else
     {
         if(difference_1 == 0.0f)
         {
-            _S43 = (this_8.axis_0) < (other_0.axis_0);
+            _S48 = (this_8.axis_0) < (other_0.axis_0);
         }
         else
         {
-            _S43 = false;
+            _S48 = false;
         }
     }
-    return _S43;
+    return _S48;
 }
 
 fn leave_box_0( ray_5 : LocalRay_0,  voxel_6 : vec3<i32>,  exit_0 : vec3<i32>,  nearest_1 : vec3<i32>) -> vec3<i32>
 {
-    var _S44 : vec3<f32>;
-    var _S45 : f32;
-    var _S46 : bool;
+    var _S49 : vec3<f32>;
+    var _S50 : f32;
+    var _S51 : bool;
     var is_crossed_0 : bool;
     var first_1 : Crossing_0;
-    var _S47 : f32;
-    var _S48 : bool;
-    var _S49 : f32;
-    var _S50 : bool;
+    var _S52 : f32;
+    var _S53 : bool;
+    var _S54 : f32;
+    var _S55 : bool;
     var plane_2 : i32;
-    var _S51 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
+    var _S56 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
     for(;;)
     {
         for(;;)
         {
             for(;;)
             {
-                _S44 = ray_5.direction_2;
-                _S45 = ray_5.direction_2[u32(0)];
-                var _S52 : bool = (ray_5.direction_2[u32(0)]) == 0.0f;
-                _S46 = _S52;
-                if(_S52)
+                _S49 = ray_5.direction_2;
+                _S50 = ray_5.direction_2[u32(0)];
+                var _S57 : bool = (ray_5.direction_2[u32(0)]) == 0.0f;
+                _S51 = _S57;
+                if(_S57)
                 {
-                    first_1 = _S51;
+                    first_1 = _S56;
                     break;
                 }
                 var crossing_0 : Crossing_0 = crossing_of_0(ray_5, u32(0), exit_0[u32(0)]);
-                if((_S51.axis_0) == u32(3))
+                if((_S56.axis_0) == u32(3))
                 {
                     is_crossed_0 = true;
                 }
                 else
                 {
-                    is_crossed_0 = Crossing_is_before_0(crossing_0, _S51);
+                    is_crossed_0 = Crossing_is_before_0(crossing_0, _S56);
                 }
                 if(is_crossed_0)
                 {
@@ -782,7 +789,7 @@ fn leave_box_0( ray_5 : LocalRay_0,  voxel_6 : vec3<i32>,  exit_0 : vec3<i32>,  
                 }
                 else
                 {
-                    first_1 = _S51;
+                    first_1 = _S56;
                 }
                 break;
             }
@@ -792,10 +799,10 @@ fn leave_box_0( ray_5 : LocalRay_0,  voxel_6 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                _S47 = _S44[u32(1)];
-                var _S53 : bool = (_S44[u32(1)]) == 0.0f;
-                _S48 = _S53;
-                if(_S53)
+                _S52 = _S49[u32(1)];
+                var _S58 : bool = (_S49[u32(1)]) == 0.0f;
+                _S53 = _S58;
+                if(_S58)
                 {
                     break;
                 }
@@ -820,10 +827,10 @@ fn leave_box_0( ray_5 : LocalRay_0,  voxel_6 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                _S49 = _S44[u32(2)];
-                var _S54 : bool = (_S44[u32(2)]) == 0.0f;
-                _S50 = _S54;
-                if(_S54)
+                _S54 = _S49[u32(2)];
+                var _S59 : bool = (_S49[u32(2)]) == 0.0f;
+                _S55 = _S59;
+                if(_S59)
                 {
                     break;
                 }
@@ -853,12 +860,12 @@ fn leave_box_0( ray_5 : LocalRay_0,  voxel_6 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                if(_S46)
+                if(_S51)
                 {
                     break;
                 }
-                var _S55 : bool = u32(0) == (first_1.axis_0);
-                if(_S55)
+                var _S60 : bool = u32(0) == (first_1.axis_0);
+                if(_S60)
                 {
                     is_crossed_0 = true;
                 }
@@ -866,7 +873,7 @@ fn leave_box_0( ray_5 : LocalRay_0,  voxel_6 : vec3<i32>,  exit_0 : vec3<i32>,  
                 {
                     is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_5, u32(0), nearest_1[u32(0)]), first_1);
                 }
-                if(_S55)
+                if(_S60)
                 {
                     plane_2 = exit_0[u32(0)];
                 }
@@ -874,7 +881,7 @@ fn leave_box_0( ray_5 : LocalRay_0,  voxel_6 : vec3<i32>,  exit_0 : vec3<i32>,  
                 {
                     plane_2 = nearest_1[u32(0)];
                 }
-                arrival_0[u32(0)] = plane_2 - i32(is_crossed_0 == (_S45 < 0.0f));
+                arrival_0[u32(0)] = plane_2 - i32(is_crossed_0 == (_S50 < 0.0f));
                 break;
             }
             break;
@@ -883,12 +890,12 @@ fn leave_box_0( ray_5 : LocalRay_0,  voxel_6 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                if(_S48)
+                if(_S53)
                 {
                     break;
                 }
-                var _S56 : bool = u32(1) == (first_1.axis_0);
-                if(_S56)
+                var _S61 : bool = u32(1) == (first_1.axis_0);
+                if(_S61)
                 {
                     is_crossed_0 = true;
                 }
@@ -896,7 +903,7 @@ fn leave_box_0( ray_5 : LocalRay_0,  voxel_6 : vec3<i32>,  exit_0 : vec3<i32>,  
                 {
                     is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_5, u32(1), nearest_1[u32(1)]), first_1);
                 }
-                if(_S56)
+                if(_S61)
                 {
                     plane_2 = exit_0[u32(1)];
                 }
@@ -904,7 +911,7 @@ fn leave_box_0( ray_5 : LocalRay_0,  voxel_6 : vec3<i32>,  exit_0 : vec3<i32>,  
                 {
                     plane_2 = nearest_1[u32(1)];
                 }
-                arrival_0[u32(1)] = plane_2 - i32(is_crossed_0 == (_S47 < 0.0f));
+                arrival_0[u32(1)] = plane_2 - i32(is_crossed_0 == (_S52 < 0.0f));
                 break;
             }
             break;
@@ -913,12 +920,12 @@ fn leave_box_0( ray_5 : LocalRay_0,  voxel_6 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                if(_S50)
+                if(_S55)
                 {
                     break;
                 }
-                var _S57 : bool = u32(2) == (first_1.axis_0);
-                if(_S57)
+                var _S62 : bool = u32(2) == (first_1.axis_0);
+                if(_S62)
                 {
                     is_crossed_0 = true;
                 }
@@ -926,7 +933,7 @@ fn leave_box_0( ray_5 : LocalRay_0,  voxel_6 : vec3<i32>,  exit_0 : vec3<i32>,  
                 {
                     is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_5, u32(2), nearest_1[u32(2)]), first_1);
                 }
-                if(_S57)
+                if(_S62)
                 {
                     plane_2 = exit_0[u32(2)];
                 }
@@ -934,7 +941,7 @@ fn leave_box_0( ray_5 : LocalRay_0,  voxel_6 : vec3<i32>,  exit_0 : vec3<i32>,  
                 {
                     plane_2 = nearest_1[u32(2)];
                 }
-                arrival_0[u32(2)] = plane_2 - i32(is_crossed_0 == (_S49 < 0.0f));
+                arrival_0[u32(2)] = plane_2 - i32(is_crossed_0 == (_S54 < 0.0f));
                 break;
             }
             break;
@@ -981,9 +988,9 @@ fn Walk_enter_rounded_0( this_10 : Walk_0,  voxel_8 : ptr<function, vec3<i32>>, 
             return false;
         }
         var is_x_0 : bool = (t_4.x) == t_last_0;
-        var _S58 : bool = !is_x_0;
+        var _S63 : bool = !is_x_0;
         var is_y_0 : bool;
-        if(_S58)
+        if(_S63)
         {
             is_y_0 = (t_4.y) == t_last_0;
         }
@@ -991,16 +998,16 @@ fn Walk_enter_rounded_0( this_10 : Walk_0,  voxel_8 : ptr<function, vec3<i32>>, 
         {
             is_y_0 = false;
         }
-        var _S59 : bool;
-        if(_S58)
+        var _S64 : bool;
+        if(_S63)
         {
-            _S59 = !is_y_0;
+            _S64 = !is_y_0;
         }
         else
         {
-            _S59 = false;
+            _S64 = false;
         }
-        var is_axis_1 : vec3<bool> = vec3<bool>(is_x_0, is_y_0, _S59);
+        var is_axis_1 : vec3<bool> = vec3<bool>(is_x_0, is_y_0, _S64);
         (*voxel_8) = Walk_arrive_0(this_10, (*voxel_8), t_last_0, is_axis_1, select(vec3<i32>(i32(1073741823)), near_0, is_axis_1));
     }
     return (all(((*voxel_8) < far_0)));
@@ -1027,8 +1034,8 @@ fn Walk_leave_0( this_12 : Walk_0,  voxel_10 : ptr<function, vec3<i32>>,  exit_3
 {
     if(!IS_EXACT_0)
     {
-        var _S60 : bool = Walk_leave_rounded_0(this_12, &((*voxel_10)), exit_3);
-        return _S60;
+        var _S65 : bool = Walk_leave_rounded_0(this_12, &((*voxel_10)), exit_3);
+        return _S65;
     }
     var t_6 : vec3<f32> = Walk_crossings_0(this_12, exit_3);
     var t_first_1 : f32 = min_element_0(t_6);
@@ -1037,9 +1044,9 @@ fn Walk_leave_0( this_12 : Walk_0,  voxel_10 : ptr<function, vec3<i32>>,  exit_3
         return false;
     }
     var is_x_1 : bool = (t_6.x) == t_first_1;
-    var _S61 : bool = !is_x_1;
+    var _S66 : bool = !is_x_1;
     var is_y_1 : bool;
-    if(_S61)
+    if(_S66)
     {
         is_y_1 = (t_6.y) == t_first_1;
     }
@@ -1051,25 +1058,25 @@ fn Walk_leave_0( this_12 : Walk_0,  voxel_10 : ptr<function, vec3<i32>>,  exit_3
     var nearest_3 : vec3<f32> = round(back_0);
     var from_nearest_2 : vec3<f32> = back_0 - nearest_3;
     var planes_2 : vec3<i32> = exit_3 - vec3<i32>(min(nearest_3, vec3<f32>(4.194304e+06f)));
-    var _S62 : vec3<i32> = planes_2 - vec3<i32>(from_nearest_2 > vec3<f32>(0.0f));
-    var _S63 : vec3<bool> = (abs(from_nearest_2)) <= (this_12.tolerance_0);
-    var _S64 : bool;
-    if(_S61)
+    var _S67 : vec3<i32> = planes_2 - vec3<i32>(from_nearest_2 > vec3<f32>(0.0f));
+    var _S68 : vec3<bool> = (abs(from_nearest_2)) <= (this_12.tolerance_0);
+    var _S69 : bool;
+    if(_S66)
     {
-        _S64 = !is_y_1;
+        _S69 = !is_y_1;
     }
     else
     {
-        _S64 = false;
+        _S69 = false;
     }
     var arrival_1 : vec3<i32>;
-    if((any((select(vec3<bool>(false), !vec3<bool>(is_x_1, is_y_1, _S64), _S63)))))
+    if((any((select(vec3<bool>(false), !vec3<bool>(is_x_1, is_y_1, _S69), _S68)))))
     {
         arrival_1 = Walk_mirrored_0(this_12, leave_box_0(this_12.ray_1, Walk_mirrored_0(this_12, (*voxel_10)) + this_12.grid_origin_0, Walk_mirrored_plane_0(this_12, exit_3) + this_12.grid_origin_0, Walk_mirrored_plane_0(this_12, planes_2) + this_12.grid_origin_0) - this_12.grid_origin_0);
     }
     else
     {
-        arrival_1 = _S62;
+        arrival_1 = _S67;
     }
     (*voxel_10) = select(max(arrival_1, (*voxel_10)), (*voxel_10), (this_12.speed_1) == vec3<f32>(0.0f));
     return true;
@@ -1077,44 +1084,44 @@ fn Walk_leave_0( this_12 : Walk_0,  voxel_10 : ptr<function, vec3<i32>>,  exit_3
 
 fn Walk_enter_0( this_13 : Walk_0,  voxel_11 : ptr<function, vec3<i32>>,  low_4 : vec3<i32>,  high_2 : vec3<i32>) -> bool
 {
-    var _S65 : bool;
+    var _S70 : bool;
     var is_mirrored_0 : vec3<bool> = (this_13.mirror_0) != vec3<i32>(i32(0));
     var near_1 : vec3<i32> = select(low_4, (vec3<i32>(0) - high_2), is_mirrored_0);
     var far_1 : vec3<i32> = select(high_2, (vec3<i32>(0) - low_4), is_mirrored_0);
     if(!IS_EXACT_0)
     {
-        var _S66 : bool = Walk_enter_rounded_0(this_13, &((*voxel_11)), near_1, far_1);
-        return _S66;
+        var _S71 : bool = Walk_enter_rounded_0(this_13, &((*voxel_11)), near_1, far_1);
+        return _S71;
     }
     var axis_3 : u32 = u32(0);
     for(;;)
     {
         if(axis_3 < u32(3))
         {
-            _S65 = (any(((*voxel_11) < near_1)));
+            _S70 = (any(((*voxel_11) < near_1)));
         }
         else
         {
-            _S65 = false;
+            _S70 = false;
         }
-        var _S67 : bool;
-        if(_S65)
+        var _S72 : bool;
+        if(_S70)
         {
-            _S67 = (all(((*voxel_11) < far_1)));
+            _S72 = (all(((*voxel_11) < far_1)));
         }
         else
         {
-            _S67 = false;
+            _S72 = false;
         }
-        if(_S67)
+        if(_S72)
         {
         }
         else
         {
             break;
         }
-        var _S68 : bool = Walk_leave_0(this_13, &((*voxel_11)), select(far_1, near_1, (*voxel_11) < near_1));
-        if(!_S68)
+        var _S73 : bool = Walk_leave_0(this_13, &((*voxel_11)), select(far_1, near_1, (*voxel_11) < near_1));
+        if(!_S73)
         {
             return false;
         }
@@ -1122,13 +1129,13 @@ fn Walk_enter_0( this_13 : Walk_0,  voxel_11 : ptr<function, vec3<i32>>,  low_4 
     }
     if((all(((*voxel_11) >= near_1))))
     {
-        _S65 = (all(((*voxel_11) < far_1)));
+        _S70 = (all(((*voxel_11) < far_1)));
     }
     else
     {
-        _S65 = false;
+        _S70 = false;
     }
-    return _S65;
+    return _S70;
 }
 
 fn LocalRay_octant_0( this_14 : LocalRay_0) -> u32
@@ -1141,9 +1148,9 @@ fn flip_of_0( octant_0 : u32) -> u32
     return ((((((octant_0 & (u32(1)))) | (((((octant_0 & (u32(2)))) << (u32(1))))))) | (((((octant_0 & (u32(4)))) << (u32(2))))))) * u32(3);
 }
 
-fn dot_cells_0( a_4 : vec3<i32>,  b_4 : vec3<i32>) -> i32
+fn dot_cells_0( a_3 : vec3<i32>,  b_3 : vec3<i32>) -> i32
 {
-    return a_4.x * b_4.x + a_4.y * b_4.y + a_4.z * b_4.z;
+    return a_3.x * b_3.x + a_3.y * b_3.y + a_3.z * b_3.z;
 }
 
 fn ahead_of_0( mirror_1 : vec3<i32>) -> u32
@@ -1178,16 +1185,16 @@ fn waits_for_pages_0() -> bool
 fn skip_distance_0( cell_1 : u32,  octant_1 : u32) -> u32
 {
     var code_0 : u32 = (((cell_1 >> ((u32(3) * octant_1)))) & (u32(7)));
-    var _S69 : u32;
+    var _S74 : u32;
     if(code_0 < u32(2))
     {
-        _S69 = code_0 + u32(1);
+        _S74 = code_0 + u32(1);
     }
     else
     {
-        _S69 = ((u32(3) + ((code_0 & (u32(1))))) << ((((code_0 >> (u32(1)))) - u32(1))));
+        _S74 = ((u32(3) + ((code_0 & (u32(1))))) << ((((code_0 >> (u32(1)))) - u32(1))));
     }
-    return _S69;
+    return _S74;
 }
 
 fn extents_0( cell_2 : u32,  ahead_0 : u32) -> vec3<i32>
@@ -1199,16 +1206,16 @@ fn extents_0( cell_2 : u32,  ahead_0 : u32) -> vec3<i32>
 
 fn record_of_cell_0( cell_3 : u32) -> u32
 {
-    var _S70 : u32;
+    var _S75 : u32;
     if(CELLS_HAVE_BLOCKS_0)
     {
-        _S70 = u32(8388607);
+        _S75 = u32(8388607);
     }
     else
     {
-        _S70 = u32(2147483647);
+        _S75 = u32(2147483647);
     }
-    return ((cell_3 & (_S70))) * u32(2);
+    return ((cell_3 & (_S75))) * u32(2);
 }
 
 fn blocks_of_cell_0( cell_4 : u32) -> u32
@@ -1244,24 +1251,24 @@ fn empty_around_0( record_1 : u32,  blocks_0 : u32,  voxel_12 : vec3<i32>,  octa
     {
         return u32(4294967295);
     }
-    var _S71 : i32;
+    var _S76 : i32;
     if(((((half_0 >> (((bit_0 & (u32(10))))))) & (u32(3342387)))) == u32(0))
     {
-        _S71 = i32(1);
+        _S76 = i32(1);
     }
     else
     {
-        _S71 = i32(0);
+        _S76 = i32(0);
     }
-    return u32(_S71);
+    return u32(_S76);
 }
 
 fn Walk_leave_1( this_15 : Walk_0,  voxel_13 : ptr<function, vec3<i32>>,  exit_4 : vec3<i32>) -> bool
 {
     if(!IS_EXACT_0)
     {
-        var _S72 : bool = Walk_leave_rounded_0(this_15, &((*voxel_13)), exit_4);
-        return _S72;
+        var _S77 : bool = Walk_leave_rounded_0(this_15, &((*voxel_13)), exit_4);
+        return _S77;
     }
     var t_7 : vec3<f32> = Walk_crossings_0(this_15, exit_4);
     var t_first_2 : f32 = min_element_0(t_7);
@@ -1270,9 +1277,9 @@ fn Walk_leave_1( this_15 : Walk_0,  voxel_13 : ptr<function, vec3<i32>>,  exit_4
         return false;
     }
     var is_x_2 : bool = (t_7.x) == t_first_2;
-    var _S73 : bool = !is_x_2;
+    var _S78 : bool = !is_x_2;
     var is_y_2 : bool;
-    if(_S73)
+    if(_S78)
     {
         is_y_2 = (t_7.y) == t_first_2;
     }
@@ -1284,25 +1291,25 @@ fn Walk_leave_1( this_15 : Walk_0,  voxel_13 : ptr<function, vec3<i32>>,  exit_4
     var nearest_4 : vec3<f32> = round(back_1);
     var from_nearest_3 : vec3<f32> = back_1 - nearest_4;
     var planes_3 : vec3<i32> = exit_4 - vec3<i32>(min(nearest_4, vec3<f32>(4.194304e+06f)));
-    var _S74 : vec3<i32> = planes_3 - vec3<i32>(from_nearest_3 > vec3<f32>(0.0f));
-    var _S75 : vec3<bool> = (abs(from_nearest_3)) <= (this_15.tolerance_0);
-    var _S76 : bool;
-    if(_S73)
+    var _S79 : vec3<i32> = planes_3 - vec3<i32>(from_nearest_3 > vec3<f32>(0.0f));
+    var _S80 : vec3<bool> = (abs(from_nearest_3)) <= (this_15.tolerance_0);
+    var _S81 : bool;
+    if(_S78)
     {
-        _S76 = !is_y_2;
+        _S81 = !is_y_2;
     }
     else
     {
-        _S76 = false;
+        _S81 = false;
     }
     var arrival_2 : vec3<i32>;
-    if((any((select(vec3<bool>(false), !vec3<bool>(is_x_2, is_y_2, _S76), _S75)))))
+    if((any((select(vec3<bool>(false), !vec3<bool>(is_x_2, is_y_2, _S81), _S80)))))
     {
         arrival_2 = Walk_mirrored_0(this_15, leave_box_0(this_15.ray_1, Walk_mirrored_0(this_15, (*voxel_13)) + this_15.grid_origin_0, Walk_mirrored_plane_0(this_15, exit_4) + this_15.grid_origin_0, Walk_mirrored_plane_0(this_15, planes_3) + this_15.grid_origin_0) - this_15.grid_origin_0);
     }
     else
     {
-        arrival_2 = _S74;
+        arrival_2 = _S79;
     }
     (*voxel_13) = select(max(arrival_2, (*voxel_13)), (*voxel_13), (this_15.speed_1) == vec3<f32>(0.0f));
     return true;
@@ -1310,17 +1317,17 @@ fn Walk_leave_1( this_15 : Walk_0,  voxel_13 : ptr<function, vec3<i32>>,  exit_4
 
 fn first_voxel_0( grid_4 : PackedGrid_0,  walk_1 : Walk_0,  found_0 : ptr<function, vec3<i32>>) -> bool
 {
-    var _S77 : Walk_0 = walk_1;
-    var _S78 : vec3<i32> = vec3<i32>(i32(0));
-    (*found_0) = _S78;
+    var _S82 : Walk_0 = walk_1;
+    var _S83 : vec3<i32> = vec3<i32>(i32(0));
+    (*found_0) = _S83;
     var voxel_14 : vec3<i32> = Walk_start_voxel_0(walk_1);
-    var _S79 : bool = Walk_enter_0(walk_1, &(voxel_14), cell_of_0(grid_4.min_0) - _S77.grid_origin_0, cell_of_0(grid_4.max_0) - _S77.grid_origin_0);
-    if(!_S79)
+    var _S84 : bool = Walk_enter_0(walk_1, &(voxel_14), cell_of_0(grid_4.min_0) - _S82.grid_origin_0, cell_of_0(grid_4.max_0) - _S82.grid_origin_0);
+    if(!_S84)
     {
         return false;
     }
-    var octant_3 : u32 = LocalRay_octant_0(_S77.ray_1);
-    var _S80 : u32 = flip_of_0(octant_3);
+    var octant_3 : u32 = LocalRay_octant_0(_S82.ray_1);
+    var _S85 : u32 = flip_of_0(octant_3);
     var top_shift_2 : u32;
     if(TOP_SHIFT_0 != u32(0))
     {
@@ -1331,33 +1338,33 @@ fn first_voxel_0( grid_4 : PackedGrid_0,  walk_1 : Walk_0,  found_0 : ptr<functi
         top_shift_2 = grid_4.top_shift_0;
     }
     var top_size_1 : vec3<i32> = cell_of_0(grid_4.top_size_0);
-    var _S81 : i32 = top_size_1.x;
-    var stride_0 : vec3<i32> = vec3<i32>(i32(1), _S81, _S81 * top_size_1.y);
-    var _S82 : i32 = i32(grid_4.top_offset_0) - dot_cells_0((stride_0 & ((_S77.mirror_0))), vec3<i32>(i32(1)));
-    var _S83 : vec3<i32> = Walk_mirrored_plane_0(_S77, stride_0);
-    var _S84 : u32 = ahead_of_0(_S77.mirror_0);
-    var end_0 : vec3<i32> = select((top_size_1 << (vec3<u32>(top_shift_2))), _S78, (_S77.mirror_0) != _S78);
+    var _S86 : i32 = top_size_1.x;
+    var stride_0 : vec3<i32> = vec3<i32>(i32(1), _S86, _S86 * top_size_1.y);
+    var _S87 : i32 = i32(grid_4.top_offset_0) - dot_cells_0((stride_0 & ((_S82.mirror_0))), vec3<i32>(i32(1)));
+    var _S88 : vec3<i32> = Walk_mirrored_plane_0(_S82, stride_0);
+    var _S89 : u32 = ahead_of_0(_S82.mirror_0);
+    var end_0 : vec3<i32> = select((top_size_1 << (vec3<u32>(top_shift_2))), _S83, (_S82.mirror_0) != _S83);
     if(!IS_EXACT_0)
     {
-        _S77.t_end_0 = min(_S77.t_end_0, min_element_0(Walk_crossings_0(_S77, end_0)));
+        _S82.t_end_0 = min(_S82.t_end_0, min_element_0(Walk_crossings_0(_S82, end_0)));
     }
     var is_found_0 : bool = false;
     for(;;)
     {
-        var _S85 : bool;
+        var _S90 : bool;
         if(IS_EXACT_0)
         {
-            _S85 = (any((voxel_14 >= end_0)));
+            _S90 = (any((voxel_14 >= end_0)));
         }
         else
         {
-            _S85 = false;
+            _S90 = false;
         }
-        if(_S85)
+        if(_S90)
         {
             break;
         }
-        var cell_5 : u32 = cell_word_0(u32(_S82 + dot_cells_0(_S83, (voxel_14 >> (vec3<u32>(top_shift_2))))));
+        var cell_5 : u32 = cell_word_0(u32(_S87 + dot_cells_0(_S88, (voxel_14 >> (vec3<u32>(top_shift_2))))));
         var cell_6 : u32;
         var shift_1 : u32;
         var is_found_1 : bool;
@@ -1365,7 +1372,7 @@ fn first_voxel_0( grid_4 : PackedGrid_0,  walk_1 : Walk_0,  found_0 : ptr<functi
         {
             if(((cell_5 & (u32(2147483648)))) != u32(0))
             {
-                cell_6 = cell_word_0(((cell_5 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_14, u32(3))) ^ (_S80))));
+                cell_6 = cell_word_0(((cell_5 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_14, u32(3))) ^ (_S85))));
                 shift_1 = u32(3);
             }
             else
@@ -1388,16 +1395,16 @@ fn first_voxel_0( grid_4 : PackedGrid_0,  walk_1 : Walk_0,  found_0 : ptr<functi
                 {
                     is_found_1 = false;
                 }
-                var _S86 : bool;
+                var _S91 : bool;
                 if(is_found_1)
                 {
-                    _S86 = ((cell_6 & (u32(2147483648)))) != u32(0);
+                    _S91 = ((cell_6 & (u32(2147483648)))) != u32(0);
                 }
                 else
                 {
-                    _S86 = false;
+                    _S91 = false;
                 }
-                if(_S86)
+                if(_S91)
                 {
                 }
                 else
@@ -1405,7 +1412,7 @@ fn first_voxel_0( grid_4 : PackedGrid_0,  walk_1 : Walk_0,  found_0 : ptr<functi
                     break;
                 }
                 var shift_2 : u32 = shift_1 - u32(2);
-                cell_6 = cell_word_0(((cell_6 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_14, shift_2)) ^ (_S80))));
+                cell_6 = cell_word_0(((cell_6 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_14, shift_2)) ^ (_S85))));
                 shift_1 = shift_2;
             }
         }
@@ -1422,7 +1429,7 @@ fn first_voxel_0( grid_4 : PackedGrid_0,  walk_1 : Walk_0,  found_0 : ptr<functi
             }
             else
             {
-                exit_5 = extents_0(cell_6, _S84);
+                exit_5 = extents_0(cell_6, _S89);
             }
             exit_5 = ((voxel_14 | (vec3<i32>((((i32(1) << (shift_1))) - i32(1)))))) + vec3<i32>(i32(1)) + ((exit_5 << (vec3<u32>(shift_1))));
             is_found_1 = is_found_0;
@@ -1439,7 +1446,7 @@ fn first_voxel_0( grid_4 : PackedGrid_0,  walk_1 : Walk_0,  found_0 : ptr<functi
             {
                 blocks_1 = blocks_of_record_0(record_2);
             }
-            var low_bits_0 : u32 = empty_around_0(record_2, blocks_1, voxel_14, octant_3, _S80);
+            var low_bits_0 : u32 = empty_around_0(record_2, blocks_1, voxel_14, octant_3, _S85);
             var is_found_2 : bool = low_bits_0 == u32(4294967295);
             if(is_found_2)
             {
@@ -1449,26 +1456,26 @@ fn first_voxel_0( grid_4 : PackedGrid_0,  walk_1 : Walk_0,  found_0 : ptr<functi
             exit_5 = ((voxel_14 | (vec3<i32>(i32(low_bits_0))))) + vec3<i32>(i32(1));
             is_found_1 = is_found_2;
         }
-        var _S87 : bool = Walk_leave_1(_S77, &(voxel_14), exit_5);
-        if(!_S87)
+        var _S92 : bool = Walk_leave_1(_S82, &(voxel_14), exit_5);
+        if(!_S92)
         {
             is_found_0 = is_found_1;
             break;
         }
         is_found_0 = is_found_1;
     }
-    (*found_0) = Walk_mirrored_0(_S77, voxel_14) + _S77.grid_origin_0;
+    (*found_0) = Walk_mirrored_0(_S82, voxel_14) + _S82.grid_origin_0;
     return is_found_0;
 }
 
 fn Ray_x24init_0( origin_7 : vec3<f32>,  t_min_3 : f32,  direction_4 : vec3<f32>,  t_max_3 : f32) -> Ray_0
 {
-    var _S88 : Ray_0;
-    _S88.origin_1 = origin_7;
-    _S88.t_min_1 = t_min_3;
-    _S88.direction_1 = direction_4;
-    _S88.t_max_1 = t_max_3;
-    return _S88;
+    var _S93 : Ray_0;
+    _S93.origin_1 = origin_7;
+    _S93.t_min_1 = t_min_3;
+    _S93.direction_1 = direction_4;
+    _S93.t_max_1 = t_max_3;
+    return _S93;
 }
 
 fn ray_of_walk_0( walk_2 : Walk_0,  ray_6 : Ray_0) -> Ray_0
@@ -1479,38 +1486,38 @@ fn ray_of_walk_0( walk_2 : Walk_0,  ray_6 : Ray_0) -> Ray_0
 
 fn hit_of_0( ray_7 : LocalRay_0,  voxel_15 : vec3<i32>,  instance_4 : u32) -> Hit_0
 {
-    var _S89 : vec3<f32>;
-    var _S90 : bool;
-    var last_1 : Crossing_0;
-    var _S91 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
+    var _S94 : vec3<f32>;
+    var _S95 : bool;
+    var last_0 : Crossing_0;
+    var _S96 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
     for(;;)
     {
         for(;;)
         {
             for(;;)
             {
-                _S89 = ray_7.direction_2;
+                _S94 = ray_7.direction_2;
                 if((ray_7.direction_2[u32(0)]) == 0.0f)
                 {
-                    last_1 = _S91;
+                    last_0 = _S96;
                     break;
                 }
                 var crossing_3 : Crossing_0 = crossing_of_0(ray_7, u32(0), voxel_15[u32(0)] + i32((ray_7.direction_2[u32(0)]) < 0.0f));
-                if((_S91.axis_0) == u32(3))
+                if((_S96.axis_0) == u32(3))
                 {
-                    _S90 = true;
+                    _S95 = true;
                 }
                 else
                 {
-                    _S90 = !Crossing_is_before_0(crossing_3, _S91);
+                    _S95 = !Crossing_is_before_0(crossing_3, _S96);
                 }
-                if(_S90)
+                if(_S95)
                 {
-                    last_1 = crossing_3;
+                    last_0 = crossing_3;
                 }
                 else
                 {
-                    last_1 = _S91;
+                    last_0 = _S96;
                 }
                 break;
             }
@@ -1520,23 +1527,23 @@ fn hit_of_0( ray_7 : LocalRay_0,  voxel_15 : vec3<i32>,  instance_4 : u32) -> Hi
         {
             for(;;)
             {
-                var _S92 : vec3<f32> = _S89;
-                if((_S89[u32(1)]) == 0.0f)
+                var _S97 : vec3<f32> = _S94;
+                if((_S94[u32(1)]) == 0.0f)
                 {
                     break;
                 }
-                var crossing_4 : Crossing_0 = crossing_of_0(ray_7, u32(1), voxel_15[u32(1)] + i32((_S92[u32(1)]) < 0.0f));
-                if((last_1.axis_0) == u32(3))
+                var crossing_4 : Crossing_0 = crossing_of_0(ray_7, u32(1), voxel_15[u32(1)] + i32((_S97[u32(1)]) < 0.0f));
+                if((last_0.axis_0) == u32(3))
                 {
-                    _S90 = true;
+                    _S95 = true;
                 }
                 else
                 {
-                    _S90 = !Crossing_is_before_0(crossing_4, last_1);
+                    _S95 = !Crossing_is_before_0(crossing_4, last_0);
                 }
-                if(_S90)
+                if(_S95)
                 {
-                    last_1 = crossing_4;
+                    last_0 = crossing_4;
                 }
                 break;
             }
@@ -1546,23 +1553,23 @@ fn hit_of_0( ray_7 : LocalRay_0,  voxel_15 : vec3<i32>,  instance_4 : u32) -> Hi
         {
             for(;;)
             {
-                var _S93 : vec3<f32> = _S89;
-                if((_S89[u32(2)]) == 0.0f)
+                var _S98 : vec3<f32> = _S94;
+                if((_S94[u32(2)]) == 0.0f)
                 {
                     break;
                 }
-                var crossing_5 : Crossing_0 = crossing_of_0(ray_7, u32(2), voxel_15[u32(2)] + i32((_S93[u32(2)]) < 0.0f));
-                if((last_1.axis_0) == u32(3))
+                var crossing_5 : Crossing_0 = crossing_of_0(ray_7, u32(2), voxel_15[u32(2)] + i32((_S98[u32(2)]) < 0.0f));
+                if((last_0.axis_0) == u32(3))
                 {
-                    _S90 = true;
+                    _S95 = true;
                 }
                 else
                 {
-                    _S90 = !Crossing_is_before_0(crossing_5, last_1);
+                    _S95 = !Crossing_is_before_0(crossing_5, last_0);
                 }
-                if(_S90)
+                if(_S95)
                 {
-                    last_1 = crossing_5;
+                    last_0 = crossing_5;
                 }
                 break;
             }
@@ -1570,43 +1577,43 @@ fn hit_of_0( ray_7 : LocalRay_0,  voxel_15 : vec3<i32>,  instance_4 : u32) -> Hi
         }
         break;
     }
-    var _S94 : Crossing_0 = last_1;
-    var is_negative_1 : bool = (_S89[last_1.axis_0]) < 0.0f;
-    var t_8 : f32 = (f32(voxel_15[last_1.axis_0] + i32(is_negative_1)) - ray_7.origin_2[last_1.axis_0]) * ray_7.inverse_0[last_1.axis_0];
-    var _S95 : f32;
+    var _S99 : Crossing_0 = last_0;
+    var is_negative_1 : bool = (_S94[last_0.axis_0]) < 0.0f;
+    var t_8 : f32 = (f32(voxel_15[last_0.axis_0] + i32(is_negative_1)) - ray_7.origin_2[last_0.axis_0]) * ray_7.inverse_0[last_0.axis_0];
+    var _S100 : f32;
     if(t_8 > (ray_7.t_min_2))
     {
-        _S95 = t_8;
+        _S100 = t_8;
     }
     else
     {
-        _S95 = ray_7.t_min_2;
+        _S100 = ray_7.t_min_2;
     }
-    return Hit_x24init_0(_S95, instance_4, voxel_15, u32(2) * _S94.axis_0 + u32(is_negative_1));
+    return Hit_x24init_0(_S100, instance_4, voxel_15, u32(2) * _S99.axis_0 + u32(is_negative_1));
 }
 
 fn hit_of_walk_0( walk_3 : Walk_0,  voxel_16 : vec3<i32>,  instance_5 : u32) -> Hit_0
 {
     var t_9 : vec3<f32> = Walk_crossings_0(walk_3, Walk_mirrored_0(walk_3, voxel_16 - walk_3.grid_origin_0));
-    var last_2 : f32 = max_element_0(t_9);
-    var _S96 : i32;
-    if((t_9.z) == last_2)
+    var last_1 : f32 = max_element_0(t_9);
+    var _S101 : i32;
+    if((t_9.z) == last_1)
     {
-        _S96 = i32(2);
+        _S101 = i32(2);
     }
     else
     {
-        if((t_9.y) == last_2)
+        if((t_9.y) == last_1)
         {
-            _S96 = i32(1);
+            _S101 = i32(1);
         }
         else
         {
-            _S96 = i32(0);
+            _S101 = i32(0);
         }
     }
-    var axis_4 : u32 = u32(_S96);
-    return Hit_x24init_0(max(last_2, walk_3.ray_1.t_min_2), instance_5, voxel_16, u32(2) * axis_4 + u32((walk_3.mirror_0[axis_4]) != i32(0)));
+    var axis_4 : u32 = u32(_S101);
+    return Hit_x24init_0(max(last_1, walk_3.ray_1.t_min_2), instance_5, voxel_16, u32(2) * axis_4 + u32((walk_3.mirror_0[axis_4]) != i32(0)));
 }
 
 fn hit_in_0( instance_6 : u32,  ray_8 : ptr<function, Ray_0>) -> Hit_0
@@ -1616,20 +1623,20 @@ fn hit_in_0( instance_6 : u32,  ray_8 : ptr<function, Ray_0>) -> Hit_0
     {
         return miss_0();
     }
-    var _S97 : PackedGrid_0 = Grids_operatorx5Bx5D_get_0(Instances_operatorx5Bx5D_get_0(instance_6).grid_0);
-    var walk_4 : Walk_0 = walk_of_0(local_1, _S97);
+    var _S102 : PackedGrid_0 = Grids_operatorx5Bx5D_get_0(Instances_operatorx5Bx5D_get_0(instance_6).grid_0);
+    var walk_4 : Walk_0 = walk_of_0(local_1, _S102);
     var voxel_17 : vec3<i32>;
-    var is_found_3 : bool = first_voxel_0(_S97, walk_4, &(voxel_17));
-    var _S98 : bool;
+    var is_found_3 : bool = first_voxel_0(_S102, walk_4, &(voxel_17));
+    var _S103 : bool;
     if(IS_SINGLE_0)
     {
-        _S98 = !IS_EXACT_0;
+        _S103 = !IS_EXACT_0;
     }
     else
     {
-        _S98 = false;
+        _S103 = false;
     }
-    if(_S98)
+    if(_S103)
     {
         (*ray_8) = ray_of_walk_0(walk_4, (*ray_8));
     }
@@ -1661,24 +1668,29 @@ struct InstanceNode_0
      is_leaf_0 : u32,
 };
 
+fn Rows_operatorx5Bx5D_get_2( row_4 : u32) -> vec4<u32>
+{
+    return records_0[first_row_0(u32(2)) + row_4];
+}
+
 fn InstanceNodes_operatorx5Bx5D_get_0( index_7 : u32) -> InstanceNode_0
 {
-    var row_3 : u32 = first_row_0(u32(2)) + u32(2) * index_7;
-    var a_5 : vec4<u32> = records_0[row_3];
-    var b_5 : vec4<u32> = records_0[row_3 + u32(1)];
+    var _S104 : u32 = u32(2) * index_7;
+    var _S105 : vec4<u32> = Rows_operatorx5Bx5D_get_2(_S104);
+    var _S106 : vec4<u32> = Rows_operatorx5Bx5D_get_2(_S104 + u32(1));
     var node_0 : InstanceNode_0;
-    var _S99 : f32 = (bitcast<f32>((a_5.y)));
-    var _S100 : f32 = (bitcast<f32>((a_5.z)));
-    node_0.min_1[i32(0)] = (bitcast<f32>((a_5.x)));
-    node_0.min_1[i32(1)] = _S99;
-    node_0.min_1[i32(2)] = _S100;
-    node_0.index_6 = a_5.w;
-    var _S101 : f32 = (bitcast<f32>((b_5.y)));
-    var _S102 : f32 = (bitcast<f32>((b_5.z)));
-    node_0.max_1[i32(0)] = (bitcast<f32>((b_5.x)));
-    node_0.max_1[i32(1)] = _S101;
-    node_0.max_1[i32(2)] = _S102;
-    node_0.is_leaf_0 = b_5.w;
+    var _S107 : f32 = (bitcast<f32>((_S105.y)));
+    var _S108 : f32 = (bitcast<f32>((_S105.z)));
+    node_0.min_1[i32(0)] = (bitcast<f32>((_S105.x)));
+    node_0.min_1[i32(1)] = _S107;
+    node_0.min_1[i32(2)] = _S108;
+    node_0.index_6 = _S105.w;
+    var _S109 : f32 = (bitcast<f32>((_S106.y)));
+    var _S110 : f32 = (bitcast<f32>((_S106.z)));
+    node_0.max_1[i32(0)] = (bitcast<f32>((_S106.x)));
+    node_0.max_1[i32(1)] = _S109;
+    node_0.max_1[i32(2)] = _S110;
+    node_0.is_leaf_0 = _S106.w;
     return node_0;
 }
 
@@ -1686,25 +1698,26 @@ fn entry_0( node_1 : InstanceNode_0,  ray_9 : Ray_0,  inverse_2 : vec3<f32>) -> 
 {
     var low_5 : vec3<f32> = (vector_of_0(node_1.min_1) - ray_9.origin_1) * inverse_2;
     var high_3 : vec3<f32> = (vector_of_0(node_1.max_1) - ray_9.origin_1) * inverse_2;
-    var _S103 : f32 = max(ray_9.t_min_1, max_element_0(min(low_5, high_3)));
-    var _S104 : f32;
-    if(_S103 <= (min(ray_9.t_max_1, min_element_0(max(low_5, high_3)))))
+    var _S111 : f32 = max(ray_9.t_min_1, max_element_0(min(low_5, high_3)));
+    var _S112 : f32;
+    if(_S111 <= (min(ray_9.t_max_1, min_element_0(max(low_5, high_3)))))
     {
-        _S104 = _S103;
+        _S112 = _S111;
     }
     else
     {
-        _S104 = (bitcast<f32>(infinity_bits_0));
+        _S112 = (bitcast<f32>(infinity_bits_0));
     }
-    return _S104;
+    return _S112;
 }
 
 fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_1 : u32) -> Hit_0
 {
+    var is_leaf_1 : bool;
     if(IS_SINGLE_0)
     {
-        var _S105 : Hit_0 = hit_in_0(u32(0), &((*given_0)));
-        return _S105;
+        var _S113 : Hit_0 = hit_in_0(u32(0), &((*given_0)));
+        return _S113;
     }
     var ray_10 : Ray_0 = (*given_0);
     var nearest_5 : Hit_0 = miss_0();
@@ -1713,145 +1726,176 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_1 : u3
         return nearest_5;
     }
     var is_zero_1 : vec3<bool> = !((abs(ray_10.direction_1)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S106 : vec3<f32> = select(reciprocal_0(select(ray_10.direction_1, vec3<f32>(1.0f), is_zero_1)), vec3<f32>(3.4028234663852886e+38f), is_zero_1);
+    var _S114 : vec3<f32> = select(reciprocal_0(select(ray_10.direction_1, vec3<f32>(1.0f), is_zero_1)), vec3<f32>(3.4028234663852886e+38f), is_zero_1);
     var stack_0 : array<u32, i32(32)>;
+    var entries_0 : array<f32, i32(32)>;
+    var _S115 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(u32(0));
+    var _S116 : bool = (InstanceNodes_operatorx5Bx5D_get_0(u32(0)).is_leaf_0) != u32(0);
+    var is_done_0 : bool = false;
+    var is_leaf_2 : bool = _S116;
     var index_8 : u32 = u32(0);
+    var below_0 : u32 = _S115.index_6;
     var nearest_6 : Hit_0 = nearest_5;
     var depth_0 : u32 = u32(0);
     for(;;)
     {
-        var _S107 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(index_8);
-        var depth_1 : u32;
-        var is_reached_0 : bool;
-        if((_S107.is_leaf_0) != u32(0))
-        {
-            var _S108 : Hit_0 = hit_in_0(_S107.index_6, &(ray_10));
-            var _S109 : Hit_0 = nearest_6;
-            if((_S108.t_1) < (nearest_6.t_1))
-            {
-                is_reached_0 = true;
-            }
-            else
-            {
-                if((_S108.t_1) == (_S109.t_1))
-                {
-                    is_reached_0 = (_S108.instance_1) < (nearest_6.instance_1);
-                }
-                else
-                {
-                    is_reached_0 = false;
-                }
-            }
-            var nearest_7 : Hit_0;
-            if(is_reached_0)
-            {
-                ray_10.t_max_1 = _S108.t_1;
-                if(is_any_enough_0)
-                {
-                    return _S108;
-                }
-                nearest_7 = _S108;
-            }
-            else
-            {
-                nearest_7 = nearest_6;
-            }
-            nearest_6 = nearest_7;
-            depth_1 = depth_0;
-        }
-        else
-        {
-            var _S110 : u32 = index_8 + u32(1);
-            var left_0 : f32 = entry_0(InstanceNodes_operatorx5Bx5D_get_0(_S110), ray_10, _S106);
-            var right_0 : f32 = entry_0(InstanceNodes_operatorx5Bx5D_get_0(_S107.index_6), ray_10, _S106);
-            var _S111 : bool = left_0 <= right_0;
-            if(_S111)
-            {
-                index_8 = _S110;
-            }
-            else
-            {
-                index_8 = _S107.index_6;
-            }
-            var far_2 : u32;
-            if(_S111)
-            {
-                far_2 = _S107.index_6;
-            }
-            else
-            {
-                far_2 = _S110;
-            }
-            var INFINITY_0 : f32 = (bitcast<f32>(infinity_bits_0));
-            if((max(left_0, right_0)) < INFINITY_0)
-            {
-                var _S112 : u32 = depth_0 + u32(1);
-                stack_0[depth_0] = far_2;
-                depth_1 = _S112;
-            }
-            else
-            {
-                depth_1 = depth_0;
-            }
-            if((min(left_0, right_0)) < INFINITY_0)
-            {
-                depth_0 = depth_1;
-                continue;
-            }
-        }
-        is_reached_0 = false;
-        depth_0 = depth_1;
+        var is_done_1 : bool = is_done_0;
+        var below_1 : u32 = below_0;
+        var depth_1 : u32 = depth_0;
         for(;;)
         {
-            var _S113 : bool;
-            if(depth_0 > u32(0))
+            var _S117 : bool;
+            if(is_done_1)
             {
-                _S113 = !is_reached_0;
+                _S117 = depth_1 > u32(0);
             }
             else
             {
-                _S113 = false;
+                _S117 = !is_leaf_2;
             }
-            if(_S113)
+            if(_S117)
             {
             }
             else
             {
                 break;
             }
-            var depth_2 : u32 = depth_0 - u32(1);
-            is_reached_0 = (entry_0(InstanceNodes_operatorx5Bx5D_get_0(stack_0[depth_2]), ray_10, _S106)) < (bitcast<f32>(infinity_bits_0));
-            index_8 = stack_0[depth_2];
-            depth_0 = depth_2;
+            var index_9 : u32;
+            if(is_done_1)
+            {
+                var depth_2 : u32 = depth_1 - u32(1);
+                var _S118 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(stack_0[depth_2]);
+                var _S119 : bool = (InstanceNodes_operatorx5Bx5D_get_0(stack_0[depth_2]).is_leaf_0) != u32(0);
+                is_done_1 = (entries_0[depth_2]) > (ray_10.t_max_1);
+                is_leaf_1 = _S119;
+                index_9 = stack_0[depth_2];
+                below_1 = _S118.index_6;
+                depth_1 = depth_2;
+            }
+            else
+            {
+                var _S120 : u32 = index_8 + u32(1);
+                var _S121 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(_S120);
+                var _S122 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(below_1);
+                var to_left_0 : f32 = entry_0(_S121, ray_10, _S114);
+                var to_right_0 : f32 = entry_0(_S122, ray_10, _S114);
+                var is_left_0 : bool = to_left_0 <= to_right_0;
+                var _S123 : f32 = max(to_left_0, to_right_0);
+                var INFINITY_0 : f32 = (bitcast<f32>(infinity_bits_0));
+                if(_S123 < INFINITY_0)
+                {
+                    if(is_left_0)
+                    {
+                        index_9 = below_1;
+                    }
+                    else
+                    {
+                        index_9 = _S120;
+                    }
+                    stack_0[depth_1] = index_9;
+                    entries_0[depth_1] = _S123;
+                    index_9 = depth_1 + u32(1);
+                }
+                else
+                {
+                    index_9 = depth_1;
+                }
+                var _S124 : bool = (min(to_left_0, to_right_0)) == INFINITY_0;
+                var _S125 : u32;
+                if(is_left_0)
+                {
+                    _S125 = _S120;
+                }
+                else
+                {
+                    _S125 = below_1;
+                }
+                var _S126 : u32;
+                if(is_left_0)
+                {
+                    _S126 = _S121.index_6;
+                }
+                else
+                {
+                    _S126 = _S122.index_6;
+                }
+                var _S127 : u32;
+                if(is_left_0)
+                {
+                    _S127 = _S121.is_leaf_0;
+                }
+                else
+                {
+                    _S127 = _S122.is_leaf_0;
+                }
+                var _S128 : bool = _S127 != u32(0);
+                var _S129 : u32 = index_9;
+                is_done_1 = _S124;
+                is_leaf_1 = _S128;
+                index_9 = _S125;
+                below_1 = _S126;
+                depth_1 = _S129;
+            }
+            is_leaf_2 = is_leaf_1;
+            index_8 = index_9;
         }
-        if(!is_reached_0)
+        if(is_done_1)
         {
             break;
         }
+        var _S130 : Hit_0 = hit_in_0(below_1, &(ray_10));
+        var _S131 : Hit_0 = nearest_6;
+        if((_S130.t_1) < (nearest_6.t_1))
+        {
+            is_leaf_1 = true;
+        }
+        else
+        {
+            if((_S130.t_1) == (_S131.t_1))
+            {
+                is_leaf_1 = (_S130.instance_1) < (nearest_6.instance_1);
+            }
+            else
+            {
+                is_leaf_1 = false;
+            }
+        }
+        if(is_leaf_1)
+        {
+            ray_10.t_max_1 = _S130.t_1;
+            if(is_any_enough_0)
+            {
+                return _S130;
+            }
+            nearest_6 = _S130;
+        }
+        is_done_0 = true;
+        below_0 = below_1;
+        depth_0 = depth_1;
     }
     return nearest_6;
 }
 
 fn WalkTracer_trace_0( ray_11 : ptr<function, Ray_0>,  is_any_enough_1 : bool) -> Hit_0
 {
-    var _S114 : Hit_0 = visit_0(&((*ray_11)), is_any_enough_1, u32(0));
-    return _S114;
+    var _S132 : Hit_0 = visit_0(&((*ray_11)), is_any_enough_1, u32(0));
+    return _S132;
 }
 
 fn hit_of_ray_0( sampler_1 : Sampler_0,  ray_12 : ptr<function, Ray_0>,  is_shadow_ray_0 : bool,  path_0 : ptr<function, Path_0>,  shadow_inside_0 : ptr<function, Inside_0>,  relocates_0 : ptr<function, bool>,  path_relocates_0 : ptr<function, bool>,  beyond_0 : ptr<function, u32>) -> Hit_0
 {
     (*beyond_0) = u32(4294967295);
-    var _S115 : Hit_0 = WalkTracer_trace_0(&((*ray_12)), is_shadow_ray_0);
-    return _S115;
+    var _S133 : Hit_0 = WalkTracer_trace_0(&((*ray_12)), is_shadow_ray_0);
+    return _S133;
 }
 
 fn Sampler_x24init_0( seed_2 : u32,  pixel_1 : u32,  sample_1 : u32) -> Sampler_0
 {
-    var _S116 : Sampler_0;
-    _S116.seed_1 = seed_2;
-    _S116.pixel_0 = pixel_1;
-    _S116.sample_0 = sample_1;
-    return _S116;
+    var _S134 : Sampler_0;
+    _S134.seed_1 = seed_2;
+    _S134.pixel_0 = pixel_1;
+    _S134.sample_0 = sample_1;
+    return _S134;
 }
 
 fn sampler_of_0( pixel_2 : u32,  sample_2 : u32) -> Sampler_0
@@ -1861,20 +1905,20 @@ fn sampler_of_0( pixel_2 : u32,  sample_2 : u32) -> Sampler_0
 
 fn Selection_x24init_0( sun_1 : f32,  sky_2 : f32,  emitters_1 : f32) -> Selection_0
 {
-    var _S117 : Selection_0;
-    _S117.sun_0 = sun_1;
-    _S117.sky_1 = sky_2;
-    _S117.emitters_0 = emitters_1;
-    return _S117;
+    var _S135 : Selection_0;
+    _S135.sun_0 = sun_1;
+    _S135.sky_1 = sky_2;
+    _S135.emitters_0 = emitters_1;
+    return _S135;
 }
 
 fn Inside_x24init_0( instance_7 : u32,  voxel_18 : vec3<i32>,  material_1 : u32) -> Inside_0
 {
-    var _S118 : Inside_0;
-    _S118.instance_2 = instance_7;
-    _S118.voxel_2 = voxel_18;
-    _S118.material_0 = material_1;
-    return _S118;
+    var _S136 : Inside_0;
+    _S136.instance_2 = instance_7;
+    _S136.voxel_2 = voxel_18;
+    _S136.material_0 = material_1;
+    return _S136;
 }
 
 fn in_air_0() -> Inside_0
@@ -1884,33 +1928,33 @@ fn in_air_0() -> Inside_0
 
 fn Path_x24init_0( sampler_2 : Sampler_0,  bounce_1 : u32,  event_1 : u32,  kinds_1 : u32,  scattered_1 : u32,  beta_1 : vec3<f32>,  pdf_2 : f32,  normal_1 : vec3<f32>,  selection_1 : Selection_0,  passed_t_1 : f32,  inside_1 : Inside_0,  is_clipped_1 : bool) -> Path_0
 {
-    var _S119 : Path_0;
-    _S119.sampler_0 = sampler_2;
-    _S119.bounce_0 = bounce_1;
-    _S119.event_0 = event_1;
-    _S119.kinds_0 = kinds_1;
-    _S119.scattered_0 = scattered_1;
-    _S119.beta_0 = beta_1;
-    _S119.pdf_1 = pdf_2;
-    _S119.normal_0 = normal_1;
-    _S119.selection_0 = selection_1;
-    _S119.passed_t_0 = passed_t_1;
-    _S119.inside_0 = inside_1;
-    _S119.is_clipped_0 = is_clipped_1;
-    return _S119;
+    var _S137 : Path_0;
+    _S137.sampler_0 = sampler_2;
+    _S137.bounce_0 = bounce_1;
+    _S137.event_0 = event_1;
+    _S137.kinds_0 = kinds_1;
+    _S137.scattered_0 = scattered_1;
+    _S137.beta_0 = beta_1;
+    _S137.pdf_1 = pdf_2;
+    _S137.normal_0 = normal_1;
+    _S137.selection_0 = selection_1;
+    _S137.passed_t_0 = passed_t_1;
+    _S137.inside_0 = inside_1;
+    _S137.is_clipped_0 = is_clipped_1;
+    return _S137;
 }
 
 fn pcg4d_0( words_0 : vec4<u32>) -> vec4<u32>
 {
-    var _S120 : vec4<u32> = words_0 * vec4<u32>(u32(1664525)) + vec4<u32>(u32(1013904223));
-    var v_2 : vec4<u32> = _S120;
-    v_2[i32(0)] = v_2[i32(0)] + _S120.y * _S120.w;
+    var _S138 : vec4<u32> = words_0 * vec4<u32>(u32(1664525)) + vec4<u32>(u32(1013904223));
+    var v_2 : vec4<u32> = _S138;
+    v_2[i32(0)] = v_2[i32(0)] + _S138.y * _S138.w;
     v_2[i32(1)] = v_2[i32(1)] + v_2.z * v_2.x;
     v_2[i32(2)] = v_2[i32(2)] + v_2.x * v_2.y;
     v_2[i32(3)] = v_2[i32(3)] + v_2.y * v_2.z;
-    var _S121 : vec4<u32> = (v_2 ^ (((v_2 >> (vec4<u32>(u32(16)))))));
-    v_2 = _S121;
-    v_2[i32(0)] = v_2[i32(0)] + _S121.y * _S121.w;
+    var _S139 : vec4<u32> = (v_2 ^ (((v_2 >> (vec4<u32>(u32(16)))))));
+    v_2 = _S139;
+    v_2[i32(0)] = v_2[i32(0)] + _S139.y * _S139.w;
     v_2[i32(1)] = v_2[i32(1)] + v_2.z * v_2.x;
     v_2[i32(2)] = v_2[i32(2)] + v_2.x * v_2.y;
     v_2[i32(3)] = v_2[i32(3)] + v_2.y * v_2.z;
@@ -1928,12 +1972,12 @@ fn owen_of_reversed_0( reversed_0 : u32,  seed_3 : u32) -> u32
 
 fn scrambled_sobol_0( sample_3 : u32,  order_0 : u32,  seeds_0 : vec2<u32>) -> vec2<u32>
 {
-    var index_9 : u32 = owen_of_reversed_0(reverseBits(sample_3), order_0);
-    var binomial_0 : u32 = (index_9 ^ (((((index_9 >> (u32(1)))) & (u32(1431655765))))));
+    var index_10 : u32 = owen_of_reversed_0(reverseBits(sample_3), order_0);
+    var binomial_0 : u32 = (index_10 ^ (((((index_10 >> (u32(1)))) & (u32(1431655765))))));
     var binomial_1 : u32 = (binomial_0 ^ (((((binomial_0 >> (u32(2)))) & (u32(858993459))))));
     var binomial_2 : u32 = (binomial_1 ^ (((((binomial_1 >> (u32(4)))) & (u32(252645135))))));
     var binomial_3 : u32 = (binomial_2 ^ (((((binomial_2 >> (u32(8)))) & (u32(16711935))))));
-    return vec2<u32>(owen_of_reversed_0(index_9, seeds_0.x), owen_of_reversed_0((binomial_3 ^ (((((binomial_3 >> (u32(16)))) & (u32(65535)))))), seeds_0.y));
+    return vec2<u32>(owen_of_reversed_0(index_10, seeds_0.x), owen_of_reversed_0((binomial_3 ^ (((((binomial_3 >> (u32(16)))) & (u32(65535)))))), seeds_0.y));
 }
 
 fn Sampler_pair_0( this_16 : Sampler_0,  dimension_0 : u32,  which_0 : u32) -> vec2<u32>
@@ -1971,16 +2015,16 @@ struct CameraFrame_0
 
 fn CameraFrame_x24init_0( lens_2 : u32,  eye_2 : vec3<f32>,  corner_2 : vec3<f32>,  pixel_x_2 : vec3<f32>,  pixel_y_2 : vec3<f32>,  lens_x_2 : vec3<f32>,  lens_y_2 : vec3<f32>,  blades_2 : u32) -> CameraFrame_0
 {
-    var _S122 : CameraFrame_0;
-    _S122.lens_1 = lens_2;
-    _S122.eye_1 = eye_2;
-    _S122.corner_1 = corner_2;
-    _S122.pixel_x_1 = pixel_x_2;
-    _S122.pixel_y_1 = pixel_y_2;
-    _S122.lens_x_1 = lens_x_2;
-    _S122.lens_y_1 = lens_y_2;
-    _S122.blades_1 = blades_2;
-    return _S122;
+    var _S140 : CameraFrame_0;
+    _S140.lens_1 = lens_2;
+    _S140.eye_1 = eye_2;
+    _S140.corner_1 = corner_2;
+    _S140.pixel_x_1 = pixel_x_2;
+    _S140.pixel_y_1 = pixel_y_2;
+    _S140.lens_x_1 = lens_x_2;
+    _S140.lens_y_1 = lens_y_2;
+    _S140.blades_1 = blades_2;
+    return _S140;
 }
 
 @id(5) override LENS_0 : u32 = u32(0);
@@ -2006,28 +2050,28 @@ struct Perspective_0
 
 fn Perspective_x24init_0( eye_4 : vec3<f32>,  corner_4 : vec3<f32>,  pixel_x_4 : vec3<f32>,  pixel_y_4 : vec3<f32>) -> Perspective_0
 {
-    var _S123 : Perspective_0;
-    _S123.eye_3 = eye_4;
-    _S123.corner_3 = corner_4;
-    _S123.pixel_x_3 = pixel_x_4;
-    _S123.pixel_y_3 = pixel_y_4;
-    return _S123;
+    var _S141 : Perspective_0;
+    _S141.eye_3 = eye_4;
+    _S141.corner_3 = corner_4;
+    _S141.pixel_x_3 = pixel_x_4;
+    _S141.pixel_y_3 = pixel_y_4;
+    return _S141;
 }
 
 struct Axes_0
 {
      forward_0 : vec3<f32>,
-     right_1 : vec3<f32>,
+     right_0 : vec3<f32>,
      up_0 : vec3<f32>,
 };
 
-fn Axes_x24init_0( forward_1 : vec3<f32>,  right_2 : vec3<f32>,  up_1 : vec3<f32>) -> Axes_0
+fn Axes_x24init_0( forward_1 : vec3<f32>,  right_1 : vec3<f32>,  up_1 : vec3<f32>) -> Axes_0
 {
-    var _S124 : Axes_0;
-    _S124.forward_0 = forward_1;
-    _S124.right_1 = right_2;
-    _S124.up_0 = up_1;
-    return _S124;
+    var _S142 : Axes_0;
+    _S142.forward_0 = forward_1;
+    _S142.right_0 = right_1;
+    _S142.up_0 = up_1;
+    return _S142;
 }
 
 struct ThinLens_0
@@ -2040,55 +2084,55 @@ struct ThinLens_0
 
 fn ThinLens_x24init_0( perspective_1 : Perspective_0,  lens_x_4 : vec3<f32>,  lens_y_4 : vec3<f32>,  blades_4 : u32) -> ThinLens_0
 {
-    var _S125 : ThinLens_0;
-    _S125.perspective_0 = perspective_1;
-    _S125.lens_x_3 = lens_x_4;
-    _S125.lens_y_3 = lens_y_4;
-    _S125.blades_3 = blades_4;
-    return _S125;
+    var _S143 : ThinLens_0;
+    _S143.perspective_0 = perspective_1;
+    _S143.lens_x_3 = lens_x_4;
+    _S143.lens_y_3 = lens_y_4;
+    _S143.blades_3 = blades_4;
+    return _S143;
 }
 
 fn concentric_0( square_0 : vec2<f32>) -> vec2<f32>
 {
-    var a_6 : f32 = 2.0f * square_0.x - 1.0f;
-    var b_6 : f32 = 2.0f * square_0.y - 1.0f;
-    var _S126 : bool;
-    if(a_6 == 0.0f)
+    var a_4 : f32 = 2.0f * square_0.x - 1.0f;
+    var b_4 : f32 = 2.0f * square_0.y - 1.0f;
+    var _S144 : bool;
+    if(a_4 == 0.0f)
     {
-        _S126 = b_6 == 0.0f;
+        _S144 = b_4 == 0.0f;
     }
     else
     {
-        _S126 = false;
+        _S144 = false;
     }
-    if(_S126)
+    if(_S144)
     {
         return vec2<f32>(0.0f);
     }
-    var is_across_0 : bool = (abs(a_6)) > (abs(b_6));
+    var is_across_0 : bool = (abs(a_4)) > (abs(b_4));
     var radius_0 : f32;
     if(is_across_0)
     {
-        radius_0 = a_6;
+        radius_0 = a_4;
     }
     else
     {
-        radius_0 = b_6;
+        radius_0 = b_4;
     }
     var turns_0 : f32;
     if(is_across_0)
     {
-        turns_0 = divide_0(b_6, a_6) * 0.125f;
+        turns_0 = divide_0(b_4, a_4) * 0.125f;
     }
     else
     {
-        turns_0 = 0.25f - divide_0(a_6, b_6) * 0.125f;
+        turns_0 = 0.25f - divide_0(a_4, b_4) * 0.125f;
     }
     if(radius_0 < 0.0f)
     {
         turns_0 = turns_0 + 0.5f;
     }
-    var _S127 : f32 = abs(radius_0);
+    var _S145 : f32 = abs(radius_0);
     if(turns_0 < 0.0f)
     {
         radius_0 = turns_0 + 1.0f;
@@ -2097,7 +2141,7 @@ fn concentric_0( square_0 : vec2<f32>) -> vec2<f32>
     {
         radius_0 = turns_0;
     }
-    return vec2<f32>(_S127, radius_0);
+    return vec2<f32>(_S145, radius_0);
 }
 
 fn sincos_turns_0( turns_1 : f32) -> vec2<f32>
@@ -2143,14 +2187,14 @@ fn place_in_aperture_0( blades_5 : u32,  lens_3 : vec2<f32>) -> vec2<f32>
     var share_0 : f32 = scaled_0 - blade_0;
     var from_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0, count_1));
     var to_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0 + 1.0f, count_1));
-    var _S128 : f32 = from_0.y;
-    var _S129 : f32 = from_0.x;
-    return vec2<f32>(_S128 + (to_0.y - _S128) * share_0, _S129 + (to_0.x - _S129) * share_0) * vec2<f32>(radius_1);
+    var _S146 : f32 = from_0.y;
+    var _S147 : f32 = from_0.x;
+    return vec2<f32>(_S146 + (to_0.y - _S146) * share_0, _S147 + (to_0.x - _S147) * share_0) * vec2<f32>(radius_1);
 }
 
-fn dot_product_0( a_7 : vec3<f32>,  b_7 : vec3<f32>) -> f32
+fn dot_product_0( a_5 : vec3<f32>,  b_5 : vec3<f32>) -> f32
 {
-    return a_7.x * b_7.x + a_7.y * b_7.y + a_7.z * b_7.z;
+    return a_5.x * b_5.x + a_5.y * b_5.y + a_5.z * b_5.z;
 }
 
 fn length_squared_0( vector_3 : vec3<f32>) -> f32
@@ -2162,9 +2206,9 @@ fn nearest_root_0( mantissa_0 : u32,  guess_1 : u32) -> u32
 {
     var rest_1 : i32 = i32(((mantissa_0 << (u32(23)))) - guess_1 * guess_1);
     var units_1 : i32 = i32(floor(f32(rest_1) / f32(u32(2) * guess_1) + 0.5f));
-    var _S130 : i32 = i32(guess_1);
-    var root_0 : i32 = _S130 + units_1;
-    var rest_2 : i32 = rest_1 - units_1 * (_S130 + root_0);
+    var _S148 : i32 = i32(guess_1);
+    var root_0 : i32 = _S148 + units_1;
+    var rest_2 : i32 = rest_1 - units_1 * (_S148 + root_0);
     return u32(root_0 + i32(rest_2 > root_0) - i32(rest_2 <= (- root_0)));
 }
 
@@ -2174,13 +2218,13 @@ fn square_root_0( value_1 : f32) -> f32
     {
         return sqrt(value_1);
     }
-    var _S131 : u32 = (bitcast<u32>((value_1)));
-    var exponent_2 : u32 = (_S131 >> (u32(23)));
+    var _S149 : u32 = (bitcast<u32>((value_1)));
+    var exponent_2 : u32 = (_S149 >> (u32(23)));
     if(!is_normal_0(exponent_2))
     {
         return sqrt(value_1);
     }
-    var mantissa_1 : u32 = (((((_S131 & (u32(8388607)))) | (u32(8388608)))) << ((((~exponent_2) & (u32(1))))));
+    var mantissa_1 : u32 = (((((_S149 & (u32(8388607)))) | (u32(8388608)))) << ((((~exponent_2) & (u32(1))))));
     return (bitcast<f32>(((((((exponent_2 + u32(127)) >> (u32(1)))) << (u32(23)))) + (nearest_root_0(mantissa_1, u32(sqrt(f32(mantissa_1) * 1.1920928955078125e-07f) * 8.388608e+06f)) - u32(8388608)))));
 }
 
@@ -2211,12 +2255,12 @@ struct Orthographic_0
 
 fn Orthographic_x24init_0( corner_6 : vec3<f32>,  pixel_x_6 : vec3<f32>,  pixel_y_6 : vec3<f32>,  forward_3 : vec3<f32>) -> Orthographic_0
 {
-    var _S132 : Orthographic_0;
-    _S132.corner_5 = corner_6;
-    _S132.pixel_x_5 = pixel_x_6;
-    _S132.pixel_y_5 = pixel_y_6;
-    _S132.forward_2 = forward_3;
-    return _S132;
+    var _S150 : Orthographic_0;
+    _S150.corner_5 = corner_6;
+    _S150.pixel_x_5 = pixel_x_6;
+    _S150.pixel_y_5 = pixel_y_6;
+    _S150.forward_2 = forward_3;
+    return _S150;
 }
 
 fn Orthographic_ray_0( this_19 : Orthographic_0,  position_3 : vec2<f32>,  lens_5 : vec2<f32>) -> Ray_0
@@ -2234,12 +2278,12 @@ struct Panorama_0
 
 fn Panorama_x24init_0( eye_6 : vec3<f32>,  axes_1 : Axes_0,  inverse_size_1 : vec2<f32>,  half_eye_distance_1 : f32) -> Panorama_0
 {
-    var _S133 : Panorama_0;
-    _S133.eye_5 = eye_6;
-    _S133.axes_0 = axes_1;
-    _S133.inverse_size_0 = inverse_size_1;
-    _S133.half_eye_distance_0 = half_eye_distance_1;
-    return _S133;
+    var _S151 : Panorama_0;
+    _S151.eye_5 = eye_6;
+    _S151.axes_0 = axes_1;
+    _S151.inverse_size_0 = inverse_size_1;
+    _S151.half_eye_distance_0 = half_eye_distance_1;
+    return _S151;
 }
 
 fn Panorama_ray_0( this_20 : Panorama_0,  position_4 : vec2<f32>,  lens_6 : vec2<f32>) -> Ray_0
@@ -2266,9 +2310,9 @@ fn Panorama_ray_0( this_20 : Panorama_0,  position_4 : vec2<f32>,  lens_6 : vec2
     }
     var longitude_0 : vec2<f32> = sincos_turns_0(position_4.x * this_20.inverse_size_0.x);
     var height_1 : vec2<f32> = sincos_turns_0(latitude_1 * 0.5f);
-    var _S134 : vec3<f32> = vec3<f32>(longitude_0.y);
-    var _S135 : vec3<f32> = vec3<f32>(longitude_0.x);
-    return ray_from_0(this_20.eye_5 + (this_20.axes_0.forward_0 * _S135 - this_20.axes_0.right_1 * _S134) * vec3<f32>(side_0), normalize_vector_0((vec3<f32>(0) - this_20.axes_0.forward_0 * _S134 + this_20.axes_0.right_1 * _S135) * vec3<f32>(height_1.x) + this_20.axes_0.up_0 * vec3<f32>(height_1.y)));
+    var _S152 : vec3<f32> = vec3<f32>(longitude_0.y);
+    var _S153 : vec3<f32> = vec3<f32>(longitude_0.x);
+    return ray_from_0(this_20.eye_5 + (this_20.axes_0.forward_0 * _S153 - this_20.axes_0.right_0 * _S152) * vec3<f32>(side_0), normalize_vector_0((vec3<f32>(0) - this_20.axes_0.forward_0 * _S152 + this_20.axes_0.right_0 * _S153) * vec3<f32>(height_1.x) + this_20.axes_0.up_0 * vec3<f32>(height_1.y)));
 }
 
 struct Fisheye_0
@@ -2281,12 +2325,12 @@ struct Fisheye_0
 
 fn Fisheye_x24init_0( eye_8 : vec3<f32>,  axes_3 : Axes_0,  middle_1 : vec2<f32>,  turns_per_pixel_1 : f32) -> Fisheye_0
 {
-    var _S136 : Fisheye_0;
-    _S136.eye_7 = eye_8;
-    _S136.axes_2 = axes_3;
-    _S136.middle_0 = middle_1;
-    _S136.turns_per_pixel_0 = turns_per_pixel_1;
-    return _S136;
+    var _S154 : Fisheye_0;
+    _S154.eye_7 = eye_8;
+    _S154.axes_2 = axes_3;
+    _S154.middle_0 = middle_1;
+    _S154.turns_per_pixel_0 = turns_per_pixel_1;
+    return _S154;
 }
 
 fn Fisheye_ray_0( this_21 : Fisheye_0,  position_5 : vec2<f32>,  lens_7 : vec2<f32>) -> Ray_0
@@ -2304,7 +2348,7 @@ fn Fisheye_ray_0( this_21 : Fisheye_0,  position_5 : vec2<f32>,  lens_7 : vec2<f
     {
         scale_0 = 0.0f;
     }
-    return ray_from_0(this_21.eye_7, normalize_vector_0(this_21.axes_2.forward_0 * vec3<f32>(sin_cos_1.y) + this_21.axes_2.right_1 * vec3<f32>((x_1 * scale_0)) - this_21.axes_2.up_0 * vec3<f32>((y_1 * scale_0))));
+    return ray_from_0(this_21.eye_7, normalize_vector_0(this_21.axes_2.forward_0 * vec3<f32>(sin_cos_1.y) + this_21.axes_2.right_0 * vec3<f32>((x_1 * scale_0)) - this_21.axes_2.up_0 * vec3<f32>((y_1 * scale_0))));
 }
 
 fn Perspective_ray_0( this_22 : Perspective_0,  position_6 : vec2<f32>,  lens_8 : vec2<f32>) -> Ray_0
@@ -2350,9 +2394,9 @@ fn camera_path_0( pixel_4 : u32,  sample_4 : u32,  path_1 : ptr<function, Path_0
 {
     (*path_1) = Path_x24init_0(sampler_of_0(pixel_4, sample_4), u32(0), u32(0), u32(0), u32(0), vec3<f32>(1.0f), 0.0f, vec3<f32>(0.0f), Selection_x24init_0(0.0f, 0.0f, 0.0f), 0.0f, in_air_0(), true);
     var jitter_0 : vec4<f32> = PathTracingOf_jitter_0((*path_1).sampler_0);
-    var _S137 : CameraFrame_0 = FrameParams_camera_0();
-    var _S138 : vec2<u32> = position_of_0(pixel_4);
-    return PathTracingOf_clip_0(CameraFrame_ray_0(_S137, vec2<f32>(_S138) + jitter_0.xy, jitter_0.zw));
+    var _S155 : CameraFrame_0 = FrameParams_camera_0();
+    var _S156 : vec2<u32> = position_of_0(pixel_4);
+    return PathTracingOf_clip_0(CameraFrame_ray_0(_S155, vec2<f32>(_S156) + jitter_0.xy, jitter_0.zw));
 }
 
 struct RayCounts_0
@@ -2365,15 +2409,15 @@ struct Work_0
 {
      pixel_5 : u32,
      sample_5 : u32,
-     last_3 : u32,
+     last_2 : u32,
 };
 
 fn RayCounts_x24init_0( bounce_3 : u32,  shadow_1 : u32) -> RayCounts_0
 {
-    var _S139 : RayCounts_0;
-    _S139.bounce_2 = bounce_3;
-    _S139.shadow_0 = shadow_1;
-    return _S139;
+    var _S157 : RayCounts_0;
+    _S157.bounce_2 = bounce_3;
+    _S157.shadow_0 = shadow_1;
+    return _S157;
 }
 
 fn Hit_is_miss_0( this_24 : Hit_0) -> bool
@@ -2393,30 +2437,30 @@ fn Inside_is_in_0( this_26 : Inside_0) -> bool
 
 fn weighs_apart_0() -> bool
 {
-    var _S140 : bool;
+    var _S158 : bool;
     if(IS_EXACT_0)
     {
-        _S140 = IS_SINGLE_0;
+        _S158 = IS_SINGLE_0;
     }
     else
     {
-        _S140 = false;
+        _S158 = false;
     }
-    return _S140;
+    return _S158;
 }
 
 fn Path_is_counted_0( this_27 : Path_0) -> bool
 {
-    var _S141 : bool;
+    var _S159 : bool;
     if(weighs_apart_0())
     {
-        _S141 = (this_27.pdf_1) < 0.0f;
+        _S159 = (this_27.pdf_1) < 0.0f;
     }
     else
     {
-        _S141 = false;
+        _S159 = false;
     }
-    return _S141;
+    return _S159;
 }
 
 struct NextRays_0
@@ -2436,25 +2480,25 @@ struct NextRays_0
 
 fn NextRays_x24init_0( origin_10 : vec3<f32>,  path_origin_1 : vec3<f32>,  shadow_inside_2 : Inside_0,  relocates_2 : bool,  path_relocates_2 : bool,  direction_7 : vec3<f32>,  has_shadow_ray_1 : bool,  shadow_direction_1 : vec3<f32>,  shadow_t_max_1 : f32,  light_1 : vec3<f32>,  is_same_1 : bool) -> NextRays_0
 {
-    var _S142 : NextRays_0;
-    _S142.origin_9 = origin_10;
-    _S142.path_origin_0 = path_origin_1;
-    _S142.shadow_inside_1 = shadow_inside_2;
-    _S142.relocates_1 = relocates_2;
-    _S142.path_relocates_1 = path_relocates_2;
-    _S142.direction_6 = direction_7;
-    _S142.has_shadow_ray_0 = has_shadow_ray_1;
-    _S142.shadow_direction_0 = shadow_direction_1;
-    _S142.shadow_t_max_0 = shadow_t_max_1;
-    _S142.light_0 = light_1;
-    _S142.is_same_0 = is_same_1;
-    return _S142;
+    var _S160 : NextRays_0;
+    _S160.origin_9 = origin_10;
+    _S160.path_origin_0 = path_origin_1;
+    _S160.shadow_inside_1 = shadow_inside_2;
+    _S160.relocates_1 = relocates_2;
+    _S160.path_relocates_1 = path_relocates_2;
+    _S160.direction_6 = direction_7;
+    _S160.has_shadow_ray_0 = has_shadow_ray_1;
+    _S160.shadow_direction_0 = shadow_direction_1;
+    _S160.shadow_t_max_0 = shadow_t_max_1;
+    _S160.light_0 = light_1;
+    _S160.is_same_0 = is_same_1;
+    return _S160;
 }
 
 fn no_rays_0() -> NextRays_0
 {
-    var _S143 : vec3<f32> = vec3<f32>(0.0f);
-    return NextRays_x24init_0(_S143, _S143, in_air_0(), false, false, _S143, false, _S143, 0.0f, _S143, false);
+    var _S161 : vec3<f32> = vec3<f32>(0.0f);
+    return NextRays_x24init_0(_S161, _S161, in_air_0(), false, false, _S161, false, _S161, 0.0f, _S161, false);
 }
 
 struct Receiver_0
@@ -2465,10 +2509,10 @@ struct Receiver_0
 
 fn Receiver_x24init_0( point_1 : vec3<f32>,  normal_3 : vec3<f32>) -> Receiver_0
 {
-    var _S144 : Receiver_0;
-    _S144.point_0 = point_1;
-    _S144.normal_2 = normal_3;
-    return _S144;
+    var _S162 : Receiver_0;
+    _S162.point_0 = point_1;
+    _S162.normal_2 = normal_3;
+    return _S162;
 }
 
 fn Path_receiver_0( this_28 : Path_0,  ray_14 : Ray_0) -> Receiver_0
@@ -2500,78 +2544,78 @@ struct PackedMaterial_0
      scattering_0 : f32,
 };
 
-fn Rows_operatorx5Bx5D_get_0( row_4 : u32) -> vec4<u32>
+fn Rows_operatorx5Bx5D_get_3( row_5 : u32) -> vec4<u32>
 {
-    return records_0[first_row_0(u32(3)) + row_4];
+    return records_0[first_row_0(u32(3)) + row_5];
 }
 
-fn material_of_index_0( index_10 : u32) -> PackedMaterial_0
+fn material_of_index_0( index_11 : u32) -> PackedMaterial_0
 {
-    var _S145 : u32 = u32(4) * index_10;
-    var _S146 : vec4<u32> = Rows_operatorx5Bx5D_get_0(_S145);
-    var _S147 : vec4<u32> = Rows_operatorx5Bx5D_get_0(_S145 + u32(1));
-    var _S148 : vec4<u32> = Rows_operatorx5Bx5D_get_0(_S145 + u32(2));
-    var _S149 : vec4<u32> = Rows_operatorx5Bx5D_get_0(_S145 + u32(3));
+    var _S163 : u32 = u32(4) * index_11;
+    var _S164 : vec4<u32> = Rows_operatorx5Bx5D_get_3(_S163);
+    var _S165 : vec4<u32> = Rows_operatorx5Bx5D_get_3(_S163 + u32(1));
+    var _S166 : vec4<u32> = Rows_operatorx5Bx5D_get_3(_S163 + u32(2));
+    var _S167 : vec4<u32> = Rows_operatorx5Bx5D_get_3(_S163 + u32(3));
     var material_2 : PackedMaterial_0;
-    var _S150 : f32 = (bitcast<f32>((_S146.y)));
-    var _S151 : f32 = (bitcast<f32>((_S146.z)));
-    material_2.base_color_0[i32(0)] = (bitcast<f32>((_S146.x)));
-    material_2.base_color_0[i32(1)] = _S150;
-    material_2.base_color_0[i32(2)] = _S151;
-    var _S152 : f32 = (bitcast<f32>((_S147.y)));
-    var _S153 : f32 = (bitcast<f32>((_S147.z)));
-    material_2.emission_0[i32(0)] = (bitcast<f32>((_S147.x)));
-    material_2.emission_0[i32(1)] = _S152;
-    material_2.emission_0[i32(2)] = _S153;
-    var _S154 : f32 = (bitcast<f32>((_S149.y)));
-    var _S155 : f32 = (bitcast<f32>((_S149.z)));
-    material_2.absorption_0[i32(0)] = (bitcast<f32>((_S149.x)));
-    material_2.absorption_0[i32(1)] = _S154;
-    material_2.absorption_0[i32(2)] = _S155;
-    material_2.roughness_0 = (bitcast<f32>((_S146.w)));
-    material_2.metallic_0 = (bitcast<f32>((_S147.w)));
-    material_2.transmission_0 = (bitcast<f32>((_S148.x)));
-    material_2.ior_0 = (bitcast<f32>((_S148.y)));
-    material_2.specular_0 = (bitcast<f32>((_S148.z)));
-    material_2.anisotropy_0 = (bitcast<f32>((_S148.w)));
-    material_2.scattering_0 = (bitcast<f32>((_S149.w)));
+    var _S168 : f32 = (bitcast<f32>((_S164.y)));
+    var _S169 : f32 = (bitcast<f32>((_S164.z)));
+    material_2.base_color_0[i32(0)] = (bitcast<f32>((_S164.x)));
+    material_2.base_color_0[i32(1)] = _S168;
+    material_2.base_color_0[i32(2)] = _S169;
+    var _S170 : f32 = (bitcast<f32>((_S165.y)));
+    var _S171 : f32 = (bitcast<f32>((_S165.z)));
+    material_2.emission_0[i32(0)] = (bitcast<f32>((_S165.x)));
+    material_2.emission_0[i32(1)] = _S170;
+    material_2.emission_0[i32(2)] = _S171;
+    var _S172 : f32 = (bitcast<f32>((_S167.y)));
+    var _S173 : f32 = (bitcast<f32>((_S167.z)));
+    material_2.absorption_0[i32(0)] = (bitcast<f32>((_S167.x)));
+    material_2.absorption_0[i32(1)] = _S172;
+    material_2.absorption_0[i32(2)] = _S173;
+    material_2.roughness_0 = (bitcast<f32>((_S164.w)));
+    material_2.metallic_0 = (bitcast<f32>((_S165.w)));
+    material_2.transmission_0 = (bitcast<f32>((_S166.x)));
+    material_2.ior_0 = (bitcast<f32>((_S166.y)));
+    material_2.specular_0 = (bitcast<f32>((_S166.z)));
+    material_2.anisotropy_0 = (bitcast<f32>((_S166.w)));
+    material_2.scattering_0 = (bitcast<f32>((_S167.w)));
     return material_2;
 }
 
 fn logarithm_0( x_2 : f32) -> f32
 {
     var bits_1 : u32 = (bitcast<u32>((x_2)));
-    var _S156 : u32 = (bits_1 & (u32(8388607)));
-    var is_upper_0 : bool = _S156 > u32(3474675);
+    var _S174 : u32 = (bits_1 & (u32(8388607)));
+    var is_upper_0 : bool = _S174 > u32(3474675);
     var power_0 : i32 = i32((bits_1 >> (u32(23)))) - i32(127) + i32(is_upper_0);
-    var _S157 : u32;
+    var _S175 : u32;
     if(is_upper_0)
     {
-        _S157 = u32(1056964608);
+        _S175 = u32(1056964608);
     }
     else
     {
-        _S157 = u32(1065353216);
+        _S175 = u32(1065353216);
     }
-    var mantissa_2 : f32 = (bitcast<f32>(((_S156 | (_S157)))));
+    var mantissa_2 : f32 = (bitcast<f32>(((_S174 | (_S175)))));
     var s_0 : f32 = divide_0(mantissa_2 - 1.0f, mantissa_2 + 1.0f);
     var ss_0 : f32 = s_0 * s_0;
-    var _S158 : f32 = f32(power_0);
-    return _S158 * 0.693359375f + (_S158 * -0.00021219444170129f + s_0 * (2.0f + ss_0 * (0.66666668653488159f + ss_0 * (0.40000000596046448f + ss_0 * (0.28571429848670959f + ss_0 * 0.2222222238779068f)))));
+    var _S176 : f32 = f32(power_0);
+    return _S176 * 0.693359375f + (_S176 * -0.00021219444170129f + s_0 * (2.0f + ss_0 * (0.66666668653488159f + ss_0 * (0.40000000596046448f + ss_0 * (0.28571429848670959f + ss_0 * 0.2222222238779068f)))));
 }
 
 fn free_path_0( medium_0 : PackedMaterial_0,  u_0 : f32) -> f32
 {
-    var _S159 : f32;
+    var _S177 : f32;
     if((medium_0.scattering_0) > 0.0f)
     {
-        _S159 = divide_0(- logarithm_0(1.0f - u_0), medium_0.scattering_0);
+        _S177 = divide_0(- logarithm_0(1.0f - u_0), medium_0.scattering_0);
     }
     else
     {
-        _S159 = (bitcast<f32>(infinity_bits_0));
+        _S177 = (bitcast<f32>(infinity_bits_0));
     }
-    return _S159;
+    return _S177;
 }
 
 fn grid_direction_0( instance_8 : u32,  direction_8 : vec3<f32>) -> vec3<f32>
@@ -2613,23 +2657,23 @@ fn absorb_0( path_3 : ptr<function, Path_0>,  inside_3 : Inside_0,  ray_17 : Ray
     return;
 }
 
-fn Environment_to_map_0( d_1 : vec3<f32>) -> vec3<f32>
+fn Environment_to_map_0( d_0 : vec3<f32>) -> vec3<f32>
 {
     var sin_1 : f32 = params_0.sky_turned_0.x;
     var cos_1 : f32 = params_0.sky_turned_0.y;
-    var _S160 : f32 = d_1.x;
-    var _S161 : f32 = d_1.y;
-    return vec3<f32>(_S160 * cos_1 - _S161 * sin_1, _S160 * sin_1 + _S161 * cos_1, d_1.z);
+    var _S178 : f32 = d_0.x;
+    var _S179 : f32 = d_0.y;
+    return vec3<f32>(_S178 * cos_1 - _S179 * sin_1, _S178 * sin_1 + _S179 * cos_1, d_0.z);
 }
 
 fn quarter_turns_0( x_4 : f32,  y_2 : f32) -> f32
 {
-    var _S162 : f32 = min(x_4, y_2);
-    var _S163 : f32 = max(x_4, y_2);
+    var _S180 : f32 = min(x_4, y_2);
+    var _S181 : f32 = max(x_4, y_2);
     var ratio_0 : f32;
-    if(_S163 > 0.0f)
+    if(_S181 > 0.0f)
     {
-        ratio_0 = divide_0(_S162, _S163);
+        ratio_0 = divide_0(_S180, _S181);
     }
     else
     {
@@ -2651,10 +2695,10 @@ fn quarter_turns_0( x_4 : f32,  y_2 : f32) -> f32
 fn square_of_0( direction_9 : vec3<f32>) -> vec2<f32>
 {
     var size_0 : vec3<f32> = abs(direction_9);
-    var _S164 : f32 = size_0.x;
-    var _S165 : f32 = size_0.y;
-    var radius_3 : f32 = square_root_0(divide_0(_S164 * _S164 + _S165 * _S165, 1.0f + size_0.z));
-    var v_3 : f32 = quarter_turns_0(_S164, _S165) * radius_3;
+    var _S182 : f32 = size_0.x;
+    var _S183 : f32 = size_0.y;
+    var radius_3 : f32 = square_root_0(divide_0(_S182 * _S182 + _S183 * _S183, 1.0f + size_0.z));
+    var v_3 : f32 = quarter_turns_0(_S182, _S183) * radius_3;
     var u_1 : f32 = radius_3 - v_3;
     var is_below_1 : bool = (direction_9.z) < 0.0f;
     var u_2 : f32;
@@ -2693,7 +2737,7 @@ fn Environment_place_of_0( direction_10 : vec3<f32>) -> vec2<f32>
 
 fn Environment_index_of_0( x_5 : i32,  y_3 : i32) -> u32
 {
-    var last_4 : i32 = i32(params_0.sky_edge_0) - i32(1);
+    var last_3 : i32 = i32(params_0.sky_edge_0) - i32(1);
     var is_beside_0 : bool;
     if(x_5 < i32(0))
     {
@@ -2701,44 +2745,44 @@ fn Environment_index_of_0( x_5 : i32,  y_3 : i32) -> u32
     }
     else
     {
-        is_beside_0 = x_5 > last_4;
+        is_beside_0 = x_5 > last_3;
     }
-    var _S166 : i32;
+    var _S184 : i32;
     if(is_beside_0)
     {
-        _S166 = last_4 - y_3;
+        _S184 = last_3 - y_3;
     }
     else
     {
-        _S166 = y_3;
+        _S184 = y_3;
     }
-    var _S167 : i32;
+    var _S185 : i32;
     if(is_beside_0)
     {
-        _S167 = clamp(x_5, i32(0), last_4);
+        _S185 = clamp(x_5, i32(0), last_3);
     }
     else
     {
-        _S167 = x_5;
+        _S185 = x_5;
     }
     var is_beyond_0 : bool;
-    if(_S166 < i32(0))
+    if(_S184 < i32(0))
     {
         is_beyond_0 = true;
     }
     else
     {
-        is_beyond_0 = _S166 > last_4;
+        is_beyond_0 = _S184 > last_3;
     }
     if(is_beyond_0)
     {
-        _S167 = last_4 - _S167;
+        _S185 = last_3 - _S185;
     }
     if(is_beyond_0)
     {
-        _S166 = clamp(_S166, i32(0), last_4);
+        _S184 = clamp(_S184, i32(0), last_3);
     }
-    return u32(_S166 * i32(params_0.sky_edge_0) + _S167);
+    return u32(_S184 * i32(params_0.sky_edge_0) + _S185);
 }
 
 fn Environment_texel_radiance_0( x_6 : i32,  y_4 : i32) -> vec3<f32>
@@ -2748,18 +2792,18 @@ fn Environment_texel_radiance_0( x_6 : i32,  y_4 : i32) -> vec3<f32>
 
 fn Environment_radiance_at_0( place_1 : vec2<f32>) -> vec3<f32>
 {
-    var _S168 : vec2<f32> = place_1 - vec2<f32>(0.5f);
-    var corner_7 : vec2<f32> = floor(_S168);
-    var beyond_1 : vec2<f32> = _S168 - corner_7;
+    var _S186 : vec2<f32> = place_1 - vec2<f32>(0.5f);
+    var corner_7 : vec2<f32> = floor(_S186);
+    var beyond_1 : vec2<f32> = _S186 - corner_7;
     var x_7 : i32 = i32(corner_7.x);
     var y_5 : i32 = i32(corner_7.y);
-    var _S169 : f32 = beyond_1.x;
-    var _S170 : vec3<f32> = vec3<f32>((1.0f - _S169));
-    var _S171 : i32 = x_7 + i32(1);
-    var _S172 : vec3<f32> = vec3<f32>(_S169);
-    var _S173 : i32 = y_5 + i32(1);
-    var _S174 : f32 = beyond_1.y;
-    return (Environment_texel_radiance_0(x_7, y_5) * _S170 + Environment_texel_radiance_0(_S171, y_5) * _S172) * vec3<f32>((1.0f - _S174)) + (Environment_texel_radiance_0(x_7, _S173) * _S170 + Environment_texel_radiance_0(_S171, _S173) * _S172) * vec3<f32>(_S174);
+    var _S187 : f32 = beyond_1.x;
+    var _S188 : vec3<f32> = vec3<f32>((1.0f - _S187));
+    var _S189 : i32 = x_7 + i32(1);
+    var _S190 : vec3<f32> = vec3<f32>(_S187);
+    var _S191 : i32 = y_5 + i32(1);
+    var _S192 : f32 = beyond_1.y;
+    return (Environment_texel_radiance_0(x_7, y_5) * _S188 + Environment_texel_radiance_0(_S189, y_5) * _S190) * vec3<f32>((1.0f - _S192)) + (Environment_texel_radiance_0(x_7, _S191) * _S188 + Environment_texel_radiance_0(_S189, _S191) * _S190) * vec3<f32>(_S192);
 }
 
 fn Environment_radiance_0( direction_11 : vec3<f32>) -> vec3<f32>
@@ -2775,10 +2819,10 @@ struct Gradient_0
 
 fn Gradient_x24init_0( nadir_1 : vec3<f32>,  zenith_1 : vec3<f32>) -> Gradient_0
 {
-    var _S175 : Gradient_0;
-    _S175.nadir_0 = nadir_1;
-    _S175.zenith_0 = zenith_1;
-    return _S175;
+    var _S193 : Gradient_0;
+    _S193.nadir_0 = nadir_1;
+    _S193.zenith_0 = zenith_1;
+    return _S193;
 }
 
 fn Gradient_radiance_0( this_32 : Gradient_0,  direction_12 : vec3<f32>) -> vec3<f32>
@@ -2800,58 +2844,58 @@ fn Sky_le_0( direction_14 : vec3<f32>) -> vec3<f32>
     return Sky_radiance_0(direction_14);
 }
 
-fn Path_selection_at_0( this_33 : Path_0,  last_5 : Receiver_0) -> Selection_0
+fn Path_selection_at_0( this_33 : Path_0,  last_4 : Receiver_0) -> Selection_0
 {
     return this_33.selection_0;
 }
 
 fn Lights_has_chosen_sky_0() -> bool
 {
-    var _S176 : bool;
+    var _S194 : bool;
     if(SKY_0 == u32(1))
     {
-        _S176 = (params_0.sky_irradiance_0) > 0.0f;
+        _S194 = (params_0.sky_irradiance_0) > 0.0f;
     }
     else
     {
-        _S176 = false;
+        _S194 = false;
     }
-    return _S176;
+    return _S194;
 }
 
 fn Environment_pdf_0( direction_15 : vec3<f32>) -> f32
 {
     var place_2 : vec2<f32> = Environment_place_of_0(direction_15);
-    var last_6 : i32 = i32(params_0.sky_edge_0) - i32(1);
-    return environment_0[Environment_index_of_0(min(i32(place_2.x), last_6), min(i32(place_2.y), last_6))].pdf_0;
+    var last_5 : i32 = i32(params_0.sky_edge_0) - i32(1);
+    return environment_0[Environment_index_of_0(min(i32(place_2.x), last_5), min(i32(place_2.y), last_5))].pdf_0;
 }
 
 fn Sky_pdf_0( direction_16 : vec3<f32>) -> f32
 {
-    var _S177 : f32;
+    var _S195 : f32;
     if(SKY_0 == u32(1))
     {
-        _S177 = Environment_pdf_0(direction_16);
+        _S195 = Environment_pdf_0(direction_16);
     }
     else
     {
-        _S177 = 0.0f;
+        _S195 = 0.0f;
     }
-    return _S177;
+    return _S195;
 }
 
 fn Lights_sky_pdf_0( selection_2 : Selection_0,  direction_17 : vec3<f32>) -> f32
 {
-    var _S178 : f32;
+    var _S196 : f32;
     if(Lights_has_chosen_sky_0())
     {
-        _S178 = Sky_pdf_0(direction_17) * selection_2.sky_1;
+        _S196 = Sky_pdf_0(direction_17) * selection_2.sky_1;
     }
     else
     {
-        _S178 = 0.0f;
+        _S196 = 0.0f;
     }
-    return _S178;
+    return _S196;
 }
 
 fn power_heuristic_0( own_0 : f32,  other_1 : f32) -> f32
@@ -2862,16 +2906,16 @@ fn power_heuristic_0( own_0 : f32,  other_1 : f32) -> f32
 
 fn mis_weight_0( bounce_pdf_0 : f32,  light_pdf_0 : f32) -> f32
 {
-    var _S179 : bool;
+    var _S197 : bool;
     if(bounce_pdf_0 == 0.0f)
     {
-        _S179 = true;
+        _S197 = true;
     }
     else
     {
-        _S179 = light_pdf_0 == 0.0f;
+        _S197 = light_pdf_0 == 0.0f;
     }
-    if(_S179)
+    if(_S197)
     {
         return 1.0f;
     }
@@ -2890,24 +2934,24 @@ fn SunDisc_is_visible_0() -> bool
 
 fn Path_is_straight_0( this_34 : Path_0) -> bool
 {
-    var _S180 : bool;
+    var _S198 : bool;
     if((this_34.bounce_0) == u32(0))
     {
-        _S180 = (this_34.pdf_1) == 0.0f;
+        _S198 = (this_34.pdf_1) == 0.0f;
     }
     else
     {
-        _S180 = false;
+        _S198 = false;
     }
-    if(_S180)
+    if(_S198)
     {
-        _S180 = (all(((this_34.normal_0) == vec3<f32>(0.0f))));
+        _S198 = (all(((this_34.normal_0) == vec3<f32>(0.0f))));
     }
     else
     {
-        _S180 = false;
+        _S198 = false;
     }
-    return _S180;
+    return _S198;
 }
 
 fn SunDisc_contains_0( direction_18 : vec3<f32>) -> bool
@@ -2917,44 +2961,44 @@ fn SunDisc_contains_0( direction_18 : vec3<f32>) -> bool
 
 fn SunDisc_le_0( direction_19 : vec3<f32>) -> vec3<f32>
 {
-    var _S181 : vec3<f32>;
+    var _S199 : vec3<f32>;
     if(SunDisc_contains_0(direction_19))
     {
-        _S181 = params_0.sun_radiance_0;
+        _S199 = params_0.sun_radiance_0;
     }
     else
     {
-        _S181 = vec3<f32>(0.0f);
+        _S199 = vec3<f32>(0.0f);
     }
-    return _S181;
+    return _S199;
 }
 
 fn SunDisc_pdf_0( direction_20 : vec3<f32>) -> f32
 {
-    var _S182 : f32;
+    var _S200 : f32;
     if(SunDisc_contains_0(direction_20))
     {
-        _S182 = params_0.sun_pdf_0;
+        _S200 = params_0.sun_pdf_0;
     }
     else
     {
-        _S182 = 0.0f;
+        _S200 = 0.0f;
     }
-    return _S182;
+    return _S200;
 }
 
 fn Lights_sun_pdf_0( selection_3 : Selection_0,  direction_21 : vec3<f32>) -> f32
 {
-    var _S183 : f32;
+    var _S201 : f32;
     if(has_sun_0())
     {
-        _S183 = SunDisc_pdf_0(direction_21) * selection_3.sun_0;
+        _S201 = SunDisc_pdf_0(direction_21) * selection_3.sun_0;
     }
     else
     {
-        _S183 = 0.0f;
+        _S201 = 0.0f;
     }
-    return _S183;
+    return _S201;
 }
 
 fn Path_dimension_scatter_0( this_35 : Path_0) -> u32
@@ -2969,16 +3013,16 @@ fn find_brick_0( grid_5 : PackedGrid_0,  relative_1 : vec3<i32>) -> u32
     var shift_3 : u32 = grid_5.top_shift_0;
     for(;;)
     {
-        var _S184 : bool;
+        var _S202 : bool;
         if(shift_3 > u32(3))
         {
-            _S184 = ((cell_7 & (u32(2147483648)))) != u32(0);
+            _S202 = ((cell_7 & (u32(2147483648)))) != u32(0);
         }
         else
         {
-            _S184 = false;
+            _S202 = false;
         }
-        if(_S184)
+        if(_S202)
         {
         }
         else
@@ -2996,43 +3040,43 @@ fn rank_in_brick_0( record_3 : u32,  relative_2 : vec3<i32>) -> u32
 {
     var bit_1 : u32 = cell_in_node_0(relative_2, u32(0));
     var present_before_0 : u32 = countOneBits(((brick_word_0(record_3)) & ((((u32(1) << (((((u32(((((relative_2.x) >> (u32(2)))) & (i32(1)))) | (((u32(((((relative_2.y) >> (u32(2)))) & (i32(1)))) << (u32(1))))))) | (((u32(((((relative_2.z) >> (u32(2)))) & (i32(1)))) << (u32(2)))))))))) - u32(1)))));
-    var index_11 : u32 = u32(0);
+    var index_12 : u32 = u32(0);
     var rank_0 : u32 = u32(0);
     for(;;)
     {
-        if(index_11 < present_before_0)
+        if(index_12 < present_before_0)
         {
         }
         else
         {
             break;
         }
-        var _S185 : u32 = u32(2) * index_11;
-        var rank_1 : u32 = rank_0 + (countOneBits(brick_word_0(record_3 + u32(2) + _S185)) + countOneBits(brick_word_0(record_3 + u32(3) + _S185)));
-        index_11 = index_11 + u32(1);
+        var _S203 : u32 = u32(2) * index_12;
+        var rank_1 : u32 = rank_0 + (countOneBits(brick_word_0(record_3 + u32(2) + _S203)) + countOneBits(brick_word_0(record_3 + u32(3) + _S203)));
+        index_12 = index_12 + u32(1);
         rank_0 = rank_1;
     }
-    var _S186 : u32 = u32(2) * present_before_0;
-    var low_6 : u32 = brick_word_0(record_3 + u32(2) + _S186);
+    var _S204 : u32 = u32(2) * present_before_0;
+    var low_6 : u32 = brick_word_0(record_3 + u32(2) + _S204);
     if(bit_1 < u32(32))
     {
         rank_0 = rank_0 + countOneBits((low_6 & ((((u32(1) << (bit_1))) - u32(1)))));
     }
     else
     {
-        rank_0 = rank_0 + (countOneBits(low_6) + countOneBits(((brick_word_0(record_3 + u32(3) + _S186)) & ((((u32(1) << ((bit_1 - u32(32))))) - u32(1))))));
+        rank_0 = rank_0 + (countOneBits(low_6) + countOneBits(((brick_word_0(record_3 + u32(3) + _S204)) & ((((u32(1) << ((bit_1 - u32(32))))) - u32(1))))));
     }
     return rank_0;
 }
 
-fn place_of_material_0( index_12 : u32) -> u32
+fn place_of_material_0( index_13 : u32) -> u32
 {
-    return index_12;
+    return index_13;
 }
 
-fn material_word_0( index_13 : u32) -> u32
+fn material_word_0( index_14 : u32) -> u32
 {
-    return brick_materials_0[place_of_material_0(index_13)];
+    return brick_materials_0[place_of_material_0(index_14)];
 }
 
 fn read_bits_0( start_1 : u32,  position_8 : u32,  count_2 : u32) -> u32
@@ -3063,18 +3107,18 @@ fn material_at_0( grid_6 : PackedGrid_0,  relative_3 : vec3<i32>) -> u32
     var index_bits_0 : u32 = (((header_0 >> (u32(8)))) & (u32(255)));
     var palette_count_0 : u32 = (header_0 >> (u32(16)));
     var start_2 : u32 = brick_word_0(record_4 + u32(1));
-    var index_14 : u32 = read_bits_0(start_2, palette_count_0 * grid_6.material_bits_0 + rank_in_brick_0(record_4, relative_3) * index_bits_0, index_bits_0);
+    var index_15 : u32 = read_bits_0(start_2, palette_count_0 * grid_6.material_bits_0 + rank_in_brick_0(record_4, relative_3) * index_bits_0, index_bits_0);
     if(palette_count_0 == u32(0))
     {
-        return index_14;
+        return index_15;
     }
-    return read_bits_0(start_2, index_14 * grid_6.material_bits_0, grid_6.material_bits_0);
+    return read_bits_0(start_2, index_15 * grid_6.material_bits_0, grid_6.material_bits_0);
 }
 
 fn material_of_0( hit_1 : Hit_0) -> PackedMaterial_0
 {
-    var _S187 : PackedGrid_0 = Grids_operatorx5Bx5D_get_0(Instances_operatorx5Bx5D_get_0(hit_1.instance_1).grid_0);
-    return material_of_index_0(material_at_0(_S187, hit_1.voxel_1 - cell_of_0(_S187.origin_4)));
+    var _S205 : PackedGrid_0 = Grids_operatorx5Bx5D_get_0(Instances_operatorx5Bx5D_get_0(hit_1.instance_1).grid_0);
+    return material_of_index_0(material_at_0(_S205, hit_1.voxel_1 - cell_of_0(_S205.origin_4)));
 }
 
 fn material_met_0( path_4 : Path_0,  hit_2 : Hit_0,  beyond_2 : u32) -> PackedMaterial_0
@@ -3107,12 +3151,12 @@ struct Aim_0
 
 fn Aim_x24init_0( is_met_1 : bool,  direction_23 : vec3<f32>,  hit_4 : Hit_0,  luminance_2 : f32) -> Aim_0
 {
-    var _S188 : Aim_0;
-    _S188.is_met_0 = is_met_1;
-    _S188.direction_22 = direction_23;
-    _S188.hit_3 = hit_4;
-    _S188.luminance_1 = luminance_2;
-    return _S188;
+    var _S206 : Aim_0;
+    _S206.is_met_0 = is_met_1;
+    _S206.direction_22 = direction_23;
+    _S206.hit_3 = hit_4;
+    _S206.luminance_1 = luminance_2;
+    return _S206;
 }
 
 struct LightSample_0
@@ -3125,18 +3169,18 @@ struct LightSample_0
 
 fn LightSample_x24init_0( ray_19 : Ray_0,  cos_theta_1 : f32,  radiance_3 : vec3<f32>,  pdf_4 : f32) -> LightSample_0
 {
-    var _S189 : LightSample_0;
-    _S189.ray_18 = ray_19;
-    _S189.cos_theta_0 = cos_theta_1;
-    _S189.radiance_2 = radiance_3;
-    _S189.pdf_3 = pdf_4;
-    return _S189;
+    var _S207 : LightSample_0;
+    _S207.ray_18 = ray_19;
+    _S207.cos_theta_0 = cos_theta_1;
+    _S207.radiance_2 = radiance_3;
+    _S207.pdf_3 = pdf_4;
+    return _S207;
 }
 
 fn no_light_0() -> LightSample_0
 {
-    var _S190 : vec3<f32> = vec3<f32>(0.0f);
-    return LightSample_x24init_0(Ray_x24init_0(_S190, 0.0f, _S190, 0.0f), 0.0f, _S190, 0.0f);
+    var _S208 : vec3<f32> = vec3<f32>(0.0f);
+    return LightSample_x24init_0(Ray_x24init_0(_S208, 0.0f, _S208, 0.0f), 0.0f, _S208, 0.0f);
 }
 
 fn with_slack_0( receiver_0 : Receiver_0,  cos_2 : f32) -> f32
@@ -3164,36 +3208,36 @@ struct ChosenDirection_0
 
 fn ChosenDirection_x24init_0( direction_26 : vec3<f32>,  radiance_5 : vec3<f32>,  pdf_6 : f32) -> ChosenDirection_0
 {
-    var _S191 : ChosenDirection_0;
-    _S191.direction_25 = direction_26;
-    _S191.radiance_4 = radiance_5;
-    _S191.pdf_5 = pdf_6;
-    return _S191;
+    var _S209 : ChosenDirection_0;
+    _S209.direction_25 = direction_26;
+    _S209.radiance_4 = radiance_5;
+    _S209.pdf_5 = pdf_6;
+    return _S209;
 }
 
 fn direction_of_0( square_1 : vec2<f32>) -> vec3<f32>
 {
     var u_4 : f32 = square_1.x * 2.0f - 1.0f;
     var v_5 : f32 = square_1.y * 2.0f - 1.0f;
-    var _S192 : f32 = abs(u_4);
-    var _S193 : f32 = abs(v_5);
-    var height_2 : f32 = 1.0f - (_S192 + _S193);
+    var _S210 : f32 = abs(u_4);
+    var _S211 : f32 = abs(v_5);
+    var height_2 : f32 = 1.0f - (_S210 + _S211);
     var radius_5 : f32 = 1.0f - abs(height_2);
     var turns_3 : f32;
     if(radius_5 > 0.0f)
     {
-        turns_3 = (divide_0(_S193 - _S192, radius_5) + 1.0f) * 0.125f;
+        turns_3 = (divide_0(_S211 - _S210, radius_5) + 1.0f) * 0.125f;
     }
     else
     {
         turns_3 = 0.0f;
     }
     var sin_cos_3 : vec2<f32> = sincos_turns_0(turns_3);
-    var _S194 : f32 = radius_5 * radius_5;
-    var across_0 : f32 = radius_5 * square_root_0(2.0f - _S194);
+    var _S212 : f32 = radius_5 * radius_5;
+    var across_0 : f32 = radius_5 * square_root_0(2.0f - _S212);
     var x_8 : f32 = sin_cos_3.y * across_0;
     var y_6 : f32 = sin_cos_3.x * across_0;
-    var z_0 : f32 = 1.0f - _S194;
+    var z_0 : f32 = 1.0f - _S212;
     if(u_4 < 0.0f)
     {
         turns_3 = - x_8;
@@ -3202,63 +3246,63 @@ fn direction_of_0( square_1 : vec2<f32>) -> vec3<f32>
     {
         turns_3 = x_8;
     }
-    var _S195 : f32;
+    var _S213 : f32;
     if(v_5 < 0.0f)
     {
-        _S195 = - y_6;
+        _S213 = - y_6;
     }
     else
     {
-        _S195 = y_6;
+        _S213 = y_6;
     }
-    var _S196 : f32;
+    var _S214 : f32;
     if(height_2 < 0.0f)
     {
-        _S196 = - z_0;
+        _S214 = - z_0;
     }
     else
     {
-        _S196 = z_0;
+        _S214 = z_0;
     }
-    return vec3<f32>(turns_3, _S195, _S196);
+    return vec3<f32>(turns_3, _S213, _S214);
 }
 
-fn Environment_to_world_0( d_2 : vec3<f32>) -> vec3<f32>
+fn Environment_to_world_0( d_1 : vec3<f32>) -> vec3<f32>
 {
     var sin_2 : f32 = params_0.sky_turned_0.x;
     var cos_3 : f32 = params_0.sky_turned_0.y;
-    var _S197 : f32 = d_2.x;
-    var _S198 : f32 = d_2.y;
-    return vec3<f32>(_S197 * cos_3 + _S198 * sin_2, _S198 * cos_3 - _S197 * sin_2, d_2.z);
+    var _S215 : f32 = d_1.x;
+    var _S216 : f32 = d_1.y;
+    return vec3<f32>(_S215 * cos_3 + _S216 * sin_2, _S216 * cos_3 - _S215 * sin_2, d_1.z);
 }
 
 fn Environment_choose_0( u_5 : vec4<f32>,  chosen_0 : ptr<function, ChosenDirection_0>) -> bool
 {
-    var _S199 : vec3<f32> = vec3<f32>(0.0f);
-    (*chosen_0) = ChosenDirection_x24init_0(_S199, _S199, 0.0f);
+    var _S217 : vec3<f32> = vec3<f32>(0.0f);
+    (*chosen_0) = ChosenDirection_x24init_0(_S217, _S217, 0.0f);
     var edge_0 : f32 = f32(params_0.sky_edge_0);
-    var _S200 : f32 = u_5.x * edge_0;
-    var _S201 : f32 = edge_0 - 1.0f;
-    var _S202 : f32 = min(floor(_S200), _S201);
-    var own_1 : u32 = u32(_S202) * params_0.sky_edge_0 + u32(min(floor(u_5.y * edge_0), _S201));
-    var index_15 : u32;
+    var _S218 : f32 = u_5.x * edge_0;
+    var _S219 : f32 = edge_0 - 1.0f;
+    var _S220 : f32 = min(floor(_S218), _S219);
+    var own_1 : u32 = u32(_S220) * params_0.sky_edge_0 + u32(min(floor(u_5.y * edge_0), _S219));
+    var index_16 : u32;
     if((u_5.z) < (environment_0[own_1].threshold_0))
     {
-        index_15 = own_1;
+        index_16 = own_1;
     }
     else
     {
-        index_15 = environment_0[own_1].alias_0;
+        index_16 = environment_0[own_1].alias_0;
     }
-    var pdf_7 : f32 = environment_0[index_15].pdf_0;
-    if((environment_0[index_15].pdf_0) <= 0.0f)
+    var pdf_7 : f32 = environment_0[index_16].pdf_0;
+    if((environment_0[index_16].pdf_0) <= 0.0f)
     {
         return false;
     }
-    var _S203 : u32 = index_15 % params_0.sky_edge_0;
-    var _S204 : f32 = f32(_S203);
-    var _S205 : u32 = index_15 / params_0.sky_edge_0;
-    var place_3 : vec2<f32> = vec2<f32>(_S204, f32(_S205)) + vec2<f32>(min(_S200 - _S202, 1.0f), u_5.w);
+    var _S221 : u32 = index_16 % params_0.sky_edge_0;
+    var _S222 : f32 = f32(_S221);
+    var _S223 : u32 = index_16 / params_0.sky_edge_0;
+    var place_3 : vec2<f32> = vec2<f32>(_S222, f32(_S223)) + vec2<f32>(min(_S218 - _S220, 1.0f), u_5.w);
     (*chosen_0) = ChosenDirection_x24init_0(Environment_to_world_0(direction_of_0(place_3 * vec2<f32>(divide_0(1.0f, edge_0)))), Environment_radiance_at_0(place_3), pdf_7);
     return true;
 }
@@ -3267,17 +3311,17 @@ fn Sky_sample_0( receiver_2 : Receiver_0,  u_6 : vec4<f32>,  sample_7 : ptr<func
 {
     (*sample_7) = no_light_0();
     var chosen_1 : ChosenDirection_0;
-    var _S206 : bool;
+    var _S224 : bool;
     if(SKY_0 != u32(1))
     {
-        _S206 = true;
+        _S224 = true;
     }
     else
     {
-        var _S207 : bool = Environment_choose_0(u_6, &(chosen_1));
-        _S206 = !_S207;
+        var _S225 : bool = Environment_choose_0(u_6, &(chosen_1));
+        _S224 = !_S225;
     }
-    if(_S206)
+    if(_S224)
     {
         return false;
     }
@@ -3289,7 +3333,7 @@ fn Sky_sample_0( receiver_2 : Receiver_0,  u_6 : vec4<f32>,  sample_7 : ptr<func
 struct Descent_0
 {
      node_2 : u32,
-     index_16 : u32,
+     index_17 : u32,
      count_3 : u32,
      weight_0 : f32,
      total_0 : f32,
@@ -3297,23 +3341,23 @@ struct Descent_0
      is_far_0 : bool,
 };
 
-fn Descent_x24init_0( node_3 : u32,  index_17 : u32,  count_4 : u32,  weight_1 : f32,  total_1 : f32,  choice_1 : f32,  is_far_1 : bool) -> Descent_0
+fn Descent_x24init_0( node_3 : u32,  index_18 : u32,  count_4 : u32,  weight_1 : f32,  total_1 : f32,  choice_1 : f32,  is_far_1 : bool) -> Descent_0
 {
-    var _S208 : Descent_0;
-    _S208.node_2 = node_3;
-    _S208.index_16 = index_17;
-    _S208.count_3 = count_4;
-    _S208.weight_0 = weight_1;
-    _S208.total_0 = total_1;
-    _S208.choice_0 = choice_1;
-    _S208.is_far_0 = is_far_1;
-    return _S208;
+    var _S226 : Descent_0;
+    _S226.node_2 = node_3;
+    _S226.index_17 = index_18;
+    _S226.count_3 = count_4;
+    _S226.weight_0 = weight_1;
+    _S226.total_0 = total_1;
+    _S226.choice_0 = choice_1;
+    _S226.is_far_0 = is_far_1;
+    return _S226;
 }
 
 struct LightNode_0
 {
      min_2 : array<f32, i32(3)>,
-     index_18 : u32,
+     index_19 : u32,
      max_2 : array<f32, i32(3)>,
      count_5 : u32,
      power_2 : array<f32, i32(6)>,
@@ -3321,58 +3365,58 @@ struct LightNode_0
      root_1 : u32,
 };
 
-fn Rows_operatorx5Bx5D_get_1( row_5 : u32) -> vec4<u32>
+fn Rows_operatorx5Bx5D_get_4( row_6 : u32) -> vec4<u32>
 {
-    return records_0[first_row_0(u32(6)) + row_5];
+    return records_0[first_row_0(u32(6)) + row_6];
 }
 
-fn light_node_of_0( a_8 : vec4<u32>,  b_8 : vec4<u32>,  c_2 : vec4<u32>,  d_3 : vec4<u32>) -> LightNode_0
+fn light_node_of_0( a_6 : vec4<u32>,  b_6 : vec4<u32>,  c_1 : vec4<u32>,  d_2 : vec4<u32>) -> LightNode_0
 {
     var node_4 : LightNode_0;
-    var _S209 : f32 = (bitcast<f32>((a_8.y)));
-    var _S210 : f32 = (bitcast<f32>((a_8.z)));
-    node_4.min_2[i32(0)] = (bitcast<f32>((a_8.x)));
-    node_4.min_2[i32(1)] = _S209;
-    node_4.min_2[i32(2)] = _S210;
-    node_4.index_18 = a_8.w;
-    var _S211 : f32 = (bitcast<f32>((b_8.y)));
-    var _S212 : f32 = (bitcast<f32>((b_8.z)));
-    node_4.max_2[i32(0)] = (bitcast<f32>((b_8.x)));
-    node_4.max_2[i32(1)] = _S211;
-    node_4.max_2[i32(2)] = _S212;
-    node_4.count_5 = b_8.w;
-    var _S213 : f32 = (bitcast<f32>((c_2.y)));
-    var _S214 : f32 = (bitcast<f32>((c_2.z)));
-    var _S215 : f32 = (bitcast<f32>((c_2.w)));
-    var _S216 : f32 = (bitcast<f32>((d_3.x)));
-    var _S217 : f32 = (bitcast<f32>((d_3.y)));
-    node_4.power_2[i32(0)] = (bitcast<f32>((c_2.x)));
-    node_4.power_2[i32(1)] = _S213;
-    node_4.power_2[i32(2)] = _S214;
-    node_4.power_2[i32(3)] = _S215;
-    node_4.power_2[i32(4)] = _S216;
-    node_4.power_2[i32(5)] = _S217;
-    node_4.parent_0 = d_3.z;
-    node_4.root_1 = d_3.w;
+    var _S227 : f32 = (bitcast<f32>((a_6.y)));
+    var _S228 : f32 = (bitcast<f32>((a_6.z)));
+    node_4.min_2[i32(0)] = (bitcast<f32>((a_6.x)));
+    node_4.min_2[i32(1)] = _S227;
+    node_4.min_2[i32(2)] = _S228;
+    node_4.index_19 = a_6.w;
+    var _S229 : f32 = (bitcast<f32>((b_6.y)));
+    var _S230 : f32 = (bitcast<f32>((b_6.z)));
+    node_4.max_2[i32(0)] = (bitcast<f32>((b_6.x)));
+    node_4.max_2[i32(1)] = _S229;
+    node_4.max_2[i32(2)] = _S230;
+    node_4.count_5 = b_6.w;
+    var _S231 : f32 = (bitcast<f32>((c_1.y)));
+    var _S232 : f32 = (bitcast<f32>((c_1.z)));
+    var _S233 : f32 = (bitcast<f32>((c_1.w)));
+    var _S234 : f32 = (bitcast<f32>((d_2.x)));
+    var _S235 : f32 = (bitcast<f32>((d_2.y)));
+    node_4.power_2[i32(0)] = (bitcast<f32>((c_1.x)));
+    node_4.power_2[i32(1)] = _S231;
+    node_4.power_2[i32(2)] = _S232;
+    node_4.power_2[i32(3)] = _S233;
+    node_4.power_2[i32(4)] = _S234;
+    node_4.power_2[i32(5)] = _S235;
+    node_4.parent_0 = d_2.z;
+    node_4.root_1 = d_2.w;
     return node_4;
 }
 
-fn top_light_node_0( index_19 : u32) -> LightNode_0
+fn top_light_node_0( index_20 : u32) -> LightNode_0
 {
-    var _S218 : u32 = u32(4) * index_19;
-    return light_node_of_0(Rows_operatorx5Bx5D_get_1(_S218), Rows_operatorx5Bx5D_get_1(_S218 + u32(1)), Rows_operatorx5Bx5D_get_1(_S218 + u32(2)), Rows_operatorx5Bx5D_get_1(_S218 + u32(3)));
+    var _S236 : u32 = u32(4) * index_20;
+    return light_node_of_0(Rows_operatorx5Bx5D_get_4(_S236), Rows_operatorx5Bx5D_get_4(_S236 + u32(1)), Rows_operatorx5Bx5D_get_4(_S236 + u32(2)), Rows_operatorx5Bx5D_get_4(_S236 + u32(3)));
 }
 
-fn TopLights_node_0( index_20 : u32) -> LightNode_0
+fn TopLights_node_0( index_21 : u32) -> LightNode_0
 {
-    return top_light_node_0(index_20);
+    return top_light_node_0(index_21);
 }
 
 fn Descent_at_0( this_36 : ptr<function, Descent_0>,  root_2 : u32)
 {
     var node_5 : LightNode_0 = TopLights_node_0(root_2);
     (*this_36).node_2 = root_2;
-    (*this_36).index_16 = node_5.index_18;
+    (*this_36).index_17 = node_5.index_19;
     (*this_36).count_3 = node_5.count_5;
     (*this_36).is_far_0 = false;
     return;
@@ -3397,17 +3441,17 @@ struct BySide_0
 
 fn BySide_x24init_0( low_8 : vec3<f32>,  high_5 : vec3<f32>) -> BySide_0
 {
-    var _S219 : BySide_0;
-    _S219.low_7 = low_8;
-    _S219.high_4 = high_5;
-    return _S219;
+    var _S237 : BySide_0;
+    _S237.low_7 = low_8;
+    _S237.high_4 = high_5;
+    return _S237;
 }
 
 fn sent_by_side_0( node_6 : LightNode_0,  point_2 : vec3<f32>,  distance_2 : f32) -> BySide_0
 {
-    var _S220 : vec3<f32> = vec3<f32>(0.0f);
-    var _S221 : vec3<f32> = vec3<f32>(distance_2);
-    return BySide_x24init_0(vec3<f32>(node_6.power_2[i32(0)], node_6.power_2[i32(2)], node_6.power_2[i32(4)]) * min(max(vector_of_0(node_6.max_2) - point_2, _S220), _S221), vec3<f32>(node_6.power_2[i32(1)], node_6.power_2[i32(3)], node_6.power_2[i32(5)]) * min(max(point_2 - vector_of_0(node_6.min_2), _S220), _S221));
+    var _S238 : vec3<f32> = vec3<f32>(0.0f);
+    var _S239 : vec3<f32> = vec3<f32>(distance_2);
+    return BySide_x24init_0(vec3<f32>(node_6.power_2[i32(0)], node_6.power_2[i32(2)], node_6.power_2[i32(4)]) * min(max(vector_of_0(node_6.max_2) - point_2, _S238), _S239), vec3<f32>(node_6.power_2[i32(1)], node_6.power_2[i32(3)], node_6.power_2[i32(5)]) * min(max(point_2 - vector_of_0(node_6.min_2), _S238), _S239));
 }
 
 fn BySide_sum_0( this_37 : BySide_0) -> f32
@@ -3424,60 +3468,60 @@ fn reciprocal_guess_0( x_9 : f32) -> f32
 
 fn View_x24init_0( importance_1 : f32,  is_far_3 : bool) -> View_0
 {
-    var _S222 : View_0;
-    _S222.importance_0 = importance_1;
-    _S222.is_far_2 = is_far_3;
-    return _S222;
+    var _S240 : View_0;
+    _S240.importance_0 = importance_1;
+    _S240.is_far_2 = is_far_3;
+    return _S240;
 }
 
 fn view_0( node_7 : LightNode_0,  receiver_3 : Receiver_0) -> View_0
 {
-    var _S223 : vec3<f32> = vector_of_0(node_7.max_2);
-    var _S224 : vec3<f32> = vector_of_0(node_7.min_2);
-    var _S225 : vec3<f32> = vec3<f32>(0.5f);
-    var half_1 : vec3<f32> = (_S223 - _S224) * _S225;
-    var toward_0 : vec3<f32> = (_S224 + _S223) * _S225 - receiver_3.point_0;
+    var _S241 : vec3<f32> = vector_of_0(node_7.max_2);
+    var _S242 : vec3<f32> = vector_of_0(node_7.min_2);
+    var _S243 : vec3<f32> = vec3<f32>(0.5f);
+    var half_1 : vec3<f32> = (_S241 - _S242) * _S243;
+    var toward_0 : vec3<f32> = (_S242 + _S241) * _S243 - receiver_3.point_0;
     var middle_2 : f32 = dot_product_0(toward_0, receiver_3.normal_2);
     var aside_0 : f32 = dot_product_0(half_1, abs(receiver_3.normal_2));
     var above_0 : f32 = with_slack_0(receiver_3, middle_2 + aside_0);
-    var far_3 : f32 = length_squared_0(toward_0);
+    var far_2 : f32 = length_squared_0(toward_0);
     var near_2 : f32 = length_squared_0(half_1);
     var is_far_4 : bool;
     if((with_slack_0(receiver_3, middle_2 - aside_0)) > 0.0f)
     {
-        is_far_4 = far_3 > (near_2 * 36.0f);
+        is_far_4 = far_2 > (near_2 * 36.0f);
     }
     else
     {
         is_far_4 = false;
     }
-    var distance_3 : f32 = length_bound_0(select(half_1, abs(toward_0), vec3<bool>((far_3 > near_2))));
+    var distance_3 : f32 = length_bound_0(select(half_1, abs(toward_0), vec3<bool>((far_2 > near_2))));
     var sent_0 : f32 = BySide_sum_0(sent_by_side_0(node_7, receiver_3.point_0, distance_3));
-    var falloff_0 : f32 = reciprocal_guess_0(max(far_3, near_2));
-    var _S226 : f32;
+    var falloff_0 : f32 = reciprocal_guess_0(max(far_2, near_2));
+    var _S244 : f32;
     if(above_0 > 0.0f)
     {
-        _S226 = sent_0 * min(above_0, distance_3) * (falloff_0 * falloff_0);
+        _S244 = sent_0 * min(above_0, distance_3) * (falloff_0 * falloff_0);
     }
     else
     {
-        _S226 = 0.0f;
+        _S244 = 0.0f;
     }
-    return View_x24init_0(_S226, is_far_4);
+    return View_x24init_0(_S244, is_far_4);
 }
 
 fn normal_or_zero_0( weight_2 : f32) -> f32
 {
-    var _S227 : f32;
+    var _S245 : f32;
     if(weight_2 < 1.17549435082228751e-38f)
     {
-        _S227 = 0.0f;
+        _S245 = 0.0f;
     }
     else
     {
-        _S227 = weight_2;
+        _S245 = weight_2;
     }
-    return _S227;
+    return _S245;
 }
 
 fn inverse_power_of_two_0( x_10 : f32) -> f32
@@ -3485,12 +3529,12 @@ fn inverse_power_of_two_0( x_10 : f32) -> f32
     return (bitcast<f32>((((u32(254) - (((bitcast<u32>((x_10))) >> (u32(23))))) << (u32(23))))));
 }
 
-fn weights_of_0( left_1 : f32,  right_3 : f32) -> vec2<f32>
+fn weights_of_0( left_0 : f32,  right_2 : f32) -> vec2<f32>
 {
-    var _S228 : f32 = normal_or_zero_0(left_1);
-    var _S229 : f32 = normal_or_zero_0(right_3);
-    var unit_0 : f32 = inverse_power_of_two_0(_S228 + _S229);
-    return vec2<f32>(normal_or_zero_0(_S228 * unit_0), normal_or_zero_0(_S229 * unit_0));
+    var _S246 : f32 = normal_or_zero_0(left_0);
+    var _S247 : f32 = normal_or_zero_0(right_2);
+    var unit_0 : f32 = inverse_power_of_two_0(_S246 + _S247);
+    return vec2<f32>(normal_or_zero_0(_S246 * unit_0), normal_or_zero_0(_S247 * unit_0));
 }
 
 fn climb_0( receiver_4 : Receiver_0,  start_3 : u32,  descent_0 : ptr<function, Descent_0>) -> bool
@@ -3499,7 +3543,7 @@ fn climb_0( receiver_4 : Receiver_0,  start_3 : u32,  descent_0 : ptr<function, 
     var at_1 : u32 = start_3;
     for(;;)
     {
-        var _S230 : LightNode_0 = node_8;
+        var _S248 : LightNode_0 = node_8;
         if((node_8.parent_0) != u32(4294967295))
         {
         }
@@ -3507,59 +3551,59 @@ fn climb_0( receiver_4 : Receiver_0,  start_3 : u32,  descent_0 : ptr<function, 
         {
             break;
         }
-        var parent_1 : LightNode_0 = top_light_node_0(_S230.parent_0);
-        var _S231 : u32 = _S230.parent_0 + u32(1);
-        var is_left_0 : bool = at_1 == _S231;
-        var _S232 : u32;
-        if(is_left_0)
+        var parent_1 : LightNode_0 = top_light_node_0(_S248.parent_0);
+        var _S249 : u32 = _S248.parent_0 + u32(1);
+        var is_left_1 : bool = at_1 == _S249;
+        var _S250 : u32;
+        if(is_left_1)
         {
-            _S232 = parent_1.index_18;
+            _S250 = parent_1.index_19;
         }
         else
         {
-            _S232 = _S231;
+            _S250 = _S249;
         }
-        var _S233 : View_0 = view_0(node_8, receiver_4);
-        var _S234 : View_0 = view_0(top_light_node_0(_S232), receiver_4);
-        var _S235 : f32;
-        if(is_left_0)
+        var _S251 : View_0 = view_0(node_8, receiver_4);
+        var _S252 : View_0 = view_0(top_light_node_0(_S250), receiver_4);
+        var _S253 : f32;
+        if(is_left_1)
         {
-            _S235 = _S233.importance_0;
+            _S253 = _S251.importance_0;
         }
         else
         {
-            _S235 = _S234.importance_0;
+            _S253 = _S252.importance_0;
         }
-        var _S236 : f32;
-        if(is_left_0)
+        var _S254 : f32;
+        if(is_left_1)
         {
-            _S236 = _S234.importance_0;
+            _S254 = _S252.importance_0;
         }
         else
         {
-            _S236 = _S233.importance_0;
+            _S254 = _S251.importance_0;
         }
-        var weights_0 : vec2<f32> = weights_of_0(_S235, _S236);
-        var _S237 : f32 = weights_0.x;
-        var _S238 : f32 = weights_0.y;
-        var total_2 : f32 = _S237 + _S238;
+        var weights_0 : vec2<f32> = weights_of_0(_S253, _S254);
+        var _S255 : f32 = weights_0.x;
+        var _S256 : f32 = weights_0.y;
+        var total_2 : f32 = _S255 + _S256;
         if(!(total_2 > 0.0f))
         {
             return false;
         }
-        var _S239 : f32;
-        if(is_left_0)
+        var _S257 : f32;
+        if(is_left_1)
         {
-            _S239 = _S237;
+            _S257 = _S255;
         }
         else
         {
-            _S239 = _S238;
+            _S257 = _S256;
         }
-        (*descent_0).weight_0 = (*descent_0).weight_0 * _S239;
+        (*descent_0).weight_0 = (*descent_0).weight_0 * _S257;
         (*descent_0).total_0 = (*descent_0).total_0 * total_2;
         node_8 = parent_1;
-        at_1 = _S230.parent_0;
+        at_1 = _S248.parent_0;
     }
     return ((*descent_0).weight_0) > 0.0f;
 }
@@ -3573,16 +3617,16 @@ fn descend_0( receiver_5 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<function
 {
     for(;;)
     {
-        var _S240 : bool;
+        var _S258 : bool;
         if(((*descent_1).count_3) == u32(0))
         {
-            _S240 = !(*descent_1).is_far_0;
+            _S258 = !(*descent_1).is_far_0;
         }
         else
         {
-            _S240 = false;
+            _S258 = false;
         }
-        if(_S240)
+        if(_S258)
         {
         }
         else
@@ -3593,97 +3637,97 @@ fn descend_0( receiver_5 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<function
         {
             return false;
         }
-        var left_2 : LightNode_0 = TopLights_node_0((*descent_1).node_2 + u32(1));
-        var right_4 : LightNode_0 = TopLights_node_0((*descent_1).index_16);
-        var weights_1 : vec2<f32> = weights_of_0(view_0(left_2, receiver_5).importance_0, view_0(right_4, receiver_5).importance_0);
-        var _S241 : f32 = weights_1.x;
-        var _S242 : f32 = weights_1.y;
-        var total_3 : f32 = _S241 + _S242;
+        var left_1 : LightNode_0 = TopLights_node_0((*descent_1).node_2 + u32(1));
+        var right_3 : LightNode_0 = TopLights_node_0((*descent_1).index_17);
+        var weights_1 : vec2<f32> = weights_of_0(view_0(left_1, receiver_5).importance_0, view_0(right_3, receiver_5).importance_0);
+        var _S259 : f32 = weights_1.x;
+        var _S260 : f32 = weights_1.y;
+        var total_3 : f32 = _S259 + _S260;
         if(!(total_3 > 0.0f))
         {
             return false;
         }
-        var _S243 : bool;
-        if(_S242 <= 0.0f)
+        var _S261 : bool;
+        if(_S260 <= 0.0f)
         {
-            _S243 = true;
+            _S261 = true;
         }
         else
         {
-            _S243 = ((*descent_1).choice_0 * total_3) < (_S241 * (*descent_1).weight_0);
+            _S261 = ((*descent_1).choice_0 * total_3) < (_S259 * (*descent_1).weight_0);
         }
-        var is_left_1 : bool;
+        var is_left_2 : bool;
         if(aim_0.is_met_0)
         {
-            var _S244 : vec3<f32> = vec3<f32>(aim_0.hit_3.voxel_1);
-            if((all((_S244 >= (vector_of_0(left_2.min_2))))))
+            var _S262 : vec3<f32> = vec3<f32>(aim_0.hit_3.voxel_1);
+            if((all((_S262 >= (vector_of_0(left_1.min_2))))))
             {
-                is_left_1 = (all((_S244 < (vector_of_0(left_2.max_2)))));
+                is_left_2 = (all((_S262 < (vector_of_0(left_1.max_2)))));
             }
             else
             {
-                is_left_1 = false;
+                is_left_2 = false;
             }
         }
         else
         {
-            is_left_1 = _S243;
+            is_left_2 = _S261;
         }
-        var _S245 : f32 = (*descent_1).choice_0 * total_3;
-        var _S246 : f32;
-        if(is_left_1)
+        var _S263 : f32 = (*descent_1).choice_0 * total_3;
+        var _S264 : f32;
+        if(is_left_2)
         {
-            _S246 = 0.0f;
+            _S264 = 0.0f;
         }
         else
         {
-            _S246 = _S241 * (*descent_1).weight_0;
+            _S264 = _S259 * (*descent_1).weight_0;
         }
-        (*descent_1).choice_0 = _S245 - _S246;
-        var _S247 : u32;
-        if(is_left_1)
+        (*descent_1).choice_0 = _S263 - _S264;
+        var _S265 : u32;
+        if(is_left_2)
         {
-            _S247 = (*descent_1).node_2 + u32(1);
+            _S265 = (*descent_1).node_2 + u32(1);
         }
         else
         {
-            _S247 = (*descent_1).index_16;
+            _S265 = (*descent_1).index_17;
         }
-        (*descent_1).node_2 = _S247;
-        var _S248 : u32;
-        if(is_left_1)
+        (*descent_1).node_2 = _S265;
+        var _S266 : u32;
+        if(is_left_2)
         {
-            _S248 = left_2.index_18;
+            _S266 = left_1.index_19;
         }
         else
         {
-            _S248 = right_4.index_18;
+            _S266 = right_3.index_19;
         }
-        (*descent_1).index_16 = _S248;
-        var _S249 : u32;
-        if(is_left_1)
+        (*descent_1).index_17 = _S266;
+        var _S267 : u32;
+        if(is_left_2)
         {
-            _S249 = left_2.count_5;
+            _S267 = left_1.count_5;
         }
         else
         {
-            _S249 = right_4.count_5;
+            _S267 = right_3.count_5;
         }
-        (*descent_1).count_3 = _S249;
+        (*descent_1).count_3 = _S267;
         (*descent_1).is_far_0 = false;
-        var _S250 : f32;
-        if(is_left_1)
+        var _S268 : f32;
+        if(is_left_2)
         {
-            _S250 = _S241;
+            _S268 = _S259;
         }
         else
         {
-            _S250 = _S242;
+            _S268 = _S260;
         }
-        var _S251 : f32 = (*descent_1).weight_0 * _S250;
-        (*descent_1).weight_0 = _S251;
+        var _S269 : f32 = (*descent_1).weight_0 * _S268;
+        (*descent_1).weight_0 = _S269;
         (*descent_1).total_0 = (*descent_1).total_0 * total_3;
-        if(_S251 <= 0.0f)
+        if(_S269 <= 0.0f)
         {
             return false;
         }
@@ -3697,8 +3741,8 @@ fn in_grid_0( instance_9 : u32,  receiver_6 : Receiver_0) -> Receiver_0
     {
         return receiver_6;
     }
-    var _S252 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(instance_9);
-    return Receiver_x24init_0(Transform_point_0(_S252.grid_from_world_0, receiver_6.point_0), normalize_vector_0(Transform_direction_0(_S252.grid_from_world_0, receiver_6.normal_2)));
+    var _S270 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(instance_9);
+    return Receiver_x24init_0(Transform_point_0(_S270.grid_from_world_0, receiver_6.point_0), normalize_vector_0(Transform_direction_0(_S270.grid_from_world_0, receiver_6.normal_2)));
 }
 
 fn lights_in_pages_0() -> bool
@@ -3706,9 +3750,9 @@ fn lights_in_pages_0() -> bool
     return false;
 }
 
-fn Rows_operatorx5Bx5D_get_2( row_6 : u32) -> vec4<u32>
+fn Rows_operatorx5Bx5D_get_5( row_7 : u32) -> vec4<u32>
 {
-    return records_0[first_row_0(u32(5)) + row_6];
+    return records_0[first_row_0(u32(5)) + row_7];
 }
 
 fn place_in_light_node_0( node_9 : u32,  word_5 : u32) -> u32
@@ -3716,14 +3760,14 @@ fn place_in_light_node_0( node_9 : u32,  word_5 : u32) -> u32
     return u32(0);
 }
 
-fn light_node_at_0( index_21 : u32) -> LightNode_0
+fn light_node_at_0( index_22 : u32) -> LightNode_0
 {
     if(!lights_in_pages_0())
     {
-        var _S253 : u32 = u32(4) * index_21;
-        return light_node_of_0(Rows_operatorx5Bx5D_get_2(_S253), Rows_operatorx5Bx5D_get_2(_S253 + u32(1)), Rows_operatorx5Bx5D_get_2(_S253 + u32(2)), Rows_operatorx5Bx5D_get_2(_S253 + u32(3)));
+        var _S271 : u32 = u32(4) * index_22;
+        return light_node_of_0(Rows_operatorx5Bx5D_get_5(_S271), Rows_operatorx5Bx5D_get_5(_S271 + u32(1)), Rows_operatorx5Bx5D_get_5(_S271 + u32(2)), Rows_operatorx5Bx5D_get_5(_S271 + u32(3)));
     }
-    var at_2 : u32 = place_in_light_node_0(index_21, u32(0));
+    var at_2 : u32 = place_in_light_node_0(index_22, u32(0));
     var node_10 : LightNode_0;
     var i_0 : u32 = u32(0);
     for(;;)
@@ -3739,7 +3783,7 @@ fn light_node_at_0( index_21 : u32) -> LightNode_0
         node_10.max_2[i_0] = (bitcast<f32>((cells_0[at_2 + u32(4) + i_0])));
         i_0 = i_0 + u32(1);
     }
-    node_10.index_18 = cells_0[at_2 + u32(3)];
+    node_10.index_19 = cells_0[at_2 + u32(3)];
     node_10.count_5 = cells_0[at_2 + u32(7)];
     i_0 = u32(0);
     for(;;)
@@ -3759,16 +3803,16 @@ fn light_node_at_0( index_21 : u32) -> LightNode_0
     return node_10;
 }
 
-fn GridLights_node_0( index_22 : u32) -> LightNode_0
+fn GridLights_node_0( index_23 : u32) -> LightNode_0
 {
-    return light_node_at_0(index_22);
+    return light_node_at_0(index_23);
 }
 
 fn Descent_at_1( this_38 : ptr<function, Descent_0>,  root_3 : u32)
 {
     var node_11 : LightNode_0 = GridLights_node_0(root_3);
     (*this_38).node_2 = root_3;
-    (*this_38).index_16 = node_11.index_18;
+    (*this_38).index_17 = node_11.index_19;
     (*this_38).count_3 = node_11.count_5;
     (*this_38).is_far_0 = false;
     return;
@@ -3778,16 +3822,16 @@ fn descend_1( receiver_7 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<function
 {
     for(;;)
     {
-        var _S254 : bool;
+        var _S272 : bool;
         if(((*descent_2).count_3) == u32(0))
         {
-            _S254 = !(*descent_2).is_far_0;
+            _S272 = !(*descent_2).is_far_0;
         }
         else
         {
-            _S254 = false;
+            _S272 = false;
         }
-        if(_S254)
+        if(_S272)
         {
         }
         else
@@ -3798,108 +3842,108 @@ fn descend_1( receiver_7 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<function
         {
             return false;
         }
-        var left_3 : LightNode_0 = GridLights_node_0((*descent_2).node_2 + u32(1));
-        var right_5 : LightNode_0 = GridLights_node_0((*descent_2).index_16);
-        var of_left_0 : View_0 = view_0(left_3, receiver_7);
-        var of_right_0 : View_0 = view_0(right_5, receiver_7);
+        var left_2 : LightNode_0 = GridLights_node_0((*descent_2).node_2 + u32(1));
+        var right_4 : LightNode_0 = GridLights_node_0((*descent_2).index_17);
+        var of_left_0 : View_0 = view_0(left_2, receiver_7);
+        var of_right_0 : View_0 = view_0(right_4, receiver_7);
         var weights_2 : vec2<f32> = weights_of_0(of_left_0.importance_0, of_right_0.importance_0);
-        var _S255 : f32 = weights_2.x;
-        var _S256 : f32 = weights_2.y;
-        var total_4 : f32 = _S255 + _S256;
+        var _S273 : f32 = weights_2.x;
+        var _S274 : f32 = weights_2.y;
+        var total_4 : f32 = _S273 + _S274;
         if(!(total_4 > 0.0f))
         {
             return false;
         }
-        var _S257 : bool;
-        if(_S256 <= 0.0f)
+        var _S275 : bool;
+        if(_S274 <= 0.0f)
         {
-            _S257 = true;
+            _S275 = true;
         }
         else
         {
-            _S257 = ((*descent_2).choice_0 * total_4) < (_S255 * (*descent_2).weight_0);
+            _S275 = ((*descent_2).choice_0 * total_4) < (_S273 * (*descent_2).weight_0);
         }
-        var is_left_2 : bool;
+        var is_left_3 : bool;
         if(aim_1.is_met_0)
         {
-            var _S258 : vec3<f32> = vec3<f32>(aim_1.hit_3.voxel_1);
-            if((all((_S258 >= (vector_of_0(left_3.min_2))))))
+            var _S276 : vec3<f32> = vec3<f32>(aim_1.hit_3.voxel_1);
+            if((all((_S276 >= (vector_of_0(left_2.min_2))))))
             {
-                is_left_2 = (all((_S258 < (vector_of_0(left_3.max_2)))));
+                is_left_3 = (all((_S276 < (vector_of_0(left_2.max_2)))));
             }
             else
             {
-                is_left_2 = false;
+                is_left_3 = false;
             }
         }
         else
         {
-            is_left_2 = _S257;
+            is_left_3 = _S275;
         }
-        var _S259 : f32 = (*descent_2).choice_0 * total_4;
-        var _S260 : f32;
-        if(is_left_2)
+        var _S277 : f32 = (*descent_2).choice_0 * total_4;
+        var _S278 : f32;
+        if(is_left_3)
         {
-            _S260 = 0.0f;
+            _S278 = 0.0f;
         }
         else
         {
-            _S260 = _S255 * (*descent_2).weight_0;
+            _S278 = _S273 * (*descent_2).weight_0;
         }
-        (*descent_2).choice_0 = _S259 - _S260;
-        var _S261 : u32;
-        if(is_left_2)
+        (*descent_2).choice_0 = _S277 - _S278;
+        var _S279 : u32;
+        if(is_left_3)
         {
-            _S261 = (*descent_2).node_2 + u32(1);
+            _S279 = (*descent_2).node_2 + u32(1);
         }
         else
         {
-            _S261 = (*descent_2).index_16;
+            _S279 = (*descent_2).index_17;
         }
-        (*descent_2).node_2 = _S261;
-        var _S262 : u32;
-        if(is_left_2)
+        (*descent_2).node_2 = _S279;
+        var _S280 : u32;
+        if(is_left_3)
         {
-            _S262 = left_3.index_18;
+            _S280 = left_2.index_19;
         }
         else
         {
-            _S262 = right_5.index_18;
+            _S280 = right_4.index_19;
         }
-        (*descent_2).index_16 = _S262;
-        var _S263 : u32;
-        if(is_left_2)
+        (*descent_2).index_17 = _S280;
+        var _S281 : u32;
+        if(is_left_3)
         {
-            _S263 = left_3.count_5;
+            _S281 = left_2.count_5;
         }
         else
         {
-            _S263 = right_5.count_5;
+            _S281 = right_4.count_5;
         }
-        (*descent_2).count_3 = _S263;
-        var _S264 : bool;
-        if(is_left_2)
+        (*descent_2).count_3 = _S281;
+        var _S282 : bool;
+        if(is_left_3)
         {
-            _S264 = of_left_0.is_far_2;
+            _S282 = of_left_0.is_far_2;
         }
         else
         {
-            _S264 = of_right_0.is_far_2;
+            _S282 = of_right_0.is_far_2;
         }
-        (*descent_2).is_far_0 = _S264;
-        var _S265 : f32;
-        if(is_left_2)
+        (*descent_2).is_far_0 = _S282;
+        var _S283 : f32;
+        if(is_left_3)
         {
-            _S265 = _S255;
+            _S283 = _S273;
         }
         else
         {
-            _S265 = _S256;
+            _S283 = _S274;
         }
-        var _S266 : f32 = (*descent_2).weight_0 * _S265;
-        (*descent_2).weight_0 = _S266;
+        var _S284 : f32 = (*descent_2).weight_0 * _S283;
+        (*descent_2).weight_0 = _S284;
         (*descent_2).total_0 = (*descent_2).total_0 * total_4;
-        if(_S266 <= 0.0f)
+        if(_S284 <= 0.0f)
         {
             return false;
         }
@@ -3910,29 +3954,29 @@ fn descend_1( receiver_7 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<function
 fn choose_side_0( point_3 : vec3<f32>,  is_met_2 : bool,  way_3 : Descent_0,  side_1 : ptr<function, u32>,  odds_0 : ptr<function, vec2<f32>>) -> bool
 {
     var node_12 : LightNode_0 = light_node_at_0(way_3.node_2);
-    var _S267 : vec3<f32> = vector_of_0(node_12.max_2);
-    var _S268 : vec3<f32> = vector_of_0(node_12.min_2);
-    var _S269 : vec3<f32> = vec3<f32>(0.5f);
-    var half_2 : vec3<f32> = (_S267 - _S268) * _S269;
-    var toward_1 : vec3<f32> = (_S268 + _S267) * _S269 - point_3;
+    var _S285 : vec3<f32> = vector_of_0(node_12.max_2);
+    var _S286 : vec3<f32> = vector_of_0(node_12.min_2);
+    var _S287 : vec3<f32> = vec3<f32>(0.5f);
+    var half_2 : vec3<f32> = (_S285 - _S286) * _S287;
+    var toward_1 : vec3<f32> = (_S286 + _S285) * _S287 - point_3;
     var sent_1 : BySide_0 = sent_by_side_0(node_12, point_3, length_bound_0(select(half_2, abs(toward_1), vec3<bool>(((length_squared_0(toward_1)) > (length_squared_0(half_2)))))));
     var sum_3 : f32 = normal_or_zero_0(BySide_sum_0(sent_1));
     var unit_1 : f32 = inverse_power_of_two_0(sum_3);
     var total_5 : f32 = sum_3 * unit_1;
-    var _S270 : f32 = way_3.choice_0 * total_5;
-    var _S271 : u32 = (*side_1);
+    var _S288 : f32 = way_3.choice_0 * total_5;
+    var _S289 : u32 = (*side_1);
     var share_1 : f32 = normal_or_zero_0(sent_1.low_7[u32(0)] * unit_1);
-    var _S272 : bool;
+    var _S290 : bool;
     if(is_met_2)
     {
-        _S272 = u32(0) == _S271;
+        _S290 = u32(0) == _S289;
     }
     else
     {
-        _S272 = share_1 > 0.0f;
+        _S290 = share_1 > 0.0f;
     }
     var chosen_2 : f32;
-    if(_S272)
+    if(_S290)
     {
         (*side_1) = u32(0);
         chosen_2 = share_1;
@@ -3941,145 +3985,145 @@ fn choose_side_0( point_3 : vec3<f32>,  is_met_2 : bool,  way_3 : Descent_0,  si
     {
         chosen_2 = 0.0f;
     }
-    var _S273 : bool = _S270 < (share_1 * way_3.weight_0);
+    var _S291 : bool = _S288 < (share_1 * way_3.weight_0);
     var share_2 : f32 = normal_or_zero_0(sent_1.high_4[u32(0)] * unit_1);
     if(is_met_2)
     {
-        _S272 = u32(1) == _S271;
+        _S290 = u32(1) == _S289;
     }
     else
     {
         if(share_2 > 0.0f)
         {
-            _S272 = !_S273;
+            _S290 = !_S291;
         }
         else
         {
-            _S272 = false;
+            _S290 = false;
         }
     }
-    if(_S272)
+    if(_S290)
     {
         (*side_1) = u32(1);
         chosen_2 = share_2;
     }
     var passed_0 : f32 = share_1 + share_2;
-    if(_S273)
+    if(_S291)
     {
-        _S272 = true;
+        _S290 = true;
     }
     else
     {
-        _S272 = _S270 < (passed_0 * way_3.weight_0);
+        _S290 = _S288 < (passed_0 * way_3.weight_0);
     }
     var share_3 : f32 = normal_or_zero_0(sent_1.low_7[u32(1)] * unit_1);
-    var _S274 : bool;
+    var _S292 : bool;
     if(is_met_2)
     {
-        _S274 = u32(2) == _S271;
+        _S292 = u32(2) == _S289;
     }
     else
     {
         if(share_3 > 0.0f)
         {
-            _S274 = !_S272;
+            _S292 = !_S290;
         }
         else
         {
-            _S274 = false;
+            _S292 = false;
         }
     }
-    if(_S274)
+    if(_S292)
     {
         (*side_1) = u32(2);
         chosen_2 = share_3;
     }
     var passed_1 : f32 = passed_0 + share_3;
-    if(_S272)
+    if(_S290)
     {
-        _S272 = true;
+        _S290 = true;
     }
     else
     {
-        _S272 = _S270 < (passed_1 * way_3.weight_0);
+        _S290 = _S288 < (passed_1 * way_3.weight_0);
     }
     var share_4 : f32 = normal_or_zero_0(sent_1.high_4[u32(1)] * unit_1);
     if(is_met_2)
     {
-        _S274 = u32(3) == _S271;
+        _S292 = u32(3) == _S289;
     }
     else
     {
         if(share_4 > 0.0f)
         {
-            _S274 = !_S272;
+            _S292 = !_S290;
         }
         else
         {
-            _S274 = false;
+            _S292 = false;
         }
     }
-    if(_S274)
+    if(_S292)
     {
         (*side_1) = u32(3);
         chosen_2 = share_4;
     }
     var passed_2 : f32 = passed_1 + share_4;
-    if(_S272)
+    if(_S290)
     {
-        _S272 = true;
+        _S290 = true;
     }
     else
     {
-        _S272 = _S270 < (passed_2 * way_3.weight_0);
+        _S290 = _S288 < (passed_2 * way_3.weight_0);
     }
     var share_5 : f32 = normal_or_zero_0(sent_1.low_7[u32(2)] * unit_1);
     if(is_met_2)
     {
-        _S274 = u32(4) == _S271;
+        _S292 = u32(4) == _S289;
     }
     else
     {
         if(share_5 > 0.0f)
         {
-            _S274 = !_S272;
+            _S292 = !_S290;
         }
         else
         {
-            _S274 = false;
+            _S292 = false;
         }
     }
-    if(_S274)
+    if(_S292)
     {
         (*side_1) = u32(4);
         chosen_2 = share_5;
     }
     var passed_3 : f32 = passed_2 + share_5;
-    if(_S272)
+    if(_S290)
     {
-        _S272 = true;
+        _S290 = true;
     }
     else
     {
-        _S272 = _S270 < (passed_3 * way_3.weight_0);
+        _S290 = _S288 < (passed_3 * way_3.weight_0);
     }
     var share_6 : f32 = normal_or_zero_0(sent_1.high_4[u32(2)] * unit_1);
     if(is_met_2)
     {
-        _S272 = u32(5) == _S271;
+        _S290 = u32(5) == _S289;
     }
     else
     {
         if(share_6 > 0.0f)
         {
-            _S272 = !_S272;
+            _S290 = !_S290;
         }
         else
         {
-            _S272 = false;
+            _S290 = false;
         }
     }
-    if(_S272)
+    if(_S290)
     {
         (*side_1) = u32(5);
         chosen_2 = share_6;
@@ -4087,32 +4131,32 @@ fn choose_side_0( point_3 : vec3<f32>,  is_met_2 : bool,  way_3 : Descent_0,  si
     (*odds_0) = vec2<f32>(way_3.weight_0 * chosen_2, way_3.total_0 * total_5);
     if(sum_3 > 0.0f)
     {
-        _S272 = ((*odds_0).x) > 0.0f;
+        _S290 = ((*odds_0).x) > 0.0f;
     }
     else
     {
-        _S272 = false;
+        _S290 = false;
     }
-    return _S272;
+    return _S290;
 }
 
-fn light_node_word_0( index_23 : u32,  word_6 : u32) -> u32
+fn light_node_word_0( index_24 : u32,  word_6 : u32) -> u32
 {
-    return Rows_operatorx5Bx5D_get_2(u32(4) * index_23 + ((word_6 >> (u32(2)))))[(word_6 & (u32(3)))];
+    return Rows_operatorx5Bx5D_get_5(u32(4) * index_24 + ((word_6 >> (u32(2)))))[(word_6 & (u32(3)))];
 }
 
-fn light_power_at_0( index_24 : u32,  side_2 : u32) -> f32
+fn light_power_at_0( index_25 : u32,  side_2 : u32) -> f32
 {
-    var _S275 : u32;
+    var _S293 : u32;
     if(lights_in_pages_0())
     {
-        _S275 = cells_0[place_in_light_node_0(index_24, u32(8) + side_2)];
+        _S293 = cells_0[place_in_light_node_0(index_25, u32(8) + side_2)];
     }
     else
     {
-        _S275 = light_node_word_0(index_24, u32(8) + side_2);
+        _S293 = light_node_word_0(index_25, u32(8) + side_2);
     }
-    return (bitcast<f32>((_S275)));
+    return (bitcast<f32>((_S293)));
 }
 
 fn component_0( vector_5 : vec3<f32>,  axis_5 : u32) -> f32
@@ -4156,13 +4200,13 @@ struct Emitter_0
      leaf_0 : u32,
 };
 
-fn below_light_node_0( index_25 : u32) -> vec2<u32>
+fn below_light_node_0( index_26 : u32) -> vec2<u32>
 {
     if(!lights_in_pages_0())
     {
-        return vec2<u32>(light_node_word_0(index_25, u32(3)), light_node_word_0(index_25, u32(7)));
+        return vec2<u32>(light_node_word_0(index_26, u32(3)), light_node_word_0(index_26, u32(7)));
     }
-    var at_3 : u32 = place_in_light_node_0(index_25, u32(0));
+    var at_3 : u32 = place_in_light_node_0(index_26, u32(0));
     return vec2<u32>(cells_0[at_3 + u32(3)], cells_0[at_3 + u32(7)]);
 }
 
@@ -4171,79 +4215,79 @@ fn place_in_emitter_0( emitter_0 : u32,  word_7 : u32) -> u32
     return u32(0);
 }
 
-fn Rows_operatorx5Bx5D_get_3( row_7 : u32) -> vec4<u32>
+fn Rows_operatorx5Bx5D_get_6( row_8 : u32) -> vec4<u32>
 {
-    return records_0[first_row_0(u32(4)) + row_7];
+    return records_0[first_row_0(u32(4)) + row_8];
 }
 
-fn emitter_word_0( index_26 : u32,  word_8 : u32) -> u32
+fn emitter_word_0( index_27 : u32,  word_8 : u32) -> u32
 {
-    return Rows_operatorx5Bx5D_get_3(u32(2) * index_26 + ((word_8 >> (u32(2)))))[(word_8 & (u32(3)))];
+    return Rows_operatorx5Bx5D_get_6(u32(2) * index_27 + ((word_8 >> (u32(2)))))[(word_8 & (u32(3)))];
 }
 
-fn emitter_faces_at_0( index_27 : u32) -> u32
+fn emitter_faces_at_0( index_28 : u32) -> u32
 {
-    var _S276 : u32;
+    var _S294 : u32;
     if(lights_in_pages_0())
     {
-        _S276 = cells_0[place_in_emitter_0(index_27, u32(4))];
+        _S294 = cells_0[place_in_emitter_0(index_28, u32(4))];
     }
     else
     {
-        _S276 = emitter_word_0(index_27, u32(4));
+        _S294 = emitter_word_0(index_28, u32(4));
     }
-    return _S276;
+    return _S294;
 }
 
-fn emitter_luminance_at_0( index_28 : u32) -> f32
+fn emitter_luminance_at_0( index_29 : u32) -> f32
 {
-    var _S277 : f32;
+    var _S295 : f32;
     if(lights_in_pages_0())
     {
-        _S277 = (bitcast<f32>((cells_0[place_in_emitter_0(index_28, u32(6))])));
+        _S295 = (bitcast<f32>((cells_0[place_in_emitter_0(index_29, u32(6))])));
     }
     else
     {
-        _S277 = (bitcast<f32>((emitter_word_0(index_28, u32(6)))));
+        _S295 = (bitcast<f32>((emitter_word_0(index_29, u32(6)))));
     }
-    return _S277;
+    return _S295;
 }
 
 fn Emitter_x24init_0( voxel_20 : array<i32, i32(3)>,  grid_8 : u32,  faces_1 : u32,  material_6 : u32,  luminance_5 : f32,  leaf_1 : u32) -> Emitter_0
 {
-    var _S278 : Emitter_0;
-    _S278.voxel_19 = voxel_20;
-    _S278.grid_7 = grid_8;
-    _S278.faces_0 = faces_1;
-    _S278.material_5 = material_6;
-    _S278.luminance_4 = luminance_5;
-    _S278.leaf_0 = leaf_1;
-    return _S278;
+    var _S296 : Emitter_0;
+    _S296.voxel_19 = voxel_20;
+    _S296.grid_7 = grid_8;
+    _S296.faces_0 = faces_1;
+    _S296.material_5 = material_6;
+    _S296.luminance_4 = luminance_5;
+    _S296.leaf_0 = leaf_1;
+    return _S296;
 }
 
-fn emitter_at_0( index_29 : u32) -> Emitter_0
+fn emitter_at_0( index_30 : u32) -> Emitter_0
 {
     if(!lights_in_pages_0())
     {
-        var _S279 : u32 = u32(2) * index_29;
-        var _S280 : vec4<u32> = Rows_operatorx5Bx5D_get_3(_S279);
-        var _S281 : vec4<u32> = Rows_operatorx5Bx5D_get_3(_S279 + u32(1));
-        var _S282 : array<i32, i32(3)> = array<i32, i32(3)>( i32(_S280.x), i32(_S280.y), i32(_S280.z) );
-        return Emitter_x24init_0(_S282, _S280.w, _S281.x, _S281.y, (bitcast<f32>((_S281.z))), _S281.w);
+        var _S297 : u32 = u32(2) * index_30;
+        var _S298 : vec4<u32> = Rows_operatorx5Bx5D_get_6(_S297);
+        var _S299 : vec4<u32> = Rows_operatorx5Bx5D_get_6(_S297 + u32(1));
+        var _S300 : array<i32, i32(3)> = array<i32, i32(3)>( i32(_S298.x), i32(_S298.y), i32(_S298.z) );
+        return Emitter_x24init_0(_S300, _S298.w, _S299.x, _S299.y, (bitcast<f32>((_S299.z))), _S299.w);
     }
-    var at_4 : u32 = place_in_emitter_0(index_29, u32(0));
-    var _S283 : array<i32, i32(3)> = array<i32, i32(3)>( i32(cells_0[at_4]), i32(cells_0[at_4 + u32(1)]), i32(cells_0[at_4 + u32(2)]) );
-    return Emitter_x24init_0(_S283, cells_0[at_4 + u32(3)], cells_0[at_4 + u32(4)], cells_0[at_4 + u32(5)], (bitcast<f32>((cells_0[at_4 + u32(6)]))), cells_0[at_4 + u32(7)]);
+    var at_4 : u32 = place_in_emitter_0(index_30, u32(0));
+    var _S301 : array<i32, i32(3)> = array<i32, i32(3)>( i32(cells_0[at_4]), i32(cells_0[at_4 + u32(1)]), i32(cells_0[at_4 + u32(2)]) );
+    return Emitter_x24init_0(_S301, cells_0[at_4 + u32(3)], cells_0[at_4 + u32(4)], cells_0[at_4 + u32(5)], (bitcast<f32>((cells_0[at_4 + u32(6)]))), cells_0[at_4 + u32(7)]);
 }
 
 fn choose_emitter_0( way_4 : Descent_0,  side_3 : u32,  threshold_1 : f32) -> Emitter_0
 {
     var is_found_4 : bool;
-    var is_left_3 : bool;
+    var is_left_4 : bool;
     var count_6 : u32 = way_4.count_3;
     var node_13 : u32 = way_4.node_2;
-    var index_30 : u32 = way_4.index_16;
-    var _S284 : f32 = threshold_1;
+    var index_31 : u32 = way_4.index_17;
+    var _S302 : f32 = threshold_1;
     for(;;)
     {
         if(count_6 == u32(0))
@@ -4261,65 +4305,50 @@ fn choose_emitter_0( way_4 : Descent_0,  side_3 : u32,  threshold_1 : f32) -> Em
         {
             break;
         }
-        var left_4 : u32 = node_13 + u32(1);
-        var power_left_0 : f32 = light_power_at_0(left_4, side_3);
-        var power_right_0 : f32 = light_power_at_0(index_30, side_3);
-        var below_left_0 : vec2<u32> = below_light_node_0(left_4);
-        var below_right_0 : vec2<u32> = below_light_node_0(index_30);
-        if(_S284 < power_left_0)
+        var left_3 : u32 = node_13 + u32(1);
+        var power_left_0 : f32 = light_power_at_0(left_3, side_3);
+        if(_S302 < power_left_0)
         {
-            is_left_3 = true;
+            is_left_4 = true;
         }
         else
         {
-            is_left_3 = power_right_0 <= 0.0f;
+            is_left_4 = (light_power_at_0(index_31, side_3)) <= 0.0f;
         }
-        if(is_left_3)
+        if(is_left_4)
         {
         }
         else
         {
-            _S284 = _S284 - power_left_0;
+            _S302 = _S302 - power_left_0;
         }
-        if(is_left_3)
+        if(is_left_4)
         {
-            node_13 = left_4;
+            node_13 = left_3;
         }
         else
         {
-            node_13 = index_30;
+            node_13 = index_31;
         }
-        if(is_left_3)
-        {
-            index_30 = below_left_0.x;
-        }
-        else
-        {
-            index_30 = below_right_0.x;
-        }
-        if(is_left_3)
-        {
-            count_6 = below_left_0.y;
-        }
-        else
-        {
-            count_6 = below_right_0.y;
-        }
+        var below_2 : vec2<u32> = below_light_node_0(node_13);
+        var _S303 : u32 = below_2.x;
+        count_6 = below_2.y;
+        index_31 = _S303;
     }
     is_found_4 = false;
-    var chosen_3 : u32 = index_30;
-    var at_5 : u32 = index_30;
+    var chosen_3 : u32 = index_31;
+    var at_5 : u32 = index_31;
     for(;;)
     {
-        if(at_5 < (index_30 + count_6))
+        if(at_5 < (index_31 + count_6))
         {
-            is_left_3 = !is_found_4;
+            is_left_4 = !is_found_4;
         }
         else
         {
-            is_left_3 = false;
+            is_left_4 = false;
         }
-        if(is_left_3)
+        if(is_left_4)
         {
         }
         else
@@ -4328,10 +4357,10 @@ fn choose_emitter_0( way_4 : Descent_0,  side_3 : u32,  threshold_1 : f32) -> Em
         }
         if((((((emitter_faces_at_0(at_5)) >> (side_3))) & (u32(1)))) != u32(0))
         {
-            var _S285 : f32 = _S284 - emitter_luminance_at_0(at_5);
-            is_found_4 = _S284 < (emitter_luminance_at_0(at_5));
+            var _S304 : f32 = _S302 - emitter_luminance_at_0(at_5);
+            is_found_4 = _S302 < (emitter_luminance_at_0(at_5));
             chosen_3 = at_5;
-            _S284 = _S285;
+            _S302 = _S304;
         }
         at_5 = at_5 + u32(1);
     }
@@ -4368,19 +4397,19 @@ fn margin_of_0( translation_1 : vec3<f32>,  low_10 : vec3<f32>) -> f32
 fn offset_ray_origin_0( translation_2 : vec3<f32>,  low_11 : vec3<f32>,  face_5 : u32,  point_4 : vec3<f32>) -> vec3<f32>
 {
     var margin_0 : f32 = margin_of_0(translation_2, low_11);
-    var _S286 : vec3<f32> = vec3<f32>(margin_0);
-    var moved_0 : vec3<f32> = min(max(point_4, low_11 + _S286), low_11 + vec3<f32>((1.0f - margin_0)));
-    var _S287 : bool = face_5 < u32(2);
-    var _S288 : bool;
+    var _S305 : vec3<f32> = vec3<f32>(margin_0);
+    var moved_0 : vec3<f32> = min(max(point_4, low_11 + _S305), low_11 + vec3<f32>((1.0f - margin_0)));
+    var _S306 : bool = face_5 < u32(2);
+    var _S307 : bool;
     if(face_5 >= u32(2))
     {
-        _S288 = face_5 < u32(4);
+        _S307 = face_5 < u32(4);
     }
     else
     {
-        _S288 = false;
+        _S307 = false;
     }
-    var is_axis_2 : vec3<bool> = vec3<bool>(_S287, _S288, face_5 >= u32(4));
+    var is_axis_2 : vec3<bool> = vec3<bool>(_S306, _S307, face_5 >= u32(4));
     var outside_0 : vec3<f32>;
     if(((face_5 & (u32(1)))) == u32(1))
     {
@@ -4388,7 +4417,7 @@ fn offset_ray_origin_0( translation_2 : vec3<f32>,  low_11 : vec3<f32>,  face_5 
     }
     else
     {
-        outside_0 = low_11 - _S286;
+        outside_0 = low_11 - _S305;
     }
     return select(moved_0, outside_0, is_axis_2);
 }
@@ -4402,81 +4431,81 @@ fn sample_emitter_0( receiver_8 : Receiver_0,  u_8 : vec4<f32>,  aim_2 : Aim_0, 
     }
     var descent_3 : Descent_0 = Descent_x24init_0(u32(0), u32(0), u32(0), 1.0f, 1.0f, u_8.x, false);
     Descent_at_0(&(descent_3), u32(0));
-    var _S289 : bool;
+    var _S308 : bool;
     if(!IS_SINGLE_0)
     {
-        _S289 = aim_2.is_met_0;
+        _S308 = aim_2.is_met_0;
     }
     else
     {
-        _S289 = false;
+        _S308 = false;
     }
-    if(_S289)
+    if(_S308)
     {
-        var _S290 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(aim_2.hit_3.instance_1);
-        if((_S290.light_leaf_0) == u32(4294967295))
+        var _S309 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(aim_2.hit_3.instance_1);
+        if((_S309.light_leaf_0) == u32(4294967295))
         {
-            _S289 = true;
+            _S308 = true;
         }
         else
         {
-            var _S291 : bool = climb_0(receiver_8, _S290.light_leaf_0, &(descent_3));
-            _S289 = !_S291;
+            var _S310 : bool = climb_0(receiver_8, _S309.light_leaf_0, &(descent_3));
+            _S308 = !_S310;
         }
-        if(_S289)
+        if(_S308)
         {
             return false;
         }
-        Descent_at_0(&(descent_3), _S290.light_leaf_0);
+        Descent_at_0(&(descent_3), _S309.light_leaf_0);
     }
     else
     {
         if(!IS_SINGLE_0)
         {
-            var _S292 : bool = descend_0(receiver_8, by_chance_0(), &(descent_3));
-            _S289 = !_S292;
+            var _S311 : bool = descend_0(receiver_8, by_chance_0(), &(descent_3));
+            _S308 = !_S311;
         }
         else
         {
-            _S289 = false;
+            _S308 = false;
         }
-        if(_S289)
+        if(_S308)
         {
             return false;
         }
     }
-    var chosen_instance_0 : u32 = descent_3.index_16;
-    var local_2 : Receiver_0 = in_grid_0(descent_3.index_16, receiver_8);
+    var chosen_instance_0 : u32 = descent_3.index_17;
+    var local_2 : Receiver_0 = in_grid_0(descent_3.index_17, receiver_8);
     Descent_at_1(&(descent_3), top_light_node_0(descent_3.node_2).root_1);
-    var _S293 : bool = descend_1(local_2, aim_2, &(descent_3));
-    if(!_S293)
+    var _S312 : bool = descend_1(local_2, aim_2, &(descent_3));
+    if(!_S312)
     {
         return false;
     }
     var side_4 : u32 = aim_2.hit_3.face_1;
     var odds_2 : vec2<f32>;
-    var _S294 : bool = choose_side_0(local_2.point_0, aim_2.is_met_0, descent_3, &(side_4), &(odds_2));
-    if(!_S294)
+    var _S313 : bool = choose_side_0(local_2.point_0, aim_2.is_met_0, descent_3, &(side_4), &(odds_2));
+    if(!_S313)
     {
         return false;
     }
     var power_4 : f32 = light_power_at_0(descent_3.node_2, side_4);
-    var _S295 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(chosen_instance_0);
+    var _S314 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(chosen_instance_0);
     if(aim_2.is_met_0)
     {
-        var _S296 : f32 = density_0(odds_2, aim_2.luminance_1, power_4, Transform_direction_0(_S295.grid_from_world_0, aim_2.direction_22) * vec3<f32>(aim_2.hit_3.t_1), side_4);
-        (*sample_8).pdf_3 = _S296;
-        return _S296 > 0.0f;
+        var _S315 : f32 = density_0(odds_2, aim_2.luminance_1, power_4, Transform_direction_0(_S314.grid_from_world_0, aim_2.direction_22) * vec3<f32>(aim_2.hit_3.t_1), side_4);
+        (*sample_8).pdf_3 = _S315;
+        return _S315 > 0.0f;
     }
     var emitter_1 : Emitter_0 = choose_emitter_0(descent_3, side_4, u_8.y * power_4);
-    var _S297 : vec3<f32> = vec3<f32>(cell_of_0(emitter_1.voxel_19));
-    var on_face_0 : vec3<f32> = point_of_face_0(_S297, side_4, u_8.z, u_8.w);
+    var _S316 : vec3<f32> = vec3<f32>(cell_of_0(emitter_1.voxel_19));
+    var on_face_0 : vec3<f32> = point_of_face_0(_S316, side_4, u_8.z, u_8.w);
     var pdf_8 : f32 = density_0(odds_2, emitter_1.luminance_4, power_4, on_face_0 - local_2.point_0, side_4);
     if(pdf_8 < 0.0f)
     {
         return false;
     }
-    var direction_27 : vec3<f32> = Transform_point_0(_S295.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S295.grid_from_world_0.translation_0), _S297, side_4, on_face_0)) - receiver_8.point_0;
+    var direction_27 : vec3<f32> = Transform_point_0(_S314.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S314.grid_from_world_0.translation_0), _S316, side_4, on_face_0)) - receiver_8.point_0;
     var cos_theta_4 : f32 = with_slack_0(receiver_8, divide_0(dot_product_0(receiver_8.normal_2, direction_27), square_root_0(length_squared_0(direction_27))));
     (*sample_8) = LightSample_x24init_0(Ray_x24init_0(receiver_8.point_0, 0.0f, direction_27, 1.0f), cos_theta_4, emitted_0(material_of_index_0(emitter_1.material_5)), pdf_8);
     return cos_theta_4 > 0.0f;
@@ -4484,8 +4513,8 @@ fn sample_emitter_0( receiver_8 : Receiver_0,  u_8 : vec4<f32>,  aim_2 : Aim_0, 
 
 fn EmitterTree_sample_0( receiver_9 : Receiver_0,  u_9 : vec4<f32>,  aim_3 : Aim_0,  sample_9 : ptr<function, LightSample_0>) -> bool
 {
-    var _S298 : bool = sample_emitter_0(receiver_9, u_9, aim_3, &((*sample_9)));
-    return _S298;
+    var _S317 : bool = sample_emitter_0(receiver_9, u_9, aim_3, &((*sample_9)));
+    return _S317;
 }
 
 fn Lights_sample_0( receiver_10 : Receiver_0,  selection_4 : Selection_0,  u_10 : vec4<f32>,  aim_4 : Aim_0,  sample_10 : ptr<function, LightSample_0>) -> bool
@@ -4509,9 +4538,9 @@ fn Lights_sample_0( receiver_10 : Receiver_0,  selection_4 : Selection_0,  u_10 
     }
     if(is_found_5)
     {
-        var _S299 : bool = SunDisc_sample_0(receiver_10, u_10, &((*sample_10)));
+        var _S318 : bool = SunDisc_sample_0(receiver_10, u_10, &((*sample_10)));
         (*sample_10).pdf_3 = (*sample_10).pdf_3 * selection_4.sun_0;
-        is_found_5 = _S299;
+        is_found_5 = _S318;
     }
     else
     {
@@ -4533,15 +4562,15 @@ fn Lights_sample_0( receiver_10 : Receiver_0,  selection_4 : Selection_0,  u_10 
         }
         if(is_found_5)
         {
-            var _S300 : bool = Sky_sample_0(receiver_10, vec4<f32>(min(divide_0(u_10.x - selection_4.sun_0, selection_4.sky_1), 0.99999994039535522f), u_10.yzw), &((*sample_10)));
+            var _S319 : bool = Sky_sample_0(receiver_10, vec4<f32>(min(divide_0(u_10.x - selection_4.sun_0, selection_4.sky_1), 0.99999994039535522f), u_10.yzw), &((*sample_10)));
             (*sample_10).pdf_3 = (*sample_10).pdf_3 * selection_4.sky_1;
-            is_found_5 = _S300;
+            is_found_5 = _S319;
         }
         else
         {
-            var _S301 : bool = EmitterTree_sample_0(receiver_10, vec4<f32>(min(divide_0(u_10.x - (selection_4.sun_0 + selection_4.sky_1), selection_4.emitters_0), 0.99999994039535522f), u_10.yzw), aim_4, &((*sample_10)));
+            var _S320 : bool = EmitterTree_sample_0(receiver_10, vec4<f32>(min(divide_0(u_10.x - (selection_4.sun_0 + selection_4.sky_1), selection_4.emitters_0), 0.99999994039535522f), u_10.yzw), aim_4, &((*sample_10)));
             (*sample_10).pdf_3 = (*sample_10).pdf_3 * selection_4.emitters_0;
-            is_found_5 = _S301;
+            is_found_5 = _S320;
         }
     }
     return is_found_5;
@@ -4549,16 +4578,16 @@ fn Lights_sample_0( receiver_10 : Receiver_0,  selection_4 : Selection_0,  u_10 
 
 fn ior_of_0( inside_4 : Inside_0) -> f32
 {
-    var _S302 : f32;
+    var _S321 : f32;
     if(Inside_is_in_0(inside_4))
     {
-        _S302 = material_of_index_0(inside_4.material_0).ior_0;
+        _S321 = material_of_index_0(inside_4.material_0).ior_0;
     }
     else
     {
-        _S302 = 1.0f;
+        _S321 = 1.0f;
     }
-    return _S302;
+    return _S321;
 }
 
 struct Microfacets_0
@@ -4577,20 +4606,20 @@ struct MaterialBsdf_0
 
 fn Microfacets_x24init_0( alpha_1 : f32) -> Microfacets_0
 {
-    var _S303 : Microfacets_0;
-    _S303.alpha_0 = alpha_1;
-    return _S303;
+    var _S322 : Microfacets_0;
+    _S322.alpha_0 = alpha_1;
+    return _S322;
 }
 
 fn MaterialBsdf_x24init_0( kind_1 : u32,  color_2 : vec3<f32>,  specular_2 : f32,  eta_1 : f32,  facets_1 : Microfacets_0) -> MaterialBsdf_0
 {
-    var _S304 : MaterialBsdf_0;
-    _S304.kind_0 = kind_1;
-    _S304.color_1 = color_2;
-    _S304.specular_1 = specular_2;
-    _S304.eta_0 = eta_1;
-    _S304.facets_0 = facets_1;
-    return _S304;
+    var _S323 : MaterialBsdf_0;
+    _S323.kind_0 = kind_1;
+    _S323.color_1 = color_2;
+    _S323.specular_1 = specular_2;
+    _S323.eta_0 = eta_1;
+    _S323.facets_0 = facets_1;
+    return _S323;
 }
 
 fn bsdf_of_0( material_7 : PackedMaterial_0,  ior_1 : f32,  choice_2 : ptr<function, f32>) -> MaterialBsdf_0
@@ -4609,17 +4638,17 @@ fn roulette_0( event_2 : u32,  scattered_2 : vec3<f32>,  u_11 : f32) -> f32
     {
         return 1.0f;
     }
-    var _S305 : f32 = min(max_element_0(scattered_2), 0.94999998807907104f);
-    var _S306 : f32;
-    if(u_11 < _S305)
+    var _S324 : f32 = min(max_element_0(scattered_2), 0.94999998807907104f);
+    var _S325 : f32;
+    if(u_11 < _S324)
     {
-        _S306 = divide_0(1.0f, _S305);
+        _S325 = divide_0(1.0f, _S324);
     }
     else
     {
-        _S306 = 0.0f;
+        _S325 = 0.0f;
     }
-    return _S306;
+    return _S325;
 }
 
 struct Surface_0
@@ -4641,32 +4670,32 @@ fn face_normal_0( face_7 : u32) -> vec3<f32>
     {
         away_1 = -1.0f;
     }
-    var _S307 : f32;
+    var _S326 : f32;
     if(face_7 < u32(2))
     {
-        _S307 = away_1;
+        _S326 = away_1;
     }
     else
     {
-        _S307 = 0.0f;
+        _S326 = 0.0f;
     }
-    var _S308 : bool;
+    var _S327 : bool;
     if(face_7 >= u32(2))
     {
-        _S308 = face_7 < u32(4);
+        _S327 = face_7 < u32(4);
     }
     else
     {
-        _S308 = false;
+        _S327 = false;
     }
-    var _S309 : f32;
-    if(_S308)
+    var _S328 : f32;
+    if(_S327)
     {
-        _S309 = away_1;
+        _S328 = away_1;
     }
     else
     {
-        _S309 = 0.0f;
+        _S328 = 0.0f;
     }
     if(face_7 >= u32(4))
     {
@@ -4675,7 +4704,7 @@ fn face_normal_0( face_7 : u32) -> vec3<f32>
     {
         away_1 = 0.0f;
     }
-    return vec3<f32>(_S307, _S309, away_1);
+    return vec3<f32>(_S326, _S328, away_1);
 }
 
 fn world_normal_0( instance_11 : PackedInstance_0,  face_8 : u32) -> vec3<f32>
@@ -4686,17 +4715,17 @@ fn world_normal_0( instance_11 : PackedInstance_0,  face_8 : u32) -> vec3<f32>
 fn surface_of_0( ray_20 : Ray_0,  hit_5 : Hit_0) -> Surface_0
 {
     var surface_0 : Surface_0;
-    var _S310 : vec3<f32> = vec3<f32>(hit_5.voxel_1);
+    var _S329 : vec3<f32> = vec3<f32>(hit_5.voxel_1);
     if(IS_SINGLE_0)
     {
-        surface_0.origin_11 = offset_ray_origin_0(vec3<f32>(0.0f), _S310, hit_5.face_1, ray_20.origin_1 + ray_20.direction_1 * vec3<f32>(hit_5.t_1));
+        surface_0.origin_11 = offset_ray_origin_0(vec3<f32>(0.0f), _S329, hit_5.face_1, ray_20.origin_1 + ray_20.direction_1 * vec3<f32>(hit_5.t_1));
         surface_0.normal_4 = face_normal_0(hit_5.face_1);
     }
     else
     {
-        var _S311 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(hit_5.instance_1);
-        surface_0.origin_11 = Transform_point_0(_S311.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S311.grid_from_world_0.translation_0), _S310, hit_5.face_1, Transform_point_0(_S311.grid_from_world_0, ray_20.origin_1) + Transform_direction_0(_S311.grid_from_world_0, ray_20.direction_1) * vec3<f32>(hit_5.t_1)));
-        surface_0.normal_4 = world_normal_0(_S311, hit_5.face_1);
+        var _S330 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(hit_5.instance_1);
+        surface_0.origin_11 = Transform_point_0(_S330.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S330.grid_from_world_0.translation_0), _S329, hit_5.face_1, Transform_point_0(_S330.grid_from_world_0, ray_20.origin_1) + Transform_direction_0(_S330.grid_from_world_0, ray_20.direction_1) * vec3<f32>(hit_5.t_1)));
+        surface_0.normal_4 = world_normal_0(_S330, hit_5.face_1);
     }
     surface_0.face_6 = hit_5.face_1;
     surface_0.instance_10 = hit_5.instance_1;
@@ -4750,8 +4779,8 @@ fn clamp_to_voxel_0( translation_3 : vec3<f32>,  low_12 : vec3<f32>,  point_5 : 
 
 fn Inside_point_0( this_41 : Inside_0,  ray_21 : Ray_0,  t_11 : f32) -> vec3<f32>
 {
-    var _S312 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(this_41.instance_2);
-    return Transform_point_0(_S312.world_from_grid_0, clamp_to_voxel_0(vector_of_0(_S312.grid_from_world_0.translation_0), vec3<f32>(this_41.voxel_2), Transform_point_0(_S312.grid_from_world_0, ray_21.origin_1) + Transform_direction_0(_S312.grid_from_world_0, ray_21.direction_1) * vec3<f32>(t_11)));
+    var _S331 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(this_41.instance_2);
+    return Transform_point_0(_S331.world_from_grid_0, clamp_to_voxel_0(vector_of_0(_S331.grid_from_world_0.translation_0), vec3<f32>(this_41.voxel_2), Transform_point_0(_S331.grid_from_world_0, ray_21.origin_1) + Transform_direction_0(_S331.grid_from_world_0, ray_21.direction_1) * vec3<f32>(t_11)));
 }
 
 fn importance_of_all_0( receiver_11 : Receiver_0) -> f32
@@ -4816,8 +4845,8 @@ fn Lights_selection_0( receiver_15 : Receiver_0) -> Selection_0
         return Selection_x24init_0(sun_2, 0.0f, 1.0f - sun_2);
     }
     var sky_3 : f32 = Lights_sky_probability_0(receiver_15);
-    var _S313 : f32 = 1.0f - sky_3;
-    return Selection_x24init_0(sun_2 * _S313, sky_3, (1.0f - sun_2) * _S313);
+    var _S332 : f32 = 1.0f - sky_3;
+    return Selection_x24init_0(sun_2 * _S332, sky_3, (1.0f - sun_2) * _S332);
 }
 
 fn MaterialBsdf_is_delta_0( this_42 : MaterialBsdf_0) -> bool
@@ -4843,9 +4872,9 @@ struct Diffuse_0
 
 fn Diffuse_x24init_0( reflectance_1 : vec3<f32>) -> Diffuse_0
 {
-    var _S314 : Diffuse_0;
-    _S314.reflectance_0 = reflectance_1;
-    return _S314;
+    var _S333 : Diffuse_0;
+    _S333.reflectance_0 = reflectance_1;
+    return _S333;
 }
 
 fn cosine_hemisphere_pdf_0( cos_theta_7 : f32) -> f32
@@ -4855,10 +4884,10 @@ fn cosine_hemisphere_pdf_0( cos_theta_7 : f32) -> f32
 
 fn BsdfEval_x24init_0( weight_4 : vec3<f32>,  pdf_10 : f32) -> BsdfEval_0
 {
-    var _S315 : BsdfEval_0;
-    _S315.weight_3 = weight_4;
-    _S315.pdf_9 = pdf_10;
-    return _S315;
+    var _S334 : BsdfEval_0;
+    _S334.weight_3 = weight_4;
+    _S334.pdf_9 = pdf_10;
+    return _S334;
 }
 
 fn Diffuse_eval_0( this_44 : Diffuse_0,  wo_0 : vec3<f32>,  wi_0 : vec3<f32>) -> BsdfEval_0
@@ -4888,12 +4917,12 @@ fn cosine_hemisphere_0( u_12 : f32,  v_7 : f32) -> vec3<f32>
 
 fn BsdfSample_x24init_0( wi_3 : vec3<f32>,  weight_6 : vec3<f32>,  pdf_12 : f32,  is_delta_1 : bool) -> BsdfSample_0
 {
-    var _S316 : BsdfSample_0;
-    _S316.wi_2 = wi_3;
-    _S316.weight_5 = weight_6;
-    _S316.pdf_11 = pdf_12;
-    _S316.is_delta_0 = is_delta_1;
-    return _S316;
+    var _S335 : BsdfSample_0;
+    _S335.wi_2 = wi_3;
+    _S335.weight_5 = weight_6;
+    _S335.pdf_11 = pdf_12;
+    _S335.is_delta_0 = is_delta_1;
+    return _S335;
 }
 
 fn Diffuse_sample_0( this_46 : Diffuse_0,  wo_2 : vec3<f32>,  u_13 : vec3<f32>,  sample_11 : ptr<function, BsdfSample_0>) -> bool
@@ -4905,8 +4934,8 @@ fn Diffuse_sample_0( this_46 : Diffuse_0,  wo_2 : vec3<f32>,  u_13 : vec3<f32>, 
 
 fn MaterialBsdf_sample_0( this_47 : MaterialBsdf_0,  wo_3 : vec3<f32>,  u_14 : vec3<f32>,  sample_12 : ptr<function, BsdfSample_0>) -> bool
 {
-    var _S317 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_47.color_1), wo_3, u_14, &((*sample_12)));
-    return _S317;
+    var _S336 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_47.color_1), wo_3, u_14, &((*sample_12)));
+    return _S336;
 }
 
 fn Surface_world_direction_0( this_48 : Surface_0,  local_4 : vec3<f32>) -> vec3<f32>
@@ -4920,23 +4949,23 @@ fn Surface_world_direction_0( this_48 : Surface_0,  local_4 : vec3<f32>) -> vec3
     {
         away_2 = - local_4.z;
     }
-    var _S318 : f32 = local_4.x;
-    var _S319 : f32 = local_4.y;
-    var _S320 : vec3<f32> = vec3<f32>(_S318, _S319, away_2);
+    var _S337 : f32 = local_4.x;
+    var _S338 : f32 = local_4.y;
+    var _S339 : vec3<f32> = vec3<f32>(_S337, _S338, away_2);
     var in_grid_3 : vec3<f32>;
     if((this_48.face_6) < u32(2))
     {
-        in_grid_3 = vec3<f32>(away_2, _S318, _S319);
+        in_grid_3 = vec3<f32>(away_2, _S337, _S338);
     }
     else
     {
         if((this_48.face_6) < u32(4))
         {
-            in_grid_3 = vec3<f32>(_S319, away_2, _S318);
+            in_grid_3 = vec3<f32>(_S338, away_2, _S337);
         }
         else
         {
-            in_grid_3 = _S320;
+            in_grid_3 = _S339;
         }
     }
     if(!IS_SINGLE_0)
@@ -4960,7 +4989,7 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_22 : Ray_0,  hi
         t_12 = (*path_5).pdf_1;
     }
     (*path_5).pdf_1 = t_12;
-    var last_7 : Receiver_0 = Path_receiver_0((*path_5), ray_22);
+    var last_6 : Receiver_0 = Path_receiver_0((*path_5), ray_22);
     var is_scattered_0 : bool;
     if(Inside_is_in_0((*path_5).inside_0))
     {
@@ -5001,7 +5030,7 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_22 : Ray_0,  hi
     var light_pdf_1 : f32;
     if(is_weighed_0)
     {
-        (*radiance_6) = (*radiance_6) + (*path_5).beta_0 * Sky_le_0(ray_22.direction_1) * vec3<f32>(mis_weight_0((*path_5).pdf_1, Lights_sky_pdf_0(Path_selection_at_0((*path_5), last_7), ray_22.direction_1)));
+        (*radiance_6) = (*radiance_6) + (*path_5).beta_0 * Sky_le_0(ray_22.direction_1) * vec3<f32>(mis_weight_0((*path_5).pdf_1, Lights_sky_pdf_0(Path_selection_at_0((*path_5), last_6), ray_22.direction_1)));
         if(has_sun_0())
         {
             if(SunDisc_is_visible_0())
@@ -5028,7 +5057,7 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_22 : Ray_0,  hi
                 }
                 else
                 {
-                    light_pdf_1 = Lights_sun_pdf_0(Path_selection_at_0((*path_5), last_7), ray_22.direction_1);
+                    light_pdf_1 = Lights_sun_pdf_0(Path_selection_at_0((*path_5), last_6), ray_22.direction_1);
                 }
                 (*radiance_6) = (*radiance_6) + (*path_5).beta_0 * le_0 * vec3<f32>(mis_weight_0((*path_5).pdf_1, light_pdf_1));
             }
@@ -5037,7 +5066,7 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_22 : Ray_0,  hi
     }
     var u_15 : vec4<f32> = Sampler_stratified_0((*path_5).sampler_0, Path_dimension_scatter_0((*path_5)));
     var material_8 : PackedMaterial_0 = material_met_0((*path_5), hit_6, beyond_3);
-    var _S321 : vec3<f32> = vec3<f32>(0.0f);
+    var _S340 : vec3<f32> = vec3<f32>(0.0f);
     var le_1 : vec3<f32>;
     if(!is_counted_0)
     {
@@ -5045,12 +5074,12 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_22 : Ray_0,  hi
     }
     else
     {
-        le_1 = _S321;
+        le_1 = _S340;
     }
     var is_lit_0 : bool = (max_element_0(le_1)) > 0.0f;
     var met_0 : Aim_0 = Aim_x24init_0(true, ray_22.direction_1, hit_6, luminance_0(vector_of_0(material_8.emission_0)));
-    var _S322 : bool = weighs_apart_0();
-    if(_S322)
+    var _S341 : bool = weighs_apart_0();
+    if(_S341)
     {
         is_weighed_0 = is_lit_0;
     }
@@ -5078,7 +5107,7 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_22 : Ray_0,  hi
     if(is_chosen_0)
     {
         var light_2 : LightSample_0 = no_light_0();
-        if(!_S322)
+        if(!_S341)
         {
             is_chosen_0 = ((*path_5).pdf_1) > 0.0f;
         }
@@ -5088,15 +5117,15 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_22 : Ray_0,  hi
         }
         if(is_chosen_0)
         {
-            var _S323 : bool = Lights_sample_0(last_7, Path_selection_at_0((*path_5), last_7), vec4<f32>(0.0f), met_0, &(light_2));
-            is_chosen_0 = _S323;
+            var _S342 : bool = Lights_sample_0(last_6, Path_selection_at_0((*path_5), last_6), vec4<f32>(0.0f), met_0, &(light_2));
+            is_chosen_0 = _S342;
         }
         else
         {
             is_chosen_0 = false;
         }
-        var _S324 : vec3<f32> = (*path_5).beta_0 * le_1;
-        var _S325 : f32 = (*path_5).pdf_1;
+        var _S343 : vec3<f32> = (*path_5).beta_0 * le_1;
+        var _S344 : f32 = (*path_5).pdf_1;
         if(is_chosen_0)
         {
             light_pdf_1 = light_2.pdf_3;
@@ -5105,18 +5134,18 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_22 : Ray_0,  hi
         {
             light_pdf_1 = 0.0f;
         }
-        (*radiance_6) = (*radiance_6) + _S324 * vec3<f32>(mis_weight_0(_S325, light_pdf_1));
+        (*radiance_6) = (*radiance_6) + _S343 * vec3<f32>(mis_weight_0(_S344, light_pdf_1));
     }
-    var _S326 : f32 = ior_of_0((*path_5).inside_0);
-    var _S327 : f32 = u_15[i32(3)];
-    var _S328 : MaterialBsdf_0 = bsdf_of_0(material_8, _S326, &(_S327));
-    u_15[i32(3)] = _S327;
-    var scattered_3 : vec3<f32> = (*path_5).beta_0 * MaterialBsdf_albedo_0(_S328);
-    var _S329 : bool = ((*path_5).bounce_0) >= (params_0.max_bounces_0);
-    var _S330 : bool = !is_weighed_0;
-    if(_S330)
+    var _S345 : f32 = ior_of_0((*path_5).inside_0);
+    var _S346 : f32 = u_15[i32(3)];
+    var _S347 : MaterialBsdf_0 = bsdf_of_0(material_8, _S345, &(_S346));
+    u_15[i32(3)] = _S346;
+    var scattered_3 : vec3<f32> = (*path_5).beta_0 * MaterialBsdf_albedo_0(_S347);
+    var _S348 : bool = ((*path_5).bounce_0) >= (params_0.max_bounces_0);
+    var _S349 : bool = !is_weighed_0;
+    if(_S349)
     {
-        if(_S329)
+        if(_S348)
         {
             is_chosen_0 = true;
         }
@@ -5134,7 +5163,7 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_22 : Ray_0,  hi
         return next_0;
     }
     var compensation_0 : f32 = roulette_0(Path_events_0((*path_5)), scattered_3, u_15.z);
-    if(_S330)
+    if(_S349)
     {
         is_chosen_0 = compensation_0 == 0.0f;
     }
@@ -5156,19 +5185,19 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_22 : Ray_0,  hi
         at_6 = hit_6;
     }
     var surface_1 : Surface_0 = surface_of_0(ray_22, at_6);
-    var _S331 : Receiver_0 = Receiver_x24init_0(surface_1.origin_11, surface_1.normal_4);
-    var _S332 : vec3<f32> = (vec3<f32>(0) - ray_22.direction_1);
-    var wo_4 : vec3<f32> = Surface_local_direction_0(surface_1, _S332);
+    var _S350 : Receiver_0 = Receiver_x24init_0(surface_1.origin_11, surface_1.normal_4);
+    var _S351 : vec3<f32> = (vec3<f32>(0) - ray_22.direction_1);
+    var wo_4 : vec3<f32> = Surface_local_direction_0(surface_1, _S351);
     var inside_5 : Inside_0 = in_air_0();
     var wo_5 : vec3<f32>;
     var receiver_16 : Receiver_0;
     if(is_scattered_0)
     {
-        var _S333 : Inside_0 = Inside_x24init_0((*path_5).inside_0.instance_2, hit_6.voxel_1, (*path_5).inside_0.material_0);
-        inside_5 = _S333;
-        var _S334 : vec3<f32> = normalize_vector_0(_S332);
-        receiver_16 = Receiver_x24init_0(Inside_point_0(_S333, ray_22, t_12), _S321);
-        wo_5 = _S334;
+        var _S352 : Inside_0 = Inside_x24init_0((*path_5).inside_0.instance_2, hit_6.voxel_1, (*path_5).inside_0.material_0);
+        inside_5 = _S352;
+        var _S353 : vec3<f32> = normalize_vector_0(_S351);
+        receiver_16 = Receiver_x24init_0(Inside_point_0(_S352, ray_22, t_12), _S340);
+        wo_5 = _S353;
     }
     else
     {
@@ -5178,40 +5207,40 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_22 : Ray_0,  hi
             inside_5 = Inside_x24init_0((*path_5).inside_0.instance_2, hit_6.voxel_1, (*path_5).inside_0.material_0);
             inside_5.voxel_2 = hit_6.voxel_1 + vec3<i32>(face_normal_0(hit_6.face_1));
         }
-        receiver_16 = _S331;
+        receiver_16 = _S350;
         wo_5 = wo_4;
     }
     next_0.origin_9 = receiver_16.point_0;
     next_0.shadow_inside_1 = inside_5;
-    var _S335 : Aim_0 = by_chance_0();
+    var _S354 : Aim_0 = by_chance_0();
     var aim_5 : Aim_0;
     if(is_weighed_0)
     {
-        receiver_16 = last_7;
+        receiver_16 = last_6;
         aim_5 = met_0;
     }
     else
     {
-        aim_5 = _S335;
+        aim_5 = _S354;
     }
-    if(_S330)
+    if(_S349)
     {
         (*path_5).selection_0 = Lights_selection_0(receiver_16);
     }
     var light_3 : LightSample_0 = no_light_0();
-    var _S336 : bool = !MaterialBsdf_is_delta_0(_S328);
+    var _S355 : bool = !MaterialBsdf_is_delta_0(_S347);
     if(is_weighed_0)
     {
         is_chosen_0 = true;
     }
     else
     {
-        is_chosen_0 = _S336;
+        is_chosen_0 = _S355;
     }
     if(is_chosen_0)
     {
-        var _S337 : bool = Lights_sample_0(receiver_16, (*path_5).selection_0, Sampler_stratified_0((*path_5).sampler_0, Path_dimension_light_0((*path_5))), aim_5, &(light_3));
-        next_0.has_shadow_ray_0 = _S337;
+        var _S356 : bool = Lights_sample_0(receiver_16, (*path_5).selection_0, Sampler_stratified_0((*path_5).sampler_0, Path_dimension_light_0((*path_5))), aim_5, &(light_3));
+        next_0.has_shadow_ray_0 = _S356;
     }
     if(is_weighed_0)
     {
@@ -5230,7 +5259,7 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_22 : Ray_0,  hi
     }
     if(next_0.has_shadow_ray_0)
     {
-        var _S338 : vec3<f32> = vec3<f32>(Surface_local_direction_0(surface_1, light_3.ray_18.direction_1).xy, light_3.cos_theta_0);
+        var _S357 : vec3<f32> = vec3<f32>(Surface_local_direction_0(surface_1, light_3.ray_18.direction_1).xy, light_3.cos_theta_0);
         var wi_5 : vec3<f32>;
         if(is_scattered_0)
         {
@@ -5238,17 +5267,17 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_22 : Ray_0,  hi
         }
         else
         {
-            wi_5 = _S338;
+            wi_5 = _S357;
         }
-        var eval_0 : BsdfEval_0 = MaterialBsdf_eval_0(_S328, wo_5, wi_5);
+        var eval_0 : BsdfEval_0 = MaterialBsdf_eval_0(_S347, wo_5, wi_5);
         var share_8 : f32 = divide_0(eval_0.pdf_9, light_3.pdf_3) * power_heuristic_0(light_3.pdf_3, eval_0.pdf_9);
         next_0.shadow_direction_0 = light_3.ray_18.direction_1;
         next_0.shadow_t_max_0 = light_3.ray_18.t_max_1;
         next_0.light_0 = (*path_5).beta_0 * eval_0.weight_3 * vec3<f32>(compensation_0) * light_3.radiance_2 * vec3<f32>(share_8);
     }
     var bounce_4 : BsdfSample_0;
-    var _S339 : bool = MaterialBsdf_sample_0(_S328, wo_5, vec3<f32>(u_15.xy, u_15.w), &(bounce_4));
-    if(!_S339)
+    var _S358 : bool = MaterialBsdf_sample_0(_S347, wo_5, vec3<f32>(u_15.xy, u_15.w), &(bounce_4));
+    if(!_S358)
     {
         return next_0;
     }
@@ -5305,17 +5334,17 @@ fn fixed_point_0( value_2 : f32) -> vec2<u32>
     }
     if(shift_6 < i32(32))
     {
-        var _S340 : u32 = (mantissa_3 << (u32(shift_6)));
-        var _S341 : u32;
+        var _S359 : u32 = (mantissa_3 << (u32(shift_6)));
+        var _S360 : u32;
         if(shift_6 == i32(0))
         {
-            _S341 = u32(0);
+            _S360 = u32(0);
         }
         else
         {
-            _S341 = (mantissa_3 >> (u32(i32(32) - shift_6)));
+            _S360 = (mantissa_3 >> (u32(i32(32) - shift_6)));
         }
-        return vec2<u32>(_S340, _S341);
+        return vec2<u32>(_S359, _S360);
     }
     return vec2<u32>(u32(0), (mantissa_3 << (u32(shift_6 - i32(32)))));
 }
@@ -5323,113 +5352,113 @@ fn fixed_point_0( value_2 : f32) -> vec2<u32>
 fn PixelRecord_add_0( this_49 : ptr<function, PixelRecord_0>,  value_3 : vec3<f32>,  is_covered_0 : bool)
 {
     var addend_0 : vec2<u32> = fixed_point_0(value_3[u32(0)]);
-    var _S342 : u32 = addend_0.x;
-    var low_13 : u32 = (*this_49).radiance_1[u32(0)] + _S342;
-    var high_6 : u32 = (*this_49).radiance_1[u32(1)] + addend_0.y + u32(low_13 < _S342);
+    var _S361 : u32 = addend_0.x;
+    var low_13 : u32 = (*this_49).radiance_1[u32(0)] + _S361;
+    var high_6 : u32 = (*this_49).radiance_1[u32(1)] + addend_0.y + u32(low_13 < _S361);
     var is_full_0 : bool = high_6 < ((*this_49).radiance_1[u32(1)]);
-    var _S343 : u32;
+    var _S362 : u32;
     if(is_full_0)
     {
-        _S343 = u32(4294967295);
+        _S362 = u32(4294967295);
     }
     else
     {
-        _S343 = low_13;
+        _S362 = low_13;
     }
-    (*this_49).radiance_1[u32(0)] = _S343;
+    (*this_49).radiance_1[u32(0)] = _S362;
     if(is_full_0)
     {
-        _S343 = u32(4294967295);
+        _S362 = u32(4294967295);
     }
     else
     {
-        _S343 = high_6;
+        _S362 = high_6;
     }
-    (*this_49).radiance_1[u32(1)] = _S343;
+    (*this_49).radiance_1[u32(1)] = _S362;
     var addend_1 : vec2<u32> = fixed_point_0(value_3[u32(1)]);
-    var _S344 : u32 = addend_1.x;
-    var low_14 : u32 = (*this_49).radiance_1[u32(2)] + _S344;
-    var high_7 : u32 = (*this_49).radiance_1[u32(3)] + addend_1.y + u32(low_14 < _S344);
+    var _S363 : u32 = addend_1.x;
+    var low_14 : u32 = (*this_49).radiance_1[u32(2)] + _S363;
+    var high_7 : u32 = (*this_49).radiance_1[u32(3)] + addend_1.y + u32(low_14 < _S363);
     var is_full_1 : bool = high_7 < ((*this_49).radiance_1[u32(3)]);
     if(is_full_1)
     {
-        _S343 = u32(4294967295);
+        _S362 = u32(4294967295);
     }
     else
     {
-        _S343 = low_14;
+        _S362 = low_14;
     }
-    (*this_49).radiance_1[u32(2)] = _S343;
+    (*this_49).radiance_1[u32(2)] = _S362;
     if(is_full_1)
     {
-        _S343 = u32(4294967295);
+        _S362 = u32(4294967295);
     }
     else
     {
-        _S343 = high_7;
+        _S362 = high_7;
     }
-    (*this_49).radiance_1[u32(3)] = _S343;
+    (*this_49).radiance_1[u32(3)] = _S362;
     var addend_2 : vec2<u32> = fixed_point_0(value_3[u32(2)]);
-    var _S345 : u32 = addend_2.x;
-    var low_15 : u32 = (*this_49).radiance_1[u32(4)] + _S345;
-    var high_8 : u32 = (*this_49).radiance_1[u32(5)] + addend_2.y + u32(low_15 < _S345);
+    var _S364 : u32 = addend_2.x;
+    var low_15 : u32 = (*this_49).radiance_1[u32(4)] + _S364;
+    var high_8 : u32 = (*this_49).radiance_1[u32(5)] + addend_2.y + u32(low_15 < _S364);
     var is_full_2 : bool = high_8 < ((*this_49).radiance_1[u32(5)]);
     if(is_full_2)
     {
-        _S343 = u32(4294967295);
+        _S362 = u32(4294967295);
     }
     else
     {
-        _S343 = low_15;
+        _S362 = low_15;
     }
-    (*this_49).radiance_1[u32(4)] = _S343;
+    (*this_49).radiance_1[u32(4)] = _S362;
     if(is_full_2)
     {
-        _S343 = u32(4294967295);
+        _S362 = u32(4294967295);
     }
     else
     {
-        _S343 = high_8;
+        _S362 = high_8;
     }
-    (*this_49).radiance_1[u32(5)] = _S343;
+    (*this_49).radiance_1[u32(5)] = _S362;
     (*this_49).samples_0 = (*this_49).samples_0 + u32(1);
     (*this_49).covered_0 = (*this_49).covered_0 + u32(is_covered_0);
     return;
 }
 
-fn add_sample_0( index_31 : u32,  radiance_7 : vec3<f32>,  is_covered_1 : bool)
+fn add_sample_0( index_32 : u32,  radiance_7 : vec3<f32>,  is_covered_1 : bool)
 {
     var pixel_6 : PixelRecord_0;
-    pixel_6.radiance_1 = pixels_0[index_31].radiance_1;
-    pixel_6.samples_0 = pixels_0[index_31].samples_0;
-    pixel_6.covered_0 = pixels_0[index_31].covered_0;
+    pixel_6.radiance_1 = pixels_0[index_32].radiance_1;
+    pixel_6.samples_0 = pixels_0[index_32].samples_0;
+    pixel_6.covered_0 = pixels_0[index_32].covered_0;
     PixelRecord_add_0(&(pixel_6), radiance_7, is_covered_1);
-    pixels_0[index_31].radiance_1 = pixel_6.radiance_1;
-    pixels_0[index_31].samples_0 = pixel_6.samples_0;
-    pixels_0[index_31].covered_0 = pixel_6.covered_0;
+    pixels_0[index_32].radiance_1 = pixel_6.radiance_1;
+    pixels_0[index_32].samples_0 = pixel_6.samples_0;
+    pixels_0[index_32].covered_0 = pixel_6.covered_0;
     return;
 }
 
 fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
 {
     var counts_0 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
-    var _S346 : vec3<f32> = vec3<f32>(0.0f);
-    var radiance_8 : vec3<f32> = _S346;
+    var _S365 : vec3<f32> = vec3<f32>(0.0f);
+    var radiance_8 : vec3<f32> = _S365;
     var path_6 : Path_0;
-    var _S347 : Ray_0 = camera_path_0(work_0.pixel_5, work_0.sample_5, &(path_6));
-    var ray_23 : Ray_0 = _S347;
+    var _S366 : Ray_0 = camera_path_0(work_0.pixel_5, work_0.sample_5, &(path_6));
+    var ray_23 : Ray_0 = _S366;
     var shadow_inside_3 : Inside_0 = in_air_0();
     var relocates_3 : bool = true;
     var path_relocates_3 : bool = true;
     var is_shadow_turn_0 : bool = true;
     var is_shadow_ray_1 : bool = false;
-    var direction_28 : vec3<f32> = _S346;
+    var direction_28 : vec3<f32> = _S365;
     var is_covered_2 : bool = false;
     var sample_13 : u32 = work_0.sample_5;
-    var light_4 : vec3<f32> = _S346;
+    var light_4 : vec3<f32> = _S365;
     for(;;)
     {
-        if(sample_13 < (work_0.last_3))
+        if(sample_13 < (work_0.last_2))
         {
         }
         else
@@ -5442,11 +5471,11 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
             is_shadow_turn_0 = is_shadow_turn_1;
             continue;
         }
-        var _S348 : Sampler_0 = sampler_of_0(work_0.pixel_5, sample_13);
+        var _S367 : Sampler_0 = sampler_of_0(work_0.pixel_5, sample_13);
         var beyond_4 : u32;
-        var _S349 : Hit_0 = hit_of_ray_0(_S348, &(ray_23), is_shadow_ray_1, &(path_6), &(shadow_inside_3), &(relocates_3), &(path_relocates_3), &(beyond_4));
-        var _S350 : bool = waits_for_pages_0();
-        if(_S350)
+        var _S368 : Hit_0 = hit_of_ray_0(_S367, &(ray_23), is_shadow_ray_1, &(path_6), &(shadow_inside_3), &(relocates_3), &(path_relocates_3), &(beyond_4));
+        var _S369 : bool = waits_for_pages_0();
+        if(_S369)
         {
             break;
         }
@@ -5454,7 +5483,7 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
         if(is_shadow_ray_1)
         {
             counts_0.shadow_0 = counts_0.shadow_0 + u32(1);
-            if(Hit_is_miss_0(_S349))
+            if(Hit_is_miss_0(_S368))
             {
                 radiance_8 = radiance_8 + light_4;
             }
@@ -5465,7 +5494,7 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
         {
             if((Path_events_0(path_6)) == u32(0))
             {
-                if(!Hit_is_miss_0(_S349))
+                if(!Hit_is_miss_0(_S368))
                 {
                     is_covered_3 = true;
                 }
@@ -5482,63 +5511,63 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
                 }
                 is_covered_3 = is_covered_2;
             }
-            var _S351 : NextRays_0 = no_rays_0();
-            path_6.sampler_0 = _S348;
-            var _S352 : bool;
+            var _S370 : NextRays_0 = no_rays_0();
+            path_6.sampler_0 = _S367;
+            var _S371 : bool;
             if(is_covered_3)
             {
-                _S352 = true;
+                _S371 = true;
             }
             else
             {
-                _S352 = (params_0.is_transparent_0) == u32(0);
+                _S371 = (params_0.is_transparent_0) == u32(0);
             }
             var next_1 : NextRays_0;
-            if(_S352)
+            if(_S371)
             {
-                var _S353 : NextRays_0 = PathTracingOf_advance_0(&(path_6), ray_23, _S349, beyond_4, &(radiance_8));
-                next_1 = _S353;
+                var _S372 : NextRays_0 = PathTracingOf_advance_0(&(path_6), ray_23, _S368, beyond_4, &(radiance_8));
+                next_1 = _S372;
             }
             else
             {
-                next_1 = _S351;
+                next_1 = _S370;
             }
-            var _S354 : bool;
+            var _S373 : bool;
             if(weighs_apart_0())
             {
-                _S354 = next_1.is_same_0;
+                _S373 = next_1.is_same_0;
             }
             else
             {
-                _S354 = false;
+                _S373 = false;
             }
-            if(_S354)
+            if(_S373)
             {
                 is_shadow_turn_0 = is_shadow_turn_1;
                 is_covered_2 = is_covered_3;
                 continue;
             }
-            var _S355 : NextRays_0 = next_1;
-            var _S356 : NextRays_0 = next_1;
-            var _S357 : NextRays_0 = next_1;
-            var _S358 : NextRays_0 = next_1;
+            var _S374 : NextRays_0 = next_1;
+            var _S375 : NextRays_0 = next_1;
+            var _S376 : NextRays_0 = next_1;
+            var _S377 : NextRays_0 = next_1;
             ray_23 = PathTracingOf_clip_0(ray_from_0(next_1.origin_9, next_1.direction_6));
-            if(_S357.has_shadow_ray_0)
+            if(_S376.has_shadow_ray_0)
             {
-                ray_23 = Ray_x24init_0(_S358.origin_9, 0.0f, next_1.shadow_direction_0, next_1.shadow_t_max_0);
+                ray_23 = Ray_x24init_0(_S377.origin_9, 0.0f, next_1.shadow_direction_0, next_1.shadow_t_max_0);
             }
-            is_shadow_ray_1 = _S357.has_shadow_ray_0;
-            direction_28 = _S355.direction_6;
+            is_shadow_ray_1 = _S376.has_shadow_ray_0;
+            direction_28 = _S374.direction_6;
             is_covered_2 = is_covered_3;
-            light_4 = _S356.light_0;
+            light_4 = _S375.light_0;
         }
-        if(_S350)
+        if(_S369)
         {
             break;
         }
         if(!is_shadow_ray_1)
         {
-            is_covered_3 = (all((direction_28 == _S346)));
+            is_covered_3 = (all((direction_28 == _S365)));
         }
         else
         {
@@ -5546,16 +5575,16 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
         }
         if(is_covered_3)
         {
-            var _S359 : vec2<u32> = position_of_0(work_0.pixel_5);
-            add_sample_0(place_of_0(_S359), radiance_8, is_covered_2);
-            radiance_8 = _S346;
+            var _S378 : vec2<u32> = position_of_0(work_0.pixel_5);
+            add_sample_0(place_of_0(_S378), radiance_8, is_covered_2);
+            radiance_8 = _S365;
             var sample_14 : u32 = sample_13 + u32(1);
-            if(sample_14 == (work_0.last_3))
+            if(sample_14 == (work_0.last_2))
             {
                 break;
             }
-            var _S360 : Ray_0 = camera_path_0(work_0.pixel_5, sample_14, &(path_6));
-            ray_23 = _S360;
+            var _S379 : Ray_0 = camera_path_0(work_0.pixel_5, sample_14, &(path_6));
+            ray_23 = _S379;
             relocates_3 = true;
             path_relocates_3 = true;
             sample_13 = sample_14;
@@ -5568,8 +5597,8 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
 fn hit_of_ray_1( sampler_4 : Sampler_0,  ray_24 : ptr<function, Ray_0>,  is_shadow_ray_2 : bool,  path_7 : ptr<function, Path_0>,  shadow_inside_4 : ptr<function, Inside_0>,  relocates_4 : ptr<function, bool>,  path_relocates_4 : ptr<function, bool>,  beyond_5 : ptr<function, u32>) -> Hit_0
 {
     (*beyond_5) = u32(4294967295);
-    var _S361 : Hit_0 = WalkTracer_trace_0(&((*ray_24)), is_shadow_ray_2);
-    return _S361;
+    var _S380 : Hit_0 = WalkTracer_trace_0(&((*ray_24)), is_shadow_ray_2);
+    return _S380;
 }
 
 fn Essay_jitter_0( sampler_5 : Sampler_0) -> vec4<f32>
@@ -5586,9 +5615,9 @@ fn camera_path_1( pixel_7 : u32,  sample_15 : u32,  path_8 : ptr<function, Path_
 {
     (*path_8) = Path_x24init_0(sampler_of_0(pixel_7, sample_15), u32(0), u32(0), u32(0), u32(0), vec3<f32>(1.0f), 0.0f, vec3<f32>(0.0f), Selection_x24init_0(0.0f, 0.0f, 0.0f), 0.0f, in_air_0(), true);
     var jitter_1 : vec4<f32> = Essay_jitter_0((*path_8).sampler_0);
-    var _S362 : CameraFrame_0 = FrameParams_camera_0();
-    var _S363 : vec2<u32> = position_of_0(pixel_7);
-    return Essay_clip_0(CameraFrame_ray_0(_S362, vec2<f32>(_S363) + jitter_1.xy, jitter_1.zw));
+    var _S381 : CameraFrame_0 = FrameParams_camera_0();
+    var _S382 : vec2<u32> = position_of_0(pixel_7);
+    return Essay_clip_0(CameraFrame_ray_0(_S381, vec2<f32>(_S382) + jitter_1.xy, jitter_1.zw));
 }
 
 fn Essay_advance_0( path_9 : ptr<function, Path_0>,  ray_26 : Ray_0,  hit_7 : Hit_0,  beyond_6 : u32,  radiance_9 : ptr<function, vec3<f32>>) -> NextRays_0
@@ -5621,33 +5650,33 @@ fn Essay_advance_0( path_9 : ptr<function, Path_0>,  ray_26 : Ray_0,  hit_7 : Hi
 fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
 {
     var counts_1 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
-    var _S364 : vec3<f32> = vec3<f32>(0.0f);
-    var radiance_10 : vec3<f32> = _S364;
+    var _S383 : vec3<f32> = vec3<f32>(0.0f);
+    var radiance_10 : vec3<f32> = _S383;
     var path_10 : Path_0;
-    var _S365 : Ray_0 = camera_path_1(work_1.pixel_5, work_1.sample_5, &(path_10));
-    var ray_27 : Ray_0 = _S365;
+    var _S384 : Ray_0 = camera_path_1(work_1.pixel_5, work_1.sample_5, &(path_10));
+    var ray_27 : Ray_0 = _S384;
     var shadow_inside_5 : Inside_0 = in_air_0();
     var relocates_5 : bool = true;
     var path_relocates_5 : bool = true;
     var is_shadow_ray_3 : bool = false;
-    var direction_29 : vec3<f32> = _S364;
+    var direction_29 : vec3<f32> = _S383;
     var is_covered_4 : bool = false;
     var sample_16 : u32 = work_1.sample_5;
-    var light_5 : vec3<f32> = _S364;
+    var light_5 : vec3<f32> = _S383;
     for(;;)
     {
-        if(sample_16 < (work_1.last_3))
+        if(sample_16 < (work_1.last_2))
         {
         }
         else
         {
             break;
         }
-        var _S366 : Sampler_0 = sampler_of_0(work_1.pixel_5, sample_16);
+        var _S385 : Sampler_0 = sampler_of_0(work_1.pixel_5, sample_16);
         var beyond_7 : u32;
-        var _S367 : Hit_0 = hit_of_ray_1(_S366, &(ray_27), is_shadow_ray_3, &(path_10), &(shadow_inside_5), &(relocates_5), &(path_relocates_5), &(beyond_7));
-        var _S368 : bool = waits_for_pages_0();
-        if(_S368)
+        var _S386 : Hit_0 = hit_of_ray_1(_S385, &(ray_27), is_shadow_ray_3, &(path_10), &(shadow_inside_5), &(relocates_5), &(path_relocates_5), &(beyond_7));
+        var _S387 : bool = waits_for_pages_0();
+        if(_S387)
         {
             break;
         }
@@ -5655,7 +5684,7 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
         if(is_shadow_ray_3)
         {
             counts_1.shadow_0 = counts_1.shadow_0 + u32(1);
-            if(Hit_is_miss_0(_S367))
+            if(Hit_is_miss_0(_S386))
             {
                 radiance_10 = radiance_10 + light_5;
             }
@@ -5666,7 +5695,7 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
         {
             if((Path_events_0(path_10)) == u32(0))
             {
-                if(!Hit_is_miss_0(_S367))
+                if(!Hit_is_miss_0(_S386))
                 {
                     is_covered_5 = true;
                 }
@@ -5683,62 +5712,62 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
                 }
                 is_covered_5 = is_covered_4;
             }
-            var _S369 : NextRays_0 = no_rays_0();
-            path_10.sampler_0 = _S366;
-            var _S370 : bool;
+            var _S388 : NextRays_0 = no_rays_0();
+            path_10.sampler_0 = _S385;
+            var _S389 : bool;
             if(is_covered_5)
             {
-                _S370 = true;
+                _S389 = true;
             }
             else
             {
-                _S370 = (params_0.is_transparent_0) == u32(0);
+                _S389 = (params_0.is_transparent_0) == u32(0);
             }
             var next_3 : NextRays_0;
-            if(_S370)
+            if(_S389)
             {
-                var _S371 : NextRays_0 = Essay_advance_0(&(path_10), ray_27, _S367, beyond_7, &(radiance_10));
-                next_3 = _S371;
+                var _S390 : NextRays_0 = Essay_advance_0(&(path_10), ray_27, _S386, beyond_7, &(radiance_10));
+                next_3 = _S390;
             }
             else
             {
-                next_3 = _S369;
+                next_3 = _S388;
             }
-            var _S372 : bool;
+            var _S391 : bool;
             if(weighs_apart_0())
             {
-                _S372 = next_3.is_same_0;
+                _S391 = next_3.is_same_0;
             }
             else
             {
-                _S372 = false;
+                _S391 = false;
             }
-            if(_S372)
+            if(_S391)
             {
                 is_covered_4 = is_covered_5;
                 continue;
             }
-            var _S373 : NextRays_0 = next_3;
-            var _S374 : NextRays_0 = next_3;
-            var _S375 : NextRays_0 = next_3;
-            var _S376 : NextRays_0 = next_3;
+            var _S392 : NextRays_0 = next_3;
+            var _S393 : NextRays_0 = next_3;
+            var _S394 : NextRays_0 = next_3;
+            var _S395 : NextRays_0 = next_3;
             ray_27 = Essay_clip_0(ray_from_0(next_3.origin_9, next_3.direction_6));
-            if(_S375.has_shadow_ray_0)
+            if(_S394.has_shadow_ray_0)
             {
-                ray_27 = Ray_x24init_0(_S376.origin_9, 0.0f, next_3.shadow_direction_0, next_3.shadow_t_max_0);
+                ray_27 = Ray_x24init_0(_S395.origin_9, 0.0f, next_3.shadow_direction_0, next_3.shadow_t_max_0);
             }
-            is_shadow_ray_3 = _S375.has_shadow_ray_0;
-            direction_29 = _S373.direction_6;
+            is_shadow_ray_3 = _S394.has_shadow_ray_0;
+            direction_29 = _S392.direction_6;
             is_covered_4 = is_covered_5;
-            light_5 = _S374.light_0;
+            light_5 = _S393.light_0;
         }
-        if(_S368)
+        if(_S387)
         {
             break;
         }
         if(!is_shadow_ray_3)
         {
-            is_covered_5 = (all((direction_29 == _S364)));
+            is_covered_5 = (all((direction_29 == _S383)));
         }
         else
         {
@@ -5746,16 +5775,16 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
         }
         if(is_covered_5)
         {
-            var _S377 : vec2<u32> = position_of_0(work_1.pixel_5);
-            add_sample_0(place_of_0(_S377), radiance_10, is_covered_4);
-            radiance_10 = _S364;
+            var _S396 : vec2<u32> = position_of_0(work_1.pixel_5);
+            add_sample_0(place_of_0(_S396), radiance_10, is_covered_4);
+            radiance_10 = _S383;
             var sample_17 : u32 = sample_16 + u32(1);
-            if(sample_17 == (work_1.last_3))
+            if(sample_17 == (work_1.last_2))
             {
                 break;
             }
-            var _S378 : Ray_0 = camera_path_1(work_1.pixel_5, sample_17, &(path_10));
-            ray_27 = _S378;
+            var _S397 : Ray_0 = camera_path_1(work_1.pixel_5, sample_17, &(path_10));
+            ray_27 = _S397;
             relocates_5 = true;
             path_relocates_5 = true;
             sample_16 = sample_17;
@@ -5764,52 +5793,52 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
     return counts_1;
 }
 
-fn Work_x24init_0( pixel_8 : u32,  sample_18 : u32,  last_8 : u32) -> Work_0
+fn Work_x24init_0( pixel_8 : u32,  sample_18 : u32,  last_7 : u32) -> Work_0
 {
-    var _S379 : Work_0;
-    _S379.pixel_5 = pixel_8;
-    _S379.sample_5 = sample_18;
-    _S379.last_3 = last_8;
-    return _S379;
+    var _S398 : Work_0;
+    _S398.pixel_5 = pixel_8;
+    _S398.sample_5 = sample_18;
+    _S398.last_2 = last_7;
+    return _S398;
 }
 
-fn work_of_0( index_32 : u32) -> Work_0
+fn work_of_0( index_33 : u32) -> Work_0
 {
     var size_1 : vec2<u32> = params_0.region_0.zw - params_0.region_0.xy;
-    var _S380 : u32 = size_1.x;
-    var _S381 : u32 = u32(8) * _S380;
-    var band_0 : u32 = index_32 / _S381;
-    var _S382 : u32 = u32(8) * band_0;
-    var in_band_0 : u32 = index_32 - _S381 * band_0;
-    var _S383 : u32 = u32(8) * min(u32(8), size_1.y - _S382);
-    var tile_0 : u32 = in_band_0 / _S383;
-    var _S384 : u32 = u32(8) * tile_0;
-    var _S385 : u32 = min(u32(8), _S380 - _S384);
-    var in_tile_0 : u32 = in_band_0 - _S383 * tile_0;
-    var _S386 : vec2<u32> = params_0.region_0.xy;
-    var _S387 : u32 = in_tile_0 % _S385;
-    var _S388 : u32 = _S384 + _S387;
-    var _S389 : u32 = in_tile_0 / _S385;
-    var at_8 : vec2<u32> = _S386 + vec2<u32>(_S388, _S382 + _S389);
+    var _S399 : u32 = size_1.x;
+    var _S400 : u32 = u32(8) * _S399;
+    var band_0 : u32 = index_33 / _S400;
+    var _S401 : u32 = u32(8) * band_0;
+    var in_band_0 : u32 = index_33 - _S400 * band_0;
+    var _S402 : u32 = u32(8) * min(u32(8), size_1.y - _S401);
+    var tile_0 : u32 = in_band_0 / _S402;
+    var _S403 : u32 = u32(8) * tile_0;
+    var _S404 : u32 = min(u32(8), _S399 - _S403);
+    var in_tile_0 : u32 = in_band_0 - _S402 * tile_0;
+    var _S405 : vec2<u32> = params_0.region_0.xy;
+    var _S406 : u32 = in_tile_0 % _S404;
+    var _S407 : u32 = _S403 + _S406;
+    var _S408 : u32 = in_tile_0 / _S404;
+    var at_8 : vec2<u32> = _S405 + vec2<u32>(_S407, _S401 + _S408);
     return Work_x24init_0(at_8.y * params_0.width_0 + at_8.x, pixels_0[place_of_0(at_8)].samples_0, min(dispatch_0.samples_target_0, pixels_0[place_of_0(at_8)].samples_0 + dispatch_0.samples_1));
 }
 
-fn render_0( index_33 : u32,  thread_0 : u32)
+fn render_0( index_34 : u32,  thread_0 : u32)
 {
-    if(index_33 < (dispatch_0.count_0))
+    if(index_34 < (dispatch_0.count_0))
     {
-        var work_2 : Work_0 = work_of_0(dispatch_0.first_0 + index_33);
-        var _S390 : RayCounts_0 = trace_pixel_0(work_2);
+        var work_2 : Work_0 = work_of_0(dispatch_0.first_0 + index_34);
+        var _S409 : RayCounts_0 = trace_pixel_0(work_2);
     }
     return;
 }
 
-fn render_1( index_34 : u32,  thread_1 : u32)
+fn render_1( index_35 : u32,  thread_1 : u32)
 {
-    if(index_34 < (dispatch_0.count_0))
+    if(index_35 < (dispatch_0.count_0))
     {
-        var work_3 : Work_0 = work_of_0(dispatch_0.first_0 + index_34);
-        var _S391 : RayCounts_0 = trace_pixel_1(work_3);
+        var work_3 : Work_0 = work_of_0(dispatch_0.first_0 + index_35);
+        var _S410 : RayCounts_0 = trace_pixel_1(work_3);
     }
     return;
 }
@@ -5832,8 +5861,8 @@ fn render_path(@builtin(global_invocation_id) id_1 : vec3<u32>, @builtin(local_i
 
 fn WalkTracer_trace_1( ray_28 : ptr<function, Ray_0>,  is_any_enough_2 : bool) -> Hit_0
 {
-    var _S392 : Hit_0 = visit_0(&((*ray_28)), is_any_enough_2, u32(0));
-    return _S392;
+    var _S411 : Hit_0 = visit_0(&((*ray_28)), is_any_enough_2, u32(0));
+    return _S411;
 }
 
 struct HitRecord_0
@@ -5846,66 +5875,66 @@ struct HitRecord_0
 
 fn HitRecord_x24init_0( t_13 : f32,  instance_12 : u32,  voxel_21 : array<i32, i32(3)>,  face_9 : u32) -> HitRecord_0
 {
-    var _S393 : HitRecord_0;
-    _S393.t_0 = t_13;
-    _S393.instance_0 = instance_12;
-    _S393.voxel_0 = voxel_21;
-    _S393.face_0 = face_9;
-    return _S393;
+    var _S412 : HitRecord_0;
+    _S412.t_0 = t_13;
+    _S412.instance_0 = instance_12;
+    _S412.voxel_0 = voxel_21;
+    _S412.face_0 = face_9;
+    return _S412;
 }
 
 fn record_of_0( hit_8 : Hit_0) -> HitRecord_0
 {
-    var _S394 : array<i32, i32(3)> = array<i32, i32(3)>( hit_8.voxel_1.x, hit_8.voxel_1.y, hit_8.voxel_1.z );
-    return HitRecord_x24init_0(hit_8.t_1, hit_8.instance_1, _S394, hit_8.face_1);
+    var _S413 : array<i32, i32(3)> = array<i32, i32(3)>( hit_8.voxel_1.x, hit_8.voxel_1.y, hit_8.voxel_1.z );
+    return HitRecord_x24init_0(hit_8.t_1, hit_8.instance_1, _S413, hit_8.face_1);
 }
 
-fn ray_of_0( _S395 : u32) -> Ray_0
+fn ray_of_0( _S414 : u32) -> Ray_0
 {
-    return Ray_x24init_0(vector_of_0(rays_0[_S395].origin_0), rays_0[_S395].t_min_0, vector_of_0(rays_0[_S395].direction_0), rays_0[_S395].t_max_0);
+    return Ray_x24init_0(vector_of_0(rays_0[_S414].origin_0), rays_0[_S414].t_min_0, vector_of_0(rays_0[_S414].direction_0), rays_0[_S414].t_max_0);
 }
 
 @compute
 @workgroup_size(64, 1, 1)
 fn cast_rays(@builtin(global_invocation_id) id_2 : vec3<u32>, @builtin(local_invocation_index) thread_4 : u32)
 {
-    var _S396 : u32 = id_2.x;
-    if(_S396 < (dispatch_0.count_0))
+    var _S415 : u32 = id_2.x;
+    if(_S415 < (dispatch_0.count_0))
     {
-        var _S397 : Ray_0 = ray_of_0(dispatch_0.first_0 + _S396);
-        var ray_29 : Ray_0 = _S397;
-        var _S398 : Hit_0 = WalkTracer_trace_1(&(ray_29), false);
-        var _S399 : bool;
+        var _S416 : Ray_0 = ray_of_0(dispatch_0.first_0 + _S415);
+        var ray_29 : Ray_0 = _S416;
+        var _S417 : Hit_0 = WalkTracer_trace_1(&(ray_29), false);
+        var _S418 : bool;
         if(IS_SINGLE_0)
         {
-            _S399 = !IS_EXACT_0;
+            _S418 = !IS_EXACT_0;
         }
         else
         {
-            _S399 = false;
+            _S418 = false;
         }
-        if(_S399)
+        if(_S418)
         {
-            _S399 = !Hit_is_miss_0(_S398);
+            _S418 = !Hit_is_miss_0(_S417);
         }
         else
         {
-            _S399 = false;
+            _S418 = false;
         }
         var hit_9 : Hit_0;
-        if(_S399)
+        if(_S418)
         {
-            hit_9 = hit_of_0(local_ray_0(_S397, Instances_operatorx5Bx5D_get_0(u32(0)).grid_from_world_0), _S398.voxel_1, _S398.instance_1);
+            hit_9 = hit_of_0(local_ray_0(_S416, Instances_operatorx5Bx5D_get_0(u32(0)).grid_from_world_0), _S417.voxel_1, _S417.instance_1);
         }
         else
         {
-            hit_9 = _S398;
+            hit_9 = _S417;
         }
-        var _S400 : HitRecord_0 = record_of_0(hit_9);
-        hits_0[dispatch_0.first_0 + _S396].t_0 = _S400.t_0;
-        hits_0[dispatch_0.first_0 + _S396].instance_0 = _S400.instance_0;
-        hits_0[dispatch_0.first_0 + _S396].voxel_0 = _S400.voxel_0;
-        hits_0[dispatch_0.first_0 + _S396].face_0 = _S400.face_0;
+        var _S419 : HitRecord_0 = record_of_0(hit_9);
+        hits_0[dispatch_0.first_0 + _S415].t_0 = _S419.t_0;
+        hits_0[dispatch_0.first_0 + _S415].instance_0 = _S419.instance_0;
+        hits_0[dispatch_0.first_0 + _S415].voxel_0 = _S419.voxel_0;
+        hits_0[dispatch_0.first_0 + _S415].face_0 = _S419.face_0;
     }
     return;
 }

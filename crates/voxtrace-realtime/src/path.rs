@@ -7,7 +7,7 @@ use voxtrace_core::cuts;
 use voxtrace_core::integrator::path::{self, Arrival, Limits};
 use voxtrace_core::integrator::seen::Seen;
 use voxtrace_core::integrator::{DIMENSION_CAMERA, Path, ShadowRay, cast_in_medium};
-use voxtrace_core::light::Lights;
+use voxtrace_core::light::{BELOW_ONE, Lights};
 use voxtrace_core::math::luminance;
 use voxtrace_core::medium::{MAX_BOUNDARIES, Transit};
 use voxtrace_core::packed::PackedScene;
@@ -180,7 +180,7 @@ impl View<'_> {
             Arrival::Scatter(scatter) => {
                 let mut choice = Choice::default();
                 for candidate in 0..if scatter.wants_light { candidates } else { 0 } {
-                    let (u, v) = self.candidate(path, candidate);
+                    let (u, v) = self.candidate(path, candidate, candidates);
                     let chosen = self.lights.sample(scatter.receiver(), u);
                     let shadow_ray =
                         chosen.and_then(|chosen| path::shadow_ray(scene, &self.limits, path, &scatter, &chosen));
@@ -194,13 +194,15 @@ impl View<'_> {
         }
     }
 
-    /// Random numbers of a candidate: those that choose the light, and one that chooses between it and those before.
-    pub(crate) fn candidate(&self, path: &Path, candidate: u32) -> ([f32; 4], f32) {
+    /// Random numbers of one of several candidates: those that choose the light, and one that chooses between it and those before. The first number, which goes down
+    /// the trees of lights, is stratified among the candidates.
+    pub(crate) fn candidate(&self, path: &Path, candidate: u32, candidates: u32) -> ([f32; 4], f32) {
         let dimension = DIMENSION_CANDIDATES + 64 * path.event + 2 * candidate;
-        let light = match candidate {
+        let mut light = match candidate {
             0 => path.sampler.stratified(path.dimension_light()),
             _ => path.sampler.independent(dimension),
         };
+        light[0] = ((candidate as f32 + light[0]) * (1.0 / candidates as f32)).min(BELOW_ONE);
         (light, path.sampler.independent(dimension + 1)[0])
     }
 

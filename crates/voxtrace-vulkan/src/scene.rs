@@ -8,7 +8,8 @@ use crate::device::Device;
 use crate::pages::Pages;
 use crate::records::binding;
 use crate::transfer::{Transfer, Write};
-use bytemuck::{Pod, cast_slice};
+use bytemuck::{NoUninit, Pod, bytes_of, cast_slice};
+use std::borrow::Cow;
 use std::ops::Range;
 use std::sync::Arc;
 use voxtrace_core::dynamic::{ArrayPatch, Patch};
@@ -16,7 +17,7 @@ use voxtrace_core::packed::{DeviceCells, Geometry, Placement};
 use voxtrace_core::{PackedScene, TraceError};
 
 /// Where an array is bound, its name in the memory report, and its bytes.
-type Array<'a> = (u32, &'static str, &'a [u8]);
+type Array<'a> = (u32, &'static str, Cow<'a, [u8]>);
 
 /// The buffers of a scene.
 pub struct SceneBuffers {
@@ -46,12 +47,12 @@ impl SceneBuffers {
         room: Option<u64>,
     ) -> Result<Self, TraceError> {
         let geometry = scene.geometry();
-        let materials: Array = (binding::MATERIALS, "materials", cast_slice(geometry.materials()));
+        let materials: Array = (binding::MATERIALS, "materials", in_rows(geometry.materials()));
         let pages = match room {
             Some(room) => {
                 let placement = placement_arrays(scene.placement());
                 let whole: u64 = placement.iter().map(|(.., bytes)| bytes.len() as u64).sum();
-                let whole = whole + (materials.2.len() + size_of_val(geometry.grids())) as u64 + ROUNDED;
+                let whole = whole + (materials.2.len() + in_rows(geometry.grids()).len()) as u64 + ROUNDED;
                 let budget = room.saturating_sub(whole);
                 Some(Pages::new(device, submitter, transfer, geometry, budget).map_err(|error| match error {
                     TraceError::OutOfMemory { needed, .. } => {
@@ -67,22 +68,22 @@ impl SceneBuffers {
             None => geometry.device_cells(),
         };
         let DeviceCells { cells, grids, top_shift, have_blocks } = cells;
-        let mut arrays: Vec<Array> = vec![(binding::GRIDS, "grids", cast_slice(&grids)), materials];
+        let mut arrays: Vec<Array> = vec![(binding::GRIDS, "grids", in_rows(&grids)), materials];
         if pages.is_none() {
             arrays.extend([
-                (binding::CELLS, "cells", cast_slice(&cells)),
-                (binding::BRICKS, "bricks", cast_slice(geometry.bricks())),
-                (binding::BRICK_MATERIALS, "voxel materials", cast_slice(geometry.brick_materials())),
+                (binding::CELLS, "cells", in_words(&cells)),
+                (binding::BRICKS, "bricks", in_words(geometry.bricks())),
+                (binding::BRICK_MATERIALS, "voxel materials", in_words(geometry.brick_materials())),
             ]);
         }
         if pages.as_ref().is_none_or(|pages| !pages.has_lights) {
             arrays.extend([
-                (binding::EMITTERS, "emitters", cast_slice(geometry.emitters())),
-                (binding::LIGHT_NODES, "light nodes", cast_slice(geometry.light_nodes())),
+                (binding::EMITTERS, "emitters", in_rows(geometry.emitters())),
+                (binding::LIGHT_NODES, "light nodes", in_rows(geometry.light_nodes())),
             ]);
         }
         let mut write = |array: &Array| {
-            let (binding, name, bytes) = *array;
+            let (binding, name, ref bytes) = *array;
             written(device, submitter, transfer, name, bytes).map(|buffer| (binding, buffer))
         };
         let geometry = arrays.iter().map(&mut write).collect::<Result<_, _>>()?;
@@ -111,14 +112,14 @@ impl SceneBuffers {
     ) -> Result<Self, TraceError> {
         let geometry = scene.geometry();
         let write = |array: &Array| {
-            let (binding, name, bytes) = *array;
+            let (binding, name, ref bytes) = *array;
             let buffer = Buffer::storage(device, name, with_room(bytes.len()))?;
             transfer.upload(submitter, &buffer, bytes)?;
             Ok::<_, TraceError>((binding, buffer))
         };
         let buffers = geometry_arrays(geometry).iter().map(write).collect::<Result<_, _>>()?;
         let mut write = |array: &Array| {
-            let (binding, name, bytes) = *array;
+            let (binding, name, ref bytes) = *array;
             written(device, submitter, transfer, name, bytes).map(|buffer| (binding, buffer))
         };
         let placement = placement_arrays(scene.placement()).iter().map(&mut write).collect::<Result<_, _>>()?;
@@ -177,7 +178,10 @@ impl SceneBuffers {
         let write = |PatchWrite { array, range }: &PatchWrite| Write {
             buffer: &self.geometry[*array].1,
             at: range.start as u64,
-            bytes: &arrays[*array].2[range.clone()],
+            bytes: match &arrays[*array].2 {
+                Cow::Borrowed(bytes) => Cow::Borrowed(&bytes[range.clone()]),
+                Cow::Owned(bytes) => bytes[range.clone()].to_vec().into(),
+            },
         };
         writes.iter().map(write).collect()
     }
@@ -186,7 +190,7 @@ impl SceneBuffers {
     pub fn placed(self, device: &Arc<Device>, scene: &Arc<PackedScene>) -> Result<Self, TraceError> {
         let mut placement = Vec::with_capacity(self.placement.len());
         for ((binding, name, bytes), (_, kept)) in placement_arrays(scene.placement()).into_iter().zip(self.placement) {
-            placement.push((binding, buffer_for(device, name, bytes, Some(kept))?));
+            placement.push((binding, buffer_for(device, name, &bytes, Some(kept))?));
         }
         Ok(Self { scene: Arc::clone(scene), placement, ..self })
     }
@@ -293,16 +297,37 @@ fn with_room(bytes: usize) -> u64 {
     (bytes + bytes / 4 + (1 << 16)) as u64
 }
 
+/// Bytes of a row: shaders load records by rows.
+const ROW: usize = 16;
+
+/// Records, each of whole rows.
+fn in_rows<T: NoUninit>(records: &[T]) -> Cow<'_, [u8]> {
+    if size_of::<T>().is_multiple_of(ROW) {
+        return in_words(records);
+    }
+    let mut bytes = Vec::with_capacity(size_of::<T>().next_multiple_of(ROW) * records.len());
+    for record in records {
+        bytes.extend_from_slice(bytes_of(record));
+        bytes.resize(bytes.len().next_multiple_of(ROW), 0);
+    }
+    bytes.into()
+}
+
+/// An array that is loaded by words.
+fn in_words<T: NoUninit>(words: &[T]) -> Cow<'_, [u8]> {
+    cast_slice(words).into()
+}
+
 /// The arrays of a geometry as processors walk it.
 fn geometry_arrays(geometry: &Geometry) -> [Array<'_>; 7] {
     [
-        (binding::CELLS, "cells", cast_slice(geometry.cells())),
-        (binding::BRICKS, "bricks", cast_slice(geometry.bricks())),
-        (binding::BRICK_MATERIALS, "voxel materials", cast_slice(geometry.brick_materials())),
-        (binding::GRIDS, "grids", cast_slice(geometry.grids())),
-        (binding::MATERIALS, "materials", cast_slice(geometry.materials())),
-        (binding::EMITTERS, "emitters", cast_slice(geometry.emitters())),
-        (binding::LIGHT_NODES, "light nodes", cast_slice(geometry.light_nodes())),
+        (binding::CELLS, "cells", in_words(geometry.cells())),
+        (binding::BRICKS, "bricks", in_words(geometry.bricks())),
+        (binding::BRICK_MATERIALS, "voxel materials", in_words(geometry.brick_materials())),
+        (binding::GRIDS, "grids", in_rows(geometry.grids())),
+        (binding::MATERIALS, "materials", in_rows(geometry.materials())),
+        (binding::EMITTERS, "emitters", in_rows(geometry.emitters())),
+        (binding::LIGHT_NODES, "light nodes", in_rows(geometry.light_nodes())),
     ]
 }
 
@@ -316,9 +341,9 @@ fn texels_of(scene: &PackedScene) -> &[u8] {
 
 fn placement_arrays(placement: &Placement) -> [Array<'_>; 3] {
     [
-        (binding::INSTANCES, "instances", cast_slice(placement.instances())),
-        (binding::INSTANCE_NODES, "instance nodes", cast_slice(placement.instance_nodes())),
-        (binding::TOP_LIGHT_NODES, "top light nodes", cast_slice(placement.light_nodes())),
+        (binding::INSTANCES, "instances", in_rows(placement.instances())),
+        (binding::INSTANCE_NODES, "instance nodes", in_rows(placement.instance_nodes())),
+        (binding::TOP_LIGHT_NODES, "top light nodes", in_rows(placement.light_nodes())),
     ]
 }
 

@@ -6,6 +6,7 @@ use crate::commands::{Barrier, Submitter};
 use crate::device::Device;
 use ash::vk;
 use gpu_allocator::MemoryLocation;
+use std::borrow::Cow;
 use std::sync::Arc;
 use voxtrace_core::TraceError;
 
@@ -14,14 +15,21 @@ const PIECE: u64 = 32 << 20;
 const LEAST_PIECE: u64 = 1 << 16;
 
 /// Bytes for a place in a buffer.
-#[derive(Clone, Copy)]
+#[derive(Clone)]
 pub struct Write<'a> {
     /// Where they go.
     pub buffer: &'a Buffer,
     /// The first byte there.
     pub at: u64,
     /// The bytes.
-    pub bytes: &'a [u8],
+    pub bytes: Cow<'a, [u8]>,
+}
+
+impl<'a> Write<'a> {
+    /// Bytes that stay where they are.
+    pub fn new(buffer: &'a Buffer, at: u64, bytes: &'a [u8]) -> Self {
+        Self { buffer, at, bytes: bytes.into() }
+    }
 }
 
 /// Commands that are recorded.
@@ -45,7 +53,7 @@ impl Transfer {
 
     /// Writes `bytes` to the start of a buffer.
     pub fn upload(&mut self, submitter: &mut Submitter, buffer: &Buffer, bytes: &[u8]) -> Result<(), TraceError> {
-        self.write(submitter, &[Write { buffer, at: 0, bytes }], None).map(|_| ())
+        self.write(submitter, &[Write::new(buffer, 0, bytes)], None).map(|_| ())
     }
 
     /// Writes all of them, in this order, and then runs what `then` records, which sees what was written. Returns the device's milliseconds.

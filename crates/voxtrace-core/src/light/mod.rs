@@ -17,7 +17,7 @@ use voxtrace_scene::ray::{Hit, Ray};
 use voxtrace_scene::sky::Sky;
 
 /// Largest f32 below 1.
-const BELOW_ONE: f32 = 1.0 - f32::EPSILON / 2.0;
+pub const BELOW_ONE: f32 = 1.0 - f32::EPSILON / 2.0;
 
 /// A place that light falls on.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -69,7 +69,7 @@ impl Cell {
         let mut path = Path::from_sampler(sampler);
         let mut choice = Choice::default();
         for candidate in 0..view.candidates {
-            let (u, v) = view.candidate(&path, candidate);
+            let (u, v) = view.candidate(&path, candidate, view.candidates);
             choice.add(view.lights.sample(&receiver, u).map(|light| lit(&light)), v);
         }
         let mut light = choice.chosen().map_or(Vec3::ZERO, |shadow_ray| view.arriving(&shadow_ray));

@@ -112,9 +112,9 @@ impl Top {
         let entries = &site.entries;
         // SAFETY: the records are plain numbers without padding: 48 + 4 + 4 + 8 bytes.
         let bytes = unsafe { std::slice::from_raw_parts(entries.as_ptr().cast::<u8>(), size_of_val(&entries[..])) };
-        let mut writes = vec![Write { buffer: &site.input, at: 0, bytes }];
+        let mut writes = vec![Write::new(&site.input, 0, bytes)];
         if site.has_new_table {
-            writes.push(Write { buffer: &self.entries, at: 0, bytes: cast_slice(&self.table) });
+            writes.push(Write::new(&self.entries, 0, cast_slice(&self.table)));
         }
         writes
     }

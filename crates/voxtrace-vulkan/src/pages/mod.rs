@@ -116,9 +116,9 @@ impl Pages {
         header[1..ARRAYS].copy_from_slice(&starts[1..]);
         header[PAGES_HAVE_LIGHTS as usize] = has_lights.into();
         let writes = [
-            Write { buffer: &pool, at: 0, bytes: cast_slice(&[0u32; PAGE_WORDS]) },
-            Write { buffer: &table, at: 0, bytes: cast_slice(&header) },
-            Write { buffer: &table, at: 4 * u64::from(PAGE_HEADER), bytes: cast_slice(&words[PAGE_HEADER as usize..]) },
+            Write::new(&pool, 0, cast_slice(&[0u32; PAGE_WORDS])),
+            Write::new(&table, 0, cast_slice(&header)),
+            Write::new(&table, 4 * u64::from(PAGE_HEADER), cast_slice(&words[PAGE_HEADER as usize..])),
         ];
         transfer.write(submitter, &writes, None)?;
         Ok(Self {
@@ -163,9 +163,9 @@ impl Pages {
         for (_, words) in pages.iter_mut().take(std::mem::take(&mut self.emptied)) {
             *words = &[0; PAGE_WORDS][..words.len()];
         }
-        writes.extend(pages.iter().map(|&(at, words)| Write { buffer: &self.pool, at, bytes: cast_slice(words) }));
+        writes.extend(pages.iter().map(|&(at, words)| Write::new(&self.pool, at, cast_slice(words))));
         let slots_at = 4 * u64::from(PAGE_HEADER);
-        writes.push(Write { buffer: &self.table, at: slots_at, bytes: cast_slice(self.slots.of_pages()) });
+        writes.push(Write::new(&self.table, slots_at, cast_slice(self.slots.of_pages())));
         let (raw, table) = (&self.device.raw, self.table.handle);
         let clear = |commands| {
             // SAFETY: the marks lie inside the table; the commands are being recorded.
