@@ -146,6 +146,12 @@ fn records_that_shaders_read_by_rows_have_their_words_there() {
     assert_eq!(offsets(instance), [0, 12, 24, 25, 26]);
     let grid = layout!(PackedGrid: origin, top_shift, top_size, top_offset, min, voxels, max, material_bits);
     assert_eq!(offsets(grid), [0, 3, 4, 7, 8, 11, 13, 16]);
+    // Rows of those that do not fill them.
+    let source = include_str!("../../../shaders/scene.slang");
+    for (name, size) in [("GRID_ROWS", size_of::<PackedGrid>()), ("INSTANCE_ROWS", size_of::<PackedInstance>())] {
+        let constant = format!("static const uint {name} = {};", size.div_ceil(16));
+        assert!(source.lines().any(|line| line == constant), "{constant}");
+    }
 }
 
 /// Where shaders keep a stack of another size than the host's walk over instances has, or say another depth than the one up to

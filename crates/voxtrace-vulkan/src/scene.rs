@@ -8,7 +8,7 @@ use crate::device::Device;
 use crate::pages::Pages;
 use crate::records::binding;
 use crate::transfer::{Transfer, Write};
-use bytemuck::{NoUninit, Pod, bytes_of, cast_slice};
+use bytemuck::{NoUninit, Pod, cast_slice};
 use std::borrow::Cow;
 use std::ops::Range;
 use std::sync::Arc;
@@ -16,8 +16,38 @@ use voxtrace_core::dynamic::{ArrayPatch, Patch};
 use voxtrace_core::packed::{DeviceCells, Geometry, Placement};
 use voxtrace_core::{PackedScene, TraceError};
 
-/// Where an array is bound, its name in the memory report, and its bytes.
-type Array<'a> = (u32, &'static str, Cow<'a, [u8]>);
+/// Where an array is bound, its name in the memory report, and its records.
+type Array<'a> = (u32, &'static str, Records<'a>);
+
+/// An array of the host as devices have it.
+#[derive(Clone, Copy, PartialEq)]
+struct Records<'a> {
+    bytes: &'a [u8],
+    /// Bytes of a record on the host.
+    size: usize,
+    /// Bytes from one record to the next on the device.
+    stride: usize,
+}
+
+impl<'a> Records<'a> {
+    /// Bytes on the device.
+    fn len(&self) -> usize {
+        self.bytes.len() / self.size * self.stride
+    }
+
+    /// What is written there.
+    fn padded(&self) -> Cow<'a, [u8]> {
+        if self.size == self.stride {
+            return self.bytes.into();
+        }
+        let mut padded = Vec::with_capacity(self.len());
+        for record in self.bytes.chunks_exact(self.size) {
+            padded.extend_from_slice(record);
+            padded.resize(padded.len() + self.stride - self.size, 0);
+        }
+        padded.into()
+    }
+}
 
 /// The buffers of a scene.
 pub struct SceneBuffers {
@@ -83,8 +113,8 @@ impl SceneBuffers {
             ]);
         }
         let mut write = |array: &Array| {
-            let (binding, name, ref bytes) = *array;
-            written(device, submitter, transfer, name, bytes).map(|buffer| (binding, buffer))
+            let (binding, name, records) = *array;
+            written(device, submitter, transfer, name, &records.padded()).map(|buffer| (binding, buffer))
         };
         let geometry = arrays.iter().map(&mut write).collect::<Result<_, _>>()?;
         let placement = placement_arrays(scene.placement()).iter().map(&mut write).collect::<Result<_, _>>()?;
@@ -112,15 +142,15 @@ impl SceneBuffers {
     ) -> Result<Self, TraceError> {
         let geometry = scene.geometry();
         let write = |array: &Array| {
-            let (binding, name, ref bytes) = *array;
-            let buffer = Buffer::storage(device, name, with_room(bytes.len()))?;
-            transfer.upload(submitter, &buffer, bytes)?;
+            let (binding, name, records) = *array;
+            let buffer = Buffer::storage(device, name, with_room(records.len()))?;
+            transfer.upload(submitter, &buffer, &records.padded())?;
             Ok::<_, TraceError>((binding, buffer))
         };
         let buffers = geometry_arrays(geometry).iter().map(write).collect::<Result<_, _>>()?;
         let mut write = |array: &Array| {
-            let (binding, name, ref bytes) = *array;
-            written(device, submitter, transfer, name, bytes).map(|buffer| (binding, buffer))
+            let (binding, name, records) = *array;
+            written(device, submitter, transfer, name, &records.padded()).map(|buffer| (binding, buffer))
         };
         let placement = placement_arrays(scene.placement()).iter().map(&mut write).collect::<Result<_, _>>()?;
         let environment = written(device, submitter, transfer, ENVIRONMENT, texels_of(scene))?;
@@ -178,7 +208,7 @@ impl SceneBuffers {
         let write = |PatchWrite { array, range }: &PatchWrite| Write {
             buffer: &self.geometry[*array].1,
             at: range.start as u64,
-            bytes: match &arrays[*array].2 {
+            bytes: match arrays[*array].2.padded() {
                 Cow::Borrowed(bytes) => Cow::Borrowed(&bytes[range.clone()]),
                 Cow::Owned(bytes) => bytes[range.clone()].to_vec().into(),
             },
@@ -189,8 +219,9 @@ impl SceneBuffers {
     /// The same geometry with memory for the placement of `scene`, whose geometry it is; [`Self::placement_writes`] must be written.
     pub fn placed(self, device: &Arc<Device>, scene: &Arc<PackedScene>) -> Result<Self, TraceError> {
         let mut placement = Vec::with_capacity(self.placement.len());
-        for ((binding, name, bytes), (_, kept)) in placement_arrays(scene.placement()).into_iter().zip(self.placement) {
-            placement.push((binding, buffer_for(device, name, &bytes, Some(kept))?));
+        for ((binding, name, records), (_, kept)) in placement_arrays(scene.placement()).into_iter().zip(self.placement)
+        {
+            placement.push((binding, buffer_for(device, name, records.len(), Some(kept))?));
         }
         Ok(Self { scene: Arc::clone(scene), placement, ..self })
     }
@@ -198,7 +229,7 @@ impl SceneBuffers {
     /// The arrays of the placement, where they go.
     pub fn placement_writes(&self) -> Vec<Write<'_>> {
         let arrays = placement_arrays(self.scene.placement()).into_iter().zip(&self.placement);
-        arrays.map(|((_, _, bytes), (_, buffer))| Write { buffer, at: 0, bytes }).collect()
+        arrays.map(|((.., records), (_, buffer))| Write { buffer, at: 0, bytes: records.padded() }).collect()
     }
 
     /// Takes the light of a scene that [`Self::holds`]. Returns whether its environment map is another one, which was uploaded.
@@ -300,22 +331,16 @@ fn with_room(bytes: usize) -> u64 {
 /// Bytes of a row: shaders load records by rows.
 const ROW: usize = 16;
 
-/// Records, each of whole rows.
-fn in_rows<T: NoUninit>(records: &[T]) -> Cow<'_, [u8]> {
-    if size_of::<T>().is_multiple_of(ROW) {
-        return in_words(records);
-    }
-    let mut bytes = Vec::with_capacity(size_of::<T>().next_multiple_of(ROW) * records.len());
-    for record in records {
-        bytes.extend_from_slice(bytes_of(record));
-        bytes.resize(bytes.len().next_multiple_of(ROW), 0);
-    }
-    bytes.into()
+/// Records, each from a row on.
+fn in_rows<T: NoUninit>(records: &[T]) -> Records<'_> {
+    let size = size_of::<T>();
+    Records { bytes: cast_slice(records), size, stride: size.next_multiple_of(ROW) }
 }
 
 /// An array that is loaded by words.
-fn in_words<T: NoUninit>(words: &[T]) -> Cow<'_, [u8]> {
-    cast_slice(words).into()
+fn in_words<T: NoUninit>(words: &[T]) -> Records<'_> {
+    let size = size_of::<T>();
+    Records { bytes: cast_slice(words), size, stride: size }
 }
 
 /// The arrays of a geometry as processors walk it.
@@ -347,9 +372,9 @@ fn placement_arrays(placement: &Placement) -> [Array<'_>; 3] {
     ]
 }
 
-/// A storage buffer that has room for `bytes`: the one that there is, where it has the right size.
-fn buffer_for(device: &Arc<Device>, name: &str, bytes: &[u8], kept: Option<Buffer>) -> Result<Buffer, TraceError> {
-    let size = bytes.len() as u64;
+/// A storage buffer of so many bytes: the one that there is, where it has the right size.
+fn buffer_for(device: &Arc<Device>, name: &str, bytes: usize, kept: Option<Buffer>) -> Result<Buffer, TraceError> {
+    let size = bytes as u64;
     match kept.filter(|buffer| buffer.size == Buffer::rounded(size)) {
         Some(buffer) => Ok(buffer),
         None => Buffer::storage(device, name, size),
@@ -364,7 +389,7 @@ pub fn written(
     name: &str,
     bytes: &[u8],
 ) -> Result<Buffer, TraceError> {
-    let buffer = buffer_for(device, name, bytes, None)?;
+    let buffer = buffer_for(device, name, bytes.len(), None)?;
     transfer.upload(submitter, &buffer, bytes)?;
     Ok(buffer)
 }
