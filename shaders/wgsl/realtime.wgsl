@@ -110,6 +110,8 @@ struct EnvironmentTexel_std430_0
 
 @binding(25) @group(0) var<storage, read_write> memory_rows_0 : array<vec4<u32>>;
 
+@binding(30) @group(0) var<storage, read> rest_0 : array<u32>;
+
 @id(6) override SKY_0 : u32 = u32(0);
 
 struct Inside_0
@@ -399,10 +401,10 @@ fn is_normal_0( exponent_0 : u32) -> bool
 
 fn nearest_quotient_0( dividend_0 : u32,  divisor_0 : u32,  guess_0 : u32) -> u32
 {
-    var rest_0 : i32 = i32(((dividend_0 << (u32(23)))) - guess_0 * divisor_0);
-    var units_0 : i32 = i32(floor(f32(rest_0) * (1.0f / f32(divisor_0)) + 0.5f));
+    var rest_1 : i32 = i32(((dividend_0 << (u32(23)))) - guess_0 * divisor_0);
+    var units_0 : i32 = i32(floor(f32(rest_1) * (1.0f / f32(divisor_0)) + 0.5f));
     var _S19 : i32 = i32(divisor_0);
-    var _S20 : i32 = i32(2) * (rest_0 - units_0 * _S19);
+    var _S20 : i32 = i32(2) * (rest_1 - units_0 * _S19);
     return guess_0 + u32(units_0 + (i32(_S20 > _S19) - i32(_S20 < (- _S19))));
 }
 
@@ -574,12 +576,12 @@ fn length_squared_0( vector_0 : vec3<f32>) -> f32
 
 fn nearest_root_0( mantissa_1 : u32,  guess_1 : u32) -> u32
 {
-    var rest_1 : i32 = i32(((mantissa_1 << (u32(23)))) - guess_1 * guess_1);
-    var units_1 : i32 = i32(floor(f32(rest_1) / f32(u32(2) * guess_1) + 0.5f));
+    var rest_2 : i32 = i32(((mantissa_1 << (u32(23)))) - guess_1 * guess_1);
+    var units_1 : i32 = i32(floor(f32(rest_2) / f32(u32(2) * guess_1) + 0.5f));
     var _S38 : i32 = i32(guess_1);
     var root_0 : i32 = _S38 + units_1;
-    var rest_2 : i32 = rest_1 - units_1 * (_S38 + root_0);
-    return u32(root_0 + i32(rest_2 > root_0) - i32(rest_2 <= (- root_0)));
+    var rest_3 : i32 = rest_2 - units_1 * (_S38 + root_0);
+    return u32(root_0 + i32(rest_3 > root_0) - i32(rest_3 <= (- root_0)));
 }
 
 fn square_root_0( value_0 : f32) -> f32
@@ -1437,19 +1439,27 @@ fn read_bits_0( start_0 : u32,  position_0 : u32,  count_1 : u32) -> u32
     return (bits_2 & ((((u32(1) << (count_1))) - u32(1))));
 }
 
-fn material_at_0( grid_4 : PackedGrid_0,  relative_3 : vec3<i32>) -> u32
+fn material_of_rank_0( grid_4 : PackedGrid_0,  record_1 : u32,  header_0 : u32,  rank_2 : u32) -> u32
 {
-    var record_1 : u32 = find_brick_0(grid_4, relative_3);
-    var header_0 : u32 = brick_word_0(record_1);
     var index_bits_0 : u32 = (((header_0 >> (u32(8)))) & (u32(255)));
     var palette_count_0 : u32 = (header_0 >> (u32(16)));
     var start_1 : u32 = brick_word_0(record_1 + u32(1));
-    var index_13 : u32 = read_bits_0(start_1, palette_count_0 * grid_4.material_bits_0 + rank_in_brick_0(record_1, relative_3) * index_bits_0, index_bits_0);
+    var index_13 : u32 = read_bits_0(start_1, palette_count_0 * grid_4.material_bits_0 + rank_2 * index_bits_0, index_bits_0);
     if(palette_count_0 == u32(0))
     {
         return index_13;
     }
     return read_bits_0(start_1, index_13 * grid_4.material_bits_0, grid_4.material_bits_0);
+}
+
+fn material_in_brick_0( grid_5 : PackedGrid_0,  record_2 : u32,  relative_3 : vec3<i32>) -> u32
+{
+    return material_of_rank_0(grid_5, record_2, brick_word_0(record_2), rank_in_brick_0(record_2, relative_3));
+}
+
+fn material_at_0( grid_6 : PackedGrid_0,  relative_4 : vec3<i32>) -> u32
+{
+    return material_in_brick_0(grid_6, find_brick_0(grid_6, relative_4), relative_4);
 }
 
 fn material_of_0( hit_0 : Hit_0) -> PackedMaterial_0
@@ -1473,314 +1483,61 @@ fn EmitterTree_le_0( material_4 : PackedMaterial_0) -> vec3<f32>
     return emitted_0(material_4);
 }
 
-fn ior_of_0( inside_3 : Inside_0) -> f32
+fn luminance_0( color_1 : vec3<f32>) -> f32
 {
-    var _S102 : f32;
-    if(Inside_is_in_0(inside_3))
-    {
-        _S102 = material_of_index_0(inside_3.material_0).ior_0;
-    }
-    else
-    {
-        _S102 = 1.0f;
-    }
+    return color_1.x * 0.2125999927520752f + color_1.y * 0.71520000696182251f + color_1.z * 0.07220000028610229f;
+}
+
+struct Aim_0
+{
+     is_met_0 : bool,
+     direction_17 : vec3<f32>,
+     hit_2 : Hit_0,
+     luminance_1 : f32,
+};
+
+fn Aim_x24init_0( is_met_1 : bool,  direction_18 : vec3<f32>,  hit_3 : Hit_0,  luminance_2 : f32) -> Aim_0
+{
+    var _S102 : Aim_0;
+    _S102.is_met_0 = is_met_1;
+    _S102.direction_17 = direction_18;
+    _S102.hit_2 = hit_3;
+    _S102.luminance_1 = luminance_2;
     return _S102;
-}
-
-fn Microfacets_x24init_0( alpha_1 : f32) -> Microfacets_0
-{
-    var _S103 : Microfacets_0;
-    _S103.alpha_0 = alpha_1;
-    return _S103;
-}
-
-fn MaterialBsdf_x24init_0( kind_1 : u32,  color_1 : vec3<f32>,  specular_2 : f32,  eta_1 : f32,  facets_1 : Microfacets_0) -> MaterialBsdf_0
-{
-    var _S104 : MaterialBsdf_0;
-    _S104.kind_0 = kind_1;
-    _S104.color_0 = color_1;
-    _S104.specular_0 = specular_2;
-    _S104.eta_0 = eta_1;
-    _S104.facets_0 = facets_1;
-    return _S104;
-}
-
-fn bsdf_of_0( material_5 : PackedMaterial_0,  ior_1 : f32,  choice_0 : ptr<function, f32>) -> MaterialBsdf_0
-{
-    return MaterialBsdf_x24init_0(u32(0), vector_of_0(material_5.base_color_0), 0.0f, 1.0f, Microfacets_x24init_0(1.0f));
-}
-
-fn MaterialBsdf_albedo_0( this_16 : MaterialBsdf_0) -> vec3<f32>
-{
-    return this_16.color_0;
-}
-
-var<private> ends_here_0 : bool;
-
-fn roulette_0( event_1 : u32,  scattered_1 : vec3<f32>,  u_3 : f32) -> f32
-{
-    if(event_1 < u32(3))
-    {
-        return 1.0f;
-    }
-    var _S105 : f32 = min(max_element_0(scattered_1), 0.94999998807907104f);
-    var _S106 : f32;
-    if(u_3 < _S105)
-    {
-        _S106 = divide_0(1.0f, _S105);
-    }
-    else
-    {
-        _S106 = 0.0f;
-    }
-    return _S106;
-}
-
-fn Hit_x24init_0( t_2 : f32,  instance_5 : u32,  voxel_3 : vec3<i32>,  face_2 : u32) -> Hit_0
-{
-    var _S107 : Hit_0;
-    _S107.t_0 = t_2;
-    _S107.instance_1 = instance_5;
-    _S107.voxel_1 = voxel_3;
-    _S107.face_0 = face_2;
-    return _S107;
-}
-
-@id(1) override IS_SINGLE_0 : bool = false;
-
-fn margin_of_0( translation_1 : vec3<f32>,  low_3 : vec3<f32>) -> f32
-{
-    return clamp((max_element_0(abs(low_3) + abs(translation_1)) + 1.0f) * 4.76837158203125e-07f, 0.0009765625f, 0.25f);
-}
-
-fn offset_ray_origin_0( translation_2 : vec3<f32>,  low_4 : vec3<f32>,  face_3 : u32,  point_3 : vec3<f32>) -> vec3<f32>
-{
-    var margin_0 : f32 = margin_of_0(translation_2, low_4);
-    var _S108 : vec3<f32> = vec3<f32>(margin_0);
-    var moved_0 : vec3<f32> = min(max(point_3, low_4 + _S108), low_4 + vec3<f32>((1.0f - margin_0)));
-    var _S109 : bool = face_3 < u32(2);
-    var _S110 : bool;
-    if(face_3 >= u32(2))
-    {
-        _S110 = face_3 < u32(4);
-    }
-    else
-    {
-        _S110 = false;
-    }
-    var is_axis_0 : vec3<bool> = vec3<bool>(_S109, _S110, face_3 >= u32(4));
-    var outside_0 : vec3<f32>;
-    if(((face_3 & (u32(1)))) == u32(1))
-    {
-        outside_0 = low_4 + vec3<f32>((1.0f + margin_0));
-    }
-    else
-    {
-        outside_0 = low_4 - _S108;
-    }
-    return select(moved_0, outside_0, is_axis_0);
-}
-
-fn face_normal_0( face_4 : u32) -> vec3<f32>
-{
-    var away_0 : f32;
-    if(((face_4 & (u32(1)))) == u32(1))
-    {
-        away_0 = 1.0f;
-    }
-    else
-    {
-        away_0 = -1.0f;
-    }
-    var _S111 : f32;
-    if(face_4 < u32(2))
-    {
-        _S111 = away_0;
-    }
-    else
-    {
-        _S111 = 0.0f;
-    }
-    var _S112 : bool;
-    if(face_4 >= u32(2))
-    {
-        _S112 = face_4 < u32(4);
-    }
-    else
-    {
-        _S112 = false;
-    }
-    var _S113 : f32;
-    if(_S112)
-    {
-        _S113 = away_0;
-    }
-    else
-    {
-        _S113 = 0.0f;
-    }
-    if(face_4 >= u32(4))
-    {
-    }
-    else
-    {
-        away_0 = 0.0f;
-    }
-    return vec3<f32>(_S111, _S113, away_0);
-}
-
-fn Transform_point_0( this_17 : Transform_0,  v_4 : vec3<f32>) -> vec3<f32>
-{
-    return Transform_direction_0(this_17, v_4) + vector_of_0(this_17.translation_0);
-}
-
-fn normalize_vector_0( vector_2 : vec3<f32>) -> vec3<f32>
-{
-    return vector_2 * vec3<f32>(divide_0(1.0f, square_root_0(length_squared_0(vector_2))));
-}
-
-fn world_normal_0( instance_6 : PackedInstance_0,  face_5 : u32) -> vec3<f32>
-{
-    return normalize_vector_0(Transform_direction_0(instance_6.world_from_grid_0, face_normal_0(face_5)));
-}
-
-fn surface_of_0( ray_4 : Ray_0,  hit_2 : Hit_0) -> Surface_0
-{
-    var surface_1 : Surface_0;
-    var _S114 : vec3<f32> = vec3<f32>(hit_2.voxel_1);
-    if(IS_SINGLE_0)
-    {
-        surface_1.origin_3 = offset_ray_origin_0(vec3<f32>(0.0f), _S114, hit_2.face_0, ray_4.origin_1 + ray_4.direction_1 * vec3<f32>(hit_2.t_0));
-        surface_1.normal_2 = face_normal_0(hit_2.face_0);
-    }
-    else
-    {
-        var _S115 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(hit_2.instance_1);
-        surface_1.origin_3 = Transform_point_0(_S115.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S115.grid_from_world_0.translation_0), _S114, hit_2.face_0, Transform_point_0(_S115.grid_from_world_0, ray_4.origin_1) + Transform_direction_0(_S115.grid_from_world_0, ray_4.direction_1) * vec3<f32>(hit_2.t_0)));
-        surface_1.normal_2 = world_normal_0(_S115, hit_2.face_0);
-    }
-    surface_1.face_1 = hit_2.face_0;
-    surface_1.instance_3 = hit_2.instance_1;
-    return surface_1;
-}
-
-fn Surface_local_direction_0( this_18 : Surface_0,  world_0 : vec3<f32>) -> vec3<f32>
-{
-    var in_grid_0 : vec3<f32>;
-    if(!IS_SINGLE_0)
-    {
-        in_grid_0 = Transform_direction_0(Instances_operatorx5Bx5D_get_0(this_18.instance_3).grid_from_world_0, world_0);
-    }
-    else
-    {
-        in_grid_0 = world_0;
-    }
-    var in_grid_1 : vec3<f32> = normalize_vector_0(in_grid_0);
-    var local_0 : vec3<f32>;
-    if((this_18.face_1) < u32(2))
-    {
-        local_0 = in_grid_1.yzx;
-    }
-    else
-    {
-        if((this_18.face_1) < u32(4))
-        {
-            local_0 = in_grid_1.zxy;
-        }
-        else
-        {
-            local_0 = in_grid_1;
-        }
-    }
-    if((((this_18.face_1) & (u32(1)))) == u32(1))
-    {
-        in_grid_0 = local_0;
-    }
-    else
-    {
-        in_grid_0 = vec3<f32>(local_0.xy, - local_0.z);
-    }
-    return in_grid_0;
-}
-
-fn clamp_to_voxel_0( translation_3 : vec3<f32>,  low_5 : vec3<f32>,  point_4 : vec3<f32>) -> vec3<f32>
-{
-    var margin_1 : f32 = margin_of_0(translation_3, low_5);
-    return min(max(point_4, low_5 + vec3<f32>(margin_1)), low_5 + vec3<f32>((1.0f - margin_1)));
-}
-
-fn Inside_point_0( this_19 : Inside_0,  ray_5 : Ray_0,  t_3 : f32) -> vec3<f32>
-{
-    var _S116 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(this_19.instance_0);
-    return Transform_point_0(_S116.world_from_grid_0, clamp_to_voxel_0(vector_of_0(_S116.grid_from_world_0.translation_0), vec3<f32>(this_19.voxel_0), Transform_point_0(_S116.grid_from_world_0, ray_5.origin_1) + Transform_direction_0(_S116.grid_from_world_0, ray_5.direction_1) * vec3<f32>(t_3)));
 }
 
 struct LightSample_0
 {
-     ray_6 : Ray_0,
+     ray_4 : Ray_0,
      cos_theta_2 : f32,
      radiance_1 : vec3<f32>,
      pdf_2 : f32,
 };
 
-fn Ray_x24init_0( origin_5 : vec3<f32>,  t_min_1 : f32,  direction_17 : vec3<f32>,  t_max_1 : f32) -> Ray_0
+fn Ray_x24init_0( origin_5 : vec3<f32>,  t_min_1 : f32,  direction_19 : vec3<f32>,  t_max_1 : f32) -> Ray_0
 {
-    var _S117 : Ray_0;
-    _S117.origin_1 = origin_5;
-    _S117.t_min_0 = t_min_1;
-    _S117.direction_1 = direction_17;
-    _S117.t_max_0 = t_max_1;
-    return _S117;
+    var _S103 : Ray_0;
+    _S103.origin_1 = origin_5;
+    _S103.t_min_0 = t_min_1;
+    _S103.direction_1 = direction_19;
+    _S103.t_max_0 = t_max_1;
+    return _S103;
 }
 
-fn LightSample_x24init_0( ray_7 : Ray_0,  cos_theta_3 : f32,  radiance_2 : vec3<f32>,  pdf_3 : f32) -> LightSample_0
+fn LightSample_x24init_0( ray_5 : Ray_0,  cos_theta_3 : f32,  radiance_2 : vec3<f32>,  pdf_3 : f32) -> LightSample_0
 {
-    var _S118 : LightSample_0;
-    _S118.ray_6 = ray_7;
-    _S118.cos_theta_2 = cos_theta_3;
-    _S118.radiance_1 = radiance_2;
-    _S118.pdf_2 = pdf_3;
-    return _S118;
+    var _S104 : LightSample_0;
+    _S104.ray_4 = ray_5;
+    _S104.cos_theta_2 = cos_theta_3;
+    _S104.radiance_1 = radiance_2;
+    _S104.pdf_2 = pdf_3;
+    return _S104;
 }
 
 fn no_light_0() -> LightSample_0
 {
-    var _S119 : vec3<f32> = vec3<f32>(0.0f);
-    return LightSample_x24init_0(Ray_x24init_0(_S119, 0.0f, _S119, 0.0f), 0.0f, _S119, 0.0f);
-}
-
-fn Scatter_x24init_0( path_4 : Path_0,  receiver_8 : Receiver_0,  surface_2 : Surface_0,  bsdf_1 : MaterialBsdf_0,  wo_1 : vec3<f32>,  compensation_1 : f32,  is_scattered_1 : bool,  wants_light_1 : bool) -> Scatter_0
-{
-    var _S120 : Scatter_0;
-    _S120.path_0 = path_4;
-    _S120.receiver_0 = receiver_8;
-    _S120.surface_0 = surface_2;
-    _S120.bsdf_0 = bsdf_1;
-    _S120.wo_0 = wo_1;
-    _S120.compensation_0 = compensation_1;
-    _S120.is_scattered_0 = is_scattered_1;
-    _S120.wants_light_0 = wants_light_1;
-    return _S120;
-}
-
-struct BsdfSample_0
-{
-     wi_0 : vec3<f32>,
-     weight_0 : vec3<f32>,
-     pdf_4 : f32,
-     is_delta_0 : bool,
-};
-
-struct Diffuse_0
-{
-     reflectance_0 : vec3<f32>,
-};
-
-fn Diffuse_x24init_0( reflectance_1 : vec3<f32>) -> Diffuse_0
-{
-    var _S121 : Diffuse_0;
-    _S121.reflectance_0 = reflectance_1;
-    return _S121;
+    var _S105 : vec3<f32> = vec3<f32>(0.0f);
+    return LightSample_x24init_0(Ray_x24init_0(_S105, 0.0f, _S105, 0.0f), 0.0f, _S105, 0.0f);
 }
 
 fn sincos_turns_0( turns_1 : f32) -> vec2<f32>
@@ -1811,79 +1568,1589 @@ fn sincos_turns_0( turns_1 : f32) -> vec2<f32>
     }
 }
 
-fn cosine_hemisphere_0( u_4 : f32,  v_5 : f32) -> vec3<f32>
+fn ray_from_0( origin_6 : vec3<f32>,  direction_20 : vec3<f32>) -> Ray_0
 {
-    var radius_1 : f32 = square_root_0(u_4);
-    var sin_cos_0 : vec2<f32> = sincos_turns_0(v_5);
-    return vec3<f32>(radius_1 * sin_cos_0.y, radius_1 * sin_cos_0.x, square_root_0(1.0f - u_4));
+    return Ray_x24init_0(origin_6, 0.0f, direction_20, (bitcast<f32>(infinity_bits_0)));
 }
 
-fn cosine_hemisphere_pdf_0( cos_theta_4 : f32) -> f32
+fn SunDisc_sample_0( receiver_8 : Receiver_0,  u_3 : vec4<f32>,  sample_2 : ptr<function, LightSample_0>) -> bool
 {
-    return max(cos_theta_4, 0.0f) * 0.31830987334251404f;
+    var one_minus_cos_theta_0 : f32 = u_3.z * params_0.sun_one_minus_cos_theta_max_0;
+    var radius_1 : f32 = square_root_0(one_minus_cos_theta_0 * (2.0f - one_minus_cos_theta_0));
+    var sin_cos_0 : vec2<f32> = sincos_turns_0(u_3.w);
+    var direction_21 : vec3<f32> = params_0.sun_direction_0 * vec3<f32>((1.0f - one_minus_cos_theta_0)) + (params_0.sun_tangent_0 * vec3<f32>((radius_1 * sin_cos_0.y)) + params_0.sun_bitangent_0 * vec3<f32>((radius_1 * sin_cos_0.x)));
+    var cos_theta_4 : f32 = with_slack_0(receiver_8, dot_product_0(receiver_8.normal_1, direction_21));
+    (*sample_2) = LightSample_x24init_0(ray_from_0(receiver_8.point_0, direction_21), cos_theta_4, params_0.sun_radiance_0, params_0.sun_pdf_0);
+    return cos_theta_4 > 0.0f;
 }
 
-fn BsdfSample_x24init_0( wi_1 : vec3<f32>,  weight_1 : vec3<f32>,  pdf_5 : f32,  is_delta_1 : bool) -> BsdfSample_0
+struct ChosenDirection_0
 {
-    var _S122 : BsdfSample_0;
-    _S122.wi_0 = wi_1;
-    _S122.weight_0 = weight_1;
-    _S122.pdf_4 = pdf_5;
-    _S122.is_delta_0 = is_delta_1;
-    return _S122;
+     direction_22 : vec3<f32>,
+     radiance_3 : vec3<f32>,
+     pdf_4 : f32,
+};
+
+fn ChosenDirection_x24init_0( direction_23 : vec3<f32>,  radiance_4 : vec3<f32>,  pdf_5 : f32) -> ChosenDirection_0
+{
+    var _S106 : ChosenDirection_0;
+    _S106.direction_22 = direction_23;
+    _S106.radiance_3 = radiance_4;
+    _S106.pdf_4 = pdf_5;
+    return _S106;
 }
 
-fn Diffuse_sample_0( this_20 : Diffuse_0,  wo_2 : vec3<f32>,  u_5 : vec3<f32>,  sample_2 : ptr<function, BsdfSample_0>) -> bool
+fn direction_of_0( square_0 : vec2<f32>) -> vec3<f32>
 {
-    var wi_2 : vec3<f32> = cosine_hemisphere_0(u_5.x, u_5.y);
-    (*sample_2) = BsdfSample_x24init_0(wi_2, this_20.reflectance_0, cosine_hemisphere_pdf_0(wi_2.z), false);
+    var u_4 : f32 = square_0.x * 2.0f - 1.0f;
+    var v_4 : f32 = square_0.y * 2.0f - 1.0f;
+    var _S107 : f32 = abs(u_4);
+    var _S108 : f32 = abs(v_4);
+    var height_1 : f32 = 1.0f - (_S107 + _S108);
+    var radius_2 : f32 = 1.0f - abs(height_1);
+    var turns_2 : f32;
+    if(radius_2 > 0.0f)
+    {
+        turns_2 = (divide_0(_S108 - _S107, radius_2) + 1.0f) * 0.125f;
+    }
+    else
+    {
+        turns_2 = 0.0f;
+    }
+    var sin_cos_1 : vec2<f32> = sincos_turns_0(turns_2);
+    var _S109 : f32 = radius_2 * radius_2;
+    var across_0 : f32 = radius_2 * square_root_0(2.0f - _S109);
+    var x_8 : f32 = sin_cos_1.y * across_0;
+    var y_4 : f32 = sin_cos_1.x * across_0;
+    var z_0 : f32 = 1.0f - _S109;
+    if(u_4 < 0.0f)
+    {
+        turns_2 = - x_8;
+    }
+    else
+    {
+        turns_2 = x_8;
+    }
+    var _S110 : f32;
+    if(v_4 < 0.0f)
+    {
+        _S110 = - y_4;
+    }
+    else
+    {
+        _S110 = y_4;
+    }
+    var _S111 : f32;
+    if(height_1 < 0.0f)
+    {
+        _S111 = - z_0;
+    }
+    else
+    {
+        _S111 = z_0;
+    }
+    return vec3<f32>(turns_2, _S110, _S111);
+}
+
+fn Environment_to_world_0( d_2 : vec3<f32>) -> vec3<f32>
+{
+    var sin_2 : f32 = params_0.sky_turned_0.x;
+    var cos_3 : f32 = params_0.sky_turned_0.y;
+    var _S112 : f32 = d_2.x;
+    var _S113 : f32 = d_2.y;
+    return vec3<f32>(_S112 * cos_3 + _S113 * sin_2, _S113 * cos_3 - _S112 * sin_2, d_2.z);
+}
+
+fn Environment_choose_0( u_5 : vec4<f32>,  chosen_0 : ptr<function, ChosenDirection_0>) -> bool
+{
+    var _S114 : vec3<f32> = vec3<f32>(0.0f);
+    (*chosen_0) = ChosenDirection_x24init_0(_S114, _S114, 0.0f);
+    var edge_0 : f32 = f32(params_0.sky_edge_0);
+    var _S115 : f32 = u_5.x * edge_0;
+    var _S116 : f32 = edge_0 - 1.0f;
+    var _S117 : f32 = min(floor(_S115), _S116);
+    var own_1 : u32 = u32(_S117) * params_0.sky_edge_0 + u32(min(floor(u_5.y * edge_0), _S116));
+    var index_14 : u32;
+    if((u_5.z) < (environment_0[own_1].threshold_0))
+    {
+        index_14 = own_1;
+    }
+    else
+    {
+        index_14 = environment_0[own_1].alias_0;
+    }
+    var pdf_6 : f32 = environment_0[index_14].pdf_0;
+    if((environment_0[index_14].pdf_0) <= 0.0f)
+    {
+        return false;
+    }
+    var _S118 : u32 = index_14 % params_0.sky_edge_0;
+    var _S119 : f32 = f32(_S118);
+    var _S120 : u32 = index_14 / params_0.sky_edge_0;
+    var place_2 : vec2<f32> = vec2<f32>(_S119, f32(_S120)) + vec2<f32>(min(_S115 - _S117, 1.0f), u_5.w);
+    (*chosen_0) = ChosenDirection_x24init_0(Environment_to_world_0(direction_of_0(place_2 * vec2<f32>(divide_0(1.0f, edge_0)))), Environment_radiance_at_0(place_2), pdf_6);
     return true;
 }
 
-fn MaterialBsdf_sample_0( this_21 : MaterialBsdf_0,  wo_3 : vec3<f32>,  u_6 : vec3<f32>,  sample_3 : ptr<function, BsdfSample_0>) -> bool
+fn Sky_sample_0( receiver_9 : Receiver_0,  u_6 : vec4<f32>,  sample_3 : ptr<function, LightSample_0>) -> bool
 {
-    var _S123 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_21.color_0), wo_3, u_6, &((*sample_3)));
+    (*sample_3) = no_light_0();
+    var chosen_1 : ChosenDirection_0;
+    var _S121 : bool;
+    if(SKY_0 != u32(1))
+    {
+        _S121 = true;
+    }
+    else
+    {
+        var _S122 : bool = Environment_choose_0(u_6, &(chosen_1));
+        _S121 = !_S122;
+    }
+    if(_S121)
+    {
+        return false;
+    }
+    var cos_theta_5 : f32 = dot_product_0(receiver_9.normal_1, chosen_1.direction_22);
+    (*sample_3) = LightSample_x24init_0(ray_from_0(receiver_9.point_0, chosen_1.direction_22), cos_theta_5, chosen_1.radiance_3 * vec3<f32>(params_0.sky_brightness_0), chosen_1.pdf_4);
+    return cos_theta_5 > 0.0f;
+}
+
+struct Descent_0
+{
+     node_3 : u32,
+     index_15 : u32,
+     count_2 : u32,
+     weight_0 : f32,
+     total_0 : f32,
+     choice_0 : f32,
+     is_far_3 : bool,
+};
+
+fn Descent_x24init_0( node_4 : u32,  index_16 : u32,  count_3 : u32,  weight_1 : f32,  total_1 : f32,  choice_1 : f32,  is_far_4 : bool) -> Descent_0
+{
+    var _S123 : Descent_0;
+    _S123.node_3 = node_4;
+    _S123.index_15 = index_16;
+    _S123.count_2 = count_3;
+    _S123.weight_0 = weight_1;
+    _S123.total_0 = total_1;
+    _S123.choice_0 = choice_1;
+    _S123.is_far_3 = is_far_4;
     return _S123;
 }
 
-fn Surface_world_direction_0( this_22 : Surface_0,  local_1 : vec3<f32>) -> vec3<f32>
+fn TopLights_node_0( index_17 : u32) -> LightNode_0
 {
-    var away_1 : f32;
-    if((((this_22.face_1) & (u32(1)))) == u32(1))
+    return top_light_node_0(index_17);
+}
+
+fn Descent_at_0( this_16 : ptr<function, Descent_0>,  root_2 : u32)
+{
+    var node_5 : LightNode_0 = TopLights_node_0(root_2);
+    (*this_16).node_3 = root_2;
+    (*this_16).index_15 = node_5.index_2;
+    (*this_16).count_2 = node_5.count_0;
+    (*this_16).is_far_3 = false;
+    return;
+}
+
+@id(1) override IS_SINGLE_0 : bool = false;
+
+fn normal_or_zero_0( weight_2 : f32) -> f32
+{
+    var _S124 : f32;
+    if(weight_2 < 1.17549435082228751e-38f)
     {
-        away_1 = local_1.z;
+        _S124 = 0.0f;
     }
     else
     {
-        away_1 = - local_1.z;
+        _S124 = weight_2;
     }
-    var _S124 : f32 = local_1.x;
-    var _S125 : f32 = local_1.y;
-    var _S126 : vec3<f32> = vec3<f32>(_S124, _S125, away_1);
-    var in_grid_2 : vec3<f32>;
-    if((this_22.face_1) < u32(2))
+    return _S124;
+}
+
+fn inverse_power_of_two_0( x_9 : f32) -> f32
+{
+    return (bitcast<f32>((((u32(254) - (((bitcast<u32>((x_9))) >> (u32(23))))) << (u32(23))))));
+}
+
+fn weights_of_0( left_0 : f32,  right_0 : f32) -> vec2<f32>
+{
+    var _S125 : f32 = normal_or_zero_0(left_0);
+    var _S126 : f32 = normal_or_zero_0(right_0);
+    var unit_0 : f32 = inverse_power_of_two_0(_S125 + _S126);
+    return vec2<f32>(normal_or_zero_0(_S125 * unit_0), normal_or_zero_0(_S126 * unit_0));
+}
+
+fn climb_0( receiver_10 : Receiver_0,  start_2 : u32,  descent_0 : ptr<function, Descent_0>) -> bool
+{
+    var node_6 : LightNode_0 = top_light_node_0(start_2);
+    var at_0 : u32 = start_2;
+    for(;;)
     {
-        in_grid_2 = vec3<f32>(away_1, _S124, _S125);
-    }
-    else
-    {
-        if((this_22.face_1) < u32(4))
+        var _S127 : LightNode_0 = node_6;
+        if((node_6.parent_0) != u32(4294967295))
         {
-            in_grid_2 = vec3<f32>(_S125, away_1, _S124);
         }
         else
         {
-            in_grid_2 = _S126;
+            break;
+        }
+        var parent_1 : LightNode_0 = top_light_node_0(_S127.parent_0);
+        var _S128 : u32 = _S127.parent_0 + u32(1);
+        var is_left_0 : bool = at_0 == _S128;
+        var _S129 : u32;
+        if(is_left_0)
+        {
+            _S129 = parent_1.index_2;
+        }
+        else
+        {
+            _S129 = _S128;
+        }
+        var _S130 : View_0 = view_0(node_6, receiver_10);
+        var _S131 : View_0 = view_0(top_light_node_0(_S129), receiver_10);
+        var _S132 : f32;
+        if(is_left_0)
+        {
+            _S132 = _S130.importance_0;
+        }
+        else
+        {
+            _S132 = _S131.importance_0;
+        }
+        var _S133 : f32;
+        if(is_left_0)
+        {
+            _S133 = _S131.importance_0;
+        }
+        else
+        {
+            _S133 = _S130.importance_0;
+        }
+        var weights_0 : vec2<f32> = weights_of_0(_S132, _S133);
+        var _S134 : f32 = weights_0.x;
+        var _S135 : f32 = weights_0.y;
+        var total_2 : f32 = _S134 + _S135;
+        if(!(total_2 > 0.0f))
+        {
+            return false;
+        }
+        var _S136 : f32;
+        if(is_left_0)
+        {
+            _S136 = _S134;
+        }
+        else
+        {
+            _S136 = _S135;
+        }
+        (*descent_0).weight_0 = (*descent_0).weight_0 * _S136;
+        (*descent_0).total_0 = (*descent_0).total_0 * total_2;
+        node_6 = parent_1;
+        at_0 = _S127.parent_0;
+    }
+    return ((*descent_0).weight_0) > 0.0f;
+}
+
+fn Hit_x24init_0( t_2 : f32,  instance_5 : u32,  voxel_3 : vec3<i32>,  face_2 : u32) -> Hit_0
+{
+    var _S137 : Hit_0;
+    _S137.t_0 = t_2;
+    _S137.instance_1 = instance_5;
+    _S137.voxel_1 = voxel_3;
+    _S137.face_0 = face_2;
+    return _S137;
+}
+
+fn miss_0() -> Hit_0
+{
+    return Hit_x24init_0((bitcast<f32>(infinity_bits_0)), u32(4294967295), vec3<i32>(i32(0)), u32(0));
+}
+
+fn by_chance_0() -> Aim_0
+{
+    return Aim_x24init_0(false, vec3<f32>(0.0f), miss_0(), 0.0f);
+}
+
+fn waits_for_pages_0() -> bool
+{
+    return false;
+}
+
+fn descend_0( receiver_11 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<function, Descent_0>) -> bool
+{
+    for(;;)
+    {
+        var _S138 : bool;
+        if(((*descent_1).count_2) == u32(0))
+        {
+            _S138 = !(*descent_1).is_far_3;
+        }
+        else
+        {
+            _S138 = false;
+        }
+        if(_S138)
+        {
+        }
+        else
+        {
+            break;
+        }
+        if(waits_for_pages_0())
+        {
+            return false;
+        }
+        var left_1 : LightNode_0 = TopLights_node_0((*descent_1).node_3 + u32(1));
+        var right_1 : LightNode_0 = TopLights_node_0((*descent_1).index_15);
+        var weights_1 : vec2<f32> = weights_of_0(view_0(left_1, receiver_11).importance_0, view_0(right_1, receiver_11).importance_0);
+        var _S139 : f32 = weights_1.x;
+        var _S140 : f32 = weights_1.y;
+        var total_3 : f32 = _S139 + _S140;
+        if(!(total_3 > 0.0f))
+        {
+            return false;
+        }
+        var _S141 : bool;
+        if(_S140 <= 0.0f)
+        {
+            _S141 = true;
+        }
+        else
+        {
+            _S141 = ((*descent_1).choice_0 * total_3) < (_S139 * (*descent_1).weight_0);
+        }
+        var is_left_1 : bool;
+        if(aim_0.is_met_0)
+        {
+            var _S142 : vec3<f32> = vec3<f32>(aim_0.hit_2.voxel_1);
+            if((all((_S142 >= (vector_of_0(left_1.min_0))))))
+            {
+                is_left_1 = (all((_S142 < (vector_of_0(left_1.max_0)))));
+            }
+            else
+            {
+                is_left_1 = false;
+            }
+        }
+        else
+        {
+            is_left_1 = _S141;
+        }
+        var _S143 : f32 = (*descent_1).choice_0 * total_3;
+        var _S144 : f32;
+        if(is_left_1)
+        {
+            _S144 = 0.0f;
+        }
+        else
+        {
+            _S144 = _S139 * (*descent_1).weight_0;
+        }
+        (*descent_1).choice_0 = _S143 - _S144;
+        var _S145 : u32;
+        if(is_left_1)
+        {
+            _S145 = (*descent_1).node_3 + u32(1);
+        }
+        else
+        {
+            _S145 = (*descent_1).index_15;
+        }
+        (*descent_1).node_3 = _S145;
+        var _S146 : u32;
+        if(is_left_1)
+        {
+            _S146 = left_1.index_2;
+        }
+        else
+        {
+            _S146 = right_1.index_2;
+        }
+        (*descent_1).index_15 = _S146;
+        var _S147 : u32;
+        if(is_left_1)
+        {
+            _S147 = left_1.count_0;
+        }
+        else
+        {
+            _S147 = right_1.count_0;
+        }
+        (*descent_1).count_2 = _S147;
+        (*descent_1).is_far_3 = false;
+        var _S148 : f32;
+        if(is_left_1)
+        {
+            _S148 = _S139;
+        }
+        else
+        {
+            _S148 = _S140;
+        }
+        var _S149 : f32 = (*descent_1).weight_0 * _S148;
+        (*descent_1).weight_0 = _S149;
+        (*descent_1).total_0 = (*descent_1).total_0 * total_3;
+        if(_S149 <= 0.0f)
+        {
+            return false;
+        }
+    }
+    return true;
+}
+
+fn Transform_point_0( this_17 : Transform_0,  v_5 : vec3<f32>) -> vec3<f32>
+{
+    return Transform_direction_0(this_17, v_5) + vector_of_0(this_17.translation_0);
+}
+
+fn normalize_vector_0( vector_2 : vec3<f32>) -> vec3<f32>
+{
+    return vector_2 * vec3<f32>(divide_0(1.0f, square_root_0(length_squared_0(vector_2))));
+}
+
+fn in_grid_0( instance_6 : u32,  receiver_12 : Receiver_0) -> Receiver_0
+{
+    if(IS_SINGLE_0)
+    {
+        return receiver_12;
+    }
+    var _S150 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(instance_6);
+    return Receiver_x24init_0(Transform_point_0(_S150.grid_from_world_0, receiver_12.point_0), normalize_vector_0(Transform_direction_0(_S150.grid_from_world_0, receiver_12.normal_1)));
+}
+
+fn lights_in_pages_0() -> bool
+{
+    return false;
+}
+
+fn Rows_operatorx5Bx5D_get_4( row_6 : u32) -> vec4<u32>
+{
+    return records_0[first_row_0(u32(5)) + row_6];
+}
+
+fn place_in_light_node_0( node_7 : u32,  word_5 : u32) -> u32
+{
+    return u32(0);
+}
+
+fn light_node_at_0( index_18 : u32) -> LightNode_0
+{
+    if(!lights_in_pages_0())
+    {
+        var _S151 : u32 = u32(4) * index_18;
+        return light_node_of_0(Rows_operatorx5Bx5D_get_4(_S151), Rows_operatorx5Bx5D_get_4(_S151 + u32(1)), Rows_operatorx5Bx5D_get_4(_S151 + u32(2)), Rows_operatorx5Bx5D_get_4(_S151 + u32(3)));
+    }
+    var at_1 : u32 = place_in_light_node_0(index_18, u32(0));
+    var node_8 : LightNode_0;
+    var i_0 : u32 = u32(0);
+    for(;;)
+    {
+        if(i_0 < u32(3))
+        {
+        }
+        else
+        {
+            break;
+        }
+        node_8.min_0[i_0] = (bitcast<f32>((cells_1[at_1 + i_0])));
+        node_8.max_0[i_0] = (bitcast<f32>((cells_1[at_1 + u32(4) + i_0])));
+        i_0 = i_0 + u32(1);
+    }
+    node_8.index_2 = cells_1[at_1 + u32(3)];
+    node_8.count_0 = cells_1[at_1 + u32(7)];
+    i_0 = u32(0);
+    for(;;)
+    {
+        if(i_0 < u32(6))
+        {
+        }
+        else
+        {
+            break;
+        }
+        node_8.power_2[i_0] = (bitcast<f32>((cells_1[at_1 + u32(8) + i_0])));
+        i_0 = i_0 + u32(1);
+    }
+    node_8.parent_0 = cells_1[at_1 + u32(14)];
+    node_8.root_1 = cells_1[at_1 + u32(15)];
+    return node_8;
+}
+
+fn GridLights_node_0( index_19 : u32) -> LightNode_0
+{
+    return light_node_at_0(index_19);
+}
+
+fn Descent_at_1( this_18 : ptr<function, Descent_0>,  root_3 : u32)
+{
+    var node_9 : LightNode_0 = GridLights_node_0(root_3);
+    (*this_18).node_3 = root_3;
+    (*this_18).index_15 = node_9.index_2;
+    (*this_18).count_2 = node_9.count_0;
+    (*this_18).is_far_3 = false;
+    return;
+}
+
+fn descend_1( receiver_13 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<function, Descent_0>) -> bool
+{
+    for(;;)
+    {
+        var _S152 : bool;
+        if(((*descent_2).count_2) == u32(0))
+        {
+            _S152 = !(*descent_2).is_far_3;
+        }
+        else
+        {
+            _S152 = false;
+        }
+        if(_S152)
+        {
+        }
+        else
+        {
+            break;
+        }
+        if(waits_for_pages_0())
+        {
+            return false;
+        }
+        var left_2 : LightNode_0 = GridLights_node_0((*descent_2).node_3 + u32(1));
+        var right_2 : LightNode_0 = GridLights_node_0((*descent_2).index_15);
+        var of_left_0 : View_0 = view_0(left_2, receiver_13);
+        var of_right_0 : View_0 = view_0(right_2, receiver_13);
+        var weights_2 : vec2<f32> = weights_of_0(of_left_0.importance_0, of_right_0.importance_0);
+        var _S153 : f32 = weights_2.x;
+        var _S154 : f32 = weights_2.y;
+        var total_4 : f32 = _S153 + _S154;
+        if(!(total_4 > 0.0f))
+        {
+            return false;
+        }
+        var _S155 : bool;
+        if(_S154 <= 0.0f)
+        {
+            _S155 = true;
+        }
+        else
+        {
+            _S155 = ((*descent_2).choice_0 * total_4) < (_S153 * (*descent_2).weight_0);
+        }
+        var is_left_2 : bool;
+        if(aim_1.is_met_0)
+        {
+            var _S156 : vec3<f32> = vec3<f32>(aim_1.hit_2.voxel_1);
+            if((all((_S156 >= (vector_of_0(left_2.min_0))))))
+            {
+                is_left_2 = (all((_S156 < (vector_of_0(left_2.max_0)))));
+            }
+            else
+            {
+                is_left_2 = false;
+            }
+        }
+        else
+        {
+            is_left_2 = _S155;
+        }
+        var _S157 : f32 = (*descent_2).choice_0 * total_4;
+        var _S158 : f32;
+        if(is_left_2)
+        {
+            _S158 = 0.0f;
+        }
+        else
+        {
+            _S158 = _S153 * (*descent_2).weight_0;
+        }
+        (*descent_2).choice_0 = _S157 - _S158;
+        var _S159 : u32;
+        if(is_left_2)
+        {
+            _S159 = (*descent_2).node_3 + u32(1);
+        }
+        else
+        {
+            _S159 = (*descent_2).index_15;
+        }
+        (*descent_2).node_3 = _S159;
+        var _S160 : u32;
+        if(is_left_2)
+        {
+            _S160 = left_2.index_2;
+        }
+        else
+        {
+            _S160 = right_2.index_2;
+        }
+        (*descent_2).index_15 = _S160;
+        var _S161 : u32;
+        if(is_left_2)
+        {
+            _S161 = left_2.count_0;
+        }
+        else
+        {
+            _S161 = right_2.count_0;
+        }
+        (*descent_2).count_2 = _S161;
+        var _S162 : bool;
+        if(is_left_2)
+        {
+            _S162 = of_left_0.is_far_0;
+        }
+        else
+        {
+            _S162 = of_right_0.is_far_0;
+        }
+        (*descent_2).is_far_3 = _S162;
+        var _S163 : f32;
+        if(is_left_2)
+        {
+            _S163 = _S153;
+        }
+        else
+        {
+            _S163 = _S154;
+        }
+        var _S164 : f32 = (*descent_2).weight_0 * _S163;
+        (*descent_2).weight_0 = _S164;
+        (*descent_2).total_0 = (*descent_2).total_0 * total_4;
+        if(_S164 <= 0.0f)
+        {
+            return false;
+        }
+    }
+    return true;
+}
+
+fn choose_side_0( point_3 : vec3<f32>,  is_met_2 : bool,  way_0 : Descent_0,  side_0 : ptr<function, u32>,  odds_0 : ptr<function, vec2<f32>>) -> bool
+{
+    var node_10 : LightNode_0 = light_node_at_0(way_0.node_3);
+    var _S165 : vec3<f32> = vector_of_0(node_10.max_0);
+    var _S166 : vec3<f32> = vector_of_0(node_10.min_0);
+    var _S167 : vec3<f32> = vec3<f32>(0.5f);
+    var half_1 : vec3<f32> = (_S165 - _S166) * _S167;
+    var toward_1 : vec3<f32> = (_S166 + _S165) * _S167 - point_3;
+    var sent_1 : BySide_0 = sent_by_side_0(node_10, point_3, length_bound_0(select(half_1, abs(toward_1), vec3<bool>(((length_squared_0(toward_1)) > (length_squared_0(half_1)))))));
+    var sum_0 : f32 = normal_or_zero_0(BySide_sum_0(sent_1));
+    var unit_1 : f32 = inverse_power_of_two_0(sum_0);
+    var total_5 : f32 = sum_0 * unit_1;
+    var _S168 : f32 = way_0.choice_0 * total_5;
+    var _S169 : u32 = (*side_0);
+    var share_0 : f32 = normal_or_zero_0(sent_1.low_0[u32(0)] * unit_1);
+    var _S170 : bool;
+    if(is_met_2)
+    {
+        _S170 = u32(0) == _S169;
+    }
+    else
+    {
+        _S170 = share_0 > 0.0f;
+    }
+    var chosen_2 : f32;
+    if(_S170)
+    {
+        (*side_0) = u32(0);
+        chosen_2 = share_0;
+    }
+    else
+    {
+        chosen_2 = 0.0f;
+    }
+    var _S171 : bool = _S168 < (share_0 * way_0.weight_0);
+    var share_1 : f32 = normal_or_zero_0(sent_1.high_0[u32(0)] * unit_1);
+    if(is_met_2)
+    {
+        _S170 = u32(1) == _S169;
+    }
+    else
+    {
+        if(share_1 > 0.0f)
+        {
+            _S170 = !_S171;
+        }
+        else
+        {
+            _S170 = false;
+        }
+    }
+    if(_S170)
+    {
+        (*side_0) = u32(1);
+        chosen_2 = share_1;
+    }
+    var passed_0 : f32 = share_0 + share_1;
+    if(_S171)
+    {
+        _S170 = true;
+    }
+    else
+    {
+        _S170 = _S168 < (passed_0 * way_0.weight_0);
+    }
+    var share_2 : f32 = normal_or_zero_0(sent_1.low_0[u32(1)] * unit_1);
+    var _S172 : bool;
+    if(is_met_2)
+    {
+        _S172 = u32(2) == _S169;
+    }
+    else
+    {
+        if(share_2 > 0.0f)
+        {
+            _S172 = !_S170;
+        }
+        else
+        {
+            _S172 = false;
+        }
+    }
+    if(_S172)
+    {
+        (*side_0) = u32(2);
+        chosen_2 = share_2;
+    }
+    var passed_1 : f32 = passed_0 + share_2;
+    if(_S170)
+    {
+        _S170 = true;
+    }
+    else
+    {
+        _S170 = _S168 < (passed_1 * way_0.weight_0);
+    }
+    var share_3 : f32 = normal_or_zero_0(sent_1.high_0[u32(1)] * unit_1);
+    if(is_met_2)
+    {
+        _S172 = u32(3) == _S169;
+    }
+    else
+    {
+        if(share_3 > 0.0f)
+        {
+            _S172 = !_S170;
+        }
+        else
+        {
+            _S172 = false;
+        }
+    }
+    if(_S172)
+    {
+        (*side_0) = u32(3);
+        chosen_2 = share_3;
+    }
+    var passed_2 : f32 = passed_1 + share_3;
+    if(_S170)
+    {
+        _S170 = true;
+    }
+    else
+    {
+        _S170 = _S168 < (passed_2 * way_0.weight_0);
+    }
+    var share_4 : f32 = normal_or_zero_0(sent_1.low_0[u32(2)] * unit_1);
+    if(is_met_2)
+    {
+        _S172 = u32(4) == _S169;
+    }
+    else
+    {
+        if(share_4 > 0.0f)
+        {
+            _S172 = !_S170;
+        }
+        else
+        {
+            _S172 = false;
+        }
+    }
+    if(_S172)
+    {
+        (*side_0) = u32(4);
+        chosen_2 = share_4;
+    }
+    var passed_3 : f32 = passed_2 + share_4;
+    if(_S170)
+    {
+        _S170 = true;
+    }
+    else
+    {
+        _S170 = _S168 < (passed_3 * way_0.weight_0);
+    }
+    var share_5 : f32 = normal_or_zero_0(sent_1.high_0[u32(2)] * unit_1);
+    if(is_met_2)
+    {
+        _S170 = u32(5) == _S169;
+    }
+    else
+    {
+        if(share_5 > 0.0f)
+        {
+            _S170 = !_S170;
+        }
+        else
+        {
+            _S170 = false;
+        }
+    }
+    if(_S170)
+    {
+        (*side_0) = u32(5);
+        chosen_2 = share_5;
+    }
+    (*odds_0) = vec2<f32>(way_0.weight_0 * chosen_2, way_0.total_0 * total_5);
+    if(sum_0 > 0.0f)
+    {
+        _S170 = ((*odds_0).x) > 0.0f;
+    }
+    else
+    {
+        _S170 = false;
+    }
+    return _S170;
+}
+
+fn light_node_word_0( index_20 : u32,  word_6 : u32) -> u32
+{
+    return Rows_operatorx5Bx5D_get_4(u32(4) * index_20 + ((word_6 >> (u32(2)))))[(word_6 & (u32(3)))];
+}
+
+fn light_power_at_0( index_21 : u32,  side_1 : u32) -> f32
+{
+    var _S173 : u32;
+    if(lights_in_pages_0())
+    {
+        _S173 = cells_1[place_in_light_node_0(index_21, u32(8) + side_1)];
+    }
+    else
+    {
+        _S173 = light_node_word_0(index_21, u32(8) + side_1);
+    }
+    return (bitcast<f32>((_S173)));
+}
+
+fn component_0( vector_3 : vec3<f32>,  axis_0 : u32) -> f32
+{
+    return select(select(vector_3.z, vector_3.y, axis_0 == u32(1)), vector_3.x, axis_0 == u32(0));
+}
+
+fn density_0( odds_1 : vec2<f32>,  luminance_3 : f32,  power_3 : f32,  toward_2 : vec3<f32>,  face_3 : u32) -> f32
+{
+    var along_0 : f32 = component_0(toward_2, (face_3 >> (u32(1))));
+    var in_front_0 : f32;
+    if(((face_3 & (u32(1)))) == u32(1))
+    {
+        in_front_0 = - along_0;
+    }
+    else
+    {
+        in_front_0 = along_0;
+    }
+    var distance_squared_0 : f32 = length_squared_0(toward_2);
+    var unit_2 : f32 = inverse_power_of_two_0(power_3);
+    var share_6 : f32 = odds_1.x * (luminance_3 * unit_2) * (distance_squared_0 * square_root_0(distance_squared_0));
+    if(in_front_0 > 0.0f)
+    {
+        in_front_0 = divide_0(share_6, odds_1.y * (power_3 * unit_2) * in_front_0);
+    }
+    else
+    {
+        in_front_0 = -1.0f;
+    }
+    return in_front_0;
+}
+
+struct Emitter_0
+{
+     voxel_4 : array<i32, i32(3)>,
+     grid_7 : u32,
+     faces_0 : u32,
+     material_5 : u32,
+     luminance_4 : f32,
+     leaf_0 : u32,
+};
+
+fn below_light_node_0( index_22 : u32) -> vec2<u32>
+{
+    if(!lights_in_pages_0())
+    {
+        return vec2<u32>(light_node_word_0(index_22, u32(3)), light_node_word_0(index_22, u32(7)));
+    }
+    var at_2 : u32 = place_in_light_node_0(index_22, u32(0));
+    return vec2<u32>(cells_1[at_2 + u32(3)], cells_1[at_2 + u32(7)]);
+}
+
+fn place_in_emitter_0( emitter_0 : u32,  word_7 : u32) -> u32
+{
+    return u32(0);
+}
+
+fn Rows_operatorx5Bx5D_get_5( row_7 : u32) -> vec4<u32>
+{
+    return records_0[first_row_0(u32(4)) + row_7];
+}
+
+fn emitter_word_0( index_23 : u32,  word_8 : u32) -> u32
+{
+    return Rows_operatorx5Bx5D_get_5(u32(2) * index_23 + ((word_8 >> (u32(2)))))[(word_8 & (u32(3)))];
+}
+
+fn emitter_faces_at_0( index_24 : u32) -> u32
+{
+    var _S174 : u32;
+    if(lights_in_pages_0())
+    {
+        _S174 = cells_1[place_in_emitter_0(index_24, u32(4))];
+    }
+    else
+    {
+        _S174 = emitter_word_0(index_24, u32(4));
+    }
+    return _S174;
+}
+
+fn emitter_luminance_at_0( index_25 : u32) -> f32
+{
+    var _S175 : f32;
+    if(lights_in_pages_0())
+    {
+        _S175 = (bitcast<f32>((cells_1[place_in_emitter_0(index_25, u32(6))])));
+    }
+    else
+    {
+        _S175 = (bitcast<f32>((emitter_word_0(index_25, u32(6)))));
+    }
+    return _S175;
+}
+
+fn Emitter_x24init_0( voxel_5 : array<i32, i32(3)>,  grid_8 : u32,  faces_1 : u32,  material_6 : u32,  luminance_5 : f32,  leaf_1 : u32) -> Emitter_0
+{
+    var _S176 : Emitter_0;
+    _S176.voxel_4 = voxel_5;
+    _S176.grid_7 = grid_8;
+    _S176.faces_0 = faces_1;
+    _S176.material_5 = material_6;
+    _S176.luminance_4 = luminance_5;
+    _S176.leaf_0 = leaf_1;
+    return _S176;
+}
+
+fn emitter_at_0( index_26 : u32) -> Emitter_0
+{
+    if(!lights_in_pages_0())
+    {
+        var _S177 : u32 = u32(2) * index_26;
+        var _S178 : vec4<u32> = Rows_operatorx5Bx5D_get_5(_S177);
+        var _S179 : vec4<u32> = Rows_operatorx5Bx5D_get_5(_S177 + u32(1));
+        var _S180 : array<i32, i32(3)> = array<i32, i32(3)>( i32(_S178.x), i32(_S178.y), i32(_S178.z) );
+        return Emitter_x24init_0(_S180, _S178.w, _S179.x, _S179.y, (bitcast<f32>((_S179.z))), _S179.w);
+    }
+    var at_3 : u32 = place_in_emitter_0(index_26, u32(0));
+    var _S181 : array<i32, i32(3)> = array<i32, i32(3)>( i32(cells_1[at_3]), i32(cells_1[at_3 + u32(1)]), i32(cells_1[at_3 + u32(2)]) );
+    return Emitter_x24init_0(_S181, cells_1[at_3 + u32(3)], cells_1[at_3 + u32(4)], cells_1[at_3 + u32(5)], (bitcast<f32>((cells_1[at_3 + u32(6)]))), cells_1[at_3 + u32(7)]);
+}
+
+fn choose_emitter_0( way_1 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Emitter_0
+{
+    var is_found_0 : bool;
+    var is_left_3 : bool;
+    var count_4 : u32 = way_1.count_2;
+    var node_11 : u32 = way_1.node_3;
+    var index_27 : u32 = way_1.index_15;
+    var _S182 : f32 = threshold_1;
+    for(;;)
+    {
+        if(count_4 == u32(0))
+        {
+            is_found_0 = !waits_for_pages_0();
+        }
+        else
+        {
+            is_found_0 = false;
+        }
+        if(is_found_0)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var left_3 : u32 = node_11 + u32(1);
+        var power_left_0 : f32 = light_power_at_0(left_3, side_2);
+        if(_S182 < power_left_0)
+        {
+            is_left_3 = true;
+        }
+        else
+        {
+            is_left_3 = (light_power_at_0(index_27, side_2)) <= 0.0f;
+        }
+        if(is_left_3)
+        {
+        }
+        else
+        {
+            _S182 = _S182 - power_left_0;
+        }
+        if(is_left_3)
+        {
+            node_11 = left_3;
+        }
+        else
+        {
+            node_11 = index_27;
+        }
+        var below_0 : vec2<u32> = below_light_node_0(node_11);
+        var _S183 : u32 = below_0.x;
+        count_4 = below_0.y;
+        index_27 = _S183;
+    }
+    is_found_0 = false;
+    var chosen_3 : u32 = index_27;
+    var at_4 : u32 = index_27;
+    for(;;)
+    {
+        if(at_4 < (index_27 + count_4))
+        {
+            is_left_3 = !is_found_0;
+        }
+        else
+        {
+            is_left_3 = false;
+        }
+        if(is_left_3)
+        {
+        }
+        else
+        {
+            break;
+        }
+        if((((((emitter_faces_at_0(at_4)) >> (side_2))) & (u32(1)))) != u32(0))
+        {
+            var _S184 : f32 = _S182 - emitter_luminance_at_0(at_4);
+            is_found_0 = _S182 < (emitter_luminance_at_0(at_4));
+            chosen_3 = at_4;
+            _S182 = _S184;
+        }
+        at_4 = at_4 + u32(1);
+    }
+    return emitter_at_0(chosen_3);
+}
+
+fn point_of_face_0( low_3 : vec3<f32>,  face_4 : u32,  u_7 : f32,  v_6 : f32) -> vec3<f32>
+{
+    var away_0 : f32;
+    if(((face_4 & (u32(1)))) == u32(1))
+    {
+        away_0 = 1.0f;
+    }
+    else
+    {
+        away_0 = 0.0f;
+    }
+    if(face_4 < u32(2))
+    {
+        return low_3 + vec3<f32>(away_0, u_7, v_6);
+    }
+    if(face_4 < u32(4))
+    {
+        return low_3 + vec3<f32>(u_7, away_0, v_6);
+    }
+    return low_3 + vec3<f32>(u_7, v_6, away_0);
+}
+
+fn margin_of_0( translation_1 : vec3<f32>,  low_4 : vec3<f32>) -> f32
+{
+    return clamp((max_element_0(abs(low_4) + abs(translation_1)) + 1.0f) * 4.76837158203125e-07f, 0.0009765625f, 0.25f);
+}
+
+fn offset_ray_origin_0( translation_2 : vec3<f32>,  low_5 : vec3<f32>,  face_5 : u32,  point_4 : vec3<f32>) -> vec3<f32>
+{
+    var margin_0 : f32 = margin_of_0(translation_2, low_5);
+    var _S185 : vec3<f32> = vec3<f32>(margin_0);
+    var moved_0 : vec3<f32> = min(max(point_4, low_5 + _S185), low_5 + vec3<f32>((1.0f - margin_0)));
+    var _S186 : bool = face_5 < u32(2);
+    var _S187 : bool;
+    if(face_5 >= u32(2))
+    {
+        _S187 = face_5 < u32(4);
+    }
+    else
+    {
+        _S187 = false;
+    }
+    var is_axis_0 : vec3<bool> = vec3<bool>(_S186, _S187, face_5 >= u32(4));
+    var outside_0 : vec3<f32>;
+    if(((face_5 & (u32(1)))) == u32(1))
+    {
+        outside_0 = low_5 + vec3<f32>((1.0f + margin_0));
+    }
+    else
+    {
+        outside_0 = low_5 - _S185;
+    }
+    return select(moved_0, outside_0, is_axis_0);
+}
+
+fn sample_emitter_0( receiver_14 : Receiver_0,  u_8 : vec4<f32>,  aim_2 : Aim_0,  sample_4 : ptr<function, LightSample_0>) -> bool
+{
+    (*sample_4) = no_light_0();
+    if((params_0.light_node_count_0) == u32(0))
+    {
+        return false;
+    }
+    var descent_3 : Descent_0 = Descent_x24init_0(u32(0), u32(0), u32(0), 1.0f, 1.0f, u_8.x, false);
+    Descent_at_0(&(descent_3), u32(0));
+    var _S188 : bool;
+    if(!IS_SINGLE_0)
+    {
+        _S188 = aim_2.is_met_0;
+    }
+    else
+    {
+        _S188 = false;
+    }
+    if(_S188)
+    {
+        var _S189 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(aim_2.hit_2.instance_1);
+        if((_S189.light_leaf_0) == u32(4294967295))
+        {
+            _S188 = true;
+        }
+        else
+        {
+            var _S190 : bool = climb_0(receiver_14, _S189.light_leaf_0, &(descent_3));
+            _S188 = !_S190;
+        }
+        if(_S188)
+        {
+            return false;
+        }
+        Descent_at_0(&(descent_3), _S189.light_leaf_0);
+    }
+    else
+    {
+        if(!IS_SINGLE_0)
+        {
+            var _S191 : bool = descend_0(receiver_14, by_chance_0(), &(descent_3));
+            _S188 = !_S191;
+        }
+        else
+        {
+            _S188 = false;
+        }
+        if(_S188)
+        {
+            return false;
+        }
+    }
+    var chosen_instance_0 : u32 = descent_3.index_15;
+    var local_0 : Receiver_0 = in_grid_0(descent_3.index_15, receiver_14);
+    Descent_at_1(&(descent_3), top_light_node_0(descent_3.node_3).root_1);
+    var _S192 : bool = descend_1(local_0, aim_2, &(descent_3));
+    if(!_S192)
+    {
+        return false;
+    }
+    var side_3 : u32 = aim_2.hit_2.face_0;
+    var odds_2 : vec2<f32>;
+    var _S193 : bool = choose_side_0(local_0.point_0, aim_2.is_met_0, descent_3, &(side_3), &(odds_2));
+    if(!_S193)
+    {
+        return false;
+    }
+    var power_4 : f32 = light_power_at_0(descent_3.node_3, side_3);
+    var _S194 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(chosen_instance_0);
+    if(aim_2.is_met_0)
+    {
+        var _S195 : f32 = density_0(odds_2, aim_2.luminance_1, power_4, Transform_direction_0(_S194.grid_from_world_0, aim_2.direction_17) * vec3<f32>(aim_2.hit_2.t_0), side_3);
+        (*sample_4).pdf_2 = _S195;
+        return _S195 > 0.0f;
+    }
+    var emitter_1 : Emitter_0 = choose_emitter_0(descent_3, side_3, u_8.y * power_4);
+    var _S196 : vec3<f32> = vec3<f32>(cell_of_0(emitter_1.voxel_4));
+    var on_face_0 : vec3<f32> = point_of_face_0(_S196, side_3, u_8.z, u_8.w);
+    var pdf_7 : f32 = density_0(odds_2, emitter_1.luminance_4, power_4, on_face_0 - local_0.point_0, side_3);
+    if(pdf_7 < 0.0f)
+    {
+        return false;
+    }
+    var direction_24 : vec3<f32> = Transform_point_0(_S194.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S194.grid_from_world_0.translation_0), _S196, side_3, on_face_0)) - receiver_14.point_0;
+    var cos_theta_6 : f32 = with_slack_0(receiver_14, divide_0(dot_product_0(receiver_14.normal_1, direction_24), square_root_0(length_squared_0(direction_24))));
+    (*sample_4) = LightSample_x24init_0(Ray_x24init_0(receiver_14.point_0, 0.0f, direction_24, 1.0f), cos_theta_6, emitted_0(material_of_index_0(emitter_1.material_5)), pdf_7);
+    return cos_theta_6 > 0.0f;
+}
+
+fn EmitterTree_sample_0( receiver_15 : Receiver_0,  u_9 : vec4<f32>,  aim_3 : Aim_0,  sample_5 : ptr<function, LightSample_0>) -> bool
+{
+    var _S197 : bool = sample_emitter_0(receiver_15, u_9, aim_3, &((*sample_5)));
+    return _S197;
+}
+
+fn Lights_sample_0( receiver_16 : Receiver_0,  selection_3 : Selection_0,  u_10 : vec4<f32>,  aim_4 : Aim_0,  sample_6 : ptr<function, LightSample_0>) -> bool
+{
+    var is_found_1 : bool;
+    if(has_sun_0())
+    {
+        is_found_1 = !aim_4.is_met_0;
+    }
+    else
+    {
+        is_found_1 = false;
+    }
+    if(is_found_1)
+    {
+        is_found_1 = (u_10.x) < (selection_3.sun_0);
+    }
+    else
+    {
+        is_found_1 = false;
+    }
+    if(is_found_1)
+    {
+        var _S198 : bool = SunDisc_sample_0(receiver_16, u_10, &((*sample_6)));
+        (*sample_6).pdf_2 = (*sample_6).pdf_2 * selection_3.sun_0;
+        is_found_1 = _S198;
+    }
+    else
+    {
+        if(Lights_has_chosen_sky_0())
+        {
+            is_found_1 = !aim_4.is_met_0;
+        }
+        else
+        {
+            is_found_1 = false;
+        }
+        if(is_found_1)
+        {
+            is_found_1 = (u_10.x) < (selection_3.sun_0 + selection_3.sky_1);
+        }
+        else
+        {
+            is_found_1 = false;
+        }
+        if(is_found_1)
+        {
+            var _S199 : bool = Sky_sample_0(receiver_16, vec4<f32>(min(divide_0(u_10.x - selection_3.sun_0, selection_3.sky_1), 0.99999994039535522f), u_10.yzw), &((*sample_6)));
+            (*sample_6).pdf_2 = (*sample_6).pdf_2 * selection_3.sky_1;
+            is_found_1 = _S199;
+        }
+        else
+        {
+            var _S200 : bool = EmitterTree_sample_0(receiver_16, vec4<f32>(min(divide_0(u_10.x - (selection_3.sun_0 + selection_3.sky_1), selection_3.emitters_0), 0.99999994039535522f), u_10.yzw), aim_4, &((*sample_6)));
+            (*sample_6).pdf_2 = (*sample_6).pdf_2 * selection_3.emitters_0;
+            is_found_1 = _S200;
+        }
+    }
+    return is_found_1;
+}
+
+fn ior_of_0( inside_3 : Inside_0) -> f32
+{
+    var _S201 : f32;
+    if(Inside_is_in_0(inside_3))
+    {
+        _S201 = material_of_index_0(inside_3.material_0).ior_0;
+    }
+    else
+    {
+        _S201 = 1.0f;
+    }
+    return _S201;
+}
+
+fn Microfacets_x24init_0( alpha_1 : f32) -> Microfacets_0
+{
+    var _S202 : Microfacets_0;
+    _S202.alpha_0 = alpha_1;
+    return _S202;
+}
+
+fn MaterialBsdf_x24init_0( kind_1 : u32,  color_2 : vec3<f32>,  specular_2 : f32,  eta_1 : f32,  facets_1 : Microfacets_0) -> MaterialBsdf_0
+{
+    var _S203 : MaterialBsdf_0;
+    _S203.kind_0 = kind_1;
+    _S203.color_0 = color_2;
+    _S203.specular_0 = specular_2;
+    _S203.eta_0 = eta_1;
+    _S203.facets_0 = facets_1;
+    return _S203;
+}
+
+fn bsdf_of_0( material_7 : PackedMaterial_0,  ior_1 : f32,  choice_2 : ptr<function, f32>) -> MaterialBsdf_0
+{
+    return MaterialBsdf_x24init_0(u32(0), vector_of_0(material_7.base_color_0), 0.0f, 1.0f, Microfacets_x24init_0(1.0f));
+}
+
+fn MaterialBsdf_albedo_0( this_19 : MaterialBsdf_0) -> vec3<f32>
+{
+    return this_19.color_0;
+}
+
+var<private> ends_here_0 : bool;
+
+fn roulette_0( event_1 : u32,  scattered_1 : vec3<f32>,  u_11 : f32) -> f32
+{
+    if(event_1 < u32(3))
+    {
+        return 1.0f;
+    }
+    var _S204 : f32 = min(max_element_0(scattered_1), 0.94999998807907104f);
+    var _S205 : f32;
+    if(u_11 < _S204)
+    {
+        _S205 = divide_0(1.0f, _S204);
+    }
+    else
+    {
+        _S205 = 0.0f;
+    }
+    return _S205;
+}
+
+fn face_normal_0( face_6 : u32) -> vec3<f32>
+{
+    var away_1 : f32;
+    if(((face_6 & (u32(1)))) == u32(1))
+    {
+        away_1 = 1.0f;
+    }
+    else
+    {
+        away_1 = -1.0f;
+    }
+    var _S206 : f32;
+    if(face_6 < u32(2))
+    {
+        _S206 = away_1;
+    }
+    else
+    {
+        _S206 = 0.0f;
+    }
+    var _S207 : bool;
+    if(face_6 >= u32(2))
+    {
+        _S207 = face_6 < u32(4);
+    }
+    else
+    {
+        _S207 = false;
+    }
+    var _S208 : f32;
+    if(_S207)
+    {
+        _S208 = away_1;
+    }
+    else
+    {
+        _S208 = 0.0f;
+    }
+    if(face_6 >= u32(4))
+    {
+    }
+    else
+    {
+        away_1 = 0.0f;
+    }
+    return vec3<f32>(_S206, _S208, away_1);
+}
+
+fn world_normal_0( instance_7 : PackedInstance_0,  face_7 : u32) -> vec3<f32>
+{
+    return normalize_vector_0(Transform_direction_0(instance_7.world_from_grid_0, face_normal_0(face_7)));
+}
+
+fn surface_of_0( ray_6 : Ray_0,  hit_4 : Hit_0) -> Surface_0
+{
+    var surface_1 : Surface_0;
+    var _S209 : vec3<f32> = vec3<f32>(hit_4.voxel_1);
+    if(IS_SINGLE_0)
+    {
+        surface_1.origin_3 = offset_ray_origin_0(vec3<f32>(0.0f), _S209, hit_4.face_0, ray_6.origin_1 + ray_6.direction_1 * vec3<f32>(hit_4.t_0));
+        surface_1.normal_2 = face_normal_0(hit_4.face_0);
+    }
+    else
+    {
+        var _S210 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(hit_4.instance_1);
+        surface_1.origin_3 = Transform_point_0(_S210.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S210.grid_from_world_0.translation_0), _S209, hit_4.face_0, Transform_point_0(_S210.grid_from_world_0, ray_6.origin_1) + Transform_direction_0(_S210.grid_from_world_0, ray_6.direction_1) * vec3<f32>(hit_4.t_0)));
+        surface_1.normal_2 = world_normal_0(_S210, hit_4.face_0);
+    }
+    surface_1.face_1 = hit_4.face_0;
+    surface_1.instance_3 = hit_4.instance_1;
+    return surface_1;
+}
+
+fn Surface_local_direction_0( this_20 : Surface_0,  world_0 : vec3<f32>) -> vec3<f32>
+{
+    var in_grid_1 : vec3<f32>;
+    if(!IS_SINGLE_0)
+    {
+        in_grid_1 = Transform_direction_0(Instances_operatorx5Bx5D_get_0(this_20.instance_3).grid_from_world_0, world_0);
+    }
+    else
+    {
+        in_grid_1 = world_0;
+    }
+    var in_grid_2 : vec3<f32> = normalize_vector_0(in_grid_1);
+    var local_1 : vec3<f32>;
+    if((this_20.face_1) < u32(2))
+    {
+        local_1 = in_grid_2.yzx;
+    }
+    else
+    {
+        if((this_20.face_1) < u32(4))
+        {
+            local_1 = in_grid_2.zxy;
+        }
+        else
+        {
+            local_1 = in_grid_2;
+        }
+    }
+    if((((this_20.face_1) & (u32(1)))) == u32(1))
+    {
+        in_grid_1 = local_1;
+    }
+    else
+    {
+        in_grid_1 = vec3<f32>(local_1.xy, - local_1.z);
+    }
+    return in_grid_1;
+}
+
+fn clamp_to_voxel_0( translation_3 : vec3<f32>,  low_6 : vec3<f32>,  point_5 : vec3<f32>) -> vec3<f32>
+{
+    var margin_1 : f32 = margin_of_0(translation_3, low_6);
+    return min(max(point_5, low_6 + vec3<f32>(margin_1)), low_6 + vec3<f32>((1.0f - margin_1)));
+}
+
+fn Inside_point_0( this_21 : Inside_0,  ray_7 : Ray_0,  t_3 : f32) -> vec3<f32>
+{
+    var _S211 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(this_21.instance_0);
+    return Transform_point_0(_S211.world_from_grid_0, clamp_to_voxel_0(vector_of_0(_S211.grid_from_world_0.translation_0), vec3<f32>(this_21.voxel_0), Transform_point_0(_S211.grid_from_world_0, ray_7.origin_1) + Transform_direction_0(_S211.grid_from_world_0, ray_7.direction_1) * vec3<f32>(t_3)));
+}
+
+fn MaterialBsdf_is_delta_0( this_22 : MaterialBsdf_0) -> bool
+{
+    return false;
+}
+
+fn Scatter_x24init_0( path_4 : Path_0,  receiver_17 : Receiver_0,  surface_2 : Surface_0,  bsdf_1 : MaterialBsdf_0,  wo_1 : vec3<f32>,  compensation_1 : f32,  is_scattered_1 : bool,  wants_light_1 : bool) -> Scatter_0
+{
+    var _S212 : Scatter_0;
+    _S212.path_0 = path_4;
+    _S212.receiver_0 = receiver_17;
+    _S212.surface_0 = surface_2;
+    _S212.bsdf_0 = bsdf_1;
+    _S212.wo_0 = wo_1;
+    _S212.compensation_0 = compensation_1;
+    _S212.is_scattered_0 = is_scattered_1;
+    _S212.wants_light_0 = wants_light_1;
+    return _S212;
+}
+
+struct BsdfSample_0
+{
+     wi_0 : vec3<f32>,
+     weight_3 : vec3<f32>,
+     pdf_8 : f32,
+     is_delta_0 : bool,
+};
+
+struct Diffuse_0
+{
+     reflectance_0 : vec3<f32>,
+};
+
+fn Diffuse_x24init_0( reflectance_1 : vec3<f32>) -> Diffuse_0
+{
+    var _S213 : Diffuse_0;
+    _S213.reflectance_0 = reflectance_1;
+    return _S213;
+}
+
+fn cosine_hemisphere_0( u_12 : f32,  v_7 : f32) -> vec3<f32>
+{
+    var radius_3 : f32 = square_root_0(u_12);
+    var sin_cos_2 : vec2<f32> = sincos_turns_0(v_7);
+    return vec3<f32>(radius_3 * sin_cos_2.y, radius_3 * sin_cos_2.x, square_root_0(1.0f - u_12));
+}
+
+fn cosine_hemisphere_pdf_0( cos_theta_7 : f32) -> f32
+{
+    return max(cos_theta_7, 0.0f) * 0.31830987334251404f;
+}
+
+fn BsdfSample_x24init_0( wi_1 : vec3<f32>,  weight_4 : vec3<f32>,  pdf_9 : f32,  is_delta_1 : bool) -> BsdfSample_0
+{
+    var _S214 : BsdfSample_0;
+    _S214.wi_0 = wi_1;
+    _S214.weight_3 = weight_4;
+    _S214.pdf_8 = pdf_9;
+    _S214.is_delta_0 = is_delta_1;
+    return _S214;
+}
+
+fn Diffuse_sample_0( this_23 : Diffuse_0,  wo_2 : vec3<f32>,  u_13 : vec3<f32>,  sample_7 : ptr<function, BsdfSample_0>) -> bool
+{
+    var wi_2 : vec3<f32> = cosine_hemisphere_0(u_13.x, u_13.y);
+    (*sample_7) = BsdfSample_x24init_0(wi_2, this_23.reflectance_0, cosine_hemisphere_pdf_0(wi_2.z), false);
+    return true;
+}
+
+fn MaterialBsdf_sample_0( this_24 : MaterialBsdf_0,  wo_3 : vec3<f32>,  u_14 : vec3<f32>,  sample_8 : ptr<function, BsdfSample_0>) -> bool
+{
+    var _S215 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_24.color_0), wo_3, u_14, &((*sample_8)));
+    return _S215;
+}
+
+fn Surface_world_direction_0( this_25 : Surface_0,  local_2 : vec3<f32>) -> vec3<f32>
+{
+    var away_2 : f32;
+    if((((this_25.face_1) & (u32(1)))) == u32(1))
+    {
+        away_2 = local_2.z;
+    }
+    else
+    {
+        away_2 = - local_2.z;
+    }
+    var _S216 : f32 = local_2.x;
+    var _S217 : f32 = local_2.y;
+    var _S218 : vec3<f32> = vec3<f32>(_S216, _S217, away_2);
+    var in_grid_3 : vec3<f32>;
+    if((this_25.face_1) < u32(2))
+    {
+        in_grid_3 = vec3<f32>(away_2, _S216, _S217);
+    }
+    else
+    {
+        if((this_25.face_1) < u32(4))
+        {
+            in_grid_3 = vec3<f32>(_S217, away_2, _S216);
+        }
+        else
+        {
+            in_grid_3 = _S218;
         }
     }
     if(!IS_SINGLE_0)
     {
-        in_grid_2 = Transform_direction_0(Instances_operatorx5Bx5D_get_0(this_22.instance_3).world_from_grid_0, in_grid_2);
+        in_grid_3 = Transform_direction_0(Instances_operatorx5Bx5D_get_0(this_25.instance_3).world_from_grid_0, in_grid_3);
     }
-    return normalize_vector_0(in_grid_2);
+    return normalize_vector_0(in_grid_3);
 }
 
-fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_8 : Ray_0,  hit_3 : Hit_0,  beyond_2 : u32,  radiance_3 : ptr<function, vec3<f32>>) -> NextRays_0
+fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_8 : Ray_0,  hit_5 : Hit_0,  beyond_2 : u32,  radiance_5 : ptr<function, vec3<f32>>) -> NextRays_0
 {
     var next_0 : NextRays_0 = no_rays_0();
     scatter_of_path_0.wants_light_0 = false;
@@ -1902,7 +3169,7 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_8 : Ray_0,  hit
     var is_scattered_2 : bool;
     if(Inside_is_in_0((*path_5).inside_0))
     {
-        is_scattered_2 = Hit_is_miss_0(hit_3);
+        is_scattered_2 = Hit_is_miss_0(hit_5);
     }
     else
     {
@@ -1916,7 +3183,7 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_8 : Ray_0,  hit
         }
         else
         {
-            t_4 = hit_3.t_0;
+            t_4 = hit_5.t_0;
         }
         if(!is_counted_0)
         {
@@ -1925,10 +3192,10 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_8 : Ray_0,  hit
     }
     else
     {
-        t_4 = hit_3.t_0;
+        t_4 = hit_5.t_0;
     }
     var is_weighed_0 : bool;
-    if(Hit_is_miss_0(hit_3))
+    if(Hit_is_miss_0(hit_5))
     {
         is_weighed_0 = !is_scattered_2;
     }
@@ -1939,7 +3206,7 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_8 : Ray_0,  hit
     var light_pdf_1 : f32;
     if(is_weighed_0)
     {
-        (*radiance_3) = (*radiance_3) + (*path_5).beta_0 * Sky_le_0(ray_8.direction_1) * vec3<f32>(mis_weight_0((*path_5).pdf_1, Lights_sky_pdf_0(Path_selection_at_0((*path_5), last_3), ray_8.direction_1)));
+        (*radiance_5) = (*radiance_5) + (*path_5).beta_0 * Sky_le_0(ray_8.direction_1) * vec3<f32>(mis_weight_0((*path_5).pdf_1, Lights_sky_pdf_0(Path_selection_at_0((*path_5), last_3), ray_8.direction_1)));
         if(has_sun_0())
         {
             if(SunDisc_is_visible_0())
@@ -1968,25 +3235,27 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_8 : Ray_0,  hit
                 {
                     light_pdf_1 = Lights_sun_pdf_0(Path_selection_at_0((*path_5), last_3), ray_8.direction_1);
                 }
-                (*radiance_3) = (*radiance_3) + (*path_5).beta_0 * le_0 * vec3<f32>(mis_weight_0((*path_5).pdf_1, light_pdf_1));
+                (*radiance_5) = (*radiance_5) + (*path_5).beta_0 * le_0 * vec3<f32>(mis_weight_0((*path_5).pdf_1, light_pdf_1));
             }
         }
         return next_0;
     }
-    var u_7 : vec4<f32> = Sampler_stratified_0((*path_5).sampler_0, Path_dimension_scatter_0((*path_5)));
-    var material_6 : PackedMaterial_0 = material_met_0((*path_5), hit_3, beyond_2);
-    var _S127 : vec3<f32> = vec3<f32>(0.0f);
+    var u_15 : vec4<f32> = Sampler_stratified_0((*path_5).sampler_0, Path_dimension_scatter_0((*path_5)));
+    var material_8 : PackedMaterial_0 = material_met_0((*path_5), hit_5, beyond_2);
+    var _S219 : vec3<f32> = vec3<f32>(0.0f);
     var le_1 : vec3<f32>;
     if(!is_counted_0)
     {
-        le_1 = EmitterTree_le_0(material_6);
+        le_1 = EmitterTree_le_0(material_8);
     }
     else
     {
-        le_1 = _S127;
+        le_1 = _S219;
     }
     var is_lit_0 : bool = (max_element_0(le_1)) > 0.0f;
-    if(weighs_apart_0())
+    var met_0 : Aim_0 = Aim_x24init_0(true, ray_8.direction_1, hit_5, luminance_0(vector_of_0(material_8.emission_0)));
+    var _S220 : bool = weighs_apart_0();
+    if(_S220)
     {
         is_weighed_0 = is_lit_0;
     }
@@ -2002,111 +3271,38 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_8 : Ray_0,  hit
     {
         is_weighed_0 = false;
     }
-    var _S128 : bool;
+    var is_chosen_0 : bool;
     if(is_lit_0)
     {
-        _S128 = !is_weighed_0;
+        is_chosen_0 = !is_weighed_0;
     }
     else
     {
-        _S128 = false;
+        is_chosen_0 = false;
     }
-    if(_S128)
+    if(is_chosen_0)
     {
-        (*radiance_3) = (*radiance_3) + (*path_5).beta_0 * le_1 * vec3<f32>(mis_weight_0((*path_5).pdf_1, 0.0f));
-    }
-    var _S129 : f32 = ior_of_0((*path_5).inside_0);
-    var _S130 : f32 = u_7[i32(3)];
-    var _S131 : MaterialBsdf_0 = bsdf_of_0(material_6, _S129, &(_S130));
-    u_7[i32(3)] = _S130;
-    var scattered_2 : vec3<f32> = (*path_5).beta_0 * MaterialBsdf_albedo_0(_S131);
-    if(((*path_5).bounce_0) >= (params_0.max_bounces_0))
-    {
-        _S128 = true;
-    }
-    else
-    {
-        _S128 = ends_here_0;
-    }
-    var _S132 : bool = !is_weighed_0;
-    if(_S132)
-    {
-        if(_S128)
+        var light_2 : LightSample_0 = no_light_0();
+        if(!_S220)
         {
-            _S128 = true;
+            is_chosen_0 = ((*path_5).pdf_1) > 0.0f;
         }
         else
         {
-            _S128 = (max_element_0(scattered_2)) <= 0.0f;
+            is_chosen_0 = false;
         }
-    }
-    else
-    {
-        _S128 = false;
-    }
-    if(_S128)
-    {
-        return next_0;
-    }
-    var compensation_2 : f32 = roulette_0(Path_events_0((*path_5)), scattered_2, u_7.z);
-    if(_S132)
-    {
-        _S128 = compensation_2 == 0.0f;
-    }
-    else
-    {
-        _S128 = false;
-    }
-    if(_S128)
-    {
-        return next_0;
-    }
-    var at_0 : Hit_0;
-    if(is_scattered_2)
-    {
-        at_0 = Hit_x24init_0(t_4, (*path_5).inside_0.instance_0, hit_3.voxel_1, u32(0));
-    }
-    else
-    {
-        at_0 = hit_3;
-    }
-    var surface_3 : Surface_0 = surface_of_0(ray_8, at_0);
-    var _S133 : Receiver_0 = Receiver_x24init_0(surface_3.origin_3, surface_3.normal_2);
-    var _S134 : vec3<f32> = (vec3<f32>(0) - ray_8.direction_1);
-    var wo_4 : vec3<f32> = Surface_local_direction_0(surface_3, _S134);
-    var inside_4 : Inside_0 = in_air_0();
-    var wo_5 : vec3<f32>;
-    var receiver_9 : Receiver_0;
-    if(is_scattered_2)
-    {
-        var _S135 : Inside_0 = Inside_x24init_0((*path_5).inside_0.instance_0, hit_3.voxel_1, (*path_5).inside_0.material_0);
-        inside_4 = _S135;
-        var _S136 : vec3<f32> = normalize_vector_0(_S134);
-        receiver_9 = Receiver_x24init_0(Inside_point_0(_S135, ray_8, t_4), _S127);
-        wo_5 = _S136;
-    }
-    else
-    {
-        if(Inside_is_in_0((*path_5).inside_0))
+        if(is_chosen_0)
         {
-            next_0.relocates_0 = (hit_3.instance_1) != ((*path_5).inside_0.instance_0);
-            inside_4 = Inside_x24init_0((*path_5).inside_0.instance_0, hit_3.voxel_1, (*path_5).inside_0.material_0);
-            inside_4.voxel_0 = hit_3.voxel_1 + vec3<i32>(face_normal_0(hit_3.face_0));
+            var _S221 : bool = Lights_sample_0(last_3, Path_selection_at_0((*path_5), last_3), vec4<f32>(0.0f), met_0, &(light_2));
+            is_chosen_0 = _S221;
         }
-        receiver_9 = _S133;
-        wo_5 = wo_4;
-    }
-    next_0.origin_0 = receiver_9.point_0;
-    next_0.shadow_inside_0 = inside_4;
-    if(is_weighed_0)
-    {
-        receiver_9 = last_3;
-    }
-    var light_2 : LightSample_0 = no_light_0();
-    scatter_of_path_0 = Scatter_x24init_0((*path_5), receiver_9, surface_3, _S131, wo_5, compensation_2, is_scattered_2, false);
-    if(is_weighed_0)
-    {
-        if(next_0.has_shadow_ray_0)
+        else
+        {
+            is_chosen_0 = false;
+        }
+        var _S222 : vec3<f32> = (*path_5).beta_0 * le_1;
+        var _S223 : f32 = (*path_5).pdf_1;
+        if(is_chosen_0)
         {
             light_pdf_1 = light_2.pdf_2;
         }
@@ -2114,28 +3310,134 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_8 : Ray_0,  hit
         {
             light_pdf_1 = 0.0f;
         }
-        (*radiance_3) = (*radiance_3) + (*path_5).beta_0 * le_1 * vec3<f32>(mis_weight_0((*path_5).pdf_1, light_pdf_1));
+        (*radiance_5) = (*radiance_5) + _S222 * vec3<f32>(mis_weight_0(_S223, light_pdf_1));
+    }
+    var _S224 : f32 = ior_of_0((*path_5).inside_0);
+    var _S225 : f32 = u_15[i32(3)];
+    var _S226 : MaterialBsdf_0 = bsdf_of_0(material_8, _S224, &(_S225));
+    u_15[i32(3)] = _S225;
+    var scattered_2 : vec3<f32> = (*path_5).beta_0 * MaterialBsdf_albedo_0(_S226);
+    if(((*path_5).bounce_0) >= (params_0.max_bounces_0))
+    {
+        is_chosen_0 = true;
+    }
+    else
+    {
+        is_chosen_0 = ends_here_0;
+    }
+    var _S227 : bool = !is_weighed_0;
+    if(_S227)
+    {
+        if(is_chosen_0)
+        {
+            is_chosen_0 = true;
+        }
+        else
+        {
+            is_chosen_0 = (max_element_0(scattered_2)) <= 0.0f;
+        }
+    }
+    else
+    {
+        is_chosen_0 = false;
+    }
+    if(is_chosen_0)
+    {
+        return next_0;
+    }
+    var compensation_2 : f32 = roulette_0(Path_events_0((*path_5)), scattered_2, u_15.z);
+    if(_S227)
+    {
+        is_chosen_0 = compensation_2 == 0.0f;
+    }
+    else
+    {
+        is_chosen_0 = false;
+    }
+    if(is_chosen_0)
+    {
+        return next_0;
+    }
+    var at_5 : Hit_0;
+    if(is_scattered_2)
+    {
+        at_5 = Hit_x24init_0(t_4, (*path_5).inside_0.instance_0, hit_5.voxel_1, u32(0));
+    }
+    else
+    {
+        at_5 = hit_5;
+    }
+    var surface_3 : Surface_0 = surface_of_0(ray_8, at_5);
+    var _S228 : Receiver_0 = Receiver_x24init_0(surface_3.origin_3, surface_3.normal_2);
+    var _S229 : vec3<f32> = (vec3<f32>(0) - ray_8.direction_1);
+    var wo_4 : vec3<f32> = Surface_local_direction_0(surface_3, _S229);
+    var inside_4 : Inside_0 = in_air_0();
+    var wo_5 : vec3<f32>;
+    var receiver_18 : Receiver_0;
+    if(is_scattered_2)
+    {
+        var _S230 : Inside_0 = Inside_x24init_0((*path_5).inside_0.instance_0, hit_5.voxel_1, (*path_5).inside_0.material_0);
+        inside_4 = _S230;
+        var _S231 : vec3<f32> = normalize_vector_0(_S229);
+        receiver_18 = Receiver_x24init_0(Inside_point_0(_S230, ray_8, t_4), _S219);
+        wo_5 = _S231;
+    }
+    else
+    {
+        if(Inside_is_in_0((*path_5).inside_0))
+        {
+            next_0.relocates_0 = (hit_5.instance_1) != ((*path_5).inside_0.instance_0);
+            inside_4 = Inside_x24init_0((*path_5).inside_0.instance_0, hit_5.voxel_1, (*path_5).inside_0.material_0);
+            inside_4.voxel_0 = hit_5.voxel_1 + vec3<i32>(face_normal_0(hit_5.face_0));
+        }
+        receiver_18 = _S228;
+        wo_5 = wo_4;
+    }
+    next_0.origin_0 = receiver_18.point_0;
+    next_0.shadow_inside_0 = inside_4;
+    if(is_weighed_0)
+    {
+        receiver_18 = last_3;
+    }
+    if(_S227)
+    {
+        (*path_5).selection_0 = Lights_selection_0(receiver_18);
+    }
+    var light_3 : LightSample_0 = no_light_0();
+    var _S232 : bool = !MaterialBsdf_is_delta_0(_S226);
+    scatter_of_path_0 = Scatter_x24init_0((*path_5), receiver_18, surface_3, _S226, wo_5, compensation_2, is_scattered_2, _S232);
+    if(is_weighed_0)
+    {
+        if(next_0.has_shadow_ray_0)
+        {
+            light_pdf_1 = light_3.pdf_2;
+        }
+        else
+        {
+            light_pdf_1 = 0.0f;
+        }
+        (*radiance_5) = (*radiance_5) + (*path_5).beta_0 * le_1 * vec3<f32>(mis_weight_0((*path_5).pdf_1, light_pdf_1));
         (*path_5).pdf_1 = - (*path_5).pdf_1;
         next_0.is_same_0 = true;
         return next_0;
     }
     var bounce_1 : BsdfSample_0;
-    var _S137 : bool = MaterialBsdf_sample_0(_S131, wo_5, vec3<f32>(u_7.xy, u_7.w), &(bounce_1));
-    if(!_S137)
+    var _S233 : bool = MaterialBsdf_sample_0(_S226, wo_5, vec3<f32>(u_15.xy, u_15.w), &(bounce_1));
+    if(!_S233)
     {
         return next_0;
     }
-    (*path_5).beta_0 = (*path_5).beta_0 * bounce_1.weight_0 * vec3<f32>(compensation_2);
+    (*path_5).beta_0 = (*path_5).beta_0 * bounce_1.weight_3 * vec3<f32>(compensation_2);
     if(bounce_1.is_delta_0)
     {
         t_4 = 0.0f;
     }
     else
     {
-        t_4 = bounce_1.pdf_4;
+        t_4 = bounce_1.pdf_8;
     }
     (*path_5).pdf_1 = t_4;
-    (*path_5).normal_0 = receiver_9.normal_1;
+    (*path_5).normal_0 = receiver_18.normal_1;
     next_0.direction_0 = bounce_1.wi_0;
     if(!is_scattered_2)
     {
@@ -2144,1263 +3446,6 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_8 : Ray_0,  hit
     next_0.path_relocates_0 = next_0.relocates_0;
     (*path_5).bounce_0 = (*path_5).bounce_0 + u32(1);
     return next_0;
-}
-
-fn luminance_0( color_2 : vec3<f32>) -> f32
-{
-    return color_2.x * 0.2125999927520752f + color_2.y * 0.71520000696182251f + color_2.z * 0.07220000028610229f;
-}
-
-struct Aim_0
-{
-     is_met_0 : bool,
-     direction_18 : vec3<f32>,
-     hit_4 : Hit_0,
-     luminance_1 : f32,
-};
-
-fn Aim_x24init_0( is_met_1 : bool,  direction_19 : vec3<f32>,  hit_5 : Hit_0,  luminance_2 : f32) -> Aim_0
-{
-    var _S138 : Aim_0;
-    _S138.is_met_0 = is_met_1;
-    _S138.direction_18 = direction_19;
-    _S138.hit_4 = hit_5;
-    _S138.luminance_1 = luminance_2;
-    return _S138;
-}
-
-fn ray_from_0( origin_6 : vec3<f32>,  direction_20 : vec3<f32>) -> Ray_0
-{
-    return Ray_x24init_0(origin_6, 0.0f, direction_20, (bitcast<f32>(infinity_bits_0)));
-}
-
-fn SunDisc_sample_0( receiver_10 : Receiver_0,  u_8 : vec4<f32>,  sample_4 : ptr<function, LightSample_0>) -> bool
-{
-    var one_minus_cos_theta_0 : f32 = u_8.z * params_0.sun_one_minus_cos_theta_max_0;
-    var radius_2 : f32 = square_root_0(one_minus_cos_theta_0 * (2.0f - one_minus_cos_theta_0));
-    var sin_cos_1 : vec2<f32> = sincos_turns_0(u_8.w);
-    var direction_21 : vec3<f32> = params_0.sun_direction_0 * vec3<f32>((1.0f - one_minus_cos_theta_0)) + (params_0.sun_tangent_0 * vec3<f32>((radius_2 * sin_cos_1.y)) + params_0.sun_bitangent_0 * vec3<f32>((radius_2 * sin_cos_1.x)));
-    var cos_theta_5 : f32 = with_slack_0(receiver_10, dot_product_0(receiver_10.normal_1, direction_21));
-    (*sample_4) = LightSample_x24init_0(ray_from_0(receiver_10.point_0, direction_21), cos_theta_5, params_0.sun_radiance_0, params_0.sun_pdf_0);
-    return cos_theta_5 > 0.0f;
-}
-
-struct ChosenDirection_0
-{
-     direction_22 : vec3<f32>,
-     radiance_4 : vec3<f32>,
-     pdf_6 : f32,
-};
-
-fn ChosenDirection_x24init_0( direction_23 : vec3<f32>,  radiance_5 : vec3<f32>,  pdf_7 : f32) -> ChosenDirection_0
-{
-    var _S139 : ChosenDirection_0;
-    _S139.direction_22 = direction_23;
-    _S139.radiance_4 = radiance_5;
-    _S139.pdf_6 = pdf_7;
-    return _S139;
-}
-
-fn direction_of_0( square_0 : vec2<f32>) -> vec3<f32>
-{
-    var u_9 : f32 = square_0.x * 2.0f - 1.0f;
-    var v_6 : f32 = square_0.y * 2.0f - 1.0f;
-    var _S140 : f32 = abs(u_9);
-    var _S141 : f32 = abs(v_6);
-    var height_1 : f32 = 1.0f - (_S140 + _S141);
-    var radius_3 : f32 = 1.0f - abs(height_1);
-    var turns_2 : f32;
-    if(radius_3 > 0.0f)
-    {
-        turns_2 = (divide_0(_S141 - _S140, radius_3) + 1.0f) * 0.125f;
-    }
-    else
-    {
-        turns_2 = 0.0f;
-    }
-    var sin_cos_2 : vec2<f32> = sincos_turns_0(turns_2);
-    var _S142 : f32 = radius_3 * radius_3;
-    var across_0 : f32 = radius_3 * square_root_0(2.0f - _S142);
-    var x_8 : f32 = sin_cos_2.y * across_0;
-    var y_4 : f32 = sin_cos_2.x * across_0;
-    var z_0 : f32 = 1.0f - _S142;
-    if(u_9 < 0.0f)
-    {
-        turns_2 = - x_8;
-    }
-    else
-    {
-        turns_2 = x_8;
-    }
-    var _S143 : f32;
-    if(v_6 < 0.0f)
-    {
-        _S143 = - y_4;
-    }
-    else
-    {
-        _S143 = y_4;
-    }
-    var _S144 : f32;
-    if(height_1 < 0.0f)
-    {
-        _S144 = - z_0;
-    }
-    else
-    {
-        _S144 = z_0;
-    }
-    return vec3<f32>(turns_2, _S143, _S144);
-}
-
-fn Environment_to_world_0( d_2 : vec3<f32>) -> vec3<f32>
-{
-    var sin_2 : f32 = params_0.sky_turned_0.x;
-    var cos_3 : f32 = params_0.sky_turned_0.y;
-    var _S145 : f32 = d_2.x;
-    var _S146 : f32 = d_2.y;
-    return vec3<f32>(_S145 * cos_3 + _S146 * sin_2, _S146 * cos_3 - _S145 * sin_2, d_2.z);
-}
-
-fn Environment_choose_0( u_10 : vec4<f32>,  chosen_0 : ptr<function, ChosenDirection_0>) -> bool
-{
-    var _S147 : vec3<f32> = vec3<f32>(0.0f);
-    (*chosen_0) = ChosenDirection_x24init_0(_S147, _S147, 0.0f);
-    var edge_0 : f32 = f32(params_0.sky_edge_0);
-    var _S148 : f32 = u_10.x * edge_0;
-    var _S149 : f32 = edge_0 - 1.0f;
-    var _S150 : f32 = min(floor(_S148), _S149);
-    var own_1 : u32 = u32(_S150) * params_0.sky_edge_0 + u32(min(floor(u_10.y * edge_0), _S149));
-    var index_14 : u32;
-    if((u_10.z) < (environment_0[own_1].threshold_0))
-    {
-        index_14 = own_1;
-    }
-    else
-    {
-        index_14 = environment_0[own_1].alias_0;
-    }
-    var pdf_8 : f32 = environment_0[index_14].pdf_0;
-    if((environment_0[index_14].pdf_0) <= 0.0f)
-    {
-        return false;
-    }
-    var _S151 : u32 = index_14 % params_0.sky_edge_0;
-    var _S152 : f32 = f32(_S151);
-    var _S153 : u32 = index_14 / params_0.sky_edge_0;
-    var place_2 : vec2<f32> = vec2<f32>(_S152, f32(_S153)) + vec2<f32>(min(_S148 - _S150, 1.0f), u_10.w);
-    (*chosen_0) = ChosenDirection_x24init_0(Environment_to_world_0(direction_of_0(place_2 * vec2<f32>(divide_0(1.0f, edge_0)))), Environment_radiance_at_0(place_2), pdf_8);
-    return true;
-}
-
-fn Sky_sample_0( receiver_11 : Receiver_0,  u_11 : vec4<f32>,  sample_5 : ptr<function, LightSample_0>) -> bool
-{
-    (*sample_5) = no_light_0();
-    var chosen_1 : ChosenDirection_0;
-    var _S154 : bool;
-    if(SKY_0 != u32(1))
-    {
-        _S154 = true;
-    }
-    else
-    {
-        var _S155 : bool = Environment_choose_0(u_11, &(chosen_1));
-        _S154 = !_S155;
-    }
-    if(_S154)
-    {
-        return false;
-    }
-    var cos_theta_6 : f32 = dot_product_0(receiver_11.normal_1, chosen_1.direction_22);
-    (*sample_5) = LightSample_x24init_0(ray_from_0(receiver_11.point_0, chosen_1.direction_22), cos_theta_6, chosen_1.radiance_4 * vec3<f32>(params_0.sky_brightness_0), chosen_1.pdf_6);
-    return cos_theta_6 > 0.0f;
-}
-
-struct Descent_0
-{
-     node_3 : u32,
-     index_15 : u32,
-     count_2 : u32,
-     weight_2 : f32,
-     total_0 : f32,
-     choice_1 : f32,
-     is_far_3 : bool,
-};
-
-fn Descent_x24init_0( node_4 : u32,  index_16 : u32,  count_3 : u32,  weight_3 : f32,  total_1 : f32,  choice_2 : f32,  is_far_4 : bool) -> Descent_0
-{
-    var _S156 : Descent_0;
-    _S156.node_3 = node_4;
-    _S156.index_15 = index_16;
-    _S156.count_2 = count_3;
-    _S156.weight_2 = weight_3;
-    _S156.total_0 = total_1;
-    _S156.choice_1 = choice_2;
-    _S156.is_far_3 = is_far_4;
-    return _S156;
-}
-
-fn TopLights_node_0( index_17 : u32) -> LightNode_0
-{
-    return top_light_node_0(index_17);
-}
-
-fn Descent_at_0( this_23 : ptr<function, Descent_0>,  root_2 : u32)
-{
-    var node_5 : LightNode_0 = TopLights_node_0(root_2);
-    (*this_23).node_3 = root_2;
-    (*this_23).index_15 = node_5.index_2;
-    (*this_23).count_2 = node_5.count_0;
-    (*this_23).is_far_3 = false;
-    return;
-}
-
-fn normal_or_zero_0( weight_4 : f32) -> f32
-{
-    var _S157 : f32;
-    if(weight_4 < 1.17549435082228751e-38f)
-    {
-        _S157 = 0.0f;
-    }
-    else
-    {
-        _S157 = weight_4;
-    }
-    return _S157;
-}
-
-fn inverse_power_of_two_0( x_9 : f32) -> f32
-{
-    return (bitcast<f32>((((u32(254) - (((bitcast<u32>((x_9))) >> (u32(23))))) << (u32(23))))));
-}
-
-fn weights_of_0( left_0 : f32,  right_0 : f32) -> vec2<f32>
-{
-    var _S158 : f32 = normal_or_zero_0(left_0);
-    var _S159 : f32 = normal_or_zero_0(right_0);
-    var unit_0 : f32 = inverse_power_of_two_0(_S158 + _S159);
-    return vec2<f32>(normal_or_zero_0(_S158 * unit_0), normal_or_zero_0(_S159 * unit_0));
-}
-
-fn climb_0( receiver_12 : Receiver_0,  start_2 : u32,  descent_0 : ptr<function, Descent_0>) -> bool
-{
-    var node_6 : LightNode_0 = top_light_node_0(start_2);
-    var at_1 : u32 = start_2;
-    for(;;)
-    {
-        var _S160 : LightNode_0 = node_6;
-        if((node_6.parent_0) != u32(4294967295))
-        {
-        }
-        else
-        {
-            break;
-        }
-        var parent_1 : LightNode_0 = top_light_node_0(_S160.parent_0);
-        var _S161 : u32 = _S160.parent_0 + u32(1);
-        var is_left_0 : bool = at_1 == _S161;
-        var _S162 : u32;
-        if(is_left_0)
-        {
-            _S162 = parent_1.index_2;
-        }
-        else
-        {
-            _S162 = _S161;
-        }
-        var _S163 : View_0 = view_0(node_6, receiver_12);
-        var _S164 : View_0 = view_0(top_light_node_0(_S162), receiver_12);
-        var _S165 : f32;
-        if(is_left_0)
-        {
-            _S165 = _S163.importance_0;
-        }
-        else
-        {
-            _S165 = _S164.importance_0;
-        }
-        var _S166 : f32;
-        if(is_left_0)
-        {
-            _S166 = _S164.importance_0;
-        }
-        else
-        {
-            _S166 = _S163.importance_0;
-        }
-        var weights_0 : vec2<f32> = weights_of_0(_S165, _S166);
-        var _S167 : f32 = weights_0.x;
-        var _S168 : f32 = weights_0.y;
-        var total_2 : f32 = _S167 + _S168;
-        if(!(total_2 > 0.0f))
-        {
-            return false;
-        }
-        var _S169 : f32;
-        if(is_left_0)
-        {
-            _S169 = _S167;
-        }
-        else
-        {
-            _S169 = _S168;
-        }
-        (*descent_0).weight_2 = (*descent_0).weight_2 * _S169;
-        (*descent_0).total_0 = (*descent_0).total_0 * total_2;
-        node_6 = parent_1;
-        at_1 = _S160.parent_0;
-    }
-    return ((*descent_0).weight_2) > 0.0f;
-}
-
-fn miss_0() -> Hit_0
-{
-    return Hit_x24init_0((bitcast<f32>(infinity_bits_0)), u32(4294967295), vec3<i32>(i32(0)), u32(0));
-}
-
-fn by_chance_0() -> Aim_0
-{
-    return Aim_x24init_0(false, vec3<f32>(0.0f), miss_0(), 0.0f);
-}
-
-fn waits_for_pages_0() -> bool
-{
-    return false;
-}
-
-fn descend_0( receiver_13 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<function, Descent_0>) -> bool
-{
-    for(;;)
-    {
-        var _S170 : bool;
-        if(((*descent_1).count_2) == u32(0))
-        {
-            _S170 = !(*descent_1).is_far_3;
-        }
-        else
-        {
-            _S170 = false;
-        }
-        if(_S170)
-        {
-        }
-        else
-        {
-            break;
-        }
-        if(waits_for_pages_0())
-        {
-            return false;
-        }
-        var left_1 : LightNode_0 = TopLights_node_0((*descent_1).node_3 + u32(1));
-        var right_1 : LightNode_0 = TopLights_node_0((*descent_1).index_15);
-        var weights_1 : vec2<f32> = weights_of_0(view_0(left_1, receiver_13).importance_0, view_0(right_1, receiver_13).importance_0);
-        var _S171 : f32 = weights_1.x;
-        var _S172 : f32 = weights_1.y;
-        var total_3 : f32 = _S171 + _S172;
-        if(!(total_3 > 0.0f))
-        {
-            return false;
-        }
-        var _S173 : bool;
-        if(_S172 <= 0.0f)
-        {
-            _S173 = true;
-        }
-        else
-        {
-            _S173 = ((*descent_1).choice_1 * total_3) < (_S171 * (*descent_1).weight_2);
-        }
-        var is_left_1 : bool;
-        if(aim_0.is_met_0)
-        {
-            var _S174 : vec3<f32> = vec3<f32>(aim_0.hit_4.voxel_1);
-            if((all((_S174 >= (vector_of_0(left_1.min_0))))))
-            {
-                is_left_1 = (all((_S174 < (vector_of_0(left_1.max_0)))));
-            }
-            else
-            {
-                is_left_1 = false;
-            }
-        }
-        else
-        {
-            is_left_1 = _S173;
-        }
-        var _S175 : f32 = (*descent_1).choice_1 * total_3;
-        var _S176 : f32;
-        if(is_left_1)
-        {
-            _S176 = 0.0f;
-        }
-        else
-        {
-            _S176 = _S171 * (*descent_1).weight_2;
-        }
-        (*descent_1).choice_1 = _S175 - _S176;
-        var _S177 : u32;
-        if(is_left_1)
-        {
-            _S177 = (*descent_1).node_3 + u32(1);
-        }
-        else
-        {
-            _S177 = (*descent_1).index_15;
-        }
-        (*descent_1).node_3 = _S177;
-        var _S178 : u32;
-        if(is_left_1)
-        {
-            _S178 = left_1.index_2;
-        }
-        else
-        {
-            _S178 = right_1.index_2;
-        }
-        (*descent_1).index_15 = _S178;
-        var _S179 : u32;
-        if(is_left_1)
-        {
-            _S179 = left_1.count_0;
-        }
-        else
-        {
-            _S179 = right_1.count_0;
-        }
-        (*descent_1).count_2 = _S179;
-        (*descent_1).is_far_3 = false;
-        var _S180 : f32;
-        if(is_left_1)
-        {
-            _S180 = _S171;
-        }
-        else
-        {
-            _S180 = _S172;
-        }
-        var _S181 : f32 = (*descent_1).weight_2 * _S180;
-        (*descent_1).weight_2 = _S181;
-        (*descent_1).total_0 = (*descent_1).total_0 * total_3;
-        if(_S181 <= 0.0f)
-        {
-            return false;
-        }
-    }
-    return true;
-}
-
-fn in_grid_3( instance_7 : u32,  receiver_14 : Receiver_0) -> Receiver_0
-{
-    if(IS_SINGLE_0)
-    {
-        return receiver_14;
-    }
-    var _S182 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(instance_7);
-    return Receiver_x24init_0(Transform_point_0(_S182.grid_from_world_0, receiver_14.point_0), normalize_vector_0(Transform_direction_0(_S182.grid_from_world_0, receiver_14.normal_1)));
-}
-
-fn lights_in_pages_0() -> bool
-{
-    return false;
-}
-
-fn Rows_operatorx5Bx5D_get_4( row_6 : u32) -> vec4<u32>
-{
-    return records_0[first_row_0(u32(5)) + row_6];
-}
-
-fn place_in_light_node_0( node_7 : u32,  word_5 : u32) -> u32
-{
-    return u32(0);
-}
-
-fn light_node_at_0( index_18 : u32) -> LightNode_0
-{
-    if(!lights_in_pages_0())
-    {
-        var _S183 : u32 = u32(4) * index_18;
-        return light_node_of_0(Rows_operatorx5Bx5D_get_4(_S183), Rows_operatorx5Bx5D_get_4(_S183 + u32(1)), Rows_operatorx5Bx5D_get_4(_S183 + u32(2)), Rows_operatorx5Bx5D_get_4(_S183 + u32(3)));
-    }
-    var at_2 : u32 = place_in_light_node_0(index_18, u32(0));
-    var node_8 : LightNode_0;
-    var i_0 : u32 = u32(0);
-    for(;;)
-    {
-        if(i_0 < u32(3))
-        {
-        }
-        else
-        {
-            break;
-        }
-        node_8.min_0[i_0] = (bitcast<f32>((cells_1[at_2 + i_0])));
-        node_8.max_0[i_0] = (bitcast<f32>((cells_1[at_2 + u32(4) + i_0])));
-        i_0 = i_0 + u32(1);
-    }
-    node_8.index_2 = cells_1[at_2 + u32(3)];
-    node_8.count_0 = cells_1[at_2 + u32(7)];
-    i_0 = u32(0);
-    for(;;)
-    {
-        if(i_0 < u32(6))
-        {
-        }
-        else
-        {
-            break;
-        }
-        node_8.power_2[i_0] = (bitcast<f32>((cells_1[at_2 + u32(8) + i_0])));
-        i_0 = i_0 + u32(1);
-    }
-    node_8.parent_0 = cells_1[at_2 + u32(14)];
-    node_8.root_1 = cells_1[at_2 + u32(15)];
-    return node_8;
-}
-
-fn GridLights_node_0( index_19 : u32) -> LightNode_0
-{
-    return light_node_at_0(index_19);
-}
-
-fn Descent_at_1( this_24 : ptr<function, Descent_0>,  root_3 : u32)
-{
-    var node_9 : LightNode_0 = GridLights_node_0(root_3);
-    (*this_24).node_3 = root_3;
-    (*this_24).index_15 = node_9.index_2;
-    (*this_24).count_2 = node_9.count_0;
-    (*this_24).is_far_3 = false;
-    return;
-}
-
-fn descend_1( receiver_15 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<function, Descent_0>) -> bool
-{
-    for(;;)
-    {
-        var _S184 : bool;
-        if(((*descent_2).count_2) == u32(0))
-        {
-            _S184 = !(*descent_2).is_far_3;
-        }
-        else
-        {
-            _S184 = false;
-        }
-        if(_S184)
-        {
-        }
-        else
-        {
-            break;
-        }
-        if(waits_for_pages_0())
-        {
-            return false;
-        }
-        var left_2 : LightNode_0 = GridLights_node_0((*descent_2).node_3 + u32(1));
-        var right_2 : LightNode_0 = GridLights_node_0((*descent_2).index_15);
-        var of_left_0 : View_0 = view_0(left_2, receiver_15);
-        var of_right_0 : View_0 = view_0(right_2, receiver_15);
-        var weights_2 : vec2<f32> = weights_of_0(of_left_0.importance_0, of_right_0.importance_0);
-        var _S185 : f32 = weights_2.x;
-        var _S186 : f32 = weights_2.y;
-        var total_4 : f32 = _S185 + _S186;
-        if(!(total_4 > 0.0f))
-        {
-            return false;
-        }
-        var _S187 : bool;
-        if(_S186 <= 0.0f)
-        {
-            _S187 = true;
-        }
-        else
-        {
-            _S187 = ((*descent_2).choice_1 * total_4) < (_S185 * (*descent_2).weight_2);
-        }
-        var is_left_2 : bool;
-        if(aim_1.is_met_0)
-        {
-            var _S188 : vec3<f32> = vec3<f32>(aim_1.hit_4.voxel_1);
-            if((all((_S188 >= (vector_of_0(left_2.min_0))))))
-            {
-                is_left_2 = (all((_S188 < (vector_of_0(left_2.max_0)))));
-            }
-            else
-            {
-                is_left_2 = false;
-            }
-        }
-        else
-        {
-            is_left_2 = _S187;
-        }
-        var _S189 : f32 = (*descent_2).choice_1 * total_4;
-        var _S190 : f32;
-        if(is_left_2)
-        {
-            _S190 = 0.0f;
-        }
-        else
-        {
-            _S190 = _S185 * (*descent_2).weight_2;
-        }
-        (*descent_2).choice_1 = _S189 - _S190;
-        var _S191 : u32;
-        if(is_left_2)
-        {
-            _S191 = (*descent_2).node_3 + u32(1);
-        }
-        else
-        {
-            _S191 = (*descent_2).index_15;
-        }
-        (*descent_2).node_3 = _S191;
-        var _S192 : u32;
-        if(is_left_2)
-        {
-            _S192 = left_2.index_2;
-        }
-        else
-        {
-            _S192 = right_2.index_2;
-        }
-        (*descent_2).index_15 = _S192;
-        var _S193 : u32;
-        if(is_left_2)
-        {
-            _S193 = left_2.count_0;
-        }
-        else
-        {
-            _S193 = right_2.count_0;
-        }
-        (*descent_2).count_2 = _S193;
-        var _S194 : bool;
-        if(is_left_2)
-        {
-            _S194 = of_left_0.is_far_0;
-        }
-        else
-        {
-            _S194 = of_right_0.is_far_0;
-        }
-        (*descent_2).is_far_3 = _S194;
-        var _S195 : f32;
-        if(is_left_2)
-        {
-            _S195 = _S185;
-        }
-        else
-        {
-            _S195 = _S186;
-        }
-        var _S196 : f32 = (*descent_2).weight_2 * _S195;
-        (*descent_2).weight_2 = _S196;
-        (*descent_2).total_0 = (*descent_2).total_0 * total_4;
-        if(_S196 <= 0.0f)
-        {
-            return false;
-        }
-    }
-    return true;
-}
-
-fn choose_side_0( point_5 : vec3<f32>,  is_met_2 : bool,  way_0 : Descent_0,  side_0 : ptr<function, u32>,  odds_0 : ptr<function, vec2<f32>>) -> bool
-{
-    var node_10 : LightNode_0 = light_node_at_0(way_0.node_3);
-    var _S197 : vec3<f32> = vector_of_0(node_10.max_0);
-    var _S198 : vec3<f32> = vector_of_0(node_10.min_0);
-    var _S199 : vec3<f32> = vec3<f32>(0.5f);
-    var half_1 : vec3<f32> = (_S197 - _S198) * _S199;
-    var toward_1 : vec3<f32> = (_S198 + _S197) * _S199 - point_5;
-    var sent_1 : BySide_0 = sent_by_side_0(node_10, point_5, length_bound_0(select(half_1, abs(toward_1), vec3<bool>(((length_squared_0(toward_1)) > (length_squared_0(half_1)))))));
-    var sum_0 : f32 = normal_or_zero_0(BySide_sum_0(sent_1));
-    var unit_1 : f32 = inverse_power_of_two_0(sum_0);
-    var total_5 : f32 = sum_0 * unit_1;
-    var _S200 : f32 = way_0.choice_1 * total_5;
-    var _S201 : u32 = (*side_0);
-    var share_0 : f32 = normal_or_zero_0(sent_1.low_0[u32(0)] * unit_1);
-    var _S202 : bool;
-    if(is_met_2)
-    {
-        _S202 = u32(0) == _S201;
-    }
-    else
-    {
-        _S202 = share_0 > 0.0f;
-    }
-    var chosen_2 : f32;
-    if(_S202)
-    {
-        (*side_0) = u32(0);
-        chosen_2 = share_0;
-    }
-    else
-    {
-        chosen_2 = 0.0f;
-    }
-    var _S203 : bool = _S200 < (share_0 * way_0.weight_2);
-    var share_1 : f32 = normal_or_zero_0(sent_1.high_0[u32(0)] * unit_1);
-    if(is_met_2)
-    {
-        _S202 = u32(1) == _S201;
-    }
-    else
-    {
-        if(share_1 > 0.0f)
-        {
-            _S202 = !_S203;
-        }
-        else
-        {
-            _S202 = false;
-        }
-    }
-    if(_S202)
-    {
-        (*side_0) = u32(1);
-        chosen_2 = share_1;
-    }
-    var passed_0 : f32 = share_0 + share_1;
-    if(_S203)
-    {
-        _S202 = true;
-    }
-    else
-    {
-        _S202 = _S200 < (passed_0 * way_0.weight_2);
-    }
-    var share_2 : f32 = normal_or_zero_0(sent_1.low_0[u32(1)] * unit_1);
-    var _S204 : bool;
-    if(is_met_2)
-    {
-        _S204 = u32(2) == _S201;
-    }
-    else
-    {
-        if(share_2 > 0.0f)
-        {
-            _S204 = !_S202;
-        }
-        else
-        {
-            _S204 = false;
-        }
-    }
-    if(_S204)
-    {
-        (*side_0) = u32(2);
-        chosen_2 = share_2;
-    }
-    var passed_1 : f32 = passed_0 + share_2;
-    if(_S202)
-    {
-        _S202 = true;
-    }
-    else
-    {
-        _S202 = _S200 < (passed_1 * way_0.weight_2);
-    }
-    var share_3 : f32 = normal_or_zero_0(sent_1.high_0[u32(1)] * unit_1);
-    if(is_met_2)
-    {
-        _S204 = u32(3) == _S201;
-    }
-    else
-    {
-        if(share_3 > 0.0f)
-        {
-            _S204 = !_S202;
-        }
-        else
-        {
-            _S204 = false;
-        }
-    }
-    if(_S204)
-    {
-        (*side_0) = u32(3);
-        chosen_2 = share_3;
-    }
-    var passed_2 : f32 = passed_1 + share_3;
-    if(_S202)
-    {
-        _S202 = true;
-    }
-    else
-    {
-        _S202 = _S200 < (passed_2 * way_0.weight_2);
-    }
-    var share_4 : f32 = normal_or_zero_0(sent_1.low_0[u32(2)] * unit_1);
-    if(is_met_2)
-    {
-        _S204 = u32(4) == _S201;
-    }
-    else
-    {
-        if(share_4 > 0.0f)
-        {
-            _S204 = !_S202;
-        }
-        else
-        {
-            _S204 = false;
-        }
-    }
-    if(_S204)
-    {
-        (*side_0) = u32(4);
-        chosen_2 = share_4;
-    }
-    var passed_3 : f32 = passed_2 + share_4;
-    if(_S202)
-    {
-        _S202 = true;
-    }
-    else
-    {
-        _S202 = _S200 < (passed_3 * way_0.weight_2);
-    }
-    var share_5 : f32 = normal_or_zero_0(sent_1.high_0[u32(2)] * unit_1);
-    if(is_met_2)
-    {
-        _S202 = u32(5) == _S201;
-    }
-    else
-    {
-        if(share_5 > 0.0f)
-        {
-            _S202 = !_S202;
-        }
-        else
-        {
-            _S202 = false;
-        }
-    }
-    if(_S202)
-    {
-        (*side_0) = u32(5);
-        chosen_2 = share_5;
-    }
-    (*odds_0) = vec2<f32>(way_0.weight_2 * chosen_2, way_0.total_0 * total_5);
-    if(sum_0 > 0.0f)
-    {
-        _S202 = ((*odds_0).x) > 0.0f;
-    }
-    else
-    {
-        _S202 = false;
-    }
-    return _S202;
-}
-
-fn light_node_word_0( index_20 : u32,  word_6 : u32) -> u32
-{
-    return Rows_operatorx5Bx5D_get_4(u32(4) * index_20 + ((word_6 >> (u32(2)))))[(word_6 & (u32(3)))];
-}
-
-fn light_power_at_0( index_21 : u32,  side_1 : u32) -> f32
-{
-    var _S205 : u32;
-    if(lights_in_pages_0())
-    {
-        _S205 = cells_1[place_in_light_node_0(index_21, u32(8) + side_1)];
-    }
-    else
-    {
-        _S205 = light_node_word_0(index_21, u32(8) + side_1);
-    }
-    return (bitcast<f32>((_S205)));
-}
-
-fn component_0( vector_3 : vec3<f32>,  axis_0 : u32) -> f32
-{
-    return select(select(vector_3.z, vector_3.y, axis_0 == u32(1)), vector_3.x, axis_0 == u32(0));
-}
-
-fn density_0( odds_1 : vec2<f32>,  luminance_3 : f32,  power_3 : f32,  toward_2 : vec3<f32>,  face_6 : u32) -> f32
-{
-    var along_0 : f32 = component_0(toward_2, (face_6 >> (u32(1))));
-    var in_front_0 : f32;
-    if(((face_6 & (u32(1)))) == u32(1))
-    {
-        in_front_0 = - along_0;
-    }
-    else
-    {
-        in_front_0 = along_0;
-    }
-    var distance_squared_0 : f32 = length_squared_0(toward_2);
-    var unit_2 : f32 = inverse_power_of_two_0(power_3);
-    var share_6 : f32 = odds_1.x * (luminance_3 * unit_2) * (distance_squared_0 * square_root_0(distance_squared_0));
-    if(in_front_0 > 0.0f)
-    {
-        in_front_0 = divide_0(share_6, odds_1.y * (power_3 * unit_2) * in_front_0);
-    }
-    else
-    {
-        in_front_0 = -1.0f;
-    }
-    return in_front_0;
-}
-
-struct Emitter_0
-{
-     voxel_4 : array<i32, i32(3)>,
-     grid_5 : u32,
-     faces_0 : u32,
-     material_7 : u32,
-     luminance_4 : f32,
-     leaf_0 : u32,
-};
-
-fn below_light_node_0( index_22 : u32) -> vec2<u32>
-{
-    if(!lights_in_pages_0())
-    {
-        return vec2<u32>(light_node_word_0(index_22, u32(3)), light_node_word_0(index_22, u32(7)));
-    }
-    var at_3 : u32 = place_in_light_node_0(index_22, u32(0));
-    return vec2<u32>(cells_1[at_3 + u32(3)], cells_1[at_3 + u32(7)]);
-}
-
-fn place_in_emitter_0( emitter_0 : u32,  word_7 : u32) -> u32
-{
-    return u32(0);
-}
-
-fn Rows_operatorx5Bx5D_get_5( row_7 : u32) -> vec4<u32>
-{
-    return records_0[first_row_0(u32(4)) + row_7];
-}
-
-fn emitter_word_0( index_23 : u32,  word_8 : u32) -> u32
-{
-    return Rows_operatorx5Bx5D_get_5(u32(2) * index_23 + ((word_8 >> (u32(2)))))[(word_8 & (u32(3)))];
-}
-
-fn emitter_faces_at_0( index_24 : u32) -> u32
-{
-    var _S206 : u32;
-    if(lights_in_pages_0())
-    {
-        _S206 = cells_1[place_in_emitter_0(index_24, u32(4))];
-    }
-    else
-    {
-        _S206 = emitter_word_0(index_24, u32(4));
-    }
-    return _S206;
-}
-
-fn emitter_luminance_at_0( index_25 : u32) -> f32
-{
-    var _S207 : f32;
-    if(lights_in_pages_0())
-    {
-        _S207 = (bitcast<f32>((cells_1[place_in_emitter_0(index_25, u32(6))])));
-    }
-    else
-    {
-        _S207 = (bitcast<f32>((emitter_word_0(index_25, u32(6)))));
-    }
-    return _S207;
-}
-
-fn Emitter_x24init_0( voxel_5 : array<i32, i32(3)>,  grid_6 : u32,  faces_1 : u32,  material_8 : u32,  luminance_5 : f32,  leaf_1 : u32) -> Emitter_0
-{
-    var _S208 : Emitter_0;
-    _S208.voxel_4 = voxel_5;
-    _S208.grid_5 = grid_6;
-    _S208.faces_0 = faces_1;
-    _S208.material_7 = material_8;
-    _S208.luminance_4 = luminance_5;
-    _S208.leaf_0 = leaf_1;
-    return _S208;
-}
-
-fn emitter_at_0( index_26 : u32) -> Emitter_0
-{
-    if(!lights_in_pages_0())
-    {
-        var _S209 : u32 = u32(2) * index_26;
-        var _S210 : vec4<u32> = Rows_operatorx5Bx5D_get_5(_S209);
-        var _S211 : vec4<u32> = Rows_operatorx5Bx5D_get_5(_S209 + u32(1));
-        var _S212 : array<i32, i32(3)> = array<i32, i32(3)>( i32(_S210.x), i32(_S210.y), i32(_S210.z) );
-        return Emitter_x24init_0(_S212, _S210.w, _S211.x, _S211.y, (bitcast<f32>((_S211.z))), _S211.w);
-    }
-    var at_4 : u32 = place_in_emitter_0(index_26, u32(0));
-    var _S213 : array<i32, i32(3)> = array<i32, i32(3)>( i32(cells_1[at_4]), i32(cells_1[at_4 + u32(1)]), i32(cells_1[at_4 + u32(2)]) );
-    return Emitter_x24init_0(_S213, cells_1[at_4 + u32(3)], cells_1[at_4 + u32(4)], cells_1[at_4 + u32(5)], (bitcast<f32>((cells_1[at_4 + u32(6)]))), cells_1[at_4 + u32(7)]);
-}
-
-fn choose_emitter_0( way_1 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Emitter_0
-{
-    var is_found_0 : bool;
-    var is_left_3 : bool;
-    var count_4 : u32 = way_1.count_2;
-    var node_11 : u32 = way_1.node_3;
-    var index_27 : u32 = way_1.index_15;
-    var _S214 : f32 = threshold_1;
-    for(;;)
-    {
-        if(count_4 == u32(0))
-        {
-            is_found_0 = !waits_for_pages_0();
-        }
-        else
-        {
-            is_found_0 = false;
-        }
-        if(is_found_0)
-        {
-        }
-        else
-        {
-            break;
-        }
-        var left_3 : u32 = node_11 + u32(1);
-        var power_left_0 : f32 = light_power_at_0(left_3, side_2);
-        if(_S214 < power_left_0)
-        {
-            is_left_3 = true;
-        }
-        else
-        {
-            is_left_3 = (light_power_at_0(index_27, side_2)) <= 0.0f;
-        }
-        if(is_left_3)
-        {
-        }
-        else
-        {
-            _S214 = _S214 - power_left_0;
-        }
-        if(is_left_3)
-        {
-            node_11 = left_3;
-        }
-        else
-        {
-            node_11 = index_27;
-        }
-        var below_0 : vec2<u32> = below_light_node_0(node_11);
-        var _S215 : u32 = below_0.x;
-        count_4 = below_0.y;
-        index_27 = _S215;
-    }
-    is_found_0 = false;
-    var chosen_3 : u32 = index_27;
-    var at_5 : u32 = index_27;
-    for(;;)
-    {
-        if(at_5 < (index_27 + count_4))
-        {
-            is_left_3 = !is_found_0;
-        }
-        else
-        {
-            is_left_3 = false;
-        }
-        if(is_left_3)
-        {
-        }
-        else
-        {
-            break;
-        }
-        if((((((emitter_faces_at_0(at_5)) >> (side_2))) & (u32(1)))) != u32(0))
-        {
-            var _S216 : f32 = _S214 - emitter_luminance_at_0(at_5);
-            is_found_0 = _S214 < (emitter_luminance_at_0(at_5));
-            chosen_3 = at_5;
-            _S214 = _S216;
-        }
-        at_5 = at_5 + u32(1);
-    }
-    return emitter_at_0(chosen_3);
-}
-
-fn point_of_face_0( low_6 : vec3<f32>,  face_7 : u32,  u_12 : f32,  v_7 : f32) -> vec3<f32>
-{
-    var away_2 : f32;
-    if(((face_7 & (u32(1)))) == u32(1))
-    {
-        away_2 = 1.0f;
-    }
-    else
-    {
-        away_2 = 0.0f;
-    }
-    if(face_7 < u32(2))
-    {
-        return low_6 + vec3<f32>(away_2, u_12, v_7);
-    }
-    if(face_7 < u32(4))
-    {
-        return low_6 + vec3<f32>(u_12, away_2, v_7);
-    }
-    return low_6 + vec3<f32>(u_12, v_7, away_2);
-}
-
-fn sample_emitter_0( receiver_16 : Receiver_0,  u_13 : vec4<f32>,  aim_2 : Aim_0,  sample_6 : ptr<function, LightSample_0>) -> bool
-{
-    (*sample_6) = no_light_0();
-    if((params_0.light_node_count_0) == u32(0))
-    {
-        return false;
-    }
-    var descent_3 : Descent_0 = Descent_x24init_0(u32(0), u32(0), u32(0), 1.0f, 1.0f, u_13.x, false);
-    Descent_at_0(&(descent_3), u32(0));
-    var _S217 : bool;
-    if(!IS_SINGLE_0)
-    {
-        _S217 = aim_2.is_met_0;
-    }
-    else
-    {
-        _S217 = false;
-    }
-    if(_S217)
-    {
-        var _S218 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(aim_2.hit_4.instance_1);
-        if((_S218.light_leaf_0) == u32(4294967295))
-        {
-            _S217 = true;
-        }
-        else
-        {
-            var _S219 : bool = climb_0(receiver_16, _S218.light_leaf_0, &(descent_3));
-            _S217 = !_S219;
-        }
-        if(_S217)
-        {
-            return false;
-        }
-        Descent_at_0(&(descent_3), _S218.light_leaf_0);
-    }
-    else
-    {
-        if(!IS_SINGLE_0)
-        {
-            var _S220 : bool = descend_0(receiver_16, by_chance_0(), &(descent_3));
-            _S217 = !_S220;
-        }
-        else
-        {
-            _S217 = false;
-        }
-        if(_S217)
-        {
-            return false;
-        }
-    }
-    var chosen_instance_0 : u32 = descent_3.index_15;
-    var local_2 : Receiver_0 = in_grid_3(descent_3.index_15, receiver_16);
-    Descent_at_1(&(descent_3), top_light_node_0(descent_3.node_3).root_1);
-    var _S221 : bool = descend_1(local_2, aim_2, &(descent_3));
-    if(!_S221)
-    {
-        return false;
-    }
-    var side_3 : u32 = aim_2.hit_4.face_0;
-    var odds_2 : vec2<f32>;
-    var _S222 : bool = choose_side_0(local_2.point_0, aim_2.is_met_0, descent_3, &(side_3), &(odds_2));
-    if(!_S222)
-    {
-        return false;
-    }
-    var power_4 : f32 = light_power_at_0(descent_3.node_3, side_3);
-    var _S223 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(chosen_instance_0);
-    if(aim_2.is_met_0)
-    {
-        var _S224 : f32 = density_0(odds_2, aim_2.luminance_1, power_4, Transform_direction_0(_S223.grid_from_world_0, aim_2.direction_18) * vec3<f32>(aim_2.hit_4.t_0), side_3);
-        (*sample_6).pdf_2 = _S224;
-        return _S224 > 0.0f;
-    }
-    var emitter_1 : Emitter_0 = choose_emitter_0(descent_3, side_3, u_13.y * power_4);
-    var _S225 : vec3<f32> = vec3<f32>(cell_of_0(emitter_1.voxel_4));
-    var on_face_0 : vec3<f32> = point_of_face_0(_S225, side_3, u_13.z, u_13.w);
-    var pdf_9 : f32 = density_0(odds_2, emitter_1.luminance_4, power_4, on_face_0 - local_2.point_0, side_3);
-    if(pdf_9 < 0.0f)
-    {
-        return false;
-    }
-    var direction_24 : vec3<f32> = Transform_point_0(_S223.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S223.grid_from_world_0.translation_0), _S225, side_3, on_face_0)) - receiver_16.point_0;
-    var cos_theta_7 : f32 = with_slack_0(receiver_16, divide_0(dot_product_0(receiver_16.normal_1, direction_24), square_root_0(length_squared_0(direction_24))));
-    (*sample_6) = LightSample_x24init_0(Ray_x24init_0(receiver_16.point_0, 0.0f, direction_24, 1.0f), cos_theta_7, emitted_0(material_of_index_0(emitter_1.material_7)), pdf_9);
-    return cos_theta_7 > 0.0f;
-}
-
-fn EmitterTree_sample_0( receiver_17 : Receiver_0,  u_14 : vec4<f32>,  aim_3 : Aim_0,  sample_7 : ptr<function, LightSample_0>) -> bool
-{
-    var _S226 : bool = sample_emitter_0(receiver_17, u_14, aim_3, &((*sample_7)));
-    return _S226;
-}
-
-fn Lights_sample_0( receiver_18 : Receiver_0,  selection_3 : Selection_0,  u_15 : vec4<f32>,  aim_4 : Aim_0,  sample_8 : ptr<function, LightSample_0>) -> bool
-{
-    var is_found_1 : bool;
-    if(has_sun_0())
-    {
-        is_found_1 = !aim_4.is_met_0;
-    }
-    else
-    {
-        is_found_1 = false;
-    }
-    if(is_found_1)
-    {
-        is_found_1 = (u_15.x) < (selection_3.sun_0);
-    }
-    else
-    {
-        is_found_1 = false;
-    }
-    if(is_found_1)
-    {
-        var _S227 : bool = SunDisc_sample_0(receiver_18, u_15, &((*sample_8)));
-        (*sample_8).pdf_2 = (*sample_8).pdf_2 * selection_3.sun_0;
-        is_found_1 = _S227;
-    }
-    else
-    {
-        if(Lights_has_chosen_sky_0())
-        {
-            is_found_1 = !aim_4.is_met_0;
-        }
-        else
-        {
-            is_found_1 = false;
-        }
-        if(is_found_1)
-        {
-            is_found_1 = (u_15.x) < (selection_3.sun_0 + selection_3.sky_1);
-        }
-        else
-        {
-            is_found_1 = false;
-        }
-        if(is_found_1)
-        {
-            var _S228 : bool = Sky_sample_0(receiver_18, vec4<f32>(min(divide_0(u_15.x - selection_3.sun_0, selection_3.sky_1), 0.99999994039535522f), u_15.yzw), &((*sample_8)));
-            (*sample_8).pdf_2 = (*sample_8).pdf_2 * selection_3.sky_1;
-            is_found_1 = _S228;
-        }
-        else
-        {
-            var _S229 : bool = EmitterTree_sample_0(receiver_18, vec4<f32>(min(divide_0(u_15.x - (selection_3.sun_0 + selection_3.sky_1), selection_3.emitters_0), 0.99999994039535522f), u_15.yzw), aim_4, &((*sample_8)));
-            (*sample_8).pdf_2 = (*sample_8).pdf_2 * selection_3.emitters_0;
-            is_found_1 = _S229;
-        }
-    }
-    return is_found_1;
-}
-
-fn MaterialBsdf_is_delta_0( this_25 : MaterialBsdf_0) -> bool
-{
-    return false;
 }
 
 fn PathTracingOf_advance_1( path_6 : ptr<function, Path_0>,  ray_9 : Ray_0,  hit_6 : Hit_0,  beyond_3 : u32,  radiance_6 : ptr<function, vec3<f32>>) -> NextRays_0
@@ -3495,7 +3540,7 @@ fn PathTracingOf_advance_1( path_6 : ptr<function, Path_0>,  ray_9 : Ray_0,  hit
     }
     var u_16 : vec4<f32> = Sampler_stratified_0((*path_6).sampler_0, Path_dimension_scatter_0((*path_6)));
     var material_9 : PackedMaterial_0 = material_met_0((*path_6), hit_6, beyond_3);
-    var _S230 : vec3<f32> = vec3<f32>(0.0f);
+    var _S234 : vec3<f32> = vec3<f32>(0.0f);
     var le_3 : vec3<f32>;
     if(!is_counted_1)
     {
@@ -3503,12 +3548,10 @@ fn PathTracingOf_advance_1( path_6 : ptr<function, Path_0>,  ray_9 : Ray_0,  hit
     }
     else
     {
-        le_3 = _S230;
+        le_3 = _S234;
     }
     var is_lit_1 : bool = (max_element_0(le_3)) > 0.0f;
-    var met_0 : Aim_0 = Aim_x24init_0(true, ray_9.direction_1, hit_6, luminance_0(vector_of_0(material_9.emission_0)));
-    var _S231 : bool = weighs_apart_0();
-    if(_S231)
+    if(weighs_apart_0())
     {
         is_weighed_1 = is_lit_1;
     }
@@ -3524,90 +3567,62 @@ fn PathTracingOf_advance_1( path_6 : ptr<function, Path_0>,  ray_9 : Ray_0,  hit
     {
         is_weighed_1 = false;
     }
-    var is_chosen_0 : bool;
+    var _S235 : bool;
     if(is_lit_1)
     {
-        is_chosen_0 = !is_weighed_1;
+        _S235 = !is_weighed_1;
     }
     else
     {
-        is_chosen_0 = false;
+        _S235 = false;
     }
-    if(is_chosen_0)
+    if(_S235)
     {
-        var light_3 : LightSample_0 = no_light_0();
-        if(!_S231)
-        {
-            is_chosen_0 = ((*path_6).pdf_1) > 0.0f;
-        }
-        else
-        {
-            is_chosen_0 = false;
-        }
-        if(is_chosen_0)
-        {
-            var _S232 : bool = Lights_sample_0(last_4, Path_selection_at_0((*path_6), last_4), vec4<f32>(0.0f), met_0, &(light_3));
-            is_chosen_0 = _S232;
-        }
-        else
-        {
-            is_chosen_0 = false;
-        }
-        var _S233 : vec3<f32> = (*path_6).beta_0 * le_3;
-        var _S234 : f32 = (*path_6).pdf_1;
-        if(is_chosen_0)
-        {
-            light_pdf_2 = light_3.pdf_2;
-        }
-        else
-        {
-            light_pdf_2 = 0.0f;
-        }
-        (*radiance_6) = (*radiance_6) + _S233 * vec3<f32>(mis_weight_0(_S234, light_pdf_2));
+        (*radiance_6) = (*radiance_6) + (*path_6).beta_0 * le_3 * vec3<f32>(mis_weight_0((*path_6).pdf_1, 0.0f));
     }
-    var _S235 : f32 = ior_of_0((*path_6).inside_0);
-    var _S236 : f32 = u_16[i32(3)];
-    var _S237 : MaterialBsdf_0 = bsdf_of_0(material_9, _S235, &(_S236));
-    u_16[i32(3)] = _S236;
-    var scattered_3 : vec3<f32> = (*path_6).beta_0 * MaterialBsdf_albedo_0(_S237);
+    var _S236 : f32 = ior_of_0((*path_6).inside_0);
+    var _S237 : f32 = u_16[i32(3)];
+    var _S238 : MaterialBsdf_0 = bsdf_of_0(material_9, _S236, &(_S237));
+    u_16[i32(3)] = _S237;
+    var scattered_3 : vec3<f32> = (*path_6).beta_0 * MaterialBsdf_albedo_0(_S238);
     if(((*path_6).bounce_0) >= (params_0.max_bounces_0))
     {
-        is_chosen_0 = true;
+        _S235 = true;
     }
     else
     {
-        is_chosen_0 = ends_here_0;
+        _S235 = ends_here_0;
     }
-    var _S238 : bool = !is_weighed_1;
-    if(_S238)
+    var _S239 : bool = !is_weighed_1;
+    if(_S239)
     {
-        if(is_chosen_0)
+        if(_S235)
         {
-            is_chosen_0 = true;
+            _S235 = true;
         }
         else
         {
-            is_chosen_0 = (max_element_0(scattered_3)) <= 0.0f;
+            _S235 = (max_element_0(scattered_3)) <= 0.0f;
         }
     }
     else
     {
-        is_chosen_0 = false;
+        _S235 = false;
     }
-    if(is_chosen_0)
+    if(_S235)
     {
         return next_1;
     }
     var compensation_3 : f32 = roulette_0(Path_events_0((*path_6)), scattered_3, u_16.z);
-    if(_S238)
+    if(_S239)
     {
-        is_chosen_0 = compensation_3 == 0.0f;
+        _S235 = compensation_3 == 0.0f;
     }
     else
     {
-        is_chosen_0 = false;
+        _S235 = false;
     }
-    if(is_chosen_0)
+    if(_S235)
     {
         return next_1;
     }
@@ -3621,19 +3636,19 @@ fn PathTracingOf_advance_1( path_6 : ptr<function, Path_0>,  ray_9 : Ray_0,  hit
         at_6 = hit_6;
     }
     var surface_4 : Surface_0 = surface_of_0(ray_9, at_6);
-    var _S239 : Receiver_0 = Receiver_x24init_0(surface_4.origin_3, surface_4.normal_2);
-    var _S240 : vec3<f32> = (vec3<f32>(0) - ray_9.direction_1);
-    var wo_6 : vec3<f32> = Surface_local_direction_0(surface_4, _S240);
+    var _S240 : Receiver_0 = Receiver_x24init_0(surface_4.origin_3, surface_4.normal_2);
+    var _S241 : vec3<f32> = (vec3<f32>(0) - ray_9.direction_1);
+    var wo_6 : vec3<f32> = Surface_local_direction_0(surface_4, _S241);
     var inside_5 : Inside_0 = in_air_0();
     var wo_7 : vec3<f32>;
     var receiver_19 : Receiver_0;
     if(is_scattered_3)
     {
-        var _S241 : Inside_0 = Inside_x24init_0((*path_6).inside_0.instance_0, hit_6.voxel_1, (*path_6).inside_0.material_0);
-        inside_5 = _S241;
-        var _S242 : vec3<f32> = normalize_vector_0(_S240);
-        receiver_19 = Receiver_x24init_0(Inside_point_0(_S241, ray_9, t_5), _S230);
-        wo_7 = _S242;
+        var _S242 : Inside_0 = Inside_x24init_0((*path_6).inside_0.instance_0, hit_6.voxel_1, (*path_6).inside_0.material_0);
+        inside_5 = _S242;
+        var _S243 : vec3<f32> = normalize_vector_0(_S241);
+        receiver_19 = Receiver_x24init_0(Inside_point_0(_S242, ray_9, t_5), _S234);
+        wo_7 = _S243;
     }
     else
     {
@@ -3643,7 +3658,7 @@ fn PathTracingOf_advance_1( path_6 : ptr<function, Path_0>,  ray_9 : Ray_0,  hit
             inside_5 = Inside_x24init_0((*path_6).inside_0.instance_0, hit_6.voxel_1, (*path_6).inside_0.material_0);
             inside_5.voxel_0 = hit_6.voxel_1 + vec3<i32>(face_normal_0(hit_6.face_0));
         }
-        receiver_19 = _S239;
+        receiver_19 = _S240;
         wo_7 = wo_6;
     }
     next_1.origin_0 = receiver_19.point_0;
@@ -3652,13 +3667,8 @@ fn PathTracingOf_advance_1( path_6 : ptr<function, Path_0>,  ray_9 : Ray_0,  hit
     {
         receiver_19 = last_4;
     }
-    if(_S238)
-    {
-        (*path_6).selection_0 = Lights_selection_0(receiver_19);
-    }
     var light_4 : LightSample_0 = no_light_0();
-    var _S243 : bool = !MaterialBsdf_is_delta_0(_S237);
-    scatter_of_path_0 = Scatter_x24init_0((*path_6), receiver_19, surface_4, _S237, wo_7, compensation_3, is_scattered_3, _S243);
+    scatter_of_path_0 = Scatter_x24init_0((*path_6), receiver_19, surface_4, _S238, wo_7, compensation_3, is_scattered_3, false);
     if(is_weighed_1)
     {
         if(next_1.has_shadow_ray_0)
@@ -3675,19 +3685,19 @@ fn PathTracingOf_advance_1( path_6 : ptr<function, Path_0>,  ray_9 : Ray_0,  hit
         return next_1;
     }
     var bounce_2 : BsdfSample_0;
-    var _S244 : bool = MaterialBsdf_sample_0(_S237, wo_7, vec3<f32>(u_16.xy, u_16.w), &(bounce_2));
+    var _S244 : bool = MaterialBsdf_sample_0(_S238, wo_7, vec3<f32>(u_16.xy, u_16.w), &(bounce_2));
     if(!_S244)
     {
         return next_1;
     }
-    (*path_6).beta_0 = (*path_6).beta_0 * bounce_2.weight_0 * vec3<f32>(compensation_3);
+    (*path_6).beta_0 = (*path_6).beta_0 * bounce_2.weight_3 * vec3<f32>(compensation_3);
     if(bounce_2.is_delta_0)
     {
         t_5 = 0.0f;
     }
     else
     {
-        t_5 = bounce_2.pdf_4;
+        t_5 = bounce_2.pdf_8;
     }
     (*path_6).pdf_1 = t_5;
     (*path_6).normal_0 = receiver_19.normal_1;
@@ -3814,7 +3824,7 @@ fn goes_on_from_0( at_7 : ptr<function, Walker_0>,  hit_10 : Hit_0,  beyond_6 : 
         var arrived_1 : Path_0 = (*at_7).path_7;
         var emitted_2 : vec3<f32> = cached_0;
         var _S250 : Path_0 = (*at_7).path_7;
-        var _S251 : NextRays_0 = PathTracingOf_advance_0(&(_S250), (*at_7).ray_10, hit_10, beyond_6, &(emitted_2));
+        var _S251 : NextRays_0 = PathTracingOf_advance_1(&(_S250), (*at_7).ray_10, hit_10, beyond_6, &(emitted_2));
         (*at_7).path_7 = _S250;
         next_2 = _S251;
         var goes_on_2 : bool = (any(((next_2.direction_0) != cached_0)));
@@ -4165,11 +4175,11 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_3 : ptr<function, NextRays_0>)
             candidate_0 = candidate_0 + u32(1);
             continue;
         }
-        var _S268 : vec3<f32> = vec3<f32>(Surface_local_direction_0(scatter_0.surface_0, light_8.ray_6.direction_1).xy, light_8.cos_theta_2);
+        var _S268 : vec3<f32> = vec3<f32>(Surface_local_direction_0(scatter_0.surface_0, light_8.ray_4.direction_1).xy, light_8.cos_theta_2);
         var wi_5 : vec3<f32>;
         if(scatter_0.is_scattered_0)
         {
-            wi_5 = normalize_vector_0(light_8.ray_6.direction_1);
+            wi_5 = normalize_vector_0(light_8.ray_4.direction_1);
         }
         else
         {
@@ -4197,8 +4207,8 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_3 : ptr<function, NextRays_0>)
         var chosen_5 : f32;
         if(weight_7 > 0.0f)
         {
-            (*next_3).shadow_direction_0 = light_8.ray_6.direction_1;
-            (*next_3).shadow_t_max_0 = light_8.ray_6.t_max_0;
+            (*next_3).shadow_direction_0 = light_8.ray_4.direction_1;
+            (*next_3).shadow_t_max_0 = light_8.ray_4.t_max_0;
             (*next_3).light_0 = _S269;
             chosen_5 = weight_7;
         }
@@ -4255,7 +4265,7 @@ fn goes_on_from_1( at_8 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_8 : 
         var arrived_2 : Path_0 = (*at_8).path_7;
         var emitted_3 : vec3<f32> = _S272;
         var _S274 : Path_0 = (*at_8).path_7;
-        var _S275 : NextRays_0 = PathTracingOf_advance_1(&(_S274), (*at_8).ray_10, hit_13, beyond_8, &(emitted_3));
+        var _S275 : NextRays_0 = PathTracingOf_advance_0(&(_S274), (*at_8).ray_10, hit_13, beyond_8, &(emitted_3));
         (*at_8).path_7 = _S274;
         next_4 = _S275;
         var goes_on_4 : bool = (any(((next_4.direction_0) != _S272)));
@@ -4430,11 +4440,11 @@ fn LocalRay_t_end_0( this_35 : LocalRay_0) -> f32
     return min(this_35.t_max_2 * 1.00000095367431641f, 3.4028234663852886e+38f);
 }
 
-fn walk_of_0( ray_16 : LocalRay_0,  grid_7 : PackedGrid_0) -> Walk_0
+fn walk_of_0( ray_16 : LocalRay_0,  grid_9 : PackedGrid_0) -> Walk_0
 {
     var walk_0 : Walk_0;
     walk_0.ray_15 = ray_16;
-    walk_0.grid_origin_0 = cell_of_0(grid_7.origin_4);
+    walk_0.grid_origin_0 = cell_of_0(grid_9.origin_4);
     var is_negative_0 : vec3<bool> = (ray_16.direction_26) < vec3<f32>(0.0f);
     var _S279 : vec3<i32> = vec3<i32>(i32(0));
     walk_0.mirror_0 = select(_S279, vec3<i32>(i32(-1)), is_negative_0);
@@ -4475,9 +4485,9 @@ fn walk_of_0( ray_16 : LocalRay_0,  grid_7 : PackedGrid_0) -> Walk_0
     }
     else
     {
-        top_shift_1 = grid_7.top_shift_0;
+        top_shift_1 = grid_9.top_shift_0;
     }
-    walk_0.tolerance_0 = LocalRay_tolerance_0(ray_16, walk_0.grid_origin_0, walk_0.grid_origin_0 + (((cell_of_0(grid_7.top_size_0)) << (vec3<u32>(top_shift_1)))));
+    walk_0.tolerance_0 = LocalRay_tolerance_0(ray_16, walk_0.grid_origin_0, walk_0.grid_origin_0 + (((cell_of_0(grid_9.top_size_0)) << (vec3<u32>(top_shift_1)))));
     walk_0.t_end_0 = LocalRay_t_end_0(ray_16);
     return walk_0;
 }
@@ -5098,12 +5108,12 @@ fn blocks_of_cell_0( cell_12 : u32) -> u32
     return (((cell_12 >> (u32(23)))) & (u32(255)));
 }
 
-fn blocks_of_record_0( record_2 : u32) -> u32
+fn blocks_of_record_0( record_3 : u32) -> u32
 {
-    return ((brick_word_0(record_2)) & (u32(255)));
+    return ((brick_word_0(record_3)) & (u32(255)));
 }
 
-fn empty_around_0( record_3 : u32,  blocks_0 : u32,  voxel_14 : vec3<i32>,  octant_2 : u32,  flip_0 : u32) -> u32
+fn empty_around_0( record_4 : u32,  blocks_0 : u32,  voxel_14 : vec3<i32>,  octant_2 : u32,  flip_0 : u32) -> u32
 {
     var block_0 : u32 = (((((u32(((((voxel_14.x) >> (u32(2)))) & (i32(1)))) | (u32(((((voxel_14.y) >> (u32(1)))) & (i32(2))))))) | (u32(((voxel_14.z) & (i32(4))))))) ^ (octant_2));
     if(((((blocks_0 >> (block_0))) & (u32(1)))) == u32(0))
@@ -5111,7 +5121,7 @@ fn empty_around_0( record_3 : u32,  blocks_0 : u32,  voxel_14 : vec3<i32>,  octa
         return u32(3);
     }
     var bit_1 : u32 = ((cell_in_node_0(voxel_14, u32(0))) ^ (flip_0));
-    var half_2 : u32 = brick_word_0(record_3 + u32(2) + u32(2) * countOneBits((blocks_0 & ((((u32(1) << (block_0))) - u32(1))))) + ((bit_1 >> (u32(5)))));
+    var half_2 : u32 = brick_word_0(record_4 + u32(2) + u32(2) * countOneBits((blocks_0 & ((((u32(1) << (block_0))) - u32(1))))) + ((bit_1 >> (u32(5)))));
     if(((((half_2 >> (((bit_1 & (u32(31))))))) & (u32(1)))) != u32(0))
     {
         return u32(4294967295);
@@ -5180,13 +5190,13 @@ fn Walk_leave_1( this_46 : Walk_0,  voxel_15 : ptr<function, vec3<i32>>,  exit_4
     return true;
 }
 
-fn first_voxel_0( grid_8 : PackedGrid_0,  walk_1 : Walk_0,  found_1 : ptr<function, vec3<i32>>) -> bool
+fn first_voxel_0( grid_10 : PackedGrid_0,  walk_1 : Walk_0,  found_1 : ptr<function, vec3<i32>>) -> bool
 {
     var _S327 : Walk_0 = walk_1;
     var _S328 : vec3<i32> = vec3<i32>(i32(0));
     (*found_1) = _S328;
     var voxel_16 : vec3<i32> = Walk_start_voxel_0(walk_1);
-    var _S329 : bool = Walk_enter_0(walk_1, &(voxel_16), cell_of_0(grid_8.min_1) - _S327.grid_origin_0, cell_of_0(grid_8.max_1) - _S327.grid_origin_0);
+    var _S329 : bool = Walk_enter_0(walk_1, &(voxel_16), cell_of_0(grid_10.min_1) - _S327.grid_origin_0, cell_of_0(grid_10.max_1) - _S327.grid_origin_0);
     if(!_S329)
     {
         return false;
@@ -5200,12 +5210,12 @@ fn first_voxel_0( grid_8 : PackedGrid_0,  walk_1 : Walk_0,  found_1 : ptr<functi
     }
     else
     {
-        top_shift_2 = grid_8.top_shift_0;
+        top_shift_2 = grid_10.top_shift_0;
     }
-    var top_size_1 : vec3<i32> = cell_of_0(grid_8.top_size_0);
+    var top_size_1 : vec3<i32> = cell_of_0(grid_10.top_size_0);
     var _S331 : i32 = top_size_1.x;
     var stride_0 : vec3<i32> = vec3<i32>(i32(1), _S331, _S331 * top_size_1.y);
-    var _S332 : i32 = i32(grid_8.top_offset_0) - dot_cells_0((stride_0 & ((_S327.mirror_0))), vec3<i32>(i32(1)));
+    var _S332 : i32 = i32(grid_10.top_offset_0) - dot_cells_0((stride_0 & ((_S327.mirror_0))), vec3<i32>(i32(1)));
     var _S333 : vec3<i32> = Walk_mirrored_plane_0(_S327, stride_0);
     var _S334 : u32 = ahead_of_0(_S327.mirror_0);
     var end_0 : vec3<i32> = select((top_size_1 << (vec3<u32>(top_shift_2))), _S328, (_S327.mirror_0) != _S328);
@@ -5301,7 +5311,7 @@ fn first_voxel_0( grid_8 : PackedGrid_0,  walk_1 : Walk_0,  found_1 : ptr<functi
         }
         else
         {
-            var record_4 : u32 = record_of_cell_0(cell_14);
+            var record_5 : u32 = record_of_cell_0(cell_14);
             var blocks_1 : u32;
             if(CELLS_HAVE_BLOCKS_0)
             {
@@ -5309,9 +5319,9 @@ fn first_voxel_0( grid_8 : PackedGrid_0,  walk_1 : Walk_0,  found_1 : ptr<functi
             }
             else
             {
-                blocks_1 = blocks_of_record_0(record_4);
+                blocks_1 = blocks_of_record_0(record_5);
             }
-            var low_bits_0 : u32 = empty_around_0(record_4, blocks_1, voxel_16, octant_3, _S330);
+            var low_bits_0 : u32 = empty_around_0(record_5, blocks_1, voxel_16, octant_3, _S330);
             var is_found_5 : bool = low_bits_0 == u32(4294967295);
             if(is_found_5)
             {
@@ -5840,32 +5850,13 @@ fn PathTracingOf_jitter_0( sampler_2 : Sampler_0) -> vec4<f32>
     return Sampler_stratified_0(sampler_2, u32(0));
 }
 
-fn Sample_x24init_0( direct_1 : vec3<f32>,  light_10 : vec3<f32>,  is_shown_1 : bool,  albedo_1 : vec3<f32>,  normal_5 : vec3<f32>,  place_5 : vec3<f32>,  instance_14 : u32) -> Sample_0
-{
-    var _S398 : Sample_0;
-    _S398.direct_0 = direct_1;
-    _S398.light_6 = light_10;
-    _S398.is_shown_0 = is_shown_1;
-    _S398.albedo_0 = albedo_1;
-    _S398.normal_4 = normal_5;
-    _S398.place_3 = place_5;
-    _S398.instance_8 = instance_14;
-    return _S398;
-}
-
-fn no_sample_0() -> Sample_0
-{
-    var _S399 : vec3<f32> = vec3<f32>(0.0f);
-    return Sample_x24init_0(_S399, _S399, false, _S399, _S399, _S399, u32(4294967295));
-}
-
 fn Sampler_x24init_0( seed_3 : u32,  pixel_1 : u32,  sample_15 : u32) -> Sampler_0
 {
-    var _S400 : Sampler_0;
-    _S400.seed_1 = seed_3;
-    _S400.pixel_0 = pixel_1;
-    _S400.sample_0 = sample_15;
-    return _S400;
+    var _S398 : Sampler_0;
+    _S398.seed_1 = seed_3;
+    _S398.pixel_0 = pixel_1;
+    _S398.sample_0 = sample_15;
+    return _S398;
 }
 
 struct Item_0
@@ -5873,21 +5864,21 @@ struct Item_0
      traces_0 : bool,
      kind_2 : u32,
      at_12 : vec2<u32>,
-     place_6 : u32,
+     place_5 : u32,
      slot_0 : u32,
      sampler_3 : Sampler_0,
 };
 
-fn Item_x24init_0( traces_1 : bool,  kind_3 : u32,  at_13 : vec2<u32>,  place_7 : u32,  slot_1 : u32,  sampler_4 : Sampler_0) -> Item_0
+fn Item_x24init_0( traces_1 : bool,  kind_3 : u32,  at_13 : vec2<u32>,  place_6 : u32,  slot_1 : u32,  sampler_4 : Sampler_0) -> Item_0
 {
-    var _S401 : Item_0;
-    _S401.traces_0 = traces_1;
-    _S401.kind_2 = kind_3;
-    _S401.at_12 = at_13;
-    _S401.place_6 = place_7;
-    _S401.slot_0 = slot_1;
-    _S401.sampler_3 = sampler_4;
-    return _S401;
+    var _S399 : Item_0;
+    _S399.traces_0 = traces_1;
+    _S399.kind_2 = kind_3;
+    _S399.at_12 = at_13;
+    _S399.place_5 = place_6;
+    _S399.slot_0 = slot_1;
+    _S399.sampler_3 = sampler_4;
+    return _S399;
 }
 
 fn has_0( flag_0 : u32) -> bool
@@ -5914,11 +5905,18 @@ fn place_of_chosen_0( number_2 : u32) -> u32
     return u32(524304) + number_2;
 }
 
-fn Item_key_0( this_48 : Item_0,  rank_2 : ptr<function, u32>) -> Key_0
+fn Item_key_0( this_48 : Item_0,  rank_3 : ptr<function, u32>) -> Key_0
 {
-    var face_8 : vec4<u32> = cell_row_0(u32(1), this_48.place_6);
-    (*rank_2) = face_8.z;
-    return Key_x24init_0(face_8.x, face_8.y, vec3<i32>(cell_row_0(u32(2), this_48.place_6).xyz));
+    var face_8 : vec4<u32> = cell_row_0(u32(1), this_48.place_5);
+    (*rank_3) = face_8.z;
+    return Key_x24init_0(face_8.x, face_8.y, vec3<i32>(cell_row_0(u32(2), this_48.place_5).xyz));
+}
+
+fn Item_key_1( this_49 : Item_0,  rank_4 : ptr<function, u32>) -> Key_0
+{
+    var face_9 : vec4<u32> = cell_row_0(u32(1), this_49.place_5);
+    (*rank_4) = face_9.z;
+    return Key_x24init_0(face_9.x, face_9.y, vec3<i32>(cell_row_0(u32(2), this_49.place_5).xyz));
 }
 
 fn pixel_of_thread_0( thread_0 : u32) -> vec2<u32>
@@ -5934,58 +5932,58 @@ fn pixel_that_traces_0( thread_1 : u32) -> vec2<u32>
 {
     if(!has_0(u32(128)))
     {
-        var _S402 : vec2<u32> = pixel_of_thread_0(thread_1);
-        return _S402;
+        var _S400 : vec2<u32> = pixel_of_thread_0(thread_1);
+        return _S400;
     }
     var tiles_1 : u32 = (params_0.width_0 + u32(15)) / u32(16);
     var tile_1 : u32 = thread_1 / u32(64);
     var in_tile_1 : u32 = (thread_1 & (u32(63)));
     var row_12 : u32 = tile_1 / tiles_1;
-    var _S403 : u32 = row_12 * u32(8) + ((in_tile_1 >> (u32(3))));
-    var at_14 : vec2<u32> = vec2<u32>((tile_1 - row_12 * tiles_1) * u32(16) + u32(2) * ((in_tile_1 & (u32(7)))), _S403);
-    at_14[i32(0)] = at_14[i32(0)] + (((_S403 + real_time_0.number_0) & (u32(1))));
+    var _S401 : u32 = row_12 * u32(8) + ((in_tile_1 >> (u32(3))));
+    var at_14 : vec2<u32> = vec2<u32>((tile_1 - row_12 * tiles_1) * u32(16) + u32(2) * ((in_tile_1 & (u32(7)))), _S401);
+    at_14[i32(0)] = at_14[i32(0)] + (((_S401 + real_time_0.number_0) & (u32(1))));
     return at_14;
 }
 
 fn squares_1() -> vec2<u32>
 {
-    var _S404 : vec2<u32> = vec2<u32>(u32(5));
-    var _S405 : vec2<u32> = (vec2<u32>(params_0.width_0, params_0.height_0) + _S404 - vec2<u32>(u32(1))) / _S404;
-    return _S405;
+    var _S402 : vec2<u32> = vec2<u32>(u32(5));
+    var _S403 : vec2<u32> = (vec2<u32>(params_0.width_0, params_0.height_0) + _S402 - vec2<u32>(u32(1))) / _S402;
+    return _S403;
 }
 
 fn pixel_of_square_0( square_1 : u32,  number_3 : u32) -> vec2<u32>
 {
     var columns_1 : u32 = squares_1().x;
-    var _S406 : u32 = square_1 % columns_1;
-    var _S407 : u32 = square_1 / columns_1;
-    var at_15 : vec2<u32> = vec2<u32>(_S406, _S407);
-    var _S408 : vec2<u32> = vec2<u32>(u32(5));
-    var _S409 : vec2<u32> = at_15 * _S408;
-    var _S410 : vec2<u32> = pcg4d_0(vec4<u32>(at_15, number_3, u32(3266489909))).xy % _S408;
-    return min(_S409 + _S410, vec2<u32>(params_0.width_0, params_0.height_0) - vec2<u32>(u32(1)));
+    var _S404 : u32 = square_1 % columns_1;
+    var _S405 : u32 = square_1 / columns_1;
+    var at_15 : vec2<u32> = vec2<u32>(_S404, _S405);
+    var _S406 : vec2<u32> = vec2<u32>(u32(5));
+    var _S407 : vec2<u32> = at_15 * _S406;
+    var _S408 : vec2<u32> = pcg4d_0(vec4<u32>(at_15, number_3, u32(3266489909))).xy % _S406;
+    return min(_S407 + _S408, vec2<u32>(params_0.width_0, params_0.height_0) - vec2<u32>(u32(1)));
 }
 
 fn is_inside_0( at_16 : vec2<i32>) -> bool
 {
-    var _S411 : bool;
+    var _S409 : bool;
     if((all((at_16 >= vec2<i32>(i32(0))))))
     {
-        _S411 = (at_16.x) < i32(params_0.width_0);
+        _S409 = (at_16.x) < i32(params_0.width_0);
     }
     else
     {
-        _S411 = false;
+        _S409 = false;
     }
-    if(_S411)
+    if(_S409)
     {
-        _S411 = (at_16.y) < i32(params_0.height_0);
+        _S409 = (at_16.y) < i32(params_0.height_0);
     }
     else
     {
-        _S411 = false;
+        _S409 = false;
     }
-    return _S411;
+    return _S409;
 }
 
 fn place_of_square_0( list_0 : u32,  square_2 : u32) -> u32
@@ -6007,23 +6005,23 @@ fn item_of_0( number_4 : u32) -> Item_0
     var count_7 : u32 = real_time_0.squares_0;
     if(number_4 < (real_time_0.cells_0))
     {
-        var _S412 : u32 = atomicLoad(&(cell_keys_0[u32(2)]));
-        var _S413 : bool = number_4 < _S412;
-        item_0.traces_0 = _S413;
-        if(_S413)
+        var _S410 : u32 = atomicLoad(&(cell_keys_0[u32(2)]));
+        var _S411 : bool = number_4 < _S410;
+        item_0.traces_0 = _S411;
+        if(_S411)
         {
-            var _S414 : u32 = atomicLoad(&(cell_keys_0[place_of_chosen_0(number_4)]));
-            item_0.place_6 = _S414;
+            var _S412 : u32 = atomicLoad(&(cell_keys_0[place_of_chosen_0(number_4)]));
+            item_0.place_5 = _S412;
             item_0.slot_0 = real_time_0.pixels_0 + count_7 + number_4;
-            var rank_3 : u32;
-            item_0.sampler_3 = Sampler_x24init_0(((params_0.seed_0) ^ (u32(1540483477))), Key_hash_0(Item_key_0(item_0, &(rank_3))).x, real_time_0.number_0);
+            var rank_5 : u32;
+            item_0.sampler_3 = Sampler_x24init_0(((params_0.seed_0) ^ (u32(1540483477))), Key_hash_0(Item_key_1(item_0, &(rank_5))).x, real_time_0.number_0);
         }
         return item_0;
     }
-    var _S415 : u32 = number_4 - cells_2;
-    var _S416 : vec2<u32> = pixel_that_traces_0(_S415);
-    item_0.at_12 = _S416;
-    var square_3 : u32 = _S415 - pixels_1;
+    var _S413 : u32 = number_4 - cells_2;
+    var _S414 : vec2<u32> = pixel_that_traces_0(_S413);
+    item_0.at_12 = _S414;
+    var square_3 : u32 = _S413 - pixels_1;
     var is_square_0 : bool = number_4 >= (cells_2 + pixels_1);
     var is_again_0 : bool;
     if(is_square_0)
@@ -6052,96 +6050,115 @@ fn item_of_0( number_4 : u32) -> Item_0
     {
         frame_0 = real_time_0.number_0;
     }
-    var _S417 : u32;
+    var _S415 : u32;
     if(is_again_0)
     {
-        _S417 = u32(3);
+        _S415 = u32(3);
     }
     else
     {
         if(is_square_0)
         {
-            _S417 = u32(2);
+            _S415 = u32(2);
         }
         else
         {
-            _S417 = u32(1);
+            _S415 = u32(1);
         }
     }
-    item_0.kind_2 = _S417;
+    item_0.kind_2 = _S415;
     if(is_square_0)
     {
-        var _S418 : vec2<u32> = pixel_of_square_0(square_4, frame_0);
-        item_0.at_12 = _S418;
+        var _S416 : vec2<u32> = pixel_of_square_0(square_4, frame_0);
+        item_0.at_12 = _S416;
     }
-    var _S419 : bool;
+    var _S417 : bool;
     if(is_square_0)
     {
         if(is_again_0)
         {
-            _S417 = real_time_0.again_0;
+            _S415 = real_time_0.again_0;
         }
         else
         {
-            _S417 = count_7;
+            _S415 = count_7;
         }
-        _S419 = square_4 < _S417;
+        _S417 = square_4 < _S415;
     }
     else
     {
-        _S419 = is_inside_0(vec2<i32>(item_0.at_12));
+        _S417 = is_inside_0(vec2<i32>(item_0.at_12));
     }
-    item_0.traces_0 = _S419;
+    item_0.traces_0 = _S417;
     if(is_square_0)
     {
         if(is_again_0)
         {
-            _S417 = u32(2);
+            _S415 = u32(2);
         }
         else
         {
-            _S417 = (frame_0 & (u32(1)));
+            _S415 = (frame_0 & (u32(1)));
         }
-        _S417 = place_of_square_0(_S417, square_4);
+        _S415 = place_of_square_0(_S415, square_4);
     }
     else
     {
-        _S417 = index_of_0(item_0.at_12);
+        _S415 = index_of_0(item_0.at_12);
     }
-    item_0.place_6 = _S417;
+    item_0.place_5 = _S415;
     if(is_square_0)
     {
-        _S417 = real_time_0.pixels_0 + square_4;
+        _S415 = real_time_0.pixels_0 + square_4;
     }
     else
     {
-        _S417 = item_0.place_6;
+        _S415 = item_0.place_5;
     }
-    item_0.slot_0 = _S417;
-    var _S420 : u32 = params_0.seed_0;
+    item_0.slot_0 = _S415;
+    var _S418 : u32 = params_0.seed_0;
     if(is_square_0)
     {
-        _S417 = u32(3266489909);
+        _S415 = u32(3266489909);
     }
     else
     {
-        _S417 = u32(2654435769);
+        _S415 = u32(2654435769);
     }
-    item_0.sampler_3 = Sampler_x24init_0((_S420 ^ (_S417)), index_of_0(item_0.at_12), frame_0);
+    item_0.sampler_3 = Sampler_x24init_0((_S418 ^ (_S415)), index_of_0(item_0.at_12), frame_0);
     return item_0;
 }
 
-fn Item_is_cell_0( this_49 : Item_0) -> bool
+fn Sample_x24init_0( direct_1 : vec3<f32>,  light_10 : vec3<f32>,  is_shown_1 : bool,  albedo_1 : vec3<f32>,  normal_5 : vec3<f32>,  place_7 : vec3<f32>,  instance_14 : u32) -> Sample_0
 {
-    return (this_49.kind_2) == u32(0);
+    var _S419 : Sample_0;
+    _S419.direct_0 = direct_1;
+    _S419.light_6 = light_10;
+    _S419.is_shown_0 = is_shown_1;
+    _S419.albedo_0 = albedo_1;
+    _S419.normal_4 = normal_5;
+    _S419.place_3 = place_7;
+    _S419.instance_8 = instance_14;
+    return _S419;
 }
 
-fn Key_voxel_0( this_50 : Key_0,  code_3 : u32,  scramble_0 : u32) -> vec3<i32>
+fn no_sample_0() -> Sample_0
 {
-    var _S421 : u32 = Key_level_0(this_50);
+    var _S420 : vec3<f32> = vec3<f32>(0.0f);
+    return Sample_x24init_0(_S420, _S420, false, _S420, _S420, _S420, u32(4294967295));
+}
+
+fn Item_is_cell_0( this_50 : Item_0) -> bool
+{
+    return (this_50.kind_2) == u32(0);
+}
+
+fn Key_voxel_0( this_51 : Key_0,  code_3 : u32,  scramble_0 : u32) -> vec3<i32>
+{
+    var _S421 : u32 = Key_level_0(this_51);
     var bits_4 : u32 = ((u32(1) << (_S421))) - u32(1);
-    var place_8 : u32 = ((code_3 - u32(1)) ^ (((scramble_0 & ((Key_mask_0(this_50)))))));
-    return (((this_50.cube_0) << (vec3<u32>(u32(i32(_S421)))))) + vec3<i32>(i32((place_8 & (bits_4))), i32((((place_8 >> (_S421))) & (bits_4))), i32((((place_8 >> ((u32(2) * _S421)))) & (bits_4))));
+    var place_8 : u32 = ((code_3 - u32(1)) ^ (((scramble_0 & ((Key_mask_0(this_51)))))));
+    return (((this_51.cube_0) << (vec3<u32>(u32(i32(_S421)))))) + vec3<i32>(i32((place_8 & (bits_4))), i32((((place_8 >> (_S421))) & (bits_4))), i32((((place_8 >> ((u32(2) * _S421)))) & (bits_4))));
 }
 
 fn Path_x24init_0( sampler_5 : Sampler_0,  bounce_3 : u32,  event_2 : u32,  kinds_1 : u32,  scattered_4 : u32,  beta_1 : vec3<f32>,  pdf_12 : f32,  normal_6 : vec3<f32>,  selection_4 : Selection_0,  passed_t_1 : f32,  inside_6 : Inside_0,  is_clipped_1 : bool) -> Path_0
@@ -6200,12 +6217,12 @@ fn direction_from_cell_0( sampler_7 : Sampler_0,  normal_7 : vec3<f32>,  pdf_13 
     return x_11 * vec3<f32>(local_5.x) + y_6 * vec3<f32>(local_5.y) + normal_7 * vec3<f32>(_S426);
 }
 
-fn Surface_x24init_0( origin_11 : vec3<f32>,  normal_8 : vec3<f32>,  face_9 : u32,  instance_15 : u32) -> Surface_0
+fn Surface_x24init_0( origin_11 : vec3<f32>,  normal_8 : vec3<f32>,  face_10 : u32,  instance_15 : u32) -> Surface_0
 {
     var _S427 : Surface_0;
     _S427.origin_3 = origin_11;
     _S427.normal_2 = normal_8;
-    _S427.face_1 = face_9;
+    _S427.face_1 = face_10;
     _S427.instance_3 = instance_15;
     return _S427;
 }
@@ -6232,12 +6249,12 @@ fn Walker_x24init_0( path_11 : Path_0,  ray_27 : Ray_0,  is_shadow_ray_2 : bool,
     return _S428;
 }
 
-fn at_cell_0( key_3 : Key_0,  rank_4 : u32,  sampler_8 : Sampler_0) -> Walker_0
+fn at_cell_0( key_3 : Key_0,  rank_6 : u32,  sampler_8 : Sampler_0) -> Walker_0
 {
-    var face_10 : u32 = ((key_3.face_and_level_0) & (u32(7)));
-    var axis_6 : u32 = (face_10 >> (u32(1)));
+    var face_11 : u32 = ((key_3.face_and_level_0) & (u32(7)));
+    var axis_6 : u32 = (face_11 >> (u32(1)));
     var u_20 : vec4<f32> = Sampler_independent_0(sampler_8, u32(0));
-    var _S429 : vec3<f32> = vec3<f32>(Key_voxel_0(key_3, (rank_4 & (u32(1048575))), scramble_of_0(real_time_0.number_0 - u32(1))));
+    var _S429 : vec3<f32> = vec3<f32>(Key_voxel_0(key_3, (rank_6 & (u32(1048575))), scramble_of_0(real_time_0.number_0 - u32(1))));
     var on_face_1 : vec3<f32>;
     if(axis_6 == u32(0))
     {
@@ -6255,8 +6272,8 @@ fn at_cell_0( key_3 : Key_0,  rank_4 : u32,  sampler_8 : Sampler_0) -> Walker_0
         }
     }
     var _S430 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(key_3.instance_9);
-    var origin_12 : vec3<f32> = Transform_point_0(_S430.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S430.grid_from_world_0.translation_0), _S429, face_10, _S429 + on_face_1));
-    var normal_9 : vec3<f32> = world_normal_0(_S430, face_10);
+    var origin_12 : vec3<f32> = Transform_point_0(_S430.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S430.grid_from_world_0.translation_0), _S429, face_11, _S429 + on_face_1));
+    var normal_9 : vec3<f32> = world_normal_0(_S430, face_11);
     var path_12 : Path_0 = path_from_0(sampler_8);
     var _S431 : f32 = path_12.pdf_1;
     var direction_29 : vec3<f32> = direction_from_cell_0(sampler_8, normal_9, &(_S431));
@@ -6264,7 +6281,7 @@ fn at_cell_0( key_3 : Key_0,  rank_4 : u32,  sampler_8 : Sampler_0) -> Walker_0
     var receiver_20 : Receiver_0 = Receiver_x24init_0(origin_12, normal_9);
     path_12.selection_0 = Lights_selection_0(receiver_20);
     path_12.normal_0 = normal_9;
-    var surface_5 : Surface_0 = Surface_x24init_0(origin_12, normal_9, face_10, key_3.instance_9);
+    var surface_5 : Surface_0 = Surface_x24init_0(origin_12, normal_9, face_11, key_3.instance_9);
     var white_0 : MaterialBsdf_0;
     white_0.kind_0 = u32(0);
     white_0.color_0 = vec3<f32>(1.0f);
@@ -6273,7 +6290,7 @@ fn at_cell_0( key_3 : Key_0,  rank_4 : u32,  sampler_8 : Sampler_0) -> Walker_0
     white_0.facets_0.alpha_0 = 1.0f;
     scatter_of_path_0 = Scatter_x24init_0(path_12, receiver_20, surface_5, white_0, vec3<f32>(0.0f, 0.0f, 1.0f), 1.0f, false, true);
     var ray_28 : Ray_0 = ray_from_0(origin_12, direction_29);
-    return Walker_x24init_0(path_12, ray_28, false, vec3<f32>(0.0f), direction_29, origin_12, in_air_0(), u32(0), false, false, ray_28, 0.0f, true, true, max((rank_4 >> (u32(20))), u32(1)) - u32(1), true);
+    return Walker_x24init_0(path_12, ray_28, false, vec3<f32>(0.0f), direction_29, origin_12, in_air_0(), u32(0), false, false, ray_28, 0.0f, true, true, max((rank_6 >> (u32(20))), u32(1)) - u32(1), true);
 }
 
 struct CameraFrame_0
@@ -6309,16 +6326,16 @@ fn camera_before_0() -> CameraFrame_0
     return CameraFrame_x24init_0(LENS_0, real_time_0.before_eye_0, real_time_0.before_corner_0, real_time_0.before_pixel_x_0, real_time_0.before_pixel_y_0, real_time_0.before_lens_x_0, real_time_0.before_lens_y_0, real_time_0.before_blades_0);
 }
 
-fn Item_asks_cache_0( this_51 : Item_0) -> bool
+fn Item_asks_cache_0( this_52 : Item_0) -> bool
 {
     var _S433 : bool;
-    if(Item_is_cell_0(this_51))
+    if(Item_is_cell_0(this_52))
     {
         _S433 = true;
     }
     else
     {
-        if((this_51.kind_2) == u32(1))
+        if((this_52.kind_2) == u32(1))
         {
             _S433 = has_0(u32(1));
         }
@@ -6454,11 +6471,11 @@ fn place_in_aperture_0( blades_5 : u32,  lens_3 : vec2<f32>) -> vec2<f32>
     return vec2<f32>(_S439 + (to_0.y - _S439) * share_7, _S440 + (to_0.x - _S440) * share_7) * vec2<f32>(radius_5);
 }
 
-fn ThinLens_ray_0( this_52 : ThinLens_0,  position_3 : vec2<f32>,  lens_4 : vec2<f32>) -> Ray_0
+fn ThinLens_ray_0( this_53 : ThinLens_0,  position_3 : vec2<f32>,  lens_4 : vec2<f32>) -> Ray_0
 {
-    var place_9 : vec2<f32> = place_in_aperture_0(this_52.blades_3, lens_4);
-    var offset_1 : vec3<f32> = this_52.lens_x_3 * vec3<f32>(place_9.x) + this_52.lens_y_3 * vec3<f32>(place_9.y);
-    return ray_from_0(this_52.perspective_0.eye_4 + offset_1, normalize_vector_0(this_52.perspective_0.corner_4 + this_52.perspective_0.pixel_x_3 * vec3<f32>(position_3.x) + this_52.perspective_0.pixel_y_3 * vec3<f32>(position_3.y) - offset_1));
+    var place_9 : vec2<f32> = place_in_aperture_0(this_53.blades_3, lens_4);
+    var offset_1 : vec3<f32> = this_53.lens_x_3 * vec3<f32>(place_9.x) + this_53.lens_y_3 * vec3<f32>(place_9.y);
+    return ray_from_0(this_53.perspective_0.eye_4 + offset_1, normalize_vector_0(this_53.perspective_0.corner_4 + this_53.perspective_0.pixel_x_3 * vec3<f32>(position_3.x) + this_53.perspective_0.pixel_y_3 * vec3<f32>(position_3.y) - offset_1));
 }
 
 struct Orthographic_0
@@ -6479,9 +6496,9 @@ fn Orthographic_x24init_0( corner_7 : vec3<f32>,  pixel_x_6 : vec3<f32>,  pixel_
     return _S441;
 }
 
-fn Orthographic_ray_0( this_53 : Orthographic_0,  position_4 : vec2<f32>,  lens_5 : vec2<f32>) -> Ray_0
+fn Orthographic_ray_0( this_54 : Orthographic_0,  position_4 : vec2<f32>,  lens_5 : vec2<f32>) -> Ray_0
 {
-    return ray_from_0(this_53.corner_6 + this_53.pixel_x_5 * vec3<f32>(position_4.x) + this_53.pixel_y_5 * vec3<f32>(position_4.y), this_53.forward_2);
+    return ray_from_0(this_54.corner_6 + this_54.pixel_x_5 * vec3<f32>(position_4.x) + this_54.pixel_y_5 * vec3<f32>(position_4.y), this_54.forward_2);
 }
 
 struct Panorama_0
@@ -6502,18 +6519,18 @@ fn Panorama_x24init_0( eye_7 : vec3<f32>,  axes_2 : Axes_0,  inverse_size_1 : ve
     return _S442;
 }
 
-fn Panorama_ray_0( this_54 : Panorama_0,  position_5 : vec2<f32>,  lens_6 : vec2<f32>) -> Ray_0
+fn Panorama_ray_0( this_55 : Panorama_0,  position_5 : vec2<f32>,  lens_6 : vec2<f32>) -> Ray_0
 {
-    var latitude_0 : f32 = position_5.y * this_54.inverse_size_0.y;
+    var latitude_0 : f32 = position_5.y * this_55.inverse_size_0.y;
     var is_right_eye_0 : bool = latitude_0 >= 1.0f;
     var side_4 : f32;
     if(is_right_eye_0)
     {
-        side_4 = this_54.half_eye_distance_0;
+        side_4 = this_55.half_eye_distance_0;
     }
     else
     {
-        side_4 = - this_54.half_eye_distance_0;
+        side_4 = - this_55.half_eye_distance_0;
     }
     var latitude_1 : f32;
     if(is_right_eye_0)
@@ -6524,11 +6541,11 @@ fn Panorama_ray_0( this_54 : Panorama_0,  position_5 : vec2<f32>,  lens_6 : vec2
     {
         latitude_1 = latitude_0;
     }
-    var longitude_0 : vec2<f32> = sincos_turns_0(position_5.x * this_54.inverse_size_0.x);
+    var longitude_0 : vec2<f32> = sincos_turns_0(position_5.x * this_55.inverse_size_0.x);
     var height_2 : vec2<f32> = sincos_turns_0(latitude_1 * 0.5f);
     var _S443 : vec3<f32> = vec3<f32>(longitude_0.y);
     var _S444 : vec3<f32> = vec3<f32>(longitude_0.x);
-    return ray_from_0(this_54.eye_6 + (this_54.axes_1.forward_0 * _S444 - this_54.axes_1.right_3 * _S443) * vec3<f32>(side_4), normalize_vector_0((vec3<f32>(0) - this_54.axes_1.forward_0 * _S443 + this_54.axes_1.right_3 * _S444) * vec3<f32>(height_2.x) + this_54.axes_1.up_0 * vec3<f32>(height_2.y)));
+    return ray_from_0(this_55.eye_6 + (this_55.axes_1.forward_0 * _S444 - this_55.axes_1.right_3 * _S443) * vec3<f32>(side_4), normalize_vector_0((vec3<f32>(0) - this_55.axes_1.forward_0 * _S443 + this_55.axes_1.right_3 * _S444) * vec3<f32>(height_2.x) + this_55.axes_1.up_0 * vec3<f32>(height_2.y)));
 }
 
 struct Fisheye_0
@@ -6549,12 +6566,12 @@ fn Fisheye_x24init_0( eye_9 : vec3<f32>,  axes_4 : Axes_0,  middle_2 : vec2<f32>
     return _S445;
 }
 
-fn Fisheye_ray_0( this_55 : Fisheye_0,  position_6 : vec2<f32>,  lens_7 : vec2<f32>) -> Ray_0
+fn Fisheye_ray_0( this_56 : Fisheye_0,  position_6 : vec2<f32>,  lens_7 : vec2<f32>) -> Ray_0
 {
-    var x_12 : f32 = position_6.x - this_55.middle_1.x;
-    var y_7 : f32 = position_6.y - this_55.middle_1.y;
+    var x_12 : f32 = position_6.x - this_56.middle_1.x;
+    var y_7 : f32 = position_6.y - this_56.middle_1.y;
     var radius_6 : f32 = square_root_0(x_12 * x_12 + y_7 * y_7);
-    var sin_cos_4 : vec2<f32> = sincos_turns_0(min(radius_6 * this_55.turns_per_pixel_0, 1.0f));
+    var sin_cos_4 : vec2<f32> = sincos_turns_0(min(radius_6 * this_56.turns_per_pixel_0, 1.0f));
     var scale_0 : f32;
     if(radius_6 > 0.0f)
     {
@@ -6564,35 +6581,35 @@ fn Fisheye_ray_0( this_55 : Fisheye_0,  position_6 : vec2<f32>,  lens_7 : vec2<f
     {
         scale_0 = 0.0f;
     }
-    return ray_from_0(this_55.eye_8, normalize_vector_0(this_55.axes_3.forward_0 * vec3<f32>(sin_cos_4.y) + this_55.axes_3.right_3 * vec3<f32>((x_12 * scale_0)) - this_55.axes_3.up_0 * vec3<f32>((y_7 * scale_0))));
+    return ray_from_0(this_56.eye_8, normalize_vector_0(this_56.axes_3.forward_0 * vec3<f32>(sin_cos_4.y) + this_56.axes_3.right_3 * vec3<f32>((x_12 * scale_0)) - this_56.axes_3.up_0 * vec3<f32>((y_7 * scale_0))));
 }
 
-fn Perspective_ray_0( this_56 : Perspective_0,  position_7 : vec2<f32>,  lens_8 : vec2<f32>) -> Ray_0
+fn Perspective_ray_0( this_57 : Perspective_0,  position_7 : vec2<f32>,  lens_8 : vec2<f32>) -> Ray_0
 {
-    return ray_from_0(this_56.eye_4, normalize_vector_0(this_56.corner_4 + this_56.pixel_x_3 * vec3<f32>(position_7.x) + this_56.pixel_y_3 * vec3<f32>(position_7.y)));
+    return ray_from_0(this_57.eye_4, normalize_vector_0(this_57.corner_4 + this_57.pixel_x_3 * vec3<f32>(position_7.x) + this_57.pixel_y_3 * vec3<f32>(position_7.y)));
 }
 
-fn CameraFrame_ray_0( this_57 : CameraFrame_0,  position_8 : vec2<f32>,  lens_sample_0 : vec2<f32>) -> Ray_0
+fn CameraFrame_ray_0( this_58 : CameraFrame_0,  position_8 : vec2<f32>,  lens_sample_0 : vec2<f32>) -> Ray_0
 {
-    var perspective_2 : Perspective_0 = Perspective_x24init_0(this_57.eye_2, this_57.corner_2, this_57.pixel_x_1, this_57.pixel_y_1);
-    var axes_5 : Axes_0 = Axes_x24init_0(this_57.corner_2, this_57.pixel_x_1, this_57.pixel_y_1);
-    switch(this_57.lens_1)
+    var perspective_2 : Perspective_0 = Perspective_x24init_0(this_58.eye_2, this_58.corner_2, this_58.pixel_x_1, this_58.pixel_y_1);
+    var axes_5 : Axes_0 = Axes_x24init_0(this_58.corner_2, this_58.pixel_x_1, this_58.pixel_y_1);
+    switch(this_58.lens_1)
     {
     case u32(1):
         {
-            return ThinLens_ray_0(ThinLens_x24init_0(perspective_2, this_57.lens_x_1, this_57.lens_y_1, this_57.blades_1), position_8, lens_sample_0);
+            return ThinLens_ray_0(ThinLens_x24init_0(perspective_2, this_58.lens_x_1, this_58.lens_y_1, this_58.blades_1), position_8, lens_sample_0);
         }
     case u32(2):
         {
-            return Orthographic_ray_0(Orthographic_x24init_0(this_57.corner_2, this_57.pixel_x_1, this_57.pixel_y_1, this_57.lens_x_1), position_8, lens_sample_0);
+            return Orthographic_ray_0(Orthographic_x24init_0(this_58.corner_2, this_58.pixel_x_1, this_58.pixel_y_1, this_58.lens_x_1), position_8, lens_sample_0);
         }
     case u32(3):
         {
-            return Panorama_ray_0(Panorama_x24init_0(this_57.eye_2, axes_5, this_57.lens_x_1.xy, this_57.lens_x_1.z), position_8, lens_sample_0);
+            return Panorama_ray_0(Panorama_x24init_0(this_58.eye_2, axes_5, this_58.lens_x_1.xy, this_58.lens_x_1.z), position_8, lens_sample_0);
         }
     case u32(4):
         {
-            return Fisheye_ray_0(Fisheye_x24init_0(this_57.eye_2, axes_5, this_57.lens_x_1.xy, this_57.lens_x_1.z), position_8, lens_sample_0);
+            return Fisheye_ray_0(Fisheye_x24init_0(this_58.eye_2, axes_5, this_58.lens_x_1.xy, this_58.lens_x_1.z), position_8, lens_sample_0);
         }
     default :
         {
@@ -6619,18 +6636,18 @@ fn FrameParams_camera_0() -> CameraFrame_0
     return CameraFrame_x24init_0(LENS_0, params_0.eye_1, params_0.corner_0, params_0.pixel_x_0, params_0.pixel_y_0, params_0.lens_x_0, params_0.lens_y_0, params_0.blades_0);
 }
 
-fn Item_start_0( this_58 : Item_0) -> Walker_0
+fn Item_start_0( this_59 : Item_0) -> Walker_0
 {
-    if(Item_is_cell_0(this_58))
+    if(Item_is_cell_0(this_59))
     {
-        var rank_5 : u32;
-        var key_4 : Key_0 = Item_key_0(this_58, &(rank_5));
-        var _S447 : Walker_0 = at_cell_0(key_4, rank_5, this_58.sampler_3);
+        var rank_7 : u32;
+        var key_4 : Key_0 = Item_key_0(this_59, &(rank_7));
+        var _S447 : Walker_0 = at_cell_0(key_4, rank_7, this_59.sampler_3);
         return _S447;
     }
     var _S448 : CameraFrame_0 = FrameParams_camera_0();
     var camera_2 : CameraFrame_0;
-    if((this_58.kind_2) == u32(3))
+    if((this_59.kind_2) == u32(3))
     {
         camera_2 = camera_before_0();
     }
@@ -6638,7 +6655,7 @@ fn Item_start_0( this_58 : Item_0) -> Walker_0
     {
         camera_2 = _S448;
     }
-    return at_camera_0(this_58.at_12, camera_2, this_58.sampler_3, Item_asks_cache_0(this_58));
+    return at_camera_0(this_59.at_12, camera_2, this_59.sampler_3, Item_asks_cache_0(this_59));
 }
 
 fn packed_normal_0( normal_10 : vec3<f32>) -> u32
@@ -6690,36 +6707,31 @@ fn light_on_0( sample_17 : Sample_0) -> f32
     return _S452;
 }
 
-fn Item_end_0( this_59 : Item_0,  sample_18 : Sample_0)
+fn Item_end_0( this_60 : Item_0,  sample_18 : Sample_0)
 {
-    if(Item_is_cell_0(this_59))
+    if(Item_is_cell_0(this_60))
     {
-        set_cell_row_0(u32(3), this_59.place_6, vec4<u32>((bitcast<vec3<u32>>((sample_18.light_6))), u32(1)));
+        set_cell_row_0(u32(3), this_60.place_5, vec4<u32>((bitcast<vec3<u32>>((sample_18.light_6))), u32(1)));
     }
     else
     {
-        if((this_59.kind_2) == u32(1))
+        if((this_60.kind_2) == u32(1))
         {
-            store_sample_0(this_59.place_6, sample_18);
+            store_sample_0(this_60.place_5, sample_18);
         }
         else
         {
-            memory_rows_0[this_59.place_6] = vec4<u32>((bitcast<vec3<u32>>((sample_18.place_3))), (bitcast<u32>((light_on_0(sample_18)))));
+            memory_rows_0[this_60.place_5] = vec4<u32>((bitcast<vec3<u32>>((sample_18.place_3))), (bitcast<u32>((light_on_0(sample_18)))));
         }
     }
     return;
 }
 
-@compute
-@workgroup_size(64, 1, 1)
-fn trace(@builtin(global_invocation_id) id_0 : vec3<u32>)
+fn follow_0( item_1 : Item_0)
 {
-    first_candidates_0 = u32(1);
-    ends_here_0 = false;
     scatter_of_path_0.wants_light_0 = false;
     first_candidates_0 = real_time_0.candidates_0;
     var sample_19 : Sample_0 = no_sample_0();
-    var item_1 : Item_0 = item_of_0(id_0.x);
     var at_18 : Walker_0;
     if(item_1.traces_0)
     {
@@ -6752,6 +6764,44 @@ fn trace(@builtin(global_invocation_id) id_0 : vec3<u32>)
     return;
 }
 
+@compute
+@workgroup_size(64, 1, 1)
+fn trace(@builtin(global_invocation_id) id_0 : vec3<u32>)
+{
+    first_candidates_0 = u32(1);
+    ends_here_0 = false;
+    var _S455 : Item_0 = item_of_0(id_0.x);
+    follow_0(_S455);
+    return;
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn trace_left(@builtin(global_invocation_id) id_1 : vec3<u32>)
+{
+    first_candidates_0 = u32(1);
+    ends_here_0 = false;
+    var _S456 : u32 = id_1.x;
+    var _S457 : u32 = atomicLoad(&(cell_keys_0[u32(9)]));
+    if(_S456 < _S457)
+    {
+        var _S458 : Item_0 = item_of_0(rest_0[_S456]);
+        follow_0(_S458);
+    }
+    return;
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn trace_before(@builtin(global_invocation_id) id_2 : vec3<u32>)
+{
+    first_candidates_0 = u32(1);
+    ends_here_0 = false;
+    var _S459 : Item_0 = item_of_0(real_time_0.cells_0 + threads_that_trace_0() + real_time_0.squares_0 + id_2.x);
+    follow_0(_S459);
+    return;
+}
+
 struct Lit_0
 {
      paths_0 : f32,
@@ -6762,18 +6812,18 @@ struct Lit_0
 
 fn Lit_x24init_0( paths_1 : f32,  light_13 : vec3<f32>,  shaded_1 : vec3<f32>,  moments_1 : vec3<f32>) -> Lit_0
 {
-    var _S455 : Lit_0;
-    _S455.paths_0 = paths_1;
-    _S455.light_12 = light_13;
-    _S455.shaded_0 = shaded_1;
-    _S455.moments_0 = moments_1;
-    return _S455;
+    var _S460 : Lit_0;
+    _S460.paths_0 = paths_1;
+    _S460.light_12 = light_13;
+    _S460.shaded_0 = shaded_1;
+    _S460.moments_0 = moments_1;
+    return _S460;
 }
 
 fn not_lit_0() -> Lit_0
 {
-    var _S456 : vec3<f32> = vec3<f32>(0.0f);
-    return Lit_x24init_0(0.0f, _S456, _S456, _S456);
+    var _S461 : vec3<f32> = vec3<f32>(0.0f);
+    return Lit_x24init_0(0.0f, _S461, _S461, _S461);
 }
 
 struct Memory_0
@@ -6790,22 +6840,22 @@ struct Memory_0
 
 fn Memory_x24init_0( lit_1 : Lit_0,  looks_1 : f32,  direct_3 : vec3<f32>,  albedo_3 : vec3<f32>,  normal_13 : vec3<f32>,  place_11 : vec3<f32>,  roughness_2 : f32,  coverage_1 : f32) -> Memory_0
 {
-    var _S457 : Memory_0;
-    _S457.lit_0 = lit_1;
-    _S457.looks_0 = looks_1;
-    _S457.direct_2 = direct_3;
-    _S457.albedo_2 = albedo_3;
-    _S457.normal_12 = normal_13;
-    _S457.place_10 = place_11;
-    _S457.roughness_1 = roughness_2;
-    _S457.coverage_0 = coverage_1;
-    return _S457;
+    var _S462 : Memory_0;
+    _S462.lit_0 = lit_1;
+    _S462.looks_0 = looks_1;
+    _S462.direct_2 = direct_3;
+    _S462.albedo_2 = albedo_3;
+    _S462.normal_12 = normal_13;
+    _S462.place_10 = place_11;
+    _S462.roughness_1 = roughness_2;
+    _S462.coverage_0 = coverage_1;
+    return _S462;
 }
 
 fn nothing_known_0() -> Memory_0
 {
-    var _S458 : vec3<f32> = vec3<f32>(0.0f);
-    return Memory_x24init_0(not_lit_0(), 0.0f, _S458, _S458, _S458, _S458, 0.0f, 0.0f);
+    var _S463 : vec3<f32> = vec3<f32>(0.0f);
+    return Memory_x24init_0(not_lit_0(), 0.0f, _S463, _S463, _S463, _S463, 0.0f, 0.0f);
 }
 
 fn memory_row_0( row_14 : u32,  index_34 : u32) -> vec4<u32>
@@ -6823,21 +6873,21 @@ fn high_half_0( word_10 : u32) -> f32
     return unpack2x16float(word_10).y;
 }
 
-fn Lit_products_0( this_60 : Lit_0,  kept_0 : vec3<f32>) -> vec3<f32>
+fn Lit_products_0( this_61 : Lit_0,  kept_0 : vec3<f32>) -> vec3<f32>
 {
-    var l_0 : f32 = luminance_0(this_60.light_12);
+    var l_0 : f32 = luminance_0(this_61.light_12);
     var a_8 : f32 = luminance_0(kept_0);
     return vec3<f32>(l_0 * l_0, l_0 * a_8, a_8 * a_8);
 }
 
 fn lit_of_0( paths_2 : f32,  light_14 : vec3<f32>,  words_3 : vec3<u32>) -> Lit_0
 {
-    var _S459 : u32 = words_3.x;
-    var _S460 : u32 = words_3.y;
-    var _S461 : Lit_0 = Lit_x24init_0(paths_2, light_14, vec3<f32>(low_half_0(_S459), high_half_0(_S459), low_half_0(_S460)), vec3<f32>(0.0f));
-    var lit_2 : Lit_0 = _S461;
-    var _S462 : u32 = words_3.z;
-    lit_2.moments_0 = Lit_products_0(_S461, lit_2.shaded_0) * (vec3<f32>(1.0f) + vec3<f32>(high_half_0(_S460), low_half_0(_S462), high_half_0(_S462)));
+    var _S464 : u32 = words_3.x;
+    var _S465 : u32 = words_3.y;
+    var _S466 : Lit_0 = Lit_x24init_0(paths_2, light_14, vec3<f32>(low_half_0(_S464), high_half_0(_S464), low_half_0(_S465)), vec3<f32>(0.0f));
+    var lit_2 : Lit_0 = _S466;
+    var _S467 : u32 = words_3.z;
+    lit_2.moments_0 = Lit_products_0(_S466, lit_2.shaded_0) * (vec3<f32>(1.0f) + vec3<f32>(high_half_0(_S465), low_half_0(_S467), high_half_0(_S467)));
     return lit_2;
 }
 
@@ -6861,24 +6911,24 @@ fn load_memory_0( index_36 : u32) -> Memory_0
     var memory_0 : Memory_0;
     memory_0.lit_0 = load_lit_0(index_36);
     memory_0.looks_0 = high_half_0(shaded_3.x);
-    var _S463 : u32 = seen_0.x;
-    var _S464 : u32 = seen_0.y;
-    memory_0.direct_2 = vec3<f32>(low_half_0(_S463), high_half_0(_S463), low_half_0(_S464));
-    var _S465 : u32 = seen_0.z;
-    memory_0.albedo_2 = vec3<f32>(high_half_0(_S464), low_half_0(_S465), high_half_0(_S465));
+    var _S468 : u32 = seen_0.x;
+    var _S469 : u32 = seen_0.y;
+    memory_0.direct_2 = vec3<f32>(low_half_0(_S468), high_half_0(_S468), low_half_0(_S469));
+    var _S470 : u32 = seen_0.z;
+    memory_0.albedo_2 = vec3<f32>(high_half_0(_S469), low_half_0(_S470), high_half_0(_S470));
     memory_0.normal_12 = normal_in_0(surface_6.w);
     memory_0.place_10 = (bitcast<vec3<f32>>((surface_6.xyz)));
-    var _S466 : u32 = shaded_3.y;
-    memory_0.roughness_1 = high_half_0(_S466);
-    memory_0.coverage_0 = low_half_0(_S466);
+    var _S471 : u32 = shaded_3.y;
+    memory_0.roughness_1 = high_half_0(_S471);
+    memory_0.coverage_0 = low_half_0(_S471);
     return memory_0;
 }
 
-fn Memory_look_anew_0( this_61 : ptr<function, Memory_0>)
+fn Memory_look_anew_0( this_62 : ptr<function, Memory_0>)
 {
-    (*this_61).looks_0 = 0.0f;
-    (*this_61).coverage_0 = 0.0f;
-    (*this_61).roughness_1 = 0.0f;
+    (*this_62).looks_0 = 0.0f;
+    (*this_62).coverage_0 = 0.0f;
+    (*this_62).roughness_1 = 0.0f;
     return;
 }
 
@@ -6890,9 +6940,9 @@ fn scratch_row_0( row_15 : u32,  index_37 : u32) -> vec2<u32>
 fn load_known_0( index_38 : u32) -> Lit_0
 {
     var light_16 : vec2<u32> = scratch_row_0(u32(7), index_38);
-    var _S467 : u32 = light_16.y;
-    var _S468 : u32 = light_16.x;
-    return lit_of_0(high_half_0(_S467), vec3<f32>(low_half_0(_S468), high_half_0(_S468), low_half_0(_S467)), vec3<u32>(scratch_row_0(u32(8), index_38), scratch_row_0(u32(9), index_38).x));
+    var _S472 : u32 = light_16.y;
+    var _S473 : u32 = light_16.x;
+    return lit_of_0(high_half_0(_S472), vec3<f32>(low_half_0(_S473), high_half_0(_S473), low_half_0(_S472)), vec3<u32>(scratch_row_0(u32(8), index_38), scratch_row_0(u32(9), index_38).x));
 }
 
 fn memory_before_0( index_39 : u32) -> Memory_0
@@ -6926,59 +6976,59 @@ fn load_sample_0( index_40 : u32) -> Sample_0
     sample_20.direct_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(2), index_40)))), d_3.x);
     sample_20.place_3 = vec3<f32>(d_3.y, (bitcast<vec2<f32>>((scratch_row_0(u32(4), index_40)))));
     sample_20.albedo_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(5), index_40)))), (bitcast<f32>((g_0.x))));
-    var _S469 : u32 = g_0.y;
-    sample_20.normal_4 = normal_in_0(_S469);
-    sample_20.is_shown_0 = ((_S469 & (u32(1073741824)))) != u32(0);
+    var _S474 : u32 = g_0.y;
+    sample_20.normal_4 = normal_in_0(_S474);
+    sample_20.is_shown_0 = ((_S474 & (u32(1073741824)))) != u32(0);
     return sample_20;
 }
 
-fn Memory_look_0( this_62 : ptr<function, Memory_0>,  sample_21 : Sample_0)
+fn Memory_look_0( this_63 : ptr<function, Memory_0>,  sample_21 : Sample_0)
 {
-    var _S470 : f32 = (*this_62).looks_0 + 1.0f;
-    (*this_62).looks_0 = _S470;
-    var share_8 : f32 = 1.0f / _S470;
-    var _S471 : vec3<f32> = vec3<f32>(share_8);
-    (*this_62).direct_2 = (*this_62).direct_2 + (sample_21.direct_0 - (*this_62).direct_2) * _S471;
-    (*this_62).albedo_2 = (*this_62).albedo_2 + (sample_21.albedo_0 - (*this_62).albedo_2) * _S471;
+    var _S475 : f32 = (*this_63).looks_0 + 1.0f;
+    (*this_63).looks_0 = _S475;
+    var share_8 : f32 = 1.0f / _S475;
+    var _S476 : vec3<f32> = vec3<f32>(share_8);
+    (*this_63).direct_2 = (*this_63).direct_2 + (sample_21.direct_0 - (*this_63).direct_2) * _S476;
+    (*this_63).albedo_2 = (*this_63).albedo_2 + (sample_21.albedo_0 - (*this_63).albedo_2) * _S476;
     if(!sample_21.is_shown_0)
     {
-        (*this_62).coverage_0 = (*this_62).coverage_0 - (*this_62).coverage_0 * share_8;
+        (*this_63).coverage_0 = (*this_63).coverage_0 - (*this_63).coverage_0 * share_8;
         return;
     }
-    var covered_0 : f32 = (*this_62).coverage_0 * ((*this_62).looks_0 - 1.0f) + 1.0f;
-    (*this_62).coverage_0 = covered_0 * share_8;
+    var covered_0 : f32 = (*this_63).coverage_0 * ((*this_63).looks_0 - 1.0f) + 1.0f;
+    (*this_63).coverage_0 = covered_0 * share_8;
     var of_covered_0 : f32 = 1.0f / covered_0;
-    var before_0 : vec3<f32> = (*this_62).place_10;
-    var _S472 : vec3<f32> = vec3<f32>(of_covered_0);
-    (*this_62).normal_12 = (*this_62).normal_12 + (sample_21.normal_4 - (*this_62).normal_12) * _S472;
-    (*this_62).place_10 = (*this_62).place_10 + (sample_21.place_3 - (*this_62).place_10) * _S472;
+    var before_0 : vec3<f32> = (*this_63).place_10;
+    var _S477 : vec3<f32> = vec3<f32>(of_covered_0);
+    (*this_63).normal_12 = (*this_63).normal_12 + (sample_21.normal_4 - (*this_63).normal_12) * _S477;
+    (*this_63).place_10 = (*this_63).place_10 + (sample_21.place_3 - (*this_63).place_10) * _S477;
     if(covered_0 > 1.0f)
     {
-        var along_1 : f32 = dot_product_0((*this_62).normal_12, sample_21.place_3 - before_0);
-        (*this_62).roughness_1 = (*this_62).roughness_1 + (along_1 * along_1 / max(length_squared_0((*this_62).normal_12), 9.99999997475242708e-07f) * (1.0f - of_covered_0) - (*this_62).roughness_1) * of_covered_0;
+        var along_1 : f32 = dot_product_0((*this_63).normal_12, sample_21.place_3 - before_0);
+        (*this_63).roughness_1 = (*this_63).roughness_1 + (along_1 * along_1 / max(length_squared_0((*this_63).normal_12), 9.99999997475242708e-07f) * (1.0f - of_covered_0) - (*this_63).roughness_1) * of_covered_0;
     }
     return;
 }
 
-fn Lit_add_0( this_63 : ptr<function, Lit_0>,  found_2 : vec3<f32>,  albedo_4 : vec3<f32>,  most_0 : f32)
+fn Lit_add_0( this_64 : ptr<function, Lit_0>,  found_2 : vec3<f32>,  albedo_4 : vec3<f32>,  most_0 : f32)
 {
-    var _S473 : f32 = min((*this_63).paths_0 + 1.0f, most_0);
-    (*this_63).paths_0 = _S473;
+    var _S478 : f32 = min((*this_64).paths_0 + 1.0f, most_0);
+    (*this_64).paths_0 = _S478;
     var l_1 : f32 = luminance_0(found_2);
     var a_9 : f32 = luminance_0(albedo_4);
-    var _S474 : vec3<f32> = vec3<f32>((1.0f / _S473));
-    (*this_63).light_12 = (*this_63).light_12 + (found_2 - (*this_63).light_12) * _S474;
-    (*this_63).shaded_0 = (*this_63).shaded_0 + (albedo_4 - (*this_63).shaded_0) * _S474;
-    (*this_63).moments_0 = (*this_63).moments_0 + (vec3<f32>(l_1 * l_1, l_1 * a_9, a_9 * a_9) - (*this_63).moments_0) * _S474;
+    var _S479 : vec3<f32> = vec3<f32>((1.0f / _S478));
+    (*this_64).light_12 = (*this_64).light_12 + (found_2 - (*this_64).light_12) * _S479;
+    (*this_64).shaded_0 = (*this_64).shaded_0 + (albedo_4 - (*this_64).shaded_0) * _S479;
+    (*this_64).moments_0 = (*this_64).moments_0 + (vec3<f32>(l_1 * l_1, l_1 * a_9, a_9 * a_9) - (*this_64).moments_0) * _S479;
     return;
 }
 
-fn Memory_add_0( this_64 : ptr<function, Memory_0>,  sample_22 : Sample_0,  most_1 : f32)
+fn Memory_add_0( this_65 : ptr<function, Memory_0>,  sample_22 : Sample_0,  most_1 : f32)
 {
-    Memory_look_0(&((*this_64)), sample_22);
-    var _S475 : Lit_0 = (*this_64).lit_0;
-    Lit_add_0(&(_S475), sample_22.light_6, sample_22.albedo_0, most_1);
-    (*this_64).lit_0 = _S475;
+    Memory_look_0(&((*this_65)), sample_22);
+    var _S480 : Lit_0 = (*this_65).lit_0;
+    Lit_add_0(&(_S480), sample_22.light_6, sample_22.albedo_0, most_1);
+    (*this_65).lit_0 = _S480;
     return;
 }
 
@@ -6989,24 +7039,24 @@ fn is_far_5( a_10 : vec3<f32>,  b_9 : vec3<f32>) -> bool
 
 fn differ_0( a_11 : Sample_0,  b_10 : Sample_0) -> bool
 {
-    var _S476 : bool;
+    var _S481 : bool;
     if((a_11.is_shown_0) != (b_10.is_shown_0))
     {
-        _S476 = true;
+        _S481 = true;
     }
     else
     {
-        _S476 = is_far_5(a_11.direct_0, b_10.direct_0);
+        _S481 = is_far_5(a_11.direct_0, b_10.direct_0);
     }
-    if(_S476)
+    if(_S481)
     {
-        _S476 = true;
+        _S481 = true;
     }
     else
     {
-        _S476 = is_far_5(a_11.albedo_0, b_10.albedo_0);
+        _S481 = is_far_5(a_11.albedo_0, b_10.albedo_0);
     }
-    return _S476;
+    return _S481;
 }
 
 fn halves_1( low_13 : f32,  high_6 : f32) -> u32
@@ -7014,11 +7064,11 @@ fn halves_1( low_13 : f32,  high_6 : f32) -> u32
     return pack2x16float(clamp(vec2<f32>(low_13, high_6), vec2<f32>(-65504.0f), vec2<f32>(65504.0f)));
 }
 
-fn Lit_beyond_0( this_65 : Lit_0,  kept_1 : vec3<f32>) -> vec3<f32>
+fn Lit_beyond_0( this_66 : Lit_0,  kept_1 : vec3<f32>) -> vec3<f32>
 {
-    var products_0 : vec3<f32> = Lit_products_0(this_65, kept_1);
-    var _S477 : vec3<f32> = vec3<f32>(1.00000000317107685e-30f);
-    return select(vec3<f32>(0.0f), this_65.moments_0 / max(products_0, _S477) - vec3<f32>(1.0f), products_0 > _S477);
+    var products_0 : vec3<f32> = Lit_products_0(this_66, kept_1);
+    var _S482 : vec3<f32> = vec3<f32>(1.00000000317107685e-30f);
+    return select(vec3<f32>(0.0f), this_66.moments_0 / max(products_0, _S482) - vec3<f32>(1.0f), products_0 > _S482);
 }
 
 fn words_of_0( lit_3 : Lit_0) -> vec3<u32>
@@ -7033,17 +7083,17 @@ fn store_memory_0( index_41 : u32,  memory_2 : Memory_0)
 {
     var pixels_2 : u32 = real_time_0.pixels_0;
     var words_4 : vec3<u32> = words_of_0(memory_2.lit_0);
-    var _S478 : u32 = packed_normal_0(memory_2.normal_12);
-    var _S479 : u32;
+    var _S483 : u32 = packed_normal_0(memory_2.normal_12);
+    var _S484 : u32;
     if((memory_2.coverage_0) > 0.0f)
     {
-        _S479 = u32(1073741824);
+        _S484 = u32(1073741824);
     }
     else
     {
-        _S479 = u32(0);
+        _S484 = u32(0);
     }
-    memory_rows_0[index_41] = vec4<u32>((bitcast<vec3<u32>>((memory_2.place_10))), (_S478 | (_S479)));
+    memory_rows_0[index_41] = vec4<u32>((bitcast<vec3<u32>>((memory_2.place_10))), (_S483 | (_S484)));
     memory_rows_0[pixels_2 + index_41] = vec4<u32>(halves_1(memory_2.lit_0.paths_0, memory_2.looks_0), halves_1(memory_2.coverage_0, memory_2.roughness_1), words_4.x, words_4.y);
     memory_rows_0[u32(2) * pixels_2 + index_41] = vec4<u32>((bitcast<vec3<u32>>((memory_2.lit_0.light_12))), words_4.z);
     memory_rows_0[u32(3) * pixels_2 + index_41] = vec4<u32>(halves_1(memory_2.direct_2.x, memory_2.direct_2.y), halves_1(memory_2.direct_2.z, memory_2.albedo_2.x), halves_1(memory_2.albedo_2.y, memory_2.albedo_2.z), u32(0));
@@ -7052,11 +7102,11 @@ fn store_memory_0( index_41 : u32,  memory_2 : Memory_0)
 
 @compute
 @workgroup_size(64, 1, 1)
-fn remember(@builtin(global_invocation_id) id_1 : vec3<u32>)
+fn remember(@builtin(global_invocation_id) id_3 : vec3<u32>)
 {
     first_candidates_0 = u32(1);
     ends_here_0 = false;
-    var at_19 : vec2<u32> = pixel_that_traces_0(id_1.x);
+    var at_19 : vec2<u32> = pixel_that_traces_0(id_3.x);
     if(is_inside_0(vec2<i32>(at_19)))
     {
         var index_42 : u32 = index_of_0(at_19);
@@ -7072,18 +7122,18 @@ fn remember(@builtin(global_invocation_id) id_1 : vec3<u32>)
         {
             is_in_motion_0 = false;
         }
-        var _S480 : f32;
+        var _S485 : f32;
         if(is_in_motion_0)
         {
-            _S480 = 4.0f;
+            _S485 = 4.0f;
         }
         else
         {
-            _S480 = 16.0f;
+            _S485 = 16.0f;
         }
         var look_0 : Walker_0;
-        var _S481 : Sample_0 = no_sample_0();
-        var seen_1 : Sample_0 = _S481;
+        var _S486 : Sample_0 = no_sample_0();
+        var seen_1 : Sample_0 = _S486;
         var is_under_way_1 : bool = false;
         var differs_0 : bool = false;
         var looks_2 : u32 = u32(0);
@@ -7097,17 +7147,17 @@ fn remember(@builtin(global_invocation_id) id_1 : vec3<u32>)
             {
                 if(has_0(u32(2)))
                 {
-                    var _S482 : f32 = memory_3.looks_0;
-                    var _S483 : f32;
+                    var _S487 : f32 = memory_3.looks_0;
+                    var _S488 : f32;
                     if(differs_0)
                     {
-                        _S483 = _S480;
+                        _S488 = _S485;
                     }
                     else
                     {
-                        _S483 = 4.0f;
+                        _S488 = 4.0f;
                     }
-                    is_in_motion_0 = _S482 < _S483;
+                    is_in_motion_0 = _S487 < _S488;
                 }
                 else
                 {
@@ -7125,23 +7175,23 @@ fn remember(@builtin(global_invocation_id) id_1 : vec3<u32>)
             {
                 var looks_3 : u32 = looks_2 + u32(1);
                 look_0 = at_camera_0(at_19, FrameParams_camera_0(), Sampler_x24init_0(((params_0.seed_0) ^ (u32(2246822507))), index_42, u32(16) * real_time_0.number_0 + looks_3), false);
-                seen_1 = _S481;
+                seen_1 = _S486;
                 looks_2 = looks_3;
             }
             var is_under_way_2 : bool = goes_on_5(&(look_0), &(seen_1));
             if(!is_under_way_2)
             {
-                var _S484 : bool;
+                var _S489 : bool;
                 if(differs_0)
                 {
-                    _S484 = true;
+                    _S489 = true;
                 }
                 else
                 {
-                    _S484 = differ_0(seen_1, sample_23);
+                    _S489 = differ_0(seen_1, sample_23);
                 }
                 Memory_look_0(&(memory_3), seen_1);
-                differs_0 = _S484;
+                differs_0 = _S489;
             }
             is_under_way_1 = is_under_way_2;
         }

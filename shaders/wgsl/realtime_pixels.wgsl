@@ -1870,7 +1870,7 @@ fn shows_0( wanted_0 : Wanted_0,  index_18 : u32) -> bool
     var word_3 : u32 = memory_row_0(u32(1), index_18).y;
     if(!wanted_0.is_shown_2)
     {
-        return (low_half_0(word_3)) < 0.44999998807907104f;
+        return (low_half_0(word_3)) < 0.44600000977516174f;
     }
     var _S149 : u32 = surface_2.w;
     var normal_5 : vec3<f32> = normal_in_0(_S149);
@@ -2083,7 +2083,7 @@ fn nearest_0( wanted_4 : Wanted_0,  at_18 : vec2<f32>) -> Lit_0
         var _S169 : bool;
         if(index_23 != (real_time_0.pixels_0))
         {
-            _S169 = distance_2 < least_2;
+            _S169 = distance_2 < (least_2 - 0.00100000004749745f);
         }
         else
         {

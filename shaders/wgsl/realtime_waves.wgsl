@@ -96,6 +96,8 @@ struct FrameParams_std140_0
 
 @binding(26) @group(0) var<storage, read_write> scratch_0 : array<vec2<u32>>;
 
+@binding(2) @group(0) var<storage, read> brick_materials_0 : array<u32>;
+
 struct EnvironmentTexel_std430_0
 {
     @align(4) radiance_0 : array<f32, i32(3)>,
@@ -105,8 +107,6 @@ struct EnvironmentTexel_std430_0
 };
 
 @binding(19) @group(0) var<storage, read> environment_0 : array<EnvironmentTexel_std430_0>;
-
-@binding(2) @group(0) var<storage, read> brick_materials_0 : array<u32>;
 
 @binding(25) @group(0) var<storage, read_write> memory_rows_0 : array<vec4<u32>>;
 
@@ -2224,19 +2224,27 @@ fn read_bits_0( start_1 : u32,  position_2 : u32,  count_0 : u32) -> u32
     return (bits_2 & ((((u32(1) << (count_0))) - u32(1))));
 }
 
-fn material_at_0( grid_7 : PackedGrid_0,  relative_3 : vec3<i32>) -> u32
+fn material_of_rank_0( grid_7 : PackedGrid_0,  record_5 : u32,  header_0 : u32,  rank_2 : u32) -> u32
 {
-    var record_5 : u32 = find_brick_0(grid_7, relative_3);
-    var header_0 : u32 = brick_word_0(record_5);
     var index_bits_0 : u32 = (((header_0 >> (u32(8)))) & (u32(255)));
     var palette_count_0 : u32 = (header_0 >> (u32(16)));
     var start_2 : u32 = brick_word_0(record_5 + u32(1));
-    var index_9 : u32 = read_bits_0(start_2, palette_count_0 * grid_7.material_bits_0 + rank_in_brick_0(record_5, relative_3) * index_bits_0, index_bits_0);
+    var index_9 : u32 = read_bits_0(start_2, palette_count_0 * grid_7.material_bits_0 + rank_2 * index_bits_0, index_bits_0);
     if(palette_count_0 == u32(0))
     {
         return index_9;
     }
     return read_bits_0(start_2, index_9 * grid_7.material_bits_0, grid_7.material_bits_0);
+}
+
+fn material_in_brick_0( grid_8 : PackedGrid_0,  record_6 : u32,  relative_3 : vec3<i32>) -> u32
+{
+    return material_of_rank_0(grid_8, record_6, brick_word_0(record_6), rank_in_brick_0(record_6, relative_3));
+}
+
+fn material_at_0( grid_9 : PackedGrid_0,  relative_4 : vec3<i32>) -> u32
+{
+    return material_in_brick_0(grid_9, find_brick_0(grid_9, relative_4), relative_4);
 }
 
 fn Rows_operatorx5Bx5D_get_2( row_4 : u32) -> vec4<u32>
@@ -4299,7 +4307,7 @@ fn density_0( odds_1 : vec2<f32>,  luminance_3 : f32,  power_4 : f32,  toward_2 
 struct Emitter_0
 {
      voxel_24 : array<i32, i32(3)>,
-     grid_8 : u32,
+     grid_10 : u32,
      faces_0 : u32,
      material_6 : u32,
      luminance_4 : f32,
@@ -4359,11 +4367,11 @@ fn emitter_luminance_at_0( index_25 : u32) -> f32
     return _S284;
 }
 
-fn Emitter_x24init_0( voxel_25 : array<i32, i32(3)>,  grid_9 : u32,  faces_1 : u32,  material_7 : u32,  luminance_5 : f32,  leaf_1 : u32) -> Emitter_0
+fn Emitter_x24init_0( voxel_25 : array<i32, i32(3)>,  grid_11 : u32,  faces_1 : u32,  material_7 : u32,  luminance_5 : f32,  leaf_1 : u32) -> Emitter_0
 {
     var _S285 : Emitter_0;
     _S285.voxel_24 = voxel_25;
-    _S285.grid_8 = grid_9;
+    _S285.grid_10 = grid_11;
     _S285.faces_0 = faces_1;
     _S285.material_6 = material_7;
     _S285.luminance_4 = luminance_5;
@@ -7755,24 +7763,24 @@ fn place_of_chosen_0( number_2 : u32) -> u32
     return u32(524304) + number_2;
 }
 
-fn Item_key_0( this_56 : Item_0,  rank_2 : ptr<function, u32>) -> Key_0
+fn Item_key_0( this_56 : Item_0,  rank_3 : ptr<function, u32>) -> Key_0
 {
     var face_8 : vec4<u32> = cell_row_0(u32(1), this_56.place_6);
-    (*rank_2) = face_8.z;
+    (*rank_3) = face_8.z;
     return Key_x24init_0(face_8.x, face_8.y, vec3<i32>(cell_row_0(u32(2), this_56.place_6).xyz));
 }
 
-fn Item_key_1( this_57 : Item_0,  rank_3 : ptr<function, u32>) -> Key_0
+fn Item_key_1( this_57 : Item_0,  rank_4 : ptr<function, u32>) -> Key_0
 {
     var face_9 : vec4<u32> = cell_row_0(u32(1), this_57.place_6);
-    (*rank_3) = face_9.z;
+    (*rank_4) = face_9.z;
     return Key_x24init_0(face_9.x, face_9.y, vec3<i32>(cell_row_0(u32(2), this_57.place_6).xyz));
 }
 
-fn Item_key_2( this_58 : Item_0,  rank_4 : ptr<function, u32>) -> Key_0
+fn Item_key_2( this_58 : Item_0,  rank_5 : ptr<function, u32>) -> Key_0
 {
     var face_10 : vec4<u32> = cell_row_0(u32(1), this_58.place_6);
-    (*rank_4) = face_10.z;
+    (*rank_5) = face_10.z;
     return Key_x24init_0(face_10.x, face_10.y, vec3<i32>(cell_row_0(u32(2), this_58.place_6).xyz));
 }
 
@@ -7870,8 +7878,8 @@ fn item_of_0( number_4 : u32) -> Item_0
             var _S539 : u32 = atomicLoad(&(cell_keys_0[place_of_chosen_0(number_4)]));
             item_0.place_6 = _S539;
             item_0.slot_0 = real_time_0.pixels_0 + count_8 + number_4;
-            var rank_5 : u32;
-            item_0.sampler_2 = Sampler_x24init_0(((params_0.seed_0) ^ (u32(1540483477))), Key_hash_0(Item_key_0(item_0, &(rank_5))).x, real_time_0.number_0);
+            var rank_6 : u32;
+            item_0.sampler_2 = Sampler_x24init_0(((params_0.seed_0) ^ (u32(1540483477))), Key_hash_0(Item_key_0(item_0, &(rank_6))).x, real_time_0.number_0);
         }
         return item_0;
     }
@@ -8482,12 +8490,12 @@ fn Walker_x24init_0( path_14 : Path_0,  ray_34 : Ray_0,  is_shadow_ray_1 : bool,
     return _S572;
 }
 
-fn at_cell_0( key_5 : Key_0,  rank_6 : u32,  sampler_9 : Sampler_0) -> Walker_0
+fn at_cell_0( key_5 : Key_0,  rank_7 : u32,  sampler_9 : Sampler_0) -> Walker_0
 {
     var face_12 : u32 = ((key_5.face_and_level_0) & (u32(7)));
     var axis_7 : u32 = (face_12 >> (u32(1)));
     var u_32 : vec4<f32> = Sampler_independent_0(sampler_9, u32(0));
-    var _S573 : vec3<f32> = vec3<f32>(Key_voxel_0(key_5, (rank_6 & (u32(1048575))), scramble_of_0(real_time_0.number_0 - u32(1))));
+    var _S573 : vec3<f32> = vec3<f32>(Key_voxel_0(key_5, (rank_7 & (u32(1048575))), scramble_of_0(real_time_0.number_0 - u32(1))));
     var on_face_2 : vec3<f32>;
     if(axis_7 == u32(0))
     {
@@ -8523,7 +8531,7 @@ fn at_cell_0( key_5 : Key_0,  rank_6 : u32,  sampler_9 : Sampler_0) -> Walker_0
     white_0.facets_0.alpha_0 = 1.0f;
     scatter_of_path_0 = Scatter_x24init_0(path_15, receiver_29, surface_6, white_0, vec3<f32>(0.0f, 0.0f, 1.0f), 1.0f, false, true);
     var ray_35 : Ray_0 = ray_from_0(origin_12, direction_31);
-    return Walker_x24init_0(path_15, ray_35, false, vec3<f32>(0.0f), direction_31, origin_12, in_air_0(), u32(0), false, false, ray_35, 0.0f, true, true, max((rank_6 >> (u32(20))), u32(1)) - u32(1), true);
+    return Walker_x24init_0(path_15, ray_35, false, vec3<f32>(0.0f), direction_31, origin_12, in_air_0(), u32(0), false, false, ray_35, 0.0f, true, true, max((rank_7 >> (u32(20))), u32(1)) - u32(1), true);
 }
 
 fn camera_before_0() -> CameraFrame_0
@@ -8563,9 +8571,9 @@ fn Item_start_0( this_68 : Item_0) -> Walker_0
 {
     if(Item_is_cell_0(this_68))
     {
-        var rank_7 : u32;
-        var key_6 : Key_0 = Item_key_1(this_68, &(rank_7));
-        var _S578 : Walker_0 = at_cell_0(key_6, rank_7, this_68.sampler_2);
+        var rank_8 : u32;
+        var key_6 : Key_0 = Item_key_1(this_68, &(rank_8));
+        var _S578 : Walker_0 = at_cell_0(key_6, rank_8, this_68.sampler_2);
         return _S578;
     }
     var _S579 : CameraFrame_0 = FrameParams_camera_0();
@@ -8622,47 +8630,107 @@ fn Slot_x24init_0( item_3 : Item_0,  own_4 : u32,  lent_1 : u32) -> Slot_0
     return _S580;
 }
 
-fn asks_2( path_16 : Path_0,  ray_38 : Ray_0,  hit_23 : Hit_0,  beyond_14 : u32,  life_4 : u32,  light_16 : ptr<function, vec3<f32>>) -> bool
+fn leaves_0( hit_23 : Hit_0,  is_shadow_ray_2 : bool) -> bool
 {
-    (*light_16) = vec3<f32>(0.0f);
     var _S581 : bool;
-    if(Hit_is_miss_0(hit_23))
+    if(!has_0(u32(1024)))
     {
         _S581 = true;
     }
     else
     {
-        _S581 = Inside_is_in_0(path_16.inside_0);
+        _S581 = Hit_is_miss_0(hit_23);
     }
     if(_S581)
     {
         return false;
     }
-    var material_18 : PackedMaterial_0 = material_met_0(path_16, hit_23, beyond_14);
-    if((material_18.metallic_0) > 0.0f)
+    var material_18 : PackedMaterial_0 = material_of_0(hit_23);
+    if(is_shadow_ray_2)
+    {
+        if((material_18.transmission_0) > 0.0f)
+        {
+            if((material_18.ior_0) == 1.0f)
+            {
+                _S581 = true;
+            }
+            else
+            {
+                _S581 = (params_0.clear_shadows_0) != u32(0);
+            }
+        }
+        else
+        {
+            _S581 = false;
+        }
+        return _S581;
+    }
+    if((material_18.transmission_0) > 0.0f)
     {
         _S581 = true;
     }
     else
     {
-        _S581 = (material_18.transmission_0) > 0.0f;
+        _S581 = (material_18.metallic_0) > 0.0f;
     }
     if(_S581)
+    {
+        _S581 = true;
+    }
+    else
+    {
+        _S581 = (material_18.specular_0) > 0.0f;
+    }
+    return _S581;
+}
+
+fn set_left_0( slot_8 : u32)
+{
+    scratch_0[u32(7) * real_time_0.slots_0 + slot_8][i32(0)] = u32(4294967294);
+    return;
+}
+
+fn asks_2( path_16 : Path_0,  ray_38 : Ray_0,  hit_24 : Hit_0,  beyond_14 : u32,  life_4 : u32,  light_16 : ptr<function, vec3<f32>>) -> bool
+{
+    (*light_16) = vec3<f32>(0.0f);
+    var _S582 : bool;
+    if(Hit_is_miss_0(hit_24))
+    {
+        _S582 = true;
+    }
+    else
+    {
+        _S582 = Inside_is_in_0(path_16.inside_0);
+    }
+    if(_S582)
+    {
+        return false;
+    }
+    var material_19 : PackedMaterial_0 = material_met_0(path_16, hit_24, beyond_14);
+    if((material_19.metallic_0) > 0.0f)
+    {
+        _S582 = true;
+    }
+    else
+    {
+        _S582 = (material_19.transmission_0) > 0.0f;
+    }
+    if(_S582)
     {
         return false;
     }
     var code_6 : u32;
-    var key_7 : Key_0 = key_of_1(hit_23, square_root_0(length_squared_0(ray_38.origin_0 + ray_38.direction_0 * vec3<f32>(hit_23.t_0) - real_time_0.eye_0)) * real_time_0.view_angle_0 * 0.05882352963089943f, Sampler_independent_0(path_16.sampler_0, u32(3221225472) + Path_events_0(path_16)).x, &(code_6));
+    var key_7 : Key_0 = key_of_1(hit_24, square_root_0(length_squared_0(ray_38.origin_0 + ray_38.direction_0 * vec3<f32>(hit_24.t_0) - real_time_0.eye_0)) * real_time_0.view_angle_0 * 0.05882352963089943f, Sampler_independent_0(path_16.sampler_0, u32(3221225472) + Path_events_0(path_16)).x, &(code_6));
     var least_2 : f32 = 2.0f * f32((u32(1) << ((Key_level_0(key_7)))));
     if(life_4 == u32(0))
     {
-        _S581 = true;
+        _S582 = true;
     }
     else
     {
-        _S581 = (hit_23.t_0 * square_root_0(length_squared_0(ray_38.direction_0))) < least_2;
+        _S582 = (hit_24.t_0 * square_root_0(length_squared_0(ray_38.direction_0))) < least_2;
     }
-    if(_S581)
+    if(_S582)
     {
         return false;
     }
@@ -8671,29 +8739,29 @@ fn asks_2( path_16 : Path_0,  ray_38 : Ray_0,  hit_23 : Hit_0,  beyond_14 : u32,
     {
         return false;
     }
-    (*light_16) = path_16.beta_0 * vector_of_0(material_18.base_color_0) * known_3.xyz;
+    (*light_16) = path_16.beta_0 * vector_of_0(material_19.base_color_0) * known_3.xyz;
     return true;
 }
 
 fn packed_normal_0( normal_11 : vec3<f32>) -> u32
 {
-    var _S582 : vec3<i32> = vec3<i32>(floor(clamp(normal_11, vec3<f32>(-1.0f), vec3<f32>(1.0f)) * vec3<f32>(511.0f) + vec3<f32>(0.5f)));
-    return (((((u32(_S582.x) & (u32(1023)))) | (((((u32(_S582.y) & (u32(1023)))) << (u32(10))))))) | (((((u32(_S582.z) & (u32(1023)))) << (u32(20))))));
+    var _S583 : vec3<i32> = vec3<i32>(floor(clamp(normal_11, vec3<f32>(-1.0f), vec3<f32>(1.0f)) * vec3<f32>(511.0f) + vec3<f32>(0.5f)));
+    return (((((u32(_S583.x) & (u32(1023)))) | (((((u32(_S583.y) & (u32(1023)))) << (u32(10))))))) | (((((u32(_S583.z) & (u32(1023)))) << (u32(20))))));
 }
 
 fn store_sample_0( index_37 : u32,  sample_24 : Sample_0)
 {
-    var _S583 : u32 = packed_normal_0(sample_24.normal_1);
-    var _S584 : u32;
+    var _S584 : u32 = packed_normal_0(sample_24.normal_1);
+    var _S585 : u32;
     if(sample_24.is_shown_0)
     {
-        _S584 = u32(1073741824);
+        _S585 = u32(1073741824);
     }
     else
     {
-        _S584 = u32(0);
+        _S585 = u32(0);
     }
-    var normal_12 : u32 = (_S583 | (_S584));
+    var normal_12 : u32 = (_S584 | (_S585));
     set_scratch_row_0(u32(0), index_37, (bitcast<vec2<u32>>((sample_24.light_1.xy))));
     set_scratch_row_0(u32(1), index_37, vec2<u32>((bitcast<u32>((sample_24.light_1.z))), sample_24.instance_7));
     set_scratch_row_0(u32(2), index_37, (bitcast<vec2<u32>>((sample_24.direct_0.xy))));
@@ -8707,16 +8775,16 @@ fn store_sample_0( index_37 : u32,  sample_24 : Sample_0)
 fn Slot_keep_0( this_69 : Slot_0,  at_19 : Walker_0,  instance_18 : u32,  face_13 : u32)
 {
     var word_10 : u32 = (((((instance_18 << (u32(5)))) | ((((at_19.path_0.bounce_0) << (u32(3))))))) | (face_13));
-    var _S585 : u32;
+    var _S586 : u32;
     if(at_19.is_shadow_ray_0)
     {
-        _S585 = (bitcast<u32>((at_19.ray_10.t_max_0)));
+        _S586 = (bitcast<u32>((at_19.ray_10.t_max_0)));
     }
     else
     {
-        _S585 = u32(0);
+        _S586 = u32(0);
     }
-    set_scratch_row_0(u32(4), this_69.own_3, vec2<u32>(_S585, word_10));
+    set_scratch_row_0(u32(4), this_69.own_3, vec2<u32>(_S586, word_10));
     set_scratch_row_0(u32(7), this_69.own_3, (bitcast<vec2<u32>>((at_19.ray_10.origin_0.xy))));
     set_scratch_row_0(u32(8), this_69.own_3, (bitcast<vec2<u32>>((vec2<f32>(at_19.ray_10.origin_0.z, at_19.ray_10.direction_0.x)))));
     set_scratch_row_0(u32(9), this_69.own_3, (bitcast<vec2<u32>>((at_19.ray_10.direction_0.yz))));
@@ -8725,10 +8793,10 @@ fn Slot_keep_0( this_69 : Slot_0,  at_19 : Walker_0,  instance_18 : u32,  face_1
 
 fn Slot_keep_first_0( this_70 : Slot_0,  at_20 : Walker_0,  instance_19 : u32,  face_14 : u32,  t_18 : f32,  sample_25 : Sample_0)
 {
-    var _S586 : Sample_0 = sample_25;
-    _S586.light_1 = vec3<f32>(0.0f);
-    _S586.albedo_0 = at_20.path_0.beta_0;
-    store_sample_0(this_70.own_3, _S586);
+    var _S587 : Sample_0 = sample_25;
+    _S587.light_1 = vec3<f32>(0.0f);
+    _S587.albedo_0 = at_20.path_0.beta_0;
+    store_sample_0(this_70.own_3, _S587);
     scratch_0[u32(3) * real_time_0.slots_0 + this_70.own_3][i32(1)] = (bitcast<u32>((t_18)));
     Slot_keep_0(this_70, at_20, instance_19, face_14);
     return;
@@ -8736,16 +8804,16 @@ fn Slot_keep_first_0( this_70 : Slot_0,  at_20 : Walker_0,  instance_19 : u32,  
 
 fn light_on_0( sample_26 : Sample_0) -> f32
 {
-    var _S587 : f32;
+    var _S588 : f32;
     if(sample_26.is_shown_0)
     {
-        _S587 = luminance_0(sample_26.light_1) / (luminance_0(sample_26.albedo_0) + 0.00300000002607703f);
+        _S588 = luminance_0(sample_26.light_1) / (luminance_0(sample_26.albedo_0) + 0.00300000002607703f);
     }
     else
     {
-        _S587 = 0.0f;
+        _S588 = 0.0f;
     }
-    return _S587;
+    return _S588;
 }
 
 fn Item_end_0( this_71 : Item_0,  sample_27 : Sample_0)
@@ -8768,9 +8836,9 @@ fn Item_end_0( this_71 : Item_0,  sample_27 : Sample_0)
     return;
 }
 
-fn set_over_0( slot_8 : u32)
+fn set_over_0( slot_9 : u32)
 {
-    scratch_0[u32(7) * real_time_0.slots_0 + slot_8][i32(0)] = u32(4294967295);
+    scratch_0[u32(7) * real_time_0.slots_0 + slot_9][i32(0)] = u32(4294967295);
     return;
 }
 
@@ -8792,51 +8860,58 @@ fn trace_first(@builtin(global_invocation_id) id_1 : vec3<u32>)
     {
         scatter_of_path_0.wants_light_0 = false;
         var sample_29 : Sample_0 = no_sample_0();
-        var _S588 : Walker_0 = Item_start_0(item_4);
-        var at_21 : Walker_0 = _S588;
-        var _S589 : Hit_0 = miss_0();
-        var hit_24 : Hit_0;
+        var _S589 : Walker_0 = Item_start_0(item_4);
+        var at_21 : Walker_0 = _S589;
+        var _S590 : Hit_0 = miss_0();
+        var hit_25 : Hit_0;
         var instance_20 : u32;
         var face_15 : u32;
         if(Item_is_cell_0(item_4))
         {
-            var rank_8 : u32;
-            var key_8 : Key_0 = Item_key_2(item_4, &(rank_8));
-            var _S590 : u32 = ((key_8.face_and_level_0) & (u32(7)));
-            hit_24 = _S589;
+            var rank_9 : u32;
+            var key_8 : Key_0 = Item_key_2(item_4, &(rank_9));
+            var _S591 : u32 = ((key_8.face_and_level_0) & (u32(7)));
+            hit_25 = _S590;
             instance_20 = key_8.instance_9;
-            face_15 = _S590;
+            face_15 = _S591;
         }
         else
         {
-            var hit_25 : Hit_0 = hit_in_slot_0(item_4.slot_0, at_21.ray_10);
-            hit_24 = hit_25;
-            instance_20 = hit_25.instance_0;
-            face_15 = hit_25.face_0;
+            var hit_26 : Hit_0 = hit_in_slot_0(item_4.slot_0, at_21.ray_10);
+            hit_25 = hit_26;
+            instance_20 = hit_26.instance_0;
+            face_15 = hit_26.face_0;
         }
-        var _S591 : u32 = item_4.slot_0;
-        var slot_9 : Slot_0 = Slot_x24init_0(item_4, _S591, _S591);
-        var _S592 : bool = goes_on_from_2(&(at_21), hit_24, u32(4294967295), &(sample_29));
-        if(_S592)
+        var _S592 : u32 = item_4.slot_0;
+        var slot_10 : Slot_0 = Slot_x24init_0(item_4, _S592, _S592);
+        if(leaves_0(hit_25, false))
         {
-            Slot_keep_first_0(slot_9, at_21, instance_20, face_15, hit_24.t_0, sample_29);
+            set_left_0(item_4.slot_0);
         }
         else
         {
-            Slot_end_0(slot_9, sample_29);
+            var _S593 : bool = goes_on_from_2(&(at_21), hit_25, u32(4294967295), &(sample_29));
+            if(_S593)
+            {
+                Slot_keep_first_0(slot_10, at_21, instance_20, face_15, hit_25.t_0, sample_29);
+            }
+            else
+            {
+                Slot_end_0(slot_10, sample_29);
+            }
         }
     }
     return;
 }
 
-fn is_over_0( slot_10 : u32) -> bool
+fn is_over_0( slot_11 : u32) -> bool
 {
-    return (scratch_row_0(u32(7), slot_10).x) == u32(4294967295);
+    return (scratch_row_0(u32(7), slot_11).x) >= u32(4294967294);
 }
 
-fn origin_in_0( slot_11 : u32) -> vec3<f32>
+fn origin_in_0( slot_12 : u32) -> vec3<f32>
 {
-    return vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(7), slot_11)))), (bitcast<f32>((scratch_row_0(u32(8), slot_11).x))));
+    return vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(7), slot_12)))), (bitcast<f32>((scratch_row_0(u32(8), slot_12).x))));
 }
 
 fn Slot_face_word_0( this_73 : Slot_0) -> u32
@@ -8857,15 +8932,15 @@ fn Slot_instance_0( this_75 : Slot_0) -> u32
 fn Slot_scatter_0( this_76 : Slot_0) -> Scatter_0
 {
     var surface_7 : Surface_0;
-    var _S593 : vec3<f32> = origin_in_0(this_76.own_3);
-    surface_7.origin_9 = _S593;
-    var _S594 : u32 = Slot_face_0(this_76);
-    surface_7.face_2 = _S594;
-    var _S595 : u32 = Slot_instance_0(this_76);
-    surface_7.instance_11 = _S595;
-    var _S596 : vec3<f32> = world_normal_0(Instances_operatorx5Bx5D_get_0(_S595), _S594);
-    surface_7.normal_3 = _S596;
-    var receiver_30 : Receiver_0 = Receiver_x24init_0(_S593, _S596);
+    var _S594 : vec3<f32> = origin_in_0(this_76.own_3);
+    surface_7.origin_9 = _S594;
+    var _S595 : u32 = Slot_face_0(this_76);
+    surface_7.face_2 = _S595;
+    var _S596 : u32 = Slot_instance_0(this_76);
+    surface_7.instance_11 = _S596;
+    var _S597 : vec3<f32> = world_normal_0(Instances_operatorx5Bx5D_get_0(_S596), _S595);
+    surface_7.normal_3 = _S597;
+    var receiver_30 : Receiver_0 = Receiver_x24init_0(_S594, _S597);
     var path_17 : Path_0 = path_from_0(this_76.item_2.sampler_2);
     path_17.selection_0 = Lights_selection_0(receiver_30);
     var bsdf_2 : MaterialBsdf_0;
@@ -8896,23 +8971,23 @@ fn trace_light(@builtin(global_invocation_id) id_2 : vec3<u32>)
     ends_here_0 = false;
     first_candidates_0 = u32(1);
     var item_5 : Item_0 = item_of_0(id_2.x);
-    var _S597 : u32 = item_5.slot_0;
-    var slot_12 : Slot_0 = Slot_x24init_0(item_5, _S597, _S597);
-    var _S598 : bool;
+    var _S598 : u32 = item_5.slot_0;
+    var slot_13 : Slot_0 = Slot_x24init_0(item_5, _S598, _S598);
+    var _S599 : bool;
     if(item_5.traces_0)
     {
-        _S598 = !is_over_0(item_5.slot_0);
+        _S599 = !is_over_0(item_5.slot_0);
     }
     else
     {
-        _S598 = false;
+        _S599 = false;
     }
-    if(_S598)
+    if(_S599)
     {
         first_candidates_0 = real_time_0.candidates_0;
         var next_9 : NextRays_0 = no_rays_0();
-        choose_light_1(Slot_scatter_0(slot_12), &(next_9));
-        Slot_keep_light_0(slot_12, next_9);
+        choose_light_1(Slot_scatter_0(slot_13), &(next_9));
+        Slot_keep_light_0(slot_13, next_9);
     }
     return;
 }
@@ -8924,20 +8999,20 @@ fn Slot_bounce_0( this_78 : Slot_0) -> u32
 
 fn Slot_ray_0( this_79 : Slot_0,  pdf_17 : ptr<function, f32>) -> Ray_0
 {
-    var _S599 : bool;
+    var _S600 : bool;
     if(Item_is_cell_0(this_79.item_2))
     {
-        _S599 = (Slot_bounce_0(this_79)) == u32(1);
+        _S600 = (Slot_bounce_0(this_79)) == u32(1);
     }
     else
     {
-        _S599 = false;
+        _S600 = false;
     }
     var direction_32 : vec3<f32>;
-    if(_S599)
+    if(_S600)
     {
-        var _S600 : vec3<f32> = direction_from_cell_1(this_79.item_2.sampler_2, world_normal_0(Instances_operatorx5Bx5D_get_0(Slot_instance_0(this_79)), Slot_face_0(this_79)), &((*pdf_17)));
-        direction_32 = _S600;
+        var _S601 : vec3<f32> = direction_from_cell_1(this_79.item_2.sampler_2, world_normal_0(Instances_operatorx5Bx5D_get_0(Slot_instance_0(this_79)), Slot_face_0(this_79)), &((*pdf_17)));
+        direction_32 = _S601;
     }
     else
     {
@@ -8954,20 +9029,20 @@ fn Slot_ray_0( this_79 : Slot_0,  pdf_17 : ptr<function, f32>) -> Ray_0
 
 fn Slot_ray_1( this_80 : Slot_0,  pdf_18 : ptr<function, f32>) -> Ray_0
 {
-    var _S601 : bool;
+    var _S602 : bool;
     if(Item_is_cell_0(this_80.item_2))
     {
-        _S601 = (Slot_bounce_0(this_80)) == u32(1);
+        _S602 = (Slot_bounce_0(this_80)) == u32(1);
     }
     else
     {
-        _S601 = false;
+        _S602 = false;
     }
     var direction_33 : vec3<f32>;
-    if(_S601)
+    if(_S602)
     {
-        var _S602 : vec3<f32> = direction_from_cell_1(this_80.item_2.sampler_2, world_normal_0(Instances_operatorx5Bx5D_get_0(Slot_instance_0(this_80)), Slot_face_0(this_80)), &((*pdf_18)));
-        direction_33 = _S602;
+        var _S603 : vec3<f32> = direction_from_cell_1(this_80.item_2.sampler_2, world_normal_0(Instances_operatorx5Bx5D_get_0(Slot_instance_0(this_80)), Slot_face_0(this_80)), &((*pdf_18)));
+        direction_33 = _S603;
     }
     else
     {
@@ -9002,16 +9077,16 @@ fn Slot_walk_0( this_82 : Slot_0)
     var end_4 : u32 = end_word_0(this_82.own_3);
     var pdf_19 : f32;
     var ray_39 : Ray_0 = Ray_x24init_0(origin_in_0(this_82.own_3), 0.0f, (bitcast<vec3<f32>>((words_in_0(this_82.own_3)))), (bitcast<f32>((end_4))));
-    var _S603 : i32;
+    var _S604 : i32;
     if(end_4 == u32(0))
     {
-        _S603 = i32(1);
+        _S604 = i32(1);
     }
     else
     {
-        _S603 = i32(0);
+        _S604 = i32(0);
     }
-    var turn_0 : u32 = u32(_S603);
+    var turn_0 : u32 = u32(_S604);
     for(;;)
     {
         if(turn_0 < u32(2))
@@ -9021,19 +9096,34 @@ fn Slot_walk_0( this_82 : Slot_0)
         {
             break;
         }
-        var _S604 : bool = turn_0 == u32(1);
-        if(_S604)
+        var _S605 : bool = turn_0 == u32(1);
+        if(_S605)
         {
             ray_39 = Slot_ray_0(this_82, &(pdf_19));
         }
-        var _S605 : Hit_0 = WalkTracer_trace_0(&(ray_39), turn_0 == u32(0));
-        if(_S604)
+        var _S606 : bool = turn_0 == u32(0);
+        var _S607 : Hit_0 = WalkTracer_trace_0(&(ray_39), _S606);
+        var _S608 : bool;
+        if(_S606)
         {
-            keep_hit_0(this_82.own_3, _S605);
+            _S608 = leaves_0(_S607, true);
         }
         else
         {
-            if(!Hit_is_miss_0(_S605))
+            _S608 = false;
+        }
+        if(_S608)
+        {
+            set_left_0(this_82.own_3);
+            return;
+        }
+        if(_S605)
+        {
+            keep_hit_0(this_82.own_3, _S607);
+        }
+        else
+        {
+            if(!Hit_is_miss_0(_S607))
             {
                 Slot_darken_0(this_82);
             }
@@ -9049,23 +9139,23 @@ fn trace_rays(@builtin(global_invocation_id) id_3 : vec3<u32>)
 {
     ends_here_0 = false;
     first_candidates_0 = u32(1);
-    var slot_13 : Slot_0;
-    var _S606 : Item_0 = item_of_0(id_3.x);
-    slot_13.item_2 = _S606;
-    slot_13.own_3 = slot_13.item_2.slot_0;
-    slot_13.lent_0 = slot_13.item_2.slot_0;
-    var _S607 : bool;
-    if(slot_13.item_2.traces_0)
+    var slot_14 : Slot_0;
+    var _S609 : Item_0 = item_of_0(id_3.x);
+    slot_14.item_2 = _S609;
+    slot_14.own_3 = slot_14.item_2.slot_0;
+    slot_14.lent_0 = slot_14.item_2.slot_0;
+    var _S610 : bool;
+    if(slot_14.item_2.traces_0)
     {
-        _S607 = !is_over_0(slot_13.own_3);
+        _S610 = !is_over_0(slot_14.own_3);
     }
     else
     {
-        _S607 = false;
+        _S610 = false;
     }
-    if(_S607)
+    if(_S610)
     {
-        Slot_walk_0(slot_13);
+        Slot_walk_0(slot_14);
     }
     return;
 }
@@ -9086,9 +9176,9 @@ fn load_sample_0( index_38 : u32) -> Sample_0
     sample_30.direct_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(2), index_38)))), d_3.x);
     sample_30.place_0 = vec3<f32>(d_3.y, (bitcast<vec2<f32>>((scratch_row_0(u32(4), index_38)))));
     sample_30.albedo_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(5), index_38)))), (bitcast<f32>((g_0.x))));
-    var _S608 : u32 = g_0.y;
-    sample_30.normal_1 = normal_in_0(_S608);
-    sample_30.is_shown_0 = ((_S608 & (u32(1073741824)))) != u32(0);
+    var _S611 : u32 = g_0.y;
+    sample_30.normal_1 = normal_in_0(_S611);
+    sample_30.is_shown_0 = ((_S611 & (u32(1073741824)))) != u32(0);
     return sample_30;
 }
 
@@ -9107,10 +9197,10 @@ fn Slot_walker_0( this_83 : Slot_0,  sample_31 : ptr<function, Sample_0>) -> Wal
         at_22.path_0.beta_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(7), this_83.lent_0)))), (bitcast<f32>((scratch_row_0(u32(8), this_83.lent_0).x))));
         (*sample_31).light_1 = (*sample_31).light_1 + vec3<f32>((bitcast<f32>((scratch_row_0(u32(8), this_83.lent_0).y))), (bitcast<vec2<f32>>((scratch_row_0(u32(9), this_83.lent_0)))));
     }
-    var _S609 : f32 = at_22.path_0.pdf_1;
-    var _S610 : Ray_0 = Slot_ray_1(this_83, &(_S609));
-    at_22.path_0.pdf_1 = _S609;
-    at_22.ray_10 = _S610;
+    var _S612 : f32 = at_22.path_0.pdf_1;
+    var _S613 : Ray_0 = Slot_ray_1(this_83, &(_S612));
+    at_22.path_0.pdf_1 = _S612;
+    at_22.ray_10 = _S613;
     at_22.path_0.normal_0 = world_normal_0(Instances_operatorx5Bx5D_get_0(Slot_instance_0(this_83)), Slot_face_0(this_83));
     at_22.is_shadow_ray_0 = false;
     at_22.light_0 = vec3<f32>(0.0f);
@@ -9120,7 +9210,7 @@ fn Slot_walker_0( this_83 : Slot_0,  sample_31 : ptr<function, Sample_0>) -> Wal
     at_22.boundaries_0 = u32(0);
     at_22.relocates_0 = false;
     at_22.path_relocates_0 = false;
-    at_22.camera_ray_0 = _S610;
+    at_22.camera_ray_0 = _S613;
     at_22.way_3 = 0.0f;
     at_22.has_shown_0 = true;
     at_22.asks_cache_0 = Item_asks_cache_0(this_83.item_2);
@@ -9128,9 +9218,9 @@ fn Slot_walker_0( this_83 : Slot_0,  sample_31 : ptr<function, Sample_0>) -> Wal
     at_22.is_at_cell_0 = false;
     if(Item_is_cell_0(this_83.item_2))
     {
-        var rank_9 : u32;
-        var _S611 : Key_0 = Item_key_2(this_83.item_2, &(rank_9));
-        at_22.life_0 = max((rank_9 >> (u32(20))), u32(1)) - u32(1);
+        var rank_10 : u32;
+        var _S614 : Key_0 = Item_key_2(this_83.item_2, &(rank_10));
+        at_22.life_0 = max((rank_10 >> (u32(20))), u32(1)) - u32(1);
     }
     else
     {
@@ -9155,10 +9245,10 @@ fn Slot_walker_1( this_84 : Slot_0,  sample_32 : ptr<function, Sample_0>) -> Wal
         at_23.path_0.beta_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(7), this_84.lent_0)))), (bitcast<f32>((scratch_row_0(u32(8), this_84.lent_0).x))));
         (*sample_32).light_1 = (*sample_32).light_1 + vec3<f32>((bitcast<f32>((scratch_row_0(u32(8), this_84.lent_0).y))), (bitcast<vec2<f32>>((scratch_row_0(u32(9), this_84.lent_0)))));
     }
-    var _S612 : f32 = at_23.path_0.pdf_1;
-    var _S613 : Ray_0 = Slot_ray_1(this_84, &(_S612));
-    at_23.path_0.pdf_1 = _S612;
-    at_23.ray_10 = _S613;
+    var _S615 : f32 = at_23.path_0.pdf_1;
+    var _S616 : Ray_0 = Slot_ray_1(this_84, &(_S615));
+    at_23.path_0.pdf_1 = _S615;
+    at_23.ray_10 = _S616;
     at_23.path_0.normal_0 = world_normal_0(Instances_operatorx5Bx5D_get_0(Slot_instance_0(this_84)), Slot_face_0(this_84));
     at_23.is_shadow_ray_0 = false;
     at_23.light_0 = vec3<f32>(0.0f);
@@ -9168,7 +9258,7 @@ fn Slot_walker_1( this_84 : Slot_0,  sample_32 : ptr<function, Sample_0>) -> Wal
     at_23.boundaries_0 = u32(0);
     at_23.relocates_0 = false;
     at_23.path_relocates_0 = false;
-    at_23.camera_ray_0 = _S613;
+    at_23.camera_ray_0 = _S616;
     at_23.way_3 = 0.0f;
     at_23.has_shown_0 = true;
     at_23.asks_cache_0 = Item_asks_cache_0(this_84.item_2);
@@ -9176,9 +9266,9 @@ fn Slot_walker_1( this_84 : Slot_0,  sample_32 : ptr<function, Sample_0>) -> Wal
     at_23.is_at_cell_0 = false;
     if(Item_is_cell_0(this_84.item_2))
     {
-        var rank_10 : u32;
-        var _S614 : Key_0 = Item_key_2(this_84.item_2, &(rank_10));
-        at_23.life_0 = max((rank_10 >> (u32(20))), u32(1)) - u32(1);
+        var rank_11 : u32;
+        var _S617 : Key_0 = Item_key_2(this_84.item_2, &(rank_11));
+        at_23.life_0 = max((rank_11 >> (u32(20))), u32(1)) - u32(1);
     }
     else
     {
@@ -9188,19 +9278,24 @@ fn Slot_walker_1( this_84 : Slot_0,  sample_32 : ptr<function, Sample_0>) -> Wal
     return at_23;
 }
 
-fn goes_on_from_second_0( slot_14 : Slot_0) -> bool
+fn goes_on_from_second_0( slot_15 : Slot_0) -> bool
 {
     var sample_33 : Sample_0;
-    var _S615 : Walker_0 = Slot_walker_0(slot_14, &(sample_33));
-    var at_24 : Walker_0 = _S615;
-    var hit_26 : Hit_0 = hit_in_slot_0(slot_14.own_3, at_24.ray_10);
-    var _S616 : vec3<f32> = vec3<f32>(0.0f);
-    var cached_3 : vec3<f32> = _S616;
+    var _S618 : Walker_0 = Slot_walker_0(slot_15, &(sample_33));
+    var at_24 : Walker_0 = _S618;
+    var hit_27 : Hit_0 = hit_in_slot_0(slot_15.own_3, at_24.ray_10);
+    if(leaves_0(hit_27, false))
+    {
+        set_left_0(slot_15.own_3);
+        return false;
+    }
+    var _S619 : vec3<f32> = vec3<f32>(0.0f);
+    var cached_3 : vec3<f32> = _S619;
     var is_known_0 : bool;
     if(at_24.asks_cache_0)
     {
-        var _S617 : bool = asks_2(at_24.path_0, at_24.ray_10, hit_26, u32(4294967295), at_24.life_0, &(cached_3));
-        is_known_0 = _S617;
+        var _S620 : bool = asks_2(at_24.path_0, at_24.ray_10, hit_27, u32(4294967295), at_24.life_0, &(cached_3));
+        is_known_0 = _S620;
     }
     else
     {
@@ -9208,7 +9303,7 @@ fn goes_on_from_second_0( slot_14 : Slot_0) -> bool
     }
     if(!is_known_0)
     {
-        is_known_0 = !Hit_is_miss_0(hit_26);
+        is_known_0 = !Hit_is_miss_0(hit_27);
     }
     else
     {
@@ -9227,13 +9322,18 @@ fn goes_on_from_second_0( slot_14 : Slot_0) -> bool
         return true;
     }
     ends_here_0 = true;
-    var emitted_6 : vec3<f32> = _S616;
-    var _S618 : Path_0 = at_24.path_0;
-    var _S619 : NextRays_0 = PathTracingOf_advance_2(&(_S618), at_24.ray_10, hit_26, u32(4294967295), &(emitted_6));
-    at_24.path_0 = _S618;
+    var emitted_6 : vec3<f32> = _S619;
+    var _S621 : Path_0 = at_24.path_0;
+    var _S622 : NextRays_0 = PathTracingOf_advance_2(&(_S621), at_24.ray_10, hit_27, u32(4294967295), &(emitted_6));
+    at_24.path_0 = _S621;
     sample_33.light_1 = sample_33.light_1 + (cached_3 + emitted_6);
-    Slot_end_0(slot_14, sample_33);
+    Slot_end_0(slot_15, sample_33);
     return false;
+}
+
+fn is_left_9( slot_16 : u32) -> bool
+{
+    return (scratch_row_0(u32(7), slot_16).x) == u32(4294967294);
 }
 
 var<workgroup> appended_0 : array<atomic<u32>, i32(2)>;
@@ -9242,34 +9342,34 @@ var<workgroup> first_appended_0 : array<u32, i32(2)>;
 
 fn append_0( thread_2 : u32,  item_6 : u32,  of_0 : Item_0,  goes_on_8 : bool)
 {
-    var _S620 : bool = thread_2 < u32(2);
-    if(_S620)
+    var _S623 : bool = thread_2 < u32(2);
+    if(_S623)
     {
         atomicStore(&(appended_0[thread_2]), u32(0));
     }
     workgroupBarrier();
-    var _S621 : i32;
+    var _S624 : i32;
     if(goes_on_8)
     {
-        _S621 = i32(0);
+        _S624 = i32(0);
     }
     else
     {
-        _S621 = i32(1);
+        _S624 = i32(1);
     }
-    var list_1 : u32 = u32(_S621);
+    var list_1 : u32 = u32(_S624);
     var index_39 : u32;
     if(of_0.traces_0)
     {
-        var _S622 : u32 = atomicAdd(&(appended_0[list_1]), u32(1));
-        index_39 = _S622;
+        var _S625 : u32 = atomicAdd(&(appended_0[list_1]), u32(1));
+        index_39 = _S625;
     }
     else
     {
         index_39 = u32(0);
     }
     workgroupBarrier();
-    if(_S620)
+    if(_S623)
     {
         var count_10 : u32 = atomicLoad(&(appended_0[thread_2]));
         var before_0 : u32;
@@ -9283,26 +9383,26 @@ fn append_0( thread_2 : u32,  item_6 : u32,  of_0 : Item_0,  goes_on_8 : bool)
             {
                 before_0 = u32(8);
             }
-            var _S623 : u32 = atomicAdd(&(cell_keys_0[before_0]), count_10);
-            before_0 = _S623;
+            var _S626 : u32 = atomicAdd(&(cell_keys_0[before_0]), count_10);
+            before_0 = _S626;
         }
         else
         {
             before_0 = u32(0);
         }
         var more_0 : u32 = (before_0 + count_10 + u32(64) - u32(1)) / u32(64) - (before_0 + u32(64) - u32(1)) / u32(64);
-        var _S624 : bool;
+        var _S627 : bool;
         if(thread_2 == u32(0))
         {
-            _S624 = more_0 > u32(0);
+            _S627 = more_0 > u32(0);
         }
         else
         {
-            _S624 = false;
+            _S627 = false;
         }
-        if(_S624)
+        if(_S627)
         {
-            var _S625 : u32 = atomicAdd(&(cell_keys_0[u32(5)]), more_0);
+            var _S628 : u32 = atomicAdd(&(cell_keys_0[u32(5)]), more_0);
         }
         first_appended_0[thread_2] = before_0;
     }
@@ -9337,10 +9437,10 @@ fn trace_ends(@builtin(global_invocation_id) id_4 : vec3<u32>, @builtin(local_in
 {
     ends_here_0 = false;
     first_candidates_0 = u32(1);
-    var _S626 : u32 = id_4.x;
-    var item_7 : Item_0 = item_of_0(_S626);
-    var _S627 : u32 = item_7.slot_0;
-    var slot_15 : Slot_0 = Slot_x24init_0(item_7, _S627, _S627);
+    var _S629 : u32 = id_4.x;
+    var _S630 : Item_0 = item_of_0(_S629);
+    var item_7 : Item_0 = _S630;
+    var slot_17 : Slot_0 = Slot_x24init_0(_S630, item_7.slot_0, item_7.slot_0);
     var goes_on_9 : bool;
     if(item_7.traces_0)
     {
@@ -9352,40 +9452,50 @@ fn trace_ends(@builtin(global_invocation_id) id_4 : vec3<u32>, @builtin(local_in
     }
     if(goes_on_9)
     {
-        var _S628 : bool = goes_on_from_second_0(slot_15);
-        goes_on_9 = _S628;
+        var _S631 : bool = goes_on_from_second_0(slot_17);
+        goes_on_9 = _S631;
     }
     else
     {
         goes_on_9 = false;
     }
-    append_0(thread_3, _S626, item_7, goes_on_9);
+    var _S632 : bool;
+    if(item_7.traces_0)
+    {
+        _S632 = !is_left_9(item_7.slot_0);
+    }
+    else
+    {
+        _S632 = false;
+    }
+    item_7.traces_0 = _S632;
+    append_0(thread_3, _S629, item_7, goes_on_9);
     return;
 }
 
 fn slot_of_rest_0( number_5 : u32,  is_lent_0 : ptr<function, bool>) -> Slot_0
 {
-    var slot_16 : Slot_0;
-    var _S629 : u32 = atomicLoad(&(cell_keys_0[u32(4)]));
-    slot_16.item_2.traces_0 = number_5 < _S629;
-    var _S630 : u32 = atomicLoad(&(cell_keys_0[u32(8)]));
-    (*is_lent_0) = number_5 < _S630;
-    if(slot_16.item_2.traces_0)
+    var slot_18 : Slot_0;
+    var _S633 : u32 = atomicLoad(&(cell_keys_0[u32(4)]));
+    slot_18.item_2.traces_0 = number_5 < _S633;
+    var _S634 : u32 = atomicLoad(&(cell_keys_0[u32(8)]));
+    (*is_lent_0) = number_5 < _S634;
+    if(slot_18.item_2.traces_0)
     {
-        var _S631 : Item_0 = item_of_0(rest_0[number_5]);
-        slot_16.item_2 = _S631;
-        slot_16.own_3 = slot_16.item_2.slot_0;
-        slot_16.lent_0 = slot_16.item_2.slot_0;
+        var _S635 : Item_0 = item_of_0(rest_0[number_5]);
+        slot_18.item_2 = _S635;
+        slot_18.own_3 = slot_18.item_2.slot_0;
+        slot_18.lent_0 = slot_18.item_2.slot_0;
         if((*is_lent_0))
         {
-            slot_16.lent_0 = rest_0[real_time_0.slots_0 - u32(1) - number_5];
+            slot_18.lent_0 = rest_0[real_time_0.slots_0 - u32(1) - number_5];
         }
-        slot_16.item_2.traces_0 = !is_over_0(slot_16.own_3);
+        slot_18.item_2.traces_0 = !is_over_0(slot_18.own_3);
     }
-    return slot_16;
+    return slot_18;
 }
 
-fn Slot_keep_later_0( this_85 : Slot_0,  at_26 : Walker_0,  hit_27 : Hit_0,  found_3 : vec3<f32>)
+fn Slot_keep_later_0( this_85 : Slot_0,  at_26 : Walker_0,  hit_28 : Hit_0,  found_3 : vec3<f32>)
 {
     var light_17 : vec3<f32>;
     if(at_26.is_shadow_ray_0)
@@ -9398,7 +9508,7 @@ fn Slot_keep_later_0( this_85 : Slot_0,  at_26 : Walker_0,  hit_27 : Hit_0,  fou
     }
     set_scratch_row_0(u32(0), this_85.own_3, (bitcast<vec2<u32>>((found_3.xy))));
     scratch_0[real_time_0.slots_0 + this_85.own_3][i32(0)] = (bitcast<u32>((found_3.z)));
-    Slot_keep_0(this_85, at_26, hit_27.instance_0, hit_27.face_0);
+    Slot_keep_0(this_85, at_26, hit_28.instance_0, hit_28.face_0);
     set_scratch_row_0(u32(7), this_85.lent_0, (bitcast<vec2<u32>>((at_26.path_0.beta_0.xy))));
     set_scratch_row_0(u32(8), this_85.lent_0, (bitcast<vec2<u32>>((vec2<f32>(at_26.path_0.beta_0.z, light_17.x)))));
     set_scratch_row_0(u32(9), this_85.lent_0, (bitcast<vec2<u32>>((light_17.yz))));
@@ -9412,32 +9522,39 @@ fn trace_on(@builtin(global_invocation_id) id_5 : vec3<u32>)
     ends_here_0 = false;
     first_candidates_0 = u32(1);
     var is_lent_1 : bool;
-    var slot_17 : Slot_0 = slot_of_rest_0(id_5.x, &(is_lent_1));
-    var _S632 : bool;
-    if(slot_17.item_2.traces_0)
+    var slot_19 : Slot_0 = slot_of_rest_0(id_5.x, &(is_lent_1));
+    var _S636 : bool;
+    if(slot_19.item_2.traces_0)
     {
-        _S632 = is_lent_1;
+        _S636 = is_lent_1;
     }
     else
     {
-        _S632 = false;
+        _S636 = false;
     }
-    if(_S632)
+    if(_S636)
     {
         scatter_of_path_0.wants_light_0 = false;
         first_candidates_0 = u32(1);
         var sample_34 : Sample_0;
-        var _S633 : Walker_0 = Slot_walker_1(slot_17, &(sample_34));
-        var at_27 : Walker_0 = _S633;
-        var hit_28 : Hit_0 = hit_in_slot_0(slot_17.own_3, at_27.ray_10);
-        var _S634 : bool = goes_on_from_1(&(at_27), hit_28, u32(4294967295), &(sample_34));
-        if(_S634)
+        var _S637 : Walker_0 = Slot_walker_1(slot_19, &(sample_34));
+        var at_27 : Walker_0 = _S637;
+        var hit_29 : Hit_0 = hit_in_slot_0(slot_19.own_3, at_27.ray_10);
+        if(leaves_0(hit_29, false))
         {
-            Slot_keep_later_0(slot_17, at_27, hit_28, sample_34.light_1);
+            set_left_0(slot_19.own_3);
         }
         else
         {
-            Slot_end_0(slot_17, sample_34);
+            var _S638 : bool = goes_on_from_1(&(at_27), hit_29, u32(4294967295), &(sample_34));
+            if(_S638)
+            {
+                Slot_keep_later_0(slot_19, at_27, hit_29, sample_34.light_1);
+            }
+            else
+            {
+                Slot_end_0(slot_19, sample_34);
+            }
         }
     }
     return;
@@ -9450,19 +9567,19 @@ fn trace_on_rays(@builtin(global_invocation_id) id_6 : vec3<u32>)
     ends_here_0 = false;
     first_candidates_0 = u32(1);
     var is_lent_2 : bool;
-    var slot_18 : Slot_0 = slot_of_rest_0(id_6.x, &(is_lent_2));
-    var _S635 : bool;
-    if(slot_18.item_2.traces_0)
+    var slot_20 : Slot_0 = slot_of_rest_0(id_6.x, &(is_lent_2));
+    var _S639 : bool;
+    if(slot_20.item_2.traces_0)
     {
-        _S635 = is_lent_2;
+        _S639 = is_lent_2;
     }
     else
     {
-        _S635 = false;
+        _S639 = false;
     }
-    if(_S635)
+    if(_S639)
     {
-        Slot_walk_0(slot_18);
+        Slot_walk_0(slot_20);
     }
     return;
 }
@@ -9471,10 +9588,10 @@ fn follow_0( item_8 : Item_0,  start_5 : Walker_0,  first_1 : Hit_0,  walks_0 : 
 {
     var at_28 : Walker_0 = start_5;
     var sample_35 : Sample_0 = found_4;
-    var _S636 : bool = !walks_0;
+    var _S640 : bool = !walks_0;
     var is_under_way_0 : bool = true;
-    var is_met_4 : bool = _S636;
-    var hit_29 : Hit_0 = first_1;
+    var is_met_4 : bool = _S640;
+    var hit_30 : Hit_0 = first_1;
     for(;;)
     {
         if(is_under_way_0)
@@ -9486,14 +9603,19 @@ fn follow_0( item_8 : Item_0,  start_5 : Walker_0,  first_1 : Hit_0,  walks_0 : 
         }
         if(!is_met_4)
         {
-            var _S637 : Ray_0 = at_28.ray_10;
-            var _S638 : Hit_0 = WalkTracer_trace_0(&(_S637), at_28.is_shadow_ray_0);
-            at_28.ray_10 = _S637;
-            hit_29 = _S638;
+            var _S641 : Ray_0 = at_28.ray_10;
+            var _S642 : Hit_0 = WalkTracer_trace_0(&(_S641), at_28.is_shadow_ray_0);
+            at_28.ray_10 = _S641;
+            hit_30 = _S642;
+        }
+        if(leaves_0(hit_30, at_28.is_shadow_ray_0))
+        {
+            set_left_0(item_8.slot_0);
+            return;
         }
         if(at_28.is_shadow_ray_0)
         {
-            if(Hit_is_miss_0(hit_29))
+            if(Hit_is_miss_0(hit_30))
             {
                 sample_35.light_1 = sample_35.light_1 + at_28.light_0;
             }
@@ -9503,8 +9625,8 @@ fn follow_0( item_8 : Item_0,  start_5 : Walker_0,  first_1 : Hit_0,  walks_0 : 
         }
         else
         {
-            var _S639 : bool = goes_on_from_0(&(at_28), hit_29, u32(4294967295), &(sample_35));
-            is_under_way_0 = _S639;
+            var _S643 : bool = goes_on_from_0(&(at_28), hit_30, u32(4294967295), &(sample_35));
+            is_under_way_0 = _S643;
         }
         is_met_4 = false;
     }
@@ -9519,14 +9641,14 @@ fn trace_rest(@builtin(global_invocation_id) id_7 : vec3<u32>)
     ends_here_0 = false;
     first_candidates_0 = u32(1);
     var is_lent_3 : bool;
-    var slot_19 : Slot_0 = slot_of_rest_0(id_7.x, &(is_lent_3));
-    if(slot_19.item_2.traces_0)
+    var slot_21 : Slot_0 = slot_of_rest_0(id_7.x, &(is_lent_3));
+    if(slot_21.item_2.traces_0)
     {
         scatter_of_path_0.wants_light_0 = false;
         first_candidates_0 = u32(1);
         var sample_36 : Sample_0;
-        var at_29 : Walker_0 = Slot_walker_1(slot_19, &(sample_36));
-        follow_0(slot_19.item_2, at_29, hit_in_slot_0(slot_19.own_3, at_29.ray_10), false, sample_36);
+        var at_29 : Walker_0 = Slot_walker_1(slot_21, &(sample_36));
+        follow_0(slot_21.item_2, at_29, hit_in_slot_0(slot_21.own_3, at_29.ray_10), false, sample_36);
     }
     return;
 }
@@ -9542,8 +9664,70 @@ fn trace_again(@builtin(global_invocation_id) id_8 : vec3<u32>)
     {
         scatter_of_path_0.wants_light_0 = false;
         first_candidates_0 = real_time_0.candidates_0;
-        var _S640 : Walker_0 = Item_start_0(item_9);
-        follow_0(item_9, _S640, miss_0(), true, no_sample_0());
+        var _S644 : Walker_0 = Item_start_0(item_9);
+        follow_0(item_9, _S644, miss_0(), true, no_sample_0());
+    }
+    return;
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn list_left(@builtin(global_invocation_id) id_9 : vec3<u32>, @builtin(local_invocation_index) thread_4 : u32)
+{
+    ends_here_0 = false;
+    first_candidates_0 = u32(1);
+    var _S645 : bool = thread_4 == u32(0);
+    if(_S645)
+    {
+        atomicStore(&(appended_0[i32(0)]), u32(0));
+    }
+    workgroupBarrier();
+    var _S646 : u32 = id_9.x;
+    var item_10 : Item_0 = item_of_0(_S646);
+    var is_listed_0 : bool;
+    if(item_10.traces_0)
+    {
+        is_listed_0 = is_left_9(item_10.slot_0);
+    }
+    else
+    {
+        is_listed_0 = false;
+    }
+    var index_40 : u32;
+    if(is_listed_0)
+    {
+        var _S647 : u32 = atomicAdd(&(appended_0[i32(0)]), u32(1));
+        index_40 = _S647;
+    }
+    else
+    {
+        index_40 = u32(0);
+    }
+    workgroupBarrier();
+    if(_S645)
+    {
+        var count_11 : u32 = atomicLoad(&(appended_0[i32(0)]));
+        var before_1 : u32;
+        if(count_11 > u32(0))
+        {
+            var _S648 : u32 = atomicAdd(&(cell_keys_0[u32(9)]), count_11);
+            before_1 = _S648;
+        }
+        else
+        {
+            before_1 = u32(0);
+        }
+        var more_1 : u32 = (before_1 + count_11 + u32(64) - u32(1)) / u32(64) - (before_1 + u32(64) - u32(1)) / u32(64);
+        if(more_1 > u32(0))
+        {
+            var _S649 : u32 = atomicAdd(&(cell_keys_0[u32(10)]), more_1);
+        }
+        first_appended_0[i32(0)] = before_1;
+    }
+    workgroupBarrier();
+    if(is_listed_0)
+    {
+        rest_0[first_appended_0[i32(0)] + index_40] = _S646;
     }
     return;
 }

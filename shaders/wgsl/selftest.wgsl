@@ -1536,19 +1536,27 @@ fn read_bits_0( start_0 : u32,  position_0 : u32,  count_3 : u32) -> u32
     return (bits_2 & ((((u32(1) << (count_3))) - u32(1))));
 }
 
-fn material_at_0( grid_4 : PackedGrid_0,  relative_3 : vec3<i32>) -> u32
+fn material_of_rank_0( grid_4 : PackedGrid_0,  record_1 : u32,  header_0 : u32,  rank_2 : u32) -> u32
 {
-    var record_1 : u32 = find_brick_0(grid_4, relative_3);
-    var header_0 : u32 = brick_word_0(record_1);
     var index_bits_0 : u32 = (((header_0 >> (u32(8)))) & (u32(255)));
     var palette_count_0 : u32 = (header_0 >> (u32(16)));
     var start_1 : u32 = brick_word_0(record_1 + u32(1));
-    var index_16 : u32 = read_bits_0(start_1, palette_count_0 * grid_4.material_bits_0 + rank_in_brick_0(record_1, relative_3) * index_bits_0, index_bits_0);
+    var index_16 : u32 = read_bits_0(start_1, palette_count_0 * grid_4.material_bits_0 + rank_2 * index_bits_0, index_bits_0);
     if(palette_count_0 == u32(0))
     {
         return index_16;
     }
     return read_bits_0(start_1, index_16 * grid_4.material_bits_0, grid_4.material_bits_0);
+}
+
+fn material_in_brick_0( grid_5 : PackedGrid_0,  record_2 : u32,  relative_3 : vec3<i32>) -> u32
+{
+    return material_of_rank_0(grid_5, record_2, brick_word_0(record_2), rank_in_brick_0(record_2, relative_3));
+}
+
+fn material_at_0( grid_6 : PackedGrid_0,  relative_4 : vec3<i32>) -> u32
+{
+    return material_in_brick_0(grid_6, find_brick_0(grid_6, relative_4), relative_4);
 }
 
 @compute
@@ -1570,9 +1578,9 @@ fn check_material(@builtin(global_invocation_id) id_4 : vec3<u32>, @builtin(loca
     return;
 }
 
-fn blocks_of_record_0( record_2 : u32) -> u32
+fn blocks_of_record_0( record_3 : u32) -> u32
 {
-    return ((brick_word_0(record_2)) & (u32(255)));
+    return ((brick_word_0(record_3)) & (u32(255)));
 }
 
 fn flip_of_0( octant_0 : u32) -> u32
@@ -1580,7 +1588,7 @@ fn flip_of_0( octant_0 : u32) -> u32
     return ((((((octant_0 & (u32(1)))) | (((((octant_0 & (u32(2)))) << (u32(1))))))) | (((((octant_0 & (u32(4)))) << (u32(2))))))) * u32(3);
 }
 
-fn empty_around_0( record_3 : u32,  blocks_0 : u32,  voxel_1 : vec3<i32>,  octant_1 : u32,  flip_0 : u32) -> u32
+fn empty_around_0( record_4 : u32,  blocks_0 : u32,  voxel_1 : vec3<i32>,  octant_1 : u32,  flip_0 : u32) -> u32
 {
     var block_0 : u32 = (((((u32(((((voxel_1.x) >> (u32(2)))) & (i32(1)))) | (u32(((((voxel_1.y) >> (u32(1)))) & (i32(2))))))) | (u32(((voxel_1.z) & (i32(4))))))) ^ (octant_1));
     if(((((blocks_0 >> (block_0))) & (u32(1)))) == u32(0))
@@ -1588,7 +1596,7 @@ fn empty_around_0( record_3 : u32,  blocks_0 : u32,  voxel_1 : vec3<i32>,  octan
         return u32(3);
     }
     var bit_1 : u32 = ((cell_in_node_0(voxel_1, u32(0))) ^ (flip_0));
-    var half_1 : u32 = brick_word_0(record_3 + u32(2) + u32(2) * countOneBits((blocks_0 & ((((u32(1) << (block_0))) - u32(1))))) + ((bit_1 >> (u32(5)))));
+    var half_1 : u32 = brick_word_0(record_4 + u32(2) + u32(2) * countOneBits((blocks_0 & ((((u32(1) << (block_0))) - u32(1))))) + ((bit_1 >> (u32(5)))));
     if(((((half_1 >> (((bit_1 & (u32(31))))))) & (u32(1)))) != u32(0))
     {
         return u32(4294967295);
@@ -1622,8 +1630,8 @@ fn check_brick(@builtin(global_invocation_id) id_5 : vec3<u32>, @builtin(local_i
     var _S126 : vec3<i32> = Reader_cell_0(&(reader_5));
     var voxel_2 : vec3<i32> = _S126 - cell_of_0(_S125.origin_0);
     var octant_2 : u32 = Reader_word_0(&(reader_5));
-    var record_4 : u32 = find_brick_0(_S125, voxel_2);
-    Writer_word_0(&(writer_5), empty_around_0(record_4, blocks_of_record_0(record_4), (voxel_2 ^ ((vec3<i32>(0) - vec3<i32>(i32((octant_2 & (u32(1)))), i32((((octant_2 >> (u32(1)))) & (u32(1)))), i32((octant_2 >> (u32(2)))))))), octant_2, flip_of_0(octant_2)));
+    var record_5 : u32 = find_brick_0(_S125, voxel_2);
+    Writer_word_0(&(writer_5), empty_around_0(record_5, blocks_of_record_0(record_5), (voxel_2 ^ ((vec3<i32>(0) - vec3<i32>(i32((octant_2 & (u32(1)))), i32((((octant_2 >> (u32(1)))) & (u32(1)))), i32((octant_2 >> (u32(2)))))))), octant_2, flip_of_0(octant_2)));
     return;
 }
 
@@ -3491,18 +3499,18 @@ fn emitter_luminance_at_0( index_24 : u32) -> f32
 struct Emitter_0
 {
      voxel_9 : array<i32, i32(3)>,
-     grid_5 : u32,
+     grid_7 : u32,
      faces_0 : u32,
      material_0 : u32,
      luminance_4 : f32,
      leaf_0 : u32,
 };
 
-fn Emitter_x24init_0( voxel_10 : array<i32, i32(3)>,  grid_6 : u32,  faces_1 : u32,  material_1 : u32,  luminance_5 : f32,  leaf_1 : u32) -> Emitter_0
+fn Emitter_x24init_0( voxel_10 : array<i32, i32(3)>,  grid_8 : u32,  faces_1 : u32,  material_1 : u32,  luminance_5 : f32,  leaf_1 : u32) -> Emitter_0
 {
     var _S257 : Emitter_0;
     _S257.voxel_9 = voxel_10;
-    _S257.grid_5 = grid_6;
+    _S257.grid_7 = grid_8;
     _S257.faces_0 = faces_1;
     _S257.material_0 = material_1;
     _S257.luminance_4 = luminance_5;

@@ -3100,19 +3100,27 @@ fn read_bits_0( start_1 : u32,  position_8 : u32,  count_2 : u32) -> u32
     return (bits_3 & ((((u32(1) << (count_2))) - u32(1))));
 }
 
-fn material_at_0( grid_6 : PackedGrid_0,  relative_3 : vec3<i32>) -> u32
+fn material_of_rank_0( grid_6 : PackedGrid_0,  record_4 : u32,  header_0 : u32,  rank_2 : u32) -> u32
 {
-    var record_4 : u32 = find_brick_0(grid_6, relative_3);
-    var header_0 : u32 = brick_word_0(record_4);
     var index_bits_0 : u32 = (((header_0 >> (u32(8)))) & (u32(255)));
     var palette_count_0 : u32 = (header_0 >> (u32(16)));
     var start_2 : u32 = brick_word_0(record_4 + u32(1));
-    var index_15 : u32 = read_bits_0(start_2, palette_count_0 * grid_6.material_bits_0 + rank_in_brick_0(record_4, relative_3) * index_bits_0, index_bits_0);
+    var index_15 : u32 = read_bits_0(start_2, palette_count_0 * grid_6.material_bits_0 + rank_2 * index_bits_0, index_bits_0);
     if(palette_count_0 == u32(0))
     {
         return index_15;
     }
     return read_bits_0(start_2, index_15 * grid_6.material_bits_0, grid_6.material_bits_0);
+}
+
+fn material_in_brick_0( grid_7 : PackedGrid_0,  record_5 : u32,  relative_3 : vec3<i32>) -> u32
+{
+    return material_of_rank_0(grid_7, record_5, brick_word_0(record_5), rank_in_brick_0(record_5, relative_3));
+}
+
+fn material_at_0( grid_8 : PackedGrid_0,  relative_4 : vec3<i32>) -> u32
+{
+    return material_in_brick_0(grid_8, find_brick_0(grid_8, relative_4), relative_4);
 }
 
 fn material_of_0( hit_1 : Hit_0) -> PackedMaterial_0
@@ -4193,7 +4201,7 @@ fn density_0( odds_1 : vec2<f32>,  luminance_3 : f32,  power_3 : f32,  toward_2 
 struct Emitter_0
 {
      voxel_19 : array<i32, i32(3)>,
-     grid_7 : u32,
+     grid_9 : u32,
      faces_0 : u32,
      material_5 : u32,
      luminance_4 : f32,
@@ -4253,11 +4261,11 @@ fn emitter_luminance_at_0( index_29 : u32) -> f32
     return _S295;
 }
 
-fn Emitter_x24init_0( voxel_20 : array<i32, i32(3)>,  grid_8 : u32,  faces_1 : u32,  material_6 : u32,  luminance_5 : f32,  leaf_1 : u32) -> Emitter_0
+fn Emitter_x24init_0( voxel_20 : array<i32, i32(3)>,  grid_10 : u32,  faces_1 : u32,  material_6 : u32,  luminance_5 : f32,  leaf_1 : u32) -> Emitter_0
 {
     var _S296 : Emitter_0;
     _S296.voxel_19 = voxel_20;
-    _S296.grid_7 = grid_8;
+    _S296.grid_9 = grid_10;
     _S296.faces_0 = faces_1;
     _S296.material_5 = material_6;
     _S296.luminance_4 = luminance_5;
@@ -5304,8 +5312,8 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_22 : Ray_0,  hi
 
 fn place_of_0( at_7 : vec2<u32>) -> u32
 {
-    var relative_4 : vec2<u32> = at_7 - params_0.region_0.xy;
-    return relative_4.y * (params_0.region_0.z - params_0.region_0.x) + relative_4.x;
+    var relative_5 : vec2<u32> = at_7 - params_0.region_0.xy;
+    return relative_5.y * (params_0.region_0.z - params_0.region_0.x) + relative_5.x;
 }
 
 struct PixelRecord_0

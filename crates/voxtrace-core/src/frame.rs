@@ -215,8 +215,7 @@ impl Frame {
         if self.clamp_indirect.is_nan() || self.clamp_indirect <= 0.0 {
             return bad("indirect light is clamped to a number above 0");
         }
-        let has_limits = self.bounce_limits != BounceLimits::default() || self.clamp_indirect < f32::INFINITY;
-        if has_limits && self.integrator == Integrator::Essay {
+        if self.has_path_limits() && self.integrator == Integrator::Essay {
             return bad("the integrator essay knows neither kinds of bounces nor indirect light");
         }
         if self.clear_shadows && self.integrator == Integrator::Essay {
@@ -229,6 +228,11 @@ impl Frame {
             return bad("the integrator essay draws no lines on voxels");
         }
         self.lines.check().and_then(|()| self.camera.check()).or_else(bad)
+    }
+
+    /// Whether bounces of a kind are limited, or indirect light is.
+    pub fn has_path_limits(&self) -> bool {
+        self.bounce_limits != BounceLimits::default() || self.clamp_indirect < f32::INFINITY
     }
 
     /// Checks that lines are drawn on instances that were kept apart: a merged grid goes on where one of them ends.

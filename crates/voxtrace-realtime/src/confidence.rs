@@ -40,7 +40,7 @@ impl Found {
             let sampler = Sampler { seed: frame.seed ^ SEED, pixel: y * size[0] + x, sample: number };
             let sample = view.sample(x, y, sampler, &mut Vec::new());
             sample.shown.map_or((0.0, Vec3::ZERO), |shown| {
-                (luminance(sample.light) / (luminance(shown.albedo) + LEAST_ALBEDO), shown.place)
+                (luminance(sample.light) / (luminance(sample.albedo) + LEAST_ALBEDO), shown.place)
             })
         };
         Self { size, squares: (0..columns * size[1].div_ceil(STRIDE)).into_par_iter().map(square).collect() }

@@ -42,8 +42,7 @@ impl Memory {
         self.looks += 1.0;
         let share = 1.0 / self.looks;
         self.direct += (sample.direct - self.direct) * share;
-        let albedo = sample.shown.map_or(Vec3::ZERO, |shown| shown.albedo);
-        self.albedo += (albedo - self.albedo) * share;
+        self.albedo += (sample.albedo - self.albedo) * share;
         let Some(shown) = &sample.shown else {
             self.coverage -= self.coverage * share;
             return;
@@ -66,10 +65,9 @@ impl Memory {
         self.look(sample);
         self.paths = (self.paths + 1.0).min(most);
         let share = 1.0 / self.paths;
-        let albedo = sample.shown.map_or(Vec3::ZERO, |shown| shown.albedo);
-        let (l, a) = (luminance(sample.light), luminance(albedo));
+        let (l, a) = (luminance(sample.light), luminance(sample.albedo));
         self.light += (sample.light - self.light) * share;
-        self.shaded += (albedo - self.shaded) * share;
+        self.shaded += (sample.albedo - self.shaded) * share;
         self.moments += (Vec3::new(l * l, l * a, a * a) - self.moments) * share;
     }
 
@@ -108,5 +106,29 @@ impl Memory {
     /// Forgets all but `paths` paths.
     pub fn doubt(&mut self, paths: f32) {
         self.paths = self.paths.min(paths);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::path::Shown;
+
+    /// What a pixel shows whose path a medium scattered, and of whose rays that only look three met a surface behind it.
+    fn radiance(albedo_of_medium: f32) -> f32 {
+        let scattered = Sample { light: Vec3::ONE, albedo: Vec3::splat(albedo_of_medium), ..Sample::default() };
+        let shown = Shown { normal: Vec3::Z, place: Vec3::ZERO, instance: 0 };
+        let surface = Sample { albedo: Vec3::splat(0.5), shown: Some(shown), ..Sample::default() };
+        let mut memory = Memory::default();
+        memory.add(&scattered, 32.0);
+        (0..3).for_each(|_| memory.look(&surface));
+        memory.radiance(memory.irradiance()).x
+    }
+
+    #[test]
+    fn light_that_a_medium_scatters_does_not_shine_on_the_surface_behind_it() {
+        assert!((0.5..1.0).contains(&radiance(1.0)), "{}", radiance(1.0));
+        // A planted fault: without an albedo of the medium, all of its light came from the surface's.
+        assert!(radiance(0.0) > 100.0);
     }
 }

@@ -94,6 +94,8 @@ pub mod flag {
     pub const FILTER: u32 = 256;
     /// Paths of the frame before are followed again.
     pub const FINDS_AGAIN: u32 = 512;
+    /// Paths in waves leave them where they meet other than matte things.
+    pub const LEAVES: u32 = 1024;
 }
 
 /// What a host keeps from frame to frame.

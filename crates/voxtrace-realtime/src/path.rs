@@ -51,8 +51,6 @@ pub struct View<'a> {
 /// The surface that a sample shows, through mirrors and clear glass.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Shown {
-    /// Share of light that it scatters, times what of it arrives.
-    pub albedo: Vec3,
     /// Unit normal, world space.
     pub normal: Vec3,
     /// Where it seems to be, world space: as far along the camera's ray as the way to it is long.
@@ -68,6 +66,8 @@ pub struct Sample {
     pub direct: Vec3,
     /// Radiance of light that the shown surface scatters; of light that media scatter, where no surface is shown.
     pub light: Vec3,
+    /// Share of light that the shown surface scatters, times what of it arrives; 1 where a medium scatters it, 0 where nothing does.
+    pub albedo: Vec3,
     /// The shown surface.
     pub shown: Option<Shown>,
 }
@@ -77,10 +77,9 @@ impl Sample {
     pub(crate) fn differs(&self, other: &Self) -> bool {
         let [share, least] = LOOK_TOLERANCE;
         let is_far = |a: Vec3, b: Vec3| (a - b).abs().cmpgt(a.max(b) * share + least).any();
-        let albedo = |sample: &Self| sample.shown.map_or(Vec3::ZERO, |shown| shown.albedo);
         self.shown.is_some() != other.shown.is_some()
             || is_far(self.direct, other.direct)
-            || is_far(albedo(self), albedo(other))
+            || is_far(self.albedo, other.albedo)
     }
 }
 
@@ -135,12 +134,15 @@ impl View<'_> {
                     arrived.absorb(self.scene, &inside, &ray, hit.t);
                 }
                 let seen = Seen::new(self.scene, &self.limits.lines, (&ray, &hit), arrived.beta, true);
+                sample.albedo = seen.albedo;
                 sample.shown = Some(Shown {
-                    albedo: seen.albedo,
                     normal: self.scene.shading_normal(&ray, &hit),
                     place: camera_ray.at(way + hit.t),
                     instance: if way > 0.0 { Hit::NONE } else { hit.instance },
                 });
+            } else if arrived.inside.is_some() {
+                // A path that meets nothing in a medium is scattered there.
+                sample.albedo = Vec3::ONE;
             }
             return next.map(|next| (path, next));
         }

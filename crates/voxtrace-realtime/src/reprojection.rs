@@ -12,10 +12,12 @@ use voxtrace_scene::transform::Transform;
 const PLACE_TOLERANCE: f32 = 1.5;
 /// Least cosine between the normals.
 const LEAST_COSINE: f32 = 0.5;
-/// Share of a pixel that surfaces cover at most where it is said to show none: between what four and more rays can find, so that no rounding decides.
-const MOST_COVERAGE: f32 = 0.45;
+/// Share of a pixel that surfaces cover at most where it is said to show none: between what 4 to 40 rays can find, so that no rounding decides.
+const MOST_COVERAGE: f32 = 0.446;
 /// Least sum of the weights of pixels that show the same, of one.
 const LEAST_WEIGHT: f32 = 0.02;
+/// By how much a pixel is nearer than those before to be taken in their place, square pixels: where several are as near, no rounding decides.
+const NEARER: f32 = 1e-3;
 
 /// The frame before.
 pub struct Before<'a> {
@@ -78,9 +80,14 @@ impl Before<'_> {
         let (x, y) = (at.x.floor() as i32, at.y.floor() as i32);
         let around = (-1..=1).flat_map(|dy| (-1..=1).map(move |dx| (dx, dy)));
         let distance = |(dx, dy): (i32, i32)| (Vec2::new((x + dx) as f32, (y + dy) as f32) + 0.5 - at).length_squared();
-        let found = around.filter(|&(dx, dy)| self.pixel(x + dx, y + dy).is_some_and(shows));
-        let nearest = found.min_by(|&a, &b| distance(a).total_cmp(&distance(b)));
-        nearest.and_then(|(dx, dy)| self.pixel(x + dx, y + dy)).map(Memory::light_alone).unwrap_or_default()
+        let (mut nearest, mut least) = (None, f32::INFINITY);
+        for (dx, dy) in around {
+            let Some(memory) = self.pixel(x + dx, y + dy).filter(|memory| shows(memory)) else { continue };
+            if distance((dx, dy)) < least - NEARER {
+                (nearest, least) = (Some(memory), distance((dx, dy)));
+            }
+        }
+        nearest.map(Memory::light_alone).unwrap_or_default()
     }
 
     fn pixel(&self, x: i32, y: i32) -> Option<&Memory> {

@@ -23,6 +23,11 @@ const MEMORY_WORDS: u64 = 16;
 const SCRATCH_WORDS: u64 = 20;
 /// Place of the counts of paths in waves: those of the rest, workgroups for them along three axes, and those that are over.
 const REST: u64 = 4;
+/// Place of the counts of paths that leave the waves: how many, and workgroups for them along three axes.
+const LEFT: u64 = 9;
+/// Share of the paths that leave the waves from which on one shader follows all, and for how many frames.
+const MOST_LEFT: f64 = 0.6;
+const FRAMES_WITHOUT_WAVES: u32 = 32;
 /// Lists of rows of squares of pixels, after the pixels.
 const SQUARE_LISTS: u64 = 4;
 /// Words of the counts before the keys of cells, and lists of words behind them.
@@ -73,6 +78,10 @@ pub struct RealTime {
     /// Whether paths are traced in waves: `shaders/pass/realtime_waves.slang` says how.
     pub in_waves: bool,
     queries: vk::QueryPool,
+    /// How many paths left the waves in the last frame that had them.
+    left: Buffer,
+    /// Frames whose paths one shader follows before waves are tried again, as most paths left them.
+    frames_without_waves: u32,
     /// Whether the cells are to be cleared.
     is_new: bool,
 }
@@ -86,10 +95,21 @@ struct PixelBuffers {
     rest: Option<Buffer>,
 }
 
-/// A step of a frame: its entry point, and its invocations, `None`: as many as paths are left.
+/// A step of a frame: its entry point, and its invocations.
 pub struct Step {
     pub name: &'static str,
-    pub count: Option<u32>,
+    pub count: Count,
+}
+
+/// How many invocations a step has.
+#[derive(Clone, Copy)]
+pub enum Count {
+    /// So many.
+    Of(u32),
+    /// As many as paths in waves go on.
+    Rest,
+    /// As many as paths have left the waves.
+    Left,
 }
 
 impl RealTime {
@@ -107,6 +127,8 @@ impl RealTime {
         let size = size_of::<RealTimeParams>() as u64;
         let params = Buffer::new(device, "real-time parameters", size, usage, MemoryLocation::CpuToGpu)?;
         let info = vk::QueryPoolCreateInfo::default().query_type(vk::QueryType::TIMESTAMP).query_count(MOST_STEPS + 1);
+        let usage = vk::BufferUsageFlags::TRANSFER_DST;
+        let left = Buffer::new(device, "real-time counts", 4, usage, MemoryLocation::GpuToCpu)?;
         // SAFETY: the device is alive; `drop` destroys it.
         let queries = unsafe { device.raw.create_query_pool(&info, None) }.context("creating timestamps")?;
         Ok(Self {
@@ -119,6 +141,8 @@ impl RealTime {
             motions: None,
             in_waves: false,
             queries,
+            left,
+            frames_without_waves: 0,
             is_new: true,
         })
     }
@@ -162,7 +186,7 @@ impl RealTime {
     pub fn bytes(&self) -> u64 {
         let pixels = self.pixels.iter();
         let pixels = pixels.flat_map(|pixels| [&pixels.memory, &pixels.scratch].into_iter().chain(&pixels.rest));
-        let cells = [&self.cell_keys, &self.cell_rows, &self.params];
+        let cells = [&self.cell_keys, &self.cell_rows, &self.params, &self.left];
         pixels.chain(cells).chain(&self.motions).map(Buffer::bytes).sum()
     }
 
@@ -224,13 +248,15 @@ impl RealTime {
         // Workgroups along y and z.
         fill(REST + 2, 2, 1);
         fill(REST + 4, 1, 0);
+        fill(LEFT, 2, 0);
+        fill(LEFT + 2, 2, 1);
         bindings.use_in(commands, vk::PipelineBindPoint::COMPUTE, offset);
         // SAFETY: the pool is alive and not in use.
         unsafe { raw.cmd_reset_query_pool(commands, self.queries, 0, MOST_STEPS + 1) };
         self.time(commands, 0);
         for (number, step) in (1..).zip(steps) {
             // Those that are followed again run beside the rest.
-            if step.name != "trace_again" {
+            if !["trace_again", "trace_before"].contains(&step.name) {
                 barrier(&self.device, commands);
             }
             if step.name == "end_cells" {
@@ -240,12 +266,37 @@ impl RealTime {
             }
             let which = Kind::of(step.name) as usize;
             let launch = match step.count {
-                Some(count) => Launch::Groups(count.div_ceil(WORKGROUP)),
-                None => Launch::Told(&self.cell_keys, REST as u32 + 1),
+                Count::Of(count) => Launch::Groups(count.div_ceil(WORKGROUP)),
+                Count::Rest => Launch::Told(&self.cell_keys, REST as u32 + 1),
+                Count::Left => Launch::Told(&self.cell_keys, LEFT as u32 + 1),
             };
             let variant = variants[which].real_time(step.name);
             passes[which].launch_step(variant, bindings, commands, WaveStep::default(), &launch);
             self.time(commands, number);
+            if step.name == "trace_left" {
+                let copy = [vk::BufferCopy::default().src_offset(4 * LEFT).size(4)];
+                // SAFETY: both buffers are alive and larger; the counts were written before this step, and the submit lets the host see what it reads.
+                unsafe { raw.cmd_copy_buffer(commands, self.cell_keys.handle, self.left.handle, &copy) };
+            }
+        }
+    }
+
+    /// Whether paths are to leave waves in the next frame. Where most of them do, one shader is quicker, and waves are tried now and then.
+    pub fn paths_leave(&mut self) -> bool {
+        self.frames_without_waves = self.frames_without_waves.saturating_sub(1);
+        self.frames_without_waves == 0
+    }
+
+    /// Tries waves in the next frame.
+    pub fn try_waves(&mut self) {
+        self.frames_without_waves = 0;
+    }
+
+    /// Learns from a frame of `paths`, which is over, how many left.
+    pub fn learn(&mut self, paths: u32) {
+        let left: u32 = bytemuck::pod_read_unaligned(&self.left.mapped()[..4]);
+        if f64::from(left) > MOST_LEFT * f64::from(paths) {
+            self.frames_without_waves = FRAMES_WITHOUT_WAVES;
         }
     }
 
@@ -308,7 +359,8 @@ impl Kind {
     /// That of a step.
     pub fn of(name: &str) -> Self {
         match name {
-            "trace" | "remember" => Self::Tracing,
+            "trace" | "trace_left" | "trace_before" | "remember" => Self::Tracing,
+            "list_left" => Self::Waves,
             _ if name.starts_with("trace_") => Self::Waves,
             _ => Self::Gathering,
         }

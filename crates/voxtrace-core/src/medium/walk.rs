@@ -2,7 +2,7 @@
 //! material. The walks outside are not used there, as they look for voxels and not for what they are made of.
 
 use super::{Inside, face_towards};
-use crate::packed::{InstanceNode, MAX_INSTANCE_DEPTH, PackedScene};
+use crate::packed::{BrickMaterials, InstanceNode, MAX_INSTANCE_DEPTH, PackedScene};
 use crate::surface::behind;
 use crate::walk::exact::{hit_of, next_voxel};
 use crate::walk::local_ray::LocalRay;
@@ -18,16 +18,17 @@ pub fn cast_inside(scene: &PackedScene, ray: &Ray, inside: &Inside) -> Hit {
     let grid = &geometry.grids[placed.grid as usize];
     let ended = |voxel: IVec3| Hit { voxel, ..Hit::MISS };
     let Some(local) = LocalRay::new(ray, &placed.grid_from_world) else { return ended(inside.voxel) };
+    let mut materials = BrickMaterials::new(geometry, grid);
     let mut last = inside.voxel;
+    let has_end = ray.t_max < f32::INFINITY;
     let (own, beyond) = loop {
         let voxel = next_voxel(&local, last);
-        let hit = hit_of(&local, voxel, inside.instance);
-        if hit.t > ray.t_max {
+        if has_end && hit_of(&local, voxel, inside.instance).t > ray.t_max {
             break (ended(last), None);
         }
-        let beyond = geometry.material_at(grid, voxel);
+        let beyond = materials.at(voxel);
         if beyond != Some(inside.material) {
-            break (hit, beyond);
+            break (hit_of(&local, voxel, inside.instance), beyond);
         }
         last = voxel;
     };

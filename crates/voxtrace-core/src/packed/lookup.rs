@@ -33,37 +33,54 @@ impl Geometry {
     #[inline]
     pub(super) fn rank_at(&self, grid: &PackedGrid, voxel: IVec3) -> Option<(usize, u32)> {
         let record = self.find_brick(grid, voxel)?;
-        let header = self.bricks[record];
-        let local = local_of(voxel - grid.origin);
-        let (block, bit) = (block_index(local), block_bit(local));
+        Some((record, self.rank_in(record, local_of(voxel - grid.origin))?))
+    }
+
+    /// How many voxels of the brick of a record come before the one at `local`; `None` where it is empty.
+    #[inline]
+    pub(super) fn rank_in(&self, record: usize, local: IVec3) -> Option<u32> {
+        let (present_before, mask) = self.block_of(record, local)?;
+        let rank_of_block = (0..present_before).map(|index| self.mask(record, index).count_ones()).sum::<u32>();
+        Some(rank_of_block + (mask & ((1 << block_bit(local)) - 1)).count_ones())
+    }
+
+    /// How many blocks of the brick of a record come before that of the occupied voxel at `local`, and its mask; `None` where the voxel is empty.
+    #[inline]
+    pub(super) fn block_of(&self, record: usize, local: IVec3) -> Option<(usize, u64)> {
+        let (header, block) = (self.bricks[record], block_index(local));
         if header >> block & 1 == 0 {
             return None;
         }
         let present_before = (header & ((1 << block) - 1)).count_ones() as usize;
-        let mask = |index: usize| {
-            u64::from(self.bricks[record + 2 + 2 * index]) | u64::from(self.bricks[record + 3 + 2 * index]) << 32
-        };
-        let own = mask(present_before);
-        if own >> bit & 1 == 0 {
-            return None;
-        }
-        let rank_of_block = (0..present_before).map(|index| mask(index).count_ones()).sum::<u32>();
-        Some((record, rank_of_block + (own & ((1 << bit) - 1)).count_ones()))
+        let mask = self.mask(record, present_before);
+        (mask >> block_bit(local) & 1 != 0).then_some((present_before, mask))
+    }
+
+    /// The mask of one of the blocks that are there.
+    #[inline]
+    fn mask(&self, record: usize, index: usize) -> u64 {
+        u64::from(self.bricks[record + 2 + 2 * index]) | u64::from(self.bricks[record + 3 + 2 * index]) << 32
     }
 
     /// Index of the material of a voxel, `None` where it is empty.
     pub fn material_at(&self, grid: &PackedGrid, voxel: IVec3) -> Option<u32> {
         let (record, rank) = self.rank_at(grid, voxel)?;
+        Some(self.material_of_rank(grid, record, rank))
+    }
+
+    /// Index of the material of the voxel of the brick of a record before which `rank` others come.
+    #[inline]
+    pub(super) fn material_of_rank(&self, grid: &PackedGrid, record: usize, rank: u32) -> u32 {
         let header = self.bricks[record];
         let index_bits = header >> HEADER_INDEX_BITS & 0xff;
         let palette_count = header >> HEADER_PALETTE;
         let entry_bits = grid.material_bits;
         let start = u64::from(self.bricks[record + 1]) * 32;
         let index = self.read_bits(start + u64::from(palette_count * entry_bits + rank * index_bits), index_bits);
-        if palette_count == 0 {
-            return Some(index);
+        match palette_count {
+            0 => index,
+            _ => self.read_bits(start + u64::from(index * entry_bits), entry_bits),
         }
-        Some(self.read_bits(start + u64::from(index * entry_bits), entry_bits))
     }
 
     /// The `count` ≤ 16 bits from bit `position` of the materials on.

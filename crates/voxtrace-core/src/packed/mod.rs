@@ -11,6 +11,7 @@
 
 mod append;
 mod boxes;
+mod brick_materials;
 mod brick_record;
 mod bytes;
 mod coverage;
@@ -54,6 +55,7 @@ mod version_1;
 mod wide_tree;
 
 pub(crate) use append::Addition;
+pub(crate) use brick_materials::BrickMaterials;
 pub(crate) use brick_record::encode_brick;
 pub use device_cells::DeviceCells;
 pub use file::MAGIC;

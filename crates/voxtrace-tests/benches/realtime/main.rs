@@ -13,6 +13,7 @@ mod timing;
 
 use clap::Parser;
 use common::{DeviceArgs, Outcome};
+use glam::Vec3;
 use maker::Maker;
 use quality::{Quality, Totals};
 use references::{References, StillFilter};
@@ -20,13 +21,13 @@ use results::{Line, Results};
 use situations::{Situation, Step};
 use std::path::PathBuf;
 use voxtrace::import::{Content, ImportOptions, load};
-use voxtrace::{Frame, PackedScene};
+use voxtrace::{Frame, Material, PackedScene, Scene};
 use voxtrace_realtime::Parts;
 use voxtrace_tests::still_lifes;
 
 #[derive(Parser)]
 struct Args {
-    /// Scenes
+    /// Scenes; NAME+balls: with 64 balls before the camera, NAME+glass: half of them glass, half metal
     #[arg(long, value_delimiter = ',', default_value = "church,operating-room,city,forest,glass")]
     scenes: Vec<String>,
     /// Voxels of each built-in scene; its own number by default
@@ -79,13 +80,24 @@ fn parts(name: &str) -> Outcome<Parts> {
     })
 }
 
+/// Half of the balls of NAME+glass are of glass, half of metal.
+fn add_glass(scene: &mut Scene) -> Outcome<()> {
+    let glass = Material { base_color: Vec3::new(0.9, 0.95, 0.9), transmission: 1.0, ior: 1.5, ..Material::default() };
+    let metal = Material { base_color: Vec3::new(0.9, 0.7, 0.4), metallic: 1.0, roughness: 0.2, ..Material::default() };
+    situations::add_balls(scene, &[glass, metal])
+}
+
 /// A built-in scene, and its view; with what moves in a situation.
 fn scene_of(args: &Args, name: &str, situation: Option<Situation>) -> Outcome<(PackedScene, Frame)> {
-    let path = match situation {
-        Some(Situation::Moving) => {
-            common::packed_scene_with(&args.cache, (name, "-moving"), args.voxels, situations::add_moving)?
-        }
-        _ => common::packed_scene(&args.cache, name, args.voxels)?,
+    let (name, more) = name.split_once('+').unwrap_or((name, ""));
+    let add = |suffix: &str, add: fn(&mut Scene) -> Outcome<()>| {
+        common::packed_scene_with(&args.cache, (name, suffix), args.voxels, add)
+    };
+    let path = match (more, situation) {
+        ("balls", _) | ("", Some(Situation::Moving)) => add("-moving", situations::add_moving)?,
+        ("glass", None) => add("-glass", add_glass)?,
+        ("", _) => common::packed_scene(&args.cache, name, args.voxels)?,
+        _ => return Err(format!("{name}+{more}: +balls, or for times +glass").into()),
     };
     let scene = match load(&path, &ImportOptions::default())?.content {
         Content::Packed(packed) => *packed,
@@ -115,11 +127,7 @@ struct Column<'a> {
 
 impl Column<'_> {
     /// The picture of a step; `None` where its filter is not asked for it.
-    fn picture(
-        &mut self,
-        references: &mut References,
-        of: (&str, Situation, &Step),
-    ) -> Outcome<Option<Vec<glam::Vec3>>> {
+    fn picture(&mut self, references: &mut References, of: (&str, Situation, &Step)) -> Outcome<Option<Vec<Vec3>>> {
         let step = of.2;
         match (&mut self.maker, still_filter(self.name)) {
             (Some(maker), _) => maker.frame(step).map(Some),

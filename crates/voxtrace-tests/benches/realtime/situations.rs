@@ -176,24 +176,20 @@ fn dimmed(scene: &PackedScene) -> PackedScene {
     dimmed
 }
 
-/// Adds the balls that move to a scene: 64 instances of one grid before the middle of what its first camera sees.
+/// Adds the balls that move to a scene.
 pub fn add_moving(scene: &mut Scene) -> Outcome<()> {
+    add_balls(scene, &[Material { base_color: Vec3::new(0.7, 0.5, 0.3), ..Material::default() }])
+}
+
+/// Adds 64 balls to a scene, instances of one grid for each of `materials`, before the middle of what its first camera sees.
+pub fn add_balls(scene: &mut Scene, materials: &[Material]) -> Outcome<()> {
     let camera = scene.cameras.first().ok_or("a scene without a camera")?.clone();
-    let mut ball = VoxelGrid::default();
-    let material = u16::try_from(scene.materials.len())?;
-    let reach = BALL as i32;
-    for (x, (y, z)) in
-        (-reach..=reach).flat_map(|x| (-reach..=reach).flat_map(move |y| (-reach..=reach).map(move |z| (x, (y, z)))))
-    {
-        let voxel = IVec3::new(x, y, z);
-        if voxel.length_squared() <= reach * reach {
-            ball.set(voxel, material);
-        }
+    let first = scene.grids.len();
+    for material in materials {
+        let index = u16::try_from(scene.materials.len())?;
+        scene.materials.push(material.clone());
+        scene.grids.push(ball(index).into());
     }
-    let grey = Material { base_color: Vec3::new(0.7, 0.5, 0.3), ..Material::default() };
-    scene.materials.push(grey);
-    let grid = scene.grids.len();
-    scene.grids.push(ball.into());
     let axes = camera.axes();
     let distance = 0.5 * (camera.target - camera.eye).length();
     let step = distance * (0.5 * camera.fov_y).to_radians().tan() * 2.0 / 10.0;
@@ -203,9 +199,24 @@ pub fn add_moving(scene: &mut Scene) -> Outcome<()> {
         let (column, row) = ((number % 8) as f32 - 3.5, (number / 8) as f32 - 3.5);
         let place = camera.eye + axes.forward * distance + (axes.right * column * 1.5 + axes.up * row) * step;
         let transform = Transform::IDENTITY.scaled(size).translated(place);
-        scene.instances.push(Instance::new(grid, transform));
+        scene.instances.push(Instance::new(first + number % materials.len(), transform));
     }
     Ok(())
+}
+
+/// A ball of voxels of a material.
+fn ball(material: u16) -> VoxelGrid {
+    let mut ball = VoxelGrid::default();
+    let reach = BALL as i32;
+    for (x, (y, z)) in
+        (-reach..=reach).flat_map(|x| (-reach..=reach).flat_map(move |y| (-reach..=reach).map(move |z| (x, (y, z)))))
+    {
+        let voxel = IVec3::new(x, y, z);
+        if voxel.length_squared() <= reach * reach {
+            ball.set(voxel, material);
+        }
+    }
+    ball
 }
 
 /// Frames in which the last 64 instances go in circles.

@@ -35,7 +35,7 @@ impl Both {
         Self::with_most_paths(device, scene, parts, 0)
     }
 
-    /// A device's traces in waves, as far as the scene is matte.
+    /// A device's traces in waves, which paths leave that meet other than matte things.
     fn in_waves(device: &Arc<Device>, scene: &Arc<PackedScene>, parts: Parts) -> Self {
         Self::with_most_paths(device, scene, parts, 1)
     }
@@ -79,9 +79,9 @@ impl Both {
 
 /// A sample of the processor, as [`Both::samples`] has them.
 fn row_of(sample: &Sample) -> [f32; 12] {
-    let (albedo, place) = sample.shown.map_or((Vec3::ZERO, Vec3::ZERO), |shown| (shown.albedo, shown.place));
+    let place = sample.shown.map_or(Vec3::ZERO, |shown| shown.place);
     let mut all = [0.0; 12];
-    for (part, three) in all.chunks_mut(3).zip([sample.light, sample.direct, albedo, place]) {
+    for (part, three) in all.chunks_mut(3).zip([sample.light, sample.direct, sample.albedo, place]) {
         part.copy_from_slice(&three.to_array());
     }
     all
@@ -148,6 +148,35 @@ fn paths_of_real_time_light_in_waves_have_the_bits_of_the_processor() {
     // A planted fault: another seed.
     let faulty = both.gpu.show_real_time(&view().seed(8), Rate::Full, &both.picture).unwrap().unwrap();
     assert!(faulty.passes.is_empty() || faulty.passes.iter().any(|(step, _)| *step == "trace_ends"), "in waves");
+    let (ours, theirs) = (both.samples(), both.cpu.samples().to_vec());
+    assert!(differing(&ours, &theirs) > 100);
+    assert_valid(&device);
+}
+
+#[test]
+fn paths_that_leave_the_waves_have_the_bits_of_the_processor() {
+    let Some(device) = device() else { return };
+    let parts = Parts { candidates: true, cache: true, ..Parts::NONE };
+    let mut both = Both::in_waves(&device, &packed(false, true), parts);
+    for number in 0..4 {
+        both.frame(&view());
+        let (ours, theirs) = (both.samples(), both.cpu.samples().to_vec());
+        let different = differing(&ours, &theirs);
+        let first = ours.iter().zip(&theirs).find(|(ours, theirs)| **ours != row_of(theirs));
+        assert!(different == 0, "frame {number}: {different} pixels, {first:?}");
+    }
+    // Instances move, so that paths of the frame before are followed again.
+    both.gpu.set_real_time(Parts::ALL, true);
+    both.cpu = RealTime::new(Parts::ALL);
+    compare(&mut both, "among all materials in waves", 2, |_| view());
+    shift(&mut both);
+    compare(&mut both, "among all materials in waves, where instances moved", 2, |_| view());
+    both.rate = Rate::Half;
+    both.cpu.set_rate(Rate::Half);
+    compare(&mut both, "among all materials in waves, at half the rate", 2, |number| aside(3 + number));
+    // A planted fault: another seed.
+    let faulty = both.gpu.show_real_time(&view().seed(8), Rate::Full, &both.picture).unwrap().unwrap();
+    assert!(faulty.passes.is_empty() || faulty.passes.iter().any(|(step, _)| *step == "trace_left"), "in waves");
     let (ours, theirs) = (both.samples(), both.cpu.samples().to_vec());
     assert!(differing(&ours, &theirs) > 100);
     assert_valid(&device);
@@ -221,10 +250,13 @@ fn pictures_of_real_time_light_are_those_of_the_processor_while_the_camera_moves
 }
 
 #[test]
-fn pictures_of_real_time_light_are_those_of_the_processor_while_the_camera_moves_among_glass_and_at_half_the_rate() {
+fn pictures_of_real_time_light_are_those_of_the_processor_while_the_camera_moves_among_glass_things_move_and_at_half_the_rate()
+ {
     let Some(device) = device() else { return };
     let mut both = Both::new(&device, &packed(false, true), Parts::ALL);
     compare(&mut both, "moving, materials", 5, aside);
+    shift(&mut both);
+    compare(&mut both, "materials, where instances moved", 2, |number| aside(4 + number));
     both.rate = Rate::Half;
     both.cpu.set_rate(Rate::Half);
     compare(&mut both, "moving at half the rate", 4, |number| aside(5 + number));

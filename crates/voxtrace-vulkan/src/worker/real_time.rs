@@ -5,7 +5,7 @@ use crate::capabilities::DeviceKind;
 use crate::commands::Job;
 use crate::passes::{Passes, WORKGROUP};
 use crate::picture::Picture;
-use crate::real_time::{Kind, RealTime, RealTimeFrame, Step};
+use crate::real_time::{Count, Kind, RealTime, RealTimeFrame, Step};
 use crate::records::{Dispatch, FrameParams, binding};
 use crate::spirv;
 use crate::variant::{Entry, Variant};
@@ -42,6 +42,9 @@ impl Worker {
         };
         let parts = state.frames.parts;
         let frames = state.frames.frames_of_picture(frame);
+        if frames > 1 {
+            state.try_waves();
+        }
         let mut result = Err(TraceError::NoScene);
         for number in 1..=frames {
             // Of frames that are not shown nothing is filtered.
@@ -78,8 +81,13 @@ impl Worker {
         let params = FrameParams::of_frame(scene, &frame.clone().region(whole));
         let (tracing, in_waves) = self.tracing_variant(&params, frame)?;
         state.set_size(frame.width, frame.height, in_waves)?;
-        let of_frame = state.frames.params(scene, frame, &params, rate, (in_waves, true));
-        let steps = steps_of(&of_frame, (frame.width, frame.height), in_waves);
+        let mut of_frame = state.frames.params(scene, frame, &params, rate, (in_waves, true));
+        let leaves = in_waves && tracing.has_materials && state.paths_leave();
+        if leaves {
+            of_frame.flags |= flag::LEAVES;
+        }
+        let size = (frame.width, frame.height);
+        let steps = steps_of(&of_frame, size, in_waves && (leaves || !tracing.has_materials));
         let variants = self.prepare_real_time(tracing, &steps)?;
         let motions = state.frames.motions(scene);
         state.write(&of_frame, &motions)?;
@@ -95,6 +103,9 @@ impl Worker {
         let step = "real-time light";
         let job = Job { step, work: 0, dispatch, workgroups: Some(tiles), record: &record, then: None };
         let gpu_ms = self.submitter.run(&job)?.gpu_ms;
+        if leaves {
+            state.learn(threads_that_trace(&of_frame, size) + of_frame.squares);
+        }
         Ok(RealTimeFrame { gpu_ms, frames: 1, passes: state.milliseconds(&steps)?, bytes: state.bytes() })
     }
 
@@ -106,7 +117,9 @@ impl Worker {
         // In software more shaders only take longer to compile.
         let is_software = self.device.info().kind == DeviceKind::Cpu;
         let in_waves = self.most_paths.map_or(!is_software, |most| most > 0);
-        Ok((tracing, in_waves && !tracing.has_materials))
+        // Waves know matte things alone. Paths that meet others leave them; what else concerns all paths they do not know.
+        let is_plain = !(tracing.has_cuts || tracing.has_normals || tracing.has_lines || frame.has_path_limits());
+        Ok((tracing, in_waves && (is_plain || !tracing.has_materials)))
     }
 
     /// Makes the programs of steps. Returns the variants of each [`Kind`].
@@ -169,32 +182,40 @@ impl Worker {
     }
 }
 
+/// Invocations that follow the paths of pixels, a tile of 8 x 8 or, at half the rate, 16 x 8 to a workgroup.
+fn threads_that_trace(params: &RealTimeParams, (width, height): (u32, u32)) -> u32 {
+    let columns = if params.flags & flag::HALF != 0 { 16 } else { 8 };
+    width.div_ceil(columns) * height.div_ceil(8) * WORKGROUP
+}
+
 /// The steps of a frame.
 fn steps_of(params: &RealTimeParams, (width, height): (u32, u32), in_waves: bool) -> Vec<Step> {
     let has = |flag: u32| params.flags & flag != 0;
     let pixels = width.div_ceil(8) * height.div_ceil(8) * WORKGROUP;
-    let half = width.div_ceil(16) * height.div_ceil(8) * WORKGROUP;
-    let that_trace = if has(flag::HALF) { half } else { pixels };
+    let that_trace = threads_that_trace(params, (width, height));
     let cells = LightCache::CAPACITY as u32;
     let RealTimeParams { cells: tracing_cells, squares, again, .. } = *params;
     let mut steps = Vec::new();
     if in_waves {
-        let all = tracing_cells + that_trace + squares;
-        let counts = [that_trace + squares, all, all, all, all].map(Some);
-        let names = ["trace_camera", "trace_first", "trace_light", "trace_rays", "trace_ends"];
-        let first = names.into_iter().zip(counts);
-        let others = ["trace_on", "trace_on_rays", "trace_on", "trace_on_rays", "trace_rest"].map(|name| (name, None));
-        steps.extend(first.chain(others).map(|(name, count)| Step { name, count }));
+        let all = Count::Of(tracing_cells + that_trace + squares);
+        let first = [("trace_camera", Count::Of(that_trace + squares))];
+        let all_do = ["trace_first", "trace_light", "trace_rays", "trace_ends"].map(|name| (name, all));
+        let others = ["trace_on", "trace_on_rays", "trace_on", "trace_on_rays", "trace_rest"];
+        let others = others.map(|name| (name, Count::Rest));
+        let left = [("list_left", all), ("trace_left", Count::Left)].into_iter().filter(|_| has(flag::LEAVES));
+        let named = first.into_iter().chain(all_do).chain(others).chain(left);
+        steps.extend(named.map(|(name, count)| Step { name, count }));
         if again > 0 {
-            steps.push(Step { name: "trace_again", count: Some(again) });
+            let name = if has(flag::LEAVES) { "trace_before" } else { "trace_again" };
+            steps.push(Step { name, count: Count::Of(again) });
         }
     } else {
-        steps.push(Step { name: "trace", count: Some(tracing_cells + that_trace + squares + again) });
+        steps.push(Step { name: "trace", count: Count::Of(tracing_cells + that_trace + squares + again) });
     }
     if has(flag::CACHE) {
-        steps.insert(0, Step { name: "choose_cells", count: Some(cells) });
+        steps.insert(0, Step { name: "choose_cells", count: Count::Of(cells) });
     }
-    let mut add = |name, count| steps.push(Step { name, count: Some(count) });
+    let mut add = |name, count| steps.push(Step { name, count: Count::Of(count) });
     if has(flag::FINDS_AGAIN) {
         add("compare_found", squares);
         add("doubt", pixels);

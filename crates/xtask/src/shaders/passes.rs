@@ -147,7 +147,7 @@ pub const PASSES: &[Pass] = &[
     },
     Pass {
         name: "realtime",
-        entries: &["remember", "trace"],
+        entries: &["remember", "trace", "trace_before", "trace_left"],
         variants: REAL_TIME,
         has_wgsl: true,
         has_frame_in_storage: false,
@@ -181,6 +181,7 @@ pub const PASSES: &[Pass] = &[
     Pass {
         name: "realtime_waves",
         entries: &[
+            "list_left",
             "trace_again",
             "trace_camera",
             "trace_ends",

@@ -199,6 +199,7 @@ pub const TABLE: &[Source] = &[
             named("LEAST_COSINE", "BEFORE_LEAST_COSINE"),
             named("LEAST_WEIGHT", "BEFORE_LEAST_WEIGHT"),
             named("MOST_COVERAGE", "BEFORE_MOST_COVERAGE"),
+            named("NEARER", "BEFORE_NEARER"),
         ],
     },
     Source {
