@@ -1335,14 +1335,26 @@ fn record_of_cell_0( cell_1 : u32) -> u32
     return ((cell_1 & (_S97))) * u32(2);
 }
 
-fn find_brick_0( grid_3 : PackedGrid_0,  relative_1 : vec3<i32>) -> u32
+fn brick_at_0( grid_3 : PackedGrid_0,  relative_1 : vec3<i32>) -> u32
 {
     var top_0 : vec3<i32> = (relative_1 >> (vec3<u32>(grid_3.top_shift_0)));
+    var _S98 : bool;
+    if((any((top_0 < vec3<i32>(i32(0))))))
+    {
+        _S98 = true;
+    }
+    else
+    {
+        _S98 = (any((top_0 >= (cell_of_0(grid_3.top_size_0)))));
+    }
+    if(_S98)
+    {
+        return u32(4294967295);
+    }
     var cell_2 : u32 = cell_word_0(grid_3.top_offset_0 + u32((top_0.z * grid_3.top_size_0[i32(1)] + top_0.y) * grid_3.top_size_0[i32(0)] + top_0.x));
     var shift_1 : u32 = grid_3.top_shift_0;
     for(;;)
     {
-        var _S98 : bool;
         if(shift_1 > u32(3))
         {
             _S98 = ((cell_2 & (u32(2147483648)))) != u32(0);
@@ -1362,7 +1374,15 @@ fn find_brick_0( grid_3 : PackedGrid_0,  relative_1 : vec3<i32>) -> u32
         cell_2 = cell_word_0(((cell_2 & (u32(2147483647)))) * u32(64) + cell_in_node_0(relative_1, shift_2));
         shift_1 = shift_2;
     }
-    return record_of_cell_0(cell_2);
+    if(((cell_2 & (u32(2147483648)))) == u32(0))
+    {
+        cell_2 = u32(4294967295);
+    }
+    else
+    {
+        cell_2 = record_of_cell_0(cell_2);
+    }
+    return cell_2;
 }
 
 fn place_of_brick_0( index_8 : u32) -> u32
@@ -1439,8 +1459,9 @@ fn read_bits_0( start_0 : u32,  position_0 : u32,  count_1 : u32) -> u32
     return (bits_2 & ((((u32(1) << (count_1))) - u32(1))));
 }
 
-fn material_of_rank_0( grid_4 : PackedGrid_0,  record_1 : u32,  header_0 : u32,  rank_2 : u32) -> u32
+fn material_of_rank_0( grid_4 : PackedGrid_0,  record_1 : u32,  rank_2 : u32) -> u32
 {
+    var header_0 : u32 = brick_word_0(record_1);
     var index_bits_0 : u32 = (((header_0 >> (u32(8)))) & (u32(255)));
     var palette_count_0 : u32 = (header_0 >> (u32(16)));
     var start_1 : u32 = brick_word_0(record_1 + u32(1));
@@ -1452,14 +1473,10 @@ fn material_of_rank_0( grid_4 : PackedGrid_0,  record_1 : u32,  header_0 : u32, 
     return read_bits_0(start_1, index_13 * grid_4.material_bits_0, grid_4.material_bits_0);
 }
 
-fn material_in_brick_0( grid_5 : PackedGrid_0,  record_2 : u32,  relative_3 : vec3<i32>) -> u32
+fn material_at_0( grid_5 : PackedGrid_0,  relative_3 : vec3<i32>) -> u32
 {
-    return material_of_rank_0(grid_5, record_2, brick_word_0(record_2), rank_in_brick_0(record_2, relative_3));
-}
-
-fn material_at_0( grid_6 : PackedGrid_0,  relative_4 : vec3<i32>) -> u32
-{
-    return material_in_brick_0(grid_6, find_brick_0(grid_6, relative_4), relative_4);
+    var record_2 : u32 = brick_at_0(grid_5, relative_3);
+    return material_of_rank_0(grid_5, record_2, rank_in_brick_0(record_2, relative_3));
 }
 
 fn material_of_0( hit_0 : Hit_0) -> PackedMaterial_0
@@ -2469,7 +2486,7 @@ fn density_0( odds_1 : vec2<f32>,  luminance_3 : f32,  power_3 : f32,  toward_2 
 struct Emitter_0
 {
      voxel_4 : array<i32, i32(3)>,
-     grid_7 : u32,
+     grid_6 : u32,
      faces_0 : u32,
      material_5 : u32,
      luminance_4 : f32,
@@ -2529,11 +2546,11 @@ fn emitter_luminance_at_0( index_25 : u32) -> f32
     return _S175;
 }
 
-fn Emitter_x24init_0( voxel_5 : array<i32, i32(3)>,  grid_8 : u32,  faces_1 : u32,  material_6 : u32,  luminance_5 : f32,  leaf_1 : u32) -> Emitter_0
+fn Emitter_x24init_0( voxel_5 : array<i32, i32(3)>,  grid_7 : u32,  faces_1 : u32,  material_6 : u32,  luminance_5 : f32,  leaf_1 : u32) -> Emitter_0
 {
     var _S176 : Emitter_0;
     _S176.voxel_4 = voxel_5;
-    _S176.grid_7 = grid_8;
+    _S176.grid_6 = grid_7;
     _S176.faces_0 = faces_1;
     _S176.material_5 = material_6;
     _S176.luminance_4 = luminance_5;
@@ -4440,11 +4457,11 @@ fn LocalRay_t_end_0( this_35 : LocalRay_0) -> f32
     return min(this_35.t_max_2 * 1.00000095367431641f, 3.4028234663852886e+38f);
 }
 
-fn walk_of_0( ray_16 : LocalRay_0,  grid_9 : PackedGrid_0) -> Walk_0
+fn walk_of_0( ray_16 : LocalRay_0,  grid_8 : PackedGrid_0) -> Walk_0
 {
     var walk_0 : Walk_0;
     walk_0.ray_15 = ray_16;
-    walk_0.grid_origin_0 = cell_of_0(grid_9.origin_4);
+    walk_0.grid_origin_0 = cell_of_0(grid_8.origin_4);
     var is_negative_0 : vec3<bool> = (ray_16.direction_26) < vec3<f32>(0.0f);
     var _S279 : vec3<i32> = vec3<i32>(i32(0));
     walk_0.mirror_0 = select(_S279, vec3<i32>(i32(-1)), is_negative_0);
@@ -4485,9 +4502,9 @@ fn walk_of_0( ray_16 : LocalRay_0,  grid_9 : PackedGrid_0) -> Walk_0
     }
     else
     {
-        top_shift_1 = grid_9.top_shift_0;
+        top_shift_1 = grid_8.top_shift_0;
     }
-    walk_0.tolerance_0 = LocalRay_tolerance_0(ray_16, walk_0.grid_origin_0, walk_0.grid_origin_0 + (((cell_of_0(grid_9.top_size_0)) << (vec3<u32>(top_shift_1)))));
+    walk_0.tolerance_0 = LocalRay_tolerance_0(ray_16, walk_0.grid_origin_0, walk_0.grid_origin_0 + (((cell_of_0(grid_8.top_size_0)) << (vec3<u32>(top_shift_1)))));
     walk_0.t_end_0 = LocalRay_t_end_0(ray_16);
     return walk_0;
 }
@@ -5190,13 +5207,13 @@ fn Walk_leave_1( this_46 : Walk_0,  voxel_15 : ptr<function, vec3<i32>>,  exit_4
     return true;
 }
 
-fn first_voxel_0( grid_10 : PackedGrid_0,  walk_1 : Walk_0,  found_1 : ptr<function, vec3<i32>>) -> bool
+fn first_voxel_0( grid_9 : PackedGrid_0,  walk_1 : Walk_0,  found_1 : ptr<function, vec3<i32>>) -> bool
 {
     var _S327 : Walk_0 = walk_1;
     var _S328 : vec3<i32> = vec3<i32>(i32(0));
     (*found_1) = _S328;
     var voxel_16 : vec3<i32> = Walk_start_voxel_0(walk_1);
-    var _S329 : bool = Walk_enter_0(walk_1, &(voxel_16), cell_of_0(grid_10.min_1) - _S327.grid_origin_0, cell_of_0(grid_10.max_1) - _S327.grid_origin_0);
+    var _S329 : bool = Walk_enter_0(walk_1, &(voxel_16), cell_of_0(grid_9.min_1) - _S327.grid_origin_0, cell_of_0(grid_9.max_1) - _S327.grid_origin_0);
     if(!_S329)
     {
         return false;
@@ -5210,12 +5227,12 @@ fn first_voxel_0( grid_10 : PackedGrid_0,  walk_1 : Walk_0,  found_1 : ptr<funct
     }
     else
     {
-        top_shift_2 = grid_10.top_shift_0;
+        top_shift_2 = grid_9.top_shift_0;
     }
-    var top_size_1 : vec3<i32> = cell_of_0(grid_10.top_size_0);
+    var top_size_1 : vec3<i32> = cell_of_0(grid_9.top_size_0);
     var _S331 : i32 = top_size_1.x;
     var stride_0 : vec3<i32> = vec3<i32>(i32(1), _S331, _S331 * top_size_1.y);
-    var _S332 : i32 = i32(grid_10.top_offset_0) - dot_cells_0((stride_0 & ((_S327.mirror_0))), vec3<i32>(i32(1)));
+    var _S332 : i32 = i32(grid_9.top_offset_0) - dot_cells_0((stride_0 & ((_S327.mirror_0))), vec3<i32>(i32(1)));
     var _S333 : vec3<i32> = Walk_mirrored_plane_0(_S327, stride_0);
     var _S334 : u32 = ahead_of_0(_S327.mirror_0);
     var end_0 : vec3<i32> = select((top_size_1 << (vec3<u32>(top_shift_2))), _S328, (_S327.mirror_0) != _S328);

@@ -2130,14 +2130,26 @@ struct PackedMaterial_0
      scattering_0 : f32,
 };
 
-fn find_brick_0( grid_6 : PackedGrid_0,  relative_1 : vec3<i32>) -> u32
+fn brick_at_0( grid_6 : PackedGrid_0,  relative_1 : vec3<i32>) -> u32
 {
     var top_0 : vec3<i32> = (relative_1 >> (vec3<u32>(grid_6.top_shift_0)));
+    var _S131 : bool;
+    if((any((top_0 < vec3<i32>(i32(0))))))
+    {
+        _S131 = true;
+    }
+    else
+    {
+        _S131 = (any((top_0 >= (cell_of_0(grid_6.top_size_0)))));
+    }
+    if(_S131)
+    {
+        return u32(4294967295);
+    }
     var cell_9 : u32 = cell_word_0(grid_6.top_offset_0 + u32((top_0.z * grid_6.top_size_0[i32(1)] + top_0.y) * grid_6.top_size_0[i32(0)] + top_0.x));
     var shift_5 : u32 = grid_6.top_shift_0;
     for(;;)
     {
-        var _S131 : bool;
         if(shift_5 > u32(3))
         {
             _S131 = ((cell_9 & (u32(2147483648)))) != u32(0);
@@ -2157,7 +2169,15 @@ fn find_brick_0( grid_6 : PackedGrid_0,  relative_1 : vec3<i32>) -> u32
         cell_9 = cell_word_0(((cell_9 & (u32(2147483647)))) * u32(64) + cell_in_node_0(relative_1, shift_6));
         shift_5 = shift_6;
     }
-    return record_of_cell_0(cell_9);
+    if(((cell_9 & (u32(2147483648)))) == u32(0))
+    {
+        cell_9 = u32(4294967295);
+    }
+    else
+    {
+        cell_9 = record_of_cell_0(cell_9);
+    }
+    return cell_9;
 }
 
 fn rank_in_brick_0( record_4 : u32,  relative_2 : vec3<i32>) -> u32
@@ -2224,8 +2244,9 @@ fn read_bits_0( start_1 : u32,  position_2 : u32,  count_0 : u32) -> u32
     return (bits_2 & ((((u32(1) << (count_0))) - u32(1))));
 }
 
-fn material_of_rank_0( grid_7 : PackedGrid_0,  record_5 : u32,  header_0 : u32,  rank_2 : u32) -> u32
+fn material_of_rank_0( grid_7 : PackedGrid_0,  record_5 : u32,  rank_2 : u32) -> u32
 {
+    var header_0 : u32 = brick_word_0(record_5);
     var index_bits_0 : u32 = (((header_0 >> (u32(8)))) & (u32(255)));
     var palette_count_0 : u32 = (header_0 >> (u32(16)));
     var start_2 : u32 = brick_word_0(record_5 + u32(1));
@@ -2237,14 +2258,10 @@ fn material_of_rank_0( grid_7 : PackedGrid_0,  record_5 : u32,  header_0 : u32, 
     return read_bits_0(start_2, index_9 * grid_7.material_bits_0, grid_7.material_bits_0);
 }
 
-fn material_in_brick_0( grid_8 : PackedGrid_0,  record_6 : u32,  relative_3 : vec3<i32>) -> u32
+fn material_at_0( grid_8 : PackedGrid_0,  relative_3 : vec3<i32>) -> u32
 {
-    return material_of_rank_0(grid_8, record_6, brick_word_0(record_6), rank_in_brick_0(record_6, relative_3));
-}
-
-fn material_at_0( grid_9 : PackedGrid_0,  relative_4 : vec3<i32>) -> u32
-{
-    return material_in_brick_0(grid_9, find_brick_0(grid_9, relative_4), relative_4);
+    var record_6 : u32 = brick_at_0(grid_8, relative_3);
+    return material_of_rank_0(grid_8, record_6, rank_in_brick_0(record_6, relative_3));
 }
 
 fn Rows_operatorx5Bx5D_get_2( row_4 : u32) -> vec4<u32>
@@ -4307,7 +4324,7 @@ fn density_0( odds_1 : vec2<f32>,  luminance_3 : f32,  power_4 : f32,  toward_2 
 struct Emitter_0
 {
      voxel_24 : array<i32, i32(3)>,
-     grid_10 : u32,
+     grid_9 : u32,
      faces_0 : u32,
      material_6 : u32,
      luminance_4 : f32,
@@ -4367,11 +4384,11 @@ fn emitter_luminance_at_0( index_25 : u32) -> f32
     return _S284;
 }
 
-fn Emitter_x24init_0( voxel_25 : array<i32, i32(3)>,  grid_11 : u32,  faces_1 : u32,  material_7 : u32,  luminance_5 : f32,  leaf_1 : u32) -> Emitter_0
+fn Emitter_x24init_0( voxel_25 : array<i32, i32(3)>,  grid_10 : u32,  faces_1 : u32,  material_7 : u32,  luminance_5 : f32,  leaf_1 : u32) -> Emitter_0
 {
     var _S285 : Emitter_0;
     _S285.voxel_24 = voxel_25;
-    _S285.grid_10 = grid_11;
+    _S285.grid_9 = grid_10;
     _S285.faces_0 = faces_1;
     _S285.material_6 = material_7;
     _S285.luminance_4 = luminance_5;

@@ -1432,14 +1432,26 @@ fn record_of_cell_0( cell_1 : u32) -> u32
     return ((cell_1 & (_S114))) * u32(2);
 }
 
-fn find_brick_0( grid_3 : PackedGrid_0,  relative_1 : vec3<i32>) -> u32
+fn brick_at_0( grid_3 : PackedGrid_0,  relative_1 : vec3<i32>) -> u32
 {
     var top_0 : vec3<i32> = (relative_1 >> (vec3<u32>(grid_3.top_shift_0)));
+    var _S115 : bool;
+    if((any((top_0 < vec3<i32>(i32(0))))))
+    {
+        _S115 = true;
+    }
+    else
+    {
+        _S115 = (any((top_0 >= (cell_of_0(grid_3.top_size_0)))));
+    }
+    if(_S115)
+    {
+        return u32(4294967295);
+    }
     var cell_2 : u32 = cell_word_0(grid_3.top_offset_0 + u32((top_0.z * grid_3.top_size_0[i32(1)] + top_0.y) * grid_3.top_size_0[i32(0)] + top_0.x));
     var shift_2 : u32 = grid_3.top_shift_0;
     for(;;)
     {
-        var _S115 : bool;
         if(shift_2 > u32(3))
         {
             _S115 = ((cell_2 & (u32(2147483648)))) != u32(0);
@@ -1459,7 +1471,15 @@ fn find_brick_0( grid_3 : PackedGrid_0,  relative_1 : vec3<i32>) -> u32
         cell_2 = cell_word_0(((cell_2 & (u32(2147483647)))) * u32(64) + cell_in_node_0(relative_1, shift_3));
         shift_2 = shift_3;
     }
-    return record_of_cell_0(cell_2);
+    if(((cell_2 & (u32(2147483648)))) == u32(0))
+    {
+        cell_2 = u32(4294967295);
+    }
+    else
+    {
+        cell_2 = record_of_cell_0(cell_2);
+    }
+    return cell_2;
 }
 
 fn place_of_brick_0( index_11 : u32) -> u32
@@ -1536,8 +1556,9 @@ fn read_bits_0( start_0 : u32,  position_0 : u32,  count_3 : u32) -> u32
     return (bits_2 & ((((u32(1) << (count_3))) - u32(1))));
 }
 
-fn material_of_rank_0( grid_4 : PackedGrid_0,  record_1 : u32,  header_0 : u32,  rank_2 : u32) -> u32
+fn material_of_rank_0( grid_4 : PackedGrid_0,  record_1 : u32,  rank_2 : u32) -> u32
 {
+    var header_0 : u32 = brick_word_0(record_1);
     var index_bits_0 : u32 = (((header_0 >> (u32(8)))) & (u32(255)));
     var palette_count_0 : u32 = (header_0 >> (u32(16)));
     var start_1 : u32 = brick_word_0(record_1 + u32(1));
@@ -1549,14 +1570,10 @@ fn material_of_rank_0( grid_4 : PackedGrid_0,  record_1 : u32,  header_0 : u32, 
     return read_bits_0(start_1, index_16 * grid_4.material_bits_0, grid_4.material_bits_0);
 }
 
-fn material_in_brick_0( grid_5 : PackedGrid_0,  record_2 : u32,  relative_3 : vec3<i32>) -> u32
+fn material_at_0( grid_5 : PackedGrid_0,  relative_3 : vec3<i32>) -> u32
 {
-    return material_of_rank_0(grid_5, record_2, brick_word_0(record_2), rank_in_brick_0(record_2, relative_3));
-}
-
-fn material_at_0( grid_6 : PackedGrid_0,  relative_4 : vec3<i32>) -> u32
-{
-    return material_in_brick_0(grid_6, find_brick_0(grid_6, relative_4), relative_4);
+    var record_2 : u32 = brick_at_0(grid_5, relative_3);
+    return material_of_rank_0(grid_5, record_2, rank_in_brick_0(record_2, relative_3));
 }
 
 @compute
@@ -1630,7 +1647,7 @@ fn check_brick(@builtin(global_invocation_id) id_5 : vec3<u32>, @builtin(local_i
     var _S126 : vec3<i32> = Reader_cell_0(&(reader_5));
     var voxel_2 : vec3<i32> = _S126 - cell_of_0(_S125.origin_0);
     var octant_2 : u32 = Reader_word_0(&(reader_5));
-    var record_5 : u32 = find_brick_0(_S125, voxel_2);
+    var record_5 : u32 = brick_at_0(_S125, voxel_2);
     Writer_word_0(&(writer_5), empty_around_0(record_5, blocks_of_record_0(record_5), (voxel_2 ^ ((vec3<i32>(0) - vec3<i32>(i32((octant_2 & (u32(1)))), i32((((octant_2 >> (u32(1)))) & (u32(1)))), i32((octant_2 >> (u32(2)))))))), octant_2, flip_of_0(octant_2)));
     return;
 }
@@ -3499,18 +3516,18 @@ fn emitter_luminance_at_0( index_24 : u32) -> f32
 struct Emitter_0
 {
      voxel_9 : array<i32, i32(3)>,
-     grid_7 : u32,
+     grid_6 : u32,
      faces_0 : u32,
      material_0 : u32,
      luminance_4 : f32,
      leaf_0 : u32,
 };
 
-fn Emitter_x24init_0( voxel_10 : array<i32, i32(3)>,  grid_8 : u32,  faces_1 : u32,  material_1 : u32,  luminance_5 : f32,  leaf_1 : u32) -> Emitter_0
+fn Emitter_x24init_0( voxel_10 : array<i32, i32(3)>,  grid_7 : u32,  faces_1 : u32,  material_1 : u32,  luminance_5 : f32,  leaf_1 : u32) -> Emitter_0
 {
     var _S257 : Emitter_0;
     _S257.voxel_9 = voxel_10;
-    _S257.grid_7 = grid_8;
+    _S257.grid_6 = grid_7;
     _S257.faces_0 = faces_1;
     _S257.material_0 = material_1;
     _S257.luminance_4 = luminance_5;

@@ -3006,14 +3006,26 @@ fn Path_dimension_scatter_0( this_35 : Path_0) -> u32
     return u32(1) + u32(2) * Path_events_0(this_35);
 }
 
-fn find_brick_0( grid_5 : PackedGrid_0,  relative_1 : vec3<i32>) -> u32
+fn brick_at_0( grid_5 : PackedGrid_0,  relative_1 : vec3<i32>) -> u32
 {
     var top_0 : vec3<i32> = (relative_1 >> (vec3<u32>(grid_5.top_shift_0)));
+    var _S202 : bool;
+    if((any((top_0 < vec3<i32>(i32(0))))))
+    {
+        _S202 = true;
+    }
+    else
+    {
+        _S202 = (any((top_0 >= (cell_of_0(grid_5.top_size_0)))));
+    }
+    if(_S202)
+    {
+        return u32(4294967295);
+    }
     var cell_7 : u32 = cell_word_0(grid_5.top_offset_0 + u32((top_0.z * grid_5.top_size_0[i32(1)] + top_0.y) * grid_5.top_size_0[i32(0)] + top_0.x));
     var shift_3 : u32 = grid_5.top_shift_0;
     for(;;)
     {
-        var _S202 : bool;
         if(shift_3 > u32(3))
         {
             _S202 = ((cell_7 & (u32(2147483648)))) != u32(0);
@@ -3033,7 +3045,15 @@ fn find_brick_0( grid_5 : PackedGrid_0,  relative_1 : vec3<i32>) -> u32
         cell_7 = cell_word_0(((cell_7 & (u32(2147483647)))) * u32(64) + cell_in_node_0(relative_1, shift_4));
         shift_3 = shift_4;
     }
-    return record_of_cell_0(cell_7);
+    if(((cell_7 & (u32(2147483648)))) == u32(0))
+    {
+        cell_7 = u32(4294967295);
+    }
+    else
+    {
+        cell_7 = record_of_cell_0(cell_7);
+    }
+    return cell_7;
 }
 
 fn rank_in_brick_0( record_3 : u32,  relative_2 : vec3<i32>) -> u32
@@ -3100,8 +3120,9 @@ fn read_bits_0( start_1 : u32,  position_8 : u32,  count_2 : u32) -> u32
     return (bits_3 & ((((u32(1) << (count_2))) - u32(1))));
 }
 
-fn material_of_rank_0( grid_6 : PackedGrid_0,  record_4 : u32,  header_0 : u32,  rank_2 : u32) -> u32
+fn material_of_rank_0( grid_6 : PackedGrid_0,  record_4 : u32,  rank_2 : u32) -> u32
 {
+    var header_0 : u32 = brick_word_0(record_4);
     var index_bits_0 : u32 = (((header_0 >> (u32(8)))) & (u32(255)));
     var palette_count_0 : u32 = (header_0 >> (u32(16)));
     var start_2 : u32 = brick_word_0(record_4 + u32(1));
@@ -3113,14 +3134,10 @@ fn material_of_rank_0( grid_6 : PackedGrid_0,  record_4 : u32,  header_0 : u32, 
     return read_bits_0(start_2, index_15 * grid_6.material_bits_0, grid_6.material_bits_0);
 }
 
-fn material_in_brick_0( grid_7 : PackedGrid_0,  record_5 : u32,  relative_3 : vec3<i32>) -> u32
+fn material_at_0( grid_7 : PackedGrid_0,  relative_3 : vec3<i32>) -> u32
 {
-    return material_of_rank_0(grid_7, record_5, brick_word_0(record_5), rank_in_brick_0(record_5, relative_3));
-}
-
-fn material_at_0( grid_8 : PackedGrid_0,  relative_4 : vec3<i32>) -> u32
-{
-    return material_in_brick_0(grid_8, find_brick_0(grid_8, relative_4), relative_4);
+    var record_5 : u32 = brick_at_0(grid_7, relative_3);
+    return material_of_rank_0(grid_7, record_5, rank_in_brick_0(record_5, relative_3));
 }
 
 fn material_of_0( hit_1 : Hit_0) -> PackedMaterial_0
@@ -4201,7 +4218,7 @@ fn density_0( odds_1 : vec2<f32>,  luminance_3 : f32,  power_3 : f32,  toward_2 
 struct Emitter_0
 {
      voxel_19 : array<i32, i32(3)>,
-     grid_9 : u32,
+     grid_8 : u32,
      faces_0 : u32,
      material_5 : u32,
      luminance_4 : f32,
@@ -4261,11 +4278,11 @@ fn emitter_luminance_at_0( index_29 : u32) -> f32
     return _S295;
 }
 
-fn Emitter_x24init_0( voxel_20 : array<i32, i32(3)>,  grid_10 : u32,  faces_1 : u32,  material_6 : u32,  luminance_5 : f32,  leaf_1 : u32) -> Emitter_0
+fn Emitter_x24init_0( voxel_20 : array<i32, i32(3)>,  grid_9 : u32,  faces_1 : u32,  material_6 : u32,  luminance_5 : f32,  leaf_1 : u32) -> Emitter_0
 {
     var _S296 : Emitter_0;
     _S296.voxel_19 = voxel_20;
-    _S296.grid_9 = grid_10;
+    _S296.grid_8 = grid_9;
     _S296.faces_0 = faces_1;
     _S296.material_5 = material_6;
     _S296.luminance_4 = luminance_5;
@@ -5312,8 +5329,8 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_22 : Ray_0,  hi
 
 fn place_of_0( at_7 : vec2<u32>) -> u32
 {
-    var relative_5 : vec2<u32> = at_7 - params_0.region_0.xy;
-    return relative_5.y * (params_0.region_0.z - params_0.region_0.x) + relative_5.x;
+    var relative_4 : vec2<u32> = at_7 - params_0.region_0.xy;
+    return relative_4.y * (params_0.region_0.z - params_0.region_0.x) + relative_4.x;
 }
 
 struct PixelRecord_0

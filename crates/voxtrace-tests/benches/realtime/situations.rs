@@ -187,7 +187,7 @@ pub fn add_balls(scene: &mut Scene, materials: &[Material]) -> Outcome<()> {
     let first = scene.grids.len();
     for material in materials {
         let index = u16::try_from(scene.materials.len())?;
-        scene.materials.push(material.clone());
+        scene.materials.push(*material);
         scene.grids.push(ball(index).into());
     }
     let axes = camera.axes();
