@@ -1335,7 +1335,7 @@ fn record_of_cell_0( cell_1 : u32) -> u32
     return ((cell_1 & (_S97))) * u32(2);
 }
 
-fn brick_at_0( grid_3 : PackedGrid_0,  relative_1 : vec3<i32>) -> u32
+fn find_brick_0( grid_3 : PackedGrid_0,  relative_1 : vec3<i32>) -> u32
 {
     var top_0 : vec3<i32> = (relative_1 >> (vec3<u32>(grid_3.top_shift_0)));
     var _S98 : bool;
@@ -1475,7 +1475,7 @@ fn material_of_rank_0( grid_4 : PackedGrid_0,  record_1 : u32,  rank_2 : u32) ->
 
 fn material_at_0( grid_5 : PackedGrid_0,  relative_3 : vec3<i32>) -> u32
 {
-    var record_2 : u32 = brick_at_0(grid_5, relative_3);
+    var record_2 : u32 = find_brick_0(grid_5, relative_3);
     return material_of_rank_0(grid_5, record_2, rank_in_brick_0(record_2, relative_3));
 }
 

@@ -2130,7 +2130,7 @@ struct PackedMaterial_0
      scattering_0 : f32,
 };
 
-fn brick_at_0( grid_6 : PackedGrid_0,  relative_1 : vec3<i32>) -> u32
+fn find_brick_0( grid_6 : PackedGrid_0,  relative_1 : vec3<i32>) -> u32
 {
     var top_0 : vec3<i32> = (relative_1 >> (vec3<u32>(grid_6.top_shift_0)));
     var _S131 : bool;
@@ -2260,7 +2260,7 @@ fn material_of_rank_0( grid_7 : PackedGrid_0,  record_5 : u32,  rank_2 : u32) ->
 
 fn material_at_0( grid_8 : PackedGrid_0,  relative_3 : vec3<i32>) -> u32
 {
-    var record_6 : u32 = brick_at_0(grid_8, relative_3);
+    var record_6 : u32 = find_brick_0(grid_8, relative_3);
     return material_of_rank_0(grid_8, record_6, rank_in_brick_0(record_6, relative_3));
 }
 

@@ -1432,7 +1432,7 @@ fn record_of_cell_0( cell_1 : u32) -> u32
     return ((cell_1 & (_S114))) * u32(2);
 }
 
-fn brick_at_0( grid_3 : PackedGrid_0,  relative_1 : vec3<i32>) -> u32
+fn find_brick_0( grid_3 : PackedGrid_0,  relative_1 : vec3<i32>) -> u32
 {
     var top_0 : vec3<i32> = (relative_1 >> (vec3<u32>(grid_3.top_shift_0)));
     var _S115 : bool;
@@ -1572,7 +1572,7 @@ fn material_of_rank_0( grid_4 : PackedGrid_0,  record_1 : u32,  rank_2 : u32) ->
 
 fn material_at_0( grid_5 : PackedGrid_0,  relative_3 : vec3<i32>) -> u32
 {
-    var record_2 : u32 = brick_at_0(grid_5, relative_3);
+    var record_2 : u32 = find_brick_0(grid_5, relative_3);
     return material_of_rank_0(grid_5, record_2, rank_in_brick_0(record_2, relative_3));
 }
 
@@ -1647,7 +1647,7 @@ fn check_brick(@builtin(global_invocation_id) id_5 : vec3<u32>, @builtin(local_i
     var _S126 : vec3<i32> = Reader_cell_0(&(reader_5));
     var voxel_2 : vec3<i32> = _S126 - cell_of_0(_S125.origin_0);
     var octant_2 : u32 = Reader_word_0(&(reader_5));
-    var record_5 : u32 = brick_at_0(_S125, voxel_2);
+    var record_5 : u32 = find_brick_0(_S125, voxel_2);
     Writer_word_0(&(writer_5), empty_around_0(record_5, blocks_of_record_0(record_5), (voxel_2 ^ ((vec3<i32>(0) - vec3<i32>(i32((octant_2 & (u32(1)))), i32((((octant_2 >> (u32(1)))) & (u32(1)))), i32((octant_2 >> (u32(2)))))))), octant_2, flip_of_0(octant_2)));
     return;
 }

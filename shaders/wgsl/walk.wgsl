@@ -3006,7 +3006,7 @@ fn Path_dimension_scatter_0( this_35 : Path_0) -> u32
     return u32(1) + u32(2) * Path_events_0(this_35);
 }
 
-fn brick_at_0( grid_5 : PackedGrid_0,  relative_1 : vec3<i32>) -> u32
+fn find_brick_0( grid_5 : PackedGrid_0,  relative_1 : vec3<i32>) -> u32
 {
     var top_0 : vec3<i32> = (relative_1 >> (vec3<u32>(grid_5.top_shift_0)));
     var _S202 : bool;
@@ -3136,7 +3136,7 @@ fn material_of_rank_0( grid_6 : PackedGrid_0,  record_4 : u32,  rank_2 : u32) ->
 
 fn material_at_0( grid_7 : PackedGrid_0,  relative_3 : vec3<i32>) -> u32
 {
-    var record_5 : u32 = brick_at_0(grid_7, relative_3);
+    var record_5 : u32 = find_brick_0(grid_7, relative_3);
     return material_of_rank_0(grid_7, record_5, rank_in_brick_0(record_5, relative_3));
 }
 

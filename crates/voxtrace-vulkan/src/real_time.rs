@@ -283,8 +283,9 @@ impl RealTime {
 
     /// Whether paths are to leave waves in the next frame. Where most of them do, one shader is quicker, and waves are tried now and then.
     pub fn paths_leave(&mut self) -> bool {
+        let leave = self.frames_without_waves == 0;
         self.frames_without_waves = self.frames_without_waves.saturating_sub(1);
-        self.frames_without_waves == 0
+        leave
     }
 
     /// Tries waves in the next frame.
